@@ -1,0 +1,218 @@
+# SPDX-License-Identifier: MIT
+"""A private folder with programs from Debian's packages, for machines that lack them. No root.
+
+apt-get downloads with a state of its own, dpkg unpacks, and patchelf (from the same suite) points
+each program at the folder's own loader and libraries: they are newer than the host's. Starting the
+programs through the loader instead breaks OS.get_executable_path() and every exported game.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+from .console import Failure, step, tail
+from .paths import cache, lock, make_folder, need_space
+
+SUITE = os.environ.get("DISMOUNT_DEBIAN_SUITE", "forky")
+KEYRING = Path("/usr/share/keyrings/debian-archive-keyring.gpg")
+LAYOUT = 4  # Raised when the way the folder is made changes: older folders are then made anew.
+GODOT_PACKAGES = ["godot", "godot-template-release", "godot-template-debug", "patchelf"]
+DISPLAY_PACKAGES = ["xvfb", "x11-xkb-utils", "xkb-data", "libgl1-mesa-dri", "libglx-mesa0"]
+DISPLAY_PACKAGES += ["libegl1", "libegl-mesa0"]
+PROGRAMS = ["godot", "godot-template-release", "godot-template-debug", "Xvfb", "xkbcomp"]
+LIBRARIES = Path("usr/lib/x86_64-linux-gnu")
+
+
+def mirrors() -> list[str]:
+    """Addresses to try, from the environment or the machine's own apt configuration."""
+    own = os.environ.get("DISMOUNT_DEBIAN_MIRROR")
+    if own:
+        return [own]
+    result = subprocess.run(
+        ["apt-get", "indextargets", "--format", "$(SITE)"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    found = [line.strip().rstrip("/") for line in result.stdout.splitlines() if line.strip()]
+    found = [re.sub(r"/ubuntu$", "/debian", site) for site in found if "security" not in site]
+    return list(dict.fromkeys(found))
+
+
+def require_debian() -> None:
+    """Says what to install where the host has no apt and so cannot make the folder."""
+    missing = [tool for tool in ("apt-get", "dpkg") if shutil.which(tool) is None]
+    if missing:
+        raise Failure(
+            "No Godot >= 4.6 was found, and this system has no apt to fetch one: install Godot "
+            "4.6 and its export templates, and put it on PATH or in $GODOT."
+        )
+    if not KEYRING.exists():
+        raise Failure(
+            f"No Godot >= 4.6 was found, and {KEYRING} is missing, which checks the packages: "
+            "install it with 'sudo apt-get install debian-archive-keyring', or put Godot 4.6 in "
+            "$GODOT."
+        )
+
+
+class Prefix:
+    """The private folder: `bin/` holds what is to be started, `root/` what was unpacked."""
+
+    def __init__(self) -> None:
+        self.folder = cache() / f"prefix-{SUITE}-{LAYOUT}"
+        self.bin = self.folder / "bin"
+        self.root = self.folder / "root"
+
+    def program(self, name: str) -> Path:
+        """A program of the folder, which is made first where it isn't there yet."""
+        self.ensure()
+        return self.bin / name
+
+    def ensure(self) -> None:
+        """Makes the folder once for all clones; an interrupted attempt leaves nothing."""
+        if self.folder.exists():
+            return
+        require_debian()
+        make_folder(cache())
+        with lock(cache() / "prefix.lock", "setting up Godot"):
+            if self.folder.exists():
+                return
+            need_space(cache(), 1800, "the private Godot")
+            work = self.folder.with_name(self.folder.name + ".part")
+            shutil.rmtree(work, ignore_errors=True)
+            archives = self._download(work)
+            self._unpack(archives, work)
+            work.rename(self.folder)
+
+    def _apt(self, work: Path) -> list[str]:
+        state = work / "apt"
+        for name in ("lists/partial", "etc"):
+            make_folder(state / name)
+        (state / "status").touch()
+        packages = make_folder(cache() / "packages" / "archives" / "partial").parents[1]
+        return [
+            "apt-get",
+            "-qq",
+            "-o",
+            "Dir::Etc::sourcelist=/dev/null",
+            "-o",
+            f"Dir::Etc::sourceparts={state}/etc",
+            "-o",
+            "Dir::Etc::trustedparts=/dev/null",
+            "-o",
+            f"Dir::State::lists={state}/lists",
+            "-o",
+            f"Dir::State::status={state}/status",
+            "-o",
+            f"Dir::Cache={packages}",
+            "-o",
+            "APT::Sandbox::User=",
+            "-o",
+            "Debug::NoLocking=1",
+            "-o",
+            "Acquire::Languages=none",
+            "-o",
+            "Acquire::Retries=2",
+        ]
+
+    def _download(self, work: Path) -> list[Path]:
+        sites = mirrors()
+        if not sites:
+            raise Failure(
+                "No Godot >= 4.6 was found, and apt names no mirror to fetch it from: set "
+                "DISMOUNT_DEBIAN_MIRROR to a Debian mirror's address, or $GODOT to a Godot 4.6."
+            )
+        packages = GODOT_PACKAGES + DISPLAY_PACKAGES
+        failure = ""
+        for site in sites:
+            apt = self._apt(work)
+            source = work / "apt" / "etc" / "suite.sources"
+            source.write_text(
+                f"Types: deb\nURIs: {site}\nSuites: {SUITE}\nComponents: main\n"
+                f"Signed-By: {KEYRING}\n",
+                encoding="utf-8",
+            )
+            with step(f"download Godot from Debian {SUITE} (about 180 MB)"):
+                failure = self._apt_run([*apt, "update"])
+                download = [*apt, "-y", "--no-install-recommends", "--download-only", "install"]
+                failure = failure or self._apt_run(download + packages)
+            if not failure:
+                return self._chosen(apt, packages)
+        raise Failure(
+            f"Debian {SUITE}'s packages can't be had from {', '.join(sites)}: check the network, "
+            "set DISMOUNT_DEBIAN_MIRROR to another Debian mirror, or put a Godot 4.6 in $GODOT.\n"
+            + tail(failure, 4)
+        )
+
+    @staticmethod
+    def _apt_run(command: list[str]) -> str:
+        """Runs apt-get; returns what it said if it failed, otherwise an empty text."""
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        # A failed update of one source is only a warning to apt, hence the look at its words.
+        bad = done.returncode != 0 or "Failed to fetch" in done.stderr
+        return (done.stderr or done.stdout or "apt-get failed") if bad else ""
+
+    @staticmethod
+    def _chosen(apt: list[str], packages: list[str]) -> list[Path]:
+        """The package files that this very installation needs, of all that are in the cache."""
+        command = [*apt, "-y", "--no-install-recommends", "--print-uris", "install", *packages]
+        fresh = ["-o", "Dir::Cache::archives=/nonexistent"]
+        listed = subprocess.run(command + fresh, capture_output=True, text=True, check=False).stdout
+        names = [line.split()[1] for line in listed.splitlines() if line.startswith("'")]
+        folder = cache() / "packages" / "archives"
+        found = [folder / name for name in names if (folder / name).exists()]
+        if not found:
+            raise Failure(f"The downloaded packages are missing in {folder}: delete it and retry.")
+        return found
+
+    def _unpack(self, archives: list[Path], work: Path) -> None:
+        with step(f"unpack {len(archives)} packages"):
+            for archive in archives:
+                command = ["dpkg", "-x", str(archive), str(work / "root")]
+                done = subprocess.run(command, capture_output=True, text=True, check=False)
+                if done.returncode != 0:
+                    archive.unlink(missing_ok=True)
+                    raise Failure(
+                        f"The package {archive.name} could not be unpacked and was removed from "
+                        "the cache (disk full, or a broken download?): start again.\n"
+                        + tail(done.stderr, 3)
+                    )
+            shutil.rmtree(work / "apt", ignore_errors=True)
+            self._patch(work)
+
+    def _patch(self, work: Path) -> None:
+        """Points programs at the libraries where they will be once the folder has its name."""
+        here = work / "root" / LIBRARIES
+        there = self.root / LIBRARIES
+        rpath = f"{there}:{there}/pulseaudio"
+        loader = here / "ld-linux-x86-64.so.2"
+        edit = [str(loader), "--library-path", str(here), str(work / "root/usr/bin/patchelf")]
+        for library in [*here.glob("*.so*"), *here.glob("pulseaudio/*.so")]:
+            # A library with a path of its own hides the program's path from what it needs.
+            if not library.is_symlink() and self._output([*edit, "--print-rpath", str(library)]):
+                subprocess.run([*edit, "--force-rpath", "--set-rpath", rpath, library], check=True)
+        make_folder(work / "bin")
+        for name in PROGRAMS:
+            program = work / "bin" / name
+            shutil.move(work / "root/usr/bin" / name, program)
+            own = ["--set-interpreter", str(there / loader.name), "--force-rpath"]
+            subprocess.run([*edit, *own, "--set-rpath", rpath, str(program)], check=True)
+        self._localise_xvfb(work / "bin" / "Xvfb")
+
+    @staticmethod
+    def _output(command: list[str]) -> str:
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        return done.stdout.strip()
+
+    @staticmethod
+    def _localise_xvfb(xvfb: Path) -> None:
+        """Lets Xvfb find xkbcomp in its working folder: its built-in path is the host's."""
+        built_in, own = b"\0/usr/bin\0", b"\0.\0"
+        data = xvfb.read_bytes()
+        if data.count(built_in) != 1:
+            raise Failure(f"{xvfb.name} is not laid out as expected: install xvfb and start again.")
+        xvfb.write_bytes(data.replace(built_in, own.ljust(len(built_in), b"\0")))
