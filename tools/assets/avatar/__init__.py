@@ -1,0 +1,1 @@
+"""Tools that build the soldier avatar and what the game derives from it."""
