@@ -38,7 +38,8 @@ SOURCE = (
 FRAME = (
     "Rest pose in model space: Y up, right-handed, the figure faces +Z, origin between the feet. "
     "A pill's long axis is its local Y; its length is the cylinder part without the caps. "
-    "A box's size is full edge lengths along local x, y, z. Orientations are quaternions x, y, z, w."
+    "A box's size is full edge lengths along local x, y, z. "
+    "Orientations are quaternions x, y, z, w."
 )
 UNITS = "metres; mass_fraction: share of the whole body's mass"
 
