@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+/// The engine-free core of ragdoll_motor: right-handed frames, metres, radians, seconds.
+namespace ragdoll {
+
+/// A vector of three floats.
+struct Vec3 {
+	float x = 0.0f;
+	float y = 0.0f;
+	float z = 0.0f;
+
+	Vec3 operator+(const Vec3 &p_other) const { return { x + p_other.x, y + p_other.y, z + p_other.z }; }
+	Vec3 operator-(const Vec3 &p_other) const { return { x - p_other.x, y - p_other.y, z - p_other.z }; }
+	Vec3 operator*(float p_factor) const { return { x * p_factor, y * p_factor, z * p_factor }; }
+	float dot(const Vec3 &p_other) const { return x * p_other.x + y * p_other.y + z * p_other.z; }
+	Vec3 cross(const Vec3 &p_other) const {
+		return { y * p_other.z - z * p_other.y, z * p_other.x - x * p_other.z, x * p_other.y - y * p_other.x };
+	}
+	float length() const { return std::sqrt(dot(*this)); }
+	bool is_finite() const { return std::isfinite(x) && std::isfinite(y) && std::isfinite(z); }
+};
+
+/// A rotation as a unit quaternion, x y z w. `a * b` applies b first, then a.
+struct Quat {
+	float x = 0.0f;
+	float y = 0.0f;
+	float z = 0.0f;
+	float w = 1.0f;
+
+	Quat operator*(const Quat &p_other) const {
+		return {
+			w * p_other.x + x * p_other.w + y * p_other.z - z * p_other.y,
+			w * p_other.y + y * p_other.w + z * p_other.x - x * p_other.z,
+			w * p_other.z + z * p_other.w + x * p_other.y - y * p_other.x,
+			w * p_other.w - x * p_other.x - y * p_other.y - z * p_other.z,
+		};
+	}
+	/// The inverse of a unit quaternion.
+	Quat inverse() const { return { -x, -y, -z, w }; }
+	Quat operator-() const { return { -x, -y, -z, -w }; }
+	float dot(const Quat &p_other) const { return x * p_other.x + y * p_other.y + z * p_other.z + w * p_other.w; }
+	bool is_finite() const { return std::isfinite(x) && std::isfinite(y) && std::isfinite(z) && std::isfinite(w); }
+	Quat normalized() const {
+		const float scale = 1.0f / std::sqrt(dot(*this));
+		return { x * scale, y * scale, z * scale, w * scale };
+	}
+	/// The vector, rotated (thesis section 6.3, eq. 3: v' = q v q*).
+	Vec3 rotate(const Vec3 &p_vector) const {
+		const Vec3 axis{ x, y, z };
+		const Vec3 twice = axis.cross(p_vector) * 2.0f;
+		return p_vector + twice * w + axis.cross(twice);
+	}
+};
+
+/// The rotation vector (axis times angle, rad) of a unit quaternion, by the short way round.
+inline Vec3 log(const Quat &p_rotation) {
+	const float sign = p_rotation.w < 0.0f ? -1.0f : 1.0f;
+	const Vec3 vector{ p_rotation.x * sign, p_rotation.y * sign, p_rotation.z * sign };
+	const float sine = vector.length();
+	if (sine < 1e-7f) {
+		return vector * 2.0f;
+	}
+	return vector * (2.0f * std::atan2(sine, p_rotation.w * sign) / sine);
+}
+
+/// The unit quaternion of a rotation vector (axis times angle, rad): the inverse of log().
+inline Quat exp(const Vec3 &p_vector) {
+	const float half = 0.5f * p_vector.length();
+	// sin(h) / h without a division by zero.
+	const float ratio = half < 1e-4f ? 1.0f - half * half / 6.0f : std::sin(half) / half;
+	const Vec3 vector = p_vector * (0.5f * ratio);
+	return { vector.x, vector.y, vector.z, std::cos(half) };
+}
+
+/// The angle between two orientations (rad, 0 to pi), whichever of q and -q either is.
+inline float angle_between(const Quat &p_from, const Quat &p_to) {
+	return log(p_from.inverse() * p_to).length();
+}
+
+/// The orientation a fraction of the short way from one to another. Fractions above 1 extrapolate.
+inline Quat slerp(const Quat &p_from, const Quat &p_to, float p_fraction) {
+	return p_from * exp(log(p_from.inverse() * p_to) * p_fraction);
+}
+
+} // namespace ragdoll

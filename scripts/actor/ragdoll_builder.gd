@@ -1,0 +1,76 @@
+@tool
+class_name RagdollBuilder
+extends RefCounted
+## Gives a skeleton the physical bones of a [RagdollDescription].
+##
+## Each body has the axes of its bone and its origin (the centre of mass) in the middle of its
+## shape. Joints are not made here: see [RagdollJoints].
+
+## Physics layer of people.
+const LAYER_ACTORS: int = 2
+## What people collide with: world (1), people (2), props (4).
+const MASK_ACTORS: int = 7
+## Friction of clothes and boots.
+const FRICTION: float = 0.8
+
+
+## Adds a [PhysicalBoneSimulator3D] with a [PhysicalBone3D] per limb below a skeleton, and returns
+## it; on a fault it reports an error and returns null. [param p_owner] is the scene that shall
+## save them, or null. The description's frame must be the skeleton's.
+static func build(
+	p_skeleton: Skeleton3D, p_description: RagdollDescription, p_owner: Node = null
+) -> PhysicalBoneSimulator3D:
+	var fault: String = p_description.find_fault()
+	for limb: LimbShape in p_description.limbs:
+		if fault == "" and p_skeleton.find_bone(limb.bone) < 0:
+			fault = "the skeleton has no bone %s" % limb.bone
+	if fault != "":
+		push_error("The ragdoll cannot be built: %s." % fault)
+		return null
+	var simulator: PhysicalBoneSimulator3D = PhysicalBoneSimulator3D.new()
+	simulator.name = "PhysicalBoneSimulator3D"
+	p_skeleton.add_child(simulator)
+	simulator.owner = p_owner
+	for limb: LimbShape in p_description.limbs:
+		var rest: Transform3D = p_skeleton.get_bone_global_rest(p_skeleton.find_bone(limb.bone))
+		var bone: PhysicalBone3D = _make_bone(limb, rest.orthonormalized(), p_description.mass)
+		simulator.add_child(bone)
+		bone.owner = p_owner
+		bone.get_child(0).owner = p_owner
+	return simulator
+
+
+## Moments of inertia of a limb about its body's axes, kg·m².
+static func body_inertia(p_limb: LimbShape, p_rest: Basis, p_mass: float) -> Vector3:
+	var own: Vector3 = p_limb.inertia(p_mass)
+	var turn: Basis = Basis(p_rest.get_rotation_quaternion().inverse() * p_limb.orientation)
+	# The diagonal of R I R^T; what lies beside it is small for shapes that follow their bones.
+	var result: Vector3 = Vector3.ZERO
+	for axis: int in 3:
+		var row: Vector3 = Vector3(turn.x[axis], turn.y[axis], turn.z[axis])
+		result[axis] = (row * row).dot(own)
+	return result
+
+
+static func _make_bone(p_limb: LimbShape, p_rest: Transform3D, p_mass: float) -> PhysicalBone3D:
+	var bone: PhysicalBone3D = PhysicalBone3D.new()
+	bone.name = p_limb.bone
+	bone.bone_name = p_limb.bone
+	bone.joint_type = PhysicalBone3D.JOINT_TYPE_NONE
+	bone.body_offset = Transform3D(Basis.IDENTITY, p_rest.affine_inverse() * p_limb.position)
+	bone.mass = p_mass * p_limb.mass_fraction
+	bone.friction = FRICTION
+	bone.can_sleep = false
+	bone.linear_damp_mode = PhysicalBone3D.DAMP_MODE_REPLACE
+	bone.linear_damp = 0.0
+	bone.angular_damp_mode = PhysicalBone3D.DAMP_MODE_REPLACE
+	bone.angular_damp = 0.0
+	bone.collision_layer = LAYER_ACTORS
+	bone.collision_mask = MASK_ACTORS
+	var shape: CollisionShape3D = CollisionShape3D.new()
+	shape.name = "Shape"
+	shape.shape = p_limb.make_shape()
+	var turn: Quaternion = p_rest.basis.get_rotation_quaternion().inverse() * p_limb.orientation
+	shape.transform = Transform3D(Basis(turn), Vector3.ZERO)
+	bone.add_child(shape)
+	return bone

@@ -1,0 +1,19 @@
+class_name Hud
+extends CanvasLayer
+## A line of figures, a line of keys, and in the middle what the user must know.
+
+@export var _status: Label
+@export var _keys: Label
+@export var _message: Label
+
+
+## Shows the figures and the worlds.
+func show_status(p_status: String, p_views: String) -> void:
+	_status.text = p_status
+	_keys.text = p_views + "   drag and wheel: camera"
+
+
+## Shows a message in the middle, or none if the text is empty.
+func show_message(p_text: String) -> void:
+	_message.text = p_text
+	(_message.get_parent() as Control).visible = p_text != ""

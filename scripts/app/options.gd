@@ -1,0 +1,98 @@
+class_name Options
+extends RefCounted
+## What the user asked for: arguments after [code]--[/code], or environment variables of the same
+## meaning ([code]--max-clients=8[/code] is [code]DISMOUNT_MAX_CLIENTS=8[/code]). Arguments win.
+
+## Every option: its name, default (whose type it has) and what it means.
+const TABLE: Array[Array] = [
+	["role", "", "server, trainee, observer or replay"],
+	["host", "127.0.0.1", "address of the server to join"],
+	["port", Protocol.DEFAULT_PORT, "UDP port of the server"],
+	["name", "", "your name, shown to the others"],
+	["bvh", "", "trainee: motion file to be played in a loop"],
+	["unit", "", "trainee: unit of the motion file: m, cm, mm, inch, cmu or metres per unit"],
+	["up", "", "trainee: up axis of the motion file: y or z"],
+	["rate", 60, "trainee: samples per second"],
+	["max-clients", Protocol.DEFAULT_MAX_CLIENTS, "server: clients that are admitted"],
+	["connect-timeout", 0.0, "client: give up after so many seconds without a server; 0 never"],
+	["duration", 0.0, "end after so many seconds; 0 never"],
+	["report", "", "write figures of the session to this file (JSON) every second"],
+	["screenshot", "", "client: write a picture of the screen to this file before the end"],
+	["record", "", "client: record what the server sends to this file"],
+	["file", "", "replay: recording to show"],
+	["views", "mesh,static", "client: worlds to show at first: mesh, static, physics"],
+	["camera", "", "client: azimuth,elevation,distance of the camera, degrees and m"],
+	["protocol", Protocol.VERSION, "client: protocol version to claim (for tests)"],
+]
+
+## What is wrong with the arguments, or an empty text.
+var error: String = ""
+
+var _values: Dictionary[String, Variant] = {}
+
+
+## Reads arguments such as [code]--port=7777[/code] and the environment.
+static func parse(p_arguments: PackedStringArray) -> Options:
+	var options: Options = Options.new()
+	for row: Array in TABLE:
+		options._values[row[0]] = row[1]
+		var variable: String = "DISMOUNT_" + (row[0] as String).to_upper().replace("-", "_")
+		if OS.get_environment(variable) != "":
+			options._set_option(row[0], OS.get_environment(variable), variable)
+	for argument: String in p_arguments:
+		var parts: PackedStringArray = argument.trim_prefix("--").split("=", true, 1)
+		if not argument.begins_with("--") or parts.size() != 2:
+			options._refuse("'%s' is not of the form --name=value" % argument)
+		else:
+			options._set_option(parts[0], parts[1], "--" + parts[0])
+	return options
+
+
+## The options, a line each, for people.
+static func describe() -> String:
+	var lines: PackedStringArray = []
+	for row: Array in TABLE:
+		var shown: String = "--%s=%s" % [row[0], row[1]]
+		lines.append("  %-28s %s" % [shown, row[2]])
+	return "\n".join(lines)
+
+
+## The value of a text option.
+func text(p_name: String) -> String:
+	return _values[p_name]
+
+
+## The value of a whole-number option.
+func number(p_name: String) -> int:
+	return _values[p_name]
+
+
+## The value of an option in seconds.
+func seconds(p_name: String) -> float:
+	return _values[p_name]
+
+
+func _set_option(p_name: String, p_value: String, p_source: String) -> void:
+	if not _values.has(p_name):
+		_refuse("there is no option --%s" % p_name)
+	elif _values[p_name] is int:
+		if p_value.is_valid_int() and p_value.to_int() >= 0:
+			_values[p_name] = p_value.to_int()
+		else:
+			_refuse("%s expects a whole number, found '%s'" % [p_source, p_value])
+	elif _values[p_name] is float:
+		if p_value.is_valid_float() and p_value.to_float() >= 0.0:
+			_values[p_name] = p_value.to_float()
+		else:
+			_refuse("%s expects seconds, found '%s'" % [p_source, p_value])
+	else:
+		_values[p_name] = p_value
+	if error == "" and (number("port") < 1 or number("port") > 65535):
+		_refuse("a port is between 1 and 65535, found %d" % number("port"))
+	if error == "" and (number("rate") < 1 or number("rate") > 240):
+		_refuse("a rate is between 1 and 240, found %d" % number("rate"))
+
+
+func _refuse(p_why: String) -> void:
+	if error == "":
+		error = p_why

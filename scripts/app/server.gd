@@ -1,0 +1,132 @@
+class_name Server
+extends Node
+## The dedicated server: simulates the world, drives each trainee's ragdoll, tells everybody.
+##
+## A tick: take in what has arrived, set the motors, let Jolt step; right after the step the new
+## state goes out, in the same frame.
+
+## Seconds between two lines of figures in the log.
+const _STATUS_S: float = 10.0
+
+@export var _world: Node3D
+@export var _actors: ServerActors
+
+var _options: Options = null
+var _link: ServerLink = ServerLink.new()
+var _report: ReportFile = null
+var _registry: BodyRegistry = BodyRegistry.new()
+var _tick: int = 0
+var _sent_tick: int = 0
+var _began_usec: int = 0
+var _status_usec: int = 0
+var _work: Statistics = Statistics.new()
+var _ticks_at_status: int = 0
+
+
+## Takes over the options. Call it before the node enters the tree.
+func configure(_p_role: String, p_options: Options) -> void:
+	_options = p_options
+
+
+func _ready() -> void:
+	_report = ReportFile.new(_options.text("report"))
+	var port: int = _options.number("port")
+	if _link.listen(port, _options.number("max-clients")) != OK:
+		Log.error("server", "UDP port %d is in use: choose another with --port" % port)
+		get_tree().quit(1)
+		set_physics_process(false)
+		set_process(false)
+		return
+	_registry.add_world(_world)
+	_actors.changed.connect(_announce)
+	_link.client_joined.connect(_on_joined)
+	_link.client_left.connect(_actors.remove)
+	_link.pose_received.connect(_on_pose)
+	_began_usec = Time.get_ticks_usec()
+	_status_usec = _began_usec
+	Log.info("server", "listening on UDP port %d, %d ticks/s" % [port, _rate()])
+
+
+func _physics_process(p_delta: float) -> void:
+	var begin: int = Time.get_ticks_usec()
+	_link.poll()
+	_actors.drive(begin / 1e6, p_delta)
+	_tick += 1
+	_work.add((Time.get_ticks_usec() - begin) / 1e6)
+
+
+func _process(_p_delta: float) -> void:
+	if _sent_tick != _tick:
+		_sent_tick = _tick
+		_after_step()
+	var now: int = Time.get_ticks_usec()
+	if _report.is_due():
+		_report.write(_figures())
+	if now - _status_usec > int(_STATUS_S * 1e6):
+		_log_status(now)
+	if not _link.is_listening():
+		Log.error("server", "the port was closed by a network error")
+		get_tree().quit(1)
+	var duration: float = _options.seconds("duration")
+	if duration > 0.0 and now - _began_usec > int(duration * 1e6):
+		get_tree().quit(0)
+
+
+func _exit_tree() -> void:
+	if _report != null:
+		_report.write(_figures())
+	_link.close()
+
+
+func _after_step() -> void:
+	_actors.measure()
+	var snapshot: Snapshot = Snapshot.new()
+	snapshot.tick = _tick
+	snapshot.tick_rate = _rate()
+	_registry.read(snapshot)
+	_actors.mark(snapshot)
+	_link.send_snapshot(snapshot)
+
+
+func _on_joined(p_peer: int, p_hello: Dictionary) -> void:
+	if p_hello["role"] == Protocol.Role.TRAINEE:
+		_actors.add(p_peer, p_hello["name"], p_hello["hip_height"])
+	else:
+		_announce()
+
+
+func _on_pose(p_peer: int, p_sample: PoseSample) -> void:
+	_actors.push_sample(p_peer, p_sample, Time.get_ticks_usec() / 1e6)
+
+
+func _announce() -> void:
+	_link.send_world(_registry.describe(_actors.list()))
+
+
+func _rate() -> int:
+	return Engine.physics_ticks_per_second
+
+
+func _log_status(p_now_usec: int) -> void:
+	var seconds: float = (p_now_usec - _status_usec) / 1e6
+	var rate: float = (_tick - _ticks_at_status) / seconds
+	_status_usec = p_now_usec
+	_ticks_at_status = _tick
+	var parts: Array = [rate, _link.client_count(), _actors.list().size()]
+	Log.info("server", "%.1f ticks/s, %d clients, %d people" % parts)
+
+
+func _figures() -> Dictionary:
+	var seconds: float = maxf((Time.get_ticks_usec() - _began_usec) / 1e6, 0.001)
+	return {
+		"role": "server",
+		"seconds": seconds,
+		"ticks": _tick,
+		"ticks_per_second": _tick / seconds,
+		"script_ms_p50": _work.percentile(0.5) * 1000.0,
+		"script_ms_p99": _work.percentile(0.99) * 1000.0,
+		"clients": _link.client_count(),
+		"sent_bytes_per_second": _link.traffic.sent_per_second(),
+		"received_bytes_per_second": _link.traffic.received_per_second(),
+		"people": _actors.figures(),
+	}

@@ -1,0 +1,123 @@
+class_name ServerActors
+extends Node3D
+## The people on the server: a ragdoll for each trainee, driven by the trainee's samples.
+
+## Somebody came or went.
+signal changed
+
+## The scene of a person; its root is a [Ragdoll].
+@export var scene: PackedScene
+## Distance between the places where people start.
+@export_range(0.5, 10.0, 0.1, "suffix:m") var spacing: float = 1.5
+
+var _people: Dictionary[int, Person] = {}
+var _next_id: int = 0
+
+
+## One trainee's body.
+class Person:
+	var id: int = 0
+	var name: String = ""
+	var ragdoll: Ragdoll = null
+	var clock: SampleClock = SampleClock.new()
+	## Moment of the motion that the last step ended at, s in the wearer's clock.
+	var moment_s: float = 0.0
+	var newest: PoseSample = null
+	## Where the person's own origin is in the world.
+	var origin: Vector3 = Vector3.ZERO
+	## Scales the wearer's travel to the body's build.
+	var scale: float = 1.0
+	var refused: int = 0
+
+
+## Gives a trainee a body.
+func add(p_peer: int, p_name: String, p_hip_height: float) -> void:
+	var person: Person = Person.new()
+	person.id = _next_id
+	person.name = p_name
+	person.ragdoll = scene.instantiate()
+	person.ragdoll.name = "Person%d" % person.id
+	person.origin = _free_place()
+	_next_id += 1
+	add_child(person.ragdoll)
+	person.scale = person.ragdoll.get_hip_height() / p_hip_height
+	if not person.ragdoll.start():
+		person.ragdoll.queue_free()
+		return
+	_people[p_peer] = person
+	changed.emit()
+
+
+## Takes a trainee's body away.
+func remove(p_peer: int) -> void:
+	if _people.has(p_peer):
+		_people[p_peer].ragdoll.queue_free()
+		_people.erase(p_peer)
+	changed.emit()
+
+
+## The people, in the order of their coming.
+func list() -> Array[Person]:
+	return _people.values()
+
+
+## Takes a trainee's sample that arrived at a time, s.
+func push_sample(p_peer: int, p_sample: PoseSample, p_now_s: float) -> void:
+	var person: Person = _people.get(p_peer)
+	if person == null:
+		return
+	var sample_s: float = p_sample.time_usec / 1e6
+	var root: Vector3 = p_sample.root * person.scale + person.origin
+	if person.ragdoll.push_sample(sample_s, p_sample, root):
+		person.newest = p_sample
+		person.clock.arrived(sample_s, p_now_s)
+	else:
+		person.refused += 1
+		Log.limited("server", "sample %d" % p_peer, "'%s' sent an old sample" % person.name)
+
+
+## Sets everybody's motors for the next step.
+func drive(p_now_s: float, p_delta_s: float) -> void:
+	for peer: int in _people:
+		var person: Person = _people[peer]
+		if person.newest != null:
+			var moment: float = person.clock.advance(p_now_s, p_delta_s)
+			person.ragdoll.drive(moment, p_delta_s)
+			person.moment_s = moment + p_delta_s
+
+
+## Notes how well everybody followed, after a step.
+func measure() -> void:
+	for peer: int in _people:
+		if _people[peer].newest != null:
+			_people[peer].ragdoll.motor.measure(_people[peer].moment_s)
+
+
+## Adds to a snapshot which sample moved whom.
+func mark(p_snapshot: Snapshot) -> void:
+	for peer: int in _people:
+		var newest: PoseSample = _people[peer].newest
+		if newest != null:
+			var sample_mark: Snapshot.SampleMark = Snapshot.SampleMark.new()
+			sample_mark.id = newest.id
+			sample_mark.time_usec = newest.time_usec
+			p_snapshot.samples[_people[peer].id] = sample_mark
+
+
+## Figures of everybody, for a report.
+func figures() -> Array[Dictionary]:
+	var result: Array[Dictionary] = []
+	for peer: int in _people:
+		var figure: Dictionary = _people[peer].ragdoll.motor.get_tracking()
+		figure["name"] = _people[peer].name
+		figure["refused_samples"] = _people[peer].refused
+		result.append(figure)
+	return result
+
+
+func _free_place() -> Vector3:
+	var place: int = 0
+	var taken: Array = list().map(func(person: Person) -> Vector3: return person.origin)
+	while taken.has(Vector3(place * spacing, 0.0, 0.0)):
+		place += 1
+	return Vector3(place * spacing, 0.0, 0.0)

@@ -1,0 +1,52 @@
+class_name Log
+extends RefCounted
+## The one logger: lines with time, level and tag on standard output, errors on standard error.
+##
+## Lines that an outsider can provoke go through [method limited]: one per key in a while, with the
+## number of those left out, so that nobody can flood the log.
+
+## Seconds between two lines of one key of [method limited].
+const LIMIT_S: float = 5.0
+## Keys that are remembered at most; beyond it the oldest go.
+const MOST_KEYS: int = 256
+
+static var _last_usec: Dictionary[String, int] = {}
+static var _left_out: Dictionary[String, int] = {}
+
+
+## Something that the operator may want to know.
+static func info(p_tag: String, p_text: String) -> void:
+	print(_line("INFO", p_tag, p_text))
+
+
+## Something that is not as it should be, while the work goes on.
+static func warning(p_tag: String, p_text: String) -> void:
+	print(_line("WARN", p_tag, p_text))
+
+
+## Something that ends the work.
+static func error(p_tag: String, p_text: String) -> void:
+	printerr(_line("ERROR", p_tag, p_text))
+
+
+## A warning that is repeated at most every [constant LIMIT_S] seconds for the same key.
+static func limited(p_tag: String, p_key: String, p_text: String) -> void:
+	var key: String = p_tag + " " + p_key
+	var now: int = Time.get_ticks_usec()
+	if _last_usec.has(key) and now - _last_usec[key] < int(LIMIT_S * 1e6):
+		_left_out[key] = _left_out.get(key, 0) + 1
+		return
+	if _last_usec.size() >= MOST_KEYS:
+		var oldest: String = _last_usec.keys()[0]
+		_last_usec.erase(oldest)
+		_left_out.erase(oldest)
+	var count: int = _left_out.get(key, 0)
+	_last_usec.erase(key)
+	_last_usec[key] = now
+	_left_out[key] = 0
+	warning(p_tag, p_text + (" (and %d more like it)" % count if count > 0 else ""))
+
+
+static func _line(p_level: String, p_tag: String, p_text: String) -> String:
+	var time: String = Time.get_datetime_string_from_system(true)
+	return "%sZ %-5s %s: %s" % [time, p_level, p_tag, p_text]

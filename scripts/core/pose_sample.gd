@@ -1,0 +1,49 @@
+class_name PoseSample
+extends RefCounted
+## One sample of a person: calibrated limb orientations, and where the root is.
+##
+## [member orientations] are rotations in the world from the reset pose (thesis section 6.1: the
+## sample times the inverse of the reset pose), so that they suit a body of any build. Frame:
+## Godot's, right-handed, Y up.
+
+## Number of the sample at its source; grows by one and wraps at 2^32.
+var id: int = 0
+## When it was taken, microseconds of Unix time on the wearer's machine.
+var time_usec: int = 0
+## 4 floats (x, y, z, w) for each of the [constant Limbs.COUNT] limbs.
+var orientations: PackedFloat32Array = PackedFloat32Array()
+## Position of the hips in the world, m, in the wearer's own size.
+var root: Vector3 = Vector3.ZERO
+
+
+## The rotation of one limb.
+func orientation(p_limb: int) -> Quaternion:
+	var at: int = p_limb * 4
+	return Quaternion(
+		orientations[at], orientations[at + 1], orientations[at + 2], orientations[at + 3]
+	)
+
+
+## Sets the rotation of one limb.
+func set_orientation(p_limb: int, p_rotation: Quaternion) -> void:
+	if orientations.size() != Limbs.COUNT * 4:
+		orientations.resize(Limbs.COUNT * 4)
+	var at: int = p_limb * 4
+	orientations[at] = p_rotation.x
+	orientations[at + 1] = p_rotation.y
+	orientations[at + 2] = p_rotation.z
+	orientations[at + 3] = p_rotation.w
+
+
+## Why this cannot be a pose, or an empty text if it can.
+func find_fault() -> String:
+	if orientations.size() != Limbs.COUNT * 4:
+		return "%d floats instead of %d" % [orientations.size(), Limbs.COUNT * 4]
+	if not root.is_finite() or root.length() > 10000.0:
+		return "the root is not a place within 10 km"
+	for limb: int in Limbs.COUNT:
+		# Written so that NaN fails too.
+		var norm: float = orientation(limb).length()
+		if not (norm > 0.9 and norm < 1.1):
+			return "%s has no rotation (norm %f)" % [Limbs.BONES[limb], norm]
+	return ""

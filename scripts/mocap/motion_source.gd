@@ -1,0 +1,36 @@
+class_name MotionSource
+extends RefCounted
+## Where a person's motion comes from: a file, a suit, a network stream. Sources derive from it.
+##
+## A source converts its own frame and units to Godot's, applies the calibration, and numbers its
+## samples. Everything behind it sees only [PoseSample]s.
+
+## Why there is no motion, or an empty text.
+var error: String = ""
+
+var _next_id: int = 0
+
+
+## The pose at a moment (Unix time, µs), or null while there is none.
+func sample(p_time_usec: int) -> PoseSample:
+	var taken: PoseSample = _read(p_time_usec)
+	if taken != null:
+		taken.id = _next_id
+		taken.time_usec = p_time_usec
+		_next_id = (_next_id + 1) & 0xFFFFFFFF
+	return taken
+
+
+## Height of the wearer's hips above the ground when standing, m.
+func get_hip_height() -> float:
+	return 0.95
+
+
+## One line for people: what the source is.
+func describe() -> String:
+	return "no motion"
+
+
+## Reads the pose at a moment. Sources override it.
+func _read(_p_time_usec: int) -> PoseSample:
+	return null

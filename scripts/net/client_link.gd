@@ -1,0 +1,148 @@
+class_name ClientLink
+extends RefCounted
+## A client's end of the connection, the counterpart of [ServerLink].
+##
+## It says who it is, then sends samples and receives snapshots. Polled by hand.
+
+## The server has admitted us.
+signal joined
+## The server does not want us, and says why. Trying again is of no use.
+signal refused(p_why: String)
+## There is no server, or no longer; trying again may help.
+signal lost(p_why: String)
+## New positions of bodies. The bytes are those of the datagram, for a recorder.
+signal snapshot_received(p_snapshot: Snapshot, p_bytes: PackedByteArray)
+## Which bodies there are now. The bytes are those of the packet, for a recorder.
+signal world_received(p_world: WorldDescription, p_bytes: PackedByteArray)
+
+## Seconds to wait for a server's answer.
+const PATIENCE_S: float = 5.0
+
+enum _State { CLOSED, CONNECTING, JOINED }
+
+## Bytes in and out.
+var traffic: TrafficMeter = TrafficMeter.new()
+
+var _api: SceneMultiplayer = null
+var _enet: ENetMultiplayerPeer = null
+var _hello: PackedByteArray = PackedByteArray()
+var _state: _State = _State.CLOSED
+var _began_usec: int = 0
+var _where: String = ""
+
+
+## Begins to connect; the outcome comes as a signal from [method poll].
+func open(p_host: String, p_port: int, p_hello: PackedByteArray) -> void:
+	_where = "%s:%d" % [p_host, p_port]
+	_hello = p_hello
+	_began_usec = Time.get_ticks_usec()
+	_state = _State.CONNECTING
+	_enet = ENetMultiplayerPeer.new()
+	_api = SceneMultiplayer.new()
+	_api.server_relay = false
+	_api.allow_object_decoding = false
+	_api.auth_callback = _on_answer
+	_api.auth_timeout = PATIENCE_S
+	_api.peer_authenticating.connect(_on_reached)
+	_api.connected_to_server.connect(_on_joined)
+	_api.peer_packet.connect(_on_packet)
+	var error: Error = _enet.create_client(p_host, p_port)
+	if error != OK:
+		_enet = null
+		return
+	_api.multiplayer_peer = _enet
+
+
+## Whether the server has admitted us.
+func is_joined() -> bool:
+	return _state == _State.JOINED
+
+
+## Takes in what has arrived and finds out whether the connection still stands.
+func poll() -> void:
+	if _state == _State.CLOSED:
+		return
+	if _enet == null:
+		_end("%s is no address that can be connected to" % _where)
+		return
+	_api.poll()
+	if _state == _State.CLOSED:
+		return
+	traffic.read(_enet.host)
+	if _enet.get_connection_status() == MultiplayerPeer.CONNECTION_DISCONNECTED:
+		var joined_before: bool = _state == _State.JOINED
+		_end(
+			"the connection to %s is lost" % _where
+			if joined_before
+			else "no server answers at %s" % _where
+		)
+	elif _state == _State.CONNECTING and _age_s() > PATIENCE_S:
+		_end("no server answers at %s" % _where)
+
+
+## Sends a sample, if we are joined.
+func send_pose(p_sample: PoseSample) -> void:
+	if _state == _State.JOINED:
+		_api.send_bytes(PosePacket.encode(p_sample), 1, MultiplayerPeer.TRANSFER_MODE_UNRELIABLE)
+
+
+## Leaves.
+func close() -> void:
+	_state = _State.CLOSED
+	if _enet != null:
+		if _enet.host != null:
+			_enet.host.flush()
+		_enet.close()
+		_api.multiplayer_peer = null
+
+
+func _on_reached(p_peer: int) -> void:
+	if p_peer != 1:
+		return
+	# Notice a dead server within a few seconds.
+	_enet.get_peer(1).set_timeout(32, 1000, 3000)
+	_api.send_auth(1, _hello)
+
+
+func _on_answer(p_peer: int, p_bytes: PackedByteArray) -> void:
+	if p_peer != 1:
+		return
+	if p_bytes.is_empty():
+		_api.complete_auth(1)
+		return
+	var why: String = p_bytes.get_string_from_utf8().left(200)
+	close.call_deferred()
+	_state = _State.CLOSED
+	refused.emit(why)
+
+
+func _on_joined() -> void:
+	_state = _State.JOINED
+	traffic.restart()
+	joined.emit()
+
+
+func _on_packet(p_peer: int, p_bytes: PackedByteArray) -> void:
+	if p_peer != 1 or p_bytes.is_empty():
+		return
+	match p_bytes[0]:
+		Protocol.Message.SNAPSHOT:
+			var snapshot: Snapshot = SnapshotPacket.decode(p_bytes)
+			if snapshot != null:
+				snapshot_received.emit(snapshot, p_bytes)
+				return
+		Protocol.Message.WORLD:
+			var world: WorldDescription = WorldDescription.decode(p_bytes)
+			if world != null:
+				world_received.emit(world, p_bytes)
+				return
+	Log.limited("net", "server", "%s sent %d bytes that make no sense" % [_where, p_bytes.size()])
+
+
+func _end(p_why: String) -> void:
+	close()
+	lost.emit(p_why)
+
+
+func _age_s() -> float:
+	return (Time.get_ticks_usec() - _began_usec) / 1e6

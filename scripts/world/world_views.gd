@@ -1,0 +1,69 @@
+class_name WorldViews
+extends Node
+## The three worlds of the thesis (section 4.2), which may be shown together or alone: the mesh world
+## (people and props), the static world (what never moves) and the physics world (the server's bodies
+## as wire frames). Keys 1, 2 and 3 switch them.
+
+## A world was switched on or off.
+signal changed
+
+## Names of the worlds, in the order of their keys.
+const NAMES: Array[StringName] = [&"mesh", &"static", &"physics"]
+
+## Holds people.
+@export var people: Node3D
+## Holds props.
+@export var props: Node3D
+## Holds what never moves.
+@export var static_world: Node3D
+## Draws wire frames.
+@export var physics_world: Node3D
+
+
+func _unhandled_key_input(p_event: InputEvent) -> void:
+	var key: InputEventKey = p_event as InputEventKey
+	if key == null or not key.pressed or key.echo:
+		return
+	var index: int = [KEY_1, KEY_2, KEY_3].find(key.keycode)
+	if index < 0:
+		index = [KEY_KP_1, KEY_KP_2, KEY_KP_3].find(key.keycode)
+	if index >= 0:
+		toggle(NAMES[index])
+		get_viewport().set_input_as_handled()
+
+
+## Whether a world is shown.
+func is_shown(p_name: StringName) -> bool:
+	return _roots(p_name)[0].visible
+
+
+## Shows or hides a world.
+func set_shown(p_name: StringName, p_shown: bool) -> void:
+	for root: Node3D in _roots(p_name):
+		root.visible = p_shown
+	changed.emit()
+
+
+## Switches a world.
+func toggle(p_name: StringName) -> void:
+	set_shown(p_name, not is_shown(p_name))
+
+
+## Shows exactly the worlds of a list such as "mesh,physics"; returns why it cannot, or "".
+func show_only(p_list: String) -> String:
+	var wanted: PackedStringArray = p_list.split(",", false)
+	for each: String in wanted:
+		if not NAMES.has(StringName(each)):
+			return "there is no world '%s': mesh, static, physics" % each
+	for each: StringName in NAMES:
+		set_shown(each, wanted.has(each))
+	return ""
+
+
+func _roots(p_name: StringName) -> Array[Node3D]:
+	match p_name:
+		&"mesh":
+			return [people, props]
+		&"static":
+			return [static_world]
+	return [physics_world]
