@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 _FLOAT, _UINT32, _UINT16, _UINT8 = 5126, 5125, 5123, 5121
 _ARRAY_BUFFER, _INDEX_BUFFER = 34962, 34963
 _LINEAR, _LINEAR_MIPMAPS, _REPEAT = 9729, 9987, 10497
-_GENERATOR = "spike_avatar"
+_GENERATOR = "Dismount avatar tools"
 _DARKEST = 0.25
 """Brightness of a fully occluded vertex."""
 

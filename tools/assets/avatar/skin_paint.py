@@ -9,8 +9,8 @@ from .noise import NoiseField
 
 Array = NDArray[np.float64]
 
-_SKIN = np.array([0.47, 0.27, 0.185])
-"""Linear RGB."""
+_SKIN = np.array([0.235, 0.14, 0.098])
+"""Linear RGB of tanned skin; a paler face glares in the sun beside the dark uniform."""
 _LIPS_IMAGE = "textures/mpfb_lips.jpg"
 
 
@@ -42,7 +42,7 @@ def paint_skin(
     colour = colour * (0.96 + 0.08 * random((len(points), 1)))
 
     cheeks = _spot(x, y, (0.038, eye_height - 0.045), (0.022, 0.025)) * (z > middle_z)
-    colour = colour * (1 - cheeks[:, None] * 0.25 * np.array([0, 1, 0.9]))
+    colour = colour * (1 - cheeks[:, None] * 0.16 * np.array([0, 1, 0.9]))
     colour = colour * (1 - lips[:, None] * np.array([0.25, 0.5, 0.45]))
 
     stubble = _stubble(x, y, z, eye_height, middle_z) * (1 - lips)
