@@ -21,7 +21,7 @@ void terminate(ModuleInitializationLevel) {}
 
 extern "C" GDExtensionBool GDE_EXPORT ragdoll_motor_init(GDExtensionInterfaceGetProcAddress p_get_proc_address,
 		GDExtensionClassLibraryPtr p_library, GDExtensionInitialization *r_initialization) {
-	const GDExtensionBinding::InitObject init(p_get_proc_address, p_library, r_initialization);
+	GDExtensionBinding::InitObject init(p_get_proc_address, p_library, r_initialization);
 	init.register_initializer(initialize);
 	init.register_terminator(terminate);
 	init.set_minimum_library_initialization_level(MODULE_INITIALIZATION_LEVEL_SCENE);
