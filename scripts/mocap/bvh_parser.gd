@@ -14,8 +14,8 @@ extends RefCounted
 ## path.
 static func parse_file(p_path: String, p_options: BvhOptions = null) -> BvhResult:
 	var options: BvhOptions = p_options if p_options != null else BvhOptions.new()
-	var name: String = p_path.get_file() if not p_path.get_file().is_empty() else p_path
-	if DirAccess.dir_exists_absolute(p_path):
+	var name: String = "(no name)" if p_path.is_empty() else p_path.trim_suffix("/").get_file()
+	if not p_path.is_empty() and DirAccess.dir_exists_absolute(p_path):
 		return _failed("%s: expected a BVH file, found a folder" % name)
 	var file: FileAccess = FileAccess.open(p_path, FileAccess.READ)
 	if file == null:

@@ -11,11 +11,12 @@ extends Node
 ## Most failures that are kept of one test.
 const MAX_FAILURES: int = 20
 
-var _check_count: int = 0
-var _failures: PackedStringArray = PackedStringArray()
-var _failure_count: int = 0
-var _expected_errors: PackedStringArray = PackedStringArray()
-var _allowed_errors: PackedStringArray = PackedStringArray()
+# Private names start with _case_, so that a test file's own private names cannot meet them.
+var _case_checks: int = 0
+var _case_failures: PackedStringArray = PackedStringArray()
+var _case_failure_count: int = 0
+var _case_expected_errors: PackedStringArray = PackedStringArray()
+var _case_allowed_errors: PackedStringArray = PackedStringArray()
 
 
 ## Runs before each test of the file. May await.
@@ -35,34 +36,34 @@ func time_limit() -> float:
 
 ## Checks that [param p_value] is true.
 func is_true(p_value: bool, p_note: String = "") -> void:
-	_check(p_value, "expected true, got false", p_note)
+	_case_check(p_value, "expected true, got false", p_note)
 
 
 ## Checks that [param p_value] is false.
 func is_false(p_value: bool, p_note: String = "") -> void:
-	_check(not p_value, "expected false, got true", p_note)
+	_case_check(not p_value, "expected false, got true", p_note)
 
 
 ## Checks that [param p_value] is null.
 func is_null(p_value: Variant, p_note: String = "") -> void:
-	_check(p_value == null, "expected null, got %s" % _show(p_value), p_note)
+	_case_check(p_value == null, "expected null, got %s" % _case_show(p_value), p_note)
 
 
 ## Checks that [param p_value] is not null.
 func not_null(p_value: Variant, p_note: String = "") -> void:
-	_check(p_value != null, "expected something, got null", p_note)
+	_case_check(p_value != null, "expected something, got null", p_note)
 
 
 ## Checks that both are of the same type and equal.
 func equal(p_got: Variant, p_wanted: Variant, p_note: String = "") -> void:
 	var same: bool = typeof(p_got) == typeof(p_wanted) and p_got == p_wanted
-	_check(same, "expected %s, got %s" % [_show(p_wanted), _show(p_got)], p_note)
+	_case_check(same, "expected %s, got %s" % [_case_show(p_wanted), _case_show(p_got)], p_note)
 
 
 ## Checks that the two differ.
 func not_equal(p_got: Variant, p_other: Variant, p_note: String = "") -> void:
 	var same: bool = typeof(p_got) == typeof(p_other) and p_got == p_other
-	_check(not same, "expected anything but %s" % _show(p_other), p_note)
+	_case_check(not same, "expected anything but %s" % _case_show(p_other), p_note)
 
 
 ## Checks that no component of the two differs by more than [param p_tolerance].
@@ -74,11 +75,11 @@ func almost_equal(
 ) -> void:
 	var difference: float = Difference.between(p_got, p_wanted)
 	# Written so that NaN fails too.
-	_check(
+	_case_check(
 		difference <= p_tolerance,
 		(
 			"expected %s within %s, got %s (difference %s)"
-			% [_show(p_wanted), p_tolerance, _show(p_got), difference]
+			% [_case_show(p_wanted), p_tolerance, _case_show(p_got), difference]
 		),
 		p_note
 	)
@@ -91,24 +92,26 @@ func contains(p_whole: Variant, p_part: Variant, p_note: String = "") -> void:
 		holds = p_part is String and (p_whole as String).contains(p_part)
 	else:
 		holds = p_part in p_whole
-	_check(holds, "expected %s to contain %s" % [_show(p_whole), _show(p_part)], p_note)
+	_case_check(
+		holds, "expected %s to contain %s" % [_case_show(p_whole), _case_show(p_part)], p_note
+	)
 
 
 ## Fails the test.
 func fail(p_message: String) -> void:
-	_check(false, p_message, "")
+	_case_check(false, p_message, "")
 
 
 ## Requires at least one engine or script error that contains [param p_text] before the test ends,
 ## and forgives every such error. It counts as a check.
 func expect_error(p_text: String) -> void:
-	_check_count += 1
-	_expected_errors.append(p_text)
+	_case_checks += 1
+	_case_expected_errors.append(p_text)
 
 
 ## Forgives engine and script errors that contain [param p_text]. It does not count as a check.
 func allow_error(p_text: String) -> void:
-	_allowed_errors.append(p_text)
+	_case_allowed_errors.append(p_text)
 
 
 ## Waits for the given number of physics steps: [code]await physics_frames(60)[/code].
@@ -123,17 +126,17 @@ func process_frames(p_count: int = 1) -> void:
 		await get_tree().process_frame
 
 
-func _check(p_holds: bool, p_message: String, p_note: String) -> void:
-	_check_count += 1
+func _case_check(p_holds: bool, p_message: String, p_note: String) -> void:
+	_case_checks += 1
 	if p_holds:
 		return
-	_failure_count += 1
-	if _failures.size() < MAX_FAILURES:
+	_case_failure_count += 1
+	if _case_failures.size() < MAX_FAILURES:
 		var note: String = "" if p_note.is_empty() else p_note + ": "
-		_failures.append("%s%s%s" % [note, p_message, _place()])
+		_case_failures.append("%s%s%s" % [note, p_message, _case_place()])
 
 
-func _place() -> String:
+func _case_place() -> String:
 	var own: String = (get_script() as Script).resource_path
 	var nearest: String = ""
 	for frame: Dictionary in get_stack():
@@ -147,7 +150,7 @@ func _place() -> String:
 	return nearest
 
 
-func _show(p_value: Variant) -> String:
+func _case_show(p_value: Variant) -> String:
 	var text: String = '"%s"' % p_value if p_value is String else str(p_value)
 	return text if text.length() <= 400 else text.left(400) + "..."
 

@@ -161,8 +161,8 @@ func _run_test(p_path: String, p_script: GDScript, p_test: String) -> void:
 	var faults: PackedStringArray = _faults_of(test)
 	if not in_time or seconds > limit:
 		faults.append("took longer than %s s" % limit)
-	var expected: PackedStringArray = test._expected_errors
-	var allowed: PackedStringArray = test._allowed_errors
+	var expected: PackedStringArray = test._case_expected_errors
+	var allowed: PackedStringArray = test._case_allowed_errors
 	test.free()
 	# What is queued for deletion or deferred still belongs to this test.
 	await process_frame
@@ -188,10 +188,10 @@ func _call_and_note(p_method: String, p_test: TestCase, p_state: Dictionary) -> 
 
 
 func _faults_of(p_test: TestCase) -> PackedStringArray:
-	var faults: PackedStringArray = p_test._failures.duplicate()
-	if p_test._failure_count > faults.size():
-		faults.append("and %d more" % (p_test._failure_count - faults.size()))
-	if p_test._check_count == 0:
+	var faults: PackedStringArray = p_test._case_failures.duplicate()
+	if p_test._case_failure_count > faults.size():
+		faults.append("and %d more" % (p_test._case_failure_count - faults.size()))
+	if p_test._case_checks == 0:
 		faults.append("checks nothing")
 	return faults
 
