@@ -132,6 +132,7 @@ func test_guesses_the_unit() -> void:
 			var text: String = _person(height / units[unit])
 			var clip: BvhClip = _clip(text)
 			almost_equal(clip.unit_metres, units[unit], 1e-9, unit)
+			equal(clip.up_axis, BvhOptions.UpAxis.Y, "narrow, but taller than deep")
 			equal(BvhOptions.unit_name(clip.unit_metres), unit)
 	var reason: String = _clip(_person(180.0)).unit_reason
 	equal(

@@ -39,6 +39,7 @@ func test_line_endings_and_tabs_do_not_matter() -> void:
 	equal(_clip(Samples.SIMPLE.replace(" ", "\t")).values, wanted)
 	equal(_clip(Samples.SIMPLE.replace("\n", " \n\n\t \n")).values, wanted)
 	equal(_clip(Samples.SIMPLE.strip_edges()).values, wanted)
+	equal(_clip("\ufeff" + Samples.SIMPLE).values, wanted, "byte order mark")
 
 
 func test_case_does_not_matter() -> void:
@@ -125,6 +126,7 @@ func test_bytes_and_encodings() -> void:
 	equal(BvhText.decode(latin), "Hüf")
 	equal(BvhText.decode("腰 𝄞 é".to_utf8_buffer()), "腰 𝄞 é")
 	is_false(BvhText.is_utf8(PackedByteArray([0xC0, 0x80])), "overlong")
+	is_false(BvhText.is_utf8(PackedByteArray([0xE0, 0x9F, 0xBF])), "overlong")
 	is_false(BvhText.is_utf8(PackedByteArray([0xED, 0xA0, 0x80])), "surrogate")
 	is_false(BvhText.is_utf8(PackedByteArray([0xF4, 0x90, 0x80, 0x80])), "too large")
 	is_false(BvhText.is_utf8(PackedByteArray([0x61, 0xE2, 0x82])), "cut off")
