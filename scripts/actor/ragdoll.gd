@@ -31,7 +31,7 @@ enum RootMode {
 ## Scales the limbs' inertia: 3 keeps long chains of light limbs stable at 60 ticks/s.
 @export_range(1.0, 10.0, 0.1) var inertia_scale: float = 3.0
 ## How fast errors are corrected; never above one error per tick.
-@export_range(1.0, 240.0, 1.0, "suffix:1/s") var gain: float = 60.0
+@export_range(1.0, 240.0, 1.0, "suffix:1/s") var gain: float = 45.0
 
 ## Drives the bodies; null until [method start].
 var motor: RagdollMotor = null

@@ -202,7 +202,9 @@ func _make_report() -> Dictionary:
 
 func _check_duration() -> void:
 	var duration: float = _options.seconds("duration")
-	if duration > 0.0 and _figures.seconds() > duration:
+	# A film is made slower than it plays: a replay has a clock of its own.
+	var elapsed: float = _clock_s if _role == "replay" else _figures.seconds()
+	if duration > 0.0 and elapsed > duration:
 		if _options.text("screenshot") != "":
 			_take_picture(_options.text("screenshot"))
 		get_tree().quit(0)

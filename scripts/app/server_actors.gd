@@ -5,12 +5,16 @@ extends Node3D
 ## Somebody came or went.
 signal changed
 
+## People that left and whose figures are still told.
+const _REMEMBERED: int = 16
+
 ## The scene of a person; its root is a [Ragdoll].
 @export var scene: PackedScene
 ## Distance between the places where people start.
 @export_range(0.5, 10.0, 0.1, "suffix:m") var spacing: float = 1.5
 
 var _people: Dictionary[int, Person] = {}
+var _gone: Array[Dictionary] = []
 var _next_id: int = 0
 
 
@@ -51,6 +55,8 @@ func add(p_peer: int, p_name: String, p_hip_height: float) -> void:
 ## Takes a trainee's body away.
 func remove(p_peer: int) -> void:
 	if _people.has(p_peer):
+		_gone.push_front(_figure(_people[p_peer]))
+		_gone.resize(mini(_gone.size(), _REMEMBERED))
 		_people[p_peer].ragdoll.queue_free()
 		_people.erase(p_peer)
 	changed.emit()
@@ -104,15 +110,19 @@ func mark(p_snapshot: Snapshot) -> void:
 			p_snapshot.samples[_people[peer].id] = sample_mark
 
 
-## Figures of everybody, for a report.
+## Figures of everybody for a report: who is there, then who left last.
 func figures() -> Array[Dictionary]:
 	var result: Array[Dictionary] = []
 	for peer: int in _people:
-		var figure: Dictionary = _people[peer].ragdoll.motor.get_tracking()
-		figure["name"] = _people[peer].name
-		figure["refused_samples"] = _people[peer].refused
-		result.append(figure)
-	return result
+		result.append(_figure(_people[peer]))
+	return result + _gone
+
+
+static func _figure(p_person: Person) -> Dictionary:
+	var figure: Dictionary = p_person.ragdoll.motor.get_tracking()
+	figure["name"] = p_person.name
+	figure["refused_samples"] = p_person.refused
+	return figure
 
 
 func _free_place() -> Vector3:

@@ -39,6 +39,7 @@ func open(p_host: String, p_port: int, p_hello: PackedByteArray) -> void:
 	_state = _State.CONNECTING
 	_enet = ENetMultiplayerPeer.new()
 	_api = SceneMultiplayer.new()
+	_api.root_path = ^"/root"
 	_api.server_relay = false
 	_api.allow_object_decoding = false
 	_api.auth_callback = _on_answer
@@ -107,10 +108,10 @@ func _on_reached(p_peer: int) -> void:
 func _on_answer(p_peer: int, p_bytes: PackedByteArray) -> void:
 	if p_peer != 1:
 		return
-	if p_bytes.is_empty():
+	var why: String = Protocol.decode_answer(p_bytes)
+	if why == "":
 		_api.complete_auth(1)
 		return
-	var why: String = p_bytes.get_string_from_utf8().left(200)
 	close.call_deferred()
 	_state = _State.CLOSED
 	refused.emit(why)

@@ -70,3 +70,17 @@ static func decode_hello(p_bytes: PackedByteArray) -> Dictionary:
 	var shown: String = (hello["name"] as String).strip_escapes().left(LONGEST_NAME).strip_edges()
 	hello["name"] = shown if shown != "" else "nobody"
 	return hello
+
+
+## The server's answer to a greeting: why it refuses, or an empty text if the client is welcome.
+static func encode_answer(p_refusal: String) -> PackedByteArray:
+	var bytes: PackedByteArray = PackedByteArray([0 if p_refusal == "" else 1])
+	bytes.append_array(p_refusal.to_utf8_buffer())
+	return bytes
+
+
+## Why the server refuses, or an empty text.
+static func decode_answer(p_bytes: PackedByteArray) -> String:
+	if p_bytes.size() < 2 or p_bytes[0] == 0:
+		return ""
+	return p_bytes.slice(1).get_string_from_utf8().left(200)

@@ -31,6 +31,7 @@ var traffic: TrafficMeter = TrafficMeter.new()
 var _api: SceneMultiplayer = SceneMultiplayer.new()
 var _enet: ENetMultiplayerPeer = ENetMultiplayerPeer.new()
 var _most_clients: int = Protocol.DEFAULT_MAX_CLIENTS
+var _greeted: Dictionary[int, Dictionary] = {}
 var _hellos: Dictionary[int, Dictionary] = {}
 var _refused: Dictionary[int, int] = {}
 var _packets: Dictionary[int, int] = {}
@@ -43,11 +44,13 @@ func listen(p_port: int, p_most_clients: int) -> Error:
 	var error: Error = _enet.create_server(p_port, p_most_clients + _SPARE_SLOTS)
 	if error != OK:
 		return error
+	_api.root_path = ^"/root"
 	_api.server_relay = false
 	_api.allow_object_decoding = false
 	_api.auth_timeout = _GREETING_S
 	_api.auth_callback = _on_greeting
 	_api.peer_authenticating.connect(_on_arriving)
+	_api.peer_authentication_failed.connect(_forget)
 	_api.peer_connected.connect(_on_connected)
 	_api.peer_disconnected.connect(_on_disconnected)
 	_api.peer_packet.connect(_on_packet)
@@ -83,22 +86,23 @@ func send_snapshot(p_snapshot: Snapshot) -> void:
 		return
 	for bytes: PackedByteArray in SnapshotPacket.encode(p_snapshot):
 		for peer: int in _hellos:
-			_api.send_bytes(bytes, peer, MultiplayerPeer.TRANSFER_MODE_UNRELIABLE)
+			if _is_open(peer):
+				_api.send_bytes(bytes, peer, MultiplayerPeer.TRANSFER_MODE_UNRELIABLE)
 
 
 ## Tells everybody which bodies there are.
 func send_world(p_world: WorldDescription) -> void:
 	var bytes: PackedByteArray = p_world.encode()
 	for peer: int in _hellos:
-		_api.send_bytes(bytes, peer, MultiplayerPeer.TRANSFER_MODE_RELIABLE)
+		if _is_open(peer):
+			_api.send_bytes(bytes, peer, MultiplayerPeer.TRANSFER_MODE_RELIABLE)
 
 
 ## Closes all connections and the port.
 func close() -> void:
 	if _enet.host != null:
 		for peer: int in _hellos:
-			_enet.disconnect_peer(peer)
-		_enet.host.flush()
+			_enet.get_peer(peer).peer_disconnect_now()
 	_enet.close()
 	_hellos.clear()
 
@@ -113,34 +117,40 @@ func _on_arriving(p_peer: int) -> void:
 
 
 func _on_greeting(p_peer: int, p_bytes: PackedByteArray) -> void:
-	if _hellos.has(p_peer) or _refused.has(p_peer) or p_peer < 2:
+	if _greeted.has(p_peer) or _refused.has(p_peer) or p_peer < 2:
 		return
 	var hello: Dictionary = Protocol.decode_hello(p_bytes)
-	if not hello.has("error") and _hellos.size() >= _most_clients:
+	if not hello.has("error") and _greeted.size() >= _most_clients:
 		hello = {"error": "the server is full (%d clients)" % _most_clients}
 	if hello.has("error"):
 		Log.limited("net", "greeting", "refused %s: %s" % [_describe(p_peer), hello["error"]])
-		_api.send_auth(p_peer, (hello["error"] as String).to_utf8_buffer())
+		_api.send_auth(p_peer, Protocol.encode_answer(hello["error"]))
 		# It gets a moment to read why.
 		_refused[p_peer] = Time.get_ticks_usec()
 		return
-	_hellos[p_peer] = hello
-	_api.send_auth(p_peer, PackedByteArray())
+	_greeted[p_peer] = hello
+	_api.send_auth(p_peer, Protocol.encode_answer(""))
 	_api.complete_auth(p_peer)
 
 
 func _on_connected(p_peer: int) -> void:
-	if _hellos.has(p_peer):
+	if _greeted.has(p_peer):
+		_hellos[p_peer] = _greeted[p_peer]
 		Log.info("net", "%s joined" % _describe(p_peer))
 		client_joined.emit(p_peer, _hellos[p_peer])
 
 
 func _on_disconnected(p_peer: int) -> void:
-	_refused.erase(p_peer)
+	_forget(p_peer)
 	if _hellos.has(p_peer):
 		Log.info("net", "%s left" % _describe(p_peer))
 		_hellos.erase(p_peer)
 		client_left.emit(p_peer)
+
+
+func _forget(p_peer: int) -> void:
+	_refused.erase(p_peer)
+	_greeted.erase(p_peer)
 
 
 func _on_packet(p_peer: int, p_bytes: PackedByteArray) -> void:
@@ -192,6 +202,12 @@ func _describe(p_peer: int) -> String:
 		]
 	var remote: ENetPacketPeer = _enet.get_peer(p_peer) if _is_known(p_peer) else null
 	return who + (" from %s" % remote.get_remote_address() if remote != null else "")
+
+
+## Whether a client's connection still stands; the API hears of its end only at the next poll.
+func _is_open(p_peer: int) -> bool:
+	var remote: ENetPacketPeer = _enet.get_peer(p_peer)
+	return remote != null and remote.get_state() == ENetPacketPeer.STATE_CONNECTED
 
 
 func _is_known(p_peer: int) -> bool:

@@ -92,10 +92,17 @@ bool RagdollMotor::snap_to(double p_time_s) {
 	stream->predict(p_time_s, now);
 	motor->joint_positions(now, anchors, joints);
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
+	if (root_mode == ROOT_HELD) {
+		// A kinematic body would travel there within a step and fling the others about.
+		server->body_set_mode(limbs[0].body, PhysicsServer3D::BODY_MODE_RIGID);
+	}
 	for (std::size_t i = 0; i < limbs.size(); i++) {
 		server->body_set_state(limbs[i].body, PhysicsServer3D::BODY_STATE_TRANSFORM, body_transform(i, now));
 		server->body_set_state(limbs[i].body, PhysicsServer3D::BODY_STATE_LINEAR_VELOCITY, Vector3());
 		server->body_set_state(limbs[i].body, PhysicsServer3D::BODY_STATE_ANGULAR_VELOCITY, Vector3());
+	}
+	if (root_mode == ROOT_HELD) {
+		server->body_set_mode(limbs[0].body, PhysicsServer3D::BODY_MODE_KINEMATIC);
 	}
 	return true;
 }

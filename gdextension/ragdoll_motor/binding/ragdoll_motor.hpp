@@ -59,7 +59,7 @@ private:
 	Transform3D body_transform(std::size_t p_limb, const ragdoll::Pose &p_pose) const;
 	void drive_root(double p_delta_s);
 
-	double gain = 60.0;
+	double gain = 45.0;
 	RootMode root_mode = ROOT_SOFT;
 
 	std::vector<Limb> limbs;

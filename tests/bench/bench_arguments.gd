@@ -1,0 +1,52 @@
+class_name BenchArguments
+extends RefCounted
+## Options of a benchmark: [code]--name=value[/code] or [code]--name value[/code], and [code]--json[/code].
+
+## What is wrong, or an empty text.
+var error: String = ""
+
+var _values: Dictionary[String, Variant] = {}
+var _lists: Dictionary[String, PackedStringArray] = {}
+
+
+## Reads arguments; only the names in the defaults are known, whose types the values take.
+static func parse(p_arguments: PackedStringArray, p_defaults: Dictionary) -> BenchArguments:
+	var result: BenchArguments = BenchArguments.new()
+	result._values.assign(p_defaults)
+	result._values["json"] = false
+	var at: int = 0
+	while at < p_arguments.size() and result.error == "":
+		var name: String = p_arguments[at].trim_prefix("--").get_slice("=", 0)
+		var value: String = p_arguments[at].get_slice("=", 1)
+		if not p_arguments[at].contains("="):
+			value = ""
+			if name != "json" and at + 1 < p_arguments.size():
+				at += 1
+				value = p_arguments[at]
+		result._take(name, value)
+		at += 1
+	return result
+
+
+## The value of an option.
+func value(p_name: String) -> Variant:
+	return _values[p_name]
+
+
+## All values of an option that was given more than once, in order; empty if it was not given.
+func list(p_name: String) -> PackedStringArray:
+	return _lists.get(p_name, PackedStringArray())
+
+
+func _take(p_name: String, p_value: String) -> void:
+	if not _values.has(p_name):
+		error = "there is no option --%s; known: --%s" % [p_name, ", --".join(_values.keys())]
+	elif p_name == "json":
+		_values["json"] = true
+	elif _values[p_name] is String:
+		_values[p_name] = p_value
+		_lists.get_or_add(p_name, PackedStringArray()).append(p_value)
+	elif not p_value.is_valid_float():
+		error = "--%s expects a number, found '%s'" % [p_name, p_value]
+	else:
+		_values[p_name] = p_value.to_int() if _values[p_name] is int else p_value.to_float()

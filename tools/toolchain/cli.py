@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: MIT
+"""The commands of `./run`."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+
+from . import demo
+from .console import Failure, say
+from .display import real_display
+from .godot import Godot
+from .paths import CLIENT_BINARY, CLIPS, ROOT, SERVER_BINARY, user_path
+from .project import prepare
+
+HELP = """Dismount: people in motion-capture suits move through physics.
+
+  ./run                     set up everything; start an exported server, a trainee who moves by a
+                            recorded clip, and an observer. With a display: in windows, until one
+                            is closed. Without: for 20 s; a picture and a film are left in out/
+  ./run server  [options]   the exported dedicated server alone
+  ./run trainee [options]   a client with a body; --bvh=FILE is its motion
+  ./run observer [options]  a client that watches
+  ./run replay --file=FILE  shows what a client recorded with --record=FILE
+  ./run editor              the Godot editor with this project
+  ./run export              exports server and client to build/export/
+  ./run bvh FILE            what a motion file holds: joints, frames, duration, unit, up axis
+                            (--unit=m|cm|mm|inch|cmu|METRES and --up=y|z override the guess)
+  ./run bench               lists the benchmarks
+  ./run bench NAME [--json] [options]   runs one
+  ./run --help              this text; ./run server --help lists the roles' options
+
+Options of the roles are given as --name=value, or by the environment: DISMOUNT_PORT=7778 is
+--port=7778. For ./run itself: --port, --bvh, --seconds (of the session without a display).
+
+The environment also knows GODOT (an engine >= 4.6 to use), GODOT_CPP_DIR (build against a checkout
+of godot-cpp), DISMOUNT_DEBIAN_MIRROR (where to fetch Godot), XDG_CACHE_HOME, and
+DISMOUNT_DISPLAY=virtual (do as if there was no display).
+
+Keys in a window: 1 mesh world, 2 static world, 3 physics world; drag and wheel move the camera.
+"""
+
+FILES = ("bvh", "record", "file", "report", "screenshot")
+
+
+def main(arguments: list[str]) -> int:
+    """Runs one command and returns its exit code."""
+    if arguments and arguments[0] in ("--help", "-h", "help"):
+        print(HELP, end="")
+        return 0
+    commands: dict[str, Callable[[list[str]], int]] = {
+        "server": _server,
+        "trainee": lambda rest: _client("trainee", rest),
+        "observer": lambda rest: _client("observer", rest),
+        "replay": lambda rest: _client("replay", rest),
+        "editor": _editor,
+        "export": _export,
+        "bvh": _bvh,
+        "bench": _bench,
+    }
+    if not arguments or arguments[0].startswith("-"):
+        return demo.main(normalise(arguments))
+    if arguments[0] not in commands:
+        raise Failure(f"There is no command '{arguments[0]}': see ./run --help.", 2)
+    return commands[arguments[0]](arguments[1:])
+
+
+def normalise(arguments: list[str]) -> list[str]:
+    """Options as --name=value, also where they were given as --name value; files as full paths."""
+    result: list[str] = []
+    rest = [argument for argument in arguments if argument != "--"]
+    while rest:
+        option = rest.pop(0)
+        takes_next = rest and not rest[0].startswith("--")
+        if option.startswith("--") and "=" not in option and option != "--help" and takes_next:
+            option = f"{option}={rest.pop(0)}"
+        name, _, value = option.removeprefix("--").partition("=")
+        if name in FILES and value:
+            option = f"--{name}={user_path(value)}"
+        result.append(option)
+    return result
+
+
+def _run(command: list[str]) -> int:
+    """Runs a program in the foreground and ends it when we end."""
+    with subprocess.Popen(command) as process:
+        try:
+            return process.wait()
+        except BaseException:
+            process.terminate()
+            try:
+                process.wait(5)
+            except subprocess.TimeoutExpired:
+                process.kill()
+            raise
+
+
+def _server(arguments: list[str]) -> int:
+    prepare(export=True)
+    return _run([str(SERVER_BINARY), "--headless", "--", "--role=server", *normalise(arguments)])
+
+
+def _client(role: str, arguments: list[str]) -> int:
+    options = normalise(arguments)
+    wants_file = not any(option.startswith("--bvh=") for option in options)
+    if role == "trainee" and wants_file and not os.environ.get("DISMOUNT_BVH"):
+        options.append(f"--bvh={CLIPS / '01_01.bvh'}")
+    prepare(export=True)
+    command = [str(CLIENT_BINARY)]
+    if not real_display():
+        say("There is no display: the client runs without a window.")
+        command.append("--headless")
+    return _run([*command, "--", f"--role={role}", *options])
+
+
+def _editor(_arguments: list[str]) -> int:
+    godot = prepare(export=False)
+    if not real_display():
+        raise Failure("The editor needs a display: start it in a desktop session.")
+    return _run([str(godot.program), "--editor", "--path", str(ROOT)])
+
+
+def _export(_arguments: list[str]) -> int:
+    prepare(export=True)
+    print(SERVER_BINARY)
+    print(CLIENT_BINARY)
+    return 0
+
+
+def _script(godot: Godot, flags: list[str], script: str, arguments: list[str]) -> int:
+    """Runs a script of the project headless; standard output is the script's alone."""
+    command = [str(godot.program), "--headless", "--no-header", "--path", str(ROOT), *flags]
+    command += ["-s", script, "--", *arguments]
+    return subprocess.run(
+        command, env=godot.environment(), stdin=subprocess.DEVNULL, check=False
+    ).returncode
+
+
+def _bvh(arguments: list[str]) -> int:
+    files = [argument for argument in arguments if not argument.startswith("-")]
+    if len(files) != 1:
+        raise Failure("usage: ./run bvh FILE [--unit=U] [--up=y|z]", 2)
+    options = [argument for argument in arguments if argument.startswith("-")]
+    godot = prepare(export=False)
+    return _script(
+        godot, [], "res://scripts/mocap/bvh_info.gd", [str(user_path(files[0])), *options]
+    )
+
+
+def benchmarks() -> dict[str, tuple[Path, str]]:
+    """Script and first line of documentation of each benchmark, by name."""
+    found: dict[str, tuple[Path, str]] = {}
+    for script in sorted((ROOT / "tests" / "bench").glob("bench_*.gd")):
+        lines = script.read_text(encoding="utf-8").splitlines()
+        if lines and lines[0].startswith("extends SceneTree"):
+            about = next((line[3:] for line in lines if line.startswith("## ")), "")
+            found[script.stem.removeprefix("bench_")] = (script, about)
+    return found
+
+
+def _bench(arguments: list[str]) -> int:
+    known = benchmarks()
+    if not arguments:
+        for name, (_, about) in known.items():
+            print(f"{name:<12} {about}")
+        return 0
+    name, *options = arguments
+    if name not in known:
+        raise Failure(f"There is no benchmark '{name}': {', '.join(known)}.", 2)
+    godot = prepare(export=False)
+    relative = known[name][0].relative_to(ROOT)
+    rate = next((o.split("=")[1] for o in normalise(options) if o.startswith("--hz=")), "60")
+    flags = ["--fixed-fps", rate] if rate.isdigit() and rate != "0" else []
+    return _script(godot, flags, f"res://{relative}", normalise(options))

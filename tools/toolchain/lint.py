@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: MIT
+"""The format and lint gates: every tool over every file of the repository that it is for."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+
+from .outcome import Outcome
+from .paths import BUILD, ROOT
+from .project import EXTENSIONS
+
+FORMAT_HINT = "format it with the same tool and flags as in tools/toolchain/lint.py"
+
+
+def tracked(*patterns: str) -> list[str]:
+    """Files of the repository, also new ones, but not ignored ones."""
+    command = ["git", "ls-files", "--cached", "--others", "--exclude-standard", "--", *patterns]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
+    return sorted({name for name in done.stdout.split("\n") if name and (ROOT / name).exists()})
+
+
+def gates(tools: Path) -> Iterator[tuple[str, list[str]]]:
+    """Each gate's name and command."""
+    gd = [name for name in tracked("*.gd") if "/fixtures/" not in name]
+    cpp = tracked("gdextension/*.cpp", "gdextension/*.hpp", "gdextension/*.h")
+    shell = ["run", "test", ".ci/run", *tracked("*.sh", "tools/assets/build_avatar")]
+    yield "gdformat", [str(tools / "gdformat"), "--check", *gd]
+    yield "gdlint", [str(tools / "gdlint"), *gd]
+    yield "clang-format", [str(tools / "clang-format"), "--dry-run", "--Werror", *cpp]
+    yield "ruff check", [str(tools / "ruff"), "check", "--no-cache", "."]
+    yield "ruff format", [str(tools / "ruff"), "format", "--no-cache", "--check", "."]
+    yield "shellcheck", [str(tools / "shellcheck"), "-x", *shell]
+    sources = changed_sources()
+    if sources:
+        yield "clang-tidy", [str(tools / "clang-tidy"), "-quiet", "-p", str(EXTENSIONS), *sources]
+
+
+def changed_sources() -> list[str]:
+    """C++ sources that clang-tidy has not passed yet in their present form."""
+    database = EXTENSIONS / "compile_commands.json"
+    if not database.exists():
+        return []
+    known = {entry["file"] for entry in json.loads(database.read_text(encoding="utf-8"))}
+    own = tracked("gdextension/*.cpp")
+    return [name for name in own if str(ROOT / name) in known and not _passed(name).exists()]
+
+
+def _passed(name: str) -> Path:
+    """A mark that a source passed clang-tidy, by its contents and those of all headers."""
+    done = subprocess.run(
+        ["git", "hash-object", name, ".clang-tidy", *tracked("gdextension/*.hpp")],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    key = subprocess.run(
+        ["git", "hash-object", "--stdin"],
+        input=done.stdout,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    return BUILD / "stamps" / "tidy" / key.stdout.strip()
+
+
+def run_lint(tools: Path) -> Outcome:
+    """Runs every gate; each counts as a test."""
+    outcome = Outcome()
+    for name, command in gates(tools):
+        done = subprocess.run(
+            command,
+            cwd=ROOT,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            check=False,
+        )
+        if done.returncode == 0:
+            outcome.passed += 1
+            print(f"ok   {name}")
+            if name == "clang-tidy":
+                for source in changed_sources():
+                    _passed(source).parent.mkdir(parents=True, exist_ok=True)
+                    _passed(source).touch()
+        else:
+            outcome.failed += 1
+            print(f"FAIL {name}: {FORMAT_HINT if 'format' in name else 'see below'}")
+            print(done.stdout[-6000:])
+    return outcome

@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: MIT
+"""Starts the exported server and clients, and sees to it that none outlives us."""
+
+from __future__ import annotations
+
+import os
+import socket
+import subprocess
+import time
+from pathlib import Path
+from types import TracebackType
+
+from .console import Failure, tail
+from .paths import BUILD
+
+
+def require_port(port: int) -> None:
+    """Gives up where a UDP port is in use."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        try:
+            probe.bind(("0.0.0.0", port))
+        except OSError as error:
+            raise Failure(
+                f"UDP port {port} is in use (another server?): end that program, or choose another "
+                f"port with --port={port + 1} or DISMOUNT_PORT={port + 1}."
+            ) from error
+
+
+class Group:
+    """Processes that end together, with their logs."""
+
+    def __init__(self, logs: Path, environment: dict[str, str]) -> None:
+        self._logs = logs
+        home = BUILD / "player-home"
+        own = {f"XDG_{name}_HOME": str(home / name.lower()) for name in ("DATA", "CONFIG", "CACHE")}
+        # Options of the roles may not leak into the session from the environment.
+        plain = {k: v for k, v in os.environ.items() if not k.startswith("DISMOUNT_")}
+        self._environment = {**plain, **own, **environment}
+        self._processes: dict[str, subprocess.Popen[bytes]] = {}
+
+    def __enter__(self) -> Group:
+        return self
+
+    def __exit__(
+        self,
+        _kind: type[BaseException] | None,
+        _value: BaseException | None,
+        _trace: TracebackType | None,
+    ) -> None:
+        for process in self._processes.values():
+            if process.poll() is None:
+                process.terminate()
+        for process in self._processes.values():
+            try:
+                process.wait(5)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()
+
+    def start(self, name: str, command: list[str]) -> None:
+        """Starts a process; its output goes to a log."""
+        with open(self.log_file(name), "wb") as log:
+            self._processes[name] = subprocess.Popen(
+                command,
+                env=self._environment,
+                stdin=subprocess.DEVNULL,
+                stdout=log,
+                stderr=subprocess.STDOUT,
+            )
+
+    def log_file(self, name: str) -> Path:
+        """Where the output of a process goes."""
+        return self._logs / f"{name}.log"
+
+    def log(self, name: str) -> str:
+        """What a process has printed."""
+        return self.log_file(name).read_text(encoding="utf-8", errors="replace")
+
+    def exit_code(self, name: str) -> int | None:
+        """The exit code of a process, or None while it runs."""
+        return self._processes[name].poll()
+
+    def await_text(self, name: str, text: str, limit_s: float) -> None:
+        """Waits until a process has printed something."""
+        end = time.monotonic() + limit_s
+        while text not in self.log(name):
+            if self.exit_code(name) is not None or time.monotonic() > end:
+                raise Failure(f"The {name} did not come up:\n{tail(self.log(name))}")
+            time.sleep(0.05)
+
+    def await_exit(self, name: str, limit_s: float) -> None:
+        """Waits until a process has ended well."""
+        try:
+            code = self._processes[name].wait(limit_s)
+        except subprocess.TimeoutExpired as late:
+            raise Failure(f"The {name} does not end:\n{tail(self.log(name))}") from late
+        if code != 0:
+            raise Failure(f"The {name} failed (exit {code}):\n{tail(self.log(name))}")
+
+    def await_any_exit(self, names: list[str]) -> None:
+        """Waits until one of the processes has ended, however."""
+        while all(self.exit_code(name) is None for name in names):
+            time.sleep(0.2)

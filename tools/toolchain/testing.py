@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: MIT
+"""`./test`: lint and format gates, C++, GDScript and whole-process tests; counts at the end."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import time
+import xml.etree.ElementTree as ElementTree
+from collections.abc import Callable
+from pathlib import Path
+
+from .console import Failure, say, step, tail
+from .godot import Godot
+from .lint import run_lint
+from .outcome import Outcome
+from .paths import BUILD, ROOT, cache, lock, make_folder
+from .project import EXTENSIONS, prepare
+
+HELP = """./test [PART ...] [options]   sets up everything, then runs every test (or some parts)
+
+  parts       lint      format and lint gates: gdformat, gdlint, clang-format, clang-tidy, ruff,
+                        shellcheck
+              cpp       C++ unit tests (ctest)
+              gdscript  GDScript tests in headless Godot
+              system    whole-process tests in pytest, with exported server and clients
+  options     --filter=TEXT   only GDScript and system tests whose name has TEXT
+              --sanitize      the C++ tests with address and undefined-behaviour sanitizers
+"""
+
+REQUIREMENTS = ROOT / "tests" / "requirements.txt"
+GDSCRIPT_LIMIT_S = 600
+
+
+def main(arguments: list[str]) -> int:
+    """Runs the tests; returns 0 if all passed."""
+    if "--help" in arguments or "-h" in arguments:
+        print(HELP, end="")
+        return 0
+    text = next((a.partition("=")[2] for a in arguments if a.startswith("--filter=")), "")
+    sanitize = "--sanitize" in arguments
+    parts: dict[str, Callable[[Godot, Path], Outcome]] = {
+        "lint": lambda _godot, tools: run_lint(tools),
+        "cpp": lambda godot, _tools: run_ctest(godot, sanitize),
+        "gdscript": lambda godot, _tools: run_gdscript(godot, text),
+        "system": lambda godot, tools: run_pytest(godot, tools, text),
+    }
+    chosen = [argument for argument in arguments if not argument.startswith("--")]
+    unknown = [name for name in chosen if name not in parts]
+    options = [a for a in arguments if a.startswith("--") and a != "--sanitize"]
+    unknown += [option for option in options if not option.startswith("--filter=")]
+    if unknown:
+        raise Failure(f"There is no '{unknown[0]}': see ./test --help.", 2)
+    tools = python_tools()
+    godot = prepare(export=True)
+    total = Outcome()
+    for name in chosen or parts:
+        total.add(_run_part(name, parts[name], godot, tools))
+    for note in total.notes:
+        print(note)
+    print(f"\n{total.passed} passed, {total.failed} failed", flush=True)
+    return 0 if total.failed == 0 and total.passed > 0 else 1
+
+
+def _run_part(
+    name: str, part: Callable[[Godot, Path], Outcome], godot: Godot, tools: Path
+) -> Outcome:
+    say(f"\n=== {name}")
+    begin = time.monotonic()
+    outcome = part(godot, tools)
+    seconds = time.monotonic() - begin
+    say(f"=== {name}: {outcome.passed} passed, {outcome.failed} failed ({seconds:.0f} s)")
+    return outcome
+
+
+def python_tools() -> Path:
+    """A virtual environment with the test tools, made once for all clones; returns its bin/."""
+    wanted = REQUIREMENTS.read_text(encoding="utf-8")
+    version = f"{sys.version_info.major}.{sys.version_info.minor}"
+    folder = cache() / f"test-tools-{version}"
+    stamp = folder / "requirements.txt"
+    make_folder(cache())
+    with lock(cache() / "test-tools.lock", "setting up the test tools"):
+        if stamp.exists() and stamp.read_text(encoding="utf-8") == wanted:
+            return folder / "bin"
+        with step("install the test tools from PyPI"):
+            shutil.rmtree(folder, ignore_errors=True)
+            _call([sys.executable, "-m", "venv", str(folder)])
+            pip = [str(folder / "bin" / "pip"), "install", "-q", "--disable-pip-version-check"]
+            _call([*pip, "-r", str(REQUIREMENTS)])
+            stamp.write_text(wanted, encoding="utf-8")
+    return folder / "bin"
+
+
+def _call(command: list[str]) -> None:
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise Failure(
+            "The test tools can't be had: check the network, or PIP_INDEX_URL.\n"
+            + tail(done.stderr, 5)
+        )
+
+
+def run_ctest(_godot: Godot, sanitize: bool) -> Outcome:
+    """Runs the C++ unit tests of all modules."""
+    folder = EXTENSIONS
+    if sanitize:
+        folder = BUILD / "gdextension-sanitized"
+        _build_sanitized(folder)
+    command = ["ctest", "--test-dir", str(folder), "--output-on-failure", "--timeout", "120"]
+    done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=False)
+    print(done.stdout)
+    match = re.search(r"(\d+)% tests passed, (\d+) tests? failed out of (\d+)", done.stdout)
+    if match is None:
+        return Outcome(0, 1, ["cpp: ctest ran no test"])
+    failed, count = int(match.group(2)), int(match.group(3))
+    return Outcome(count - failed, failed)
+
+
+def _build_sanitized(folder: Path) -> None:
+    with step("build the C++ tests with sanitizers"):
+        cached = (EXTENSIONS / "CMakeCache.txt").read_text(encoding="utf-8")
+        api = re.search(r"^GODOT_API_DIR:\w+=(.*)$", cached, re.M)
+        command = ["cmake", "-S", str(ROOT / "gdextension"), "-B", str(folder)]
+        command += [f"-DGODOT_API_DIR={api.group(1) if api else ''}"]
+        command += ["-DDISMOUNT_SANITIZE=address,undefined", "-DDISMOUNT_EXTENSIONS=OFF"]
+        _call(command)
+        _call(["cmake", "--build", str(folder), "-j", str(os.cpu_count() or 2)])
+
+
+def run_gdscript(godot: Godot, text: str) -> Outcome:
+    """Runs the GDScript tests; a hang ends after a while, and is named."""
+    arguments = ["--path", str(ROOT), "-s", "res://tests/framework/test_runner.gd", "--"]
+    arguments += [f"--filter={text}"] if text else []
+    code, output = godot.call(arguments, GDSCRIPT_LIMIT_S)
+    print(output)
+    match = re.search(r"^(\d+) passed, (\d+) failed", output, re.M)
+    if match is None:
+        return Outcome(0, 1, [f"gdscript: the runner did not finish (exit {code})"])
+    passed, failed = int(match.group(1)), int(match.group(2))
+    if code != 0 and failed == 0:
+        failed = 1
+    return Outcome(passed, failed)
+
+
+def run_pytest(godot: Godot, tools: Path, text: str) -> Outcome:
+    """Runs everything written for pytest: the tools' own tests, bindings, whole processes."""
+    report = BUILD / "pytest.xml"
+    report.unlink(missing_ok=True)
+    command = [str(tools / "pytest"), f"--junitxml={report}", "-p", "no:cacheprovider"]
+    command += ["tests", "gdextension/bindings/tests"]
+    command += ["-k", text] if text else []
+    environment = {
+        **godot.environment(),
+        "DISMOUNT_GODOT": str(godot.program),
+        "DISMOUNT_BUILD": str(EXTENSIONS),
+        "PYTHONPATH": str(ROOT / "tools"),
+        "PYTHONDONTWRITEBYTECODE": "1",
+    }
+    code = subprocess.run(command, cwd=ROOT, env=environment, check=False).returncode
+    if not report.exists():
+        return Outcome(0, 1, [f"system: pytest did not finish (exit {code})"])
+    suite = ElementTree.parse(report).getroot()[0]
+    failed = int(suite.get("failures", 0)) + int(suite.get("errors", 0))
+    skipped = int(suite.get("skipped", 0))
+    passed = int(suite.get("tests", 0)) - failed - skipped
+    if code not in (0, 1, 5) and failed == 0:
+        failed = 1
+    notes = [f"system: {skipped} skipped"] if skipped else []
+    return Outcome(passed, failed, notes)
