@@ -80,6 +80,8 @@ func start() -> bool:
 	get_simulator().physical_bones_start_simulation()
 	_bodies.clear()
 	for i: int in bones.size():
+		# Otherwise the body would be put back to where the bone rests at the end of the frame.
+		bones[i].force_update_transform()
 		_bodies.append(bones[i].get_rid())
 		_prepare_body(bones[i], description.limbs[i])
 	_joints = RagdollJoints.new()

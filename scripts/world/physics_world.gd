@@ -48,8 +48,18 @@ static func _make_wires(p_entry: Array, p_colour: Color) -> MeshInstance3D:
 	material.shading_mode = BaseMaterial3D.SHADING_MODE_UNSHADED
 	material.albedo_color = p_colour
 	var wires: MeshInstance3D = MeshInstance3D.new()
-	wires.mesh = WorldDescription.make_shape(p_entry).get_debug_mesh()
+	wires.mesh = _keep_lines(WorldDescription.make_shape(p_entry).get_debug_mesh())
 	wires.material_override = material
 	wires.transform = p_entry[2]
 	wires.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
 	return wires
+
+
+## The lines of a debug mesh, which fills its faces too.
+static func _keep_lines(p_mesh: ArrayMesh) -> ArrayMesh:
+	var lines: ArrayMesh = ArrayMesh.new()
+	for surface: int in p_mesh.get_surface_count():
+		if p_mesh.surface_get_primitive_type(surface) == Mesh.PRIMITIVE_LINES:
+			var arrays: Array = p_mesh.surface_get_arrays(surface)
+			lines.add_surface_from_arrays(Mesh.PRIMITIVE_LINES, arrays)
+	return lines
