@@ -4,6 +4,8 @@ extends RefCounted
 
 ## Raised with every change of what is sent; a server refuses other versions.
 const VERSION: int = 1
+## First bytes of a greeting.
+const HELLO: String = "DSMT"
 ## UDP port of a server unless told otherwise.
 const DEFAULT_PORT: int = 7777
 ## Largest payload of a datagram, bytes: it passes every usual network in one piece.
@@ -32,14 +34,18 @@ enum Message {
 }
 
 
-## The first thing that a client says, as bytes.
+## The first thing that a client says, as bytes. Little-endian: [constant HELLO], u32 version, u8
+## role, f64 hip height (m), name as u16 length and UTF-8. Version 1 and later begin alike.
 static func encode_hello(
 	p_role: Role, p_name: String, p_hip_height: float, p_version: int = VERSION
 ) -> PackedByteArray:
-	var hello: Dictionary = {
-		"version": p_version, "role": p_role, "name": p_name, "hip_height": p_hip_height
-	}
-	return var_to_bytes(hello)
+	var bytes: PackedByteArray = HELLO.to_ascii_buffer()
+	bytes.resize(17)
+	bytes.encode_u32(4, p_version)
+	bytes.encode_u8(8, p_role)
+	bytes.encode_double(9, p_hip_height)
+	bytes.append_array(ByteReader.text_bytes(p_name.left(LONGEST_NAME)))
+	return bytes
 
 
 ## What a client said first, checked. Returns a dictionary with version, role, name and hip_height,
@@ -47,40 +53,39 @@ static func encode_hello(
 static func decode_hello(p_bytes: PackedByteArray) -> Dictionary:
 	if p_bytes.size() > 512 or p_bytes.size() < 8:
 		return {"error": "the greeting has %d bytes" % p_bytes.size()}
-	# Looked at before it is decoded: a broken one would only fill the log with engine errors.
-	if p_bytes.decode_u32(0) != TYPE_DICTIONARY:
+	if p_bytes.slice(0, 4) != HELLO.to_ascii_buffer():
 		return {"error": "the greeting is not in Dismount's form"}
-	var said: Variant = bytes_to_var(p_bytes)
-	if said is not Dictionary:
-		return {"error": "the greeting is not in Dismount's form"}
-	var hello: Dictionary = said
-	if hello.get("version") is not int:
-		return {"error": "the greeting names no version"}
+	var reader: ByteReader = ByteReader.new(p_bytes, 4)
+	var hello: Dictionary = {"version": reader.read_u32()}
 	if hello["version"] != VERSION:
 		var versions: Array = [hello["version"], VERSION]
 		return {"error": "the client speaks protocol version %d, the server %d" % versions}
-	var role: Variant = hello.get("role")
-	if role is not int or role < 0 or role >= Role.size():
-		return {"error": "the greeting asks for an unknown role"}
-	var height: Variant = hello.get("hip_height")
-	if height is not float or not (height > 0.2 and height < 2.0):
-		return {"error": "the greeting's hip height is no person's"}
-	if hello.get("name") is not String:
-		return {"error": "the greeting names nobody"}
-	var shown: String = (hello["name"] as String).strip_escapes().left(LONGEST_NAME).strip_edges()
+	hello["role"] = reader.read_u8()
+	hello["hip_height"] = reader.read_double()
+	var shown: String = reader.read_text(4 * LONGEST_NAME).left(LONGEST_NAME).strip_edges()
 	hello["name"] = shown if shown != "" else "nobody"
+	if not reader.is_complete():
+		return {"error": "the greeting is broken"}
+	if hello["role"] >= Role.size():
+		return {"error": "the greeting asks for an unknown role"}
+	if not (hello["hip_height"] > 0.2 and hello["hip_height"] < 2.0):
+		return {"error": "the greeting's hip height is no person's"}
 	return hello
 
 
-## The server's answer to a greeting: why it refuses, or an empty text if the client is welcome.
+## The server's answer to a greeting: u8 0 if the client is welcome, else 1 and why not, as u16
+## length and UTF-8.
 static func encode_answer(p_refusal: String) -> PackedByteArray:
 	var bytes: PackedByteArray = PackedByteArray([0 if p_refusal == "" else 1])
-	bytes.append_array(p_refusal.to_utf8_buffer())
+	bytes.append_array(ByteReader.text_bytes(p_refusal.left(200)))
 	return bytes
 
 
 ## Why the server refuses, or an empty text.
 static func decode_answer(p_bytes: PackedByteArray) -> String:
-	if p_bytes.size() < 2 or p_bytes[0] == 0:
-		return ""
-	return p_bytes.slice(1).get_string_from_utf8().left(200)
+	var reader: ByteReader = ByteReader.new(p_bytes)
+	var refused: bool = reader.read_u8() != 0
+	var why: String = reader.read_text(800)
+	if not reader.is_complete() or refused == (why == ""):
+		return "it answers in a form that is not Dismount's"
+	return why

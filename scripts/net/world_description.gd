@@ -5,6 +5,7 @@ extends RefCounted
 ## A client needs it to know whose limb or which prop a body id means, and to draw the server's
 ## actual shapes in the physics world (thesis section 4.2.3).
 
+
 ## One body.
 class Body:
 	## Number of the body in snapshots, 0 to 65535.
@@ -31,8 +32,11 @@ enum ShapeType {
 const PROP: int = -1
 ## In place of an actor: part of the static world. Its shapes are placed in the world.
 const FIXED: int = -2
-## Most bodies in a description.
-const MOST_BODIES: int = 65536
+## Most people in a description.
+const MOST_PEOPLE: int = 1024
+
+const _LONGEST_TEXT: int = 1024
+const _LARGEST: float = 1e5
 
 ## The bodies, by id.
 var bodies: Dictionary[int, Body] = {}
@@ -51,34 +55,50 @@ func add(p_id: int, p_actor: int, p_part: String, p_shapes: Array) -> Body:
 	return body
 
 
-## The packet that carries the description.
+## The packet that carries the description. Little-endian: u8 message; u16 number of people, for
+## each s32 actor id and name; u16 number of bodies, for each u16 id, s32 actor, part, u8 number of
+## shapes, for each u8 type, 3 f32 size (m), 12 f32 transform (columns of the basis, origin). Texts
+## are u16 length and UTF-8.
 func encode() -> PackedByteArray:
-	var list: Array = []
+	var bytes: PackedByteArray = PackedByteArray([Protocol.Message.WORLD])
+	_append(bytes, 2, names.size())
+	for actor: int in names:
+		_append(bytes, 4, actor)
+		bytes.append_array(ByteReader.text_bytes(names[actor]))
+	_append(bytes, 2, bodies.size())
 	for id: int in bodies:
 		var body: Body = bodies[id]
-		list.append([id, body.actor, body.part, body.shapes])
-	var bytes: PackedByteArray = PackedByteArray([Protocol.Message.WORLD])
-	bytes.append_array(var_to_bytes({"bodies": list, "names": Dictionary(names)}))
+		_append(bytes, 2, id)
+		_append(bytes, 4, body.actor)
+		bytes.append_array(ByteReader.text_bytes(body.part))
+		_append(bytes, 1, body.shapes.size())
+		for shape: Array in body.shapes:
+			var size: Vector3 = shape[1]
+			_append(bytes, 1, shape[0])
+			bytes.append_array(PackedFloat32Array([size.x, size.y, size.z]).to_byte_array())
+			bytes.append_array(ByteReader.transform_bytes(shape[2]))
 	return bytes
 
 
 ## The description in a packet, or null if it is none.
 static func decode(p_bytes: PackedByteArray) -> WorldDescription:
-	if p_bytes.size() < 8 or p_bytes.decode_u32(1) != TYPE_DICTIONARY:
-		return null
-	var data: Variant = bytes_to_var(p_bytes.slice(1))
-	if data is not Dictionary or data.get("bodies") is not Array or data.get("names") is not Dictionary:
+	var reader: ByteReader = ByteReader.new(p_bytes)
+	if reader.read_u8() != Protocol.Message.WORLD:
 		return null
 	var description: WorldDescription = WorldDescription.new()
-	for entry: Variant in data["bodies"]:
-		if not _is_body(entry):
+	var people: int = reader.read_u16()
+	if people > MOST_PEOPLE:
+		return null
+	for _person: int in people:
+		var actor: int = reader.read_s32()
+		description.names[actor] = reader.read_text(_LONGEST_TEXT)
+		if reader.failed or actor < 0:
 			return null
-		description.add(entry[0], entry[1], entry[2], entry[3])
-	for actor: Variant in data["names"]:
-		if actor is not int or data["names"][actor] is not String:
+	for _body: int in reader.read_u16():
+		_read_body(reader, description)
+		if reader.failed:
 			return null
-		description.names[actor] = data["names"][actor]
-	return description
+	return description if reader.is_complete() else null
 
 
 ## The shape of an entry of [member Body.shapes].
@@ -111,18 +131,32 @@ static func describe_shape(p_shape: Shape3D, p_transform: Transform3D) -> Array:
 	return []
 
 
-static func _is_body(p_entry: Variant) -> bool:
-	if p_entry is not Array or p_entry.size() != 4 or p_entry[3] is not Array:
-		return false
-	if p_entry[0] is not int or p_entry[0] < 0 or p_entry[0] >= MOST_BODIES:
-		return false
-	if p_entry[1] is not int or p_entry[2] is not String:
-		return false
-	for shape: Variant in p_entry[3]:
-		if shape is not Array or shape.size() != 3 or shape[0] is not int:
-			return false
-		if shape[1] is not Vector3 or shape[2] is not Transform3D:
-			return false
-		if not (shape[1] as Vector3).is_finite() or shape[0] < 0 or shape[0] >= ShapeType.size():
-			return false
-	return true
+static func _read_body(p_reader: ByteReader, p_description: WorldDescription) -> void:
+	var id: int = p_reader.read_u16()
+	var actor: int = p_reader.read_s32()
+	var part: String = p_reader.read_text(_LONGEST_TEXT)
+	var shapes: Array = []
+	for _shape: int in p_reader.read_u8():
+		var type: int = p_reader.read_u8()
+		var size: Vector3 = p_reader.read_vector()
+		shapes.append([type, size, p_reader.read_transform()])
+		var smallest: float = minf(size.x, minf(size.y, size.z))
+		if type >= ShapeType.size() or smallest < 0.0 or size.length() > _LARGEST:
+			p_reader.failed = true
+		if p_reader.failed:
+			return
+	if actor < FIXED or p_description.bodies.has(id):
+		p_reader.failed = true
+	p_description.add(id, actor, part, shapes)
+
+
+static func _append(p_bytes: PackedByteArray, p_size: int, p_number: int) -> void:
+	var at: int = p_bytes.size()
+	p_bytes.resize(at + p_size)
+	match p_size:
+		1:
+			p_bytes.encode_u8(at, p_number)
+		2:
+			p_bytes.encode_u16(at, p_number)
+		4:
+			p_bytes.encode_s32(at, p_number)

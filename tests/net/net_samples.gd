@@ -1,0 +1,111 @@
+extends RefCounted
+## Random packets' contents for the tests of the wire, and damage to packets.
+
+## Characters of random texts, of one to four bytes.
+const LETTERS: String = "aZ_ /.:Größe東京😀"
+
+
+## A pose that is valid.
+static func pose(p_random: RandomNumberGenerator) -> PoseSample:
+	var sample: PoseSample = PoseSample.new()
+	sample.id = p_random.randi()
+	sample.time_usec = p_random.randi() * p_random.randi_range(0, 1000000)
+	sample.root = vector(p_random, 100.0)
+	for limb: int in Limbs.COUNT:
+		sample.set_orientation(limb, rotation(p_random))
+	return sample
+
+
+## A snapshot of so many bodies and people.
+static func snapshot(p_random: RandomNumberGenerator, p_bodies: int, p_people: int) -> Snapshot:
+	var made: Snapshot = Snapshot.new()
+	made.tick = p_random.randi()
+	made.tick_rate = p_random.randi_range(1, 255)
+	while made.bodies.size() < p_bodies:
+		made.bodies[p_random.randi_range(0, 65535)] = place(p_random)
+	while made.samples.size() < p_people:
+		var mark: Snapshot.SampleMark = Snapshot.SampleMark.new()
+		mark.id = p_random.randi()
+		mark.time_usec = p_random.randi() * 400000
+		made.samples[p_random.randi_range(0, 65535)] = mark
+	return made
+
+
+## A world of so many bodies and people.
+static func world(
+	p_random: RandomNumberGenerator, p_bodies: int, p_people: int
+) -> WorldDescription:
+	var made: WorldDescription = WorldDescription.new()
+	for person: int in p_people:
+		made.names[p_random.randi_range(0, 0x7FFFFFFF)] = text(p_random)
+	while made.bodies.size() < p_bodies:
+		var shapes: Array = []
+		for shape: int in p_random.randi_range(0, 3):
+			var size: Vector3 = vector(p_random, 10.0).abs()
+			shapes.append([p_random.randi_range(0, 2), size, place(p_random)])
+		var actor: int = p_random.randi_range(-2, 2000000)
+		made.add(p_random.randi_range(0, 65535), actor, text(p_random), shapes)
+	return made
+
+
+## A rotation, all equally likely.
+static func rotation(p_random: RandomNumberGenerator) -> Quaternion:
+	var turn: Quaternion = Quaternion(
+		p_random.randfn(), p_random.randfn(), p_random.randfn(), p_random.randfn()
+	)
+	return turn.normalized()
+
+
+## A vector within a cube.
+static func vector(p_random: RandomNumberGenerator, p_most: float) -> Vector3:
+	return Vector3(
+		p_random.randf_range(-p_most, p_most),
+		p_random.randf_range(-p_most, p_most),
+		p_random.randf_range(-p_most, p_most)
+	)
+
+
+## A rigid transform.
+static func place(p_random: RandomNumberGenerator) -> Transform3D:
+	return Transform3D(Basis(rotation(p_random)), vector(p_random, 500.0))
+
+
+## A text of up to 30 characters.
+static func text(p_random: RandomNumberGenerator) -> String:
+	var made: String = ""
+	for _letter: int in p_random.randi_range(0, 30):
+		made += LETTERS[p_random.randi_range(0, LETTERS.length() - 1)]
+	return made
+
+
+## A packet with some damage: bytes changed, cut off, added or moved.
+static func damage(p_random: RandomNumberGenerator, p_bytes: PackedByteArray) -> PackedByteArray:
+	var bytes: PackedByteArray = p_bytes.duplicate()
+	for _time: int in p_random.randi_range(1, 4):
+		var at: int = p_random.randi_range(0, maxi(bytes.size() - 1, 0))
+		match p_random.randi_range(0, 5):
+			0, 1:
+				if not bytes.is_empty():
+					bytes[at] = p_random.randi_range(0, 255)
+			2:
+				if not bytes.is_empty():
+					bytes[at] = bytes[at] ^ (1 << p_random.randi_range(0, 7))
+			3:
+				bytes.resize(at)
+			4:
+				bytes.append_array(noise(p_random, 20))
+			5:
+				# A number that is not finite, or as large as can be.
+				for byte: int in range(at, mini(at + 4, bytes.size())):
+					bytes[byte] = 0xFF
+	return bytes
+
+
+## Random bytes, not more than so many; mostly a message's kind first.
+static func noise(p_random: RandomNumberGenerator, p_most: int) -> PackedByteArray:
+	var bytes: PackedByteArray = []
+	for _byte: int in p_random.randi_range(0, p_most):
+		bytes.append(p_random.randi_range(0, 255))
+	if not bytes.is_empty() and p_random.randf() < 0.7:
+		bytes[0] = p_random.randi_range(0, 4)
+	return bytes
