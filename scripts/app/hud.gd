@@ -16,4 +16,4 @@ func show_status(p_status: String, p_views: String) -> void:
 ## Shows a message in the middle, or none if the text is empty.
 func show_message(p_text: String) -> void:
 	_message.text = p_text
-	(_message.get_parent() as Control).visible = p_text != ""
+	_message.visible = p_text != ""

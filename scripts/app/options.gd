@@ -36,6 +36,7 @@ static func parse(p_arguments: PackedStringArray) -> Options:
 	var options: Options = Options.new()
 	for row: Array in TABLE:
 		options._values[row[0]] = row[1]
+	for row: Array in TABLE:
 		var variable: String = "DISMOUNT_" + (row[0] as String).to_upper().replace("-", "_")
 		if OS.get_environment(variable) != "":
 			options._set_option(row[0], OS.get_environment(variable), variable)

@@ -157,6 +157,7 @@ def run_pytest(godot: Godot, tools: Path, text: str) -> Outcome:
         **godot.environment(),
         "DISMOUNT_GODOT": str(godot.program),
         "DISMOUNT_BUILD": str(EXTENSIONS),
+        "DISMOUNT_USER_CACHE": str(cache().parent),
         "PYTHONPATH": str(ROOT / "tools"),
         "PYTHONDONTWRITEBYTECODE": "1",
     }

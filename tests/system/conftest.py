@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: MIT
+"""Starts the exported server and clients for whole-process tests, on 127.0.0.1 only."""
+
+from __future__ import annotations
+
+import json
+import os
+import socket
+import subprocess
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from toolchain.display import virtual_display
+from toolchain.paths import CLIENT_BINARY, CLIPS, SERVER_BINARY
+
+SOFTWARE = ["--rendering-method", "gl_compatibility", "--audio-driver", "Dummy"]
+SMALL = ["--resolution", "640x360"]
+
+
+class Process:
+    """A server or client with its log and its figures."""
+
+    def __init__(self, name: str, command: list[str], folder: Path, environment: dict[str, str]):
+        self.log_file = folder / f"{name}.log"
+        self.report_file = folder / f"{name}.json"
+        home = {f"XDG_{kind}_HOME": str(folder / kind) for kind in ("DATA", "CONFIG", "CACHE")}
+        plain = {k: v for k, v in os.environ.items() if not k.startswith("DISMOUNT_")}
+        with self.log_file.open("wb") as log:
+            self.process = subprocess.Popen(
+                [*command, f"--report={self.report_file}"],
+                env={**plain, **home, **environment},
+                stdin=subprocess.DEVNULL,
+                stdout=log,
+                stderr=subprocess.STDOUT,
+            )
+
+    def log(self) -> str:
+        return self.log_file.read_text(encoding="utf-8", errors="replace")
+
+    def report(self) -> dict:
+        return json.loads(self.report_file.read_text(encoding="utf-8"))
+
+    def await_text(self, text: str, limit_s: float = 20.0) -> None:
+        end = time.monotonic() + limit_s
+        while text not in self.log():
+            assert time.monotonic() < end, f"'{text}' did not come in {limit_s} s:\n{self.log()}"
+            assert self.process.poll() is None, f"it ended before '{text}':\n{self.log()}"
+            time.sleep(0.05)
+
+    def await_exit(self, limit_s: float = 60.0) -> int:
+        try:
+            return self.process.wait(limit_s)
+        except subprocess.TimeoutExpired:
+            pytest.fail(f"it does not end within {limit_s} s:\n{self.log()}")
+
+    def kill(self) -> None:
+        if self.process.poll() is None:
+            self.process.kill()
+        self.process.wait()
+
+
+class World:
+    """Starts processes that end with the test."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.port = free_port()
+        self.processes: list[Process] = []
+
+    def server(self, *options: str, name: str = "server", wait: bool = True) -> Process:
+        command = [str(SERVER_BINARY), "--headless", "--", f"--port={self.port}", *options]
+        process = self._start(name, command, {})
+        if wait:
+            process.await_text("listening on UDP port")
+        return process
+
+    def client(
+        self, role: str, *options: str, name: str = "", display: dict[str, str] | None = None
+    ) -> Process:
+        flags = ["--headless"] if display is None else [*SOFTWARE, *SMALL]
+        port = [] if any(o.startswith("--port=") for o in options) else [f"--port={self.port}"]
+        command = [str(CLIENT_BINARY), *flags, "--", f"--role={role}", *port, *options]
+        return self._start(name or role, command, display or {})
+
+    def trainee(self, *options: str, name: str = "trainee", clip: str = "01_01.bvh") -> Process:
+        return self.client("trainee", f"--bvh={CLIPS / clip}", *options, name=name)
+
+    def _start(self, name: str, command: list[str], environment: dict[str, str]) -> Process:
+        process = Process(name, command, self.folder, environment)
+        self.processes.append(process)
+        return process
+
+
+def free_port() -> int:
+    """A UDP port that nobody uses at the moment."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+@pytest.fixture
+def world(tmp_path: Path) -> Iterator[World]:
+    world = World(tmp_path)
+    yield world
+    for process in world.processes:
+        process.kill()
+
+
+@pytest.fixture(scope="session")
+def display() -> Iterator[dict[str, str]]:
+    with virtual_display() as environment:
+        yield environment

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: MIT
+"""`./run` as its users type it."""
+
+from __future__ import annotations
+
+import json
+import os
+import socket
+import subprocess
+from pathlib import Path
+
+from toolchain.paths import CLIPS, OUT, ROOT
+
+from .conftest import free_port
+
+
+def run(*arguments: str, limit_s: float = 240.0, **environment: str) -> subprocess.CompletedProcess:
+    """Calls ./run from a folder elsewhere, without a display."""
+    plain = {k: v for k, v in os.environ.items() if not k.startswith("DISMOUNT_")}
+    plain.pop("DISPLAY", None)
+    plain.pop("WAYLAND_DISPLAY", None)
+    # The engine's own folders belong to the test; ./run is to find its own.
+    for name in ("XDG_DATA_HOME", "XDG_CONFIG_HOME"):
+        plain.pop(name, None)
+    if "DISMOUNT_USER_CACHE" in os.environ:
+        plain["XDG_CACHE_HOME"] = os.environ["DISMOUNT_USER_CACHE"]
+    return subprocess.run(
+        [str(ROOT / "run"), *arguments],
+        cwd=environment.pop("cwd", str(CLIPS)),
+        env={**plain, **environment},
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        timeout=limit_s,
+        check=False,
+    )
+
+
+def test_help_names_every_command() -> None:
+    done = run("--help")
+    assert done.returncode == 0
+    for word in ("server", "trainee", "observer", "editor", "export", "bvh", "bench"):
+        assert f"./run {word}" in done.stdout
+
+
+def test_an_unknown_command() -> None:
+    done = run("nonsense")
+    assert done.returncode == 2
+    assert "There is no command 'nonsense'" in done.stderr
+
+
+def test_bvh_tells_what_a_file_holds() -> None:
+    done = run("bvh", "01_01.bvh")
+    assert done.returncode == 0, done.stderr
+    lines = dict(line.split(": ", 1) for line in done.stdout.splitlines())
+    assert lines["frames"] == "2752"
+    assert lines["joints"] == "31"
+    assert lines["frame_time"].startswith("0.00833")
+    assert lines["unit"].startswith("CMU")
+    assert lines["up"].startswith("Y")
+
+
+def test_bvh_refuses_a_broken_file(tmp_path: Path) -> None:
+    broken = tmp_path / "broken.bvh"
+    broken.write_text("HIERARCHY\nROOT Hips\n{\nOFFSET 0 zero 0\n}\n")
+    done = run("bvh", "broken.bvh", cwd=str(tmp_path))
+    assert done.returncode == 2
+    assert "broken.bvh:4:" in done.stderr
+    assert done.stdout == ""
+    assert run("bvh", "missing.bvh").returncode == 2
+    assert run("bvh").returncode == 2
+
+
+def test_bench_lists_and_runs() -> None:
+    listed = run("bench")
+    assert listed.returncode == 0
+    assert "tracking" in listed.stdout
+    command = ["bench", "tracking", "--json", "--bvh", "01_01.bvh", "--hz", "60"]
+    done = run(*command, "--mode", "velocity_motor", "--root", "held", "--seconds", "3")
+    assert done.returncode == 0, done.stderr
+    rows = [json.loads(line) for line in done.stdout.splitlines()]
+    assert len(rows) >= 2
+    keys = {"bench", "case", "metric", "value", "unit", "goal", "holds"}
+    assert all(set(row) == keys and row["bench"] == "tracking" for row in rows)
+    mean = next(row["value"] for row in rows if row["metric"] == "mean error")
+    assert 0.01 < mean < 2.0
+    assert run("bench", "nonsense").returncode == 2
+    assert run("bench", "tracking", "--nonsense", "1").returncode == 2
+    assert run("bench", "tracking", "--mode", "magic").returncode == 2
+
+
+def test_the_main_job_without_a_display() -> None:
+    port = free_port()
+    for product in ("observer.png", "observer.avi"):
+        (OUT / product).unlink(missing_ok=True)
+    done = run("--seconds", "5", DISMOUNT_PORT=str(port))
+    assert done.returncode == 0, done.stderr
+    for words in ("tick rate held", "tracking error, mean", "bytes/s", "sample to display"):
+        assert words in done.stdout
+    assert (OUT / "observer.png").stat().st_size > 20000
+    film = (OUT / "observer.avi").read_bytes()
+    assert film[:4] == b"RIFF"
+    assert film[8:12] == b"AVI "
+    assert film.count(b"\xff\xd8\xff") > 60
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        probe.bind(("0.0.0.0", port))
+    listed = subprocess.run(["ps", "ax"], capture_output=True, text=True, check=False).stdout
+    assert f"--port={port}" not in listed
+
+
+def test_the_main_job_with_a_port_in_use() -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as occupant:
+        occupant.bind(("0.0.0.0", 0))
+        port = occupant.getsockname()[1]
+        done = run(f"--port={port}")
+    assert done.returncode == 1
+    assert f"UDP port {port} is in use" in done.stderr

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: MIT
+"""A session as its users see it: who joins, what moves, what is measured, what is kept."""
+
+from __future__ import annotations
+
+import time
+
+from .conftest import World
+
+
+def test_a_trainee_moves_and_an_observer_sees_it(world: World) -> None:
+    server = world.server()
+    trainee = world.trainee("--duration=9", "--name=Ada")
+    trainee.await_text("joined")
+    observer = world.client("observer", "--duration=7", f"--record={world.folder / 'session'}")
+    assert observer.await_exit() == 0, observer.log()
+    assert trainee.await_exit() == 0, trainee.log()
+    time.sleep(1.5)
+    figures = server.report()
+    assert 58.0 < figures["ticks_per_second"] < 62.0
+    person = figures["people"][0]
+    assert person["name"] == "Ada"
+    assert person["count"] > 16 * 60 * 5
+    assert person["mean_deg"] < 5.0
+    seen = observer.report()
+    assert seen["snapshots"] > 60 * 4
+    assert seen["latency_count"] > 100
+    assert 0.0 < seen["latency_ms_mean"] < 250.0
+    assert "trainee 'Ada'" in server.log()
+    assert "ERROR" not in server.log() + trainee.log() + observer.log()
+
+
+def test_two_trainees_have_two_bodies(world: World) -> None:
+    server = world.server()
+    first = world.trainee("--name=Ada", name="ada")
+    second = world.trainee("--name=Bob", name="bob", clip="Boxing_Toes.bvh")
+    first.await_text("joined")
+    second.await_text("joined")
+    time.sleep(4)
+    people = {person["name"]: person for person in server.report()["people"]}
+    assert set(people) == {"Ada", "Bob"}
+    assert all(person["count"] > 16 * 60 for person in people.values())
+
+
+def test_a_recording_can_be_played_and_survives_a_kill(world: World) -> None:
+    world.server()
+    trainee = world.trainee()
+    trainee.await_text("joined")
+    recording = world.folder / "session"
+    observer = world.client("observer", f"--record={recording}")
+    observer.await_text("joined")
+    time.sleep(4)
+    observer.kill()
+    replay = world.client("replay", f"--file={recording}", name="replay")
+    assert replay.await_exit(30) == 0, replay.log()
+    assert replay.report()["snapshots"] > 60
+    assert "ERROR" not in replay.log()
+
+
+def test_a_person_leaves_and_another_comes(world: World) -> None:
+    server = world.server()
+    assert world.trainee("--duration=3", name="first").await_exit() == 0
+    server.await_text("left")
+    again = world.trainee("--duration=3", name="second")
+    assert again.await_exit() == 0
+    assert again.report()["snapshots"] > 60
+    assert "ERROR" not in server.log()
+
+
+def test_the_server_is_full(world: World) -> None:
+    world.server("--max-clients=1")
+    world.client("observer", name="first").await_text("joined")
+    second = world.client("observer", name="second")
+    assert second.await_exit(20) == 3
+    assert "the server is full" in second.log()
