@@ -11,8 +11,6 @@ extends RefCounted
 const DELAY_S: float = 0.04
 ## Snapshots that are kept per body.
 const _KEPT: int = 16
-## How fast the estimate of the server's clock forgets, seconds per second.
-const _DRIFT: float = 0.002
 
 ## The newest tick that has arrived, or -1.
 var newest_tick: int = -1
@@ -20,9 +18,7 @@ var newest_tick: int = -1
 var _tracks: Dictionary[int, Track] = {}
 var _marks: Dictionary[int, Array] = {}
 var _rate: int = 60
-## Local time (s) minus server time (s), at the quickest arrival.
-var _offset_s: float = INF
-var _last_s: float = 0.0
+var _offset: ClockOffset = ClockOffset.new()
 
 
 ## What is known of one body.
@@ -34,20 +30,15 @@ class Track:
 ## Takes a snapshot (or part of one) that arrived at a local time, s.
 func push(p_snapshot: Snapshot, p_now_s: float) -> void:
 	_rate = p_snapshot.tick_rate
-	var offset: float = p_now_s - float(p_snapshot.tick) / _rate
-	if absf(offset - _offset_s) > 5.0:
+	var sent: float = float(p_snapshot.tick) / _rate
+	if absf(p_now_s - sent - _offset.value_s) > 5.0:
 		clear()  # Another server, or a long sleep: begin anew.
-		_offset_s = offset
-	_offset_s = minf(_offset_s + maxf(p_now_s - _last_s, 0.0) * _DRIFT, offset)
-	_last_s = p_now_s
+	_offset.arrived(sent, p_now_s)
 	newest_tick = maxi(newest_tick, p_snapshot.tick)
 	for id: int in p_snapshot.bodies:
 		_insert(id, p_snapshot.tick, p_snapshot.bodies[id])
 	for actor: int in p_snapshot.samples:
-		var marks: Array = _marks.get_or_add(actor, [])
-		marks.append([p_snapshot.tick, p_snapshot.samples[actor]])
-		if marks.size() > _KEPT:
-			marks.pop_front()
+		_insert_mark(_marks.get_or_add(actor, []), p_snapshot.tick, p_snapshot.samples[actor])
 
 
 ## Forgets everything.
@@ -55,12 +46,12 @@ func clear() -> void:
 	_tracks.clear()
 	_marks.clear()
 	newest_tick = -1
-	_offset_s = INF
+	_offset.clear()
 
 
 ## The tick (with its fraction) that is to be shown at a local time, s.
 func shown_tick(p_now_s: float) -> float:
-	return minf((p_now_s - _offset_s - DELAY_S) * _rate, float(newest_tick))
+	return minf((p_now_s - _offset.value_s - DELAY_S) * _rate, float(newest_tick))
 
 
 ## Whether anything is known of a body.
@@ -96,6 +87,18 @@ func sample_time_at(p_actor: int, p_tick: float) -> int:
 		if mark[0] <= ceili(p_tick):
 			found = (mark[1] as Snapshot.SampleMark).time_usec
 	return found
+
+
+## Every datagram of a snapshot carries the same marks: they are kept once.
+static func _insert_mark(p_marks: Array, p_tick: int, p_mark: Snapshot.SampleMark) -> void:
+	var at: int = p_marks.size()
+	while at > 0 and p_marks[at - 1][0] > p_tick:
+		at -= 1
+	if at > 0 and p_marks[at - 1][0] == p_tick:
+		return
+	p_marks.insert(at, [p_tick, p_mark])
+	if p_marks.size() > _KEPT:
+		p_marks.pop_front()
 
 
 func _insert(p_id: int, p_tick: int, p_transform: Transform3D) -> void:
