@@ -1,7 +1,8 @@
 @tool
 class_name RagdollDescriptionReader
 extends RefCounted
-## Reads a [RagdollDescription] from a JSON file such as [code]assets/avatar/limb_shapes.json[/code].
+## Reads a [RagdollDescription] from a JSON file such as
+## [code]assets/avatar/limb_shapes.json[/code].
 ##
 ## The file holds a list [code]geoms[/code] of pills and boxes as the thesis's Lua file does
 ## (section 6.2). Errors name the file and the entry; nothing is half-loaded.

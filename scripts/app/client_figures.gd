@@ -1,6 +1,7 @@
 class_name ClientFigures
 extends RefCounted
-## What a client measures of its own session: frames, snapshots, traffic, and the delay from a sample
+## What a client measures of its own session: frames, snapshots, traffic, and the delay from a
+## sample
 ## in the wearer's suit to its display here (both machines' clocks must agree: thesis section 7.4).
 
 ## Snapshots (datagrams) that have arrived.

@@ -77,7 +77,22 @@ const MASS_FRACTIONS: Array[float] = [
 
 ## Greatest torque of the joint that holds each limb, N·m: a strong adult. The root has none.
 const TORQUES: Array[float] = [
-	0.0, 400.0, 400.0, 80.0, 120.0, 80.0, 20.0, 120.0, 80.0, 20.0, 350.0, 300.0, 150.0, 350.0, 300.0, 150.0
+	0.0,
+	400.0,
+	400.0,
+	80.0,
+	120.0,
+	80.0,
+	20.0,
+	120.0,
+	80.0,
+	20.0,
+	350.0,
+	300.0,
+	150.0,
+	350.0,
+	300.0,
+	150.0,
 ]
 
 ## Limbs whose direction the reset pose (a T-pose) prescribes, and that direction in the world.

@@ -54,7 +54,10 @@ func snap() -> void:
 ## cannot, or an empty text.
 func set_from_text(p_text: String) -> String:
 	var parts: PackedStringArray = p_text.split(",")
-	if parts.size() != 3 or not Array(parts).all(func(part: String) -> bool: return part.is_valid_float()):
+	var numbers: bool = parts.size() == 3
+	for part: String in parts:
+		numbers = numbers and part.is_valid_float()
+	if not numbers:
 		return "a camera is azimuth,elevation,distance, found '%s'" % p_text
 	azimuth = deg_to_rad(parts[0].to_float())
 	elevation = deg_to_rad(clampf(parts[1].to_float(), -80.0, 85.0))

@@ -4,7 +4,8 @@ extends RefCounted
 ##
 ## The rest pose of a file (all rotations zero) may be a T-pose or not. Where it is not, the limbs
 ## that the reset pose prescribes are turned into it; what is left is the calibration of thesis
-## section 6.1, exact because a file needs nobody to stand still. Frames: Godot's, metres; the person
+## section 6.1, exact because a file needs nobody to stand still. Frames: Godot's, metres; the
+## person
 ## faces +Z in the reset pose, so files that face elsewhere are turned about the vertical.
 
 ## Why the clip shows no person, or an empty text.

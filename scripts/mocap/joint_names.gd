@@ -26,7 +26,9 @@ const PARTS: Dictionary[StringName, Array] = {
 	&"Toes": ["toebase", "toe", "toes", "ball", "toe0", "foottoe"],
 }
 
-const _PREFIXES: Array[String] = ["mixamorig", "bip01", "bip001", "bip", "valvebiped", "def", "jbip", "j"]
+const _PREFIXES: Array[String] = [
+	"mixamorig", "bip01", "bip001", "bip", "valvebiped", "def", "jbip", "j"
+]
 
 
 ## The side that a name tells of.

@@ -15,10 +15,18 @@ signal snapshot_received(p_snapshot: Snapshot, p_bytes: PackedByteArray)
 ## Which bodies there are now. The bytes are those of the packet, for a recorder.
 signal world_received(p_world: WorldDescription, p_bytes: PackedByteArray)
 
+## How far a connection has come.
+enum State {
+	## There is none.
+	CLOSED,
+	## The server has not admitted us yet.
+	CONNECTING,
+	## The server has admitted us.
+	JOINED,
+}
+
 ## Seconds to wait for a server's answer.
 const PATIENCE_S: float = 5.0
-
-enum _State { CLOSED, CONNECTING, JOINED }
 
 ## Bytes in and out.
 var traffic: TrafficMeter = TrafficMeter.new()
@@ -26,7 +34,7 @@ var traffic: TrafficMeter = TrafficMeter.new()
 var _api: SceneMultiplayer = null
 var _enet: ENetMultiplayerPeer = null
 var _hello: PackedByteArray = PackedByteArray()
-var _state: _State = _State.CLOSED
+var _state: State = State.CLOSED
 var _began_usec: int = 0
 var _where: String = ""
 
@@ -36,7 +44,7 @@ func open(p_host: String, p_port: int, p_hello: PackedByteArray) -> void:
 	_where = "%s:%d" % [p_host, p_port]
 	_hello = p_hello
 	_began_usec = Time.get_ticks_usec()
-	_state = _State.CONNECTING
+	_state = State.CONNECTING
 	_enet = ENetMultiplayerPeer.new()
 	_api = SceneMultiplayer.new()
 	_api.root_path = ^"/root"
@@ -56,43 +64,45 @@ func open(p_host: String, p_port: int, p_hello: PackedByteArray) -> void:
 
 ## Whether the server has admitted us.
 func is_joined() -> bool:
-	return _state == _State.JOINED
+	return _state == State.JOINED
 
 
 ## Takes in what has arrived and finds out whether the connection still stands.
 func poll() -> void:
-	if _state == _State.CLOSED:
+	if _state == State.CLOSED:
 		return
 	if _enet == null:
 		_end("%s is no address that can be connected to" % _where)
 		return
 	_api.poll()
-	if _state == _State.CLOSED:
+	if _state == State.CLOSED:
 		return
-	traffic.read(_enet.host)
-	if _enet.get_connection_status() == MultiplayerPeer.CONNECTION_DISCONNECTED:
-		var joined_before: bool = _state == _State.JOINED
+	if _is_active():
+		traffic.read(_enet.host)
+	if not _is_active():
+		var joined_before: bool = _state == State.JOINED
 		_end(
-			"the connection to %s is lost" % _where
-			if joined_before
-			else "no server answers at %s" % _where
+			(
+				"the connection to %s is lost" % _where
+				if joined_before
+				else "no server answers at %s" % _where
+			)
 		)
-	elif _state == _State.CONNECTING and _age_s() > PATIENCE_S:
+	elif _state == State.CONNECTING and _age_s() > PATIENCE_S:
 		_end("no server answers at %s" % _where)
 
 
 ## Sends a sample, if we are joined.
 func send_pose(p_sample: PoseSample) -> void:
-	if _state == _State.JOINED:
+	if _state == State.JOINED:
 		_api.send_bytes(PosePacket.encode(p_sample), 1, MultiplayerPeer.TRANSFER_MODE_UNRELIABLE)
 
 
 ## Leaves.
 func close() -> void:
-	_state = _State.CLOSED
-	if _enet != null:
-		if _enet.host != null:
-			_enet.host.flush()
+	_state = State.CLOSED
+	if _is_active():
+		_enet.host.flush()
 		_enet.close()
 		_api.multiplayer_peer = null
 
@@ -113,12 +123,12 @@ func _on_answer(p_peer: int, p_bytes: PackedByteArray) -> void:
 		_api.complete_auth(1)
 		return
 	close.call_deferred()
-	_state = _State.CLOSED
+	_state = State.CLOSED
 	refused.emit(why)
 
 
 func _on_joined() -> void:
-	_state = _State.JOINED
+	_state = State.JOINED
 	traffic.restart()
 	joined.emit()
 
@@ -143,6 +153,13 @@ func _on_packet(p_peer: int, p_bytes: PackedByteArray) -> void:
 func _end(p_why: String) -> void:
 	close()
 	lost.emit(p_why)
+
+
+## Whether there is a host; without one the engine reports an error to whoever asks for it.
+func _is_active() -> bool:
+	return (
+		_enet != null and _enet.get_connection_status() != MultiplayerPeer.CONNECTION_DISCONNECTED
+	)
 
 
 func _age_s() -> float:

@@ -38,7 +38,9 @@ static func decode(p_bytes: PackedByteArray) -> PoseSample:
 	sample.id = p_bytes.decode_u32(1)
 	sample.time_usec = p_bytes.decode_u64(5)
 	sample.root = Vector3(
-		p_bytes.decode_float(_ROOT), p_bytes.decode_float(_ROOT + 4), p_bytes.decode_float(_ROOT + 8)
+		p_bytes.decode_float(_ROOT),
+		p_bytes.decode_float(_ROOT + 4),
+		p_bytes.decode_float(_ROOT + 8)
 	)
 	sample.orientations = p_bytes.slice(_LIMBS).to_float32_array()
 	error = sample.find_fault()

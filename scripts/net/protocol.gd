@@ -2,19 +2,6 @@ class_name Protocol
 extends RefCounted
 ## What both ends of a connection must agree on. See [code]docs/protocol.md[/code].
 
-## Raised with every change of what is sent; a server refuses other versions.
-const VERSION: int = 1
-## First bytes of a greeting.
-const HELLO: String = "DSMT"
-## UDP port of a server unless told otherwise.
-const DEFAULT_PORT: int = 7777
-## Largest payload of a datagram, bytes: it passes every usual network in one piece.
-const MAX_DATAGRAM: int = 1200
-## People and watchers that a server admits unless told otherwise.
-const DEFAULT_MAX_CLIENTS: int = 32
-## Longest name of a person, characters.
-const LONGEST_NAME: int = 32
-
 ## What a client wants to be.
 enum Role {
 	## Watches.
@@ -32,6 +19,19 @@ enum Message {
 	## Server to client, reliable: which bodies there are, see [WorldDescription].
 	WORLD = 3,
 }
+
+## Raised with every change of what is sent; a server refuses other versions.
+const VERSION: int = 1
+## First bytes of a greeting.
+const HELLO: String = "DSMT"
+## UDP port of a server unless told otherwise.
+const DEFAULT_PORT: int = 7777
+## Largest payload of a datagram, bytes: it passes every usual network in one piece.
+const MAX_DATAGRAM: int = 1200
+## People and watchers that a server admits unless told otherwise.
+const DEFAULT_MAX_CLIENTS: int = 32
+## Longest name of a person, characters.
+const LONGEST_NAME: int = 32
 
 
 ## The first thing that a client says, as bytes. Little-endian: [constant HELLO], u32 version, u8

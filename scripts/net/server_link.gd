@@ -67,7 +67,8 @@ func poll() -> void:
 		_packets.clear()
 		_drop_refused(now)
 	_api.poll()
-	traffic.read(_enet.host)
+	if is_listening():
+		traffic.read(_enet.host)
 
 
 ## Whether the port is open; a transport error closes it.
@@ -100,10 +101,10 @@ func send_world(p_world: WorldDescription) -> void:
 
 ## Closes all connections and the port.
 func close() -> void:
-	if _enet.host != null:
+	if is_listening():
 		for peer: int in _hellos:
 			_enet.get_peer(peer).peer_disconnect_now()
-	_enet.close()
+		_enet.close()
 	_hellos.clear()
 
 
@@ -197,9 +198,10 @@ func _describe(p_peer: int) -> String:
 	var who: String = "client %d" % p_peer
 	if _hellos.has(p_peer):
 		var role: int = _hellos[p_peer]["role"]
-		who = "%s '%s' (%d)" % [
-			(Protocol.Role.find_key(role) as String).to_lower(), _hellos[p_peer]["name"], p_peer
-		]
+		who = (
+			"%s '%s' (%d)"
+			% [(Protocol.Role.find_key(role) as String).to_lower(), _hellos[p_peer]["name"], p_peer]
+		)
 	var remote: ENetPacketPeer = _enet.get_peer(p_peer) if _is_known(p_peer) else null
 	return who + (" from %s" % remote.get_remote_address() if remote != null else "")
 
@@ -211,4 +213,6 @@ func _is_open(p_peer: int) -> bool:
 
 
 func _is_known(p_peer: int) -> bool:
-	return p_peer > 1 and (_api.get_peers().has(p_peer) or _api.get_authenticating_peers().has(p_peer))
+	return (
+		p_peer > 1 and (_api.get_peers().has(p_peer) or _api.get_authenticating_peers().has(p_peer))
+	)

@@ -94,7 +94,9 @@ static func _encode_body(
 
 static func _decode_body(p_bytes: PackedByteArray, p_at: int, p_snapshot: Snapshot) -> bool:
 	var place: Vector3 = Vector3(
-		p_bytes.decode_float(p_at + 2), p_bytes.decode_float(p_at + 6), p_bytes.decode_float(p_at + 10)
+		p_bytes.decode_float(p_at + 2),
+		p_bytes.decode_float(p_at + 6),
+		p_bytes.decode_float(p_at + 10)
 	)
 	var turn: Quaternion = Quaternion(
 		p_bytes.decode_s16(p_at + 14),

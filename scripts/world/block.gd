@@ -2,7 +2,8 @@
 @icon("res://scenes/world/icons/block.svg")
 class_name Block
 extends StaticBody3D
-## A box of the static world: a floor, a wall, a platform. It makes its own mesh and collision shape.
+## A box of the static world: a floor, a wall, a platform. It makes its own mesh and collision
+## shape.
 
 ## Edge lengths.
 @export_custom(PROPERTY_HINT_NONE, "suffix:m") var size: Vector3 = Vector3.ONE:

@@ -1,6 +1,7 @@
 class_name BenchArguments
 extends RefCounted
-## Options of a benchmark: [code]--name=value[/code] or [code]--name value[/code], and [code]--json[/code].
+## Options of a benchmark: [code]--name=value[/code] or [code]--name value[/code], and
+## [code]--json[/code].
 
 ## What is wrong, or an empty text.
 var error: String = ""

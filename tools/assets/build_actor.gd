@@ -1,5 +1,6 @@
 extends SceneTree
-## Makes [code]scenes/actor/soldier.tscn[/code]: the avatar with the physical bones of a description.
+## Makes [code]scenes/actor/soldier.tscn[/code]: the avatar with the physical bones of a
+## description.
 ##
 ## [code]godot --headless --path . -s tools/assets/build_actor.gd[/code]
 ## The scene holds the avatar as an instance with editable children, so that designers can change
