@@ -13,16 +13,17 @@ from .errors import GeneratorError
 BUILD_CONFIGURATION = "float_64"
 
 # Builtin types that are plain numbers: written by hand, with native arithmetic.
-MATH_TYPES = (
+_MATH_TYPE_NAMES = (
     "Vector2 Vector2i Rect2 Rect2i Vector3 Vector3i Transform2D Vector4 Vector4i Plane Quaternion "
     "AABB Basis Transform3D Projection Color"
-).split()
+)
+MATH_TYPES = _MATH_TYPE_NAMES.split()
 
 # Builtin types that are C++ fundamentals.
 SCALAR_TYPES = ("Nil", "bool", "int", "float")
 
 # Needed by the bindings themselves, whatever the profile says.
-CORE_CLASSES = ("Object", "RefCounted", "ClassDB")
+CORE_CLASSES = ("Object", "RefCounted")
 
 Json = dict[str, Any]
 

@@ -5,12 +5,14 @@ from __future__ import annotations
 
 import re
 
-from .api import Api
 from .errors import GeneratorError
 from .output import Output
 
-_FUNCTION = re.compile(r"/\*\*(?P<doc>(?:(?!\*/).)*?@name (?P<name>\w+).*?)\*/\s*typedef [^;]*?"
-                       r"\(\*(?P<type>GDExtensionInterface\w+)\)", re.S)
+_FUNCTION = re.compile(
+    r"/\*\*(?P<doc>(?:(?!\*/).)*?@name (?P<name>\w+).*?)\*/\s*typedef [^;]*?"
+    r"\(\*(?P<type>GDExtensions?Interface\w+)\)",
+    re.S,
+)
 
 
 def functions(header: str) -> list[tuple[str, str]]:
@@ -25,7 +27,7 @@ def functions(header: str) -> list[tuple[str, str]]:
     return found
 
 
-def generate(api: Api, header: str, output: Output) -> None:
+def generate(header: str, output: Output) -> None:
     """Writes the header itself, the table of its functions, and the loader of the table."""
     found = functions(header)
     output.add("include/gdextension_interface.h", [header], notice=False)
@@ -40,13 +42,12 @@ def generate(api: Api, header: str, output: Output) -> None:
             "struct EngineInterface {",
             *[f"\t{kind} {name} = nullptr;" for name, kind in found],
             "",
-            "\t/// The name of the first function that this engine lacks, or null.",
+            "\t/// The name of the first function that this engine lacks, or null. Export templates",
+            "\t/// have none of the editor's.",
             "\tconst char *load(GDExtensionInterfaceGetProcAddress p_get_proc_address);",
             "};",
             "",
             "extern EngineInterface engine;",
-            "",
-            f'constexpr const char *generated_for = "{api.version}";',
             "",
             "} // namespace godot::internal",
         ],
@@ -61,6 +62,8 @@ def _loader(found: list[tuple[str, str]]) -> list[str]:
     ]
     return [
         "#include <godot_cpp/core/engine_interface.hpp>",
+        "",
+        "#include <cstring>",
         "",
         "namespace godot::internal {",
         "",
@@ -77,7 +80,8 @@ def _loader(found: list[tuple[str, str]]) -> list[str]:
         "\t};",
         "\tfor (const Entry &entry : entries) {",
         "\t\t*entry.slot = p_get_proc_address(entry.name);",
-        "\t\tif (*entry.slot == nullptr) {",
+        '\t\tconst bool optional = std::strncmp(entry.name, "editor_", 7) == 0;',
+        "\t\tif (*entry.slot == nullptr && !optional) {",
         "\t\t\treturn entry.name;",
         "\t\t}",
         "\t}",

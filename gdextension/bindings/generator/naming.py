@@ -5,13 +5,15 @@ from __future__ import annotations
 
 import re
 
-_KEYWORDS = frozenset(
-    "alignas and asm auto bool break case catch char class const continue default delete do double "
+_KEYWORD_TEXT = (
+    "alignas and asm auto bool break case catch char class const continue default delete do "
+    "double "
     "else enum explicit export extern false float for friend goto if inline int long mutable "
     "namespace new not operator or private protected public register return short signed sizeof "
     "static struct switch template this throw true try typedef typeid typename typeof union "
-    "unsigned using virtual void volatile while xor".split()
+    "unsigned using virtual void volatile while xor"
 )
+_KEYWORDS = frozenset(_KEYWORD_TEXT.split())
 
 
 def snake_case(name: str) -> str:
