@@ -57,7 +57,7 @@ func _print_clip(p_clip: BvhClip) -> void:
 	print("channels: %d" % p_clip.channel_count)
 	print("frames: %d" % p_clip.frame_count)
 	print("frame_time: %.6f s" % p_clip.frame_time)
-	print("duration: %.2f s" % p_clip.duration())
+	print("duration: %.2f s" % (p_clip.frame_count * p_clip.frame_time))
 	print("unit: %s (%s)" % [unit, p_clip.unit_reason])
 	print("up: %s (%s)" % [up, p_clip.up_reason])
 	for note: String in p_clip.notes:

@@ -17,7 +17,7 @@ func test_prints_a_clip() -> void:
 		"channels: 96",
 		"frames: 2752",
 		"frame_time: 0.008333 s",
-		"duration: 22.92 s"
+		"duration: 22.93 s"
 	]:
 		contains(_lines, line)
 	contains("\n".join(_lines), "\nunit: CMU (guess: ")

@@ -87,7 +87,7 @@ def installed() -> Godot | None:
         if numbers >= OLDEST:
             return Godot(Path(str(found)), version, full)
         if named:
-            what = f"is version {full}" if full else "can't be started"
+            what = f"is version {full}" if numbers else "does not say a version of Godot"
             raise Failure(f"$GODOT is {named}, which {what}: set it to a Godot >= 4.6 or unset it.")
         if full:
             say(f"[ -- ] {found} is version {full}, too old: a private one is used")

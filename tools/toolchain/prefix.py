@@ -59,6 +59,10 @@ def require_debian() -> None:
         )
 
 
+class _AptError(Exception):
+    """What apt-get said when it failed."""
+
+
 class Prefix:
     """The private folder: `bin/` holds what is to be started, `root/` what was unpacked."""
 
@@ -136,12 +140,14 @@ class Prefix:
                 f"Signed-By: {KEYRING}\n",
                 encoding="utf-8",
             )
-            with step(f"download Godot from Debian {SUITE} (about 180 MB)"):
-                failure = self._apt_run([*apt, "update"])
-                download = [*apt, "-y", "--no-install-recommends", "--download-only", "install"]
-                failure = failure or self._apt_run(download + packages)
-            if not failure:
+            try:
+                with step(f"download Godot from Debian {SUITE} (about 180 MB)"):
+                    self._apt_run([*apt, "update"])
+                    download = [*apt, "-y", "--no-install-recommends", "--download-only"]
+                    self._apt_run([*download, "install", *packages])
                 return self._chosen(apt, packages)
+            except _AptError as error:
+                failure = str(error)
         raise Failure(
             f"Debian {SUITE}'s packages can't be had from {', '.join(sites)}: check the network, "
             "set DISMOUNT_DEBIAN_MIRROR to another Debian mirror, or put a Godot 4.6 in $GODOT.\n"
@@ -149,12 +155,11 @@ class Prefix:
         )
 
     @staticmethod
-    def _apt_run(command: list[str]) -> str:
-        """Runs apt-get; returns what it said if it failed, otherwise an empty text."""
+    def _apt_run(command: list[str]) -> None:
         done = subprocess.run(command, capture_output=True, text=True, check=False)
         # A failed update of one source is only a warning to apt, hence the look at its words.
-        bad = done.returncode != 0 or "Failed to fetch" in done.stderr
-        return (done.stderr or done.stdout or "apt-get failed") if bad else ""
+        if done.returncode != 0 or "Failed to fetch" in done.stderr:
+            raise _AptError(done.stderr or done.stdout or "apt-get failed")
 
     @staticmethod
     def _chosen(apt: list[str], packages: list[str]) -> list[Path]:

@@ -88,9 +88,14 @@ def build_extensions(godot: Godot) -> None:
             command += [f"-DGODOT_CPP_DIR={godot_cpp}"] if godot_cpp else []
             _tool(command, "Configuring the extensions")
             stamp.set(configure)
+    built = Stamp("build")
+    sources = fingerprint(["gdextension"], configure)
+    if built.holds(sources) and any((ROOT / "gdextension" / "bin").glob("*.so")):
+        return
     with step("build the extensions"):
         jobs = str(os.cpu_count() or 2)
         _tool(["cmake", "--build", str(EXTENSIONS), "-j", jobs], "Building the extensions")
+    built.set(fingerprint(["gdextension"], configure))
 
 
 def list_extensions() -> None:
