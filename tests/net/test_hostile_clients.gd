@@ -1,0 +1,196 @@
+extends TestCase
+## What hostile or broken clients send must not disturb anybody else, nor flood the log.
+
+const LinkPair: GDScript = preload("link_pair.gd")
+const NetSamples: GDScript = preload("net_samples.gd")
+const TRAINEE: Protocol.Role = Protocol.Role.TRAINEE
+const OBSERVER: Protocol.Role = Protocol.Role.OBSERVER
+
+var _pair: LinkPair = null
+var _good: LinkPair.End = null
+var _good_peer: int = 0
+var _random: RandomNumberGenerator = RandomNumberGenerator.new()
+var _sent: int = 0
+
+
+func before_each() -> void:
+	_random.seed = 8
+	_pair = LinkPair.new()
+	equal(_pair.listen(8), OK)
+	_good = _pair.join(TRAINEE, "good")
+	equal(_good.joined, 1)
+	_good_peer = _pair.joined.keys()[0]
+
+
+func after_each() -> void:
+	_pair.close()
+
+
+func test_pose_that_is_none() -> void:
+	var bad: LinkPair.End = _pair.join(TRAINEE, "bad")
+	for value: float in [NAN, INF, -INF, 0.0, 1e30]:
+		var sample: PoseSample = NetSamples.pose(_random)
+		sample.set_orientation(_random.randi_range(0, 15), Quaternion(value, value, value, value))
+		bad.link.send_pose(sample)
+		sample = NetSamples.pose(_random)
+		sample.root.x = 1e9 if value == 0.0 else value
+		bad.link.send_pose(sample)
+	_check_good_client_is_unaffected(0.3)
+	equal(_pair.pose_count(), _poses_of_good(), "poses of the bad one")
+	is_true(bad.link.is_joined(), "a mistake is forgiven")
+
+
+func test_packets_of_wrong_size_and_kind() -> void:
+	var bad: LinkPair.End = _pair.join(TRAINEE, "bad")
+	var pose: PackedByteArray = PosePacket.encode(NetSamples.pose(_random))
+	for _round: int in 100:
+		_send(bad, NetSamples.noise(_random, 1000))
+		_send(bad, pose.slice(0, _random.randi_range(1, pose.size() - 1)))
+		_send(bad, pose + NetSamples.noise(_random, 50) + PackedByteArray([0]))
+	_send(bad, PackedByteArray([Protocol.Message.SNAPSHOT]))
+	_send(bad, PackedByteArray([Protocol.Message.WORLD]))
+	_check_good_client_is_unaffected(0.3)
+	equal(_pair.pose_count(), _poses_of_good(), "poses of the bad one")
+
+
+func test_observer_may_not_send_poses() -> void:
+	var bad: LinkPair.End = _pair.join(OBSERVER, "bad")
+	for _pose: int in 20:
+		bad.link.send_pose(NetSamples.pose(_random))
+	_check_good_client_is_unaffected(0.2)
+	equal(_pair.pose_count(), _poses_of_good(), "poses of the observer")
+
+
+func test_too_many_poses_are_dropped() -> void:
+	var bad: LinkPair.End = _pair.join(TRAINEE, "bad")
+	var bad_peer: int = _pair.joined.keys()[1]
+	# In small bursts: the system drops what does not fit the socket's buffer, from anybody.
+	for _burst: int in 20:
+		for _pose: int in 50:
+			bad.link.send_pose(NetSamples.pose(_random))
+		_pair.run(0.002)
+	_check_good_client_is_unaffected(0.3)
+	var taken: int = _pair.poses.get(bad_peer, []).size()
+	is_true(taken > 10 and taken <= 2 * ServerLink.MOST_POSES, "%d poses taken" % taken)
+
+
+func test_flood_ends_the_connection() -> void:
+	var bad: LinkPair.End = _pair.join(TRAINEE, "bad")
+	var bytes: PackedByteArray = PackedByteArray([99, 0, 0])
+	var limit: int = Time.get_ticks_msec() + 6000
+	while _pair.left.is_empty() and Time.get_ticks_msec() < limit:
+		for _packet: int in 300:
+			_send(bad, bytes)
+		_good.link.send_pose(NetSamples.pose(_random))
+		_pair.run(0.005)
+	equal(_pair.left.size(), 1, "thrown out")
+	is_false(_good_peer in _pair.left)
+	_check_good_client_is_unaffected(0.3)
+
+
+func test_raw_datagrams() -> void:
+	var raw: PacketPeerUDP = PacketPeerUDP.new()
+	raw.connect_to_host("127.0.0.1", _pair.port)
+	for _round: int in 40:
+		for _datagram: int in 50:
+			raw.put_packet(NetSamples.noise(_random, 1400))
+		_pair.run(0.005)
+	_check_good_client_is_unaffected(0.5)
+	var late: LinkPair.End = _pair.join(OBSERVER, "late")
+	equal(late.joined, 1, "somebody may still join")
+	raw.close()
+
+
+func test_datagrams_like_those_of_the_transport() -> void:
+	# Real datagrams of a client, caught on a port of ours and damaged.
+	var raw: PacketPeerUDP = PacketPeerUDP.new()
+	raw.connect_to_host("127.0.0.1", _pair.port)
+	var caught: Array[PackedByteArray] = _catch_datagrams()
+	is_true(caught.size() > 0, "caught none")
+	for _round: int in 40:
+		for _datagram: int in 20:
+			var one: PackedByteArray = caught[_random.randi_range(0, caught.size() - 1)]
+			raw.put_packet(NetSamples.damage(_random, one))
+		_pair.run(0.005)
+	_check_good_client_is_unaffected(0.5)
+	raw.close()
+
+
+func test_zero_length_datagrams() -> void:
+	var raw: PacketPeerUDP = PacketPeerUDP.new()
+	raw.connect_to_host("127.0.0.1", _pair.port)
+	for _round: int in 100:
+		raw.put_packet(PackedByteArray())
+		raw.put_packet(PackedByteArray())
+		_good.link.send_pose(NetSamples.pose(_random))
+		_pair.run(0.01)
+	_pair.run(0.3)
+	is_true(_poses_of_good() > 95, "%d of 100 poses arrived" % _poses_of_good())
+	raw.close()
+
+
+func test_half_open_clients_take_no_place() -> void:
+	var silent: Array[ENetMultiplayerPeer] = []
+	for _client: int in 20:
+		var peer: ENetMultiplayerPeer = ENetMultiplayerPeer.new()
+		peer.create_client("127.0.0.1", _pair.port)
+		silent.append(peer)
+	var poll: Callable = func() -> bool:
+		for peer: ENetMultiplayerPeer in silent:
+			peer.poll()
+		return false
+	_pair.until(poll, 0.3)
+	var late: LinkPair.End = _pair.join(OBSERVER, "late")
+	equal(late.joined, 1, "somebody may still join")
+	equal(_pair.server.client_count(), 2)
+	_check_good_client_is_unaffected(0.3)
+	for peer: ENetMultiplayerPeer in silent:
+		peer.close()
+
+
+func test_name_that_would_garble_the_log() -> void:
+	_pair.join(OBSERVER, "a\n2026 INFO net: b")
+	equal(_pair.joined.values()[1]["name"], "a2026 INFO net: b")
+
+
+## The good client sends 60 poses a second, all of which arrive, and gets snapshots.
+func _check_good_client_is_unaffected(p_seconds: float) -> void:
+	var snapshot: Snapshot = NetSamples.snapshot(_random, 20, 2)
+	var before: int = _poses_of_good()
+	var heard: int = _good.snapshots.size()
+	var count: int = int(p_seconds * 60.0)
+	for _pose: int in count:
+		_good.link.send_pose(NetSamples.pose(_random))
+		_pair.server.send_snapshot(snapshot)
+		_pair.run(1.0 / 60.0)
+	var all: Callable = func() -> bool: return _poses_of_good() - before >= count
+	is_true(_pair.until(all, 1.0), "%d of %d poses" % [_poses_of_good() - before, count])
+	is_true(_good.snapshots.size() - heard >= count - 1)
+	is_true(_good.link.is_joined(), "the good client is still there")
+	is_true(_pair.server.is_listening(), "the port is still open")
+
+
+func _poses_of_good() -> int:
+	return _pair.poses.get(_good_peer, []).size()
+
+
+## Sends any bytes as an admitted client.
+func _send(p_end: LinkPair.End, p_bytes: PackedByteArray) -> void:
+	if p_end.link.is_joined() and not p_bytes.is_empty():
+		p_end.link._api.send_bytes(p_bytes, 1, MultiplayerPeer.TRANSFER_MODE_UNRELIABLE)
+
+
+func _catch_datagrams() -> Array[PackedByteArray]:
+	var net: PacketPeerUDP = PacketPeerUDP.new()
+	net.bind(0, "127.0.0.1")
+	var client: ENetMultiplayerPeer = ENetMultiplayerPeer.new()
+	client.create_client("127.0.0.1", net.get_local_port())
+	var caught: Array[PackedByteArray] = []
+	for _poll: int in 100:
+		client.poll()
+		OS.delay_msec(10)
+		while net.get_available_packet_count() > 0:
+			caught.append(net.get_packet())
+	client.close()
+	net.close()
+	return caught

@@ -1,0 +1,174 @@
+extends TestCase
+## A server and its clients over real sockets: joining, samples, snapshots, refusals, leaving.
+
+const LinkPair: GDScript = preload("link_pair.gd")
+const NetSamples: GDScript = preload("net_samples.gd")
+const TRAINEE: Protocol.Role = Protocol.Role.TRAINEE
+const OBSERVER: Protocol.Role = Protocol.Role.OBSERVER
+
+var _pair: LinkPair = null
+var _random: RandomNumberGenerator = RandomNumberGenerator.new()
+
+
+func before_each() -> void:
+	_random.seed = 7
+	_pair = LinkPair.new()
+	equal(_pair.listen(3), OK)
+
+
+func after_each() -> void:
+	_pair.close()
+
+
+func test_trainee_joins_and_is_heard() -> void:
+	var end: LinkPair.End = _pair.join(TRAINEE, "Grace")
+	equal(end.joined, 1)
+	equal(_pair.server.client_count(), 1)
+	var hello: Dictionary = _pair.joined.values()[0]
+	equal([hello["name"], hello["role"]], ["Grace", int(TRAINEE)])
+	var sample: PoseSample = NetSamples.pose(_random)
+	end.link.send_pose(sample)
+	is_true(_pair.until(func() -> bool: return _pair.pose_count() == 1), "heard")
+	var got: PoseSample = _pair.poses.values()[0][0]
+	equal(got.orientations, sample.orientations)
+	equal([got.id, got.time_usec], [sample.id, sample.time_usec])
+
+
+func test_everybody_gets_world_and_snapshots() -> void:
+	var ends: Array[LinkPair.End] = [_pair.join(TRAINEE), _pair.join(OBSERVER, "Bob")]
+	var world: WorldDescription = NetSamples.world(_random, 300, 8)
+	var snapshot: Snapshot = NetSamples.snapshot(_random, 300, 8)
+	_pair.server.send_world(world)
+	_pair.server.send_snapshot(snapshot)
+	for end: LinkPair.End in ends:
+		is_true(_pair.until(func() -> bool: return _bodies(end) == 300), "%d" % _bodies(end))
+		is_true(_pair.until(func() -> bool: return end.worlds.size() == 1), "world")
+		equal(end.worlds[0].bodies.keys(), world.bodies.keys())
+		equal(end.snapshots[0].tick, snapshot.tick)
+
+
+func test_wrong_version_is_told_so() -> void:
+	var end: LinkPair.End = _pair.add(TRAINEE, "Ada", 99)
+	is_true(_pair.until(func() -> bool: return end.refusal != ""))
+	contains(end.refusal, "protocol version 99, the server 1")
+	_pair.run(0.1)
+	equal([end.joined, end.loss, _pair.joined.size()], [0, "", 0])
+
+
+func test_foreign_greeting_is_told_so() -> void:
+	var end: LinkPair.End = _pair.add_raw("GET / HTTP/1.1".to_ascii_buffer())
+	is_true(_pair.until(func() -> bool: return end.refusal != ""))
+	contains(end.refusal, "not in Dismount's form")
+
+
+func test_full_server_and_a_place_that_becomes_free() -> void:
+	for i: int in 3:
+		_pair.add(OBSERVER, "n%d" % i)
+	is_true(_pair.until(func() -> bool: return _pair.joined.size() == 3))
+	var late: LinkPair.End = _pair.add(TRAINEE)
+	is_true(_pair.until(func() -> bool: return late.refusal != ""))
+	contains(late.refusal, "full (3 clients)")
+	_pair.ends[0].link.close()
+	is_true(_pair.until(func() -> bool: return _pair.left.size() == 1))
+	var next: LinkPair.End = _pair.add(TRAINEE)
+	is_true(_pair.until(func() -> bool: return next.joined == 1), next.refusal)
+
+
+func test_client_that_leaves_is_gone_at_once() -> void:
+	var end: LinkPair.End = _pair.join(TRAINEE)
+	equal(end.joined, 1)
+	end.link.close()
+	is_true(_pair.until(func() -> bool: return _pair.left.size() == 1, 0.5))
+	equal(_pair.left[0], _pair.joined.keys()[0])
+	equal(_pair.server.client_count(), 0)
+
+
+func test_client_that_vanishes_is_gone_soon() -> void:
+	var stays: LinkPair.End = _pair.add(TRAINEE, "stays")
+	var end: LinkPair.End = _pair.add(TRAINEE, "vanishes")
+	is_true(_pair.until(func() -> bool: return _pair.joined.size() == 2))
+	_pair.ends.erase(end)
+	var snapshot: Snapshot = NetSamples.snapshot(_random, 1, 0)
+	_pair.server.send_world(NetSamples.world(_random, 1, 0))
+	_pair.until(
+		func() -> bool:
+			_pair.server.send_snapshot(snapshot)
+			return _pair.left.size() == 1,
+		6.0
+	)
+	equal(_pair.left.size(), 1)
+	equal(_pair.joined[_pair.left[0]]["name"], "vanishes")
+	is_true(stays.link.is_joined() and stays.snapshots.size() > 10)
+	end.link.close()
+
+
+func test_server_that_goes_is_noticed() -> void:
+	var end: LinkPair.End = _pair.join(TRAINEE)
+	equal(end.joined, 1)
+	_pair.server.close()
+	for _poll: int in 500:
+		end.link.poll()
+		OS.delay_usec(1000)
+	contains(end.loss, "is lost")
+	is_false(end.link.is_joined())
+
+
+func test_no_server() -> void:
+	_pair.server.close()
+	var end: LinkPair.End = LinkPair.End.new()
+	var began: int = Time.get_ticks_msec()
+	end.link.open("127.0.0.1", _pair.port, PackedByteArray([1]))
+	while end.loss == "" and Time.get_ticks_msec() - began < 8000:
+		end.link.poll()
+		OS.delay_msec(5)
+	contains(end.loss, "no server answers at 127.0.0.1:%d" % _pair.port)
+	is_true(Time.get_ticks_msec() - began < 7000)
+
+
+func test_address_that_is_none() -> void:
+	var end: LinkPair.End = LinkPair.End.new()
+	allow_error("Couldn't")
+	allow_error("resolve")
+	end.link.open("", 7777, PackedByteArray([1]))
+	for _poll: int in 100:
+		end.link.poll()
+	not_equal(end.loss, "")
+
+
+func test_joins_again_with_the_same_link() -> void:
+	var end: LinkPair.End = _pair.join(TRAINEE)
+	equal(end.joined, 1)
+	end.link.close()
+	is_true(_pair.until(func() -> bool: return _pair.left.size() == 1))
+	end.link.open("127.0.0.1", _pair.port, Protocol.encode_hello(TRAINEE, "again", 0.97))
+	is_true(_pair.until(func() -> bool: return end.joined == 2 and _pair.joined.size() == 2))
+	end.link.send_pose(NetSamples.pose(_random))
+	is_true(_pair.until(func() -> bool: return _pair.pose_count() == 1))
+
+
+func test_port_in_use() -> void:
+	var second: ServerLink = ServerLink.new()
+	allow_error("Couldn't create an ENet host")
+	not_equal(second.listen(_pair.port, 8), OK)
+	is_false(second.is_listening())
+	is_true(_pair.server.is_listening())
+
+
+func test_traffic_is_counted() -> void:
+	var end: LinkPair.End = _pair.join(TRAINEE)
+	equal(end.joined, 1)
+	var before: int = _pair.server.traffic.received
+	for _pose: int in 20:
+		end.link.send_pose(NetSamples.pose(_random))
+		_pair.run(0.01)
+	is_true(_pair.until(func() -> bool: return _pair.pose_count() == 20))
+	var came: int = _pair.server.traffic.received - before
+	is_true(came >= 20 * PosePacket.SIZE and came < 40 * PosePacket.SIZE, "%d bytes" % came)
+
+
+func _bodies(p_end: LinkPair.End) -> int:
+	var seen: Dictionary[int, bool] = {}
+	for snapshot: Snapshot in p_end.snapshots:
+		for id: int in snapshot.bodies:
+			seen[id] = true
+	return seen.size()
