@@ -7,9 +7,13 @@ give_up() {
 	exit 1
 }
 
-# Prints the packages that are missing.
+# Prints the packages that are missing, of those that every job needs and of the named ones.
 missing_packages() {
 	local -a missing=()
+	local program
+	for program in "$@"; do
+		command -v "$program" >/dev/null || missing+=("$program")
+	done
 	command -v python3 >/dev/null || missing+=(python3)
 	python3 -c 'import ensurepip, venv' 2>/dev/null || missing+=(python3-venv)
 	command -v c++ >/dev/null || missing+=(g++)
@@ -25,7 +29,7 @@ bootstrap() {
 	grep -qm1 sse4_2 /proc/cpuinfo ||
 		give_up "Godot needs a processor with SSE4.2, which this one lacks: use a newer machine."
 	local packages
-	packages=$(missing_packages)
+	packages=$(missing_packages "$@")
 	[ -n "$packages" ] || return 0
 	command -v apt-get >/dev/null ||
 		give_up "These programs are missing, install them and start again: $packages"
@@ -37,6 +41,6 @@ bootstrap() {
 	said=$(apt-get -qq update 2>&1 &&
 		DEBIAN_FRONTEND=noninteractive apt-get -qq install -y --no-install-recommends $packages 2>&1) ||
 		give_up "apt-get could not install $packages: check the network and the mirror. It said: $(tail -n 2 <<<"$said")"
-	packages=$(missing_packages)
+	packages=$(missing_packages "$@")
 	[ -z "$packages" ] || give_up "apt-get installed no usable $packages: install them by hand and start again."
 }
