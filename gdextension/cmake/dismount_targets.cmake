@@ -5,28 +5,35 @@
 #       Static library that knows nothing of the engine.
 #   dismount_add_core_test(<name> SOURCES <file>... [LIBRARIES <target>...])
 #       Executable that ctest runs; it passes when it exits with 0.
-#   dismount_add_extension(<name> SOURCES <file>... [LIBRARIES <target>...] [DOCS <file>...])
-#       gdextension/bin/lib<name>.linux.<architecture>.so, linked to godot::cpp.
+#   dismount_add_extension(<name> SOURCES <file>... [LIBRARIES <target>...] [DOCS <file.xml>...])
+#       ${DISMOUNT_BIN_DIR}/lib<name>.linux.<architecture>.so, linked to godot::cpp, with its class
+#       documentation inside. Does nothing where the extensions are not built.
 include_guard()
 
-set(DISMOUNT_BIN_DIR ${CMAKE_CURRENT_SOURCE_DIR}/bin CACHE PATH "Where the extensions go")
+set(DISMOUNT_BIN_DIR ${CMAKE_CURRENT_SOURCE_DIR}/bin CACHE PATH "Folder for the built extensions")
 
 # The architecture as Godot's feature tags name it.
 function(_dismount_architecture p_out)
-	string(TOLOWER "${CMAKE_SYSTEM_PROCESSOR}" arch)
-	if(arch MATCHES "^(amd64|x86-64|x86_64)$")
-		set(arch x86_64)
-	elseif(arch MATCHES "^(aarch64|arm64)")
-		set(arch arm64)
+	string(TOLOWER "${CMAKE_SYSTEM_PROCESSOR}" architecture)
+	if(architecture MATCHES "^(amd64|x86-64|x86_64)$")
+		set(architecture x86_64)
+	elseif(architecture MATCHES "^(aarch64|arm64)")
+		set(architecture arm64)
 	endif()
-	set(${p_out} ${arch} PARENT_SCOPE)
+	set(${p_out} ${architecture} PARENT_SCOPE)
 endfunction()
 
-function(_dismount_warnings p_target)
-	target_compile_options(${p_target} PRIVATE -Wall -Wextra)
+function(_dismount_common p_target)
+	# Error messages carry the file: say it from the repository's root, wherever that is.
+	target_compile_options(${p_target} PRIVATE
+		-Wall -Wextra -ffile-prefix-map=${PROJECT_SOURCE_DIR}=gdextension)
+	set_target_properties(${p_target} PROPERTIES
+		CXX_VISIBILITY_PRESET hidden
+		VISIBILITY_INLINES_HIDDEN ON
+	)
 endfunction()
 
-# Only cores and their tests are sanitized: what the engine loads must not be.
+# Only cores and their tests are sanitized: the engine could not load a sanitized extension.
 function(_dismount_sanitize p_target)
 	if(DISMOUNT_SANITIZE)
 		set(flags -fsanitize=${DISMOUNT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -g)
@@ -40,12 +47,8 @@ function(dismount_add_core_library p_name)
 	add_library(${p_name} STATIC ${arg_SOURCES})
 	target_include_directories(${p_name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/src)
 	target_link_libraries(${p_name} PUBLIC ${arg_LIBRARIES})
-	set_target_properties(${p_name} PROPERTIES
-		POSITION_INDEPENDENT_CODE ON
-		CXX_VISIBILITY_PRESET hidden
-		VISIBILITY_INLINES_HIDDEN ON
-	)
-	_dismount_warnings(${p_name})
+	set_target_properties(${p_name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+	_dismount_common(${p_name})
 	_dismount_sanitize(${p_name})
 endfunction()
 
@@ -57,9 +60,9 @@ function(dismount_add_core_test p_name)
 	add_executable(${p_name} ${arg_SOURCES})
 	# Assertions stay on in tests, and the shared check.hpp is found by its plain name.
 	target_compile_options(${p_name} PRIVATE -UNDEBUG)
-	target_include_directories(${p_name} PRIVATE ${CMAKE_SOURCE_DIR}/testing)
+	target_include_directories(${p_name} PRIVATE ${PROJECT_SOURCE_DIR}/testing)
 	target_link_libraries(${p_name} PRIVATE ${arg_LIBRARIES})
-	_dismount_warnings(${p_name})
+	_dismount_common(${p_name})
 	_dismount_sanitize(${p_name})
 	add_test(NAME ${p_name} COMMAND ${p_name})
 	set_tests_properties(${p_name} PROPERTIES TIMEOUT 120)
@@ -70,16 +73,18 @@ function(dismount_add_extension p_name)
 	if(NOT DISMOUNT_EXTENSIONS)
 		return()
 	endif()
-	_dismount_architecture(arch)
+	_dismount_architecture(architecture)
 	add_library(${p_name} SHARED ${arg_SOURCES})
 	target_link_libraries(${p_name} PRIVATE godot::cpp ${arg_LIBRARIES})
+	# Stripped in a release; a missing symbol is found here rather than by the engine.
 	target_link_options(${p_name} PRIVATE -Wl,--no-undefined $<$<CONFIG:Release>:-s>)
 	set_target_properties(${p_name} PROPERTIES
 		PREFIX lib
-		SUFFIX .linux.${arch}.so
+		SUFFIX .linux.${architecture}.so
 		LIBRARY_OUTPUT_DIRECTORY ${DISMOUNT_BIN_DIR}
-		CXX_VISIBILITY_PRESET hidden
-		VISIBILITY_INLINES_HIDDEN ON
 	)
-	_dismount_warnings(${p_name})
+	_dismount_common(${p_name})
+	if(arg_DOCS)
+		dismount_add_documentation(${p_name} ${arg_DOCS})
+	endif()
 endfunction()
