@@ -15,6 +15,9 @@ enum RootMode {
 	SOFT,
 }
 
+## A pause of the motion after which the body is put where it is to be, s.
+const SNAP_AFTER_S: float = 1.0
+
 ## What the body is made of.
 @export var description: RagdollDescription:
 	set(value):
@@ -39,7 +42,7 @@ var motor: RagdollMotor = null
 var _joints: RagdollJoints = null
 var _bodies: Array[RID] = []
 var _reset_pose: Array[Quaternion] = []
-var _was_stalled: bool = true
+var _alive_s: float = -INF
 
 
 func _get_configuration_warnings() -> PackedStringArray:
@@ -126,13 +129,13 @@ func push_sample(p_time_s: float, p_sample: PoseSample, p_root: Vector3) -> bool
 	return motor.push_sample(p_time_s, targets, p_root)
 
 
-## Sets the motors for the next step, from a [method Node._physics_process]. After a pause the body
-## is put into the new pose at once instead of being flung there.
+## Sets the motors for the next step, from a [method Node._physics_process]. After a pause longer
+## than [constant SNAP_AFTER_S] the body is put into the new pose instead of being flung there.
 func drive(p_time_s: float, p_delta_s: float) -> void:
-	var stalled: bool = motor.is_stalled(p_time_s)
-	if _was_stalled and not stalled:
-		motor.snap_to(p_time_s)
-	_was_stalled = stalled
+	if not motor.is_stalled(p_time_s):
+		if p_time_s - _alive_s > SNAP_AFTER_S:
+			motor.snap_to(p_time_s)
+		_alive_s = p_time_s
 	motor.drive(p_time_s, p_delta_s)
 
 
@@ -207,7 +210,7 @@ func _start_motor(p_bones: Array[PhysicalBone3D]) -> bool:
 	var held: bool = root_mode == RootMode.HELD
 	motor.root_mode = RagdollMotor.ROOT_HELD if held else RagdollMotor.ROOT_SOFT
 	add_child(motor)
-	_was_stalled = true
+	_alive_s = -INF
 	return motor.setup(_bodies, _joints.rids, parents, anchors, offsets)
 
 

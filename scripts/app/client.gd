@@ -9,6 +9,8 @@ extends Node
 const _RETRY_S: float = 2.0
 ## Frames per second without a window: enough to send every sample in time.
 const _HEADLESS_FPS: int = 240
+## Samples that a frame may send.
+const _MOST_SAMPLES: int = 16
 const _EXIT_FAILED: int = 1
 const _EXIT_OPTIONS: int = 2
 const _EXIT_REFUSED: int = 3
@@ -143,14 +145,16 @@ func _keep_trying() -> void:
 
 func _send_samples() -> void:
 	var now: int = int(Time.get_unix_time_from_system() * 1e6)
-	if _source == null or not _link.is_joined() or now < _next_sample_usec:
+	if _source == null or not _link.is_joined():
 		return
 	var period: int = 1000000 / _options.number("rate")
-	# In step with the rate, but never catching up with a burst.
-	_next_sample_usec = maxi(_next_sample_usec + period, now - period)
-	var sample: PoseSample = _source.sample(now)
-	if sample != null:
-		_link.send_pose(sample)
+	# A slow display may not thin out the motion: what was due since the last frame goes together.
+	_next_sample_usec = maxi(_next_sample_usec, now - period * _MOST_SAMPLES)
+	while _next_sample_usec <= now:
+		var sample: PoseSample = _source.sample(_next_sample_usec)
+		if sample != null:
+			_link.send_pose(sample)
+		_next_sample_usec += period
 
 
 func _on_joined() -> void:

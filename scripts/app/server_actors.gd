@@ -8,6 +8,9 @@ signal changed
 ## People that left and whose figures are still told.
 const _REMEMBERED: int = 16
 
+## Old samples in a row that mean a new clock.
+const _NEW_CLOCK: int = 30
+
 ## The scene of a person; its root is a [Ragdoll].
 @export var scene: PackedScene
 ## Distance between the places where people start.
@@ -32,6 +35,7 @@ class Person:
 	## Scales the wearer's travel to the body's build.
 	var scale: float = 1.0
 	var refused: int = 0
+	var refused_in_a_row: int = 0
 
 
 ## Gives a trainee a body.
@@ -76,10 +80,15 @@ func push_sample(p_peer: int, p_sample: PoseSample, p_now_s: float) -> void:
 	var root: Vector3 = p_sample.root * person.scale + person.origin
 	if person.ragdoll.push_sample(sample_s, p_sample, root):
 		person.newest = p_sample
+		person.refused_in_a_row = 0
 		person.clock.arrived(sample_s, p_now_s)
-	else:
-		person.refused += 1
-		Log.limited("server", "sample %d" % p_peer, "'%s' sent an old sample" % person.name)
+		return
+	person.refused += 1
+	person.refused_in_a_row += 1
+	Log.limited("server", "sample %d" % p_peer, "'%s' sent an old sample" % person.name)
+	if person.refused_in_a_row >= _NEW_CLOCK:
+		# Not some late datagrams, but a wearer whose clock was set back.
+		person.ragdoll.motor.clear_motion()
 
 
 ## Sets everybody's motors for the next step.

@@ -65,6 +65,12 @@ bool RagdollMotor::push_sample(double p_time_s, const PackedFloat32Array &p_orie
 	return true;
 }
 
+void RagdollMotor::clear_motion() {
+	if (stream) {
+		stream->clear();
+	}
+}
+
 bool RagdollMotor::read_bodies() {
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
 	for (std::size_t i = 0; i < limbs.size(); i++) {
@@ -180,6 +186,7 @@ void RagdollMotor::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("setup", "bodies", "joints", "parents", "anchors", "body_offsets"),
 			&RagdollMotor::setup);
 	ClassDB::bind_method(D_METHOD("push_sample", "time_s", "orientations", "root"), &RagdollMotor::push_sample);
+	ClassDB::bind_method(D_METHOD("clear_motion"), &RagdollMotor::clear_motion);
 	ClassDB::bind_method(D_METHOD("snap_to", "time_s"), &RagdollMotor::snap_to);
 	ClassDB::bind_method(D_METHOD("drive", "time_s", "delta_s"), &RagdollMotor::drive);
 	ClassDB::bind_method(D_METHOD("measure", "time_s"), &RagdollMotor::measure);

@@ -37,6 +37,7 @@ public:
 	bool setup(const TypedArray<RID> &p_bodies, const TypedArray<RID> &p_joints, const PackedInt32Array &p_parents,
 			const PackedVector3Array &p_anchors, const PackedVector3Array &p_body_offsets);
 	bool push_sample(double p_time_s, const PackedFloat32Array &p_orientations, const Vector3 &p_root);
+	void clear_motion();
 	bool snap_to(double p_time_s);
 	bool drive(double p_time_s, double p_delta_s);
 	void measure(double p_time_s);
