@@ -51,7 +51,7 @@ def changed_sources() -> list[str]:
 def _passed(name: str) -> Path:
     """A mark that a source passed clang-tidy, by its contents and those of all headers."""
     done = subprocess.run(
-        ["git", "hash-object", name, ".clang-tidy", *tracked("gdextension/*.hpp")],
+        ["git", "hash-object", name, *tracked(".clang-tidy", "gdextension/*.hpp")],
         cwd=ROOT,
         capture_output=True,
         text=True,
