@@ -95,6 +95,7 @@ def _show(settings: Settings, work: Path) -> dict[str, dict]:
 
 def _measure(settings: Settings, work: Path, environment: dict[str, str]) -> dict[str, dict]:
     make_folder(OUT)
+    (OUT / ".gdignore").touch()  # The editor is not to import our pictures.
     recording = work / "session.dismount"
     watch = step(f"run server, trainee and observer for {settings.seconds:.0f} s")
     with Group(work, environment) as group, watch:

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: MIT
+"""The pieces of ./run and ./test that decide something."""
+
+from __future__ import annotations
+
+import errno
+import socket
+from pathlib import Path
+
+import pytest
+from toolchain import cli, godot, paths, prefix, processes, project
+from toolchain.console import Failure
+from toolchain.demo import Settings
+
+
+@pytest.mark.parametrize(
+    ("text", "numbers", "templates"),
+    [
+        ("4.6.3.stable.debian4.6.3+ds-2", (4, 6, 3), "4.6.3.stable"),
+        ("4.6.stable.official.89cea1439", (4, 6), "4.6.stable"),
+        ("4.7.beta2.official", (4, 7), "4.7.beta2"),
+        ("Written by Jim Meyering.", (), ""),
+        ("", (), ""),
+    ],
+)
+def test_versions(text: str, numbers: tuple[int, ...], templates: str) -> None:
+    assert godot.parse_version(text) == (numbers, templates)
+
+
+def test_an_old_godot_is_not_taken(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    old = tmp_path / "godot"
+    old.write_text("#!/bin/sh\necho 4.3.stable.official\n")
+    old.chmod(0o755)
+    monkeypatch.setenv("GODOT", str(old))
+    with pytest.raises(Failure, match=r"4\.3\.stable"):
+        godot.installed()
+    monkeypatch.delenv("GODOT")
+    monkeypatch.setenv("PATH", str(tmp_path))
+    assert godot.installed() is None
+
+
+def test_a_new_godot_is_taken(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    new = tmp_path / "godot"
+    new.write_text("#!/bin/sh\necho 4.7.1.stable.official\n")
+    new.chmod(0o755)
+    monkeypatch.setenv("GODOT", str(new))
+    found = godot.installed()
+    assert found is not None
+    assert found.version == "4.7.1.stable"
+
+
+def test_the_mirror_comes_from_the_machine(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("DISMOUNT_DEBIAN_MIRROR", "file:///mirror")
+    assert prefix.mirrors() == ["file:///mirror"]
+
+
+def test_no_mirror_is_a_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    monkeypatch.setenv("DISMOUNT_DEBIAN_MIRROR", f"file://{tmp_path}/nothing")
+    with pytest.raises(Failure, match="DISMOUNT_DEBIAN_MIRROR"):
+        prefix.Prefix().ensure()
+    assert not prefix.Prefix().folder.exists()
+
+
+def test_options_are_normalised(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("DISMOUNT_CWD", "/somewhere")
+    given = ["--port", "7778", "--bvh=walk.bvh", "--", "--name", "Ada", "--json"]
+    wanted = ["--port=7778", "--bvh=/somewhere/walk.bvh", "--name=Ada", "--json"]
+    assert cli.normalise(given) == wanted
+
+
+def test_a_port_in_use_is_a_sentence() -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as occupant:
+        occupant.bind(("0.0.0.0", 0))
+        with pytest.raises(Failure, match="in use"):
+            processes.require_port(occupant.getsockname()[1])
+
+
+def test_a_full_disk_is_a_sentence(tmp_path: Path) -> None:
+    with pytest.raises(Failure, match="too full"):
+        paths.need_space(tmp_path, 10**9, "this test")
+    full = OSError(errno.ENOSPC, "No space left on device", "somewhere")
+    assert "disk is full" in str(paths.explain(full))
+
+
+@pytest.mark.parametrize(
+    "argument", ["--port=0", "--port=x", "--seconds=x", "--seconds=0", "--bvh=no", "--king=1", "x"]
+)
+def test_wrong_options_of_the_main_job(argument: str) -> None:
+    with pytest.raises(Failure) as caught:
+        Settings([argument])
+    assert caught.value.code == 2
+
+
+def test_a_stamp_holds_for_the_same_inputs_only(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(project, "BUILD", tmp_path)
+    monkeypatch.setattr(project, "ROOT", tmp_path)
+    (tmp_path / "assets").mkdir()
+    (tmp_path / "assets" / "a").write_text("1")
+    first = project.fingerprint(["assets"], "engine 1")
+    assert first == project.fingerprint(["assets"], "engine 1")
+    assert first != project.fingerprint(["assets"], "engine 2")
+    (tmp_path / "assets" / "a").write_text("2")
+    second = project.fingerprint(["assets"], "engine 1")
+    assert first != second
+    stamp = project.Stamp("test")
+    assert not stamp.holds(first)
+    stamp.set(first)
+    assert stamp.holds(first)
+    assert not stamp.holds(second)
+
+
+def test_every_benchmark_says_what_it_is() -> None:
+    known = cli.benchmarks()
+    assert {"tracking", "scale"} <= set(known)
+    assert all(about for _, about in known.values())
