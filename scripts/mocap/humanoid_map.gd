@@ -140,6 +140,8 @@ func _fill_missing() -> void:
 			for joint: int in _names.size():
 				if _parents[joint] == joints[limb] and bases[limb] < 0:
 					bases[limb] = joint
+			if bases[limb] < 0:
+				bases[limb] = joints[limb]
 
 
 func _find_tails() -> void:

@@ -27,7 +27,7 @@ const PARTS: Dictionary[StringName, Array] = {
 }
 
 const _PREFIXES: Array[String] = [
-	"mixamorig", "bip01", "bip001", "bip", "valvebiped", "def", "jbip", "j"
+	"mixamorig", "bip01", "bip001", "bip", "valvebiped", "def", "jbip", "j", "c"
 ]
 
 
