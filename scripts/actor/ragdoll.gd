@@ -36,6 +36,8 @@ const SNAP_AFTER_S: float = 1.0
 ## How fast errors are corrected; never above one error per tick.
 @export_range(1.0, 240.0, 1.0, "suffix:1/s") var gain: float = 45.0
 
+@export_tool_button("Make bodies", "PhysicalBone3D") var _make_button: Callable = make_bodies
+
 ## Drives the bodies; null until [method start].
 var motor: RagdollMotor = null
 
@@ -48,13 +50,15 @@ var _alive_s: float = -INF
 func _get_configuration_warnings() -> PackedStringArray:
 	var warnings: PackedStringArray = []
 	if description == null:
-		warnings.append("It has no description: load one, or make it with RagdollBuilder.")
+		warnings.append(
+			"It has no description: load one, or press 'Make bodies' to make one from the skeleton."
+		)
 	elif description.find_fault() != "":
 		warnings.append("The description has a fault: %s." % description.find_fault())
 	if get_skeleton() == null:
 		warnings.append("There is no Skeleton3D below it: add a rigged character.")
 	elif get_simulator() == null:
-		warnings.append("The skeleton has no PhysicalBoneSimulator3D: run RagdollBuilder on it.")
+		warnings.append("The skeleton has no physical bones: press 'Make bodies'.")
 	return warnings
 
 
@@ -68,6 +72,22 @@ func get_skeleton() -> Skeleton3D:
 func get_simulator() -> PhysicalBoneSimulator3D:
 	var found: Array[Node] = find_children("*", "PhysicalBoneSimulator3D", true, false)
 	return found[0] if not found.is_empty() else null
+
+
+## Gives the skeleton its physical bones, in place of those it may have. Without a description one
+## is made from the lengths of the skeleton. The button in the inspector calls it.
+func make_bodies() -> void:
+	var skeleton: Skeleton3D = get_skeleton()
+	if skeleton == null:
+		push_error("%s has no Skeleton3D below it: add a rigged character first." % name)
+		return
+	if description == null:
+		description = SkeletonShapes.describe(skeleton)
+	if get_simulator() != null:
+		get_simulator().free()
+	if description != null:
+		RagdollBuilder.build(skeleton, description, owner if owner != null else self)
+	update_configuration_warnings()
 
 
 ## Starts the simulation. The node must be in the tree. Returns false (and reports an error) where

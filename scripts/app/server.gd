@@ -70,8 +70,7 @@ func _process(_p_delta: float) -> void:
 	if now - _status_usec > int(_STATUS_S * 1e6):
 		_log_status(now)
 	if not _link.is_listening():
-		Log.error("server", "the port was closed by a network error")
-		get_tree().quit(1)
+		_listen_again()
 	var duration: float = _options.seconds("duration")
 	if duration > 0.0 and now - _began_usec > int(duration * 1e6):
 		get_tree().quit(0)
@@ -91,6 +90,14 @@ func _after_step() -> void:
 	_registry.read(snapshot)
 	_actors.mark(snapshot)
 	_link.send_snapshot(snapshot)
+
+
+## A single hostile datagram can make ENet close its port.
+func _listen_again() -> void:
+	var port: int = _options.number("port")
+	var error: Error = _link.listen(port, _options.number("max-clients"))
+	var outcome: String = "it is open again" if error == OK else "trying again"
+	Log.limited("server", "closed", "a network error closed UDP port %d: %s" % [port, outcome])
 
 
 func _on_joined(p_peer: int, p_hello: Dictionary) -> void:

@@ -35,6 +35,7 @@ var _api: SceneMultiplayer = null
 var _enet: ENetMultiplayerPeer = null
 var _hello: PackedByteArray = PackedByteArray()
 var _state: State = State.CLOSED
+var _parts: PacketParts = PacketParts.new()
 var _began_usec: int = 0
 var _where: String = ""
 
@@ -142,10 +143,13 @@ func _on_packet(p_peer: int, p_bytes: PackedByteArray) -> void:
 			if snapshot != null:
 				snapshot_received.emit(snapshot, p_bytes)
 				return
-		Protocol.Message.WORLD:
-			var world: WorldDescription = WorldDescription.decode(p_bytes)
+		Protocol.Message.PART:
+			var whole: PackedByteArray = _parts.join(p_bytes)
+			if whole.is_empty():
+				return
+			var world: WorldDescription = WorldDescription.decode(whole)
 			if world != null:
-				world_received.emit(world, p_bytes)
+				world_received.emit(world, whole)
 				return
 	Log.limited("net", "server", "%s sent %d bytes that make no sense" % [_where, p_bytes.size()])
 

@@ -16,8 +16,10 @@ enum Message {
 	POSE = 1,
 	## Server to client: where bodies are, see [SnapshotPacket].
 	SNAPSHOT = 2,
-	## Server to client, reliable: which bodies there are, see [WorldDescription].
+	## Server to client, reliable: which bodies there are, see [WorldDescription]. In [PacketParts].
 	WORLD = 3,
+	## A part of a packet that is too large for a datagram, see [PacketParts].
+	PART = 4,
 }
 
 ## Raised with every change of what is sent; a server refuses other versions.

@@ -28,7 +28,7 @@ const _SPARE_SLOTS: int = 64
 ## Bytes in and out.
 var traffic: TrafficMeter = TrafficMeter.new()
 
-var _api: SceneMultiplayer = SceneMultiplayer.new()
+var _api: SceneMultiplayer = null
 var _enet: ENetMultiplayerPeer = ENetMultiplayerPeer.new()
 var _most_clients: int = Protocol.DEFAULT_MAX_CLIENTS
 var _greeted: Dictionary[int, Dictionary] = {}
@@ -36,11 +36,19 @@ var _hellos: Dictionary[int, Dictionary] = {}
 var _refused: Dictionary[int, int] = {}
 var _packets: Dictionary[int, int] = {}
 var _window_usec: int = 0
+var _world_number: int = 0
 
 
-## Opens the port. Returns [constant ERR_CANT_CREATE] where it is in use.
+## Opens the port, also again after a network error has closed it: whoever was there has left then
+## and may come back. Returns [constant ERR_CANT_CREATE] where the port is in use.
 func listen(p_port: int, p_most_clients: int) -> Error:
+	for peer: int in _hellos.keys():
+		_on_disconnected(peer)
+	_greeted.clear()
+	_refused.clear()
 	_most_clients = p_most_clients
+	_enet = ENetMultiplayerPeer.new()
+	_api = SceneMultiplayer.new()
 	var error: Error = _enet.create_server(p_port, p_most_clients + _SPARE_SLOTS)
 	if error != OK:
 		return error
@@ -66,7 +74,8 @@ func poll() -> void:
 		_throw_out_floods()
 		_packets.clear()
 		_drop_refused(now)
-	_api.poll()
+	if _api != null:
+		_api.poll()
 	if is_listening():
 		traffic.read(_enet.host)
 
@@ -93,10 +102,11 @@ func send_snapshot(p_snapshot: Snapshot) -> void:
 
 ## Tells everybody which bodies there are.
 func send_world(p_world: WorldDescription) -> void:
-	var bytes: PackedByteArray = p_world.encode()
-	for peer: int in _hellos:
-		if _is_open(peer):
-			_api.send_bytes(bytes, peer, MultiplayerPeer.TRANSFER_MODE_RELIABLE)
+	_world_number += 1
+	for bytes: PackedByteArray in PacketParts.split(p_world.encode(), _world_number):
+		for peer: int in _hellos:
+			if _is_open(peer):
+				_api.send_bytes(bytes, peer, MultiplayerPeer.TRANSFER_MODE_RELIABLE)
 
 
 ## Closes all connections and the port.
