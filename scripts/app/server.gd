@@ -65,6 +65,8 @@ func _process(_p_delta: float) -> void:
 	if _settled_usec == 0 and now - _began_usec > 1000000:
 		_settled_usec = now
 		_settled_tick = _tick
+		_status_usec = now
+		_ticks_at_status = _tick
 	if _report.is_due():
 		_report.write(_figures())
 	if now - _status_usec > int(_STATUS_S * 1e6):

@@ -218,6 +218,8 @@ func _describe(p_peer: int) -> String:
 
 ## Whether a client's connection still stands; the API hears of its end only at the next poll.
 func _is_open(p_peer: int) -> bool:
+	if not is_listening():
+		return false
 	var remote: ENetPacketPeer = _enet.get_peer(p_peer)
 	return remote != null and remote.get_state() == ENetPacketPeer.STATE_CONNECTED
 

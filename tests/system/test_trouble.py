@@ -8,6 +8,7 @@ import socket
 import struct
 import time
 
+import pytest
 from toolchain.paths import SERVER_BINARY
 
 from .conftest import World
@@ -44,6 +45,28 @@ def test_garbage_disturbs_nobody(world: World) -> None:
     assert 58.0 < server.report()["ticks_per_second"] < 62.0
     assert len(server.log().splitlines()) < 60
     assert server.process.poll() is None
+
+
+def test_a_datagram_from_port_zero(world: World) -> None:
+    """It makes ENet close the server's port: the server has to open it again."""
+    server = world.server()
+    observer = world.client("observer")
+    observer.await_text("joined")
+    attack = struct.pack(">HHBBH", 0x8FFF, 1, 0x82, 0xFF, 1)
+    attack += struct.pack(">HBB9II", 0, 0xFF, 0xFF, 1392, 65536, 2, 0, 0, 5000, 2, 2, 7, 77)
+    try:
+        attacker = socket.socket(socket.AF_INET, socket.SOCK_RAW, socket.IPPROTO_UDP)
+    except PermissionError:
+        pytest.skip("only root may send from port 0")
+    with attacker:
+        header = struct.pack(">HHHH", 0, world.port, 8 + len(attack), 0)
+        for _ in range(5):
+            attacker.sendto(header + attack, ("127.0.0.1", 0))
+    server.await_text("it is open again", 10)
+    end = time.monotonic() + 20
+    while observer.log().count("joined") < 2:
+        assert time.monotonic() < end, observer.log()
+        time.sleep(0.1)
 
 
 def test_a_vanished_client_is_noticed(world: World) -> None:
