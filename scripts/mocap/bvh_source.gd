@@ -10,6 +10,10 @@ var rig: BvhRig = null
 
 var _begin_usec: int = -1
 var _floor: float = 0.0
+## Seconds of the clip that are left out at its beginning.
+var _skipped: float = 0.0
+## For each limb 1 or -1: which of the end's two quaternions is the nearer one to the beginning's.
+var _seam_signs: PackedFloat32Array = PackedFloat32Array()
 
 
 ## Opens a file. The unit is one of [constant BvhOptions.UNITS] or metres per unit, the axis "y" or
@@ -42,6 +46,8 @@ func use(p_clip: BvhClip) -> void:
 	if error == "":
 		p_clip.prepare()
 		_floor = _find_floor()
+		_skipped = _find_skipped()
+		_find_seam()
 
 
 func get_hip_height() -> float:
@@ -61,8 +67,8 @@ func _read(p_time_usec: int) -> PoseSample:
 
 ## The pose after so many seconds of playing.
 func pose_at(p_time_s: float) -> PoseSample:
-	var length: float = maxf(rig.clip.duration(), 0.001)
-	var period: float = maxf(length - BLEND_S, length * 0.5)
+	var length: float = _length()
+	var period: float = _period()
 	var time: float = fposmod(p_time_s, period)
 	# The last moments of a round pass into the first ones of the next.
 	var late: float = time + period
@@ -71,15 +77,54 @@ func pose_at(p_time_s: float) -> PoseSample:
 		blend = 1.0 - time / (length - period)
 	var pose: PoseSample = PoseSample.new()
 	for limb: int in Limbs.COUNT:
-		var rotation: Quaternion = rig.limb_rotation(limb, time)
+		var rotation: Quaternion = _limb_rotation(limb, time)
 		if blend > 0.0:
-			rotation = rotation.slerp(rig.limb_rotation(limb, late), blend)
+			var ending: Quaternion = _limb_rotation(limb, late) * _seam_signs[limb]
+			rotation = rotation.slerpni(ending, blend)
 		pose.set_orientation(limb, rotation)
-	pose.root = rig.hips_position(time)
+	pose.root = rig.hips_position(time + _skipped)
 	if blend > 0.0:
-		pose.root = pose.root.lerp(rig.hips_position(late), blend)
+		pose.root = pose.root.lerp(rig.hips_position(late + _skipped), blend)
 	pose.root.y -= _floor
 	return pose
+
+
+func _length() -> float:
+	return maxf(rig.clip.duration() - _skipped, 0.001)
+
+
+## How long a round takes, s.
+func _period() -> float:
+	return maxf(_length() - BLEND_S, _length() * 0.5)
+
+
+func _limb_rotation(p_limb: int, p_time_s: float) -> Quaternion:
+	return rig.limb_rotation(p_limb, p_time_s + _skipped)
+
+
+## Some files begin with one frame in the rest pose, from which the body would be flung into the
+## motion: it is left out.
+func _find_skipped() -> float:
+	var first: float = 0.0
+	var second: float = 0.0
+	var step: float = rig.clip.frame_time
+	for limb: int in Limbs.COUNT:
+		var turn: Quaternion = rig.limb_rotation(limb, step)
+		first = maxf(first, turn.angle_to(rig.limb_rotation(limb, 0.0)))
+		second = maxf(second, turn.angle_to(rig.limb_rotation(limb, 2.0 * step)))
+	var jumps: bool = first > deg_to_rad(25.0) and first > 3.0 * second
+	return step if jumps and rig.clip.frame_count > 3 else 0.0
+
+
+## Decides once which way each limb turns while the end passes into the beginning. Decided anew for
+## each sample, a limb that has to turn by about half a circle would flip to the other way.
+func _find_seam() -> void:
+	_seam_signs.resize(Limbs.COUNT)
+	var middle: float = (_length() - _period()) / 2.0
+	for limb: int in Limbs.COUNT:
+		var beginning: Quaternion = _limb_rotation(limb, middle)
+		var same: float = beginning.dot(_limb_rotation(limb, _period() + middle))
+		_seam_signs[limb] = -1.0 if same < 0.0 else 1.0
 
 
 ## Height of the ground that the clip was made on: standing feet are there most of the time.
