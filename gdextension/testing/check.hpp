@@ -28,7 +28,9 @@ inline State &state() {
 }
 
 struct Registration {
-	Registration(const char *p_name, std::function<void()> p_run) { state().cases.push_back({ p_name, std::move(p_run) }); }
+	Registration(const char *p_name, std::function<void()> p_run) {
+		state().cases.push_back({ p_name, std::move(p_run) });
+	}
 };
 
 inline void that(bool p_holds, const char *p_text, const char *p_file, int p_line) {
@@ -70,6 +72,9 @@ inline int run_all() {
 	static const check::Registration m_name##_registration(#m_name, m_name); \
 	static void m_name()
 #define CHECK(m_condition) check::that((m_condition), #m_condition, __FILE__, __LINE__)
-#define CHECK_NEAR(m_found, m_expected, m_tolerance) check::near((m_found), (m_expected), (m_tolerance), __FILE__, __LINE__)
+#define CHECK_NEAR(m_found, m_expected, m_tolerance) \
+	check::near((m_found), (m_expected), (m_tolerance), __FILE__, __LINE__)
 #define TEST_MAIN() \
-	int main() { return check::run_all(); }
+	int main() { \
+		return check::run_all(); \
+	}

@@ -127,12 +127,12 @@ void add_virtual(const StringName &p_class, const char *p_name, VirtualCall *p_c
 
 void add_method(const StringName &p_class, std::unique_ptr<MethodBind> p_method) {
 	MethodBind &method = *p_method;
-	ERR_FAIL_COND_MSG(method.arguments.size() > MAX_ARGUMENTS ||
-					method.defaults.size() > method.arguments.size() ||
+	ERR_FAIL_COND_MSG(method.arguments.size() > MAX_ARGUMENTS || method.defaults.size() > method.arguments.size() ||
 					method.definition.arguments.size() != method.arguments.size(),
 			String(p_class) + "." + String(method.definition.name) +
 					": D_METHOD must name every argument, and there can't be more defaults than arguments.");
 	std::vector<GDExtensionPropertyInfo> arguments;
+	arguments.reserve(method.arguments.size());
 	for (size_t i = 0; i < method.arguments.size(); i++) {
 		method.arguments[i].name = method.definition.arguments[i];
 		arguments.push_back(method.arguments[i].to_engine());
@@ -140,6 +140,7 @@ void add_method(const StringName &p_class, std::unique_ptr<MethodBind> p_method)
 	std::vector<GDExtensionClassMethodArgumentMetadata> metadata(
 			method.arguments.size(), GDEXTENSION_METHOD_ARGUMENT_METADATA_NONE);
 	std::vector<GDExtensionVariantPtr> defaults;
+	defaults.reserve(method.defaults.size());
 	for (Variant &value : method.defaults) {
 		defaults.push_back(value.opaque);
 	}
@@ -236,6 +237,7 @@ void ClassDB::add_property(const StringName &p_class, const PropertyInfo &p_prop
 
 void ClassDB::add_signal(const StringName &p_class, const MethodInfo &p_signal) {
 	std::vector<GDExtensionPropertyInfo> arguments;
+	arguments.reserve(p_signal.arguments.size());
 	for (const PropertyInfo &argument : p_signal.arguments) {
 		arguments.push_back(argument.to_engine());
 	}

@@ -19,8 +19,8 @@ bool check_expected_api() {
 		const StringName class_name(expected.class_name);
 		const StringName method(expected.method);
 		if (engine.classdb_get_method_bind(class_name.opaque, method.opaque, expected.hash) == nullptr) {
-			const std::string message = std::string("This extension does not fit ") + running_engine() + ": it expects " +
-					expected.class_name + "." + expected.method + " as in " + expected_engine +
+			const std::string message = std::string("This extension does not fit ") + running_engine() +
+					": it expects " + expected.class_name + "." + expected.method + " as in " + expected_engine +
 					". Build it again from this engine's API dump.";
 			print_error("Method not found.", message.c_str(), __func__, __FILE__, __LINE__);
 			complete = false;

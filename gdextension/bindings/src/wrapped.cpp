@@ -78,22 +78,23 @@ GDExtensionMethodBindPtr method_bind(const char *p_class, const char *p_method, 
 	return found;
 }
 
-Variant varcall(
-		GDExtensionMethodBindPtr p_method, GDExtensionObjectPtr p_object, const Variant **p_arguments, int64_t p_count) {
+Variant varcall(GDExtensionMethodBindPtr p_method, GDExtensionObjectPtr p_object, const Variant **p_arguments,
+		int64_t p_count) {
 	Variant result;
 	if (p_method == nullptr) {
 		return result;
 	}
 	GDExtensionCallError error = {};
-	engine.object_method_bind_call(p_method, p_object, reinterpret_cast<const GDExtensionConstVariantPtr *>(p_arguments),
-			p_count, result.opaque, &error);
+	engine.object_method_bind_call(p_method, p_object,
+			reinterpret_cast<const GDExtensionConstVariantPtr *>(p_arguments), p_count, result.opaque, &error);
 	if (error.error != GDEXTENSION_CALL_OK) {
 		print_error("Call failed.", "The engine refused the arguments of a call.", __func__, __FILE__, __LINE__);
 	}
 	return result;
 }
 
-void print_error(const char *p_condition, const char *p_message, const char *p_function, const char *p_file, int p_line) {
+void print_error(
+		const char *p_condition, const char *p_message, const char *p_function, const char *p_file, int p_line) {
 	if (p_message[0] == '\0') {
 		engine.print_error(p_condition, p_function, p_file, p_line, 0);
 	} else {

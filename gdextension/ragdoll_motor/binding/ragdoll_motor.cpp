@@ -183,8 +183,8 @@ void RagdollMotor::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_gain"), &RagdollMotor::get_gain);
 	ClassDB::bind_method(D_METHOD("set_root_mode", "mode"), &RagdollMotor::set_root_mode);
 	ClassDB::bind_method(D_METHOD("get_root_mode"), &RagdollMotor::get_root_mode);
-	ClassDB::bind_method(D_METHOD("setup", "bodies", "joints", "parents", "anchors", "body_offsets"),
-			&RagdollMotor::setup);
+	ClassDB::bind_method(
+			D_METHOD("setup", "bodies", "joints", "parents", "anchors", "body_offsets"), &RagdollMotor::setup);
 	ClassDB::bind_method(D_METHOD("push_sample", "time_s", "orientations", "root"), &RagdollMotor::push_sample);
 	ClassDB::bind_method(D_METHOD("clear_motion"), &RagdollMotor::clear_motion);
 	ClassDB::bind_method(D_METHOD("snap_to", "time_s"), &RagdollMotor::snap_to);
@@ -193,10 +193,10 @@ void RagdollMotor::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("is_stalled", "time_s"), &RagdollMotor::is_stalled);
 	ClassDB::bind_method(D_METHOD("get_tracking"), &RagdollMotor::get_tracking);
 	ClassDB::bind_method(D_METHOD("clear_tracking"), &RagdollMotor::clear_tracking);
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "gain", PROPERTY_HINT_RANGE, "0,240,0.1,suffix:1/s"), "set_gain",
-			"get_gain");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "root_mode", PROPERTY_HINT_ENUM, "Held,Soft"), "set_root_mode",
-			"get_root_mode");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::FLOAT, "gain", PROPERTY_HINT_RANGE, "0,240,0.1,suffix:1/s"), "set_gain", "get_gain");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::INT, "root_mode", PROPERTY_HINT_ENUM, "Held,Soft"), "set_root_mode", "get_root_mode");
 	BIND_ENUM_CONSTANT(ROOT_HELD);
 	BIND_ENUM_CONSTANT(ROOT_SOFT);
 }

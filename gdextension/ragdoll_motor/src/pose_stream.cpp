@@ -5,8 +5,7 @@
 
 namespace ragdoll {
 
-PoseStream::PoseStream(std::size_t p_limb_count) :
-		limb_count(p_limb_count) {
+PoseStream::PoseStream(std::size_t p_limb_count) : limb_count(p_limb_count) {
 	for (Sample &sample : ring) {
 		sample.orientations.resize(limb_count);
 	}

@@ -6,8 +6,7 @@
 
 namespace ragdoll {
 
-VelocityMotor::VelocityMotor(std::vector<int> p_parents) :
-		parents(std::move(p_parents)) {}
+VelocityMotor::VelocityMotor(std::vector<int> p_parents) : parents(std::move(p_parents)) {}
 
 void VelocityMotor::compute(const std::vector<Quat> &p_actual, const Pose &p_now, const Pose &p_next, float p_delta_s,
 		float p_gain, std::vector<Vec3> &r_velocities) const {
@@ -33,8 +32,8 @@ void VelocityMotor::joint_positions(
 	r_positions.resize(limb_count());
 	for (std::size_t i = 0; i < limb_count(); i++) {
 		const int parent = parents[i];
-		r_positions[i] = parent < 0 ? p_pose.root
-									: r_positions[parent] + p_pose.orientations[parent].rotate(p_anchors[i]);
+		r_positions[i] =
+				parent < 0 ? p_pose.root : r_positions[parent] + p_pose.orientations[parent].rotate(p_anchors[i]);
 	}
 }
 

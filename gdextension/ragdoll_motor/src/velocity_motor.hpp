@@ -28,8 +28,8 @@ public:
 	/// @param p_now the motion at the beginning of the step
 	/// @param p_next the motion at its end
 	/// @param p_gain how fast errors are corrected, 1/s; never above 1 / p_delta_s
-	void compute(const std::vector<Quat> &p_actual, const Pose &p_now, const Pose &p_next, float p_delta_s, float p_gain,
-			std::vector<Vec3> &r_velocities) const;
+	void compute(const std::vector<Quat> &p_actual, const Pose &p_now, const Pose &p_next, float p_delta_s,
+			float p_gain, std::vector<Vec3> &r_velocities) const;
 
 	/// World positions of the limbs' joints for a pose, parent first (thesis section 8.1).
 	/// @param p_anchors each limb's joint in its parent's frame, m; the root's is ignored

@@ -79,8 +79,7 @@ void BindingsDriver::_physics_process(double p_delta) {
 RID BindingsDriver::add_joint(const RID &p_body_a, const RID &p_body_b) const {
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
 	const RID joint = server->joint_create();
-	server->joint_make_generic_6dof(
-			joint, p_body_a, Transform3D(), p_body_b, Transform3D(Basis(), Vector3(0, 2, 0)));
+	server->joint_make_generic_6dof(joint, p_body_a, Transform3D(), p_body_b, Transform3D(Basis(), Vector3(0, 2, 0)));
 	server->generic_6dof_joint_set_param(
 			joint, Vector3::AXIS_Y, PhysicsServer3D::G6DOF_JOINT_ANGULAR_MOTOR_TARGET_VELOCITY, 1.5);
 	return joint;

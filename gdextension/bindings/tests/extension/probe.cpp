@@ -130,8 +130,8 @@ void BindingsProbe::_bind_methods() {
 	ClassDB::bind_static_method("BindingsProbe", D_METHOD("alive_count"), &BindingsProbe::alive_count);
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "gain"), "set_gain", "get_gain");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "mode", PROPERTY_HINT_ENUM, "Idle:0,Run:5"), "set_mode", "get_mode");
-	ADD_SIGNAL(MethodInfo(
-			"gain_changed", PropertyInfo(Variant::FLOAT, "gain"), PropertyInfo(Variant::VECTOR3, "vector")));
+	ADD_SIGNAL(
+			MethodInfo("gain_changed", PropertyInfo(Variant::FLOAT, "gain"), PropertyInfo(Variant::VECTOR3, "vector")));
 	BIND_ENUM_CONSTANT(MODE_IDLE);
 	BIND_ENUM_CONSTANT(MODE_RUN);
 }

@@ -47,8 +47,7 @@ public:
 protected:
 	explicit Wrapped(const StringName &p_engine_class) :
 			_owner(internal::engine.classdb_construct_object2(p_engine_class.opaque)) {}
-	explicit Wrapped(GDExtensionObjectPtr p_owner) :
-			_owner(p_owner) {}
+	explicit Wrapped(GDExtensionObjectPtr p_owner) : _owner(p_owner) {}
 };
 
 namespace internal {
@@ -113,7 +112,9 @@ R ptrcall(GDExtensionMethodBindPtr p_method, GDExtensionObjectPtr p_object, cons
 // The part that every engine class has in common.
 #define GDENGINE_CLASS(m_class, m_parent) \
 public: \
-	static const char *class_name_cstr() { return #m_class; } \
+	static const char *class_name_cstr() { \
+		return #m_class; \
+	} \
 	static const ::godot::StringName &get_class_static() { \
 		static const ::godot::StringName &name = ::godot::internal::permanent_name(#m_class); \
 		return name; \
@@ -126,11 +127,11 @@ public: \
 		}; \
 		return &table; \
 	} \
-	const GDExtensionInstanceBindingCallbacks *_callbacks() const override { return callbacks(); } \
-	m_class() : \
-			m_class(get_class_static()) {} \
-	explicit m_class(GDExtensionObjectPtr p_owner) : \
-			m_parent(p_owner) {} \
+	const GDExtensionInstanceBindingCallbacks *_callbacks() const override { \
+		return callbacks(); \
+	} \
+	m_class() : m_class(get_class_static()) {} \
+	explicit m_class(GDExtensionObjectPtr p_owner) : m_parent(p_owner) {} \
 	static auto _get_notification() { \
 		return static_cast<void (::godot::Wrapped::*)(int)>(&m_class::_notification); \
 	} \
@@ -138,8 +139,7 @@ public: \
 	static void _bind_methods() {} \
 \
 protected: \
-	explicit m_class(const ::godot::StringName &p_engine_class) : \
-			m_parent(p_engine_class) {} \
+	explicit m_class(const ::godot::StringName &p_engine_class) : m_parent(p_engine_class) {} \
 	void _notification(int) {} \
 \
 private:

@@ -14,8 +14,7 @@ public:
 	TypedArray();
 	/// Shares an array of the same type; copies the elements of any other, where they fit.
 	TypedArray(const Array &p_array);
-	TypedArray(const Variant &p_array) :
-			TypedArray(p_array.operator Array()) {}
+	TypedArray(const Variant &p_array) : TypedArray(p_array.operator Array()) {}
 };
 
 template <class T>
@@ -103,8 +102,8 @@ decltype(auto) with_addresses(const F &p_call, const PtrArgument<Arguments> &...
 
 template <class... Arguments>
 void construct(GDExtensionPtrConstructor p_function, void *p_base, const Arguments &...p_arguments) {
-	with_addresses([&](const void **p_addresses) { p_function(p_base, p_addresses); },
-			PtrArgument<Arguments>(p_arguments)...);
+	with_addresses(
+			[&](const void **p_addresses) { p_function(p_base, p_addresses); }, PtrArgument<Arguments>(p_arguments)...);
 }
 
 template <class R, class... Arguments>
@@ -190,8 +189,7 @@ TypedArray<T>::TypedArray() {
 }
 
 template <class T>
-TypedArray<T>::TypedArray(const Array &p_array) :
-		TypedArray() {
+TypedArray<T>::TypedArray(const Array &p_array) : TypedArray() {
 	if (is_same_typed(p_array)) {
 		Array::operator=(p_array);
 	} else {

@@ -6,7 +6,8 @@
 
 namespace godot::internal {
 
-void print_error(const char *p_condition, const char *p_message, const char *p_function, const char *p_file, int p_line);
+void print_error(
+		const char *p_condition, const char *p_message, const char *p_function, const char *p_file, int p_line);
 inline void print_error(
 		const char *p_condition, const String &p_message, const char *p_function, const char *p_file, int p_line) {
 	print_error(p_condition, p_message.utf8().get_data(), p_function, p_file, p_line);

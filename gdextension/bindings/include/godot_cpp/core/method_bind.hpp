@@ -42,8 +42,7 @@ public:
 template <class T, class M>
 class MethodBindOf : public MethodBind {
 public:
-	explicit MethodBindOf(M p_method) :
-			method(p_method) {
+	explicit MethodBindOf(M p_method) : method(p_method) {
 		is_const = Signature<M>::is_const;
 		is_static = Signature<M>::is_static;
 		has_result = !std::is_void_v<Result>;

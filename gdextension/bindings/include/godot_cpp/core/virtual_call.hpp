@@ -75,8 +75,7 @@ public:
 template <class T, class M>
 class VirtualCallOf : public VirtualCall {
 public:
-	explicit VirtualCallOf(M p_method) :
-			method(p_method) {}
+	explicit VirtualCallOf(M p_method) : method(p_method) {}
 	void call(Wrapped *p_self, const void *const *p_arguments, void *r_result) override {
 		ptr_entry<T>(method, p_self, p_arguments, r_result);
 	}

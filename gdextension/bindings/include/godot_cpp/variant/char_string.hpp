@@ -11,8 +11,7 @@ namespace godot {
 class CharString {
 public:
 	CharString() = default;
-	explicit CharString(std::string p_text) :
-			text(std::move(p_text)) {}
+	explicit CharString(std::string p_text) : text(std::move(p_text)) {}
 
 	const char *get_data() const { return text.c_str(); }
 	const char *ptr() const { return text.c_str(); }

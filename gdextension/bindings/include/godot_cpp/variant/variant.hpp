@@ -24,10 +24,8 @@ class Ref;
 template <class T>
 class BitField {
 public:
-	BitField(T p_flag) :
-			value(static_cast<int64_t>(p_flag)) {}
-	BitField(int64_t p_flags = 0) :
-			value(p_flags) {}
+	BitField(T p_flag) : value(static_cast<int64_t>(p_flag)) {}
+	BitField(int64_t p_flags = 0) : value(p_flags) {}
 	operator int64_t() const { return value; }
 	bool has_flag(T p_flag) const { return (value & static_cast<int64_t>(p_flag)) != 0; }
 	void set_flag(T p_flag) { value |= static_cast<int64_t>(p_flag); }
@@ -58,8 +56,12 @@ using Dependent = typename DependentType<T, Arguments...>::type;
 
 // Memberwise arithmetic of a vector type with m_count components.
 #define GODOT_VECTOR_OPERATORS(m_vector, m_scalar, m_count) \
-	m_scalar &operator[](int p_axis) { return (&x)[p_axis]; } \
-	const m_scalar &operator[](int p_axis) const { return (&x)[p_axis]; } \
+	m_scalar &operator[](int p_axis) { \
+		return (&x)[p_axis]; \
+	} \
+	const m_scalar &operator[](int p_axis) const { \
+		return (&x)[p_axis]; \
+	} \
 	m_vector operator+(const m_vector &p_other) const { \
 		m_vector result = *this; \
 		return result += p_other; \
@@ -86,7 +88,9 @@ using Dependent = typename DependentType<T, Arguments...>::type;
 		} \
 		return result; \
 	} \
-	m_vector operator-() const { return *this * m_scalar(-1); } \
+	m_vector operator-() const { \
+		return *this * m_scalar(-1); \
+	} \
 	m_vector &operator+=(const m_vector &p_other) { \
 		for (int i = 0; i < (m_count); i++) { \
 			(*this)[i] += p_other[i]; \
@@ -113,11 +117,11 @@ using Dependent = typename DependentType<T, Arguments...>::type;
 		} \
 		return true; \
 	} \
-	bool operator!=(const m_vector &p_other) const { return !(*this == p_other); }
+	bool operator!=(const m_vector &p_other) const { \
+		return !(*this == p_other); \
+	}
 
-// clang-format off: the order matters.
 #include <godot_cpp/variant/builtins.inc>
-// clang-format on
 
 /// Holds a value of any type that the engine knows.
 class Variant {
@@ -138,16 +142,15 @@ public:
 	Variant(bool p_value);
 	template <class T,
 			std::enable_if_t<(std::is_integral_v<T> || std::is_enum_v<T>) && !std::is_same_v<T, bool>, int> = 0>
-	Variant(T p_value) { set_integer(static_cast<int64_t>(p_value)); }
+	Variant(T p_value) {
+		set_integer(static_cast<int64_t>(p_value));
+	}
 	Variant(double p_value);
-	Variant(float p_value) :
-			Variant(static_cast<double>(p_value)) {}
-	Variant(const char *p_utf8) :
-			Variant(String(p_utf8)) {}
+	Variant(float p_value) : Variant(static_cast<double>(p_value)) {}
+	Variant(const char *p_utf8) : Variant(String(p_utf8)) {}
 	Variant(const Object *p_object);
 	template <class T>
-	Variant(const Ref<T> &p_reference) :
-			Variant(static_cast<const Object *>(p_reference.ptr())) {}
+	Variant(const Ref<T> &p_reference) : Variant(static_cast<const Object *>(p_reference.ptr())) {}
 
 	operator bool() const;
 	operator int64_t() const;
