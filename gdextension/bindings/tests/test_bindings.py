@@ -116,12 +116,19 @@ def test_exported_release_build(godot: Path, project: Path) -> None:
     assert_all_passed(run([game, "--headless"], cwd=game.parent))
 
 
-def test_editor_accepts_documentation(godot: Path, project: Path) -> None:
-    output = imported(godot, project)
-    assert "xml" not in output.lower(), output[-4000:]
+def test_editor_reads_documentation(godot: Path, project: Path) -> None:
+    assert "doc file" not in imported(godot, project)
     text = library("bindings_test").read_bytes()
-    assert b"Documentation from the extension itself." in text
     assert "a backslash \\ and ümläuts survive".encode() in text
+
+
+def test_editor_complains_of_damaged_documentation(godot: Path, project: Path) -> None:
+    """Shows that the editor does read what is in the extension."""
+    built = next((project / "bin").glob("*.so"))
+    text = built.read_bytes()
+    assert text.count(b"<methods>") == 1
+    built.write_bytes(text.replace(b"<methods>", b"<nothing>"))
+    assert "Invalid tag in doc file: nothing" in imported(godot, project)
 
 
 def test_other_engine_is_refused(godot: Path, tmp_path: Path) -> None:
