@@ -70,8 +70,14 @@ func get_skeleton() -> Skeleton3D:
 
 ## The simulator that holds the physical bones, or null.
 func get_simulator() -> PhysicalBoneSimulator3D:
-	var found: Array[Node] = find_children("*", "PhysicalBoneSimulator3D", true, false)
-	return found[0] if not found.is_empty() else null
+	var skeleton: Skeleton3D = get_skeleton()
+	if skeleton == null:
+		return null
+	# Not find_children(): every skeleton has an internal one of the engine's, which is of no use.
+	for child: Node in skeleton.get_children():
+		if child is PhysicalBoneSimulator3D:
+			return child
+	return null
 
 
 ## Gives the skeleton its physical bones, in place of those it may have. Without a description one
