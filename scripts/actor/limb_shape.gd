@@ -83,6 +83,7 @@ func find_fault() -> String:
 		return "%s's mass_fraction is %f instead of above 0 and at most 1" % [bone, mass_fraction]
 	if type == Type.PILL and not (radius > 0.0 and radius < 2.0 and length >= 0.0 and length < 4.0):
 		return "%s's radius or length is no size of a limb" % bone
-	if type == Type.BOX and not (size.x > 0.0 and size.y > 0.0 and size.z > 0.0):
-		return "%s's sizes must be above 0" % bone
+	var smallest: float = minf(size.x, minf(size.y, size.z))
+	if type == Type.BOX and not (smallest > 0.0 and size.is_finite() and size.length() < 4.0):
+		return "%s's sizes must be above 0 and those of a limb" % bone
 	return ""

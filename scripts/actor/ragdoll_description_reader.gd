@@ -47,9 +47,13 @@ func _read_geoms(p_geoms: Array) -> RagdollDescription:
 
 func _read_limb(p_geom: Dictionary, p_number: int) -> LimbShape:
 	var limb: LimbShape = LimbShape.new()
-	limb.bone = StringName(str(p_geom.get("bone", "")))
 	var parent: Variant = p_geom.get("parent_bone")
-	limb.parent_bone = &"" if parent == null else StringName(str(parent))
+	if p_geom.get("bone") is not String:
+		return _refuse("geom %d: expected a text as 'bone'" % p_number)
+	if parent != null and parent is not String:
+		return _refuse("geom %d: expected a text or null as 'parent_bone'" % p_number)
+	limb.bone = StringName(p_geom["bone"])
+	limb.parent_bone = &"" if parent == null else StringName(parent)
 	var kind: String = str(p_geom.get("type", ""))
 	if kind != "pill" and kind != "box":
 		return _refuse("geom %d: expected type 'pill' or 'box', found '%s'" % [p_number, kind])

@@ -1,0 +1,129 @@
+extends TestCase
+## What a ragdoll is made of: the file of the soldier, and errors that name file and entry.
+
+const SOLDIER: String = "res://assets/avatar/limb_shapes.json"
+const SCRATCH: String = "user://test_limb_shapes.json"
+
+var _reader: RagdollDescriptionReader = RagdollDescriptionReader.new()
+
+
+func after_each() -> void:
+	if FileAccess.file_exists(SCRATCH):
+		DirAccess.remove_absolute(SCRATCH)
+
+
+func test_file_of_the_soldier() -> void:
+	var description: RagdollDescription = _reader.read(SOLDIER)
+	equal(_reader.error, "")
+	equal(description.find_fault(), "")
+	equal(description.limbs.size(), Limbs.COUNT)
+	for limb: int in Limbs.COUNT:
+		var shape: LimbShape = description.find(Limbs.BONES[limb])
+		not_null(shape, Limbs.BONES[limb])
+		var parent: int = Limbs.PARENTS[limb]
+		equal(shape.parent_bone, &"" if parent < 0 else Limbs.BONES[parent])
+		almost_equal(shape.mass_fraction, Limbs.MASS_FRACTIONS[limb], 0.001)
+	is_null(description.find(&"Tail"))
+	var hips: LimbShape = description.find(&"Hips")
+	equal(hips.type, LimbShape.Type.BOX)
+	almost_equal(hips.position, Vector3(0.0, 1.02046, 0.0223))
+	var arm: LimbShape = description.find(&"LeftUpperArm")
+	equal(arm.type, LimbShape.Type.PILL)
+	almost_equal([arm.radius, arm.length], [0.07365, 0.25809])
+
+
+func test_the_scene_is_made_from_the_file() -> void:
+	var from_file: RagdollDescription = _reader.read(SOLDIER)
+	var soldier: Ragdoll = (load("res://scenes/actor/soldier.tscn") as PackedScene).instantiate()
+	for shape: LimbShape in from_file.limbs:
+		var other: LimbShape = soldier.description.find(shape.bone)
+		for field: String in ["position", "orientation", "anchor", "mass_fraction", "parent_bone"]:
+			almost_equal(other.get(field), shape.get(field), 1e-5, shape.bone)
+	soldier.free()
+
+
+func test_both_sides_are_alike() -> void:
+	var description: RagdollDescription = _reader.read(SOLDIER)
+	for shape: LimbShape in description.limbs:
+		if String(shape.bone).begins_with("Left"):
+			var bone: String = String(shape.bone).replace("Left", "Right")
+			var other: LimbShape = description.find(StringName(bone))
+			almost_equal(other.position, shape.position * Vector3(-1, 1, 1), 0.01, bone)
+			almost_equal(other.anchor, shape.anchor * Vector3(-1, 1, 1), 0.01, bone)
+
+
+func test_files_that_are_none() -> void:
+	is_null(_reader.read("res://assets/avatar/no_such.json"))
+	contains(_reader.error, "no_such.json: cannot be read: ")
+	var cases: Dictionary[String, String] = {
+		"": SCRATCH,
+		'{\n"geoms": [\n': SCRATCH + ":",
+		"[]": "expected an object with a list 'geoms'",
+		'{"geoms": {}}': "expected an object with a list 'geoms'",
+		'{"geoms": []}': "there are no limbs",
+		'{"geoms": [5]}': "geom 1: expected an object",
+		'{"geoms": [{}]}': "geom 1: expected a text as 'bone'",
+	}
+	for text: String in cases:
+		_read_text(text)
+		contains(_reader.error, cases[text])
+		is_true(_reader.error.begins_with(SCRATCH), _reader.error)
+
+
+func test_bytes_that_are_no_text() -> void:
+	var file: FileAccess = FileAccess.open(SCRATCH, FileAccess.WRITE)
+	file.store_buffer(PackedByteArray([0x7B, 0x80, 0xFF, 0x00, 0x22]))
+	file.close()
+	is_null(_reader.read(SCRATCH))
+	is_true(_reader.error.begins_with(SCRATCH), _reader.error)
+
+
+func test_entries_that_are_none_are_named() -> void:
+	var cases: Array[Array] = [
+		["bone", null, "geom 2: expected a text as 'bone'"],
+		["bone", 5, "geom 2: expected a text as 'bone'"],
+		["bone", "", "names no bone"],
+		["parent_bone", 5, "geom 2: expected a text or null as 'parent_bone'"],
+		["type", "ball", "geom 2: expected type 'pill' or 'box', found 'ball'"],
+		["position", [1, 2], "geom 2: expected 3 numbers as 'position'"],
+		["position", "here", "geom 2: expected 3 numbers as 'position'"],
+		["position", [1, 2, null], "geom 2: expected 3 numbers as 'position'"],
+		["orientation", [0, 0, 1], "geom 2: expected 4 numbers as 'orientation'"],
+		["orientation", [0, 0, 0, 0], "Spine's orientation is not a rotation"],
+		["anchor", null, "geom 2: expected 3 numbers as 'anchor'"],
+		["size", [1, 2, 3, 4], "geom 2: expected 3 numbers as 'size'"],
+		["size", [1, -2, 3], "Spine's sizes must be above 0"],
+		["mass_fraction", "much", "geom 2: expected a number as 'mass_fraction'"],
+		["mass_fraction", 0.5, "add up to"],
+		["parent_bone", "Tail", "Spine comes before its parent Tail"],
+		["parent_bone", null, "Spine: the first limb, and only the first"],
+		["bone", "Hips", "Hips is there twice"],
+	]
+	for case: Array in cases:
+		var data: Dictionary = JSON.parse_string(FileAccess.get_file_as_string(SOLDIER))
+		data["geoms"][1][case[0]] = case[1]
+		_read_text(JSON.stringify(data))
+		contains(_reader.error, case[2], str(case))
+		is_true(_reader.error.begins_with(SCRATCH + ": "), _reader.error)
+
+
+func test_a_missing_key_is_named() -> void:
+	for key: String in ["bone", "type", "position", "orientation", "anchor", "radius", "length"]:
+		var data: Dictionary = JSON.parse_string(FileAccess.get_file_as_string(SOLDIER))
+		data["geoms"][4].erase(key)
+		_read_text(JSON.stringify(data))
+		contains(_reader.error, "geom 5: expected")
+		contains(_reader.error, "'%s'" % key if key != "type" else "type")
+
+
+func test_a_good_file_after_a_bad_one() -> void:
+	_read_text("")
+	not_null(_reader.read(SOLDIER))
+	equal(_reader.error, "")
+
+
+func _read_text(p_text: String) -> void:
+	var file: FileAccess = FileAccess.open(SCRATCH, FileAccess.WRITE)
+	file.store_string(p_text)
+	file.close()
+	is_null(_reader.read(SCRATCH), p_text.left(60))
