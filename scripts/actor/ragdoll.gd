@@ -115,7 +115,7 @@ func start() -> bool:
 		_prepare_body(bones[i], description.limbs[i])
 	_joints = RagdollJoints.new()
 	var soft: bool = root_mode == RootMode.SOFT
-	_joints.make(_specify_joints(bones), get_world_3d().space, root_force if soft else 0.0)
+	_joints.make(_specify_joints(bones), get_world_3d().space, root_force if soft else -1.0)
 	return _start_motor(bones)
 
 

@@ -33,8 +33,8 @@ class Spec:
 	var torque: float
 
 
-## Makes joints, one per entry. The first entry becomes the joint to the world if
-## [param p_root_force] (N) or its torque is above zero.
+## Makes joints, one per entry. The first entry becomes the joint to the world, whose greatest force
+## is [param p_root_force] (N); below zero there is none.
 func make(p_specs: Array[Spec], p_space: RID, p_root_force: float) -> void:
 	rids.resize(p_specs.size())
 	for i: int in range(p_specs.size() - 1, 0, -1):
@@ -42,7 +42,7 @@ func make(p_specs: Array[Spec], p_space: RID, p_root_force: float) -> void:
 		PhysicsServer3D.joint_disable_collisions_between_bodies(rids[i], true)
 		for axis: Vector3.Axis in [Vector3.AXIS_X, Vector3.AXIS_Y, Vector3.AXIS_Z]:
 			PhysicsServer3D.generic_6dof_joint_set_flag(rids[i], axis, _LINEAR_LIMIT, true)
-	if p_root_force > 0.0 or p_specs[0].torque > 0.0:
+	if p_root_force >= 0.0:
 		_make_root(p_specs[0], p_space, p_root_force)
 
 
