@@ -11,33 +11,30 @@ find_package(Python3 3.9 REQUIRED COMPONENTS Interpreter)
 set(DISMOUNT_API_JSON ${GODOT_API_DIR}/extension_api.json)
 set(DISMOUNT_INTERFACE_H ${GODOT_API_DIR}/gdextension_interface.h)
 set(DISMOUNT_BINDINGS_DIR ${CMAKE_CURRENT_SOURCE_DIR}/bindings)
-foreach(file ${DISMOUNT_API_JSON} ${DISMOUNT_INTERFACE_H})
-	if(NOT EXISTS ${file})
-		message(FATAL_ERROR
-			"${file} does not exist. Set GODOT_API_DIR to the folder into which the engine wrote its API:\n"
-			"  godot --headless --dump-extension-api --dump-gdextension-interface")
-	endif()
-endforeach()
-
-# The real godot-cpp. Newer versions of it read the interface from gdextension_interface.json, which
-# the engine writes with --dump-gdextension-interface-json, older ones from the header.
+# The real godot-cpp brings an API and an interface of its own, which serve where the engine's are not
+# given: the interface only ever grows.
 if(GODOT_CPP_DIR)
 	if(NOT EXISTS ${GODOT_CPP_DIR}/CMakeLists.txt)
 		message(FATAL_ERROR "GODOT_CPP_DIR (${GODOT_CPP_DIR}) is no checkout of godot-cpp.")
 	endif()
-	if(EXISTS ${GODOT_CPP_DIR}/gdextension/gdextension_interface.json
-			AND NOT EXISTS ${GODOT_API_DIR}/gdextension_interface.json)
-		message(FATAL_ERROR
-			"This godot-cpp needs ${GODOT_API_DIR}/gdextension_interface.json. Let the engine write it there:\n"
-			"  godot --headless --dump-gdextension-interface-json")
-	endif()
 	set(GODOTCPP_TARGET template_debug CACHE STRING "Build target of godot-cpp")
-	set(GODOTCPP_CUSTOM_API_FILE ${DISMOUNT_API_JSON} CACHE FILEPATH "The engine's API" FORCE)
-	set(GODOTCPP_GDEXTENSION_DIR ${GODOT_API_DIR} CACHE PATH "The engine's interface" FORCE)
 	set(GODOTCPP_BUILD_PROFILE ${DISMOUNT_BUILD_PROFILE} CACHE FILEPATH "The engine classes in use" FORCE)
+	if(EXISTS ${DISMOUNT_API_JSON})
+		set(GODOTCPP_CUSTOM_API_FILE ${DISMOUNT_API_JSON} CACHE FILEPATH "The engine's API" FORCE)
+	endif()
+	if(EXISTS ${GODOT_API_DIR}/gdextension_interface.json)
+		set(GODOTCPP_GDEXTENSION_DIR ${GODOT_API_DIR} CACHE PATH "The engine's interface" FORCE)
+	endif()
 	set(GODOTCPP_SYSTEM_HEADERS ON CACHE BOOL "No warnings from godot-cpp's headers")
 	add_subdirectory(${GODOT_CPP_DIR} ${CMAKE_BINARY_DIR}/godot-cpp EXCLUDE_FROM_ALL)
 else()
+	foreach(file ${DISMOUNT_API_JSON} ${DISMOUNT_INTERFACE_H})
+		if(NOT EXISTS ${file})
+			message(FATAL_ERROR
+				"${file} does not exist. Set GODOT_API_DIR to the folder into which the engine wrote its API:\n"
+				"  godot --headless --dump-extension-api --dump-gdextension-interface")
+		endif()
+	endforeach()
 	add_subdirectory(bindings)
 endif()
 

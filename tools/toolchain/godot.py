@@ -153,6 +153,7 @@ def dump_api(godot: Godot) -> Path:
         shutil.rmtree(work, ignore_errors=True)
         make_folder(work)
         flags = ["--dump-extension-api", "--dump-gdextension-interface"]
+        flags += ["--dump-gdextension-interface-json"]  # For godot-cpp, see GODOT_CPP_DIR.
         code, text = godot.call(flags, 120, cwd=work)
         if not (work / "gdextension_interface.h").exists():
             raise Failure(f"Godot could not describe its API (exit {code}):\n{tail(text)}")
