@@ -30,11 +30,17 @@ func _get_configuration_warnings() -> PackedStringArray:
 func _rebuild() -> void:
 	if not is_inside_tree():
 		return
-	for child: Node in get_children(true):
-		if child.owner == null:
-			child.free()
+	remove_boxes(self)
 	add_box(self, Transform3D.IDENTITY, size, material)
 	update_configuration_warnings()
+
+
+## Takes away the boxes of [method add_box], and nothing else.
+static func remove_boxes(p_body: StaticBody3D) -> void:
+	var others: Array[Node] = p_body.get_children()
+	for child: Node in p_body.get_children(true):
+		if not others.has(child):
+			child.free()
 
 
 ## Gives a body a box with mesh and shape. They belong to no scene, so they are not saved.

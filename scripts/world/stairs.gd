@@ -53,9 +53,7 @@ func _get_configuration_warnings() -> PackedStringArray:
 func _rebuild() -> void:
 	if not is_inside_tree():
 		return
-	for child: Node in get_children(true):
-		if child.owner == null:
-			child.free()
+	Block.remove_boxes(self)
 	for step: int in steps:
 		var depth: float = going + (landing if step == steps - 1 else 0.0)
 		var size: Vector3 = Vector3(width, rise * (step + 1), depth)

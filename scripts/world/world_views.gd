@@ -1,10 +1,8 @@
 class_name WorldViews
 extends Node
 ## The three worlds of the thesis (section 4.2), which may be shown together or alone: the mesh
-## world
-## (people and props), the static world (what never moves) and the physics world (the server's
-## bodies
-## as wire frames). Keys 1, 2 and 3 switch them.
+## world (people and props), the static world (what never moves) and the physics world (the server's
+## bodies as wire frames). Keys 1, 2 and 3 switch them.
 
 ## A world was switched on or off.
 signal changed
