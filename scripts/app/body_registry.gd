@@ -12,6 +12,8 @@ const PER_PERSON: int = 32
 const FIRST_FIXED: int = 2048
 ## Where people's numbers begin.
 const FIRST_PERSON: int = 4096
+## People whose numbers differ by less than this have bodies of different numbers.
+const MOST_PEOPLE: int = 1024
 
 var _props: Dictionary[int, RigidBody3D] = {}
 var _paths: Dictionary[int, String] = {}
@@ -43,7 +45,7 @@ func describe(p_people: Array[ServerActors.Person]) -> WorldDescription:
 	for person: ServerActors.Person in p_people:
 		world.names[person.id] = person.name
 		var bodies: Array[RID] = person.ragdoll.get_bodies()
-		var first: int = FIRST_PERSON + person.id % 1024 * PER_PERSON
+		var first: int = FIRST_PERSON + person.id % MOST_PEOPLE * PER_PERSON
 		for i: int in bodies.size():
 			var limb: LimbShape = person.ragdoll.description.limbs[i]
 			var bone: Node = person.ragdoll.get_simulator().get_node(NodePath(limb.bone))

@@ -77,21 +77,28 @@ func _set_option(p_name: String, p_value: String, p_source: String) -> void:
 	if not _values.has(p_name):
 		_refuse("there is no option --%s" % p_name)
 	elif _values[p_name] is int:
-		if p_value.is_valid_int() and p_value.to_int() >= 0:
+		# Longer ones do not fit a number, and the engine reports an error of its own.
+		if p_value.is_valid_int() and p_value.length() < 10 and p_value.to_int() >= 0:
 			_values[p_name] = p_value.to_int()
 		else:
 			_refuse("%s expects a whole number, found '%s'" % [p_source, p_value])
 	elif _values[p_name] is float:
-		if p_value.is_valid_float() and p_value.to_float() >= 0.0:
-			_values[p_name] = p_value.to_float()
+		var seconds_asked: float = p_value.to_float() if p_value.is_valid_float() else -1.0
+		if seconds_asked >= 0.0 and is_finite(seconds_asked):
+			_values[p_name] = seconds_asked
 		else:
 			_refuse("%s expects seconds, found '%s'" % [p_source, p_value])
 	else:
 		_values[p_name] = p_value
-	if error == "" and (number("port") < 1 or number("port") > 65535):
-		_refuse("a port is between 1 and 65535, found %d" % number("port"))
-	if error == "" and (number("rate") < 1 or number("rate") > 240):
-		_refuse("a rate is between 1 and 240, found %d" % number("rate"))
+	_check_range("port", "a port", 65535)
+	_check_range("rate", "a rate", 240)
+	# ENet's most, less those that are just arriving.
+	_check_range("max-clients", "the number of clients", 4000)
+
+
+func _check_range(p_name: String, p_what: String, p_most: int) -> void:
+	if number(p_name) < 1 or number(p_name) > p_most:
+		_refuse("%s is between 1 and %d, found %d" % [p_what, p_most, number(p_name)])
 
 
 func _refuse(p_why: String) -> void:

@@ -11,6 +11,9 @@ const _REMEMBERED: int = 16
 ## Old samples in a row that mean a new clock.
 const _NEW_CLOCK: int = 30
 
+## Numbers of people are 16 bits on the wire.
+const _MOST_IDS: int = 65536
+
 ## The scene of a person; its root is a [Ragdoll].
 @export var scene: PackedScene
 ## Distance between the places where people start.
@@ -41,12 +44,12 @@ class Person:
 ## Gives a trainee a body.
 func add(p_peer: int, p_name: String, p_hip_height: float) -> void:
 	var person: Person = Person.new()
-	person.id = _next_id
+	person.id = _free_id()
 	person.name = p_name
 	person.ragdoll = scene.instantiate()
 	person.ragdoll.name = "Person%d" % person.id
 	person.origin = _free_place()
-	_next_id += 1
+	_next_id = (person.id + 1) % _MOST_IDS
 	add_child(person.ragdoll)
 	person.scale = person.ragdoll.get_hip_height() / p_hip_height
 	if not person.ragdoll.start():
@@ -132,6 +135,17 @@ static func _figure(p_person: Person) -> Dictionary:
 	figure["name"] = p_person.name
 	figure["refused_samples"] = p_person.refused
 	return figure
+
+
+## A number that no one here has, not even as far as the numbers of the bodies tell people apart.
+func _free_id() -> int:
+	var id: int = _next_id % _MOST_IDS
+	var taken: Array = list().map(
+		func(person: Person) -> int: return person.id % BodyRegistry.MOST_PEOPLE
+	)
+	while taken.has(id % BodyRegistry.MOST_PEOPLE):
+		id = (id + 1) % _MOST_IDS
+	return id
 
 
 func _free_place() -> Vector3:

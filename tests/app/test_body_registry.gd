@@ -1,0 +1,131 @@
+extends TestCase
+## Numbers of bodies: unique, and the same as long as a body exists, while people come and go.
+
+const HALL: PackedScene = preload("res://scenes/world/hall.tscn")
+const SOLDIER: PackedScene = preload("res://scenes/actor/soldier.tscn")
+
+var _hall: Node3D = null
+var _actors: ServerActors = null
+var _registry: BodyRegistry = null
+
+
+func before_each() -> void:
+	_hall = HALL.instantiate()
+	add_child(_hall)
+	_actors = ServerActors.new()
+	_actors.scene = SOLDIER
+	add_child(_actors)
+	_registry = BodyRegistry.new()
+	_registry.add_world(_hall)
+
+
+func after_each() -> void:
+	_actors.free()
+	_hall.free()
+
+
+func test_props_and_what_never_moves() -> void:
+	var world: WorldDescription = _registry.describe(_actors.list())
+	var crates: Array = get_tree().get_nodes_in_group("props").filter(_hall.is_ancestor_of)
+	var props: int = 0
+	var fixed: int = 0
+	for id: int in world.bodies:
+		var body: WorldDescription.Body = world.bodies[id]
+		props += 1 if body.actor == WorldDescription.PROP else 0
+		fixed += 1 if body.actor == WorldDescription.FIXED else 0
+		is_true(body.shapes.size() > 0, body.part)
+		if body.actor == WorldDescription.PROP:
+			var node: RigidBody3D = _hall.get_node(NodePath(body.part))
+			is_true(node in crates, body.part)
+			almost_equal(body.shapes[0][1], Vector3.ONE * 0.5)
+	equal(props, crates.size())
+	equal(fixed, _hall.find_children("*", "StaticBody3D").size())
+	equal(world.names.size(), 0)
+
+
+func test_shapes_of_what_never_moves_are_placed_in_the_world() -> void:
+	var world: WorldDescription = _registry.describe(_actors.list())
+	for id: int in world.bodies:
+		if world.bodies[id].part == "Floor":
+			var shape: Array = world.bodies[id].shapes[0]
+			almost_equal((shape[2] as Transform3D).origin, Vector3(0.0, -0.25, 0.0))
+			return
+	fail("there is no floor")
+
+
+func test_limbs_of_a_person() -> void:
+	_actors.add(5, "Ada", 0.95)
+	var world: WorldDescription = _registry.describe(_actors.list())
+	var id: int = _actors.list()[0].id
+	equal(world.names, {id: "Ada"} as Dictionary[int, String])
+	var parts: Dictionary[String, int] = {}
+	for body: int in world.bodies:
+		if world.bodies[body].actor == id:
+			parts[world.bodies[body].part] = body
+			equal(world.bodies[body].shapes.size(), 1)
+	equal(parts.size(), Limbs.COUNT)
+	for bone: StringName in Limbs.BONES:
+		is_true(parts.has(String(bone)), bone)
+	not_null(WorldDescription.decode(world.encode()))
+
+
+func test_snapshot_has_exactly_what_moves() -> void:
+	_actors.add(5, "Ada", 0.95)
+	_actors.add(6, "Bob", 0.95)
+	var world: WorldDescription = _registry.describe(_actors.list())
+	await physics_frames(2)
+	var snapshot: Snapshot = Snapshot.new()
+	_registry.read(snapshot)
+	for id: int in world.bodies:
+		var fixed: bool = world.bodies[id].actor == WorldDescription.FIXED
+		equal(snapshot.bodies.has(id), not fixed, world.bodies[id].part)
+	for id: int in snapshot.bodies:
+		is_true(world.bodies.has(id))
+		is_true(id >= 0 and id < 65536)
+		if world.bodies[id].actor == WorldDescription.PROP:
+			var crate: Node3D = _hall.get_node(NodePath(world.bodies[id].part))
+			almost_equal(snapshot.bodies[id], crate.global_transform, 0.01)
+
+
+func test_numbers_stay_while_others_come_and_go() -> void:
+	var random: RandomNumberGenerator = RandomNumberGenerator.new()
+	random.seed = 1
+	var known: Dictionary[String, int] = {}
+	var here: Array[int] = []
+	for step: int in 40:
+		if here.size() > 4 or (not here.is_empty() and random.randf() < 0.4):
+			var gone: int = here.pop_at(random.randi_range(0, here.size() - 1))
+			_actors.remove(gone)
+			for key: String in known.keys():
+				if key.begins_with("peer%d/" % gone):
+					known.erase(key)
+		else:
+			here.append(100 + step)
+			_actors.add(100 + step, "peer%d" % (100 + step), 0.95)
+		var world: WorldDescription = _registry.describe(_actors.list())
+		equal(world.names.size(), here.size())
+		for id: int in world.bodies:
+			var body: WorldDescription.Body = world.bodies[id]
+			var key: String = "%s/%s" % [world.names.get(body.actor, body.actor), body.part]
+			equal(known.get(key, id), id, key)
+			known[key] = id
+		await process_frames(1)
+
+
+func test_numbers_are_unique_after_thousands_have_come_and_gone() -> void:
+	# One stays, while another's connection breaks again and again.
+	_actors.add(5, "stays", 0.95)
+	for next: int in [1023, 1024, 2048, 65535, 65536, 1000000]:
+		_actors._next_id = next
+		_actors.add(6, "comes again", 0.95)
+		var people: Array[ServerActors.Person] = _actors.list()
+		not_equal(people[0].id, people[1].id)
+		is_true(people[1].id <= 65535, "an actor is 16 bits on the wire, not %d" % people[1].id)
+		var world: WorldDescription = _registry.describe(people)
+		var limbs: int = 0
+		for id: int in world.bodies:
+			is_true(id < 65536)
+			limbs += 1 if world.bodies[id].actor >= 0 else 0
+		equal(limbs, 2 * Limbs.COUNT, "with number %d" % next)
+		_actors.remove(6)
+		await process_frames(1)

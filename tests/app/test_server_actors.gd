@@ -1,0 +1,138 @@
+extends TestCase
+## The people on the server: coming, going, samples and what is told of them.
+
+const NetSamples: GDScript = preload("../net/net_samples.gd")
+const Stage: GDScript = preload("../actor/stage.gd")
+const SOLDIER: PackedScene = preload("res://scenes/actor/soldier.tscn")
+const STEP_USEC: int = 16667
+
+var _actors: ServerActors = null
+var _changes: int = 0
+var _now_s: float = 1000.0
+var _sent: int = 0
+
+
+func before_each() -> void:
+	_actors = ServerActors.new()
+	_actors.scene = SOLDIER
+	_actors.changed.connect(_on_changed)
+	add_child(_actors)
+	_changes = 0
+
+
+func after_each() -> void:
+	_actors.free()
+
+
+func test_come_and_go() -> void:
+	_actors.add(7, "Ada", 0.95)
+	_actors.add(9, "Bob", 0.95)
+	equal(_changes, 2)
+	equal(_actors.list().map(_name), ["Ada", "Bob"])
+	_actors.remove(7)
+	equal(_actors.list().map(_name), ["Bob"])
+	equal(_changes, 3)
+	await process_frames(2)
+	equal(_actors.get_child_count(), 1, "bodies")
+
+
+func test_everybody_starts_at_a_place_of_his_own() -> void:
+	for peer: int in 4:
+		_actors.add(peer, "n%d" % peer, 0.95)
+	_actors.remove(1)
+	_actors.add(8, "late", 0.95)
+	var places: Array = _actors.list().map(
+		func(person: ServerActors.Person) -> Vector3: return person.origin
+	)
+	for i: int in places.size():
+		for j: int in i:
+			is_true((places[i] as Vector3).distance_to(places[j]) >= 1.0)
+
+
+func test_the_travel_of_tall_wearers_is_scaled() -> void:
+	_actors.add(7, "tall", 1.2)
+	var person: ServerActors.Person = _actors.list()[0]
+	almost_equal(person.scale, person.ragdoll.get_hip_height() / 1.2, 1e-6)
+
+
+func test_samples_move_the_body() -> void:
+	_actors.add(7, "Ada", 1.0115)
+	for _step: int in 60:
+		await _step(7, Stage.arms_pose(80.0, 80.0), Vector3(0.0, 1.0115, 0.5))
+	var person: ServerActors.Person = _actors.list()[0]
+	var hips: Transform3D = PhysicsServer3D.body_get_state(
+		person.ragdoll.get_bodies()[0], PhysicsServer3D.BODY_STATE_TRANSFORM
+	)
+	almost_equal(hips.origin, person.origin + Vector3(0.0, 1.02, 0.51), 0.05)
+	var snapshot: Snapshot = Snapshot.new()
+	_actors.mark(snapshot)
+	equal(snapshot.samples[person.id].id, _sent)
+	equal(snapshot.samples[person.id].time_usec, person.newest.time_usec)
+
+
+func test_without_samples_a_person_is_not_marked() -> void:
+	_actors.add(7, "Ada", 0.95)
+	_actors.drive(1.0, 1.0 / 60.0)
+	_actors.measure()
+	var snapshot: Snapshot = Snapshot.new()
+	_actors.mark(snapshot)
+	equal(snapshot.samples.size(), 0)
+
+
+func test_samples_of_strangers_are_ignored() -> void:
+	_actors.push_sample(99, Stage.reset_pose(), 1.0)
+	_actors.remove(99)
+	equal(_actors.list().size(), 0)
+
+
+func test_old_samples_are_refused_and_counted() -> void:
+	_actors.add(7, "Ada", 0.95)
+	await _step(7, Stage.reset_pose(), Vector3.UP)
+	var old: PoseSample = Stage.reset_pose()
+	old.time_usec = 5
+	_actors.push_sample(7, old, _now_s)
+	equal(_actors.figures()[0]["refused_samples"], 1)
+	not_equal(_actors.list()[0].newest, old)
+
+
+func test_a_wearers_new_clock_is_followed_soon() -> void:
+	_actors.add(7, "Ada", 1.0115)
+	for _step_number: int in 20:
+		await _step(7, Stage.reset_pose(), Vector3.UP)
+	_sent = -1000000
+	for _step_number: int in 60:
+		await _step(7, Stage.reset_pose(), Vector3.UP)
+	equal(_actors.list()[0].newest.id, _sent)
+
+
+func test_figures_also_of_who_left() -> void:
+	_actors.add(7, "Ada", 0.95)
+	_actors.add(9, "Bob", 0.95)
+	_actors.remove(7)
+	var names: Array = _actors.figures().map(func(row: Dictionary) -> String: return row["name"])
+	equal(names, ["Bob", "Ada"])
+	for peer: int in 40:
+		_actors.add(100 + peer, "n", 0.95)
+		_actors.remove(100 + peer)
+	is_true(_actors.figures().size() <= 20, "memory is bounded")
+
+
+## A sample, and a step of the simulation.
+func _step(p_peer: int, p_pose: PoseSample, p_root: Vector3) -> void:
+	await get_tree().physics_frame
+	_sent += 1
+	_now_s += 1.0 / 60.0
+	p_pose.id = _sent
+	p_pose.time_usec = 1780000000000000 + _sent * STEP_USEC
+	p_pose.root = p_root
+	_actors.push_sample(p_peer, p_pose, _now_s)
+	_actors.drive(_now_s, 1.0 / 60.0)
+	_actors.measure()
+
+
+func _on_changed() -> void:
+	_changes += 1
+
+
+func _name(p_person: ServerActors.Person) -> String:
+	return p_person.name
