@@ -110,10 +110,12 @@ void add_method(const StringName &p_class, std::unique_ptr<BoundMethod> p_method
 		method.properties[i + 1].name = method.definition.arguments[i];
 	}
 	std::vector<GDExtensionPropertyInfo> properties;
+	properties.reserve(method.properties.size());
 	for (PropertyInfo &property : method.properties) {
 		properties.push_back(property.raw());
 	}
 	std::vector<GDExtensionVariantPtr> defaults;
+	defaults.reserve(method.defaults.size());
 	for (Variant &value : method.defaults) {
 		defaults.push_back(value.opaque);
 	}
@@ -164,6 +166,7 @@ void ClassDB::add_property_subgroup(const StringName &p_class, const String &p_n
 void ClassDB::add_signal(const StringName &p_class, const MethodInfo &p_signal) {
 	std::vector<PropertyInfo> arguments = p_signal.arguments;
 	std::vector<GDExtensionPropertyInfo> infos;
+	infos.reserve(arguments.size());
 	for (PropertyInfo &argument : arguments) {
 		infos.push_back(argument.raw());
 	}

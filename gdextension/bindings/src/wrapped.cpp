@@ -26,7 +26,7 @@ const GDExtensionInstanceBindingCallbacks extension_callbacks = {
 
 /// The deepest class of the bindings that an object belongs to. Engine classes need not be public,
 /// nor in the build profile: only the object itself can tell what it is.
-const EngineClass &nearest_class(GDExtensionObjectPtr p_object, const EngineClass &p_fallback) {
+const EngineClass *nearest_class(GDExtensionObjectPtr p_object, const EngineClass &p_fallback) {
 	const EngineClass *nearest = &p_fallback;
 	for (const EngineClass *candidate : engine_classes()) {
 		const String name(candidate->name);
@@ -37,24 +37,24 @@ const EngineClass &nearest_class(GDExtensionObjectPtr p_object, const EngineClas
 			nearest = candidate; // Parents come first in the list: the last one is the deepest.
 		}
 	}
-	return *nearest;
+	return nearest;
 }
 
-const EngineClass &class_of(GDExtensionObjectPtr p_object, const EngineClass &p_fallback) {
+const EngineClass *class_of(GDExtensionObjectPtr p_object, const EngineClass &p_fallback) {
 	static std::mutex mutex;
 	static std::unordered_map<std::string, const EngineClass *> known;
 	StringName name;
 	if (engine.object_get_class_name(p_object, library, name.opaque) == 0) {
-		return p_fallback;
+		return &p_fallback;
 	}
 	const std::string key = String(name).utf8().get_data();
 	const std::lock_guard<std::mutex> lock(mutex);
 	const auto found = known.find(key);
 	if (found != known.end()) {
-		return *found->second;
+		return found->second;
 	}
-	const EngineClass &nearest = nearest_class(p_object, p_fallback);
-	known[key] = &nearest;
+	const EngineClass *nearest = nearest_class(p_object, p_fallback);
+	known[key] = nearest;
 	return nearest;
 }
 
@@ -63,8 +63,8 @@ const EngineClass &class_of(GDExtensionObjectPtr p_object, const EngineClass &p_
 Wrapped *wrap_object(GDExtensionObjectPtr p_object, const EngineClass &p_fallback) {
 	void *wrapper = engine.object_get_instance_binding(p_object, library, nullptr);
 	if (wrapper == nullptr) {
-		const EngineClass &engine_class = class_of(p_object, p_fallback);
-		wrapper = engine.object_get_instance_binding(p_object, library, engine_class.callbacks);
+		const EngineClass *engine_class = class_of(p_object, p_fallback);
+		wrapper = engine.object_get_instance_binding(p_object, library, engine_class->callbacks);
 	}
 	return static_cast<Wrapped *>(wrapper);
 }

@@ -30,7 +30,7 @@ public:
 	};
 
 	ValueProbe() { alive++; }
-	~ValueProbe() { alive--; }
+	~ValueProbe() override { alive--; }
 	static int64_t get_alive() { return alive; }
 
 	int64_t add(int64_t p_left, int64_t p_right) const { return p_left + p_right; }
