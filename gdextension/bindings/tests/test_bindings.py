@@ -18,7 +18,7 @@ import pytest
 
 TESTS = Path(__file__).resolve().parent
 LIMIT_S = 180
-CHECKS = 170
+CHECKS = 169
 
 GODOT = os.environ.get("DISMOUNT_GODOT", "")
 BUILD = Path(os.environ.get("DISMOUNT_BUILD", ""))
