@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""python3 -m generator --api extension_api.json --interface gdextension_interface.h ..."""
+"""Command line: see --help."""
 
 from __future__ import annotations
 
@@ -7,50 +7,50 @@ import argparse
 import sys
 from pathlib import Path
 
-from . import builtins, checklist, engine_classes, enums, interface, utility_functions, variant
+from . import builtins, classes, enums, interface, registry, utility
 from .api import Api, check_supported, enabled_classes, load_json
 from .errors import GeneratorError
 from .output import Output
+from .type_map import TypeMap
 
 
-def build(dump: dict, profile: dict, header: str) -> tuple[Output, list[str]]:
-    """The generated files, and the methods that had to be left out."""
-    check_supported(dump)
-    api = Api(dump, enabled_classes(profile))
+def generate(dump: Path, header: Path, profile: Path, folder: Path) -> str:
+    """Generates everything into a folder; returns a summary."""
+    contents = load_json(dump)
+    check_supported(contents)
+    api = Api(contents, enabled_classes(load_json(profile)))
+    try:
+        interface_text = header.read_text(encoding="utf-8")
+    except OSError as error:
+        raise GeneratorError(f"Can't read {header}: {error.strerror}.") from error
+    types = TypeMap(api)
     output = Output()
-    interface.generate(header, output)
+    interface.generate(api, interface_text, output)
     enums.generate(api, output)
-    builtins.generate(api, output)
-    variant.generate(api, output)
-    utility_functions.generate(api, output)
-    skipped = engine_classes.generate(api, output)
-    checklist.generate(api, output)
-    return output, skipped
+    builtins.generate(api, types, output)
+    utility.generate(api, types, output)
+    written, skipped = classes.generate(api, types, output)
+    registry.generate(api, output)
+    output.write(folder)
+    return (
+        f"{api.version}: {len(api.classes)} classes, {written} methods "
+        f"({skipped} left out: they mention classes outside the profile)"
+    )
 
 
 def main() -> int:
-    """Runs the generator; returns its exit status."""
+    """Runs the command line."""
     parser = argparse.ArgumentParser(prog="generator", description=__doc__)
-    parser.add_argument("--api", type=Path, required=True, help="the engine's extension_api.json")
-    parser.add_argument(
-        "--interface", type=Path, required=True, help="the engine's gdextension_interface.h"
-    )
-    parser.add_argument(
-        "--profile", type=Path, required=True, help="build profile that names the classes"
-    )
-    parser.add_argument("--output", type=Path, required=True, help="folder to write to")
-    parser.add_argument("--verbose", action="store_true", help="list the methods left out")
+    parser.add_argument("--api", type=Path, required=True, help="extension_api.json")
+    parser.add_argument("--interface", type=Path, required=True, help="gdextension_interface.h")
+    parser.add_argument("--profile", type=Path, required=True, help="build profile (JSON)")
+    parser.add_argument("--out", type=Path, required=True, help="folder for the generated files")
     arguments = parser.parse_args()
     try:
-        header = arguments.interface.read_text(encoding="utf-8")
-        output, skipped = build(load_json(arguments.api), load_json(arguments.profile), header)
-        output.write(arguments.output)
-    except (GeneratorError, OSError) as error:
-        print(f"generator: {error}", file=sys.stderr)
+        print(generate(arguments.api, arguments.interface, arguments.profile, arguments.out))
+    except GeneratorError as error:
+        print(f"Generating the bindings failed: {error}", file=sys.stderr)
         return 1
-    print(f"Bindings: {len(output.files)} files; {len(skipped)} methods left out")
-    if arguments.verbose:
-        print("\n".join(skipped))
     return 0
 
 

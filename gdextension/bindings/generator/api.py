@@ -13,11 +13,10 @@ from .errors import GeneratorError
 BUILD_CONFIGURATION = "float_64"
 
 # Builtin types that are plain numbers: written by hand, with native arithmetic.
-_MATH_TYPE_NAMES = (
-    "Vector2 Vector2i Rect2 Rect2i Vector3 Vector3i Transform2D Vector4 Vector4i Plane Quaternion "
-    "AABB Basis Transform3D Projection Color"
+MATH_TYPES = (
+    *("Vector2", "Vector2i", "Vector3", "Vector3i", "Vector4", "Vector4i", "Rect2", "Rect2i"),
+    *("Transform2D", "Transform3D", "Basis", "Quaternion", "Projection", "Plane", "AABB", "Color"),
 )
-MATH_TYPES = _MATH_TYPE_NAMES.split()
 
 # Builtin types that are C++ fundamentals.
 SCALAR_TYPES = ("Nil", "bool", "int", "float")
@@ -66,6 +65,13 @@ class Api:
         """`PackedByteArray` -> `PACKED_BYTE_ARRAY`."""
         return self._variant_types[builtin.upper()]
 
+    def method(self, class_name: str, name: str) -> Json:
+        """A method of any engine class, in the profile or not."""
+        for entry in self._all_classes.get(class_name, {}).get("methods", []):
+            if entry["name"] == name:
+                return dict(entry)
+        raise GeneratorError(f"{self.version} has no method {class_name}.{name}.")
+
     def is_ref_counted(self, name: str) -> bool:
         """Whether objects of an engine class live in Ref<T>."""
         return bool(self.classes[name]["is_refcounted"])
@@ -79,6 +85,8 @@ class Api:
                 "class. Correct enabled_classes in the build profile, or dump the API of the "
                 "engine that has it."
             )
+        if "ClassDB" in names:
+            raise GeneratorError("ClassDB can't be in the build profile: C++ has its own.")
         ordered: dict[str, Json] = {}
         for name in names:
             chain = []

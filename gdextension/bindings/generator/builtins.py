@@ -1,17 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""The builtin types (String, Array, Vector3, ...): class bodies and calls."""
+"""Builtin types that only the engine can handle: strings, containers, RID, Callable, Signal."""
 
 from __future__ import annotations
 
-import re
-from pathlib import Path
-
-from .api import MATH_TYPES, Api, Json
-from .cpp_types import Signature, TypeMap
+from .api import Api, Json
+from .calls import call_body, function, vararg_parameters, vararg_template
+from .defaults import declare_all, default_expression
 from .enums import enum_lines
 from .errors import UnsupportedType
 from .naming import identifier, snake_case
 from .output import Output
+from .type_map import Parameter, TypeMap
 
 _OPERATORS = {
     "==": "EQUAL",
@@ -21,11 +20,15 @@ _OPERATORS = {
     ">": "GREATER",
     ">=": "GREATER_EQUAL",
     "+": "ADD",
-    "-": "SUBTRACT",
-    "*": "MULTIPLY",
-    "/": "DIVIDE",
     "%": "MODULE",
 }
+
+# The rest of StringName's methods are String's: convert, and call them there.
+_STRING_NAME_METHODS = ("length", "is_empty", "hash")
+
+# Types with further members in include/godot_cpp/variant/<type>_members.inc.
+_WITH_MEMBERS = ("String", "StringName", "NodePath", "Array", "Dictionary")
+
 _PACKED_ELEMENTS = {
     "PackedByteArray": "uint8_t",
     "PackedInt32Array": "int32_t",
@@ -33,228 +36,317 @@ _PACKED_ELEMENTS = {
     "PackedFloat32Array": "float",
     "PackedFloat64Array": "double",
 }
-# What the macro of that name in variant.hpp defines.
-_VECTOR_OPERATORS = {"==", "!=", "+", "-", "*", "/"}
-_HANDWRITTEN = Path(__file__).with_name("builtin_members.inc")
-# Strings convert into these without being asked.
-_FROM_STRING = ("StringName", "NodePath")
 
 
-def generate(api: Api, output: Output) -> None:
-    """Writes every builtin type, in an order in which each is complete where it's a member."""
-    handwritten = _read_handwritten()
-    declarations = [*[f"class {name};" for name in api.builtins], "template <class T>"]
-    declarations += ["class TypedArray;"]
-    definitions: list[str] = []
-    for name in [*MATH_TYPES, *api.opaque_types]:
-        builtin = _Builtin(api, name, handwritten.get(name, []))
-        declarations += ["", *builtin.declare()]
-        definitions += builtin.definitions
-    output.add("include/godot_cpp/variant/builtins.inc", declarations)
-    output.add(
-        "src/builtins.cpp",
-        ["#include <godot_cpp/classes/object.hpp>", "", "namespace godot {", ""]
-        + [*definitions, "} // namespace godot"],
-    )
-    for name in api.builtins:
-        output.add_header(
-            f"variant/{snake_case(name)}.hpp", ["#include <godot_cpp/variant/variant.hpp>"]
-        )
+class BuiltinWriter:
+    """Writes one builtin type: lines of its class, of its source, of its templates."""
 
-
-def _read_handwritten() -> dict[str, list[str]]:
-    """The handwritten members of each type, from the sections `//@ Type` of their file."""
-    sections: dict[str, list[str]] = {}
-    lines: list[str] = []
-    for line in _HANDWRITTEN.read_text(encoding="utf-8").splitlines():
-        if line.startswith("//@ "):
-            lines = sections.setdefault(line[4:], [])
-        else:
-            lines.append(line)
-    return {
-        name: ["\t" + line if line else "" for line in "\n".join(text).strip("\n").split("\n")]
-        for name, text in sections.items()
-    }
-
-
-class _Builtin:
-    """Writes one builtin type."""
-
-    def __init__(self, api: Api, name: str, handwritten: list[str]) -> None:
-        self._api = api
-        self._types = TypeMap(api)
-        self._name = name
+    def __init__(self, api: Api, types: TypeMap, name: str) -> None:
+        self._types = types
         self._entry: Json = api.builtins[name]
-        self._variant_type = f"GDEXTENSION_VARIANT_TYPE_{api.variant_type(name)}"
-        self._opaque = name in api.opaque_types
-        self._handwritten = handwritten
-        text = "\n".join(handwritten)
-        # What is written by hand is not generated: a method, an operator, a constructor.
-        self._names = set(re.findall(r"\b(\w+)\(", text))
-        self._names |= set(re.findall(r"operator(\W+?)\(", text))
-        if "GODOT_VECTOR_OPERATORS(" in text:
-            self._names |= _VECTOR_OPERATORS
-        self._constructors = {int(index) for index in re.findall(r"// Constructor (\d+)", text)}
-        self.definitions: list[str] = []
+        self._type_enum = f"GDEXTENSION_VARIANT_TYPE_{api.variant_type(name)}"
+        self._size = api.sizes[name]
+        self._variant_type = api.variant_type
+        self.name = name
+        self.header: list[str] = []
+        self.source: list[str] = []
+        self.templates: list[str] = []
+        self._constructors: list[int] = []
+        self._methods: list[Json] = []
+        self._operators: list[tuple[str, str]] = []
 
-    def declare(self) -> list[str]:
-        """The class; fills `definitions` on the way."""
-        lines = [f"class {self._name} {{", "public:"]
-        for enum in self._entry.get("enums", []):
-            lines += enum_lines(enum, "\t")
-        if self._opaque:
-            lines.append(f"\talignas(8) uint8_t opaque[{self._api.sizes[self._name]}] = {{}};")
-        lines += self._handwritten
+    def write(self) -> None:
+        """Fills header, source and templates."""
+        self.header += [f"class {self.name} {{", "public:"]
+        for entry in self._entry.get("enums", []):
+            self.header += enum_lines(entry, "\t")
+        self.header.append(f"\talignas(8) uint8_t opaque[{self._size}] = {{}};")
+        self.header += ["", f"\texplicit {self.name}(internal::Uninitialized) {{}}"]
         for constructor in self._entry["constructors"]:
-            lines += self._constructor(constructor)
-        if self._opaque:
-            lines += self._lifetime()
-        for method in self._entry.get("methods", []):
-            if method["name"] not in self._names:
-                lines += self._vararg(method) if method["is_vararg"] else self._method(method)
+            self._constructor(constructor)
+        self._life_cycle()
         for operator in self._entry.get("operators", []):
-            lines += self._operator(operator)
-        if self._name.startswith("Packed"):
-            lines += self._elements()
-        return [*lines, "};"]
+            self._operator(operator)
+        for method in self._entry.get("methods", []):
+            if self.name != "StringName" or method["name"] in _STRING_NAME_METHODS:
+                self._method(method)
+        if self.name.startswith("Packed"):
+            self._packed_access()
+        if self.name in _WITH_MEMBERS:
+            self.header.append(f"#include <godot_cpp/variant/{snake_case(self.name)}_members.inc>")
+        self.header += ["};", ""]
 
-    def _define(self, head: str, *body: str) -> None:
-        self.definitions += [head + " {", *[f"\t{line}" for line in body], "}", ""]
-
-    def _constructor(self, entry: Json) -> list[str]:
+    def _constructor(self, entry: Json) -> None:
         try:
-            signature = self._types.signature({"arguments": entry.get("arguments", [])})
+            parameters = self._types.parameters(entry)
         except UnsupportedType:
-            return []
-        spellings = [parameter.type.spelling for parameter in signature.parameters]
-        is_copy = spellings == [self._name]
-        scalar = all(spelling == "double" for spelling in spellings)
-        if not self._opaque and (is_copy or scalar or entry["index"] in self._constructors):
-            return []
-        converts = self._name in _FROM_STRING and spellings == ["String"]
-        explicit = "explicit " if len(spellings) == 1 and not is_copy and not converts else ""
-        head = f"{self._name}({signature.declare()})"
-        self._define(
-            f"{self._name}::{head}",
-            "static const auto function = internal::engine.variant_get_ptr_constructor("
-            f"{self._variant_type}, {entry['index']});",
-            f"internal::construct({signature.arguments('function', 'this')});",
-        )
-        return [f"\t{explicit}{head};"]
+            return
+        slot = len(self._constructors)
+        self._constructors.append(entry["index"])
+        head = f"{self.name}({declare_all(parameters)})"
+        self.header.append(f"\t{head};")
+        body = []
+        pointers = []
+        for parameter in parameters:
+            statement, pointer = parameter.type.encode(parameter.name)
+            body += [f"\t{statement}"] if statement else []
+            pointers.append(pointer)
+        arguments = "nullptr"
+        if pointers:
+            body.append(f"\tconst void *arguments[] = {{ {', '.join(pointers)} }};")
+            arguments = "arguments"
+        body.append(f"\tconstructors[{slot}].function(opaque, {arguments});")
+        self.source += function(f"{self.name}::{head}", body)
 
-    def _lifetime(self) -> list[str]:
-        name = self._name
-        lines = [f"\t{name}({name} &&p_other) noexcept {{ std::swap(opaque, p_other.opaque); }}"]
+    def _life_cycle(self) -> None:
+        name = self.name
         if not self._entry["has_destructor"]:
-            return [*lines, f"\t{name} &operator=(const {name} &p_other) = default;"]
-        self._define(
-            f"{name}::~{name}()",
-            "static const auto function = internal::engine.variant_get_ptr_destructor("
-            f"{self._variant_type});",
-            "function(opaque);",
-        )
-        return [
-            *lines,
+            self.header.append(f"\t{name} &operator=(const {name} &p_other) = default;")
+            return
+        self.header += [
+            f"\t{name}({name} &&p_other) noexcept {{ std::swap(opaque, p_other.opaque); }}",
             f"\t~{name}();",
-            f"\t{name} &operator=({name} p_other) noexcept {{",
+            f"\t{name} &operator=(const {name} &p_other);",
+            f"\t{name} &operator=({name} &&p_other) noexcept {{",
             "\t\tstd::swap(opaque, p_other.opaque);",
             "\t\treturn *this;",
             "\t}",
         ]
+        self.source += function(f"{name}::~{name}()", ["\tdestructor(opaque);"])
+        copy = [f"\t{name} copy(p_other);", "\tstd::swap(opaque, copy.opaque);", "\treturn *this;"]
+        self.source += function(f"{name} &{name}::operator=(const {name} &p_other)", copy)
 
-    def _lookup(self, method: Json) -> str:
-        return (
-            f"static const auto function = internal::builtin_method({self._variant_type}, "
-            f'"{method["name"]}", {method["hash"]});'
+    def _operator(self, entry: Json) -> None:
+        right = entry.get("right_type")
+        formats = self.name == "String" and entry["name"] == "%" and right == "Array"
+        if entry["name"] not in _OPERATORS or (right != self.name and not formats):
+            return
+        if entry["name"] == "%" and not formats:
+            return
+        slot = len(self._operators)
+        self._operators.append((_OPERATORS[entry["name"]], right))
+        result = self._types.find(entry["return_type"])
+        declaration, value = result.result()
+        head = f"operator{entry['name']}(const {right} &p_other) const"
+        self.header.append(f"\t{result.spelling} {head};")
+        self.source += function(
+            f"{result.spelling} {self.name}::{head}",
+            [
+                f"\t{declaration}",
+                f"\toperators[{slot}].function(opaque, p_other.opaque, &result);",
+                f"\treturn {value};",
+            ],
         )
 
-    def _vararg(self, method: Json) -> list[str]:
-        if method.get("arguments"):
-            return []  # None exists; Callable's have variable arguments only.
+    def _method(self, entry: Json) -> None:
         try:
-            result = self._types.signature(method).result.spelling
+            parameters = self._types.parameters(entry)
+            result = self._types.result(entry)
         except UnsupportedType:
-            return []
-        # The result type depends on the template, because Variant is not complete yet.
-        dependent = f"internal::Dependent<{result}, Arguments...>"
-        return [
+            return
+        self._methods.append(entry)
+        name = identifier(entry["name"])
+        const = " const" if entry["is_const"] else ""
+        base = "nullptr" if entry["is_static"] else "const_cast<uint8_t *>(opaque)"
+        method = f"methods[m_{entry['name']}].function"
+        if entry["is_vararg"]:
+            self._vararg(entry, parameters, result.spelling, method)
+            return
+        self._variant_default(name, const, parameters, result.spelling)
+        static = "static " if entry["is_static"] else ""
+        # Variant is incomplete in this header: its defaults are overloads.
+        shown = [p if p.type.spelling != "Variant" else _without_default(p) for p in parameters]
+        self.header.append(f"\t{static}{result.spelling} {name}({declare_all(shown)}){const};")
+        self.source += function(
+            f"{result.spelling} {self.name}::{name}({declare_all(parameters, False)}){const}",
+            call_body(
+                result,
+                parameters,
+                lambda args, into: f"{method}({base}, {args}, {into}, {len(parameters)});",
+            ),
+        )
+
+    def _variant_default(
+        self, name: str, const: str, parameters: list[Parameter], result: str
+    ) -> None:
+        if not parameters or parameters[-1].type.spelling != "Variant":
+            return
+        last = parameters[-1]
+        if last.default is None:
+            return
+        kept = parameters[:-1]
+        head = f"{name}({declare_all(kept, False)}){const}"
+        names = ", ".join([p.name for p in kept] + [default_expression(last.default, last.type)])
+        self.header.append(f"\t{result} {head};")
+        self.source += function(
+            f"{result} {self.name}::{head}",
+            [f"\t{'' if result == 'void' else 'return '}{name}({names});"],
+        )
+
+    def _vararg(self, entry: Json, parameters: list[Parameter], result: str, method: str) -> None:
+        name = identifier(entry["name"])
+        const = " const" if entry["is_const"] else ""
+        head = f"{name}({vararg_parameters(parameters)}){const}"
+        inner = f"{name}_vararg(const void *const *p_arguments, int64_t p_count){const}"
+        give = "" if result == "void" else "return "
+        self.header += [
             "\ttemplate <class... Arguments>",
-            f"\t{dependent} {identifier(method['name'])}(const Arguments &...p_arguments) const {{",
-            f"\t\t{self._lookup(method)}",
-            f"\t\treturn internal::call_builtin<{dependent}>("
-            "function, const_cast<uint8_t *>(opaque), internal::to_variant(p_arguments)...);",
-            "\t}",
+            f"\t{result} {head};",
+            f"\t{result} {inner};",
         ]
-
-    def _method(self, method: Json) -> list[str]:
-        try:
-            signature = self._types.signature(method)
-        except UnsupportedType:
-            return []
-        name = identifier(method["name"])
-        result = signature.result.spelling
-        const = " const" if method["is_const"] else ""
-        base = "nullptr" if method["is_static"] else f"const_cast<{self._name} *>(this)"
-        self._define(
-            f"{result} {self._name}::{name}({signature.declare()}){const}",
-            self._lookup(method),
-            f"return internal::call_builtin<{result}>({signature.arguments('function', base)});",
+        # The template needs the complete Variant: it goes into a header behind it.
+        lines = vararg_template(
+            f"{result} {self.name}::{head}", parameters, f"{give}{name}_vararg(pointers, count);"
         )
-        static = "static " if method["is_static"] else ""
-        declared = ", ".join(
-            # A Variant is incomplete here: its default becomes an overload.
-            entry.declare(with_default=entry.type.spelling != "Variant")
-            for entry in signature.parameters
-        )
-        lines = [f"\t{static}{result} {name}({declared}){const};"]
-        last = signature.parameters[-1] if signature.parameters else None
-        if last and last.default is not None and last.type.spelling == "Variant":
-            lines.append(self._without_last(name, signature, const))
-        return lines
+        self.templates += [*[line.removeprefix("\t") for line in lines], ""]
+        body = [
+            f"\t{method}(const_cast<uint8_t *>(opaque), p_arguments, "
+            f"{'nullptr' if result == 'void' else '&result'}, int(p_count));"
+        ]
+        if result != "void":
+            body = [f"\t{result} result;", *body, "\treturn result;"]
+        self.source += function(f"{result} {self.name}::{inner}", body)
 
-    def _without_last(self, name: str, signature: Signature, const: str) -> str:
-        shorter = Signature(signature.result, signature.parameters[:-1])
-        result = signature.result.spelling
-        arguments = ", ".join([*(entry.name for entry in shorter.parameters), "Variant()"])
-        self._define(
-            f"{result} {self._name}::{name}({shorter.declare()}){const}",
-            f"return {name}({arguments});",
+    def _packed_access(self) -> None:
+        element = _PACKED_ELEMENTS.get(self.name, self.name[len("Packed") : -len("Array")])
+        index = f"internal::engine.{snake_case(self.name)}_operator_index"
+        read = f"static_cast<const {element} *>({index}_const(opaque, p_index))"
+        write = f"static_cast<{element} *>({index}(opaque, p_index))"
+        self.header += [
+            f"\t{self.name}(std::initializer_list<{element}> p_elements);",
+            f"\t/// The first of the elements; null when there are none. `{self.name}` must not be",
+            "\t/// resized while the pointer is in use.",
+            f"\tconst {element} *ptr() const {{ return {read.replace('p_index', '0')}; }}",
+            f"\t{element} *ptrw() {{ return {write.replace('p_index', '0')}; }}",
+            f"\tconst {element} &operator[](int64_t p_index) const {{ return *{read}; }}",
+            f"\t{element} &operator[](int64_t p_index) {{ return *{write}; }}",
+            f"\tconst {element} *begin() const {{ return ptr(); }}",
+            f"\tconst {element} *end() const {{ return ptr() + size(); }}",
+        ]
+        self.source += function(
+            f"{self.name}::{self.name}(std::initializer_list<{element}> p_elements) :\n"
+            f"\t\t{self.name}()",
+            [
+                "\tresize(int64_t(p_elements.size()));",
+                "\tstd::copy(p_elements.begin(), p_elements.end(), ptrw());",
+            ],
         )
-        return f"\t{result} {name}({shorter.declare()}){const};"
 
-    def _operator(self, entry: Json) -> list[str]:
-        symbol = entry["name"]
-        right_name = entry.get("right_type", "Variant")
-        if symbol not in _OPERATORS or symbol in self._names or right_name == "Variant":
-            return []
-        try:
-            right = self._types.find(right_name)
-            result = self._types.find(entry["return_type"]).spelling
-        except UnsupportedType:
-            return []
-        head = f"operator{symbol}({right.declare('p_other')}) const"
-        self._define(
-            f"{result} {self._name}::{head}",
-            "static const auto function = internal::engine.variant_get_ptr_operator_evaluator("
-            f"GDEXTENSION_VARIANT_OP_{_OPERATORS[symbol]}, {self._variant_type}, "
-            f"GDEXTENSION_VARIANT_TYPE_{self._api.variant_type(right_name)});",
-            f"return internal::call_operator<{result}>(function, this, p_other);",
-        )
-        return [f"\t{result} {head};"]
-
-    def _elements(self) -> list[str]:
-        """Raw access to the elements of a packed array."""
-        element = _PACKED_ELEMENTS.get(self._name, self._name[6:-5])
-        index = f"internal::engine.{snake_case(self._name)}_operator_index"
-        read = f"reinterpret_cast<const {element} *>({index}_const(opaque, %s))"
-        write = f"reinterpret_cast<{element} *>({index}(opaque, %s))"
+    def source_lines(self) -> list[str]:
+        """The whole source file."""
+        operators = [
+            f"\t{{ GDEXTENSION_VARIANT_OP_{operator}, "
+            f"GDEXTENSION_VARIANT_TYPE_{self._variant_type(right)}, nullptr }},"
+            for operator, right in self._operators
+        ]
         return [
-            f"\tconst {element} *ptr() const {{ return {read % 0}; }}",
-            f"\t{element} *ptrw() {{ return {write % 0}; }}",
-            f"\tconst {element} &operator[](int64_t p_index) const {{",
-            f"\t\treturn *{read % 'p_index'};",
-            "\t}",
-            f"\t{element} &operator[](int64_t p_index) {{",
-            f"\t\treturn *{write % 'p_index'};",
-            "\t}",
+            "#include <godot_cpp/classes/object.hpp>",
+            "#include <godot_cpp/core/binding_tables.hpp>",
+            "#include <godot_cpp/variant/variant.hpp>",
+            "",
+            "#include <algorithm>",
+            "",
+            "namespace godot {",
+            "",
+            "namespace {",
+            "",
+            *_method_table("BuiltinMethod", self._methods),
+            "internal::BuiltinConstructor constructors[] = {",
+            *[f"\t{{ {index}, nullptr }}," for index in self._constructors],
+            "};",
+            "",
+            "internal::BuiltinOperator operators[] = {",
+            *operators,
+            "};",
+            "",
+            "[[maybe_unused]] GDExtensionPtrDestructor destructor = nullptr;",
+            "",
+            "} // namespace",
+            "",
+            *self.source,
+            f"extern const internal::BuiltinTable {table_name(self.name)};",
+            f"const internal::BuiltinTable {table_name(self.name)} = {{",
+            f'\t{self._type_enum}, "{self.name}", internal::span(constructors),',
+            "\tinternal::span(methods), internal::span(operators),",
+            f"\t{'&destructor' if self._entry['has_destructor'] else 'nullptr'},",
+            "};",
+            "",
+            "} // namespace godot",
         ]
+
+
+def table_name(builtin: str) -> str:
+    """The name of a type's table of engine functions."""
+    return f"{snake_case(builtin)}_table"
+
+
+def _method_table(kind: str, methods: list[Json]) -> list[str]:
+    return [
+        "enum Method : size_t {",
+        *[f"\tm_{method['name']}," for method in methods],
+        "};",
+        "",
+        f"internal::{kind} methods[] = {{",
+        *[f'\t{{ "{method["name"]}", {method["hash"]}, nullptr }},' for method in methods],
+        "};",
+        "",
+    ]
+
+
+def _without_default(parameter: Parameter) -> Parameter:
+    return Parameter(parameter.type, parameter.name, None)
+
+
+def generate(api: Api, types: TypeMap, output: Output) -> None:
+    """Writes builtin_types.hpp with all of them, a source for each, and short-hand headers."""
+    header: list[str] = [f"class {name};" for name in api.opaque_types] + [""]
+    templates: list[str] = []
+    for name in api.opaque_types:
+        writer = BuiltinWriter(api, types, name)
+        writer.write()
+        header += writer.header
+        templates += writer.templates
+        output.add(f"src/variant/{snake_case(name)}.cpp", writer.source_lines())
+        output.add_header(
+            f"variant/{snake_case(name)}.hpp", ["#include <godot_cpp/variant/variant.hpp>"]
+        )
+    output.add("include/godot_cpp/variant/builtin_types.inc", header)
+    output.add("include/godot_cpp/variant/builtin_varargs.inc", templates)
+    output.add("include/godot_cpp/variant/variant_conversions.inc", _conversions(api))
+    output.add("include/godot_cpp/variant/builtin_traits.inc", _traits(api))
+
+
+def _conversions(api: Api) -> list[str]:
+    """Members of Variant: a constructor and a conversion for each builtin type."""
+    lines = []
+    for name in api.builtins:
+        kind = f"GDEXTENSION_VARIANT_TYPE_{api.variant_type(name)}"
+        start = "(internal::uninitialized)" if name in api.opaque_types else ""
+        # Qualified, because Variant::AABB and the like are enumerators.
+        lines += [
+            f"\tVariant(const ::godot::{name} &p_value) {{",
+            f"\t\tinternal::make_variant({kind}, opaque, &p_value);",
+            "\t}",
+            f"\toperator ::godot::{name}() const {{",
+            f"\t\t::godot::{name} value{start};",
+            f"\t\tinternal::read_variant({kind}, &value, opaque);",
+            "\t\treturn value;",
+            "\t}",
+            "",
+        ]
+    return lines
+
+
+def _traits(api: Api) -> list[str]:
+    lines = []
+    for name in api.builtins:
+        lines += [
+            "template <>",
+            f"struct BuiltinType<{name}> {{",
+            "\tstatic constexpr GDExtensionVariantType type = "
+            f"GDEXTENSION_VARIANT_TYPE_{api.variant_type(name)};",
+            f'\tstatic constexpr const char *name = "{name}";',
+            "};",
+            "",
+        ]
+    return lines

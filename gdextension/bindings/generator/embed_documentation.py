@@ -1,61 +1,43 @@
 # SPDX-License-Identifier: MIT
-"""python3 -m generator.embed_documentation --output FILE.cpp CLASS.xml ...
+"""Turns class documentation (XML) into a C++ source that registers it with our own bindings.
 
-Turns class reference pages into a C++ source that hands them to the editor.
+usage: python3 -m generator.embed_documentation --output OUTPUT.cpp CLASS.xml...
 """
 
-from __future__ import annotations
-
 import argparse
-import sys
-import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
-from .errors import GeneratorError
+
+def literal(line: str) -> str:
+    """A line of text as a C++ string literal, in ASCII."""
+    text = ""
+    for byte in line.encode():
+        plain = 32 <= byte < 127 and chr(byte) not in '"\\?'
+        # Octal, because a hexadecimal escape would swallow digits behind it.
+        text += chr(byte) if plain else f"\\{byte:03o}"
+    return f'\t"{text}"'
 
 
-def literal(text: str) -> str:
-    """A C++ string literal, a line of text to a line."""
-    escaped = []
-    for line in text.splitlines(keepends=True):
-        line = line.replace("\\", "\\\\").replace('"', '\\"').replace("?", "\\?")
-        escaped.append('\t"' + line.replace("\n", "\\n").replace("\t", "\\t") + '"')
-    return "\n".join(escaped)
+def source(files: list[Path]) -> str:
+    """The whole source file."""
+    lines = ["#include <godot_cpp/godot.hpp>", "", "namespace {", ""]
+    for index, file in enumerate(files):
+        text = file.read_text(encoding="utf-8")
+        lines += [f"constexpr char xml_{index}[] =", *map(literal, text.splitlines(keepends=True))]
+        lines[-1] += ";"
+        size = f"sizeof(xml_{index}) - 1"
+        lines += [f"const godot::internal::Documentation doc_{index}(xml_{index}, {size});", ""]
+    return "\n".join([*lines, "} // namespace", ""])
 
 
-def source(pages: list[Path]) -> str:
-    """The C++ source for some pages."""
-    lines = ["#include <godot_cpp/core/documentation.hpp>", ""]
-    for index, page in enumerate(pages):
-        try:
-            text = page.read_text(encoding="utf-8")
-            ElementTree.fromstring(text)
-        except (OSError, ElementTree.ParseError) as error:
-            raise GeneratorError(f"{page.name} is no readable XML: {error}.") from error
-        name = f"page_{index}"
-        lines += [
-            f"static const char {name}[] =",
-            literal(text) + ";",
-            "static const godot::internal::Documentation "
-            f"{name}_documentation({name}, sizeof({name}) - 1);",
-            "",
-        ]
-    return "\n".join(lines)
-
-
-def main() -> int:
-    """Runs the tool; returns its exit status."""
-    parser = argparse.ArgumentParser(prog="embed_documentation", description=__doc__)
-    parser.add_argument("--output", type=Path, required=True, help="the C++ source to write")
-    parser.add_argument("pages", type=Path, nargs="+", help="XML files")
+def main() -> None:
+    """Runs the command line."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--output", type=Path, required=True)
+    parser.add_argument("files", type=Path, nargs="+")
     arguments = parser.parse_args()
-    try:
-        arguments.output.write_text(source(arguments.pages), encoding="utf-8")
-    except (GeneratorError, OSError) as error:
-        print(f"embed_documentation: {error}", file=sys.stderr)
-        return 1
-    return 0
+    arguments.output.write_text(source(arguments.files), encoding="utf-8")
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

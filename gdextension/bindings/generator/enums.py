@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Enums: the global ones, and those inside of classes."""
+"""Enums and constants, global and of classes."""
 
 from __future__ import annotations
 
@@ -8,23 +8,52 @@ from .output import Output
 
 
 def enum_lines(entry: Json, indent: str = "") -> list[str]:
-    """The definition of an enum. All are as wide as the engine passes them."""
+    """The definition of an enum."""
     name = entry["name"].rpartition(".")[2]
     return [
-        f"{indent}enum {name} : int64_t {{",
+        f"{indent}enum {name} {{",
         *[f"{indent}\t{value['name']} = {_literal(value['value'])}," for value in entry["values"]],
         f"{indent}}};",
+        "",
     ]
+
+
+def cast_lines(owner: str, entries: list[Json]) -> list[str]:
+    """Makes enums usable in bound signatures."""
+    prefix = f"{owner}::" if owner else ""
+    lines = []
+    for entry in entries:
+        kind = "BITFIELD" if entry.get("is_bitfield") else "ENUM"
+        lines.append(f"VARIANT_{kind}_CAST({prefix}{entry['name']});")
+    return lines
 
 
 def generate(api: Api, output: Output) -> None:
     """Writes global_constants.hpp, and Variant's enums as an include for its class body."""
-    lines = ["#include <cstdint>", "", "namespace godot {"]
-    for entry in api.global_enums:
-        if "." not in entry["name"]:
-            lines += ["", *enum_lines(entry)]
-    output.add_header("classes/global_constants.hpp", [*lines, "", "} // namespace godot"])
+    plain = [entry for entry in api.global_enums if "." not in entry["name"]]
+    lines = ["#include <cstdint>", "", "namespace godot {", ""]
+    for entry in plain:
+        lines += enum_lines(entry)
+    output.add_header("classes/global_constants.hpp", [*lines, "} // namespace godot"])
+    output.add_header(
+        "classes/global_constants_binds.hpp",
+        [
+            "#include <godot_cpp/classes/global_constants.hpp>",
+            "#include <godot_cpp/core/enum_info.hpp>",
+            "",
+            *cast_lines("", plain),
+        ],
+    )
     output.add("include/godot_cpp/variant/variant_enums.inc", _variant_enums(api))
+    header = api.header
+    output.add_header(
+        "core/version.hpp",
+        [
+            f"#define GODOT_VERSION_MAJOR {header['version_major']}",
+            f"#define GODOT_VERSION_MINOR {header['version_minor']}",
+            f"#define GODOT_VERSION_PATCH {header['version_patch']}",
+        ],
+    )
 
 
 def _variant_enums(api: Api) -> list[str]:
@@ -35,7 +64,6 @@ def _variant_enums(api: Api) -> list[str]:
 
 
 def _variant_type_name(name: str) -> str:
-    # Variant::AABB and its like shadow the classes of that name: write ::godot::AABB inside.
     return "VARIANT_MAX" if name == "TYPE_MAX" else name.removeprefix("TYPE_")
 
 

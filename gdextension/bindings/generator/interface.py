@@ -5,12 +5,14 @@ from __future__ import annotations
 
 import re
 
+from .api import Api
 from .errors import GeneratorError
 from .output import Output
 
+# The comment may not run past its end; two types are spelt "GDExtensionsInterface".
 _FUNCTION = re.compile(
-    r"/\*\*(?P<doc>(?:(?!\*/).)*?@name (?P<name>\w+).*?)\*/\s*typedef [^;]*?"
-    r"\(\*(?P<type>GDExtensions?Interface\w+)\)",
+    r"/\*\*(?P<doc>(?:(?!\*/).)*?@name (?P<name>\w+)(?:(?!\*/).)*)\*/\s*"
+    r"typedef [^;]*?\(\*(?P<type>GDExtensions?Interface\w+)\)",
     re.S,
 )
 
@@ -27,7 +29,7 @@ def functions(header: str) -> list[tuple[str, str]]:
     return found
 
 
-def generate(header: str, output: Output) -> None:
+def generate(api: Api, header: str, output: Output) -> None:
     """Writes the header itself, the table of its functions, and the loader of the table."""
     found = functions(header)
     output.add("include/gdextension_interface.h", [header], notice=False)
@@ -42,12 +44,13 @@ def generate(header: str, output: Output) -> None:
             "struct EngineInterface {",
             *[f"\t{kind} {name} = nullptr;" for name, kind in found],
             "",
-            "\t/// The name of the first function that this engine lacks, or null. Those of the",
-            "\t/// editor don't count: export templates never have them.",
+            "\t/// The name of the first function that this engine lacks, or null.",
             "\tconst char *load(GDExtensionInterfaceGetProcAddress p_get_proc_address);",
             "};",
             "",
             "extern EngineInterface engine;",
+            "",
+            f'constexpr const char *generated_for = "{api.version}";',
             "",
             "} // namespace godot::internal",
         ],
@@ -62,8 +65,6 @@ def _loader(found: list[tuple[str, str]]) -> list[str]:
     ]
     return [
         "#include <godot_cpp/core/engine_interface.hpp>",
-        "",
-        "#include <cstring>",
         "",
         "namespace godot::internal {",
         "",
@@ -80,8 +81,7 @@ def _loader(found: list[tuple[str, str]]) -> list[str]:
         "\t};",
         "\tfor (const Entry &entry : entries) {",
         "\t\t*entry.slot = p_get_proc_address(entry.name);",
-        '\t\tconst bool optional = std::strncmp(entry.name, "editor_", 7) == 0;',
-        "\t\tif (*entry.slot == nullptr && !optional) {",
+        "\t\tif (*entry.slot == nullptr) {",
         "\t\t\treturn entry.name;",
         "\t\t}",
         "\t}",

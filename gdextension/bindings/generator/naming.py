@@ -5,15 +5,14 @@ from __future__ import annotations
 
 import re
 
-_KEYWORD_TEXT = (
-    "alignas and asm auto bool break case catch char class const continue default delete do "
-    "double "
-    "else enum explicit export extern false float for friend goto if inline int long mutable "
-    "namespace new not operator or private protected public register return short signed sizeof "
-    "static struct switch template this throw true try typedef typeid typename typeof union "
-    "unsigned using virtual void volatile while xor"
-)
-_KEYWORDS = frozenset(_KEYWORD_TEXT.split())
+_KEYWORDS_TEXT = """
+    alignas and asm auto bool break case catch char class const continue default delete do double
+    else enum explicit export extern false float for friend goto if inline int long mutable
+    namespace new not operator or private protected public register return short signed sizeof
+    static struct switch template this throw true try typedef typeid typename typeof union unsigned
+    using virtual void volatile while xor
+"""
+_KEYWORDS = frozenset(_KEYWORDS_TEXT.split())
 
 
 def snake_case(name: str) -> str:

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "internal.hpp"
-
 #include <godot_cpp/core/class_db.hpp>
 
-#include <array>
-#include <string>
+#include <cstring>
 #include <unordered_map>
 
 namespace godot {
@@ -13,242 +10,174 @@ namespace internal {
 
 namespace {
 
-constexpr int64_t MAX_ARGUMENTS = 32;
-
-struct ExtensionClass {
-	const StringName *name = nullptr;
-	const ExtensionClass *parent = nullptr; // Null where the parent is one of the engine's.
-	std::vector<std::unique_ptr<MethodBind>> methods;
-	std::unordered_map<uint64_t, std::unique_ptr<VirtualCall>> virtuals;
+/// Equal names share their data in the engine, so that its address stands for the name. Whoever
+/// looks a name up must keep it alive: another text could get the address of a freed one.
+struct NameHash {
+	size_t operator()(const StringName &p_name) const {
+		size_t address = 0;
+		std::memcpy(&address, p_name.opaque, sizeof(address));
+		return address;
+	}
 };
 
-// Unordered maps keep the addresses of their elements, which the engine holds.
-std::unordered_map<uint64_t, ExtensionClass> &classes() {
-	static std::unordered_map<uint64_t, ExtensionClass> table;
-	return table;
-}
+/// A registered class.
+struct ClassRecord {
+	const StringName *name = nullptr;
+	const ClassRecord *parent = nullptr; // Null where the parent is an engine class.
+	std::vector<std::unique_ptr<BoundMethod>> methods;
+	std::unordered_map<StringName, std::unique_ptr<VirtualMethod>, NameHash> virtuals;
+};
 
-std::vector<const StringName *> &registration_order() {
-	static std::vector<const StringName *> names;
-	return names;
-}
+/// In order of registration, parents before children.
+std::vector<std::unique_ptr<ClassRecord>> records;
 
-bool fits(const Variant &p_value, Variant::Type p_type) {
-	const Variant::Type type = p_value.get_type();
-	return p_type == Variant::NIL || type == p_type ||
-			engine.variant_can_convert_strict(
-					static_cast<GDExtensionVariantType>(type), static_cast<GDExtensionVariantType>(p_type)) != 0;
-}
-
-/// Completes the arguments with defaults; false, with the error set, where they don't fit.
-bool collect_arguments(const MethodBind &p_method, const GDExtensionConstVariantPtr *p_arguments, int64_t p_count,
-		std::array<const Variant *, MAX_ARGUMENTS> &r_arguments, GDExtensionCallError &r_error) {
-	const auto wanted = static_cast<int64_t>(p_method.arguments.size());
-	const int64_t required = wanted - static_cast<int64_t>(p_method.defaults.size());
-	if (p_count > wanted) {
-		r_error = { GDEXTENSION_CALL_ERROR_TOO_MANY_ARGUMENTS, 0, static_cast<int32_t>(wanted) };
-		return false;
-	}
-	if (p_count < required) {
-		r_error = { GDEXTENSION_CALL_ERROR_TOO_FEW_ARGUMENTS, 0, static_cast<int32_t>(required) };
-		return false;
-	}
-	for (int64_t i = 0; i < wanted; i++) {
-		const auto index = static_cast<size_t>(i);
-		r_arguments[index] = i < p_count ? static_cast<const Variant *>(p_arguments[i])
-										 : &p_method.defaults[static_cast<size_t>(i - required)];
-		const Variant::Type type = p_method.arguments[index].type;
-		if (!fits(*r_arguments[index], type)) {
-			r_error = { GDEXTENSION_CALL_ERROR_INVALID_ARGUMENT, static_cast<int32_t>(i), static_cast<int32_t>(type) };
-			return false;
+ClassRecord *find_record(const StringName &p_class) {
+	for (const std::unique_ptr<ClassRecord> &record : records) {
+		if (*record->name == p_class) {
+			return record.get();
 		}
 	}
-	return true;
+	return nullptr;
 }
 
-void call_by_variant(void *p_method, GDExtensionClassInstancePtr p_self, const GDExtensionConstVariantPtr *p_arguments,
-		GDExtensionInt p_count, GDExtensionVariantPtr r_result, GDExtensionCallError *r_error) {
-	const auto &method = *static_cast<const MethodBind *>(p_method);
-	std::array<const Variant *, MAX_ARGUMENTS> arguments = {};
-	if (!collect_arguments(method, p_arguments, p_count, arguments, *r_error)) {
-		return;
-	}
-	Variant result;
-	method.call_variant(p_self, arguments.data(), result);
-	if (method.has_result) {
-		engine.variant_new_copy(r_result, result.opaque);
-	}
-	r_error->error = GDEXTENSION_CALL_OK;
-}
-
-void call_by_pointer(void *p_method, GDExtensionClassInstancePtr p_self, const GDExtensionConstTypePtr *p_arguments,
-		GDExtensionTypePtr r_result) {
-	static_cast<const MethodBind *>(p_method)->call_ptr(p_self, p_arguments, r_result);
-}
-
-void free_instance(void *, GDExtensionClassInstancePtr p_self) {
-	delete static_cast<Wrapped *>(p_self);
-}
-
-void *find_virtual(void *p_class, GDExtensionConstStringNamePtr p_name, uint32_t) {
-	const uint64_t key = key_of(p_name);
-	for (const auto *link = static_cast<const ExtensionClass *>(p_class); link != nullptr; link = link->parent) {
-		const auto found = link->virtuals.find(key);
-		if (found != link->virtuals.end()) {
+void *get_virtual(void *p_record, GDExtensionConstStringNamePtr p_name, uint32_t) {
+	const StringName &name = *static_cast<const StringName *>(p_name);
+	for (const ClassRecord *record = static_cast<ClassRecord *>(p_record); record; record = record->parent) {
+		const auto found = record->virtuals.find(name);
+		if (found != record->virtuals.end()) {
 			return found->second.get();
 		}
 	}
 	return nullptr;
 }
 
-void call_virtual(GDExtensionClassInstancePtr p_self, GDExtensionConstStringNamePtr, void *p_call,
+void call_virtual(void *p_self, GDExtensionConstStringNamePtr, void *p_method,
 		const GDExtensionConstTypePtr *p_arguments, GDExtensionTypePtr r_result) {
-	static_cast<VirtualCall *>(p_call)->call(static_cast<Wrapped *>(p_self), p_arguments, r_result);
+	static_cast<const VirtualMethod *>(p_method)->call(static_cast<Wrapped *>(p_self), p_arguments, r_result);
 }
 
-uint32_t flags_of(const MethodBind &p_method) {
-	uint32_t flags = GDEXTENSION_METHOD_FLAG_NORMAL;
-	if (p_method.is_const) {
-		flags |= GDEXTENSION_METHOD_FLAG_CONST;
-	}
-	if (p_method.is_static) {
-		flags |= GDEXTENSION_METHOD_FLAG_STATIC;
-	}
-	return flags;
+void call_method(void *p_method, void *p_self, const GDExtensionConstVariantPtr *p_arguments, GDExtensionInt p_count,
+		GDExtensionVariantPtr r_result, GDExtensionCallError *r_error) {
+	const BoundMethod *method = static_cast<const BoundMethod *>(p_method);
+	method->call_checked(static_cast<Wrapped *>(p_self), p_arguments, p_count, r_result, r_error);
+}
+
+void ptrcall_method(
+		void *p_method, void *p_self, const GDExtensionConstTypePtr *p_arguments, GDExtensionTypePtr r_result) {
+	const BoundMethod *method = static_cast<const BoundMethod *>(p_method);
+	method->call_with_pointers(static_cast<Wrapped *>(p_self), p_arguments, r_result);
+}
+
+void free_instance(void *, void *p_self) {
+	delete static_cast<Wrapped *>(p_self);
 }
 
 } // namespace
 
-void add_virtual(const StringName &p_class, const char *p_name, VirtualCall *p_call) {
-	// The key stands for an interned name, so the name must live on: release templates would
-	// otherwise free it, and intern it anew under another key.
-	classes()[key_of(p_class)].virtuals[key_of(permanent_name(p_name))].reset(p_call);
+void register_class(const ClassDescription &p_description) {
+	auto record = std::make_unique<ClassRecord>();
+	record->name = &p_description.name;
+	record->parent = find_record(p_description.parent);
+	GDExtensionClassCreationInfo5 info = {};
+	info.is_virtual = p_description.is_virtual;
+	info.is_abstract = p_description.create == nullptr;
+	info.is_exposed = p_description.is_exposed;
+	info.is_runtime = p_description.is_runtime;
+	info.create_instance_func = p_description.create;
+	info.free_instance_func = free_instance;
+	info.notification_func = p_description.notify;
+	info.get_virtual_call_data_func = get_virtual;
+	info.call_virtual_with_data_func = call_virtual;
+	info.class_userdata = record.get();
+	engine.classdb_register_extension_class5(library, p_description.name.opaque, p_description.parent.opaque, &info);
+	records.push_back(std::move(record));
+	p_description.bind_members();
 }
 
-void add_method(const StringName &p_class, std::unique_ptr<MethodBind> p_method) {
-	MethodBind &method = *p_method;
-	ERR_FAIL_COND_MSG(method.arguments.size() > MAX_ARGUMENTS || method.defaults.size() > method.arguments.size() ||
-					method.definition.arguments.size() != method.arguments.size(),
-			String(p_class) + "." + String(method.definition.name) +
-					": D_METHOD must name every argument, and there can't be more defaults than arguments.");
-	std::vector<GDExtensionPropertyInfo> arguments;
-	arguments.reserve(method.arguments.size());
-	for (size_t i = 0; i < method.arguments.size(); i++) {
-		method.arguments[i].name = method.definition.arguments[i];
-		arguments.push_back(method.arguments[i].to_engine());
+void unregister_classes() {
+	while (!records.empty()) {
+		engine.classdb_unregister_extension_class(library, records.back()->name->opaque);
+		records.pop_back();
 	}
-	std::vector<GDExtensionClassMethodArgumentMetadata> metadata(
-			method.arguments.size(), GDEXTENSION_METHOD_ARGUMENT_METADATA_NONE);
+}
+
+void add_method(const StringName &p_class, std::unique_ptr<BoundMethod> p_method) {
+	ClassRecord *record = find_record(p_class);
+	ERR_FAIL_NULL_MSG(record, "A method was bound to a class that is not being registered.");
+	BoundMethod &method = *p_method;
+	const size_t count = size_t(method.argument_count());
+	for (size_t i = 0; i < count && i < method.definition.arguments.size(); i++) {
+		method.properties[i + 1].name = method.definition.arguments[i];
+	}
+	std::vector<GDExtensionPropertyInfo> properties;
+	properties.reserve(method.properties.size());
+	for (PropertyInfo &property : method.properties) {
+		properties.push_back(property.raw());
+	}
 	std::vector<GDExtensionVariantPtr> defaults;
 	defaults.reserve(method.defaults.size());
 	for (Variant &value : method.defaults) {
 		defaults.push_back(value.opaque);
 	}
-	GDExtensionPropertyInfo result = method.result.to_engine();
 	GDExtensionClassMethodInfo info = {};
 	info.name = method.definition.name.opaque;
 	info.method_userdata = &method;
-	info.call_func = call_by_variant;
-	info.ptrcall_func = call_by_pointer;
-	info.method_flags = flags_of(method);
-	info.has_return_value = method.has_result ? 1 : 0;
-	info.return_value_info = &result;
-	info.return_value_metadata = GDEXTENSION_METHOD_ARGUMENT_METADATA_NONE;
-	info.argument_count = static_cast<uint32_t>(arguments.size());
-	info.arguments_info = arguments.data();
-	info.arguments_metadata = metadata.data();
-	info.default_argument_count = static_cast<uint32_t>(defaults.size());
+	info.call_func = call_method;
+	info.ptrcall_func = ptrcall_method;
+	info.method_flags = method.flags;
+	info.has_return_value = method.has_result;
+	info.return_value_info = properties.data();
+	info.return_value_metadata = method.metadata[0];
+	info.argument_count = uint32_t(count);
+	info.arguments_info = properties.data() + 1;
+	info.arguments_metadata = method.metadata.data() + 1;
+	info.default_argument_count = uint32_t(defaults.size());
 	info.default_arguments = defaults.data();
 	engine.classdb_register_extension_class_method(library, p_class.opaque, &info);
-	classes()[key_of(p_class)].methods.push_back(std::move(p_method));
+	record->methods.push_back(std::move(p_method));
 }
 
-void register_class(const ClassInfo &p_info) {
-	const auto parent = classes().find(key_of(*p_info.parent));
-	const ExtensionClass *parent_class = parent != classes().end() ? &parent->second : nullptr;
-	ExtensionClass &registered = classes()[key_of(*p_info.name)];
-	registered.name = p_info.name;
-	registered.parent = parent_class;
-	GDExtensionClassCreationInfo5 info = {};
-	info.is_virtual = p_info.is_virtual ? 1 : 0;
-	info.is_abstract = p_info.is_abstract ? 1 : 0;
-	info.is_exposed = 1;
-	info.create_instance_func = p_info.create;
-	info.free_instance_func = free_instance;
-	info.notification_func = p_info.notification;
-	info.get_virtual_call_data_func = find_virtual;
-	info.call_virtual_with_data_func = call_virtual;
-	info.class_userdata = &registered;
-	engine.classdb_register_extension_class5(library, p_info.name->opaque, p_info.parent->opaque, &info);
-	registration_order().push_back(p_info.name);
-	p_info.initialize();
-}
-
-void unregister_classes() {
-	std::vector<const StringName *> &names = registration_order();
-	for (auto name = names.rbegin(); name != names.rend(); ++name) {
-		engine.classdb_unregister_extension_class(library, (*name)->opaque);
-	}
-	names.clear();
-	classes().clear();
-}
-
-String enum_class_name(const char *p_qualified_name) {
-	const std::string name(p_qualified_name);
-	const size_t last = name.rfind("::");
-	if (last == std::string::npos) {
-		return String(p_qualified_name);
-	}
-	const size_t previous = name.rfind("::", last - 1);
-	const size_t start = previous == std::string::npos ? 0 : previous + 2;
-	return String((name.substr(start, last - start) + "." + name.substr(last + 2)).c_str());
-}
-
-const char *last_part(const char *p_qualified_name) {
-	const char *colon = std::strrchr(p_qualified_name, ':');
-	return colon != nullptr ? colon + 1 : p_qualified_name;
-}
-
-String type_name(Variant::Type p_type) {
-	String result;
-	engine.variant_get_type_name(static_cast<GDExtensionVariantType>(p_type), result.opaque);
-	return result;
+void add_virtual_method(const StringName &p_class, const char *p_name, std::unique_ptr<VirtualMethod> p_method) {
+	ClassRecord *record = find_record(p_class);
+	ERR_FAIL_NULL_MSG(record, "A virtual was bound to a class that is not being registered.");
+	record->virtuals[StringName(p_name)] = std::move(p_method);
 }
 
 } // namespace internal
 
-GDExtensionPropertyInfo PropertyInfo::to_engine() const {
-	GDExtensionPropertyInfo info = {};
-	info.type = static_cast<GDExtensionVariantType>(type);
-	info.name = const_cast<uint8_t *>(name.opaque);
-	info.class_name = const_cast<uint8_t *>(class_name.opaque);
-	info.hint = hint;
-	info.hint_string = const_cast<uint8_t *>(hint_string.opaque);
-	info.usage = usage;
-	return info;
+void ClassDB::add_property(const StringName &p_class, const PropertyInfo &p_property, const StringName &p_setter,
+		const StringName &p_getter, int p_index) {
+	PropertyInfo property = p_property;
+	const GDExtensionPropertyInfo info = property.raw();
+	internal::engine.classdb_register_extension_class_property_indexed(
+			internal::library, p_class.opaque, &info, p_setter.opaque, p_getter.opaque, p_index);
 }
 
-void ClassDB::add_property(const StringName &p_class, const PropertyInfo &p_property, const StringName &p_setter,
-		const StringName &p_getter) {
-	const GDExtensionPropertyInfo info = p_property.to_engine();
-	internal::engine.classdb_register_extension_class_property(
-			internal::library, p_class.opaque, &info, p_setter.opaque, p_getter.opaque);
+void ClassDB::add_property_group(const StringName &p_class, const String &p_name, const String &p_prefix) {
+	internal::engine.classdb_register_extension_class_property_group(
+			internal::library, p_class.opaque, p_name.opaque, p_prefix.opaque);
+}
+
+void ClassDB::add_property_subgroup(const StringName &p_class, const String &p_name, const String &p_prefix) {
+	internal::engine.classdb_register_extension_class_property_subgroup(
+			internal::library, p_class.opaque, p_name.opaque, p_prefix.opaque);
 }
 
 void ClassDB::add_signal(const StringName &p_class, const MethodInfo &p_signal) {
-	std::vector<GDExtensionPropertyInfo> arguments;
-	arguments.reserve(p_signal.arguments.size());
-	for (const PropertyInfo &argument : p_signal.arguments) {
-		arguments.push_back(argument.to_engine());
+	std::vector<PropertyInfo> arguments = p_signal.arguments;
+	std::vector<GDExtensionPropertyInfo> infos;
+	infos.reserve(arguments.size());
+	for (PropertyInfo &argument : arguments) {
+		infos.push_back(argument.raw());
 	}
-	internal::engine.classdb_register_extension_class_signal(internal::library, p_class.opaque, p_signal.name.opaque,
-			arguments.data(), static_cast<GDExtensionInt>(arguments.size()));
+	internal::engine.classdb_register_extension_class_signal(
+			internal::library, p_class.opaque, p_signal.name.opaque, infos.data(), int64_t(infos.size()));
 }
 
-void ClassDB::bind_integer_constant(
-		const StringName &p_class, const StringName &p_enum, const StringName &p_name, int64_t p_value) {
+void ClassDB::bind_integer_constant(const StringName &p_class, const StringName &p_enum, const StringName &p_name,
+		int64_t p_value, bool p_is_bitfield) {
 	internal::engine.classdb_register_extension_class_integer_constant(
-			internal::library, p_class.opaque, p_enum.opaque, p_name.opaque, p_value, 0);
+			internal::library, p_class.opaque, p_enum.opaque, p_name.opaque, p_value, p_is_bitfield);
 }
 
 } // namespace godot

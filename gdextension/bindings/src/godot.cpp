@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "internal.hpp"
-
-#include <godot_cpp/core/expected_api.hpp>
+#include <godot_cpp/core/startup.hpp>
 #include <godot_cpp/godot.hpp>
 
 #include <cstdio>
@@ -10,80 +8,126 @@ namespace godot {
 
 namespace internal {
 
-GDExtensionClassLibraryPtr library = nullptr;
-
 namespace {
 
-struct State {
-	GDExtensionBinding::Callback initializer = nullptr;
-	GDExtensionBinding::Callback terminator = nullptr;
-	bool usable = false; // Whether the engine has what the bindings were generated for.
+struct Xml {
+	const char *text;
+	size_t size;
 };
 
-State state;
+// Filled by static objects, before there is an engine to ask for anything.
+std::vector<Xml> &documentation() {
+	static std::vector<Xml> files;
+	return files;
+}
 
-void initialize_level(void *, GDExtensionInitializationLevel p_level) {
-	if (p_level == GDEXTENSION_INITIALIZATION_SCENE) {
-		// Only now are all engine classes there to be checked.
-		state.usable = check_expected_api();
-		activate_engine_classes();
+GDExtensionBinding::Callback initializer = nullptr;
+GDExtensionBinding::Callback terminator = nullptr;
+bool is_running = false;
+
+/// One error that says what does not fit together, and what to do.
+void report(const std::vector<std::string> &p_missing) {
+	GDExtensionGodotVersion2 version = {};
+	engine.get_godot_version2(&version);
+	std::string message = "The engine, Godot " + std::string(version.string) + ", lacks ";
+	constexpr size_t SHOWN = 10;
+	for (size_t i = 0; i < p_missing.size() && i < SHOWN; i++) {
+		message += (i == 0 ? "" : ", ") + p_missing[i];
 	}
-	if (!state.usable) {
-		return; // Without its classes the extension does nothing, rather than crash half way.
+	if (p_missing.size() > SHOWN) {
+		message += " and " + std::to_string(p_missing.size() - SHOWN) + " more";
+	}
+	message += ". The extension was built for " + std::string(generated_for) +
+			" and is not started: dump the API of this engine and build the extension again.";
+	engine.print_error("Extension and engine do not fit.", "init", "godot_cpp", 0, true);
+	engine.print_error(message.c_str(), "init", "godot_cpp", 0, true);
+}
+
+void initialize(void *, GDExtensionInitializationLevel p_level) {
+	if (p_level == GDEXTENSION_INITIALIZATION_SCENE) {
+		const std::vector<std::string> missing = load_class_methods();
+		is_running = missing.empty();
+		if (!is_running) {
+			report(missing);
+		}
+	}
+	if (!is_running) {
+		return;
+	}
+	if (initializer != nullptr) {
+		initializer(ModuleInitializationLevel(p_level));
 	}
 	if (p_level == GDEXTENSION_INITIALIZATION_EDITOR) {
 		load_documentation();
 	}
-	if (state.initializer != nullptr) {
-		state.initializer(static_cast<ModuleInitializationLevel>(p_level));
-	}
 }
 
-void terminate_level(void *, GDExtensionInitializationLevel p_level) {
-	if (!state.usable) {
+void deinitialize(void *, GDExtensionInitializationLevel p_level) {
+	if (!is_running) {
 		return;
 	}
-	if (state.terminator != nullptr) {
-		state.terminator(static_cast<ModuleInitializationLevel>(p_level));
+	if (terminator != nullptr) {
+		terminator(ModuleInitializationLevel(p_level));
 	}
 	if (p_level == GDEXTENSION_INITIALIZATION_SCENE) {
 		unregister_classes();
-		state.usable = false;
+		is_running = false;
 	}
 }
 
 } // namespace
 
+Documentation::Documentation(const char *p_xml, size_t p_size) {
+	documentation().push_back({ p_xml, p_size });
+}
+
+void load_documentation() {
+	for (const Xml &file : documentation()) {
+		engine.editor_help_load_xml_from_utf8_chars_and_len(file.text, int64_t(file.size));
+	}
+}
+
 } // namespace internal
 
 GDExtensionBinding::InitObject::InitObject(GDExtensionInterfaceGetProcAddress p_get_proc_address,
 		GDExtensionClassLibraryPtr p_library, GDExtensionInitialization *r_initialization) :
-		initialization(r_initialization), missing_function(internal::engine.load(p_get_proc_address)) {
+		get_proc_address(p_get_proc_address), initialization(r_initialization) {
 	internal::library = p_library;
 }
 
-void GDExtensionBinding::InitObject::register_initializer(Callback p_callback) const {
-	internal::state.initializer = p_callback;
+void GDExtensionBinding::InitObject::register_initializer(Callback p_initializer) const {
+	internal::initializer = p_initializer;
 }
 
-void GDExtensionBinding::InitObject::register_terminator(Callback p_callback) const {
-	internal::state.terminator = p_callback;
+void GDExtensionBinding::InitObject::register_terminator(Callback p_terminator) const {
+	internal::terminator = p_terminator;
 }
 
 void GDExtensionBinding::InitObject::set_minimum_library_initialization_level(ModuleInitializationLevel p_level) const {
-	initialization->minimum_initialization_level = static_cast<GDExtensionInitializationLevel>(p_level);
+	if (p_level < MODULE_INITIALIZATION_LEVEL_SCENE) {
+		std::fputs("These bindings start at the level SCENE: see gdextension/bindings/README.md.\n", stderr);
+	}
 }
 
 GDExtensionBool GDExtensionBinding::InitObject::init() const {
+	const char *missing_function = internal::engine.load(get_proc_address);
 	if (missing_function != nullptr) {
-		// The engine's own means of printing may be what is missing.
-		std::fprintf(stderr, "ERROR: This extension was built for %s; the running engine lacks %s().\n",
-				internal::expected_engine, missing_function);
-		return 0;
+		std::fprintf(stderr,
+				"ERROR: The engine's extension interface lacks %s. The extension was built for %s and is not "
+				"started: it needs that version or a newer one.\n",
+				missing_function, internal::generated_for);
+		return false;
 	}
-	initialization->initialize = internal::initialize_level;
-	initialization->deinitialize = internal::terminate_level;
-	return 1;
+	const std::vector<std::string> missing = internal::load_builtins();
+	if (!missing.empty()) {
+		internal::report(missing);
+		return false;
+	}
+	internal::load_variant_conversions();
+	initialization->minimum_initialization_level = GDEXTENSION_INITIALIZATION_SCENE;
+	initialization->initialize = internal::initialize;
+	initialization->deinitialize = internal::deinitialize;
+	return true;
 }
 
 } // namespace godot

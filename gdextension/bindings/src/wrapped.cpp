@@ -1,114 +1,98 @@
 // SPDX-License-Identifier: MIT
-#include "internal.hpp"
-
 #include <godot_cpp/classes/object.hpp>
-#include <godot_cpp/core/expected_api.hpp>
+#include <godot_cpp/core/memory.hpp>
 
+#include <mutex>
 #include <string>
 #include <unordered_map>
-#include <vector>
 
 namespace godot {
 
 namespace internal {
 
+GDExtensionClassLibraryPtr library = nullptr;
+
 namespace {
 
-struct PendingClass {
-	const char *name;
-	const GDExtensionInstanceBindingCallbacks *callbacks;
+// Which extension class the next Wrapped constructor of this thread is for.
+thread_local const StringName *under_construction = nullptr;
+
+// Objects of the extension's classes are deleted by free_instance instead.
+const GDExtensionInstanceBindingCallbacks extension_callbacks = {
+	[](void *, void *) -> void * { return nullptr; },
+	[](void *, void *, void *) {},
+	[](void *, void *, GDExtensionBool) -> GDExtensionBool { return true; },
 };
 
-// Inside of functions, because static initializers of other files fill them.
-std::vector<PendingClass> &pending_classes() {
-	static std::vector<PendingClass> classes;
-	return classes;
+/// The deepest class of the bindings that an object belongs to. Engine classes need not be public,
+/// nor in the build profile: only the object itself can tell what it is.
+const EngineClass *nearest_class(GDExtensionObjectPtr p_object, const EngineClass &p_fallback) {
+	const EngineClass *nearest = &p_fallback;
+	for (const EngineClass *candidate : engine_classes()) {
+		const String name(candidate->name);
+		const void *arguments[] = { &name };
+		GDExtensionBool is_class = false;
+		object_is_class.ptrcall(p_object, arguments, &is_class);
+		if (is_class != 0) {
+			nearest = candidate; // Parents come first in the list: the last one is the deepest.
+		}
+	}
+	return nearest;
 }
 
-std::unordered_map<uint64_t, const GDExtensionInstanceBindingCallbacks *> &wrappers() {
-	static std::unordered_map<uint64_t, const GDExtensionInstanceBindingCallbacks *> table;
-	return table;
+const EngineClass *class_of(GDExtensionObjectPtr p_object, const EngineClass &p_fallback) {
+	static std::mutex mutex;
+	static std::unordered_map<std::string, const EngineClass *> known;
+	StringName name;
+	if (engine.object_get_class_name(p_object, library, name.opaque) == 0) {
+		return &p_fallback;
+	}
+	const std::string key = String(name).utf8().get_data();
+	const std::lock_guard<std::mutex> lock(mutex);
+	const auto found = known.find(key);
+	if (found != known.end()) {
+		return found->second;
+	}
+	const EngineClass *nearest = nearest_class(p_object, p_fallback);
+	known[key] = nearest;
+	return nearest;
 }
 
 } // namespace
 
-const StringName &permanent_name(const char *p_name) {
-	return *new StringName(p_name);
+Wrapped *wrap_object(GDExtensionObjectPtr p_object, const EngineClass &p_fallback) {
+	void *wrapper = engine.object_get_instance_binding(p_object, library, nullptr);
+	if (wrapper == nullptr) {
+		const EngineClass *engine_class = class_of(p_object, p_fallback);
+		wrapper = engine.object_get_instance_binding(p_object, library, engine_class->callbacks);
+	}
+	return static_cast<Wrapped *>(wrapper);
 }
 
-void add_engine_class(const char *p_name, const GDExtensionInstanceBindingCallbacks *p_callbacks) {
-	pending_classes().push_back({ p_name, p_callbacks });
+void destroy(Wrapped *p_object) {
+	engine.object_destroy(p_object->_owner);
 }
 
-void activate_engine_classes() {
-	for (const PendingClass &pending : pending_classes()) {
-		wrappers()[key_of(permanent_name(pending.name))] = pending.callbacks;
-	}
+ConstructionBase::ConstructionBase(const StringName *p_extension_class) {
+	under_construction = p_extension_class;
 }
 
-Wrapped *find_or_wrap(GDExtensionObjectPtr p_object, const GDExtensionInstanceBindingCallbacks *p_fallback) {
-	if (void *binding = engine.object_get_instance_binding(p_object, library, nullptr)) {
-		return static_cast<Wrapped *>(binding);
-	}
-	// Wrap by the object's own class, so that casts down from a parent find it.
-	const GDExtensionInstanceBindingCallbacks *callbacks = p_fallback;
-	StringName name;
-	if (engine.object_get_class_name(p_object, library, name.opaque) != 0) {
-		const auto found = wrappers().find(key_of(name));
-		if (found != wrappers().end()) {
-			callbacks = found->second;
-		}
-	}
-	return static_cast<Wrapped *>(engine.object_get_instance_binding(p_object, library, callbacks));
-}
-
-Wrapped *wrapped_from_variant(const Variant &p_value) {
-	return p_value.operator Object *();
-}
-
-GDExtensionMethodBindPtr method_bind(const char *p_class, const char *p_method, int64_t p_hash) {
-	const StringName class_name(p_class);
-	const StringName method(p_method);
-	GDExtensionMethodBindPtr found = engine.classdb_get_method_bind(class_name.opaque, method.opaque, p_hash);
-	if (found == nullptr) {
-		const std::string message = std::string(p_class) + "." + p_method + " is not in " + running_engine() +
-				" with the signature that the extension was built for.";
-		print_error("Method not found.", message.c_str(), __func__, __FILE__, __LINE__);
-	}
-	return found;
-}
-
-Variant varcall(GDExtensionMethodBindPtr p_method, GDExtensionObjectPtr p_object, const Variant **p_arguments,
-		int64_t p_count) {
-	Variant result;
-	if (p_method == nullptr) {
-		return result;
-	}
-	GDExtensionCallError error = {};
-	engine.object_method_bind_call(p_method, p_object,
-			reinterpret_cast<const GDExtensionConstVariantPtr *>(p_arguments), p_count, result.opaque, &error);
-	if (error.error != GDEXTENSION_CALL_OK) {
-		print_error("Call failed.", "The engine refused the arguments of a call.", __func__, __FILE__, __LINE__);
-	}
-	return result;
-}
-
-void print_error(
-		const char *p_condition, const char *p_message, const char *p_function, const char *p_file, int p_line) {
-	if (p_message[0] == '\0') {
-		engine.print_error(p_condition, p_function, p_file, p_line, 0);
-	} else {
-		engine.print_error_with_message(p_condition, p_message, p_function, p_file, p_line, 0);
-	}
+void ConstructionBase::notify_created(Wrapped *p_object) {
+	static_cast<Object *>(p_object)->notification(Object::NOTIFICATION_POSTINITIALIZE, false);
 }
 
 } // namespace internal
 
-void Wrapped::_attach() {
-	if (const StringName *name = _extension_class()) {
-		internal::engine.object_set_instance(_owner, name->opaque, this);
+Wrapped::Wrapped(const internal::EngineClass &p_class) {
+	const StringName engine_class(p_class.name);
+	_owner = internal::engine.classdb_construct_object2(engine_class.opaque);
+	const GDExtensionInstanceBindingCallbacks *callbacks = p_class.callbacks;
+	const StringName *extension_class = std::exchange(internal::under_construction, nullptr);
+	if (extension_class != nullptr) {
+		internal::engine.object_set_instance(_owner, extension_class->opaque, this);
+		callbacks = &internal::extension_callbacks;
 	}
-	internal::engine.object_set_instance_binding(_owner, internal::library, this, _callbacks());
+	internal::engine.object_set_instance_binding(_owner, internal::library, this, callbacks);
 }
 
 } // namespace godot

@@ -1,34 +1,24 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+// Making and destroying objects.
+
 #include <godot_cpp/classes/wrapped.hpp>
+
+/// Makes an object of an engine class or of an extension's class: `memnew(Node3D)`.
+// The left side of << is evaluated first: it says what the constructor on the right is making.
+#define memnew(m_class) (::godot::internal::Construction<std::remove_pointer_t<decltype(new m_class)>>() << new m_class)
 
 namespace godot {
 
-namespace internal {
-
-/// Ties a new object to the engine's half of it; what is no engine object passes as it is.
-template <class T>
-T *after_new(T *p_object) {
-	if constexpr (std::is_base_of_v<Wrapped, T>) {
-		p_object->_attach();
-		p_object->notification(T::NOTIFICATION_POSTINITIALIZE, false);
-	}
-	return p_object;
-}
-
-} // namespace internal
-
+/// Destroys an object that memnew made.
 template <class T>
 void memdelete(T *p_object) {
 	if constexpr (std::is_base_of_v<Wrapped, T>) {
-		// The engine deletes the C++ half through the instance binding.
-		internal::engine.object_destroy(p_object->_owner);
+		internal::destroy(p_object);
 	} else {
 		delete p_object;
 	}
 }
 
 } // namespace godot
-
-#define memnew(m_class) (::godot::internal::after_new(new m_class))

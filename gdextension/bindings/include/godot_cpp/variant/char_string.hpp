@@ -7,7 +7,7 @@
 
 namespace godot {
 
-/// UTF-8 text, as String::utf8() makes it.
+/// Text as a C string, e.g. from String::utf8().
 class CharString {
 public:
 	CharString() = default;
@@ -15,7 +15,8 @@ public:
 
 	const char *get_data() const { return text.c_str(); }
 	const char *ptr() const { return text.c_str(); }
-	int64_t length() const { return static_cast<int64_t>(text.size()); }
+	/// In bytes.
+	int64_t length() const { return int64_t(text.size()); }
 
 private:
 	std::string text;

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Variant and every builtin type, in one header because they all mention one another.
+// Variant, and every type that one may hold. One header, because the types refer to one another.
+
 #include <godot_cpp/classes/global_constants.hpp>
 #include <godot_cpp/core/engine_interface.hpp>
+#include <godot_cpp/variant/aabb.hpp>
 #include <godot_cpp/variant/char_string.hpp>
+#include <godot_cpp/variant/color.hpp>
+#include <godot_cpp/variant/plane.hpp>
+#include <godot_cpp/variant/projection.hpp>
+#include <godot_cpp/variant/rect2.hpp>
+#include <godot_cpp/variant/rect2i.hpp>
+#include <godot_cpp/variant/transform2d.hpp>
+#include <godot_cpp/variant/transform3d.hpp>
 
-#include <cmath>
-#include <cstdint>
-#include <iterator>
-#include <new>
+#include <initializer_list>
 #include <type_traits>
 #include <utility>
 
@@ -20,164 +26,113 @@ class Variant;
 template <class T>
 class Ref;
 
-/// A set of flags from the enum T.
+/// A set of flags.
 template <class T>
 class BitField {
 public:
-	BitField(T p_flag) : value(static_cast<int64_t>(p_flag)) {}
-	BitField(int64_t p_flags = 0) : value(p_flags) {}
-	operator int64_t() const { return value; }
-	bool has_flag(T p_flag) const { return (value & static_cast<int64_t>(p_flag)) != 0; }
-	void set_flag(T p_flag) { value |= static_cast<int64_t>(p_flag); }
+	constexpr BitField() = default;
+	constexpr BitField(T p_flag) : value(int64_t(p_flag)) {}
+	constexpr BitField(int64_t p_value) : value(p_value) {}
+	constexpr operator int64_t() const { return value; }
+	constexpr bool has_flag(T p_flag) const { return (value & int64_t(p_flag)) != 0; }
+	void set_flag(T p_flag) { value |= int64_t(p_flag); }
+	void clear_flag(T p_flag) { value &= ~int64_t(p_flag); }
 
 private:
-	int64_t value;
+	int64_t value = 0;
 };
 
 namespace internal {
 
-// Declared before the types of which they make use, for templates in the bodies of those types.
-GDExtensionPtrBuiltInMethod builtin_method(GDExtensionVariantType p_type, const char *p_name, int64_t p_hash);
-template <class R, class... Arguments>
-R call_builtin(GDExtensionPtrBuiltInMethod p_function, void *p_base, const Arguments &...p_arguments);
-template <class T>
-Variant to_variant(const T &p_value);
+/// Asks for a value that the engine will construct in place.
+struct Uninitialized {};
+constexpr Uninitialized uninitialized;
 
-template <class T, class...>
-struct DependentType {
-	using type = T;
-};
-
-/// T itself, but looked at only when the template is instantiated.
-template <class T, class... Arguments>
-using Dependent = typename DependentType<T, Arguments...>::type;
+void make_variant(GDExtensionVariantType p_type, void *r_variant, const void *p_value);
+void read_variant(GDExtensionVariantType p_type, void *r_value, const void *p_variant);
 
 } // namespace internal
 
-// Memberwise arithmetic of a vector type with m_count components.
-#define GODOT_VECTOR_OPERATORS(m_vector, m_scalar, m_count) \
-	m_scalar &operator[](int p_axis) { \
-		return (&x)[p_axis]; \
-	} \
-	const m_scalar &operator[](int p_axis) const { \
-		return (&x)[p_axis]; \
-	} \
-	m_vector operator+(const m_vector &p_other) const { \
-		m_vector result = *this; \
-		return result += p_other; \
-	} \
-	m_vector operator-(const m_vector &p_other) const { \
-		m_vector result = *this; \
-		return result -= p_other; \
-	} \
-	m_vector operator*(const m_vector &p_other) const { \
-		m_vector result; \
-		for (int i = 0; i < (m_count); i++) { \
-			result[i] = (*this)[i] * p_other[i]; \
-		} \
-		return result; \
-	} \
-	m_vector operator*(m_scalar p_scale) const { \
-		m_vector result = *this; \
-		return result *= p_scale; \
-	} \
-	m_vector operator/(m_scalar p_divisor) const { \
-		m_vector result; \
-		for (int i = 0; i < (m_count); i++) { \
-			result[i] = (*this)[i] / p_divisor; \
-		} \
-		return result; \
-	} \
-	m_vector operator-() const { \
-		return *this * m_scalar(-1); \
-	} \
-	m_vector &operator+=(const m_vector &p_other) { \
-		for (int i = 0; i < (m_count); i++) { \
-			(*this)[i] += p_other[i]; \
-		} \
-		return *this; \
-	} \
-	m_vector &operator-=(const m_vector &p_other) { \
-		for (int i = 0; i < (m_count); i++) { \
-			(*this)[i] -= p_other[i]; \
-		} \
-		return *this; \
-	} \
-	m_vector &operator*=(m_scalar p_scale) { \
-		for (int i = 0; i < (m_count); i++) { \
-			(*this)[i] *= p_scale; \
-		} \
-		return *this; \
-	} \
-	bool operator==(const m_vector &p_other) const { \
-		for (int i = 0; i < (m_count); i++) { \
-			if ((*this)[i] != p_other[i]) { \
-				return false; \
-			} \
-		} \
-		return true; \
-	} \
-	bool operator!=(const m_vector &p_other) const { \
-		return !(*this == p_other); \
-	}
+#include <godot_cpp/variant/builtin_types.inc>
 
-#include <godot_cpp/variant/builtins.inc>
-
-/// Holds a value of any type that the engine knows.
+/// Any value.
 class Variant {
 public:
-#include <godot_cpp/variant/variant_enums.inc>
+	// All bytes zero is null.
+	alignas(8) uint8_t opaque[24] = {};
 
-	alignas(8) uint8_t opaque[24] = {}; // All zero is NIL.
+#include <godot_cpp/variant/variant_enums.inc>
 
 	Variant() = default;
 	Variant(const Variant &p_other) { internal::engine.variant_new_copy(opaque, p_other.opaque); }
 	Variant(Variant &&p_other) noexcept { std::swap(opaque, p_other.opaque); }
-	~Variant() { internal::engine.variant_destroy(opaque); }
-	Variant &operator=(Variant p_other) noexcept {
-		std::swap(opaque, p_other.opaque);
-		return *this;
-	}
-
+	Variant(std::nullptr_t) {}
 	Variant(bool p_value);
 	template <class T,
 			std::enable_if_t<(std::is_integral_v<T> || std::is_enum_v<T>) && !std::is_same_v<T, bool>, int> = 0>
 	Variant(T p_value) {
-		set_integer(static_cast<int64_t>(p_value));
+		const int64_t value = int64_t(p_value);
+		internal::make_variant(GDEXTENSION_VARIANT_TYPE_INT, opaque, &value);
 	}
-	Variant(double p_value);
-	Variant(float p_value) : Variant(static_cast<double>(p_value)) {}
-	Variant(const char *p_utf8) : Variant(String(p_utf8)) {}
+	Variant(double p_value) { internal::make_variant(GDEXTENSION_VARIANT_TYPE_FLOAT, opaque, &p_value); }
+	Variant(float p_value) : Variant(double(p_value)) {}
+	template <class T>
+	Variant(BitField<T> p_flags) : Variant(int64_t(p_flags)) {}
+	Variant(const char *p_text) : Variant(String(p_text)) {}
 	Variant(const Object *p_object);
 	template <class T>
 	Variant(const Ref<T> &p_reference) : Variant(static_cast<const Object *>(p_reference.ptr())) {}
+	~Variant() { internal::engine.variant_destroy(opaque); }
 
-	operator bool() const;
+	Variant &operator=(const Variant &p_other);
+	Variant &operator=(Variant &&p_other) noexcept {
+		std::swap(opaque, p_other.opaque);
+		return *this;
+	}
+
+	operator bool() const { return booleanize(); }
 	operator int64_t() const;
-	operator int32_t() const { return static_cast<int32_t>(operator int64_t()); }
+	operator int32_t() const { return int32_t(operator int64_t()); }
+	operator uint64_t() const { return uint64_t(operator int64_t()); }
+	operator uint32_t() const { return uint32_t(operator int64_t()); }
 	operator double() const;
-	operator float() const { return static_cast<float>(operator double()); }
+	operator float() const { return float(operator double()); }
 	operator Object *() const;
-
 #include <godot_cpp/variant/variant_conversions.inc>
 
-	Type get_type() const { return static_cast<Type>(internal::engine.variant_get_type(opaque)); }
-	bool operator==(const Variant &p_other) const;
-	bool operator!=(const Variant &p_other) const { return !(*this == p_other); }
+	Type get_type() const { return Type(internal::engine.variant_get_type(opaque)); }
+	static String get_type_name(Type p_type);
+	static bool can_convert_strict(Type p_from, Type p_to);
+	bool booleanize() const { return internal::engine.variant_booleanize(opaque) != 0; }
 	String stringify() const;
+	bool operator==(const Variant &p_other) const { return compare(OP_EQUAL, p_other); }
+	bool operator!=(const Variant &p_other) const { return compare(OP_NOT_EQUAL, p_other); }
+	bool operator<(const Variant &p_other) const { return compare(OP_LESS, p_other); }
 
 private:
-	void set_integer(int64_t p_value);
+	bool compare(Operator p_operator, const Variant &p_other) const;
 };
 
-/// The Variant type of a builtin type; NIL for every other type.
+#include <godot_cpp/variant/builtin_varargs.inc>
+
+/// The builtin type that a C++ type is, if any.
 template <class T>
 struct BuiltinType {
-	static constexpr GDExtensionVariantType value = GDEXTENSION_VARIANT_TYPE_NIL;
+	static constexpr GDExtensionVariantType type = GDEXTENSION_VARIANT_TYPE_NIL;
 };
+#include <godot_cpp/variant/builtin_traits.inc>
 
-#include <godot_cpp/variant/builtin_types.inc>
+template <class T>
+constexpr bool is_builtin_v = BuiltinType<T>::type != GDEXTENSION_VARIANT_TYPE_NIL;
+
+inline String operator+(const char *p_left, const String &p_right) {
+	return String(p_left) + p_right;
+}
+
+/// Text with placeholders as in GDScript's % operator.
+template <class... Arguments>
+String vformat(const String &p_text, const Arguments &...p_arguments) {
+	return p_text % Array::make(p_arguments...);
+}
 
 } // namespace godot
-
-#include <godot_cpp/core/builtin_call.hpp>
