@@ -40,7 +40,8 @@ func describe(p_world: WorldDescription) -> void:
 		var body: WorldDescription.Body = p_world.bodies[id]
 		if body.actor == WorldDescription.PROP:
 			var prop: Node3D = _hall.get_node_or_null(NodePath(body.part)) as Node3D
-			if prop != null:
+			# The path is the server's word: it must not reach what is not its to move.
+			if prop != null and prop.is_in_group(BodyRegistry.PROPS) and _hall.is_ancestor_of(prop):
 				_props[id] = prop
 	for actor: int in _actors.keys():
 		if not p_world.names.has(actor):
