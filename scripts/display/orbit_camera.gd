@@ -56,7 +56,7 @@ func set_from_text(p_text: String) -> String:
 	var parts: PackedStringArray = p_text.split(",")
 	var numbers: bool = parts.size() == 3
 	for part: String in parts:
-		numbers = numbers and part.is_valid_float()
+		numbers = numbers and part.is_valid_float() and is_finite(part.to_float())
 	if not numbers:
 		return "a camera is azimuth,elevation,distance, found '%s'" % p_text
 	azimuth = deg_to_rad(parts[0].to_float())

@@ -26,7 +26,8 @@ func open(p_path: String) -> String:
 		return "cannot read %s: %s" % [p_path, error_string(FileAccess.get_open_error())]
 	var magic: String = _file.get_buffer(8).get_string_from_ascii()
 	if magic != SnapshotRecorder.MAGIC:
-		return "%s: expected a recording (%s), found '%s'" % [p_path, SnapshotRecorder.MAGIC, magic]
+		var found: String = ByteReader.clean(magic)
+		return "%s: expected a recording (%s), found '%s'" % [p_path, SnapshotRecorder.MAGIC, found]
 	_read_next()
 	if _next.is_empty():
 		return "%s: the recording is empty" % p_path

@@ -1,0 +1,180 @@
+extends TestCase
+## What was recorded is played back the same; damaged files play as far as they go.
+
+const NetSamples: GDScript = preload("../net/net_samples.gd")
+const PATH: String = "user://test_recording.dsmt"
+
+var _random: RandomNumberGenerator = RandomNumberGenerator.new()
+var _packets: Array[PackedByteArray] = []
+var _played: Array[PackedByteArray] = []
+var _finished: int = 0
+
+
+func before_each() -> void:
+	_random.seed = 1
+	_packets.clear()
+	_played.clear()
+	_finished = 0
+
+
+func after_each() -> void:
+	if FileAccess.file_exists(PATH):
+		DirAccess.remove_absolute(PATH)
+
+
+func test_round_trip() -> void:
+	_record(50)
+	var player: SnapshotPlayer = _player()
+	equal(player.open(PATH), "")
+	player.advance(1e6)
+	equal(_played, _packets)
+	equal(_finished, 1)
+	player.advance(2e6)
+	equal([_played.size(), _finished], [50, 1], "it ends once")
+
+
+func test_keeps_the_times() -> void:
+	var recorder: SnapshotRecorder = SnapshotRecorder.new()
+	equal(recorder.open(PATH), "")
+	for step: int in 5:
+		recorder.add(_packet(step))
+		OS.delay_msec(40)
+	recorder.close()
+	var player: SnapshotPlayer = _player()
+	player.open(PATH)
+	player.advance(0.0)
+	is_true(_played.size() <= 1, "%d packets at once" % _played.size())
+	player.advance(0.1)
+	is_true(_played.size() >= 2 and _played.size() <= 3, "%d in 0.1 s" % _played.size())
+	equal(_finished, 0)
+	player.advance(1.0)
+	equal([_played.size(), _finished], [5, 1])
+
+
+func test_cut_file_plays_up_to_the_cut() -> void:
+	_record(6)
+	var whole: PackedByteArray = FileAccess.get_file_as_bytes(PATH)
+	for size: int in range(8, whole.size() + 1, 7):
+		_write(whole.slice(0, size))
+		_played.clear()
+		_finished = 0
+		var player: SnapshotPlayer = _player()
+		var error: String = player.open(PATH)
+		player.advance(1e6)
+		var complete: int = _complete_records(whole, size)
+		equal(_played, _packets.slice(0, complete), "cut to %d bytes" % size)
+		if complete == 0:
+			contains(error, "the recording is empty")
+		else:
+			equal([error, _finished], ["", 1])
+
+
+func test_a_kill_loses_at_most_a_second() -> void:
+	var recorder: SnapshotRecorder = SnapshotRecorder.new()
+	equal(recorder.open(PATH), "")
+	var began: int = Time.get_ticks_msec()
+	while Time.get_ticks_msec() - began < 1300:
+		recorder.add(_packet(1))
+		OS.delay_msec(10)
+	# Not closed: what is on the disk now is what a kill would leave.
+	var bytes: int = FileAccess.get_file_as_bytes(PATH).size()
+	is_true(bytes > 60 * (12 + _packet(1).size()), "%d bytes on the disk" % bytes)
+	recorder.close()
+
+
+func test_damaged_files_are_survived() -> void:
+	_record(8)
+	var whole: PackedByteArray = FileAccess.get_file_as_bytes(PATH)
+	for _round: int in 60:
+		var damaged: PackedByteArray = NetSamples.damage(_random, whole)
+		_write(damaged)
+		_played.clear()
+		var player: SnapshotPlayer = _player()
+		player.open(PATH)
+		player.advance(1e12)
+		is_true(_played.size() <= 8)
+
+
+func test_what_is_no_recording_is_told() -> void:
+	var player: SnapshotPlayer = SnapshotPlayer.new()
+	contains(player.open("user://no_such_recording"), "cannot read user://no_such_recording: ")
+	var cases: Array[PackedByteArray] = [
+		[],
+		"DSMT".to_ascii_buffer(),
+		"DSMTREC2".to_ascii_buffer(),
+		"HIERARCHY ROOT".to_ascii_buffer()
+	]
+	cases.append(NetSamples.noise(_random, 200) + PackedByteArray([27, 91, 50, 74]))
+	cases.append(PackedByteArray([27, 91, 50, 74, 200, 0, 10, 13, 9]))
+	for bytes: PackedByteArray in cases:
+		_write(bytes)
+		var error: String = SnapshotPlayer.new().open(PATH)
+		contains(error, PATH + ": expected a recording (DSMTREC1), found")
+		equal(error, error.strip_escapes(), "no control characters in the log")
+
+
+func test_playing_a_file_that_could_not_be_opened() -> void:
+	_write("garbage!".to_ascii_buffer())
+	var player: SnapshotPlayer = _player()
+	not_equal(player.open(PATH), "")
+	player.advance(5.0)
+	equal(_played.size(), 0)
+
+
+func test_recorder_that_cannot_write() -> void:
+	var recorder: SnapshotRecorder = SnapshotRecorder.new()
+	contains(recorder.open("user://no_such_folder/x"), "cannot record to user://no_such_folder/x")
+	recorder.add(_packet(0))
+	recorder.close()
+
+
+func _record(p_count: int) -> void:
+	var recorder: SnapshotRecorder = SnapshotRecorder.new()
+	equal(recorder.open(PATH), "")
+	for i: int in p_count:
+		_packets.append(_packet(i))
+		recorder.add(_packets[-1])
+	recorder.close()
+
+
+func _packet(p_index: int) -> PackedByteArray:
+	if p_index % 5 == 0:
+		return NetSamples.world(_random, 4, 1).encode()
+	return SnapshotPacket.encode(NetSamples.snapshot(_random, 10, 2))[0]
+
+
+func _player() -> SnapshotPlayer:
+	var player: SnapshotPlayer = SnapshotPlayer.new()
+	player.snapshot_received.connect(_on_snapshot)
+	player.world_received.connect(_on_world)
+	player.finished.connect(_on_finished)
+	return player
+
+
+func _on_snapshot(p_snapshot: Snapshot, p_bytes: PackedByteArray) -> void:
+	is_true(p_snapshot.bodies.size() <= 255)
+	_played.append(p_bytes)
+
+
+func _on_world(p_world: WorldDescription, p_bytes: PackedByteArray) -> void:
+	is_true(p_world.bodies.size() <= 65536)
+	_played.append(p_bytes)
+
+
+func _on_finished() -> void:
+	_finished += 1
+
+
+func _complete_records(p_file: PackedByteArray, p_size: int) -> int:
+	var at: int = 8
+	var count: int = 0
+	while at + 12 <= p_size and at + 12 + p_file.decode_u32(at) <= p_size:
+		at += 12 + p_file.decode_u32(at)
+		count += 1
+	return count
+
+
+func _write(p_bytes: PackedByteArray) -> void:
+	var file: FileAccess = FileAccess.open(PATH, FileAccess.WRITE)
+	file.store_buffer(p_bytes)
+	file.close()
