@@ -39,6 +39,16 @@ func list(p_name: String) -> PackedStringArray:
 	return _lists.get(p_name, PackedStringArray())
 
 
+## The motion files that --bvh names, or those of the repository.
+static func clips(p_arguments: BenchArguments) -> PackedStringArray:
+	var files: PackedStringArray = p_arguments.list("bvh")
+	if files.is_empty():
+		for file: String in DirAccess.get_files_at("res://assets/motion"):
+			if file.ends_with(".bvh"):
+				files.append("res://assets/motion/" + file)
+	return files
+
+
 func _take(p_name: String, p_value: String) -> void:
 	if not _values.has(p_name):
 		error = "there is no option --%s; known: --%s" % [p_name, ", --".join(_values.keys())]

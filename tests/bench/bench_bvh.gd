@@ -1,47 +1,65 @@
 extends SceneTree
-## Times reading, preparing, sampling and writing of the BVH clips in assets/motion.
+## How fast motion files are read, prepared, sampled and written.
 ##
-## [codeblock lang=text]
-## godot --headless --path . -s tests/bench/bench_bvh.gd
-## [/codeblock]
+## Options: --bvh=FILE (again for more; default the clips in assets/motion), --rounds=5 (medians).
+## The goal is for 3,000 frames of 30 joints; a file of another size is scaled to it by its numbers.
 
-const FOLDER: String = "res://assets/motion"
-const ROUNDS: int = 5
+const _GOAL_MS: float = 1000.0
+const _GOAL_NUMBERS: float = 3000.0 * 93.0
+const _SAMPLES: int = 600
 
 
 func _initialize() -> void:
-	for file: String in DirAccess.get_files_at(FOLDER):
-		if file.get_extension() == "bvh":
-			_time_file(FOLDER.path_join(file))
-	quit()
-
-
-func _time_file(p_path: String) -> void:
-	var best: Array[float] = [INF, INF, INF, INF]
-	var clip: BvhClip = null
-	for _round: int in ROUNDS:
-		var at: int = Time.get_ticks_usec()
-		clip = BvhParser.parse_file(p_path).clip
-		at = _note(best, 0, at)
-		clip.prepare()
-		at = _note(best, 1, at)
-		var pose: BvhPose = BvhPose.new()
-		for sample: int in 600:
-			clip.sample_at(sample / 60.0, pose)
-		at = _note(best, 2, at)
-		BvhWriter.to_text(clip)
-		_note(best, 3, at)
-	print(
-		(
-			"%s: %d frames of %d numbers: parse %.0f ms, prepare %.0f ms, sample %.1f us, write %.0f ms"
-			% (
-				[p_path.get_file(), clip.frame_count, clip.channel_count]
-				+ [best[0], best[1], best[2] / 600.0 * 1000.0, best[3]]
-			)
-		)
+	var arguments: BenchArguments = BenchArguments.parse(
+		OS.get_cmdline_user_args(), {"bvh": "", "rounds": 5}
 	)
+	var fault: String = arguments.error
+	if fault == "" and (arguments.value("rounds") < 1 or arguments.value("rounds") > 1000):
+		fault = "--rounds is between 1 and 1000, found %d" % arguments.value("rounds")
+	var report: BenchReport = BenchReport.new("bvh", arguments.value("json"))
+	for file: String in BenchArguments.clips(arguments):
+		if fault == "":
+			fault = _time_file(file, arguments.value("rounds"), report)
+	if fault != "":
+		printerr(fault)
+		quit(2)
+		return
+	report.finish()
+	quit(0)
 
 
-func _note(p_best: Array[float], p_index: int, p_since: int) -> int:
-	p_best[p_index] = minf(p_best[p_index], (Time.get_ticks_usec() - p_since) * 0.001)
+## Returns why the file cannot be timed, or an empty text.
+func _time_file(p_file: String, p_rounds: int, p_report: BenchReport) -> String:
+	var times: Array[Statistics] = [
+		Statistics.new(), Statistics.new(), Statistics.new(), Statistics.new()
+	]
+	var clip: BvhClip = null
+	for _round: int in p_rounds:
+		var begin: int = Time.get_ticks_usec()
+		var result: BvhResult = BvhParser.parse_file(p_file)
+		if result.error != "":
+			return result.error
+		clip = result.clip
+		begin = _note(times[0], begin)
+		clip.prepare()
+		begin = _note(times[1], begin)
+		var pose: BvhPose = BvhPose.new()
+		for sample: int in _SAMPLES:
+			clip.sample_at(sample / 60.0, pose)
+		begin = _note(times[2], begin)
+		BvhWriter.to_text(clip)
+		_note(times[3], begin)
+	var name: String = "%s, %d x %d" % [p_file.get_file(), clip.frame_count, clip.channel_count]
+	var parse: float = times[0].percentile(0.5)
+	var scaled: float = parse * _GOAL_NUMBERS / maxf(clip.frame_count * clip.channel_count, 1.0)
+	p_report.add(name, "parse", parse, "ms")
+	p_report.add(name, "parse 3,000 x 30", scaled, "ms", BenchReport.Goal.AT_MOST, _GOAL_MS)
+	p_report.add(name, "prepare", times[1].percentile(0.5), "ms")
+	p_report.add(name, "sample", times[2].percentile(0.5) * 1000.0 / _SAMPLES, "us")
+	p_report.add(name, "write", times[3].percentile(0.5), "ms")
+	return ""
+
+
+static func _note(p_times: Statistics, p_begin: int) -> int:
+	p_times.add((Time.get_ticks_usec() - p_begin) / 1000.0)
 	return Time.get_ticks_usec()

@@ -1,6 +1,5 @@
 extends SceneTree
-## What a server tick costs with many people: motor, physics step and state read-out, as fast as
-## it goes.
+## What a server tick costs with many people: motor, physics step, read-out.
 ##
 ## Options: --people=16 (again for more cases), --bvh=FILE, --hz=60, --seconds=10 (simulated).
 

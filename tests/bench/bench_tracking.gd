@@ -1,5 +1,5 @@
 extends SceneTree
-## How precisely a ragdoll follows recorded motion: angle between limbs and motion over whole clips.
+## How precisely a ragdoll follows recorded motion, over whole clips.
 ##
 ## Options: --bvh=FILE (again for more; default the three clips in assets/motion), --hz=60 (ticks),
 ## --mode=velocity_motor, --root=held|soft, --buffer=0 (ticks of delay that make the next sample
@@ -37,11 +37,7 @@ func _run() -> void:
 		return
 	_report = BenchReport.new("tracking", _arguments.value("json"))
 	Engine.physics_ticks_per_second = _arguments.value("hz")
-	var files: PackedStringArray = _arguments.list("bvh")
-	if files.is_empty():
-		for file: String in DirAccess.get_files_at("res://assets/motion"):
-			if file.ends_with(".bvh"):
-				files.append("res://assets/motion/" + file)
+	var files: PackedStringArray = BenchArguments.clips(_arguments)
 	var means: Statistics = Statistics.new()
 	var p95s: Statistics = Statistics.new()
 	for file: String in files:
