@@ -48,7 +48,8 @@ func join(p_part: PackedByteArray) -> PackedByteArray:
 		_packet = packet
 		_parts = parts
 		_next = 0
-		_joined.clear()
+		# Not clear(): whoever got the last packet may still hold it.
+		_joined = PackedByteArray()
 	if packet != _packet or number != _next or parts != _parts or parts > MOST_PARTS:
 		_packet = -1
 		return PackedByteArray()

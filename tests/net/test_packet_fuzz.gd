@@ -89,6 +89,31 @@ func test_answer() -> void:
 	_check_mixture()
 
 
+func test_packet_parts() -> void:
+	var whole: PackedByteArray = NetSamples.world(_random, 80, 2).encode()
+	var parts: Array[PackedByteArray] = PacketParts.split(whole, 1)
+	is_true(parts.size() > 3)
+	var joiner: PacketParts = PacketParts.new()
+	for round: int in ROUNDS:
+		var part: PackedByteArray = parts[round % parts.size()]
+		var joined: PackedByteArray = joiner.join(_hostile(part) if _random.randf() < 0.1 else part)
+		_accepted += 1 if joined == whole else 0
+		if joined.size() > parts.size() * Protocol.MAX_DATAGRAM:
+			fail("%d bytes" % joined.size())
+	_check_mixture()
+
+
+func test_joined_packets_stay_as_they_are() -> void:
+	var whole: PackedByteArray = NetSamples.world(_random, 80, 2).encode()
+	var joiner: PacketParts = PacketParts.new()
+	var joined: PackedByteArray = []
+	for part: PackedByteArray in PacketParts.split(whole, 1):
+		joined = joiner.join(part)
+	equal(joined, whole)
+	joiner.join(PacketParts.split(PackedByteArray([1]), 2)[0])
+	equal(joined, whole, "a later packet does not change one that was handed out")
+
+
 func _hostile(p_good: PackedByteArray) -> PackedByteArray:
 	if _random.randf() < 0.3:
 		return NetSamples.noise(_random, 60)
