@@ -39,6 +39,8 @@ func seconds() -> float:
 
 ## A few words for the screen.
 func describe(p_role: String, p_traffic: TrafficMeter) -> String:
+	if p_role == "replay":
+		return p_role
 	var parts: Array = [
 		p_role,
 		Engine.get_frames_per_second(),

@@ -52,10 +52,11 @@ func add(p_peer: int, p_name: String, p_hip_height: float) -> void:
 	_next_id = (person.id + 1) % _MOST_IDS
 	add_child(person.ragdoll)
 	person.scale = person.ragdoll.get_hip_height() / p_hip_height
-	if not person.ragdoll.start():
+	if person.ragdoll.start():
+		_people[p_peer] = person
+	else:
+		Log.error("server", "'%s' gets no body: the person's scene has a fault" % p_name)
 		person.ragdoll.queue_free()
-		return
-	_people[p_peer] = person
 	changed.emit()
 
 

@@ -15,7 +15,7 @@ from .paths import CLIENT_BINARY, CLIPS, OUT, SERVER_BINARY, make_folder
 from .processes import Group, require_port
 from .project import prepare
 
-FILM_S = 6.0
+FILM_S = 5.0
 FILM_FPS = 30
 SOFTWARE = ["--rendering-method", "gl_compatibility", "--audio-driver", "Dummy"]
 SMALL = ["--resolution", "640x360"]
@@ -132,7 +132,7 @@ def _film(group: Group, recording: Path) -> None:
     (OUT / "observer.avi").unlink(missing_ok=True)
     film = ["--write-movie", str(OUT / "observer.avi"), "--fixed-fps", str(FILM_FPS)]
     options = ["--role=replay", f"--file={recording}", f"--duration={FILM_S}"]
-    group.start("film", [str(CLIENT_BINARY), *SOFTWARE, *SMALL, *film, "--", *options])
+    group.start("film", [str(CLIENT_BINARY), *SOFTWARE, *film, "--", *options])
     group.await_exit("film", 240)
 
 
