@@ -22,6 +22,12 @@ const FLOOD: int = 3000
 const _TIMEOUTS_MS: Array[int] = [32, 1000, 2000]
 ## Seconds that a client has to say who it is.
 const _GREETING_S: float = 3.0
+## First byte of the multiplayer API's packets: the kind of command is in its low bits. Of the kinds
+## only plain bytes are used, and the system's, whose second byte is 0 for greetings.
+const _COMMAND_MASK: int = 7
+const _COMMAND_RAW: int = 3
+const _COMMAND_SYSTEM: int = 7
+const _SYSTEM_GREETING: int = 0
 ## Spare places for clients that are just arriving, or just pretend to.
 const _SPARE_SLOTS: int = 64
 
@@ -30,8 +36,10 @@ var traffic: TrafficMeter = TrafficMeter.new()
 
 var _api: SceneMultiplayer = null
 var _enet: ENetMultiplayerPeer = ENetMultiplayerPeer.new()
+var _peer: GuardedPeer = null
 var _most_clients: int = Protocol.DEFAULT_MAX_CLIENTS
 var _greeted: Dictionary[int, Dictionary] = {}
+var _completed: Dictionary[int, bool] = {}
 var _hellos: Dictionary[int, Dictionary] = {}
 var _refused: Dictionary[int, int] = {}
 var _packets: Dictionary[int, int] = {}
@@ -45,6 +53,7 @@ func listen(p_port: int, p_most_clients: int) -> Error:
 	for peer: int in _hellos.keys():
 		_on_disconnected(peer)
 	_greeted.clear()
+	_completed.clear()
 	_refused.clear()
 	_most_clients = p_most_clients
 	_enet = ENetMultiplayerPeer.new()
@@ -62,7 +71,9 @@ func listen(p_port: int, p_most_clients: int) -> Error:
 	_api.peer_connected.connect(_on_connected)
 	_api.peer_disconnected.connect(_on_disconnected)
 	_api.peer_packet.connect(_on_packet)
-	_api.multiplayer_peer = _enet
+	_peer = GuardedPeer.new(_enet)
+	_peer.guard = _lets_through
+	_api.multiplayer_peer = _peer
 	return OK
 
 
@@ -162,14 +173,31 @@ func _on_disconnected(p_peer: int) -> void:
 func _forget(p_peer: int) -> void:
 	_refused.erase(p_peer)
 	_greeted.erase(p_peer)
+	_completed.erase(p_peer)
+
+
+## Decides which packets the multiplayer API gets to see: greetings of clients that have not been
+## admitted yet, plain bytes of those that have, and no more of them than a trainee needs.
+func _lets_through(p_peer: int, p_bytes: PackedByteArray) -> bool:
+	_packets[p_peer] = _packets.get(p_peer, 0) + 1
+	if _packets[p_peer] > MOST_POSES:
+		_complain(p_peer, "rate", "sends more than %d packets a second" % MOST_POSES)
+		return false
+	var command: int = p_bytes[0] & _COMMAND_MASK if not p_bytes.is_empty() else -1
+	if command == _COMMAND_RAW and _completed.has(p_peer):
+		return true
+	var greets: bool = command == _COMMAND_SYSTEM and p_bytes.size() > 1
+	if greets and p_bytes[1] == _SYSTEM_GREETING and not _completed.has(p_peer):
+		# After our answer an empty greeting says that the client has taken it in.
+		if p_bytes.size() == 2 and _greeted.has(p_peer):
+			_completed[p_peer] = true
+		return true
+	_complain(p_peer, "command", "sent %d bytes of no use (%d)" % [p_bytes.size(), command])
+	return false
 
 
 func _on_packet(p_peer: int, p_bytes: PackedByteArray) -> void:
 	if not _hellos.has(p_peer):
-		return
-	_packets[p_peer] = _packets.get(p_peer, 0) + 1
-	if _packets[p_peer] > MOST_POSES:
-		_complain(p_peer, "rate", "sends more than %d packets a second" % MOST_POSES)
 		return
 	if p_bytes.is_empty() or p_bytes[0] != Protocol.Message.POSE:
 		var kind: int = p_bytes[0] if not p_bytes.is_empty() else -1
@@ -187,7 +215,7 @@ func _on_packet(p_peer: int, p_bytes: PackedByteArray) -> void:
 
 func _throw_out_floods() -> void:
 	for peer: int in _packets:
-		if _packets[peer] > FLOOD and _hellos.has(peer):
+		if _packets[peer] > FLOOD and _is_known(peer):
 			Log.warning("net", "%s was thrown out: %d packets" % [_describe(peer), _packets[peer]])
 			_enet.disconnect_peer(peer)
 

@@ -194,3 +194,31 @@ func _catch_datagrams() -> Array[PackedByteArray]:
 	client.close()
 	net.close()
 	return caught
+
+
+func test_commands_of_the_engine_do_not_reach_it() -> void:
+	var bad: LinkPair.End = _pair.join(TRAINEE, "bad")
+	# As a client that speaks ENet, but is none of ours: calls, spawns, system commands, anything.
+	var raw: ENetMultiplayerPeer = bad.link.get("_enet")
+	for round: int in 200:
+		var bytes: PackedByteArray = NetSamples.noise(_random, 40)
+		bytes.insert(0, _random.randi_range(0, 255))
+		raw.set_target_peer(1)
+		raw.transfer_mode = MultiplayerPeer.TRANSFER_MODE_RELIABLE
+		raw.put_packet(bytes)
+		if round % 20 == 0:
+			_pair.run(0.01)
+	_check_good_client_is_unaffected(0.3)
+
+
+func test_a_stranger_without_greeting_floods() -> void:
+	var raw: ENetMultiplayerPeer = ENetMultiplayerPeer.new()
+	equal(raw.create_client("127.0.0.1", _pair.port), OK)
+	for round: int in 300:
+		raw.poll()
+		if raw.get_connection_status() == MultiplayerPeer.CONNECTION_CONNECTED:
+			raw.set_target_peer(1)
+			raw.put_packet(PackedByteArray([_random.randi_range(0, 255), round & 255, 3, 4]))
+		_pair.run(0.002)
+	_check_good_client_is_unaffected(0.3)
+	raw.close()
