@@ -45,16 +45,16 @@ func _ready() -> void:
 	PhysicsServer3D.set_active(false)
 	if DisplayServer.get_name() == "headless":
 		Engine.max_fps = _HEADLESS_FPS
-	_report = ReportFile.new(_options.text("report"))
+	_report = ReportFile.new(_options.file("report"))
 	var fault: String = _scene.apply(_options.text("views"), _options.text("camera"))
 	if fault == "" and _role == "trainee":
 		fault = _open_source()
 	if fault != "":
 		_quit(_EXIT_OPTIONS, fault)
 		return
-	if _options.text("record") != "":
+	if _options.file("record") != "":
 		_recorder = SnapshotRecorder.new()
-		fault = _recorder.open(_options.text("record"))
+		fault = _recorder.open(_options.file("record"))
 	if fault == "":
 		fault = _open_player() if _role == "replay" else _open_link()
 	if fault != "":
@@ -90,7 +90,7 @@ func _exit_tree() -> void:
 
 func _open_source() -> String:
 	var source: BvhSource = BvhSource.new()
-	var path: String = _options.text("bvh")
+	var path: String = _options.file("bvh")
 	if path == "":
 		return "a trainee needs a motion source: --bvh=FILE"
 	source.open(path, _options.text("unit"), _options.text("up"))
@@ -105,7 +105,7 @@ func _open_player() -> String:
 	_player.snapshot_received.connect(_on_snapshot)
 	_player.world_received.connect(_on_world)
 	_player.finished.connect(func() -> void: get_tree().quit(0))
-	return _player.open(_options.text("file"))
+	return _player.open(_options.file("file"))
 
 
 func _open_link() -> String:
@@ -209,8 +209,8 @@ func _check_duration() -> void:
 	# A film is made slower than it plays: a replay has a clock of its own.
 	var elapsed: float = _clock_s if _role == "replay" else _figures.seconds()
 	if duration > 0.0 and elapsed > duration:
-		if _options.text("screenshot") != "":
-			_take_picture(_options.text("screenshot"))
+		if _options.file("screenshot") != "":
+			_take_picture(_options.file("screenshot"))
 		get_tree().quit(0)
 
 

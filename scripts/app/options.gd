@@ -63,6 +63,15 @@ func text(p_name: String) -> String:
 	return _values[p_name]
 
 
+## The value of an option that names a file, as a full path: a relative one counts from where the
+## program was started, not from where it lies. Empty if there is none.
+func file(p_name: String) -> String:
+	var path: String = _values[p_name]
+	if path == "" or not path.is_relative_path() or path.contains("://"):
+		return path
+	return OS.get_environment("PWD").path_join(path)
+
+
 ## The value of a whole-number option.
 func number(p_name: String) -> int:
 	return _values[p_name]

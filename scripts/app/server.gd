@@ -31,7 +31,7 @@ func configure(_p_role: String, p_options: Options) -> void:
 
 
 func _ready() -> void:
-	_report = ReportFile.new(_options.text("report"))
+	_report = ReportFile.new(_options.file("report"))
 	var port: int = _options.number("port")
 	if _link.listen(port, _options.number("max-clients")) != OK:
 		Log.error("server", "UDP port %d is in use: choose another with --port" % port)

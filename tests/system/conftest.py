@@ -22,7 +22,14 @@ SMALL = ["--resolution", "640x360"]
 class Process:
     """A server or client with its log and its figures."""
 
-    def __init__(self, name: str, command: list[str], folder: Path, environment: dict[str, str]):
+    def __init__(
+        self,
+        name: str,
+        command: list[str],
+        folder: Path,
+        environment: dict[str, str],
+        cwd: Path | None = None,
+    ) -> None:
         self.log_file = folder / f"{name}.log"
         self.report_file = folder / f"{name}.json"
         home = {f"XDG_{kind}_HOME": str(folder / kind) for kind in ("DATA", "CONFIG", "CACHE")}
@@ -30,7 +37,8 @@ class Process:
         with self.log_file.open("wb") as log:
             self.process = subprocess.Popen(
                 [*command, f"--report={self.report_file}"],
-                env={**plain, **home, **environment},
+                cwd=cwd,
+                env={**plain, **home, **environment, "PWD": str(cwd or Path.cwd())},
                 stdin=subprocess.DEVNULL,
                 stdout=log,
                 stderr=subprocess.STDOUT,
@@ -77,18 +85,25 @@ class World:
         return process
 
     def client(
-        self, role: str, *options: str, name: str = "", display: dict[str, str] | None = None
+        self,
+        role: str,
+        *options: str,
+        name: str = "",
+        display: dict[str, str] | None = None,
+        cwd: Path | None = None,
     ) -> Process:
         flags = ["--headless"] if display is None else [*SOFTWARE, *SMALL]
         port = [] if any(o.startswith("--port=") for o in options) else [f"--port={self.port}"]
         command = [str(CLIENT_BINARY), *flags, "--", f"--role={role}", *port, *options]
-        return self._start(name or role, command, display or {})
+        return self._start(name or role, command, display or {}, cwd)
 
     def trainee(self, *options: str, name: str = "trainee", clip: str = "01_01.bvh") -> Process:
         return self.client("trainee", f"--bvh={CLIPS / clip}", *options, name=name)
 
-    def _start(self, name: str, command: list[str], environment: dict[str, str]) -> Process:
-        process = Process(name, command, self.folder, environment)
+    def _start(
+        self, name: str, command: list[str], environment: dict[str, str], cwd: Path | None = None
+    ) -> Process:
+        process = Process(name, command, self.folder, environment, cwd)
         self.processes.append(process)
         return process
 

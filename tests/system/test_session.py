@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import time
 
+from toolchain.paths import CLIPS
+
 from .conftest import World
 
 
@@ -73,3 +75,11 @@ def test_the_server_is_full(world: World) -> None:
     second = world.client("observer", name="second")
     assert second.await_exit(20) == 3
     assert "the server is full" in second.log()
+
+
+def test_files_count_from_where_the_program_was_started(world: World) -> None:
+    world.server()
+    (world.folder / "walk.bvh").write_bytes((CLIPS / "01_01.bvh").read_bytes())
+    trainee = world.client("trainee", "--bvh=walk.bvh", "--duration=2", cwd=world.folder)
+    assert trainee.await_exit() == 0, trainee.log()
+    assert "joined" in trainee.log()
