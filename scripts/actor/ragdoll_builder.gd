@@ -1,10 +1,10 @@
 @tool
 class_name RagdollBuilder
 extends RefCounted
-## Gives a skeleton the physical bones of a [RagdollDescription].
+## Gives a skeleton the physical bones of a [RagdollProfile].
 ##
 ## Each body has the axes of its bone and its origin (the centre of mass) in the middle of its
-## shape. Joints are not made here: see [RagdollJoints].
+## shape. Joints are not made here: [RagdollMotor] makes them when it starts.
 
 ## Physics layer of people.
 const LAYER_ACTORS: int = 2
@@ -16,12 +16,12 @@ const FRICTION: float = 0.8
 
 ## Adds a [PhysicalBoneSimulator3D] with a [PhysicalBone3D] per limb below a skeleton, and returns
 ## it; on a fault it reports an error and returns null. [param p_owner] is the scene that shall
-## save them, or null. The description's frame must be the skeleton's.
+## save them, or null. The profile's frame must be the skeleton's.
 static func build(
-	p_skeleton: Skeleton3D, p_description: RagdollDescription, p_owner: Node = null
+	p_skeleton: Skeleton3D, p_profile: RagdollProfile, p_owner: Node = null
 ) -> PhysicalBoneSimulator3D:
-	var fault: String = p_description.find_fault()
-	for limb: LimbShape in p_description.limbs:
+	var fault: String = p_profile.find_fault()
+	for limb: RagdollLimb in p_profile.limbs:
 		if fault == "" and p_skeleton.find_bone(limb.bone) < 0:
 			fault = "the skeleton has no bone %s" % limb.bone
 	if fault != "":
@@ -31,28 +31,28 @@ static func build(
 	simulator.name = "PhysicalBoneSimulator3D"
 	p_skeleton.add_child(simulator)
 	simulator.owner = p_owner
-	for limb: LimbShape in p_description.limbs:
+	for limb: RagdollLimb in p_profile.limbs:
 		var rest: Transform3D = p_skeleton.get_bone_global_rest(p_skeleton.find_bone(limb.bone))
-		var bone: PhysicalBone3D = _make_bone(limb, rest.orthonormalized(), p_description.mass)
+		var bone: PhysicalBone3D = _make_bone(limb, rest.orthonormalized(), p_profile.mass)
 		simulator.add_child(bone)
 		bone.owner = p_owner
 		bone.get_child(0).owner = p_owner
 	return simulator
 
 
-## Moments of inertia of a limb about its body's axes, kg·m².
-static func body_inertia(p_limb: LimbShape, p_rest: Basis, p_mass: float) -> Vector3:
-	var own: Vector3 = p_limb.inertia(p_mass)
-	var turn: Basis = Basis(p_rest.get_rotation_quaternion().inverse() * p_limb.orientation)
-	# The diagonal of R I R^T; what lies beside it is small for shapes that follow their bones.
-	var result: Vector3 = Vector3.ZERO
-	for axis: int in 3:
-		var row: Vector3 = Vector3(turn.x[axis], turn.y[axis], turn.z[axis])
-		result[axis] = (row * row).dot(own)
-	return result
+## The shape of a limb for the physics engine.
+static func make_shape(p_limb: RagdollLimb) -> Shape3D:
+	if p_limb.type == RagdollLimb.BOX:
+		var box: BoxShape3D = BoxShape3D.new()
+		box.size = p_limb.size
+		return box
+	var capsule: CapsuleShape3D = CapsuleShape3D.new()
+	capsule.radius = p_limb.radius
+	capsule.height = p_limb.length + 2.0 * p_limb.radius
+	return capsule
 
 
-static func _make_bone(p_limb: LimbShape, p_rest: Transform3D, p_mass: float) -> PhysicalBone3D:
+static func _make_bone(p_limb: RagdollLimb, p_rest: Transform3D, p_mass: float) -> PhysicalBone3D:
 	var bone: PhysicalBone3D = PhysicalBone3D.new()
 	bone.name = p_limb.bone
 	bone.bone_name = p_limb.bone
@@ -69,7 +69,7 @@ static func _make_bone(p_limb: LimbShape, p_rest: Transform3D, p_mass: float) ->
 	bone.collision_mask = MASK_ACTORS
 	var shape: CollisionShape3D = CollisionShape3D.new()
 	shape.name = "Shape"
-	shape.shape = p_limb.make_shape()
+	shape.shape = make_shape(p_limb)
 	var turn: Quaternion = p_rest.basis.get_rotation_quaternion().inverse() * p_limb.orientation
 	shape.transform = Transform3D(Basis(turn), Vector3.ZERO)
 	bone.add_child(shape)

@@ -1,7 +1,7 @@
 @tool
 class_name SkeletonShapes
 extends RefCounted
-## Describes a ragdoll for any skeleton with humanoid bone names, from the lengths of its bones.
+## Makes a [RagdollProfile] for any skeleton with humanoid bone names, from its bones' lengths.
 ##
 ## Thicknesses are those of an adult of average build, in shares of the body's height; lengths come
 ## from the skeleton's rest pose, so that joints are exactly where the skeleton has them.
@@ -33,20 +33,42 @@ const _HIPS_HEIGHT: float = 0.1
 const _SHORTEST: float = 0.06
 
 
-## The description of a skeleton, or null (and an error) where a limb's bone is missing.
-static func describe(p_skeleton: Skeleton3D) -> RagdollDescription:
-	var description: RagdollDescription = RagdollDescription.new()
+## The profile of a skeleton, or null (and an error) where a limb's bone is missing.
+static func describe(p_skeleton: Skeleton3D) -> RagdollProfile:
+	var profile: RagdollProfile = RagdollProfile.new()
+	var limbs: Array[RagdollLimb] = []
 	var height: float = _height(p_skeleton)
 	for limb: int in Limbs.COUNT:
 		var bone: int = p_skeleton.find_bone(Limbs.BONES[limb])
 		if bone < 0:
 			push_error("The skeleton has no bone %s." % Limbs.BONES[limb])
 			return null
-		description.limbs.append(_shape(p_skeleton, limb, height))
-	return description
+		limbs.append(_shape(p_skeleton, limb, height))
+	profile.limbs = limbs
+	complete(profile, p_skeleton)
+	return profile
 
 
-static func _shape(p_skeleton: Skeleton3D, p_limb: int, p_height: float) -> LimbShape:
+## Fills in what follows from limb shapes and a skeleton: axes, reset pose, torques, groups, points
+## of contact and ranges of the joints. Limbs that the skeleton lacks are left alone.
+static func complete(p_profile: RagdollProfile, p_skeleton: Skeleton3D) -> void:
+	for limb: RagdollLimb in p_profile.limbs:
+		var at: int = Limbs.find(limb.bone)
+		var bone: int = p_skeleton.find_bone(limb.bone)
+		if at < 0 or bone < 0:
+			continue
+		var rest: Transform3D = p_skeleton.get_bone_global_rest(bone).orthonormalized()
+		var along: Vector3 = _tail(p_skeleton, at) - rest.origin
+		limb.rest_orientation = rest.basis.get_rotation_quaternion()
+		limb.reset_orientation = Limbs.rest_to_reset(at, along) * limb.rest_orientation
+		limb.max_torque = Limbs.TORQUES[at]
+		limb.group = Limbs.GROUPS[at]
+		limb.min_angles = JointRanges.least(limb.bone)
+		limb.max_angles = JointRanges.greatest(limb.bone)
+		ContactPoints.add(limb)
+
+
+static func _shape(p_skeleton: Skeleton3D, p_limb: int, p_height: float) -> RagdollLimb:
 	var bone: int = p_skeleton.find_bone(Limbs.BONES[p_limb])
 	var rest: Transform3D = p_skeleton.get_bone_global_rest(bone).orthonormalized()
 	var along: Vector3 = _tail(p_skeleton, p_limb) - rest.origin
@@ -57,7 +79,7 @@ static func _shape(p_skeleton: Skeleton3D, p_limb: int, p_height: float) -> Limb
 		# The hips lie around their joint, however near the skeleton has the next one.
 		along = along.normalized() * p_height * _HIPS_HEIGHT
 		middle = rest.origin
-	var shape: LimbShape = LimbShape.new()
+	var shape: RagdollLimb = RagdollLimb.new()
 	shape.bone = Limbs.BONES[p_limb]
 	shape.parent_bone = &"" if p_limb == 0 else Limbs.BONES[Limbs.PARENTS[p_limb]]
 	shape.anchor = rest.origin
@@ -68,7 +90,7 @@ static func _shape(p_skeleton: Skeleton3D, p_limb: int, p_height: float) -> Limb
 	shape.orientation = swing * rest.basis.get_rotation_quaternion()
 	var thick: Vector2 = _THICKNESS[p_limb] * p_height
 	if _BOXES.has(p_limb):
-		shape.type = LimbShape.Type.BOX
+		shape.type = RagdollLimb.BOX
 		shape.size = Vector3(thick.x * 2.0, along.length(), thick.y * 2.0)
 	else:
 		shape.radius = minf(thick.x, along.length() * 0.49)

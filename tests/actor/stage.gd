@@ -18,10 +18,15 @@ class Player:
 	## Where the hips are to be at a time, s: a Vector3.
 	var place: Callable = Callable()
 
+	## Whether the sample of a time, s, gets lost; may be empty.
+	var lost: Callable = Callable()
+	## What is added to a sample's time of sending, s; may be empty.
+	var jitter: Callable = Callable()
+
 	## Where the body of a limb is.
 	func body(p_limb: int) -> Transform3D:
 		return PhysicsServer3D.body_get_state(
-			ragdoll.get_bodies()[_index(p_limb)], PhysicsServer3D.BODY_STATE_TRANSFORM
+			ragdoll.get_bodies()[index(p_limb)], PhysicsServer3D.BODY_STATE_TRANSFORM
 		)
 
 	## Where the joint at the beginning of a limb is, by the limb's body.
@@ -39,7 +44,9 @@ class Player:
 
 	## The angle between a limb and where the motion wants it, degrees.
 	func error_deg(p_limb: int, p_pose: PoseSample) -> float:
-		var wanted: Quaternion = p_pose.orientation(p_limb) * ragdoll._reset_pose[_index(p_limb)]
+		var wanted: Quaternion = (
+			p_pose.orientation(p_limb) * ragdoll.profile.limbs[index(p_limb)].reset_orientation
+		)
 		return rad_to_deg(wanted.angle_to(body(p_limb).basis.get_rotation_quaternion()))
 
 	## The same, for the limb that is worst.
@@ -59,9 +66,9 @@ class Player:
 			highest = maxf(highest, velocity.length())
 		return highest
 
-	## Bodies come in the order of the description.
-	func _index(p_limb: int) -> int:
-		return ragdoll.description.limbs.find(ragdoll.description.find(Limbs.BONES[p_limb]))
+	## Bodies come in the order of the profile.
+	func index(p_limb: int) -> int:
+		return ragdoll.profile.limbs.find(ragdoll.profile.find(Limbs.BONES[p_limb]))
 
 	func _bone(p_limb: int) -> Transform3D:
 		var simulator: Node = ragdoll.get_simulator()
@@ -74,7 +81,7 @@ class Player:
 
 
 ## Adds a soldier who stands at a place in the reset pose, and starts it.
-func add_soldier(p_place: Vector3, p_mode: Ragdoll.RootMode) -> Player:
+func add_soldier(p_place: Vector3, p_mode: RagdollMotor.RootMode) -> Player:
 	var player: Player = Player.new()
 	player.ragdoll = SOLDIER.instantiate()
 	player.ragdoll.root_mode = p_mode
@@ -93,8 +100,10 @@ func run(p_steps: int, p_after: Callable = Callable()) -> void:
 		if time_s > 0.0 and p_after.is_valid():
 			p_after.call(time_s)
 		for player: Player in players:
-			var sample: PoseSample = player.pose.call(time_s)
-			player.ragdoll.push_sample(time_s, sample, player.place.call(time_s))
+			if not player.lost.is_valid() or not player.lost.call(time_s):
+				# A sample taken a little earlier or later is of that moment.
+				var at: float = time_s + (player.jitter.call() if player.jitter.is_valid() else 0.0)
+				player.ragdoll.push_sample(at, player.pose.call(at), player.place.call(at))
 			player.ragdoll.drive(time_s, FastPhysics.DELTA)
 		time_s += FastPhysics.DELTA
 	await get_tree().physics_frame

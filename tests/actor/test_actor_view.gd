@@ -47,7 +47,7 @@ func test_bodies_of_a_simulated_person() -> void:
 	var stage: Stage = Stage.new()
 	add_child(stage)
 	var place: Vector3 = Vector3(3.0, 1.2, -2.0)
-	var player: Stage.Player = stage.add_soldier(place, Ragdoll.RootMode.SOFT)
+	var player: Stage.Player = stage.add_soldier(place, RagdollMotor.ROOT_SOFT)
 	player.pose = func(time: float) -> PoseSample: return Stage.arms_pose(60.0 * time, 30.0)
 	await stage.run(45)
 	FastPhysics.stop()

@@ -3,8 +3,8 @@ extends TestCase
 
 const Stage: GDScript = preload("stage.gd")
 const FastPhysics: GDScript = preload("fast_physics.gd")
-const HELD: Ragdoll.RootMode = Ragdoll.RootMode.HELD
-const SOFT: Ragdoll.RootMode = Ragdoll.RootMode.SOFT
+const HELD: RagdollMotor.RootMode = RagdollMotor.ROOT_HELD
+const SOFT: RagdollMotor.RootMode = RagdollMotor.ROOT_SOFT
 const STANDING: Vector3 = Vector3(0.0, 1.0115, 0.0)
 
 var _stage: Stage = null
@@ -22,7 +22,7 @@ func after_each() -> void:
 
 
 func test_holds_the_reset_pose() -> void:
-	for mode: Ragdoll.RootMode in [HELD, SOFT]:
+	for mode: RagdollMotor.RootMode in [HELD, SOFT]:
 		var player: Stage.Player = _stage.add_soldier(STANDING, mode)
 		await _stage.run(90)
 		var worst: float = player.worst_error_deg(Stage.reset_pose())
@@ -53,7 +53,7 @@ func test_the_reset_pose_is_a_t_pose_that_faces_plus_z() -> void:
 
 
 func test_follows_swinging_arms() -> void:
-	for mode: Ragdoll.RootMode in [HELD, SOFT]:
+	for mode: RagdollMotor.RootMode in [HELD, SOFT]:
 		var player: Stage.Player = _stage.add_soldier(STANDING, mode)
 		player.pose = _swing
 		var errors: Statistics = Statistics.new()
@@ -95,8 +95,8 @@ func test_strong_swings_tear_no_joint() -> void:
 	var worst: Array[float] = [0.0]
 	var note: Callable = func(_time: float) -> void: worst[0] = maxf(worst[0], player.gap())
 	await _stage.run(180, note)
-	# 720 deg/s: with Jolt's 2 position steps a joint gives way by 2.7 cm, with 8 by 0.9 cm.
-	is_true(worst[0] < 0.035, "gap %f m" % worst[0])
+	# 720 deg/s: with the engine's 2 position steps a joint gives way by 4 cm, with 8 by 2 cm.
+	is_true(worst[0] < 0.025, "gap %f m" % worst[0])
 
 
 func test_arms_pass_through_the_own_body() -> void:
@@ -154,12 +154,12 @@ func test_warnings_say_how_to_fix_it() -> void:
 	var ragdoll: Ragdoll = Ragdoll.new()
 	ragdoll.name = "Ada"
 	add_child(ragdoll)
-	_has_warnings(ragdoll, ["no description: load one", "no Skeleton3D below it: add"])
-	ragdoll.description = RagdollDescription.new()
+	_has_warnings(ragdoll, ["no profile: load one", "no Skeleton3D below it: add"])
+	ragdoll.profile = RagdollProfile.new()
 	_has_warnings(ragdoll, ["has a fault: there are no limbs", "no Skeleton3D"])
 	ragdoll.add_child(Skeleton3D.new())
 	_has_warnings(ragdoll, ["has a fault", "no physical bones: press"])
-	expect_error("Ada cannot start: The description has a fault")
+	expect_error("Ada cannot start: The profile has a fault")
 	is_false(ragdoll.start())
 	is_null(ragdoll.motor)
 	ragdoll.free()
@@ -174,7 +174,7 @@ func test_makes_its_bodies_by_the_button() -> void:
 		var player: Stage.Player = _stage.add_soldier(STANDING, SOFT)
 		player.ragdoll.stop()
 		if not with_description:
-			player.ragdoll.description = null
+			player.ragdoll.profile = null
 		player.ragdoll.make_bodies()
 		_has_warnings(player.ragdoll, [])
 		equal(player.ragdoll.get_simulator().get_child_count(), Limbs.COUNT)

@@ -4,7 +4,7 @@ extends TestCase
 const Stage: GDScript = preload("stage.gd")
 const FastPhysics: GDScript = preload("fast_physics.gd")
 const CRATE: PackedScene = preload("res://scenes/world/crate.tscn")
-const SOFT: Ragdoll.RootMode = Ragdoll.RootMode.SOFT
+const SOFT: RagdollMotor.RootMode = RagdollMotor.ROOT_SOFT
 const HEIGHT: Vector3 = Vector3(0.0, 1.03, 0.0)
 
 var _stage: Stage = null

@@ -1,12 +1,13 @@
 class_name BenchArguments
 extends RefCounted
 ## Options of a benchmark: [code]--name=value[/code] or [code]--name value[/code], and
-## [code]--json[/code].
+## [code]--json[/code]. An option whose default is a bool needs no value.
 
 ## What is wrong, or an empty text.
 var error: String = ""
 
 var _values: Dictionary[String, Variant] = {}
+var _given: PackedStringArray = PackedStringArray()
 var _lists: Dictionary[String, PackedStringArray] = {}
 
 
@@ -21,7 +22,7 @@ static func parse(p_arguments: PackedStringArray, p_defaults: Dictionary) -> Ben
 		var value: String = p_arguments[at].get_slice("=", 1)
 		if not p_arguments[at].contains("="):
 			value = ""
-			if name != "json" and at + 1 < p_arguments.size():
+			if not result._values.get(name) is bool and at + 1 < p_arguments.size():
 				at += 1
 				value = p_arguments[at]
 		result._take(name, value)
@@ -32,6 +33,11 @@ static func parse(p_arguments: PackedStringArray, p_defaults: Dictionary) -> Ben
 ## The value of an option.
 func value(p_name: String) -> Variant:
 	return _values[p_name]
+
+
+## Whether an option was given.
+func is_given(p_name: String) -> bool:
+	return _given.has(p_name)
 
 
 ## All values of an option that was given more than once, in order; empty if it was not given.
@@ -52,8 +58,10 @@ static func clips(p_arguments: BenchArguments) -> PackedStringArray:
 func _take(p_name: String, p_value: String) -> void:
 	if not _values.has(p_name):
 		error = "there is no option --%s; known: --%s" % [p_name, ", --".join(_values.keys())]
-	elif p_name == "json":
-		_values["json"] = true
+		return
+	_given.append(p_name)
+	if _values[p_name] is bool:
+		_values[p_name] = p_value != "false"
 	elif _values[p_name] is String:
 		_values[p_name] = p_value
 		_lists.get_or_add(p_name, PackedStringArray()).append(p_value)

@@ -1,16 +1,25 @@
 extends SceneTree
-## How precisely a ragdoll follows recorded motion, over whole clips.
+## How precisely a ragdoll follows recorded motion, over whole clips, in every mode.
 ##
-## Options: --bvh=FILE (again for more; default the three clips in assets/motion), --hz=60 (ticks),
-## --mode=velocity_motor, --root=held|soft, --buffer=0 (ticks of delay that make the next sample
-## known), --gain=45 (1/s), --seconds=0 (of each clip; 0 is all).
+## Options: --bvh=FILE (again for more; default the three clips in assets/motion), --all (every
+## mode, both roots, 30, 60 and 120 Hz), or one combination: --mode=velocity_motor|direct_set|
+## spring_torque|angular_motor|position_motor|limp, --root=held|soft, --hz=60 (ticks), --buffer=0
+## (ticks of delay that make the next sample known), --self-collision. Besides: --gain=50 (1/s),
+## --noise=0 (white noise of each limb, deg), --seconds=0 (of each clip; 0 is all).
 
-const _GOAL_MEAN: float = 1.3
-const _GOAL_P95: float = 4.0
+const Case: GDScript = preload("tracking/tracking_case.gd")
 const _START_S: float = 0.3
+## Metrics: key in the tracking figures, name, unit, factor.
+const _METRICS: Array[Array] = [
+	["mean_deg", "mean error", "deg", 1.0],
+	["p95_deg", "p95 error", "deg", 1.0],
+	["lag_s", "lag", "ms", 1000.0],
+	["distance_m", "joint position", "mm", 1000.0],
+]
 
 var _arguments: BenchArguments = null
 var _report: BenchReport = null
+var _random: RandomNumberGenerator = RandomNumberGenerator.new()
 
 
 func _initialize() -> void:
@@ -22,7 +31,10 @@ func _initialize() -> void:
 			"mode": "velocity_motor",
 			"root": "held",
 			"buffer": 0,
-			"gain": 45.0,
+			"self-collision": false,
+			"all": false,
+			"gain": 0.0,
+			"noise": 0.0,
 			"seconds": 0.0
 		}
 	)
@@ -31,93 +43,161 @@ func _initialize() -> void:
 
 func _run() -> void:
 	var fault: String = _find_fault()
+	_report = BenchReport.new("tracking", _arguments.value("json"))
+	var plain: Dictionary[String, float] = {}
+	for case: Case in _cases() if fault == "" else []:
+		var figures: Dictionary = await _run_case(case)
+		fault = figures.get("error", "")
+		if fault != "":
+			break
+		_add_figures(case, "all %d clips" % BenchArguments.clips(_arguments).size(), figures, true)
+		_compare_self_collision(case, figures["mean_deg"], plain)
 	if fault != "":
 		printerr(fault)
 		quit(2)
 		return
-	_report = BenchReport.new("tracking", _arguments.value("json"))
-	Engine.physics_ticks_per_second = _arguments.value("hz")
-	var files: PackedStringArray = BenchArguments.clips(_arguments)
-	var means: Statistics = Statistics.new()
-	var p95s: Statistics = Statistics.new()
-	for file: String in files:
-		var tracking: Dictionary = await _run_clip(file)
-		if tracking.has("error"):
-			printerr(tracking["error"])
-			quit(2)
-			return
-		means.add(tracking["mean_deg"])
-		p95s.add(tracking["p95_deg"])
-	if files.size() > 1:
-		_add_figures("all %d clips" % files.size(), means.mean(), p95s.mean(), true)
 	_report.finish()
 	quit(0)
+
+
+func _cases() -> Array:
+	if _arguments.value("all"):
+		return Case.all()
+	var named: bool = false
+	for option: String in ["mode", "root", "hz", "buffer", "self-collision"]:
+		named = named or _arguments.is_given(option)
+	if not named:
+		return Case.usual()
+	var case: Case = Case.new(
+		_arguments.value("mode"),
+		_arguments.value("root"),
+		_arguments.value("hz"),
+		_arguments.value("buffer")
+	)
+	case.self_collision = _arguments.value("self-collision")
+	return [case]
 
 
 func _find_fault() -> String:
 	if _arguments.error != "":
 		return _arguments.error
-	if _arguments.value("mode") != "velocity_motor":
-		return "the one mode is velocity_motor, found '%s'" % _arguments.value("mode")
+	if not Case.MODES.has(_arguments.value("mode")):
+		var known: String = ", ".join(Case.MODES)
+		return "a mode is one of %s, found '%s'" % [known, _arguments.value("mode")]
 	if not _arguments.value("root") in ["held", "soft"]:
 		return "a root is held or soft, found '%s'" % _arguments.value("root")
 	if _arguments.value("hz") < 10 or _arguments.value("hz") > 1000:
 		return "a tick rate is between 10 and 1000, found %d" % _arguments.value("hz")
+	if _arguments.value("buffer") < 0 or _arguments.value("buffer") > 8:
+		return "a buffer is 0 to 8 ticks, found %d" % _arguments.value("buffer")
 	return ""
 
 
-func _run_clip(p_file: String) -> Dictionary:
+## Means over the clips, or why there are none.
+func _run_case(p_case: Case) -> Dictionary:
+	Engine.physics_ticks_per_second = p_case.hz
+	_random.seed = 1
+	var sums: Dictionary = {}
+	var files: PackedStringArray = BenchArguments.clips(_arguments)
+	for file: String in files:
+		var tracking: Dictionary = await _run_clip(file, p_case)
+		if tracking.has("error"):
+			return tracking
+		_add_figures(p_case, file.get_file(), tracking, false)
+		for metric: Array in _METRICS:
+			sums[metric[0]] = sums.get(metric[0], 0.0) + tracking[metric[0]] / files.size()
+		sums["acted"] = sums.get("acted", 0) + tracking["acted"]
+	return sums
+
+
+func _run_clip(p_file: String, p_case: Case) -> Dictionary:
 	var source: BvhSource = BvhSource.new()
 	source.open(p_file)
 	if source.error != "":
 		return {"error": source.error}
-	var ragdoll: Ragdoll = _make_ragdoll(source.rig)
+	var ragdoll: Ragdoll = _make_ragdoll(source.rig, p_case)
 	root.add_child(ragdoll)
 	if not ragdoll.start():
 		return {"error": "%s: the ragdoll does not start" % p_file}
-	var delta: float = 1.0 / Engine.physics_ticks_per_second
-	var buffer: float = float(_arguments.value("buffer")) * delta
-	var length: float = source.rig.clip.duration() - BvhSource.BLEND_S
-	if _arguments.value("seconds") > 0.0:
-		length = minf(length, _arguments.value("seconds"))
-	var tick: int = 0
-	while tick * delta + buffer < length:
-		await physics_frame
-		# What the step before has made of it.
-		if tick * delta > _START_S:
-			ragdoll.motor.measure(tick * delta)
-		var sampled: PoseSample = source.pose_at(tick * delta + buffer)
-		ragdoll.push_sample(tick * delta + buffer, sampled, sampled.root)
-		ragdoll.drive(tick * delta, delta)
-		tick += 1
+	ragdoll.motor.measures_lag = true
+	ragdoll.motor.set_actuation(p_case.mode)
+	var acted: Array[int] = [0]
+	ragdoll.motor.guard_acted.connect(func(_actions: int) -> void: acted[0] += 1)
+	await _play(source, ragdoll, p_case)
 	var tracking: Dictionary = ragdoll.motor.get_tracking()
+	tracking["acted"] = acted[0]
 	ragdoll.queue_free()
 	await process_frame
 	if tracking["count"] == 0:
 		return {"error": "%s: the clip is too short to measure" % p_file}
-	var alone: bool = _arguments.list("bvh").size() == 1
-	_add_figures(p_file.get_file(), tracking["mean_deg"], tracking["p95_deg"], alone)
 	return tracking
 
 
-func _make_ragdoll(p_rig: BvhRig) -> Ragdoll:
+func _play(p_source: BvhSource, p_ragdoll: Ragdoll, p_case: Case) -> void:
+	var delta: float = 1.0 / p_case.hz
+	var length: float = p_source.rig.clip.duration() - BvhSource.BLEND_S
+	if _arguments.value("seconds") > 0.0:
+		length = minf(length, _arguments.value("seconds"))
+	var tick: int = 0
+	while (tick + p_case.buffer) * delta < length:
+		await physics_frame
+		# What the step before has made of it.
+		if tick * delta > _START_S:
+			p_ragdoll.motor.measure(tick * delta)
+		var sampled: PoseSample = p_source.pose_at((tick + p_case.buffer) * delta)
+		_add_noise(sampled)
+		p_ragdoll.push_sample((tick + p_case.buffer) * delta, sampled, sampled.root)
+		p_ragdoll.drive(tick * delta, delta)
+		tick += 1
+
+
+func _add_noise(p_sample: PoseSample) -> void:
+	var size: float = deg_to_rad(_arguments.value("noise"))
+	if size <= 0.0:
+		return
+	for limb: int in Limbs.COUNT:
+		var turn: Vector3 = Vector3(_random.randfn(), _random.randfn(), _random.randfn()) * size
+		var noise: Quaternion = Quaternion(turn.normalized(), turn.length())
+		p_sample.set_orientation(limb, p_sample.orientation(limb) * noise)
+
+
+func _make_ragdoll(p_rig: BvhRig, p_case: Case) -> Ragdoll:
 	var ragdoll: Ragdoll = Ragdoll.new()
 	var skeleton: Skeleton3D = BvhSkeleton.make(p_rig)
 	ragdoll.add_child(skeleton)
-	ragdoll.description = SkeletonShapes.describe(skeleton)
-	RagdollBuilder.build(skeleton, ragdoll.description)
-	var held: bool = _arguments.value("root") == "held"
-	ragdoll.root_mode = Ragdoll.RootMode.HELD if held else Ragdoll.RootMode.SOFT
-	ragdoll.gain = _arguments.value("gain")
+	ragdoll.profile = SkeletonShapes.describe(skeleton)
+	RagdollBuilder.build(skeleton, ragdoll.profile)
+	ragdoll.root_mode = p_case.root
+	ragdoll.self_collision = p_case.self_collision
+	if _arguments.value("gain") > 0.0:
+		ragdoll.gain = _arguments.value("gain")
 	return ragdoll
 
 
-func _add_figures(p_case: String, p_mean: float, p_p95: float, p_is_total: bool) -> void:
-	var goal: BenchReport.Goal = BenchReport.Goal.NONE
-	# The goal is for all clips together, causal, at 60 Hz, with the hips held.
-	var as_named: bool = _arguments.value("hz") == 60 and _arguments.value("root") == "held"
-	if p_is_total and as_named and _arguments.value("buffer") == 0:
-		goal = BenchReport.Goal.AT_MOST
-	var name: String = "%s, %s, %d Hz" % [p_case, _arguments.value("root"), _arguments.value("hz")]
-	_report.add(name, "mean error", p_mean, "deg", goal, _GOAL_MEAN)
-	_report.add(name, "p95 error", p_p95, "deg", goal, _GOAL_P95)
+func _add_figures(p_case: Case, p_of: String, p_figures: Dictionary, p_is_total: bool) -> void:
+	# Goals are for all clips together.
+	var alone: bool = BenchArguments.clips(_arguments).size() == 1
+	if p_is_total and alone:
+		return
+	var name: String = "%s: %s" % [p_case.name(), p_of]
+	for i: int in _METRICS.size():
+		var metric: Array = _METRICS[i]
+		var kind: BenchReport.Goal = BenchReport.Goal.NONE
+		if (p_is_total or alone) and p_case.goals[i] > 0.0 and _arguments.value("noise") == 0.0:
+			kind = BenchReport.Goal.AT_MOST
+		var value: float = p_figures[metric[0]] * metric[3]
+		_report.add(name, metric[1], value, metric[2], kind, p_case.goals[i])
+	if p_figures["acted"] > 0:
+		_report.add(name, "guard acted", p_figures["acted"], "ticks")
+
+
+## What self-collision costs against the same case without.
+func _compare_self_collision(
+	p_case: Case, p_mean: float, r_plain: Dictionary[String, float]
+) -> void:
+	var name: String = p_case.name().trim_suffix(", self-collision")
+	if not p_case.self_collision:
+		r_plain[name] = p_mean
+	elif r_plain.has(name):
+		var cost: float = p_mean - r_plain[name]
+		_report.add(p_case.name(), "cost", cost, "deg", BenchReport.Goal.AT_MOST, 0.3)

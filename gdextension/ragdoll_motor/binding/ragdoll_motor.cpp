@@ -1,204 +1,291 @@
 // SPDX-License-Identifier: MIT
 #include "ragdoll_motor.hpp"
 
-#include <godot_cpp/classes/physics_direct_body_state3d.hpp>
-#include <godot_cpp/classes/physics_server3d.hpp>
+#include "convert.hpp"
+
+#include <cstring>
 
 namespace godot {
 
 namespace {
 
-ragdoll::Vec3 to_core(const Vector3 &p_vector) {
-	return { p_vector.x, p_vector.y, p_vector.z };
-}
+constexpr double DEGREES = 180.0 / 3.14159265358979323846;
+constexpr std::uint32_t STATE_MAGIC = 0x31534D52; // "RMS1"
 
-Vector3 from_core(const ragdoll::Vec3 &p_vector) {
-	return Vector3(p_vector.x, p_vector.y, p_vector.z);
-}
-
-ragdoll::Quat to_core(const Quaternion &p_rotation) {
-	return { p_rotation.x, p_rotation.y, p_rotation.z, p_rotation.w };
-}
-
-Quaternion from_core(const ragdoll::Quat &p_rotation) {
-	return Quaternion(p_rotation.x, p_rotation.y, p_rotation.z, p_rotation.w);
+PackedFloat32Array to_packed(const std::vector<float> &p_values) {
+	PackedFloat32Array result;
+	result.resize(int64_t(p_values.size()));
+	std::copy(p_values.begin(), p_values.end(), result.ptrw());
+	return result;
 }
 
 } // namespace
 
-bool RagdollMotor::setup(const TypedArray<RID> &p_bodies, const TypedArray<RID> &p_joints,
-		const PackedInt32Array &p_parents, const PackedVector3Array &p_anchors,
-		const PackedVector3Array &p_body_offsets) {
-	const int64_t count = p_bodies.size();
-	ERR_FAIL_COND_V_MSG(count == 0, false, "RagdollMotor: there are no bodies to drive.");
-	ERR_FAIL_COND_V_MSG(p_joints.size() != count || p_parents.size() != count || p_anchors.size() != count ||
-					p_body_offsets.size() != count,
-			false, "RagdollMotor: bodies, joints, parents, anchors and offsets must be equally many.");
-	std::vector<Limb> new_limbs;
-	std::vector<int> parents;
-	std::vector<ragdoll::Vec3> new_anchors;
-	for (int64_t i = 0; i < count; i++) {
-		const int parent = p_parents[i];
-		ERR_FAIL_COND_V_MSG(parent >= i || parent < -1 || (parent == -1) != (i == 0), false,
-				"RagdollMotor: the first limb must be the root (-1), and parents must come before their children.");
-		new_limbs.push_back({ p_bodies[i], p_joints[i], to_core(p_body_offsets[i]) });
-		parents.push_back(parent);
-		new_anchors.push_back(to_core(p_anchors[i]));
-	}
-	limbs = std::move(new_limbs);
-	anchors = std::move(new_anchors);
-	stream = std::make_unique<ragdoll::PoseStream>(limbs.size());
-	motor = std::make_unique<ragdoll::VelocityMotor>(std::move(parents));
-	actual.assign(limbs.size(), ragdoll::Quat());
-	meter.clear();
-	return true;
+void RagdollMotor::release() {
+	bodies.reset();
+	driver.reset();
 }
 
-bool RagdollMotor::push_sample(double p_time_s, const PackedFloat32Array &p_orientations, const Vector3 &p_root) {
-	if (!stream || p_orientations.size() != int64_t(limbs.size()) * 4) {
+void RagdollMotor::apply_settings() {
+	if (!driver) {
+		return;
+	}
+	driver->root_mode = ragdoll::RootMode(root_mode);
+	driver->root_settings.force = float(root_force);
+	driver->root_settings.torque = float(root_torque);
+	driver->get_controller().settings.gain = float(gain);
+	driver->get_guard().max_energy = float(max_energy);
+	driver->measures_torque = measures_torque;
+	driver->get_meter().measures_lag = measures_lag;
+}
+
+bool RagdollMotor::push_sample(double p_time_s, const PackedFloat32Array &p_rotations, const Vector3 &p_root,
+		const PackedFloat32Array &p_rates) {
+	const std::size_t count = reset_pose.size();
+	if (!driver || p_rotations.size() < int64_t(count) * 4 ||
+			(!p_rates.is_empty() && p_rates.size() < int64_t(count) * 3)) {
 		return false;
 	}
-	if (!stream->push(p_time_s, p_orientations.ptr(), to_core(p_root))) {
-		return false;
+	const float *rotations = p_rotations.ptr();
+	const int32_t *slots = sample_slots.is_empty() ? nullptr : sample_slots.ptr();
+	const int64_t most = p_rotations.size() / 4;
+	for (std::size_t i = 0; i < count; i++) {
+		const int64_t slot = slots ? slots[i] : int64_t(i);
+		if (slot < 0 || slot >= most) {
+			return false;
+		}
+		const float *values = rotations + slot * 4;
+		// Thesis section 6.2: q = r i.
+		const ragdoll::Quat target = ragdoll::Quat{ values[0], values[1], values[2], values[3] } * reset_pose[i];
+		targets[i * 4] = target.x;
+		targets[i * 4 + 1] = target.y;
+		targets[i * 4 + 2] = target.z;
+		targets[i * 4 + 3] = target.w;
 	}
-	meter.settle(*stream);
-	return true;
+	return driver->push(p_time_s, targets.data(), to_core(p_root), p_rates.is_empty() ? nullptr : p_rates.ptr());
 }
 
 void RagdollMotor::clear_motion() {
-	if (stream) {
-		stream->clear();
+	if (driver) {
+		driver->get_stream().clear();
 	}
-}
-
-bool RagdollMotor::read_bodies() {
-	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
-	for (std::size_t i = 0; i < limbs.size(); i++) {
-		const PhysicsDirectBodyState3D *state = server->body_get_direct_state(limbs[i].body);
-		ERR_FAIL_NULL_V_MSG(state, false, "RagdollMotor: a body is not in a physics space (any more).");
-		const Transform3D transform = state->get_transform();
-		actual[i] = to_core(transform.basis.get_rotation_quaternion());
-		if (i == 0) {
-			actual_root = to_core(transform.origin) - actual[0].rotate(limbs[0].offset);
-		}
-	}
-	return true;
-}
-
-Transform3D RagdollMotor::body_transform(std::size_t p_limb, const ragdoll::Pose &p_pose) const {
-	const ragdoll::Quat &orientation = p_pose.orientations[p_limb];
-	const ragdoll::Vec3 origin = joints[p_limb] + orientation.rotate(limbs[p_limb].offset);
-	return Transform3D(Basis(from_core(orientation)), from_core(origin));
 }
 
 bool RagdollMotor::snap_to(double p_time_s) {
 	if (!is_ready()) {
 		return false;
 	}
-	stream->predict(p_time_s, now);
-	motor->joint_positions(now, anchors, joints);
-	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
-	if (root_mode == ROOT_HELD) {
-		// A kinematic body would travel there within a step and fling the others about.
-		server->body_set_mode(limbs[0].body, PhysicsServer3D::BODY_MODE_RIGID);
-	}
-	for (std::size_t i = 0; i < limbs.size(); i++) {
-		server->body_set_state(limbs[i].body, PhysicsServer3D::BODY_STATE_TRANSFORM, body_transform(i, now));
-		server->body_set_state(limbs[i].body, PhysicsServer3D::BODY_STATE_LINEAR_VELOCITY, Vector3());
-		server->body_set_state(limbs[i].body, PhysicsServer3D::BODY_STATE_ANGULAR_VELOCITY, Vector3());
-	}
-	if (root_mode == ROOT_HELD) {
-		server->body_set_mode(limbs[0].body, PhysicsServer3D::BODY_MODE_KINEMATIC);
-	}
+	driver->pose_state(p_time_s, state);
+	bodies->put(state);
 	return true;
 }
 
 bool RagdollMotor::drive(double p_time_s, double p_delta_s) {
 	ERR_FAIL_COND_V_MSG(!(p_delta_s > 0.0), false, "RagdollMotor: the time step must be above zero.");
-	if (!is_ready() || !read_bodies()) {
+	if (!is_ready() || !bodies->read(state)) {
 		return false;
 	}
-	stream->predict(p_time_s, now);
-	stream->predict(p_time_s + p_delta_s, next);
-	motor->compute(actual, now, next, float(p_delta_s), float(gain), velocities);
-	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
-	for (std::size_t i = 1; i < limbs.size(); i++) {
-		const float axes[3] = { velocities[i].x, velocities[i].y, velocities[i].z };
-		for (int axis = 0; axis < 3; axis++) {
-			// The engine's sign is the other way round for angular motors (not for linear ones).
-			server->generic_6dof_joint_set_param(limbs[i].joint, Vector3::Axis(axis),
-					PhysicsServer3D::G6DOF_JOINT_ANGULAR_MOTOR_TARGET_VELOCITY, -axes[axis]);
-		}
+	const ragdoll::StepCommands &commands = driver->step(state, p_time_s, float(p_delta_s));
+	if (commands.must_put) {
+		bodies->put(state);
 	}
-	drive_root(p_delta_s);
+	if (commands.guarded != ragdoll::GUARD_NOTHING) {
+		report(commands.guarded);
+	}
+	bodies->write(commands.limbs, commands.orientations, commands.joints);
+	if (commands.is_root_held) {
+		bodies->hold_root(commands.orientations[0], commands.joints[0]);
+	} else {
+		bodies->draw_root(driver->root_mode, commands.root, commands.root_turn, commands.trunk_turn);
+	}
 	return true;
 }
 
-void RagdollMotor::drive_root(double p_delta_s) {
-	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
-	if (root_mode == ROOT_HELD) {
-		joints.resize(1);
-		joints[0] = next.root;
-		server->body_set_state(limbs[0].body, PhysicsServer3D::BODY_STATE_TRANSFORM, body_transform(0, next));
-		return;
+int64_t RagdollMotor::drive_all(
+		const TypedArray<RagdollMotor> &p_motors, const PackedFloat64Array &p_times_s, double p_delta_s) {
+	ERR_FAIL_COND_V_MSG(p_motors.size() != p_times_s.size(), 0, "RagdollMotor: there must be one time for each motor.");
+	const double *times = p_times_s.ptr();
+	int64_t driven = 0;
+	for (int64_t i = 0; i < p_motors.size(); i++) {
+		RagdollMotor *motor = Object::cast_to<RagdollMotor>(p_motors[i]);
+		driven += motor && motor->drive(times[i], p_delta_s) ? 1 : 0;
 	}
-	const ragdoll::Vec3 linear =
-			ragdoll::root_velocity(actual_root, now.root, next.root, float(p_delta_s), float(gain));
-	const float linear_axes[3] = { linear.x, linear.y, linear.z };
-	const float angular_axes[3] = { velocities[0].x, velocities[0].y, velocities[0].z };
-	for (int axis = 0; axis < 3; axis++) {
-		server->generic_6dof_joint_set_param(limbs[0].joint, Vector3::Axis(axis),
-				PhysicsServer3D::G6DOF_JOINT_LINEAR_MOTOR_TARGET_VELOCITY, linear_axes[axis]);
-		server->generic_6dof_joint_set_param(limbs[0].joint, Vector3::Axis(axis),
-				PhysicsServer3D::G6DOF_JOINT_ANGULAR_MOTOR_TARGET_VELOCITY, -angular_axes[axis]);
-	}
+	return driven;
 }
 
-void RagdollMotor::measure(double p_time_s) {
-	if (is_ready() && !stream->is_stalled(p_time_s) && read_bodies()) {
-		meter.note(p_time_s, actual);
-	}
+void RagdollMotor::report(std::uint32_t p_guarded) {
+	emit_signal("guard_acted", int64_t(p_guarded));
 }
 
 bool RagdollMotor::is_stalled(double p_time_s) const {
-	return !stream || stream->is_stalled(p_time_s);
+	return !driver || driver->get_stream().is_stalled(p_time_s);
+}
+
+bool RagdollMotor::find_group(const StringName &p_group, int &r_group) const {
+	r_group = -1;
+	if (p_group == StringName()) {
+		return true;
+	}
+	for (std::size_t i = 0; i < groups.size(); i++) {
+		if (groups[i] == p_group) {
+			r_group = int(i);
+			return true;
+		}
+	}
+	return false;
+}
+
+void RagdollMotor::set_actuation(Actuation p_mode, const StringName &p_group, double p_blend_s) {
+	int group = -1;
+	ERR_FAIL_COND_MSG(!driver, "RagdollMotor: set_actuation() comes after setup().");
+	ERR_FAIL_COND_MSG(
+			int(p_mode) < 0 || int(p_mode) >= ragdoll::ACTUATION_COUNT, "RagdollMotor: there is no such actuation.");
+	ERR_FAIL_COND_MSG(!find_group(p_group, group), "RagdollMotor: the profile has no group " + String(p_group) + ".");
+	driver->get_table().set_mode(ragdoll::Actuation(p_mode), group, float(p_blend_s));
+}
+
+RagdollMotor::Actuation RagdollMotor::get_actuation(const StringName &p_group) const {
+	int group = -1;
+	if (!driver || !find_group(p_group, group)) {
+		return VELOCITY_MOTOR;
+	}
+	for (std::size_t i = 0; i < driver->get_rig().size(); i++) {
+		if (group < 0 || driver->get_rig()[i].group == group) {
+			return Actuation(driver->get_table().get_wanted_mode(i));
+		}
+	}
+	return VELOCITY_MOTOR;
+}
+
+void RagdollMotor::set_group_strength(double p_strength, const StringName &p_group, double p_blend_s) {
+	int group = -1;
+	ERR_FAIL_COND_MSG(!driver, "RagdollMotor: set_group_strength() comes after setup().");
+	ERR_FAIL_COND_MSG(!(p_strength >= 0.0), "RagdollMotor: a strength is 0 or more.");
+	ERR_FAIL_COND_MSG(!find_group(p_group, group), "RagdollMotor: the profile has no group " + String(p_group) + ".");
+	driver->get_table().set_strength(float(p_strength), group, float(p_blend_s));
+}
+
+double RagdollMotor::get_group_strength(const StringName &p_group) const {
+	int group = -1;
+	if (!driver || !find_group(p_group, group)) {
+		return 0.0;
+	}
+	return driver->get_table().get_group_strength(group < 0 ? 0 : group);
+}
+
+void RagdollMotor::set_group_spring(double p_frequency, double p_damping_ratio, const StringName &p_group) {
+	int group = -1;
+	ERR_FAIL_COND_MSG(!driver, "RagdollMotor: set_group_spring() comes after setup().");
+	ERR_FAIL_COND_MSG(!(p_frequency >= 0.0 && p_damping_ratio >= 0.0),
+			"RagdollMotor: a spring's frequency and damping ratio are 0 or more.");
+	ERR_FAIL_COND_MSG(!find_group(p_group, group), "RagdollMotor: the profile has no group " + String(p_group) + ".");
+	driver->get_table().set_spring(float(p_frequency), float(p_damping_ratio), group);
+}
+
+void RagdollMotor::measure(double p_time_s) {
+	if (is_ready() && bodies->read(state)) {
+		driver->measure(p_time_s, state);
+	}
 }
 
 Dictionary RagdollMotor::get_tracking() const {
-	constexpr double DEGREES = 180.0 / 3.14159265358979323846;
 	Dictionary tracking;
-	tracking["count"] = int64_t(meter.get_count());
-	tracking["mean_deg"] = meter.mean() * DEGREES;
-	tracking["p95_deg"] = meter.percentile(0.95) * DEGREES;
-	tracking["latest_deg"] = meter.latest() * DEGREES;
+	const bool known = driver != nullptr;
+	tracking["count"] = known ? int64_t(driver->get_meter().get_count()) : int64_t(0);
+	tracking["mean_deg"] = known ? driver->get_meter().mean() * DEGREES : 0.0;
+	tracking["p95_deg"] = known ? driver->get_meter().percentile(0.95) * DEGREES : 0.0;
+	tracking["latest_deg"] = known ? driver->get_meter().latest() * DEGREES : 0.0;
+	tracking["distance_m"] = known ? driver->get_meter().mean_distance() : 0.0;
+	tracking["lag_s"] = known ? driver->get_meter().lag() : 0.0;
 	return tracking;
 }
 
 void RagdollMotor::clear_tracking() {
-	meter.clear();
+	if (driver) {
+		driver->get_meter().clear();
+	}
 }
 
-void RagdollMotor::_bind_methods() {
-	ClassDB::bind_method(D_METHOD("set_gain", "gain"), &RagdollMotor::set_gain);
-	ClassDB::bind_method(D_METHOD("get_gain"), &RagdollMotor::get_gain);
-	ClassDB::bind_method(D_METHOD("set_root_mode", "mode"), &RagdollMotor::set_root_mode);
-	ClassDB::bind_method(D_METHOD("get_root_mode"), &RagdollMotor::get_root_mode);
-	ClassDB::bind_method(
-			D_METHOD("setup", "bodies", "joints", "parents", "anchors", "body_offsets"), &RagdollMotor::setup);
-	ClassDB::bind_method(D_METHOD("push_sample", "time_s", "orientations", "root"), &RagdollMotor::push_sample);
-	ClassDB::bind_method(D_METHOD("clear_motion"), &RagdollMotor::clear_motion);
-	ClassDB::bind_method(D_METHOD("snap_to", "time_s"), &RagdollMotor::snap_to);
-	ClassDB::bind_method(D_METHOD("drive", "time_s", "delta_s"), &RagdollMotor::drive);
-	ClassDB::bind_method(D_METHOD("measure", "time_s"), &RagdollMotor::measure);
-	ClassDB::bind_method(D_METHOD("is_stalled", "time_s"), &RagdollMotor::is_stalled);
-	ClassDB::bind_method(D_METHOD("get_tracking"), &RagdollMotor::get_tracking);
-	ClassDB::bind_method(D_METHOD("clear_tracking"), &RagdollMotor::clear_tracking);
-	ADD_PROPERTY(
-			PropertyInfo(Variant::FLOAT, "gain", PROPERTY_HINT_RANGE, "0,240,0.1,suffix:1/s"), "set_gain", "get_gain");
-	ADD_PROPERTY(
-			PropertyInfo(Variant::INT, "root_mode", PROPERTY_HINT_ENUM, "Held,Soft"), "set_root_mode", "get_root_mode");
-	BIND_ENUM_CONSTANT(ROOT_HELD);
-	BIND_ENUM_CONSTANT(ROOT_SOFT);
+PackedFloat32Array RagdollMotor::get_limb_errors() {
+	return driver ? to_packed(driver->find_errors(state)) : PackedFloat32Array();
+}
+
+PackedFloat32Array RagdollMotor::get_limb_torques() const {
+	return driver ? to_packed(driver->get_torques().get_torques()) : PackedFloat32Array();
+}
+
+PackedFloat32Array RagdollMotor::get_limb_saturations() const {
+	return driver ? to_packed(driver->get_saturations()) : PackedFloat32Array();
+}
+
+Vector3 RagdollMotor::get_root_target() const {
+	return driver ? from_core(driver->get_root_target()) : Vector3();
+}
+
+double RagdollMotor::get_internal_energy() {
+	return driver && bodies->read(state) ? ragdoll::EnergyGuard::internal_energy(driver->get_rig(), state) : 0.0;
+}
+
+PackedByteArray RagdollMotor::save_state() {
+	PackedByteArray result;
+	if (!driver || !bodies->read(state)) {
+		return result;
+	}
+	ragdoll::ArchiveWriter archive;
+	archive.put(STATE_MAGIC);
+	driver->save(archive);
+	archive.put_all(state.orientations);
+	archive.put_all(state.centres);
+	archive.put_all(state.linear);
+	archive.put_all(state.angular);
+	ragdoll::StateHash sum;
+	for (const std::uint8_t byte : archive.get_bytes()) {
+		sum.add(byte);
+	}
+	archive.put(sum.get());
+	const std::vector<std::uint8_t> &bytes = archive.get_bytes();
+	result.resize(int64_t(bytes.size()));
+	std::memcpy(result.ptrw(), bytes.data(), bytes.size());
+	return result;
+}
+
+bool RagdollMotor::restore_state(const PackedByteArray &p_bytes) {
+	ERR_FAIL_COND_V_MSG(!driver, false, "RagdollMotor: restore_state() comes after setup().");
+	const std::size_t size = std::size_t(p_bytes.size());
+	const std::size_t tail = sizeof(std::uint64_t);
+	ERR_FAIL_COND_V_MSG(size < tail, false, "RagdollMotor: the saved state is cut off.");
+	const std::uint8_t *bytes = p_bytes.ptr();
+	ragdoll::StateHash sum;
+	for (std::size_t i = 0; i < size - tail; i++) {
+		sum.add(bytes[i]);
+	}
+	std::uint64_t expected = 0;
+	std::memcpy(&expected, bytes + size - tail, tail);
+	ERR_FAIL_COND_V_MSG(sum.get() != expected, false, "RagdollMotor: the saved state is damaged.");
+	ragdoll::ArchiveReader archive(bytes, size - tail);
+	std::uint32_t magic = 0;
+	const bool fits = archive.get(magic) && magic == STATE_MAGIC && driver->restore(archive) &&
+			archive.get_all(state.orientations) && archive.get_all(state.centres) && archive.get_all(state.linear) &&
+			archive.get_all(state.angular) && archive.is_at_end();
+	ERR_FAIL_COND_V_MSG(!fits, false, "RagdollMotor: the saved state is of another profile or version.");
+	root_mode = RootMode(driver->root_mode);
+	// New joints know nothing of the impulses of the time before: every replay begins the same.
+	bodies->remake();
+	bodies->put(state);
+	return true;
+}
+
+int64_t RagdollMotor::get_state_hash() {
+	ragdoll::StateHash hash;
+	if (driver && bodies->read(state)) {
+		for (std::size_t i = 0; i < state.centres.size(); i++) {
+			hash.add(state.orientations[i]);
+			hash.add(state.centres[i]);
+			hash.add(state.linear[i]);
+			hash.add(state.angular[i]);
+		}
+	}
+	return int64_t(hash.get());
 }
 
 } // namespace godot

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../src/tracking_meter.hpp"
-#include "../src/velocity_motor.hpp"
+#include "../src/driver.hpp"
+#include "ragdoll_bodies.hpp"
+#include "ragdoll_profile.hpp"
 
 #include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/core/binder_common.hpp>
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
+#include <godot_cpp/variant/packed_byte_array.hpp>
 #include <godot_cpp/variant/packed_float32_array.hpp>
+#include <godot_cpp/variant/packed_float64_array.hpp>
 #include <godot_cpp/variant/packed_int32_array.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 #include <godot_cpp/variant/rid.hpp>
@@ -27,57 +30,132 @@ public:
 	enum RootMode {
 		ROOT_HELD,
 		ROOT_SOFT,
+		ROOT_LOWEST_FOOT,
+		ROOT_CONTACTS,
+		ROOT_PENDULUM,
+		ROOT_SELF_RIGHTING,
+		ROOT_INERTIAL,
+	};
+	enum Actuation {
+		DIRECT_SET,
+		SPRING_TORQUE,
+		ANGULAR_MOTOR,
+		VELOCITY_MOTOR,
+		POSITION_MOTOR,
+		LIMP,
 	};
 
-	void set_gain(double p_gain) { gain = p_gain; }
-	double get_gain() const { return gain; }
-	void set_root_mode(RootMode p_mode) { root_mode = p_mode; }
-	RootMode get_root_mode() const { return root_mode; }
+	/// What the guard against explosions had to do; flags.
+	enum GuardAction {
+		GUARD_ENERGY = 1,
+		GUARD_SPEED = 2,
+		GUARD_GAP = 4,
+		GUARD_LOST = 8,
+	};
 
-	bool setup(const TypedArray<RID> &p_bodies, const TypedArray<RID> &p_joints, const PackedInt32Array &p_parents,
-			const PackedVector3Array &p_anchors, const PackedVector3Array &p_body_offsets);
-	bool push_sample(double p_time_s, const PackedFloat32Array &p_orientations, const Vector3 &p_root);
+	// What it is made of.
+	bool setup(const Ref<RagdollProfile> &p_profile, const TypedArray<RID> &p_bodies,
+			const PackedVector3Array &p_centres, const RID &p_space);
+	void release();
+	bool is_set_up() const { return driver != nullptr; }
+
+	// Motion.
+	bool push_sample(double p_time_s, const PackedFloat32Array &p_rotations, const Vector3 &p_root,
+			const PackedFloat32Array &p_rates);
 	void clear_motion();
 	bool snap_to(double p_time_s);
 	bool drive(double p_time_s, double p_delta_s);
-	void measure(double p_time_s);
+	static int64_t drive_all(
+			const TypedArray<RagdollMotor> &p_motors, const PackedFloat64Array &p_times_s, double p_delta_s);
 	bool is_stalled(double p_time_s) const;
+
+	// Modes.
+	void set_actuation(Actuation p_mode, const StringName &p_group, double p_blend_s);
+	Actuation get_actuation(const StringName &p_group) const;
+	void set_group_strength(double p_strength, const StringName &p_group, double p_blend_s);
+	double get_group_strength(const StringName &p_group) const;
+	void set_group_spring(double p_frequency, double p_damping_ratio, const StringName &p_group);
+
+	// Measurement.
+	void measure(double p_time_s);
 	Dictionary get_tracking() const;
 	void clear_tracking();
+	PackedFloat32Array get_limb_errors();
+	PackedFloat32Array get_limb_torques() const;
+	PackedFloat32Array get_limb_saturations() const;
+	Vector3 get_root_target() const;
+	double get_internal_energy();
+
+	// State.
+	PackedByteArray save_state();
+	bool restore_state(const PackedByteArray &p_bytes);
+	int64_t get_state_hash();
+
+	// Properties.
+	void set_root_mode(RootMode p_mode);
+	RootMode get_root_mode() const { return root_mode; }
+	void set_gain(double p_gain);
+	double get_gain() const { return gain; }
+	void set_root_force(double p_force);
+	double get_root_force() const { return root_force; }
+	void set_root_torque(double p_torque);
+	double get_root_torque() const { return root_torque; }
+	void set_inertia_scale(double p_scale) { inertia_scale = p_scale; }
+	double get_inertia_scale() const { return inertia_scale; }
+	void set_self_collision(bool p_enabled) { self_collision = p_enabled; }
+	bool has_self_collision() const { return self_collision; }
+	void set_anatomical_limits(bool p_enabled) { anatomical_limits = p_enabled; }
+	bool has_anatomical_limits() const { return anatomical_limits; }
+	void set_sample_slots(const PackedInt32Array &p_slots);
+	PackedInt32Array get_sample_slots() const { return sample_slots; }
+	void set_measures_torque(bool p_enabled);
+	bool get_measures_torque() const { return measures_torque; }
+	void set_measures_lag(bool p_enabled);
+	bool get_measures_lag() const { return measures_lag; }
+	void set_max_energy(double p_energy);
+	double get_max_energy() const { return max_energy; }
 
 protected:
 	static void _bind_methods();
 
 private:
-	struct Limb {
-		RID body;
-		RID joint;
-		ragdoll::Vec3 offset; // Of the body's origin in the limb's frame.
-	};
+	static void bind_properties();
+	static void bind_control();
+	static void bind_measurement();
 
-	bool is_ready() const { return stream && !stream->is_empty(); }
-	bool read_bodies();
-	Transform3D body_transform(std::size_t p_limb, const ragdoll::Pose &p_pose) const;
-	void drive_root(double p_delta_s);
+	bool is_ready() const { return driver && !driver->get_stream().is_empty(); }
+	bool make_driver(
+			const Ref<RagdollProfile> &p_profile, const TypedArray<RID> &p_bodies, const PackedVector3Array &p_centres);
+	void apply_settings();
+	bool find_group(const StringName &p_group, int &r_group) const;
+	void report(std::uint32_t p_guarded);
 
-	double gain = 45.0;
 	RootMode root_mode = ROOT_SOFT;
+	double gain = 50.0;
+	double root_force = 2000.0;
+	double root_torque = 800.0;
+	double inertia_scale = 6.0;
+	double max_energy = 60.0;
+	bool self_collision = false;
+	bool anatomical_limits = false;
+	bool measures_torque = false;
+	bool measures_lag = false;
+	PackedInt32Array sample_slots;
 
-	std::vector<Limb> limbs;
-	std::vector<ragdoll::Vec3> anchors;
-	std::unique_ptr<ragdoll::PoseStream> stream;
-	std::unique_ptr<ragdoll::VelocityMotor> motor;
-	ragdoll::TrackingMeter meter;
+	std::vector<StringName> groups;
+	std::vector<ragdoll::Quat> reset_pose;
+	std::vector<RagdollBodies::JointSpec> specs;
+	std::unique_ptr<ragdoll::Driver> driver;
+	// After the driver: the bodies refer to its rig.
+	std::unique_ptr<RagdollBodies> bodies;
 
 	// Kept between ticks, so that a tick allocates nothing.
-	ragdoll::Pose now;
-	ragdoll::Pose next;
-	std::vector<ragdoll::Quat> actual;
-	std::vector<ragdoll::Vec3> velocities;
-	std::vector<ragdoll::Vec3> joints;
-	ragdoll::Vec3 actual_root;
+	ragdoll::RigState state;
+	std::vector<float> targets;
 };
 
 } // namespace godot
 
 VARIANT_ENUM_CAST(RagdollMotor::RootMode);
+VARIANT_ENUM_CAST(RagdollMotor::Actuation);
+VARIANT_ENUM_CAST(RagdollMotor::GuardAction);

@@ -11,6 +11,8 @@ namespace {
 
 void initialize(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
+		GDREGISTER_CLASS(RagdollLimb);
+		GDREGISTER_CLASS(RagdollProfile);
 		GDREGISTER_CLASS(RagdollMotor);
 	}
 }

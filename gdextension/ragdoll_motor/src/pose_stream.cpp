@@ -5,26 +5,60 @@
 
 namespace ragdoll {
 
+namespace {
+
+/// Seconds of turning that lie beyond the newest sample: at first as many as have passed, then fewer,
+/// and none when the stream has stalled for long.
+double faded(double p_age_s) {
+	const double age = std::min(p_age_s, PoseStream::STALL_AFTER);
+	const double ahead = PoseStream::RATE_FADE * (1.0 - std::exp(-age / PoseStream::RATE_FADE));
+	if (p_age_s <= PoseStream::STALL_AFTER) {
+		return ahead;
+	}
+	const double span = PoseStream::HOLD_AFTER - PoseStream::STALL_AFTER;
+	const double left = std::clamp((PoseStream::HOLD_AFTER - p_age_s) / span, 0.0, 1.0);
+	return ahead * left * left * (3.0 - 2.0 * left);
+}
+
+bool is_rotation(const Quat &p_value) {
+	// Written so that NaN fails too.
+	const float norm = std::sqrt(p_value.dot(p_value));
+	return norm > 0.9f && norm < 1.1f;
+}
+
+Vec3 limited(const Vec3 &p_rate, float p_most) {
+	const float length = p_rate.length();
+	return length > p_most ? p_rate * (p_most / length) : p_rate;
+}
+
+} // namespace
+
 PoseStream::PoseStream(std::size_t p_limb_count) : limb_count(p_limb_count) {
 	for (Sample &sample : ring) {
 		sample.orientations.resize(limb_count);
+		sample.rates.resize(limb_count);
 	}
 }
 
 void PoseStream::clear() {
 	count = 0;
+	teleported = false;
 }
 
-bool PoseStream::push(double p_time_s, const float *p_orientations, const Vec3 &p_root) {
+bool PoseStream::take_teleport() {
+	return std::exchange(teleported, false);
+}
+
+bool PoseStream::push(double p_time_s, const float *p_orientations, const Vec3 &p_root, const float *p_rates) {
 	if (!std::isfinite(p_time_s) || !p_root.is_finite() || (count > 0 && p_time_s <= newest())) {
 		return false;
 	}
 	for (std::size_t i = 0; i < limb_count; i++) {
 		const float *values = p_orientations + 4 * i;
-		const Quat orientation{ values[0], values[1], values[2], values[3] };
-		// Written so that NaN fails too.
-		const float norm = std::sqrt(orientation.dot(orientation));
-		if (!(norm > 0.9f && norm < 1.1f)) {
+		if (!is_rotation({ values[0], values[1], values[2], values[3] })) {
+			return false;
+		}
+		if (p_rates && !Vec3{ p_rates[3 * i], p_rates[3 * i + 1], p_rates[3 * i + 2] }.is_finite()) {
 			return false;
 		}
 	}
@@ -35,33 +69,111 @@ bool PoseStream::push(double p_time_s, const float *p_orientations, const Vec3 &
 	for (std::size_t i = 0; i < limb_count; i++) {
 		const float *values = p_orientations + 4 * i;
 		sample.orientations[i] = Quat{ values[0], values[1], values[2], values[3] }.normalized();
+		sample.rates[i] = p_rates ? Vec3{ p_rates[3 * i], p_rates[3 * i + 1], p_rates[3 * i + 2] } : Vec3();
+	}
+	sample.root_rate = {};
+	if (count > 0) {
+		const float distance = (p_root - at(0).root).length();
+		if (distance > TELEPORT_DISTANCE && distance > FASTEST_ROOT * float(p_time_s - newest())) {
+			count = 0;
+			teleported = true;
+		} else if (p_time_s - newest() <= LONGEST_GAP) {
+			if (!p_rates) {
+				estimate_rates(at(0), sample);
+			}
+			const double span = p_time_s - newest();
+			const float old = count > 1 ? float(std::exp(-span / RATE_MEMORY)) : 0.0f;
+			sample.root_rate = (p_root - at(0).root) * ((1.0f - old) / float(span)) + at(0).root_rate * old;
+		}
 	}
 	head = next;
 	count = std::min(count + 1, CAPACITY);
 	return true;
 }
 
+void PoseStream::estimate_rates(const Sample &p_before, Sample &r_sample) const {
+	const double span = r_sample.time_s - p_before.time_s;
+	const float old = count > 1 ? float(std::exp(-span / RATE_MEMORY)) : 0.0f;
+	const float fresh = (1.0f - old) / float(span);
+	for (std::size_t i = 0; i < limb_count; i++) {
+		const Vec3 turned = log(p_before.orientations[i].inverse() * r_sample.orientations[i]);
+		r_sample.rates[i] = limited(turned * fresh + p_before.rates[i] * old, FASTEST_TURN);
+	}
+}
+
 void PoseStream::predict(double p_time_s, Pose &r_pose) const {
 	r_pose.orientations.resize(limb_count);
+	if (p_time_s >= newest()) {
+		extrapolate(p_time_s - newest(), r_pose);
+		return;
+	}
 	std::size_t age = 0; // Of the later of the two samples that the time lies between.
 	while (age + 2 < count && at(age + 1).time_s > p_time_s) {
 		age++;
 	}
 	const Sample &after = at(age);
-	const bool alone = count < 2 || after.time_s - at(age + 1).time_s > LONGEST_GAP;
-	if (alone || is_stalled(p_time_s)) {
-		r_pose.orientations = after.orientations;
-		r_pose.root = after.root;
+	const Sample &before = at(std::min(age + 1, count - 1));
+	const double span = after.time_s - before.time_s;
+	if (span <= 0.0 || span > LONGEST_GAP) {
+		const Sample &held = p_time_s < after.time_s ? before : after;
+		r_pose.orientations = held.orientations;
+		r_pose.root = held.root;
 		return;
 	}
-	const Sample &before = at(age + 1);
-	const double span = after.time_s - before.time_s;
 	const double time = std::max(p_time_s, before.time_s);
 	const float fraction = float((time - before.time_s) / span);
 	for (std::size_t i = 0; i < limb_count; i++) {
 		r_pose.orientations[i] = slerp(before.orientations[i], after.orientations[i], fraction);
 	}
 	r_pose.root = before.root + (after.root - before.root) * fraction;
+}
+
+void PoseStream::extrapolate(double p_age_s, Pose &r_pose) const {
+	const Sample &newest_sample = at(0);
+	const float ahead = float(faded(p_age_s));
+	for (std::size_t i = 0; i < limb_count; i++) {
+		r_pose.orientations[i] = newest_sample.orientations[i] * exp(newest_sample.rates[i] * ahead);
+	}
+	r_pose.root = newest_sample.root + newest_sample.root_rate * ahead;
+}
+
+void PoseStream::save(ArchiveWriter &p_archive) const {
+	p_archive.put(std::uint32_t(limb_count));
+	p_archive.put(std::uint32_t(count));
+	p_archive.put(teleported);
+	for (std::size_t age = count; age-- > 0;) {
+		const Sample &sample = at(age);
+		p_archive.put(sample.time_s);
+		p_archive.put(sample.root);
+		p_archive.put(sample.root_rate);
+		p_archive.put_all(sample.orientations);
+		p_archive.put_all(sample.rates);
+	}
+}
+
+bool PoseStream::restore(ArchiveReader &p_archive) {
+	clear();
+	std::uint32_t limbs = 0;
+	std::uint32_t samples = 0;
+	bool jumped = false;
+	p_archive.get(limbs);
+	p_archive.get(samples);
+	p_archive.get(jumped);
+	if (!p_archive.is_good() || limbs != limb_count || samples > CAPACITY) {
+		return false;
+	}
+	for (std::uint32_t i = 0; i < samples; i++) {
+		head = (head + 1) % CAPACITY;
+		Sample &sample = ring[head];
+		p_archive.get(sample.time_s);
+		p_archive.get(sample.root);
+		p_archive.get(sample.root_rate);
+		p_archive.get_all(sample.orientations);
+		p_archive.get_all(sample.rates);
+	}
+	count = p_archive.is_good() ? samples : 0;
+	teleported = jumped;
+	return p_archive.is_good();
 }
 
 } // namespace ragdoll

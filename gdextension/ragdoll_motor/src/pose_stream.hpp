@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "archive.hpp"
 #include "quaternion.hpp"
 
 #include <array>
@@ -9,7 +10,7 @@
 
 namespace ragdoll {
 
-/// Where every limb is to be at one moment, and how fast it turns.
+/// Where every limb is to be at one moment.
 struct Pose {
 	std::vector<Quat> orientations; ///< World orientation of each limb.
 	Vec3 root; ///< World position of the root limb's joint, m.
@@ -17,15 +18,28 @@ struct Pose {
 
 /// Live samples of one person, in order of their time; answers what the pose is *now*.
 ///
-/// Causal: only what has arrived is used. Between samples it interpolates, beyond the newest it
-/// extrapolates with the angular velocity of the last two (backward difference), and when the
-/// stream stalls it holds the last pose: stale feed-forward is worse than none.
+/// Causal: only what has arrived is used. Between samples it interpolates. Beyond the newest it goes
+/// on with the turning rates of the last samples (or a gyroscope's), which fade: human limbs brake.
+/// When the stream stalls it goes back to the last pose: stale feed-forward is worse than none.
 class PoseStream {
 public:
-	/// Longest extrapolation, s. Beyond it the stream counts as stalled.
+	/// Age of the newest sample (s) beyond which the stream counts as stalled.
 	static constexpr double STALL_AFTER = 0.1;
+	/// Age of the newest sample (s) at which nothing of the extrapolation is left.
+	static constexpr double HOLD_AFTER = 0.3;
 	/// Samples further apart than this (s) say nothing about velocity.
 	static constexpr double LONGEST_GAP = 0.25;
+	/// How fast the past is forgotten when rates are estimated, s. The two constants are those of the
+	/// best linear predictor of the repository's three clips (fitted at 30, 60 and 120 Hz).
+	static constexpr double RATE_MEMORY = 0.002;
+	/// How fast a rate fades beyond the newest sample, s.
+	static constexpr double RATE_FADE = 0.5;
+	/// Turning rates above this (rad/s) are glitches: the fastest joint of a boxer stays below 40.
+	static constexpr float FASTEST_TURN = 50.0f;
+	/// A root that moves by more than this (m) from one sample to the next, and faster than
+	/// FASTEST_ROOT (m/s), has been put elsewhere.
+	static constexpr float TELEPORT_DISTANCE = 0.5f;
+	static constexpr float FASTEST_ROOT = 20.0f;
 
 	explicit PoseStream(std::size_t p_limb_count);
 
@@ -33,33 +47,47 @@ public:
 	/// (norm off by more than a tenth), or not newer than the newest.
 	/// @param p_time_s sampling time in the wearer's clock, s
 	/// @param p_orientations 4 floats a limb: x y z w
-	bool push(double p_time_s, const float *p_orientations, const Vec3 &p_root);
+	/// @param p_rates a gyroscope's turning rates, 3 floats a limb in the limb's own axes, rad/s; null
+	/// where they are not known
+	bool push(double p_time_s, const float *p_orientations, const Vec3 &p_root, const float *p_rates = nullptr);
 	void clear();
 
+	std::size_t get_limb_count() const { return limb_count; }
 	bool is_empty() const { return count == 0; }
 	/// Time of the newest and the oldest sample that is kept, s.
 	double newest() const { return at(0).time_s; }
 	double oldest() const { return at(count - 1).time_s; }
 	bool is_stalled(double p_time_s) const { return is_empty() || p_time_s - newest() > STALL_AFTER; }
+	/// Whether the root has been put elsewhere since the last call.
+	bool take_teleport();
 
 	/// The pose at a time. The stream must not be empty; r_pose is resized once, then reused.
 	void predict(double p_time_s, Pose &r_pose) const;
+
+	void save(ArchiveWriter &p_archive) const;
+	/// Returns false, and is empty, where the archive is not of a stream with as many limbs.
+	bool restore(ArchiveReader &p_archive);
 
 private:
 	static constexpr std::size_t CAPACITY = 32;
 	struct Sample {
 		double time_s = 0.0;
 		std::vector<Quat> orientations;
+		std::vector<Vec3> rates; // In the limbs' own axes, rad/s.
 		Vec3 root;
+		Vec3 root_rate; // m/s
 	};
 
 	/// The sample p_age places before the newest.
 	const Sample &at(std::size_t p_age) const { return ring[(head + CAPACITY - p_age) % CAPACITY]; }
+	void estimate_rates(const Sample &p_before, Sample &r_sample) const;
+	void extrapolate(double p_age_s, Pose &r_pose) const;
 
 	std::size_t limb_count;
 	std::array<Sample, CAPACITY> ring;
 	std::size_t head = 0;
 	std::size_t count = 0;
+	bool teleported = false;
 };
 
 } // namespace ragdoll

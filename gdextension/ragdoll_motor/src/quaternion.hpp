@@ -19,6 +19,8 @@ struct Vec3 {
 	Vec3 cross(const Vec3 &p_other) const {
 		return { y * p_other.z - z * p_other.y, z * p_other.x - x * p_other.z, x * p_other.y - y * p_other.x };
 	}
+	/// Component by component.
+	Vec3 scaled(const Vec3 &p_other) const { return { x * p_other.x, y * p_other.y, z * p_other.z }; }
 	float length() const { return std::sqrt(dot(*this)); }
 	bool is_finite() const { return std::isfinite(x) && std::isfinite(y) && std::isfinite(z); }
 };
@@ -83,6 +85,29 @@ inline float angle_between(const Quat &p_from, const Quat &p_to) {
 /// The orientation a fraction of the short way from one to another. Fractions above 1 extrapolate.
 inline Quat slerp(const Quat &p_from, const Quat &p_to, float p_fraction) {
 	return p_from * exp(log(p_from.inverse() * p_to) * p_fraction);
+}
+
+/// The rotation that takes the world's axes to these, which are of length 1 and at right angles
+/// (Shepperd 1978).
+inline Quat from_axes(const Vec3 &p_x, const Vec3 &p_y, const Vec3 &p_z) {
+	const float squares[4] = { 1.0f + p_x.x - p_y.y - p_z.z, 1.0f - p_x.x + p_y.y - p_z.z, 1.0f - p_x.x - p_y.y + p_z.z,
+		1.0f + p_x.x + p_y.y + p_z.z }; // Four times each square.
+	int largest = 0;
+	for (int i = 1; i < 4; i++) {
+		largest = squares[i] > squares[largest] ? i : largest;
+	}
+	const float twice = std::sqrt(squares[largest]);
+	const float part = 0.5f / twice;
+	switch (largest) {
+		case 0:
+			return { 0.5f * twice, (p_x.y + p_y.x) * part, (p_x.z + p_z.x) * part, (p_y.z - p_z.y) * part };
+		case 1:
+			return { (p_x.y + p_y.x) * part, 0.5f * twice, (p_y.z + p_z.y) * part, (p_z.x - p_x.z) * part };
+		case 2:
+			return { (p_x.z + p_z.x) * part, (p_y.z + p_z.y) * part, 0.5f * twice, (p_x.y - p_y.x) * part };
+		default:
+			return { (p_y.z - p_z.y) * part, (p_z.x - p_x.z) * part, (p_x.y - p_y.x) * part, 0.5f * twice };
+	}
 }
 
 } // namespace ragdoll

@@ -3,6 +3,7 @@
 
 #include "pose_stream.hpp"
 #include "quaternion.hpp"
+#include "rig.hpp"
 
 #include <array>
 #include <cstddef>
@@ -16,10 +17,11 @@ namespace ragdoll {
 /// true motion at the same time, which is known only once a later sample has arrived.
 class TrackingMeter {
 public:
-	/// Notes the simulated orientations at a time of the wearer's clock, s.
-	void note(double p_time_s, const std::vector<Quat> &p_actual);
+	/// Notes what the simulation has at a time of the wearer's clock, s.
+	/// @param p_joints where the limbs' joints are, m
+	void note(double p_time_s, const std::vector<Quat> &p_actual, const std::vector<Vec3> &p_joints);
 	/// Compares what was noted with the samples that have arrived since.
-	void settle(const PoseStream &p_stream);
+	void settle(const PoseStream &p_stream, const Rig &p_rig);
 	void clear();
 
 	/// Number of limb orientations compared.
@@ -29,24 +31,41 @@ public:
 	double percentile(double p_fraction) const;
 	/// Mean angle of the limbs in the pose compared last, rad.
 	double latest() const { return last_mean; }
+	/// Mean distance between the limbs' joints and where the motion has them, m. Says something only
+	/// where the root is where the motion has it.
+	double mean_distance() const { return count > 0 ? distance_sum / double(count) : 0.0; }
+	/// How far the limbs come behind the motion, s: the delay of the motion with which they agree best.
+	/// 0 unless `measures_lag`.
+	double lag() const;
+	/// Whether lag() is found; costs a comparison for each of SHIFTS delays.
+	bool measures_lag = false;
 
 private:
 	static constexpr double BIN = 0.001; // rad
 	static constexpr std::size_t BINS = 3142; // Up to pi.
 	static constexpr std::size_t LONGEST = 64; // Poses that wait: about a second.
+	static constexpr int SHIFTS = 15; // Delays that are tried, from FIRST_SHIFT on.
+	static constexpr double SHIFT = 0.002; // s
+	static constexpr double FIRST_SHIFT = -0.004; // s
 	struct Noted {
 		double time_s;
 		std::vector<Quat> actual;
+		std::vector<Vec3> joints;
 	};
 
-	void compare(const Noted &p_noted, const Pose &p_truth);
+	void compare_shifted(const Noted &p_noted, const PoseStream &p_stream);
+	void compare(const Noted &p_noted, const PoseStream &p_stream, const Rig &p_rig);
 
 	std::deque<Noted> waiting;
 	std::array<std::uint64_t, BINS> histogram{};
 	std::uint64_t count = 0;
 	double sum = 0.0;
 	double last_mean = 0.0;
+	double distance_sum = 0.0;
+	std::array<double, SHIFTS> shifted_sums{};
 	Pose truth;
+	Pose shifted;
+	std::vector<Vec3> true_joints;
 };
 
 } // namespace ragdoll

@@ -24,27 +24,94 @@ float angle_at(const PoseStream &p_stream, double p_time) {
 
 } // namespace
 
-TEST(interpolates_between_and_extrapolates_beyond) {
+TEST(interpolates_between_and_goes_on_beyond) {
 	PoseStream stream(1);
 	for (int i = 0; i < 10; i++) {
-		CHECK(push(stream, i * 0.02, 0.1f * float(i), float(i)));
+		CHECK(push(stream, i * 0.02, 0.1f * float(i), 0.1f * float(i)));
 	}
 	CHECK_NEAR(angle_at(stream, 0.05), 0.25, 1e-5);
 	CHECK_NEAR(angle_at(stream, 0.18), 0.9, 1e-5);
-	CHECK_NEAR(angle_at(stream, 0.20), 1.0, 1e-5);
+	// 5 rad/s that fade: a little less than 0.1 further.
+	const double ahead = 5.0 * PoseStream::RATE_FADE * (1.0 - std::exp(-0.02 / PoseStream::RATE_FADE));
+	CHECK(ahead < 0.1 && ahead > 0.08);
+	CHECK_NEAR(angle_at(stream, 0.20), 0.9 + ahead, 1e-4);
 	Pose pose;
 	stream.predict(0.2, pose);
-	CHECK_NEAR(pose.root.x, 10.0, 1e-4);
+	CHECK_NEAR(pose.root.x, 0.9 + ahead, 1e-4);
 }
 
-TEST(holds_the_last_pose_when_the_stream_stalls) {
+TEST(goes_back_to_the_last_pose_when_the_stream_stalls) {
 	PoseStream stream(1);
 	push(stream, 0.0, 0.0f);
 	push(stream, 0.02, 0.1f);
 	CHECK(!stream.is_stalled(0.1));
 	CHECK(stream.is_stalled(0.13));
-	CHECK_NEAR(angle_at(stream, 0.13), 0.1, 1e-6);
+	CHECK(angle_at(stream, 0.12) > 0.2f);
+	float before = angle_at(stream, 0.12);
+	for (double time = 0.12; time < 0.33; time += 0.01) {
+		const float angle = angle_at(stream, time);
+		CHECK(angle <= before + 1e-6f && before - angle < 0.05f); // No jump.
+		before = angle;
+	}
+	CHECK_NEAR(angle_at(stream, 0.33), 0.1, 1e-6);
 	CHECK_NEAR(angle_at(stream, 100.0), 0.1, 1e-6);
+}
+
+TEST(a_gyroscope_is_believed) {
+	PoseStream stream(1);
+	const float still[4] = { 0, 0, 0, 1 };
+	const float rates[3] = { 0.0f, 2.0f, 0.0f };
+	CHECK(stream.push(0.0, still, {}, rates));
+	CHECK(stream.push(0.02, still, {}, rates));
+	CHECK_NEAR(angle_at(stream, 0.03), 0.02, 2e-3);
+	const float bad[3] = { std::numeric_limits<float>::infinity(), 0.0f, 0.0f };
+	CHECK(!stream.push(0.04, still, {}, bad));
+}
+
+TEST(a_glitch_is_no_speed) {
+	PoseStream stream(1);
+	for (int i = 0; i < 5; i++) {
+		push(stream, i * 0.01, 0.0f);
+	}
+	push(stream, 0.05, 3.0f); // Half a turn in 10 ms: 300 rad/s.
+	CHECK(angle_at(stream, 0.06) < 3.0f + 0.01f * PoseStream::FASTEST_TURN);
+}
+
+TEST(a_teleport_is_told_once_and_is_no_speed) {
+	PoseStream stream(1);
+	push(stream, 0.0, 0.0f, 0.0f);
+	push(stream, 0.02, 0.1f, 0.1f);
+	CHECK(!stream.take_teleport());
+	push(stream, 0.04, 0.2f, 30.0f);
+	Pose pose;
+	stream.predict(0.06, pose);
+	CHECK_NEAR(pose.root.x, 30.0, 1e-6);
+	stream.predict(0.03, pose); // Nothing lies between here and there.
+	CHECK_NEAR(pose.root.x, 30.0, 1e-6);
+	CHECK(stream.take_teleport());
+	CHECK(!stream.take_teleport());
+}
+
+TEST(is_saved_and_restored_to_the_bit) {
+	PoseStream stream(1);
+	for (int i = 0; i < 50; i++) {
+		push(stream, i * 0.02, 0.1f * float(i), 0.1f * float(i));
+	}
+	ArchiveWriter archive;
+	stream.save(archive);
+	PoseStream copy(1);
+	ArchiveReader reader(archive.get_bytes().data(), archive.get_bytes().size());
+	CHECK(copy.restore(reader) && reader.is_at_end());
+	for (double time = 0.3; time < 1.4; time += 0.013) {
+		CHECK(angle_at(copy, time) == angle_at(stream, time));
+	}
+	for (std::size_t size = 0; size < archive.get_bytes().size(); size += 7) {
+		ArchiveReader cut(archive.get_bytes().data(), size);
+		CHECK(!copy.restore(cut));
+	}
+	PoseStream other(2);
+	ArchiveReader again(archive.get_bytes().data(), archive.get_bytes().size());
+	CHECK(!other.restore(again));
 }
 
 TEST(a_gap_gives_no_velocity) {

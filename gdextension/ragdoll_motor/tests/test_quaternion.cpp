@@ -60,4 +60,14 @@ TEST(slerp_meets_its_ends_and_goes_on_beyond) {
 	CHECK_NEAR(log(slerp(from, to, 2.0f)).x, 0.7, 1e-5);
 }
 
+TEST(axes_make_the_rotation_that_makes_them) {
+	std::mt19937 random(9);
+	std::normal_distribution<float> normal;
+	for (int i = 0; i < 500; i++) {
+		const Quat turn = exp({ normal(random) * 2.0f, normal(random) * 2.0f, normal(random) * 2.0f });
+		const Quat again = from_axes(turn.rotate({ 1, 0, 0 }), turn.rotate({ 0, 1, 0 }), turn.rotate({ 0, 0, 1 }));
+		CHECK_NEAR(angle_between(turn, again), 0.0, 1e-3);
+	}
+}
+
 TEST_MAIN()

@@ -2,9 +2,10 @@ extends TestCase
 ## What a ragdoll is made of: the file of the soldier, and errors that name file and entry.
 
 const SOLDIER: String = "res://assets/avatar/limb_shapes.json"
+const SCENE: PackedScene = preload("res://scenes/actor/soldier.tscn")
 const SCRATCH: String = "user://test_limb_shapes.json"
 
-var _reader: RagdollDescriptionReader = RagdollDescriptionReader.new()
+var _reader: RagdollProfileReader = RagdollProfileReader.new()
 
 
 func after_each() -> void:
@@ -13,41 +14,41 @@ func after_each() -> void:
 
 
 func test_file_of_the_soldier() -> void:
-	var description: RagdollDescription = _reader.read(SOLDIER)
+	var profile: RagdollProfile = _reader.read(SOLDIER)
 	equal(_reader.error, "")
-	equal(description.find_fault(), "")
-	equal(description.limbs.size(), Limbs.COUNT)
+	equal(profile.find_fault(), "")
+	equal(profile.limbs.size(), Limbs.COUNT)
 	for limb: int in Limbs.COUNT:
-		var shape: LimbShape = description.find(Limbs.BONES[limb])
+		var shape: RagdollLimb = profile.find(Limbs.BONES[limb])
 		not_null(shape, Limbs.BONES[limb])
 		var parent: int = Limbs.PARENTS[limb]
 		equal(shape.parent_bone, &"" if parent < 0 else Limbs.BONES[parent])
 		almost_equal(shape.mass_fraction, Limbs.MASS_FRACTIONS[limb], 0.001)
-	is_null(description.find(&"Tail"))
-	var hips: LimbShape = description.find(&"Hips")
-	equal(hips.type, LimbShape.Type.BOX)
+	is_null(profile.find(&"Tail"))
+	var hips: RagdollLimb = profile.find(&"Hips")
+	equal(hips.type, RagdollLimb.BOX)
 	almost_equal(hips.position, Vector3(0.0, 1.02046, 0.0223))
-	var arm: LimbShape = description.find(&"LeftUpperArm")
-	equal(arm.type, LimbShape.Type.PILL)
+	var arm: RagdollLimb = profile.find(&"LeftUpperArm")
+	equal(arm.type, RagdollLimb.PILL)
 	almost_equal([arm.radius, arm.length], [0.07365, 0.25809])
 
 
 func test_the_scene_is_made_from_the_file() -> void:
-	var from_file: RagdollDescription = _reader.read(SOLDIER)
-	var soldier: Ragdoll = (load("res://scenes/actor/soldier.tscn") as PackedScene).instantiate()
-	for shape: LimbShape in from_file.limbs:
-		var other: LimbShape = soldier.description.find(shape.bone)
+	var from_file: RagdollProfile = _reader.read(SOLDIER)
+	var soldier: Ragdoll = SCENE.instantiate()
+	for shape: RagdollLimb in from_file.limbs:
+		var other: RagdollLimb = soldier.profile.find(shape.bone)
 		for field: String in ["position", "orientation", "anchor", "mass_fraction", "parent_bone"]:
 			almost_equal(other.get(field), shape.get(field), 1e-5, shape.bone)
 	soldier.free()
 
 
 func test_both_sides_are_alike() -> void:
-	var description: RagdollDescription = _reader.read(SOLDIER)
-	for shape: LimbShape in description.limbs:
+	var profile: RagdollProfile = _reader.read(SOLDIER)
+	for shape: RagdollLimb in profile.limbs:
 		if String(shape.bone).begins_with("Left"):
 			var bone: String = String(shape.bone).replace("Left", "Right")
-			var other: LimbShape = description.find(StringName(bone))
+			var other: RagdollLimb = profile.find(StringName(bone))
 			almost_equal(other.position, shape.position * Vector3(-1, 1, 1), 0.01, bone)
 			almost_equal(other.anchor, shape.anchor * Vector3(-1, 1, 1), 0.01, bone)
 
@@ -127,3 +128,58 @@ func _read_text(p_text: String) -> void:
 	file.store_string(p_text)
 	file.close()
 	is_null(_reader.read(SCRATCH), p_text.left(60))
+
+
+func test_the_soldier_has_all_that_a_motor_needs() -> void:
+	var soldier: Ragdoll = SCENE.instantiate()
+	var profile: RagdollProfile = soldier.profile
+	equal(profile.find_fault(), "")
+	var groups: Array = Array(profile.get_groups())
+	groups.sort()
+	equal(groups, ["head", "left_arm", "left_leg", "right_arm", "right_leg", "trunk"])
+	for i: int in profile.limbs.size():
+		var limb: RagdollLimb = profile.limbs[i]
+		var parent: int = profile.get_parent_index(i)
+		equal(&"" if parent < 0 else profile.limbs[parent].bone, limb.parent_bone)
+		is_true(limb.max_torque > 0.0 or limb.bone == &"Hips")
+	var foot: RagdollLimb = profile.find(&"LeftFoot")
+	is_true(foot.foot)
+	equal(foot.contact_points.size(), 5)
+	for point: Vector3 in foot.contact_points:
+		is_true(absf(point.y) < 0.03, "the sole is on the ground: %s" % point)
+	is_true(foot.contact_points[0].z < foot.anchor.z - 0.02, "the heel is behind the ankle")
+	is_true(foot.contact_points[4].z > foot.anchor.z + 0.1, "the toes are ahead")
+	soldier.free()
+
+
+func test_hostile_profiles_have_a_fault_and_crash_nothing() -> void:
+	var profile: RagdollProfile = RagdollProfile.new()
+	contains(profile.find_fault(), "no limbs")
+	var limbs: Array[RagdollLimb] = [null]
+	profile.limbs = limbs
+	contains(profile.find_fault(), "limb 0 is empty")
+	is_null(profile.find(&"Hips"))
+	limbs.resize(10000)
+	profile.limbs = limbs
+	contains(profile.find_fault(), "10000 limbs instead of at most 256")
+	var good: RagdollProfile = _reader.read(SOLDIER)
+	for mass: float in [0.0, -5.0, NAN, INF]:
+		good.mass = mass
+		contains(good.find_fault(), "the mass is")
+	expect_error("there is no such limb")
+	equal(good.get_parent_index(99), -1)
+
+
+func test_is_saved_and_loaded() -> void:
+	var profile: RagdollProfile = _reader.read(SOLDIER)
+	profile.limbs[3].min_angles = Vector3(-1.0, -2.0, -3.0)
+	profile.limbs[3].contact_points = [Vector3(1.0, 2.0, 3.0)]
+	var path: String = "user://test_profile.tres"
+	equal(ResourceSaver.save(profile, path), OK)
+	var copy: RagdollProfile = ResourceLoader.load(path, "", ResourceLoader.CACHE_MODE_IGNORE)
+	equal(copy.limbs.size(), Limbs.COUNT)
+	equal(copy.limbs[3].min_angles, Vector3(-1.0, -2.0, -3.0))
+	equal(copy.limbs[3].contact_points, PackedVector3Array([Vector3(1.0, 2.0, 3.0)]))
+	equal(copy.limbs[5].bone, profile.limbs[5].bone)
+	almost_equal(copy.limbs[5].radius, profile.limbs[5].radius)
+	DirAccess.remove_absolute(path)

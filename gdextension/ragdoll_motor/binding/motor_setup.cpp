@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// RagdollMotor: how a profile and its bodies become a driven ragdoll.
+#include "ragdoll_motor.hpp"
+
+#include "convert.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace godot {
+
+bool RagdollMotor::setup(const Ref<RagdollProfile> &p_profile, const TypedArray<RID> &p_bodies,
+		const PackedVector3Array &p_centres, const RID &p_space) {
+	ERR_FAIL_COND_V_MSG(p_profile.is_null(), false, "RagdollMotor: there is no profile.");
+	const String fault = p_profile->find_fault();
+	ERR_FAIL_COND_V_MSG(!fault.is_empty(), false, "RagdollMotor: the profile has a fault: " + fault + ".");
+	const int64_t count = p_profile->get_limbs().size();
+	ERR_FAIL_COND_V_MSG(
+			p_bodies.size() != count, false, "RagdollMotor: there must be one body for each limb of the profile.");
+	ERR_FAIL_COND_V_MSG(!p_centres.is_empty() && p_centres.size() != count, false,
+			"RagdollMotor: there must be one centre for each limb of the profile, or none at all.");
+	ERR_FAIL_COND_V_MSG(!p_space.is_valid(), false, "RagdollMotor: there is no physics space.");
+	release();
+	if (!make_driver(p_profile, p_bodies, p_centres)) {
+		return false;
+	}
+	apply_settings();
+	bodies = std::make_unique<RagdollBodies>();
+	bodies->make(driver->get_rig(), std::move(specs), p_space);
+	bodies->set_righted_limb(driver->righted_limb);
+	bodies->prepare(self_collision);
+	return true;
+}
+
+bool RagdollMotor::make_driver(
+		const Ref<RagdollProfile> &p_profile, const TypedArray<RID> &p_bodies, const PackedVector3Array &p_centres) {
+	const int64_t count = p_bodies.size();
+	std::vector<ragdoll::Limb> limbs;
+	std::vector<int> limb_groups;
+	groups.clear();
+	reset_pose.clear();
+	specs.clear();
+	int righted = -1;
+	for (int64_t i = 0; i < count; i++) {
+		const Ref<RagdollLimb> source = p_profile->get_limbs()[i];
+		ragdoll::Limb limb;
+		const ragdoll::Quat rest = to_core(source->get_rest_orientation());
+		limb.parent = p_profile->get_parent_index(i);
+		limb.centre = rest.inverse().rotate(to_core(source->get_position() - source->get_anchor()));
+		if (!p_centres.is_empty()) {
+			limb.centre = to_core(p_centres[i]);
+		}
+		if (limb.parent >= 0) {
+			const Ref<RagdollLimb> above = p_profile->get_limbs()[limb.parent];
+			const ragdoll::Quat turn = to_core(above->get_rest_orientation()).inverse();
+			limb.anchor = turn.rotate(to_core(source->get_anchor() - above->get_anchor()));
+		}
+		limb.rest = to_core(source->get_reset_orientation());
+		limb.mass = float(p_profile->get_mass() * source->get_mass_fraction());
+		const ragdoll::Vec3 own = to_core(source->get_inertia(limb.mass));
+		limb.inertia = ragdoll::turned_inertia(own, rest.inverse() * to_core(source->get_orientation())) *
+				float(inertia_scale);
+		limb.max_torque = float(source->get_max_torque());
+		if (!find_group(source->get_group(), limb.group) || limb.group < 0) {
+			limb.group = int(groups.size());
+			groups.push_back(source->get_group());
+		}
+		righted = limb.group == 0 && i > 0 ? int(i) : righted;
+		limbs.push_back(limb);
+		limb_groups.push_back(limb.group);
+		reset_pose.push_back(limb.rest);
+		RagdollBodies::JointSpec spec;
+		spec.body = p_bodies[i];
+		spec.has_limits = anatomical_limits && limb.parent >= 0;
+		if (spec.has_limits) {
+			// In the rest pose a limb may hang, but ranges are told from the reset pose.
+			spec.axes = ragdoll::joint_axes(limb.centre, limb.rest);
+			spec.lower = source->get_min_angles();
+			spec.upper = source->get_max_angles();
+		}
+		specs.push_back(spec);
+	}
+	driver = std::make_unique<ragdoll::Driver>(ragdoll::Rig(std::move(limbs)), limb_groups, groups.size());
+	driver->righted_limb = righted;
+	state.resize(std::size_t(count));
+	targets.assign(std::size_t(count) * 4, 0.0f);
+	return true;
+}
+
+} // namespace godot

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+#include "ragdoll_bodies.hpp"
+
+#include "convert.hpp"
+
+#include <godot_cpp/classes/physics_direct_body_state3d.hpp>
+#include <godot_cpp/core/error_macros.hpp>
+
+#include <cmath>
+#include <utility>
+
+namespace godot {
+
+using Joint = PhysicsServer3D;
+
+namespace {
+
+const Vector3::Axis AXES[3] = { Vector3::AXIS_X, Vector3::AXIS_Y, Vector3::AXIS_Z };
+
+PhysicsServer3D *server() {
+	return PhysicsServer3D::get_singleton();
+}
+
+/// The engine keeps the bodies' axes at right angles: nothing has to be mended.
+ragdoll::Quat rotation_of(const Basis &p_basis) {
+	return ragdoll::from_axes(
+			to_core(p_basis.get_column(0)), to_core(p_basis.get_column(1)), to_core(p_basis.get_column(2)));
+}
+
+/// Angles of rotations about X, then Y, then Z, each about the axes so far (the engine's order for the
+/// equilibrium of angular springs), rad.
+Vector3 euler_zyx(const ragdoll::Quat &p_rotation) {
+	const ragdoll::Quat &q = p_rotation;
+	const float sine = 2.0f * (q.w * q.y - q.z * q.x);
+	return Vector3(std::atan2(2.0f * (q.w * q.x + q.y * q.z), 1.0f - 2.0f * (q.x * q.x + q.y * q.y)),
+			std::asin(sine > 1.0f ? 1.0f : (sine < -1.0f ? -1.0f : sine)),
+			std::atan2(2.0f * (q.w * q.z + q.x * q.y), 1.0f - 2.0f * (q.y * q.y + q.z * q.z)));
+}
+
+} // namespace
+
+RagdollBodies::~RagdollBodies() {
+	free_all();
+}
+
+void RagdollBodies::free_all() {
+	free_assist();
+	for (const RID &joint : joints) {
+		if (joint.is_valid()) {
+			server()->free_rid(joint);
+		}
+	}
+	joints.clear();
+	if (anchor.is_valid()) {
+		server()->free_rid(anchor);
+		anchor = RID();
+	}
+}
+
+Transform3D RagdollBodies::frame_in_body(std::size_t p_limb) const {
+	return Transform3D(Basis(from_core(specs[p_limb].axes)), from_core((*rig)[p_limb].centre * -1.0f));
+}
+
+void RagdollBodies::make(const ragdoll::Rig &p_rig, std::vector<JointSpec> p_specs, const RID &p_space) {
+	free_all();
+	rig = &p_rig;
+	specs = std::move(p_specs);
+	space = p_space;
+	joints.assign(specs.size(), RID());
+	written.assign(specs.size(), Written());
+	rest_inverse.assign(specs.size(), ragdoll::Quat());
+	hold = Hold();
+	for (std::size_t i = specs.size(); i-- > 1;) {
+		const ragdoll::Limb &limb = p_rig[i];
+		const ragdoll::Limb &parent = p_rig[limb.parent];
+		const ragdoll::Quat relative = parent.rest.inverse() * limb.rest;
+		rest_inverse[i] = relative.inverse();
+		const Transform3D frame(Basis(from_core(relative * specs[i].axes)), from_core(limb.anchor - parent.centre));
+		joints[i] = make_joint(specs[limb.parent].body, frame, i, false);
+		server()->joint_disable_collisions_between_bodies(joints[i], true);
+	}
+	// A joint to the world needs a body there: a static one without a shape.
+	anchor = server()->body_create();
+	server()->body_set_mode(anchor, Joint::BODY_MODE_STATIC);
+	server()->body_set_space(anchor, space);
+	joints[0] = make_joint(anchor, Transform3D(), 0, true);
+}
+
+void RagdollBodies::remake() {
+	for (std::size_t i = 0; i < specs.size(); i++) {
+		set_kinematic(i, false);
+	}
+	make(*rig, std::vector<JointSpec>(specs), space);
+}
+
+RID RagdollBodies::make_joint(const RID &p_a, const Transform3D &p_frame_a, std::size_t p_limb, bool p_is_root) {
+	const JointSpec &spec = specs[p_limb];
+	const RID joint = server()->joint_create();
+	server()->joint_make_generic_6dof(joint, p_a, p_frame_a, spec.body, frame_in_body(p_limb));
+	for (int i = 0; i < 3; i++) {
+		const Vector3::Axis axis = AXES[i];
+		server()->generic_6dof_joint_set_flag(joint, axis, Joint::G6DOF_JOINT_FLAG_ENABLE_LINEAR_LIMIT, !p_is_root);
+		server()->generic_6dof_joint_set_flag(joint, axis, Joint::G6DOF_JOINT_FLAG_ENABLE_LINEAR_MOTOR, p_is_root);
+		server()->generic_6dof_joint_set_flag(
+				joint, axis, Joint::G6DOF_JOINT_FLAG_ENABLE_ANGULAR_LIMIT, spec.has_limits && !p_is_root);
+		if (spec.has_limits && !p_is_root) {
+			server()->generic_6dof_joint_set_param(joint, axis, Joint::G6DOF_JOINT_ANGULAR_LOWER_LIMIT, spec.lower[i]);
+			server()->generic_6dof_joint_set_param(joint, axis, Joint::G6DOF_JOINT_ANGULAR_UPPER_LIMIT, spec.upper[i]);
+		}
+	}
+	return joint;
+}
+
+void RagdollBodies::prepare(bool p_self_collision) {
+	for (std::size_t i = 0; i < specs.size(); i++) {
+		const RID &body = specs[i].body;
+		server()->body_set_param(body, Joint::BODY_PARAM_INERTIA, from_core((*rig)[i].inertia));
+		server()->body_set_enable_continuous_collision_detection(body, true);
+		server()->body_set_state(body, Joint::BODY_STATE_CAN_SLEEP, false);
+		for (std::size_t j = 0; j < i; j++) {
+			// Limbs that hang on the same one meet at its end: upper legs, upper arms.
+			const bool meet = (*rig)[i].parent == (*rig)[j].parent;
+			if (p_self_collision && !meet) {
+				server()->body_remove_collision_exception(body, specs[j].body);
+			} else {
+				server()->body_add_collision_exception(body, specs[j].body);
+			}
+		}
+	}
+}
+
+bool RagdollBodies::read(ragdoll::RigState &r_state) const {
+	for (std::size_t i = 0; i < specs.size(); i++) {
+		const PhysicsDirectBodyState3D *state = server()->body_get_direct_state(specs[i].body);
+		ERR_FAIL_NULL_V_MSG(state, false, "RagdollMotor: a body is not in a physics space (any more).");
+		const Transform3D transform = state->get_transform();
+		r_state.orientations[i] = rotation_of(transform.basis);
+		r_state.centres[i] = to_core(transform.origin);
+		r_state.linear[i] = to_core(state->get_linear_velocity());
+		r_state.angular[i] = to_core(state->get_angular_velocity());
+	}
+	r_state.root = rig->joint_of(r_state, 0);
+	return true;
+}
+
+void RagdollBodies::put(const ragdoll::RigState &p_state) {
+	for (std::size_t i = 0; i < specs.size(); i++) {
+		const RID &body = specs[i].body;
+		// A kinematic body would travel there within a step and fling the others about.
+		const bool was_kinematic = written[i].is_set;
+		set_kinematic(i, false);
+		const Transform3D transform(Basis(from_core(p_state.orientations[i])), from_core(p_state.centres[i]));
+		server()->body_set_state(body, Joint::BODY_STATE_TRANSFORM, transform);
+		server()->body_set_state(body, Joint::BODY_STATE_LINEAR_VELOCITY, from_core(p_state.linear[i]));
+		server()->body_set_state(body, Joint::BODY_STATE_ANGULAR_VELOCITY, from_core(p_state.angular[i]));
+		set_kinematic(i, was_kinematic);
+	}
+}
+
+void RagdollBodies::set_kinematic(std::size_t p_limb, bool p_kinematic) {
+	if (written[p_limb].is_set != p_kinematic) {
+		written[p_limb].is_set = p_kinematic;
+		server()->body_set_mode(specs[p_limb].body, p_kinematic ? Joint::BODY_MODE_KINEMATIC : Joint::BODY_MODE_RIGID);
+	}
+}
+
+void RagdollBodies::place(std::size_t p_limb, const ragdoll::Quat &p_orientation, const ragdoll::Vec3 &p_joint) {
+	set_kinematic(p_limb, true);
+	const ragdoll::Vec3 origin = p_joint + p_orientation.rotate((*rig)[p_limb].centre);
+	server()->body_set_state(specs[p_limb].body, Joint::BODY_STATE_TRANSFORM,
+			Transform3D(Basis(from_core(p_orientation)), from_core(origin)));
+}
+
+void RagdollBodies::set_drive(std::size_t p_limb, Drive p_drive) {
+	Written &last = written[p_limb];
+	if (last.drive == p_drive) {
+		return;
+	}
+	last.drive = p_drive;
+	for (const Vector3::Axis axis : AXES) {
+		server()->generic_6dof_joint_set_flag(
+				joints[p_limb], axis, Joint::G6DOF_JOINT_FLAG_ENABLE_MOTOR, p_drive == Drive::MOTOR);
+		server()->generic_6dof_joint_set_flag(
+				joints[p_limb], axis, Joint::G6DOF_JOINT_FLAG_ENABLE_ANGULAR_SPRING, p_drive == Drive::SPRING);
+	}
+	last.torque = -1.0f;
+}
+
+void RagdollBodies::set_torque(const RID &p_joint, float p_torque, float &r_written) {
+	if (r_written == p_torque) {
+		return;
+	}
+	r_written = p_torque;
+	for (const Vector3::Axis axis : AXES) {
+		server()->generic_6dof_joint_set_param(p_joint, axis, Joint::G6DOF_JOINT_ANGULAR_MOTOR_FORCE_LIMIT, p_torque);
+	}
+}
+
+void RagdollBodies::turn(std::size_t p_limb, const ragdoll::Vec3 &p_velocity) {
+	const ragdoll::Vec3 local = specs[p_limb].axes.inverse().rotate(p_velocity);
+	const float axes[3] = { local.x, local.y, local.z };
+	for (int i = 0; i < 3; i++) {
+		if (written[p_limb].velocity[i] != axes[i]) {
+			written[p_limb].velocity[i] = axes[i];
+			// The engine's sign is the other way round for angular motors (not for linear ones).
+			server()->generic_6dof_joint_set_param(
+					joints[p_limb], AXES[i], Joint::G6DOF_JOINT_ANGULAR_MOTOR_TARGET_VELOCITY, -axes[i]);
+		}
+	}
+}
+
+void RagdollBodies::pull(std::size_t p_limb, const ragdoll::LimbCommand &p_command) {
+	Written &last = written[p_limb];
+	const ragdoll::Quat &axes = specs[p_limb].axes;
+	const ragdoll::Vec3 stiffness = ragdoll::turned_inertia(p_command.stiffness, axes.inverse());
+	const ragdoll::Vec3 damping = ragdoll::turned_inertia(p_command.damping, axes.inverse());
+	const bool stiffer = (last.stiffness - stiffness).length() + (last.damping - damping).length() > 0.0f;
+	last.stiffness = stiffness;
+	last.damping = damping;
+	const Vector3 stiff = from_core(stiffness);
+	const Vector3 damped = from_core(damping);
+	const Vector3 angles = -euler_zyx(axes.inverse() * (rest_inverse[p_limb] * p_command.target) * axes);
+	for (int i = 0; i < 3; i++) {
+		if (stiffer) {
+			server()->generic_6dof_joint_set_param(
+					joints[p_limb], AXES[i], Joint::G6DOF_JOINT_ANGULAR_SPRING_STIFFNESS, stiff[i]);
+			server()->generic_6dof_joint_set_param(
+					joints[p_limb], AXES[i], Joint::G6DOF_JOINT_ANGULAR_SPRING_DAMPING, damped[i]);
+		}
+		server()->generic_6dof_joint_set_param(
+				joints[p_limb], AXES[i], Joint::G6DOF_JOINT_ANGULAR_SPRING_EQUILIBRIUM_POINT, angles[i]);
+	}
+}
+
+void RagdollBodies::push(std::size_t p_limb, const ragdoll::LimbCommand &p_command) {
+	const Vector3 torque = from_core(p_command.torque);
+	server()->body_apply_torque(specs[p_limb].body, torque);
+	server()->body_apply_torque(specs[(*rig)[p_limb].parent].body, -torque);
+}
+
+void RagdollBodies::write(const std::vector<ragdoll::LimbCommand> &p_commands,
+		const std::vector<ragdoll::Quat> &p_orientations, const std::vector<ragdoll::Vec3> &p_joints) {
+	for (std::size_t i = 1; i < specs.size(); i++) {
+		const ragdoll::LimbCommand &command = p_commands[i];
+		if (command.mode == ragdoll::Actuation::DIRECT_SET) {
+			set_drive(i, Drive::FREE);
+			place(i, p_orientations[i], p_joints[i]);
+			continue;
+		}
+		set_kinematic(i, false);
+		switch (command.mode) {
+			case ragdoll::Actuation::SPRING_TORQUE:
+				set_drive(i, Drive::FREE);
+				push(i, command);
+				break;
+			case ragdoll::Actuation::POSITION_MOTOR:
+				set_drive(i, Drive::SPRING);
+				pull(i, command);
+				break;
+			default:
+				set_drive(i, Drive::MOTOR);
+				set_torque(joints[i], command.max_torque, written[i].torque);
+				turn(i, command.velocity);
+				break;
+		}
+	}
+}
+
+} // namespace godot

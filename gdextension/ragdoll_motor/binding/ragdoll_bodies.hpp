@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../src/controller.hpp"
+#include "../src/root_drive.hpp"
+
+#include <godot_cpp/classes/physics_server3d.hpp>
+#include <godot_cpp/variant/rid.hpp>
+#include <godot_cpp/variant/transform3d.hpp>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace godot {
+
+/// The bodies of a ragdoll in the physics engine, and the joints that this class makes for them.
+///
+/// One 6DOF joint a limb, parent = A, limb = B; made from the leaves to the root, the joint to the
+/// world last, because the order of making is the order of solving. The joints and the static anchor go
+/// with this object; the bodies belong to somebody else.
+class RagdollBodies {
+public:
+	/// How a limb's joint is made.
+	struct JointSpec {
+		RID body;
+		/// The axes of the joint in the limb's frame: X along the limb where there are limits.
+		ragdoll::Quat axes;
+		bool has_limits = false;
+		Vector3 lower; ///< rad about the joint's axes, from the reset pose
+		Vector3 upper;
+	};
+
+	RagdollBodies() = default;
+	~RagdollBodies();
+	RagdollBodies(const RagdollBodies &) = delete;
+	RagdollBodies &operator=(const RagdollBodies &) = delete;
+
+	/// Makes the joints. The limbs' `rest` orientations are those of the reset pose.
+	void make(const ragdoll::Rig &p_rig, std::vector<JointSpec> p_specs, const RID &p_space);
+	/// Makes the joints anew: those forget what the engine's solver remembers of the last steps.
+	void remake();
+	/// Sets what a body needs to be driven well: inertia, continuous collision detection, no sleep.
+	void prepare(bool p_self_collision);
+
+	bool read(ragdoll::RigState &r_state) const;
+	void write(const std::vector<ragdoll::LimbCommand> &p_commands, const std::vector<ragdoll::Quat> &p_orientations,
+			const std::vector<ragdoll::Vec3> &p_joints);
+	/// Sets the root's hold: kinematic at a place, or by limited forces.
+	void hold_root(const ragdoll::Quat &p_orientation, const ragdoll::Vec3 &p_joint) {
+		place(0, p_orientation, p_joint);
+	}
+	void draw_root(ragdoll::RootMode p_mode, const ragdoll::RootCommand &p_command, const ragdoll::Vec3 &p_turn,
+			const ragdoll::Vec3 &p_trunk_turn);
+	/// The limb that SELF_RIGHTING keeps upright besides the root.
+	void set_righted_limb(int p_limb) { righted_limb = p_limb; }
+	int get_righted_limb() const { return righted_limb; }
+	/// Puts all bodies somewhere, with these velocities.
+	void put(const ragdoll::RigState &p_state);
+
+private:
+	enum class Drive : std::uint8_t {
+		UNKNOWN,
+		MOTOR,
+		SPRING,
+		FREE
+	};
+	/// What was written last, so that only changes are.
+	struct Written {
+		Drive drive = Drive::UNKNOWN;
+		bool is_set = false; // DIRECT_SET: the body is kinematic.
+		float torque = -1.0f;
+		ragdoll::Vec3 stiffness{ -1.0f, 0.0f, 0.0f };
+		ragdoll::Vec3 damping;
+		std::array<float, 3> velocity{ { 0.0f, 0.0f, 0.0f } };
+	};
+	struct Hold {
+		float across = -1.0f;
+		float up = -1.0f;
+		float torque = -1.0f;
+	};
+
+	RID make_joint(const RID &p_a, const Transform3D &p_frame_a, std::size_t p_limb, bool p_is_root);
+	void set_assist(ragdoll::RootMode p_mode);
+	void make_pendulum();
+	void free_assist();
+	void set_motors(const RID &p_joint, const ragdoll::Vec3 &p_turn);
+	void set_forces(const ragdoll::RootCommand &p_command);
+	void free_all();
+	Transform3D frame_in_body(std::size_t p_limb) const;
+	void set_kinematic(std::size_t p_limb, bool p_kinematic);
+	void place(std::size_t p_limb, const ragdoll::Quat &p_orientation, const ragdoll::Vec3 &p_joint);
+	void set_drive(std::size_t p_limb, Drive p_drive);
+	void set_torque(const RID &p_joint, float p_torque, float &r_written);
+	void turn(std::size_t p_limb, const ragdoll::Vec3 &p_velocity);
+	void pull(std::size_t p_limb, const ragdoll::LimbCommand &p_command);
+	void push(std::size_t p_limb, const ragdoll::LimbCommand &p_command);
+
+	const ragdoll::Rig *rig = nullptr;
+	std::vector<JointSpec> specs;
+	std::vector<RID> joints;
+	std::vector<Written> written;
+	std::vector<ragdoll::Quat> rest_inverse; // Parent's reset orientation to the limb's, inverted.
+	Hold hold;
+	RID space;
+	RID anchor;
+	RID pendulum;
+	RID assist_joint; // Of the pendulum, or between the trunk and the world.
+	float assist_torque = -1.0f;
+	int righted_limb = -1;
+	ragdoll::RootMode assist = ragdoll::RootMode::SOFT;
+};
+
+} // namespace godot

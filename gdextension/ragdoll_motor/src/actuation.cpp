@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "actuation.hpp"
+
+#include <algorithm>
+
+namespace ragdoll {
+
+float Ramp::get() const {
+	if (!is_moving()) {
+		return to;
+	}
+	const float part = elapsed / duration;
+	return from + (to - from) * part * part * (3.0f - 2.0f * part);
+}
+
+void Ramp::go(float p_to, float p_duration_s) {
+	from = get();
+	to = p_to;
+	elapsed = 0.0f;
+	duration = std::max(p_duration_s, 0.0f);
+}
+
+void Ramp::advance(float p_delta_s) {
+	elapsed = std::min(elapsed + p_delta_s, duration);
+}
+
+ActuationTable::ActuationTable(const std::vector<int> &p_groups, std::size_t p_group_count) :
+		limbs(p_groups.size()), groups(p_group_count) {
+	for (std::size_t i = 0; i < limbs.size(); i++) {
+		limbs[i].group = p_groups[i];
+	}
+}
+
+void ActuationTable::change(LimbState &r_limb, Actuation p_mode, float p_blend_s) {
+	if (p_mode == r_limb.wanted) {
+		return;
+	}
+	r_limb.wanted = p_mode;
+	if (p_mode == Actuation::LIMP && r_limb.mode != Actuation::DIRECT_SET && p_blend_s > 0.0f) {
+		r_limb.authority.go(LIMP_FRICTION, p_blend_s); // Falls limp when the ramp has ended.
+		return;
+	}
+	if (r_limb.mode == Actuation::LIMP) {
+		r_limb.authority = Ramp(LIMP_FRICTION);
+	}
+	r_limb.arrival = Ramp(p_mode == Actuation::DIRECT_SET ? 0.0f : 1.0f);
+	r_limb.arrival.go(1.0f, p_blend_s);
+	r_limb.authority.go(p_mode == Actuation::LIMP ? LIMP_FRICTION : 1.0f, p_blend_s);
+	r_limb.mode = p_mode;
+}
+
+void ActuationTable::set_mode(Actuation p_mode, int p_group, float p_blend_s) {
+	for (LimbState &limb : limbs) {
+		if (p_group < 0 || limb.group == p_group) {
+			change(limb, p_mode, p_blend_s);
+		}
+	}
+}
+
+void ActuationTable::set_strength(float p_strength, int p_group, float p_blend_s) {
+	for (std::size_t i = 0; i < groups.size(); i++) {
+		if (p_group < 0 || int(i) == p_group) {
+			groups[i].strength.go(std::max(p_strength, 0.0f), p_blend_s);
+		}
+	}
+}
+
+void ActuationTable::set_spring(float p_frequency, float p_damping_ratio, int p_group) {
+	for (std::size_t i = 0; i < groups.size(); i++) {
+		if (p_group < 0 || int(i) == p_group) {
+			groups[i].frequency = std::max(p_frequency, 0.0f);
+			groups[i].damping_ratio = std::max(p_damping_ratio, 0.0f);
+		}
+	}
+}
+
+void ActuationTable::set_overall(float p_strength, float p_blend_s) {
+	if (overall.get_target() != p_strength) {
+		overall.go(p_strength, p_blend_s);
+	}
+}
+
+void ActuationTable::advance(float p_delta_s) {
+	overall.advance(p_delta_s);
+	for (GroupSettings &group : groups) {
+		group.strength.advance(p_delta_s);
+	}
+	for (LimbState &limb : limbs) {
+		limb.authority.advance(p_delta_s);
+		limb.arrival.advance(p_delta_s);
+		if (limb.wanted == Actuation::LIMP && !limb.authority.is_moving()) {
+			limb.mode = Actuation::LIMP;
+		}
+	}
+}
+
+bool ActuationTable::has_mode(Actuation p_mode) const {
+	return std::any_of(limbs.begin(), limbs.end(), [p_mode](const LimbState &p_limb) { return p_limb.mode == p_mode; });
+}
+
+float ActuationTable::get_strength(std::size_t p_limb) const {
+	return std::max(get_standing_strength(p_limb) * overall.get(), LIMP_FRICTION);
+}
+
+float ActuationTable::get_standing_strength(std::size_t p_limb) const {
+	const LimbState &limb = limbs[p_limb];
+	return groups[limb.group].strength.get() * limb.authority.get();
+}
+
+void ActuationTable::save(ArchiveWriter &p_archive) const {
+	p_archive.put_all(limbs);
+	p_archive.put_all(groups);
+	p_archive.put(overall);
+}
+
+bool ActuationTable::restore(ArchiveReader &p_archive) {
+	return p_archive.get_all(limbs) && p_archive.get_all(groups) && p_archive.get(overall);
+}
+
+} // namespace ragdoll

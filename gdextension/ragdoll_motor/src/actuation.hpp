@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "archive.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace ragdoll {
+
+/// How a limb is made to follow the motion.
+enum class Actuation : int {
+	DIRECT_SET, ///< Thesis 8.1: put where the motion has it; nothing can hold it up.
+	SPRING_TORQUE, ///< Thesis 8.2: a torque grows with the error, and with a leaky integral of it.
+	ANGULAR_MOTOR, ///< Thesis 8.3: the joint's motor turns with a speed in proportion to the error.
+	VELOCITY_MOTOR, ///< The same, plus the speed that the motion has anyway (feed-forward).
+	POSITION_MOTOR, ///< The engine's spring, drawn to where the motion will be.
+	LIMP, ///< Nothing but a little friction in the joint.
+};
+constexpr int ACTUATION_COUNT = 6;
+
+/// A value on its way to another, smoothly.
+class Ramp {
+public:
+	Ramp() = default;
+	explicit Ramp(float p_value) : from(p_value), to(p_value) {}
+
+	float get() const;
+	float get_target() const { return to; }
+	bool is_moving() const { return elapsed < duration; }
+	/// Goes to a value within a time, s; at once for 0.
+	void go(float p_to, float p_duration_s);
+	void advance(float p_delta_s);
+
+private:
+	float from = 0.0f;
+	float to = 0.0f;
+	float elapsed = 0.0f;
+	float duration = 0.0f;
+};
+
+/// Parameters of a strength group.
+struct GroupSettings {
+	Ramp strength{ 1.0f }; ///< Multiplies every torque limit of the group.
+	float frequency = 0.0f; ///< Of the springs, Hz; 0 takes the mode's own.
+	float damping_ratio = 0.0f; ///< Of the springs; 0 takes the mode's own.
+};
+
+/// Which mode and how much strength every limb has, and how they pass into each other.
+///
+/// From and to LIMP the torque fades, so that a hit, a death or a getting-up looks like one. Into
+/// DIRECT_SET the limb is drawn from where it is. Between the other modes the change is at once: they
+/// hold the same pose.
+class ActuationTable {
+public:
+	/// What is left of a joint's torque when it is limp: friction of joints and clothes.
+	static constexpr float LIMP_FRICTION = 0.02f;
+
+	ActuationTable() = default;
+	/// @param p_groups each limb's strength group
+	ActuationTable(const std::vector<int> &p_groups, std::size_t p_group_count);
+
+	std::size_t get_group_count() const { return groups.size(); }
+	/// Changes the mode of a group, or of all limbs (-1), within a time, s.
+	void set_mode(Actuation p_mode, int p_group, float p_blend_s);
+	/// Changes the strength of a group, or of all (-1). Values below 0 count as 0.
+	void set_strength(float p_strength, int p_group, float p_blend_s);
+	void set_spring(float p_frequency, float p_damping_ratio, int p_group);
+	/// Scales everybody's strength besides: a stream that has stalled.
+	void set_overall(float p_strength, float p_blend_s);
+	void advance(float p_delta_s);
+
+	/// The mode a limb is in now: while it goes limp, still the old one.
+	Actuation get_mode(std::size_t p_limb) const { return limbs[p_limb].mode; }
+	/// The mode that was asked for.
+	Actuation get_wanted_mode(std::size_t p_limb) const { return limbs[p_limb].wanted; }
+	/// Whether any limb is in a mode.
+	bool has_mode(Actuation p_mode) const;
+	/// What the limb's torque limit is multiplied by, LIMP_FRICTION at least.
+	float get_strength(std::size_t p_limb) const;
+	/// The same without what set_overall() takes away: a stream that stalls lets nobody drop.
+	float get_standing_strength(std::size_t p_limb) const;
+	/// The strength that was asked for, of a group.
+	float get_group_strength(int p_group) const { return groups[p_group].strength.get_target(); }
+	/// How far a DIRECT_SET limb has come from where it was, 0 to 1.
+	float get_arrival(std::size_t p_limb) const { return limbs[p_limb].arrival.get(); }
+	const GroupSettings &get_group(std::size_t p_limb) const { return groups[limbs[p_limb].group]; }
+
+	void save(ArchiveWriter &p_archive) const;
+	bool restore(ArchiveReader &p_archive);
+
+private:
+	struct LimbState {
+		int group = 0;
+		Actuation mode = Actuation::VELOCITY_MOTOR;
+		Actuation wanted = Actuation::VELOCITY_MOTOR;
+		Ramp authority{ 1.0f };
+		Ramp arrival{ 1.0f };
+	};
+
+	static void change(LimbState &r_limb, Actuation p_mode, float p_blend_s);
+
+	std::vector<LimbState> limbs;
+	std::vector<GroupSettings> groups;
+	Ramp overall{ 1.0f };
+};
+
+} // namespace ragdoll

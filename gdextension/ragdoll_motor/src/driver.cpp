@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "driver.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace ragdoll {
+
+Driver::Driver(Rig p_rig, const std::vector<int> &p_groups, std::size_t p_group_count) :
+		rig(std::move(p_rig)),
+		stream(rig.size()),
+		table(p_groups, p_group_count),
+		controller(rig),
+		torques(rig.size()),
+		errors(rig.size(), 0.0f),
+		saturations(rig.size(), 0.0f) {
+	commands.orientations.resize(rig.size());
+	commands.joints.resize(rig.size());
+}
+
+bool Driver::push(double p_time_s, const float *p_orientations, const Vec3 &p_root, const float *p_rates) {
+	if (!stream.push(p_time_s, p_orientations, p_root, p_rates)) {
+		return false;
+	}
+	meter.settle(stream, rig);
+	return true;
+}
+
+const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_delta_s) {
+	stream.predict(p_time_s, now);
+	stream.predict(p_time_s + double(p_delta_s), next);
+	commands.guarded = guard.check(rig, r_state);
+	commands.must_put = commands.guarded != GUARD_NOTHING;
+	const bool teleported = stream.take_teleport() && !finds_travel(root_mode) && !is_free(root_mode);
+	if (teleported || (commands.guarded & GUARD_LOST) != 0) {
+		put_into_pose(r_state);
+		commands.must_put = true;
+	}
+	let_go_when_stalled(p_time_s);
+	table.advance(p_delta_s);
+	controller.compute(r_state, now, next, p_delta_s, table, commands.limbs);
+	note_torques(r_state, p_delta_s);
+	command_root(r_state, p_delta_s);
+	if (table.has_mode(Actuation::DIRECT_SET)) {
+		place_limbs(rig, r_state, next, p_delta_s, table, commands.orientations, commands.joints);
+	}
+	if (commands.is_root_held && table.get_mode(0) != Actuation::DIRECT_SET) {
+		commands.orientations[0] = next.orientations[0];
+		commands.joints[0] = next.root;
+	}
+	return commands;
+}
+
+void Driver::let_go_when_stalled(double p_time_s) {
+	const bool stalled = p_time_s - stream.newest() > LET_GO_AFTER;
+	table.set_overall(stalled ? STALLED_STRENGTH : 1.0f, LET_GO_S);
+}
+
+void Driver::command_root(const RigState &p_state, float p_delta_s) {
+	const Actuation mode = table.get_mode(0);
+	commands.is_root_held = mode == Actuation::DIRECT_SET || (root_mode == RootMode::HELD && mode != Actuation::LIMP);
+	root_settings.gain = controller.settings.gain;
+	const Vec3 lift{ 0.0f, lift_while_getting_up(p_state), 0.0f };
+	const float strength = mode == Actuation::LIMP ? 0.0f : table.get_standing_strength(0);
+	commands.root = drive_root(
+			root_mode, root_settings, rig, p_state.root, now.root + lift, next.root + lift, p_delta_s, strength);
+	commands.root_turn = commands.limbs[0].velocity;
+	if (root_mode == RootMode::SELF_RIGHTING && righted_limb > 0) {
+		const std::size_t limb = std::size_t(righted_limb);
+		commands.trunk_turn = righting_velocity(p_state.orientations[limb], now.orientations[limb],
+				next.orientations[limb], p_delta_s, controller.settings.gain);
+	}
+}
+
+float Driver::lift_while_getting_up(const RigState &p_state) {
+	const bool limp = table.get_mode(0) == Actuation::LIMP;
+	is_getting_up = (is_getting_up || was_limp) && !limp;
+	was_limp = limp;
+	if (!is_getting_up) {
+		return 0.0f;
+	}
+	float error = 0.0f;
+	for (const float off : find_errors(p_state)) {
+		error += off / float(rig.size());
+	}
+	is_getting_up = error > UPRIGHT;
+	return std::min(error, 0.5f) * GETTING_UP_LIFT;
+}
+
+const std::vector<float> &Driver::find_errors(const RigState &p_state) {
+	for (std::size_t i = 0; i < now.orientations.size(); i++) {
+		errors[i] = angle_between(p_state.orientations[i], now.orientations[i]);
+	}
+	return errors;
+}
+
+void Driver::note_torques(const RigState &p_state, float p_delta_s) {
+	if (!measures_torque) {
+		return;
+	}
+	torques.note(rig, p_state, p_delta_s, 9.81f);
+	for (std::size_t i = 0; i < rig.size(); i++) {
+		const float most = i == 0 ? root_settings.torque : commands.limbs[i].max_torque;
+		saturations[i] = most > 0.0f ? torques.get_torques()[i] / most : 0.0f;
+	}
+}
+
+void Driver::put_into_pose(RigState &r_state) {
+	rig.joint_positions(now, joints);
+	for (std::size_t i = 0; i < rig.size(); i++) {
+		r_state.orientations[i] = now.orientations[i];
+		r_state.centres[i] = joints[i] + now.orientations[i].rotate(rig[i].centre);
+		r_state.linear[i] = {};
+		r_state.angular[i] = {};
+	}
+	r_state.root = now.root;
+	controller.reset();
+	torques.clear();
+}
+
+void Driver::pose_state(double p_time_s, RigState &r_state) {
+	stream.predict(p_time_s, now);
+	next = now;
+	put_into_pose(r_state);
+}
+
+void Driver::measure(double p_time_s, const RigState &p_state) {
+	if (stream.is_empty() || stream.is_stalled(p_time_s)) {
+		return;
+	}
+	joints.resize(rig.size());
+	for (std::size_t i = 0; i < rig.size(); i++) {
+		joints[i] = rig.joint_of(p_state, i);
+	}
+	meter.note(p_time_s, p_state.orientations, joints);
+}
+
+void Driver::save(ArchiveWriter &p_archive) const {
+	p_archive.put(std::uint32_t(rig.size()));
+	p_archive.put(root_mode);
+	p_archive.put(was_limp);
+	p_archive.put(is_getting_up);
+	stream.save(p_archive);
+	table.save(p_archive);
+	controller.save(p_archive);
+}
+
+bool Driver::restore(ArchiveReader &p_archive) {
+	std::uint32_t limbs = 0;
+	RootMode mode = RootMode::SOFT;
+	if (!p_archive.get(limbs) || limbs != rig.size() || !p_archive.get(mode) || int(mode) < 0 ||
+			int(mode) >= ROOT_MODE_COUNT || !p_archive.get(was_limp) || !p_archive.get(is_getting_up)) {
+		return false;
+	}
+	root_mode = mode;
+	torques.clear();
+	return stream.restore(p_archive) && table.restore(p_archive) && controller.restore(p_archive);
+}
+
+} // namespace ragdoll

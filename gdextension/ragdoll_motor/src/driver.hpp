@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "controller.hpp"
+#include "energy_guard.hpp"
+#include "root_drive.hpp"
+#include "torque_meter.hpp"
+#include "tracking_meter.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace ragdoll {
+
+/// What the simulation is told for a step.
+struct StepCommands {
+	std::vector<LimbCommand> limbs;
+	RootCommand root;
+	Vec3 root_turn; ///< Turning rate of the root, limb's axes, rad/s.
+	Vec3 trunk_turn; ///< The same of the limb that SELF_RIGHTING keeps upright.
+	bool is_root_held = false; ///< The root is put in place instead of drawn.
+	std::vector<Quat> orientations; ///< Where limbs that are put in place belong at the step's end.
+	std::vector<Vec3> joints; ///< Their joints, m.
+	/// Flags of GuardAction. Where there are any, or after a teleport, `must_put` is set and the state
+	/// that was handed in has been mended and has to be given back to the simulation.
+	std::uint32_t guarded = GUARD_NOTHING;
+	bool must_put = false;
+};
+
+/// Everything that drives one ragdoll, without any engine: takes samples, and once a tick turns the
+/// state of the bodies into commands. A tick allocates nothing.
+class Driver {
+public:
+	/// Strength to which a body sinks when its stream has stalled: it holds its pose but gives way.
+	static constexpr float STALLED_STRENGTH = 0.3f;
+	/// Age of the newest sample (s) from which it sinks.
+	static constexpr double LET_GO_AFTER = 0.25;
+	/// How long it takes to sink, and to come back, s.
+	static constexpr float LET_GO_S = 0.25f;
+	/// While a body gets up its root is lifted by so much for each radian that its limbs are off, m: a
+	/// leg that lies askew could not pass under it.
+	static constexpr float GETTING_UP_LIFT = 0.6f;
+	/// It has got up when its limbs are off by less than this, rad.
+	static constexpr float UPRIGHT = 0.02f;
+
+	explicit Driver(Rig p_rig, const std::vector<int> &p_groups, std::size_t p_group_count);
+	Driver(const Driver &) = delete;
+	Driver &operator=(const Driver &) = delete;
+
+	const Rig &get_rig() const { return rig; }
+	PoseStream &get_stream() { return stream; }
+	const PoseStream &get_stream() const { return stream; }
+	ActuationTable &get_table() { return table; }
+	const ActuationTable &get_table() const { return table; }
+	Controller &get_controller() { return controller; }
+	EnergyGuard &get_guard() { return guard; }
+	TrackingMeter &get_meter() { return meter; }
+	const TrackingMeter &get_meter() const { return meter; }
+	const TorqueMeter &get_torques() const { return torques; }
+
+	RootSettings root_settings;
+	RootMode root_mode = RootMode::SOFT;
+	/// The limb that SELF_RIGHTING keeps upright besides the root; -1 for none.
+	int righted_limb = -1;
+	/// Whether torques are estimated; costs a microsecond or two a tick.
+	bool measures_torque = false;
+
+	bool push(double p_time_s, const float *p_orientations, const Vec3 &p_root, const float *p_rates);
+	/// The commands for the next step. The stream must not be empty.
+	/// @param p_time_s moment of the motion at which the step begins, s
+	const StepCommands &step(RigState &r_state, double p_time_s, float p_delta_s);
+	/// The state of bodies at rest in the motion's pose.
+	void pose_state(double p_time_s, RigState &r_state);
+	/// Notes the bodies' state after a step that ended at a moment of the motion.
+	void measure(double p_time_s, const RigState &p_state);
+	/// Angle between each limb and the motion at the beginning of the last step, rad.
+	const std::vector<float> &find_errors(const RigState &p_state);
+	/// How much of each joint's greatest torque the last step needed, 0 to 1 and more. Needs
+	/// measures_torque.
+	const std::vector<float> &get_saturations() const { return saturations; }
+	/// Where the root is to be at the end of the last step, m.
+	const Vec3 &get_root_target() const { return next.root; }
+
+	void save(ArchiveWriter &p_archive) const;
+	bool restore(ArchiveReader &p_archive);
+
+private:
+	void put_into_pose(RigState &r_state);
+	float lift_while_getting_up(const RigState &p_state);
+	void let_go_when_stalled(double p_time_s);
+	void command_root(const RigState &p_state, float p_delta_s);
+	void note_torques(const RigState &p_state, float p_delta_s);
+
+	Rig rig;
+	PoseStream stream;
+	ActuationTable table;
+	Controller controller;
+	EnergyGuard guard;
+	TrackingMeter meter;
+	TorqueMeter torques;
+	StepCommands commands;
+	Pose now;
+	Pose next;
+	std::vector<Vec3> joints;
+	std::vector<float> errors;
+	std::vector<float> saturations;
+	bool was_limp = false;
+	bool is_getting_up = false;
+};
+
+} // namespace ragdoll

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "pose_stream.hpp"
+#include "quaternion.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace ragdoll {
+
+/// A rigid body of a ragdoll and the joint that holds it. A limb's frame has its origin in that joint
+/// and the axes of the body.
+struct Limb {
+	int parent = -1; ///< Index of the limb that holds it, which comes before it; -1 for the root.
+	Vec3 anchor; ///< The joint in the parent's frame, m. The root's is ignored.
+	Vec3 centre; ///< The body's origin (its centre of mass) in the limb's frame, m.
+	Quat rest; ///< Orientation in the pose in which inertias of subtrees are taken.
+	float mass = 1.0f; ///< kg
+	/// Moments about the limb's axes through the centre, as simulated, kg m^2.
+	Vec3 inertia{ 1.0f, 1.0f, 1.0f };
+	float max_torque = 0.0f; ///< Greatest torque of the joint, N m. The root's is ignored.
+	int group = 0; ///< Index of the strength group.
+};
+
+/// What the simulation says of the limbs, all in world axes.
+struct RigState {
+	std::vector<Quat> orientations;
+	std::vector<Vec3> centres; ///< Where the bodies' origins are, m.
+	std::vector<Vec3> linear; ///< Velocities of the bodies' origins, m/s.
+	std::vector<Vec3> angular; ///< rad/s
+	Vec3 root; ///< Where the root limb's joint is, m.
+
+	void resize(std::size_t p_limb_count);
+};
+
+/// The tree of limbs: everything that follows from its geometry and masses alone.
+class Rig {
+public:
+	Rig() = default;
+	/// @param p_limbs parents before children, the root first
+	explicit Rig(std::vector<Limb> p_limbs);
+
+	std::size_t size() const { return limbs.size(); }
+	const Limb &operator[](std::size_t p_limb) const { return limbs[p_limb]; }
+	/// Mass of all limbs, kg.
+	float get_mass() const { return mass; }
+	/// Moments of inertia (kg m^2) of a limb and all that hangs on it about the limb's joint and axes,
+	/// in the rest pose: what a motor of the joint has to turn.
+	const Vec3 &get_subtree_inertia(std::size_t p_limb) const { return subtree_inertia[p_limb]; }
+
+	/// The same of the limb alone.
+	const Vec3 &get_own_inertia(std::size_t p_limb) const { return own_inertia[p_limb]; }
+
+	/// World positions of the limbs' joints for a pose, parent first (thesis section 8.1.1, eq. 1-4:
+	/// each limb is moved so that the anchors on both bodies match up).
+	void joint_positions(const Pose &p_pose, std::vector<Vec3> &r_positions) const;
+	/// The whole body's centre of mass for a pose whose joints are known, m.
+	Vec3 centre_of_mass(const Pose &p_pose, const std::vector<Vec3> &p_joints) const;
+	/// The joint's place in the world by the state of the limb's own body, m.
+	Vec3 joint_of(const RigState &p_state, std::size_t p_limb) const;
+
+private:
+	std::vector<Limb> limbs;
+	std::vector<Vec3> subtree_inertia;
+	std::vector<Vec3> own_inertia;
+	float mass = 0.0f;
+};
+
+/// The diagonal of R I R^T: moments about other axes of a body whose products of inertia are small.
+Vec3 turned_inertia(const Vec3 &p_moments, const Quat &p_turn);
+
+/// The axes of a limb's joint in the limb's frame: X along the limb, Y ahead (+Z of the figure in the
+/// rest pose; up for limbs that point ahead), Z = X x Y, about which positive turns bend forwards.
+/// @param p_along along the limb in its own frame
+/// @param p_rest the limb's orientation in the rest pose
+Quat joint_axes(const Vec3 &p_along, const Quat &p_rest);
+
+} // namespace ragdoll

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "rig.hpp"
+
+namespace ragdoll {
+
+/// Where the root is to be, and who holds it there.
+enum class RootMode : int {
+	HELD, ///< Its position is known; it follows exactly and cannot be pushed.
+	SOFT, ///< Its position is known; it is drawn there with limited force.
+	LOWEST_FOOT, ///< Thesis 8.4.1: the lowest foot point stands still.
+	CONTACTS, ///< Thesis 8.4.2: whatever touches the ground stands still, on any ground.
+	PENDULUM, ///< Thesis 8.4.3: a heavy weight far below keeps the body upright; the feet move it.
+	SELF_RIGHTING, ///< Thesis 8.4.4: motors to the world keep pelvis and trunk upright; the feet move it.
+	INERTIAL, ///< For suits that know no position: predicted velocity and contacts, limited force.
+};
+constexpr int ROOT_MODE_COUNT = 7;
+
+/// Whether the mode finds the root's travel from the ground instead of being told it.
+constexpr bool finds_travel(RootMode p_mode) {
+	return p_mode == RootMode::LOWEST_FOOT || p_mode == RootMode::CONTACTS || p_mode == RootMode::INERTIAL;
+}
+/// Whether no force draws the root along: the feet alone do.
+constexpr bool is_free(RootMode p_mode) {
+	return p_mode == RootMode::PENDULUM || p_mode == RootMode::SELF_RIGHTING;
+}
+
+/// What the root's joint to the world is told for a step.
+struct RootCommand {
+	Vec3 velocity; ///< Of the root limb's joint, world axes, m/s.
+	float force_across = 0.0f; ///< Greatest horizontal force an axis, N.
+	float force_up = 0.0f; ///< Greatest vertical force, N.
+	float torque = 0.0f; ///< Greatest torque an axis, N m.
+	float assist_torque = 0.0f; ///< Of the pendulum's or the trunk's joint, N m.
+};
+
+/// Parameters of the root's hold.
+struct RootSettings {
+	float gain = 50.0f; ///< How fast errors are corrected, 1/s.
+	float force = 2000.0f; ///< N
+	float torque = 800.0f; ///< N m
+	/// INERTIAL: horizontal force as a share of the body's weight, as the friction of soles.
+	float grip = 0.8f;
+};
+
+/// The root's command for a step: feed-forward with the motion's velocity plus a correction.
+/// @param p_strength multiplies the limits
+RootCommand drive_root(RootMode p_mode, const RootSettings &p_settings, const Rig &p_rig, const Vec3 &p_actual,
+		const Vec3 &p_now, const Vec3 &p_next, float p_delta_s, float p_strength);
+
+/// The turning rate (rad/s, limb's axes) that brings a limb along in the world, whatever its parent
+/// does: how SELF_RIGHTING keeps the trunk upright.
+Vec3 righting_velocity(const Quat &p_actual, const Quat &p_now, const Quat &p_next, float p_delta_s, float p_gain);
+
+} // namespace ragdoll

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "rig.hpp"
+
+#include <vector>
+
+namespace ragdoll {
+
+/// Estimates what torque each joint has had to bring up in the last step, from how the bodies moved:
+/// recursive Newton-Euler inverse dynamics, from the leaves to the root (Luh, Walker, Paul 1980).
+/// The engine does not tell. What contacts push is not known and counts as the joints' work.
+class TorqueMeter {
+public:
+	explicit TorqueMeter(std::size_t p_limb_count);
+
+	/// Takes the state after a step of p_delta_s seconds.
+	/// @param p_gravity m/s^2, downwards along -Y
+	void note(const Rig &p_rig, const RigState &p_state, float p_delta_s, float p_gravity);
+	/// Magnitude of the torque at each limb's joint, N m; the root's is that of its hold by the world.
+	const std::vector<float> &get_torques() const { return torques; }
+	void clear() { is_known = false; }
+
+private:
+	bool is_known = false;
+	std::vector<Vec3> linear_before;
+	std::vector<Vec3> angular_before;
+	std::vector<Vec3> forces;
+	std::vector<Vec3> moments;
+	std::vector<float> torques;
+};
+
+} // namespace ragdoll
