@@ -8,6 +8,8 @@ extends RefCounted
 
 ## How far ahead on the sole the ball of the foot is, from heel to toes.
 const _BALL: float = 0.72
+## And the points at the toes: not at the tip of the shoe, because toes bend (thesis 8.4.1).
+const _TOES: float = 0.82
 ## Limbs that touch with their far end.
 const _ENDS: Array[StringName] = [
 	&"Head",
@@ -53,8 +55,8 @@ static func _sole(p_limb: RagdollLimb) -> PackedVector3Array:
 		(behind[0] + behind[1]) / 2.0,
 		behind[0].lerp(ahead[0], _BALL),
 		behind[1].lerp(ahead[1], _BALL),
-		ahead[0],
-		ahead[1],
+		behind[0].lerp(ahead[0], _TOES),
+		behind[1].lerp(ahead[1], _TOES),
 	]
 
 

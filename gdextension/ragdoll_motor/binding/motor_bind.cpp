@@ -40,6 +40,11 @@ void RagdollMotor::set_measures_lag(bool p_enabled) {
 	apply_settings();
 }
 
+void RagdollMotor::set_ground_mask(int64_t p_mask) {
+	ground_mask = p_mask;
+	apply_settings();
+}
+
 void RagdollMotor::set_max_energy(double p_energy) {
 	max_energy = p_energy;
 	apply_settings();
@@ -76,6 +81,8 @@ void RagdollMotor::bind_measurement() {
 	ClassDB::bind_method(D_METHOD("get_limb_torques"), &RagdollMotor::get_limb_torques);
 	ClassDB::bind_method(D_METHOD("get_limb_saturations"), &RagdollMotor::get_limb_saturations);
 	ClassDB::bind_method(D_METHOD("get_root_target"), &RagdollMotor::get_root_target);
+	ClassDB::bind_method(D_METHOD("is_flying"), &RagdollMotor::is_flying);
+	ClassDB::bind_method(D_METHOD("get_contact_weights"), &RagdollMotor::get_contact_weights);
 	ClassDB::bind_method(D_METHOD("get_internal_energy"), &RagdollMotor::get_internal_energy);
 	ClassDB::bind_method(D_METHOD("save_state"), &RagdollMotor::save_state);
 	ClassDB::bind_method(D_METHOD("restore_state", "bytes"), &RagdollMotor::restore_state);
@@ -103,6 +110,8 @@ void RagdollMotor::bind_properties() {
 	ClassDB::bind_method(D_METHOD("get_measures_torque"), &RagdollMotor::get_measures_torque);
 	ClassDB::bind_method(D_METHOD("set_measures_lag", "enabled"), &RagdollMotor::set_measures_lag);
 	ClassDB::bind_method(D_METHOD("get_measures_lag"), &RagdollMotor::get_measures_lag);
+	ClassDB::bind_method(D_METHOD("set_ground_mask", "mask"), &RagdollMotor::set_ground_mask);
+	ClassDB::bind_method(D_METHOD("get_ground_mask"), &RagdollMotor::get_ground_mask);
 	ClassDB::bind_method(D_METHOD("set_max_energy", "energy"), &RagdollMotor::set_max_energy);
 	ClassDB::bind_method(D_METHOD("get_max_energy"), &RagdollMotor::get_max_energy);
 }
@@ -120,6 +129,8 @@ void RagdollMotor::_bind_methods() {
 			"set_root_force", "get_root_force");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "root_torque", PROPERTY_HINT_RANGE, "0,5000,10,suffix:Nm"),
 			"set_root_torque", "get_root_torque");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "ground_mask", PROPERTY_HINT_LAYERS_3D_PHYSICS), "set_ground_mask",
+			"get_ground_mask");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "max_energy", PROPERTY_HINT_RANGE, "1,1000,1,suffix:J/kg"),
 			"set_max_energy", "get_max_energy");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "inertia_scale", PROPERTY_HINT_RANGE, "1,10,0.1"), "set_inertia_scale",

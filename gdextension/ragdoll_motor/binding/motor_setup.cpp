@@ -32,6 +32,19 @@ bool RagdollMotor::setup(const Ref<RagdollProfile> &p_profile, const TypedArray<
 	return true;
 }
 
+void RagdollMotor::add_contacts(const Ref<RagdollLimb> &p_limb, int p_index) {
+	const PackedVector3Array points = p_limb->get_contact_points();
+	const ragdoll::Quat turn = to_core(p_limb->get_rest_orientation()).inverse();
+	for (int64_t i = 0; i < points.size(); i++) {
+		ragdoll::ContactPoint contact;
+		contact.limb = p_index;
+		contact.local = turn.rotate(to_core(points[i] - p_limb->get_anchor()));
+		contact.radius = float(p_limb->get_contact_radius());
+		contact.sole = p_limb->is_foot();
+		contacts.push_back(contact);
+	}
+}
+
 bool RagdollMotor::make_driver(
 		const Ref<RagdollProfile> &p_profile, const TypedArray<RID> &p_bodies, const PackedVector3Array &p_centres) {
 	const int64_t count = p_bodies.size();
@@ -40,6 +53,8 @@ bool RagdollMotor::make_driver(
 	groups.clear();
 	reset_pose.clear();
 	specs.clear();
+	body_rids.clear();
+	contacts.clear();
 	int righted = -1;
 	for (int64_t i = 0; i < count; i++) {
 		const Ref<RagdollLimb> source = p_profile->get_limbs()[i];
@@ -79,8 +94,10 @@ bool RagdollMotor::make_driver(
 			spec.upper = source->get_max_angles();
 		}
 		specs.push_back(spec);
+		body_rids.push_back(p_bodies[i]);
+		add_contacts(source, int(i));
 	}
-	driver = std::make_unique<ragdoll::Driver>(ragdoll::Rig(std::move(limbs)), limb_groups, groups.size());
+	driver = std::make_unique<ragdoll::Driver>(ragdoll::Rig(std::move(limbs)), limb_groups, groups.size(), contacts);
 	driver->righted_limb = righted;
 	state.resize(std::size_t(count));
 	targets.assign(std::size_t(count) * 4, 0.0f);

@@ -22,6 +22,7 @@ PackedFloat32Array to_packed(const std::vector<float> &p_values) {
 } // namespace
 
 void RagdollMotor::release() {
+	ground.detach();
 	bodies.reset();
 	driver.reset();
 }
@@ -37,6 +38,17 @@ void RagdollMotor::apply_settings() {
 	driver->get_guard().max_energy = float(max_energy);
 	driver->measures_torque = measures_torque;
 	driver->get_meter().measures_lag = measures_lag;
+	look_at_ground();
+}
+
+void RagdollMotor::look_at_ground() {
+	const bool wanted = driver && ragdoll::finds_travel(driver->root_mode) && is_inside_tree();
+	driver->ground = wanted ? &ground : nullptr;
+	if (wanted) {
+		ground.attach(this, body_rids, std::uint32_t(ground_mask));
+	} else {
+		ground.detach();
+	}
 }
 
 bool RagdollMotor::push_sample(double p_time_s, const PackedFloat32Array &p_rotations, const Vector3 &p_root,
@@ -222,6 +234,14 @@ Vector3 RagdollMotor::get_root_target() const {
 	return driver ? from_core(driver->get_root_target()) : Vector3();
 }
 
+bool RagdollMotor::is_flying() const {
+	return driver && driver->get_travel() && driver->get_travel()->is_flying();
+}
+
+PackedFloat32Array RagdollMotor::get_contact_weights() const {
+	return driver && driver->get_travel() ? to_packed(driver->get_travel()->get_weights()) : PackedFloat32Array();
+}
+
 double RagdollMotor::get_internal_energy() {
 	return driver && bodies->read(state) ? ragdoll::EnergyGuard::internal_energy(driver->get_rig(), state) : 0.0;
 }
@@ -269,6 +289,7 @@ bool RagdollMotor::restore_state(const PackedByteArray &p_bytes) {
 			archive.get_all(state.angular) && archive.is_at_end();
 	ERR_FAIL_COND_V_MSG(!fits, false, "RagdollMotor: the saved state is of another profile or version.");
 	root_mode = RootMode(driver->root_mode);
+	look_at_ground();
 	// New joints know nothing of the impulses of the time before: every replay begins the same.
 	bodies->remake();
 	bodies->put(state);

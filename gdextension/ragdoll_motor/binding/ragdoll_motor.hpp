@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../src/driver.hpp"
+#include "ground_rays.hpp"
 #include "ragdoll_bodies.hpp"
 #include "ragdoll_profile.hpp"
 
@@ -84,6 +85,8 @@ public:
 	PackedFloat32Array get_limb_torques() const;
 	PackedFloat32Array get_limb_saturations() const;
 	Vector3 get_root_target() const;
+	bool is_flying() const;
+	PackedFloat32Array get_contact_weights() const;
 	double get_internal_energy();
 
 	// State.
@@ -112,6 +115,8 @@ public:
 	bool get_measures_torque() const { return measures_torque; }
 	void set_measures_lag(bool p_enabled);
 	bool get_measures_lag() const { return measures_lag; }
+	void set_ground_mask(int64_t p_mask);
+	int64_t get_ground_mask() const { return ground_mask; }
 	void set_max_energy(double p_energy);
 	double get_max_energy() const { return max_energy; }
 
@@ -123,9 +128,11 @@ private:
 	static void bind_control();
 	static void bind_measurement();
 
+	void look_at_ground();
 	bool is_ready() const { return driver && !driver->get_stream().is_empty(); }
 	bool make_driver(
 			const Ref<RagdollProfile> &p_profile, const TypedArray<RID> &p_bodies, const PackedVector3Array &p_centres);
+	void add_contacts(const Ref<RagdollLimb> &p_limb, int p_index);
 	void apply_settings();
 	bool find_group(const StringName &p_group, int &r_group) const;
 	void report(std::uint32_t p_guarded);
@@ -136,6 +143,7 @@ private:
 	double root_torque = 800.0;
 	double inertia_scale = 6.0;
 	double max_energy = 60.0;
+	int64_t ground_mask = 5; // World and props, not people.
 	bool self_collision = false;
 	bool anatomical_limits = false;
 	bool measures_torque = false;
@@ -144,10 +152,14 @@ private:
 
 	std::vector<StringName> groups;
 	std::vector<ragdoll::Quat> reset_pose;
+	std::vector<RID> body_rids;
+	std::vector<ragdoll::ContactPoint> contacts;
 	std::vector<RagdollBodies::JointSpec> specs;
 	std::unique_ptr<ragdoll::Driver> driver;
 	// After the driver: the bodies refer to its rig.
 	std::unique_ptr<RagdollBodies> bodies;
+
+	GroundRays ground;
 
 	// Kept between ticks, so that a tick allocates nothing.
 	ragdoll::RigState state;

@@ -1,19 +1,30 @@
 // SPDX-License-Identifier: MIT
 #include "driver.hpp"
 
+#include "gait/inertial_gait.hpp"
+#include "gait/lowest_contact.hpp"
+#include "gait/lowest_foot.hpp"
+
 #include <algorithm>
 #include <utility>
 
 namespace ragdoll {
 
-Driver::Driver(Rig p_rig, const std::vector<int> &p_groups, std::size_t p_group_count) :
+Driver::Driver(Rig p_rig, const std::vector<int> &p_groups, std::size_t p_group_count,
+		const std::vector<ContactPoint> &p_contacts) :
 		rig(std::move(p_rig)),
 		stream(rig.size()),
 		table(p_groups, p_group_count),
 		controller(rig),
 		torques(rig.size()),
 		errors(rig.size(), 0.0f),
-		saturations(rig.size(), 0.0f) {
+		saturations(rig.size(), 0.0f),
+		contacts(p_contacts),
+		points_now(p_contacts.size()),
+		points_next(p_contacts.size()) {
+	travels[0] = std::make_unique<LowestFoot>(p_contacts);
+	travels[1] = std::make_unique<LowestContact>(p_contacts);
+	travels[2] = std::make_unique<InertialGait>(p_contacts);
 	commands.orientations.resize(rig.size());
 	commands.joints.resize(rig.size());
 }
@@ -36,6 +47,7 @@ const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_del
 		put_into_pose(r_state);
 		commands.must_put = true;
 	}
+	travel(r_state, p_delta_s);
 	let_go_when_stalled(p_time_s);
 	table.advance(p_delta_s);
 	controller.compute(r_state, now, next, p_delta_s, table, commands.limbs);
@@ -49,6 +61,59 @@ const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_del
 		commands.joints[0] = next.root;
 	}
 	return commands;
+}
+
+Travel *Driver::find_travel(RootMode p_mode) const {
+	switch (p_mode) {
+		case RootMode::LOWEST_FOOT:
+			return travels[0].get();
+		case RootMode::CONTACTS:
+			return travels[1].get();
+		case RootMode::INERTIAL:
+			return travels[2].get();
+		default:
+			return nullptr;
+	}
+}
+
+void Driver::find_points(const Pose &p_pose, std::vector<Vec3> &r_points) {
+	rig.joint_positions(p_pose, joints);
+	for (std::size_t i = 0; i < contacts.size(); i++) {
+		const std::size_t limb = std::size_t(contacts[i].limb);
+		r_points[i] = joints[limb] + p_pose.orientations[limb].rotate(contacts[i].local);
+	}
+}
+
+void Driver::travel(const RigState &p_state, float p_delta_s) {
+	Travel *estimator = find_travel(root_mode);
+	const bool goes_on = travelled == root_mode;
+	const Vec3 expected = next_root; // Where the last step should have brought the root.
+	travelled = root_mode;
+	if (!estimator) {
+		next_root = next.root;
+		return;
+	}
+	if (!goes_on) {
+		estimator->reset(p_state.root);
+	} else {
+		const Vec3 off = p_state.root - expected;
+		const bool limp = table.get_mode(0) == Actuation::LIMP;
+		const Vec3 across{ off.x, limp ? off.y : 0.0f, off.z };
+		const float distance = across.length();
+		const float slack = limp ? 0.0f : SLACK;
+		if (distance > slack) {
+			estimator->shift(across * (1.0f - slack / distance));
+		}
+	}
+	now.root = {};
+	next.root = {};
+	find_points(next, points_next);
+	find_points(now, points_now);
+	const Vec3 centre = rig.centre_of_mass(now, joints);
+	estimator->step({ p_delta_s, &points_now, centre, ground ? ground : &level_ground });
+	now.root = estimator->get_root();
+	next.root = estimator->ahead(points_next, p_delta_s);
+	next_root = next.root;
 }
 
 void Driver::let_go_when_stalled(double p_time_s) {
@@ -106,6 +171,9 @@ void Driver::note_torques(const RigState &p_state, float p_delta_s) {
 }
 
 void Driver::put_into_pose(RigState &r_state) {
+	if (find_travel(root_mode) && travelled == root_mode) {
+		now.root = next_root;
+	}
 	rig.joint_positions(now, joints);
 	for (std::size_t i = 0; i < rig.size(); i++) {
 		r_state.orientations[i] = now.orientations[i];
@@ -140,6 +208,11 @@ void Driver::save(ArchiveWriter &p_archive) const {
 	p_archive.put(root_mode);
 	p_archive.put(was_limp);
 	p_archive.put(is_getting_up);
+	p_archive.put(travelled);
+	p_archive.put(next_root);
+	for (const std::unique_ptr<Travel> &estimator : travels) {
+		estimator->save(p_archive);
+	}
 	stream.save(p_archive);
 	table.save(p_archive);
 	controller.save(p_archive);
@@ -154,6 +227,13 @@ bool Driver::restore(ArchiveReader &p_archive) {
 	}
 	root_mode = mode;
 	torques.clear();
+	p_archive.get(travelled);
+	p_archive.get(next_root);
+	for (const std::unique_ptr<Travel> &estimator : travels) {
+		if (!estimator->restore(p_archive)) {
+			return false;
+		}
+	}
 	return stream.restore(p_archive) && table.restore(p_archive) && controller.restore(p_archive);
 }
 

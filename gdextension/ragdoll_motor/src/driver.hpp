@@ -3,11 +3,14 @@
 
 #include "controller.hpp"
 #include "energy_guard.hpp"
+#include "gait/travel.hpp"
 #include "root_drive.hpp"
 #include "torque_meter.hpp"
 #include "tracking_meter.hpp"
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace ragdoll {
@@ -43,7 +46,12 @@ public:
 	/// It has got up when its limbs are off by less than this, rad.
 	static constexpr float UPRIGHT = 0.02f;
 
-	explicit Driver(Rig p_rig, const std::vector<int> &p_groups, std::size_t p_group_count);
+	/// INERTIAL, CONTACTS, LOWEST_FOOT: how far the body may be held back from where the feet carry it
+	/// (m) before the estimate gives in: a person who walks against a wall walks on the spot.
+	static constexpr float SLACK = 0.05f;
+
+	Driver(Rig p_rig, const std::vector<int> &p_groups, std::size_t p_group_count,
+			const std::vector<ContactPoint> &p_contacts);
 	Driver(const Driver &) = delete;
 	Driver &operator=(const Driver &) = delete;
 
@@ -60,6 +68,9 @@ public:
 
 	RootSettings root_settings;
 	RootMode root_mode = RootMode::SOFT;
+	/// What there is to stand on, for the modes that find the root's travel; level ground at height 0
+	/// where nobody tells. Must live as long.
+	const Ground *ground = nullptr;
 	/// The limb that SELF_RIGHTING keeps upright besides the root; -1 for none.
 	int righted_limb = -1;
 	/// Whether torques are estimated; costs a microsecond or two a tick.
@@ -78,6 +89,8 @@ public:
 	/// How much of each joint's greatest torque the last step needed, 0 to 1 and more. Needs
 	/// measures_torque.
 	const std::vector<float> &get_saturations() const { return saturations; }
+	/// The estimator of the root's travel of a mode, or null where the mode has none.
+	const Travel *get_travel() const { return find_travel(root_mode); }
 	/// Where the root is to be at the end of the last step, m.
 	const Vec3 &get_root_target() const { return next.root; }
 
@@ -85,6 +98,9 @@ public:
 	bool restore(ArchiveReader &p_archive);
 
 private:
+	Travel *find_travel(RootMode p_mode) const;
+	void travel(const RigState &p_state, float p_delta_s);
+	void find_points(const Pose &p_pose, std::vector<Vec3> &r_points);
 	void put_into_pose(RigState &r_state);
 	float lift_while_getting_up(const RigState &p_state);
 	void let_go_when_stalled(double p_time_s);
@@ -104,6 +120,13 @@ private:
 	std::vector<Vec3> joints;
 	std::vector<float> errors;
 	std::vector<float> saturations;
+	std::array<std::unique_ptr<Travel>, 3> travels; // LOWEST_FOOT, CONTACTS, INERTIAL.
+	std::vector<ContactPoint> contacts;
+	std::vector<Vec3> points_now;
+	std::vector<Vec3> points_next;
+	Vec3 next_root; // Where the step before was to bring the root, m.
+	FlatGround level_ground;
+	RootMode travelled = RootMode::SOFT; // The mode of the step before.
 	bool was_limp = false;
 	bool is_getting_up = false;
 };

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../archive.hpp"
+#include "contact_point.hpp"
+#include "ground.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace ragdoll {
+
+/// What an estimator of travel is told each tick.
+struct GaitInput {
+	float delta_s = 0.0f;
+	const std::vector<Vec3> *points = nullptr; ///< Contact points from the root's joint, world axes, m.
+	Vec3 centre; ///< The centre of mass from the root's joint, world axes, m.
+	const Ground *ground = nullptr;
+};
+
+/// Finds where a person's root is from its pose and the ground: for suits that know orientations only
+/// (thesis section 8.4).
+class Travel {
+public:
+	/// Points further above the ground than this (m), were the body as low as it can be, do not touch.
+	static constexpr float REACH = 0.12f;
+	/// Steps that somebody takes are not higher than this, m: within it the ground is looked for.
+	static constexpr float STEP = 0.35f;
+	/// A point that has moved less than this (m) is on the same ground for LOOK_AGAIN_S seconds.
+	static constexpr float SAME_PLACE = 0.015f;
+	static constexpr float LOOK_AGAIN_S = 0.1f;
+	static constexpr float NOWHERE = -1e9f;
+
+	explicit Travel(std::vector<ContactPoint> p_points);
+	Travel(const Travel &) = delete;
+	Travel &operator=(const Travel &) = delete;
+	virtual ~Travel() = default;
+
+	/// Begins anew with the root's joint somewhere, m.
+	void reset(const Vec3 &p_root);
+	/// Takes the next pose. Input that is not finite is left out.
+	void step(const GaitInput &p_input);
+	/// The world has moved the body: everything moves along, m.
+	virtual void shift(const Vec3 &p_offset);
+
+	/// Where the root's joint is, m.
+	const Vec3 &get_root() const { return root; }
+	/// Its velocity, m/s.
+	const Vec3 &get_velocity() const { return velocity; }
+	/// Whether nothing touches the ground.
+	bool is_flying() const { return flying; }
+	/// How surely each point stands still on the ground, 0 to 1.
+	const std::vector<float> &get_weights() const { return weights; }
+	/// Where the root will be when the points will be elsewhere, as long as those that stand go on to.
+	Vec3 ahead(const std::vector<Vec3> &p_points, float p_delta_s) const;
+
+	virtual void save(ArchiveWriter &p_archive) const;
+	virtual bool restore(ArchiveReader &p_archive);
+
+protected:
+	virtual void begin(const GaitInput &p_input) = 0;
+	virtual void advance(const GaitInput &p_input) = 0;
+
+	/// Height of the body's reference over each point, were that on the ground, m: what the ground's
+	/// height, the point's radius and its height under the reference come to; NOWHERE for points that
+	/// are far from any ground. Returns the highest.
+	/// @param p_points the points from the reference, world axes, m
+	/// @param p_reference where the reference is about to be, m
+	float find_heights(const GaitInput &p_input, const std::vector<Vec3> &p_points, const Vec3 &p_reference,
+			std::vector<float> &r_heights);
+
+	std::vector<ContactPoint> contacts;
+	std::vector<float> weights;
+	std::vector<Vec3> anchors; // Where the points stand, m.
+	std::vector<Vec3> last; // The points of the tick before.
+	float floor = 0.0f; // Height of the ground that carries the body, m.
+	Vec3 root;
+	Vec3 velocity;
+	bool flying = false;
+	bool begun = false;
+
+private:
+	/// What was found under a point.
+	struct Level {
+		Vec3 at;
+		float height = 0.0f; // NaN for no ground.
+		float age_s = 1e9f;
+	};
+
+	float look(const GaitInput &p_input, std::size_t p_point, const Vec3 &p_at);
+
+	std::vector<Level> levels;
+};
+
+} // namespace ragdoll
