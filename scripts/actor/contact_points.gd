@@ -26,8 +26,8 @@ const _SIDES: Array[StringName] = [&"Hips", &"Chest"]
 
 ## Gives a limb its contact points. Its shape and orientations must be there.
 static func add(p_limb: RagdollLimb) -> void:
-	p_limb.foot = String(p_limb.bone).ends_with("Foot")
-	if p_limb.foot:
+	p_limb.is_foot = String(p_limb.bone).ends_with("Foot")
+	if p_limb.is_foot:
 		p_limb.contact_points = _sole(p_limb)
 		p_limb.contact_radius = 0.0
 	elif _ENDS.has(p_limb.bone):

@@ -81,6 +81,9 @@ static func _fill(p_limb: RagdollLimb, p_geom: Dictionary) -> void:
 	var turn: Array = p_geom["orientation"]
 	p_limb.orientation = Quaternion(turn[0], turn[1], turn[2], turn[3])
 	p_limb.mass_fraction = p_geom["mass_fraction"]
+	var limb: int = Limbs.find(p_limb.bone)
+	p_limb.group = Limbs.GROUPS[limb] if limb >= 0 else &"body"
+	p_limb.max_torque = Limbs.TORQUES[limb] if limb >= 0 else p_limb.max_torque
 	if p_limb.type == RagdollLimb.BOX:
 		p_limb.size = _vector(p_geom["size"])
 	else:

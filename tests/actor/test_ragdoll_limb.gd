@@ -41,19 +41,19 @@ func test_known_inertia() -> void:
 func test_faults() -> void:
 	var cases: Array[Array] = [
 		["bone", &"", "names no bone"],
-		["position", Vector3(NAN, 0, 0), "Head's position or anchor is no place"],
-		["anchor", Vector3(0, INF, 0), "no place"],
+		["position", Vector3(NAN, 0, 0), "Head has a place that is not finite"],
+		["anchor", Vector3(0, INF, 0), "not finite"],
 		["orientation", Quaternion(0, 0, 0, 0.5), "not a rotation"],
-		["orientation", Quaternion(0, 0, NAN, 1), "not a rotation"],
-		["rest_orientation", Quaternion(0, 0, 0, 2), "rest_orientation or reset_orientation"],
-		["reset_orientation", Quaternion(0, NAN, 0, 1), "rest_orientation or reset_orientation"],
+		["orientation", Quaternion(0, 0, NAN, 1), "not finite"],
+		["rest_orientation", Quaternion(0, 0, 0, 2), "rest_orientation is not a rotation"],
+		["reset_orientation", Quaternion(0, NAN, 0, 1), "reset_orientation is not finite"],
 		["max_torque", -1.0, "max_torque"],
 		["max_torque", NAN, "max_torque"],
 		["group", &"", "no strength group"],
 		["contact_radius", INF, "contact_radius"],
 		["contact_points", PackedVector3Array([Vector3(NAN, 0, 0)]), "contact point"],
-		["min_angles", Vector3(1, 0, 0), "min_angles"],
-		["max_angles", Vector3(0, NAN, 0), "min_angles"],
+		["min_angles", Vector3(4, 0, 0), "angles"],
+		["max_angles", Vector3(0, NAN, 0), "angles"],
 		["mass_fraction", 0.0, "Head's mass_fraction is 0.0"],
 		["mass_fraction", 1.5, "mass_fraction"],
 		["mass_fraction", NAN, "mass_fraction"],
@@ -75,6 +75,7 @@ func test_faults() -> void:
 func _pill(p_radius: float, p_length: float) -> RagdollLimb:
 	var limb: RagdollLimb = RagdollLimb.new()
 	limb.bone = &"Head"
+	limb.group = &"head"
 	limb.mass_fraction = 0.1
 	limb.radius = p_radius
 	limb.length = p_length

@@ -40,7 +40,7 @@ void RagdollMotor::add_contacts(const Ref<RagdollLimb> &p_limb, int p_index) {
 		contact.limb = p_index;
 		contact.local = turn.rotate(to_core(points[i] - p_limb->get_anchor()));
 		contact.radius = float(p_limb->get_contact_radius());
-		contact.sole = p_limb->is_foot();
+		contact.sole = p_limb->get_is_foot();
 		contacts.push_back(contact);
 	}
 }
@@ -48,7 +48,7 @@ void RagdollMotor::add_contacts(const Ref<RagdollLimb> &p_limb, int p_index) {
 bool RagdollMotor::make_driver(
 		const Ref<RagdollProfile> &p_profile, const TypedArray<RID> &p_bodies, const PackedVector3Array &p_centres) {
 	const int64_t count = p_bodies.size();
-	std::vector<ragdoll::Limb> limbs;
+	std::vector<ragdoll::Segment> limbs;
 	std::vector<int> limb_groups;
 	groups.clear();
 	reset_pose.clear();
@@ -58,9 +58,9 @@ bool RagdollMotor::make_driver(
 	int righted = -1;
 	for (int64_t i = 0; i < count; i++) {
 		const Ref<RagdollLimb> source = p_profile->get_limbs()[i];
-		ragdoll::Limb limb;
+		ragdoll::Segment limb;
 		const ragdoll::Quat rest = to_core(source->get_rest_orientation());
-		limb.parent = p_profile->get_parent_index(i);
+		limb.parent = p_profile->get_parent_index(int(i));
 		limb.centre = rest.inverse().rotate(to_core(source->get_position() - source->get_anchor()));
 		if (!p_centres.is_empty()) {
 			limb.centre = to_core(p_centres[i]);
@@ -72,9 +72,7 @@ bool RagdollMotor::make_driver(
 		}
 		limb.rest = to_core(source->get_reset_orientation());
 		limb.mass = float(p_profile->get_mass() * source->get_mass_fraction());
-		const ragdoll::Vec3 own = to_core(source->get_inertia(limb.mass));
-		limb.inertia = ragdoll::turned_inertia(own, rest.inverse() * to_core(source->get_orientation())) *
-				float(inertia_scale);
+		limb.inertia = to_core(source->get_body_inertia(limb.mass)) * float(inertia_scale);
 		limb.max_torque = float(source->get_max_torque());
 		if (!find_group(source->get_group(), limb.group) || limb.group < 0) {
 			limb.group = int(groups.size());
@@ -88,8 +86,7 @@ bool RagdollMotor::make_driver(
 		spec.body = p_bodies[i];
 		spec.has_limits = anatomical_limits && limb.parent >= 0;
 		if (spec.has_limits) {
-			// In the rest pose a limb may hang, but ranges are told from the reset pose.
-			spec.axes = ragdoll::joint_axes(limb.centre, limb.rest);
+			spec.axes = limb.rest.inverse() * to_core(source->get_joint_axes());
 			spec.lower = source->get_min_angles();
 			spec.upper = source->get_max_angles();
 		}

@@ -71,8 +71,8 @@ void RagdollBodies::make(const ragdoll::Rig &p_rig, std::vector<JointSpec> p_spe
 	rest_inverse.assign(specs.size(), ragdoll::Quat());
 	hold = Hold();
 	for (std::size_t i = specs.size(); i-- > 1;) {
-		const ragdoll::Limb &limb = p_rig[i];
-		const ragdoll::Limb &parent = p_rig[limb.parent];
+		const ragdoll::Segment &limb = p_rig[i];
+		const ragdoll::Segment &parent = p_rig[limb.parent];
 		const ragdoll::Quat relative = parent.rest.inverse() * limb.rest;
 		rest_inverse[i] = relative.inverse();
 		const Transform3D frame(Basis(from_core(relative * specs[i].axes)), from_core(limb.anchor - parent.centre));

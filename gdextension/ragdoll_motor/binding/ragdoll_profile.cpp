@@ -1,97 +1,73 @@
 // SPDX-License-Identifier: MIT
 #include "ragdoll_profile.hpp"
 
-#include <godot_cpp/core/error_macros.hpp>
-
-#include <cmath>
-
 namespace godot {
 
-Ref<RagdollLimb> RagdollProfile::at(int64_t p_limb) const {
-	return Ref<RagdollLimb>(limbs[p_limb]);
+void RagdollProfile::set_limbs(const TypedArray<RagdollLimb> &p_limbs) {
+	limbs = p_limbs;
+	emit_changed();
 }
 
-Ref<RagdollLimb> RagdollProfile::find(const StringName &p_bone) const {
+void RagdollProfile::set_mass(double p_mass) {
+	mass = p_mass;
+	emit_changed();
+}
+
+Ref<RagdollLimb> RagdollProfile::get_limb(int64_t p_index) const {
+	return Ref<RagdollLimb>(limbs[p_index]);
+}
+
+int64_t RagdollProfile::find_index(const StringName &p_bone) const {
 	for (int64_t i = 0; i < limbs.size(); i++) {
-		const Ref<RagdollLimb> limb = at(i);
+		const Ref<RagdollLimb> limb = get_limb(i);
 		if (limb.is_valid() && limb->get_bone() == p_bone) {
-			return limb;
-		}
-	}
-	return Ref<RagdollLimb>();
-}
-
-int64_t RagdollProfile::get_parent_index(int64_t p_limb) const {
-	ERR_FAIL_COND_V_MSG(p_limb < 0 || p_limb >= limbs.size(), -1, "RagdollProfile: there is no such limb.");
-	const Ref<RagdollLimb> limb = at(p_limb);
-	for (int64_t i = 0; limb.is_valid() && i < p_limb; i++) {
-		const Ref<RagdollLimb> above = at(i);
-		if (above.is_valid() && above->get_bone() == limb->get_parent_bone()) {
 			return i;
 		}
 	}
 	return -1;
 }
 
+Ref<RagdollLimb> RagdollProfile::find(const StringName &p_bone) const {
+	const int64_t index = find_index(p_bone);
+	return index < 0 ? Ref<RagdollLimb>() : get_limb(index);
+}
+
+int RagdollProfile::get_parent_index(int p_limb) const {
+	ERR_FAIL_COND_V_MSG(p_limb < 0 || p_limb >= limbs.size(), -1, "RagdollProfile: there is no limb of this number.");
+	const Ref<RagdollLimb> limb = get_limb(p_limb);
+	if (limb.is_null() || limb->get_parent_bone().is_empty()) {
+		return -1;
+	}
+	return int(find_index(limb->get_parent_bone()));
+}
+
 PackedStringArray RagdollProfile::get_groups() const {
 	PackedStringArray groups;
 	for (int64_t i = 0; i < limbs.size(); i++) {
-		const Ref<RagdollLimb> limb = at(i);
-		if (limb.is_valid() && !groups.has(String(limb->get_group()))) {
-			groups.append(String(limb->get_group()));
+		const Ref<RagdollLimb> limb = get_limb(i);
+		if (limb.is_valid() && !limb->get_group().is_empty() && !groups.has(limb->get_group())) {
+			groups.push_back(limb->get_group());
 		}
 	}
 	return groups;
 }
 
-String RagdollProfile::find_fault_of(int64_t p_limb) const {
-	const Ref<RagdollLimb> limb = at(p_limb);
-	if (limb.is_null()) {
-		return "limb " + String::num_int64(p_limb) + " is empty";
-	}
-	const String fault = limb->find_fault();
-	if (!fault.is_empty()) {
-		return fault;
-	}
-	const String name(limb->get_bone());
-	for (int64_t i = 0; i < p_limb; i++) {
-		if (at(i)->get_bone() == limb->get_bone()) {
-			return name + " is there twice";
-		}
-	}
-	const bool is_root = limb->get_parent_bone() == StringName();
-	if (is_root != (p_limb == 0)) {
-		return name + ": the first limb, and only the first, must be without a parent";
-	}
-	if (!is_root && get_parent_index(p_limb) < 0) {
-		return name + " comes before its parent " + String(limb->get_parent_bone());
-	}
-	return String();
-}
-
 String RagdollProfile::find_fault() const {
-	if (limbs.is_empty()) {
-		return "there are no limbs";
-	}
-	if (limbs.size() > MOST_LIMBS) {
-		return "there are " + String::num_int64(limbs.size()) + " limbs instead of at most " +
-				String::num_int64(MOST_LIMBS);
-	}
-	if (!(mass > 0.0 && mass < 10000.0)) {
-		return "the mass is " + String::num(mass) + " kg";
-	}
-	double total = 0.0;
-	for (int64_t i = 0; i < limbs.size(); i++) {
-		const String fault = find_fault_of(i);
-		if (!fault.is_empty()) {
-			return fault;
+	const int64_t count = limbs.size();
+	std::vector<ragdoll::Limb> core;
+	// Of too many limbs only the number matters.
+	const bool is_readable = count <= int64_t(ragdoll::MAX_LIMBS);
+	for (int64_t i = 0; i < count && is_readable; i++) {
+		const Ref<RagdollLimb> limb = get_limb(i);
+		if (limb.is_null()) {
+			const std::string fault =
+					"limb " + std::to_string(i) + " is empty: make a RagdollLimb there or remove the entry";
+			return String::utf8(fault.c_str());
 		}
-		total += at(i)->get_mass_fraction();
+		core.push_back(limb->to_core());
 	}
-	if (std::abs(total - 1.0) > 0.01) {
-		return "the mass fractions add up to " + String::num(total) + " instead of 1";
-	}
-	return String();
+	core.resize(std::size_t(count));
+	return String::utf8(ragdoll::find_fault(core, mass).c_str());
 }
 
 void RagdollProfile::_bind_methods() {
@@ -103,12 +79,12 @@ void RagdollProfile::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_parent_index", "limb"), &RagdollProfile::get_parent_index);
 	ClassDB::bind_method(D_METHOD("get_groups"), &RagdollProfile::get_groups);
 	ClassDB::bind_method(D_METHOD("find_fault"), &RagdollProfile::find_fault);
-	ADD_PROPERTY(PropertyInfo(Variant::ARRAY, "limbs", PROPERTY_HINT_TYPE_STRING,
-						 String::num_int64(Variant::OBJECT) + "/" + String::num_int64(PROPERTY_HINT_RESOURCE_TYPE) +
-								 ":RagdollLimb"),
-			"set_limbs", "get_limbs");
-	ADD_PROPERTY(
-			PropertyInfo(Variant::FLOAT, "mass", PROPERTY_HINT_RANGE, "1,300,0.1,suffix:kg"), "set_mass", "get_mass");
+	// 24 is an object, 17 a resource type: how the engine writes the elements of an array.
+	ADD_PROPERTY(PropertyInfo(Variant::ARRAY, "limbs", PROPERTY_HINT_ARRAY_TYPE, "24/17:RagdollLimb"), "set_limbs",
+			"get_limbs");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "mass", PROPERTY_HINT_RANGE, "1,300,0.1,or_greater,suffix:kg"),
+			"set_mass", "get_mass");
+	BIND_CONSTANT(MAX_LIMBS);
 }
 
 } // namespace godot

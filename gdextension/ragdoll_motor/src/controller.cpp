@@ -148,7 +148,7 @@ void place_limbs(const Rig &p_rig, const RigState &p_actual, const Pose &p_next,
 	r_orientations.resize(p_rig.size());
 	r_joints.resize(p_rig.size());
 	for (std::size_t i = 0; i < p_rig.size(); i++) {
-		const Limb &limb = p_rig[i];
+		const Segment &limb = p_rig[i];
 		if (p_table.get_mode(i) == Actuation::DIRECT_SET) {
 			r_orientations[i] = slerp(p_actual.orientations[i], p_next.orientations[i], p_table.get_arrival(i));
 			const Vec3 from = limb.parent < 0 ? p_rig.joint_of(p_actual, i) : Vec3();

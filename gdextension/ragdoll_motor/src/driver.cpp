@@ -22,6 +22,7 @@ Driver::Driver(Rig p_rig, const std::vector<int> &p_groups, std::size_t p_group_
 		contacts(p_contacts),
 		points_now(p_contacts.size()),
 		points_next(p_contacts.size()) {
+	foot_lock = FootLock(rig, p_contacts);
 	travels[0] = std::make_unique<LowestFoot>(p_contacts);
 	travels[1] = std::make_unique<LowestContact>(p_contacts);
 	travels[2] = std::make_unique<InertialGait>(p_contacts);
@@ -95,6 +96,7 @@ void Driver::travel(const RigState &p_state, float p_delta_s) {
 	}
 	if (!goes_on) {
 		estimator->reset(p_state.root);
+		foot_lock.clear();
 	} else {
 		const Vec3 off = p_state.root - expected;
 		const bool limp = table.get_mode(0) == Actuation::LIMP;
@@ -102,7 +104,9 @@ void Driver::travel(const RigState &p_state, float p_delta_s) {
 		const float distance = across.length();
 		const float slack = limp ? 0.0f : SLACK;
 		if (distance > slack) {
-			estimator->shift(across * (1.0f - slack / distance));
+			const Vec3 given = across * (1.0f - slack / distance);
+			estimator->shift(given);
+			foot_lock.shift(given);
 		}
 	}
 	now.root = {};
@@ -114,6 +118,11 @@ void Driver::travel(const RigState &p_state, float p_delta_s) {
 	now.root = estimator->get_root();
 	next.root = estimator->ahead(points_next, p_delta_s);
 	next_root = next.root;
+	foot_lock.advance(*estimator, points_now, p_delta_s);
+	rig.joint_positions(now, joints);
+	foot_lock.apply(rig, *estimator, points_now, now, joints);
+	rig.joint_positions(next, joints);
+	foot_lock.apply(rig, *estimator, points_next, next, joints);
 }
 
 void Driver::let_go_when_stalled(double p_time_s) {
@@ -213,6 +222,7 @@ void Driver::save(ArchiveWriter &p_archive) const {
 	for (const std::unique_ptr<Travel> &estimator : travels) {
 		estimator->save(p_archive);
 	}
+	foot_lock.save(p_archive);
 	stream.save(p_archive);
 	table.save(p_archive);
 	controller.save(p_archive);
@@ -234,7 +244,7 @@ bool Driver::restore(ArchiveReader &p_archive) {
 			return false;
 		}
 	}
-	return stream.restore(p_archive) && table.restore(p_archive) && controller.restore(p_archive);
+	return foot_lock.restore(p_archive) && stream.restore(p_archive) && table.restore(p_archive) && controller.restore(p_archive);
 }
 
 } // namespace ragdoll

@@ -3,7 +3,7 @@
 
 #include "controller.hpp"
 #include "energy_guard.hpp"
-#include "gait/travel.hpp"
+#include "gait/foot_lock.hpp"
 #include "root_drive.hpp"
 #include "torque_meter.hpp"
 #include "tracking_meter.hpp"
@@ -124,6 +124,7 @@ private:
 	std::vector<ContactPoint> contacts;
 	std::vector<Vec3> points_now;
 	std::vector<Vec3> points_next;
+	FootLock foot_lock;
 	Vec3 next_root; // Where the step before was to bring the root, m.
 	FlatGround level_ground;
 	RootMode travelled = RootMode::SOFT; // The mode of the step before.

@@ -19,22 +19,13 @@ Vec3 turned_inertia(const Vec3 &p_moments, const Quat &p_turn) {
 	return x.scaled(x) * p_moments.x + y.scaled(y) * p_moments.y + z.scaled(z) * p_moments.z;
 }
 
-Quat joint_axes(const Vec3 &p_along, const Quat &p_rest) {
-	const float length = p_along.length();
-	const Vec3 x = p_rest.rotate(length > 0.0f ? p_along * (1.0f / length) : Vec3{ 0.0f, 1.0f, 0.0f });
-	const Vec3 ahead = std::fabs(x.z) < 0.7f ? Vec3{ 0.0f, 0.0f, 1.0f } : Vec3{ 0.0f, 1.0f, 0.0f };
-	const Vec3 across = ahead - x * ahead.dot(x);
-	const Vec3 y = across * (1.0f / across.length());
-	return p_rest.inverse() * from_axes(x, y, x.cross(y));
-}
-
-Rig::Rig(std::vector<Limb> p_limbs) :
+Rig::Rig(std::vector<Segment> p_limbs) :
 		limbs(std::move(p_limbs)), subtree_inertia(limbs.size()), own_inertia(limbs.size()) {
 	std::vector<Vec3> joints(limbs.size());
 	for (std::size_t i = 0; i < limbs.size(); i++) {
 		mass += limbs[i].mass;
 		if (limbs[i].parent >= 0) {
-			const Limb &parent = limbs[limbs[i].parent];
+			const Segment &parent = limbs[limbs[i].parent];
 			joints[i] = joints[limbs[i].parent] + parent.rest.rotate(limbs[i].anchor);
 		}
 		for (int above = int(i); above >= 0; above = limbs[above].parent) {

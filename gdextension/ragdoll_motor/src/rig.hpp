@@ -11,7 +11,7 @@ namespace ragdoll {
 
 /// A rigid body of a ragdoll and the joint that holds it. A limb's frame has its origin in that joint
 /// and the axes of the body.
-struct Limb {
+struct Segment {
 	int parent = -1; ///< Index of the limb that holds it, which comes before it; -1 for the root.
 	Vec3 anchor; ///< The joint in the parent's frame, m. The root's is ignored.
 	Vec3 centre; ///< The body's origin (its centre of mass) in the limb's frame, m.
@@ -39,10 +39,10 @@ class Rig {
 public:
 	Rig() = default;
 	/// @param p_limbs parents before children, the root first
-	explicit Rig(std::vector<Limb> p_limbs);
+	explicit Rig(std::vector<Segment> p_limbs);
 
 	std::size_t size() const { return limbs.size(); }
-	const Limb &operator[](std::size_t p_limb) const { return limbs[p_limb]; }
+	const Segment &operator[](std::size_t p_limb) const { return limbs[p_limb]; }
 	/// Mass of all limbs, kg.
 	float get_mass() const { return mass; }
 	/// Moments of inertia (kg m^2) of a limb and all that hangs on it about the limb's joint and axes,
@@ -61,7 +61,7 @@ public:
 	Vec3 joint_of(const RigState &p_state, std::size_t p_limb) const;
 
 private:
-	std::vector<Limb> limbs;
+	std::vector<Segment> limbs;
 	std::vector<Vec3> subtree_inertia;
 	std::vector<Vec3> own_inertia;
 	float mass = 0.0f;
@@ -69,11 +69,5 @@ private:
 
 /// The diagonal of R I R^T: moments about other axes of a body whose products of inertia are small.
 Vec3 turned_inertia(const Vec3 &p_moments, const Quat &p_turn);
-
-/// The axes of a limb's joint in the limb's frame: X along the limb, Y ahead (+Z of the figure in the
-/// rest pose; up for limbs that point ahead), Z = X x Y, about which positive turns bend forwards.
-/// @param p_along along the limb in its own frame
-/// @param p_rest the limb's orientation in the rest pose
-Quat joint_axes(const Vec3 &p_along, const Quat &p_rest);
 
 } // namespace ragdoll

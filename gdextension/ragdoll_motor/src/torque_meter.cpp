@@ -17,7 +17,7 @@ void TorqueMeter::note(const Rig &p_rig, const RigState &p_state, float p_delta_
 	std::fill(forces.begin(), forces.end(), Vec3());
 	std::fill(moments.begin(), moments.end(), Vec3());
 	for (std::size_t i = p_rig.size(); i-- > 0;) {
-		const Limb &limb = p_rig[i];
+		const Segment &limb = p_rig[i];
 		const Quat &turn = p_state.orientations[i];
 		const Vec3 joint = p_rig.joint_of(p_state, i);
 		const Vec3 acceleration = (p_state.linear[i] - linear_before[i]) * rate + Vec3{ 0.0f, p_gravity, 0.0f };

@@ -9,8 +9,8 @@
 /// A small ragdoll for tests: a trunk, a limb that hangs on it, and two that hang on that.
 namespace fixtures {
 
-inline std::vector<ragdoll::Limb> limbs() {
-	std::vector<ragdoll::Limb> result(4);
+inline std::vector<ragdoll::Segment> limbs() {
+	std::vector<ragdoll::Segment> result(4);
 	const int parents[4] = { -1, 0, 1, 1 };
 	for (int i = 0; i < 4; i++) {
 		result[i].parent = parents[i];

@@ -165,7 +165,7 @@ TEST(limbs_that_are_put_meet_their_parents) {
 }
 
 TEST(joint_positions_follow_the_anchors) {
-	std::vector<Limb> limbs = fixtures::limbs();
+	std::vector<Segment> limbs = fixtures::limbs();
 	limbs[1].anchor = { 1.0f, 0.0f, 0.0f };
 	limbs[2].anchor = { 1.0f, 0.0f, 0.0f };
 	const Rig rig(limbs);

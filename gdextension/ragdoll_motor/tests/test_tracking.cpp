@@ -7,7 +7,7 @@ using namespace ragdoll;
 
 namespace {
 
-const Rig ONE(std::vector<Limb>(1));
+const Rig ONE(std::vector<Segment>(1));
 
 void push(PoseStream &r_stream, TrackingMeter &r_meter, double p_time, float p_angle) {
 	const Quat turn = exp({ 0.0f, p_angle, 0.0f });

@@ -1,9 +1,9 @@
 extends RefCounted
 ## A made-up person who walks: poses of whole-body motion whose true travel is known.
 ##
-## Feet strike with the heel, roll, and push off with the ball, so that points that stand do not move
-## at all. Legs follow by two-bone inverse kinematics in the sagittal plane. The person walks along +Z
-## from standing, and stands again at the end. Frame: Godot's, metres, seconds.
+## Feet strike with the heel, roll, and push off with the ball, so that points that stand do not
+## move at all. Legs follow by two-bone inverse kinematics in the sagittal plane. The person walks
+## along +Z from standing, and stands again at the end. Frame: Godot's, metres, seconds.
 
 
 ## One foot on the ground.
@@ -25,6 +25,7 @@ const _STRIKE: float = 0.3  # Pitch of the foot at heel strike, rad.
 const _PUSH: float = -0.6  # At push-off.
 const _STRIKE_S: float = 0.1
 const _PUSH_S: float = 0.2
+const _BEHIND: float = 0.21  # Of a tread behind the ball of a foot on it.
 
 ## Duration of the whole, s.
 var duration: float = 0.0
@@ -37,6 +38,9 @@ var _falls: Array[Footfall] = []
 var _steps: Array[Vector3] = []  # Time, place, height of the hips.
 var _swing_s: float = 0.0
 var _lift: float = 0.06
+var _tread: float = 0.0
+var _rise: float = 0.0
+var _treads: int = 0
 var _rolls: bool = true
 var _thigh: float = 0.4
 var _shin: float = 0.4
@@ -71,7 +75,10 @@ func walk(p_steps: int, p_length: float, p_step_s: float) -> void:
 func climb(p_steps: int, p_rise: float, p_tread: float, p_step_s: float) -> void:
 	_rolls = false
 	_lift = absf(p_rise) + 0.07
-	_stand = _root_height(p_tread * 1.6) - 0.02
+	_tread = p_tread
+	_rise = p_rise
+	_treads = p_steps
+	_stand = _root_height(p_tread) - 0.02
 	_plan(p_steps, p_tread, p_rise, p_step_s)
 
 
@@ -96,21 +103,45 @@ func pose_at(p_time_s: float) -> PoseSample:
 
 ## Height of the ground at a place along the way, m.
 func ground_at(p_place: float) -> float:
-	var height: float = 0.0
+	var tread: int = floori((p_place + _BEHIND) / _tread) if _tread > 0.0 else 0
+	return clampi(tread, 0, _treads) * _rise
+
+
+## Whether a foot's ball stands still at a time: from when the foot is flat until it lifts off.
+func is_standing(p_side: int, p_time_s: float) -> bool:
 	for fall: Footfall in _falls:
-		if fall.place - 0.5 * _tread() <= p_place:
-			height = fall.height if absf(fall.height) > absf(height) else height
-	return height
+		if fall.side == p_side and p_time_s > fall.down_s + _STRIKE_S and p_time_s < fall.up_s:
+			return true
+	return false
 
 
-func _tread() -> float:
-	return way / maxf(_falls.size() - 3.0, 1.0)
+## Puts what there is to walk on below a node.
+func build_ground(p_parent: Node) -> void:
+	var first: float = _tread - _BEHIND if _treads > 0 else 100.0
+	_add_block(p_parent, -100.0, first, 0.0)
+	for i: int in range(1, _treads):
+		_add_block(p_parent, i * _tread - _BEHIND, (i + 1) * _tread - _BEHIND, i * _rise)
+	if _treads > 0:
+		_add_block(p_parent, _treads * _tread - _BEHIND, 100.0, end_height)
 
 
+func _add_block(p_parent: Node, p_from: float, p_to: float, p_height: float) -> void:
+	var block: Block = Block.new()
+	block.size = Vector3(20.0, 4.0, p_to - p_from)
+	block.position = Vector3(0.0, p_height - 2.0, (p_from + p_to) / 2.0)
+	p_parent.add_child(block)
+
+
+## Height of the root at which the leg reaches the ground at heel strike and at push-off, m.
 func _root_height(p_length: float) -> float:
 	var reach: float = (_thigh + _shin) * 0.985
-	var across: float = p_length * 0.5 + 0.06
-	return sqrt(maxf(reach * reach - across * across, 0.01)) + _ankle.y - _hip.y
+	var pushing: Vector2 = _ankle.rotated(_PUSH) if _rolls else _ankle
+	# The hips are half a step behind the foot at first, and seven tenths ahead of it at last.
+	var striking: float = absf(0.5 * p_length + _ankle.x)
+	var across: float = 0.7 * p_length - pushing.x
+	var at_strike: float = sqrt(maxf(reach * reach - striking * striking, 0.01)) + _ankle.y
+	var at_push: float = sqrt(maxf(reach * reach - across * across, 0.01)) + pushing.y
+	return minf(at_strike, at_push) - _hip.y
 
 
 func _plan(p_steps: int, p_length: float, p_rise: float, p_step_s: float) -> void:

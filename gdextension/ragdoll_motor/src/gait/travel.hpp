@@ -51,6 +51,9 @@ public:
 	bool is_flying() const { return flying; }
 	/// How surely each point stands still on the ground, 0 to 1.
 	const std::vector<float> &get_weights() const { return weights; }
+	/// Whether a point is held where it stands, and where that is, m.
+	virtual bool is_anchored(std::size_t p_point) const { return weights[p_point] > 0.0f; }
+	const Vec3 &get_anchor(std::size_t p_point) const { return anchors[p_point]; }
 	/// Where the root will be when the points will be elsewhere, as long as those that stand go on to.
 	Vec3 ahead(const std::vector<Vec3> &p_points, float p_delta_s) const;
 

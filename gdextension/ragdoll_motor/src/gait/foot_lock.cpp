@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "foot_lock.hpp"
+
+#include <algorithm>
+
+namespace ragdoll {
+
+namespace {
+
+constexpr float STANDS = 0.2f; // Weight of a foot from which it is held.
+
+/// The shortest rotation from one direction to another.
+Quat rotation_between(const Vec3 &p_from, const Vec3 &p_to) {
+	const float lengths = p_from.length() * p_to.length();
+	if (lengths < 1e-9f || p_from.dot(p_to) < -0.99f * lengths) {
+		return Quat(); // The opposite: never for a foot that moves by centimetres.
+	}
+	const Vec3 axis = p_from.cross(p_to);
+	return Quat{ axis.x, axis.y, axis.z, lengths + p_from.dot(p_to) }.normalized();
+}
+
+/// The inner angle between two sides of a triangle, rad.
+float angle_opposite(float p_left, float p_right, float p_opposite) {
+	const float cosine = (p_left * p_left + p_right * p_right - p_opposite * p_opposite) / (2.0f * p_left * p_right);
+	return std::acos(std::clamp(cosine, -1.0f, 1.0f));
+}
+
+Vec3 limited(const Vec3 &p_vector, float p_most) {
+	const float length = p_vector.length();
+	return length > p_most ? p_vector * (p_most / length) : p_vector;
+}
+
+} // namespace
+
+FootLock::FootLock(const Rig &p_rig, const std::vector<ContactPoint> &p_contacts) :
+		contacts(p_contacts), anchors(p_contacts.size()), held(p_contacts.size(), 0) {
+	for (const ContactPoint &contact : p_contacts) {
+		const bool known = std::any_of(legs.begin(), legs.end(), [&](const Leg &p_leg) { return p_leg.foot == contact.limb; });
+		const int shin = p_rig[std::size_t(contact.limb)].parent;
+		const int thigh = shin >= 0 ? p_rig[std::size_t(shin)].parent : -1;
+		if (contact.sole && !known && thigh >= 0 && p_rig[std::size_t(thigh)].parent >= 0) {
+			legs.push_back({ contact.limb, shin, thigh, {} });
+		}
+	}
+}
+
+void FootLock::clear() {
+	for (Leg &leg : legs) {
+		leg.offset = {};
+	}
+	std::fill(held.begin(), held.end(), std::uint8_t(0));
+}
+
+void FootLock::advance(const Travel &p_travel, const std::vector<Vec3> &p_points, float p_delta_s) {
+	for (Leg &leg : legs) {
+		leg.offset = leg.offset * std::exp(-p_delta_s / LET_GO_S);
+		for (std::size_t i = 0; i < contacts.size(); i++) {
+			if (contacts[i].limb != leg.foot) {
+				continue;
+			}
+			const bool stands = p_travel.is_anchored(i);
+			if (stands && held[i] == 0) {
+				anchors[i] = p_travel.get_root() + p_points[i] + leg.offset;
+			}
+			held[i] = stands ? 1 : 0;
+		}
+	}
+}
+
+void FootLock::shift(const Vec3 &p_offset) {
+	for (Vec3 &anchor : anchors) {
+		anchor = anchor + p_offset;
+	}
+}
+
+void FootLock::save(ArchiveWriter &p_archive) const {
+	p_archive.put_all(legs);
+	p_archive.put_all(anchors);
+	p_archive.put_all(held);
+}
+
+bool FootLock::restore(ArchiveReader &p_archive) {
+	return p_archive.get_all(legs) && p_archive.get_all(anchors) && p_archive.get_all(held);
+}
+
+void FootLock::apply(const Rig &p_rig, const Travel &p_travel, const std::vector<Vec3> &p_points, Pose &r_pose,
+		std::vector<Vec3> &r_joints) {
+	for (Leg &leg : legs) {
+		Vec3 away;
+		float sum = 0.0f;
+		for (std::size_t i = 0; i < contacts.size(); i++) {
+			if (contacts[i].limb == leg.foot && held[i] != 0) {
+				const float weight = p_travel.get_weights()[i];
+				away = away + (anchors[i] - r_pose.root - p_points[i]) * weight;
+				sum += weight;
+			}
+		}
+		if (sum > STANDS) {
+			leg.offset = limited(away * (1.0f / sum), FURTHEST);
+		}
+		if (leg.offset.length() > 1e-5f) {
+			bend(p_rig, leg, r_pose, r_joints);
+		}
+	}
+}
+
+void FootLock::bend(const Rig &p_rig, const Leg &p_leg, Pose &r_pose, std::vector<Vec3> &r_joints) const {
+	Quat &thigh = r_pose.orientations[std::size_t(p_leg.thigh)];
+	Quat &shin = r_pose.orientations[std::size_t(p_leg.shin)];
+	const Vec3 hip = r_joints[std::size_t(p_leg.thigh)];
+	const Vec3 upper = thigh.rotate(p_rig[std::size_t(p_leg.shin)].anchor);
+	const Vec3 lower = shin.rotate(p_rig[std::size_t(p_leg.foot)].anchor);
+	const float a = upper.length();
+	const float b = lower.length();
+	const Vec3 wanted = upper + lower + p_leg.offset;
+	const float reach = std::clamp(wanted.length(), std::fabs(a - b) + 0.01f, a + b - 0.001f);
+	// The knee opens or closes about its own axis, then the whole leg swings to the place.
+	const Vec3 axis = upper.cross(lower);
+	const float more = angle_opposite(a, b, reach) - angle_opposite(a, b, (upper + lower).length());
+	Quat knee;
+	if (axis.length() > 1e-3f * a * b) {
+		knee = exp(axis * (-more / axis.length()));
+	}
+	const Quat swing = rotation_between(upper + knee.rotate(lower), wanted);
+	thigh = swing * thigh;
+	shin = swing * knee * shin;
+	r_joints[std::size_t(p_leg.shin)] = hip + swing.rotate(upper);
+	r_joints[std::size_t(p_leg.foot)] = r_joints[std::size_t(p_leg.shin)] + (swing * knee).rotate(lower);
+}
+
+} // namespace ragdoll

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../rig.hpp"
+#include "travel.hpp"
+
+#include <vector>
+
+namespace ragdoll {
+
+/// Bends the legs of a pose a little, so that feet that stand stay where they are: two-bone inverse
+/// kinematics on thigh and shin. It takes up what noise, calibration and the estimate of the root leave.
+class FootLock {
+public:
+	/// The most that a foot is moved, m.
+	static constexpr float FURTHEST = 0.08f;
+	/// How fast a foot that lifts off comes back to where the motion has it, s.
+	static constexpr float LET_GO_S = 0.06f;
+
+	FootLock() = default;
+	/// Legs are the limbs with soles, what they hang on, and what that hangs on.
+	FootLock(const Rig &p_rig, const std::vector<ContactPoint> &p_contacts);
+
+	/// Moves the feet of a pose to where they stand. A foot that has let go comes back slowly.
+	/// @param p_points the pose's contact points from the root's joint, m
+	/// @param r_joints its joints, m; they are brought up to date
+	void apply(const Rig &p_rig, const Travel &p_travel, const std::vector<Vec3> &p_points, Pose &r_pose,
+			std::vector<Vec3> &r_joints);
+	/// Begins a step: lets go of feet that lifted off, and takes hold of those that came down where they
+	/// are shown.
+	/// @param p_points the contact points from the root's joint now, m
+	void advance(const Travel &p_travel, const std::vector<Vec3> &p_points, float p_delta_s);
+	/// The world has moved the body, m.
+	void shift(const Vec3 &p_offset);
+	void clear();
+
+	void save(ArchiveWriter &p_archive) const;
+	bool restore(ArchiveReader &p_archive);
+
+private:
+	struct Leg {
+		int foot = 0;
+		int shin = 0;
+		int thigh = 0;
+		Vec3 offset; // m
+	};
+
+	void bend(const Rig &p_rig, const Leg &p_leg, Pose &r_pose, std::vector<Vec3> &r_joints) const;
+
+	std::vector<Leg> legs;
+	std::vector<ContactPoint> contacts;
+	std::vector<Vec3> anchors; // Where the held points are shown, m.
+	std::vector<std::uint8_t> held;
+};
+
+} // namespace ragdoll
