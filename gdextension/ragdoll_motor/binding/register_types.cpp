@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "ragdoll_limb.hpp"
 #include "ragdoll_motor.hpp"
+#include "ragdoll_profile.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/defs.hpp>
@@ -11,6 +13,8 @@ namespace {
 
 void initialize(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
+		GDREGISTER_CLASS(RagdollLimb);
+		GDREGISTER_CLASS(RagdollProfile);
 		GDREGISTER_CLASS(RagdollMotor);
 	}
 }
