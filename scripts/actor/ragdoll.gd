@@ -19,9 +19,9 @@ enum RootMode {
 const SNAP_AFTER_S: float = 1.0
 
 ## What the body is made of.
-@export var description: RagdollDescription:
+@export var profile: RagdollProfile:
 	set(value):
-		description = value
+		profile = value
 		update_configuration_warnings()
 ## Who moves the hips.
 @export var root_mode: RootMode = RootMode.SOFT
@@ -48,17 +48,18 @@ var _alive_s: float = -INF
 
 
 func _get_configuration_warnings() -> PackedStringArray:
-	var warnings: PackedStringArray = []
-	if description == null:
+	var warnings: PackedStringArray = _find_obstacles()
+	if profile != null:
+		for pair: Array in RagdollBuilder.overlaps(profile):
+			var text: String = "%s and %s touch in the reset pose: make one of them smaller."
+			warnings.append(text % pair)
+	if get_skeleton() != null and SkinnedSurface.find_meshes(get_skeleton()).is_empty():
 		warnings.append(
-			"It has no description: load one, or press 'Make bodies' to make one from the skeleton."
+			(
+				"No skinned mesh belongs to the skeleton: 'Make bodies' takes the thickness of an "
+				+ "average adult. Add a MeshInstance3D whose 'Skeleton' is this one."
+			)
 		)
-	elif description.find_fault() != "":
-		warnings.append("The description has a fault: %s." % description.find_fault())
-	if get_skeleton() == null:
-		warnings.append("There is no Skeleton3D below it: add a rigged character.")
-	elif get_simulator() == null:
-		warnings.append("The skeleton has no physical bones: press 'Make bodies'.")
 	return warnings
 
 
@@ -80,28 +81,29 @@ func get_simulator() -> PhysicalBoneSimulator3D:
 	return null
 
 
-## Gives the skeleton its physical bones, in place of those it may have. Without a description one
-## is made from the lengths of the skeleton. The button in the inspector calls it.
+## Gives the skeleton its physical bones, in place of those it may have. Without a profile one is
+## made from the skeleton and the skinned meshes below this node. The button in the inspector
+## calls it.
 func make_bodies() -> void:
 	var skeleton: Skeleton3D = get_skeleton()
 	if skeleton == null:
 		push_error("%s has no Skeleton3D below it: add a rigged character first." % name)
 		return
-	if description == null:
-		description = SkeletonShapes.describe(skeleton)
+	if profile == null:
+		profile = SkeletonShapes.describe(skeleton)
 	if get_simulator() != null:
 		get_simulator().free()
-	if description != null:
-		RagdollBuilder.build(skeleton, description, owner if owner != null else self)
+	if profile != null:
+		RagdollBuilder.build(skeleton, profile, owner if owner != null else self)
 	update_configuration_warnings()
 
 
 ## Starts the simulation. The node must be in the tree. Returns false (and reports an error) where
 ## the scene lacks something.
 func start() -> bool:
-	var warnings: PackedStringArray = _get_configuration_warnings()
-	if not warnings.is_empty():
-		push_error("%s cannot start: %s" % [name, warnings[0]])
+	var obstacles: PackedStringArray = _find_obstacles()
+	if not obstacles.is_empty():
+		push_error("%s cannot start: %s" % [name, obstacles[0]])
 		return false
 	var bones: Array[PhysicalBone3D] = _find_bones()
 	if bones.is_empty():
@@ -112,7 +114,7 @@ func start() -> bool:
 		# Otherwise the body would be put back to where the bone rests at the end of the frame.
 		bones[i].force_update_transform()
 		_bodies.append(bones[i].get_rid())
-		_prepare_body(bones[i], description.limbs[i])
+		_prepare_body(bones[i], profile.limbs[i])
 	_joints = RagdollJoints.new()
 	var soft: bool = root_mode == RootMode.SOFT
 	_joints.make(_specify_joints(bones), get_world_3d().space, root_force if soft else -1.0)
@@ -129,14 +131,14 @@ func stop() -> void:
 		get_simulator().physical_bones_stop_simulation()
 
 
-## Bodies of the limbs, in the description's order; empty unless started.
+## Bodies of the limbs, in the profile's order; empty unless started.
 func get_bodies() -> Array[RID]:
 	return _bodies
 
 
 ## Height of the hips above the feet in the rest pose, m: scales the travel of taller wearers.
 func get_hip_height() -> float:
-	return description.limbs[0].anchor.y
+	return profile.limbs[0].anchor.y
 
 
 ## Takes a sample of the motion and returns whether it was usable. [param p_time_s] is in the
@@ -144,9 +146,9 @@ func get_hip_height() -> float:
 ## Thesis section 6.2: [code]q = r i[/code], the sample times the limb's reset pose.
 func push_sample(p_time_s: float, p_sample: PoseSample, p_root: Vector3) -> bool:
 	var targets: PackedFloat32Array = PackedFloat32Array()
-	targets.resize(description.limbs.size() * 4)
-	for i: int in description.limbs.size():
-		var limb: int = Limbs.find(description.limbs[i].bone)
+	targets.resize(profile.limbs.size() * 4)
+	for i: int in profile.limbs.size():
+		var limb: int = Limbs.find(profile.limbs[i].bone)
 		var target: Quaternion = p_sample.orientation(limb) * _reset_pose[i]
 		targets[i * 4] = target.x
 		targets[i * 4 + 1] = target.y
@@ -165,9 +167,28 @@ func drive(p_time_s: float, p_delta_s: float) -> void:
 	motor.drive(p_time_s, p_delta_s)
 
 
+## What the simulation cannot do without.
+func _find_obstacles() -> PackedStringArray:
+	var obstacles: PackedStringArray = []
+	if profile == null:
+		obstacles.append(
+			"It has no profile: load one, or press 'Make bodies' to make one from the character."
+		)
+	elif profile.find_fault() != "":
+		obstacles.append("The profile has a fault: %s." % profile.find_fault())
+	var skeleton: Skeleton3D = get_skeleton()
+	if skeleton == null:
+		obstacles.append("There is no Skeleton3D below it: add a rigged character.")
+	elif RagdollFigure.new(skeleton).find_fault() != "":
+		obstacles.append(RagdollFigure.new(skeleton).find_fault() + ".")
+	elif get_simulator() == null:
+		obstacles.append("The skeleton has no physical bones: press 'Make bodies'.")
+	return obstacles
+
+
 func _find_bones() -> Array[PhysicalBone3D]:
 	var bones: Array[PhysicalBone3D] = []
-	for limb: LimbShape in description.limbs:
+	for limb: RagdollLimb in profile.limbs:
 		var bone: PhysicalBone3D = null
 		for child: Node in get_simulator().get_children():
 			if child is PhysicalBone3D and (child as PhysicalBone3D).bone_name == limb.bone:
@@ -179,10 +200,9 @@ func _find_bones() -> Array[PhysicalBone3D]:
 	return bones
 
 
-func _prepare_body(p_bone: PhysicalBone3D, p_limb: LimbShape) -> void:
+func _prepare_body(p_bone: PhysicalBone3D, p_limb: RagdollLimb) -> void:
 	var body: RID = p_bone.get_rid()
-	var rest: Basis = _rest(p_limb.bone).basis
-	var inertia: Vector3 = RagdollBuilder.body_inertia(p_limb, rest, p_bone.mass) * inertia_scale
+	var inertia: Vector3 = p_limb.get_body_inertia(p_bone.mass) * inertia_scale
 	PhysicsServer3D.body_set_param(body, PhysicsServer3D.BODY_PARAM_INERTIA, inertia)
 	PhysicsServer3D.body_set_enable_continuous_collision_detection(body, true)
 	# A person's own limbs do not collide: at the joints their shapes overlap.
@@ -196,22 +216,21 @@ func _prepare_body(p_bone: PhysicalBone3D, p_limb: LimbShape) -> void:
 func _specify_joints(p_bones: Array[PhysicalBone3D]) -> Array[RagdollJoints.Spec]:
 	var specs: Array[RagdollJoints.Spec] = []
 	for i: int in p_bones.size():
-		var limb: LimbShape = description.limbs[i]
+		var limb: RagdollLimb = profile.limbs[i]
 		var spec: RagdollJoints.Spec = RagdollJoints.Spec.new()
-		var body: Transform3D = _rest(limb.bone) * p_bones[i].body_offset
-		var joint: Transform3D = Transform3D(body.basis, _rest(limb.bone).origin)
+		var body: Transform3D = _body_at_rest(p_bones[i], limb)
+		var joint: Transform3D = Transform3D(body.basis, limb.anchor)
 		spec.body = _bodies[i]
 		spec.frame_b = body.affine_inverse() * joint
-		var parent: int = _parent_of(i)
+		var parent: int = profile.get_parent_index(i)
 		if parent < 0:
 			spec.frame_a = Transform3D.IDENTITY
 			spec.torque = root_torque if root_mode == RootMode.SOFT else 0.0
 		else:
-			var above: PhysicalBone3D = p_bones[parent]
-			var parent_body: Transform3D = _rest(above.bone_name) * above.body_offset
+			var parent_body: Transform3D = _body_at_rest(p_bones[parent], profile.limbs[parent])
 			spec.parent = _bodies[parent]
 			spec.frame_a = parent_body.affine_inverse() * joint
-			spec.torque = Limbs.TORQUES[Limbs.find(limb.bone)] * strength
+			spec.torque = limb.max_torque * strength
 		specs.append(spec)
 	return specs
 
@@ -222,15 +241,14 @@ func _start_motor(p_bones: Array[PhysicalBone3D]) -> bool:
 	var offsets: PackedVector3Array = []
 	_reset_pose.clear()
 	for i: int in p_bones.size():
-		var bone: StringName = description.limbs[i].bone
-		var parent: int = _parent_of(i)
+		var limb: RagdollLimb = profile.limbs[i]
+		var parent: int = profile.get_parent_index(i)
+		var above: RagdollLimb = profile.limbs[maxi(parent, 0)]
 		parents.append(parent)
-		offsets.append(p_bones[i].body_offset.origin)
-		var above: Transform3D = _rest(description.limbs[maxi(parent, 0)].bone)
-		anchors.append(above.affine_inverse() * _rest(bone).origin)
-		var limb: int = Limbs.find(bone)
-		var turn: Quaternion = Limbs.rest_to_reset(limb, _limb_direction(limb))
-		_reset_pose.append(turn * _rest(bone).basis.get_rotation_quaternion())
+		var body: Transform3D = _body_at_rest(p_bones[i], limb)
+		offsets.append((body.origin - limb.anchor) * body.basis)
+		anchors.append((limb.anchor - above.anchor) * Basis(above.rest_orientation))
+		_reset_pose.append(limb.reset_orientation)
 	motor = RagdollMotor.new()
 	motor.gain = gain
 	var held: bool = root_mode == RootMode.HELD
@@ -240,23 +258,7 @@ func _start_motor(p_bones: Array[PhysicalBone3D]) -> bool:
 	return motor.setup(_bodies, _joints.rids, parents, anchors, offsets)
 
 
-func _parent_of(p_limb: int) -> int:
-	var parent_bone: StringName = description.limbs[p_limb].parent_bone
-	for i: int in description.limbs.size():
-		if description.limbs[i].bone == parent_bone:
-			return i
-	return -1
-
-
-## Rest pose of a bone in the skeleton.
-func _rest(p_bone: StringName) -> Transform3D:
-	var skeleton: Skeleton3D = get_skeleton()
-	return skeleton.get_bone_global_rest(skeleton.find_bone(p_bone)).orthonormalized()
-
-
-func _limb_direction(p_limb: int) -> Vector3:
-	var skeleton: Skeleton3D = get_skeleton()
-	for tail: StringName in Limbs.TAILS[p_limb]:
-		if skeleton.find_bone(tail) >= 0:
-			return _rest(tail).origin - _rest(Limbs.BONES[p_limb]).origin
-	return Vector3.ZERO
+## A body in the rest pose, in model space. A designer may have moved it.
+func _body_at_rest(p_bone: PhysicalBone3D, p_limb: RagdollLimb) -> Transform3D:
+	var rest: Transform3D = RagdollFigure.new(get_skeleton()).scaled_rest(p_limb.bone)
+	return Transform3D(Basis(p_limb.rest_orientation), (rest * p_bone.body_offset).origin)

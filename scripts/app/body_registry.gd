@@ -47,7 +47,7 @@ func describe(p_people: Array[ServerActors.Person]) -> WorldDescription:
 		var bodies: Array[RID] = person.ragdoll.get_bodies()
 		var first: int = FIRST_PERSON + person.id % MOST_PEOPLE * PER_PERSON
 		for i: int in bodies.size():
-			var limb: LimbShape = person.ragdoll.description.limbs[i]
+			var limb: RagdollLimb = person.ragdoll.profile.limbs[i]
 			var bone: Node = person.ragdoll.get_simulator().get_node(NodePath(limb.bone))
 			var shapes: Array = _describe_shapes(bone, Transform3D.IDENTITY)
 			world.add(first + i, person.id, limb.bone, shapes)

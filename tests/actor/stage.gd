@@ -59,9 +59,9 @@ class Player:
 			highest = maxf(highest, velocity.length())
 		return highest
 
-	## Bodies come in the order of the description.
+	## Bodies come in the order of the profile.
 	func _index(p_limb: int) -> int:
-		return ragdoll.description.limbs.find(ragdoll.description.find(Limbs.BONES[p_limb]))
+		return ragdoll.profile.limbs.find(ragdoll.profile.find(Limbs.BONES[p_limb]))
 
 	func _bone(p_limb: int) -> Transform3D:
 		var simulator: Node = ragdoll.get_simulator()

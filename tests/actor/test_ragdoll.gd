@@ -154,12 +154,12 @@ func test_warnings_say_how_to_fix_it() -> void:
 	var ragdoll: Ragdoll = Ragdoll.new()
 	ragdoll.name = "Ada"
 	add_child(ragdoll)
-	_has_warnings(ragdoll, ["no description: load one", "no Skeleton3D below it: add"])
-	ragdoll.description = RagdollDescription.new()
+	_has_warnings(ragdoll, ["no profile: load one", "no Skeleton3D below it: add"])
+	ragdoll.profile = RagdollProfile.new()
 	_has_warnings(ragdoll, ["has a fault: there are no limbs", "no Skeleton3D"])
 	ragdoll.add_child(Skeleton3D.new())
-	_has_warnings(ragdoll, ["has a fault", "no physical bones: press"])
-	expect_error("Ada cannot start: The description has a fault")
+	_has_warnings(ragdoll, ["has a fault", "no bone Hips, Spine", "No skinned mesh belongs"])
+	expect_error("Ada cannot start: The profile has a fault")
 	is_false(ragdoll.start())
 	is_null(ragdoll.motor)
 	ragdoll.free()
@@ -170,11 +170,11 @@ func test_warnings_say_how_to_fix_it() -> void:
 
 
 func test_makes_its_bodies_by_the_button() -> void:
-	for with_description: bool in [true, false]:
+	for with_profile: bool in [true, false]:
 		var player: Stage.Player = _stage.add_soldier(STANDING, SOFT)
 		player.ragdoll.stop()
-		if not with_description:
-			player.ragdoll.description = null
+		if not with_profile:
+			player.ragdoll.profile = null
 		player.ragdoll.make_bodies()
 		_has_warnings(player.ragdoll, [])
 		equal(player.ragdoll.get_simulator().get_child_count(), Limbs.COUNT)

@@ -22,7 +22,7 @@ func test_masses_add_up_to_80_kg() -> void:
 	for rebuilt: bool in [false, true]:
 		var simulator: Node = _soldier.get_simulator()
 		if rebuilt:
-			simulator = _rebuild(_soldier.description)
+			simulator = _rebuild(_soldier.profile)
 		var total: float = 0.0
 		for bone: PhysicalBone3D in simulator.get_children():
 			total += bone.mass
@@ -30,10 +30,10 @@ func test_masses_add_up_to_80_kg() -> void:
 
 
 func test_another_mass() -> void:
-	var description: RagdollDescription = _soldier.description.duplicate()
-	description.mass = 100.0
+	var profile: RagdollProfile = _soldier.profile.duplicate()
+	profile.mass = 100.0
 	var total: float = 0.0
-	for bone: PhysicalBone3D in _rebuild(description).get_children():
+	for bone: PhysicalBone3D in _rebuild(profile).get_children():
 		total += bone.mass
 	almost_equal(total, 100.0, 0.1)
 
@@ -42,10 +42,10 @@ func test_bodies_lie_in_the_middle_of_their_shapes() -> void:
 	for rebuilt: bool in [false, true]:
 		var simulator: Node = _soldier.get_simulator()
 		if rebuilt:
-			simulator = _rebuild(_soldier.description)
+			simulator = _rebuild(_soldier.profile)
 		equal(simulator.get_child_count(), Limbs.COUNT)
 		for bone: PhysicalBone3D in simulator.get_children():
-			var limb: LimbShape = _soldier.description.find(bone.bone_name)
+			var limb: RagdollLimb = _soldier.profile.find(bone.bone_name)
 			var body: Transform3D = _rest(bone.bone_name) * bone.body_offset
 			almost_equal(body.origin, limb.position, 1e-4, bone.name)
 			almost_equal(body.basis, _rest(bone.bone_name).basis, 1e-4, "axes of the bone")
@@ -53,26 +53,26 @@ func test_bodies_lie_in_the_middle_of_their_shapes() -> void:
 			almost_equal(shape.position, Vector3.ZERO, 1e-5)
 			var turn: Quaternion = (body * shape.transform).basis.get_rotation_quaternion()
 			almost_equal(turn, limb.orientation, 1e-3, bone.name)
-			equal(shape.shape.get_class(), limb.make_shape().get_class())
+			equal(shape.shape.get_class(), RagdollBuilder.make_shape(limb).get_class())
 
 
 func test_people_collide_with_world_people_and_props() -> void:
-	for bone: PhysicalBone3D in _rebuild(_soldier.description).get_children():
+	for bone: PhysicalBone3D in _rebuild(_soldier.profile).get_children():
 		equal([bone.collision_layer, bone.collision_mask], [2, 7])
 		is_false(bone.can_sleep)
 
 
 func test_inertia_about_the_bodys_axes() -> void:
 	for _round: int in 100:
-		var limb: LimbShape = LimbShape.new()
-		limb.type = _random.randi_range(0, 1) as LimbShape.Type
+		var limb: RagdollLimb = RagdollLimb.new()
+		limb.type = _random.randi_range(0, 1) as RagdollLimb.Type
 		limb.orientation = NetSamples.rotation(_random)
 		limb.size = NetSamples.vector(_random, 0.5).abs() + Vector3.ONE * 0.05
-		var rest: Basis = Basis(NetSamples.rotation(_random))
-		var got: Vector3 = RagdollBuilder.body_inertia(limb, rest, 5.0)
+		limb.rest_orientation = NetSamples.rotation(_random)
+		var got: Vector3 = limb.get_body_inertia(5.0)
 		# The whole tensor, turned.
-		var turn: Basis = rest.inverse() * Basis(limb.orientation)
-		var whole: Basis = turn * Basis.from_scale(limb.inertia(5.0)) * turn.inverse()
+		var turn: Basis = Basis(limb.rest_orientation.inverse() * limb.orientation)
+		var whole: Basis = turn * Basis.from_scale(limb.get_inertia(5.0)) * turn.inverse()
 		almost_equal(got, Vector3(whole.x.x, whole.y.y, whole.z.z), 1e-4)
 
 
@@ -81,9 +81,9 @@ func test_faults_are_reported() -> void:
 	add_child(skeleton)
 	var children: int = skeleton.get_child_count()
 	expect_error("cannot be built: there are no limbs")
-	is_null(RagdollBuilder.build(skeleton, RagdollDescription.new()))
+	is_null(RagdollBuilder.build(skeleton, RagdollProfile.new()))
 	expect_error("cannot be built: the skeleton has no bone Hips")
-	is_null(RagdollBuilder.build(skeleton, _soldier.description))
+	is_null(RagdollBuilder.build(skeleton, _soldier.profile))
 	equal(skeleton.get_child_count(), children, "nothing half built")
 	skeleton.free()
 
@@ -105,10 +105,10 @@ func test_built_scene_can_be_saved() -> void:
 
 func test_shapes_for_any_skeleton() -> void:
 	var skeleton: Skeleton3D = _skeleton_of_a_clip()
-	var description: RagdollDescription = SkeletonShapes.describe(skeleton)
-	equal(description.find_fault(), "")
-	equal(description.limbs.size(), Limbs.COUNT)
-	var arm: LimbShape = description.find(&"LeftUpperArm")
+	var profile: RagdollProfile = SkeletonShapes.describe(skeleton)
+	equal(profile.find_fault(), "")
+	equal(profile.limbs.size(), Limbs.COUNT)
+	var arm: RagdollLimb = profile.find(&"LeftUpperArm")
 	almost_equal(arm.anchor, Vector3(0.18, 1.43, 0.0), 1e-3)
 	almost_equal(arm.position, Vector3(0.32, 1.43, 0.0), 1e-3)
 	almost_equal(arm.length + 2.0 * arm.radius, 0.28, 1e-3)
@@ -119,7 +119,7 @@ func test_shapes_for_any_skeleton() -> void:
 func test_skeleton_without_a_limb_is_refused() -> void:
 	var skeleton: Skeleton3D = Skeleton3D.new()
 	skeleton.add_bone("Hips")
-	expect_error("The skeleton has no bone Spine")
+	expect_error("The skeleton has no bone Spine, Chest")
 	is_null(SkeletonShapes.describe(skeleton))
 	skeleton.free()
 
@@ -130,9 +130,9 @@ func _skeleton_of_a_clip() -> Skeleton3D:
 	return BvhSkeleton.make(rig)
 
 
-func _rebuild(p_description: RagdollDescription) -> Node:
+func _rebuild(p_profile: RagdollProfile) -> Node:
 	_soldier.get_simulator().free()
-	return RagdollBuilder.build(_soldier.get_skeleton(), p_description)
+	return RagdollBuilder.build(_soldier.get_skeleton(), p_profile)
 
 
 func _rest(p_bone: StringName) -> Transform3D:

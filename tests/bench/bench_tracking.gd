@@ -104,8 +104,8 @@ func _make_ragdoll(p_rig: BvhRig) -> Ragdoll:
 	var ragdoll: Ragdoll = Ragdoll.new()
 	var skeleton: Skeleton3D = BvhSkeleton.make(p_rig)
 	ragdoll.add_child(skeleton)
-	ragdoll.description = SkeletonShapes.describe(skeleton)
-	RagdollBuilder.build(skeleton, ragdoll.description)
+	ragdoll.profile = SkeletonShapes.describe(skeleton)
+	RagdollBuilder.build(skeleton, ragdoll.profile)
 	var held: bool = _arguments.value("root") == "held"
 	ragdoll.root_mode = Ragdoll.RootMode.HELD if held else Ragdoll.RootMode.SOFT
 	ragdoll.gain = _arguments.value("gain")

@@ -1,6 +1,6 @@
 extends SceneTree
 ## Makes [code]scenes/actor/soldier.tscn[/code]: the avatar with the physical bones of a
-## description.
+## profile.
 ##
 ## [code]godot --headless --path . -s tools/assets/build_actor.gd[/code]
 ## The scene holds the avatar as an instance with editable children, so that designers can change
@@ -16,21 +16,25 @@ func _initialize() -> void:
 
 
 func _build() -> bool:
-	var reader: RagdollDescriptionReader = RagdollDescriptionReader.new()
-	var description: RagdollDescription = reader.read(_SHAPES)
-	if description == null:
+	var reader: RagdollProfileReader = RagdollProfileReader.new()
+	var profile: RagdollProfile = reader.read(_SHAPES)
+	if profile == null:
 		printerr(reader.error)
 		return false
 	var person: Ragdoll = Ragdoll.new()
 	person.name = "Soldier"
-	person.description = description
+	person.profile = profile
 	var avatar: PackedScene = load(_AVATAR)
 	var body: Node = avatar.instantiate(PackedScene.GEN_EDIT_STATE_INSTANCE)
 	body.name = "Avatar"
 	person.add_child(body)
 	body.owner = person
 	person.set_editable_instance(body, true)
-	if RagdollBuilder.build(person.get_skeleton(), description, person) == null:
+	var figure: RagdollFigure = RagdollFigure.new(person.get_skeleton())
+	figure.fill_pose(profile)
+	LimbDistance.keep_apart(profile)
+	LimbContacts.fill(profile, figure, SkinnedSurface.new(figure))
+	if RagdollBuilder.build(person.get_skeleton(), profile, person) == null:
 		return false
 	var scene: PackedScene = PackedScene.new()
 	var error: Error = scene.pack(person)

@@ -1,7 +1,7 @@
 @tool
-class_name RagdollDescriptionReader
+class_name RagdollProfileReader
 extends RefCounted
-## Reads a [RagdollDescription] from a JSON file such as
+## Reads a [RagdollProfile] from a JSON file such as
 ## [code]assets/avatar/limb_shapes.json[/code].
 ##
 ## The file holds a list [code]geoms[/code] of pills and boxes as the thesis's Lua file does
@@ -13,8 +13,8 @@ var error: String = ""
 var _path: String = ""
 
 
-## Reads a file; returns null and sets [member error] where it is no description.
-func read(p_path: String) -> RagdollDescription:
+## Reads a file; returns null and sets [member error] where it is no profile.
+func read(p_path: String) -> RagdollProfile:
 	_path = p_path
 	error = ""
 	var file: FileAccess = FileAccess.open(p_path, FileAccess.READ)
@@ -30,23 +30,23 @@ func read(p_path: String) -> RagdollDescription:
 	return _read_geoms((data as Dictionary)["geoms"])
 
 
-func _read_geoms(p_geoms: Array) -> RagdollDescription:
-	var description: RagdollDescription = RagdollDescription.new()
+func _read_geoms(p_geoms: Array) -> RagdollProfile:
+	var profile: RagdollProfile = RagdollProfile.new()
 	for i: int in p_geoms.size():
 		if p_geoms[i] is not Dictionary:
 			return _refuse("geom %d: expected an object" % (i + 1))
-		var limb: LimbShape = _read_limb(p_geoms[i], i + 1)
+		var limb: RagdollLimb = _read_limb(p_geoms[i], i + 1)
 		if limb == null:
 			return null
-		description.limbs.append(limb)
-	var fault: String = description.find_fault()
+		profile.limbs.append(limb)
+	var fault: String = profile.find_fault()
 	if fault != "":
 		return _refuse(fault)
-	return description
+	return profile
 
 
-func _read_limb(p_geom: Dictionary, p_number: int) -> LimbShape:
-	var limb: LimbShape = LimbShape.new()
+func _read_limb(p_geom: Dictionary, p_number: int) -> RagdollLimb:
+	var limb: RagdollLimb = RagdollLimb.new()
 	var parent: Variant = p_geom.get("parent_bone")
 	if p_geom.get("bone") is not String:
 		return _refuse("geom %d: expected a text as 'bone'" % p_number)
@@ -57,9 +57,9 @@ func _read_limb(p_geom: Dictionary, p_number: int) -> LimbShape:
 	var kind: String = str(p_geom.get("type", ""))
 	if kind != "pill" and kind != "box":
 		return _refuse("geom %d: expected type 'pill' or 'box', found '%s'" % [p_number, kind])
-	limb.type = LimbShape.Type.PILL if kind == "pill" else LimbShape.Type.BOX
+	limb.type = RagdollLimb.PILL if kind == "pill" else RagdollLimb.BOX
 	var wanted: Dictionary[String, int] = {"position": 3, "orientation": 4, "anchor": 3}
-	if limb.type == LimbShape.Type.BOX:
+	if limb.type == RagdollLimb.BOX:
 		wanted["size"] = 3
 	for key: String in wanted:
 		if not _is_numbers(p_geom.get(key), wanted[key]):
@@ -70,16 +70,17 @@ func _read_limb(p_geom: Dictionary, p_number: int) -> LimbShape:
 			_refuse("geom %d: expected a number as '%s'" % [p_number, key])
 			return null
 	_fill(limb, p_geom)
+	LimbAnatomy.fill(limb)
 	return limb
 
 
-static func _fill(p_limb: LimbShape, p_geom: Dictionary) -> void:
+static func _fill(p_limb: RagdollLimb, p_geom: Dictionary) -> void:
 	p_limb.position = _vector(p_geom["position"])
 	p_limb.anchor = _vector(p_geom["anchor"])
 	var turn: Array = p_geom["orientation"]
 	p_limb.orientation = Quaternion(turn[0], turn[1], turn[2], turn[3])
 	p_limb.mass_fraction = p_geom["mass_fraction"]
-	if p_limb.type == LimbShape.Type.BOX:
+	if p_limb.type == RagdollLimb.BOX:
 		p_limb.size = _vector(p_geom["size"])
 	else:
 		p_limb.radius = p_geom["radius"]
