@@ -44,17 +44,18 @@ var _alive_s: float = -INF
 
 
 func _get_configuration_warnings() -> PackedStringArray:
-	var warnings: PackedStringArray = []
-	if profile == null:
+	var warnings: PackedStringArray = _find_obstacles()
+	if profile != null:
+		for pair: Array in RagdollBuilder.overlaps(profile):
+			var text: String = "%s and %s touch in the reset pose: make one of them smaller."
+			warnings.append(text % pair)
+	if get_skeleton() != null and SkinnedSurface.find_meshes(get_skeleton()).is_empty():
 		warnings.append(
-			"It has no profile: load one, or press 'Make bodies' to make one from the skeleton."
+			(
+				"No skinned mesh belongs to the skeleton: 'Make bodies' takes the thickness of an "
+				+ "average adult. Add a MeshInstance3D whose 'Skeleton' is this one."
+			)
 		)
-	elif profile.find_fault() != "":
-		warnings.append("The profile has a fault: %s." % profile.find_fault())
-	if get_skeleton() == null:
-		warnings.append("There is no Skeleton3D below it: add a rigged character.")
-	elif get_simulator() == null:
-		warnings.append("The skeleton has no physical bones: press 'Make bodies'.")
 	return warnings
 
 
@@ -76,8 +77,9 @@ func get_simulator() -> PhysicalBoneSimulator3D:
 	return null
 
 
-## Gives the skeleton its physical bones, in place of those it may have. Without a profile one
-## is made from the lengths of the skeleton. The button in the inspector calls it.
+## Gives the skeleton its physical bones, in place of those it may have. Without a profile one is
+## made from the skeleton and the skinned meshes below this node. The button in the inspector
+## calls it.
 func make_bodies() -> void:
 	var skeleton: Skeleton3D = get_skeleton()
 	if skeleton == null:
@@ -95,9 +97,9 @@ func make_bodies() -> void:
 ## Starts the simulation. The node must be in the tree. Returns false (and reports an error) where
 ## the scene lacks something.
 func start() -> bool:
-	var warnings: PackedStringArray = _get_configuration_warnings()
-	if not warnings.is_empty():
-		push_error("%s cannot start: %s" % [name, warnings[0]])
+	var obstacles: PackedStringArray = _find_obstacles()
+	if not obstacles.is_empty():
+		push_error("%s cannot start: %s" % [name, obstacles[0]])
 		return false
 	var bones: Array[PhysicalBone3D] = _find_bones()
 	if bones.is_empty():
@@ -146,6 +148,25 @@ func drive(p_time_s: float, p_delta_s: float) -> void:
 	motor.drive(p_time_s, p_delta_s)
 
 
+## What the simulation cannot do without.
+func _find_obstacles() -> PackedStringArray:
+	var obstacles: PackedStringArray = []
+	if profile == null:
+		obstacles.append(
+			"It has no profile: load one, or press 'Make bodies' to make one from the character."
+		)
+	elif profile.find_fault() != "":
+		obstacles.append("The profile has a fault: %s." % profile.find_fault())
+	var skeleton: Skeleton3D = get_skeleton()
+	if skeleton == null:
+		obstacles.append("There is no Skeleton3D below it: add a rigged character.")
+	elif RagdollFigure.new(skeleton).find_fault() != "":
+		obstacles.append(RagdollFigure.new(skeleton).find_fault() + ".")
+	elif get_simulator() == null:
+		obstacles.append("The skeleton has no physical bones: press 'Make bodies'.")
+	return obstacles
+
+
 func _find_bones() -> Array[PhysicalBone3D]:
 	var bones: Array[PhysicalBone3D] = []
 	for limb: RagdollLimb in profile.limbs:
@@ -164,8 +185,10 @@ func _start_motor(p_bones: Array[PhysicalBone3D]) -> bool:
 	var centres: PackedVector3Array = []
 	var slots: PackedInt32Array = []
 	for i: int in p_bones.size():
-		centres.append(p_bones[i].body_offset.origin)
-		slots.append(Limbs.find(profile.limbs[i].bone))
+		var limb: RagdollLimb = profile.limbs[i]
+		var body: Transform3D = _body_at_rest(p_bones[i], limb)
+		centres.append((body.origin - limb.anchor) * body.basis)
+		slots.append(Limbs.find(limb.bone))
 	motor = RagdollMotor.new()
 	motor.gain = gain
 	motor.root_mode = root_mode
@@ -182,3 +205,9 @@ func _start_motor(p_bones: Array[PhysicalBone3D]) -> bool:
 	motor.set_actuation(actuation)
 	motor.set_group_strength(strength)
 	return true
+
+
+## A body in the rest pose, in model space. A designer may have moved it.
+func _body_at_rest(p_bone: PhysicalBone3D, p_limb: RagdollLimb) -> Transform3D:
+	var rest: Transform3D = RagdollFigure.new(get_skeleton()).scaled_rest(p_limb.bone)
+	return Transform3D(Basis(p_limb.rest_orientation), (rest * p_bone.body_offset).origin)

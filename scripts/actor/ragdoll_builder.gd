@@ -4,7 +4,7 @@ extends RefCounted
 ## Gives a skeleton the physical bones of a [RagdollProfile].
 ##
 ## Each body has the axes of its bone and its origin (the centre of mass) in the middle of its
-## shape. Joints are not made here: [RagdollMotor] makes them when it starts.
+## shape. Joints are not made here: see [RagdollJoints].
 
 ## Physics layer of people.
 const LAYER_ACTORS: int = 2
@@ -16,14 +16,16 @@ const FRICTION: float = 0.8
 
 ## Adds a [PhysicalBoneSimulator3D] with a [PhysicalBone3D] per limb below a skeleton, and returns
 ## it; on a fault it reports an error and returns null. [param p_owner] is the scene that shall
-## save them, or null. The profile's frame must be the skeleton's.
+## save them, or null. The profile's frame must be the figure's: see [RagdollFigure].
 static func build(
 	p_skeleton: Skeleton3D, p_profile: RagdollProfile, p_owner: Node = null
 ) -> PhysicalBoneSimulator3D:
 	var fault: String = p_profile.find_fault()
-	for limb: RagdollLimb in p_profile.limbs:
-		if fault == "" and p_skeleton.find_bone(limb.bone) < 0:
-			fault = "the skeleton has no bone %s" % limb.bone
+	if fault == "":
+		for limb: RagdollLimb in p_profile.limbs:
+			if p_skeleton.find_bone(limb.bone) < 0:
+				fault = "the skeleton has no bone %s" % limb.bone
+				break
 	if fault != "":
 		push_error("The ragdoll cannot be built: %s." % fault)
 		return null
@@ -31,9 +33,12 @@ static func build(
 	simulator.name = "PhysicalBoneSimulator3D"
 	p_skeleton.add_child(simulator)
 	simulator.owner = p_owner
+	var figure: RagdollFigure = RagdollFigure.new(p_skeleton)
 	for limb: RagdollLimb in p_profile.limbs:
-		var rest: Transform3D = p_skeleton.get_bone_global_rest(p_skeleton.find_bone(limb.bone))
-		var bone: PhysicalBone3D = _make_bone(limb, rest.orthonormalized(), p_profile.mass)
+		var bone: PhysicalBone3D = _make_bone(limb, p_profile.mass)
+		# The offset takes the skeleton's scale away: bodies have none.
+		var rest: Transform3D = figure.scaled_rest(limb.bone)
+		bone.body_offset = rest.affine_inverse() * RagdollFigure.body_of(limb)
 		simulator.add_child(bone)
 		bone.owner = p_owner
 		bone.get_child(0).owner = p_owner
@@ -52,12 +57,17 @@ static func make_shape(p_limb: RagdollLimb) -> Shape3D:
 	return capsule
 
 
-static func _make_bone(p_limb: RagdollLimb, p_rest: Transform3D, p_mass: float) -> PhysicalBone3D:
+## Pairs of bones whose limbs are closer than [constant LimbDistance.GAP] in the reset pose though
+## no joint connects them: each an array of two names. They would push each other all the time.
+static func overlaps(p_profile: RagdollProfile) -> Array[Array]:
+	return LimbDistance.overlaps(p_profile)
+
+
+static func _make_bone(p_limb: RagdollLimb, p_mass: float) -> PhysicalBone3D:
 	var bone: PhysicalBone3D = PhysicalBone3D.new()
 	bone.name = p_limb.bone
 	bone.bone_name = p_limb.bone
 	bone.joint_type = PhysicalBone3D.JOINT_TYPE_NONE
-	bone.body_offset = Transform3D(Basis.IDENTITY, p_rest.affine_inverse() * p_limb.position)
 	bone.mass = p_mass * p_limb.mass_fraction
 	bone.friction = FRICTION
 	bone.can_sleep = false
@@ -70,7 +80,7 @@ static func _make_bone(p_limb: RagdollLimb, p_rest: Transform3D, p_mass: float) 
 	var shape: CollisionShape3D = CollisionShape3D.new()
 	shape.name = "Shape"
 	shape.shape = make_shape(p_limb)
-	var turn: Quaternion = p_rest.basis.get_rotation_quaternion().inverse() * p_limb.orientation
+	var turn: Quaternion = p_limb.rest_orientation.inverse() * p_limb.orientation
 	shape.transform = Transform3D(Basis(turn), Vector3.ZERO)
 	bone.add_child(shape)
 	return bone

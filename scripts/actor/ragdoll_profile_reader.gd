@@ -31,16 +31,14 @@ func read(p_path: String) -> RagdollProfile:
 
 
 func _read_geoms(p_geoms: Array) -> RagdollProfile:
-	var limbs: Array[RagdollLimb] = []
+	var profile: RagdollProfile = RagdollProfile.new()
 	for i: int in p_geoms.size():
 		if p_geoms[i] is not Dictionary:
 			return _refuse("geom %d: expected an object" % (i + 1))
 		var limb: RagdollLimb = _read_limb(p_geoms[i], i + 1)
 		if limb == null:
 			return null
-		limbs.append(limb)
-	var profile: RagdollProfile = RagdollProfile.new()
-	profile.limbs = limbs
+		profile.limbs.append(limb)
 	var fault: String = profile.find_fault()
 	if fault != "":
 		return _refuse(fault)
@@ -72,6 +70,7 @@ func _read_limb(p_geom: Dictionary, p_number: int) -> RagdollLimb:
 			_refuse("geom %d: expected a number as '%s'" % [p_number, key])
 			return null
 	_fill(limb, p_geom)
+	LimbAnatomy.fill(limb)
 	return limb
 
 
@@ -81,9 +80,6 @@ static func _fill(p_limb: RagdollLimb, p_geom: Dictionary) -> void:
 	var turn: Array = p_geom["orientation"]
 	p_limb.orientation = Quaternion(turn[0], turn[1], turn[2], turn[3])
 	p_limb.mass_fraction = p_geom["mass_fraction"]
-	var limb: int = Limbs.find(p_limb.bone)
-	p_limb.group = Limbs.GROUPS[limb] if limb >= 0 else &"body"
-	p_limb.max_torque = Limbs.TORQUES[limb] if limb >= 0 else p_limb.max_torque
 	if p_limb.type == RagdollLimb.BOX:
 		p_limb.size = _vector(p_geom["size"])
 	else:

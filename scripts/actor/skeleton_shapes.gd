@@ -1,10 +1,12 @@
 @tool
 class_name SkeletonShapes
 extends RefCounted
-## Makes a [RagdollProfile] for any skeleton with humanoid bone names, from its bones' lengths.
+## Describes a ragdoll for any skeleton with humanoid bone names, whatever its axes and scale.
 ##
-## Thicknesses are those of an adult of average build, in shares of the body's height; lengths come
-## from the skeleton's rest pose, so that joints are exactly where the skeleton has them.
+## Joints are exactly where the skeleton has them. Shapes are fitted to the skinned meshes below the
+## skeleton ([MeshShapes]); without any, lengths come from the bones and thicknesses are those of
+## an adult of average build, in shares of the body's height. Shapes that would touch in the reset
+## pose though no joint connects them are made thinner ([LimbDistance]).
 
 ## Half thickness of each limb across, as a share of the body's height. For boxes across and deep.
 const _THICKNESS: Array[Vector2] = [
@@ -29,65 +31,49 @@ const _THICKNESS: Array[Vector2] = [
 const _BOXES: Array[int] = [0, 1, 2, 6, 9, 12, 15]
 ## Height of the hips' box as a share of the body's height.
 const _HIPS_HEIGHT: float = 0.1
+## Length of a foot, and how far the heel lies behind the ankle, as shares of the body's height.
+const _FOOT: Vector2 = Vector2(0.152, 0.035)
 ## Shortest limb, m: where a skeleton does not tell.
 const _SHORTEST: float = 0.06
 
 
-## The profile of a skeleton, or null (and an error) where a limb's bone is missing.
+## The profile of a skeleton, or null (and an error that says what to do) where it is no figure.
 static func describe(p_skeleton: Skeleton3D) -> RagdollProfile:
+	var figure: RagdollFigure = RagdollFigure.new(p_skeleton)
+	if figure.find_fault() != "":
+		push_error(figure.find_fault() + ".")
+		return null
 	var profile: RagdollProfile = RagdollProfile.new()
-	var limbs: Array[RagdollLimb] = []
-	var height: float = _height(p_skeleton)
+	var height: float = figure.height()
 	for limb: int in Limbs.COUNT:
-		var bone: int = p_skeleton.find_bone(Limbs.BONES[limb])
-		if bone < 0:
-			push_error("The skeleton has no bone %s." % Limbs.BONES[limb])
-			return null
-		limbs.append(_shape(p_skeleton, limb, height))
-	profile.limbs = limbs
-	complete(profile, p_skeleton)
+		profile.limbs.append(_shape(figure, limb, height))
+	figure.fill_pose(profile)
+	var surface: SkinnedSurface = SkinnedSurface.new(figure)
+	if not surface.is_empty():
+		MeshShapes.new(figure, surface).fit(profile)
+	LimbDistance.keep_apart(profile)
+	LimbContacts.fill(profile, figure, surface)
 	return profile
 
 
-## Fills in what follows from limb shapes and a skeleton: axes, reset pose, torques, groups, points
-## of contact and ranges of the joints. Limbs that the skeleton lacks are left alone.
-static func complete(p_profile: RagdollProfile, p_skeleton: Skeleton3D) -> void:
-	for limb: RagdollLimb in p_profile.limbs:
-		var at: int = Limbs.find(limb.bone)
-		var bone: int = p_skeleton.find_bone(limb.bone)
-		if at < 0 or bone < 0:
-			continue
-		var rest: Transform3D = p_skeleton.get_bone_global_rest(bone).orthonormalized()
-		var along: Vector3 = _tail(p_skeleton, at) - rest.origin
-		limb.rest_orientation = rest.basis.get_rotation_quaternion()
-		limb.reset_orientation = Limbs.rest_to_reset(at, along) * limb.rest_orientation
-		limb.max_torque = Limbs.TORQUES[at]
-		limb.group = Limbs.GROUPS[at]
-		limb.min_angles = JointRanges.least(limb.bone)
-		limb.max_angles = JointRanges.greatest(limb.bone)
-		ContactPoints.add(limb)
-
-
-static func _shape(p_skeleton: Skeleton3D, p_limb: int, p_height: float) -> RagdollLimb:
-	var bone: int = p_skeleton.find_bone(Limbs.BONES[p_limb])
-	var rest: Transform3D = p_skeleton.get_bone_global_rest(bone).orthonormalized()
-	var along: Vector3 = _tail(p_skeleton, p_limb) - rest.origin
-	if along.length() < _SHORTEST:
-		along = rest.basis.y * _SHORTEST
-	var middle: Vector3 = rest.origin + along / 2.0
+static func _shape(p_figure: RagdollFigure, p_limb: int, p_height: float) -> RagdollLimb:
+	var bone: StringName = Limbs.BONES[p_limb]
+	var shape: RagdollLimb = RagdollLimb.new()
+	shape.bone = bone
+	shape.parent_bone = &"" if p_limb == 0 else Limbs.BONES[Limbs.PARENTS[p_limb]]
+	shape.anchor = p_figure.rest(bone).origin
+	shape.mass_fraction = Limbs.MASS_FRACTIONS[p_limb]
+	LimbAnatomy.fill(shape)
+	if shape.is_foot:
+		_shape_foot(shape, p_figure, p_limb, p_height)
+		return shape
+	var along: Vector3 = _along(p_figure, p_limb)
+	shape.position = shape.anchor + along / 2.0
 	if p_limb == Limbs.ROOT:
 		# The hips lie around their joint, however near the skeleton has the next one.
 		along = along.normalized() * p_height * _HIPS_HEIGHT
-		middle = rest.origin
-	var shape: RagdollLimb = RagdollLimb.new()
-	shape.bone = Limbs.BONES[p_limb]
-	shape.parent_bone = &"" if p_limb == 0 else Limbs.BONES[Limbs.PARENTS[p_limb]]
-	shape.anchor = rest.origin
-	shape.position = middle
-	shape.mass_fraction = Limbs.MASS_FRACTIONS[p_limb]
-	# The shape's Y axis lies along the limb, its Z axis stays as the bone's.
-	var swing: Quaternion = Quaternion(rest.basis.y, along.normalized())
-	shape.orientation = swing * rest.basis.get_rotation_quaternion()
+		shape.position = shape.anchor
+	shape.orientation = orientation_along(along, String(bone).ends_with("Hand"))
 	var thick: Vector2 = _THICKNESS[p_limb] * p_height
 	if _BOXES.has(p_limb):
 		shape.type = RagdollLimb.BOX
@@ -98,19 +84,54 @@ static func _shape(p_skeleton: Skeleton3D, p_limb: int, p_height: float) -> Ragd
 	return shape
 
 
-static func _tail(p_skeleton: Skeleton3D, p_limb: int) -> Vector3:
-	for tail: StringName in Limbs.TAILS[p_limb]:
-		var bone: int = p_skeleton.find_bone(tail)
-		if bone >= 0:
-			return p_skeleton.get_bone_global_rest(bone).origin
-	return p_skeleton.get_bone_global_rest(p_skeleton.find_bone(Limbs.BONES[p_limb])).origin
+## An orientation whose Y axis lies along a limb and whose Z axis (for a hand the X axis, as its
+## thumb is there) is as near to the front as it can be.
+static func orientation_along(p_along: Vector3, p_is_hand: bool = false) -> Quaternion:
+	var y: Vector3 = p_along.normalized()
+	var front: Vector3 = Vector3.BACK if absf(y.z) < 0.9 else Vector3.UP
+	var side: Vector3 = y.cross(front).normalized()
+	var ahead: Vector3 = side.cross(y)
+	var basis: Basis = Basis(ahead, y, ahead.cross(y)) if p_is_hand else Basis(side, y, ahead)
+	return basis.get_rotation_quaternion()
 
 
-static func _height(p_skeleton: Skeleton3D) -> float:
-	var lowest: float = INF
-	var highest: float = -INF
-	for bone: int in p_skeleton.get_bone_count():
-		var y: float = p_skeleton.get_bone_global_rest(bone).origin.y
-		lowest = minf(lowest, y)
-		highest = maxf(highest, y)
-	return clampf(highest - lowest, 0.5, 3.0)
+## A level box from heel to toes that stands on the sole.
+static func _shape_foot(
+	p_shape: RagdollLimb, p_figure: RagdollFigure, p_limb: int, p_height: float
+) -> void:
+	var ahead: Vector3 = forward(p_figure, p_limb)
+	var toes: Vector3 = p_shape.anchor + p_figure.direction(p_limb)
+	var lowest: float = minf(toes.y, p_shape.anchor.y - 0.03)
+	# The origin of a figure is between its soles.
+	var sole: float = 0.0 if absf(lowest) < 0.06 * p_height else lowest
+	var heel: float = -_FOOT.y * p_height
+	var tip: float = maxf(heel + _FOOT.x * p_height, (toes - p_shape.anchor).dot(ahead))
+	p_shape.type = RagdollLimb.BOX
+	p_shape.size = Vector3(
+		_THICKNESS[p_limb].x * p_height * 2.0,
+		maxf(p_shape.anchor.y - sole, _THICKNESS[p_limb].y * p_height),
+		tip - heel
+	)
+	p_shape.position = p_shape.anchor + ahead * (heel + tip) / 2.0
+	p_shape.position.y = sole + p_shape.size.y / 2.0
+	p_shape.orientation = (
+		Basis(Vector3.UP.cross(ahead), Vector3.UP, ahead).get_rotation_quaternion()
+	)
+
+
+## Where a foot points, level.
+static func forward(p_figure: RagdollFigure, p_limb: int) -> Vector3:
+	var ahead: Vector3 = p_figure.direction(p_limb) * Vector3(1.0, 0.0, 1.0)
+	return ahead.normalized() if ahead.length() > 0.02 else Vector3.BACK
+
+
+static func _along(p_figure: RagdollFigure, p_limb: int) -> Vector3:
+	var along: Vector3 = p_figure.direction(p_limb)
+	if along.length() >= _SHORTEST:
+		return along
+	# A hand goes on as its arm does, a head upwards.
+	var parent: int = Limbs.PARENTS[p_limb]
+	if String(Limbs.BONES[p_limb]).ends_with("Hand"):
+		return p_figure.direction(parent).normalized() * maxf(0.05 * p_figure.height(), _SHORTEST)
+	var is_head: bool = Limbs.BONES[p_limb] == &"Head"
+	return Vector3.UP * (0.11 * p_figure.height() if is_head else _SHORTEST)

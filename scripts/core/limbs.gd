@@ -95,26 +95,6 @@ const TORQUES: Array[float] = [
 	150.0,
 ]
 
-## Strength group of each limb.
-const GROUPS: Array[StringName] = [
-	&"trunk",
-	&"trunk",
-	&"trunk",
-	&"head",
-	&"left_arm",
-	&"left_arm",
-	&"left_arm",
-	&"right_arm",
-	&"right_arm",
-	&"right_arm",
-	&"left_leg",
-	&"left_leg",
-	&"left_leg",
-	&"right_leg",
-	&"right_leg",
-	&"right_leg",
-]
-
 ## Limbs whose direction the reset pose (a T-pose) prescribes, and that direction in the world.
 ## A limb that is missing here stands in the reset pose as it does at rest.
 const RESET_DIRECTIONS: Dictionary[int, Vector3] = {

@@ -158,7 +158,7 @@ func test_warnings_say_how_to_fix_it() -> void:
 	ragdoll.profile = RagdollProfile.new()
 	_has_warnings(ragdoll, ["has a fault: there are no limbs", "no Skeleton3D"])
 	ragdoll.add_child(Skeleton3D.new())
-	_has_warnings(ragdoll, ["has a fault", "no physical bones: press"])
+	_has_warnings(ragdoll, ["has a fault", "no bone Hips, Spine", "No skinned mesh belongs"])
 	expect_error("Ada cannot start: The profile has a fault")
 	is_false(ragdoll.start())
 	is_null(ragdoll.motor)
@@ -170,10 +170,10 @@ func test_warnings_say_how_to_fix_it() -> void:
 
 
 func test_makes_its_bodies_by_the_button() -> void:
-	for with_description: bool in [true, false]:
+	for with_profile: bool in [true, false]:
 		var player: Stage.Player = _stage.add_soldier(STANDING, SOFT)
 		player.ragdoll.stop()
-		if not with_description:
+		if not with_profile:
 			player.ragdoll.profile = null
 		player.ragdoll.make_bodies()
 		_has_warnings(player.ragdoll, [])

@@ -62,6 +62,20 @@ func test_people_collide_with_world_people_and_props() -> void:
 		is_false(bone.can_sleep)
 
 
+func test_inertia_about_the_bodys_axes() -> void:
+	for _round: int in 100:
+		var limb: RagdollLimb = RagdollLimb.new()
+		limb.type = _random.randi_range(0, 1) as RagdollLimb.Type
+		limb.orientation = NetSamples.rotation(_random)
+		limb.size = NetSamples.vector(_random, 0.5).abs() + Vector3.ONE * 0.05
+		limb.rest_orientation = NetSamples.rotation(_random)
+		var got: Vector3 = limb.get_body_inertia(5.0)
+		# The whole tensor, turned.
+		var turn: Basis = Basis(limb.rest_orientation.inverse() * limb.orientation)
+		var whole: Basis = turn * Basis.from_scale(limb.get_inertia(5.0)) * turn.inverse()
+		almost_equal(got, Vector3(whole.x.x, whole.y.y, whole.z.z), 1e-4)
+
+
 func test_faults_are_reported() -> void:
 	var skeleton: Skeleton3D = Skeleton3D.new()
 	add_child(skeleton)
@@ -105,7 +119,7 @@ func test_shapes_for_any_skeleton() -> void:
 func test_skeleton_without_a_limb_is_refused() -> void:
 	var skeleton: Skeleton3D = Skeleton3D.new()
 	skeleton.add_bone("Hips")
-	expect_error("The skeleton has no bone Spine")
+	expect_error("The skeleton has no bone Spine, Chest")
 	is_null(SkeletonShapes.describe(skeleton))
 	skeleton.free()
 

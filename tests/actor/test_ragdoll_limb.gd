@@ -45,15 +45,6 @@ func test_faults() -> void:
 		["anchor", Vector3(0, INF, 0), "not finite"],
 		["orientation", Quaternion(0, 0, 0, 0.5), "not a rotation"],
 		["orientation", Quaternion(0, 0, NAN, 1), "not finite"],
-		["rest_orientation", Quaternion(0, 0, 0, 2), "rest_orientation is not a rotation"],
-		["reset_orientation", Quaternion(0, NAN, 0, 1), "reset_orientation is not finite"],
-		["max_torque", -1.0, "max_torque"],
-		["max_torque", NAN, "max_torque"],
-		["group", &"", "no strength group"],
-		["contact_radius", INF, "contact_radius"],
-		["contact_points", PackedVector3Array([Vector3(NAN, 0, 0)]), "contact point"],
-		["min_angles", Vector3(4, 0, 0), "angles"],
-		["max_angles", Vector3(0, NAN, 0), "angles"],
 		["mass_fraction", 0.0, "Head's mass_fraction is 0.0"],
 		["mass_fraction", 1.5, "mass_fraction"],
 		["mass_fraction", NAN, "mass_fraction"],
@@ -61,15 +52,57 @@ func test_faults() -> void:
 		["radius", NAN, "radius or length"],
 		["length", -0.1, "radius or length"],
 		["length", INF, "radius or length"],
+		["group", &"", "Head is in no strength group"],
+		["rest_orientation", Quaternion(1, 1, 0, 0), "rest_orientation is not a rotation"],
+		["reset_orientation", Quaternion(NAN, 0, 0, 1), "reset_orientation is not finite"],
+		["max_torque", -1.0, "max_torque is -1.0"],
+		["max_torque", NAN, "max_torque"],
+		["contact_radius", NAN, "contact_radius"],
+		["contact_points", PackedVector3Array([Vector3(0, NAN, 0)]), "contact point"],
+		["min_angles", Vector3(1, 0, 0), "X angles"],
+		["max_angles", Vector3(0, 0, NAN), "Z angles"],
 	]
 	equal(_pill(0.1, 0.1).find_fault(), "")
 	for case: Array in cases:
 		var limb: RagdollLimb = _pill(0.1, 0.1)
+		if case[0] == "min_angles":
+			limb.max_angles = Vector3.ZERO
 		limb.set(case[0], case[1])
 		contains(limb.find_fault(), case[2], str(case))
 	equal(_box(Vector3.ONE).find_fault(), "")
 	for size: Vector3 in [Vector3.ZERO, Vector3(1, -1, 1), Vector3(1, 1, NAN), Vector3(INF, 1, 1)]:
 		contains(_box(size).find_fault(), "size", str(size))
+
+
+func test_values_of_a_wrong_type_change_nothing() -> void:
+	var limb: RagdollLimb = _pill(0.1, 0.2)
+	for name: String in ["radius", "position", "orientation", "contact_points", "min_angles"]:
+		var before: Variant = limb.get(name)
+		limb.set(name, "much")
+		limb.set(name, null)
+		equal(limb.get(name), before, name)
+	equal(limb.find_fault(), "")
+
+
+func test_tells_when_it_changes() -> void:
+	var limb: RagdollLimb = _pill(0.1, 0.2)
+	var count: Array[int] = [0]
+	limb.changed.connect(func() -> void: count[0] += 1)
+	limb.radius = 0.2
+	limb.bone = &"Hips"
+	equal(count[0], 2)
+
+
+func test_joint_axes() -> void:
+	var limb: RagdollLimb = _pill(0.1, 0.2)
+	limb.anchor = Vector3(0.2, 1.4, 0.0)
+	limb.position = Vector3(0.3, 1.3, 0.0)
+	# An A-pose's arm, which the reset pose lifts.
+	limb.reset_orientation = Quaternion(Vector3.BACK, PI / 4.0)
+	almost_equal(Basis(limb.get_joint_axes()), Basis.IDENTITY, 1e-5)
+	limb.reset_orientation = Quaternion(Vector3.BACK, -PI / 4.0)
+	almost_equal(Basis(limb.get_joint_axes()) * Vector3.RIGHT, Vector3.DOWN, 1e-5)
+	almost_equal(Basis(limb.get_joint_axes()) * Vector3.UP, Vector3.BACK, 1e-5)
 
 
 func _pill(p_radius: float, p_length: float) -> RagdollLimb:

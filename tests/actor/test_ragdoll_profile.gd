@@ -1,8 +1,10 @@
 extends TestCase
 ## What a ragdoll is made of: the file of the soldier, and errors that name file and entry.
 
-const SOLDIER: String = "res://assets/avatar/limb_shapes.json"
 const SCENE: PackedScene = preload("res://scenes/actor/soldier.tscn")
+const SOLDIER: String = "res://assets/avatar/limb_shapes.json"
+const SAVED_TEXT: String = "user://test_profile.tres"
+const SAVED_BINARY: String = "user://test_profile.res"
 const SCRATCH: String = "user://test_limb_shapes.json"
 
 var _reader: RagdollProfileReader = RagdollProfileReader.new()
@@ -98,7 +100,7 @@ func test_entries_that_are_none_are_named() -> void:
 		["mass_fraction", 0.5, "add up to"],
 		["parent_bone", "Tail", "Spine comes before its parent Tail"],
 		["parent_bone", null, "Spine: the first limb, and only the first"],
-		["bone", "Hips", "Hips"],
+		["bone", "Hips", "Hips is there twice"],
 	]
 	for case: Array in cases:
 		var data: Dictionary = JSON.parse_string(FileAccess.get_file_as_string(SOLDIER))
@@ -123,63 +125,86 @@ func test_a_good_file_after_a_bad_one() -> void:
 	equal(_reader.error, "")
 
 
+func test_saves_and_loads() -> void:
+	var made: RagdollProfile = _soldier_profile()
+	for path: String in [SAVED_TEXT, SAVED_BINARY]:
+		equal(ResourceSaver.save(made, path), OK)
+		var loaded: RagdollProfile = ResourceLoader.load(
+			path, "", ResourceLoader.CACHE_MODE_IGNORE_DEEP
+		)
+		DirAccess.remove_absolute(path)
+		equal(loaded.find_fault(), "")
+		equal(loaded.limbs.size(), Limbs.COUNT)
+		almost_equal(loaded.mass, made.mass)
+		for i: int in Limbs.COUNT:
+			for property: Dictionary in made.limbs[i].get_property_list():
+				if (
+					property["usage"] & PROPERTY_USAGE_STORAGE
+					and property["name"] != "resource_path"
+				):
+					var name: String = property["name"]
+					equal(loaded.limbs[i].get(name), made.limbs[i].get(name), name)
+
+
+func test_the_scene_is_complete() -> void:
+	var made: RagdollProfile = _soldier_profile()
+	equal(made.find_fault(), "")
+	equal(RagdollBuilder.overlaps(made), [] as Array[Array])
+	var groups: Array = ["head", "left_arm", "left_leg", "right_arm", "right_leg", "trunk"]
+	var found: Array = Array(made.get_groups())
+	found.sort()
+	equal(found, groups)
+	for i: int in Limbs.COUNT:
+		var limb: RagdollLimb = made.limbs[i]
+		var number: int = Limbs.find(limb.bone)
+		equal(made.get_parent_index(i), made.limbs.find(made.find(limb.parent_bone)))
+		almost_equal(limb.max_torque, Limbs.TORQUES[number])
+		equal(limb.is_foot, limb.bone in [&"LeftFoot", &"RightFoot"])
+		equal(limb.contact_points.size() == 5, limb.is_foot, limb.bone)
+		is_true(limb.contact_points.size() > 0)
+
+
+func test_hostile_values_are_faults() -> void:
+	var made: RagdollProfile = RagdollProfile.new()
+	equal(made.find_fault(), "there are no limbs")
+	made.limbs = [null] as Array[RagdollLimb]
+	contains(made.find_fault(), "limb 0 is empty: make a RagdollLimb there")
+	is_null(made.find(&"Hips"))
+	equal(made.get_parent_index(0), -1)
+	equal(made.get_groups(), PackedStringArray())
+	equal(RagdollBuilder.overlaps(made), [] as Array[Array])
+	expect_error("there is no limb of this number")
+	equal(made.get_parent_index(5), -1)
+	expect_error("there is no limb of this number")
+	equal(made.get_parent_index(-1), -1)
+	var many: Array[RagdollLimb] = []
+	many.resize(10000)
+	made.limbs = many
+	contains(made.find_fault(), "there are 10000 limbs, at most 64")
+	for mass: float in [NAN, INF, -80.0, 0.0]:
+		var soldier: RagdollProfile = _soldier_profile().duplicate()
+		soldier.mass = mass
+		contains(soldier.find_fault(), "the mass is")
+
+
+func test_a_limb_may_hang_on_itself_or_on_nothing_without_a_crash() -> void:
+	var made: RagdollProfile = _soldier_profile().duplicate(true)
+	made.limbs[3].parent_bone = made.limbs[3].bone
+	contains(made.find_fault(), "comes before its parent")
+	made.limbs[3].parent_bone = &"Tail"
+	contains(made.find_fault(), "Head comes before its parent Tail")
+	equal(made.get_parent_index(3), -1)
+
+
+func _soldier_profile() -> RagdollProfile:
+	var soldier: Ragdoll = SCENE.instantiate()
+	var made: RagdollProfile = soldier.profile
+	soldier.free()
+	return made
+
+
 func _read_text(p_text: String) -> void:
 	var file: FileAccess = FileAccess.open(SCRATCH, FileAccess.WRITE)
 	file.store_string(p_text)
 	file.close()
 	is_null(_reader.read(SCRATCH), p_text.left(60))
-
-
-func test_the_soldier_has_all_that_a_motor_needs() -> void:
-	var soldier: Ragdoll = SCENE.instantiate()
-	var profile: RagdollProfile = soldier.profile
-	equal(profile.find_fault(), "")
-	var groups: Array = Array(profile.get_groups())
-	groups.sort()
-	equal(groups, ["head", "left_arm", "left_leg", "right_arm", "right_leg", "trunk"])
-	for i: int in profile.limbs.size():
-		var limb: RagdollLimb = profile.limbs[i]
-		var parent: int = profile.get_parent_index(i)
-		equal(&"" if parent < 0 else profile.limbs[parent].bone, limb.parent_bone)
-		is_true(limb.max_torque > 0.0 or limb.bone == &"Hips")
-	var foot: RagdollLimb = profile.find(&"LeftFoot")
-	is_true(foot.is_foot)
-	equal(foot.contact_points.size(), 5)
-	for point: Vector3 in foot.contact_points:
-		is_true(absf(point.y) < 0.03, "the sole is on the ground: %s" % point)
-	is_true(foot.contact_points[0].z < foot.anchor.z - 0.02, "the heel is behind the ankle")
-	is_true(foot.contact_points[4].z > foot.anchor.z + 0.1, "the toes are ahead")
-	soldier.free()
-
-
-func test_hostile_profiles_have_a_fault_and_crash_nothing() -> void:
-	var profile: RagdollProfile = RagdollProfile.new()
-	contains(profile.find_fault(), "no limbs")
-	var limbs: Array[RagdollLimb] = [null]
-	profile.limbs = limbs
-	contains(profile.find_fault(), "limb 0 is empty")
-	is_null(profile.find(&"Hips"))
-	limbs.resize(10000)
-	profile.limbs = limbs
-	contains(profile.find_fault(), "10000 limbs, at most 64")
-	var good: RagdollProfile = _reader.read(SOLDIER)
-	for mass: float in [0.0, -5.0, NAN, INF]:
-		good.mass = mass
-		contains(good.find_fault(), "the mass is")
-	expect_error("there is no limb of this number")
-	equal(good.get_parent_index(99), -1)
-
-
-func test_is_saved_and_loaded() -> void:
-	var profile: RagdollProfile = _reader.read(SOLDIER)
-	profile.limbs[3].min_angles = Vector3(-1.0, -2.0, -3.0)
-	profile.limbs[3].contact_points = [Vector3(1.0, 2.0, 3.0)]
-	var path: String = "user://test_profile.tres"
-	equal(ResourceSaver.save(profile, path), OK)
-	var copy: RagdollProfile = ResourceLoader.load(path, "", ResourceLoader.CACHE_MODE_IGNORE)
-	equal(copy.limbs.size(), Limbs.COUNT)
-	equal(copy.limbs[3].min_angles, Vector3(-1.0, -2.0, -3.0))
-	equal(copy.limbs[3].contact_points, PackedVector3Array([Vector3(1.0, 2.0, 3.0)]))
-	equal(copy.limbs[5].bone, profile.limbs[5].bone)
-	almost_equal(copy.limbs[5].radius, profile.limbs[5].radius)
-	DirAccess.remove_absolute(path)

@@ -30,7 +30,10 @@ func _build() -> bool:
 	person.add_child(body)
 	body.owner = person
 	person.set_editable_instance(body, true)
-	SkeletonShapes.complete(profile, person.get_skeleton())
+	var figure: RagdollFigure = RagdollFigure.new(person.get_skeleton())
+	figure.fill_pose(profile)
+	LimbDistance.keep_apart(profile)
+	LimbContacts.fill(profile, figure, SkinnedSurface.new(figure))
 	if RagdollBuilder.build(person.get_skeleton(), profile, person) == null:
 		return false
 	var scene: PackedScene = PackedScene.new()

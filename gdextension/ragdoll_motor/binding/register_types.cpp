@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "ragdoll_limb.hpp"
 #include "ragdoll_motor.hpp"
+#include "ragdoll_profile.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/defs.hpp>

@@ -186,9 +186,8 @@ std::string find_fault(const std::vector<Limb> &p_limbs, double p_mass) {
 	double total = 0.0;
 	for (std::size_t i = 0; i < p_limbs.size(); i++) {
 		const Limb &limb = p_limbs[i];
-		const std::string fault = find_fault(limb);
-		if (!fault.empty()) {
-			return limb.bone.empty() ? format("limb %zu: ", i) + fault : fault;
+		if (limb.bone.empty()) {
+			return format("limb %zu: it names no bone", i);
 		}
 		const std::string bone = shortened(limb.bone);
 		if (seen.count(limb.bone) > 0) {
@@ -199,6 +198,10 @@ std::string find_fault(const std::vector<Limb> &p_limbs, double p_mass) {
 		}
 		if (!limb.parent_bone.empty() && seen.count(limb.parent_bone) == 0) {
 			return bone + " comes before its parent " + shortened(limb.parent_bone);
+		}
+		const std::string fault = find_fault(limb);
+		if (!fault.empty()) {
+			return fault;
 		}
 		seen.insert(limb.bone);
 		total += double(limb.mass_fraction);
