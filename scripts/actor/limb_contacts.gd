@@ -10,6 +10,8 @@ extends RefCounted
 const _AROUND: float = 0.03
 ## How far inside the box's edges the points lie where there is no surface, as a share of its size.
 const _INSET: float = 0.12
+## How far beyond the ball the body of a foot goes on, m.
+const _BEYOND_BALL: float = 0.025
 
 
 ## Gives all limbs their contact points; the sole is taken from a surface, if it has one.
@@ -21,6 +23,7 @@ static func fill(
 			var number: int = Limbs.find(limb.bone)
 			var toes: Vector3 = limb.anchor + p_figure.direction(number)
 			limb.contact_radius = 0.0
+			_end_behind_toes(limb, toes)
 			limb.contact_points = _sole(limb, toes, p_surface.points[number])
 		elif limb.type == RagdollLimb.PILL:
 			var half: Vector3 = limb.orientation * Vector3(0.0, limb.length / 2.0, 0.0)
@@ -28,6 +31,17 @@ static func fill(
 			limb.contact_points = [limb.position - half, limb.position + half]
 		else:
 			_fill_box(limb)
+
+
+## Toes bend, bodies do not: a foot's ends a little beyond the ball, so that it can roll over it. The
+## toes of the visible foot disappear a small amount into the ground then (thesis section 8.4.1).
+static func _end_behind_toes(p_limb: RagdollLimb, p_toes: Vector3) -> void:
+	var frame: Transform3D = Transform3D(Basis(p_limb.orientation), p_limb.position)
+	var tip: float = (frame.affine_inverse() * p_toes).z + _BEYOND_BALL
+	var shorter: float = p_limb.size.z / 2.0 - tip
+	if shorter > 0.0 and tip > 0.0 and p_limb.type == RagdollLimb.BOX:
+		p_limb.size.z -= shorter
+		p_limb.position -= frame.basis.z * (shorter / 2.0)
 
 
 ## Balls as thick as the box, in its corners.
@@ -54,9 +68,9 @@ static func _sole(
 ) -> PackedVector3Array:
 	var frame: Transform3D = Transform3D(Basis(p_limb.orientation), p_limb.position)
 	var half: Vector3 = p_limb.size / 2.0
-	var ball: float = clampf((frame.affine_inverse() * p_toes).z, -0.2 * half.z, 0.7 * half.z)
+	var ball: float = clampf((frame.affine_inverse() * p_toes).z, -0.2 * half.z, 0.9 * half.z)
 	var heel: float = -half.z * (1.0 - 2.0 * _INSET)
-	var tip: float = half.z * (1.0 - _INSET)
+	var tip: float = half.z
 	var local: PackedVector3Array = _lowest(frame.affine_inverse() * p_points, -half.y)
 	var heights: Vector3 = Vector3.ONE * -half.y
 	var sides: Array[Vector2] = []

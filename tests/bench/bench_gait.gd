@@ -129,7 +129,6 @@ func _walk(p_walker: Walker, p_ragdoll: Ragdoll, p_noise_deg: float) -> Figures:
 				if before.has(side) and p_walker.is_standing(side, time):
 					var moved: Vector3 = ball - before[side]
 					figures.skate.add(Vector2(moved.x, moved.z).length() / delta)
-					if OS.has_environment("DBG") and tick > 258 and tick < 272: print(tick, " ", side, " ", Vector2(moved.x, moved.z).length() / delta*100, " ball ", ball, " root ", _root_of(p_ragdoll), " target ", p_ragdoll.motor.get_root_target(), " true ", p_walker.pose_at(time).root, p_walker._foot_at(side, time))
 				before[side] = ball
 		var sample: PoseSample = p_walker.pose_at(time)
 		var start: Vector3 = p_walker.pose_at(0.0).root

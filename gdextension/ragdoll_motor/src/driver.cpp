@@ -118,11 +118,11 @@ void Driver::travel(const RigState &p_state, float p_delta_s) {
 	now.root = estimator->get_root();
 	next.root = estimator->ahead(points_next, p_delta_s);
 	next_root = next.root;
-	foot_lock.advance(*estimator, points_now, p_delta_s);
+	foot_lock.advance(*estimator, now, points_now, p_delta_s);
 	rig.joint_positions(now, joints);
-	foot_lock.apply(rig, *estimator, points_now, now, joints);
+	foot_lock.apply(rig, *estimator, now, joints);
 	rig.joint_positions(next, joints);
-	foot_lock.apply(rig, *estimator, points_next, next, joints);
+	foot_lock.apply(rig, *estimator, next, joints);
 }
 
 void Driver::let_go_when_stalled(double p_time_s) {

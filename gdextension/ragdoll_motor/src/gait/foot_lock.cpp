@@ -7,8 +7,6 @@ namespace ragdoll {
 
 namespace {
 
-constexpr float STANDS = 0.2f; // Weight of a foot from which it is held.
-
 /// The shortest rotation from one direction to another.
 Quat rotation_between(const Vec3 &p_from, const Vec3 &p_to) {
 	const float lengths = p_from.length() * p_to.length();
@@ -39,7 +37,11 @@ FootLock::FootLock(const Rig &p_rig, const std::vector<ContactPoint> &p_contacts
 		const int shin = p_rig[std::size_t(contact.limb)].parent;
 		const int thigh = shin >= 0 ? p_rig[std::size_t(shin)].parent : -1;
 		if (contact.sole && !known && thigh >= 0 && p_rig[std::size_t(thigh)].parent >= 0) {
-			legs.push_back({ contact.limb, shin, thigh, {} });
+			Leg leg;
+			leg.foot = contact.limb;
+			leg.shin = shin;
+			leg.thigh = thigh;
+			legs.push_back(leg);
 		}
 	}
 }
@@ -51,9 +53,14 @@ void FootLock::clear() {
 	std::fill(held.begin(), held.end(), std::uint8_t(0));
 }
 
-void FootLock::advance(const Travel &p_travel, const std::vector<Vec3> &p_points, float p_delta_s) {
+void FootLock::advance(
+		const Travel &p_travel, const Pose &p_pose, const std::vector<Vec3> &p_points, float p_delta_s) {
+	const float calm_s = CALM_S * p_travel.get_unrest();
+	const float turned = calm_s > 0.0f ? 1.0f - std::exp(-p_delta_s / calm_s) : 1.0f;
 	for (Leg &leg : legs) {
 		leg.offset = leg.offset * std::exp(-p_delta_s / LET_GO_S);
+		const bool stood = leg.stands;
+		leg.stands = false;
 		for (std::size_t i = 0; i < contacts.size(); i++) {
 			if (contacts[i].limb != leg.foot) {
 				continue;
@@ -63,7 +70,10 @@ void FootLock::advance(const Travel &p_travel, const std::vector<Vec3> &p_points
 				anchors[i] = p_travel.get_root() + p_points[i] + leg.offset;
 			}
 			held[i] = stands ? 1 : 0;
+			leg.stands = leg.stands || stands;
 		}
+		const Quat &foot = p_pose.orientations[std::size_t(leg.foot)];
+		leg.turn = stood ? slerp(leg.turn, foot, turned) : foot;
 	}
 }
 
@@ -83,20 +93,25 @@ bool FootLock::restore(ArchiveReader &p_archive) {
 	return p_archive.get_all(legs) && p_archive.get_all(anchors) && p_archive.get_all(held);
 }
 
-void FootLock::apply(const Rig &p_rig, const Travel &p_travel, const std::vector<Vec3> &p_points, Pose &r_pose,
-		std::vector<Vec3> &r_joints) {
+void FootLock::apply(const Rig &p_rig, const Travel &p_travel, Pose &r_pose, std::vector<Vec3> &r_joints) {
 	for (Leg &leg : legs) {
+		Quat &foot = r_pose.orientations[std::size_t(leg.foot)];
+		if (leg.stands) {
+			foot = slerp(foot, leg.turn, p_travel.get_unrest());
+		}
 		Vec3 away;
 		float sum = 0.0f;
 		for (std::size_t i = 0; i < contacts.size(); i++) {
 			if (contacts[i].limb == leg.foot && held[i] != 0) {
-				const float weight = p_travel.get_weights()[i];
-				away = away + (anchors[i] - r_pose.root - p_points[i]) * weight;
-				sum += weight;
+				// All that are held count alike: as weights change, the foot must not.
+				const Vec3 place = r_joints[std::size_t(leg.foot)] + foot.rotate(contacts[i].local);
+				away = away + (anchors[i] - place);
+				sum += 1.0f;
 			}
 		}
-		if (sum > STANDS) {
-			leg.offset = limited(away * (1.0f / sum), FURTHEST);
+		if (sum > 0.0f) {
+			// How high the feet are, the root's height sees to.
+			leg.offset = limited(Vec3{ away.x, 0.0f, away.z } * (1.0f / sum), FURTHEST);
 		}
 		if (leg.offset.length() > 1e-5f) {
 			bend(p_rig, leg, r_pose, r_joints);
@@ -112,8 +127,14 @@ void FootLock::bend(const Rig &p_rig, const Leg &p_leg, Pose &r_pose, std::vecto
 	const Vec3 lower = shin.rotate(p_rig[std::size_t(p_leg.foot)].anchor);
 	const float a = upper.length();
 	const float b = lower.length();
-	const Vec3 wanted = upper + lower + p_leg.offset;
-	const float reach = std::clamp(wanted.length(), std::fabs(a - b) + 0.01f, a + b - 0.001f);
+	Vec3 wanted = upper + lower + p_leg.offset;
+	const float longest = a + b - 0.001f;
+	if (wanted.length() > longest) {
+		// A leg that is too short lifts the foot rather than drag it.
+		const float left = longest * longest - wanted.x * wanted.x - wanted.z * wanted.z;
+		wanted.y = std::copysign(std::sqrt(std::max(left, 0.0f)), wanted.y);
+	}
+	const float reach = std::clamp(wanted.length(), std::fabs(a - b) + 0.01f, longest);
 	// The knee opens or closes about its own axis, then the whole leg swings to the place.
 	const Vec3 axis = upper.cross(lower);
 	const float more = angle_opposite(a, b, reach) - angle_opposite(a, b, (upper + lower).length());

@@ -16,20 +16,21 @@ public:
 	static constexpr float FURTHEST = 0.08f;
 	/// How fast a foot that lifts off comes back to where the motion has it, s.
 	static constexpr float LET_GO_S = 0.06f;
+	/// How slowly a standing foot turns where the pose is noisy, s.
+	static constexpr float CALM_S = 0.12f;
 
 	FootLock() = default;
 	/// Legs are the limbs with soles, what they hang on, and what that hangs on.
 	FootLock(const Rig &p_rig, const std::vector<ContactPoint> &p_contacts);
 
 	/// Moves the feet of a pose to where they stand. A foot that has let go comes back slowly.
-	/// @param p_points the pose's contact points from the root's joint, m
-	/// @param r_joints its joints, m; they are brought up to date
-	void apply(const Rig &p_rig, const Travel &p_travel, const std::vector<Vec3> &p_points, Pose &r_pose,
-			std::vector<Vec3> &r_joints);
+	/// @param r_joints the pose's joints, m; they are brought up to date
+	void apply(const Rig &p_rig, const Travel &p_travel, Pose &r_pose, std::vector<Vec3> &r_joints);
 	/// Begins a step: lets go of feet that lifted off, and takes hold of those that came down where they
 	/// are shown.
-	/// @param p_points the contact points from the root's joint now, m
-	void advance(const Travel &p_travel, const std::vector<Vec3> &p_points, float p_delta_s);
+	/// @param p_pose the pose now
+	/// @param p_points its contact points from the root's joint, m
+	void advance(const Travel &p_travel, const Pose &p_pose, const std::vector<Vec3> &p_points, float p_delta_s);
 	/// The world has moved the body, m.
 	void shift(const Vec3 &p_offset);
 	void clear();
@@ -43,6 +44,8 @@ private:
 		int shin = 0;
 		int thigh = 0;
 		Vec3 offset; // m
+		Quat turn; // Of the foot, calmed.
+		bool stands = false;
 	};
 
 	void bend(const Rig &p_rig, const Leg &p_leg, Pose &r_pose, std::vector<Vec3> &r_joints) const;

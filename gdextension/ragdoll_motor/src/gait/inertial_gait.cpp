@@ -188,7 +188,8 @@ void InertialGait::hold(const GaitInput &p_input) {
 	float sum = 0.0f;
 	for (std::size_t i = 0; i < contacts.size(); i++) {
 		const Vec3 place = centre + smooth[i];
-		if (weights[i] < settings.hold_from * surest || surest < SURE) {
+		const float from = locks[i] != 0 ? settings.release_below : settings.hold_from;
+		if (weights[i] < from * surest || surest < SURE) {
 			locks[i] = 0;
 			continue;
 		}

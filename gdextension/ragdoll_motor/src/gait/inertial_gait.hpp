@@ -30,6 +30,7 @@ public:
 		float settle_s = 0.2f; ///< For so long after a landing it is, s.
 		float hold_s = 0.01f; ///< How fast a standing point is drawn back to its anchor, s.
 		float hold_from = 0.5f; ///< Share of the surest point's weight from which a point is anchored.
+		float release_below = 0.1f; ///< And below which it is let go.
 	};
 
 	explicit InertialGait(std::vector<ContactPoint> p_points);
@@ -38,6 +39,7 @@ public:
 
 	void shift(const Vec3 &p_offset) override;
 	bool is_anchored(std::size_t p_point) const override { return locks[p_point] != 0; }
+	float get_unrest() const override { return noise > settings.clean ? 1.0f - settings.clean / noise : 0.0f; }
 	/// White noise of the contact points as it was found, m.
 	float get_noise() const { return noise; }
 	void save(ArchiveWriter &p_archive) const override;
