@@ -42,8 +42,9 @@ Vec3 integrate(const Limb &p_limb) {
 	double sum[3] = {};
 	int count = 0;
 	for (int i = 0; i < GRID * GRID * GRID; i++) { // By symmetry one eighth is enough.
-		const Vec3 point{ half.x * (float(i % GRID) + 0.5f) / GRID, half.y * (float(i / GRID % GRID) + 0.5f) / GRID,
-			half.z * (float(i / GRID / GRID) + 0.5f) / GRID };
+		const int steps[3] = { i % GRID, i / GRID % GRID, i / GRID / GRID };
+		const Vec3 point{ half.x * (float(steps[0]) + 0.5f) / GRID, half.y * (float(steps[1]) + 0.5f) / GRID,
+			half.z * (float(steps[2]) + 0.5f) / GRID };
 		const Vec3 from_core{ point.x, std::fmax(point.y - half_length, 0.0f), point.z };
 		if (!is_box && from_core.length() > p_limb.radius) {
 			continue;
