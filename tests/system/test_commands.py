@@ -89,6 +89,21 @@ def test_bench_lists_and_runs() -> None:
     assert run("bench", "tracking", "--mode", "magic").returncode == 2
 
 
+def test_bench_contacts_plays_its_scenes() -> None:
+    command = ["bench", "contacts", "--json", "--bvh", "01_01.bvh", "--body", "file"]
+    done = run(*command, "--scene", "wall", "--scene", "fist", "--hz", "60", "--gain", "45")
+    assert done.returncode == 0, done.stderr
+    rows = [json.loads(line) for line in done.stdout.splitlines()]
+    values = {(row["case"].split(",")[0], row["metric"]): row["value"] for row in rows}
+    assert all(row["bench"] == "contacts" for row in rows)
+    for case in ("wall punch", "wall walk", "wall clip left", "wall clip right"):
+        assert 0.0 < values[case, "arm in wall"] < 20.0
+    assert 3.0 < values["fist on 10 kg", "fist"] < 5.0
+    assert values["fist on 10 kg", "crate"] > values["fist on 40 kg", "crate"] > 0.1
+    assert run("bench", "contacts", "--scene", "nonsense").returncode == 2
+    assert run("bench", "contacts", "--set", "nonsense=1").returncode == 2
+
+
 def test_the_main_job_without_a_display() -> None:
     port = free_port()
     for product in ("observer.png", "observer.avi"):

@@ -1,0 +1,50 @@
+class_name ContactScene
+extends RefCounted
+## A scripted physical scene: makes worlds, plays in them and reports figures.
+
+## The tree that worlds are added to.
+var tree: SceneTree = null
+## Where figures go.
+var report: BenchReport = null
+## Ticks a second.
+var hz: int = 60
+## Who moves the hips.
+var root: Ragdoll.RootMode = Ragdoll.RootMode.SOFT
+
+
+## Plays it with somebody.
+func play(_performer: ContactPerformer) -> void:
+	pass
+
+
+## A fresh world in the tree.
+func make_world() -> ContactWorld:
+	var world: ContactWorld = ContactWorld.new(hz)
+	tree.root.add_child(world)
+	return world
+
+
+## Frees a world and waits until it is gone.
+func end_world(p_world: ContactWorld) -> void:
+	for person: ContactPerson in p_world.people:
+		# Motions refer to the scene, which refers to the person.
+		person.pose = Callable()
+		person.place = Callable()
+	p_world.queue_free()
+	await tree.process_frame
+
+
+## The name of a case in the report.
+func name_case(p_scene: String, p_performer: ContactPerformer) -> String:
+	var mode: String = "held" if root == Ragdoll.RootMode.HELD else "soft"
+	return "%s, %s, %s, %d Hz" % [p_scene, p_performer.name, mode, hz]
+
+
+## Reports the energy of a world, and where it tells of more than the figures of the scene: the
+## highest speed and the widest gap of a joint.
+func add_bounds(p_case: String, p_world: ContactWorld, p_all: bool) -> void:
+	if p_all:
+		report.add(p_case, "highest speed", p_world.highest_speed, "m/s")
+		report.add(p_case, "joint gap", p_world.widest_gap * 1000.0, "mm")
+	report.add(p_case, "energy", p_world.highest_energy, "J")
+	report.add(p_case, "energy of the motion", p_world.motion_energy, "J")
