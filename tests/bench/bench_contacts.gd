@@ -3,7 +3,7 @@ extends SceneTree
 ##
 ## Options: --scene=NAME (again for more; default all), --hz=60 (again for more; default 60, walls
 ## at 120 too), --bvh=FILE (again for more; default the three clips in assets/motion),
-## --body=soldier|file (default both), --root=held|soft, --gain=45 (1/s), --mode=velocity_motor,
+## --body=soldier|file (default both), --root=held|soft, --gain=50 (1/s), --mode=velocity_motor,
 ## --set=PROPERTY=NUMBER (of Ragdoll), --jolt=SETTING=NUMBER (below physics/jolt_physics_3d/).
 
 const _SCENES: Dictionary[String, GDScript] = {
@@ -35,7 +35,7 @@ func _initialize() -> void:
 			"bvh": "",
 			"body": "",
 			"root": "",
-			"gain": 45.0,
+			"gain": 50.0,
 			"mode": "velocity_motor",
 			"set": "",
 			"jolt": ""
@@ -82,7 +82,7 @@ func _play(p_name: String, p_report: BenchReport) -> void:
 				scene.report = p_report
 				scene.hz = rate.to_int()
 				scene.root = (
-					Ragdoll.RootMode.HELD if root_name == "held" else Ragdoll.RootMode.SOFT
+					RagdollMotor.ROOT_HELD if root_name == "held" else RagdollMotor.ROOT_SOFT
 				)
 				await scene.play(performer)
 

@@ -25,7 +25,7 @@ func _init(
 
 ## A person in a world who is not started yet. More properties may be given.
 func enter(
-	p_world: ContactWorld, p_root: Ragdoll.RootMode, p_more: Dictionary[StringName, float] = {}
+	p_world: ContactWorld, p_root: RagdollMotor.RootMode, p_more: Dictionary[StringName, float] = {}
 ) -> ContactPerson:
 	var ragdoll: Ragdoll = _make()
 	ragdoll.root_mode = p_root
@@ -40,7 +40,7 @@ func enter(
 func get_build() -> String:
 	var builder: Ragdoll = _make()
 	var build: String = ""
-	for limb: LimbShape in builder.description.limbs:
+	for limb: RagdollLimb in builder.profile.limbs:
 		build += "%.3v " % limb.anchor
 	builder.free()
 	return build
@@ -63,6 +63,6 @@ func _make() -> Ragdoll:
 	var ragdoll: Ragdoll = Ragdoll.new()
 	var skeleton: Skeleton3D = BvhSkeleton.make(source.rig)
 	ragdoll.add_child(skeleton)
-	ragdoll.description = SkeletonShapes.describe(skeleton)
-	RagdollBuilder.build(skeleton, ragdoll.description)
+	ragdoll.profile = SkeletonShapes.describe(skeleton)
+	RagdollBuilder.build(skeleton, ragdoll.profile)
 	return ragdoll

@@ -2,7 +2,7 @@ class_name ContactPerson
 extends RefCounted
 ## A ragdoll with its motion: where its bodies are, where they are to be, and what that tells.
 ##
-## Bodies are counted as in the ragdoll's description. All places are in the world, m.
+## Bodies are counted as in the ragdoll's profile. All places are in the world, m.
 
 ## Who is driven.
 var ragdoll: Ragdoll = null
@@ -26,22 +26,21 @@ var _inertias: PackedVector3Array = PackedVector3Array()
 ## Looks at a ragdoll that is in the tree; it need not be started.
 func _init(p_ragdoll: Ragdoll) -> void:
 	ragdoll = p_ragdoll
-	var limbs: Array[LimbShape] = ragdoll.description.limbs
+	var limbs: Array[RagdollLimb] = ragdoll.profile.limbs
 	count = limbs.size()
 	for i: int in count:
-		var limb: LimbShape = limbs[i]
-		var bone: PhysicalBone3D = _find_bone(limb.bone)
-		var rest: Transform3D = _rest(limb.bone)
-		var parent: int = limbs.find(ragdoll.description.find(limb.parent_bone))
+		var limb: RagdollLimb = limbs[i]
+		var parent: int = ragdoll.profile.get_parent_index(i)
+		var above: RagdollLimb = limbs[maxi(parent, 0)]
+		var mass: float = ragdoll.profile.mass * limb.mass_fraction
 		_limbs.append(Limbs.find(limb.bone))
 		_parents.append(parent)
-		_anchors.append((_rest(limbs[maxi(parent, 0)].bone).affine_inverse() * rest).origin)
-		_offsets.append(bone.body_offset.origin)
-		_turns.append((bone.get_child(0) as Node3D).transform.basis.get_rotation_quaternion())
-		_masses.append(bone.mass)
-		_inertias.append(RagdollBuilder.body_inertia(limb, rest.basis, bone.mass))
-		var turn: Quaternion = Limbs.rest_to_reset(_limbs[i], _direction(_limbs[i]))
-		_reset.append(turn * rest.basis.get_rotation_quaternion())
+		_anchors.append(above.rest_orientation.inverse() * (limb.anchor - above.anchor))
+		_offsets.append(limb.rest_orientation.inverse() * (limb.position - limb.anchor))
+		_turns.append(limb.rest_orientation.inverse() * limb.orientation)
+		_masses.append(mass)
+		_inertias.append(limb.get_body_inertia(mass))
+		_reset.append(limb.reset_orientation)
 
 
 ## The place of a limb by its humanoid name.
@@ -65,8 +64,8 @@ func parent_of(p_limb: int) -> int:
 
 
 ## Shape of a limb.
-func shape_of(p_limb: int) -> LimbShape:
-	return ragdoll.description.limbs[p_limb]
+func shape_of(p_limb: int) -> RagdollLimb:
+	return ragdoll.profile.limbs[p_limb]
 
 
 ## Distance from a limb's joint to that of the limb that hangs on it, m.
@@ -117,10 +116,10 @@ func joint(p_limb: int, p_bodies: Array[Transform3D]) -> Vector3:
 
 ## How far a limb reaches in a direction, m: the largest dot product of its surface with it.
 func reach(p_limb: int, p_body: Transform3D, p_direction: Vector3) -> float:
-	var limb: LimbShape = shape_of(p_limb)
+	var limb: RagdollLimb = shape_of(p_limb)
 	var local: Vector3 = (p_body.basis * Basis(_turns[p_limb])).inverse() * p_direction
 	var middle: float = p_body.origin.dot(p_direction)
-	if limb.type == LimbShape.Type.BOX:
+	if limb.type == RagdollLimb.BOX:
 		return middle + local.abs().dot(limb.size) / 2.0
 	return middle + absf(local.y) * limb.length / 2.0 + limb.radius
 
@@ -223,22 +222,3 @@ func _energy(p_linear: PackedVector3Array, p_angular: PackedVector3Array) -> flo
 
 func _velocity(p_body: RID) -> Vector3:
 	return PhysicsServer3D.body_get_state(p_body, PhysicsServer3D.BODY_STATE_LINEAR_VELOCITY)
-
-
-func _find_bone(p_bone: StringName) -> PhysicalBone3D:
-	for child: Node in ragdoll.get_simulator().get_children():
-		if child is PhysicalBone3D and (child as PhysicalBone3D).bone_name == p_bone:
-			return child
-	return null
-
-
-func _rest(p_bone: StringName) -> Transform3D:
-	var skeleton: Skeleton3D = ragdoll.get_skeleton()
-	return skeleton.get_bone_global_rest(skeleton.find_bone(p_bone)).orthonormalized()
-
-
-func _direction(p_limb: int) -> Vector3:
-	for tail: StringName in Limbs.TAILS[p_limb]:
-		if ragdoll.get_skeleton().find_bone(tail) >= 0:
-			return _rest(tail).origin - _rest(Limbs.BONES[p_limb]).origin
-	return Vector3.ZERO

@@ -9,7 +9,7 @@ var report: BenchReport = null
 ## Ticks a second.
 var hz: int = 60
 ## Who moves the hips.
-var root: Ragdoll.RootMode = Ragdoll.RootMode.SOFT
+var root: RagdollMotor.RootMode = RagdollMotor.ROOT_SOFT
 
 
 ## Plays it with somebody.
@@ -36,7 +36,7 @@ func end_world(p_world: ContactWorld) -> void:
 
 ## The name of a case in the report.
 func name_case(p_scene: String, p_performer: ContactPerformer) -> String:
-	var mode: String = "held" if root == Ragdoll.RootMode.HELD else "soft"
+	var mode: String = "held" if root == RagdollMotor.ROOT_HELD else "soft"
 	return "%s, %s, %s, %d Hz" % [p_scene, p_performer.name, mode, hz]
 
 
