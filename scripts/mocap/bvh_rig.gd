@@ -4,9 +4,10 @@ extends RefCounted
 ##
 ## The rest pose of a file (all rotations zero) may be a T-pose or not. Where it is not, the limbs
 ## that the reset pose prescribes are turned into it; what is left is the calibration of thesis
-## section 6.1, exact because a file needs nobody to stand still. Frames: Godot's, metres; the
-## person
-## faces +Z in the reset pose, so files that face elsewhere are turned about the vertical.
+## section 6.1, exact because a file needs nobody to stand still. A rest pose that does not even
+## stand (some files stretch all bones along one axis) is replaced by the frame of the motion in
+## which the person stands best. Frames: Godot's, metres; the person faces +Z in the reset pose, so
+## files that face elsewhere are turned about the vertical.
 
 ## Why the clip shows no person, or an empty text.
 var error: String = ""
@@ -20,6 +21,8 @@ var hip_height: float = 0.95
 var _heading: Quaternion = Quaternion.IDENTITY
 var _calibration: Array[Quaternion] = []
 var _rest: PackedVector3Array = PackedVector3Array()
+# Rotations of the joints in that pose; empty where it is the file's, in which they have none.
+var _rest_turns: Array[Quaternion] = []
 
 
 ## The rig of a clip.
@@ -69,6 +72,8 @@ func rest_floor() -> float:
 
 func _measure() -> void:
 	_rest = clip.rest_positions()
+	if not _stands(_rest):
+		_stand_up()
 	var left: Vector3 = _rest[map.bases[Limbs.find(&"LeftUpperLeg")]]
 	var across: Vector3 = left - _rest[map.bases[Limbs.find(&"RightUpperLeg")]]
 	across.y = 0.0
@@ -78,7 +83,50 @@ func _measure() -> void:
 	_calibration.clear()
 	for limb: int in Limbs.COUNT:
 		var turn: Quaternion = Limbs.rest_to_reset(limb, rest_tail(limb) - rest_base(limb))
-		_calibration.append((turn * _heading).inverse())
+		var rest: Quaternion = Quaternion.IDENTITY
+		if not _rest_turns.is_empty():
+			rest = _rest_turns[map.joints[limb]]
+		_calibration.append((turn * _heading * rest).inverse())
+
+
+## Whether somebody stands in a pose: the trunk up, the legs down.
+func _stands(p_places: PackedVector3Array) -> bool:
+	return _uprightness(p_places) > 0.6
+
+
+## The least of how far trunk and legs point up and down, -1 to 1.
+func _uprightness(p_places: PackedVector3Array) -> float:
+	var worst: float = 1.0
+	for limb: int in [1, 2, 10, 11, 13, 14]:
+		if map.tails[limb] >= 0:
+			var along: Vector3 = p_places[map.tails[limb]] - p_places[map.bases[limb]]
+			var up: float = along.normalized().y
+			worst = minf(worst, up if limb < 10 else -up)
+	return worst
+
+
+## Takes the frame in which the person stands best for the rest pose, turned to face +Z.
+func _stand_up() -> void:
+	var best: float = -INF
+	var pose: BvhPose = null
+	for frame: int in range(0, clip.frame_count, maxi(clip.frame_count / 300, 1)):
+		var other: BvhPose = clip.sample_global(frame)
+		var feet: float = (
+			other.positions[map.bases[12]].y - other.positions[map.bases[15]].y
+		)
+		var score: float = _uprightness(other.positions) - 2.0 * absf(feet)
+		if score > best:
+			best = score
+			pose = other
+	if best < 0.5:
+		return  # Nobody ever stands: the file's rest pose is as good as any.
+	var across: Vector3 = pose.positions[map.bases[10]] - pose.positions[map.bases[13]]
+	var turn: Quaternion = Quaternion(Vector3.UP, -atan2(-across.z, across.x))
+	var origin: Vector3 = pose.positions[map.joints[0]]
+	_rest_turns.clear()
+	for joint: int in pose.positions.size():
+		_rest[joint] = turn * (pose.positions[joint] - origin)
+		_rest_turns.append(turn * pose.orientations[joint])
 
 
 func _orientation(p_joint: int, p_time_s: float) -> Quaternion:
