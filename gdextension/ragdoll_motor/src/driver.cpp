@@ -244,7 +244,8 @@ bool Driver::restore(ArchiveReader &p_archive) {
 			return false;
 		}
 	}
-	return foot_lock.restore(p_archive) && stream.restore(p_archive) && table.restore(p_archive) && controller.restore(p_archive);
+	return foot_lock.restore(p_archive) && stream.restore(p_archive) && table.restore(p_archive) &&
+			controller.restore(p_archive);
 }
 
 } // namespace ragdoll

@@ -8,7 +8,8 @@ using namespace ragdoll;
 namespace {
 
 void wait(ActuationTable &r_table, float p_seconds) {
-	for (float time = 0.0f; time < p_seconds; time += 0.01f) {
+	const int steps = int(p_seconds * 100.0f + 0.5f);
+	for (int step = 0; step < steps; step++) {
 		r_table.advance(0.01f);
 	}
 }

@@ -33,7 +33,8 @@ Vec3 limited(const Vec3 &p_vector, float p_most) {
 FootLock::FootLock(const Rig &p_rig, const std::vector<ContactPoint> &p_contacts) :
 		contacts(p_contacts), anchors(p_contacts.size()), held(p_contacts.size(), 0) {
 	for (const ContactPoint &contact : p_contacts) {
-		const bool known = std::any_of(legs.begin(), legs.end(), [&](const Leg &p_leg) { return p_leg.foot == contact.limb; });
+		const bool known =
+				std::any_of(legs.begin(), legs.end(), [&](const Leg &p_leg) { return p_leg.foot == contact.limb; });
 		const int shin = p_rig[std::size_t(contact.limb)].parent;
 		const int thigh = shin >= 0 ? p_rig[std::size_t(shin)].parent : -1;
 		if (contact.sole && !known && thigh >= 0 && p_rig[std::size_t(thigh)].parent >= 0) {
@@ -53,8 +54,7 @@ void FootLock::clear() {
 	std::fill(held.begin(), held.end(), std::uint8_t(0));
 }
 
-void FootLock::advance(
-		const Travel &p_travel, const Pose &p_pose, const std::vector<Vec3> &p_points, float p_delta_s) {
+void FootLock::advance(const Travel &p_travel, const Pose &p_pose, const std::vector<Vec3> &p_points, float p_delta_s) {
 	const float calm_s = CALM_S * p_travel.get_unrest();
 	const float turned = calm_s > 0.0f ? 1.0f - std::exp(-p_delta_s / calm_s) : 1.0f;
 	for (Leg &leg : legs) {

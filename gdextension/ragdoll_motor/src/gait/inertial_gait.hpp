@@ -24,7 +24,7 @@ public:
 		float air = 12.0f; ///< What it costs to stand on nothing.
 		float follow_s = 0.047f; ///< How fast the horizontal velocity follows the points', s.
 		float follow_up_s = 0.024f; ///< The same of the vertical one, s.
-		float takeoff = 0.7f; ///< Upward speed from which a jump is possible, m/s.
+		float takeoff = 0.8f; ///< Upward speed from which a jump is possible, m/s.
 		float takeoff_gap = 0.005f; ///< And height above the ground that the ballistic path has, m.
 		float step_up = 0.06f; ///< Ground that would lift the body by more above its path is not stood on, m.
 		float settle_s = 0.2f; ///< For so long after a landing it is, s.
