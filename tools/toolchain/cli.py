@@ -8,7 +8,7 @@ import subprocess
 from collections.abc import Callable
 from pathlib import Path
 
-from . import demo
+from . import demo, jolt
 from .console import Failure, say
 from .display import real_display
 from .godot import Godot
@@ -173,4 +173,7 @@ def _bench(arguments: list[str]) -> int:
     relative = known[name][0].relative_to(ROOT)
     rate = next((o.split("=")[1] for o in normalise(options) if o.startswith("--hz=")), "60")
     flags = ["--fixed-fps", rate] if rate.isdigit() and rate != "0" else []
-    return _script(godot, flags, f"res://{relative}", normalise(options))
+    options = normalise(options)
+    if name == "raw_jolt" and not any(o.startswith(("--program=", "--absent=")) for o in options):
+        options += jolt.options(godot)
+    return _script(godot, flags, f"res://{relative}", options)

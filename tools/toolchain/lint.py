@@ -25,7 +25,7 @@ def tracked(*patterns: str) -> list[str]:
 def gates(tools: Path) -> Iterator[tuple[str, list[str]]]:
     """Each gate's name and command."""
     gd = [name for name in tracked("*.gd") if "/fixtures/" not in name]
-    cpp = tracked("gdextension/*.cpp", "gdextension/*.hpp", "gdextension/*.h")
+    cpp = tracked("gdextension/*.cpp", "gdextension/*.hpp", "gdextension/*.h", "tests/bench/*.?pp")
     shell = ["run", "test", ".ci/run", *tracked("*.sh", "tools/assets/build_avatar")]
     yield "gdformat", [str(tools / "gdformat"), "--check", *gd]
     yield "gdlint", [str(tools / "gdlint"), *gd]

@@ -8,39 +8,20 @@ programs through the loader instead breaks OS.get_executable_path() and every ex
 
 from __future__ import annotations
 
-import os
-import re
 import shutil
 import subprocess
 from pathlib import Path
 
+from .apt import KEYRING, SUITE, AptError, apt_command, apt_run, mirrors
 from .console import Failure, step, tail
 from .paths import cache, lock, make_folder, need_space
 
-SUITE = os.environ.get("DISMOUNT_DEBIAN_SUITE", "forky")
-KEYRING = Path("/usr/share/keyrings/debian-archive-keyring.gpg")
 LAYOUT = 4  # Raised when the way the folder is made changes: older folders are then made anew.
 GODOT_PACKAGES = ["godot", "godot-template-release", "godot-template-debug", "patchelf"]
 DISPLAY_PACKAGES = ["xvfb", "x11-xkb-utils", "xkb-data", "libgl1-mesa-dri", "libglx-mesa0"]
 DISPLAY_PACKAGES += ["libegl1", "libegl-mesa0"]
 PROGRAMS = ["godot", "godot-template-release", "godot-template-debug", "Xvfb", "xkbcomp"]
 LIBRARIES = Path("usr/lib/x86_64-linux-gnu")
-
-
-def mirrors() -> list[str]:
-    """Addresses to try, from the environment or the machine's own apt configuration."""
-    own = os.environ.get("DISMOUNT_DEBIAN_MIRROR")
-    if own:
-        return [own]
-    result = subprocess.run(
-        ["apt-get", "indextargets", "--format", "$(SITE)"],
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    found = [line.strip().rstrip("/") for line in result.stdout.splitlines() if line.strip()]
-    found = [re.sub(r"/ubuntu$", "/debian", site) for site in found if "security" not in site]
-    return list(dict.fromkeys(found))
 
 
 def require_debian() -> None:
@@ -57,10 +38,6 @@ def require_debian() -> None:
             "install it with 'sudo apt-get install debian-archive-keyring', or put Godot 4.6 in "
             "$GODOT."
         )
-
-
-class _AptError(Exception):
-    """What apt-get said when it failed."""
 
 
 class Prefix:
@@ -92,37 +69,6 @@ class Prefix:
             self._unpack(archives, work)
             work.rename(self.folder)
 
-    def _apt(self, work: Path) -> list[str]:
-        state = work / "apt"
-        for name in ("lists/partial", "etc"):
-            make_folder(state / name)
-        (state / "status").touch()
-        packages = make_folder(cache() / "packages" / "archives" / "partial").parents[1]
-        return [
-            "apt-get",
-            "-qq",
-            "-o",
-            "Dir::Etc::sourcelist=/dev/null",
-            "-o",
-            f"Dir::Etc::sourceparts={state}/etc",
-            "-o",
-            "Dir::Etc::trustedparts=/dev/null",
-            "-o",
-            f"Dir::State::lists={state}/lists",
-            "-o",
-            f"Dir::State::status={state}/status",
-            "-o",
-            f"Dir::Cache={packages}",
-            "-o",
-            "APT::Sandbox::User=",
-            "-o",
-            "Debug::NoLocking=1",
-            "-o",
-            "Acquire::Languages=none",
-            "-o",
-            "Acquire::Retries=2",
-        ]
-
     def _download(self, work: Path) -> list[Path]:
         sites = mirrors()
         if not sites:
@@ -133,33 +79,20 @@ class Prefix:
         packages = GODOT_PACKAGES + DISPLAY_PACKAGES
         failure = ""
         for site in sites:
-            apt = self._apt(work)
-            source = work / "apt" / "etc" / "suite.sources"
-            source.write_text(
-                f"Types: deb\nURIs: {site}\nSuites: {SUITE}\nComponents: main\n"
-                f"Signed-By: {KEYRING}\n",
-                encoding="utf-8",
-            )
+            apt = apt_command(work, site, "deb")
             try:
                 with step(f"download Godot from Debian {SUITE} (about 180 MB)"):
-                    self._apt_run([*apt, "update"])
+                    apt_run([*apt, "update"])
                     download = [*apt, "-y", "--no-install-recommends", "--download-only"]
-                    self._apt_run([*download, "install", *packages])
+                    apt_run([*download, "install", *packages])
                 return self._chosen(apt, packages)
-            except _AptError as error:
+            except AptError as error:
                 failure = str(error)
         raise Failure(
             f"Debian {SUITE}'s packages can't be had from {', '.join(sites)}: check the network, "
             "set DISMOUNT_DEBIAN_MIRROR to another Debian mirror, or put a Godot 4.6 in $GODOT.\n"
             + tail(failure, 4)
         )
-
-    @staticmethod
-    def _apt_run(command: list[str]) -> None:
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
-        # A failed update of one source is only a warning to apt, hence the look at its words.
-        if done.returncode != 0 or "Failed to fetch" in done.stderr:
-            raise _AptError(done.stderr or done.stdout or "apt-get failed")
 
     @staticmethod
     def _chosen(apt: list[str], packages: list[str]) -> list[Path]:

@@ -54,6 +54,7 @@ void RagdollMotor::bind_control() {
 	ClassDB::bind_method(D_METHOD("setup", "profile", "bodies", "centres", "space"), &RagdollMotor::setup);
 	ClassDB::bind_method(D_METHOD("release"), &RagdollMotor::release);
 	ClassDB::bind_method(D_METHOD("is_set_up"), &RagdollMotor::is_set_up);
+	ClassDB::bind_method(D_METHOD("get_joints"), &RagdollMotor::get_joints);
 	ClassDB::bind_method(D_METHOD("push_sample", "time_s", "rotations", "root", "rates"), &RagdollMotor::push_sample,
 			DEFVAL(PackedFloat32Array()));
 	ClassDB::bind_method(D_METHOD("clear_motion"), &RagdollMotor::clear_motion);

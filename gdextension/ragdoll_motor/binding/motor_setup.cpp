@@ -32,6 +32,14 @@ bool RagdollMotor::setup(const Ref<RagdollProfile> &p_profile, const TypedArray<
 	return true;
 }
 
+TypedArray<RID> RagdollMotor::get_joints() const {
+	TypedArray<RID> result;
+	for (std::size_t i = 0; driver && i < driver->get_rig().size(); i++) {
+		result.append(bodies->get_joint(i));
+	}
+	return result;
+}
+
 void RagdollMotor::add_contacts(const Ref<RagdollLimb> &p_limb, int p_index) {
 	const PackedVector3Array points = p_limb->get_contact_points();
 	const ragdoll::Quat turn = to_core(p_limb->get_rest_orientation()).inverse();

@@ -52,6 +52,8 @@ public:
 	}
 	void draw_root(ragdoll::RootMode p_mode, const ragdoll::RootCommand &p_command, const ragdoll::Vec3 &p_turn,
 			const ragdoll::Vec3 &p_trunk_turn);
+	/// The joint that holds a limb.
+	const RID &get_joint(std::size_t p_limb) const { return joints[p_limb]; }
 	/// The limb that SELF_RIGHTING keeps upright besides the root.
 	void set_righted_limb(int p_limb) { righted_limb = p_limb; }
 	int get_righted_limb() const { return righted_limb; }

@@ -59,6 +59,7 @@ public:
 			const PackedVector3Array &p_centres, const RID &p_space);
 	void release();
 	bool is_set_up() const { return driver != nullptr; }
+	TypedArray<RID> get_joints() const;
 
 	// Motion.
 	bool push_sample(double p_time_s, const PackedFloat32Array &p_rotations, const Vector3 &p_root,

@@ -1,0 +1,44 @@
+class_name BenchCrowd
+extends RefCounted
+## Many people who are driven at once, everybody at another moment of a clip, three metres apart.
+
+## Who is driven.
+var ragdolls: Array[Ragdoll] = []
+
+## Whether they stay in their places, so that nobody touches another.
+var in_place: bool = false
+
+var _source: BvhSource = null
+
+
+## Adds and starts soldiers below a node.
+func _init(p_people: int, p_source: BvhSource, p_parent: Node) -> void:
+	_source = p_source
+	var scene: PackedScene = load("res://scenes/actor/soldier.tscn")
+	for i: int in p_people:
+		var ragdoll: Ragdoll = scene.instantiate()
+		p_parent.add_child(ragdoll)
+		ragdoll.start()
+		ragdolls.append(ragdoll)
+
+
+## Hands out the samples of a tick. Making the motion is the trainees' work, not the server's.
+func push(p_time_s: float) -> void:
+	for i: int in ragdolls.size():
+		var sample: PoseSample = _source.pose_at(p_time_s + i * 0.7)
+		var place: Vector3 = Vector3(i % 16, 0.0, i / 16) * 3.0
+		var root: Vector3 = Vector3(0.0, sample.root.y, 0.0) if in_place else sample.root
+		ragdolls[i].push_sample(p_time_s, sample, root + place)
+
+
+## Sets all motors for the next step.
+func drive(p_time_s: float, p_delta_s: float) -> void:
+	for ragdoll: Ragdoll in ragdolls:
+		ragdoll.drive(p_time_s, p_delta_s)
+
+
+## Ends it.
+func leave() -> void:
+	for ragdoll: Ragdoll in ragdolls:
+		ragdoll.queue_free()
+	ragdolls.clear()

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: MIT
+"""apt-get with a state of its own: packages of another suite than the host's, without root."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+from pathlib import Path
+
+from .paths import cache, make_folder
+
+SUITE = os.environ.get("DISMOUNT_DEBIAN_SUITE", "forky")
+KEYRING = Path("/usr/share/keyrings/debian-archive-keyring.gpg")
+
+
+class AptError(Exception):
+    """What apt-get said when it failed."""
+
+
+def mirrors() -> list[str]:
+    """Addresses to try, from the environment or the machine's own apt configuration."""
+    own = os.environ.get("DISMOUNT_DEBIAN_MIRROR")
+    if own:
+        return [own]
+    result = subprocess.run(
+        ["apt-get", "indextargets", "--format", "$(SITE)"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    found = [line.strip().rstrip("/") for line in result.stdout.splitlines() if line.strip()]
+    found = [re.sub(r"/ubuntu$", "/debian", site) for site in found if "security" not in site]
+    return list(dict.fromkeys(found))
+
+
+def apt_command(work: Path, site: str, kind: str) -> list[str]:
+    """apt-get for one mirror's packages ("deb") or sources ("deb-src"), its state in work/apt."""
+    state = work / "apt"
+    for name in ("lists/partial", "etc"):
+        make_folder(state / name)
+    (state / "status").touch()
+    (state / "etc" / "suite.sources").write_text(
+        f"Types: {kind}\nURIs: {site}\nSuites: {SUITE}\nComponents: main\nSigned-By: {KEYRING}\n",
+        encoding="utf-8",
+    )
+    packages = make_folder(cache() / "packages" / "archives" / "partial").parents[1]
+    options = [
+        "Dir::Etc::sourcelist=/dev/null",
+        f"Dir::Etc::sourceparts={state}/etc",
+        "Dir::Etc::trustedparts=/dev/null",
+        f"Dir::State::lists={state}/lists",
+        f"Dir::State::status={state}/status",
+        f"Dir::Cache={packages}",
+        "APT::Sandbox::User=",
+        "Debug::NoLocking=1",
+        "Acquire::Languages=none",
+        "Acquire::Retries=2",
+    ]
+    return ["apt-get", "-qq", *(part for option in options for part in ("-o", option))]
+
+
+def apt_run(command: list[str], cwd: Path | None = None) -> None:
+    """Runs apt-get; an AptError tells what went wrong."""
+    done = subprocess.run(command, cwd=cwd, capture_output=True, text=True, check=False)
+    # A failed update of one source is only a warning to apt, hence the look at its words.
+    if done.returncode != 0 or "Failed to fetch" in done.stderr:
+        raise AptError(done.stderr or done.stdout or "apt-get failed")
