@@ -33,8 +33,8 @@ static func fill(
 			_fill_box(limb)
 
 
-## Toes bend, bodies do not: a foot's ends a little beyond the ball, so that it can roll over it. The
-## toes of the visible foot disappear a small amount into the ground then (thesis section 8.4.1).
+## Toes bend, bodies do not: a foot's ends a little beyond the ball, so that it can roll over it.
+## The toes of the visible foot disappear a small amount into the ground then (thesis section 8.4.1).
 static func _end_behind_toes(p_limb: RagdollLimb, p_toes: Vector3) -> void:
 	var frame: Transform3D = Transform3D(Basis(p_limb.orientation), p_limb.position)
 	var tip: float = (frame.affine_inverse() * p_toes).z + _BEYOND_BALL * p_limb.size.z

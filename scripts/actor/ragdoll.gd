@@ -7,9 +7,6 @@ extends Node3D
 ## [method start] on the server. The bodies come from the [PhysicalBone3D]s of the scene, which a
 ## designer may edit; [RagdollBuilder] makes them. Frames: Godot's, metres, N, N·m, seconds.
 
-## A pause of the motion after which the body is put where it is to be, s.
-const SNAP_AFTER_S: float = 1.0
-
 ## What the body is made of.
 @export var profile: RagdollProfile:
 	set(value):
@@ -40,7 +37,6 @@ const SNAP_AFTER_S: float = 1.0
 var motor: RagdollMotor = null
 
 var _bodies: Array[RID] = []
-var _alive_s: float = -INF
 
 
 func _get_configuration_warnings() -> PackedStringArray:
@@ -138,13 +134,9 @@ func push_sample(p_time_s: float, p_sample: PoseSample, p_root: Vector3) -> bool
 	return motor.push_sample(p_time_s, p_sample.orientations, p_root)
 
 
-## Sets the motors for the next step, from a [method Node._physics_process]. After a pause longer
-## than [constant SNAP_AFTER_S] the body is put into the new pose instead of being flung there.
+## Sets the motors for the next step, from a [method Node._physics_process]. Many people are driven
+## by one call of [method RagdollMotor.drive_all].
 func drive(p_time_s: float, p_delta_s: float) -> void:
-	if not motor.is_stalled(p_time_s):
-		if p_time_s - _alive_s > SNAP_AFTER_S:
-			motor.snap_to(p_time_s)
-		_alive_s = p_time_s
 	motor.drive(p_time_s, p_delta_s)
 
 
@@ -199,7 +191,6 @@ func _start_motor(p_bones: Array[PhysicalBone3D]) -> bool:
 	motor.anatomical_limits = anatomical_limits
 	motor.sample_slots = slots
 	add_child(motor)
-	_alive_s = -INF
 	if not motor.setup(profile, _bodies, centres, get_world_3d().space):
 		return false
 	motor.set_actuation(actuation)

@@ -14,6 +14,11 @@ const TABLE: Array[Array] = [
 	["up", "", "trainee: up axis of the motion file: y or z"],
 	["rate", 60, "trainee: samples per second"],
 	["max-clients", Protocol.DEFAULT_MAX_CLIENTS, "server: clients that are admitted"],
+	[
+		"root",
+		"soft",
+		"server: where travel comes from: soft, held, inertial, contacts, lowest_foot"
+	],
 	["connect-timeout", 0.0, "client: give up after so many seconds without a server; 0 never"],
 	["duration", 0.0, "end after so many seconds; 0 never"],
 	["report", "", "write figures of the session to this file (JSON) every second"],

@@ -5,6 +5,18 @@ extends Node
 ## A tick: take in what has arrived, set the motors, let Jolt step; right after the step the new
 ## state goes out, in the same frame.
 
+## What --root can be: inertial finds travel from the feet, as a suit without positions needs it.
+const _ROOTS: Dictionary[String, RagdollMotor.RootMode] = {
+	"soft": RagdollMotor.ROOT_SOFT,
+	"held": RagdollMotor.ROOT_HELD,
+	"inertial": RagdollMotor.ROOT_INERTIAL,
+	"contacts": RagdollMotor.ROOT_CONTACTS,
+	"lowest_foot": RagdollMotor.ROOT_LOWEST_FOOT,
+	"pendulum": RagdollMotor.ROOT_PENDULUM,
+	"self_righting": RagdollMotor.ROOT_SELF_RIGHTING,
+}
+## Exit code for wrong options.
+const _EXIT_OPTIONS: int = 2
 ## Seconds between two lines of figures in the log.
 const _STATUS_S: float = 10.0
 
@@ -33,11 +45,14 @@ func configure(_p_role: String, p_options: Options) -> void:
 func _ready() -> void:
 	_report = ReportFile.new(_options.file("report"))
 	var port: int = _options.number("port")
+	var root: String = _options.text("root")
+	if not _ROOTS.has(root):
+		var known: String = ", ".join(_ROOTS.keys())
+		_give_up(_EXIT_OPTIONS, "--root is one of %s, found '%s'" % [known, root])
+		return
+	_actors.root_mode = _ROOTS[root]
 	if _link.listen(port, _options.number("max-clients")) != OK:
-		Log.error("server", "UDP port %d is in use: choose another with --port" % port)
-		get_tree().quit(1)
-		set_physics_process(false)
-		set_process(false)
+		_give_up(1, "UDP port %d is in use: choose another with --port" % port)
 		return
 	_registry.add_world(_world)
 	_actors.changed.connect(_announce)
@@ -47,6 +62,13 @@ func _ready() -> void:
 	_began_usec = Time.get_ticks_usec()
 	_status_usec = _began_usec
 	Log.info("server", "listening on UDP port %d, %d ticks/s" % [port, _rate()])
+
+
+func _give_up(p_code: int, p_why: String) -> void:
+	Log.error("server", p_why)
+	get_tree().quit(p_code)
+	set_physics_process(false)
+	set_process(false)
 
 
 func _physics_process(p_delta: float) -> void:

@@ -19,6 +19,9 @@ const _MOST_IDS: int = 65536
 ## Distance between the places where people start.
 @export_range(0.5, 10.0, 0.1, "suffix:m") var spacing: float = 1.5
 
+## Where people's travel comes from, and who holds them.
+var root_mode: RagdollMotor.RootMode = RagdollMotor.ROOT_SOFT
+
 var _people: Dictionary[int, Person] = {}
 var _gone: Array[Dictionary] = []
 var _next_id: int = 0
@@ -48,6 +51,7 @@ func add(p_peer: int, p_name: String, p_hip_height: float) -> void:
 	person.name = p_name
 	person.ragdoll = scene.instantiate()
 	person.ragdoll.name = "Person%d" % person.id
+	person.ragdoll.root_mode = root_mode
 	person.origin = _free_place()
 	_next_id = (person.id + 1) % _MOST_IDS
 	add_child(person.ragdoll)
@@ -97,12 +101,16 @@ func push_sample(p_peer: int, p_sample: PoseSample, p_now_s: float) -> void:
 
 ## Sets everybody's motors for the next step.
 func drive(p_now_s: float, p_delta_s: float) -> void:
+	var motors: Array[RagdollMotor] = []
+	var moments: PackedFloat64Array = []
 	for peer: int in _people:
 		var person: Person = _people[peer]
 		if person.newest != null:
 			var moment: float = person.clock.advance(p_now_s, p_delta_s)
-			person.ragdoll.drive(moment, p_delta_s)
+			motors.append(person.ragdoll.motor)
+			moments.append(moment)
 			person.moment_s = moment + p_delta_s
+	RagdollMotor.drive_all(motors, moments, p_delta_s)
 
 
 ## Notes how well everybody followed, after a step.

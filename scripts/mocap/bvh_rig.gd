@@ -111,9 +111,7 @@ func _stand_up() -> void:
 	var pose: BvhPose = null
 	for frame: int in range(0, clip.frame_count, maxi(clip.frame_count / 300, 1)):
 		var other: BvhPose = clip.sample_global(frame)
-		var feet: float = (
-			other.positions[map.bases[12]].y - other.positions[map.bases[15]].y
-		)
+		var feet: float = other.positions[map.bases[12]].y - other.positions[map.bases[15]].y
 		var score: float = _uprightness(other.positions) - 2.0 * absf(feet)
 		if score > best:
 			best = score

@@ -9,6 +9,8 @@ var ragdolls: Array[Ragdoll] = []
 var in_place: bool = false
 
 var _source: BvhSource = null
+var _motors: Array[RagdollMotor] = []
+var _times: PackedFloat64Array = PackedFloat64Array()
 
 
 ## Adds and starts soldiers below a node.
@@ -20,6 +22,7 @@ func _init(p_people: int, p_source: BvhSource, p_parent: Node) -> void:
 		p_parent.add_child(ragdoll)
 		ragdoll.start()
 		ragdolls.append(ragdoll)
+		_motors.append(ragdoll.motor)
 
 
 ## Hands out the samples of a tick. Making the motion is the trainees' work, not the server's.
@@ -33,8 +36,9 @@ func push(p_time_s: float) -> void:
 
 ## Sets all motors for the next step.
 func drive(p_time_s: float, p_delta_s: float) -> void:
-	for ragdoll: Ragdoll in ragdolls:
-		ragdoll.drive(p_time_s, p_delta_s)
+	_times.resize(ragdolls.size())
+	_times.fill(p_time_s)
+	RagdollMotor.drive_all(_motors, _times, p_delta_s)
 
 
 ## Ends it.
@@ -42,3 +46,4 @@ func leave() -> void:
 	for ragdoll: Ragdoll in ragdolls:
 		ragdoll.queue_free()
 	ragdolls.clear()
+	_motors.clear()

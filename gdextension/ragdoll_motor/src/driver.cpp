@@ -44,7 +44,7 @@ const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_del
 	commands.guarded = guard.check(rig, r_state);
 	commands.must_put = commands.guarded != GUARD_NOTHING;
 	const bool teleported = stream.take_teleport() && !finds_travel(root_mode) && !is_free(root_mode);
-	if (teleported || (commands.guarded & GUARD_LOST) != 0) {
+	if (has_come_back(p_time_s) || teleported || (commands.guarded & GUARD_LOST) != 0) {
 		put_into_pose(r_state);
 		commands.must_put = true;
 	}
@@ -62,6 +62,15 @@ const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_del
 		commands.joints[0] = next.root;
 	}
 	return commands;
+}
+
+bool Driver::has_come_back(double p_time_s) {
+	if (stream.is_stalled(p_time_s)) {
+		return false;
+	}
+	const bool paused = p_time_s - alive > PUT_AFTER;
+	alive = p_time_s;
+	return paused;
 }
 
 Travel *Driver::find_travel(RootMode p_mode) const {
@@ -215,6 +224,7 @@ void Driver::measure(double p_time_s, const RigState &p_state) {
 void Driver::save(ArchiveWriter &p_archive) const {
 	p_archive.put(std::uint32_t(rig.size()));
 	p_archive.put(root_mode);
+	p_archive.put(alive);
 	p_archive.put(was_limp);
 	p_archive.put(is_getting_up);
 	p_archive.put(travelled);
@@ -232,7 +242,8 @@ bool Driver::restore(ArchiveReader &p_archive) {
 	std::uint32_t limbs = 0;
 	RootMode mode = RootMode::SOFT;
 	if (!p_archive.get(limbs) || limbs != rig.size() || !p_archive.get(mode) || int(mode) < 0 ||
-			int(mode) >= ROOT_MODE_COUNT || !p_archive.get(was_limp) || !p_archive.get(is_getting_up)) {
+			int(mode) >= ROOT_MODE_COUNT || !p_archive.get(alive) || !p_archive.get(was_limp) ||
+			!p_archive.get(is_getting_up)) {
 		return false;
 	}
 	root_mode = mode;

@@ -38,6 +38,9 @@ public:
 	static constexpr float STALLED_STRENGTH = 0.3f;
 	/// Age of the newest sample (s) from which it sinks.
 	static constexpr double LET_GO_AFTER = 0.25;
+	/// A pause of the motion (s) after which the body is put into the new pose instead of being flung
+	/// there; the beginning counts as one.
+	static constexpr double PUT_AFTER = 1.0;
 	/// How long it takes to sink, and to come back, s.
 	static constexpr float LET_GO_S = 0.25f;
 	/// While a body gets up its root is lifted by so much for each radian that its limbs are off, m: a
@@ -101,6 +104,7 @@ private:
 	Travel *find_travel(RootMode p_mode) const;
 	void travel(const RigState &p_state, float p_delta_s);
 	void find_points(const Pose &p_pose, std::vector<Vec3> &r_points);
+	bool has_come_back(double p_time_s);
 	void put_into_pose(RigState &r_state);
 	float lift_while_getting_up(const RigState &p_state);
 	void let_go_when_stalled(double p_time_s);
@@ -128,6 +132,7 @@ private:
 	Vec3 next_root; // Where the step before was to bring the root, m.
 	FlatGround level_ground;
 	RootMode travelled = RootMode::SOFT; // The mode of the step before.
+	double alive = -1e9; // When the motion was last not stalled, s.
 	bool was_limp = false;
 	bool is_getting_up = false;
 };
