@@ -11,7 +11,7 @@ const _AROUND: float = 0.03
 ## How far inside the box's edges the points lie where there is no surface, as a share of its size.
 const _INSET: float = 0.12
 ## How far beyond the ball the body of a foot goes on, as a share of the whole foot.
-const _BEYOND_BALL: float = 0.1
+const _BEYOND_BALL: float = 0.01
 
 
 ## Gives all limbs their contact points; the sole is taken from a surface, if it has one.
@@ -33,8 +33,8 @@ static func fill(
 			_fill_box(limb)
 
 
-## Toes bend, bodies do not: a foot's ends a little beyond the ball, so that it can roll over it.
-## The toes of the visible foot disappear a small amount into the ground then (thesis section 8.4.1).
+## Toes bend, bodies do not: a foot's ends a little beyond the ball, so that it can roll. The
+## visible toes disappear a small amount into the ground then (thesis section 8.4.1).
 static func _end_behind_toes(p_limb: RagdollLimb, p_toes: Vector3) -> void:
 	var frame: Transform3D = Transform3D(Basis(p_limb.orientation), p_limb.position)
 	var tip: float = (frame.affine_inverse() * p_toes).z + _BEYOND_BALL * p_limb.size.z

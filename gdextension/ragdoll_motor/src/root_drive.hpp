@@ -41,7 +41,7 @@ struct RootSettings {
 	float force = 2000.0f; ///< N
 	float torque = 800.0f; ///< N m
 	/// INERTIAL: horizontal force as a share of the body's weight, as the friction of soles.
-	float grip = 0.8f;
+	float grip = 1.2f;
 };
 
 /// The root's command for a step: feed-forward with the motion's velocity plus a correction.

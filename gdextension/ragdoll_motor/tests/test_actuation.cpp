@@ -3,12 +3,14 @@
 
 #include "../../testing/check.hpp"
 
+#include <cmath>
+
 using namespace ragdoll;
 
 namespace {
 
 void wait(ActuationTable &r_table, float p_seconds) {
-	const int steps = int(p_seconds * 100.0f + 0.5f);
+	const int steps = int(std::lround(p_seconds * 100.0f));
 	for (int step = 0; step < steps; step++) {
 		r_table.advance(0.01f);
 	}

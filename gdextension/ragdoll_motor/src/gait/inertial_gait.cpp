@@ -31,6 +31,7 @@ InertialGait::InertialGait(std::vector<ContactPoint> p_points) :
 		Travel(std::move(p_points)),
 		filters(contacts.size()),
 		smooth(contacts.size()),
+		footing(contacts.size()),
 		implied(contacts.size()),
 		heights(contacts.size(), 0.0f),
 		costs(contacts.size(), 0.0f),
@@ -50,6 +51,7 @@ void InertialGait::begin(const GaitInput &p_input) {
 		const Vec3 point = points[i] - p_input.centre;
 		filters[i] = { { point, point, point }, { point, point } };
 		smooth[i] = point;
+		footing[i] = point;
 		locks[i] = 0;
 		weights[i] = 0.0f;
 	}
@@ -87,6 +89,8 @@ void InertialGait::filter(const GaitInput &p_input) {
 		state.output[0] = result;
 		implied[i] = (smooth[i] - result) * rate;
 		smooth[i] = result;
+		// Heights need no low-pass, which would come late, unless the pose shakes.
+		footing[i] = point + (result - point) * get_unrest();
 	}
 }
 
@@ -106,7 +110,7 @@ void InertialGait::find_noise(const GaitInput &p_input) {
 
 float InertialGait::find_support(const GaitInput &p_input) {
 	const Vec3 coming = centre + drift * p_input.delta_s;
-	if (find_heights(p_input, smooth, coming, heights) <= NOWHERE) {
+	if (find_heights(p_input, footing, coming, heights) <= NOWHERE) {
 		return NOWHERE;
 	}
 	float lowest = -NOWHERE;
@@ -234,7 +238,7 @@ void InertialGait::finish(const GaitInput &p_input) {
 	for (std::size_t i = 0; i < contacts.size() && !flying; i++) {
 		if (heights[i] > support) {
 			support = heights[i];
-			floor = heights[i] - contacts[i].radius + smooth[i].y;
+			floor = heights[i] - contacts[i].radius + footing[i].y;
 		}
 	}
 }

@@ -69,6 +69,7 @@ private:
 
 	std::vector<Filter> filters;
 	std::vector<Vec3> smooth; // Points from the centre of mass, filtered, m.
+	std::vector<Vec3> footing; // The same for heights: filtered only as far as the pose shakes, m.
 	std::vector<Vec3> implied; // Velocity of the centre of mass if a point stands still, m/s.
 	std::vector<float> heights; // Of the centre of mass if a point touches, m.
 	std::vector<float> costs;
