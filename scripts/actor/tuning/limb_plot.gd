@@ -11,9 +11,9 @@ const SPAN_S: float = 5.0
 ## Values that are kept of a curve.
 const LENGTH: int = 150
 ## Width of the limb's name, px.
-const NAME_WIDTH: float = 78.0
+const NAME_WIDTH: float = 88.0
 ## Width of the newest value, px.
-const VALUE_WIDTH: float = 46.0
+const VALUE_WIDTH: float = 44.0
 ## Colours of Okabe and Ito, which colour-blind people tell apart.
 const COLOURS: Array[Color] = [
 	Color(0.34, 0.71, 0.91), Color(0.9, 0.62, 0.0), Color(0.94, 0.89, 0.36)
@@ -27,7 +27,7 @@ const _BACK: Color = Color(0.09, 0.1, 0.12, 0.85)
 const _PALE: Color = Color(0.72, 0.75, 0.78)
 const _FONT_SIZE: int = 13
 const _SMALL_SIZE: int = 10
-const _GAP: float = 6.0
+const _GAP: float = 4.0
 
 ## What is written before the curves.
 var title: String = ""
@@ -85,7 +85,7 @@ static func box(p_curve: Trace, p_width: float) -> Vector2:
 ## A round number above a value: the end of its scale.
 static func round_top(p_value: float) -> float:
 	var decade: float = pow(10.0, floorf(log(maxf(p_value, 1e-3)) / log(10.0)))
-	for step: float in [1.0, 2.0, 5.0]:
+	for step: float in [1.0, 1.5, 2.0, 3.0, 5.0, 7.5]:
 		if p_value <= step * decade:
 			return step * decade
 	return 10.0 * decade
@@ -114,15 +114,7 @@ func _draw_curve(p_curve: Trace, p_font: Font, p_base: float) -> void:
 		_draw_limit(frame, top)
 	if _count > 1:
 		_draw_line_of(p_curve, frame, top)
-	draw_string(
-		p_font,
-		frame.position + Vector2(2.0, _SMALL_SIZE),
-		"%d" % roundi(top),
-		HORIZONTAL_ALIGNMENT_LEFT,
-		-1,
-		_SMALL_SIZE,
-		_PALE
-	)
+	_draw_top(frame, top, p_font)
 	var text: String = "%.1f" % newest if p_curve != Trace.SATURATION else "%.0f" % newest
 	if p_curve == Trace.SATURATION and newest > 100.0:
 		colour = OVER
@@ -131,6 +123,16 @@ func _draw_curve(p_curve: Trace, p_font: Font, p_base: float) -> void:
 	draw_string(
 		p_font, place, text, HORIZONTAL_ALIGNMENT_RIGHT, VALUE_WIDTH - 4.0, _FONT_SIZE, colour
 	)
+
+
+## What the upper edge stands for, on a ground of its own so that curves do not cross it.
+func _draw_top(p_frame: Rect2, p_top: float, p_font: Font) -> void:
+	var text: String = "%d" % roundi(p_top)
+	var left: int = HORIZONTAL_ALIGNMENT_LEFT
+	var extent: Vector2 = p_font.get_string_size(text, left, -1, _SMALL_SIZE)
+	draw_rect(Rect2(p_frame.position, Vector2(extent.x + 4.0, _SMALL_SIZE + 2.0)), _BACK)
+	var place: Vector2 = p_frame.position + Vector2(2.0, _SMALL_SIZE)
+	draw_string(p_font, place, text, left, -1, _SMALL_SIZE, _PALE)
 
 
 ## Where the joint gives all that it has.

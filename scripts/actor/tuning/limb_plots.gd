@@ -84,6 +84,8 @@ class _Heading:
 
 	func _draw() -> void:
 		var font: Font = get_theme_default_font()
+		var span: String = "last %.0f s" % LimbPlot.SPAN_S
+		draw_string(font, Vector2(2.0, 13.0), span, HORIZONTAL_ALIGNMENT_LEFT, -1, 13)
 		for curve: int in LimbPlot.Trace.size():
 			var across: Vector2 = LimbPlot.box(curve as LimbPlot.Trace, size.x)
 			var colour: Color = LimbPlot.COLOURS[curve]

@@ -69,6 +69,10 @@ func _unhandled_key_input(p_event: InputEvent) -> void:
 		get_viewport().gui_release_focus()
 	elif p_event.is_action_pressed(&"ui_focus_next"):
 		panel.group_choice.grab_focus()
+	elif p_event.is_action_pressed(&"ui_page_up", true):
+		_camera.distance = maxf(_camera.distance * 0.9, 0.5)
+	elif p_event.is_action_pressed(&"ui_page_down", true):
+		_camera.distance = minf(_camera.distance * 1.1, 50.0)
 	else:
 		return
 	get_viewport().set_input_as_handled()
@@ -77,6 +81,7 @@ func _unhandled_key_input(p_event: InputEvent) -> void:
 ## Plays a BVH file, or shows why it cannot, and lets the person stand.
 func play(p_file: String) -> void:
 	panel.file_edit.text = p_file
+	panel.file_edit.caret_column = p_file.length()
 	var fault: String = subject.play(p_file)
 	if fault != "":
 		_report(fault + ". The person stands in the reset pose.")

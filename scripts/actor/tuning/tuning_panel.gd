@@ -126,6 +126,9 @@ func show_groups(p_groups: PackedStringArray) -> void:
 ## Shows what a motor does now, for the group that is chosen.
 func show_motor(p_motor: RagdollMotor, p_spring: Vector2) -> void:
 	mode_choice.select(p_motor.get_actuation(group()))
+	if group() == &"" and _is_mixed(p_motor):
+		mode_choice.select(-1)
+		mode_choice.text = "mixed"
 	root_choice.select(p_motor.root_mode)
 	strength.show_value(p_motor.get_group_strength(group()))
 	frequency.show_value(p_spring.x)
@@ -149,6 +152,15 @@ func told() -> String:
 func group() -> StringName:
 	var chosen: Variant = group_choice.get_selected_metadata()
 	return chosen if chosen is StringName else &""
+
+
+func _is_mixed(p_motor: RagdollMotor) -> bool:
+	var modes: Array[int] = []
+	for at: int in range(1, group_choice.item_count):
+		var mode: int = p_motor.get_actuation(group_choice.get_item_metadata(at))
+		if not mode in modes:
+			modes.append(mode)
+	return modes.size() > 1
 
 
 func _add_heading(p_text: String) -> void:
