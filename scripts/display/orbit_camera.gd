@@ -11,6 +11,8 @@ extends Camera3D
 @export_range(0.5, 50.0, 0.1, "suffix:m") var distance: float = 4.0
 ## How quickly it follows: the share of the way per second is 1 - e^-value.
 @export_range(0.1, 50.0, 0.1) var follow_speed: float = 6.0
+## Whether arrow keys turn it.
+@export var takes_keys: bool = true
 
 ## What it watches, in the world, m.
 var target: Vector3 = Vector3(0.0, 1.0, 0.0)
@@ -19,9 +21,10 @@ var _centre: Vector3 = Vector3(0.0, 1.0, 0.0)
 
 
 func _process(p_delta: float) -> void:
-	var turn: Vector2 = Vector2(
-		Input.get_axis(&"ui_left", &"ui_right"), Input.get_axis(&"ui_down", &"ui_up")
-	)
+	var turn: Vector2 = Vector2.ZERO
+	if takes_keys:
+		turn.x = Input.get_axis(&"ui_left", &"ui_right")
+		turn.y = Input.get_axis(&"ui_down", &"ui_up")
 	azimuth += turn.x * p_delta
 	elevation = clampf(elevation + turn.y * p_delta, deg_to_rad(-80.0), deg_to_rad(85.0))
 	_centre = _centre.lerp(target, 1.0 - exp(-follow_speed * p_delta))
