@@ -40,8 +40,8 @@ struct RootSettings {
 	float gain = 50.0f; ///< How fast errors are corrected, 1/s.
 	float force = 2000.0f; ///< N
 	float torque = 800.0f; ///< N m
-	/// INERTIAL: horizontal force as a share of the body's weight, as the friction of soles.
-	float grip = 1.2f;
+	/// INERTIAL: horizontal force as a share of the body's weight: what soles and a stride can hold.
+	float grip = 1.6f;
 };
 
 /// The root's command for a step: feed-forward with the motion's velocity plus a correction.

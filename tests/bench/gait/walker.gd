@@ -25,7 +25,7 @@ const _STRIKE: float = 0.3  # Pitch of the foot at heel strike, rad.
 const _PUSH: float = -0.6  # At push-off.
 const _STRIKE_S: float = 0.1
 const _PUSH_S: float = 0.2
-const _BEHIND: float = 0.21  # Of a tread behind the ball of a foot on it.
+const _BEHIND: float = 0.235  # Of a tread behind the ball of a foot on it.
 
 ## Duration of the whole, s.
 var duration: float = 0.0
@@ -132,7 +132,8 @@ func _add_block(p_parent: Node, p_from: float, p_to: float, p_height: float) -> 
 	p_parent.add_child(block)
 
 
-## Height of the root at which the leg reaches the ground at heel strike and at push-off, m.
+## Height of the root at which the leg reaches the ground at heel strike, when the heel lifts off and
+## at push-off, m.
 func _root_height(p_length: float) -> float:
 	var reach: float = (_thigh + _shin) * 0.985
 	var pushing: Vector2 = _ankle.rotated(_PUSH) if _rolls else _ankle
@@ -141,7 +142,10 @@ func _root_height(p_length: float) -> float:
 	var across: float = 0.7 * p_length - pushing.x
 	var at_strike: float = sqrt(maxf(reach * reach - striking * striking, 0.01)) + _ankle.y
 	var at_push: float = sqrt(maxf(reach * reach - across * across, 0.01)) + pushing.y
-	return minf(at_strike, at_push) - _hip.y
+	# Until the other foot comes down this one is flat.
+	var flat: float = 0.5 * p_length - _ankle.x
+	var at_flat: float = sqrt(maxf(reach * reach - flat * flat, 0.01)) + _ankle.y
+	return minf(minf(at_strike, at_push), at_flat) - _hip.y
 
 
 func _plan(p_steps: int, p_length: float, p_rise: float, p_step_s: float) -> void:

@@ -56,17 +56,11 @@ void Travel::shift(const Vec3 &p_offset) {
 Vec3 Travel::ahead(const std::vector<Vec3> &p_points, float p_delta_s) const {
 	Vec3 moved;
 	float sum = 0.0f;
-	float rise = NOWHERE;
 	for (std::size_t i = 0; i < contacts.size() && i < p_points.size(); i++) {
-		const Vec3 step = last[i] - p_points[i];
-		moved = moved + step * weights[i];
+		moved = moved + (last[i] - p_points[i]) * weights[i];
 		sum += weights[i];
-		// Whatever sinks lowest carries the body: a heel that lifts off lets it not down.
-		rise = weights[i] > STANDS ? std::max(rise, step.y) : rise;
 	}
-	moved = moved + velocity * (std::max(1.0f - sum, 0.0f) * p_delta_s);
-	moved.y = rise > NOWHERE ? rise : velocity.y * p_delta_s;
-	return root + moved;
+	return root + moved + velocity * (std::max(1.0f - sum, 0.0f) * p_delta_s);
 }
 
 float Travel::look(const GaitInput &p_input, std::size_t p_point, const Vec3 &p_at) {

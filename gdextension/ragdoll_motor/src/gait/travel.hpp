@@ -30,8 +30,6 @@ public:
 	static constexpr float SAME_PLACE = 0.015f;
 	static constexpr float LOOK_AGAIN_S = 0.1f;
 	static constexpr float NOWHERE = -1e9f;
-	/// Points with less weight carry nothing.
-	static constexpr float STANDS = 0.02f;
 
 	explicit Travel(std::vector<ContactPoint> p_points);
 	Travel(const Travel &) = delete;
