@@ -19,7 +19,7 @@ static func parse(p_arguments: PackedStringArray, p_defaults: Dictionary) -> Ben
 	var at: int = 0
 	while at < p_arguments.size() and result.error == "":
 		var name: String = p_arguments[at].trim_prefix("--").get_slice("=", 0)
-		var value: String = p_arguments[at].get_slice("=", 1)
+		var value: String = p_arguments[at].substr(p_arguments[at].find("=") + 1)
 		if not p_arguments[at].contains("="):
 			value = ""
 			if not result._values.get(name) is bool and at + 1 < p_arguments.size():
