@@ -78,9 +78,9 @@ const MASS_FRACTIONS: Array[float] = [
 ## Greatest torque of the joint that holds each limb, N·m: a strong adult. The root has none.
 const TORQUES: Array[float] = [
 	0.0,
-	400.0,
-	400.0,
-	80.0,
+	500.0,
+	500.0,
+	160.0,
 	120.0,
 	80.0,
 	20.0,
