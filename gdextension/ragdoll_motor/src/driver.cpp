@@ -51,7 +51,7 @@ const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_del
 	travel(r_state, p_delta_s);
 	let_go_when_stalled(p_time_s);
 	table.advance(p_delta_s);
-	controller.compute(r_state, now, next, p_delta_s, table, commands.limbs);
+	compute_limbs(r_state, p_delta_s);
 	note_torques(r_state, p_delta_s);
 	command_root(r_state, p_delta_s);
 	if (table.has_mode(Actuation::DIRECT_SET)) {
@@ -62,6 +62,17 @@ const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_del
 		commands.joints[0] = next.root;
 	}
 	return commands;
+}
+
+void Driver::compute_limbs(const RigState &p_state, float p_delta_s) {
+	// A body that stands on shaking feet skates: noise is followed less eagerly.
+	const Travel *estimator = get_travel();
+	const float unrest = estimator ? estimator->get_unrest() : 0.0f;
+	stream.set_unrest(unrest);
+	const float gain = controller.settings.gain;
+	controller.settings.gain = gain * (1.0f - CALMED * unrest);
+	controller.compute(p_state, now, next, p_delta_s, table, commands.limbs);
+	controller.settings.gain = gain;
 }
 
 bool Driver::has_come_back(double p_time_s) {

@@ -52,6 +52,8 @@ public:
 	/// INERTIAL, CONTACTS, LOWEST_FOOT: how far the body may be held back from where the feet carry it
 	/// (m) before the estimate gives in: a person who walks against a wall walks on the spot.
 	static constexpr float SLACK = 0.05f;
+	/// INERTIAL: by how much of itself the gain falls where the motion is nothing but noise.
+	static constexpr float CALMED = 0.9f;
 
 	Driver(Rig p_rig, const std::vector<int> &p_groups, std::size_t p_group_count,
 			const std::vector<ContactPoint> &p_contacts);
@@ -105,6 +107,7 @@ private:
 	void travel(const RigState &p_state, float p_delta_s);
 	void find_points(const Pose &p_pose, std::vector<Vec3> &r_points);
 	bool has_come_back(double p_time_s);
+	void compute_limbs(const RigState &p_state, float p_delta_s);
 	void put_into_pose(RigState &r_state);
 	float lift_while_getting_up(const RigState &p_state);
 	void let_go_when_stalled(double p_time_s);

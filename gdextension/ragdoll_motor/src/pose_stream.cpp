@@ -82,7 +82,7 @@ bool PoseStream::push(double p_time_s, const float *p_orientations, const Vec3 &
 				estimate_rates(at(0), sample);
 			}
 			const double span = p_time_s - newest();
-			const float old = count > 1 ? float(std::exp(-span / RATE_MEMORY)) : 0.0f;
+			const float old = count > 1 ? forgetting(span) : 0.0f;
 			sample.root_rate = (p_root - at(0).root) * ((1.0f - old) / float(span)) + at(0).root_rate * old;
 		}
 	}
@@ -91,9 +91,13 @@ bool PoseStream::push(double p_time_s, const float *p_orientations, const Vec3 &
 	return true;
 }
 
+float PoseStream::forgetting(double p_span_s) const {
+	return float(std::exp(-p_span_s / (RATE_MEMORY + (NOISY_MEMORY - RATE_MEMORY) * double(unrest))));
+}
+
 void PoseStream::estimate_rates(const Sample &p_before, Sample &r_sample) const {
 	const double span = r_sample.time_s - p_before.time_s;
-	const float old = count > 1 ? float(std::exp(-span / RATE_MEMORY)) : 0.0f;
+	const float old = count > 1 ? forgetting(span) : 0.0f;
 	const float fresh = (1.0f - old) / float(span);
 	for (std::size_t i = 0; i < limb_count; i++) {
 		const Vec3 turned = log(p_before.orientations[i].inverse() * r_sample.orientations[i]);

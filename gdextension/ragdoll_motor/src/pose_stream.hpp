@@ -32,6 +32,8 @@ public:
 	/// How fast the past is forgotten when rates are estimated, s. The two constants are those of the
 	/// best linear predictor of the repository's three clips (fitted at 30, 60 and 120 Hz).
 	static constexpr double RATE_MEMORY = 0.002;
+	/// The same where the motion is nothing but noise, s.
+	static constexpr double NOISY_MEMORY = 0.2;
 	/// How fast a rate fades beyond the newest sample, s.
 	static constexpr double RATE_FADE = 0.5;
 	/// Turning rates above this (rad/s) are glitches: the fastest joint of a boxer stays below 40.
@@ -52,6 +54,8 @@ public:
 	bool push(double p_time_s, const float *p_orientations, const Vec3 &p_root, const float *p_rates = nullptr);
 	void clear();
 
+	/// How shaky the motion is, 0 to 1: rates are averaged for longer then.
+	void set_unrest(float p_unrest) { unrest = p_unrest; }
 	std::size_t get_limb_count() const { return limb_count; }
 	bool is_empty() const { return count == 0; }
 	/// Time of the newest and the oldest sample that is kept, s.
@@ -88,6 +92,9 @@ private:
 	std::size_t head = 0;
 	std::size_t count = 0;
 	bool teleported = false;
+	float unrest = 0.0f;
+
+	float forgetting(double p_span_s) const;
 };
 
 } // namespace ragdoll
