@@ -197,7 +197,7 @@ TEST(root_drive_corrects_within_its_limits) {
 	const RootCommand far = drive_root(RootMode::SOFT, settings, rig, {}, { 10, 0, 0 }, { 10, 0, 0 }, 0.01f, 1.0f);
 	CHECK_NEAR(far.velocity.x, braking_speed(10.0f, 2000.0f / 40.0f), 1e-3);
 	const RootCommand grip = drive_root(RootMode::INERTIAL, settings, rig, {}, {}, {}, 0.01f, 1.0f);
-	CHECK_NEAR(grip.force_across, 1.2 * 40.0 * 9.81, 0.1);
+	CHECK_NEAR(grip.force_across, double(settings.grip) * 40.0 * 9.81, 0.1);
 	const RootCommand free = drive_root(RootMode::SELF_RIGHTING, settings, rig, {}, {}, {}, 0.01f, 1.0f);
 	CHECK_NEAR(free.force_up + free.force_across, 0.0, 0.0);
 	CHECK(free.torque > 0.0f);

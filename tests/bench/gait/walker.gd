@@ -132,8 +132,8 @@ func _add_block(p_parent: Node, p_from: float, p_to: float, p_height: float) -> 
 	p_parent.add_child(block)
 
 
-## Height of the root at which the leg reaches the ground at heel strike, when the heel lifts off and
-## at push-off, m.
+## Height of the root at which the leg reaches the ground at heel strike, when the heel lifts off,
+## and at push-off, m.
 func _root_height(p_length: float) -> float:
 	var reach: float = (_thigh + _shin) * 0.985
 	var pushing: Vector2 = _ankle.rotated(_PUSH) if _rolls else _ankle
