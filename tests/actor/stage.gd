@@ -82,15 +82,26 @@ class Player:
 
 ## Adds a soldier who stands at a place in the reset pose, and starts it.
 func add_soldier(p_place: Vector3, p_mode: RagdollMotor.RootMode) -> Player:
+	var player: Player = make_soldier(p_place, p_mode)
+	enter(player)
+	return player
+
+
+## A soldier who is not started yet.
+func make_soldier(p_place: Vector3, p_mode: RagdollMotor.RootMode) -> Player:
 	var player: Player = Player.new()
 	player.ragdoll = SOLDIER.instantiate()
 	player.ragdoll.root_mode = p_mode
 	player.pose = func(_time: float) -> PoseSample: return reset_pose()
 	player.place = func(_time: float) -> Vector3: return p_place
-	add_child(player.ragdoll)
-	player.ragdoll.start()
-	players.append(player)
 	return player
+
+
+## Lets such a soldier play.
+func enter(p_player: Player) -> void:
+	add_child(p_player.ragdoll)
+	p_player.ragdoll.start()
+	players.append(p_player)
 
 
 ## Lets steps pass, and calls [param p_after] with the time, if given, after each.

@@ -3,8 +3,9 @@ extends SceneTree
 ##
 ## Options: --scene=NAME (again for more; default all), --hz=60 (again for more; default 60, walls
 ## at 120 too), --bvh=FILE (again for more; default the three clips in assets/motion),
-## --body=soldier|file (default both), --root=held|soft, --gain=50 (1/s), --mode=velocity_motor,
-## --set=PROPERTY=NUMBER (of Ragdoll), --jolt=SETTING=NUMBER (below physics/jolt_physics_3d/).
+## --body=soldier|file (default both), --root=held|soft, --gain=50 (1/s), --mode=velocity_motor
+## (or another that bench_tracking knows), --set=PROPERTY=NUMBER (of Ragdoll),
+## --jolt=SETTING=NUMBER (below physics/jolt_physics_3d/).
 
 const _SCENES: Dictionary[String, GDScript] = {
 	"jitter": preload("contacts/scene_jitter.gd"),
@@ -19,7 +20,7 @@ const _FROM_CLIPS: Array[String] = ["jitter", "wall"]
 ## Scenes that are also played at 120 Hz, and those that are played with both kinds of root.
 const _FAST_TOO: Array[String] = ["wall"]
 const _BOTH_ROOTS: Array[String] = ["jitter"]
-const _MODES: Array[String] = ["velocity_motor"]
+const TrackingCase: GDScript = preload("tracking/tracking_case.gd")
 
 var _arguments: BenchArguments = null
 var _performers: Array[ContactPerformer] = []
@@ -106,7 +107,7 @@ func _find_fault() -> String:
 	var known: Dictionary[String, Array] = {
 		"scene": _SCENES.keys(), "body": ["soldier", "file"], "root": ["held", "soft"]
 	}
-	known["mode"] = _MODES
+	known["mode"] = Array(TrackingCase.MODES)
 	for option: String in known:
 		for value: String in _arguments.list(option):
 			if not value in known[option]:
@@ -121,6 +122,7 @@ func _find_fault() -> String:
 ## Reads --set and --jolt; returns what is wrong.
 func _apply_settings() -> String:
 	_properties[&"gain"] = _arguments.value("gain")
+	_properties[&"actuation"] = TrackingCase.MODES.find(_arguments.value("mode"))
 	var probe: Ragdoll = Ragdoll.new()
 	var fault: String = ""
 	for option: String in ["set", "jolt"]:

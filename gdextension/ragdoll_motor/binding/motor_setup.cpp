@@ -95,8 +95,9 @@ bool RagdollMotor::make_driver(
 		spec.has_limits = anatomical_limits && limb.parent >= 0;
 		if (spec.has_limits) {
 			spec.axes = limb.rest.inverse() * to_core(source->get_joint_axes());
-			spec.lower = source->get_min_angles();
-			spec.upper = source->get_max_angles();
+			// As with motors, the engine's sign of angles is the other way round.
+			spec.lower = -source->get_max_angles();
+			spec.upper = -source->get_min_angles();
 		}
 		specs.push_back(spec);
 		body_rids.push_back(p_bodies[i]);
