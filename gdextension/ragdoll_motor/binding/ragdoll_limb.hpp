@@ -15,7 +15,7 @@ class RagdollLimb : public Resource {
 	GDCLASS(RagdollLimb, Resource)
 
 public:
-	enum Type {
+	enum Type : int {
 		PILL = ragdoll::Limb::PILL,
 		BOX = ragdoll::Limb::BOX,
 	};

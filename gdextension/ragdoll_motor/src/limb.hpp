@@ -16,7 +16,7 @@ constexpr std::size_t MAX_CONTACT_POINTS = 64;
 
 /// One limb as the thesis describes it (section 6.2): a pill or box in the rest pose, model space.
 struct Limb {
-	enum Type {
+	enum Type : int { // Of a fixed size: a file may hold any number.
 		PILL,
 		BOX,
 	};
