@@ -26,6 +26,9 @@ extends Node3D
 @export_range(1.0, 10.0, 0.1) var inertia_scale: float = 6.0
 ## How fast errors are corrected; never above one error per tick. 30 is calmer under noise.
 @export_range(1.0, 240.0, 1.0, "suffix:1/s") var gain: float = 50.0
+## Speed of the motion at which a joint has hardly any torque left besides what the motion needs, as
+## in muscles: a blow pushes no more than an arm can. 0 leaves it all torque at any speed.
+@export_range(0.0, 60.0, 0.5, "suffix:rad/s") var muscle_speed: float = 8.0
 ## Whether the person's own limbs collide with each other.
 @export var self_collision: bool = false
 ## Whether joints turn no further than those of people.
@@ -183,6 +186,7 @@ func _start_motor(p_bones: Array[PhysicalBone3D]) -> bool:
 		slots.append(Limbs.find(limb.bone))
 	motor = RagdollMotor.new()
 	motor.gain = gain
+	motor.muscle_speed = muscle_speed
 	motor.root_mode = root_mode
 	motor.root_force = root_force
 	motor.root_torque = root_torque

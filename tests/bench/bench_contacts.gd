@@ -16,7 +16,7 @@ const _SCENES: Dictionary[String, GDScript] = {
 	"crate": preload("contacts/scene_crate.gd"),
 }
 ## Scenes in which the motion comes from the clip; in others one of each build plays.
-const _FROM_CLIPS: Array[String] = ["jitter", "wall"]
+const _FROM_CLIPS: Array[String] = ["jitter", "wall", "fist"]
 ## Scenes that are also played at 120 Hz, and those that are played with both kinds of root.
 const _FAST_TOO: Array[String] = ["wall"]
 const _BOTH_ROOTS: Array[String] = ["jitter"]

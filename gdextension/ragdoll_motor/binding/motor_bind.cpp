@@ -16,6 +16,11 @@ void RagdollMotor::set_gain(double p_gain) {
 	apply_settings();
 }
 
+void RagdollMotor::set_muscle_speed(double p_speed) {
+	muscle_speed = p_speed;
+	apply_settings();
+}
+
 void RagdollMotor::set_root_force(double p_force) {
 	root_force = p_force;
 	apply_settings();
@@ -95,6 +100,8 @@ void RagdollMotor::bind_properties() {
 	ClassDB::bind_method(D_METHOD("get_root_mode"), &RagdollMotor::get_root_mode);
 	ClassDB::bind_method(D_METHOD("set_gain", "gain"), &RagdollMotor::set_gain);
 	ClassDB::bind_method(D_METHOD("get_gain"), &RagdollMotor::get_gain);
+	ClassDB::bind_method(D_METHOD("set_muscle_speed", "speed"), &RagdollMotor::set_muscle_speed);
+	ClassDB::bind_method(D_METHOD("get_muscle_speed"), &RagdollMotor::get_muscle_speed);
 	ClassDB::bind_method(D_METHOD("set_root_force", "force"), &RagdollMotor::set_root_force);
 	ClassDB::bind_method(D_METHOD("get_root_force"), &RagdollMotor::get_root_force);
 	ClassDB::bind_method(D_METHOD("set_root_torque", "torque"), &RagdollMotor::set_root_torque);
@@ -126,6 +133,8 @@ void RagdollMotor::_bind_methods() {
 			"set_root_mode", "get_root_mode");
 	ADD_PROPERTY(
 			PropertyInfo(Variant::FLOAT, "gain", PROPERTY_HINT_RANGE, "0,240,0.1,suffix:1/s"), "set_gain", "get_gain");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "muscle_speed", PROPERTY_HINT_RANGE, "0,60,0.1,suffix:rad/s"),
+			"set_muscle_speed", "get_muscle_speed");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "root_force", PROPERTY_HINT_RANGE, "0,10000,10,suffix:N"),
 			"set_root_force", "get_root_force");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "root_torque", PROPERTY_HINT_RANGE, "0,5000,10,suffix:Nm"),

@@ -35,6 +35,7 @@ void RagdollMotor::apply_settings() {
 	driver->root_settings.force = float(root_force);
 	driver->root_settings.torque = float(root_torque);
 	driver->get_controller().settings.gain = float(gain);
+	driver->get_controller().settings.muscle_speed = float(muscle_speed);
 	driver->get_guard().max_energy = float(max_energy);
 	driver->measures_torque = measures_torque;
 	driver->get_meter().measures_lag = measures_lag;

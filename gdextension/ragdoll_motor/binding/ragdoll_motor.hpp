@@ -100,6 +100,8 @@ public:
 	RootMode get_root_mode() const { return root_mode; }
 	void set_gain(double p_gain);
 	double get_gain() const { return gain; }
+	void set_muscle_speed(double p_speed);
+	double get_muscle_speed() const { return muscle_speed; }
 	void set_root_force(double p_force);
 	double get_root_force() const { return root_force; }
 	void set_root_torque(double p_torque);
@@ -140,6 +142,7 @@ private:
 
 	RootMode root_mode = ROOT_SOFT;
 	double gain = 50.0;
+	double muscle_speed = 8.0;
 	double root_force = 2000.0;
 	double root_torque = 800.0;
 	double inertia_scale = 6.0;

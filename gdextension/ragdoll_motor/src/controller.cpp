@@ -24,10 +24,11 @@ float braking_speed(float p_error, float p_deceleration) {
 	return std::sqrt(std::max(2.0f * p_deceleration * p_error, 0.0f));
 }
 
-Controller::Controller(const Rig &p_rig) : rig(&p_rig), integrals(p_rig.size(), 0.0f) {}
+Controller::Controller(const Rig &p_rig) : rig(&p_rig), muscles(p_rig.size()), integrals(p_rig.size(), 0.0f) {}
 
 void Controller::reset() {
 	std::fill(integrals.begin(), integrals.end(), 0.0f);
+	muscles.reset();
 }
 
 void Controller::compute(const RigState &p_actual, const Pose &p_now, const Pose &p_next, float p_delta_s,
@@ -91,15 +92,22 @@ Controller::Relative Controller::relative(
 }
 
 void Controller::command_velocity(
-		std::size_t p_limb, const Relative &p_relative, float p_delta_s, LimbCommand &r_command) const {
+		std::size_t p_limb, const Relative &p_relative, float p_delta_s, LimbCommand &r_command) {
 	const float gain = std::min(settings.gain, 1.0f / p_delta_s);
 	Vec3 correction = p_relative.error * gain;
 	const float error = p_relative.error.length();
-	if ((*rig)[p_limb].parent >= 0 && error > 0.0f) {
-		const float inertia = p_relative.error.scaled(rig->get_subtree_inertia(p_limb)).length() / error;
+	const bool is_root = (*rig)[p_limb].parent < 0;
+	const Vec3 &turned = rig->get_subtree_inertia(p_limb);
+	if (!is_root && error > 0.0f) {
+		const float inertia = p_relative.error.scaled(turned).length() / error;
 		correction = limited(correction, braking_speed(error, r_command.max_torque / inertia));
 	}
 	r_command.velocity = p_relative.forward + correction;
+	if (!is_root && settings.muscle_speed > 0.0f) {
+		const Vec3 missing = r_command.velocity - p_relative.velocity;
+		r_command.max_torque = muscles.get_torque(
+				p_limb, p_relative.forward, missing, turned, settings.muscle_speed, p_delta_s, r_command.max_torque);
+	}
 }
 
 void Controller::command_torque(std::size_t p_limb, const Relative &p_relative, const Quat &p_orientation,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "actuation.hpp"
+#include "muscles.hpp"
 #include "rig.hpp"
 
 #include <cstddef>
@@ -27,6 +28,9 @@ struct LimbCommand {
 /// Parameters of the modes.
 struct ControlSettings {
 	float gain = 50.0f; ///< VELOCITY_MOTOR: how fast errors are corrected, 1/s.
+	/// VELOCITY_MOTOR: speed of the motion (rad/s) at which a joint has hardly any torque left besides
+	/// what that motion needs (Muscles); 0 leaves it the whole torque at any speed.
+	float muscle_speed = 8.0f;
 	float angular_gain = 10.0f; ///< ANGULAR_MOTOR: the spring "in the speed domain" (thesis 8.3.1), 1/s.
 	float torque_frequency = 8.0f; ///< SPRING_TORQUE: Hz.
 	float torque_damping_ratio = 0.5f; ///< SPRING_TORQUE.
@@ -55,8 +59,11 @@ public:
 	/// Forgets the integrals.
 	void reset();
 
-	void save(ArchiveWriter &p_archive) const { p_archive.put_all(integrals); }
-	bool restore(ArchiveReader &p_archive) { return p_archive.get_all(integrals); }
+	void save(ArchiveWriter &p_archive) const {
+		p_archive.put_all(integrals);
+		muscles.save(p_archive);
+	}
+	bool restore(ArchiveReader &p_archive) { return p_archive.get_all(integrals) && muscles.restore(p_archive); }
 
 private:
 	/// The motion of one limb relative to its parent, and how far the simulation is off.
@@ -71,13 +78,14 @@ private:
 	Relative relative(
 			std::size_t p_limb, const RigState &p_actual, const Pose &p_now, const Pose &p_next, float p_delta_s) const;
 	void command_velocity(
-			std::size_t p_limb, const Relative &p_relative, float p_delta_s, LimbCommand &r_command) const;
+			std::size_t p_limb, const Relative &p_relative, float p_delta_s, LimbCommand &r_command);
 	void command_torque(std::size_t p_limb, const Relative &p_relative, const Quat &p_orientation,
 			const GroupSettings &p_group, float p_delta_s, LimbCommand &r_command);
 	void command_position(std::size_t p_limb, const Relative &p_relative, const GroupSettings &p_group, float p_delta_s,
 			LimbCommand &r_command) const;
 
 	const Rig *rig = nullptr;
+	Muscles muscles;
 	std::vector<float> integrals; // SPRING_TORQUE's leaky integrators, rad s.
 };
 

@@ -194,7 +194,7 @@ void Driver::note_torques(const RigState &p_state, float p_delta_s) {
 	}
 	torques.note(rig, p_state, p_delta_s, 9.81f);
 	for (std::size_t i = 0; i < rig.size(); i++) {
-		const float most = i == 0 ? root_settings.torque : commands.limbs[i].max_torque;
+		const float most = i == 0 ? root_settings.torque : rig[i].max_torque * table.get_strength(i);
 		saturations[i] = most > 0.0f ? torques.get_torques()[i] / most : 0.0f;
 	}
 }

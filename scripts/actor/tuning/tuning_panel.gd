@@ -62,6 +62,7 @@ var blend: TuningSlider = TuningSlider.new("Blend", Vector3(0.0, 3.0, 0.05), "s"
 ## Of the person: by the names of the motor's properties.
 var numbers: Dictionary[StringName, TuningSlider] = {
 	&"gain": TuningSlider.new("Gain", Vector3(1.0, 240.0, 1.0), "1/s"),
+	&"muscle_speed": TuningSlider.new("Muscle speed", Vector3(0.0, 60.0, 0.5), "rad/s", "any"),
 	&"root_force": TuningSlider.new("Root force", Vector3(0.0, 10000.0, 50.0), "N"),
 	&"root_torque": TuningSlider.new("Root torque", Vector3(0.0, 5000.0, 20.0), "N m"),
 }

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#include "muscles.hpp"
+
+#include <algorithm>
+
+namespace ragdoll {
+
+float Muscles::get_torque(std::size_t p_limb, const Vec3 &p_forward, const Vec3 &p_missing, const Vec3 &p_inertia,
+		float p_fast, float p_delta_s, float p_whole) {
+	const Vec3 change = p_forward - before[p_limb];
+	before[p_limb] = p_forward;
+	const float speed = std::min(p_forward.length() / p_fast, 1.0f);
+	const float hill = std::max(LEAST, (1.0f - speed) / (1.0f + CURVE * speed));
+	left[p_limb] = std::min(hill, left[p_limb] + RECOVERY * p_delta_s);
+	// A motion that brakes needs torque too, but not of the muscles that push on where something holds
+	// the limb up.
+	const bool pushes = p_missing.dot(change) >= 0.0f;
+	const float needed = pushes ? change.scaled(p_inertia).length() / p_delta_s : 0.0f;
+	return std::min(p_whole, ALWAYS + MARGIN * needed + left[p_limb] * p_whole);
+}
+
+void Muscles::reset() {
+	std::fill(before.begin(), before.end(), Vec3());
+	std::fill(left.begin(), left.end(), 1.0f);
+}
+
+} // namespace ragdoll

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "archive.hpp"
+#include "quaternion.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace ragdoll {
+
+/// How much torque a joint has while the motion turns it: the faster, the less, as in muscles (A. V.
+/// Hill 1938, "The heat of shortening and the dynamic constants of muscle", eq. 3).
+///
+/// A motor has its whole torque at any speed: a fist that meets a crate would push it along like a
+/// machine. Here a fast joint has what its own motion needs, and what is left of the whole torque at
+/// that speed, which comes back within half a second. What resists a slow or resting joint still meets
+/// all of it.
+class Muscles {
+public:
+	/// Torque (N m) that every joint has at every speed besides.
+	static constexpr float ALWAYS = 5.0f;
+	/// The motion's own acceleration counts so many times: what hangs on other joints moves too.
+	static constexpr float MARGIN = 1.25f;
+	/// F0 / a of Hill's equation: how bent the curve is.
+	static constexpr float CURVE = 4.0f;
+	/// Share of the torque that is left at any speed.
+	static constexpr float LEAST = 0.13f;
+	/// How much of the torque comes back in a second.
+	static constexpr float RECOVERY = 2.0f;
+
+	Muscles() = default;
+	explicit Muscles(std::size_t p_limb_count) : before(p_limb_count), left(p_limb_count, 1.0f) {}
+
+	/// The joint's torque for a step, N m, at most p_whole. To be asked once a step.
+	/// @param p_forward the motion's velocity relative to the parent, limb's axes, rad/s
+	/// @param p_missing what the joint lacks to its target velocity, rad/s
+	/// @param p_inertia what the joint has to turn, about the limb's axes, kg m^2
+	/// @param p_fast speed (rad/s) from which LEAST is left
+	float get_torque(std::size_t p_limb, const Vec3 &p_forward, const Vec3 &p_missing, const Vec3 &p_inertia,
+			float p_fast, float p_delta_s, float p_whole);
+	void reset();
+
+	void save(ArchiveWriter &p_archive) const {
+		p_archive.put_all(before);
+		p_archive.put_all(left);
+	}
+	bool restore(ArchiveReader &p_archive) { return p_archive.get_all(before) && p_archive.get_all(left); }
+
+private:
+	std::vector<Vec3> before; // The motion's velocity in the last step, rad/s.
+	std::vector<float> left; // Share of the whole torque.
+};
+
+} // namespace ragdoll
