@@ -57,6 +57,16 @@ func test_a_crate_is_pushed() -> void:
 	is_true(crate.position.y > 0.2, "the crate did not fall through the floor")
 
 
+func test_a_blow_moves_crates_as_an_arm_can() -> void:
+	var light: float = await _swing_at(10.0, 8.0)
+	var heavy: float = await _swing_at(40.0, 8.0)
+	var machine: float = await _swing_at(10.0, 0.0)
+	# An arm of 4 kg at 4 m/s, inelastic: 1.1 and 0.36 m/s.
+	is_true(light > 0.6 and light < 1.5, "10 kg go with %f m/s" % light)
+	is_true(heavy > 0.15 and heavy < 0.5, "40 kg go with %f m/s" % heavy)
+	is_true(machine > 1.3 * light, "with all torque %f m/s, else %f" % [machine, light])
+
+
 func test_a_wall_stops_a_soft_person() -> void:
 	var wall: Block = Block.new()
 	wall.size = Vector3(6.0, 4.0, 0.3)
@@ -100,3 +110,26 @@ func test_two_people_that_start_inside_each_other_come_apart_calmly() -> void:
 	is_true(fastest[0] < 15.0, "flung with %f m/s" % fastest[0])
 	for player: Stage.Player in _stage.players:
 		is_true(player.joint(0).distance_to(HEIGHT) < 1.5, "hips at %s" % player.joint(0))
+
+
+## Speed of a free crate in front of the right hand, 0.1 s after the straight arm has swung
+## into it with about 4 m/s.
+func _swing_at(p_mass: float, p_muscle_speed: float) -> float:
+	_stage.free()
+	_stage = Stage.new()
+	add_child(_stage)
+	var player: Stage.Player = _stage.make_soldier(HEIGHT, SOFT)
+	player.ragdoll.muscle_speed = p_muscle_speed
+	player.pose = func(time: float) -> PoseSample:
+		var pose: PoseSample = Stage.reset_pose()
+		for limb: int in [7, 8, 9]:
+			pose.set_orientation(limb, Quaternion(Vector3.UP, minf(6.5 * time - 1.3, 0.6)))
+		return pose
+	_stage.enter(player)
+	var crate: RigidBody3D = CRATE.instantiate()
+	crate.mass = p_mass
+	crate.gravity_scale = 0.0
+	crate.position = player.joint(7) + Vector3(-0.6, 0.0, 0.3)
+	_stage.add_child(crate)
+	await _stage.run(18)
+	return crate.linear_velocity.z
