@@ -76,7 +76,8 @@ TEST(never_more_than_the_whole) {
 	Muscles muscles(1);
 	for (int i = 0; i < 100; i++) {
 		const float speed = float((i * 37) % 50) - 25.0f;
-		const float torque = muscles.get_torque(0, { speed, -speed, 1.0f }, { speed, 0.0f, 0.0f }, INERTIA, FAST, DELTA, 3.0f);
+		const float torque =
+				muscles.get_torque(0, { speed, -speed, 1.0f }, { speed, 0.0f, 0.0f }, INERTIA, FAST, DELTA, 3.0f);
 		CHECK(torque > 0.0f && torque <= 3.0f);
 	}
 }

@@ -40,7 +40,9 @@ static func jab(p_person: ContactPerson) -> FistBlow:
 	var length: float = p_person.arm_length("Right")
 	blow.name = "jab"
 	blow.pose = func(time: float) -> PoseSample:
-		var share: float = _travel(time - SETTLE_S, SPEED / length, [_FROM, _HIT - 0.05, _BRAKE, _TO])
+		var share: float = _travel(
+			time - SETTLE_S, SPEED / length, [_FROM, _HIT - 0.05, _BRAKE, _TO]
+		)
 		return ContactPoses.fist_at(p_person, Vector3(0.0, 0.0, share * length))
 	blow.place = _standing(p_person)
 	var even: float = _HIT - 0.05
@@ -55,7 +57,9 @@ static func swing(p_person: ContactPerson) -> FistBlow:
 	blow.name = "swing"
 	blow.pose = func(time: float) -> PoseSample:
 		var angle: float = _travel(
-			time - SETTLE_S, SPEED / length, [_SWING_FROM, _SWING_FROM / 2.0, _SWING_BRAKE, _SWING_TO]
+			time - SETTLE_S,
+			SPEED / length,
+			[_SWING_FROM, _SWING_FROM / 2.0, _SWING_BRAKE, _SWING_TO]
 		)
 		var turn: Quaternion = Quaternion(Vector3.UP, angle)
 		var turns: Dictionary[StringName, Quaternion] = ContactPoses.hanging_arm(p_person, "Left")
