@@ -138,7 +138,8 @@ func get_spring(p_group: StringName) -> Vector2:
 	return _springs.get(chosen[0], Vector2.ZERO) if not chosen.is_empty() else Vector2.ZERO
 
 
-## Sets the motor's [code]gain[/code], [code]muscle_speed[/code], [code]root_force[/code] or [code]root_torque[/code].
+## Sets the motor's [code]gain[/code], [code]muscle_speed[/code], [code]root_force[/code] or
+## [code]root_torque[/code].
 func set_number(p_property: StringName, p_value: float) -> void:
 	_numbers[p_property] = p_value
 	if ragdoll != null:

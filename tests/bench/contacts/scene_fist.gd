@@ -1,14 +1,14 @@
 extends ContactScene
-## A blow with the right fist, 4 m/s fast when it hits a free crate of 10 and of 40 kg that lies on a
-## slippery table, its middle at the fist's height: a jab, a swing with the straight arm, and the
-## clip's own fastest blow, if it is above 3 m/s (see [FistBlow]).
+## A blow with the right fist, 4 m/s fast when it hits a free crate of 10 and of 40 kg that lies
+## on a slippery table, its middle at the fist's height: a jab, a swing with the straight arm, and
+## the clip's own fastest blow, if it is above 3 m/s (see [FistBlow]).
 ##
 ## The crate's speed is taken 100 ms after the first contact. It is compared with the inelastic
 ## estimate v m / (m + M): v is the speed that the hand had in the step before the contact, M the
 ## crate's mass, m the mass of the arm for the blow. That lies between two bounds, both from the
 ## body's own masses and joints: the effective mass of an arm whose muscles do nothing
-## ([ContactEffectiveMass]), and the mass of the whole arm, as if the muscles kept it stiff. The goal
-## is within 30 % of the second.
+## ([ContactEffectiveMass]), and the mass of the whole arm, as if the muscles kept it stiff. The
+## goal is within 30 % of the second.
 
 const _MASSES: Array[float] = [10.0, 40.0]
 const _SIZE: float = 0.5
