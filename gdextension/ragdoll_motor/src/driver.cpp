@@ -232,8 +232,27 @@ void Driver::measure(double p_time_s, const RigState &p_state) {
 	meter.note(p_time_s, p_state.orientations, joints);
 }
 
+std::uint64_t Driver::fingerprint() const {
+	StateHash hash;
+	for (std::size_t i = 0; i < rig.size(); i++) {
+		hash.add(rig[i].parent);
+		hash.add(rig[i].group);
+		hash.add(rig[i].anchor);
+		hash.add(rig[i].centre);
+		hash.add(rig[i].rest);
+		hash.add(rig[i].mass);
+	}
+	for (const ContactPoint &contact : contacts) {
+		hash.add(contact.limb);
+		hash.add(contact.local);
+		hash.add(contact.radius);
+		hash.add(contact.sole);
+	}
+	return hash.get();
+}
+
 void Driver::save(ArchiveWriter &p_archive) const {
-	p_archive.put(std::uint32_t(rig.size()));
+	p_archive.put(fingerprint());
 	p_archive.put(root_mode);
 	p_archive.put(alive);
 	p_archive.put(was_limp);
@@ -250,9 +269,21 @@ void Driver::save(ArchiveWriter &p_archive) const {
 }
 
 bool Driver::restore(ArchiveReader &p_archive) {
-	std::uint32_t limbs = 0;
+	ArchiveWriter before;
+	save(before);
+	if (read(p_archive)) {
+		return true;
+	}
+	ArchiveReader back(before.get_bytes().data(), before.get_bytes().size());
+	read(back);
+	return false;
+}
+
+bool Driver::read(ArchiveReader &p_archive) {
+	std::uint64_t whose = 0;
 	RootMode mode = RootMode::SOFT;
-	if (!p_archive.get(limbs) || limbs != rig.size() || !p_archive.get(mode) || int(mode) < 0 ||
+	// Archives hold places in tables: those of another body must not come any further.
+	if (!p_archive.get(whose) || whose != fingerprint() || !p_archive.get(mode) || int(mode) < 0 ||
 			int(mode) >= ROOT_MODE_COUNT || !p_archive.get(alive) || !p_archive.get(was_limp) ||
 			!p_archive.get(is_getting_up)) {
 		return false;

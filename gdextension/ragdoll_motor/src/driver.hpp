@@ -100,9 +100,13 @@ public:
 	const Vec3 &get_root_target() const { return next.root; }
 
 	void save(ArchiveWriter &p_archive) const;
+	/// Returns false, and is as before, where the archive is not of such a body.
 	bool restore(ArchiveReader &p_archive);
 
 private:
+	bool read(ArchiveReader &p_archive);
+	/// Of the limbs and contact points: whose state an archive is.
+	std::uint64_t fingerprint() const;
 	Travel *find_travel(RootMode p_mode) const;
 	void travel(const RigState &p_state, float p_delta_s);
 	void find_points(const Pose &p_pose, std::vector<Vec3> &r_points);
