@@ -12,6 +12,7 @@ void RagdollMotor::set_root_mode(RootMode p_mode) {
 }
 
 void RagdollMotor::set_gain(double p_gain) {
+	ERR_FAIL_COND_MSG(!is_amount(p_gain), "RagdollMotor: a gain is 0 or more.");
 	gain = p_gain;
 	apply_settings();
 }
@@ -22,13 +23,20 @@ void RagdollMotor::set_muscle_speed(double p_speed) {
 }
 
 void RagdollMotor::set_root_force(double p_force) {
+	ERR_FAIL_COND_MSG(!is_amount(p_force), "RagdollMotor: a force is 0 or more.");
 	root_force = p_force;
 	apply_settings();
 }
 
 void RagdollMotor::set_root_torque(double p_torque) {
+	ERR_FAIL_COND_MSG(!is_amount(p_torque), "RagdollMotor: a torque is 0 or more.");
 	root_torque = p_torque;
 	apply_settings();
+}
+
+void RagdollMotor::set_inertia_scale(double p_scale) {
+	ERR_FAIL_COND_MSG(!is_amount(p_scale) || p_scale < 0.01, "RagdollMotor: an inertia scale is 0.01 or more.");
+	inertia_scale = p_scale;
 }
 
 void RagdollMotor::set_sample_slots(const PackedInt32Array &p_slots) {
@@ -51,6 +59,7 @@ void RagdollMotor::set_ground_mask(int64_t p_mask) {
 }
 
 void RagdollMotor::set_max_energy(double p_energy) {
+	ERR_FAIL_COND_MSG(!is_amount(p_energy), "RagdollMotor: an energy is 0 or more.");
 	max_energy = p_energy;
 	apply_settings();
 }

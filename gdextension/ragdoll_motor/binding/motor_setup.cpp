@@ -9,6 +9,26 @@
 
 namespace godot {
 
+namespace {
+
+String find_body_fault(const TypedArray<RID> &p_bodies, const RID &p_space) {
+	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
+	for (int64_t i = 0; i < p_bodies.size(); i++) {
+		const RID body = p_bodies[i];
+		if (server->body_get_direct_state(body) == nullptr || server->body_get_space(body) != p_space) {
+			return "one of the bodies is none, or is not in the physics space";
+		}
+		for (int64_t j = 0; j < i; j++) {
+			if (RID(p_bodies[j]) == body) {
+				return "two limbs have the same body";
+			}
+		}
+	}
+	return String();
+}
+
+} // namespace
+
 bool RagdollMotor::setup(const Ref<RagdollProfile> &p_profile, const TypedArray<RID> &p_bodies,
 		const PackedVector3Array &p_centres, const RID &p_space) {
 	ERR_FAIL_COND_V_MSG(p_profile.is_null(), false, "RagdollMotor: there is no profile.");
@@ -20,6 +40,8 @@ bool RagdollMotor::setup(const Ref<RagdollProfile> &p_profile, const TypedArray<
 	ERR_FAIL_COND_V_MSG(!p_centres.is_empty() && p_centres.size() != count, false,
 			"RagdollMotor: there must be one centre for each limb of the profile, or none at all.");
 	ERR_FAIL_COND_V_MSG(!p_space.is_valid(), false, "RagdollMotor: there is no physics space.");
+	const String obstacle = find_body_fault(p_bodies, p_space);
+	ERR_FAIL_COND_V_MSG(!obstacle.is_empty(), false, "RagdollMotor: " + obstacle + ".");
 	release();
 	if (!make_driver(p_profile, p_bodies, p_centres)) {
 		return false;

@@ -45,6 +45,13 @@ RagdollBodies::~RagdollBodies() {
 
 void RagdollBodies::free_all() {
 	free_assist();
+	for (std::size_t i = 0; i < written.size(); i++) {
+		// Bodies that were put in place fall again, those that are still there.
+		if (written[i].is_set && server()->body_get_direct_state(specs[i].body) != nullptr) {
+			set_kinematic(i, false);
+		}
+	}
+	written.clear();
 	for (const RID &joint : joints) {
 		if (joint.is_valid()) {
 			server()->free_rid(joint);
@@ -87,9 +94,6 @@ void RagdollBodies::make(const ragdoll::Rig &p_rig, std::vector<JointSpec> p_spe
 }
 
 void RagdollBodies::remake() {
-	for (std::size_t i = 0; i < specs.size(); i++) {
-		set_kinematic(i, false);
-	}
 	make(*rig, std::vector<JointSpec>(specs), space);
 }
 
@@ -114,6 +118,7 @@ RID RagdollBodies::make_joint(const RID &p_a, const Transform3D &p_frame_a, std:
 void RagdollBodies::prepare(bool p_self_collision) {
 	for (std::size_t i = 0; i < specs.size(); i++) {
 		const RID &body = specs[i].body;
+		server()->body_set_mode(body, Joint::BODY_MODE_RIGID);
 		server()->body_set_param(body, Joint::BODY_PARAM_INERTIA, from_core((*rig)[i].inertia));
 		server()->body_set_enable_continuous_collision_detection(body, true);
 		server()->body_set_state(body, Joint::BODY_STATE_CAN_SLEEP, false);

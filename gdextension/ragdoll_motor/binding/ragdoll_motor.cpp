@@ -3,6 +3,8 @@
 
 #include "convert.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace godot {
@@ -10,7 +12,9 @@ namespace godot {
 namespace {
 
 constexpr double DEGREES = 180.0 / 3.14159265358979323846;
-constexpr std::uint32_t STATE_MAGIC = 0x31534D52; // "RMS1"
+constexpr double SHORTEST_STEP = 1e-5;
+constexpr double LONGEST_STEP = 1.0;
+constexpr std::uint32_t STATE_MAGIC = 0x32534D52; // "RMS2"
 
 PackedFloat32Array to_packed(const std::vector<float> &p_values) {
 	PackedFloat32Array result;
@@ -55,12 +59,15 @@ void RagdollMotor::look_at_ground() {
 bool RagdollMotor::push_sample(double p_time_s, const PackedFloat32Array &p_rotations, const Vector3 &p_root,
 		const PackedFloat32Array &p_rates) {
 	const std::size_t count = reset_pose.size();
-	if (!driver || p_rotations.size() < int64_t(count) * 4 ||
-			(!p_rates.is_empty() && p_rates.size() < int64_t(count) * 3)) {
+	// A sample may be of more limbs than the profile has, where slots say which are meant.
+	const bool is_chosen = !sample_slots.is_empty();
+	if (!driver || (is_chosen && sample_slots.size() != int64_t(count)) || p_rotations.size() % 4 != 0 ||
+			(!is_chosen && p_rotations.size() != int64_t(count) * 4) ||
+			(!p_rates.is_empty() && p_rates.size() != int64_t(count) * 3)) {
 		return false;
 	}
 	const float *rotations = p_rotations.ptr();
-	const int32_t *slots = sample_slots.is_empty() ? nullptr : sample_slots.ptr();
+	const int32_t *slots = is_chosen ? sample_slots.ptr() : nullptr;
 	const int64_t most = p_rotations.size() / 4;
 	for (std::size_t i = 0; i < count; i++) {
 		const int64_t slot = slots ? slots[i] : int64_t(i);
@@ -85,6 +92,7 @@ void RagdollMotor::clear_motion() {
 }
 
 bool RagdollMotor::snap_to(double p_time_s) {
+	ERR_FAIL_COND_V_MSG(!std::isfinite(p_time_s), false, "RagdollMotor: the time is not finite.");
 	if (!is_ready()) {
 		return false;
 	}
@@ -94,9 +102,15 @@ bool RagdollMotor::snap_to(double p_time_s) {
 }
 
 bool RagdollMotor::drive(double p_time_s, double p_delta_s) {
-	ERR_FAIL_COND_V_MSG(!(p_delta_s > 0.0), false, "RagdollMotor: the time step must be above zero.");
+	// Written so that NaN fails too; a step that is next to nothing would divide by zero.
+	ERR_FAIL_COND_V_MSG(!(p_delta_s >= SHORTEST_STEP && p_delta_s <= LONGEST_STEP), false,
+			"RagdollMotor: the time step must be above zero (0.00001 s or more) and 1 s at most.");
+	ERR_FAIL_COND_V_MSG(!std::isfinite(p_time_s), false, "RagdollMotor: the time is not finite.");
 	if (!is_ready() || !bodies->read(state)) {
 		return false;
+	}
+	if (ragdoll::finds_travel(driver->root_mode) && (driver->ground != nullptr) != is_inside_tree()) {
+		look_at_ground(); // It has come into the tree, or left it, since.
 	}
 	const ragdoll::StepCommands &commands = driver->step(state, p_time_s, float(p_delta_s));
 	if (commands.must_put) {
@@ -173,7 +187,7 @@ RagdollMotor::Actuation RagdollMotor::get_actuation(const StringName &p_group) c
 void RagdollMotor::set_group_strength(double p_strength, const StringName &p_group, double p_blend_s) {
 	int group = -1;
 	ERR_FAIL_COND_MSG(!driver, "RagdollMotor: set_group_strength() comes after setup().");
-	ERR_FAIL_COND_MSG(!(p_strength >= 0.0), "RagdollMotor: a strength is 0 or more.");
+	ERR_FAIL_COND_MSG(!is_amount(p_strength), "RagdollMotor: a strength is 0 or more.");
 	ERR_FAIL_COND_MSG(!find_group(p_group, group), "RagdollMotor: the profile has no group " + String(p_group) + ".");
 	driver->get_table().set_strength(float(p_strength), group, float(p_blend_s));
 }
@@ -189,7 +203,7 @@ double RagdollMotor::get_group_strength(const StringName &p_group) const {
 void RagdollMotor::set_group_spring(double p_frequency, double p_damping_ratio, const StringName &p_group) {
 	int group = -1;
 	ERR_FAIL_COND_MSG(!driver, "RagdollMotor: set_group_spring() comes after setup().");
-	ERR_FAIL_COND_MSG(!(p_frequency >= 0.0 && p_damping_ratio >= 0.0),
+	ERR_FAIL_COND_MSG(!is_amount(p_frequency) || !is_amount(p_damping_ratio),
 			"RagdollMotor: a spring's frequency and damping ratio are 0 or more.");
 	ERR_FAIL_COND_MSG(!find_group(p_group, group), "RagdollMotor: the profile has no group " + String(p_group) + ".");
 	driver->get_table().set_spring(float(p_frequency), float(p_damping_ratio), group);

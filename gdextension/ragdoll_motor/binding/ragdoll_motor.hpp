@@ -106,7 +106,7 @@ public:
 	double get_root_force() const { return root_force; }
 	void set_root_torque(double p_torque);
 	double get_root_torque() const { return root_torque; }
-	void set_inertia_scale(double p_scale) { inertia_scale = p_scale; }
+	void set_inertia_scale(double p_scale);
 	double get_inertia_scale() const { return inertia_scale; }
 	void set_self_collision(bool p_enabled) { self_collision = p_enabled; }
 	bool has_self_collision() const { return self_collision; }
@@ -132,6 +132,8 @@ private:
 	static void bind_measurement();
 
 	void look_at_ground();
+	/// Whether a number can be a force, a gain, a strength: 0 or more, and finite as the core has it.
+	static bool is_amount(double p_value) { return p_value >= 0.0 && p_value <= 1e30; }
 	bool is_ready() const { return driver && !driver->get_stream().is_empty(); }
 	bool make_driver(
 			const Ref<RagdollProfile> &p_profile, const TypedArray<RID> &p_bodies, const PackedVector3Array &p_centres);
