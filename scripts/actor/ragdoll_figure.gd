@@ -44,7 +44,8 @@ func find_fault() -> String:
 	var basis: Basis = to_model.basis
 	if not to_model.is_finite() or not (basis.determinant() > 1e-12):
 		return "The skeleton is mirrored or scaled to nothing: set its scale above 0"
-	if absf(basis.get_scale().x / basis.get_scale().y - 1.0) > 0.01:
+	var scale: Vector3 = basis.get_scale()
+	if scale[scale.max_axis_index()] / scale[scale.min_axis_index()] > 1.01:
 		return "The skeleton is scaled unevenly: scale it equally along all axes"
 	var side: Vector3 = rest(&"LeftUpperLeg").origin - rest(&"RightUpperLeg").origin
 	if side.x <= 0.5 * side.length():

@@ -154,6 +154,8 @@ func test_faults_of_characters_say_what_to_do() -> void:
 		"not upright": func(armature: Node3D) -> void: armature.rotate_x(PI / 2.0),
 		"mirrored": func(armature: Node3D) -> void: armature.scale.x = -1.0,
 		"scaled unevenly": func(armature: Node3D) -> void: armature.scale = Vector3(1, 2, 1),
+		"unevenly: scale it equally":
+		func(armature: Node3D) -> void: armature.scale = Vector3(1, 1, 1.5),
 	}
 	for text: String in cases:
 		_person = Figures.make(Figures.Kind.new())
