@@ -48,6 +48,8 @@ func _get_configuration_warnings() -> PackedStringArray:
 		for pair: Array in RagdollBuilder.overlaps(profile):
 			var text: String = "%s and %s touch in the reset pose: make one of them smaller."
 			warnings.append(text % pair)
+	if is_inside_tree() and not global_basis.get_scale().is_equal_approx(Vector3.ONE):
+		warnings.append("It is scaled, bodies cannot be: set its scale to 1, scale the character.")
 	if get_skeleton() != null and SkinnedSurface.find_meshes(get_skeleton()).is_empty():
 		warnings.append(
 			(
@@ -84,16 +86,22 @@ func make_bodies() -> void:
 	if skeleton == null:
 		push_error("%s has no Skeleton3D below it: add a rigged character first." % name)
 		return
+	stop()
 	if profile == null:
 		profile = SkeletonShapes.describe(skeleton)
-	if get_simulator() != null:
-		get_simulator().free()
-	if profile != null:
-		RagdollBuilder.build(skeleton, profile, owner if owner != null else self)
+	var former: PhysicalBoneSimulator3D = get_simulator()
+	var is_made: bool = (
+		profile != null
+		and RagdollBuilder.build(skeleton, profile, owner if owner != null else self) != null
+	)
+	# The former bodies go only where there are new ones, which then take their name.
+	if is_made and former != null:
+		former.free()
+		get_simulator().name = RagdollBuilder.SIMULATOR
 	update_configuration_warnings()
 
 
-## Starts the simulation. The node must be in the tree. Returns false (and reports an error) where
+## Starts the simulation, anew where it runs. The node must be in the tree. Returns false (and reports an error) where
 ## the scene lacks something.
 func start() -> bool:
 	var obstacles: PackedStringArray = _find_obstacles()
@@ -103,6 +111,7 @@ func start() -> bool:
 	var bones: Array[PhysicalBone3D] = _find_bones()
 	if bones.is_empty():
 		return false
+	stop() # Two motors would pull at the same bodies.
 	get_simulator().physical_bones_start_simulation()
 	_bodies.clear()
 	for i: int in bones.size():
@@ -115,10 +124,12 @@ func start() -> bool:
 ## Ends the simulation: the joints and the motor go, the bodies rest where the skeleton has them.
 func stop() -> void:
 	if motor != null:
+		motor.release()
 		motor.queue_free()
 		motor = null
 		_bodies.clear()
-		get_simulator().physical_bones_stop_simulation()
+		if get_simulator() != null:
+			get_simulator().physical_bones_stop_simulation()
 
 
 ## Bodies of the limbs, in the profile's order; empty unless started.

@@ -4,8 +4,10 @@ extends RefCounted
 ## Gives a skeleton the physical bones of a [RagdollProfile].
 ##
 ## Each body has the axes of its bone and its origin (the centre of mass) in the middle of its
-## shape. Joints are not made here: see [RagdollJoints].
+## shape. Joints are not made here, but by [RagdollMotor].
 
+## Name of the node that holds the bones.
+const SIMULATOR: StringName = &"PhysicalBoneSimulator3D"
 ## Physics layer of people.
 const LAYER_ACTORS: int = 2
 ## What people collide with: world (1), people (2), props (4).
@@ -30,7 +32,7 @@ static func build(
 		push_error("The ragdoll cannot be built: %s." % fault)
 		return null
 	var simulator: PhysicalBoneSimulator3D = PhysicalBoneSimulator3D.new()
-	simulator.name = "PhysicalBoneSimulator3D"
+	simulator.name = SIMULATOR
 	p_skeleton.add_child(simulator)
 	simulator.owner = p_owner
 	var figure: RagdollFigure = RagdollFigure.new(p_skeleton)

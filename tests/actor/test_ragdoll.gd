@@ -189,6 +189,44 @@ func test_makes_its_bodies_by_the_button() -> void:
 	empty.free()
 
 
+func test_bodies_stay_where_new_ones_cannot_be_made() -> void:
+	var soldier: Ragdoll = Stage.SOLDIER.instantiate()
+	add_child(soldier)
+	var former: Node = soldier.get_simulator()
+	var skeleton: Skeleton3D = soldier.get_skeleton()
+	skeleton.set_bone_name(skeleton.find_bone(&"LeftHand"), "mixamorig_LeftHand")
+	for with_profile: bool in [true, false]:
+		if not with_profile:
+			soldier.profile = null
+		expect_error("skeleton has no bone LeftHand")
+		soldier.make_bodies()
+		equal(soldier.get_simulator(), former)
+	soldier.free()
+
+
+func test_starts_anew_with_one_motor() -> void:
+	var player: Stage.Player = _stage.add_soldier(STANDING, SOFT)
+	await _stage.run(10)
+	is_true(player.ragdoll.start())
+	await _stage.run(60)
+	equal(player.ragdoll.find_children("*", "RagdollMotor", true, false).size(), 1)
+	is_true(player.worst_error_deg(Stage.reset_pose()) < 0.1)
+	player.ragdoll.stop()
+	is_true(player.ragdoll.start())
+	await _stage.run(60)
+	is_true(player.worst_error_deg(Stage.reset_pose()) < 0.1)
+	player.ragdoll.get_simulator().free()
+	player.ragdoll.stop()
+
+
+func test_a_scaled_ragdoll_is_warned_of() -> void:
+	var soldier: Ragdoll = Stage.SOLDIER.instantiate()
+	add_child(soldier)
+	soldier.scale = Vector3.ONE * 0.6
+	_has_warnings(soldier, ["It is scaled, bodies cannot be"])
+	soldier.free()
+
+
 func test_a_missing_bone_is_named() -> void:
 	var soldier: Ragdoll = Stage.SOLDIER.instantiate()
 	add_child(soldier)
