@@ -107,6 +107,30 @@ func test_an_arm_that_is_put_cannot_be_held_up() -> void:
 	is_true(player.gap() < 0.05, "gap %f m" % player.gap())
 
 
+func test_limbs_that_are_put_do_not_drag_the_others() -> void:
+	_stage.add_floor()
+	var player: Stage.Player = _stage.add_soldier(Vector3(0.0, 1.03, 0.0), RagdollMotor.ROOT_SOFT)
+	player.pose = _swing
+	await _stage.run(20)
+	var fastest: Array[float] = [0.0]
+	var note: Callable = func(_time: float) -> void: fastest[0] = maxf(fastest[0], player.speed())
+	player.ragdoll.motor.set_actuation(RagdollMotor.DIRECT_SET, &"left_arm")
+	player.ragdoll.motor.set_actuation(RagdollMotor.DIRECT_SET, &"right_leg")
+	await _stage.run(120, note)
+	is_true(player.worst_error_deg(_swing(_stage.time_s)) < 2.0)
+	is_true(player.gap() < 0.02, "gap %f m" % player.gap())
+	for group: StringName in [&"trunk", &"head", &"right_arm", &"left_leg"]:
+		player.ragdoll.motor.set_actuation(RagdollMotor.LIMP, group)
+	await _stage.run(240, note)
+	is_true(player.joint(0).y < 0.6, "falls, and does not fly: %s" % player.joint(0))
+	is_true(player.joint(0).length() < 2.0, "lies at %s" % player.joint(0))
+	is_true(fastest[0] < 12.0, "flung with %f m/s" % fastest[0])
+	player.ragdoll.motor.set_actuation(RagdollMotor.VELOCITY_MOTOR, &"", 1.0)
+	await _stage.run(300, note)
+	is_true(player.worst_error_deg(_swing(_stage.time_s)) < 3.0)
+	is_true(player.gap() < 0.02, "gap %f m" % player.gap())
+
+
 func test_unknown_groups_and_values_are_named() -> void:
 	var player: Stage.Player = _stage.add_soldier(STANDING, RagdollMotor.ROOT_SOFT)
 	expect_error("the profile has no group tail")

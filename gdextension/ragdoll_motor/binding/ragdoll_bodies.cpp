@@ -176,6 +176,19 @@ void RagdollBodies::place(std::size_t p_limb, const ragdoll::Quat &p_orientation
 			Transform3D(Basis(from_core(p_orientation)), from_core(origin)));
 }
 
+void RagdollBodies::set_loose(std::size_t p_limb, bool p_loose) {
+	if (written[p_limb].is_loose == p_loose) {
+		return;
+	}
+	// A limb that is put follows its parent. With its infinite mass it would drag that along, which
+	// it follows then: a body with one arm in DIRECT_SET flew off.
+	written[p_limb].is_loose = p_loose;
+	for (const Vector3::Axis axis : AXES) {
+		server()->generic_6dof_joint_set_flag(
+				joints[p_limb], axis, Joint::G6DOF_JOINT_FLAG_ENABLE_LINEAR_LIMIT, !p_loose);
+	}
+}
+
 void RagdollBodies::set_drive(std::size_t p_limb, Drive p_drive) {
 	Written &last = written[p_limb];
 	if (last.drive == p_drive) {
@@ -247,6 +260,9 @@ void RagdollBodies::write(const std::vector<ragdoll::LimbCommand> &p_commands,
 		const std::vector<ragdoll::Quat> &p_orientations, const std::vector<ragdoll::Vec3> &p_joints) {
 	for (std::size_t i = 1; i < specs.size(); i++) {
 		const ragdoll::LimbCommand &command = p_commands[i];
+		const bool hangs_on_set =
+				p_commands[std::size_t((*rig)[i].parent)].mode == ragdoll::Actuation::DIRECT_SET;
+		set_loose(i, command.mode == ragdoll::Actuation::DIRECT_SET && !hangs_on_set);
 		if (command.mode == ragdoll::Actuation::DIRECT_SET) {
 			set_drive(i, Drive::FREE);
 			place(i, p_orientations[i], p_joints[i]);

@@ -71,6 +71,7 @@ private:
 	struct Written {
 		Drive drive = Drive::UNKNOWN;
 		bool is_set = false; // DIRECT_SET: the body is kinematic.
+		bool is_loose = false; // The joint does not hold the parent.
 		float torque = -1.0f;
 		ragdoll::Vec3 stiffness{ -1.0f, 0.0f, 0.0f };
 		ragdoll::Vec3 damping;
@@ -93,6 +94,7 @@ private:
 	void set_kinematic(std::size_t p_limb, bool p_kinematic);
 	void place(std::size_t p_limb, const ragdoll::Quat &p_orientation, const ragdoll::Vec3 &p_joint);
 	void set_drive(std::size_t p_limb, Drive p_drive);
+	void set_loose(std::size_t p_limb, bool p_loose);
 	void set_torque(const RID &p_joint, float p_torque, float &r_written);
 	void turn(std::size_t p_limb, const ragdoll::Vec3 &p_velocity);
 	void pull(std::size_t p_limb, const ragdoll::LimbCommand &p_command);
