@@ -101,8 +101,8 @@ func make_bodies() -> void:
 	update_configuration_warnings()
 
 
-## Starts the simulation, anew where it runs. The node must be in the tree. Returns false (and reports an error) where
-## the scene lacks something.
+## Starts the simulation, anew where it runs. The node must be in the tree. Returns false (and
+## reports an error) where the scene lacks something.
 func start() -> bool:
 	var obstacles: PackedStringArray = _find_obstacles()
 	if not obstacles.is_empty():
@@ -111,7 +111,7 @@ func start() -> bool:
 	var bones: Array[PhysicalBone3D] = _find_bones()
 	if bones.is_empty():
 		return false
-	stop() # Two motors would pull at the same bodies.
+	stop()  # Two motors would pull at the same bodies.
 	get_simulator().physical_bones_start_simulation()
 	_bodies.clear()
 	for i: int in bones.size():

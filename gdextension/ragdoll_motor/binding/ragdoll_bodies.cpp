@@ -260,8 +260,7 @@ void RagdollBodies::write(const std::vector<ragdoll::LimbCommand> &p_commands,
 		const std::vector<ragdoll::Quat> &p_orientations, const std::vector<ragdoll::Vec3> &p_joints) {
 	for (std::size_t i = 1; i < specs.size(); i++) {
 		const ragdoll::LimbCommand &command = p_commands[i];
-		const bool hangs_on_set =
-				p_commands[std::size_t((*rig)[i].parent)].mode == ragdoll::Actuation::DIRECT_SET;
+		const bool hangs_on_set = p_commands[std::size_t((*rig)[i].parent)].mode == ragdoll::Actuation::DIRECT_SET;
 		set_loose(i, command.mode == ragdoll::Actuation::DIRECT_SET && !hangs_on_set);
 		if (command.mode == ragdoll::Actuation::DIRECT_SET) {
 			set_drive(i, Drive::FREE);
