@@ -87,7 +87,7 @@ bool RagdollMotor::push_sample(double p_time_s, const PackedFloat32Array &p_rota
 
 void RagdollMotor::clear_motion() {
 	if (driver) {
-		driver->get_stream().clear();
+		driver->clear_motion();
 	}
 }
 

@@ -38,6 +38,12 @@ bool Driver::push(double p_time_s, const float *p_orientations, const Vec3 &p_ro
 	return true;
 }
 
+void Driver::clear_motion() {
+	stream.clear();
+	meter.forget_waiting();
+	alive = NEVER;
+}
+
 const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_delta_s) {
 	stream.predict(p_time_s, now);
 	stream.predict(p_time_s + double(p_delta_s), next);

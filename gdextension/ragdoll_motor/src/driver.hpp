@@ -82,6 +82,8 @@ public:
 	bool measures_torque = false;
 
 	bool push(double p_time_s, const float *p_orientations, const Vec3 &p_root, const float *p_rates);
+	/// Forgets all samples. The next motion may have another clock; the body is put into its pose.
+	void clear_motion();
 	/// The commands for the next step. The stream must not be empty.
 	/// @param p_time_s moment of the motion at which the step begins, s
 	const StepCommands &step(RigState &r_state, double p_time_s, float p_delta_s);
@@ -139,7 +141,8 @@ private:
 	Vec3 next_root; // Where the step before was to bring the root, m.
 	FlatGround level_ground;
 	RootMode travelled = RootMode::SOFT; // The mode of the step before.
-	double alive = -1e9; // When the motion was last not stalled, s.
+	static constexpr double NEVER = -1e30;
+	double alive = NEVER; // When the motion was last not stalled, s.
 	bool was_limp = false;
 	bool is_getting_up = false;
 };

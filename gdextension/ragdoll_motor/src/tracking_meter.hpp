@@ -23,6 +23,8 @@ public:
 	/// Compares what was noted with the samples that have arrived since.
 	void settle(const PoseStream &p_stream, const Rig &p_rig);
 	void clear();
+	/// Forgets poses that have not been compared yet: another clock begins.
+	void forget_waiting() { waiting.clear(); }
 
 	/// Number of limb orientations compared.
 	std::uint64_t get_count() const { return count; }

@@ -57,4 +57,25 @@ TEST(a_state_that_is_cut_off_changes_nothing) {
 	CHECK(driver.get_table().get_mode(2) == Actuation::LIMP);
 }
 
+TEST(another_clock_may_begin_earlier_or_later) {
+	const float still[16] = { 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1 };
+	for (const double begin : { 5.0, 1e6, -1e6, -1e12 }) {
+		Driver driver(Rig(fixtures::limbs()), fixtures::groups(), 3, {});
+		Pose pose;
+		pose.orientations.assign(4, Quat());
+		RigState state = fixtures::state_of(driver.get_rig(), pose);
+		CHECK(driver.push(100.0, still, {}, nullptr));
+		driver.step(state, 100.0, 0.01f);
+		driver.measure(100.01, state);
+		driver.clear_motion();
+		CHECK(driver.push(begin, still, { 3.0f, 0.0f, 0.0f }, nullptr));
+		CHECK(driver.step(state, begin, 0.01f).must_put);
+		CHECK_NEAR(state.root.x, 3.0, 1e-6);
+		driver.measure(begin + 0.01, state);
+		CHECK(driver.push(begin + 0.02, still, { 3.0f, 0.0f, 0.0f }, nullptr));
+		CHECK(!driver.step(state, begin + 0.02, 0.01f).must_put);
+		CHECK(driver.get_meter().get_count() == 4);
+	}
+}
+
 TEST_MAIN()
