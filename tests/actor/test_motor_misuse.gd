@@ -128,6 +128,20 @@ func test_the_state_of_another_body_is_refused_and_changes_nothing() -> void:
 	is_true(_motor.restore_state(own))
 
 
+func test_whoever_hears_of_the_guard_may_end_the_motor() -> void:
+	await _run(3)
+	_motor.guard_acted.connect(func(_flags: int) -> void: _motor.release())
+	for i: int in LIMBS:
+		PhysicsServer3D.body_set_state(
+			_bodies[i],
+			PhysicsServer3D.BODY_STATE_LINEAR_VELOCITY,
+			Vector3(900.0 if i % 2 == 0 else -900.0, 0.0, 0.0)
+		)
+	is_true(_motor.drive(_time_s, DELTA))
+	is_false(_motor.is_set_up())
+	is_false(_motor.drive(_time_s, DELTA))
+
+
 func test_finds_the_ground_though_it_was_set_up_outside_the_tree() -> void:
 	remove_child(_motor)
 	_motor.root_mode = RagdollMotor.ROOT_CONTACTS

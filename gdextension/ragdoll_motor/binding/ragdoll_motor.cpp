@@ -116,14 +116,15 @@ bool RagdollMotor::drive(double p_time_s, double p_delta_s) {
 	if (commands.must_put) {
 		bodies->put(state);
 	}
-	if (commands.guarded != ragdoll::GUARD_NOTHING) {
-		report(commands.guarded);
-	}
+	const std::uint32_t guarded = commands.guarded;
 	bodies->write(commands.limbs, commands.orientations, commands.joints);
 	if (commands.is_root_held) {
 		bodies->hold_root(commands.orientations[0], commands.joints[0]);
 	} else {
 		bodies->draw_root(driver->root_mode, commands.root, commands.root_turn, commands.trunk_turn);
+	}
+	if (guarded != ragdoll::GUARD_NOTHING) {
+		report(guarded); // Last of all: whoever listens may release or free this node.
 	}
 	return true;
 }
