@@ -80,6 +80,22 @@ func test_dies_and_gets_up() -> void:
 	is_true(fastest[0] < 9.0, "flung up with %f m/s" % fastest[0])
 
 
+func test_a_held_person_gets_up_without_being_flung() -> void:
+	_stage.add_floor()
+	var standing: Vector3 = Vector3(0.0, 1.03, 0.0)
+	var player: Stage.Player = _stage.add_soldier(standing, RagdollMotor.ROOT_HELD)
+	await _stage.run(30)
+	player.ragdoll.motor.set_actuation(RagdollMotor.LIMP)
+	await _stage.run(180)
+	var fastest: Array[float] = [0.0]
+	var note: Callable = func(_time: float) -> void: fastest[0] = maxf(fastest[0], player.speed())
+	player.ragdoll.motor.set_actuation(RagdollMotor.VELOCITY_MOTOR, &"", 1.5)
+	await _stage.run(240, note)
+	is_true(player.worst_error_deg(Stage.reset_pose()) < 1.0)
+	almost_equal(player.joint(0), standing, 0.003)
+	is_true(fastest[0] < 20.0, "flung up with %f m/s" % fastest[0])
+
+
 func test_a_weakened_arm_sinks_and_comes_back() -> void:
 	var player: Stage.Player = _stage.add_soldier(STANDING, RagdollMotor.ROOT_SOFT)
 	await _stage.run(20)

@@ -64,10 +64,26 @@ const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_del
 		place_limbs(rig, r_state, next, p_delta_s, table, commands.orientations, commands.joints);
 	}
 	if (commands.is_root_held && table.get_mode(0) != Actuation::DIRECT_SET) {
-		commands.orientations[0] = next.orientations[0];
-		commands.joints[0] = next.root;
+		hold_root(r_state, p_delta_s);
 	}
+	was_held = commands.is_root_held;
 	return commands;
+}
+
+void Driver::hold_root(const RigState &p_state, float p_delta_s) {
+	commands.orientations[0] = next.orientations[0];
+	commands.joints[0] = next.root + lift;
+	const Vec3 way = commands.joints[0] - p_state.root;
+	const Vec3 turn = log(p_state.orientations[0].inverse() * next.orientations[0]);
+	const float distance = way.length() - (next.root - now.root).length();
+	const float angle = turn.length() - angle_between(now.orientations[0], next.orientations[0]);
+	is_fetched = (is_fetched || !was_held) && (distance > FETCHED || angle > FETCHED);
+	if (is_fetched) {
+		const float part =
+				std::min(1.0f, p_delta_s / std::max(std::max(distance / FETCH_SPEED, angle / FETCH_TURN), p_delta_s));
+		commands.orientations[0] = p_state.orientations[0] * exp(turn * part);
+		commands.joints[0] = p_state.root + way * part;
+	}
 }
 
 void Driver::compute_limbs(const RigState &p_state, float p_delta_s) {
@@ -160,7 +176,7 @@ void Driver::command_root(const RigState &p_state, float p_delta_s) {
 	const Actuation mode = table.get_mode(0);
 	commands.is_root_held = mode == Actuation::DIRECT_SET || (root_mode == RootMode::HELD && mode != Actuation::LIMP);
 	root_settings.gain = controller.settings.gain;
-	const Vec3 lift{ 0.0f, lift_while_getting_up(p_state), 0.0f };
+	lift = { 0.0f, lift_while_getting_up(p_state), 0.0f };
 	const float strength = mode == Actuation::LIMP ? 0.0f : table.get_standing_strength(0);
 	commands.root = drive_root(
 			root_mode, root_settings, rig, p_state.root, now.root + lift, next.root + lift, p_delta_s, strength);
@@ -263,6 +279,8 @@ void Driver::save(ArchiveWriter &p_archive) const {
 	p_archive.put(alive);
 	p_archive.put(was_limp);
 	p_archive.put(is_getting_up);
+	p_archive.put(was_held);
+	p_archive.put(is_fetched);
 	p_archive.put(travelled);
 	p_archive.put(next_root);
 	for (const std::unique_ptr<Travel> &estimator : travels) {
@@ -291,7 +309,7 @@ bool Driver::read(ArchiveReader &p_archive) {
 	// Archives hold places in tables: those of another body must not come any further.
 	if (!p_archive.get(whose) || whose != fingerprint() || !p_archive.get(mode) || int(mode) < 0 ||
 			int(mode) >= ROOT_MODE_COUNT || !p_archive.get(alive) || !p_archive.get(was_limp) ||
-			!p_archive.get(is_getting_up)) {
+			!p_archive.get(is_getting_up) || !p_archive.get(was_held) || !p_archive.get(is_fetched)) {
 		return false;
 	}
 	root_mode = mode;

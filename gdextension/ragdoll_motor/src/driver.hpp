@@ -55,6 +55,13 @@ public:
 	/// INERTIAL: by how much of itself the gain falls where the motion is nothing but noise.
 	static constexpr float CALMED = 0.9f;
 
+	/// A root that becomes held is fetched with this speed (m/s and rad/s), not within a tick: that
+	/// would fling the limbs.
+	static constexpr float FETCH_SPEED = 3.0f;
+	static constexpr float FETCH_TURN = 6.0f;
+	/// It is there when it is off by less than this, m and rad.
+	static constexpr float FETCHED = 0.02f;
+
 	Driver(Rig p_rig, const std::vector<int> &p_groups, std::size_t p_group_count,
 			const std::vector<ContactPoint> &p_contacts);
 	Driver(const Driver &) = delete;
@@ -113,6 +120,7 @@ private:
 	void travel(const RigState &p_state, float p_delta_s);
 	void find_points(const Pose &p_pose, std::vector<Vec3> &r_points);
 	bool has_come_back(double p_time_s);
+	void hold_root(const RigState &p_state, float p_delta_s);
 	void compute_limbs(const RigState &p_state, float p_delta_s);
 	void put_into_pose(RigState &r_state);
 	float lift_while_getting_up(const RigState &p_state);
@@ -145,6 +153,9 @@ private:
 	double alive = NEVER; // When the motion was last not stalled, s.
 	bool was_limp = false;
 	bool is_getting_up = false;
+	Vec3 lift; // Of the root while the body gets up, m.
+	bool was_held = false;
+	bool is_fetched = false; // The root is on its way to where it will be held.
 };
 
 } // namespace ragdoll
