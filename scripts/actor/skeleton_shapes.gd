@@ -5,8 +5,9 @@ extends RefCounted
 ##
 ## Joints are exactly where the skeleton has them. Shapes are fitted to the skinned meshes below the
 ## skeleton ([MeshShapes]); without any, lengths come from the bones and thicknesses are those of
-## an adult of average build, in shares of the body's height. Shapes that would touch in the reset
-## pose though no joint connects them are made thinner ([LimbDistance]).
+## an adult of average build, in shares of the body's height. Mass and torques go with the height
+## ([BodyMass]). Shapes that would touch in the reset pose though no joint connects them are made
+## thinner ([LimbDistance]).
 
 ## Half thickness of each limb across, as a share of the body's height. For boxes across and deep.
 const _THICKNESS: Array[Vector2] = [
@@ -51,6 +52,7 @@ static func describe(p_skeleton: Skeleton3D) -> RagdollProfile:
 	var surface: SkinnedSurface = SkinnedSurface.new(figure)
 	if not surface.is_empty():
 		MeshShapes.new(figure, surface).fit(profile)
+	BodyMass.fill(profile, figure)
 	LimbDistance.keep_apart(profile)
 	LimbContacts.fill(profile, figure, surface)
 	return profile

@@ -94,7 +94,18 @@ void RagdollBodies::make(const ragdoll::Rig &p_rig, std::vector<JointSpec> p_spe
 }
 
 void RagdollBodies::remake() {
-	make(*rig, std::vector<JointSpec>(specs), space);
+	const std::vector<JointSpec> kept = specs;
+	const RID where = space;
+	free_all();
+	// Out in the opposite order: the engine gives freed places to the next that comes, and solves in
+	// the order of places.
+	for (std::size_t i = kept.size(); i-- > 0;) {
+		server()->body_set_space(kept[i].body, RID());
+	}
+	for (const JointSpec &spec : kept) {
+		server()->body_set_space(spec.body, where);
+	}
+	make(*rig, kept, where);
 }
 
 RID RagdollBodies::make_joint(const RID &p_a, const Transform3D &p_frame_a, std::size_t p_limb, bool p_is_root) {

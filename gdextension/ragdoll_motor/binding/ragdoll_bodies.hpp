@@ -38,7 +38,8 @@ public:
 
 	/// Makes the joints. The limbs' `rest` orientations are those of the reset pose.
 	void make(const ragdoll::Rig &p_rig, std::vector<JointSpec> p_specs, const RID &p_space);
-	/// Makes the joints anew: those forget what the engine's solver remembers of the last steps.
+	/// Makes the joints anew and lets the bodies enter the space anew: they forget what the engine's
+	/// solver remembers of the last steps, of joints and of contacts.
 	void remake();
 	/// Sets what a body needs to be driven well: inertia, continuous collision detection, no sleep.
 	void prepare(bool p_self_collision);

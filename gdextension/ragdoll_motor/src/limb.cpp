@@ -10,6 +10,9 @@ namespace ragdoll {
 namespace {
 
 constexpr float PI = 3.14159265358979f;
+constexpr float FURTHEST = 100.0f; // m
+constexpr float THINNEST = 1e-3f; // m
+constexpr float LEAST_FRACTION = 1e-5f;
 constexpr double LIGHTEST = 1.0;
 constexpr double HEAVIEST = 1000.0;
 
@@ -50,13 +53,13 @@ std::string find_size_fault(const Limb &p_limb) {
 	}
 	if (p_limb.type == Limb::PILL) {
 		const bool is_fine =
-				p_limb.radius > 0.0f && p_limb.radius < 2.0f && p_limb.length >= 0.0f && p_limb.length < 4.0f;
+				p_limb.radius >= THINNEST && p_limb.radius < 2.0f && p_limb.length >= 0.0f && p_limb.length < 4.0f;
 		return is_fine ? ""
-					   : "'s radius or length is no size of a limb (radius above 0 and below 2 m, length below 4 m)";
+					   : "'s radius or length is no size of a limb (radius above 0, 1 mm to 2 m, length below 4 m)";
 	}
 	const Vec3 &size = p_limb.size;
-	const bool is_fine = size.x > 0.0f && size.y > 0.0f && size.z > 0.0f && size.is_finite() && size.length() < 4.0f;
-	return is_fine ? "" : "'s sizes must be above 0 and those of a limb (below 4 m)";
+	const bool is_fine = size.x >= THINNEST && size.y >= THINNEST && size.z >= THINNEST && size.length() < 4.0f;
+	return is_fine ? "" : "'s sizes must be above 0 and those of a limb (1 mm to 4 m)";
 }
 
 std::string find_contact_fault(const Limb &p_limb) {
@@ -147,6 +150,9 @@ std::string find_fault(const Limb &p_limb) {
 	if (!p_limb.position.is_finite() || !p_limb.anchor.is_finite()) {
 		return bone + " has a place that is not finite";
 	}
+	if (!(p_limb.position.length() < FURTHEST && p_limb.anchor.length() < FURTHEST)) {
+		return bone + format(" has a position or anchor further than %.0f m from the model's origin", double(FURTHEST));
+	}
 	const std::pair<const char *, const Quat *> rotations[3] = { { "orientation", &p_limb.orientation },
 		{ "rest_orientation", &p_limb.rest_orientation }, { "reset_orientation", &p_limb.reset_orientation } };
 	for (const auto &[name, rotation] : rotations) {
@@ -155,8 +161,9 @@ std::string find_fault(const Limb &p_limb) {
 			return fault;
 		}
 	}
-	if (!(p_limb.mass_fraction > 0.0f && p_limb.mass_fraction <= 1.0f)) {
-		return bone + format("'s mass_fraction is %f instead of above 0 and at most 1", double(p_limb.mass_fraction));
+	if (!(p_limb.mass_fraction >= LEAST_FRACTION && p_limb.mass_fraction <= 1.0f)) {
+		return bone +
+				format("'s mass_fraction is %f instead of %g to 1", double(p_limb.mass_fraction), double(LEAST_FRACTION));
 	}
 	// The root hangs on nothing: its torque is that of the joint to the world.
 	const float least = p_limb.parent_bone.empty() ? 0.0f : 1e-6f;

@@ -126,6 +126,8 @@ TEST(faults_of_a_limb_are_named) {
 		{ [](Limb &limb) { limb.orientation.w = 0.5f; }, "Head's orientation is not a rotation (norm 0.5" },
 		{ [](Limb &limb) { limb.rest_orientation.w = 2.0f; }, "Head's rest_orientation is not a rotation" },
 		{ [](Limb &limb) { limb.reset_orientation.x = NOTHING; }, "Head's reset_orientation is not finite" },
+		{ [](Limb &limb) { limb.anchor.x = 1e30f; }, "Head has a position or anchor further than 100 m" },
+		{ [](Limb &limb) { limb.mass_fraction = 1e-30f; }, "Head's mass_fraction is 0.0" },
 		{ [](Limb &limb) { limb.mass_fraction = 0.0f; }, "Head's mass_fraction is 0.0" },
 		{ [](Limb &limb) { limb.mass_fraction = NOTHING; }, "mass_fraction" },
 		{ [](Limb &limb) { limb.max_torque = 0.0f; }, "Head's max_torque is 0.0" },

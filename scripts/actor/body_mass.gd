@@ -1,0 +1,41 @@
+@tool
+class_name BodyMass
+extends RefCounted
+## How heavy and strong a figure is, by its size.
+##
+## Mass and the torques of joints (area of the muscle times its lever) go with the cube of the
+## height: so do weights of children and adults. The volume of a mesh is not asked: clothes, hair
+## and gear have much of it and weigh little.
+
+## An average adult: height, m, mass, kg, and how high the hip joints are, as a share of the height
+## (Winter 2009, Biomechanics and Motor Control of Human Movement, fig. 4.1).
+const ADULT_HEIGHT: float = 1.8
+const ADULT_MASS: float = 80.0
+const HIPS_HEIGHT: float = 0.53
+## Bounds of a profile's mass, kg.
+const LIGHTEST: float = 1.0
+const HEAVIEST: float = 1000.0
+
+
+## Sets the mass of a profile that is made for a figure, and scales the torques of its limbs, which
+## are an adult's.
+static func fill(p_profile: RagdollProfile, p_figure: RagdollFigure) -> void:
+	var part: float = (stature(p_figure) / ADULT_HEIGHT) ** 3
+	# Tenths of a kilogram are more than anybody can tell of such a figure.
+	p_profile.mass = clampf(snappedf(ADULT_MASS * part, 0.1), LIGHTEST, HEAVIEST)
+	for limb: RagdollLimb in p_profile.limbs:
+		limb.max_torque *= p_profile.mass / ADULT_MASS
+
+
+## How tall a figure is, m, by the height of its hip joints: not every skeleton tells where the
+## head ends.
+static func stature(p_figure: RagdollFigure) -> float:
+	var lowest: float = INF
+	for side: String in ["Left", "Right"]:
+		for bone: String in ["Foot", "Toes"]:
+			if p_figure.has(StringName(side + bone)):
+				lowest = minf(lowest, p_figure.rest(StringName(side + bone)).origin.y)
+	var hips: float = p_figure.rest(&"LeftUpperLeg").origin.y
+	# The origin of a figure is between its soles, if it is anywhere near them.
+	var ground: float = 0.0 if absf(lowest) < 0.15 * absf(hips) else lowest
+	return (hips - ground) / HIPS_HEIGHT
