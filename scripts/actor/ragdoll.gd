@@ -80,25 +80,28 @@ func get_simulator() -> PhysicalBoneSimulator3D:
 
 ## Gives the skeleton its physical bones, in place of those it may have. Without a profile one is
 ## made from the skeleton and the skinned meshes below this node. The button in the inspector
-## calls it.
+## calls it; the editor can undo it.
 func make_bodies() -> void:
 	var skeleton: Skeleton3D = get_skeleton()
 	if skeleton == null:
 		push_error("%s has no Skeleton3D below it: add a rigged character first." % name)
 		return
 	stop()
-	if profile == null:
-		profile = SkeletonShapes.describe(skeleton)
+	var described: RagdollProfile = profile
+	if described == null:
+		described = SkeletonShapes.describe(skeleton)
+	var made: PhysicalBoneSimulator3D = null
+	if described != null:
+		made = RagdollBuilder.make(skeleton, described)
+	if made == null:
+		return
 	var former: PhysicalBoneSimulator3D = get_simulator()
-	var is_made: bool = (
-		profile != null
-		and RagdollBuilder.build(skeleton, profile, owner if owner != null else self) != null
-	)
-	# The former bodies go only where there are new ones, which then take their name.
-	if is_made and former != null:
+	if Engine.is_editor_hint() and is_inside_tree():
+		_put_bodies_with_undo(described, made, former)
+		return
+	_put_bodies(described, made)
+	if former != null:
 		former.free()
-		get_simulator().name = RagdollBuilder.SIMULATOR
-	update_configuration_warnings()
 
 
 ## Starts the simulation, anew where it runs. The node must be in the tree. Returns false (and
@@ -152,6 +155,30 @@ func push_sample(p_time_s: float, p_sample: PoseSample, p_root: Vector3) -> bool
 ## by one call of [method RagdollMotor.drive_all].
 func drive(p_time_s: float, p_delta_s: float) -> void:
 	motor.drive(p_time_s, p_delta_s)
+
+
+## Bodies in place of those that are there, which are taken out of the tree. Either may be null.
+func _put_bodies(p_profile: RagdollProfile, p_simulator: PhysicalBoneSimulator3D) -> void:
+	if get_simulator() != null:
+		get_skeleton().remove_child(get_simulator())
+	profile = p_profile
+	if p_simulator != null:
+		RagdollBuilder.add(get_skeleton(), p_simulator, owner if owner != null else self)
+	update_configuration_warnings()
+
+
+func _put_bodies_with_undo(
+	p_profile: RagdollProfile, p_made: PhysicalBoneSimulator3D, p_former: PhysicalBoneSimulator3D
+) -> void:
+	# By name, as exported programs do not know these classes.
+	var undo: Object = Engine.get_singleton(&"EditorInterface").call(&"get_editor_undo_redo")
+	undo.call(&"create_action", "Make bodies of %s" % name, UndoRedo.MERGE_DISABLE, self)
+	undo.call(&"add_do_method", self, &"_put_bodies", p_profile, p_made)
+	undo.call(&"add_do_reference", p_made)
+	undo.call(&"add_undo_method", self, &"_put_bodies", profile, p_former)
+	if p_former != null:
+		undo.call(&"add_undo_reference", p_former)
+	undo.call(&"commit_action")
 
 
 ## What the simulation cannot do without.

@@ -16,12 +16,30 @@ const MASK_ACTORS: int = 7
 const FRICTION: float = 0.8
 
 
-## Adds a [PhysicalBoneSimulator3D] with a [PhysicalBone3D] per limb below a skeleton, and returns
-## it; on a fault it reports an error and returns null. [param p_owner] is the scene that shall
-## save them, or null. The profile's frame must be the figure's: see [RagdollFigure].
+## Makes a [PhysicalBoneSimulator3D] with a [PhysicalBone3D] per limb, adds it to the skeleton and
+## returns it; on a fault it reports an error and returns null. [param p_owner] is the scene that
+## shall save them, or null. The profile's frame must be the figure's: see [RagdollFigure].
 static func build(
 	p_skeleton: Skeleton3D, p_profile: RagdollProfile, p_owner: Node = null
 ) -> PhysicalBoneSimulator3D:
+	var simulator: PhysicalBoneSimulator3D = make(p_skeleton, p_profile)
+	if simulator != null:
+		add(p_skeleton, simulator, p_owner)
+	return simulator
+
+
+## Adds such bones to a skeleton and to the scene that shall save them.
+static func add(
+	p_skeleton: Skeleton3D, p_simulator: PhysicalBoneSimulator3D, p_owner: Node
+) -> void:
+	p_skeleton.add_child(p_simulator)
+	p_simulator.owner = p_owner
+	for node: Node in p_simulator.find_children("*", "", true, false):
+		node.owner = p_owner
+
+
+## The same bones as [method build], not added to anything yet.
+static func make(p_skeleton: Skeleton3D, p_profile: RagdollProfile) -> PhysicalBoneSimulator3D:
 	var fault: String = p_profile.find_fault()
 	if fault == "":
 		for limb: RagdollLimb in p_profile.limbs:
@@ -33,8 +51,6 @@ static func build(
 		return null
 	var simulator: PhysicalBoneSimulator3D = PhysicalBoneSimulator3D.new()
 	simulator.name = SIMULATOR
-	p_skeleton.add_child(simulator)
-	simulator.owner = p_owner
 	var figure: RagdollFigure = RagdollFigure.new(p_skeleton)
 	for limb: RagdollLimb in p_profile.limbs:
 		var bone: PhysicalBone3D = _make_bone(limb, p_profile.mass)
@@ -42,8 +58,6 @@ static func build(
 		var rest: Transform3D = figure.scaled_rest(limb.bone)
 		bone.body_offset = rest.affine_inverse() * RagdollFigure.body_of(limb)
 		simulator.add_child(bone)
-		bone.owner = p_owner
-		bone.get_child(0).owner = p_owner
 	return simulator
 
 

@@ -157,6 +157,16 @@ func test_finds_the_ground_though_it_was_set_up_outside_the_tree() -> void:
 	await _run(2)
 
 
+func test_goes_on_when_a_body_that_was_gone_is_back() -> void:
+	await _run(2)
+	expect_error("a body is not in a physics space")
+	PhysicsServer3D.body_set_space(_bodies[2], RID())
+	is_false(_motor.drive(_time_s, DELTA))
+	is_false(_motor.drive(_time_s, DELTA))
+	PhysicsServer3D.body_set_space(_bodies[2], _space())
+	is_true(_motor.drive(_time_s, DELTA))
+
+
 func _run(p_steps: int) -> void:
 	for _step: int in p_steps:
 		await get_tree().physics_frame

@@ -145,10 +145,17 @@ void RagdollBodies::prepare(bool p_self_collision) {
 	}
 }
 
-bool RagdollBodies::read(ragdoll::RigState &r_state) const {
+bool RagdollBodies::read(ragdoll::RigState &r_state) {
 	for (std::size_t i = 0; i < specs.size(); i++) {
 		const PhysicsDirectBodyState3D *state = server()->body_get_direct_state(specs[i].body);
-		ERR_FAIL_NULL_V_MSG(state, false, "RagdollMotor: a body is not in a physics space (any more).");
+		if (!state) {
+			// Said once, not every tick.
+			if (!is_lost) {
+				ERR_PRINT("RagdollMotor: a body is not in a physics space (any more).");
+			}
+			is_lost = true;
+			return false;
+		}
 		const Transform3D transform = state->get_transform();
 		r_state.orientations[i] = rotation_of(transform.basis);
 		r_state.centres[i] = to_core(transform.origin);
@@ -156,6 +163,7 @@ bool RagdollBodies::read(ragdoll::RigState &r_state) const {
 		r_state.angular[i] = to_core(state->get_angular_velocity());
 	}
 	r_state.root = rig->joint_of(r_state, 0);
+	is_lost = false;
 	return true;
 }
 

@@ -44,7 +44,8 @@ public:
 	/// Sets what a body needs to be driven well: inertia, continuous collision detection, no sleep.
 	void prepare(bool p_self_collision);
 
-	bool read(ragdoll::RigState &r_state) const;
+	/// The state of the bodies; false (and an error, once) where one is not there.
+	bool read(ragdoll::RigState &r_state);
 	void write(const std::vector<ragdoll::LimbCommand> &p_commands, const std::vector<ragdoll::Quat> &p_orientations,
 			const std::vector<ragdoll::Vec3> &p_joints);
 	/// Sets the root's hold: kinematic at a place, or by limited forces.
@@ -107,6 +108,7 @@ private:
 	std::vector<Written> written;
 	std::vector<ragdoll::Quat> rest_inverse; // Parent's reset orientation to the limb's, inverted.
 	Hold hold;
+	bool is_lost = false; // A body was not there at the last reading.
 	RID space;
 	RID anchor;
 	RID pendulum;
