@@ -92,12 +92,12 @@ Controller::Relative Controller::relative(
 
 void Controller::command_velocity(
 		std::size_t p_limb, const Relative &p_relative, float p_delta_s, LimbCommand &r_command) const {
-	const float gain = std::min(settings.gain, 1.0f / p_delta_s);
+	const float gain = std::min(settings.gain * settings.eagerness, 1.0f / p_delta_s);
 	Vec3 correction = p_relative.error * gain;
 	const float error = p_relative.error.length();
 	if ((*rig)[p_limb].parent >= 0 && error > 0.0f) {
 		const float inertia = p_relative.error.scaled(rig->get_subtree_inertia(p_limb)).length() / error;
-		correction = limited(correction, braking_speed(error, r_command.max_torque / inertia));
+		correction = limited(correction, braking_speed(error, settings.eagerness * r_command.max_torque / inertia));
 	}
 	r_command.velocity = p_relative.forward + correction;
 }
