@@ -13,7 +13,7 @@ namespace ragdoll {
 class FootLock {
 public:
 	/// The most that a foot is moved, m.
-	static constexpr float FURTHEST = 0.08f;
+	static constexpr float FURTHEST = 0.12f;
 	/// How fast a foot that lifts off comes back to where the motion has it, s.
 	static constexpr float LET_GO_S = 0.06f;
 	/// How slowly points are taken hold of and let go where the motion is nothing but noise, s.
