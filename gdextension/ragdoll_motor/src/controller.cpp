@@ -97,7 +97,8 @@ void Controller::command_velocity(
 	const float error = p_relative.error.length();
 	if ((*rig)[p_limb].parent >= 0 && error > 0.0f) {
 		const float inertia = p_relative.error.scaled(rig->get_subtree_inertia(p_limb)).length() / error;
-		correction = limited(correction, braking_speed(error, settings.eagerness * r_command.max_torque / inertia));
+		const float fastest = settings.eagerness * braking_speed(error, r_command.max_torque / inertia);
+		correction = limited(correction, fastest);
 	}
 	r_command.velocity = p_relative.forward + correction;
 }

@@ -27,7 +27,7 @@ struct LimbCommand {
 /// Parameters of the modes.
 struct ControlSettings {
 	float gain = 50.0f; ///< VELOCITY_MOTOR: how fast errors are corrected, 1/s.
-	/// VELOCITY_MOTOR: share of the gain and of the torque to brake with that corrections get.
+	/// VELOCITY_MOTOR: share of the gain and of the greatest speed that corrections get.
 	float eagerness = 1.0f;
 	float angular_gain = 10.0f; ///< ANGULAR_MOTOR: the spring "in the speed domain" (thesis 8.3.1), 1/s.
 	float torque_frequency = 8.0f; ///< SPRING_TORQUE: Hz.

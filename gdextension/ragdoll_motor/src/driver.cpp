@@ -154,9 +154,9 @@ void Driver::travel(const RigState &p_state, float p_delta_s) {
 	find_shown(p_state);
 	foot_lock.advance(*estimator, now.root, points_now, points_shown, filter.get_unrest(), p_delta_s);
 	rig.joint_positions(now, joints);
-	foot_lock.apply(rig, now, joints);
+	foot_lock.apply(rig, filter.get_unrest(), now, joints);
 	rig.joint_positions(next, joints);
-	foot_lock.apply(rig, next, joints);
+	foot_lock.apply(rig, filter.get_unrest(), next, joints);
 }
 
 void Driver::let_go_when_stalled(double p_time_s) {
@@ -281,8 +281,8 @@ bool Driver::restore(ArchiveReader &p_archive) {
 			return false;
 		}
 	}
-	return foot_lock.restore(p_archive) && path.restore(p_archive) && stream.restore(p_archive) && table.restore(p_archive) &&
-			controller.restore(p_archive);
+	return foot_lock.restore(p_archive) && path.restore(p_archive) && stream.restore(p_archive) &&
+			table.restore(p_archive) && controller.restore(p_archive);
 }
 
 } // namespace ragdoll

@@ -291,7 +291,7 @@ TEST(standing_feet_are_held_by_bending_the_legs) {
 		shown.root = travel.get_root(); // Held still: the noise must go into the leg.
 		lock.advance(travel, shown.root, points, shown_points, 0.0f, 0.02f);
 		rig.joint_positions(shown, joints);
-		lock.apply(rig, shown, joints);
+		lock.apply(rig, 0.0f, shown, joints);
 		std::vector<Vec3> again;
 		rig.joint_positions(shown, again);
 		CHECK_NEAR((again[3] - joints[3]).length(), 0.0, 1e-5);

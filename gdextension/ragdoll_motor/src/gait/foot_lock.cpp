@@ -56,8 +56,8 @@ void FootLock::clear() {
 	std::fill(grips.begin(), grips.end(), 0.0f);
 }
 
-void FootLock::advance(const Travel &p_travel, const Vec3 &p_root, const std::vector<Vec3> &p_points, const std::vector<Vec3> &p_shown,
-		float p_unrest, float p_delta_s) {
+void FootLock::advance(const Travel &p_travel, const Vec3 &p_root, const std::vector<Vec3> &p_points,
+		const std::vector<Vec3> &p_shown, float p_unrest, float p_delta_s) {
 	const float grip_s = GRIP_S * p_unrest;
 	const float kept = grip_s > 0.0f ? std::exp(-p_delta_s / grip_s) : 0.0f;
 	for (Leg &leg : legs) {
@@ -97,7 +97,9 @@ bool FootLock::restore(ArchiveReader &p_archive) {
 	return p_archive.get_all(legs) && p_archive.get_all(anchors) && p_archive.get_all(grips);
 }
 
-void FootLock::apply(const Rig &p_rig, Pose &r_pose, std::vector<Vec3> &r_joints) {
+void FootLock::apply(const Rig &p_rig, float p_unrest, Pose &r_pose, std::vector<Vec3> &r_joints) {
+	// How high the feet are, the root's height sees to, unless shaking knees lift them.
+	const float lift = std::min(2.0f * p_unrest, 1.0f);
 	for (Leg &leg : legs) {
 		const Quat &foot = r_pose.orientations[std::size_t(leg.foot)];
 		Vec3 away;
@@ -113,7 +115,7 @@ void FootLock::apply(const Rig &p_rig, Pose &r_pose, std::vector<Vec3> &r_joints
 			}
 		}
 		if (sum > 0.0f) {
-			const Vec3 wanted = limited(away * (1.0f / sum), FURTHEST);
+			const Vec3 wanted = limited(Vec3{ away.x, away.y * lift, away.z } * (1.0f / sum), FURTHEST);
 			leg.offset = leg.offset + (wanted - leg.offset) * firmest;
 		}
 		if (leg.offset.length() > 1e-5f) {

@@ -27,15 +27,16 @@ public:
 	FootLock(const Rig &p_rig, const std::vector<ContactPoint> &p_contacts);
 
 	/// Moves the feet of a pose to where they stand. A foot that has let go comes back slowly.
+	/// @param p_unrest how noisy the motion is, 0 to 1
 	/// @param r_joints the pose's joints, m; they are brought up to date
-	void apply(const Rig &p_rig, Pose &r_pose, std::vector<Vec3> &r_joints);
+	void apply(const Rig &p_rig, float p_unrest, Pose &r_pose, std::vector<Vec3> &r_joints);
 	/// Begins a step: lets go of feet that lifted off, and takes hold of those that came down where they
 	/// are shown.
 	/// @param p_points contact points of the pose from the root's joint, m
 	/// @param p_shown where the bodies have them, m
 	/// @param p_unrest how noisy the motion is, 0 to 1
-	void advance(const Travel &p_travel, const Vec3 &p_root, const std::vector<Vec3> &p_points, const std::vector<Vec3> &p_shown,
-			float p_unrest, float p_delta_s);
+	void advance(const Travel &p_travel, const Vec3 &p_root, const std::vector<Vec3> &p_points,
+			const std::vector<Vec3> &p_shown, float p_unrest, float p_delta_s);
 	/// The world has moved the body, m.
 	void shift(const Vec3 &p_offset);
 	void clear();
