@@ -22,8 +22,8 @@ public:
 		float air = 12.0f; ///< What it costs to stand on nothing.
 		float follow_s = 0.047f; ///< How fast the horizontal velocity follows the points', s.
 		float follow_up_s = 0.024f; ///< The same of the vertical one, s.
-		float takeoff = 0.8f; ///< Upward speed from which a jump is possible, m/s.
-		float takeoff_gap = 0.005f; ///< And height above the ground that the ballistic path has, m.
+		float takeoff = 0.85f; ///< Upward speed from which a jump is possible, m/s.
+		float takeoff_gap = 0.008f; ///< And height above the ground that the ballistic path has, m.
 		float step_up = 0.06f; ///< Ground that would lift the body by more above its path is not stood on, m.
 		float settle_s = 0.2f; ///< For so long after a landing it is, s.
 		float hold_s = 0.01f; ///< How fast a standing point is drawn back to its anchor, s.
