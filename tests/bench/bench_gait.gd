@@ -5,7 +5,8 @@ extends SceneTree
 ## Without --bvh: a made-up walker with the soldier's body (level at three speeds, clean and with
 ## 1 degree of noise; 16 stairs up and down), then the clips of assets/motion. Options: --bvh=FILE
 ## (again for more; its own hips are the truth), --root=inertial|contacts|lowest_foot|
-## self_righting|pendulum (default the first three), --hz=60, --noise=0 (deg, for --bvh).
+## self_righting|pendulum (default the first three), --hz=60, --noise=0 (deg, for --bvh), --seed=1
+## (of the noise).
 
 const Walker: GDScript = preload("gait/walker.gd")
 const Figures: GDScript = preload("gait/gait_figures.gd")
@@ -36,7 +37,7 @@ var _world: Node3D = null
 
 func _initialize() -> void:
 	_arguments = BenchArguments.parse(
-		OS.get_cmdline_user_args(), {"bvh": "", "root": "", "hz": 60, "noise": 0.0}
+		OS.get_cmdline_user_args(), {"bvh": "", "root": "", "hz": 60, "noise": 0.0, "seed": 1}
 	)
 	_run.call_deferred()
 
@@ -104,7 +105,7 @@ func _run_stairs(p_root: String) -> void:
 
 
 func _begin(p_root: String) -> Ragdoll:
-	_random.seed = 1
+	_random.seed = _arguments.value("seed")
 	_world = Node3D.new()
 	root.add_child(_world)
 	var ragdoll: Ragdoll = (load(_SOLDIER) as PackedScene).instantiate()

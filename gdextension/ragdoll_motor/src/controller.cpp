@@ -93,14 +93,15 @@ Controller::Relative Controller::relative(
 
 void Controller::command_velocity(
 		std::size_t p_limb, const Relative &p_relative, float p_delta_s, LimbCommand &r_command) {
-	const float gain = std::min(settings.gain, 1.0f / p_delta_s);
+	const float gain = std::min(settings.gain * settings.eagerness, 1.0f / p_delta_s);
 	Vec3 correction = p_relative.error * gain;
 	const float error = p_relative.error.length();
 	const bool is_root = (*rig)[p_limb].parent < 0;
 	const Vec3 &turned = rig->get_subtree_inertia(p_limb);
 	if (!is_root && error > 0.0f) {
 		const float inertia = p_relative.error.scaled(turned).length() / error;
-		correction = limited(correction, braking_speed(error, r_command.max_torque / inertia));
+		const float fastest = settings.eagerness * braking_speed(error, r_command.max_torque / inertia);
+		correction = limited(correction, fastest);
 	}
 	r_command.velocity = p_relative.forward + correction;
 	if (!is_root && settings.muscle_speed > 0.0f) {

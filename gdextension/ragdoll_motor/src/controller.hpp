@@ -31,6 +31,8 @@ struct ControlSettings {
 	/// VELOCITY_MOTOR: speed of the motion (rad/s) at which a joint has hardly any torque left besides
 	/// what that motion needs (Muscles); 0 leaves it the whole torque at any speed.
 	float muscle_speed = 8.0f;
+	/// VELOCITY_MOTOR: share of the gain and of the greatest speed that corrections get.
+	float eagerness = 1.0f;
 	float angular_gain = 10.0f; ///< ANGULAR_MOTOR: the spring "in the speed domain" (thesis 8.3.1), 1/s.
 	float torque_frequency = 8.0f; ///< SPRING_TORQUE: Hz.
 	float torque_damping_ratio = 0.5f; ///< SPRING_TORQUE.

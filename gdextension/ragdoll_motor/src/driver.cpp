@@ -21,7 +21,8 @@ Driver::Driver(Rig p_rig, const std::vector<int> &p_groups, std::size_t p_group_
 		saturations(rig.size(), 0.0f),
 		contacts(p_contacts),
 		points_now(p_contacts.size()),
-		points_next(p_contacts.size()) {
+		points_next(p_contacts.size()),
+		points_shown(p_contacts.size()) {
 	foot_lock = FootLock(rig, p_contacts);
 	travels[0] = std::make_unique<LowestFoot>(p_contacts);
 	travels[1] = std::make_unique<LowestContact>(p_contacts);
@@ -31,6 +32,7 @@ Driver::Driver(Rig p_rig, const std::vector<int> &p_groups, std::size_t p_group_
 }
 
 bool Driver::push(double p_time_s, const float *p_orientations, const Vec3 &p_root, const float *p_rates) {
+	stream.set_calms(finds_travel(root_mode)); // Noise in the pose makes feet skate that have to stand.
 	if (!stream.push(p_time_s, p_orientations, p_root, p_rates)) {
 		return false;
 	}
@@ -88,13 +90,9 @@ void Driver::hold_root(const RigState &p_state, float p_delta_s) {
 
 void Driver::compute_limbs(const RigState &p_state, float p_delta_s) {
 	// A body that stands on shaking feet skates: noise is followed less eagerly.
-	const Travel *estimator = get_travel();
-	const float unrest = estimator ? estimator->get_unrest() : 0.0f;
-	stream.set_unrest(unrest);
-	const float gain = controller.settings.gain;
-	controller.settings.gain = gain * (1.0f - CALMED * unrest);
+	const float calmed = get_travel() ? CALMED * stream.get_filter().get_unrest() : 0.0f;
+	controller.settings.eagerness = 1.0f - calmed;
 	controller.compute(p_state, now, next, p_delta_s, table, commands.limbs);
-	controller.settings.gain = gain;
 }
 
 bool Driver::has_come_back(double p_time_s) {
@@ -127,6 +125,13 @@ void Driver::find_points(const Pose &p_pose, std::vector<Vec3> &r_points) {
 	}
 }
 
+void Driver::find_shown(const RigState &p_state) {
+	for (std::size_t i = 0; i < contacts.size(); i++) {
+		const std::size_t limb = std::size_t(contacts[i].limb);
+		points_shown[i] = rig.joint_of(p_state, limb) + p_state.orientations[limb].rotate(contacts[i].local);
+	}
+}
+
 void Driver::travel(const RigState &p_state, float p_delta_s) {
 	Travel *estimator = find_travel(root_mode);
 	const bool goes_on = travelled == root_mode;
@@ -139,6 +144,7 @@ void Driver::travel(const RigState &p_state, float p_delta_s) {
 	if (!goes_on) {
 		estimator->reset(p_state.root);
 		foot_lock.clear();
+		path.clear();
 	} else {
 		const Vec3 off = p_state.root - expected;
 		const bool limp = table.get_mode(0) == Actuation::LIMP;
@@ -149,6 +155,7 @@ void Driver::travel(const RigState &p_state, float p_delta_s) {
 			const Vec3 given = across * (1.0f - slack / distance);
 			estimator->shift(given);
 			foot_lock.shift(given);
+			path.shift(given);
 		}
 	}
 	now.root = {};
@@ -159,12 +166,19 @@ void Driver::travel(const RigState &p_state, float p_delta_s) {
 	estimator->step({ p_delta_s, &points_now, centre, ground ? ground : &level_ground });
 	now.root = estimator->get_root();
 	next.root = estimator->ahead(points_next, p_delta_s);
+	const PoseFilter &filter = stream.get_filter();
+	path.advance(now.root, filter.get_noise(), p_delta_s);
+	if (filter.get_noise() > 0.0f) {
+		now.root = path.get_place();
+		next.root = path.ahead(p_delta_s);
+	}
 	next_root = next.root;
-	foot_lock.advance(*estimator, now, points_now, p_delta_s);
+	find_shown(p_state);
+	foot_lock.advance(*estimator, now.root, points_now, points_shown, filter.get_unrest(), p_delta_s);
 	rig.joint_positions(now, joints);
-	foot_lock.apply(rig, *estimator, now, joints);
+	foot_lock.apply(rig, filter.get_unrest(), now, joints);
 	rig.joint_positions(next, joints);
-	foot_lock.apply(rig, *estimator, next, joints);
+	foot_lock.apply(rig, filter.get_unrest(), next, joints);
 }
 
 void Driver::let_go_when_stalled(double p_time_s) {
@@ -175,7 +189,7 @@ void Driver::let_go_when_stalled(double p_time_s) {
 void Driver::command_root(const RigState &p_state, float p_delta_s) {
 	const Actuation mode = table.get_mode(0);
 	commands.is_root_held = mode == Actuation::DIRECT_SET || (root_mode == RootMode::HELD && mode != Actuation::LIMP);
-	root_settings.gain = controller.settings.gain;
+	root_settings.gain = controller.settings.gain * controller.settings.eagerness;
 	lift = { 0.0f, lift_while_getting_up(p_state), 0.0f };
 	const float strength = mode == Actuation::LIMP ? 0.0f : table.get_standing_strength(0);
 	commands.root = drive_root(
@@ -287,6 +301,7 @@ void Driver::save(ArchiveWriter &p_archive) const {
 		estimator->save(p_archive);
 	}
 	foot_lock.save(p_archive);
+	path.save(p_archive);
 	stream.save(p_archive);
 	table.save(p_archive);
 	controller.save(p_archive);
@@ -321,8 +336,8 @@ bool Driver::read(ArchiveReader &p_archive) {
 			return false;
 		}
 	}
-	return foot_lock.restore(p_archive) && stream.restore(p_archive) && table.restore(p_archive) &&
-			controller.restore(p_archive);
+	return foot_lock.restore(p_archive) && path.restore(p_archive) && stream.restore(p_archive) &&
+			table.restore(p_archive) && controller.restore(p_archive);
 }
 
 } // namespace ragdoll

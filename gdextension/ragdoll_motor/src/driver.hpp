@@ -4,6 +4,7 @@
 #include "controller.hpp"
 #include "energy_guard.hpp"
 #include "gait/foot_lock.hpp"
+#include "gait/path_filter.hpp"
 #include "root_drive.hpp"
 #include "torque_meter.hpp"
 #include "tracking_meter.hpp"
@@ -52,8 +53,9 @@ public:
 	/// INERTIAL, CONTACTS, LOWEST_FOOT: how far the body may be held back from where the feet carry it
 	/// (m) before the estimate gives in: a person who walks against a wall walks on the spot.
 	static constexpr float SLACK = 0.05f;
-	/// INERTIAL: by how much of itself the gain falls where the motion is nothing but noise.
-	static constexpr float CALMED = 0.9f;
+	/// Modes that find the travel: by how much of themselves corrections fall where the motion is nothing
+	/// but noise.
+	static constexpr float CALMED = 0.75f;
 
 	/// A root that becomes held is fetched with this speed (m/s and rad/s), not within a tick: that
 	/// would fling the limbs.
@@ -119,6 +121,7 @@ private:
 	Travel *find_travel(RootMode p_mode) const;
 	void travel(const RigState &p_state, float p_delta_s);
 	void find_points(const Pose &p_pose, std::vector<Vec3> &r_points);
+	void find_shown(const RigState &p_state);
 	bool has_come_back(double p_time_s);
 	void hold_root(const RigState &p_state, float p_delta_s);
 	void compute_limbs(const RigState &p_state, float p_delta_s);
@@ -145,7 +148,9 @@ private:
 	std::vector<ContactPoint> contacts;
 	std::vector<Vec3> points_now;
 	std::vector<Vec3> points_next;
+	std::vector<Vec3> points_shown;
 	FootLock foot_lock;
+	PathFilter path; // Of the root, where it is found.
 	Vec3 next_root; // Where the step before was to bring the root, m.
 	FlatGround level_ground;
 	RootMode travelled = RootMode::SOFT; // The mode of the step before.

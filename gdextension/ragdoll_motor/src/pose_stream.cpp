@@ -33,8 +33,9 @@ Vec3 limited(const Vec3 &p_rate, float p_most) {
 
 } // namespace
 
-PoseStream::PoseStream(std::size_t p_limb_count) : limb_count(p_limb_count) {
+PoseStream::PoseStream(std::size_t p_limb_count) : limb_count(p_limb_count), filter(p_limb_count) {
 	for (Sample &sample : ring) {
+		sample.sampled.resize(limb_count);
 		sample.orientations.resize(limb_count);
 		sample.rates.resize(limb_count);
 	}
@@ -68,7 +69,8 @@ bool PoseStream::push(double p_time_s, const float *p_orientations, const Vec3 &
 	sample.root = p_root;
 	for (std::size_t i = 0; i < limb_count; i++) {
 		const float *values = p_orientations + 4 * i;
-		sample.orientations[i] = Quat{ values[0], values[1], values[2], values[3] }.normalized();
+		sample.sampled[i] = Quat{ values[0], values[1], values[2], values[3] }.normalized();
+		sample.orientations[i] = sample.sampled[i];
 		sample.rates[i] = p_rates ? Vec3{ p_rates[3 * i], p_rates[3 * i + 1], p_rates[3 * i + 2] } : Vec3();
 	}
 	sample.root_rate = {};
@@ -86,13 +88,31 @@ bool PoseStream::push(double p_time_s, const float *p_orientations, const Vec3 &
 			sample.root_rate = (p_root - at(0).root) * ((1.0f - old) / float(span)) + at(0).root_rate * old;
 		}
 	}
+	calm(sample, p_rates != nullptr);
 	head = next;
 	count = std::min(count + 1, CAPACITY);
 	return true;
 }
 
+void PoseStream::calm(Sample &r_sample, bool p_knows_rates) {
+	const double span = count > 0 ? r_sample.time_s - newest() : LONGEST_GAP;
+	if (!calms) {
+		filter.clear();
+		return;
+	}
+	if (span >= LONGEST_GAP || filter.is_empty()) {
+		filter.begin(r_sample.sampled);
+		return;
+	}
+	filter.advance(r_sample.sampled, float(span));
+	for (std::size_t i = 0; i < limb_count && filter.get_noise() > 0.0f; i++) {
+		r_sample.orientations[i] = filter.get_orientation(i);
+		r_sample.rates[i] = p_knows_rates ? r_sample.rates[i] : limited(filter.get_rate(i), FASTEST_TURN);
+	}
+}
+
 float PoseStream::forgetting(double p_span_s) const {
-	return float(std::exp(-p_span_s / (RATE_MEMORY + (NOISY_MEMORY - RATE_MEMORY) * double(unrest))));
+	return float(std::exp(-p_span_s / RATE_MEMORY));
 }
 
 void PoseStream::estimate_rates(const Sample &p_before, Sample &r_sample) const {
@@ -100,17 +120,25 @@ void PoseStream::estimate_rates(const Sample &p_before, Sample &r_sample) const 
 	const float old = count > 1 ? forgetting(span) : 0.0f;
 	const float fresh = (1.0f - old) / float(span);
 	for (std::size_t i = 0; i < limb_count; i++) {
-		const Vec3 turned = log(p_before.orientations[i].inverse() * r_sample.orientations[i]);
+		const Vec3 turned = log(p_before.sampled[i].inverse() * r_sample.sampled[i]);
 		r_sample.rates[i] = limited(turned * fresh + p_before.rates[i] * old, FASTEST_TURN);
 	}
 }
 
 void PoseStream::predict(double p_time_s, Pose &r_pose) const {
-	r_pose.orientations.resize(limb_count);
 	if (p_time_s >= newest()) {
+		r_pose.orientations.resize(limb_count);
 		extrapolate(p_time_s - newest(), r_pose);
 		return;
 	}
+	interpolate(p_time_s, &Sample::orientations, r_pose);
+}
+
+void PoseStream::recall(double p_time_s, Pose &r_pose) const {
+	interpolate(std::min(p_time_s, newest()), &Sample::sampled, r_pose);
+}
+
+void PoseStream::interpolate(double p_time_s, std::vector<Quat> Sample::*p_which, Pose &r_pose) const {
 	std::size_t age = 0; // Of the later of the two samples that the time lies between.
 	while (age + 2 < count && at(age + 1).time_s > p_time_s) {
 		age++;
@@ -120,14 +148,15 @@ void PoseStream::predict(double p_time_s, Pose &r_pose) const {
 	const double span = after.time_s - before.time_s;
 	if (span <= 0.0 || span > LONGEST_GAP) {
 		const Sample &held = p_time_s < after.time_s ? before : after;
-		r_pose.orientations = held.orientations;
+		r_pose.orientations = held.*p_which;
 		r_pose.root = held.root;
 		return;
 	}
 	const double time = std::max(p_time_s, before.time_s);
 	const float fraction = float((time - before.time_s) / span);
+	r_pose.orientations.resize(limb_count);
 	for (std::size_t i = 0; i < limb_count; i++) {
-		r_pose.orientations[i] = slerp(before.orientations[i], after.orientations[i], fraction);
+		r_pose.orientations[i] = slerp((before.*p_which)[i], (after.*p_which)[i], fraction);
 	}
 	r_pose.root = before.root + (after.root - before.root) * fraction;
 }
@@ -145,11 +174,14 @@ void PoseStream::save(ArchiveWriter &p_archive) const {
 	p_archive.put(std::uint32_t(limb_count));
 	p_archive.put(std::uint32_t(count));
 	p_archive.put(teleported);
+	p_archive.put(calms);
+	filter.save(p_archive);
 	for (std::size_t age = count; age-- > 0;) {
 		const Sample &sample = at(age);
 		p_archive.put(sample.time_s);
 		p_archive.put(sample.root);
 		p_archive.put(sample.root_rate);
+		p_archive.put_all(sample.sampled);
 		p_archive.put_all(sample.orientations);
 		p_archive.put_all(sample.rates);
 	}
@@ -163,7 +195,8 @@ bool PoseStream::restore(ArchiveReader &p_archive) {
 	p_archive.get(limbs);
 	p_archive.get(samples);
 	p_archive.get(jumped);
-	if (!p_archive.is_good() || limbs != limb_count || samples > CAPACITY) {
+	p_archive.get(calms);
+	if (!p_archive.is_good() || !filter.restore(p_archive) || limbs != limb_count || samples > CAPACITY) {
 		return false;
 	}
 	for (std::uint32_t i = 0; i < samples; i++) {
@@ -172,6 +205,7 @@ bool PoseStream::restore(ArchiveReader &p_archive) {
 		p_archive.get(sample.time_s);
 		p_archive.get(sample.root);
 		p_archive.get(sample.root_rate);
+		p_archive.get_all(sample.sampled);
 		p_archive.get_all(sample.orientations);
 		p_archive.get_all(sample.rates);
 	}

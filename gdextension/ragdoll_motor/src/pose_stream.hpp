@@ -2,6 +2,7 @@
 #pragma once
 
 #include "archive.hpp"
+#include "pose_filter.hpp"
 #include "quaternion.hpp"
 
 #include <array>
@@ -20,7 +21,8 @@ struct Pose {
 ///
 /// Causal: only what has arrived is used. Between samples it interpolates. Beyond the newest it goes
 /// on with the turning rates of the last samples (or a gyroscope's), which fade: human limbs brake.
-/// When the stream stalls it goes back to the last pose: stale feed-forward is worse than none.
+/// When the stream stalls it goes back to the last pose: stale feed-forward is worse than none. White
+/// noise is taken out where that is asked for.
 class PoseStream {
 public:
 	/// Age of the newest sample (s) beyond which the stream counts as stalled.
@@ -32,8 +34,6 @@ public:
 	/// How fast the past is forgotten when rates are estimated, s. The two constants are those of the
 	/// best linear predictor of the repository's three clips (fitted at 30, 60 and 120 Hz).
 	static constexpr double RATE_MEMORY = 0.002;
-	/// The same where the motion is nothing but noise, s.
-	static constexpr double NOISY_MEMORY = 0.2;
 	/// How fast a rate fades beyond the newest sample, s.
 	static constexpr double RATE_FADE = 0.5;
 	/// Turning rates above this (rad/s) are glitches: the fastest joint of a boxer stays below 40.
@@ -54,8 +54,11 @@ public:
 	bool push(double p_time_s, const float *p_orientations, const Vec3 &p_root, const float *p_rates = nullptr);
 	void clear();
 
-	/// How shaky the motion is, 0 to 1: rates are averaged for longer then.
-	void set_unrest(float p_unrest) { unrest = p_unrest; }
+	/// Whether noise is taken out of the samples to come: it costs a millisecond or two of lag where a
+	/// recording is not quite clean.
+	void set_calms(bool p_calms) { calms = p_calms; }
+	/// The noise of the samples; none where it is not taken out.
+	const PoseFilter &get_filter() const { return filter; }
 	std::size_t get_limb_count() const { return limb_count; }
 	bool is_empty() const { return count == 0; }
 	/// Time of the newest and the oldest sample that is kept, s.
@@ -67,6 +70,8 @@ public:
 
 	/// The pose at a time. The stream must not be empty; r_pose is resized once, then reused.
 	void predict(double p_time_s, Pose &r_pose) const;
+	/// The pose as it was sampled, with all its noise: for times up to the newest sample.
+	void recall(double p_time_s, Pose &r_pose) const;
 
 	void save(ArchiveWriter &p_archive) const;
 	/// Returns false, and is empty, where the archive is not of a stream with as many limbs.
@@ -76,7 +81,8 @@ private:
 	static constexpr std::size_t CAPACITY = 32;
 	struct Sample {
 		double time_s = 0.0;
-		std::vector<Quat> orientations;
+		std::vector<Quat> sampled;
+		std::vector<Quat> orientations; // Without noise.
 		std::vector<Vec3> rates; // In the limbs' own axes, rad/s.
 		Vec3 root;
 		Vec3 root_rate; // m/s
@@ -84,17 +90,20 @@ private:
 
 	/// The sample p_age places before the newest.
 	const Sample &at(std::size_t p_age) const { return ring[(head + CAPACITY - p_age) % CAPACITY]; }
+	void calm(Sample &r_sample, bool p_knows_rates);
 	void estimate_rates(const Sample &p_before, Sample &r_sample) const;
+	void interpolate(double p_time_s, std::vector<Quat> Sample::*p_which, Pose &r_pose) const;
 	void extrapolate(double p_age_s, Pose &r_pose) const;
+
+	float forgetting(double p_span_s) const;
 
 	std::size_t limb_count;
 	std::array<Sample, CAPACITY> ring;
 	std::size_t head = 0;
 	std::size_t count = 0;
 	bool teleported = false;
-	float unrest = 0.0f;
-
-	float forgetting(double p_span_s) const;
+	bool calms = false;
+	PoseFilter filter;
 };
 
 } // namespace ragdoll

@@ -22,7 +22,7 @@ void TrackingMeter::settle(const PoseStream &p_stream, const Rig &p_rig) {
 }
 
 void TrackingMeter::compare(const Noted &p_noted, const PoseStream &p_stream, const Rig &p_rig) {
-	p_stream.predict(p_noted.time_s, truth);
+	p_stream.recall(p_noted.time_s, truth);
 	if (measures_lag) {
 		compare_shifted(p_noted, p_stream);
 	}
@@ -43,7 +43,7 @@ void TrackingMeter::compare_shifted(const Noted &p_noted, const PoseStream &p_st
 	for (int shift = 0; shift < SHIFTS; shift++) {
 		// A negative delay would need samples that have not come: the pose is compared with what is
 		// known, which is right up to the newest sample.
-		p_stream.predict(p_noted.time_s - FIRST_SHIFT - shift * SHIFT, shifted);
+		p_stream.recall(p_noted.time_s - FIRST_SHIFT - shift * SHIFT, shifted);
 		for (std::size_t i = 0; i < p_noted.actual.size(); i++) {
 			shifted_sums[shift] += angle_between(p_noted.actual[i], shifted.orientations[i]);
 		}

@@ -5,6 +5,7 @@
 #include "../src/gait/lowest_foot.hpp"
 
 #include "../../testing/check.hpp"
+#include "fixtures.hpp"
 
 #include <functional>
 #include <limits>
@@ -281,15 +282,16 @@ TEST(standing_feet_are_held_by_bending_the_legs) {
 		shown.orientations[1] = shown.orientations[1] * exp({ noise(random), 0.0f, noise(random) });
 		rig.joint_positions(shown, joints);
 		const std::vector<Vec3> points = { joints[3] };
+		const std::vector<Vec3> shown_points = { tick == 0 ? joints[3] + Vec3{ 0.0f, 0.9f, 0.0f } : stands };
 		const FlatGround ground;
 		if (tick == 0) {
 			travel.reset({ 0.0f, 0.9f, 0.0f });
 			travel.step({ 0.02f, &points, {}, &ground });
 		}
 		shown.root = travel.get_root(); // Held still: the noise must go into the leg.
-		lock.advance(travel, shown, points, 0.02f);
+		lock.advance(travel, shown.root, points, shown_points, 0.0f, 0.02f);
 		rig.joint_positions(shown, joints);
-		lock.apply(rig, travel, shown, joints);
+		lock.apply(rig, 0.0f, shown, joints);
 		std::vector<Vec3> again;
 		rig.joint_positions(shown, again);
 		CHECK_NEAR((again[3] - joints[3]).length(), 0.0, 1e-5);

@@ -4,6 +4,7 @@
 #include "../../testing/check.hpp"
 
 #include <limits>
+#include <random>
 
 using namespace ragdoll;
 
@@ -160,6 +161,28 @@ TEST(keeps_a_bounded_history) {
 	CHECK_NEAR(stream.newest(), 9.99, 1e-9);
 	CHECK_NEAR(stream.newest() - stream.oldest(), 0.31, 1e-9);
 	CHECK_NEAR(angle_at(stream, -100.0), 0.0, 1e-6); // Older than all: the oldest known.
+}
+
+TEST(noise_is_taken_out_where_asked_for) {
+	for (const bool calms : { false, true }) {
+		PoseStream stream(1);
+		stream.set_calms(calms);
+		std::mt19937 random(5);
+		std::normal_distribution<float> noise(0.0f, 0.02f);
+		Pose pose;
+		float off = 0.0f;
+		for (int i = 0; i < 240; i++) {
+			const Quat sampled = exp({ noise(random), noise(random), noise(random) });
+			const float values[4] = { sampled.x, sampled.y, sampled.z, sampled.w };
+			CHECK(stream.push(i / 60.0, values, {}));
+			stream.predict(i / 60.0, pose);
+			off += i < 120 ? 0.0f : angle_between(pose.orientations[0], Quat()) / 120.0f;
+			stream.recall(i / 60.0, pose);
+			CHECK_NEAR(angle_between(pose.orientations[0], sampled), 0.0, 1e-3);
+		}
+		CHECK(calms ? off < 0.015f : off > 0.025f);
+		CHECK((stream.get_filter().get_noise() > 0.0f) == calms);
+	}
 }
 
 TEST_MAIN()

@@ -28,10 +28,12 @@ Vec3 limited(const Vec3 &p_vector, float p_most) {
 	return length > p_most ? p_vector * (p_most / length) : p_vector;
 }
 
+constexpr float LOOSE = 0.1f; // A grip below this holds nothing.
+
 } // namespace
 
 FootLock::FootLock(const Rig &p_rig, const std::vector<ContactPoint> &p_contacts) :
-		contacts(p_contacts), anchors(p_contacts.size()), held(p_contacts.size(), 0) {
+		contacts(p_contacts), anchors(p_contacts.size()), grips(p_contacts.size(), 0.0f) {
 	for (const ContactPoint &contact : p_contacts) {
 		const bool known =
 				std::any_of(legs.begin(), legs.end(), [&](const Leg &p_leg) { return p_leg.foot == contact.limb; });
@@ -51,29 +53,31 @@ void FootLock::clear() {
 	for (Leg &leg : legs) {
 		leg.offset = {};
 	}
-	std::fill(held.begin(), held.end(), std::uint8_t(0));
+	std::fill(grips.begin(), grips.end(), 0.0f);
 }
 
-void FootLock::advance(const Travel &p_travel, const Pose &p_pose, const std::vector<Vec3> &p_points, float p_delta_s) {
-	const float calm_s = CALM_S * p_travel.get_unrest();
-	const float turned = calm_s > 0.0f ? 1.0f - std::exp(-p_delta_s / calm_s) : 1.0f;
+void FootLock::advance(const Travel &p_travel, const Vec3 &p_root, const std::vector<Vec3> &p_points,
+		const std::vector<Vec3> &p_shown, float p_unrest, float p_delta_s) {
+	const float grip_s = GRIP_S * p_unrest;
+	const float kept = grip_s > 0.0f ? std::exp(-p_delta_s / grip_s) : 0.0f;
 	for (Leg &leg : legs) {
 		leg.offset = leg.offset * std::exp(-p_delta_s / LET_GO_S);
-		const bool stood = leg.stands;
-		leg.stands = false;
 		for (std::size_t i = 0; i < contacts.size(); i++) {
 			if (contacts[i].limb != leg.foot) {
 				continue;
 			}
-			const bool stands = p_travel.is_anchored(i);
-			if (stands && held[i] == 0) {
-				anchors[i] = p_travel.get_root() + p_points[i] + leg.offset;
+			if (grips[i] < LOOSE) {
+				anchors[i] = p_root + p_points[i] + leg.offset;
 			}
-			held[i] = stands ? 1 : 0;
-			leg.stands = leg.stands || stands;
+			const float wanted = p_travel.is_anchored(i) ? 1.0f : 0.0f;
+			grips[i] = wanted + (grips[i] - wanted) * kept;
+			const float height = p_travel.get_standing_height(i);
+			anchors[i].y = std::isfinite(height) ? height : anchors[i].y;
+			if (p_unrest > 0.0f) {
+				const Vec3 off{ p_shown[i].x - anchors[i].x, 0.0f, p_shown[i].z - anchors[i].z };
+				anchors[i] = anchors[i] + off - limited(off, SLACK / p_unrest);
+			}
 		}
-		const Quat &foot = p_pose.orientations[std::size_t(leg.foot)];
-		leg.turn = stood ? slerp(leg.turn, foot, turned) : foot;
 	}
 }
 
@@ -86,32 +90,33 @@ void FootLock::shift(const Vec3 &p_offset) {
 void FootLock::save(ArchiveWriter &p_archive) const {
 	p_archive.put_all(legs);
 	p_archive.put_all(anchors);
-	p_archive.put_all(held);
+	p_archive.put_all(grips);
 }
 
 bool FootLock::restore(ArchiveReader &p_archive) {
-	return p_archive.get_all(legs) && p_archive.get_all(anchors) && p_archive.get_all(held);
+	return p_archive.get_all(legs) && p_archive.get_all(anchors) && p_archive.get_all(grips);
 }
 
-void FootLock::apply(const Rig &p_rig, const Travel &p_travel, Pose &r_pose, std::vector<Vec3> &r_joints) {
+void FootLock::apply(const Rig &p_rig, float p_unrest, Pose &r_pose, std::vector<Vec3> &r_joints) {
+	// How high the feet are, the root's height sees to, unless shaking knees lift them.
+	const float lift = std::min(2.0f * p_unrest, 1.0f);
 	for (Leg &leg : legs) {
-		Quat &foot = r_pose.orientations[std::size_t(leg.foot)];
-		if (leg.stands) {
-			foot = slerp(foot, leg.turn, p_travel.get_unrest());
-		}
+		const Quat &foot = r_pose.orientations[std::size_t(leg.foot)];
 		Vec3 away;
 		float sum = 0.0f;
+		float firmest = 0.0f;
 		for (std::size_t i = 0; i < contacts.size(); i++) {
-			if (contacts[i].limb == leg.foot && held[i] != 0) {
+			if (contacts[i].limb == leg.foot && grips[i] >= LOOSE) {
 				// All that are held count alike: as weights change, the foot must not.
 				const Vec3 place = r_joints[std::size_t(leg.foot)] + foot.rotate(contacts[i].local);
-				away = away + (anchors[i] - place);
-				sum += 1.0f;
+				away = away + (anchors[i] - place) * grips[i];
+				sum += grips[i];
+				firmest = std::max(firmest, grips[i]);
 			}
 		}
 		if (sum > 0.0f) {
-			// How high the feet are, the root's height sees to.
-			leg.offset = limited(Vec3{ away.x, 0.0f, away.z } * (1.0f / sum), FURTHEST);
+			const Vec3 wanted = limited(Vec3{ away.x, away.y * lift, away.z } * (1.0f / sum), FURTHEST);
+			leg.offset = leg.offset + (wanted - leg.offset) * firmest;
 		}
 		if (leg.offset.length() > 1e-5f) {
 			bend(p_rig, leg, r_pose, r_joints);

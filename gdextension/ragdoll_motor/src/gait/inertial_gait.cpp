@@ -11,8 +11,6 @@ namespace {
 constexpr float GRAVITY = 9.81f; // m/s^2
 constexpr float PI = 3.14159265f;
 constexpr float NEVER = 1e9f;
-constexpr float NOISE_S = 0.5f; // Over which the noise is averaged, s.
-constexpr float MEDIAN_OF_THREE = 1.538f; // Median length of a vector with three normal components.
 constexpr float SURE = 0.05f; // Weight of a point from which it can be anchored.
 constexpr float NEAR_STEP = 0.02f; // Points so little (m) above the lowest ground are on it.
 
@@ -49,7 +47,7 @@ void InertialGait::begin(const GaitInput &p_input) {
 	flown_s = 1.0f;
 	for (std::size_t i = 0; i < contacts.size(); i++) {
 		const Vec3 point = points[i] - p_input.centre;
-		filters[i] = { { point, point, point }, { point, point } };
+		filters[i] = { { point, point }, { point, point } };
 		smooth[i] = point;
 		footing[i] = point;
 		locks[i] = 0;
@@ -68,10 +66,7 @@ void InertialGait::begin(const GaitInput &p_input) {
 }
 
 void InertialGait::filter(const GaitInput &p_input) {
-	find_noise(p_input);
-	const float calm = noise > settings.clean ? std::sqrt(settings.clean / noise) : 1.0f;
-	const float cutoff = std::max(settings.cutoff * calm, settings.least_cutoff);
-	const float k = std::tan(PI * std::min(cutoff * p_input.delta_s, 0.45f));
+	const float k = std::tan(PI * std::min(settings.cutoff * p_input.delta_s, 0.45f));
 	const float scale = 1.0f / (1.0f + std::sqrt(2.0f) * k + k * k);
 	const float b = k * k * scale;
 	const float a1 = 2.0f * (k * k - 1.0f) * scale;
@@ -82,30 +77,14 @@ void InertialGait::filter(const GaitInput &p_input) {
 		const Vec3 point = (*p_input.points)[i] - p_input.centre;
 		const Vec3 result =
 				(point + state.input[0] * 2.0f + state.input[1]) * b - state.output[0] * a1 - state.output[1] * a2;
-		state.input[2] = state.input[1];
 		state.input[1] = state.input[0];
 		state.input[0] = point;
 		state.output[1] = state.output[0];
 		state.output[0] = result;
 		implied[i] = (smooth[i] - result) * rate;
 		smooth[i] = result;
-		// Heights need no low-pass, which would come late, unless the pose shakes.
-		footing[i] = point + (result - point) * get_unrest();
+		footing[i] = point; // Heights need no low-pass, which would come late.
 	}
-}
-
-void InertialGait::find_noise(const GaitInput &p_input) {
-	// Third differences: motion hardly has any, white noise of size s has sqrt(20) s an axis. The
-	// median over the points is not misled by a few that really jerk.
-	for (std::size_t i = 0; i < contacts.size(); i++) {
-		const Vec3 *past = filters[i].input;
-		const Vec3 point = (*p_input.points)[i] - p_input.centre;
-		costs[i] = (point - past[0] * 3.0f + past[1] * 3.0f - past[2]).length();
-	}
-	const std::size_t middle = contacts.size() / 2;
-	std::nth_element(costs.begin(), costs.begin() + long(middle), costs.end());
-	const float seen = costs[middle] / (MEDIAN_OF_THREE * std::sqrt(20.0f));
-	noise += share(p_input.delta_s, NOISE_S) * (std::min(seen, 0.05f) - noise);
 }
 
 float InertialGait::find_support(const GaitInput &p_input) {
@@ -251,13 +230,11 @@ void InertialGait::save(ArchiveWriter &p_archive) const {
 	p_archive.put(centre);
 	p_archive.put(drift);
 	p_archive.put(flown_s);
-	p_archive.put(noise);
 }
 
 bool InertialGait::restore(ArchiveReader &p_archive) {
 	return Travel::restore(p_archive) && p_archive.get_all(filters) && p_archive.get_all(smooth) &&
-			p_archive.get_all(locks) && p_archive.get(centre) && p_archive.get(drift) && p_archive.get(flown_s) &&
-			p_archive.get(noise);
+			p_archive.get_all(locks) && p_archive.get(centre) && p_archive.get(drift) && p_archive.get(flown_s);
 }
 
 } // namespace ragdoll

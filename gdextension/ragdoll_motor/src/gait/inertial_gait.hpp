@@ -15,8 +15,6 @@ class InertialGait : public Travel {
 public:
 	struct Settings {
 		float cutoff = 16.0f; ///< Of the second-order low-pass by which points are judged, Hz.
-		float least_cutoff = 5.0f; ///< The same where the pose is noisy, Hz.
-		float clean = 0.0015f; ///< Noise of the points from which the cutoff falls, m.
 		float clearance = 0.02f; ///< Height above the ground that counts 1, m.
 		float contradiction = 0.4f; ///< Difference to the expected velocity that counts 1, m/s.
 		float persistence = 1.0f; ///< What a limb that stood gains.
@@ -24,8 +22,8 @@ public:
 		float air = 12.0f; ///< What it costs to stand on nothing.
 		float follow_s = 0.047f; ///< How fast the horizontal velocity follows the points', s.
 		float follow_up_s = 0.024f; ///< The same of the vertical one, s.
-		float takeoff = 0.8f; ///< Upward speed from which a jump is possible, m/s.
-		float takeoff_gap = 0.005f; ///< And height above the ground that the ballistic path has, m.
+		float takeoff = 0.85f; ///< Upward speed from which a jump is possible, m/s.
+		float takeoff_gap = 0.008f; ///< And height above the ground that the ballistic path has, m.
 		float step_up = 0.06f; ///< Ground that would lift the body by more above its path is not stood on, m.
 		float settle_s = 0.2f; ///< For so long after a landing it is, s.
 		float hold_s = 0.01f; ///< How fast a standing point is drawn back to its anchor, s.
@@ -39,9 +37,6 @@ public:
 
 	void shift(const Vec3 &p_offset) override;
 	bool is_anchored(std::size_t p_point) const override { return locks[p_point] != 0; }
-	float get_unrest() const override { return noise > settings.clean ? 1.0f - settings.clean / noise : 0.0f; }
-	/// White noise of the contact points as it was found, m.
-	float get_noise() const { return noise; }
 	void save(ArchiveWriter &p_archive) const override;
 	bool restore(ArchiveReader &p_archive) override;
 
@@ -52,12 +47,11 @@ protected:
 private:
 	/// A second-order Butterworth low-pass of one point.
 	struct Filter {
-		Vec3 input[3]; // The last three, newest first.
+		Vec3 input[2]; // Newest first.
 		Vec3 output[2];
 	};
 
 	void filter(const GaitInput &p_input);
-	void find_noise(const GaitInput &p_input);
 	/// Heights of the body over each point, were it on the ground; returns the highest admissible, m.
 	float find_support(const GaitInput &p_input);
 	bool is_falling(float p_height, float p_delta_s);
@@ -69,14 +63,13 @@ private:
 
 	std::vector<Filter> filters;
 	std::vector<Vec3> smooth; // Points from the centre of mass, filtered, m.
-	std::vector<Vec3> footing; // The same for heights: filtered only as far as the pose shakes, m.
+	std::vector<Vec3> footing; // The same as they are, for heights, m.
 	std::vector<Vec3> implied; // Velocity of the centre of mass if a point stands still, m/s.
 	std::vector<float> heights; // Of the centre of mass if a point touches, m.
 	std::vector<float> costs;
 	std::vector<std::uint8_t> locks; // Whether a point is anchored.
 	Vec3 centre; // Of mass, in the world, m.
 	Vec3 drift; // Its velocity, m/s.
-	float noise = 0.0f;
 	float flown_s = 1.0f; // Since the last flight, s.
 	float standing = 0.0f; // Sum of the weights.
 };

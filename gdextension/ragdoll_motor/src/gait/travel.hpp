@@ -54,8 +54,8 @@ public:
 	/// Whether a point is held where it stands, and where that is, m.
 	virtual bool is_anchored(std::size_t p_point) const { return weights[p_point] > 0.0f; }
 	const Vec3 &get_anchor(std::size_t p_point) const { return anchors[p_point]; }
-	/// How noisy the pose is: 0 where it is clean, towards 1 the more it shakes.
-	virtual float get_unrest() const { return 0.0f; }
+	/// Height of a point when it stands on the ground that was found under it last, m; NaN without.
+	float get_standing_height(std::size_t p_point) const { return levels[p_point].height + contacts[p_point].radius; }
 	/// Where the root will be when the points will be elsewhere, as long as those that stand go on to.
 	Vec3 ahead(const std::vector<Vec3> &p_points, float p_delta_s) const;
 

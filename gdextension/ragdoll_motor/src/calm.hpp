@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace ragdoll {
+
+/// How much of what a predictor did not expect is noise: the rule by which noise is taken out.
+///
+/// A predictor of place and rate is corrected by shares of its surprises (the critically damped g-h
+/// filter). Of a surprise's mean square the measured noise explains a part, and that part is left out:
+/// what rests is averaged for long, what moves is followed, and clean motion passes as it is.
+class Calm {
+public:
+	/// Takes a surprise.
+	/// @param p_square mean square of its components
+	/// @param p_noise size of the noise, in the same unit
+	/// @param p_memory_s over which surprises are averaged, s
+	/// @param p_most the most that is left out, so that what rests can start to move
+	void advance(float p_square, float p_noise, float p_span_s, float p_memory_s, float p_most) {
+		surprise += (1.0f - std::exp(-p_span_s / p_memory_s)) * (p_square - surprise);
+		left_out = surprise > 0.0f ? std::min(p_noise / std::sqrt(surprise), p_most) : 0.0f;
+	}
+	/// Share of the surprise by which the place is corrected.
+	float get_gain() const { return 1.0f - left_out * left_out; }
+	/// Share of it by which the rate is corrected, for a span of one.
+	float get_rate_gain() const { return (1.0f - left_out) * (1.0f - left_out); }
+
+private:
+	float surprise = 0.0f; // Mean square.
+	float left_out = 0.0f;
+};
+
+} // namespace ragdoll

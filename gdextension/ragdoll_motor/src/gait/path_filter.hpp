@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../archive.hpp"
+#include "../calm.hpp"
+#include "../quaternion.hpp"
+
+namespace ragdoll {
+
+/// Takes out of the root's path what noise of the limbs puts into it: a body has momentum, and its
+/// standing feet are held whatever the root does.
+class PathFilter {
+public:
+	/// How far the root is off for each radian of the limbs' noise, m.
+	static constexpr float LEVER = 0.7f;
+	static constexpr float MEMORY_S = 0.15f;
+	/// More of a surprise than this is never left out: a body jumps.
+	static constexpr float CALMEST = 0.85f;
+
+	void clear() { begun = false; }
+	/// Takes the next place, m.
+	/// @param p_noise of the limbs, rad
+	void advance(const Vec3 &p_place, float p_noise, float p_span_s);
+	/// The world has moved the body, m.
+	void shift(const Vec3 &p_offset) { place = place + p_offset; }
+
+	const Vec3 &get_place() const { return place; }
+	/// Where it will be, m.
+	Vec3 ahead(float p_span_s) const { return place + rate * p_span_s; }
+
+	void save(ArchiveWriter &p_archive) const;
+	bool restore(ArchiveReader &p_archive);
+
+private:
+	Vec3 place;
+	Vec3 rate; // m/s
+	Calm calm;
+	bool begun = false;
+};
+
+} // namespace ragdoll
