@@ -104,6 +104,7 @@ bool RagdollMotor::make_driver(
 		limb.mass = float(p_profile->get_mass() * source->get_mass_fraction());
 		limb.inertia = to_core(source->get_body_inertia(limb.mass)) * float(inertia_scale);
 		limb.max_torque = float(source->get_max_torque());
+		limb.is_foot = source->get_is_foot();
 		if (!find_group(source->get_group(), limb.group) || limb.group < 0) {
 			limb.group = int(groups.size());
 			groups.push_back(source->get_group());

@@ -104,7 +104,8 @@ void Controller::command_velocity(
 		correction = limited(correction, fastest);
 	}
 	r_command.velocity = p_relative.forward + correction;
-	if (!is_root && settings.muscle_speed > 0.0f) {
+	// Legs are spared: swinging takes nearly all their torque, and a leg that comes down has to bear.
+	if (!is_root && !rig->is_in_leg(p_limb) && settings.muscle_speed > 0.0f) {
 		const Vec3 missing = r_command.velocity - p_relative.velocity;
 		r_command.max_torque = muscles.get_torque(
 				p_limb, p_relative.forward, missing, turned, settings.muscle_speed, p_delta_s, r_command.max_torque);

@@ -33,8 +33,12 @@ Driver::Driver(Rig p_rig, const std::vector<int> &p_groups, std::size_t p_group_
 
 bool Driver::push(double p_time_s, const float *p_orientations, const Vec3 &p_root, const float *p_rates) {
 	stream.set_calms(finds_travel(root_mode)); // Noise in the pose makes feet skate that have to stand.
+	const double before = stream.is_empty() ? p_time_s : stream.newest();
 	if (!stream.push(p_time_s, p_orientations, p_root, p_rates)) {
 		return false;
+	}
+	if (p_time_s < before) {
+		meter.forget_waiting(); // The clock has been set back.
 	}
 	meter.settle(stream, rig);
 	return true;

@@ -163,7 +163,8 @@ std::string find_fault(const Limb &p_limb) {
 	}
 	if (!(p_limb.mass_fraction >= LEAST_FRACTION && p_limb.mass_fraction <= 1.0f)) {
 		return bone +
-				format("'s mass_fraction is %f instead of %g to 1", double(p_limb.mass_fraction), double(LEAST_FRACTION));
+				format("'s mass_fraction is %f instead of %g to 1", double(p_limb.mass_fraction),
+						double(LEAST_FRACTION));
 	}
 	// The root hangs on nothing: its torque is that of the joint to the world.
 	const float least = p_limb.parent_bone.empty() ? 0.0f : 1e-6f;

@@ -16,7 +16,7 @@ float Muscles::get_torque(std::size_t p_limb, const Vec3 &p_forward, const Vec3 
 	// the limb up.
 	const bool pushes = p_missing.dot(change) >= 0.0f;
 	const float needed = pushes ? change.scaled(p_inertia).length() / p_delta_s : 0.0f;
-	return std::min(p_whole, ALWAYS + MARGIN * needed + left[p_limb] * p_whole);
+	return std::min(p_whole, ALWAYS + needed + left[p_limb] * p_whole);
 }
 
 void Muscles::reset() {

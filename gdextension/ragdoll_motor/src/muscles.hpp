@@ -20,8 +20,6 @@ class Muscles {
 public:
 	/// Torque (N m) that every joint has at every speed besides.
 	static constexpr float ALWAYS = 5.0f;
-	/// The motion's own acceleration counts so many times: what hangs on other joints moves too.
-	static constexpr float MARGIN = 1.25f;
 	/// F0 / a of Hill's equation: how bent the curve is.
 	static constexpr float CURVE = 4.0f;
 	/// Share of the torque that is left at any speed.

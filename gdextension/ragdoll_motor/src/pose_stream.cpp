@@ -43,6 +43,7 @@ PoseStream::PoseStream(std::size_t p_limb_count) : limb_count(p_limb_count), fil
 
 void PoseStream::clear() {
 	count = 0;
+	late = 0;
 	teleported = false;
 }
 
@@ -51,18 +52,25 @@ bool PoseStream::take_teleport() {
 }
 
 bool PoseStream::push(double p_time_s, const float *p_orientations, const Vec3 &p_root, const float *p_rates) {
-	if (!std::isfinite(p_time_s) || !p_root.is_finite() || (count > 0 && p_time_s <= newest())) {
+	if (!std::isfinite(p_time_s) || !p_root.is_finite()) {
 		return false;
 	}
+	bool is_measured = p_rates != nullptr;
 	for (std::size_t i = 0; i < limb_count; i++) {
 		const float *values = p_orientations + 4 * i;
 		if (!is_rotation({ values[0], values[1], values[2], values[3] })) {
 			return false;
 		}
-		if (p_rates && !Vec3{ p_rates[3 * i], p_rates[3 * i + 1], p_rates[3 * i + 2] }.is_finite()) {
+		const Vec3 rate = p_rates ? Vec3{ p_rates[3 * i], p_rates[3 * i + 1], p_rates[3 * i + 2] } : Vec3();
+		if (!rate.is_finite()) {
 			return false;
 		}
+		is_measured = is_measured && rate.length() < FASTEST_GYRO;
 	}
+	if (comes_late(p_time_s)) {
+		return false;
+	}
+	p_rates = is_measured ? p_rates : nullptr;
 	const std::size_t next = (head + 1) % CAPACITY;
 	Sample &sample = ring[next];
 	sample.time_s = p_time_s;
@@ -92,6 +100,20 @@ bool PoseStream::push(double p_time_s, const float *p_orientations, const Vec3 &
 	head = next;
 	count = std::min(count + 1, CAPACITY);
 	return true;
+}
+
+bool PoseStream::comes_late(double p_time_s) {
+	if (count == 0 || p_time_s > newest()) {
+		late = 0;
+		return false;
+	}
+	late = late > 0 && p_time_s > latest_late_s ? late + 1 : 1;
+	latest_late_s = p_time_s;
+	if (late < CLOCK_SET_BACK) {
+		return true;
+	}
+	clear();
+	return false;
 }
 
 void PoseStream::calm(Sample &r_sample, bool p_knows_rates) {
@@ -174,6 +196,8 @@ void PoseStream::save(ArchiveWriter &p_archive) const {
 	p_archive.put(std::uint32_t(limb_count));
 	p_archive.put(std::uint32_t(count));
 	p_archive.put(teleported);
+	p_archive.put(late);
+	p_archive.put(latest_late_s);
 	p_archive.put(calms);
 	filter.save(p_archive);
 	for (std::size_t age = count; age-- > 0;) {
@@ -195,6 +219,8 @@ bool PoseStream::restore(ArchiveReader &p_archive) {
 	p_archive.get(limbs);
 	p_archive.get(samples);
 	p_archive.get(jumped);
+	p_archive.get(late);
+	p_archive.get(latest_late_s);
 	p_archive.get(calms);
 	if (!p_archive.is_good() || !filter.restore(p_archive) || limbs != limb_count || samples > CAPACITY) {
 		return false;

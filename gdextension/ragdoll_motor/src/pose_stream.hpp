@@ -43,10 +43,16 @@ public:
 	static constexpr float TELEPORT_DISTANCE = 0.5f;
 	static constexpr float FASTEST_ROOT = 20.0f;
 
+	/// A gyroscope's rate above this (rad/s) is none: the sample's rates are estimated then.
+	static constexpr float FASTEST_GYRO = 100.0f;
+	/// So many samples in a row that are older than the newest (each newer than the one before) are a
+	/// clock that was set back, or a newest one whose time was wrong: the stream begins anew.
+	static constexpr int CLOCK_SET_BACK = 30;
+
 	explicit PoseStream(std::size_t p_limb_count);
 
 	/// Takes a sample. Refuses (and returns false for) what is not finite, not a rotation
-	/// (norm off by more than a tenth), or not newer than the newest.
+	/// (norm off by more than a tenth), or not newer than the newest; but see CLOCK_SET_BACK.
 	/// @param p_time_s sampling time in the wearer's clock, s
 	/// @param p_orientations 4 floats a limb: x y z w
 	/// @param p_rates a gyroscope's turning rates, 3 floats a limb in the limb's own axes, rad/s; null
@@ -91,6 +97,7 @@ private:
 	/// The sample p_age places before the newest.
 	const Sample &at(std::size_t p_age) const { return ring[(head + CAPACITY - p_age) % CAPACITY]; }
 	void calm(Sample &r_sample, bool p_knows_rates);
+	bool comes_late(double p_time_s);
 	void estimate_rates(const Sample &p_before, Sample &r_sample) const;
 	void interpolate(double p_time_s, std::vector<Quat> Sample::*p_which, Pose &r_pose) const;
 	void extrapolate(double p_age_s, Pose &r_pose) const;
@@ -102,6 +109,8 @@ private:
 	std::size_t head = 0;
 	std::size_t count = 0;
 	bool teleported = false;
+	int late = 0; // Samples in a row that came late, and the time of the last.
+	double latest_late_s = 0.0;
 	bool calms = false;
 	PoseFilter filter;
 };

@@ -20,10 +20,13 @@ Vec3 turned_inertia(const Vec3 &p_moments, const Quat &p_turn) {
 }
 
 Rig::Rig(std::vector<Segment> p_limbs) :
-		limbs(std::move(p_limbs)), subtree_inertia(limbs.size()), own_inertia(limbs.size()) {
+		limbs(std::move(p_limbs)), subtree_inertia(limbs.size()), own_inertia(limbs.size()), legs(limbs.size(), 0) {
 	std::vector<Vec3> joints(limbs.size());
 	for (std::size_t i = 0; i < limbs.size(); i++) {
 		mass += limbs[i].mass;
+		for (int above = int(i); limbs[i].is_foot && limbs[above].parent >= 0; above = limbs[above].parent) {
+			legs[above] = 1;
+		}
 		if (limbs[i].parent >= 0) {
 			const Segment &parent = limbs[limbs[i].parent];
 			joints[i] = joints[limbs[i].parent] + parent.rest.rotate(limbs[i].anchor);

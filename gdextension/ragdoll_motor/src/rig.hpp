@@ -5,6 +5,7 @@
 #include "quaternion.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace ragdoll {
@@ -21,6 +22,7 @@ struct Segment {
 	Vec3 inertia{ 1.0f, 1.0f, 1.0f };
 	float max_torque = 0.0f; ///< Greatest torque of the joint, N m. The root's is ignored.
 	int group = 0; ///< Index of the strength group.
+	bool is_foot = false;
 };
 
 /// What the simulation says of the limbs, all in world axes.
@@ -52,6 +54,9 @@ public:
 	/// The same of the limb alone.
 	const Vec3 &get_own_inertia(std::size_t p_limb) const { return own_inertia[p_limb]; }
 
+	/// Whether a limb is part of a leg: a foot, or between the root and a foot.
+	bool is_in_leg(std::size_t p_limb) const { return legs[p_limb] != 0; }
+
 	/// World positions of the limbs' joints for a pose, parent first (thesis section 8.1.1, eq. 1-4:
 	/// each limb is moved so that the anchors on both bodies match up).
 	void joint_positions(const Pose &p_pose, std::vector<Vec3> &r_positions) const;
@@ -64,6 +69,7 @@ private:
 	std::vector<Segment> limbs;
 	std::vector<Vec3> subtree_inertia;
 	std::vector<Vec3> own_inertia;
+	std::vector<std::uint8_t> legs;
 	float mass = 0.0f;
 };
 

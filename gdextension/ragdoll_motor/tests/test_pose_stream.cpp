@@ -41,6 +41,35 @@ TEST(interpolates_between_and_goes_on_beyond) {
 	CHECK_NEAR(pose.root.x, 0.9 + ahead, 1e-4);
 }
 
+TEST(begins_anew_when_the_clock_was_set_back) {
+	PoseStream stream(1);
+	push(stream, 0.0, 0.0f);
+	push(stream, 1e6, 1.0f); // One wrong time must not end the stream for good.
+	int refused = 0;
+	for (int i = 1; i < 100; i++) {
+		refused += push(stream, i * 0.02, 0.01f * float(i)) ? 0 : 1;
+	}
+	CHECK(refused == PoseStream::CLOCK_SET_BACK - 1);
+	CHECK_NEAR(stream.newest(), 99 * 0.02, 1e-9);
+	CHECK_NEAR(angle_at(stream, 99 * 0.02), 0.99, 1e-5);
+	// The same old sample over and over is none of that.
+	for (int i = 0; i < 100; i++) {
+		CHECK(!push(stream, 0.5, 2.0f));
+	}
+	CHECK_NEAR(angle_at(stream, 99 * 0.02), 0.99, 1e-5);
+}
+
+TEST(impossible_rates_of_a_gyroscope_are_estimated_instead) {
+	PoseStream stream(1);
+	for (int i = 0; i < 10; i++) {
+		const Quat turn = exp({ 0.0f, 0.1f * float(i), 0.0f });
+		const float values[4] = { turn.x, turn.y, turn.z, turn.w };
+		const float rates[3] = { 3e38f, 3e38f, -3e38f };
+		CHECK(stream.push(i * 0.02, values, {}, rates));
+	}
+	CHECK_NEAR(angle_at(stream, 0.2), 1.0, 0.02);
+}
+
 TEST(goes_back_to_the_last_pose_when_the_stream_stalls) {
 	PoseStream stream(1);
 	push(stream, 0.0, 0.0f);
