@@ -98,8 +98,8 @@ def test_bench_contacts_plays_its_scenes() -> None:
     assert all(row["bench"] == "contacts" for row in rows)
     for case in ("wall punch", "wall walk", "wall clip left", "wall clip right"):
         assert 0.0 < values[case, "arm in wall"] < 20.0
-    assert 3.0 < values["fist on 10 kg", "fist"] < 5.0
-    assert values["fist on 10 kg", "crate"] > values["fist on 40 kg", "crate"] > 0.1
+    assert 3.0 < values["swing on 10 kg", "fist"] < 5.0
+    assert values["swing on 10 kg", "crate"] > values["swing on 40 kg", "crate"] > 0.1
     assert run("bench", "contacts", "--scene", "nonsense").returncode == 2
     assert run("bench", "contacts", "--set", "nonsense=1").returncode == 2
 
