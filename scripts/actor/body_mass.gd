@@ -3,9 +3,9 @@ class_name BodyMass
 extends RefCounted
 ## How heavy and strong a figure is, by its size.
 ##
-## Mass and the torques of joints (area of the muscle times its lever) go with the cube of the
-## height: so do weights of children and adults. The volume of a mesh is not asked: clothes, hair
-## and gear have much of it and weigh little.
+## The mass goes with the cube of the height, as weights of children and adults do; torques go with
+## its square, as the area of muscles does. The volume of a mesh is not asked: clothes, hair and gear
+## have much of it and weigh little.
 
 ## An average adult: height, m, mass, kg, and how high the hip joints are, as a share of the height
 ## (Winter 2009, Biomechanics and Motor Control of Human Movement, fig. 4.1).
@@ -20,11 +20,11 @@ const HEAVIEST: float = 1000.0
 ## Sets the mass of a profile that is made for a figure, and scales the torques of its limbs, which
 ## are an adult's.
 static func fill(p_profile: RagdollProfile, p_figure: RagdollFigure) -> void:
-	var part: float = (stature(p_figure) / ADULT_HEIGHT) ** 3
+	var size: float = stature(p_figure) / ADULT_HEIGHT
 	# Tenths of a kilogram are more than anybody can tell of such a figure.
-	p_profile.mass = clampf(snappedf(ADULT_MASS * part, 0.1), LIGHTEST, HEAVIEST)
+	p_profile.mass = clampf(snappedf(ADULT_MASS * size ** 3, 0.1), LIGHTEST, HEAVIEST)
 	for limb: RagdollLimb in p_profile.limbs:
-		limb.max_torque *= p_profile.mass / ADULT_MASS
+		limb.max_torque *= size * size
 
 
 ## How tall a figure is, m, by the height of its hip joints: not every skeleton tells where the
