@@ -2,6 +2,7 @@
 #include "muscles.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ragdoll {
 
@@ -16,7 +17,10 @@ float Muscles::get_torque(std::size_t p_limb, const Vec3 &p_forward, const Vec3 
 	// the limb up.
 	const bool pushes = p_missing.dot(change) >= 0.0f;
 	const float needed = pushes ? change.scaled(p_inertia).length() / p_delta_s : 0.0f;
-	return std::min(p_whole, ALWAYS + needed + left[p_limb] * p_whole);
+	if (p_whole <= 0.0f) {
+		return 0.0f;
+	}
+	return std::min(1.0f, std::ceil((needed / p_whole + left[p_limb]) * STEPS) / STEPS) * p_whole;
 }
 
 void Muscles::reset() {

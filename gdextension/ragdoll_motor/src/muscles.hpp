@@ -18,8 +18,9 @@ namespace ragdoll {
 /// all of it.
 class Muscles {
 public:
-	/// Torque (N m) that every joint has at every speed besides.
-	static constexpr float ALWAYS = 5.0f;
+	/// Torques go up in so many steps: to tell the engine of every small change would take longer than
+	/// all the rest.
+	static constexpr float STEPS = 8.0f;
 	/// F0 / a of Hill's equation: how bent the curve is.
 	static constexpr float CURVE = 4.0f;
 	/// Share of the torque that is left at any speed.

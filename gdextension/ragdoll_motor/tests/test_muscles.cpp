@@ -30,14 +30,14 @@ TEST(a_joint_at_rest_has_its_whole_torque) {
 
 TEST(the_faster_the_less) {
 	float before = WHOLE;
-	for (const float speed : { 1.0f, 2.0f, 4.0f, 6.0f }) {
+	for (const float speed : { 1.0f, 2.0f, 4.0f }) {
 		Muscles muscles(1);
 		const float torque = torque_at(muscles, speed);
 		CHECK(torque < before);
 		before = torque;
 	}
 	Muscles muscles(1);
-	CHECK_NEAR(torque_at(muscles, 2.0f * FAST), Muscles::ALWAYS + Muscles::LEAST * WHOLE, 1e-3);
+	CHECK_NEAR(torque_at(muscles, 2.0f * FAST), 0.25 * WHOLE, 1e-3);
 }
 
 TEST(what_the_motion_needs_is_there) {

@@ -4,7 +4,7 @@ extends RefCounted
 ## replays: settings, bodies, joints, the motors' targets of every tick, and where the bodies were
 ## in the end.
 
-const _VERSION: float = 1.0
+const _VERSION: float = 2.0
 const _JOLT: String = "physics/jolt_physics_3d/"
 const _SETTINGS: Array[String] = [
 	"simulation/velocity_steps",
@@ -24,6 +24,9 @@ const _SETTINGS: Array[String] = [
 const _AXES: Array[Vector3.Axis] = [Vector3.AXIS_X, Vector3.AXIS_Y, Vector3.AXIS_Z]
 const _TURN: PhysicsServer3D.G6DOFJointAxisParam = (
 	PhysicsServer3D.G6DOF_JOINT_ANGULAR_MOTOR_TARGET_VELOCITY
+)
+const _TORQUE: PhysicsServer3D.G6DOFJointAxisParam = (
+	PhysicsServer3D.G6DOF_JOINT_ANGULAR_MOTOR_FORCE_LIMIT
 )
 const _MOVE: PhysicsServer3D.G6DOFJointAxisParam = (
 	PhysicsServer3D.G6DOF_JOINT_LINEAR_MOTOR_TARGET_VELOCITY
@@ -61,7 +64,7 @@ func write_bodies() -> void:
 			_write_joint(ragdoll, i)
 
 
-## Writes the motors' targets for the step that follows.
+## Writes the motors' targets and greatest torques for the step that follows.
 func write_targets() -> void:
 	var numbers: PackedFloat32Array = PackedFloat32Array()
 	for ragdoll: Ragdoll in _crowd.ragdolls:
@@ -69,6 +72,10 @@ func write_targets() -> void:
 			for axis: Vector3.Axis in _AXES:
 				# The engine turns the sign of angular motors round for Jolt.
 				numbers.append(-PhysicsServer3D.generic_6dof_joint_get_param(joint, axis, _TURN))
+			# All three axes have the same.
+			numbers.append(
+				PhysicsServer3D.generic_6dof_joint_get_param(joint, Vector3.AXIS_X, _TORQUE)
+			)
 	for ragdoll: Ragdoll in _crowd.ragdolls:
 		for axis: Vector3.Axis in _AXES:
 			var joint: RID = ragdoll.motor.get_joints()[0]
@@ -98,8 +105,6 @@ func _write_joint(p_ragdoll: Ragdoll, p_limb: int) -> void:
 	_store_place(frame)
 	var arm: Vector3 = limb.rest_orientation.inverse() * (limb.anchor - limb.position)
 	_store_place(Transform3D(Basis.IDENTITY, arm))
-	var torque: float = limb.max_torque * p_ragdoll.strength
-	_store([p_ragdoll.root_torque if parent < 0 else torque])
 	_store([p_ragdoll.root_force if parent < 0 else 0.0])
 
 

@@ -93,9 +93,14 @@ public:
 	/// Sets the motors for a tick.
 	void aim(const float *p_targets) {
 		for (std::size_t i = 0; i < joints.size(); i++) {
-			joints[i]->SetTargetAngularVelocityCS(to_vec3(p_targets + i * 3));
+			const float *target = p_targets + i * Recording::JOINT_TARGETS;
+			joints[i]->SetTargetAngularVelocityCS(to_vec3(target));
+			for (int axis = JPH::SixDOFConstraintSettings::EAxis::RotationX;
+					axis < JPH::SixDOFConstraintSettings::EAxis::Num; axis++) {
+				joints[i]->GetMotorSettings(JPH::SixDOFConstraintSettings::EAxis(axis)).SetTorqueLimit(target[3]);
+			}
 		}
-		const float *linear = p_targets + joints.size() * 3;
+		const float *linear = p_targets + joints.size() * Recording::JOINT_TARGETS;
 		for (std::size_t person = 0; person < recording.people; person++) {
 			joints[person * recording.limbs]->SetTargetVelocityCS(to_vec3(linear + person * 3));
 		}
@@ -192,8 +197,6 @@ private:
 			settings.MakeFreeAxis(Settings::EAxis(axis));
 			if (is_linear) {
 				settings.mMotorSettings[axis].SetForceLimit(joint.force);
-			} else {
-				settings.mMotorSettings[axis].SetTorqueLimit(joint.torque);
 			}
 		}
 		JPH::Body &body = *bodies[index];

@@ -46,7 +46,7 @@ private:
 } // namespace
 
 std::string Recording::read(const std::string &p_path) {
-	constexpr float VERSION = 1.0f;
+	constexpr float VERSION = 2.0f;
 	constexpr float MOST = 1e6f;
 	std::ifstream file(p_path, std::ios::binary);
 	if (!file) {

@@ -8,6 +8,8 @@
 /// What the engine told Jolt in some ticks, as jolt_recording.gd wrote it: 32-bit floats, in the
 /// order of the members here.
 struct Recording {
+	static constexpr std::size_t JOINT_TARGETS = 4;
+
 	struct Place {
 		float position[3];
 		float rotation[4]; ///< x y z w
@@ -44,7 +46,6 @@ struct Recording {
 		float parent; ///< Place of the body among those of the person; -1 for the world.
 		Place frame_a;
 		Place frame_b;
-		float torque;
 		float force;
 	};
 
@@ -55,11 +56,13 @@ struct Recording {
 	Settings settings{};
 	std::vector<Body> bodies;
 	std::vector<Joint> joints;
-	std::vector<float> targets; ///< A tick: 3 for each joint (angular), then 3 for each person (linear).
+	/// A tick: for each joint 3 angular velocities and the torque limit, then for each person 3 linear
+	/// velocities.
+	std::vector<float> targets;
 	std::vector<Place> ends;
 
 	/// How many numbers of targets a tick has.
-	std::size_t tick_size() const { return people * (limbs + 1) * 3; }
+	std::size_t tick_size() const { return people * (limbs * JOINT_TARGETS + 3); }
 
 	/// Reads a file. Returns what is wrong, or an empty text.
 	std::string read(const std::string &p_path);
