@@ -75,6 +75,7 @@ void RagdollBodies::make(const ragdoll::Rig &p_rig, std::vector<JointSpec> p_spe
 	space = p_space;
 	joints.assign(specs.size(), RID());
 	written.assign(specs.size(), Written());
+	states.assign(specs.size(), nullptr);
 	rest_inverse.assign(specs.size(), ragdoll::Quat());
 	hold = Hold();
 	for (std::size_t i = specs.size(); i-- > 1;) {
@@ -147,8 +148,8 @@ void RagdollBodies::prepare(bool p_self_collision) {
 
 bool RagdollBodies::read(ragdoll::RigState &r_state) {
 	for (std::size_t i = 0; i < specs.size(); i++) {
-		const PhysicsDirectBodyState3D *state = server()->body_get_direct_state(specs[i].body);
-		if (!state) {
+		states[i] = server()->body_get_direct_state(specs[i].body);
+		if (!states[i]) {
 			// Said once, not every tick.
 			if (!is_lost) {
 				ERR_PRINT("RagdollMotor: a body is not in a physics space (any more).");
@@ -156,6 +157,15 @@ bool RagdollBodies::read(ragdoll::RigState &r_state) {
 			is_lost = true;
 			return false;
 		}
+		// With many people nothing of them is in the processor's cache any more: waiting for one body
+		// after the other would take a fifth of the motor's time.
+		__builtin_prefetch(states[i]);
+	}
+	for (std::size_t i = 0; i < specs.size(); i++) {
+		__builtin_prefetch(states[i]->_owner);
+	}
+	for (std::size_t i = 0; i < specs.size(); i++) {
+		const PhysicsDirectBodyState3D *state = states[i];
 		const Transform3D transform = state->get_transform();
 		r_state.orientations[i] = rotation_of(transform.basis);
 		r_state.centres[i] = to_core(transform.origin);

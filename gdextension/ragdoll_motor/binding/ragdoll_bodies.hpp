@@ -4,6 +4,7 @@
 #include "../src/controller.hpp"
 #include "../src/root_drive.hpp"
 
+#include <godot_cpp/classes/physics_direct_body_state3d.hpp>
 #include <godot_cpp/classes/physics_server3d.hpp>
 #include <godot_cpp/variant/rid.hpp>
 #include <godot_cpp/variant/transform3d.hpp>
@@ -106,6 +107,7 @@ private:
 	std::vector<JointSpec> specs;
 	std::vector<RID> joints;
 	std::vector<Written> written;
+	std::vector<PhysicsDirectBodyState3D *> states; // Of this tick.
 	std::vector<ragdoll::Quat> rest_inverse; // Parent's reset orientation to the limb's, inverted.
 	Hold hold;
 	bool is_lost = false; // A body was not there at the last reading.
