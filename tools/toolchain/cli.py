@@ -162,13 +162,17 @@ def benchmarks() -> dict[str, tuple[Path, str]]:
 
 def _bench(arguments: list[str]) -> int:
     known = benchmarks()
-    if not arguments:
+    if not arguments or arguments[0] in ("--help", "-h"):
         for name, (_, about) in known.items():
             print(f"{name:<12} {about}")
         return 0
     name, *options = arguments
     if name not in known:
         raise Failure(f"There is no benchmark '{name}': {', '.join(known)}.", 2)
+    if "--help" in options or "-h" in options:
+        source = known[name][0].read_text(encoding="utf-8").splitlines()
+        print("\n".join(line[2:].strip() for line in source if line.startswith("##")))
+        return 0
     godot = prepare(export=False)
     relative = known[name][0].relative_to(ROOT)
     rate = next((o.split("=")[1] for o in normalise(options) if o.startswith("--hz=")), "60")

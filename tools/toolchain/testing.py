@@ -32,6 +32,7 @@ HELP = """./test [PART ...] [options]   sets up everything, then runs every test
 """
 
 REQUIREMENTS = ROOT / "tests" / "requirements.txt"
+TOOLS_FAULT = "The test tools can't be had: check the network, or PIP_INDEX_URL."
 GDSCRIPT_LIMIT_S = 600
 
 
@@ -95,13 +96,10 @@ def python_tools() -> Path:
     return folder / "bin"
 
 
-def _call(command: list[str]) -> None:
+def _call(command: list[str], fault: str = TOOLS_FAULT) -> None:
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode != 0:
-        raise Failure(
-            "The test tools can't be had: check the network, or PIP_INDEX_URL.\n"
-            + tail(done.stderr, 5)
-        )
+        raise Failure(fault + "\n" + tail(done.stderr or done.stdout, 5))
 
 
 def run_ctest(_godot: Godot, sanitize: bool) -> Outcome:
@@ -127,8 +125,9 @@ def _build_sanitized(folder: Path) -> None:
         command = ["cmake", "-S", str(ROOT / "gdextension"), "-B", str(folder)]
         command += [f"-DGODOT_API_DIR={api.group(1) if api else ''}"]
         command += ["-DDISMOUNT_SANITIZE=address,undefined", "-DDISMOUNT_EXTENSIONS=OFF"]
-        _call(command)
-        _call(["cmake", "--build", str(folder), "-j", str(os.cpu_count() or 2)])
+        fault = "The C++ tests do not build with sanitizers."
+        _call(command, fault)
+        _call(["cmake", "--build", str(folder), "-j", str(os.cpu_count() or 2)], fault)
 
 
 def run_gdscript(godot: Godot, text: str) -> Outcome:
