@@ -101,6 +101,7 @@ def test_bench_contacts_plays_its_scenes() -> None:
     assert 3.0 < values["swing on 10 kg", "fist"] < 5.0
     assert values["swing on 10 kg", "crate"] > values["swing on 40 kg", "crate"] > 0.1
     assert run("bench", "contacts", "--scene", "nonsense").returncode == 2
+    assert "--scene=NAME" in run("bench", "contacts", "--help").stdout
     assert run("bench", "contacts", "--set", "nonsense=1").returncode == 2
 
 

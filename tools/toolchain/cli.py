@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 import subprocess
 from collections.abc import Callable
@@ -171,7 +172,9 @@ def _bench(arguments: list[str]) -> int:
         raise Failure(f"There is no benchmark '{name}': {', '.join(known)}.", 2)
     if "--help" in options or "-h" in options:
         source = known[name][0].read_text(encoding="utf-8").splitlines()
-        print("\n".join(line[2:].strip() for line in source if line.startswith("##")))
+        about = itertools.dropwhile(lambda line: not line.startswith("##"), source)
+        head = itertools.takewhile(lambda line: line.startswith("##"), about)
+        print("\n".join(line[2:].strip() for line in head))
         return 0
     godot = prepare(export=False)
     relative = known[name][0].relative_to(ROOT)

@@ -158,11 +158,8 @@ bool RagdollBodies::read(ragdoll::RigState &r_state) {
 			return false;
 		}
 		// With many people nothing of them is in the processor's cache any more: waiting for one body
-		// after the other would take a fifth of the motor's time.
+		// after the other would take a twentieth of the motor's time.
 		__builtin_prefetch(states[i]);
-	}
-	for (std::size_t i = 0; i < specs.size(); i++) {
-		__builtin_prefetch(states[i]->_owner);
 	}
 	for (std::size_t i = 0; i < specs.size(); i++) {
 		const PhysicsDirectBodyState3D *state = states[i];
