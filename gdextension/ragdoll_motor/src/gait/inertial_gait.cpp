@@ -113,10 +113,12 @@ bool InertialGait::is_falling(float p_height, float p_delta_s) {
 	if (flying || p_height <= NOWHERE) {
 		return path > p_height;
 	}
-	return drift.y > settings.takeoff && path > p_height + settings.takeoff_gap;
+	return drift.y > settings.takeoff && path > p_height + settings.takeoff_gap * std::min(60.0f * p_delta_s, 1.0f);
 }
 
-void InertialGait::weigh(float p_height) {
+void InertialGait::weigh(float p_height, float p_delta_s) {
+	// The shorter the step, the less likely is it that another limb stands in the next one.
+	const float persistence = settings.persistence * std::clamp(1.0f / (60.0f * p_delta_s), 1.0f, 2.0f);
 	// A limb that stood is likely to stand on, be it with another of its points.
 	float least = settings.air;
 	for (std::size_t i = 0; i < contacts.size(); i++) {
@@ -131,7 +133,7 @@ void InertialGait::weigh(float p_height) {
 		}
 		const float off = level(implied[i] - drift).length() / settings.contradiction;
 		const float above = clear / settings.clearance;
-		costs[i] = above * above + off * off - settings.persistence * stood;
+		costs[i] = above * above + off * off - persistence * stood;
 		least = std::min(least, costs[i]);
 	}
 	const auto odds = [&](float p_cost) { return std::exp(-0.5f * (p_cost - least) / settings.sharpness); };
@@ -205,7 +207,7 @@ void InertialGait::advance(const GaitInput &p_input) {
 	if (flying) {
 		fly(p_input);
 	} else {
-		weigh(height);
+		weigh(height, p_input.delta_s);
 		walk(p_input, height);
 	}
 	finish(p_input);

@@ -17,13 +17,13 @@ public:
 		float cutoff = 16.0f; ///< Of the second-order low-pass by which points are judged, Hz.
 		float clearance = 0.02f; ///< Height above the ground that counts 1, m.
 		float contradiction = 0.4f; ///< Difference to the expected velocity that counts 1, m/s.
-		float persistence = 1.0f; ///< What a limb that stood gains.
+		float persistence = 1.0f; ///< What a limb that stood a sixtieth of a second before gains.
 		float sharpness = 0.7f; ///< Temperature of the choice between the points.
 		float air = 12.0f; ///< What it costs to stand on nothing.
 		float follow_s = 0.047f; ///< How fast the horizontal velocity follows the points', s.
 		float follow_up_s = 0.024f; ///< The same of the vertical one, s.
 		float takeoff = 0.85f; ///< Upward speed from which a jump is possible, m/s.
-		float takeoff_gap = 0.008f; ///< And height above the ground that the ballistic path has, m.
+		float takeoff_gap = 0.008f; ///< And height above the ground that the ballistic path has in 1/60 s, m.
 		float step_up = 0.06f; ///< Ground that would lift the body by more above its path is not stood on, m.
 		float settle_s = 0.2f; ///< For so long after a landing it is, s.
 		float hold_s = 0.01f; ///< How fast a standing point is drawn back to its anchor, s.
@@ -55,7 +55,7 @@ private:
 	/// Heights of the body over each point, were it on the ground; returns the highest admissible, m.
 	float find_support(const GaitInput &p_input);
 	bool is_falling(float p_height, float p_delta_s);
-	void weigh(float p_height);
+	void weigh(float p_height, float p_delta_s);
 	void walk(const GaitInput &p_input, float p_height);
 	void fly(const GaitInput &p_input);
 	void hold(const GaitInput &p_input);
