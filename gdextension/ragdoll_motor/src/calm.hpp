@@ -6,6 +6,11 @@
 
 namespace ragdoll {
 
+/// How much of the way to a value is gone in a step when the time constant is p_time_s.
+inline float share(float p_delta_s, float p_time_s) {
+	return 1.0f - std::exp(-p_delta_s / p_time_s);
+}
+
 /// How much of what a predictor did not expect is noise: the rule by which noise is taken out.
 ///
 /// A predictor of place and rate is corrected by shares of its surprises (the critically damped g-h
@@ -19,7 +24,7 @@ public:
 	/// @param p_memory_s over which surprises are averaged, s
 	/// @param p_most the most that is left out, so that what rests can start to move
 	void advance(float p_square, float p_noise, float p_span_s, float p_memory_s, float p_most) {
-		surprise += (1.0f - std::exp(-p_span_s / p_memory_s)) * (p_square - surprise);
+		surprise += share(p_span_s, p_memory_s) * (p_square - surprise);
 		left_out = surprise > 0.0f ? std::min(p_noise / std::sqrt(surprise), p_most) : 0.0f;
 	}
 	/// Share of the surprise by which the place is corrected.

@@ -13,11 +13,6 @@ float chosen(float p_own, float p_general) {
 	return p_own > 0.0f ? p_own : p_general;
 }
 
-Vec3 limited(const Vec3 &p_vector, float p_most) {
-	const float length = p_vector.length();
-	return length > p_most ? p_vector * (p_most / length) : p_vector;
-}
-
 } // namespace
 
 float braking_speed(float p_error, float p_deceleration) {
@@ -101,7 +96,7 @@ void Controller::command_velocity(
 	if (!is_root && error > 0.0f) {
 		const float inertia = p_relative.error.scaled(turned).length() / error;
 		const float fastest = settings.eagerness * braking_speed(error, r_command.max_torque / inertia);
-		correction = limited(correction, fastest);
+		correction = correction.limited(fastest);
 	}
 	r_command.velocity = p_relative.forward + correction;
 	// Legs are spared: swinging takes nearly all their torque, and a leg that comes down has to bear.
@@ -133,7 +128,7 @@ void Controller::command_torque(std::size_t p_limb, const Relative &p_relative, 
 	const Vec3 held_back = (damping + stiffness * p_delta_s) * p_delta_s;
 	const Vec3 torque = { pull.x / (1.0f + held_back.x / own.x), pull.y / (1.0f + held_back.y / own.y),
 		pull.z / (1.0f + held_back.z / own.z) };
-	r_command.torque = p_orientation.rotate(limited(torque, r_command.max_torque));
+	r_command.torque = p_orientation.rotate(torque.limited(r_command.max_torque));
 }
 
 void Controller::command_position(std::size_t p_limb, const Relative &p_relative, const GroupSettings &p_group,

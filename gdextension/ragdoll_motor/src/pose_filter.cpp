@@ -32,7 +32,7 @@ void PoseFilter::find_noise(const std::vector<Quat> &p_sampled, float p_span_s) 
 	// like noise, but not in half of the limbs.
 	known = std::fabs(p_span_s - span) < EVEN * p_span_s ? std::min(known + 1, ENOUGH) : 1;
 	span = p_span_s;
-	const float fresh = 1.0f - std::exp(-p_span_s / NOISE_S);
+	const float fresh = share(p_span_s, NOISE_S);
 	for (std::size_t i = 0; i < limbs.size(); i++) {
 		Limb &limb = limbs[i];
 		const Vec3 turned = log(limb.sampled.inverse() * p_sampled[i]);

@@ -26,11 +26,6 @@ bool is_rotation(const Quat &p_value) {
 	return norm > 0.9f && norm < 1.1f;
 }
 
-Vec3 limited(const Vec3 &p_rate, float p_most) {
-	const float length = p_rate.length();
-	return length > p_most ? p_rate * (p_most / length) : p_rate;
-}
-
 } // namespace
 
 PoseStream::PoseStream(std::size_t p_limb_count) : limb_count(p_limb_count), filter(p_limb_count) {
@@ -129,7 +124,7 @@ void PoseStream::calm(Sample &r_sample, bool p_knows_rates) {
 	filter.advance(r_sample.sampled, float(span));
 	for (std::size_t i = 0; i < limb_count && filter.get_noise() > 0.0f; i++) {
 		r_sample.orientations[i] = filter.get_orientation(i);
-		r_sample.rates[i] = p_knows_rates ? r_sample.rates[i] : limited(filter.get_rate(i), FASTEST_TURN);
+		r_sample.rates[i] = p_knows_rates ? r_sample.rates[i] : filter.get_rate(i).limited(FASTEST_TURN);
 	}
 }
 
@@ -143,7 +138,7 @@ void PoseStream::estimate_rates(const Sample &p_before, Sample &r_sample) const 
 	const float fresh = (1.0f - old) / float(span);
 	for (std::size_t i = 0; i < limb_count; i++) {
 		const Vec3 turned = log(p_before.sampled[i].inverse() * r_sample.sampled[i]);
-		r_sample.rates[i] = limited(turned * fresh + p_before.rates[i] * old, FASTEST_TURN);
+		r_sample.rates[i] = (turned * fresh + p_before.rates[i] * old).limited(FASTEST_TURN);
 	}
 }
 

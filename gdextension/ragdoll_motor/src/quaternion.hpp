@@ -22,6 +22,11 @@ struct Vec3 {
 	/// Component by component.
 	Vec3 scaled(const Vec3 &p_other) const { return { x * p_other.x, y * p_other.y, z * p_other.z }; }
 	float length() const { return std::sqrt(dot(*this)); }
+	/// The same direction, not longer than p_most.
+	Vec3 limited(float p_most) const {
+		const float now = length();
+		return now > p_most ? *this * (p_most / now) : *this;
+	}
 	bool is_finite() const { return std::isfinite(x) && std::isfinite(y) && std::isfinite(z); }
 };
 

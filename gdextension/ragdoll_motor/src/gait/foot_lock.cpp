@@ -23,11 +23,6 @@ float angle_opposite(float p_left, float p_right, float p_opposite) {
 	return std::acos(std::clamp(cosine, -1.0f, 1.0f));
 }
 
-Vec3 limited(const Vec3 &p_vector, float p_most) {
-	const float length = p_vector.length();
-	return length > p_most ? p_vector * (p_most / length) : p_vector;
-}
-
 constexpr float LOOSE = 0.1f; // A grip below this holds nothing.
 
 } // namespace
@@ -75,7 +70,7 @@ void FootLock::advance(const Travel &p_travel, const Vec3 &p_root, const std::ve
 			anchors[i].y = std::isfinite(height) ? height : anchors[i].y;
 			if (p_unrest > 0.0f) {
 				const Vec3 off{ p_shown[i].x - anchors[i].x, 0.0f, p_shown[i].z - anchors[i].z };
-				anchors[i] = anchors[i] + off - limited(off, SLACK / p_unrest);
+				anchors[i] = anchors[i] + off - off.limited(SLACK / p_unrest);
 			}
 		}
 	}
@@ -115,7 +110,7 @@ void FootLock::apply(const Rig &p_rig, float p_unrest, Pose &r_pose, std::vector
 			}
 		}
 		if (sum > 0.0f) {
-			const Vec3 wanted = limited(Vec3{ away.x, away.y * lift, away.z } * (1.0f / sum), FURTHEST);
+			const Vec3 wanted = (Vec3{ away.x, away.y * lift, away.z } * (1.0f / sum)).limited(FURTHEST);
 			leg.offset = leg.offset + (wanted - leg.offset) * firmest;
 		}
 		if (leg.offset.length() > 1e-5f) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "inertial_gait.hpp"
 
+#include "../calm.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -13,11 +15,6 @@ constexpr float PI = 3.14159265f;
 constexpr float NEVER = 1e9f;
 constexpr float SURE = 0.05f; // Weight of a point from which it can be anchored.
 constexpr float NEAR_STEP = 0.02f; // Points so little (m) above the lowest ground are on it.
-
-/// How much of the way to a value is gone in a step when the time constant is p_time_s.
-float share(float p_delta_s, float p_time_s) {
-	return 1.0f - std::exp(-p_delta_s / p_time_s);
-}
 
 Vec3 level(const Vec3 &p_vector) {
 	return { p_vector.x, 0.0f, p_vector.z };
