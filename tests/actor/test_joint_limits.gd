@@ -1,24 +1,9 @@
-extends TestCase
+extends "stage_case.gd"
 ## Joints of people turn only so far, if they are asked to.
 
-const Stage: GDScript = preload("stage.gd")
-const FastPhysics: GDScript = preload("fast_physics.gd")
 const STANDING: Vector3 = Vector3(0.0, 3.0, 0.0)
 const SHIN: int = 11
 const THIGH: int = 10
-
-var _stage: Stage = null
-
-
-func before_each() -> void:
-	FastPhysics.start()
-	_stage = Stage.new()
-	add_child(_stage)
-
-
-func after_each() -> void:
-	FastPhysics.stop()
-	_stage.free()
 
 
 func test_a_knee_bends_backwards_only_without_limits() -> void:

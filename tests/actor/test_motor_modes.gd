@@ -1,8 +1,6 @@
-extends TestCase
+extends "stage_case.gd"
 ## Every way to drive a ragdoll, switched while it runs.
 
-const Stage: GDScript = preload("stage.gd")
-const FastPhysics: GDScript = preload("fast_physics.gd")
 const STANDING: Vector3 = Vector3(0.0, 3.0, 0.0)
 const LEFT_HAND: int = 6
 const RIGHT_HAND: int = 9
@@ -13,19 +11,6 @@ const GOOD: Dictionary[RagdollMotor.Actuation, float] = {
 	RagdollMotor.POSITION_MOTOR: 5.0,
 	RagdollMotor.ANGULAR_MOTOR: 15.0,
 }
-
-var _stage: Stage = null
-
-
-func before_each() -> void:
-	FastPhysics.start()
-	_stage = Stage.new()
-	add_child(_stage)
-
-
-func after_each() -> void:
-	FastPhysics.stop()
-	_stage.free()
 
 
 func test_each_mode_follows_a_slow_swing_as_well_as_it_can() -> void:

@@ -1,25 +1,15 @@
-extends TestCase
+extends "stage_case.gd"
 ## What the real world does to a stream of motion, and to a body: never an explosion.
 
-const Stage: GDScript = preload("stage.gd")
-const FastPhysics: GDScript = preload("fast_physics.gd")
 const STANDING: Vector3 = Vector3(0.0, 3.0, 0.0)
 const SOFT: RagdollMotor.RootMode = RagdollMotor.ROOT_SOFT
 
-var _stage: Stage = null
 var _fastest: float = 0.0
 
 
 func before_each() -> void:
-	FastPhysics.start()
-	_stage = Stage.new()
+	super()
 	_fastest = 0.0
-	add_child(_stage)
-
-
-func after_each() -> void:
-	FastPhysics.stop()
-	_stage.free()
 
 
 func test_jitter_and_loss_do_not_shake_it() -> void:
@@ -147,9 +137,7 @@ static func _swing(p_time: float) -> PoseSample:
 
 
 func _restore_twice(p_on_floor: bool) -> void:
-	_stage.free()
-	_stage = Stage.new()
-	add_child(_stage)
+	_clear_stage()
 	var player: Stage.Player = _player()
 	if p_on_floor:
 		_stage.add_floor()

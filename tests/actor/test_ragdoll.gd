@@ -1,24 +1,9 @@
-extends TestCase
+extends "stage_case.gd"
 ## The soldier's ragdoll in a physics world: holds poses, follows motion, starts and ends cleanly.
 
-const Stage: GDScript = preload("stage.gd")
-const FastPhysics: GDScript = preload("fast_physics.gd")
 const HELD: RagdollMotor.RootMode = RagdollMotor.ROOT_HELD
 const SOFT: RagdollMotor.RootMode = RagdollMotor.ROOT_SOFT
 const STANDING: Vector3 = Vector3(0.0, 1.0115, 0.0)
-
-var _stage: Stage = null
-
-
-func before_each() -> void:
-	FastPhysics.start()
-	_stage = Stage.new()
-	add_child(_stage)
-
-
-func after_each() -> void:
-	FastPhysics.stop()
-	_stage.free()
 
 
 func test_holds_the_reset_pose() -> void:

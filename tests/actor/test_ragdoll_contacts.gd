@@ -1,24 +1,9 @@
-extends TestCase
+extends "stage_case.gd"
 ## People, props and walls push each other.
 
-const Stage: GDScript = preload("stage.gd")
-const FastPhysics: GDScript = preload("fast_physics.gd")
 const CRATE: PackedScene = preload("res://scenes/world/crate.tscn")
 const SOFT: RagdollMotor.RootMode = RagdollMotor.ROOT_SOFT
 const HEIGHT: Vector3 = Vector3(0.0, 1.03, 0.0)
-
-var _stage: Stage = null
-
-
-func before_each() -> void:
-	FastPhysics.start()
-	_stage = Stage.new()
-	add_child(_stage)
-
-
-func after_each() -> void:
-	FastPhysics.stop()
-	_stage.free()
 
 
 func test_two_people_do_not_pass_through_each_other() -> void:
@@ -115,9 +100,7 @@ func test_two_people_that_start_inside_each_other_come_apart_calmly() -> void:
 ## Speed of a free crate in front of the right hand, 0.1 s after the straight arm has swung
 ## into it with about 4 m/s.
 func _swing_at(p_mass: float, p_muscle_speed: float) -> float:
-	_stage.free()
-	_stage = Stage.new()
-	add_child(_stage)
+	_clear_stage()
 	var player: Stage.Player = _stage.make_soldier(HEIGHT, SOFT)
 	player.ragdoll.muscle_speed = p_muscle_speed
 	player.pose = func(time: float) -> PoseSample:
