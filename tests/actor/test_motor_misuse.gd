@@ -5,6 +5,10 @@ const DELTA: float = 1.0 / 60.0
 const LIMBS: int = 3
 const HERE: Vector3 = Vector3(0.0, 1.0, 0.0)
 
+const _AMOUNTS: Array[StringName] = [
+	&"gain", &"muscle_speed", &"root_force", &"root_torque", &"max_energy"
+]
+
 var _motor: RagdollMotor = null
 var _profile: RagdollProfile = null
 var _bodies: Array[RID] = []
@@ -65,7 +69,7 @@ func test_steps_that_are_none_are_refused() -> void:
 
 func test_values_that_no_motor_has_are_refused() -> void:
 	for value: float in [NAN, INF, -1.0]:
-		for property: StringName in [&"gain", &"root_force", &"root_torque", &"max_energy"]:
+		for property: StringName in _AMOUNTS:
 			var before: float = _motor.get(property)
 			expect_error("is 0 or more")
 			_motor.set(property, value)

@@ -18,6 +18,7 @@ void RagdollMotor::set_gain(double p_gain) {
 }
 
 void RagdollMotor::set_muscle_speed(double p_speed) {
+	ERR_FAIL_COND_MSG(!is_amount(p_speed), "RagdollMotor: a muscle speed is 0 or more.");
 	muscle_speed = p_speed;
 	apply_settings();
 }
