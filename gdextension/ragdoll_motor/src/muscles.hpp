@@ -2,7 +2,7 @@
 #pragma once
 
 #include "archive.hpp"
-#include "quaternion.hpp"
+#include "vectors.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -3,7 +3,7 @@
 
 #include "archive.hpp"
 #include "pose_filter.hpp"
-#include "quaternion.hpp"
+#include "vectors.hpp"
 
 #include <array>
 #include <cstddef>

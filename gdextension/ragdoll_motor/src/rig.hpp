@@ -2,7 +2,7 @@
 #pragma once
 
 #include "pose_stream.hpp"
-#include "quaternion.hpp"
+#include "vectors.hpp"
 
 #include <cstddef>
 #include <cstdint>

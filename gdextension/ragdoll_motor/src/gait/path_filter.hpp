@@ -3,7 +3,7 @@
 
 #include "../archive.hpp"
 #include "../calm.hpp"
-#include "../quaternion.hpp"
+#include "../vectors.hpp"
 
 namespace ragdoll {
 

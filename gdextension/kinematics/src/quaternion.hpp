@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-/// The engine-free core of ragdoll_motor: right-handed frames, metres, radians, seconds.
-namespace ragdoll {
+/// Rotations and places that all modules share: right-handed frames, metres, radians, seconds.
+namespace kinematics {
 
 /// A vector of three floats.
 struct Vec3 {
@@ -115,4 +115,4 @@ inline Quat from_axes(const Vec3 &p_x, const Vec3 &p_y, const Vec3 &p_z) {
 	}
 }
 
-} // namespace ragdoll
+} // namespace kinematics

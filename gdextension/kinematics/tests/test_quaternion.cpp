@@ -5,7 +5,7 @@
 
 #include <random>
 
-using namespace ragdoll;
+using namespace kinematics;
 
 namespace {
 

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <skeleton.hpp>
+
+#include <array>
+#include <cstdint>
+
+namespace wire {
+
+using kinematics::MOST_LIMBS;
+using kinematics::PersonPose;
+using kinematics::Quat;
+using kinematics::Vec3;
+
+/// A rotation on the lattice: the three smaller components as whole numbers, and which is left out.
+/// The one that is left out is not negative.
+struct RotationCode {
+	std::array<int16_t, 3> parts{}; ///< In the order x, y, z, w, without the one left out.
+	uint8_t dropped = 3; ///< 0 to 3: x, y, z or w.
+
+	bool operator==(const RotationCode &p_other) const {
+		return parts == p_other.parts && dropped == p_other.dropped;
+	}
+};
+
+/// Where a person is, on the lattice that server and clients share.
+struct PersonState {
+	std::array<int32_t, 3> root{}; ///< Position of the root limb's frame in the world, mm.
+	/// The root limb's orientation in the world; the others' relative to their parents.
+	std::array<RotationCode, MOST_LIMBS> limbs{};
+};
+
+} // namespace wire

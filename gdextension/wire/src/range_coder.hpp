@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace wire {
+
+/// Bits of the probabilities that RangeEncoder and RangeDecoder work with: 1 is 1 << 16.
+constexpr int PROBABILITY_BITS = 16;
+
+/// Writes symbols of known probabilities as bytes (a range coder: Martin 1979, Schindler 1998), into a
+/// buffer that somebody else owns. What is written ends by itself: the decoder finds its last byte
+/// without a length, whatever follows.
+class RangeEncoder {
+public:
+	RangeEncoder(uint8_t *p_buffer, std::size_t p_capacity) :
+			buffer(p_buffer), capacity(p_capacity) {}
+
+	/// Writes a symbol that takes p_share of 1 << p_bits, with p_below of the symbols before it.
+	/// p_bits is 1 to 16, p_share at least 1.
+	void encode(uint32_t p_below, uint32_t p_share, int p_bits = PROBABILITY_BITS) {
+		const uint32_t unit = range >> p_bits;
+		const uint32_t before = low;
+		low += unit * p_below;
+		if (low < before) {
+			carry();
+		}
+		range = unit * p_share;
+		while (range < LEAST_RANGE) {
+			put(uint8_t(low >> 24));
+			low <<= 8;
+			range <<= 8;
+		}
+	}
+	/// Writes the lowest p_count bits of a number, 0 to 32 of them, all equally likely.
+	void encode_bits(uint32_t p_value, int p_count) {
+		while (p_count > 16) {
+			p_count -= 16;
+			encode((p_value >> p_count) & 0xFFFF, 1, 16);
+		}
+		if (p_count > 0) {
+			encode(p_value & ((1U << p_count) - 1), 1, p_count);
+		}
+	}
+	/// Writes a bit whose chance to be 0 is p_zero of 65536 (1 to 65535).
+	void encode_bit(bool p_one, uint32_t p_zero) {
+		p_one ? encode(p_zero, (1U << PROBABILITY_BITS) - p_zero) : encode(0, p_zero);
+	}
+	/// Ends it; nothing may be written any more. Returns the number of bytes, or 0 if the buffer was
+	/// too small.
+	std::size_t finish() {
+		const uint32_t before = low;
+		const uint32_t slack = range >= 2 * LEAST_RANGE ? LEAST_RANGE - 1 : 0xFFFF;
+		low += slack;
+		if (low < before) {
+			carry();
+		}
+		put(uint8_t(low >> 24));
+		if (slack == 0xFFFF) {
+			put(uint8_t(low >> 16));
+		}
+		return full ? 0 : size;
+	}
+
+	static constexpr uint32_t LEAST_RANGE = 1U << 24;
+
+private:
+	void put(uint8_t p_byte) {
+		if (size < capacity) {
+			buffer[size++] = p_byte;
+		} else {
+			full = true;
+		}
+	}
+	// The first byte never overflows: all that is written is a fraction below 1.
+	void carry() {
+		std::size_t at = full ? 0 : size;
+		while (at > 0 && ++buffer[--at] == 0) {
+		}
+	}
+
+	uint8_t *buffer;
+	std::size_t capacity;
+	std::size_t size = 0;
+	uint32_t low = 0;
+	uint32_t range = 0xFFFFFFFF;
+	bool full = false;
+};
+
+/// Reads what a RangeEncoder wrote. Any bytes can be read: what makes no sense gives some symbols, and
+/// is_bad() then tells if it notices.
+class RangeDecoder {
+public:
+	RangeDecoder(const uint8_t *p_bytes, std::size_t p_size) :
+			bytes(p_bytes), size(p_size) {
+		for (int i = 0; i < 4; i++) {
+			code = (code << 8) | next();
+		}
+	}
+
+	/// Where the next symbol lies in 0 to (1 << p_bits) - 1; then call decode() with its share.
+	uint32_t peek(int p_bits = PROBABILITY_BITS) {
+		unit = range >> p_bits;
+		const uint32_t place = code / unit;
+		if (place >> p_bits != 0) {
+			bad = true;
+			return (1U << p_bits) - 1;
+		}
+		return place;
+	}
+	/// Goes on behind a symbol that peek() found.
+	void decode(uint32_t p_below, uint32_t p_share) {
+		code -= unit * p_below;
+		range = unit * p_share;
+		while (range < RangeEncoder::LEAST_RANGE) {
+			code = (code << 8) | next();
+			range <<= 8;
+		}
+	}
+	uint32_t decode_bits(int p_count) {
+		uint32_t value = 0;
+		while (p_count > 16) {
+			p_count -= 16;
+			value = (value << 16) | take(16);
+		}
+		return p_count > 0 ? (value << p_count) | take(p_count) : value;
+	}
+	bool decode_bit(uint32_t p_zero) {
+		const bool one = peek() >= p_zero;
+		one ? decode(p_zero, (1U << PROBABILITY_BITS) - p_zero) : decode(0, p_zero);
+		return one;
+	}
+	/// Bytes that the encoder wrote up to here, if it ended here.
+	std::size_t used() const { return taken - 4 + (range >= 2 * RangeEncoder::LEAST_RANGE ? 1 : 2); }
+	/// Whether this cannot come from an encoder, or is cut off.
+	bool is_bad() const { return bad || used() > size; }
+
+private:
+	uint8_t next() {
+		const uint8_t byte = taken < size ? bytes[taken] : 0;
+		taken++;
+		return byte;
+	}
+	uint32_t take(int p_count) {
+		const uint32_t value = peek(p_count);
+		decode(value, 1);
+		return value;
+	}
+
+	const uint8_t *bytes;
+	std::size_t size;
+	std::size_t taken = 0;
+	uint32_t code = 0;
+	uint32_t range = 0xFFFFFFFF;
+	uint32_t unit = 1;
+	bool bad = false;
+};
+
+} // namespace wire
