@@ -41,7 +41,8 @@ struct PersonPose {
 
 /// Positions of all limbs' frames in the world (m) by forward kinematics: joints have no gaps,
 /// whatever the orientations (thesis section 6.3).
-inline void place_limbs(const Skeleton &p_skeleton, const PersonPose &p_pose, std::array<Vec3, MOST_LIMBS> &r_positions) {
+inline void place_limbs(
+		const Skeleton &p_skeleton, const PersonPose &p_pose, std::array<Vec3, MOST_LIMBS> &r_positions) {
 	r_positions[0] = p_pose.root;
 	for (std::size_t i = 1; i < std::size_t(p_skeleton.limb_count); i++) {
 		const std::size_t parent = std::size_t(p_skeleton.parents[i]);

@@ -19,9 +19,7 @@ struct RotationCode {
 	std::array<int16_t, 3> parts{}; ///< In the order x, y, z, w, without the one left out.
 	uint8_t dropped = 3; ///< 0 to 3: x, y, z or w.
 
-	bool operator==(const RotationCode &p_other) const {
-		return parts == p_other.parts && dropped == p_other.dropped;
-	}
+	bool operator==(const RotationCode &p_other) const { return parts == p_other.parts && dropped == p_other.dropped; }
 };
 
 /// Where a person is, on the lattice that server and clients share.

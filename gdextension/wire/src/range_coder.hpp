@@ -14,8 +14,7 @@ constexpr int PROBABILITY_BITS = 16;
 /// without a length, whatever follows.
 class RangeEncoder {
 public:
-	RangeEncoder(uint8_t *p_buffer, std::size_t p_capacity) :
-			buffer(p_buffer), capacity(p_capacity) {}
+	RangeEncoder(uint8_t *p_buffer, std::size_t p_capacity) : buffer(p_buffer), capacity(p_capacity) {}
 
 	/// Writes a symbol that takes p_share of 1 << p_bits, with p_below of the symbols before it.
 	/// p_bits is 1 to 16, p_share at least 1.
@@ -92,8 +91,7 @@ private:
 /// is_bad() then tells if it notices.
 class RangeDecoder {
 public:
-	RangeDecoder(const uint8_t *p_bytes, std::size_t p_size) :
-			bytes(p_bytes), size(p_size) {
+	RangeDecoder(const uint8_t *p_bytes, std::size_t p_size) : bytes(p_bytes), size(p_size) {
 		for (int i = 0; i < 4; i++) {
 			code = (code << 8) | next();
 		}
