@@ -62,6 +62,9 @@ public:
 		return full ? 0 : size;
 	}
 
+	/// Bytes that are written for sure; a few more come at the end.
+	std::size_t written() const { return size; }
+
 	static constexpr uint32_t LEAST_RANGE = 1U << 24;
 
 private:

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "client_record.hpp"
+
+#include <cstring>
+
+namespace wire {
+
+namespace {
+
+// So many later datagrams have to arrive before one counts as lost: some overtake each other.
+constexpr int OVERTAKEN = 3;
+constexpr float ROUND_TRIP_MEMORY = 0.1f;
+
+} // namespace
+
+void Delivery::arrived(uint32_t p_tick) {
+	if (acked == NEVER || p_tick > acked) {
+		before = acked;
+		acked = p_tick;
+	} else if (p_tick < acked && (before == NEVER || p_tick > before)) {
+		before = p_tick;
+	}
+}
+
+void ClientRecord::follow(const WorldHistory &p_world) {
+	people.resize(p_world.people().size());
+	bodies.resize(p_world.bodies().size());
+	for (std::size_t i = 0; i < people.size(); i++) {
+		if (people[i].generation != p_world.people()[i]->generation) {
+			people[i] = Delivery();
+			people[i].generation = p_world.people()[i]->generation;
+		}
+	}
+	for (std::size_t i = 0; i < bodies.size(); i++) {
+		if (bodies[i].generation != p_world.bodies()[i]->generation) {
+			bodies[i] = BodyDelivery();
+			bodies[i].generation = p_world.bodies()[i]->generation;
+		}
+	}
+}
+
+SentDatagram &ClientRecord::begin_datagram(uint32_t p_tick) {
+	SentDatagram &entry = log[next_number % KEPT];
+	if (entry.is_open) {
+		note_loss(entry);
+	}
+	entry.tick = p_tick;
+	entry.number = next_number++;
+	entry.is_open = true;
+	entry.people_count = 0;
+	entry.body_count = 0;
+	return entry;
+}
+
+bool ClientRecord::take_ack(const uint8_t *p_bytes, std::size_t p_size, uint32_t p_now) {
+	if (p_size != ACK_BYTES || p_bytes[0] != uint8_t(Kind::ACK)) {
+		return false;
+	}
+	std::array<float, 3> place{};
+	std::memcpy(place.data(), p_bytes + 11, sizeof(place));
+	const Vec3 from{ place[0], place[1], place[2] };
+	if (from.is_finite() && from.length() < FARTHEST_M) {
+		viewpoint = from;
+		has_viewpoint = true;
+	}
+	if ((p_bytes[1] & WANTS_ALL) != 0) {
+		forget_all();
+		return true;
+	}
+	const uint8_t newest = p_bytes[2];
+	const uint64_t earlier = get_number(p_bytes + 3, 8);
+	// The oldest first: who has what is noted in the order of time.
+	for (int ago = 64; ago >= 0; ago--) {
+		SentDatagram &entry = log[uint8_t(newest - ago) % KEPT];
+		if (!entry.is_open || entry.number != uint8_t(newest - ago)) {
+			continue;
+		}
+		if (ago == 0 || ((earlier >> (ago - 1)) & 1) != 0) {
+			note_arrival(entry, p_now);
+		} else if (ago >= OVERTAKEN) {
+			note_loss(entry);
+		}
+	}
+	return true;
+}
+
+void ClientRecord::note_arrival(SentDatagram &p_entry, uint32_t p_now) {
+	p_entry.is_open = false;
+	heard = true;
+	figures.acked++;
+	const float ticks = float(p_now - p_entry.tick);
+	figures.round_trip_ticks +=
+			(ticks - figures.round_trip_ticks) * (figures.round_trip_ticks == 0.0f ? 1.0f : ROUND_TRIP_MEMORY);
+	for (std::size_t i = 0; i < p_entry.people_count; i++) {
+		people[p_entry.people[i]].arrived(p_entry.tick);
+	}
+	for (std::size_t i = 0; i < p_entry.body_count; i++) {
+		bodies[p_entry.bodies[i]].arrived(p_entry.tick);
+	}
+}
+
+void ClientRecord::note_loss(SentDatagram &p_entry) {
+	p_entry.is_open = false;
+	figures.lost++;
+	for (std::size_t i = 0; i < p_entry.people_count; i++) {
+		Delivery &delivery = people[p_entry.people[i]];
+		delivery.is_lost = delivery.is_lost || delivery.sent == p_entry.tick;
+	}
+	for (std::size_t i = 0; i < p_entry.body_count; i++) {
+		Delivery &delivery = bodies[p_entry.bodies[i]];
+		delivery.is_lost = delivery.is_lost || delivery.sent == p_entry.tick;
+	}
+}
+
+void ClientRecord::forget_all() {
+	for (Delivery &delivery : people) {
+		delivery.acked = delivery.before = NEVER;
+	}
+	for (BodyDelivery &delivery : bodies) {
+		delivery.acked = delivery.before = NEVER;
+		delivery.is_lost = true;
+	}
+	for (SentDatagram &entry : log) {
+		entry.is_open = false;
+	}
+	heard = false;
+}
+
+} // namespace wire

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "interest.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wire {
+
+bool Interest::set_cells(const Vec3 &p_origin, float p_size, const std::array<int, 3> &p_counts,
+		const uint8_t *p_visible, std::size_t p_table_size) {
+	visible.clear();
+	counts = {};
+	int64_t cells = 1;
+	for (const int count : p_counts) {
+		cells = count >= 1 && count <= MOST_CELLS ? std::min<int64_t>(cells * count, MOST_CELLS + 1) : 0;
+	}
+	if (cells < 1 || cells > MOST_CELLS || !(p_size > 0.0f) || !p_origin.is_finite() ||
+			p_table_size != std::size_t(cells * cells)) {
+		return false;
+	}
+	origin = p_origin;
+	size = p_size;
+	counts = p_counts;
+	visible.assign(p_visible, p_visible + p_table_size);
+	return true;
+}
+
+int Interest::cell(const Vec3 &p_place) const {
+	const std::array<float, 3> place{ p_place.x - origin.x, p_place.z - origin.z, p_place.y - origin.y };
+	const std::array<int, 3> along{ counts[0], counts[2], counts[1] };
+	int number = 0;
+	for (std::size_t i = 0; i < 3; i++) {
+		const float step = std::floor(place[i] / size);
+		// Written so that NaN fails too.
+		if (!(step >= 0.0f && step < float(along[i]))) {
+			return -1;
+		}
+		number = number * along[i] + int(step);
+	}
+	return number;
+}
+
+float Interest::weight(const Vec3 &p_from, const Vec3 &p_to) const {
+	const float distance = (p_to - p_from).length();
+	const float near = HALF_DISTANCE_M / (HALF_DISTANCE_M + distance);
+	const float weight = std::isfinite(near) ? std::max(near, FAR) : FAR;
+	if (visible.empty()) {
+		return weight;
+	}
+	const int from = cell(p_from);
+	const int to = cell(p_to);
+	const int count = counts[0] * counts[1] * counts[2];
+	const bool hidden = from >= 0 && to >= 0 && visible[std::size_t(from) * std::size_t(count) + std::size_t(to)] == 0;
+	return hidden ? HIDDEN : weight;
+}
+
+} // namespace wire
