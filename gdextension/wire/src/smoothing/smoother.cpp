@@ -11,7 +11,7 @@ namespace {
 // How many of the arrivals ADAPTIVE_LOW_DELAY waits for, and what part of the time between two it
 // stays behind besides: the less there is to guess, the smoother.
 constexpr double WAITS_FOR = 0.9;
-constexpr double SHARE = 0.3;
+constexpr double SHARE = 0.2;
 // What is shown runs faster or slower by at most this to get to where it should be, per second.
 constexpr double CORRECTION = 6.0;
 // It is set anew if it is further off, s.
@@ -96,6 +96,7 @@ bool Smoother::push(const PersonUpdate &p_update, double p_arrival_s) {
 		return false;
 	}
 	key.time = clock.time_of(p_update.tick);
+	key.arrival = p_arrival_s;
 	return found->second->track.push(key);
 }
 
@@ -107,6 +108,7 @@ bool Smoother::push(const BodyUpdate &p_update, double p_arrival_s) {
 	}
 	BodyTrack::Key key;
 	key.time = clock.time_of(p_update.tick);
+	key.arrival = p_arrival_s;
 	key.frame.position = p_update.position;
 	key.frame.turns[0] = p_update.orientation.normalized();
 	key.at_rest = p_update.at_rest;

@@ -17,11 +17,17 @@ constexpr float FASTEST_TURN = 40.0f; // rad/s
 constexpr float FARTHEST_OFFSET = 3.0f; // m
 // Beyond the newest update a person goes on ever slower, and no longer than this in sum.
 constexpr double REACH_S = 0.06;
+// ERROR_OFFSET wants to be where the server is now, and guesses further.
+constexpr double FAR_REACH_S = 0.3;
+// At the newest update motion is faster than its mean since the last one by so much of its change.
+constexpr float CHANGE = 0.25f;
 // How fast the jump of ADAPTIVE_LOW_DELAY decays (critically damped), and that of ERROR_OFFSET.
-constexpr double SPRING = 45.0; // 1/s
+constexpr double SPRING = 80.0; // 1/s, at up to this time between updates; less where they are rarer.
+constexpr double SPRING_GAP = 1.0 / 30.0; // s
 constexpr double DECAY = 21.4; // 1/s: to 0.7 within a sixtieth of a second.
 // Updates that are further apart are no samples of one motion, s.
 constexpr double LONGEST_GAP = 0.3;
+constexpr double SHORTEST_GAP = 1.0 / 240.0;
 
 float smooth(double p_part) {
 	const double part = std::min(std::max(p_part, 0.0), 1.0);
@@ -63,7 +69,7 @@ double Track<N>::usual_gap() const {
 	for (std::size_t i = size - 1; i > 0 && i + 6 > size; i--) {
 		least = std::min(least, gap(i));
 	}
-	return std::max(least, 1.0 / 240.0);
+	return std::max(least, SHORTEST_GAP);
 }
 
 /// The motion at an update: received, or the mean of the ways before and behind it.
@@ -90,15 +96,22 @@ Shift<N> Track<N>::motion_of(std::size_t p_place) const {
 	return motion;
 }
 
+/// The motion at the newest update, with what it is about to become.
 template <std::size_t N>
 Shift<N> Track<N>::motion_at_end() const {
-	return motion_of(size - 1);
+	Shift<N> motion = motion_of(size - 1);
+	if (!has_motion && size > 2 && gap(size - 1) <= LONGEST_GAP && gap(size - 2) <= LONGEST_GAP) {
+		const Shift<N> before = between(key(size - 3).frame, key(size - 2).frame, float(1.0 / gap(size - 2)), count);
+		motion = mix(motion, 1.0f + CHANGE, before, -CHANGE, count);
+		limit(motion, FASTEST_WAY, FASTEST_TURN, count);
+	}
+	return motion;
 }
 
 /// An update, carried on. Received motion is believed as the server believes that we do; estimated
 /// motion runs out.
 template <std::size_t N>
-Frame<N> Track<N>::predicted(const Key &p_key, double p_time, const Shift<N> &p_motion) const {
+Frame<N> Track<N>::predicted(const Key &p_key, double p_time, const Shift<N> &p_motion, double p_reach) const {
 	Frame<N> frame = p_key.frame;
 	if (p_key.at_rest) {
 		return frame;
@@ -108,7 +121,7 @@ Frame<N> Track<N>::predicted(const Key &p_key, double p_time, const Shift<N> &p_
 	if (has_motion) {
 		seconds = std::min(std::max(ahead, -double(LONGEST_PREDICTION_S)), double(LONGEST_PREDICTION_S));
 	} else if (ahead > 0.0) {
-		seconds = REACH_S * (1.0 - std::exp(-ahead / REACH_S));
+		seconds = p_reach * (1.0 - std::exp(-ahead / p_reach));
 	}
 	apply(frame, p_motion, float(seconds), count);
 	return frame;
@@ -116,8 +129,8 @@ Frame<N> Track<N>::predicted(const Key &p_key, double p_time, const Shift<N> &p_
 
 /// The newest update, dead-reckoned.
 template <std::size_t N>
-Frame<N> Track<N>::newest_at(double p_time) const {
-	return predicted(key(size - 1), p_time, motion_at_end());
+Frame<N> Track<N>::newest_at(double p_time, double p_reach) const {
+	return predicted(key(size - 1), p_time, motion_at_end(), p_reach);
 }
 
 /// Between two updates of a body: from where the first predicts it to where the second says that it
@@ -128,11 +141,11 @@ Frame<N> Track<N>::blended(std::size_t p_after, double p_time, bool p_eased) con
 	const Key &after = key(p_after);
 	const double window = std::min(gap(p_after), std::min(usual_gap(), BUFFER_S));
 	const double part = (p_time - (after.time - window)) / window;
-	Frame<N> frame = predicted(before, p_time, before.motion);
+	Frame<N> frame = predicted(before, p_time, before.motion, REACH_S);
 	if (part <= 0.0) {
 		return frame;
 	}
-	const Frame<N> back = predicted(after, p_time, after.motion);
+	const Frame<N> back = predicted(after, p_time, after.motion, REACH_S);
 	const float weight = p_eased ? smooth(part) : float(std::min(part, 1.0));
 	apply(frame, between(frame, back, 1.0f, count), weight, count);
 	return frame;
@@ -146,7 +159,7 @@ Frame<N> Track<N>::straight(double p_time) const {
 		after--;
 	}
 	if (key(after).time <= p_time) {
-		return has_motion ? newest_at(p_time) : key(after).frame;
+		return has_motion ? newest_at(p_time, REACH_S) : key(after).frame;
 	}
 	if (after == 0) {
 		return key(0).frame;
@@ -168,7 +181,7 @@ Frame<N> Track<N>::curved(double p_time, bool p_goes_on) const {
 		after--;
 	}
 	if (key(after).time <= p_time) {
-		return p_goes_on || has_motion ? newest_at(p_time) : key(after).frame;
+		return p_goes_on || has_motion ? newest_at(p_time, REACH_S) : key(after).frame;
 	}
 	if (after == 0) {
 		return key(0).frame;
@@ -197,7 +210,7 @@ Frame<N> Track<N>::wanted(const Moment &p_moment) const {
 		case SmoothingMethod::ADAPTIVE_LOW_DELAY:
 			return curved(p_moment.time, true);
 		case SmoothingMethod::ERROR_OFFSET:
-			return newest_at(p_moment.time);
+			return newest_at(p_moment.time, FAR_REACH_S);
 		default:
 			return key(size - 1).frame;
 	}
@@ -207,13 +220,14 @@ Frame<N> Track<N>::wanted(const Moment &p_moment) const {
 template <std::size_t N>
 void Track<N>::chase(const Moment &p_moment) {
 	if (has_news) {
+		const double due = std::max(key(size - 1).arrival + usual_gap(), p_moment.now);
 		chase_from = shown;
-		chase_motion = motion_at_end();
-		chase_span = usual_gap();
-		chase_begin = p_moment.now;
+		chase_motion = motion_of(size - 1);
+		chase_begin = last.now;
+		chase_span = std::max(due - last.now, SHORTEST_GAP);
 		chase_to = key(size - 1).frame;
 		if (!key(size - 1).at_rest) {
-			apply(chase_to, chase_motion, float(chase_span), count);
+			apply(chase_to, chase_motion, float(usual_gap()), count);
 		}
 	}
 	const double part = (p_moment.now - chase_begin) / chase_span;
@@ -253,9 +267,10 @@ void Track<N>::decay(const Moment &p_moment, double p_step) {
 		return;
 	}
 	// A critically damped spring, solved exactly.
-	const float left = float(std::exp(-SPRING * p_step));
+	const double spring = SPRING * std::sqrt(std::min(1.0, SPRING_GAP / usual_gap()));
+	const float left = float(std::exp(-spring * p_step));
 	const float step = float(p_step);
-	const float stiffness = float(SPRING);
+	const float stiffness = float(spring);
 	const Shift<N> pull = mix(offset_speed, 1.0f, offset, stiffness, count);
 	offset = mix(offset, left, pull, left * step, count);
 	offset_speed = mix(offset_speed, left, pull, -left * step * stiffness, count);

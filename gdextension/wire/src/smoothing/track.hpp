@@ -15,6 +15,7 @@ public:
 	/// One update.
 	struct Key {
 		double time = 0.0;
+		double arrival = 0.0; ///< In the client's clock.
 		Frame<N> frame;
 		Shift<N> motion; ///< Per second; only where it is received.
 		bool at_rest = false;
@@ -51,11 +52,11 @@ private:
 	double usual_gap() const;
 	Shift<N> motion_of(std::size_t p_place) const;
 	Shift<N> motion_at_end() const;
-	Frame<N> predicted(const Key &p_key, double p_time, const Shift<N> &p_motion) const;
+	Frame<N> predicted(const Key &p_key, double p_time, const Shift<N> &p_motion, double p_reach) const;
 	Frame<N> straight(double p_time) const;
 	Frame<N> curved(double p_time, bool p_goes_on) const;
 	Frame<N> blended(std::size_t p_after, double p_time, bool p_eased) const;
-	Frame<N> newest_at(double p_time) const;
+	Frame<N> newest_at(double p_time, double p_reach) const;
 	Frame<N> wanted(const Moment &p_moment) const;
 	void chase(const Moment &p_moment);
 	void decay(const Moment &p_moment, double p_step);
