@@ -134,8 +134,7 @@ void SnapshotSmoother::_bind_methods() {
 			&SnapshotSmoother::set_skeleton);
 	ClassDB::bind_method(D_METHOD("push_person", "person", "tick", "arrival_s", "root", "orientations"),
 			&SnapshotSmoother::push_person);
-	ClassDB::bind_method(
-			D_METHOD("push_body", "body", "tick", "arrival_s", "transform", "velocity", "spin", "at_rest"),
+	ClassDB::bind_method(D_METHOD("push_body", "body", "tick", "arrival_s", "transform", "velocity", "spin", "at_rest"),
 			&SnapshotSmoother::push_body);
 	ClassDB::bind_method(D_METHOD("show", "now_s"), &SnapshotSmoother::show);
 	ClassDB::bind_method(D_METHOD("shown_tick"), &SnapshotSmoother::shown_tick);

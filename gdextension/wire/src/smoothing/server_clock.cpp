@@ -23,8 +23,9 @@ ServerClock::Verdict ServerClock::arrived(uint32_t p_tick, double p_now_s) {
 	note_interval(p_tick);
 	note_delay(delay, p_now_s);
 	if (p_now_s - window_begin > WINDOW_S) {
+		// After a silence the arrivals before it tell nothing.
+		quickest_before = p_now_s - last > SILENCE_S ? std::numeric_limits<double>::infinity() : quickest;
 		window_begin = p_now_s;
-		quickest_before = quickest;
 		quickest = std::numeric_limits<double>::infinity();
 	}
 	quickest = std::min(quickest, delay);

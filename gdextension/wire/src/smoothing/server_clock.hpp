@@ -27,6 +27,7 @@ public:
 	static constexpr double WINDOW_S = 1.0; ///< Span whose quickest arrival counts.
 	static constexpr double RISE = 0.1; ///< How fast the difference rises, seconds per second.
 	static constexpr double PAUSE_S = 0.25; ///< A rise beyond this is taken over at once.
+	static constexpr double SILENCE_S = 0.5; ///< After so long without an arrival, old ones do not count.
 	static constexpr double LATENESS_S = 2.0; ///< Span over which lateness counts.
 
 	/// Takes note of a tick that arrived at a time of the client's clock, s.

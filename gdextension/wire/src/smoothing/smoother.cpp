@@ -8,7 +8,7 @@ namespace wire {
 
 namespace {
 
-// How many of the arrivals ADAPTIVE_LOW_DELAY waits for, and what part of the time between two it
+// How many of the arrivals are waited for, and what part of the time between two ADAPTIVE_LOW_DELAY
 // stays behind besides: the less there is to guess, the smoother.
 constexpr double WAITS_FOR = 0.9;
 constexpr double SHARE = 0.2;
@@ -101,8 +101,8 @@ bool Smoother::push(const PersonUpdate &p_update, double p_arrival_s) {
 }
 
 bool Smoother::push(const BodyUpdate &p_update, double p_arrival_s) {
-	const bool is_sound = is_place(p_update.position) && is_turn(p_update.orientation) &&
-			is_speed(p_update.velocity) && is_speed(p_update.spin);
+	const bool is_sound = is_place(p_update.position) && is_turn(p_update.orientation) && is_speed(p_update.velocity) &&
+			is_speed(p_update.spin);
 	if (!is_sound || !is_timely(p_update.tick, p_arrival_s)) {
 		return false;
 	}
@@ -128,7 +128,7 @@ double Smoother::wanted_time(double p_now_s) {
 	switch (method) {
 		case SmoothingMethod::LINEAR:
 		case SmoothingMethod::HERMITE:
-			behind = BUFFER_S;
+			behind = std::min(std::max(BUFFER_S, clock.interval() + clock.lateness(WAITS_FOR)), LONGEST_DELAY_S);
 			break;
 		case SmoothingMethod::ADAPTIVE_LOW_DELAY:
 			behind = std::min(clock.lateness(WAITS_FOR) + SHARE * clock.interval(), LONGEST_DELAY_S);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "../dead_reckoning.hpp"
 #include "server_clock.hpp"
 #include "smoothing_method.hpp"
 #include "track.hpp"
-#include "../dead_reckoning.hpp"
 
 #include <skeleton.hpp>
 
@@ -32,7 +32,7 @@ public:
 
 	static constexpr float FARTHEST = 1e5f; ///< Places further from the origin are refused, m.
 	static constexpr float FASTEST = 1e4f; ///< Likewise faster bodies, m/s or rad/s.
-	static constexpr double LONGEST_DELAY_S = 0.25; ///< ADAPTIVE_LOW_DELAY stays no further behind.
+	static constexpr double LONGEST_DELAY_S = 0.25; ///< Nothing is shown further behind.
 
 	void set_method(SmoothingMethod p_method) { method = p_method; }
 	SmoothingMethod get_method() const { return method; }
@@ -72,8 +72,8 @@ public:
 
 private:
 	struct PersonEntry {
-		explicit PersonEntry(const kinematics::Skeleton &p_skeleton)
-			: skeleton(p_skeleton), track(std::size_t(p_skeleton.limb_count), false) {}
+		explicit PersonEntry(const kinematics::Skeleton &p_skeleton) :
+				skeleton(p_skeleton), track(std::size_t(p_skeleton.limb_count), false) {}
 		kinematics::Skeleton skeleton;
 		PersonTrack track;
 		Person shown;
@@ -89,8 +89,8 @@ private:
 	double wanted_time(double p_now_s);
 	void play(double p_now_s);
 	void forget_updates();
-	static void place(const kinematics::Skeleton &p_skeleton, const Frame<kinematics::MOST_LIMBS> &p_frame,
-			Person &r_person);
+	static void place(
+			const kinematics::Skeleton &p_skeleton, const Frame<kinematics::MOST_LIMBS> &p_frame, Person &r_person);
 
 	SmoothingMethod method = SmoothingMethod::ADAPTIVE_LOW_DELAY;
 	ServerClock clock;

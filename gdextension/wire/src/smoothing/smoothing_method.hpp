@@ -15,7 +15,8 @@ enum class SmoothingMethod {
 
 constexpr int SMOOTHING_METHOD_COUNT = 6;
 
-/// How far LINEAR and HERMITE stay behind the server, s.
+/// How far LINEAR and HERMITE stay behind the quickest arrivals, s; further if updates are so rare or
+/// late that the next one would not be there.
 constexpr double BUFFER_S = 0.04;
 
 } // namespace wire

@@ -29,6 +29,10 @@ constexpr double DECAY = 21.4; // 1/s: to 0.7 within a sixtieth of a second.
 constexpr double LONGEST_GAP = 0.3;
 constexpr double SHORTEST_GAP = 1.0 / 240.0;
 
+bool is_jump(const Vec3 &p_way) {
+	return p_way.length() > FARTHEST_OFFSET;
+}
+
 float smooth(double p_part) {
 	const double part = std::min(std::max(p_part, 0.0), 1.0);
 	return float(part * part * (3.0 - 2.0 * part));
@@ -147,7 +151,8 @@ Frame<N> Track<N>::blended(std::size_t p_after, double p_time, bool p_eased) con
 	}
 	const Frame<N> back = predicted(after, p_time, after.motion, REACH_S);
 	const float weight = p_eased ? smooth(part) : float(std::min(part, 1.0));
-	apply(frame, between(frame, back, 1.0f, count), weight, count);
+	const Shift<N> whole = between(frame, back, 1.0f, count);
+	apply(frame, whole, is_jump(whole.way) ? 0.0f : weight, count);
 	return frame;
 }
 
@@ -169,7 +174,8 @@ Frame<N> Track<N>::straight(double p_time) const {
 	}
 	Frame<N> frame = key(after - 1).frame;
 	const double part = (p_time - key(after - 1).time) / gap(after);
-	apply(frame, between(frame, key(after).frame, 1.0f, count), float(part), count);
+	const Shift<N> whole = between(frame, key(after).frame, 1.0f, count);
+	apply(frame, whole, is_jump(whole.way) ? 0.0f : float(part), count);
 	return frame;
 }
 
@@ -194,7 +200,11 @@ Frame<N> Track<N>::curved(double p_time, bool p_goes_on) const {
 	const float left = 1.0f - part;
 	Frame<N> frame = key(after - 1).frame;
 	const Shift<N> whole = between(frame, key(after).frame, 1.0f, count);
-	Shift<N> way = mix(motion_of(after - 1), part * left * left * span, motion_of(after), -part * part * left * span, count);
+	if (is_jump(whole.way)) {
+		return frame;
+	}
+	Shift<N> way =
+			mix(motion_of(after - 1), part * left * left * span, motion_of(after), -part * part * left * span, count);
 	way = mix(way, 1.0f, whole, part * part * (3.0f - 2.0f * part), count);
 	apply(frame, way, 1.0f, count);
 	return frame;
@@ -221,7 +231,7 @@ template <std::size_t N>
 void Track<N>::chase(const Moment &p_moment) {
 	if (has_news) {
 		const double due = std::max(key(size - 1).arrival + usual_gap(), p_moment.now);
-		chase_from = shown;
+		chase_from = is_jump(shown.position - key(size - 1).frame.position) ? key(size - 1).frame : shown;
 		chase_motion = motion_of(size - 1);
 		chase_begin = last.now;
 		chase_span = std::max(due - last.now, SHORTEST_GAP);
@@ -232,7 +242,7 @@ void Track<N>::chase(const Moment &p_moment) {
 	}
 	const double part = (p_moment.now - chase_begin) / chase_span;
 	shown = chase_from;
-	apply(shown, between(chase_from, chase_to, 1.0f, count), float(std::min(part, 1.0)), count);
+	apply(shown, between(chase_from, chase_to, 1.0f, count), float(std::min(std::max(part, 0.0), 1.0)), count);
 	if (has_motion && part > 1.0 && !key(size - 1).at_rest) {
 		const double beyond = std::min(p_moment.now - chase_begin - chase_span, double(LONGEST_PREDICTION_S));
 		apply(shown, chase_motion, float(beyond), count);
@@ -254,7 +264,7 @@ void Track<N>::take_over(const Moment &p_moment) {
 		offset_speed = mix(speed, 1.0f, target_speed, -1.0f, count);
 		limit(offset_speed, FASTEST_WAY, FASTEST_TURN, count);
 	}
-	if (offset.way.length() > FARTHEST_OFFSET) {
+	if (is_jump(offset.way)) {
 		offset = Shift<N>();
 		offset_speed = Shift<N>();
 	}
@@ -291,6 +301,8 @@ void Track<N>::show(const Moment &p_moment) {
 		offset = Shift<N>();
 		offset_speed = Shift<N>();
 		shown = wanted(p_moment);
+		has_news = true;
+		last.now = p_moment.now;
 	} else if (decays && (has_news || p_moment.method != last.method)) {
 		take_over(p_moment);
 	}
