@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "snapshot_smoother.hpp"
+
+#include "convert.hpp"
+#include "pose_arrays.hpp"
+
+#include <limits>
+
+namespace godot {
+
+namespace {
+
+bool is_id(int64_t p_id) {
+	return p_id >= 0 && p_id <= std::numeric_limits<uint16_t>::max();
+}
+
+bool is_tick(int64_t p_tick) {
+	return p_tick >= 0 && p_tick <= std::numeric_limits<uint32_t>::max();
+}
+
+Transform3D to_transform(const wire::BodyPlace &p_place) {
+	return Transform3D(Basis(from_core(p_place.orientation)), from_core(p_place.position));
+}
+
+} // namespace
+
+void SnapshotSmoother::set_method(Method p_method) {
+	ERR_FAIL_COND_MSG(int(p_method) < 0 || int(p_method) >= wire::SMOOTHING_METHOD_COUNT,
+			"SnapshotSmoother: there is no such method.");
+	smoother.set_method(wire::SmoothingMethod(int(p_method)));
+}
+
+void SnapshotSmoother::set_tick_rate(double p_rate) {
+	ERR_FAIL_COND_MSG(!smoother.set_tick_rate(p_rate), "SnapshotSmoother: a tick rate is above 0, at most 1000.");
+}
+
+bool SnapshotSmoother::set_skeleton(int64_t p_person, const PackedInt32Array &p_parents,
+		const PackedVector3Array &p_joints_in_parent, const PackedVector3Array &p_joints_in_limb) {
+	ERR_FAIL_COND_V_MSG(!is_id(p_person), false, "SnapshotSmoother: a person's number is 0 to 65535.");
+	kinematics::Skeleton skeleton;
+	return read_skeleton(p_parents, p_joints_in_parent, p_joints_in_limb, skeleton) &&
+			smoother.set_skeleton(uint16_t(p_person), skeleton);
+}
+
+bool SnapshotSmoother::push_person(int64_t p_person, int64_t p_tick, double p_arrival_s, const Vector3 &p_root,
+		const PackedFloat32Array &p_orientations) {
+	wire::PersonUpdate update;
+	const int count = int(p_orientations.size() / 4);
+	if (!is_id(p_person) || !is_tick(p_tick) || count > kinematics::MOST_LIMBS ||
+			!read_orientations(p_orientations, count, update.pose) ||
+			count != smoother.limb_count(uint16_t(p_person))) {
+		return false;
+	}
+	update.id = uint16_t(p_person);
+	update.tick = uint32_t(p_tick);
+	update.pose.root = to_core(p_root);
+	return smoother.push(update, p_arrival_s);
+}
+
+bool SnapshotSmoother::push_body(int64_t p_body, int64_t p_tick, double p_arrival_s, const Transform3D &p_transform,
+		const Vector3 &p_velocity, const Vector3 &p_spin, bool p_at_rest) {
+	if (!is_id(p_body) || !is_tick(p_tick)) {
+		return false;
+	}
+	wire::BodyUpdate update;
+	update.id = uint16_t(p_body);
+	update.tick = uint32_t(p_tick);
+	update.position = to_core(p_transform.origin);
+	const Basis &basis = p_transform.basis;
+	update.orientation = kinematics::from_axes(
+			to_core(basis.get_column(0)), to_core(basis.get_column(1)), to_core(basis.get_column(2)));
+	update.velocity = to_core(p_velocity);
+	update.spin = to_core(p_spin);
+	update.at_rest = p_at_rest;
+	return smoother.push(update, p_arrival_s);
+}
+
+double SnapshotSmoother::server_time(double p_now_s) const {
+	return smoother.get_clock().is_known() ? smoother.get_clock().server_now(p_now_s) : -1.0;
+}
+
+bool SnapshotSmoother::has_person(int64_t p_person) const {
+	return is_id(p_person) && smoother.person(uint16_t(p_person)) != nullptr;
+}
+
+bool SnapshotSmoother::has_body(int64_t p_body) const {
+	return is_id(p_body) && smoother.body(uint16_t(p_body)) != nullptr;
+}
+
+PackedFloat32Array SnapshotSmoother::person_transforms(int64_t p_person) const {
+	const wire::Smoother::Person *person = is_id(p_person) ? smoother.person(uint16_t(p_person)) : nullptr;
+	if (person == nullptr) {
+		return PackedFloat32Array();
+	}
+	return write_transforms(person->pose, person->positions, person->limb_count);
+}
+
+PackedFloat32Array SnapshotSmoother::newest_person_transforms(int64_t p_person) const {
+	wire::Smoother::Person person;
+	if (!is_id(p_person) || !smoother.newest(uint16_t(p_person), person)) {
+		return PackedFloat32Array();
+	}
+	return write_transforms(person.pose, person.positions, person.limb_count);
+}
+
+Transform3D SnapshotSmoother::body_transform(int64_t p_body) const {
+	const wire::BodyPlace *place = is_id(p_body) ? smoother.body(uint16_t(p_body)) : nullptr;
+	return place != nullptr ? to_transform(*place) : Transform3D();
+}
+
+Transform3D SnapshotSmoother::newest_body_transform(int64_t p_body) const {
+	wire::BodyPlace place;
+	return is_id(p_body) && smoother.newest(uint16_t(p_body), place) ? to_transform(place) : Transform3D();
+}
+
+void SnapshotSmoother::forget_person(int64_t p_person) {
+	if (is_id(p_person)) {
+		smoother.forget_person(uint16_t(p_person));
+	}
+}
+
+void SnapshotSmoother::forget_body(int64_t p_body) {
+	if (is_id(p_body)) {
+		smoother.forget_body(uint16_t(p_body));
+	}
+}
+
+void SnapshotSmoother::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("set_method", "method"), &SnapshotSmoother::set_method);
+	ClassDB::bind_method(D_METHOD("get_method"), &SnapshotSmoother::get_method);
+	ClassDB::bind_method(D_METHOD("set_tick_rate", "rate"), &SnapshotSmoother::set_tick_rate);
+	ClassDB::bind_method(D_METHOD("get_tick_rate"), &SnapshotSmoother::get_tick_rate);
+	ClassDB::bind_method(D_METHOD("set_skeleton", "person", "parents", "joints_in_parent", "joints_in_limb"),
+			&SnapshotSmoother::set_skeleton);
+	ClassDB::bind_method(D_METHOD("push_person", "person", "tick", "arrival_s", "root", "orientations"),
+			&SnapshotSmoother::push_person);
+	ClassDB::bind_method(D_METHOD("push_body", "body", "tick", "arrival_s", "transform", "velocity", "spin", "at_rest"),
+			&SnapshotSmoother::push_body);
+	ClassDB::bind_method(D_METHOD("show", "now_s"), &SnapshotSmoother::show);
+	ClassDB::bind_method(D_METHOD("shown_tick"), &SnapshotSmoother::shown_tick);
+	ClassDB::bind_method(D_METHOD("get_delay"), &SnapshotSmoother::get_delay);
+	ClassDB::bind_method(D_METHOD("server_time", "now_s"), &SnapshotSmoother::server_time);
+	ClassDB::bind_method(D_METHOD("has_person", "person"), &SnapshotSmoother::has_person);
+	ClassDB::bind_method(D_METHOD("has_body", "body"), &SnapshotSmoother::has_body);
+	ClassDB::bind_method(D_METHOD("person_transforms", "person"), &SnapshotSmoother::person_transforms);
+	ClassDB::bind_method(D_METHOD("newest_person_transforms", "person"), &SnapshotSmoother::newest_person_transforms);
+	ClassDB::bind_method(D_METHOD("body_transform", "body"), &SnapshotSmoother::body_transform);
+	ClassDB::bind_method(D_METHOD("newest_body_transform", "body"), &SnapshotSmoother::newest_body_transform);
+	ClassDB::bind_method(D_METHOD("forget_person", "person"), &SnapshotSmoother::forget_person);
+	ClassDB::bind_method(D_METHOD("forget_body", "body"), &SnapshotSmoother::forget_body);
+	ClassDB::bind_method(D_METHOD("clear"), &SnapshotSmoother::clear);
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "method", PROPERTY_HINT_ENUM,
+						 "None,Linear,Extrapolate and lerp,Hermite,Error offset,Adaptive low delay"),
+			"set_method", "get_method");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "tick_rate", PROPERTY_HINT_RANGE, "1,1000,1,suffix:Hz"), "set_tick_rate",
+			"get_tick_rate");
+	BIND_ENUM_CONSTANT(NONE);
+	BIND_ENUM_CONSTANT(LINEAR);
+	BIND_ENUM_CONSTANT(EXTRAPOLATE_LERP);
+	BIND_ENUM_CONSTANT(HERMITE);
+	BIND_ENUM_CONSTANT(ERROR_OFFSET);
+	BIND_ENUM_CONSTANT(ADAPTIVE_LOW_DELAY);
+}
+
+} // namespace godot

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../src/smoothing/smoother.hpp"
+
+#include <godot_cpp/classes/ref_counted.hpp>
+#include <godot_cpp/core/binder_common.hpp>
+#include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/variant/packed_float32_array.hpp>
+#include <godot_cpp/variant/packed_int32_array.hpp>
+#include <godot_cpp/variant/packed_vector3_array.hpp>
+#include <godot_cpp/variant/transform3d.hpp>
+
+namespace godot {
+
+/// Makes smooth motion of what a server sends. Documented in doc_classes/SnapshotSmoother.xml.
+class SnapshotSmoother : public RefCounted {
+	GDCLASS(SnapshotSmoother, RefCounted)
+
+public:
+	enum Method {
+		NONE,
+		LINEAR,
+		EXTRAPOLATE_LERP,
+		HERMITE,
+		ERROR_OFFSET,
+		ADAPTIVE_LOW_DELAY,
+	};
+
+	void set_method(Method p_method);
+	Method get_method() const { return Method(int(smoother.get_method())); }
+	void set_tick_rate(double p_rate);
+	double get_tick_rate() const { return smoother.get_clock().tick_rate; }
+
+	bool set_skeleton(int64_t p_person, const PackedInt32Array &p_parents, const PackedVector3Array &p_joints_in_parent,
+			const PackedVector3Array &p_joints_in_limb);
+	bool push_person(int64_t p_person, int64_t p_tick, double p_arrival_s, const Vector3 &p_root,
+			const PackedFloat32Array &p_orientations);
+	bool push_body(int64_t p_body, int64_t p_tick, double p_arrival_s, const Transform3D &p_transform,
+			const Vector3 &p_velocity, const Vector3 &p_spin, bool p_at_rest);
+
+	void show(double p_now_s) { smoother.show(p_now_s); }
+	double shown_tick() const { return smoother.shown_tick(); }
+	double get_delay() const { return smoother.delay(); }
+	double server_time(double p_now_s) const;
+
+	bool has_person(int64_t p_person) const;
+	bool has_body(int64_t p_body) const;
+	PackedFloat32Array person_transforms(int64_t p_person) const;
+	PackedFloat32Array newest_person_transforms(int64_t p_person) const;
+	Transform3D body_transform(int64_t p_body) const;
+	Transform3D newest_body_transform(int64_t p_body) const;
+
+	void forget_person(int64_t p_person);
+	void forget_body(int64_t p_body);
+	void clear() { smoother.clear(); }
+
+	/// The core, for those who push what a decoder gives.
+	wire::Smoother &get_core() { return smoother; }
+
+protected:
+	static void _bind_methods();
+
+private:
+	wire::Smoother smoother;
+};
+
+} // namespace godot
+
+VARIANT_ENUM_CAST(SnapshotSmoother::Method);

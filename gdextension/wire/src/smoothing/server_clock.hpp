@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace wire {
+
+/// What the server's clock shows, seen from a client: estimated from when ticks arrive.
+///
+/// The way takes a varying time, but never less than some least one: the quickest arrivals of the last
+/// one or two seconds tell how the clocks differ. The difference falls at once and rises slowly. What
+/// the others were later than that tells how far display must stay behind to have them in time.
+class ServerClock {
+public:
+	/// What a tick is to the clock.
+	enum class Verdict {
+		USABLE,
+		OUTLANDISH, ///< More than JUMP_S off; perhaps the first of a new server.
+		NEW_SERVER, ///< CONFIRMATIONS in a row were: the clock has begun anew, and so must all tracks.
+	};
+
+	static constexpr double JUMP_S = 5.0; ///< Ticks that are further off come from another server.
+	static constexpr int CONFIRMATIONS = 3; ///< One stray datagram does not make a new server.
+	static constexpr double WINDOW_S = 1.0; ///< Span whose quickest arrival counts.
+	static constexpr double RISE = 0.1; ///< How fast the difference rises, seconds per second.
+	static constexpr double PAUSE_S = 0.25; ///< A rise beyond this is taken over at once.
+	static constexpr double SILENCE_S = 0.5; ///< After so long without an arrival, old ones do not count.
+	static constexpr double LATENESS_S = 2.0; ///< Span over which lateness counts.
+
+	/// Takes note of a tick that arrived at a time of the client's clock, s.
+	Verdict arrived(uint32_t p_tick, double p_now_s);
+	void clear();
+
+	bool is_known() const { return difference < std::numeric_limits<double>::infinity(); }
+	/// Time of a tick in the server's clock, s.
+	double time_of(uint32_t p_tick) const { return double(p_tick) / tick_rate; }
+	/// The server's time of what would arrive now if it was as quick as the quickest, s.
+	double server_now(double p_now_s) const { return p_now_s - difference; }
+	/// How much later than the quickest a fraction (0 to 1) of the arrivals is not, s.
+	double lateness(double p_fraction) const;
+	/// Time between two ticks that are sent, s: the median of the last ones.
+	double interval() const;
+
+	double tick_rate = 60.0; ///< Ticks per second.
+
+private:
+	struct Arrival {
+		double at = 0.0;
+		double delay = 0.0;
+	};
+
+	void note_interval(uint32_t p_tick);
+	void note_delay(double p_delay, double p_now_s);
+
+	static constexpr std::size_t KEPT = 256;
+	static constexpr std::size_t GAPS = 9;
+
+	double difference = std::numeric_limits<double>::infinity();
+	double quickest = std::numeric_limits<double>::infinity();
+	double quickest_before = std::numeric_limits<double>::infinity();
+	double window_begin = -std::numeric_limits<double>::infinity();
+	double last = 0.0;
+	std::array<Arrival, KEPT> arrivals{};
+	std::size_t arrival_count = 0; // Of all; the newest KEPT are kept.
+	std::array<uint32_t, GAPS> gaps{};
+	std::size_t gap_count = 0;
+	uint32_t newest_tick = 0;
+	uint32_t strange_tick = 0;
+	int strange = 0;
+};
+
+} // namespace wire

@@ -1,0 +1,115 @@
+extends SceneTree
+## What a client sees over a network that delays, jitters and loses: all methods of smoothing.
+##
+## Real motion on the soldier's skeleton, a made-up network in simulated time (delays uniform, always
+## the same), a display of 60 Hz. Error now: against the truth at the time of display. Residual: what
+## is left of it when the lag is taken off. Jerk: over that of the truth; 1 is ideal.
+## Options: --bvh=FILE (again for more; default the clips in assets/motion), --rate=30 (updates per
+## second, again for more; default 10, 15, 30, 60), --delay=25, --jitter=10 (ms), --loss=2 (%),
+## --method=none|linear|extrapolate_lerp|hermite|error_offset|adaptive_low_delay (again for more),
+## --seconds=25 (of each clip), --seed=1.
+
+const Figures: GDScript = preload("smoothing/smoothing_figures.gd")
+const Motion: GDScript = preload("smoothing/smoothing_motion.gd")
+const Run: GDScript = preload("smoothing/smoothing_run.gd")
+const _SOLDIER: String = "res://scenes/actor/soldier.tscn"
+const _METHODS: Dictionary[String, SnapshotSmoother.Method] = {
+	"none": SnapshotSmoother.NONE,
+	"linear": SnapshotSmoother.LINEAR,
+	"hermite": SnapshotSmoother.HERMITE,
+	"extrapolate_lerp": SnapshotSmoother.EXTRAPOLATE_LERP,
+	"error_offset": SnapshotSmoother.ERROR_OFFSET,
+	"adaptive_low_delay": SnapshotSmoother.ADAPTIVE_LOW_DELAY,
+}
+const _DEFAULTS: Dictionary = {
+	"bvh": "",
+	"rate": "",
+	"method": "",
+	"delay": 25.0,
+	"jitter": 10.0,
+	"loss": 2.0,
+	"seconds": 25.0,
+	"seed": 1,
+}
+
+var _arguments: BenchArguments = null
+var _report: BenchReport = null
+var _motions: Array[Motion] = []
+
+
+func _initialize() -> void:
+	_arguments = BenchArguments.parse(OS.get_cmdline_user_args(), _DEFAULTS)
+	_report = BenchReport.new("smoothing", _arguments.value("json"))
+	var fault: String = _find_fault()
+	if fault == "":
+		fault = _open_motions()
+	if fault != "":
+		printerr(fault)
+		quit(2)
+		return
+	for rate: String in _list("rate", ["10", "15", "30", "60"]):
+		for method: String in _list("method", _METHODS.keys()):
+			_measure(method, rate.to_float())
+	_report.finish()
+	quit(0)
+
+
+func _find_fault() -> String:
+	if _arguments.error != "":
+		return _arguments.error
+	for method: String in _arguments.list("method"):
+		if not _METHODS.has(method):
+			return "a method is one of %s, found '%s'" % [", ".join(_METHODS.keys()), method]
+	for rate: String in _arguments.list("rate"):
+		if not rate.is_valid_float() or rate.to_float() < 1.0 or rate.to_float() > 60.0:
+			return "a rate is 1 to 60 updates per second, found '%s'" % rate
+	if _arguments.value("seconds") < 4.0:
+		return "--seconds is 4 or more, found %s" % _arguments.value("seconds")
+	return ""
+
+
+func _list(p_name: String, p_default: Array) -> PackedStringArray:
+	var given: PackedStringArray = _arguments.list(p_name)
+	return given if not given.is_empty() else PackedStringArray(p_default)
+
+
+func _open_motions() -> String:
+	var soldier: Ragdoll = (load(_SOLDIER) as PackedScene).instantiate()
+	var skeleton: BodySkeleton = BodySkeleton.from_profile(soldier.profile)
+	soldier.free()
+	for file: String in BenchArguments.clips(_arguments):
+		var source: BvhSource = BvhSource.new()
+		source.open(file)
+		if source.error != "":
+			return source.error
+		var seconds: float = minf(source.rig.clip.duration() - 1.0, _arguments.value("seconds"))
+		if seconds < 4.0:
+			return "%s is shorter than 5 s" % file
+		_motions.append(Motion.new(source, skeleton, seconds))
+	return ""
+
+
+func _measure(p_method: String, p_rate: float) -> void:
+	var network: Dictionary = {"rate": p_rate}
+	for name: String in ["delay", "jitter", "loss", "seed"]:
+		network[name] = _arguments.value(name)
+	var runs: Array[Run] = []
+	for motion: Motion in _motions:
+		var run: Run = Run.new()
+		run.watch(motion, _METHODS[p_method], network)
+		runs.append(run)
+	var figures: Figures = Figures.new(runs)
+	var name: String = "%s at %d Hz" % [p_method, roundi(p_rate)]
+	# The goals are those of the observer's default in the network that they were set for.
+	var has: bool = p_method == "adaptive_low_delay" and roundi(p_rate) == 30
+	for option: String in ["delay", "jitter", "loss"]:
+		has = has and not _arguments.is_given(option)
+	var most: BenchReport.Goal = BenchReport.Goal.AT_MOST if has else BenchReport.Goal.NONE
+	var least: BenchReport.Goal = BenchReport.Goal.AT_LEAST if has else BenchReport.Goal.NONE
+	_report.add(name, "error now", figures.now_deg, "deg")
+	_report.add(name, "error now", figures.now_mm, "mm")
+	_report.add(name, "lag", figures.lag_ms, "ms", most, 45.0)
+	_report.add(name, "residual", figures.residual_mm, "mm", most, 8.0)
+	_report.add(name, "jerk", figures.jerk, "of truth", most, 1.0)
+	_report.add(name, "jerk", figures.jerk, "of truth", least, 0.6)
+	_report.add(name, "joint gap", figures.gap_mm, "mm", most, 0.01)
