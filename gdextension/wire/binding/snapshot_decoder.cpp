@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "snapshot_decoder.hpp"
+
+#include "convert.hpp"
+#include "pose_arrays.hpp"
+
+#include <cstring>
+
+namespace godot {
+
+namespace {
+
+constexpr const char *UNCONFIGURED = "SnapshotDecoder: call configure() first.";
+
+} // namespace
+
+bool SnapshotDecoder::configure(const PackedInt32Array &p_parents, double p_max_error_deg) {
+	kinematics::Skeleton shape;
+	PackedVector3Array joints;
+	joints.resize(p_parents.size());
+	ERR_FAIL_COND_V_MSG(!read_skeleton(p_parents, joints, joints, shape), false,
+			"SnapshotDecoder: parents come before their children, the first has -1.");
+	ERR_FAIL_COND_V_MSG(!(p_max_error_deg >= 0.02 && p_max_error_deg <= 5.0), false,
+			"SnapshotDecoder: an error is 0.02 to 5 degrees.");
+	core = std::make_unique<wire::SnapshotDecoder>(shape, p_max_error_deg);
+	return true;
+}
+
+SnapshotDecoder::Outcome SnapshotDecoder::decode(const PackedByteArray &p_bytes) {
+	ERR_FAIL_COND_V_MSG(core == nullptr, BROKEN, UNCONFIGURED);
+	return Outcome(int(core->decode(p_bytes.ptr(), std::size_t(p_bytes.size()))));
+}
+
+PackedByteArray SnapshotDecoder::get_ack(const Vector3 &p_viewpoint) {
+	PackedByteArray result;
+	ERR_FAIL_COND_V_MSG(core == nullptr, result, UNCONFIGURED);
+	std::array<uint8_t, wire::ClientRecord::ACK_BYTES> bytes{};
+	if (core->write_ack(to_core(p_viewpoint), bytes)) {
+		result.resize(int64_t(bytes.size()));
+		std::memcpy(result.ptrw(), bytes.data(), bytes.size());
+	}
+	return result;
+}
+
+int64_t SnapshotDecoder::get_tick() const {
+	return core == nullptr || core->tick() == wire::NEVER ? -1 : int64_t(core->tick());
+}
+
+int64_t SnapshotDecoder::get_tick_rate() const {
+	return core == nullptr ? 0 : core->tick_rate();
+}
+
+Dictionary SnapshotDecoder::get_mark() const {
+	Dictionary result;
+	const wire::Mark *mark = core == nullptr ? nullptr : core->mark();
+	if (mark != nullptr) {
+		PackedInt32Array steps;
+		for (const uint16_t step : mark->steps) {
+			steps.push_back(int32_t(step * wire::Mark::STEP_USEC));
+		}
+		result["person"] = int64_t(mark->person);
+		result["sample"] = int64_t(mark->sample);
+		result["tick"] = get_tick();
+		result["simulated_usec"] = mark->simulated_usec;
+		result["steps_usec"] = steps;
+	}
+	return result;
+}
+
+PackedInt32Array SnapshotDecoder::get_people() const {
+	PackedInt32Array result;
+	if (core != nullptr) {
+		for (const wire::PersonUpdate &update : core->people()) {
+			result.push_back(update.id);
+		}
+	}
+	return result;
+}
+
+PackedInt32Array SnapshotDecoder::get_bodies() const {
+	PackedInt32Array result;
+	if (core != nullptr) {
+		for (const wire::BodyUpdate &update : core->bodies()) {
+			result.push_back(update.id);
+		}
+	}
+	return result;
+}
+
+const wire::PersonUpdate *SnapshotDecoder::find_person(int64_t p_person) const {
+	if (core != nullptr) {
+		for (const wire::PersonUpdate &update : core->people()) {
+			if (int64_t(update.id) == p_person) {
+				return &update;
+			}
+		}
+	}
+	return nullptr;
+}
+
+PackedFloat32Array SnapshotDecoder::get_orientations(int64_t p_person) const {
+	PackedFloat32Array result;
+	const wire::PersonUpdate *update = find_person(p_person);
+	if (update != nullptr) {
+		for (int i = 0; i < core->shape().limb_count; i++) {
+			const kinematics::Quat &turn = update->pose.orientations[std::size_t(i)];
+			for (const float part : { turn.x, turn.y, turn.z, turn.w }) {
+				result.push_back(part);
+			}
+		}
+	}
+	return result;
+}
+
+Vector3 SnapshotDecoder::get_root(int64_t p_person) const {
+	const wire::PersonUpdate *update = find_person(p_person);
+	return update == nullptr ? Vector3() : from_core(update->pose.root);
+}
+
+Transform3D SnapshotDecoder::get_body_transform(int64_t p_body) const {
+	if (core != nullptr) {
+		for (const wire::BodyUpdate &update : core->bodies()) {
+			if (int64_t(update.id) == p_body) {
+				return Transform3D(Basis(from_core(update.orientation)), from_core(update.position));
+			}
+		}
+	}
+	return Transform3D();
+}
+
+void SnapshotDecoder::clear() {
+	if (core != nullptr) {
+		core->clear();
+	}
+}
+
+void SnapshotDecoder::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("configure", "parents", "max_error_deg"), &SnapshotDecoder::configure);
+	ClassDB::bind_method(D_METHOD("decode", "bytes"), &SnapshotDecoder::decode);
+	ClassDB::bind_method(D_METHOD("get_ack", "viewpoint"), &SnapshotDecoder::get_ack);
+	ClassDB::bind_method(D_METHOD("get_tick"), &SnapshotDecoder::get_tick);
+	ClassDB::bind_method(D_METHOD("get_tick_rate"), &SnapshotDecoder::get_tick_rate);
+	ClassDB::bind_method(D_METHOD("get_mark"), &SnapshotDecoder::get_mark);
+	ClassDB::bind_method(D_METHOD("get_people"), &SnapshotDecoder::get_people);
+	ClassDB::bind_method(D_METHOD("get_bodies"), &SnapshotDecoder::get_bodies);
+	ClassDB::bind_method(D_METHOD("get_orientations", "person"), &SnapshotDecoder::get_orientations);
+	ClassDB::bind_method(D_METHOD("get_root", "person"), &SnapshotDecoder::get_root);
+	ClassDB::bind_method(D_METHOD("get_body_transform", "body"), &SnapshotDecoder::get_body_transform);
+	ClassDB::bind_method(D_METHOD("clear"), &SnapshotDecoder::clear);
+	BIND_ENUM_CONSTANT(OK);
+	BIND_ENUM_CONSTANT(BROKEN);
+	BIND_ENUM_CONSTANT(STALE);
+	BIND_ENUM_CONSTANT(LACKS_BASELINE);
+	BIND_ENUM_CONSTANT(NOT_BEGUN);
+}
+
+} // namespace godot

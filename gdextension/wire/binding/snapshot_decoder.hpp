@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../src/replication/snapshot_decoder.hpp"
+
+#include <godot_cpp/classes/ref_counted.hpp>
+#include <godot_cpp/core/binder_common.hpp>
+#include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
+#include <godot_cpp/variant/packed_byte_array.hpp>
+#include <godot_cpp/variant/packed_float32_array.hpp>
+#include <godot_cpp/variant/packed_int32_array.hpp>
+#include <godot_cpp/variant/transform3d.hpp>
+
+namespace godot {
+
+/// Reads what a server tells. Documented in doc_classes/SnapshotDecoder.xml.
+class SnapshotDecoder : public RefCounted {
+	GDCLASS(SnapshotDecoder, RefCounted)
+
+public:
+	enum Outcome {
+		OK,
+		BROKEN,
+		STALE,
+		LACKS_BASELINE,
+		NOT_BEGUN,
+	};
+
+	bool configure(const PackedInt32Array &p_parents, double p_max_error_deg);
+	Outcome decode(const PackedByteArray &p_bytes);
+	PackedByteArray get_ack(const Vector3 &p_viewpoint);
+	int64_t get_tick() const;
+	int64_t get_tick_rate() const;
+	Dictionary get_mark() const;
+	PackedInt32Array get_people() const;
+	PackedInt32Array get_bodies() const;
+	PackedFloat32Array get_orientations(int64_t p_person) const;
+	Vector3 get_root(int64_t p_person) const;
+	Transform3D get_body_transform(int64_t p_body) const;
+	void clear();
+
+	/// The core, or null before configure().
+	const wire::SnapshotDecoder *get_core() const { return core.get(); }
+
+protected:
+	static void _bind_methods();
+
+private:
+	const wire::PersonUpdate *find_person(int64_t p_person) const;
+
+	std::unique_ptr<wire::SnapshotDecoder> core;
+};
+
+} // namespace godot
+
+VARIANT_ENUM_CAST(SnapshotDecoder::Outcome);

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+#include "snapshot_encoder.hpp"
+
+#include "convert.hpp"
+#include "pose_arrays.hpp"
+
+#include <godot_cpp/classes/physics_direct_body_state3d.hpp>
+#include <godot_cpp/classes/physics_server3d.hpp>
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+namespace godot {
+
+namespace {
+
+constexpr const char *UNCONFIGURED = "SnapshotEncoder: call configure() first.";
+
+bool is_id(int64_t p_id) {
+	return p_id >= 0 && p_id <= std::numeric_limits<uint16_t>::max();
+}
+
+kinematics::Quat turn_of(const Transform3D &p_transform) {
+	const Basis &basis = p_transform.basis;
+	return kinematics::from_axes(
+			to_core(basis.get_column(0)), to_core(basis.get_column(1)), to_core(basis.get_column(2)));
+}
+
+} // namespace
+
+bool SnapshotEncoder::configure(const PackedInt32Array &p_parents, double p_max_error_deg, int64_t p_tick_rate) {
+	kinematics::Skeleton shape;
+	PackedVector3Array joints;
+	joints.resize(p_parents.size());
+	ERR_FAIL_COND_V_MSG(!read_skeleton(p_parents, joints, joints, shape), false,
+			"SnapshotEncoder: parents come before their children, the first has -1.");
+	ERR_FAIL_COND_V_MSG(!(p_max_error_deg >= 0.02 && p_max_error_deg <= 5.0), false,
+			"SnapshotEncoder: an error is 0.02 to 5 degrees.");
+	ERR_FAIL_COND_V_MSG(
+			p_tick_rate < 1 || p_tick_rate > 240, false, "SnapshotEncoder: a tick rate is 1 to 240 a second.");
+	core = std::make_unique<wire::SnapshotEncoder>(shape, p_max_error_deg, int(p_tick_rate));
+	return true;
+}
+
+bool SnapshotEncoder::add_person(int64_t p_person, const TypedArray<RID> &p_bodies) {
+	ERR_FAIL_COND_V_MSG(core == nullptr, false, UNCONFIGURED);
+	ERR_FAIL_COND_V_MSG(!is_id(p_person), false, "SnapshotEncoder: a person's number is 0 to 65535.");
+	ERR_FAIL_COND_V_MSG(p_bodies.size() != core->world().shape().limb_count, false,
+			"SnapshotEncoder: a person has as many bodies as configure() has named parents.");
+	remove_person(p_person);
+	Person person{ uint16_t(p_person), {} };
+	for (int64_t i = 0; i < p_bodies.size(); i++) {
+		person.bodies.push_back(p_bodies[i]);
+	}
+	people.push_back(std::move(person));
+	return true;
+}
+
+void SnapshotEncoder::remove_person(int64_t p_person) {
+	people.erase(std::remove_if(people.begin(), people.end(),
+						 [p_person](const Person &p_one) { return int64_t(p_one.id) == p_person; }),
+			people.end());
+}
+
+bool SnapshotEncoder::add_body(int64_t p_body, const RID &p_rid) {
+	ERR_FAIL_COND_V_MSG(!is_id(p_body), false, "SnapshotEncoder: a body's number is 0 to 65535.");
+	bodies.push_back({ uint16_t(p_body), p_rid });
+	return true;
+}
+
+void SnapshotEncoder::clear_bodies() {
+	bodies.clear();
+}
+
+void SnapshotEncoder::capture(int64_t p_tick) {
+	ERR_FAIL_COND_MSG(core == nullptr, UNCONFIGURED);
+	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
+	core->world().begin(uint32_t(p_tick));
+	for (const Person &person : people) {
+		kinematics::PersonPose pose;
+		bool is_there = true;
+		for (std::size_t i = 0; i < person.bodies.size() && is_there; i++) {
+			PhysicsDirectBodyState3D *state = server->body_get_direct_state(person.bodies[i]);
+			is_there = state != nullptr;
+			if (is_there) {
+				const Transform3D place = state->get_transform();
+				pose.orientations[i] = turn_of(place);
+				pose.root = i == 0 ? to_core(place.origin) : pose.root;
+			}
+		}
+		if (is_there) {
+			core->world().put_person(person.id, pose);
+		}
+	}
+	for (const Body &body : bodies) {
+		PhysicsDirectBodyState3D *state = server->body_get_direct_state(body.rid);
+		if (state == nullptr) {
+			continue;
+		}
+		wire::BodyUpdate update;
+		const Transform3D place = state->get_transform();
+		update.id = body.id;
+		update.position = to_core(place.origin);
+		update.orientation = turn_of(place);
+		update.velocity = to_core(state->get_linear_velocity());
+		update.spin = to_core(state->get_angular_velocity());
+		update.at_rest = state->is_sleeping();
+		core->world().put_body(update);
+	}
+	core->world().end();
+}
+
+void SnapshotEncoder::begin_tick(int64_t p_tick) {
+	ERR_FAIL_COND_MSG(core == nullptr, UNCONFIGURED);
+	core->world().begin(uint32_t(p_tick));
+}
+
+bool SnapshotEncoder::put_person(
+		int64_t p_person, const Vector3 &p_root, const PackedFloat32Array &p_orientations) {
+	ERR_FAIL_COND_V_MSG(core == nullptr, false, UNCONFIGURED);
+	kinematics::PersonPose pose;
+	pose.root = to_core(p_root);
+	return is_id(p_person) && read_orientations(p_orientations, core->world().shape().limb_count, pose) &&
+			core->world().put_person(uint16_t(p_person), pose);
+}
+
+void SnapshotEncoder::put_body(int64_t p_body, const Transform3D &p_transform, const Vector3 &p_velocity,
+		const Vector3 &p_spin, bool p_at_rest) {
+	ERR_FAIL_COND_MSG(core == nullptr, UNCONFIGURED);
+	ERR_FAIL_COND_MSG(!is_id(p_body), "SnapshotEncoder: a body's number is 0 to 65535.");
+	wire::BodyUpdate update;
+	update.id = uint16_t(p_body);
+	update.position = to_core(p_transform.origin);
+	update.orientation = turn_of(p_transform);
+	update.velocity = to_core(p_velocity);
+	update.spin = to_core(p_spin);
+	update.at_rest = p_at_rest;
+	core->world().put_body(update);
+}
+
+void SnapshotEncoder::end_tick() {
+	ERR_FAIL_COND_MSG(core == nullptr, UNCONFIGURED);
+	core->world().end();
+}
+
+void SnapshotEncoder::add_client(int64_t p_client, int64_t p_snapshots_per_second, double p_bits_per_second) {
+	ERR_FAIL_COND_MSG(core == nullptr, UNCONFIGURED);
+	core->add_client(int(p_client), int(p_snapshots_per_second), p_bits_per_second);
+}
+
+void SnapshotEncoder::remove_client(int64_t p_client) {
+	ERR_FAIL_COND_MSG(core == nullptr, UNCONFIGURED);
+	core->remove_client(int(p_client));
+}
+
+void SnapshotEncoder::set_own_person(int64_t p_client, int64_t p_person) {
+	ERR_FAIL_COND_MSG(core == nullptr, UNCONFIGURED);
+	wire::ClientRecord *client = core->client(int(p_client));
+	if (client != nullptr) {
+		client->own_person = int(p_person);
+	}
+}
+
+bool SnapshotEncoder::set_cells(
+		const Vector3 &p_origin, double p_size, const Vector3i &p_counts, const PackedByteArray &p_visible) {
+	ERR_FAIL_COND_V_MSG(core == nullptr, false, UNCONFIGURED);
+	return core->interest().set_cells(to_core(p_origin), float(p_size), { p_counts.x, p_counts.y, p_counts.z },
+			p_visible.ptr(), std::size_t(p_visible.size()));
+}
+
+bool SnapshotEncoder::take_ack(int64_t p_client, const PackedByteArray &p_bytes) {
+	ERR_FAIL_COND_V_MSG(core == nullptr, false, UNCONFIGURED);
+	wire::ClientRecord *client = core->client(int(p_client));
+	return client != nullptr &&
+			client->take_ack(p_bytes.ptr(), std::size_t(p_bytes.size()), core->world().tick());
+}
+
+void SnapshotEncoder::set_mark(
+		int64_t p_person, int64_t p_sample, int64_t p_simulated_usec, const PackedInt32Array &p_steps_usec) {
+	ERR_FAIL_COND_MSG(core == nullptr, UNCONFIGURED);
+	ERR_FAIL_COND_MSG(p_steps_usec.size() != 3 || !is_id(p_person), "SnapshotEncoder: a mark has three steps.");
+	wire::Mark mark;
+	mark.person = uint16_t(p_person);
+	mark.sample = uint32_t(p_sample);
+	mark.simulated_usec = p_simulated_usec;
+	for (int64_t i = 0; i < 3; i++) {
+		const int64_t step = int64_t(p_steps_usec[i]) / wire::Mark::STEP_USEC;
+		mark.steps[std::size_t(i)] = uint16_t(std::clamp<int64_t>(step, 0, 65535));
+	}
+	core->set_mark(mark);
+}
+
+TypedArray<PackedByteArray> SnapshotEncoder::encode(int64_t p_client, int64_t p_now_usec) {
+	TypedArray<PackedByteArray> result;
+	ERR_FAIL_COND_V_MSG(core == nullptr, result, UNCONFIGURED);
+	const std::size_t count = core->encode(int(p_client), p_now_usec, datagrams);
+	for (std::size_t i = 0; i < count; i++) {
+		PackedByteArray bytes;
+		bytes.resize(int64_t(datagrams[i].size));
+		std::memcpy(bytes.ptrw(), datagrams[i].bytes.data(), datagrams[i].size);
+		result.push_back(bytes);
+	}
+	return result;
+}
+
+Dictionary SnapshotEncoder::get_figures(int64_t p_client) {
+	Dictionary result;
+	ERR_FAIL_COND_V_MSG(core == nullptr, result, UNCONFIGURED);
+	const wire::ClientRecord *client = core->client(int(p_client));
+	if (client == nullptr) {
+		return result;
+	}
+	const wire::ClientFigures &figures = client->figures;
+	result["datagrams"] = int64_t(figures.datagrams);
+	result["bytes"] = int64_t(figures.bytes);
+	result["acknowledged"] = int64_t(figures.acked);
+	result["lost"] = int64_t(figures.lost);
+	result["round_trip_ms"] = 1000.0 * double(figures.round_trip_ticks) / core->world().rate();
+	return result;
+}
+
+void SnapshotEncoder::_bind_methods() {
+	ClassDB::bind_method(
+			D_METHOD("configure", "parents", "max_error_deg", "tick_rate"), &SnapshotEncoder::configure);
+	ClassDB::bind_method(D_METHOD("add_person", "person", "bodies"), &SnapshotEncoder::add_person);
+	ClassDB::bind_method(D_METHOD("remove_person", "person"), &SnapshotEncoder::remove_person);
+	ClassDB::bind_method(D_METHOD("add_body", "body", "rid"), &SnapshotEncoder::add_body);
+	ClassDB::bind_method(D_METHOD("clear_bodies"), &SnapshotEncoder::clear_bodies);
+	ClassDB::bind_method(D_METHOD("capture", "tick"), &SnapshotEncoder::capture);
+	ClassDB::bind_method(D_METHOD("begin_tick", "tick"), &SnapshotEncoder::begin_tick);
+	ClassDB::bind_method(D_METHOD("put_person", "person", "root", "orientations"), &SnapshotEncoder::put_person);
+	ClassDB::bind_method(
+			D_METHOD("put_body", "body", "transform", "velocity", "spin", "at_rest"), &SnapshotEncoder::put_body);
+	ClassDB::bind_method(D_METHOD("end_tick"), &SnapshotEncoder::end_tick);
+	ClassDB::bind_method(D_METHOD("add_client", "client", "snapshots_per_second", "bits_per_second"),
+			&SnapshotEncoder::add_client);
+	ClassDB::bind_method(D_METHOD("remove_client", "client"), &SnapshotEncoder::remove_client);
+	ClassDB::bind_method(D_METHOD("set_own_person", "client", "person"), &SnapshotEncoder::set_own_person);
+	ClassDB::bind_method(D_METHOD("set_cells", "origin", "size", "counts", "visible"), &SnapshotEncoder::set_cells);
+	ClassDB::bind_method(D_METHOD("take_ack", "client", "bytes"), &SnapshotEncoder::take_ack);
+	ClassDB::bind_method(
+			D_METHOD("set_mark", "person", "sample", "simulated_usec", "steps_usec"), &SnapshotEncoder::set_mark);
+	ClassDB::bind_method(D_METHOD("encode", "client", "now_usec"), &SnapshotEncoder::encode);
+	ClassDB::bind_method(D_METHOD("get_figures", "client"), &SnapshotEncoder::get_figures);
+}
+
+} // namespace godot

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../src/replication/snapshot_encoder.hpp"
+
+#include <godot_cpp/classes/ref_counted.hpp>
+#include <godot_cpp/core/binder_common.hpp>
+#include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
+#include <godot_cpp/variant/packed_byte_array.hpp>
+#include <godot_cpp/variant/packed_float32_array.hpp>
+#include <godot_cpp/variant/packed_int32_array.hpp>
+#include <godot_cpp/variant/rid.hpp>
+#include <godot_cpp/variant/transform3d.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+#include <godot_cpp/variant/vector3i.hpp>
+
+namespace godot {
+
+/// Tells clients where everything is. Documented in doc_classes/SnapshotEncoder.xml.
+class SnapshotEncoder : public RefCounted {
+	GDCLASS(SnapshotEncoder, RefCounted)
+
+public:
+	bool configure(const PackedInt32Array &p_parents, double p_max_error_deg, int64_t p_tick_rate);
+
+	bool add_person(int64_t p_person, const TypedArray<RID> &p_bodies);
+	void remove_person(int64_t p_person);
+	bool add_body(int64_t p_body, const RID &p_rid);
+	void clear_bodies();
+	void capture(int64_t p_tick);
+
+	void begin_tick(int64_t p_tick);
+	bool put_person(int64_t p_person, const Vector3 &p_root, const PackedFloat32Array &p_orientations);
+	void put_body(int64_t p_body, const Transform3D &p_transform, const Vector3 &p_velocity, const Vector3 &p_spin,
+			bool p_at_rest);
+	void end_tick();
+
+	void add_client(int64_t p_client, int64_t p_snapshots_per_second, double p_bits_per_second);
+	void remove_client(int64_t p_client);
+	void set_own_person(int64_t p_client, int64_t p_person);
+	bool set_cells(const Vector3 &p_origin, double p_size, const Vector3i &p_counts, const PackedByteArray &p_visible);
+	bool take_ack(int64_t p_client, const PackedByteArray &p_bytes);
+	void set_mark(int64_t p_person, int64_t p_sample, int64_t p_simulated_usec, const PackedInt32Array &p_steps_usec);
+	TypedArray<PackedByteArray> encode(int64_t p_client, int64_t p_now_usec);
+	Dictionary get_figures(int64_t p_client);
+
+protected:
+	static void _bind_methods();
+
+private:
+	struct Person {
+		uint16_t id;
+		std::vector<RID> bodies;
+	};
+	struct Body {
+		uint16_t id;
+		RID rid;
+	};
+
+	std::unique_ptr<wire::SnapshotEncoder> core;
+	std::vector<Person> people;
+	std::vector<Body> bodies;
+	std::array<wire::Datagram, wire::MOST_DATAGRAMS> datagrams{};
+};
+
+} // namespace godot
