@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "snapshot_decoder.hpp"
+#include "snapshot_encoder.hpp"
 #include "snapshot_smoother.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
@@ -11,6 +13,8 @@ namespace {
 
 void initialize(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
+		GDREGISTER_CLASS(SnapshotDecoder);
+		GDREGISTER_CLASS(SnapshotEncoder);
 		GDREGISTER_CLASS(SnapshotSmoother);
 	}
 }

@@ -75,6 +75,20 @@ bool SnapshotSmoother::push_body(int64_t p_body, int64_t p_tick, double p_arriva
 	return smoother.push(update, p_arrival_s);
 }
 
+void SnapshotSmoother::take(const Ref<SnapshotDecoder> &p_decoder, double p_arrival_s) {
+	ERR_FAIL_COND_MSG(p_decoder.is_null() || p_decoder->get_core() == nullptr, "SnapshotSmoother: that decoder is none.");
+	const wire::SnapshotDecoder &decoder = *p_decoder->get_core();
+	if (decoder.tick_rate() > 0 && double(decoder.tick_rate()) != get_tick_rate()) {
+		set_tick_rate(decoder.tick_rate());
+	}
+	for (const wire::PersonUpdate &update : decoder.people()) {
+		smoother.push(update, p_arrival_s);
+	}
+	for (const wire::BodyUpdate &update : decoder.bodies()) {
+		smoother.push(update, p_arrival_s);
+	}
+}
+
 double SnapshotSmoother::server_time(double p_now_s) const {
 	return smoother.get_clock().is_known() ? smoother.get_clock().server_now(p_now_s) : -1.0;
 }
@@ -136,6 +150,7 @@ void SnapshotSmoother::_bind_methods() {
 			&SnapshotSmoother::push_person);
 	ClassDB::bind_method(D_METHOD("push_body", "body", "tick", "arrival_s", "transform", "velocity", "spin", "at_rest"),
 			&SnapshotSmoother::push_body);
+	ClassDB::bind_method(D_METHOD("take", "decoder", "arrival_s"), &SnapshotSmoother::take);
 	ClassDB::bind_method(D_METHOD("show", "now_s"), &SnapshotSmoother::show);
 	ClassDB::bind_method(D_METHOD("shown_tick"), &SnapshotSmoother::shown_tick);
 	ClassDB::bind_method(D_METHOD("get_delay"), &SnapshotSmoother::get_delay);

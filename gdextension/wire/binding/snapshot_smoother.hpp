@@ -2,7 +2,9 @@
 #pragma once
 
 #include "../src/smoothing/smoother.hpp"
+#include "snapshot_decoder.hpp"
 
+#include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/classes/ref_counted.hpp>
 #include <godot_cpp/core/binder_common.hpp>
 #include <godot_cpp/core/class_db.hpp>
@@ -39,6 +41,8 @@ public:
 	bool push_body(int64_t p_body, int64_t p_tick, double p_arrival_s, const Transform3D &p_transform,
 			const Vector3 &p_velocity, const Vector3 &p_spin, bool p_at_rest);
 
+	void take(const Ref<SnapshotDecoder> &p_decoder, double p_arrival_s);
+
 	void show(double p_now_s) { smoother.show(p_now_s); }
 	double shown_tick() const { return smoother.shown_tick(); }
 	double get_delay() const { return smoother.delay(); }
@@ -54,9 +58,6 @@ public:
 	void forget_person(int64_t p_person);
 	void forget_body(int64_t p_body);
 	void clear() { smoother.clear(); }
-
-	/// The core, for those who push what a decoder gives.
-	wire::Smoother &get_core() { return smoother; }
 
 protected:
 	static void _bind_methods();

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../range_coder.hpp"
+#include "fixed_tables.hpp"
+#include "person_model.hpp"
+
+#include <cstdint>
+
+namespace wire {
+
+/// About 16 times the logarithm to base 2 of a number above 0, in whole numbers.
+inline int log16(uint64_t p_number) {
+	int whole = 0;
+	uint64_t rest = p_number;
+	for (int step = 32; step > 0; step >>= 1) {
+		if ((rest >> step) != 0) {
+			rest >>= step;
+			whole += step;
+		}
+	}
+	const uint64_t mantissa = whole >= 4 ? p_number >> (whole - 4) : p_number << (4 - whole);
+	return 16 * whole + LOG16_OF_MANTISSA[mantissa & 15];
+}
+
+/// Where a number is expected, and how far from there: what its probability is made of.
+///
+/// Positions are in 1 / FRACTION units. The number is p_first + p_step * m for some whole m.
+struct NumberModel {
+	int64_t expected = 0; ///< In 1 / FRACTION units.
+	int level = 0; ///< 16 times the logarithm to base 2 of the spread, in 1 / FRACTION units.
+	const uint16_t *shares = nullptr; ///< SHARE_POINTS of them: what lies within multiples of the spread.
+	int64_t first = 0; ///< One of the numbers that can be.
+	int step = 1; ///< Distance of those that can be.
+};
+
+/// Symbols of a number: buckets of 1 << shift numbers each; the middle one has the expected number.
+class NumberSymbols {
+public:
+	/// Buckets to each side of the middle one; the last ones stand for all beyond.
+	static constexpr int MOST_BUCKETS = 40;
+	static constexpr int LEAST_LEVEL = 16;
+	static constexpr int MOST_LEVEL = 255;
+
+	explicit NumberSymbols(const NumberModel &p_model) : model(p_model) {
+		level = p_model.level < LEAST_LEVEL ? LEAST_LEVEL : (p_model.level > MOST_LEVEL ? MOST_LEVEL : p_model.level);
+		const int octaves = level / 16 - 7 - (p_model.step > 1 ? 1 : 0);
+		shift = octaves > 0 ? octaves : 0;
+		const int64_t width = int64_t(FRACTION_OF_UNIT) * p_model.step;
+		const int64_t offset = p_model.expected - FRACTION_OF_UNIT * p_model.first + width / 2;
+		const int64_t nearest = offset >= 0 ? offset / width : -((width - 1 - offset) / width);
+		middle = nearest >> shift;
+	}
+
+	/// Share of 65536 of all buckets below p_bucket (relative to the middle), -MOST_BUCKETS to MOST_BUCKETS + 1.
+	uint32_t below(int p_bucket) const {
+		if (p_bucket <= -MOST_BUCKETS) {
+			return 0;
+		}
+		if (p_bucket > MOST_BUCKETS) {
+			return 1U << PROBABILITY_BITS;
+		}
+		const int64_t number = (middle + p_bucket) * (int64_t(1) << shift);
+		const int64_t edge = FRACTION_OF_UNIT * (model.first + number * model.step) - model.expected -
+				FRACTION_OF_UNIT * model.step / 2;
+		const uint64_t distance = uint64_t(edge < 0 ? -edge : edge);
+		// In 1 / 1024 of the spread.
+		const uint64_t place = (distance * RECIPROCAL_OF_LEVEL[level & 15]) >> (6 + level / 16);
+		const uint32_t half = share_within(place);
+		return uint32_t(p_bucket + MOST_BUCKETS) + (edge < 0 ? HALF - half : HALF + half);
+	}
+	int64_t number_of(int64_t p_index) const { return model.first + p_index * model.step; }
+	int64_t index_of(int64_t p_number) const { return (p_number - model.first) / model.step; }
+
+	int shift = 0;
+	int64_t middle = 0;
+
+private:
+	static constexpr int FRACTION_OF_UNIT = 16;
+	static constexpr uint32_t HALF = (1U << (PROBABILITY_BITS - 1)) - MOST_BUCKETS - 1;
+
+	uint32_t share_within(uint64_t p_place) const {
+		const uint64_t at = p_place >> 6;
+		if (at >= SHARE_POINTS - 1) {
+			return model.shares[SHARE_POINTS - 1];
+		}
+		const uint32_t from = model.shares[at];
+		return from + (((model.shares[at + 1] - from) * uint32_t(p_place & 63)) >> 6);
+	}
+
+	const NumberModel &model;
+	int level = 0;
+};
+
+/// Writes numbers and bits.
+class NumberWriter {
+public:
+	explicit NumberWriter(RangeEncoder &p_encoder) : encoder(p_encoder) {}
+
+	bool number(const NumberModel &p_model, int64_t &p_number) {
+		const NumberSymbols symbols(p_model);
+		const int64_t index = symbols.index_of(p_number);
+		const int64_t away = (index >> symbols.shift) - symbols.middle;
+		constexpr int64_t MOST = NumberSymbols::MOST_BUCKETS;
+		const int bucket = int(away < -MOST ? -MOST : (away > MOST ? MOST : away));
+		const uint32_t below = symbols.below(bucket);
+		encoder.encode(below, symbols.below(bucket + 1) - below);
+		if (bucket == MOST || bucket == -MOST) {
+			excess(uint64_t((away < 0 ? -away : away) - MOST));
+		}
+		encoder.encode_bits(uint32_t(index & ((int64_t(1) << symbols.shift) - 1)), symbols.shift);
+		return true;
+	}
+	bool bit(uint32_t p_zero, bool &p_one) {
+		encoder.encode_bit(p_one, p_zero);
+		return true;
+	}
+	bool bits(int p_count, uint32_t &p_value) {
+		encoder.encode_bits(p_value, p_count);
+		return true;
+	}
+
+private:
+	void excess(uint64_t p_excess) {
+		int size = 0;
+		while (((p_excess + 1) >> (size + 1)) != 0) {
+			size++;
+		}
+		encoder.encode_bits(uint32_t(size), 5);
+		encoder.encode_bits(uint32_t((p_excess + 1) & ((uint64_t(1) << size) - 1)), size);
+	}
+
+	RangeEncoder &encoder;
+};
+
+/// Reads what a NumberWriter wrote; false where that cannot be.
+class NumberReader {
+public:
+	explicit NumberReader(RangeDecoder &p_decoder) : decoder(p_decoder) {}
+
+	bool number(const NumberModel &p_model, int64_t &r_number) {
+		const NumberSymbols symbols(p_model);
+		constexpr int MOST = NumberSymbols::MOST_BUCKETS;
+		const uint32_t place = decoder.peek();
+		int low = -MOST;
+		int high = MOST + 1;
+		while (high - low > 1) {
+			const int middle = low + (high - low) / 2;
+			symbols.below(middle) <= place ? low = middle : high = middle;
+		}
+		const uint32_t below = symbols.below(low);
+		decoder.decode(below, symbols.below(low + 1) - below);
+		int64_t away = low;
+		if (low == MOST || low == -MOST) {
+			const uint32_t size = decoder.decode_bits(5);
+			const int64_t beyond = int64_t((uint64_t(1) << size) | decoder.decode_bits(int(size))) - 1;
+			away += low < 0 ? -beyond : beyond;
+		}
+		const int64_t index =
+				(symbols.middle + away) * (int64_t(1) << symbols.shift) + int64_t(decoder.decode_bits(symbols.shift));
+		r_number = symbols.number_of(index);
+		return !decoder.is_bad();
+	}
+	bool bit(uint32_t p_zero, bool &r_one) {
+		r_one = decoder.decode_bit(p_zero);
+		return !decoder.is_bad();
+	}
+	bool bits(int p_count, uint32_t &r_value) {
+		r_value = decoder.decode_bits(p_count);
+		return !decoder.is_bad();
+	}
+
+private:
+	RangeDecoder &decoder;
+};
+
+} // namespace wire

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "fixed_tables.hpp"
+#include "lattice_rotation.hpp"
+#include "number_model.hpp"
+#include "person_model.hpp"
+
+namespace wire {
+
+/// What writer and reader of a person share: predictions, and how sure they are.
+struct PersonContext {
+	const PersonModel &model;
+	const uint16_t (*shares)[SHARE_POINTS]; ///< The distributions that the model names.
+	const kinematics::Skeleton &skeleton;
+	int resolution;
+	const PersonState *base; ///< May be null.
+	const PersonState *before; ///< May be null.
+	int base_age; ///< Ticks.
+	int velocity_age; ///< Ticks from before to base, above 0.
+};
+
+/// Codes a person through a port: NumberWriter, NumberReader, or one that counts.
+template <class Port>
+class PersonCoder {
+public:
+	PersonCoder(Port &p_port, const PersonContext &p_context) : port(p_port), context(p_context) {}
+
+	/// Writes the state, or reads it. False if that is no state.
+	bool code(PersonState &r_state) {
+		if (!code_place(r_state)) {
+			return false;
+		}
+		for (std::size_t i = 0; i < std::size_t(context.skeleton.limb_count); i++) {
+			if (!code_limb(i, r_state.limbs[i])) {
+				return false;
+			}
+		}
+		return true;
+	}
+
+private:
+	static constexpr int64_t MOST_PLACE = int64_t(1) << 29;
+	static constexpr int64_t MOST_MOTION = int64_t(1) << 18;
+	static constexpr int64_t MOST_ERROR = int64_t(1) << 20;
+	static constexpr int SPEED_FLOOR = 256; // A unit, squared.
+	static constexpr int MOST_SURPRISE = 64; // Four octaves.
+	static constexpr uint32_t SAME_CHART = 65400;
+
+	struct Triple {
+		std::array<int64_t, 3> from{}; ///< Where the base is, 1 / FRACTION units.
+		std::array<int64_t, 3> motion{}; ///< How far the velocity would take it.
+		std::array<int64_t, 3> numbers{}; ///< What is coded.
+		int step = 1; ///< Of the second and third number, which are as even or odd as the first.
+		int limb_class = 0;
+		int parent_surprise = 0;
+	};
+
+	// Limits keep all products within 64 bits.
+	static int64_t limited(int64_t p_value, int64_t p_most) {
+		return p_value < -p_most ? -p_most : (p_value > p_most ? p_most : p_value);
+	}
+	int64_t moved(int64_t p_difference) const {
+		return limited(p_difference * context.base_age / context.velocity_age, MOST_MOTION);
+	}
+
+	bool code_place(PersonState &r_state) {
+		Triple triple;
+		for (std::size_t i = 0; i < 3; i++) {
+			triple.numbers[i] = r_state.root[i];
+			triple.from[i] = context.base != nullptr ? int64_t(context.base->root[i]) * FRACTION : 0;
+			if (context.base != nullptr && context.before != nullptr) {
+				triple.motion[i] = moved((int64_t(context.base->root[i]) - context.before->root[i]) * FRACTION);
+			}
+		}
+		int surprise = 0;
+		if (!code_triple(context.model.place, triple, surprise)) {
+			return false;
+		}
+		for (std::size_t i = 0; i < 3; i++) {
+			if (triple.numbers[i] < -MOST_PLACE || triple.numbers[i] > MOST_PLACE) {
+				return false;
+			}
+			r_state.root[i] = int32_t(triple.numbers[i]);
+		}
+		return true;
+	}
+
+	bool code_chart(const RotationCode *p_base, uint8_t &r_dropped) {
+		uint32_t dropped = r_dropped;
+		bool other = p_base != nullptr && p_base->dropped != r_dropped;
+		if (p_base != nullptr && !port.bit(SAME_CHART, other)) {
+			return false;
+		}
+		if (p_base != nullptr && !other) {
+			r_dropped = p_base->dropped;
+			return true;
+		}
+		if (!port.bits(2, dropped)) {
+			return false;
+		}
+		r_dropped = uint8_t(dropped);
+		return true;
+	}
+
+	bool code_limb(std::size_t p_limb, RotationCode &r_code) {
+		const RotationCode *base = context.base != nullptr ? &context.base->limbs[p_limb] : nullptr;
+		if (!code_chart(base, r_code.dropped)) {
+			return false;
+		}
+		Triple triple;
+		triple.step = 2;
+		triple.limb_class = class_of(p_limb);
+		const int parent = context.skeleton.parents[p_limb];
+		triple.parent_surprise = parent >= 0 ? surprises[std::size_t(parent)] : average;
+		predict(p_limb, r_code.dropped, triple);
+		for (std::size_t i = 0; i < 3; i++) {
+			triple.numbers[i] = r_code.parts[i];
+		}
+		if (!code_triple(context.model.rotation, triple, surprises[p_limb])) {
+			return false;
+		}
+		std::array<int32_t, 3> parts{};
+		for (std::size_t i = 0; i < 3; i++) {
+			if (triple.numbers[i] < -context.resolution || triple.numbers[i] > context.resolution) {
+				return false;
+			}
+			parts[i] = int32_t(triple.numbers[i]);
+			r_code.parts[i] = int16_t(triple.numbers[i]);
+		}
+		return is_on_lattice(parts, context.resolution);
+	}
+
+	void predict(std::size_t p_limb, int p_dropped, Triple &r_triple) const {
+		if (context.base == nullptr) {
+			return;
+		}
+		const Parts from = parts_in_chart(context.base->limbs[p_limb], p_dropped, context.resolution);
+		Parts older = from;
+		if (context.before != nullptr) {
+			older = parts_in_chart(context.before->limbs[p_limb], p_dropped, context.resolution);
+		}
+		for (std::size_t i = 0; i < 3; i++) {
+			r_triple.from[i] = from[i];
+			r_triple.motion[i] = moved(from[i] - older[i]);
+		}
+	}
+
+	int class_of(std::size_t p_limb) const {
+		return context.skeleton.limb_count == 16 ? CLASS_OF_LIMB[p_limb] : LIMB_CLASSES - 1;
+	}
+
+	bool code_triple(const MotionModel &p_model, Triple &r_triple, int &r_surprise) {
+		const std::array<int64_t, 3> &motion = r_triple.motion;
+		const int64_t square = motion[0] * motion[0] + motion[1] * motion[1] + motion[2] * motion[2];
+		const int speed = log16(uint64_t(square + SPEED_FLOOR)) / 2;
+		const int64_t gain = p_model.gains[gain_step(speed)];
+		const int common = 64 * p_model.biases[r_triple.limb_class] + p_model.speed * speed +
+				p_model.parent * r_triple.parent_surprise + p_model.average * average;
+		int64_t seen = 0; // Of the errors so far, along the velocity.
+		int64_t weight = square * p_model.along / 256 + SPEED_FLOOR;
+		int surprise = 0;
+		int total = 0;
+		for (std::size_t i = 0; i < 3; i++) {
+			NumberModel number;
+			const int64_t expected = r_triple.from[i] + motion[i] * gain / 256;
+			number.expected = expected + motion[i] * seen / weight;
+			const int part_speed = log16(uint64_t(motion[i] * motion[i] + SPEED_FLOOR)) / 2;
+			number.level =
+					(common + 64 * p_model.part_biases[i] + p_model.part_speed * part_speed + p_model.part * surprise) /
+					64;
+			number.shares = context.shares[p_model.shapes[i]];
+			number.step = i > 0 ? r_triple.step : 1;
+			number.first = i > 0 ? r_triple.numbers[0] & (r_triple.step - 1) : 0;
+			if (!port.number(number, r_triple.numbers[i])) {
+				return false;
+			}
+			const int64_t off = limited(r_triple.numbers[i] * FRACTION - number.expected, MOST_ERROR);
+			const int64_t error = limited(r_triple.numbers[i] * FRACTION - expected, MOST_ERROR);
+			seen += error * motion[i];
+			weight += motion[i] * motion[i];
+			const int now = log16(uint64_t(off * off + SPEED_FLOOR)) / 2 - number.level;
+			total += now;
+			surprise = int(limited(surprise + now, MOST_SURPRISE));
+		}
+		r_surprise = int(limited(total / 3, MOST_SURPRISE));
+		average += (r_surprise - average) / 4;
+		return true;
+	}
+
+	static int gain_step(int p_speed) {
+		const int step = (p_speed - 64) / 16;
+		return step < 0 ? 0 : (step >= GAIN_STEPS ? GAIN_STEPS - 1 : step);
+	}
+
+	Port &port;
+	const PersonContext &context;
+	std::array<int, MOST_LIMBS> surprises{};
+	int average = 0;
+};
+
+} // namespace wire
