@@ -145,6 +145,34 @@ func get_hip_height() -> float:
 	return profile.limbs[0].anchor.y
 
 
+## Place of the body of each of [constant Limbs.BONES] in [method get_bodies]; -1 where the profile
+## has no such limb.
+func get_limb_order() -> PackedInt32Array:
+	var order: PackedInt32Array = []
+	for bone: StringName in Limbs.BONES:
+		order.append(profile.find_index(bone))
+	return order
+
+
+## How the bodies hang together: what a client needs to place them by their orientations alone. Null
+## where the profile does not have all limbs.
+func get_joints() -> PersonSkeleton:
+	var joints: PersonSkeleton = PersonSkeleton.new()
+	var bones: Array[PhysicalBone3D] = _find_bones()
+	var order: PackedInt32Array = get_limb_order()
+	if order.has(-1):
+		return null
+	for slot: int in Limbs.COUNT:
+		var limb: RagdollLimb = profile.limbs[order[slot]]
+		var inner: Vector3 = _joint_in(bones[order[slot]], limb, limb.anchor)
+		var outer: Vector3 = Vector3.ZERO
+		if slot > 0:
+			var parent: int = order[Limbs.PARENTS[slot]]
+			outer = _joint_in(bones[parent], profile.limbs[parent], limb.anchor)
+		joints.add(outer, inner, limb.reset_orientation)
+	return joints
+
+
 ## Takes a sample of the motion and returns whether it was usable. [param p_time_s] is in the
 ## wearer's clock; [param p_root] is where the hips are to be, in the world.
 func push_sample(p_time_s: float, p_sample: PoseSample, p_root: Vector3) -> bool:
@@ -238,6 +266,11 @@ func _start_motor(p_bones: Array[PhysicalBone3D]) -> bool:
 	motor.set_actuation(actuation)
 	motor.set_group_strength(strength)
 	return true
+
+
+## A joint in a limb's frame: that of the body, with the world's axes in the reset pose.
+func _joint_in(p_bone: PhysicalBone3D, p_limb: RagdollLimb, p_joint: Vector3) -> Vector3:
+	return p_limb.reset_orientation * (_body_at_rest(p_bone, p_limb).affine_inverse() * p_joint)
 
 
 ## A body in the rest pose, in model space. A designer may have moved it.

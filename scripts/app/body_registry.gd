@@ -18,7 +18,6 @@ const MOST_PEOPLE: int = 1024
 var _props: Dictionary[int, RigidBody3D] = {}
 var _paths: Dictionary[int, String] = {}
 var _fixed: Array[StaticBody3D] = []
-var _limbs: Dictionary[int, RID] = {}
 
 
 ## Numbers all props of a world, and what never moves in it.
@@ -41,30 +40,35 @@ func describe(p_people: Array[ServerActors.Person]) -> WorldDescription:
 	for i: int in _fixed.size():
 		var shapes: Array = _describe_shapes(_fixed[i], _fixed[i].global_transform)
 		world.add(FIRST_FIXED + i, WorldDescription.FIXED, _fixed[i].name, shapes)
-	_limbs.clear()
 	for person: ServerActors.Person in p_people:
-		world.names[person.id] = person.name
-		var bodies: Array[RID] = person.ragdoll.get_bodies()
+		world.add_person(person.id, person.name, person.ragdoll.get_joints())
 		var first: int = FIRST_PERSON + person.id % MOST_PEOPLE * PER_PERSON
-		for i: int in bodies.size():
-			var limb: RagdollLimb = person.ragdoll.profile.limbs[i]
-			var bone: Node = person.ragdoll.get_simulator().get_node(NodePath(limb.bone))
+		for slot: int in Limbs.COUNT:
+			var limb: StringName = Limbs.BONES[slot]
+			var bone: Node = person.ragdoll.get_simulator().get_node(NodePath(limb))
 			var shapes: Array = _describe_shapes(bone, Transform3D.IDENTITY)
-			world.add(first + i, person.id, limb.bone, shapes)
-			_limbs[first + i] = bodies[i]
+			world.add(first + slot, person.id, limb, shapes)
 	return world
 
 
-## Writes where all bodies are into a snapshot.
-func read(p_snapshot: Snapshot) -> void:
+## Lets an encoder read all bodies of the world.
+func watch_world(p_encoder: SnapshotEncoder) -> void:
+	p_encoder.clear_bodies()
 	for id: int in _props:
-		p_snapshot.bodies[id] = _transform(_props[id].get_rid())
-	for id: int in _limbs:
-		p_snapshot.bodies[id] = _transform(_limbs[id])
+		p_encoder.add_body(id, _props[id].get_rid())
 
 
-static func _transform(p_body: RID) -> Transform3D:
-	return PhysicsServer3D.body_get_state(p_body, PhysicsServer3D.BODY_STATE_TRANSFORM)
+## Lets an encoder read a person's limbs, in the order of [constant Limbs.BONES].
+static func watch_person(p_encoder: SnapshotEncoder, p_person: ServerActors.Person) -> void:
+	var bodies: Array[RID] = []
+	var resets: PackedFloat32Array = []
+	var joints: PersonSkeleton = p_person.ragdoll.get_joints()
+	var order: PackedInt32Array = p_person.ragdoll.get_limb_order()
+	for slot: int in Limbs.COUNT:
+		bodies.append(p_person.ragdoll.get_bodies()[order[slot]])
+		var reset: Quaternion = joints.reset_orientations[slot]
+		resets.append_array([reset.x, reset.y, reset.z, reset.w])
+	p_encoder.add_person(p_person.id, bodies, resets)
 
 
 static func _describe_shapes(p_body: Node, p_place: Transform3D) -> Array:

@@ -64,6 +64,12 @@ func read_vector() -> Vector3:
 	return Vector3(x, y, read_float())
 
 
+## x, y, z, w of a quaternion, whatever its length.
+func read_rotation() -> Quaternion:
+	var vector: Vector3 = read_vector()
+	return Quaternion(vector.x, vector.y, vector.z, read_float())
+
+
 ## The basis' columns and the origin.
 func read_transform() -> Transform3D:
 	var x: Vector3 = read_vector()

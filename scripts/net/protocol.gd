@@ -30,6 +30,10 @@ const HELLO: String = "DSMT"
 const DEFAULT_PORT: int = 7777
 ## Largest payload of a datagram, bytes: it passes every usual network in one piece.
 const MAX_DATAGRAM: int = 1200
+## How far a limb's orientation may be off on the wire, degrees.
+const POSE_ERROR_DEG: float = 0.1
+## Bytes that UDP, IP and ENet add to each datagram of the fast path.
+const TRANSPORT_BYTES: int = 40
 ## People and watchers that a server admits unless told otherwise.
 const DEFAULT_MAX_CLIENTS: int = 32
 ## Longest name of a person, characters.

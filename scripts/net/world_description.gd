@@ -42,6 +42,8 @@ const _LARGEST: float = 1e5
 var bodies: Dictionary[int, Body] = {}
 ## Names of the people, by actor id.
 var names: Dictionary[int, String] = {}
+## How each person's limbs hang together, by actor id; the limbs are the person's bodies in order.
+var skeletons: Dictionary[int, PersonSkeleton] = {}
 
 
 ## Adds a body and returns it.
@@ -55,16 +57,34 @@ func add(p_id: int, p_actor: int, p_part: String, p_shapes: Array) -> Body:
 	return body
 
 
+## Adds a person. The skeleton is sound, or empty where nobody needs it.
+func add_person(p_actor: int, p_name: String, p_skeleton: PersonSkeleton) -> void:
+	names[p_actor] = p_name
+	skeletons[p_actor] = p_skeleton
+
+
+## The bodies of a person, by place of the limb.
+func bodies_of(p_actor: int) -> Array[Body]:
+	var found: Array[Body] = []
+	for id: int in bodies:
+		if bodies[id].actor == p_actor:
+			found.append(bodies[id])
+	found.sort_custom(func(p_a: Body, p_b: Body) -> bool: return p_a.id < p_b.id)
+	return found
+
+
 ## The packet that carries the description. Little-endian: u8 message; u16 number of people, for
-## each s32 actor id and name; u16 number of bodies, for each u16 id, s32 actor, part, u8 number of
-## shapes, for each u8 type, 3 f32 size (m), 12 f32 transform (columns of the basis, origin). Texts
-## are u16 length and UTF-8.
+## each s32 actor id, name, u8 number of limbs (0 or all), for each limb 3 f32 joint in the parent's
+## frame, 3 f32 in its own (m), 4 f32 x, y, z, w of the body in the reset pose; u16 number of bodies, for each u16 id, s32
+## actor, part, u8 number of shapes, for each u8 type, 3 f32 size (m), 12 f32 transform (columns of
+## the basis, origin). Texts are u16 length and UTF-8.
 func encode() -> PackedByteArray:
 	var bytes: PackedByteArray = PackedByteArray([Protocol.Message.WORLD])
 	_append(bytes, 2, names.size())
 	for actor: int in names:
 		_append(bytes, 4, actor)
 		bytes.append_array(ByteReader.text_bytes(names[actor]))
+		_append_skeleton(bytes, skeletons.get(actor, PersonSkeleton.new()))
 	_append(bytes, 2, bodies.size())
 	for id: int in bodies:
 		var body: Body = bodies[id]
@@ -91,7 +111,8 @@ static func decode(p_bytes: PackedByteArray) -> WorldDescription:
 		return null
 	for _person: int in people:
 		var actor: int = reader.read_s32()
-		description.names[actor] = reader.read_text(_LONGEST_TEXT)
+		var name: String = reader.read_text(_LONGEST_TEXT)
+		description.add_person(actor, name, _read_skeleton(reader))
 		if reader.failed or actor < 0:
 			return null
 	for _body: int in reader.read_u16():
@@ -129,6 +150,30 @@ static func describe_shape(p_shape: Shape3D, p_transform: Transform3D) -> Array:
 	if p_shape is SphereShape3D:
 		return [ShapeType.SPHERE, Vector3((p_shape as SphereShape3D).radius, 0.0, 0.0), p_transform]
 	return []
+
+
+static func _append_skeleton(p_bytes: PackedByteArray, p_skeleton: PersonSkeleton) -> void:
+	_append(p_bytes, 1, p_skeleton.joints_in_limb.size())
+	for limb: int in p_skeleton.joints_in_limb.size():
+		var outer: Vector3 = p_skeleton.joints_in_parent[limb]
+		var inner: Vector3 = p_skeleton.joints_in_limb[limb]
+		var reset: Quaternion = p_skeleton.reset_orientations[limb]
+		var numbers: PackedFloat32Array = [outer.x, outer.y, outer.z, inner.x, inner.y, inner.z]
+		numbers.append_array([reset.x, reset.y, reset.z, reset.w])
+		p_bytes.append_array(numbers.to_byte_array())
+
+
+static func _read_skeleton(p_reader: ByteReader) -> PersonSkeleton:
+	var skeleton: PersonSkeleton = PersonSkeleton.new()
+	for _limb: int in p_reader.read_u8():
+		var outer: Vector3 = p_reader.read_vector()
+		var inner: Vector3 = p_reader.read_vector()
+		skeleton.add(outer, inner, p_reader.read_rotation())
+		if p_reader.failed:
+			return skeleton
+	if not skeleton.joints_in_limb.is_empty() and not skeleton.is_sound():
+		p_reader.failed = true
+	return skeleton
 
 
 static func _read_body(p_reader: ByteReader, p_description: WorldDescription) -> void:

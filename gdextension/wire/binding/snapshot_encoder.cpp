@@ -43,15 +43,20 @@ bool SnapshotEncoder::configure(const PackedInt32Array &p_parents, double p_max_
 	return true;
 }
 
-bool SnapshotEncoder::add_person(int64_t p_person, const TypedArray<RID> &p_bodies) {
+bool SnapshotEncoder::add_person(
+		int64_t p_person, const TypedArray<RID> &p_bodies, const PackedFloat32Array &p_reset_orientations) {
 	ERR_FAIL_COND_V_MSG(core == nullptr, false, UNCONFIGURED);
 	ERR_FAIL_COND_V_MSG(!is_id(p_person), false, "SnapshotEncoder: a person's number is 0 to 65535.");
 	ERR_FAIL_COND_V_MSG(p_bodies.size() != core->world().shape().limb_count, false,
 			"SnapshotEncoder: a person has as many bodies as configure() has named parents.");
+	kinematics::PersonPose reset;
+	ERR_FAIL_COND_V_MSG(!read_orientations(p_reset_orientations, int(p_bodies.size()), reset), false,
+			"SnapshotEncoder: each body has an orientation of four floats in the reset pose.");
 	remove_person(p_person);
-	Person person{ uint16_t(p_person), {} };
+	Person person{ uint16_t(p_person), {}, {} };
 	for (int64_t i = 0; i < p_bodies.size(); i++) {
 		person.bodies.push_back(p_bodies[i]);
+		person.from_reset.push_back(reset.orientations[std::size_t(i)].inverse());
 	}
 	people.push_back(std::move(person));
 	return true;
@@ -85,7 +90,7 @@ void SnapshotEncoder::capture(int64_t p_tick) {
 			is_there = state != nullptr;
 			if (is_there) {
 				const Transform3D place = state->get_transform();
-				pose.orientations[i] = turn_of(place);
+				pose.orientations[i] = turn_of(place) * person.from_reset[i];
 				pose.root = i == 0 ? to_core(place.origin) : pose.root;
 			}
 		}
@@ -223,7 +228,8 @@ Dictionary SnapshotEncoder::get_figures(int64_t p_client) {
 void SnapshotEncoder::_bind_methods() {
 	ClassDB::bind_method(
 			D_METHOD("configure", "parents", "max_error_deg", "tick_rate"), &SnapshotEncoder::configure);
-	ClassDB::bind_method(D_METHOD("add_person", "person", "bodies"), &SnapshotEncoder::add_person);
+	ClassDB::bind_method(
+			D_METHOD("add_person", "person", "bodies", "reset_orientations"), &SnapshotEncoder::add_person);
 	ClassDB::bind_method(D_METHOD("remove_person", "person"), &SnapshotEncoder::remove_person);
 	ClassDB::bind_method(D_METHOD("add_body", "body", "rid"), &SnapshotEncoder::add_body);
 	ClassDB::bind_method(D_METHOD("clear_bodies"), &SnapshotEncoder::clear_bodies);

@@ -24,7 +24,8 @@ class SnapshotEncoder : public RefCounted {
 public:
 	bool configure(const PackedInt32Array &p_parents, double p_max_error_deg, int64_t p_tick_rate);
 
-	bool add_person(int64_t p_person, const TypedArray<RID> &p_bodies);
+	bool add_person(
+			int64_t p_person, const TypedArray<RID> &p_bodies, const PackedFloat32Array &p_reset_orientations);
 	void remove_person(int64_t p_person);
 	bool add_body(int64_t p_body, const RID &p_rid);
 	void clear_bodies();
@@ -52,6 +53,7 @@ private:
 	struct Person {
 		uint16_t id;
 		std::vector<RID> bodies;
+		std::vector<kinematics::Quat> from_reset; // Inverse of each body's orientation in the reset pose.
 	};
 	struct Body {
 		uint16_t id;

@@ -12,8 +12,8 @@ namespace wire {
 
 namespace {
 
-// Share of a client's bytes that people leave to bodies that wait.
-constexpr double BODIES_SHARE = 0.3;
+// Share of a client's bytes that people leave to bodies that wait, if these need as much.
+constexpr double BODIES_SHARE = 0.6;
 // Urgency at which somebody out of sight is told of after all.
 constexpr float HIDDEN_URGENCY = 0.75f;
 // Of what is out of sight only a coarse place is needed: so many times the tolerance.
@@ -343,8 +343,8 @@ std::size_t SnapshotEncoder::encode(
 		Draft draft{ r_datagrams[count], client->begin_datagram(history.tick()), usual_baseline(*client),
 			std::size_t(room) };
 		write_header(*client, draft, p_now_usec);
-		const double share = bodies_waiting.empty() ? 1.0 : 1.0 - BODIES_SHARE;
-		write_people(*client, draft, std::size_t(room * share));
+		const double needed = std::min(double(bytes_per_body) * double(bodies_waiting.size()), room * BODIES_SHARE);
+		write_people(*client, draft, std::size_t(room - needed));
 		write_bodies(*client, draft);
 		draft.out.bytes[0] |= uint8_t(draft.entry.people_count << 4);
 		client->allowance -= double(draft.out.size + TRANSPORT_BYTES);

@@ -1,0 +1,47 @@
+class_name PersonSkeleton
+extends RefCounted
+## How the limbs of one person hang together, for forward kinematics (thesis section 6.3).
+##
+## One entry for each of [constant Limbs.BONES]. A limb's frame has its origin in the middle of the
+## limb's body and the world's axes in the reset pose: its orientation is the rotation from the reset
+## pose, as in a [PoseSample].
+
+## Joints further than this from the middle of a limb are no person's, m.
+const LONGEST_M: float = 10.0
+
+## The joint that holds each limb, in its parent's frame, m. Of no meaning for the root.
+var joints_in_parent: PackedVector3Array = PackedVector3Array()
+## The same joint in the limb's own frame, m. That of the root is where the motion puts it.
+var joints_in_limb: PackedVector3Array = PackedVector3Array()
+## Orientation of each limb's body in the reset pose (thesis 6.2: the i of q = r i).
+var reset_orientations: Array[Quaternion] = []
+
+
+## Adds a limb behind those that are there.
+func add(p_joint_in_parent: Vector3, p_joint_in_limb: Vector3, p_reset: Quaternion) -> void:
+	joints_in_parent.append(p_joint_in_parent)
+	joints_in_limb.append(p_joint_in_limb)
+	reset_orientations.append(p_reset)
+
+
+## Whether this can be a person's.
+func is_sound() -> bool:
+	if joints_in_limb.size() != Limbs.COUNT:
+		return false
+	for limb: int in Limbs.COUNT:
+		var reach: float = maxf(joints_in_parent[limb].length(), joints_in_limb[limb].length())
+		var norm: float = reset_orientations[limb].length()
+		# Written so that NaN fails too.
+		if not (reach < LONGEST_M and norm > 0.99 and norm < 1.01):
+			return false
+	return true
+
+
+## Where the body of a limb is whose frame is at a place and turned from the reset pose.
+func body_at(p_limb: int, p_place: Vector3, p_turn: Quaternion) -> Transform3D:
+	return Transform3D(Basis(p_turn * reset_orientations[p_limb]), p_place)
+
+
+## Where the root's frame is when the hips of a sample are at a place, m.
+func root_of(p_sample: PoseSample, p_hips: Vector3) -> Vector3:
+	return p_hips - p_sample.orientation(Limbs.ROOT) * joints_in_limb[Limbs.ROOT]

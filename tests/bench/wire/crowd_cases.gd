@@ -1,0 +1,79 @@
+extends Node
+## Eight people and two hundred crates that all move, for one client: our coding on several networks,
+## and Godot's own MultiplayerSynchronizer beside it.
+
+const MovingWorld: GDScript = preload("moving_world.gd")
+const ReplicationCase: GDScript = preload("replication_case.gd")
+const SynchronizerCase: GDScript = preload("synchronizer_case.gd")
+const GOAL_KILOBITS: float = 256.0
+## What the encoder may use: a little less, as it may save up for a moment.
+const SHARE_KILOBITS: float = 250.0
+const GOAL_CRATE_M: float = 0.02
+const GOAL_ENCODE_US: float = 2000.0 / 32.0
+
+## Name, snapshots per second, one way s, up to so much more s, share lost.
+const NETWORKS: Array[Array] = [
+	["LAN, 60 Hz", 60, 0.0005, 0.0, 0.0],
+	["LAN, 30 Hz", 30, 0.0005, 0.0, 0.0],
+	["25 +- 10 ms, 2 % lost, 60 Hz", 60, 0.015, 0.02, 0.02],
+	["25 +- 10 ms, 2 % lost, 30 Hz", 30, 0.015, 0.02, 0.02],
+	["25 +- 10 ms, 20 % lost, 60 Hz", 60, 0.015, 0.02, 0.2],
+]
+
+
+## Runs all cases and adds their figures to a report.
+func run(
+	p_report: BenchReport, p_sources: Array[BvhSource], p_people: int, p_crates: int, p_s: float
+) -> void:
+	var people: Array[BvhSource] = []
+	for person: int in p_people:
+		people.append(p_sources[person % p_sources.size()])
+	var world: MovingWorld = MovingWorld.new(people, p_crates)
+	add_child(world)
+	var cases: Array[ReplicationCase] = []
+	for network: Array in NETWORKS:
+		cases.append(
+			ReplicationCase.new(network[1], SHARE_KILOBITS, network[2], network[3], network[4])
+		)
+	var other: SynchronizerCase = SynchronizerCase.new()
+	add_child(other)
+	if not other.open(p_people, p_crates, 30):
+		printerr("no port for the MultiplayerSynchronizer: its case is left out")
+	var seconds: float = await _play(world, cases, other, p_s)
+	var name: String = "%d people, %d crates" % [p_people, p_crates]
+	for i: int in cases.size():
+		_add(p_report, "%s: %s" % [name, NETWORKS[i][0]], cases[i], seconds)
+	var theirs: float = other.rate() / 1000.0
+	p_report.add(name + ": MultiplayerSynchronizer, 30 Hz", "with headers", theirs, "kbit/s")
+	var ours: float = cases[1].bits / seconds / 1000.0
+	p_report.add(name + ": MultiplayerSynchronizer, 30 Hz", "times ours", theirs / ours, "")
+	other.close()
+
+
+func _play(
+	p_world: MovingWorld, p_cases: Array[ReplicationCase], p_other: SynchronizerCase, p_s: float
+) -> float:
+	var delta: float = 1.0 / Engine.physics_ticks_per_second
+	var begin: int = 2 * Engine.physics_ticks_per_second
+	var ticks: int = int(p_s / delta)
+	for tick: int in begin + ticks:
+		p_world.push(delta)
+		await get_tree().physics_frame
+		if tick == begin:
+			p_other.restart()
+			for one: ReplicationCase in p_cases:
+				one.bits = 0
+		for one: ReplicationCase in p_cases:
+			one.advance(p_world)
+		p_other.put(p_world, tick * delta)
+	return ticks * delta
+
+
+static func _add(p_report: BenchReport, p_name: String, p_case: ReplicationCase, p_s: float) -> void:
+	var most: BenchReport.Goal = BenchReport.Goal.AT_MOST
+	p_report.add(p_name, "with headers", p_case.bits / p_s / 1000.0, "kbit/s", most, GOAL_KILOBITS)
+	var error: float = sqrt(p_case.crate_square / maxf(p_case.crate_count, 1.0))
+	p_report.add(p_name, "crates as shown, RMS", error * 100.0, "cm", most, GOAL_CRATE_M * 100.0)
+	p_case.encode_usec.sort()
+	var middle: float = p_case.encode_usec[p_case.encode_usec.size() / 2]
+	p_report.add(p_name, "encode, p50", middle, "us", most, GOAL_ENCODE_US)
