@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "local_feedback.hpp"
 #include "snapshot_smoother.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
@@ -11,6 +12,7 @@ namespace {
 
 void initialize(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
+		GDREGISTER_CLASS(LocalFeedback);
 		GDREGISTER_CLASS(SnapshotSmoother);
 	}
 }
