@@ -7,9 +7,12 @@ extends RefCounted
 var snapshots: int = 0
 ## The delays, stage by stage.
 var probe: LatencyProbe = LatencyProbe.new()
+## The delay from a wearer's motion to the display of the own body, in local feedback.
+var own: LatencyHistogram = LatencyHistogram.new()
 
 var _frames: int = 0
 var _begin_usec: int = Time.get_ticks_usec()
+var _own_moment_usec: int = -1
 
 
 ## Notes a frame that is about to be drawn, or that counts as shown where nothing is drawn, of the
@@ -24,6 +27,15 @@ func frame(p_shown_tick: float, p_server_usec: int, p_headless: bool) -> void:
 ## Notes that the frame was drawn, at a time of the server, µs.
 func drawn(p_server_usec: int) -> void:
 	probe.drawn(p_server_usec)
+	if _own_moment_usec >= 0:
+		own.add((Time.get_unix_time_from_system() * 1e6 - _own_moment_usec) / 1000.0)
+		_own_moment_usec = -1
+
+
+## Notes which moment of the wearer's motion the next frame shows of the own body, µs of this
+## machine's Unix time.
+func own_shown(p_moment_usec: int) -> void:
+	_own_moment_usec = p_moment_usec
 
 
 ## Seconds since the start.
@@ -59,6 +71,7 @@ func report(p_role: String, p_traffic: TrafficMeter) -> Dictionary:
 		"latency_ms_p95": probe.total.percentile(0.95),
 		"latency_ms_p99": probe.total.percentile(0.99),
 		"latency": probe.figures(),
+		"own_latency": own.figures(),
 		"sent_bytes_per_second": p_traffic.sent_per_second(),
 		"received_bytes_per_second": p_traffic.received_per_second(),
 	}

@@ -32,7 +32,7 @@ HELP = """Dismount: people in motion-capture suits move through physics.
   ./run bvh FILE            what a motion file holds: joints, frames, duration, unit, up axis
                             (--unit=m|cm|mm|inch|cmu|METRES and --up=y|z override the guess)
   ./run latency             measures the delay from sample to display on this machine, stage by
-                            stage, and draws it (--seconds, --rate, --fps, --smoothing, --bvh, --port)
+                            stage, and draws it (--seconds, --rate, --fps, --smoothing, --bvh)
   ./run bench               lists the benchmarks
   ./run bench NAME [--json] [options]   runs one
   ./run --help              this text; ./run server --help lists the roles' options

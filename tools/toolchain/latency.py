@@ -72,26 +72,30 @@ def main(arguments: list[str]) -> int:
     return 0
 
 
-def run_session(settings: Settings, csv: Path) -> dict:
-    """A server, a trainee and an observer of fixed frame rate on loopback; the observer's report."""
+def run_session(settings: Settings, csv: Path) -> dict[str, dict]:
+    """A server, a trainee and an observer of fixed frame rate on loopback; the clients' reports."""
     require_port(settings.port)
     csv.unlink(missing_ok=True)
     common = [f"--port={settings.port}"]
-    with tempfile.TemporaryDirectory(prefix="dismount-") as folder, Group(Path(folder), {}) as group:
+    with (
+        tempfile.TemporaryDirectory(prefix="dismount-") as folder,
+        Group(Path(folder), {}) as group,
+    ):
         server = [str(SERVER_BINARY), "--headless", "--", "--role=server", *common]
         group.start("server", server)
         group.await_text("server", "listening on UDP port", 30)
+        work = Path(folder)
+        common.append(f"--fps={settings.fps}")
         options = ["--role=trainee", f"--bvh={settings.bvh}", f"--rate={settings.rate}", *common]
+        options.append(f"--report={work / 'trainee.json'}")
         group.start("trainee", [str(CLIENT_BINARY), "--headless", "--", *options])
         group.await_text("trainee", "joined", 30)
-        report = Path(folder) / "observer.json"
         options = [
             "--role=observer",
             *common,
-            f"--fps={settings.fps}",
             f"--duration={settings.seconds}",
             f"--latency-csv={csv}",
-            f"--report={report}",
+            f"--report={work / 'observer.json'}",
         ]
         options += [f"--smoothing={settings.smoothing}"] if settings.smoothing else []
         group.start("observer", [str(CLIENT_BINARY), "--headless", "--", *options])
@@ -99,7 +103,14 @@ def run_session(settings: Settings, csv: Path) -> dict:
         for name in ("server", "trainee"):
             if group.exit_code(name) is not None:
                 raise Failure(f"The {name} ended too early:\n{tail(group.log(name))}")
-        return json.loads(report.read_text(encoding="utf-8"))
+        return {name: _report(work, name) for name in ("trainee", "observer")}
+
+
+def _report(work: Path, name: str) -> dict:
+    file = work / f"{name}.json"
+    if not file.exists():
+        raise Failure(f"The {name} left no figures: the session was too short.")
+    return json.loads(file.read_text(encoding="utf-8"))
 
 
 def draw(godot: Godot, csv: Path, picture: Path) -> dict[str, dict]:

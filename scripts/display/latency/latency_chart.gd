@@ -41,6 +41,10 @@ func draw_histogram(p_area: Rect2) -> void:
 	for count: int in bins:
 		highest = maxi(highest, count)
 	var width: float = p_area.size.x / _STEPS
+	var band: Rect2 = p_area
+	band.position.x += (THESIS_MS - THESIS_SD_MS) / most_ms * p_area.size.x
+	band.size.x *= 2.0 * THESIS_SD_MS / most_ms
+	_canvas.draw_rect(band, Color(_THESIS, 0.08))
 	for step: int in _STEPS:
 		var height: float = p_area.size.y * bins[step] / highest
 		var corner: Vector2 = Vector2(p_area.position.x + step * width, p_area.end.y - height)
@@ -53,7 +57,9 @@ func draw_histogram(p_area: Rect2) -> void:
 		_text(
 			Vector2(x - font_size * 0.5, p_area.end.y + font_size + 4.0), "%.0f" % (tick * step_ms)
 		)
-	_draw_moment(p_area, THESIS_MS / most_ms, "thesis %.1f ms" % THESIS_MS, _THESIS)
+	_draw_moment(
+		p_area, THESIS_MS / most_ms, "thesis %.1f +- %.1f ms" % [THESIS_MS, THESIS_SD_MS], _THESIS
+	)
 	if probe.total.count() > 0:
 		_draw_moment(
 			p_area, probe.total.mean() / most_ms, "mean %.1f" % probe.total.mean(), Color.WHITE
@@ -74,7 +80,7 @@ func draw_stages(p_area: Rect2) -> void:
 
 ## A table of stages and total from a point on, with a line of heads.
 func draw_table(p_corner: Vector2) -> void:
-	var columns: Array[float] = [0.0, 8.0, 12.5, 17.0, 21.5, 26.0]
+	var columns: Array[float] = [0.0, 11.0, 17.0, 23.0, 29.0, 35.0]
 	var heads: Array[String] = ["ms", "mean", "sd", "p50", "p95", "p99"]
 	var line: float = font_size * 1.5
 	for column: int in heads.size():
@@ -83,8 +89,11 @@ func draw_table(p_corner: Vector2) -> void:
 		var is_total: bool = row == probe.stages.size()
 		var delays: LatencyHistogram = probe.total if is_total else probe.stages[row]
 		var corner: Vector2 = p_corner + Vector2(0.0, line * (row + 1))
-		var colour: Color = Color.WHITE if is_total else COLOURS[row]
-		_text(corner, "total" if is_total else String(LatencyMark.STAGES[row]), colour)
+		if not is_total:
+			var swatch: Vector2 = Vector2(font_size * 0.6, font_size * 0.8)
+			_canvas.draw_rect(Rect2(corner - Vector2(0.0, swatch.y), swatch), COLOURS[row])
+		var name: String = "total" if is_total else String(LatencyMark.STAGES[row])
+		_text(corner + Vector2(font_size, 0.0), name)
 		var values: Array[float] = [
 			delays.mean(),
 			delays.deviation(),
