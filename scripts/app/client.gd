@@ -44,7 +44,8 @@ func configure(p_role: String, p_options: Options) -> void:
 func _ready() -> void:
 	PhysicsServer3D.set_active(false)
 	if DisplayServer.get_name() == "headless":
-		Engine.max_fps = _HEADLESS_FPS
+		var frames: int = _options.number("fps")
+		Engine.max_fps = frames if frames > 0 else _HEADLESS_FPS
 	_report = ReportFile.new(_options.file("report"))
 	var fault: String = _scene.apply(_options.text("views"), _options.text("camera"))
 	if fault == "" and _role == "trainee":
@@ -60,6 +61,12 @@ func _ready() -> void:
 	if fault != "":
 		_quit(_EXIT_FAILED, fault)
 		return
+	_hud.show_probe(_figures.probe)
+	if _options.file("latency-csv") != "":
+		fault = _figures.probe.write_to(_options.file("latency-csv"))
+		if fault != "":
+			_quit(_EXIT_FAILED, fault)
+			return
 	if DisplayServer.get_name() != "headless":
 		RenderingServer.frame_post_draw.connect(_on_frame_drawn)
 
@@ -75,7 +82,7 @@ func _process(p_delta: float) -> void:
 		_send_samples()
 		_keep_trying()
 	_scene.update(_clock_s)
-	_figures.frame(_scene, DisplayServer.get_name() == "headless")
+	_figures.frame(_scene.shown_tick(), _server_usec(), DisplayServer.get_name() == "headless")
 	_show_status()
 	_check_duration()
 
@@ -85,6 +92,7 @@ func _exit_tree() -> void:
 		_report.write(_make_report())
 	if _recorder != null:
 		_recorder.close()
+	_figures.probe.close()
 	_link.close()
 
 
@@ -169,6 +177,7 @@ func _on_lost(p_why: String) -> void:
 	if _retry_at_s != INF or _scene.has_world():
 		_alone_since_s = now
 	_scene.clear()
+	_figures.probe.restart()
 	_retry_at_s = now + _RETRY_S
 
 
@@ -178,6 +187,7 @@ func _on_refused(p_why: String) -> void:
 
 func _on_snapshot(p_snapshot: Snapshot, p_bytes: PackedByteArray) -> void:
 	_figures.snapshots += 1
+	_note_marks(p_snapshot)
 	_scene.push(p_snapshot, _clock_s)
 	if _recorder != null:
 		_recorder.add(p_bytes)
@@ -190,7 +200,24 @@ func _on_world(p_world: WorldDescription, p_bytes: PackedByteArray) -> void:
 
 
 func _on_frame_drawn() -> void:
-	_figures.drawn()
+	_figures.drawn(_server_usec())
+
+
+## Which samples a snapshot shows, for the latency probe.
+func _note_marks(p_snapshot: Snapshot) -> void:
+	for person: int in p_snapshot.samples:
+		var mark: LatencyMark = LatencyMark.new()
+		mark.person = person
+		mark.sample = p_snapshot.samples[person].id
+		mark.tick = p_snapshot.tick
+		mark.sampled_usec = p_snapshot.samples[person].time_usec
+		mark.arrival_usec = _server_usec()
+		_figures.probe.arrived(mark)
+
+
+## The server's clock, µs: the machines' clocks are taken to agree.
+func _server_usec() -> int:
+	return int(Time.get_unix_time_from_system() * 1e6)
 
 
 func _show_status() -> void:

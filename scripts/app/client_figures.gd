@@ -1,35 +1,41 @@
 class_name ClientFigures
 extends RefCounted
 ## What a client measures of its own session: frames, snapshots, traffic, and the delay from a
-## sample
-## in the wearer's suit to its display here (both machines' clocks must agree: thesis section 7.4).
+## sample in the wearer's suit to its display here (thesis section 7.4).
 
 ## Snapshots (datagrams) that have arrived.
 var snapshots: int = 0
+## The delays, stage by stage.
+var probe: LatencyProbe = LatencyProbe.new()
+## The delay from a wearer's motion to the display of the own body, in local feedback.
+var own: LatencyHistogram = LatencyHistogram.new()
 
 var _frames: int = 0
 var _begin_usec: int = Time.get_ticks_usec()
-var _latency: Statistics = Statistics.new()
-var _shown_sample_usec: int = -1
-var _latest_ms: float = 0.0
+var _own_moment_usec: int = -1
 
 
-## Notes a frame that is about to be drawn, or that counts as shown where nothing is drawn.
-func frame(p_scene: ClientScene, p_headless: bool) -> void:
+## Notes a frame that is about to be drawn, or that counts as shown where nothing is drawn, of the
+## world at a tick of the server. The time is the server's, µs.
+func frame(p_shown_tick: float, p_server_usec: int, p_headless: bool) -> void:
 	_frames += 1
-	_shown_sample_usec = p_scene.shown_sample_usec()
+	probe.shows(p_shown_tick)
 	if p_headless:
-		drawn()
+		drawn(p_server_usec)
 
 
-## Notes that the frame was drawn.
-func drawn() -> void:
-	if _shown_sample_usec > 0:
-		_latest_ms = (Time.get_unix_time_from_system() * 1e6 - _shown_sample_usec) / 1000.0
-		# What is older is a stream that has stopped, not a delay.
-		if _latest_ms < 2000.0:
-			_latency.add(_latest_ms)
-		_shown_sample_usec = -1
+## Notes that the frame was drawn, at a time of the server, µs.
+func drawn(p_server_usec: int) -> void:
+	probe.drawn(p_server_usec)
+	if _own_moment_usec >= 0:
+		own.add((Time.get_unix_time_from_system() * 1e6 - _own_moment_usec) / 1000.0)
+		_own_moment_usec = -1
+
+
+## Notes which moment of the wearer's motion the next frame shows of the own body, µs of this
+## machine's Unix time.
+func own_shown(p_moment_usec: int) -> void:
+	_own_moment_usec = p_moment_usec
 
 
 ## Seconds since the start.
@@ -46,7 +52,7 @@ func describe(p_role: String, p_traffic: TrafficMeter) -> String:
 		Engine.get_frames_per_second(),
 		p_traffic.received_per_second() / 1000.0,
 		p_traffic.sent_per_second() / 1000.0,
-		_latest_ms,
+		probe.latest_ms,
 	]
 	return "%s   %d fps   %.1f kB/s in   %.1f kB/s out   sample to display %.0f ms" % parts
 
@@ -58,10 +64,14 @@ func report(p_role: String, p_traffic: TrafficMeter) -> Dictionary:
 		"seconds": seconds(),
 		"frames_per_second": _frames / maxf(seconds(), 0.001),
 		"snapshots": snapshots,
-		"latency_count": _latency.count(),
-		"latency_ms_mean": _latency.mean(),
-		"latency_ms_p50": _latency.percentile(0.5),
-		"latency_ms_p95": _latency.percentile(0.95),
+		"latency_count": probe.total.count(),
+		"latency_ms_mean": probe.total.mean(),
+		"latency_ms_sd": probe.total.deviation(),
+		"latency_ms_p50": probe.total.percentile(0.5),
+		"latency_ms_p95": probe.total.percentile(0.95),
+		"latency_ms_p99": probe.total.percentile(0.99),
+		"latency": probe.figures(),
+		"own_latency": own.figures(),
 		"sent_bytes_per_second": p_traffic.sent_per_second(),
 		"received_bytes_per_second": p_traffic.received_per_second(),
 	}

@@ -91,6 +91,11 @@ func update(p_now_s: float) -> void:
 	_aim()
 
 
+## The server's tick that is shown, with its fraction, or -1.
+func shown_tick() -> float:
+	return _shown_tick
+
+
 ## When the sample was taken that the first person shows now, Unix time in µs, or -1.
 func shown_sample_usec() -> int:
 	if _actors.is_empty() or _shown_tick < 0.0:

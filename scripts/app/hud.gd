@@ -1,19 +1,25 @@
 class_name Hud
 extends CanvasLayer
-## A line of figures, a line of keys, and in the middle what the user must know.
+## A line of figures, a line of keys, in the middle what the user must know, and the delays.
 
 @export var _status: Label
 @export var _keys: Label
 @export var _message: Label
+@export var _latency: LatencyPanel
 
 
 ## Shows the figures and the worlds.
 func show_status(p_status: String, p_views: String) -> void:
 	_status.text = p_status
-	_keys.text = p_views + "   drag and wheel: camera"
+	_keys.text = p_views + "   L delays   drag and wheel: camera"
 
 
 ## Shows a message in the middle, or none if the text is empty.
 func show_message(p_text: String) -> void:
 	_message.text = p_text
 	_message.visible = p_text != ""
+
+
+## Says which delays the panel shows that a key opens.
+func show_probe(p_probe: LatencyProbe) -> void:
+	_latency.probe = p_probe

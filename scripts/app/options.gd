@@ -25,6 +25,14 @@ const TABLE: Array[Array] = [
 	["screenshot", "", "client: write a picture of the screen to this file before the end"],
 	["record", "", "client: record what the server sends to this file"],
 	["file", "", "replay: recording to show"],
+	["latency-csv", "", "client: write the delay of every sample, stage by stage, to this file"],
+	["fps", 0, "client without a window: frames per second; 0 for 240"],
+	[
+		"smoothing",
+		"",
+		"client: none, linear, extrapolate_lerp, hermite, error_offset, adaptive_low_delay (default)"
+	],
+	["feedback", "local", "trainee: how the own body is shown: local (at once) or server"],
 	["views", "mesh,static", "client: worlds to show at first: mesh, static, physics"],
 	["camera", "", "client: azimuth,elevation,distance of the camera, degrees and m"],
 	["protocol", Protocol.VERSION, "client: protocol version to claim (for tests)"],

@@ -3,13 +3,15 @@
 
 from __future__ import annotations
 
+import ast
 import itertools
 import os
 import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from . import demo, jolt
+from . import demo, jolt, latency
 from .console import Failure, say
 from .display import real_display
 from .godot import Godot
@@ -29,6 +31,8 @@ HELP = """Dismount: people in motion-capture suits move through physics.
   ./run export              exports server and client to build/export/
   ./run bvh FILE            what a motion file holds: joints, frames, duration, unit, up axis
                             (--unit=m|cm|mm|inch|cmu|METRES and --up=y|z override the guess)
+  ./run latency             measures the delay from sample to display on this machine, stage by
+                            stage, and draws it (--seconds, --rate, --fps, --smoothing, --bvh)
   ./run bench               lists the benchmarks
   ./run bench NAME [--json] [options]   runs one
   ./run --help              this text; ./run server --help lists the roles' options
@@ -43,7 +47,7 @@ DISMOUNT_DISPLAY=virtual (do as if there was no display).
 Keys in a window: 1 mesh world, 2 static world, 3 physics world; drag and wheel move the camera.
 """
 
-FILES = ("bvh", "record", "file", "report", "screenshot")
+FILES = ("bvh", "record", "file", "report", "screenshot", "latency-csv")
 
 
 def main(arguments: list[str]) -> int:
@@ -60,6 +64,7 @@ def main(arguments: list[str]) -> int:
         "export": _export,
         "bvh": _bvh,
         "bench": _bench,
+        "latency": lambda rest: latency.main(normalise(rest)),
     }
     if not arguments or arguments[0].startswith("-"):
         return demo.main(normalise(arguments))
@@ -158,7 +163,27 @@ def benchmarks() -> dict[str, tuple[Path, str]]:
         if lines and lines[0].startswith("extends SceneTree"):
             about = next((line[3:] for line in lines if line.startswith("## ")), "")
             found[script.stem.removeprefix("bench_")] = (script, about)
-    return found
+    for script in sorted((ROOT / "tests" / "bench").glob("bench_*.py")):
+        about = _docstring(script).partition("\n")[0]
+        found[script.stem.removeprefix("bench_")] = (script, about)
+    return dict(sorted(found.items()))
+
+
+def _docstring(script: Path) -> str:
+    return ast.get_docstring(ast.parse(script.read_text(encoding="utf-8"))) or ""
+
+
+def _bench_python(script: Path, options: list[str]) -> int:
+    """Runs a benchmark that drives whole processes: standard output is the script's alone."""
+    if "--help" in options or "-h" in options:
+        print(_docstring(script))
+        return 0
+    prepare(export=True)
+    path = {"PYTHONPATH": str(ROOT / "tools"), "PYTHONDONTWRITEBYTECODE": "1"}
+    command = [sys.executable, str(script), *normalise(options)]
+    return subprocess.run(
+        command, env={**os.environ, **path}, stdin=subprocess.DEVNULL, check=False
+    ).returncode
 
 
 def _bench(arguments: list[str]) -> int:
@@ -170,6 +195,8 @@ def _bench(arguments: list[str]) -> int:
     name, *options = arguments
     if name not in known:
         raise Failure(f"There is no benchmark '{name}': {', '.join(known)}.", 2)
+    if known[name][0].suffix == ".py":
+        return _bench_python(known[name][0], options)
     if "--help" in options or "-h" in options:
         source = known[name][0].read_text(encoding="utf-8").splitlines()
         about = itertools.dropwhile(lambda line: not line.startswith("##"), source)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "snapshot_decoder.hpp"
 #include "snapshot_encoder.hpp"
+#include "local_feedback.hpp"
 #include "snapshot_smoother.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
@@ -15,6 +16,7 @@ void initialize(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
 		GDREGISTER_CLASS(SnapshotDecoder);
 		GDREGISTER_CLASS(SnapshotEncoder);
+		GDREGISTER_CLASS(LocalFeedback);
 		GDREGISTER_CLASS(SnapshotSmoother);
 	}
 }

@@ -1,0 +1,138 @@
+class_name MotionSampler
+extends RefCounted
+## Samples a [MotionSource] at exact times in a thread of its own, however slow the display is.
+##
+## A sample goes to a callable at once, in that thread, and waits here for whoever shows the own body.
+## The times can be locked to another clock, so that samples reach the server shortly before its
+## ticks. While it runs nobody else may ask the source for samples. It must be stopped: a running
+## thread keeps it alive.
+
+## Samples that wait for [method take_samples] at most; beyond it the oldest go.
+const MOST_WAITING: int = 64
+## A due time that is further off than so many periods is set anew: the machine slept, or its clock
+## was set.
+const MOST_PERIODS: int = 16
+## Part of a period by which a sample's time gives way to the phase that is wanted.
+const SLEW: float = 0.05
+## The thread looks about itself at least so often, µs.
+const _LONGEST_SLEEP_USEC: int = 5000
+
+var _source: MotionSource = null
+var _deliver: Callable = Callable()
+var _period_usec: float = 1e6 / 60.0
+var _thread: Thread = null
+# All below is shared with the thread and guarded.
+var _mutex: Mutex = Mutex.new()
+var _stops: bool = false
+var _phase_usec: float = -1.0
+var _waiting: Array[PoseSample] = []
+var _taken: int = 0
+var _lateness: Statistics = Statistics.new()
+
+
+## Begins to sample so many times a second. [param p_deliver] is called with each [PoseSample] in the
+## sampling thread: what it does must be safe there.
+func start(p_source: MotionSource, p_rate: float, p_deliver: Callable) -> void:
+	stop()
+	_source = p_source
+	_deliver = p_deliver
+	_period_usec = 1e6 / p_rate
+	_stops = false
+	_thread = Thread.new()
+	_thread.start(_run, Thread.PRIORITY_HIGH)
+
+
+## Ends it and waits for the thread; harmless if it does not run.
+func stop() -> void:
+	if _thread == null:
+		return
+	_mutex.lock()
+	_stops = true
+	_mutex.unlock()
+	_thread.wait_to_finish()
+	_thread = null
+
+
+## Whether it runs.
+func is_running() -> bool:
+	return _thread != null
+
+
+## Draws the times of the samples to one that would be right (Unix time, µs), and to all that are
+## whole periods from it.
+func set_phase(p_due_usec: int) -> void:
+	_mutex.lock()
+	_phase_usec = p_due_usec
+	_mutex.unlock()
+
+
+## The samples since the last call, oldest first. They may be read but not changed.
+func take_samples() -> Array[PoseSample]:
+	_mutex.lock()
+	var samples: Array[PoseSample] = _waiting
+	_waiting = []
+	_mutex.unlock()
+	return samples
+
+
+## Figures for a report: samples, and how late the thread was, ms.
+func figures() -> Dictionary:
+	_mutex.lock()
+	var result: Dictionary = {
+		"samples": _taken,
+		"late_ms_p50": _lateness.percentile(0.5) / 1000.0,
+		"late_ms_p99": _lateness.percentile(0.99) / 1000.0,
+	}
+	_mutex.unlock()
+	return result
+
+
+## When the next sample is due after one, given the phase that is wanted (negative: any), µs.
+static func next_due(p_due_usec: float, p_period_usec: float, p_phase_usec: float) -> float:
+	var next: float = p_due_usec + p_period_usec
+	if p_phase_usec < 0.0:
+		return next
+	var off: float = fposmod(p_phase_usec - next + p_period_usec / 2.0, p_period_usec)
+	off -= p_period_usec / 2.0
+	return next + clampf(off, -SLEW * p_period_usec, SLEW * p_period_usec)
+
+
+func _run() -> void:
+	var due: float = _now()
+	while true:
+		var wait: float = due - _now()
+		if absf(wait) > MOST_PERIODS * _period_usec:
+			due = _now()
+		elif wait > 0.0:
+			OS.delay_usec(clampi(ceili(wait), 1, _LONGEST_SLEEP_USEC))
+		else:
+			_take(roundi(due), -wait)
+			_mutex.lock()
+			due = next_due(due, _period_usec, _phase_usec)
+			_mutex.unlock()
+		_mutex.lock()
+		var stops: bool = _stops
+		_mutex.unlock()
+		if stops:
+			return
+
+
+func _take(p_due_usec: int, p_late_usec: float) -> void:
+	var sample: PoseSample = _source.sample(p_due_usec)
+	if sample == null:
+		return
+	_deliver.call(sample)
+	_mutex.lock()
+	_waiting.append(sample)
+	if _waiting.size() > MOST_WAITING:
+		_waiting.pop_front()
+	_taken += 1
+	# The figures are those of the first minutes: enough to judge a machine by.
+	if _lateness.count() < 20000:
+		_lateness.add(p_late_usec)
+	_mutex.unlock()
+
+
+## Unix time, µs.
+static func _now() -> float:
+	return Time.get_unix_time_from_system() * 1e6
