@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <godot_cpp/classes/ref_counted.hpp>
+#include <godot_cpp/core/binder_common.hpp>
+#include <godot_cpp/core/class_db.hpp>
+
+namespace godot {
+
+/// Tells whether the system wants the program to end. Documented in doc_classes/StopSignal.xml.
+class StopSignal : public RefCounted {
+	GDCLASS(StopSignal, RefCounted)
+
+public:
+	bool watch();
+	bool is_raised() const;
+
+protected:
+	static void _bind_methods();
+};
+
+} // namespace godot

@@ -1,0 +1,107 @@
+class_name StatusEndpoint
+extends RefCounted
+## Tells a server's figures to whoever asks on this machine: HTTP on 127.0.0.1, JSON.
+##
+## [code]curl http://127.0.0.1:7777/[/code]. Meant for operators and their monitoring; nobody else
+## can reach it. Requests are few, short and soon over, or they are dropped.
+
+## Requests that are answered at a time.
+const MOST_REQUESTS: int = 8
+## Bytes of a request's head.
+const LONGEST_HEAD: int = 4096
+## Time for a request, µs.
+const PATIENCE_USEC: int = 2000000
+
+var _server: TCPServer = TCPServer.new()
+var _requests: Array[Request] = []
+
+
+## One connection.
+class Request:
+	var stream: StreamPeerTCP = null
+	var head: PackedByteArray = PackedByteArray()
+	var since_usec: int = 0
+	var reply: PackedByteArray = PackedByteArray()
+
+
+## Opens a TCP port of 127.0.0.1.
+func open(p_port: int) -> Error:
+	return _server.listen(p_port, "127.0.0.1")
+
+
+## Answers who has asked; [param p_figures] is called for a [Dictionary] only if somebody has.
+func poll(p_figures: Callable) -> void:
+	while _server.is_connection_available():
+		var request: Request = Request.new()
+		request.stream = _server.take_connection()
+		request.since_usec = Time.get_ticks_usec()
+		if _requests.size() < MOST_REQUESTS:
+			_requests.append(request)
+		else:
+			request.stream.disconnect_from_host()
+	for request: Request in _requests.duplicate():
+		if _serve(request, p_figures):
+			request.stream.disconnect_from_host()
+			_requests.erase(request)
+
+
+## Ends it.
+func close() -> void:
+	for request: Request in _requests:
+		request.stream.disconnect_from_host()
+	_requests.clear()
+	_server.stop()
+
+
+## Whether the request is over.
+func _serve(p_request: Request, p_figures: Callable) -> bool:
+	var stream: StreamPeerTCP = p_request.stream
+	stream.poll()
+	if stream.get_status() != StreamPeerTCP.STATUS_CONNECTED:
+		return true
+	if Time.get_ticks_usec() - p_request.since_usec > PATIENCE_USEC:
+		return true
+	if p_request.reply.is_empty():
+		_read(p_request, p_figures)
+	if not p_request.reply.is_empty():
+		var sent: Array = stream.put_partial_data(p_request.reply)
+		p_request.reply = p_request.reply.slice(sent[1])
+		return sent[0] != OK or p_request.reply.is_empty()
+	return false
+
+
+func _read(p_request: Request, p_figures: Callable) -> void:
+	var waiting: int = mini(p_request.stream.get_available_bytes(), LONGEST_HEAD + 1)
+	if waiting > 0:
+		p_request.head.append_array(p_request.stream.get_data(waiting)[1])
+	if p_request.head.size() > LONGEST_HEAD:
+		p_request.reply = _reply("431 Request Header Fields Too Large", {"error": "too long"})
+		return
+	# Bytes, not text: what a stranger sends need not be any.
+	var head: String = p_request.head.get_string_from_ascii()
+	if not head.contains("\r\n\r\n"):
+		return
+	var line: PackedStringArray = head.get_slice("\r\n", 0).split(" ")
+	if line.size() != 3 or not line[2].begins_with("HTTP/1."):
+		p_request.reply = _reply("400 Bad Request", {"error": "not HTTP"})
+	elif line[0] != "GET" and line[0] != "HEAD":
+		p_request.reply = _reply("405 Method Not Allowed", {"error": "GET it"})
+	elif not line[1] in ["/", "/status", "/status.json"]:
+		p_request.reply = _reply("404 Not Found", {"error": "there is only /"})
+	else:
+		p_request.reply = _reply("200 OK", p_figures.call(), line[0] == "HEAD")
+
+
+static func _reply(p_state: String, p_body: Dictionary, p_head_only: bool = false) -> PackedByteArray:
+	var body: PackedByteArray = (JSON.stringify(p_body, "  ") + "\n").to_utf8_buffer()
+	var head: PackedStringArray = [
+		"HTTP/1.1 " + p_state,
+		"Content-Type: application/json",
+		"Content-Length: %d" % body.size(),
+		"Cache-Control: no-store",
+		"Connection: close",
+	]
+	var bytes: PackedByteArray = ("\r\n".join(head) + "\r\n\r\n").to_utf8_buffer()
+	if not p_head_only:
+		bytes.append_array(body)
+	return bytes
