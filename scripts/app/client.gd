@@ -26,7 +26,7 @@ var _player: SnapshotPlayer = null
 var _recorder: SnapshotRecorder = null
 var _source: MotionSource = null
 var _report: ReportFile = null
-var _hello: PackedByteArray = PackedByteArray()
+var _greeting: Greeting = Greeting.new()
 var _clock_s: float = 0.0
 var _next_sample_usec: int = 0
 var _retry_at_s: float = 0.0
@@ -117,28 +117,41 @@ func _open_player() -> String:
 
 
 func _open_link() -> String:
-	var trainee: bool = _role == "trainee"
-	var role: Protocol.Role = Protocol.Role.TRAINEE if trainee else Protocol.Role.OBSERVER
-	var who: String = _options.text("name")
-	var hips: float = _source.get_hip_height() if trainee else MotionSource.new().get_hip_height()
-	_hello = Protocol.encode_hello(
-		role, who if who != "" else _role, hips, _options.number("protocol")
-	)
+	_greeting.role = Protocol.Role[_role.to_upper()]
+	_greeting.name = _options.text("name") if _options.text("name") != "" else _role
+	_greeting.rate = _options.number("snapshot-rate")
+	_greeting.version = _options.number("protocol")
+	if _source != null:
+		_greeting.hip_height = _source.get_hip_height()
+	var fault: String = _set_up_encryption()
+	if fault != "":
+		return fault
 	_link.joined.connect(_on_joined)
 	_link.lost.connect(_on_lost)
 	_link.refused.connect(_on_refused)
-	_link.snapshot_received.connect(_on_snapshot)
+	_link.waiting.connect(_on_waiting)
+	_link.snapshot_received.connect(_on_datagram)
 	_link.world_received.connect(_on_world)
 	_alone_since_s = Time.get_ticks_usec() / 1e6
 	_connect()
 	return ""
 
 
+func _set_up_encryption() -> String:
+	var certificate: String = _options.file("dtls-certificate")
+	var options: TransportSecurity = TransportSecurity.client(
+		_options.number("dtls") != 0, certificate
+	)
+	_link.tls = options.tls
+	Log.info("net", options.describe())
+	return options.error
+
+
 func _connect() -> void:
 	var where: Array = [_options.text("host"), _options.number("port")]
 	_hud.show_message("Joining %s:%d ..." % where)
 	_retry_at_s = INF
-	_link.open(where[0], where[1], _hello)
+	_link.open(where[0], where[1], _greeting, _options.text("password"))
 
 
 func _keep_trying() -> void:
@@ -161,7 +174,7 @@ func _send_samples() -> void:
 	while _next_sample_usec <= now:
 		var sample: PoseSample = _source.sample(_next_sample_usec)
 		if sample != null:
-			_link.send_pose(sample)
+			_link.send_pose(PosePacket.encode(sample))
 		_next_sample_usec += period
 
 
@@ -183,6 +196,20 @@ func _on_lost(p_why: String) -> void:
 
 func _on_refused(p_why: String) -> void:
 	_quit(_EXIT_REFUSED, "the server refused us: %s" % p_why)
+
+
+func _on_waiting(p_place: int) -> void:
+	_hud.show_message("Waiting for an instructor, place %d ..." % p_place)
+	Log.limited("client", "waiting", "waiting for an instructor, place %d" % p_place)
+	_alone_since_s = Time.get_ticks_usec() / 1e6
+
+
+func _on_datagram(p_bytes: PackedByteArray, _p_arrival_usec: int) -> void:
+	var snapshot: Snapshot = SnapshotPacket.decode(p_bytes)
+	if snapshot != null:
+		_on_snapshot(snapshot, p_bytes)
+	else:
+		Log.limited("net", "snapshot", "the server sent %d bytes of no use" % p_bytes.size())
 
 
 func _on_snapshot(p_snapshot: Snapshot, p_bytes: PackedByteArray) -> void:

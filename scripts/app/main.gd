@@ -4,6 +4,9 @@ extends Node
 ##
 ## Exit codes: 0 done, 1 failed, 2 wrong options, 3 refused by the server, 4 no server.
 
+const _ROLES: PackedStringArray = [
+	"server", "trainee", "observer", "instructor", "driver", "replay"
+]
 const _SERVER: String = "res://scenes/app/server.tscn"
 const _CLIENT: String = "res://scenes/app/client.tscn"
 
@@ -19,7 +22,7 @@ func _ready() -> void:
 	var role: String = options.text("role")
 	if role == "":
 		role = "server" if OS.has_feature("dedicated_server") else "observer"
-	if options.error == "" and not role in ["server", "trainee", "observer", "replay"]:
+	if options.error == "" and not role in _ROLES:
 		options.error = "there is no role '%s'" % role
 	if options.error != "":
 		Log.error("app", options.error + " (--help lists all options)")

@@ -5,7 +5,7 @@ extends RefCounted
 
 ## Every option: its name, default (whose type it has) and what it means.
 const TABLE: Array[Array] = [
-	["role", "", "server, trainee, observer or replay"],
+	["role", "", "server, trainee, observer, instructor, driver or replay"],
 	["host", "127.0.0.1", "address of the server to join"],
 	["port", Protocol.DEFAULT_PORT, "UDP port of the server"],
 	["name", "", "your name, shown to the others"],
@@ -14,6 +14,15 @@ const TABLE: Array[Array] = [
 	["up", "", "trainee: up axis of the motion file: y or z"],
 	["rate", 60, "trainee: samples per second"],
 	["max-clients", Protocol.DEFAULT_MAX_CLIENTS, "server: clients that are admitted"],
+	["password", "", "password of the session; the server asks for it, the clients tell it"],
+	["instructor-password", "", "server: password of instructors, if it is another"],
+	["waiting-room", 0, "server: 1: an instructor admits everybody else"],
+	["max-per-address", 0, "server: clients that are admitted from one address; 0 any number"],
+	["ban-file", "", "server: JSON list of addresses that are not let in"],
+	["dtls", 0, "client: 1: encrypt the connection, where the engine can"],
+	["dtls-certificate", "", "certificate (PEM): the server's own, or the one to be trusted"],
+	["dtls-key", "", "server: private key (PEM) of the certificate"],
+	["snapshot-rate", 0, "client: snapshots per second that are wanted; 0 as the server does"],
 	[
 		"root",
 		"soft",

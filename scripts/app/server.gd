@@ -51,17 +51,40 @@ func _ready() -> void:
 		_give_up(_EXIT_OPTIONS, "--root is one of %s, found '%s'" % [known, root])
 		return
 	_actors.root_mode = _ROOTS[root]
-	if _link.listen(port, _options.number("max-clients")) != OK:
-		_give_up(1, "UDP port %d is in use: choose another with --port" % port)
+	if not _open_link(port):
 		return
 	_registry.add_world(_world)
 	_actors.changed.connect(_announce)
 	_link.client_joined.connect(_on_joined)
+	_link.client_returned.connect(_on_returned)
 	_link.client_left.connect(_actors.remove)
 	_link.pose_received.connect(_on_pose)
 	_began_usec = Time.get_ticks_usec()
 	_status_usec = _began_usec
 	Log.info("server", "listening on UDP port %d, %d ticks/s" % [port, _rate()])
+
+
+func _open_link(p_port: int) -> bool:
+	var rules: ServerRules = ServerRules.new()
+	rules.max_clients = _options.number("max-clients")
+	rules.max_per_address = _options.number("max-per-address")
+	rules.password = _options.text("password")
+	rules.instructor_password = _options.text("instructor-password")
+	rules.waiting_room = _options.number("waiting-room") != 0
+	rules.bans = BanList.open(_options.file("ban-file"))
+	var security: TransportSecurity = TransportSecurity.server(
+		_options.file("dtls-certificate"), _options.file("dtls-key")
+	)
+	rules.tls = security.tls
+	var fault: String = rules.bans.error if rules.bans.error != "" else security.error
+	if fault != "":
+		_give_up(_EXIT_OPTIONS, fault)
+		return false
+	if _link.listen(p_port, rules) != OK:
+		_give_up(1, "UDP port %d is in use: choose another with --port" % p_port)
+		return false
+	Log.info("net", security.describe())
+	return true
 
 
 func _give_up(p_code: int, p_why: String) -> void:
@@ -73,6 +96,7 @@ func _give_up(p_code: int, p_why: String) -> void:
 
 func _physics_process(p_delta: float) -> void:
 	var begin: int = Time.get_ticks_usec()
+	_link.publish_tick(_tick + 1, begin, _rate())
 	_link.poll()
 	_actors.drive(begin / 1e6, p_delta)
 	_tick += 1
@@ -93,8 +117,6 @@ func _process(_p_delta: float) -> void:
 		_report.write(_figures())
 	if now - _status_usec > int(_STATUS_S * 1e6):
 		_log_status(now)
-	if not _link.is_listening():
-		_listen_again()
 	var duration: float = _options.seconds("duration")
 	if duration > 0.0 and now - _began_usec > int(duration * 1e6):
 		get_tree().quit(0)
@@ -116,23 +138,19 @@ func _after_step() -> void:
 	_link.send_snapshot(snapshot)
 
 
-## A single hostile datagram can make ENet close its port.
-func _listen_again() -> void:
-	var port: int = _options.number("port")
-	var error: Error = _link.listen(port, _options.number("max-clients"))
-	var outcome: String = "it is open again" if error == OK else "trying again"
-	Log.limited("server", "closed", "a network error closed UDP port %d: %s" % [port, outcome])
-
-
-func _on_joined(p_peer: int, p_hello: Dictionary) -> void:
+func _on_joined(p_session: int, p_hello: Dictionary) -> void:
 	if p_hello["role"] == Protocol.Role.TRAINEE:
-		_actors.add(p_peer, p_hello["name"], p_hello["hip_height"])
+		_actors.add(p_session, p_hello["name"], p_hello["hip_height"])
 	else:
 		_announce()
 
 
-func _on_pose(p_peer: int, p_sample: PoseSample) -> void:
-	_actors.push_sample(p_peer, p_sample, Time.get_ticks_usec() / 1e6)
+func _on_returned(_p_session: int) -> void:
+	_announce()
+
+
+func _on_pose(p_session: int, p_sample: PoseSample, p_arrival_usec: int) -> void:
+	_actors.push_sample(p_session, p_sample, p_arrival_usec / 1e6)
 
 
 func _announce() -> void:

@@ -2,16 +2,20 @@ class_name ClientLink
 extends RefCounted
 ## A client's end of the connection, the counterpart of [ServerLink].
 ##
-## It says who it is, then sends samples and receives snapshots. Polled by hand.
+## It says who it is, then sends samples and receives snapshots. Polled by hand; what arrives in
+## between is kept with the time of its arrival. If the connection is lost, [method open] brings the
+## client back into its session.
 
 ## The server has admitted us.
 signal joined
+## An instructor will decide; so many are before us, we included.
+signal waiting(p_place: int)
 ## The server does not want us, and says why. Trying again is of no use.
 signal refused(p_why: String)
-## There is no server, or no longer; trying again may help.
+## There is no server, or no longer, or it is not ready for us; trying again may help.
 signal lost(p_why: String)
-## New positions of bodies. The bytes are those of the datagram, for a recorder.
-signal snapshot_received(p_snapshot: Snapshot, p_bytes: PackedByteArray)
+## A snapshot's datagram that arrived at [method Time.get_ticks_usec]. Not checked yet.
+signal snapshot_received(p_bytes: PackedByteArray, p_arrival_usec: int)
 ## Which bodies there are now. The bytes are those of the packet, for a recorder.
 signal world_received(p_world: WorldDescription, p_bytes: PackedByteArray)
 
@@ -21,6 +25,8 @@ enum State {
 	CLOSED,
 	## The server has not admitted us yet.
 	CONNECTING,
+	## An instructor has not admitted us yet.
+	WAITING,
 	## The server has admitted us.
 	JOINED,
 }
@@ -28,39 +34,71 @@ enum State {
 ## Seconds to wait for a server's answer.
 const PATIENCE_S: float = 5.0
 
+## Questions for the time that follow each other quickly at first, and then.
+const _QUICK_QUESTIONS: int = 20
+
 ## Bytes in and out.
 var traffic: TrafficMeter = TrafficMeter.new()
+## The server's clock.
+var clock: ClockSync = ClockSync.new()
+## Number of our session, once joined.
+var session: int = 0
+## DTLS, or null.
+var tls: TLSOptions = null
 
 var _api: SceneMultiplayer = null
-var _enet: ENetMultiplayerPeer = null
-var _hello: PackedByteArray = PackedByteArray()
+var _peer: ThreadedPeer = null
+var _greeting: Greeting = null
+var _password: String = ""
+var _challenge: PackedByteArray = PackedByteArray()
+var _key: PackedByteArray = PackedByteArray()
+var _key_salt: PackedByteArray = PackedByteArray()
+var _said: Array[PackedByteArray] = []
+var _locked: bool = false
+var _token: PackedByteArray = PackedByteArray()
+var _token_of: String = ""
 var _state: State = State.CLOSED
 var _parts: PacketParts = PacketParts.new()
 var _began_usec: int = 0
 var _where: String = ""
+var _why: String = ""
+var _over: bool = false
+var _refusal: String = ""
 
 
 ## Begins to connect; the outcome comes as a signal from [method poll].
-func open(p_host: String, p_port: int, p_hello: PackedByteArray) -> void:
+func open(p_host: String, p_port: int, p_greeting: Greeting, p_password: String = "") -> void:
+	close()
 	_where = "%s:%d" % [p_host, p_port]
-	_hello = p_hello
+	_greeting = p_greeting
+	_password = p_password
+	_greeting.token = _token if _token_of == _where else PackedByteArray()
 	_began_usec = Time.get_ticks_usec()
 	_state = State.CONNECTING
-	_enet = ENetMultiplayerPeer.new()
+	_challenge = PackedByteArray()
+	_why = ""
+	_over = false
+	_refusal = ""
+	clock.clear()
+	_parts = PacketParts.new()
+	_peer = ThreadedPeer.new()
+	_peer.tls = tls
+	_peer.beacon = _ask_clock
+	_peer.beacon_period = _clock_period
+	_peer.failed.connect(_on_failed)
 	_api = SceneMultiplayer.new()
 	_api.root_path = ^"/root"
 	_api.server_relay = false
 	_api.allow_object_decoding = false
+	_api.auth_timeout = 0.0
 	_api.auth_callback = _on_answer
-	_api.auth_timeout = PATIENCE_S
-	_api.peer_authenticating.connect(_on_reached)
 	_api.connected_to_server.connect(_on_joined)
 	_api.peer_packet.connect(_on_packet)
-	var error: Error = _enet.create_client(p_host, p_port)
+	var error: Error = _peer.create_client(p_host, p_port)
 	if error != OK:
-		_enet = null
+		_why = "no connection to %s: %s" % [_where, error_string(error)]
 		return
-	_api.multiplayer_peer = _enet
+	_api.multiplayer_peer = _peer
 
 
 ## Whether the server has admitted us.
@@ -68,64 +106,133 @@ func is_joined() -> bool:
 	return _state == State.JOINED
 
 
+## The multiplayer API, for nodes that call each other; see [SessionControl].
+func api() -> SceneMultiplayer:
+	return _api
+
+
 ## Takes in what has arrived and finds out whether the connection still stands.
 func poll() -> void:
 	if _state == State.CLOSED:
 		return
-	if _enet == null:
-		_end("%s is no address that can be connected to" % _where)
-		return
-	_api.poll()
+	if _why == "":
+		_api.poll()
+		for _more: int in 64:
+			if not _over and _state != State.CLOSED and _peer.has_more():
+				_api.poll()
 	if _state == State.CLOSED:
 		return
-	if _is_active():
-		traffic.read(_enet.host)
-	if not _is_active():
-		var joined_before: bool = _state == State.JOINED
-		_end(
-			(
-				"the connection to %s is lost" % _where
-				if joined_before
-				else "no server answers at %s" % _where
-			)
-		)
+	traffic.read(_peer.figures())
+	_take_fast()
+	if _state == State.CLOSED:
+		return
+	if _over:
+		close()
+		if _refusal != "":
+			refused.emit(_refusal)
+		else:
+			lost.emit(_why)
+		return
+	var stands: bool = (
+		_peer.get_connection_status() != MultiplayerPeer.CONNECTION_DISCONNECTED
+	)
+	if not stands or _why != "":
+		_end(_why if _why != "" and _state != State.JOINED else _loss())
 	elif _state == State.CONNECTING and _age_s() > PATIENCE_S:
 		_end("no server answers at %s" % _where)
 
 
-## Sends a sample, if we are joined.
-func send_pose(p_sample: PoseSample) -> void:
+## Sends a sample, if we are joined: the bytes of a [PosePacket]. It leaves at once.
+func send_pose(p_bytes: PackedByteArray) -> void:
+	send_fast(p_bytes)
+
+
+## Sends a datagram over the fast path, if we are joined. It leaves at once.
+func send_fast(p_bytes: PackedByteArray) -> void:
 	if _state == State.JOINED:
-		_api.send_bytes(PosePacket.encode(p_sample), 1, MultiplayerPeer.TRANSFER_MODE_UNRELIABLE)
+		_peer.send_fast(MultiplayerPeer.TARGET_PEER_SERVER, p_bytes)
+
+
+## Round trip (ms) and loss (0 to 1) of the connection, as ENet sees them.
+func quality() -> Dictionary:
+	var peers: Dictionary = _peer.figures().get("peers", {}) if _peer != null else {}
+	return peers.get(MultiplayerPeer.TARGET_PEER_SERVER, {})
 
 
 ## Leaves.
 func close() -> void:
 	_state = State.CLOSED
-	if _is_active():
-		_enet.host.flush()
-		_enet.close()
+	if _peer != null:
+		var peer: ThreadedPeer = _peer
+		_peer = null
+		peer.close_with(Protocol.Goodbye.LEFT)
 		_api.multiplayer_peer = null
 
 
-func _on_reached(p_peer: int) -> void:
-	if p_peer != 1:
-		return
-	# Notice a dead server within a few seconds.
-	_enet.get_peer(1).set_timeout(32, 1000, 3000)
-	_api.send_auth(1, _hello)
+## Runs in the transport's thread.
+func _ask_clock() -> PackedByteArray:
+	return ClockPacket.question(Time.get_ticks_usec())
+
+
+## Runs in the transport's thread.
+func _clock_period(p_count: int) -> int:
+	return 250000 if p_count < _QUICK_QUESTIONS else 1000000
+
+
+func _on_failed(p_why: String) -> void:
+	_why = p_why
+
+
+func _loss() -> String:
+	if _state != State.JOINED:
+		return "no server answers at %s" % _where
+	return "the connection to %s is lost%s" % [_where, ": " + _why if _why != "" else ""]
 
 
 func _on_answer(p_peer: int, p_bytes: PackedByteArray) -> void:
-	if p_peer != 1:
+	if p_peer != MultiplayerPeer.TARGET_PEER_SERVER or _over:
 		return
-	var why: String = Protocol.decode_answer(p_bytes)
-	if why == "":
-		_api.complete_auth(1)
+	if _challenge.is_empty():
+		_greet(p_bytes)
 		return
-	close.call_deferred()
-	_state = State.CLOSED
-	refused.emit(why)
+	var answer: Answer = Answer.decode(p_bytes)
+	match answer.kind:
+		Answer.Kind.WELCOME:
+			_take_welcome(answer)
+		Answer.Kind.WAIT:
+			_state = State.WAITING
+			waiting.emit(answer.place)
+		Answer.Kind.LATER:
+			_come_later(answer.why)
+		_:
+			_give_up(answer.why)
+
+
+func _greet(p_bytes: PackedByteArray) -> void:
+	var challenge: Challenge = Challenge.decode(p_bytes)
+	if challenge.error != "":
+		_give_up(challenge.error)
+		return
+	_challenge = p_bytes
+	_locked = challenge.is_locked(_greeting.role)
+	if _key.is_empty() or _key_salt != challenge.salt:
+		_key = PasswordKey.derive(_password, challenge.salt, challenge.rounds)
+		_key_salt = challenge.salt
+	var bytes: PackedByteArray = _greeting.encode(_challenge, _key)
+	_said = [_challenge, bytes]
+	_api.send_auth(MultiplayerPeer.TARGET_PEER_SERVER, bytes)
+
+
+func _take_welcome(p_answer: Answer) -> void:
+	if _locked and not p_answer.is_proven(_key, _said):
+		_give_up("the server does not know the password")
+		return
+	if _password != "" and not _locked:
+		Log.warning("net", "%s asks for no password: it may be another server" % _where)
+	session = p_answer.session
+	_token = p_answer.token
+	_token_of = _where
+	_api.complete_auth(MultiplayerPeer.TARGET_PEER_SERVER)
 
 
 func _on_joined() -> void:
@@ -134,15 +241,26 @@ func _on_joined() -> void:
 	joined.emit()
 
 
+func _take_fast() -> void:
+	for packet: FastPacket in _peer.take_fast():
+		match packet.bytes[0]:
+			Protocol.Message.SNAPSHOT:
+				if _state == State.JOINED:
+					snapshot_received.emit(packet.bytes, packet.arrival_usec)
+			Protocol.Message.CLOCK:
+				var answer: ClockPacket = ClockPacket.decode(packet.bytes)
+				if answer != null:
+					clock.arrived(answer, packet.arrival_usec)
+			_:
+				_complain(packet.bytes.size())
+		if _state == State.CLOSED:
+			return
+
+
 func _on_packet(p_peer: int, p_bytes: PackedByteArray) -> void:
-	if p_peer != 1 or p_bytes.is_empty():
+	if p_peer != MultiplayerPeer.TARGET_PEER_SERVER or p_bytes.is_empty() or _over:
 		return
 	match p_bytes[0]:
-		Protocol.Message.SNAPSHOT:
-			var snapshot: Snapshot = SnapshotPacket.decode(p_bytes)
-			if snapshot != null:
-				snapshot_received.emit(snapshot, p_bytes)
-				return
 		Protocol.Message.PART:
 			var whole: PackedByteArray = _parts.join(p_bytes)
 			if whole.is_empty():
@@ -151,19 +269,37 @@ func _on_packet(p_peer: int, p_bytes: PackedByteArray) -> void:
 			if world != null:
 				world_received.emit(world, whole)
 				return
-	Log.limited("net", "server", "%s sent %d bytes that make no sense" % [_where, p_bytes.size()])
+		Protocol.Message.CONTROL:
+			var reader: ByteReader = ByteReader.new(p_bytes, 1)
+			var what: int = reader.read_u8()
+			var why: String = reader.read_text(4 * Answer.LONGEST_WHY)
+			if reader.is_complete() and what == Protocol.Notice.DISMISSED:
+				_token = PackedByteArray()
+				_give_up(why)
+				return
+	_complain(p_bytes.size())
+
+
+func _complain(p_size: int) -> void:
+	Log.limited("net", "server", "%s sent %d bytes that make no sense" % [_where, p_size])
+
+
+## The API is still reading: [method poll] ends it.
+func _give_up(p_why: String) -> void:
+	if not _over:
+		_over = true
+		_refusal = p_why
+
+
+func _come_later(p_why: String) -> void:
+	if not _over:
+		_over = true
+		_why = p_why
 
 
 func _end(p_why: String) -> void:
 	close()
 	lost.emit(p_why)
-
-
-## Whether there is a host; without one the engine reports an error to whoever asks for it.
-func _is_active() -> bool:
-	return (
-		_enet != null and _enet.get_connection_status() != MultiplayerPeer.CONNECTION_DISCONNECTED
-	)
 
 
 func _age_s() -> float:

@@ -8,6 +8,10 @@ enum Role {
 	OBSERVER,
 	## Has a body.
 	TRAINEE,
+	## Watches and decides who takes part.
+	INSTRUCTOR,
+	## Steers a vehicle.
+	DRIVER,
 }
 
 ## First byte of every packet.
@@ -20,11 +24,39 @@ enum Message {
 	WORLD = 3,
 	## A part of a packet that is too large for a datagram, see [PacketParts].
 	PART = 4,
+	## Client to server, fast path: what of the snapshots has arrived.
+	ACK = 5,
+	## Both ways, fast path: see [ClockPacket].
+	CLOCK = 6,
+	## Server to client, reliable: what the session has to say, see [enum Notice].
+	CONTROL = 7,
+}
+
+## Second byte of a [constant Message.CONTROL].
+enum Notice {
+	## The client is to leave and not to come back; a text says why.
+	DISMISSED,
+}
+
+## Why a connection ended; ENet carries it in the data of its disconnect command.
+enum Goodbye {
+	## Nobody said anything: the way is broken or the other end has died. It may come back.
+	LOST,
+	## The client left.
+	LEFT,
+	## An instructor sent the client away.
+	DISMISSED,
+	## The server is being closed.
+	CLOSED,
+	## The client did what nobody should.
+	THROWN_OUT,
+	## The same client has another connection now.
+	REPLACED,
 }
 
 ## Raised with every change of what is sent; a server refuses other versions.
-const VERSION: int = 1
-## First bytes of a greeting.
+const VERSION: int = 2
+## First bytes of a challenge and of a greeting.
 const HELLO: String = "DSMT"
 ## UDP port of a server unless told otherwise.
 const DEFAULT_PORT: int = 7777
@@ -38,60 +70,3 @@ const TRANSPORT_BYTES: int = 40
 const DEFAULT_MAX_CLIENTS: int = 32
 ## Longest name of a person, characters.
 const LONGEST_NAME: int = 32
-
-
-## The first thing that a client says, as bytes. Little-endian: [constant HELLO], u32 version, u8
-## role, f64 hip height (m), name as u16 length and UTF-8. Version 1 and later begin alike.
-static func encode_hello(
-	p_role: Role, p_name: String, p_hip_height: float, p_version: int = VERSION
-) -> PackedByteArray:
-	var bytes: PackedByteArray = HELLO.to_ascii_buffer()
-	bytes.resize(17)
-	bytes.encode_u32(4, p_version)
-	bytes.encode_u8(8, p_role)
-	bytes.encode_double(9, p_hip_height)
-	bytes.append_array(ByteReader.text_bytes(p_name.left(LONGEST_NAME)))
-	return bytes
-
-
-## What a client said first, checked. Returns a dictionary with version, role, name and hip_height,
-## or with only the key "error" and why it is no such greeting.
-static func decode_hello(p_bytes: PackedByteArray) -> Dictionary:
-	if p_bytes.size() > 512 or p_bytes.size() < 8:
-		return {"error": "the greeting has %d bytes" % p_bytes.size()}
-	if p_bytes.slice(0, 4) != HELLO.to_ascii_buffer():
-		return {"error": "the greeting is not in Dismount's form"}
-	var reader: ByteReader = ByteReader.new(p_bytes, 4)
-	var hello: Dictionary = {"version": reader.read_u32()}
-	if hello["version"] != VERSION:
-		var versions: Array = [hello["version"], VERSION]
-		return {"error": "the client speaks protocol version %d, the server %d" % versions}
-	hello["role"] = reader.read_u8()
-	hello["hip_height"] = reader.read_double()
-	var shown: String = reader.read_text(4 * LONGEST_NAME).left(LONGEST_NAME).strip_edges()
-	hello["name"] = shown if shown != "" else "nobody"
-	if not reader.is_complete():
-		return {"error": "the greeting is broken"}
-	if hello["role"] >= Role.size():
-		return {"error": "the greeting asks for an unknown role"}
-	if not (hello["hip_height"] > 0.2 and hello["hip_height"] < 2.0):
-		return {"error": "the greeting's hip height is no person's"}
-	return hello
-
-
-## The server's answer to a greeting: u8 0 if the client is welcome, else 1 and why not, as u16
-## length and UTF-8.
-static func encode_answer(p_refusal: String) -> PackedByteArray:
-	var bytes: PackedByteArray = PackedByteArray([0 if p_refusal == "" else 1])
-	bytes.append_array(ByteReader.text_bytes(p_refusal.left(200)))
-	return bytes
-
-
-## Why the server refuses, or an empty text.
-static func decode_answer(p_bytes: PackedByteArray) -> String:
-	var reader: ByteReader = ByteReader.new(p_bytes)
-	var refused: bool = reader.read_u8() != 0
-	var why: String = reader.read_text(800)
-	if not reader.is_complete() or refused == (why == ""):
-		return "it answers in a form that is not Dismount's"
-	return why

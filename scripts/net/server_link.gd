@@ -2,257 +2,417 @@ class_name ServerLink
 extends RefCounted
 ## The server's end of all connections: who is there, what they sent, what they get.
 ##
-## This is the seam behind which the transport may change: nobody else knows of peers' packets. It
-## uses Godot's multiplayer API over ENet, polled by hand in the physics tick, without relaying
-## between clients. Everything that comes in is checked; what is bad is dropped with a log line that
-## names the peer.
+## This is the seam behind which the transport may change: nobody else knows of peers' packets. The
+## rest of the program knows clients by the numbers of their sessions. Godot's multiplayer API runs
+## over a [ThreadedPeer], polled by hand in the physics tick, without relaying between clients;
+## poses, acknowledgements and snapshots take its fast path. Everything that comes in is checked;
+## what is bad is dropped with a log line that names the client.
 
-## A client was admitted. [param p_hello] has name, role and hip_height.
-signal client_joined(p_peer: int, p_hello: Dictionary)
-## A client is gone, whatever the reason.
-signal client_left(p_peer: int)
-## A trainee sent a sample that is a valid pose.
-signal pose_received(p_peer: int, p_sample: PoseSample)
-
-## Poses that a client may send per second; what is above it is dropped.
-const MOST_POSES: int = 300
-## A client that sends this many packets in a second is thrown out.
-const FLOOD: int = 3000
-## Milliseconds after which a silent client is gone: ENet's limit, least and most.
-const _TIMEOUTS_MS: Array[int] = [32, 1000, 2000]
-## Seconds that a client has to say who it is.
-const _GREETING_S: float = 3.0
-## First byte of the multiplayer API's packets: the kind of command is in its low bits. Of the kinds
-## only plain bytes are used, and the system's, whose second byte is 0 for greetings.
-const _COMMAND_MASK: int = 7
-const _COMMAND_RAW: int = 3
-const _COMMAND_SYSTEM: int = 7
-const _SYSTEM_GREETING: int = 0
-## Spare places for clients that are just arriving, or just pretend to.
-const _SPARE_SLOTS: int = 64
+## A client was admitted. [param p_hello] has name, role, hip_height and rate.
+signal client_joined(p_session: int, p_hello: Dictionary)
+## A client's connection is lost; it keeps its place for [constant SessionBook.KEPT_S] seconds.
+signal client_lost(p_session: int)
+## A client is back, after its connection was lost or because it has a new one.
+signal client_returned(p_session: int)
+## A client is gone for good.
+signal client_left(p_session: int)
+## A trainee sent a sample that is a valid pose. It arrived at [method Time.get_ticks_usec].
+signal pose_received(p_session: int, p_sample: PoseSample, p_arrival_usec: int)
+## A client acknowledges snapshots; the bytes begin with [constant Protocol.Message.ACK].
+signal ack_received(p_session: int, p_bytes: PackedByteArray, p_arrival_usec: int)
+## Who is here, lost or waiting has changed; see [method roster].
+signal roster_changed
 
 ## Bytes in and out.
 var traffic: TrafficMeter = TrafficMeter.new()
+## Whom the server lets in.
+var rules: ServerRules = ServerRules.new()
 
 var _api: SceneMultiplayer = null
-var _enet: ENetMultiplayerPeer = ENetMultiplayerPeer.new()
-var _peer: GuardedPeer = null
-var _most_clients: int = Protocol.DEFAULT_MAX_CLIENTS
-var _greeted: Dictionary[int, Dictionary] = {}
-var _completed: Dictionary[int, bool] = {}
-var _hellos: Dictionary[int, Dictionary] = {}
-var _refused: Dictionary[int, int] = {}
-var _packets: Dictionary[int, int] = {}
-var _window_usec: int = 0
+var _peer: ThreadedPeer = null
+var _book: SessionBook = SessionBook.new()
+var _door: SessionDoor = null
+var _strikes: CallStrikes = null
 var _world_number: int = 0
+var _mutex: Mutex = Mutex.new()
+var _tick: int = 0
+var _tick_usec: int = 0
+var _tick_rate: int = 60
 
 
-## Opens the port, also again after a network error has closed it: whoever was there has left then
-## and may come back. Returns [constant ERR_CANT_CREATE] where the port is in use.
-func listen(p_port: int, p_most_clients: int) -> Error:
-	for peer: int in _hellos.keys():
-		_on_disconnected(peer)
-	_greeted.clear()
-	_completed.clear()
-	_refused.clear()
-	_most_clients = p_most_clients
-	_enet = ENetMultiplayerPeer.new()
-	_api = SceneMultiplayer.new()
-	var error: Error = _enet.create_server(p_port, p_most_clients + _SPARE_SLOTS)
+## Opens the port. Returns [constant ERR_CANT_CREATE] where it is in use, and
+## [constant ERR_UNAVAILABLE] where DTLS is asked for and the engine has none.
+func listen(p_port: int, p_rules: ServerRules) -> Error:
+	close()
+	rules = p_rules
+	_door = SessionDoor.new(rules, _book)
+	_peer = ThreadedPeer.new()
+	_peer.guard = TransportGuard.new()
+	_peer.tls = rules.tls
+	_peer.instant_kind = Protocol.Message.CLOCK
+	_peer.instant = _answer_clock
+	var error: Error = _peer.create_server(p_port)
 	if error != OK:
+		_peer = null
 		return error
+	_peer.troubled.connect(_on_trouble)
+	_peer.reopened.connect(_on_reopened)
+	_api = SceneMultiplayer.new()
 	_api.root_path = ^"/root"
 	_api.server_relay = false
 	_api.allow_object_decoding = false
-	_api.auth_timeout = _GREETING_S
+	# The door has its own patience: the API would send away those who wait for an instructor.
+	_api.auth_timeout = 0.0
 	_api.auth_callback = _on_greeting
 	_api.peer_authenticating.connect(_on_arriving)
-	_api.peer_authentication_failed.connect(_forget)
+	_api.peer_authentication_failed.connect(_on_turned_away)
 	_api.peer_connected.connect(_on_connected)
 	_api.peer_disconnected.connect(_on_disconnected)
 	_api.peer_packet.connect(_on_packet)
-	_peer = GuardedPeer.new(_enet)
-	_peer.guard = _lets_through
 	_api.multiplayer_peer = _peer
+	_strikes = CallStrikes.new(_peer)
+	OS.add_logger(_strikes)
 	return OK
 
 
 ## Takes in what has arrived. Call it once per physics tick, before the simulation needs it.
 func poll() -> void:
+	if _api == null:
+		return
 	var now: int = Time.get_ticks_usec()
-	if now - _window_usec > 1000000:
-		_window_usec = now
-		_throw_out_floods()
-		_packets.clear()
-		_drop_refused(now)
-	if _api != null:
-		_api.poll()
-	if is_listening():
-		traffic.read(_enet.host)
+	_strikes.begin()
+	_api.poll()
+	for _more: int in 64:
+		if _peer.has_more():
+			_api.poll()
+	_throw_out(_strikes.end())
+	for packet: FastPacket in _peer.take_fast():
+		_on_fast(packet)
+	for peer: int in _door.overdue(now):
+		_door.forget(peer)
+		_turn_away(peer)
+	for session: Session in _book.overdue(now):
+		_end(session)
+	traffic.read(_peer.figures())
 
 
-## Whether the port is open; a transport error closes it.
+## Whether the port is open.
 func is_listening() -> bool:
-	return _enet.get_connection_status() == MultiplayerPeer.CONNECTION_CONNECTED
+	return _peer != null and _peer.get_connection_status() == MultiplayerPeer.CONNECTION_CONNECTED
 
 
-## Number of admitted clients.
+## The multiplayer API, for nodes that call each other; see [SessionControl].
+func api() -> SceneMultiplayer:
+	return _api
+
+
+## Number of clients that are here.
 func client_count() -> int:
-	return _hellos.size()
+	return _book.here().size()
+
+
+## The transport's figures: see [method ThreadedPeer.figures]; peers are named by their sessions.
+func figures() -> Dictionary:
+	if _peer == null:
+		return {}
+	var figures: Dictionary = _peer.figures()
+	var by_session: Dictionary = {}
+	for peer: int in figures.get("peers", {}):
+		var session: Session = _book.of_peer(peer)
+		if session != null:
+			by_session[session.id] = figures["peers"][peer]
+	figures["peers"] = by_session
+	return figures
+
+
+## Says which tick begins, and when, [method Time.get_ticks_usec]: clients ask for it.
+func publish_tick(p_tick: int, p_usec: int, p_tick_rate: int = 60) -> void:
+	_mutex.lock()
+	_tick = p_tick
+	_tick_usec = p_usec
+	_tick_rate = p_tick_rate
+	_mutex.unlock()
+
+
+## Sends a client datagrams of at most [constant Protocol.MAX_DATAGRAM] bytes, unreliably.
+func send_datagrams(p_session: int, p_datagrams: Array[PackedByteArray]) -> void:
+	var session: Session = _book.find(p_session)
+	if session != null and session.is_here:
+		for bytes: PackedByteArray in p_datagrams:
+			_peer.send_fast(session.peer, bytes)
 
 
 ## Sends everybody where the bodies are.
 func send_snapshot(p_snapshot: Snapshot) -> void:
-	if _hellos.is_empty():
-		return
-	for bytes: PackedByteArray in SnapshotPacket.encode(p_snapshot):
-		for peer: int in _hellos:
-			if _is_open(peer):
-				_api.send_bytes(bytes, peer, MultiplayerPeer.TRANSFER_MODE_UNRELIABLE)
+	var datagrams: Array[PackedByteArray] = SnapshotPacket.encode(p_snapshot)
+	for session: Session in _book.here():
+		send_datagrams(session.id, datagrams)
 
 
 ## Tells everybody which bodies there are.
 func send_world(p_world: WorldDescription) -> void:
 	_world_number += 1
 	for bytes: PackedByteArray in PacketParts.split(p_world.encode(), _world_number):
-		for peer: int in _hellos:
-			if _is_open(peer):
-				_api.send_bytes(bytes, peer, MultiplayerPeer.TRANSFER_MODE_RELIABLE)
+		for session: Session in _book.here():
+			_send_reliably(session.peer, bytes)
+
+
+## Everybody, for an instructor: dictionaries with session (0 while waiting), peer, name, role,
+## address and state (here, lost or waiting).
+func roster() -> Array[Dictionary]:
+	var rows: Array[Dictionary] = []
+	for session: Session in _book.all():
+		var row: Dictionary = session.hello()
+		row["session"] = session.id
+		row["peer"] = session.peer
+		row["address"] = session.address
+		row["state"] = "here" if session.is_here else "lost"
+		rows.append(row)
+	if _door != null:
+		for visitor: SessionDoor.Visitor in _door.waiting():
+			var row: Dictionary = {"session": 0, "peer": visitor.peer, "state": "waiting"}
+			row["name"] = visitor.greeting.name
+			row["role"] = visitor.greeting.role
+			row["address"] = visitor.address
+			rows.append(row)
+	return rows
+
+
+## The session of a connection, or null.
+func session_of_peer(p_peer: int) -> Session:
+	return _book.of_peer(p_peer)
+
+
+## Lets somebody in who waits, by the peer's id. Returns why not, or an empty text.
+func admit(p_peer: int) -> String:
+	var visitor: SessionDoor.Visitor = _door.find(p_peer)
+	if visitor == null or not visitor.waits:
+		return "nobody waits under the number %d" % p_peer
+	if _book.all().size() >= rules.max_clients:
+		return "the server is full (%d clients)" % rules.max_clients
+	_door.admit(visitor, Time.get_ticks_usec())
+	_welcome(visitor)
+	_tell_places()
+	return ""
+
+
+## Refuses somebody who waits, by the peer's id. Returns why not, or an empty text.
+func refuse(p_peer: int, p_why: String) -> String:
+	var visitor: SessionDoor.Visitor = _door.find(p_peer)
+	if visitor == null or not visitor.waits:
+		return "nobody waits under the number %d" % p_peer
+	_door.refuse(visitor, p_why, Time.get_ticks_usec())
+	_api.send_auth(p_peer, Answer.refusal(p_why, false))
+	_tell_places()
+	return ""
+
+
+## Sends a client away, who is told why. Returns why not, or an empty text.
+func kick(p_session: int, p_why: String) -> String:
+	var session: Session = _book.find(p_session)
+	if session == null:
+		return "there is no session %d" % p_session
+	Log.info("net", "%s: %s" % [session.describe(), p_why])
+	if session.peer != 0:
+		var text: PackedByteArray = ByteReader.text_bytes(p_why.left(Answer.LONGEST_WHY))
+		var bytes: PackedByteArray = [Protocol.Message.CONTROL, Protocol.Notice.DISMISSED]
+		_send_reliably(session.peer, bytes + text)
+		_peer.dismiss(session.peer, Protocol.Goodbye.DISMISSED)
+	_end(session)
+	return ""
+
+
+## Sends a client away for good. Returns what went wrong, or an empty text.
+func ban(p_session: int, p_why: String) -> String:
+	var session: Session = _book.find(p_session)
+	if session == null:
+		return "there is no session %d" % p_session
+	var fault: String = rules.bans.add(session.address)
+	kick(p_session, p_why)
+	return fault
 
 
 ## Closes all connections and the port.
 func close() -> void:
-	if is_listening():
-		for peer: int in _hellos:
-			_enet.get_peer(peer).peer_disconnect_now()
-		_enet.close()
-	_hellos.clear()
+	if _strikes != null:
+		OS.remove_logger(_strikes)
+		_strikes = null
+	if _peer != null:
+		_peer.close_with(Protocol.Goodbye.CLOSED)
+		_api.multiplayer_peer = null
+	_peer = null
+	_api = null
+	for session: Session in _book.all():
+		_end(session)
+
+
+## Runs in the transport's thread.
+func _answer_clock(p_bytes: PackedByteArray, p_arrival_usec: int) -> PackedByteArray:
+	_mutex.lock()
+	var tick: int = _tick
+	var tick_usec: int = _tick_usec if _tick_usec > 0 else p_arrival_usec
+	var rate: int = _tick_rate
+	_mutex.unlock()
+	return ClockPacket.answer(p_bytes, p_arrival_usec, tick, tick_usec, rate)
 
 
 func _on_arriving(p_peer: int) -> void:
-	# The id is the client's own choice: below 2 it would mean "all" or "all except".
-	if p_peer < 2:
-		Log.limited("net", "id", "refused a client with the forbidden id %d" % p_peer)
-		_enet.disconnect_peer(p_peer, true)
-		return
-	_enet.get_peer(p_peer).set_timeout(_TIMEOUTS_MS[0], _TIMEOUTS_MS[1], _TIMEOUTS_MS[2])
+	var now: int = Time.get_ticks_usec()
+	_api.send_auth(p_peer, _door.arrive(p_peer, _peer.address_of(p_peer), now))
 
 
 func _on_greeting(p_peer: int, p_bytes: PackedByteArray) -> void:
-	if _greeted.has(p_peer) or _refused.has(p_peer) or p_peer < 2:
-		return
-	var hello: Dictionary = Protocol.decode_hello(p_bytes)
-	if not hello.has("error") and _greeted.size() >= _most_clients:
-		hello = {"error": "the server is full (%d clients)" % _most_clients}
-	if hello.has("error"):
-		Log.limited("net", "greeting", "refused %s: %s" % [_describe(p_peer), hello["error"]])
-		_api.send_auth(p_peer, Protocol.encode_answer(hello["error"]))
-		# It gets a moment to read why.
-		_refused[p_peer] = Time.get_ticks_usec()
-		return
-	_greeted[p_peer] = hello
-	_api.send_auth(p_peer, Protocol.encode_answer(""))
-	_api.complete_auth(p_peer)
+	var now: int = Time.get_ticks_usec()
+	var verdict: SessionDoor.Verdict = _door.judge(p_peer, p_bytes, now)
+	var visitor: SessionDoor.Visitor = _door.find(p_peer)
+	match verdict:
+		SessionDoor.Verdict.WELCOME:
+			if visitor.replaced_peer != 0:
+				_peer.dismiss(visitor.replaced_peer, Protocol.Goodbye.REPLACED)
+			_welcome(visitor)
+		SessionDoor.Verdict.REFUSED:
+			var parts: Array = [visitor.address, visitor.why]
+			Log.limited("net", "greeting", "refused a client from %s: %s" % parts)
+			visitor.since_usec = now
+			_api.send_auth(p_peer, Answer.refusal(visitor.why, visitor.later))
+		SessionDoor.Verdict.WAIT:
+			var parts: Array = [visitor.greeting.name, visitor.address, p_peer]
+			Log.info("net", "'%s' from %s waits to be admitted (%d)" % parts)
+			_peer.keep(p_peer)
+			_tell_places()
+
+
+func _welcome(p_visitor: SessionDoor.Visitor) -> void:
+	var session: Session = p_visitor.session
+	_peer.welcome(p_visitor.peer, session.role == Protocol.Role.INSTRUCTOR)
+	var said: Array[PackedByteArray] = [p_visitor.challenge, p_visitor.greeting.whole()]
+	var key: PackedByteArray = rules.key_of(session.role)
+	_api.send_auth(p_visitor.peer, Answer.welcome(session.id, session.token, key, said))
+	_api.complete_auth(p_visitor.peer)
 
 
 func _on_connected(p_peer: int) -> void:
-	if _greeted.has(p_peer):
-		_hellos[p_peer] = _greeted[p_peer]
-		Log.info("net", "%s joined" % _describe(p_peer))
-		client_joined.emit(p_peer, _hellos[p_peer])
+	_door.forget(p_peer)
+	var session: Session = _book.of_peer(p_peer)
+	if session == null:
+		_peer.disconnect_peer(p_peer, true)
+		return
+	session.is_here = true
+	Log.info("net", "%s %s" % [session.describe(), "is back" if session.was_here else "joined"])
+	if session.was_here:
+		client_returned.emit(session.id)
+	else:
+		session.was_here = true
+		client_joined.emit(session.id, session.hello())
+	roster_changed.emit()
+
+
+## Somebody went before coming in.
+func _on_turned_away(p_peer: int) -> void:
+	var visitor: SessionDoor.Visitor = _door.find(p_peer)
+	_door.forget(p_peer)
+	var session: Session = _book.of_peer(p_peer)
+	if session != null and session.was_here:
+		_book.detach(session, Time.get_ticks_usec())
+	elif session != null:
+		_book.close(session)
+	if visitor != null and visitor.waits:
+		_tell_places()
+
+
+func _turn_away(p_peer: int) -> void:
+	_on_turned_away(p_peer)
+	if _api.get_authenticating_peers().has(p_peer):
+		_api.disconnect_peer(p_peer)
 
 
 func _on_disconnected(p_peer: int) -> void:
-	_forget(p_peer)
-	if _hellos.has(p_peer):
-		Log.info("net", "%s left" % _describe(p_peer))
-		_hellos.erase(p_peer)
-		client_left.emit(p_peer)
-
-
-func _forget(p_peer: int) -> void:
-	_refused.erase(p_peer)
-	_greeted.erase(p_peer)
-	_completed.erase(p_peer)
-
-
-## Decides which packets the multiplayer API gets to see: greetings of clients that have not been
-## admitted yet, plain bytes of those that have, and no more of them than a trainee needs.
-func _lets_through(p_peer: int, p_bytes: PackedByteArray) -> bool:
-	_packets[p_peer] = _packets.get(p_peer, 0) + 1
-	if _packets[p_peer] > MOST_POSES:
-		_complain(p_peer, "rate", "sends more than %d packets a second" % MOST_POSES)
-		return false
-	var command: int = p_bytes[0] & _COMMAND_MASK if not p_bytes.is_empty() else -1
-	if command == _COMMAND_RAW and _completed.has(p_peer):
-		return true
-	var greets: bool = command == _COMMAND_SYSTEM and p_bytes.size() > 1
-	if greets and p_bytes[1] == _SYSTEM_GREETING and not _completed.has(p_peer):
-		# After our answer an empty greeting says that the client has taken it in.
-		if p_bytes.size() == 2 and _greeted.has(p_peer):
-			_completed[p_peer] = true
-		return true
-	_complain(p_peer, "command", "sent %d bytes of no use (%d)" % [p_bytes.size(), command])
-	return false
-
-
-func _on_packet(p_peer: int, p_bytes: PackedByteArray) -> void:
-	if not _hellos.has(p_peer):
+	var session: Session = _book.of_peer(p_peer)
+	if session == null:
 		return
-	if p_bytes.is_empty() or p_bytes[0] != Protocol.Message.POSE:
-		var kind: int = p_bytes[0] if not p_bytes.is_empty() else -1
-		_complain(p_peer, "kind", "sent %d bytes of unknown kind %d" % [p_bytes.size(), kind])
+	if _peer.goodbye_of(p_peer) != Protocol.Goodbye.LOST:
+		_end(session)
 		return
-	if _hellos[p_peer]["role"] != Protocol.Role.TRAINEE:
-		_complain(p_peer, "role", "sent a pose, but is no trainee")
+	Log.info("net", "%s is lost" % session.describe())
+	_book.detach(session, Time.get_ticks_usec())
+	client_lost.emit(session.id)
+	roster_changed.emit()
+
+
+func _end(p_session: Session) -> void:
+	_book.close(p_session)
+	if p_session.was_here:
+		Log.info("net", "%s left" % p_session.describe())
+		client_left.emit(p_session.id)
+		roster_changed.emit()
+
+
+func _on_reopened() -> void:
+	Log.limited("net", "reopened", "a network error closed the port: it is open again")
+
+
+func _on_fast(p_packet: FastPacket) -> void:
+	var session: Session = _book.of_peer(p_packet.peer)
+	if session == null or not session.is_here:
 		return
-	var sample: PoseSample = PosePacket.decode(p_bytes)
+	var kind: int = p_packet.bytes[0]
+	if kind == Protocol.Message.ACK:
+		ack_received.emit(session.id, p_packet.bytes, p_packet.arrival_usec)
+		return
+	if kind != Protocol.Message.POSE:
+		_on_packet(p_packet.peer, p_packet.bytes)
+		return
+	if session.role != Protocol.Role.TRAINEE:
+		_complain(session, "role", "sent a pose, but is no trainee")
+		return
+	var sample: PoseSample = PosePacket.decode(p_packet.bytes)
 	if sample == null:
-		_complain(p_peer, "pose", "sent " + PosePacket.error)
+		_complain(session, "pose", "sent " + PosePacket.error)
 		return
-	pose_received.emit(p_peer, sample)
+	pose_received.emit(session.id, sample, p_packet.arrival_usec)
 
 
-func _throw_out_floods() -> void:
-	for peer: int in _packets:
-		if _packets[peer] > FLOOD and _is_known(peer):
-			Log.warning("net", "%s was thrown out: %d packets" % [_describe(peer), _packets[peer]])
-			_enet.disconnect_peer(peer)
+## No client has anything to say in plain bytes.
+func _on_packet(p_peer: int, p_bytes: PackedByteArray) -> void:
+	var session: Session = _book.of_peer(p_peer)
+	if session != null:
+		var kind: int = p_bytes[0] if not p_bytes.is_empty() else -1
+		var parts: Array = [p_bytes.size(), kind]
+		_complain(session, "kind", "sent %d bytes of unknown kind %d" % parts)
 
 
-func _drop_refused(p_now_usec: int) -> void:
-	for peer: int in _refused.keys():
-		if p_now_usec - _refused[peer] > 500000:
-			_refused.erase(peer)
-			if _api.get_authenticating_peers().has(peer):
-				_api.disconnect_peer(peer)
+func _throw_out(p_peers: Array[int]) -> void:
+	for peer: int in p_peers:
+		var session: Session = _book.of_peer(peer)
+		if session != null:
+			_complain(session, "calls", "was thrown out: its calls make no sense")
+			_peer.dismiss(peer, Protocol.Goodbye.THROWN_OUT)
+			_end(session)
 
 
-func _complain(p_peer: int, p_key: String, p_what: String) -> void:
-	Log.limited("net", "%s %d" % [p_key, p_peer], "%s %s" % [_describe(p_peer), p_what])
+func _tell_places() -> void:
+	var place: int = 0
+	for visitor: SessionDoor.Visitor in _door.waiting():
+		place += 1
+		_api.send_auth(visitor.peer, Answer.wait(place))
+	roster_changed.emit()
 
 
-func _describe(p_peer: int) -> String:
-	var who: String = "client %d" % p_peer
-	if _hellos.has(p_peer):
-		var role: int = _hellos[p_peer]["role"]
-		who = (
-			"%s '%s' (%d)"
-			% [(Protocol.Role.find_key(role) as String).to_lower(), _hellos[p_peer]["name"], p_peer]
-		)
-	var remote: ENetPacketPeer = _enet.get_peer(p_peer) if _is_known(p_peer) else null
-	return who + (" from %s" % remote.get_remote_address() if remote != null else "")
+func _send_reliably(p_peer: int, p_bytes: PackedByteArray) -> void:
+	if _peer.has_peer(p_peer) and _api.get_peers().has(p_peer):
+		_api.send_bytes(p_bytes, p_peer, MultiplayerPeer.TRANSFER_MODE_RELIABLE)
 
 
-## Whether a client's connection still stands; the API hears of its end only at the next poll.
-func _is_open(p_peer: int) -> bool:
-	if not is_listening():
-		return false
-	var remote: ENetPacketPeer = _enet.get_peer(p_peer)
-	return remote != null and remote.get_state() == ENetPacketPeer.STATE_CONNECTED
+func _on_trouble(p_peer: int, p_key: String, p_what: String) -> void:
+	var session: Session = _book.of_peer(p_peer)
+	if session != null:
+		_complain(session, p_key, p_what)
+	elif p_peer != 0:
+		var parts: Array = [_peer.address_of(p_peer), p_what]
+		Log.limited("net", p_key, "a client from %s %s" % parts)
+	else:
+		Log.limited("net", p_key, p_what)
 
 
-func _is_known(p_peer: int) -> bool:
-	return (
-		p_peer > 1 and (_api.get_peers().has(p_peer) or _api.get_authenticating_peers().has(p_peer))
-	)
+func _complain(p_about: Session, p_key: String, p_what: String) -> void:
+	Log.limited("net", "%s %d" % [p_key, p_about.id], "%s %s" % [p_about.describe(), p_what])

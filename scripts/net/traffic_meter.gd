@@ -1,20 +1,26 @@
 class_name TrafficMeter
 extends RefCounted
-## Counts the bytes that an ENet host sends and receives, with headers of ENet but not of UDP/IP.
+## Counts the bytes that the transport sends and receives, with headers of ENet but not of UDP/IP.
 
 ## Bytes since the start.
 var sent: int = 0
 ## Bytes since the start.
 var received: int = 0
 
+var _last_sent: int = 0
+var _last_received: int = 0
 var _since_usec: int = Time.get_ticks_usec()
 
 
-## Adds what the host has counted since the last call.
-func read(p_host: ENetConnection) -> void:
-	if p_host != null:
-		sent += int(p_host.pop_statistic(ENetConnection.HOST_TOTAL_SENT_DATA))
-		received += int(p_host.pop_statistic(ENetConnection.HOST_TOTAL_RECEIVED_DATA))
+## Takes over what the transport has counted, see [method ThreadedPeer.figures]. A new transport
+## counts from 0 again.
+func read(p_figures: Dictionary) -> void:
+	var out: int = p_figures.get("sent_bytes", 0)
+	var into: int = p_figures.get("received_bytes", 0)
+	sent += out - _last_sent if out >= _last_sent else out
+	received += into - _last_received if into >= _last_received else into
+	_last_sent = out
+	_last_received = into
 
 
 ## Mean bytes per second sent since the start or [method restart].

@@ -1,14 +1,22 @@
 extends RefCounted
 ## A server and clients in one process, over 127.0.0.1, and what they told.
 
-## Who joined the server: peer to greeting.
+## Who joined the server: session to greeting.
 var joined: Dictionary[int, Dictionary] = {}
 ## Who left the server.
 var left: Array[int] = []
-## Samples that came: peer to list.
+## Whose connection was lost.
+var lost: Array[int] = []
+## Who came back.
+var returned: Array[int] = []
+## Samples that came: session to list.
 var poses: Dictionary[int, Array] = {}
+## Acknowledgements that came.
+var acks: Array[PackedByteArray] = []
 ## The server's end.
 var server: ServerLink = ServerLink.new()
+## Whom the server lets in.
+var rules: ServerRules = ServerRules.new()
 ## The server's UDP port.
 var port: int = 0
 ## Clients with what they heard.
@@ -18,16 +26,20 @@ var ends: Array[End] = []
 ## A client's end with what it heard.
 class End:
 	var link: ClientLink = ClientLink.new()
+	var greeting: Greeting = Greeting.new()
 	var joined: int = 0
 	var refusal: String = ""
 	var loss: String = ""
+	var places: Array[int] = []
 	var snapshots: Array[Snapshot] = []
+	var datagrams: int = 0
 	var worlds: Array[WorldDescription] = []
 
 	func _init() -> void:
 		link.joined.connect(_on_joined)
 		link.refused.connect(_on_refused)
 		link.lost.connect(_on_lost)
+		link.waiting.connect(_on_waiting)
 		link.snapshot_received.connect(_on_snapshot)
 		link.world_received.connect(_on_world)
 
@@ -40,8 +52,14 @@ class End:
 	func _on_lost(p_why: String) -> void:
 		loss = p_why
 
-	func _on_snapshot(p_snapshot: Snapshot, _p_bytes: PackedByteArray) -> void:
-		snapshots.append(p_snapshot)
+	func _on_waiting(p_place: int) -> void:
+		places.append(p_place)
+
+	func _on_snapshot(p_bytes: PackedByteArray, _p_arrival_usec: int) -> void:
+		datagrams += 1
+		var snapshot: Snapshot = SnapshotPacket.decode(p_bytes)
+		if snapshot != null:
+			snapshots.append(snapshot)
 
 	func _on_world(p_world: WorldDescription, _p_bytes: PackedByteArray) -> void:
 		worlds.append(p_world)
@@ -49,34 +67,48 @@ class End:
 
 ## Opens a server on a free port.
 func listen(p_most_clients: int = 8) -> Error:
+	port = free_port()
+	rules.max_clients = p_most_clients
+	server.client_joined.connect(_on_joined)
+	server.client_left.connect(left.append)
+	server.client_lost.connect(lost.append)
+	server.client_returned.connect(returned.append)
+	server.pose_received.connect(_on_pose)
+	server.ack_received.connect(_on_ack)
+	return server.listen(port, rules)
+
+
+## A UDP port that nobody uses at the moment.
+static func free_port() -> int:
 	var probe: PacketPeerUDP = PacketPeerUDP.new()
 	probe.bind(0, "127.0.0.1")
-	port = probe.get_local_port()
+	var free: int = probe.get_local_port()
 	probe.close()
-	server.client_joined.connect(_on_joined)
-	server.client_left.connect(_on_left)
-	server.pose_received.connect(_on_pose)
-	return server.listen(port, p_most_clients)
+	return free
 
 
 ## A client that begins to join.
-func add(p_role: Protocol.Role, p_name: String = "Ada", p_version: int = Protocol.VERSION) -> End:
-	return add_raw(Protocol.encode_hello(p_role, p_name, 0.97, p_version))
-
-
-## A client that has joined, on both sides.
-func join(p_role: Protocol.Role, p_name: String = "Ada") -> End:
-	var before: int = joined.size()
-	var end: End = add(p_role, p_name)
-	until(func() -> bool: return end.joined == 1 and joined.size() == before + 1)
+func add(
+	p_role: Protocol.Role,
+	p_name: String = "Ada",
+	p_version: int = Protocol.VERSION,
+	p_password: String = ""
+) -> End:
+	var end: End = End.new()
+	end.greeting.role = p_role
+	end.greeting.name = p_name
+	end.greeting.hip_height = 0.97
+	end.greeting.version = p_version
+	ends.append(end)
+	end.link.open("127.0.0.1", port, end.greeting, p_password)
 	return end
 
 
-## A client that says something else first.
-func add_raw(p_hello: PackedByteArray) -> End:
-	var end: End = End.new()
-	ends.append(end)
-	end.link.open("127.0.0.1", port, p_hello)
+## A client that has joined, on both sides.
+func join(p_role: Protocol.Role, p_name: String = "Ada", p_password: String = "") -> End:
+	var before: int = joined.size()
+	var end: End = add(p_role, p_name, Protocol.VERSION, p_password)
+	until(func() -> bool: return end.joined == 1 and joined.size() == before + 1)
 	return end
 
 
@@ -113,18 +145,18 @@ func close() -> void:
 ## Number of samples that came from all.
 func pose_count() -> int:
 	var count: int = 0
-	for peer: int in poses:
-		count += poses[peer].size()
+	for session: int in poses:
+		count += poses[session].size()
 	return count
 
 
-func _on_joined(p_peer: int, p_hello: Dictionary) -> void:
-	joined[p_peer] = p_hello
+func _on_joined(p_session: int, p_hello: Dictionary) -> void:
+	joined[p_session] = p_hello
 
 
-func _on_left(p_peer: int) -> void:
-	left.append(p_peer)
+func _on_pose(p_session: int, p_sample: PoseSample, _p_arrival_usec: int) -> void:
+	poses.get_or_add(p_session, []).append(p_sample)
 
 
-func _on_pose(p_peer: int, p_sample: PoseSample) -> void:
-	poses.get_or_add(p_peer, []).append(p_sample)
+func _on_ack(_p_session: int, p_bytes: PackedByteArray, _p_arrival_usec: int) -> void:
+	acks.append(p_bytes)

@@ -31,10 +31,10 @@ func test_pose_that_is_none() -> void:
 	for value: float in [NAN, INF, -INF, 0.0, 1e30]:
 		var sample: PoseSample = NetSamples.pose(_random)
 		sample.set_orientation(_random.randi_range(0, 15), Quaternion(value, value, value, value))
-		bad.link.send_pose(sample)
+		bad.link.send_pose(PosePacket.encode(sample))
 		sample = NetSamples.pose(_random)
 		sample.root.x = 1e9 if value == 0.0 else value
-		bad.link.send_pose(sample)
+		bad.link.send_pose(PosePacket.encode(sample))
 	_check_good_client_is_unaffected(0.3)
 	equal(_pair.pose_count(), _poses_of_good(), "poses of the bad one")
 	is_true(bad.link.is_joined(), "a mistake is forgiven")
@@ -56,7 +56,7 @@ func test_packets_of_wrong_size_and_kind() -> void:
 func test_observer_may_not_send_poses() -> void:
 	var bad: LinkPair.End = _pair.join(OBSERVER, "bad")
 	for _pose: int in 20:
-		bad.link.send_pose(NetSamples.pose(_random))
+		bad.link.send_pose(PosePacket.encode(NetSamples.pose(_random)))
 	_check_good_client_is_unaffected(0.2)
 	equal(_pair.pose_count(), _poses_of_good(), "poses of the observer")
 
@@ -67,11 +67,11 @@ func test_too_many_poses_are_dropped() -> void:
 	# In small bursts: the system drops what does not fit the socket's buffer, from anybody.
 	for _burst: int in 20:
 		for _pose: int in 50:
-			bad.link.send_pose(NetSamples.pose(_random))
+			bad.link.send_pose(PosePacket.encode(NetSamples.pose(_random)))
 		_pair.run(0.002)
 	_check_good_client_is_unaffected(0.3)
 	var taken: int = _pair.poses.get(bad_peer, []).size()
-	is_true(taken > 10 and taken <= 2 * ServerLink.MOST_POSES, "%d poses taken" % taken)
+	is_true(taken > 10 and taken <= 2 * TransportGuard.MOST_POSES, "%d poses taken" % taken)
 
 
 func test_flood_ends_the_connection() -> void:
@@ -81,7 +81,7 @@ func test_flood_ends_the_connection() -> void:
 	while _pair.left.is_empty() and Time.get_ticks_msec() < limit:
 		for _packet: int in 300:
 			_send(bad, bytes)
-		_good.link.send_pose(NetSamples.pose(_random))
+		_good.link.send_pose(PosePacket.encode(NetSamples.pose(_random)))
 		_pair.run(0.005)
 	equal(_pair.left.size(), 1, "thrown out")
 	is_false(_good_peer in _pair.left)
@@ -122,7 +122,7 @@ func test_zero_length_datagrams() -> void:
 	for _round: int in 100:
 		raw.put_packet(PackedByteArray())
 		raw.put_packet(PackedByteArray())
-		_good.link.send_pose(NetSamples.pose(_random))
+		_good.link.send_pose(PosePacket.encode(NetSamples.pose(_random)))
 		_pair.run(0.01)
 	_pair.run(0.3)
 	is_true(_poses_of_good() > 95, "%d of 100 poses arrived" % _poses_of_good())
@@ -160,7 +160,7 @@ func _check_good_client_is_unaffected(p_seconds: float) -> void:
 	var heard: int = _good.snapshots.size()
 	var count: int = int(p_seconds * 60.0)
 	for _pose: int in count:
-		_good.link.send_pose(NetSamples.pose(_random))
+		_good.link.send_pose(PosePacket.encode(NetSamples.pose(_random)))
 		_pair.server.send_snapshot(snapshot)
 		_pair.run(1.0 / 60.0)
 	var all: Callable = func() -> bool: return _poses_of_good() - before >= count
@@ -178,6 +178,7 @@ func _poses_of_good() -> int:
 func _send(p_end: LinkPair.End, p_bytes: PackedByteArray) -> void:
 	if p_end.link.is_joined() and not p_bytes.is_empty():
 		p_end.link._api.send_bytes(p_bytes, 1, MultiplayerPeer.TRANSFER_MODE_UNRELIABLE)
+		p_end.link.send_fast(p_bytes)
 
 
 func _catch_datagrams() -> Array[PackedByteArray]:

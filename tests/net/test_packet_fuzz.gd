@@ -62,30 +62,60 @@ func test_world_description() -> void:
 	_check_mixture()
 
 
-func test_hello() -> void:
-	var good: PackedByteArray = Protocol.encode_hello(Protocol.Role.TRAINEE, "Adä😀", 0.97)
+func test_greeting() -> void:
+	var sent: Greeting = Greeting.new()
+	sent.name = "Adä😀"
+	var good: PackedByteArray = sent.encode(PackedByteArray([1]), PackedByteArray([2]))
 	for _round: int in ROUNDS:
-		var hello: Dictionary = Protocol.decode_hello(_hostile(good))
-		if hello.has("error"):
-			_is_reason(hello["error"])
+		var greeting: Greeting = Greeting.decode(_hostile(good))
+		if greeting.error != "":
+			_is_reason(greeting.error)
 			continue
 		_accepted += 1
-		var height: float = hello["hip_height"]
-		var name: String = hello["name"]
-		if not (height > 0.2 and height < 2.0) or name == "" or name.length() > 32:
-			fail(str(hello))
-		if hello["role"] != 0 and hello["role"] != 1:
-			fail(str(hello))
+		var tall: bool = greeting.hip_height > 0.2 and greeting.hip_height < 2.0
+		if not tall or greeting.name == "" or greeting.name.length() > 32:
+			fail("%f '%s'" % [greeting.hip_height, greeting.name])
+		if greeting.role < 0 or greeting.role >= Protocol.Role.size():
+			fail("role %d" % greeting.role)
+	_check_mixture()
+
+
+func test_challenge() -> void:
+	var good: PackedByteArray = ServerRules.new().challenge().encode()
+	for _round: int in ROUNDS:
+		var challenge: Challenge = Challenge.decode(_hostile(good))
+		if challenge.error != "":
+			_is_reason(challenge.error)
+			continue
+		_accepted += 1
+		if challenge.rounds > PasswordKey.MOST_ROUNDS or challenge.nonce.size() != 32:
+			fail("%d rounds" % challenge.rounds)
 	_check_mixture()
 
 
 func test_answer() -> void:
-	var good: PackedByteArray = Protocol.encode_answer("the server is füll 😀")
+	var good: PackedByteArray = Answer.refusal("the server is füll 😀", true)
 	for _round: int in ROUNDS:
-		var why: String = Protocol.decode_answer(_hostile(good))
-		_accepted += 1 if why.begins_with("the s") else 0
-		if why.length() > 200:
-			fail("%d characters" % why.length())
+		var answer: Answer = Answer.decode(_hostile(good))
+		_accepted += 1 if answer.why.begins_with("the s") else 0
+		var silent: bool = answer.kind == Answer.Kind.REFUSED and answer.why == ""
+		if answer.why.length() > 800 or silent:
+			fail("%d characters" % answer.why.length())
+	_check_mixture()
+
+
+func test_clock_packet() -> void:
+	var question: PackedByteArray = ClockPacket.question(77)
+	var good: PackedByteArray = ClockPacket.answer(question, 5000000, 300, 4990000, 60)
+	var sync: ClockSync = ClockSync.new()
+	for round: int in ROUNDS:
+		var packet: ClockPacket = ClockPacket.decode(_hostile(good))
+		if packet == null:
+			continue
+		_accepted += 1
+		sync.arrived(packet, 100 + round * 10)
+		if sync.is_known() and not is_finite(sync.tick_at(round)):
+			fail("no tick")
 	_check_mixture()
 
 

@@ -1,0 +1,60 @@
+class_name BanList
+extends RefCounted
+## Addresses that are not let in, kept in a file: a JSON list of texts.
+
+## Why the file cannot be used, or an empty text.
+var error: String = ""
+
+var _path: String = ""
+var _addresses: Dictionary[String, bool] = {}
+
+
+## Reads a file; one that is not there is begun with the first ban. Entries that are no addresses
+## are named in the log and left out.
+static func open(p_path: String) -> BanList:
+	var list: BanList = BanList.new()
+	list._path = p_path
+	if p_path == "" or not FileAccess.file_exists(p_path):
+		return list
+	var text: String = FileAccess.get_file_as_string(p_path)
+	var json: JSON = JSON.new()
+	if json.parse(text) != OK:
+		var parts: Array = [p_path, json.get_error_line() + 1, json.get_error_message()]
+		list.error = "%s:%d: the list of bans is no JSON: %s" % parts
+	elif json.data is not Array:
+		list.error = "%s: the list of bans is no JSON list of addresses" % p_path
+	else:
+		list._read(json.data, text)
+	return list
+
+
+## Whether an address is banned.
+func has(p_address: String) -> bool:
+	return _addresses.has(p_address)
+
+
+## Bans an address and keeps it. Returns why it cannot be kept, or an empty text.
+func add(p_address: String) -> String:
+	_addresses[p_address] = true
+	if _path == "":
+		return ""
+	var file: FileAccess = FileAccess.open(_path + ".part", FileAccess.WRITE)
+	if file == null:
+		return "cannot write %s: %s" % [_path, error_string(FileAccess.get_open_error())]
+	file.store_string(JSON.stringify(_addresses.keys(), "\t") + "\n")
+	file.close()
+	return "" if DirAccess.rename_absolute(_path + ".part", _path) == OK else "cannot write " + _path
+
+
+func _read(p_entries: Array, p_text: String) -> void:
+	var lines: PackedStringArray = p_text.split("\n")
+	for entry: Variant in p_entries:
+		if entry is String and (entry as String).is_valid_ip_address():
+			_addresses[entry] = true
+			continue
+		var shown: String = JSON.stringify(entry)
+		var number: int = 1
+		while number < lines.size() and not lines[number - 1].contains(shown):
+			number += 1
+		var parts: Array = [_path, number, ByteReader.clean(shown).left(60)]
+		Log.warning("net", "%s:%d: %s is no address; it bans nobody" % parts)

@@ -1,0 +1,101 @@
+class_name Greeting
+extends RefCounted
+## A client's answer to a [Challenge]: who it is and what it wants, with a proof if it has a
+## password.
+##
+## Little-endian: [constant Protocol.HELLO], u32 version, u8 role, f64 hip height (m), u8 wanted
+## snapshots per second (0: as the server does), 32 bytes nonce, 16 bytes token of a lost session
+## (zeros: none), name as u16 length and UTF-8, 32 bytes proof. All versions begin with the first two
+## fields.
+
+## Bytes of a token.
+const TOKEN_SIZE: int = 16
+## Least and most bytes of a greeting.
+const LEAST_SIZE: int = 8
+## See [constant LEAST_SIZE].
+const MOST_SIZE: int = 512
+
+## What the client wants to be.
+var role: Protocol.Role = Protocol.Role.OBSERVER
+## Shown to the others.
+var name: String = ""
+## Height of the wearer's hips when standing, m.
+var hip_height: float = 0.95
+## Snapshots per second that the client wants; 0 as the server does.
+var rate: int = 0
+## Version that the client speaks.
+var version: int = Protocol.VERSION
+## Token of the session that the client had; empty if it had none.
+var token: PackedByteArray = PackedByteArray()
+## Never the same twice.
+var nonce: PackedByteArray = PackedByteArray()
+## Why it is no greeting, or an empty text.
+var error: String = ""
+
+var _signed: PackedByteArray = PackedByteArray()
+var _proof: PackedByteArray = PackedByteArray()
+
+
+## The bytes, with the proof that the key is known.
+func encode(p_challenge: PackedByteArray, p_key: PackedByteArray) -> PackedByteArray:
+	nonce = Crypto.new().generate_random_bytes(32)
+	var bytes: PackedByteArray = Protocol.HELLO.to_ascii_buffer()
+	bytes.resize(18)
+	bytes.encode_u32(4, version)
+	bytes.encode_u8(8, role)
+	bytes.encode_double(9, hip_height)
+	bytes.encode_u8(17, rate)
+	var kept: PackedByteArray = token.duplicate()
+	kept.resize(TOKEN_SIZE)
+	_signed = bytes + nonce + kept + ByteReader.text_bytes(name.left(Protocol.LONGEST_NAME))
+	_proof = PasswordKey.prove(p_key, "client", [p_challenge, _signed])
+	return _signed + _proof
+
+
+## What a client says; [member error] tells if it is no greeting.
+static func decode(p_bytes: PackedByteArray) -> Greeting:
+	var greeting: Greeting = Greeting.new()
+	greeting.error = greeting._read(p_bytes)
+	return greeting
+
+
+## Whether the client has proven that it knows the key.
+func is_proven(p_challenge: PackedByteArray, p_key: PackedByteArray) -> bool:
+	var expected: PackedByteArray = PasswordKey.prove(p_key, "client", [p_challenge, _signed])
+	return PasswordKey.is_proof(expected, _proof)
+
+
+## Everything that was sent, for the server's own proof.
+func whole() -> PackedByteArray:
+	return _signed + _proof
+
+
+func _read(p_bytes: PackedByteArray) -> String:
+	if p_bytes.size() < LEAST_SIZE or p_bytes.size() > MOST_SIZE:
+		return "the greeting has %d bytes" % p_bytes.size()
+	if p_bytes.slice(0, 4) != Protocol.HELLO.to_ascii_buffer():
+		return "the greeting is not in Dismount's form"
+	var reader: ByteReader = ByteReader.new(p_bytes, 4)
+	version = reader.read_u32()
+	if version != Protocol.VERSION:
+		var versions: Array = [version, Protocol.VERSION]
+		return "the client speaks protocol version %d, the server %d" % versions
+	var wanted_role: int = reader.read_u8()
+	hip_height = reader.read_double()
+	rate = reader.read_u8()
+	nonce = reader.read_bytes(32)
+	token = reader.read_bytes(TOKEN_SIZE)
+	name = reader.read_text(4 * Protocol.LONGEST_NAME).left(Protocol.LONGEST_NAME).strip_edges()
+	_signed = p_bytes.slice(0, p_bytes.size() - reader.left())
+	_proof = reader.read_bytes(PasswordKey.SIZE)
+	if not reader.is_complete():
+		return "the greeting is broken"
+	if wanted_role >= Protocol.Role.size():
+		return "the greeting asks for an unknown role"
+	if not (hip_height > 0.2 and hip_height < 2.0):
+		return "the greeting's hip height is no person's"
+	role = wanted_role as Protocol.Role
+	name = name if name != "" else "nobody"
+	if token.count(0) == TOKEN_SIZE:
+		token = PackedByteArray()
+	return ""

@@ -1,0 +1,51 @@
+class_name ServerRules
+extends RefCounted
+## Whom a server lets in, and how.
+
+## Clients that are admitted.
+var max_clients: int = Protocol.DEFAULT_MAX_CLIENTS
+## Clients that are admitted from one address; 0 for no limit.
+var max_per_address: int = 0
+## Password of all roles; empty if there is none.
+var password: String = ""
+## Password of instructors; empty if it is the others'.
+var instructor_password: String = ""
+## Whether an instructor admits each of the others.
+var waiting_room: bool = false
+## Addresses that are not let in.
+var bans: BanList = BanList.new()
+## DTLS, or null.
+var tls: TLSOptions = null
+
+var _salt: PackedByteArray = Crypto.new().generate_random_bytes(16)
+var _keys: Dictionary[String, PackedByteArray] = {}
+
+
+## The password of a role; empty if it needs none.
+func password_of(p_role: Protocol.Role) -> String:
+	var own: bool = p_role == Protocol.Role.INSTRUCTOR and instructor_password != ""
+	return instructor_password if own else password
+
+
+## The key of a role's password.
+func key_of(p_role: Protocol.Role) -> PackedByteArray:
+	var secret: String = password_of(p_role)
+	if not _keys.has(secret):
+		_keys[secret] = PasswordKey.derive(secret, _salt, PasswordKey.ROUNDS)
+	return _keys[secret]
+
+
+## A new challenge.
+func challenge() -> Challenge:
+	var made: Challenge = Challenge.new()
+	made.salt = _salt
+	made.nonce = Crypto.new().generate_random_bytes(32)
+	for role: Protocol.Role in Protocol.Role.values():
+		if password_of(role) != "":
+			made.locked_roles |= 1 << role
+	return made
+
+
+## Whether an address is this machine's own.
+static func is_loopback(p_address: String) -> bool:
+	return p_address.begins_with("127.") or p_address == "::1" or p_address == "0:0:0:0:0:0:0:1"

@@ -1,0 +1,37 @@
+class_name Session
+extends RefCounted
+## Somebody's part in a training session; it outlasts a lost connection for a while.
+
+## Number of the session; the rest of the program knows clients by it.
+var id: int = 0
+## What the client is.
+var role: Protocol.Role = Protocol.Role.OBSERVER
+## Shown to the others.
+var name: String = ""
+## Height of the wearer's hips when standing, m.
+var hip_height: float = 0.95
+## Snapshots per second that the client wants; 0 as the server does.
+var rate: int = 0
+## IP address of the client.
+var address: String = ""
+## Lets the client come back.
+var token: PackedByteArray = PackedByteArray()
+## The peer's id; 0 while the connection is lost.
+var peer: int = 0
+## Whether the client has taken in that it is welcome.
+var is_here: bool = false
+## Whether it was here before.
+var was_here: bool = false
+## When the connection was lost, µs.
+var lost_usec: int = 0
+
+
+## What the rest of the program is told of a client: name, role, hip_height and rate.
+func hello() -> Dictionary:
+	return {"name": name, "role": role, "hip_height": hip_height, "rate": rate}
+
+
+## For the log.
+func describe() -> String:
+	var kind: String = (Protocol.Role.find_key(role) as String).to_lower()
+	return "%s '%s' (%d) from %s" % [kind, name, id, address]

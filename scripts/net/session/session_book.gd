@@ -1,0 +1,97 @@
+class_name SessionBook
+extends RefCounted
+## All sessions of a server: those that are here and those whose connection is lost.
+
+## How long a lost client keeps its place, s.
+const KEPT_S: float = 60.0
+
+var _sessions: Dictionary[int, Session] = {}
+var _by_peer: Dictionary[int, Session] = {}
+var _next_id: int = 1
+
+
+## A new session.
+func open(p_greeting: Greeting, p_peer: int, p_address: String) -> Session:
+	var session: Session = Session.new()
+	session.id = _next_id
+	_next_id = _next_id % 0x7FFFFFFF + 1
+	session.role = p_greeting.role
+	session.name = p_greeting.name
+	session.hip_height = p_greeting.hip_height
+	session.token = Crypto.new().generate_random_bytes(Greeting.TOKEN_SIZE)
+	_sessions[session.id] = session
+	attach(session, p_greeting, p_peer, p_address)
+	return session
+
+
+## Ties a session to a connection.
+func attach(p_session: Session, p_greeting: Greeting, p_peer: int, p_address: String) -> void:
+	p_session.rate = p_greeting.rate
+	p_session.peer = p_peer
+	p_session.address = p_address
+	p_session.is_here = false
+	_by_peer[p_peer] = p_session
+
+
+## Unties a session from its connection.
+func detach(p_session: Session, p_now_usec: int) -> void:
+	_by_peer.erase(p_session.peer)
+	p_session.peer = 0
+	p_session.is_here = false
+	p_session.lost_usec = p_now_usec
+
+
+## Ends a session.
+func close(p_session: Session) -> void:
+	_by_peer.erase(p_session.peer)
+	_sessions.erase(p_session.id)
+	p_session.peer = 0
+	p_session.is_here = false
+
+
+## A session by its number, or null.
+func find(p_id: int) -> Session:
+	return _sessions.get(p_id)
+
+
+## The session of a connection, or null.
+func of_peer(p_peer: int) -> Session:
+	return _by_peer.get(p_peer)
+
+
+## The session of a token, or null; takes as long for any token.
+func of_token(p_token: PackedByteArray) -> Session:
+	var found: Session = null
+	if p_token.size() != Greeting.TOKEN_SIZE:
+		return null
+	var crypto: Crypto = Crypto.new()
+	for id: int in _sessions:
+		if crypto.constant_time_compare(_sessions[id].token, p_token):
+			found = _sessions[id]
+	return found
+
+
+## Those who are here.
+func here() -> Array[Session]:
+	return all().filter(func(session: Session) -> bool: return session.is_here)
+
+
+## All, also those whose connection is lost.
+func all() -> Array[Session]:
+	return _sessions.values()
+
+
+## Those whose connection was lost too long ago.
+func overdue(p_now_usec: int) -> Array[Session]:
+	return all().filter(
+		func(session: Session) -> bool:
+			return session.peer == 0 and p_now_usec - session.lost_usec > int(KEPT_S * 1e6)
+	)
+
+
+## Number of sessions from an address.
+func count_at(p_address: String) -> int:
+	var count: int = 0
+	for id: int in _sessions:
+		count += 1 if _sessions[id].address == p_address else 0
+	return count

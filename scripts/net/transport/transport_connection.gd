@@ -1,0 +1,121 @@
+class_name TransportConnection
+extends RefCounted
+## One connection as the transport's thread knows it. Only that thread touches it.
+
+## How far the other end has come.
+enum Stage {
+	## It may say who it is.
+	ARRIVING,
+	## The server has said that it is welcome.
+	WELCOMED,
+	## It has taken that in: plain bytes and the fast path are open to it.
+	ADMITTED,
+	## It is being thrown out: nothing that it sends is looked at.
+	LEAVING,
+}
+
+## Bytes sent reliably between two marks.
+const MARK_EVERY: int = 65536
+## Bytes sent reliably that may wait for the other end's receipt.
+const MOST_UNRECEIPTED: int = 4 << 20
+
+## Seconds between two complaints of one kind about one connection.
+const _COMPLAINT_S: float = 1.0
+
+## The peer's id.
+var id: int = 0
+## ENet's end.
+var remote: ENetPacketPeer = null
+## IP address of the other end.
+var address: String = ""
+## When the connection was made, µs.
+var since_usec: int = 0
+## How far the other end has come.
+var stage: Stage = Stage.ARRIVING
+## Whether its remote calls are let through.
+var may_call: bool = false
+## Whether it is waited for somebody's decision about it.
+var kept: bool = false
+## When it began to be thrown out, µs.
+var leaving_usec: int = 0
+## Packets in this second.
+var packets: int = 0
+## Poses in this second.
+var poses: int = 0
+## Commands of the multiplayer API in this second.
+var calls: int = 0
+## Bytes in this second.
+var bytes: int = 0
+## Packets that wait for the main thread.
+var waiting: int = 0
+## Bytes sent reliably without a receipt.
+var unreceipted: int = 0
+
+var _since_mark: int = 0
+var _marks: Dictionary[PackedByteArray, int] = {}
+var _complained_usec: Dictionary[String, int] = {}
+
+
+func _init(p_id: int, p_remote: ENetPacketPeer, p_now_usec: int) -> void:
+	id = p_id
+	remote = p_remote
+	since_usec = p_now_usec
+	address = plain_address(p_remote.get_remote_address()) if p_remote != null else ""
+
+
+## Begins a new second.
+func restart_window() -> void:
+	packets = 0
+	poses = 0
+	calls = 0
+	bytes = 0
+
+
+## Takes note of a reliable packet. Returns a mark that is to be sent behind it, or no bytes: only
+## who has taken in everything before it knows what to answer, however it plays with ENet's own
+## acknowledgements.
+func note_reliable(p_size: int) -> PackedByteArray:
+	unreceipted += p_size
+	_since_mark += p_size
+	if _since_mark < MARK_EVERY:
+		return PackedByteArray()
+	var nonce: PackedByteArray = Crypto.new().generate_random_bytes(8)
+	_marks[nonce] = _since_mark
+	_since_mark = 0
+	return nonce
+
+
+## Takes a receipt: everything up to that mark has arrived.
+func receipt(p_nonce: PackedByteArray) -> void:
+	if not _marks.has(p_nonce):
+		return
+	for nonce: PackedByteArray in _marks.keys():
+		unreceipted -= _marks[nonce]
+		_marks.erase(nonce)
+		if nonce == p_nonce:
+			return
+
+
+## Whether it is time for another complaint of this kind.
+func may_complain(p_key: String, p_now_usec: int) -> bool:
+	var last: int = _complained_usec.get(p_key, -int(_COMPLAINT_S * 1e6))
+	if p_now_usec - last < int(_COMPLAINT_S * 1e6):
+		return false
+	_complained_usec[p_key] = p_now_usec
+	return true
+
+
+## An IPv4 address in its usual form, also where the system writes it as an IPv6 address.
+static func plain_address(p_address: String) -> String:
+	var mapped: String = p_address.to_lower()
+	for prefix: String in ["::ffff:", "0:0:0:0:0:ffff:"]:
+		if mapped.begins_with(prefix):
+			var rest: String = mapped.trim_prefix(prefix)
+			if rest.contains("."):
+				return rest
+			var words: PackedStringArray = rest.split(":")
+			if words.size() == 2:
+				var high: int = words[0].hex_to_int()
+				var low: int = words[1].hex_to_int()
+				return "%d.%d.%d.%d" % [high >> 8, high & 255, low >> 8, low & 255]
+	return p_address

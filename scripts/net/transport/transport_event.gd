@@ -1,0 +1,41 @@
+class_name TransportEvent
+extends RefCounted
+## Something that the transport's thread tells the main thread.
+
+## What happened.
+enum Kind {
+	## A connection stands; nothing is known of the other end yet.
+	JOINED,
+	## A connection is over; [member code] is a [enum Protocol.Goodbye].
+	GONE,
+	## A packet for the multiplayer API.
+	PACKET,
+	## Somebody does what nobody should; for the log.
+	TROUBLE,
+	## The host had died and was made anew; all connections are over.
+	REOPENED,
+	## The host cannot be made, or the client's way to the server is over.
+	FAILED,
+}
+
+## What happened.
+var kind: Kind = Kind.TROUBLE
+## Whom it is about: a peer's id.
+var peer: int = 0
+## The packet.
+var bytes: PackedByteArray = PackedByteArray()
+## How the packet was sent.
+var mode: MultiplayerPeer.TransferMode = MultiplayerPeer.TRANSFER_MODE_RELIABLE
+## Transfer channel of the packet, as the multiplayer API counts.
+var channel: int = 0
+## Why a connection is over.
+var code: int = 0
+## Address of the other end, or what [member text] is filed under.
+var key: String = ""
+## For people.
+var text: String = ""
+
+
+func _init(p_kind: Kind = Kind.TROUBLE, p_peer: int = 0) -> void:
+	kind = p_kind
+	peer = p_peer

@@ -1,0 +1,135 @@
+class_name TransportGuard
+extends RefCounted
+## What a server lets through of what clients send, and how much of it.
+##
+## Godot's [SceneMultiplayer] reports an engine error for nearly every packet that it does not
+## expect, so that any client could flood the log. It gets to see greetings of those who have not
+## been admitted, and plain bytes and remote calls of those who have. Nobody but the server spawns
+## or synchronizes.
+
+## What is done with a packet.
+enum Verdict {
+	## It goes its way.
+	PASS,
+	## It is dropped without a word: its sender could not know better.
+	IGNORE,
+	## It is dropped, and [member reason] is told.
+	DROP,
+	## Its sender is thrown out, and [member reason] is told.
+	THROW_OUT,
+}
+
+## Poses that a client may send per second; what is above it is dropped.
+const MOST_POSES: int = 300
+## Packets of any kind that a client may send per second; what is above it is dropped.
+const MOST_PACKETS: int = 600
+## A client that sends this many packets in a second is thrown out.
+const FLOOD: int = 3000
+## Bytes that a client may send per second; what is above it is dropped.
+const MOST_BYTES: int = 1 << 20
+## Remote calls, and what belongs to them, per second.
+const MOST_CALLS: int = 30
+## Largest packet for the multiplayer API, bytes.
+const LARGEST_PACKET: int = 16384
+## Packets of a client that wait for the main thread; one that has more is thrown out.
+const MOST_WAITING: int = 512
+
+## The multiplayer API's first byte has the command in its low bits.
+const _COMMAND_MASK: int = 7
+const _COMMAND_CALL: int = 0
+const _COMMAND_SIMPLIFY_PATH: int = 1
+const _COMMAND_CONFIRM_PATH: int = 2
+const _COMMAND_RAW: int = 3
+const _COMMAND_SYSTEM: int = 7
+const _SYSTEM_GREETING: int = 0
+
+## Why the last packet was not let through.
+var reason: String = ""
+## What the complaint is filed under.
+var key: String = ""
+
+
+## Whether a packet is a remote call or belongs to one.
+static func is_call(p_bytes: PackedByteArray) -> bool:
+	return not p_bytes.is_empty() and p_bytes[0] & _COMMAND_MASK <= _COMMAND_CONFIRM_PATH
+
+
+## Judges a datagram of the fast path.
+func judge_fast(p_from: TransportConnection, p_bytes: PackedByteArray) -> Verdict:
+	var rate: Verdict = _judge_rate(p_from, p_bytes.size())
+	if rate != Verdict.PASS:
+		return rate
+	if p_from.stage != TransportConnection.Stage.ADMITTED:
+		# It may have overtaken what says that the greeting is complete.
+		return Verdict.IGNORE
+	if p_bytes.is_empty() or p_bytes.size() > Protocol.MAX_DATAGRAM:
+		return _drop("size", "sent a fast datagram of %d bytes" % p_bytes.size())
+	if p_bytes[0] == Protocol.Message.POSE:
+		p_from.poses += 1
+		if p_from.poses > MOST_POSES:
+			return _drop("rate", "sends more than %d poses a second" % MOST_POSES)
+	return Verdict.PASS
+
+
+## Judges a packet that is meant for the multiplayer API.
+func judge(p_from: TransportConnection, p_bytes: PackedByteArray) -> Verdict:
+	var rate: Verdict = _judge_rate(p_from, p_bytes.size())
+	if rate != Verdict.PASS:
+		return rate
+	if p_from.waiting >= MOST_WAITING:
+		return _say(Verdict.THROW_OUT, "waiting", "has sent more than can be taken in")
+	if p_bytes.is_empty() or p_bytes.size() > LARGEST_PACKET:
+		return _drop("size", "sent a packet of %d bytes" % p_bytes.size())
+	var command: int = p_bytes[0] & _COMMAND_MASK
+	if p_from.stage == TransportConnection.Stage.ADMITTED:
+		return _judge_admitted(p_from, p_bytes, command)
+	if command != _COMMAND_SYSTEM or p_bytes.size() < 2 or p_bytes[1] != _SYSTEM_GREETING:
+		return _drop("command", "sent %d bytes of no use (%d)" % [p_bytes.size(), command])
+	if p_bytes.size() > 2:
+		return Verdict.PASS
+	# An empty greeting says that the client has taken in that it is welcome.
+	if p_from.stage != TransportConnection.Stage.WELCOMED:
+		return _drop("command", "takes itself for welcome")
+	p_from.stage = TransportConnection.Stage.ADMITTED
+	return Verdict.PASS
+
+
+func _judge_admitted(
+	p_from: TransportConnection, p_bytes: PackedByteArray, p_command: int
+) -> Verdict:
+	if p_command == _COMMAND_RAW:
+		return Verdict.PASS
+	var calls: bool = p_command == _COMMAND_CALL or p_command == _COMMAND_SIMPLIFY_PATH
+	if not calls and p_command != _COMMAND_CONFIRM_PATH:
+		return _drop("command", "sent %d bytes of no use (%d)" % [p_bytes.size(), p_command])
+	if calls and not p_from.may_call:
+		return _drop("call", "may not call anything")
+	p_from.calls += 1
+	if p_from.calls > MOST_CALLS:
+		return _drop("calls", "calls more than %d times a second" % MOST_CALLS)
+	return Verdict.PASS
+
+
+func _judge_rate(p_from: TransportConnection, p_size: int) -> Verdict:
+	if p_from.stage == TransportConnection.Stage.LEAVING:
+		return Verdict.IGNORE
+	p_from.packets += 1
+	p_from.bytes += p_size
+	if p_from.packets > FLOOD or p_from.bytes > 16 * MOST_BYTES:
+		var parts: Array = [p_from.packets, p_from.bytes]
+		return _say(Verdict.THROW_OUT, "flood", "sent %d packets, %d bytes in a second" % parts)
+	if p_from.packets > MOST_PACKETS:
+		return _drop("rate", "sends more than %d packets a second" % MOST_PACKETS)
+	if p_from.bytes > MOST_BYTES:
+		return _drop("bytes", "sends more than %d bytes a second" % MOST_BYTES)
+	return Verdict.PASS
+
+
+func _drop(p_key: String, p_reason: String) -> Verdict:
+	return _say(Verdict.DROP, p_key, p_reason)
+
+
+func _say(p_verdict: Verdict, p_key: String, p_reason: String) -> Verdict:
+	key = p_key
+	reason = p_reason
+	return p_verdict

@@ -1,0 +1,98 @@
+class_name TransportMailbox
+extends RefCounted
+## What the transport's thread and the others hand each other. Every call locks for a moment only,
+## and every queue has an end.
+
+## Fast datagrams that wait for the main thread; the older half goes when there are more.
+const MOST_FAST: int = 8192
+## Unreliable orders that wait for the thread; beyond it they are dropped.
+const MOST_ORDERS: int = 16384
+## Notes of trouble that wait for the main thread.
+const MOST_TROUBLE: int = 64
+
+var _mutex: Mutex = Mutex.new()
+var _orders: Array[Array] = []
+var _events: Array[TransportEvent] = []
+var _fast: Array[FastPacket] = []
+var _figures: Dictionary = {}
+var _trouble: int = 0
+var _taken: int = 0
+var _dropped: int = 0
+
+
+## Gives the thread an order. Returns whether there was room; orders that must not get lost always
+## have some.
+func post(p_order: Array, p_must: bool) -> bool:
+	_mutex.lock()
+	var room: bool = p_must or _orders.size() < MOST_ORDERS
+	if room:
+		_orders.append(p_order)
+	else:
+		_dropped += 1
+	_mutex.unlock()
+	return room
+
+
+## For the thread: the orders since the last call.
+func take_orders() -> Array[Array]:
+	_mutex.lock()
+	var orders: Array[Array] = _orders
+	_orders = []
+	_mutex.unlock()
+	return orders
+
+
+## For the thread: hands over what has happened. Returns how often the main thread has taken events.
+func hand_over(p_events: Array[TransportEvent], p_fast: Array[FastPacket]) -> int:
+	_mutex.lock()
+	for event: TransportEvent in p_events:
+		if event.kind == TransportEvent.Kind.TROUBLE:
+			_trouble += 1
+			if _trouble > MOST_TROUBLE:
+				continue
+		_events.append(event)
+	if not p_fast.is_empty():
+		_fast.append_array(p_fast)
+		if _fast.size() > MOST_FAST:
+			var kept: int = MOST_FAST / 2
+			_dropped += _fast.size() - kept
+			_fast = _fast.slice(_fast.size() - kept)
+	var taken: int = _taken
+	_mutex.unlock()
+	return taken
+
+
+## For the thread: publishes figures.
+func publish(p_figures: Dictionary) -> void:
+	_mutex.lock()
+	_figures = p_figures
+	_mutex.unlock()
+
+
+## What has happened since the last call.
+func take_events() -> Array[TransportEvent]:
+	_mutex.lock()
+	var events: Array[TransportEvent] = _events
+	_events = []
+	_trouble = 0
+	_taken += 1
+	_mutex.unlock()
+	return events
+
+
+## The fast datagrams since the last call, in the order of their arrival.
+func take_fast() -> Array[FastPacket]:
+	_mutex.lock()
+	var fast: Array[FastPacket] = _fast
+	_fast = []
+	_mutex.unlock()
+	return fast
+
+
+## The newest figures of the thread; with how much was dropped because nobody took it.
+func figures() -> Dictionary:
+	_mutex.lock()
+	var figures: Dictionary = _figures.duplicate()
+	figures["dropped"] = _dropped
+	_mutex.unlock()
+	return figures
