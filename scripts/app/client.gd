@@ -3,14 +3,22 @@ extends Node
 ## A client: a trainee who sends motion, an observer who watches, or the replay of a recording.
 ##
 ## It never simulates: everything that moves is put where the server says, by way of a
-## [SnapshotBuffer].
+## [WorldReplica]; only a trainee's own body is shown as the trainee moves it.
 
 ## Seconds between two attempts to reach a server.
 const _RETRY_S: float = 2.0
 ## Frames per second without a window: enough to send every sample in time.
 const _HEADLESS_FPS: int = 240
-## Samples that a frame may send.
-const _MOST_SAMPLES: int = 16
+## What --smoothing can be.
+const _SMOOTHING: Dictionary[String, SnapshotSmoother.Method] = {
+	"": SnapshotSmoother.ADAPTIVE_LOW_DELAY,
+	"none": SnapshotSmoother.NONE,
+	"linear": SnapshotSmoother.LINEAR,
+	"extrapolate_lerp": SnapshotSmoother.EXTRAPOLATE_LERP,
+	"hermite": SnapshotSmoother.HERMITE,
+	"error_offset": SnapshotSmoother.ERROR_OFFSET,
+	"adaptive_low_delay": SnapshotSmoother.ADAPTIVE_LOW_DELAY,
+}
 const _EXIT_FAILED: int = 1
 const _EXIT_OPTIONS: int = 2
 const _EXIT_REFUSED: int = 3
@@ -24,15 +32,16 @@ var _options: Options = null
 var _link: ClientLink = ClientLink.new()
 var _player: SnapshotPlayer = null
 var _recorder: SnapshotRecorder = null
-var _source: MotionSource = null
+var _motion: ClientMotion = null
+var _own: int = -1
 var _report: ReportFile = null
 var _greeting: Greeting = Greeting.new()
 var _clock_s: float = 0.0
-var _next_sample_usec: int = 0
 var _retry_at_s: float = 0.0
 var _alone_since_s: float = 0.0
 var _exit_code: int = 0
 var _figures: ClientFigures = ClientFigures.new()
+var _stop: StopSignal = StopSignal.new()
 
 
 ## Takes over the options. Call it before the node enters the tree.
@@ -48,6 +57,8 @@ func _ready() -> void:
 		Engine.max_fps = frames if frames > 0 else _HEADLESS_FPS
 	_report = ReportFile.new(_options.file("report"))
 	var fault: String = _scene.apply(_options.text("views"), _options.text("camera"))
+	if fault == "":
+		fault = _apply_choices()
 	if fault == "" and _role == "trainee":
 		fault = _open_source()
 	if fault != "":
@@ -79,21 +90,33 @@ func _process(p_delta: float) -> void:
 		_player.advance(_clock_s)
 	else:
 		_link.poll()
-		_send_samples()
+		_acknowledge()
 		_keep_trying()
-	_scene.update(_clock_s)
-	_figures.frame(_scene.shown_tick(), _server_usec(), DisplayServer.get_name() == "headless")
+	_show_world()
 	_show_status()
 	_check_duration()
 
 
 func _exit_tree() -> void:
+	if _motion != null:
+		_motion.stop()
 	if _report != null:
 		_report.write(_make_report())
 	if _recorder != null:
 		_recorder.close()
 	_figures.probe.close()
 	_link.close()
+
+
+func _apply_choices() -> String:
+	var smoothing: String = _options.text("smoothing")
+	if not _SMOOTHING.has(smoothing):
+		return "--smoothing is one of %s, found '%s'" % [", ".join(_SMOOTHING.keys()), smoothing]
+	if not _options.text("feedback") in ["local", "server"]:
+		return "--feedback is local or server, found '%s'" % _options.text("feedback")
+	_scene.replica.set_smoothing(_SMOOTHING[smoothing])
+	_stop.watch()
+	return ""
 
 
 func _open_source() -> String:
@@ -103,14 +126,16 @@ func _open_source() -> String:
 		return "a trainee needs a motion source: --bvh=FILE"
 	source.open(path, _options.text("unit"), _options.text("up"))
 	if source.error == "":
-		_source = source
+		_motion = ClientMotion.new()
+		_motion.start(source, _options.number("rate"), _link, PosePacket.Codec.FLOAT)
 		Log.info("mocap", source.describe())
 	return source.error
 
 
 func _open_player() -> String:
 	_player = SnapshotPlayer.new()
-	_player.snapshot_received.connect(_on_snapshot)
+	_player.snapshot_received.connect(_take_snapshot)
+	_player.restarted.connect(_scene.clear)
 	_player.world_received.connect(_on_world)
 	_player.finished.connect(func() -> void: get_tree().quit(0))
 	return _player.open(_options.file("file"))
@@ -121,8 +146,8 @@ func _open_link() -> String:
 	_greeting.name = _options.text("name") if _options.text("name") != "" else _role
 	_greeting.rate = _options.number("snapshot-rate")
 	_greeting.version = _options.number("protocol")
-	if _source != null:
-		_greeting.hip_height = _source.get_hip_height()
+	if _motion != null:
+		_greeting.hip_height = _motion.source.get_hip_height()
 	var fault: String = _set_up_encryption()
 	if fault != "":
 		return fault
@@ -164,23 +189,43 @@ func _keep_trying() -> void:
 		_quit(_EXIT_NO_SERVER, "no server at %s:%d for %.0f s" % where)
 
 
-func _send_samples() -> void:
-	var now: int = int(Time.get_unix_time_from_system() * 1e6)
-	if _source == null or not _link.is_joined():
-		return
-	var period: int = 1000000 / _options.number("rate")
-	# A slow display may not thin out the motion: what was due since the last frame goes together.
-	_next_sample_usec = maxi(_next_sample_usec, now - period * _MOST_SAMPLES)
-	while _next_sample_usec <= now:
-		var sample: PoseSample = _source.sample(_next_sample_usec)
-		if sample != null:
-			_link.send_pose(PosePacket.encode(sample))
-		_next_sample_usec += period
+func _acknowledge() -> void:
+	var bytes: PackedByteArray = _scene.replica.acknowledgement(
+		Time.get_ticks_usec(), _scene.viewpoint()
+	)
+	if not bytes.is_empty():
+		_link.send_fast(bytes)
+
+
+func _show_world() -> void:
+	var own: PackedFloat32Array = []
+	var now: int = Time.get_ticks_usec()
+	if _motion != null and _link.is_joined():
+		_motion.keep_in_step()
+		var truth: PackedFloat32Array = []
+		if _own >= 0 and _scene.replica.has_person(_own):
+			truth = _scene.replica.person_floats(_own, true)
+		own = _motion.show(now, truth, _scene.replica.newest_tick)
+	if _options.text("feedback") == "server":
+		own = []
+	elif not own.is_empty():
+		_figures.own_shown(_motion.shown_moment_usec(now))
+	_scene.update(_clock_s, _own, own)
+	var headless: bool = DisplayServer.get_name() == "headless"
+	_figures.smoothing_delay_s = _scene.replica.delay()
+	_figures.frame(_scene.replica.shown_tick(), _server_usec(), headless)
 
 
 func _on_joined() -> void:
 	Log.info("client", "joined %s:%d" % [_options.text("host"), _options.number("port")])
 	_hud.show_message("")
+	# What the server tells builds upon what it has told in this connection.
+	_scene.clear()
+	if _recorder != null:
+		_recorder.begin()
+	if _motion != null:
+		_own = -1
+		_motion.set_sending(true)
 
 
 func _on_lost(p_why: String) -> void:
@@ -204,24 +249,29 @@ func _on_waiting(p_place: int) -> void:
 	_alone_since_s = Time.get_ticks_usec() / 1e6
 
 
-func _on_datagram(p_bytes: PackedByteArray, _p_arrival_usec: int) -> void:
-	var snapshot: Snapshot = SnapshotPacket.decode(p_bytes)
-	if snapshot != null:
-		_on_snapshot(snapshot, p_bytes)
-	else:
-		Log.limited("net", "snapshot", "the server sent %d bytes of no use" % p_bytes.size())
-
-
-func _on_snapshot(p_snapshot: Snapshot, p_bytes: PackedByteArray) -> void:
-	_figures.snapshots += 1
-	_note_marks(p_snapshot)
-	_scene.push(p_snapshot, _clock_s)
+func _on_datagram(p_bytes: PackedByteArray, p_arrival_usec: int) -> void:
+	_take_snapshot(p_bytes, p_arrival_usec / 1e6)
+	var mark: LatencyMark = _scene.replica.take_mark()
+	if mark != null and _link.clock.is_known():
+		mark.arrival_usec = _link.clock.server_usec(p_arrival_usec)
+		_figures.probe.arrived(mark)
+		if _motion != null and mark.person == _own:
+			_motion.note_trip(mark)
 	if _recorder != null:
 		_recorder.add(p_bytes)
 
 
+func _take_snapshot(p_bytes: PackedByteArray, p_arrival_s: float) -> void:
+	if _scene.replica.take(p_bytes, p_arrival_s):
+		_figures.snapshots += 1
+
+
 func _on_world(p_world: WorldDescription, p_bytes: PackedByteArray) -> void:
 	_scene.describe(p_world)
+	var own: int = _scene.person_of(_link.session) if _motion != null else -1
+	if own >= 0 and own != _own and p_world.skeletons[own].is_sound():
+		_own = own
+		_motion.embody(p_world.skeletons[_own], _scene.hips_of(_own), _options.number("rate"))
 	if _recorder != null:
 		_recorder.add(p_bytes)
 
@@ -230,21 +280,10 @@ func _on_frame_drawn() -> void:
 	_figures.drawn(_server_usec())
 
 
-## Which samples a snapshot shows, for the latency probe.
-func _note_marks(p_snapshot: Snapshot) -> void:
-	for person: int in p_snapshot.samples:
-		var mark: LatencyMark = LatencyMark.new()
-		mark.person = person
-		mark.sample = p_snapshot.samples[person].id
-		mark.tick = p_snapshot.tick
-		mark.sampled_usec = p_snapshot.samples[person].time_usec
-		mark.arrival_usec = _server_usec()
-		_figures.probe.arrived(mark)
-
-
-## The server's clock, µs: the machines' clocks are taken to agree.
+## The server's clock, µs, as far as it is known.
 func _server_usec() -> int:
-	return int(Time.get_unix_time_from_system() * 1e6)
+	var now: int = Time.get_ticks_usec()
+	return _link.clock.server_usec(now) if _link.clock.is_known() else now
 
 
 func _show_status() -> void:
@@ -259,6 +298,9 @@ func _make_report() -> Dictionary:
 
 
 func _check_duration() -> void:
+	if _stop.is_raised():
+		get_tree().quit(0)
+		return
 	var duration: float = _options.seconds("duration")
 	# A film is made slower than it plays: a replay has a clock of its own.
 	var elapsed: float = _clock_s if _role == "replay" else _figures.seconds()

@@ -10,6 +10,9 @@ var probe: LatencyProbe = LatencyProbe.new()
 ## The delay from a wearer's motion to the display of the own body, in local feedback.
 var own: LatencyHistogram = LatencyHistogram.new()
 
+## How far what is shown is behind the quickest arrivals, s.
+var smoothing_delay_s: float = 0.0
+
 var _frames: int = 0
 var _begin_usec: int = Time.get_ticks_usec()
 var _own_moment_usec: int = -1
@@ -64,6 +67,7 @@ func report(p_role: String, p_traffic: TrafficMeter) -> Dictionary:
 		"seconds": seconds(),
 		"frames_per_second": _frames / maxf(seconds(), 0.001),
 		"snapshots": snapshots,
+		"smoothing_delay_ms": smoothing_delay_s * 1000.0,
 		"latency_count": probe.total.count(),
 		"latency_ms_mean": probe.total.mean(),
 		"latency_ms_sd": probe.total.deviation(),

@@ -10,11 +10,11 @@ extends Node3D
 @export var _views: WorldViews
 @export var _camera: OrbitCamera
 
-var _buffer: SnapshotBuffer = SnapshotBuffer.new()
-var _world: WorldDescription = null
+## Where everything is.
+var replica: WorldReplica = WorldReplica.new()
+
 var _actors: Dictionary[int, ActorView] = {}
 var _props: Dictionary[int, Node3D] = {}
-var _shown_tick: float = -1.0
 var _aimed: bool = false
 
 
@@ -28,12 +28,12 @@ func apply(p_views: String, p_camera: String) -> String:
 
 ## Whether a server has told which bodies there are.
 func has_world() -> bool:
-	return _world != null
+	return replica.world != null
 
 
 ## Takes over a new description of the world.
 func describe(p_world: WorldDescription) -> void:
-	_world = p_world
+	replica.describe(p_world)
 	_physics.describe(p_world)
 	_props.clear()
 	for id: int in p_world.bodies:
@@ -55,52 +55,73 @@ func describe(p_world: WorldDescription) -> void:
 			_actors[actor] = ActorView.new(node)
 
 
-## Takes a snapshot that arrived at a local time, s.
-func push(p_snapshot: Snapshot, p_now_s: float) -> void:
-	_buffer.push(p_snapshot, p_now_s)
-
-
 ## Forgets a world whose server is gone; what is on the screen stays as it is.
 func clear() -> void:
-	_buffer.clear()
-	_shown_tick = -1.0
+	replica.clear()
 
 
-## Puts everything where it is at a local time, s.
-func update(p_now_s: float) -> void:
-	if _world == null or _buffer.newest_tick < 0:
+## Puts everything where it is at a local time, s. A person's own body is where these floats have it,
+## if there are any: see [method WorldReplica.person_floats].
+func update(p_now_s: float, p_own: int = -1, p_own_floats: PackedFloat32Array = []) -> void:
+	if replica.world == null or replica.newest_tick < 0:
 		return
-	_shown_tick = _buffer.shown_tick(p_now_s)
-	var limbs: Dictionary[int, Dictionary] = {}
-	for id: int in _world.bodies:
-		if not _buffer.has_body(id):
-			continue
-		var body: WorldDescription.Body = _world.bodies[id]
-		var place: Transform3D = _buffer.transform_at(id, _shown_tick)
-		if body.actor >= 0:
-			var parts: Dictionary[StringName, Transform3D] = {}
-			limbs.get_or_add(body.actor, parts)[StringName(body.part)] = place
-		elif _props.has(id):
-			_props[id].global_transform = place
-		if _physics.visible:
-			_physics.place(id, _buffer.newest_transform(id))
-	for actor: int in limbs:
-		if _actors.has(actor):
-			_actors[actor].show(limbs[actor])
-			_actors[actor].node.visible = true
+	replica.show(p_now_s)
+	for actor: int in _actors:
+		if replica.has_person(actor):
+			var is_own: bool = actor == p_own and not p_own_floats.is_empty()
+			_show_person(actor, p_own_floats if is_own else replica.person_floats(actor))
+	for id: int in _props:
+		if replica.has_body(id):
+			_props[id].global_transform = replica.body_transform(id)
+	if _physics.visible:
+		_place_wires()
 	_aim()
 
 
-## The server's tick that is shown, with its fraction, or -1.
-func shown_tick() -> float:
-	return _shown_tick
+## The person of a session, or -1.
+func person_of(p_session: int) -> int:
+	if replica.world != null:
+		for actor: int in replica.world.owners:
+			if replica.world.owners[actor] == p_session:
+				return actor
+	return -1
 
 
-## When the sample was taken that the first person shows now, Unix time in µs, or -1.
-func shown_sample_usec() -> int:
-	if _actors.is_empty() or _shown_tick < 0.0:
-		return -1
-	return _buffer.sample_time_at(_actors.keys()[0], _shown_tick)
+## From where the client looks, m.
+func viewpoint() -> Vector3:
+	return _camera.global_position
+
+
+## Height of the hips of a person's body when standing, m.
+func hips_of(p_actor: int) -> float:
+	return _actors[p_actor].node.get_hip_height() if _actors.has(p_actor) else 0.0
+
+
+func _show_person(p_actor: int, p_floats: PackedFloat32Array) -> void:
+	var limbs: Array[Transform3D] = replica.limbs_of(p_actor, p_floats)
+	if limbs.is_empty():
+		return
+	var parts: Dictionary[StringName, Transform3D] = {}
+	for limb: int in Limbs.COUNT:
+		parts[Limbs.BONES[limb]] = limbs[limb]
+	_actors[p_actor].show(parts)
+	_actors[p_actor].node.visible = true
+
+
+func _place_wires() -> void:
+	for id: int in _props:
+		if replica.has_body(id):
+			_physics.place(id, replica.body_transform(id, true))
+	for actor: int in _actors:
+		if not replica.has_person(actor):
+			continue
+		var limbs: Array[Transform3D] = replica.limbs_of(
+			actor, replica.person_floats(actor, true)
+		)
+		for body: WorldDescription.Body in replica.world.bodies_of(actor):
+			var limb: int = Limbs.find(StringName(body.part))
+			if limb >= 0 and limb < limbs.size():
+				_physics.place(body.id, limbs[limb])
 
 
 ## The worlds and their keys, for the screen.

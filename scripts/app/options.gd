@@ -14,6 +14,8 @@ const TABLE: Array[Array] = [
 	["up", "", "trainee: up axis of the motion file: y or z"],
 	["rate", 60, "trainee: samples per second"],
 	["max-clients", Protocol.DEFAULT_MAX_CLIENTS, "server: clients that are admitted"],
+	["bandwidth", 250, "server: kbit/s for each client's snapshots, headers counted"],
+	["status-port", 0, "server: TCP port of the status on 127.0.0.1; 0: the same number as --port"],
 	["password", "", "password of the session; the server asks for it, the clients tell it"],
 	["instructor-password", "", "server: password of instructors, if it is another"],
 	["waiting-room", 0, "server: 1: an instructor admits everybody else"],
@@ -122,6 +124,7 @@ func _set_option(p_name: String, p_value: String, p_source: String) -> void:
 	else:
 		_values[p_name] = p_value
 	_check_range("port", "a port", 65535)
+	_check_range("bandwidth", "the bandwidth", 1000000)
 	_check_range("rate", "a rate", 240)
 	# ENet's most, less those that are just arriving.
 	_check_range("max-clients", "the number of clients", 4000)

@@ -25,16 +25,13 @@ const _STATUS_S: float = 10.0
 
 var _options: Options = null
 var _link: ServerLink = ServerLink.new()
+var _sending: ServerReplication = null
 var _report: ReportFile = null
-var _registry: BodyRegistry = BodyRegistry.new()
+var _figures: ServerFigures = null
+var _status: StatusEndpoint = StatusEndpoint.new()
+var _stop: StopSignal = StopSignal.new()
 var _tick: int = 0
 var _sent_tick: int = 0
-var _began_usec: int = 0
-var _settled_usec: int = 0
-var _settled_tick: int = 0
-var _status_usec: int = 0
-var _work: Statistics = Statistics.new()
-var _ticks_at_status: int = 0
 
 
 ## Takes over the options. Call it before the node enters the tree.
@@ -53,15 +50,19 @@ func _ready() -> void:
 	_actors.root_mode = _ROOTS[root]
 	if not _open_link(port):
 		return
-	_registry.add_world(_world)
-	_actors.changed.connect(_announce)
+	_figures = ServerFigures.new(_rate())
+	_sending = ServerReplication.new(_link, _actors, _rate(), _options.number("bandwidth") * 1000.0)
+	_actors.changed.connect(_sending.announce)
 	_link.client_joined.connect(_on_joined)
 	_link.client_returned.connect(_on_returned)
-	_link.client_left.connect(_actors.remove)
+	_link.client_lost.connect(_sending.remove_client)
+	_link.client_left.connect(_on_left)
 	_link.pose_received.connect(_on_pose)
-	_began_usec = Time.get_ticks_usec()
-	_status_usec = _began_usec
+	_stop.watch()
+	_open_status(port)
 	Log.info("server", "listening on UDP port %d, %d ticks/s" % [port, _rate()])
+	await get_tree().physics_frame
+	_sending.watch_world(_world)
 
 
 func _open_link(p_port: int) -> bool:
@@ -87,6 +88,16 @@ func _open_link(p_port: int) -> bool:
 	return true
 
 
+func _open_status(p_port: int) -> void:
+	var port: int = _options.number("status-port")
+	if port == 0:
+		port = p_port
+	if _status.open(port) != OK:
+		Log.warning("server", "TCP port %d is in use: there is no status (--status-port)" % port)
+		return
+	Log.info("server", "status at http://127.0.0.1:%d/" % port)
+
+
 func _give_up(p_code: int, p_why: String) -> void:
 	Log.error("server", p_why)
 	get_tree().quit(p_code)
@@ -100,95 +111,79 @@ func _physics_process(p_delta: float) -> void:
 	_link.poll()
 	_actors.drive(begin / 1e6, p_delta)
 	_tick += 1
-	_work.add((Time.get_ticks_usec() - begin) / 1e6)
+	_figures.ticks = _tick
+	_figures.script_time.add((Time.get_ticks_usec() - begin) / 1e6)
+	if _figures.watch.ticked(begin / 1e6):
+		_tell_speed()
 
 
 func _process(_p_delta: float) -> void:
 	if _sent_tick != _tick:
 		_sent_tick = _tick
 		_after_step()
-	var now: int = Time.get_ticks_usec()
-	if _settled_usec == 0 and now - _began_usec > 1000000:
-		_settled_usec = now
-		_settled_tick = _tick
-		_status_usec = now
-		_ticks_at_status = _tick
+	_figures.frame(Time.get_ticks_usec())
+	_status.poll(_make_report)
 	if _report.is_due():
-		_report.write(_figures())
-	if now - _status_usec > int(_STATUS_S * 1e6):
-		_log_status(now)
+		_report.write(_make_report())
+	if _figures.since_status() > _STATUS_S:
+		Log.info("server", _figures.describe(_link.client_count(), _actors.list().size()))
 	var duration: float = _options.seconds("duration")
-	if duration > 0.0 and now - _began_usec > int(duration * 1e6):
+	if _stop.is_raised():
+		Log.info("server", "stopped by a signal: ending all sessions")
+		get_tree().quit(0)
+	elif duration > 0.0 and _figures.seconds() > duration:
 		get_tree().quit(0)
 
 
 func _exit_tree() -> void:
-	if _report != null:
-		_report.write(_figures())
+	if _report != null and _figures != null:
+		_report.write(_make_report())
+	_status.close()
 	_link.close()
 
 
 func _after_step() -> void:
+	var now: int = Time.get_ticks_usec()
 	_actors.measure()
-	var snapshot: Snapshot = Snapshot.new()
-	snapshot.tick = _tick
-	snapshot.tick_rate = _rate()
-	_registry.read(snapshot)
-	_actors.mark(snapshot)
-	_link.send_snapshot(snapshot)
+	_sending.send(_tick, now)
+	_figures.send_time.add((Time.get_ticks_usec() - now) / 1e6)
+
+
+func _tell_speed() -> void:
+	if not _figures.watch.is_slow:
+		Log.info("server", "the world runs at full speed again")
+		return
+	var parts: Array = [100.0 * _figures.watch.speed, _actors.list().size(), _link.client_count()]
+	var text: String = "the world runs at %.0f %% of its speed (%d people, %d clients): "
+	Log.warning("server", text % parts + "the machine is too slow for it")
 
 
 func _on_joined(p_session: int, p_hello: Dictionary) -> void:
+	_sending.add_client(p_session, p_hello["rate"])
 	if p_hello["role"] == Protocol.Role.TRAINEE:
 		_actors.add(p_session, p_hello["name"], p_hello["hip_height"])
 	else:
-		_announce()
+		_sending.announce()
 
 
-func _on_returned(_p_session: int) -> void:
-	_announce()
+func _on_returned(p_session: int) -> void:
+	_sending.add_client(p_session, _link.rate_of(p_session))
+	_sending.announce()
+
+
+func _on_left(p_session: int) -> void:
+	_sending.remove_client(p_session)
+	_actors.remove(p_session)
 
 
 func _on_pose(p_session: int, p_sample: PoseSample, p_arrival_usec: int) -> void:
+	p_sample.arrival_usec = p_arrival_usec
 	_actors.push_sample(p_session, p_sample, p_arrival_usec / 1e6)
-
-
-func _announce() -> void:
-	_link.send_world(_registry.describe(_actors.list()))
 
 
 func _rate() -> int:
 	return Engine.physics_ticks_per_second
 
 
-func _log_status(p_now_usec: int) -> void:
-	var seconds: float = (p_now_usec - _status_usec) / 1e6
-	var rate: float = (_tick - _ticks_at_status) / seconds
-	_status_usec = p_now_usec
-	_ticks_at_status = _tick
-	var parts: Array = [rate, _link.client_count(), _actors.list().size()]
-	Log.info("server", "%.1f ticks/s, %d clients, %d people" % parts)
-
-
-## Ticks per second since the first second, in which a loaded machine catches up with its start.
-func _measured_rate() -> float:
-	if _settled_usec == 0:
-		return 0.0
-	var seconds: float = (Time.get_ticks_usec() - _settled_usec) / 1e6
-	return (_tick - _settled_tick) / maxf(seconds, 0.001)
-
-
-func _figures() -> Dictionary:
-	var seconds: float = maxf((Time.get_ticks_usec() - _began_usec) / 1e6, 0.001)
-	return {
-		"role": "server",
-		"seconds": seconds,
-		"ticks": _tick,
-		"ticks_per_second": _measured_rate(),
-		"script_ms_p50": _work.percentile(0.5) * 1000.0,
-		"script_ms_p99": _work.percentile(0.99) * 1000.0,
-		"clients": _link.client_count(),
-		"sent_bytes_per_second": _link.traffic.sent_per_second(),
-		"received_bytes_per_second": _link.traffic.received_per_second(),
-		"people": _actors.figures(),
-	}
+func _make_report() -> Dictionary:
+	return _figures.report(_link, _sending, _actors.figures())

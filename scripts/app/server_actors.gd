@@ -11,6 +11,9 @@ const _REMEMBERED: int = 16
 ## Old samples in a row that mean a new clock.
 const _NEW_CLOCK: int = 30
 
+## Longest step of a sample's way that a mark can tell, µs.
+const _LONGEST_STEP_USEC: int = 655000
+
 ## Numbers of people are 16 bits on the wire.
 const _MOST_IDS: int = 65536
 
@@ -30,6 +33,8 @@ var _next_id: int = 0
 ## One trainee's body.
 class Person:
 	var id: int = 0
+	## Number of the trainee's session.
+	var session: int = 0
 	var name: String = ""
 	var ragdoll: Ragdoll = null
 	var clock: SampleClock = SampleClock.new()
@@ -45,9 +50,10 @@ class Person:
 
 
 ## Gives a trainee a body.
-func add(p_peer: int, p_name: String, p_hip_height: float) -> void:
+func add(p_session: int, p_name: String, p_hip_height: float) -> void:
 	var person: Person = Person.new()
 	person.id = _free_id()
+	person.session = p_session
 	person.name = p_name
 	person.ragdoll = scene.instantiate()
 	person.ragdoll.name = "Person%d" % person.id
@@ -56,8 +62,8 @@ func add(p_peer: int, p_name: String, p_hip_height: float) -> void:
 	_next_id = (person.id + 1) % _MOST_IDS
 	add_child(person.ragdoll)
 	person.scale = person.ragdoll.get_hip_height() / p_hip_height
-	if person.ragdoll.start():
-		_people[p_peer] = person
+	if not person.ragdoll.get_limb_order().has(-1) and person.ragdoll.start():
+		_people[p_session] = person
 	else:
 		Log.error("server", "'%s' gets no body: the person's scene has a fault" % p_name)
 		person.ragdoll.queue_free()
@@ -65,12 +71,12 @@ func add(p_peer: int, p_name: String, p_hip_height: float) -> void:
 
 
 ## Takes a trainee's body away.
-func remove(p_peer: int) -> void:
-	if _people.has(p_peer):
-		_gone.push_front(_figure(_people[p_peer]))
+func remove(p_session: int) -> void:
+	if _people.has(p_session):
+		_gone.push_front(_figure(_people[p_session]))
 		_gone.resize(mini(_gone.size(), _REMEMBERED))
-		_people[p_peer].ragdoll.queue_free()
-		_people.erase(p_peer)
+		_people[p_session].ragdoll.queue_free()
+		_people.erase(p_session)
 	changed.emit()
 
 
@@ -80,8 +86,8 @@ func list() -> Array[Person]:
 
 
 ## Takes a trainee's sample that arrived at a time, s.
-func push_sample(p_peer: int, p_sample: PoseSample, p_now_s: float) -> void:
-	var person: Person = _people.get(p_peer)
+func push_sample(p_session: int, p_sample: PoseSample, p_now_s: float) -> void:
+	var person: Person = _people.get(p_session)
 	if person == null:
 		return
 	var sample_s: float = p_sample.time_usec / 1e6
@@ -93,7 +99,7 @@ func push_sample(p_peer: int, p_sample: PoseSample, p_now_s: float) -> void:
 		return
 	person.refused += 1
 	person.refused_in_a_row += 1
-	Log.limited("server", "sample %d" % p_peer, "'%s' sent an old sample" % person.name)
+	Log.limited("server", "sample %d" % p_session, "'%s' sent an old sample" % person.name)
 	if person.refused_in_a_row >= _NEW_CLOCK:
 		# Not some late datagrams, but a wearer whose clock was set back.
 		person.ragdoll.motor.clear_motion()
@@ -103,8 +109,8 @@ func push_sample(p_peer: int, p_sample: PoseSample, p_now_s: float) -> void:
 func drive(p_now_s: float, p_delta_s: float) -> void:
 	var motors: Array[RagdollMotor] = []
 	var moments: PackedFloat64Array = []
-	for peer: int in _people:
-		var person: Person = _people[peer]
+	for session: int in _people:
+		var person: Person = _people[session]
 		if person.newest != null:
 			var moment: float = person.clock.advance(p_now_s, p_delta_s)
 			motors.append(person.ragdoll.motor)
@@ -115,27 +121,30 @@ func drive(p_now_s: float, p_delta_s: float) -> void:
 
 ## Notes how well everybody followed, after a step.
 func measure() -> void:
-	for peer: int in _people:
-		if _people[peer].newest != null:
-			_people[peer].ragdoll.motor.measure(_people[peer].moment_s)
+	for session: int in _people:
+		if _people[session].newest != null:
+			_people[session].ragdoll.motor.measure(_people[session].moment_s)
 
 
-## Adds to a snapshot which sample moved whom.
-func mark(p_snapshot: Snapshot) -> void:
-	for peer: int in _people:
-		var newest: PoseSample = _people[peer].newest
-		if newest != null:
-			var sample_mark: Snapshot.SampleMark = Snapshot.SampleMark.new()
-			sample_mark.id = newest.id
-			sample_mark.time_usec = newest.time_usec
-			p_snapshot.samples[_people[peer].id] = sample_mark
+## Tells an encoder which samples moved whom in a tick that ended at a time, µs.
+func mark(p_encoder: SnapshotEncoder, p_now_usec: int) -> void:
+	for session: int in _people:
+		var newest: PoseSample = _people[session].newest
+		if newest == null or newest.sent_usec == 0:
+			continue
+		var steps: PackedInt32Array = [
+			mini(newest.held_usec, _LONGEST_STEP_USEC),
+			clampi(newest.arrival_usec - newest.sent_usec, 0, _LONGEST_STEP_USEC),
+			clampi(p_now_usec - newest.arrival_usec, 0, _LONGEST_STEP_USEC),
+		]
+		p_encoder.set_mark(_people[session].id, newest.id, p_now_usec, steps)
 
 
 ## Figures of everybody for a report: who is there, then who left last.
 func figures() -> Array[Dictionary]:
 	var result: Array[Dictionary] = []
-	for peer: int in _people:
-		result.append(_figure(_people[peer]))
+	for session: int in _people:
+		result.append(_figure(_people[session]))
 	return result + _gone
 
 

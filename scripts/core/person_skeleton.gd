@@ -9,6 +9,8 @@ extends RefCounted
 ## Joints further than this from the middle of a limb are no person's, m.
 const LONGEST_M: float = 10.0
 
+## Place of each limb's parent, -1 for the root.
+var parents: PackedInt32Array = PackedInt32Array(Limbs.PARENTS)
 ## The joint that holds each limb, in its parent's frame, m. Of no meaning for the root.
 var joints_in_parent: PackedVector3Array = PackedVector3Array()
 ## The same joint in the limb's own frame, m. That of the root is where the motion puts it.
@@ -40,6 +42,11 @@ func is_sound() -> bool:
 ## Where the body of a limb is whose frame is at a place and turned from the reset pose.
 func body_at(p_limb: int, p_place: Vector3, p_turn: Quaternion) -> Transform3D:
 	return Transform3D(Basis(p_turn * reset_orientations[p_limb]), p_place)
+
+
+## Number of limbs.
+func count() -> int:
+	return joints_in_limb.size()
 
 
 ## Where the root's frame is when the hips of a sample are at a place, m.

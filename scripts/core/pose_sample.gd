@@ -10,6 +10,12 @@ extends RefCounted
 var id: int = 0
 ## When it was taken, microseconds of Unix time on the wearer's machine.
 var time_usec: int = 0
+## How long it was held before it was sent, µs; 0 where that is not known.
+var held_usec: int = 0
+## When it was sent, µs of the server's clock; 0 where that is not known.
+var sent_usec: int = 0
+## When it arrived at the server, µs of its clock.
+var arrival_usec: int = 0
 ## 4 floats (x, y, z, w) for each of the [constant Limbs.COUNT] limbs.
 var orientations: PackedFloat32Array = PackedFloat32Array()
 ## Position of the hips in the world, m, in the wearer's own size.

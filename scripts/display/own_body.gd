@@ -10,14 +10,14 @@ extends RefCounted
 const HALF_PERIOD: float = 0.5
 
 var _feedback: LocalFeedback = LocalFeedback.new()
-var _skeleton: BodySkeleton = null
+var _skeleton: PersonSkeleton = null
 var _scale: float = 1.0
 var _period_s: float = 1.0 / 60.0
 
 
 ## Takes the body's skeleton, the ratio of the body's hip height to the wearer's, and how many samples
 ## come a second.
-func setup(p_skeleton: BodySkeleton, p_scale: float, p_rate: float) -> void:
+func setup(p_skeleton: PersonSkeleton, p_scale: float, p_rate: float) -> void:
 	_skeleton = p_skeleton
 	_scale = p_scale
 	_period_s = 1.0 / p_rate
@@ -29,7 +29,7 @@ func setup(p_skeleton: BodySkeleton, p_scale: float, p_rate: float) -> void:
 ## Takes a sample of the wearer's motion. Returns whether it was of use.
 func add_sample(p_sample: PoseSample) -> bool:
 	var root: Vector3 = _skeleton.root_of(p_sample, p_sample.root * _scale)
-	return _feedback.push_local(p_sample.time_usec / 1e6, root, _skeleton.orientations_of(p_sample))
+	return _feedback.push_local(p_sample.time_usec / 1e6, root, p_sample.orientations)
 
 
 ## Takes the server's newest pose of the body (seven floats a limb, see

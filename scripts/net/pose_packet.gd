@@ -2,26 +2,35 @@ class_name PosePacket
 extends RefCounted
 ## A [PoseSample] as bytes, from a trainee to the server.
 ##
-## Little-endian: u8 message, u32 sample id, u64 sampling time (Unix, µs), 3 f32 root position (m),
-## then x, y, z, w of each limb as f32. All packets have the same size.
+## Little-endian: u8 message, u8 codec, u32 sample id, u64 sampling time (Unix, µs), u32 how long it
+## was held (µs), u64 when it was sent (server's clock, µs; 0 unknown), 3 f32 root position (m), then
+## the limbs' rotations from the reset pose in the form that the codec gives them.
 
-## Size of the packet, bytes.
-const SIZE: int = 1 + 4 + 8 + 12 + Limbs.COUNT * 16
+## How rotations are written: see [PoseCodec].
+enum Codec {
+	## x, y, z, w of each limb as f32.
+	FLOAT,
+}
 
-const _ROOT: int = 13
-const _LIMBS: int = 25
+## Bytes before the rotations.
+const HEADER: int = 1 + 1 + 4 + 8 + 4 + 8 + 12
+
+const _ROOT: int = 26
 
 ## Why the packet that was decoded last is none, or an empty text.
 static var error: String = ""
 
 
 ## The bytes of a sample.
-static func encode(p_sample: PoseSample) -> PackedByteArray:
+static func encode(p_sample: PoseSample, p_codec: Codec = Codec.FLOAT) -> PackedByteArray:
 	var bytes: PackedByteArray = PackedByteArray()
-	bytes.resize(_LIMBS)
+	bytes.resize(HEADER)
 	bytes.encode_u8(0, Protocol.Message.POSE)
-	bytes.encode_u32(1, p_sample.id)
-	bytes.encode_u64(5, p_sample.time_usec)
+	bytes.encode_u8(1, p_codec)
+	bytes.encode_u32(2, p_sample.id)
+	bytes.encode_u64(6, p_sample.time_usec)
+	bytes.encode_u32(14, mini(p_sample.held_usec, 0xFFFFFFFF))
+	bytes.encode_u64(18, p_sample.sent_usec)
 	bytes.encode_float(_ROOT, p_sample.root.x)
 	bytes.encode_float(_ROOT + 4, p_sample.root.y)
 	bytes.encode_float(_ROOT + 8, p_sample.root.z)
@@ -31,21 +40,23 @@ static func encode(p_sample: PoseSample) -> PackedByteArray:
 
 ## The sample in a packet; null (and a reason in [member error]) if it is not a valid one.
 static func decode(p_bytes: PackedByteArray) -> PoseSample:
-	if p_bytes.size() != SIZE:
-		error = "a pose packet of %d bytes instead of %d" % [p_bytes.size(), SIZE]
+	if p_bytes.size() != HEADER + Limbs.COUNT * 16:
+		error = "a pose packet of %d bytes" % p_bytes.size()
 		return null
 	var sample: PoseSample = PoseSample.new()
-	sample.id = p_bytes.decode_u32(1)
-	sample.time_usec = p_bytes.decode_u64(5)
+	sample.id = p_bytes.decode_u32(2)
+	sample.time_usec = p_bytes.decode_u64(6)
+	sample.held_usec = p_bytes.decode_u32(14)
+	sample.sent_usec = p_bytes.decode_u64(18)
 	sample.root = Vector3(
 		p_bytes.decode_float(_ROOT),
 		p_bytes.decode_float(_ROOT + 4),
 		p_bytes.decode_float(_ROOT + 8)
 	)
-	sample.orientations = p_bytes.slice(_LIMBS).to_float32_array()
+	sample.orientations = p_bytes.slice(HEADER).to_float32_array()
 	error = sample.find_fault()
-	if error == "" and sample.time_usec < 0:
-		error = "a sampling time before 1970"
+	if error == "" and (sample.time_usec < 0 or sample.sent_usec < 0):
+		error = "a time before 1970"
 	if error != "":
 		error = "a pose packet that is no pose: " + error
 		return null

@@ -14,11 +14,13 @@ enum Role {
 	DRIVER,
 }
 
-## First byte of every packet.
+## First byte of every packet; of the two kinds of snapshots only its low three bits.
 enum Message {
+	## Server to client, fast path: a snapshot with the whole tick, see docs/protocol.md.
+	KEY = 0,
 	## Trainee to server: a [PoseSample], see [PosePacket].
 	POSE = 1,
-	## Server to client: where bodies are, see [SnapshotPacket].
+	## Server to client, fast path: where bodies are, see [SnapshotDecoder].
 	SNAPSHOT = 2,
 	## Server to client, reliable: which bodies there are, see [WorldDescription]. In [PacketParts].
 	WORLD = 3,
@@ -54,6 +56,8 @@ enum Goodbye {
 	REPLACED,
 }
 
+## Bits of a snapshot's first byte that are its kind.
+const KIND_MASK: int = 7
 ## Raised with every change of what is sent; a server refuses other versions.
 const VERSION: int = 2
 ## First bytes of a challenge and of a greeting.

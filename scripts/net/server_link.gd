@@ -142,11 +142,10 @@ func send_datagrams(p_session: int, p_datagrams: Array[PackedByteArray]) -> void
 			_peer.send_fast(session.peer, bytes)
 
 
-## Sends everybody where the bodies are.
-func send_snapshot(p_snapshot: Snapshot) -> void:
-	var datagrams: Array[PackedByteArray] = SnapshotPacket.encode(p_snapshot)
-	for session: Session in _book.here():
-		send_datagrams(session.id, datagrams)
+## Snapshots per second that a client wants; 0 for as many as there are.
+func rate_of(p_session: int) -> int:
+	var session: Session = _book.find(p_session)
+	return session.rate if session != null else 0
 
 
 ## Tells everybody which bodies there are.

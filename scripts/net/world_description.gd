@@ -42,6 +42,8 @@ const _LARGEST: float = 1e5
 var bodies: Dictionary[int, Body] = {}
 ## Names of the people, by actor id.
 var names: Dictionary[int, String] = {}
+## Number of the session that each person belongs to, by actor id.
+var owners: Dictionary[int, int] = {}
 ## How each person's limbs hang together, by actor id; the limbs are the person's bodies in order.
 var skeletons: Dictionary[int, PersonSkeleton] = {}
 
@@ -58,8 +60,9 @@ func add(p_id: int, p_actor: int, p_part: String, p_shapes: Array) -> Body:
 
 
 ## Adds a person. The skeleton is sound, or empty where nobody needs it.
-func add_person(p_actor: int, p_name: String, p_skeleton: PersonSkeleton) -> void:
+func add_person(p_actor: int, p_owner: int, p_name: String, p_skeleton: PersonSkeleton) -> void:
 	names[p_actor] = p_name
+	owners[p_actor] = p_owner
 	skeletons[p_actor] = p_skeleton
 
 
@@ -74,7 +77,7 @@ func bodies_of(p_actor: int) -> Array[Body]:
 
 
 ## The packet that carries the description. Little-endian: u8 message; u16 number of people, for
-## each s32 actor id, name, u8 number of limbs (0 or all), for each limb 3 f32 joint in the parent's
+## each s32 actor id, s32 session, name, u8 number of limbs (0 or all), for each limb 3 f32 joint in the parent's
 ## frame, 3 f32 in its own (m), 4 f32 x, y, z, w of the body in the reset pose; u16 number of bodies, for each u16 id, s32
 ## actor, part, u8 number of shapes, for each u8 type, 3 f32 size (m), 12 f32 transform (columns of
 ## the basis, origin). Texts are u16 length and UTF-8.
@@ -83,6 +86,7 @@ func encode() -> PackedByteArray:
 	_append(bytes, 2, names.size())
 	for actor: int in names:
 		_append(bytes, 4, actor)
+		_append(bytes, 4, owners.get(actor, 0))
 		bytes.append_array(ByteReader.text_bytes(names[actor]))
 		_append_skeleton(bytes, skeletons.get(actor, PersonSkeleton.new()))
 	_append(bytes, 2, bodies.size())
@@ -111,8 +115,9 @@ static func decode(p_bytes: PackedByteArray) -> WorldDescription:
 		return null
 	for _person: int in people:
 		var actor: int = reader.read_s32()
+		var owner: int = reader.read_s32()
 		var name: String = reader.read_text(_LONGEST_TEXT)
-		description.add_person(actor, name, _read_skeleton(reader))
+		description.add_person(actor, owner, name, _read_skeleton(reader))
 		if reader.failed or actor < 0:
 			return null
 	for _body: int in reader.read_u16():

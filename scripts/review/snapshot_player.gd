@@ -2,8 +2,10 @@ class_name SnapshotPlayer
 extends RefCounted
 ## Plays a recording of a [SnapshotRecorder] as if the packets arrived from a server.
 
-## New positions of bodies.
-signal snapshot_received(p_snapshot: Snapshot, p_bytes: PackedByteArray)
+## A snapshot's datagram, as it came so many s after the start.
+signal snapshot_received(p_bytes: PackedByteArray, p_time_s: float)
+## A connection begins: what was told before is void.
+signal restarted
 ## Which bodies there are now.
 signal world_received(p_world: WorldDescription, p_bytes: PackedByteArray)
 ## The recording is over.
@@ -44,15 +46,14 @@ func advance(p_time_s: float) -> void:
 
 
 func _emit(p_bytes: PackedByteArray) -> void:
-	match p_bytes[0]:
-		Protocol.Message.SNAPSHOT:
-			var snapshot: Snapshot = SnapshotPacket.decode(p_bytes)
-			if snapshot != null:
-				snapshot_received.emit(snapshot, p_bytes)
-		Protocol.Message.WORLD:
-			var world: WorldDescription = WorldDescription.decode(p_bytes)
-			if world != null:
-				world_received.emit(world, p_bytes)
+	if p_bytes.size() == 1 and p_bytes[0] == SnapshotRecorder.BEGIN:
+		restarted.emit()
+	elif p_bytes[0] == Protocol.Message.WORLD:
+		var world: WorldDescription = WorldDescription.decode(p_bytes)
+		if world != null:
+			world_received.emit(world, p_bytes)
+	else:
+		snapshot_received.emit(p_bytes, _next_usec / 1e6)
 
 
 func _read_next() -> void:

@@ -6,7 +6,9 @@ extends RefCounted
 ## the start (µs) and the packet. See [SnapshotPlayer].
 
 ## First bytes of a recording: the name and the version of the format.
-const MAGIC: String = "DSMTREC1"
+const MAGIC: String = "DSMTREC2"
+## The only byte of a record that says that a connection begins: what was told before is void.
+const BEGIN: int = 0xFF
 ## Seconds between two flushes to the disk.
 const FLUSH_S: float = 1.0
 
@@ -23,6 +25,11 @@ func open(p_path: String) -> String:
 	_file.store_buffer(MAGIC.to_ascii_buffer())
 	_begin_usec = Time.get_ticks_usec()
 	return ""
+
+
+## Notes that what follows comes from a connection that has just begun.
+func begin() -> void:
+	add(PackedByteArray([BEGIN]))
 
 
 ## Adds a packet that has just arrived.

@@ -75,7 +75,7 @@ func _list(p_name: String, p_default: Array) -> PackedStringArray:
 
 func _open_motions() -> String:
 	var soldier: Ragdoll = (load(_SOLDIER) as PackedScene).instantiate()
-	var skeleton: BodySkeleton = BodySkeleton.from_profile(soldier.profile)
+	var skeleton: PersonSkeleton = soldier.get_joints()
 	soldier.free()
 	for file: String in BenchArguments.clips(_arguments):
 		var source: BvhSource = BvhSource.new()

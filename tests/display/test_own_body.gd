@@ -6,7 +6,7 @@ const RATE: int = 60
 ## From sample to the server's answer, samples.
 const ANSWER: int = 4
 
-var _skeleton: BodySkeleton = null
+var _skeleton: PersonSkeleton = null
 var _scale: float = 1.0
 var _source: BvhSource = BvhSource.new()
 var _body: OwnBody = OwnBody.new()
@@ -14,7 +14,7 @@ var _body: OwnBody = OwnBody.new()
 
 func before_each() -> void:
 	var soldier: Ragdoll = SOLDIER.instantiate()
-	_skeleton = BodySkeleton.from_profile(soldier.profile)
+	_skeleton = soldier.get_joints()
 	_source.open("res://assets/motion/01_01.bvh")
 	_scale = soldier.get_hip_height() / _source.get_hip_height()
 	soldier.free()
@@ -37,7 +37,7 @@ func test_the_skeleton_makes_the_rest_pose_of_the_profile() -> void:
 
 func test_the_hips_joint_is_where_the_sample_has_it() -> void:
 	var sample: PoseSample = _source.pose_at(1.0)
-	var turns: PackedFloat32Array = _skeleton.orientations_of(sample)
+	var turns: PackedFloat32Array = sample.orientations
 	var turn: Quaternion = Quaternion(turns[0], turns[1], turns[2], turns[3])
 	var root: Vector3 = _skeleton.root_of(sample, Vector3(1, 2, 3))
 	almost_equal(root + turn * _skeleton.joints_in_limb[0], Vector3(1, 2, 3), 1e-5)
@@ -89,7 +89,7 @@ func _sample(p_number: int) -> PoseSample:
 
 ## What the server has: the sample's pose, one limb turned.
 func _truth(p_sample: PoseSample, p_limb: int, p_turn: Quaternion) -> PackedFloat32Array:
-	var turns: PackedFloat32Array = _skeleton.orientations_of(p_sample)
+	var turns: PackedFloat32Array = p_sample.orientations
 	var root: Vector3 = _skeleton.root_of(p_sample, p_sample.root * _scale)
 	var floats: PackedFloat32Array = []
 	for limb: int in _skeleton.count():

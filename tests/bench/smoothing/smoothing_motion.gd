@@ -13,17 +13,17 @@ var roots: PackedVector3Array = PackedVector3Array()
 ## Number of samples.
 var count: int = 0
 ## The skeleton.
-var skeleton: BodySkeleton = null
+var skeleton: PersonSkeleton = null
 
 
 ## Samples a source for so many seconds.
-func _init(p_source: BvhSource, p_skeleton: BodySkeleton, p_seconds: float) -> void:
+func _init(p_source: BvhSource, p_skeleton: PersonSkeleton, p_seconds: float) -> void:
 	skeleton = p_skeleton
 	count = int(p_seconds * RATE)
 	var limbs: int = skeleton.count()
 	for i: int in count:
 		var sample: PoseSample = p_source.pose_at(float(i) / RATE)
-		var floats: PackedFloat32Array = skeleton.orientations_of(sample)
+		var floats: PackedFloat32Array = sample.orientations
 		var root: Vector3 = skeleton.root_of(sample, sample.root)
 		turns.append_array(floats)
 		roots.append(root)

@@ -32,7 +32,7 @@ func watch(p_motion: Motion, p_method: SnapshotSmoother.Method, p_network: Dicti
 	var smoother: SnapshotSmoother = SnapshotSmoother.new()
 	smoother.method = p_method
 	smoother.tick_rate = TICK_RATE
-	var skeleton: BodySkeleton = motion.skeleton
+	var skeleton: PersonSkeleton = motion.skeleton
 	smoother.set_skeleton(0, skeleton.parents, skeleton.joints_in_parent, skeleton.joints_in_limb)
 	var arrivals: Array[Vector2] = _send(p_network)
 	var next: int = 0
@@ -89,6 +89,6 @@ func _note(p_now_s: float, p_floats: PackedFloat32Array) -> void:
 func _gap(
 	p_places: PackedVector3Array, p_turns: Array[Quaternion], p_limb: int, p_parent: int
 ) -> float:
-	var skeleton: BodySkeleton = motion.skeleton
+	var skeleton: PersonSkeleton = motion.skeleton
 	var outer: Vector3 = p_places[p_parent] + p_turns[p_parent] * skeleton.joints_in_parent[p_limb]
 	return outer.distance_to(p_places[p_limb] + p_turns[p_limb] * skeleton.joints_in_limb[p_limb])

@@ -1,0 +1,113 @@
+class_name ClientMotion
+extends RefCounted
+## A trainee's motion: sampled in a thread of its own, sent at once, and shown at once as the own body
+## (thesis sections 7.4.2 and 7.5).
+
+## Samples shall reach the server so long before a tick begins, µs: later ones wait for the next.
+const LEAD_USEC: int = 3000
+## Span over which the quickest way of a sample to the server counts, marks.
+const _TRIPS: int = 40
+
+## Where the motion comes from.
+var source: MotionSource = null
+
+var _link: ClientLink = null
+var _codec: PosePacket.Codec = PosePacket.Codec.FLOAT
+var _sampler: MotionSampler = MotionSampler.new()
+var _body: OwnBody = OwnBody.new()
+var _has_body: bool = false
+var _truth_tick: int = -1
+var _trips: Array[int] = []
+var _sends: bool = false
+var _mutex: Mutex = Mutex.new()
+
+
+## Begins to sample, so many times a second. Samples go out while [method set_sending] says so.
+func start(
+	p_source: MotionSource, p_rate: float, p_link: ClientLink, p_codec: PosePacket.Codec
+) -> void:
+	source = p_source
+	_link = p_link
+	_codec = p_codec
+	_sampler.start(p_source, p_rate, _send)
+
+
+## Ends the thread.
+func stop() -> void:
+	_sampler.stop()
+
+
+## Whether samples are sent.
+func set_sending(p_sends: bool) -> void:
+	_mutex.lock()
+	_sends = p_sends
+	_mutex.unlock()
+
+
+## Takes over the own body's skeleton and size, m from the ground to the hips.
+func embody(p_joints: PersonSkeleton, p_hips: float, p_rate: float) -> void:
+	_body.setup(p_joints, p_hips / source.get_hip_height(), p_rate)
+	_body.clear()
+	_has_body = true
+	_truth_tick = -1
+
+
+## Notes how long a sample took to the server, from a mark about the own person.
+func note_trip(p_mark: LatencyMark) -> void:
+	_trips.append(p_mark.received_usec - p_mark.sampled_usec)
+	if _trips.size() > _TRIPS:
+		_trips.pop_front()
+
+
+## Locks the samples' times to the server's ticks. Call it now and then.
+func keep_in_step() -> void:
+	if _link.clock.is_known():
+		var now: int = Time.get_ticks_usec()
+		var tick: int = ceili(_link.clock.tick_at(now)) + 1
+		var way: int = _link.clock.round_trip_usec / 2
+		var due: int = _link.clock.local_usec_of_tick(tick) - way - LEAD_USEC
+		_sampler.set_phase(due + _unix_ahead())
+
+
+## The own body at a local time, µs: seven floats a limb. Given what the server has of it, and at which
+## tick. Empty while that is not known.
+func show(p_now_usec: int, p_truth: PackedFloat32Array, p_tick: int) -> PackedFloat32Array:
+	for sample: PoseSample in _sampler.take_samples():
+		if _has_body:
+			_body.add_sample(sample)
+	if not _has_body or p_truth.is_empty():
+		return PackedFloat32Array()
+	if p_tick != _truth_tick and _link.clock.is_known() and not _trips.is_empty():
+		_truth_tick = p_tick
+		# The step that ended tick p_tick aimed at the motion as it was known at the tick's begin, one
+		# step further.
+		var aimed: int = _link.clock.local_usec_of_tick(p_tick + 1.0) - _trips.min()
+		_body.add_truth(aimed + _unix_ahead(), p_truth)
+	return _body.show(p_now_usec / 1e6, p_now_usec + _unix_ahead())
+
+
+## Which moment of the motion [method show] shows at a local time: µs of Unix time.
+func shown_moment_usec(p_now_usec: int) -> int:
+	return _body.shown_moment_usec(p_now_usec + _unix_ahead())
+
+
+## Figures for a report.
+func figures() -> Dictionary:
+	return _sampler.figures()
+
+
+## Runs in the sampling thread.
+func _send(p_sample: PoseSample) -> void:
+	_mutex.lock()
+	var sends: bool = _sends
+	_mutex.unlock()
+	if sends:
+		var now: int = Time.get_ticks_usec()
+		p_sample.held_usec = maxi(now + _unix_ahead() - p_sample.time_usec, 0)
+		p_sample.sent_usec = _link.clock.server_usec(now) if _link.clock.is_known() else 0
+		_link.send_pose(PosePacket.encode(p_sample, _codec))
+
+
+## Unix time minus this program's clock, µs.
+static func _unix_ahead() -> int:
+	return int(Time.get_unix_time_from_system() * 1e6) - Time.get_ticks_usec()

@@ -1,0 +1,102 @@
+class_name ServerFigures
+extends RefCounted
+## What a server tells of itself, to its operator's report file, status endpoint and log.
+
+## Time of our own work before a step, s.
+var script_time: RecentStatistics = RecentStatistics.new()
+## Time of reading, encoding and handing over snapshots, s.
+var send_time: RecentStatistics = RecentStatistics.new()
+## Whether the world keeps up with the clock.
+var watch: TickWatch = null
+## Ticks so far.
+var ticks: int = 0
+
+var _began_usec: int = Time.get_ticks_usec()
+var _settled_usec: int = 0
+var _settled_tick: int = 0
+var _status_usec: int = _began_usec
+var _status_tick: int = 0
+
+
+func _init(p_tick_rate: float) -> void:
+	watch = TickWatch.new(p_tick_rate)
+
+
+## Notes a frame, at a time in µs.
+func frame(p_now_usec: int) -> void:
+	# A loaded machine catches up with its start in the first second.
+	if _settled_usec == 0 and p_now_usec - _began_usec > 1000000:
+		_settled_usec = p_now_usec
+		_settled_tick = ticks
+		_status_usec = p_now_usec
+		_status_tick = ticks
+
+
+## Seconds since the start.
+func seconds() -> float:
+	return (Time.get_ticks_usec() - _began_usec) / 1e6
+
+
+## Ticks per second since the first second.
+func ticks_per_second() -> float:
+	if _settled_usec == 0:
+		return 0.0
+	var span: float = (Time.get_ticks_usec() - _settled_usec) / 1e6
+	return (ticks - _settled_tick) / maxf(span, 0.001)
+
+
+## A line for the log, of what has been since the last.
+func describe(p_clients: int, p_people: int) -> String:
+	var now: int = Time.get_ticks_usec()
+	var rate: float = (ticks - _status_tick) / maxf((now - _status_usec) / 1e6, 0.001)
+	_status_usec = now
+	_status_tick = ticks
+	return "%.1f ticks/s, %d clients, %d people" % [rate, p_clients, p_people]
+
+
+## Seconds since the last line.
+func since_status() -> float:
+	return (Time.get_ticks_usec() - _status_usec) / 1e6
+
+
+## The figures for report and status.
+func report(p_link: ServerLink, p_sending: ServerReplication, p_people: Array) -> Dictionary:
+	return {
+		"role": "server",
+		"version": ProjectSettings.get_setting("application/config/version"),
+		"protocol": Protocol.VERSION,
+		"seconds": seconds(),
+		"ticks": ticks,
+		"ticks_per_second": ticks_per_second(),
+		"speed": watch.speed,
+		"is_slow": watch.is_slow,
+		"slow_seconds": watch.slow_windows,
+		"script_ms_p50": script_time.percentile(0.5) * 1000.0,
+		"script_ms_p99": script_time.percentile(0.99) * 1000.0,
+		"send_ms_p50": send_time.percentile(0.5) * 1000.0,
+		"send_ms_p99": send_time.percentile(0.99) * 1000.0,
+		"clients": p_link.client_count(),
+		"sent_bytes_per_second": p_link.traffic.sent_per_second(),
+		"received_bytes_per_second": p_link.traffic.received_per_second(),
+		"sessions": _sessions(p_link, p_sending),
+		"people": p_people,
+	}
+
+
+func _sessions(p_link: ServerLink, p_sending: ServerReplication) -> Array[Dictionary]:
+	var rows: Array[Dictionary] = []
+	var seconds_here: float = maxf(seconds(), 0.001)
+	for person: Dictionary in p_link.roster():
+		var row: Dictionary = {"session": person["session"], "name": person["name"]}
+		row["role"] = (Protocol.Role.find_key(person["role"]) as String).to_lower()
+		row["state"] = person["state"]
+		row["address"] = person["address"]
+		var sent: Dictionary = p_sending.figures_of(person["session"])
+		if not sent.is_empty():
+			var counted: int = maxi(sent["acknowledged"] + sent["lost"], 1)
+			row["sent_kbit_per_second"] = sent["bytes"] * 8.0 / 1000.0 / seconds_here
+			row["datagrams"] = sent["datagrams"]
+			row["loss_percent"] = 100.0 * sent["lost"] / counted
+			row["round_trip_ms"] = sent["round_trip_ms"]
+		rows.append(row)
+	return rows

@@ -1,0 +1,90 @@
+class_name ServerReplication
+extends RefCounted
+## Tells all clients where people and props are, each as far as its share of the network goes.
+
+var _encoder: SnapshotEncoder = SnapshotEncoder.new()
+var _registry: BodyRegistry = BodyRegistry.new()
+var _link: ServerLink = null
+var _actors: ServerActors = null
+var _bits_per_second: float = 0.0
+## Who is there: session to the id of its person, -1 without a body.
+var _clients: Dictionary[int, int] = {}
+var _known: Dictionary[int, bool] = {}
+
+
+func _init(
+	p_link: ServerLink, p_actors: ServerActors, p_tick_rate: int, p_bits_per_second: float
+) -> void:
+	_link = p_link
+	_actors = p_actors
+	_bits_per_second = p_bits_per_second
+	_encoder.configure(PackedInt32Array(Limbs.PARENTS), Protocol.POSE_ERROR_DEG, p_tick_rate)
+	_link.ack_received.connect(_on_ack)
+
+
+## Takes a world in, and finds out which parts of it can be seen from which.
+func watch_world(p_world: Node3D) -> void:
+	_registry.add_world(p_world)
+	_registry.watch_world(_encoder)
+	var begin: int = Time.get_ticks_usec()
+	var cells: VisibilityCells = VisibilityCells.survey(p_world)
+	if cells == null:
+		return
+	_encoder.set_cells(cells.origin, cells.size, cells.counts, cells.visible)
+	var parts: Array = [
+		cells.counts.x * cells.counts.y * cells.counts.z,
+		100.0 * cells.openness(),
+		(Time.get_ticks_usec() - begin) / 1000.0,
+	]
+	Log.info("server", "%d cells, %.0f %% of pairs in sight of each other (%.0f ms)" % parts)
+
+
+## Takes a client in, also one that returns: it knows nothing yet. A rate of 0 means every tick.
+func add_client(p_session: int, p_rate: int) -> void:
+	_clients[p_session] = -1
+	_encoder.add_client(p_session, p_rate, _bits_per_second)
+
+
+## Forgets a client.
+func remove_client(p_session: int) -> void:
+	_clients.erase(p_session)
+	_encoder.remove_client(p_session)
+
+
+## Tells everybody which bodies there are now.
+func announce() -> void:
+	var people: Array[ServerActors.Person] = _actors.list()
+	var here: Dictionary[int, bool] = {}
+	for person: ServerActors.Person in people:
+		here[person.id] = true
+		if not _known.has(person.id):
+			_known[person.id] = true
+			BodyRegistry.watch_person(_encoder, person)
+		if _clients.has(person.session):
+			_clients[person.session] = person.id
+			_encoder.set_own_person(person.session, person.id)
+	for id: int in _known.keys():
+		if not here.has(id):
+			_known.erase(id)
+			_encoder.remove_person(id)
+	_link.send_world(_registry.describe(people))
+
+
+## Tells everybody what a tick has changed. The time is that of the tick's end, µs.
+func send(p_tick: int, p_now_usec: int) -> void:
+	_encoder.capture(p_tick)
+	_actors.mark(_encoder, p_now_usec)
+	for session: int in _clients:
+		var datagrams: Array[PackedByteArray] = _encoder.encode(session, Time.get_ticks_usec())
+		if not datagrams.is_empty():
+			_link.send_datagrams(session, datagrams)
+
+
+## Figures of a client's snapshots: see [method SnapshotEncoder.get_figures].
+func figures_of(p_session: int) -> Dictionary:
+	return _encoder.get_figures(p_session)
+
+
+func _on_ack(p_session: int, p_bytes: PackedByteArray, _p_arrival_usec: int) -> void:
+	if not _encoder.take_ack(p_session, p_bytes):
+		Log.limited("net", "ack %d" % p_session, "session %d acknowledges nonsense" % p_session)

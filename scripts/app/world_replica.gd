@@ -1,0 +1,146 @@
+class_name WorldReplica
+extends RefCounted
+## A client's copy of the server's world: reads what the server tells, and tells where everything is at
+## the moment that is shown.
+
+## Floats of a limb in [method SnapshotSmoother.person_transforms]: position, quaternion.
+const FLOATS: int = 7
+## Acknowledgements are at least so far apart, µs.
+const ACK_PERIOD_USEC: int = 15000
+
+## Datagrams that were of use.
+var datagrams: int = 0
+## Which bodies there are; null before the server has told.
+var world: WorldDescription = null
+## The newest tick that has come, or -1.
+var newest_tick: int = -1
+
+var _decoder: SnapshotDecoder = SnapshotDecoder.new()
+var _smoother: SnapshotSmoother = SnapshotSmoother.new()
+var _acked_usec: int = 0
+
+
+func _init() -> void:
+	_decoder.configure(PackedInt32Array(Limbs.PARENTS), Protocol.POSE_ERROR_DEG)
+
+
+## Sets how motion is made smooth.
+func set_smoothing(p_method: SnapshotSmoother.Method) -> void:
+	_smoother.method = p_method
+
+
+## Takes over which bodies there are.
+func describe(p_world: WorldDescription) -> void:
+	if world != null:
+		for actor: int in world.skeletons:
+			if not p_world.skeletons.has(actor):
+				_smoother.forget_person(actor)
+	world = p_world
+	for actor: int in world.skeletons:
+		var joints: PersonSkeleton = world.skeletons[actor]
+		if joints.is_sound():
+			_smoother.set_skeleton(
+				actor, joints.parents, joints.joints_in_parent, joints.joints_in_limb
+			)
+
+
+## Takes a datagram that arrived at a local time, s. Returns whether it was of use.
+func take(p_bytes: PackedByteArray, p_arrival_s: float) -> bool:
+	if _decoder.decode(p_bytes) != SnapshotDecoder.OK:
+		return false
+	datagrams += 1
+	newest_tick = maxi(newest_tick, _decoder.get_tick())
+	_smoother.take(_decoder, p_arrival_s)
+	return true
+
+
+## The mark of the datagram that was taken last, in times of the server's clock but for
+## [member LatencyMark.arrival_usec]; null if it had none.
+func take_mark() -> LatencyMark:
+	var told: Dictionary = _decoder.get_mark()
+	if told.is_empty():
+		return null
+	var steps: PackedInt32Array = told["steps_usec"]
+	var mark: LatencyMark = LatencyMark.new()
+	mark.person = told["person"]
+	mark.sample = told["sample"]
+	mark.tick = told["tick"]
+	mark.simulated_usec = told["simulated_usec"]
+	mark.snapshot_sent_usec = mark.simulated_usec + steps[3]
+	mark.received_usec = mark.simulated_usec - steps[2]
+	mark.sent_usec = mark.received_usec - steps[1]
+	mark.sampled_usec = mark.sent_usec - steps[0]
+	return mark
+
+
+## What is to be said to the server at a time (µs), by somebody who looks from a place (m); mostly
+## nothing.
+func acknowledgement(p_now_usec: int, p_viewpoint: Vector3) -> PackedByteArray:
+	if p_now_usec - _acked_usec < ACK_PERIOD_USEC:
+		return PackedByteArray()
+	var bytes: PackedByteArray = _decoder.get_ack(p_viewpoint)
+	if not bytes.is_empty():
+		_acked_usec = p_now_usec
+	return bytes
+
+
+## Forgets the server's world, but not how it was made smooth.
+func clear() -> void:
+	_decoder.clear()
+	_smoother.clear()
+	newest_tick = -1
+
+
+## Works out where everything is at a local time, s.
+func show(p_now_s: float) -> void:
+	_smoother.show(p_now_s)
+
+
+## The server's tick that is shown, with its fraction, or -1.
+func shown_tick() -> float:
+	return _smoother.shown_tick()
+
+
+## How far what is shown is behind the quickest arrivals, s.
+func delay() -> float:
+	return _smoother.get_delay()
+
+
+## Whether something is known of a person.
+func has_person(p_actor: int) -> bool:
+	return _smoother.has_person(p_actor)
+
+
+## Where a person's limbs are, seven floats each; as received last if [param p_newest].
+func person_floats(p_actor: int, p_newest: bool = false) -> PackedFloat32Array:
+	if p_newest:
+		return _smoother.newest_person_transforms(p_actor)
+	return _smoother.person_transforms(p_actor)
+
+
+## Transforms of a person's bodies, by limb, of such floats.
+func limbs_of(p_actor: int, p_floats: PackedFloat32Array) -> Array[Transform3D]:
+	var joints: PersonSkeleton = world.skeletons.get(p_actor)
+	var bodies: Array[Transform3D] = []
+	if joints == null or p_floats.size() != Limbs.COUNT * FLOATS or not joints.is_sound():
+		return bodies
+	for limb: int in Limbs.COUNT:
+		var at: int = limb * FLOATS
+		var place: Vector3 = Vector3(p_floats[at], p_floats[at + 1], p_floats[at + 2])
+		var turn: Quaternion = Quaternion(
+			p_floats[at + 3], p_floats[at + 4], p_floats[at + 5], p_floats[at + 6]
+		)
+		bodies.append(joints.body_at(limb, place, turn))
+	return bodies
+
+
+## Whether something is known of a rigid body.
+func has_body(p_id: int) -> bool:
+	return _smoother.has_body(p_id)
+
+
+## Where a rigid body is; as received last if [param p_newest].
+func body_transform(p_id: int, p_newest: bool = false) -> Transform3D:
+	if p_newest:
+		return _smoother.newest_body_transform(p_id)
+	return _smoother.body_transform(p_id)
