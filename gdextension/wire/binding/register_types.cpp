@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "local_feedback.hpp"
+#include "person_stream.hpp"
+#include "pose_codec.hpp"
 #include "snapshot_decoder.hpp"
 #include "snapshot_encoder.hpp"
-#include "local_feedback.hpp"
 #include "snapshot_smoother.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
@@ -14,9 +16,11 @@ namespace {
 
 void initialize(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
+		GDREGISTER_CLASS(LocalFeedback);
+		GDREGISTER_CLASS(PersonStream);
+		GDREGISTER_CLASS(PoseCodec);
 		GDREGISTER_CLASS(SnapshotDecoder);
 		GDREGISTER_CLASS(SnapshotEncoder);
-		GDREGISTER_CLASS(LocalFeedback);
 		GDREGISTER_CLASS(SnapshotSmoother);
 	}
 }

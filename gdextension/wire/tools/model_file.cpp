@@ -23,7 +23,11 @@ void write_motion(std::FILE *p_file, const MotionModel &p_model) {
 	std::fprintf(p_file, ", ");
 	write_numbers(p_file, p_model.biases, LIMB_CLASSES);
 	std::fprintf(p_file, ", ");
-	write_numbers(p_file, p_model.part_biases, 3);
+	write_numbers(p_file, &p_model.part_biases[0][0], 3 * LIMB_CLASSES);
+	std::fprintf(p_file, ", ");
+	write_numbers(p_file, &p_model.pulls[0][0], 3 * LIMB_CLASSES);
+	std::fprintf(p_file, ", ");
+	write_numbers(p_file, p_model.passes, LIMB_CLASSES);
 	std::fprintf(p_file, ", %d, %d, %d, %d, %d, %d, ", p_model.speed, p_model.part_speed, p_model.parent,
 			p_model.average, p_model.part, p_model.along);
 	write_numbers(p_file, p_model.shapes, 3);

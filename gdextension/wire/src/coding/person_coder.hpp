@@ -43,7 +43,7 @@ private:
 	static constexpr int64_t MOST_PLACE = int64_t(1) << 29;
 	static constexpr int64_t MOST_MOTION = int64_t(1) << 18;
 	static constexpr int64_t MOST_ERROR = int64_t(1) << 20;
-	static constexpr int SPEED_FLOOR = 256; // A unit, squared.
+	static constexpr int SQUARE_FLOOR = 256; // A unit, squared.
 	static constexpr int MOST_SURPRISE = 64; // Four octaves.
 	static constexpr uint32_t SAME_CHART = 65400;
 
@@ -53,6 +53,9 @@ private:
 		std::array<int64_t, 3> numbers{}; ///< What is coded.
 		int step = 1; ///< Of the second and third number, which are as even or odd as the first.
 		int limb_class = 0;
+		bool usual_chart = true;
+		std::array<int64_t, 3> pull{}; ///< How far the parent turned unexpectedly, 1 / FRACTION units.
+		std::array<int64_t, 3> error{}; ///< Found out: how far this is from what was expected.
 		int parent_surprise = 0;
 	};
 
@@ -111,15 +114,20 @@ private:
 		Triple triple;
 		triple.step = 2;
 		triple.limb_class = class_of(p_limb);
+		triple.usual_chart = r_code.dropped == USUAL_CHART;
 		const int parent = context.skeleton.parents[p_limb];
 		triple.parent_surprise = parent >= 0 ? surprises[std::size_t(parent)] : average;
 		predict(p_limb, r_code.dropped, triple);
+		if (parent >= 0 && triple.usual_chart) {
+			triple.pull = turns[std::size_t(parent)];
+		}
 		for (std::size_t i = 0; i < 3; i++) {
 			triple.numbers[i] = r_code.parts[i];
 		}
 		if (!code_triple(context.model.rotation, triple, surprises[p_limb])) {
 			return false;
 		}
+		hand_on(triple, turns[p_limb]);
 		std::array<int32_t, 3> parts{};
 		for (std::size_t i = 0; i < 3; i++) {
 			if (triple.numbers[i] < -context.resolution || triple.numbers[i] > context.resolution) {
@@ -146,6 +154,17 @@ private:
 		}
 	}
 
+	// What a limb's children are told: how far it turned unexpectedly.
+	void hand_on(const Triple &p_triple, std::array<int64_t, 3> &r_turn) const {
+		if (!p_triple.usual_chart || context.base == nullptr) {
+			return;
+		}
+		const int64_t share = context.model.rotation.passes[p_triple.limb_class];
+		for (std::size_t i = 0; i < 3; i++) {
+			r_turn[i] = limited(p_triple.error[i] + p_triple.pull[i] * share / 256, MOST_ERROR);
+		}
+	}
+
 	int class_of(std::size_t p_limb) const {
 		return context.skeleton.limb_count == 16 ? CLASS_OF_LIMB[p_limb] : LIMB_CLASSES - 1;
 	}
@@ -153,21 +172,21 @@ private:
 	bool code_triple(const MotionModel &p_model, Triple &r_triple, int &r_surprise) {
 		const std::array<int64_t, 3> &motion = r_triple.motion;
 		const int64_t square = motion[0] * motion[0] + motion[1] * motion[1] + motion[2] * motion[2];
-		const int speed = log16(uint64_t(square + SPEED_FLOOR)) / 2;
+		const int speed = half_log16(square);
 		const int64_t gain = p_model.gains[gain_step(speed)];
 		const int common = 64 * p_model.biases[r_triple.limb_class] + p_model.speed * speed +
 				p_model.parent * r_triple.parent_surprise + p_model.average * average;
-		int64_t seen = 0; // Of the errors so far, along the velocity.
-		int64_t weight = square * p_model.along / 256 + SPEED_FLOOR;
+		int64_t along = 0; // The errors so far, along the velocity.
+		int64_t weight = square * p_model.along / 256 + SQUARE_FLOOR;
 		int surprise = 0;
 		int total = 0;
 		for (std::size_t i = 0; i < 3; i++) {
+			const int64_t expected = r_triple.from[i] + motion[i] * gain / 256 +
+					r_triple.pull[i] * p_model.pulls[r_triple.limb_class][i] / 256;
 			NumberModel number;
-			const int64_t expected = r_triple.from[i] + motion[i] * gain / 256;
-			number.expected = expected + motion[i] * seen / weight;
-			const int part_speed = log16(uint64_t(motion[i] * motion[i] + SPEED_FLOOR)) / 2;
-			number.level =
-					(common + 64 * p_model.part_biases[i] + p_model.part_speed * part_speed + p_model.part * surprise) /
+			number.expected = expected + motion[i] * along / weight;
+			number.level = (common + 64 * part_bias(p_model, r_triple, i) +
+								   p_model.part_speed * half_log16(motion[i] * motion[i]) + p_model.part * surprise) /
 					64;
 			number.shares = context.shares[p_model.shapes[i]];
 			number.step = i > 0 ? r_triple.step : 1;
@@ -175,11 +194,12 @@ private:
 			if (!port.number(number, r_triple.numbers[i])) {
 				return false;
 			}
-			const int64_t off = limited(r_triple.numbers[i] * FRACTION - number.expected, MOST_ERROR);
-			const int64_t error = limited(r_triple.numbers[i] * FRACTION - expected, MOST_ERROR);
-			seen += error * motion[i];
+			const int64_t found = r_triple.numbers[i] * FRACTION;
+			r_triple.error[i] = limited(found - expected, MOST_ERROR);
+			along += r_triple.error[i] * motion[i];
 			weight += motion[i] * motion[i];
-			const int now = log16(uint64_t(off * off + SPEED_FLOOR)) / 2 - number.level;
+			const int64_t off = limited(found - number.expected, MOST_ERROR);
+			const int now = half_log16(off * off) - number.level;
 			total += now;
 			surprise = int(limited(surprise + now, MOST_SURPRISE));
 		}
@@ -188,6 +208,12 @@ private:
 		return true;
 	}
 
+	// 16 times the logarithm to base 2 of a root, not below that of a unit.
+	static int half_log16(int64_t p_square) { return log16(uint64_t(p_square + SQUARE_FLOOR)) / 2; }
+	// Known for the chart that most limbs are in: it has the axes of the limbs.
+	static int part_bias(const MotionModel &p_model, const Triple &p_triple, std::size_t p_part) {
+		return p_triple.usual_chart ? p_model.part_biases[p_triple.limb_class][p_part] : 0;
+	}
 	static int gain_step(int p_speed) {
 		const int step = (p_speed - 64) / 16;
 		return step < 0 ? 0 : (step >= GAIN_STEPS ? GAIN_STEPS - 1 : step);
@@ -196,6 +222,7 @@ private:
 	Port &port;
 	const PersonContext &context;
 	std::array<int, MOST_LIMBS> surprises{};
+	std::array<std::array<int64_t, 3>, MOST_LIMBS> turns{}; // What hand_on() left.
 	int average = 0;
 };
 

@@ -11,6 +11,12 @@ namespace {
 // A chart is kept while the component that it drops is at least this.
 constexpr float LEAST_DROPPED = 0.42f;
 
+// No place is farther from the lattice than sqrt(5) / 2 units; a little of the margin for what floats
+// round off is used.
+constexpr float REACH = 1.127f;
+// Makes what is too far away dearer than all that is near enough.
+constexpr float FAR = 1e9f;
+
 std::array<float, 4> to_array(const Quat &p_rotation) {
 	return { p_rotation.x, p_rotation.y, p_rotation.z, p_rotation.w };
 }
@@ -33,15 +39,40 @@ int find_chart(const std::array<float, 4> &p_values, const RotationCode *p_previ
 	return largest;
 }
 
-// The nearest point whose coordinates are all even (p_odd 0) or all odd (1); returns the square of the distance.
-float round_to(const std::array<float, 3> &p_point, int p_odd, std::array<int16_t, 3> &r_parts) {
-	float square = 0.0f;
-	for (std::size_t i = 0; i < 3; i++) {
-		const float place = 2.0f * std::round((p_point[i] - float(p_odd)) * 0.5f) + float(p_odd);
-		r_parts[i] = int16_t(place);
-		square += (p_point[i] - place) * (p_point[i] - place);
+// Of the points that are near enough the one that is nearest to where the limb was: it is the cheapest
+// one to say. Without that, the nearest one.
+void choose(
+		const std::array<float, 3> &p_point, const RotationCode *p_previous, int p_resolution, RotationCode &r_code) {
+	const float whole = float(p_resolution) * float(p_resolution);
+	const float square = p_point[0] * p_point[0] + p_point[1] * p_point[1] + p_point[2] * p_point[2];
+	// The farther out, the less a unit turns.
+	const float stretch = (whole + square) / whole;
+	const float most = REACH * REACH * stretch * stretch;
+	float best = 1e30f;
+	std::array<int16_t, 3> parts{};
+	for (int odd = 0; odd < 2; odd++) {
+		std::array<int, 3> low{};
+		for (std::size_t i = 0; i < 3; i++) {
+			low[i] = 2 * int(std::floor((p_point[i] - float(odd)) * 0.5f)) + odd;
+		}
+		for (int corner = 0; corner < 8; corner++) {
+			float away = 0.0f;
+			float cost = 0.0f;
+			for (std::size_t i = 0; i < 3; i++) {
+				const int part = low[i] + ((corner >> i) & 1) * 2;
+				parts[i] = int16_t(part);
+				const float off = p_point[i] - float(part);
+				away += off * off;
+				const float change = p_previous != nullptr ? float(part - p_previous->parts[i]) : 0.0f;
+				cost += change * change;
+			}
+			cost = p_previous == nullptr || away > most ? FAR * away : cost;
+			if (cost < best) {
+				best = cost;
+				r_code.parts = parts;
+			}
+		}
 	}
-	return square;
 }
 
 } // namespace
@@ -71,11 +102,8 @@ RotationCode PersonLattice::nearest(const Quat &p_rotation, const RotationCode *
 			point[std::size_t(at++)] = values[std::size_t(i)] * scale;
 		}
 	}
-	std::array<int16_t, 3> odd{};
-	const float even_square = round_to(point, 0, code.parts);
-	if (round_to(point, 1, odd) < even_square) {
-		code.parts = odd;
-	}
+	const bool same_chart = p_previous != nullptr && p_previous->dropped == code.dropped;
+	choose(point, same_chart ? p_previous : nullptr, lattice_resolution, code);
 	return code;
 }
 

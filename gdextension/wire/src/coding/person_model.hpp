@@ -5,6 +5,8 @@
 
 namespace wire {
 
+/// The chart that most limbs are in: it drops w, its parts have the axes of the limb and its parent.
+constexpr int USUAL_CHART = 3;
 /// Kinds of limbs that share parameters: left and right move alike.
 constexpr int LIMB_CLASSES = 11;
 /// Steps of speed for which the share of the velocity is given.
@@ -18,7 +20,9 @@ constexpr int SHAPES = 8;
 struct MotionModel {
 	int16_t gains[GAIN_STEPS]; ///< By speed: share of the velocity that is believed, 1 / 256.
 	int16_t biases[LIMB_CLASSES]; ///< By class: level where nothing else is known, 1 / 16 octave.
-	int16_t part_biases[3]; ///< By part, added.
+	int16_t part_biases[LIMB_CLASSES][3]; ///< By class and part, added in the usual chart.
+	int16_t pulls[LIMB_CLASSES][3]; ///< By class and part: share of the parent's turn, 1 / 256.
+	int16_t passes[LIMB_CLASSES]; ///< By class: share of its pull that a limb hands on to its children, 1 / 256.
 	int16_t speed; ///< What follows are weights in 1 / 64: of the limb's speed,
 	int16_t part_speed; ///< of the part's speed,
 	int16_t parent; ///< of how wrong the prediction of the parent was,
