@@ -114,6 +114,9 @@ func _apply_choices() -> String:
 		return "--smoothing is one of %s, found '%s'" % [", ".join(_SMOOTHING.keys()), smoothing]
 	if not _options.text("feedback") in ["local", "server"]:
 		return "--feedback is local or server, found '%s'" % _options.text("feedback")
+	if not PosePacket.CODECS.has(_options.text("codec")):
+		var known: String = ", ".join(PosePacket.CODECS.keys())
+		return "--codec is one of %s, found '%s'" % [known, _options.text("codec")]
 	_scene.replica.set_smoothing(_SMOOTHING[smoothing])
 	_stop.watch()
 	return ""
@@ -127,7 +130,8 @@ func _open_source() -> String:
 	source.open(path, _options.text("unit"), _options.text("up"))
 	if source.error == "":
 		_motion = ClientMotion.new()
-		_motion.start(source, _options.number("rate"), _link, PosePacket.Codec.FLOAT)
+		var codec: PoseCodec.Coding = PosePacket.CODECS[_options.text("codec")]
+		_motion.start(source, _options.number("rate"), _link, codec)
 		Log.info("mocap", source.describe())
 	return source.error
 

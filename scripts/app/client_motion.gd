@@ -12,7 +12,7 @@ const _TRIPS: int = 40
 var source: MotionSource = null
 
 var _link: ClientLink = null
-var _codec: PosePacket.Codec = PosePacket.Codec.FLOAT
+var _codec: PoseCodec.Coding = PoseCodec.SMALLEST_3
 var _sampler: MotionSampler = MotionSampler.new()
 var _body: OwnBody = OwnBody.new()
 var _has_body: bool = false
@@ -24,7 +24,7 @@ var _mutex: Mutex = Mutex.new()
 
 ## Begins to sample, so many times a second. Samples go out while [method set_sending] says so.
 func start(
-	p_source: MotionSource, p_rate: float, p_link: ClientLink, p_codec: PosePacket.Codec
+	p_source: MotionSource, p_rate: float, p_link: ClientLink, p_codec: PoseCodec.Coding
 ) -> void:
 	source = p_source
 	_link = p_link

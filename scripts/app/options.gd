@@ -13,6 +13,7 @@ const TABLE: Array[Array] = [
 	["unit", "", "trainee: unit of the motion file: m, cm, mm, inch, cmu or metres per unit"],
 	["up", "", "trainee: up axis of the motion file: y or z"],
 	["rate", 60, "trainee: samples per second"],
+	["codec", "smallest_3", "trainee: how samples go: smallest_3, thesis_12, thesis_4 or float"],
 	["max-clients", Protocol.DEFAULT_MAX_CLIENTS, "server: clients that are admitted"],
 	["bandwidth", 250, "server: kbit/s for each client's snapshots, headers counted"],
 	["status-port", 0, "server: TCP port of the status on 127.0.0.1; 0: the same number as --port"],

@@ -4,25 +4,29 @@ extends RefCounted
 ##
 ## Little-endian: u8 message, u8 codec, u32 sample id, u64 sampling time (Unix, µs), u32 how long it
 ## was held (µs), u64 when it was sent (server's clock, µs; 0 unknown), 3 f32 root position (m), then
-## the limbs' rotations from the reset pose in the form that the codec gives them.
+## the limbs' rotations from the reset pose as the [PoseCodec] has them: 92 bytes in all.
 
-## How rotations are written: see [PoseCodec].
-enum Codec {
-	## x, y, z, w of each limb as f32.
-	FLOAT,
+## How rotations may be written, by the names that options have.
+const CODECS: Dictionary[String, PoseCodec.Coding] = {
+	"smallest_3": PoseCodec.SMALLEST_3,
+	"thesis_12": PoseCodec.THESIS_12,
+	"thesis_4": PoseCodec.THESIS_4,
+	"float": PoseCodec.FLOATS,
 }
-
 ## Bytes before the rotations.
 const HEADER: int = 1 + 1 + 4 + 8 + 4 + 8 + 12
 
 const _ROOT: int = 26
+const _LONGEST: int = HEADER + Limbs.COUNT * 16
 
 ## Why the packet that was decoded last is none, or an empty text.
 static var error: String = ""
 
 
 ## The bytes of a sample.
-static func encode(p_sample: PoseSample, p_codec: Codec = Codec.FLOAT) -> PackedByteArray:
+static func encode(
+	p_sample: PoseSample, p_codec: PoseCodec.Coding = PoseCodec.SMALLEST_3
+) -> PackedByteArray:
 	var bytes: PackedByteArray = PackedByteArray()
 	bytes.resize(HEADER)
 	bytes.encode_u8(0, Protocol.Message.POSE)
@@ -34,14 +38,17 @@ static func encode(p_sample: PoseSample, p_codec: Codec = Codec.FLOAT) -> Packed
 	bytes.encode_float(_ROOT, p_sample.root.x)
 	bytes.encode_float(_ROOT + 4, p_sample.root.y)
 	bytes.encode_float(_ROOT + 8, p_sample.root.z)
-	bytes.append_array(p_sample.orientations.to_byte_array())
+	bytes.append_array(PoseCodec.encode(p_sample.orientations, p_codec))
 	return bytes
 
 
 ## The sample in a packet; null (and a reason in [member error]) if it is not a valid one.
 static func decode(p_bytes: PackedByteArray) -> PoseSample:
-	if p_bytes.size() != HEADER + Limbs.COUNT * 16:
+	if p_bytes.size() <= HEADER or p_bytes.size() > _LONGEST:
 		error = "a pose packet of %d bytes" % p_bytes.size()
+		return null
+	if not CODECS.values().has(p_bytes[1]):
+		error = "a pose packet of the unknown codec %d" % p_bytes[1]
 		return null
 	var sample: PoseSample = PoseSample.new()
 	sample.id = p_bytes.decode_u32(2)
@@ -53,7 +60,8 @@ static func decode(p_bytes: PackedByteArray) -> PoseSample:
 		p_bytes.decode_float(_ROOT + 4),
 		p_bytes.decode_float(_ROOT + 8)
 	)
-	sample.orientations = p_bytes.slice(HEADER).to_float32_array()
+	var codec: PoseCodec.Coding = p_bytes[1] as PoseCodec.Coding
+	sample.orientations = PoseCodec.decode(p_bytes.slice(HEADER), codec)
 	error = sample.find_fault()
 	if error == "" and (sample.time_usec < 0 or sample.sent_usec < 0):
 		error = "a time before 1970"
