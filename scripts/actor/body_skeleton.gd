@@ -2,8 +2,8 @@ class_name BodySkeleton
 extends RefCounted
 ## How the bodies of a person hang together: what forward kinematics needs.
 ##
-## A limb's frame is that of its body: the origin is the middle of its shape, the axes are its bone's.
-## One entry for each limb of the profile, parents first.
+## A limb's frame is that of its body: the origin is the middle of its shape, the axes are its
+## bone's. One entry for each limb of the profile, parents first.
 
 ## Place of each limb's parent, -1 for the first.
 var parents: PackedInt32Array = PackedInt32Array()
@@ -17,8 +17,8 @@ var reset_orientations: Array[Quaternion] = []
 var slots: PackedInt32Array = PackedInt32Array()
 
 
-## The skeleton of a profile. [param p_bodies] are the bodies in the rest pose, in model space, where
-## they are not where the profile has its shapes.
+## The skeleton of a profile. [param p_bodies] are the bodies in the rest pose, in model space,
+## where they are not where the profile has its shapes.
 static func from_profile(
 	p_profile: RagdollProfile, p_bodies: Array[Transform3D] = []
 ) -> BodySkeleton:

@@ -1,26 +1,18 @@
 extends SceneTree
 ## What a client sees over a network that delays, jitters and loses: all methods of smoothing.
 ##
-## Real motion on the soldier's skeleton, a made-up network in simulated time (delays uniform, always
-## the same), a display of 60 Hz. Error now: against the truth at the time of display. Residual: what
-## is left of it when the lag is taken off. Jerk: over that of the truth; 1 is ideal.
-## Options: --bvh=FILE (again for more; default the clips in assets/motion), --rate=30 (updates per
-## second, again for more; default 10, 15, 30, 60), --delay=25, --jitter=10 (ms), --loss=2 (%),
-## --method=none|linear|extrapolate_lerp|hermite|error_offset|adaptive_low_delay (again for more),
-## --seconds=25 (of each clip), --seed=1.
+## Real motion on the soldier's skeleton, a made-up network in simulated time (delays uniform,
+## always the same), a display of 60 Hz. Error now: against the truth at the time of display.
+## Residual: what is left of it when the lag is taken off. Jerk: over that of the truth; 1 is
+## ideal. Options: --bvh=FILE (again for more; default the clips in assets/motion), --rate=30
+## (updates per second, again for more; default 10, 15, 30, 60), --delay=25, --jitter=10 (ms),
+## --loss=2 (%), --method=none|linear|extrapolate_lerp|hermite|error_offset|adaptive_low_delay
+## (again for more), --seconds=25 (of each clip), --seed=1.
 
 const Figures: GDScript = preload("smoothing/smoothing_figures.gd")
 const Motion: GDScript = preload("smoothing/smoothing_motion.gd")
 const Run: GDScript = preload("smoothing/smoothing_run.gd")
 const _SOLDIER: String = "res://scenes/actor/soldier.tscn"
-const _METHODS: Dictionary[String, SnapshotSmoother.Method] = {
-	"none": SnapshotSmoother.NONE,
-	"linear": SnapshotSmoother.LINEAR,
-	"hermite": SnapshotSmoother.HERMITE,
-	"extrapolate_lerp": SnapshotSmoother.EXTRAPOLATE_LERP,
-	"error_offset": SnapshotSmoother.ERROR_OFFSET,
-	"adaptive_low_delay": SnapshotSmoother.ADAPTIVE_LOW_DELAY,
-}
 const _DEFAULTS: Dictionary = {
 	"bvh": "",
 	"rate": "",
@@ -48,7 +40,7 @@ func _initialize() -> void:
 		quit(2)
 		return
 	for rate: String in _list("rate", ["10", "15", "30", "60"]):
-		for method: String in _list("method", _METHODS.keys()):
+		for method: String in _list("method", SmoothingMethods.BY_NAME.keys()):
 			_measure(method, rate.to_float())
 	_report.finish()
 	quit(0)
@@ -58,8 +50,11 @@ func _find_fault() -> String:
 	if _arguments.error != "":
 		return _arguments.error
 	for method: String in _arguments.list("method"):
-		if not _METHODS.has(method):
-			return "a method is one of %s, found '%s'" % [", ".join(_METHODS.keys()), method]
+		if not SmoothingMethods.BY_NAME.has(method):
+			return (
+				"a method is one of %s, found '%s'"
+				% [", ".join(SmoothingMethods.BY_NAME.keys()), method]
+			)
 	for rate: String in _arguments.list("rate"):
 		if not rate.is_valid_float() or rate.to_float() < 1.0 or rate.to_float() > 60.0:
 			return "a rate is 1 to 60 updates per second, found '%s'" % rate
@@ -96,7 +91,7 @@ func _measure(p_method: String, p_rate: float) -> void:
 	var runs: Array[Run] = []
 	for motion: Motion in _motions:
 		var run: Run = Run.new()
-		run.watch(motion, _METHODS[p_method], network)
+		run.watch(motion, SmoothingMethods.BY_NAME[p_method], network)
 		runs.append(run)
 	var figures: Figures = Figures.new(runs)
 	var name: String = "%s at %d Hz" % [p_method, roundi(p_rate)]

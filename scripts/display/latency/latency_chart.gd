@@ -33,7 +33,8 @@ func _init(p_canvas: CanvasItem) -> void:
 	_canvas = p_canvas
 
 
-## The histogram of the total within an area. The axis ends behind the thesis's mean, or where it must.
+## The histogram of the total within an area. The axis ends behind the thesis's mean, or where it
+## must.
 func draw_histogram(p_area: Rect2) -> void:
 	var most_ms: float = maxf(70.0, ceilf(probe.total.percentile(0.99) / 10.0) * 10.0 + 10.0)
 	var bins: PackedInt32Array = probe.total.coarse(0.0, most_ms, _STEPS)
