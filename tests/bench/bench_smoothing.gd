@@ -13,6 +13,9 @@ const Figures: GDScript = preload("smoothing/smoothing_figures.gd")
 const Motion: GDScript = preload("smoothing/smoothing_motion.gd")
 const Run: GDScript = preload("smoothing/smoothing_run.gd")
 const _SOLDIER: String = "res://scenes/actor/soldier.tscn"
+## The crowded world whose cost is measured.
+const _PEOPLE: int = 32
+const _BODIES: int = 200
 const _DEFAULTS: Dictionary = {
 	"bvh": "",
 	"rate": "",
@@ -42,6 +45,8 @@ func _initialize() -> void:
 	for rate: String in _list("rate", ["10", "15", "30", "60"]):
 		for method: String in _list("method", SmoothingMethods.BY_NAME.keys()):
 			_measure(method, rate.to_float())
+	if not _arguments.is_given("method") and not _arguments.is_given("rate"):
+		_measure_cost()
 	_report.finish()
 	quit(0)
 
@@ -108,3 +113,30 @@ func _measure(p_method: String, p_rate: float) -> void:
 	_report.add(name, "jerk", figures.jerk, "of truth", most, 1.0)
 	_report.add(name, "jerk", figures.jerk, "of truth", least, 0.6)
 	_report.add(name, "joint gap", figures.gap_mm, "mm", most, 0.01)
+
+
+## What a frame of a crowded world costs.
+func _measure_cost() -> void:
+	var motion: Motion = _motions[0]
+	var skeleton: BodySkeleton = motion.skeleton
+	var smoother: SnapshotSmoother = SnapshotSmoother.new()
+	for person: int in _PEOPLE:
+		smoother.set_skeleton(
+			person, skeleton.parents, skeleton.joints_in_parent, skeleton.joints_in_limb
+		)
+	var times: Statistics = Statistics.new()
+	for tick: int in 300:
+		var now: float = tick / 60.0
+		for person: int in _PEOPLE:
+			smoother.push_person(
+				person, tick, now, motion.roots[tick * 4], motion.turns_of(tick * 4)
+			)
+		for body: int in _BODIES:
+			var place: Transform3D = Transform3D(Basis(), Vector3(body, now, 0.0))
+			smoother.push_body(body, tick, now, place, Vector3.UP, Vector3.UP, false)
+		var begin: int = Time.get_ticks_usec()
+		smoother.show(now)
+		times.add((Time.get_ticks_usec() - begin) / 1000.0)
+	var name: String = "a frame of %d people, %d crates" % [_PEOPLE, _BODIES]
+	_report.add(name, "cost p50", times.percentile(0.5), "ms")
+	_report.add(name, "cost p99", times.percentile(0.99), "ms")
