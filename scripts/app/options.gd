@@ -129,11 +129,21 @@ func _set_option(p_name: String, p_value: String, p_source: String) -> void:
 	_check_range("rate", "a rate", 240)
 	# ENet's most, less those that are just arriving.
 	_check_range("max-clients", "the number of clients", 4000)
+	_check_choice("feedback", ["local", "server"])
+	_check_choice("smoothing", [""] + SmoothingMethods.BY_NAME.keys())
+	if number("fps") > 1000:
+		_refuse("--fps is at most 1000, found %d" % number("fps"))
 
 
 func _check_range(p_name: String, p_what: String, p_most: int) -> void:
 	if number(p_name) < 1 or number(p_name) > p_most:
 		_refuse("%s is between 1 and %d, found %d" % [p_what, p_most, number(p_name)])
+
+
+func _check_choice(p_name: String, p_known: Array) -> void:
+	if not text(p_name) in p_known:
+		var known: String = ", ".join(p_known.filter(func(name: String) -> bool: return name != ""))
+		_refuse("--%s is one of %s, found '%s'" % [p_name, known, text(p_name)])
 
 
 func _refuse(p_why: String) -> void:

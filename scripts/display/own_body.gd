@@ -2,8 +2,8 @@ class_name OwnBody
 extends RefCounted
 ## The wearer's own body as the wearer sees it: at once, and where the server's world stops it.
 ##
-## Puts [PoseSample]s onto the limbs of the body and hands them to [LocalFeedback], together with what
-## the server made of them.
+## Puts [PoseSample]s onto the limbs of the body and hands them to [LocalFeedback], together with
+## what the server made of them.
 
 ## What is shown may be this far beyond the newest sample, s: half a period of samples keeps the
 ## delay even where samples and frames are not in step.
@@ -15,8 +15,8 @@ var _scale: float = 1.0
 var _period_s: float = 1.0 / 60.0
 
 
-## Takes the body's skeleton, the ratio of the body's hip height to the wearer's, and how many samples
-## come a second.
+## Takes the body's skeleton, the ratio of the body's hip height to the wearer's, and how many
+## samples come a second.
 func setup(p_skeleton: PersonSkeleton, p_scale: float, p_rate: float) -> void:
 	_skeleton = p_skeleton
 	_scale = p_scale
@@ -39,8 +39,8 @@ func add_truth(p_moment_usec: int, p_transforms: PackedFloat32Array) -> bool:
 	return _feedback.push_truth(p_moment_usec / 1e6, p_transforms)
 
 
-## What is shown at a time of the client's clock (s), when the wearer's clock shows another (µs): seven
-## floats a limb; empty before the first sample.
+## What is shown at a time of the client's clock (s), when the wearer's clock shows another (µs):
+## seven floats a limb; empty before the first sample.
 func show(p_now_s: float, p_wearer_usec: int) -> PackedFloat32Array:
 	var moment: float = p_wearer_usec / 1e6 - HALF_PERIOD * _period_s
 	if not _feedback.show(p_now_s, moment):

@@ -2,10 +2,10 @@ class_name MotionSampler
 extends RefCounted
 ## Samples a [MotionSource] at exact times in a thread of its own, however slow the display is.
 ##
-## A sample goes to a callable at once, in that thread, and waits here for whoever shows the own body.
-## The times can be locked to another clock, so that samples reach the server shortly before its
-## ticks. While it runs nobody else may ask the source for samples. It must be stopped: a running
-## thread keeps it alive.
+## A sample goes to a callable at once, in that thread, and waits here for whoever shows the own
+## body. The times can be locked to another clock, so that samples reach the server shortly before
+## its ticks. While it runs nobody else may ask the source for samples. It must be stopped: a
+## running thread keeps it alive.
 
 ## Samples that wait for [method take_samples] at most; beyond it the oldest go.
 const MOST_WAITING: int = 64
@@ -30,8 +30,8 @@ var _taken: int = 0
 var _lateness: Statistics = Statistics.new()
 
 
-## Begins to sample so many times a second. [param p_deliver] is called with each [PoseSample] in the
-## sampling thread: what it does must be safe there.
+## Begins to sample so many times a second. [param p_deliver] is called with each [PoseSample] in
+## the sampling thread: what it does must be safe there.
 func start(p_source: MotionSource, p_rate: float, p_deliver: Callable) -> void:
 	stop()
 	_source = p_source

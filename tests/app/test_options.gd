@@ -44,8 +44,9 @@ func test_environment_and_arguments_win() -> void:
 
 
 func test_every_option_has_both_forms() -> void:
+	var choices: Dictionary[String, String] = {"feedback": "server", "smoothing": "linear"}
 	for row: Array in Options.TABLE:
-		var value: String = "7" if row[1] is not String else "x"
+		var value: String = "7" if row[1] is not String else choices.get(row[0], "x")
 		var options: Options = Options.parse(["--%s=%s" % [row[0], value]])
 		equal(options.error, "", row[0])
 		var variable: String = "DISMOUNT_" + (row[0] as String).to_upper().replace("-", "_")
@@ -72,6 +73,9 @@ func test_bad_values_are_named() -> void:
 		"--duration=soon": "--duration expects seconds, found 'soon'",
 		"--duration=-1": "--duration expects seconds, found '-1'",
 		"--duration=1e999": "--duration expects seconds, found '1e999'",
+		"--feedback=both": "--feedback is one of local, server, found 'both'",
+		"--smoothing=best": "adaptive_low_delay, found 'best'",
+		"--fps=2000": "--fps is at most 1000, found 2000",
 		"--nonsense=1": "there is no option --nonsense",
 		"--port": "'--port' is not of the form --name=value",
 		"port=7": "'port=7' is not of the form --name=value",

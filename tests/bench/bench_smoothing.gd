@@ -1,26 +1,21 @@
 extends SceneTree
 ## What a client sees over a network that delays, jitters and loses: all methods of smoothing.
 ##
-## Real motion on the soldier's skeleton, a made-up network in simulated time (delays uniform, always
-## the same), a display of 60 Hz. Error now: against the truth at the time of display. Residual: what
-## is left of it when the lag is taken off. Jerk: over that of the truth; 1 is ideal.
-## Options: --bvh=FILE (again for more; default the clips in assets/motion), --rate=30 (updates per
-## second, again for more; default 10, 15, 30, 60), --delay=25, --jitter=10 (ms), --loss=2 (%),
-## --method=none|linear|extrapolate_lerp|hermite|error_offset|adaptive_low_delay (again for more),
-## --seconds=25 (of each clip), --seed=1.
+## Real motion on the soldier's skeleton, a made-up network in simulated time (delays uniform,
+## always the same), a display of 60 Hz. Error now: against the truth at the time of display.
+## Residual: what is left of it when the lag is taken off. Jerk: over that of the truth; 1 is
+## ideal. Options: --bvh=FILE (again for more; default the clips in assets/motion), --rate=30
+## (updates per second, again for more; default 10, 15, 30, 60), --delay=25, --jitter=10 (ms),
+## --loss=2 (%), --method=none|linear|extrapolate_lerp|hermite|error_offset|adaptive_low_delay
+## (again for more), --seconds=25 (of each clip), --seed=1.
 
 const Figures: GDScript = preload("smoothing/smoothing_figures.gd")
 const Motion: GDScript = preload("smoothing/smoothing_motion.gd")
 const Run: GDScript = preload("smoothing/smoothing_run.gd")
 const _SOLDIER: String = "res://scenes/actor/soldier.tscn"
-const _METHODS: Dictionary[String, SnapshotSmoother.Method] = {
-	"none": SnapshotSmoother.NONE,
-	"linear": SnapshotSmoother.LINEAR,
-	"hermite": SnapshotSmoother.HERMITE,
-	"extrapolate_lerp": SnapshotSmoother.EXTRAPOLATE_LERP,
-	"error_offset": SnapshotSmoother.ERROR_OFFSET,
-	"adaptive_low_delay": SnapshotSmoother.ADAPTIVE_LOW_DELAY,
-}
+## The crowded world whose cost is measured.
+const _PEOPLE: int = 32
+const _BODIES: int = 200
 const _DEFAULTS: Dictionary = {
 	"bvh": "",
 	"rate": "",
@@ -48,8 +43,10 @@ func _initialize() -> void:
 		quit(2)
 		return
 	for rate: String in _list("rate", ["10", "15", "30", "60"]):
-		for method: String in _list("method", _METHODS.keys()):
+		for method: String in _list("method", SmoothingMethods.BY_NAME.keys()):
 			_measure(method, rate.to_float())
+	if not _arguments.is_given("method") and not _arguments.is_given("rate"):
+		_measure_cost()
 	_report.finish()
 	quit(0)
 
@@ -58,8 +55,11 @@ func _find_fault() -> String:
 	if _arguments.error != "":
 		return _arguments.error
 	for method: String in _arguments.list("method"):
-		if not _METHODS.has(method):
-			return "a method is one of %s, found '%s'" % [", ".join(_METHODS.keys()), method]
+		if not SmoothingMethods.BY_NAME.has(method):
+			return (
+				"a method is one of %s, found '%s'"
+				% [", ".join(SmoothingMethods.BY_NAME.keys()), method]
+			)
 	for rate: String in _arguments.list("rate"):
 		if not rate.is_valid_float() or rate.to_float() < 1.0 or rate.to_float() > 60.0:
 			return "a rate is 1 to 60 updates per second, found '%s'" % rate
@@ -96,7 +96,7 @@ func _measure(p_method: String, p_rate: float) -> void:
 	var runs: Array[Run] = []
 	for motion: Motion in _motions:
 		var run: Run = Run.new()
-		run.watch(motion, _METHODS[p_method], network)
+		run.watch(motion, SmoothingMethods.BY_NAME[p_method], network)
 		runs.append(run)
 	var figures: Figures = Figures.new(runs)
 	var name: String = "%s at %d Hz" % [p_method, roundi(p_rate)]
@@ -113,3 +113,30 @@ func _measure(p_method: String, p_rate: float) -> void:
 	_report.add(name, "jerk", figures.jerk, "of truth", most, 1.0)
 	_report.add(name, "jerk", figures.jerk, "of truth", least, 0.6)
 	_report.add(name, "joint gap", figures.gap_mm, "mm", most, 0.01)
+
+
+## What a frame of a crowded world costs.
+func _measure_cost() -> void:
+	var motion: Motion = _motions[0]
+	var skeleton: BodySkeleton = motion.skeleton
+	var smoother: SnapshotSmoother = SnapshotSmoother.new()
+	for person: int in _PEOPLE:
+		smoother.set_skeleton(
+			person, skeleton.parents, skeleton.joints_in_parent, skeleton.joints_in_limb
+		)
+	var times: Statistics = Statistics.new()
+	for tick: int in 300:
+		var now: float = tick / 60.0
+		for person: int in _PEOPLE:
+			smoother.push_person(
+				person, tick, now, motion.roots[tick * 4], motion.turns_of(tick * 4)
+			)
+		for body: int in _BODIES:
+			var place: Transform3D = Transform3D(Basis(), Vector3(body, now, 0.0))
+			smoother.push_body(body, tick, now, place, Vector3.UP, Vector3.UP, false)
+		var begin: int = Time.get_ticks_usec()
+		smoother.show(now)
+		times.add((Time.get_ticks_usec() - begin) / 1000.0)
+	var name: String = "a frame of %d people, %d crates" % [_PEOPLE, _BODIES]
+	_report.add(name, "cost p50", times.percentile(0.5), "ms")
+	_report.add(name, "cost p99", times.percentile(0.99), "ms")

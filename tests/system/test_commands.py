@@ -39,7 +39,7 @@ def run(*arguments: str, limit_s: float = 240.0, **environment: str) -> subproce
 def test_help_names_every_command() -> None:
     done = run("--help")
     assert done.returncode == 0
-    for word in ("server", "trainee", "observer", "editor", "export", "bvh", "bench"):
+    for word in ("server", "trainee", "observer", "editor", "export", "bvh", "latency", "bench"):
         assert f"./run {word}" in done.stdout
 
 

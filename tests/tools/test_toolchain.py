@@ -131,5 +131,5 @@ def test_a_stamp_holds_for_the_same_inputs_only(
 
 def test_every_benchmark_says_what_it_is() -> None:
     known = cli.benchmarks()
-    assert {"tracking", "scale"} <= set(known)
+    assert {"tracking", "scale", "latency"} <= set(known)
     assert all(about for _, about in known.values())

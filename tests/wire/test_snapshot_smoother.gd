@@ -53,6 +53,12 @@ func test_every_method_shows_something() -> void:
 		almost_equal(_smoother.server_time(2.0), 2.0, 0.01)
 
 
+func test_the_option_names_every_method() -> void:
+	equal(SmoothingMethods.BY_NAME.size(), METHODS)
+	equal(SmoothingMethods.find(""), SnapshotSmoother.ADAPTIVE_LOW_DELAY)
+	equal(SmoothingMethods.find("linear"), SnapshotSmoother.LINEAR)
+
+
 func test_what_makes_no_sense_is_refused() -> void:
 	is_false(_push(3, 1), "no skeleton")
 	is_false(_smoother.set_skeleton(3, [0, 0], [Vector3.ZERO], [Vector3.ZERO]))

@@ -106,6 +106,7 @@ TEST(free_motion_does_not_jitter) {
 	};
 	const std::vector<float> seen = see(10.0, waving, server);
 	std::vector<float> local;
+	local.reserve(seen.size());
 	for (std::size_t i = 0; i < seen.size(); i++) {
 		local.push_back(waving(double(i) / 60.0));
 	}

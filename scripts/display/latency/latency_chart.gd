@@ -33,7 +33,8 @@ func _init(p_canvas: CanvasItem) -> void:
 	_canvas = p_canvas
 
 
-## The histogram of the total within an area. The axis ends behind the thesis's mean, or where it must.
+## The histogram of the total within an area. The axis ends behind the thesis's mean, or where it
+## must.
 func draw_histogram(p_area: Rect2) -> void:
 	var most_ms: float = maxf(70.0, ceilf(probe.total.percentile(0.99) / 10.0) * 10.0 + 10.0)
 	var bins: PackedInt32Array = probe.total.coarse(0.0, most_ms, _STEPS)
@@ -109,11 +110,11 @@ func draw_table(p_corner: Vector2) -> void:
 func _draw_moment(p_area: Rect2, p_part: float, p_text: String, p_colour: Color) -> void:
 	var x: float = p_area.position.x + p_part * p_area.size.x
 	_canvas.draw_line(Vector2(x, p_area.position.y), Vector2(x, p_area.end.y), p_colour, 1.5)
-	_text(
-		Vector2(x + 4.0, p_area.position.y + font_size * (1.0 if p_colour == _THESIS else 2.4)),
-		p_text,
-		p_colour
-	)
+	var line: float = 1.0 if p_colour == _THESIS else 2.4
+	var width: float = _font.get_string_size(p_text, 0, -1, font_size).x
+	# Beside the line, on the side where there is room.
+	x += 4.0 if x + width + 4.0 < p_area.end.x else -4.0 - width
+	_text(Vector2(x, p_area.position.y + font_size * line), p_text, p_colour)
 
 
 func _text(p_place: Vector2, p_text: String, p_colour: Color = Color.WHITE) -> void:

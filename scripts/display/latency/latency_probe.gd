@@ -2,8 +2,8 @@ class_name LatencyProbe
 extends RefCounted
 ## Measures the delay from a sample to its display, stage by stage (thesis section 7.4).
 ##
-## Marks arrive with snapshots. A mark is on the screen with the first frame that shows its tick or a
-## later one, and counts when that frame is drawn. Memory is bounded however long it runs.
+## Marks arrive with snapshots. A mark is on the screen with the first frame that shows its tick or
+## a later one, and counts when that frame is drawn. Memory is bounded however long it runs.
 
 ## Marks that wait for their tick at most; beyond it the oldest are given up.
 const MOST_WAITING: int = 1024

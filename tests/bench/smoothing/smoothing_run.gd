@@ -1,5 +1,6 @@
 extends RefCounted
-## One client that watches a person over a network that delays, jitters and loses, in simulated time.
+## One client that watches a person over a network that delays, jitters and loses, in simulated
+## time.
 
 const Motion: GDScript = preload("smoothing_motion.gd")
 

@@ -9,9 +9,11 @@ namespace wire {
 namespace {
 
 // How many of the arrivals are waited for, and what part of the time between two ADAPTIVE_LOW_DELAY
-// stays behind besides: the less there is to guess, the smoother.
+// stays behind besides: the less there is to guess, the smoother. Frequent updates leave little to
+// guess.
 constexpr double WAITS_FOR = 0.9;
 constexpr double SHARE = 0.2;
+constexpr double SHARE_GROWTH = 6.0; // 1/s
 // What is shown runs faster or slower by at most this to get to where it should be, per second.
 constexpr double CORRECTION = 6.0;
 // It is set anew if it is further off, s.
@@ -125,13 +127,14 @@ bool Smoother::push(const BodyUpdate &p_update, double p_arrival_s) {
 
 /// The server's time that the method would like to show.
 double Smoother::wanted_time(double p_now_s) {
+	const double share = std::min(SHARE, SHARE_GROWTH * clock.interval());
 	switch (method) {
 		case SmoothingMethod::LINEAR:
 		case SmoothingMethod::HERMITE:
 			behind = std::min(std::max(BUFFER_S, clock.interval() + clock.lateness(WAITS_FOR)), LONGEST_DELAY_S);
 			break;
 		case SmoothingMethod::ADAPTIVE_LOW_DELAY:
-			behind = std::min(clock.lateness(WAITS_FOR) + SHARE * clock.interval(), LONGEST_DELAY_S);
+			behind = std::min(clock.lateness(WAITS_FOR) + share * clock.interval(), LONGEST_DELAY_S);
 			break;
 		default:
 			behind = 0.0;

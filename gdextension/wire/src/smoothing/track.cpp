@@ -22,7 +22,7 @@ constexpr double FAR_REACH_S = 0.3;
 // At the newest update motion is faster than its mean since the last one by so much of its change.
 constexpr float CHANGE = 0.25f;
 // How fast the jump of ADAPTIVE_LOW_DELAY decays (critically damped), and that of ERROR_OFFSET.
-constexpr double SPRING = 80.0; // 1/s, at up to this time between updates; less where they are rarer.
+constexpr double SPRING = 75.0; // 1/s, at up to this time between updates; less where they are rarer.
 constexpr double SPRING_GAP = 1.0 / 30.0; // s
 constexpr double DECAY = 21.4; // 1/s: to 0.7 within a sixtieth of a second.
 // Updates that are further apart are no samples of one motion, s.
