@@ -9,16 +9,6 @@ extends Node
 const _RETRY_S: float = 2.0
 ## Frames per second without a window: enough to send every sample in time.
 const _HEADLESS_FPS: int = 240
-## What --smoothing can be.
-const _SMOOTHING: Dictionary[String, SnapshotSmoother.Method] = {
-	"": SnapshotSmoother.ADAPTIVE_LOW_DELAY,
-	"none": SnapshotSmoother.NONE,
-	"linear": SnapshotSmoother.LINEAR,
-	"extrapolate_lerp": SnapshotSmoother.EXTRAPOLATE_LERP,
-	"hermite": SnapshotSmoother.HERMITE,
-	"error_offset": SnapshotSmoother.ERROR_OFFSET,
-	"adaptive_low_delay": SnapshotSmoother.ADAPTIVE_LOW_DELAY,
-}
 const _EXIT_FAILED: int = 1
 const _EXIT_OPTIONS: int = 2
 const _EXIT_REFUSED: int = 3
@@ -57,8 +47,7 @@ func _ready() -> void:
 		Engine.max_fps = frames if frames > 0 else _HEADLESS_FPS
 	_report = ReportFile.new(_options.file("report"))
 	var fault: String = _scene.apply(_options.text("views"), _options.text("camera"))
-	if fault == "":
-		fault = _apply_choices()
+	_apply_choices()
 	if fault == "" and _role == "trainee":
 		fault = _open_source()
 	if fault != "":
@@ -108,18 +97,9 @@ func _exit_tree() -> void:
 	_link.close()
 
 
-func _apply_choices() -> String:
-	var smoothing: String = _options.text("smoothing")
-	if not _SMOOTHING.has(smoothing):
-		return "--smoothing is one of %s, found '%s'" % [", ".join(_SMOOTHING.keys()), smoothing]
-	if not _options.text("feedback") in ["local", "server"]:
-		return "--feedback is local or server, found '%s'" % _options.text("feedback")
-	if not PosePacket.CODECS.has(_options.text("codec")):
-		var known: String = ", ".join(PosePacket.CODECS.keys())
-		return "--codec is one of %s, found '%s'" % [known, _options.text("codec")]
-	_scene.replica.set_smoothing(_SMOOTHING[smoothing])
+func _apply_choices() -> void:
+	_scene.replica.set_smoothing(SmoothingMethods.find(_options.text("smoothing")))
 	_stop.watch()
-	return ""
 
 
 func _open_source() -> String:

@@ -130,6 +130,7 @@ func _set_option(p_name: String, p_value: String, p_source: String) -> void:
 	# ENet's most, less those that are just arriving.
 	_check_range("max-clients", "the number of clients", 4000)
 	_check_choice("feedback", ["local", "server"])
+	_check_choice("codec", PosePacket.CODECS.keys())
 	_check_choice("smoothing", [""] + SmoothingMethods.BY_NAME.keys())
 	if number("fps") > 1000:
 		_refuse("--fps is at most 1000, found %d" % number("fps"))

@@ -118,7 +118,7 @@ func _measure(p_method: String, p_rate: float) -> void:
 ## What a frame of a crowded world costs.
 func _measure_cost() -> void:
 	var motion: Motion = _motions[0]
-	var skeleton: BodySkeleton = motion.skeleton
+	var skeleton: PersonSkeleton = motion.skeleton
 	var smoother: SnapshotSmoother = SnapshotSmoother.new()
 	for person: int in _PEOPLE:
 		smoother.set_skeleton(

@@ -6,7 +6,7 @@ const RATE: int = 60
 const ANSWER: int = 4
 
 var _body: OwnBody = null
-var _skeleton: BodySkeleton = null
+var _skeleton: PersonSkeleton = null
 var _truths: Array[PackedFloat32Array] = []
 ## Places of the hands, one after the other: shown, and as the wearer has them.
 var _shown: PackedVector3Array = []
@@ -71,7 +71,7 @@ func _play(p_pose: Callable) -> Stage.Player:
 
 func _begin(p_player: Stage.Player) -> void:
 	_stage.enter(p_player)
-	_skeleton = BodySkeleton.from_profile(p_player.ragdoll.profile)
+	_skeleton = p_player.ragdoll.get_joints()
 	_body = OwnBody.new()
 	# The places that the stage tells are those of the body already.
 	_body.setup(_skeleton, 1.0, RATE)
