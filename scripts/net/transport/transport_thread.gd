@@ -179,8 +179,9 @@ func _begin_client() -> void:
 
 
 func _serve() -> void:
-	var event: Array = _host.service(wait_ms)
-	for _event: int in _MOST_EVENTS:
+	for number: int in _MOST_EVENTS:
+		# Every packet that is told of must be taken, or the next event would get it.
+		var event: Array = _host.service(wait_ms if number == 0 else 0)
 		match event[0]:
 			ENetConnection.EVENT_CONNECT:
 				_on_connect(event[1], event[2])
@@ -196,7 +197,6 @@ func _serve() -> void:
 				return
 		if event[0] != ENetConnection.EVENT_ERROR:
 			_errors_since_usec = 0
-		event = _host.service(0)
 
 
 ## A datagram from port 0 makes a few errors, as no answer can be sent there; the host is none the
