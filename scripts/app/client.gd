@@ -27,6 +27,7 @@ var _recorder: SnapshotRecorder = null
 var _source: MotionSource = null
 var _report: ReportFile = null
 var _greeting: Greeting = Greeting.new()
+var _orders: InstructorOrders = null
 var _clock_s: float = 0.0
 var _next_sample_usec: int = 0
 var _retry_at_s: float = 0.0
@@ -115,6 +116,9 @@ func _open_link() -> String:
 	_greeting.version = _options.number("protocol")
 	if _source != null:
 		_greeting.hip_height = _source.get_hip_height()
+	_orders = InstructorOrders.new(_options.text("orders"))
+	if _orders.error != "":
+		return _orders.error
 	var fault: String = _set_up_encryption()
 	if fault != "":
 		return fault
@@ -144,6 +148,8 @@ func _connect() -> void:
 	_hud.show_message("Joining %s:%d ..." % where)
 	_retry_at_s = INF
 	_link.open(where[0], where[1], _greeting, _options.text("password"))
+	if _greeting.role == Protocol.Role.INSTRUCTOR:
+		_orders.attach(SessionControl.follow(self, _link))
 
 
 func _keep_trying() -> void:
