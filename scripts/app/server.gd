@@ -191,5 +191,6 @@ func _figures() -> Dictionary:
 		"clients": _link.client_count(),
 		"sent_bytes_per_second": _link.traffic.sent_per_second(),
 		"received_bytes_per_second": _link.traffic.received_per_second(),
+		"transport": _link.figures(),
 		"people": _actors.figures(),
 	}

@@ -266,7 +266,7 @@ func _on_receive(p_remote: ENetPacketPeer, p_channel: int) -> void:
 	var flags: int = p_remote.get_packet_flags()
 	var bytes: PackedByteArray = p_remote.get_packet()
 	var from: TransportConnection = _connections.get(p_remote.get_meta(&"id", 0))
-	if from == null:
+	if from == null or from.stage == TransportConnection.Stage.LEAVING:
 		return
 	if p_channel == FAST_CHANNEL:
 		_receive_fast(from, bytes, arrival)
@@ -400,6 +400,8 @@ func _describe_peers() -> Dictionary:
 	var peers: Dictionary = {}
 	for id: int in _connections:
 		var remote: ENetPacketPeer = _connections[id].remote
+		if not remote.is_active():
+			continue
 		peers[id] = {
 			"round_trip_ms": remote.get_statistic(ENetPacketPeer.PEER_ROUND_TRIP_TIME),
 			"loss": remote.get_statistic(ENetPacketPeer.PEER_PACKET_LOSS) / 65536.0,

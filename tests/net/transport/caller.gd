@@ -25,6 +25,6 @@ func tell_in_order(p_text: String) -> void:
 	heard.append(p_text)
 
 
-@rpc("authority", "reliable", 3)
+@rpc("authority", "call_remote", "reliable", 3)
 func tell_aside(p_text: String) -> void:
 	heard.append(p_text)
