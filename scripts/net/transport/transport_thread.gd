@@ -317,7 +317,8 @@ func _receive_fast(
 func _is_let_through(p_from: TransportConnection, p_verdict: TransportGuard.Verdict) -> bool:
 	if p_verdict == TransportGuard.Verdict.PASS:
 		return true
-	_count("dropped_in")
+	if p_verdict != TransportGuard.Verdict.IGNORE:
+		_count("dropped_in")
 	if p_verdict == TransportGuard.Verdict.THROW_OUT:
 		_throw_out(p_from, guard.reason)
 	elif p_verdict == TransportGuard.Verdict.DROP:
