@@ -178,10 +178,13 @@ func _poll() -> void:
 	if _thread == null:
 		return
 	_drop_read()
+	# Asked first: what the thread says last is there once it has ended.
+	var runs: bool = _thread.is_running()
 	if _next_event >= _events.size():
 		_events = _thread.mailbox.take_events()
 		_next_event = 0
-	if _events.is_empty() and not _thread.is_running():
+	var stands: bool = _status != CONNECTION_DISCONNECTED
+	if _events.is_empty() and stands and not runs:
 		_revive()
 		return
 	_goodbyes.clear()
