@@ -26,6 +26,7 @@ var _motion: ClientMotion = null
 var _own: int = -1
 var _report: ReportFile = null
 var _greeting: Greeting = Greeting.new()
+var _orders: InstructorOrders = null
 var _clock_s: float = 0.0
 var _retry_at_s: float = 0.0
 var _alone_since_s: float = 0.0
@@ -132,6 +133,9 @@ func _open_link() -> String:
 	_greeting.version = _options.number("protocol")
 	if _motion != null:
 		_greeting.hip_height = _motion.source.get_hip_height()
+	_orders = InstructorOrders.new(_options.text("orders"))
+	if _orders.error != "":
+		return _orders.error
 	var fault: String = _set_up_encryption()
 	if fault != "":
 		return fault
@@ -161,6 +165,8 @@ func _connect() -> void:
 	_hud.show_message("Joining %s:%d ..." % where)
 	_retry_at_s = INF
 	_link.open(where[0], where[1], _greeting, _options.text("password"))
+	if _greeting.role == Protocol.Role.INSTRUCTOR:
+		_orders.attach(SessionControl.follow(self, _link))
 
 
 func _keep_trying() -> void:

@@ -22,6 +22,7 @@ const TABLE: Array[Array] = [
 	["waiting-room", 0, "server: 1: an instructor admits everybody else"],
 	["max-per-address", 0, "server: clients that are admitted from one address; 0 any number"],
 	["ban-file", "", "server: JSON list of addresses that are not let in"],
+	["orders", "", "instructor: admit, refuse, kick or ban, then :NAME or :*, by commas"],
 	["dtls", 0, "client: 1: encrypt the connection, where the engine can"],
 	["dtls-certificate", "", "certificate (PEM): the server's own, or the one to be trusted"],
 	["dtls-key", "", "server: private key (PEM) of the certificate"],

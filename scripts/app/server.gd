@@ -85,6 +85,7 @@ func _open_link(p_port: int) -> bool:
 		_give_up(1, "UDP port %d is in use: choose another with --port" % p_port)
 		return false
 	Log.info("net", security.describe())
+	SessionControl.serve(self, _link)
 	return true
 
 

@@ -78,6 +78,7 @@ func report(p_link: ServerLink, p_sending: ServerReplication, p_people: Array) -
 		"clients": p_link.client_count(),
 		"sent_bytes_per_second": p_link.traffic.sent_per_second(),
 		"received_bytes_per_second": p_link.traffic.received_per_second(),
+		"transport": p_link.figures(),
 		"sessions": _sessions(p_link, p_sending),
 		"people": p_people,
 	}

@@ -57,8 +57,8 @@ func test_the_delay_is_half_a_period_and_the_same_in_every_frame() -> void:
 			next += 1
 		var shown: PackedFloat32Array = _body.show(now / 1e6, now)
 		almost_equal(now - _body.shown_moment_usec(now), 1e6 / RATE / 2.0, 1.0)
-		var true_pose: PackedFloat32Array = _skeleton.orientations_of(
-			_source.pose_at((now - 1e6 / RATE / 2.0) / 1e6)
+		var true_pose: PackedFloat32Array = (
+			_source.pose_at((now - 1e6 / RATE / 2.0) / 1e6).orientations
 		)
 		for limb: int in _skeleton.count() if frame > 10 else 0:
 			is_true(_off(shown, true_pose, limb) < deg_to_rad(3.0), "limb %d" % limb)

@@ -102,7 +102,7 @@ func _see(p_time_s: float, p_player: Stage.Player) -> void:
 
 ## Where the wearer has a limb, by forward kinematics.
 func _local_place(p_sample: PoseSample, p_limb: int) -> Vector3:
-	var turns: PackedFloat32Array = _skeleton.orientations_of(p_sample)
+	var turns: PackedFloat32Array = p_sample.orientations
 	var place: Vector3 = Vector3.ZERO
 	var limb: int = p_limb
 	while limb > 0:

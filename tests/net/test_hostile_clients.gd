@@ -200,7 +200,7 @@ func _catch_datagrams() -> Array[PackedByteArray]:
 func test_commands_of_the_engine_do_not_reach_it() -> void:
 	var bad: LinkPair.End = _pair.join(TRAINEE, "bad")
 	# As a client that speaks ENet, but is none of ours: calls, spawns, system commands, anything.
-	var raw: ENetMultiplayerPeer = bad.link.get("_enet")
+	var raw: ThreadedPeer = bad.link.get("_peer")
 	for round: int in 200:
 		var bytes: PackedByteArray = NetSamples.noise(_random, 40)
 		bytes.insert(0, _random.randi_range(0, 255))

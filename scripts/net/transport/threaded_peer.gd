@@ -45,6 +45,7 @@ var _port: int = 0
 var _address: String = ""
 var _status: MultiplayerPeer.ConnectionStatus = CONNECTION_DISCONNECTED
 var _addresses: Dictionary[int, String] = {}
+var _leaving: Dictionary[int, bool] = {}
 var _goodbyes: Dictionary[int, int] = {}
 var _events: Array[TransportEvent] = []
 var _next_event: int = 0
@@ -102,6 +103,7 @@ func close_with(p_goodbye: int) -> void:
 	_thread = null
 	_status = CONNECTION_DISCONNECTED
 	_addresses.clear()
+	_leaving.clear()
 	_events.clear()
 	_next_event = 0
 	_waiting.clear()
@@ -176,10 +178,13 @@ func _poll() -> void:
 	if _thread == null:
 		return
 	_drop_read()
+	# Asked first: what the thread says last is there once it has ended.
+	var runs: bool = _thread.is_running()
 	if _next_event >= _events.size():
 		_events = _thread.mailbox.take_events()
 		_next_event = 0
-	if _events.is_empty() and not _thread.is_running():
+	var stands: bool = _status != CONNECTION_DISCONNECTED
+	if _events.is_empty() and stands and not runs:
 		_revive()
 		return
 	_goodbyes.clear()
@@ -197,11 +202,12 @@ func _poll() -> void:
 func _take(p_event: TransportEvent) -> void:
 	match p_event.kind:
 		TransportEvent.Kind.PACKET:
-			if _addresses.has(p_event.peer):
+			if _addresses.has(p_event.peer) and not _leaving.has(p_event.peer):
 				_waiting.append(p_event)
 		TransportEvent.Kind.JOINED:
 			_on_joined(p_event)
 		TransportEvent.Kind.GONE:
+			_leaving.erase(p_event.peer)
 			if _addresses.erase(p_event.peer):
 				_goodbyes[p_event.peer] = p_event.code
 				if _unique_id != TARGET_PEER_SERVER:
@@ -220,6 +226,7 @@ func _on_joined(p_event: TransportEvent) -> void:
 	if _refuses and _unique_id == TARGET_PEER_SERVER:
 		_thread.disconnect_peer(p_event.peer, true, Protocol.Goodbye.THROWN_OUT)
 		return
+	_leaving.erase(p_event.peer)
 	_addresses[p_event.peer] = p_event.key
 	if _unique_id != TARGET_PEER_SERVER:
 		_status = CONNECTION_CONNECTED
@@ -328,12 +335,14 @@ func _close() -> void:
 func _disconnect_peer(p_peer: int, p_force: bool) -> void:
 	if _thread == null:
 		return
+	# Nobody wants to hear of it any more.
+	_waiting = _waiting.slice(_next_waiting).filter(
+		func(event: TransportEvent) -> bool: return event.peer != p_peer
+	)
+	_next_waiting = 0
+	_leaving[p_peer] = true
 	if p_force:
 		_addresses.erase(p_peer)
-		_waiting = _waiting.slice(_next_waiting).filter(
-			func(event: TransportEvent) -> bool: return event.peer != p_peer
-		)
-		_next_waiting = 0
 	_thread.disconnect_peer(p_peer, p_force, Protocol.Goodbye.LOST)
 
 

@@ -36,8 +36,7 @@ const MOST_WAITING: int = 512
 
 ## The multiplayer API's first byte has the command in its low bits.
 const _COMMAND_MASK: int = 7
-const _COMMAND_CALL: int = 0
-const _COMMAND_SIMPLIFY_PATH: int = 1
+## Remote calls, and what belongs to them, are up to here.
 const _COMMAND_CONFIRM_PATH: int = 2
 const _COMMAND_RAW: int = 3
 const _COMMAND_SYSTEM: int = 7
@@ -99,10 +98,9 @@ func _judge_admitted(
 ) -> Verdict:
 	if p_command == _COMMAND_RAW:
 		return Verdict.PASS
-	var calls: bool = p_command == _COMMAND_CALL or p_command == _COMMAND_SIMPLIFY_PATH
-	if not calls and p_command != _COMMAND_CONFIRM_PATH:
+	if p_command > _COMMAND_CONFIRM_PATH:
 		return _drop("command", "sent %d bytes of no use (%d)" % [p_bytes.size(), p_command])
-	if calls and not p_from.may_call:
+	if not p_from.may_call:
 		return _drop("call", "may not call anything")
 	p_from.calls += 1
 	if p_from.calls > MOST_CALLS:

@@ -166,6 +166,7 @@ func _run() -> void:
 			_waiting_bytes = 0
 			for id: int in _connections:
 				_connections[id].waiting = 0
+	mailbox.hand_over(_events, _fast)
 	_say_goodbye()
 	_host.destroy()
 
@@ -179,8 +180,9 @@ func _begin_client() -> void:
 
 
 func _serve() -> void:
-	var event: Array = _host.service(wait_ms)
-	for _event: int in _MOST_EVENTS:
+	for number: int in _MOST_EVENTS:
+		# Every packet that is told of must be taken, or the next event would get it.
+		var event: Array = _host.service(wait_ms if number == 0 else 0)
 		match event[0]:
 			ENetConnection.EVENT_CONNECT:
 				_on_connect(event[1], event[2])
@@ -196,7 +198,6 @@ func _serve() -> void:
 				return
 		if event[0] != ENetConnection.EVENT_ERROR:
 			_errors_since_usec = 0
-		event = _host.service(0)
 
 
 ## A datagram from port 0 makes a few errors, as no answer can be sent there; the host is none the
@@ -235,12 +236,12 @@ func _on_connect(p_remote: ENetPacketPeer, p_data: int) -> void:
 		# The id is the client's own choice: below 2 it would mean "all" or "all except".
 		_count("refused_ids")
 		_trouble("id", "refused a client with the forbidden id %d" % id)
-		p_remote.peer_disconnect_now(Protocol.Goodbye.THROWN_OUT)
+		p_remote.peer_disconnect(Protocol.Goodbye.THROWN_OUT)
 		return
 	if _connections.has(id):
 		_count("refused_ids")
 		_trouble("id", "refused a client with the id %d, which another has" % id)
-		p_remote.peer_disconnect_now(Protocol.Goodbye.THROWN_OUT)
+		p_remote.peer_disconnect(Protocol.Goodbye.THROWN_OUT)
 		return
 	if guard != null:
 		_make_room()
@@ -255,7 +256,7 @@ func _on_connect(p_remote: ENetPacketPeer, p_data: int) -> void:
 
 func _on_disconnect(p_remote: ENetPacketPeer, p_code: int) -> void:
 	var id: int = p_remote.get_meta(&"id", 0)
-	if _connections.has(id):
+	if _connections.has(id) and _connections[id].remote == p_remote:
 		_drop(_connections[id], p_code)
 	elif not _server:
 		_fail("no server answers at %s:%d" % [_address, _port])
@@ -266,7 +267,7 @@ func _on_receive(p_remote: ENetPacketPeer, p_channel: int) -> void:
 	var flags: int = p_remote.get_packet_flags()
 	var bytes: PackedByteArray = p_remote.get_packet()
 	var from: TransportConnection = _connections.get(p_remote.get_meta(&"id", 0))
-	if from == null:
+	if from == null or from.stage == TransportConnection.Stage.LEAVING:
 		return
 	if p_channel == FAST_CHANNEL:
 		_receive_fast(from, bytes, arrival)
@@ -317,7 +318,8 @@ func _receive_fast(
 func _is_let_through(p_from: TransportConnection, p_verdict: TransportGuard.Verdict) -> bool:
 	if p_verdict == TransportGuard.Verdict.PASS:
 		return true
-	_count("dropped_in")
+	if p_verdict != TransportGuard.Verdict.IGNORE:
+		_count("dropped_in")
 	if p_verdict == TransportGuard.Verdict.THROW_OUT:
 		_throw_out(p_from, guard.reason)
 	elif p_verdict == TransportGuard.Verdict.DROP:
@@ -346,14 +348,13 @@ func _throw_out(p_connection: TransportConnection, p_why: String) -> void:
 	_drop(p_connection, Protocol.Goodbye.THROWN_OUT)
 
 
-## Ends a connection at once; what still waited for it is freed.
+## Ends a connection at once; what still waited for it is freed, and the other end told. Not by
+## peer_disconnect_now() nor reset(): after these ENetConnection.service() follows a freed element of
+## its list (Godot 4.6), which ends release builds.
 func _drop(p_connection: TransportConnection, p_code: int) -> void:
 	_connections.erase(p_connection.id)
 	if p_connection.remote.is_active():
-		if p_code == Protocol.Goodbye.THROWN_OUT:
-			p_connection.remote.peer_disconnect_now(p_code)
-		else:
-			p_connection.remote.reset()
+		p_connection.remote.peer_disconnect(p_code)
 	var event: TransportEvent = TransportEvent.new(TransportEvent.Kind.GONE, p_connection.id)
 	event.code = p_code
 	_events.append(event)
@@ -400,6 +401,8 @@ func _describe_peers() -> Dictionary:
 	var peers: Dictionary = {}
 	for id: int in _connections:
 		var remote: ENetPacketPeer = _connections[id].remote
+		if not remote.is_active():
+			continue
 		peers[id] = {
 			"round_trip_ms": remote.get_statistic(ENetPacketPeer.PEER_ROUND_TRIP_TIME),
 			"loss": remote.get_statistic(ENetPacketPeer.PEER_PACKET_LOSS) / 65536.0,
@@ -435,7 +438,7 @@ func _order_disconnect(p_id: int, p_now: bool, p_code: int) -> void:
 		return
 	if p_now:
 		_connections.erase(p_id)
-		connection.remote.peer_disconnect_now(p_code)
+		connection.remote.peer_disconnect(p_code)
 	elif connection.stage != TransportConnection.Stage.LEAVING:
 		connection.stage = TransportConnection.Stage.LEAVING
 		connection.leaving_usec = Time.get_ticks_usec()
@@ -486,6 +489,8 @@ func _fail(p_why: String) -> void:
 	for id: int in _connections.keys():
 		_drop(_connections[id], Protocol.Goodbye.LOST)
 	_note(TransportEvent.Kind.FAILED, 0, "failed", p_why)
+	# There is only one server: nothing is left to be done.
+	_closing = true
 
 
 func _complain(p_about: TransportConnection, p_key: String, p_what: String) -> void:

@@ -1,0 +1,66 @@
+class_name InstructorOrders
+extends RefCounted
+## What an instructor without a keyboard does: orders such as [code]admit:*,kick:Bob[/code], each
+## carried out when somebody of that name is there to whom it applies.
+
+## What can be ordered, and the state in which somebody must be for it.
+const STATES: Dictionary[String, String] = {
+	"admit": "waiting",
+	"refuse": "waiting",
+	"kick": "here",
+	"ban": "here",
+}
+
+## Why the orders make no sense, or an empty text.
+var error: String = ""
+
+var _orders: Array[PackedStringArray] = []
+var _control: SessionControl = null
+
+
+func _init(p_text: String = "") -> void:
+	for part: String in p_text.split(",", false):
+		var order: PackedStringArray = part.strip_edges().split(":", true, 1)
+		if order.size() != 2 or not STATES.has(order[0]):
+			var known: String = ", ".join(STATES.keys())
+			error = "an order is one of %s, a colon and a name or *, found '%s'" % [known, part]
+			return
+		_orders.append(order)
+
+
+## Gives the orders by way of a control.
+func attach(p_control: SessionControl) -> void:
+	if _control == null:
+		p_control.roster_changed.connect(_on_roster_changed)
+		p_control.answered.connect(func(text: String) -> void: Log.info("client", text))
+	_control = p_control
+
+
+func _on_roster_changed(p_roster: Array[Dictionary]) -> void:
+	for order: PackedStringArray in _orders.duplicate():
+		for row: Dictionary in p_roster:
+			if _is_meant(order, row):
+				_give(order[0], row)
+				if order[1] != "*":
+					_orders.erase(order)
+
+
+func _is_meant(p_order: PackedStringArray, p_row: Dictionary) -> bool:
+	if p_row.get("role") == Protocol.Role.INSTRUCTOR:
+		return false
+	var named: bool = p_order[1] == "*" or p_order[1] == str(p_row.get("name"))
+	return named and p_row.get("state") == STATES[p_order[0]]
+
+
+func _give(p_order: String, p_row: Dictionary) -> void:
+	var peer: int = p_row.get("peer", 0)
+	var session: int = p_row.get("session", 0)
+	match p_order:
+		"admit":
+			_control.admit(peer)
+		"refuse":
+			_control.refuse(peer, "")
+		"kick":
+			_control.kick(session, "")
+		"ban":
+			_control.ban(session, "")

@@ -1,0 +1,144 @@
+class_name SessionControl
+extends Node
+## What instructors do with a session: remote calls over Godot's multiplayer API. The server checks
+## the caller's role and every argument.
+##
+## The same node, under the same name, belongs on both sides: [method serve] on the server,
+## [method follow] on an instructor's client, whose [member roster] is kept up to date.
+
+## Who is here, lost or waiting has changed; see [method ServerLink.roster]. On clients.
+signal roster_changed(p_roster: Array[Dictionary])
+## What became of a request, for the instructor who made it. On clients.
+signal answered(p_text: String)
+
+## Name of the node on both sides.
+const NODE_NAME: StringName = &"SessionControl"
+## Longest reason, characters.
+const LONGEST_REASON: int = 120
+
+## Who is here, lost or waiting, on an instructor's client.
+var roster: Array[Dictionary] = []
+
+var _link: ServerLink = null
+
+
+## Adds the node to a server, below a node of its own.
+static func serve(p_parent: Node, p_link: ServerLink) -> SessionControl:
+	var control: SessionControl = _attach(p_parent, p_link.api())
+	control._link = p_link
+	p_link.roster_changed.connect(control._push)
+	return control
+
+
+## Adds the node to an instructor's client, below a node of its own; again after each
+## [method ClientLink.open].
+static func follow(p_parent: Node, p_link: ClientLink) -> SessionControl:
+	return _attach(p_parent, p_link.api())
+
+
+## Asks the server to let somebody in who waits, by the peer's id in the [member roster].
+func admit(p_peer: int) -> void:
+	_admit.rpc_id(MultiplayerPeer.TARGET_PEER_SERVER, p_peer)
+
+
+## Asks the server to refuse somebody who waits, by the peer's id in the [member roster].
+func refuse(p_peer: int, p_why: String) -> void:
+	_refuse.rpc_id(MultiplayerPeer.TARGET_PEER_SERVER, p_peer, p_why)
+
+
+## Asks the server to send a client away.
+func kick(p_session: int, p_why: String) -> void:
+	_kick.rpc_id(MultiplayerPeer.TARGET_PEER_SERVER, p_session, p_why)
+
+
+## Asks the server to send a client away and not to let its address in again.
+func ban(p_session: int, p_why: String) -> void:
+	_ban.rpc_id(MultiplayerPeer.TARGET_PEER_SERVER, p_session, p_why)
+
+
+static func _attach(p_parent: Node, p_api: SceneMultiplayer) -> SessionControl:
+	var control: SessionControl = p_parent.get_node_or_null(NodePath(NODE_NAME))
+	if control == null:
+		control = SessionControl.new()
+		control.name = NODE_NAME
+		p_parent.add_child(control)
+	control.get_tree().multiplayer_poll = false
+	control.get_tree().set_multiplayer(p_api, p_parent.get_path())
+	return control
+
+
+@rpc("any_peer", "call_remote", "reliable")
+func _admit(p_peer: Variant = null) -> void:
+	var caller: Session = _caller()
+	if caller != null and p_peer is int:
+		_answer(caller, _link.admit(p_peer), "%s let '%s' in" % [caller.name, p_peer])
+
+
+@rpc("any_peer", "call_remote", "reliable")
+func _refuse(p_peer: Variant = null, p_why: Variant = null) -> void:
+	var caller: Session = _caller()
+	if caller != null and p_peer is int and p_why is String:
+		var why: String = "refused by %s" % _sign(caller, p_why)
+		_answer(caller, _link.refuse(p_peer, why), why)
+
+
+@rpc("any_peer", "call_remote", "reliable")
+func _kick(p_session: Variant = null, p_why: Variant = null) -> void:
+	var caller: Session = _caller()
+	if caller != null and p_session is int and p_why is String:
+		var why: String = "kicked by %s" % _sign(caller, p_why)
+		_answer(caller, _link.kick(p_session, why), "session %d was %s" % [p_session, why])
+
+
+@rpc("any_peer", "call_remote", "reliable")
+func _ban(p_session: Variant = null, p_why: Variant = null) -> void:
+	var caller: Session = _caller()
+	if caller != null and p_session is int and p_why is String:
+		var why: String = "banned by %s" % _sign(caller, p_why)
+		_answer(caller, _link.ban(p_session, why), "session %d was %s" % [p_session, why])
+
+
+@rpc("authority", "call_remote", "reliable")
+func _show(p_roster: Variant = null) -> void:
+	roster = []
+	if _link == null and p_roster is Array:
+		for row: Variant in p_roster:
+			if row is Dictionary:
+				roster.append(row)
+		roster_changed.emit(roster)
+
+
+@rpc("authority", "call_remote", "reliable")
+func _tell(p_text: Variant = null) -> void:
+	if _link == null and p_text is String:
+		answered.emit(ByteReader.clean((p_text as String).left(400)))
+
+
+## The instructor who calls, or null if it is none.
+func _caller() -> Session:
+	if _link == null:
+		return null
+	var session: Session = _link.session_of_peer(multiplayer.get_remote_sender_id())
+	if session != null and session.is_here and session.role == Protocol.Role.INSTRUCTOR:
+		return session
+	Log.limited("net", "instructor", "somebody who is no instructor gives orders")
+	return null
+
+
+func _sign(p_caller: Session, p_why: String) -> String:
+	var why: String = ByteReader.clean(p_why.left(LONGEST_REASON)).strip_edges()
+	return "instructor '%s'%s" % [p_caller.name, ": " + why if why != "" else ""]
+
+
+func _answer(p_caller: Session, p_fault: String, p_done: String) -> void:
+	Log.info("net", "%s asked: %s" % [p_caller.describe(), p_fault if p_fault != "" else p_done])
+	if p_caller.is_here:
+		_tell.rpc_id(p_caller.peer, p_fault if p_fault != "" else p_done)
+
+
+func _push() -> void:
+	var rows: Array[Dictionary] = _link.roster()
+	for row: Dictionary in rows:
+		if row["role"] == Protocol.Role.INSTRUCTOR and row["state"] == "here":
+			if multiplayer.get_peers().has(row["peer"]):
+				_show.rpc_id(row["peer"], rows)

@@ -1,0 +1,271 @@
+extends SceneTree
+## How long a datagram takes from one client over the server's thread to another, over real sockets,
+## beside Godot's own ENetMultiplayerPeer that is polled every frame.
+##
+## Options: --seconds=5 (each case), --hz=60 (datagrams per second and pairs' sender), --bytes=281,
+## --fps=60 (frames of the polled peer), --clients=32 (connections in the case of many). Goal: p50 of
+## the thread at most 1 ms.
+
+const _GOAL_MS: float = 1.0
+
+var _arguments: BenchArguments = null
+var _report: BenchReport = null
+
+
+## A server's thread that passes each datagram on to everybody else, as the server does with poses.
+class Relay:
+	var peer: ThreadedPeer = null
+
+	func pass_on(p_bytes: PackedByteArray, _p_arrival_usec: int) -> PackedByteArray:
+		# To all: who sent it drops it.
+		peer.send_fast(0, p_bytes)
+		return PackedByteArray()
+
+
+func _initialize() -> void:
+	_arguments = BenchArguments.parse(
+		OS.get_cmdline_user_args(),
+		{"seconds": 5.0, "hz": 60, "bytes": 281, "fps": 60, "clients": 32}
+	)
+	_run.call_deferred()
+
+
+func _run() -> void:
+	var fault: String = _arguments.error
+	for name: String in ["hz", "bytes", "fps", "clients"]:
+		var most: int = Protocol.MAX_DATAGRAM if name == "bytes" else 1000
+		var value: int = _arguments.value(name)
+		if fault == "" and (value < (16 if name == "bytes" else 1) or value > most):
+			fault = "--%s is between 1 (bytes: 16) and %d, found %d" % [name, most, value]
+	if fault != "":
+		printerr(fault)
+		quit(2)
+		return
+	_report = BenchReport.new("transport", _arguments.value("json"))
+	await _run_threaded()
+	await _run_polled()
+	await _run_flood()
+	await _run_many()
+	_report.finish()
+	quit(0)
+
+
+## A to B over the server's thread: the arrival is that of B's thread.
+func _run_threaded() -> void:
+	var port: int = _free_port()
+	var server: ThreadedPeer = ThreadedPeer.new()
+	var relay: Relay = Relay.new()
+	relay.peer = server
+	server.instant_kind = Protocol.Message.POSE
+	server.instant = relay.pass_on
+	server.create_server(port, "127.0.0.1")
+	var clients: Array[ThreadedPeer] = await _join(server, port, 2)
+	var delays: Statistics = Statistics.new()
+	var sent: int = 0
+	var period: int = 1000000 / (_arguments.value("hz") as int)
+	var due: int = Time.get_ticks_usec()
+	var end: int = due + int((_arguments.value("seconds") as float) * 1e6)
+	clients[1].take_fast()
+	while Time.get_ticks_usec() < end:
+		# Not in step with the threads' milliseconds.
+		due += period + randi_range(-900, 900)
+		OS.delay_usec(maxi(due - Time.get_ticks_usec(), 0))
+		clients[0].send_fast(1, _stamped())
+		sent += 1
+	OS.delay_msec(50)
+	for packet: FastPacket in clients[1].take_fast():
+		delays.add((packet.arrival_usec - packet.bytes.decode_u64(1)) / 1000.0)
+	_add_delays("threads", delays, sent, true)
+	_close(server, clients)
+
+
+## The same over Godot's own peer, which is polled at the beginning of each frame.
+func _run_polled() -> void:
+	var port: int = _free_port()
+	var server: ENetMultiplayerPeer = ENetMultiplayerPeer.new()
+	server.create_server(port, 8)
+	var clients: Array[ENetMultiplayerPeer] = []
+	for _client: int in 2:
+		var client: ENetMultiplayerPeer = ENetMultiplayerPeer.new()
+		client.create_client("127.0.0.1", port)
+		clients.append(client)
+	for _round: int in 200:
+		server.poll()
+		clients[0].poll()
+		clients[1].poll()
+		OS.delay_msec(1)
+	var delays: Statistics = Statistics.new()
+	var sent: int = 0
+	var frame: int = 1000000 / (_arguments.value("fps") as int)
+	var now: int = Time.get_ticks_usec()
+	# Each of the three has frames of its own, not in step with each other.
+	var due: Array[int] = [now, now + frame / 3, now + frame * 2 / 3]
+	var end: int = now + int((_arguments.value("seconds") as float) * 1e6)
+	while now < end:
+		var next: int = due.find(due.min())
+		OS.delay_usec(maxi(due[next] - Time.get_ticks_usec(), 0))
+		now = Time.get_ticks_usec()
+		due[next] += frame + randi_range(-500, 500)
+		match next:
+			0:
+				clients[0].poll()
+				clients[0].set_target_peer(1)
+				clients[0].transfer_mode = MultiplayerPeer.TRANSFER_MODE_UNRELIABLE
+				clients[0].put_packet(_stamped())
+				sent += 1
+			1:
+				server.poll()
+				while server.get_available_packet_count() > 0:
+					var bytes: PackedByteArray = server.get_packet()
+					server.set_target_peer(clients[1].get_unique_id())
+					server.transfer_mode = MultiplayerPeer.TRANSFER_MODE_UNRELIABLE
+					server.put_packet(bytes)
+			2:
+				clients[1].poll()
+				now = Time.get_ticks_usec()
+				while clients[1].get_available_packet_count() > 0:
+					var bytes: PackedByteArray = clients[1].get_packet()
+					delays.add((now - bytes.decode_u64(1)) / 1000.0)
+	_add_delays("ENetMultiplayerPeer, polled", delays, sent, false)
+	server.close()
+	for client: ENetMultiplayerPeer in clients:
+		client.close()
+
+
+## As many datagrams as go through, and what one costs in all threads together.
+func _run_flood() -> void:
+	var port: int = _free_port()
+	var server: ThreadedPeer = ThreadedPeer.new()
+	server.create_server(port, "127.0.0.1")
+	var clients: Array[ThreadedPeer] = await _join(server, port, 1)
+	var got: int = 0
+	var sent: int = 0
+	var cpu: float = _cpu_seconds()
+	var begin: int = Time.get_ticks_usec()
+	var span: int = int((_arguments.value("seconds") as float) * 1e6)
+	while Time.get_ticks_usec() - begin < span:
+		for _datagram: int in 20:
+			clients[0].send_fast(1, _stamped())
+			sent += 1
+		OS.delay_usec(1000)
+		got += server.take_fast().size()
+	OS.delay_msec(50)
+	got += server.take_fast().size()
+	var seconds: float = (Time.get_ticks_usec() - begin) / 1e6
+	_report.add("one way, as many as go", "arrived", got / seconds, "1/s")
+	_report.add("one way, as many as go", "lost", 100.0 * (sent - got) / sent, "%")
+	var cost: float = (_cpu_seconds() - cpu) * 1e6 / got
+	_report.add("one way, as many as go", "all threads, per datagram", cost, "us")
+	_close(server, clients)
+
+
+## What the server's thread costs with many connections: at rest, and with poses in and as many
+## datagrams to each out as a server sends.
+func _run_many() -> void:
+	var port: int = _free_port()
+	var count: int = _arguments.value("clients")
+	var server: ThreadedPeer = ThreadedPeer.new()
+	server.create_server(port, "127.0.0.1")
+	var before: PackedStringArray = DirAccess.get_directories_at("/proc/self/task")
+	var clients: Array[ThreadedPeer] = await _join(server, port, count, 10)
+	var thread: String = _newest_thread_before(before)
+	var idle: float = await _measure_thread(server, clients, thread, false)
+	var active: float = await _measure_thread(server, clients, thread, true)
+	var case: String = "server's thread, %d clients" % count
+	_report.add(case, "CPU at rest", idle * 1000.0, "ms/s")
+	_report.add(case, "CPU, %d Hz in, 60 Hz out" % _arguments.value("hz"), active * 1000.0, "ms/s")
+	_report.add(case, "CPU a tick", active * 1000.0 / 60.0, "ms", BenchReport.Goal.AT_MOST, 2.0)
+	_close(server, clients)
+
+
+func _measure_thread(
+	p_server: ThreadedPeer, p_clients: Array[ThreadedPeer], p_thread: String, p_active: bool
+) -> float:
+	var cpu: float = _cpu_seconds(p_thread)
+	var begin: int = Time.get_ticks_usec()
+	var due: int = begin
+	var period: int = 1000000 / (_arguments.value("hz") as int)
+	while Time.get_ticks_usec() - begin < int((_arguments.value("seconds") as float) * 1e6):
+		due += period
+		OS.delay_usec(maxi(due - Time.get_ticks_usec(), 0))
+		for client: ThreadedPeer in p_clients:
+			if p_active:
+				client.send_fast(1, _stamped())
+				p_server.send_fast(client.get_unique_id(), _stamped())
+			client.take_fast()
+		p_server.take_fast()
+	await process_frame
+	return (_cpu_seconds(p_thread) - cpu) / ((Time.get_ticks_usec() - begin) / 1e6)
+
+
+func _join(
+	p_server: ThreadedPeer, p_port: int, p_count: int, p_wait_ms: int = 1
+) -> Array[ThreadedPeer]:
+	var clients: Array[ThreadedPeer] = []
+	for _client: int in p_count:
+		var client: ThreadedPeer = ThreadedPeer.new()
+		client.wait_ms = p_wait_ms
+		client.create_client("127.0.0.1", p_port)
+		clients.append(client)
+	var limit: int = Time.get_ticks_msec() + 5000
+	var missing: int = p_count
+	while missing > 0 and Time.get_ticks_msec() < limit:
+		await process_frame
+		p_server.poll()
+		missing = 0
+		for client: ThreadedPeer in clients:
+			client.poll()
+			missing += 0 if p_server.has_peer(client.get_unique_id()) else 1
+	return clients
+
+
+func _close(p_server: ThreadedPeer, p_clients: Array[ThreadedPeer]) -> void:
+	for client: ThreadedPeer in p_clients:
+		client.close()
+	p_server.close()
+
+
+func _add_delays(p_case: String, p_delays: Statistics, p_sent: int, p_goal: bool) -> void:
+	var kind: BenchReport.Goal = BenchReport.Goal.AT_MOST if p_goal else BenchReport.Goal.NONE
+	_report.add(p_case, "A to server to B, p50", p_delays.percentile(0.5), "ms", kind, _GOAL_MS)
+	_report.add(p_case, "A to server to B, p95", p_delays.percentile(0.95), "ms")
+	_report.add(p_case, "A to server to B, p99", p_delays.percentile(0.99), "ms")
+	_report.add(p_case, "lost", 100.0 * (p_sent - p_delays.count()) / maxi(p_sent, 1), "%")
+
+
+## A datagram like a pose that carries the time at which it was sent.
+func _stamped() -> PackedByteArray:
+	var bytes: PackedByteArray = PackedByteArray()
+	bytes.resize(_arguments.value("bytes"))
+	bytes.encode_u8(0, Protocol.Message.POSE)
+	bytes.encode_u64(1, Time.get_ticks_usec())
+	return bytes
+
+
+func _free_port() -> int:
+	var probe: PacketPeerUDP = PacketPeerUDP.new()
+	probe.bind(0, "127.0.0.1")
+	var port: int = probe.get_local_port()
+	probe.close()
+	return port
+
+
+## The youngest of the threads that were there: the server's own.
+func _newest_thread_before(p_threads: PackedStringArray) -> String:
+	var newest: int = 0
+	for id: String in p_threads:
+		newest = maxi(newest, id.to_int())
+	return str(newest)
+
+
+## CPU time of a thread, or of all of the process, s.
+func _cpu_seconds(p_thread: String = "") -> float:
+	var path: String = "/proc/self/stat"
+	if p_thread != "":
+		path = "/proc/self/task/%s/stat" % p_thread
+	var file: FileAccess = FileAccess.open(path, FileAccess.READ)
+	if file == null:
+		return 0.0
+	var fields: PackedStringArray = file.get_line().get_slice(") ", 1).split(" ")
+	# Ticks of 10 ms, in the program and in the system for it.
+	return (fields[11].to_int() + fields[12].to_int()) / 100.0

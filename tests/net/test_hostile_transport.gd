@@ -1,0 +1,162 @@
+extends TestCase
+## Attacks on the transport itself, each with a legitimate client that must not notice: chosen ids,
+## clients that take nothing in, repeated and swapped datagrams, bad snapshots.
+
+const LinkPair: GDScript = preload("link_pair.gd")
+const NetSamples: GDScript = preload("net_samples.gd")
+const UdpRelay: GDScript = preload("transport/udp_relay.gd")
+const TRAINEE: Protocol.Role = Protocol.Role.TRAINEE
+
+var _pair: LinkPair = null
+var _good: LinkPair.End = null
+var _random: RandomNumberGenerator = RandomNumberGenerator.new()
+var _hosts: Array[ENetConnection] = []
+var _poses: int = 0
+
+
+func before_each() -> void:
+	_random.seed = 9
+	_pair = LinkPair.new()
+	equal(_pair.listen(8), OK)
+	_good = _pair.join(TRAINEE, "good")
+	equal(_good.joined, 1)
+
+
+func after_each() -> void:
+	_pair.close()
+	for host: ENetConnection in _hosts:
+		host.destroy()
+
+
+func test_chosen_ids() -> void:
+	var good_id: int = _good.link._peer.get_unique_id()
+	for id: int in [0, 1, -5, -2147483648, 0x80000001, good_id, good_id]:
+		var host: ENetConnection = _connect(id & 0xFFFFFFFF)
+		_serve(host, 0.1)
+		equal(host.get_peers()[0].is_active() if host.get_peers().size() > 0 else false, false)
+	_check_good()
+	equal(_pair.server.client_count(), 1)
+	equal(_pair.server.figures()["refused_ids"], 7)
+
+
+func test_a_client_that_never_acknowledges() -> void:
+	var bad: ENetConnection = _connect(77)
+	_serve(bad, 0.1)
+	# It is connected and says nothing any more; the server has challenged it.
+	var stands: Callable = func() -> bool: return not _pair.server._peer.has_peer(77)
+	_check_good()
+	is_true(_pair.until(stands, 6.0), "gone")
+	_check_good()
+
+
+func test_a_client_that_takes_nothing_in() -> void:
+	var bad: LinkPair.End = _pair.join(TRAINEE, "bad")
+	var session: int = bad.link.session
+	# It acknowledges just enough for ENet, but never says that it has taken in what it was sent.
+	var api: SceneMultiplayer = _pair.server.api()
+	var peer: int = _pair.server._book.find(session).peer
+	var connection: TransportConnection = _pair.server._peer._thread._connections[peer]
+	_pair.ends.erase(bad)
+	bad.link._peer._thread._server = true
+	var block: PackedByteArray = []
+	block.resize(60000)
+	for _block: int in 90:
+		if api.get_peers().has(peer):
+			api.send_bytes(block, peer, MultiplayerPeer.TRANSFER_MODE_RELIABLE)
+		_pair.run(0.002)
+	is_true(_pair.until(func() -> bool: return _pair.left.has(session), 6.0))
+	is_true(connection.unreceipted > TransportConnection.MOST_UNRECEIPTED)
+	equal(_pair.server.figures()["thrown_out"], 1)
+	bad.link.close()
+	_check_good()
+
+
+func test_large_reliable_traffic_is_receipted() -> void:
+	var peer: int = _pair.server._book.find(_good.link.session).peer
+	var connection: TransportConnection = _pair.server._peer._thread._connections[peer]
+	for _world: int in 30:
+		_pair.server.send_world(NetSamples.world(_random, 2000, 8))
+		_pair.run(0.02)
+	is_true(_pair.until(func() -> bool: return _good.worlds.size() == 30, 10.0))
+	is_true(_pair.until(func() -> bool: return connection.unreceipted < 200000))
+	is_true(_good.link.is_joined())
+
+
+func test_repeated_and_swapped_datagrams() -> void:
+	var relay: UdpRelay = UdpRelay.new()
+	relay.copies = 2
+	relay.hold = 0.2
+	relay.damage = 0.05
+	relay.replays = true
+	relay.start(_pair.port)
+	var odd: LinkPair.End = LinkPair.End.new()
+	odd.greeting.role = TRAINEE
+	_pair.ends.append(odd)
+	odd.link.open("127.0.0.1", relay.port, odd.greeting)
+	is_true(_pair.until(func() -> bool: return odd.joined == 1, 8.0), odd.loss)
+	for _pose: int in 60:
+		odd.link.send_pose(PosePacket.encode(NetSamples.pose(_random)))
+		_pair.run(0.016)
+	_check_good()
+	_pair.run(0.2)
+	var count: int = _pair.poses.get(odd.link.session, []).size()
+	is_true(count >= 55, "%d of 60 poses through the relay" % count)
+	is_true(count <= 300, "%d of 60 poses through the relay" % count)
+	relay.stop()
+
+
+func test_snapshots_that_are_none() -> void:
+	var snapshot: Snapshot = NetSamples.snapshot(_random, 20, 2)
+	var good: PackedByteArray = SnapshotPacket.encode(snapshot)[0]
+	var peer: int = _pair.server._book.find(_good.link.session).peer
+	var large: PackedByteArray = good.duplicate()
+	large.resize(60000)
+	for round: int in 100:
+		var bad: PackedByteArray = good.slice(0, _random.randi_range(1, good.size() - 1))
+		_pair.server.send_datagrams(_good.link.session, [bad])
+		_pair.server.send_datagrams(_good.link.session, [NetSamples.damage(_random, good)])
+		_pair.server._peer._thread.send(peer, TransportThread.FAST_CHANNEL, large, 8)
+		_pair.run(0.005)
+	_check_good()
+
+
+func test_engine_commands_do_not_harm_a_client() -> void:
+	# A hostile server may make the client's engine complain, but not more.
+	var peer: int = _pair.server._book.find(_good.link.session).peer
+	for round: int in 20:
+		_pair.server._peer.set_target_peer(peer)
+		_pair.server._peer.put_packet(PackedByteArray([3, _random.randi_range(0, 255), 1, 2]))
+	_check_good()
+
+
+## The good client sends 60 poses in a second, all of which arrive, and gets as many snapshots.
+func _check_good() -> void:
+	var snapshot: Snapshot = NetSamples.snapshot(_random, 20, 2)
+	var session: int = _good.link.session
+	var before: int = _pair.poses.get(session, []).size()
+	var heard: int = _good.snapshots.size()
+	for _pose: int in 30:
+		_good.link.send_pose(PosePacket.encode(NetSamples.pose(_random)))
+		_pair.server.send_snapshot(snapshot)
+		_pair.run(1.0 / 60.0)
+	var all: Callable = func() -> bool: return _pair.poses.get(session, []).size() - before >= 30
+	is_true(_pair.until(all, 1.0), "%d poses" % (_pair.poses.get(session, []).size() - before))
+	is_true(_pair.until(func() -> bool: return _good.snapshots.size() - heard >= 30, 1.0))
+	is_true(_good.link.is_joined(), "the good client is still there")
+
+
+func _connect(p_id: int) -> ENetConnection:
+	var host: ENetConnection = ENetConnection.new()
+	host.create_host(1, TransportThread.CHANNELS)
+	host.connect_to_host("127.0.0.1", _pair.port, TransportThread.CHANNELS, p_id)
+	_hosts.append(host)
+	return host
+
+
+func _serve(p_host: ENetConnection, p_seconds: float) -> void:
+	var limit: int = Time.get_ticks_usec() + int(p_seconds * 1e6)
+	while Time.get_ticks_usec() < limit:
+		var event: Array = p_host.service(1)
+		if event[0] == ENetConnection.EVENT_RECEIVE:
+			(event[1] as ENetPacketPeer).get_packet()
+		_pair.poll()

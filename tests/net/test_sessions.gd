@@ -1,0 +1,297 @@
+extends TestCase
+## Who may come in, who comes back, and what instructors decide.
+
+const LinkPair: GDScript = preload("link_pair.gd")
+const NetSamples: GDScript = preload("net_samples.gd")
+const TRAINEE: Protocol.Role = Protocol.Role.TRAINEE
+const OBSERVER: Protocol.Role = Protocol.Role.OBSERVER
+const INSTRUCTOR: Protocol.Role = Protocol.Role.INSTRUCTOR
+const V: int = Protocol.VERSION
+
+var _pair: LinkPair = null
+var _random: RandomNumberGenerator = RandomNumberGenerator.new()
+var _server_node: Node = null
+var _client_node: Node = null
+
+
+func before_each() -> void:
+	_random.seed = 3
+	_pair = LinkPair.new()
+
+
+func after_each() -> void:
+	_pair.close()
+
+
+func test_the_right_password_opens() -> void:
+	_pair.rules.password = "sesame"
+	_pair.listen()
+	equal(_pair.join(TRAINEE, "Ada", "sesame").joined, 1)
+	var wrong: LinkPair.End = _pair.add(TRAINEE, "Bob", V, "Sesame")
+	var none: LinkPair.End = _pair.add(OBSERVER, "Eve")
+	is_true(_pair.until(func() -> bool: return wrong.refusal != "" and none.refusal != ""))
+	equal([wrong.refusal, none.refusal], ["the password is wrong", "the password is wrong"])
+	equal(_pair.server.client_count(), 1)
+
+
+func test_instructors_have_a_password_of_their_own() -> void:
+	_pair.rules.password = "all"
+	_pair.rules.instructor_password = "few"
+	_pair.listen()
+	equal(_pair.join(INSTRUCTOR, "Ida", "few").joined, 1)
+	equal(_pair.join(TRAINEE, "Ada", "all").joined, 1)
+	var wrong: LinkPair.End = _pair.add(INSTRUCTOR, "Eve", V, "all")
+	is_true(_pair.until(func() -> bool: return wrong.refusal != ""))
+
+
+func test_instructors_without_password_are_local() -> void:
+	_pair.listen()
+	equal(_pair.join(INSTRUCTOR).joined, 1)
+	is_true(ServerRules.is_loopback("127.1.2.3") and ServerRules.is_loopback("::1"))
+	is_false(ServerRules.is_loopback("10.0.0.1") or ServerRules.is_loopback("12.7.0.1"))
+
+
+func test_a_server_that_does_not_know_the_password_is_left() -> void:
+	_pair.rules.password = "sesame"
+	_pair.listen()
+	# It takes any password, as a server would that only wants to have people on it.
+	var key: PackedByteArray = PasswordKey.derive("guess", _pair.rules._salt, PasswordKey.ROUNDS)
+	_pair.rules._keys["sesame"] = key
+	var end: LinkPair.End = _pair.add(TRAINEE, "Ada", V, "sesame")
+	end.link._key_salt = _pair.rules._salt
+	end.link._key = key
+	is_true(_pair.until(func() -> bool: return end.link._said.size() == 2))
+	end.link._key = PasswordKey.derive("sesame", _pair.rules._salt, PasswordKey.ROUNDS)
+	is_true(_pair.until(func() -> bool: return end.refusal != ""))
+	equal(end.refusal, "the server does not know the password")
+
+
+func test_guessing_is_slowed_down_and_keeps_nobody_out_who_comes_back() -> void:
+	_pair.rules.password = "sesame"
+	_pair.listen(64)
+	var good: LinkPair.End = _pair.join(TRAINEE, "Ada", "sesame")
+	var guesses: Array[LinkPair.End] = []
+	for i: int in 12:
+		guesses.append(_pair.add(OBSERVER, "Eve", V, "guess %d" % i))
+	var told: Callable = func() -> bool:
+		return guesses.all(
+			func(end: LinkPair.End) -> bool: return end.refusal != "" or end.loss != ""
+		)
+	is_true(_pair.until(told, 8.0))
+	var late: int = 0
+	for end: LinkPair.End in guesses:
+		late += 1 if end.loss.contains("too many wrong passwords") else 0
+	is_true(late >= 5, "%d of 12 were not even tried" % late)
+	_lose(good)
+	good.link.open("127.0.0.1", _pair.port, good.greeting, "sesame")
+	is_true(_pair.until(func() -> bool: return good.joined == 2), "%s %s" % [good.loss, good.refusal])
+	is_true(_pair.until(func() -> bool: return _pair.returned == _pair.joined.keys()))
+
+
+func test_guess_limit() -> void:
+	var limit: GuessLimit = GuessLimit.new()
+	for _guess: int in GuessLimit.BURST:
+		is_true(limit.may_guess("a", 0))
+		limit.note_wrong("a", 0)
+	is_false(limit.may_guess("a", 1900000))
+	is_true(limit.may_guess("b", 0), "another address")
+	is_true(limit.may_guess("a", 2000000))
+	limit.note_wrong("a", 2000000)
+	is_false(limit.may_guess("a", 2100000))
+
+
+func test_a_lost_client_comes_back_into_its_session() -> void:
+	_pair.listen(1)
+	var end: LinkPair.End = _pair.join(TRAINEE)
+	var session: int = end.link.session
+	equal(_pair.joined.keys(), [session] as Array[int])
+	_lose(end)
+	equal(_pair.server.client_count(), 0)
+	var other: LinkPair.End = _pair.add(OBSERVER, "Bob")
+	is_true(_pair.until(func() -> bool: return other.refusal != ""))
+	contains(other.refusal, "full", "the place is kept")
+	end.link.open("127.0.0.1", _pair.port, end.greeting)
+	is_true(_pair.until(func() -> bool: return _pair.returned.size() == 1))
+	equal([end.link.session, _pair.returned[0]], [session, session])
+	equal(_pair.joined.size(), 1, "joined once")
+	end.link.send_pose(PosePacket.encode(NetSamples.pose(_random)))
+	is_true(_pair.until(func() -> bool: return _pair.poses.has(session)))
+
+
+func test_a_token_that_is_guessed_opens_nothing() -> void:
+	_pair.listen()
+	var end: LinkPair.End = _pair.join(TRAINEE)
+	_lose(end)
+	var thief: LinkPair.End = LinkPair.End.new()
+	_pair.ends.append(thief)
+	thief.greeting.role = TRAINEE
+	thief.link._token = Crypto.new().generate_random_bytes(16)
+	thief.link._token_of = "127.0.0.1:%d" % _pair.port
+	thief.link.open("127.0.0.1", _pair.port, thief.greeting)
+	is_true(_pair.until(func() -> bool: return thief.joined == 1))
+	not_equal(thief.link.session, end.link.session)
+	equal(_pair.returned.size(), 0)
+
+
+func test_a_new_connection_replaces_the_old() -> void:
+	_pair.listen(1)
+	var end: LinkPair.End = _pair.join(TRAINEE)
+	var twin: LinkPair.End = LinkPair.End.new()
+	_pair.ends.append(twin)
+	twin.link._token = end.link._token
+	twin.link._token_of = end.link._token_of
+	twin.greeting.role = TRAINEE
+	twin.link.open("127.0.0.1", _pair.port, twin.greeting)
+	is_true(_pair.until(func() -> bool: return twin.joined == 1 and end.loss != ""))
+	is_true(_pair.until(func() -> bool: return _pair.returned.size() == 1))
+	equal(_pair.left.size(), 0)
+	equal(_pair.server.client_count(), 1)
+
+
+func test_a_place_is_kept_for_a_minute_only() -> void:
+	_pair.listen()
+	var end: LinkPair.End = _pair.join(TRAINEE)
+	_lose(end)
+	var session: Session = _pair.server._book.find(_pair.lost[0])
+	session.lost_usec -= int(SessionBook.KEPT_S * 1e6) - 200000
+	_pair.run(0.05)
+	equal(_pair.left.size(), 0)
+	is_true(_pair.until(func() -> bool: return _pair.left.size() == 1, 1.0))
+	end.link.open("127.0.0.1", _pair.port, end.greeting)
+	is_true(_pair.until(func() -> bool: return _pair.joined.size() == 2), "as somebody new")
+
+
+func test_limit_per_address() -> void:
+	_pair.rules.max_per_address = 2
+	_pair.listen()
+	_pair.join(TRAINEE)
+	_pair.join(OBSERVER)
+	var third: LinkPair.End = _pair.add(OBSERVER)
+	is_true(_pair.until(func() -> bool: return third.refusal != ""))
+	contains(third.refusal, "2 clients of your address")
+
+
+func test_an_instructor_admits_and_refuses() -> void:
+	_pair.rules.waiting_room = true
+	_pair.listen()
+	var control: SessionControl = _add_instructor()
+	var first: LinkPair.End = _pair.add(TRAINEE, "first")
+	is_true(_pair.until(func() -> bool: return first.places.has(1)))
+	var second: LinkPair.End = _pair.add(OBSERVER, "second")
+	is_true(_pair.until(func() -> bool: return second.places.has(2)))
+	_pair.run(0.2)
+	equal([first.joined, second.joined], [0, 0])
+	var waiting: Array = control.roster.filter(
+		func(row: Dictionary) -> bool: return row["state"] == "waiting"
+	)
+	equal(waiting.map(func(row: Dictionary) -> String: return row["name"]), ["first", "second"])
+	control.admit(waiting[0]["peer"])
+	is_true(_pair.until(func() -> bool: return first.joined == 1 and second.places.back() == 1))
+	control.refuse(waiting[1]["peer"], "not today")
+	is_true(_pair.until(func() -> bool: return second.refusal != ""))
+	equal(second.refusal, "refused by instructor 'Ida': not today")
+
+
+func test_those_who_wait_are_kept_longer_than_a_greeting_takes() -> void:
+	_pair.rules.waiting_room = true
+	_pair.listen()
+	var first: LinkPair.End = _pair.add(TRAINEE, "first")
+	is_true(_pair.until(func() -> bool: return first.places.size() == 1))
+	_pair.run(SessionDoor.GREETING_S + 3.0)
+	equal([first.refusal, first.loss], ["", ""])
+	equal(_pair.server.admit(_pair.server.roster()[0]["peer"]), "")
+	is_true(_pair.until(func() -> bool: return first.joined == 1))
+
+
+func test_an_instructor_kicks_and_bans() -> void:
+	var file: String = "user://bans_%d.json" % Time.get_ticks_usec()
+	_pair.rules.bans = BanList.open(file)
+	_pair.listen()
+	var control: SessionControl = _add_instructor()
+	var answers: Array[String] = []
+	control.answered.connect(answers.append)
+	var rude: LinkPair.End = _pair.join(TRAINEE, "rude")
+	control.kick(rude.link.session, "be\nkind")
+	is_true(_pair.until(func() -> bool: return rude.refusal != ""))
+	equal(rude.refusal, "kicked by instructor 'Ida': bekind")
+	equal(_pair.left.size(), 1, "its body goes at once")
+	control.kick(999, "")
+	is_true(_pair.until(func() -> bool: return answers.has("there is no session 999")))
+	var worse: LinkPair.End = _pair.join(TRAINEE, "worse")
+	control.ban(worse.link.session, "again")
+	is_true(_pair.until(func() -> bool: return worse.refusal != ""))
+	var late: LinkPair.End = _pair.add(OBSERVER)
+	is_true(_pair.until(func() -> bool: return late.refusal != ""))
+	equal(late.refusal, "your address is banned")
+	is_true(BanList.open(file).has("127.0.0.1"), "kept in the file")
+	DirAccess.remove_absolute(file)
+
+
+func test_nobody_else_gives_orders() -> void:
+	_pair.listen()
+	SessionControl.serve(_make_node(), _pair.server)
+	var rogue: LinkPair.End = _pair.join(TRAINEE, "rogue")
+	var victim: LinkPair.End = _pair.join(TRAINEE, "victim")
+	var control: SessionControl = SessionControl.follow(_make_node(), rogue.link)
+	control.kick(victim.link.session, "")
+	_pair.run(0.3)
+	equal([victim.refusal, victim.loss, _pair.left.size()], ["", "", 0])
+
+
+func test_calls_that_make_no_sense_end_a_connection() -> void:
+	_pair.listen()
+	SessionControl.serve(_make_node(), _pair.server)
+	var good: LinkPair.End = _pair.join(TRAINEE, "good")
+	var bad: LinkPair.End = _pair.join(INSTRUCTOR, "bad")
+	SessionControl.follow(_make_node(), bad.link)
+	for text: String in ["not found", "is null", "Invalid packet", "Invalid call", "RPC", "cache"]:
+		allow_error(text)
+	for round: int in 40:
+		if bad.link._peer == null:
+			break
+		var bytes: PackedByteArray = NetSamples.noise(_random, 40)
+		bytes.insert(0, round % 3)
+		bad.link._peer.set_target_peer(1)
+		bad.link._peer.put_packet(bytes)
+		_pair.run(0.01)
+	is_true(_pair.until(func() -> bool: return _pair.left.size() == 1))
+	is_true(good.link.is_joined())
+
+
+func test_ban_file_with_faults() -> void:
+	var file: String = "user://bans_%d.json" % Time.get_ticks_usec()
+	_write(file, '[\n"10.0.0.1",\n"nonsense",\n7]\n')
+	var list: BanList = BanList.open(file)
+	equal(list.error, "")
+	is_true(list.has("10.0.0.1") and not list.has("nonsense"))
+	_write(file, '[\n"10.0.0.1",\n')
+	contains(BanList.open(file).error, "is no JSON")
+	_write(file, "{}")
+	contains(BanList.open(file).error, "no JSON list")
+	DirAccess.remove_absolute(file)
+
+
+func _write(p_path: String, p_text: String) -> void:
+	var file: FileAccess = FileAccess.open(p_path, FileAccess.WRITE)
+	file.store_string(p_text)
+	file.close()
+
+
+func _add_instructor() -> SessionControl:
+	SessionControl.serve(_make_node(), _pair.server)
+	var end: LinkPair.End = _pair.add(INSTRUCTOR, "Ida")
+	var control: SessionControl = SessionControl.follow(_make_node(), end.link)
+	is_true(_pair.until(func() -> bool: return end.joined == 1 and not control.roster.is_empty()))
+	return control
+
+
+func _make_node() -> Node:
+	var node: Node = Node.new()
+	add_child(node)
+	return node
+
+
+## Cuts a client's connection without a goodbye.
+func _lose(p_end: LinkPair.End) -> void:
+	p_end.link._peer.close_with(Protocol.Goodbye.LOST)
+	is_true(_pair.until(func() -> bool: return _pair.lost.size() == 1 and p_end.loss != ""))

@@ -1,0 +1,313 @@
+extends TestCase
+## Godot's multiplayer API over the threaded peer: authentication, calls, spawner, channels, targets,
+## and the fast path beside it.
+
+const Caller: GDScript = preload("caller.gd")
+
+var _server: ThreadedPeer = null
+var _clients: Array[ThreadedPeer] = []
+var _port: int = 0
+var _apis: Array[SceneMultiplayer] = []
+var _roots: Array[Node] = []
+
+
+func before_each() -> void:
+	var probe: PacketPeerUDP = PacketPeerUDP.new()
+	probe.bind(0, "127.0.0.1")
+	_port = probe.get_local_port()
+	probe.close()
+	_server = ThreadedPeer.new()
+	equal(_server.create_server(_port, "127.0.0.1"), OK)
+
+
+func after_each() -> void:
+	for api: SceneMultiplayer in _apis:
+		api.multiplayer_peer = null
+	for client: ThreadedPeer in _clients:
+		client.close()
+	_server.close()
+
+
+func test_calls_go_both_ways() -> void:
+	var callers: Array[Caller] = await _make_callers(2)
+	callers[1].ask.rpc_id(1, "hello")
+	await _until(func() -> bool: return callers[1].heard.size() == 1)
+	equal(callers[1].heard, ["hello back"] as Array[String])
+	equal(callers[2].heard, [] as Array[String])
+	callers[0].tell.rpc("all")
+	await _until(func() -> bool: return callers[1].heard.size() + callers[2].heard.size() == 3)
+	equal(callers[2].heard, ["all"] as Array[String])
+
+
+func test_every_mode_and_channel_arrives() -> void:
+	var callers: Array[Caller] = await _make_callers(1)
+	callers[0].tell_unreliably.rpc("u")
+	callers[0].tell_in_order.rpc("o")
+	callers[0].tell_aside.rpc("a")
+	await _until(func() -> bool: return callers[1].heard.size() == 3)
+	callers[1].heard.sort()
+	equal(callers[1].heard, ["a", "o", "u"] as Array[String])
+
+
+func test_a_large_reliable_call_arrives_whole() -> void:
+	var callers: Array[Caller] = await _make_callers(1)
+	var text: String = "0123456789".repeat(100000)
+	callers[0].tell.rpc(text)
+	await _until(func() -> bool: return callers[1].heard.size() == 1)
+	equal(callers[1].heard[0].length(), text.length())
+	callers[0].tell.rpc("after")
+	await _until(func() -> bool: return callers[1].heard.size() == 2)
+	equal(callers[1].heard[1], "after", "the marks are nobody's packets")
+
+
+func test_a_spawner_spawns_and_removes() -> void:
+	await _make_callers(1)
+	for root: Node in _roots:
+		var spawner: MultiplayerSpawner = MultiplayerSpawner.new()
+		spawner.name = "Spawner"
+		spawner.spawn_path = ^".."
+		spawner.spawn_function = func(name: Variant) -> Node:
+			var node: Node = Node.new()
+			node.name = name
+			return node
+		root.add_child(spawner)
+	var thing: Node = (_roots[0].get_node("Spawner") as MultiplayerSpawner).spawn("thing")
+	await _until(func() -> bool: return _roots[1].has_node("thing"))
+	is_true(_roots[1].has_node("thing"))
+	thing.queue_free()
+	await _until(func() -> bool: return not _roots[1].has_node("thing"))
+	is_false(_roots[1].has_node("thing"))
+
+
+func test_authentication_keeps_strangers_out() -> void:
+	var heard: Array[String] = []
+	var server_api: SceneMultiplayer = _make_api(_server)
+	server_api.auth_callback = func(peer: int, bytes: PackedByteArray) -> void:
+		heard.append(bytes.get_string_from_ascii())
+		if heard.back() == "friend":
+			server_api.complete_auth(peer)
+		else:
+			server_api.disconnect_peer(peer)
+	var outcomes: Array[String] = []
+	for word: String in ["friend", "foe"]:
+		var client: ThreadedPeer = _connect()
+		var api: SceneMultiplayer = _make_api(client)
+		api.auth_callback = func(_peer: int, _bytes: PackedByteArray) -> void: pass
+		api.peer_authenticating.connect(
+			func(peer: int) -> void:
+				api.send_auth(peer, word.to_ascii_buffer())
+				api.complete_auth(peer)
+		)
+		api.connected_to_server.connect(outcomes.append.bind(word + " in"))
+		api.peer_authentication_failed.connect(
+			func(_peer: int) -> void: outcomes.append(word + " out")
+		)
+	await _until(func() -> bool: return outcomes.size() >= 2)
+	outcomes.sort()
+	equal(outcomes, ["foe out", "friend in"] as Array[String])
+
+
+func test_targets_one_all_and_all_but_one() -> void:
+	for _client: int in 3:
+		_connect()
+	await _until(func() -> bool: return _count_peers() == 3)
+	var ids: Array = _clients.map(func(peer: ThreadedPeer) -> int: return peer.get_unique_id())
+	for target: int in [ids[0], 0, -ids[1]]:
+		_server.set_target_peer(target)
+		equal(_server.put_packet(PackedByteArray([target & 0x7F, 1])), OK)
+	await _until(
+		func() -> bool: return _clients[0].get_available_packet_count() == 3 and _settled()
+	)
+	var got: Array = _clients.map(
+		func(peer: ThreadedPeer) -> int: return peer.get_available_packet_count()
+	)
+	equal(got, [3, 1, 2])
+	_server.set_target_peer(12345)
+	equal(_server.put_packet(PackedByteArray([1])), ERR_INVALID_PARAMETER)
+	_server.set_target_peer(0)
+	_server.transfer_channel = ThreadedPeer.MOST_TRANSFER_CHANNEL + 1
+	equal(_server.put_packet(PackedByteArray([1])), ERR_INVALID_PARAMETER)
+
+
+func test_what_was_sent_last_arrives_before_the_end() -> void:
+	var client: ThreadedPeer = _connect()
+	await _until(func() -> bool: return _count_peers() == 1)
+	_server.set_target_peer(client.get_unique_id())
+	for number: int in 200:
+		_server.put_packet(PackedByteArray([number]))
+	_server.dismiss(client.get_unique_id(), Protocol.Goodbye.DISMISSED)
+	var got: Array[int] = []
+	await _until(
+		func() -> bool:
+			while client.get_available_packet_count() > 0:
+				got.append(client.get_packet()[0])
+			return client.get_connection_status() == MultiplayerPeer.CONNECTION_DISCONNECTED
+	)
+	equal(got.size(), 200)
+	equal(client.goodbye_of(1), int(Protocol.Goodbye.DISMISSED))
+
+
+func test_a_forced_end_is_told_to_the_other_side_only() -> void:
+	var client: ThreadedPeer = _connect()
+	await _until(func() -> bool: return _count_peers() == 1)
+	var told: Array[int] = []
+	_server.peer_disconnected.connect(told.append)
+	_server.disconnect_peer(client.get_unique_id(), true)
+	await _until(
+		func() -> bool:
+			return client.get_connection_status() == MultiplayerPeer.CONNECTION_DISCONNECTED
+	)
+	equal(told.size(), 0)
+	is_false(_server.has_peer(client.get_unique_id()))
+
+
+func test_new_connections_can_be_refused() -> void:
+	_server.refuse_new_connections = true
+	var client: ThreadedPeer = _connect()
+	await _until(
+		func() -> bool:
+			return client.get_connection_status() == MultiplayerPeer.CONNECTION_DISCONNECTED
+	)
+	equal(_count_peers(), 0)
+
+
+func test_fast_datagrams_carry_their_arrival() -> void:
+	var client: ThreadedPeer = _connect()
+	await _until(func() -> bool: return _count_peers() == 1)
+	var sent: int = Time.get_ticks_usec()
+	is_true(client.send_fast(1, PackedByteArray([Protocol.Message.POSE, 7])))
+	OS.delay_msec(50)
+	var got: Array[FastPacket] = _server.take_fast()
+	equal(got.size(), 1)
+	equal([got[0].peer, got[0].bytes[1]], [client.get_unique_id(), 7])
+	var took: int = got[0].arrival_usec - sent
+	is_true(took > 0 and took < 45000, "arrived %d us after it was sent, taken after 50 ms" % took)
+	is_false(client.send_fast(1, PackedByteArray(range(256)).slice(0) + _bytes(1000)), "too large")
+
+
+func test_a_main_thread_that_stands_still_loses_only_the_oldest() -> void:
+	var client: ThreadedPeer = _connect()
+	await _until(func() -> bool: return _count_peers() == 1)
+	for number: int in TransportMailbox.MOST_FAST * 2:
+		var bytes: PackedByteArray = [Protocol.Message.POSE, 0, 0, 0, 0]
+		bytes.encode_u32(1, number)
+		client.send_fast(1, bytes)
+		if number % 20 == 0:
+			OS.delay_usec(1500)
+	OS.delay_msec(100)
+	var got: Array[FastPacket] = _server.take_fast()
+	is_true(got.size() > TransportMailbox.MOST_FAST / 4, "%d kept" % got.size())
+	is_true(got.size() <= TransportMailbox.MOST_FAST, "%d kept" % got.size())
+	equal(got.back().bytes.decode_u32(1), TransportMailbox.MOST_FAST * 2 - 1, "the newest")
+
+
+func test_a_dead_host_is_opened_again() -> void:
+	var client: ThreadedPeer = _connect()
+	await _until(func() -> bool: return _count_peers() == 1)
+	var gone: Array[int] = []
+	var opened: Array[int] = []
+	_server.peer_disconnected.connect(gone.append)
+	_server.reopened.connect(func() -> void: opened.append(1))
+	allow_error("isn't currently active")
+	allow_error("Host already destroyed")
+	_server._thread._host.destroy()
+	await _until(func() -> bool: return opened.size() == 1)
+	equal(gone, [client.get_unique_id()] as Array[int])
+	_connect()
+	await _until(func() -> bool: return _count_peers() == 1)
+	equal(_count_peers(), 1, "somebody may join again")
+
+
+func test_a_thread_that_has_ended_is_started_again() -> void:
+	var client: ThreadedPeer = _connect()
+	await _until(func() -> bool: return _count_peers() == 1)
+	var gone: Array[int] = []
+	_server.peer_disconnected.connect(gone.append)
+	_server._thread._closing = true
+	await _until(func() -> bool: return gone.size() == 1)
+	equal(gone, [client.get_unique_id()] as Array[int])
+	_connect()
+	await _until(func() -> bool: return _count_peers() == 1)
+	equal(_count_peers(), 1, "somebody may join again")
+
+
+func test_a_port_in_use_and_a_peer_in_use() -> void:
+	var second: ThreadedPeer = ThreadedPeer.new()
+	allow_error("Couldn't create an ENet host")
+	equal(second.create_server(_port, "127.0.0.1"), ERR_CANT_CREATE)
+	equal(second.get_connection_status(), MultiplayerPeer.CONNECTION_DISCONNECTED)
+	equal(_server.create_server(_port), ERR_ALREADY_IN_USE)
+
+
+func _bytes(p_size: int) -> PackedByteArray:
+	var bytes: PackedByteArray = []
+	bytes.resize(p_size)
+	return bytes
+
+
+func _connect() -> ThreadedPeer:
+	var client: ThreadedPeer = ThreadedPeer.new()
+	equal(client.create_client("127.0.0.1", _port), OK)
+	_clients.append(client)
+	return client
+
+
+func _make_api(p_peer: ThreadedPeer) -> SceneMultiplayer:
+	var api: SceneMultiplayer = SceneMultiplayer.new()
+	api.server_relay = false
+	api.multiplayer_peer = p_peer
+	_apis.append(api)
+	return api
+
+
+## A node for the server and each client, below roots of their own with APIs of their own.
+func _make_callers(p_clients: int) -> Array[Caller]:
+	var callers: Array[Caller] = []
+	for number: int in p_clients + 1:
+		var root: Node = Node.new()
+		add_child(root)
+		_roots.append(root)
+		var api: SceneMultiplayer = _make_api(_server if number == 0 else _connect())
+		get_tree().set_multiplayer(api, root.get_path())
+		var caller: Caller = Caller.new()
+		caller.name = "Caller"
+		root.add_child(caller)
+		callers.append(caller)
+	await _until(func() -> bool: return _apis[0].get_peers().size() == p_clients)
+	await _until(
+		func() -> bool:
+			return _apis.slice(1).all(
+				func(api: SceneMultiplayer) -> bool: return api.get_peers().has(1)
+			)
+	)
+	return callers
+
+
+func _count_peers() -> int:
+	var count: int = 0
+	for client: ThreadedPeer in _clients:
+		count += 1 if _server.has_peer(client.get_unique_id()) else 0
+	return count
+
+
+## Whether there was some time for what should not come.
+func _settled() -> bool:
+	OS.delay_msec(20)
+	for client: ThreadedPeer in _clients:
+		client.poll()
+	return true
+
+
+func _until(p_holds: Callable) -> void:
+	var limit: int = Time.get_ticks_msec() + 5000
+	while Time.get_ticks_msec() < limit:
+		if _apis.is_empty():
+			_server.poll()
+			for client: ThreadedPeer in _clients:
+				client.poll()
+		for api: SceneMultiplayer in _apis:
+			api.poll()
+		if p_holds.call():
+			return
+		await process_frames()
+	fail("it did not happen within 5 s")

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: MIT
+"""Datagrams that nobody should send, for the tests under fire."""
+
+from __future__ import annotations
+
+import random
+import socket
+import struct
+import threading
+import time
+
+
+def connect_datagram(peer_id: int, connect_id: int) -> bytes:
+    """ENet's CONNECT, as the first datagram of a client."""
+    header = struct.pack(">HHBBH", 0x8FFF, 1, 0x82, 0xFF, 1)
+    body = struct.pack(">HBB9II", 0, 0xFF, 0xFF, 1392, 65536, 8, 0, 0, 5000, 2, 2, connect_id, peer_id)
+    return header + body
+
+
+def garbage(count: int, seed: int) -> list[bytes]:
+    """Empty, random, and beginning like ENet's connect command."""
+    source = random.Random(seed)
+    result = []
+    for i in range(count):
+        size = source.choice([0, 1, 4, 20, 52, 200, 1200, 1400])
+        body = source.randbytes(size)
+        if i % 4 == 3 and size >= 52:
+            body = struct.pack(">HHBBH", 0x8FFF, 0, 0x82, 0xFF, 1) + body[8:]
+        result.append(body)
+    return result
+
+
+class Attack(threading.Thread):
+    """Sends datagrams at a rate until it is stopped."""
+
+    def __init__(self, port: int, rate: float) -> None:
+        super().__init__(daemon=True)
+        self.target = ("127.0.0.1", port)
+        self.period = 1.0 / rate
+        self.sent = 0
+        self._stop_now = threading.Event()
+
+    def run(self) -> None:
+        self.prepare()
+        due = time.monotonic()
+        while not self._stop_now.is_set():
+            while due <= time.monotonic():
+                self.attack()
+                self.sent += 1
+                due += self.period
+            time.sleep(0.0005)
+
+    def stop(self) -> None:
+        self._stop_now.set()
+        self.join()
+
+    def prepare(self) -> None:
+        self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+
+    def attack(self) -> None:
+        self.socket.sendto(b"", self.target)
+
+    def __enter__(self) -> Attack:
+        self.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.stop()
+
+
+class ZeroLength(Attack):
+    """Datagrams without anything in them: each ends a round of ENet's reading."""
+
+
+class Garbage(Attack):
+    def prepare(self) -> None:
+        super().prepare()
+        self.datagrams = garbage(500, 1)
+
+    def attack(self) -> None:
+        self.socket.sendto(self.datagrams[self.sent % 500], self.target)
+
+
+class HalfOpen(Attack):
+    """CONNECTs from many ports whose answers nobody takes: each holds one of ENet's places."""
+
+    def prepare(self) -> None:
+        self.sockets = [socket.socket(socket.AF_INET, socket.SOCK_DGRAM) for _ in range(200)]
+
+    def attack(self) -> None:
+        one = self.sockets[self.sent % len(self.sockets)]
+        one.sendto(connect_datagram(1000 + self.sent, self.sent + 1), self.target)
+
+
+class PortZero(Attack):
+    """CONNECTs from port 0: no answer can be sent there, which is an error. Needs root."""
+
+    def prepare(self) -> None:
+        self.socket = socket.socket(socket.AF_INET, socket.SOCK_RAW, socket.IPPROTO_UDP)
+
+    def attack(self) -> None:
+        datagram = connect_datagram(5000 + self.sent, self.sent + 1)
+        header = struct.pack(">HHHH", 0, self.target[1], 8 + len(datagram), 0)
+        self.socket.sendto(header + datagram, ("127.0.0.1", 0))
+
+
+def may_send_raw() -> bool:
+    """Whether we may send from port 0."""
+    try:
+        socket.socket(socket.AF_INET, socket.SOCK_RAW, socket.IPPROTO_UDP).close()
+    except PermissionError:
+        return False
+    return True
