@@ -13,7 +13,7 @@ using kinematics::Quat;
 
 constexpr double PI = 3.14159265358979323846;
 // Polar coordinates: rows of equal pitch, in each row as many yaws as its circle is long.
-constexpr std::size_t ROWS = 1815;
+constexpr std::size_t ROWS = 1814;
 constexpr int LENGTH_BITS = 10;
 constexpr uint32_t MOST_LENGTH = (1U << LENGTH_BITS) - 1;
 constexpr double SQRT_2 = 1.41421356237309504880;
