@@ -15,9 +15,7 @@ func test_every_coding_gives_the_pose_back() -> void:
 		var worst: float = 0.0
 		for round: int in 100:
 			var pose: PackedFloat32Array = _draw(random, Limbs.COUNT)
-			var found: PackedFloat32Array = PoseCodec.decode(
-				PoseCodec.encode(pose, coding), coding
-			)
+			var found: PackedFloat32Array = PoseCodec.decode(PoseCodec.encode(pose, coding), coding)
 			equal(found.size(), pose.size())
 			if found.size() != pose.size():
 				return
@@ -118,5 +116,3 @@ func _wave(p_tick: int) -> PackedFloat32Array:
 		var turn: Quaternion = Quaternion(Vector3.RIGHT, sin(0.05 * p_tick + limb))
 		pose.append_array(PackedFloat32Array([turn.x, turn.y, turn.z, turn.w]))
 	return pose
-
-
