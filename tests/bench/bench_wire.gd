@@ -111,16 +111,18 @@ func _add_rate(
 	p_name: String, p_every: int, p_age: int, p_error: float, p_rate: float, p_report: BenchReport
 ) -> void:
 	var goals: Dictionary = _GOALS.get(roundi(p_error * 10.0), {})
-	if p_every == 2 and is_equal_approx(p_error * 10.0, roundf(p_error * 10.0)) and goals.has(p_age):
+	if (
+		p_every == 2
+		and is_equal_approx(p_error * 10.0, roundf(p_error * 10.0))
+		and goals.has(p_age)
+	):
 		p_report.add(p_name, "mean", p_rate, "kbit/s", BenchReport.Goal.AT_MOST, goals[p_age])
 	else:
 		p_report.add(p_name, "mean", p_rate, "kbit/s")
 
 
 ## The comparison: means over the clips, greatest errors.
-func _compare(
-	p_clips: Array[WireClip], p_arguments: BenchArguments, p_report: BenchReport
-) -> void:
+func _compare(p_clips: Array[WireClip], p_arguments: BenchArguments, p_report: BenchReport) -> void:
 	var hz: int = p_arguments.value("hz")
 	var every: int = 60 / hz
 	var age: int = p_arguments.value("age") if p_arguments.is_given("age") else every

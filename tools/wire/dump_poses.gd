@@ -1,7 +1,7 @@
 extends SceneTree
 ## Writes the poses of motion files, as the coding of people is trained and measured on them.
 ##
-## [code]godot --headless --path . --script res://tools/wire/dump_poses.gd -- OUTPUT FILE.bvh...[/code]
+## [code]godot --headless --script res://tools/wire/dump_poses.gd -- OUTPUT FILE.bvh...[/code]
 ## For each file: u32 number of ticks (60 a second), then for each tick 3 floats (root, m) and
 ## 16 x 4 floats (x, y, z, w of each limb's rotation in the world), little-endian.
 

@@ -85,8 +85,8 @@ private:
 } // namespace
 
 int main(int p_count, char **p_arguments) {
-	const long executions = p_count > 1 ? std::atol(p_arguments[1]) : 100000;
-	Fuzzer fuzzer(p_count > 2 ? uint32_t(std::atol(p_arguments[2])) : 1);
+	const long executions = p_count > 1 ? std::strtol(p_arguments[1], nullptr, 10) : 100000;
+	Fuzzer fuzzer(p_count > 2 ? uint32_t(std::strtol(p_arguments[2], nullptr, 10)) : 1);
 	for (long i = 0; i < executions; i++) {
 		if (!fuzzer.run()) {
 			std::printf("execution %ld: what was read is no state\n", i);

@@ -39,6 +39,7 @@ std::vector<Quat> many_rotations() {
 	std::mt19937 random(1);
 	std::vector<Quat> rotations;
 	const float root = std::sqrt(0.5f);
+	rotations.reserve(20020);
 	for (int i = 0; i < 20000; i++) {
 		rotations.push_back(people::draw_rotation(random));
 	}
@@ -105,7 +106,7 @@ TEST(any_bytes_are_unit_quaternions_or_refused) {
 	int wrong = 0;
 	int good = 0;
 	for (int round = 0; round < 400000; round++) {
-		const PoseCoding coding = ALL[round & 3];
+		const PoseCoding coding = ALL[round % 4];
 		const int bits = LEAST_BITS + int(random() % (MOST_BITS - LEAST_BITS + 1));
 		std::array<uint8_t, 64> bytes{};
 		for (uint8_t &byte : bytes) {

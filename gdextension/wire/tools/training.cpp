@@ -24,37 +24,29 @@ public:
 	bool number(const NumberModel &p_model, int64_t &p_number) {
 		const NumberSymbols symbols(p_model);
 		const int64_t index = symbols.index_of(p_number);
-		const int64_t away = (index >> symbols.shift) - symbols.middle;
+		const int64_t away = symbols.bucket_of(index);
 		constexpr int64_t MOST = NumberSymbols::MOST_BUCKETS;
 		const int bucket = int(away < -MOST ? -MOST : (away > MOST ? MOST : away));
-		bits += costs[symbols.below(bucket + 1) - symbols.below(bucket)];
+		sum += costs[symbols.below(bucket + 1) - symbols.below(bucket)];
 		if (bucket == MOST || bucket == -MOST) {
-			bits += 5.0 + std::floor(std::log2(double((away < 0 ? -away : away) - MOST + 1)));
+			sum += 5.0 + std::floor(std::log2(double((away < 0 ? -away : away) - MOST + 1)));
 		}
-		bits += symbols.shift;
+		sum += symbols.shift;
 		return true;
 	}
 	bool bit(uint32_t p_zero, bool &p_one) {
-		bits += costs[p_one ? 65536 - p_zero : p_zero];
+		sum += costs[p_one ? 65536 - p_zero : p_zero];
 		return true;
 	}
-	bool bits_(int p_count) {
-		bits += p_count;
+	bool bits(int p_count, uint32_t &) {
+		sum += p_count;
 		return true;
 	}
-	bool bits_of(int p_count, uint32_t &) { return bits_(p_count); }
 
-	double bits = 0.0;
+	double sum = 0.0;
 
 private:
 	std::array<float, 65537> costs{};
-};
-
-struct CountingPort {
-	CostPort &cost;
-	bool number(const NumberModel &p_model, int64_t &p_number) { return cost.number(p_model, p_number); }
-	bool bit(uint32_t p_zero, bool &p_one) { return cost.bit(p_zero, p_one); }
-	bool bits(int p_count, uint32_t &p_value) { return cost.bits_of(p_count, p_value); }
 };
 
 using States = std::vector<std::vector<PersonState>>;
@@ -90,8 +82,8 @@ Samples sample(const States &p_states, int p_age, bool p_moving, int p_stride) {
 	Samples samples;
 	for (const std::vector<PersonState> &states : p_states) {
 		int turn = 0;
-		for (std::size_t now = std::size_t(p_age + 8); now < states.size(); now += std::size_t(p_stride)) {
-			const int velocity_age = VELOCITY_AGES[turn++ & 7];
+		for (std::size_t now = std::size_t(p_age) + 8; now < states.size(); now += std::size_t(p_stride)) {
+			const int velocity_age = VELOCITY_AGES[turn++ % 8];
 			const PersonState *base = &states[now - std::size_t(p_age)];
 			samples.push_back({ &states[now], p_age > 0 ? base : nullptr, p_moving ? base - velocity_age : nullptr,
 					p_age, velocity_age });
@@ -107,15 +99,14 @@ public:
 
 	// Bits of a person.
 	double cost(const PersonModel &p_model) {
-		port.bits = 0.0;
-		CountingPort counting{ port };
+		port.sum = 0.0;
 		for (const Sample &sample : samples) {
 			const PersonContext context{ p_model, shares, body, resolution, sample.base, sample.before, sample.base_age,
 				sample.velocity_age };
 			PersonState state = *sample.now;
-			PersonCoder<CountingPort>(counting, context).code(state);
+			PersonCoder<CostPort>(port, context).code(state);
 		}
-		return port.bits / double(samples.size());
+		return port.sum / double(samples.size());
 	}
 
 	// Changes one parameter after the other as long as it helps.
@@ -127,7 +118,7 @@ public:
 		for (int round = 0; round < 12; round++) {
 			const double start = best;
 			for (int i = 0; i < COUNT; i++) {
-				best = improve_one(r_model, parameters[i], is_shape(i), steps[std::size_t(i)], best);
+				best = improve_one(r_model, parameters[i], is_shape(i), is_weight(i), steps[std::size_t(i)], best);
 			}
 			if (start - best < 0.02 && round > 5) {
 				break;
@@ -140,12 +131,18 @@ private:
 		constexpr int COUNT = int(sizeof(MotionModel) / sizeof(int16_t));
 		return p_parameter % COUNT >= COUNT - 3;
 	}
-	double improve_one(PersonModel &r_model, int16_t &r_parameter, bool p_shape, int &r_step, double p_best) {
+	// A divisor: MotionModel::along.
+	static bool is_weight(int p_parameter) {
+		constexpr int COUNT = int(sizeof(MotionModel) / sizeof(int16_t));
+		return p_parameter % COUNT == COUNT - 4;
+	}
+	double improve_one(
+			PersonModel &r_model, int16_t &r_parameter, bool p_shape, bool p_positive, int &r_step, double p_best) {
 		const int16_t old = r_parameter;
 		const int step = p_shape ? 1 : r_step;
 		for (const int change : { step, -step }) {
 			const int wanted = old + change;
-			if (p_shape && (wanted < 0 || wanted >= SHAPES)) {
+			if ((p_shape && (wanted < 0 || wanted >= SHAPES)) || (p_positive && wanted < 0)) {
 				continue;
 			}
 			r_parameter = int16_t(wanted);
@@ -221,7 +218,7 @@ void fill_shares(double p_freedom, uint16_t *r_shares) {
 	}
 	constexpr double HALF = 32768 - NumberSymbols::MOST_BUCKETS - 1;
 	for (int i = 0; i < SHARE_POINTS; i++) {
-		r_shares[i] = uint16_t(std::lround(HALF * sums[std::size_t(i * FINE_STEPS)] / sums.back()));
+		r_shares[i] = uint16_t(std::lround(HALF * sums[std::size_t(i) * FINE_STEPS] / sums.back()));
 	}
 }
 
@@ -276,8 +273,9 @@ Models train_all(const std::vector<Clip> &p_clips) {
 		const States states = quantise(p_clips, RESOLUTIONS[precision]);
 		models.whole[precision] = train(states, models, precision, 0, false, 11);
 		for (int i = 0; i < AGE_STEPS; i++) {
-			const int stride = AGES[i] == 2 || AGES[i] == 6 ? 3 : 5;
-			models.still[precision][i] = train(states, models, precision, AGES[i], false, 5);
+			// The ages that most receivers have get most of the time.
+			const int stride = AGES[i] <= 2 || AGES[i] == 6 ? 3 : 7;
+			models.still[precision][i] = train(states, models, precision, AGES[i], false, 7);
 			models.moving[precision][i] = train(states, models, precision, AGES[i], true, stride);
 		}
 	}

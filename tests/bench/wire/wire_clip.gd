@@ -4,7 +4,7 @@ extends RefCounted
 
 ## Ticks a second.
 const HZ: int = 60
-## From the joint of a limb's parent to the limb's own joint in the reset pose, m: a person of 1.8 m.
+## From the joint of a limb's parent to its own joint in the reset pose, m: a person of 1.8 m.
 const OFFSETS: Array[Vector3] = [
 	Vector3.ZERO,
 	Vector3(0.0, 0.12, 0.0),

@@ -45,7 +45,9 @@ func all() -> Array[WireMessages]:
 	var delta: WireMessages = numbers.differences("3 x 10 bits, differences")
 	result.append(delta.compressed(FileAccess.COMPRESSION_DEFLATE, "3 x 10 bits, delta, deflate"))
 	result.append(
-		delta.compressed_whole(FileAccess.COMPRESSION_DEFLATE, "3 x 10 bits, delta, deflate over all")
+		delta.compressed_whole(
+			FileAccess.COMPRESSION_DEFLATE, "3 x 10 bits, delta, deflate over all"
+		)
 	)
 	result.append(
 		delta.compressed_whole(FileAccess.COMPRESSION_ZSTD, "3 x 10 bits, delta, zstd over all")
@@ -58,7 +60,9 @@ func _moments() -> Array:
 	return range(0, _clip.poses.size(), _every)
 
 
-func _posed(p_name: String, p_coding: PoseCodec.Coding, p_bits: int, p_placed: bool) -> WireMessages:
+func _posed(
+	p_name: String, p_coding: PoseCodec.Coding, p_bits: int, p_placed: bool
+) -> WireMessages:
 	var result: WireMessages = WireMessages.named(p_name)
 	for tick: int in _moments():
 		var pose: PoseSample = _clip.poses[tick]
@@ -122,8 +126,8 @@ func _only_changed(p_name: String) -> WireMessages:
 	return result
 
 
-## A limb is sent with its angular velocity (3 x 16 bits) when the receiver, which turns it on at that
-## velocity, is off by more than is allowed.
+## A limb is sent with its angular velocity (3 x 16 bits) when the receiver, which turns it on at
+## that velocity, is off by more than is allowed.
 func _reckoned(p_name: String) -> WireMessages:
 	var result: WireMessages = WireMessages.named(p_name)
 	var shown: PackedFloat32Array = PackedFloat32Array()

@@ -70,6 +70,8 @@ public:
 		return uint32_t(p_bucket + MOST_BUCKETS) + (edge < 0 ? HALF - half : HALF + half);
 	}
 	int64_t number_of(int64_t p_index) const { return model.first + p_index * model.step; }
+	/// The bucket that an index is in, relative to the middle one.
+	int64_t bucket_of(int64_t p_index) const { return (p_index >> shift) - middle; }
 	int64_t index_of(int64_t p_number) const { return (p_number - model.first) / model.step; }
 
 	int shift = 0;
@@ -100,7 +102,7 @@ public:
 	bool number(const NumberModel &p_model, int64_t &p_number) {
 		const NumberSymbols symbols(p_model);
 		const int64_t index = symbols.index_of(p_number);
-		const int64_t away = (index >> symbols.shift) - symbols.middle;
+		const int64_t away = symbols.bucket_of(index);
 		constexpr int64_t MOST = NumberSymbols::MOST_BUCKETS;
 		const int bucket = int(away < -MOST ? -MOST : (away > MOST ? MOST : away));
 		const uint32_t below = symbols.below(bucket);

@@ -27,8 +27,8 @@ bool is_rotation(const Quat &p_rotation) {
 }
 
 int find_chart(const std::array<float, 4> &p_values, const RotationCode *p_previous) {
-	if (p_previous != nullptr && std::fabs(p_values[p_previous->dropped & 3]) >= LEAST_DROPPED) {
-		return p_previous->dropped & 3;
+	if (p_previous != nullptr && std::fabs(p_values[p_previous->dropped % 4]) >= LEAST_DROPPED) {
+		return p_previous->dropped % 4;
 	}
 	int largest = 3;
 	for (int i = 0; i < 3; i++) {
@@ -55,11 +55,11 @@ void choose(
 		for (std::size_t i = 0; i < 3; i++) {
 			low[i] = 2 * int(std::floor((p_point[i] - float(odd)) * 0.5f)) + odd;
 		}
-		for (int corner = 0; corner < 8; corner++) {
+		for (uint32_t corner = 0; corner < 8; corner++) {
 			float away = 0.0f;
 			float cost = 0.0f;
 			for (std::size_t i = 0; i < 3; i++) {
-				const int part = low[i] + ((corner >> i) & 1) * 2;
+				const int part = low[i] + 2 * int((corner >> i) & 1U);
 				parts[i] = int16_t(part);
 				const float off = p_point[i] - float(part);
 				away += off * off;

@@ -13,8 +13,8 @@ using kinematics::Quat;
 
 constexpr double PI = 3.14159265358979323846;
 // Polar coordinates: rows of equal pitch, in each row as many yaws as its circle is long.
-constexpr std::size_t ROWS = 1815;
-constexpr int LENGTH_BITS = 10;
+constexpr std::size_t ROWS = 1814;
+constexpr uint32_t LENGTH_BITS = 10;
 constexpr uint32_t MOST_LENGTH = (1U << LENGTH_BITS) - 1;
 constexpr double SQRT_2 = 1.41421356237309504880;
 
@@ -107,16 +107,16 @@ bool from_polar(uint32_t p_word, Quat &r_rotation) {
 	return true;
 }
 
-void put_bits(uint32_t p_value, int p_count, std::size_t &r_at, uint8_t *r_bytes) {
-	for (int i = 0; i < p_count; i++, r_at++) {
-		r_bytes[r_at / 8] = uint8_t(r_bytes[r_at / 8] | (((p_value >> i) & 1U) << (r_at % 8)));
+void put_bits(uint32_t p_value, uint32_t p_count, std::size_t &r_at, uint8_t *r_bytes) {
+	for (uint32_t i = 0; i < p_count; i++, r_at++) {
+		r_bytes[r_at / 8] = uint8_t(uint32_t(r_bytes[r_at / 8]) | (((p_value >> i) & 1U) << (r_at % 8)));
 	}
 }
 
-uint32_t take_bits(const uint8_t *p_bytes, int p_count, std::size_t &r_at) {
+uint32_t take_bits(const uint8_t *p_bytes, uint32_t p_count, std::size_t &r_at) {
 	uint32_t value = 0;
-	for (int i = 0; i < p_count; i++, r_at++) {
-		value |= uint32_t((p_bytes[r_at / 8] >> (r_at % 8)) & 1) << i;
+	for (uint32_t i = 0; i < p_count; i++, r_at++) {
+		value |= ((uint32_t(p_bytes[r_at / 8]) >> (r_at % 8)) & 1U) << i;
 	}
 	return value;
 }
@@ -128,24 +128,25 @@ void put_smallest(const Quat &p_rotation, int p_bits, std::size_t &r_at, uint8_t
 		largest = std::fabs(values[i]) > std::fabs(values[largest]) ? i : largest;
 	}
 	const double sign = values[largest] < 0.0f ? -1.0 : 1.0;
-	const double most = double((1U << p_bits) - 1);
+	const double most = double((1U << uint32_t(p_bits)) - 1);
 	put_bits(uint32_t(largest), 2, r_at, r_bytes);
 	for (int i = 0; i < 4; i++) {
 		if (i != largest) {
 			const double place = 0.5 * (sign * double(values[i]) * SQRT_2 + 1.0);
-			put_bits(uint32_t(std::lround(std::fmax(0.0, std::fmin(1.0, place)) * most)), p_bits, r_at, r_bytes);
+			put_bits(uint32_t(std::lround(std::fmax(0.0, std::fmin(1.0, place)) * most)), uint32_t(p_bits), r_at,
+					r_bytes);
 		}
 	}
 }
 
 bool take_smallest(const uint8_t *p_bytes, int p_bits, std::size_t &r_at, Quat &r_rotation) {
 	const uint32_t largest = take_bits(p_bytes, 2, r_at);
-	const double most = double((1U << p_bits) - 1);
+	const double most = double((1U << uint32_t(p_bits)) - 1);
 	float values[4] = {};
 	float squares = 0.0f;
 	for (uint32_t i = 0; i < 4; i++) {
 		if (i != largest) {
-			values[i] = float((2.0 * take_bits(p_bytes, p_bits, r_at) / most - 1.0) / SQRT_2);
+			values[i] = float((2.0 * take_bits(p_bytes, uint32_t(p_bits), r_at) / most - 1.0) / SQRT_2);
 			squares += values[i] * values[i];
 		}
 	}
@@ -229,7 +230,8 @@ bool decode_pose(PoseCoding p_coding, int p_bits, const uint8_t *p_bytes, std::s
 		}
 	}
 	// What is left of the last byte is 0.
-	return limbs > 0 && (p_coding != PoseCoding::SMALLEST_3 || at % 8 == 0 || p_bytes[at / 8] >> (at % 8) == 0);
+	return limbs > 0 &&
+			(p_coding != PoseCoding::SMALLEST_3 || at % 8 == 0 || uint32_t(p_bytes[at / 8]) >> (at % 8) == 0);
 }
 
 } // namespace wire
