@@ -33,6 +33,7 @@ var _alone_since_s: float = 0.0
 var _exit_code: int = 0
 var _figures: ClientFigures = ClientFigures.new()
 var _stop: StopSignal = StopSignal.new()
+var _pacer: FramePacer = null
 
 
 ## Takes over the options. Call it before the node enters the tree.
@@ -46,6 +47,7 @@ func _ready() -> void:
 	if DisplayServer.get_name() == "headless":
 		var frames: int = _options.number("fps")
 		Engine.max_fps = frames if frames > 0 else _HEADLESS_FPS
+	_pacer = FramePacer.new(Engine.max_fps if FramePacer.is_free() else 0)
 	_report = ReportFile.new(_options.file("report"))
 	var fault: String = _scene.apply(_options.text("views"), _options.text("camera"))
 	_apply_choices()
@@ -203,6 +205,8 @@ func _show_world() -> void:
 	_scene.update(_clock_s, _own, own)
 	var headless: bool = DisplayServer.get_name() == "headless"
 	_figures.smoothing_delay_s = _scene.replica.delay()
+	if FramePacer.is_free():
+		Engine.max_fps = _pacer.limit_for(_scene.replica.shown_tick(), _scene.replica.tick_rate())
 	_figures.frame(_scene.replica.shown_tick(), _server_usec(), headless)
 
 

@@ -101,6 +101,11 @@ func shown_tick() -> float:
 	return _smoother.shown_tick()
 
 
+## The server's ticks per second, or 0 while that is not known.
+func tick_rate() -> float:
+	return _decoder.get_tick_rate()
+
+
 ## How far what is shown is behind the quickest arrivals, s.
 func delay() -> float:
 	return _smoother.get_delay()
