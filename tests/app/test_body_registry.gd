@@ -69,22 +69,58 @@ func test_limbs_of_a_person() -> void:
 	not_null(WorldDescription.decode(world.encode()))
 
 
-func test_snapshot_has_exactly_what_moves() -> void:
+func test_snapshots_have_exactly_what_moves() -> void:
 	_actors.add(5, "Ada", 0.95)
 	_actors.add(6, "Bob", 0.95)
-	var world: WorldDescription = _registry.describe(_actors.list())
 	await physics_frames(2)
-	var snapshot: Snapshot = Snapshot.new()
-	_registry.read(snapshot)
+	var world: WorldDescription = _registry.describe(_actors.list())
+	var encoder: SnapshotEncoder = SnapshotEncoder.new()
+	var decoder: SnapshotDecoder = SnapshotDecoder.new()
+	var parents: PackedInt32Array = PackedInt32Array(Limbs.PARENTS)
+	encoder.configure(parents, Protocol.POSE_ERROR_DEG, 60)
+	decoder.configure(parents, Protocol.POSE_ERROR_DEG)
+	encoder.add_client(1, 0, 1e8)
+	_registry.watch_world(encoder)
+	for person: ServerActors.Person in _actors.list():
+		BodyRegistry.watch_person(encoder, person)
+	encoder.capture(100)
+	var datagrams: Array[PackedByteArray] = encoder.encode(1, 0)
+	equal(datagrams.size(), 1)
+	equal(decoder.decode(datagrams[0]), int(SnapshotDecoder.OK))
 	for id: int in world.bodies:
-		var fixed: bool = world.bodies[id].actor == WorldDescription.FIXED
-		equal(snapshot.bodies.has(id), not fixed, world.bodies[id].part)
-	for id: int in snapshot.bodies:
-		is_true(world.bodies.has(id))
-		is_true(id >= 0 and id < 65536)
-		if world.bodies[id].actor == WorldDescription.PROP:
+		var is_prop: bool = world.bodies[id].actor == WorldDescription.PROP
+		equal(decoder.get_bodies().has(id), is_prop, world.bodies[id].part)
+		if is_prop:
 			var crate: Node3D = _hall.get_node(NodePath(world.bodies[id].part))
-			almost_equal(snapshot.bodies[id], crate.global_transform, 0.01)
+			almost_equal(decoder.get_body_transform(id), crate.global_transform, 0.01)
+	for person: ServerActors.Person in _actors.list():
+		_check_limbs(decoder, person, world)
+
+
+## A client comes to the server's places by forward kinematics.
+func _check_limbs(
+	p_decoder: SnapshotDecoder, p_person: ServerActors.Person, p_world: WorldDescription
+) -> void:
+	var joints: PersonSkeleton = p_world.skeletons[p_person.id]
+	is_true(joints.is_sound())
+	var smoother: SnapshotSmoother = SnapshotSmoother.new()
+	smoother.set_skeleton(
+		p_person.id, joints.parents, joints.joints_in_parent, joints.joints_in_limb
+	)
+	smoother.take(p_decoder, 1.0)
+	var floats: PackedFloat32Array = smoother.newest_person_transforms(p_person.id)
+	var order: PackedInt32Array = p_person.ragdoll.get_limb_order()
+	for limb: int in Limbs.COUNT:
+		var truth: Transform3D = PhysicsServer3D.body_get_state(
+			p_person.ragdoll.get_bodies()[order[limb]], PhysicsServer3D.BODY_STATE_TRANSFORM
+		)
+		var at: int = limb * WorldReplica.FLOATS
+		var place: Vector3 = Vector3(floats[at], floats[at + 1], floats[at + 2])
+		almost_equal(place, truth.origin, 0.004)
+		var turn: Quaternion = Quaternion(
+			floats[at + 3], floats[at + 4], floats[at + 5], floats[at + 6]
+		)
+		almost_equal(joints.body_at(limb, place, turn).basis, truth.basis, 0.01)
 
 
 func test_numbers_stay_while_others_come_and_go() -> void:

@@ -3,11 +3,12 @@ extends TestCase
 
 const NetSamples: GDScript = preload("../net/net_samples.gd")
 const CLIENT: PackedScene = preload("res://scenes/app/client.tscn")
+const SnapshotStream: GDScript = preload("../net/snapshot_stream.gd")
 const ADA: int = 3
 
 var _client: Node = null
 var _scene: ClientScene = null
-var _tick: int = 100
+var _stream: SnapshotStream = null
 var _random: RandomNumberGenerator = RandomNumberGenerator.new()
 
 
@@ -28,48 +29,63 @@ func after_each() -> void:
 
 func test_props_and_people_are_where_the_snapshots_have_them() -> void:
 	var world: WorldDescription = _world()
-	var snapshot: Snapshot = _snapshot(world)
 	equal(_scene.apply("mesh,static,physics", ""), "")
 	is_false(_scene.has_world())
 	_scene.describe(world)
 	is_true(_scene.has_world())
-	_show(snapshot)
+	_show([ADA], [0])
 	var crate: Node3D = _scene.get_node(^"Hall/Props/Crate1")
-	almost_equal(crate.global_transform, snapshot.bodies[0], 1e-4)
+	almost_equal(crate.global_transform, _stream.places[0], 0.01)
 	var people: Node = _scene.get_node(^"People")
 	equal(people.get_child_count(), 1)
 	var node: Ragdoll = people.get_child(0)
 	is_true(node.visible)
 	var skeleton: Skeleton3D = node.get_skeleton()
-	var head: int = skeleton.find_bone("Head")
+	var order: int = node.get_limb_order()[Limbs.find(&"Head")]
+	var reset: Quaternion = node.profile.limbs[order].reset_orientation
 	var bone: PhysicalBone3D = node.get_simulator().get_node(^"Head")
-	var shown: Transform3D = (
-		skeleton.global_transform * skeleton.get_bone_global_pose(head) * bone.body_offset
-	)
-	var body: int = 4096 + Limbs.find(&"Head")
-	almost_equal(shown, snapshot.bodies[body], 0.002)
-	equal(
-		(_scene.get_node(^"PhysicsWorld") as PhysicsWorld).get_placed(body), snapshot.bodies[body]
-	)
-	equal(_scene.shown_sample_usec(), 777)
+	var head: Transform3D = skeleton.get_bone_global_pose(skeleton.find_bone("Head"))
+	var shown: Transform3D = skeleton.global_transform * head * bone.body_offset
+	var turn: Quaternion = _stream.poses[ADA].orientation(Limbs.find(&"Head"))
+	almost_equal(shown.basis, Basis(turn * reset), 0.01)
+	var hips: Transform3D = skeleton.get_bone_global_pose(skeleton.find_bone("Hips"))
+	var pelvis: PhysicalBone3D = node.get_simulator().get_node(^"Hips")
+	almost_equal((hips * pelvis.body_offset).origin, _stream.poses[ADA].root, 0.003)
+	var wires: PhysicsWorld = _scene.get_node(^"PhysicsWorld")
+	almost_equal(wires.get_placed(4096 + Limbs.find(&"Head")), shown, 0.01)
+
+
+func test_the_own_body_is_where_it_is_told() -> void:
+	_scene.describe(_world())
+	_show([ADA], [0])
+	var floats: PackedFloat32Array = _scene.replica.person_floats(ADA)
+	for limb: int in Limbs.COUNT:
+		floats[limb * WorldReplica.FLOATS] += 2.0
+	_scene.update(_stream.tick / 60.0, ADA, floats)
+	var node: Ragdoll = _scene.get_node(^"People").get_child(0)
+	var hips: int = node.get_skeleton().find_bone("Hips")
+	var pelvis: PhysicalBone3D = node.get_simulator().get_node(^"Hips")
+	var place: Transform3D = node.get_skeleton().get_bone_global_pose(hips) * pelvis.body_offset
+	almost_equal(place.origin, _stream.poses[ADA].root + Vector3(2.0, 0.0, 0.0), 0.003)
+	equal([_scene.person_of(7), _scene.person_of(8)], [ADA, -1])
 
 
 func test_people_that_leave_are_gone() -> void:
 	var world: WorldDescription = _world()
 	_scene.describe(world)
-	_show(_snapshot(world))
+	_show([ADA], [0])
 	var empty: WorldDescription = WorldDescription.new()
 	_scene.describe(empty)
 	await process_frames(2)
 	equal(_scene.get_node(^"People").get_child_count(), 0)
-	_show(_snapshot(empty))
-	equal(_scene.shown_sample_usec(), -1)
+	_show([ADA], [0])
+	equal(_scene.get_node(^"People").get_child_count(), 0)
 
 
 func test_snapshot_before_the_world_and_unknown_bodies() -> void:
-	_show(NetSamples.snapshot(_random, 30, 3))
+	_show([ADA, 9], [0, 40, 50])
 	_scene.describe(_world())
-	_show(NetSamples.snapshot(_random, 30, 3))
+	_show([ADA, 9], [0, 40, 50])
 	is_true(_scene.has_world())
 
 
@@ -84,7 +100,7 @@ func test_a_hostile_server_moves_nothing_but_the_halls_props() -> void:
 		world.add(0, WorldDescription.PROP, path, [])
 		world.add(1, WorldDescription.PROP, str(camera.get_path()), [])
 		_scene.describe(world)
-		_show(_snapshot(world))
+		_show([], [0, 1])
 		var after: Array = [camera.transform, _scene.transform]
 		after.append((_scene.get_node(^"Hall") as Node3D).transform)
 		equal(after, before, path)
@@ -96,9 +112,10 @@ func test_random_worlds() -> void:
 		for id: int in world.bodies:
 			if _random.randf() < 0.5:
 				world.bodies[id].actor = ADA
-		world.names[ADA] = "Ada"
+		world.names.clear()
+		world.add_person(ADA, 7, "Ada", NetSamples.skeleton(_random))
 		_scene.describe(world)
-		_show(_snapshot(world))
+		_show([ADA], [0, 3])
 	await process_frames(2)
 	equal(_scene.get_node(^"People").get_child_count(), 1)
 
@@ -113,28 +130,22 @@ func test_wrong_views_and_camera_are_told() -> void:
 func _world() -> WorldDescription:
 	var world: WorldDescription = WorldDescription.new()
 	var box: Array = [WorldDescription.ShapeType.BOX, Vector3.ONE, Transform3D.IDENTITY]
-	world.names[ADA] = "Ada"
+	var soldier: Ragdoll = _scene.person_scene.instantiate()
+	world.add_person(ADA, 7, "Ada", soldier.get_joints())
+	soldier.free()
 	world.add(0, WorldDescription.PROP, "Props/Crate1", [box])
 	for limb: int in Limbs.COUNT:
 		world.add(4096 + limb, ADA, Limbs.BONES[limb], [box])
 	return world
 
 
-func _snapshot(p_world: WorldDescription) -> Snapshot:
-	var snapshot: Snapshot = Snapshot.new()
-	for id: int in p_world.bodies:
-		snapshot.bodies[id] = NetSamples.place(_random)
-	var mark: Snapshot.SampleMark = Snapshot.SampleMark.new()
-	mark.time_usec = 777
-	snapshot.samples[ADA] = mark
-	return snapshot
-
-
-## Pushes a snapshot often enough for it to be shown, and shows it.
-func _show(p_snapshot: Snapshot) -> void:
-	for _push: int in 10:
-		_tick += 1
-		p_snapshot.tick = _tick
-		p_snapshot.tick_rate = 60
-		_scene.push(p_snapshot, _tick / 60.0)
-	_scene.update(_tick / 60.0)
+## Lets a new server tell of a world often enough for it to be shown, and shows it.
+func _show(p_people: PackedInt32Array, p_bodies: PackedInt32Array) -> void:
+	_scene.clear()
+	_stream = SnapshotStream.new(p_people, p_bodies)
+	_stream.move()
+	for _tick: int in 20:
+		_stream.stay()
+		for bytes: PackedByteArray in _stream.datagrams():
+			_scene.replica.take(bytes, _stream.tick / 60.0)
+		_scene.update(_stream.tick / 60.0)

@@ -64,19 +64,22 @@ func test_samples_move_the_body() -> void:
 		person.ragdoll.get_bodies()[0], PhysicsServer3D.BODY_STATE_TRANSFORM
 	)
 	almost_equal(hips.origin, person.origin + Vector3(0.0, 1.02, 0.51), 0.05)
-	var snapshot: Snapshot = Snapshot.new()
-	_actors.mark(snapshot)
-	equal(snapshot.samples[person.id].id, _sent)
-	equal(snapshot.samples[person.id].time_usec, person.newest.time_usec)
+	equal(person.newest.id, _sent)
 
 
-func test_without_samples_a_person_is_not_marked() -> void:
-	_actors.add(7, "Ada", 0.95)
-	_actors.drive(1.0, 1.0 / 60.0)
-	_actors.measure()
-	var snapshot: Snapshot = Snapshot.new()
-	_actors.mark(snapshot)
-	equal(snapshot.samples.size(), 0)
+func test_marks_tell_when_the_newest_sample_was_where() -> void:
+	_actors.add(7, "Ada", 1.0115)
+	equal(_mark_of(2000000), {}, "nothing has come yet")
+	await _step(7, Stage.reset_pose(), Vector3.UP)
+	equal(_mark_of(2000000), {}, "nobody knows when it was sent")
+	var newest: PoseSample = _actors.list()[0].newest
+	newest.held_usec = 2000
+	newest.sent_usec = 1990000
+	newest.arrival_usec = 1993000
+	var mark: Dictionary = _mark_of(2000000)
+	equal([mark["person"], mark["sample"]], [_actors.list()[0].id, newest.id])
+	equal(mark["simulated_usec"], 2000000)
+	equal(mark["steps_usec"], PackedInt32Array([2000, 3000, 7000, 500]))
 
 
 func test_samples_of_strangers_are_ignored() -> void:
@@ -128,6 +131,23 @@ func _step(p_peer: int, p_pose: PoseSample, p_root: Vector3) -> void:
 	_actors.push_sample(p_peer, p_pose, _now_s)
 	_actors.drive(_now_s, 1.0 / 60.0)
 	_actors.measure()
+
+
+## The mark that a client gets of a tick that ended at a time, µs.
+func _mark_of(p_now_usec: int) -> Dictionary:
+	var encoder: SnapshotEncoder = SnapshotEncoder.new()
+	var decoder: SnapshotDecoder = SnapshotDecoder.new()
+	var parents: PackedInt32Array = PackedInt32Array(Limbs.PARENTS)
+	encoder.configure(parents, Protocol.POSE_ERROR_DEG, 60)
+	decoder.configure(parents, Protocol.POSE_ERROR_DEG)
+	encoder.add_client(1, 0, 1e6)
+	encoder.begin_tick(100)
+	var pose: PoseSample = Stage.reset_pose()
+	encoder.put_person(_actors.list()[0].id, Vector3.UP, pose.orientations)
+	encoder.end_tick()
+	_actors.mark(encoder, p_now_usec)
+	decoder.decode(encoder.encode(1, p_now_usec + 500)[0])
+	return decoder.get_mark()
 
 
 func _on_changed() -> void:

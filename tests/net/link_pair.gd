@@ -1,6 +1,8 @@
 extends RefCounted
 ## A server and clients in one process, over 127.0.0.1, and what they told.
 
+const SnapshotStream: GDScript = preload("snapshot_stream.gd")
+
 ## Who joined the server: session to greeting.
 var joined: Dictionary[int, Dictionary] = {}
 ## Who left the server.
@@ -31,9 +33,13 @@ class End:
 	var refusal: String = ""
 	var loss: String = ""
 	var places: Array[int] = []
-	var snapshots: Array[Snapshot] = []
+	## Ticks of the snapshots that made sense.
+	var snapshots: Array[int] = []
+	## Bodies that snapshots told of.
+	var bodies: Dictionary[int, bool] = {}
 	var datagrams: int = 0
 	var worlds: Array[WorldDescription] = []
+	var _decoder: SnapshotDecoder = SnapshotStream.decoder()
 
 	func _init() -> void:
 		link.joined.connect(_on_joined)
@@ -45,6 +51,7 @@ class End:
 
 	func _on_joined() -> void:
 		joined += 1
+		_decoder.clear()
 
 	func _on_refused(p_why: String) -> void:
 		refusal = p_why
@@ -57,12 +64,20 @@ class End:
 
 	func _on_snapshot(p_bytes: PackedByteArray, _p_arrival_usec: int) -> void:
 		datagrams += 1
-		var snapshot: Snapshot = SnapshotPacket.decode(p_bytes)
-		if snapshot != null:
-			snapshots.append(snapshot)
+		if _decoder.decode(p_bytes) == SnapshotDecoder.OK:
+			snapshots.append(_decoder.get_tick())
+			for body: int in _decoder.get_bodies():
+				bodies[body] = true
 
 	func _on_world(p_world: WorldDescription, _p_bytes: PackedByteArray) -> void:
 		worlds.append(p_world)
+
+
+## Sends everybody a snapshot of a world, a tick on.
+func send_snapshot(p_stream: SnapshotStream) -> void:
+	p_stream.move()
+	for session: int in joined:
+		server.send_datagrams(session, p_stream.datagrams(session))
 
 
 ## Opens a server on a free port.

@@ -16,19 +16,16 @@ static func pose(p_random: RandomNumberGenerator) -> PoseSample:
 	return sample
 
 
-## A snapshot of so many bodies and people.
-static func snapshot(p_random: RandomNumberGenerator, p_bodies: int, p_people: int) -> Snapshot:
-	var made: Snapshot = Snapshot.new()
-	made.tick = p_random.randi()
-	made.tick_rate = p_random.randi_range(1, 255)
-	while made.bodies.size() < p_bodies:
-		made.bodies[p_random.randi_range(0, 65535)] = place(p_random)
-	while made.samples.size() < p_people:
-		var mark: Snapshot.SampleMark = Snapshot.SampleMark.new()
-		mark.id = p_random.randi()
-		mark.time_usec = p_random.randi() * 400000
-		made.samples[p_random.randi_range(0, 65535)] = mark
-	return made
+## A pose's packet with numbers that the codec would not write.
+static func raw_pose(p_sample: PoseSample) -> PackedByteArray:
+	var good: PoseSample = PoseSample.new()
+	good.id = p_sample.id
+	good.time_usec = p_sample.time_usec
+	good.root = p_sample.root
+	for limb: int in Limbs.COUNT:
+		good.set_orientation(limb, Quaternion.IDENTITY)
+	var bytes: PackedByteArray = PosePacket.encode(good, PoseCodec.FLOATS)
+	return bytes.slice(0, PosePacket.HEADER) + p_sample.orientations.to_byte_array()
 
 
 ## A world of so many bodies and people.
@@ -37,7 +34,8 @@ static func world(
 ) -> WorldDescription:
 	var made: WorldDescription = WorldDescription.new()
 	for person: int in p_people:
-		made.names[p_random.randi_range(0, 0x7FFFFFFF)] = text(p_random)
+		var actor: int = p_random.randi_range(0, 0x7FFFFFFF)
+		made.add_person(actor, p_random.randi_range(0, 1000), text(p_random), skeleton(p_random))
 	while made.bodies.size() < p_bodies:
 		var shapes: Array = []
 		for shape: int in p_random.randi_range(0, 3):
@@ -45,6 +43,16 @@ static func world(
 			shapes.append([p_random.randi_range(0, 2), size, place(p_random)])
 		var actor: int = p_random.randi_range(-2, 2000000)
 		made.add(p_random.randi_range(0, 65535), actor, text(p_random), shapes)
+	return made
+
+
+## A skeleton that can be somebody's; now and then none.
+static func skeleton(p_random: RandomNumberGenerator) -> PersonSkeleton:
+	var made: PersonSkeleton = PersonSkeleton.new()
+	if p_random.randf() < 0.2:
+		return made
+	for limb: int in Limbs.COUNT:
+		made.add(vector(p_random, 0.3), vector(p_random, 0.3), rotation(p_random))
 	return made
 
 

@@ -4,17 +4,20 @@ extends TestCase
 
 const LinkPair: GDScript = preload("link_pair.gd")
 const NetSamples: GDScript = preload("net_samples.gd")
+const SnapshotStream: GDScript = preload("snapshot_stream.gd")
 const UdpRelay: GDScript = preload("transport/udp_relay.gd")
 const TRAINEE: Protocol.Role = Protocol.Role.TRAINEE
 
 var _pair: LinkPair = null
 var _good: LinkPair.End = null
 var _random: RandomNumberGenerator = RandomNumberGenerator.new()
+var _stream: SnapshotStream = null
 var _hosts: Array[ENetConnection] = []
 var _poses: int = 0
 
 
 func before_each() -> void:
+	_stream = SnapshotStream.new([1, 2], [3, 4, 5])
 	_random.seed = 9
 	_pair = LinkPair.new()
 	equal(_pair.listen(8), OK)
@@ -106,8 +109,8 @@ func test_repeated_and_swapped_datagrams() -> void:
 
 
 func test_snapshots_that_are_none() -> void:
-	var snapshot: Snapshot = NetSamples.snapshot(_random, 20, 2)
-	var good: PackedByteArray = SnapshotPacket.encode(snapshot)[0]
+	_stream.move()
+	var good: PackedByteArray = _stream.datagrams(99)[0]
 	var peer: int = _pair.server._book.find(_good.link.session).peer
 	var large: PackedByteArray = good.duplicate()
 	large.resize(60000)
@@ -131,13 +134,12 @@ func test_engine_commands_do_not_harm_a_client() -> void:
 
 ## The good client sends 60 poses in a second, all of which arrive, and gets as many snapshots.
 func _check_good() -> void:
-	var snapshot: Snapshot = NetSamples.snapshot(_random, 20, 2)
 	var session: int = _good.link.session
 	var before: int = _pair.poses.get(session, []).size()
 	var heard: int = _good.snapshots.size()
 	for _pose: int in 30:
 		_good.link.send_pose(PosePacket.encode(NetSamples.pose(_random)))
-		_pair.server.send_snapshot(snapshot)
+		_pair.send_snapshot(_stream)
 		_pair.run(1.0 / 60.0)
 	var all: Callable = func() -> bool: return _pair.poses.get(session, []).size() - before >= 30
 	is_true(_pair.until(all, 1.0), "%d poses" % (_pair.poses.get(session, []).size() - before))

@@ -3,6 +3,7 @@ extends TestCase
 
 const LinkPair: GDScript = preload("link_pair.gd")
 const NetSamples: GDScript = preload("net_samples.gd")
+const SnapshotStream: GDScript = preload("snapshot_stream.gd")
 const TRAINEE: Protocol.Role = Protocol.Role.TRAINEE
 const OBSERVER: Protocol.Role = Protocol.Role.OBSERVER
 
@@ -37,14 +38,16 @@ func test_trainee_joins_and_is_heard() -> void:
 func test_everybody_gets_world_and_snapshots() -> void:
 	var ends: Array[LinkPair.End] = [_pair.join(TRAINEE), _pair.join(OBSERVER, "Bob")]
 	var world: WorldDescription = NetSamples.world(_random, 300, 8)
-	var snapshot: Snapshot = NetSamples.snapshot(_random, 300, 8)
+	var stream: SnapshotStream = SnapshotStream.new([1, 2], [])
+	for body: int in 300:
+		stream.bodies.append(body)
 	_pair.server.send_world(world)
-	_pair.server.send_snapshot(snapshot)
+	_pair.send_snapshot(stream)
 	for end: LinkPair.End in ends:
-		is_true(_pair.until(func() -> bool: return _bodies(end) == 300), "%d" % _bodies(end))
+		is_true(_pair.until(func() -> bool: return end.bodies.size() == 300), "%d" % end.bodies.size())
 		is_true(_pair.until(func() -> bool: return end.worlds.size() == 1), "world")
 		equal(end.worlds[0].bodies.keys(), world.bodies.keys())
-		equal(end.snapshots[0].tick, snapshot.tick)
+		equal(end.snapshots[0], stream.tick)
 
 
 func test_wrong_version_is_told_so() -> void:
@@ -83,10 +86,10 @@ func test_client_that_vanishes_is_lost_soon() -> void:
 	equal(_pair.joined.size(), 2)
 	_pair.ends.erase(end)
 	end.link._peer.close_with(Protocol.Goodbye.LOST)
-	var snapshot: Snapshot = NetSamples.snapshot(_random, 1, 0)
+	var stream: SnapshotStream = SnapshotStream.new([], [1])
 	_pair.until(
 		func() -> bool:
-			_pair.server.send_snapshot(snapshot)
+			_pair.send_snapshot(stream)
 			return _pair.lost.size() == 1,
 		6.0
 	)
@@ -159,12 +162,5 @@ func test_traffic_is_counted() -> void:
 	is_true(_pair.until(func() -> bool: return _pair.pose_count() == 20))
 	_pair.run(0.25)
 	var came: int = _pair.server.traffic.received - before
-	is_true(came >= 20 * PosePacket.SIZE and came < 40 * PosePacket.SIZE, "%d bytes" % came)
-
-
-func _bodies(p_end: LinkPair.End) -> int:
-	var seen: Dictionary[int, bool] = {}
-	for snapshot: Snapshot in p_end.snapshots:
-		for id: int in snapshot.bodies:
-			seen[id] = true
-	return seen.size()
+	var size: int = PosePacket.encode(NetSamples.pose(_random)).size()
+	is_true(came >= 20 * size and came < 40 * size, "%d bytes" % came)

@@ -2,12 +2,14 @@ extends TestCase
 ## What was recorded is played back the same; damaged files play as far as they go.
 
 const NetSamples: GDScript = preload("../net/net_samples.gd")
+const SnapshotStream: GDScript = preload("../net/snapshot_stream.gd")
 const PATH: String = "user://test_recording.dsmt"
 
 var _random: RandomNumberGenerator = RandomNumberGenerator.new()
 var _packets: Array[PackedByteArray] = []
 var _played: Array[PackedByteArray] = []
 var _finished: int = 0
+var _stream: SnapshotStream = SnapshotStream.new([1, 2], [3, 4, 5])
 
 
 func before_each() -> void:
@@ -101,7 +103,7 @@ func test_what_is_no_recording_is_told() -> void:
 	var cases: Array[PackedByteArray] = [
 		[],
 		"DSMT".to_ascii_buffer(),
-		"DSMTREC2".to_ascii_buffer(),
+		"DSMTREC1".to_ascii_buffer(),
 		"HIERARCHY ROOT".to_ascii_buffer()
 	]
 	cases.append(NetSamples.noise(_random, 200) + PackedByteArray([27, 91, 50, 74]))
@@ -109,7 +111,7 @@ func test_what_is_no_recording_is_told() -> void:
 	for bytes: PackedByteArray in cases:
 		_write(bytes)
 		var error: String = SnapshotPlayer.new().open(PATH)
-		contains(error, PATH + ": expected a recording (DSMTREC1), found")
+		contains(error, PATH + ": expected a recording (DSMTREC2), found")
 		equal(error, error.strip_escapes(), "no control characters in the log")
 
 
@@ -140,7 +142,8 @@ func _record(p_count: int) -> void:
 func _packet(p_index: int) -> PackedByteArray:
 	if p_index % 5 == 0:
 		return NetSamples.world(_random, 4, 1).encode()
-	return SnapshotPacket.encode(NetSamples.snapshot(_random, 10, 2))[0]
+	_stream.move()
+	return _stream.datagrams()[0]
 
 
 func _player() -> SnapshotPlayer:
@@ -151,8 +154,7 @@ func _player() -> SnapshotPlayer:
 	return player
 
 
-func _on_snapshot(p_snapshot: Snapshot, p_bytes: PackedByteArray) -> void:
-	is_true(p_snapshot.bodies.size() <= 255)
+func _on_snapshot(p_bytes: PackedByteArray, _p_time_s: float) -> void:
 	_played.append(p_bytes)
 
 
