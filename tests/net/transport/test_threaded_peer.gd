@@ -1,6 +1,6 @@
 extends TestCase
-## Godot's multiplayer API over the threaded peer: authentication, calls, spawner, channels, targets,
-## and the fast path beside it.
+## Godot's multiplayer API over the threaded peer: authentication, calls, spawner, channels,
+## targets, and the fast path beside it.
 
 const Caller: GDScript = preload("caller.gd")
 
