@@ -133,9 +133,7 @@ func poll() -> void:
 		else:
 			lost.emit(_why)
 		return
-	var stands: bool = (
-		_peer.get_connection_status() != MultiplayerPeer.CONNECTION_DISCONNECTED
-	)
+	var stands: bool = _peer.get_connection_status() != MultiplayerPeer.CONNECTION_DISCONNECTED
 	if not stands or _why != "":
 		_end(_why if _why != "" and _state != State.JOINED else _loss())
 	elif _state == State.CONNECTING and _age_s() > PATIENCE_S:

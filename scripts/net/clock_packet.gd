@@ -35,11 +35,7 @@ static func question(p_now_usec: int) -> PackedByteArray:
 
 ## The answer to a question; no bytes if it is none.
 static func answer(
-	p_question: PackedByteArray,
-	p_now_usec: int,
-	p_tick: int,
-	p_tick_usec: int,
-	p_tick_rate: int
+	p_question: PackedByteArray, p_now_usec: int, p_tick: int, p_tick_usec: int, p_tick_rate: int
 ) -> PackedByteArray:
 	if p_question.size() != QUESTION_SIZE:
 		return PackedByteArray()

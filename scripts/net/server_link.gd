@@ -34,10 +34,7 @@ var _book: SessionBook = SessionBook.new()
 var _door: SessionDoor = null
 var _strikes: CallStrikes = null
 var _world_number: int = 0
-var _mutex: Mutex = Mutex.new()
-var _tick: int = 0
-var _tick_usec: int = 0
-var _tick_rate: int = 60
+var _ticks: TickClock = TickClock.new()
 
 
 ## Opens the port. Returns [constant ERR_CANT_CREATE] where it is in use, and
@@ -50,7 +47,7 @@ func listen(p_port: int, p_rules: ServerRules) -> Error:
 	_peer.guard = TransportGuard.new()
 	_peer.tls = rules.tls
 	_peer.instant_kind = Protocol.Message.CLOCK
-	_peer.instant = _answer_clock
+	_peer.instant = _ticks.answer
 	var error: Error = _peer.create_server(p_port)
 	if error != OK:
 		_peer = null
@@ -127,11 +124,7 @@ func figures() -> Dictionary:
 
 ## Says which tick begins, and when, [method Time.get_ticks_usec]: clients ask for it.
 func publish_tick(p_tick: int, p_usec: int, p_tick_rate: int = 60) -> void:
-	_mutex.lock()
-	_tick = p_tick
-	_tick_usec = p_usec
-	_tick_rate = p_tick_rate
-	_mutex.unlock()
+	_ticks.publish(p_tick, p_usec, p_tick_rate)
 
 
 ## Sends a client datagrams of at most [constant Protocol.MAX_DATAGRAM] bytes, unreliably.
@@ -159,21 +152,9 @@ func send_world(p_world: WorldDescription) -> void:
 ## Everybody, for an instructor: dictionaries with session (0 while waiting), peer, name, role,
 ## address and state (here, lost or waiting).
 func roster() -> Array[Dictionary]:
-	var rows: Array[Dictionary] = []
-	for session: Session in _book.all():
-		var row: Dictionary = session.hello()
-		row["session"] = session.id
-		row["peer"] = session.peer
-		row["address"] = session.address
-		row["state"] = "here" if session.is_here else "lost"
-		rows.append(row)
+	var rows: Array[Dictionary] = _book.rows()
 	if _door != null:
-		for visitor: SessionDoor.Visitor in _door.waiting():
-			var row: Dictionary = {"session": 0, "peer": visitor.peer, "state": "waiting"}
-			row["name"] = visitor.greeting.name
-			row["role"] = visitor.greeting.role
-			row["address"] = visitor.address
-			rows.append(row)
+		rows.append_array(_door.rows())
 	return rows
 
 
@@ -243,16 +224,6 @@ func close() -> void:
 	_api = null
 	for session: Session in _book.all():
 		_end(session)
-
-
-## Runs in the transport's thread.
-func _answer_clock(p_bytes: PackedByteArray, p_arrival_usec: int) -> PackedByteArray:
-	_mutex.lock()
-	var tick: int = _tick
-	var tick_usec: int = _tick_usec if _tick_usec > 0 else p_arrival_usec
-	var rate: int = _tick_rate
-	_mutex.unlock()
-	return ClockPacket.answer(p_bytes, p_arrival_usec, tick, tick_usec, rate)
 
 
 func _on_arriving(p_peer: int) -> void:

@@ -3,8 +3,8 @@ extends SceneTree
 ## beside Godot's own ENetMultiplayerPeer that is polled every frame.
 ##
 ## Options: --seconds=5 (each case), --hz=60 (datagrams per second and pairs' sender), --bytes=281,
-## --fps=60 (frames of the polled peer), --clients=32 (connections in the case of many). Goal: p50 of
-## the thread at most 1 ms.
+## --fps=60 (frames of the polled peer), --clients=32 (connections in the case of many). Goal: p50
+## of the thread at most 1 ms.
 
 const _GOAL_MS: float = 1.0
 

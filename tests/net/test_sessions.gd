@@ -84,7 +84,9 @@ func test_guessing_is_slowed_down_and_keeps_nobody_out_who_comes_back() -> void:
 	is_true(late >= 5, "%d of 12 were not even tried" % late)
 	_lose(good)
 	good.link.open("127.0.0.1", _pair.port, good.greeting, "sesame")
-	is_true(_pair.until(func() -> bool: return good.joined == 2), "%s %s" % [good.loss, good.refusal])
+	is_true(
+		_pair.until(func() -> bool: return good.joined == 2), "%s %s" % [good.loss, good.refusal]
+	)
 	is_true(_pair.until(func() -> bool: return _pair.returned == _pair.joined.keys()))
 
 

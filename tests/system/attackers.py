@@ -13,7 +13,9 @@ import time
 def connect_datagram(peer_id: int, connect_id: int) -> bytes:
     """ENet's CONNECT, as the first datagram of a client."""
     header = struct.pack(">HHBBH", 0x8FFF, 1, 0x82, 0xFF, 1)
-    body = struct.pack(">HBB9II", 0, 0xFF, 0xFF, 1392, 65536, 8, 0, 0, 5000, 2, 2, connect_id, peer_id)
+    body = struct.pack(
+        ">HBB9II", 0, 0xFF, 0xFF, 1392, 65536, 8, 0, 0, 5000, 2, 2, connect_id, peer_id
+    )
     return header + body
 
 

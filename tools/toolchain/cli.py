@@ -26,6 +26,7 @@ HELP = """Dismount: people in motion-capture suits move through physics.
   ./run server  [options]   the exported dedicated server alone
   ./run trainee [options]   a client with a body; --bvh=FILE is its motion
   ./run observer [options]  a client that watches
+  ./run instructor [options]  a client that watches and decides who takes part
   ./run replay --file=FILE  shows what a client recorded with --record=FILE
   ./run editor              the Godot editor with this project
   ./run export              exports server and client to build/export/
@@ -47,7 +48,8 @@ DISMOUNT_DISPLAY=virtual (do as if there was no display).
 Keys in a window: 1 mesh world, 2 static world, 3 physics world; drag and wheel move the camera.
 """
 
-FILES = ("bvh", "record", "file", "report", "screenshot", "latency-csv")
+SESSION_FILES = ("ban-file", "dtls-certificate", "dtls-key")
+FILES = ("bvh", "record", "file", "report", "screenshot", "latency-csv", *SESSION_FILES)
 
 
 def main(arguments: list[str]) -> int:
@@ -59,6 +61,7 @@ def main(arguments: list[str]) -> int:
         "server": _server,
         "trainee": lambda rest: _client("trainee", rest),
         "observer": lambda rest: _client("observer", rest),
+        "instructor": lambda rest: _client("instructor", rest),
         "replay": lambda rest: _client("replay", rest),
         "editor": _editor,
         "export": _export,

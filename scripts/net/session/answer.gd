@@ -37,10 +37,7 @@ var _proof: PackedByteArray = PackedByteArray()
 
 ## A welcome; the proof shows that the server knows the key.
 static func welcome(
-	p_session: int,
-	p_token: PackedByteArray,
-	p_key: PackedByteArray,
-	p_said: Array[PackedByteArray]
+	p_session: int, p_token: PackedByteArray, p_key: PackedByteArray, p_said: Array[PackedByteArray]
 ) -> PackedByteArray:
 	var bytes: PackedByteArray = [Kind.WELCOME, 0, 0, 0, 0]
 	bytes.encode_u32(1, p_session)

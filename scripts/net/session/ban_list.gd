@@ -43,7 +43,9 @@ func add(p_address: String) -> String:
 		return "cannot write %s: %s" % [_path, error_string(FileAccess.get_open_error())]
 	file.store_string(JSON.stringify(_addresses.keys(), "\t") + "\n")
 	file.close()
-	return "" if DirAccess.rename_absolute(_path + ".part", _path) == OK else "cannot write " + _path
+	return (
+		"" if DirAccess.rename_absolute(_path + ".part", _path) == OK else "cannot write " + _path
+	)
 
 
 func _read(p_entries: Array, p_text: String) -> void:

@@ -5,8 +5,8 @@ extends RefCounted
 ##
 ## Little-endian: [constant Protocol.HELLO], u32 version, u8 role, f64 hip height (m), u8 wanted
 ## snapshots per second (0: as the server does), 32 bytes nonce, 16 bytes token of a lost session
-## (zeros: none), name as u16 length and UTF-8, 32 bytes proof. All versions begin with the first two
-## fields.
+## (zeros: none), name as u16 length and UTF-8, 32 bytes proof. All versions begin with the first
+## two fields.
 
 ## Bytes of a token.
 const TOKEN_SIZE: int = 16

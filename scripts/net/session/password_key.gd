@@ -42,6 +42,4 @@ static func prove(
 
 ## Whether a proof is right; takes as long for any that is wrong.
 static func is_proof(p_expected: PackedByteArray, p_given: PackedByteArray) -> bool:
-	return (
-		p_given.size() == SIZE and Crypto.new().constant_time_compare(p_expected, p_given)
-	)
+	return p_given.size() == SIZE and Crypto.new().constant_time_compare(p_expected, p_given)

@@ -95,3 +95,17 @@ func count_at(p_address: String) -> int:
 	for id: int in _sessions:
 		count += 1 if _sessions[id].address == p_address else 0
 	return count
+
+
+## All, for an instructor; see [method ServerLink.roster].
+func rows() -> Array[Dictionary]:
+	var list: Array[Dictionary] = []
+	for id: int in _sessions:
+		var session: Session = _sessions[id]
+		var row: Dictionary = session.hello()
+		row["session"] = session.id
+		row["peer"] = session.peer
+		row["address"] = session.address
+		row["state"] = "here" if session.is_here else "lost"
+		list.append(row)
+	return list

@@ -2,11 +2,6 @@ class_name SessionDoor
 extends RefCounted
 ## Who may come in: judges the greetings of a server's clients.
 
-## Seconds that a client has to say who it is, and to take in the answer.
-const GREETING_S: float = 3.0
-## Clients that may wait for an instructor.
-const MOST_WAITING: int = 64
-
 ## What the door says of a greeting.
 enum Verdict {
 	## The client is to be ignored: it has said everything already.
@@ -18,6 +13,11 @@ enum Verdict {
 	## An instructor decides.
 	WAIT,
 }
+
+## Seconds that a client has to say who it is, and to take in the answer.
+const GREETING_S: float = 3.0
+## Clients that may wait for an instructor.
+const MOST_WAITING: int = 64
 
 var _rules: ServerRules = null
 var _book: SessionBook = null
@@ -113,6 +113,18 @@ func waiting() -> Array[Visitor]:
 	return all.filter(func(visitor: Visitor) -> bool: return visitor.waits)
 
 
+## Those who wait, for an instructor; see [method ServerLink.roster].
+func rows() -> Array[Dictionary]:
+	var list: Array[Dictionary] = []
+	for visitor: Visitor in waiting():
+		var row: Dictionary = {"session": 0, "peer": visitor.peer, "state": "waiting"}
+		row["name"] = visitor.greeting.name
+		row["role"] = visitor.greeting.role
+		row["address"] = visitor.address
+		list.append(row)
+	return list
+
+
 ## Those who are to be sent away: they have said nothing, or nothing of use.
 func overdue(p_now_usec: int) -> Array[int]:
 	var peers: Array[int] = []
@@ -129,7 +141,9 @@ func _judge_password(p_visitor: Visitor, p_known: bool, p_now_usec: int) -> Verd
 	if _rules.password_of(role) == "":
 		var local: bool = ServerRules.is_loopback(p_visitor.address)
 		if role == Protocol.Role.INSTRUCTOR and not local:
-			return _refuse(p_visitor, "instructors from elsewhere need a server with a password", false)
+			return _refuse(
+				p_visitor, "instructors from elsewhere need a server with a password", false
+			)
 		return Verdict.WELCOME
 	# Whoever knows a session's token does not guess: an attacker from the same address must not
 	# keep those out who come back.

@@ -15,7 +15,7 @@ signal reopened
 signal failed(p_why: String)
 
 ## Transfer channels that can be used beside 0.
-const MOST_TRANSFER_CHANNEL: int = TransportThread.CHANNELS - TransportThread.FAST_CHANNEL - 1
+const MOST_TRANSFER_CHANNEL: int = TransportHost.CHANNELS - TransportHost.FAST_CHANNEL - 1
 
 ## Longest time that something to be sent waits in the thread, ms.
 var wait_ms: int = 1:
@@ -63,8 +63,8 @@ func _notification(p_what: int) -> void:
 
 
 ## Opens a server's port. [constant ERR_ALREADY_IN_USE] if this peer is in use,
-## [constant ERR_CANT_CREATE] if the port is, [constant ERR_UNAVAILABLE] if DTLS is asked for and the
-## engine has none.
+## [constant ERR_CANT_CREATE] if the port is, [constant ERR_UNAVAILABLE] if DTLS is asked for and
+## the engine has none.
 func create_server(p_port: int, p_address: String = "*") -> Error:
 	if _thread != null:
 		return ERR_ALREADY_IN_USE
@@ -124,7 +124,7 @@ func send_fast(p_peer: int, p_bytes: PackedByteArray) -> bool:
 		thread != null
 		and p_bytes.size() <= Protocol.MAX_DATAGRAM
 		and thread.send(
-			p_peer, TransportThread.FAST_CHANNEL, p_bytes, ENetPacketPeer.FLAG_UNSEQUENCED
+			p_peer, TransportHost.FAST_CHANNEL, p_bytes, ENetPacketPeer.FLAG_UNSEQUENCED
 		)
 	)
 
@@ -324,7 +324,7 @@ func _put_packet_script(p_bytes: PackedByteArray) -> Error:
 			flags = ENetPacketPeer.FLAG_UNRELIABLE_FRAGMENT
 	var enet_channel: int = 0 if _mode == TRANSFER_MODE_RELIABLE else 1
 	if _channel > 0:
-		enet_channel = TransportThread.FAST_CHANNEL + _channel
+		enet_channel = TransportHost.FAST_CHANNEL + _channel
 	return OK if _thread.send(_target, enet_channel, p_bytes, flags) else ERR_BUSY
 
 

@@ -1,5 +1,5 @@
 class_name TransportThread
-extends RefCounted
+extends TransportHost
 ## An ENet host that is served by a thread of its own.
 ##
 ## The thread waits in the socket, so what arrives is taken in at once, and what others want sent
@@ -7,71 +7,40 @@ extends RefCounted
 ## events and fast datagrams by a [TransportMailbox]. Set the public members before
 ## [method start_server] or [method start_client].
 
-## ENet channels: two that the multiplayer API knows, the fast path, and five more for its transfer
-## channels.
-const CHANNELS: int = 8
-## ENet channel of the fast path.
-const FAST_CHANNEL: int = 2
 ## ENet's most connections. Half-open ones cannot be seen nor ended from here, and take a place for
 ## half a minute: so there are as many as there can be.
 const SLOTS: int = 4095
-## Connections that have not been admitted; the oldest goes when there are more.
-const MOST_ARRIVING: int = 512
-## When a silent end is gone: ENet's limit of attempts, least and most ms.
-const TIMEOUTS_MS: Array[int] = [32, 1500, 3000]
-## First bytes of a mark and of its receipt, both followed by 8 bytes.
-const MARK: PackedByteArray = [0xFF, 0x4D]
-const RECEIPT: PackedByteArray = [0xFF, 0x52]
 
-const _FAST_FLAGS: int = ENetPacketPeer.FLAG_UNSEQUENCED
 ## Events in a row before what came is handed over.
 const _MOST_EVENTS: int = 128
 ## Bytes that wait for the main thread: a client whose main thread stands that still is lost.
 const _MOST_WAITING_BYTES: int = 32 << 20
 const _HOUSEKEEPING_USEC: int = 100000
-const _WINDOW_USEC: int = 1000000
 ## Errors without any success for so long mean that the host is dead, µs.
 const _DEAD_USEC: int = 500000
 const _GOODBYE_MS: int = 300
-const _LEAVING_USEC: int = 1000000
 
 ## Longest wait in the socket, ms.
 var wait_ms: int = 1
-## Judges what comes, on a server; null lets everything through.
-var guard: TransportGuard = null
-## Answers fast datagrams of the kind [member instant_kind] in the thread:
-## [code]func(bytes: PackedByteArray, arrival_usec: int) -> PackedByteArray[/code].
-var instant: Callable = Callable()
-## First byte of what [member instant] answers.
-var instant_kind: int = -1
 ## On a client: makes what is sent to the server again and again, in the thread:
 ## [code]func() -> PackedByteArray[/code].
 var beacon: Callable = Callable()
-## When [member beacon] is due again, from how often it was: [code]func(count: int) -> int[/code], µs.
+## When [member beacon] is due again, from how often it was: [code]func(count: int) -> int[/code],
+## µs.
 var beacon_period: Callable = Callable()
 ## DTLS, or null.
 var tls: TLSOptions = null
 
+## What the thread and the others hand each other.
 var mailbox: TransportMailbox = TransportMailbox.new()
 
 var _thread: Thread = Thread.new()
-var _host: ENetConnection = null
-var _server: bool = false
-var _address: String = ""
-var _port: int = 0
 var _id: int = 0
-var _connections: Dictionary[int, TransportConnection] = {}
-var _events: Array[TransportEvent] = []
-var _fast: Array[FastPacket] = []
-var _counts: Dictionary[String, int] = {}
 var _taken: int = 0
-var _waiting_bytes: int = 0
 var _errors_since_usec: int = 0
 var _housekept_usec: int = 0
-var _window_usec: int = 0
 var _beacons: int = 0
 var _beacon_usec: int = 0
-var _closing: bool = false
 var _goodbye: int = 0
 
 
@@ -158,6 +127,9 @@ func _run() -> void:
 		if now - _housekept_usec > _HOUSEKEEPING_USEC:
 			_housekept_usec = now
 			_keep_house(now)
+			var figures: Dictionary = {"peers": _describe_peers()}
+			figures.merge(_counts)
+			mailbox.publish(figures)
 		var taken: int = mailbox.hand_over(_events, _fast)
 		_events.clear()
 		_fast.clear()
@@ -230,136 +202,6 @@ func _reopen() -> void:
 		_trouble("closed", "the port cannot be opened again: %s" % error_string(error))
 
 
-func _on_connect(p_remote: ENetPacketPeer, p_data: int) -> void:
-	var id: int = p_data if _server else MultiplayerPeer.TARGET_PEER_SERVER
-	if _server and (id < 2 or id > 0x7FFFFFFF):
-		# The id is the client's own choice: below 2 it would mean "all" or "all except".
-		_count("refused_ids")
-		_trouble("id", "refused a client with the forbidden id %d" % id)
-		p_remote.peer_disconnect(Protocol.Goodbye.THROWN_OUT)
-		return
-	if _connections.has(id):
-		_count("refused_ids")
-		_trouble("id", "refused a client with the id %d, which another has" % id)
-		p_remote.peer_disconnect(Protocol.Goodbye.THROWN_OUT)
-		return
-	if guard != null:
-		_make_room()
-	var connection: TransportConnection = TransportConnection.new(
-		id, p_remote, Time.get_ticks_usec()
-	)
-	_connections[id] = connection
-	p_remote.set_meta(&"id", id)
-	_set_up(p_remote)
-	_note(TransportEvent.Kind.JOINED, id, connection.address, "")
-
-
-func _on_disconnect(p_remote: ENetPacketPeer, p_code: int) -> void:
-	var id: int = p_remote.get_meta(&"id", 0)
-	if _connections.has(id) and _connections[id].remote == p_remote:
-		_drop(_connections[id], p_code)
-	elif not _server:
-		_fail("no server answers at %s:%d" % [_address, _port])
-
-
-func _on_receive(p_remote: ENetPacketPeer, p_channel: int) -> void:
-	var arrival: int = Time.get_ticks_usec()
-	var flags: int = p_remote.get_packet_flags()
-	var bytes: PackedByteArray = p_remote.get_packet()
-	var from: TransportConnection = _connections.get(p_remote.get_meta(&"id", 0))
-	if from == null or from.stage == TransportConnection.Stage.LEAVING:
-		return
-	if p_channel == FAST_CHANNEL:
-		_receive_fast(from, bytes, arrival)
-		return
-	if bytes.size() == 10 and bytes[0] == MARK[0] and p_channel == 0:
-		if bytes[1] == RECEIPT[1]:
-			from.receipt(bytes.slice(2))
-			return
-		if bytes[1] == MARK[1] and not _server:
-			p_remote.send(0, RECEIPT + bytes.slice(2), ENetPacketPeer.FLAG_RELIABLE)
-			return
-	if guard != null and not _is_let_through(from, guard.judge(from, bytes)):
-		return
-	from.waiting += 1
-	_waiting_bytes += bytes.size()
-	var event: TransportEvent = TransportEvent.new(TransportEvent.Kind.PACKET, from.id)
-	event.bytes = bytes
-	event.channel = maxi(p_channel - FAST_CHANNEL, 0)
-	if flags & ENetPacketPeer.FLAG_RELIABLE:
-		event.mode = MultiplayerPeer.TRANSFER_MODE_RELIABLE
-	elif flags & ENetPacketPeer.FLAG_UNSEQUENCED:
-		event.mode = MultiplayerPeer.TRANSFER_MODE_UNRELIABLE
-	else:
-		event.mode = MultiplayerPeer.TRANSFER_MODE_UNRELIABLE_ORDERED
-	_events.append(event)
-
-
-func _receive_fast(
-	p_from: TransportConnection, p_bytes: PackedByteArray, p_arrival_usec: int
-) -> void:
-	if guard != null and not _is_let_through(p_from, guard.judge_fast(p_from, p_bytes)):
-		return
-	if p_bytes.is_empty() or p_bytes.size() > Protocol.MAX_DATAGRAM:
-		_count("dropped_in")
-		return
-	if p_bytes[0] == instant_kind and instant.is_valid():
-		var answer: PackedByteArray = instant.call(p_bytes, p_arrival_usec)
-		if not answer.is_empty():
-			p_from.remote.send(FAST_CHANNEL, answer, _FAST_FLAGS)
-		return
-	var packet: FastPacket = FastPacket.new()
-	packet.peer = p_from.id
-	packet.bytes = p_bytes
-	packet.arrival_usec = p_arrival_usec
-	_fast.append(packet)
-
-
-func _is_let_through(p_from: TransportConnection, p_verdict: TransportGuard.Verdict) -> bool:
-	if p_verdict == TransportGuard.Verdict.PASS:
-		return true
-	if p_verdict != TransportGuard.Verdict.IGNORE:
-		_count("dropped_in")
-	if p_verdict == TransportGuard.Verdict.THROW_OUT:
-		_throw_out(p_from, guard.reason)
-	elif p_verdict == TransportGuard.Verdict.DROP:
-		_complain(p_from, guard.key, guard.reason)
-	return false
-
-
-## A flood of connections that never say who they are must not keep others out.
-func _make_room() -> void:
-	var oldest: TransportConnection = null
-	var arriving: int = 0
-	for id: int in _connections:
-		var connection: TransportConnection = _connections[id]
-		if connection.stage == TransportConnection.Stage.ARRIVING and not connection.kept:
-			arriving += 1
-			if oldest == null:
-				oldest = connection
-	if arriving >= MOST_ARRIVING:
-		_count("evicted")
-		_drop(oldest, Protocol.Goodbye.LOST)
-
-
-func _throw_out(p_connection: TransportConnection, p_why: String) -> void:
-	_count("thrown_out")
-	_complain(p_connection, "thrown out", "was thrown out: it %s" % p_why)
-	_drop(p_connection, Protocol.Goodbye.THROWN_OUT)
-
-
-## Ends a connection at once; what still waited for it is freed, and the other end told. Not by
-## peer_disconnect_now() nor reset(): after these ENetConnection.service() follows a freed element of
-## its list (Godot 4.6), which ends release builds.
-func _drop(p_connection: TransportConnection, p_code: int) -> void:
-	_connections.erase(p_connection.id)
-	if p_connection.remote.is_active():
-		p_connection.remote.peer_disconnect(p_code)
-	var event: TransportEvent = TransportEvent.new(TransportEvent.Kind.GONE, p_connection.id)
-	event.code = p_code
-	_events.append(event)
-
-
 func _look_after_client(p_now_usec: int, p_gap_usec: int) -> void:
 	if _connections.is_empty():
 		return
@@ -374,42 +216,6 @@ func _look_after_client(p_now_usec: int, p_gap_usec: int) -> void:
 		_connections.values()[0].remote.send(FAST_CHANNEL, beacon.call(), _FAST_FLAGS)
 
 
-func _keep_house(p_now_usec: int) -> void:
-	for id: int in _connections.keys():
-		var connection: TransportConnection = _connections[id]
-		if connection.unreceipted > TransportConnection.MOST_UNRECEIPTED:
-			_throw_out(connection, "takes in nothing of what it is sent")
-		elif (
-			connection.stage == TransportConnection.Stage.LEAVING
-			and p_now_usec - connection.leaving_usec > _LEAVING_USEC
-		):
-			_drop(connection, Protocol.Goodbye.LOST)
-	_count("sent_bytes", int(_host.pop_statistic(ENetConnection.HOST_TOTAL_SENT_DATA)))
-	_count("received_bytes", int(_host.pop_statistic(ENetConnection.HOST_TOTAL_RECEIVED_DATA)))
-	_count("sent_packets", int(_host.pop_statistic(ENetConnection.HOST_TOTAL_SENT_PACKETS)))
-	_count("received_packets", int(_host.pop_statistic(ENetConnection.HOST_TOTAL_RECEIVED_PACKETS)))
-	if p_now_usec - _window_usec > _WINDOW_USEC:
-		_window_usec = p_now_usec
-		for id: int in _connections:
-			_connections[id].restart_window()
-	var figures: Dictionary = {"peers": _describe_peers()}
-	figures.merge(_counts)
-	mailbox.publish(figures)
-
-
-func _describe_peers() -> Dictionary:
-	var peers: Dictionary = {}
-	for id: int in _connections:
-		var remote: ENetPacketPeer = _connections[id].remote
-		if not remote.is_active():
-			continue
-		peers[id] = {
-			"round_trip_ms": remote.get_statistic(ENetPacketPeer.PEER_ROUND_TRIP_TIME),
-			"loss": remote.get_statistic(ENetPacketPeer.PEER_PACKET_LOSS) / 65536.0,
-		}
-	return peers
-
-
 func _order_send(p_target: int, p_channel: int, p_bytes: PackedByteArray, p_flags: int) -> void:
 	if p_target > 0:
 		if _connections.has(p_target):
@@ -418,18 +224,6 @@ func _order_send(p_target: int, p_channel: int, p_bytes: PackedByteArray, p_flag
 	for id: int in _connections:
 		if id != -p_target:
 			_send(_connections[id], p_channel, p_bytes, p_flags)
-
-
-func _send(
-	p_to: TransportConnection, p_channel: int, p_bytes: PackedByteArray, p_flags: int
-) -> void:
-	if not p_to.remote.is_active() or p_to.stage == TransportConnection.Stage.LEAVING:
-		return
-	p_to.remote.send(p_channel, p_bytes, p_flags)
-	if _server and p_channel == 0 and p_flags & ENetPacketPeer.FLAG_RELIABLE:
-		var mark: PackedByteArray = p_to.note_reliable(p_bytes.size())
-		if not mark.is_empty():
-			p_to.remote.send(0, MARK + mark, ENetPacketPeer.FLAG_RELIABLE)
 
 
 func _order_disconnect(p_id: int, p_now: bool, p_code: int) -> void:
@@ -475,39 +269,3 @@ func _say_goodbye() -> void:
 			(event[1] as ENetPacketPeer).get_packet()
 		elif event[0] == ENetConnection.EVENT_ERROR:
 			return
-
-
-## Notice a dead end within a few seconds, and never thin out datagrams because the round trip
-## varies: each is of use alone, and the newest matters most.
-func _set_up(p_remote: ENetPacketPeer) -> void:
-	p_remote.set_timeout(TIMEOUTS_MS[0], TIMEOUTS_MS[1], TIMEOUTS_MS[2])
-	if p_remote.get_state() == ENetPacketPeer.STATE_CONNECTED:
-		p_remote.throttle_configure(5000, 32, 0)
-
-
-func _fail(p_why: String) -> void:
-	for id: int in _connections.keys():
-		_drop(_connections[id], Protocol.Goodbye.LOST)
-	_note(TransportEvent.Kind.FAILED, 0, "failed", p_why)
-	# There is only one server: nothing is left to be done.
-	_closing = true
-
-
-func _complain(p_about: TransportConnection, p_key: String, p_what: String) -> void:
-	if p_about.may_complain(p_key, Time.get_ticks_usec()):
-		_note(TransportEvent.Kind.TROUBLE, p_about.id, p_key, p_what)
-
-
-func _trouble(p_key: String, p_what: String) -> void:
-	_note(TransportEvent.Kind.TROUBLE, 0, p_key, p_what)
-
-
-func _note(p_kind: TransportEvent.Kind, p_peer: int, p_key: String, p_text: String) -> void:
-	var event: TransportEvent = TransportEvent.new(p_kind, p_peer)
-	event.key = p_key
-	event.text = p_text
-	_events.append(event)
-
-
-func _count(p_what: String, p_more: int = 1) -> void:
-	_counts[p_what] = _counts.get(p_what, 0) + p_more

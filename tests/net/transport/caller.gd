@@ -4,7 +4,6 @@ extends Node
 ## What was told.
 var heard: Array[String] = []
 
-
 @rpc("any_peer", "reliable")
 func ask(p_text: String) -> void:
 	tell.rpc_id(multiplayer.get_remote_sender_id(), p_text + " back")

@@ -1,6 +1,6 @@
 extends TestCase
-## Godot's multiplayer API over the threaded peer: authentication, calls, spawner, channels, targets,
-## and the fast path beside it.
+## Godot's multiplayer API over the threaded peer: authentication, calls, spawner, channels,
+## targets, and the fast path beside it.
 
 const Caller: GDScript = preload("caller.gd")
 
@@ -22,6 +22,10 @@ func before_each() -> void:
 
 func after_each() -> void:
 	for api: SceneMultiplayer in _apis:
+		# What the test has connected holds the API.
+		api.auth_callback = Callable()
+		for link: Dictionary in api.peer_authenticating.get_connections():
+			api.peer_authenticating.disconnect(link["callable"])
 		api.multiplayer_peer = null
 	for client: ThreadedPeer in _clients:
 		client.close()
