@@ -104,7 +104,7 @@ public:
 			const PersonContext context{ p_model, shares, body, resolution, sample.base, sample.before, sample.base_age,
 				sample.velocity_age };
 			PersonState state = *sample.now;
-			PersonCoder<CostPort>(port, context).code(state);
+			PersonCoder<CostPort>(port, context).code_changed(state);
 		}
 		return port.sum / double(samples.size());
 	}

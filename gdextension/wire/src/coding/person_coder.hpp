@@ -28,6 +28,18 @@ public:
 
 	/// Writes the state, or reads it. False if that is no state.
 	bool code(PersonState &r_state) {
+		bool same = context.base != nullptr && is_base(r_state);
+		if (context.base != nullptr && !port.bit(CHANGED, same)) {
+			return false;
+		}
+		if (same) {
+			r_state = *context.base;
+			return true;
+		}
+		return code_changed(r_state);
+	}
+	/// The same for a state that is not the base.
+	bool code_changed(PersonState &r_state) {
 		if (!code_place(r_state)) {
 			return false;
 		}
@@ -46,6 +58,7 @@ private:
 	static constexpr int SQUARE_FLOOR = 256; // A unit, squared.
 	static constexpr int MOST_SURPRISE = 64; // Four octaves.
 	static constexpr uint32_t SAME_CHART = 65400;
+	static constexpr uint32_t CHANGED = 65000;
 
 	struct Triple {
 		std::array<int64_t, 3> from{}; ///< Where the base is, 1 / FRACTION units.
@@ -59,6 +72,14 @@ private:
 		int parent_surprise = 0;
 	};
 
+	// What a reader has so far does not matter: it is told.
+	bool is_base(const PersonState &p_state) const {
+		bool equal = p_state.root == context.base->root;
+		for (std::size_t i = 0; i < std::size_t(context.skeleton.limb_count); i++) {
+			equal = equal && p_state.limbs[i] == context.base->limbs[i];
+		}
+		return equal;
+	}
 	// Limits keep all products within 64 bits.
 	static int64_t limited(int64_t p_value, int64_t p_most) {
 		return p_value < -p_most ? -p_most : (p_value > p_most ? p_most : p_value);
