@@ -44,7 +44,9 @@ func test_environment_and_arguments_win() -> void:
 
 
 func test_every_option_has_both_forms() -> void:
-	var choices: Dictionary[String, String] = {"feedback": "server", "smoothing": "linear"}
+	var choices: Dictionary[String, String] = {
+		"codec": "float", "feedback": "server", "smoothing": "linear"
+	}
 	for row: Array in Options.TABLE:
 		var value: String = "7" if row[1] is not String else choices.get(row[0], "x")
 		var options: Options = Options.parse(["--%s=%s" % [row[0], value]])

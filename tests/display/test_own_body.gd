@@ -23,10 +23,12 @@ func before_each() -> void:
 
 func test_the_skeleton_makes_the_rest_pose_of_the_profile() -> void:
 	var soldier: Ragdoll = SOLDIER.instantiate()
-	equal(_skeleton.count(), soldier.profile.limbs.size())
+	equal(_skeleton.count(), Limbs.COUNT)
 	var places: Array[Transform3D] = []
-	for limb: RagdollLimb in soldier.profile.limbs:
-		places.append(RagdollFigure.body_of(limb))
+	for bone: StringName in Limbs.BONES:
+		var limb: RagdollLimb = soldier.profile.find(bone)
+		var from_reset: Basis = Basis(limb.rest_orientation * limb.reset_orientation.inverse())
+		places.append(Transform3D(from_reset, limb.position))
 	soldier.free()
 	equal(_skeleton.parents[0], -1)
 	for i: int in range(1, _skeleton.count()):
@@ -65,7 +67,7 @@ func test_the_delay_is_half_a_period_and_the_same_in_every_frame() -> void:
 
 
 func test_an_arm_is_stopped_where_the_server_stops_it() -> void:
-	var arm: int = _skeleton.slots.find(Limbs.find(&"LeftUpperArm"))
+	var arm: int = Limbs.find(&"LeftUpperArm")
 	var held: Quaternion = Quaternion(Vector3.UP, deg_to_rad(30.0))
 	for sample: int in 90:
 		var local: PoseSample = _sample(0)

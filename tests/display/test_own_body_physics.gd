@@ -95,7 +95,7 @@ func _see(p_time_s: float, p_player: Stage.Player) -> void:
 	if p_time_s < 1.0:
 		return
 	for bone: StringName in [&"LeftHand", &"RightHand"]:
-		var limb: int = _skeleton.slots.find(Limbs.find(bone))
+		var limb: int = Limbs.find(bone)
 		_shown.append(Vector3(shown[limb * 7], shown[limb * 7 + 1], shown[limb * 7 + 2]))
 		_local.append(_local_place(sample, limb))
 
@@ -115,11 +115,10 @@ func _local_place(p_sample: PoseSample, p_limb: int) -> Vector3:
 
 func _truth(p_player: Stage.Player) -> PackedFloat32Array:
 	var floats: PackedFloat32Array = []
-	for rid: RID in p_player.ragdoll.get_bodies():
-		var place: Transform3D = PhysicsServer3D.body_get_state(
-			rid, PhysicsServer3D.BODY_STATE_TRANSFORM
-		)
-		var turn: Quaternion = place.basis.get_rotation_quaternion()
+	for limb: int in Limbs.COUNT:
+		var place: Transform3D = p_player.body(limb)
+		var reset: Quaternion = _skeleton.reset_orientations[limb]
+		var turn: Quaternion = place.basis.get_rotation_quaternion() * reset.inverse()
 		var origin: Vector3 = place.origin
 		floats.append_array([origin.x, origin.y, origin.z, turn.x, turn.y, turn.z, turn.w])
 	return floats

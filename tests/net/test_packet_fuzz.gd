@@ -60,7 +60,8 @@ func test_snapshots() -> void:
 				).length()
 				if absf(norm - 1.0) > 1e-3:
 					fail("a limb turned by a norm of %f" % norm)
-	_check_mixture()
+	# Most damage shows at the end, which is not where the coder would have it.
+	_check_mixture(ROUNDS / 1000)
 
 
 func test_world_description() -> void:
@@ -173,8 +174,8 @@ func _check_body(p_body: WorldDescription.Body) -> void:
 
 
 ## The damage must neither always nor never be found, or this tests little.
-func _check_mixture() -> void:
-	is_true(_accepted > ROUNDS / 100, "%d of %d accepted" % [_accepted, ROUNDS])
+func _check_mixture(p_least: int = ROUNDS / 100) -> void:
+	is_true(_accepted > p_least, "%d of %d accepted" % [_accepted, ROUNDS])
 	is_true(_accepted < ROUNDS * 9 / 10, "%d of %d accepted" % [_accepted, ROUNDS])
 
 

@@ -29,9 +29,9 @@ func test_every_codec_comes_back() -> void:
 			equal([got.id, got.time_usec, got.root], [sample.id, sample.time_usec, sample.root])
 			equal([got.held_usec, got.sent_usec], [sample.held_usec, sample.sent_usec])
 			for limb: int in Limbs.COUNT:
-				# The engine's angle errs by up to 0.06 degrees.
+				# The engine's angle errs by up to 0.08 degrees.
 				var off: float = got.orientation(limb).angle_to(sample.orientation(limb))
-				is_true(rad_to_deg(off) <= exact[codec] + 0.06, "%s: %f" % [codec, rad_to_deg(off)])
+				is_true(rad_to_deg(off) <= exact[codec] + 0.08, "%s: %f" % [codec, rad_to_deg(off)])
 
 
 func test_wrong_size_and_codec() -> void:

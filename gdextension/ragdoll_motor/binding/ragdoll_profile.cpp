@@ -75,6 +75,7 @@ void RagdollProfile::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_limbs"), &RagdollProfile::get_limbs);
 	ClassDB::bind_method(D_METHOD("set_mass", "mass"), &RagdollProfile::set_mass);
 	ClassDB::bind_method(D_METHOD("get_mass"), &RagdollProfile::get_mass);
+	ClassDB::bind_method(D_METHOD("find_index", "bone"), &RagdollProfile::find_index);
 	ClassDB::bind_method(D_METHOD("find", "bone"), &RagdollProfile::find);
 	ClassDB::bind_method(D_METHOD("get_parent_index", "limb"), &RagdollProfile::get_parent_index);
 	ClassDB::bind_method(D_METHOD("get_groups"), &RagdollProfile::get_groups);

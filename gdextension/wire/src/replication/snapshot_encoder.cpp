@@ -18,6 +18,8 @@ constexpr double BODIES_SHARE = 0.6;
 constexpr float HIDDEN_URGENCY = 0.75f;
 // Of what is out of sight only a coarse place is needed: so many times the tolerance.
 constexpr float HIDDEN_TOLERANCE = 8.0f;
+// Errors beyond so many tolerances are all alike.
+constexpr float MOST_ERROR = 20.0f;
 // Added where the receiver believes something that is plainly wrong.
 constexpr float URGENT = 1000.0f;
 // Ticks' worth of bytes that a client may save up.
@@ -105,19 +107,16 @@ void SnapshotEncoder::collect_bodies(ClientRecord &p_client, bool p_jolts_only) 
 		if (!body.is_there || (p_jolts_only && !body.jolted)) {
 			continue;
 		}
-		if (delivery.sent == NEVER || delivery.is_lost || body.jolted) {
-			bodies_waiting.push_back({ URGENT + delivery.urgency, uint16_t(i) });
-			continue;
-		}
 		const float weight = p_client.has_viewpoint ? visibility.weight(p_client.viewpoint, body.now.position) : 1.0f;
-		const float error = body_error(delivery, body) / TOLERANCE_M;
-		const bool stops = body.now.at_rest != delivery.believed.at_rest;
+		const bool is_wrong = delivery.sent == NEVER || delivery.is_lost || body.jolted ||
+				body.now.at_rest != delivery.believed.at_rest;
 		const bool ages = !body.now.at_rest && history.tick() - delivery.sent >= uint32_t(history.rate());
-		if (!stops && !ages && error < (weight < Interest::FAR ? HIDDEN_TOLERANCE : 1.0f)) {
+		const float error = is_wrong ? MOST_ERROR : std::min(body_error(delivery, body) / TOLERANCE_M, MOST_ERROR);
+		if (!is_wrong && !ages && error < (weight < Interest::FAR ? HIDDEN_TOLERANCE : 1.0f)) {
 			continue;
 		}
-		delivery.urgency += weight * std::min(error, 20.0f);
-		bodies_waiting.push_back({ delivery.urgency + (stops ? URGENT * 0.5f : 0.0f), uint16_t(i) });
+		delivery.urgency = std::min(delivery.urgency + weight * error, URGENT);
+		bodies_waiting.push_back({ delivery.urgency + (is_wrong ? URGENT : 0.0f), uint16_t(i) });
 	}
 }
 
@@ -278,10 +277,13 @@ void SnapshotEncoder::write_bodies(ClientRecord &p_client, Draft &p_draft) {
 	const std::size_t begin = out.size;
 	RangeEncoder encoder(&out.bytes[begin], MOST_BYTES - begin);
 	int last_id = -1;
+	bool is_full = false;
 	for (const uint16_t place : chosen) {
 		const std::size_t now = begin + encoder.written();
-		if (now + BODY_MARGIN > p_draft.room || now + WORST_BODY > MOST_BYTES) {
-			break; // They stay urgent.
+		is_full = is_full || now + BODY_MARGIN > p_draft.room || now + WORST_BODY > MOST_BYTES;
+		if (is_full) {
+			bodies_waiting.push_back({ p_client.bodies[place].urgency, place });
+			continue;
 		}
 		const WorldHistory::Body &body = *history.bodies()[place];
 		ClientRecord::BodyDelivery &delivery = p_client.bodies[place];

@@ -42,7 +42,7 @@ private:
 		uint16_t place;
 	};
 	struct Blob {
-		std::array<uint8_t, 512> bytes{};
+		std::array<uint8_t, PersonCodec::MOST_BYTES + 16> bytes{}; // With who it is, and against what.
 		std::size_t size = 0;
 		uint32_t tick = NEVER;
 		Baseline base;
