@@ -1,10 +1,14 @@
 extends SceneTree
-## What a person's motion costs on the wire, and every coding that the thesis names beside it.
+## What motion costs on the wire: a person, every coding of the thesis beside it, and a crowd.
 ##
 ## Options: --bvh=FILE (again for more; default the clips in assets/motion), --hz=30 (60, 30, 20, 15
 ## ..., what divides 60), --age (ticks of 1/60 s that the acknowledged base is old; default 2 and 6:
 ## a LAN and about 50 ms there and back), --error (degrees; default 0.1 and 0.5), --rounds=20.
-## Payload of one person of 16 limbs, the end of the range coder included, no headers.
+## Payload of one person of 16 limbs, the end of the range coder included, no headers. Then, unless
+## --people=0, a client of a world of --people=8 and --crates=200 that all move, for --seconds=20, with
+## all headers, on several networks, and Godot's own MultiplayerSynchronizer beside it.
+
+const CrowdCases: GDScript = preload("wire/crowd_cases.gd")
 
 ## Goals: by the error (tenths of a degree), then by the age, kbit/s.
 const _GOALS: Dictionary[int, Dictionary] = {
@@ -15,8 +19,22 @@ const _GOAL_ENCODE_US: float = 30.0
 
 
 func _initialize() -> void:
+	_run.call_deferred()
+
+
+func _run() -> void:
 	var arguments: BenchArguments = BenchArguments.parse(
-		OS.get_cmdline_user_args(), {"bvh": "", "hz": 30, "age": 2, "error": 0.1, "rounds": 20}
+		OS.get_cmdline_user_args(),
+		{
+			"bvh": "",
+			"hz": 30,
+			"age": 2,
+			"error": 0.1,
+			"rounds": 20,
+			"people": 8,
+			"crates": 200,
+			"seconds": 20.0,
+		}
 	)
 	var fault: String = _find_fault(arguments)
 	var clips: Array[WireClip] = []
@@ -35,6 +53,8 @@ func _initialize() -> void:
 	for hz: int in rates:
 		_measure(clips, hz, arguments, report)
 	_compare(clips, arguments, report)
+	if arguments.value("people") > 0:
+		await _crowd(arguments, report)
 	report.finish()
 	quit(0)
 
@@ -50,9 +70,29 @@ func _find_fault(p_arguments: BenchArguments) -> String:
 	var error: float = p_arguments.value("error")
 	if not (error >= 0.02 and error <= 30.0):
 		return "--error is between 0.02 and 30 degrees, found %f" % error
+	if p_arguments.value("people") < 0 or p_arguments.value("people") > 200:
+		return "--people is between 0 and 200, found %d" % p_arguments.value("people")
+	if p_arguments.value("crates") < 1 or p_arguments.value("crates") > 2000:
+		return "--crates is between 1 and 2000, found %d" % p_arguments.value("crates")
+	if not (p_arguments.value("seconds") >= 1.0 and p_arguments.value("seconds") <= 3600.0):
+		return "--seconds is between 1 and 3600, found %f" % p_arguments.value("seconds")
 	if p_arguments.value("rounds") < 1 or p_arguments.value("rounds") > 10000:
 		return "--rounds is between 1 and 10000, found %d" % p_arguments.value("rounds")
 	return ""
+
+
+func _crowd(p_arguments: BenchArguments, p_report: BenchReport) -> void:
+	var sources: Array[BvhSource] = []
+	for file: String in BenchArguments.clips(p_arguments):
+		var source: BvhSource = BvhSource.new()
+		source.open(file)
+		sources.append(source)
+	var cases: CrowdCases = CrowdCases.new()
+	root.add_child(cases)
+	var people: int = p_arguments.value("people")
+	await cases.run(
+		p_report, sources, people, p_arguments.value("crates"), p_arguments.value("seconds")
+	)
 
 
 func _measure(

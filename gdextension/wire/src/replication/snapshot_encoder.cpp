@@ -271,7 +271,7 @@ std::size_t SnapshotEncoder::choose_bodies(std::size_t p_room) {
 void SnapshotEncoder::write_bodies(ClientRecord &p_client, Draft &p_draft) {
 	Datagram &out = p_draft.out;
 	if (bodies_waiting.empty() || out.size + BODY_MARGIN > p_draft.room ||
-			choose_bodies(p_draft.room - out.size) == 0) {
+			choose_bodies(p_draft.room - out.size - BODY_MARGIN) == 0) {
 		return;
 	}
 	const std::size_t begin = out.size;
@@ -310,7 +310,9 @@ void SnapshotEncoder::write_bodies(ClientRecord &p_client, Draft &p_draft) {
 	}
 	encoder.encode_bit(true, GOES_ON);
 	const std::size_t size = encoder.finish();
-	bytes_per_body += (float(size) / float(p_draft.entry.body_count) - bytes_per_body) * BODY_SIZE_MEMORY;
+	// Those that did not fit are always the ones with the highest numbers: it may not happen often.
+	const float each = float(size) / float(p_draft.entry.body_count);
+	bytes_per_body = is_full ? std::max(each, bytes_per_body) : bytes_per_body + (each - bytes_per_body) * BODY_SIZE_MEMORY;
 	out.size += size;
 }
 
