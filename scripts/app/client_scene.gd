@@ -115,9 +115,7 @@ func _place_wires() -> void:
 	for actor: int in _actors:
 		if not replica.has_person(actor):
 			continue
-		var limbs: Array[Transform3D] = replica.limbs_of(
-			actor, replica.person_floats(actor, true)
-		)
+		var limbs: Array[Transform3D] = replica.limbs_of(actor, replica.person_floats(actor, true))
 		for body: WorldDescription.Body in replica.world.bodies_of(actor):
 			var limb: int = Limbs.find(StringName(body.part))
 			if limb >= 0 and limb < limbs.size():

@@ -92,7 +92,9 @@ func _read(p_request: Request, p_figures: Callable) -> void:
 		p_request.reply = _reply("200 OK", p_figures.call(), line[0] == "HEAD")
 
 
-static func _reply(p_state: String, p_body: Dictionary, p_head_only: bool = false) -> PackedByteArray:
+static func _reply(
+	p_state: String, p_body: Dictionary, p_head_only: bool = false
+) -> PackedByteArray:
 	var body: PackedByteArray = (JSON.stringify(p_body, "  ") + "\n").to_utf8_buffer()
 	var head: PackedStringArray = [
 		"HTTP/1.1 " + p_state,

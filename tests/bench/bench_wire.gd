@@ -23,18 +23,21 @@ func _initialize() -> void:
 
 
 func _run() -> void:
-	var arguments: BenchArguments = BenchArguments.parse(
-		OS.get_cmdline_user_args(),
-		{
-			"bvh": "",
-			"hz": 30,
-			"age": 2,
-			"error": 0.1,
-			"rounds": 20,
-			"people": 8,
-			"crates": 200,
-			"seconds": 20.0,
-		}
+	var arguments: BenchArguments = (
+		BenchArguments
+		. parse(
+			OS.get_cmdline_user_args(),
+			{
+				"bvh": "",
+				"hz": 30,
+				"age": 2,
+				"error": 0.1,
+				"rounds": 20,
+				"people": 8,
+				"crates": 200,
+				"seconds": 20.0,
+			}
+		)
 	)
 	var fault: String = _find_fault(arguments)
 	var clips: Array[WireClip] = []

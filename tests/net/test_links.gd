@@ -47,7 +47,9 @@ func test_everybody_gets_world_and_snapshots() -> void:
 		_pair.send_snapshot(stream)
 		_pair.run(0.02)
 	for end: LinkPair.End in ends:
-		is_true(_pair.until(func() -> bool: return end.bodies.size() == 300), "%d" % end.bodies.size())
+		is_true(
+			_pair.until(func() -> bool: return end.bodies.size() == 300), "%d" % end.bodies.size()
+		)
 		is_true(_pair.until(func() -> bool: return end.worlds.size() == 1), "world")
 		equal(end.worlds[0].bodies.keys(), world.bodies.keys())
 		equal(end.snapshots[-1], stream.tick)

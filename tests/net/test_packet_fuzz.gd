@@ -55,9 +55,15 @@ func test_snapshots() -> void:
 		for id: int in decoder.get_people():
 			var turns: PackedFloat32Array = decoder.get_orientations(id)
 			for limb: int in Limbs.COUNT:
-				var norm: float = Vector4(
-					turns[limb * 4], turns[limb * 4 + 1], turns[limb * 4 + 2], turns[limb * 4 + 3]
-				).length()
+				var norm: float = (
+					Vector4(
+						turns[limb * 4],
+						turns[limb * 4 + 1],
+						turns[limb * 4 + 2],
+						turns[limb * 4 + 3]
+					)
+					. length()
+				)
 				if absf(norm - 1.0) > 1e-3:
 					fail("a limb turned by a norm of %f" % norm)
 	# Most damage shows at the end, which is not where the coder would have it.

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "pose_stream.hpp"
-#include "vectors.hpp"
 #include "rig.hpp"
+#include "vectors.hpp"
 
 #include <array>
 #include <cstddef>

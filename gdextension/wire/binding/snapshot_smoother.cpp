@@ -76,7 +76,8 @@ bool SnapshotSmoother::push_body(int64_t p_body, int64_t p_tick, double p_arriva
 }
 
 void SnapshotSmoother::take(const Ref<SnapshotDecoder> &p_decoder, double p_arrival_s) {
-	ERR_FAIL_COND_MSG(p_decoder.is_null() || p_decoder->get_core() == nullptr, "SnapshotSmoother: that decoder is none.");
+	ERR_FAIL_COND_MSG(
+			p_decoder.is_null() || p_decoder->get_core() == nullptr, "SnapshotSmoother: that decoder is none.");
 	const wire::SnapshotDecoder &decoder = *p_decoder->get_core();
 	if (decoder.tick_rate() > 0 && double(decoder.tick_rate()) != get_tick_rate()) {
 		set_tick_rate(decoder.tick_rate());

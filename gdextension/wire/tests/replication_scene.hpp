@@ -249,8 +249,7 @@ private:
 			restore_body(*state, expected);
 			const bool same = (expected.position - p_update.position).length() == 0.0f &&
 					(expected.velocity - p_update.velocity).length() == 0.0f &&
-					is_equal(expected.orientation, p_update.orientation) &&
-					expected.at_rest == p_update.at_rest;
+					is_equal(expected.orientation, p_update.orientation) && expected.at_rest == p_update.at_rest;
 			same ? r_client.right_bodies++ : r_client.wrong++;
 			BodyUpdate &newest = r_client.bodies[p_update.id];
 			newest = p_update.tick >= newest.tick ? p_update : newest;

@@ -19,12 +19,12 @@ struct Symbol {
 std::vector<Symbol> draw(std::mt19937 &p_random, int p_count) {
 	std::vector<Symbol> symbols;
 	for (int i = 0; i < p_count; i++) {
-		const int bits = 1 + int(p_random() % 16);
+		const uint32_t bits = 1 + uint32_t(p_random() % 16);
 		const uint32_t below = p_random() % (1U << bits);
 		const uint32_t most = (1U << bits) - below;
 		// Often a single unit, often all that is left: the ends of what can be.
 		const uint32_t share = i % 3 == 0 ? 1 : (i % 3 == 1 ? most : 1 + p_random() % most);
-		symbols.push_back({ below, share, bits });
+		symbols.push_back({ below, share, int(bits) });
 	}
 	return symbols;
 }
@@ -55,7 +55,7 @@ TEST(what_is_written_is_read_and_its_end_found_whatever_follows) {
 			encoder.encode(symbol.below, symbol.share, symbol.bits);
 		}
 		const std::size_t size = encoder.finish();
-		for (const int filler : { 0, 255, int(random() & 255) }) {
+		for (const int filler : { 0, 255, int(random() % 256) }) {
 			for (std::size_t i = size; i < size + 8; i++) {
 				buffer[i] = uint8_t(filler);
 			}

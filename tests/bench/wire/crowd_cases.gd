@@ -68,7 +68,9 @@ func _play(
 	return ticks * delta
 
 
-static func _add(p_report: BenchReport, p_name: String, p_case: ReplicationCase, p_s: float) -> void:
+static func _add(
+	p_report: BenchReport, p_name: String, p_case: ReplicationCase, p_s: float
+) -> void:
 	var most: BenchReport.Goal = BenchReport.Goal.AT_MOST
 	p_report.add(p_name, "with headers", p_case.bits / p_s / 1000.0, "kbit/s", most, GOAL_KILOBITS)
 	var error: float = sqrt(p_case.crate_square / maxf(p_case.crate_count, 1.0))

@@ -37,7 +37,9 @@ func pose(p_person: int, p_time_s: float) -> PoseSample:
 func push(p_delta_s: float) -> void:
 	for crate: RigidBody3D in crates:
 		if _random.randf() < p_delta_s / PUSH_S:
-			var way: Vector3 = Vector3(_random.randfn(), 0.6 * absf(_random.randfn()), _random.randfn())
+			var way: Vector3 = Vector3(
+				_random.randfn(), 0.6 * absf(_random.randfn()), _random.randfn()
+			)
 			var lever: Vector3 = Vector3(_random.randfn(), _random.randfn(), _random.randfn()) * 0.1
 			crate.apply_impulse(way * 20.0, lever)
 

@@ -23,7 +23,10 @@ func open(p_people: int, p_crates: int, p_rate: int) -> bool:
 	probe.bind(0, "127.0.0.1")
 	var port: int = probe.get_local_port()
 	probe.close()
-	if _server_peer.create_server(port) != OK or _client_peer.create_client("127.0.0.1", port) != OK:
+	if (
+		_server_peer.create_server(port) != OK
+		or _client_peer.create_client("127.0.0.1", port) != OK
+	):
 		return false
 	for end: Array in [[_server, _server_peer], [_client, _client_peer]]:
 		var branch: Node3D = end[0]

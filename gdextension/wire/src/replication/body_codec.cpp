@@ -36,16 +36,16 @@ static_assert(POSITION.below[SIZES] == 256 && VELOCITY.below[SIZES] == 256, "sha
 static_assert(TURN.below[SIZES] == 256 && SPIN.below[SIZES] == 256, "shares of 256");
 
 uint32_t zigzag(int32_t p_number) {
-	return p_number >= 0 ? uint32_t(p_number) << 1 : (uint32_t(-(p_number + 1)) << 1) + 1;
+	return p_number >= 0 ? uint32_t(p_number) << 1U : (uint32_t(-(p_number + 1)) << 1U) + 1U;
 }
 
 int32_t unzigzag(uint32_t p_code) {
-	return (p_code & 1) != 0 ? -int32_t(p_code >> 1) - 1 : int32_t(p_code >> 1);
+	return (p_code & 1U) != 0 ? -int32_t(p_code >> 1U) - 1 : int32_t(p_code >> 1U);
 }
 
 void encode_number(RangeEncoder &p_encoder, int32_t p_number, int p_size) {
 	const uint32_t code = zigzag(p_number);
-	const uint32_t quotient = std::min(code >> p_size, ESCAPE);
+	const uint32_t quotient = std::min(code >> uint32_t(p_size), ESCAPE);
 	for (uint32_t i = 0; i < quotient; i++) {
 		p_encoder.encode_bit(true, STOPS);
 	}
@@ -65,7 +65,7 @@ int32_t decode_number(RangeDecoder &p_decoder, int p_size) {
 	if (quotient == ESCAPE) {
 		return unzigzag(p_decoder.decode_bits(32));
 	}
-	return unzigzag((quotient << p_size) | p_decoder.decode_bits(p_size));
+	return unzigzag((quotient << uint32_t(p_size)) | p_decoder.decode_bits(p_size));
 }
 
 using Three = std::array<int32_t, 3>;
@@ -76,7 +76,7 @@ void encode_three(RangeEncoder &p_encoder, const Three &p_numbers, const SizeTab
 	for (int size = 0; size < SIZES; size++) {
 		uint32_t bits = 0;
 		for (const int32_t number : p_numbers) {
-			const uint32_t quotient = zigzag(number) >> size;
+			const uint32_t quotient = zigzag(number) >> uint32_t(size);
 			// A quotient takes about 0.86 bits and 1.15 more for each step.
 			bits += quotient < ESCAPE ? uint32_t(10 * size) + 9 + 12 * quotient : 460;
 		}
@@ -148,8 +148,7 @@ void BodyCodec::encode(
 	if (!same) {
 		p_encoder.encode_bits(p_now.turn.dropped, 2);
 	}
-	const std::array<int16_t, 3> parts =
-			foresee_turn(base, p_now.spin, p_ticks, p_tick_rate, int(p_now.turn.dropped));
+	const std::array<int16_t, 3> parts = foresee_turn(base, p_now.spin, p_ticks, p_tick_rate, int(p_now.turn.dropped));
 	encode_three(p_encoder, difference(p_now.turn.parts, parts), TURN);
 }
 

@@ -14,8 +14,8 @@ namespace wire {
 class BodyCodec {
 public:
 	/// @param p_base a state that the receiver has, p_ticks old; null if it has none
-	static void encode(RangeEncoder &p_encoder, const BodyState &p_now, const BodyState *p_base, int p_ticks,
-			int p_tick_rate);
+	static void encode(
+			RangeEncoder &p_encoder, const BodyState &p_now, const BodyState *p_base, int p_ticks, int p_tick_rate);
 	/// Returns false where what is read can be no body.
 	static bool decode(
 			RangeDecoder &p_decoder, const BodyState *p_base, int p_ticks, int p_tick_rate, BodyState &r_now);

@@ -9,7 +9,7 @@ namespace wire {
 namespace {
 
 // Scale of quaternions in whole-number arithmetic.
-constexpr int64_t ONE = 1 << 14;
+constexpr int64_t ONE = 16384;
 
 using Whole4 = std::array<int64_t, 4>;
 
@@ -148,8 +148,7 @@ std::array<int16_t, 3> foresee_turn(
 		turn = multiply(turn_by(half), turn);
 	}
 	const std::size_t dropped = std::size_t(p_dropped);
-	const int64_t length =
-			whole_root(turn[0] * turn[0] + turn[1] * turn[1] + turn[2] * turn[2] + turn[3] * turn[3]);
+	const int64_t length = whole_root(turn[0] * turn[0] + turn[1] * turn[1] + turn[2] * turn[2] + turn[3] * turn[3]);
 	const int64_t sign = turn[dropped] < 0 ? -1 : 1;
 	std::array<int16_t, 3> parts{};
 	for (std::size_t i = 0, at = 0; i < 4; i++) {

@@ -8,7 +8,7 @@ namespace wire {
 namespace {
 
 // So many later datagrams have to arrive before one counts as lost: some overtake each other.
-constexpr int OVERTAKEN = 3;
+constexpr uint32_t OVERTAKEN = 3;
 constexpr float ROUND_TRIP_MEMORY = 0.1f;
 
 } // namespace
@@ -70,12 +70,13 @@ bool ClientRecord::take_ack(const uint8_t *p_bytes, std::size_t p_size, uint32_t
 	const uint8_t newest = p_bytes[2];
 	const uint64_t earlier = get_number(p_bytes + 3, 8);
 	// The oldest first: who has what is noted in the order of time.
-	for (int ago = 64; ago >= 0; ago--) {
-		SentDatagram &entry = log[uint8_t(newest - ago) % KEPT];
-		if (!entry.is_open || entry.number != uint8_t(newest - ago)) {
+	for (uint32_t ago = 65; ago-- > 0;) {
+		const uint8_t number = uint8_t(newest - ago);
+		SentDatagram &entry = log[number % KEPT];
+		if (!entry.is_open || entry.number != number) {
 			continue;
 		}
-		if (ago == 0 || ((earlier >> (ago - 1)) & 1) != 0) {
+		if (ago == 0 || ((earlier >> (ago - 1)) & 1U) != 0) {
 			note_arrival(entry, p_now);
 		} else if (ago >= OVERTAKEN) {
 			note_loss(entry);

@@ -47,8 +47,7 @@ public:
 	/// Flag of an acknowledgement: the client lacks a baseline, all has to be told anew.
 	static constexpr uint8_t WANTS_ALL = 1;
 
-	ClientRecord(int p_interval, double p_bytes_per_tick) :
-			interval(p_interval), bytes_per_tick(p_bytes_per_tick) {}
+	ClientRecord(int p_interval, double p_bytes_per_tick) : interval(p_interval), bytes_per_tick(p_bytes_per_tick) {}
 
 	/// Ticks from one snapshot to the next.
 	const int interval;

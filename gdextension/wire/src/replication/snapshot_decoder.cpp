@@ -35,20 +35,23 @@ bool SnapshotDecoder::is_known(uint8_t p_number, uint32_t p_tick) const {
 	if (int32_t(p_tick - newest_tick) < -STALE) {
 		return true;
 	}
-	const int ago = int8_t(newest_number - p_number);
-	return ago == 0 || (ago > 0 && (ago > 64 || ((earlier_numbers >> (ago - 1)) & 1) != 0));
+	// Numbers come round: the nearer way about is the right one.
+	const uint32_t ago = uint8_t(newest_number - p_number);
+	const bool is_later = ago >= 128;
+	return ago == 0 || (!is_later && (ago > 64 || ((earlier_numbers >> (ago - 1)) & 1U) != 0));
 }
 
 void SnapshotDecoder::note(uint8_t p_number) {
-	const int ahead = int8_t(p_number - newest_number);
+	const uint32_t ahead = uint8_t(p_number - newest_number);
+	const uint32_t ago = uint8_t(newest_number - p_number);
 	if (!has_numbers) {
 		newest_number = p_number;
 		earlier_numbers = 0;
-	} else if (ahead > 0) {
+	} else if (ahead > 0 && ahead < 128) {
 		earlier_numbers = ahead < 64 ? (earlier_numbers << ahead) | (1ULL << (ahead - 1)) : 0;
 		newest_number = p_number;
-	} else if (ahead < 0 && ahead >= -64) {
-		earlier_numbers |= 1ULL << (-ahead - 1);
+	} else if (ago > 0 && ago <= 64) {
+		earlier_numbers |= 1ULL << (ago - 1);
 	}
 	has_numbers = true;
 	owes_ack = true;
@@ -60,7 +63,7 @@ SnapshotDecoder::Outcome SnapshotDecoder::read_header(Reader &r_reader, int &r_p
 		return Outcome::BROKEN;
 	}
 	const Kind kind = Kind(bytes[0] & KIND_MASK);
-	r_people = bytes[0] >> 4;
+	r_people = int(uint32_t(bytes[0]) >> 4U);
 	if (kind == Kind::KEY && r_reader.size >= 8) {
 		r_reader.tick = uint32_t(get_number(bytes + 2, 4));
 		read_rate = bytes[6];
@@ -208,8 +211,7 @@ SnapshotDecoder::Outcome SnapshotDecoder::decode(const uint8_t *p_bytes, std::si
 	return Outcome::OK;
 }
 
-bool SnapshotDecoder::write_ack(
-		const Vec3 &p_viewpoint, std::array<uint8_t, ClientRecord::ACK_BYTES> &r_bytes) {
+bool SnapshotDecoder::write_ack(const Vec3 &p_viewpoint, std::array<uint8_t, ClientRecord::ACK_BYTES> &r_bytes) {
 	if (!owes_ack && !wants_all) {
 		return false;
 	}

@@ -38,7 +38,8 @@ SnapshotEncoder::SnapshotEncoder(const Skeleton &p_skeleton, double p_max_error_
 		history(p_skeleton, PersonLattice(PersonLattice::resolution_for(p_max_error_deg)), p_tick_rate) {}
 
 void SnapshotEncoder::add_client(int p_client, int p_snapshots_per_second, double p_bits_per_second) {
-	const int rate = std::clamp(p_snapshots_per_second <= 0 ? history.rate() : p_snapshots_per_second, 1, history.rate());
+	const int rate =
+			std::clamp(p_snapshots_per_second <= 0 ? history.rate() : p_snapshots_per_second, 1, history.rate());
 	const int interval = std::max(1, int(std::lround(double(history.rate()) / rate)));
 	clients[p_client] =
 			std::make_unique<ClientRecord>(interval, std::max(p_bits_per_second, 1000.0) / 8.0 / history.rate());
@@ -262,9 +263,8 @@ std::size_t SnapshotEncoder::choose_bodies(std::size_t p_room) {
 		chosen.push_back(one->place);
 	}
 	bodies_waiting.erase(begin, bodies_waiting.end());
-	std::sort(chosen.begin(), chosen.end(), [this](uint16_t p_a, uint16_t p_b) {
-		return history.bodies()[p_a]->id < history.bodies()[p_b]->id;
-	});
+	std::sort(chosen.begin(), chosen.end(),
+			[this](uint16_t p_a, uint16_t p_b) { return history.bodies()[p_a]->id < history.bodies()[p_b]->id; });
 	return count;
 }
 
@@ -312,7 +312,8 @@ void SnapshotEncoder::write_bodies(ClientRecord &p_client, Draft &p_draft) {
 	const std::size_t size = encoder.finish();
 	// Those that did not fit are always the ones with the highest numbers: it may not happen often.
 	const float each = float(size) / float(p_draft.entry.body_count);
-	bytes_per_body = is_full ? std::max(each, bytes_per_body) : bytes_per_body + (each - bytes_per_body) * BODY_SIZE_MEMORY;
+	bytes_per_body =
+			is_full ? std::max(each, bytes_per_body) : bytes_per_body + (each - bytes_per_body) * BODY_SIZE_MEMORY;
 	out.size += size;
 }
 
@@ -325,8 +326,7 @@ std::size_t SnapshotEncoder::encode(
 	client->follow(history);
 	client->allowance = std::min(client->allowance + client->bytes_per_tick,
 			std::max(client->bytes_per_tick * client->interval * MOST_SAVED_TICKS, double(MOST_BYTES)));
-	const bool is_due =
-			client->last_tick == NEVER || history.tick() - client->last_tick >= uint32_t(client->interval);
+	const bool is_due = client->last_tick == NEVER || history.tick() - client->last_tick >= uint32_t(client->interval);
 	if (!is_due && !history.has_jolts()) {
 		return 0;
 	}
@@ -350,7 +350,7 @@ std::size_t SnapshotEncoder::encode(
 		const double needed = std::min(double(bytes_per_body) * double(bodies_waiting.size()), room * BODIES_SHARE);
 		write_people(*client, draft, std::size_t(room - needed));
 		write_bodies(*client, draft);
-		draft.out.bytes[0] |= uint8_t(draft.entry.people_count << 4);
+		draft.out.bytes[0] |= uint8_t(uint32_t(draft.entry.people_count) << 4U);
 		client->allowance -= double(draft.out.size + TRANSPORT_BYTES);
 		client->sent_tick = history.tick();
 		client->figures.datagrams++;
