@@ -1,7 +1,7 @@
 class_name ClientMotion
 extends RefCounted
-## A trainee's motion: sampled in a thread of its own, sent at once, and shown at once as the own body
-## (thesis sections 7.4.2 and 7.5).
+## A trainee's motion: sampled in a thread of its own, sent at once, and shown at once as the own
+## body (thesis sections 7.4.2 and 7.5).
 
 ## Samples shall reach the server so long before a tick begins, µs: later ones wait for the next.
 const LEAD_USEC: int = 3000
@@ -69,8 +69,8 @@ func keep_in_step() -> void:
 		_sampler.set_phase(due + _unix_ahead())
 
 
-## The own body at a local time, µs: seven floats a limb. Given what the server has of it, and at which
-## tick. Empty while that is not known.
+## The own body at a local time, µs: seven floats a limb. Given what the server has of it, and at
+## which tick. Empty while that is not known.
 func show(p_now_usec: int, p_truth: PackedFloat32Array, p_tick: int) -> PackedFloat32Array:
 	for sample: PoseSample in _sampler.take_samples():
 		if _has_body:

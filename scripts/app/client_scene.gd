@@ -60,8 +60,8 @@ func clear() -> void:
 	replica.clear()
 
 
-## Puts everything where it is at a local time, s. A person's own body is where these floats have it,
-## if there are any: see [method WorldReplica.person_floats].
+## Puts everything where it is at a local time, s. A person's own body is where these floats have
+## it, if there are any: see [method WorldReplica.person_floats].
 func update(p_now_s: float, p_own: int = -1, p_own_floats: PackedFloat32Array = []) -> void:
 	if replica.world == null or replica.newest_tick < 0:
 		return

@@ -1,7 +1,7 @@
 class_name WorldReplica
 extends RefCounted
-## A client's copy of the server's world: reads what the server tells, and tells where everything is at
-## the moment that is shown.
+## A client's copy of the server's world: reads what the server tells, and tells where everything
+## is at the moment that is shown.
 
 ## Floats of a limb in [method SnapshotSmoother.person_transforms]: position, quaternion.
 const FLOATS: int = 7

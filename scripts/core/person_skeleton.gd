@@ -3,8 +3,8 @@ extends RefCounted
 ## How the limbs of one person hang together, for forward kinematics (thesis section 6.3).
 ##
 ## One entry for each of [constant Limbs.BONES]. A limb's frame has its origin in the middle of the
-## limb's body and the world's axes in the reset pose: its orientation is the rotation from the reset
-## pose, as in a [PoseSample].
+## limb's body and the world's axes in the reset pose: its orientation is the rotation from the
+## reset pose, as in a [PoseSample].
 
 ## Joints further than this from the middle of a limb are no person's, m.
 const LONGEST_M: float = 10.0

@@ -1,11 +1,12 @@
 class_name FramePacer
 extends RefCounted
-## Locks the phase of a display to the server's ticks, where the program itself paces its frames: with
-## a limit of frames per second and without vertical synchronisation.
+## Locks the phase of a display to the server's ticks, where the program itself paces its frames:
+## with a limit of frames per second and without vertical synchronisation.
 ##
-## A state that comes just after a frame began waits for the next one: up to a whole frame, always the
-## same, as both run at 60 Hz. By running a little faster or slower for a while, frames come to begin
-## just after there is something new to show. With vertical synchronisation the screen decides.
+## A state that comes just after a frame began waits for the next one: up to a whole frame, always
+## the same, as both run at 60 Hz. By running a little faster or slower for a while, frames come to
+## begin just after there is something new to show. With vertical synchronisation the screen
+## decides.
 
 ## How long after there is something new a frame is to begin, s.
 const LEAD_S: float = 0.0015
@@ -22,8 +23,8 @@ func _init(p_limit: int) -> void:
 	_limit = p_limit
 
 
-## The limit for the next frame, when a tick (with its fraction) is shown of a server that makes so many
-## a second.
+## The limit for the next frame, when a tick (with its fraction) is shown of a server that makes so
+## many a second.
 func limit_for(p_shown_tick: float, p_tick_rate: float) -> int:
 	if p_shown_tick < 0.0 or p_tick_rate <= 0.0 or roundi(p_tick_rate) != _limit:
 		return _limit

@@ -16,13 +16,13 @@ var origin: Vector3 = Vector3.ZERO
 var size: float = LEAST_M
 ## Cells along each axis.
 var counts: Vector3i = Vector3i.ZERO
-## A byte for each pair of cells (from, to): 1 where something of the one can be seen from somewhere in
-## the other. Cells are in the order x, then z, then y from slow to fast.
+## A byte for each pair of cells (from, to): 1 where something of the one can be seen from
+## somewhere in the other. Cells are in the order x, then z, then y from slow to fast.
 var visible: PackedByteArray = PackedByteArray()
 
 
-## The cells of the static bodies below a node, or null if there are none. Needs the physics space to
-## have been stepped since the bodies came.
+## The cells of the static bodies below a node, or null if there are none. Needs the physics space
+## to have been stepped since the bodies came.
 static func survey(p_world: Node3D) -> VisibilityCells:
 	var box: AABB = _bounds(p_world)
 	if box.size == Vector3.ZERO or box.get_longest_axis_size() > FARTHEST_M:

@@ -1,12 +1,13 @@
 extends SceneTree
 ## What motion costs on the wire: a person, every coding of the thesis beside it, and a crowd.
 ##
-## Options: --bvh=FILE (again for more; default the clips in assets/motion), --hz=30 (60, 30, 20, 15
-## ..., what divides 60), --age (ticks of 1/60 s that the acknowledged base is old; default 2 and 6:
-## a LAN and about 50 ms there and back), --error (degrees; default 0.1 and 0.5), --rounds=20.
-## Payload of one person of 16 limbs, the end of the range coder included, no headers. Then, unless
-## --people=0, a client of a world of --people=8 and --crates=200 that all move, for --seconds=20, with
-## all headers, on several networks, and Godot's own MultiplayerSynchronizer beside it.
+## Options: --bvh=FILE (again for more; default the clips in assets/motion), --hz=30 (60, 30, 20,
+## 15 ..., what divides 60), --age (ticks of 1/60 s that the acknowledged base is old; default 2
+## and 6: a LAN and about 50 ms there and back), --error (degrees; default 0.1 and 0.5),
+## --rounds=20. Payload of one person of 16 limbs, the end of the range coder included, no headers.
+## Then, unless --people=0, a client of a world of --people=8 and --crates=200 that all move, for
+## --seconds=20, with all headers, on several networks, and Godot's own MultiplayerSynchronizer
+## beside it.
 
 const CrowdCases: GDScript = preload("wire/crowd_cases.gd")
 

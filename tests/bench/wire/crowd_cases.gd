@@ -1,6 +1,6 @@
 extends Node
-## Eight people and two hundred crates that all move, for one client: our coding on several networks,
-## and Godot's own MultiplayerSynchronizer beside it.
+## Eight people and two hundred crates that all move, for one client: our coding on several
+## networks, and Godot's own MultiplayerSynchronizer beside it.
 
 const MovingWorld: GDScript = preload("moving_world.gd")
 const ReplicationCase: GDScript = preload("replication_case.gd")

@@ -1,6 +1,6 @@
 extends Node3D
-## A world for the benchmarks of the wire: people who play clips, and crates that are pushed about in
-## the real physics, so that they slide, tumble, fly and collide all the time.
+## A world for the benchmarks of the wire: people who play clips, and crates that are pushed about
+## in the real physics, so that they slide, tumble, fly and collide all the time.
 
 const SIDE_M: float = 24.0
 ## Seconds from one push of a crate to the next, on average.

@@ -1,5 +1,6 @@
 extends RefCounted
-## One client of a moving world by way of our own coding: what it costs, and how wrong what it shows.
+## One client of a moving world by way of our own coding: what it costs, and how wrong what it
+## shows.
 
 const MovingWorld: GDScript = preload("moving_world.gd")
 const CLIENT: int = 1

@@ -1,6 +1,6 @@
 extends Node
-## The same world by way of Godot's own MultiplayerSynchronizer, over real sockets: server and client
-## are two branches of the tree, each with a multiplayer API of its own.
+## The same world by way of Godot's own MultiplayerSynchronizer, over real sockets: server and
+## client are two branches of the tree, each with a multiplayer API of its own.
 
 const MovingWorld: GDScript = preload("moving_world.gd")
 
