@@ -4,7 +4,7 @@ extends RefCounted
 ## body (thesis sections 7.4.2 and 7.5).
 
 ## Samples shall reach the server so long before a tick begins, µs: later ones wait for the next.
-const LEAD_USEC: int = 3000
+const LEAD_USEC: int = 4000
 ## Span over which the quickest way of a sample to the server counts, marks.
 const _TRIPS: int = 40
 
@@ -18,8 +18,11 @@ var _body: OwnBody = OwnBody.new()
 var _has_body: bool = false
 var _truth_tick: int = -1
 var _trips: Array[int] = []
-var _sends: bool = false
+# Shared with the sampling thread and guarded.
 var _mutex: Mutex = Mutex.new()
+var _sends: bool = false
+var _server_ahead_usec: int = 0
+var _knows_server: bool = false
 
 
 ## Begins to sample, so many times a second. Samples go out while [method set_sending] says so.
@@ -41,6 +44,7 @@ func stop() -> void:
 func set_sending(p_sends: bool) -> void:
 	_mutex.lock()
 	_sends = p_sends
+	_knows_server = _knows_server and p_sends
 	_mutex.unlock()
 
 
@@ -63,6 +67,10 @@ func note_trip(p_mark: LatencyMark) -> void:
 func keep_in_step() -> void:
 	if _link.clock.is_known():
 		var now: int = Time.get_ticks_usec()
+		_mutex.lock()
+		_knows_server = true
+		_server_ahead_usec = _link.clock.server_usec(now) - now
+		_mutex.unlock()
 		var tick: int = ceili(_link.clock.tick_at(now)) + 1
 		var way: int = _link.clock.round_trip_usec / 2
 		var due: int = _link.clock.local_usec_of_tick(tick) - way - LEAD_USEC
@@ -100,11 +108,13 @@ func figures() -> Dictionary:
 func _send(p_sample: PoseSample) -> void:
 	_mutex.lock()
 	var sends: bool = _sends
+	var ahead: int = _server_ahead_usec
+	var knows: bool = _knows_server
 	_mutex.unlock()
 	if sends:
 		var now: int = Time.get_ticks_usec()
 		p_sample.held_usec = maxi(now + _unix_ahead() - p_sample.time_usec, 0)
-		p_sample.sent_usec = _link.clock.server_usec(now) if _link.clock.is_known() else 0
+		p_sample.sent_usec = now + ahead if knows else 0
 		_link.send_pose(PosePacket.encode(p_sample, _codec))
 
 

@@ -48,6 +48,9 @@ var tls: TLSOptions = null
 
 var _api: SceneMultiplayer = null
 var _peer: ThreadedPeer = null
+# The peer while we are joined, for whichever thread has something to send.
+var _fast_peer: ThreadedPeer = null
+var _sending: Mutex = Mutex.new()
 var _greeting: Greeting = null
 var _password: String = ""
 var _challenge: PackedByteArray = PackedByteArray()
@@ -145,10 +148,12 @@ func send_pose(p_bytes: PackedByteArray) -> void:
 	send_fast(p_bytes)
 
 
-## Sends a datagram over the fast path, if we are joined. It leaves at once.
+## Sends a datagram over the fast path, if we are joined. It leaves at once. Any thread may call it.
 func send_fast(p_bytes: PackedByteArray) -> void:
-	if _state == State.JOINED:
-		_peer.send_fast(MultiplayerPeer.TARGET_PEER_SERVER, p_bytes)
+	_sending.lock()
+	if _fast_peer != null:
+		_fast_peer.send_fast(MultiplayerPeer.TARGET_PEER_SERVER, p_bytes)
+	_sending.unlock()
 
 
 ## Round trip (ms) and loss (0 to 1) of the connection, as ENet sees them.
@@ -160,11 +165,18 @@ func quality() -> Dictionary:
 ## Leaves.
 func close() -> void:
 	_state = State.CLOSED
+	_set_fast_peer(null)
 	if _peer != null:
 		var peer: ThreadedPeer = _peer
 		_peer = null
 		peer.close_with(Protocol.Goodbye.LEFT)
 		_api.multiplayer_peer = null
+
+
+func _set_fast_peer(p_peer: ThreadedPeer) -> void:
+	_sending.lock()
+	_fast_peer = p_peer
+	_sending.unlock()
 
 
 ## Runs in the transport's thread.
@@ -235,6 +247,7 @@ func _take_welcome(p_answer: Answer) -> void:
 
 func _on_joined() -> void:
 	_state = State.JOINED
+	_set_fast_peer(_peer)
 	traffic.restart()
 	joined.emit()
 
