@@ -47,6 +47,8 @@ class Person:
 	var scale: float = 1.0
 	var refused: int = 0
 	var refused_in_a_row: int = 0
+	## From sampling to the end of the tick that used the sample, ms.
+	var delay: RecentStatistics = RecentStatistics.new()
 
 
 ## Gives a trainee a body.
@@ -137,6 +139,7 @@ func mark(p_encoder: SnapshotEncoder, p_now_usec: int) -> void:
 			clampi(newest.arrival_usec - newest.sent_usec, 0, _LONGEST_STEP_USEC),
 			clampi(p_now_usec - newest.arrival_usec, 0, _LONGEST_STEP_USEC),
 		]
+		_people[session].delay.add((steps[0] + steps[1] + steps[2]) / 1000.0)
 		p_encoder.set_mark(_people[session].id, newest.id, p_now_usec, steps)
 
 
@@ -152,6 +155,8 @@ static func _figure(p_person: Person) -> Dictionary:
 	var figure: Dictionary = p_person.ragdoll.motor.get_tracking()
 	figure["name"] = p_person.name
 	figure["refused_samples"] = p_person.refused
+	figure["sample_to_tick_ms_p50"] = p_person.delay.percentile(0.5)
+	figure["sample_to_tick_ms_p95"] = p_person.delay.percentile(0.95)
 	return figure
 
 
