@@ -392,7 +392,7 @@ func _keep_house(p_now_usec: int) -> void:
 		_window_usec = p_now_usec
 		for id: int in _connections:
 			_connections[id].restart_window()
-	var figures: Dictionary = {"peers": _describe_peers()}
+	var figures: Dictionary = {"peers": _describe_peers(), "cpu_usec": ThreadClock.get_usec()}
 	figures.merge(_counts)
 	mailbox.publish(figures)
 
