@@ -75,9 +75,9 @@ func send(p_tick: int, p_now_usec: int) -> void:
 	_encoder.capture(p_tick)
 	_actors.mark(_encoder, p_now_usec)
 	for session: int in _clients:
-		var datagrams: Array[PackedByteArray] = _encoder.encode(session, Time.get_ticks_usec())
-		if not datagrams.is_empty():
-			_link.send_datagrams(session, datagrams)
+		for bytes: PackedByteArray in _encoder.encode(session, Time.get_ticks_usec()):
+			_link.put_datagram(session, bytes)
+	_link.send_datagrams()
 
 
 ## Figures of a client's snapshots: see [method SnapshotEncoder.get_figures].

@@ -191,6 +191,5 @@ def _look(group: Group, status_port: int) -> dict[str, Any]:
     return {
         "status": status,
         "threads": thread_seconds(group.number("server")),
-        "server_number": group.number("server"),
         "client_threads": thread_seconds(group.number("load")),
     }

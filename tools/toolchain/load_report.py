@@ -14,6 +14,8 @@ from .udp_proxy import HEADERS
 TICK_RATE = 60.0
 MOST_NETWORK_MS = 2.0
 MOST_KBIT = 256.0
+# The engine names a thread after its function: here TransportThread._run.
+THREAD = "_run"
 TROUBLE = ("ERROR", "WARN ", "WARNING", "SCRIPT ERROR")
 
 
@@ -98,8 +100,8 @@ def _add_networking(figures: Figures, found: Measured) -> None:
     figures.add(case, "transport thread, CPU per tick", thread, "ms")
     figures.add(case, "both, CPU per tick", main + thread, "ms", at_most=MOST_NETWORK_MS)
     used = _thread_growth(found.before["threads"], found.after["threads"])
-    own = found.after["server_number"]
-    figures.add(case, "all threads but the main one (/proc)", _per_tick(found, used, own), "ms")
+    named = [used[number] for number, row in found.after["threads"].items() if row[0] == THREAD]
+    figures.add(case, "transport thread (/proc)", 1000.0 * sum(named) / found.ticks, "ms")
     figures.add("server", "CPU of all threads", 100.0 * sum(used.values()) / found.seconds, "%")
     used = _thread_growth(found.before["client_threads"], found.after["client_threads"])
     cpu = 100.0 * sum(used.values()) / found.seconds
@@ -112,11 +114,6 @@ def _thread_growth(before: dict[int, Any], after: dict[int, Any]) -> dict[int, f
         number: seconds - before.get(number, ("", 0.0))[1]
         for number, (_, seconds) in after.items()
     }
-
-
-def _per_tick(found: Measured, used: dict[int, float], main: int) -> float:
-    others = sum(seconds for number, seconds in used.items() if number != main)
-    return 1000.0 * others / found.ticks
 
 
 def _add_counted_traffic(figures: Figures, found: Measured) -> None:

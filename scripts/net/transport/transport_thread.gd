@@ -33,10 +33,15 @@ const _WINDOW_USEC: int = 1000000
 ## Errors without any success for so long mean that the host is dead, µs.
 const _DEAD_USEC: int = 500000
 const _GOODBYE_MS: int = 300
+## With more events than so many in [constant _HOUSEKEEPING_USEC] the thread takes pauses and then
+## takes in all that has come meanwhile: waking up costs more than what there is to do.
+const _BUSY_EVENTS: int = 60
 const _LEAVING_USEC: int = 1000000
 
 ## Longest wait in the socket, ms.
 var wait_ms: int = 1
+## Pause of a thread that has much to do, µs.
+var pause_usec: int = 1000
 ## Judges what comes, on a server; null lets everything through.
 var guard: TransportGuard = null
 ## Answers fast datagrams of the kind [member instant_kind] in the thread:
@@ -68,6 +73,8 @@ var _taken: int = 0
 var _waiting_bytes: int = 0
 var _errors_since_usec: int = 0
 var _housekept_usec: int = 0
+var _recent_events: int = 0
+var _busy: bool = false
 var _window_usec: int = 0
 var _beacons: int = 0
 var _beacon_usec: int = 0
@@ -102,7 +109,7 @@ func is_running() -> bool:
 func stop(p_goodbye: int) -> void:
 	if not _thread.is_started():
 		return
-	mailbox.post([_order_close, p_goodbye], true)
+	mailbox.post([_order_close, [p_goodbye]], true)
 	_thread.wait_to_finish()
 	_host = null
 
@@ -110,22 +117,27 @@ func stop(p_goodbye: int) -> void:
 ## Sends something to one (an id), to all (0), or to all except one (minus its id).
 func send(p_target: int, p_channel: int, p_bytes: PackedByteArray, p_flags: int) -> bool:
 	var must: bool = p_flags & ENetPacketPeer.FLAG_RELIABLE != 0
-	return mailbox.post([_order_send, p_target, p_channel, p_bytes, p_flags], must)
+	return mailbox.post([_order_send, [p_target, p_channel, p_bytes, p_flags]], must)
+
+
+## Sends fast datagrams, each to the peer in the same place.
+func send_fast_each(p_peers: PackedInt32Array, p_datagrams: Array[PackedByteArray]) -> bool:
+	return mailbox.post([_order_send_each, [p_peers, p_datagrams]], false)
 
 
 ## Ends a connection: at once and without telling, or after what is still to be sent.
 func disconnect_peer(p_id: int, p_now: bool, p_code: int) -> void:
-	mailbox.post([_order_disconnect, p_id, p_now, p_code], true)
+	mailbox.post([_order_disconnect, [p_id, p_now, p_code]], true)
 
 
 ## Says that a client is welcome, and whether it may call; the guard then lets it complete.
 func welcome(p_id: int, p_may_call: bool) -> void:
-	mailbox.post([_order_welcome, p_id, p_may_call], true)
+	mailbox.post([_order_welcome, [p_id, p_may_call]], true)
 
 
 ## Keeps a client that has not been admitted yet, because somebody is to decide about it.
 func keep(p_id: int) -> void:
-	mailbox.post([_order_keep, p_id], true)
+	mailbox.post([_order_keep, [p_id]], true)
 
 
 func _open() -> Error:
@@ -149,7 +161,7 @@ func _run() -> void:
 	var before: int = Time.get_ticks_usec()
 	while not _closing:
 		for order: Array in mailbox.take_orders():
-			(order[0] as Callable).callv(order.slice(1))
+			(order[0] as Callable).callv(order[1])
 		_serve()
 		var now: int = Time.get_ticks_usec()
 		if not _server:
@@ -161,6 +173,8 @@ func _run() -> void:
 		var taken: int = mailbox.hand_over(_events, _fast)
 		_events.clear()
 		_fast.clear()
+		if _busy:
+			OS.delay_usec(pause_usec)
 		if taken != _taken:
 			_taken = taken
 			_waiting_bytes = 0
@@ -182,7 +196,8 @@ func _begin_client() -> void:
 func _serve() -> void:
 	for number: int in _MOST_EVENTS:
 		# Every packet that is told of must be taken, or the next event would get it.
-		var event: Array = _host.service(wait_ms if number == 0 else 0)
+		var event: Array = _host.service(wait_ms if number == 0 and not _busy else 0)
+		_recent_events += 1
 		match event[0]:
 			ENetConnection.EVENT_CONNECT:
 				_on_connect(event[1], event[2])
@@ -195,6 +210,7 @@ func _serve() -> void:
 					return
 			_:
 				_errors_since_usec = 0
+				_recent_events -= 1
 				return
 		if event[0] != ENetConnection.EVENT_ERROR:
 			_errors_since_usec = 0
@@ -264,7 +280,7 @@ func _on_disconnect(p_remote: ENetPacketPeer, p_code: int) -> void:
 
 func _on_receive(p_remote: ENetPacketPeer, p_channel: int) -> void:
 	var arrival: int = Time.get_ticks_usec()
-	var flags: int = p_remote.get_packet_flags()
+	var flags: int = 0 if p_channel == FAST_CHANNEL else p_remote.get_packet_flags()
 	var bytes: PackedByteArray = p_remote.get_packet()
 	var from: TransportConnection = _connections.get(p_remote.get_meta(&"id", 0))
 	if from == null or from.stage == TransportConnection.Stage.LEAVING:
@@ -375,6 +391,8 @@ func _look_after_client(p_now_usec: int, p_gap_usec: int) -> void:
 
 
 func _keep_house(p_now_usec: int) -> void:
+	_busy = _recent_events > _BUSY_EVENTS
+	_recent_events = 0
 	for id: int in _connections.keys():
 		var connection: TransportConnection = _connections[id]
 		if connection.unreceipted > TransportConnection.MOST_UNRECEIPTED:
@@ -418,6 +436,13 @@ func _order_send(p_target: int, p_channel: int, p_bytes: PackedByteArray, p_flag
 	for id: int in _connections:
 		if id != -p_target:
 			_send(_connections[id], p_channel, p_bytes, p_flags)
+
+
+func _order_send_each(p_peers: PackedInt32Array, p_datagrams: Array[PackedByteArray]) -> void:
+	for i: int in p_peers.size():
+		var connection: TransportConnection = _connections.get(p_peers[i])
+		if connection != null:
+			_send(connection, FAST_CHANNEL, p_datagrams[i], _FAST_FLAGS)
 
 
 func _send(
