@@ -23,6 +23,9 @@ signal ack_received(p_session: int, p_bytes: PackedByteArray, p_arrival_usec: in
 ## Who is here, lost or waiting has changed; see [method roster].
 signal roster_changed
 
+## Time between two looks for those who are overdue, µs.
+const _LOOK_USEC: int = 100000
+
 ## Bytes in and out.
 var traffic: TrafficMeter = TrafficMeter.new()
 ## Whom the server lets in.
@@ -34,6 +37,7 @@ var _book: SessionBook = SessionBook.new()
 var _door: SessionDoor = null
 var _strikes: CallStrikes = null
 var _world_number: int = 0
+var _looked_usec: int = 0
 var _outgoing_peers: PackedInt32Array = PackedInt32Array()
 var _outgoing: Array[PackedByteArray] = []
 var _mutex: Mutex = Mutex.new()
@@ -90,11 +94,9 @@ func poll() -> void:
 	_throw_out(_strikes.end())
 	for packet: FastPacket in _peer.take_fast():
 		_on_fast(packet)
-	for peer: int in _door.overdue(now):
-		_door.forget(peer)
-		_turn_away(peer)
-	for session: Session in _book.overdue(now):
-		_end(session)
+	if now - _looked_usec > _LOOK_USEC:
+		_looked_usec = now
+		_look_after_sessions(now)
 	traffic.read(_peer.figures())
 
 
@@ -253,6 +255,14 @@ func close() -> void:
 	_peer = null
 	_api = null
 	for session: Session in _book.all():
+		_end(session)
+
+
+func _look_after_sessions(p_now_usec: int) -> void:
+	for peer: int in _door.overdue(p_now_usec):
+		_door.forget(peer)
+		_turn_away(peer)
+	for session: Session in _book.overdue(p_now_usec):
 		_end(session)
 
 

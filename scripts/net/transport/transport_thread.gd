@@ -36,12 +36,15 @@ const _GOODBYE_MS: int = 300
 ## With more events than so many in [constant _HOUSEKEEPING_USEC] the thread takes pauses and then
 ## takes in all that has come meanwhile: waking up costs more than what there is to do.
 const _BUSY_EVENTS: int = 60
+## These pauses, µs: short ones when the main thread's next snapshots are near, so that they leave
+## soon and no sample is late for the tick; long ones otherwise.
+const _SHORT_PAUSE_USEC: int = 500
+const _LONG_PAUSE_USEC: int = 2500
+const _NEAR_USEC: int = 1000
 const _LEAVING_USEC: int = 1000000
 
 ## Longest wait in the socket, ms.
 var wait_ms: int = 1
-## Pause of a thread that has much to do, µs.
-var pause_usec: int = 1000
 ## Judges what comes, on a server; null lets everything through.
 var guard: TransportGuard = null
 ## Answers fast datagrams of the kind [member instant_kind] in the thread:
@@ -75,6 +78,8 @@ var _errors_since_usec: int = 0
 var _housekept_usec: int = 0
 var _recent_events: int = 0
 var _busy: bool = false
+var _handed_usec: int = 0
+var _handed_period_usec: int = 0
 var _window_usec: int = 0
 var _beacons: int = 0
 var _beacon_usec: int = 0
@@ -174,7 +179,7 @@ func _run() -> void:
 		_events.clear()
 		_fast.clear()
 		if _busy:
-			OS.delay_usec(pause_usec)
+			OS.delay_usec(_pause_usec(Time.get_ticks_usec()))
 		if taken != _taken:
 			_taken = taken
 			_waiting_bytes = 0
@@ -183,6 +188,13 @@ func _run() -> void:
 	mailbox.hand_over(_events, _fast)
 	_say_goodbye()
 	_host.destroy()
+
+
+func _pause_usec(p_now_usec: int) -> int:
+	var near: int = _handed_usec + _handed_period_usec - _NEAR_USEC
+	if p_now_usec > near + 3 * _NEAR_USEC:
+		return 2 * _SHORT_PAUSE_USEC
+	return clampi(near - p_now_usec, _SHORT_PAUSE_USEC, _LONG_PAUSE_USEC)
 
 
 func _begin_client() -> void:
@@ -439,6 +451,9 @@ func _order_send(p_target: int, p_channel: int, p_bytes: PackedByteArray, p_flag
 
 
 func _order_send_each(p_peers: PackedInt32Array, p_datagrams: Array[PackedByteArray]) -> void:
+	var now: int = Time.get_ticks_usec()
+	_handed_period_usec = clampi(now - _handed_usec, 2 * _NEAR_USEC, 20 * _NEAR_USEC)
+	_handed_usec = now
 	for i: int in p_peers.size():
 		var connection: TransportConnection = _connections.get(p_peers[i])
 		if connection != null:
