@@ -38,8 +38,6 @@ var _door: SessionDoor = null
 var _strikes: CallStrikes = null
 var _world_number: int = 0
 var _looked_usec: int = 0
-var _outgoing_peers: PackedInt32Array = PackedInt32Array()
-var _outgoing: Array[PackedByteArray] = []
 var _mutex: Mutex = Mutex.new()
 var _tick: int = 0
 var _tick_usec: int = 0
@@ -138,21 +136,16 @@ func publish_tick(p_tick: int, p_usec: int, p_tick_rate: int = 60) -> void:
 	_mutex.unlock()
 
 
-## Gets a datagram of at most [constant Protocol.MAX_DATAGRAM] bytes ready for a client; it leaves,
-## unreliably, with [method send_datagrams].
-func put_datagram(p_session: int, p_bytes: PackedByteArray) -> void:
-	var session: Session = _book.find(p_session)
-	if session != null and session.is_here:
-		_outgoing_peers.append(session.peer)
-		_outgoing.append(p_bytes)
-
-
-## Sends what is ready, all at once: handing over one by one takes longer than sending.
-func send_datagrams() -> void:
-	if _peer != null and not _outgoing.is_empty():
-		_peer.send_fast_each(_outgoing_peers, _outgoing)
-	_outgoing_peers = PackedInt32Array()
-	_outgoing = []
+## Sends datagrams of at most [constant Protocol.MAX_DATAGRAM] bytes, unreliably, each to the session
+## in the same place; all at once, as handing over one by one takes longer than sending.
+func send_datagrams(p_sessions: PackedInt32Array, p_datagrams: Array[PackedByteArray]) -> void:
+	var peers: PackedInt32Array = PackedInt32Array()
+	for id: int in p_sessions:
+		var session: Session = _book.find(id)
+		# No peer has the number 0 here.
+		peers.append(session.peer if session != null and session.is_here else 0)
+	if _peer != null and not peers.is_empty():
+		_peer.send_fast_each(peers, p_datagrams)
 
 
 ## Snapshots per second that a client wants; 0 for as many as there are.

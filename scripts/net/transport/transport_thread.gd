@@ -78,6 +78,8 @@ var _errors_since_usec: int = 0
 var _housekept_usec: int = 0
 var _recent_events: int = 0
 var _busy: bool = false
+var _left: int = 0
+var _answered: bool = false
 var _handed_usec: int = 0
 var _handed_period_usec: int = 0
 var _window_usec: int = 0
@@ -206,10 +208,13 @@ func _begin_client() -> void:
 
 
 func _serve() -> void:
+	_left = _MOST_EVENTS
+	_answered = false
 	for number: int in _MOST_EVENTS:
 		# Every packet that is told of must be taken, or the next event would get it.
 		var event: Array = _host.service(wait_ms if number == 0 and not _busy else 0)
-		_recent_events += 1
+		if number == 0 and _busy:
+			_expect()
 		match event[0]:
 			ENetConnection.EVENT_CONNECT:
 				_on_connect(event[1], event[2])
@@ -222,10 +227,25 @@ func _serve() -> void:
 					return
 			_:
 				_errors_since_usec = 0
-				_recent_events -= 1
 				return
+		_recent_events += 1
+		_left -= 1
 		if event[0] != ENetConnection.EVENT_ERROR:
 			_errors_since_usec = 0
+			if _left <= 0:
+				break
+	if _answered:
+		_host.flush()
+
+
+## To find that nothing is left takes ENet as long as the rest, as it looks at all its places: so a
+## busy thread asks for no more events than datagrams have come. What is left nevertheless comes with
+## the next turn.
+func _expect() -> void:
+	var came: int = int(_host.pop_statistic(ENetConnection.HOST_TOTAL_RECEIVED_PACKETS))
+	_count("received_packets", came)
+	if came > 0:
+		_left = mini(came, _MOST_EVENTS)
 
 
 ## A datagram from port 0 makes a few errors, as no answer can be sent there; the host is none the
@@ -335,6 +355,7 @@ func _receive_fast(
 		var answer: PackedByteArray = instant.call(p_bytes, p_arrival_usec)
 		if not answer.is_empty():
 			p_from.remote.send(FAST_CHANNEL, answer, _FAST_FLAGS)
+			_answered = true
 		return
 	var packet: FastPacket = FastPacket.new()
 	packet.peer = p_from.id
@@ -456,8 +477,10 @@ func _order_send_each(p_peers: PackedInt32Array, p_datagrams: Array[PackedByteAr
 	_handed_usec = now
 	for i: int in p_peers.size():
 		var connection: TransportConnection = _connections.get(p_peers[i])
-		if connection != null:
-			_send(connection, FAST_CHANNEL, p_datagrams[i], _FAST_FLAGS)
+		# Who has died is still here, but takes nothing: send() would report an error.
+		if connection != null and connection.remote.is_active():
+			if connection.stage != TransportConnection.Stage.LEAVING:
+				connection.remote.send(FAST_CHANNEL, p_datagrams[i], _FAST_FLAGS)
 
 
 func _send(
