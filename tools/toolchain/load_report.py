@@ -16,7 +16,7 @@ MOST_NETWORK_MS = 2.0
 MOST_KBIT = 256.0
 # The engine names a thread after its function: here TransportThread._run.
 THREAD = "_run"
-TROUBLE = ("ERROR", "WARN ", "WARNING", "SCRIPT ERROR")
+TROUBLE = ("ERROR", "WARN ", "WARNING")
 
 
 @dataclass
@@ -186,4 +186,7 @@ def _add_health(figures: Figures, found: Measured) -> None:
     figures.add("sessions", "connections lost", lost, "", at_most=0.0)
     here = found.after["status"]["clients"]
     figures.add("sessions", "clients at the end", here, "", at_least=len(rows))
-    figures.add("logs", "warnings and errors", len(found.troubles()), "", at_most=0.0)
+    troubles = found.troubles()
+    errors = [line for line in troubles if "ERROR" in line]
+    figures.add("logs", "errors", len(errors), "", at_most=0.0)
+    figures.add("logs", "warnings", len(troubles) - len(errors), "")
