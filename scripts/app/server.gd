@@ -185,7 +185,10 @@ func _on_left(p_session: int) -> void:
 
 func _on_pose(p_session: int, p_sample: PoseSample, p_arrival_usec: int) -> void:
 	p_sample.arrival_usec = p_arrival_usec
+	# What the motors do with it is no work of the network.
+	_network_usec += ThreadClock.get_usec()
 	_actors.push_sample(p_session, p_sample, p_arrival_usec / 1e6)
+	_network_usec -= ThreadClock.get_usec()
 
 
 func _rate() -> int:

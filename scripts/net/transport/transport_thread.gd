@@ -346,8 +346,10 @@ func _on_receive(p_remote: ENetPacketPeer, p_channel: int) -> void:
 func _receive_fast(
 	p_from: TransportConnection, p_bytes: PackedByteArray, p_arrival_usec: int
 ) -> void:
-	if guard != null and not _is_let_through(p_from, guard.judge_fast(p_from, p_bytes)):
-		return
+	if guard != null:
+		var verdict: TransportGuard.Verdict = guard.judge_fast(p_from, p_bytes)
+		if verdict != TransportGuard.Verdict.PASS and not _is_let_through(p_from, verdict):
+			return
 	if p_bytes.is_empty() or p_bytes.size() > Protocol.MAX_DATAGRAM:
 		_count("dropped_in")
 		return
