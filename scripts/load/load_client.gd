@@ -64,9 +64,7 @@ func look_from(p_place: Vector3) -> void:
 ## Begins to connect.
 func open() -> void:
 	_retry_usec = 0
-	_link.open(
-		_options.text("host"), _options.number("port"), _greeting, _options.text("password")
-	)
+	_link.open(_options.text("host"), _options.number("port"), _greeting, _options.text("password"))
 
 
 ## Whether the server has admitted it.

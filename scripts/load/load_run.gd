@@ -6,6 +6,18 @@ extends Node
 ## [code]--duration[/code] seconds; then the report is written, and they stay until the process is
 ## ended, so that the server can be looked at while they are there.
 
+## How far the run has come.
+enum Stage {
+	## Not everybody is there yet.
+	JOINING,
+	## Everybody has joined.
+	SETTLING,
+	## The clients count.
+	COUNTING,
+	## The report is written.
+	DONE,
+}
+
 ## Most trainees, and most observers.
 const MOST_CLIENTS: int = 500
 ## Each client is polled so often, as displays of 60 frames per second would.
@@ -18,17 +30,6 @@ const JOIN_USEC: int = 50000
 const SETTLE_S: float = 3.0
 ## Time that everybody has to join, beside [constant JOIN_USEC] for each, s.
 const PATIENCE_S: float = 30.0
-
-enum Stage {
-	## Not everybody is there yet.
-	JOINING,
-	## Everybody has joined.
-	SETTLING,
-	## The clients count.
-	COUNTING,
-	## The report is written.
-	DONE,
-}
 
 const _EXIT_FAILED: int = 1
 const _EXIT_OPTIONS: int = 2

@@ -136,8 +136,8 @@ func publish_tick(p_tick: int, p_usec: int, p_tick_rate: int = 60) -> void:
 	_mutex.unlock()
 
 
-## Sends datagrams of at most [constant Protocol.MAX_DATAGRAM] bytes, unreliably, each to the session
-## in the same place; all at once, as handing over one by one takes longer than sending.
+## Sends datagrams of at most [constant Protocol.MAX_DATAGRAM] bytes, unreliably, each to the
+## session in the same place; all at once, as handing over one by one takes longer than sending.
 func send_datagrams(p_sessions: PackedInt32Array, p_datagrams: Array[PackedByteArray]) -> void:
 	var peers: PackedInt32Array = PackedInt32Array()
 	for id: int in p_sessions:

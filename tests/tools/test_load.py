@@ -46,7 +46,7 @@ def test_defaults_and_options() -> None:
     ],
 )
 def test_bad_options_are_named(options: list[str], words: str) -> None:
-    with pytest.raises(Failure, match=".*") as caught:
+    with pytest.raises(Failure) as caught:
         Settings(options)
     assert words in str(caught.value)
     assert caught.value.code == 2

@@ -111,8 +111,7 @@ def _add_networking(figures: Figures, found: Measured) -> None:
 def _thread_growth(before: dict[int, Any], after: dict[int, Any]) -> dict[int, float]:
     """Processor time of each thread between two looks, s."""
     return {
-        number: seconds - before.get(number, ("", 0.0))[1]
-        for number, (_, seconds) in after.items()
+        number: seconds - before.get(number, ("", 0.0))[1] for number, (_, seconds) in after.items()
     }
 
 

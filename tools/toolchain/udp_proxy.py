@@ -5,9 +5,9 @@ Clients talk to the proxy's port; each gets a socket of its own towards the serv
 server sees as many addresses as there are clients. Both directions are treated alike, and what is
 on the wire is counted. 127.0.0.1 only.
 
-As a program (`python -m toolchain.udp_proxy TARGET_PORT LOSS DELAY JITTER SEED`) it prints the port
-that it listens on, then obeys lines on its standard input: "restart" begins to count anew, "figures"
-prints what was counted as a line of JSON. It ends when its input does.
+As a program (`python -m toolchain.udp_proxy TARGET_PORT LOSS DELAY JITTER SEED`) it prints the
+port that it listens on, then obeys lines on its standard input: "restart" begins to count anew,
+"figures" prints what was counted as a line of JSON. It ends when its input does.
 """
 
 from __future__ import annotations

@@ -80,8 +80,7 @@ void PoseCodec::_bind_methods() {
 			"PoseCodec", D_METHOD("encode", "orientations", "coding", "bits"), &PoseCodec::encode, DEFVAL(15));
 	ClassDB::bind_static_method(
 			"PoseCodec", D_METHOD("decode", "bytes", "coding", "bits"), &PoseCodec::decode, DEFVAL(15));
-	ClassDB::bind_static_method(
-			"PoseCodec", D_METHOD("find_broken", "orientations"), &PoseCodec::find_broken);
+	ClassDB::bind_static_method("PoseCodec", D_METHOD("find_broken", "orientations"), &PoseCodec::find_broken);
 	BIND_ENUM_CONSTANT(FLOATS);
 	BIND_ENUM_CONSTANT(THESIS_12);
 	BIND_ENUM_CONSTANT(THESIS_4);

@@ -121,8 +121,7 @@ void SnapshotEncoder::begin_tick(int64_t p_tick) {
 	core->world().begin(uint32_t(p_tick));
 }
 
-bool SnapshotEncoder::put_person(
-		int64_t p_person, const Vector3 &p_root, const PackedFloat32Array &p_orientations) {
+bool SnapshotEncoder::put_person(int64_t p_person, const Vector3 &p_root, const PackedFloat32Array &p_orientations) {
 	ERR_FAIL_COND_V_MSG(core == nullptr, false, UNCONFIGURED);
 	kinematics::PersonPose pose;
 	pose.root = to_core(p_root);
@@ -177,8 +176,7 @@ bool SnapshotEncoder::set_cells(
 bool SnapshotEncoder::take_ack(int64_t p_client, const PackedByteArray &p_bytes) {
 	ERR_FAIL_COND_V_MSG(core == nullptr, false, UNCONFIGURED);
 	wire::ClientRecord *client = core->client(int(p_client));
-	return client != nullptr &&
-			client->take_ack(p_bytes.ptr(), std::size_t(p_bytes.size()), core->world().tick());
+	return client != nullptr && client->take_ack(p_bytes.ptr(), std::size_t(p_bytes.size()), core->world().tick());
 }
 
 void SnapshotEncoder::set_mark(
@@ -243,8 +241,7 @@ Dictionary SnapshotEncoder::get_figures(int64_t p_client) {
 }
 
 void SnapshotEncoder::_bind_methods() {
-	ClassDB::bind_method(
-			D_METHOD("configure", "parents", "max_error_deg", "tick_rate"), &SnapshotEncoder::configure);
+	ClassDB::bind_method(D_METHOD("configure", "parents", "max_error_deg", "tick_rate"), &SnapshotEncoder::configure);
 	ClassDB::bind_method(
 			D_METHOD("add_person", "person", "bodies", "reset_orientations"), &SnapshotEncoder::add_person);
 	ClassDB::bind_method(D_METHOD("remove_person", "person"), &SnapshotEncoder::remove_person);
@@ -256,8 +253,8 @@ void SnapshotEncoder::_bind_methods() {
 	ClassDB::bind_method(
 			D_METHOD("put_body", "body", "transform", "velocity", "spin", "at_rest"), &SnapshotEncoder::put_body);
 	ClassDB::bind_method(D_METHOD("end_tick"), &SnapshotEncoder::end_tick);
-	ClassDB::bind_method(D_METHOD("add_client", "client", "snapshots_per_second", "bits_per_second"),
-			&SnapshotEncoder::add_client);
+	ClassDB::bind_method(
+			D_METHOD("add_client", "client", "snapshots_per_second", "bits_per_second"), &SnapshotEncoder::add_client);
 	ClassDB::bind_method(D_METHOD("remove_client", "client"), &SnapshotEncoder::remove_client);
 	ClassDB::bind_method(D_METHOD("set_own_person", "client", "person"), &SnapshotEncoder::set_own_person);
 	ClassDB::bind_method(D_METHOD("set_cells", "origin", "size", "counts", "visible"), &SnapshotEncoder::set_cells);
@@ -265,8 +262,7 @@ void SnapshotEncoder::_bind_methods() {
 	ClassDB::bind_method(
 			D_METHOD("set_mark", "person", "sample", "simulated_usec", "steps_usec"), &SnapshotEncoder::set_mark);
 	ClassDB::bind_method(D_METHOD("encode", "client", "now_usec"), &SnapshotEncoder::encode);
-	ClassDB::bind_method(
-			D_METHOD("encode_each", "clients", "now_usec", "datagrams"), &SnapshotEncoder::encode_each);
+	ClassDB::bind_method(D_METHOD("encode_each", "clients", "now_usec", "datagrams"), &SnapshotEncoder::encode_each);
 	ClassDB::bind_method(D_METHOD("get_figures", "client"), &SnapshotEncoder::get_figures);
 }
 

@@ -24,8 +24,7 @@ class SnapshotEncoder : public RefCounted {
 public:
 	bool configure(const PackedInt32Array &p_parents, double p_max_error_deg, int64_t p_tick_rate);
 
-	bool add_person(
-			int64_t p_person, const TypedArray<RID> &p_bodies, const PackedFloat32Array &p_reset_orientations);
+	bool add_person(int64_t p_person, const TypedArray<RID> &p_bodies, const PackedFloat32Array &p_reset_orientations);
 	void remove_person(int64_t p_person);
 	bool add_body(int64_t p_body, const RID &p_rid);
 	void clear_bodies();

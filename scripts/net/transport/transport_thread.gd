@@ -238,9 +238,9 @@ func _serve() -> void:
 		_host.flush()
 
 
-## To find that nothing is left takes ENet as long as the rest, as it looks at all its places: so a
-## busy thread asks for no more events than datagrams have come. What is left nevertheless comes with
-## the next turn.
+## To find that nothing is left takes ENet as long as the rest, as it looks at all its places: so
+## a busy thread asks for no more events than datagrams have come. What is left nevertheless comes
+## with the next turn.
 func _expect() -> void:
 	var came: int = int(_host.pop_statistic(ENetConnection.HOST_TOTAL_RECEIVED_PACKETS))
 	_count("received_packets", came)
