@@ -5,10 +5,11 @@ extends Node
 ## Exit codes: 0 done, 1 failed, 2 wrong options, 3 refused by the server, 4 no server.
 
 const _ROLES: PackedStringArray = [
-	"server", "trainee", "observer", "instructor", "driver", "replay"
+	"server", "trainee", "observer", "instructor", "driver", "replay", "load"
 ]
 const _SERVER: String = "res://scenes/app/server.tscn"
 const _CLIENT: String = "res://scenes/app/client.tscn"
+const _LOAD: String = "res://scenes/load/load.tscn"
 
 
 func _ready() -> void:
@@ -34,7 +35,8 @@ func _ready() -> void:
 
 
 func _start(p_role: String, p_options: Options) -> void:
-	var path: String = _SERVER if p_role == "server" else _CLIENT
+	var paths: Dictionary[String, String] = {"server": _SERVER, "load": _LOAD}
+	var path: String = paths.get(p_role, _CLIENT)
 	var scene: Node = (load(path) as PackedScene).instantiate()
 	scene.call("configure", p_role, p_options)
 	add_child(scene)

@@ -5,7 +5,7 @@ extends RefCounted
 
 ## Every option: its name, default (whose type it has) and what it means.
 const TABLE: Array[Array] = [
-	["role", "", "server, trainee, observer, instructor, driver or replay"],
+	["role", "", "server, trainee, observer, instructor, driver, replay or load"],
 	["host", "127.0.0.1", "address of the server to join"],
 	["port", Protocol.DEFAULT_PORT, "UDP port of the server"],
 	["name", "", "your name, shown to the others"],
@@ -46,6 +46,8 @@ const TABLE: Array[Array] = [
 		"client: none, linear, extrapolate_lerp, hermite, error_offset, adaptive_low_delay (default)"
 	],
 	["feedback", "local", "trainee: how the own body is shown: local (at once) or server"],
+	["trainees", 1, "load: clients that send motion"],
+	["observers", 1, "load: clients that watch"],
 	["views", "mesh,static", "client: worlds to show at first: mesh, static, physics"],
 	["camera", "", "client: azimuth,elevation,distance of the camera, degrees and m"],
 	["protocol", Protocol.VERSION, "client: protocol version to claim (for tests)"],
@@ -130,6 +132,9 @@ func _set_option(p_name: String, p_value: String, p_source: String) -> void:
 	_check_range("rate", "a rate", 240)
 	# ENet's most, less those that are just arriving.
 	_check_range("max-clients", "the number of clients", 4000)
+	for name: String in ["trainees", "observers"]:
+		if number(name) > LoadRun.MOST_CLIENTS:
+			_refuse("--%s is at most %d, found %d" % [name, LoadRun.MOST_CLIENTS, number(name)])
 	_check_choice("feedback", ["local", "server"])
 	_check_choice("codec", PosePacket.CODECS.keys())
 	_check_choice("smoothing", [""] + SmoothingMethods.BY_NAME.keys())

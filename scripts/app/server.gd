@@ -32,6 +32,7 @@ var _status: StatusEndpoint = StatusEndpoint.new()
 var _stop: StopSignal = StopSignal.new()
 var _tick: int = 0
 var _sent_tick: int = 0
+var _network_usec: int = 0
 
 
 ## Takes over the options. Call it before the node enters the tree.
@@ -108,8 +109,10 @@ func _give_up(p_code: int, p_why: String) -> void:
 
 func _physics_process(p_delta: float) -> void:
 	var begin: int = Time.get_ticks_usec()
+	_network_usec -= ThreadClock.get_usec()
 	_link.publish_tick(_tick + 1, begin, _rate())
 	_link.poll()
+	_network_usec += ThreadClock.get_usec()
 	_actors.drive(begin / 1e6, p_delta)
 	_tick += 1
 	_figures.ticks = _tick
@@ -146,7 +149,10 @@ func _exit_tree() -> void:
 func _after_step() -> void:
 	var now: int = Time.get_ticks_usec()
 	_actors.measure()
+	var begin: int = ThreadClock.get_usec()
 	_sending.send(_tick, now)
+	_figures.networked(_network_usec + ThreadClock.get_usec() - begin)
+	_network_usec = 0
 	_figures.send_time.add((Time.get_ticks_usec() - now) / 1e6)
 
 
@@ -179,7 +185,10 @@ func _on_left(p_session: int) -> void:
 
 func _on_pose(p_session: int, p_sample: PoseSample, p_arrival_usec: int) -> void:
 	p_sample.arrival_usec = p_arrival_usec
+	# What the motors do with it is no work of the network.
+	_network_usec += ThreadClock.get_usec()
 	_actors.push_sample(p_session, p_sample, p_arrival_usec / 1e6)
+	_network_usec -= ThreadClock.get_usec()
 
 
 func _rate() -> int:

@@ -2,10 +2,18 @@ class_name ServerFigures
 extends RefCounted
 ## What a server tells of itself, to its operator's report file, status endpoint and log.
 
+## Ticks that count in the report's "recent".
+const RECENT_TICKS: int = 600
+
 ## Time of our own work before a step, s.
 var script_time: RecentStatistics = RecentStatistics.new()
 ## Time of reading, encoding and handing over snapshots, s.
 var send_time: RecentStatistics = RecentStatistics.new()
+## Processor time that the main thread spends on the network in a tick, s: taking in what has come,
+## reading, encoding and handing over snapshots.
+var network_time: RecentStatistics = RecentStatistics.new()
+## All of it so far, µs.
+var network_usec: int = 0
 ## Whether the world keeps up with the clock.
 var watch: TickWatch = null
 ## Ticks so far.
@@ -30,6 +38,12 @@ func frame(p_now_usec: int) -> void:
 		_settled_tick = ticks
 		_status_usec = p_now_usec
 		_status_tick = ticks
+
+
+## Notes processor time of a tick's network work in the main thread, µs.
+func networked(p_usec: int) -> void:
+	network_usec += p_usec
+	network_time.add(p_usec / 1e6)
 
 
 ## Seconds since the start.
@@ -75,6 +89,10 @@ func report(p_link: ServerLink, p_sending: ServerReplication, p_people: Array) -
 		"script_ms_p99": script_time.percentile(0.99) * 1000.0,
 		"send_ms_p50": send_time.percentile(0.5) * 1000.0,
 		"send_ms_p99": send_time.percentile(0.99) * 1000.0,
+		"network_ms_p50": network_time.percentile(0.5) * 1000.0,
+		"network_ms_p99": network_time.percentile(0.99) * 1000.0,
+		"network_cpu_usec": network_usec,
+		"recent": _recent(),
 		"clients": p_link.client_count(),
 		"sent_bytes_per_second": p_link.traffic.sent_per_second(),
 		"received_bytes_per_second": p_link.traffic.received_per_second(),
@@ -82,6 +100,16 @@ func report(p_link: ServerLink, p_sending: ServerReplication, p_people: Array) -
 		"sessions": _sessions(p_link, p_sending),
 		"people": p_people,
 	}
+
+
+## The same of the last seconds only, without what was when everybody came.
+func _recent() -> Dictionary:
+	var result: Dictionary = {"ticks": mini(RECENT_TICKS, script_time.count())}
+	for pair: Array in [[0.5, "p50"], [0.99, "p99"]]:
+		result["script_ms_" + pair[1]] = script_time.percentile(pair[0], RECENT_TICKS) * 1000.0
+		result["send_ms_" + pair[1]] = send_time.percentile(pair[0], RECENT_TICKS) * 1000.0
+		result["network_ms_" + pair[1]] = network_time.percentile(pair[0], RECENT_TICKS) * 1000.0
+	return result
 
 
 func _sessions(p_link: ServerLink, p_sending: ServerReplication) -> Array[Dictionary]:

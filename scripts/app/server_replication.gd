@@ -9,6 +9,7 @@ var _actors: ServerActors = null
 var _bits_per_second: float = 0.0
 ## Who is there: session to the id of its person, -1 without a body.
 var _clients: Dictionary[int, int] = {}
+var _sessions: PackedInt32Array = PackedInt32Array()
 var _known: Dictionary[int, bool] = {}
 
 
@@ -42,12 +43,14 @@ func watch_world(p_world: Node3D) -> void:
 ## Takes a client in, also one that returns: it knows nothing yet. A rate of 0 means every tick.
 func add_client(p_session: int, p_rate: int) -> void:
 	_clients[p_session] = -1
+	_sessions = PackedInt32Array(_clients.keys())
 	_encoder.add_client(p_session, p_rate, _bits_per_second)
 
 
 ## Forgets a client.
 func remove_client(p_session: int) -> void:
 	_clients.erase(p_session)
+	_sessions = PackedInt32Array(_clients.keys())
 	_encoder.remove_client(p_session)
 
 
@@ -74,10 +77,11 @@ func announce() -> void:
 func send(p_tick: int, p_now_usec: int) -> void:
 	_encoder.capture(p_tick)
 	_actors.mark(_encoder, p_now_usec)
-	for session: int in _clients:
-		var datagrams: Array[PackedByteArray] = _encoder.encode(session, Time.get_ticks_usec())
-		if not datagrams.is_empty():
-			_link.send_datagrams(session, datagrams)
+	var datagrams: Array[PackedByteArray] = []
+	var sessions: PackedInt32Array = _encoder.encode_each(
+		_sessions, Time.get_ticks_usec(), datagrams
+	)
+	_link.send_datagrams(sessions, datagrams)
 
 
 ## Figures of a client's snapshots: see [method SnapshotEncoder.get_figures].

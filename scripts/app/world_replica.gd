@@ -14,6 +14,8 @@ var datagrams: int = 0
 var world: WorldDescription = null
 ## The newest tick that has come, or -1.
 var newest_tick: int = -1
+## What became of the datagram that was taken last.
+var outcome: SnapshotDecoder.Outcome = SnapshotDecoder.OK
 
 var _decoder: SnapshotDecoder = SnapshotDecoder.new()
 var _smoother: SnapshotSmoother = SnapshotSmoother.new()
@@ -46,12 +48,29 @@ func describe(p_world: WorldDescription) -> void:
 
 ## Takes a datagram that arrived at a local time, s. Returns whether it was of use.
 func take(p_bytes: PackedByteArray, p_arrival_s: float) -> bool:
-	if _decoder.decode(p_bytes) != SnapshotDecoder.OK:
+	outcome = _decoder.decode(p_bytes)
+	if outcome != SnapshotDecoder.OK:
 		return false
 	datagrams += 1
 	newest_tick = maxi(newest_tick, _decoder.get_tick())
 	_smoother.take(_decoder, p_arrival_s)
 	return true
+
+
+## Tick of the last datagram that was of use, or -1.
+func told_tick() -> int:
+	return _decoder.get_tick()
+
+
+## People that the last datagram of use told of.
+func told_people() -> PackedInt32Array:
+	return _decoder.get_people()
+
+
+## A number that is the same wherever the last datagram told the same of a person: of its root's
+## position and of its limbs' orientations.
+func told_fingerprint(p_actor: int) -> int:
+	return hash([_decoder.get_root(p_actor), _decoder.get_orientations(p_actor)])
 
 
 ## The mark of the datagram that was taken last, in times of the server's clock but for

@@ -47,9 +47,7 @@ func find_fault() -> String:
 		return "%d floats instead of %d" % [orientations.size(), Limbs.COUNT * 4]
 	if not root.is_finite() or root.length() > 10000.0:
 		return "the root is not a place within 10 km"
-	for limb: int in Limbs.COUNT:
-		# Written so that NaN fails too.
-		var norm: float = orientation(limb).length()
-		if not (norm > 0.9 and norm < 1.1):
-			return "%s has no rotation (norm %f)" % [Limbs.BONES[limb], norm]
+	var limb: int = PoseCodec.find_broken(orientations)
+	if limb >= 0:
+		return "%s has no rotation (norm %f)" % [Limbs.BONES[limb], orientation(limb).length()]
 	return ""

@@ -7,6 +7,8 @@ const BLEND_S: float = 0.5
 
 ## The clip that is played.
 var rig: BvhRig = null
+## Where in the loop playing begins, s.
+var start_s: float = 0.0
 
 var _begin_usec: int = -1
 var _floor: float = 0.0
@@ -62,7 +64,7 @@ func describe() -> String:
 func _read(p_time_usec: int) -> PoseSample:
 	if _begin_usec < 0:
 		_begin_usec = p_time_usec
-	return pose_at((p_time_usec - _begin_usec) / 1e6)
+	return pose_at(start_s + (p_time_usec - _begin_usec) / 1e6)
 
 
 ## The pose after so many seconds of playing.

@@ -45,6 +45,8 @@ var clock: ClockSync = ClockSync.new()
 var session: int = 0
 ## DTLS, or null.
 var tls: TLSOptions = null
+## See [member ThreadedPeer.wait_ms]; for the next [method open].
+var wait_ms: int = 1
 
 var _api: SceneMultiplayer = null
 var _peer: ThreadedPeer = null
@@ -86,6 +88,7 @@ func open(p_host: String, p_port: int, p_greeting: Greeting, p_password: String 
 	_parts = PacketParts.new()
 	_peer = ThreadedPeer.new()
 	_peer.tls = tls
+	_peer.wait_ms = wait_ms
 	_peer.beacon = _ask_clock
 	_peer.beacon_period = _clock_period
 	_peer.failed.connect(_on_failed)

@@ -47,7 +47,7 @@ static func decode(p_bytes: PackedByteArray) -> PoseSample:
 	if p_bytes.size() <= HEADER or p_bytes.size() > _LONGEST:
 		error = "a pose packet of %d bytes" % p_bytes.size()
 		return null
-	if not CODECS.values().has(p_bytes[1]):
+	if CODECS.find_key(p_bytes[1]) == null:
 		error = "a pose packet of the unknown codec %d" % p_bytes[1]
 		return null
 	var sample: PoseSample = PoseSample.new()

@@ -23,6 +23,9 @@ signal ack_received(p_session: int, p_bytes: PackedByteArray, p_arrival_usec: in
 ## Who is here, lost or waiting has changed; see [method roster].
 signal roster_changed
 
+## Time between two looks for those who are overdue, µs.
+const _LOOK_USEC: int = 100000
+
 ## Bytes in and out.
 var traffic: TrafficMeter = TrafficMeter.new()
 ## Whom the server lets in.
@@ -35,6 +38,7 @@ var _door: SessionDoor = null
 var _strikes: CallStrikes = null
 var _world_number: int = 0
 var _ticks: TickClock = TickClock.new()
+var _looked_usec: int = 0
 
 
 ## Opens the port. Returns [constant ERR_CANT_CREATE] where it is in use, and
@@ -85,11 +89,9 @@ func poll() -> void:
 	_throw_out(_strikes.end())
 	for packet: FastPacket in _peer.take_fast():
 		_on_fast(packet)
-	for peer: int in _door.overdue(now):
-		_door.forget(peer)
-		_turn_away(peer)
-	for session: Session in _book.overdue(now):
-		_end(session)
+	if now - _looked_usec > _LOOK_USEC:
+		_looked_usec = now
+		_look_after_sessions(now)
 	traffic.read(_peer.figures())
 
 
@@ -127,12 +129,16 @@ func publish_tick(p_tick: int, p_usec: int, p_tick_rate: int = 60) -> void:
 	_ticks.publish(p_tick, p_usec, p_tick_rate)
 
 
-## Sends a client datagrams of at most [constant Protocol.MAX_DATAGRAM] bytes, unreliably.
-func send_datagrams(p_session: int, p_datagrams: Array[PackedByteArray]) -> void:
-	var session: Session = _book.find(p_session)
-	if session != null and session.is_here:
-		for bytes: PackedByteArray in p_datagrams:
-			_peer.send_fast(session.peer, bytes)
+## Sends datagrams of at most [constant Protocol.MAX_DATAGRAM] bytes, unreliably, each to the
+## session in the same place; all at once, as handing over one by one takes longer than sending.
+func send_datagrams(p_sessions: PackedInt32Array, p_datagrams: Array[PackedByteArray]) -> void:
+	var peers: PackedInt32Array = PackedInt32Array()
+	for id: int in p_sessions:
+		var session: Session = _book.find(id)
+		# No peer has the number 0 here.
+		peers.append(session.peer if session != null and session.is_here else 0)
+	if _peer != null and not peers.is_empty():
+		_peer.send_fast_each(peers, p_datagrams)
 
 
 ## Snapshots per second that a client wants; 0 for as many as there are.
@@ -223,6 +229,14 @@ func close() -> void:
 	_peer = null
 	_api = null
 	for session: Session in _book.all():
+		_end(session)
+
+
+func _look_after_sessions(p_now_usec: int) -> void:
+	for peer: int in _door.overdue(p_now_usec):
+		_door.forget(peer)
+		_turn_away(peer)
+	for session: Session in _book.overdue(p_now_usec):
 		_end(session)
 
 

@@ -77,7 +77,15 @@ class End:
 func send_snapshot(p_stream: SnapshotStream) -> void:
 	p_stream.move()
 	for session: int in joined:
-		server.send_datagrams(session, p_stream.datagrams(session))
+		send_to(session, p_stream.datagrams(session))
+
+
+## Sends a client datagrams.
+func send_to(p_session: int, p_datagrams: Array[PackedByteArray]) -> void:
+	var sessions: PackedInt32Array = []
+	for _datagram: PackedByteArray in p_datagrams:
+		sessions.append(p_session)
+	server.send_datagrams(sessions, p_datagrams)
 
 
 ## Opens a server on a free port.

@@ -116,8 +116,8 @@ func test_snapshots_that_are_none() -> void:
 	large.resize(60000)
 	for round: int in 100:
 		var bad: PackedByteArray = good.slice(0, _random.randi_range(1, good.size() - 1))
-		_pair.server.send_datagrams(_good.link.session, [bad])
-		_pair.server.send_datagrams(_good.link.session, [NetSamples.damage(_random, good)])
+		var whom: PackedInt32Array = [_good.link.session, _good.link.session]
+		_pair.server.send_datagrams(whom, [bad, NetSamples.damage(_random, good)])
 		_pair.server._peer._thread.send(peer, TransportThread.FAST_CHANNEL, large, 8)
 		_pair.run(0.005)
 	_check_good()

@@ -11,7 +11,7 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from . import demo, jolt, latency
+from . import demo, jolt, latency, load
 from .console import Failure, say
 from .display import real_display
 from .godot import Godot
@@ -34,6 +34,9 @@ HELP = """Dismount: people in motion-capture suits move through physics.
                             (--unit=m|cm|mm|inch|cmu|METRES and --up=y|z override the guess)
   ./run latency             measures the delay from sample to display on this machine, stage by
                             stage, and draws it (--seconds, --rate, --fps, --smoothing, --bvh)
+  ./run load                puts many clients on a server over a bad network (docs/load.md):
+                            --trainees=8 --observers=24 --loss=2 --delay=25 --jitter=10
+                            --seconds --rate --snapshot-rate --seed --json --server-options
   ./run bench               lists the benchmarks
   ./run bench NAME [--json] [options]   runs one
   ./run --help              this text; ./run server --help lists the roles' options
@@ -68,6 +71,7 @@ def main(arguments: list[str]) -> int:
         "bvh": _bvh,
         "bench": _bench,
         "latency": lambda rest: latency.main(normalise(rest)),
+        "load": lambda rest: load.main(normalise(rest)),
     }
     if not arguments or arguments[0].startswith("-"):
         return demo.main(normalise(arguments))

@@ -80,6 +80,10 @@ class Group:
         """The exit code of a process, or None while it runs."""
         return self._processes[name].poll()
 
+    def number(self, name: str) -> int:
+        """The system's number of a process."""
+        return self._processes[name].pid
+
     def await_text(self, name: str, text: str, limit_s: float) -> None:
         """Waits until a process has printed something."""
         end = time.monotonic() + limit_s

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "stop_signal.hpp"
+#include "thread_clock.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/defs.hpp>
@@ -12,6 +13,7 @@ namespace {
 void initialize(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
 		GDREGISTER_CLASS(StopSignal);
+		GDREGISTER_CLASS(ThreadClock);
 	}
 }
 

@@ -207,6 +207,23 @@ TypedArray<PackedByteArray> SnapshotEncoder::encode(int64_t p_client, int64_t p_
 	return result;
 }
 
+PackedInt32Array SnapshotEncoder::encode_each(
+		const PackedInt32Array &p_clients, int64_t p_now_usec, TypedArray<PackedByteArray> r_datagrams) {
+	PackedInt32Array receivers;
+	ERR_FAIL_COND_V_MSG(core == nullptr, receivers, UNCONFIGURED);
+	for (int64_t i = 0; i < p_clients.size(); i++) {
+		const std::size_t count = core->encode(int(p_clients[i]), p_now_usec, datagrams);
+		for (std::size_t k = 0; k < count; k++) {
+			PackedByteArray bytes;
+			bytes.resize(int64_t(datagrams[k].size));
+			std::memcpy(bytes.ptrw(), datagrams[k].bytes.data(), datagrams[k].size);
+			r_datagrams.push_back(bytes);
+			receivers.push_back(p_clients[i]);
+		}
+	}
+	return receivers;
+}
+
 Dictionary SnapshotEncoder::get_figures(int64_t p_client) {
 	Dictionary result;
 	ERR_FAIL_COND_V_MSG(core == nullptr, result, UNCONFIGURED);
@@ -245,6 +262,7 @@ void SnapshotEncoder::_bind_methods() {
 	ClassDB::bind_method(
 			D_METHOD("set_mark", "person", "sample", "simulated_usec", "steps_usec"), &SnapshotEncoder::set_mark);
 	ClassDB::bind_method(D_METHOD("encode", "client", "now_usec"), &SnapshotEncoder::encode);
+	ClassDB::bind_method(D_METHOD("encode_each", "clients", "now_usec", "datagrams"), &SnapshotEncoder::encode_each);
 	ClassDB::bind_method(D_METHOD("get_figures", "client"), &SnapshotEncoder::get_figures);
 }
 

@@ -43,6 +43,8 @@ public:
 	bool take_ack(int64_t p_client, const PackedByteArray &p_bytes);
 	void set_mark(int64_t p_person, int64_t p_sample, int64_t p_simulated_usec, const PackedInt32Array &p_steps_usec);
 	TypedArray<PackedByteArray> encode(int64_t p_client, int64_t p_now_usec);
+	PackedInt32Array encode_each(
+			const PackedInt32Array &p_clients, int64_t p_now_usec, TypedArray<PackedByteArray> r_datagrams);
 	Dictionary get_figures(int64_t p_client);
 
 protected:

@@ -32,6 +32,19 @@ func add(p_ms: float) -> void:
 	_squares += off * (p_ms - _mean)
 
 
+## Counts all that another has counted.
+func merge(p_other: LatencyHistogram) -> void:
+	if p_other._count == 0:
+		return
+	for bin: int in BINS:
+		_bins[bin] += p_other._bins[bin]
+	var both: int = _count + p_other._count
+	var off: float = p_other._mean - _mean
+	_squares += p_other._squares + off * off * _count * p_other._count / both
+	_mean += off * p_other._count / both
+	_count = both
+
+
 ## How many there are.
 func count() -> int:
 	return _count

@@ -129,6 +129,15 @@ func send_fast(p_peer: int, p_bytes: PackedByteArray) -> bool:
 	)
 
 
+## Sends datagrams over the fast path, each to the peer in the same place.
+func send_fast_each(p_peers: PackedInt32Array, p_datagrams: Array[PackedByteArray]) -> bool:
+	for bytes: PackedByteArray in p_datagrams:
+		if bytes.size() > Protocol.MAX_DATAGRAM:
+			return false
+	var fits: bool = p_peers.size() == p_datagrams.size()
+	return fits and _thread != null and _thread.send_fast_each(p_peers, p_datagrams)
+
+
 ## The fast datagrams that have come since the last call.
 func take_fast() -> Array[FastPacket]:
 	var none: Array[FastPacket] = []

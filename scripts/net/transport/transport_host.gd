@@ -39,6 +39,8 @@ var _events: Array[TransportEvent] = []
 var _fast: Array[FastPacket] = []
 var _counts: Dictionary[String, int] = {}
 var _waiting_bytes: int = 0
+# Whether something was answered that is still to leave.
+var _answered: bool = false
 var _window_usec: int = 0
 
 
@@ -76,7 +78,7 @@ func _on_disconnect(p_remote: ENetPacketPeer, p_code: int) -> void:
 
 func _on_receive(p_remote: ENetPacketPeer, p_channel: int) -> void:
 	var arrival: int = Time.get_ticks_usec()
-	var flags: int = p_remote.get_packet_flags()
+	var flags: int = 0 if p_channel == FAST_CHANNEL else p_remote.get_packet_flags()
 	var bytes: PackedByteArray = p_remote.get_packet()
 	var from: TransportConnection = _connections.get(p_remote.get_meta(&"id", 0))
 	if from == null or from.stage == TransportConnection.Stage.LEAVING:
@@ -110,8 +112,10 @@ func _on_receive(p_remote: ENetPacketPeer, p_channel: int) -> void:
 func _receive_fast(
 	p_from: TransportConnection, p_bytes: PackedByteArray, p_arrival_usec: int
 ) -> void:
-	if guard != null and not _is_let_through(p_from, guard.judge_fast(p_from, p_bytes)):
-		return
+	if guard != null:
+		var verdict: TransportGuard.Verdict = guard.judge_fast(p_from, p_bytes)
+		if verdict != TransportGuard.Verdict.PASS and not _is_let_through(p_from, verdict):
+			return
 	if p_bytes.is_empty() or p_bytes.size() > Protocol.MAX_DATAGRAM:
 		_count("dropped_in")
 		return
@@ -119,6 +123,7 @@ func _receive_fast(
 		var answer: PackedByteArray = instant.call(p_bytes, p_arrival_usec)
 		if not answer.is_empty():
 			p_from.remote.send(FAST_CHANNEL, answer, _FAST_FLAGS)
+			_answered = true
 		return
 	var packet: FastPacket = FastPacket.new()
 	packet.peer = p_from.id

@@ -19,6 +19,14 @@ const _HOUSEKEEPING_USEC: int = 100000
 ## Errors without any success for so long mean that the host is dead, µs.
 const _DEAD_USEC: int = 500000
 const _GOODBYE_MS: int = 300
+## With more events than so many in [constant _HOUSEKEEPING_USEC] the thread takes pauses and then
+## takes in all that has come meanwhile: waking up costs more than what there is to do.
+const _BUSY_EVENTS: int = 60
+## These pauses, µs: short ones when the main thread's next snapshots are near, so that they leave
+## soon and no sample is late for the tick; long ones otherwise.
+const _SHORT_PAUSE_USEC: int = 500
+const _LONG_PAUSE_USEC: int = 2500
+const _NEAR_USEC: int = 1000
 
 ## Longest wait in the socket, ms.
 var wait_ms: int = 1
@@ -39,6 +47,11 @@ var _id: int = 0
 var _taken: int = 0
 var _errors_since_usec: int = 0
 var _housekept_usec: int = 0
+var _recent_events: int = 0
+var _busy: bool = false
+var _left: int = 0
+var _handed_usec: int = 0
+var _handed_period_usec: int = 0
 var _beacons: int = 0
 var _beacon_usec: int = 0
 var _goodbye: int = 0
@@ -71,7 +84,7 @@ func is_running() -> bool:
 func stop(p_goodbye: int) -> void:
 	if not _thread.is_started():
 		return
-	mailbox.post([_order_close, p_goodbye], true)
+	mailbox.post([_order_close, [p_goodbye]], true)
 	_thread.wait_to_finish()
 	_host = null
 
@@ -79,22 +92,27 @@ func stop(p_goodbye: int) -> void:
 ## Sends something to one (an id), to all (0), or to all except one (minus its id).
 func send(p_target: int, p_channel: int, p_bytes: PackedByteArray, p_flags: int) -> bool:
 	var must: bool = p_flags & ENetPacketPeer.FLAG_RELIABLE != 0
-	return mailbox.post([_order_send, p_target, p_channel, p_bytes, p_flags], must)
+	return mailbox.post([_order_send, [p_target, p_channel, p_bytes, p_flags]], must)
+
+
+## Sends fast datagrams, each to the peer in the same place.
+func send_fast_each(p_peers: PackedInt32Array, p_datagrams: Array[PackedByteArray]) -> bool:
+	return mailbox.post([_order_send_each, [p_peers, p_datagrams]], false)
 
 
 ## Ends a connection: at once and without telling, or after what is still to be sent.
 func disconnect_peer(p_id: int, p_now: bool, p_code: int) -> void:
-	mailbox.post([_order_disconnect, p_id, p_now, p_code], true)
+	mailbox.post([_order_disconnect, [p_id, p_now, p_code]], true)
 
 
 ## Says that a client is welcome, and whether it may call; the guard then lets it complete.
 func welcome(p_id: int, p_may_call: bool) -> void:
-	mailbox.post([_order_welcome, p_id, p_may_call], true)
+	mailbox.post([_order_welcome, [p_id, p_may_call]], true)
 
 
 ## Keeps a client that has not been admitted yet, because somebody is to decide about it.
 func keep(p_id: int) -> void:
-	mailbox.post([_order_keep, p_id], true)
+	mailbox.post([_order_keep, [p_id]], true)
 
 
 func _open() -> Error:
@@ -118,7 +136,7 @@ func _run() -> void:
 	var before: int = Time.get_ticks_usec()
 	while not _closing:
 		for order: Array in mailbox.take_orders():
-			(order[0] as Callable).callv(order.slice(1))
+			(order[0] as Callable).callv(order[1])
 		_serve()
 		var now: int = Time.get_ticks_usec()
 		if not _server:
@@ -126,13 +144,17 @@ func _run() -> void:
 		before = now
 		if now - _housekept_usec > _HOUSEKEEPING_USEC:
 			_housekept_usec = now
+			_busy = _recent_events > _BUSY_EVENTS
+			_recent_events = 0
 			_keep_house(now)
-			var figures: Dictionary = {"peers": _describe_peers()}
+			var figures: Dictionary = {"peers": _describe_peers(), "cpu_usec": ThreadClock.get_usec()}
 			figures.merge(_counts)
 			mailbox.publish(figures)
 		var taken: int = mailbox.hand_over(_events, _fast)
 		_events.clear()
 		_fast.clear()
+		if _busy:
+			OS.delay_usec(_pause_usec(Time.get_ticks_usec()))
 		if taken != _taken:
 			_taken = taken
 			_waiting_bytes = 0
@@ -141,6 +163,13 @@ func _run() -> void:
 	mailbox.hand_over(_events, _fast)
 	_say_goodbye()
 	_host.destroy()
+
+
+func _pause_usec(p_now_usec: int) -> int:
+	var near: int = _handed_usec + _handed_period_usec - _NEAR_USEC
+	if p_now_usec > near + 3 * _NEAR_USEC:
+		return 2 * _SHORT_PAUSE_USEC
+	return clampi(near - p_now_usec, _SHORT_PAUSE_USEC, _LONG_PAUSE_USEC)
 
 
 func _begin_client() -> void:
@@ -152,9 +181,13 @@ func _begin_client() -> void:
 
 
 func _serve() -> void:
+	_left = _MOST_EVENTS
+	_answered = false
 	for number: int in _MOST_EVENTS:
 		# Every packet that is told of must be taken, or the next event would get it.
-		var event: Array = _host.service(wait_ms if number == 0 else 0)
+		var event: Array = _host.service(wait_ms if number == 0 and not _busy else 0)
+		if number == 0 and _busy:
+			_expect()
 		match event[0]:
 			ENetConnection.EVENT_CONNECT:
 				_on_connect(event[1], event[2])
@@ -168,8 +201,24 @@ func _serve() -> void:
 			_:
 				_errors_since_usec = 0
 				return
+		_recent_events += 1
+		_left -= 1
 		if event[0] != ENetConnection.EVENT_ERROR:
 			_errors_since_usec = 0
+			if _left <= 0:
+				break
+	if _answered:
+		_host.flush()
+
+
+## To find that nothing is left takes ENet as long as the rest, as it looks at all its places: so
+## a busy thread asks for no more events than datagrams have come. What is left nevertheless comes
+## with the next turn.
+func _expect() -> void:
+	var came: int = int(_host.pop_statistic(ENetConnection.HOST_TOTAL_RECEIVED_PACKETS))
+	_count("received_packets", came)
+	if came > 0:
+		_left = mini(came, _MOST_EVENTS)
 
 
 ## A datagram from port 0 makes a few errors, as no answer can be sent there; the host is none the
@@ -224,6 +273,18 @@ func _order_send(p_target: int, p_channel: int, p_bytes: PackedByteArray, p_flag
 	for id: int in _connections:
 		if id != -p_target:
 			_send(_connections[id], p_channel, p_bytes, p_flags)
+
+
+func _order_send_each(p_peers: PackedInt32Array, p_datagrams: Array[PackedByteArray]) -> void:
+	var now: int = Time.get_ticks_usec()
+	_handed_period_usec = clampi(now - _handed_usec, 2 * _NEAR_USEC, 20 * _NEAR_USEC)
+	_handed_usec = now
+	for i: int in p_peers.size():
+		var connection: TransportConnection = _connections.get(p_peers[i])
+		# Who has died is still here, but takes nothing: send() would report an error.
+		if connection != null and connection.remote.is_active():
+			if connection.stage != TransportConnection.Stage.LEAVING:
+				connection.remote.send(FAST_CHANNEL, p_datagrams[i], _FAST_FLAGS)
 
 
 func _order_disconnect(p_id: int, p_now: bool, p_code: int) -> void:

@@ -1,0 +1,50 @@
+class_name LoadAgreement
+extends RefCounted
+## Compares what clients have been told: whoever hears of a person's pose in a tick hears the same
+## as everybody else, whatever was lost on the way.
+
+## Ticks that are remembered.
+const KEPT: int = 256
+## Of so many of a person's poses one is compared.
+const EVERY: int = 8
+
+## Poses that two or more clients have told.
+var compared: int = 0
+## Those of them that were not the same.
+var different: int = 0
+
+var _ticks: Array[int] = []
+var _told: Array[Dictionary] = []
+
+
+func _init() -> void:
+	_ticks.resize(KEPT)
+	_ticks.fill(-1)
+	_told.resize(KEPT)
+
+
+## Whether this pose is one of those that are compared.
+func wants(p_tick: int, p_person: int) -> bool:
+	return (p_tick + p_person) % EVERY == 0
+
+
+## Takes a pose's fingerprint, see [method WorldReplica.told_fingerprint].
+func take(p_tick: int, p_person: int, p_fingerprint: int) -> void:
+	var place: int = p_tick % KEPT
+	if _ticks[place] > p_tick:
+		return
+	if _ticks[place] != p_tick:
+		_ticks[place] = p_tick
+		_told[place] = {}
+	if not _told[place].has(p_person):
+		_told[place][p_person] = p_fingerprint
+		return
+	compared += 1
+	if _told[place][p_person] != p_fingerprint:
+		different += 1
+
+
+## Counts anew.
+func restart() -> void:
+	compared = 0
+	different = 0

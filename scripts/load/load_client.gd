@@ -1,0 +1,178 @@
+class_name LoadClient
+extends RefCounted
+## One client of a load run: everything that a client does but showing the world.
+
+## Seconds between two attempts to reach the server.
+const RETRY_S: float = 2.0
+## One of so many polls samples the ages.
+const AGES_EVERY: int = 3
+## Longest wait of the transport's thread, ms: an observer has nothing to send but acknowledgements.
+const OBSERVER_WAIT_MS: int = 8
+## See [constant OBSERVER_WAIT_MS]; a trainee's sample waits for this long at most.
+const TRAINEE_WAIT_MS: int = 2
+
+## Shown to the others.
+var name: String = ""
+## What the server has told.
+var replica: WorldReplica = WorldReplica.new()
+## What has been counted since [method begin_counting].
+var figures: LoadFigures = LoadFigures.new()
+## Why the server does not want this client, or an empty text.
+var refusal: String = ""
+
+var _options: Options = null
+var _link: ClientLink = ClientLink.new()
+var _greeting: Greeting = Greeting.new()
+var _motion: ClientMotion = null
+var _agreement: LoadAgreement = null
+var _viewpoint: Vector3 = Vector3.ZERO
+var _newest: Dictionary[int, int] = {}
+var _retry_usec: int = 0
+var _was_joined: bool = false
+var _polls: int = 0
+
+
+func _init(p_name: String, p_options: Options, p_agreement: LoadAgreement) -> void:
+	name = p_name
+	_options = p_options
+	_agreement = p_agreement
+	_greeting.name = p_name
+	_greeting.rate = p_options.number("snapshot-rate")
+	_link.wait_ms = OBSERVER_WAIT_MS
+	_link.joined.connect(_on_joined)
+	_link.lost.connect(_on_lost)
+	_link.refused.connect(func(why: String) -> void: refusal = why)
+	_link.snapshot_received.connect(_on_snapshot)
+	_link.world_received.connect(_on_world)
+
+
+## Makes it a trainee who moves by a source.
+func wear(p_source: MotionSource) -> void:
+	_greeting.role = Protocol.Role.TRAINEE
+	_greeting.hip_height = p_source.get_hip_height()
+	_link.wait_ms = TRAINEE_WAIT_MS
+	_motion = ClientMotion.new()
+	var codec: PoseCodec.Coding = PosePacket.CODECS[_options.text("codec")]
+	_motion.start(p_source, _options.number("rate"), _link, codec)
+
+
+## Sets from where the client looks, m.
+func look_from(p_place: Vector3) -> void:
+	_viewpoint = p_place
+
+
+## Begins to connect.
+func open() -> void:
+	_retry_usec = 0
+	_link.open(_options.text("host"), _options.number("port"), _greeting, _options.text("password"))
+
+
+## Whether the server has admitted it.
+func is_joined() -> bool:
+	return _link.is_joined()
+
+
+## Takes in what has come, acknowledges it, and counts.
+func poll() -> void:
+	_link.poll()
+	var now: int = Time.get_ticks_usec()
+	if _retry_usec > 0 and now > _retry_usec:
+		open()
+	if not _link.is_joined():
+		return
+	var bytes: PackedByteArray = replica.acknowledgement(now, _viewpoint)
+	if not bytes.is_empty():
+		_link.send_fast(bytes)
+	if _motion != null:
+		_motion.keep_in_step()
+	_polls += 1
+	if _polls % AGES_EVERY == 0:
+		_sample_ages(now)
+
+
+## Forgets what was counted.
+func begin_counting() -> void:
+	figures = LoadFigures.new()
+
+
+## The people of whom something is known and who are there.
+func people_known() -> int:
+	var known: int = 0
+	for actor: int in replica.world.names if replica.world != null else {}:
+		known += 1 if _newest.has(actor) else 0
+	return known
+
+
+## The figures for a report.
+func report() -> Dictionary:
+	var result: Dictionary = {
+		"name": name,
+		"role": "observer" if _motion == null else "trainee",
+		"session": _link.session,
+		"joined": is_joined(),
+		"people_known": people_known(),
+		"round_trip_ms": _link.clock.round_trip_usec / 1000.0,
+		"clock_jitter_ms": _link.clock.jitter_usec / 1000.0,
+	}
+	result.merge(figures.report())
+	if _motion != null:
+		result["samples"] = _motion.figures()
+	return result
+
+
+## Leaves.
+func close() -> void:
+	if _motion != null:
+		_motion.stop()
+	_link.close()
+
+
+## How long ago the ticks began whose poses are the newest that are known.
+func _sample_ages(p_now_usec: int) -> void:
+	if replica.world == null or not _link.clock.is_known():
+		return
+	for actor: int in replica.world.names:
+		if _newest.has(actor):
+			var began: int = _link.clock.local_usec_of_tick(_newest[actor])
+			figures.ages.add((p_now_usec - began) / 1000.0)
+		else:
+			figures.unknown += 1
+
+
+func _on_joined() -> void:
+	if _was_joined:
+		figures.returned += 1
+	_was_joined = true
+	replica.clear()
+	_newest.clear()
+	if _motion != null:
+		_motion.set_sending(true)
+
+
+func _on_lost(p_why: String) -> void:
+	Log.limited("load", name, "%s: %s" % [name, p_why])
+	if _was_joined:
+		figures.lost += 1
+	if _motion != null:
+		_motion.set_sending(false)
+	_retry_usec = Time.get_ticks_usec() + int(RETRY_S * 1e6)
+
+
+func _on_world(p_world: WorldDescription, _p_bytes: PackedByteArray) -> void:
+	replica.describe(p_world)
+
+
+func _on_snapshot(p_bytes: PackedByteArray, p_arrival_usec: int) -> void:
+	var useful: bool = replica.take(p_bytes, p_arrival_usec / 1e6)
+	figures.took(replica.outcome, p_bytes.size())
+	if not useful:
+		return
+	var tick: int = replica.told_tick()
+	for person: int in replica.told_people():
+		_newest[person] = maxi(_newest.get(person, -1), tick)
+		if _agreement.wants(tick, person):
+			_agreement.take(tick, person, replica.told_fingerprint(person))
+	var mark: LatencyMark = replica.take_mark()
+	if mark != null and _link.clock.is_known():
+		mark.arrival_usec = _link.clock.server_usec(p_arrival_usec)
+		figures.marked(mark)

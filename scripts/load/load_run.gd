@@ -1,0 +1,192 @@
+class_name LoadRun
+extends Node
+## Many clients in one process, without displays: what [code]./run load[/code] puts on a server.
+##
+## They join one after the other. When all have and some time has passed they are counted for
+## [code]--duration[/code] seconds; then the report is written, and they stay until the process is
+## ended, so that the server can be looked at while they are there.
+
+## How far the run has come.
+enum Stage {
+	## Not everybody is there yet.
+	JOINING,
+	## Everybody has joined.
+	SETTLING,
+	## The clients count.
+	COUNTING,
+	## The report is written.
+	DONE,
+}
+
+## Most trainees, and most observers.
+const MOST_CLIENTS: int = 500
+## Each client is polled so often, as displays of 60 frames per second would.
+const POLLS_PER_SECOND: int = 60
+## Frames in which all clients have their turn: they are not polled all at once.
+const TURNS: int = 4
+## Time between two that join, µs.
+const JOIN_USEC: int = 50000
+## Time from the last one's joining to the counting, s.
+const SETTLE_S: float = 3.0
+## Time that everybody has to join, beside [constant JOIN_USEC] for each, s.
+const PATIENCE_S: float = 30.0
+
+const _EXIT_FAILED: int = 1
+const _EXIT_OPTIONS: int = 2
+const _EXIT_REFUSED: int = 3
+const _EXIT_NO_SERVER: int = 4
+
+var _options: Options = null
+var _clients: Array[LoadClient] = []
+var _agreement: LoadAgreement = LoadAgreement.new()
+var _stop: StopSignal = StopSignal.new()
+var _report: ReportFile = null
+var _stage: Stage = Stage.JOINING
+var _since_usec: int = 0
+var _opened: int = 0
+var _turn: int = 0
+
+
+## Takes over the options. Call it before the node enters the tree.
+func configure(_p_role: String, p_options: Options) -> void:
+	_options = p_options
+
+
+func _ready() -> void:
+	PhysicsServer3D.set_active(false)
+	Engine.max_fps = POLLS_PER_SECOND * TURNS
+	_report = ReportFile.new(_options.file("report"))
+	var fault: String = _make_clients()
+	if fault != "":
+		_give_up(_EXIT_OPTIONS, fault)
+		return
+	_stop.watch()
+	_since_usec = Time.get_ticks_usec()
+
+
+func _process(_p_delta: float) -> void:
+	if _stop.is_raised():
+		get_tree().quit(0)
+		return
+	_turn = (_turn + 1) % TURNS
+	for i: int in range(_turn, _clients.size(), TURNS):
+		if i < _opened:
+			_clients[i].poll()
+		if _clients[i].refusal != "":
+			_give_up(_EXIT_REFUSED, "the server refused us: %s" % _clients[i].refusal)
+			return
+	match _stage:
+		Stage.JOINING:
+			_join()
+		Stage.SETTLING:
+			if _age_s() > SETTLE_S:
+				_begin_counting()
+		Stage.COUNTING:
+			if _options.seconds("duration") > 0.0 and _age_s() > _options.seconds("duration"):
+				_finish()
+
+
+func _exit_tree() -> void:
+	if _stage == Stage.COUNTING:
+		_report.write(_make_report())
+	for client: LoadClient in _clients:
+		client.close()
+
+
+func _make_clients() -> String:
+	var trainees: int = _options.number("trainees")
+	var total: int = trainees + _options.number("observers")
+	if total == 0:
+		return "there are no clients: ask for --trainees or --observers"
+	var first: BvhSource = BvhSource.new()
+	if trainees > 0:
+		if _options.file("bvh") == "":
+			return "trainees need a motion source: --bvh=FILE"
+		first.open(_options.file("bvh"), _options.text("unit"), _options.text("up"))
+		if first.error != "":
+			return first.error
+	for i: int in total:
+		var is_trainee: bool = i < trainees
+		var number: int = i if is_trainee else i - trainees
+		var who: String = "trainee %d" if is_trainee else "observer %d"
+		var client: LoadClient = LoadClient.new(who % number, _options, _agreement)
+		var angle: float = TAU * i / total
+		client.look_from(Vector3(4.0 * sin(angle), 1.6, 4.0 * cos(angle)))
+		if is_trainee:
+			var source: BvhSource = BvhSource.new()
+			source.use(first.rig.clip)
+			# Each at another moment of the clip.
+			source.start_s = first.rig.clip.duration() * number / trainees
+			client.wear(source)
+		_clients.append(client)
+	return ""
+
+
+func _join() -> void:
+	var now: int = Time.get_ticks_usec()
+	if _opened < _clients.size() and now - _since_usec > JOIN_USEC * _opened:
+		_clients[_opened].open()
+		_opened += 1
+	var here: int = 0
+	for client: LoadClient in _clients:
+		here += 1 if client.is_joined() else 0
+	if here == _clients.size():
+		_enter(Stage.SETTLING, "%d clients have joined" % here)
+	elif _age_s() > PATIENCE_S + JOIN_USEC * _clients.size() / 1e6:
+		var parts: Array = [_clients.size(), here, _options.text("host"), _options.number("port")]
+		_give_up(_EXIT_NO_SERVER, "of %d clients only %d could join %s:%d" % parts)
+
+
+func _begin_counting() -> void:
+	for client: LoadClient in _clients:
+		client.begin_counting()
+	_agreement.restart()
+	_enter(Stage.COUNTING, "counting")
+
+
+func _finish() -> void:
+	_report.write(_make_report())
+	_enter(Stage.DONE, "counted")
+
+
+func _enter(p_stage: Stage, p_words: String) -> void:
+	_stage = p_stage
+	_since_usec = Time.get_ticks_usec()
+	Log.info("load", p_words)
+
+
+func _make_report() -> Dictionary:
+	var rows: Array[Dictionary] = []
+	for client: LoadClient in _clients:
+		rows.append(client.report())
+	return {
+		"role": "load",
+		"seconds": _age_s(),
+		"compared_poses": _agreement.compared,
+		"different_poses": _agreement.different,
+		"clients": rows,
+		"groups": {"trainees": _group("trainee"), "observers": _group("observer")},
+	}
+
+
+## Ages and delays of all clients of a role together.
+func _group(p_role: String) -> Dictionary:
+	var ages: LatencyHistogram = LatencyHistogram.new()
+	var delays: LatencyHistogram = LatencyHistogram.new()
+	var count: int = 0
+	for client: LoadClient in _clients:
+		if client.name.begins_with(p_role):
+			count += 1
+			ages.merge(client.figures.ages)
+			delays.merge(client.figures.probe.total)
+	return {"clients": count, "age": ages.figures(), "latency": delays.figures()}
+
+
+func _age_s() -> float:
+	return (Time.get_ticks_usec() - _since_usec) / 1e6
+
+
+func _give_up(p_code: int, p_why: String) -> void:
+	Log.error("load", p_why)
+	set_process(false)
+	get_tree().quit(p_code)
