@@ -24,6 +24,7 @@ var _player: SnapshotPlayer = null
 var _recorder: SnapshotRecorder = null
 var _motion: ClientMotion = null
 var _own: int = -1
+var _told_s: float = 0.0
 var _report: ReportFile = null
 var _greeting: Greeting = Greeting.new()
 var _orders: InstructorOrders = null
@@ -187,6 +188,9 @@ func _acknowledge() -> void:
 	)
 	if not bytes.is_empty():
 		_link.send_fast(bytes)
+	if _link.is_joined() and _clock_s - _told_s > FiguresPacket.PERIOD_S:
+		_told_s = _clock_s
+		_link.send_fast(_figures.packet())
 
 
 func _show_world() -> void:

@@ -60,6 +60,16 @@ func describe(p_role: String, p_traffic: TrafficMeter) -> String:
 	return "%s   %d fps   %.1f kB/s in   %.1f kB/s out   sample to display %.0f ms" % parts
 
 
+## The figures for the server's status.
+func packet() -> PackedByteArray:
+	return FiguresPacket.encode(
+		probe.total.percentile(0.5),
+		probe.total.percentile(0.95),
+		smoothing_delay_s * 1000.0,
+		Engine.get_frames_per_second()
+	)
+
+
 ## The figures for a report.
 func report(p_role: String, p_traffic: TrafficMeter) -> Dictionary:
 	return {

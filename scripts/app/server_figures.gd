@@ -114,18 +114,11 @@ func _recent() -> Dictionary:
 
 func _sessions(p_link: ServerLink, p_sending: ServerReplication) -> Array[Dictionary]:
 	var rows: Array[Dictionary] = []
-	var seconds_here: float = maxf(seconds(), 0.001)
 	for person: Dictionary in p_link.roster():
 		var row: Dictionary = {"session": person["session"], "name": person["name"]}
 		row["role"] = (Protocol.Role.find_key(person["role"]) as String).to_lower()
 		row["state"] = person["state"]
 		row["address"] = person["address"]
-		var sent: Dictionary = p_sending.figures_of(person["session"])
-		if not sent.is_empty():
-			var counted: int = maxi(sent["acknowledged"] + sent["lost"], 1)
-			row["sent_kbit_per_second"] = sent["bytes"] * 8.0 / 1000.0 / seconds_here
-			row["datagrams"] = sent["datagrams"]
-			row["loss_percent"] = 100.0 * sent["lost"] / counted
-			row["round_trip_ms"] = sent["round_trip_ms"]
+		row.merge(p_sending.figures_of(person["session"]))
 		rows.append(row)
 	return rows

@@ -11,6 +11,9 @@ var _bits_per_second: float = 0.0
 var _clients: Dictionary[int, int] = {}
 var _sessions: PackedInt32Array = PackedInt32Array()
 var _known: Dictionary[int, bool] = {}
+## When a client came or returned, µs, and what it has told of itself.
+var _since_usec: Dictionary[int, int] = {}
+var _told: Dictionary[int, Dictionary] = {}
 
 
 func _init(
@@ -21,6 +24,7 @@ func _init(
 	_bits_per_second = p_bits_per_second
 	_encoder.configure(PackedInt32Array(Limbs.PARENTS), Protocol.POSE_ERROR_DEG, p_tick_rate)
 	_link.ack_received.connect(_on_ack)
+	_link.figures_received.connect(_on_figures)
 
 
 ## Takes a world in, and finds out which parts of it can be seen from which.
@@ -43,6 +47,7 @@ func watch_world(p_world: Node3D) -> void:
 ## Takes a client in, also one that returns: it knows nothing yet. A rate of 0 means every tick.
 func add_client(p_session: int, p_rate: int) -> void:
 	_clients[p_session] = -1
+	_since_usec[p_session] = Time.get_ticks_usec()
 	_sessions = PackedInt32Array(_clients.keys())
 	_encoder.add_client(p_session, p_rate, _bits_per_second)
 
@@ -50,6 +55,7 @@ func add_client(p_session: int, p_rate: int) -> void:
 ## Forgets a client.
 func remove_client(p_session: int) -> void:
 	_clients.erase(p_session)
+	_told.erase(p_session)
 	_sessions = PackedInt32Array(_clients.keys())
 	_encoder.remove_client(p_session)
 
@@ -84,11 +90,28 @@ func send(p_tick: int, p_now_usec: int) -> void:
 	_link.send_datagrams(sessions, datagrams)
 
 
-## Figures of a client's snapshots: see [method SnapshotEncoder.get_figures].
+## Figures of a client since it came, for a status; empty if it is not here.
 func figures_of(p_session: int) -> Dictionary:
-	return _encoder.get_figures(p_session)
+	var sent: Dictionary = _encoder.get_figures(p_session) if _clients.has(p_session) else {}
+	if sent.is_empty():
+		return {}
+	var seconds: float = (Time.get_ticks_usec() - _since_usec[p_session]) / 1e6
+	var counted: int = maxi(sent["acknowledged"] + sent["lost"], 1)
+	var figures: Dictionary = {
+		"sent_kbit_per_second": sent["bytes"] * 8.0 / 1000.0 / maxf(seconds, 0.001),
+		"datagrams": sent["datagrams"],
+		"loss_percent": 100.0 * sent["lost"] / counted,
+		"round_trip_ms": sent["round_trip_ms"],
+	}
+	figures.merge(_told.get(p_session, {}))
+	return figures
 
 
 func _on_ack(p_session: int, p_bytes: PackedByteArray, _p_arrival_usec: int) -> void:
 	if not _encoder.take_ack(p_session, p_bytes):
 		Log.limited("net", "ack %d" % p_session, "session %d acknowledges nonsense" % p_session)
+
+
+func _on_figures(p_session: int, p_figures: Dictionary) -> void:
+	if _clients.has(p_session):
+		_told[p_session] = p_figures

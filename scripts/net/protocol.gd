@@ -32,6 +32,8 @@ enum Message {
 	CLOCK = 6,
 	## Server to client, reliable: what the session has to say, see [enum Notice].
 	CONTROL = 7,
+	## Client to server, fast path: how well it sees, see [FiguresPacket].
+	FIGURES = 8,
 }
 
 ## Second byte of a [constant Message.CONTROL].

@@ -20,6 +20,8 @@ signal client_left(p_session: int)
 signal pose_received(p_session: int, p_sample: PoseSample, p_arrival_usec: int)
 ## A client acknowledges snapshots; the bytes begin with [constant Protocol.Message.ACK].
 signal ack_received(p_session: int, p_bytes: PackedByteArray, p_arrival_usec: int)
+## A client tells how well it sees: see [method FiguresPacket.decode].
+signal figures_received(p_session: int, p_figures: Dictionary)
 ## Who is here, lost or waiting has changed; see [method roster].
 signal roster_changed
 
@@ -339,21 +341,26 @@ func _on_fast(p_packet: FastPacket) -> void:
 	var session: Session = _book.of_peer(p_packet.peer)
 	if session == null or not session.is_here:
 		return
-	var kind: int = p_packet.bytes[0]
-	if kind == Protocol.Message.ACK:
-		ack_received.emit(session.id, p_packet.bytes, p_packet.arrival_usec)
-		return
-	if kind != Protocol.Message.POSE:
-		_on_packet(p_packet.peer, p_packet.bytes)
-		return
-	if session.role != Protocol.Role.TRAINEE:
-		_complain(session, "role", "sent a pose, but is no trainee")
+	match p_packet.bytes[0]:
+		Protocol.Message.ACK:
+			ack_received.emit(session.id, p_packet.bytes, p_packet.arrival_usec)
+		Protocol.Message.POSE:
+			_on_pose(session, p_packet)
+		Protocol.Message.FIGURES:
+			figures_received.emit(session.id, FiguresPacket.decode(p_packet.bytes))
+		_:
+			_on_packet(p_packet.peer, p_packet.bytes)
+
+
+func _on_pose(p_session: Session, p_packet: FastPacket) -> void:
+	if p_session.role != Protocol.Role.TRAINEE:
+		_complain(p_session, "role", "sent a pose, but is no trainee")
 		return
 	var sample: PoseSample = PosePacket.decode(p_packet.bytes)
 	if sample == null:
-		_complain(session, "pose", "sent " + PosePacket.error)
+		_complain(p_session, "pose", "sent " + PosePacket.error)
 		return
-	pose_received.emit(session.id, sample, p_packet.arrival_usec)
+	pose_received.emit(p_session.id, sample, p_packet.arrival_usec)
 
 
 ## No client has anything to say in plain bytes.

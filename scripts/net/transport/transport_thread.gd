@@ -147,7 +147,9 @@ func _run() -> void:
 			_busy = _recent_events > _BUSY_EVENTS
 			_recent_events = 0
 			_keep_house(now)
-			var figures: Dictionary = {"peers": _describe_peers(), "cpu_usec": ThreadClock.get_usec()}
+			var figures: Dictionary = {
+				"peers": _describe_peers(), "cpu_usec": ThreadClock.get_usec()
+			}
 			figures.merge(_counts)
 			mailbox.publish(figures)
 		var taken: int = mailbox.hand_over(_events, _fast)
