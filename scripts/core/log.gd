@@ -9,19 +9,23 @@ extends RefCounted
 const LIMIT_S: float = 5.0
 ## Keys that are remembered at most; beyond it the oldest go.
 const MOST_KEYS: int = 256
+## Lines of all kinds in a second at most; then those left out are counted. Errors always come.
+const MOST_LINES: int = 100
 
 static var _last_usec: Dictionary[String, int] = {}
 static var _left_out: Dictionary[String, int] = {}
+static var _second_usec: int = 0
+static var _lines: int = 0
 
 
 ## Something that the operator may want to know.
 static func info(p_tag: String, p_text: String) -> void:
-	print(_line("INFO", p_tag, p_text))
+	_write("INFO", p_tag, p_text)
 
 
 ## Something that is not as it should be, while the work goes on.
 static func warning(p_tag: String, p_text: String) -> void:
-	print(_line("WARN", p_tag, p_text))
+	_write("WARN", p_tag, p_text)
 
 
 ## Something that ends the work.
@@ -45,6 +49,19 @@ static func limited(p_tag: String, p_key: String, p_text: String) -> void:
 	_last_usec[key] = now
 	_left_out[key] = 0
 	warning(p_tag, p_text + (" (and %d more like it)" % count if count > 0 else ""))
+
+
+## Nobody can fill the disk by something that makes a line each time, such as joining and leaving.
+static func _write(p_level: String, p_tag: String, p_text: String) -> void:
+	var now: int = Time.get_ticks_usec()
+	if now - _second_usec > 1000000:
+		if _lines > MOST_LINES:
+			print(_line("WARN", "log", "%d lines were left out" % (_lines - MOST_LINES)))
+		_second_usec = now
+		_lines = 0
+	_lines += 1
+	if _lines <= MOST_LINES:
+		print(_line(p_level, p_tag, p_text))
 
 
 static func _line(p_level: String, p_tag: String, p_text: String) -> String:

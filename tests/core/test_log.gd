@@ -15,6 +15,7 @@ var _trap: LineTrap = LineTrap.new()
 
 
 func before_each() -> void:
+	Log._lines = 0
 	OS.add_logger(_trap)
 
 
@@ -59,3 +60,17 @@ func test_says_how_many_were_left_out() -> void:
 	Log._last_usec["test late"] -= int(Log.LIMIT_S * 1e6)
 	Log.limited("test", "late", "text")
 	contains(_trap.lines[-1], "text (and 4 more like it)")
+
+
+func test_no_flood_of_any_kind() -> void:
+	# Begins a new second, so that none begins in between.
+	Log._second_usec = Time.get_ticks_usec()
+	for line: int in 3 * Log.MOST_LINES:
+		Log.info("test", "line %d" % line)
+	equal(_trap.lines.size(), Log.MOST_LINES)
+	Log.error("test", "errors come")
+	contains(_trap.lines[-1], "errors come")
+	Log._second_usec -= 1100000
+	Log.info("test", "a new second")
+	contains(_trap.lines[-2], "%d lines were left out" % (2 * Log.MOST_LINES))
+	contains(_trap.lines[-1], "a new second")
