@@ -94,7 +94,7 @@ func poll() -> void:
 	if now - _looked_usec > _LOOK_USEC:
 		_looked_usec = now
 		_look_after_sessions(now)
-	traffic.read(_peer.figures())
+		traffic.read(_peer.figures())
 
 
 ## Whether the port is open.
