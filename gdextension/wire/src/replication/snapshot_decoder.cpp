@@ -45,7 +45,12 @@ bool SnapshotDecoder::is_known(uint8_t p_number, uint32_t p_tick) const {
 // Whether the newest tick must be wrong: a forgery with a tick far ahead would make all others look old.
 bool SnapshotDecoder::is_astray(const Reader &p_reader) {
 	const bool is_key = Kind(p_reader.bytes[0] & KIND_MASK) == Kind::KEY;
-	strays += is_key && int32_t(p_reader.tick - newest_tick) < -STALE ? 1 : 0;
+	const bool is_old = is_key && int32_t(p_reader.tick - newest_tick) < -STALE;
+	// Only a server goes on: what is merely sent again does not count.
+	if (is_old && (strays == 0 || int32_t(p_reader.tick - stray_tick) > 0)) {
+		strays++;
+		stray_tick = p_reader.tick;
+	}
 	return strays >= MOST_STRAYS;
 }
 

@@ -95,6 +95,7 @@ private:
 	bool owes_ack = false;
 	bool wants_all = false;
 	int strays = 0;
+	uint32_t stray_tick = NEVER; // Of the last of them.
 };
 
 } // namespace wire
