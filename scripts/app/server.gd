@@ -143,6 +143,9 @@ func _exit_tree() -> void:
 	if _report != null and _figures != null:
 		_report.write(_make_report())
 	_status.close()
+	# The bodies are out of the tree already: nobody is to be told who leaves now.
+	if _link.client_left.is_connected(_on_left):
+		_link.client_left.disconnect(_on_left)
 	_link.close()
 
 

@@ -71,9 +71,11 @@ func _serve(p_request: Request, p_figures: Callable) -> bool:
 
 
 func _read(p_request: Request, p_figures: Callable) -> void:
-	var waiting: int = mini(p_request.stream.get_available_bytes(), LONGEST_HEAD + 1)
+	var waiting: int = p_request.stream.get_available_bytes()
 	if waiting > 0:
-		p_request.head.append_array(p_request.stream.get_data(waiting)[1])
+		# All of it: closing a connection with something unread would tear up the reply.
+		var bytes: PackedByteArray = p_request.stream.get_data(waiting)[1]
+		p_request.head.append_array(bytes.slice(0, LONGEST_HEAD + 1))
 	if p_request.head.size() > LONGEST_HEAD:
 		p_request.reply = _reply("431 Request Header Fields Too Large", {"error": "too long"})
 		return

@@ -31,10 +31,11 @@ func is_sound() -> bool:
 	if joints_in_limb.size() != Limbs.COUNT:
 		return false
 	for limb: int in Limbs.COUNT:
-		var reach: float = maxf(joints_in_parent[limb].length(), joints_in_limb[limb].length())
+		var outer: float = joints_in_parent[limb].length()
+		var inner: float = joints_in_limb[limb].length()
 		var norm: float = reset_orientations[limb].length()
 		# Written so that NaN fails too.
-		if not (reach < LONGEST_M and norm > 0.99 and norm < 1.01):
+		if not (outer < LONGEST_M and inner < LONGEST_M and norm > 0.99 and norm < 1.01):
 			return false
 	return true
 

@@ -16,7 +16,7 @@ struct BodyState {
 
 constexpr int BODY_VELOCITY_SCALE = 64;
 constexpr int BODY_SPIN_SCALE = 16;
-/// Turns are off by less than 0.4 degrees.
+/// Turns are off by less than 0.8 degrees, mostly by 0.2.
 constexpr int BODY_TURN_SCALE = 255;
 /// Positions beyond this (m) are cut off.
 constexpr float FARTHEST_M = 1e5f;

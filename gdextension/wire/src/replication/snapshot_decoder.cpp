@@ -26,6 +26,7 @@ void SnapshotDecoder::clear() {
 	rate = 0;
 	last_tick = newest_tick = NEVER;
 	has_numbers = owes_ack = wants_all = false;
+	strays = 0;
 }
 
 bool SnapshotDecoder::is_known(uint8_t p_number, uint32_t p_tick) const {
@@ -39,6 +40,18 @@ bool SnapshotDecoder::is_known(uint8_t p_number, uint32_t p_tick) const {
 	const uint32_t ago = uint8_t(newest_number - p_number);
 	const bool is_later = ago >= 128;
 	return ago == 0 || (!is_later && (ago > 64 || ((earlier_numbers >> (ago - 1)) & 1U) != 0));
+}
+
+// Whether the newest tick must be wrong: a forgery with a tick far ahead would make all others look old.
+bool SnapshotDecoder::is_astray(const Reader &p_reader) {
+	const bool is_key = Kind(p_reader.bytes[0] & KIND_MASK) == Kind::KEY;
+	const bool is_old = is_key && int32_t(p_reader.tick - newest_tick) < -STALE;
+	// Only a server goes on: what is merely sent again does not count.
+	if (is_old && (strays == 0 || int32_t(p_reader.tick - stray_tick) > 0)) {
+		strays++;
+		stray_tick = p_reader.tick;
+	}
+	return strays >= MOST_STRAYS;
 }
 
 void SnapshotDecoder::note(uint8_t p_number) {
@@ -192,6 +205,10 @@ SnapshotDecoder::Outcome SnapshotDecoder::decode(const uint8_t *p_bytes, std::si
 	Reader reader{ p_bytes, p_size, 0, 0, {} };
 	int people = 0;
 	Outcome outcome = read_header(reader, people);
+	if (outcome == Outcome::STALE && is_astray(reader)) {
+		clear();
+		outcome = read_header(reader, people);
+	}
 	outcome = outcome == Outcome::OK ? read_people(reader, people) : outcome;
 	outcome = outcome == Outcome::OK ? read_bodies(reader) : outcome;
 	if (outcome == Outcome::OK &&
@@ -203,6 +220,7 @@ SnapshotDecoder::Outcome SnapshotDecoder::decode(const uint8_t *p_bytes, std::si
 		wants_all = wants_all || outcome == Outcome::LACKS_BASELINE;
 		return outcome;
 	}
+	strays = Kind(p_bytes[0] & KIND_MASK) == Kind::KEY ? 0 : strays;
 	rate = read_rate;
 	last_tick = reader.tick;
 	newest_tick = newest_tick == NEVER || int32_t(reader.tick - newest_tick) > 0 ? reader.tick : newest_tick;

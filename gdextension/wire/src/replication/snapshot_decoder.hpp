@@ -26,6 +26,9 @@ public:
 	};
 	/// People and bodies that are kept at most.
 	static constexpr std::size_t MOST_ENTITIES = 8192;
+	/// So many whole ticks from long ago, and none of late between, mean that the newest one was wrong: all
+	/// is forgotten then.
+	static constexpr int MOST_STRAYS = 10;
 
 	SnapshotDecoder(const Skeleton &p_skeleton, double p_max_error_deg);
 
@@ -67,6 +70,7 @@ private:
 	Outcome read_people(Reader &r_reader, int p_count);
 	Outcome read_bodies(Reader &r_reader);
 	bool is_known(uint8_t p_number, uint32_t p_tick) const;
+	bool is_astray(const Reader &p_reader);
 	void note(uint8_t p_number);
 	void keep(uint32_t p_tick);
 
@@ -90,6 +94,8 @@ private:
 	bool has_numbers = false;
 	bool owes_ack = false;
 	bool wants_all = false;
+	int strays = 0;
+	uint32_t stray_tick = NEVER; // Of the last of them.
 };
 
 } // namespace wire

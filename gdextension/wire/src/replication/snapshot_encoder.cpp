@@ -41,8 +41,9 @@ void SnapshotEncoder::add_client(int p_client, int p_snapshots_per_second, doubl
 	const int rate =
 			std::clamp(p_snapshots_per_second <= 0 ? history.rate() : p_snapshots_per_second, 1, history.rate());
 	const int interval = std::max(1, int(std::lround(double(history.rate()) / rate)));
-	clients[p_client] =
-			std::make_unique<ClientRecord>(interval, std::max(p_bits_per_second, 1000.0) / 8.0 / history.rate());
+	// Written so that NaN counts as the least.
+	const double bits = p_bits_per_second > 1000.0 ? p_bits_per_second : 1000.0;
+	clients[p_client] = std::make_unique<ClientRecord>(interval, bits / 8.0 / history.rate());
 }
 
 ClientRecord *SnapshotEncoder::client(int p_client) {
@@ -105,7 +106,7 @@ void SnapshotEncoder::collect_bodies(ClientRecord &p_client, bool p_jolts_only) 
 	for (std::size_t i = 0; i < p_client.bodies.size(); i++) {
 		const WorldHistory::Body &body = *history.bodies()[i];
 		ClientRecord::BodyDelivery &delivery = p_client.bodies[i];
-		if (!body.is_there || (p_jolts_only && !body.jolted)) {
+		if (!body.is_there || (p_jolts_only && !body.jolted) || body.trail.find(history.tick()) == nullptr) {
 			continue;
 		}
 		const float weight = p_client.has_viewpoint ? visibility.weight(p_client.viewpoint, body.now.position) : 1.0f;

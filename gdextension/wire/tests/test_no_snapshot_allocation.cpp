@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "replication_scene.hpp"
+
+#include <check.hpp>
+
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+int allocations = 0;
+
+} // namespace
+
+void *operator new(std::size_t p_size) {
+	allocations++;
+	void *found = std::malloc(p_size);
+	if (found == nullptr) {
+		throw std::bad_alloc();
+	}
+	return found;
+}
+
+void operator delete(void *p_memory) noexcept {
+	std::free(p_memory);
+}
+
+void operator delete(void *p_memory, std::size_t) noexcept {
+	std::free(p_memory);
+}
+
+using namespace wire;
+
+namespace {
+
+constexpr std::size_t CLIENTS = 3;
+constexpr std::size_t PEOPLE = 8;
+constexpr std::size_t BODIES = 200;
+
+/// A crowd among crates; its clients see each tick at once, but for those of one that are lost.
+struct Crowd {
+	SnapshotEncoder server{ Scene::shape(), 0.1, 60 };
+	std::array<std::unique_ptr<SnapshotDecoder>, CLIENTS> clients;
+	std::array<PersonPose, PEOPLE> poses;
+	std::vector<BodyUpdate> bodies{ BODIES };
+	std::array<Datagram, MOST_DATAGRAMS> datagrams{};
+	std::mt19937 random{ 1 };
+	uint32_t tick = 1000;
+	int told = 0;
+
+	Crowd() {
+		for (std::size_t c = 0; c < CLIENTS; c++) {
+			clients[c] = std::make_unique<SnapshotDecoder>(Scene::shape(), 0.1);
+			// One has plenty, one has little, and one asks for half as many.
+			server.add_client(int(c), c == 2 ? 30 : 60, c == 1 ? 128000.0 : 4e6);
+		}
+		for (std::size_t i = 0; i < BODIES; i++) {
+			bodies[i].id = uint16_t(i);
+			bodies[i].position = { float(i % 20), 0.25f, float(i / 20) };
+		}
+	}
+
+	void move(bool p_all_bodies) {
+		tick++;
+		WorldHistory &world = server.world();
+		world.begin(tick);
+		const float time = float(tick) / 60.0f;
+		for (std::size_t i = 0; i < PEOPLE; i++) {
+			poses[i].root = { float(i) + std::sin(time), 1.0f, std::cos(time) };
+			for (std::size_t limb = 0; limb < 16; limb++) {
+				poses[i].orientations[limb] = kinematics::exp({ std::sin(time + float(limb)), 0.1f * float(i), 0.0f });
+			}
+			world.put_person(uint16_t(i), poses[i]);
+		}
+		for (BodyUpdate &body : bodies) {
+			if (p_all_bodies || random() % 100 == 0) {
+				body.velocity = { float(random() % 7) - 3.0f, 0.0f, float(random() % 7) - 3.0f };
+				body.at_rest = random() % 2 == 0;
+			}
+			body.position = body.position + body.velocity * (body.at_rest ? 0.0f : 1.0f / 60.0f);
+			world.put_body(body);
+		}
+		world.end();
+		for (std::size_t i = 0; i < PEOPLE; i++) {
+			Mark mark;
+			mark.person = uint16_t(i);
+			server.set_mark(mark);
+		}
+	}
+
+	void tell() {
+		for (std::size_t c = 0; c < CLIENTS; c++) {
+			SnapshotDecoder &client = *clients[c];
+			const std::size_t count = server.encode(int(c), 0, datagrams);
+			for (std::size_t i = 0; i < count; i++) {
+				if (c == 0 && random() % 5 == 0) {
+					continue;
+				}
+				client.decode(datagrams[i].bytes.data(), datagrams[i].size);
+				told += int(client.people().size() + client.bodies().size());
+			}
+			std::array<uint8_t, ClientRecord::ACK_BYTES> ack{};
+			if (client.write_ack({ 1.0f, 2.0f, 3.0f }, ack)) {
+				server.client(int(c))->take_ack(ack.data(), ack.size(), tick);
+			}
+		}
+	}
+
+	void run(int p_ticks) {
+		for (int i = 0; i < p_ticks; i++) {
+			move(i % 100 == 50);
+			tell();
+		}
+	}
+};
+
+} // namespace
+
+TEST(telling_a_world_takes_no_memory) {
+	Crowd crowd;
+	crowd.run(60);
+	crowd.told = 0;
+	const int before = allocations;
+	crowd.run(1200);
+	CHECK(allocations == before);
+	CHECK(crowd.told > 1200 * int(PEOPLE));
+	// The counter counts.
+	delete new int(1);
+	CHECK(allocations > before);
+}
+
+TEST(only_what_is_new_takes_memory) {
+	Crowd crowd;
+	crowd.run(60);
+	const int before = allocations;
+	crowd.bodies.emplace_back();
+	crowd.bodies.back().id = 5000;
+	const int own = allocations - before;
+	crowd.run(60);
+	// A place on the server, in its index and in the clients' records, and a trail for each client; some
+	// tables grow.
+	CHECK(allocations - before - own > 0);
+	CHECK(allocations - before - own < 8 * int(CLIENTS));
+}
+
+TEST_MAIN()

@@ -1,0 +1,174 @@
+extends TestCase
+## A client's copy of the world, whatever comes in whatever order.
+
+const SnapshotStream: GDScript = preload("../net/snapshot_stream.gd")
+const NetSamples: GDScript = preload("../net/net_samples.gd")
+
+var _replica: WorldReplica = WorldReplica.new()
+var _stream: SnapshotStream = SnapshotStream.new([1, 2], [7, 9])
+var _random: RandomNumberGenerator = RandomNumberGenerator.new()
+var _now: float = 100.0
+
+
+func before_each() -> void:
+	_random.seed = 1
+
+
+func test_snapshots_before_the_world() -> void:
+	_advance(20)
+	is_true(_replica.datagrams >= 20)
+	_replica.show(_now)
+	equal(_replica.tick_rate(), 60.0)
+	is_true(_replica.has_body(7) and _replica.has_body(9) and not _replica.has_body(8))
+	_replica.describe(_world([1, 2]))
+	_advance(20)
+	_replica.show(_now)
+	is_true(_replica.has_person(1) and _replica.has_person(2) and not _replica.has_person(3))
+	var limbs: Array[Transform3D] = _replica.limbs_of(1, _replica.person_floats(1))
+	equal(limbs.size(), Limbs.COUNT)
+	for limb: Transform3D in limbs:
+		is_true(limb.is_finite())
+
+
+func test_what_came_last_is_where_the_server_has_it() -> void:
+	_replica.describe(_world([1, 2]))
+	_advance(5)
+	equal(_replica.newest_tick, _stream.tick)
+	for body: int in _stream.bodies:
+		almost_equal(_replica.body_transform(body, true), _stream.places[body], 0.02)
+	var floats: PackedFloat32Array = _replica.person_floats(2, true)
+	almost_equal(Vector3(floats[0], floats[1], floats[2]), _stream.poses[2].root, 0.001)
+
+
+func test_who_leaves_is_forgotten() -> void:
+	_replica.describe(_world([1, 2]))
+	_advance(10)
+	_stream.people = [1]
+	_replica.describe(_world([1]))
+	is_false(_replica.has_person(2))
+	is_true(_replica.has_person(1))
+	equal(_replica.limbs_of(2, _replica.person_floats(1)).size(), 0)
+	_advance(10)
+	is_false(_replica.has_person(2))
+
+
+func test_acknowledgements_are_not_too_frequent() -> void:
+	_give()
+	var first: int = 1000000
+	is_false(_replica.acknowledgement(first, Vector3.ZERO).is_empty())
+	_give()
+	var early: int = first + WorldReplica.ACK_PERIOD_USEC - 1
+	is_true(_replica.acknowledgement(early, Vector3.ZERO).is_empty(), "too soon")
+	is_false(_replica.acknowledgement(early + 1, Vector3.ZERO).is_empty(), "what was kept back")
+	var late: int = first + 10 * WorldReplica.ACK_PERIOD_USEC
+	is_true(_replica.acknowledgement(late, Vector3.ZERO).is_empty(), "nothing has come since")
+
+
+func test_the_server_takes_the_acknowledgements() -> void:
+	_give()
+	var bytes: PackedByteArray = _replica.acknowledgement(1000000, Vector3(1.0, 2.0, 3.0))
+	equal(bytes[0], int(Protocol.Message.ACK))
+	is_true(_stream.take_ack(1, bytes))
+
+
+func test_marks_are_told_as_moments() -> void:
+	is_null(_replica.take_mark())
+	var encoder: SnapshotEncoder = SnapshotEncoder.new()
+	encoder.configure(PackedInt32Array(Limbs.PARENTS), Protocol.POSE_ERROR_DEG, 60)
+	encoder.add_client(1, 0, 1e8)
+	encoder.begin_tick(500)
+	var pose: PoseSample = NetSamples.pose(_random)
+	encoder.put_person(4, pose.root, pose.orientations)
+	encoder.end_tick()
+	encoder.set_mark(4, 77, 9000000, [1000, 2000, 3000])
+	for bytes: PackedByteArray in encoder.encode(1, 9000400):
+		is_true(_replica.take(bytes, _now))
+	var mark: LatencyMark = _replica.take_mark()
+	equal([mark.person, mark.sample, mark.tick], [4, 77, 500])
+	equal(mark.simulated_usec, 9000000)
+	equal(mark.snapshot_sent_usec, 9000400)
+	equal(mark.received_usec, 9000000 - 3000)
+	equal(mark.sent_usec, 9000000 - 5000)
+	equal(mark.sampled_usec, 9000000 - 6000)
+
+
+func test_clear_and_another_server() -> void:
+	_replica.describe(_world([1, 2]))
+	_advance(10)
+	_replica.clear()
+	equal([_replica.newest_tick, _replica.tick_rate()], [-1, 0.0])
+	is_false(_replica.has_person(1) or _replica.has_body(7))
+	is_true(_replica.acknowledgement(9000000, Vector3.ZERO).is_empty())
+	# Its ticks begin anew.
+	_stream = SnapshotStream.new([5], [3])
+	_stream.tick = 3
+	_replica.describe(_world([5]))
+	_advance(10)
+	equal(_replica.newest_tick, 13)
+	is_true(_replica.has_person(5) and _replica.has_body(3) and not _replica.has_body(7))
+
+
+func test_garbage_changes_nothing() -> void:
+	_replica.describe(_world([1, 2]))
+	_advance(10)
+	for _round: int in 300:
+		# Of kinds that are no snapshot's: the decoder's own fuzzer tries the others.
+		var bytes: PackedByteArray = NetSamples.noise(_random, 100)
+		if not bytes.is_empty():
+			bytes[0] = bytes[0] | 1
+		is_false(_replica.take(bytes, _now))
+		is_null(_replica.take_mark())
+	equal(_replica.newest_tick, _stream.tick)
+	_advance(5)
+	equal(_replica.newest_tick, _stream.tick)
+	almost_equal(_replica.body_transform(7, true), _stream.places[7], 0.02)
+
+
+func test_a_skeleton_that_is_none_is_not_shown() -> void:
+	var world: WorldDescription = _world([1])
+	world.skeletons[1] = PersonSkeleton.new()
+	_replica.describe(world)
+	_advance(5)
+	_replica.show(_now)
+	var floats: PackedFloat32Array = []
+	floats.resize(Limbs.COUNT * WorldReplica.FLOATS)
+	equal(_replica.limbs_of(1, floats).size(), 0)
+
+
+func test_floats_of_a_wrong_number() -> void:
+	_replica.describe(_world([1]))
+	equal(_replica.limbs_of(1, [1.0, 2.0]).size(), 0)
+	equal(_replica.limbs_of(8, []).size(), 0)
+
+
+func test_before_anything_came() -> void:
+	_replica.show(_now)
+	equal([_replica.shown_tick(), _replica.tick_rate()], [-1.0, 0.0])
+	is_false(_replica.has_person(1) or _replica.has_body(1))
+	is_true(_replica.acknowledgement(1000000, Vector3.ZERO).is_empty())
+
+
+func _advance(p_ticks: int) -> void:
+	for _tick: int in p_ticks:
+		_give()
+		_replica.show(_now)
+		var bytes: PackedByteArray = _replica.acknowledgement(int(_now * 1e6), Vector3.ZERO)
+		if not bytes.is_empty():
+			is_true(_stream.take_ack(1, bytes))
+
+
+func _give() -> void:
+	_stream.move()
+	_now += 1.0 / 60.0
+	for bytes: PackedByteArray in _stream.datagrams():
+		is_true(_replica.take(bytes, _now))
+
+
+func _world(p_people: Array) -> WorldDescription:
+	var world: WorldDescription = WorldDescription.new()
+	for person: int in p_people:
+		var joints: PersonSkeleton = PersonSkeleton.new()
+		for _limb: int in Limbs.COUNT:
+			joints.add(Vector3(0.0, 0.2, 0.0), Vector3(0.0, -0.2, 0.0), Quaternion.IDENTITY)
+		world.add_person(person, person, "somebody", joints)
+	return world
