@@ -31,6 +31,20 @@ SnapshotDecoder::Outcome SnapshotDecoder::decode(const PackedByteArray &p_bytes)
 	return Outcome(int(core->decode(p_bytes.ptr(), std::size_t(p_bytes.size()))));
 }
 
+void SnapshotDecoder::keep_people(const PackedInt32Array &p_people) {
+	ERR_FAIL_COND_MSG(core == nullptr, UNCONFIGURED);
+	std::vector<uint16_t> people;
+	for (int64_t i = 0; i < p_people.size(); i++) {
+		people.push_back(uint16_t(p_people[i]));
+	}
+	core->keep_people(people);
+}
+
+void SnapshotDecoder::set_wants_marks(bool p_wanted) {
+	ERR_FAIL_COND_MSG(core == nullptr, UNCONFIGURED);
+	core->want_marks(p_wanted);
+}
+
 PackedByteArray SnapshotDecoder::get_ack(const Vector3 &p_viewpoint) {
 	PackedByteArray result;
 	ERR_FAIL_COND_V_MSG(core == nullptr, result, UNCONFIGURED);
@@ -137,6 +151,8 @@ void SnapshotDecoder::clear() {
 void SnapshotDecoder::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("configure", "parents", "max_error_deg"), &SnapshotDecoder::configure);
 	ClassDB::bind_method(D_METHOD("decode", "bytes"), &SnapshotDecoder::decode);
+	ClassDB::bind_method(D_METHOD("keep_people", "people"), &SnapshotDecoder::keep_people);
+	ClassDB::bind_method(D_METHOD("set_wants_marks", "wanted"), &SnapshotDecoder::set_wants_marks);
 	ClassDB::bind_method(D_METHOD("get_ack", "viewpoint"), &SnapshotDecoder::get_ack);
 	ClassDB::bind_method(D_METHOD("get_tick"), &SnapshotDecoder::get_tick);
 	ClassDB::bind_method(D_METHOD("get_tick_rate"), &SnapshotDecoder::get_tick_rate);

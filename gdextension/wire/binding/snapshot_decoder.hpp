@@ -29,6 +29,8 @@ public:
 
 	bool configure(const PackedInt32Array &p_parents, double p_max_error_deg);
 	Outcome decode(const PackedByteArray &p_bytes);
+	void keep_people(const PackedInt32Array &p_people);
+	void set_wants_marks(bool p_wanted);
 	PackedByteArray get_ack(const Vector3 &p_viewpoint);
 	int64_t get_tick() const;
 	int64_t get_tick_rate() const;

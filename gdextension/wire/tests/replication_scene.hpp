@@ -24,6 +24,7 @@ public:
 		int right_bodies = 0;
 		int wrong = 0; ///< Updates that are not what the server had.
 		std::map<int, int> outcomes;
+		uint32_t newest_tick = 0;
 		std::map<uint16_t, uint32_t> people; ///< Tick of the newest update.
 		std::map<uint16_t, BodyUpdate> bodies;
 	};
@@ -35,6 +36,9 @@ public:
 	std::vector<BodyUpdate> bodies;
 	uint32_t tick = 1000;
 	bool still = false;
+	bool is_cut = false; ///< Nothing gets through.
+	bool kicks_often = false; ///< Bodies hardly ever rest.
+	uint32_t ticks_at_once = 1; ///< A slow server makes several steps and tells of the last.
 
 	Scene(int p_people, int p_bodies, int p_loss, double p_bits = 1e6, int p_rate = 60) :
 			server(shape(), 0.1, 60), loss(p_loss), bits(p_bits), rate(p_rate) {
@@ -72,7 +76,7 @@ public:
 
 	void run(int p_ticks) {
 		for (int i = 0; i < p_ticks; i++) {
-			tick++;
+			tick += ticks_at_once;
 			move();
 			simulate();
 			for (std::size_t c = 0; c < clients.size(); c++) {
@@ -146,8 +150,8 @@ private:
 			}
 		}
 		for (BodyUpdate &body : bodies) {
-			const bool kicked = random() % 300 == 0;
-			const bool stops = random() % 300 == 1;
+			const bool kicked = random() % (kicks_often ? 10 : 300) == 0;
+			const bool stops = random() % (kicks_often ? 1000 : 300) == 1;
 			if (kicked) {
 				body.velocity = noise_vector(1.0f);
 				body.spin = noise_vector(2.0f);
@@ -174,7 +178,7 @@ private:
 	}
 
 	void post(std::size_t p_client, bool p_is_ack, const uint8_t *p_bytes, std::size_t p_size) {
-		if (int(random() % 100) < loss) {
+		if (is_cut || int(random() % 100) < loss) {
 			return;
 		}
 		const Client &client = clients[p_client];
@@ -205,6 +209,7 @@ private:
 		Client &client = clients[p_packet.client];
 		const auto outcome = client.decoder->decode(p_packet.bytes.data(), p_packet.bytes.size());
 		client.outcomes[int(outcome)]++;
+		client.newest_tick = outcome == SnapshotDecoder::Outcome::OK ? client.decoder->tick() : client.newest_tick;
 		for (const PersonUpdate &update : client.decoder->people()) {
 			check_person(client, update);
 		}

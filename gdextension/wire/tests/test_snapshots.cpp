@@ -153,4 +153,65 @@ TEST(what_is_out_of_sight_is_told_rarely) {
 	CHECK(told > 2 * 20 && told < 2 * 100);
 }
 
+TEST(an_outage_of_any_length_is_mended_at_once) {
+	for (const int ticks : { 20, 60, 100, 128, 150, 200, 255, 256, 300, 380, 1000 }) {
+		Scene scene(2, 20, 0);
+		scene.run(120);
+		scene.is_cut = true;
+		scene.run(ticks);
+		scene.is_cut = false;
+		const int before = scene.clients[0].right_people;
+		scene.run(30);
+		CHECK(scene.clients[0].wrong == 0);
+		CHECK(scene.clients[0].right_people - before >= 2 * 25);
+		CHECK(scene.clients[0].newest_tick == scene.tick);
+	}
+}
+
+TEST(people_do_not_starve_when_there_is_little_room) {
+	for (const double bits : { 8000.0, 16000.0, 32000.0 }) {
+		Scene scene(8, 200, 0, bits);
+		scene.kicks_often = true;
+		scene.run(1800);
+		CHECK(scene.clients[0].wrong == 0);
+		CHECK(scene.known_people(0) == 8);
+		CHECK(scene.oldest_person(0) < 600);
+		CHECK(double(scene.server.client(1)->figures.bytes) * 8.0 / 30.0 < bits * 1.1 + 1000.0);
+	}
+}
+
+TEST(any_rate_of_snapshots_is_kept) {
+	for (const int rate : { 7, 20, 40, 45, 59, 60 }) {
+		Scene scene(1, 0, 0, 256000.0, rate);
+		scene.run(600);
+		CHECK_NEAR(double(scene.clients[0].right_people), 10.0 * rate, 2.0);
+	}
+}
+
+TEST(a_slow_server_that_leaves_out_ticks_still_tells_of_jolts) {
+	Scene scene(1, 1, 0, 256000.0, 10);
+	scene.still = true;
+	scene.run(100);
+	scene.ticks_at_once = 3;
+	scene.run(8);
+	scene.bodies[0].velocity = { 8.0f, 0.0f, 0.0f };
+	scene.bodies[0].at_rest = false;
+	const int before = scene.clients[0].right_bodies;
+	scene.run(1);
+	CHECK(scene.clients[0].right_bodies == before + 1);
+}
+
+TEST(who_has_left_is_forgotten) {
+	Scene scene(3, 0, 0);
+	scene.run(30);
+	scene.clients[0].decoder->keep_people({ 0, 2 });
+	const int before = scene.clients[0].right_people;
+	scene.run(1);
+	// The server does not know that: the client asks for all, and has it soon.
+	CHECK(scene.clients[0].outcomes[int(SnapshotDecoder::Outcome::LACKS_BASELINE)] == 1);
+	scene.run(10);
+	CHECK(scene.clients[0].right_people - before >= 3 * 8);
+	CHECK(scene.clients[0].wrong == 0);
+}
+
 TEST_MAIN()

@@ -52,6 +52,10 @@ SentDatagram &ClientRecord::begin_datagram(uint32_t p_tick) {
 	return entry;
 }
 
+void ClientRecord::cancel_datagram() {
+	log[--next_number % KEPT].is_open = false;
+}
+
 bool ClientRecord::take_ack(const uint8_t *p_bytes, std::size_t p_size, uint32_t p_now) {
 	if (p_size != ACK_BYTES || p_bytes[0] != uint8_t(Kind::ACK)) {
 		return false;
@@ -63,6 +67,7 @@ bool ClientRecord::take_ack(const uint8_t *p_bytes, std::size_t p_size, uint32_t
 		viewpoint = from;
 		has_viewpoint = true;
 	}
+	wants_marks = (p_bytes[1] & WANTS_MARKS) != 0;
 	if ((p_bytes[1] & WANTS_ALL) != 0) {
 		forget_all();
 		return true;
@@ -87,7 +92,7 @@ bool ClientRecord::take_ack(const uint8_t *p_bytes, std::size_t p_size, uint32_t
 
 void ClientRecord::note_arrival(SentDatagram &p_entry, uint32_t p_now) {
 	p_entry.is_open = false;
-	heard = true;
+	heard_tick = p_now;
 	figures.acked++;
 	const float ticks = float(p_now - p_entry.tick);
 	figures.round_trip_ticks +=
@@ -124,7 +129,7 @@ void ClientRecord::forget_all() {
 	for (SentDatagram &entry : log) {
 		entry.is_open = false;
 	}
-	heard = false;
+	heard_tick = NEVER;
 }
 
 } // namespace wire

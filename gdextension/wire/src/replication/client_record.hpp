@@ -44,13 +44,15 @@ class ClientRecord {
 public:
 	/// Acknowledgements: kind, flags, newest number, the 64 before it as bits, where the client looks from.
 	static constexpr std::size_t ACK_BYTES = 1 + 1 + 1 + 8 + 12;
-	/// Flag of an acknowledgement: the client lacks a baseline, all has to be told anew.
+	/// Flags of an acknowledgement: the client lacks a baseline, all has to be told anew; it wants a mark in
+	/// every datagram.
 	static constexpr uint8_t WANTS_ALL = 1;
+	static constexpr uint8_t WANTS_MARKS = 2;
 
-	ClientRecord(int p_interval, double p_bytes_per_tick) : interval(p_interval), bytes_per_tick(p_bytes_per_tick) {}
+	ClientRecord(int p_rate, double p_bytes_per_tick) : rate(p_rate), bytes_per_tick(p_bytes_per_tick) {}
 
-	/// Ticks from one snapshot to the next.
-	const int interval;
+	/// Snapshots per second.
+	const int rate;
 	const double bytes_per_tick;
 	double allowance = double(MOST_BYTES);
 	/// Where the client looks from, if it has told, or if it has a body.
@@ -62,6 +64,8 @@ public:
 	uint32_t mark_tick = NEVER; ///< Of the last mark.
 	std::size_t marked = 0; ///< Place of the person that the last mark was about.
 	std::size_t key_in = 0; ///< Datagrams until the whole tick is told again.
+	uint32_t heard_tick = NEVER; ///< When it acknowledged something last.
+	bool wants_marks = false; ///< A mark in every datagram.
 	ClientFigures figures;
 
 	struct BodyDelivery : Delivery {
@@ -76,8 +80,8 @@ public:
 	SentDatagram &begin_datagram(uint32_t p_tick);
 	/// Takes an acknowledgement; false if it is none.
 	bool take_ack(const uint8_t *p_bytes, std::size_t p_size, uint32_t p_now);
-	/// Whether anything has been acknowledged since the client came, or asked for all.
-	bool is_heard() const { return heard; }
+	/// Takes back the datagram that was begun last: nothing went into it.
+	void cancel_datagram();
 
 private:
 	static constexpr std::size_t KEPT = 128;
@@ -88,7 +92,6 @@ private:
 
 	std::array<SentDatagram, KEPT> log{};
 	uint8_t next_number = 0;
-	bool heard = false;
 };
 
 } // namespace wire

@@ -23,6 +23,8 @@ constexpr int MOST_AGE = 127;
 constexpr int HISTORY = 128;
 /// A datagram that is so many ticks older than the newest is dropped: its number may have come round.
 constexpr int32_t STALE = 30;
+/// A whole tick that is so many ticks newer than all before begins the numbers anew.
+constexpr int32_t GAP = 10;
 
 /// First byte of a snapshot: kind in the low three bits, then whether there are marks, then how many
 /// people.

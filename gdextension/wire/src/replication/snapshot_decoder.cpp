@@ -3,7 +3,9 @@
 
 #include "entry_coding.hpp"
 
+#include <algorithm>
 #include <cstring>
+#include <iterator>
 
 namespace wire {
 
@@ -109,7 +111,9 @@ SnapshotDecoder::Outcome SnapshotDecoder::read_header(Reader &r_reader, int &r_p
 		}
 		r_reader.at += Mark::BYTES;
 	}
-	return is_known(bytes[1], r_reader.tick) ? Outcome::STALE : Outcome::OK;
+	// Numbers come round within a second or two: after a gap only a whole tick tells what is new.
+	r_reader.follows_gap = kind == Kind::KEY && has_numbers && int32_t(r_reader.tick - newest_tick) > GAP;
+	return !r_reader.follows_gap && is_known(bytes[1], r_reader.tick) ? Outcome::STALE : Outcome::OK;
 }
 
 SnapshotDecoder::Outcome SnapshotDecoder::read_people(Reader &r_reader, int p_count) {
@@ -175,6 +179,13 @@ SnapshotDecoder::Outcome SnapshotDecoder::read_bodies(Reader &r_reader) {
 	return decoder.is_bad() || r_reader.at != r_reader.size ? Outcome::BROKEN : Outcome::OK;
 }
 
+void SnapshotDecoder::keep_people(const std::vector<uint16_t> &p_people) {
+	for (auto known = people_known.begin(); known != people_known.end();) {
+		const bool stays = std::find(p_people.begin(), p_people.end(), known->first) != p_people.end();
+		known = stays ? std::next(known) : people_known.erase(known);
+	}
+}
+
 void SnapshotDecoder::keep(uint32_t p_tick) {
 	for (const PersonScratch &scratch : person_scratch) {
 		std::unique_ptr<Trail<PersonState>> &trail = people_known[scratch.id];
@@ -202,7 +213,7 @@ SnapshotDecoder::Outcome SnapshotDecoder::decode(const uint8_t *p_bytes, std::si
 	person_updates.clear();
 	body_updates.clear();
 	has_mark = false;
-	Reader reader{ p_bytes, p_size, 0, 0, {} };
+	Reader reader{ p_bytes, p_size, 0, 0, {}, false };
 	int people = 0;
 	Outcome outcome = read_header(reader, people);
 	if (outcome == Outcome::STALE && is_astray(reader)) {
@@ -224,6 +235,7 @@ SnapshotDecoder::Outcome SnapshotDecoder::decode(const uint8_t *p_bytes, std::si
 	rate = read_rate;
 	last_tick = reader.tick;
 	newest_tick = newest_tick == NEVER || int32_t(reader.tick - newest_tick) > 0 ? reader.tick : newest_tick;
+	has_numbers = has_numbers && !reader.follows_gap;
 	note(p_bytes[1]);
 	keep(reader.tick);
 	return Outcome::OK;
@@ -234,7 +246,7 @@ bool SnapshotDecoder::write_ack(const Vec3 &p_viewpoint, std::array<uint8_t, Cli
 		return false;
 	}
 	r_bytes[0] = uint8_t(Kind::ACK);
-	r_bytes[1] = wants_all ? ClientRecord::WANTS_ALL : 0;
+	r_bytes[1] = uint8_t((wants_all ? ClientRecord::WANTS_ALL : 0) + (wants_marks ? ClientRecord::WANTS_MARKS : 0));
 	r_bytes[2] = newest_number;
 	put_number(&r_bytes[3], earlier_numbers, 8);
 	const std::array<float, 3> place{ p_viewpoint.x, p_viewpoint.y, p_viewpoint.z };

@@ -43,6 +43,10 @@ public:
 	int tick_rate() const { return rate; }
 	const Skeleton &shape() const { return skeleton; }
 
+	/// Forgets people who are not in a list.
+	void keep_people(const std::vector<uint16_t> &p_people);
+	/// Whether a mark is wanted in every datagram.
+	void want_marks(bool p_wanted) { wants_marks = p_wanted; }
 	/// Writes an acknowledgement of what has come; false if nothing has, or nothing new.
 	bool write_ack(const Vec3 &p_viewpoint, std::array<uint8_t, ClientRecord::ACK_BYTES> &r_bytes);
 	/// Forgets everything: another server, or the same one anew.
@@ -64,6 +68,7 @@ private:
 		std::size_t at;
 		uint32_t tick;
 		Baseline usual;
+		bool follows_gap = false; // Its number says nothing about those before.
 	};
 
 	Outcome read_header(Reader &r_reader, int &r_people);
@@ -94,6 +99,7 @@ private:
 	bool has_numbers = false;
 	bool owes_ack = false;
 	bool wants_all = false;
+	bool wants_marks = false;
 	int strays = 0;
 	uint32_t stray_tick = NEVER; // Of the last of them.
 };

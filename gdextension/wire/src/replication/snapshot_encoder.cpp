@@ -22,8 +22,10 @@ constexpr float HIDDEN_TOLERANCE = 8.0f;
 constexpr float MOST_ERROR = 20.0f;
 // Added where the receiver believes something that is plainly wrong.
 constexpr float URGENT = 1000.0f;
-// Ticks' worth of bytes that a client may save up.
-constexpr double MOST_SAVED_TICKS = 4.0;
+// Snapshots' worth of bytes that a client may save up.
+constexpr double MOST_SAVED = 4.0;
+// A client that has acknowledged nothing for this part of a second is silent.
+constexpr uint32_t SILENT_PART = 4;
 // Bytes that a body usually takes at most, and those that the worst takes, with the end of the coder.
 constexpr std::size_t BODY_MARGIN = 16;
 constexpr std::size_t WORST_BODY = 96;
@@ -40,10 +42,9 @@ SnapshotEncoder::SnapshotEncoder(const Skeleton &p_skeleton, double p_max_error_
 void SnapshotEncoder::add_client(int p_client, int p_snapshots_per_second, double p_bits_per_second) {
 	const int rate =
 			std::clamp(p_snapshots_per_second <= 0 ? history.rate() : p_snapshots_per_second, 1, history.rate());
-	const int interval = std::max(1, int(std::lround(double(history.rate()) / rate)));
 	// Written so that NaN counts as the least.
 	const double bits = p_bits_per_second > 1000.0 ? p_bits_per_second : 1000.0;
-	clients[p_client] = std::make_unique<ClientRecord>(interval, bits / 8.0 / history.rate());
+	clients[p_client] = std::make_unique<ClientRecord>(rate, bits / 8.0 / history.rate());
 }
 
 ClientRecord *SnapshotEncoder::client(int p_client) {
@@ -148,8 +149,11 @@ Baseline SnapshotEncoder::usual_baseline(const ClientRecord &p_client) const {
 
 void SnapshotEncoder::write_header(ClientRecord &p_client, Draft &p_draft, int64_t p_now_usec) {
 	Datagram &out = p_draft.out;
-	const bool is_key = !p_client.is_heard() || p_client.key_in == 0;
-	p_client.key_in = is_key ? std::size_t(history.rate() / p_client.interval) : p_client.key_in - 1;
+	// After a silence the client may be so far behind that low bytes of ticks and numbers mislead it.
+	const bool is_silent =
+			p_client.heard_tick == NEVER || history.tick() - p_client.heard_tick > uint32_t(history.rate()) / SILENT_PART;
+	const bool is_key = is_silent || p_client.key_in == 0;
+	p_client.key_in = is_key ? std::size_t(p_client.rate) : p_client.key_in - 1;
 	out.bytes[0] = uint8_t(is_key ? Kind::KEY : Kind::SNAPSHOT);
 	out.bytes[1] = p_draft.entry.number;
 	out.size = 2;
@@ -167,7 +171,7 @@ void SnapshotEncoder::write_header(ClientRecord &p_client, Draft &p_draft, int64
 
 bool SnapshotEncoder::write_mark(ClientRecord &p_client, Draft &p_draft, int64_t p_now_usec) {
 	const uint32_t tick = history.tick();
-	const uint32_t period = uint32_t(std::max(1, history.rate() / MARKS_PER_SECOND));
+	const uint32_t period = p_client.wants_marks ? 1 : uint32_t(std::max(1, history.rate() / MARKS_PER_SECOND));
 	if (marks.empty() || (p_client.mark_tick != NEVER && tick - p_client.mark_tick < period)) {
 		return false;
 	}
@@ -235,7 +239,9 @@ void SnapshotEncoder::write_people(ClientRecord &p_client, Draft &p_draft, std::
 			base.spacing = 0;
 		}
 		const Blob &blob = person_blob(place, base, base == p_draft.usual);
-		if (blob.size == 0 || p_draft.out.size + blob.size > p_room) {
+		// The most urgent comes before all bodies.
+		const std::size_t room = entry.people_count == 0 ? p_draft.room : p_room;
+		if (blob.size == 0 || p_draft.out.size + blob.size > room) {
 			if (blob.size == 0) {
 				people_waiting.pop_back();
 				continue;
@@ -326,8 +332,12 @@ std::size_t SnapshotEncoder::encode(
 	}
 	client->follow(history);
 	client->allowance = std::min(client->allowance + client->bytes_per_tick,
-			std::max(client->bytes_per_tick * client->interval * MOST_SAVED_TICKS, double(MOST_BYTES)));
-	const bool is_due = client->last_tick == NEVER || history.tick() - client->last_tick >= uint32_t(client->interval);
+			std::max(client->bytes_per_tick * history.rate() / client->rate * MOST_SAVED, double(MOST_BYTES)));
+	// Evenly, also where the rates do not divide each other.
+	const auto snapshots = [&](uint32_t p_tick) {
+		return uint64_t(p_tick) * uint64_t(client->rate) / uint64_t(history.rate());
+	};
+	const bool is_due = client->last_tick == NEVER || snapshots(history.tick()) != snapshots(client->last_tick);
 	if (!is_due && !history.has_jolts()) {
 		return 0;
 	}
@@ -350,14 +360,22 @@ std::size_t SnapshotEncoder::encode(
 		write_header(*client, draft, p_now_usec);
 		const double needed = std::min(double(bytes_per_body) * double(bodies_waiting.size()), room * BODIES_SHARE);
 		write_people(*client, draft, std::size_t(room - needed));
-		write_bodies(*client, draft);
+		// A person who does not fit is saved up for: bodies would always leave too little.
+		if (draft.entry.people_count > 0 || people_waiting.empty()) {
+			write_bodies(*client, draft);
+		}
 		draft.out.bytes[0] |= uint8_t(uint32_t(draft.entry.people_count) << 4U);
+		const bool is_empty = draft.entry.people_count == 0 && draft.entry.body_count == 0;
+		if (is_empty && !is_silent) {
+			client->cancel_datagram(); // It saves up for who is waiting.
+			break;
+		}
 		client->allowance -= double(draft.out.size + TRANSPORT_BYTES);
 		client->sent_tick = history.tick();
 		client->figures.datagrams++;
 		client->figures.bytes += draft.out.size + TRANSPORT_BYTES;
 		count++;
-		if (draft.entry.people_count == 0 && draft.entry.body_count == 0) {
+		if (is_empty) {
 			break;
 		}
 	}

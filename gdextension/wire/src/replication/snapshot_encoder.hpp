@@ -17,8 +17,8 @@ public:
 	/// the threshold of dead reckoning). An angle counts as the way of a point this far from the middle.
 	static constexpr float TOLERANCE_M = 0.01f;
 	static constexpr float LEVER_M = 0.25f;
-	/// Marks that a client gets in a second.
-	static constexpr int MARKS_PER_SECOND = 10;
+	/// Marks that a client gets in a second that does not ask for more.
+	static constexpr int MARKS_PER_SECOND = 2;
 
 	SnapshotEncoder(const Skeleton &p_skeleton, double p_max_error_deg, int p_tick_rate);
 

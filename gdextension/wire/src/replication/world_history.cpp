@@ -33,25 +33,28 @@ Slot &WorldHistory::find(std::vector<std::unique_ptr<Slot>> &p_slots,
 }
 
 void WorldHistory::begin(uint32_t p_tick) {
+	earlier = before;
+	before = now;
 	now = p_tick;
 	jolts = false;
 }
 
 bool WorldHistory::is_jolt(const Vec3 &p_change) const {
-	const Vec3 expected{ 0.0f, -9.81f / float(tick_rate), 0.0f };
+	const Vec3 expected{ 0.0f, -9.81f * step(), 0.0f };
 	return (p_change - expected).length() > JOLT && p_change.length() > JOLT;
 }
 
 bool WorldHistory::put_person(uint16_t p_id, const PersonPose &p_pose) {
 	Person &person = find(person_slots, person_index, p_id);
-	const PersonState *before = person.trail.find(now - 1);
+	const PersonState *last = person.trail.find(before);
 	PersonState state;
-	if (!lattice.quantise(p_pose, skeleton, before, state)) {
-		return person.trail.find(now - 1) != nullptr;
+	if (!lattice.quantise(p_pose, skeleton, last, state)) {
+		return false;
 	}
-	const Vec3 velocity = before != nullptr ? (p_pose.root - person.place) * float(tick_rate) : Vec3{};
+	const Vec3 velocity = last != nullptr ? (p_pose.root - person.place) * (1.0f / step()) : Vec3{};
 	// One tick's velocity says nothing yet.
-	person.jolted = person.trail.find(now - 2) != nullptr && is_jolt(velocity - person.velocity);
+	person.jolted =
+			last != nullptr && person.trail.find(earlier) != nullptr && is_jolt(velocity - person.velocity);
 	person.place = p_pose.root;
 	person.velocity = velocity;
 	person.trail.put(now, state);
@@ -61,13 +64,13 @@ bool WorldHistory::put_person(uint16_t p_id, const PersonPose &p_pose) {
 
 void WorldHistory::put_body(const BodyUpdate &p_body) {
 	Body &body = find(body_slots, body_index, p_body.id);
-	const bool is_new = body.trail.find(now - 1) == nullptr;
-	const Vec3 before = body.now.velocity;
+	const bool is_new = body.trail.find(before) == nullptr;
+	const Vec3 velocity = body.now.velocity;
 	const BodyState state = quantise_body(p_body);
 	restore_body(state, body.now);
 	body.now.id = p_body.id;
 	body.now.tick = now;
-	body.jolted = !is_new && is_jolt(body.now.velocity - before);
+	body.jolted = !is_new && is_jolt(body.now.velocity - velocity);
 	body.trail.put(now, state);
 	jolts = jolts || body.jolted;
 }

@@ -88,11 +88,15 @@ private:
 	template <typename Slot>
 	void sweep(std::vector<std::unique_ptr<Slot>> &p_slots, std::unordered_map<uint16_t, std::size_t> &p_index);
 	bool is_jolt(const Vec3 &p_change) const;
+	/// Seconds since the tick before.
+	float step() const { return float(now - before) / float(tick_rate); }
 
 	Skeleton skeleton;
 	PersonLattice lattice;
 	int tick_rate;
 	uint32_t now = NEVER;
+	uint32_t before = NEVER; // The tick before: a slow server may have left some out.
+	uint32_t earlier = NEVER; // The one before that.
 	bool jolts = false;
 	std::vector<std::unique_ptr<Person>> person_slots;
 	std::vector<std::unique_ptr<Body>> body_slots;
