@@ -7,6 +7,8 @@ extends Node
 
 ## Seconds between two attempts to reach a server.
 const _RETRY_S: float = 2.0
+## Seconds until the first one after a connection that stood.
+const _SOON_S: float = 0.3
 ## Frames per second without a window: enough to send every sample in time.
 const _HEADLESS_FPS: int = 240
 const _EXIT_FAILED: int = 1
@@ -25,6 +27,7 @@ var _recorder: SnapshotRecorder = null
 var _motion: ClientMotion = null
 var _own: int = -1
 var _told_s: float = 0.0
+var _was_joined: bool = false
 var _report: ReportFile = null
 var _greeting: Greeting = Greeting.new()
 var _orders: InstructorOrders = null
@@ -102,6 +105,7 @@ func _exit_tree() -> void:
 
 
 func _apply_choices() -> void:
+	_scene.replica.wants_marks = _options.file("latency-csv") != ""
 	_scene.replica.set_smoothing(SmoothingMethods.find(_options.text("smoothing")))
 	_stop.watch()
 
@@ -217,6 +221,7 @@ func _show_world() -> void:
 func _on_joined() -> void:
 	Log.info("client", "joined %s:%d" % [_options.text("host"), _options.number("port")])
 	_hud.show_message("")
+	_was_joined = true
 	# What the server tells builds upon what it has told in this connection.
 	_scene.clear()
 	if _recorder != null:
@@ -230,11 +235,13 @@ func _on_lost(p_why: String) -> void:
 	Log.limited("client", p_why, "%s; trying again" % p_why)
 	_hud.show_message("%s.\nTrying again ..." % p_why.capitalize())
 	var now: float = Time.get_ticks_usec() / 1e6
-	if _retry_at_s != INF or _scene.has_world():
+	# The first try after a good time comes soon.
+	_retry_at_s = now + (_SOON_S if _was_joined else _RETRY_S)
+	if _was_joined:
 		_alone_since_s = now
+	_was_joined = false
 	_scene.clear()
 	_figures.probe.restart()
-	_retry_at_s = now + _RETRY_S
 
 
 func _on_refused(p_why: String) -> void:

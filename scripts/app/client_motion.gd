@@ -56,6 +56,7 @@ func embody(p_joints: PersonSkeleton, p_hips: float, p_rate: float) -> void:
 	_body.clear()
 	_has_body = true
 	_truth_tick = -1
+	_trips.clear()
 
 
 ## Notes how long a sample took to the server, from a mark about the own person.
@@ -94,6 +95,9 @@ func show(p_now_usec: int, p_truth: PackedFloat32Array, p_tick: int) -> PackedFl
 		# step further.
 		var aimed: int = _link.clock.local_usec_of_tick(p_tick + 1.0) - _trips.min()
 		_body.add_truth(aimed + _unix_ahead(), p_truth)
+	# Where the body is in the world, and what it touches, only the server knows.
+	if _truth_tick < 0:
+		return PackedFloat32Array()
 	return _body.show(p_now_usec / 1e6, p_now_usec + _unix_ahead())
 
 

@@ -16,6 +16,7 @@ const TABLE: Array[Array] = [
 	["codec", "smallest_3", "trainee: how samples go: smallest_3, thesis_12, thesis_4 or float"],
 	["max-clients", Protocol.DEFAULT_MAX_CLIENTS, "server: clients that are admitted"],
 	["bandwidth", 250, "server: kbit/s for each client's snapshots, headers counted"],
+	["pose-error", 0.1, "server: how far limbs may be off on the wire, degrees (0.02 to 5)"],
 	["status-port", 0, "server: TCP port of the status on 127.0.0.1; 0: the same number as --port"],
 	["password", "", "password of the session; the server asks for it, the clients tell it"],
 	["instructor-password", "", "server: password of instructors, if it is another"],
@@ -105,6 +106,11 @@ func number(p_name: String) -> int:
 	return _values[p_name]
 
 
+## The value of an option in degrees.
+func degrees(p_name: String) -> float:
+	return _values[p_name]
+
+
 ## The value of an option in seconds.
 func seconds(p_name: String) -> float:
 	return _values[p_name]
@@ -124,22 +130,32 @@ func _set_option(p_name: String, p_value: String, p_source: String) -> void:
 		if seconds_asked >= 0.0 and is_finite(seconds_asked):
 			_values[p_name] = seconds_asked
 		else:
-			_refuse("%s expects seconds, found '%s'" % [p_source, p_value])
+			_refuse("%s expects %s, found '%s'" % [p_source, _unit_of(p_name), p_value])
 	else:
 		_values[p_name] = p_value
 	_check_range("port", "a port", 65535)
 	_check_range("bandwidth", "the bandwidth", 1000000)
 	_check_range("rate", "a rate", 240)
+	if number("snapshot-rate") > 240:
+		_refuse("--snapshot-rate is at most 240, found %d" % number("snapshot-rate"))
 	# ENet's most, less those that are just arriving.
 	_check_range("max-clients", "the number of clients", 4000)
 	for name: String in ["trainees", "observers"]:
 		if number(name) > LoadRun.MOST_CLIENTS:
 			_refuse("--%s is at most %d, found %d" % [name, LoadRun.MOST_CLIENTS, number(name)])
+	var error_asked: float = degrees("pose-error")
+	var least: float = WorldDescription.LEAST_ERROR_DEG
+	if error_asked < least or error_asked > WorldDescription.MOST_ERROR_DEG:
+		_refuse("--pose-error is %s to 5 degrees, found %s" % [least, error_asked])
 	_check_choice("feedback", ["local", "server"])
 	_check_choice("codec", PosePacket.CODECS.keys())
 	_check_choice("smoothing", [""] + SmoothingMethods.BY_NAME.keys())
 	if number("fps") > 1000:
 		_refuse("--fps is at most 1000, found %d" % number("fps"))
+
+
+static func _unit_of(p_name: String) -> String:
+	return "degrees" if p_name == "pose-error" else "seconds"
 
 
 func _check_range(p_name: String, p_what: String, p_most: int) -> void:

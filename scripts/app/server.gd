@@ -15,6 +15,8 @@ const _ROOTS: Dictionary[String, RagdollMotor.RootMode] = {
 	"pendulum": RagdollMotor.ROOT_PENDULUM,
 	"self_righting": RagdollMotor.ROOT_SELF_RIGHTING,
 }
+## Ticks per second at most: a snapshot tells the rate in a byte.
+const _MOST_TICKS: int = 240
 ## Exit code for wrong options.
 const _EXIT_OPTIONS: int = 2
 ## Seconds between two lines of figures in the log.
@@ -51,8 +53,13 @@ func _ready() -> void:
 	_actors.root_mode = _ROOTS[root]
 	if not _open_link(port):
 		return
+	if _rate() > _MOST_TICKS:
+		_give_up(_EXIT_OPTIONS, "%d ticks/s are set, %d is the most" % [_rate(), _MOST_TICKS])
+		return
 	_figures = ServerFigures.new(_rate())
-	_sending = ServerReplication.new(_link, _actors, _rate(), _options.number("bandwidth") * 1000.0)
+	var bits: float = _options.number("bandwidth") * 1000.0
+	var error: float = _options.degrees("pose-error")
+	_sending = ServerReplication.new(_link, _actors, _rate(), bits, error)
 	_actors.changed.connect(_sending.announce)
 	_link.client_joined.connect(_on_joined)
 	_link.client_returned.connect(_on_returned)

@@ -97,7 +97,7 @@ func report(p_link: ServerLink, p_sending: ServerReplication, p_people: Array) -
 		"sent_bytes_per_second": p_link.traffic.sent_per_second(),
 		"received_bytes_per_second": p_link.traffic.received_per_second(),
 		"transport": p_link.figures(),
-		"sessions": _sessions(p_link, p_sending),
+		"sessions": _sessions(p_link, p_sending, p_link.figures().get("peers", {})),
 		"people": p_people,
 	}
 
@@ -112,7 +112,9 @@ func _recent() -> Dictionary:
 	return result
 
 
-func _sessions(p_link: ServerLink, p_sending: ServerReplication) -> Array[Dictionary]:
+func _sessions(
+	p_link: ServerLink, p_sending: ServerReplication, p_ways: Dictionary
+) -> Array[Dictionary]:
 	var rows: Array[Dictionary] = []
 	for person: Dictionary in p_link.roster():
 		var row: Dictionary = {"session": person["session"], "name": person["name"]}
@@ -120,5 +122,8 @@ func _sessions(p_link: ServerLink, p_sending: ServerReplication) -> Array[Dictio
 		row["state"] = person["state"]
 		row["address"] = person["address"]
 		row.merge(p_sending.figures_of(person["session"]))
+		var ways: Dictionary = p_ways.get(person["session"], {})
+		if ways.has("round_trip_ms"):
+			row["round_trip_ms"] = ways["round_trip_ms"]
 		rows.append(row)
 	return rows

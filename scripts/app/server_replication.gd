@@ -7,6 +7,7 @@ var _registry: BodyRegistry = BodyRegistry.new()
 var _link: ServerLink = null
 var _actors: ServerActors = null
 var _bits_per_second: float = 0.0
+var _error_deg: float = Protocol.POSE_ERROR_DEG
 ## Who is there: session to the id of its person, -1 without a body.
 var _clients: Dictionary[int, int] = {}
 var _sessions: PackedInt32Array = PackedInt32Array()
@@ -17,12 +18,17 @@ var _told: Dictionary[int, Dictionary] = {}
 
 
 func _init(
-	p_link: ServerLink, p_actors: ServerActors, p_tick_rate: int, p_bits_per_second: float
+	p_link: ServerLink,
+	p_actors: ServerActors,
+	p_tick_rate: int,
+	p_bits_per_second: float,
+	p_error_deg: float
 ) -> void:
 	_link = p_link
 	_actors = p_actors
 	_bits_per_second = p_bits_per_second
-	_encoder.configure(PackedInt32Array(Limbs.PARENTS), Protocol.POSE_ERROR_DEG, p_tick_rate)
+	_error_deg = p_error_deg
+	_encoder.configure(PackedInt32Array(Limbs.PARENTS), p_error_deg, p_tick_rate)
 	_link.ack_received.connect(_on_ack)
 	_link.figures_received.connect(_on_figures)
 
@@ -76,7 +82,9 @@ func announce() -> void:
 		if not here.has(id):
 			_known.erase(id)
 			_encoder.remove_person(id)
-	_link.send_world(_registry.describe(people))
+	var world: WorldDescription = _registry.describe(people)
+	world.pose_error_deg = _error_deg
+	_link.send_world(world)
 
 
 ## Tells everybody what a tick has changed. The time is that of the tick's end, µs.

@@ -35,10 +35,10 @@ func poll(p_figures: Callable) -> void:
 		var request: Request = Request.new()
 		request.stream = _server.take_connection()
 		request.since_usec = Time.get_ticks_usec()
-		if _requests.size() < MOST_REQUESTS:
-			_requests.append(request)
-		else:
-			request.stream.disconnect_from_host()
+		_requests.append(request)
+		# Whoever just holds a place must not keep others out.
+		if _requests.size() > MOST_REQUESTS:
+			(_requests.pop_front() as Request).stream.disconnect_from_host()
 	for request: Request in _requests.duplicate():
 		if _serve(request, p_figures):
 			request.stream.disconnect_from_host()

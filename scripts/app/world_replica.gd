@@ -16,14 +16,19 @@ var world: WorldDescription = null
 var newest_tick: int = -1
 ## What became of the datagram that was taken last.
 var outcome: SnapshotDecoder.Outcome = SnapshotDecoder.OK
+## Whether the server shall mark every snapshot, for measuring delays.
+var wants_marks: bool = false
 
 var _decoder: SnapshotDecoder = SnapshotDecoder.new()
 var _smoother: SnapshotSmoother = SnapshotSmoother.new()
 var _acked_usec: int = 0
+var _error_deg: float = 0.0
+## Whether this server has told how exact its poses are: without that snapshots make no sense.
+var _is_told: bool = false
 
 
 func _init() -> void:
-	_decoder.configure(PackedInt32Array(Limbs.PARENTS), Protocol.POSE_ERROR_DEG)
+	_set_error(Protocol.POSE_ERROR_DEG)
 
 
 ## Sets how motion is made smooth.
@@ -38,6 +43,9 @@ func describe(p_world: WorldDescription) -> void:
 			if not p_world.skeletons.has(actor):
 				_smoother.forget_person(actor)
 	world = p_world
+	_is_told = true
+	_set_error(world.pose_error_deg)
+	_decoder.keep_people(PackedInt32Array(world.skeletons.keys()))
 	for actor: int in world.skeletons:
 		var joints: PersonSkeleton = world.skeletons[actor]
 		if joints.is_sound():
@@ -48,7 +56,7 @@ func describe(p_world: WorldDescription) -> void:
 
 ## Takes a datagram that arrived at a local time, s. Returns whether it was of use.
 func take(p_bytes: PackedByteArray, p_arrival_s: float) -> bool:
-	outcome = _decoder.decode(p_bytes)
+	outcome = _decoder.decode(p_bytes) if _is_told else SnapshotDecoder.NOT_BEGUN
 	if outcome != SnapshotDecoder.OK:
 		return false
 	datagrams += 1
@@ -108,6 +116,7 @@ func clear() -> void:
 	_decoder.clear()
 	_smoother.clear()
 	newest_tick = -1
+	_is_told = false
 
 
 ## Works out where everything is at a local time, s.
@@ -168,3 +177,10 @@ func body_transform(p_id: int, p_newest: bool = false) -> Transform3D:
 	if p_newest:
 		return _smoother.newest_body_transform(p_id)
 	return _smoother.body_transform(p_id)
+
+
+func _set_error(p_degrees: float) -> void:
+	if p_degrees != _error_deg:
+		_error_deg = p_degrees
+		_decoder.configure(PackedInt32Array(Limbs.PARENTS), p_degrees)
+	_decoder.set_wants_marks(wants_marks)

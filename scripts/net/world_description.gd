@@ -35,9 +35,15 @@ const FIXED: int = -2
 ## Most people in a description.
 const MOST_PEOPLE: int = 1024
 
+## Errors of poses that can be, degrees.
+const LEAST_ERROR_DEG: float = 0.02
+const MOST_ERROR_DEG: float = 5.0
+
 const _LONGEST_TEXT: int = 1024
 const _LARGEST: float = 1e5
 
+## How far a limb's orientation in snapshots may be off, degrees: client and server need the same.
+var pose_error_deg: float = Protocol.POSE_ERROR_DEG
 ## The bodies, by id.
 var bodies: Dictionary[int, Body] = {}
 ## Names of the people, by actor id.
@@ -76,13 +82,14 @@ func bodies_of(p_actor: int) -> Array[Body]:
 	return found
 
 
-## The packet that carries the description. Little-endian: u8 message; u16 number of people, for
+## The packet that carries the description. Little-endian: u8 message; f32 error of poses (degrees); u16 number of people, for
 ## each s32 actor id, s32 session, name, u8 number of limbs (0 or all), for each limb 3 f32 joint
 ## in the parent's frame, 3 f32 in its own (m), 4 f32 x, y, z, w of the body in the reset pose; u16
 ## number of bodies, for each u16 id, s32 actor, part, u8 number of shapes, for each u8 type, 3 f32
 ## size (m), 12 f32 transform (columns of the basis, origin). Texts are u16 length and UTF-8.
 func encode() -> PackedByteArray:
 	var bytes: PackedByteArray = PackedByteArray([Protocol.Message.WORLD])
+	bytes.append_array(PackedFloat32Array([pose_error_deg]).to_byte_array())
 	_append(bytes, 2, names.size())
 	for actor: int in names:
 		_append(bytes, 4, actor)
@@ -110,8 +117,11 @@ static func decode(p_bytes: PackedByteArray) -> WorldDescription:
 	if reader.read_u8() != Protocol.Message.WORLD:
 		return null
 	var description: WorldDescription = WorldDescription.new()
+	# As exact as the number was before it went as f32.
+	description.pose_error_deg = snappedf(reader.read_float(), 0.001)
 	var people: int = reader.read_u16()
-	if people > MOST_PEOPLE:
+	var error: float = description.pose_error_deg
+	if people > MOST_PEOPLE or error < LEAST_ERROR_DEG or error > MOST_ERROR_DEG:
 		return null
 	for _person: int in people:
 		var actor: int = reader.read_s32()

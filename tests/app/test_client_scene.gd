@@ -142,6 +142,8 @@ func _world() -> WorldDescription:
 ## Lets a new server tell of a world often enough for it to be shown, and shows it.
 func _show(p_people: PackedInt32Array, p_bodies: PackedInt32Array) -> void:
 	_scene.clear()
+	if _scene.has_world():
+		_scene.describe(_scene.replica.world)
 	_stream = SnapshotStream.new(p_people, p_bodies)
 	_stream.move()
 	for _tick: int in 20:

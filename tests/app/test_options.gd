@@ -45,10 +45,10 @@ func test_environment_and_arguments_win() -> void:
 
 func test_every_option_has_both_forms() -> void:
 	var choices: Dictionary[String, String] = {
-		"codec": "float", "feedback": "server", "smoothing": "linear"
+		"codec": "float", "feedback": "server", "smoothing": "linear", "pose-error": "0.5"
 	}
 	for row: Array in Options.TABLE:
-		var value: String = "7" if row[1] is not String else choices.get(row[0], "x")
+		var value: String = choices.get(row[0], "7" if row[1] is not String else "x")
 		var options: Options = Options.parse(["--%s=%s" % [row[0], value]])
 		equal(options.error, "", row[0])
 		var variable: String = "DISMOUNT_" + (row[0] as String).to_upper().replace("-", "_")

@@ -15,14 +15,15 @@ func before_each() -> void:
 
 
 func test_snapshots_before_the_world() -> void:
+	# Without the world nobody knows how exact poses are.
+	_advance(20, false)
+	equal([_replica.datagrams, _replica.newest_tick], [0, -1])
+	_replica.describe(_world([1, 2]))
 	_advance(20)
 	is_true(_replica.datagrams >= 20)
 	_replica.show(_now)
 	equal(_replica.tick_rate(), 60.0)
 	is_true(_replica.has_body(7) and _replica.has_body(9) and not _replica.has_body(8))
-	_replica.describe(_world([1, 2]))
-	_advance(20)
-	_replica.show(_now)
 	is_true(_replica.has_person(1) and _replica.has_person(2) and not _replica.has_person(3))
 	var limbs: Array[Transform3D] = _replica.limbs_of(1, _replica.person_floats(1))
 	equal(limbs.size(), Limbs.COUNT)
@@ -53,6 +54,7 @@ func test_who_leaves_is_forgotten() -> void:
 
 
 func test_acknowledgements_are_not_too_frequent() -> void:
+	_replica.describe(_world([1, 2]))
 	_give()
 	var first: int = 1000000
 	is_false(_replica.acknowledgement(first, Vector3.ZERO).is_empty())
@@ -65,6 +67,7 @@ func test_acknowledgements_are_not_too_frequent() -> void:
 
 
 func test_the_server_takes_the_acknowledgements() -> void:
+	_replica.describe(_world([1, 2]))
 	_give()
 	var bytes: PackedByteArray = _replica.acknowledgement(1000000, Vector3(1.0, 2.0, 3.0))
 	equal(bytes[0], int(Protocol.Message.ACK))
@@ -72,6 +75,7 @@ func test_the_server_takes_the_acknowledgements() -> void:
 
 
 func test_marks_are_told_as_moments() -> void:
+	_replica.describe(_world([1, 2]))
 	is_null(_replica.take_mark())
 	var encoder: SnapshotEncoder = SnapshotEncoder.new()
 	encoder.configure(PackedInt32Array(Limbs.PARENTS), Protocol.POSE_ERROR_DEG, 60)
@@ -90,6 +94,30 @@ func test_marks_are_told_as_moments() -> void:
 	equal(mark.received_usec, 9000000 - 3000)
 	equal(mark.sent_usec, 9000000 - 5000)
 	equal(mark.sampled_usec, 9000000 - 6000)
+
+
+func test_poses_as_exact_as_the_server_says() -> void:
+	var encoder: SnapshotEncoder = SnapshotEncoder.new()
+	encoder.configure(PackedInt32Array(Limbs.PARENTS), 0.5, 60)
+	encoder.add_client(1, 0, 1e8)
+	var world: WorldDescription = _world([1])
+	world.pose_error_deg = 0.5
+	_replica.describe(WorldDescription.decode(world.encode()))
+	for tick: int in 20:
+		encoder.begin_tick(500 + tick)
+		var pose: PoseSample = NetSamples.pose(_random)
+		encoder.put_person(1, pose.root, pose.orientations)
+		encoder.end_tick()
+		for bytes: PackedByteArray in encoder.encode(1, 0):
+			is_true(_replica.take(bytes, _now))
+		encoder.take_ack(1, _replica.acknowledgement(1000000 + tick * 20000, Vector3.ZERO))
+		var floats: PackedFloat32Array = _replica.person_floats(1, true)
+		for limb: int in Limbs.COUNT:
+			var at: int = limb * WorldReplica.FLOATS + 3
+			var turn: Quaternion = Quaternion(
+				floats[at], floats[at + 1], floats[at + 2], floats[at + 3]
+			)
+			is_true(turn.angle_to(pose.orientation(limb)) < deg_to_rad(0.6))
 
 
 func test_clear_and_another_server() -> void:
@@ -148,20 +176,20 @@ func test_before_anything_came() -> void:
 	is_true(_replica.acknowledgement(1000000, Vector3.ZERO).is_empty())
 
 
-func _advance(p_ticks: int) -> void:
+func _advance(p_ticks: int, p_is_used: bool = true) -> void:
 	for _tick: int in p_ticks:
-		_give()
+		_give(p_is_used)
 		_replica.show(_now)
 		var bytes: PackedByteArray = _replica.acknowledgement(int(_now * 1e6), Vector3.ZERO)
 		if not bytes.is_empty():
 			is_true(_stream.take_ack(1, bytes))
 
 
-func _give() -> void:
+func _give(p_is_used: bool = true) -> void:
 	_stream.move()
 	_now += 1.0 / 60.0
 	for bytes: PackedByteArray in _stream.datagrams():
-		is_true(_replica.take(bytes, _now))
+		equal(_replica.take(bytes, _now), p_is_used)
 
 
 func _world(p_people: Array) -> WorldDescription:

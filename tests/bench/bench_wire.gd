@@ -94,6 +94,7 @@ func _crowd(p_arguments: BenchArguments, p_report: BenchReport) -> void:
 	var cases: CrowdCases = CrowdCases.new()
 	root.add_child(cases)
 	var people: int = p_arguments.value("people")
+	cases.run_one(p_report, sources, p_arguments.value("seconds"))
 	await cases.run(
 		p_report, sources, people, p_arguments.value("crates"), p_arguments.value("seconds")
 	)

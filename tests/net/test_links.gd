@@ -96,7 +96,7 @@ func test_client_that_vanishes_is_lost_soon() -> void:
 		func() -> bool:
 			_pair.send_snapshot(stream)
 			return _pair.lost.size() == 1,
-		6.0
+		12.0
 	)
 	equal(_pair.lost.size(), 1)
 	equal(_pair.joined[_pair.lost[0]]["name"], "vanishes")

@@ -26,7 +26,7 @@ def test_a_trainee_moves_and_an_observer_sees_it(world: World) -> None:
     assert person["mean_deg"] < 5.0
     seen = observer.report()
     assert seen["snapshots"] > 60 * 4
-    assert seen["latency_count"] > 40
+    assert seen["latency_count"] > 3
     assert 0.0 < seen["latency_ms_mean"] < 250.0
     assert "trainee 'Ada'" in server.log()
     assert "ERROR" not in server.log() + trainee.log() + observer.log()

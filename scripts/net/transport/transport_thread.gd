@@ -256,7 +256,7 @@ func _reopen() -> void:
 func _look_after_client(p_now_usec: int, p_gap_usec: int) -> void:
 	if _connections.is_empty():
 		return
-	if p_gap_usec > TIMEOUTS_MS[2] * 1000:
+	if p_gap_usec > TIMEOUTS_MS[1] * 1000:
 		# The server has given us up; waiting until we notice it would take as long again.
 		_fail("this machine stood still for %.1f s" % (p_gap_usec / 1e6))
 	elif _waiting_bytes > _MOST_WAITING_BYTES:

@@ -19,6 +19,14 @@ const NETWORKS: Array[Array] = [
 	["25 +- 10 ms, 20 % lost, 30 Hz", 30, 0.015, 0.02, 0.2],
 ]
 
+## Name, one way s, error in degrees, goal in kbit/s.
+const ALONE: Array[Array] = [
+	["LAN, 0.1 deg", 0.0005, 0.1, 9.0],
+	["25 ms each way, 0.1 deg", 0.025, 0.1, 10.5],
+	["LAN, 0.5 deg", 0.0005, 0.5, 5.5],
+	["25 ms each way, 0.5 deg", 0.025, 0.5, 7.5],
+]
+
 
 ## Runs all cases and adds their figures to a report.
 func run(
@@ -47,6 +55,28 @@ func run(
 	var ours: float = cases[1].bits / seconds / 1000.0
 	p_report.add(name + ": MultiplayerSynchronizer, 30 Hz", "times ours", theirs / ours, "")
 	other.close()
+
+
+## One person and nothing else, 30 snapshots a second, as the program sends it: whole datagrams,
+## with their headers of ours, marks and all. The mean of the clips.
+func run_one(p_report: BenchReport, p_sources: Array[BvhSource], p_s: float) -> void:
+	for one: Array in ALONE:
+		var bits: float = 0.0
+		for source: BvhSource in p_sources:
+			var world: MovingWorld = MovingWorld.new([source] as Array[BvhSource], 0)
+			add_child(world)
+			var client: ReplicationCase = ReplicationCase.new(
+				30, SHARE_KILOBITS, one[1], 0.0, 0.0, one[2]
+			)
+			var rate: int = Engine.physics_ticks_per_second
+			for tick: int in int((p_s + 2.0) * rate):
+				client.payload_bits = 0 if tick == 2 * rate else client.payload_bits
+				client.advance(world)
+			bits += client.payload_bits / p_s / p_sources.size()
+			world.free()
+		var most: BenchReport.Goal = BenchReport.Goal.AT_MOST
+		var name: String = "whole datagrams of a person, 30 Hz, %s" % one[0]
+		p_report.add(name, "without headers", bits / 1000.0, "kbit/s", most, one[3])
 
 
 func _play(

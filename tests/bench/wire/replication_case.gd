@@ -7,6 +7,8 @@ const CLIENT: int = 1
 
 ## Figures of the case.
 var bits: int = 0
+## The same without headers of UDP, IP and ENet.
+var payload_bits: int = 0
 var crate_square: float = 0.0
 var crate_count: int = 0
 var encode_usec: PackedFloat64Array = []
@@ -27,7 +29,12 @@ var _tick: int = 0
 
 ## A network: one way in s, up to so much more, and the share of datagrams that get lost.
 func _init(
-	p_rate: int, p_kilobits: float, p_way_s: float, p_jitter_s: float, p_loss: float
+	p_rate: int,
+	p_kilobits: float,
+	p_way_s: float,
+	p_jitter_s: float,
+	p_loss: float,
+	p_error_deg: float = Protocol.POSE_ERROR_DEG
 ) -> void:
 	_random.seed = 5
 	_rate = Engine.physics_ticks_per_second
@@ -35,8 +42,8 @@ func _init(
 	_jitter_ticks = p_jitter_s * _rate
 	_loss = p_loss
 	var parents: PackedInt32Array = PackedInt32Array(Limbs.PARENTS)
-	_encoder.configure(parents, Protocol.POSE_ERROR_DEG, _rate)
-	_decoder.configure(parents, Protocol.POSE_ERROR_DEG)
+	_encoder.configure(parents, p_error_deg, _rate)
+	_decoder.configure(parents, p_error_deg)
 	_encoder.add_client(CLIENT, p_rate, p_kilobits * 1000.0)
 	_smoother.set_tick_rate(_rate)
 
@@ -44,6 +51,8 @@ func _init(
 ## Goes on by a tick of the world, after its step.
 func advance(p_world: MovingWorld) -> void:
 	_tick += 1
+	# What arrives between two ticks is there before the next snapshot is made.
+	_deliver()
 	_put(p_world)
 	var begin: int = Time.get_ticks_usec()
 	var datagrams: Array[PackedByteArray] = _encoder.encode(CLIENT, begin)
@@ -51,8 +60,8 @@ func advance(p_world: MovingWorld) -> void:
 		encode_usec.append(Time.get_ticks_usec() - begin)
 	for bytes: PackedByteArray in datagrams:
 		bits += (bytes.size() + Protocol.TRANSPORT_BYTES) * 8
+		payload_bits += bytes.size() * 8
 		_post(_to_client, bytes)
-	_deliver()
 	_compare(p_world)
 
 
@@ -73,6 +82,8 @@ func _put(p_world: MovingWorld) -> void:
 		)
 		places.append(crate.global_transform)
 	_encoder.end_tick()
+	for person: int in p_world.people.size():
+		_encoder.set_mark(person, _tick, _tick * 16667, [1000, 1000, 4000])
 	_history.append(places)
 	if _history.size() > 120:
 		_history.pop_front()

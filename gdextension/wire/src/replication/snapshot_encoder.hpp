@@ -18,7 +18,7 @@ public:
 	static constexpr float TOLERANCE_M = 0.01f;
 	static constexpr float LEVER_M = 0.25f;
 	/// Marks that a client gets in a second that does not ask for more.
-	static constexpr int MARKS_PER_SECOND = 2;
+	static constexpr int MARKS_PER_SECOND = 1;
 
 	SnapshotEncoder(const Skeleton &p_skeleton, double p_max_error_deg, int p_tick_rate);
 
