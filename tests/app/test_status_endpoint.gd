@@ -127,7 +127,7 @@ func test_a_large_reply_to_who_reads_slowly() -> void:
 	var reply: String = _read(stream)
 	var begin: int = reply.find("\r\n\r\n") + 4
 	contains(reply.left(begin), "Content-Length: %d\r\n" % (reply.length() - begin))
-	is_true(reply.ends_with("x\"\n}\n"), "to the end")
+	is_true(reply.ends_with('x"\n}\n'), "to the end")
 	equal(_asked, 1, "the figures are made once")
 
 
