@@ -7,6 +7,8 @@ extends RefCounted
 const FLOATS: int = 7
 ## Acknowledgements are at least so far apart, µs.
 const ACK_PERIOD_USEC: int = 15000
+## The decoder takes nothing that is so many ticks older than the newest, unless that was wrong.
+const STALE: int = 30
 
 ## Datagrams that were of use.
 var datagrams: int = 0
@@ -60,7 +62,9 @@ func take(p_bytes: PackedByteArray, p_arrival_s: float) -> bool:
 	if outcome != SnapshotDecoder.OK:
 		return false
 	datagrams += 1
-	newest_tick = maxi(newest_tick, _decoder.get_tick())
+	var tick: int = _decoder.get_tick()
+	if tick > newest_tick or tick < newest_tick - STALE:
+		newest_tick = tick
 	_smoother.take(_decoder, p_arrival_s)
 	return true
 

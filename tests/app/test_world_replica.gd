@@ -200,3 +200,27 @@ func _world(p_people: Array) -> WorldDescription:
 			joints.add(Vector3(0.0, 0.2, 0.0), Vector3(0.0, -0.2, 0.0), Quaternion.IDENTITY)
 		world.add_person(person, person, "somebody", joints)
 	return world
+
+
+func test_a_forged_tick_far_ahead_does_not_last() -> void:
+	_replica.describe(_world([1, 2]))
+	_advance(60)
+	is_true(_replica.take([0, 120, 0, 0, 0, 0x40, 60, 0], _now), "nobody can tell")
+	_forward(180)
+	equal(_replica.newest_tick, _stream.tick)
+	_replica.show(_now)
+	is_true(absf(_replica.shown_tick() - _stream.tick) < 20.0, "%f" % _replica.shown_tick())
+	almost_equal(_replica.body_transform(7, true), _stream.places[7], 0.02)
+
+
+## Like [method _advance], but not all that comes needs to be of use.
+func _forward(p_ticks: int) -> void:
+	for _tick: int in p_ticks:
+		_stream.move()
+		_now += 1.0 / 60.0
+		for bytes: PackedByteArray in _stream.datagrams():
+			_replica.take(bytes, _now)
+		_replica.show(_now)
+		var bytes: PackedByteArray = _replica.acknowledgement(int(_now * 1e6), Vector3.ZERO)
+		if not bytes.is_empty():
+			_stream.take_ack(1, bytes)

@@ -192,7 +192,7 @@ def test_a_share_of_the_network_is_kept(world: World) -> None:
         observer.await_text("joined")
         time.sleep(2.0)
         before, began = relay.to_client, time.monotonic()
-        time.sleep(4.0)
+        time.sleep(3.0)
         passed, span = relay.to_client - before, time.monotonic() - began
         rows = {row["name"]: row for row in ask(world.port)["sessions"]}
     kbit = passed * 8.0 / 1000.0 / span
@@ -225,9 +225,9 @@ def test_one_person_takes_less_than_40_kbit_per_second(world: World) -> None:
         time.sleep(2.0)
         before, began = relay.to_client, time.monotonic()
         seen = observer.report()["snapshots"]
-        time.sleep(5.0)
+        time.sleep(4.0)
         kbit = (relay.to_client - before) * 8.0 / 1000.0 / (time.monotonic() - began)
-        rate = (observer.report()["snapshots"] - seen) / 5.0
+        rate = (observer.report()["snapshots"] - seen) / 4.0
     print(f"{kbit:.1f} kbit/s at {rate:.0f} snapshots/s")
     assert 24.0 < rate < 36.0
     assert 5.0 < kbit < 40.0
@@ -239,12 +239,12 @@ def test_a_recording_goes_on_over_a_restart_of_the_server(world: World) -> None:
     world.trainee("--name=Ada").await_text("joined")
     observer = world.client("observer", f"--record={recording}")
     observer.await_text("joined")
-    time.sleep(1.5)
+    time.sleep(1.0)
     server.process.send_signal(signal.SIGTERM)
     assert server.await_exit(5) == 0
     world.server(name="second")
     await_count(observer, "joined", 2)
-    time.sleep(2.0)
+    time.sleep(1.0)
     observer.process.send_signal(signal.SIGTERM)
     assert observer.await_exit(5) == 0
     seen = observer.report()["snapshots"]

@@ -56,6 +56,7 @@ private:
 		move();
 		std::vector<Bytes> fresh;
 		const std::size_t count = server.encode(GOOD, 0, datagrams);
+		fresh.reserve(count);
 		for (std::size_t i = 0; i < count; i++) {
 			fresh.emplace_back(
 					datagrams[i].bytes.begin(), datagrams[i].bytes.begin() + std::ptrdiff_t(datagrams[i].size));

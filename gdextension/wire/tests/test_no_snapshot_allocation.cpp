@@ -56,7 +56,7 @@ struct Crowd {
 		}
 		for (std::size_t i = 0; i < BODIES; i++) {
 			bodies[i].id = uint16_t(i);
-			bodies[i].position = { float(i % 20), 0.25f, float(i / 20) };
+			bodies[i].position = { float(i % 20), 0.25f, 0.05f * float(i) };
 		}
 	}
 
