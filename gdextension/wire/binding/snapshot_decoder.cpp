@@ -34,6 +34,7 @@ SnapshotDecoder::Outcome SnapshotDecoder::decode(const PackedByteArray &p_bytes)
 void SnapshotDecoder::keep_people(const PackedInt32Array &p_people) {
 	ERR_FAIL_COND_MSG(core == nullptr, UNCONFIGURED);
 	std::vector<uint16_t> people;
+	people.reserve(std::size_t(p_people.size()));
 	for (int64_t i = 0; i < p_people.size(); i++) {
 		people.push_back(uint16_t(p_people[i]));
 	}

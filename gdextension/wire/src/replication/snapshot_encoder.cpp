@@ -150,8 +150,8 @@ Baseline SnapshotEncoder::usual_baseline(const ClientRecord &p_client) const {
 void SnapshotEncoder::write_header(ClientRecord &p_client, Draft &p_draft, int64_t p_now_usec) {
 	Datagram &out = p_draft.out;
 	// After a silence the client may be so far behind that low bytes of ticks and numbers mislead it.
-	const bool is_silent =
-			p_client.heard_tick == NEVER || history.tick() - p_client.heard_tick > uint32_t(history.rate()) / SILENT_PART;
+	const bool is_silent = p_client.heard_tick == NEVER ||
+			history.tick() - p_client.heard_tick > uint32_t(history.rate()) / SILENT_PART;
 	const bool is_key = is_silent || p_client.key_in == 0;
 	p_client.key_in = is_key ? std::size_t(p_client.rate) : p_client.key_in - 1;
 	out.bytes[0] = uint8_t(is_key ? Kind::KEY : Kind::SNAPSHOT);

@@ -53,8 +53,7 @@ bool WorldHistory::put_person(uint16_t p_id, const PersonPose &p_pose) {
 	}
 	const Vec3 velocity = last != nullptr ? (p_pose.root - person.place) * (1.0f / step()) : Vec3{};
 	// One tick's velocity says nothing yet.
-	person.jolted =
-			last != nullptr && person.trail.find(earlier) != nullptr && is_jolt(velocity - person.velocity);
+	person.jolted = last != nullptr && person.trail.find(earlier) != nullptr && is_jolt(velocity - person.velocity);
 	person.place = p_pose.root;
 	person.velocity = velocity;
 	person.trail.put(now, state);
