@@ -142,12 +142,11 @@ def test_a_server_frozen_for_five_seconds_gets_its_people_back(world: World) -> 
     os.kill(scene.server.process.pid, signal.SIGSTOP)
     time.sleep(5.0)
     os.kill(scene.server.process.pid, signal.SIGCONT)
-    _await_count(scene.trainee, "joined", 2)
-    _await_count(scene.observer, "joined", 2)
-    time.sleep(3.0)
+    # The connections may have outlasted it, or the clients come back by themselves.
+    time.sleep(8.0)
     after = scene.figures()
-    assert after[3] > before[3] + 60
-    assert scene.server.log().count("is back") == 2
+    assert after[3] > before[3] + 3 * 60
+    assert " left" not in scene.server.log()
     assert [p["name"] for p in scene.server.report()["people"]] == ["Good"]
 
 
