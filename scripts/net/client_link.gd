@@ -199,6 +199,13 @@ func _on_failed(p_why: String) -> void:
 func _loss() -> String:
 	if _state != State.JOINED:
 		return "no server answers at %s" % _where
+	match _peer.goodbye_of(MultiplayerPeer.TARGET_PEER_SERVER):
+		Protocol.Goodbye.CLOSED:
+			return "the server at %s was closed" % _where
+		Protocol.Goodbye.THROWN_OUT:
+			return "the server at %s has thrown us out" % _where
+		Protocol.Goodbye.REPLACED:
+			return "another connection to %s has taken our place" % _where
 	return "the connection to %s is lost%s" % [_where, ": " + _why if _why != "" else ""]
 
 

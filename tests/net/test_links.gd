@@ -111,7 +111,7 @@ func test_server_that_goes_is_noticed() -> void:
 	for _poll: int in 500:
 		end.link.poll()
 		OS.delay_usec(1000)
-	contains(end.loss, "is lost")
+	contains(end.loss, "was closed")
 	is_false(end.link.is_joined())
 
 

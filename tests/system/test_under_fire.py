@@ -112,7 +112,7 @@ def test_a_killed_client_is_lost_and_its_place_kept(world: World) -> None:
     time.sleep(2.0)
     with scene.nobody_notices():
         victim.kill()
-        scene.server.await_text("'Victim' (3) from 127.0.0.1 is lost", 8)
+        scene.server.await_text("'Victim' (3) from 127.0.0.1 is lost", 15)
         time.sleep(1.5)
         names = [person["name"] for person in scene.server.report()["people"]]
         assert "Victim" in names, "its body is kept for a minute"
