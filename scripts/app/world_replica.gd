@@ -6,7 +6,7 @@ extends RefCounted
 ## Floats of a limb in [method SnapshotSmoother.person_transforms]: position, quaternion.
 const FLOATS: int = 7
 ## Acknowledgements are at least so far apart, µs.
-const ACK_PERIOD_USEC: int = 15000
+const ACK_PERIOD_USEC: int = 30000
 ## The decoder takes nothing that is so many ticks older than the newest, unless that was wrong.
 const STALE: int = 30
 
