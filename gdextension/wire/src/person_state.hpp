@@ -13,8 +13,9 @@ using kinematics::PersonPose;
 using kinematics::Quat;
 using kinematics::Vec3;
 
-/// A rotation on the lattice: the three smaller components as whole numbers, and which is left out.
-/// The one that is left out is not negative.
+/// A rotation on a lattice, as three whole numbers that stand for three of its components, and which one
+/// is left out: that one is not negative. What a number means is the lattice's: PersonLattice divides by 1
+/// plus the one left out, bodies scale the component itself.
 struct RotationCode {
 	std::array<int16_t, 3> parts{}; ///< In the order x, y, z, w, without the one left out.
 	uint8_t dropped = 3; ///< 0 to 3: x, y, z or w.
