@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ground_rays.hpp"
 
-#include "convert.hpp"
+#include "../../kinematics/binding/convert.hpp"
 
 #include <godot_cpp/core/memory.hpp>
 

@@ -2,7 +2,7 @@
 // RagdollMotor: how a profile and its bodies become a driven ragdoll.
 #include "ragdoll_motor.hpp"
 
-#include "convert.hpp"
+#include "../../kinematics/binding/convert.hpp"
 
 #include <cmath>
 #include <utility>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ragdoll_bodies.hpp"
 
-#include "convert.hpp"
+#include "../../kinematics/binding/convert.hpp"
 
 #include <godot_cpp/classes/physics_direct_body_state3d.hpp>
 #include <godot_cpp/core/error_macros.hpp>
@@ -19,12 +19,6 @@ const Vector3::Axis AXES[3] = { Vector3::AXIS_X, Vector3::AXIS_Y, Vector3::AXIS_
 
 PhysicsServer3D *server() {
 	return PhysicsServer3D::get_singleton();
-}
-
-/// The engine keeps the bodies' axes at right angles: nothing has to be mended.
-ragdoll::Quat rotation_of(const Basis &p_basis) {
-	return ragdoll::from_axes(
-			to_core(p_basis.get_column(0)), to_core(p_basis.get_column(1)), to_core(p_basis.get_column(2)));
 }
 
 /// Angles of rotations about X, then Y, then Z, each about the axes so far (the engine's order for the
@@ -164,7 +158,7 @@ bool RagdollBodies::read(ragdoll::RigState &r_state) {
 	for (std::size_t i = 0; i < specs.size(); i++) {
 		const PhysicsDirectBodyState3D *state = states[i];
 		const Transform3D transform = state->get_transform();
-		r_state.orientations[i] = rotation_of(transform.basis);
+		r_state.orientations[i] = to_core(transform.basis);
 		r_state.centres[i] = to_core(transform.origin);
 		r_state.linear[i] = to_core(state->get_linear_velocity());
 		r_state.angular[i] = to_core(state->get_angular_velocity());

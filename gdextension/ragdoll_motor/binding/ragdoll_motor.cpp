@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ragdoll_motor.hpp"
 
-#include "convert.hpp"
+#include "../../kinematics/binding/convert.hpp"
 
 #include <algorithm>
 #include <cmath>

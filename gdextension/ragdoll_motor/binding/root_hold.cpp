@@ -2,7 +2,7 @@
 // RagdollBodies: the joint of the root to the world, and what else keeps the body upright.
 #include "ragdoll_bodies.hpp"
 
-#include "convert.hpp"
+#include "../../kinematics/binding/convert.hpp"
 
 namespace godot {
 

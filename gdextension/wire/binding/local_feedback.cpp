@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "local_feedback.hpp"
 
-#include "convert.hpp"
+#include "../../kinematics/binding/convert.hpp"
 #include "pose_arrays.hpp"
 
 namespace godot {

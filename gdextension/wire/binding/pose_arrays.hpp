@@ -7,10 +7,17 @@
 #include <godot_cpp/variant/packed_int32_array.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 
+#include <limits>
+
 namespace godot {
 
 /// Numbers of a limb in an array of transforms: its position, then its quaternion.
 constexpr int64_t TRANSFORM_SIZE = 7;
+
+/// Whether a script's number can be that of a person or body.
+inline bool is_id(int64_t p_id) {
+	return p_id >= 0 && p_id <= std::numeric_limits<uint16_t>::max();
+}
 
 /// A skeleton from a script's arrays; false if they make none.
 inline bool read_skeleton(const PackedInt32Array &p_parents, const PackedVector3Array &p_in_parent,
@@ -28,6 +35,18 @@ inline bool read_skeleton(const PackedInt32Array &p_parents, const PackedVector3
 		r_skeleton.joints_in_limb[std::size_t(i)] = { inner.x, inner.y, inner.z };
 	}
 	return r_skeleton.is_sound();
+}
+
+/// A skeleton whose joints do not matter; false if these are no parents.
+inline bool read_parents(const PackedInt32Array &p_parents, kinematics::Skeleton &r_skeleton) {
+	PackedVector3Array joints;
+	joints.resize(p_parents.size());
+	return read_skeleton(p_parents, joints, joints, r_skeleton);
+}
+
+/// Whether poses can be told with an error of so many degrees.
+inline bool is_pose_error(double p_degrees) {
+	return p_degrees >= 0.02 && p_degrees <= 5.0;
 }
 
 /// Orientations from four floats (x, y, z, w) a limb; false if there are too few.

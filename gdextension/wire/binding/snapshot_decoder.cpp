@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "snapshot_decoder.hpp"
 
-#include "convert.hpp"
+#include "../../kinematics/binding/convert.hpp"
 #include "pose_arrays.hpp"
 
 #include <cstring>
@@ -16,12 +16,9 @@ constexpr const char *UNCONFIGURED = "SnapshotDecoder: call configure() first.";
 
 bool SnapshotDecoder::configure(const PackedInt32Array &p_parents, double p_max_error_deg) {
 	kinematics::Skeleton shape;
-	PackedVector3Array joints;
-	joints.resize(p_parents.size());
-	ERR_FAIL_COND_V_MSG(!read_skeleton(p_parents, joints, joints, shape), false,
+	ERR_FAIL_COND_V_MSG(!read_parents(p_parents, shape), false,
 			"SnapshotDecoder: parents come before their children, the first has -1.");
-	ERR_FAIL_COND_V_MSG(!(p_max_error_deg >= 0.02 && p_max_error_deg <= 5.0), false,
-			"SnapshotDecoder: an error is 0.02 to 5 degrees.");
+	ERR_FAIL_COND_V_MSG(!is_pose_error(p_max_error_deg), false, "SnapshotDecoder: an error is 0.02 to 5 degrees.");
 	core = std::make_unique<wire::SnapshotDecoder>(shape, p_max_error_deg);
 	return true;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "snapshot_encoder.hpp"
 
-#include "convert.hpp"
+#include "../../kinematics/binding/convert.hpp"
 #include "pose_arrays.hpp"
 
 #include <godot_cpp/classes/physics_direct_body_state3d.hpp>
@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <limits>
 
 namespace godot {
 
@@ -17,26 +16,13 @@ namespace {
 
 constexpr const char *UNCONFIGURED = "SnapshotEncoder: call configure() first.";
 
-bool is_id(int64_t p_id) {
-	return p_id >= 0 && p_id <= std::numeric_limits<uint16_t>::max();
-}
-
-kinematics::Quat turn_of(const Transform3D &p_transform) {
-	const Basis &basis = p_transform.basis;
-	return kinematics::from_axes(
-			to_core(basis.get_column(0)), to_core(basis.get_column(1)), to_core(basis.get_column(2)));
-}
-
 } // namespace
 
 bool SnapshotEncoder::configure(const PackedInt32Array &p_parents, double p_max_error_deg, int64_t p_tick_rate) {
 	kinematics::Skeleton shape;
-	PackedVector3Array joints;
-	joints.resize(p_parents.size());
-	ERR_FAIL_COND_V_MSG(!read_skeleton(p_parents, joints, joints, shape), false,
+	ERR_FAIL_COND_V_MSG(!read_parents(p_parents, shape), false,
 			"SnapshotEncoder: parents come before their children, the first has -1.");
-	ERR_FAIL_COND_V_MSG(!(p_max_error_deg >= 0.02 && p_max_error_deg <= 5.0), false,
-			"SnapshotEncoder: an error is 0.02 to 5 degrees.");
+	ERR_FAIL_COND_V_MSG(!is_pose_error(p_max_error_deg), false, "SnapshotEncoder: an error is 0.02 to 5 degrees.");
 	ERR_FAIL_COND_V_MSG(
 			p_tick_rate < 1 || p_tick_rate > 240, false, "SnapshotEncoder: a tick rate is 1 to 240 a second.");
 	core = std::make_unique<wire::SnapshotEncoder>(shape, p_max_error_deg, int(p_tick_rate));
@@ -90,7 +76,7 @@ void SnapshotEncoder::capture(int64_t p_tick) {
 			is_there = state != nullptr;
 			if (is_there) {
 				const Transform3D place = state->get_transform();
-				pose.orientations[i] = turn_of(place) * person.from_reset[i];
+				pose.orientations[i] = to_core(place.basis) * person.from_reset[i];
 				pose.root = i == 0 ? to_core(place.origin) : pose.root;
 			}
 		}
@@ -107,7 +93,7 @@ void SnapshotEncoder::capture(int64_t p_tick) {
 		const Transform3D place = state->get_transform();
 		update.id = body.id;
 		update.position = to_core(place.origin);
-		update.orientation = turn_of(place);
+		update.orientation = to_core(place.basis);
 		update.velocity = to_core(state->get_linear_velocity());
 		update.spin = to_core(state->get_angular_velocity());
 		update.at_rest = state->is_sleeping();
@@ -136,7 +122,7 @@ void SnapshotEncoder::put_body(int64_t p_body, const Transform3D &p_transform, c
 	wire::BodyUpdate update;
 	update.id = uint16_t(p_body);
 	update.position = to_core(p_transform.origin);
-	update.orientation = turn_of(p_transform);
+	update.orientation = to_core(p_transform.basis);
 	update.velocity = to_core(p_velocity);
 	update.spin = to_core(p_spin);
 	update.at_rest = p_at_rest;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "snapshot_smoother.hpp"
 
-#include "convert.hpp"
+#include "../../kinematics/binding/convert.hpp"
 #include "pose_arrays.hpp"
 
 #include <limits>
@@ -9,10 +9,6 @@
 namespace godot {
 
 namespace {
-
-bool is_id(int64_t p_id) {
-	return p_id >= 0 && p_id <= std::numeric_limits<uint16_t>::max();
-}
 
 bool is_tick(int64_t p_tick) {
 	return p_tick >= 0 && p_tick <= std::numeric_limits<uint32_t>::max();
@@ -66,9 +62,7 @@ bool SnapshotSmoother::push_body(int64_t p_body, int64_t p_tick, double p_arriva
 	update.id = uint16_t(p_body);
 	update.tick = uint32_t(p_tick);
 	update.position = to_core(p_transform.origin);
-	const Basis &basis = p_transform.basis;
-	update.orientation = kinematics::from_axes(
-			to_core(basis.get_column(0)), to_core(basis.get_column(1)), to_core(basis.get_column(2)));
+	update.orientation = to_core(p_transform.basis);
 	update.velocity = to_core(p_velocity);
 	update.spin = to_core(p_spin);
 	update.at_rest = p_at_rest;

@@ -1,33 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "count_allocations.hpp"
 #include "replication_scene.hpp"
 
 #include <check.hpp>
-
-#include <cstdlib>
-#include <new>
-
-namespace {
-
-int allocations = 0;
-
-} // namespace
-
-void *operator new(std::size_t p_size) {
-	allocations++;
-	void *found = std::malloc(p_size);
-	if (found == nullptr) {
-		throw std::bad_alloc();
-	}
-	return found;
-}
-
-void operator delete(void *p_memory) noexcept {
-	std::free(p_memory);
-}
-
-void operator delete(void *p_memory, std::size_t) noexcept {
-	std::free(p_memory);
-}
 
 using namespace wire;
 

@@ -3,6 +3,7 @@
 
 #include <quaternion.hpp>
 
+#include <godot_cpp/variant/basis.hpp>
 #include <godot_cpp/variant/quaternion.hpp>
 #include <godot_cpp/variant/vector3.hpp>
 
@@ -24,6 +25,12 @@ inline kinematics::Quat to_core(const Quaternion &p_rotation) {
 
 inline Quaternion from_core(const kinematics::Quat &p_rotation) {
 	return Quaternion(p_rotation.x, p_rotation.y, p_rotation.z, p_rotation.w);
+}
+
+/// The rotation of a basis whose axes are of length 1 and at right angles.
+inline kinematics::Quat to_core(const Basis &p_basis) {
+	return kinematics::from_axes(
+			to_core(p_basis.get_column(0)), to_core(p_basis.get_column(1)), to_core(p_basis.get_column(2)));
 }
 
 } // namespace godot

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Counts what a test program allocates. Include it in one source of the program only: it replaces the
+// program's own operators.
+
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+int allocations = 0;
+
+} // namespace
+
+void *operator new(std::size_t p_size) {
+	allocations++;
+	void *found = std::malloc(p_size);
+	if (found == nullptr) {
+		throw std::bad_alloc();
+	}
+	return found;
+}
+
+void operator delete(void *p_memory) noexcept {
+	std::free(p_memory);
+}
+
+void operator delete(void *p_memory, std::size_t) noexcept {
+	std::free(p_memory);
+}
