@@ -31,7 +31,7 @@ def test_no_mirror_is_a_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     monkeypatch.setenv("DISMOUNT_DEBIAN_MIRROR", f"file://{tmp_path}/nothing")
     monkeypatch.setattr(usb, "installed", lambda _name: False)
-    with pytest.raises(Failure, match="libusb-1.0-0-dev.*DISMOUNT_DEBIAN_MIRROR"):
+    with pytest.raises(Failure, match=r"libusb-1\.0-0-dev.*DISMOUNT_DEBIAN_MIRROR"):
         usb.find()
     assert not list((tmp_path / "dismount").glob("usb-*"))
 
