@@ -17,10 +17,10 @@ from .apt import KEYRING, SUITE, AptError, apt_command, apt_run, mirrors
 from .console import Failure, say, step, tail
 from .paths import cache, lock, make_folder, need_space
 
-LAYOUT = 1  # Raised when the way the folder is made changes: older folders are then made anew.
+LAYOUT = 2  # Raised when the way the folder is made changes: older folders are then made anew.
 OLDER_SUITES = ["bookworm", "trixie"]
 # With all that they need at run time, except for the C library: that is the host's.
-RUN_PACKAGES = ["libusb-1.0-0", "libumockdev0"]
+RUN_PACKAGES = ["libusb-1.0-0", "libumockdev0", "umockdev"]
 BASE_PACKAGES = ("libc6_", "libgcc-s1_", "gcc-")
 # Headers and links alone: what else these packages want would be a compiler.
 BUILD_PACKAGES = ["libusb-1.0-0-dev", "libumockdev-dev", "libglib2.0-dev"]
