@@ -13,6 +13,7 @@ import xml.etree.ElementTree as ElementTree
 from collections.abc import Callable
 from pathlib import Path
 
+from . import usb
 from .console import Failure, say, step, tail
 from .godot import Godot
 from .lint import run_lint
@@ -125,6 +126,7 @@ def _build_sanitized(folder: Path) -> None:
         command = ["cmake", "-S", str(ROOT / "gdextension"), "-B", str(folder)]
         command += [f"-DGODOT_API_DIR={api.group(1) if api else ''}"]
         command += ["-DDISMOUNT_SANITIZE=address,undefined", "-DDISMOUNT_EXTENSIONS=OFF"]
+        command += usb.find().options()
         fault = "The C++ tests do not build with sanitizers."
         _call(command, fault)
         _call(["cmake", "--build", str(folder), "-j", str(os.cpu_count() or 2)], fault)
