@@ -18,8 +18,7 @@ constexpr uint32_t FAST_BAUD = 460800;
 constexpr uint8_t FAST_BAUD_CODE = 0x00;
 /// A master that is reset is back after about 750 ms.
 constexpr uint64_t REBOOT_USEC = 1000000;
-constexpr uint64_t SEARCH_PAUSE_USEC = 500000;
-constexpr uint64_t FAULT_PAUSE_USEC = 1500000;
+constexpr uint64_t PAUSE_USEC = 500000;
 /// Bus errors in a row until people are told to look at the cables.
 constexpr int MOST_BUS_FAILURES = 3;
 
@@ -57,7 +56,7 @@ void Session::open(uint64_t p_now_usec) {
 void Session::take_bytes(const uint8_t *p_bytes, std::size_t p_size, uint64_t p_now_usec) {
 	_now_usec = std::max(_now_usec, p_now_usec);
 	_bytes_usec = _now_usec;
-	_framer.feed(p_bytes, p_size, [this](const Frame &p_frame) { take(p_frame); });
+	_framer.feed(p_bytes, p_size, [this](const Frame &p_frame) { return judge(p_frame); });
 }
 
 void Session::stop(uint64_t p_now_usec) {
@@ -91,9 +90,10 @@ void Session::report(uint64_t p_now_usec, SessionReport &r_report) const {
 	r_report.device_id = _device_id;
 	r_report.kind = _kind;
 	r_report.baud = _baud;
-	r_report.rate_hz = speaks_mtdata2() ? _options.rate_hz : _outputs.rate_hz();
+	r_report.rate_hz = rate_hz();
 	r_report.battery = _battery;
 	r_report.framer = _framer.statistics();
+	r_report.stream = _check.statistics();
 	r_report.errors = _errors;
 	r_report.restarts = _restarts;
 	r_report.problem = _problem.data();
@@ -102,7 +102,8 @@ void Session::report(uint64_t p_now_usec, SessionReport &r_report) const {
 		TrackerReport &report = r_report.trackers[std::size_t(tracker)];
 		report.device_id = _tracker_ids[std::size_t(tracker)];
 		report.bus_id = bus_id_of(tracker);
-		report.stream = _stream.statistics(tracker, p_now_usec);
+		report.samples = _check.device(report.bus_id);
+		report.flow = _stream.flow(tracker, p_now_usec);
 	}
 }
 
@@ -174,7 +175,7 @@ Request Session::request_for(Step p_step) const {
 		case Step::DATA_LENGTH:
 			return host::request_data_length();
 		case Step::OUTPUT_CONFIGURATION:
-			return Stream::output_configuration(_options.rate_hz);
+			return output_configuration(_options.rate_hz);
 		case Step::BATTERY:
 			return host::request_battery_level();
 		case Step::MEASURE:
@@ -239,7 +240,7 @@ void Session::advance(uint64_t p_now_usec) {
 	_now_usec = std::max(_now_usec, p_now_usec);
 	// A message whose rest does not come hides what comes behind it.
 	if (_framer.pending() > 0 && _now_usec - _bytes_usec > 50000) {
-		_framer.give_up([this](const Frame &p_frame) { take(p_frame); });
+		_framer.give_up([this](const Frame &p_frame) { return judge(p_frame); });
 	}
 	if (_step == Step::MEASURING) {
 		look_after_stream();
@@ -274,13 +275,13 @@ void Session::fail_step() {
 		const char *name = message_name(_request.message());
 		char why[80];
 		snprintf(why, sizeof(why), "no answer to %s", name != nullptr ? name : "a message");
-		start_over(why, FAULT_PAUSE_USEC);
+		start_over(why);
 	}
 }
 
 void Session::next_baud() {
 	const bool hears = _has_answered || _framer.statistics().frames > 0;
-	if (_options.has_baud && !(hears && _bytes_usec + SEARCH_PAUSE_USEC > _now_usec && !_is_silent)) {
+	if (_options.has_baud && !(hears && _bytes_usec + PAUSE_USEC > _now_usec && !_is_silent)) {
 		_baud_at = (_baud_at + 1) % BAUDS.size();
 		_baud = BAUDS[_baud_at];
 		_host.set_baud(_baud);
@@ -295,26 +296,36 @@ void Session::next_baud() {
 	}
 	_step = Step::PAUSE;
 	_waits = false;
-	_deadline_usec = _now_usec + SEARCH_PAUSE_USEC;
+	_deadline_usec = _now_usec + PAUSE_USEC;
 }
 
-void Session::start_over(const char *p_why, uint64_t p_pause_usec) {
+void Session::start_over(const char *p_why) {
 	tell(Severity::WARNING, "%s: bringing it up anew", p_why);
 	++_restarts;
 	_step = Step::PAUSE;
 	_waits = false;
-	_deadline_usec = _now_usec + p_pause_usec;
+	// What does not help the first time may take its time.
+	_deadline_usec = _now_usec + (PAUSE_USEC << std::min(_in_vain, 4U));
+	++_in_vain;
+}
+
+bool Session::judge(const Frame &p_frame) {
+	switch (_check.take(p_frame)) {
+		case StreamCheck::Verdict::REFUSED:
+			return false;
+		case StreamCheck::Verdict::DATA:
+			take_data();
+			return true;
+		default:
+			take(p_frame);
+			return true;
+	}
 }
 
 void Session::take(const Frame &p_frame) {
-	_heard_usec = _now_usec;
 	switch (p_frame.message) {
 		case Message::WAKE_UP:
 			wake_up();
-			return;
-		case Message::MT_DATA:
-		case Message::MT_DATA2:
-			take_data(p_frame);
 			return;
 		case Message::ERROR:
 			take_error(p_frame);
@@ -410,7 +421,7 @@ void Session::take_bus(const Frame &p_frame) {
 		return; // Asked again when the time is up.
 	}
 	if (count == 0) {
-		start_over("finds no tracker on its bus (look at the cables)", FAULT_PAUSE_USEC);
+		start_over("finds no tracker on its bus (look at the cables)");
 		return;
 	}
 	for (std::size_t tracker = 0; tracker < count; ++tracker) {
@@ -460,7 +471,7 @@ Session::Step Session::after_trackers(Step p_step) {
 }
 
 void Session::take_data_length(const Frame &p_frame) {
-	const std::size_t expected = Stream::data_size(_outputs, _tracker_count, is_master());
+	const std::size_t expected = expected_size();
 	if (p_frame.size >= 2 && read_u16(p_frame.data) != expected) {
 		tell(Severity::WARNING, "says that a sample has %u bytes; by its settings it has %zu", read_u16(p_frame.data),
 				expected);
@@ -493,10 +504,10 @@ void Session::take_setup_error(uint8_t p_code) {
 		go_to(Step::BUS_POWER);
 	} else if (_step == Step::INIT_BUS) {
 		if (++_bus_failures < MOST_BUS_FAILURES) {
-			start_over("its bus failed", SEARCH_PAUSE_USEC);
+			start_over("its bus failed");
 		} else {
 			_bus_failures = 0;
-			start_over("its bus fails again and again (look at the cables)", FAULT_PAUSE_USEC);
+			start_over("its bus fails again and again (look at the cables)");
 		}
 	} else if (p_code == BUS_NOT_READY && is_master()) {
 		go_to(Step::INIT_BUS);
@@ -507,7 +518,7 @@ void Session::take_setup_error(uint8_t p_code) {
 		if (lower_demands()) {
 			choose_outputs();
 		} else {
-			start_over("refuses its settings", FAULT_PAUSE_USEC);
+			start_over("refuses its settings");
 		}
 	} else if (patience(_step).is_optional) {
 		go_to(step_after(_step));

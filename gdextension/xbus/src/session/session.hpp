@@ -4,8 +4,8 @@
 #include "bus/framer.hpp"
 #include "bus/requests.hpp"
 #include "session/line_budget.hpp"
-#include "session/stream.hpp"
 #include "session/suit_frame.hpp"
+#include "session/suit_stream.hpp"
 
 #include <array>
 #include <cstdint>
@@ -43,7 +43,8 @@ struct SessionOptions {
 struct TrackerReport {
 	uint32_t device_id = 0;
 	uint8_t bus_id = 0;
-	StreamStatistics stream;
+	DeviceStatistics samples;
+	TrackerFlow flow;
 };
 
 /// What is known of a master, for people.
@@ -58,6 +59,7 @@ struct SessionReport {
 	/// 0 to 1, negative where it is not known.
 	double battery = -1.0;
 	FramerStatistics framer;
+	StreamStatistics stream;
 	/// Error messages of the device.
 	uint64_t errors = 0;
 	/// How often it was brought up anew.
@@ -138,16 +140,22 @@ private:
 	};
 
 	static Patience patience(Step p_step);
+	static Request output_configuration(double p_rate_hz);
 	void go_to(Step p_step);
 	void ask(const Request &p_request);
 	void send_request();
 	Request request_for(Step p_step) const;
+	OutputFormat tracker_format() const { return { _outputs.mode, _outputs.settings }; }
+	MasterFormat master_format() const;
+	std::size_t expected_size() const;
+	double rate_hz() const { return speaks_mtdata2() ? _options.rate_hz : _outputs.rate_hz(); }
 	Step step_after(Step p_step) const;
 	Step after_trackers(Step p_step);
-	void start_over(const char *p_why, uint64_t p_pause_usec);
+	void start_over(const char *p_why);
 	void fail_step();
 	void next_baud();
 
+	bool judge(const Frame &p_frame);
 	void take(const Frame &p_frame);
 	void take_answer(const Frame &p_frame);
 	void take_device_id(const Frame &p_frame);
@@ -155,7 +163,8 @@ private:
 	void take_data_length(const Frame &p_frame);
 	void take_error(const Frame &p_frame);
 	void take_setup_error(uint8_t p_code);
-	void take_data(const Frame &p_frame);
+	void take_data();
+	void note_refusals();
 	void wake_up();
 	void choose_outputs();
 	void begin_measuring();
@@ -170,7 +179,8 @@ private:
 	const SessionOptions _options;
 	SessionHost &_host;
 	Framer _framer;
-	Stream _stream;
+	StreamCheck _check;
+	SuitStream _stream;
 	SuitFrame _frame;
 
 	Step _step = Step::PAUSE;
@@ -197,6 +207,7 @@ private:
 	uint64_t _battery_usec = 0;
 
 	uint64_t _heard_usec = 0;
+	uint64_t _refused = 0;
 	uint64_t _bytes_usec = 0;
 	bool _is_silent = false;
 	bool _has_answered = false;
@@ -204,6 +215,8 @@ private:
 	ResetMethod _reset_method{};
 	uint64_t _errors = 0;
 	uint64_t _restarts = 0;
+	/// Restarts without a sample in between.
+	unsigned _in_vain = 0;
 	std::array<char, 240> _problem{};
 };
 

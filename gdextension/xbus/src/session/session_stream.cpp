@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "session/session.hpp"
 
+#include "bus/data_item.hpp"
+
+#include <algorithm>
+
 namespace xbus {
 
 namespace {
@@ -19,33 +23,37 @@ void Session::begin_measuring() {
 	_heard_usec = _now_usec;
 	_battery_usec = _now_usec;
 	_resets_left = 0;
-	if (speaks_mtdata2()) {
-		_stream.expect_mtdata2(_options.rate_hz);
-	} else {
-		_stream.expect_mtdata(_outputs, _tracker_count, is_master());
+	_check.restart();
+	_stream.restart(rate_hz());
+	if (is_master()) {
+		_check.expect_devices(std::size_t(_tracker_count));
+		_check.expect_master(master_format());
+	} else if (!speaks_mtdata2()) {
+		_check.expect_tracker(tracker_format());
 	}
-	_framer.set_longest(_stream.longest_message());
+	_refused = _check.statistics().wrong_sizes;
 	tell(Severity::INFO, "%s %08X measures: %d tracker%s at %.0f Hz", device_kind_name(_kind), _device_id,
-			_tracker_count, _tracker_count == 1 ? "" : "s",
-			speaks_mtdata2() ? _options.rate_hz : _outputs.rate_hz());
+			_tracker_count, _tracker_count == 1 ? "" : "s", rate_hz());
 }
 
-void Session::take_data(const Frame &p_frame) {
-	if (_step == Step::MEASURE && _waits && _tries > 0) {
-		// The acknowledgement was lost, but the device is on its way.
-		go_to(Step::MEASURING);
+void Session::take_data() {
+	if (_step != Step::MEASURING) {
+		return;
 	}
-	if (_step == Step::MEASURING && _stream.take(p_frame, _now_usec, _frame)) {
+	_heard_usec = _now_usec;
+	_in_vain = 0;
+	_stream.take(_check, _now_usec, _frame);
+	if (_kind == DeviceKind::XBUS_MASTER || _frame.tracker_count <= _tracker_count) {
 		_host.take_frame(_frame);
 	}
 }
 
 void Session::look_after_stream() {
-	const double period_usec = 1e6 / (speaks_mtdata2() ? _options.rate_hz : _outputs.rate_hz());
-	const auto patience_usec = uint64_t(std::max(double(SILENT_USEC), SILENT_PERIODS * period_usec));
+	note_refusals();
+	const auto patience_usec = uint64_t(std::max(double(SILENT_USEC), SILENT_PERIODS * 1e6 / rate_hz()));
 	if (_now_usec > _heard_usec + patience_usec) {
 		_is_silent = true;
-		start_over("has fallen silent", 0);
+		start_over("has fallen silent");
 		return;
 	}
 	if (_waits && _now_usec > _deadline_usec) {
@@ -56,6 +64,45 @@ void Session::look_after_stream() {
 		const Request request = host::request_battery_level();
 		_host.send(request.bytes.data(), request.size);
 	}
+}
+
+/// A device that sends something else than what it was told to.
+void Session::note_refusals() {
+	constexpr uint64_t MANY = 20;
+	const uint64_t refused = _check.statistics().wrong_sizes;
+	if (refused >= _refused + MANY) {
+		_refused = refused;
+		tell(Severity::WARNING,
+				"sends samples of another length than its settings make (%zu bytes): they are counted and dropped",
+				expected_size());
+	}
+}
+
+MasterFormat Session::master_format() const {
+	MasterFormat format;
+	for (int tracker = 0; tracker < _tracker_count; ++tracker) {
+		format.add(tracker_format());
+	}
+	return format;
+}
+
+std::size_t Session::expected_size() const {
+	return is_master() ? master_format().size() : tracker_format().size();
+}
+
+/// What a tracker of the newer kind is asked for.
+Request Session::output_configuration(double p_rate_hz) {
+	constexpr uint16_t ALWAYS = 0xFFFF;
+	const auto rate = uint16_t(std::clamp(p_rate_hz + 0.5, 1.0, 400.0));
+	const std::array<OutputRequest, 6> outputs = { {
+			{ item::PACKET_COUNTER, ALWAYS },
+			{ item::SAMPLE_TIME_FINE, ALWAYS },
+			{ item::QUATERNION, rate },
+			{ item::RATE_OF_TURN, rate },
+			{ item::ACCELERATION, rate },
+			{ item::STATUS_WORD, ALWAYS },
+	} };
+	return host::set_output_configuration(outputs.data(), outputs.size());
 }
 
 void Session::reset_orientation(ResetMethod p_method) {
