@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "bus/sample.hpp"
+
 #include <array>
 #include <cstdint>
 
@@ -9,8 +11,7 @@ namespace xbus {
 /// Trackers on one master at most (the old host class of Xsens allows 20).
 constexpr int MOST_TRACKERS = 20;
 
-/// What one tracker said in one sample. Axes are the tracker's own; its global frame is Xsens' (right-handed,
-/// X magnetic north, Y west, Z up).
+/// What one tracker said in one sample, in the tracker's own axes.
 struct TrackerReading {
 	/// Rotation from the tracker's axes to its global frame: w, x, y, z.
 	std::array<float, 4> orientation{ 1.0F, 0.0F, 0.0F, 0.0F };
@@ -32,6 +33,8 @@ struct SuitFrame {
 	uint64_t time_usec = 0;
 	/// The device's sample counter, counted on over its wraps.
 	uint64_t counter = 0;
+	/// The global frame that orientations refer to: right-handed; a bus has X magnetic north, Y west, Z up.
+	Axes axes = Axes::NORTH_WEST_UP;
 	int tracker_count = 0;
 	std::array<TrackerReading, MOST_TRACKERS> trackers;
 };

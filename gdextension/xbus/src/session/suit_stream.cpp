@@ -32,6 +32,7 @@ void SuitStream::take(const StreamCheck &p_check, uint64_t p_now_usec, SuitFrame
 		const Sample &sample = p_check.sample(place);
 		const int tracker = sample.bus_id >= 1 && sample.bus_id <= MOST_TRACKERS ? sample.bus_id - 1 : 0;
 		if (sample.present != 0) {
+			r_frame.axes = sample.axes;
 			read(sample, r_frame.trackers[std::size_t(tracker)]);
 			meter(tracker, p_now_usec);
 		}

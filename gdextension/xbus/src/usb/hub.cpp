@@ -57,6 +57,10 @@ struct Hub::Device final : public PortListener, public xbus::SessionHost {
 	Device(const Device &) = delete;
 	Device &operator=(const Device &) = delete;
 	~Device() override {
+		if (port != nullptr && !port->is_idle()) {
+			// libusb still holds transfers of it: rather lost than used after it is gone.
+			static_cast<void>(port.release());
+		}
 		port.reset();
 		libusb_unref_device(device);
 	}
