@@ -24,8 +24,7 @@ var _options: Options = null
 var _link: ClientLink = ClientLink.new()
 var _player: SnapshotPlayer = null
 var _recorder: SnapshotRecorder = null
-var _motion: ClientMotion = null
-var _own: int = -1
+var _people: ClientPeople = null
 var _told_s: float = 0.0
 var _was_joined: bool = false
 var _report: ReportFile = null
@@ -38,6 +37,7 @@ var _exit_code: int = 0
 var _figures: ClientFigures = ClientFigures.new()
 var _stop: StopSignal = StopSignal.new()
 var _pacer: FramePacer = null
+var _inputs: MotionInputs = null
 
 
 ## Takes over the options. Call it before the node enters the tree.
@@ -56,7 +56,7 @@ func _ready() -> void:
 	var fault: String = _scene.apply(_options.text("views"), _options.text("camera"))
 	_apply_choices()
 	if fault == "" and _role == "trainee":
-		fault = _open_source()
+		fault = _open_sources()
 	if fault != "":
 		_quit(_EXIT_OPTIONS, fault)
 		return
@@ -94,8 +94,8 @@ func _process(p_delta: float) -> void:
 
 
 func _exit_tree() -> void:
-	if _motion != null:
-		_motion.stop()
+	if _people != null:
+		_people.stop()
 	if _report != null:
 		_report.write(_make_report())
 	if _recorder != null:
@@ -110,18 +110,12 @@ func _apply_choices() -> void:
 	_stop.watch()
 
 
-func _open_source() -> String:
-	var source: BvhSource = BvhSource.new()
-	var path: String = _options.file("bvh")
-	if path == "":
-		return "a trainee needs a motion source: --bvh=FILE"
-	source.open(path, _options.text("unit"), _options.text("up"))
-	if source.error == "":
-		_motion = ClientMotion.new()
-		var codec: PoseCodec.Coding = PosePacket.CODECS[_options.text("codec")]
-		_motion.start(source, _options.number("rate"), _link, codec)
-		Log.info("mocap", source.describe())
-	return source.error
+func _open_sources() -> String:
+	_people = ClientPeople.new(_link, _options)
+	_inputs = MotionInputs.new()
+	_inputs.appeared.connect(_people.add)
+	_inputs.vanished.connect(_people.remove)
+	return _inputs.open(_options)
 
 
 func _open_player() -> String:
@@ -138,8 +132,6 @@ func _open_link() -> String:
 	_greeting.name = _options.text("name") if _options.text("name") != "" else _role
 	_greeting.rate = _options.number("snapshot-rate")
 	_greeting.version = _options.number("protocol")
-	if _motion != null:
-		_greeting.hip_height = _motion.source.get_hip_height()
 	_orders = InstructorOrders.new(_options.text("orders"))
 	if _orders.error != "":
 		return _orders.error
@@ -198,19 +190,15 @@ func _acknowledge() -> void:
 
 
 func _show_world() -> void:
-	var own: PackedFloat32Array = []
+	var own: Dictionary[int, PackedFloat32Array] = {}
 	var now: int = Time.get_ticks_usec()
-	if _motion != null and _link.is_joined():
-		_motion.keep_in_step()
-		var truth: PackedFloat32Array = []
-		if _own >= 0 and _scene.replica.has_person(_own):
-			truth = _scene.replica.person_floats(_own, true)
-		own = _motion.show(now, truth, _scene.replica.newest_tick)
+	if _people != null and _link.is_joined():
+		own = _people.show(now, _scene.replica)
 	if _options.text("feedback") == "server":
-		own = []
-	elif not own.is_empty():
-		_figures.own_shown(_motion.shown_moment_usec(now))
-	_scene.update(_clock_s, _own, own)
+		own.clear()
+	elif own.has(_people.first_actor if _people != null else -1):
+		_figures.own_shown(_people.shown_moment_usec(now))
+	_scene.update(_clock_s, own)
 	var headless: bool = DisplayServer.get_name() == "headless"
 	_figures.smoothing_delay_s = _scene.replica.delay()
 	if FramePacer.is_free():
@@ -226,9 +214,8 @@ func _on_joined() -> void:
 	_scene.clear()
 	if _recorder != null:
 		_recorder.begin()
-	if _motion != null:
-		_own = -1
-		_motion.set_sending(true)
+	if _people != null:
+		_people.begin()
 
 
 func _on_lost(p_why: String) -> void:
@@ -260,8 +247,8 @@ func _on_datagram(p_bytes: PackedByteArray, p_arrival_usec: int) -> void:
 	if mark != null and _link.clock.is_known():
 		mark.arrival_usec = _link.clock.server_usec(p_arrival_usec)
 		_figures.probe.arrived(mark)
-		if _motion != null and mark.person == _own:
-			_motion.note_trip(mark)
+		if _people != null:
+			_people.note_trip(mark)
 	if _recorder != null:
 		_recorder.add(p_bytes)
 
@@ -273,10 +260,8 @@ func _take_snapshot(p_bytes: PackedByteArray, p_arrival_s: float) -> void:
 
 func _on_world(p_world: WorldDescription, p_bytes: PackedByteArray) -> void:
 	_scene.describe(p_world)
-	var own: int = _scene.person_of(_link.session) if _motion != null else -1
-	if own >= 0 and own != _own and p_world.skeletons[own].is_sound():
-		_own = own
-		_motion.embody(p_world.skeletons[_own], _scene.hips_of(_own), _options.number("rate"))
+	if _people != null:
+		_people.embody(p_world, _scene)
 	if _recorder != null:
 		_recorder.add(p_bytes)
 

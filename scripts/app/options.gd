@@ -9,7 +9,7 @@ const TABLE: Array[Array] = [
 	["host", "127.0.0.1", "address of the server to join"],
 	["port", Protocol.DEFAULT_PORT, "UDP port of the server"],
 	["name", "", "your name, shown to the others"],
-	["bvh", "", "trainee: motion file to be played in a loop"],
+	["bvh", "", "trainee: motion files (a,b: several people) to be played in a loop"],
 	["unit", "", "trainee: unit of the motion file: m, cm, mm, inch, cmu or metres per unit"],
 	["up", "", "trainee: up axis of the motion file: y or z"],
 	["rate", 60, "trainee: samples per second"],
@@ -95,10 +95,25 @@ func text(p_name: String) -> String:
 ## The value of an option that names a file, as a full path: a relative one counts from where the
 ## program was started, not from where it lies. Empty if there is none.
 func file(p_name: String) -> String:
-	var path: String = _values[p_name]
-	if path == "" or not path.is_relative_path() or path.contains("://"):
-		return path
-	return OS.get_environment("PWD").path_join(path)
+	return full_path(_values[p_name])
+
+
+## The values of an option that names files with commas between; a file whose own name has commas is
+## one file.
+func files(p_name: String) -> PackedStringArray:
+	var paths: PackedStringArray = []
+	if FileAccess.file_exists(file(p_name)):
+		return [file(p_name)]
+	for part: String in text(p_name).split(",", false):
+		paths.append(full_path(part))
+	return paths
+
+
+## A path as a full one, see [method file].
+static func full_path(p_path: String) -> String:
+	if p_path == "" or not p_path.is_relative_path() or p_path.contains("://"):
+		return p_path
+	return OS.get_environment("PWD").path_join(p_path)
 
 
 ## The value of a whole-number option.

@@ -147,9 +147,11 @@ func prepare() -> void:
 		var at: int = frame * count
 		for joint: int in count:
 			var rotation: Quaternion = rotations[joint]
-			var entry: Vector4 = Vector4(rotation.x, rotation.y, rotation.z, rotation.w)
 			if turns:
-				entry = Vector4(entry.x, entry.z, -entry.y, entry.w)
+				rotation = SourceFrames.rotation(
+					rotation.w, rotation.x, rotation.y, rotation.z, SourceFrames.Frame.BVH_Z_UP
+				)
+			var entry: Vector4 = Vector4(rotation.x, rotation.y, rotation.z, rotation.w)
 			if frame > 0 and entry.dot(found[at + joint - count]) < 0.0:
 				entry = -entry
 			found[at + joint] = entry
@@ -159,7 +161,7 @@ func prepare() -> void:
 ## Turns a place or direction of the file into Godot's frame and m.
 func to_godot(p_place: Vector3) -> Vector3:
 	if up_axis == BvhOptions.UpAxis.Z:
-		return Vector3(p_place.x, p_place.z, -p_place.y) * unit_metres
+		return SourceFrames.vector(p_place, SourceFrames.Frame.BVH_Z_UP) * unit_metres
 	return p_place * unit_metres
 
 

@@ -11,12 +11,15 @@ var error: String = ""
 var _next_id: int = 0
 
 
-## The pose at a moment (Unix time, µs), or null while there is none.
+## The pose at a moment (Unix time, µs), or null while there is none. A live source cannot tell the
+## pose at any moment: it gives its newest one, with the time at which that was measured, and null
+## if there is none newer than the last.
 func sample(p_time_usec: int) -> PoseSample:
 	var taken: PoseSample = _read(p_time_usec)
 	if taken != null:
 		taken.id = _next_id
-		taken.time_usec = p_time_usec
+		if taken.time_usec == 0:
+			taken.time_usec = p_time_usec
 		_next_id = (_next_id + 1) & 0xFFFFFFFF
 	return taken
 
@@ -26,11 +29,18 @@ func get_hip_height() -> float:
 	return 0.95
 
 
+## Lengths of the wearer's limbs, m, by place in [constant Limbs.BONES], 0 where it is not known; empty
+## where none is.
+func get_limb_lengths() -> PackedFloat32Array:
+	return PackedFloat32Array()
+
+
 ## One line for people: what the source is.
 func describe() -> String:
 	return "no motion"
 
 
-## Reads the pose at a moment. Sources override it.
+## Reads the pose at a moment, or the newest one if [member PoseSample.time_usec] says of when it
+## is. Sources override it.
 func _read(_p_time_usec: int) -> PoseSample:
 	return null

@@ -91,9 +91,16 @@ def normalise(arguments: list[str]) -> list[str]:
             option = f"{option}={rest.pop(0)}"
         name, _, value = option.removeprefix("--").partition("=")
         if name in FILES and value:
-            option = f"--{name}={user_path(value)}"
+            option = f"--{name}={_user_files(value)}"
         result.append(option)
     return result
+
+
+def _user_files(value: str) -> str:
+    """A path, or several with commas between, as full ones."""
+    if user_path(value).exists():
+        return str(user_path(value))
+    return ",".join(str(user_path(part)) for part in value.split(","))
 
 
 def _run(command: list[str]) -> int:

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <usb/hub.hpp>
+
+#include <godot_cpp/classes/ref_counted.hpp>
+#include <godot_cpp/core/binder_common.hpp>
+#include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
+#include <godot_cpp/variant/string.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+#include <memory>
+
+namespace godot {
+
+/// All suits on this machine's USB ports. Documented in doc_classes/SuitHub.xml.
+class SuitHub : public RefCounted {
+	GDCLASS(SuitHub, RefCounted)
+
+public:
+	enum Reset {
+		RESET_STORE,
+		RESET_HEADING,
+		RESET_GLOBAL,
+		RESET_OBJECT,
+		RESET_ALIGN,
+	};
+
+	String start(double p_rate_hz);
+	void stop();
+	bool is_running() const { return hub != nullptr; }
+	TypedArray<Dictionary> get_devices() const;
+	TypedArray<Dictionary> take_messages();
+	TypedArray<Dictionary> take_frames(int64_t p_device);
+	void reset_orientation(int64_t p_device, Reset p_method);
+
+protected:
+	static void _bind_methods();
+
+private:
+	std::unique_ptr<usb::Hub> hub;
+	xbus::SuitFrame frame;
+};
+
+} // namespace godot
+
+VARIANT_ENUM_CAST(SuitHub::Reset);

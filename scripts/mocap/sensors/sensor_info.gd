@@ -1,0 +1,43 @@
+class_name SensorInfo
+extends RefCounted
+## What a feed knows of one sensor.
+
+## What a sensor does.
+enum State {
+	## Found, but it does not measure yet.
+	WAITING,
+	## It measures, and its samples come.
+	MEASURING,
+	## It measured, but no sample came for a while.
+	SILENT,
+	## It said that something is wrong, see [member trouble].
+	FAILED,
+}
+
+## Names of the states for people, by [enum State].
+const STATE_NAMES: PackedStringArray = ["waiting", "measuring", "silent", "failed"]
+
+## What tells it from all others, also tomorrow: a device id such as "00300001", or for MVN the
+## segment's name.
+var id: String = ""
+## Where it hangs, for people: "XM 00100123 / 3".
+var where: String = ""
+## The place on the body that the device itself tells, one of [constant BodyPlaces.NAMES], or empty.
+var place: StringName = &""
+## What it does.
+var state: State = State.WAITING
+## What is wrong, for people, or an empty text.
+var trouble: String = ""
+## Samples per second of late; 0 if none came.
+var rate_hz: float = 0.0
+## Share of the samples that got lost, 0 to 1.
+var loss: float = 0.0
+## Time since the newest sample, s; infinite if there was none.
+var age_s: float = INF
+## How full the battery is, 0 to 1; -1 if that is not known.
+var battery: float = -1.0
+
+
+## The state in a word.
+func state_name() -> String:
+	return STATE_NAMES[state]
