@@ -18,3 +18,6 @@ dismount_add_core_library(xbus_bus SOURCES
 	src/bus/sample.cpp
 	src/bus/stream_check.cpp
 )
+foreach(test corruption examples framer)
+	dismount_add_core_test(xbus_${test} SOURCES tests/test_${test}.cpp LIBRARIES xbus_bus)
+endforeach()
