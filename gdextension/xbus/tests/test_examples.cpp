@@ -120,7 +120,8 @@ TEST(a_configuration_goes_both_ways) {
 	CHECK(configuration.master_id == 0x036008A6 && configuration.period == 1152);
 	CHECK_NEAR(configuration.rate(), 100.0, 1e-9);
 	CHECK(configuration.device_count == 1 && configuration.devices[0].device_id == 0x036008A6);
-	CHECK((configuration.devices[0].firmware == std::array<uint8_t, 3>{ 0x27, 0x01, 0x04 }));
+	CHECK(configuration.devices[0].scenario == 0x27);
+	CHECK((configuration.devices[0].firmware == std::array<uint8_t, 3>{ 1, 4, 12 }));
 	Bytes again(MAX_FRAME);
 	again.resize(device::write_configuration(configuration, again.data()));
 	CHECK(again == bytes);
