@@ -42,9 +42,9 @@ func common() -> float:
 ## The largest difference of a measured heading from the common one, rad.
 func spread() -> float:
 	var most: float = 0.0
-	var middle: float = common()
+	var front: float = common()
 	for place: int in measured:
-		most = maxf(most, absf(angle_difference(middle, measured[place])))
+		most = maxf(most, absf(angle_difference(front, measured[place])))
 	return most
 
 
