@@ -1,0 +1,7 @@
+# SPDX-License-Identifier: MIT
+# MVN's network stream from a socket.
+find_package(Threads REQUIRED)
+dismount_add_core_library(xbus_udp SOURCES
+	src/udp/receiver.cpp
+	LIBRARIES xbus_mvn Threads::Threads
+)
