@@ -29,6 +29,11 @@ func get_hip_height() -> float:
 	return 0.95
 
 
+## How big the wearer is.
+func get_body() -> BodySize:
+	return BodySize.of_hip_height(get_hip_height())
+
+
 ## One line for people: what the source is.
 func describe() -> String:
 	return "no motion"
