@@ -5,7 +5,7 @@ extends RefCounted
 ## Poses that were held.
 var holds: Dictionary[ResetPose.Kind, PoseHold] = {}
 ## Movements that were made.
-var axes: Dictionary[CalibrationGuide.Movement, MotionAxis] = {}
+var axes: Dictionary[GuideMovements.Movement, MotionAxis] = {}
 ## The sensors, in the order of the frames.
 var sensors: Array[SensorInfo] = []
 ## Place of each sensor, -1 if it is not worn.
@@ -30,6 +30,7 @@ func solve(p_kind: CalibrationGuide.Kind, p_now_s: float) -> CalibrationResult:
 		return _result
 	_result.calibration = Calibration.new()
 	_result.calibration.kind = p_kind
+	_result.calibration.pose = _pose
 	_result.calibration.made_s = p_now_s
 	_find_headings()
 	_common = _common_heading()
@@ -62,10 +63,10 @@ func _find_headings() -> void:
 		var place: int = places[sensor]
 		if place < 0:
 			continue
-		for movement: CalibrationGuide.Movement in axes:
-			var wanted: Vector3 = CalibrationGuide.axis(movement, place)
+		for movement: GuideMovements.Movement in axes:
+			var wanted: Vector3 = GuideMovements.axis(movement, place)
 			var axis: MotionAxis = axes[movement]
-			if movement == CalibrationGuide.Movement.ARMS and both and _held_both(sensor):
+			if movement == GuideMovements.Movement.ARMS and both and _held_both(sensor):
 				# From pose to pose is steadier than the way between them.
 				var start: Quaternion = holds[ResetPose.Kind.T].mean(sensor)
 				var turn: Vector3 = Rotations.vector(
@@ -157,7 +158,7 @@ func _solve_sensor(p_sensor: int, p_each: bool) -> void:
 
 func _advise_on_headings(p_each: bool) -> void:
 	if options.facing == CalibrationOptions.Facing.MOVEMENT and _finder.measured.is_empty():
-		if axes.has(CalibrationGuide.Movement.ARMS):
+		if axes.has(GuideMovements.Movement.ARMS):
 			_result.advice.append("the arms' movement was not seen: bring both arms down, straight")
 		elif is_nan(_turned_from_old):
 			_result.advice.append("nothing tells which way you face: taken as facing north")
