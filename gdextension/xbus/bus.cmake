@@ -26,3 +26,17 @@ if(TARGET xbus_golden)
 endif()
 # Hostile bytes, as many as asked for: xbus_fuzz EXECUTIONS [SEED].
 dismount_add_core_test(xbus_fuzz SOURCES tests/fuzz_bus.cpp LIBRARIES xbus_bus)
+# What a recording holds: ./run xbus-decode FILE.
+add_executable(xbus_decode
+	tools/decode/analysis.cpp
+	tools/decode/control_json.cpp
+	tools/decode/formats.cpp
+	tools/decode/guess.cpp
+	tools/decode/main.cpp
+	tools/decode/recording.cpp
+	tools/decode/report_json.cpp
+	tools/decode/report_text.cpp
+	tools/decode/sample_json.cpp
+)
+target_link_libraries(xbus_decode PRIVATE xbus_bus)
+target_compile_options(xbus_decode PRIVATE -Wall -Wextra)

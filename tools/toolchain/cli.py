@@ -11,7 +11,7 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from . import demo, jolt, latency, load
+from . import demo, jolt, latency, load, xbus
 from .console import Failure, say
 from .display import real_display
 from .godot import Godot
@@ -32,6 +32,8 @@ HELP = """Dismount: people in motion-capture suits move through physics.
   ./run export              exports server and client to build/export/
   ./run bvh FILE            what a motion file holds: joints, frames, duration, unit, up axis
                             (--unit=m|cm|mm|inch|cmu|METRES and --up=y|z override the guess)
+  ./run xbus-decode FILE    what a recording of a suit's bus holds: messages, devices, rates, losses;
+                            --json prints everything, decoded (docs/xbus.md)
   ./run latency             measures the delay from sample to display on this machine, stage by
                             stage, and draws it (--seconds, --rate, --fps, --smoothing, --bvh)
   ./run load                puts many clients on a server over a bad network (docs/load.md):
@@ -69,6 +71,7 @@ def main(arguments: list[str]) -> int:
         "editor": _editor,
         "export": _export,
         "bvh": _bvh,
+        "xbus-decode": xbus.decode,
         "bench": _bench,
         "latency": lambda rest: latency.main(normalise(rest)),
         "load": lambda rest: load.main(normalise(rest)),

@@ -12,6 +12,9 @@ namespace xbus {
 /// that exists. An eight-bit checksum alone lets through too much.
 bool is_device_message(const Frame &p_frame);
 
+/// A number for the identifiers and lengths of an MTData2 message's items: the same for messages of one kind.
+uint32_t message_shape(const Frame &p_frame);
+
 /// Public figures of a stream.
 struct StreamStatistics {
 	/// Messages taken, with samples and without.
