@@ -36,14 +36,22 @@ sigset_t watched() {
 	return set;
 }
 
-/// What a program needs to find the devices.
-std::string preload_value() {
-	const char *before = std::getenv("LD_PRELOAD");
-	const std::string own = Testbed::preload();
-	return before == nullptr || *before == '\0' ? own : own + ":" + before;
+} // namespace
+
+void hold_signals() {
+	const sigset_t set = watched();
+	pthread_sigmask(SIG_BLOCK, &set, nullptr);
 }
 
-} // namespace
+std::string preload_value() {
+	const std::string own = Testbed::preload();
+	const char *before = std::getenv("LD_PRELOAD");
+	if (before == nullptr || *before == '\0') {
+		return own;
+	}
+	const std::string all = before;
+	return all.find(own) == std::string::npos ? own + ":" + all : all;
+}
 
 Session::Session(const SuitOptions &p_options, MotionStream p_stream) :
 		_options(p_options),
@@ -54,7 +62,6 @@ Session::Session(const SuitOptions &p_options, MotionStream p_stream) :
 	// Wakes at the microsecond that was asked for, not some fifty later.
 	prctl(PR_SET_TIMERSLACK, 1UL);
 	const sigset_t set = watched();
-	pthread_sigmask(SIG_BLOCK, &set, nullptr);
 	_signals = signalfd(-1, &set, SFD_NONBLOCK | SFD_CLOEXEC);
 	_shared.now = monotonic;
 	_shared.wake = [this]() {
@@ -106,6 +113,9 @@ void Session::_write_traces() {
 							<< trace.handed_over << '\n';
 			}
 		}
+		if (!one.traces().empty()) {
+			_trace_file.flush();
+		}
 		one.traces().clear();
 	}
 }
@@ -151,6 +161,7 @@ bool Session::_start_program() {
 }
 
 int Session::run() {
+	_begin = monotonic();
 	_plug_all(true);
 	if (!_start_program()) {
 		return 1;

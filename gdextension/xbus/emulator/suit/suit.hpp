@@ -4,9 +4,9 @@
 #include "suit/master.hpp"
 #include "suit/stand_alone.hpp"
 #include "suit/suit_options.hpp"
-#include "usb/ftdi_chip.hpp"
-#include "usb/native_chip.hpp"
-#include "usb/usb_port.hpp"
+#include "cable/ftdi_chip.hpp"
+#include "cable/native_chip.hpp"
+#include "cable/usb_port.hpp"
 
 #include <memory>
 

@@ -5,7 +5,7 @@
 #include "bus/framer.hpp"
 #include "bus/message.hpp"
 #include "suit/tracker.hpp"
-#include "usb/serial_line.hpp"
+#include "cable/serial_line.hpp"
 
 #include <functional>
 #include <initializer_list>
