@@ -57,6 +57,7 @@ Session::Session(const SuitOptions &p_options, MotionStream p_stream) :
 		_options(p_options),
 		_suit(p_options, std::move(p_stream), monotonic,
 				[this](Usec p_now, size_t p_place, const std::string &p_text) { _write_log(p_now, p_place, p_text); }),
+		_testbed(p_options.is_forbidden),
 		_begin(monotonic()),
 		_wake(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
 	// Wakes at the microsecond that was asked for, not some fifty later.
