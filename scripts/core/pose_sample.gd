@@ -22,6 +22,8 @@ var arrival_usec: int = 0
 var orientations: PackedFloat32Array = PackedFloat32Array()
 ## Position of the hips in the world, m, in the wearer's own size.
 var root: Vector3 = Vector3.ZERO
+## What else the source knows, or null. It is not sent.
+var details: MotionDetails = null
 
 
 ## The rotation of one limb.

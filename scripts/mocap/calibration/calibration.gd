@@ -1,0 +1,54 @@
+class_name Calibration
+extends RefCounted
+## How each sensor sits, and which way its north is: what turns what sensors say into limbs'
+## rotations from the reset pose (thesis 6.1).
+##
+## A sensor says s = H r M: r is the limb's rotation from the reset pose, M the sensor's mounting on
+## the limb, H the heading: which way the wearer's front at the reset is turned in the sensor's
+## global frame, about the vertical. So r = H^-1 s M^-1. The thesis' one-sided r = s s0^-1, s0 being
+## what was said in the reset pose, is the same for H = 1 (who faces north), since then M = s0.
+
+## What is known of each sensor, by its id.
+var entries: Dictionary[String, Entry] = {}
+## The kind of calibration that it comes from.
+var kind: CalibrationGuide.Kind = CalibrationGuide.Kind.T_POSE
+## When it was made, s of Unix time.
+var made_s: float = 0.0
+
+
+## One sensor.
+class Entry:
+	## Place of [BodyPlaces] on which it was worn.
+	var place: int = -1
+	## Heading H, rad about the vertical.
+	var heading: float = 0.0
+	## Mounting M: from the sensor's axes to the limb's.
+	var mounting: Quaternion = Quaternion.IDENTITY
+
+	## The limb's rotation from the reset pose, of what the sensor said.
+	func rotation(p_said: Quaternion) -> Quaternion:
+		return Rotations.yaw(-heading) * p_said * mounting.inverse()
+
+
+## Sets the mounting of a sensor from what it said in a pose, its heading being known.
+func set_sensor(
+	p_id: String, p_place: int, p_heading: float, p_said: Quaternion, p_pose: Quaternion
+) -> void:
+	var entry: Entry = Entry.new()
+	entry.place = p_place
+	entry.heading = p_heading
+	entry.mounting = ((Rotations.yaw(p_heading) * p_pose).inverse() * p_said).normalized()
+	entries[p_id] = entry
+
+
+## The entry of a sensor if it is still worn where it was calibrated, or null.
+func entry_for(p_id: String, p_place: int) -> Entry:
+	var entry: Entry = entries.get(p_id)
+	return entry if entry != null and entry.place == p_place else null
+
+
+## Turns everything that comes out about the vertical, rad: whoever stood as in the reset pose then
+## faces that way.
+func turn(p_angle: float) -> void:
+	for id: String in entries:
+		entries[id].heading -= p_angle

@@ -1,0 +1,40 @@
+class_name CalibrationOptions
+extends RefCounted
+## How a calibration finds out which way the wearer faces, and which sensors share a north.
+
+## Where it is known from which way the wearer faces.
+enum Facing {
+	## The arms' movement from T to N, or, where there is none, the calibration before this one.
+	MOVEMENT,
+	## The wearer faces the magnetic north.
+	NORTH,
+	## The wearer faces [member heading_deg].
+	HEADING,
+}
+
+## Which way the sensors' own norths point.
+enum Align {
+	## The movements tell whether they agree; if not, as EACH.
+	AUTO,
+	## All have the same north: one heading for all, the mean of what the movements tell.
+	COMMON,
+	## Each has its own, from its movement; a sensor that did not move takes its neighbour's.
+	EACH,
+}
+
+## Names of the ways for people, by [enum Facing].
+const FACING_NAMES: PackedStringArray = ["from the arms' movement", "north", "compass heading"]
+
+## Where the wearer's facing is known from.
+var facing: Facing = Facing.MOVEMENT
+## Compass heading of the wearer: degrees clockwise from north, for HEADING.
+var heading_deg: float = 0.0
+## Which north the sensors have.
+var align: Align = Align.AUTO
+## The pose that becomes the reference where both were held.
+var pose: ResetPose.Kind = ResetPose.Kind.T
+
+
+## The heading of the wearer that is told, rad about Godot's vertical, for NORTH and HEADING.
+func told_heading() -> float:
+	return -deg_to_rad(heading_deg) if facing == Facing.HEADING else 0.0

@@ -1,0 +1,92 @@
+class_name CalibrationResult
+extends RefCounted
+## What a calibration found, and how good it is.
+
+## Movement during a pose from which on it should be done again, degrees.
+const MOVED_DEG: float = 3.0
+## A pose that is off by more than this from what the other pose told is worth a word, degrees.
+const OFF_DEG: float = 20.0
+## A heading that differs by more than this from its neighbours' is worth a word, degrees.
+const TURNED_DEG: float = 12.0
+
+## Why there is none, or an empty text.
+var error: String = ""
+## The calibration.
+var calibration: Calibration = null
+## How good each place is, in the order of the places.
+var places: Array[PlaceQuality] = []
+## What the wearer should know or do, one sentence each, worst first.
+var advice: PackedStringArray = PackedStringArray()
+
+
+## One place.
+class PlaceQuality:
+	## The place of [BodyPlaces].
+	var place: int = -1
+	## The sensor there.
+	var sensor: String = ""
+	## Whether the sensor said nothing, or too little.
+	var is_missing: bool = false
+	## How far it moved while the pose was held, degrees.
+	var movement_deg: float = 0.0
+	## How far the other pose was off from what this calibration says of it, degrees; -1 if there
+	## was none.
+	var residual_deg: float = -1.0
+	## The heading that was found, degrees about the vertical.
+	var heading_deg: float = 0.0
+	## Whether that heading is the sensor's own, from its movement.
+	var is_heading_measured: bool = false
+
+	## In a word: "good", "moved", "off" or "missing".
+	func grade() -> String:
+		if is_missing:
+			return "missing"
+		if movement_deg > CalibrationResult.MOVED_DEG:
+			return "moved"
+		return "off" if residual_deg > CalibrationResult.OFF_DEG else "good"
+
+
+## Whether nothing speaks against taking it over.
+func is_good() -> bool:
+	if error != "":
+		return false
+	for quality: PlaceQuality in places:
+		if quality.grade() != "good":
+			return false
+	return true
+
+
+## Quality of a place, or null.
+func find(p_place: int) -> PlaceQuality:
+	for quality: PlaceQuality in places:
+		if quality.place == p_place:
+			return quality
+	return null
+
+
+## How good it is in one number, 0 to 1: 1 if nobody moved, 0 if somebody moved by 10 degrees.
+func score() -> float:
+	var worst: float = 0.0
+	for quality: PlaceQuality in places:
+		worst = maxf(worst, 10.0 if quality.is_missing else quality.movement_deg)
+	return 0.0 if error != "" else clampf(1.0 - worst / 10.0, 0.0, 1.0)
+
+
+## Fills [member advice] from the places.
+func judge() -> void:
+	var sorted: Array[PlaceQuality] = places.duplicate()
+	sorted.sort_custom(
+		func(a: PlaceQuality, b: PlaceQuality) -> bool: return a.movement_deg > b.movement_deg
+	)
+	for quality: PlaceQuality in sorted:
+		var title: String = BodyPlaces.title(quality.place)
+		if quality.is_missing:
+			var parts: Array = [title, quality.sensor]
+			advice.append("%s: sensor %s says nothing" % parts)
+		elif quality.movement_deg > MOVED_DEG:
+			var parts: Array = [title, roundi(quality.movement_deg)]
+			advice.append("%s moved %d° during the pose: again?" % parts)
+	for quality: PlaceQuality in sorted:
+		if not quality.is_missing and quality.residual_deg > OFF_DEG:
+			var parts: Array = [BodyPlaces.title(quality.place), roundi(quality.residual_deg)]
+			advice.append("%s was %d° away from where it should be in the other pose" % parts)

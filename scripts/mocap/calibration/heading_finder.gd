@@ -1,0 +1,77 @@
+class_name HeadingFinder
+extends RefCounted
+## Finds which way each sensor's north is from the axes about which it turned.
+
+## A movement must have turned a place by so much, rad.
+const LEAST_TURN: float = 0.3
+## And it must have been about one level axis: [method MotionAxis.purity].
+const LEAST_PURITY: float = 0.9
+
+## Headings that movements told, rad, by place.
+var measured: Dictionary[int, float] = {}
+
+var _sines: Dictionary[int, Vector2] = {}
+
+
+## Takes what a movement told of a place: the level axis in the sensor's global
+## frame and the turn, rad.
+func add(p_place: int, p_wanted: Vector3, p_axis: Vector3, p_turn: float, p_purity: float) -> void:
+	if p_turn < LEAST_TURN or p_purity < LEAST_PURITY or p_wanted == Vector3.ZERO:
+		return
+	var heading: float = atan2(p_axis.x, p_axis.z) - atan2(p_wanted.x, p_wanted.z)
+	var sum: Vector2 = _sines.get(p_place, Vector2.ZERO)
+	sum += Vector2.from_angle(heading) * p_turn
+	_sines[p_place] = sum
+	measured[p_place] = sum.angle()
+
+
+## The heading of somebody's front: arms where there are, left and right alike, else all.
+func common() -> float:
+	var arms: Vector2 = Vector2.ZERO
+	for side: int in [-1, 1]:
+		var sum: Vector2 = Vector2.ZERO
+		for place: int in measured:
+			if ResetPose.hangs(place) and BodyPlaces.side(place) == side:
+				sum += Vector2.from_angle(measured[place])
+		arms += sum.normalized()
+	if arms.length() > 0.5:
+		return arms.angle()
+	return middle(measured.values())
+
+
+## The largest difference of a measured heading from the common one, rad.
+func spread() -> float:
+	var most: float = 0.0
+	var front: float = common()
+	for place: int in measured:
+		most = maxf(most, absf(angle_difference(front, measured[place])))
+	return most
+
+
+## A place's own heading, or that of the nearest one towards the pelvis that has one, or of its
+## mirror; [param p_else] if there is none.
+func nearest(p_place: int, p_else: float) -> float:
+	var place: int = p_place
+	while place >= 0:
+		if measured.has(place):
+			return measured[place]
+		place = BodyPlaces.PARENTS[place]
+	return measured.get(BodyPlaces.MIRRORS[p_place], p_else)
+
+
+## The middle of angles, rad, robust against a few odd ones; 0 if there are none.
+static func middle(p_angles: Array) -> float:
+	var best: float = 0.0
+	var best_sum: float = INF
+	for angle: float in p_angles:
+		var sum: float = 0.0
+		for other: float in p_angles:
+			sum += absf(angle_difference(angle, other))
+		if sum < best_sum:
+			best_sum = sum
+			best = angle
+	var mean: Vector2 = Vector2.ZERO
+	for angle: float in p_angles:
+		if absf(angle_difference(angle, best)) < 0.3:
+			mean += Vector2.from_angle(angle)
+	return mean.angle() if not p_angles.is_empty() else 0.0

@@ -1,0 +1,31 @@
+class_name PersonProfile
+extends RefCounted
+## What is kept of a person who wears sensors: name, body, which sensor is where, calibration.
+
+## Longest name.
+const MOST_LETTERS: int = 60
+
+## Name of the person, and of the file.
+var name: String = "somebody"
+## How big the person is.
+var size: BodySize = BodySize.new()
+## Which sensor is worn where.
+var map: SensorMap = SensorMap.new()
+## The calibration, or null if there is none yet.
+var calibration: Calibration = null
+
+
+## Why nobody can be called that, or an empty text.
+static func find_name_fault(p_name: String) -> String:
+	if p_name.strip_edges() == "":
+		return "a person needs a name"
+	if p_name != p_name.strip_edges() or p_name.begins_with(".") or p_name.ends_with("."):
+		return "a name neither begins nor ends with a space or a full stop"
+	if p_name.length() > MOST_LETTERS:
+		return "a name has at most %d letters, found %d" % [MOST_LETTERS, p_name.length()]
+	for at: int in p_name.length():
+		if p_name.unicode_at(at) < 32 or p_name.unicode_at(at) == 127:
+			return "a name has no control characters"
+	if not p_name.is_valid_filename():
+		return "a name has none of : / \\ ? * \" | %% < >, found '%s'" % p_name
+	return ""

@@ -1,0 +1,173 @@
+class_name BodySize
+extends RefCounted
+## How big a person is: height and lengths of limbs, measured or taken from the height.
+##
+## Lengths that nobody measured follow from the height by the ratios of Drillis and Contini (1966),
+## as printed in Winter's "Biomechanics and Motor Control of Human Movement".
+
+## What can be measured, and its usual share of the height.
+const RATIOS: Dictionary[StringName, float] = {
+	&"hip_height": 0.530,
+	&"trunk": 0.288,
+	&"head": 0.182,
+	&"shoulder_width": 0.259,
+	&"hip_width": 0.191,
+	&"upper_arm": 0.186,
+	&"forearm": 0.146,
+	&"hand": 0.108,
+	&"thigh": 0.245,
+	&"shank": 0.246,
+	&"foot_height": 0.039,
+	&"foot_length": 0.152,
+}
+## What is meant by each, for people who measure.
+const HINTS: Dictionary[StringName, String] = {
+	&"hip_height": "floor to hip joint (the bone that sticks out at the side)",
+	&"trunk": "hip joint to shoulder joint",
+	&"head": "shoulder joint to the top of the head",
+	&"shoulder_width": "shoulder joint to shoulder joint",
+	&"hip_width": "hip bone to hip bone, at the side",
+	&"upper_arm": "shoulder joint to elbow",
+	&"forearm": "elbow to wrist",
+	&"hand": "wrist to the tip of the middle finger",
+	&"thigh": "hip joint to knee",
+	&"shank": "knee to ankle",
+	&"foot_height": "ankle to floor",
+	&"foot_length": "heel to toes",
+}
+## Smallest and largest height of a person, m.
+const LEAST_HEIGHT: float = 0.8
+const MOST_HEIGHT: float = 2.5
+## A measure is between so many times what is usual for the height.
+const LEAST_PART: float = 0.5
+const MOST_PART: float = 1.8
+
+## Height, m.
+var height: float = 1.75:
+	set(p_height):
+		if p_height >= LEAST_HEIGHT and p_height <= MOST_HEIGHT:
+			height = p_height
+## What was measured, m; the rest is usual for the height.
+var measured: Dictionary[StringName, float] = {}
+
+
+## The size of somebody of whom only the height is known, m.
+static func of_height(p_height: float) -> BodySize:
+	var size: BodySize = BodySize.new()
+	size.height = p_height
+	return size
+
+
+## The size of somebody of whom only the height of the hips is known, m.
+static func of_hip_height(p_hips: float) -> BodySize:
+	var usual: float = RATIOS[&"hip_height"]
+	return of_height(clampf(p_hips / usual, LEAST_HEIGHT, MOST_HEIGHT))
+
+
+## A measure of [constant RATIOS], m.
+func length(p_name: StringName) -> float:
+	return measured.get(p_name, RATIOS[p_name] * height)
+
+
+## Sets a measure, m. Returns why not, or an empty text.
+func measure(p_name: StringName, p_metres: float) -> String:
+	if not RATIOS.has(p_name):
+		return "there is no measure '%s', only %s" % [p_name, ", ".join(RATIOS.keys())]
+	var usual: float = RATIOS[p_name] * height
+	# Written so that NaN fails too.
+	if not (p_metres >= usual * LEAST_PART and p_metres <= usual * MOST_PART):
+		var parts: Array = [p_name, usual * LEAST_PART, usual * MOST_PART, height, p_metres]
+		return "%s is between %.2f and %.2f m for a height of %.2f m, found %.2f m" % parts
+	measured[p_name] = p_metres
+	return ""
+
+
+## Sets the height, m. Measures that no longer fit it are forgotten. Returns why not, or an empty
+## text.
+func set_height(p_metres: float) -> String:
+	if not (p_metres >= LEAST_HEIGHT and p_metres <= MOST_HEIGHT):
+		var parts: Array = [LEAST_HEIGHT, MOST_HEIGHT, p_metres]
+		return "a person is between %.1f and %.1f m tall, found %.2f m" % parts
+	height = p_metres
+	var old: Dictionary[StringName, float] = measured
+	measured = {}
+	for name: StringName in old:
+		measure(name, old[name])
+	return ""
+
+
+## Length of a limb of [Limbs], m, from its joint to the next.
+func limb_length(p_limb: int) -> float:
+	match p_limb:
+		0:
+			return length(&"trunk") * 0.2
+		1:
+			return length(&"trunk") * 0.3
+		2:
+			return length(&"trunk") * 0.5
+		3:
+			return length(&"head")
+		4, 7:
+			return length(&"upper_arm")
+		5, 8:
+			return length(&"forearm")
+		6, 9:
+			return length(&"hand")
+		10, 13:
+			return length(&"thigh")
+		11, 14:
+			return length(&"shank")
+	return length(&"foot_length")
+
+
+## Where each limb begins in the reset pose, m: facing +Z, the hips' middle above the origin, the
+## soles at 0.
+func joints() -> PackedVector3Array:
+	var hips: float = length(&"hip_height")
+	var shoulders: float = hips + length(&"trunk")
+	var found: PackedVector3Array = PackedVector3Array()
+	found.resize(Limbs.COUNT)
+	found[0] = Vector3(0.0, hips, 0.0)
+	found[1] = Vector3(0.0, hips + limb_length(0), 0.0)
+	found[2] = found[1] + Vector3(0.0, limb_length(1), 0.0)
+	found[3] = Vector3(0.0, shoulders + length(&"head") * 0.15, 0.0)
+	for side: int in 2:
+		var sign: float = 1.0 - 2.0 * side
+		var arm: int = 4 + 3 * side
+		var reach: float = length(&"shoulder_width") / 2.0
+		for part: int in 3:
+			found[arm + part] = Vector3(sign * reach, shoulders, 0.0)
+			reach += limb_length(arm + part)
+		var leg: int = 10 + 3 * side
+		# The hip joints are nearer to each other than the bones at the side.
+		var across: float = sign * length(&"hip_width") * 0.5 * 0.9
+		found[leg] = Vector3(across, hips, 0.0)
+		var ankle: float = length(&"foot_height")
+		var legs: float = length(&"thigh") + length(&"shank")
+		var knee: float = ankle + (hips - ankle) * length(&"shank") / legs
+		found[leg + 1] = Vector3(across, knee, 0.0)
+		found[leg + 2] = Vector3(across, ankle, 0.0)
+	return found
+
+
+## Where each limb ends in the reset pose, m.
+func tails() -> PackedVector3Array:
+	var bases: PackedVector3Array = joints()
+	var found: PackedVector3Array = bases.duplicate()
+	for limb: int in [0, 1, 4, 5, 7, 8, 10, 11, 13, 14]:
+		found[limb] = bases[limb + 1]
+	found[2] = Vector3(0.0, length(&"hip_height") + length(&"trunk"), 0.0)
+	found[3] = Vector3(0.0, found[2].y + length(&"head"), 0.0)
+	found[6] += Vector3.RIGHT * length(&"hand")
+	found[9] += Vector3.LEFT * length(&"hand")
+	for foot: int in [12, 15]:
+		found[foot] += Vector3(0.0, -length(&"foot_height") * 0.8, length(&"foot_length") * 0.7)
+	return found
+
+
+## For files.
+func to_dictionary() -> Dictionary:
+	var lengths: Dictionary = {}
+	for name: StringName in measured:
+		lengths[String(name)] = measured[name]
+	return {"height_m": height, "measured_m": lengths}

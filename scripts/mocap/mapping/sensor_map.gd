@@ -1,0 +1,106 @@
+class_name SensorMap
+extends RefCounted
+## Which sensor is worn where: sensors by their ids, places of [BodyPlaces].
+
+## For each number of sensors the places, in the order in which they are plugged in.
+## Legs and arms come left before right, from the trunk outwards.
+const LAYOUTS: Dictionary[int, Array] = {
+	5: [0, 5, 9, 12, 15],
+	6: [0, 2, 5, 9, 12, 15],
+	7: [0, 1, 2, 5, 9, 12, 15],
+	8: [0, 1, 4, 5, 8, 9, 12, 15],
+	9: [0, 1, 2, 4, 5, 8, 9, 12, 15],
+	10: [0, 1, 4, 5, 8, 9, 11, 12, 14, 15],
+	11: [0, 1, 2, 4, 5, 8, 9, 11, 12, 14, 15],
+	12: [0, 1, 4, 5, 8, 9, 11, 12, 13, 14, 15, 16],
+	13: [0, 1, 2, 4, 5, 8, 9, 11, 12, 13, 14, 15, 16],
+	14: [0, 1, 4, 5, 6, 8, 9, 10, 11, 12, 13, 14, 15, 16],
+	15: [0, 1, 2, 4, 5, 6, 8, 9, 10, 11, 12, 13, 14, 15, 16],
+	16: [0, 1, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16],
+	17: [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16],
+}
+
+## Places by the sensors' ids.
+var places: Dictionary[String, int] = {}
+
+
+## A map for sensors that nobody has told yet: places that they tell themselves, the others by the
+## layout for their number, in their order.
+static func guess(p_sensors: Array[SensorInfo]) -> SensorMap:
+	var map: SensorMap = SensorMap.new()
+	var free: PackedInt32Array = layout(p_sensors.size())
+	for sensor: SensorInfo in p_sensors:
+		var place: int = BodyPlaces.find(sensor.place)
+		if place >= 0:
+			map.assign(sensor.id, place)
+			if free.has(place):
+				free.remove_at(free.find(place))
+	for sensor: SensorInfo in p_sensors:
+		if not map.places.has(sensor.id) and not free.is_empty():
+			map.assign(sensor.id, free[0])
+			free.remove_at(0)
+	return map
+
+
+## The places for so many sensors; for more than 17 all, for fewer than 5 the first of 5.
+static func layout(p_count: int) -> PackedInt32Array:
+	var found: PackedInt32Array = PackedInt32Array(LAYOUTS[clampi(p_count, 5, 17)])
+	return found.slice(0, mini(p_count, found.size()))
+
+
+## Puts a sensor on a place, and takes away whichever was there. A place of -1: it is not worn.
+func assign(p_id: String, p_place: int) -> void:
+	var there: String = sensor_at(p_place)
+	if there != "":
+		places.erase(there)
+	places.erase(p_id)
+	if p_place >= 0:
+		places[p_id] = p_place
+
+
+## Exchanges what two places hold, which may be nothing.
+func exchange(p_first: int, p_second: int) -> void:
+	var first: String = sensor_at(p_first)
+	var second: String = sensor_at(p_second)
+	places.erase(first)
+	places.erase(second)
+	if first != "":
+		places[first] = p_second
+	if second != "":
+		places[second] = p_first
+
+
+## The sensor on a place, or an empty text.
+func sensor_at(p_place: int) -> String:
+	var found: Variant = places.find_key(p_place)
+	return "" if found == null or p_place < 0 else found
+
+
+## The place of each sensor of a list, -1 for those that are not worn.
+func of_sensors(p_sensors: Array[SensorInfo]) -> PackedInt32Array:
+	var found: PackedInt32Array = PackedInt32Array()
+	for sensor: SensorInfo in p_sensors:
+		found.append(places.get(sensor.id, -1))
+	return found
+
+
+## The places that have a sensor, in their order.
+func worn() -> PackedInt32Array:
+	var found: PackedInt32Array = PackedInt32Array(places.values())
+	found.sort()
+	return found
+
+
+## A copy that can be changed.
+func duplicate() -> SensorMap:
+	var map: SensorMap = SensorMap.new()
+	map.places = places.duplicate()
+	return map
+
+
+## For files: names of places by ids.
+func to_dictionary() -> Dictionary:
+	var found: Dictionary = {}
+	for id: String in places:
+		found[id] = String(BodyPlaces.NAMES[places[id]])
+	return found
