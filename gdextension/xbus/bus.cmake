@@ -18,3 +18,11 @@ dismount_add_core_library(xbus_bus SOURCES
 	src/bus/sample.cpp
 	src/bus/stream_check.cpp
 )
+foreach(test corruption examples framer golden)
+	dismount_add_core_test(xbus_${test} SOURCES tests/test_${test}.cpp LIBRARIES xbus_bus)
+endforeach()
+if(TARGET xbus_golden)
+	target_compile_definitions(xbus_golden PRIVATE DISMOUNT_TEST_DATA="${PROJECT_SOURCE_DIR}/../tests/data")
+endif()
+# Hostile bytes, as many as asked for: xbus_fuzz EXECUTIONS [SEED].
+dismount_add_core_test(xbus_fuzz SOURCES tests/fuzz_bus.cpp LIBRARIES xbus_bus)

@@ -58,7 +58,8 @@ inline uint8_t sum_bytes(const uint8_t *p_bytes, size_t p_size) {
 			std::memcpy(&word, p_bytes + i, 8);
 			lanes += (word & LANES) + ((word >> 8U) & LANES);
 		}
-		sum += uint32_t((lanes * 0x0001000100010001ULL) >> 48U);
+		// Only low bytes count in the end, and each lane's low byte is at the bottom once.
+		sum += uint32_t(lanes) + uint32_t(lanes >> 16U) + uint32_t(lanes >> 32U) + uint32_t(lanes >> 48U);
 		p_bytes += block;
 		p_size -= block;
 	}

@@ -28,6 +28,9 @@ struct FramerStatistics {
 	uint64_t refused_frames = 0;
 	/// Messages whose rest did not come.
 	uint64_t given_up = 0;
+
+	/// Whether so much is wrong with the line that what looks odd is rather corrupted: a byte in a thousand.
+	bool is_noisy() const { return skipped_bytes * 1000 > bytes; }
 };
 
 /// Finds messages in a stream of bytes, however it is cut. A message that lies whole in a chunk is handed on

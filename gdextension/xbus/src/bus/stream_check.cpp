@@ -143,7 +143,7 @@ StreamCheck::Verdict StreamCheck::_refuse(uint64_t &r_reason) {
 	return Verdict::REFUSED;
 }
 
-StreamCheck::Verdict StreamCheck::take(const Frame &p_frame) {
+StreamCheck::Verdict StreamCheck::take(const Frame &p_frame, bool p_noisy) {
 	if (!is_device_message(p_frame) || !_is_bus_id(p_frame.bus_id)) {
 		return _refuse(_statistics.impossible);
 	}
@@ -151,7 +151,7 @@ StreamCheck::Verdict StreamCheck::take(const Frame &p_frame) {
 		return _take_mt_data(p_frame);
 	}
 	if (p_frame.message == Message::MT_DATA2) {
-		return _take_mt_data2(p_frame);
+		return _take_mt_data2(p_frame, p_noisy);
 	}
 	_statistics.control++;
 	return Verdict::CONTROL;
@@ -201,10 +201,11 @@ StreamCheck::Verdict StreamCheck::_take_master() {
 	return Verdict::DATA;
 }
 
-StreamCheck::Verdict StreamCheck::_take_mt_data2(const Frame &p_frame) {
+StreamCheck::Verdict StreamCheck::_take_mt_data2(const Frame &p_frame, bool p_noisy) {
 	Sample &sample = _samples[0];
 	const ItemReport report = decode_mt_data2(p_frame.data, p_frame.size, sample);
-	if (!report.whole || (!report.is_clean() && !_is_known_shape(p_frame))) {
+	const bool odd = !report.is_clean() && !_is_known_shape(p_frame);
+	if (!report.whole || (odd && p_noisy)) {
 		return _refuse(_statistics.wrong_sizes);
 	}
 	_statistics.unknown_items += report.unknown + report.misfits;

@@ -29,7 +29,8 @@ struct StreamStatistics {
 /// what it refuses, the framer takes for no message at all and looks behind its first byte.
 ///
 ///     framer.feed(bytes, size, [&](const Frame &p_frame) {
-///         return check.take(p_frame) != StreamCheck::Verdict::REFUSED;
+///         const bool noisy = framer.statistics().is_noisy();
+///         return check.take(p_frame, noisy) != StreamCheck::Verdict::REFUSED;
 ///     });
 class StreamCheck {
 public:
@@ -53,8 +54,9 @@ public:
 	/// Trackers behind the master, if they are known: no other bus identifiers are taken.
 	void expect_devices(size_t p_count) { _device_count = p_count < MAX_DEVICES ? p_count : MAX_DEVICES; }
 
-	/// Judges a message; on DATA its samples are decoded.
-	Verdict take(const Frame &p_frame);
+	/// Judges a message; on DATA its samples are decoded. On a noisy line an MTData2 message with items that
+	/// are not understood is taken only when one of the same shape has come before.
+	Verdict take(const Frame &p_frame, bool p_noisy = false);
 
 	/// Of the last message that was DATA. A sample of a sick device is empty: its `present` is 0.
 	size_t sample_count() const { return _sample_count; }
@@ -81,7 +83,7 @@ private:
 	}
 	bool _is_bus_id(uint8_t p_bus_id) const;
 	Verdict _take_mt_data(const Frame &p_frame);
-	Verdict _take_mt_data2(const Frame &p_frame);
+	Verdict _take_mt_data2(const Frame &p_frame, bool p_noisy);
 	Verdict _take_master();
 	Verdict _take_sample(Sample &r_sample);
 	/// Whether this odd message has come before: then it is no accident.

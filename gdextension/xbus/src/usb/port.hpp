@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "usb/ftdi_chip.hpp"
+#include "usb/ftdi_protocol.hpp"
 #include "usb/known_devices.hpp"
 
 #include <libusb.h>
