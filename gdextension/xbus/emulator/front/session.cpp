@@ -150,9 +150,9 @@ bool Session::_start_program() {
 			prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE);
 			prctl(PR_CAPBSET_DROP, CAP_DAC_READ_SEARCH);
 		}
-		if (_standard_input < 0 || !_options.commands.empty()) {
-			_standard_input = -1;
-		}
+		// The emulator reads commands from its own.
+		const int nothing = open("/dev/null", O_RDONLY);
+		dup2(nothing, STDIN_FILENO);
 		setenv("LD_PRELOAD", preload.c_str(), 1);
 		execvp(arguments[0], arguments.data());
 		(void)fprintf(stderr, "suit_emulator: cannot start %s\n", arguments[0]);
@@ -163,6 +163,7 @@ bool Session::_start_program() {
 
 int Session::run() {
 	_begin = monotonic();
+	_suit.begin(_begin);
 	_plug_all(true);
 	if (!_start_program()) {
 		return 1;
