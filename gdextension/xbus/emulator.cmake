@@ -10,11 +10,11 @@ dismount_add_core_library(xbus_emulator SOURCES
 	emulator/suit/suit_options.cpp
 	emulator/suit/tracker.cpp
 	emulator/suit/xbus_device.cpp
-	emulator/usb/ftdi_chip.cpp
-	emulator/usb/native_chip.cpp
-	emulator/usb/serial_line.cpp
-	emulator/usb/usb_device.cpp
-	emulator/usb/usb_port.cpp
+	emulator/cable/ftdi_chip.cpp
+	emulator/cable/native_chip.cpp
+	emulator/cable/serial_line.cpp
+	emulator/cable/usb_device.cpp
+	emulator/cable/usb_port.cpp
 	LIBRARIES xbus_bus kinematics
 )
 target_include_directories(xbus_emulator PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/emulator)

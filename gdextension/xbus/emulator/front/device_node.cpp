@@ -47,8 +47,9 @@ std::string property(const std::string &p_name, const std::string &p_value) {
 
 } // namespace
 
-Testbed::Testbed() :
-		_testbed(umockdev_testbed_new()) {
+Testbed::Testbed(bool p_is_forbidden) :
+		_testbed(umockdev_testbed_new()),
+		_is_forbidden(p_is_forbidden) {
 	char *root = umockdev_testbed_get_root_dir(_testbed);
 	_root = root == nullptr ? "" : root;
 	g_free(root);
@@ -164,6 +165,9 @@ void DeviceNode::_make_gate() {
 	_gate = open(path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
 	if (_gate < 0 || fcntl(_gate, F_SETPIPE_SZ, PAGE) < 0) {
 		throw std::runtime_error("cannot open " + path);
+	}
+	if (chmod(path.c_str(), _testbed.is_forbidden() ? 0000 : 0666) != 0) {
+		throw std::runtime_error("cannot change " + path);
 	}
 	set_ready(false);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "usb/usb_device.hpp"
+#include "cable/usb_device.hpp"
 
 #include <memory>
 
@@ -12,12 +12,14 @@ namespace emulator {
 /// The system that programs under umockdev see: /sys, /dev, messages of udev.
 class Testbed {
 public:
-	Testbed();
+	/// `p_is_forbidden`: nobody may open the devices.
+	explicit Testbed(bool p_is_forbidden);
 	~Testbed();
 	Testbed(const Testbed &) = delete;
 	Testbed &operator=(const Testbed &) = delete;
 
 	const std::string &root() const { return _root; }
+	bool is_forbidden() const { return _is_forbidden; }
 	/// umockdev's library for programs, to be loaded before all others.
 	static std::string preload();
 	UMockdevTestbed *raw() { return _testbed; }
@@ -27,6 +29,7 @@ public:
 private:
 	UMockdevTestbed *_testbed;
 	std::string _root;
+	bool _is_forbidden;
 	int _last_device = 1;
 };
 

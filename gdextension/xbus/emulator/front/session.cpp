@@ -36,25 +36,33 @@ sigset_t watched() {
 	return set;
 }
 
-/// What a program needs to find the devices.
-std::string preload_value() {
-	const char *before = std::getenv("LD_PRELOAD");
-	const std::string own = Testbed::preload();
-	return before == nullptr || *before == '\0' ? own : own + ":" + before;
+} // namespace
+
+void hold_signals() {
+	const sigset_t set = watched();
+	pthread_sigmask(SIG_BLOCK, &set, nullptr);
 }
 
-} // namespace
+std::string preload_value() {
+	const std::string own = Testbed::preload();
+	const char *before = std::getenv("LD_PRELOAD");
+	if (before == nullptr || *before == '\0') {
+		return own;
+	}
+	const std::string all = before;
+	return all.find(own) == std::string::npos ? own + ":" + all : all;
+}
 
 Session::Session(const SuitOptions &p_options, MotionStream p_stream) :
 		_options(p_options),
 		_suit(p_options, std::move(p_stream), monotonic,
 				[this](Usec p_now, size_t p_place, const std::string &p_text) { _write_log(p_now, p_place, p_text); }),
+		_testbed(p_options.is_forbidden),
 		_begin(monotonic()),
 		_wake(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
 	// Wakes at the microsecond that was asked for, not some fifty later.
 	prctl(PR_SET_TIMERSLACK, 1UL);
 	const sigset_t set = watched();
-	pthread_sigmask(SIG_BLOCK, &set, nullptr);
 	_signals = signalfd(-1, &set, SFD_NONBLOCK | SFD_CLOEXEC);
 	_shared.now = monotonic;
 	_shared.wake = [this]() {
@@ -106,6 +114,9 @@ void Session::_write_traces() {
 							<< trace.handed_over << '\n';
 			}
 		}
+		if (!one.traces().empty()) {
+			_trace_file.flush();
+		}
 		one.traces().clear();
 	}
 }
@@ -139,9 +150,9 @@ bool Session::_start_program() {
 			prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE);
 			prctl(PR_CAPBSET_DROP, CAP_DAC_READ_SEARCH);
 		}
-		if (_standard_input < 0 || !_options.commands.empty()) {
-			_standard_input = -1;
-		}
+		// The emulator reads commands from its own.
+		const int nothing = open("/dev/null", O_RDONLY);
+		dup2(nothing, STDIN_FILENO);
 		setenv("LD_PRELOAD", preload.c_str(), 1);
 		execvp(arguments[0], arguments.data());
 		(void)fprintf(stderr, "suit_emulator: cannot start %s\n", arguments[0]);
@@ -151,6 +162,8 @@ bool Session::_start_program() {
 }
 
 int Session::run() {
+	_begin = monotonic();
+	_suit.begin(_begin);
 	_plug_all(true);
 	if (!_start_program()) {
 		return 1;

@@ -9,6 +9,11 @@
 
 namespace emulator {
 
+/// Signals are read by the session, so no thread may take them: to be called before there are any.
+void hold_signals();
+/// LD_PRELOAD of programs that are to find the devices.
+std::string preload_value();
+
 /// Runs a suit in real time: its nodes, the program that it is for, commands, files.
 class Session {
 public:

@@ -3,9 +3,12 @@
 #include "front/session.hpp"
 
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <fstream>
 #include <iterator>
+
+#include <unistd.h>
 
 namespace {
 
@@ -14,9 +17,21 @@ int refuse(const std::string &p_what) {
 	return 2;
 }
 
+/// umockdev sends udev's messages only from a program that it is loaded into itself.
+void enter_umockdev(char **p_arguments) {
+	if (umockdev_in_mock_environment() == 0 && std::getenv("SUIT_EMULATOR_ENTERED") == nullptr) {
+		setenv("SUIT_EMULATOR_ENTERED", "1", 1);
+		setenv("LD_PRELOAD", emulator::preload_value().c_str(), 1);
+		execv("/proc/self/exe", p_arguments);
+	}
+	unsetenv("SUIT_EMULATOR_ENTERED");
+}
+
 } // namespace
 
 int main(int p_count, char **p_arguments) {
+	enter_umockdev(p_arguments);
+	emulator::hold_signals();
 	try {
 		emulator::SuitOptions options;
 		const std::string fault = options.parse({ p_arguments + 1, p_arguments + p_count });

@@ -39,6 +39,9 @@ void UsbfsNode::plug(bool p_in) {
 			const std::lock_guard lock(_shared.mutex);
 			_port.plug(false, _shared.now());
 			collect();
+			for (auto &[client, opened] : _opened) {
+				opened.claimed.clear();
+			}
 			_log("unplugged");
 		}
 		_node->leave();

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "front/device_node.hpp"
-#include "usb/usb_port.hpp"
+#include "cable/usb_port.hpp"
 
 #include <mutex>
 #include <set>

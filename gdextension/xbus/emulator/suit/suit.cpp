@@ -191,37 +191,70 @@ Usec Suit::next_event() const {
 	return next;
 }
 
+void Suit::begin(Usec p_now) {
+	for (SuitDevice &one : _devices) {
+		one.device->set_motion(0.0, !_options.is_held, p_now);
+	}
+}
+
+bool Suit::_move(const std::string &p_name, double p_value, Usec p_now) {
+	double time = _devices.front().device->motion_time(p_now);
+	if (p_name == "calibrate") {
+		time = 0.0;
+	} else if (p_name == "clip") {
+		time = _stream.lead_in_s();
+	} else if (p_name == "motion") {
+		time = std::max(p_value, 0.0);
+	} else if (p_name != "hold" && p_name != "go") {
+		return false;
+	}
+	for (SuitDevice &one : _devices) {
+		one.device->set_motion(time, p_name != "hold", p_now);
+	}
+	return true;
+}
+
+bool Suit::_disturb(SuitDevice &r_device, const std::string &p_name, double p_value, Usec p_now) {
+	if (p_name == "corrupt") {
+		r_device.line().faults.corrupt = std::clamp(p_value, 0.0, 1.0);
+	} else if (p_name == "drop") {
+		r_device.line().faults.drop = std::clamp(p_value, 0.0, 1.0);
+	} else if (p_name == "error") {
+		r_device.device->send_error(uint8_t(p_value), p_now);
+	} else if (p_name == "mute" || p_name == "speak") {
+		r_device.device->faults.is_mute = p_name == "mute";
+	} else if (p_name == "freeze" || p_name == "thaw") {
+		r_device.device->faults.is_frozen = p_name == "freeze";
+	} else if (p_name == "stall") {
+		r_device.ftdi != nullptr ? r_device.ftdi->halt() : r_device.native->halt();
+	} else if (p_name == "battery") {
+		if (r_device.master != nullptr) {
+			r_device.master->set_battery(unsigned(std::clamp(p_value, 0.0, 255.0)));
+		}
+	} else {
+		return false;
+	}
+	return true;
+}
+
 std::string Suit::command(const std::string &p_line, Usec p_now, bool &r_is_known) {
 	std::istringstream words(p_line);
 	std::string name;
 	std::string text;
 	words >> name >> text;
 	double value = 0.0;
-	const bool has_value = parse_number(name == "error" || name == "refuse" ? "0x" + text : text, value);
-	const bool needs_value = name == "corrupt" || name == "drop" || name == "error" || name == "battery";
+	const bool has_value = parse_number(name == "error" ? "0x" + text : text, value);
+	const char *with_value[] = { "corrupt", "drop", "error", "battery", "motion" };
+	const auto is_it = [&name](const char *p_one) { return name == p_one; };
 	r_is_known = true;
-	if (needs_value && !has_value) {
+	if (!has_value && std::any_of(std::begin(with_value), std::end(with_value), is_it)) {
 		return "'" + name + "' needs a number";
 	}
+	if (_move(name, value, p_now)) {
+		return {};
+	}
 	for (SuitDevice &one : _devices) {
-		if (name == "corrupt") {
-			one.line().faults.corrupt = std::clamp(value, 0.0, 1.0);
-		} else if (name == "drop") {
-			one.line().faults.drop = std::clamp(value, 0.0, 1.0);
-		} else if (name == "error") {
-			one.device->send_error(uint8_t(value), p_now);
-		} else if (name == "mute" || name == "speak") {
-			one.device->faults.is_mute = name == "mute";
-		} else if (name == "freeze" || name == "thaw") {
-			one.device->faults.is_frozen = name == "freeze";
-		} else if (name == "battery" && one.master != nullptr) {
-			one.master->set_battery(unsigned(std::clamp(value, 0.0, 255.0)));
-		} else if (name == "stall") {
-			one.ftdi != nullptr ? one.ftdi->halt() : one.native->halt();
-		} else if (name != "battery") {
-			r_is_known = false;
-			return {};
-		}
+		r_is_known = _disturb(one, name, value, p_now) && r_is_known;
 	}
 	return {};
 }

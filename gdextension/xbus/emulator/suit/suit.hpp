@@ -4,9 +4,9 @@
 #include "suit/master.hpp"
 #include "suit/stand_alone.hpp"
 #include "suit/suit_options.hpp"
-#include "usb/ftdi_chip.hpp"
-#include "usb/native_chip.hpp"
-#include "usb/usb_port.hpp"
+#include "cable/ftdi_chip.hpp"
+#include "cable/native_chip.hpp"
+#include "cable/usb_port.hpp"
 
 #include <memory>
 
@@ -40,6 +40,8 @@ public:
 	/// What is wrong with the options, or an empty text.
 	const std::string &error() const { return _error; }
 	std::vector<SuitDevice> &devices() { return _devices; }
+	/// The wearer begins to move, or stands still until told.
+	void begin(Usec p_now);
 	void advance(Usec p_now);
 	Usec next_event() const;
 
@@ -48,6 +50,10 @@ public:
 	std::string command(const std::string &p_line, Usec p_now, bool &r_is_known);
 
 private:
+	/// "hold", "go", "calibrate", "clip", "motion SECONDS"; false if it is none of them.
+	bool _move(const std::string &p_name, double p_value, Usec p_now);
+	/// All the other commands, for one device; false if it is none.
+	static bool _disturb(SuitDevice &r_device, const std::string &p_name, double p_value, Usec p_now);
 	std::string _make(const std::string &p_kind, std::vector<Tracker> p_trackers);
 	std::string _read_mountings(std::vector<Tracker> &r_trackers) const;
 	std::string _make_trackers(std::vector<Tracker> &r_trackers);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "usb/time.hpp"
+#include "cable/time.hpp"
 
 #include <map>
 #include <string>
@@ -16,6 +16,8 @@ struct SuitOptions {
 	int sensors = 16;
 	/// Motion stream; without one all stand still.
 	std::string stream;
+	/// The wearer stands in the stream's first pose until a command says otherwise.
+	bool is_held = false;
 	/// Names of the stream's limbs that have a sensor, in the order of the bus; empty: the first ones.
 	std::vector<std::string> limbs;
 	/// Sensors (from 1) that were put on each other's limb.

@@ -4,7 +4,7 @@
 #include "bus/message.hpp"
 #include "bus/number.hpp"
 #include "suit/motion_stream.hpp"
-#include "usb/random.hpp"
+#include "cable/random.hpp"
 
 #include <array>
 

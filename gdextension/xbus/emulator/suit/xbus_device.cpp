@@ -65,11 +65,16 @@ void XbusDevice::power(bool p_on, Usec p_now) {
 	_state = State::OFF;
 	if (p_on) {
 		_baud = _next_baud;
-		_powered = _powered == 0 ? p_now : _powered;
 		_state = State::WAKE_UP;
 		_deadline = p_now + WAKE_UP_TIME;
 		reply(xbus::MASTER, Message::WAKE_UP, {}, p_now, 0);
 	}
+}
+
+void XbusDevice::set_motion(double p_seconds, bool p_runs, Usec p_now) {
+	_motion_s = p_seconds;
+	_motion_since = p_now;
+	_motion_runs = p_runs;
 }
 
 void XbusDevice::reply(uint8_t p_bus_id, Message p_message, const Data &p_data, Usec p_now, Usec p_delay) {

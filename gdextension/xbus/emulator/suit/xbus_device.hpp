@@ -5,7 +5,7 @@
 #include "bus/framer.hpp"
 #include "bus/message.hpp"
 #include "suit/tracker.hpp"
-#include "usb/serial_line.hpp"
+#include "cable/serial_line.hpp"
 
 #include <functional>
 #include <initializer_list>
@@ -54,8 +54,12 @@ public:
 	void set_baud(uint32_t p_baud) { _baud = _next_baud = p_baud; }
 	/// The counter of the first sample, to see it go round.
 	void set_first_counter(uint16_t p_counter) { _counter = p_counter; }
-	/// Moves the motion, seconds: the clip begins later or earlier.
-	void set_motion_offset(double p_seconds) { _motion_offset_s = p_seconds; }
+	/// The wearer does now what the motion has after so many seconds, and goes on or stands still.
+	void set_motion(double p_seconds, bool p_runs, Usec p_now);
+	/// Where in the motion the wearer is, s.
+	double motion_time(Usec p_now) const {
+		return _motion_s + (_motion_runs ? double(p_now - _motion_since) * 1e-6 : 0.0);
+	}
 	/// Sends an Error message by itself.
 	void send_error(uint8_t p_code, Usec p_now);
 
@@ -87,8 +91,6 @@ protected:
 	/// Takes a value of 8, 16 or 32 bits, or tells it where there are no data; false if neither fits.
 	bool exchange(const xbus::Frame &p_frame, unsigned &r_value, size_t p_bytes, Usec p_now);
 	bool change_baud(const xbus::Frame &p_frame, Usec p_now);
-	/// Seconds since the motion began.
-	double motion_time(Usec p_now) const { return double(p_now - _powered) * 1e-6 + _motion_offset_s; }
 	void go_to(State p_state) { _state = p_state; }
 	bool is_overflowing() const;
 
@@ -115,8 +117,9 @@ private:
 	State _state = State::OFF;
 	uint32_t _baud = 460800;
 	uint32_t _next_baud = 460800;
-	Usec _powered = 0;
-	double _motion_offset_s = 0.0;
+	double _motion_s = 0.0;
+	Usec _motion_since = 0;
+	bool _motion_runs = true;
 	/// End of WakeUp, or of the reboot.
 	Usec _deadline = NEVER;
 	Usec _measuring_since = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "usb/ftdi_chip.hpp"
+#include "cable/ftdi_chip.hpp"
 
 #include <algorithm>
 #include <cmath>

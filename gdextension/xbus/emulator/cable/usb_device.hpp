@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "usb/time.hpp"
+#include "cable/time.hpp"
 
 #include <cstddef>
 #include <string>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "usb/serial_line.hpp"
-#include "usb/usb_device.hpp"
+#include "cable/serial_line.hpp"
+#include "cable/usb_device.hpp"
 
 namespace emulator {
 

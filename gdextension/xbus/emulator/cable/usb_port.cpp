@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "usb/usb_port.hpp"
+#include "cable/usb_port.hpp"
 
 #include <algorithm>
 #include <array>

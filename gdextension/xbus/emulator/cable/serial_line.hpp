@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "usb/random.hpp"
-#include "usb/time.hpp"
+#include "cable/random.hpp"
+#include "cable/time.hpp"
 
 #include <cstddef>
 #include <deque>

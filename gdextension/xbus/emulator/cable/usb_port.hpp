@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "usb/usb_device.hpp"
+#include "cable/usb_device.hpp"
 
 #include <deque>
 #include <functional>

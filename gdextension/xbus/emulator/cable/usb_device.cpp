@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "usb/usb_device.hpp"
+#include "cable/usb_device.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "usb/serial_line.hpp"
+#include "cable/serial_line.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "usb/native_chip.hpp"
+#include "cable/native_chip.hpp"
 
 #include <algorithm>
 
