@@ -127,8 +127,11 @@ def _server(arguments: list[str]) -> int:
 
 def _client(role: str, arguments: list[str]) -> int:
     options = normalise(arguments)
-    wants_file = not any(option.startswith("--bvh=") for option in options)
-    if role == "trainee" and wants_file and not os.environ.get("DISMOUNT_BVH"):
+    sources = ("bvh", "xbus", "mvn")
+    named = tuple(f"--{name}=" for name in sources)
+    asked = any(option.startswith(named) for option in options)
+    asked = asked or any(os.environ.get(f"DISMOUNT_{name.upper()}") for name in sources)
+    if role == "trainee" and not asked:
         options.append(f"--bvh={CLIPS / '01_01.bvh'}")
     prepare(export=True)
     command = [str(CLIENT_BINARY)]

@@ -1,0 +1,71 @@
+class_name ClientCalibration
+extends RefCounted
+## Calibrations that nobody leads at the device panel: at the start, or because an instructor asks
+## for one (thesis section 6.1). The wearer is guided by texts on the screen.
+
+## Kinds that options name.
+const KINDS: Dictionary[String, CalibrationGuide.Kind] = {
+	"t_pose": CalibrationGuide.Kind.T_POSE,
+	"n_pose": CalibrationGuide.Kind.N_POSE,
+	"t_to_n": CalibrationGuide.Kind.T_TO_N,
+	"full": CalibrationGuide.Kind.FULL,
+	"quick": CalibrationGuide.Kind.QUICK,
+}
+## How long the outcome is shown, s.
+const _SHOWN_S: float = 4.0
+
+var _source: SuitSource = null
+var _store: CalibrationStore = CalibrationStore.new()
+var _outcome: String = ""
+var _until_s: float = 0.0
+
+
+## Begins one at a time, s. Returns why it cannot, or an empty text.
+func start(p_source: SuitSource, p_kind: CalibrationGuide.Kind, p_now_s: float) -> String:
+	if _source != null:
+		return "another calibration is going on"
+	var fault: String = p_source.start_calibration(p_kind, p_now_s)
+	if fault == "":
+		_source = p_source
+		_source.calibrated.connect(_on_calibrated, CONNECT_ONE_SHOT)
+		Log.info("mocap", "calibrating (%s)" % CalibrationGuide.NAMES[p_kind])
+	return fault
+
+
+## Whether one is going on.
+func is_running() -> bool:
+	return _source != null
+
+
+## Says something on the screen for a while, from a time on, s.
+func say(p_text: String, p_now_s: float) -> void:
+	_outcome = p_text
+	_until_s = p_now_s + _SHOWN_S
+
+
+## What the wearer is to see at a time, s; mostly nothing.
+func text(p_now_s: float) -> String:
+	if _source != null and _source.process.is_running():
+		var process: CalibrationProcess = _source.process
+		return "%s\n%d" % [process.instruction(), ceili(process.seconds_left)]
+	return _outcome if p_now_s < _until_s else ""
+
+
+## A calibration that could be made is taken, as the wearer has no hand free to say so; what could be
+## better is said.
+func _on_calibrated(p_result: CalibrationResult) -> void:
+	var source: SuitSource = _source
+	_source = null
+	var now: float = Time.get_ticks_usec() / 1e6
+	if p_result.error != "":
+		source.refuse_calibration()
+		say("Not calibrated: " + p_result.error, now)
+		Log.warning("mocap", "not calibrated: " + p_result.error)
+		return
+	source.accept_calibration()
+	var advice: String = "; ".join(p_result.advice)
+	say("Calibrated" + (":\n" + advice if advice != "" else ""), now)
+	var parts: Array = [100.0 * p_result.score(), ": " + advice if advice != "" else ""]
+	Log.info("mocap", "calibrated, quality %.0f %%%s" % parts)
+	if not _store.write(source.get_profile()):
+		Log.warning("mocap", _store.error)
