@@ -87,6 +87,7 @@ func _process(p_delta: float) -> void:
 	else:
 		if _inputs != null:
 			_inputs.advance(_clock_s)
+			_hud.show_guide(_inputs.guide(_clock_s))
 		_link.poll()
 		_acknowledge()
 		_keep_trying()
