@@ -11,7 +11,7 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from . import demo, jolt, latency, load
+from . import demo, jolt, latency, load, suit
 from .console import Failure, say
 from .display import real_display
 from .godot import Godot
@@ -37,6 +37,8 @@ HELP = """Dismount: people in motion-capture suits move through physics.
   ./run load                puts many clients on a server over a bad network (docs/load.md):
                             --trainees=8 --observers=24 --loss=2 --delay=25 --jitter=10
                             --seconds --rate --snapshot-rate --seed --json --server-options
+  ./run suit-emulator [-- COMMAND]  a motion-capture suit on USB that is not there, for programs
+                            that have none (./run suit-emulator --help, docs/suit-emulator.md)
   ./run bench               lists the benchmarks
   ./run bench NAME [--json] [options]   runs one
   ./run --help              this text; ./run server --help lists the roles' options
@@ -72,6 +74,7 @@ def main(arguments: list[str]) -> int:
         "bench": _bench,
         "latency": lambda rest: latency.main(normalise(rest)),
         "load": lambda rest: load.main(normalise(rest)),
+        "suit-emulator": suit.main,
     }
     if not arguments or arguments[0].startswith("-"):
         return demo.main(normalise(arguments))
