@@ -59,6 +59,11 @@ const TABLE: Array[Array] = [
 	["protocol", Protocol.VERSION, "client: protocol version to claim (for tests)"],
 ]
 
+## What options mean that are given without a value.
+const BARE: Dictionary[String, String] = {
+	"xbus": "1", "mvn": "9763", "dtls": "1", "waiting-room": "1"
+}
+
 ## What is wrong with the arguments, or an empty text.
 var error: String = ""
 
@@ -76,6 +81,8 @@ static func parse(p_arguments: PackedStringArray) -> Options:
 			options._set_option(row[0], OS.get_environment(variable), variable)
 	for argument: String in p_arguments:
 		var parts: PackedStringArray = argument.trim_prefix("--").split("=", true, 1)
+		if parts.size() == 1 and BARE.has(parts[0]):
+			parts.append(BARE[parts[0]])
 		if not argument.begins_with("--") or parts.size() != 2:
 			options._refuse("'%s' is not of the form --name=value" % argument)
 		else:
