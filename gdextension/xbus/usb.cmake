@@ -3,7 +3,7 @@
 if(TARGET libusb::libusb)
 	find_package(Threads REQUIRED)
 	dismount_add_core_library(xbus_usb SOURCES
-		src/usb/hub.cpp
+		src/usb/libusb_hub.cpp
 		src/usb/port.cpp
 		LIBRARIES xbus_session libusb::libusb Threads::Threads
 	)
