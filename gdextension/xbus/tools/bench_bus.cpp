@@ -13,7 +13,7 @@ using namespace streams;
 namespace {
 
 constexpr int REPEATS = 5;
-constexpr size_t FRAMING_BYTES = 32 << 20;
+constexpr size_t FRAMING_BYTES = 32U << 20U;
 
 enum class Goal : uint8_t {
 	NONE,
