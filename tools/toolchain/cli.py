@@ -32,7 +32,7 @@ HELP = """Dismount: people in motion-capture suits move through physics.
   ./run export              exports server and client to build/export/
   ./run bvh FILE            what a motion file holds: joints, frames, duration, unit, up axis
                             (--unit=m|cm|mm|inch|cmu|METRES and --up=y|z override the guess)
-  ./run xbus-decode FILE    what a recording of a suit's bus holds: messages, devices, rates, losses;
+  ./run xbus-decode FILE    what a recording of a suit's bus holds: messages, devices, rates, loss;
                             --json prints everything, decoded (docs/xbus.md)
   ./run latency             measures the delay from sample to display on this machine, stage by
                             stage, and draws it (--seconds, --rate, --fps, --smoothing, --bvh)

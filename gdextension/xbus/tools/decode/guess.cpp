@@ -42,6 +42,16 @@ bool is_sensible(const Sample &p_sample) {
 	return true;
 }
 
+/// How hard it is to fit by accident: to be of length 1 harder than to weigh about as much as gravity, and that
+/// harder than to be an angle.
+int evidence_of(const OutputFormat &p_format) {
+	const uint32_t form = p_format.settings & output_setting::ORIENTATION_MASK;
+	if ((p_format.mode & output_mode::ORIENTATION) != 0 && form != output_setting::EULER) {
+		return 2;
+	}
+	return (p_format.mode & output_mode::CALIBRATED) != 0 ? 1 : 0;
+}
+
 bool fits(const DataFormat &p_format, const std::vector<Frame> &p_frames) {
 	std::vector<Sample> samples(MAX_DEVICES);
 	uint32_t last = 0;
@@ -49,9 +59,8 @@ bool fits(const DataFormat &p_format, const std::vector<Frame> &p_frames) {
 	const size_t tried = std::min(p_frames.size(), MOST_TRIED);
 	for (size_t i = 0; i < tried; i++) {
 		const Frame &frame = p_frames[i];
-		const bool decoded = p_format.is_master
-				? p_format.trackers.decode(frame.data, frame.size, samples.data())
-				: p_format.tracker.decode(frame.data, frame.size, samples[0]);
+		const bool decoded = p_format.is_master ? p_format.trackers.decode(frame.data, frame.size, samples.data())
+												: p_format.tracker.decode(frame.data, frame.size, samples[0]);
 		if (!decoded) {
 			return false;
 		}
@@ -106,14 +115,15 @@ std::optional<DataFormat> guess_format(const std::vector<Frame> &p_frames) {
 	if (p_frames.empty()) {
 		return found;
 	}
+	int best = -1;
 	for (const DataFormat &format : candidates(p_frames[0].size)) {
-		if (!fits(format, p_frames)) {
+		const int evidence = evidence_of(format.tracker);
+		if (evidence < best || !fits(format, p_frames)) {
 			continue;
 		}
-		if (found) {
-			return std::nullopt;
-		}
-		found = format;
+		// Two that are as good as each other: no guess, unless there is a better one.
+		found = evidence > best ? std::optional<DataFormat>(format) : std::nullopt;
+		best = evidence;
 	}
 	return found;
 }
