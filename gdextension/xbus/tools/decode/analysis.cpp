@@ -108,7 +108,7 @@ private:
 			return known;
 		}
 		_guessed.insert(p_size);
-		const std::optional<DataFormat> guess = guess_format(_look.data_of(p_size));
+		const std::optional<DataFormat> guess = guess_format(_look.data_of(p_size), _book.trackers());
 		return guess ? _book.add(*guess) : -1;
 	}
 	bool _is_sensible(const Entry &p_entry) {

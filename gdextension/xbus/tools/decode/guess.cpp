@@ -110,7 +110,7 @@ std::vector<DataFormat> candidates(size_t p_size) {
 
 } // namespace
 
-std::optional<DataFormat> guess_format(const std::vector<Frame> &p_frames) {
+std::optional<DataFormat> guess_format(const std::vector<Frame> &p_frames, size_t p_trackers) {
 	std::optional<DataFormat> found;
 	if (p_frames.empty()) {
 		return found;
@@ -118,7 +118,8 @@ std::optional<DataFormat> guess_format(const std::vector<Frame> &p_frames) {
 	int best = -1;
 	for (const DataFormat &format : candidates(p_frames[0].size)) {
 		const int evidence = evidence_of(format.tracker);
-		if (evidence < best || !fits(format, p_frames)) {
+		const bool right_number = p_trackers == 0 || (format.is_master && format.trackers.count() == p_trackers);
+		if (evidence < best || !right_number || !fits(format, p_frames)) {
 			continue;
 		}
 		// Two that are as good as each other: no guess, unless there is a better one.

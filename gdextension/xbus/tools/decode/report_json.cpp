@@ -51,7 +51,12 @@ void write_devices(const Analysis &p_analysis, JsonWriter &r_json) {
 	for (const auto &[bus_id, device] : p_analysis.devices) {
 		r_json.begin_object();
 		r_json.member("bus_id", bus_id);
-		r_json.member("device_id", hex_id(device.device_id));
+		r_json.key("device_id");
+		if (device.device_id != 0) {
+			r_json.value(hex_id(device.device_id));
+		} else {
+			r_json.null();
+		}
 		r_json.member("kind", device_kind_name(device_kind(device.device_id)));
 		r_json.member("received", device.statistics.received);
 		r_json.member("lost", device.statistics.lost);
