@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""A virtual machine with a stock Debian kernel, for tests with the kernel's own USB drivers. No root.
+"""A virtual machine with a stock Debian kernel, for tests with its own USB drivers. No root.
 
-QEMU is the machine's own where it has one, else Debian's in a private folder; the kernel is Debian's.
+QEMU is the machine's own where it has one, else Debian's in a private folder; Debian's kernel.
 The machine has no disk: all that it needs is in an initial file system that is made here.
 """
 
