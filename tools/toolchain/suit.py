@@ -15,19 +15,21 @@ from .project import EXTENSIONS, prepare
 
 HELP = """./run suit-emulator [options] [-- COMMAND ...]
 
-A person in a wired Xsens suit, who calibrates and then moves by a BVH file, on USB devices that only
-the COMMAND finds (by umockdev; it ends with the command). Without a command: prints the environment
-that a program in another terminal needs. docs/suit-emulator.md tells more.
+A person in a wired Xsens suit, who calibrates and then moves by a BVH file, on USB devices that
+only the COMMAND finds (by umockdev; it ends with the command). Without a command: prints the
+environment that a program in another terminal needs. docs/suit-emulator.md tells more.
 
   ./run suit-emulator -- ./run trainee --xbus
 
   --bvh=FILE            the motion (default: a walk)
-  --devices=LIST        ftdi (an Xbus Master on an FTDI chip), ftdi-fast (with large packets), native
-                        (on bulk endpoints), two-masters, mti, mti-ftdi (one tracker alone), awinda
+  --devices=LIST        ftdi (an Xbus Master on an FTDI chip), ftdi-fast (with large packets),
+                        native (on bulk endpoints), two-masters, mti, mti-ftdi (one tracker
+                        alone), awinda
   --sensors=N           how many trackers (default 17: the whole body)
   --limbs=A,B,...       where they sit: pelvis, sternum, head, left_shoulder, left_upper_arm, ...
   --aligned             trackers sit along the limbs' axes; otherwise at any angle (--seed=N)
-  --heading=DEGREES     how far their norths differ at most (30); --noise, --drift (degrees a minute)
+  --heading=DEGREES     how far their norths differ at most (30)
+  --noise=DEGREES --drift=DEGREES   of each sample, of the heading in a minute
   --mountings=FILE      lines of "w x y z degrees": how each tracker sits, and its north
   --swap=A:B            trackers that were put on each other's limb
   --hold                stands in a T-pose until the command 'go'
@@ -46,14 +48,15 @@ that a program in another terminal needs. docs/suit-emulator.md tells more.
 
 PROGRAM = EXTENSIONS / "xbus" / "suit_emulator"
 FILES = ("bvh", "mountings", "trace", "log", "commands")
+# The places on the bus, from the middle outwards.
+ORDER = ["pelvis", "sternum", "head"]
+ORDER += ["left_shoulder", "left_upper_arm", "left_forearm", "left_hand"]
+ORDER += ["right_shoulder", "right_upper_arm", "right_forearm", "right_hand"]
+ORDER += ["left_thigh", "left_shank", "left_foot", "right_thigh", "right_shank", "right_foot"]
 # Where trackers matter most, the most important place first.
-PLACES = """pelvis left_shank right_shank left_forearm right_forearm sternum left_thigh right_thigh
-left_upper_arm right_upper_arm head left_foot right_foot left_hand right_hand left_shoulder
-right_shoulder""".split()
-# The order on the bus, from the middle outwards.
-ORDER = """pelvis sternum head left_shoulder left_upper_arm left_forearm left_hand right_shoulder
-right_upper_arm right_forearm right_hand left_thigh left_shank left_foot right_thigh right_shank
-right_foot""".split()
+PLACES = ["pelvis", "left_shank", "right_shank", "left_forearm", "right_forearm", "sternum"]
+PLACES += ["left_thigh", "right_thigh", "left_upper_arm", "right_upper_arm", "head"]
+PLACES += ["left_foot", "right_foot", "left_hand", "right_hand", "left_shoulder", "right_shoulder"]
 
 
 def main(arguments: list[str]) -> int:
