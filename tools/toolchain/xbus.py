@@ -6,7 +6,7 @@ from __future__ import annotations
 import subprocess
 from pathlib import Path
 
-from .paths import user_path
+from .paths import ROOT, user_path
 from .project import EXTENSIONS, prepare
 
 PROGRAMS = EXTENSIONS / "xbus"
@@ -21,7 +21,7 @@ def decode(arguments: list[str]) -> int:
 
 def measure(file: Path | None) -> tuple[int, str]:
     """Runs the native benchmark; returns its exit code and its lines of figures."""
-    command = [str(PROGRAMS / "xbus_bench")]
+    command = [str(PROGRAMS / "xbus_bench"), str(ROOT / "tests" / "data" / "xbus")]
     command += [str(file)] if file else []
     done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=False)
     return done.returncode, done.stdout

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bus/counter_track.hpp"
 #include "bus/configuration.hpp"
+#include "bus/counter_track.hpp"
 #include "bus/mt_data2.hpp"
 #include "bus/plausibility.hpp"
 
@@ -81,9 +81,7 @@ private:
 	/// Shapes of MTData2 messages with items that are not understood.
 	static constexpr size_t SHAPES = 16;
 
-	static size_t _place(uint8_t p_bus_id) {
-		return p_bus_id == MASTER || p_bus_id > MAX_DEVICES ? 0 : p_bus_id;
-	}
+	static size_t _place(uint8_t p_bus_id) { return p_bus_id == MASTER || p_bus_id > MAX_DEVICES ? 0 : p_bus_id; }
 	bool _is_bus_id(uint8_t p_bus_id) const;
 	Verdict _take_mt_data(const Frame &p_frame);
 	Verdict _take_mt_data2(const Frame &p_frame, bool p_noisy);

@@ -69,8 +69,8 @@ void FormatBook::_note_configuration(const Frame &p_frame) {
 	}
 	DataFormat format;
 	format.source = "Configuration";
-	format.is_master = device_kind(configuration.master_id) == DeviceKind::XBUS_MASTER ||
-			configuration.device_count > 1;
+	format.is_master =
+			device_kind(configuration.master_id) == DeviceKind::XBUS_MASTER || configuration.device_count > 1;
 	format.tracker = configuration.devices[0].format;
 	for (size_t i = 0; i < configuration.device_count; i++) {
 		format.trackers.add(configuration.devices[i].format);

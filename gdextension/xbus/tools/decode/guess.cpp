@@ -49,9 +49,8 @@ bool fits(const DataFormat &p_format, const std::vector<Frame> &p_frames) {
 	const size_t tried = std::min(p_frames.size(), MOST_TRIED);
 	for (size_t i = 0; i < tried; i++) {
 		const Frame &frame = p_frames[i];
-		const bool decoded = p_format.is_master
-				? p_format.trackers.decode(frame.data, frame.size, samples.data())
-				: p_format.tracker.decode(frame.data, frame.size, samples[0]);
+		const bool decoded = p_format.is_master ? p_format.trackers.decode(frame.data, frame.size, samples.data())
+												: p_format.tracker.decode(frame.data, frame.size, samples[0]);
 		if (!decoded) {
 			return false;
 		}

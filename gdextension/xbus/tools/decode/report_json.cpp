@@ -133,8 +133,8 @@ void write_samples(const Analysis &p_analysis, const Entry &p_entry, JsonWriter 
 	for (const Sample &sample : samples) {
 		r_json.begin_object();
 		r_json.member("bus_id", unsigned(sample.bus_id));
-		const bool turned = sample.has(Field::QUATERNION) || sample.has(Field::MATRIX) ||
-				sample.has(Field::EULER) || sample.has(Field::VELOCITY);
+		const bool turned = sample.has(Field::QUATERNION) || sample.has(Field::MATRIX) || sample.has(Field::EULER) ||
+				sample.has(Field::VELOCITY);
 		if (turned) {
 			r_json.member("axes", axes_name(sample.axes));
 		}

@@ -14,8 +14,8 @@ void write_formats(const std::vector<DataFormat> &p_formats, std::FILE *p_file) 
 		if (format.is_master) {
 			std::fprintf(p_file, "a master with %zu trackers, ", format.trackers.count());
 		}
-		std::fprintf(p_file, "mode 0x%04X, settings 0x%08X, %s%s\n", unsigned(tracker.mode),
-				unsigned(tracker.settings), number_format_name(tracker.numbers()),
+		std::fprintf(p_file, "mode 0x%04X, settings 0x%08X, %s%s\n", unsigned(tracker.mode), unsigned(tracker.settings),
+				number_format_name(tracker.numbers()),
 				std::string(format.source) == "guess" ? " (a guess: --mode= and --settings= override it)" : "");
 	}
 }
