@@ -2,11 +2,17 @@
 if(DISMOUNT_EXTENSIONS)
 	dismount_add_extension(xbus
 		SOURCES
+			binding/mvn_dictionary.cpp
+			binding/mvn_encoder.cpp
+			binding/mvn_receiver.cpp
 			binding/register_types.cpp
 			binding/suit_hub.cpp
 		LIBRARIES
+			xbus_udp
 			xbus_usb
 		DOCS
+			doc_classes/MvnEncoder.xml
+			doc_classes/MvnReceiver.xml
 			doc_classes/SuitHub.xml
 	)
 	dismount_ship_libusb(xbus)
