@@ -15,13 +15,19 @@ if(DISMOUNT_EXTENSIONS)
 
 	dismount_add_extension(xbus
 		SOURCES
+			binding/mvn_dictionary.cpp
+			binding/mvn_encoder.cpp
+			binding/mvn_receiver.cpp
 			binding/register_types.cpp
 			binding/suit_hub.cpp
 			src/usb/hub_library.cpp
 		LIBRARIES
 			xbus_session
+			xbus_udp
 			${CMAKE_DL_LIBS}
 		DOCS
+			doc_classes/MvnEncoder.xml
+			doc_classes/MvnReceiver.xml
 			doc_classes/SuitHub.xml
 	)
 	target_compile_definitions(xbus PRIVATE

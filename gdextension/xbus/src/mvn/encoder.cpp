@@ -10,6 +10,9 @@ namespace mvn {
 
 namespace {
 
+/// The head has a byte for the number of items.
+constexpr std::size_t MOST_ITEMS = 255;
+
 /// A payload that grows.
 class PayloadWriter {
 public:
@@ -55,8 +58,8 @@ void write_pose(const SegmentPose &p_pose, Type p_type, PayloadWriter &r_writer)
 	r_writer.reals(p_pose.position);
 	if (p_type == Type::EULER_POSE) {
 		r_writer.reals(p_pose.euler);
-	} else {
-		r_writer.reals(p_pose.rotation);
+	} else if (p_type != Type::POINTS) {
+		r_writer.reals(p_pose.has_rotation ? p_pose.rotation : Quaternion{});
 	}
 }
 
@@ -68,7 +71,7 @@ void write_motion(const SegmentMotion &p_motion, Type p_type, PayloadWriter &r_w
 		r_writer.reals(p_motion.acceleration);
 		return;
 	}
-	r_writer.reals(p_motion.rotation);
+	r_writer.reals(p_motion.has_rotation ? p_motion.rotation : Quaternion{});
 	if (p_type == Type::ANGULAR_KINEMATICS) {
 		r_writer.reals(p_motion.angular_velocity);
 		r_writer.reals(p_motion.angular_acceleration);
@@ -96,7 +99,7 @@ std::vector<Portion> cut(const std::vector<Item> &p_items, std::size_t p_most, W
 		PayloadWriter writer;
 		p_write(item, writer);
 		Portion *last = &portions.back();
-		if (last->items > 0 && HEADER_SIZE + last->payload.size() + writer.bytes().size() > p_most) {
+		if (last->items == MOST_ITEMS || (last->items > 0 && HEADER_SIZE + last->payload.size() + writer.bytes().size() > p_most)) {
 			last = &portions.emplace_back();
 		}
 		++last->items;
@@ -142,6 +145,7 @@ std::vector<Portion> portions_of(const Content &p_content, std::size_t p_most) {
 	switch (type) {
 		case Type::EULER_POSE:
 		case Type::POSE:
+		case Type::POINTS:
 		case Type::UNITY_POSE:
 			return cut(p_content.poses, p_most,
 					[type](const SegmentPose &p_pose, PayloadWriter &r_writer) { write_pose(p_pose, type, r_writer); });
@@ -183,7 +187,7 @@ std::vector<Bytes> encode(const Content &p_content, std::size_t p_most) {
 	datagrams.reserve(portions.size());
 	for (std::size_t part = 0; part < portions.size(); ++part) {
 		const Portion &portion = portions[part];
-		if (portion.items > 255) {
+		if (portion.items > MOST_ITEMS) {
 			return {};
 		}
 		PayloadWriter writer;

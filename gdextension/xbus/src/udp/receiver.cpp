@@ -17,8 +17,8 @@ namespace {
 
 constexpr int BUFFER_BYTES = 1 << 20;
 constexpr int WAIT_MS = 50;
-/// Samples that wait for who fetches them: seconds of a stream.
-constexpr std::size_t MOST_WAITING = 256;
+/// Samples of a pose that wait for who fetches them: a quarter of a second at least.
+constexpr std::size_t MOST_WAITING = 64;
 constexpr std::size_t MOST_MESSAGES = 64;
 /// The same is said again after so long, µs.
 constexpr uint64_t REPEAT_USEC = 10000000;
@@ -35,6 +35,12 @@ std::string address_of(const sockaddr_in &p_from) {
 	std::array<char, INET_ADDRSTRLEN> text{};
 	inet_ntop(AF_INET, &p_from.sin_addr, text.data(), text.size());
 	return std::string(text.data()) + ":" + std::to_string(ntohs(p_from.sin_port));
+}
+
+/// What must not be left out from one look to the next; of all else the newest is enough.
+bool is_motion(Type p_type) {
+	return p_type == Type::POSE || p_type == Type::EULER_POSE || p_type == Type::UNITY_POSE ||
+			p_type == Type::TRACKERS;
 }
 
 std::string tag(const Content &p_content, const char *p_name) {
@@ -61,8 +67,8 @@ std::string Receiver::open(uint16_t p_port, RawListener p_raw) {
 	here.sin_port = htons(p_port);
 	here.sin_addr.s_addr = htonl(INADDR_ANY);
 	if (_socket < 0 || bind(_socket, reinterpret_cast<sockaddr *>(&here), sizeof(here)) != 0) {
-		const std::string where = "UDP port " + std::to_string(p_port);
 		const int error = errno;
+		const std::string where = "UDP port " + std::to_string(p_port);
 		close();
 		return error == EADDRINUSE
 				? where + " is in use: another program receives MVN's stream there; end it, or let MVN send to another "
@@ -73,6 +79,7 @@ std::string Receiver::open(uint16_t p_port, RawListener p_raw) {
 	socklen_t size = sizeof(here);
 	getsockname(_socket, reinterpret_cast<sockaddr *>(&here), &size);
 	_port = ntohs(here.sin_port);
+	forget_all();
 	_stops = false;
 	_thread = std::thread(&Receiver::run, this);
 	return "";
@@ -88,6 +95,14 @@ void Receiver::close() {
 	}
 	_socket = -1;
 	_port = 0;
+}
+
+void Receiver::forget_all() {
+	const std::lock_guard<std::mutex> lock(_mutex);
+	_collector = Collector();
+	_characters.clear();
+	_said.clear();
+	_looked_usec = 0;
 }
 
 void Receiver::run() {
@@ -150,6 +165,9 @@ void Receiver::keep(const std::string &p_sender, uint64_t p_now_usec) {
 	ReceivedSample &newest = character.newest[content.header.type];
 	newest.content = content;
 	newest.arrival_usec = p_now_usec;
+	if (!is_motion(content.header.type)) {
+		return;
+	}
 	std::deque<ReceivedSample> &waiting = character.waiting[content.header.type];
 	waiting.push_back(newest);
 	if (waiting.size() > MOST_WAITING) {
@@ -165,7 +183,11 @@ void Receiver::complain(const std::string &p_sender, Outcome p_outcome) {
 					p_sender + " sent a datagram that was dropped: " + fault_text(_collector.fault()));
 			break;
 		case Outcome::FOREIGN: {
-			Character &character = _characters[_collector.header().character];
+			const auto found = _characters.find(_collector.header().character);
+			if (found == _characters.end()) {
+				break;
+			}
+			Character &character = found->second;
 			character.trouble = "character " + number + " comes from two senders, " + character.sender + " and " +
 					p_sender + ": only the first is taken; give one another number in MVN, or another port";
 			say("foreign " + number, character.trouble);
@@ -182,24 +204,13 @@ void Receiver::complain(const std::string &p_sender, Outcome p_outcome) {
 
 /// Notices who left, and characters that come twice in every sample.
 void Receiver::look_after(uint64_t p_now_usec) {
-	if (p_now_usec < _looked_usec + LOOK_USEC) {
+	if (p_now_usec >= _looked_usec && p_now_usec < _looked_usec + LOOK_USEC) {
 		return;
 	}
 	_looked_usec = p_now_usec;
 	for (auto at = _characters.begin(); at != _characters.end();) {
 		const CharacterStatistics statistics = _collector.statistics(at->first);
-		Character &character = at->second;
-		const uint64_t late = statistics.late - character.late_noted;
-		const uint64_t samples = statistics.samples - character.samples_noted;
-		character.late_noted = statistics.late;
-		character.samples_noted = statistics.samples;
-		if (samples > 10 && late * 2 > samples) {
-			character.trouble = "character " + std::to_string(at->first) +
-					" comes twice in each sample: two people have one number in MVN; the first of each is taken";
-			say("twice " + std::to_string(at->first), character.trouble);
-		} else if (samples > 10 && late == 0 && statistics.foreign == 0) {
-			character.trouble.clear();
-		}
+		judge(at->first, at->second, statistics);
 		if (p_now_usec > statistics.newest_usec + GONE_USEC) {
 			say("gone " + std::to_string(at->first), "character " + std::to_string(at->first) + " comes no more");
 			at = _characters.erase(at);
@@ -210,6 +221,25 @@ void Receiver::look_after(uint64_t p_now_usec) {
 	if (p_now_usec > GONE_USEC) {
 		_collector.forget_silent(p_now_usec - GONE_USEC);
 	}
+}
+
+/// Says what is wrong with how a character came since the last look.
+void Receiver::judge(int p_number, Character &p_character, const CharacterStatistics &p_statistics) {
+	CharacterStatistics &noted = p_character.noted;
+	if (p_statistics.samples < noted.samples) {
+		noted = CharacterStatistics(); // Another sender took its number over.
+	}
+	const uint64_t samples = p_statistics.samples - noted.samples;
+	const uint64_t late = p_statistics.late - noted.late;
+	const bool comes_twice = late * 2 > samples || p_statistics.jumps - noted.jumps > 5;
+	if (samples > 10 && comes_twice) {
+		p_character.trouble = "character " + std::to_string(p_number) +
+				" comes twice in each sample: two people have one number in MVN; give one of them another";
+		say("twice " + std::to_string(p_number), p_character.trouble);
+	} else if (samples > 10 && late == 0 && p_statistics.foreign == noted.foreign) {
+		p_character.trouble.clear();
+	}
+	noted = p_statistics;
 }
 
 void Receiver::say(const std::string &p_key, const std::string &p_text) {

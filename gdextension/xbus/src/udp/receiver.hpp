@@ -71,7 +71,7 @@ public:
 	ReceiverReport report() const;
 	/// What was said since the last call, a line each.
 	std::vector<std::string> take_messages();
-	/// The samples of one type of a character since the last call, oldest first.
+	/// The samples of one type of motion (01, 02, 05, 23) of a character since the last call, oldest first.
 	std::vector<ReceivedSample> take_samples(int p_character, Type p_type);
 	/// The newest sample of a type of a character; false if there was none.
 	bool newest(int p_character, Type p_type, ReceivedSample &r_sample) const;
@@ -83,8 +83,8 @@ private:
 		uint32_t types = 0;
 		Header header;
 		std::string trouble;
-		uint64_t late_noted = 0;
-		uint64_t samples_noted = 0;
+		/// As of the last look.
+		CharacterStatistics noted;
 		std::map<Type, std::deque<ReceivedSample>> waiting;
 		std::map<Type, ReceivedSample> newest;
 	};
@@ -94,6 +94,8 @@ private:
 	void keep(const std::string &p_sender, uint64_t p_now_usec);
 	void complain(const std::string &p_sender, Outcome p_outcome);
 	void look_after(uint64_t p_now_usec);
+	void judge(int p_number, Character &p_character, const CharacterStatistics &p_statistics);
+	void forget_all();
 	void say(const std::string &p_key, const std::string &p_text);
 
 	int _socket = -1;
