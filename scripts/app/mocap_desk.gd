@@ -8,7 +8,8 @@ const KEY: Key = KEY_M
 ## How often devices are listed anew, s.
 const _PERIOD_S: float = 0.25
 
-@export var _panel: DevicePanel
+## The panel's scene; its root is a [DevicePanel].
+@export var panel_scene: PackedScene
 
 ## The sources.
 var inputs: MotionInputs = MotionInputs.new()
@@ -16,12 +17,16 @@ var inputs: MotionInputs = MotionInputs.new()
 var people: ClientPeople = null
 
 var _listed_s: float = 0.0
+# Made when it is opened for the first time: most clients never do.
+var _panel: DevicePanel = null
 
 
-func _ready() -> void:
-	_panel.visible = false
-	_panel.close_wanted.connect(_show_panel.bind(false))
-	_panel.profile_changed.connect(_on_profile_changed)
+func _exit_tree() -> void:
+	if _panel != null:
+		# Debian's release build of the engine reports an error for everything that leaves a Container.
+		Engine.print_error_messages = false
+		_panel.free()
+		Engine.print_error_messages = true
 
 
 ## Opens all sources. Returns what is wrong, or an empty text.
@@ -30,8 +35,8 @@ func open(p_options: Options, p_link: ClientLink) -> String:
 	inputs.appeared.connect(people.add)
 	inputs.vanished.connect(people.remove)
 	var fault: String = inputs.open(p_options)
-	if fault == "":
-		_panel.show_suits(inputs.wearers)
+	if fault == "" and p_options.number("panel") != 0:
+		_show_panel(true)
 	return fault
 
 
@@ -39,14 +44,19 @@ func open(p_options: Options, p_link: ClientLink) -> String:
 func advance(p_now_s: float) -> void:
 	inputs.advance(p_now_s)
 	people.take_samples()
-	if _panel.visible and p_now_s > _listed_s + _PERIOD_S:
+	if is_panel_open() and p_now_s > _listed_s + _PERIOD_S:
 		_listed_s = p_now_s
 		_panel.show_devices(inputs.list_devices())
 
 
 ## What the wearer is to see at a time, s, while the panel does not show it.
 func guide(p_now_s: float) -> String:
-	return "" if _panel.visible else inputs.guide(p_now_s)
+	return "" if is_panel_open() else inputs.guide(p_now_s)
+
+
+## Whether the panel is open.
+func is_panel_open() -> bool:
+	return _panel != null and _panel.visible
 
 
 ## Calibrates one of the people, as an instructor asks.
@@ -68,11 +78,16 @@ func close() -> void:
 func _unhandled_key_input(p_event: InputEvent) -> void:
 	var key: InputEventKey = p_event as InputEventKey
 	if people != null and key.pressed and not key.echo and key.keycode == KEY:
-		_show_panel(not _panel.visible)
+		_show_panel(not is_panel_open())
 		get_viewport().set_input_as_handled()
 
 
 func _show_panel(p_shows: bool) -> void:
+	if _panel == null:
+		_panel = panel_scene.instantiate()
+		_panel.close_wanted.connect(_show_panel.bind(false))
+		_panel.profile_changed.connect(_on_profile_changed)
+		add_child(_panel)
 	_panel.visible = p_shows
 	_listed_s = 0.0
 	if p_shows:

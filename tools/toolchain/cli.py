@@ -55,7 +55,7 @@ DISMOUNT_DISPLAY=virtual (do as if there was no display).
 Keys in a window: 1 mesh world, 2 static world, 3 physics world; drag and wheel move the camera.
 """
 
-FLAGS = ("--help", "--xbus", "--dtls", "--waiting-room")
+FLAGS = ("--help", "--xbus", "--panel", "--dtls", "--waiting-room")
 SESSION_FILES = ("ban-file", "dtls-certificate", "dtls-key")
 FILES = ("bvh", "record", "file", "report", "screenshot", "latency-csv", *SESSION_FILES)
 
