@@ -85,6 +85,9 @@ func _process(p_delta: float) -> void:
 	if _role == "replay":
 		_player.advance(_clock_s)
 	else:
+		if _inputs != null:
+			_inputs.advance(_clock_s)
+			_hud.show_guide(_inputs.guide(_clock_s))
 		_link.poll()
 		_acknowledge()
 		_keep_trying()
@@ -96,6 +99,7 @@ func _process(p_delta: float) -> void:
 func _exit_tree() -> void:
 	if _people != null:
 		_people.stop()
+		_inputs.close()
 	if _report != null:
 		_report.write(_make_report())
 	if _recorder != null:
@@ -144,6 +148,7 @@ func _open_link() -> String:
 	_link.waiting.connect(_on_waiting)
 	_link.snapshot_received.connect(_on_datagram)
 	_link.world_received.connect(_on_world)
+	_link.calibration_asked.connect(_on_calibration_asked)
 	_alone_since_s = Time.get_ticks_usec() / 1e6
 	_connect()
 	return ""
@@ -264,6 +269,14 @@ func _on_world(p_world: WorldDescription, p_bytes: PackedByteArray) -> void:
 		_people.embody(p_world, _scene)
 	if _recorder != null:
 		_recorder.add(p_bytes)
+
+
+func _on_calibration_asked(p_index: int, p_kind: int) -> void:
+	var source: MotionSource = _people.source_of(p_index) if _people != null else null
+	if source != null and ClientCalibration.KINDS.values().has(p_kind):
+		_inputs.calibrate(source, p_kind as CalibrationGuide.Kind, _clock_s)
+	else:
+		Log.limited("mocap", "asked", "no calibration %d of person %d" % [p_kind, p_index])
 
 
 func _on_frame_drawn() -> void:

@@ -5,6 +5,7 @@ extends CanvasLayer
 @export var _status: Label
 @export var _keys: Label
 @export var _message: Label
+@export var _guide: Label
 @export var _latency: LatencyPanel
 
 
@@ -18,6 +19,12 @@ func show_status(p_status: String, p_views: String) -> void:
 func show_message(p_text: String) -> void:
 	_message.text = p_text
 	_message.visible = p_text != ""
+
+
+## Tells the wearer what to do or what is wrong with the suit, above the middle; nothing if empty.
+func show_guide(p_text: String) -> void:
+	_guide.text = p_text
+	_guide.visible = p_text != ""
 
 
 ## Says which delays the panel shows that a key opens.

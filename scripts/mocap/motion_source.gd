@@ -35,6 +35,11 @@ func get_limb_lengths() -> PackedFloat32Array:
 	return PackedFloat32Array()
 
 
+## How big the wearer is.
+func get_body() -> BodySize:
+	return BodySize.of_hip_height(get_hip_height())
+
+
 ## One line for people: what the source is.
 func describe() -> String:
 	return "no motion"

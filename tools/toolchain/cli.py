@@ -11,7 +11,7 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from . import demo, jolt, latency, load, suit
+from . import demo, jolt, latency, load, suit, xbus
 from .console import Failure, say
 from .display import real_display
 from .godot import Godot
@@ -32,6 +32,8 @@ HELP = """Dismount: people in motion-capture suits move through physics.
   ./run export              exports server and client to build/export/
   ./run bvh FILE            what a motion file holds: joints, frames, duration, unit, up axis
                             (--unit=m|cm|mm|inch|cmu|METRES and --up=y|z override the guess)
+  ./run xbus-decode FILE    what a recording of a suit's bus holds: messages, devices, rates, loss;
+                            --json prints everything, decoded (docs/xbus.md)
   ./run latency             measures the delay from sample to display on this machine, stage by
                             stage, and draws it (--seconds, --rate, --fps, --smoothing, --bvh)
   ./run load                puts many clients on a server over a bad network (docs/load.md):
@@ -53,6 +55,7 @@ DISMOUNT_DISPLAY=virtual (do as if there was no display).
 Keys in a window: 1 mesh world, 2 static world, 3 physics world; drag and wheel move the camera.
 """
 
+FLAGS = ("--help", "--xbus", "--dtls", "--waiting-room")
 SESSION_FILES = ("ban-file", "dtls-certificate", "dtls-key")
 FILES = ("bvh", "record", "file", "report", "screenshot", "latency-csv", *SESSION_FILES)
 
@@ -71,6 +74,7 @@ def main(arguments: list[str]) -> int:
         "editor": _editor,
         "export": _export,
         "bvh": _bvh,
+        "xbus-decode": xbus.decode,
         "bench": _bench,
         "latency": lambda rest: latency.main(normalise(rest)),
         "load": lambda rest: load.main(normalise(rest)),
@@ -89,8 +93,8 @@ def normalise(arguments: list[str]) -> list[str]:
     rest = [argument for argument in arguments if argument != "--"]
     while rest:
         option = rest.pop(0)
-        takes_next = rest and not rest[0].startswith("--")
-        if option.startswith("--") and "=" not in option and option != "--help" and takes_next:
+        takes_next = rest and not rest[0].startswith("--") and option not in FLAGS
+        if option.startswith("--") and "=" not in option and takes_next:
             option = f"{option}={rest.pop(0)}"
         name, _, value = option.removeprefix("--").partition("=")
         if name in FILES and value:
@@ -127,8 +131,11 @@ def _server(arguments: list[str]) -> int:
 
 def _client(role: str, arguments: list[str]) -> int:
     options = normalise(arguments)
-    wants_file = not any(option.startswith("--bvh=") for option in options)
-    if role == "trainee" and wants_file and not os.environ.get("DISMOUNT_BVH"):
+    sources = ("bvh", "xbus", "mvn")
+    named = tuple(f"--{name}" for name in sources)
+    asked = any(option.partition("=")[0] in named for option in options)
+    asked = asked or any(os.environ.get(f"DISMOUNT_{name.upper()}") for name in sources)
+    if role == "trainee" and not asked:
         options.append(f"--bvh={CLIPS / '01_01.bvh'}")
     prepare(export=True)
     command = [str(CLIENT_BINARY)]

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "mvn_encoder.hpp"
+#include "mvn_receiver.hpp"
 #include "suit_hub.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
@@ -11,6 +13,8 @@ namespace {
 
 void initialize(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
+		GDREGISTER_CLASS(MvnEncoder);
+		GDREGISTER_CLASS(MvnReceiver);
 		GDREGISTER_CLASS(SuitHub);
 	}
 }

@@ -30,9 +30,7 @@ struct Stream {
 		begins.push_back(bytes.size());
 		bytes.insert(bytes.end(), p_bytes, p_bytes + p_size);
 	}
-	size_t end(size_t p_message) const {
-		return p_message + 1 < begins.size() ? begins[p_message + 1] : bytes.size();
-	}
+	size_t end(size_t p_message) const { return p_message + 1 < begins.size() ? begins[p_message + 1] : bytes.size(); }
 };
 
 /// A random rotation, as a person's limb could have it.
@@ -141,8 +139,8 @@ inline Stream suit_stream(const MasterFormat &p_format, size_t p_messages, uint3
 		for (Sample &sample : samples) {
 			sample = draw_sample(random);
 		}
-		stream.add(frame.data(),
-				device::write_mt_data(p_format, uint16_t(p_counter + i), samples.data(), frame.data()));
+		stream.add(
+				frame.data(), device::write_mt_data(p_format, uint16_t(p_counter + i), samples.data(), frame.data()));
 	}
 	return stream;
 }
@@ -159,8 +157,8 @@ inline Stream imu_stream(size_t p_messages, uint32_t p_seed) {
 		Sample sample = draw_sample(random);
 		sample.counter = uint32_t(i);
 		sample.sample_time_fine = uint32_t(i * 100);
-		stream.add(frame.data(),
-				device::write_mt_data2(IMU_ITEMS.data(), IMU_ITEMS.size(), sample, MASTER, frame.data()));
+		stream.add(
+				frame.data(), device::write_mt_data2(IMU_ITEMS.data(), IMU_ITEMS.size(), sample, MASTER, frame.data()));
 	}
 	return stream;
 }

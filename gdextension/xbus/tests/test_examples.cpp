@@ -143,8 +143,7 @@ TEST(calibrated_data_go_both_ways) {
 }
 
 TEST(a_live_tracker_counts_at_the_end) {
-	const OutputFormat format = { output_mode::CALIBRATED | output_mode::ORIENTATION,
-		output_setting::SAMPLE_COUNTER };
+	const OutputFormat format = { output_mode::CALIBRATED | output_mode::ORIENTATION, output_setting::SAMPLE_COUNTER };
 	StreamCheck check;
 	check.expect_tracker(format);
 	for (const char *text : { LIVE, LIVE_NEXT }) {

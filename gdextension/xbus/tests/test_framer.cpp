@@ -104,7 +104,8 @@ TEST(every_split_gives_the_same) {
 		for (size_t &size : sizes) {
 			size = 1 + random() % 700;
 		}
-		for (const std::vector<size_t> &split : { std::vector<size_t>{ 1 }, { 2 }, { 62 }, { 512 }, { 16384 }, sizes }) {
+		for (const std::vector<size_t> &split :
+				{ std::vector<size_t>{ 1 }, { 2 }, { 62 }, { 512 }, { 16384 }, sizes }) {
 			const Result cut = feed_in(bytes, split, seed % 2 == 0 ? 1000 : MAX_DATA);
 			CHECK(cut.kept == whole.kept);
 			CHECK(cut.pending == whole.pending);

@@ -52,8 +52,8 @@ std::string head_of(uint16_t p_id) {
 	static const std::array<const char *, 4> AXES = { "EastNorthUp", "NorthEastDown", "NorthWestUp", "?" };
 	std::string head = type.name == nullptr ? "?" : type.name;
 	if (type.kind == ItemKind::REALS) {
-		const std::string axes = type.has_axes() ? std::string(AXES[p_id >> 2U & 3U]) + "," : "";
-		head += "(" + axes + FORMATS[p_id & 3U] + ")";
+		const std::string axes = type.has_axes() ? std::string(AXES[size_t(Item{ p_id }.axes())]) + "," : "";
+		head += "(" + axes + FORMATS[size_t(Item{ p_id }.format())] + ")";
 	}
 	return head;
 }
@@ -79,12 +79,12 @@ std::string utc_text(const UtcTime &p_utc) {
 
 std::vector<double> gnss_numbers(const GnssPvt &p) {
 	std::vector<double> numbers = { double(p.itow), double(p.utc.year), double(p.utc.month), double(p.utc.day),
-		double(p.utc.hour), double(p.utc.minute), double(p.utc.second), double(p.utc.validity),
-		double(p.time_accuracy), double(p.nanoseconds), double(p.fix_type), double(p.flags), double(p.satellites),
-		double(p.reserved), double(p.longitude), double(p.latitude), double(p.height), double(p.height_msl),
-		double(p.horizontal_accuracy), double(p.vertical_accuracy), double(p.velocity_north),
-		double(p.velocity_east), double(p.velocity_down), double(p.ground_speed), double(p.heading_of_motion),
-		double(p.speed_accuracy), double(p.heading_accuracy), double(p.heading_of_vehicle) };
+		double(p.utc.hour), double(p.utc.minute), double(p.utc.second), double(p.utc.validity), double(p.time_accuracy),
+		double(p.nanoseconds), double(p.fix_type), double(p.flags), double(p.satellites), double(p.reserved),
+		double(p.longitude), double(p.latitude), double(p.height), double(p.height_msl), double(p.horizontal_accuracy),
+		double(p.vertical_accuracy), double(p.velocity_north), double(p.velocity_east), double(p.velocity_down),
+		double(p.ground_speed), double(p.heading_of_motion), double(p.speed_accuracy), double(p.heading_accuracy),
+		double(p.heading_of_vehicle) };
 	numbers.insert(numbers.end(), p.dilutions.begin(), p.dilutions.end());
 	return numbers;
 }

@@ -12,6 +12,8 @@ extends RefCounted
 var entries: Dictionary[String, Entry] = {}
 ## The kind of calibration that it comes from.
 var kind: CalibrationGuide.Kind = CalibrationGuide.Kind.T_POSE
+## The pose that was the reference.
+var pose: ResetPose.Kind = ResetPose.Kind.T
 ## When it was made, s of Unix time.
 var made_s: float = 0.0
 

@@ -58,7 +58,7 @@ func start(
 ) -> String:
 	if p_sensors.is_empty() or p_sensors.size() != p_places.size():
 		return "there are no sensors to calibrate"
-	if range(p_places.size()).all(func(at: int) -> bool: return p_places[at] < 0):
+	if _worn(p_places).is_empty():
 		return "no sensor has a place on the body"
 	kind = p_kind
 	result = null
@@ -67,7 +67,7 @@ func start(
 	_solver.places = p_places
 	_solver.options = options
 	_solver.old = p_old
-	_steps = CalibrationGuide.steps(p_kind, options.pose)
+	_steps = CalibrationGuide.steps(p_kind, options.pose, _worn(p_places))
 	_step = -1
 	_ends_s = p_now_s
 	_next_step()
@@ -100,7 +100,10 @@ func progress() -> float:
 	var left: float = seconds_left
 	for later: int in range(_step + 1, _steps.size()):
 		left += _steps[later].duration_s
-	return clampf(1.0 - left / CalibrationGuide.duration_s(kind), 0.0, 1.0)
+	var whole: float = 0.0
+	for step: CalibrationGuide.Step in _steps:
+		whole += step.duration_s
+	return clampf(1.0 - left / whole, 0.0, 1.0)
 
 
 ## Takes a frame that was measured in the step that runs.
@@ -137,7 +140,7 @@ func _next_step() -> void:
 	_ends_s += step.duration_s
 	if step.is_countdown:
 		_set_phase(Phase.COUNTDOWN)
-	elif step.movement != CalibrationGuide.Movement.NONE:
+	elif step.movement != GuideMovements.Movement.NONE:
 		_solver.axes[step.movement] = MotionAxis.new()
 		_set_phase(Phase.MOVE)
 	else:
@@ -146,7 +149,10 @@ func _next_step() -> void:
 
 
 func _finish() -> void:
-	result = _solver.solve(kind, Time.get_unix_time_from_system())
+	if kind == CalibrationGuide.Kind.FIT_CHECK:
+		result = FitCheck.judge(_solver.sensors, _solver.places, _solver.axes)
+	else:
+		result = _solver.solve(kind, Time.get_unix_time_from_system())
 	_set_phase(Phase.DONE)
 	finished.emit()
 
@@ -154,6 +160,13 @@ func _finish() -> void:
 func _set_phase(p_phase: Phase) -> void:
 	phase = p_phase
 	phase_changed.emit(p_phase)
+
+
+static func _worn(p_places: PackedInt32Array) -> PackedInt32Array:
+	var worn: PackedInt32Array = p_places.duplicate()
+	while worn.has(-1):
+		worn.remove_at(worn.find(-1))
+	return worn
 
 
 func _watch(p_frame: SensorFrame) -> void:

@@ -15,6 +15,8 @@ var error: String = ""
 var calibration: Calibration = null
 ## How good each place is, in the order of the places.
 var places: Array[PlaceQuality] = []
+## Pairs of places whose sensors look exchanged.
+var swaps: Array[Vector2i] = []
 ## What the wearer should know or do, one sentence each, worst first.
 var advice: PackedStringArray = PackedStringArray()
 
@@ -48,7 +50,7 @@ class PlaceQuality:
 
 ## Whether nothing speaks against taking it over.
 func is_good() -> bool:
-	if error != "":
+	if error != "" or not swaps.is_empty():
 		return false
 	for quality: PlaceQuality in places:
 		if quality.grade() != "good":

@@ -2,10 +2,14 @@ class_name CalibrationSolver
 extends RefCounted
 ## Works a calibration out of what was measured while the wearer followed a [CalibrationGuide].
 
+## By so much an exchange must fit better before it is named: here people are told to take poses,
+## not to show which sensor is which.
+const MUCH_BETTER: float = 5.0
+
 ## Poses that were held.
 var holds: Dictionary[ResetPose.Kind, PoseHold] = {}
 ## Movements that were made.
-var axes: Dictionary[CalibrationGuide.Movement, MotionAxis] = {}
+var axes: Dictionary[GuideMovements.Movement, MotionAxis] = {}
 ## The sensors, in the order of the frames.
 var sensors: Array[SensorInfo] = []
 ## Place of each sensor, -1 if it is not worn.
@@ -30,8 +34,10 @@ func solve(p_kind: CalibrationGuide.Kind, p_now_s: float) -> CalibrationResult:
 		return _result
 	_result.calibration = Calibration.new()
 	_result.calibration.kind = p_kind
+	_result.calibration.pose = _pose
 	_result.calibration.made_s = p_now_s
 	_find_headings()
+	_find_swaps()
 	_common = _common_heading()
 	var each: bool = _is_each_its_own()
 	for sensor: int in sensors.size():
@@ -62,10 +68,10 @@ func _find_headings() -> void:
 		var place: int = places[sensor]
 		if place < 0:
 			continue
-		for movement: CalibrationGuide.Movement in axes:
-			var wanted: Vector3 = CalibrationGuide.axis(movement, place)
+		for movement: GuideMovements.Movement in axes:
+			var wanted: Vector3 = GuideMovements.axis(movement, place)
 			var axis: MotionAxis = axes[movement]
-			if movement == CalibrationGuide.Movement.ARMS and both and _held_both(sensor):
+			if movement == GuideMovements.Movement.ARMS and both and _held_both(sensor):
 				# From pose to pose is steadier than the way between them.
 				var start: Quaternion = holds[ResetPose.Kind.T].mean(sensor)
 				var turn: Vector3 = Rotations.vector(
@@ -77,6 +83,26 @@ func _find_headings() -> void:
 			else:
 				var angle: float = axis.turn(sensor)
 				_finder.add(place, wanted, axis.axis(sensor), angle, axis.purity(sensor))
+
+
+## Sensors that turned when others should have, or the other way round; their headings do not
+## count.
+func _find_swaps() -> void:
+	var odd: PackedInt32Array = _finder.reversed()
+	for place: int in odd:
+		var mirror: int = BodyPlaces.MIRRORS[place]
+		var above: int = BodyPlaces.PARENTS[place]
+		if mirror > place and odd.has(mirror):
+			_result.swaps.append(Vector2i(place, mirror))
+		elif odd.has(above) and not odd.has(BodyPlaces.MIRRORS[above]):
+			_result.swaps.append(Vector2i(above, place))
+	for place: int in odd:
+		_finder.forget(place)
+	for swap: Vector2i in FitCheck.find_swaps(places, axes, MUCH_BETTER):
+		if not _result.swaps.has(swap):
+			_result.swaps.append(swap)
+	for swap: Vector2i in _result.swaps:
+		_result.advice.append(FitCheck.describe(swap))
 
 
 func _held_both(p_sensor: int) -> bool:
@@ -157,7 +183,7 @@ func _solve_sensor(p_sensor: int, p_each: bool) -> void:
 
 func _advise_on_headings(p_each: bool) -> void:
 	if options.facing == CalibrationOptions.Facing.MOVEMENT and _finder.measured.is_empty():
-		if axes.has(CalibrationGuide.Movement.ARMS):
+		if axes.has(GuideMovements.Movement.ARMS):
 			_result.advice.append("the arms' movement was not seen: bring both arms down, straight")
 		elif is_nan(_turned_from_old):
 			_result.advice.append("nothing tells which way you face: taken as facing north")

@@ -34,6 +34,11 @@ func add(p_frame: SensorFrame) -> void:
 			_add_turn(sensor, Rotations.vector(turned * _first[sensor].inverse()))
 
 
+## Whether a sensor said enough to be judged by.
+func was_heard(p_sensor: int) -> bool:
+	return p_sensor < _heard.size() and _heard[p_sensor] > START_FRAMES
+
+
 ## How far a sensor turned out of its first pose at most, rad.
 func turn(p_sensor: int) -> float:
 	return _most[p_sensor] if p_sensor < _most.size() else 0.0

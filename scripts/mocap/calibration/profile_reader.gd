@@ -60,6 +60,7 @@ static func write(p_profile: PersonProfile) -> String:
 			}
 		data["calibration"] = {
 			"kind": CalibrationGuide.NAMES[p_profile.calibration.kind],
+			"pose": ResetPose.NAMES[p_profile.calibration.pose],
 			"made_s": p_profile.calibration.made_s,
 			"sensors": sensors,
 		}
@@ -103,6 +104,10 @@ func _read_calibration(p_data: Dictionary) -> Calibration:
 		var known: String = ", ".join(CalibrationGuide.NAMES)
 		error = "calibration.kind: one of %s, found '%s'" % [known, kind.left(30)]
 	found.kind = maxi(CalibrationGuide.NAMES.find(kind), 0) as CalibrationGuide.Kind
+	var pose: String = _text(p_data, "pose", "calibration.pose")
+	if error == "" and not ResetPose.NAMES.has(pose):
+		error = "calibration.pose: T or N, found '%s'" % pose.left(30)
+	found.pose = maxi(ResetPose.NAMES.find(pose), 0) as ResetPose.Kind
 	found.made_s = _number(p_data, "made_s", "calibration.made_s", 0.0, 1e11)
 	var sensors: Dictionary = _object(p_data, "sensors", "calibration.sensors")
 	if error == "" and sensors.size() > MOST_SENSORS:

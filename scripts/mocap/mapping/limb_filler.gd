@@ -7,7 +7,8 @@ extends RefCounted
 ## [br]- the chest from the shoulder blades, else from head and pelvis; the waist halfway between
 ## pelvis and chest; the head looks where the chest does;
 ## [br]- an upper arm from the forearm: the elbow bends the more, the further the forearm is from
-## hanging, but not to the side; a forearm from the hand, or in line with the upper arm; hands follow;
+## hanging, but not to the side; a forearm from the hand, or in line with the upper arm; hands
+## follow;
 ## [br]- a thigh from the shank: the knee is straight while the shank swings ahead, and bends while
 ## it is behind; a shank hangs from a raised thigh; feet take the shank's heading and stay flat
 ## up to [constant ANKLE_DEG];

@@ -10,6 +10,10 @@ extends SensorFeed
 const MOST_WAITING: int = 512
 ## Gravity, m/s².
 const GRAVITY: float = 9.81
+## Places that are no limb, and the joints under which a pose may tell of them.
+const BLADES: Dictionary[int, int] = {
+	3: XRBodyTracker.JOINT_LEFT_SHOULDER, 7: XRBodyTracker.JOINT_RIGHT_SHOULDER
+}
 
 ## How far each sample is off at random, degrees (standard deviation of each axis).
 var noise_deg: float = 0.0
@@ -122,7 +126,10 @@ func _orientation(p_sensor: int, p_pose: PoseSample, p_passed_s: float) -> Quate
 	var heading: float = _headings[p_sensor]
 	if p_sensor < drifts_deg.size():
 		heading += deg_to_rad(drifts_deg[p_sensor]) * p_passed_s
-	var limb: Quaternion = p_pose.orientation(BodyPlaces.LIMBS[_places[p_sensor]])
+	var place: int = _places[p_sensor]
+	var limb: Quaternion = p_pose.orientation(BodyPlaces.LIMBS[place])
+	if BLADES.has(place) and p_pose.details != null:
+		limb = p_pose.details.joints.get(BLADES[place], limb)
 	var turned: Quaternion = Rotations.yaw(heading) * limb * _mountings[p_sensor]
 	if noise_deg > 0.0:
 		var off: Vector3 = Vector3(random.randfn(), random.randfn(), random.randfn())

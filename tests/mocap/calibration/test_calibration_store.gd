@@ -92,6 +92,7 @@ func test_faults_name_file_and_field() -> void:
 		['"%s": "pelvis"' % id, '"%s": "wing"' % id, "sensors.%s: there is no place 'wing'" % id],
 		['"%s": "pelvis"' % id, '"%s": "head"' % id, "there are two on the head"],
 		['"kind": "full"', '"kind": "half"', "calibration.kind: one of"],
+		['"pose": "T"', '"pose": "Z"', "calibration.pose: T or N, found 'Z'"],
 		['"heading_rad": ', '"heading_rad": "x", "y": ', ".heading_rad: expected a number"],
 		['"mounting_xyzw": [', '"mounting_xyzw": [7, ', ".mounting_xyzw: expected 4 numbers"],
 		['"name": "bad"', '"name": "good"', "name: it is that of 'good'"],

@@ -80,8 +80,8 @@ bool is_in_range(const Sample &p_sample) {
 	const auto good = [&](Field p_field, bool p_good) { return !p_sample.has(p_field) || p_good; };
 	return is_motion_in_range(p_sample) && is_place_in_range(p_sample) &&
 			good(Field::TEMPERATURE, within(p_sample.temperature, MOST_TEMPERATURE)) &&
-			good(Field::PRESSURE, p_sample.pressure <= MOST_PRESSURE) &&
-			good(Field::UTC_TIME, is_time(p_sample.utc)) && good(Field::GNSS_PVT, is_pvt(p_sample.gnss_pvt));
+			good(Field::PRESSURE, p_sample.pressure <= MOST_PRESSURE) && good(Field::UTC_TIME, is_time(p_sample.utc)) &&
+			good(Field::GNSS_PVT, is_pvt(p_sample.gnss_pvt));
 }
 
 double norm_deviation(const std::array<double, 4> &p_quaternion) {
@@ -101,8 +101,8 @@ double rotation_deviation(const std::array<double, 9> &p_matrix) {
 		return sum;
 	};
 	// One term that is not a number makes the whole sum such.
-	return std::fabs(dot(0, 0) - 1.0) + std::fabs(dot(1, 1) - 1.0) + std::fabs(dot(2, 2) - 1.0) +
-			std::fabs(dot(0, 1)) + std::fabs(dot(1, 2)) + std::fabs(dot(0, 2));
+	return std::fabs(dot(0, 0) - 1.0) + std::fabs(dot(1, 1) - 1.0) + std::fabs(dot(2, 2) - 1.0) + std::fabs(dot(0, 1)) +
+			std::fabs(dot(1, 2)) + std::fabs(dot(0, 2));
 }
 
 bool NormJudge::accept(double p_deviation) {

@@ -80,22 +80,22 @@ struct LengthTable {
 
 constexpr LengthTable TABLE;
 
-/// Of the identifiers and lengths of the items (FNV-1a).
-uint32_t shape_of(const Frame &p_frame) {
-	uint32_t hash = 2166136261U;
-	visit_items(p_frame.data, p_frame.size, [&](const Item &p_item) {
-		hash = (hash ^ p_item.id) * 16777619U;
-		hash = (hash ^ p_item.size) * 16777619U;
-	});
-	return hash;
-}
-
 } // namespace
 
 bool is_device_message(const Frame &p_frame) {
 	const auto message = uint8_t(p_frame.message);
 	return p_frame.size >= TABLE.least[message] && p_frame.size <= TABLE.most[message] &&
 			(p_frame.bus_id == MASTER || (p_frame.bus_id != BROADCAST && p_frame.bus_id <= MAX_DEVICES));
+}
+
+uint32_t message_shape(const Frame &p_frame) {
+	// FNV-1a.
+	uint32_t hash = 2166136261U;
+	visit_items(p_frame.data, p_frame.size, [&](const Item &p_item) {
+		hash = (hash ^ p_item.id) * 16777619U;
+		hash = (hash ^ p_item.size) * 16777619U;
+	});
+	return hash;
 }
 
 void StreamCheck::reset() {
@@ -214,7 +214,7 @@ StreamCheck::Verdict StreamCheck::_take_mt_data2(const Frame &p_frame, bool p_no
 }
 
 bool StreamCheck::_is_known_shape(const Frame &p_frame) {
-	const uint32_t shape = shape_of(p_frame);
+	const uint32_t shape = message_shape(p_frame);
 	const auto *end = _shapes.begin() + std::min(_shape_count, SHAPES);
 	if (std::find(_shapes.cbegin(), end, shape) != end) {
 		return true;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bus/counter_track.hpp"
 #include "bus/configuration.hpp"
+#include "bus/counter_track.hpp"
 #include "bus/mt_data2.hpp"
 #include "bus/plausibility.hpp"
 
@@ -11,6 +11,9 @@ namespace xbus {
 /// Whether a device can send this message: a known identifier, a length that goes with it, a bus identifier
 /// that exists. An eight-bit checksum alone lets through too much.
 bool is_device_message(const Frame &p_frame);
+
+/// A number for the identifiers and lengths of an MTData2 message's items: the same for messages of one kind.
+uint32_t message_shape(const Frame &p_frame);
 
 /// Public figures of a stream.
 struct StreamStatistics {
@@ -78,9 +81,7 @@ private:
 	/// Shapes of MTData2 messages with items that are not understood.
 	static constexpr size_t SHAPES = 16;
 
-	static size_t _place(uint8_t p_bus_id) {
-		return p_bus_id == MASTER || p_bus_id > MAX_DEVICES ? 0 : p_bus_id;
-	}
+	static size_t _place(uint8_t p_bus_id) { return p_bus_id == MASTER || p_bus_id > MAX_DEVICES ? 0 : p_bus_id; }
 	bool _is_bus_id(uint8_t p_bus_id) const;
 	Verdict _take_mt_data(const Frame &p_frame);
 	Verdict _take_mt_data2(const Frame &p_frame, bool p_noisy);

@@ -28,6 +28,8 @@ struct CharacterStatistics {
 	uint64_t late = 0;
 	/// Datagrams of this character from somebody else than its sender.
 	uint64_t foreign = 0;
+	/// How often the counter of the pose began anew.
+	uint64_t jumps = 0;
 	/// Time of the newest, µs, and samples of the pose per second.
 	uint64_t newest_usec = 0;
 	double rate_hz = 0.0;
@@ -69,15 +71,20 @@ private:
 		Header header;
 		std::vector<uint8_t> payload;
 	};
-	/// The sample of one type that is being put together.
-	struct Slot {
+	/// A sample that is being put together.
+	struct Pending {
 		bool is_begun = false;
-		bool has_whole = false;
 		uint32_t sample = 0;
-		uint32_t newest_whole = 0;
 		std::size_t bytes = 0;
 		std::vector<Part> parts;
 		std::size_t part_count = 0;
+	};
+	/// The samples of one type. The network may let a datagram overtake those of the sample before.
+	struct Slot {
+		std::array<Pending, 2> pending;
+		bool has_whole = false;
+		uint32_t newest_whole = 0;
+		uint64_t whole_usec = 0;
 		Content content;
 	};
 	struct Character {
@@ -86,6 +93,9 @@ private:
 		CharacterStatistics statistics;
 		uint64_t metered_usec = 0;
 		uint32_t metered = 0;
+		/// The type of pose that is counted, and when it came last.
+		Type leader = Type::POSE;
+		uint64_t leader_usec = 0;
 		uint32_t last_sample = 0;
 		uint32_t step = 0;
 		bool has_last = false;
@@ -93,9 +103,10 @@ private:
 
 	Outcome refuse(Fault p_fault);
 	Outcome add(Character &p_character, const uint8_t *p_payload, std::size_t p_size, uint64_t p_now_usec);
-	Outcome store_part(Slot &p_slot, const uint8_t *p_payload, std::size_t p_size);
-	static bool is_complete(const Slot &p_slot);
-	Fault read_parts(Slot &p_slot);
+	Pending &pending_of(Character &p_character, Slot &p_slot) const;
+	Outcome store_part(Pending &p_pending, const uint8_t *p_payload, std::size_t p_size);
+	static bool is_complete(const Pending &p_pending);
+	Fault read_parts(Pending &p_pending, Content &r_content) const;
 	void note_sample(Character &p_character, uint64_t p_now_usec);
 	static void clear(Content &p_content);
 

@@ -54,6 +54,15 @@ bool is_known(int p_type) {
 	return false;
 }
 
+/// All zeros stand for a rotation that is not known: takes them out. Returns whether there was one.
+bool take_rotation(Quaternion &r_rotation) {
+	if (r_rotation != Quaternion{}) {
+		return true;
+	}
+	r_rotation = { 1.0F, 0.0F, 0.0F, 0.0F };
+	return false;
+}
+
 bool is_rotation(const Quaternion &p_rotation) {
 	float norm = 0.0F;
 	for (const float part : p_rotation) {
@@ -90,9 +99,25 @@ Fault read_poses(const Header &p_header, PayloadReader &p_reader, Content &r_con
 			pose.euler = p_from.read_vector();
 		} else {
 			pose.rotation = p_from.read_quaternion();
+			const bool may_lack = r_content.poses.size() >= std::size_t(BODY_SEGMENTS);
+			pose.has_rotation = !may_lack || take_rotation(pose.rotation);
 		}
 		r_content.poses.push_back(pose);
 		return is_euler || is_rotation(pose.rotation);
+	});
+}
+
+Fault read_points(const Header &p_header, PayloadReader &p_reader, Content &r_content) {
+	if (r_content.poses.size() + p_header.items > std::size_t(MOST_POINTS)) {
+		return Fault::TOO_MANY;
+	}
+	return read_items(p_reader, p_header.items, POINT_ITEM, [&](PayloadReader &p_from) {
+		SegmentPose point;
+		point.id = p_from.read_i32();
+		point.position = p_from.read_vector();
+		point.has_rotation = false;
+		r_content.poses.push_back(point);
+		return true;
 	});
 }
 
@@ -127,6 +152,7 @@ Fault read_angular(const Header &p_header, PayloadReader &p_reader, Content &r_c
 		SegmentMotion motion;
 		motion.id = p_from.read_i32();
 		motion.rotation = p_from.read_quaternion();
+		motion.has_rotation = take_rotation(motion.rotation);
 		motion.angular_velocity = p_from.read_vector();
 		motion.angular_acceleration = p_from.read_vector();
 		r_content.motions.push_back(motion);
@@ -141,6 +167,7 @@ Fault read_trackers(const Header &p_header, PayloadReader &p_reader, Content &r_
 		SegmentMotion motion;
 		motion.id = p_from.read_i32();
 		motion.rotation = p_from.read_quaternion();
+		motion.has_rotation = take_rotation(motion.rotation);
 		motion.free_acceleration = p_from.read_vector();
 		motion.is_full = is_full;
 		if (is_full) {
@@ -175,7 +202,8 @@ Fault read_meta(PayloadReader &p_reader, Content &r_content) {
 		const std::string line = text.substr(at, end - at);
 		const std::size_t colon = line.find(':');
 		if (colon != std::string::npos && colon > 0) {
-			r_content.tags.emplace_back(line.substr(0, colon), line.substr(colon + 1, MOST_TEXT));
+			r_content.tags.emplace_back(cut_text(line.substr(0, colon), MOST_TEXT),
+					cut_text(line.substr(colon + 1), MOST_TEXT));
 		}
 		at = end + 1;
 	}
@@ -251,6 +279,8 @@ const char *fault_text(Fault p_fault) {
 			return "more segments than a character has";
 		case Fault::BAD_VALUE:
 			return "numbers that cannot be";
+		case Fault::BAD_PARTS:
+			return "the parts of a sample do not fit each other";
 	}
 	return "unknown";
 }
@@ -284,6 +314,9 @@ Fault read_header(const uint8_t *p_bytes, std::size_t p_size, Header &r_header) 
 	if (r_header.payload != 0 && r_header.payload != p_size - HEADER_SIZE) {
 		return Fault::WRONG_SIZE;
 	}
+	if (r_header.body_segments > BODY_SEGMENTS || r_header.props > MOST_PROPS || r_header.fingers > FINGER_SEGMENTS) {
+		return Fault::TOO_MANY;
+	}
 	return Fault::NONE;
 }
 
@@ -295,7 +328,7 @@ Fault read_payload(const Header &p_header, const uint8_t *p_payload, std::size_t
 		case Type::UNITY_POSE:
 			return read_poses(p_header, reader, r_content);
 		case Type::POINTS:
-			return p_size == std::size_t(p_header.items) * POINT_ITEM ? Fault::NONE : Fault::WRONG_SIZE;
+			return read_points(p_header, reader, r_content);
 		case Type::META:
 			return read_meta(reader, r_content);
 		case Type::SCALE:

@@ -26,7 +26,7 @@ constexpr int MOST_PARTS = 128;
 enum class Type : uint8_t {
 	EULER_POSE = 1, ///< Y up, right-handed, cm, degrees.
 	POSE = 2, ///< Quaternions; Z up, right-handed, m.
-	POINTS = 3,
+	POINTS = 3, ///< Places of points on the body; Y up, right-handed, cm.
 	UNITY_POSE = 5, ///< Y up, left-handed, m; only pelvis and props are global.
 	META = 12, ///< Name, colour and the like of a character.
 	SCALE = 13, ///< The null pose: where segments begin, and their points.
@@ -47,8 +47,9 @@ enum class Fault : uint8_t {
 	WRONG_SIZE, ///< Payload and number of items do not fit each other.
 	TOO_MANY, ///< More segments than a character can have.
 	BAD_VALUE, ///< Not finite, no rotation, or a number that cannot be.
+	BAD_PARTS, ///< The parts of a sample do not fit each other.
 };
-constexpr int FAULTS = 7;
+constexpr int FAULTS = 8;
 const char *fault_text(Fault p_fault);
 
 /// The head of a datagram.
@@ -77,13 +78,15 @@ using Vector = std::array<float, 3>;
 /// w, x, y, z.
 using Quaternion = std::array<float, 4>;
 
-/// A segment's place and rotation (types 01, 02 and 05), or a joint's angles.
+/// A segment's place and rotation (types 01, 02 and 05), or a point's place (type 03).
 struct SegmentPose {
 	int32_t id = 0;
 	Vector position{};
 	Quaternion rotation{ 1.0F, 0.0F, 0.0F, 0.0F };
 	/// Type 01: about X, Y and Z, degrees.
 	Vector euler{};
+	/// Whether it has a rotation: all zeros stand for a prop or a finger that is not tracked.
+	bool has_rotation = true;
 };
 
 /// Type 20: the three angles between two points, degrees.
@@ -109,6 +112,8 @@ struct SegmentMotion {
 	Vector magnetic_field{};
 	/// Whether acceleration and rate of a tracker are there: the shorter form lacks them.
 	bool is_full = false;
+	/// Whether it has a rotation: all zeros stand for a segment without a tracker.
+	bool has_rotation = true;
 };
 
 /// Type 13: where a segment begins in the null pose, m.

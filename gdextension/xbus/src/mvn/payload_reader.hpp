@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bus/bytes.hpp"
+#include "mvn/stranger_text.hpp"
 
 #include <array>
 #include <cmath>
@@ -76,17 +77,8 @@ private:
 		return bytes;
 	}
 
-	/// What a stranger says goes to logs and screens: control characters go.
 	static std::string clean(const uint8_t *p_bytes, std::size_t p_size, bool p_keeps_lines = false) {
-		std::string text;
-		text.reserve(p_size);
-		for (std::size_t at = 0; at < p_size; ++at) {
-			const uint8_t byte = p_bytes[at];
-			if ((byte >= 0x20 && byte != 0x7F) || (p_keeps_lines && byte == '\n')) {
-				text += char(byte);
-			}
-		}
-		return text;
+		return clean_text(reinterpret_cast<const char *>(p_bytes), p_size, p_keeps_lines);
 	}
 
 	const uint8_t *_at;

@@ -50,7 +50,7 @@ void Session::open(uint64_t p_now_usec) {
 		_baud = BAUDS[_baud_at];
 		_host.set_baud(_baud);
 	}
-	go_to(Step::GO_TO_CONFIG);
+	pause(0);
 }
 
 void Session::take_bytes(const uint8_t *p_bytes, std::size_t p_size, uint64_t p_now_usec) {
@@ -254,7 +254,7 @@ void Session::advance(uint64_t p_now_usec) {
 	} else if (_step == Step::REBOOT) {
 		_baud = FAST_BAUD;
 		_host.set_baud(_baud);
-		go_to(Step::GO_TO_CONFIG);
+		pause(0);
 	} else if (_tries < patience(_step).tries) {
 		send_request();
 	} else {
@@ -286,7 +286,7 @@ void Session::next_baud() {
 		_baud = BAUDS[_baud_at];
 		_host.set_baud(_baud);
 		if (_baud_at != 0) {
-			go_to(Step::GO_TO_CONFIG);
+			pause(0);
 			return;
 		}
 	}
@@ -294,18 +294,21 @@ void Session::next_baud() {
 		tell(Severity::WARNING, "does not answer%s: is the suit switched on and in reach?",
 				_options.has_baud ? " at any speed" : "");
 	}
+	pause(PAUSE_USEC);
+}
+
+/// Begins once more after so many microseconds; with 0 as soon as a speed that was set is in force.
+void Session::pause(uint64_t p_usec) {
 	_step = Step::PAUSE;
 	_waits = false;
-	_deadline_usec = _now_usec + PAUSE_USEC;
+	_deadline_usec = _now_usec + p_usec;
 }
 
 void Session::start_over(const char *p_why) {
 	tell(Severity::WARNING, "%s: bringing it up anew", p_why);
 	++_restarts;
-	_step = Step::PAUSE;
-	_waits = false;
 	// What does not help the first time may take its time.
-	_deadline_usec = _now_usec + (PAUSE_USEC << std::min(_in_vain, 4U));
+	pause(PAUSE_USEC << std::min(_in_vain, 4U));
 	++_in_vain;
 }
 

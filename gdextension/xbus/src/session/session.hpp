@@ -154,6 +154,7 @@ private:
 	void start_over(const char *p_why);
 	void fail_step();
 	void next_baud();
+	void pause(uint64_t p_usec);
 
 	bool judge(const Frame &p_frame);
 	void take(const Frame &p_frame);

@@ -1,0 +1,210 @@
+class_name SuitSource
+extends MotionSource
+## A person who wears sensors: a [SensorFeed], and who wears it where and how ([PersonProfile]).
+##
+## Any thread may sample it, and one other (the main one) show and calibrate it meanwhile: call
+## [method advance] there in every frame. A suit does not know where it is: the hips stay at
+## standing height above the origin, and the server finds the travel (--root=inertial).
+
+## There is a result of a calibration to be taken over or refused.
+signal calibrated(p_result: CalibrationResult)
+
+## A sensor that is silent for so long counts as not worn, its limb is filled: s.
+const SILENT_S: float = 0.5
+## Frames that wait for whoever shows and calibrates; beyond it the oldest go.
+const MOST_RECENT: int = 512
+
+## Where the sensors' samples come from.
+var feed: SensorFeed = null
+## The calibration process; only the main thread may touch it.
+var process: CalibrationProcess = CalibrationProcess.new()
+## The newest frame that [method advance] saw, or null.
+var newest_frame: SensorFrame = null
+## The newest pose that [method advance] saw, or null before calibration.
+var newest_pose: PoseSample = null
+## Finds sensors that are exchanged or sit wrongly.
+var watch: WearWatch = WearWatch.new()
+
+# Shared between threads and guarded.
+var _mutex: Mutex = Mutex.new()
+var _profile: PersonProfile = PersonProfile.new()
+var _table: SuitTable = SuitTable.new()
+var _revision: int = -1
+var _fresh: SensorFrame = null
+var _recent: Array[SensorFrame] = []
+var _faulty: int = 0
+
+
+func _init(p_feed: SensorFeed = null) -> void:
+	feed = p_feed
+	if p_feed != null:
+		error = p_feed.error
+
+
+## Who wears it. It is not to be changed; make a new one or use the methods here.
+func get_profile() -> PersonProfile:
+	_mutex.lock()
+	var profile: PersonProfile = _profile
+	_mutex.unlock()
+	return profile
+
+
+## Says who wears it: places, size and calibration are in force from the next sample on.
+func set_profile(p_profile: PersonProfile) -> void:
+	_mutex.lock()
+	_profile = p_profile
+	_revision = -1
+	_mutex.unlock()
+	watch.clear()
+
+
+## Says which sensor is where. The calibration of those that moved is void.
+func set_map(p_map: SensorMap) -> void:
+	var changed: PersonProfile = _copy_profile()
+	changed.map = p_map
+	set_profile(changed)
+
+
+## Says how big the wearer is.
+func set_body(p_size: BodySize) -> void:
+	var changed: PersonProfile = _copy_profile()
+	changed.size = p_size
+	set_profile(changed)
+
+
+## Says what the wearer is called.
+func rename(p_name: String) -> void:
+	var changed: PersonProfile = _copy_profile()
+	changed.name = p_name
+	_mutex.lock()
+	_profile = changed
+	_mutex.unlock()
+
+
+## Takes a calibration into force.
+func set_calibration(p_calibration: Calibration) -> void:
+	var changed: PersonProfile = _copy_profile()
+	changed.calibration = p_calibration
+	set_profile(changed)
+
+
+## Whether samples come out: it is calibrated, and at least one place is worn.
+func is_calibrated() -> bool:
+	return get_profile().calibration != null
+
+
+## Begins a calibration of a kind, at a time in s of any clock. The one in force stays. Returns why
+## it cannot, or an empty text.
+func start_calibration(p_kind: CalibrationGuide.Kind, p_now_s: float) -> String:
+	var sensors: Array[SensorInfo] = feed.list_sensors()
+	var profile: PersonProfile = _profile_for(sensors)
+	var places: PackedInt32Array = profile.map.of_sensors(sensors)
+	return process.start(p_kind, sensors, places, profile.calibration, p_now_s)
+
+
+## Takes the result of the calibration into force, as far as there is one.
+func accept_calibration() -> void:
+	if process.result != null and process.result.error == "":
+		set_calibration(process.result.calibration)
+	process.close()
+
+
+## Leaves the old calibration in force.
+func refuse_calibration() -> void:
+	process.cancel()
+
+
+## Goes on, in the main thread: takes what came, feeds a calibration that runs. The time is in s of
+## the clock that [method start_calibration] had.
+func advance(p_now_s: float) -> void:
+	_mutex.lock()
+	_pump()
+	var frames: Array[SensorFrame] = _recent
+	_recent = []
+	var table: SuitTable = _table
+	_mutex.unlock()
+	for frame: SensorFrame in frames:
+		process.add_frame(frame)
+		if not process.is_running():
+			watch.add(frame, table)
+		newest_frame = frame
+	if not frames.is_empty():
+		newest_pose = table.pose(frames[frames.size() - 1])
+	var ran: bool = process.is_running()
+	process.advance(p_now_s)
+	if ran and process.phase == CalibrationProcess.Phase.DONE:
+		calibrated.emit(process.result)
+
+
+## Frames of the feed that were none and were dropped.
+func faulty_frames() -> int:
+	_mutex.lock()
+	var faulty: int = _faulty
+	_mutex.unlock()
+	return faulty
+
+
+func get_hip_height() -> float:
+	return get_profile().size.length(&"hip_height")
+
+
+func get_body() -> BodySize:
+	return get_profile().size
+
+
+func describe() -> String:
+	return "%s, worn by %s" % [feed.describe(), get_profile().name]
+
+
+func _read(_p_time_usec: int) -> PoseSample:
+	_mutex.lock()
+	_pump()
+	var frame: SensorFrame = _fresh
+	_fresh = null
+	var table: SuitTable = _table
+	_mutex.unlock()
+	return table.pose(frame) if frame != null else null
+
+
+## Takes what the feed has. The mutex is held.
+func _pump() -> void:
+	if feed == null:
+		return
+	if _revision != feed.revision:
+		_revision = feed.revision
+		var sensors: Array[SensorInfo] = feed.list_sensors()
+		_profile = _profile_for(sensors)
+		_table = SuitTable.new()
+		_table.setup(sensors, _profile)
+	for frame: SensorFrame in feed.take_frames():
+		if frame.find_fault() != "":
+			_faulty += 1
+			Log.limited("mocap", "frame", "a sample of the suit is dropped: " + frame.find_fault())
+			continue
+		_table.remember(frame)
+		_fresh = frame
+		_recent.append(frame)
+		if _recent.size() > MOST_RECENT:
+			_recent.pop_front()
+
+
+## The profile; who has no map yet gets the usual one for these sensors.
+func _profile_for(p_sensors: Array[SensorInfo]) -> PersonProfile:
+	if not _profile.map.places.is_empty() or p_sensors.is_empty():
+		return _profile
+	var found: PersonProfile = _copy(_profile)
+	found.map = SensorMap.guess(p_sensors)
+	return found
+
+
+func _copy_profile() -> PersonProfile:
+	return _copy(get_profile())
+
+
+static func _copy(p_profile: PersonProfile) -> PersonProfile:
+	var copy: PersonProfile = PersonProfile.new()
+	copy.name = p_profile.name
+	copy.size = p_profile.size
+	copy.map = p_profile.map
+	copy.calibration = p_profile.calibration
+	return copy

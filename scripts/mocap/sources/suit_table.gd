@@ -1,0 +1,117 @@
+class_name SuitTable
+extends RefCounted
+## Turns frames of sensors into poses: for each sensor its place and calibration, ready to be used.
+##
+## A sensor that was silent in a frame keeps what it said last for [constant SuitSource.SILENT_S].
+## Any thread may ask for a pose.
+
+## Place of each sensor, -1 if it is not worn.
+var places: PackedInt32Array = PackedInt32Array()
+## Whether there is a calibration at all.
+var is_calibrated: bool = false
+## The pose in which it was calibrated.
+var reset_pose: ResetPose.Kind = ResetPose.Kind.T
+
+var _left: Array[Quaternion] = []
+var _right: Array[Quaternion] = []
+var _hip_height: float = 0.95
+var _is_known: PackedByteArray = PackedByteArray()
+# Written by one thread, read by others: guarded.
+var _mutex: Mutex = Mutex.new()
+var _last: Array[Quaternion] = []
+var _last_usec: PackedInt64Array = PackedInt64Array()
+var _filler: LimbFiller = LimbFiller.new()
+
+
+## Prepares for sensors and who wears them.
+func setup(p_sensors: Array[SensorInfo], p_profile: PersonProfile) -> void:
+	places = p_profile.map.of_sensors(p_sensors)
+	is_calibrated = p_profile.calibration != null
+	if is_calibrated:
+		reset_pose = p_profile.calibration.pose
+	_hip_height = p_profile.size.length(&"hip_height")
+	var count: int = p_sensors.size()
+	_left.resize(count)
+	_right.resize(count)
+	_is_known.resize(count)
+	_last.resize(count)
+	_last_usec.resize(count)
+	for sensor: int in count:
+		_last_usec[sensor] = -1
+		var entry: Calibration.Entry = null
+		if is_calibrated:
+			entry = p_profile.calibration.entry_for(p_sensors[sensor].id, places[sensor])
+		if entry != null:
+			_is_known[sensor] = 1
+			_left[sensor] = Rotations.yaw(-entry.heading)
+			_right[sensor] = entry.mounting.inverse()
+
+
+## Notes what the sensors of a frame said.
+func remember(p_frame: SensorFrame) -> void:
+	_mutex.lock()
+	for sensor: int in mini(p_frame.count(), _last.size()):
+		if p_frame.present[sensor] != 0:
+			_last[sensor] = p_frame.orientation(sensor)
+			_last_usec[sensor] = p_frame.time_usec
+	_mutex.unlock()
+
+
+## The rotation from the reset pose of the limb under a sensor; null if it is not calibrated.
+func rotation(p_sensor: int, p_said: Quaternion) -> Variant:
+	if p_sensor >= _is_known.size() or _is_known[p_sensor] == 0:
+		return null
+	return (_left[p_sensor] * p_said * _right[p_sensor]).normalized()
+
+
+## The pose of a frame, with its time; null if nothing is calibrated or nobody spoke.
+func pose(p_frame: SensorFrame) -> PoseSample:
+	_mutex.lock()
+	_filler.clear()
+	var spoke: int = 0
+	for sensor: int in _last.size():
+		var age: float = (p_frame.time_usec - _last_usec[sensor]) / 1e6
+		if _is_known[sensor] == 0 or _last_usec[sensor] < 0 or absf(age) > SuitSource.SILENT_S:
+			continue
+		spoke += 1
+		var said: Quaternion = _last[sensor]
+		if sensor < p_frame.count() and p_frame.present[sensor] != 0:
+			said = p_frame.orientation(sensor)
+		var turned: Quaternion = (_left[sensor] * said * _right[sensor]).normalized()
+		_filler.set_place(places[sensor], turned)
+	if spoke == 0:
+		_mutex.unlock()
+		return null
+	_filler.fill()
+	var found: PoseSample = PoseSample.new()
+	for limb: int in Limbs.COUNT:
+		found.set_orientation(limb, _filler.limbs[limb])
+	found.time_usec = p_frame.time_usec
+	found.root = Vector3(0.0, _hip_height, 0.0)
+	found.details = _details(p_frame)
+	_mutex.unlock()
+	return found
+
+
+func _details(p_frame: SensorFrame) -> MotionDetails:
+	var details: MotionDetails = MotionDetails.new()
+	details.counter = p_frame.counter
+	details.measured = _filler.measured.duplicate()
+	for blade: int in [3, 7]:
+		if _filler.known[blade] != 0:
+			var joint: int = XRBodyTracker.JOINT_LEFT_SHOULDER
+			if blade == 7:
+				joint = XRBodyTracker.JOINT_RIGHT_SHOULDER
+			details.joints[joint] = _filler.rotations[blade]
+	if p_frame.rates.is_empty():
+		return details
+	details.rates.resize(Limbs.COUNT)
+	for sensor: int in mini(p_frame.count(), places.size()):
+		var place: int = places[sensor]
+		if place < 0 or place == 3 or place == 7 or _is_known[sensor] == 0:
+			continue
+		var said: Quaternion = p_frame.orientation(sensor)
+		if p_frame.present[sensor] != 0:
+			var rate: Vector3 = _left[sensor] * (said * p_frame.rates[sensor])
+			details.rates[BodyPlaces.LIMBS[place]] = rate
+	return details
