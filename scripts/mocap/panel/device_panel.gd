@@ -18,6 +18,9 @@ const PERIOD_S: float = 0.2
 ## Whether it lets the suits go on; otherwise somebody else calls [method SuitSource.advance].
 @export var drives: bool = false
 
+## Tells the time, s; it must be the clock of who calls [method SuitSource.advance].
+var clock: Callable = func() -> float: return Time.get_ticks_usec() / 1e6
+
 @export var _person: PersonBox
 @export var _devices: DeviceList
 @export var _sensors: SensorTable
@@ -41,6 +44,7 @@ func _ready() -> void:
 	_store = CalibrationStore.new(folder)
 	_raw.stage.add_child(_boxes_view)
 	_calibrated.stage.add_child(_figure_view)
+	_figure_view.visible = false
 	_close.pressed.connect(close_wanted.emit)
 	_box.start_wanted.connect(start_calibration)
 	_box.accept_wanted.connect(_accept)
@@ -270,5 +274,5 @@ func _keep() -> void:
 	_refresh()
 
 
-static func _now_s() -> float:
-	return Time.get_ticks_usec() / 1e6
+func _now_s() -> float:
+	return clock.call()
