@@ -18,9 +18,6 @@ const PERIOD_S: float = 0.2
 ## Whether it lets the suits go on; otherwise somebody else calls [method SuitSource.advance].
 @export var drives: bool = false
 
-## Tells the time, s; it must be the clock of who calls [method SuitSource.advance].
-var clock: Callable = func() -> float: return Time.get_ticks_usec() / 1e6
-
 @export var _person: PersonBox
 @export var _devices: DeviceList
 @export var _sensors: SensorTable
@@ -30,6 +27,9 @@ var clock: Callable = func() -> float: return Time.get_ticks_usec() / 1e6
 @export var _sheet: BodySheet
 @export var _status: Label
 @export var _close: Button
+
+## Tells the time, s; it must be the clock of who calls [method SuitSource.advance].
+var clock: Callable = func() -> float: return Time.get_ticks_usec() / 1e6
 
 var _suits: Array[SuitSource] = []
 var _at: int = 0
