@@ -160,11 +160,11 @@ TypedArray<Dictionary> MvnReceiver::take_type(int64_t p_character, mvn::Type p_t
 Dictionary MvnReceiver::get_newest(int64_t p_character, int64_t p_type) const {
 	mvn::ReceivedSample sample;
 	const bool can_be = p_character >= 0 && p_character <= MOST_CHARACTER && p_type >= 0 && p_type < mvn::TYPES;
-	if (!can_be || !receiver.newest(int(p_character), mvn::Type(p_type), sample)) {
-		return Dictionary();
+	Dictionary entry;
+	if (can_be && receiver.newest(int(p_character), mvn::Type(p_type), sample)) {
+		entry = mvn_to_dictionary(sample.content);
+		entry["arrival_usec"] = to_unix(sample.arrival_usec);
 	}
-	Dictionary entry = mvn_to_dictionary(sample.content);
-	entry["arrival_usec"] = to_unix(sample.arrival_usec);
 	return entry;
 }
 
