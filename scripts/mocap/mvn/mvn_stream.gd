@@ -55,6 +55,8 @@ func advance() -> void:
 	if now_s - _looked_s < LOOK_S:
 		return
 	_looked_s = now_s
+	for line: String in receiver.take_news():
+		Log.info("mvn", line)
 	for message: String in receiver.take_messages():
 		Log.limited("mvn", message, message)
 	_characters = receiver.get_characters()
