@@ -20,11 +20,14 @@ var feed: SensorFeed = null
 var process: CalibrationProcess = CalibrationProcess.new()
 ## The newest frame that [method advance] saw, or null.
 var newest_frame: SensorFrame = null
-## The newest pose that [method advance] saw, or null before calibration.
+## The newest pose that [method advance] saw, or null before calibration. While a result waits to
+## be taken over, the pose as it would be then.
 var newest_pose: PoseSample = null
 ## Finds sensors that are exchanged or sit wrongly.
 var watch: WearWatch = WearWatch.new()
 
+# What a result would make of the frames.
+var _trial: SuitTable = null
 # Shared between threads and guarded.
 var _mutex: Mutex = Mutex.new()
 var _profile: PersonProfile = PersonProfile.new()
@@ -129,7 +132,7 @@ func advance(p_now_s: float) -> void:
 			watch.add(frame, table)
 		newest_frame = frame
 	if not frames.is_empty():
-		newest_pose = table.pose(frames[frames.size() - 1])
+		newest_pose = _table_to_show(table).pose(frames[frames.size() - 1])
 	var ran: bool = process.is_running()
 	process.advance(p_now_s)
 	if ran and process.phase == CalibrationProcess.Phase.DONE:
@@ -186,6 +189,20 @@ func _pump() -> void:
 		_recent.append(frame)
 		if _recent.size() > MOST_RECENT:
 			_recent.pop_front()
+
+
+## The table of a result that waits, or else the one in force.
+func _table_to_show(p_table: SuitTable) -> SuitTable:
+	if process.phase != CalibrationProcess.Phase.DONE or process.result.calibration == null:
+		_trial = null
+		return p_table
+	if _trial == null:
+		var profile: PersonProfile = _copy_profile()
+		profile.calibration = process.result.calibration
+		_trial = SuitTable.new()
+		_trial.setup(feed.list_sensors(), profile)
+	_trial.remember(newest_frame)
+	return _trial
 
 
 ## The profile; who has no map yet gets the usual one for these sensors.

@@ -73,6 +73,16 @@ func test_the_old_calibration_stays_until_the_new_one_is_accepted() -> void:
 	is_true(_suit.get_profile().calibration == old)
 
 
+func test_a_result_is_shown_before_it_is_accepted() -> void:
+	_suit.start_calibration(CalibrationGuide.Kind.FULL, _now_usec / 1e6)
+	_go(_feed.prelude_s + 1.0)
+	is_null(_suit.sample(_now_usec))
+	not_null(_suit.newest_pose)
+	_suit.refuse_calibration()
+	_go(0.1)
+	is_null(_suit.newest_pose)
+
+
 func test_a_silent_sensor_is_filled_from_its_neighbours() -> void:
 	_calibrate()
 	_go(0.1)
