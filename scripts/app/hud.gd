@@ -12,7 +12,7 @@ extends CanvasLayer
 ## Shows the figures and the worlds.
 func show_status(p_status: String, p_views: String) -> void:
 	_status.text = p_status
-	_keys.text = p_views + "   L delays   drag and wheel: camera"
+	_keys.text = p_views + "   L delays   M motion capture   drag and wheel: camera"
 
 
 ## Shows a message in the middle, or none if the text is empty.

@@ -52,6 +52,11 @@ func calibrate(p_source: MotionSource, p_kind: CalibrationGuide.Kind, p_now_s: f
 		Log.warning("mocap", "not calibrated: " + fault)
 
 
+## The devices, for the panel: see [constant DeviceList.KEYS].
+func list_devices() -> Array[Dictionary]:
+	return usb.list_devices() if usb != null else [] as Array[Dictionary]
+
+
 ## What the wearer is to see at a time, s: what to do in a calibration, or what is wrong with the
 ## suit; mostly nothing.
 func guide(p_now_s: float) -> String:

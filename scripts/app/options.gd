@@ -15,6 +15,7 @@ const TABLE: Array[Array] = [
 	["mvn", 0, "trainee: UDP port for MVN's network stream (usually 9763); 0 does without"],
 	["person", "", "trainee: who wears the suit: whose size and calibration are taken and kept"],
 	["calibrate", "", "trainee: calibrate at the start: t_pose, n_pose, t_to_n, full or quick"],
+	["panel", 0, "trainee: 1: the panel with devices and sensors is open at the start (key M)"],
 	["unit", "", "trainee: unit of the motion file: m, cm, mm, inch, cmu or metres per unit"],
 	["up", "", "trainee: up axis of the motion file: y or z"],
 	["rate", 60, "trainee: samples per second"],
@@ -61,7 +62,7 @@ const TABLE: Array[Array] = [
 
 ## What options mean that are given without a value.
 const BARE: Dictionary[String, String] = {
-	"xbus": "1", "mvn": "9763", "dtls": "1", "waiting-room": "1"
+	"xbus": "1", "panel": "1", "mvn": "9763", "dtls": "1", "waiting-room": "1"
 }
 
 ## What is wrong with the arguments, or an empty text.

@@ -34,6 +34,9 @@ HELP = """Dismount: people in motion-capture suits move through physics.
                             (--unit=m|cm|mm|inch|cmu|METRES and --up=y|z override the guess)
   ./run xbus-decode FILE    what a recording of a suit's bus holds: messages, devices, rates, loss;
                             --json prints everything, decoded (docs/xbus.md)
+  ./run mvn-sender --bvh FILE  plays a motion file as Xsens MVN's network stream, for trying without
+                            a suit: --host --port --rate --types --characters --name --seconds
+                            --loss (docs/mvn.md)
   ./run latency             measures the delay from sample to display on this machine, stage by
                             stage, and draws it (--seconds, --rate, --fps, --smoothing, --bvh)
   ./run load                puts many clients on a server over a bad network (docs/load.md):
@@ -55,7 +58,7 @@ DISMOUNT_DISPLAY=virtual (do as if there was no display).
 Keys in a window: 1 mesh world, 2 static world, 3 physics world; drag and wheel move the camera.
 """
 
-FLAGS = ("--help", "--xbus", "--dtls", "--waiting-room")
+FLAGS = ("--help", "--xbus", "--panel", "--dtls", "--waiting-room")
 SESSION_FILES = ("ban-file", "dtls-certificate", "dtls-key")
 FILES = ("bvh", "record", "file", "report", "screenshot", "latency-csv", *SESSION_FILES)
 
@@ -74,6 +77,7 @@ def main(arguments: list[str]) -> int:
         "editor": _editor,
         "export": _export,
         "bvh": _bvh,
+        "mvn-sender": _mvn_sender,
         "xbus-decode": xbus.decode,
         "bench": _bench,
         "latency": lambda rest: latency.main(normalise(rest)),
@@ -177,6 +181,14 @@ def _bvh(arguments: list[str]) -> int:
     return _script(
         godot, [], "res://scripts/mocap/bvh_info.gd", [str(user_path(files[0])), *options]
     )
+
+
+def _mvn_sender(arguments: list[str]) -> int:
+    options = normalise(arguments)
+    if "-h" in options:
+        options = ["--help"]
+    godot = prepare(export=False)
+    return _script(godot, [], "res://scripts/mocap/mvn/mvn_sender.gd", options)
 
 
 def benchmarks() -> dict[str, tuple[Path, str]]:

@@ -122,6 +122,14 @@ PackedStringArray MvnReceiver::take_messages() {
 	return messages;
 }
 
+PackedStringArray MvnReceiver::take_news() {
+	PackedStringArray news;
+	for (const std::string &line : receiver.take_news()) {
+		news.push_back(text(line));
+	}
+	return news;
+}
+
 TypedArray<Dictionary> MvnReceiver::take_poses(int64_t p_character) {
 	// The best that has come of late: 02 is exact, 01 has angles, 05 lacks what is above the segments.
 	mvn::Type best = mvn::Type::POSE;
@@ -160,11 +168,11 @@ TypedArray<Dictionary> MvnReceiver::take_type(int64_t p_character, mvn::Type p_t
 Dictionary MvnReceiver::get_newest(int64_t p_character, int64_t p_type) const {
 	mvn::ReceivedSample sample;
 	const bool can_be = p_character >= 0 && p_character <= MOST_CHARACTER && p_type >= 0 && p_type < mvn::TYPES;
-	if (!can_be || !receiver.newest(int(p_character), mvn::Type(p_type), sample)) {
-		return Dictionary();
+	Dictionary entry;
+	if (can_be && receiver.newest(int(p_character), mvn::Type(p_type), sample)) {
+		entry = mvn_to_dictionary(sample.content);
+		entry["arrival_usec"] = to_unix(sample.arrival_usec);
 	}
-	Dictionary entry = mvn_to_dictionary(sample.content);
-	entry["arrival_usec"] = to_unix(sample.arrival_usec);
 	return entry;
 }
 
@@ -176,6 +184,7 @@ void MvnReceiver::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_characters"), &MvnReceiver::get_characters);
 	ClassDB::bind_method(D_METHOD("get_figures"), &MvnReceiver::get_figures);
 	ClassDB::bind_method(D_METHOD("take_messages"), &MvnReceiver::take_messages);
+	ClassDB::bind_method(D_METHOD("take_news"), &MvnReceiver::take_news);
 	ClassDB::bind_method(D_METHOD("take_poses", "character"), &MvnReceiver::take_poses);
 	ClassDB::bind_method(D_METHOD("take_trackers", "character"), &MvnReceiver::take_trackers);
 	ClassDB::bind_method(D_METHOD("get_newest", "character", "type"), &MvnReceiver::get_newest);

@@ -30,6 +30,7 @@ public:
 	TypedArray<Dictionary> get_characters() const;
 	Dictionary get_figures() const;
 	PackedStringArray take_messages();
+	PackedStringArray take_news();
 	TypedArray<Dictionary> take_poses(int64_t p_character);
 	TypedArray<Dictionary> take_trackers(int64_t p_character);
 	Dictionary get_newest(int64_t p_character, int64_t p_type) const;

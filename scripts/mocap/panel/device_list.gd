@@ -37,7 +37,9 @@ func show_devices(p_devices: Array[Dictionary]) -> void:
 	clear()
 	var root: TreeItem = create_item()
 	if p_devices.is_empty():
-		create_item(root).set_text(2, _NONE)
+		var row: TreeItem = create_item(root)
+		row.set_text(2, _NONE)
+		row.set_autowrap_mode(2, TextServer.AUTOWRAP_WORD_SMART)
 	for device: Dictionary in p_devices:
 		var row: TreeItem = create_item(root)
 		for column: int in KEYS.size():

@@ -28,19 +28,25 @@ const PERIOD_S: float = 0.2
 @export var _status: Label
 @export var _close: Button
 
+## Tells the time, s; it must be the clock of who calls [method SuitSource.advance].
+var clock: Callable = func() -> float: return Time.get_ticks_usec() / 1e6
+
 var _suits: Array[SuitSource] = []
 var _at: int = 0
 var _store: CalibrationStore = null
-var _boxes_view: SensorBoxesView = SensorBoxesView.new()
-var _figure_view: LimbFigureView = LimbFigureView.new()
+var _boxes_view: SensorBoxesView = null
+var _figure_view: LimbFigureView = null
 var _figures_due_s: float = 0.0
 var _fault: String = ""
 
 
 func _ready() -> void:
 	_store = CalibrationStore.new(folder)
+	_boxes_view = SensorBoxesView.new()
+	_figure_view = LimbFigureView.new()
 	_raw.stage.add_child(_boxes_view)
 	_calibrated.stage.add_child(_figure_view)
+	_figure_view.visible = false
 	_close.pressed.connect(close_wanted.emit)
 	_box.start_wanted.connect(start_calibration)
 	_box.accept_wanted.connect(_accept)
@@ -270,5 +276,5 @@ func _keep() -> void:
 	_refresh()
 
 
-static func _now_s() -> float:
-	return Time.get_ticks_usec() / 1e6
+func _now_s() -> float:
+	return clock.call()

@@ -60,9 +60,10 @@ func show_sensors(
 ) -> void:
 	_holds = p_holds
 	var order: Array = range(p_sensors.size())
-	order.sort_custom(
-		func(a: int, b: int) -> bool: return posmod(p_places[a], 99) < posmod(p_places[b], 99)
-	)
+	var ranks: PackedInt32Array = []
+	for at: int in p_sensors.size():
+		ranks.append((p_places[at] if p_places[at] >= 0 else 99) * 1000 + at)
+	order.sort_custom(func(a: int, b: int) -> bool: return ranks[a] < ranks[b])
 	var wanted: PackedStringArray = []
 	for at: int in order:
 		wanted.append(p_sensors[at].id)
@@ -104,7 +105,8 @@ func _make_rows(p_ids: PackedStringArray) -> void:
 		var row: TreeItem = create_item(root)
 		row.set_metadata(0, id)
 		_rows[id] = row
-		if id == selected:
+		if id == selected or selected == "":
+			selected = id
 			row.select(0)
 
 

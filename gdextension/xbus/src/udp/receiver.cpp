@@ -155,7 +155,7 @@ void Receiver::keep(const std::string &p_sender, uint64_t p_now_usec) {
 	character.types |= 1U << unsigned(content.header.type);
 	if (is_new) {
 		say("new " + std::to_string(found->first),
-				"character " + std::to_string(found->first) + " comes from " + p_sender);
+				"character " + std::to_string(found->first) + " comes from " + p_sender, true);
 	}
 	if (content.header.type == Type::META) {
 		character.name = tag(content, "name");
@@ -212,7 +212,8 @@ void Receiver::look_after(uint64_t p_now_usec) {
 		const CharacterStatistics statistics = _collector.statistics(at->first);
 		judge(at->first, at->second, statistics);
 		if (p_now_usec > statistics.newest_usec + GONE_USEC) {
-			say("gone " + std::to_string(at->first), "character " + std::to_string(at->first) + " comes no more");
+			say("gone " + std::to_string(at->first), "character " + std::to_string(at->first) + " comes no more",
+					true);
 			at = _characters.erase(at);
 		} else {
 			++at;
@@ -242,14 +243,15 @@ void Receiver::judge(int p_number, Character &p_character, const CharacterStatis
 	noted = p_statistics;
 }
 
-void Receiver::say(const std::string &p_key, const std::string &p_text) {
+void Receiver::say(const std::string &p_key, const std::string &p_text, bool p_is_news) {
 	const auto [found, is_new] = _said.try_emplace(p_key, _now_usec);
 	if (!is_new && _now_usec < found->second + REPEAT_USEC) {
 		return;
 	}
 	found->second = _now_usec;
-	if (_messages.size() < MOST_MESSAGES) {
-		_messages.push_back(p_text);
+	std::vector<std::string> &said = p_is_news ? _news : _messages;
+	if (said.size() < MOST_MESSAGES) {
+		said.push_back(p_text);
 	}
 }
 
@@ -280,6 +282,13 @@ std::vector<std::string> Receiver::take_messages() {
 	std::vector<std::string> messages;
 	messages.swap(_messages);
 	return messages;
+}
+
+std::vector<std::string> Receiver::take_news() {
+	const std::lock_guard<std::mutex> lock(_mutex);
+	std::vector<std::string> news;
+	news.swap(_news);
+	return news;
 }
 
 std::vector<ReceivedSample> Receiver::take_samples(int p_character, Type p_type) {

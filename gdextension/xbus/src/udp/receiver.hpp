@@ -69,8 +69,10 @@ public:
 	void take(const std::string &p_sender, const uint8_t *p_bytes, std::size_t p_size, uint64_t p_now_usec);
 
 	ReceiverReport report() const;
-	/// What was said since the last call, a line each.
+	/// What is wrong with the stream, said since the last call, a line each.
 	std::vector<std::string> take_messages();
+	/// Who came and left since the last call, a line each.
+	std::vector<std::string> take_news();
 	/// The samples of one type of motion (01, 02, 05, 23) of a character since the last call, oldest first.
 	std::vector<ReceivedSample> take_samples(int p_character, Type p_type);
 	/// The newest sample of a type of a character; false if there was none.
@@ -96,7 +98,7 @@ private:
 	void look_after(uint64_t p_now_usec);
 	void judge(int p_number, Character &p_character, const CharacterStatistics &p_statistics);
 	void forget_all();
-	void say(const std::string &p_key, const std::string &p_text);
+	void say(const std::string &p_key, const std::string &p_text, bool p_is_news = false);
 
 	int _socket = -1;
 	uint16_t _port = 0;
@@ -109,6 +111,7 @@ private:
 	Collector _collector;
 	std::map<int, Character> _characters;
 	std::vector<std::string> _messages;
+	std::vector<std::string> _news;
 	std::map<std::string, uint64_t> _said;
 	uint64_t _now_usec = 0;
 };

@@ -183,8 +183,9 @@ TEST(who_is_silent_leaves) {
 	receiver.take("a", later.data(), later.size(), 9000000);
 	CHECK(receiver.report().characters.size() == 1);
 	CHECK(receiver.report().characters.at(0).number == 3);
-	std::vector<std::string> heard;
-	CHECK(has_message(receiver, heard, "character 0 comes no more"));
+	const std::vector<std::string> news = receiver.take_news();
+	CHECK(news.size() == 3 && news[0] == "character 0 comes from a" && news[2] == "character 0 comes no more");
+	CHECK(receiver.take_news().empty() && receiver.take_messages().empty());
 }
 
 TEST_MAIN()

@@ -54,9 +54,10 @@ struct FirstLook {
 		const auto found = shapes.find(p_shape);
 		return found == shapes.end() ? 0 : found->second;
 	}
-	std::vector<Frame> data_of(size_t p_size) const {
+	const std::vector<Frame> &data_of(size_t p_size) const {
+		static const std::vector<Frame> none;
 		const auto found = data.find(p_size);
-		return found == data.end() ? std::vector<Frame>() : found->second;
+		return found == data.end() ? none : found->second;
 	}
 };
 
