@@ -44,12 +44,12 @@ void hold_signals() {
 }
 
 std::string preload_value() {
-	const std::string own = Testbed::preload();
+	std::string own = Testbed::preload();
 	const char *before = std::getenv("LD_PRELOAD");
 	if (before == nullptr || *before == '\0') {
 		return own;
 	}
-	const std::string all = before;
+	std::string all = before;
 	return all.find(own) == std::string::npos ? own + ":" + all : all;
 }
 
@@ -216,11 +216,11 @@ void Session::_sleep() {
 	if (ppoll(waits, std::size(waits), &timeout, nullptr) <= 0) {
 		return;
 	}
-	if ((waits[0].revents & POLLIN) != 0) {
+	if (waits[0].revents != 0) {
 		uint64_t count = 0;
 		(void)!read(_wake, &count, sizeof(count));
 	}
-	if ((waits[1].revents & POLLIN) != 0) {
+	if (waits[1].revents != 0) {
 		_read_signals();
 	}
 	if (waits[2].revents != 0) {

@@ -12,8 +12,8 @@
 
 namespace emulator {
 
-UsbfsNode::UsbfsNode(Shared &p_shared, UsbPort &p_port, Testbed &p_testbed, int p_place, std::string p_driver,
-		UsbPort::Log p_log) :
+UsbfsNode::UsbfsNode(
+		Shared &p_shared, UsbPort &p_port, Testbed &p_testbed, int p_place, std::string p_driver, UsbPort::Log p_log) :
 		_shared(p_shared),
 		_port(p_port),
 		_testbed(p_testbed),
@@ -157,7 +157,7 @@ void UsbfsNode::_hand_over(const Transfer &p_transfer) {
 }
 
 std::unique_ptr<Urb> UsbfsNode::_make_urb(UMockdevIoctlClient *p_client, Transfer &r_transfer) {
-	constexpr int MOST = 4 << 20;
+	constexpr int MOST = 4194304;
 	constexpr int REQUEST = 8;
 	UMockdevIoctlData *argument = umockdev_ioctl_client_get_arg(p_client);
 	r_transfer.client = p_client;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "front/device_node.hpp"
 #include "cable/usb_port.hpp"
+#include "front/device_node.hpp"
 
 #include <mutex>
 #include <set>

@@ -121,7 +121,8 @@ std::string Suit::_make(const std::string &p_kind, std::vector<Tracker> p_tracke
 		tracker.device_id = MTI_30_ID + number;
 		auto device = std::make_unique<StandAlone>(tracker, _stream, seed);
 		device->set_items({ { 0x1020, StandAlone::ALWAYS }, { 0x2010, 100 }, { 0x8020, 100 }, { 0x4020, 100 } });
-		_add(std::move(device), p_kind == "mti" ? "native" : "ftdi", p_kind == "mti" ? PRODUCT_MTI_30 : PRODUCT_CONVERTER);
+		_add(std::move(device), p_kind == "mti" ? "native" : "ftdi",
+				p_kind == "mti" ? PRODUCT_MTI_30 : PRODUCT_CONVERTER);
 		return {};
 	}
 	if (p_kind == "awinda") {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "suit/master.hpp"
-#include "suit/stand_alone.hpp"
-#include "suit/suit_options.hpp"
 #include "cable/ftdi_chip.hpp"
 #include "cable/native_chip.hpp"
 #include "cable/usb_port.hpp"
+#include "suit/master.hpp"
+#include "suit/stand_alone.hpp"
+#include "suit/suit_options.hpp"
 
 #include <memory>
 

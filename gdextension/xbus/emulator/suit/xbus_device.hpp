@@ -4,8 +4,8 @@
 #include "bus/encoder.hpp"
 #include "bus/framer.hpp"
 #include "bus/message.hpp"
-#include "suit/tracker.hpp"
 #include "cable/serial_line.hpp"
+#include "suit/tracker.hpp"
 
 #include <functional>
 #include <initializer_list>
@@ -37,7 +37,13 @@ struct DeviceFaults {
 class XbusDevice : public SerialDevice {
 public:
 	using Log = std::function<void(Usec, const std::string &)>;
-	enum class State : uint8_t { OFF, WAKE_UP, CONFIG, MEASUREMENT, REBOOT };
+	enum class State : uint8_t {
+		OFF,
+		WAKE_UP,
+		CONFIG,
+		MEASUREMENT,
+		REBOOT
+	};
 
 	XbusDevice(MotionStream p_stream, uint64_t p_seed);
 
@@ -67,7 +73,10 @@ public:
 
 protected:
 	/// What the message was answered with.
-	enum class Answer : uint8_t { DONE, UNKNOWN };
+	enum class Answer : uint8_t {
+		DONE,
+		UNKNOWN
+	};
 
 	/// A message in Config, or one that measuring allows. UNKNOWN: it is answered with error 04.
 	virtual Answer handle(const xbus::Frame &p_frame, Usec p_now) = 0;
