@@ -22,7 +22,7 @@ foreach(test configuration corruption examples framer golden mt_data mt_data2 st
 	dismount_add_core_test(xbus_${test} SOURCES tests/test_${test}.cpp LIBRARIES xbus_bus)
 endforeach()
 if(BUILD_TESTING)
-	target_include_directories(xbus_stream_check PRIVATE ${PROJECT_SOURCE_DIR}/wire/tests)
+	target_include_directories(xbus_stream_check PRIVATE ${PROJECT_SOURCE_DIR}/testing)
 	target_compile_definitions(xbus_golden PRIVATE DISMOUNT_TEST_DATA="${PROJECT_SOURCE_DIR}/../tests/data")
 endif()
 # Hostile bytes, as many as asked for: xbus_fuzz EXECUTIONS [SEED].
@@ -43,6 +43,6 @@ target_link_libraries(xbus_decode PRIVATE xbus_recording)
 target_compile_options(xbus_decode PRIVATE -Wall -Wextra)
 # The figures of ./run bench xbus.
 add_executable(xbus_bench tools/bench_bus.cpp)
-target_include_directories(xbus_bench PRIVATE tests ${PROJECT_SOURCE_DIR}/wire/tests)
+target_include_directories(xbus_bench PRIVATE tests ${PROJECT_SOURCE_DIR}/testing)
 target_link_libraries(xbus_bench PRIVATE xbus_recording)
 target_compile_options(xbus_bench PRIVATE -Wall -Wextra)

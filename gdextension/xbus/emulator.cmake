@@ -31,3 +31,17 @@ if(TARGET umockdev::umockdev AND NOT DISMOUNT_SANITIZE)
 	target_link_libraries(suit_emulator PRIVATE xbus_emulator umockdev::umockdev Threads::Threads ${CMAKE_DL_LIBS})
 	_dismount_common(suit_emulator)
 endif()
+
+# The same suit in a virtual machine, plugged into the kernel's own USB: ./test --kernel.
+if(TARGET suit_stream)
+	add_executable(suit_kernel_init
+		emulator/front/usbip_server.cpp
+		emulator/kernel/guest.cpp
+		emulator/kernel/suit_kernel_init.cpp
+	)
+	target_link_libraries(suit_kernel_init PRIVATE xbus_emulator Threads::Threads)
+	_dismount_common(suit_kernel_init)
+endif()
+foreach(test emulated_chips emulated_master emulated_motion)
+	dismount_add_core_test(xbus_${test} SOURCES emulator/tests/test_${test}.cpp LIBRARIES xbus_emulator)
+endforeach()

@@ -10,6 +10,3 @@ dismount_add_core_library(xbus_recording SOURCES
 foreach(test recorder replay)
 	dismount_add_core_test(recording_${test} SOURCES tests/recording/test_${test}.cpp LIBRARIES xbus_recording)
 endforeach()
-if(BUILD_TESTING)
-	target_include_directories(recording_recorder PRIVATE ${PROJECT_SOURCE_DIR}/wire/tests)
-endif()

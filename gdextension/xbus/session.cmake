@@ -6,3 +6,6 @@ dismount_add_core_library(xbus_session SOURCES
 	src/session/suit_stream.cpp
 	LIBRARIES xbus_bus
 )
+foreach(test no_session_allocation session)
+	dismount_add_core_test(xbus_test_${test} SOURCES tests/session/test_${test}.cpp LIBRARIES xbus_session xbus_emulator)
+endforeach()

@@ -3,7 +3,7 @@
 if(TARGET libusb::libusb)
 	find_package(Threads REQUIRED)
 	dismount_add_core_library(xbus_usb SOURCES
-		src/usb/hub.cpp
+		src/usb/libusb_hub.cpp
 		src/usb/port.cpp
 		LIBRARIES xbus_session libusb::libusb Threads::Threads
 	)
@@ -13,3 +13,4 @@ if(TARGET xbus_usb AND NOT DISMOUNT_SANITIZE)
 	target_link_libraries(suit_stream PRIVATE xbus_usb)
 	_dismount_common(suit_stream)
 endif()
+dismount_add_core_test(xbus_ftdi_protocol SOURCES tests/usb/test_ftdi_protocol.cpp LIBRARIES xbus_bus)

@@ -18,13 +18,13 @@ const _EXIT_NO_SERVER: int = 4
 
 @export var _scene: ClientScene
 @export var _hud: Hud
+@export var _mocap: MocapDesk
 
 var _role: String = ""
 var _options: Options = null
 var _link: ClientLink = ClientLink.new()
 var _player: SnapshotPlayer = null
 var _recorder: SnapshotRecorder = null
-var _people: ClientPeople = null
 var _told_s: float = 0.0
 var _was_joined: bool = false
 var _report: ReportFile = null
@@ -37,7 +37,6 @@ var _exit_code: int = 0
 var _figures: ClientFigures = ClientFigures.new()
 var _stop: StopSignal = StopSignal.new()
 var _pacer: FramePacer = null
-var _inputs: MotionInputs = null
 
 
 ## Takes over the options. Call it before the node enters the tree.
@@ -56,7 +55,7 @@ func _ready() -> void:
 	var fault: String = _scene.apply(_options.text("views"), _options.text("camera"))
 	_apply_choices()
 	if fault == "" and _role == "trainee":
-		fault = _open_sources()
+		fault = _mocap.open(_options, _link)
 	if fault != "":
 		_quit(_EXIT_OPTIONS, fault)
 		return
@@ -85,8 +84,9 @@ func _process(p_delta: float) -> void:
 	if _role == "replay":
 		_player.advance(_clock_s)
 	else:
-		if _inputs != null:
-			_inputs.advance(_clock_s)
+		if _mocap.people != null:
+			_mocap.advance(_clock_s)
+			_hud.show_guide(_mocap.guide(_clock_s))
 		_link.poll()
 		_acknowledge()
 		_keep_trying()
@@ -96,9 +96,7 @@ func _process(p_delta: float) -> void:
 
 
 func _exit_tree() -> void:
-	if _people != null:
-		_people.stop()
-		_inputs.close()
+	_mocap.close()
 	if _report != null:
 		_report.write(_make_report())
 	if _recorder != null:
@@ -111,14 +109,6 @@ func _apply_choices() -> void:
 	_scene.replica.wants_marks = _options.file("latency-csv") != ""
 	_scene.replica.set_smoothing(SmoothingMethods.find(_options.text("smoothing")))
 	_stop.watch()
-
-
-func _open_sources() -> String:
-	_people = ClientPeople.new(_link, _options)
-	_inputs = MotionInputs.new()
-	_inputs.appeared.connect(_people.add)
-	_inputs.vanished.connect(_people.remove)
-	return _inputs.open(_options)
 
 
 func _open_player() -> String:
@@ -196,12 +186,13 @@ func _acknowledge() -> void:
 func _show_world() -> void:
 	var own: Dictionary[int, PackedFloat32Array] = {}
 	var now: int = Time.get_ticks_usec()
-	if _people != null and _link.is_joined():
-		own = _people.show(now, _scene.replica)
+	var people: ClientPeople = _mocap.people
+	if people != null and _link.is_joined():
+		own = people.show(now, _scene.replica)
 	if _options.text("feedback") == "server":
 		own.clear()
-	elif own.has(_people.first_actor if _people != null else -1):
-		_figures.own_shown(_people.shown_moment_usec(now))
+	elif people != null and own.has(people.first_actor):
+		_figures.own_shown(people.shown_moment_usec(now))
 	_scene.update(_clock_s, own)
 	var headless: bool = DisplayServer.get_name() == "headless"
 	_figures.smoothing_delay_s = _scene.replica.delay()
@@ -218,8 +209,8 @@ func _on_joined() -> void:
 	_scene.clear()
 	if _recorder != null:
 		_recorder.begin()
-	if _people != null:
-		_people.begin()
+	if _mocap.people != null:
+		_mocap.people.begin()
 
 
 func _on_lost(p_why: String) -> void:
@@ -251,8 +242,8 @@ func _on_datagram(p_bytes: PackedByteArray, p_arrival_usec: int) -> void:
 	if mark != null and _link.clock.is_known():
 		mark.arrival_usec = _link.clock.server_usec(p_arrival_usec)
 		_figures.probe.arrived(mark)
-		if _people != null:
-			_people.note_trip(mark)
+		if _mocap.people != null:
+			_mocap.people.note_trip(mark)
 	if _recorder != null:
 		_recorder.add(p_bytes)
 
@@ -264,18 +255,15 @@ func _take_snapshot(p_bytes: PackedByteArray, p_arrival_s: float) -> void:
 
 func _on_world(p_world: WorldDescription, p_bytes: PackedByteArray) -> void:
 	_scene.describe(p_world)
-	if _people != null:
-		_people.embody(p_world, _scene)
+	if _mocap.people != null:
+		_mocap.people.embody(p_world, _scene)
 	if _recorder != null:
 		_recorder.add(p_bytes)
 
 
 func _on_calibration_asked(p_index: int, p_kind: int) -> void:
-	var source: MotionSource = _people.source_of(p_index) if _people != null else null
-	if source != null and ClientCalibration.KINDS.values().has(p_kind):
-		_inputs.calibrate(source, p_kind as CalibrationGuide.Kind, _clock_s)
-	else:
-		Log.limited("mocap", "asked", "no calibration %d of person %d" % [p_kind, p_index])
+	if _mocap.people != null:
+		_mocap.calibrate(p_index, p_kind, _clock_s)
 
 
 func _on_frame_drawn() -> void:

@@ -12,7 +12,10 @@ const KINDS: Dictionary[String, CalibrationGuide.Kind] = {
 	"quick": CalibrationGuide.Kind.QUICK,
 }
 ## How long the outcome is shown, s.
-const _SHOWN_S: float = 4.0
+const _SHOWN_S: float = 6.0
+## What is worse is not taken: somebody moved by 6 degrees.
+const _LEAST_SCORE: float = 0.4
+const _MOST_ADVICE: int = 3
 
 var _source: SuitSource = null
 var _store: CalibrationStore = CalibrationStore.new()
@@ -51,20 +54,23 @@ func text(p_now_s: float) -> String:
 	return _outcome if p_now_s < _until_s else ""
 
 
-## A calibration that could be made is taken, as the wearer has no hand free to say so; what could be
-## better is said.
+## Nobody is asked, as the wearer has no hand free: what is good enough is taken, and what could be
+## better is said; otherwise the one before stays.
 func _on_calibrated(p_result: CalibrationResult) -> void:
 	var source: SuitSource = _source
 	_source = null
 	var now: float = Time.get_ticks_usec() / 1e6
-	if p_result.error != "":
+	var advice: String = "; ".join(p_result.advice.slice(0, _MOST_ADVICE))
+	var fault: String = p_result.error
+	if fault == "" and p_result.score() < _LEAST_SCORE:
+		fault = advice
+	if fault != "":
 		source.refuse_calibration()
-		say("Not calibrated: " + p_result.error, now)
-		Log.warning("mocap", "not calibrated: " + p_result.error)
+		say("Not calibrated:\n" + fault.replace("; ", "\n"), now)
+		Log.warning("mocap", "not calibrated: " + fault)
 		return
 	source.accept_calibration()
-	var advice: String = "; ".join(p_result.advice)
-	say("Calibrated" + (":\n" + advice if advice != "" else ""), now)
+	say("Calibrated\n" + advice.replace("; ", "\n"), now)
 	var parts: Array = [100.0 * p_result.score(), ": " + advice if advice != "" else ""]
 	Log.info("mocap", "calibrated, quality %.0f %%%s" % parts)
 	if not _store.write(source.get_profile()):

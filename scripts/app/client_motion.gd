@@ -16,6 +16,8 @@ var source: MotionSource = null
 var card: PersonCard = PersonCard.new()
 ## The person in the server's world, or -1.
 var actor: int = -1
+## The newest sample that [method take_samples] saw, or null.
+var newest: PoseSample = null
 
 var _index: int = 0
 var _link: ClientLink = null
@@ -102,12 +104,17 @@ func keep_in_step() -> void:
 		_sampler.set_phase(due + _unix_ahead())
 
 
+## Takes what was sampled since the last call. Call it in every frame.
+func take_samples() -> void:
+	for sample: PoseSample in _sampler.take_samples():
+		newest = sample
+		if _has_body:
+			_body.add_sample(sample)
+
+
 ## The own body at a local time, µs: seven floats a limb. Given what the server has of it, and at
 ## which tick. Empty while that is not known.
 func show(p_now_usec: int, p_truth: PackedFloat32Array, p_tick: int) -> PackedFloat32Array:
-	for sample: PoseSample in _sampler.take_samples():
-		if _has_body:
-			_body.add_sample(sample)
 	if not _has_body or p_truth.is_empty():
 		return PackedFloat32Array()
 	if p_tick != _truth_tick and _link.clock.is_known() and not _trips.is_empty():

@@ -5,6 +5,9 @@ extends RefCounted
 ## Who they are has changed.
 signal changed
 
+## A motion that is older than this is no longer published, s.
+const _STALE_S: float = 0.5
+
 ## Number of the first of them whose body is shown as the wearer's own, or -1.
 var first_actor: int = -1
 
@@ -13,6 +16,7 @@ var _rate: float = 60.0
 var _codec: PoseCodec.Coding = PoseCodec.SMALLEST_3
 var _name: String = ""
 var _motions: Array[ClientMotion] = []
+var _publishers: Dictionary[ClientMotion, TrackerPublisher] = {}
 
 
 func _init(p_link: ClientLink, p_options: Options) -> void:
@@ -33,6 +37,7 @@ func add(p_source: MotionSource, p_name: String) -> bool:
 	motion.card.name = p_name
 	motion.start(p_source, _rate, _link, _codec, index)
 	_motions.append(motion)
+	_publish_anew(motion)
 	_tell()
 	return true
 
@@ -41,7 +46,7 @@ func add(p_source: MotionSource, p_name: String) -> bool:
 func remove(p_source: MotionSource) -> void:
 	for motion: ClientMotion in _motions:
 		if motion.source == p_source:
-			motion.stop()
+			_end(motion)
 			_motions.erase(motion)
 			_tell()
 			return
@@ -53,7 +58,19 @@ func measure(p_source: MotionSource) -> void:
 		if motion.source == p_source:
 			motion.card.hip_height = p_source.get_hip_height()
 			motion.card.lengths = p_source.get_limb_lengths()
+			_publish_anew(motion)
 			_tell()
+
+
+## Takes what was sampled, and publishes it for avatars of this machine. Call it in every frame.
+func take_samples() -> void:
+	for motion: ClientMotion in _motions:
+		var before: PoseSample = motion.newest
+		motion.take_samples()
+		if motion.newest != before:
+			_publishers[motion].publish(motion.newest)
+		elif motion.newest != null and _age_s(motion.newest) > _STALE_S:
+			_publishers[motion].pause()
 
 
 ## How many there are.
@@ -128,8 +145,26 @@ func figures() -> Array[Dictionary]:
 ## Ends all.
 func stop() -> void:
 	for motion: ClientMotion in _motions:
-		motion.stop()
+		_end(motion)
 	_motions.clear()
+
+
+func _publish_anew(p_motion: ClientMotion) -> void:
+	if _publishers.has(p_motion):
+		_publishers[p_motion].retire()
+	var tracker: StringName = TrackerPublisher.name_for(p_motion.card.index)
+	var size: BodySize = p_motion.source.get_body()
+	_publishers[p_motion] = TrackerPublisher.new(size, tracker, p_motion.card.name)
+
+
+func _end(p_motion: ClientMotion) -> void:
+	p_motion.stop()
+	_publishers[p_motion].retire()
+	_publishers.erase(p_motion)
+
+
+static func _age_s(p_sample: PoseSample) -> float:
+	return Time.get_unix_time_from_system() - p_sample.time_usec / 1e6
 
 
 func _tell() -> void:

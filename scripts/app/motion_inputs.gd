@@ -52,9 +52,20 @@ func calibrate(p_source: MotionSource, p_kind: CalibrationGuide.Kind, p_now_s: f
 		Log.warning("mocap", "not calibrated: " + fault)
 
 
-## What is wrong with the devices, for the screen; empty if nothing is.
-func trouble() -> String:
-	return usb.trouble() if usb != null else ""
+## The devices, for the panel: see [constant DeviceList.KEYS].
+func list_devices() -> Array[Dictionary]:
+	return usb.list_devices() if usb != null else [] as Array[Dictionary]
+
+
+## What the wearer is to see at a time, s: what to do in a calibration, or what is wrong with the
+## suit; mostly nothing.
+func guide(p_now_s: float) -> String:
+	var text: String = calibration.text(p_now_s)
+	if text == "" and usb != null:
+		text = usb.trouble()
+	if text == "" and not wearers.is_empty() and not wearers[0].is_calibrated():
+		text = "Not calibrated yet" if wearers[0].newest_frame != null else wearers[0].describe()
+	return text
 
 
 ## Gives all devices back.

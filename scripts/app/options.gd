@@ -15,6 +15,7 @@ const TABLE: Array[Array] = [
 	["mvn", 0, "trainee: UDP port for MVN's network stream (usually 9763); 0 does without"],
 	["person", "", "trainee: who wears the suit: whose size and calibration are taken and kept"],
 	["calibrate", "", "trainee: calibrate at the start: t_pose, n_pose, t_to_n, full or quick"],
+	["panel", 0, "trainee: 1: the panel with devices and sensors is open at the start (key M)"],
 	["unit", "", "trainee: unit of the motion file: m, cm, mm, inch, cmu or metres per unit"],
 	["up", "", "trainee: up axis of the motion file: y or z"],
 	["rate", 60, "trainee: samples per second"],
@@ -59,6 +60,11 @@ const TABLE: Array[Array] = [
 	["protocol", Protocol.VERSION, "client: protocol version to claim (for tests)"],
 ]
 
+## What options mean that are given without a value.
+const BARE: Dictionary[String, String] = {
+	"xbus": "1", "panel": "1", "mvn": "9763", "dtls": "1", "waiting-room": "1"
+}
+
 ## What is wrong with the arguments, or an empty text.
 var error: String = ""
 
@@ -76,6 +82,8 @@ static func parse(p_arguments: PackedStringArray) -> Options:
 			options._set_option(row[0], OS.get_environment(variable), variable)
 	for argument: String in p_arguments:
 		var parts: PackedStringArray = argument.trim_prefix("--").split("=", true, 1)
+		if parts.size() == 1 and BARE.has(parts[0]):
+			parts.append(BARE[parts[0]])
 		if not argument.begins_with("--") or parts.size() != 2:
 			options._refuse("'%s' is not of the form --name=value" % argument)
 		else:

@@ -11,7 +11,7 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from . import demo, jolt, latency, load, xbus
+from . import demo, jolt, latency, load, suit, xbus
 from .console import Failure, say
 from .display import real_display
 from .godot import Godot
@@ -32,7 +32,7 @@ HELP = """Dismount: people in motion-capture suits move through physics.
   ./run export              exports server and client to build/export/
   ./run bvh FILE            what a motion file holds: joints, frames, duration, unit, up axis
                             (--unit=m|cm|mm|inch|cmu|METRES and --up=y|z override the guess)
-  ./run xbus-decode FILE    what a recording of a suit's bus holds: messages, devices, rates, losses;
+  ./run xbus-decode FILE    what a recording of a suit's bus holds: messages, devices, rates, loss;
                             --json prints everything, decoded (docs/xbus.md)
   ./run mvn-sender --bvh FILE  plays a motion file as Xsens MVN's network stream, for trying without
                             a suit: --host --port --rate --types --characters --name --seconds
@@ -42,6 +42,8 @@ HELP = """Dismount: people in motion-capture suits move through physics.
   ./run load                puts many clients on a server over a bad network (docs/load.md):
                             --trainees=8 --observers=24 --loss=2 --delay=25 --jitter=10
                             --seconds --rate --snapshot-rate --seed --json --server-options
+  ./run suit-emulator [-- COMMAND]  a motion-capture suit on USB that is not there, for programs
+                            that have none (./run suit-emulator --help, docs/suit-emulator.md)
   ./run bench               lists the benchmarks
   ./run bench NAME [--json] [options]   runs one
   ./run --help              this text; ./run server --help lists the roles' options
@@ -56,6 +58,7 @@ DISMOUNT_DISPLAY=virtual (do as if there was no display).
 Keys in a window: 1 mesh world, 2 static world, 3 physics world; drag and wheel move the camera.
 """
 
+FLAGS = ("--help", "--xbus", "--panel", "--dtls", "--waiting-room")
 SESSION_FILES = ("ban-file", "dtls-certificate", "dtls-key")
 FILES = ("bvh", "record", "file", "report", "screenshot", "latency-csv", *SESSION_FILES)
 
@@ -79,6 +82,7 @@ def main(arguments: list[str]) -> int:
         "bench": _bench,
         "latency": lambda rest: latency.main(normalise(rest)),
         "load": lambda rest: load.main(normalise(rest)),
+        "suit-emulator": suit.main,
     }
     if not arguments or arguments[0].startswith("-"):
         return demo.main(normalise(arguments))
@@ -93,8 +97,8 @@ def normalise(arguments: list[str]) -> list[str]:
     rest = [argument for argument in arguments if argument != "--"]
     while rest:
         option = rest.pop(0)
-        takes_next = rest and not rest[0].startswith("--")
-        if option.startswith("--") and "=" not in option and option != "--help" and takes_next:
+        takes_next = rest and not rest[0].startswith("--") and option not in FLAGS
+        if option.startswith("--") and "=" not in option and takes_next:
             option = f"{option}={rest.pop(0)}"
         name, _, value = option.removeprefix("--").partition("=")
         if name in FILES and value:
@@ -132,8 +136,8 @@ def _server(arguments: list[str]) -> int:
 def _client(role: str, arguments: list[str]) -> int:
     options = normalise(arguments)
     sources = ("bvh", "xbus", "mvn")
-    named = tuple(f"--{name}=" for name in sources)
-    asked = any(option.startswith(named) for option in options)
+    named = tuple(f"--{name}" for name in sources)
+    asked = any(option.partition("=")[0] in named for option in options)
     asked = asked or any(os.environ.get(f"DISMOUNT_{name.upper()}") for name in sources)
     if role == "trainee" and not asked:
         options.append(f"--bvh={CLIPS / '01_01.bvh'}")

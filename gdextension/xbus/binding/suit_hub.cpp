@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "suit_hub.hpp"
 
+#include <usb/hub_library.hpp>
+
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/variant/packed_byte_array.hpp>
 #include <godot_cpp/variant/packed_float32_array.hpp>
@@ -15,11 +17,17 @@ namespace {
 
 constexpr double MOST_RATE_HZ = 512.0;
 
+/// The clock that the hub measures in, µs.
+uint64_t now_usec() {
+	using namespace std::chrono;
+	return uint64_t(duration_cast<microseconds>(steady_clock::now().time_since_epoch()).count());
+}
+
 /// Unix time minus the time that the hub measures in, µs.
 int64_t unix_ahead() {
 	using namespace std::chrono;
 	const auto unix = duration_cast<microseconds>(system_clock::now().time_since_epoch()).count();
-	return int64_t(unix) - int64_t(usb::now_usec());
+	return int64_t(unix) - int64_t(now_usec());
 }
 
 String text(const std::string &p_text) {
@@ -114,8 +122,11 @@ String SuitHub::start(double p_rate_hz) {
 	stop();
 	xbus::SessionOptions options;
 	options.rate_hz = p_rate_hz;
-	hub = std::make_unique<usb::Hub>(options);
-	const std::string fault = hub->start();
+	std::string fault;
+	hub = usb::make_hub(options, nullptr, fault);
+	if (hub != nullptr) {
+		fault = hub->start();
+	}
 	if (!fault.empty()) {
 		hub.reset();
 	}
@@ -129,7 +140,7 @@ void SuitHub::stop() {
 TypedArray<Dictionary> SuitHub::get_devices() const {
 	TypedArray<Dictionary> devices;
 	if (hub != nullptr) {
-		const uint64_t now = usb::now_usec();
+		const uint64_t now = now_usec();
 		for (const usb::DeviceReport &report : hub->report()) {
 			devices.push_back(device_dictionary(report, now));
 		}

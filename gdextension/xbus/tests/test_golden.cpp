@@ -52,8 +52,8 @@ std::string head_of(uint16_t p_id) {
 	static const std::array<const char *, 4> AXES = { "EastNorthUp", "NorthEastDown", "NorthWestUp", "?" };
 	std::string head = type.name == nullptr ? "?" : type.name;
 	if (type.kind == ItemKind::REALS) {
-		const std::string axes = type.has_axes() ? std::string(AXES[p_id >> 2U & 3U]) + "," : "";
-		head += "(" + axes + FORMATS[p_id & 3U] + ")";
+		const std::string axes = type.has_axes() ? std::string(AXES[size_t(Item{ p_id }.axes())]) + "," : "";
+		head += "(" + axes + FORMATS[size_t(Item{ p_id }.format())] + ")";
 	}
 	return head;
 }

@@ -13,7 +13,7 @@ namespace {
 using namespace output_mode;
 using namespace output_setting;
 
-constexpr std::array<uint16_t, 8> PARTS = { TEMPERATURE, CALIBRATED, ORIENTATION, AUXILIARY, POSITION, VELOCITY, STATUS,
+constexpr std::array<uint32_t, 8> PARTS = { TEMPERATURE, CALIBRATED, ORIENTATION, AUXILIARY, POSITION, VELOCITY, STATUS,
 	GPS_PVT };
 
 /// What one step of a number format is worth.
@@ -42,7 +42,7 @@ bool near_all(const std::array<double, N> &p_a, const std::array<double, N> &p_b
 /// The length as the manual adds it up, part by part.
 size_t length_in_manual(const OutputFormat &p_format) {
 	const size_t number = std::array<size_t, 4>{ 4, 4, 6, 8 }[(p_format.settings & NUMBER_MASK) >> NUMBER_SHIFT];
-	const auto on = [&](uint16_t p_bit) { return (p_format.mode & p_bit) != 0; };
+	const auto on = [&](uint32_t p_bit) { return (p_format.mode & p_bit) != 0; };
 	const auto has = [&](uint32_t p_bit) { return (p_format.settings & p_bit) != 0; };
 	size_t size = on(TEMPERATURE) ? number : 0;
 	for (const uint32_t left_out : { NO_ACCELERATION, NO_RATE_OF_TURN, NO_MAGNETIC_FIELD }) {
@@ -91,7 +91,7 @@ uint64_t fields_of(const OutputFormat &p_format) {
 			announced.set(p_field);
 		}
 	};
-	const auto on = [&](uint16_t p_bit) { return (p_format.mode & p_bit) != 0; };
+	const auto on = [&](uint32_t p_bit) { return (p_format.mode & p_bit) != 0; };
 	const auto has = [&](uint32_t p_bit) { return (p_format.settings & p_bit) != 0; };
 	set(on(TEMPERATURE), Field::TEMPERATURE);
 	set(on(CALIBRATED) && !has(NO_ACCELERATION), Field::ACCELERATION);
@@ -118,14 +118,14 @@ TEST(every_mode_and_setting_goes_both_ways) {
 	size_t wrong = 0;
 	size_t tried = 0;
 	for (uint32_t modes = 1; modes < 256; modes++) {
-		uint16_t mode = 0;
+		uint32_t mode = 0;
 		for (size_t i = 0; i < PARTS.size(); i++) {
-			mode |= (modes >> i & 1U) != 0 ? PARTS[i] : 0;
+			mode |= (modes >> i & 1U) != 0 ? PARTS[i] : 0U;
 		}
 		for (uint32_t numbers = 0; numbers < 4; numbers++) {
 			for (uint32_t form = 0; form < 3; form++) {
 				const uint32_t left_out = (random() & 7U) << 4U | (random() & 3U) << 10U | (random() & 3U);
-				const OutputFormat format = { mode, left_out | numbers << NUMBER_SHIFT | form << 2U };
+				const OutputFormat format = { uint16_t(mode), left_out | numbers << NUMBER_SHIFT | form << 2U };
 				const Sample sent = draw_sample(random);
 				const size_t size = format.write(sent, true, bytes.data());
 				Sample found;
@@ -201,7 +201,7 @@ TEST(a_master_counts_in_front) {
 TEST(trackers_of_a_master_may_differ) {
 	std::mt19937 random(4);
 	MasterFormat format;
-	CHECK(format.add({ ORIENTATION, 0 }) && format.add({ CALIBRATED | ORIENTATION, 0x300 | MATRIX }));
+	CHECK(format.add({ ORIENTATION, 0 }) && format.add({ CALIBRATED | ORIENTATION, 0x300U | MATRIX }));
 	CHECK(format.add({ TEMPERATURE, 0x200 }) && !format.add({ RAW | STATUS, 0 }));
 	CHECK(format.size() == 2 + 16 + 18 * 8 + 6);
 	const std::array<Sample, 3> sent = { draw_sample(random), draw_sample(random), draw_sample(random) };
@@ -216,7 +216,7 @@ TEST(trackers_of_a_master_may_differ) {
 TEST(too_many_trackers_are_refused) {
 	MasterFormat format;
 	size_t added = 0;
-	while (added < 100 && format.add({ CALIBRATED | ORIENTATION, 0x300 | MATRIX })) {
+	while (added < 100 && format.add({ CALIBRATED | ORIENTATION, 0x300U | MATRIX })) {
 		added++;
 	}
 	CHECK(added == (MAX_DATA - 2) / 144 || added == MAX_DEVICES);

@@ -41,10 +41,10 @@ TEST(every_item_goes_both_ways_in_every_format) {
 	std::mt19937 random(1);
 	for (const KnownItem &known : ITEMS) {
 		const bool reals = item_type(known.type).kind == ItemKind::REALS;
-		for (uint16_t low = 0; low < (reals ? 12 : 1); low++) {
+		for (uint32_t low = 0; low < (reals ? 12U : 1U); low++) {
 			const size_t number = std::array<size_t, 4>{ 4, 4, 6, 8 }[low & 3U];
 			const size_t size = reals ? known.size / 4 * number : known.size;
-			const auto id = uint16_t(known.type | low);
+			const auto id = uint16_t(uint32_t(known.type) | low);
 			const Bytes bytes = draw_item(random, id, size);
 			Sample sample;
 			const ItemReport report = decode_mt_data2(bytes.data(), bytes.size(), sample);

@@ -15,7 +15,7 @@ using namespace streams;
 namespace {
 
 constexpr int REPEATS = 5;
-constexpr size_t FRAMING_BYTES = 32 << 20;
+constexpr size_t FRAMING_BYTES = 32U << 20U;
 
 enum class Goal : uint8_t {
 	NONE,
@@ -92,11 +92,16 @@ void measure_items(const Bytes &p_bytes) {
 	const double decoding = time_of([&] {
 		messages = 0;
 		framer->feed(p_bytes.data(), p_bytes.size(), [&](const Frame &p_frame) {
-			decode_mt_data2(p_frame.data, p_frame.size, sample);
-			sum += sample.acceleration[0];
-			messages++;
+			if (p_frame.message == Message::MT_DATA2) {
+				decode_mt_data2(p_frame.data, p_frame.size, sample);
+				sum += sample.acceleration[0];
+				messages++;
+			}
 		});
 	});
+	if (messages == 0) {
+		return;
+	}
 	print_figure("MTData2", "framed and decoded", double(messages) / decoding / 1.0e6, "M/s", Goal::AT_LEAST, 3.0);
 	const auto check = std::make_unique<StreamCheck>();
 	const double judging = time_of([&] {
@@ -156,7 +161,9 @@ void measure_splits(const Bytes &p_recordings) {
 	print_figure("splits", "all give the same", same ? 1.0 : 0.0, "", Goal::AT_LEAST, 1.0);
 }
 
-void measure_bad_line(const char *p_case, const Stream &p_stream, const MasterFormat *p_format) {
+/// `p_has_goal`: whether values tell enough for the goal of wrong messages to be in reach (docs/xbus.md).
+void measure_bad_line(
+		const char *p_case, const Stream &p_stream, const MasterFormat *p_format, bool p_has_goal = true) {
 	Survival rare;
 	Survival often;
 	for (uint32_t run = 0; run < 8; run++) {
@@ -167,7 +174,8 @@ void measure_bad_line(const char *p_case, const Stream &p_stream, const MasterFo
 	print_figure(p_case, "regained at 1e-3", 100.0 * often.regained_share(), "%", Goal::AT_LEAST, 99.9);
 	Survival both = rare;
 	both.add(often);
-	print_figure(p_case, "wrong per 10,000 stretches", 1.0e4 * both.wrong_share(), "", Goal::AT_MOST, 1.0);
+	print_figure(p_case, "wrong per 10,000 stretches", 1.0e4 * both.wrong_share(), "",
+			p_has_goal ? Goal::AT_MOST : Goal::NONE, 1.0);
 	print_figure(p_case, "stretches", double(both.stretches), "");
 }
 
@@ -261,6 +269,8 @@ int main(int p_count, char **p_arguments) {
 	const MasterFormat oriented = suit_format(15, output_mode::ORIENTATION);
 	measure_bad_line("bad line, orientations", suit_stream(oriented, 40000, 1), &oriented);
 	measure_bad_line("bad line, items", imu_stream(40000, 3), nullptr);
+	const MasterFormat all = suit_format(15, output_mode::CALIBRATED | output_mode::ORIENTATION);
+	measure_bad_line("bad line, all measurements", suit_stream(all, 20000, 2), &all, false);
 	measure_hour();
 	return 0;
 }

@@ -6,7 +6,7 @@
 //
 // The trace has a line for each frame: device, sample counter of the device, when the frame was handed over (µs
 // of CLOCK_MONOTONIC), trackers. The last line of the output is a JSON object with the figures.
-#include "usb/hub.hpp"
+#include "usb/libusb_hub.hpp"
 
 #include <atomic>
 #include <chrono>
@@ -136,7 +136,7 @@ int main(int p_count, char **p_values) {
 	std::signal(SIGINT, on_signal);
 	std::signal(SIGTERM, on_signal);
 	Tracer tracer(std::move(file));
-	usb::Hub hub(arguments.session, &tracer);
+	usb::LibusbHub hub(arguments.session, &tracer);
 	const std::string fault = hub.start();
 	if (!fault.empty()) {
 		std::fprintf(stderr, "%s\n", fault.c_str());

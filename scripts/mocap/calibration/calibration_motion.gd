@@ -58,6 +58,7 @@ func pose_at(p_time_s: float) -> PoseSample:
 			pose.details.joints[WornSensorFeed.BLADES[place]] = turned
 		else:
 			pose.set_orientation(BodyPlaces.LIMBS[place], turned)
+	pose.set_orientation(1, pose.orientation(0).slerp(pose.orientation(2), 0.5))
 	return pose
 
 

@@ -2,6 +2,10 @@ class_name CalibrationSolver
 extends RefCounted
 ## Works a calibration out of what was measured while the wearer followed a [CalibrationGuide].
 
+## By so much an exchange must fit better before it is named: here people are told to take poses,
+## not to show which sensor is which.
+const MUCH_BETTER: float = 5.0
+
 ## Poses that were held.
 var holds: Dictionary[ResetPose.Kind, PoseHold] = {}
 ## Movements that were made.
@@ -33,6 +37,7 @@ func solve(p_kind: CalibrationGuide.Kind, p_now_s: float) -> CalibrationResult:
 	_result.calibration.pose = _pose
 	_result.calibration.made_s = p_now_s
 	_find_headings()
+	_find_swaps()
 	_common = _common_heading()
 	var each: bool = _is_each_its_own()
 	for sensor: int in sensors.size():
@@ -78,6 +83,26 @@ func _find_headings() -> void:
 			else:
 				var angle: float = axis.turn(sensor)
 				_finder.add(place, wanted, axis.axis(sensor), angle, axis.purity(sensor))
+
+
+## Sensors that turned when others should have, or the other way round; their headings do not
+## count.
+func _find_swaps() -> void:
+	var odd: PackedInt32Array = _finder.reversed()
+	for place: int in odd:
+		var mirror: int = BodyPlaces.MIRRORS[place]
+		var above: int = BodyPlaces.PARENTS[place]
+		if mirror > place and odd.has(mirror):
+			_result.swaps.append(Vector2i(place, mirror))
+		elif odd.has(above) and not odd.has(BodyPlaces.MIRRORS[above]):
+			_result.swaps.append(Vector2i(above, place))
+	for place: int in odd:
+		_finder.forget(place)
+	for swap: Vector2i in FitCheck.find_swaps(places, axes, MUCH_BETTER):
+		if not _result.swaps.has(swap):
+			_result.swaps.append(swap)
+	for swap: Vector2i in _result.swaps:
+		_result.advice.append(FitCheck.describe(swap))
 
 
 func _held_both(p_sensor: int) -> bool:

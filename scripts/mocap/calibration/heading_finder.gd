@@ -7,6 +7,11 @@ const LEAST_TURN: float = 0.3
 ## And it must have been about one level axis: [method MotionAxis.purity].
 const LEAST_PURITY: float = 0.9
 
+## Headings that differ by more than this are reversed, rad.
+const REVERSED_RAD: float = 2.4
+## Headings that differ by less agree, rad.
+const AGREE_RAD: float = 0.5
+
 ## Headings that movements told, rad, by place.
 var measured: Dictionary[int, float] = {}
 
@@ -23,6 +28,12 @@ func add(p_place: int, p_wanted: Vector3, p_axis: Vector3, p_turn: float, p_puri
 	sum += Vector2.from_angle(heading) * p_turn
 	_sines[p_place] = sum
 	measured[p_place] = sum.angle()
+
+
+## Takes back what was told of a place.
+func forget(p_place: int) -> void:
+	measured.erase(p_place)
+	_sines.erase(p_place)
 
 
 ## The heading of somebody's front: arms where there are, left and right alike, else all.
@@ -46,6 +57,21 @@ func spread() -> float:
 	for place: int in measured:
 		most = maxf(most, absf(angle_difference(front, measured[place])))
 	return most
+
+
+## Places whose axis points the other way round than that of most others, all of which agree: their
+## sensors are on the other side, or on the other end of a joint. Empty if that is not plain.
+func reversed() -> PackedInt32Array:
+	var most: float = middle(measured.values())
+	var odd: PackedInt32Array = []
+	for place: int in measured:
+		var off: float = absf(angle_difference(most, measured[place]))
+		if off > REVERSED_RAD:
+			odd.append(place)
+		elif off > AGREE_RAD:
+			return PackedInt32Array()
+	odd.sort()
+	return odd if odd.size() * 2 < measured.size() else PackedInt32Array()
 
 
 ## A place's own heading, or that of the nearest one towards the pelvis that has one, or of its

@@ -22,7 +22,7 @@ const RATIOS: Dictionary[StringName, float] = {
 }
 ## What is meant by each, for people who measure.
 const HINTS: Dictionary[StringName, String] = {
-	&"hip_height": "floor to hip joint (the bone that sticks out at the side)",
+	&"hip_height": "floor to the bone that sticks out at the side of the hip",
 	&"trunk": "hip joint to shoulder joint",
 	&"head": "shoulder joint to the top of the head",
 	&"shoulder_width": "shoulder joint to shoulder joint",
@@ -94,6 +94,13 @@ func set_height(p_metres: float) -> String:
 	for name: StringName in old:
 		measure(name, old[name])
 	return ""
+
+
+## A copy that can be changed.
+func duplicate() -> BodySize:
+	var size: BodySize = BodySize.of_height(height)
+	size.measured = measured.duplicate()
+	return size
 
 
 ## Length of a limb of [Limbs], m, from its joint to the next.

@@ -56,10 +56,12 @@ static func describe(p_swap: Vector2i) -> String:
 	return "%s and %s look swapped" % names
 
 
-## Pairs of places whose sensors did what the other one should, those that are surest first; each
-## place is in one at most.
+## Pairs of places whose sensors did what the other one should, and fit better by so much when they
+## are exchanged; those that are surest first, and each place in one at most.
 static func find_swaps(
-	p_places: PackedInt32Array, p_axes: Dictionary[GuideMovements.Movement, MotionAxis]
+	p_places: PackedInt32Array,
+	p_axes: Dictionary[GuideMovements.Movement, MotionAxis],
+	p_better: float = BETTER
 ) -> Array[Vector2i]:
 	var gains: Array[Vector3] = []
 	for first: int in p_places.size():
@@ -73,7 +75,7 @@ static func find_swaps(
 			# Movements that turn both places alike weigh the same before and after.
 			var other: float = _misfit(first, p_places[second], p_axes)
 			other += _misfit(second, p_places[first], p_axes)
-			if now - other > BETTER:
+			if now - other > p_better:
 				gains.append(Vector3(now - other, p_places[second], p_places[first]))
 	gains.sort_custom(func(a: Vector3, b: Vector3) -> bool: return a.x > b.x)
 	var swaps: Array[Vector2i] = []

@@ -97,6 +97,32 @@ func describe() -> String:
 	return "%d trackers on USB" % _sensors.size()
 
 
+## The devices in plain words, for a panel: name, state, detail and advice, texts all.
+func list_devices() -> Array[Dictionary]:
+	var rows: Array[Dictionary] = []
+	for device: Dictionary in devices:
+		var details: PackedStringArray = []
+		if device["id"] != 0:
+			details.append("%s %08X" % [device["kind"], device["id"]])
+		if device["measures"]:
+			details.append("%.0f Hz" % device["rate_hz"])
+		if device["baud"] != 0:
+			details.append("%d bit/s" % device["baud"])
+		if device["battery"] >= 0.0:
+			details.append("battery %.0f %%" % (100.0 * device["battery"]))
+		if device["malformed_bytes"] != 0:
+			details.append("%d bad bytes" % device["malformed_bytes"])
+		rows.append(
+			{
+				"name": "%s (%s)" % [device["name"], device["place"]],
+				"state": device["state"],
+				"detail": ", ".join(details),
+				"advice": device["trouble"] if not device["measures"] else "",
+			}
+		)
+	return rows
+
+
 ## What is wrong with the devices, for people; empty if nothing is.
 func trouble() -> String:
 	var texts: PackedStringArray = []

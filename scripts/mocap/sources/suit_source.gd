@@ -72,6 +72,15 @@ func set_body(p_size: BodySize) -> void:
 	set_profile(changed)
 
 
+## Says what the wearer is called.
+func rename(p_name: String) -> void:
+	var changed: PersonProfile = _copy_profile()
+	changed.name = p_name
+	_mutex.lock()
+	_profile = changed
+	_mutex.unlock()
+
+
 ## Takes a calibration into force.
 func set_calibration(p_calibration: Calibration) -> void:
 	var changed: PersonProfile = _copy_profile()

@@ -155,6 +155,34 @@ func test_drifting_headings_do_not_turn_the_axes() -> void:
 			is_true(absf(rad_to_deg(off)) < 22.0, "%d: %f deg" % [sensor, rad_to_deg(off)])
 
 
+func test_exchanged_sensors_are_named_by_any_calibration_with_movements() -> void:
+	var cases: Dictionary[CalibrationGuide.Kind, Array] = {
+		CalibrationGuide.Kind.T_TO_N: [Vector2i(5, 9), Vector2i(4, 8), Vector2i(5, 12)],
+		CalibrationGuide.Kind.FULL: [Vector2i(5, 9), Vector2i(11, 12), Vector2i(14, 15)]
+	}
+	for kind: CalibrationGuide.Kind in cases:
+		for swap: Vector2i in cases[kind]:
+			var wearer: Wearer = _wearer(0.4)
+			wearer.motion.facing = 1.0
+			wearer.places[swap.x] = swap.y
+			wearer.places[swap.y] = swap.x
+			var result: CalibrationResult = wearer.calibrate(kind)
+			equal(result.swaps, [swap] as Array[Vector2i])
+			equal(result.advice[0], FitCheck.describe(swap))
+			is_false(result.is_good())
+			var front: float = angle_difference(1.4, deg_to_rad(result.find(0).heading_deg))
+			almost_equal(front, 0.0, 1e-3, "the others tell the front")
+
+
+func test_arms_exchanged_as_a_whole() -> void:
+	var wearer: Wearer = _wearer(0.4)
+	for place: int in [4, 5, 6]:
+		wearer.places[place] = BodyPlaces.MIRRORS[place]
+		wearer.places[BodyPlaces.MIRRORS[place]] = place
+	var result: CalibrationResult = wearer.calibrate(CalibrationGuide.Kind.FULL)
+	equal(result.swaps, [Vector2i(4, 8), Vector2i(5, 9), Vector2i(6, 10)] as Array[Vector2i])
+
+
 func test_movement_is_shown_live() -> void:
 	var wearer: Wearer = _wearer(0.0)
 	wearer.motion.sways_deg[5] = 5.0

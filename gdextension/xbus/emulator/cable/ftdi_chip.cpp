@@ -191,11 +191,14 @@ int FtdiChip::read_packet(uint8_t p_endpoint, uint8_t *r_packet, Usec p_now, Use
 		return USB_STALL;
 	}
 	_advance(p_now);
-	const Usec time = _next_packet();
+	Usec time = _next_packet();
 	if (time > p_now) {
 		return USB_NAK;
 	}
 	const size_t payload = size_t(_description.interfaces[0].endpoints[0].packet) - STATUS_BYTES;
+	if (p_now - time > Usec(_latency_ms) * 1000) {
+		time = std::min(p_now, _line.arrival(payload)); // Late: not one packet for every tick that has passed.
+	}
 	constexpr uint8_t OVERRUN = 0x02;
 	r_packet[0] = _options.is_fast ? 0x32 : 0x31;
 	r_packet[1] = uint8_t(0x60U | (_has_overrun ? OVERRUN : 0U));
@@ -207,11 +210,12 @@ int FtdiChip::read_packet(uint8_t p_endpoint, uint8_t *r_packet, Usec p_now, Use
 	return int(STATUS_BYTES + size);
 }
 
-void FtdiChip::wait(Usec p_now) {
+void FtdiChip::wait(Usec p_now, Usec p_since) {
 	_advance(p_now);
 	const size_t arrived = _line.arrived(p_now);
-	if (arrived > KEPT) {
-		_line.drop(arrived - KEPT);
+	const size_t kept = _line.arrived(p_since) + KEPT;
+	if (arrived > kept) {
+		_line.drop(arrived - kept);
 		_has_overrun = true;
 	}
 	// The ticks in which nobody asked are gone.

@@ -62,11 +62,12 @@ int NativeChip::read_packet(uint8_t p_endpoint, uint8_t *r_packet, Usec p_now, U
 	return size > 0 ? int(size) : USB_NAK;
 }
 
-void NativeChip::wait(Usec p_now) {
+void NativeChip::wait(Usec p_now, Usec p_since) {
 	_advance(p_now);
 	const size_t arrived = _line.arrived(p_now);
-	if (arrived > KEPT) {
-		_line.drop(arrived - KEPT);
+	const size_t kept = _line.arrived(p_since) + KEPT;
+	if (arrived > kept) {
+		_line.drop(arrived - kept);
 	}
 }
 

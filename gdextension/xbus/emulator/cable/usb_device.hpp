@@ -78,8 +78,9 @@ public:
 	/// One packet for the host, at most as large as the endpoint's: its size, USB_NAK or USB_STALL.
 	/// `r_time`: when it was ready, not later than `p_now`.
 	virtual int read_packet(uint8_t p_endpoint, uint8_t *r_packet, Usec p_now, Usec &r_time) = 0;
-	/// Nobody reads now: what arrives has to be kept, or is lost.
-	virtual void wait(Usec p_now) = 0;
+	/// Nobody has read since `p_since`: what has arrived since then has to be kept, or is lost. What came before
+	/// would have been read if the emulator had not been late.
+	virtual void wait(Usec p_now, Usec p_since) = 0;
 	/// When there will be something to do next; with `p_is_read`, also when a packet will be ready.
 	virtual Usec next_event(bool p_is_read) const = 0;
 	/// The host takes back a stall.

@@ -126,13 +126,16 @@ void UsbPort::advance(Usec p_now) {
 	if (!_is_plugged) {
 		return;
 	}
+	bool was_read = false;
 	bool is_read = false;
 	for (auto &[endpoint, queue] : _reads) {
+		was_read = was_read || !queue.empty();
 		_serve(endpoint, queue, p_now);
 		is_read = is_read || !queue.empty();
 	}
+	_last_read = was_read ? p_now : _last_read;
 	if (!is_read) {
-		_device.wait(p_now);
+		_device.wait(p_now, _last_read);
 	}
 }
 

@@ -67,6 +67,8 @@ private:
 	UsbDevice &_device;
 	Log _log;
 	bool _is_plugged = false;
+	/// When it was last seen that somebody reads.
+	Usec _last_read = 0;
 	std::map<uint8_t, Queue> _reads;
 	Queue _completed;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <sstream>
 #include <utility>
 
 namespace emulator {
@@ -99,8 +100,10 @@ bool SuitOptions::_set_number(const std::string &p_name, const std::string &p_va
 		}
 		const bool is_one = parse_number(p_value, value) && value >= number.low && value <= number.high;
 		if (!is_one || (number.whole != nullptr && value != std::floor(value))) {
-			r_fault = "--" + p_name + " is a number from " + std::to_string(number.low) + " to " +
-					std::to_string(number.high) + ", not '" + p_value + "'";
+			std::ostringstream fault;
+			fault << "--" << p_name << " is a number from " << number.low << " to " << number.high << ", not '" << p_value
+				  << "'";
+			r_fault = fault.str();
 		} else if (number.whole != nullptr) {
 			*number.whole = int(value);
 		} else {

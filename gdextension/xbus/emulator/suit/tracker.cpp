@@ -132,7 +132,9 @@ size_t Tracker::_write_inertial(const Reading &p_reading, uint8_t *r_bytes) cons
 }
 
 size_t Tracker::_write_orientation(const Reading &p_reading, uint8_t *r_bytes) const {
-	const Quat &turn = p_reading.orientation;
+	// North-east-down: half a turn about the north.
+	const Quat half = (settings >> 31U) != 0 ? Quat{ 1.0F, 0.0F, 0.0F, 0.0F } : Quat{};
+	const Quat turn = half * p_reading.orientation;
 	switch (settings >> 2U & 3U) {
 		case 0: {
 			const double values[] = { turn.w, turn.x, turn.y, turn.z };

@@ -10,13 +10,13 @@ namespace {
 using namespace output_mode;
 using namespace output_setting;
 
-constexpr uint16_t KNOWN_MODES =
+constexpr uint32_t KNOWN_MODES =
 		TEMPERATURE | CALIBRATED | ORIENTATION | AUXILIARY | POSITION | VELOCITY | STATUS | GPS_PVT | RAW;
 
 /// The order of a block's parts, told once: `r_archive` measures, reads or writes them.
 template <class A>
 void go_through(const OutputFormat &p_format, bool p_with_time, A &r_archive) {
-	const auto on = [&](uint16_t p_bit) { return (p_format.mode & p_bit) != 0; };
+	const auto on = [&](uint32_t p_bit) { return (p_format.mode & p_bit) != 0; };
 	const auto kept = [&](uint32_t p_bit) { return (p_format.settings & p_bit) == 0; };
 	if (on(RAW)) {
 		r_archive.raw();
@@ -233,9 +233,9 @@ void decode_block(const OutputFormat &p_format, bool p_with_time, const uint8_t 
 } // namespace
 
 bool OutputFormat::is_valid() const {
-	const auto others = uint16_t(KNOWN_MODES & ~uint32_t(RAW | GPS_PVT));
+	const uint32_t others = KNOWN_MODES & ~(RAW | GPS_PVT);
 	const bool mixed = (mode & RAW) != 0 && (mode & others) != 0;
-	const bool unknown = (mode & ~uint32_t(KNOWN_MODES)) != 0;
+	const bool unknown = (mode & ~KNOWN_MODES) != 0;
 	const uint32_t form = settings & ORIENTATION_MASK;
 	const bool no_form = (mode & ORIENTATION) != 0 && form == ORIENTATION_MASK;
 	return !mixed && !unknown && !no_form;

@@ -8,18 +8,18 @@ namespace xbus {
 
 /// Bits of OutputMode (0xD0).
 namespace output_mode {
-constexpr uint16_t TEMPERATURE = 0x0001;
-constexpr uint16_t CALIBRATED = 0x0002;
-constexpr uint16_t ORIENTATION = 0x0004;
-constexpr uint16_t AUXILIARY = 0x0008;
-constexpr uint16_t POSITION = 0x0010;
-constexpr uint16_t VELOCITY = 0x0020;
-constexpr uint16_t STATUS = 0x0800;
-constexpr uint16_t GPS_PVT = 0x1000;
+constexpr uint32_t TEMPERATURE = 0x0001;
+constexpr uint32_t CALIBRATED = 0x0002;
+constexpr uint32_t ORIENTATION = 0x0004;
+constexpr uint32_t AUXILIARY = 0x0008;
+constexpr uint32_t POSITION = 0x0010;
+constexpr uint32_t VELOCITY = 0x0020;
+constexpr uint32_t STATUS = 0x0800;
+constexpr uint32_t GPS_PVT = 0x1000;
 /// Not together with the others, except GPS_PVT.
-constexpr uint16_t RAW = 0x4000;
+constexpr uint32_t RAW = 0x4000;
 /// Of the MT9, older than the bus.
-constexpr uint16_t MT9 = 0x8000;
+constexpr uint32_t MT9 = 0x8000;
 } // namespace output_mode
 
 /// Bits of OutputSettings (0xD2).

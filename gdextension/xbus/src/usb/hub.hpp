@@ -3,23 +3,14 @@
 
 #include "session/session.hpp"
 #include "usb/known_devices.hpp"
-#include "usb/port.hpp"
-#include "usb/ring.hpp"
+#include "usb/port_statistics.hpp"
 
-#include <libusb.h>
-
-#include <atomic>
+#include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace usb {
-
-/// Frames between the thread of libusb and whoever reads them: some seconds of a suit.
-using FrameRing = Ring<xbus::SuitFrame, 512>;
 
 /// What is known of a device, for people and for logs.
 struct DeviceReport {
@@ -61,73 +52,21 @@ public:
 /// their samples on. Everything on the USB side happens in one thread of its own.
 class Hub {
 public:
-	explicit Hub(const xbus::SessionOptions &p_options, HubListener *p_listener = nullptr);
-	Hub(const Hub &) = delete;
-	Hub &operator=(const Hub &) = delete;
-	~Hub();
+	virtual ~Hub() = default;
 
 	/// Begins. Returns why it can't, or an empty text.
-	std::string start();
+	virtual std::string start() = 0;
 	/// Lets all devices stop measuring, gives them back and ends the thread.
-	void stop();
+	virtual void stop() = 0;
 
 	/// All devices that are there. Renewed some times a second.
-	std::vector<DeviceReport> report() const;
+	virtual std::vector<DeviceReport> report() const = 0;
 	/// What was said since the last call.
-	std::vector<HubMessage> take_messages();
+	virtual std::vector<HubMessage> take_messages() = 0;
 	/// The oldest frame of a device that was not taken yet; false if there is none. For one thread.
-	bool take_frame(int p_device, xbus::SuitFrame &r_frame);
+	virtual bool take_frame(int p_device, xbus::SuitFrame &r_frame) = 0;
 	/// Asks all trackers of a device to take their present orientation as `p_method` says.
-	void reset_orientation(int p_device, xbus::ResetMethod p_method);
-
-private:
-	struct Device;
-	struct Command {
-		int device = 0;
-		xbus::ResetMethod method{};
-	};
-	struct Change {
-		libusb_device *device = nullptr;
-		bool has_come = false;
-	};
-	struct Queue {
-		int device = 0;
-		std::shared_ptr<FrameRing> ring;
-	};
-
-	void run();
-	void look_for_changes();
-	void poll_devices();
-	void add(libusb_device *p_device);
-	void remove(libusb_device *p_device);
-	void advance(Device &p_device, uint64_t p_now_usec);
-	void open(Device &p_device, uint64_t p_now_usec);
-	void obey();
-	void publish();
-	void say(xbus::Severity p_severity, const std::string &p_text);
-	void close_all();
-	static int LIBUSB_CALL on_hotplug(
-			libusb_context *p_context, libusb_device *p_device, libusb_hotplug_event p_event, void *p_self);
-
-	const xbus::SessionOptions _options;
-	HubListener *const _listener;
-	std::unique_ptr<libusb_context, void (*)(libusb_context *)> _context;
-	libusb_hotplug_callback_handle _hotplug = 0;
-	bool _has_hotplug = false;
-	std::thread _thread;
-	std::atomic<bool> _stops{ false };
-	// Of the hub's thread alone.
-	std::vector<Change> _changes;
-	std::vector<std::unique_ptr<Device>> _devices;
-	int _next_number = 0;
-	uint64_t _polled_usec = 0;
-	uint64_t _published_usec = 0;
-	// Shared with who asks, and guarded.
-	mutable std::mutex _mutex;
-	std::vector<DeviceReport> _reports;
-	std::vector<Queue> _queues;
-	std::vector<HubMessage> _messages;
-	std::vector<Command> _commands;
+	virtual void reset_orientation(int p_device, xbus::ResetMethod p_method) = 0;
 };
 
 } // namespace usb

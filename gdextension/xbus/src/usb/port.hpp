@@ -3,6 +3,7 @@
 
 #include "usb/ftdi_protocol.hpp"
 #include "usb/known_devices.hpp"
+#include "usb/port_statistics.hpp"
 
 #include <libusb.h>
 
@@ -21,18 +22,6 @@ public:
 	/// Bytes of the bus, without anything that the USB side added. `p_time_usec`: when the read completed,
 	/// µs of CLOCK_MONOTONIC. Called in the thread that handles the events of libusb.
 	virtual void take_bytes(const uint8_t *p_bytes, std::size_t p_size, uint64_t p_time_usec) = 0;
-};
-
-/// What a port has seen.
-struct PortStatistics {
-	uint64_t bytes_in = 0;
-	uint64_t bytes_out = 0;
-	/// Reads that ended with an error and were begun again.
-	uint64_t failed_reads = 0;
-	/// Writes that failed or were refused because too many were waiting.
-	uint64_t failed_writes = 0;
-	uint64_t halts = 0;
-	FtdiStatistics ftdi;
 };
 
 /// Why a device could not be opened.

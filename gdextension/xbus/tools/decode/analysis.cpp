@@ -54,9 +54,10 @@ struct FirstLook {
 		const auto found = shapes.find(p_shape);
 		return found == shapes.end() ? 0 : found->second;
 	}
-	std::vector<Frame> data_of(size_t p_size) const {
+	const std::vector<Frame> &data_of(size_t p_size) const {
+		static const std::vector<Frame> none;
 		const auto found = data.find(p_size);
-		return found == data.end() ? std::vector<Frame>() : found->second;
+		return found == data.end() ? none : found->second;
 	}
 };
 
@@ -108,7 +109,7 @@ private:
 			return known;
 		}
 		_guessed.insert(p_size);
-		const std::optional<DataFormat> guess = guess_format(_look.data_of(p_size));
+		const std::optional<DataFormat> guess = guess_format(_look.data_of(p_size), _book.trackers());
 		return guess ? _book.add(*guess) : -1;
 	}
 	bool _is_sensible(const Entry &p_entry) {

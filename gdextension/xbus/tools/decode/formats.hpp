@@ -16,6 +16,8 @@ public:
 	int add(const DataFormat &p_format);
 
 	const std::vector<DataFormat> &formats() const { return _formats; }
+	/// Trackers behind the master, 0 if none told.
+	size_t trackers() const { return _trackers; }
 
 private:
 	void _note_configuration(const xbus::Frame &p_frame);
@@ -28,5 +30,6 @@ private:
 	size_t _trackers = 0;
 };
 
-/// Which format makes sense of all these messages of one size, if just one does.
-std::optional<DataFormat> guess_format(const std::vector<xbus::Frame> &p_frames);
+/// Which format makes sense of all these messages of one size, if just one does. `p_trackers`: behind the master,
+/// 0 if that is not known.
+std::optional<DataFormat> guess_format(const std::vector<xbus::Frame> &p_frames, size_t p_trackers);

@@ -3,6 +3,7 @@
 
 #include "bus/plausibility.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace xbus;
@@ -12,6 +13,8 @@ namespace {
 /// Messages that a guess must make sense of.
 constexpr size_t MOST_TRIED = 50;
 constexpr size_t MOST_TRACKERS = 20;
+/// Messages that may be missing before another.
+constexpr uint16_t MOST_MISSED = 100;
 /// Quaternions and matrices of real devices are nearer to a rotation than this.
 constexpr double MOST_DEVIATION = 1.0e-3;
 
@@ -23,7 +26,7 @@ constexpr std::array<uint16_t, 10> MODES = { output_mode::ORIENTATION, output_mo
 	output_mode::CALIBRATED | output_mode::ORIENTATION | output_mode::STATUS,
 	output_mode::ORIENTATION | output_mode::AUXILIARY, output_mode::CALIBRATED | output_mode::STATUS };
 
-bool is_sensible(const Sample &p_sample) {
+bool is_sample_sensible(const Sample &p_sample) {
 	if (!is_in_range(p_sample)) {
 		return false;
 	}
@@ -42,30 +45,42 @@ bool is_sensible(const Sample &p_sample) {
 	return true;
 }
 
+/// How hard it is to fit by accident: to be of length 1 harder than to weigh about as much as gravity, and that
+/// harder than to be an angle.
+int evidence_of(const OutputFormat &p_format) {
+	const uint32_t form = p_format.settings & output_setting::ORIENTATION_MASK;
+	if ((p_format.mode & output_mode::ORIENTATION) != 0 && form != output_setting::EULER) {
+		return 2;
+	}
+	return (p_format.mode & output_mode::CALIBRATED) != 0 ? 1 : 0;
+}
+
+/// Whether the message decodes into samples that make sense.
+bool is_sensible(const DataFormat &p_format, const Frame &p_frame, std::vector<Sample> &r_samples) {
+	const bool decoded = p_format.is_master ? p_format.trackers.decode(p_frame.data, p_frame.size, r_samples.data())
+											: p_format.tracker.decode(p_frame.data, p_frame.size, r_samples[0]);
+	const size_t count = p_format.is_master ? p_format.trackers.count() : 1;
+	return decoded && std::all_of(r_samples.begin(), r_samples.begin() + std::ptrdiff_t(count), is_sample_sensible);
+}
+
+/// Whether nearly all messages make sense: on a bad line some are wrong.
 bool fits(const DataFormat &p_format, const std::vector<Frame> &p_frames) {
 	std::vector<Sample> samples(MAX_DEVICES);
-	uint32_t last = 0;
-	size_t followed = 0;
 	const size_t tried = std::min(p_frames.size(), MOST_TRIED);
+	const size_t most_wrong = tried / 10;
+	size_t wrong = 0;
+	size_t astray = 0;
+	uint32_t last = 0;
 	for (size_t i = 0; i < tried; i++) {
-		const Frame &frame = p_frames[i];
-		const bool decoded = p_format.is_master ? p_format.trackers.decode(frame.data, frame.size, samples.data())
-												: p_format.tracker.decode(frame.data, frame.size, samples[0]);
-		if (!decoded) {
+		wrong += is_sensible(p_format, p_frames[i], samples) ? 0U : 1U;
+		if (wrong > most_wrong) {
 			return false;
 		}
-		const size_t count = p_format.is_master ? p_format.trackers.count() : 1;
-		for (size_t k = 0; k < count; k++) {
-			if (!is_sensible(samples[k])) {
-				return false;
-			}
-		}
-		const uint32_t counter = samples[0].counter;
-		followed += i > 0 && uint16_t(counter - last) - 1U < 100U ? 1U : 0U;
-		last = counter;
+		astray += i == 0 || uint16_t(samples[0].counter - last - 1U) < MOST_MISSED ? 0U : 1U;
+		last = samples[0].counter;
 	}
 	const bool counts = p_format.is_master || samples[0].has(Field::COUNTER);
-	return !counts || followed + 1 + tried / 10 >= tried;
+	return !counts || astray <= most_wrong;
 }
 
 /// All formats of this size that devices are set to in practice.
@@ -100,19 +115,21 @@ std::vector<DataFormat> candidates(size_t p_size) {
 
 } // namespace
 
-std::optional<DataFormat> guess_format(const std::vector<Frame> &p_frames) {
+std::optional<DataFormat> guess_format(const std::vector<Frame> &p_frames, size_t p_trackers) {
 	std::optional<DataFormat> found;
 	if (p_frames.empty()) {
 		return found;
 	}
+	int best = -1;
 	for (const DataFormat &format : candidates(p_frames[0].size)) {
-		if (!fits(format, p_frames)) {
+		const int evidence = evidence_of(format.tracker);
+		const bool right_number = p_trackers == 0 || (format.is_master && format.trackers.count() == p_trackers);
+		if (evidence < best || !right_number || !fits(format, p_frames)) {
 			continue;
 		}
-		if (found) {
-			return std::nullopt;
-		}
-		found = format;
+		// Two that are as good as each other: no guess, unless there is a better one.
+		found = evidence > best ? std::optional<DataFormat>(format) : std::nullopt;
+		best = evidence;
 	}
 	return found;
 }

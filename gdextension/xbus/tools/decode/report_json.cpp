@@ -51,7 +51,12 @@ void write_devices(const Analysis &p_analysis, JsonWriter &r_json) {
 	for (const auto &[bus_id, device] : p_analysis.devices) {
 		r_json.begin_object();
 		r_json.member("bus_id", bus_id);
-		r_json.member("device_id", hex_id(device.device_id));
+		r_json.key("device_id");
+		if (device.device_id != 0) {
+			r_json.value(hex_id(device.device_id));
+		} else {
+			r_json.null();
+		}
 		r_json.member("kind", device_kind_name(device_kind(device.device_id)));
 		r_json.member("received", device.statistics.received);
 		r_json.member("lost", device.statistics.lost);
@@ -87,6 +92,20 @@ void write_ranges(const std::map<std::string, Range> &p_ranges, JsonWriter &r_js
 	r_json.end_object();
 }
 
+void write_item_value(const ItemType &p_type, const Sample &p_sample, JsonWriter &r_json) {
+	r_json.key("value");
+	// Of all types only this one is several things at once.
+	const bool several = p_type.kind == ItemKind::RAW;
+	SampleJson value(r_json, !several);
+	if (several) {
+		r_json.begin_object();
+	}
+	visit_sample(p_sample, value);
+	if (several) {
+		r_json.end_object();
+	}
+}
+
 /// The items of MTData2 in their order, those that are not understood included.
 void write_items(const Frame &p_frame, JsonWriter &r_json) {
 	r_json.key("items");
@@ -109,11 +128,7 @@ void write_items(const Frame &p_frame, JsonWriter &r_json) {
 			r_json.member("axes", axes_name(p_item.axes()));
 		}
 		if (decode_item(p_item, sample) && type.kind != ItemKind::OPAQUE) {
-			r_json.key("value");
-			r_json.begin_object();
-			SampleJson values(r_json);
-			visit_sample(sample, values);
-			r_json.end_object();
+			write_item_value(type, sample, r_json);
 		} else {
 			r_json.member("data", hex_data(p_item.data, p_item.size));
 		}

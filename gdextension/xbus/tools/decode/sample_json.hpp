@@ -4,16 +4,19 @@
 #include "json.hpp"
 #include "sample_fields.hpp"
 
-/// Writes what a sample holds as members of an object.
+/// Writes what a sample holds as members of an object; `p_bare`: as values without their keys.
 class SampleJson {
 public:
-	explicit SampleJson(JsonWriter &r_json) : _json(r_json) {}
+	explicit SampleJson(JsonWriter &r_json, bool p_bare = false) : _json(r_json), _is_bare(p_bare) {}
 
 	void numbers(const char *p_key, const double *p_values, size_t p_count);
-	void integer(const char *p_key, int64_t p_value) { _json.member(p_key, p_value); }
+	void integer(const char *p_key, int64_t p_value) {
+		_key(p_key);
+		_json.value(p_value);
+	}
 	template <class A>
 	void integers(const char *p_key, const A &p_values) {
-		_json.key(p_key);
+		_key(p_key);
 		_json.begin_list();
 		for (const auto value : p_values) {
 			_json.value(int64_t(value));
@@ -28,7 +31,12 @@ public:
 	void structure(const char *p_key, const xbus::Snapshot &p_snapshot);
 
 private:
-	void _date(const xbus::UtcTime &p_utc);
+	void _key(const char *p_key) {
+		if (!_is_bare) {
+			_json.key(p_key);
+		}
+	}
 
 	JsonWriter &_json;
+	bool _is_bare;
 };

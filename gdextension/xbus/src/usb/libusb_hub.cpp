@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "usb/hub.hpp"
+#include "usb/libusb_hub.hpp"
 
 #include <algorithm>
 
@@ -41,8 +41,8 @@ const char *advice(DeviceLink p_kind) {
 } // namespace
 
 /// A device that is there, open or not.
-struct Hub::Device final : public PortListener, public xbus::SessionHost {
-	Hub &hub;
+struct LibusbHub::Device final : public PortListener, public xbus::SessionHost {
+	LibusbHub &hub;
 	libusb_device *device;
 	DeviceReport report;
 	std::unique_ptr<Port> port;
@@ -52,7 +52,7 @@ struct Hub::Device final : public PortListener, public xbus::SessionHost {
 	uint32_t wanted_baud = 0;
 	bool is_leaving = false;
 
-	Device(Hub &p_hub, libusb_device *p_device) :
+	Device(LibusbHub &p_hub, libusb_device *p_device) :
 			hub(p_hub), device(libusb_ref_device(p_device)) {}
 	Device(const Device &) = delete;
 	Device &operator=(const Device &) = delete;
@@ -103,14 +103,14 @@ struct Hub::Device final : public PortListener, public xbus::SessionHost {
 	}
 };
 
-Hub::Hub(const xbus::SessionOptions &p_options, HubListener *p_listener) :
+LibusbHub::LibusbHub(const xbus::SessionOptions &p_options, HubListener *p_listener) :
 		_options(p_options), _listener(p_listener), _context(nullptr, free_context) {}
 
-Hub::~Hub() {
+LibusbHub::~LibusbHub() {
 	stop();
 }
 
-std::string Hub::start() {
+std::string LibusbHub::start() {
 	stop();
 	libusb_context *context = nullptr;
 	const int error = libusb_init(&context);
@@ -124,11 +124,11 @@ std::string Hub::start() {
 					LIBUSB_HOTPLUG_MATCH_ANY, LIBUSB_HOTPLUG_MATCH_ANY, LIBUSB_HOTPLUG_MATCH_ANY, on_hotplug,
 					this, &_hotplug) == LIBUSB_SUCCESS;
 	_stops = false;
-	_thread = std::thread(&Hub::run, this);
+	_thread = std::thread(&LibusbHub::run, this);
 	return "";
 }
 
-void Hub::stop() {
+void LibusbHub::stop() {
 	if (!_thread.joinable()) {
 		return;
 	}
@@ -148,19 +148,19 @@ void Hub::stop() {
 	_queues.clear();
 }
 
-std::vector<DeviceReport> Hub::report() const {
+std::vector<DeviceReport> LibusbHub::report() const {
 	const std::lock_guard<std::mutex> lock(_mutex);
 	return _reports;
 }
 
-std::vector<HubMessage> Hub::take_messages() {
+std::vector<HubMessage> LibusbHub::take_messages() {
 	const std::lock_guard<std::mutex> lock(_mutex);
 	std::vector<HubMessage> messages;
 	messages.swap(_messages);
 	return messages;
 }
 
-bool Hub::take_frame(int p_device, xbus::SuitFrame &r_frame) {
+bool LibusbHub::take_frame(int p_device, xbus::SuitFrame &r_frame) {
 	std::shared_ptr<FrameRing> ring;
 	{
 		const std::lock_guard<std::mutex> lock(_mutex);
@@ -179,22 +179,22 @@ bool Hub::take_frame(int p_device, xbus::SuitFrame &r_frame) {
 	return true;
 }
 
-void Hub::reset_orientation(int p_device, xbus::ResetMethod p_method) {
+void LibusbHub::reset_orientation(int p_device, xbus::ResetMethod p_method) {
 	const std::lock_guard<std::mutex> lock(_mutex);
 	if (_commands.size() < MOST_MESSAGES) {
 		_commands.push_back({ p_device, p_method });
 	}
 }
 
-int LIBUSB_CALL Hub::on_hotplug(
+int LIBUSB_CALL LibusbHub::on_hotplug(
 		libusb_context * /*p_context*/, libusb_device *p_device, libusb_hotplug_event p_event, void *p_self) {
 	// Nothing may be opened within the event.
-	static_cast<Hub *>(p_self)->_changes.push_back(
+	static_cast<LibusbHub *>(p_self)->_changes.push_back(
 			{ libusb_ref_device(p_device), p_event == LIBUSB_HOTPLUG_EVENT_DEVICE_ARRIVED });
 	return 0;
 }
 
-void Hub::run() {
+void LibusbHub::run() {
 	while (!_stops) {
 		timeval wait{ 0, WAIT_USEC };
 		libusb_handle_events_timeout_completed(_context.get(), &wait, nullptr);
@@ -214,7 +214,7 @@ void Hub::run() {
 	close_all();
 }
 
-void Hub::look_for_changes() {
+void LibusbHub::look_for_changes() {
 	std::vector<Change> changes;
 	changes.swap(_changes);
 	for (const Change &change : changes) {
@@ -232,7 +232,7 @@ void Hub::look_for_changes() {
 	}
 }
 
-void Hub::poll_devices() {
+void LibusbHub::poll_devices() {
 	libusb_device **list = nullptr;
 	const ssize_t count = libusb_get_device_list(_context.get(), &list);
 	for (const std::unique_ptr<Device> &device : _devices) {
@@ -248,7 +248,7 @@ void Hub::poll_devices() {
 	}
 }
 
-void Hub::add(libusb_device *p_device) {
+void LibusbHub::add(libusb_device *p_device) {
 	libusb_device_descriptor descriptor{};
 	if (libusb_get_device_descriptor(p_device, &descriptor) != LIBUSB_SUCCESS) {
 		return;
@@ -278,7 +278,7 @@ void Hub::add(libusb_device *p_device) {
 	_published_usec = 0;
 }
 
-void Hub::remove(libusb_device *p_device) {
+void LibusbHub::remove(libusb_device *p_device) {
 	for (const std::unique_ptr<Device> &device : _devices) {
 		if (device->device == p_device && device->port != nullptr) {
 			device->port->set_gone();
@@ -289,7 +289,7 @@ void Hub::remove(libusb_device *p_device) {
 	}
 }
 
-void Hub::advance(Device &p_device, uint64_t p_now_usec) {
+void LibusbHub::advance(Device &p_device, uint64_t p_now_usec) {
 	if (p_device.is_leaving) {
 		return;
 	}
@@ -316,7 +316,7 @@ void Hub::advance(Device &p_device, uint64_t p_now_usec) {
 	p_device.session->advance(p_now_usec);
 }
 
-void Hub::open(Device &p_device, uint64_t p_now_usec) {
+void LibusbHub::open(Device &p_device, uint64_t p_now_usec) {
 	PortFault fault;
 	std::unique_ptr<Port> port = Port::open(p_device.device, p_device.report.known, p_device, fault);
 	if (port == nullptr) {
@@ -345,7 +345,7 @@ void Hub::open(Device &p_device, uint64_t p_now_usec) {
 	p_device.port->start();
 }
 
-void Hub::obey() {
+void LibusbHub::obey() {
 	std::vector<Command> commands;
 	{
 		const std::lock_guard<std::mutex> lock(_mutex);
@@ -360,7 +360,7 @@ void Hub::obey() {
 	}
 }
 
-void Hub::publish() {
+void LibusbHub::publish() {
 	const uint64_t now = now_usec();
 	if (_published_usec != 0 && now - _published_usec < PUBLISH_USEC) {
 		return;
@@ -385,14 +385,14 @@ void Hub::publish() {
 	}
 }
 
-void Hub::say(xbus::Severity p_severity, const std::string &p_text) {
+void LibusbHub::say(xbus::Severity p_severity, const std::string &p_text) {
 	const std::lock_guard<std::mutex> lock(_mutex);
 	if (_messages.size() < MOST_MESSAGES) {
 		_messages.push_back({ p_severity, p_text });
 	}
 }
 
-void Hub::close_all() {
+void LibusbHub::close_all() {
 	const uint64_t begin = now_usec();
 	for (const std::unique_ptr<Device> &device : _devices) {
 		if (device->session != nullptr && !device->is_leaving) {

@@ -1,0 +1,130 @@
+class_name MvnSegments
+extends RefCounted
+## MVN's 23 segments as the motion of a person.
+##
+## MVN says of each segment how it is turned from its T-pose, in which all are identity and the
+## person faces X (SPEC 2.6.2): that is our rotation from the reset pose, in MVN's axes
+## ([SourceFrames]). It is calibrated already.
+
+## How many segments a body has.
+const COUNT: int = 23
+## Segment of each limb of [Limbs], in the order of types 01 and 02.
+const OF_LIMBS: PackedInt32Array = [0, 2, 4, 6, 12, 13, 14, 8, 9, 10, 19, 20, 21, 15, 16, 17]
+## Segments that are no limb, and their joints.
+const OTHERS: Dictionary[int, int] = {
+	5: XRBodyTracker.JOINT_NECK,
+	7: XRBodyTracker.JOINT_RIGHT_SHOULDER,
+	11: XRBodyTracker.JOINT_LEFT_SHOULDER,
+	18: XRBodyTracker.JOINT_RIGHT_TOES,
+	22: XRBodyTracker.JOINT_LEFT_TOES,
+}
+## For each segment of type 05 (Unity) its place in the order of types 01 and 02.
+const UNITY_ORDER: PackedInt32Array = [
+	0, 15, 16, 17, 18, 19, 20, 21, 22, 1, 2, 3, 4, 11, 12, 13, 14, 7, 8, 9, 10, 5, 6
+]
+## For each segment of types 01 and 02 the one that it hangs on, -1 for the pelvis.
+const PARENTS: PackedInt32Array = [
+	-1, 0, 1, 2, 3, 4, 5, 4, 7, 8, 9, 4, 11, 12, 13, 0, 15, 16, 17, 0, 19, 20, 21
+]
+## Names of the places of [BodyPlaces] by segment; empty where no tracker is worn. For type 23.
+const PLACES: Array[StringName] = [
+	&"pelvis",
+	&"",
+	&"",
+	&"",
+	&"sternum",
+	&"",
+	&"head",
+	&"right_shoulder",
+	&"right_upper_arm",
+	&"right_forearm",
+	&"right_hand",
+	&"left_shoulder",
+	&"left_upper_arm",
+	&"left_forearm",
+	&"left_hand",
+	&"right_thigh",
+	&"right_shank",
+	&"right_foot",
+	&"",
+	&"left_thigh",
+	&"left_shank",
+	&"left_foot",
+	&"",
+]
+
+
+## The pose of a sample of types 01, 02 or 05: for each of the 23 segments, in the datagram's order,
+## a place (units of the type) and a rotation (w, x, y, z). [param p_present] is 1 for each segment
+## that came; empty: all did. Null if the pelvis is missing or a rotation is none.
+static func pose(
+	p_rotations: PackedFloat32Array,
+	p_places: PackedVector3Array,
+	p_frame: SourceFrames.Frame,
+	p_present: PackedByteArray = PackedByteArray()
+) -> PoseSample:
+	if p_rotations.size() < COUNT * 4 or p_places.size() < COUNT:
+		return null
+	var turns: Array[Quaternion] = []
+	var places: PackedVector3Array = SourceFrames.places(p_places.slice(0, COUNT), p_frame)
+	var present: PackedByteArray = p_present.duplicate()
+	if present.size() != COUNT:
+		present.resize(COUNT)
+		present.fill(1)
+	var told: PackedFloat32Array = SourceFrames.rotations(p_rotations, p_frame)
+	for segment: int in COUNT:
+		var at: int = segment * 4
+		var turn: Quaternion = Quaternion(told[at], told[at + 1], told[at + 2], told[at + 3])
+		# Written so that NaN fails too.
+		if present[segment] != 0 and not absf(turn.length() - 1.0) < 0.1:
+			return null
+		turns.append(turn.normalized() if present[segment] != 0 else Quaternion.IDENTITY)
+	if p_frame == SourceFrames.Frame.MVN_UNITY:
+		_sort_unity(turns, places, present)
+	return _pose_of(turns, places, present)
+
+
+## Puts Unity's order right and makes its local rotations and places global.
+static func _sort_unity(
+	r_turns: Array[Quaternion], r_places: PackedVector3Array, r_present: PackedByteArray
+) -> void:
+	var turns: Array[Quaternion] = r_turns.duplicate()
+	var places: PackedVector3Array = r_places.duplicate()
+	var present: PackedByteArray = r_present.duplicate()
+	for at: int in COUNT:
+		r_turns[UNITY_ORDER[at]] = turns[at]
+		r_places[UNITY_ORDER[at]] = places[at]
+		r_present[UNITY_ORDER[at]] = present[at]
+	for segment: int in range(1, COUNT):
+		var above: int = PARENTS[segment]
+		r_places[segment] = r_places[above] + r_turns[above] * r_places[segment]
+		r_turns[segment] = r_turns[above] * r_turns[segment]
+
+
+static func _pose_of(
+	p_turns: Array[Quaternion], p_places: PackedVector3Array, p_present: PackedByteArray
+) -> PoseSample:
+	if p_present[0] == 0 or not p_places[0].is_finite():
+		return null
+	var filler: LimbFiller = LimbFiller.new()
+	for segment: int in COUNT:
+		var place: int = BodyPlaces.find(PLACES[segment])
+		if place >= 0 and p_present[segment] != 0:
+			filler.set_place(place, p_turns[segment])
+	filler.fill()
+	var found: PoseSample = PoseSample.new()
+	found.details = MotionDetails.new()
+	found.root = p_places[0]
+	for limb: int in Limbs.COUNT:
+		found.set_orientation(limb, filler.limbs[limb])
+	if p_present[OF_LIMBS[1]] != 0:
+		found.set_orientation(1, p_turns[OF_LIMBS[1]])
+		filler.measured[1] = 1
+	found.details.measured = filler.measured.duplicate()
+	for segment: int in OTHERS:
+		if p_present[segment] != 0:
+			found.details.joints[OTHERS[segment]] = p_turns[segment]
+	if not p_present.has(0):
+		for limb: int in Limbs.COUNT:
+			found.details.positions.append(p_places[OF_LIMBS[limb]])
+	return found

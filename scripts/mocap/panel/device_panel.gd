@@ -1,0 +1,280 @@
+class_name DevicePanel
+extends Control
+## The client's screen for motion capture: devices, sensors, who wears them, calibration.
+##
+## It knows of suits ([SuitSource]) and of devices as dictionaries ([constant DeviceList.KEYS]),
+## nothing else. Everything works with the keyboard alone; the keys are on the buttons.
+
+## It shall be closed.
+signal close_wanted
+## A person's data changed: name, size, places or calibration. Who is the number of the suit.
+signal profile_changed(p_suit: int)
+
+## How often figures are written anew, s.
+const PERIOD_S: float = 0.2
+
+## Where people's data are kept.
+@export_dir var folder: String = CalibrationStore.FOLDER
+## Whether it lets the suits go on; otherwise somebody else calls [method SuitSource.advance].
+@export var drives: bool = false
+
+@export var _person: PersonBox
+@export var _devices: DeviceList
+@export var _sensors: SensorTable
+@export var _raw: PreviewView
+@export var _calibrated: PreviewView
+@export var _box: CalibrationBox
+@export var _sheet: BodySheet
+@export var _status: Label
+@export var _close: Button
+
+## Tells the time, s; it must be the clock of who calls [method SuitSource.advance].
+var clock: Callable = func() -> float: return Time.get_ticks_usec() / 1e6
+
+var _suits: Array[SuitSource] = []
+var _at: int = 0
+var _store: CalibrationStore = null
+var _boxes_view: SensorBoxesView = null
+var _figure_view: LimbFigureView = null
+var _figures_due_s: float = 0.0
+var _fault: String = ""
+
+
+func _ready() -> void:
+	_store = CalibrationStore.new(folder)
+	_boxes_view = SensorBoxesView.new()
+	_figure_view = LimbFigureView.new()
+	_raw.stage.add_child(_boxes_view)
+	_calibrated.stage.add_child(_figure_view)
+	_figure_view.visible = false
+	_close.pressed.connect(close_wanted.emit)
+	_box.start_wanted.connect(start_calibration)
+	_box.accept_wanted.connect(_accept)
+	_box.cancel_wanted.connect(func() -> void: suit().refuse_calibration())
+	_box.exchange_wanted.connect(_exchange)
+	_sensors.place_chosen.connect(_move_sensor)
+	_person.name_entered.connect(_rename)
+	_person.person_chosen.connect(_take_person)
+	_person.height_changed.connect(_set_height)
+	_person.body_wanted.connect(_show_sheet.bind(true))
+	_person.suits().item_selected.connect(choose_suit)
+	_sheet.measured.connect(_measure)
+	_sheet.close_wanted.connect(_show_sheet.bind(false))
+	_sheet.visible = false
+	show_devices([])
+	_refresh()
+
+
+## Shows suits, one for each person.
+func show_suits(p_suits: Array[SuitSource]) -> void:
+	_suits = p_suits
+	_at = clampi(_at, 0, maxi(_suits.size() - 1, 0))
+	_refresh()
+	if is_visible_in_tree():
+		_sensors.grab_focus()
+
+
+## Shows devices: dictionaries with [constant DeviceList.KEYS] and perhaps "advice".
+func show_devices(p_devices: Array[Dictionary]) -> void:
+	_devices.show_devices(p_devices)
+
+
+## The suit that is shown, or null.
+func suit() -> SuitSource:
+	return _suits[_at] if _at < _suits.size() else null
+
+
+## Shows another suit.
+func choose_suit(p_at: int) -> void:
+	_at = clampi(p_at, 0, maxi(_suits.size() - 1, 0))
+	_fault = ""
+	_refresh()
+
+
+## Begins a calibration of the suit that is shown.
+func start_calibration(p_kind: CalibrationGuide.Kind) -> void:
+	if suit() == null:
+		_fault = "no suit is there to be calibrated"
+	else:
+		suit().process.options = _box.options()
+		_fault = suit().start_calibration(p_kind, _now_s())
+	_show_status()
+
+
+func _process(_delta: float) -> void:
+	if drives:
+		for each: SuitSource in _suits:
+			each.advance(_now_s())
+	if not is_visible_in_tree() or suit() == null:
+		return
+	var newest: SensorFrame = suit().newest_frame
+	if newest != null:
+		_boxes_view.show_frame(newest, _places(), suit().get_body())
+	_figure_view.visible = suit().newest_pose != null
+	if suit().newest_pose != null:
+		_figure_view.show_pose(suit().newest_pose, suit().get_body(), _trouble())
+	_box.show_process(suit().process, suit().watch.messages())
+	if suit().process.phase == CalibrationProcess.Phase.IDLE and not suit().watch.swaps.is_empty():
+		_box.offer_exchange(suit().watch.swaps[0])
+	if _now_s() >= _figures_due_s:
+		_figures_due_s = _now_s() + PERIOD_S
+		_show_figures()
+
+
+func _input(p_event: InputEvent) -> void:
+	var key: InputEventKey = p_event as InputEventKey
+	if key == null or not key.pressed or key.echo or not is_visible_in_tree():
+		return
+	var process: CalibrationProcess = suit().process if suit() != null else null
+	if key.keycode == KEY_ESCAPE and _sheet.visible:
+		_show_sheet(false)
+	elif key.keycode == KEY_F7:
+		_show_sheet(not _sheet.visible)
+	elif not _box.take_key(key.keycode, process):
+		if key.keycode != KEY_ESCAPE:
+			return
+		close_wanted.emit()
+	get_viewport().set_input_as_handled()
+
+
+func _refresh() -> void:
+	var list: OptionButton = _person.suits()
+	list.clear()
+	for each: SuitSource in _suits:
+		list.add_item("%d: %s" % [list.item_count + 1, each.get_profile().name])
+	list.visible = _suits.size() > 1
+	if suit() == null:
+		_show_status()
+		return
+	list.selected = _at
+	_person.show_person(suit().get_profile(), _store.list())
+	_sheet.show_size(suit().get_body(), _fault if _sheet.visible else "")
+	_show_figures()
+
+
+func _show_figures() -> void:
+	var sensors: Array[SensorInfo] = suit().feed.list_sensors()
+	var places: PackedInt32Array = suit().get_profile().map.of_sensors(sensors)
+	var process: CalibrationProcess = suit().process
+	var holds: bool = process.phase == CalibrationProcess.Phase.HOLD
+	_sensors.show_sensors(sensors, places, process.live_deg, holds)
+	_show_status()
+
+
+func _show_status() -> void:
+	if _fault != "":
+		_status.text = _fault
+	elif suit() == null:
+		_status.text = "no suit"
+	elif suit().feed.error != "":
+		_status.text = suit().feed.error
+	elif not suit().is_calibrated():
+		_status.text = "not calibrated yet"
+	else:
+		var made: float = suit().get_profile().calibration.made_s
+		var minutes: int = int((Time.get_unix_time_from_system() - made) / 60.0)
+		_status.text = "calibrated %d min ago" % minutes if minutes > 0 else "calibrated just now"
+	_status.tooltip_text = _status.text
+
+
+func _places() -> PackedInt32Array:
+	return suit().get_profile().map.of_sensors(suit().feed.list_sensors())
+
+
+## Limbs that something is wrong with.
+func _trouble() -> PackedInt32Array:
+	var found: PackedInt32Array = []
+	for swap: Vector2i in suit().watch.swaps:
+		found.append_array([BodyPlaces.LIMBS[swap.x], BodyPlaces.LIMBS[swap.y]])
+	for place: int in suit().watch.slipped:
+		found.append(BodyPlaces.LIMBS[place])
+	return found
+
+
+func _accept() -> void:
+	suit().accept_calibration()
+	_keep()
+
+
+func _exchange(p_places: Vector2i) -> void:
+	var map: SensorMap = suit().get_profile().map.duplicate()
+	map.exchange(p_places.x, p_places.y)
+	suit().set_map(map)
+	suit().refuse_calibration()
+	_fault = "exchanged: calibrate again"
+	_keep()
+
+
+func _move_sensor(p_sensor: String, p_place: int) -> void:
+	var map: SensorMap = suit().get_profile().map.duplicate()
+	map.assign(p_sensor, p_place)
+	suit().set_map(map)
+	_keep()
+
+
+func _rename(p_name: String) -> void:
+	if suit() == null or p_name == suit().get_profile().name:
+		return
+	_fault = PersonProfile.find_name_fault(p_name)
+	if _fault != "":
+		_show_status()
+		return
+	suit().rename(p_name)
+	_keep()
+
+
+func _take_person(p_name: String) -> void:
+	if suit() == null:
+		return
+	var profile: PersonProfile = _store.read(p_name)
+	_fault = _store.error
+	if profile != null:
+		suit().set_profile(profile)
+		profile_changed.emit(_at)
+	_refresh()
+
+
+func _set_height(p_metres: float) -> void:
+	if suit() == null:
+		return
+	var size: BodySize = suit().get_body().duplicate()
+	_fault = size.set_height(p_metres)
+	if _fault == "":
+		suit().set_body(size)
+		_keep()
+	else:
+		_refresh()
+
+
+func _measure(p_name: StringName, p_metres: float) -> void:
+	if suit() == null:
+		return
+	var size: BodySize = suit().get_body().duplicate()
+	_fault = size.measure(p_name, p_metres)
+	if _fault == "":
+		suit().set_body(size)
+		_keep()
+	else:
+		_refresh()
+
+
+func _show_sheet(p_shows: bool) -> void:
+	_sheet.visible = p_shows and suit() != null
+	_fault = ""
+	_refresh()
+	if _sheet.visible:
+		_sheet.focus_first()
+	else:
+		_sensors.grab_focus()
+
+
+## Keeps the person's data, and tells of it.
+func _keep() -> void:
+	if not _store.write(suit().get_profile()):
+		_fault = _store.error
+	profile_changed.emit(_at)
+	_refresh()
+
+
+func _now_s() -> float:
+	return clock.call()

@@ -1,0 +1,118 @@
+class_name TrackerPublisher
+extends RefCounted
+## Publishes somebody's motion as an [XRBodyTracker], the way Godot's mocap plugins do, so that any
+## avatar with an [XRBodyModifier3D] can wear it. For the main thread.
+##
+## Joints are in the tracking space, metres, with the axes of Godot's humanoid bones. The root is on
+## the ground below the hips and faces where they do.
+
+## What the tracker is called unless told otherwise; further people get a number behind it.
+const NAME: StringName = &"/dismount/body_tracker"
+
+const _VALID: int = (
+	XRBodyTracker.JOINT_FLAG_ORIENTATION_VALID
+	| XRBodyTracker.JOINT_FLAG_ORIENTATION_TRACKED
+	| XRBodyTracker.JOINT_FLAG_POSITION_VALID
+	| XRBodyTracker.JOINT_FLAG_POSITION_TRACKED
+)
+# Filled from neighbours: there, but not tracked.
+const _FILLED: int = (
+	XRBodyTracker.JOINT_FLAG_ORIENTATION_VALID | XRBodyTracker.JOINT_FLAG_POSITION_VALID
+)
+
+## The tracker.
+var tracker: XRBodyTracker = XRBodyTracker.new()
+
+var _figure: BodyFigure = null
+var _is_added: bool = false
+
+
+## Begins to publish under a name. [param p_size] is for the joints' places.
+func _init(p_size: BodySize, p_name: StringName = NAME, p_title: String = "") -> void:
+	_figure = BodyFigure.new(p_size)
+	tracker.name = p_name
+	tracker.description = p_title if p_title != "" else "Dismount motion capture"
+	tracker.has_tracking_data = false
+	var flags: int = XRBodyTracker.BODY_FLAG_UPPER_BODY_SUPPORTED
+	tracker.body_flags = flags | XRBodyTracker.BODY_FLAG_LOWER_BODY_SUPPORTED
+	XRServer.add_tracker(tracker)
+	_is_added = true
+
+
+## The name for the person with a number, counted from 0.
+static func name_for(p_person: int) -> StringName:
+	return NAME if p_person == 0 else StringName("%s_%d" % [NAME, p_person + 1])
+
+
+## Shows a pose.
+func publish(p_pose: PoseSample) -> void:
+	_figure.solve(p_pose)
+	for limb: int in Limbs.COUNT:
+		_set_joint(HumanoidAxes.JOINTS[limb], limb, p_pose.orientation(limb), p_pose)
+		_place_joint(HumanoidAxes.JOINTS[limb], _figure.bases[limb])
+	for joint: int in HumanoidAxes.OTHERS:
+		_publish_other(joint as XRBodyTracker.Joint, p_pose)
+	_set_joint(XRBodyTracker.JOINT_HEAD_TIP, 3, p_pose.orientation(3), p_pose)
+	_place_joint(XRBodyTracker.JOINT_HEAD_TIP, _figure.tails[3])
+	var facing: Quaternion = Rotations.yaw(Rotations.yaw_of(p_pose.orientation(Limbs.ROOT)))
+	var ground: Vector3 = Vector3(_figure.bases[0].x, 0.0, _figure.bases[0].z)
+	var root: Transform3D = Transform3D(Basis(facing), ground)
+	tracker.set_joint_transform(XRBodyTracker.JOINT_ROOT, root)
+	tracker.set_joint_flags(XRBodyTracker.JOINT_ROOT, _VALID)
+	tracker.has_tracking_data = true
+	tracker.set_pose(
+		&"default", root, Vector3.ZERO, Vector3.ZERO, XRPose.XR_TRACKING_CONFIDENCE_HIGH
+	)
+
+
+## Says that nothing comes at the moment; the pose stays.
+func pause() -> void:
+	tracker.has_tracking_data = false
+
+
+## Ends it: the tracker is taken away.
+func retire() -> void:
+	tracker.has_tracking_data = false
+	if _is_added:
+		XRServer.remove_tracker(tracker)
+	_is_added = false
+
+
+func _publish_other(p_joint: XRBodyTracker.Joint, p_pose: PoseSample) -> void:
+	var limb: int = 2
+	var turn: Quaternion = p_pose.orientation(2)
+	var rest: Vector3 = _figure.rest_tail(2)
+	match p_joint:
+		XRBodyTracker.JOINT_UPPER_CHEST:
+			rest = _figure.rest_base(2).lerp(rest, 0.5)
+		XRBodyTracker.JOINT_NECK:
+			turn = turn.slerp(p_pose.orientation(3), 0.5)
+		XRBodyTracker.JOINT_LEFT_SHOULDER:
+			rest = rest.lerp(_figure.rest_base(4), 0.2)
+		XRBodyTracker.JOINT_RIGHT_SHOULDER:
+			rest = rest.lerp(_figure.rest_base(7), 0.2)
+		XRBodyTracker.JOINT_LEFT_TOES, XRBodyTracker.JOINT_RIGHT_TOES:
+			limb = 12 if p_joint == XRBodyTracker.JOINT_LEFT_TOES else 15
+			turn = p_pose.orientation(limb)
+			rest = _figure.rest_tail(limb)
+	if p_pose.details != null:
+		turn = p_pose.details.joints.get(p_joint, turn)
+	var axes: Quaternion = HumanoidAxes.of_bone(HumanoidAxes.OTHERS[p_joint])
+	var place: Vector3 = _figure.attached(limb, rest, p_pose)
+	tracker.set_joint_transform(p_joint, Transform3D(Basis(turn * axes), place))
+	tracker.set_joint_flags(p_joint, _VALID)
+
+
+func _set_joint(
+	p_joint: XRBodyTracker.Joint, p_limb: int, p_turn: Quaternion, p_pose: PoseSample
+) -> void:
+	var axes: Quaternion = HumanoidAxes.of_limb(p_limb)
+	tracker.set_joint_transform(p_joint, Transform3D(Basis(p_turn * axes), Vector3.ZERO))
+	var filled: bool = p_pose.details != null and p_pose.details.measured.size() == Limbs.COUNT
+	filled = filled and p_pose.details.measured[p_limb] == 0
+	tracker.set_joint_flags(p_joint, _FILLED if filled else _VALID)
+
+
+func _place_joint(p_joint: XRBodyTracker.Joint, p_place: Vector3) -> void:
+	var at: Transform3D = tracker.get_joint_transform(p_joint)
+	tracker.set_joint_transform(p_joint, Transform3D(at.basis, p_place))

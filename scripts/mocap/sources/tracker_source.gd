@@ -1,0 +1,155 @@
+class_name TrackerSource
+extends MotionSource
+## Somebody's motion from an [XRBodyTracker]: from OpenXR, or from any of Godot's mocap plugins
+## (MVN, Rokoko, Axis Studio, VMC), by the tracker's name.
+##
+## Joints have the axes of Godot's humanoid bones. What the tracker does not tell is filled as from
+## a suit with fewer sensors ([LimbFiller]). Call [method advance] in the main thread in every
+## frame; any thread may sample.
+
+## Joints that tell of the places of [BodyPlaces], best first.
+const _JOINTS: Array[Array] = [
+	[XRBodyTracker.JOINT_HIPS],
+	[XRBodyTracker.JOINT_CHEST, XRBodyTracker.JOINT_UPPER_CHEST],
+	[XRBodyTracker.JOINT_HEAD],
+	[XRBodyTracker.JOINT_LEFT_SHOULDER],
+	[XRBodyTracker.JOINT_LEFT_UPPER_ARM],
+	[XRBodyTracker.JOINT_LEFT_LOWER_ARM],
+	[XRBodyTracker.JOINT_LEFT_HAND],
+	[XRBodyTracker.JOINT_RIGHT_SHOULDER],
+	[XRBodyTracker.JOINT_RIGHT_UPPER_ARM],
+	[XRBodyTracker.JOINT_RIGHT_LOWER_ARM],
+	[XRBodyTracker.JOINT_RIGHT_HAND],
+	[XRBodyTracker.JOINT_LEFT_UPPER_LEG],
+	[XRBodyTracker.JOINT_LEFT_LOWER_LEG],
+	[XRBodyTracker.JOINT_LEFT_FOOT],
+	[XRBodyTracker.JOINT_RIGHT_UPPER_LEG],
+	[XRBodyTracker.JOINT_RIGHT_LOWER_LEG],
+	[XRBodyTracker.JOINT_RIGHT_FOOT],
+]
+
+## Name of the tracker, such as "/user/body_tracker".
+var tracker_name: StringName = &""
+
+var _hip_height: float = 0.0
+var _filler: LimbFiller = LimbFiller.new()
+# Shared between threads and guarded.
+var _mutex: Mutex = Mutex.new()
+var _fresh: PoseSample = null
+
+
+func _init(p_name: StringName) -> void:
+	tracker_name = p_name
+
+
+## Names of the body trackers that there are.
+static func list() -> PackedStringArray:
+	var found: PackedStringArray = []
+	for name: Variant in XRServer.get_trackers(XRServer.TRACKER_BODY):
+		found.append(str(name))
+	found.sort()
+	return found
+
+
+## Reads the tracker, in the main thread, at a time (Unix time, µs).
+func advance(p_time_usec: int) -> void:
+	var tracker: XRBodyTracker = XRServer.get_tracker(tracker_name) as XRBodyTracker
+	if tracker == null:
+		error = "there is no body tracker '%s', only: %s" % [tracker_name, ", ".join(list())]
+		return
+	error = ""
+	if not tracker.has_tracking_data:
+		return
+	var pose: PoseSample = _pose_of(tracker)
+	if pose == null or pose.find_fault() != "":
+		return
+	pose.time_usec = p_time_usec
+	_mutex.lock()
+	_fresh = pose
+	_mutex.unlock()
+
+
+func get_hip_height() -> float:
+	return _hip_height if _hip_height > 0.0 else 0.95
+
+
+func describe() -> String:
+	return "body tracker %s" % tracker_name
+
+
+func _read(_p_time_usec: int) -> PoseSample:
+	_mutex.lock()
+	var pose: PoseSample = _fresh
+	_fresh = null
+	_mutex.unlock()
+	return pose
+
+
+func _pose_of(p_tracker: XRBodyTracker) -> PoseSample:
+	_filler.clear()
+	for place: int in BodyPlaces.COUNT:
+		for joint: int in _JOINTS[place]:
+			if _filler.known[place] == 0 and _is_turned(p_tracker, joint):
+				_filler.set_place(place, _turn(p_tracker, joint))
+	if not _filler.known.has(1):
+		return null
+	_filler.fill()
+	var pose: PoseSample = PoseSample.new()
+	for limb: int in Limbs.COUNT:
+		pose.set_orientation(limb, _filler.limbs[limb])
+	if _is_turned(p_tracker, XRBodyTracker.JOINT_SPINE):
+		pose.set_orientation(1, _turn(p_tracker, XRBodyTracker.JOINT_SPINE))
+		_filler.measured[1] = 1
+	pose.details = MotionDetails.new()
+	pose.details.measured = _filler.measured.duplicate()
+	for joint: int in HumanoidAxes.OTHERS:
+		if _is_turned(p_tracker, joint):
+			pose.details.joints[joint] = _turn(p_tracker, joint)
+	_measure(p_tracker)
+	pose.root = Vector3(0.0, get_hip_height(), 0.0)
+	if _is_placed(p_tracker, XRBodyTracker.JOINT_HIPS):
+		pose.root = p_tracker.get_joint_transform(XRBodyTracker.JOINT_HIPS).origin
+	return pose
+
+
+## Height of the hips from the lengths of the leg, once.
+func _measure(p_tracker: XRBodyTracker) -> void:
+	if _hip_height > 0.0:
+		return
+	var joints: Array[XRBodyTracker.Joint] = [
+		XRBodyTracker.JOINT_LEFT_UPPER_LEG,
+		XRBodyTracker.JOINT_LEFT_LOWER_LEG,
+		XRBodyTracker.JOINT_LEFT_FOOT
+	]
+	var places: PackedVector3Array = []
+	for joint: XRBodyTracker.Joint in joints:
+		if not _is_placed(p_tracker, joint):
+			return
+		places.append(p_tracker.get_joint_transform(joint).origin)
+	var leg: float = places[0].distance_to(places[1]) + places[1].distance_to(places[2])
+	var ankle: float = BodySize.RATIOS[&"foot_height"] / (0.53 - 0.039)
+	_hip_height = clampf(leg * (1.0 + ankle), 0.3, 1.5)
+
+
+static func _turn(p_tracker: XRBodyTracker, p_joint: int) -> Quaternion:
+	var joint: XRBodyTracker.Joint = p_joint as XRBodyTracker.Joint
+	var bone: StringName = HumanoidAxes.OTHERS.get(p_joint, &"")
+	if bone == &"":
+		bone = Limbs.BONES[HumanoidAxes.JOINTS.find(joint)]
+	var turned: Basis = p_tracker.get_joint_transform(joint).basis
+	return (turned.get_rotation_quaternion() * HumanoidAxes.of_bone(bone).inverse()).normalized()
+
+
+static func _is_turned(p_tracker: XRBodyTracker, p_joint: int) -> bool:
+	var joint: XRBodyTracker.Joint = p_joint as XRBodyTracker.Joint
+	var flags: int = p_tracker.get_joint_flags(joint)
+	if flags & XRBodyTracker.JOINT_FLAG_ORIENTATION_VALID == 0:
+		return false
+	var turned: Basis = p_tracker.get_joint_transform(joint).basis
+	return turned.is_finite() and absf(turned.determinant()) > 1e-6
+
+
+static func _is_placed(p_tracker: XRBodyTracker, p_joint: XRBodyTracker.Joint) -> bool:
+	var flags: int = p_tracker.get_joint_flags(p_joint)
+	var at: Vector3 = p_tracker.get_joint_transform(p_joint).origin
+	return flags & XRBodyTracker.JOINT_FLAG_POSITION_VALID != 0 and at.is_finite()
