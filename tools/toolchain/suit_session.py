@@ -6,7 +6,6 @@ from __future__ import annotations
 import json
 import os
 import subprocess
-import time
 from pathlib import Path
 from types import TracebackType
 
@@ -102,12 +101,12 @@ class SuitSession:
             raise Failure(f"The observer recorded nothing:\n{tail(self._group.log(name))}")
 
 
-def compare(godot: Godot, recording: Path, bvh: Path, begin: float, seconds: float) -> dict:
-    """How far the person in a recording is from a motion file: see compare_recording.gd."""
+def compare(godot: Godot, recording: Path, bvh: Path, begin: float, end: float) -> dict:
+    """How far the person in a recording is from a part of a motion file: compare_recording.gd."""
     options = [f"--recording={recording}", f"--bvh={bvh}", f"--from={begin}"]
     command = [str(godot.program), "--headless", "--no-header", "--path", str(ROOT), "-s", COMPARE]
     done = subprocess.run(
-        [*command, "--", *options, f"--seconds={seconds}"],
+        [*command, "--", *options, f"--to={end}"],
         env=godot.environment(),
         stdin=subprocess.DEVNULL,
         capture_output=True,
@@ -121,7 +120,3 @@ def compare(godot: Godot, recording: Path, bvh: Path, begin: float, seconds: flo
     result: dict = json.loads(found[0])
     return result
 
-
-def settle(seconds: float) -> None:
-    """Lets a motion go on for a while."""
-    time.sleep(seconds)

@@ -207,7 +207,8 @@ func _table_to_show(p_table: SuitTable) -> SuitTable:
 
 ## The profile; who has no map yet gets the usual one for these sensors.
 func _profile_for(p_sensors: Array[SensorInfo]) -> PersonProfile:
-	if not _profile.map.places.is_empty() or p_sensors.is_empty():
+	var is_told: bool = not _profile.map.places.is_empty() and not _profile.map.is_guessed
+	if is_told or p_sensors.is_empty():
 		return _profile
 	var found: PersonProfile = _copy(_profile)
 	found.map = SensorMap.guess(p_sensors)
