@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "raw_recorder.hpp"
+
 #include <mvn/stream_clock.hpp>
 #include <udp/receiver.hpp>
 
@@ -14,6 +16,7 @@
 #include <godot_cpp/variant/typed_array.hpp>
 
 #include <map>
+#include <memory>
 #include <mutex>
 
 namespace godot {
@@ -25,6 +28,7 @@ class MvnReceiver : public RefCounted {
 public:
 	String open(int64_t p_port);
 	void close();
+	void set_recorder(const Ref<RawRecorder> &p_recorder);
 	int64_t get_port() const { return receiver.port(); }
 	void put(const String &p_sender, const PackedByteArray &p_datagram, int64_t p_time_usec);
 	TypedArray<Dictionary> get_characters() const;
@@ -43,6 +47,9 @@ private:
 	uint64_t now_usec() const;
 	int64_t to_unix(uint64_t p_usec) const;
 
+	/// Outlives the receiver's thread, which calls it.
+	std::unique_ptr<DatagramTap> tap;
+	std::shared_ptr<recording::Recorder> recorder;
 	mvn::Receiver receiver;
 	/// The time of the newest datagram that was put in, µs; 0 where they come from a port.
 	uint64_t put_usec = 0;
