@@ -55,7 +55,7 @@ Dictionary character_dictionary(const mvn::CharacterReport &p_character, uint64_
 } // namespace
 
 uint64_t MvnReceiver::now_usec() const {
-	return put_usec > 0 ? put_usec : uint64_t(clock_usec<std::chrono::steady_clock>());
+	return put_usec > 0 ? put_usec.load() : uint64_t(clock_usec<std::chrono::steady_clock>());
 }
 
 /// Datagrams from a port bear the times of the steady clock, others those that were told with them.

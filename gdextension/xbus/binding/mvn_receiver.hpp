@@ -15,6 +15,7 @@
 #include <godot_cpp/variant/string.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
+#include <atomic>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -52,7 +53,7 @@ private:
 	std::shared_ptr<recording::Recorder> recorder;
 	mvn::Receiver receiver;
 	/// The time of the newest datagram that was put in, µs; 0 where they come from a port.
-	uint64_t put_usec = 0;
+	std::atomic<uint64_t> put_usec{ 0 };
 	/// Of each character and type; threads may ask for different people at once.
 	std::map<std::pair<int64_t, int>, mvn::StreamClock> clocks;
 	std::mutex mutex;
