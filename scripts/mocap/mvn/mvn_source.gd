@@ -102,5 +102,5 @@ func _pump() -> void:
 		if pose != null and pose.find_fault() == "":
 			_newest = pose
 			_poses.push(pose)
-	if not _body.is_measured:
-		_body.take_pose(_pose.places)
+	if not _body.is_measured and _newest != null:
+		_body.take_pose(_newest.details.positions)

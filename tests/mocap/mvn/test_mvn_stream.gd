@@ -45,6 +45,7 @@ func test_poses_arrive_as_the_file_has_them() -> void:
 		if person == null:
 			return
 		equal(_people[person], "Eve")
+		equal((await _next(person)).details.counter, 0)
 		almost_equal(person.get_hip_height(), source.get_hip_height(), 0.002)
 		var worst: Vector2 = Vector2.ZERO
 		for step: int in range(1, 60):
@@ -98,7 +99,7 @@ func test_centimetres_are_noticed() -> void:
 	_send(sample)
 	_send(writer.sample(12, 0, 0))
 	var person: MvnSource = await _first_person()
-	almost_equal(person.get_newest().root, pose.root, 0.001)
+	almost_equal((await _next(person)).root, pose.root, 0.001)
 
 
 func test_both_quaternions_of_a_rotation_are_one_motion() -> void:
@@ -122,6 +123,61 @@ func test_both_quaternions_of_a_rotation_are_one_motion() -> void:
 		for limb: int in Limbs.COUNT:
 			is_true(came.orientation(limb).dot(before.orientation(limb)) > 0.9)
 		before = came
+
+
+func test_fingers_are_joints_of_their_own() -> void:
+	var source: BvhSource = _clip()
+	var writer: MvnWriter = MvnWriter.new(source.get_body())
+	writer.take(source.pose_at(0.0), 0.0)
+	var sample: Dictionary = writer.sample(2, 0, 0)
+	var segments: PackedInt32Array = sample["segments"]
+	var positions: PackedVector3Array = sample["positions"]
+	var wxyz: PackedFloat32Array = sample["orientations"]
+	sample["props"] = 1
+	sample["fingers"] = 40
+	for extra: int in 41:
+		segments.append(24 + extra)
+		positions.append(Vector3.ZERO)
+		var angle: float = 0.02 * extra
+		# About MVN's Y, to the left: Godot's X.
+		wxyz.append_array([cos(angle / 2.0), 0.0, sin(angle / 2.0), 0.0])
+	sample["segments"] = segments
+	sample["positions"] = positions
+	sample["orientations"] = wxyz
+	_send(sample)
+	_send(writer.sample(12, 0, 0))
+	var joints: Dictionary = (await _next(await _first_person())).details.joints
+	# Behind the prop: the left carpus, three of the thumb, four of each finger; then the right hand.
+	var wanted: Dictionary[int, int] = {
+		XRBodyTracker.JOINT_LEFT_THUMB_METACARPAL: 2,
+		XRBodyTracker.JOINT_LEFT_THUMB_PHALANX_DISTAL: 4,
+		XRBodyTracker.JOINT_LEFT_INDEX_FINGER_METACARPAL: 5,
+		XRBodyTracker.JOINT_LEFT_PINKY_FINGER_PHALANX_DISTAL: 20,
+		XRBodyTracker.JOINT_RIGHT_THUMB_METACARPAL: 22,
+		XRBodyTracker.JOINT_RIGHT_RING_FINGER_PHALANX_PROXIMAL: 34,
+	}
+	for joint: int in wanted:
+		var turn: Quaternion = Quaternion(Vector3.RIGHT, 0.02 * wanted[joint])
+		is_true(joints.has(joint) and joints[joint].angle_to(turn) < 0.002, "joint %d" % joint)
+	is_false(joints.has(XRBodyTracker.JOINT_LEFT_THUMB_TIP))
+
+
+func test_a_body_of_a_few_segments_is_filled() -> void:
+	var source: BvhSource = _clip()
+	var writer: MvnWriter = MvnWriter.new(source.get_body())
+	var pose: PoseSample = source.pose_at(0.5)
+	writer.take(pose, 0.0)
+	var sample: Dictionary = writer.sample(2, 0, 0)
+	for key: String in ["segments", "positions"]:
+		sample[key] = sample[key].slice(0, 15)
+	sample["orientations"] = sample["orientations"].slice(0, 60)
+	_send(sample)
+	_send(writer.sample(12, 0, 0))
+	var came: PoseSample = await _next(await _first_person())
+	equal(came.find_fault(), "")
+	is_true(Rotations.between_deg(came.orientation(6), pose.orientation(6)) < MOST_DEG)
+	equal(came.details.measured[6], 1)
+	equal(came.details.measured[11], 0)
 
 
 func test_trackers_become_sensors() -> void:
