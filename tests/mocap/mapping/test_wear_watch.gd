@@ -11,7 +11,7 @@ func before_each() -> void:
 
 
 func time_limit() -> float:
-	return 60.0
+	return 120.0
 
 
 func test_no_false_alarm_on_any_clip_and_layout() -> void:
@@ -25,29 +25,38 @@ func test_no_false_alarm_on_any_clip_and_layout() -> void:
 
 
 func test_exchanged_neighbours_and_sides_are_named() -> void:
+	# How many of the three clips must tell.
+	var goals: Dictionary[Vector2i, int] = {
+		Vector2i(5, 9): 3,
+		Vector2i(4, 5): 3,
+		Vector2i(8, 9): 3,
+		Vector2i(4, 8): 3,
+		Vector2i(6, 10): 3,
+		Vector2i(11, 12): 3,
+		Vector2i(14, 15): 3,
+		Vector2i(11, 14): 3,
+		Vector2i(12, 15): 3,
+		Vector2i(13, 16): 3,
+		Vector2i(12, 13): 1,
+		Vector2i(15, 16): 1,
+	}
 	for pose: int in 2:
-		for swap: Vector2i in [
-			Vector2i(5, 9),
-			Vector2i(4, 5),
-			Vector2i(8, 9),
-			Vector2i(4, 8),
-			Vector2i(11, 12),
-			Vector2i(14, 15),
-			Vector2i(6, 10)
-		]:
+		for swap: Vector2i in goals:
 			var told: PackedInt32Array = SensorMap.layout(15)
 			var worn: PackedInt32Array = told.duplicate()
 			worn[told.find(swap.x)] = swap.y
 			worn[told.find(swap.y)] = swap.x
-			var found: bool = false
-			var said: PackedStringArray = []
+			var found: int = 0
 			for clip: String in CLIPS:
 				var watch: WearWatch = _watch(clip, told, worn, pose as ResetPose.Kind)
-				found = found or watch.swaps.has(swap)
-				said.append_array(watch.messages())
+				found += 1 if watch.swaps.has(swap) else 0
+				var said: String = ", ".join(watch.messages())
 				for other: Vector2i in watch.swaps:
-					equal(other, swap, clip)
-			is_true(found, "%s in %d: %s" % [FitCheck.describe(swap), pose, ", ".join(said)])
+					equal(other, swap, "%s: %s" % [clip, said])
+			# Arms that hang and swing ahead do so on either side: after an N-pose only arms that
+			# go to the side tell.
+			var goal: int = mini(goals[swap], 1) if pose == 1 and swap.x < 11 else goals[swap]
+			is_true(found >= goal, "%s: %d clips" % [FitCheck.describe(swap), found])
 
 
 func test_a_sensor_that_turned_over_is_named() -> void:
