@@ -4,6 +4,7 @@ extends TestCase
 const CLIPS: PackedStringArray = ["01_01.bvh", "01_03.bvh", "Boxing_Toes.bvh"]
 
 var _random: RandomNumberGenerator = RandomNumberGenerator.new()
+var _faults: Dictionary[int, Quaternion] = {}
 
 
 func before_each() -> void:
@@ -22,6 +23,26 @@ func test_no_false_alarm_on_any_clip_and_layout() -> void:
 				var watch: WearWatch = _watch(clip, places, places, pose as ResetPose.Kind)
 				var parts: Array = [clip, count, ", ".join(watch.messages())]
 				equal(watch.messages().size(), 0, "%s, %d sensors: %s" % parts)
+
+
+func test_no_false_alarm_for_a_careless_wearer_with_noisy_drifting_sensors() -> void:
+	for clip: String in CLIPS:
+		for count: int in [17, 10]:
+			var places: PackedInt32Array = SensorMap.layout(count)
+			var feed: WornSensorFeed = WornSensorFeed.new()
+			feed.random = _random
+			feed.noise_deg = 0.7
+			for place: int in places:
+				feed.add_sensor(place, Quaternion(Vector3.UP, _random.randf_range(-3.0, 3.0)))
+				feed.drifts_deg.append(_random.randf_range(-0.3, 0.3))
+			_faults.clear()
+			for place: int in BodyPlaces.COUNT:
+				var axis: Vector3 = Vector3(_random.randfn(), _random.randfn(), _random.randfn())
+				_faults[place] = Quaternion(axis.normalized(), deg_to_rad(8.0))
+			var suit: SuitSource = _calibrated(feed, places, ResetPose.Kind.T)
+			_play(suit, feed, clip)
+			var parts: Array = [clip, count, ", ".join(suit.watch.messages())]
+			equal(suit.watch.messages().size(), 0, "%s, %d sensors: %s" % parts)
 
 
 func test_exchanged_neighbours_and_sides_are_named() -> void:
@@ -97,6 +118,7 @@ func _calibrated(
 		map.assign(sensors[at].id, p_told[at])
 	suit.set_map(map)
 	var motion: CalibrationMotion = CalibrationMotion.new()
+	motion.faults = _faults
 	motion.kind = CalibrationGuide.Kind.N_POSE if p_pose == 1 else CalibrationGuide.Kind.T_POSE
 	suit.process.options.facing = CalibrationOptions.Facing.NORTH
 	equal(suit.start_calibration(motion.kind, 0.0), "")
