@@ -3,9 +3,10 @@ extends RefCounted
 ## Notices from anybody's motion that sensors are exchanged or have slipped, because joints go
 ## where no joint goes; and names them.
 ##
-## It judges the last [constant WINDOW_S] seconds. What bends no joint
-## wrongly it cannot see: exchanges of whole arms or legs, of a hand with its forearm, of a foot
-## with its shank, or within the trunk. A fit check finds those ([FitCheck]).
+## It judges the last [constant WINDOW_S] seconds: where joints go ([JointRange]), and whether
+## knees and ankles are hinges ([LegSpread]). What bends no joint wrongly it cannot see: exchanges
+## of whole arms or legs, of a hand with its forearm, or within the trunk. A fit check finds those
+## ([FitCheck]).
 
 ## Something was noticed, or is over.
 signal changed
@@ -22,7 +23,7 @@ const SWAP_RAD: float = 0.2
 ## And it must leave less than this part, and less than this angle, rad.
 const EXPLAINS: float = 0.5
 const LEAVES_RAD: float = 0.5
-## Exchanges that are about as good as the best, rad: the one within an arm or leg is it then.
+## Exchanges that are about as good as the best, rad.
 const ABOUT_RAD: float = 0.05
 ## A joint that is beyond its range by so much in the mean is bad, rad.
 const SLIP_RAD: float = 0.35
@@ -64,6 +65,7 @@ var _last_usec: int = -1
 ## (NaN if it is not known), rad.
 var _rows: Array[PackedFloat32Array] = []
 var _since: int = 0
+var _legs: LegSpread = LegSpread.new(roundi(WINDOW_S * RATE_HZ))
 # The pose in which the sensors were calibrated.
 var _reset: ResetPose.Kind = ResetPose.Kind.T
 
@@ -71,6 +73,7 @@ var _reset: ResetPose.Kind = ResetPose.Kind.T
 ## Forgets what was seen.
 func clear() -> void:
 	_rows.clear()
+	_legs.clear()
 	_last_usec = -1
 	if not swaps.is_empty() or not slipped.is_empty():
 		swaps = []
@@ -104,6 +107,7 @@ func add(p_frame: SensorFrame, p_table: SuitTable) -> void:
 		if place >= 0 and p_frame.present[sensor] != 0:
 			pose[place] = p_table.rotation(sensor, p_frame.orientation(sensor))
 	_rows.append(_judge(pose))
+	_legs.add(pose)
 	if _rows.size() > WINDOW_S * RATE_HZ:
 		_rows.pop_front()
 	_since += 1
@@ -164,19 +168,12 @@ func _moved(p_rotation: Quaternion, p_from: int, p_to: int) -> Quaternion:
 
 
 func _conclude() -> void:
-	var now: float = _mean(0)
-	var best: float = now
-	var then: PackedFloat32Array = []
-	for at: int in PAIRS.size():
-		var left: float = _mean(1 + at)
-		then.append(INF if is_nan(left) else left)
-		best = minf(best, then[at])
 	var found: Array[Vector2i] = []
-	if now - best > SWAP_RAD and best < minf(now * EXPLAINS, LEAVES_RAD):
-		for at: int in PAIRS.size():
-			# The first ones are those within an arm or a leg.
-			if found.is_empty() and then[at] < best + ABOUT_RAD:
-				found.append(PAIRS[at])
+	var pair: Vector2i = _find_swap()
+	if pair == Vector2i.ZERO:
+		pair = _legs.find_swap()
+	if pair != Vector2i.ZERO:
+		found.append(pair)
 	var loose: PackedInt32Array = []
 	if found.is_empty():
 		loose = _find_slipped()
@@ -184,6 +181,28 @@ func _conclude() -> void:
 		swaps = found
 		slipped = loose
 		changed.emit()
+
+
+## The exchange that brings joints back into their ranges; zero if there is none.
+func _find_swap() -> Vector2i:
+	var now: float = _mean(0)
+	var best: float = now
+	var then: PackedFloat32Array = []
+	for at: int in PAIRS.size():
+		var left: float = _mean(1 + at)
+		then.append(INF if is_nan(left) else left)
+		best = minf(best, then[at])
+	if now - best < SWAP_RAD or best > minf(now * EXPLAINS, LEAVES_RAD):
+		return Vector2i.ZERO
+	var found: Vector2i = Vector2i.ZERO
+	for at: int in PAIRS.size():
+		if then[at] > best + ABOUT_RAD:
+			continue
+		# The first ones are those within an arm or a leg; but hinges tell legs apart better.
+		var legs: float = _legs.total_deg(PAIRS[at])
+		if found == Vector2i.ZERO or legs < _legs.total_deg(found) - 1.0:
+			found = PAIRS[at]
+	return found
 
 
 ## The fewest places that explain all bad joints: those whose every joint is bad, first those with
