@@ -217,6 +217,9 @@ void XbusDevice::_go_to_measurement(Usec p_now, bool p_is_asked) {
 	_measuring_since = p_now + 200;
 	_sample_number = 0;
 	_log_state(p_now, "state measurement");
+	if (_on_measuring) {
+		_on_measuring(p_now);
+	}
 }
 
 bool XbusDevice::is_overflowing() const {

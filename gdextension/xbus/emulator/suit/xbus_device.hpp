@@ -57,6 +57,8 @@ public:
 	uint32_t device_id() const { return _device_id; }
 	uint64_t samples() const { return _samples; }
 	void set_log(Log p_log) { _log = std::move(p_log); }
+	/// Called whenever it begins to measure.
+	void set_on_measuring(std::function<void(Usec)> p_call) { _on_measuring = std::move(p_call); }
 	void set_baud(uint32_t p_baud) { _baud = _next_baud = p_baud; }
 	/// The counter of the first sample, to see it go round.
 	void set_first_counter(uint16_t p_counter) { _counter = p_counter; }
@@ -123,6 +125,7 @@ private:
 
 	xbus::Framer _framer;
 	Log _log;
+	std::function<void(Usec)> _on_measuring;
 	State _state = State::OFF;
 	uint32_t _baud = 460800;
 	uint32_t _next_baud = 460800;
