@@ -51,6 +51,7 @@ func describe(p_world: WorldDescription) -> void:
 		if not _actors.has(actor):
 			var node: Ragdoll = person_scene.instantiate()
 			node.visible = false
+			node.fit_to(p_world.skeletons.get(actor))
 			_people.add_child(node)
 			_actors[actor] = ActorView.new(node)
 
