@@ -178,6 +178,9 @@ func _fit_profile() -> void:
 		limbs.append(fitted)
 	profile.limbs = limbs
 	_share_mass(profile)
+	for i: int in limbs.size():
+		var needed: float = _load(profile, i) / _load(_ragdoll.profile, i)
+		limbs[i].max_torque *= maxf(_scale.height ** 3, needed)
 	_ragdoll.profile = profile
 	# What bears and lifts the body bears another weight.
 	var weight: float = _scale.height ** 2
@@ -200,7 +203,20 @@ func _fit_limb(p_limb: RagdollLimb) -> void:
 		p_limb.contact_radius *= thin
 	else:
 		p_limb.contact_radius *= factors[(p_limb.size / factors).min_axis_index()]
-	p_limb.max_torque *= _scale.height ** 3
+
+
+## The torque that holds a limb and all that hangs on it out level, over the gravity, kg m.
+static func _load(p_profile: RagdollProfile, p_limb: int) -> float:
+	var sum: float = 0.0
+	var joint: Vector3 = p_profile.limbs[p_limb].anchor
+	for i: int in p_profile.limbs.size():
+		var above: int = i
+		while above >= 0 and above != p_limb:
+			above = p_profile.get_parent_index(above)
+		if above == p_limb:
+			var limb: RagdollLimb = p_profile.limbs[i]
+			sum += p_profile.mass * limb.mass_fraction * limb.position.distance_to(joint)
+	return sum
 
 
 ## Masses go with the limbs' volumes, their sum with the square of the height.
