@@ -131,9 +131,11 @@ func _known(p_lengths: PackedFloat32Array, p_own: PackedFloat32Array) -> PackedF
 func _limit(r_told: PackedFloat32Array, p_name: String) -> void:
 	var limited: PackedStringArray = []
 	for limb: int in Limbs.COUNT:
-		if r_told[limb] > 0.0 and (r_told[limb] < LEAST or r_told[limb] > MOST):
+		if r_told[limb] == 0.0:
+			continue
+		if r_told[limb] < LEAST - TOLERANCE or r_told[limb] > MOST + TOLERANCE:
 			limited.append("%s %.2f" % [Limbs.BONES[limb], r_told[limb]])
-			r_told[limb] = clampf(r_told[limb], LEAST, MOST)
+		r_told[limb] = clampf(r_told[limb], LEAST, MOST)
 	if not limited.is_empty():
 		var text: String = "%s: limbs may be %.1f to %.1f times as long as the body's own, found %s"
 		var parts: Array = [p_name, LEAST, MOST, ", ".join(limited)]

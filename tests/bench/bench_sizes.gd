@@ -22,9 +22,7 @@ var _report: BenchReport = null
 
 
 func _initialize() -> void:
-	_arguments = BenchArguments.parse(
-		OS.get_cmdline_user_args(), {"bvh": "", "seconds": 0.0}
-	)
+	_arguments = BenchArguments.parse(OS.get_cmdline_user_args(), {"bvh": "", "seconds": 0.0})
 	_run.call_deferred()
 
 
