@@ -52,8 +52,8 @@ func hips() -> Vector3:
 	return _skeleton.global_transform * _skeleton.get_bone_global_pose(bone).origin
 
 
-## Says where the person can be seen: the engine would take the box of the rest pose at the node, and
-## leave out who is elsewhere.
+## Says where the person can be seen: the engine would take the box of the rest pose at the node,
+## and leave out who is elsewhere.
 func _bound() -> void:
 	for mesh: MeshInstance3D in _meshes:
 		var middle: Vector3 = mesh.global_transform.affine_inverse() * hips()

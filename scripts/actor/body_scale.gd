@@ -3,10 +3,10 @@ class_name BodyScale
 extends RefCounted
 ## By how much each limb of a [Ragdoll] is longer than in its scene, so that it has a person's size.
 ##
-## A limb's length goes from its joint to where [constant Limbs.TAILS] has its end: that of a hand to
-## the knuckle of the middle finger, that of a foot from the ankle to the ball, that of the head from
-## its joint to the crown. The trunk (hips, spine, chest) is scaled as a whole by the sum of what is
-## told of it: skeletons do not agree on where in the back its joints are.
+## A limb's length goes from its joint to where [constant Limbs.TAILS] has its end: that of a hand
+## to the knuckle of the middle finger, that of a foot from the ankle to the ball, that of the head
+## from its joint to the crown. The trunk (hips, spine, chest) is scaled as a whole by the sum of
+## what is told of it: skeletons do not agree on where in the back its joints are.
 
 ## A limb gets at least and at most so many times as long.
 const LEAST: float = 0.5

@@ -105,11 +105,11 @@ func make_bodies() -> void:
 		former.free()
 
 
-## Gives the body the size of a person, once and before [method start]: the lengths of the limbs, m,
-## in the order of [constant Limbs.BONES], 0 where one is not known, and the height of the hips when
-## standing, m, 0 where it is not known. What is not known follows from the rest; where no length is,
-## the body stays as it is. See [BodyScale] for what the lengths mean. Returns whether it has
-## changed.
+## Gives the body the size of a person, once and before [method start]: the lengths of the limbs,
+## m, in the order of [constant Limbs.BONES], 0 where one is not known, and the height of the hips
+## when standing, m, 0 where it is not known. What is not known follows from the rest; where no
+## length is, the body stays as it is. See [BodyScale] for what the lengths mean. Returns whether it
+## has changed.
 func fit(p_lengths: PackedFloat32Array, p_hip_height: float = 0.0) -> bool:
 	return _can_fit() and _fit(BodyScale.of_lengths(self, p_lengths, p_hip_height))
 

@@ -1,6 +1,6 @@
 class_name ServerActors
 extends Node3D
-## The people on the server: a ragdoll for each, driven by the samples that a trainee's client sends.
+## The people on the server: a ragdoll for each, driven by the samples that a client sends.
 
 ## Somebody came or went.
 signal changed

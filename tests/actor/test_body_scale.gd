@@ -1,6 +1,7 @@
 extends TestCase
 ## The soldier's body in the sizes of other people: skeleton, bodies, skin.
 
+const FigureSamples: GDScript = preload("figure_samples.gd")
 const SOLDIER: PackedScene = preload("res://scenes/actor/soldier.tscn")
 const ROUNDS: int = 12
 
@@ -143,10 +144,10 @@ func test_a_client_makes_the_same_body_of_the_joints() -> void:
 		is_true(shown.fit_to(joints))
 		var got: PersonSkeleton = shown.get_joints()
 		for limb: int in Limbs.COUNT:
-			almost_equal(got.joints_in_limb[limb], joints.joints_in_limb[limb], 1e-3)
+			almost_equal(got.joints_in_limb[limb], joints.joints_in_limb[limb], 1e-4)
 			if limb > 0:
-				almost_equal(got.joints_in_parent[limb], joints.joints_in_parent[limb], 1e-3)
-		almost_equal(shown.get_hip_height(), _person.get_hip_height(), 2e-3)
+				almost_equal(got.joints_in_parent[limb], joints.joints_in_parent[limb], 1e-4)
+		almost_equal(shown.get_hip_height(), _person.get_hip_height(), 1e-4)
 		shown.free()
 
 
@@ -170,6 +171,31 @@ func test_the_skin_follows() -> void:
 			var former: float = _farthest(_soldier.profile.find(Limbs.BONES[limb]), before[limb])
 			var now: float = _farthest(shape, skin[limb])
 			is_true(now < 2.0 * former + 0.01, "%s %f m off" % [Limbs.BONES[limb], now])
+
+
+func test_characters_of_any_kind_can_be_fitted() -> void:
+	for unit: float in [1.0, 0.01]:
+		for axes: int in 3:
+			var kind: FigureSamples.Kind = FigureSamples.Kind.new()
+			kind.unit = unit
+			kind.axes = axes
+			kind.is_z_up = axes == 1
+			if _person != null:
+				_person.free()
+			_person = FigureSamples.make(kind)
+			_person.make_bodies()
+			var told: PackedFloat32Array = BodyScale.own_lengths(_person)
+			for limb: int in Limbs.COUNT:
+				told[limb] *= 0.9 if limb <= 3 else 0.8 if limb < 10 else 1.2
+			is_true(_person.fit(told))
+			equal(_person.profile.find_fault(), "")
+			var got: PackedFloat32Array = BodyScale.own_lengths(_person)
+			for limb: int in Limbs.COUNT:
+				almost_equal(got[limb], told[limb], 0.001, Limbs.BONES[limb])
+			var skin: Array[PackedVector3Array] = _skin(_person)
+			for limb: RagdollLimb in _person.profile.limbs:
+				var off: float = _farthest(limb, skin[Limbs.find(limb.bone)])
+				is_true(off < 0.1, "the skin of %s is %f m off" % [limb.bone, off])
 
 
 func test_scenes_of_other_people_stay_as_they_are() -> void:

@@ -85,7 +85,7 @@ func test_people_are_shown_in_their_size() -> void:
 		_show([ADA], [0])
 		await process_frames(2)
 		equal(people.get_child_count(), 1)
-		almost_equal(_scene.hips_of(ADA), small.get_hip_height(), 0.002)
+		almost_equal(_scene.hips_of(ADA), small.get_hip_height(), 1e-4)
 		_check_shown(people.get_child(0), lengths)
 		small.free()
 	world.skeletons[ADA] = usual
