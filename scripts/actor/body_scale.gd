@@ -139,7 +139,7 @@ func _limit(r_told: PackedFloat32Array, p_name: String) -> void:
 	if not limited.is_empty():
 		var text: String = "%s: limbs may be %.1f to %.1f times as long as the body's own, found %s"
 		var parts: Array = [p_name, LEAST, MOST, ", ".join(limited)]
-		Log.limited("actor", "size of " + p_name, text % parts)
+		Log.limited("actor", "size", text % parts)
 
 
 ## The mean factor of trunk, arms and legs, by their lengths; 1 where none is known.
