@@ -23,17 +23,18 @@ CALIBRATION_S = 60.0
 class SuitSession:
     """The processes of one session; they end with it. Calibrations are kept in its folder."""
 
-    def __init__(self, folder: Path, port: int) -> None:
+    def __init__(self, folder: Path, port: int, root: str = "inertial") -> None:
         require_port(port)
         self._folder = folder
         self._port = port
+        self._root = root
         self._group = Group(folder, {"XDG_DATA_HOME": str(folder / "data")})
         self._pipes: dict[str, int] = {}
 
     def __enter__(self) -> SuitSession:
         self._group.__enter__()
         command = [str(SERVER_BINARY), "--headless", "--", "--role=server", f"--port={self._port}"]
-        self._group.start("server", [*command, "--root=inertial"])
+        self._group.start("server", [*command, f"--root={self._root}"])
         self._group.await_text("server", "listening on UDP port", 30)
         return self
 
