@@ -205,9 +205,12 @@ func _table_to_show(p_table: SuitTable) -> SuitTable:
 	return _trial
 
 
-## The profile; who has no map yet gets the usual one for these sensors.
+## The profile; who has no map yet, or one of other sensors, gets the usual one for these.
 func _profile_for(p_sensors: Array[SensorInfo]) -> PersonProfile:
-	if not _profile.map.places.is_empty() or p_sensors.is_empty():
+	var knows: bool = p_sensors.is_empty()
+	for sensor: SensorInfo in p_sensors:
+		knows = knows or _profile.map.places.has(sensor.id)
+	if knows:
 		return _profile
 	var found: PersonProfile = _copy(_profile)
 	found.map = SensorMap.guess(p_sensors)

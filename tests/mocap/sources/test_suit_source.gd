@@ -152,6 +152,17 @@ func test_sampled_by_a_thread_while_shown_by_another() -> void:
 		is_true(delivered[at].time_usec > delivered[at - 1].time_usec)
 
 
+func test_another_suit_than_last_time() -> void:
+	var profile: PersonProfile = PersonProfile.new()
+	profile.map.assign("00999999", BodyPlaces.PELVIS)
+	_suit.set_profile(profile)
+	_go(0.1)
+	equal(_suit.get_profile().map.places.size(), 17)
+	_calibrate()
+	_go(0.1)
+	not_null(_suit.newest_pose)
+
+
 func test_who_wears_it() -> void:
 	_calibrate()
 	var profile: PersonProfile = PersonProfile.new()
