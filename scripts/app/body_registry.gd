@@ -41,7 +41,8 @@ func describe(p_people: Array[ServerActors.Person]) -> WorldDescription:
 		var shapes: Array = _describe_shapes(_fixed[i], _fixed[i].global_transform)
 		world.add(FIRST_FIXED + i, WorldDescription.FIXED, _fixed[i].name, shapes)
 	for person: ServerActors.Person in p_people:
-		world.add_person(person.id, person.session, person.name, person.ragdoll.get_joints())
+		var joints: PersonSkeleton = person.ragdoll.get_joints()
+		world.add_person(person.id, person.session, person.name, joints, person.card.index)
 		var first: int = FIRST_PERSON + person.id % MOST_PEOPLE * PER_PERSON
 		for slot: int in Limbs.COUNT:
 			var limb: StringName = Limbs.BONES[slot]

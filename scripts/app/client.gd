@@ -18,14 +18,13 @@ const _EXIT_NO_SERVER: int = 4
 
 @export var _scene: ClientScene
 @export var _hud: Hud
+@export var _mocap: MocapDesk
 
 var _role: String = ""
 var _options: Options = null
 var _link: ClientLink = ClientLink.new()
 var _player: SnapshotPlayer = null
 var _recorder: SnapshotRecorder = null
-var _motion: ClientMotion = null
-var _own: int = -1
 var _told_s: float = 0.0
 var _was_joined: bool = false
 var _report: ReportFile = null
@@ -56,7 +55,7 @@ func _ready() -> void:
 	var fault: String = _scene.apply(_options.text("views"), _options.text("camera"))
 	_apply_choices()
 	if fault == "" and _role == "trainee":
-		fault = _open_source()
+		fault = _mocap.open(_options, _link)
 	if fault != "":
 		_quit(_EXIT_OPTIONS, fault)
 		return
@@ -85,6 +84,9 @@ func _process(p_delta: float) -> void:
 	if _role == "replay":
 		_player.advance(_clock_s)
 	else:
+		if _mocap.people != null:
+			_mocap.advance(_clock_s)
+			_hud.show_guide(_mocap.guide(_clock_s))
 		_link.poll()
 		_acknowledge()
 		_keep_trying()
@@ -94,8 +96,7 @@ func _process(p_delta: float) -> void:
 
 
 func _exit_tree() -> void:
-	if _motion != null:
-		_motion.stop()
+	_mocap.close()
 	if _report != null:
 		_report.write(_make_report())
 	if _recorder != null:
@@ -108,20 +109,6 @@ func _apply_choices() -> void:
 	_scene.replica.wants_marks = _options.file("latency-csv") != ""
 	_scene.replica.set_smoothing(SmoothingMethods.find(_options.text("smoothing")))
 	_stop.watch()
-
-
-func _open_source() -> String:
-	var source: BvhSource = BvhSource.new()
-	var path: String = _options.file("bvh")
-	if path == "":
-		return "a trainee needs a motion source: --bvh=FILE"
-	source.open(path, _options.text("unit"), _options.text("up"))
-	if source.error == "":
-		_motion = ClientMotion.new()
-		var codec: PoseCodec.Coding = PosePacket.CODECS[_options.text("codec")]
-		_motion.start(source, _options.number("rate"), _link, codec)
-		Log.info("mocap", source.describe())
-	return source.error
 
 
 func _open_player() -> String:
@@ -138,8 +125,6 @@ func _open_link() -> String:
 	_greeting.name = _options.text("name") if _options.text("name") != "" else _role
 	_greeting.rate = _options.number("snapshot-rate")
 	_greeting.version = _options.number("protocol")
-	if _motion != null:
-		_greeting.hip_height = _motion.source.get_hip_height()
 	_orders = InstructorOrders.new(_options.text("orders"))
 	if _orders.error != "":
 		return _orders.error
@@ -152,6 +137,7 @@ func _open_link() -> String:
 	_link.waiting.connect(_on_waiting)
 	_link.snapshot_received.connect(_on_datagram)
 	_link.world_received.connect(_on_world)
+	_link.calibration_asked.connect(_on_calibration_asked)
 	_alone_since_s = Time.get_ticks_usec() / 1e6
 	_connect()
 	return ""
@@ -198,19 +184,16 @@ func _acknowledge() -> void:
 
 
 func _show_world() -> void:
-	var own: PackedFloat32Array = []
+	var own: Dictionary[int, PackedFloat32Array] = {}
 	var now: int = Time.get_ticks_usec()
-	if _motion != null and _link.is_joined():
-		_motion.keep_in_step()
-		var truth: PackedFloat32Array = []
-		if _own >= 0 and _scene.replica.has_person(_own):
-			truth = _scene.replica.person_floats(_own, true)
-		own = _motion.show(now, truth, _scene.replica.newest_tick)
+	var people: ClientPeople = _mocap.people
+	if people != null and _link.is_joined():
+		own = people.show(now, _scene.replica)
 	if _options.text("feedback") == "server":
-		own = []
-	elif not own.is_empty():
-		_figures.own_shown(_motion.shown_moment_usec(now))
-	_scene.update(_clock_s, _own, own)
+		own.clear()
+	elif people != null and own.has(people.first_actor):
+		_figures.own_shown(people.shown_moment_usec(now))
+	_scene.update(_clock_s, own)
 	var headless: bool = DisplayServer.get_name() == "headless"
 	_figures.smoothing_delay_s = _scene.replica.delay()
 	if FramePacer.is_free():
@@ -226,9 +209,8 @@ func _on_joined() -> void:
 	_scene.clear()
 	if _recorder != null:
 		_recorder.begin()
-	if _motion != null:
-		_own = -1
-		_motion.set_sending(true)
+	if _mocap.people != null:
+		_mocap.people.begin()
 
 
 func _on_lost(p_why: String) -> void:
@@ -260,8 +242,8 @@ func _on_datagram(p_bytes: PackedByteArray, p_arrival_usec: int) -> void:
 	if mark != null and _link.clock.is_known():
 		mark.arrival_usec = _link.clock.server_usec(p_arrival_usec)
 		_figures.probe.arrived(mark)
-		if _motion != null and mark.person == _own:
-			_motion.note_trip(mark)
+		if _mocap.people != null:
+			_mocap.people.note_trip(mark)
 	if _recorder != null:
 		_recorder.add(p_bytes)
 
@@ -273,12 +255,15 @@ func _take_snapshot(p_bytes: PackedByteArray, p_arrival_s: float) -> void:
 
 func _on_world(p_world: WorldDescription, p_bytes: PackedByteArray) -> void:
 	_scene.describe(p_world)
-	var own: int = _scene.person_of(_link.session) if _motion != null else -1
-	if own >= 0 and own != _own and p_world.skeletons[own].is_sound():
-		_own = own
-		_motion.embody(p_world.skeletons[_own], _scene.hips_of(_own), _options.number("rate"))
+	if _mocap.people != null:
+		_mocap.people.embody(p_world, _scene)
 	if _recorder != null:
 		_recorder.add(p_bytes)
+
+
+func _on_calibration_asked(p_index: int, p_kind: int) -> void:
+	if _mocap.people != null:
+		_mocap.calibrate(p_index, p_kind, _clock_s)
 
 
 func _on_frame_drawn() -> void:

@@ -1,6 +1,6 @@
 class_name ClientMotion
 extends RefCounted
-## A trainee's motion: sampled in a thread of its own, sent at once, and shown at once as the own
+## The motion of one of a trainee's people: sampled in a thread of its own, sent at once, and shown at once as the own
 ## body (thesis sections 7.4.2 and 7.5).
 
 ## Samples shall reach the server so long before a tick begins, µs: later ones wait for the next. On
@@ -12,7 +12,14 @@ const _TRIPS: int = 40
 
 ## Where the motion comes from.
 var source: MotionSource = null
+## What the server is told of the wearer.
+var card: PersonCard = PersonCard.new()
+## The person in the server's world, or -1.
+var actor: int = -1
+## The newest sample that [method take_samples] saw, or null.
+var newest: PoseSample = null
 
+var _index: int = 0
 var _link: ClientLink = null
 var _codec: PoseCodec.Coding = PoseCodec.SMALLEST_3
 var _sampler: MotionSampler = MotionSampler.new()
@@ -27,11 +34,20 @@ var _server_ahead_usec: int = 0
 var _knows_server: bool = false
 
 
-## Begins to sample, so many times a second. Samples go out while [method set_sending] says so.
+## Begins to sample, so many times a second. Samples go out while [method set_sending] says so;
+## [param p_index] tells the people of a client apart.
 func start(
-	p_source: MotionSource, p_rate: float, p_link: ClientLink, p_codec: PoseCodec.Coding
+	p_source: MotionSource,
+	p_rate: float,
+	p_link: ClientLink,
+	p_codec: PoseCodec.Coding,
+	p_index: int = 0
 ) -> void:
 	source = p_source
+	card.index = p_index
+	card.hip_height = p_source.get_hip_height()
+	card.lengths = p_source.get_limb_lengths()
+	_index = p_index
 	_link = p_link
 	_codec = p_codec
 	_sampler.start(p_source, p_rate, _send)
@@ -50,13 +66,20 @@ func set_sending(p_sends: bool) -> void:
 	_mutex.unlock()
 
 
-## Takes over the own body's skeleton and size, m from the ground to the hips.
-func embody(p_joints: PersonSkeleton, p_hips: float, p_rate: float) -> void:
+## Takes over the own body's number, skeleton and size, m from the ground to the hips.
+func embody(p_actor: int, p_joints: PersonSkeleton, p_hips: float, p_rate: float) -> void:
+	actor = p_actor
 	_body.setup(p_joints, p_hips / source.get_hip_height(), p_rate)
 	_body.clear()
 	_has_body = true
 	_truth_tick = -1
 	_trips.clear()
+
+
+## Forgets the body: the server will tell of another.
+func disembody() -> void:
+	actor = -1
+	_has_body = false
 
 
 ## Notes how long a sample took to the server, from a mark about the own person.
@@ -81,12 +104,17 @@ func keep_in_step() -> void:
 		_sampler.set_phase(due + _unix_ahead())
 
 
+## Takes what was sampled since the last call. Call it in every frame.
+func take_samples() -> void:
+	for sample: PoseSample in _sampler.take_samples():
+		newest = sample
+		if _has_body:
+			_body.add_sample(sample)
+
+
 ## The own body at a local time, µs: seven floats a limb. Given what the server has of it, and at
 ## which tick. Empty while that is not known.
 func show(p_now_usec: int, p_truth: PackedFloat32Array, p_tick: int) -> PackedFloat32Array:
-	for sample: PoseSample in _sampler.take_samples():
-		if _has_body:
-			_body.add_sample(sample)
 	if not _has_body or p_truth.is_empty():
 		return PackedFloat32Array()
 	if p_tick != _truth_tick and _link.clock.is_known() and not _trips.is_empty():
@@ -118,6 +146,7 @@ func _send(p_sample: PoseSample) -> void:
 	var ahead: int = _server_ahead_usec
 	var knows: bool = _knows_server
 	_mutex.unlock()
+	p_sample.person = _index
 	if sends:
 		var now: int = Time.get_ticks_usec()
 		p_sample.held_usec = maxi(now + _unix_ahead() - p_sample.time_usec, 0)

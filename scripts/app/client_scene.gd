@@ -60,16 +60,16 @@ func clear() -> void:
 	replica.clear()
 
 
-## Puts everything where it is at a local time, s. A person's own body is where these floats have
-## it, if there are any: see [method WorldReplica.person_floats].
-func update(p_now_s: float, p_own: int = -1, p_own_floats: PackedFloat32Array = []) -> void:
+## Puts everything where it is at a local time, s. The bodies of the client's own people are where
+## these floats have them, by person: see [method WorldReplica.person_floats].
+func update(p_now_s: float, p_own: Dictionary[int, PackedFloat32Array] = {}) -> void:
 	if replica.world == null or replica.newest_tick < 0:
 		return
 	replica.show(p_now_s)
 	for actor: int in _actors:
 		if replica.has_person(actor):
-			var is_own: bool = actor == p_own and not p_own_floats.is_empty()
-			_show_person(actor, p_own_floats if is_own else replica.person_floats(actor))
+			var own: PackedFloat32Array = p_own.get(actor, PackedFloat32Array())
+			_show_person(actor, own if not own.is_empty() else replica.person_floats(actor))
 	for id: int in _props:
 		if replica.has_body(id):
 			_props[id].global_transform = replica.body_transform(id)
@@ -78,11 +78,12 @@ func update(p_now_s: float, p_own: int = -1, p_own_floats: PackedFloat32Array = 
 	_aim()
 
 
-## The person of a session, or -1.
-func person_of(p_session: int) -> int:
-	if replica.world != null:
-		for actor: int in replica.world.owners:
-			if replica.world.owners[actor] == p_session:
+## One of the people of a session, or -1.
+func person_of(p_session: int, p_place: int = 0) -> int:
+	var world: WorldDescription = replica.world
+	if world != null:
+		for actor: int in world.owners:
+			if world.owners[actor] == p_session and world.places[actor] == p_place:
 				return actor
 	return -1
 

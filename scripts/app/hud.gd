@@ -5,19 +5,26 @@ extends CanvasLayer
 @export var _status: Label
 @export var _keys: Label
 @export var _message: Label
+@export var _guide: Label
 @export var _latency: LatencyPanel
 
 
 ## Shows the figures and the worlds.
 func show_status(p_status: String, p_views: String) -> void:
 	_status.text = p_status
-	_keys.text = p_views + "   L delays   drag and wheel: camera"
+	_keys.text = p_views + "   L delays   M motion capture   drag and wheel: camera"
 
 
 ## Shows a message in the middle, or none if the text is empty.
 func show_message(p_text: String) -> void:
 	_message.text = p_text
 	_message.visible = p_text != ""
+
+
+## Tells the wearer what to do or what is wrong with the suit, above the middle; nothing if empty.
+func show_guide(p_text: String) -> void:
+	_guide.text = p_text
+	_guide.visible = p_text != ""
 
 
 ## Says which delays the panel shows that a key opens.

@@ -9,7 +9,13 @@ const TABLE: Array[Array] = [
 	["host", "127.0.0.1", "address of the server to join"],
 	["port", Protocol.DEFAULT_PORT, "UDP port of the server"],
 	["name", "", "your name, shown to the others"],
-	["bvh", "", "trainee: motion file to be played in a loop"],
+	["bvh", "", "trainee: motion files (a,b: several people) to be played in a loop"],
+	["xbus", 0, "trainee: 1: motion from the suit on this machine's USB ports"],
+	["suit-rate", 100, "trainee: samples per second of the suit, 10 to 512"],
+	["mvn", 0, "trainee: UDP port for MVN's network stream (usually 9763); 0 does without"],
+	["person", "", "trainee: who wears the suit: whose size and calibration are taken and kept"],
+	["calibrate", "", "trainee: calibrate at the start: t_pose, n_pose, t_to_n, full or quick"],
+	["panel", 0, "trainee: 1: the panel with devices and sensors is open at the start (key M)"],
 	["unit", "", "trainee: unit of the motion file: m, cm, mm, inch, cmu or metres per unit"],
 	["up", "", "trainee: up axis of the motion file: y or z"],
 	["rate", 60, "trainee: samples per second"],
@@ -54,6 +60,11 @@ const TABLE: Array[Array] = [
 	["protocol", Protocol.VERSION, "client: protocol version to claim (for tests)"],
 ]
 
+## What options mean that are given without a value.
+const BARE: Dictionary[String, String] = {
+	"xbus": "1", "panel": "1", "mvn": "9763", "dtls": "1", "waiting-room": "1"
+}
+
 ## What is wrong with the arguments, or an empty text.
 var error: String = ""
 
@@ -71,6 +82,8 @@ static func parse(p_arguments: PackedStringArray) -> Options:
 			options._set_option(row[0], OS.get_environment(variable), variable)
 	for argument: String in p_arguments:
 		var parts: PackedStringArray = argument.trim_prefix("--").split("=", true, 1)
+		if parts.size() == 1 and BARE.has(parts[0]):
+			parts.append(BARE[parts[0]])
 		if not argument.begins_with("--") or parts.size() != 2:
 			options._refuse("'%s' is not of the form --name=value" % argument)
 		else:
@@ -95,10 +108,25 @@ func text(p_name: String) -> String:
 ## The value of an option that names a file, as a full path: a relative one counts from where the
 ## program was started, not from where it lies. Empty if there is none.
 func file(p_name: String) -> String:
-	var path: String = _values[p_name]
-	if path == "" or not path.is_relative_path() or path.contains("://"):
-		return path
-	return OS.get_environment("PWD").path_join(path)
+	return full_path(_values[p_name])
+
+
+## The values of an option that names files with commas between; a file whose own name has commas is
+## one file.
+func files(p_name: String) -> PackedStringArray:
+	var paths: PackedStringArray = []
+	if FileAccess.file_exists(file(p_name)):
+		return [file(p_name)]
+	for part: String in text(p_name).split(",", false):
+		paths.append(full_path(part))
+	return paths
+
+
+## A path as a full one, see [method file].
+static func full_path(p_path: String) -> String:
+	if p_path == "" or not p_path.is_relative_path() or p_path.contains("://"):
+		return p_path
+	return OS.get_environment("PWD").path_join(p_path)
 
 
 ## The value of a whole-number option.
@@ -148,6 +176,11 @@ func _set_option(p_name: String, p_value: String, p_source: String) -> void:
 	if error_asked < least or error_asked > WorldDescription.MOST_ERROR_DEG:
 		_refuse("--pose-error is %s to 5 degrees, found %s" % [least, error_asked])
 	_check_choice("feedback", ["local", "server"])
+	if number("suit-rate") < 10 or number("suit-rate") > 512:
+		_refuse("--suit-rate is between 10 and 512, found %d" % number("suit-rate"))
+	if number("mvn") > 65535:
+		_refuse("--mvn is a UDP port, found %d" % number("mvn"))
+	_check_choice("calibrate", [""] + ClientCalibration.KINDS.keys())
 	_check_choice("codec", PosePacket.CODECS.keys())
 	_check_choice("smoothing", [""] + SmoothingMethods.BY_NAME.keys())
 	if number("fps") > 1000:

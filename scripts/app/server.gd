@@ -35,6 +35,7 @@ var _stop: StopSignal = StopSignal.new()
 var _tick: int = 0
 var _sent_tick: int = 0
 var _network_usec: int = 0
+var _names: Dictionary[int, String] = {}
 
 
 ## Takes over the options. Call it before the node enters the tree.
@@ -65,6 +66,7 @@ func _ready() -> void:
 	_link.client_returned.connect(_on_returned)
 	_link.client_lost.connect(_sending.remove_client)
 	_link.client_left.connect(_on_left)
+	_link.people_declared.connect(_on_people)
 	_link.pose_received.connect(_on_pose)
 	_stop.watch()
 	_open_status(port)
@@ -177,10 +179,8 @@ func _tell_speed() -> void:
 
 func _on_joined(p_session: int, p_hello: Dictionary) -> void:
 	_sending.add_client(p_session, p_hello["rate"])
-	if p_hello["role"] == Protocol.Role.TRAINEE:
-		_actors.add(p_session, p_hello["name"], p_hello["hip_height"])
-	else:
-		_sending.announce()
+	_names[p_session] = p_hello["name"]
+	_sending.announce()
 
 
 func _on_returned(p_session: int) -> void:
@@ -190,7 +190,12 @@ func _on_returned(p_session: int) -> void:
 
 func _on_left(p_session: int) -> void:
 	_sending.remove_client(p_session)
+	_names.erase(p_session)
 	_actors.remove(p_session)
+
+
+func _on_people(p_session: int, p_people: Array[PersonCard]) -> void:
+	_actors.set_people(p_session, p_people, _names.get(p_session, ""))
 
 
 func _on_pose(p_session: int, p_sample: PoseSample, p_arrival_usec: int) -> void:

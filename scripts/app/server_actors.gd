@@ -1,6 +1,6 @@
 class_name ServerActors
 extends Node3D
-## The people on the server: a ragdoll for each trainee, driven by the trainee's samples.
+## The people on the server: a ragdoll for each, driven by the samples that a trainee's client sends.
 
 ## Somebody came or went.
 signal changed
@@ -31,11 +31,13 @@ var _gone: Array[Dictionary] = []
 var _next_id: int = 0
 
 
-## One trainee's body.
+## One person's body.
 class Person:
 	var id: int = 0
-	## Number of the trainee's session.
+	## Number of the session that sends its motion.
 	var session: int = 0
+	## What the client told of the wearer.
+	var card: PersonCard = PersonCard.new()
 	var name: String = ""
 	var ragdoll: Ragdoll = null
 	var clock: SampleClock = SampleClock.new()
@@ -52,35 +54,60 @@ class Person:
 	var delay: RecentStatistics = RecentStatistics.new()
 
 
-## Gives a trainee a body.
-func add(p_session: int, p_name: String, p_hip_height: float) -> void:
+## Gives a session the bodies of these people, and takes away those of whom it tells no more.
+## [param p_name] is for those who have no name.
+func set_people(p_session: int, p_cards: Array[PersonCard], p_name: String) -> void:
+	var wanted: Dictionary[int, bool] = {}
+	for card: PersonCard in p_cards:
+		wanted[card.index] = true
+		var person: Person = _people.get(_key(p_session, card.index))
+		if person != null and not person.card.is_same_body(card):
+			_remove(_key(p_session, card.index))
+			person = null
+		if person == null:
+			_add(p_session, card, p_name)
+			person = _people.get(_key(p_session, card.index))
+		if person != null:
+			person.card = card
+			person.name = card.name if card.name != "" else p_name
+	for index: int in PersonCard.MOST:
+		if not wanted.has(index):
+			_remove(_key(p_session, index))
+	changed.emit()
+
+
+func _add(p_session: int, p_card: PersonCard, p_name: String) -> void:
 	var person: Person = Person.new()
 	person.id = _free_id()
 	person.session = p_session
-	person.name = p_name
+	person.card = p_card
 	person.ragdoll = scene.instantiate()
 	person.ragdoll.name = "Person%d" % person.id
 	person.ragdoll.root_mode = root_mode
 	person.origin = _free_place()
 	_next_id = (person.id + 1) % _MOST_IDS
 	add_child(person.ragdoll)
-	person.scale = person.ragdoll.get_hip_height() / p_hip_height
+	person.scale = person.ragdoll.get_hip_height() / p_card.hip_height
 	if not person.ragdoll.get_limb_order().has(-1) and person.ragdoll.start():
-		_people[p_session] = person
+		_people[_key(p_session, p_card.index)] = person
 	else:
 		Log.error("server", "'%s' gets no body: the person's scene has a fault" % p_name)
 		person.ragdoll.queue_free()
-	changed.emit()
 
 
-## Takes a trainee's body away.
+## Takes all bodies of a session away.
 func remove(p_session: int) -> void:
-	if _people.has(p_session):
-		_gone.push_front(_figure(_people[p_session]))
-		_gone.resize(mini(_gone.size(), _REMEMBERED))
-		_people[p_session].ragdoll.queue_free()
-		_people.erase(p_session)
+	for index: int in PersonCard.MOST:
+		_remove(_key(p_session, index))
 	changed.emit()
+
+
+func _remove(p_key: int) -> void:
+	if _people.has(p_key):
+		_gone.push_front(_figure(_people[p_key]))
+		_gone.resize(mini(_gone.size(), _REMEMBERED))
+		_people[p_key].ragdoll.queue_free()
+		_people.erase(p_key)
 
 
 ## The people, in the order of their coming.
@@ -88,9 +115,9 @@ func list() -> Array[Person]:
 	return _people.values()
 
 
-## Takes a trainee's sample that arrived at a time, s.
+## Takes a sample that arrived from a session at a time, s.
 func push_sample(p_session: int, p_sample: PoseSample, p_now_s: float) -> void:
-	var person: Person = _people.get(p_session)
+	var person: Person = _people.get(_key(p_session, p_sample.person))
 	if person == null:
 		return
 	var sample_s: float = p_sample.time_usec / 1e6
@@ -105,7 +132,7 @@ func push_sample(p_session: int, p_sample: PoseSample, p_now_s: float) -> void:
 	if person.refused_in_a_row == _LATE:
 		# One now and then is the way's fault, which lets some overtake others.
 		var parts: Array = [person.name, _LATE]
-		Log.limited("server", "sample %d" % p_session, "'%s' sent %d old samples in a row" % parts)
+		Log.limited("server", "sample %d" % person.id, "'%s' sent %d old samples in a row" % parts)
 	if person.refused_in_a_row >= _NEW_CLOCK:
 		# Not some late datagrams, but a wearer whose clock was set back.
 		person.ragdoll.motor.clear_motion()
@@ -115,8 +142,7 @@ func push_sample(p_session: int, p_sample: PoseSample, p_now_s: float) -> void:
 func drive(p_now_s: float, p_delta_s: float) -> void:
 	var motors: Array[RagdollMotor] = []
 	var moments: PackedFloat64Array = []
-	for session: int in _people:
-		var person: Person = _people[session]
+	for person: Person in _people.values():
 		if person.newest != null:
 			var moment: float = person.clock.advance(p_now_s, p_delta_s)
 			motors.append(person.ragdoll.motor)
@@ -127,15 +153,15 @@ func drive(p_now_s: float, p_delta_s: float) -> void:
 
 ## Notes how well everybody followed, after a step.
 func measure() -> void:
-	for session: int in _people:
-		if _people[session].newest != null:
-			_people[session].ragdoll.motor.measure(_people[session].moment_s)
+	for person: Person in _people.values():
+		if person.newest != null:
+			person.ragdoll.motor.measure(person.moment_s)
 
 
 ## Tells an encoder which samples moved whom in a tick that ended at a time, µs.
 func mark(p_encoder: SnapshotEncoder, p_now_usec: int) -> void:
-	for session: int in _people:
-		var newest: PoseSample = _people[session].newest
+	for person: Person in _people.values():
+		var newest: PoseSample = person.newest
 		if newest == null or newest.sent_usec == 0:
 			continue
 		var steps: PackedInt32Array = [
@@ -143,15 +169,15 @@ func mark(p_encoder: SnapshotEncoder, p_now_usec: int) -> void:
 			clampi(newest.arrival_usec - newest.sent_usec, 0, _LONGEST_STEP_USEC),
 			clampi(p_now_usec - newest.arrival_usec, 0, _LONGEST_STEP_USEC),
 		]
-		_people[session].delay.add((steps[0] + steps[1] + steps[2]) / 1000.0)
-		p_encoder.set_mark(_people[session].id, newest.id, p_now_usec, steps)
+		person.delay.add((steps[0] + steps[1] + steps[2]) / 1000.0)
+		p_encoder.set_mark(person.id, newest.id, p_now_usec, steps)
 
 
 ## Figures of everybody for a report: who is there, then who left last.
 func figures() -> Array[Dictionary]:
 	var result: Array[Dictionary] = []
-	for session: int in _people:
-		result.append(_figure(_people[session]))
+	for person: Person in _people.values():
+		result.append(_figure(person))
 	return result + _gone
 
 
@@ -162,6 +188,10 @@ static func _figure(p_person: Person) -> Dictionary:
 	figure["sample_to_tick_ms_p50"] = p_person.delay.percentile(0.5)
 	figure["sample_to_tick_ms_p95"] = p_person.delay.percentile(0.95)
 	return figure
+
+
+static func _key(p_session: int, p_index: int) -> int:
+	return p_session * PersonCard.MOST + p_index
 
 
 ## A number that no one here has, not even as far as the numbers of the bodies tell people apart.

@@ -75,7 +75,8 @@ func announce() -> void:
 		if not _known.has(person.id):
 			_known[person.id] = true
 			BodyRegistry.watch_person(_encoder, person)
-		if _clients.has(person.session):
+		# Of several people of a client the first one's surroundings count most.
+		if _clients.has(person.session) and person.card.index == 0:
 			_clients[person.session] = person.id
 			_encoder.set_own_person(person.session, person.id)
 	for id: int in _known.keys():

@@ -6,6 +6,8 @@ extends RefCounted
 ## sample times the inverse of the reset pose), so that they suit a body of any build. Frame:
 ## Godot's, right-handed, Y up.
 
+## Which of its client's people it is of.
+var person: int = 0
 ## Number of the sample at its source; grows by one and wraps at 2^32.
 var id: int = 0
 ## When it was taken, microseconds of Unix time on the wearer's machine.

@@ -49,7 +49,6 @@ func _init(p_name: String, p_options: Options, p_agreement: LoadAgreement) -> vo
 ## Makes it a trainee who moves by a source.
 func wear(p_source: MotionSource) -> void:
 	_greeting.role = Protocol.Role.TRAINEE
-	_greeting.hip_height = p_source.get_hip_height()
 	_link.wait_ms = TRAINEE_WAIT_MS
 	_motion = ClientMotion.new()
 	var codec: PoseCodec.Coding = PosePacket.CODECS[_options.text("codec")]
@@ -146,6 +145,7 @@ func _on_joined() -> void:
 	replica.clear()
 	_newest.clear()
 	if _motion != null:
+		_link.declare_people([_motion.card] as Array[PersonCard])
 		_motion.set_sending(true)
 
 

@@ -61,6 +61,11 @@ func describe() -> String:
 	return "%s, %.1f s at %.0f Hz" % parts
 
 
+## How long a round takes, s.
+func get_period() -> float:
+	return maxf(_length() - BLEND_S, _length() * 0.5)
+
+
 func _read(p_time_usec: int) -> PoseSample:
 	if _begin_usec < 0:
 		_begin_usec = p_time_usec
@@ -70,7 +75,7 @@ func _read(p_time_usec: int) -> PoseSample:
 ## The pose after so many seconds of playing.
 func pose_at(p_time_s: float) -> PoseSample:
 	var length: float = _length()
-	var period: float = _period()
+	var period: float = get_period()
 	var time: float = fposmod(p_time_s, period)
 	# The last moments of a round pass into the first ones of the next.
 	var late: float = time + period
@@ -95,11 +100,6 @@ func _length() -> float:
 	return maxf(rig.clip.duration() - _skipped, 0.001)
 
 
-## How long a round takes, s.
-func _period() -> float:
-	return maxf(_length() - BLEND_S, _length() * 0.5)
-
-
 func _limb_rotation(p_limb: int, p_time_s: float) -> Quaternion:
 	return rig.limb_rotation(p_limb, p_time_s + _skipped)
 
@@ -122,10 +122,10 @@ func _find_skipped() -> float:
 ## each sample, a limb that has to turn by about half a circle would flip to the other way.
 func _find_seam() -> void:
 	_seam_signs.resize(Limbs.COUNT)
-	var middle: float = (_length() - _period()) / 2.0
+	var middle: float = (_length() - get_period()) / 2.0
 	for limb: int in Limbs.COUNT:
 		var beginning: Quaternion = _limb_rotation(limb, middle)
-		var same: float = beginning.dot(_limb_rotation(limb, _period() + middle))
+		var same: float = beginning.dot(_limb_rotation(limb, get_period() + middle))
 		_seam_signs[limb] = -1.0 if same < 0.0 else 1.0
 
 

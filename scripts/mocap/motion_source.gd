@@ -11,9 +11,9 @@ var error: String = ""
 var _next_id: int = 0
 
 
-## The pose at a moment (Unix time, µs), or null while there is none. A live source cannot tell the
-## pose at any moment: it gives its newest one, with the time at which that was measured, and null
-## if there is none newer than the last.
+## The pose at a moment (Unix time, µs), or null while there is none. A live source cannot tell what
+## is not measured yet: it gives the pose of a moment shortly before, with that time, and null if
+## there is nothing newer than it has told ([LivePoses]).
 func sample(p_time_usec: int) -> PoseSample:
 	var taken: PoseSample = _read(p_time_usec)
 	if taken != null:
@@ -27,6 +27,12 @@ func sample(p_time_usec: int) -> PoseSample:
 ## Height of the wearer's hips above the ground when standing, m.
 func get_hip_height() -> float:
 	return 0.95
+
+
+## Lengths of the wearer's limbs, m, by place in [constant Limbs.BONES], 0 where it is not known; empty
+## where none is.
+func get_limb_lengths() -> PackedFloat32Array:
+	return PackedFloat32Array()
 
 
 ## How big the wearer is.

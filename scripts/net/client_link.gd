@@ -16,6 +16,8 @@ signal refused(p_why: String)
 signal lost(p_why: String)
 ## A snapshot's datagram that arrived at [method Time.get_ticks_usec]. Not checked yet.
 signal snapshot_received(p_bytes: PackedByteArray, p_arrival_usec: int)
+## An instructor asks that one of our people be calibrated in a pose.
+signal calibration_asked(p_index: int, p_pose: int)
 ## Which bodies there are now. The bytes are those of the packet, for a recorder.
 signal world_received(p_world: WorldDescription, p_bytes: PackedByteArray)
 
@@ -144,6 +146,16 @@ func poll() -> void:
 		_end(_why if _why != "" and _state != State.JOINED else _loss())
 	elif _state == State.CONNECTING and _age_s() > PATIENCE_S:
 		_end("no server answers at %s" % _where)
+
+
+## Tells the server whose motion we send, if we are joined.
+func declare_people(p_people: Array[PersonCard]) -> void:
+	if _state == State.JOINED:
+		_api.send_bytes(
+			PeoplePacket.encode(p_people),
+			MultiplayerPeer.TARGET_PEER_SERVER,
+			MultiplayerPeer.TRANSFER_MODE_RELIABLE
+		)
 
 
 ## Sends a sample, if we are joined: the bytes of a [PosePacket]. It leaves at once.
@@ -291,14 +303,28 @@ func _on_packet(p_peer: int, p_bytes: PackedByteArray) -> void:
 				world_received.emit(world, whole)
 				return
 		Protocol.Message.CONTROL:
-			var reader: ByteReader = ByteReader.new(p_bytes, 1)
-			var what: int = reader.read_u8()
-			var why: String = reader.read_text(4 * Answer.LONGEST_WHY)
-			if reader.is_complete() and what == Protocol.Notice.DISMISSED:
-				_token = PackedByteArray()
-				_give_up(why)
+			if _take_notice(p_bytes):
 				return
 	_complain(p_bytes.size())
+
+
+## Whether it is a notice that makes sense.
+func _take_notice(p_bytes: PackedByteArray) -> bool:
+	var reader: ByteReader = ByteReader.new(p_bytes, 1)
+	if reader.read_u8() == Protocol.Notice.CALIBRATE:
+		var index: int = reader.read_u8()
+		var pose: int = reader.read_u8()
+		if reader.is_complete():
+			calibration_asked.emit(index, pose)
+		return reader.is_complete()
+	reader = ByteReader.new(p_bytes, 1)
+	var what: int = reader.read_u8()
+	var why: String = reader.read_text(4 * Answer.LONGEST_WHY)
+	if not reader.is_complete() or what != Protocol.Notice.DISMISSED:
+		return false
+	_token = PackedByteArray()
+	_give_up(why)
+	return true
 
 
 func _complain(p_size: int) -> void:

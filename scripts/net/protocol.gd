@@ -34,12 +34,16 @@ enum Message {
 	CONTROL = 7,
 	## Client to server, fast path: how well it sees, see [FiguresPacket].
 	FIGURES = 8,
+	## Trainee to server, reliable: whose motion it sends, see [PeoplePacket].
+	PEOPLE = 9,
 }
 
 ## Second byte of a [constant Message.CONTROL].
 enum Notice {
 	## The client is to leave and not to come back; a text says why.
 	DISMISSED,
+	## An instructor asks for a calibration: u8 which of the client's people, u8 which pose.
+	CALIBRATE,
 }
 
 ## Why a connection ended; ENet carries it in the data of its disconnect command.
@@ -61,7 +65,7 @@ enum Goodbye {
 ## Bits of a snapshot's first byte that are its kind.
 const KIND_MASK: int = 7
 ## Raised with every change of what is sent; a server refuses other versions.
-const VERSION: int = 2
+const VERSION: int = 3
 ## First bytes of a challenge and of a greeting.
 const HELLO: String = "DSMT"
 ## UDP port of a server unless told otherwise.

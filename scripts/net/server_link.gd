@@ -8,7 +8,7 @@ extends RefCounted
 ## poses, acknowledgements and snapshots take its fast path. Everything that comes in is checked;
 ## what is bad is dropped with a log line that names the client.
 
-## A client was admitted. [param p_hello] has name, role, hip_height and rate.
+## A client was admitted. [param p_hello] has name, role and rate.
 signal client_joined(p_session: int, p_hello: Dictionary)
 ## A client's connection is lost; it keeps its place for [constant SessionBook.KEPT_S] seconds.
 signal client_lost(p_session: int)
@@ -16,6 +16,8 @@ signal client_lost(p_session: int)
 signal client_returned(p_session: int)
 ## A client is gone for good.
 signal client_left(p_session: int)
+## A trainee says whose motion it sends from now on.
+signal people_declared(p_session: int, p_people: Array[PersonCard])
 ## A trainee sent a sample that is a valid pose. It arrived at [method Time.get_ticks_usec].
 signal pose_received(p_session: int, p_sample: PoseSample, p_arrival_usec: int)
 ## A client acknowledges snapshots; the bytes begin with [constant Protocol.Message.ACK].
@@ -210,6 +212,21 @@ func kick(p_session: int, p_why: String) -> String:
 	return ""
 
 
+## Asks a trainee's client to calibrate one of its people in a pose (the client knows which poses
+## there are). Returns why not, or an empty text.
+func ask_calibration(p_session: int, p_index: int, p_pose: int) -> String:
+	var session: Session = _book.find(p_session)
+	if session == null or session.role != Protocol.Role.TRAINEE or session.peer == 0:
+		return "session %d is no trainee that is here" % p_session
+	if p_index < 0 or p_index >= PersonCard.MOST or p_pose < 0 or p_pose > 255:
+		return "there is no person %d or no pose %d" % [p_index, p_pose]
+	var bytes: PackedByteArray = [
+		Protocol.Message.CONTROL, Protocol.Notice.CALIBRATE, p_index, p_pose
+	]
+	_send_reliably(session.peer, bytes)
+	return ""
+
+
 ## Sends a client away for good. Returns what went wrong, or an empty text.
 func ban(p_session: int, p_why: String) -> String:
 	var session: Session = _book.find(p_session)
@@ -363,13 +380,26 @@ func _on_pose(p_session: Session, p_packet: FastPacket) -> void:
 	pose_received.emit(p_session.id, sample, p_packet.arrival_usec)
 
 
-## No client has anything to say in plain bytes.
 func _on_packet(p_peer: int, p_bytes: PackedByteArray) -> void:
 	var session: Session = _book.of_peer(p_peer)
-	if session != null:
+	if session == null:
+		return
+	if not p_bytes.is_empty() and p_bytes[0] == Protocol.Message.PEOPLE:
+		_on_people(session, p_bytes)
+	else:
 		var kind: int = p_bytes[0] if not p_bytes.is_empty() else -1
 		var parts: Array = [p_bytes.size(), kind]
 		_complain(session, "kind", "sent %d bytes of unknown kind %d" % parts)
+
+
+func _on_people(p_session: Session, p_bytes: PackedByteArray) -> void:
+	var people: Array[PersonCard] = PeoplePacket.decode(p_bytes)
+	if PeoplePacket.error != "":
+		_complain(p_session, "people", "sent " + PeoplePacket.error)
+	elif p_session.role != Protocol.Role.TRAINEE:
+		_complain(p_session, "role", "names people, but is no trainee")
+	elif p_session.is_here:
+		people_declared.emit(p_session.id, people)
 
 
 func _throw_out(p_peers: Array[int]) -> void:

@@ -50,6 +50,8 @@ var bodies: Dictionary[int, Body] = {}
 var names: Dictionary[int, String] = {}
 ## Number of the session that each person belongs to, by actor id.
 var owners: Dictionary[int, int] = {}
+## Which of its session's people each person is, by actor id.
+var places: Dictionary[int, int] = {}
 ## How each person's limbs hang together, by actor id; the limbs are the person's bodies in order.
 var skeletons: Dictionary[int, PersonSkeleton] = {}
 
@@ -66,9 +68,12 @@ func add(p_id: int, p_actor: int, p_part: String, p_shapes: Array) -> Body:
 
 
 ## Adds a person. The skeleton is sound, or empty where nobody needs it.
-func add_person(p_actor: int, p_owner: int, p_name: String, p_skeleton: PersonSkeleton) -> void:
+func add_person(
+	p_actor: int, p_owner: int, p_name: String, p_skeleton: PersonSkeleton, p_place: int = 0
+) -> void:
 	names[p_actor] = p_name
 	owners[p_actor] = p_owner
+	places[p_actor] = p_place
 	skeletons[p_actor] = p_skeleton
 
 
@@ -83,8 +88,8 @@ func bodies_of(p_actor: int) -> Array[Body]:
 
 
 ## The packet that carries the description. Little-endian: u8 message; f32 error of poses
-## (degrees); u16 number of people, for each s32 actor id, s32 session, name, u8 number of limbs (0
-## or all), for each limb 3 f32 joint in the parent's frame, 3 f32 in its own (m), 4 f32 x, y, z, w
+## (degrees); u16 number of people, for each s32 actor id, s32 session, u8 which of its people, name,
+## u8 number of limbs (0 or all), for each limb 3 f32 joint in the parent's frame, 3 f32 in its own (m), 4 f32 x, y, z, w
 ## of the body in the reset pose; u16 number of bodies, for each u16 id, s32 actor, part, u8 number
 ## of shapes, for each u8 type, 3 f32 size (m), 12 f32 transform (columns of the basis, origin).
 ## Texts are u16 length and UTF-8.
@@ -95,6 +100,7 @@ func encode() -> PackedByteArray:
 	for actor: int in names:
 		_append(bytes, 4, actor)
 		_append(bytes, 4, owners.get(actor, 0))
+		_append(bytes, 1, places.get(actor, 0))
 		bytes.append_array(ByteReader.text_bytes(names[actor]))
 		_append_skeleton(bytes, skeletons.get(actor, PersonSkeleton.new()))
 	_append(bytes, 2, bodies.size())
@@ -127,8 +133,9 @@ static func decode(p_bytes: PackedByteArray) -> WorldDescription:
 	for _person: int in people:
 		var actor: int = reader.read_s32()
 		var owner: int = reader.read_s32()
+		var place: int = reader.read_u8()
 		var name: String = reader.read_text(_LONGEST_TEXT)
-		description.add_person(actor, owner, name, _read_skeleton(reader))
+		description.add_person(actor, owner, name, _read_skeleton(reader), place)
 		if reader.failed or actor < 0:
 			return null
 	for _body: int in reader.read_u16():

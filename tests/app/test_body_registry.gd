@@ -55,7 +55,7 @@ func test_shapes_of_what_never_moves_are_placed_in_the_world() -> void:
 
 
 func test_limbs_of_a_person() -> void:
-	_actors.add(5, "Ada", 0.95)
+	_actors.set_people(5, [PersonCard.of("Ada", 0.95)], "")
 	var world: WorldDescription = _registry.describe(_actors.list())
 	var id: int = _actors.list()[0].id
 	equal(world.names, {id: "Ada"} as Dictionary[int, String])
@@ -71,8 +71,8 @@ func test_limbs_of_a_person() -> void:
 
 
 func test_snapshots_have_exactly_what_moves() -> void:
-	_actors.add(5, "Ada", 0.95)
-	_actors.add(6, "Bob", 0.95)
+	_actors.set_people(5, [PersonCard.of("Ada", 0.95)], "")
+	_actors.set_people(6, [PersonCard.of("Bob", 0.95)], "")
 	for step: int in 30:
 		await physics_frames(1)
 		for session: int in [5, 6]:
@@ -148,7 +148,7 @@ func test_numbers_stay_while_others_come_and_go() -> void:
 					known.erase(key)
 		else:
 			here.append(100 + step)
-			_actors.add(100 + step, "peer%d" % (100 + step), 0.95)
+			_actors.set_people(100 + step, [PersonCard.of("peer%d" % (100 + step), 0.95)], "")
 		var world: WorldDescription = _registry.describe(_actors.list())
 		equal(world.names.size(), here.size())
 		for id: int in world.bodies:
@@ -161,10 +161,10 @@ func test_numbers_stay_while_others_come_and_go() -> void:
 
 func test_numbers_are_unique_after_thousands_have_come_and_gone() -> void:
 	# One stays, while another's connection breaks again and again.
-	_actors.add(5, "stays", 0.95)
+	_actors.set_people(5, [PersonCard.of("stays", 0.95)], "")
 	for next: int in [1023, 1024, 2048, 65535, 65536, 1000000]:
 		_actors._next_id = next
-		_actors.add(6, "comes again", 0.95)
+		_actors.set_people(6, [PersonCard.of("comes again", 0.95)], "")
 		var people: Array[ServerActors.Person] = _actors.list()
 		not_equal(people[0].id, people[1].id)
 		is_true(people[1].id <= 65535, "an actor is 16 bits on the wire, not %d" % people[1].id)

@@ -61,7 +61,7 @@ func test_the_own_body_is_where_it_is_told() -> void:
 	var floats: PackedFloat32Array = _scene.replica.person_floats(ADA)
 	for limb: int in Limbs.COUNT:
 		floats[limb * WorldReplica.FLOATS] += 2.0
-	_scene.update(_stream.tick / 60.0, ADA, floats)
+	_scene.update(_stream.tick / 60.0, {ADA: floats} as Dictionary[int, PackedFloat32Array])
 	var node: Ragdoll = _scene.get_node(^"People").get_child(0)
 	var hips: int = node.get_skeleton().find_bone("Hips")
 	var pelvis: PhysicalBone3D = node.get_simulator().get_node(^"Hips")

@@ -45,7 +45,12 @@ func test_environment_and_arguments_win() -> void:
 
 func test_every_option_has_both_forms() -> void:
 	var choices: Dictionary[String, String] = {
-		"codec": "float", "feedback": "server", "smoothing": "linear", "pose-error": "0.5"
+		"codec": "float",
+		"feedback": "server",
+		"smoothing": "linear",
+		"pose-error": "0.5",
+		"suit-rate": "50",
+		"calibrate": "full",
 	}
 	for row: Array in Options.TABLE:
 		var value: String = choices.get(row[0], "7" if row[1] is not String else "x")

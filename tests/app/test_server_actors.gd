@@ -25,8 +25,8 @@ func after_each() -> void:
 
 
 func test_come_and_go() -> void:
-	_actors.add(7, "Ada", 0.95)
-	_actors.add(9, "Bob", 0.95)
+	_add(7, "Ada", 0.95)
+	_add(9, "Bob", 0.95)
 	equal(_changes, 2)
 	equal(_actors.list().map(_name), ["Ada", "Bob"])
 	_actors.remove(7)
@@ -38,9 +38,9 @@ func test_come_and_go() -> void:
 
 func test_everybody_starts_at_a_place_of_his_own() -> void:
 	for peer: int in 4:
-		_actors.add(peer, "n%d" % peer, 0.95)
+		_add(peer, "n%d" % peer, 0.95)
 	_actors.remove(1)
-	_actors.add(8, "late", 0.95)
+	_add(8, "late", 0.95)
 	var places: Array = _actors.list().map(
 		func(person: ServerActors.Person) -> Vector3: return person.origin
 	)
@@ -50,13 +50,13 @@ func test_everybody_starts_at_a_place_of_his_own() -> void:
 
 
 func test_the_travel_of_tall_wearers_is_scaled() -> void:
-	_actors.add(7, "tall", 1.2)
+	_add(7, "tall", 1.2)
 	var person: ServerActors.Person = _actors.list()[0]
 	almost_equal(person.scale, person.ragdoll.get_hip_height() / 1.2, 1e-6)
 
 
 func test_samples_move_the_body() -> void:
-	_actors.add(7, "Ada", 1.0115)
+	_add(7, "Ada", 1.0115)
 	for _step: int in 60:
 		await _step(7, Stage.arms_pose(80.0, 80.0), Vector3(0.0, 1.0115, 0.5))
 	var person: ServerActors.Person = _actors.list()[0]
@@ -68,7 +68,7 @@ func test_samples_move_the_body() -> void:
 
 
 func test_marks_tell_when_the_newest_sample_was_where() -> void:
-	_actors.add(7, "Ada", 1.0115)
+	_add(7, "Ada", 1.0115)
 	equal(_mark_of(2000000), {}, "nothing has come yet")
 	await _step(7, Stage.reset_pose(), Vector3.UP)
 	equal(_mark_of(2000000), {}, "nobody knows when it was sent")
@@ -89,7 +89,7 @@ func test_samples_of_strangers_are_ignored() -> void:
 
 
 func test_old_samples_are_refused_and_counted() -> void:
-	_actors.add(7, "Ada", 0.95)
+	_add(7, "Ada", 0.95)
 	await _step(7, Stage.reset_pose(), Vector3.UP)
 	var old: PoseSample = Stage.reset_pose()
 	old.time_usec = 5
@@ -99,7 +99,7 @@ func test_old_samples_are_refused_and_counted() -> void:
 
 
 func test_a_wearers_new_clock_is_followed_soon() -> void:
-	_actors.add(7, "Ada", 1.0115)
+	_add(7, "Ada", 1.0115)
 	for _step_number: int in 20:
 		await _step(7, Stage.reset_pose(), Vector3.UP)
 	_sent = -1000000
@@ -109,13 +109,13 @@ func test_a_wearers_new_clock_is_followed_soon() -> void:
 
 
 func test_figures_also_of_who_left() -> void:
-	_actors.add(7, "Ada", 0.95)
-	_actors.add(9, "Bob", 0.95)
+	_add(7, "Ada", 0.95)
+	_add(9, "Bob", 0.95)
 	_actors.remove(7)
 	var names: Array = _actors.figures().map(func(row: Dictionary) -> String: return row["name"])
 	equal(names, ["Bob", "Ada"])
 	for peer: int in 40:
-		_actors.add(100 + peer, "n", 0.95)
+		_add(100 + peer, "n", 0.95)
 		_actors.remove(100 + peer)
 	is_true(_actors.figures().size() <= 20, "memory is bounded")
 
@@ -156,3 +156,34 @@ func _on_changed() -> void:
 
 func _name(p_person: ServerActors.Person) -> String:
 	return p_person.name
+
+
+func test_a_client_may_have_several_people() -> void:
+	var ada: PersonCard = PersonCard.of("Ada", 0.95)
+	var bob: PersonCard = PersonCard.of("", 1.0, 3)
+	_actors.set_people(7, [ada, bob], "client")
+	_add(9, "Eve", 0.9)
+	equal(_actors.list().map(_name), ["Ada", "client", "Eve"])
+	var first: ServerActors.Person = _actors.list()[0]
+	_actors.set_people(7, [ada, bob], "client")
+	is_true(_actors.list()[0] == first, "told again, the bodies stay")
+	_actors.set_people(7, [bob], "client")
+	equal(_actors.list().map(_name), ["client", "Eve"])
+	_actors.set_people(7, [PersonCard.of("", 1.1, 3)], "client")
+	almost_equal(_actors.list()[1].card.hip_height, 1.1, 1e-6, "another size, another body")
+	_actors.remove(7)
+	equal(_actors.list().map(_name), ["Eve"])
+
+
+func test_samples_move_the_person_that_they_are_of() -> void:
+	_actors.set_people(7, [PersonCard.of("Ada", 0.95), PersonCard.of("Bob", 0.95, 1)], "")
+	var sample: PoseSample = Stage.reset_pose()
+	sample.person = 1
+	_actors.push_sample(7, sample, _now_s)
+	is_null(_actors.list()[0].newest)
+	is_true(_actors.list()[1].newest == sample)
+
+
+func _add(p_session: int, p_name: String, p_hip_height: float) -> void:
+	_actors.set_people(p_session, [PersonCard.of(p_name, p_hip_height)], p_name)
+

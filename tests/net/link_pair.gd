@@ -120,7 +120,6 @@ func add(
 	var end: End = End.new()
 	end.greeting.role = p_role
 	end.greeting.name = p_name
-	end.greeting.hip_height = 0.97
 	end.greeting.version = p_version
 	ends.append(end)
 	end.link.open("127.0.0.1", port, end.greeting, p_password)

@@ -14,7 +14,7 @@ func test_greeting_round_trip() -> void:
 			var greeting: Greeting = Greeting.decode(_encode(name, role))
 			equal(greeting.error, "")
 			equal([greeting.name, greeting.role, greeting.rate], [name, role, 30])
-			equal([greeting.hip_height, greeting.version], [0.97, Protocol.VERSION])
+			equal(greeting.version, Protocol.VERSION)
 			equal(greeting.token, PackedByteArray())
 
 
@@ -42,21 +42,14 @@ func test_other_versions_are_named() -> void:
 	for version: int in [0, 1, 65537, 0xFFFFFFFF]:
 		var sent: Greeting = Greeting.new()
 		sent.version = version
-		var text: String = "the client speaks protocol version %d, the server 2" % version
+		var text: String = "the client speaks protocol version %d, the server 3" % version
 		equal(Greeting.decode(sent.encode(_challenge, _key)).error, text)
 
 
 func test_other_versions_of_another_form_are_named() -> void:
 	var bytes: PackedByteArray = "DSMT".to_ascii_buffer() + PackedByteArray([1, 0, 0, 0, 1, 2, 3])
-	contains(Greeting.decode(bytes).error, "version 1, the server 2")
-	contains(Challenge.decode(bytes).error, "version 1, this client 2")
-
-
-func test_heights_of_nobody() -> void:
-	for height: float in [0.0, -1.0, 0.2, 2.0, INF, -INF, NAN]:
-		var sent: Greeting = Greeting.new()
-		sent.hip_height = height
-		not_equal(Greeting.decode(sent.encode(_challenge, _key)).error, "", "height %f" % height)
+	contains(Greeting.decode(bytes).error, "version 1, the server 3")
+	contains(Challenge.decode(bytes).error, "version 1, this client 3")
 
 
 func test_unknown_role() -> void:
@@ -124,6 +117,5 @@ func _encode(p_name: String, p_role: Protocol.Role = Protocol.Role.TRAINEE) -> P
 	var greeting: Greeting = Greeting.new()
 	greeting.name = p_name
 	greeting.role = p_role
-	greeting.hip_height = 0.97
 	greeting.rate = 30
 	return greeting.encode(_challenge, _key)

@@ -34,14 +34,14 @@ def mirrors() -> list[str]:
     return list(dict.fromkeys(found))
 
 
-def apt_command(work: Path, site: str, kind: str) -> list[str]:
+def apt_command(work: Path, site: str, kind: str, suite: str = SUITE) -> list[str]:
     """apt-get for one mirror's packages ("deb") or sources ("deb-src"), its state in work/apt."""
     state = work / "apt"
     for name in ("lists/partial", "etc"):
         make_folder(state / name)
     (state / "status").touch()
     (state / "etc" / "suite.sources").write_text(
-        f"Types: {kind}\nURIs: {site}\nSuites: {SUITE}\nComponents: main\nSigned-By: {KEYRING}\n",
+        f"Types: {kind}\nURIs: {site}\nSuites: {suite}\nComponents: main\nSigned-By: {KEYRING}\n",
         encoding="utf-8",
     )
     packages = make_folder(cache() / "packages" / "archives" / "partial").parents[1]

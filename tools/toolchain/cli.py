@@ -11,7 +11,7 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from . import demo, jolt, latency, load
+from . import demo, jolt, latency, load, suit, xbus
 from .console import Failure, say
 from .display import real_display
 from .godot import Godot
@@ -32,11 +32,18 @@ HELP = """Dismount: people in motion-capture suits move through physics.
   ./run export              exports server and client to build/export/
   ./run bvh FILE            what a motion file holds: joints, frames, duration, unit, up axis
                             (--unit=m|cm|mm|inch|cmu|METRES and --up=y|z override the guess)
+  ./run xbus-decode FILE    what a recording of a suit's bus holds: messages, devices, rates, loss;
+                            --json prints everything, decoded (docs/xbus.md)
+  ./run mvn-sender --bvh FILE  plays a motion file as Xsens MVN's network stream, for trying without
+                            a suit: --host --port --rate --types --characters --name --seconds
+                            --loss (docs/mvn.md)
   ./run latency             measures the delay from sample to display on this machine, stage by
                             stage, and draws it (--seconds, --rate, --fps, --smoothing, --bvh)
   ./run load                puts many clients on a server over a bad network (docs/load.md):
                             --trainees=8 --observers=24 --loss=2 --delay=25 --jitter=10
                             --seconds --rate --snapshot-rate --seed --json --server-options
+  ./run suit-emulator [-- COMMAND]  a motion-capture suit on USB that is not there, for programs
+                            that have none (./run suit-emulator --help, docs/suit-emulator.md)
   ./run bench               lists the benchmarks
   ./run bench NAME [--json] [options]   runs one
   ./run --help              this text; ./run server --help lists the roles' options
@@ -51,6 +58,7 @@ DISMOUNT_DISPLAY=virtual (do as if there was no display).
 Keys in a window: 1 mesh world, 2 static world, 3 physics world; drag and wheel move the camera.
 """
 
+FLAGS = ("--help", "--xbus", "--panel", "--dtls", "--waiting-room")
 SESSION_FILES = ("ban-file", "dtls-certificate", "dtls-key")
 FILES = ("bvh", "record", "file", "report", "screenshot", "latency-csv", *SESSION_FILES)
 
@@ -69,9 +77,12 @@ def main(arguments: list[str]) -> int:
         "editor": _editor,
         "export": _export,
         "bvh": _bvh,
+        "mvn-sender": _mvn_sender,
+        "xbus-decode": xbus.decode,
         "bench": _bench,
         "latency": lambda rest: latency.main(normalise(rest)),
         "load": lambda rest: load.main(normalise(rest)),
+        "suit-emulator": suit.main,
     }
     if not arguments or arguments[0].startswith("-"):
         return demo.main(normalise(arguments))
@@ -86,14 +97,21 @@ def normalise(arguments: list[str]) -> list[str]:
     rest = [argument for argument in arguments if argument != "--"]
     while rest:
         option = rest.pop(0)
-        takes_next = rest and not rest[0].startswith("--")
-        if option.startswith("--") and "=" not in option and option != "--help" and takes_next:
+        takes_next = rest and not rest[0].startswith("--") and option not in FLAGS
+        if option.startswith("--") and "=" not in option and takes_next:
             option = f"{option}={rest.pop(0)}"
         name, _, value = option.removeprefix("--").partition("=")
         if name in FILES and value:
-            option = f"--{name}={user_path(value)}"
+            option = f"--{name}={_user_files(value)}"
         result.append(option)
     return result
+
+
+def _user_files(value: str) -> str:
+    """A path, or several with commas between, as full ones."""
+    if user_path(value).exists():
+        return str(user_path(value))
+    return ",".join(str(user_path(part)) for part in value.split(","))
 
 
 def _run(command: list[str]) -> int:
@@ -117,8 +135,11 @@ def _server(arguments: list[str]) -> int:
 
 def _client(role: str, arguments: list[str]) -> int:
     options = normalise(arguments)
-    wants_file = not any(option.startswith("--bvh=") for option in options)
-    if role == "trainee" and wants_file and not os.environ.get("DISMOUNT_BVH"):
+    sources = ("bvh", "xbus", "mvn")
+    named = tuple(f"--{name}" for name in sources)
+    asked = any(option.partition("=")[0] in named for option in options)
+    asked = asked or any(os.environ.get(f"DISMOUNT_{name.upper()}") for name in sources)
+    if role == "trainee" and not asked:
         options.append(f"--bvh={CLIPS / '01_01.bvh'}")
     prepare(export=True)
     command = [str(CLIENT_BINARY)]
@@ -160,6 +181,14 @@ def _bvh(arguments: list[str]) -> int:
     return _script(
         godot, [], "res://scripts/mocap/bvh_info.gd", [str(user_path(files[0])), *options]
     )
+
+
+def _mvn_sender(arguments: list[str]) -> int:
+    options = normalise(arguments)
+    if "-h" in options:
+        options = ["--help"]
+    godot = prepare(export=False)
+    return _script(godot, [], "res://scripts/mocap/mvn/mvn_sender.gd", options)
 
 
 def benchmarks() -> dict[str, tuple[Path, str]]:

@@ -9,6 +9,7 @@ import shutil
 import subprocess
 from pathlib import Path
 
+from . import usb
 from .console import Failure, step, tail
 from .godot import Godot, dump_api, find, link_templates
 from .paths import BUILD, CLIENT_BINARY, ROOT, SERVER_BINARY, lock, make_folder, need_space
@@ -78,13 +79,15 @@ def build_extensions(godot: Godot) -> None:
     api = dump_api(godot)
     generator = "Ninja" if shutil.which("ninja") else "Unix Makefiles"
     godot_cpp = os.environ.get("GODOT_CPP_DIR", "")
-    configure = f"{api} {generator} {godot_cpp}"
+    libraries = usb.find().options()
+    configure = f"{api} {generator} {godot_cpp} {' '.join(libraries)}"
     stamp = Stamp("configure")
     if not (stamp.holds(configure) and (EXTENSIONS / "CMakeCache.txt").exists()):
         with step("configure the extensions"):
             shutil.rmtree(EXTENSIONS, ignore_errors=True)
             command = ["cmake", "-S", str(ROOT / "gdextension"), "-B", str(EXTENSIONS)]
             command += ["-G", generator, f"-DGODOT_API_DIR={api}", "-DCMAKE_BUILD_TYPE=Release"]
+            command += libraries
             command += [f"-DGODOT_CPP_DIR={godot_cpp}"] if godot_cpp else []
             _tool(command, "Configuring the extensions")
             stamp.set(configure)

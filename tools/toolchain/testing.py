@@ -13,6 +13,7 @@ import xml.etree.ElementTree as ElementTree
 from collections.abc import Callable
 from pathlib import Path
 
+from . import usb
 from .console import Failure, say, step, tail
 from .godot import Godot
 from .lint import run_lint
@@ -29,6 +30,8 @@ HELP = """./test [PART ...] [options]   sets up everything, then runs every test
               system    whole-process tests in pytest, with exported server and clients
   options     --filter=TEXT   only GDScript and system tests whose name has TEXT
               --sanitize      the C++ tests with address and undefined-behaviour sanitizers
+              --kernel        only the test with the kernel's own USB drivers, in a virtual machine
+                              (a minute; the first time it fetches a kernel and QEMU, 130 MB)
 """
 
 REQUIREMENTS = ROOT / "tests" / "requirements.txt"
@@ -43,22 +46,26 @@ def main(arguments: list[str]) -> int:
         return 0
     text = next((a.partition("=")[2] for a in arguments if a.startswith("--filter=")), "")
     sanitize = "--sanitize" in arguments
+    kernel = "--kernel" in arguments
     parts: dict[str, Callable[[Godot, Path], Outcome]] = {
         "lint": lambda _godot, tools: run_lint(tools),
         "cpp": lambda godot, _tools: run_ctest(godot, sanitize),
         "gdscript": lambda godot, _tools: run_gdscript(godot, text),
         "system": lambda godot, tools: run_pytest(godot, tools, text),
+        "kernel": lambda godot, tools: run_pytest(godot, tools, text, ["tests/kernel"]),
     }
     chosen = [argument for argument in arguments if not argument.startswith("--")]
+    chosen += ["kernel"] if kernel else []
     unknown = [name for name in chosen if name not in parts]
-    options = [a for a in arguments if a.startswith("--") and a != "--sanitize"]
+    flags = ("--sanitize", "--kernel")
+    options = [a for a in arguments if a.startswith("--") and a not in flags]
     unknown += [option for option in options if not option.startswith("--filter=")]
     if unknown:
         raise Failure(f"There is no '{unknown[0]}': see ./test --help.", 2)
     tools = python_tools()
     godot = prepare(export=True)
     total = Outcome()
-    for name in chosen or parts:
+    for name in chosen or [name for name in parts if name != "kernel"]:
         total.add(_run_part(name, parts[name], godot, tools))
     for note in total.notes:
         print(note)
@@ -125,6 +132,7 @@ def _build_sanitized(folder: Path) -> None:
         command = ["cmake", "-S", str(ROOT / "gdextension"), "-B", str(folder)]
         command += [f"-DGODOT_API_DIR={api.group(1) if api else ''}"]
         command += ["-DDISMOUNT_SANITIZE=address,undefined", "-DDISMOUNT_EXTENSIONS=OFF"]
+        command += usb.find().options()
         fault = "The C++ tests do not build with sanitizers."
         _call(command, fault)
         _call(["cmake", "--build", str(folder), "-j", str(os.cpu_count() or 2)], fault)
@@ -145,12 +153,15 @@ def run_gdscript(godot: Godot, text: str) -> Outcome:
     return Outcome(passed, failed)
 
 
-def run_pytest(godot: Godot, tools: Path, text: str) -> Outcome:
-    """Runs everything written for pytest: the tools' own tests, bindings, whole processes."""
+SYSTEM_TESTS = ["tests", "gdextension/bindings/tests", "--ignore=tests/kernel"]
+
+
+def run_pytest(godot: Godot, tools: Path, text: str, chosen: list[str] | None = None) -> Outcome:
+    """Runs what is written for pytest: the tools' own tests, bindings, whole processes."""
     report = BUILD / "pytest.xml"
     report.unlink(missing_ok=True)
     command = [str(tools / "pytest"), f"--junitxml={report}", "-p", "no:cacheprovider"]
-    command += ["tests", "gdextension/bindings/tests"]
+    command += SYSTEM_TESTS if chosen is None else chosen
     command += ["-k", text] if text else []
     environment = {
         **godot.environment(),

@@ -34,14 +34,16 @@ var clock: Callable = func() -> float: return Time.get_ticks_usec() / 1e6
 var _suits: Array[SuitSource] = []
 var _at: int = 0
 var _store: CalibrationStore = null
-var _boxes_view: SensorBoxesView = SensorBoxesView.new()
-var _figure_view: LimbFigureView = LimbFigureView.new()
+var _boxes_view: SensorBoxesView = null
+var _figure_view: LimbFigureView = null
 var _figures_due_s: float = 0.0
 var _fault: String = ""
 
 
 func _ready() -> void:
 	_store = CalibrationStore.new(folder)
+	_boxes_view = SensorBoxesView.new()
+	_figure_view = LimbFigureView.new()
 	_raw.stage.add_child(_boxes_view)
 	_calibrated.stage.add_child(_figure_view)
 	_figure_view.visible = false

@@ -38,6 +38,21 @@ var age_s: float = INF
 var battery: float = -1.0
 
 
+## The same again, for somebody in another thread.
+func copy() -> SensorInfo:
+	var other: SensorInfo = SensorInfo.new()
+	other.id = id
+	other.where = where
+	other.place = place
+	other.state = state
+	other.trouble = trouble
+	other.rate_hz = rate_hz
+	other.loss = loss
+	other.age_s = age_s
+	other.battery = battery
+	return other
+
+
 ## The state in a word.
 func state_name() -> String:
 	return STATE_NAMES[state]

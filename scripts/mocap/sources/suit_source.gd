@@ -28,12 +28,15 @@ var watch: WearWatch = WearWatch.new()
 
 # What a result would make of the frames.
 var _trial: SuitTable = null
+# Of the thread that samples alone.
+var _poses: LivePoses = LivePoses.new()
+var _poses_of: SuitTable = null
 # Shared between threads and guarded.
 var _mutex: Mutex = Mutex.new()
 var _profile: PersonProfile = PersonProfile.new()
 var _table: SuitTable = SuitTable.new()
 var _revision: int = -1
-var _fresh: SensorFrame = null
+var _unread: Array[SensorFrame] = []
 var _recent: Array[SensorFrame] = []
 var _faulty: int = 0
 
@@ -159,14 +162,21 @@ func describe() -> String:
 	return "%s, worn by %s" % [feed.describe(), get_profile().name]
 
 
-func _read(_p_time_usec: int) -> PoseSample:
+func _read(p_time_usec: int) -> PoseSample:
 	_mutex.lock()
 	_pump()
-	var frame: SensorFrame = _fresh
-	_fresh = null
+	var frames: Array[SensorFrame] = _unread
+	_unread = []
 	var table: SuitTable = _table
 	_mutex.unlock()
-	return table.pose(frame) if frame != null else null
+	if table != _poses_of:
+		_poses_of = table
+		_poses.clear()
+	for frame: SensorFrame in frames.slice(-LivePoses.MOST):
+		var pose: PoseSample = table.pose(frame)
+		if pose != null:
+			_poses.push(pose)
+	return _poses.at(p_time_usec)
 
 
 ## Takes what the feed has. The mutex is held.
@@ -185,7 +195,9 @@ func _pump() -> void:
 			Log.limited("mocap", "frame", "a sample of the suit is dropped: " + frame.find_fault())
 			continue
 		_table.remember(frame)
-		_fresh = frame
+		_unread.append(frame)
+		if _unread.size() > MOST_RECENT:
+			_unread.pop_front()
 		_recent.append(frame)
 		if _recent.size() > MOST_RECENT:
 			_recent.pop_front()
@@ -209,7 +221,7 @@ func _table_to_show(p_table: SuitTable) -> SuitTable:
 func _profile_for(p_sensors: Array[SensorInfo]) -> PersonProfile:
 	var knows: bool = p_sensors.is_empty()
 	for sensor: SensorInfo in p_sensors:
-		knows = knows or _profile.map.places.has(sensor.id)
+		knows = knows or _profile.map.places.has(sensor.id) and not _profile.map.is_guessed
 	if knows:
 		return _profile
 	var found: PersonProfile = _copy(_profile)

@@ -3,10 +3,9 @@ extends RefCounted
 ## A client's answer to a [Challenge]: who it is and what it wants, with a proof if it has a
 ## password.
 ##
-## Little-endian: [constant Protocol.HELLO], u32 version, u8 role, f64 hip height (m), u8 wanted
-## snapshots per second (0: as the server does), 32 bytes nonce, 16 bytes token of a lost session
-## (zeros: none), name as u16 length and UTF-8, 32 bytes proof. All versions begin with the first
-## two fields.
+## Little-endian: [constant Protocol.HELLO], u32 version, u8 role, u8 wanted snapshots per
+## second (0: as the server does), 32 bytes nonce, 16 bytes token of a lost session (zeros: none),
+## name as u16 length and UTF-8, 32 bytes proof. All versions begin with the first two fields.
 
 ## Bytes of a token.
 const TOKEN_SIZE: int = 16
@@ -19,8 +18,6 @@ const MOST_SIZE: int = 512
 var role: Protocol.Role = Protocol.Role.OBSERVER
 ## Shown to the others.
 var name: String = ""
-## Height of the wearer's hips when standing, m.
-var hip_height: float = 0.95
 ## Snapshots per second that the client wants; 0 as the server does.
 var rate: int = 0
 ## Version that the client speaks.
@@ -40,11 +37,10 @@ var _proof: PackedByteArray = PackedByteArray()
 func encode(p_challenge: PackedByteArray, p_key: PackedByteArray) -> PackedByteArray:
 	nonce = Crypto.new().generate_random_bytes(32)
 	var bytes: PackedByteArray = Protocol.HELLO.to_ascii_buffer()
-	bytes.resize(18)
+	bytes.resize(10)
 	bytes.encode_u32(4, version)
 	bytes.encode_u8(8, role)
-	bytes.encode_double(9, hip_height)
-	bytes.encode_u8(17, rate)
+	bytes.encode_u8(9, rate)
 	var kept: PackedByteArray = token.duplicate()
 	kept.resize(TOKEN_SIZE)
 	_signed = bytes + nonce + kept + ByteReader.text_bytes(name.left(Protocol.LONGEST_NAME))
@@ -81,7 +77,6 @@ func _read(p_bytes: PackedByteArray) -> String:
 		var versions: Array = [version, Protocol.VERSION]
 		return "the client speaks protocol version %d, the server %d" % versions
 	var wanted_role: int = reader.read_u8()
-	hip_height = reader.read_double()
 	rate = reader.read_u8()
 	nonce = reader.read_bytes(32)
 	token = reader.read_bytes(TOKEN_SIZE)
@@ -92,8 +87,6 @@ func _read(p_bytes: PackedByteArray) -> String:
 		return "the greeting is broken"
 	if wanted_role >= Protocol.Role.size():
 		return "the greeting asks for an unknown role"
-	if not (hip_height > 0.2 and hip_height < 2.0):
-		return "the greeting's hip height is no person's"
 	role = wanted_role as Protocol.Role
 	name = name if name != "" else "nobody"
 	if token.count(0) == TOKEN_SIZE:

@@ -8,8 +8,6 @@ var id: int = 0
 var role: Protocol.Role = Protocol.Role.OBSERVER
 ## Shown to the others.
 var name: String = ""
-## Height of the wearer's hips when standing, m.
-var hip_height: float = 0.95
 ## Snapshots per second that the client wants; 0 as the server does.
 var rate: int = 0
 ## IP address of the client.
@@ -26,9 +24,9 @@ var was_here: bool = false
 var lost_usec: int = 0
 
 
-## What the rest of the program is told of a client: name, role, hip_height and rate.
+## What the rest of the program is told of a client: name, role and rate.
 func hello() -> Dictionary:
-	return {"name": name, "role": role, "hip_height": hip_height, "rate": rate}
+	return {"name": name, "role": role, "rate": rate}
 
 
 ## For the log.

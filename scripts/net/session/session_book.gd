@@ -17,7 +17,6 @@ func open(p_greeting: Greeting, p_peer: int, p_address: String) -> Session:
 	_next_id = _next_id % 0x7FFFFFFF + 1
 	session.role = p_greeting.role
 	session.name = p_greeting.name
-	session.hip_height = p_greeting.hip_height
 	session.token = Crypto.new().generate_random_bytes(Greeting.TOKEN_SIZE)
 	_sessions[session.id] = session
 	attach(session, p_greeting, p_peer, p_address)

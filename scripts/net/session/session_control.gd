@@ -56,6 +56,12 @@ func ban(p_session: int, p_why: String) -> void:
 	_ban.rpc_id(MultiplayerPeer.TARGET_PEER_SERVER, p_session, p_why)
 
 
+## Asks the server to have one of a trainee's people calibrated: thesis 6.1's "Reset Pose" button.
+## [param p_pose] is one of those that clients know.
+func calibrate(p_session: int, p_index: int, p_pose: int) -> void:
+	_calibrate.rpc_id(MultiplayerPeer.TARGET_PEER_SERVER, p_session, p_index, p_pose)
+
+
 static func _attach(p_parent: Node, p_api: SceneMultiplayer) -> SessionControl:
 	var control: SessionControl = p_parent.get_node_or_null(NodePath(NODE_NAME))
 	if control == null:
@@ -96,6 +102,14 @@ func _ban(p_session: Variant = null, p_why: Variant = null) -> void:
 	if caller != null and p_session is int and p_why is String:
 		var why: String = "banned by %s" % _sign(caller, p_why)
 		_answer(caller, _link.ban(p_session, why), "session %d was %s" % [p_session, why])
+
+
+@rpc("any_peer", "call_remote", "reliable")
+func _calibrate(p_session: Variant = null, p_index: Variant = null, p_pose: Variant = null) -> void:
+	var caller: Session = _caller()
+	if caller != null and p_session is int and p_index is int and p_pose is int:
+		var done: String = "session %d was asked to calibrate" % p_session
+		_answer(caller, _link.ask_calibration(p_session, p_index, p_pose), done)
 
 
 @rpc("authority", "call_remote", "reliable")

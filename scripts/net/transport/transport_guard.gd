@@ -20,9 +20,9 @@ enum Verdict {
 }
 
 ## Poses that a client may send per second; what is above it is dropped.
-const MOST_POSES: int = 300
+const MOST_POSES: int = 600
 ## Packets of any kind that a client may send per second; what is above it is dropped.
-const MOST_PACKETS: int = 600
+const MOST_PACKETS: int = 1000
 ## A client that sends this many packets in a second is thrown out.
 const FLOOD: int = 3000
 ## Bytes that a client may send per second; what is above it is dropped.

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "raw_player.hpp"
+#include "raw_recorder.hpp"
+
+#include <usb/hub.hpp>
+
+#include <godot_cpp/classes/ref_counted.hpp>
+#include <godot_cpp/core/binder_common.hpp>
+#include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
+#include <godot_cpp/variant/string.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+#include <memory>
+
+namespace godot {
+
+/// All suits on this machine's USB ports. Documented in doc_classes/SuitHub.xml.
+class SuitHub : public RefCounted {
+	GDCLASS(SuitHub, RefCounted)
+
+public:
+	enum Reset {
+		RESET_STORE,
+		RESET_HEADING,
+		RESET_GLOBAL,
+		RESET_OBJECT,
+		RESET_ALIGN,
+	};
+
+	String start(double p_rate_hz);
+	void stop();
+	bool is_running() const { return hub != nullptr; }
+	void set_recorder(const Ref<RawRecorder> &p_recorder);
+	void play(const Ref<RawPlayer> &p_player);
+	TypedArray<Dictionary> get_devices() const;
+	TypedArray<Dictionary> take_messages();
+	TypedArray<Dictionary> take_frames(int64_t p_device);
+	void reset_orientation(int64_t p_device, Reset p_method);
+
+protected:
+	static void _bind_methods();
+
+private:
+	/// Outlives the hub, which calls it.
+	BusTap tap;
+	std::unique_ptr<usb::Hub> hub;
+	Ref<RawPlayer> player;
+	xbus::SuitFrame frame;
+};
+
+} // namespace godot
+
+VARIANT_ENUM_CAST(SuitHub::Reset);

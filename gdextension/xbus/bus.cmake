@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: MIT
+# The Xbus protocol without any input or output: framing, decoding, encoding, judging a stream.
+dismount_add_core_library(xbus_bus SOURCES
+	src/bus/configuration.cpp
+	src/bus/counter_track.cpp
+	src/bus/data_item.cpp
+	src/bus/encoder.cpp
+	src/bus/framer.cpp
+	src/bus/item_structs.cpp
+	src/bus/item_types.cpp
+	src/bus/message.cpp
+	src/bus/mt_data.cpp
+	src/bus/mt_data2.cpp
+	src/bus/number.cpp
+	src/bus/plausibility.cpp
+	src/bus/replies.cpp
+	src/bus/requests.cpp
+	src/bus/sample.cpp
+	src/bus/stream_check.cpp
+)
+foreach(test configuration corruption examples framer golden mt_data mt_data2 stream_check)
+	dismount_add_core_test(xbus_${test} SOURCES tests/test_${test}.cpp LIBRARIES xbus_bus)
+endforeach()
+if(BUILD_TESTING)
+	target_include_directories(xbus_stream_check PRIVATE ${PROJECT_SOURCE_DIR}/testing)
+	target_compile_definitions(xbus_golden PRIVATE DISMOUNT_TEST_DATA="${PROJECT_SOURCE_DIR}/../tests/data")
+endif()
+# Hostile bytes, as many as asked for: xbus_fuzz EXECUTIONS [SEED].
+dismount_add_core_test(xbus_fuzz SOURCES tests/fuzz_bus.cpp LIBRARIES xbus_bus)
+# What a recording holds: ./run xbus-decode FILE.
+add_executable(xbus_decode
+	tools/decode/analysis.cpp
+	tools/decode/control_json.cpp
+	tools/decode/formats.cpp
+	tools/decode/guess.cpp
+	tools/decode/main.cpp
+	tools/decode/recording.cpp
+	tools/decode/report_json.cpp
+	tools/decode/report_text.cpp
+	tools/decode/sample_json.cpp
+)
+target_link_libraries(xbus_decode PRIVATE xbus_recording)
+target_compile_options(xbus_decode PRIVATE -Wall -Wextra)
+# The figures of ./run bench xbus.
+add_executable(xbus_bench tools/bench_bus.cpp)
+target_include_directories(xbus_bench PRIVATE tests ${PROJECT_SOURCE_DIR}/testing)
+target_link_libraries(xbus_bench PRIVATE xbus_recording)
+target_compile_options(xbus_bench PRIVATE -Wall -Wextra)

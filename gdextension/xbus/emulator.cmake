@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: MIT
+# A suit that is not there: an Xbus Master with trackers behind USB chips, without any input or output
+# (xbus_emulator), and what lets programs find it: suit_emulator behind umockdev.
+dismount_add_core_library(xbus_emulator SOURCES
+	emulator/suit/data_item.cpp
+	emulator/suit/master.cpp
+	emulator/suit/motion_stream.cpp
+	emulator/suit/stand_alone.cpp
+	emulator/suit/suit.cpp
+	emulator/suit/suit_options.cpp
+	emulator/suit/tracker.cpp
+	emulator/suit/xbus_device.cpp
+	emulator/cable/ftdi_chip.cpp
+	emulator/cable/native_chip.cpp
+	emulator/cable/serial_line.cpp
+	emulator/cable/usb_device.cpp
+	emulator/cable/usb_port.cpp
+	LIBRARIES xbus_bus kinematics
+)
+target_include_directories(xbus_emulator PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/emulator)
+
+if(TARGET umockdev::umockdev AND NOT DISMOUNT_SANITIZE)
+	find_package(Threads REQUIRED)
+	add_executable(suit_emulator
+		emulator/front/device_node.cpp
+		emulator/front/session.cpp
+		emulator/front/suit_emulator.cpp
+		emulator/front/usbfs_interfaces.cpp
+		emulator/front/usbfs_node.cpp
+	)
+	target_link_libraries(suit_emulator PRIVATE xbus_emulator umockdev::umockdev Threads::Threads ${CMAKE_DL_LIBS})
+	_dismount_common(suit_emulator)
+endif()
+
+# The same suit in a virtual machine, plugged into the kernel's own USB: ./test --kernel.
+if(TARGET suit_stream)
+	add_executable(suit_kernel_init
+		emulator/front/usbip_server.cpp
+		emulator/kernel/guest.cpp
+		emulator/kernel/suit_kernel_init.cpp
+	)
+	target_link_libraries(suit_kernel_init PRIVATE xbus_emulator Threads::Threads)
+	_dismount_common(suit_kernel_init)
+endif()
+foreach(test emulated_chips emulated_master emulated_motion)
+	dismount_add_core_test(xbus_${test} SOURCES emulator/tests/test_${test}.cpp LIBRARIES xbus_emulator)
+endforeach()

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "cable/usb_port.hpp"
+#include "front/device_node.hpp"
+
+#include <mutex>
+#include <set>
+
+namespace emulator {
+
+/// What every node and the main thread share: the lock over all devices, and a way to wake the main thread
+/// when there is something to do sooner than it thought. umockdev calls in a thread of its own.
+struct Shared {
+	std::mutex mutex;
+	std::function<void()> wake;
+	std::function<Usec()> now;
+};
+
+/// A device's node below /dev/bus/usb: answers the ioctls of the kernel's usbfs.
+class UsbfsNode {
+public:
+	/// `p_place`: where it is plugged in, from 1. `p_driver`: the kernel's driver that takes it first.
+	UsbfsNode(Shared &p_shared, UsbPort &p_port, Testbed &p_testbed, int p_place, std::string p_driver,
+			UsbPort::Log p_log);
+	~UsbfsNode();
+	UsbfsNode(const UsbfsNode &) = delete;
+	UsbfsNode &operator=(const UsbfsNode &) = delete;
+
+	/// The device comes or goes, with all that the system tells about it. Not under the lock.
+	void plug(bool p_in);
+	/// Hands what the port has completed to those who wait for it. Under the lock.
+	void collect();
+
+private:
+	/// A transfer whose memory is in the program.
+	struct Transfer {
+		UMockdevIoctlClient *client = nullptr;
+		UMockdevIoctlData *urb = nullptr;
+		UMockdevIoctlData *buffer = nullptr;
+		/// Where the data begin in the buffer: control transfers have the request before.
+		size_t offset = 0;
+		/// What came. The program's buffer is looked at no sooner than it fetches the transfer: most of it would
+		/// be carried to and fro for nothing.
+		std::vector<uint8_t> bytes;
+	};
+	/// A program that has the node open.
+	struct Opened {
+		std::set<unsigned> claimed;
+		std::deque<Transfer> finished;
+		/// Waits in REAPURB until something is finished.
+		bool is_waiting = false;
+	};
+	/// Result of an ioctl: 0 or more, or a negative errno. LATER: it is answered by somebody else.
+	using Result = long;
+	static constexpr Result LATER = -100000;
+
+	static gboolean _on_ioctl(UMockdevIoctlBase *p_base, UMockdevIoctlClient *p_client, gpointer p_self);
+	static void _on_closed(GObject *p_client, GParamSpec *p_property, gpointer p_self);
+
+	Result _dispatch(UMockdevIoctlClient *p_client, unsigned p_request);
+	Result _dispatch_interface(UMockdevIoctlClient *p_client, unsigned p_request);
+	Result _submit(UMockdevIoctlClient *p_client);
+	Result _discard(UMockdevIoctlClient *p_client);
+	Result _reap(UMockdevIoctlClient *p_client, bool p_waits);
+	Result _control(UMockdevIoctlClient *p_client);
+	Result _claim(Opened &r_opened, unsigned p_interface);
+	Result _release(Opened &r_opened, unsigned p_interface);
+	Result _tell_driver(UMockdevIoctlClient *p_client);
+	Result _disconnect_and_claim(UMockdevIoctlClient *p_client);
+	Result _driver_ioctl(UMockdevIoctlClient *p_client);
+	Result _unbind(unsigned p_interface);
+	Result _bind(unsigned p_interface);
+	bool _is_claimed(unsigned p_interface) const;
+	/// Makes a transfer of what the program has submitted; null where it makes no sense.
+	std::unique_ptr<Urb> _make_urb(UMockdevIoctlClient *p_client, Transfer &r_transfer);
+	void _hand_over(Transfer p_transfer);
+	static void _fill_buffer(const Transfer &p_transfer);
+	void _close(UMockdevIoctlClient *p_client);
+	void _update_gate();
+	static void _free(Transfer &r_transfer);
+	/// The structure that the program passed; null where its memory cannot be read.
+	template <class T>
+	static T *_argument(UMockdevIoctlClient *p_client);
+
+	Shared &_shared;
+	UsbPort &_port;
+	Testbed &_testbed;
+	int _place;
+	std::string _driver;
+	UsbPort::Log _log;
+	std::unique_ptr<DeviceNode> _node;
+	UMockdevIoctlBase *_handler = nullptr;
+	std::map<UMockdevIoctlClient *, Opened> _opened;
+	std::map<uint64_t, Transfer> _transfers;
+	/// Interfaces that the kernel's driver has.
+	std::set<unsigned> _bound;
+	uint64_t _last_id = 0;
+};
+
+} // namespace emulator

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// First process of a virtual machine: plugs emulated suits into the kernel's own USB, lets suit_stream read
+// them, and looks at what the kernel's drivers do. tests/kernel reads its lines.
+#include "front/usbip_server.hpp"
+#include "kernel/guest.hpp"
+#include "suit/suit.hpp"
+
+#include <array>
+#include <cstdio>
+#include <ctime>
+
+namespace {
+
+using emulator::SECOND;
+using emulator::Usec;
+
+Usec monotonic() {
+	timespec now{};
+	clock_gettime(CLOCK_MONOTONIC, &now);
+	return Usec(now.tv_sec) * SECOND + now.tv_nsec / 1000;
+}
+
+/// Without the processor's help the machine is slow, and a FTDI chip keeps 256 bytes only: few data for it.
+struct Load {
+	int sensors;
+	int rate_hz;
+};
+
+/// One device, from when it is plugged in until it is pulled out while it streams.
+void examine(const std::string &p_kind, int p_place, const Load &p_load) {
+	const auto tell = [&p_kind](const std::string &p_what, const std::string &p_value) {
+		kernel::tell(p_kind + " " + p_what, p_value);
+	};
+	emulator::SuitOptions options;
+	options.devices = p_kind;
+	options.sensors = p_load.sensors;
+	const auto log = [](Usec /*p_now*/, size_t /*p_place*/, const std::string &p_text) {
+		if (p_text.compare(0, 8, "control ") == 0) {
+			(void)printf("LOG %s\n", p_text.c_str());
+		}
+	};
+	emulator::Suit suit(options, emulator::MotionStream::still(size_t(p_load.sensors)), monotonic, log);
+	suit.begin(monotonic());
+	emulator::SuitDevice &device = suit.devices().front();
+	emulator::UsbipServer server(*device.port, monotonic, p_place);
+	const std::string number = p_kind == "native" ? ":1.1" : ":1.0";
+
+	tell("plugged", server.plug() ? "yes" : "no");
+	tell("driver before", kernel::await_driver(number, device.kernel_driver()));
+	const std::string rate = "--rate=" + std::to_string(p_load.rate_hz);
+	kernel::Program stream({ "/bin/suit_stream", "--seconds=5", rate });
+	kernel::pause(3.0);
+	tell("driver meanwhile", kernel::driver(number));
+	tell("output", stream.finish());
+	tell("driver after", kernel::await_driver(number, device.kernel_driver()));
+
+	kernel::Program second({ "/bin/suit_stream", "--seconds=6", rate });
+	kernel::pause(4.0);
+	server.unplug();
+	tell("output of the unplugged", second.finish());
+	tell("driver of the unplugged", kernel::driver(number));
+}
+
+} // namespace
+
+int main() {
+	kernel::set_up();
+	examine("ftdi", 0, { 3, 50 });
+	examine("native", 1, { 15, 100 });
+	kernel::tell("finished", "yes");
+	kernel::power_off();
+	return 0;
+}

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "bus/message.hpp"
+#include "bus/number.hpp"
+#include "cable/random.hpp"
+#include "suit/motion_stream.hpp"
+
+#include <array>
+
+namespace emulator {
+
+/// How a sensor sits on its limb, and how good it is.
+struct Mounting {
+	/// The sensor's axes in the limb's: whoever puts a suit on mounts them at any angle.
+	kinematics::Quat rotation;
+	/// How far the sensor's idea of north is turned from the others', rad.
+	double heading = 0.0;
+	/// Drift of the heading, rad/s.
+	double drift = 0.0;
+	/// Standard deviation of the noise of the orientation, rad.
+	double noise = 0.0;
+
+	/// By chance: at any angle, with headings up to `p_heading` rad apart.
+	static Mounting random(Random &r_random, double p_heading);
+};
+
+/// What a tracker measures at one moment, in its own frame.
+struct Reading {
+	kinematics::Quat orientation;
+	/// m/s2, with gravity: at rest 9.81 upwards.
+	std::array<double, 3> acceleration{};
+	/// rad/s.
+	std::array<double, 3> rate{};
+	/// Of the earth's field.
+	std::array<double, 3> magnetic{};
+	double temperature = 0.0;
+};
+
+/// One MT: what it measures, how it is set, how it writes its part of MTData.
+class Tracker {
+public:
+	/// How an orientation is reset (ResetOrientation, A4).
+	enum class Reset : uint8_t {
+		STORE,
+		HEADING,
+		GLOBAL,
+		OBJECT,
+		ALIGN
+	};
+
+	uint32_t device_id = 0;
+	uint16_t mode = 0x0006;
+	/// Quaternions as floats with the sample counter: what the factory sets.
+	uint32_t settings = 0x00000001;
+	uint16_t skip_factor = 0;
+	std::array<double, 9> object_alignment{ 1, 0, 0, 0, 1, 0, 0, 0, 1 };
+	uint16_t filter_scenario = 0x0102;
+	Mounting mounting;
+	/// Which limb of the stream it sits on.
+	size_t limb = 0;
+	/// Bytes by which its data differ from the length that it tells: a fault.
+	int length_fault = 0;
+
+	Reading read(const MotionStream &p_stream, double p_time_s, Random &r_random) const;
+	/// Redefines the axes by how the sensor is now; false if there is no such reset.
+	bool reset_orientation(uint16_t p_kind, const kinematics::Quat &p_now);
+	/// Forgets the resets that were not stored.
+	void restart();
+
+	/// Bytes of its part of MTData. Behind a master there is no counter of its own.
+	size_t data_size(bool p_is_behind_master) const;
+	/// Writes that part; `r_bytes` has room for LONGEST. Returns the bytes written, and nothing else if
+	/// the settings ask for what does not exist.
+	size_t write_data(const Reading &p_reading, bool p_is_behind_master, uint16_t p_counter, uint8_t *r_bytes) const;
+	xbus::NumberFormat number_format() const { return xbus::NumberFormat(settings >> 8U & 3U); }
+
+	static constexpr size_t LONGEST = 512;
+
+private:
+	size_t _write_orientation(const Reading &p_reading, uint8_t *r_bytes) const;
+	size_t _write_inertial(const Reading &p_reading, uint8_t *r_bytes) const;
+
+	/// Turns the world's axes, and the sensor's: what ResetOrientation has made.
+	kinematics::Quat _world;
+	kinematics::Quat _object;
+	kinematics::Quat _stored_world;
+	kinematics::Quat _stored_object;
+};
+
+} // namespace emulator

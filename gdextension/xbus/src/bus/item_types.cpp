@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "bus/data_item.hpp"
+
+#include <array>
+#include <cstddef>
+#include <type_traits>
+
+namespace xbus {
+
+namespace {
+
+using F = Field;
+using K = ItemKind;
+
+#define AT(m_member) uint16_t(offsetof(Sample, m_member))
+#define TRIGGER_AT(m_place) uint16_t(offsetof(Sample, triggers) + (m_place) * sizeof(Trigger))
+
+// Offsets are taken of a class of the standard layout.
+static_assert(std::is_standard_layout_v<Sample>);
+
+constexpr ItemType TYPES[] = {
+	{},
+	{ item::TEMPERATURE, K::REALS, 1, F::TEMPERATURE, AT(temperature), "Temperature" },
+	{ item::UTC_TIME, K::UTC, 1, F::UTC_TIME, AT(utc), "UTCTime" },
+	{ item::PACKET_COUNTER, K::U16, 1, F::COUNTER, AT(counter), "PacketCounter" },
+	{ item::ITOW, K::U32, 1, F::ITOW, AT(itow), "ITOW" },
+	{ item::GNSS_AGE, K::U8, 1, F::GNSS_AGE, AT(gnss_age), "GNSSAge" },
+	{ item::PRESSURE_AGE, K::U8, 1, F::PRESSURE_AGE, AT(pressure_age), "PressureAge" },
+	{ item::SAMPLE_TIME_FINE, K::U32, 1, F::SAMPLE_TIME_FINE, AT(sample_time_fine), "SampleTimeFine" },
+	{ item::SAMPLE_TIME_COARSE, K::U32, 1, F::SAMPLE_TIME_COARSE, AT(sample_time_coarse), "SampleTimeCoarse" },
+	{ item::FRAME_RANGE, K::RANGE, 1, F::FRAME_RANGE, AT(frame_range), "FrameRange" },
+	{ item::PACKET_COUNTER_8, K::U8, 1, F::COUNTER, AT(counter), "PacketCounter8" },
+	{ item::SAMPLE_TIME_64, K::U64, 1, F::SAMPLE_TIME_64, AT(sample_time_64), "SampleTime64" },
+	{ item::PACKET_COUNTER_32, K::U32, 1, F::COUNTER, AT(counter), "PacketCounter32" },
+	{ item::QUATERNION, K::REALS, 4, F::QUATERNION, AT(quaternion), "Quaternion" },
+	{ item::ROTATION_MATRIX, K::REALS, 9, F::MATRIX, AT(matrix), "RotationMatrix" },
+	{ item::EULER_ANGLES, K::REALS, 3, F::EULER, AT(euler), "EulerAngles" },
+	{ item::BARO_PRESSURE, K::U32, 1, F::PRESSURE, AT(pressure), "BaroPressure" },
+	{ item::DELTA_V, K::REALS, 3, F::DELTA_V, AT(delta_v), "DeltaV" },
+	{ item::ACCELERATION, K::REALS, 3, F::ACCELERATION, AT(acceleration), "Acceleration" },
+	{ item::FREE_ACCELERATION, K::REALS, 3, F::FREE_ACCELERATION, AT(free_acceleration), "FreeAcceleration" },
+	{ item::ACCELERATION_HR, K::REALS, 3, F::ACCELERATION_HR, AT(acceleration_hr), "AccelerationHR" },
+	{ item::TRIGGER_IN_1, K::TRIGGER, 1, F::TRIGGER_1, TRIGGER_AT(0), "TriggerIn1" },
+	{ item::TRIGGER_IN_2, K::TRIGGER, 1, F::TRIGGER_2, TRIGGER_AT(1), "TriggerIn2" },
+	{ item::TRIGGER_IN_3, K::TRIGGER, 1, F::TRIGGER_3, TRIGGER_AT(2), "TriggerIn3" },
+	{ item::ALTITUDE_MSL, K::REALS, 1, F::ALTITUDE_MSL, AT(altitude_msl), "AltitudeMSL" },
+	{ item::ALTITUDE_ELLIPSOID, K::REALS, 1, F::ALTITUDE_ELLIPSOID, AT(altitude_ellipsoid), "AltitudeEllipsoid" },
+	{ item::POSITION_ECEF, K::REALS, 3, F::POSITION_ECEF, AT(position_ecef), "PositionECEF" },
+	{ item::LAT_LON, K::REALS, 2, F::LAT_LON, AT(lat_lon), "LatLon" },
+	{ item::GNSS_PVT_DATA, K::GNSS_PVT, 1, F::GNSS_PVT, AT(gnss_pvt), "GNSSPVTData" },
+	{ item::GNSS_SAT_INFO, K::SATELLITES, 1, F::GNSS_SATELLITES, AT(gnss_satellites), "GNSSSatInfo" },
+	{ item::GNSS_PVT_PULSE, K::U32, 1, F::GNSS_PULSE, AT(gnss_pulse), "GNSSPVTPulse" },
+	{ item::RATE_OF_TURN, K::REALS, 3, F::RATE_OF_TURN, AT(rate_of_turn), "RateOfTurn" },
+	{ item::DELTA_Q, K::REALS, 4, F::DELTA_Q, AT(delta_q), "DeltaQ" },
+	{ item::RATE_OF_TURN_HR, K::REALS, 3, F::RATE_OF_TURN_HR, AT(rate_of_turn_hr), "RateOfTurnHR" },
+	{ item::RAW_ACC_GYR_MAG_TEMP, K::RAW, 1, F::RAW_ACCELERATION, AT(raw_acceleration), "RawAccGyrMagTemp" },
+	{ item::RAW_GYRO_TEMP, K::RAW_VECTOR, 1, F::RAW_GYRO_TEMPERATURE, AT(raw_gyro_temperature), "RawGyroTemp" },
+	{ item::RAW_ACC, K::RAW_VECTOR, 1, F::RAW_ACCELERATION, AT(raw_acceleration), "RawAcc" },
+	{ item::RAW_GYR, K::RAW_VECTOR, 1, F::RAW_RATE_OF_TURN, AT(raw_rate_of_turn), "RawGyr" },
+	{ item::RAW_MAG, K::RAW_VECTOR, 1, F::RAW_MAGNETIC_FIELD, AT(raw_magnetic_field), "RawMag" },
+	{ item::RAW_DELTA_Q, K::REALS, 4, F::RAW_DELTA_Q, AT(raw_delta_q), "RawDeltaQ" },
+	{ item::RAW_DELTA_V, K::REALS, 3, F::RAW_DELTA_V, AT(raw_delta_v), "RawDeltaV" },
+	{ item::RAW_BLOB, K::OPAQUE, 1, F::COUNT, 0, "RawBlob" },
+	{ item::ANALOG_IN_1, K::U16, 1, F::ANALOG_IN_1, AT(analog_in_1), "AnalogIn1" },
+	{ item::ANALOG_IN_2, K::U16, 1, F::ANALOG_IN_2, AT(analog_in_2), "AnalogIn2" },
+	{ item::MAGNETIC_FIELD, K::REALS, 3, F::MAGNETIC_FIELD, AT(magnetic_field), "MagneticField" },
+	{ item::MAGNETIC_FIELD_CORRECTED, K::REALS, 3, F::MAGNETIC_FIELD_CORRECTED, AT(magnetic_field_corrected),
+			"MagneticFieldCorrected" },
+	{ item::AWINDA_SNAPSHOT, K::AWINDA, 1, F::SNAPSHOT, AT(snapshot), "AwindaSnapshot" },
+	{ item::FULL_SNAPSHOT, K::FULL_SNAPSHOT, 1, F::SNAPSHOT, AT(snapshot), "FullSnapshot" },
+	{ 0xC830, K::OPAQUE, 1, F::COUNT, 0, "GloveSnapshotLeft" },
+	{ 0xC840, K::OPAQUE, 1, F::COUNT, 0, "GloveSnapshotRight" },
+	{ 0xCA30, K::OPAQUE, 1, F::COUNT, 0, "GloveDataLeft" },
+	{ 0xCA40, K::OPAQUE, 1, F::COUNT, 0, "GloveDataRight" },
+	{ item::VELOCITY_XYZ, K::REALS, 3, F::VELOCITY, AT(velocity), "VelocityXYZ" },
+	{ item::STATUS_BYTE, K::U8, 1, F::STATUS_BYTE, AT(status_byte), "StatusByte" },
+	{ item::STATUS_WORD, K::U32, 1, F::STATUS_WORD, AT(status_word), "StatusWord" },
+	{ item::RSSI, K::U8, 1, F::RSSI, AT(rssi), "RSSI" },
+	{ item::DEVICE_ID, K::U32, 1, F::DEVICE_ID, AT(device_id), "DeviceID" },
+	{ item::LOCATION_ID, K::U16, 1, F::LOCATION_ID, AT(location_id), "LocationID" },
+};
+
+#undef AT
+#undef TRIGGER_AT
+
+constexpr size_t TYPE_COUNT = sizeof(TYPES) / sizeof(TYPES[0]);
+
+constexpr std::array<uint8_t, 4096> places() {
+	std::array<uint8_t, 4096> found{};
+	for (size_t i = 1; i < TYPE_COUNT; i++) {
+		found[TYPES[i].type >> 4U] = uint8_t(i);
+	}
+	return found;
+}
+
+/// Where in TYPES a type is; 0 if it is not.
+constexpr std::array<uint8_t, 4096> PLACES = places();
+
+} // namespace
+
+bool ItemType::has_axes() const {
+	return field == F::QUATERNION || field == F::MATRIX || field == F::EULER || field == F::VELOCITY;
+}
+
+const ItemType &item_type(uint16_t p_id) {
+	return TYPES[PLACES[uint32_t(p_id) >> 4U]];
+}
+
+} // namespace xbus

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "bus/number.hpp"
+#include "bus/sample.hpp"
+
+namespace xbus {
+
+/// Bits of OutputMode (0xD0).
+namespace output_mode {
+constexpr uint32_t TEMPERATURE = 0x0001;
+constexpr uint32_t CALIBRATED = 0x0002;
+constexpr uint32_t ORIENTATION = 0x0004;
+constexpr uint32_t AUXILIARY = 0x0008;
+constexpr uint32_t POSITION = 0x0010;
+constexpr uint32_t VELOCITY = 0x0020;
+constexpr uint32_t STATUS = 0x0800;
+constexpr uint32_t GPS_PVT = 0x1000;
+/// Not together with the others, except GPS_PVT.
+constexpr uint32_t RAW = 0x4000;
+/// Of the MT9, older than the bus.
+constexpr uint32_t MT9 = 0x8000;
+} // namespace output_mode
+
+/// Bits of OutputSettings (0xD2).
+namespace output_setting {
+constexpr uint32_t TIMESTAMP_MASK = 0x00000003;
+constexpr uint32_t SAMPLE_COUNTER = 0x00000001;
+constexpr uint32_t UTC = 0x00000002;
+constexpr uint32_t ORIENTATION_MASK = 0x0000000C;
+constexpr uint32_t QUATERNION = 0x00000000;
+constexpr uint32_t EULER = 0x00000004;
+constexpr uint32_t MATRIX = 0x00000008;
+constexpr uint32_t NO_ACCELERATION = 0x00000010;
+constexpr uint32_t NO_RATE_OF_TURN = 0x00000020;
+constexpr uint32_t NO_MAGNETIC_FIELD = 0x00000040;
+constexpr uint32_t NUMBER_MASK = 0x00000300;
+constexpr unsigned NUMBER_SHIFT = 8;
+constexpr uint32_t NO_ANALOG_1 = 0x00000400;
+constexpr uint32_t NO_ANALOG_2 = 0x00000800;
+constexpr uint32_t NORTH_EAST_DOWN = 0x80000000;
+} // namespace output_setting
+
+/// What a legacy tracker puts into MTData (0x32).
+struct OutputFormat {
+	uint16_t mode = 0;
+	uint32_t settings = 0;
+
+	NumberFormat numbers() const {
+		return NumberFormat((settings & output_setting::NUMBER_MASK) >> output_setting::NUMBER_SHIFT);
+	}
+	/// Whether any device could send this, and all that it holds is understood.
+	bool is_valid() const;
+	/// Data bytes of one sample, of a tracker that stands alone.
+	size_t size() const;
+	/// The same without time stamps, which a master sends once, in front, in place of its trackers.
+	size_t size_behind_master() const;
+
+	/// Decodes the block of one tracker, of exactly the size told; false if it is not.
+	bool decode(const uint8_t *p_data, size_t p_size, Sample &r_sample) const;
+	bool decode_behind_master(const uint8_t *p_data, size_t p_size, Sample &r_sample) const;
+
+	/// Writes the block of one tracker and returns its size; `with_time`: as one that stands alone.
+	size_t write(const Sample &p_sample, bool p_with_time, uint8_t *r_bytes) const;
+};
+
+/// What a master sends: a counter, then a block for each of its trackers in the order of their identifiers.
+class MasterFormat {
+public:
+	/// Bytes of the counter.
+	static constexpr size_t HEAD = 2;
+
+	/// Forgets all trackers.
+	void clear();
+	/// The next tracker's format; false if there are too many, or if it is not valid.
+	bool add(const OutputFormat &p_format);
+
+	size_t count() const { return _count; }
+	const OutputFormat &format(size_t p_tracker) const { return _formats[p_tracker]; }
+	/// Data bytes of a message.
+	size_t size() const { return _size; }
+
+	/// Decodes a message into as many samples as there are trackers, their bus identifiers and counters
+	/// included; false if its size is not exactly right.
+	bool decode(const uint8_t *p_data, size_t p_size, Sample *r_samples) const;
+	/// Writes the data of a message and returns its size; there is room for size().
+	size_t write(uint16_t p_counter, const Sample *p_samples, uint8_t *r_bytes) const;
+
+private:
+	std::array<OutputFormat, MAX_DEVICES> _formats{};
+	std::array<size_t, MAX_DEVICES> _sizes{};
+	size_t _count = 0;
+	size_t _size = HEAD;
+};
+
+} // namespace xbus

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "bus/plausibility.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace xbus {
+
+namespace {
+
+// Beyond what any tracker of this kind measures: 180 m/s^2, 35 rad/s, a few units of magnetic field.
+constexpr double MOST_ACCELERATION = 1000.0;
+constexpr double MOST_RATE = 100.0;
+constexpr double MOST_FIELD = 100.0;
+constexpr double MOST_TEMPERATURE = 200.0;
+constexpr double MOST_SPEED = 10000.0;
+constexpr double MOST_ALTITUDE = 1.0e6;
+constexpr double MOST_DISTANCE = 1.0e8;
+constexpr uint32_t MOST_PRESSURE = 200000;
+/// Rounding of an angle at its end, degrees.
+constexpr double ANGLE_SLACK = 0.01;
+
+/// False for what is not a number, too.
+template <size_t N>
+bool within(const std::array<double, N> &p_values, double p_most) {
+	return std::all_of(p_values.begin(), p_values.end(), [&](double p_value) { return std::fabs(p_value) <= p_most; });
+}
+
+bool within(double p_value, double p_most) {
+	return std::fabs(p_value) <= p_most;
+}
+
+bool is_euler(const Sample::Vector &p_degrees) {
+	return within(p_degrees[0], 180.0 + ANGLE_SLACK) && within(p_degrees[1], 90.0 + ANGLE_SLACK) &&
+			within(p_degrees[2], 180.0 + ANGLE_SLACK);
+}
+
+/// A device without a fix may send zeros: only what no clock shows is refused.
+bool is_time(const UtcTime &p_utc) {
+	return p_utc.nanoseconds < 1000000000U && p_utc.month <= 12 && p_utc.day <= 31 && p_utc.hour <= 23 &&
+			p_utc.minute <= 59 && p_utc.second <= 60;
+}
+
+bool is_pvt(const GnssPvt &p_pvt) {
+	UtcTime utc = p_pvt.utc;
+	utc.nanoseconds = 0;
+	return is_time(utc) && std::abs(int64_t(p_pvt.longitude)) <= 1800000000 &&
+			std::abs(int64_t(p_pvt.latitude)) <= 900000000;
+}
+
+bool is_motion_in_range(const Sample &p_sample) {
+	const auto good = [&](Field p_field, bool p_good) { return !p_sample.has(p_field) || p_good; };
+	return good(Field::EULER, is_euler(p_sample.euler)) &&
+			good(Field::ACCELERATION, within(p_sample.acceleration, MOST_ACCELERATION)) &&
+			good(Field::FREE_ACCELERATION, within(p_sample.free_acceleration, MOST_ACCELERATION)) &&
+			good(Field::ACCELERATION_HR, within(p_sample.acceleration_hr, MOST_ACCELERATION)) &&
+			good(Field::DELTA_V, within(p_sample.delta_v, MOST_ACCELERATION)) &&
+			good(Field::RATE_OF_TURN, within(p_sample.rate_of_turn, MOST_RATE)) &&
+			good(Field::RATE_OF_TURN_HR, within(p_sample.rate_of_turn_hr, MOST_RATE)) &&
+			good(Field::MAGNETIC_FIELD, within(p_sample.magnetic_field, MOST_FIELD)) &&
+			good(Field::MAGNETIC_FIELD_CORRECTED, within(p_sample.magnetic_field_corrected, MOST_FIELD));
+}
+
+bool is_place_in_range(const Sample &p_sample) {
+	const auto good = [&](Field p_field, bool p_good) { return !p_sample.has(p_field) || p_good; };
+	const auto &lat_lon = p_sample.lat_lon;
+	const auto &position = p_sample.position;
+	return good(Field::LAT_LON, within(lat_lon[0], 90.0) && within(lat_lon[1], 360.0)) &&
+			good(Field::POSITION,
+					within(position[0], 90.0) && within(position[1], 360.0) && within(position[2], MOST_ALTITUDE)) &&
+			good(Field::ALTITUDE_MSL, within(p_sample.altitude_msl, MOST_ALTITUDE)) &&
+			good(Field::ALTITUDE_ELLIPSOID, within(p_sample.altitude_ellipsoid, MOST_ALTITUDE)) &&
+			good(Field::POSITION_ECEF, within(p_sample.position_ecef, MOST_DISTANCE)) &&
+			good(Field::VELOCITY, within(p_sample.velocity, MOST_SPEED));
+}
+
+} // namespace
+
+bool is_in_range(const Sample &p_sample) {
+	const auto good = [&](Field p_field, bool p_good) { return !p_sample.has(p_field) || p_good; };
+	return is_motion_in_range(p_sample) && is_place_in_range(p_sample) &&
+			good(Field::TEMPERATURE, within(p_sample.temperature, MOST_TEMPERATURE)) &&
+			good(Field::PRESSURE, p_sample.pressure <= MOST_PRESSURE) && good(Field::UTC_TIME, is_time(p_sample.utc)) &&
+			good(Field::GNSS_PVT, is_pvt(p_sample.gnss_pvt));
+}
+
+double norm_deviation(const std::array<double, 4> &p_quaternion) {
+	double square = 0.0;
+	for (const double part : p_quaternion) {
+		square += part * part;
+	}
+	return std::fabs(std::sqrt(square) - 1.0);
+}
+
+double rotation_deviation(const std::array<double, 9> &p_matrix) {
+	const auto dot = [&](size_t p_a, size_t p_b) {
+		double sum = 0.0;
+		for (size_t i = 0; i < 3; i++) {
+			sum += p_matrix[p_a * 3 + i] * p_matrix[p_b * 3 + i];
+		}
+		return sum;
+	};
+	// One term that is not a number makes the whole sum such.
+	return std::fabs(dot(0, 0) - 1.0) + std::fabs(dot(1, 1) - 1.0) + std::fabs(dot(2, 2) - 1.0) + std::fabs(dot(0, 1)) +
+			std::fabs(dot(1, 2)) + std::fabs(dot(0, 2));
+}
+
+bool NormJudge::accept(double p_deviation) {
+	if (!(p_deviation <= MOST)) {
+		return false;
+	}
+	const double bound = _seen < LEARN ? MOST : std::max(LEAST, FACTOR * _usual);
+	if (p_deviation > bound && _refused < PATIENCE) {
+		_refused++;
+		return false;
+	}
+	_refused = 0;
+	_seen = std::min(_seen + 1, LEARN);
+	_usual = std::max(p_deviation, _usual * FORGET);
+	return true;
+}
+
+SampleJudge::Verdict SampleJudge::judge(const Sample &p_sample) {
+	const bool good = is_in_range(p_sample) &&
+			(!p_sample.has(Field::QUATERNION) || _quaternion.accept(norm_deviation(p_sample.quaternion))) &&
+			(!p_sample.has(Field::MATRIX) || _matrix.accept(rotation_deviation(p_sample.matrix))) &&
+			(!p_sample.has(Field::DELTA_Q) || _delta_q.accept(norm_deviation(p_sample.delta_q)));
+	if (good) {
+		_refused = 0;
+		return Verdict::PLAUSIBLE;
+	}
+	if (_refused < PATIENCE) {
+		_refused++;
+		return Verdict::IMPLAUSIBLE;
+	}
+	return Verdict::SICK;
+}
+
+} // namespace xbus

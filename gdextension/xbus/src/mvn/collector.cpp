@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+#include "mvn/collector.hpp"
+
+#include <algorithm>
+
+namespace mvn {
+
+namespace {
+
+/// A sender that is silent for so long has given its characters up, µs.
+constexpr uint64_t SENDER_USEC = 2000000;
+/// Bytes of a sample in all its parts.
+constexpr std::size_t MOST_BYTES = 65536;
+/// A counter that is further back than so many has begun anew.
+constexpr uint32_t MOST_LATE = 240;
+constexpr uint32_t MOST_STEP = 2000;
+/// Without a sample for so long a counter may begin anew anywhere, µs.
+constexpr uint64_t ANEW_USEC = 500000;
+constexpr uint64_t METER_USEC = 1000000;
+
+bool is_pose(Type p_type) {
+	return p_type == Type::POSE || p_type == Type::EULER_POSE || p_type == Type::UNITY_POSE ||
+			p_type == Type::TRACKERS;
+}
+
+} // namespace
+
+Outcome Collector::take(const uint8_t *p_bytes, std::size_t p_size, uint64_t p_sender, uint64_t p_now_usec) {
+	++_datagrams;
+	const Fault fault = read_header(p_bytes, p_size, _header);
+	if (fault != Fault::NONE) {
+		return refuse(fault);
+	}
+	auto found = _characters.find(_header.character);
+	if (found == _characters.end()) {
+		if (_characters.size() >= std::size_t(MOST_CHARACTERS)) {
+			return Outcome::CROWDED;
+		}
+		found = _characters.try_emplace(_header.character).first;
+		found->second.sender = p_sender;
+	}
+	Character &character = found->second;
+	if (character.sender != p_sender) {
+		if (p_now_usec < character.statistics.newest_usec + SENDER_USEC) {
+			++character.statistics.foreign;
+			return Outcome::FOREIGN;
+		}
+		character = Character();
+		character.sender = p_sender;
+	}
+	character.statistics.newest_usec = p_now_usec;
+	return add(character, p_bytes + HEADER_SIZE, p_size - HEADER_SIZE, p_now_usec);
+}
+
+Outcome Collector::refuse(Fault p_fault) {
+	_fault = p_fault;
+	++_refused[std::size_t(p_fault)];
+	return Outcome::REFUSED;
+}
+
+Outcome Collector::add(
+		Character &p_character, const uint8_t *p_payload, std::size_t p_size, uint64_t p_now_usec) {
+	Slot &slot = p_character.slots[std::size_t(_header.type)];
+	// A counter that goes back when nothing has come for a while belongs to a sender that began anew.
+	if (slot.has_whole && slot.newest_whole - _header.sample < MOST_LATE && p_now_usec < slot.whole_usec + ANEW_USEC) {
+		++p_character.statistics.late;
+		return Outcome::LATE;
+	}
+	Pending &pending = pending_of(p_character, slot);
+	const Outcome stored = store_part(pending, p_payload, p_size);
+	if (stored == Outcome::LATE) {
+		++p_character.statistics.late;
+	}
+	if (stored != Outcome::PART || !is_complete(pending)) {
+		return stored;
+	}
+	pending.is_begun = false;
+	const Fault fault = read_parts(pending, slot.content);
+	if (fault != Fault::NONE) {
+		return refuse(fault);
+	}
+	for (Pending &other : slot.pending) {
+		// Older ones would come too late now.
+		if (other.is_begun && _header.sample - other.sample < MOST_LATE) {
+			other.is_begun = false;
+			++p_character.statistics.incomplete;
+		}
+	}
+	slot.has_whole = true;
+	slot.newest_whole = _header.sample;
+	slot.whole_usec = p_now_usec;
+	_content = &slot.content;
+	++p_character.statistics.samples;
+	note_sample(p_character, p_now_usec);
+	return Outcome::SAMPLE;
+}
+
+/// Where the parts of the present sample are kept; a new one takes the place of the oldest.
+Collector::Pending &Collector::pending_of(Character &p_character, Slot &p_slot) const {
+	Pending *place = &p_slot.pending[0];
+	for (Pending &pending : p_slot.pending) {
+		if (pending.is_begun && pending.sample == _header.sample) {
+			return pending;
+		}
+		if (place->is_begun && (!pending.is_begun || _header.sample - pending.sample > _header.sample - place->sample)) {
+			place = &pending;
+		}
+	}
+	p_character.statistics.incomplete += place->is_begun ? 1U : 0U;
+	place->is_begun = true;
+	place->sample = _header.sample;
+	place->part_count = 0;
+	place->bytes = 0;
+	return *place;
+}
+
+Outcome Collector::store_part(Pending &p_pending, const uint8_t *p_payload, std::size_t p_size) {
+	for (std::size_t at = 0; at < p_pending.part_count; ++at) {
+		const Header &known = p_pending.parts[at].header;
+		if (known.part == _header.part) {
+			return Outcome::LATE;
+		}
+		// Two ends, or something beyond the end: not one sample.
+		if ((known.is_last && (_header.is_last || _header.part > known.part)) ||
+				(_header.is_last && known.part > _header.part)) {
+			p_pending.is_begun = false;
+			return refuse(Fault::BAD_PARTS);
+		}
+	}
+	p_pending.bytes += p_size;
+	if (p_pending.bytes > MOST_BYTES) {
+		p_pending.is_begun = false;
+		return refuse(Fault::TOO_MANY);
+	}
+	if (p_pending.part_count == p_pending.parts.size()) {
+		p_pending.parts.emplace_back();
+	}
+	Part &part = p_pending.parts[p_pending.part_count++];
+	part.header = _header;
+	part.payload.assign(p_payload, p_payload + p_size);
+	return Outcome::PART;
+}
+
+bool Collector::is_complete(const Pending &p_pending) {
+	for (std::size_t at = 0; at < p_pending.part_count; ++at) {
+		if (p_pending.parts[at].header.is_last) {
+			return p_pending.part_count == std::size_t(p_pending.parts[at].header.part) + 1;
+		}
+	}
+	return false;
+}
+
+Fault Collector::read_parts(Pending &p_pending, Content &r_content) const {
+	std::sort(p_pending.parts.begin(), p_pending.parts.begin() + std::ptrdiff_t(p_pending.part_count),
+			[](const Part &p_a, const Part &p_b) { return p_a.header.part < p_b.header.part; });
+	clear(r_content);
+	r_content.header = p_pending.parts[0].header;
+	r_content.header.is_last = true;
+	for (std::size_t at = 0; at < p_pending.part_count; ++at) {
+		const Part &part = p_pending.parts[at];
+		const Fault fault = read_payload(part.header, part.payload.data(), part.payload.size(), r_content);
+		if (fault != Fault::NONE) {
+			return fault;
+		}
+	}
+	return Fault::NONE;
+}
+
+/// Rate and loss are those of the type that comes most often: of one pose.
+void Collector::note_sample(Character &p_character, uint64_t p_now_usec) {
+	if (!is_pose(_header.type)) {
+		return;
+	}
+	if (_header.type != p_character.leader && p_now_usec < p_character.leader_usec + METER_USEC &&
+			p_character.leader_usec != 0) {
+		return;
+	}
+	p_character.has_last = p_character.has_last && _header.type == p_character.leader;
+	p_character.leader = _header.type;
+	p_character.leader_usec = p_now_usec;
+	if (p_character.has_last) {
+		const uint32_t gap = _header.sample - p_character.last_sample;
+		if (gap == 0 || gap > MOST_STEP) {
+			p_character.step = 0; // Begun anew.
+			++p_character.statistics.jumps;
+		} else if (p_character.step == 0 || gap < p_character.step) {
+			p_character.step = gap;
+		} else {
+			p_character.statistics.lost += gap / p_character.step - 1;
+		}
+	}
+	p_character.last_sample = _header.sample;
+	p_character.has_last = true;
+	const uint64_t span = p_now_usec - p_character.metered_usec;
+	if (p_character.metered_usec == 0 || span > 3 * METER_USEC) {
+		p_character.metered_usec = p_now_usec;
+		p_character.metered = 0;
+		return;
+	}
+	++p_character.metered;
+	if (span >= METER_USEC) {
+		p_character.statistics.rate_hz = p_character.metered * 1e6 / double(span);
+		p_character.metered_usec = p_now_usec;
+		p_character.metered = 0;
+	}
+}
+
+std::vector<std::pair<int, CharacterStatistics>> Collector::characters() const {
+	std::vector<std::pair<int, CharacterStatistics>> found;
+	found.reserve(_characters.size());
+	for (const auto &[number, character] : _characters) {
+		found.emplace_back(number, character.statistics);
+	}
+	return found;
+}
+
+CharacterStatistics Collector::statistics(int p_character) const {
+	const auto found = _characters.find(p_character);
+	return found != _characters.end() ? found->second.statistics : CharacterStatistics();
+}
+
+void Collector::forget_silent(uint64_t p_since_usec) {
+	for (auto at = _characters.begin(); at != _characters.end();) {
+		at = at->second.statistics.newest_usec < p_since_usec ? _characters.erase(at) : std::next(at);
+	}
+}
+
+void Collector::clear(Content &p_content) {
+	p_content.poses.clear();
+	p_content.joints.clear();
+	p_content.motions.clear();
+	p_content.origins.clear();
+	p_content.points.clear();
+	p_content.tags.clear();
+	p_content.time_code.clear();
+}
+
+} // namespace mvn

@@ -1,0 +1,563 @@
+// SPDX-License-Identifier: MIT
+#include "session/session.hpp"
+
+#include "bus/bytes.hpp"
+
+#include <algorithm>
+#include <cstdarg>
+#include <cstdio>
+
+namespace xbus {
+
+namespace {
+
+/// Speeds at which a master may be found, the likeliest first, bit/s.
+constexpr std::array<uint32_t, 7> BAUDS = { 460800, 115200, 921600, 230400, 57600, 38400, 19200 };
+/// The speed that a slower master is set to where its line does not carry the samples.
+constexpr uint32_t FAST_BAUD = 460800;
+constexpr uint8_t FAST_BAUD_CODE = 0x00;
+/// A master that is reset is back after about 750 ms.
+constexpr uint64_t REBOOT_USEC = 1000000;
+constexpr uint64_t PAUSE_USEC = 500000;
+/// Bus errors in a row until people are told to look at the cables.
+constexpr int MOST_BUS_FAILURES = 3;
+
+} // namespace
+
+const char *state_text(SessionState p_state) {
+	switch (p_state) {
+		case SessionState::SEARCHING:
+			return "searching";
+		case SessionState::CONFIGURING:
+			return "being set up";
+		case SessionState::MEASURING:
+			return "measuring";
+		case SessionState::SILENT:
+			return "silent";
+		case SessionState::UNSUPPORTED:
+			return "not supported";
+		default:
+			return "stopped";
+	}
+}
+
+Session::Session(const SessionOptions &p_options, SessionHost &p_host) :
+		_options(p_options), _host(p_host) {}
+
+void Session::open(uint64_t p_now_usec) {
+	_now_usec = p_now_usec;
+	if (_options.has_baud) {
+		_baud = BAUDS[_baud_at];
+		_host.set_baud(_baud);
+	}
+	pause(0);
+}
+
+void Session::take_bytes(const uint8_t *p_bytes, std::size_t p_size, uint64_t p_now_usec) {
+	_now_usec = std::max(_now_usec, p_now_usec);
+	_bytes_usec = _now_usec;
+	_framer.feed(p_bytes, p_size, [this](const Frame &p_frame) { return judge(p_frame); });
+}
+
+void Session::stop(uint64_t p_now_usec) {
+	_now_usec = std::max(_now_usec, p_now_usec);
+	if (is_stopped() || _step == Step::STOP) {
+		return;
+	}
+	// Somebody who never answered has nothing to stop.
+	go_to(_has_answered ? Step::STOP : Step::STOPPED);
+}
+
+SessionState Session::state() const {
+	switch (_step) {
+		case Step::PAUSE:
+		case Step::GO_TO_CONFIG:
+			return _is_silent ? SessionState::SILENT
+							  : (_has_answered ? SessionState::CONFIGURING : SessionState::SEARCHING);
+		case Step::MEASURING:
+			return SessionState::MEASURING;
+		case Step::UNSUPPORTED:
+			return SessionState::UNSUPPORTED;
+		case Step::STOPPED:
+			return SessionState::STOPPED;
+		default:
+			return SessionState::CONFIGURING;
+	}
+}
+
+void Session::report(uint64_t p_now_usec, SessionReport &r_report) const {
+	r_report.state = state();
+	r_report.device_id = _device_id;
+	r_report.kind = _kind;
+	r_report.baud = _baud;
+	r_report.rate_hz = rate_hz();
+	r_report.battery = _battery;
+	r_report.framer = _framer.statistics();
+	r_report.stream = _check.statistics();
+	r_report.errors = _errors;
+	r_report.restarts = _restarts;
+	r_report.problem = _problem.data();
+	r_report.trackers.resize(std::size_t(_tracker_count));
+	for (int tracker = 0; tracker < _tracker_count; ++tracker) {
+		TrackerReport &report = r_report.trackers[std::size_t(tracker)];
+		report.device_id = _tracker_ids[std::size_t(tracker)];
+		report.bus_id = bus_id_of(tracker);
+		report.samples = _check.device(report.bus_id);
+		report.flow = _stream.flow(tracker, p_now_usec);
+	}
+}
+
+Session::Patience Session::patience(Step p_step) {
+	switch (p_step) {
+		case Step::GO_TO_CONFIG:
+		case Step::STOP:
+			return { 150000, 3, false };
+		case Step::INIT_BUS:
+			return { 3000000, 2, false };
+		case Step::CONFIGURATION:
+			return { 800000, 2, true };
+		case Step::BATTERY:
+		case Step::DATA_LENGTH:
+		case Step::SKIP_FACTOR:
+			return { 250000, 2, true };
+		case Step::SET_BAUD:
+			return { 500000, 2, false };
+		case Step::MEASURE:
+			return { 1000000, 3, false };
+		default:
+			return { 500000, 3, false };
+	}
+}
+
+void Session::go_to(Step p_step) {
+	_step = p_step;
+	_waits = false;
+	switch (p_step) {
+		case Step::STOPPED:
+		case Step::UNSUPPORTED:
+		case Step::PAUSE:
+			return;
+		case Step::REBOOT: {
+			const Request reset = host::reset();
+			_host.send(reset.bytes.data(), reset.size);
+			_deadline_usec = _now_usec + REBOOT_USEC;
+			return;
+		}
+		case Step::MEASURING:
+			begin_measuring();
+			return;
+		default:
+			ask(request_for(p_step));
+	}
+}
+
+Request Session::request_for(Step p_step) const {
+	const uint8_t bus_id = bus_id_of(_tracker);
+	switch (p_step) {
+		case Step::DEVICE_ID:
+			return host::request_device_id();
+		case Step::INIT_BUS:
+			return host::init_bus();
+		case Step::BUS_POWER:
+			return host::set_bus_power(true);
+		case Step::CONFIGURATION:
+			return host::request_configuration();
+		case Step::SET_BAUD:
+			return host::set_baud_rate(FAST_BAUD_CODE);
+		case Step::OUTPUT_MODE:
+			return host::set_output_mode(_outputs.mode, bus_id);
+		case Step::OUTPUT_SETTINGS:
+			return host::set_output_settings(_outputs.settings, bus_id);
+		case Step::PERIOD:
+			return host::set_period(_outputs.period);
+		case Step::SKIP_FACTOR:
+			return host::set_skip_factor(0, MASTER);
+		case Step::DATA_LENGTH:
+			return host::request_data_length();
+		case Step::OUTPUT_CONFIGURATION:
+			return output_configuration(_options.rate_hz);
+		case Step::BATTERY:
+			return host::request_battery_level();
+		case Step::MEASURE:
+			return host::go_to_measurement();
+		default:
+			return host::go_to_config();
+	}
+}
+
+Session::Step Session::step_after(Step p_step) const {
+	switch (p_step) {
+		case Step::GO_TO_CONFIG:
+			return Step::DEVICE_ID;
+		case Step::DEVICE_ID:
+			return is_master() ? Step::INIT_BUS : Step::CONFIGURATION;
+		case Step::BUS_POWER:
+			return Step::INIT_BUS;
+		case Step::INIT_BUS:
+			return Step::CONFIGURATION;
+		case Step::CONFIGURATION:
+			return speaks_mtdata2() ? Step::OUTPUT_CONFIGURATION : Step::OUTPUT_MODE;
+		case Step::SET_BAUD:
+			return Step::REBOOT;
+		case Step::OUTPUT_MODE:
+			return Step::OUTPUT_SETTINGS;
+		case Step::OUTPUT_SETTINGS:
+			return Step::PERIOD;
+		case Step::PERIOD:
+			return is_master() ? Step::DATA_LENGTH : Step::SKIP_FACTOR;
+		case Step::SKIP_FACTOR:
+			return Step::DATA_LENGTH;
+		case Step::DATA_LENGTH:
+			return is_master() ? Step::BATTERY : Step::MEASURE;
+		case Step::OUTPUT_CONFIGURATION:
+		case Step::BATTERY:
+			return Step::MEASURE;
+		case Step::MEASURE:
+			return Step::MEASURING;
+		default:
+			return Step::STOPPED;
+	}
+}
+
+bool Session::speaks_mtdata2() const {
+	return _kind == DeviceKind::MTI_10 || _kind == DeviceKind::MTI_100 || _kind == DeviceKind::UNKNOWN;
+}
+
+void Session::ask(const Request &p_request) {
+	_request = p_request;
+	_tries = 0;
+	send_request();
+}
+
+void Session::send_request() {
+	_waits = true;
+	++_tries;
+	_deadline_usec = _now_usec + patience(_step).limit_usec;
+	_host.send(_request.bytes.data(), _request.size);
+}
+
+void Session::advance(uint64_t p_now_usec) {
+	_now_usec = std::max(_now_usec, p_now_usec);
+	// A message whose rest does not come hides what comes behind it.
+	if (_framer.pending() > 0 && _now_usec - _bytes_usec > 50000) {
+		_framer.give_up([this](const Frame &p_frame) { return judge(p_frame); });
+	}
+	if (_step == Step::MEASURING) {
+		look_after_stream();
+		return;
+	}
+	if (is_stopped() || _now_usec < _deadline_usec) {
+		return;
+	}
+	if (_step == Step::PAUSE) {
+		go_to(Step::GO_TO_CONFIG);
+	} else if (_step == Step::REBOOT) {
+		_baud = FAST_BAUD;
+		_host.set_baud(_baud);
+		pause(0);
+	} else if (_tries < patience(_step).tries) {
+		send_request();
+	} else {
+		fail_step();
+	}
+}
+
+void Session::fail_step() {
+	if (_step == Step::STOP) {
+		go_to(Step::STOPPED);
+	} else if (_step == Step::GO_TO_CONFIG) {
+		next_baud();
+	} else if (patience(_step).is_optional) {
+		go_to(step_after(_step));
+	} else if (_step == Step::SET_BAUD) {
+		choose_outputs();
+	} else {
+		const char *name = message_name(_request.message());
+		char why[80];
+		snprintf(why, sizeof(why), "no answer to %s", name != nullptr ? name : "a message");
+		start_over(why);
+	}
+}
+
+void Session::next_baud() {
+	const bool hears = _has_answered || _framer.statistics().frames > 0;
+	if (_options.has_baud && !(hears && _bytes_usec + PAUSE_USEC > _now_usec && !_is_silent)) {
+		_baud_at = (_baud_at + 1) % BAUDS.size();
+		_baud = BAUDS[_baud_at];
+		_host.set_baud(_baud);
+		if (_baud_at != 0) {
+			pause(0);
+			return;
+		}
+	}
+	if (_problem[0] == 0) {
+		tell(Severity::WARNING, "does not answer%s: is the suit switched on and in reach?",
+				_options.has_baud ? " at any speed" : "");
+	}
+	pause(PAUSE_USEC);
+}
+
+/// Begins once more after so many microseconds; with 0 as soon as a speed that was set is in force.
+void Session::pause(uint64_t p_usec) {
+	_step = Step::PAUSE;
+	_waits = false;
+	_deadline_usec = _now_usec + p_usec;
+}
+
+void Session::start_over(const char *p_why) {
+	tell(Severity::WARNING, "%s: bringing it up anew", p_why);
+	++_restarts;
+	// What does not help the first time may take its time.
+	pause(PAUSE_USEC << std::min(_in_vain, 4U));
+	++_in_vain;
+}
+
+bool Session::judge(const Frame &p_frame) {
+	switch (_check.take(p_frame, _framer.statistics().is_noisy())) {
+		case StreamCheck::Verdict::REFUSED:
+			return false;
+		case StreamCheck::Verdict::DATA:
+			take_data();
+			return true;
+		default:
+			take(p_frame);
+			return true;
+	}
+}
+
+void Session::take(const Frame &p_frame) {
+	switch (p_frame.message) {
+		case Message::WAKE_UP:
+			wake_up();
+			return;
+		case Message::ERROR:
+			take_error(p_frame);
+			return;
+		case Message::BATTERY_LEVEL:
+			if (p_frame.bus_id == MASTER && p_frame.size >= 1) {
+				_battery = p_frame.data[0] / 255.0;
+			}
+			break;
+		default:
+			break;
+	}
+	if (_waits && p_frame.message == _request.reply() && p_frame.bus_id == _request.bus_id()) {
+		_has_answered = true;
+		take_answer(p_frame);
+	}
+}
+
+void Session::wake_up() {
+	if (_step == Step::STOP || is_stopped()) {
+		return;
+	}
+	const Request answer = host::wake_up_ack();
+	_host.send(answer.bytes.data(), answer.size);
+	if (_step == Step::MEASURING) {
+		++_restarts;
+		tell(Severity::WARNING, "was switched on anew: bringing it up");
+	}
+	_has_answered = true;
+	_has_powered = false;
+	go_to(Step::DEVICE_ID);
+}
+
+void Session::take_answer(const Frame &p_frame) {
+	switch (_step) {
+		case Step::STOP:
+			go_to(Step::STOPPED);
+			return;
+		case Step::DEVICE_ID:
+			take_device_id(p_frame);
+			return;
+		case Step::INIT_BUS:
+			take_bus(p_frame);
+			return;
+		case Step::CONFIGURATION:
+			choose_outputs();
+			return;
+		case Step::OUTPUT_MODE:
+		case Step::OUTPUT_SETTINGS:
+			go_to(after_trackers(_step));
+			return;
+		case Step::DATA_LENGTH:
+			take_data_length(p_frame);
+			return;
+		case Step::MEASURING:
+			ask_resets();
+			return;
+		default:
+			go_to(step_after(_step));
+	}
+}
+
+void Session::take_device_id(const Frame &p_frame) {
+	if (p_frame.size < 4) {
+		return; // Asked again when the time is up.
+	}
+	_device_id = read_u32(p_frame.data);
+	_kind = device_kind(_device_id);
+	switch (_kind) {
+		case DeviceKind::AWINDA_STATION:
+		case DeviceKind::AWINDA_DONGLE:
+		case DeviceKind::BODY_PACK:
+		case DeviceKind::MTW2_MTX2:
+			tell(Severity::WARNING,
+					"%08X is an %s: its protocol and the filter that makes its orientations are not public. Let MVN "
+					"run with it and send its motion here (network streamer, UDP port 9763; here --mvn)",
+					_device_id, device_kind_name(_kind));
+			go_to(Step::UNSUPPORTED);
+			return;
+		default:
+			break;
+	}
+	_tracker_count = is_master() ? 0 : 1;
+	_tracker_ids[0] = _device_id;
+	go_to(step_after(_step));
+}
+
+void Session::take_bus(const Frame &p_frame) {
+	const std::size_t count = p_frame.size / 4;
+	if (p_frame.size % 4 != 0 || count > std::size_t(MOST_TRACKERS)) {
+		tell(Severity::WARNING, "names its trackers in %zu bytes, which is no list of at most %d", p_frame.size,
+				MOST_TRACKERS);
+		return; // Asked again when the time is up.
+	}
+	if (count == 0) {
+		start_over("finds no tracker on its bus (look at the cables)");
+		return;
+	}
+	for (std::size_t tracker = 0; tracker < count; ++tracker) {
+		_tracker_ids[tracker] = read_u32(p_frame.data + 4 * tracker);
+	}
+	_tracker_count = int(count);
+	_bus_failures = 0;
+	go_to(step_after(_step));
+}
+
+/// Asks for as much as the line carries; a slow line is made faster once, else the rate goes down.
+void Session::choose_outputs() {
+	_tracker = 0;
+	if (speaks_mtdata2()) {
+		go_to(Step::OUTPUT_CONFIGURATION);
+		return;
+	}
+	auto demand = std::size_t(_demands);
+	while (demand + 1 < DEMANDS.size() && !fits(_baud, DEMANDS[demand].block, _tracker_count, _options.rate_hz)) {
+		++demand;
+	}
+	const Demand &chosen = DEMANDS[demand];
+	const double rate = rate_that_fits(_baud, chosen.block, _tracker_count, _options.rate_hz);
+	if (rate < _options.rate_hz && _baud < FAST_BAUD && !_has_raised_baud && _step != Step::SET_BAUD) {
+		_has_raised_baud = true;
+		tell(Severity::INFO, "%u bit/s are too slow for %d trackers at %.0f Hz: setting it to %u", _baud,
+				_tracker_count, _options.rate_hz, FAST_BAUD);
+		go_to(Step::SET_BAUD);
+		return;
+	}
+	if (rate < _options.rate_hz) {
+		tell(Severity::WARNING, "%u bit/s carry %d trackers at %.0f Hz, not at %.0f", _baud, _tracker_count, rate,
+				_options.rate_hz);
+	}
+	_outputs.mode = chosen.mode;
+	_outputs.settings = chosen.settings | (is_master() ? 0U : SETTINGS_COUNTER);
+	_outputs.period = std::max(period_of(rate), _outputs.period);
+	go_to(Step::OUTPUT_MODE);
+}
+
+Session::Step Session::after_trackers(Step p_step) {
+	if (++_tracker < _tracker_count) {
+		return p_step;
+	}
+	_tracker = 0;
+	return step_after(p_step);
+}
+
+void Session::take_data_length(const Frame &p_frame) {
+	const std::size_t expected = expected_size();
+	if (p_frame.size >= 2 && read_u16(p_frame.data) != expected) {
+		tell(Severity::WARNING, "says that a sample has %u bytes; by its settings it has %zu", read_u16(p_frame.data),
+				expected);
+	}
+	go_to(step_after(_step));
+}
+
+void Session::take_error(const Frame &p_frame) {
+	++_errors;
+	const uint8_t code = p_frame.size > 0 ? p_frame.data[0] : uint8_t(0);
+	const char *text = error_text(code);
+	const unsigned faulty = p_frame.size > 1 ? p_frame.data[1] : 0U;
+	char where[24] = "";
+	if (faulty >= 1 && faulty <= unsigned(_tracker_count) && is_master()) {
+		snprintf(where, sizeof(where), ", tracker %u", faulty);
+	}
+	if (_step != Step::STOP && !is_stopped() && _step != Step::GO_TO_CONFIG) {
+		tell(Severity::WARNING, "error %02X%s: %s", code, where, text != nullptr ? text : "unknown");
+	}
+	if (_waits && _step != Step::MEASURING) {
+		take_setup_error(code);
+	}
+}
+
+void Session::take_setup_error(uint8_t p_code) {
+	constexpr uint8_t NO_BUS = 0x01;
+	constexpr uint8_t BUS_NOT_READY = 0x02;
+	if (_step == Step::INIT_BUS && p_code == NO_BUS && !_has_powered) {
+		_has_powered = true;
+		go_to(Step::BUS_POWER);
+	} else if (_step == Step::INIT_BUS) {
+		if (++_bus_failures < MOST_BUS_FAILURES) {
+			start_over("its bus failed");
+		} else {
+			_bus_failures = 0;
+			start_over("its bus fails again and again (look at the cables)");
+		}
+	} else if (p_code == BUS_NOT_READY && is_master()) {
+		go_to(Step::INIT_BUS);
+	} else if (_step == Step::SET_BAUD) {
+		choose_outputs();
+	} else if (_step == Step::PERIOD || _step == Step::MEASURE || _step == Step::OUTPUT_MODE ||
+			_step == Step::OUTPUT_SETTINGS) {
+		if (lower_demands()) {
+			choose_outputs();
+		} else {
+			start_over("refuses its settings");
+		}
+	} else if (patience(_step).is_optional) {
+		go_to(step_after(_step));
+	} else {
+		// Asked again when the time is up.
+		_deadline_usec = std::min(_deadline_usec, _now_usec + 100000);
+	}
+}
+
+/// Asks for less the next time; false if that is the least already.
+bool Session::lower_demands() {
+	if (_demands + 1 < int(DEMANDS.size())) {
+		++_demands;
+		return true;
+	}
+	if (_outputs.period > 0 && _outputs.period <= MOST_PERIOD / 2) {
+		_outputs.period = uint16_t(_outputs.period * 2);
+		tell(Severity::WARNING, "bears no more than %.0f Hz", _outputs.rate_hz());
+		return true;
+	}
+	return false;
+}
+
+void Session::tell(Severity p_severity, const char *p_format, ...) {
+	std::array<char, 240> text{};
+	va_list arguments;
+	va_start(arguments, p_format);
+	vsnprintf(text.data(), text.size(), p_format, arguments);
+	va_end(arguments);
+	// What is said again and again is said once.
+	if (p_severity == Severity::INFO || text != _problem) {
+		_host.say(p_severity, text.data());
+	}
+	if (p_severity != Severity::INFO) {
+		_problem = text;
+	}
+}
+
+} // namespace xbus

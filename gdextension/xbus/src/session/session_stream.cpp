@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "session/session.hpp"
+
+#include "bus/data_item.hpp"
+
+#include <algorithm>
+
+namespace xbus {
+
+namespace {
+
+/// A device that measures and says nothing for so long is brought up anew.
+constexpr uint64_t SILENT_USEC = 1000000;
+constexpr double SILENT_PERIODS = 20.0;
+constexpr uint64_t BATTERY_USEC = 30000000;
+constexpr uint64_t RESET_LIMIT_USEC = 300000;
+
+} // namespace
+
+void Session::begin_measuring() {
+	_problem.fill(0);
+	_is_silent = false;
+	_heard_usec = _now_usec;
+	_battery_usec = _now_usec;
+	_resets_left = 0;
+	_check.restart();
+	_stream.restart(rate_hz());
+	if (is_master()) {
+		_check.expect_devices(std::size_t(_tracker_count));
+		_check.expect_master(master_format());
+	} else if (!speaks_mtdata2()) {
+		_check.expect_tracker(tracker_format());
+	}
+	_refused = _check.statistics().wrong_sizes;
+	tell(Severity::INFO, "%s %08X measures: %d tracker%s at %.0f Hz", device_kind_name(_kind), _device_id,
+			_tracker_count, _tracker_count == 1 ? "" : "s", rate_hz());
+}
+
+void Session::take_data() {
+	if (_step != Step::MEASURING) {
+		return;
+	}
+	_heard_usec = _now_usec;
+	_in_vain = 0;
+	_stream.take(_check, _now_usec, _frame);
+	if (_kind == DeviceKind::XBUS_MASTER || _frame.tracker_count <= _tracker_count) {
+		_host.take_frame(_frame);
+	}
+}
+
+void Session::look_after_stream() {
+	note_refusals();
+	const auto patience_usec = uint64_t(std::max(double(SILENT_USEC), SILENT_PERIODS * 1e6 / rate_hz()));
+	if (_now_usec > _heard_usec + patience_usec) {
+		_is_silent = true;
+		start_over("has fallen silent");
+		return;
+	}
+	if (_waits && _now_usec > _deadline_usec) {
+		ask_resets();
+	}
+	if (!_waits && _battery >= 0.0 && _now_usec > _battery_usec + BATTERY_USEC) {
+		_battery_usec = _now_usec;
+		const Request request = host::request_battery_level();
+		_host.send(request.bytes.data(), request.size);
+	}
+}
+
+/// A device that sends something else than what it was told to.
+void Session::note_refusals() {
+	constexpr uint64_t MANY = 20;
+	const uint64_t refused = _check.statistics().wrong_sizes;
+	if (refused >= _refused + MANY) {
+		_refused = refused;
+		tell(Severity::WARNING,
+				"sends samples of another length than its settings make (%zu bytes): they are counted and dropped",
+				expected_size());
+	}
+}
+
+MasterFormat Session::master_format() const {
+	MasterFormat format;
+	for (int tracker = 0; tracker < _tracker_count; ++tracker) {
+		format.add(tracker_format());
+	}
+	return format;
+}
+
+std::size_t Session::expected_size() const {
+	return is_master() ? master_format().size() : tracker_format().size();
+}
+
+/// What a tracker of the newer kind is asked for.
+Request Session::output_configuration(double p_rate_hz) {
+	constexpr uint16_t ALWAYS = 0xFFFF;
+	const auto rate = uint16_t(std::clamp(p_rate_hz + 0.5, 1.0, 400.0));
+	const std::array<OutputRequest, 6> outputs = { {
+			{ item::PACKET_COUNTER, ALWAYS },
+			{ item::SAMPLE_TIME_FINE, ALWAYS },
+			{ item::QUATERNION, rate },
+			{ item::RATE_OF_TURN, rate },
+			{ item::ACCELERATION, rate },
+			{ item::STATUS_WORD, ALWAYS },
+	} };
+	return host::set_output_configuration(outputs.data(), outputs.size());
+}
+
+void Session::reset_orientation(ResetMethod p_method) {
+	if (_step != Step::MEASURING) {
+		tell(Severity::WARNING, "does not measure: its trackers can't be reset now");
+		return;
+	}
+	_reset_method = p_method;
+	_resets_left = _tracker_count;
+	ask_resets();
+}
+
+/// Asks the next tracker, one after the other; who does not answer is passed over.
+void Session::ask_resets() {
+	_waits = false;
+	if (_resets_left <= 0) {
+		return;
+	}
+	_tracker = _tracker_count - _resets_left;
+	--_resets_left;
+	ask(host::reset_orientation(_reset_method, bus_id_of(_tracker)));
+	_deadline_usec = _now_usec + RESET_LIMIT_USEC;
+}
+
+} // namespace xbus

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+// Sessions with emulated suits: from any state to measuring, and back there after whatever happens.
+#include "suit_rig.hpp"
+
+#include "check.hpp"
+
+namespace {
+
+using xbus::SessionState;
+
+std::vector<std::string> with(std::initializer_list<std::string> p_more) {
+	std::vector<std::string> options = { "--sensors=15", "--seed=3" };
+	options.insert(options.end(), p_more);
+	return options;
+}
+
+} // namespace
+
+TEST(a_suit_is_brought_up_as_xsens_own_host_does_it) {
+	SuitRig rig(with({ "--devices=ftdi" }));
+	CHECK(rig.fault.empty());
+	CHECK(rig.measures_within(3.0));
+	const xbus::SessionReport report = rig.report();
+	CHECK(report.kind == xbus::DeviceKind::XBUS_MASTER);
+	CHECK(report.trackers.size() == 15);
+	CHECK(report.baud == 460800);
+	CHECK(report.battery > 0.8 && report.battery <= 1.0);
+	rig.run(2.0);
+	CHECK(rig.frames > 190);
+	CHECK(rig.last.tracker_count == 15);
+	for (int tracker = 0; tracker < 15; ++tracker) {
+		CHECK(rig.last.trackers[std::size_t(tracker)].has_orientation);
+	}
+	// Each step once, in the order of the table in docs/suits.md.
+	CHECK(rig.logged("InitBus") == 1);
+	CHECK(rig.logged("ReqConfiguration") == 1);
+	CHECK(rig.logged("SetOutputMode") == 15);
+	CHECK(rig.logged("SetOutputSettings") == 15);
+	CHECK(rig.logged("SetPeriod") == 1);
+	CHECK(rig.logged("GoToMeasurement") == 1);
+	CHECK(rig.report().problem.empty());
+}
+
+TEST(every_kind_of_device_comes_up_with_as_much_as_its_line_bears) {
+	for (const char *kind : { "ftdi", "ftdi-fast", "native", "mti", "mti-ftdi" }) {
+		SuitRig rig(with({ std::string("--devices=") + kind }));
+		CHECK(rig.measures_within(4.0));
+		rig.run(1.5);
+		CHECK(rig.frames > 140);
+		CHECK(rig.last.trackers[0].has_orientation);
+		// Nothing is in the way of rates and accelerations where there is no serial line.
+		if (std::string(kind) == "native") {
+			CHECK(rig.last.trackers[14].has_rate && rig.last.trackers[14].has_acceleration);
+		}
+	}
+}
+
+TEST(an_hour_passes_without_a_loss) {
+	SuitRig rig(with({ "--devices=ftdi", "--first-counter=65000" }));
+	CHECK(rig.measures_within(3.0));
+	// What came before the line's speed was set is noise.
+	const uint64_t noise = rig.report().framer.skipped_bytes;
+	uint64_t expected = 0;
+	uint64_t gaps = 0;
+	rig.on_frame = [&](const xbus::SuitFrame &p_frame) {
+		gaps += expected != 0 && p_frame.counter != expected ? 1U : 0U;
+		expected = p_frame.counter + 1;
+	};
+	rig.run(3600.0);
+	CHECK(rig.frames > 359900);
+	CHECK(gaps == 0);
+	const xbus::SessionReport report = rig.report();
+	CHECK(report.framer.skipped_bytes == noise);
+	CHECK(report.restarts == 0);
+	for (const xbus::TrackerReport &tracker : report.trackers) {
+		CHECK(tracker.samples.lost == 0);
+		CHECK_NEAR(tracker.flow.rate_hz, 100.0, 1.0);
+	}
+}
+
+TEST(sample_times_have_no_jitter_of_the_bus) {
+	SuitRig rig(with({ "--devices=ftdi" }));
+	CHECK(rig.measures_within(3.0));
+	rig.run(1.0);
+	uint64_t before = 0;
+	double worst = 0.0;
+	rig.on_frame = [&](const xbus::SuitFrame &p_frame) {
+		if (before != 0) {
+			worst = std::max(worst, std::abs(double(p_frame.time_usec - before) - 10000.0));
+		}
+		before = p_frame.time_usec;
+		CHECK(p_frame.time_usec <= p_frame.arrival_usec);
+	};
+	rig.run(10.0);
+	CHECK(worst < 50.0);
+}
+
+TEST(a_slow_line_is_made_faster_and_one_that_stays_slow_gets_a_lower_rate) {
+	SuitRig fast(with({ "--devices=ftdi", "--baud=115200" }));
+	CHECK(fast.measures_within(8.0));
+	CHECK(fast.report().baud == 460800);
+	CHECK_NEAR(fast.report().rate_hz, 100.0, 0.1);
+	SuitRig slow(with({ "--devices=ftdi", "--baud=115200", "--errors=18:20" }));
+	CHECK(slow.measures_within(8.0));
+	CHECK(slow.report().baud == 115200);
+	CHECK(slow.report().rate_hz >= 20.0 && slow.report().rate_hz <= 50.0);
+	CHECK(slow.has_said("115200 bit/s carry 15 trackers at"));
+	slow.frames = 0;
+	slow.run(4.0);
+	CHECK(double(slow.frames) > 3.9 * slow.report().rate_hz);
+}
+
+TEST(errors_are_told_and_what_can_be_done_about_them_is_done) {
+	SuitRig unpowered(with({ "--devices=ftdi", "--bus-power=off" }));
+	CHECK(unpowered.measures_within(6.0));
+	CHECK(unpowered.logged("BusPower") >= 1);
+	// Every message that is refused once and for all: it measures with less, or says why not.
+	for (const char *refused : { "02:10", "0c:04", "0a:04", "88:04", "d0:21", "d2:21", "04:03", "10:1d" }) {
+		SuitRig rig(with({ "--devices=ftdi", std::string("--errors=") + refused }));
+		const bool measures = rig.measures_within(20.0);
+		CHECK(measures || rig.has_said("error"));
+		CHECK(measures || !rig.report().problem.empty());
+	}
+	// Those without which it can measure do not stop it.
+	for (const char *refused : { "0c:04", "0a:04", "88:04" }) {
+		SuitRig rig(with({ "--devices=ftdi", std::string("--errors=") + refused }));
+		CHECK(rig.measures_within(4.0));
+	}
+	SuitRig noisy(with({ "--devices=ftdi", "--error-every=50" }));
+	CHECK(noisy.measures_within(4.0));
+	noisy.run(5.0);
+	CHECK(noisy.report().errors >= 8);
+	CHECK(noisy.report().restarts == 0);
+	CHECK(noisy.said.size() < 8); // The same is said once.
+}
+
+TEST(a_damaged_line_does_not_keep_it_from_measuring) {
+	SuitRig rig(with({ "--devices=ftdi", "--corrupt=0.001", "--drop=0.0005" }));
+	CHECK(rig.measures_within(20.0));
+	rig.frames = 0;
+	rig.run(20.0);
+	// 0.9985 to the power of 247 bytes: two thirds of the frames are whole.
+	CHECK(rig.frames > 1150);
+	CHECK(rig.report().framer.skipped_bytes > 0);
+	for (const xbus::TrackerReport &tracker : rig.report().trackers) {
+		CHECK(tracker.samples.lost > 100);
+	}
+}
+
+TEST(a_suit_that_is_switched_on_off_and_on_again_comes_back) {
+	SuitRig rig(with({ "--devices=ftdi" }));
+	CHECK(rig.measures_within(3.0));
+	rig.suit->devices()[0].device->power(false, rig.now);
+	rig.run(3.0);
+	CHECK(rig.session->state() == SessionState::SILENT);
+	CHECK(rig.has_said("has fallen silent"));
+	rig.suit->devices()[0].device->power(true, rig.now);
+	CHECK(rig.measures_within(12.0));
+	rig.frames = 0;
+	rig.run(1.0);
+	CHECK(rig.frames > 90);
+}
+
+TEST(a_suit_that_freezes_is_brought_up_anew) {
+	SuitRig rig(with({ "--devices=ftdi" }));
+	CHECK(rig.measures_within(3.0));
+	CHECK(rig.command("freeze").empty());
+	rig.run(3.0);
+	CHECK(rig.session->state() != SessionState::MEASURING || rig.report().restarts > 0);
+	CHECK(rig.command("thaw").empty());
+	rig.run(10.0);
+	CHECK(rig.session->state() == SessionState::MEASURING);
+}
+
+TEST(somebody_who_does_not_answer_is_told_of_and_found_later) {
+	SuitRig rig(with({ "--devices=ftdi", "--mute" }));
+	CHECK(!rig.measures_within(6.0));
+	CHECK(rig.has_said("does not answer at any speed"));
+	CHECK(rig.said.size() == 1);
+	CHECK(rig.command("speak").empty());
+	CHECK(rig.measures_within(12.0));
+}
+
+TEST(a_tracker_that_lies_about_its_length_is_told_of) {
+	SuitRig rig(with({ "--devices=ftdi", "--lie=3:5" }));
+	rig.run(6.0);
+	CHECK(rig.has_said("bytes"));
+	CHECK(rig.frames == 0);
+	CHECK(rig.report().framer.refused_frames > 0);
+	CHECK(rig.said.size() < 20);
+}
+
+TEST(awinda_is_recognised_and_honestly_answered) {
+	SuitRig rig(with({ "--devices=awinda" }));
+	rig.run(3.0);
+	CHECK(rig.session->state() == SessionState::UNSUPPORTED);
+	CHECK(rig.has_said("MVN"));
+}
+
+TEST(all_trackers_take_an_object_reset) {
+	SuitRig rig(with({ "--devices=ftdi" }));
+	CHECK(rig.measures_within(3.0));
+	rig.session->reset_orientation(xbus::ResetMethod::OBJECT);
+	rig.run(3.0);
+	CHECK(rig.logged("ResetOrientation") == 15);
+	CHECK(rig.session->state() == SessionState::MEASURING);
+	CHECK(rig.report().restarts == 0);
+}
+
+TEST(a_stop_leaves_the_suit_at_rest) {
+	SuitRig rig(with({ "--devices=ftdi" }));
+	CHECK(rig.measures_within(3.0));
+	rig.session->stop(uint64_t(rig.now));
+	rig.run(1.0);
+	CHECK(rig.session->is_stopped());
+	CHECK(rig.suit->devices()[0].device->state() == emulator::XbusDevice::State::CONFIG);
+}
+
+TEST_MAIN()

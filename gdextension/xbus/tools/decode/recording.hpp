@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// The bytes of a recording, in one piece.
+struct Recording {
+	std::string name;
+	std::vector<uint8_t> bytes;
+	/// "raw", "hex", or "recording" for one of Dismount's own (docs/recordings.md).
+	const char *kind = "raw";
+};
+
+/// Reads a file of bytes as they came from the bus, or of hexadecimal text. On failure `r_fault` says in a
+/// sentence what is wrong with which file. The place to add another kind of file.
+bool read_recording(const std::string &p_name, Recording &r_recording, std::string &r_fault);

@@ -1,0 +1,77 @@
+class_name ClientCalibration
+extends RefCounted
+## Calibrations that nobody leads at the device panel: at the start, or because an instructor asks
+## for one (thesis section 6.1). The wearer is guided by texts on the screen.
+
+## Kinds that options name.
+const KINDS: Dictionary[String, CalibrationGuide.Kind] = {
+	"t_pose": CalibrationGuide.Kind.T_POSE,
+	"n_pose": CalibrationGuide.Kind.N_POSE,
+	"t_to_n": CalibrationGuide.Kind.T_TO_N,
+	"full": CalibrationGuide.Kind.FULL,
+	"quick": CalibrationGuide.Kind.QUICK,
+}
+## How long the outcome is shown, s.
+const _SHOWN_S: float = 6.0
+## What is worse is not taken: somebody moved by 6 degrees.
+const _LEAST_SCORE: float = 0.4
+const _MOST_ADVICE: int = 3
+
+var _source: SuitSource = null
+var _store: CalibrationStore = CalibrationStore.new()
+var _outcome: String = ""
+var _until_s: float = 0.0
+
+
+## Begins one at a time, s. Returns why it cannot, or an empty text.
+func start(p_source: SuitSource, p_kind: CalibrationGuide.Kind, p_now_s: float) -> String:
+	if _source != null:
+		return "another calibration is going on"
+	var fault: String = p_source.start_calibration(p_kind, p_now_s)
+	if fault == "":
+		_source = p_source
+		_source.calibrated.connect(_on_calibrated, CONNECT_ONE_SHOT)
+		Log.info("mocap", "calibrating (%s)" % CalibrationGuide.NAMES[p_kind])
+	return fault
+
+
+## Whether one is going on.
+func is_running() -> bool:
+	return _source != null
+
+
+## Says something on the screen for a while, from a time on, s.
+func say(p_text: String, p_now_s: float) -> void:
+	_outcome = p_text
+	_until_s = p_now_s + _SHOWN_S
+
+
+## What the wearer is to see at a time, s; mostly nothing.
+func text(p_now_s: float) -> String:
+	if _source != null and _source.process.is_running():
+		var process: CalibrationProcess = _source.process
+		return "%s\n%d" % [process.instruction(), ceili(process.seconds_left)]
+	return _outcome if p_now_s < _until_s else ""
+
+
+## Nobody is asked, as the wearer has no hand free: what is good enough is taken, and what could be
+## better is said; otherwise the one before stays.
+func _on_calibrated(p_result: CalibrationResult) -> void:
+	var source: SuitSource = _source
+	_source = null
+	var now: float = Time.get_ticks_usec() / 1e6
+	var advice: String = "; ".join(p_result.advice.slice(0, _MOST_ADVICE))
+	var fault: String = p_result.error
+	if fault == "" and p_result.score() < _LEAST_SCORE:
+		fault = advice
+	if fault != "":
+		source.refuse_calibration()
+		say("Not calibrated:\n" + fault.replace("; ", "\n"), now)
+		Log.warning("mocap", "not calibrated: " + fault)
+		return
+	source.accept_calibration()
+	say("Calibrated\n" + advice.replace("; ", "\n"), now)
+	var parts: Array = [100.0 * p_result.score(), ": " + advice if advice != "" else ""]
+	Log.info("mocap", "calibrated, quality %.0f %%%s" % parts)
+	if not _store.write(source.get_profile()):
+		Log.warning("mocap", _store.error)

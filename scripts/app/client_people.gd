@@ -1,0 +1,176 @@
+class_name ClientPeople
+extends RefCounted
+## The people whose motion a client sends: they come and go with their sources (thesis section 6.1).
+
+## Who they are has changed.
+signal changed
+
+## A motion that is older than this is no longer published, s.
+const _STALE_S: float = 0.5
+
+## Number of the first of them whose body is shown as the wearer's own, or -1.
+var first_actor: int = -1
+
+var _link: ClientLink = null
+var _rate: float = 60.0
+var _codec: PoseCodec.Coding = PoseCodec.SMALLEST_3
+var _name: String = ""
+var _motions: Array[ClientMotion] = []
+var _publishers: Dictionary[ClientMotion, TrackerPublisher] = {}
+
+
+func _init(p_link: ClientLink, p_options: Options) -> void:
+	_link = p_link
+	_rate = p_options.number("rate")
+	_codec = PosePacket.CODECS[p_options.text("codec")]
+
+
+## Begins to send somebody's motion. Returns false where there are too many already.
+func add(p_source: MotionSource, p_name: String) -> bool:
+	var index: int = 0
+	while _motions.any(func(other: ClientMotion) -> bool: return other.card.index == index):
+		index += 1
+	if index >= PersonCard.MOST:
+		Log.warning("mocap", "%s is one too many: %d is the most" % [p_name, PersonCard.MOST])
+		return false
+	var motion: ClientMotion = ClientMotion.new()
+	motion.card.name = p_name
+	motion.start(p_source, _rate, _link, _codec, index)
+	_motions.append(motion)
+	_publish_anew(motion)
+	_tell()
+	return true
+
+
+## Ends somebody's motion.
+func remove(p_source: MotionSource) -> void:
+	for motion: ClientMotion in _motions:
+		if motion.source == p_source:
+			_end(motion)
+			_motions.erase(motion)
+			_tell()
+			return
+
+
+## Tells the server anew of somebody whose size has changed.
+func measure(p_source: MotionSource) -> void:
+	for motion: ClientMotion in _motions:
+		if motion.source == p_source:
+			motion.card.hip_height = p_source.get_hip_height()
+			motion.card.lengths = p_source.get_limb_lengths()
+			_publish_anew(motion)
+			_tell()
+
+
+## Takes what was sampled, and publishes it for avatars of this machine. Call it in every frame.
+func take_samples() -> void:
+	for motion: ClientMotion in _motions:
+		var before: PoseSample = motion.newest
+		motion.take_samples()
+		if motion.newest != before:
+			_publishers[motion].publish(motion.newest)
+		elif motion.newest != null and _age_s(motion.newest) > _STALE_S:
+			_publishers[motion].pause()
+
+
+## How many there are.
+func count() -> int:
+	return _motions.size()
+
+
+## The source of one of them, by its number, or null.
+func source_of(p_index: int) -> MotionSource:
+	for motion: ClientMotion in _motions:
+		if motion.card.index == p_index:
+			return motion.source
+	return null
+
+
+## The server has admitted us: tells it whom we bring.
+func begin() -> void:
+	for motion: ClientMotion in _motions:
+		motion.disembody()
+	first_actor = -1
+	_tell()
+
+
+## Takes over which bodies the server has given them.
+func embody(p_world: WorldDescription, p_scene: ClientScene) -> void:
+	for motion: ClientMotion in _motions:
+		var actor: int = p_scene.person_of(_link.session, motion.card.index)
+		if actor >= 0 and actor != motion.actor and p_world.skeletons[actor].is_sound():
+			motion.embody(actor, p_world.skeletons[actor], p_scene.hips_of(actor), _rate)
+		if motion.card.index == 0:
+			first_actor = motion.actor
+
+
+## Notes how long a sample took to the server.
+func note_trip(p_mark: LatencyMark) -> void:
+	for motion: ClientMotion in _motions:
+		if motion.actor == p_mark.person:
+			motion.note_trip(p_mark)
+
+
+## Keeps the samples in step with the server's ticks, and tells where the own bodies are at a local
+## time, µs: seven floats a limb, by person.
+func show(p_now_usec: int, p_replica: WorldReplica) -> Dictionary[int, PackedFloat32Array]:
+	var bodies: Dictionary[int, PackedFloat32Array] = {}
+	for motion: ClientMotion in _motions:
+		motion.keep_in_step()
+		var truth: PackedFloat32Array = []
+		if motion.actor >= 0 and p_replica.has_person(motion.actor):
+			truth = p_replica.person_floats(motion.actor, true)
+		var floats: PackedFloat32Array = motion.show(p_now_usec, truth, p_replica.newest_tick)
+		if not floats.is_empty():
+			bodies[motion.actor] = floats
+	return bodies
+
+
+## Which moment of the first one's motion is shown at a local time: µs of Unix time.
+func shown_moment_usec(p_now_usec: int) -> int:
+	return _motions[0].shown_moment_usec(p_now_usec) if not _motions.is_empty() else 0
+
+
+## Figures for a report, by name.
+func figures() -> Array[Dictionary]:
+	var result: Array[Dictionary] = []
+	for motion: ClientMotion in _motions:
+		var figure: Dictionary = motion.figures()
+		figure["name"] = motion.card.name
+		figure["source"] = motion.source.describe()
+		result.append(figure)
+	return result
+
+
+## Ends all.
+func stop() -> void:
+	for motion: ClientMotion in _motions:
+		_end(motion)
+	_motions.clear()
+
+
+func _publish_anew(p_motion: ClientMotion) -> void:
+	if _publishers.has(p_motion):
+		_publishers[p_motion].retire()
+	var tracker: StringName = TrackerPublisher.name_for(p_motion.card.index)
+	var size: BodySize = p_motion.source.get_body()
+	_publishers[p_motion] = TrackerPublisher.new(size, tracker, p_motion.card.name)
+
+
+func _end(p_motion: ClientMotion) -> void:
+	p_motion.stop()
+	_publishers[p_motion].retire()
+	_publishers.erase(p_motion)
+
+
+static func _age_s(p_sample: PoseSample) -> float:
+	return Time.get_unix_time_from_system() - p_sample.time_usec / 1e6
+
+
+func _tell() -> void:
+	var cards: Array[PersonCard] = []
+	for motion: ClientMotion in _motions:
+		cards.append(motion.card)
+		motion.set_sending(_link.is_joined())
+	_link.declare_people(cards)
+	changed.emit()

@@ -1,0 +1,99 @@
+class_name MocapDesk
+extends CanvasLayer
+## Everything about motion capture at a client: the sources that the options ask for, calibrations,
+## and the panel with devices and sensors, which a key opens.
+
+## Key that opens and closes the panel.
+const KEY: Key = KEY_M
+## How often devices are listed anew, s.
+const _PERIOD_S: float = 0.25
+
+## The panel's scene; its root is a [DevicePanel].
+@export var panel_scene: PackedScene
+
+## The sources.
+var inputs: MotionInputs = MotionInputs.new()
+## Those whose motion is sent; null before [method open].
+var people: ClientPeople = null
+
+var _listed_s: float = 0.0
+# Made when it is opened for the first time: most clients never do.
+var _panel: DevicePanel = null
+
+
+func _exit_tree() -> void:
+	if _panel != null:
+		# Debian's release build of the engine reports an error for everything that leaves a Container.
+		Engine.print_error_messages = false
+		_panel.free()
+		Engine.print_error_messages = true
+
+
+## Opens all sources. Returns what is wrong, or an empty text.
+func open(p_options: Options, p_link: ClientLink) -> String:
+	people = ClientPeople.new(p_link, p_options)
+	inputs.appeared.connect(people.add)
+	inputs.vanished.connect(people.remove)
+	var fault: String = inputs.open(p_options)
+	if fault == "" and p_options.number("panel") != 0:
+		_show_panel(true)
+	return fault
+
+
+## Goes on; call it in every frame with the time, s.
+func advance(p_now_s: float) -> void:
+	inputs.advance(p_now_s)
+	people.take_samples()
+	if is_panel_open() and p_now_s > _listed_s + _PERIOD_S:
+		_listed_s = p_now_s
+		_panel.show_devices(inputs.list_devices())
+
+
+## What the wearer is to see at a time, s, while the panel does not show it.
+func guide(p_now_s: float) -> String:
+	return "" if is_panel_open() else inputs.guide(p_now_s)
+
+
+## Whether the panel is open.
+func is_panel_open() -> bool:
+	return _panel != null and _panel.visible
+
+
+## Calibrates one of the people, as an instructor asks.
+func calibrate(p_index: int, p_kind: int, p_now_s: float) -> void:
+	var source: MotionSource = people.source_of(p_index)
+	if source == null or not ClientCalibration.KINDS.values().has(p_kind):
+		Log.limited("mocap", "asked", "no calibration %d of person %d" % [p_kind, p_index])
+		return
+	inputs.calibrate(source, p_kind as CalibrationGuide.Kind, p_now_s)
+
+
+## Gives all devices back.
+func close() -> void:
+	if people != null:
+		people.stop()
+	inputs.close()
+
+
+func _unhandled_key_input(p_event: InputEvent) -> void:
+	var key: InputEventKey = p_event as InputEventKey
+	if people != null and key.pressed and not key.echo and key.keycode == KEY:
+		_show_panel(not is_panel_open())
+		get_viewport().set_input_as_handled()
+
+
+func _show_panel(p_shows: bool) -> void:
+	if _panel == null:
+		_panel = panel_scene.instantiate()
+		_panel.close_wanted.connect(_show_panel.bind(false))
+		_panel.profile_changed.connect(_on_profile_changed)
+		add_child(_panel)
+	_panel.visible = p_shows
+	_listed_s = 0.0
+	if p_shows:
+		_panel.show_suits(inputs.wearers)
+
+
+func _on_profile_changed(p_suit: int) -> void:
+	if p_suit < inputs.wearers.size():
+		people.measure(inputs.wearers[p_suit])

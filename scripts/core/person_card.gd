@@ -1,0 +1,51 @@
+class_name PersonCard
+extends RefCounted
+## What a client tells of somebody whose motion it sends: name and size.
+
+## People whose motion one client may send.
+const MOST: int = 8
+## Limits of a hip height, m.
+const LEAST_HIPS_M: float = 0.2
+const MOST_HIPS_M: float = 2.0
+## Limits of a limb's length, m.
+const LEAST_LENGTH_M: float = 0.03
+const MOST_LENGTH_M: float = 1.2
+
+## Which of the client's people it is, 0 to [constant MOST] - 1; its samples carry the same number.
+var index: int = 0
+## Shown to the others; empty: the client's own name.
+var name: String = ""
+## Height of the wearer's hips when standing, m.
+var hip_height: float = 0.95
+## Length of each limb of [constant Limbs.BONES], m, 0 where it is not known; empty: none is.
+var lengths: PackedFloat32Array = PackedFloat32Array()
+
+
+## A card with a name and a size.
+static func of(p_name: String, p_hip_height: float, p_index: int = 0) -> PersonCard:
+	var card: PersonCard = PersonCard.new()
+	card.index = p_index
+	card.name = p_name
+	card.hip_height = p_hip_height
+	return card
+
+
+## Why this cannot be a person's, or an empty text if it can.
+func find_fault() -> String:
+	if index < 0 or index >= MOST:
+		return "a client has at most %d people, found number %d" % [MOST, index]
+	# Written so that NaN fails too.
+	if not (hip_height > LEAST_HIPS_M and hip_height < MOST_HIPS_M):
+		return "a hip height of %f m is no person's" % hip_height
+	if not lengths.is_empty() and lengths.size() != Limbs.COUNT:
+		return "%d limbs' lengths instead of %d" % [lengths.size(), Limbs.COUNT]
+	for limb: int in lengths.size():
+		var length: float = lengths[limb]
+		if not (length == 0.0 or (length > LEAST_LENGTH_M and length < MOST_LENGTH_M)):
+			return "%s of %f m is no person's" % [Limbs.BONES[limb], length]
+	return ""
+
+
+## Whether another card tells of the same body.
+func is_same_body(p_other: PersonCard) -> bool:
+	return hip_height == p_other.hip_height and lengths == p_other.lengths

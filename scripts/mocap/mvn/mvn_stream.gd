@@ -1,0 +1,133 @@
+class_name MvnStream
+extends RefCounted
+## MVN's network stream: a person for each character that comes.
+
+## Somebody's motion has begun to come.
+signal appeared(p_source: MotionSource, p_name: String)
+## Somebody's motion comes no more.
+signal vanished(p_source: MotionSource)
+## Somebody comes of whom only the trackers are sent (type 23): to be calibrated here.
+signal trackers_appeared(p_feed: MvnTrackerFeed, p_name: String)
+## Those trackers come no more.
+signal trackers_vanished(p_feed: MvnTrackerFeed)
+
+## MVN's own port.
+const DEFAULT_PORT: int = 9763
+## Somebody who has not told a name after so long has none, s.
+const NAME_PATIENCE_S: float = 1.0
+## Between two looks at who is there, s.
+const LOOK_S: float = 0.1
+## Types of the stream that are poses.
+const POSES: Array[int] = [1, 2, 5]
+
+## What receives; a recording may put its datagrams into it.
+var receiver: MvnReceiver = MvnReceiver.new()
+## Metres of the stream's unit of length; 0: as the types have it.
+var unit_m: float = 0.0
+## Those who are there, by the number of their character.
+var people: Dictionary[int, MvnSource] = {}
+## Trackers of those who have no pose, by the number of their character.
+var trackers: Dictionary[int, MvnTrackerFeed] = {}
+
+var _seen_s: Dictionary[int, float] = {}
+var _characters: Array[Dictionary] = []
+var _looked_s: float = -INF
+
+
+## Opens a UDP port of this machine; 0 takes any. Returns why it can't, or an empty text.
+func open(p_port: int = DEFAULT_PORT) -> String:
+	var fault: String = receiver.open(p_port)
+	if fault == "":
+		Log.info("mvn", "receives MVN's stream on UDP port %d" % receiver.get_port())
+	return fault
+
+
+## Closes the port; everybody vanishes.
+func close() -> void:
+	receiver.close()
+	_characters = []
+	_forget_gone()
+
+
+## Goes on, in the main thread, each frame.
+func advance() -> void:
+	var now_s: float = Time.get_ticks_usec() / 1e6
+	if now_s - _looked_s < LOOK_S:
+		return
+	_looked_s = now_s
+	for line: String in receiver.take_news():
+		Log.info("mvn", line)
+	for message: String in receiver.take_messages():
+		Log.limited("mvn", message, message)
+	_characters = receiver.get_characters()
+	for figures: Dictionary in _characters:
+		_take(figures, now_s)
+	_forget_gone()
+
+
+## What is wrong with the stream, for the screen; empty if nothing is.
+func trouble() -> String:
+	var texts: PackedStringArray = []
+	for figures: Dictionary in _characters:
+		if figures["trouble"] != "":
+			texts.append("MVN: %s" % figures["trouble"])
+	var refused: int = receiver.get_figures()["refused"]
+	if refused > 0 and people.is_empty() and trackers.is_empty():
+		texts.append("MVN: %d datagrams came that can't be used" % refused)
+	return "\n".join(texts)
+
+
+## One line for people.
+func describe() -> String:
+	if receiver.get_port() == 0:
+		return "MVN's stream is not open"
+	if _characters.is_empty():
+		return "no MVN on UDP port %d yet" % receiver.get_port()
+	return "%d people of MVN on UDP port %d" % [_characters.size(), receiver.get_port()]
+
+
+## Who is there and how their samples come, see [method MvnReceiver.get_characters].
+func list_devices() -> Array[Dictionary]:
+	return _characters
+
+
+func _take(p_figures: Dictionary, p_now_s: float) -> void:
+	var number: int = p_figures["number"]
+	if people.has(number):
+		people[number].note(p_figures)
+		return
+	if trackers.has(number):
+		trackers[number].note(p_figures)
+	var types: PackedInt32Array = p_figures["types"]
+	var since: float = _seen_s.get_or_add(number, p_now_s)
+	if p_figures["name"] == "" and p_now_s - since < NAME_PATIENCE_S:
+		return
+	if POSES.any(func(p_type: int) -> bool: return types.has(p_type)):
+		var source: MvnSource = MvnSource.new(receiver, number, unit_m)
+		source.note(p_figures)
+		people[number] = source
+		appeared.emit(source, p_figures["name"])
+	elif types.has(23) and not trackers.has(number) and p_now_s - since >= NAME_PATIENCE_S:
+		var feed: MvnTrackerFeed = MvnTrackerFeed.new(receiver, number)
+		feed.note(p_figures)
+		trackers[number] = feed
+		trackers_appeared.emit(feed, p_figures["name"])
+
+
+func _forget_gone() -> void:
+	var here: Array = _characters.map(
+		func(p_figures: Dictionary) -> int: return p_figures["number"]
+	)
+	for number: int in people.keys():
+		if not here.has(number):
+			var source: MvnSource = people[number]
+			people.erase(number)
+			vanished.emit(source)
+	for number: int in trackers.keys():
+		if not here.has(number):
+			var feed: MvnTrackerFeed = trackers[number]
+			trackers.erase(number)
+			trackers_vanished.emit(feed)
+	for number: int in _seen_s.keys():
+		if not here.has(number):
+			_seen_s.erase(number)

@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: MIT
+"""Suits' bus: framing and decoding speed, splits, bad lines, an hour of a stream.
+
+Runs the native xbus_bench. Options: --file=FILE (measures with this recording of raw bytes
+instead; `./run xbus-decode FILE` says what is in it).
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+
+from toolchain import xbus
+from toolchain.console import Failure
+from toolchain.figures import Figures
+
+
+def measure(arguments: list[str]) -> int:
+    """Prints the figures and their goals."""
+    files = [a.partition("=")[2] for a in arguments if a.startswith("--file=")]
+    unknown = [a for a in arguments if a != "--json" and not a.startswith("--file=")]
+    if unknown:
+        raise Failure(f"There is no option '{unknown[0]}': --file=FILE, --json.", 2)
+    code, lines = xbus.measure(Path(files[-1]) if files else None)
+    figures = Figures("xbus", "--json" in arguments)
+    for line in lines.splitlines():
+        row = json.loads(line)
+        figures.add(row.pop("case"), **row)
+    figures.finish()
+    return code
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(measure(sys.argv[1:]))
+    except Failure as failure:
+        print(failure, file=sys.stderr)
+        sys.exit(failure.code)
