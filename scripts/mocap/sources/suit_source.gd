@@ -217,10 +217,12 @@ func _table_to_show(p_table: SuitTable) -> SuitTable:
 	return _trial
 
 
-## The profile; who has no map yet gets the usual one for these sensors.
+## The profile; who has no map yet, or one of other sensors, gets the usual one for these.
 func _profile_for(p_sensors: Array[SensorInfo]) -> PersonProfile:
-	var is_told: bool = not _profile.map.places.is_empty() and not _profile.map.is_guessed
-	if is_told or p_sensors.is_empty():
+	var knows: bool = p_sensors.is_empty()
+	for sensor: SensorInfo in p_sensors:
+		knows = knows or _profile.map.places.has(sensor.id) and not _profile.map.is_guessed
+	if knows:
 		return _profile
 	var found: PersonProfile = _copy(_profile)
 	found.map = SensorMap.guess(p_sensors)
