@@ -85,8 +85,7 @@ void put_motions(const Content &p_content, Dictionary &r_result) {
 	r_result["free_accelerations"] = vectors_of(motions, &mvn::SegmentMotion::free_acceleration);
 	r_result["magnetic_fields"] = vectors_of(motions, &mvn::SegmentMotion::magnetic_field);
 	const bool is_full = !motions.empty() && motions[0].is_full;
-	r_result["accelerations"] =
-			is_full ? vectors_of(motions, &mvn::SegmentMotion::acceleration) : PackedVector3Array();
+	r_result["accelerations"] = is_full ? vectors_of(motions, &mvn::SegmentMotion::acceleration) : PackedVector3Array();
 	r_result["rates"] = is_full ? vectors_of(motions, &mvn::SegmentMotion::rate) : PackedVector3Array();
 }
 
@@ -254,8 +253,7 @@ void take_motions(DictionaryReader &r_reader, Content &r_content) {
 	}
 	r_reader.vectors("free_accelerations", motions, &mvn::SegmentMotion::free_acceleration);
 	r_reader.vectors("magnetic_fields", motions, &mvn::SegmentMotion::magnetic_field);
-	const bool has_accelerations =
-			r_reader.vectors("accelerations", motions, &mvn::SegmentMotion::acceleration, false);
+	const bool has_accelerations = r_reader.vectors("accelerations", motions, &mvn::SegmentMotion::acceleration, false);
 	const bool has_rates = r_reader.vectors("rates", motions, &mvn::SegmentMotion::rate, false);
 	for (mvn::SegmentMotion &motion : motions) {
 		motion.is_full = has_accelerations && has_rates;
@@ -384,8 +382,8 @@ Dictionary mvn_to_dictionary(const Content &p_content) {
 			put_motions(p_content, result);
 			break;
 		case Type::CENTRE_OF_MASS:
-			result["centre_of_mass"] = Vector3(
-					p_content.centre_of_mass[0], p_content.centre_of_mass[1], p_content.centre_of_mass[2]);
+			result["centre_of_mass"] =
+					Vector3(p_content.centre_of_mass[0], p_content.centre_of_mass[1], p_content.centre_of_mass[2]);
 			break;
 		case Type::TIME_CODE:
 			result["time_code"] = String::utf8(p_content.time_code.c_str());

@@ -60,9 +60,8 @@ uint64_t MvnReceiver::now_usec() const {
 
 /// Datagrams from a port bear the times of the steady clock, others those that were told with them.
 int64_t MvnReceiver::to_unix(uint64_t p_usec) const {
-	const int64_t ahead = put_usec > 0
-			? 0
-			: clock_usec<std::chrono::system_clock>() - clock_usec<std::chrono::steady_clock>();
+	const int64_t ahead =
+			put_usec > 0 ? 0 : clock_usec<std::chrono::system_clock>() - clock_usec<std::chrono::steady_clock>();
 	return int64_t(p_usec) + ahead;
 }
 

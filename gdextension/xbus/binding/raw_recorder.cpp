@@ -17,8 +17,7 @@ int64_t clock_usec() {
 
 /// One line of what is known; what a device says of itself may hold anything.
 std::string line(const char *p_key, std::string p_value) {
-	std::replace_if(
-			p_value.begin(), p_value.end(), [](char p_one) { return uint8_t(p_one) < 0x20; }, ' ');
+	std::replace_if(p_value.begin(), p_value.end(), [](char p_one) { return uint8_t(p_one) < 0x20; }, ' ');
 	return std::string(p_key) + "=" + p_value + "\n";
 }
 
@@ -36,13 +35,11 @@ void BusTap::device_opened(const usb::DeviceReport &p_report) {
 	std::array<char, 16> ids{};
 	std::snprintf(ids.data(), ids.size(), "%04x:%04x", p_report.known.vendor, p_report.known.product);
 	streams[p_report.number] = recorder->add_stream(line("kind", "bus") + line("usb", ids.data()) +
-					line("name", p_report.known.name) + line("place", p_report.place) +
-					line("serial", p_report.serial),
+					line("name", p_report.known.name) + line("place", p_report.place) + line("serial", p_report.serial),
 			uint64_t(clock_usec<std::chrono::steady_clock>()));
 }
 
-void BusTap::take_raw(
-		int p_device, bool p_is_out, const uint8_t *p_bytes, std::size_t p_size, uint64_t p_time_usec) {
+void BusTap::take_raw(int p_device, bool p_is_out, const uint8_t *p_bytes, std::size_t p_size, uint64_t p_time_usec) {
 	const auto found = streams.find(p_device);
 	if (recorder != nullptr && found != streams.end()) {
 		recorder->add(p_is_out ? recording::Kind::BUS_OUT : recording::Kind::BUS_IN, found->second, p_bytes, p_size,
@@ -50,8 +47,7 @@ void BusTap::take_raw(
 	}
 }
 
-void DatagramTap::take(
-		const std::string &p_sender, const uint8_t *p_bytes, std::size_t p_size, uint64_t p_time_usec) {
+void DatagramTap::take(const std::string &p_sender, const uint8_t *p_bytes, std::size_t p_size, uint64_t p_time_usec) {
 	int stream = recording::MOST_STREAMS - 1;
 	const auto found = streams.find(p_sender);
 	if (found != streams.end()) {

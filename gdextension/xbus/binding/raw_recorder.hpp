@@ -21,7 +21,8 @@ public:
 	/// For the next hub; null records nothing.
 	void record_to(std::shared_ptr<recording::Recorder> p_recorder);
 	void take_frame(int, const xbus::SuitFrame &) override {}
-	void take_raw(int p_device, bool p_is_out, const uint8_t *p_bytes, std::size_t p_size, uint64_t p_time_usec) override;
+	void take_raw(
+			int p_device, bool p_is_out, const uint8_t *p_bytes, std::size_t p_size, uint64_t p_time_usec) override;
 	void device_opened(const usb::DeviceReport &p_report) override;
 
 private:

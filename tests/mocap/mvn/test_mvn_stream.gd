@@ -18,7 +18,9 @@ func before_each() -> void:
 	_people.clear()
 	_gone.clear()
 	_stream = MvnStream.new()
-	_stream.appeared.connect(func(p_one: MotionSource, p_name: String) -> void: _people[p_one] = p_name)
+	_stream.appeared.connect(
+		func(p_one: MotionSource, p_name: String) -> void: _people[p_one] = p_name
+	)
 	_stream.vanished.connect(func(p_one: MotionSource) -> void: _gone.append(p_one))
 	equal(_stream.open(0), "")
 	_peer = PacketPeerUDP.new()
@@ -232,9 +234,9 @@ func test_rubbish_is_counted_and_told() -> void:
 
 
 func test_samples_that_are_none_are_refused_by_the_encoder() -> void:
-	expect_error("there is no \"type\"")
+	expect_error('there is no "type"')
 	equal(MvnEncoder.encode({}).size(), 0)
-	expect_error("\"positions\" has another number")
+	expect_error('"positions" has another number')
 	var bad: Dictionary = {
 		"type": 3,
 		"sample": 1,

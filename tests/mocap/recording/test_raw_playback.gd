@@ -149,7 +149,9 @@ func _record_stream(p_count: int) -> Array[PackedByteArray]:
 	for number: int in p_count:
 		writer.take(source.pose_at(number / 60.0), number / 60.0)
 		for type: int in [12, 2]:
-			for datagram: PackedByteArray in MvnEncoder.encode(writer.sample(type, number, number * 17)):
+			for datagram: PackedByteArray in MvnEncoder.encode(
+				writer.sample(type, number, number * 17)
+			):
 				peer.put_packet(datagram)
 				sent.append(datagram)
 		OS.delay_usec(500)

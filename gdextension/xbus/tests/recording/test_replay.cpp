@@ -52,7 +52,8 @@ public:
 	}
 
 	void out(const Request &p_request) {
-		chunks.push_back({ true, Bytes(p_request.bytes.begin(), p_request.bytes.begin() + std::ptrdiff_t(p_request.size)) });
+		chunks.push_back(
+				{ true, Bytes(p_request.bytes.begin(), p_request.bytes.begin() + std::ptrdiff_t(p_request.size)) });
 	}
 	void in(std::size_t p_size) {
 		chunks.push_back({ false, Bytes(_answer.begin(), _answer.begin() + std::ptrdiff_t(p_size)) });
@@ -100,8 +101,9 @@ TEST(a_recorded_suit_is_decoded_however_its_bytes_were_cut) {
 			CHECK(frame.tracker_count == 17);
 			for (int tracker = 0; tracker < frame.tracker_count; ++tracker, ++at) {
 				for (std::size_t part = 0; part < 4; ++part) {
-					worst = std::max(worst, std::fabs(frame.trackers[std::size_t(tracker)].orientation[part] -
-													dialogue.orientations[at][part]));
+					worst = std::max(worst,
+							std::fabs(frame.trackers[std::size_t(tracker)].orientation[part] -
+									dialogue.orientations[at][part]));
 				}
 			}
 		}
