@@ -4,7 +4,8 @@ extends TestCase
 const CLIP: String = "res://assets/motion/01_01.bvh"
 const FOLDER: String = "user://test_recording"
 const START_USEC: int = 1780000000000000
-## From docs/xbus.md: DeviceID of an MTi-30, and MTData2 with counter, quaternion, acceleration, rate.
+## From docs/xbus.md: DeviceID of an MTi-30, and MTData2 with counter, quaternion, acceleration and
+## rate of turn.
 const DEVICE_ID: String = "FAFF0104036008A6EB"
 const DATA: String = (
 	"FAFF364410200 2E686106004005751262010103F7F1DDEBDA63508BC8E1BCD3AB3C08840200C3EB6FC53BFC6F4B9"
