@@ -71,7 +71,7 @@ String MvnReceiver::open(int64_t p_port) {
 	}
 	put_usec = 0;
 	receiver.close();
-	tap = recorder != nullptr ? std::make_unique<DatagramTap>(recorder, p_port) : nullptr;
+	tap = recorder != nullptr ? std::make_unique<recording::DatagramTap>(recorder, int(p_port)) : nullptr;
 	mvn::Receiver::RawListener listener;
 	if (tap != nullptr) {
 		listener = [this](const std::string &p_sender, const uint8_t *p_bytes, std::size_t p_size,
