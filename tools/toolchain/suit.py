@@ -19,7 +19,7 @@ A person in a wired Xsens suit, who calibrates and then moves by a BVH file, on 
 only the COMMAND finds (by umockdev; it ends with the command). Without a command: prints the
 environment that a program in another terminal needs. docs/suit-emulator.md tells more.
 
-  ./run suit-emulator -- ./run trainee --xbus
+  ./run suit-emulator -- ./run trainee --xbus --calibrate=full
 
   --bvh=FILE            the motion (default: a walk)
   --devices=LIST        ftdi (an Xbus Master on an FTDI chip), ftdi-fast (with large packets),
@@ -32,7 +32,8 @@ environment that a program in another terminal needs. docs/suit-emulator.md tell
   --noise=DEGREES --drift=DEGREES   of each sample, of the heading in a minute
   --mountings=FILE      lines of "w x y z degrees": how each tracker sits, and its north
   --swap=A:B            trackers that were put on each other's limb
-  --hold                stands in a T-pose until the command 'go'
+  --hold                stands in a T-pose until the command 'go', in place of until the suit
+                        measures
   --baud=N --instant    speed of the serial line (460800), or one that takes no time
   --corrupt=P --drop=P  probability that a byte is changed or lost
   --unplug-at=S --plug-at=S   seconds after the start

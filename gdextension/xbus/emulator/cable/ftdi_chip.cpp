@@ -97,7 +97,7 @@ int FtdiChip::_read_register(const UsbSetup &p_setup, uint8_t *p_data) const {
 	int size = 2;
 	switch (p_setup.request) {
 		case MODEM_STATUS:
-			value = 0x6030 | (_options.is_fast ? 2 : 1);
+			value = _options.is_fast ? 0x6032 : 0x6031;
 			break;
 		case GET_LATENCY:
 			value = uint16_t(_latency_ms);

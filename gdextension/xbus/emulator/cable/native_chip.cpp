@@ -14,8 +14,7 @@ constexpr size_t KEPT = 4096;
 } // namespace
 
 NativeChip::NativeChip(uint16_t p_product, const std::string &p_serial, uint64_t p_seed, SerialDevice &p_device) :
-		_device(p_device),
-		_line(p_seed) {
+		_device(p_device), _line(p_seed) {
 	_description.vendor = XSENS;
 	_description.product = p_product;
 	_description.release = 0x0100;

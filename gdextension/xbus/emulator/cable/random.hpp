@@ -9,8 +9,7 @@ namespace emulator {
 /// Pseudo-random numbers (splitmix64) that are the same on every machine.
 class Random {
 public:
-	explicit Random(uint64_t p_seed) :
-			_state(p_seed) {}
+	explicit Random(uint64_t p_seed) : _state(p_seed) {}
 
 	uint64_t next() {
 		_state += 0x9E3779B97F4A7C15U;

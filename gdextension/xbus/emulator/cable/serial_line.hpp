@@ -74,8 +74,7 @@ struct SampleTrace {
 /// Bytes from the device to the host, each with the time at which it is there.
 class SerialLine {
 public:
-	explicit SerialLine(uint64_t p_seed) :
-			_random(p_seed) {}
+	explicit SerialLine(uint64_t p_seed) : _random(p_seed) {}
 
 	/// Takes what the device has sent until `p_now`. `p_byte_nsec`: how long a byte takes on the line, 0 for
 	/// a line that takes no time. `p_garbage`: both ends do not agree on the speed.

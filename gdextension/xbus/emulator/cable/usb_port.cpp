@@ -8,9 +8,7 @@
 
 namespace emulator {
 
-UsbPort::UsbPort(UsbDevice &p_device, Log p_log) :
-		_device(p_device),
-		_log(std::move(p_log)) {}
+UsbPort::UsbPort(UsbDevice &p_device, Log p_log) : _device(p_device), _log(std::move(p_log)) {}
 
 void UsbPort::plug(bool p_in, Usec p_now) {
 	if (p_in == _is_plugged) {

@@ -12,7 +12,12 @@ namespace emulator {
 
 /// A transfer that the host has asked for.
 struct Urb {
-	enum class Type : uint8_t { ISOCHRONOUS, INTERRUPT, CONTROL, BULK };
+	enum class Type : uint8_t {
+		ISOCHRONOUS,
+		INTERRUPT,
+		CONTROL,
+		BULK
+	};
 
 	/// By which its owner knows it.
 	uint64_t id = 0;

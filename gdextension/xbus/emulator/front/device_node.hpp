@@ -49,8 +49,8 @@ public:
 	void leave();
 	/// Whether programs that poll the node find it ready. libusb does so to learn that a transfer is over.
 	void set_ready(bool p_is_ready);
-	/// Links an interface to the driver in /sys, or not.
-	void set_driver(unsigned p_interface, bool p_is_bound);
+	/// Links an interface to the driver in /sys, or not; false if that cannot be.
+	bool set_driver(unsigned p_interface, bool p_is_bound);
 
 private:
 	std::string _interface_path(unsigned p_interface) const;

@@ -14,6 +14,7 @@
 #include <poll.h>
 #include <sys/eventfd.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/signalfd.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -27,6 +28,9 @@ Usec monotonic() {
 	return Usec(now.tv_sec) * SECOND + now.tv_nsec / 1000;
 }
 
+/// As "nice" counts: lower comes first.
+constexpr int HARDWARE_PRIORITY = -15;
+
 sigset_t watched() {
 	sigset_t set;
 	sigemptyset(&set);
@@ -38,18 +42,19 @@ sigset_t watched() {
 
 } // namespace
 
-void hold_signals() {
+void prepare_threads() {
 	const sigset_t set = watched();
 	pthread_sigmask(SIG_BLOCK, &set, nullptr);
+	(void)setpriority(PRIO_PROCESS, 0, HARDWARE_PRIORITY);
 }
 
 std::string preload_value() {
-	const std::string own = Testbed::preload();
+	std::string own = Testbed::preload();
 	const char *before = std::getenv("LD_PRELOAD");
 	if (before == nullptr || *before == '\0') {
 		return own;
 	}
-	const std::string all = before;
+	std::string all = before;
 	return all.find(own) == std::string::npos ? own + ":" + all : all;
 }
 
@@ -150,6 +155,7 @@ bool Session::_start_program() {
 			prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE);
 			prctl(PR_CAPBSET_DROP, CAP_DAC_READ_SEARCH);
 		}
+		(void)setpriority(PRIO_PROCESS, 0, 0);
 		// The emulator reads commands from its own.
 		const int nothing = open("/dev/null", O_RDONLY);
 		dup2(nothing, STDIN_FILENO);
@@ -216,11 +222,11 @@ void Session::_sleep() {
 	if (ppoll(waits, std::size(waits), &timeout, nullptr) <= 0) {
 		return;
 	}
-	if ((waits[0].revents & POLLIN) != 0) {
+	if (waits[0].revents != 0) {
 		uint64_t count = 0;
 		(void)!read(_wake, &count, sizeof(count));
 	}
-	if ((waits[1].revents & POLLIN) != 0) {
+	if (waits[1].revents != 0) {
 		_read_signals();
 	}
 	if (waits[2].revents != 0) {

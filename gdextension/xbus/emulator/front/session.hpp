@@ -9,8 +9,9 @@
 
 namespace emulator {
 
-/// Signals are read by the session, so no thread may take them: to be called before there are any.
-void hold_signals();
+/// To be called before there are threads: signals are read by the session, so none of them may take them; and
+/// what stands for hardware comes before programs, where the system allows it.
+void prepare_threads();
 /// LD_PRELOAD of programs that are to find the devices.
 std::string preload_value();
 

@@ -31,7 +31,7 @@ void enter_umockdev(char **p_arguments) {
 
 int main(int p_count, char **p_arguments) {
 	enter_umockdev(p_arguments);
-	emulator::hold_signals();
+	emulator::prepare_threads();
 	try {
 		emulator::SuitOptions options;
 		const std::string fault = options.parse({ p_arguments + 1, p_arguments + p_count });

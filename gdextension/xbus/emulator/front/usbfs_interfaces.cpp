@@ -41,7 +41,8 @@ UsbfsNode::Result UsbfsNode::_dispatch(UMockdevIoctlClient *p_client, unsigned p
 			if (capabilities == nullptr) {
 				return -EFAULT;
 			}
-			*capabilities = USBDEVFS_CAP_ZERO_PACKET | USBDEVFS_CAP_NO_PACKET_SIZE_LIM | USBDEVFS_CAP_REAP_AFTER_DISCONNECT;
+			*capabilities =
+					USBDEVFS_CAP_ZERO_PACKET | USBDEVFS_CAP_NO_PACKET_SIZE_LIM | USBDEVFS_CAP_REAP_AFTER_DISCONNECT;
 			return 0;
 		}
 		case USBDEVFS_RESET:

@@ -12,8 +12,8 @@
 
 namespace emulator {
 
-UsbfsNode::UsbfsNode(Shared &p_shared, UsbPort &p_port, Testbed &p_testbed, int p_place, std::string p_driver,
-		UsbPort::Log p_log) :
+UsbfsNode::UsbfsNode(
+		Shared &p_shared, UsbPort &p_port, Testbed &p_testbed, int p_place, std::string p_driver, UsbPort::Log p_log) :
 		_shared(p_shared),
 		_port(p_port),
 		_testbed(p_testbed),
@@ -126,38 +126,53 @@ void UsbfsNode::_update_gate() {
 }
 
 void UsbfsNode::collect() {
-	while (const std::unique_ptr<Urb> done = _port.take_completed()) {
+	while (std::unique_ptr<Urb> done = _port.take_completed()) {
 		const auto found = _transfers.find(done->id);
 		if (found == _transfers.end()) {
 			continue; // Its program has gone.
 		}
-		const Transfer transfer = found->second;
+		Transfer transfer = std::move(found->second);
 		_transfers.erase(found);
 		auto *urb = reinterpret_cast<usbdevfs_urb *>(transfer.urb->data);
 		urb->status = done->status;
 		urb->actual_length = int(done->done);
-		const bool is_in = (done->endpoint & 0x80U) != 0;
-		if (is_in && transfer.buffer != nullptr && done->done > 0) {
-			const size_t room = size_t(transfer.buffer->data_len) - transfer.offset;
-			std::memcpy(transfer.buffer->data + transfer.offset, done->data.data(), std::min(done->done, room));
+		if ((done->endpoint & 0x80U) != 0) {
+			transfer.bytes = std::move(done->data);
+			transfer.bytes.resize(done->done);
 		}
-		_hand_over(transfer);
+		_hand_over(std::move(transfer));
 	}
 	_update_gate();
 }
 
-void UsbfsNode::_hand_over(const Transfer &p_transfer) {
-	Opened &opened = _opened[p_transfer.client];
-	opened.finished.push_back(p_transfer);
+void UsbfsNode::_hand_over(Transfer p_transfer) {
+	UMockdevIoctlClient *client = p_transfer.client;
+	Opened &opened = _opened[client];
+	opened.finished.push_back(std::move(p_transfer));
 	if (opened.is_waiting) {
 		opened.is_waiting = false;
-		_reap(p_transfer.client, false);
-		umockdev_ioctl_client_complete(p_transfer.client, 0, 0);
+		_reap(client, false);
+		umockdev_ioctl_client_complete(client, 0, 0);
+	}
+}
+
+void UsbfsNode::_fill_buffer(const Transfer &p_transfer) {
+	if (p_transfer.bytes.empty()) {
+		return;
+	}
+	UMockdevIoctlData *buffer = p_transfer.buffer;
+	if (buffer == nullptr) {
+		buffer = umockdev_ioctl_data_resolve(
+				p_transfer.urb, offsetof(usbdevfs_urb, buffer), p_transfer.bytes.size(), nullptr);
+	}
+	if (buffer != nullptr) {
+		const size_t room = size_t(buffer->data_len) - p_transfer.offset;
+		std::memcpy(buffer->data + p_transfer.offset, p_transfer.bytes.data(), std::min(p_transfer.bytes.size(), room));
 	}
 }
 
 std::unique_ptr<Urb> UsbfsNode::_make_urb(UMockdevIoctlClient *p_client, Transfer &r_transfer) {
-	constexpr int MOST = 4 << 20;
+	constexpr int MOST = 4194304;
 	constexpr int REQUEST = 8;
 	UMockdevIoctlData *argument = umockdev_ioctl_client_get_arg(p_client);
 	r_transfer.client = p_client;
@@ -176,6 +191,10 @@ std::unique_ptr<Urb> UsbfsNode::_make_urb(UMockdevIoctlClient *p_client, Transfe
 	urb->endpoint = raw->endpoint;
 	r_transfer.offset = size_t(head);
 	if (raw->buffer_length == 0) {
+		return urb;
+	}
+	if (head == 0 && (raw->endpoint & 0x80U) != 0) {
+		urb->data.resize(size_t(raw->buffer_length));
 		return urb;
 	}
 	r_transfer.buffer = umockdev_ioctl_data_resolve(
@@ -232,8 +251,9 @@ UsbfsNode::Result UsbfsNode::_reap(UMockdevIoctlClient *p_client, bool p_waits) 
 		opened.is_waiting = p_waits;
 		return p_waits ? LATER : -EAGAIN;
 	}
-	Transfer transfer = opened.finished.front();
+	Transfer transfer = std::move(opened.finished.front());
 	opened.finished.pop_front();
+	_fill_buffer(transfer);
 	UMockdevIoctlData *argument = umockdev_ioctl_client_get_arg(p_client);
 	UMockdevIoctlData *pointer = umockdev_ioctl_data_resolve(argument, 0, sizeof(void *), nullptr);
 	if (pointer != nullptr) {

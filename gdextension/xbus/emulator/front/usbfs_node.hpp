@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "front/device_node.hpp"
 #include "cable/usb_port.hpp"
+#include "front/device_node.hpp"
 
 #include <mutex>
 #include <set>
@@ -40,6 +40,9 @@ private:
 		UMockdevIoctlData *buffer = nullptr;
 		/// Where the data begin in the buffer: control transfers have the request before.
 		size_t offset = 0;
+		/// What came. The program's buffer is looked at no sooner than it fetches the transfer: most of it would
+		/// be carried to and fro for nothing.
+		std::vector<uint8_t> bytes;
 	};
 	/// A program that has the node open.
 	struct Opened {
@@ -71,7 +74,8 @@ private:
 	bool _is_claimed(unsigned p_interface) const;
 	/// Makes a transfer of what the program has submitted; null where it makes no sense.
 	std::unique_ptr<Urb> _make_urb(UMockdevIoctlClient *p_client, Transfer &r_transfer);
-	void _hand_over(const Transfer &p_transfer);
+	void _hand_over(Transfer p_transfer);
+	static void _fill_buffer(const Transfer &p_transfer);
 	void _close(UMockdevIoctlClient *p_client);
 	void _update_gate();
 	static void _free(Transfer &r_transfer);

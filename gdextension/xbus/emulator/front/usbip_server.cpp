@@ -48,9 +48,7 @@ constexpr uint32_t MOST = 1U << 20U;
 } // namespace
 
 UsbipServer::UsbipServer(UsbPort &p_port, std::function<Usec()> p_clock, int p_place) :
-		_port(p_port),
-		_clock(std::move(p_clock)),
-		_place(p_place) {}
+		_port(p_port), _clock(std::move(p_clock)), _place(p_place) {}
 
 UsbipServer::~UsbipServer() {
 	unplug();

@@ -15,9 +15,7 @@ constexpr double GRAVITY = 9.81;
 /// An item under construction: identifier, length, values.
 class Item {
 public:
-	Item(Data &r_data, uint16_t p_identifier) :
-			_data(r_data),
-			_begin(r_data.size()) {
+	Item(Data &r_data, uint16_t p_identifier) : _data(r_data), _begin(r_data.size()) {
 		append_u16(_data, p_identifier);
 		_data.push_back(0);
 	}
@@ -60,7 +58,8 @@ bool append_orientation(Data &r_data, uint16_t p_identifier, const Reading &p_re
 				2.0 * double(turn.x * turn.y + turn.w * turn.z), 2.0 * double(turn.x * turn.z - turn.w * turn.y),
 				2.0 * double(turn.x * turn.y - turn.w * turn.z), 1.0 - 2.0 * double(turn.x * turn.x + turn.z * turn.z),
 				2.0 * double(turn.y * turn.z + turn.w * turn.x), 2.0 * double(turn.x * turn.z + turn.w * turn.y),
-				2.0 * double(turn.y * turn.z - turn.w * turn.x), 1.0 - 2.0 * double(turn.x * turn.x + turn.y * turn.y) };
+				2.0 * double(turn.y * turn.z - turn.w * turn.x),
+				1.0 - 2.0 * double(turn.x * turn.x + turn.y * turn.y) };
 			item.add(values, 9, format);
 			return true;
 		}

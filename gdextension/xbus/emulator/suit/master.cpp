@@ -50,8 +50,7 @@ Data product_code(const char *p_text) {
 }
 
 Master::Master(uint32_t p_device_id, std::vector<Tracker> p_trackers, MotionStream p_stream, uint64_t p_seed) :
-		XbusDevice(std::move(p_stream), p_seed),
-		_trackers(std::move(p_trackers)) {
+		XbusDevice(std::move(p_stream), p_seed), _trackers(std::move(p_trackers)) {
 	_device_id = p_device_id;
 }
 

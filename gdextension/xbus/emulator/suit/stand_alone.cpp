@@ -22,8 +22,7 @@ constexpr unsigned ON_REQUEST = 0xFFFF;
 } // namespace
 
 StandAlone::StandAlone(Tracker p_tracker, MotionStream p_stream, uint64_t p_seed) :
-		XbusDevice(std::move(p_stream), p_seed),
-		_tracker(p_tracker) {
+		XbusDevice(std::move(p_stream), p_seed), _tracker(p_tracker) {
 	_device_id = _tracker.device_id;
 }
 
@@ -172,7 +171,8 @@ XbusDevice::Answer StandAlone::_choose_items(const Frame &p_frame, Usec p_now) {
 			Data probe;
 			append_item(probe, item.identifier, {}, 0, 0.0);
 			if (!probe.empty() && item.rate > 0) {
-				_items.push_back({ item.identifier, std::min(item.rate, item.rate == ALWAYS ? ALWAYS : uint16_t(FASTEST)) });
+				_items.push_back(
+						{ item.identifier, std::min(item.rate, item.rate == ALWAYS ? ALWAYS : uint16_t(FASTEST)) });
 			}
 		}
 	}

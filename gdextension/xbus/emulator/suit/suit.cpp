@@ -121,7 +121,8 @@ std::string Suit::_make(const std::string &p_kind, std::vector<Tracker> p_tracke
 		tracker.device_id = MTI_30_ID + number;
 		auto device = std::make_unique<StandAlone>(tracker, _stream, seed);
 		device->set_items({ { 0x1020, StandAlone::ALWAYS }, { 0x2010, 100 }, { 0x8020, 100 }, { 0x4020, 100 } });
-		_add(std::move(device), p_kind == "mti" ? "native" : "ftdi", p_kind == "mti" ? PRODUCT_MTI_30 : PRODUCT_CONVERTER);
+		_add(std::move(device), p_kind == "mti" ? "native" : "ftdi",
+				p_kind == "mti" ? PRODUCT_MTI_30 : PRODUCT_CONVERTER);
 		return {};
 	}
 	if (p_kind == "awinda") {
@@ -155,6 +156,11 @@ void Suit::_add(std::unique_ptr<XbusDevice> p_device, const std::string &p_kind,
 	made.device->faults.error_every = _options.error_every;
 	made.device->faults.is_mute = _options.is_mute;
 	made.device->set_log([this, place](Usec p_now, const std::string &p_text) { _log(p_now, place, p_text); });
+	made.device->set_on_measuring([this](Usec p_now) {
+		if (_waits) {
+			_move("go", 0.0, p_now);
+		}
+	});
 	const std::string serial = hexadecimal(made.device->device_id());
 	if (p_kind == "native") {
 		auto chip = std::make_unique<NativeChip>(p_product, serial, _options.seed + place, *made.device);
@@ -192,8 +198,9 @@ Usec Suit::next_event() const {
 }
 
 void Suit::begin(Usec p_now) {
+	_waits = !_options.is_held;
 	for (SuitDevice &one : _devices) {
-		one.device->set_motion(0.0, !_options.is_held, p_now);
+		one.device->set_motion(0.0, false, p_now);
 	}
 }
 
@@ -208,6 +215,7 @@ bool Suit::_move(const std::string &p_name, double p_value, Usec p_now) {
 	} else if (p_name != "hold" && p_name != "go") {
 		return false;
 	}
+	_waits = false;
 	for (SuitDevice &one : _devices) {
 		one.device->set_motion(time, p_name != "hold", p_now);
 	}

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "suit/master.hpp"
-#include "suit/stand_alone.hpp"
-#include "suit/suit_options.hpp"
 #include "cable/ftdi_chip.hpp"
 #include "cable/native_chip.hpp"
 #include "cable/usb_port.hpp"
+#include "suit/master.hpp"
+#include "suit/stand_alone.hpp"
+#include "suit/suit_options.hpp"
 
 #include <memory>
 
@@ -40,7 +40,7 @@ public:
 	/// What is wrong with the options, or an empty text.
 	const std::string &error() const { return _error; }
 	std::vector<SuitDevice> &devices() { return _devices; }
-	/// The wearer begins to move, or stands still until told.
+	/// The wearer stands in the first pose, until a device begins to measure or, with --hold, until told.
 	void begin(Usec p_now);
 	void advance(Usec p_now);
 	Usec next_event() const;
@@ -67,6 +67,7 @@ private:
 	Random _random;
 	std::string _error;
 	std::vector<SuitDevice> _devices;
+	bool _waits = true;
 };
 
 } // namespace emulator

@@ -101,8 +101,8 @@ bool SuitOptions::_set_number(const std::string &p_name, const std::string &p_va
 		const bool is_one = parse_number(p_value, value) && value >= number.low && value <= number.high;
 		if (!is_one || (number.whole != nullptr && value != std::floor(value))) {
 			std::ostringstream fault;
-			fault << "--" << p_name << " is a number from " << number.low << " to " << number.high << ", not '" << p_value
-				  << "'";
+			fault << "--" << p_name << " is a number from " << number.low << " to " << number.high << ", not '"
+				  << p_value << "'";
 			r_fault = fault.str();
 		} else if (number.whole != nullptr) {
 			*number.whole = int(value);

@@ -3,8 +3,8 @@
 
 #include "bus/message.hpp"
 #include "bus/number.hpp"
-#include "suit/motion_stream.hpp"
 #include "cable/random.hpp"
+#include "suit/motion_stream.hpp"
 
 #include <array>
 
@@ -41,7 +41,13 @@ struct Reading {
 class Tracker {
 public:
 	/// How an orientation is reset (ResetOrientation, A4).
-	enum class Reset : uint8_t { STORE, HEADING, GLOBAL, OBJECT, ALIGN };
+	enum class Reset : uint8_t {
+		STORE,
+		HEADING,
+		GLOBAL,
+		OBJECT,
+		ALIGN
+	};
 
 	uint32_t device_id = 0;
 	uint16_t mode = 0x0006;

@@ -47,9 +47,7 @@ void append_u32(Data &r_data, uint32_t p_value) {
 	append_u16(r_data, p_value & 0xFFFFU);
 }
 
-XbusDevice::XbusDevice(MotionStream p_stream, uint64_t p_seed) :
-		_stream(std::move(p_stream)),
-		_random(p_seed) {}
+XbusDevice::XbusDevice(MotionStream p_stream, uint64_t p_seed) : _stream(std::move(p_stream)), _random(p_seed) {}
 
 void XbusDevice::_log_state(Usec p_now, const std::string &p_text) const {
 	if (_log) {
@@ -219,6 +217,9 @@ void XbusDevice::_go_to_measurement(Usec p_now, bool p_is_asked) {
 	_measuring_since = p_now + 200;
 	_sample_number = 0;
 	_log_state(p_now, "state measurement");
+	if (_on_measuring) {
+		_on_measuring(p_now);
+	}
 }
 
 bool XbusDevice::is_overflowing() const {

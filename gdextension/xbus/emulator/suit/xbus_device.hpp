@@ -4,8 +4,8 @@
 #include "bus/encoder.hpp"
 #include "bus/framer.hpp"
 #include "bus/message.hpp"
-#include "suit/tracker.hpp"
 #include "cable/serial_line.hpp"
+#include "suit/tracker.hpp"
 
 #include <functional>
 #include <initializer_list>
@@ -37,7 +37,13 @@ struct DeviceFaults {
 class XbusDevice : public SerialDevice {
 public:
 	using Log = std::function<void(Usec, const std::string &)>;
-	enum class State : uint8_t { OFF, WAKE_UP, CONFIG, MEASUREMENT, REBOOT };
+	enum class State : uint8_t {
+		OFF,
+		WAKE_UP,
+		CONFIG,
+		MEASUREMENT,
+		REBOOT
+	};
 
 	XbusDevice(MotionStream p_stream, uint64_t p_seed);
 
@@ -51,6 +57,8 @@ public:
 	uint32_t device_id() const { return _device_id; }
 	uint64_t samples() const { return _samples; }
 	void set_log(Log p_log) { _log = std::move(p_log); }
+	/// Called whenever it begins to measure.
+	void set_on_measuring(std::function<void(Usec)> p_call) { _on_measuring = std::move(p_call); }
 	void set_baud(uint32_t p_baud) { _baud = _next_baud = p_baud; }
 	/// The counter of the first sample, to see it go round.
 	void set_first_counter(uint16_t p_counter) { _counter = p_counter; }
@@ -67,7 +75,10 @@ public:
 
 protected:
 	/// What the message was answered with.
-	enum class Answer : uint8_t { DONE, UNKNOWN };
+	enum class Answer : uint8_t {
+		DONE,
+		UNKNOWN
+	};
 
 	/// A message in Config, or one that measuring allows. UNKNOWN: it is answered with error 04.
 	virtual Answer handle(const xbus::Frame &p_frame, Usec p_now) = 0;
@@ -114,6 +125,7 @@ private:
 
 	xbus::Framer _framer;
 	Log _log;
+	std::function<void(Usec)> _on_measuring;
 	State _state = State::OFF;
 	uint32_t _baud = 460800;
 	uint32_t _next_baud = 460800;

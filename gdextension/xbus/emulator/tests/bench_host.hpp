@@ -18,7 +18,8 @@ public:
 	};
 
 	explicit BenchHost(const std::vector<std::string> &p_options, bool p_is_plugged = true) :
-			suit(parse(p_options), emulator::MotionStream::still(16), [this]() { return now; },
+			suit(
+					parse(p_options), emulator::MotionStream::still(16), [this]() { return now; },
 					[this](emulator::Usec, size_t, const std::string &p_text) { log.push_back(p_text); }) {
 		suit.begin(now);
 		if (p_is_plugged) {
@@ -125,7 +126,8 @@ private:
 			for (size_t at = 0; at < done->data.size(); at += packet) {
 				const size_t head = is_ftdi() ? 2 : 0;
 				const size_t size = std::min(packet, done->data.size() - at);
-				framer.feed(done->data.data() + at + head, size - std::min(head, size), [this](const xbus::Frame &p_frame) { take(p_frame); });
+				framer.feed(done->data.data() + at + head, size - std::min(head, size),
+						[this](const xbus::Frame &p_frame) { take(p_frame); });
 			}
 		}
 	}

@@ -178,6 +178,28 @@ TEST(faults_are_as_ordered) {
 	CHECK(host.device().device->state() == emulator::XbusDevice::State::MEASUREMENT);
 }
 
+TEST(the_wearer_begins_when_the_suit_measures) {
+	BenchHost host({ "--devices=two-masters", "--sensors=4" });
+	host.read(SECOND);
+	emulator::XbusDevice &other = *host.suit.devices().back().device;
+	CHECK_NEAR(host.device().device->motion_time(host.now), 0.0, 1e-9);
+	host.bring_up();
+	host.read(SECOND);
+	const double time = host.device().device->motion_time(host.now);
+	CHECK(time > 1.0 && time < 1.5);
+	CHECK_NEAR(other.motion_time(host.now), time, 1e-9);
+	bool is_known = false;
+	host.suit.command("hold", host.now, is_known);
+	host.read(SECOND);
+	CHECK_NEAR(other.motion_time(host.now), time, 1e-9);
+	host.suit.command("motion 5.5", host.now, is_known);
+	CHECK_NEAR(other.motion_time(host.now + SECOND), 6.5, 1e-9);
+	BenchHost held({ "--devices=native", "--hold" });
+	held.bring_up();
+	held.read(SECOND);
+	CHECK_NEAR(held.device().device->motion_time(held.now), 0.0, 1e-9);
+}
+
 TEST(options_say_what_is_wrong_with_them) {
 	for (const char *option : { "--sensors=0", "--sensors=x", "--corrupt=2", "--nonsense", "--instant=1", "word",
 				 "--errors=zz:1", "--swap=1", "--bus-power=maybe", "--baud=1e9", "--seed=-1", "--sensors=1.5" }) {

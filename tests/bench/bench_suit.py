@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: MIT
+"""An emulated suit through the real libusb: delay of a sample, and what becomes of a motion.
+
+Delay: from the moment at which the last byte of a sample is handed over by the chip (and, as a
+figure without a goal, at which it lies in the chip) to the callback of the suit's thread. Motion: a
+clip, worn in a suit with trackers at any angle and with norths that differ by up to 30 degrees,
+calibrated by the guided T- and N-pose, against the same clip sent directly: how far the observer's
+picture is from the clip, on the limbs that have a tracker (the spine, which has none, on its own).
+Options: --seconds=20 (of each part), --sensors=15 (delay), --rate=100, --bvh=FILE, --only=delay|motion,
+--port=7777 (a free one by default).
+"""
+
+from __future__ import annotations
+
+import csv
+import socket
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from toolchain import suit
+from toolchain.console import Failure, step, tail
+from toolchain.figures import Figures
+from toolchain.godot import Godot, find
+from toolchain.paths import CLIPS
+from toolchain.project import EXTENSIONS
+from toolchain.suit_session import SuitSession, compare
+
+STREAM = EXTENSIONS / "xbus" / "suit_stream"
+CHIPS = ("native", "ftdi", "ftdi-fast")
+P50_MS = 0.5
+P99_MS = 5.0
+MOTION_DEG = 0.1
+# The part of the clip that is judged begins here: by then everybody has begun, in either way.
+BEGIN_S = 6.0
+
+
+def percentile(values: list[float], fraction: float) -> float:
+    """A percentile of a list."""
+    ordered = sorted(values)
+    return ordered[min(len(ordered) - 1, int(fraction * len(ordered)))]
+
+
+def delays(chip: str, options: dict[str, str], folder: Path) -> dict[str, list[float]]:
+    """Delays of all samples of a run, ms, from when they lay in the chip and were handed over."""
+    trace, callbacks = folder / f"{chip}.csv", folder / f"{chip}.txt"
+    seconds, rate = options["seconds"], options["rate"]
+    command = [str(suit.PROGRAM), f"--devices={chip}", f"--sensors={options['sensors']}"]
+    command += [f"--trace={trace}", "--", str(STREAM), f"--seconds={seconds}"]
+    command += [f"--trace={callbacks}", f"--rate={rate}"]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=300, check=False)
+    if done.returncode != 0:
+        raise Failure(f"Nothing came of the emulated suit:\n{tail(done.stdout + done.stderr)}")
+    with trace.open(encoding="utf-8") as file:
+        sent = [row for row in csv.DictReader(file) if row["device"] == "1"]
+    heard = [line.split() for line in callbacks.read_text(encoding="utf-8").splitlines()]
+    # Both count their samples from their first one on.
+    by_count = {number + 1: row for number, row in enumerate(sent)}
+    found: dict[str, list[float]] = {"chip": [], "handed over": [], "lost": []}
+    last = 0
+    for _, count, usec, _ in heard:
+        row = by_count.get(int(count))
+        if row is not None:
+            found["chip"].append((int(usec) - int(row["on_chip_usec"])) / 1000.0)
+            found["handed over"].append((int(usec) - int(row["handed_over_usec"])) / 1000.0)
+        found["lost"] += [0.0] * max(int(count) - last - 1, 0)
+        last = int(count)
+    return found
+
+
+def measure_delays(options: dict[str, str], figures: Figures, folder: Path) -> None:
+    """Adds the figures of all kinds of chip."""
+    for chip in CHIPS:
+        with step(f"stream from an emulated suit ({chip})"):
+            found = delays(chip, options, folder)
+        case = f"{chip}, {options['sensors']} trackers at {options['rate']} Hz"
+        handed = found["handed over"]
+        figures.add(case, "sample to callback p50", percentile(handed, 0.5), "ms", at_most=P50_MS)
+        figures.add(case, "sample to callback p99", percentile(handed, 0.99), "ms", at_most=P99_MS)
+        figures.add(case, "in the chip to callback p50", percentile(found["chip"], 0.5), "ms")
+        figures.add(case, "in the chip to callback p99", percentile(found["chip"], 0.99), "ms")
+        figures.add(case, "samples", len(handed), "")
+        figures.add(case, "samples lost", len(found["lost"]), "", at_most=0)
+
+
+def motion_error(godot: Godot, options: dict[str, str], folder: Path, worn: bool) -> dict:
+    """How far an observer's picture of a clip is from it: sent directly, or worn in a suit."""
+    bvh = Path(options["bvh"])
+    seconds = float(options["seconds"])
+    folder.mkdir()
+    with SuitSession(folder, int(options["port"])) as session:
+        if worn:
+            session.start_suit(godot, bvh, ["--sensors=17", "--devices=two-masters"])
+        else:
+            session.start_bvh(bvh)
+        session.record(folder / "observer.rec", BEGIN_S + seconds)
+    return compare(godot, folder / "observer.rec", bvh, BEGIN_S, BEGIN_S + seconds)
+
+
+def measure_motion(options: dict[str, str], figures: Figures, folder: Path) -> None:
+    """Adds the figures of a motion that goes through a suit and of one that does not."""
+    godot = find()
+    found = {}
+    for name in ("direct", "suit"):
+        with step(f"follow {Path(options['bvh']).name} ({name})"):
+            found[name] = motion_error(godot, options, folder / name, name == "suit")
+        figures.add("motion at the observer", f"{name}: mean error", found[name]["mean"], "deg")
+        figures.add("motion at the observer", f"{name}: p95", found[name]["p95"], "deg")
+        figures.add("motion at the observer", f"{name}: spine", found[name]["limbs"]["Spine"], "deg")
+    more = found["suit"]["mean"] - found["direct"]["mean"]
+    figures.add("motion at the observer", "suit - direct", more, "deg", at_most=MOTION_DEG)
+
+
+def free_port() -> int:
+    """A UDP port that nobody uses at the moment."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+def main(arguments: list[str]) -> int:
+    """Measures and prints the figures."""
+    options = {"seconds": "20", "sensors": "15", "rate": "100", "only": ""}
+    options |= {"bvh": str(CLIPS / "01_01.bvh"), "port": str(free_port())}
+    for argument in arguments:
+        name, _, value = argument.removeprefix("--").partition("=")
+        if name != "json" and name not in options:
+            raise Failure(f"There is no option '{argument}': see ./run bench suit --help.", 2)
+        options |= {name: value}
+    figures = Figures("suit", "json" in options)
+    with tempfile.TemporaryDirectory(prefix="dismount-") as name:
+        if options["only"] != "motion":
+            measure_delays(options, figures, Path(name))
+        if options["only"] != "delay":
+            measure_motion(options, figures, Path(name))
+    figures.finish()
+    return 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main(sys.argv[1:]))
+    except Failure as failure:
+        print(failure, file=sys.stderr)
+        sys.exit(failure.code)

@@ -1,0 +1,131 @@
+extends SceneTree
+## How far a person in an observer's recording is from a motion file, degrees.
+##
+## --recording=FILE --bvh=FILE --from=S --to=S (of the clip). The recording begins at some moment of the
+## clip: the one at which they agree best, found first coarsely, then exactly, is taken. Prints JSON:
+## mean and p95 of the limbs that a suit of 17 trackers measures, offset_s, limbs (mean of each), count.
+
+## Step of the coarse search, s, and how many snapshots it looks at.
+const COARSE_S: float = 0.1
+const LOOKS: int = 40
+## The limb that no tracker of a suit sits on.
+const FILLED: int = 1
+
+var _replica: WorldReplica = WorldReplica.new()
+var _times: PackedFloat64Array = PackedFloat64Array()
+var _poses: Array[Array] = []
+var _clip: BvhSource = BvhSource.new()
+var _from: float = 0.0
+var _until: float = 0.0
+
+
+func _init() -> void:
+	var options: Dictionary[String, String] = {}
+	for argument: String in OS.get_cmdline_user_args():
+		var parts: PackedStringArray = argument.trim_prefix("--").split("=", true, 1)
+		options[parts[0]] = parts[1] if parts.size() > 1 else ""
+	_clip.open(options.get("bvh", ""))
+	var player: SnapshotPlayer = SnapshotPlayer.new()
+	var fault: String = _clip.error
+	if fault == "":
+		fault = player.open(options.get("recording", ""))
+	if fault != "":
+		printerr(fault)
+		quit(1)
+		return
+	_from = options.get("from", "0").to_float()
+	_until = options.get("to", "1e9").to_float()
+	player.world_received.connect(
+		func(world: WorldDescription, _bytes: PackedByteArray) -> void: _replica.describe(world)
+	)
+	player.restarted.connect(_replica.clear)
+	player.snapshot_received.connect(_take)
+	player.advance(1e6)
+	if _poses.is_empty():
+		printerr("nobody is in the recording at that time")
+		quit(1)
+		return
+	_print(_best_offset())
+	quit()
+
+
+func _take(p_bytes: PackedByteArray, p_time_s: float) -> void:
+	if not _replica.take(p_bytes, p_time_s):
+		return
+	var people: PackedInt32Array = _replica.told_people()
+	var time: float = _replica.told_tick() / 60.0
+	if people.is_empty() or (not _times.is_empty() and time <= _times[_times.size() - 1]):
+		return
+	var floats: PackedFloat32Array = _replica.person_floats(people[0], true)
+	var turns: Array[Quaternion] = []
+	for limb: int in Limbs.COUNT:
+		var at: int = limb * WorldReplica.FLOATS + 3
+		turns.append(Quaternion(floats[at], floats[at + 1], floats[at + 2], floats[at + 3]))
+	_times.append(time)
+	_poses.append(turns)
+
+
+func _best_offset() -> float:
+	var best: float = 0.0
+	var least: float = INF
+	for step: int in ceili(_clip.get_period() / COARSE_S):
+		var error: float = _mean_error(step * COARSE_S, maxi(_poses.size() / LOOKS, 1))
+		if error < least:
+			least = error
+			best = step * COARSE_S
+	var span: float = COARSE_S
+	while span > 0.0004:
+		for candidate: float in [best - span / 2.0, best + span / 2.0]:
+			var error: float = _mean_error(candidate, maxi(_poses.size() / (LOOKS * 4), 1))
+			if error < least:
+				least = error
+				best = candidate
+		span /= 2.0
+	return best
+
+
+func _mean_error(p_offset_s: float, p_every: int) -> float:
+	var sum: float = 0.0
+	var count: int = 0
+	for at: int in range(0, _poses.size(), p_every):
+		var errors: PackedFloat64Array = _errors(at, p_offset_s)
+		for limb: int in Limbs.COUNT:
+			if limb != FILLED:
+				sum += errors[limb]
+				count += 1
+	return sum / count
+
+
+func _errors(p_at: int, p_offset_s: float) -> PackedFloat64Array:
+	var truth: PoseSample = _clip.pose_at(_times[p_at] - _times[0] + p_offset_s)
+	var errors: PackedFloat64Array = []
+	for limb: int in Limbs.COUNT:
+		var found: Quaternion = _poses[p_at][limb]
+		errors.append(Rotations.between_deg(found.normalized(), truth.orientation(limb)))
+	return errors
+
+
+func _print(p_offset_s: float) -> void:
+	var all: Statistics = Statistics.new()
+	var limbs: Dictionary[StringName, float] = {}
+	var count: int = 0
+	for at: int in _poses.size():
+		var moment: float = _times[at] - _times[0] + p_offset_s
+		if moment < _from or moment > _until:
+			continue
+		count += 1
+		var errors: PackedFloat64Array = _errors(at, p_offset_s)
+		for limb: int in Limbs.COUNT:
+			if limb != FILLED:
+				all.add(errors[limb])
+			limbs[Limbs.BONES[limb]] = limbs.get(Limbs.BONES[limb], 0.0) + errors[limb]
+	for bone: StringName in limbs:
+		limbs[bone] /= count
+	var found: Dictionary = {
+		"mean": all.mean(),
+		"p95": all.percentile(0.95),
+		"offset_s": p_offset_s,
+		"count": count,
+		"limbs": limbs,
+	}
+	print(JSON.stringify(found))

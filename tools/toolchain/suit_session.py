@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: MIT
+"""A server, a trainee in an emulated suit who calibrates, and observers who record, on loopback."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+from pathlib import Path
+from types import TracebackType
+
+from . import suit
+from .console import Failure, tail
+from .godot import Godot
+from .paths import CLIENT_BINARY, ROOT, SERVER_BINARY
+from .processes import Group, require_port
+
+COMPARE = "res://tests/bench/suit/compare_recording.gd"
+# A calibration of the kind "full", with time to spare.
+CALIBRATION_S = 60.0
+
+
+class SuitSession:
+    """The processes of one session; they end with it. Calibrations are kept in its folder."""
+
+    def __init__(self, folder: Path, port: int) -> None:
+        require_port(port)
+        self._folder = folder
+        self._port = port
+        self._group = Group(folder, {"XDG_DATA_HOME": str(folder / "data")})
+        self._pipe = -1
+
+    def __enter__(self) -> SuitSession:
+        self._group.__enter__()
+        command = [str(SERVER_BINARY), "--headless", "--", "--role=server", f"--port={self._port}"]
+        self._group.start("server", [*command, "--root=inertial"])
+        self._group.await_text("server", "listening on UDP port", 30)
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        if self._pipe >= 0:
+            os.close(self._pipe)
+            self._pipe = -1
+        self._group.__exit__(kind, error, trace)
+
+    def start_bvh(self, bvh: Path) -> None:
+        """A trainee who moves by the file itself."""
+        self._group.start("trainee", self.trainee(f"--bvh={bvh}"))
+        self._group.await_text("trainee", "joined", 30)
+
+    def start_suit(self, godot: Godot, bvh: Path, options: list[str]) -> None:
+        """A trainee in an emulated suit, calibrated; the motion of the file has just begun."""
+        self.start_emulator(godot, bvh, options, self.trainee("--xbus", "--calibrate=full"))
+        self._group.await_text("trainee", "calibrating (", 30)
+        self.command("go")
+        self._group.await_text("trainee", "calibrated", CALIBRATION_S)
+        if "not calibrated" in self._group.log("trainee"):
+            raise Failure("The suit was not calibrated:\n" + tail(self._group.log("trainee"), 5))
+        self.command("clip")
+
+    def start_emulator(
+        self, godot: Godot, bvh: Path, options: list[str], command: list[str]
+    ) -> None:
+        """An emulated suit, whose wearer stands still, and a program that finds it: "trainee"."""
+        pipe = self._folder / "commands"
+        os.mkfifo(pipe)
+        self._pipe = os.open(pipe, os.O_RDWR)
+        own = [f"--bvh={bvh}", "--hold", f"--commands={pipe}", *options]
+        program = [str(suit.PROGRAM), *suit.complete(godot, own), "--", *command]
+        self._group.start("trainee", program)
+
+    def trainee(self, *options: str) -> list[str]:
+        """The command of a trainee without a window."""
+        common = ["--role=trainee", f"--port={self._port}", "--name=wearer", "--person=wearer"]
+        return [str(CLIENT_BINARY), "--headless", "--", *common, *options]
+
+    def command(self, line: str) -> None:
+        """Tells the emulator something."""
+        os.write(self._pipe, f"{line}\n".encode())
+
+    def await_text(self, name: str, text: str, limit_s: float = 30.0) -> None:
+        """Waits until a process has said something."""
+        self._group.await_text(name, text, limit_s)
+
+    def log(self, name: str) -> str:
+        """What a process has said."""
+        return self._group.log(name)
+
+    def record(self, recording: Path, seconds: float, name: str = "observer") -> None:
+        """Lets an observer record for a while."""
+        options = ["--role=observer", f"--port={self._port}", f"--duration={seconds}"]
+        options.append(f"--record={recording}")
+        self._group.start(name, [str(CLIENT_BINARY), "--headless", "--", *options])
+        self._group.await_exit(name, seconds + 60)
+        if not recording.exists():
+            raise Failure(f"The observer recorded nothing:\n{tail(self._group.log(name))}")
+
+
+def compare(godot: Godot, recording: Path, bvh: Path, begin: float, end: float) -> dict:
+    """How far the person in a recording is from a part of a motion file: compare_recording.gd."""
+    options = [f"--recording={recording}", f"--bvh={bvh}", f"--from={begin}"]
+    command = [str(godot.program), "--headless", "--no-header", "--path", str(ROOT), "-s", COMPARE]
+    done = subprocess.run(
+        [*command, "--", *options, f"--to={end}"],
+        env=godot.environment(),
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        timeout=300,
+        check=False,
+    )
+    found = [line for line in done.stdout.splitlines() if line.startswith("{")]
+    if done.returncode != 0 or not found:
+        raise Failure(f"The recording could not be compared:\n{tail(done.stdout + done.stderr)}")
+    result: dict = json.loads(found[0])
+    return result
+
