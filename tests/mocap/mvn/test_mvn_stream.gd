@@ -12,11 +12,13 @@ var _stream: MvnStream = null
 var _peer: PacketPeerUDP = null
 var _people: Dictionary[RefCounted, String] = {}
 var _gone: Array[MotionSource] = []
+var _seen: PoseSample = null
 
 
 func before_each() -> void:
 	_people.clear()
 	_gone.clear()
+	_seen = null
 	_stream = MvnStream.new()
 	_stream.appeared.connect(
 		func(p_one: MotionSource, p_name: String) -> void: _people[p_one] = p_name
@@ -288,14 +290,15 @@ func _first_person() -> MvnSource:
 	return null if _people.is_empty() else _people.keys()[0]
 
 
+## The next pose that is measured.
 func _next(p_person: MvnSource) -> PoseSample:
-	var found: PoseSample = p_person.sample(0)
 	for frame: int in PATIENCE:
-		if found != null:
-			break
+		var found: PoseSample = p_person.get_newest()
+		if found != null and found != _seen:
+			_seen = found
+			return found
 		OS.delay_usec(200)
-		found = p_person.sample(0)
-	return found
+	return null
 
 
 ## The largest angle between two poses' limbs, degrees, and how far their roots are apart, m.

@@ -57,7 +57,7 @@ func test_a_recorded_person_moves_as_before() -> void:
 	equal(people.size(), 1)
 	var source: BvhSource = BvhSource.new()
 	source.open(CLIP)
-	var pose: PoseSample = people[0].sample(0)
+	var pose: PoseSample = people[0].get_newest()
 	for limb: int in Limbs.COUNT:
 		var off: float = Rotations.between_deg(
 			pose.orientation(limb), source.pose_at(39 / 60.0).orientation(limb)
