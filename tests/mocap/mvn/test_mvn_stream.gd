@@ -85,6 +85,12 @@ func test_several_people_come_and_go() -> void:
 		equal(_people[person], "P%d" % number)
 		var difference: Vector2 = _difference(person.get_newest(), source.pose_at(number))
 		is_true(difference.x < MOST_DEG, "%f deg" % difference.x)
+	await _until(func() -> bool: return _stream.list_devices().size() == 4)
+	for row: Dictionary in _stream.list_devices():
+		for key: String in DeviceList.KEYS:
+			is_true(row[key] is String)
+	contains(_stream.list_devices()[1]["name"], "P0")
+	contains(_stream.list_devices()[1]["detail"], "types 02 12")
 	_stream.close()
 	equal(_gone.size(), 3)
 	equal(_stream.people.size(), 0)

@@ -21,8 +21,7 @@ int64_t clock_usec() {
 
 /// One line of what is known; what a device says of itself may hold anything.
 std::string line(const char *p_key, std::string p_value) {
-	std::replace_if(
-			p_value.begin(), p_value.end(), [](char p_one) { return uint8_t(p_one) < 0x20; }, ' ');
+	std::replace_if(p_value.begin(), p_value.end(), [](char p_one) { return uint8_t(p_one) < 0x20; }, ' ');
 	return std::string(p_key) + "=" + p_value + "\n";
 }
 
@@ -45,21 +44,18 @@ void BusTap::device_opened(const usb::DeviceReport &p_report) {
 	std::array<char, 16> ids{};
 	std::snprintf(ids.data(), ids.size(), "%04x:%04x", p_report.known.vendor, p_report.known.product);
 	_streams[p_report.number] = _recorder->add_stream(line("kind", "bus") + line("usb", ids.data()) +
-					line("name", p_report.known.name) + line("place", p_report.place) +
-					line("serial", p_report.serial),
+					line("name", p_report.known.name) + line("place", p_report.place) + line("serial", p_report.serial),
 			uint64_t(clock_usec<std::chrono::steady_clock>()));
 }
 
-void BusTap::take_raw(
-		int p_device, bool p_is_out, const uint8_t *p_bytes, std::size_t p_size, uint64_t p_time_usec) {
+void BusTap::take_raw(int p_device, bool p_is_out, const uint8_t *p_bytes, std::size_t p_size, uint64_t p_time_usec) {
 	const auto found = _streams.find(p_device);
 	if (_recorder != nullptr && found != _streams.end()) {
 		_recorder->add(p_is_out ? Kind::BUS_OUT : Kind::BUS_IN, found->second, p_bytes, p_size, p_time_usec);
 	}
 }
 
-void DatagramTap::take(
-		const std::string &p_sender, const uint8_t *p_bytes, std::size_t p_size, uint64_t p_time_usec) {
+void DatagramTap::take(const std::string &p_sender, const uint8_t *p_bytes, std::size_t p_size, uint64_t p_time_usec) {
 	int stream = MOST_STREAMS - 1;
 	const auto found = _streams.find(p_sender);
 	if (found != _streams.end()) {

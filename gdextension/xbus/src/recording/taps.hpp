@@ -33,8 +33,7 @@ private:
 class DatagramTap {
 public:
 	/// They come in at a port of this machine.
-	DatagramTap(std::shared_ptr<Recorder> p_recorder, int p_port) :
-			_recorder(std::move(p_recorder)), _port(p_port) {}
+	DatagramTap(std::shared_ptr<Recorder> p_recorder, int p_port) : _recorder(std::move(p_recorder)), _port(p_port) {}
 	void take(const std::string &p_sender, const uint8_t *p_bytes, std::size_t p_size, uint64_t p_time_usec);
 
 private:
