@@ -71,6 +71,10 @@ String MvnReceiver::open(int64_t p_port) {
 	}
 	put_usec = 0;
 	receiver.close();
+	{
+		const std::lock_guard<std::mutex> lock(mutex);
+		clocks.clear();
+	}
 	tap = recorder != nullptr ? std::make_unique<recording::DatagramTap>(recorder, int(p_port)) : nullptr;
 	mvn::Receiver::RawListener listener;
 	if (tap != nullptr) {

@@ -315,7 +315,7 @@ Fault read_header(const uint8_t *p_bytes, std::size_t p_size, Header &r_header) 
 	if (r_header.payload != 0 && r_header.payload != p_size - HEADER_SIZE) {
 		return Fault::WRONG_SIZE;
 	}
-	if (r_header.body_segments > BODY_SEGMENTS || r_header.props > MOST_PROPS || r_header.fingers > FINGER_SEGMENTS) {
+	if (r_header.body_segments + r_header.props + r_header.fingers > MOST_SEGMENTS) {
 		return Fault::TOO_MANY;
 	}
 	return Fault::NONE;
