@@ -26,6 +26,7 @@ func test_the_clip_comes_out_as_it_went_in() -> void:
 	_calibrate()
 	_go(0.1)
 	var compared: int = 0
+	var sum: float = 0.0
 	for step: int in 200:
 		_go(0.02)
 		var sample: PoseSample = _suit.sample(_now_usec)
@@ -38,10 +39,13 @@ func test_the_clip_comes_out_as_it_went_in() -> void:
 				continue
 			var turned: Quaternion = Rotations.yaw(-0.8) * wanted.orientation(limb)
 			var off: float = Rotations.between_deg(sample.orientation(limb), turned)
-			is_true(off < 0.25, "%s is off by %f deg" % [Limbs.BONES[limb], off])
+			# Kinks of the recording between two samples of the suit are lost.
+			is_true(off < 1.0, "%s is off by %f deg" % [Limbs.BONES[limb], off])
+			sum += off
 			compared += 1
 		almost_equal(sample.root, Vector3(0.0, _suit.get_hip_height(), 0.0))
 	equal(compared, 200 * 15)
+	is_true(sum / compared < 0.05, "%f deg on average" % (sum / compared))
 
 
 func test_samples_have_the_time_of_their_measurement_and_come_once() -> void:
