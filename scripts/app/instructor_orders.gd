@@ -1,7 +1,8 @@
 class_name InstructorOrders
 extends RefCounted
-## What an instructor without a keyboard does: orders such as [code]admit:*,kick:Bob[/code], each
-## carried out when somebody of that name is there to whom it applies.
+## What an instructor without a keyboard does: orders such as [code]admit:*,kick:Bob[/code] or
+## [code]calibrate-full:Ada[/code], each carried out when somebody of that name is there to whom it
+## applies.
 
 ## What can be ordered, and the state in which somebody must be for it.
 const STATES: Dictionary[String, String] = {
@@ -10,6 +11,9 @@ const STATES: Dictionary[String, String] = {
 	"kick": "here",
 	"ban": "here",
 }
+## Begins an order that lets a trainee be calibrated; one of [constant ClientCalibration.KINDS]
+## follows.
+const CALIBRATE: String = "calibrate-"
 
 ## Why the orders make no sense, or an empty text.
 var error: String = ""
@@ -21,8 +25,8 @@ var _control: SessionControl = null
 func _init(p_text: String = "") -> void:
 	for part: String in p_text.split(",", false):
 		var order: PackedStringArray = part.strip_edges().split(":", true, 1)
-		if order.size() != 2 or not STATES.has(order[0]):
-			var known: String = ", ".join(STATES.keys())
+		if order.size() != 2 or not (STATES.has(order[0]) or _calibration(order[0]) >= 0):
+			var known: String = ", ".join(STATES.keys() + [CALIBRATE + "KIND"])
 			error = "an order is one of %s, a colon and a name or *, found '%s'" % [known, part]
 			return
 		_orders.append(order)
@@ -49,7 +53,9 @@ func _is_meant(p_order: PackedStringArray, p_row: Dictionary) -> bool:
 	if p_row.get("role") == Protocol.Role.INSTRUCTOR:
 		return false
 	var named: bool = p_order[1] == "*" or p_order[1] == str(p_row.get("name"))
-	return named and p_row.get("state") == STATES[p_order[0]]
+	if _calibration(p_order[0]) >= 0 and p_row.get("role") != Protocol.Role.TRAINEE:
+		return false
+	return named and p_row.get("state") == STATES.get(p_order[0], "here")
 
 
 func _give(p_order: String, p_row: Dictionary) -> void:
@@ -64,3 +70,13 @@ func _give(p_order: String, p_row: Dictionary) -> void:
 			_control.kick(session, "")
 		"ban":
 			_control.ban(session, "")
+		_:
+			_control.calibrate(session, 0, _calibration(p_order))
+
+
+## The kind of calibration that an order asks for, or -1.
+static func _calibration(p_order: String) -> int:
+	var kind: String = p_order.trim_prefix(CALIBRATE)
+	if not p_order.begins_with(CALIBRATE) or not ClientCalibration.KINDS.has(kind):
+		return -1
+	return ClientCalibration.KINDS[kind]

@@ -1,6 +1,7 @@
 class_name MotionInputs
 extends RefCounted
-## The motion sources that a client's options ask for: files, the suit on USB, MVN's stream.
+## The motion sources that a client's options ask for: files, the suit on USB, MVN's stream, body
+## trackers of other plugins, recordings of suits.
 
 ## Somebody's motion can be had now.
 signal appeared(p_source: MotionSource, p_name: String)
@@ -10,8 +11,10 @@ signal vanished(p_source: MotionSource)
 ## No more trackers are waited for after so many seconds without a new one.
 const _SETTLE_S: float = 1.0
 
-## The suit on USB, or null.
+## The suits on USB or of a recording, or null.
 var usb: UsbSuitFeed = null
+## MVN's stream, live or of a recording, or null.
+var mvn: MvnStream = null
 ## Guides calibrations that are asked for.
 var calibration: ClientCalibration = ClientCalibration.new()
 ## Those who wear sensors.
@@ -22,24 +25,46 @@ var _store: CalibrationStore = CalibrationStore.new()
 var _begins_with: String = ""
 var _settled_revision: int = -1
 var _settled_s: float = 0.0
+var _recorder: RawRecorder = null
+var _playback: RawPlayback = null
+var _tracker: TrackerSource = null
+var _by_feed: Dictionary[SensorFeed, SuitSource] = {}
 
 
 ## Opens all. Returns what is wrong, or an empty text.
 func open(p_options: Options) -> String:
 	_options = p_options
 	_begins_with = p_options.text("calibrate")
-	var fault: String = _open_files()
+	var fault: String = _open_recorder()
+	if fault == "":
+		fault = _open_files()
+	if fault == "":
+		fault = _open_playback()
 	if fault == "" and p_options.number("xbus") != 0:
 		fault = _open_usb()
-	if fault == "" and wearers.is_empty() and p_options.text("bvh") == "":
-		return "a trainee needs a motion source: --bvh=FILE, --xbus=1 or --mvn=9763"
+	if fault == "" and p_options.number("mvn") != 0:
+		mvn = MvnStream.new()
+		mvn.receiver.set_recorder(_recorder)
+		_follow(mvn)
+		fault = mvn.open(p_options.number("mvn"))
+	if fault == "" and p_options.text("tracker") != "":
+		_tracker = TrackerSource.new(p_options.text("tracker"))
+		appeared.emit(_tracker, "")
+	if fault == "" and not _has_any():
+		return "a trainee needs a motion source: --bvh=FILE, --xbus, --mvn, --tracker or --suit-play"
 	return fault
 
 
 ## Goes on; call it each frame with the time, s.
 func advance(p_now_s: float) -> void:
-	if usb != null:
+	if _playback != null:
+		_playback.advance()
+	elif usb != null:
 		usb.advance()
+	if mvn != null and (_playback == null or _playback.stream != mvn):
+		mvn.advance()
+	if _tracker != null:
+		_tracker.advance(roundi(Time.get_unix_time_from_system() * 1e6))
 	for wearer: SuitSource in wearers:
 		wearer.advance(p_now_s)
 	if _begins_with != "" and _is_settled(p_now_s):
@@ -59,7 +84,16 @@ func calibrate(p_source: MotionSource, p_kind: CalibrationGuide.Kind, p_now_s: f
 
 ## The devices, for the panel: see [constant DeviceList.KEYS].
 func list_devices() -> Array[Dictionary]:
-	return usb.list_devices() if usb != null else [] as Array[Dictionary]
+	var rows: Array[Dictionary] = []
+	if usb != null:
+		rows.append_array(usb.list_devices())
+	if mvn != null:
+		rows.append_array(mvn.list_devices())
+	if _tracker != null:
+		var row: Dictionary = {"name": _tracker.describe(), "state": "", "detail": ""}
+		row["advice"] = _tracker.error
+		rows.append(row)
+	return rows
 
 
 ## What the wearer is to see at a time, s: what to do in a calibration, or what is wrong with the
@@ -68,6 +102,12 @@ func guide(p_now_s: float) -> String:
 	var text: String = calibration.text(p_now_s)
 	if text == "" and usb != null:
 		text = usb.trouble()
+	if text == "" and mvn != null:
+		text = mvn.trouble()
+		if text == "" and mvn.people.is_empty() and mvn.trackers.is_empty():
+			text = mvn.describe()
+	if text == "" and _tracker != null:
+		text = _tracker.error
 	if text == "" and not wearers.is_empty() and not wearers[0].is_calibrated():
 		text = "Not calibrated yet" if wearers[0].newest_frame != null else wearers[0].describe()
 	return text
@@ -75,8 +115,18 @@ func guide(p_now_s: float) -> String:
 
 ## Gives all devices back.
 func close() -> void:
-	if usb != null:
+	if _playback != null:
+		_playback.close()
+	elif usb != null:
 		usb.close()
+	if mvn != null:
+		mvn.close()
+	if _recorder != null:
+		_recorder.close()
+
+
+func _has_any() -> bool:
+	return _options.text("bvh") != "" or usb != null or mvn != null or _tracker != null
 
 
 ## Whether all trackers that there are have been found: for a while no more have come.
@@ -90,6 +140,14 @@ func _is_settled(p_now_s: float) -> bool:
 	return p_now_s > _settled_s + _SETTLE_S and (usb == null or usb.is_settled())
 
 
+func _open_recorder() -> String:
+	var path: String = _options.file("suit-record")
+	if path == "":
+		return ""
+	_recorder = RawRecorder.new()
+	return _recorder.open(path)
+
+
 func _open_files() -> String:
 	for path: String in _options.files("bvh"):
 		var source: BvhSource = BvhSource.new()
@@ -101,22 +159,64 @@ func _open_files() -> String:
 	return ""
 
 
-func _open_usb() -> String:
-	usb = UsbSuitFeed.new()
-	usb.open(_options.number("suit-rate"))
-	if usb.error != "":
-		return usb.error
-	var wearer: SuitSource = SuitSource.new(usb)
-	var name: String = _options.text("person")
-	if name != "":
-		var profile: PersonProfile = _store.read(name)
-		if profile != null:
-			Log.info("mocap", "%s: as kept in %s" % [name, _store.path_of(name)])
-		else:
-			Log.warning("mocap", _store.error)
-			profile = PersonProfile.new()
-			profile.name = name
-		wearer.set_profile(profile)
-	wearers.append(wearer)
-	appeared.emit(wearer, name)
+func _open_playback() -> String:
+	var path: String = _options.file("suit-play")
+	if path == "":
+		return ""
+	_playback = RawPlayback.new()
+	var fault: String = _playback.open(path)
+	if fault != "":
+		return fault
+	Log.info("mocap", _playback.describe())
+	if _playback.suit != null:
+		usb = _playback.suit
+		_wear(usb, _options.text("person"))
+	if _playback.stream != null:
+		mvn = _playback.stream
+		_follow(mvn)
 	return ""
+
+
+func _open_usb() -> String:
+	if usb != null:
+		return "either --xbus or a recording of a suit, not both"
+	usb = UsbSuitFeed.new()
+	usb.record_to(_recorder)
+	usb.open(_options.number("suit-rate"))
+	if usb.error == "":
+		_wear(usb, _options.text("person"))
+	return usb.error
+
+
+func _follow(p_stream: MvnStream) -> void:
+	p_stream.appeared.connect(appeared.emit)
+	p_stream.vanished.connect(vanished.emit)
+	p_stream.trackers_appeared.connect(_wear)
+	p_stream.trackers_vanished.connect(_take_off)
+
+
+## Somebody wears sensors; what is kept of a person of that name is taken over.
+func _wear(p_feed: SensorFeed, p_name: String) -> void:
+	var wearer: SuitSource = SuitSource.new(p_feed)
+	if p_name != "" and PersonProfile.find_name_fault(p_name) == "":
+		var profile: PersonProfile = _store.read(p_name)
+		if profile != null:
+			Log.info("mocap", "%s: as kept in %s" % [p_name, _store.path_of(p_name)])
+		else:
+			Log.info("mocap", _store.error)
+			profile = PersonProfile.new()
+			profile.name = p_name
+		wearer.set_profile(profile)
+	elif p_name != "":
+		Log.warning("mocap", PersonProfile.find_name_fault(p_name))
+	_by_feed[p_feed] = wearer
+	wearers.append(wearer)
+	appeared.emit(wearer, p_name)
+
+
+func _take_off(p_feed: SensorFeed) -> void:
+	var wearer: SuitSource = _by_feed.get(p_feed)
+	if wearer != null:
+		_by_feed.erase(p_feed)
+		wearers.erase(wearer)
+		vanished.emit(wearer)

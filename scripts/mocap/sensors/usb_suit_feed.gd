@@ -33,6 +33,11 @@ func open(p_rate_hz: float) -> void:
 	error = _hub.start(p_rate_hz)
 
 
+## Records every byte of the suits that are opened from now on; null does not.
+func record_to(p_recorder: RawRecorder) -> void:
+	_hub.set_recorder(p_recorder)
+
+
 ## Gives all devices back.
 func close() -> void:
 	_hub.stop()
