@@ -5,6 +5,7 @@ dismount_add_core_library(xbus_recording SOURCES
 	src/recording/bus_replay.cpp
 	src/recording/reader.cpp
 	src/recording/recorder.cpp
+	src/recording/taps.cpp
 	LIBRARIES xbus_session Threads::Threads
 )
 foreach(test recorder replay)

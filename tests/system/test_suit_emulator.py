@@ -214,11 +214,18 @@ def test_a_program_that_waits_does_not_turn_in_circles(start: Start) -> None:
 def test_a_second_terminal_finds_the_devices(start: Start) -> None:
     emulated = start("--devices=native", "--sensors=3", command=[])
     emulated.await_text("UMOCKDEV_DIR=")
-    line = emulated.output().splitlines()[0]
-    environment = dict(re.findall(r"(\w+)=(\S+)", line))
+    own = dict(re.findall(r"(\w+)=(\S+)", emulated.output().splitlines()[0]))
+    environment = {**os.environ, **own}
+    # One that is killed lets go of the device, as with the kernel.
+    with subprocess.Popen([str(STREAM)], env=environment, stdout=subprocess.DEVNULL) as killed:
+        end = time.monotonic() + LIMIT_S
+        while "state measurement" not in emulated.log():
+            assert time.monotonic() < end
+            time.sleep(0.02)
+        killed.kill()
     done = subprocess.run(
         [str(STREAM), "--frames=30"],
-        env={**os.environ, **environment},
+        env=environment,
         stdin=subprocess.DEVNULL,
         capture_output=True,
         text=True,
@@ -229,6 +236,7 @@ def test_a_second_terminal_finds_the_devices(start: Start) -> None:
     assert "measures: 3 trackers" in done.stdout + done.stderr
     emulated.command("quit")
     assert emulated.finish() == 0
+    assert len(emulated.output().splitlines()) == 1
 
 
 def test_the_exit_code_is_the_program_s(start: Start) -> None:

@@ -60,9 +60,8 @@ uint64_t MvnReceiver::now_usec() const {
 
 /// Datagrams from a port bear the times of the steady clock, others those that were told with them.
 int64_t MvnReceiver::to_unix(uint64_t p_usec) const {
-	const int64_t ahead = put_usec > 0
-			? 0
-			: clock_usec<std::chrono::system_clock>() - clock_usec<std::chrono::steady_clock>();
+	const int64_t ahead =
+			put_usec > 0 ? 0 : clock_usec<std::chrono::system_clock>() - clock_usec<std::chrono::steady_clock>();
 	return int64_t(p_usec) + ahead;
 }
 
@@ -72,7 +71,11 @@ String MvnReceiver::open(int64_t p_port) {
 	}
 	put_usec = 0;
 	receiver.close();
-	tap = recorder != nullptr ? std::make_unique<DatagramTap>(recorder, p_port) : nullptr;
+	{
+		const std::lock_guard<std::mutex> lock(mutex);
+		clocks.clear();
+	}
+	tap = recorder != nullptr ? std::make_unique<recording::DatagramTap>(recorder, int(p_port)) : nullptr;
 	mvn::Receiver::RawListener listener;
 	if (tap != nullptr) {
 		listener = [this](const std::string &p_sender, const uint8_t *p_bytes, std::size_t p_size,

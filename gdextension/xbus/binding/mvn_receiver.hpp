@@ -4,6 +4,7 @@
 #include "raw_recorder.hpp"
 
 #include <mvn/stream_clock.hpp>
+#include <recording/taps.hpp>
 #include <udp/receiver.hpp>
 
 #include <godot_cpp/classes/ref_counted.hpp>
@@ -49,7 +50,7 @@ private:
 	int64_t to_unix(uint64_t p_usec) const;
 
 	/// Outlives the receiver's thread, which calls it.
-	std::unique_ptr<DatagramTap> tap;
+	std::unique_ptr<recording::DatagramTap> tap;
 	std::shared_ptr<recording::Recorder> recorder;
 	mvn::Receiver receiver;
 	/// The time of the newest datagram that was put in, µs; 0 where they come from a port.

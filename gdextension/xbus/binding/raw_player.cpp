@@ -107,7 +107,8 @@ bool RawPlayer::fetch() {
 
 void RawPlayer::begin(int64_t p_unix_usec, double p_speed) {
 	// Written so that NaN fails too.
-	ERR_FAIL_COND_MSG(!(p_speed >= 0.01 && p_speed <= 1000.0), "A recording is played at 0.01 to 1000 times its speed.");
+	ERR_FAIL_COND_MSG(
+			!(p_speed >= 0.01 && p_speed <= 1000.0), "A recording is played at 0.01 to 1000 times its speed.");
 	const std::lock_guard<std::mutex> lock(mutex);
 	begin_usec = p_unix_usec;
 	speed = p_speed;
@@ -251,9 +252,8 @@ Dictionary RawPlayer::device_of(int p_number, const Stream &p_stream) const {
 		measures = measures || flow.newest_usec > 0;
 		trackers.push_back(tracker);
 	}
-	const char *trouble = replay.undecoded() > 0
-			? "the recording does not tell how its samples are laid out: it began too late"
-			: "";
+	const char *trouble =
+			replay.undecoded() > 0 ? "the recording does not tell how its samples are laid out: it began too late" : "";
 	Dictionary result;
 	result["number"] = int64_t(p_number);
 	result["name"] = text(p_stream.name.empty() ? "a recorded suit" : p_stream.name);

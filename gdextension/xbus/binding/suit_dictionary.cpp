@@ -27,8 +27,7 @@ Dictionary suit_frame_dictionary(const xbus::SuitFrame &p_frame, int64_t p_unix_
 			orientations[tracker * 4 + part] = reading.orientation[std::size_t(part)];
 		}
 		rates[tracker] = Vector3(reading.rate[0], reading.rate[1], reading.rate[2]);
-		accelerations[tracker] =
-				Vector3(reading.acceleration[0], reading.acceleration[1], reading.acceleration[2]);
+		accelerations[tracker] = Vector3(reading.acceleration[0], reading.acceleration[1], reading.acceleration[2]);
 		has_rates = has_rates || reading.has_rate;
 		has_accelerations = has_accelerations || reading.has_acceleration;
 	}

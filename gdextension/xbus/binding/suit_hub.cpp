@@ -101,7 +101,8 @@ void SuitHub::stop() {
 }
 
 void SuitHub::set_recorder(const Ref<RawRecorder> &p_recorder) {
-	ERR_FAIL_COND_MSG(hub != nullptr, "A recording begins before the suits are looked for, or nobody could tell what is in it.");
+	ERR_FAIL_COND_MSG(
+			hub != nullptr, "A recording begins before the suits are looked for, or nobody could tell what is in it.");
 	tap.record_to(p_recorder.is_valid() ? p_recorder->share() : nullptr);
 }
 

@@ -4,6 +4,7 @@
 #include "raw_player.hpp"
 #include "raw_recorder.hpp"
 
+#include <recording/taps.hpp>
 #include <usb/hub.hpp>
 
 #include <godot_cpp/classes/ref_counted.hpp>
@@ -45,7 +46,7 @@ protected:
 
 private:
 	/// Outlives the hub, which calls it.
-	BusTap tap;
+	recording::BusTap tap;
 	std::unique_ptr<usb::Hub> hub;
 	Ref<RawPlayer> player;
 	xbus::SuitFrame frame;

@@ -1,7 +1,7 @@
 class_name RawPlayback
 extends RefCounted
-## Plays a recording of raw bytes (docs/recordings.md) as motion: its suits as a feed of sensors, its
-## MVN streams as people.
+## Plays a recording of raw bytes (docs/recordings.md) as motion: its suits as a feed of sensors,
+## its MVN streams as people.
 
 ## The recording has come to its end and begins anew.
 signal begun_anew
@@ -53,8 +53,8 @@ func advance() -> void:
 	advance_to(now)
 
 
-## The same with a time of its own (Unix time, µs), for tests and for stepping; [method RawPlayer.begin]
-## has told when it began.
+## The same with a time of its own (Unix time, µs), for tests and for stepping;
+## [method RawPlayer.begin] has told when it began.
 func advance_to(p_unix_usec: int) -> void:
 	player.advance(p_unix_usec)
 	if stream != null:

@@ -12,13 +12,17 @@ var _stream: MvnStream = null
 var _peer: PacketPeerUDP = null
 var _people: Dictionary[RefCounted, String] = {}
 var _gone: Array[MotionSource] = []
+var _seen: PoseSample = null
 
 
 func before_each() -> void:
 	_people.clear()
 	_gone.clear()
+	_seen = null
 	_stream = MvnStream.new()
-	_stream.appeared.connect(func(p_one: MotionSource, p_name: String) -> void: _people[p_one] = p_name)
+	_stream.appeared.connect(
+		func(p_one: MotionSource, p_name: String) -> void: _people[p_one] = p_name
+	)
 	_stream.vanished.connect(func(p_one: MotionSource) -> void: _gone.append(p_one))
 	equal(_stream.open(0), "")
 	_peer = PacketPeerUDP.new()
@@ -81,6 +85,12 @@ func test_several_people_come_and_go() -> void:
 		equal(_people[person], "P%d" % number)
 		var difference: Vector2 = _difference(person.get_newest(), source.pose_at(number))
 		is_true(difference.x < MOST_DEG, "%f deg" % difference.x)
+	await _until(func() -> bool: return _stream.list_devices().size() == 4)
+	for row: Dictionary in _stream.list_devices():
+		for key: String in DeviceList.KEYS:
+			is_true(row[key] is String)
+	contains(_stream.list_devices()[1]["name"], "P0")
+	contains(_stream.list_devices()[1]["detail"], "types 02 12")
 	_stream.close()
 	equal(_gone.size(), 3)
 	equal(_stream.people.size(), 0)
@@ -232,9 +242,9 @@ func test_rubbish_is_counted_and_told() -> void:
 
 
 func test_samples_that_are_none_are_refused_by_the_encoder() -> void:
-	expect_error("there is no \"type\"")
+	expect_error('there is no "type"')
 	equal(MvnEncoder.encode({}).size(), 0)
-	expect_error("\"positions\" has another number")
+	expect_error('"positions" has another number')
 	var bad: Dictionary = {
 		"type": 3,
 		"sample": 1,
@@ -286,14 +296,15 @@ func _first_person() -> MvnSource:
 	return null if _people.is_empty() else _people.keys()[0]
 
 
+## The next pose that is measured.
 func _next(p_person: MvnSource) -> PoseSample:
-	var found: PoseSample = p_person.sample(0)
 	for frame: int in PATIENCE:
-		if found != null:
-			break
+		var found: PoseSample = p_person.get_newest()
+		if found != null and found != _seen:
+			_seen = found
+			return found
 		OS.delay_usec(200)
-		found = p_person.sample(0)
-	return found
+	return null
 
 
 ## The largest angle between two poses' limbs, degrees, and how far their roots are apart, m.

@@ -4,7 +4,8 @@ extends TestCase
 const CLIP: String = "res://assets/motion/01_01.bvh"
 const FOLDER: String = "user://test_recording"
 const START_USEC: int = 1780000000000000
-## From docs/xbus.md: DeviceID of an MTi-30, and MTData2 with counter, quaternion, acceleration, rate.
+## From docs/xbus.md: DeviceID of an MTi-30, and MTData2 with counter, quaternion, acceleration and
+## rate of turn.
 const DEVICE_ID: String = "FAFF0104036008A6EB"
 const DATA: String = (
 	"FAFF364410200 2E686106004005751262010103F7F1DDEBDA63508BC8E1BCD3AB3C08840200C3EB6FC53BFC6F4B9"
@@ -56,7 +57,7 @@ func test_a_recorded_person_moves_as_before() -> void:
 	equal(people.size(), 1)
 	var source: BvhSource = BvhSource.new()
 	source.open(CLIP)
-	var pose: PoseSample = people[0].sample(0)
+	var pose: PoseSample = people[0].get_newest()
 	for limb: int in Limbs.COUNT:
 		var off: float = Rotations.between_deg(
 			pose.orientation(limb), source.pose_at(39 / 60.0).orientation(limb)
@@ -149,7 +150,9 @@ func _record_stream(p_count: int) -> Array[PackedByteArray]:
 	for number: int in p_count:
 		writer.take(source.pose_at(number / 60.0), number / 60.0)
 		for type: int in [12, 2]:
-			for datagram: PackedByteArray in MvnEncoder.encode(writer.sample(type, number, number * 17)):
+			for datagram: PackedByteArray in MvnEncoder.encode(
+				writer.sample(type, number, number * 17)
+			):
 				peer.put_packet(datagram)
 				sent.append(datagram)
 		OS.delay_usec(500)

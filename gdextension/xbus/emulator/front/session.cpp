@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <ctime>
 #include <stdexcept>
 
@@ -40,12 +41,20 @@ sigset_t watched() {
 	return set;
 }
 
+/// umockdev finds it remarkable that a program was killed.
+void pass_log(const gchar *p_domain, GLogLevelFlags p_level, const gchar *p_message, gpointer p_data) {
+	if (p_message == nullptr || std::strstr(p_message, "Destroying IoctlClient") == nullptr) {
+		g_log_default_handler(p_domain, p_level, p_message, p_data);
+	}
+}
+
 } // namespace
 
 void prepare_threads() {
 	const sigset_t set = watched();
 	pthread_sigmask(SIG_BLOCK, &set, nullptr);
 	(void)setpriority(PRIO_PROCESS, 0, HARDWARE_PRIORITY);
+	g_log_set_default_handler(pass_log, nullptr);
 }
 
 std::string preload_value() {

@@ -26,6 +26,10 @@ UsbfsNode::UsbfsNode(
 
 UsbfsNode::~UsbfsNode() {
 	_node.reset();
+	const std::lock_guard lock(_shared.mutex);
+	for (const auto &[client, opened] : _opened) {
+		g_object_weak_unref(G_OBJECT(client), _on_gone, this);
+	}
 	g_signal_handlers_disconnect_by_data(_handler, this);
 	g_object_unref(_handler);
 }
@@ -72,7 +76,8 @@ gboolean UsbfsNode::_on_ioctl(UMockdevIoctlBase * /*p_base*/, UMockdevIoctlClien
 		const std::lock_guard lock(self->_shared.mutex);
 		if (self->_opened.count(p_client) == 0) {
 			self->_opened[p_client] = {};
-			g_signal_connect(p_client, "notify::connected", G_CALLBACK(_on_closed), self);
+			// umockdev says nothing when a program goes: it only lets go of the object.
+			g_object_weak_ref(G_OBJECT(p_client), _on_gone, self);
 		}
 		result = self->_dispatch(p_client, unsigned(umockdev_ioctl_client_get_request(p_client)));
 		self->collect();
@@ -84,7 +89,7 @@ gboolean UsbfsNode::_on_ioctl(UMockdevIoctlBase * /*p_base*/, UMockdevIoctlClien
 	return TRUE;
 }
 
-void UsbfsNode::_on_closed(GObject *p_client, GParamSpec * /*p_property*/, gpointer p_self) {
+void UsbfsNode::_on_gone(gpointer p_self, GObject *p_client) {
 	auto *self = static_cast<UsbfsNode *>(p_self);
 	const std::lock_guard lock(self->_shared.mutex);
 	self->_close(reinterpret_cast<UMockdevIoctlClient *>(p_client));

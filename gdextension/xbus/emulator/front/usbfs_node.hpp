@@ -56,7 +56,8 @@ private:
 	static constexpr Result LATER = -100000;
 
 	static gboolean _on_ioctl(UMockdevIoctlBase *p_base, UMockdevIoctlClient *p_client, gpointer p_self);
-	static void _on_closed(GObject *p_client, GParamSpec *p_property, gpointer p_self);
+	/// The program has closed the node, or has ended.
+	static void _on_gone(gpointer p_self, GObject *p_client);
 
 	Result _dispatch(UMockdevIoctlClient *p_client, unsigned p_request);
 	Result _dispatch_interface(UMockdevIoctlClient *p_client, unsigned p_request);

@@ -4,6 +4,7 @@
 #include "bus/bytes.hpp"
 #include "bus/configuration.hpp"
 
+#include <algorithm>
 #include <map>
 
 namespace recording {
@@ -125,6 +126,8 @@ void BusReplay::expect() {
 	} else if (_formats[MASTER].mode != 0) {
 		_check.expect_tracker(_formats[MASTER]);
 	}
+	// Longer ones are not waited for. A configuration may come again.
+	_framer.set_longest(std::max(_check.data_size(), Configuration::MOST_BYTES));
 }
 
 bool BusReplay::is_master() const {

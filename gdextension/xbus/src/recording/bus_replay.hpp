@@ -24,16 +24,20 @@ public:
 	/// Bytes from the device at a time, µs. Calls `p_sink(const xbus::SuitFrame &)` for each sample.
 	template <class Sink>
 	void take_in(const uint8_t *p_bytes, std::size_t p_size, uint64_t p_time_usec, Sink &&p_sink) {
-		_framer.feed(p_bytes, p_size, [&](const xbus::Frame &p_frame) {
+		const auto take = [&](const xbus::Frame &p_frame) {
 			const xbus::StreamCheck::Verdict verdict = take_frame(p_frame);
 			if (verdict == xbus::StreamCheck::Verdict::DATA) {
 				_stream.take(_check, p_time_usec, _frame);
-				if (_frame.tracker_count <= xbus::MOST_TRACKERS) {
-					p_sink(_frame);
-				}
+				p_sink(_frame);
 			}
 			return verdict != xbus::StreamCheck::Verdict::REFUSED;
-		});
+		};
+		// As a session does: a message whose rest does not come hides what comes behind it.
+		if (_framer.pending() > 0 && p_time_usec > _bytes_usec + PATIENCE_USEC) {
+			_framer.give_up(take);
+		}
+		_bytes_usec = p_time_usec;
+		_framer.feed(p_bytes, p_size, take);
 	}
 
 	uint32_t device_id() const { return _device_id; }
@@ -48,6 +52,8 @@ public:
 	xbus::TrackerFlow flow(int p_tracker, uint64_t p_now_usec) const { return _stream.flow(p_tracker, p_now_usec); }
 
 private:
+	static constexpr uint64_t PATIENCE_USEC = 50000;
+
 	xbus::StreamCheck::Verdict take_frame(const xbus::Frame &p_frame);
 	void note_request(const xbus::Frame &p_frame);
 	void note_answer(const xbus::Frame &p_frame);
@@ -65,6 +71,7 @@ private:
 	uint32_t _device_id = 0;
 	uint16_t _period = 0;
 	uint64_t _undecoded = 0;
+	uint64_t _bytes_usec = 0;
 	bool _is_stale = true;
 };
 

@@ -63,8 +63,8 @@ inline uint64_t get_little(const uint8_t *p_bytes, std::size_t p_size) {
 }
 
 /// Writes what is in front of a payload.
-inline void put_head(
-		Kind p_kind, int p_stream, uint64_t p_time_usec, const uint8_t *p_payload, std::size_t p_size, uint8_t *r_head) {
+inline void put_head(Kind p_kind, int p_stream, uint64_t p_time_usec, const uint8_t *p_payload, std::size_t p_size,
+		uint8_t *r_head) {
 	put_little(MARK, 4, r_head);
 	put_little(p_size, 4, r_head + 4);
 	r_head[8] = uint8_t(p_kind);

@@ -14,7 +14,7 @@ namespace recording {
 namespace {
 
 /// A day of three suits; more is rather another file.
-constexpr off_t MOST_BYTES = off_t(8) << 30U;
+constexpr off_t MOST_BYTES = off_t(8) * 1024 * 1024 * 1024;
 
 } // namespace
 
@@ -29,7 +29,7 @@ std::string Reader::open(std::vector<uint8_t> p_bytes) {
 }
 
 std::string Reader::open_file(const std::string &p_path) {
-	struct stat status {};
+	struct stat status{};
 	if (stat(p_path.c_str(), &status) != 0) {
 		return p_path + " can't be read: " + std::strerror(errno);
 	}

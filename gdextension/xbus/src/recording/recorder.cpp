@@ -19,8 +19,7 @@ constexpr auto SYNC_EVERY = std::chrono::seconds(1);
 
 } // namespace
 
-Recorder::Recorder(std::size_t p_room) :
-		_room(p_room) {}
+Recorder::Recorder(std::size_t p_room) : _room(p_room) {}
 
 Recorder::~Recorder() {
 	close();

@@ -90,8 +90,8 @@ std::vector<int> numbers_of(Reader &r_reader) {
 		if (record.time_usec >= 1000 && record.kind != Kind::END) {
 			const auto number = uint32_t(record.time_usec - 1000);
 			const Bytes expected = payload(number);
-			const bool is_same = record.size == expected.size() &&
-					std::equal(expected.begin(), expected.end(), record.payload);
+			const bool is_same =
+					record.size == expected.size() && std::equal(expected.begin(), expected.end(), record.payload);
 			numbers.push_back(is_same ? int(number) : -1);
 		}
 	}
@@ -233,7 +233,7 @@ TEST(a_killed_process_leaves_all_that_was_written) {
 			}
 		}
 		// Until something is there, and then some more.
-		struct stat status {};
+		struct stat status{};
 		for (int wait = 0; wait < 10000 && status.st_size < 20000 * (round + 1); ++wait) {
 			usleep(1000);
 			stat(folder.file().c_str(), &status);
@@ -255,6 +255,7 @@ TEST(a_slow_disk_never_stops_the_bus_and_what_is_lost_is_told) {
 	recorder.open_descriptor(ends[1], "");
 	const int stream = recorder.add_stream("kind=bus\n", 1);
 	std::vector<Bytes> payloads;
+	payloads.reserve(20000);
 	for (uint32_t number = 0; number < 20000; ++number) {
 		payloads.push_back(payload(number));
 	}

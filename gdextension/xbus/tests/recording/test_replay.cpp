@@ -52,7 +52,8 @@ public:
 	}
 
 	void out(const Request &p_request) {
-		chunks.push_back({ true, Bytes(p_request.bytes.begin(), p_request.bytes.begin() + std::ptrdiff_t(p_request.size)) });
+		chunks.push_back(
+				{ true, Bytes(p_request.bytes.begin(), p_request.bytes.begin() + std::ptrdiff_t(p_request.size)) });
 	}
 	void in(std::size_t p_size) {
 		chunks.push_back({ false, Bytes(_answer.begin(), _answer.begin() + std::ptrdiff_t(p_size)) });
@@ -100,8 +101,9 @@ TEST(a_recorded_suit_is_decoded_however_its_bytes_were_cut) {
 			CHECK(frame.tracker_count == 17);
 			for (int tracker = 0; tracker < frame.tracker_count; ++tracker, ++at) {
 				for (std::size_t part = 0; part < 4; ++part) {
-					worst = std::max(worst, std::fabs(frame.trackers[std::size_t(tracker)].orientation[part] -
-													dialogue.orientations[at][part]));
+					worst = std::max(worst,
+							std::fabs(frame.trackers[std::size_t(tracker)].orientation[part] -
+									dialogue.orientations[at][part]));
 				}
 			}
 		}
@@ -161,6 +163,38 @@ TEST(a_bus_in_one_piece_keeps_every_message) {
 		return true;
 	});
 	CHECK(messages == dialogue.chunks.size() && framer.statistics().skipped_bytes == 0);
+}
+
+TEST(hostile_recordings_do_no_harm) {
+	Dialogue dialogue(6);
+	for (uint16_t counter = 0; counter < 30; ++counter) {
+		dialogue.measure(counter);
+	}
+	std::mt19937 random(3);
+	uint64_t frames = 0;
+	for (int round = 0; round < 400; ++round) {
+		BusReplay replay;
+		uint64_t now = 1;
+		for (const Chunk &chunk : dialogue.chunks) {
+			Bytes bytes = chunk.bytes;
+			// Some chunks are cut, changed, or come from the other side.
+			for (unsigned damage = random() % 32 == 0 ? random() % 4 : 0; damage > 0 && !bytes.empty(); --damage) {
+				bytes[random() % bytes.size()] = uint8_t(random());
+			}
+			bytes.resize(random() % 64 == 0 ? random() % (bytes.size() + 1) : bytes.size());
+			now += random() % 8 == 0 ? 80000 : 10000;
+			if (chunk.is_out != (random() % 64 == 0)) {
+				replay.take_out(bytes.data(), bytes.size());
+				continue;
+			}
+			replay.take_in(bytes.data(), bytes.size(), now, [&](const SuitFrame &p_frame) {
+				++frames;
+				CHECK(p_frame.tracker_count >= 0 && p_frame.tracker_count <= MOST_TRACKERS);
+			});
+		}
+		CHECK(replay.tracker_ids().size() <= std::size_t(MOST_TRACKERS));
+	}
+	CHECK(frames > 1000);
 }
 
 TEST_MAIN()
