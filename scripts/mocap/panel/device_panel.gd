@@ -221,6 +221,10 @@ func _rename(p_name: String) -> void:
 	if _fault != "":
 		_show_status()
 		return
+	if _store.list().has(p_name):
+		# Somebody who is known: their data, not this wearer's under their name.
+		_take_person(p_name)
+		return
 	suit().rename(p_name)
 	_keep()
 

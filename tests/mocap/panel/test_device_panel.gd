@@ -155,6 +155,27 @@ func test_body_and_person() -> void:
 	equal(closed.size(), 1)
 
 
+func test_a_known_name_brings_the_known_person() -> void:
+	var anna: PersonProfile = PersonProfile.new()
+	anna.name = "Anna"
+	anna.size.set_height(1.6)
+	anna.map = _suit.get_profile().map
+	is_true(CalibrationStore.new(_panel_folder()).write(anna))
+	var name: LineEdit = _panel.get_node("Margin/Rows/Person/Name")
+	name.text_submitted.emit("Anna")
+	equal(_suit.get_profile().size.height, 1.6)
+	var known: OptionButton = _panel.get_node("Margin/Rows/Person/Known")
+	equal(known.get_item_text(known.selected), "Anna")
+	var file: FileAccess = FileAccess.open(
+		_panel_folder().path_join("Berta.json"), FileAccess.WRITE
+	)
+	file.store_string("{}")
+	file.close()
+	name.text_submitted.emit("Berta")
+	contains(_status(), "Berta.json: version: expected a number")
+	equal(_suit.get_profile().name, "Anna")
+
+
 func test_tab_reaches_every_control() -> void:
 	var reached: Dictionary[Node, bool] = {}
 	for step: int in 60:
