@@ -39,10 +39,10 @@ add_executable(xbus_decode
 	tools/decode/report_text.cpp
 	tools/decode/sample_json.cpp
 )
-target_link_libraries(xbus_decode PRIVATE xbus_bus)
+target_link_libraries(xbus_decode PRIVATE xbus_recording)
 target_compile_options(xbus_decode PRIVATE -Wall -Wextra)
 # The figures of ./run bench xbus.
 add_executable(xbus_bench tools/bench_bus.cpp)
 target_include_directories(xbus_bench PRIVATE tests ${PROJECT_SOURCE_DIR}/testing)
-target_link_libraries(xbus_bench PRIVATE xbus_bus)
+target_link_libraries(xbus_bench PRIVATE xbus_recording)
 target_compile_options(xbus_bench PRIVATE -Wall -Wextra)

@@ -18,16 +18,22 @@ if(DISMOUNT_EXTENSIONS)
 			binding/mvn_dictionary.cpp
 			binding/mvn_encoder.cpp
 			binding/mvn_receiver.cpp
+			binding/raw_player.cpp
+			binding/raw_recorder.cpp
 			binding/register_types.cpp
+			binding/suit_dictionary.cpp
 			binding/suit_hub.cpp
 			src/usb/hub_library.cpp
 		LIBRARIES
+			xbus_recording
 			xbus_session
 			xbus_udp
 			${CMAKE_DL_LIBS}
 		DOCS
 			doc_classes/MvnEncoder.xml
 			doc_classes/MvnReceiver.xml
+			doc_classes/RawPlayer.xml
+			doc_classes/RawRecorder.xml
 			doc_classes/SuitHub.xml
 	)
 	target_compile_definitions(xbus PRIVATE

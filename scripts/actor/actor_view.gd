@@ -13,6 +13,9 @@ var _skeleton: Skeleton3D = null
 var _bones: Dictionary[StringName, int] = {}
 var _offsets: Dictionary[StringName, Transform3D] = {}
 var _neck: int = -1
+var _meshes: Array[MeshInstance3D] = []
+## No point of the person is further from the hips, m.
+var _reach: float = 2.0
 
 
 func _init(p_node: Ragdoll) -> void:
@@ -26,6 +29,8 @@ func _init(p_node: Ragdoll) -> void:
 			_bones[bone.bone_name] = _skeleton.find_bone(bone.bone_name)
 			_offsets[bone.bone_name] = bone.body_offset.affine_inverse()
 	_neck = _skeleton.find_bone(&"Neck")
+	_meshes = SkinnedSurface.find_meshes(_skeleton)
+	_reach = 1.5 * RagdollFigure.new(_skeleton).height()
 
 
 ## Shows the bodies' transforms in the world, by name of the limb's bone; parents come first.
@@ -38,12 +43,22 @@ func show(p_bodies: Dictionary[StringName, Transform3D]) -> void:
 			_turn_neck(to_skeleton * p_bodies[limb] * _offsets[limb])
 		var pose: Transform3D = to_skeleton * p_bodies[limb] * _offsets[limb]
 		_skeleton.set_bone_global_pose(_bones[limb], pose)
+	_bound()
 
 
 ## Where the hips are in the world, m.
 func hips() -> Vector3:
 	var bone: int = _bones.get(&"Hips", 0)
 	return _skeleton.global_transform * _skeleton.get_bone_global_pose(bone).origin
+
+
+## Says where the person can be seen: the engine would take the box of the rest pose at the node,
+## and leave out who is elsewhere.
+func _bound() -> void:
+	for mesh: MeshInstance3D in _meshes:
+		var middle: Vector3 = mesh.global_transform.affine_inverse() * hips()
+		var unit: float = maxf(mesh.global_basis.get_scale().x, 1e-4)
+		mesh.custom_aabb = AABB(middle, Vector3.ZERO).grow(_reach / unit)
 
 
 func _turn_neck(p_head: Transform3D) -> void:

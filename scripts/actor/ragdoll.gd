@@ -40,6 +40,7 @@ extends Node3D
 var motor: RagdollMotor = null
 
 var _bodies: Array[RID] = []
+var _is_fitted: bool = false
 
 
 func _get_configuration_warnings() -> PackedStringArray:
@@ -102,6 +103,21 @@ func make_bodies() -> void:
 	_put_bodies(described, made)
 	if former != null:
 		former.free()
+
+
+## Gives the body the size of a person, once and before [method start]: the lengths of the limbs,
+## m, in the order of [constant Limbs.BONES], 0 where one is not known, and the height of the hips
+## when standing, m, 0 where it is not known. What is not known follows from the rest; where no
+## length is, the body stays as it is. See [BodyScale] for what the lengths mean. Returns whether it
+## has changed.
+func fit(p_lengths: PackedFloat32Array, p_hip_height: float = 0.0) -> bool:
+	return _can_fit() and _fit(BodyScale.of_lengths(self, p_lengths, p_hip_height))
+
+
+## Gives the body the size of another whose joints are told, see [method get_joints]: on a client.
+## Returns whether it has changed.
+func fit_to(p_joints: PersonSkeleton) -> bool:
+	return _can_fit() and _fit(BodyScale.between(get_joints(), p_joints))
 
 
 ## Starts the simulation, anew where it runs. The node must be in the tree. Returns false (and
@@ -183,6 +199,21 @@ func push_sample(p_time_s: float, p_sample: PoseSample, p_root: Vector3) -> bool
 ## by one call of [method RagdollMotor.drive_all].
 func drive(p_time_s: float, p_delta_s: float) -> void:
 	motor.drive(p_time_s, p_delta_s)
+
+
+func _can_fit() -> bool:
+	if _is_fitted or motor != null or not _find_obstacles().is_empty():
+		Log.warning("actor", "%s cannot be given another size" % name)
+		return false
+	return not get_limb_order().has(-1)
+
+
+func _fit(p_scale: BodyScale) -> bool:
+	if p_scale.is_none():
+		return false
+	_is_fitted = true
+	RagdollFit.apply(self, p_scale)
+	return true
 
 
 ## Bodies in place of those that are there, which are taken out of the tree. Either may be null.

@@ -14,6 +14,7 @@ extends Node3D
 var replica: WorldReplica = WorldReplica.new()
 
 var _actors: Dictionary[int, ActorView] = {}
+var _sizes: Dictionary[int, PersonSkeleton] = {}
 var _props: Dictionary[int, Node3D] = {}
 var _aimed: bool = false
 
@@ -44,13 +45,16 @@ func describe(p_world: WorldDescription) -> void:
 			if prop != null and prop.is_in_group(BodyRegistry.PROPS) and _hall.is_ancestor_of(prop):
 				_props[id] = prop
 	for actor: int in _actors.keys():
-		if not p_world.names.has(actor):
+		if not p_world.names.has(actor) or not _is_as_big(actor, p_world.skeletons.get(actor)):
 			_actors[actor].node.queue_free()
 			_actors.erase(actor)
 	for actor: int in p_world.names:
 		if not _actors.has(actor):
 			var node: Ragdoll = person_scene.instantiate()
 			node.visible = false
+			_sizes[actor] = p_world.skeletons.get(actor)
+			if _sizes[actor] != null and _sizes[actor].is_sound():
+				node.fit_to(_sizes[actor])
 			_people.add_child(node)
 			_actors[actor] = ActorView.new(node)
 
@@ -96,6 +100,17 @@ func viewpoint() -> Vector3:
 ## Height of the hips of a person's body when standing, m.
 func hips_of(p_actor: int) -> float:
 	return _actors[p_actor].node.get_hip_height() if _actors.has(p_actor) else 0.0
+
+
+## Whether a person still has the size that is shown.
+func _is_as_big(p_actor: int, p_joints: PersonSkeleton) -> bool:
+	var shown: PersonSkeleton = _sizes.get(p_actor)
+	if shown == null or p_joints == null:
+		return shown == p_joints
+	return (
+		shown.joints_in_limb == p_joints.joints_in_limb
+		and shown.joints_in_parent == p_joints.joints_in_parent
+	)
 
 
 func _show_person(p_actor: int, p_floats: PackedFloat32Array) -> void:

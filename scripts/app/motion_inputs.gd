@@ -7,6 +7,9 @@ signal appeared(p_source: MotionSource, p_name: String)
 ## Somebody's motion has ended.
 signal vanished(p_source: MotionSource)
 
+## No more trackers are waited for after so many seconds without a new one.
+const _SETTLE_S: float = 1.0
+
 ## The suit on USB, or null.
 var usb: UsbSuitFeed = null
 ## Guides calibrations that are asked for.
@@ -17,6 +20,8 @@ var wearers: Array[SuitSource] = []
 var _options: Options = null
 var _store: CalibrationStore = CalibrationStore.new()
 var _begins_with: String = ""
+var _settled_revision: int = -1
+var _settled_s: float = 0.0
 
 
 ## Opens all. Returns what is wrong, or an empty text.
@@ -37,7 +42,7 @@ func advance(p_now_s: float) -> void:
 		usb.advance()
 	for wearer: SuitSource in wearers:
 		wearer.advance(p_now_s)
-	if _begins_with != "" and not wearers.is_empty() and wearers[0].newest_frame != null:
+	if _begins_with != "" and _is_settled(p_now_s):
 		calibrate(wearers[0], ClientCalibration.KINDS[_begins_with], p_now_s)
 		_begins_with = ""
 
@@ -72,6 +77,17 @@ func guide(p_now_s: float) -> String:
 func close() -> void:
 	if usb != null:
 		usb.close()
+
+
+## Whether all trackers that there are have been found: for a while no more have come.
+func _is_settled(p_now_s: float) -> bool:
+	if wearers.is_empty() or wearers[0].newest_frame == null:
+		return false
+	var revision: int = wearers[0].feed.revision
+	if revision != _settled_revision:
+		_settled_revision = revision
+		_settled_s = p_now_s
+	return p_now_s > _settled_s + _SETTLE_S and (usb == null or usb.is_settled())
 
 
 func _open_files() -> String:

@@ -1,6 +1,6 @@
 class_name ServerActors
 extends Node3D
-## The people on the server: a ragdoll for each, driven by the samples that a trainee's client sends.
+## The people on the server: a ragdoll for each, driven by the samples that a client sends.
 
 ## Somebody came or went.
 signal changed
@@ -86,6 +86,8 @@ func _add(p_session: int, p_card: PersonCard, p_name: String) -> void:
 	person.ragdoll.root_mode = root_mode
 	person.origin = _free_place()
 	_next_id = (person.id + 1) % _MOST_IDS
+	if not p_card.lengths.is_empty():
+		person.ragdoll.fit(p_card.lengths, p_card.hip_height)
 	add_child(person.ragdoll)
 	person.scale = person.ragdoll.get_hip_height() / p_card.hip_height
 	if not person.ragdoll.get_limb_order().has(-1) and person.ragdoll.start():

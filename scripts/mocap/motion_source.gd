@@ -11,9 +11,9 @@ var error: String = ""
 var _next_id: int = 0
 
 
-## The pose at a moment (Unix time, µs), or null while there is none. A live source cannot tell the
-## pose at any moment: it gives its newest one, with the time at which that was measured, and null
-## if there is none newer than the last.
+## The pose at a moment (Unix time, µs), or null while there is none. A live source cannot tell what
+## is not measured yet: it gives the pose of a moment shortly before, with that time, and null if
+## there is nothing newer than it has told ([LivePoses]).
 func sample(p_time_usec: int) -> PoseSample:
 	var taken: PoseSample = _read(p_time_usec)
 	if taken != null:

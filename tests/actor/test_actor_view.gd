@@ -74,6 +74,21 @@ func test_stays_there_over_frames() -> void:
 	_check(bodies, 0.002)
 
 
+## The engine leaves out what it takes for being out of view: it must look where the person is.
+func test_the_box_of_what_is_visible_goes_with_the_person() -> void:
+	for place: Vector3 in [Vector3.ZERO, Vector3(30.0, 2.0, -7.0), Vector3(0.0, -40.0, 500.0)]:
+		var bodies: Dictionary[StringName, Transform3D] = {}
+		for limb: int in Limbs.COUNT:
+			var turn: Basis = Basis(NetSamples.rotation(_random))
+			bodies[Limbs.BONES[limb]] = Transform3D(turn, place)
+		_view.show(bodies)
+		for mesh: MeshInstance3D in SkinnedSurface.find_meshes(_node.get_skeleton()):
+			var box: AABB = mesh.global_transform * mesh.custom_aabb
+			for offset: Vector3 in [Vector3.ZERO, Vector3.UP, Vector3.LEFT, Vector3.FORWARD]:
+				is_true(box.has_point(place + offset), "%s is in %s" % [place + offset, box])
+			is_true(box.size.length() < 20.0, "%s is no larger than needed" % box)
+
+
 func test_parts_and_unknown_limbs() -> void:
 	var place: Transform3D = NetSamples.place(_random)
 	_view.show({&"Tail": place, &"Head": place, &"LeftHand": place})

@@ -70,6 +70,31 @@ func test_the_own_body_is_where_it_is_told() -> void:
 	equal([_scene.person_of(7), _scene.person_of(8)], [ADA, -1])
 
 
+func test_people_are_shown_in_their_size() -> void:
+	var people: Node = _scene.get_node(^"People")
+	var world: WorldDescription = _world()
+	var usual: PersonSkeleton = world.skeletons[ADA]
+	for factors: Vector2 in [Vector2(0.8, 0.8), Vector2(1.13, 1.13), Vector2(0.85, 1.2)]:
+		var small: Ragdoll = _scene.person_scene.instantiate()
+		var lengths: PackedFloat32Array = BodyScale.own_lengths(small)
+		for limb: int in Limbs.COUNT:
+			lengths[limb] *= factors.x if limb < 10 else factors.y
+		small.fit(lengths)
+		world.skeletons[ADA] = small.get_joints()
+		_scene.describe(world)
+		_show([ADA], [0])
+		await process_frames(2)
+		equal(people.get_child_count(), 1)
+		almost_equal(_scene.hips_of(ADA), small.get_hip_height(), 1e-4)
+		_check_shown(people.get_child(0), lengths)
+		small.free()
+	world.skeletons[ADA] = usual
+	_scene.describe(world)
+	await process_frames(2)
+	equal(people.get_child_count(), 1)
+	almost_equal(_scene.hips_of(ADA), 1.0115, 1e-4)
+
+
 func test_people_that_leave_are_gone() -> void:
 	var world: WorldDescription = _world()
 	_scene.describe(world)
@@ -125,6 +150,18 @@ func test_wrong_views_and_camera_are_told() -> void:
 	contains(_scene.apply("mesh", "1,2"), "a camera is azimuth,elevation,distance")
 	equal(_scene.apply("mesh", "1,2,3"), "")
 	equal(_scene.describe_views(), "1 mesh on   2 static off   3 physics off")
+
+
+## The visible arms and legs are as long as they are told, whatever the pose.
+func _check_shown(p_node: Ragdoll, p_lengths: PackedFloat32Array) -> void:
+	var skeleton: Skeleton3D = p_node.get_skeleton()
+	for limb: int in [4, 5, 7, 8, 10, 11, 13, 14]:
+		var from: int = skeleton.find_bone(Limbs.BONES[limb])
+		var to: int = skeleton.find_bone(Limbs.BONES[limb + 1])
+		var way: Vector3 = skeleton.get_bone_global_pose(to).origin
+		way -= skeleton.get_bone_global_pose(from).origin
+		almost_equal(way.length(), p_lengths[limb], 0.002, Limbs.BONES[limb])
+		almost_equal(skeleton.get_bone_global_pose(to).basis.get_scale(), Vector3.ONE, 1e-3)
 
 
 func _world() -> WorldDescription:

@@ -55,6 +55,27 @@ func test_the_travel_of_tall_wearers_is_scaled() -> void:
 	almost_equal(person.scale, person.ragdoll.get_hip_height() / 1.2, 1e-6)
 
 
+func test_a_body_gets_the_size_of_its_wearer() -> void:
+	_add(7, "plain", 0.95)
+	var plain: Ragdoll = _actors.list()[0].ragdoll
+	var card: PersonCard = PersonCard.of("small", plain.get_hip_height() * 0.8)
+	for length: float in BodyScale.own_lengths(plain):
+		card.lengths.append(length * 0.8)
+	_actors.set_people(8, [card], "")
+	var person: ServerActors.Person = _actors.list()[1]
+	almost_equal(person.scale, 1.0, 0.005)
+	almost_equal(person.ragdoll.get_hip_height(), plain.get_hip_height() * 0.8, 0.005)
+	is_true(person.ragdoll.profile.mass < 0.7 * plain.profile.mass)
+	# Who grows gets another body.
+	var taller: PersonCard = PersonCard.of("small", card.hip_height)
+	taller.lengths = card.lengths.duplicate()
+	taller.lengths[10] *= 1.3
+	_actors.set_people(8, [taller], "")
+	var grown: ServerActors.Person = _actors.list()[1]
+	not_equal(grown.id, person.id)
+	is_true(grown.ragdoll.get_hip_height() > person.ragdoll.get_hip_height() + 0.05)
+
+
 func test_samples_move_the_body() -> void:
 	_add(7, "Ada", 1.0115)
 	for _step: int in 60:
@@ -186,4 +207,3 @@ func test_samples_move_the_person_that_they_are_of() -> void:
 
 func _add(p_session: int, p_name: String, p_hip_height: float) -> void:
 	_actors.set_people(p_session, [PersonCard.of(p_name, p_hip_height)], p_name)
-

@@ -6,7 +6,6 @@ from __future__ import annotations
 import json
 import os
 import subprocess
-import time
 from pathlib import Path
 from types import TracebackType
 
@@ -24,17 +23,18 @@ CALIBRATION_S = 60.0
 class SuitSession:
     """The processes of one session; they end with it. Calibrations are kept in its folder."""
 
-    def __init__(self, folder: Path, port: int) -> None:
+    def __init__(self, folder: Path, port: int, root: str = "inertial") -> None:
         require_port(port)
         self._folder = folder
         self._port = port
+        self._root = root
         self._group = Group(folder, {"XDG_DATA_HOME": str(folder / "data")})
-        self._pipe = -1
+        self._pipes: dict[str, int] = {}
 
     def __enter__(self) -> SuitSession:
         self._group.__enter__()
         command = [str(SERVER_BINARY), "--headless", "--", "--role=server", f"--port={self._port}"]
-        self._group.start("server", [*command, "--root=inertial"])
+        self._group.start("server", [*command, f"--root={self._root}"])
         self._group.await_text("server", "listening on UDP port", 30)
         return self
 
@@ -44,9 +44,9 @@ class SuitSession:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
-        if self._pipe >= 0:
-            os.close(self._pipe)
-            self._pipe = -1
+        for pipe in self._pipes.values():
+            os.close(pipe)
+        self._pipes.clear()
         self._group.__exit__(kind, error, trace)
 
     def start_bvh(self, bvh: Path) -> None:
@@ -54,35 +54,53 @@ class SuitSession:
         self._group.start("trainee", self.trainee(f"--bvh={bvh}"))
         self._group.await_text("trainee", "joined", 30)
 
+    def calibrate(self, godot: Godot, bvh: Path, options: list[str]) -> None:
+        """Lets somebody in an emulated suit be calibrated, and leave."""
+        name = "calibration"
+        command = self.trainee("--xbus", "--calibrate=full")
+        self.start_emulator(godot, bvh, options, command, name)
+        self._group.await_text(name, "calibrating (", 30)
+        self.command("go", name)
+        self._group.await_text(name, "calibrated", CALIBRATION_S)
+        if "not calibrated" in self._group.log(name):
+            raise Failure("The suit was not calibrated:\n" + tail(self._group.log(name), 5))
+        self.command("quit", name)
+        self._group.await_exit(name, 30)
+
     def start_suit(self, godot: Godot, bvh: Path, options: list[str]) -> None:
-        """A trainee in an emulated suit, calibrated; the motion of the file has just begun."""
-        self.start_emulator(godot, bvh, options, self.trainee("--xbus", "--calibrate=full"))
-        self._group.await_text("trainee", "calibrating (", 30)
-        self.command("go")
-        self._group.await_text("trainee", "calibrated", CALIBRATION_S)
-        if "not calibrated" in self._group.log("trainee"):
-            raise Failure("The suit was not calibrated:\n" + tail(self._group.log("trainee"), 5))
+        """A trainee in an emulated suit, calibrated before; the motion of the file begins now."""
+        self.calibrate(godot, bvh, options)
+        self.start_emulator(godot, bvh, options, self.trainee("--xbus"))
+        self._group.await_text("trainee", "joined", 30)
+        masters = 2 if "--devices=two-masters" in options else 1
+        for master in range(masters):
+            self._group.await_text("trainee", f"Xbus Master 0013050{master} measures", 30)
         self.command("clip")
 
     def start_emulator(
-        self, godot: Godot, bvh: Path, options: list[str], command: list[str]
+        self,
+        godot: Godot,
+        bvh: Path,
+        options: list[str],
+        command: list[str],
+        name: str = "trainee",
     ) -> None:
-        """An emulated suit, whose wearer stands still, and a program that finds it: "trainee"."""
-        pipe = self._folder / "commands"
+        """An emulated suit, whose wearer stands still, and a program that finds it."""
+        pipe = self._folder / f"{name}.commands"
         os.mkfifo(pipe)
-        self._pipe = os.open(pipe, os.O_RDWR)
+        self._pipes[name] = os.open(pipe, os.O_RDWR)
         own = [f"--bvh={bvh}", "--hold", f"--commands={pipe}", *options]
         program = [str(suit.PROGRAM), *suit.complete(godot, own), "--", *command]
-        self._group.start("trainee", program)
+        self._group.start(name, program)
 
     def trainee(self, *options: str) -> list[str]:
         """The command of a trainee without a window."""
         common = ["--role=trainee", f"--port={self._port}", "--name=wearer", "--person=wearer"]
         return [str(CLIENT_BINARY), "--headless", "--", *common, *options]
 
-    def command(self, line: str) -> None:
-        """Tells the emulator something."""
-        os.write(self._pipe, f"{line}\n".encode())
+    def command(self, line: str, name: str = "trainee") -> None:
+        """Tells an emulator something."""
+        os.write(self._pipes[name], f"{line}\n".encode())
 
     def await_text(self, name: str, text: str, limit_s: float = 30.0) -> None:
         """Waits until a process has said something."""
@@ -102,12 +120,12 @@ class SuitSession:
             raise Failure(f"The observer recorded nothing:\n{tail(self._group.log(name))}")
 
 
-def compare(godot: Godot, recording: Path, bvh: Path, begin: float, seconds: float) -> dict:
-    """How far the person in a recording is from a motion file: see compare_recording.gd."""
+def compare(godot: Godot, recording: Path, bvh: Path, begin: float, end: float) -> dict:
+    """How far the person in a recording is from a part of a motion file: compare_recording.gd."""
     options = [f"--recording={recording}", f"--bvh={bvh}", f"--from={begin}"]
     command = [str(godot.program), "--headless", "--no-header", "--path", str(ROOT), "-s", COMPARE]
     done = subprocess.run(
-        [*command, "--", *options, f"--seconds={seconds}"],
+        [*command, "--", *options, f"--to={end}"],
         env=godot.environment(),
         stdin=subprocess.DEVNULL,
         capture_output=True,
@@ -121,7 +139,3 @@ def compare(godot: Godot, recording: Path, bvh: Path, begin: float, seconds: flo
     result: dict = json.loads(found[0])
     return result
 
-
-def settle(seconds: float) -> None:
-    """Lets a motion go on for a while."""
-    time.sleep(seconds)

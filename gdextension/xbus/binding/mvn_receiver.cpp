@@ -55,14 +55,13 @@ Dictionary character_dictionary(const mvn::CharacterReport &p_character, uint64_
 } // namespace
 
 uint64_t MvnReceiver::now_usec() const {
-	return put_usec > 0 ? put_usec : uint64_t(clock_usec<std::chrono::steady_clock>());
+	return put_usec > 0 ? put_usec.load() : uint64_t(clock_usec<std::chrono::steady_clock>());
 }
 
 /// Datagrams from a port bear the times of the steady clock, others those that were told with them.
 int64_t MvnReceiver::to_unix(uint64_t p_usec) const {
-	const int64_t ahead = put_usec > 0
-			? 0
-			: clock_usec<std::chrono::system_clock>() - clock_usec<std::chrono::steady_clock>();
+	const int64_t ahead =
+			put_usec > 0 ? 0 : clock_usec<std::chrono::system_clock>() - clock_usec<std::chrono::steady_clock>();
 	return int64_t(p_usec) + ahead;
 }
 
@@ -71,11 +70,27 @@ String MvnReceiver::open(int64_t p_port) {
 		return "a UDP port is 1 to 65535 (0 for any that is free)";
 	}
 	put_usec = 0;
-	return text(receiver.open(uint16_t(p_port)));
+	receiver.close();
+	{
+		const std::lock_guard<std::mutex> lock(mutex);
+		clocks.clear();
+	}
+	tap = recorder != nullptr ? std::make_unique<recording::DatagramTap>(recorder, int(p_port)) : nullptr;
+	mvn::Receiver::RawListener listener;
+	if (tap != nullptr) {
+		listener = [this](const std::string &p_sender, const uint8_t *p_bytes, std::size_t p_size,
+						   uint64_t p_time_usec) { tap->take(p_sender, p_bytes, p_size, p_time_usec); };
+	}
+	return text(receiver.open(uint16_t(p_port), listener));
 }
 
 void MvnReceiver::close() {
 	receiver.close();
+}
+
+void MvnReceiver::set_recorder(const Ref<RawRecorder> &p_recorder) {
+	ERR_FAIL_COND_MSG(receiver.port() != 0, "A recording begins before the port is opened.");
+	recorder = p_recorder.is_valid() ? p_recorder->share() : nullptr;
 }
 
 void MvnReceiver::put(const String &p_sender, const PackedByteArray &p_datagram, int64_t p_time_usec) {
@@ -179,6 +194,7 @@ Dictionary MvnReceiver::get_newest(int64_t p_character, int64_t p_type) const {
 void MvnReceiver::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("open", "port"), &MvnReceiver::open);
 	ClassDB::bind_method(D_METHOD("close"), &MvnReceiver::close);
+	ClassDB::bind_method(D_METHOD("set_recorder", "recorder"), &MvnReceiver::set_recorder);
 	ClassDB::bind_method(D_METHOD("get_port"), &MvnReceiver::get_port);
 	ClassDB::bind_method(D_METHOD("put", "sender", "datagram", "time_usec"), &MvnReceiver::put);
 	ClassDB::bind_method(D_METHOD("get_characters"), &MvnReceiver::get_characters);

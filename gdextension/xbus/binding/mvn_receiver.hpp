@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "raw_recorder.hpp"
+
 #include <mvn/stream_clock.hpp>
+#include <recording/taps.hpp>
 #include <udp/receiver.hpp>
 
 #include <godot_cpp/classes/ref_counted.hpp>
@@ -13,7 +16,9 @@
 #include <godot_cpp/variant/string.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
+#include <atomic>
 #include <map>
+#include <memory>
 #include <mutex>
 
 namespace godot {
@@ -25,6 +30,7 @@ class MvnReceiver : public RefCounted {
 public:
 	String open(int64_t p_port);
 	void close();
+	void set_recorder(const Ref<RawRecorder> &p_recorder);
 	int64_t get_port() const { return receiver.port(); }
 	void put(const String &p_sender, const PackedByteArray &p_datagram, int64_t p_time_usec);
 	TypedArray<Dictionary> get_characters() const;
@@ -43,9 +49,12 @@ private:
 	uint64_t now_usec() const;
 	int64_t to_unix(uint64_t p_usec) const;
 
+	/// Outlives the receiver's thread, which calls it.
+	std::unique_ptr<recording::DatagramTap> tap;
+	std::shared_ptr<recording::Recorder> recorder;
 	mvn::Receiver receiver;
 	/// The time of the newest datagram that was put in, µs; 0 where they come from a port.
-	uint64_t put_usec = 0;
+	std::atomic<uint64_t> put_usec{ 0 };
 	/// Of each character and type; threads may ask for different people at once.
 	std::map<std::pair<int64_t, int>, mvn::StreamClock> clocks;
 	std::mutex mutex;

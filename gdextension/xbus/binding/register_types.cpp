@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mvn_encoder.hpp"
 #include "mvn_receiver.hpp"
+#include "raw_player.hpp"
+#include "raw_recorder.hpp"
 #include "suit_hub.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
@@ -13,6 +15,8 @@ namespace {
 
 void initialize(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
+		GDREGISTER_CLASS(RawRecorder);
+		GDREGISTER_CLASS(RawPlayer);
 		GDREGISTER_CLASS(MvnEncoder);
 		GDREGISTER_CLASS(MvnReceiver);
 		GDREGISTER_CLASS(SuitHub);

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "suit_hub.hpp"
 
+#include "suit_dictionary.hpp"
+
 #include <usb/hub_library.hpp>
 
 #include <godot_cpp/core/error_macros.hpp>
-#include <godot_cpp/variant/packed_byte_array.hpp>
-#include <godot_cpp/variant/packed_float32_array.hpp>
-#include <godot_cpp/variant/packed_vector3_array.hpp>
-#include <godot_cpp/variant/vector3.hpp>
 
 #include <chrono>
 
@@ -78,52 +76,17 @@ Dictionary device_dictionary(const usb::DeviceReport &p_report, uint64_t p_now_u
 	return result;
 }
 
-Dictionary frame_dictionary(const xbus::SuitFrame &p_frame, int64_t p_unix_ahead) {
-	PackedFloat32Array orientations;
-	PackedVector3Array rates;
-	PackedVector3Array accelerations;
-	PackedByteArray present;
-	const int count = p_frame.tracker_count;
-	orientations.resize(int64_t(count) * 4);
-	rates.resize(count);
-	accelerations.resize(count);
-	present.resize(count);
-	bool has_rates = false;
-	bool has_accelerations = false;
-	for (int tracker = 0; tracker < count; ++tracker) {
-		const xbus::TrackerReading &reading = p_frame.trackers[std::size_t(tracker)];
-		present[tracker] = reading.has_orientation ? 1 : 0;
-		for (int part = 0; part < 4; ++part) {
-			orientations[tracker * 4 + part] = reading.orientation[std::size_t(part)];
-		}
-		rates[tracker] = Vector3(reading.rate[0], reading.rate[1], reading.rate[2]);
-		accelerations[tracker] =
-				Vector3(reading.acceleration[0], reading.acceleration[1], reading.acceleration[2]);
-		has_rates = has_rates || reading.has_rate;
-		has_accelerations = has_accelerations || reading.has_acceleration;
-	}
-	Dictionary result;
-	result["time_usec"] = int64_t(p_frame.time_usec) + p_unix_ahead;
-	result["arrival_usec"] = int64_t(p_frame.arrival_usec) + p_unix_ahead;
-	result["counter"] = int64_t(p_frame.counter);
-	result["axes"] = int64_t(p_frame.axes);
-	result["present"] = present;
-	result["orientations"] = orientations;
-	result["rates"] = has_rates ? rates : PackedVector3Array();
-	result["accelerations"] = has_accelerations ? accelerations : PackedVector3Array();
-	return result;
-}
-
 } // namespace
 
 String SuitHub::start(double p_rate_hz) {
 	ERR_FAIL_COND_V_MSG(!(p_rate_hz >= 10.0 && p_rate_hz <= MOST_RATE_HZ), "the rate is no suit's",
 			"A suit measures at 10 to 512 Hz.");
 	stop();
+	player = Ref<RawPlayer>();
 	xbus::SessionOptions options;
 	options.rate_hz = p_rate_hz;
 	std::string fault;
-	hub = usb::make_hub(options, nullptr, fault);
+	hub = usb::make_hub(options, &tap, fault);
 	if (hub != nullptr) {
 		fault = hub->start();
 	}
@@ -137,9 +100,22 @@ void SuitHub::stop() {
 	hub.reset();
 }
 
+void SuitHub::set_recorder(const Ref<RawRecorder> &p_recorder) {
+	ERR_FAIL_COND_MSG(
+			hub != nullptr, "A recording begins before the suits are looked for, or nobody could tell what is in it.");
+	tap.record_to(p_recorder.is_valid() ? p_recorder->share() : nullptr);
+}
+
+void SuitHub::play(const Ref<RawPlayer> &p_player) {
+	stop();
+	player = p_player;
+}
+
 TypedArray<Dictionary> SuitHub::get_devices() const {
 	TypedArray<Dictionary> devices;
-	if (hub != nullptr) {
+	if (player.is_valid()) {
+		devices = player->get_devices();
+	} else if (hub != nullptr) {
 		const uint64_t now = now_usec();
 		for (const usb::DeviceReport &report : hub->report()) {
 			devices.push_back(device_dictionary(report, now));
@@ -163,10 +139,12 @@ TypedArray<Dictionary> SuitHub::take_messages() {
 
 TypedArray<Dictionary> SuitHub::take_frames(int64_t p_device) {
 	TypedArray<Dictionary> frames;
-	if (hub != nullptr) {
+	if (player.is_valid()) {
+		frames = player->take_frames(p_device);
+	} else if (hub != nullptr) {
 		const int64_t ahead = unix_ahead();
 		while (hub->take_frame(int(p_device), frame)) {
-			frames.push_back(frame_dictionary(frame, ahead));
+			frames.push_back(suit_frame_dictionary(frame, ahead));
 		}
 	}
 	return frames;
@@ -183,6 +161,8 @@ void SuitHub::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("start", "rate_hz"), &SuitHub::start);
 	ClassDB::bind_method(D_METHOD("stop"), &SuitHub::stop);
 	ClassDB::bind_method(D_METHOD("is_running"), &SuitHub::is_running);
+	ClassDB::bind_method(D_METHOD("set_recorder", "recorder"), &SuitHub::set_recorder);
+	ClassDB::bind_method(D_METHOD("play", "player"), &SuitHub::play);
 	ClassDB::bind_method(D_METHOD("get_devices"), &SuitHub::get_devices);
 	ClassDB::bind_method(D_METHOD("take_messages"), &SuitHub::take_messages);
 	ClassDB::bind_method(D_METHOD("take_frames", "device"), &SuitHub::take_frames);

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "raw_player.hpp"
+#include "raw_recorder.hpp"
+
+#include <recording/taps.hpp>
 #include <usb/hub.hpp>
 
 #include <godot_cpp/classes/ref_counted.hpp>
@@ -30,6 +34,8 @@ public:
 	String start(double p_rate_hz);
 	void stop();
 	bool is_running() const { return hub != nullptr; }
+	void set_recorder(const Ref<RawRecorder> &p_recorder);
+	void play(const Ref<RawPlayer> &p_player);
 	TypedArray<Dictionary> get_devices() const;
 	TypedArray<Dictionary> take_messages();
 	TypedArray<Dictionary> take_frames(int64_t p_device);
@@ -39,7 +45,10 @@ protected:
 	static void _bind_methods();
 
 private:
+	/// Outlives the hub, which calls it.
+	recording::BusTap tap;
 	std::unique_ptr<usb::Hub> hub;
+	Ref<RawPlayer> player;
 	xbus::SuitFrame frame;
 };
 

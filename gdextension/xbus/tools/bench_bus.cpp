@@ -4,6 +4,8 @@
 #include "bus_streams.hpp"
 #include "count_allocations.hpp"
 
+#include "recording/bus_replay.hpp"
+
 #include <chrono>
 #include <cstdio>
 #include <functional>
@@ -213,7 +215,12 @@ void measure_hour() {
 
 /// Any recording of raw bytes.
 int measure_file(const char *p_name) {
-	const Bytes bytes = read_file(p_name);
+	Bytes bytes = read_file(p_name);
+	if (recording::is_recording(bytes.data(), bytes.size())) {
+		recording::Reader reader;
+		reader.open(std::move(bytes));
+		bytes = recording::bus_bytes(reader, -1, false);
+	}
 	if (bytes.empty()) {
 		std::fprintf(stderr, "xbus_bench: %s is empty or cannot be read.\n", p_name);
 		return 2;

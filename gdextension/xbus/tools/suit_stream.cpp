@@ -2,10 +2,12 @@
 // Streams from all suits on this machine without an engine, and says what came: for benchmarks, for tests with
 // the kernel's own drivers, and for a look at a new device.
 //
-//     suit_stream [--seconds=N] [--rate=HZ] [--trace=FILE] [--frames=N]
+//     suit_stream [--seconds=N] [--rate=HZ] [--trace=FILE] [--frames=N] [--record=FILE]
 //
 // The trace has a line for each frame: device, sample counter of the device, when the frame was handed over (µs
-// of CLOCK_MONOTONIC), trackers. The last line of the output is a JSON object with the figures.
+// of CLOCK_MONOTONIC), trackers. The recording has all raw bytes (docs/recordings.md). The last line of the
+// output is a JSON object with the figures.
+#include "recording/taps.hpp"
 #include "usb/libusb_hub.hpp"
 
 #include <atomic>
@@ -43,9 +45,13 @@ public:
 					(unsigned long long)usb::now_usec(), p_frame.tracker_count);
 		}
 	}
-	void take_raw(int, bool, const uint8_t *, std::size_t, uint64_t) override {}
-	void device_opened(const usb::DeviceReport &) override {}
+	void take_raw(
+			int p_device, bool p_is_out, const uint8_t *p_bytes, std::size_t p_size, uint64_t p_time_usec) override {
+		tap.take_raw(p_device, p_is_out, p_bytes, p_size, p_time_usec);
+	}
+	void device_opened(const usb::DeviceReport &p_report) override { tap.device_opened(p_report); }
 
+	recording::BusTap tap;
 	std::atomic<uint64_t> frames{ 0 };
 
 private:
@@ -56,6 +62,7 @@ struct Arguments {
 	double seconds = 0.0;
 	uint64_t frames = 0;
 	std::string trace;
+	std::string record;
 	xbus::SessionOptions session;
 };
 
@@ -73,8 +80,10 @@ bool parse(int p_count, char **p_values, Arguments &r_arguments) {
 			r_arguments.frames = std::strtoull(value.c_str(), nullptr, 10);
 		} else if (name == "--trace") {
 			r_arguments.trace = value;
+		} else if (name == "--record") {
+			r_arguments.record = value;
 		} else {
-			std::fprintf(stderr, "suit_stream [--seconds=N] [--rate=HZ] [--trace=FILE] [--frames=N]\n");
+			std::fprintf(stderr, "suit_stream [--seconds=N] [--rate=HZ] [--trace=FILE] [--frames=N] [--record=FILE]\n");
 			return false;
 		}
 	}
@@ -136,6 +145,15 @@ int main(int p_count, char **p_values) {
 	std::signal(SIGINT, on_signal);
 	std::signal(SIGTERM, on_signal);
 	Tracer tracer(std::move(file));
+	const auto recorder = std::make_shared<recording::Recorder>();
+	if (!arguments.record.empty()) {
+		const std::string trouble = recorder->open(arguments.record, recording::about_file());
+		if (!trouble.empty()) {
+			std::fprintf(stderr, "%s\n", trouble.c_str());
+			return 2;
+		}
+		tracer.tap.record_to(recorder);
+	}
 	usb::LibusbHub hub(arguments.session, &tracer);
 	const std::string fault = hub.start();
 	if (!fault.empty()) {

@@ -4,8 +4,10 @@ extends RefCounted
 
 ## Movement during a pose from which on it should be done again, degrees.
 const MOVED_DEG: float = 3.0
-## A pose that is off by more than this from what the other pose told is worth a word, degrees.
+## A pose that is off by more than this from what the other pose told is worth a word, degrees:
+## arms and heads, which people hold less exactly, and the rest, which stands still between them.
 const OFF_DEG: float = 20.0
+const OFF_STANDING_DEG: float = 8.0
 ## A heading that differs by more than this from its neighbours' is worth a word, degrees.
 const TURNED_DEG: float = 12.0
 
@@ -45,7 +47,14 @@ class PlaceQuality:
 			return "missing"
 		if movement_deg > CalibrationResult.MOVED_DEG:
 			return "moved"
-		return "off" if residual_deg > CalibrationResult.OFF_DEG else "good"
+		return "off" if is_off() else "good"
+
+	## Whether the other pose was too far off.
+	func is_off() -> bool:
+		var stands: bool = not ResetPose.hangs(place) and place != BodyPlaces.HEAD
+		if stands:
+			return residual_deg > CalibrationResult.OFF_STANDING_DEG
+		return residual_deg > CalibrationResult.OFF_DEG
 
 
 ## Whether nothing speaks against taking it over.
@@ -89,6 +98,10 @@ func judge() -> void:
 			var parts: Array = [title, roundi(quality.movement_deg)]
 			advice.append("%s moved %d° during the pose: again?" % parts)
 	for quality: PlaceQuality in sorted:
-		if not quality.is_missing and quality.residual_deg > OFF_DEG:
-			var parts: Array = [BodyPlaces.title(quality.place), roundi(quality.residual_deg)]
+		if quality.is_missing or not quality.is_off():
+			continue
+		var parts: Array = [BodyPlaces.title(quality.place), roundi(quality.residual_deg)]
+		if ResetPose.hangs(quality.place):
 			advice.append("%s was %d° away from where it should be in the other pose" % parts)
+		else:
+			advice.append("%s turned by %d° between the poses: a step, or drift?" % parts)

@@ -4,7 +4,9 @@ extends RefCounted
 
 ## Movement within such a part of the hold is taken for noise: parts in all.
 const PARTS: int = 12
-## Distance at which a sample has half its weight in the mean, rad: shocks count for little.
+## Parts of the hold whose means make the mean.
+const CHUNKS: int = 48
+## Distance at which a part has half its weight in the mean, rad: shocks count for little.
 const ROBUST_RAD: float = 0.03
 ## Samples that are kept of each sensor at most; beyond it every second one goes.
 const MOST_SAMPLES: int = 600
@@ -12,10 +14,12 @@ const MOST_SAMPLES: int = 600
 var _samples: Array[Array] = []
 var _frames: int = 0
 var _step: int = 1
+var _means: Dictionary[int, Quaternion] = {}
 
 
 ## Takes a frame.
 func add(p_frame: SensorFrame) -> void:
+	_means.clear()
 	while _samples.size() < p_frame.count():
 		_samples.append([])
 	if _frames % _step == 0:
@@ -44,28 +48,37 @@ func has(p_sensor: int) -> bool:
 
 ## The orientation of a sensor during the hold.
 func mean(p_sensor: int) -> Quaternion:
-	var list: Array[Quaternion] = []
-	list.assign(_samples[p_sensor])
-	return Rotations.mean(list, ROBUST_RAD)
+	if not _means.has(p_sensor):
+		_means[p_sensor] = Rotations.mean(_chunks(p_sensor, CHUNKS), ROBUST_RAD)
+	return _means[p_sensor]
 
 
 ## By how much a sensor moved during the hold, degrees: the largest angle between what it said in
 ## any two of its [constant PARTS] parts.
 func movement_deg(p_sensor: int) -> float:
-	var count: int = samples(p_sensor)
-	if count < 2:
-		return 0.0
-	var parts: Array[Quaternion] = []
-	var number: int = mini(PARTS, count)
-	for part: int in number:
-		var list: Array[Quaternion] = []
-		list.assign(_samples[p_sensor].slice(part * count / number, (part + 1) * count / number))
-		parts.append(Rotations.mean(list))
+	var parts: Array[Quaternion] = _chunks(p_sensor, PARTS)
 	var most: float = 0.0
-	for first: int in number:
+	for first: int in parts.size():
 		for second: int in first:
 			most = maxf(most, Rotations.between_deg(parts[first], parts[second]))
 	return most
+
+
+## The samples of a sensor in so many parts, each replaced by its mean: within one they are so near
+## to each other that the mean of the components does.
+func _chunks(p_sensor: int, p_number: int) -> Array[Quaternion]:
+	var list: Array = _samples[p_sensor] if p_sensor < _samples.size() else []
+	var number: int = mini(p_number, list.size())
+	var found: Array[Quaternion] = []
+	for part: int in number:
+		var start: int = part * list.size() / number
+		var first: Quaternion = list[start]
+		var sum: Quaternion = first
+		for at: int in range(start + 1, (part + 1) * list.size() / number):
+			var sample: Quaternion = list[at]
+			sum = sum + sample if sample.dot(first) > 0.0 else sum - sample
+		found.append(sum.normalized() if sum.length_squared() > 1e-6 else first)
+	return found
 
 
 func _thin() -> void:

@@ -79,7 +79,7 @@ static func mean(p_rotations: Array[Quaternion], p_robust_rad: float = 0.0) -> Q
 			weights += weight
 		var step: Vector3 = sum / weights
 		found = (found * from_vector(step)).normalized()
-		if step.length() < 1e-7:
+		if step.length() < 2e-6:
 			break
 	return found
 

@@ -22,6 +22,8 @@ const LAYOUTS: Dictionary[int, Array] = {
 
 ## Places by the sensors' ids.
 var places: Dictionary[String, int] = {}
+## Whether nobody has told it: then it is guessed anew when more sensors are found.
+var is_guessed: bool = false
 
 
 ## A map for sensors that nobody has told yet: places that they tell themselves, the others by the
@@ -35,10 +37,16 @@ static func guess(p_sensors: Array[SensorInfo]) -> SensorMap:
 			map.assign(sensor.id, place)
 			if free.has(place):
 				free.remove_at(free.find(place))
-	for sensor: SensorInfo in p_sensors:
+	# In their order on the bus, whichever master was found first.
+	var sorted: Array[SensorInfo] = p_sensors.duplicate()
+	sorted.sort_custom(
+		func(a: SensorInfo, b: SensorInfo) -> bool: return a.where.naturalnocasecmp_to(b.where) < 0
+	)
+	for sensor: SensorInfo in sorted:
 		if not map.places.has(sensor.id) and not free.is_empty():
 			map.assign(sensor.id, free[0])
 			free.remove_at(0)
+	map.is_guessed = true
 	return map
 
 
@@ -51,6 +59,7 @@ static func layout(p_count: int) -> PackedInt32Array:
 ## Puts a sensor on a place, and takes away whichever was there. A place of -1: it is not worn.
 func assign(p_id: String, p_place: int) -> void:
 	var there: String = sensor_at(p_place)
+	is_guessed = false
 	if there != "":
 		places.erase(there)
 	places.erase(p_id)
@@ -62,6 +71,7 @@ func assign(p_id: String, p_place: int) -> void:
 func exchange(p_first: int, p_second: int) -> void:
 	var first: String = sensor_at(p_first)
 	var second: String = sensor_at(p_second)
+	is_guessed = false
 	places.erase(first)
 	places.erase(second)
 	if first != "":
@@ -95,6 +105,7 @@ func worn() -> PackedInt32Array:
 func duplicate() -> SensorMap:
 	var map: SensorMap = SensorMap.new()
 	map.places = places.duplicate()
+	map.is_guessed = is_guessed
 	return map
 
 

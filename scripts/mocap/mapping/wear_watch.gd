@@ -3,9 +3,10 @@ extends RefCounted
 ## Notices from anybody's motion that sensors are exchanged or have slipped, because joints go
 ## where no joint goes; and names them.
 ##
-## It judges the last [constant WINDOW_S] seconds, a little in every frame. What bends no joint
-## wrongly it cannot see: exchanges of whole arms or legs, of a hand with its forearm, of a foot
-## with its shank, or within the trunk. A fit check finds those ([FitCheck]).
+## It judges the last [constant WINDOW_S] seconds: where joints go ([JointRange]), and whether
+## knees and ankles are hinges ([LegSpread]). What bends no joint wrongly it cannot see: exchanges
+## of whole arms or legs, of a hand with its forearm, or within the trunk. A fit check finds those
+## ([FitCheck]).
 
 ## Something was noticed, or is over.
 signal changed
@@ -22,7 +23,7 @@ const SWAP_RAD: float = 0.2
 ## And it must leave less than this part, and less than this angle, rad.
 const EXPLAINS: float = 0.5
 const LEAVES_RAD: float = 0.5
-## Exchanges that are about as good as the best, rad: the one within an arm or leg is it then.
+## Exchanges that are about as good as the best, rad.
 const ABOUT_RAD: float = 0.05
 ## A joint that is beyond its range by so much in the mean is bad, rad.
 const SLIP_RAD: float = 0.35
@@ -39,26 +40,40 @@ const PAIRS: Array[Vector2i] = [
 	Vector2i(12, 15),
 	Vector2i(13, 16),
 ]
+# For each pair the places above which a joint changes.
+const _TOUCHED: Array[Array] = [
+	[5, 6],
+	[9, 10],
+	[11, 12, 13],
+	[14, 15, 16],
+	[5, 9],
+	[5, 6, 9, 10],
+	[6, 10],
+	[11, 12, 14, 15],
+	[12, 13, 15, 16],
+	[13, 16],
+]
 
 ## Pairs of places whose sensors look exchanged.
 var swaps: Array[Vector2i] = []
 ## Places whose sensor seems to have slipped or to sit upside down.
 var slipped: PackedInt32Array = PackedInt32Array()
 
-var _poses: Array[Array] = []
 var _last_usec: int = -1
-var _next: int = 0
-var _excess_now: float = 0.0
-## What each exchange would leave, rad; infinite where it is not possible.
-var _excess_then: PackedFloat32Array = PackedFloat32Array()
+## Of each pose: what all joints together are beyond their ranges now, then the same for each of
+## [constant PAIRS] exchanged (NaN if it is not possible), then for the joint above each place
+## (NaN if it is not known), rad.
+var _rows: Array[PackedFloat32Array] = []
+var _since: int = 0
+var _legs: LegSpread = LegSpread.new(roundi(WINDOW_S * RATE_HZ))
 # The pose in which the sensors were calibrated.
 var _reset: ResetPose.Kind = ResetPose.Kind.T
 
 
 ## Forgets what was seen.
 func clear() -> void:
-	_poses.clear()
-	_next = 0
+	_rows.clear()
+	_legs.clear()
 	_last_usec = -1
 	if not swaps.is_empty() or not slipped.is_empty():
 		swaps = []
@@ -82,8 +97,6 @@ func add(p_frame: SensorFrame, p_table: SuitTable) -> void:
 	if not p_table.is_calibrated:
 		return
 	if absf(p_frame.time_usec - _last_usec) < 1e6 / RATE_HZ:
-		if _poses.size() >= LEAST_POSES:
-			_judge_a_little()
 		return
 	_last_usec = p_frame.time_usec
 	_reset = p_table.reset_pose
@@ -93,42 +106,57 @@ func add(p_frame: SensorFrame, p_table: SuitTable) -> void:
 		var place: int = p_table.places[sensor]
 		if place >= 0 and p_frame.present[sensor] != 0:
 			pose[place] = p_table.rotation(sensor, p_frame.orientation(sensor))
-	_poses.append(pose)
-	if _poses.size() > WINDOW_S * RATE_HZ:
-		_poses.pop_front()
-
-
-func _judge_a_little() -> void:
-	if _next == 0:
-		_excess_now = _total(Vector2i.ZERO)
-		_excess_then.resize(PAIRS.size())
-	elif _next <= PAIRS.size():
-		_excess_then[_next - 1] = _total(PAIRS[_next - 1])
-	else:
+	_rows.append(_judge(pose))
+	_legs.add(pose)
+	if _rows.size() > WINDOW_S * RATE_HZ:
+		_rows.pop_front()
+	_since += 1
+	if _rows.size() >= LEAST_POSES and _since >= RATE_HZ:
+		_since = 0
 		_conclude()
-	_next = (_next + 1) % (PAIRS.size() + 2)
 
 
-## How far all joints are beyond their ranges if two places are exchanged, in the mean, rad;
-## infinite if a place is not worn.
-func _total(p_pair: Vector2i) -> float:
+func _judge(p_pose: Array) -> PackedFloat32Array:
+	var row: PackedFloat32Array = PackedFloat32Array()
+	row.resize(1 + PAIRS.size() + BodyPlaces.COUNT)
+	row.fill(NAN)
+	var joints: int = 1 + PAIRS.size()
+	row[0] = 0.0
+	for place: int in range(1, BodyPlaces.COUNT):
+		if JointRange.knows(place):
+			row[joints + place] = _excess(p_pose, place)
+			row[0] += 0.0 if is_nan(row[joints + place]) else row[joints + place]
+	for at: int in PAIRS.size():
+		var pair: Vector2i = PAIRS[at]
+		if p_pose[pair.x] == null or p_pose[pair.y] == null:
+			continue
+		var exchanged: Array = p_pose.duplicate()
+		exchanged[pair.x] = _moved(p_pose[pair.y], pair.y, pair.x)
+		exchanged[pair.y] = _moved(p_pose[pair.x], pair.x, pair.y)
+		row[1 + at] = row[0]
+		for place: int in _TOUCHED[at]:
+			if not is_nan(row[joints + place]):
+				row[1 + at] += _excess(exchanged, place) - row[joints + place]
+	return row
+
+
+## How far the joint above a place is beyond its range, rad; NaN if an end of it is not known.
+static func _excess(p_pose: Array, p_place: int) -> float:
+	var above: Variant = p_pose[BodyPlaces.PARENTS[p_place]]
+	if p_pose[p_place] == null or above == null:
+		return NAN
+	return JointRange.excess(p_place, above, p_pose[p_place])
+
+
+## The mean of a column of the rows over those that know it; NaN if none does.
+func _mean(p_column: int) -> float:
 	var sum: float = 0.0
-	var judged: int = 0
-	for at: int in range(0, _poses.size(), maxi(_poses.size() / 40, 1)):
-		var pose: Array = _poses[at]
-		if p_pair != Vector2i.ZERO:
-			if pose[p_pair.x] == null or pose[p_pair.y] == null:
-				continue
-			pose = pose.duplicate()
-			var first: Quaternion = pose[p_pair.x]
-			pose[p_pair.x] = _moved(pose[p_pair.y], p_pair.y, p_pair.x)
-			pose[p_pair.y] = _moved(first, p_pair.x, p_pair.y)
-		judged += 1
-		for place: int in BodyPlaces.COUNT:
-			var above: Variant = pose[BodyPlaces.PARENTS[place]] if place > 0 else null
-			if pose[place] != null and above != null:
-				sum += JointRange.excess(place, above, pose[place])
-	return sum / judged if judged > 0 else INF
+	var count: int = 0
+	for row: PackedFloat32Array in _rows:
+		if not is_nan(row[p_column]):
+			sum += row[p_column]
+			count += 1
+	return sum / count if count > 0 else NAN
 
 
 ## What a sensor would have said of another place, had it been calibrated for that.
@@ -140,15 +168,12 @@ func _moved(p_rotation: Quaternion, p_from: int, p_to: int) -> Quaternion:
 
 
 func _conclude() -> void:
-	var best: float = _excess_now
-	for left: float in _excess_then:
-		best = minf(best, left)
 	var found: Array[Vector2i] = []
-	if _excess_now - best > SWAP_RAD and best < minf(_excess_now * EXPLAINS, LEAVES_RAD):
-		for at: int in PAIRS.size():
-			# The first ones are those within an arm or a leg.
-			if found.is_empty() and _excess_then[at] < best + ABOUT_RAD:
-				found.append(PAIRS[at])
+	var pair: Vector2i = _find_swap()
+	if pair == Vector2i.ZERO:
+		pair = _legs.find_swap()
+	if pair != Vector2i.ZERO:
+		found.append(pair)
 	var loose: PackedInt32Array = []
 	if found.is_empty():
 		loose = _find_slipped()
@@ -158,16 +183,39 @@ func _conclude() -> void:
 		changed.emit()
 
 
+## The exchange that brings joints back into their ranges; zero if there is none.
+func _find_swap() -> Vector2i:
+	var now: float = _mean(0)
+	var best: float = now
+	var then: PackedFloat32Array = []
+	for at: int in PAIRS.size():
+		var left: float = _mean(1 + at)
+		then.append(INF if is_nan(left) else left)
+		best = minf(best, then[at])
+	if now - best < SWAP_RAD or best > minf(now * EXPLAINS, LEAVES_RAD):
+		return Vector2i.ZERO
+	var found: Vector2i = Vector2i.ZERO
+	for at: int in PAIRS.size():
+		if then[at] > best + ABOUT_RAD:
+			continue
+		# The first ones are those within an arm or a leg; but hinges tell legs apart better.
+		var legs: float = _legs.total_deg(PAIRS[at])
+		if found == Vector2i.ZERO or legs < _legs.total_deg(found) - 1.0:
+			found = PAIRS[at]
+	return found
+
+
 ## The fewest places that explain all bad joints: those whose every joint is bad, first those with
 ## most joints.
 func _find_slipped() -> PackedInt32Array:
 	var bad: PackedInt32Array = []
 	var good: PackedInt32Array = []
 	for place: int in BodyPlaces.COUNT:
-		var mean: float = _mean_excess(place)
+		# NaN, where nothing is known, is neither.
+		var mean: float = _mean(1 + PAIRS.size() + place)
 		if mean > SLIP_RAD:
 			bad.append(place)
-		elif mean >= 0.0:
+		elif mean <= SLIP_RAD:
 			good.append(place)
 	var found: PackedInt32Array = []
 	while not bad.is_empty():
@@ -194,17 +242,3 @@ static func _joints_of(p_place: int, p_joints: PackedInt32Array) -> PackedInt32A
 		if joint == p_place or BodyPlaces.PARENTS[joint] == p_place:
 			found.append(joint)
 	return found
-
-
-## Mean excess of the joint above a place, rad; -1 if it is not known.
-func _mean_excess(p_place: int) -> float:
-	if p_place == BodyPlaces.PELVIS or not JointRange.knows(p_place):
-		return -1.0
-	var above: int = BodyPlaces.PARENTS[p_place]
-	var sum: float = 0.0
-	var count: int = 0
-	for pose: Array in _poses:
-		if pose[p_place] != null and pose[above] != null:
-			sum += JointRange.excess(p_place, pose[above], pose[p_place])
-			count += 1
-	return sum / count if count > 0 else -1.0

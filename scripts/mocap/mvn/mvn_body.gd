@@ -46,30 +46,34 @@ func take_scale(p_scale: Dictionary) -> bool:
 	return is_measured
 
 
-## Takes what a pose tells, as long as there are no scale data.
+## Takes where the limbs of a pose are ([member MotionDetails.positions]), as long as there are no
+## scale data.
 func take_pose(p_places: PackedVector3Array) -> void:
-	if is_measured or not _take_places(p_places):
+	if is_measured or p_places.size() != Limbs.COUNT:
 		return
-	# The ankle is about 0.074 of the leg above the sole (Winter), the hips' middle at the hip joints.
+	var segments: PackedVector3Array = []
+	segments.resize(MvnSegments.COUNT)
+	segments.fill(Vector3(NAN, NAN, NAN))
+	for limb: int in Limbs.COUNT:
+		segments[MvnSegments.OF_LIMBS[limb]] = p_places[limb]
+	_take_places(segments)
+	# The ankle is about 0.08 of the leg above the sole, the hips' middle at the hip joints.
 	var leg: float = (lengths[10] + lengths[11] + lengths[13] + lengths[14]) / 2.0
 	if leg > 0.3 and leg < 1.6:
 		hip_height = leg * 1.08
 
 
 func _take_places(p_places: PackedVector3Array) -> bool:
-	var found: PackedFloat32Array = []
-	found.resize(Limbs.COUNT)
 	for limb: int in Limbs.COUNT:
 		var segment: int = MvnSegments.OF_LIMBS[limb]
 		var tail: int = _tail(segment)
 		if tail < 0:
 			continue
 		var length: float = p_places[segment].distance_to(p_places[tail])
-		# Written so that NaN fails too.
-		if not (length < 1.0):
+		if length >= 1.0:
 			return false
-		found[limb] = length
-	lengths = found
+		# Where the tail is not known, its length is not a number.
+		lengths[limb] = length if length > 0.0 else 0.0
 	return true
 
 

@@ -1,145 +1,141 @@
 class_name MvnPose
 extends RefCounted
-## Makes poses of MVN's samples (types 01, 02 and 05, see [MvnReceiver]).
+## Makes poses of MVN's samples (types 01, 02 and 05, see [MvnReceiver]), one after the other.
 ##
-## MVN calibrates its wearers itself: its segments have no rotation in the T-pose, which is the
-## reset pose of [Limbs].
+## What a segment is and where it points is told by [MvnSegments]; here samples are put into its
+## order, and what only shows over time is looked after.
 
 ## Further from the pelvis than that no segment is, m: such places are in centimetres.
 const MOST_REACH: float = 5.0
+## The stream's frame by type.
+const FRAMES: Dictionary[int, SourceFrames.Frame] = {
+	1: SourceFrames.Frame.MVN_Y_UP,
+	2: SourceFrames.Frame.XSENS,
+	5: SourceFrames.Frame.MVN_UNITY,
+}
+## Joints of one hand in the order of its segments, as steps from the first joint of the thumb; the
+## carpus, which comes before them, goes with the hand.
+const _FINGER_STEPS: Array[int] = [
+	0, 1, 2, 4, 5, 6, 7, 9, 10, 11, 12, 14, 15, 16, 17, 19, 20, 21, 22
+]
+## Segments of two hands.
+const _FINGERS: int = 40
 
 ## Metres of the stream's unit of length; 0: as the type has it, and centimetres where metres cannot
 ## be.
 var unit_m: float = 0.0
-## The newest rotations of the 23 segments in the world, from the reset pose.
-var rotations: Array[Quaternion] = []
-## Where the 23 segments begin in the world, m.
-var places: PackedVector3Array = PackedVector3Array()
 
-var _unity_order: PackedByteArray = MvnEncoder.get_unity_order()
 var _is_cm: bool = false
-var _known: PackedByteArray = PackedByteArray()
-
-
-func _init() -> void:
-	rotations.resize(MvnSegments.COUNT)
-	rotations.fill(Quaternion.IDENTITY)
-	places.resize(MvnSegments.COUNT)
-	_known.resize(MvnSegments.COUNT)
+var _last: PoseSample = null
 
 
 ## The pose of a sample, or null if it has none.
 func read(p_sample: Dictionary) -> PoseSample:
-	_known.fill(0)
+	var type: int = p_sample["type"]
+	var wxyz: PackedFloat32Array = _rotations(p_sample)
+	var present: PackedByteArray = p_sample.get("present", PackedByteArray())
+	present = present.slice(0, MvnSegments.COUNT)
 	var segments: PackedInt32Array = p_sample["segments"]
-	for item: int in mini(segments.size(), MvnSegments.COUNT):
-		var place: int = _place_of(p_sample["type"], segments, item)
-		_take(p_sample, item, place)
-	if _known[0] == 0:
+	var pose: PoseSample = null
+	if segments.size() >= MvnSegments.COUNT:
+		pose = MvnSegments.pose(wxyz, p_sample["positions"], FRAMES[type], present)
+	elif type != 5:
+		pose = _read_some(p_sample, wxyz)
+	if pose == null:
 		return null
-	if p_sample["type"] == 5:
-		_chain()
-	_fill()
-	_find_unit(p_sample["type"])
-	return _make(p_sample)
-
-
-## Which segment an item is: its number, or its place in the datagram where numbers are odd.
-func _place_of(p_type: int, p_segments: PackedInt32Array, p_item: int) -> int:
-	if p_type == 5:
-		return _unity_order[p_item]
-	if p_segments.size() >= MvnSegments.COUNT:
-		return p_item
-	# Not all are sent: only the numbers tell.
-	return clampi(p_segments[p_item] - 1, 0, MvnSegments.COUNT - 1)
-
-
-func _take(p_sample: Dictionary, p_item: int, p_place: int) -> void:
-	var turn: Quaternion = _rotation(p_sample, p_item)
-	# A rotation has two quaternions; the nearer one keeps filters behind it steady.
-	if turn.dot(rotations[p_place]) < 0.0:
-		turn = -turn
-	rotations[p_place] = turn
-	places[p_place] = SourceFrames.place(p_sample["positions"][p_item], _frame(p_sample["type"]))
-	_known[p_place] = 1
-
-
-func _rotation(p_sample: Dictionary, p_item: int) -> Quaternion:
-	if p_sample["type"] == 1:
-		return SourceFrames.rotation_from_euler(p_sample["euler"][p_item])
-	var wxyz: PackedFloat32Array = p_sample["orientations"]
-	var at: int = p_item * 4
-	var frame: SourceFrames.Frame = _frame(p_sample["type"])
-	return (
-		SourceFrames.rotation(wxyz[at], wxyz[at + 1], wxyz[at + 2], wxyz[at + 3], frame).normalized()
-	)
-
-
-static func _frame(p_type: int) -> SourceFrames.Frame:
-	match p_type:
-		1:
-			return SourceFrames.Frame.MVN_Y_UP
-		5:
-			return SourceFrames.Frame.MVN_UNITY
-	return SourceFrames.Frame.XSENS
-
-
-## In type 05 only the pelvis is global, all others refer to the segment before them.
-func _chain() -> void:
-	for place: int in range(1, MvnSegments.COUNT):
-		var parent: int = MvnSegments.PARENTS[place]
-		places[place] = places[parent] + rotations[parent] * places[place]
-		rotations[place] = (rotations[parent] * rotations[place]).normalized()
-
-
-## Segments that were not sent go with the segment before them.
-func _fill() -> void:
-	for place: int in range(1, MvnSegments.COUNT):
-		if _known[place] == 0:
-			rotations[place] = rotations[MvnSegments.PARENTS[place]]
-			places[place] = places[MvnSegments.PARENTS[place]]
-
-
-func _find_unit(p_type: int) -> void:
-	var scale: float = unit_m
-	if p_type == 1 and unit_m > 0.0:
-		scale = unit_m / 0.01
-	if unit_m <= 0.0:
-		if p_type != 1 and not _is_cm:
-			for place: Vector3 in places:
-				_is_cm = _is_cm or place.distance_to(places[0]) > MOST_REACH
-		scale = 0.01 if p_type != 1 and _is_cm else 1.0
-	if scale != 1.0:
-		for place: int in places.size():
-			places[place] *= scale
-
-
-func _make(p_sample: Dictionary) -> PoseSample:
-	var pose: PoseSample = PoseSample.new()
-	var details: MotionDetails = MotionDetails.new()
-	details.positions.resize(Limbs.COUNT)
-	details.measured.resize(Limbs.COUNT)
-	for limb: int in Limbs.COUNT:
-		var segment: int = MvnSegments.OF_LIMBS[limb]
-		pose.set_orientation(limb, rotations[segment])
-		details.positions[limb] = places[segment]
-		details.measured[limb] = _known[segment]
-	for segment: int in MvnSegments.JOINTS:
-		details.joints[MvnSegments.JOINTS[segment]] = rotations[segment]
-	if p_sample["fingers"] == MvnSegments.FINGERS and p_sample["type"] != 5:
-		_take_fingers(p_sample, details)
-	details.counter = p_sample["sample"]
-	pose.details = details
-	pose.root = places[0]
+	if p_sample["fingers"] == _FINGERS and type != 5:
+		_take_fingers(p_sample, wxyz, pose.details)
+	_keep_signs(pose)
+	_scale(pose, type)
+	pose.details.counter = p_sample["sample"]
 	pose.time_usec = p_sample["time_usec"]
+	_last = pose
 	return pose
 
 
-func _take_fingers(p_sample: Dictionary, r_details: MotionDetails) -> void:
-	var first: int = MvnSegments.COUNT + int(p_sample["props"])
+## Fewer segments than a body has: only their numbers tell which.
+func _read_some(p_sample: Dictionary, p_wxyz: PackedFloat32Array) -> PoseSample:
+	var wxyz: PackedFloat32Array = []
+	wxyz.resize(MvnSegments.COUNT * 4)
+	var places: PackedVector3Array = []
+	places.resize(MvnSegments.COUNT)
+	var present: PackedByteArray = []
+	present.resize(MvnSegments.COUNT)
 	var segments: PackedInt32Array = p_sample["segments"]
-	var has_presence: bool = p_sample.has("present")
-	for finger: int in mini(segments.size() - first, MvnSegments.FINGERS):
-		var joint: int = MvnSegments.finger_joint(finger)
-		if joint >= 0 and (not has_presence or p_sample["present"][first + finger] != 0):
-			r_details.joints[joint] = _rotation(p_sample, first + finger)
+	for item: int in segments.size():
+		var place: int = segments[item] - 1
+		if place < 0 or place >= MvnSegments.COUNT:
+			continue
+		for part: int in 4:
+			wxyz[place * 4 + part] = p_wxyz[item * 4 + part]
+		places[place] = p_sample["positions"][item]
+		present[place] = 1
+	return MvnSegments.pose(wxyz, places, FRAMES[p_sample["type"]], present)
+
+
+## Of all items, as w, x, y, z in the stream's frame.
+static func _rotations(p_sample: Dictionary) -> PackedFloat32Array:
+	if p_sample["type"] != 1:
+		return p_sample["orientations"]
+	var wxyz: PackedFloat32Array = []
+	for angles: Vector3 in p_sample["euler"]:
+		var turn: Quaternion = SourceFrames.rotation_from_euler(angles)
+		wxyz.append_array([turn.w, turn.x, turn.y, turn.z])
+	return wxyz
+
+
+## A rotation has two quaternions; the one nearer to the last keeps filters behind it steady.
+func _keep_signs(r_pose: PoseSample) -> void:
+	if _last == null:
+		return
+	for limb: int in Limbs.COUNT:
+		var turn: Quaternion = r_pose.orientation(limb)
+		if turn.dot(_last.orientation(limb)) < 0.0:
+			r_pose.set_orientation(limb, -turn)
+
+
+func _scale(r_pose: PoseSample, p_type: int) -> void:
+	var scale: float = 1.0
+	if unit_m > 0.0:
+		scale = unit_m / 0.01 if p_type == 1 else unit_m
+	elif p_type != 1:
+		for place: Vector3 in r_pose.details.positions:
+			_is_cm = _is_cm or place.distance_to(r_pose.root) > MOST_REACH
+		scale = 0.01 if _is_cm else 1.0
+	if scale != 1.0:
+		r_pose.root *= scale
+		for at: int in r_pose.details.positions.size():
+			r_pose.details.positions[at] *= scale
+
+
+## Behind the body come props, then the left hand, then the right one.
+static func _take_fingers(
+	p_sample: Dictionary, p_wxyz: PackedFloat32Array, r_details: MotionDetails
+) -> void:
+	var first: int = MvnSegments.COUNT + int(p_sample["props"])
+	var present: PackedByteArray = p_sample.get("present", PackedByteArray())
+	var count: int = (p_sample["segments"] as PackedInt32Array).size()
+	var frame: SourceFrames.Frame = FRAMES[p_sample["type"]]
+	for finger: int in mini(count - first, _FINGERS):
+		var item: int = first + finger
+		var joint: int = finger_joint(finger)
+		if joint < 0 or (item < present.size() and present[item] == 0):
+			continue
+		var at: int = item * 4
+		var turn: Quaternion = SourceFrames.rotation(
+			p_wxyz[at], p_wxyz[at + 1], p_wxyz[at + 2], p_wxyz[at + 3], frame
+		)
+		r_details.joints[joint] = turn.normalized()
+
+
+## The joint of a finger's segment, counted from the left carpus; -1 for the two carpi.
+static func finger_joint(p_finger: int) -> int:
+	@warning_ignore("integer_division")
+	var of_hand: int = _FINGERS / 2
+	var step: int = p_finger % of_hand - 1
+	if step < 0:
+		return -1
+	var thumb: int = XRBodyTracker.JOINT_LEFT_THUMB_METACARPAL
+	if p_finger >= of_hand:
+		thumb = XRBodyTracker.JOINT_RIGHT_THUMB_METACARPAL
+	return thumb + _FINGER_STEPS[step]

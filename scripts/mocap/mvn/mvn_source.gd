@@ -15,7 +15,7 @@ var _mutex: Mutex = Mutex.new()
 var _pose: MvnPose = MvnPose.new()
 var _body: MvnBody = MvnBody.new()
 var _newest: PoseSample = null
-var _fresh: PoseSample = null
+var _poses: LivePoses = LivePoses.new()
 var _figures: Dictionary = {}
 
 
@@ -85,11 +85,10 @@ func describe() -> String:
 	return "%s of MVN at %s, %.0f Hz" % [who, _figures.get("sender", "nobody yet"), rate]
 
 
-func _read(_p_time_usec: int) -> PoseSample:
+func _read(p_time_usec: int) -> PoseSample:
 	_mutex.lock()
 	_pump()
-	var pose: PoseSample = _fresh
-	_fresh = null
+	var pose: PoseSample = _poses.at(p_time_usec)
 	_mutex.unlock()
 	return pose
 
@@ -102,6 +101,6 @@ func _pump() -> void:
 		var pose: PoseSample = _pose.read(sample)
 		if pose != null and pose.find_fault() == "":
 			_newest = pose
-			_fresh = pose
-	if not _body.is_measured:
-		_body.take_pose(_pose.places)
+			_poses.push(pose)
+	if not _body.is_measured and _newest != null:
+		_body.take_pose(_newest.details.positions)

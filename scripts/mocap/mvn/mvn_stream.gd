@@ -28,9 +28,10 @@ var unit_m: float = 0.0
 var people: Dictionary[int, MvnSource] = {}
 ## Trackers of those who have no pose, by the number of their character.
 var trackers: Dictionary[int, MvnTrackerFeed] = {}
+## Who is in the stream and how their samples come, see [method MvnReceiver.get_characters].
+var characters: Array[Dictionary] = []
 
 var _seen_s: Dictionary[int, float] = {}
-var _characters: Array[Dictionary] = []
 var _looked_s: float = -INF
 
 
@@ -45,7 +46,7 @@ func open(p_port: int = DEFAULT_PORT) -> String:
 ## Closes the port; everybody vanishes.
 func close() -> void:
 	receiver.close()
-	_characters = []
+	characters = []
 	_forget_gone()
 
 
@@ -59,8 +60,8 @@ func advance() -> void:
 		Log.info("mvn", line)
 	for message: String in receiver.take_messages():
 		Log.limited("mvn", message, message)
-	_characters = receiver.get_characters()
-	for figures: Dictionary in _characters:
+	characters = receiver.get_characters()
+	for figures: Dictionary in characters:
 		_take(figures, now_s)
 	_forget_gone()
 
@@ -68,7 +69,7 @@ func advance() -> void:
 ## What is wrong with the stream, for the screen; empty if nothing is.
 func trouble() -> String:
 	var texts: PackedStringArray = []
-	for figures: Dictionary in _characters:
+	for figures: Dictionary in characters:
 		if figures["trouble"] != "":
 			texts.append("MVN: %s" % figures["trouble"])
 	var refused: int = receiver.get_figures()["refused"]
@@ -81,14 +82,52 @@ func trouble() -> String:
 func describe() -> String:
 	if receiver.get_port() == 0:
 		return "MVN's stream is not open"
-	if _characters.is_empty():
+	if characters.is_empty():
 		return "no MVN on UDP port %d yet" % receiver.get_port()
-	return "%d people of MVN on UDP port %d" % [_characters.size(), receiver.get_port()]
+	return "%d people of MVN on UDP port %d" % [characters.size(), receiver.get_port()]
 
 
-## Who is there and how their samples come, see [method MvnReceiver.get_characters].
+## For the panel: the port, and everybody in the stream; see [constant DeviceList.KEYS].
 func list_devices() -> Array[Dictionary]:
-	return _characters
+	var refused: int = receiver.get_figures()["refused"]
+	var port: String = "UDP port %d" % receiver.get_port()
+	if receiver.get_port() == 0:
+		port = "recorded"
+	var rows: Array[Dictionary] = [
+		{
+			"name": "MVN (%s)" % port,
+			"state": "receives" if not characters.is_empty() else "waits",
+			"detail": "%d bad datagrams" % refused if refused > 0 else "",
+			"advice": "",
+		}
+	]
+	for figures: Dictionary in characters:
+		rows.append(_row(figures))
+	return rows
+
+
+static func _row(p_figures: Dictionary) -> Dictionary:
+	var details: PackedStringArray = ["%.0f Hz" % p_figures["rate_hz"]]
+	var lost: int = p_figures["lost"]
+	if lost > 0:
+		var share: float = 100.0 * lost / maxi(lost + p_figures["samples"], 1)
+		details.append("%d lost (%.1f %%)" % [lost, share])
+	for key: String in ["incomplete", "late"]:
+		if p_figures[key] > 0:
+			details.append("%d %s" % [p_figures[key], key])
+	if p_figures["age_s"] > 0.5:
+		details.append("last %.1f s ago" % p_figures["age_s"])
+	var types: PackedStringArray = []
+	for type: int in p_figures["types"]:
+		types.append("%02d" % type)
+	details.append("types %s" % " ".join(types))
+	var who: String = p_figures["name"] if p_figures["name"] != "" else "no name"
+	return {
+		"name": "MVN %d: %s (%s)" % [p_figures["number"], who, p_figures["sender"]],
+		"state": "streams" if p_figures["age_s"] <= 0.5 else "silent",
+		"detail": ", ".join(details),
+		"advice": p_figures["trouble"],
+	}
 
 
 func _take(p_figures: Dictionary, p_now_s: float) -> void:
@@ -115,9 +154,7 @@ func _take(p_figures: Dictionary, p_now_s: float) -> void:
 
 
 func _forget_gone() -> void:
-	var here: Array = _characters.map(
-		func(p_figures: Dictionary) -> int: return p_figures["number"]
-	)
+	var here: Array = characters.map(func(p_figures: Dictionary) -> int: return p_figures["number"])
 	for number: int in people.keys():
 		if not here.has(number):
 			var source: MvnSource = people[number]

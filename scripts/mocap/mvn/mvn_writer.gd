@@ -2,7 +2,7 @@ class_name MvnWriter
 extends RefCounted
 ## Writes a person's poses as MVN would: for trying and testing without a suit.
 ##
-## Limbs are the segments that [MvnSegments] says; the others lie between them. What MVN measures
+## Limbs are the segments that [MvnSegments] tells; the others lie between them. What MVN measures
 ## (accelerations, fields) follows from the motion.
 
 ## Types that it can write.
@@ -16,7 +16,6 @@ var character: int = 0
 var name: String = "Dismount"
 
 var _rest: PackedVector3Array = PackedVector3Array()
-var _unity_order: PackedByteArray = MvnEncoder.get_unity_order()
 var _turns: Array[Quaternion] = []
 var _places: PackedVector3Array = PackedVector3Array()
 var _velocities: PackedVector3Array = PackedVector3Array()
@@ -116,7 +115,7 @@ func _write_pose(p_type: int, r_written: Dictionary) -> void:
 	var euler: PackedVector3Array = []
 	var wxyz: PackedFloat32Array = []
 	for item: int in MvnSegments.COUNT:
-		var segment: int = _unity_order[item] if p_type == 5 else item
+		var segment: int = MvnSegments.UNITY_ORDER[item] if p_type == 5 else item
 		var place: Vector3 = _places[segment]
 		var turn: Quaternion = _turns[segment]
 		ids.append(item + 1 if p_type != 3 else (item + 1) * 256)
@@ -180,7 +179,7 @@ func _write_motion(p_type: int, r_written: Dictionary) -> void:
 	var wxyz: PackedFloat32Array = []
 	var own: Array[PackedVector3Array] = [[], [], [], []]
 	for segment: int in MvnSegments.COUNT:
-		if p_type == 23 and not MvnSegments.SENSOR_PLACES.has(segment):
+		if p_type == 23 and MvnSegments.PLACES[segment] == &"":
 			continue
 		var turn: Quaternion = _turns[segment]
 		var back: Quaternion = turn.inverse()

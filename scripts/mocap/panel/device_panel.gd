@@ -65,7 +65,7 @@ func _ready() -> void:
 	_refresh()
 
 
-## Shows suits, one for each person.
+## Shows suits, one for each person. Those that the caller adds to the array later are shown too.
 func show_suits(p_suits: Array[SuitSource]) -> void:
 	_suits = p_suits
 	_at = clampi(_at, 0, maxi(_suits.size() - 1, 0))
@@ -102,6 +102,8 @@ func start_calibration(p_kind: CalibrationGuide.Kind) -> void:
 
 
 func _process(_delta: float) -> void:
+	if is_visible_in_tree() and _person.suits().item_count != _suits.size():
+		choose_suit(_at)
 	if drives:
 		for each: SuitSource in _suits:
 			each.advance(_now_s())

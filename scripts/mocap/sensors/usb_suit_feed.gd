@@ -97,6 +97,14 @@ func describe() -> String:
 	return "%d trackers on USB" % _sensors.size()
 
 
+## Whether every device that answers measures: none is still being set up.
+func is_settled() -> bool:
+	for device: Dictionary in devices:
+		if device["is_open"] and device["id"] != 0 and not device["measures"]:
+			return false
+	return true
+
+
 ## The devices in plain words, for a panel: name, state, detail and advice, texts all.
 func list_devices() -> Array[Dictionary]:
 	var rows: Array[Dictionary] = []

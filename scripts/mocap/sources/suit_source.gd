@@ -20,17 +20,23 @@ var feed: SensorFeed = null
 var process: CalibrationProcess = CalibrationProcess.new()
 ## The newest frame that [method advance] saw, or null.
 var newest_frame: SensorFrame = null
-## The newest pose that [method advance] saw, or null before calibration.
+## The newest pose that [method advance] saw, or null before calibration. While a result waits to
+## be taken over, the pose as it would be then.
 var newest_pose: PoseSample = null
 ## Finds sensors that are exchanged or sit wrongly.
 var watch: WearWatch = WearWatch.new()
 
+# What a result would make of the frames.
+var _trial: SuitTable = null
+# Of the thread that samples alone.
+var _poses: LivePoses = LivePoses.new()
+var _poses_of: SuitTable = null
 # Shared between threads and guarded.
 var _mutex: Mutex = Mutex.new()
 var _profile: PersonProfile = PersonProfile.new()
 var _table: SuitTable = SuitTable.new()
 var _revision: int = -1
-var _fresh: SensorFrame = null
+var _unread: Array[SensorFrame] = []
 var _recent: Array[SensorFrame] = []
 var _faulty: int = 0
 
@@ -129,7 +135,7 @@ func advance(p_now_s: float) -> void:
 			watch.add(frame, table)
 		newest_frame = frame
 	if not frames.is_empty():
-		newest_pose = table.pose(frames[frames.size() - 1])
+		newest_pose = _table_to_show(table).pose(frames[frames.size() - 1])
 	var ran: bool = process.is_running()
 	process.advance(p_now_s)
 	if ran and process.phase == CalibrationProcess.Phase.DONE:
@@ -156,14 +162,21 @@ func describe() -> String:
 	return "%s, worn by %s" % [feed.describe(), get_profile().name]
 
 
-func _read(_p_time_usec: int) -> PoseSample:
+func _read(p_time_usec: int) -> PoseSample:
 	_mutex.lock()
 	_pump()
-	var frame: SensorFrame = _fresh
-	_fresh = null
+	var frames: Array[SensorFrame] = _unread
+	_unread = []
 	var table: SuitTable = _table
 	_mutex.unlock()
-	return table.pose(frame) if frame != null else null
+	if table != _poses_of:
+		_poses_of = table
+		_poses.clear()
+	for frame: SensorFrame in frames.slice(-LivePoses.MOST):
+		var pose: PoseSample = table.pose(frame)
+		if pose != null:
+			_poses.push(pose)
+	return _poses.at(p_time_usec)
 
 
 ## Takes what the feed has. The mutex is held.
@@ -182,15 +195,34 @@ func _pump() -> void:
 			Log.limited("mocap", "frame", "a sample of the suit is dropped: " + frame.find_fault())
 			continue
 		_table.remember(frame)
-		_fresh = frame
+		_unread.append(frame)
+		if _unread.size() > MOST_RECENT:
+			_unread.pop_front()
 		_recent.append(frame)
 		if _recent.size() > MOST_RECENT:
 			_recent.pop_front()
 
 
-## The profile; who has no map yet gets the usual one for these sensors.
+## The table of a result that waits, or else the one in force.
+func _table_to_show(p_table: SuitTable) -> SuitTable:
+	if process.phase != CalibrationProcess.Phase.DONE or process.result.calibration == null:
+		_trial = null
+		return p_table
+	if _trial == null:
+		var profile: PersonProfile = _copy_profile()
+		profile.calibration = process.result.calibration
+		_trial = SuitTable.new()
+		_trial.setup(feed.list_sensors(), profile)
+	_trial.remember(newest_frame)
+	return _trial
+
+
+## The profile; who has no map yet, or one of other sensors, gets the usual one for these.
 func _profile_for(p_sensors: Array[SensorInfo]) -> PersonProfile:
-	if not _profile.map.places.is_empty() or p_sensors.is_empty():
+	var knows: bool = p_sensors.is_empty()
+	for sensor: SensorInfo in p_sensors:
+		knows = knows or _profile.map.places.has(sensor.id) and not _profile.map.is_guessed
+	if knows:
 		return _profile
 	var found: PersonProfile = _copy(_profile)
 	found.map = SensorMap.guess(p_sensors)

@@ -52,6 +52,8 @@ func publish(p_pose: PoseSample) -> void:
 		_place_joint(HumanoidAxes.JOINTS[limb], _figure.bases[limb])
 	for joint: int in HumanoidAxes.OTHERS:
 		_publish_other(joint as XRBodyTracker.Joint, p_pose)
+	for hand: int in 2:
+		_publish_fingers(hand, p_pose)
 	_set_joint(XRBodyTracker.JOINT_HEAD_TIP, 3, p_pose.orientation(3), p_pose)
 	_place_joint(XRBodyTracker.JOINT_HEAD_TIP, _figure.tails[3])
 	var facing: Quaternion = Rotations.yaw(Rotations.yaw_of(p_pose.orientation(Limbs.ROOT)))
@@ -101,6 +103,31 @@ func _publish_other(p_joint: XRBodyTracker.Joint, p_pose: PoseSample) -> void:
 	var place: Vector3 = _figure.attached(limb, rest, p_pose)
 	tracker.set_joint_transform(p_joint, Transform3D(Basis(turn * axes), place))
 	tracker.set_joint_flags(p_joint, _VALID)
+
+
+## Fingers, if the source knows any of that hand; those that it does not know follow their parents.
+func _publish_fingers(p_hand: int, p_pose: PoseSample) -> void:
+	var known: Dictionary[int, Quaternion] = {}
+	if p_pose.details != null:
+		known = p_pose.details.joints
+	var joints: PackedInt32Array = FingerJoints.of_hand(p_hand)
+	if not Array(joints).any(func(joint: int) -> bool: return known.has(joint)):
+		return
+	var limb: int = 6 if p_hand == 0 else 9
+	var length: float = _figure.rest_base(limb).distance_to(_figure.rest_tail(limb))
+	var hand: int = HumanoidAxes.JOINTS[limb]
+	var turns: Dictionary[int, Quaternion] = {hand: p_pose.orientation(limb)}
+	var places: Dictionary[int, Vector3] = {hand: _figure.bases[limb]}
+	for joint: int in joints:
+		var above: int = FingerJoints.parent_of(joint)
+		var offset: Vector3 = FingerJoints.offset_of(joint, length)
+		turns[joint] = known.get(joint, turns[above])
+		places[joint] = places[above] + turns[above] * offset
+		var turn: Quaternion = turns[joint] * HumanoidAxes.of_bone(FingerJoints.bone_of(joint))
+		var at: Transform3D = Transform3D(Basis(turn), places[joint])
+		tracker.set_joint_transform(joint as XRBodyTracker.Joint, at)
+		tracker.set_joint_flags(joint as XRBodyTracker.Joint, _VALID)
+	tracker.body_flags |= XRBodyTracker.BODY_FLAG_HANDS_SUPPORTED
 
 
 func _set_joint(

@@ -105,6 +105,10 @@ func _pose_of(p_tracker: XRBodyTracker) -> PoseSample:
 	for joint: int in HumanoidAxes.OTHERS:
 		if _is_turned(p_tracker, joint):
 			pose.details.joints[joint] = _turn(p_tracker, joint)
+	for hand: int in 2:
+		for joint: int in FingerJoints.of_hand(hand):
+			if _is_turned(p_tracker, joint):
+				pose.details.joints[joint] = _turn(p_tracker, joint)
 	_measure(p_tracker)
 	pose.root = Vector3(0.0, get_hip_height(), 0.0)
 	if _is_placed(p_tracker, XRBodyTracker.JOINT_HIPS):
@@ -134,7 +138,9 @@ func _measure(p_tracker: XRBodyTracker) -> void:
 static func _turn(p_tracker: XRBodyTracker, p_joint: int) -> Quaternion:
 	var joint: XRBodyTracker.Joint = p_joint as XRBodyTracker.Joint
 	var bone: StringName = HumanoidAxes.OTHERS.get(p_joint, &"")
-	if bone == &"":
+	if FingerJoints.hand_of(p_joint) >= 0:
+		bone = FingerJoints.bone_of(p_joint)
+	elif bone == &"":
 		bone = Limbs.BONES[HumanoidAxes.JOINTS.find(joint)]
 	var turned: Basis = p_tracker.get_joint_transform(joint).basis
 	return (turned.get_rotation_quaternion() * HumanoidAxes.of_bone(bone).inverse()).normalized()

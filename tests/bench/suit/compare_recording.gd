@@ -1,18 +1,22 @@
 extends SceneTree
 ## How far a person in an observer's recording is from a motion file, degrees.
 ##
-## --recording=FILE --bvh=FILE --from=S --seconds=S. The recording begins at some moment of the clip:
-## the one at which they agree best, found first coarsely, then exactly, is taken. Prints JSON: mean,
-## p95, offset_s, limbs (mean of each), count.
+## --recording=FILE --bvh=FILE --from=S --to=S (of the clip). The recording begins at some moment of the
+## clip: the one at which they agree best, found first coarsely, then exactly, is taken. Prints JSON:
+## mean and p95 of the limbs that a suit of 17 trackers measures, offset_s, limbs (mean of each), count.
 
 ## Step of the coarse search, s, and how many snapshots it looks at.
 const COARSE_S: float = 0.1
 const LOOKS: int = 40
+## The limb that no tracker of a suit sits on.
+const FILLED: int = 1
 
 var _replica: WorldReplica = WorldReplica.new()
 var _times: PackedFloat64Array = PackedFloat64Array()
 var _poses: Array[Array] = []
 var _clip: BvhSource = BvhSource.new()
+var _from: float = 0.0
+var _until: float = 0.0
 
 
 func _init() -> void:
@@ -29,13 +33,13 @@ func _init() -> void:
 		printerr(fault)
 		quit(1)
 		return
-	var from: float = options.get("from", "0").to_float()
-	var until: float = from + options.get("seconds", "1e9").to_float()
+	_from = options.get("from", "0").to_float()
+	_until = options.get("to", "1e9").to_float()
 	player.world_received.connect(
 		func(world: WorldDescription, _bytes: PackedByteArray) -> void: _replica.describe(world)
 	)
 	player.restarted.connect(_replica.clear)
-	player.snapshot_received.connect(_take.bind(from, until))
+	player.snapshot_received.connect(_take)
 	player.advance(1e6)
 	if _poses.is_empty():
 		printerr("nobody is in the recording at that time")
@@ -45,8 +49,8 @@ func _init() -> void:
 	quit()
 
 
-func _take(p_bytes: PackedByteArray, p_time_s: float, p_from: float, p_until: float) -> void:
-	if not _replica.take(p_bytes, p_time_s) or p_time_s < p_from or p_time_s > p_until:
+func _take(p_bytes: PackedByteArray, p_time_s: float) -> void:
+	if not _replica.take(p_bytes, p_time_s):
 		return
 	var people: PackedInt32Array = _replica.told_people()
 	var time: float = _replica.told_tick() / 60.0
@@ -84,9 +88,11 @@ func _mean_error(p_offset_s: float, p_every: int) -> float:
 	var sum: float = 0.0
 	var count: int = 0
 	for at: int in range(0, _poses.size(), p_every):
-		for error: float in _errors(at, p_offset_s):
-			sum += error
-			count += 1
+		var errors: PackedFloat64Array = _errors(at, p_offset_s)
+		for limb: int in Limbs.COUNT:
+			if limb != FILLED:
+				sum += errors[limb]
+				count += 1
 	return sum / count
 
 
@@ -102,17 +108,24 @@ func _errors(p_at: int, p_offset_s: float) -> PackedFloat64Array:
 func _print(p_offset_s: float) -> void:
 	var all: Statistics = Statistics.new()
 	var limbs: Dictionary[StringName, float] = {}
+	var count: int = 0
 	for at: int in _poses.size():
+		var moment: float = _times[at] - _times[0] + p_offset_s
+		if moment < _from or moment > _until:
+			continue
+		count += 1
 		var errors: PackedFloat64Array = _errors(at, p_offset_s)
 		for limb: int in Limbs.COUNT:
-			all.add(errors[limb])
-			var bone: StringName = Limbs.BONES[limb]
-			limbs[bone] = limbs.get(bone, 0.0) + errors[limb] / _poses.size()
+			if limb != FILLED:
+				all.add(errors[limb])
+			limbs[Limbs.BONES[limb]] = limbs.get(Limbs.BONES[limb], 0.0) + errors[limb]
+	for bone: StringName in limbs:
+		limbs[bone] /= count
 	var found: Dictionary = {
 		"mean": all.mean(),
 		"p95": all.percentile(0.95),
 		"offset_s": p_offset_s,
-		"count": _poses.size(),
+		"count": count,
 		"limbs": limbs,
 	}
 	print(JSON.stringify(found))

@@ -123,6 +123,16 @@ func test_the_other_pose_tells_who_is_off() -> void:
 	contains(", ".join(result.advice), "left upper arm was 27° away")
 
 
+func test_a_heading_that_drifts_between_the_poses_is_named() -> void:
+	var wearer: Wearer = _wearer(0.0)
+	wearer.feed.drifts_deg.resize(17)
+	wearer.feed.drifts_deg[12] = 2.0
+	var result: CalibrationResult = wearer.calibrate(CalibrationGuide.Kind.T_TO_N)
+	contains(result.advice, "left shank turned by 10° between the poses: a step, or drift?")
+	equal(result.find(12).grade(), "moved", "4 degrees within the pose")
+	equal(result.find(13).grade(), "good")
+
+
 func test_a_wearer_who_is_not_perfect() -> void:
 	# Feet that stand apart by 8 degrees, arms that hang 7 degrees off, 6 degrees of lazy arms.
 	var wearer: Wearer = _wearer(0.4)

@@ -4,6 +4,7 @@ extends TestCase
 const CLIPS: PackedStringArray = ["01_01.bvh", "01_03.bvh", "Boxing_Toes.bvh"]
 
 var _random: RandomNumberGenerator = RandomNumberGenerator.new()
+var _faults: Dictionary[int, Quaternion] = {}
 
 
 func before_each() -> void:
@@ -11,7 +12,7 @@ func before_each() -> void:
 
 
 func time_limit() -> float:
-	return 60.0
+	return 120.0
 
 
 func test_no_false_alarm_on_any_clip_and_layout() -> void:
@@ -24,30 +25,59 @@ func test_no_false_alarm_on_any_clip_and_layout() -> void:
 				equal(watch.messages().size(), 0, "%s, %d sensors: %s" % parts)
 
 
+func test_no_false_alarm_for_a_careless_wearer_with_noisy_drifting_sensors() -> void:
+	for clip: String in CLIPS:
+		for count: int in [17, 10]:
+			var places: PackedInt32Array = SensorMap.layout(count)
+			var feed: WornSensorFeed = WornSensorFeed.new()
+			feed.random = _random
+			feed.noise_deg = 0.7
+			for place: int in places:
+				feed.add_sensor(place, Quaternion(Vector3.UP, _random.randf_range(-3.0, 3.0)))
+				feed.drifts_deg.append(_random.randf_range(-0.3, 0.3))
+			_faults.clear()
+			for place: int in BodyPlaces.COUNT:
+				var axis: Vector3 = Vector3(_random.randfn(), _random.randfn(), _random.randfn())
+				_faults[place] = Quaternion(axis.normalized(), deg_to_rad(8.0))
+			var suit: SuitSource = _calibrated(feed, places, ResetPose.Kind.T)
+			_play(suit, feed, clip)
+			var parts: Array = [clip, count, ", ".join(suit.watch.messages())]
+			equal(suit.watch.messages().size(), 0, "%s, %d sensors: %s" % parts)
+
+
 func test_exchanged_neighbours_and_sides_are_named() -> void:
+	# How many of the three clips must tell.
+	var goals: Dictionary[Vector2i, int] = {
+		Vector2i(5, 9): 3,
+		Vector2i(4, 5): 3,
+		Vector2i(8, 9): 3,
+		Vector2i(4, 8): 3,
+		Vector2i(6, 10): 3,
+		Vector2i(11, 12): 3,
+		Vector2i(14, 15): 3,
+		Vector2i(11, 14): 3,
+		Vector2i(12, 15): 3,
+		Vector2i(13, 16): 3,
+		Vector2i(12, 13): 1,
+		Vector2i(15, 16): 1,
+	}
 	for pose: int in 2:
-		for swap: Vector2i in [
-			Vector2i(5, 9),
-			Vector2i(4, 5),
-			Vector2i(8, 9),
-			Vector2i(4, 8),
-			Vector2i(11, 12),
-			Vector2i(14, 15),
-			Vector2i(6, 10)
-		]:
+		for swap: Vector2i in goals:
 			var told: PackedInt32Array = SensorMap.layout(15)
 			var worn: PackedInt32Array = told.duplicate()
 			worn[told.find(swap.x)] = swap.y
 			worn[told.find(swap.y)] = swap.x
-			var found: bool = false
-			var said: PackedStringArray = []
+			var found: int = 0
 			for clip: String in CLIPS:
 				var watch: WearWatch = _watch(clip, told, worn, pose as ResetPose.Kind)
-				found = found or watch.swaps.has(swap)
-				said.append_array(watch.messages())
+				found += 1 if watch.swaps.has(swap) else 0
+				var said: String = ", ".join(watch.messages())
 				for other: Vector2i in watch.swaps:
-					equal(other, swap, clip)
-			is_true(found, "%s in %d: %s" % [FitCheck.describe(swap), pose, ", ".join(said)])
+					equal(other, swap, "%s: %s" % [clip, said])
+			# Arms that hang and swing ahead do so on either side: after an N-pose only arms that
+			# go to the side tell.
+			var goal: int = mini(goals[swap], 1) if pose == 1 and swap.x < 11 else goals[swap]
+			is_true(found >= goal, "%s: %d clips" % [FitCheck.describe(swap), found])
 
 
 func test_a_sensor_that_turned_over_is_named() -> void:
@@ -88,6 +118,7 @@ func _calibrated(
 		map.assign(sensors[at].id, p_told[at])
 	suit.set_map(map)
 	var motion: CalibrationMotion = CalibrationMotion.new()
+	motion.faults = _faults
 	motion.kind = CalibrationGuide.Kind.N_POSE if p_pose == 1 else CalibrationGuide.Kind.T_POSE
 	suit.process.options.facing = CalibrationOptions.Facing.NORTH
 	equal(suit.start_calibration(motion.kind, 0.0), "")

@@ -12,13 +12,17 @@ var _stream: MvnStream = null
 var _peer: PacketPeerUDP = null
 var _people: Dictionary[RefCounted, String] = {}
 var _gone: Array[MotionSource] = []
+var _seen: PoseSample = null
 
 
 func before_each() -> void:
 	_people.clear()
 	_gone.clear()
+	_seen = null
 	_stream = MvnStream.new()
-	_stream.appeared.connect(func(p_one: MotionSource, p_name: String) -> void: _people[p_one] = p_name)
+	_stream.appeared.connect(
+		func(p_one: MotionSource, p_name: String) -> void: _people[p_one] = p_name
+	)
 	_stream.vanished.connect(func(p_one: MotionSource) -> void: _gone.append(p_one))
 	equal(_stream.open(0), "")
 	_peer = PacketPeerUDP.new()
@@ -45,6 +49,7 @@ func test_poses_arrive_as_the_file_has_them() -> void:
 		if person == null:
 			return
 		equal(_people[person], "Eve")
+		equal((await _next(person)).details.counter, 0)
 		almost_equal(person.get_hip_height(), source.get_hip_height(), 0.002)
 		var worst: Vector2 = Vector2.ZERO
 		for step: int in range(1, 60):
@@ -80,6 +85,12 @@ func test_several_people_come_and_go() -> void:
 		equal(_people[person], "P%d" % number)
 		var difference: Vector2 = _difference(person.get_newest(), source.pose_at(number))
 		is_true(difference.x < MOST_DEG, "%f deg" % difference.x)
+	await _until(func() -> bool: return _stream.list_devices().size() == 4)
+	for row: Dictionary in _stream.list_devices():
+		for key: String in DeviceList.KEYS:
+			is_true(row[key] is String)
+	contains(_stream.list_devices()[1]["name"], "P0")
+	contains(_stream.list_devices()[1]["detail"], "types 02 12")
 	_stream.close()
 	equal(_gone.size(), 3)
 	equal(_stream.people.size(), 0)
@@ -98,7 +109,7 @@ func test_centimetres_are_noticed() -> void:
 	_send(sample)
 	_send(writer.sample(12, 0, 0))
 	var person: MvnSource = await _first_person()
-	almost_equal(person.get_newest().root, pose.root, 0.001)
+	almost_equal((await _next(person)).root, pose.root, 0.001)
 
 
 func test_both_quaternions_of_a_rotation_are_one_motion() -> void:
@@ -122,6 +133,61 @@ func test_both_quaternions_of_a_rotation_are_one_motion() -> void:
 		for limb: int in Limbs.COUNT:
 			is_true(came.orientation(limb).dot(before.orientation(limb)) > 0.9)
 		before = came
+
+
+func test_fingers_are_joints_of_their_own() -> void:
+	var source: BvhSource = _clip()
+	var writer: MvnWriter = MvnWriter.new(source.get_body())
+	writer.take(source.pose_at(0.0), 0.0)
+	var sample: Dictionary = writer.sample(2, 0, 0)
+	var segments: PackedInt32Array = sample["segments"]
+	var positions: PackedVector3Array = sample["positions"]
+	var wxyz: PackedFloat32Array = sample["orientations"]
+	sample["props"] = 1
+	sample["fingers"] = 40
+	for extra: int in 41:
+		segments.append(24 + extra)
+		positions.append(Vector3.ZERO)
+		var angle: float = 0.02 * extra
+		# About MVN's Y, to the left: Godot's X.
+		wxyz.append_array([cos(angle / 2.0), 0.0, sin(angle / 2.0), 0.0])
+	sample["segments"] = segments
+	sample["positions"] = positions
+	sample["orientations"] = wxyz
+	_send(sample)
+	_send(writer.sample(12, 0, 0))
+	var joints: Dictionary = (await _next(await _first_person())).details.joints
+	# Behind the prop: the left carpus, three of the thumb, four of each finger; then the right hand.
+	var wanted: Dictionary[int, int] = {
+		XRBodyTracker.JOINT_LEFT_THUMB_METACARPAL: 2,
+		XRBodyTracker.JOINT_LEFT_THUMB_PHALANX_DISTAL: 4,
+		XRBodyTracker.JOINT_LEFT_INDEX_FINGER_METACARPAL: 5,
+		XRBodyTracker.JOINT_LEFT_PINKY_FINGER_PHALANX_DISTAL: 20,
+		XRBodyTracker.JOINT_RIGHT_THUMB_METACARPAL: 22,
+		XRBodyTracker.JOINT_RIGHT_RING_FINGER_PHALANX_PROXIMAL: 34,
+	}
+	for joint: int in wanted:
+		var turn: Quaternion = Quaternion(Vector3.RIGHT, 0.02 * wanted[joint])
+		is_true(joints.has(joint) and joints[joint].angle_to(turn) < 0.002, "joint %d" % joint)
+	is_false(joints.has(XRBodyTracker.JOINT_LEFT_THUMB_TIP))
+
+
+func test_a_body_of_a_few_segments_is_filled() -> void:
+	var source: BvhSource = _clip()
+	var writer: MvnWriter = MvnWriter.new(source.get_body())
+	var pose: PoseSample = source.pose_at(0.5)
+	writer.take(pose, 0.0)
+	var sample: Dictionary = writer.sample(2, 0, 0)
+	for key: String in ["segments", "positions"]:
+		sample[key] = sample[key].slice(0, 15)
+	sample["orientations"] = sample["orientations"].slice(0, 60)
+	_send(sample)
+	_send(writer.sample(12, 0, 0))
+	var came: PoseSample = await _next(await _first_person())
+	equal(came.find_fault(), "")
+	is_true(Rotations.between_deg(came.orientation(6), pose.orientation(6)) < MOST_DEG)
+	equal(came.details.measured[6], 1)
+	equal(came.details.measured[11], 0)
 
 
 func test_trackers_become_sensors() -> void:
@@ -176,9 +242,9 @@ func test_rubbish_is_counted_and_told() -> void:
 
 
 func test_samples_that_are_none_are_refused_by_the_encoder() -> void:
-	expect_error("there is no \"type\"")
+	expect_error('there is no "type"')
 	equal(MvnEncoder.encode({}).size(), 0)
-	expect_error("\"positions\" has another number")
+	expect_error('"positions" has another number')
 	var bad: Dictionary = {
 		"type": 3,
 		"sample": 1,
@@ -230,14 +296,15 @@ func _first_person() -> MvnSource:
 	return null if _people.is_empty() else _people.keys()[0]
 
 
+## The next pose that is measured.
 func _next(p_person: MvnSource) -> PoseSample:
-	var found: PoseSample = p_person.sample(0)
 	for frame: int in PATIENCE:
-		if found != null:
-			break
+		var found: PoseSample = p_person.get_newest()
+		if found != null and found != _seen:
+			_seen = found
+			return found
 		OS.delay_usec(200)
-		found = p_person.sample(0)
-	return found
+	return null
 
 
 ## The largest angle between two poses' limbs, degrees, and how far their roots are apart, m.

@@ -24,18 +24,25 @@ func before_each() -> void:
 
 func test_the_clip_comes_out_as_it_went_in() -> void:
 	_calibrate()
+	_go(0.1)
 	var compared: int = 0
 	for step: int in 200:
 		_go(0.02)
 		var sample: PoseSample = _suit.sample(_now_usec)
 		var passed: float = (sample.time_usec - _feed._start_usec) / 1e6
-		var wanted: PoseSample = _feed.pose_at(passed)
+		# Between two measurements it is between what they said.
+		var first: int = floori(passed * 100.0 + 1e-6)
+		var before: PoseSample = _feed.pose_at(first / 100.0)
+		var after: PoseSample = _feed.pose_at((first + 1) / 100.0)
 		equal(sample.id, step)
 		equal(sample.find_fault(), "")
 		for limb: int in Limbs.COUNT:
 			if limb == 1:
 				continue
-			var turned: Quaternion = Rotations.yaw(-0.8) * wanted.orientation(limb)
+			var wanted: Quaternion = before.orientation(limb).slerp(
+				after.orientation(limb), passed * 100.0 - first
+			)
+			var turned: Quaternion = Rotations.yaw(-0.8) * wanted
 			var off: float = Rotations.between_deg(sample.orientation(limb), turned)
 			is_true(off < 0.05, "%s is off by %f deg" % [Limbs.BONES[limb], off])
 			compared += 1
@@ -48,8 +55,10 @@ func test_samples_have_the_time_of_their_measurement_and_come_once() -> void:
 	_go(0.1)
 	var sample: PoseSample = _suit.sample(_now_usec + 5000)
 	is_true(sample.time_usec <= _now_usec and sample.time_usec > _now_usec - 10000)
-	is_null(_suit.sample(_now_usec + 6000), "nothing newer")
-	_go(0.02)
+	is_null(_suit.sample(_now_usec + 5000), "nothing newer")
+	not_null(_suit.sample(_now_usec + 40000), "guessed on for a while")
+	is_null(_suit.sample(_now_usec + 200000) if _suit.sample(_now_usec + 150000) else null)
+	_go(0.3)
 	not_null(_suit.sample(_now_usec))
 
 
@@ -71,6 +80,16 @@ func test_the_old_calibration_stays_until_the_new_one_is_accepted() -> void:
 	is_false(_suit.process.result.is_good(), "somebody walks")
 	_suit.refuse_calibration()
 	is_true(_suit.get_profile().calibration == old)
+
+
+func test_a_result_is_shown_before_it_is_accepted() -> void:
+	_suit.start_calibration(CalibrationGuide.Kind.FULL, _now_usec / 1e6)
+	_go(_feed.prelude_s + 1.0)
+	is_null(_suit.sample(_now_usec))
+	not_null(_suit.newest_pose)
+	_suit.refuse_calibration()
+	_go(0.1)
+	is_null(_suit.newest_pose)
 
 
 func test_a_silent_sensor_is_filled_from_its_neighbours() -> void:
@@ -140,6 +159,17 @@ func test_sampled_by_a_thread_while_shown_by_another() -> void:
 	is_true(delivered.size() > 3)
 	for at: int in range(1, delivered.size()):
 		is_true(delivered[at].time_usec > delivered[at - 1].time_usec)
+
+
+func test_another_suit_than_last_time() -> void:
+	var profile: PersonProfile = PersonProfile.new()
+	profile.map.assign("00999999", BodyPlaces.PELVIS)
+	_suit.set_profile(profile)
+	_go(0.1)
+	equal(_suit.get_profile().map.places.size(), 17)
+	_calibrate()
+	_go(0.1)
+	not_null(_suit.newest_pose)
 
 
 func test_who_wears_it() -> void:

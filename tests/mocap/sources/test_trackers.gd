@@ -66,6 +66,46 @@ func test_an_avatar_wears_it() -> void:
 	await process_frames(2)
 
 
+func test_fingers_of_an_avatar() -> void:
+	var skeleton: Skeleton3D = _humanoid()
+	var modifier: XRBodyModifier3D = XRBodyModifier3D.new()
+	modifier.body_tracker = NAME
+	skeleton.add_child(modifier)
+	add_child(skeleton)
+	var pose: PoseSample = _clip.pose_at(1.0)
+	pose.details = MotionDetails.new()
+	var joints: PackedInt32Array = FingerJoints.of_hand(0) + FingerJoints.of_hand(1)
+	equal(joints.size(), 30)
+	for joint: int in joints:
+		equal(FingerJoints.hand_of(joint), 0 if joint < XRBodyTracker.JOINT_RIGHT_HAND else 1)
+		is_true(skeleton.find_bone(FingerJoints.bone_of(joint)) >= 0)
+		pose.details.joints[joint] = Quaternion(Vector3.FORWARD, 0.05 * (joint % 20))
+	_publisher.publish(pose)
+	await skeleton.skeleton_updated
+	var root: Transform3D = _publisher.tracker.get_joint_transform(XRBodyTracker.JOINT_ROOT)
+	for joint: int in joints:
+		var at: Transform3D = (
+			root * skeleton.get_bone_global_pose(skeleton.find_bone(FingerJoints.bone_of(joint)))
+		)
+		var axes: Quaternion = HumanoidAxes.of_bone(FingerJoints.bone_of(joint))
+		var note: String = FingerJoints.bone_of(joint)
+		almost_equal(
+			at.basis.get_rotation_quaternion(), pose.details.joints[joint] * axes, 1e-3, note
+		)
+		var above: Transform3D = _publisher.tracker.get_joint_transform(
+			FingerJoints.parent_of(joint) as XRBodyTracker.Joint
+		)
+		var length: float = above.origin.distance_to(at.origin)
+		is_true(length > 0.01 and length < 0.15, "%s is %f m away" % [note, length])
+	var source: TrackerSource = TrackerSource.new(NAME)
+	source.advance(1)
+	var again: PoseSample = source.sample(1)
+	for joint: int in joints:
+		almost_equal(again.details.joints[joint], pose.details.joints[joint], 1e-4)
+	skeleton.queue_free()
+	await process_frames(2)
+
+
 func test_flags_and_names() -> void:
 	equal(XRServer.get_tracker(NAME), _publisher.tracker)
 	is_false(_publisher.tracker.has_tracking_data)

@@ -19,8 +19,7 @@ constexpr uint64_t ANEW_USEC = 500000;
 constexpr uint64_t METER_USEC = 1000000;
 
 bool is_pose(Type p_type) {
-	return p_type == Type::POSE || p_type == Type::EULER_POSE || p_type == Type::UNITY_POSE ||
-			p_type == Type::TRACKERS;
+	return p_type == Type::POSE || p_type == Type::EULER_POSE || p_type == Type::UNITY_POSE || p_type == Type::TRACKERS;
 }
 
 } // namespace
@@ -58,8 +57,7 @@ Outcome Collector::refuse(Fault p_fault) {
 	return Outcome::REFUSED;
 }
 
-Outcome Collector::add(
-		Character &p_character, const uint8_t *p_payload, std::size_t p_size, uint64_t p_now_usec) {
+Outcome Collector::add(Character &p_character, const uint8_t *p_payload, std::size_t p_size, uint64_t p_now_usec) {
 	Slot &slot = p_character.slots[std::size_t(_header.type)];
 	// A counter that goes back when nothing has come for a while belongs to a sender that began anew.
 	if (slot.has_whole && slot.newest_whole - _header.sample < MOST_LATE && p_now_usec < slot.whole_usec + ANEW_USEC) {
@@ -102,7 +100,8 @@ Collector::Pending &Collector::pending_of(Character &p_character, Slot &p_slot) 
 		if (pending.is_begun && pending.sample == _header.sample) {
 			return pending;
 		}
-		if (place->is_begun && (!pending.is_begun || _header.sample - pending.sample > _header.sample - place->sample)) {
+		if (place->is_begun &&
+				(!pending.is_begun || _header.sample - pending.sample > _header.sample - place->sample)) {
 			place = &pending;
 		}
 	}

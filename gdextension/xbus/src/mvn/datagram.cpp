@@ -13,8 +13,8 @@ const std::array<const char *, BODY_SEGMENTS> SEGMENT_NAMES = { "Pelvis", "L5", 
 	"LeftHand", "RightUpperLeg", "RightLowerLeg", "RightFoot", "RightToe", "LeftUpperLeg", "LeftLowerLeg", "LeftFoot",
 	"LeftToe" };
 
-const std::array<uint8_t, BODY_SEGMENTS> UNITY_ORDER = { 0, 15, 16, 17, 18, 19, 20, 21, 22, 1, 2, 3, 4, 11, 12, 13,
-	14, 7, 8, 9, 10, 5, 6 };
+const std::array<uint8_t, BODY_SEGMENTS> UNITY_ORDER = { 0, 15, 16, 17, 18, 19, 20, 21, 22, 1, 2, 3, 4, 11, 12, 13, 14,
+	7, 8, 9, 10, 5, 6 };
 
 namespace {
 
@@ -202,8 +202,8 @@ Fault read_meta(PayloadReader &p_reader, Content &r_content) {
 		const std::string line = text.substr(at, end - at);
 		const std::size_t colon = line.find(':');
 		if (colon != std::string::npos && colon > 0) {
-			r_content.tags.emplace_back(cut_text(line.substr(0, colon), MOST_TEXT),
-					cut_text(line.substr(colon + 1), MOST_TEXT));
+			r_content.tags.emplace_back(
+					cut_text(line.substr(0, colon), MOST_TEXT), cut_text(line.substr(colon + 1), MOST_TEXT));
 		}
 		at = end + 1;
 	}
@@ -222,7 +222,8 @@ Fault read_scale(PayloadReader &p_reader, Content &r_content) {
 		r_content.origins.push_back(origin);
 	}
 	const int32_t points = p_reader.read_i32();
-	if (points < 0 || points > MOST_POINTS || r_content.points.size() + std::size_t(points) > std::size_t(MOST_POINTS) ||
+	if (points < 0 || points > MOST_POINTS ||
+			r_content.points.size() + std::size_t(points) > std::size_t(MOST_POINTS) ||
 			r_content.origins.size() > std::size_t(MOST_SEGMENTS)) {
 		return p_reader.has_failed() ? Fault::WRONG_SIZE : Fault::TOO_MANY;
 	}
@@ -314,7 +315,7 @@ Fault read_header(const uint8_t *p_bytes, std::size_t p_size, Header &r_header) 
 	if (r_header.payload != 0 && r_header.payload != p_size - HEADER_SIZE) {
 		return Fault::WRONG_SIZE;
 	}
-	if (r_header.body_segments > BODY_SEGMENTS || r_header.props > MOST_PROPS || r_header.fingers > FINGER_SEGMENTS) {
+	if (r_header.body_segments + r_header.props + r_header.fingers > MOST_SEGMENTS) {
 		return Fault::TOO_MANY;
 	}
 	return Fault::NONE;

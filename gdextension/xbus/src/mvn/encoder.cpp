@@ -99,7 +99,8 @@ std::vector<Portion> cut(const std::vector<Item> &p_items, std::size_t p_most, W
 		PayloadWriter writer;
 		p_write(item, writer);
 		Portion *last = &portions.back();
-		if (last->items == MOST_ITEMS || (last->items > 0 && HEADER_SIZE + last->payload.size() + writer.bytes().size() > p_most)) {
+		if (last->items == MOST_ITEMS ||
+				(last->items > 0 && HEADER_SIZE + last->payload.size() + writer.bytes().size() > p_most)) {
 			last = &portions.emplace_back();
 		}
 		++last->items;
@@ -161,7 +162,10 @@ std::vector<Portion> portions_of(const Content &p_content, std::size_t p_most) {
 			return cut_scale(p_content, p_most);
 		case Type::META:
 			for (const auto &[name, value] : p_content.tags) {
-				writer.raw(name + ":" + value + "\n");
+				writer.raw(name);
+				writer.raw(":");
+				writer.raw(value);
+				writer.raw("\n");
 			}
 			return { { p_content.tags.size(), writer.bytes() } };
 		case Type::CENTRE_OF_MASS:

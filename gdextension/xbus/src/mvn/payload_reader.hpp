@@ -16,8 +16,7 @@ namespace mvn {
 /// Reads big-endian numbers and texts one after the other; beyond the end it reads zeros and notes it.
 class PayloadReader {
 public:
-	PayloadReader(const uint8_t *p_bytes, std::size_t p_size) :
-			_at(p_bytes), _left(p_size) {}
+	PayloadReader(const uint8_t *p_bytes, std::size_t p_size) : _at(p_bytes), _left(p_size) {}
 
 	std::size_t left() const { return _left; }
 	bool has_failed() const { return _failed; }

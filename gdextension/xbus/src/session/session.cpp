@@ -313,7 +313,7 @@ void Session::start_over(const char *p_why) {
 }
 
 bool Session::judge(const Frame &p_frame) {
-	switch (_check.take(p_frame)) {
+	switch (_check.take(p_frame, _framer.statistics().is_noisy())) {
 		case StreamCheck::Verdict::REFUSED:
 			return false;
 		case StreamCheck::Verdict::DATA:

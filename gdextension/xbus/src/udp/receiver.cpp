@@ -15,7 +15,7 @@ namespace mvn {
 
 namespace {
 
-constexpr int BUFFER_BYTES = 1 << 20;
+constexpr int BUFFER_BYTES = 1024 * 1024;
 constexpr int WAIT_MS = 50;
 /// Samples of a pose that wait for who fetches them: a quarter of a second at least.
 constexpr std::size_t MOST_WAITING = 64;
@@ -39,8 +39,7 @@ std::string address_of(const sockaddr_in &p_from) {
 
 /// What must not be left out from one look to the next; of all else the newest is enough.
 bool is_motion(Type p_type) {
-	return p_type == Type::POSE || p_type == Type::EULER_POSE || p_type == Type::UNITY_POSE ||
-			p_type == Type::TRACKERS;
+	return p_type == Type::POSE || p_type == Type::EULER_POSE || p_type == Type::UNITY_POSE || p_type == Type::TRACKERS;
 }
 
 std::string tag(const Content &p_content, const char *p_name) {
@@ -70,10 +69,10 @@ std::string Receiver::open(uint16_t p_port, RawListener p_raw) {
 		const int error = errno;
 		const std::string where = "UDP port " + std::to_string(p_port);
 		close();
-		return error == EADDRINUSE
-				? where + " is in use: another program receives MVN's stream there; end it, or let MVN send to another "
-						  "port and name that one (--mvn=PORT)"
-				: where + " can't be opened: " + std::strerror(error);
+		return error == EADDRINUSE ? where +
+						" is in use: another program receives MVN's stream there; end it, or let MVN send to another "
+						"port and name that one (--mvn=PORT)"
+								   : where + " can't be opened: " + std::strerror(error);
 	}
 	setsockopt(_socket, SOL_SOCKET, SO_RCVBUF, &BUFFER_BYTES, sizeof(BUFFER_BYTES));
 	socklen_t size = sizeof(here);
@@ -112,8 +111,8 @@ void Receiver::run() {
 		if (poll(&wait, 1, WAIT_MS) > 0) {
 			sockaddr_in from{};
 			socklen_t size = sizeof(from);
-			const ssize_t count = recvfrom(_socket, bytes.data(), bytes.size(), MSG_DONTWAIT,
-					reinterpret_cast<sockaddr *>(&from), &size);
+			const ssize_t count = recvfrom(
+					_socket, bytes.data(), bytes.size(), MSG_DONTWAIT, reinterpret_cast<sockaddr *>(&from), &size);
 			if (count >= 0) {
 				const std::string sender = address_of(from);
 				const uint64_t now = now_usec();
@@ -194,8 +193,9 @@ void Receiver::complain(const std::string &p_sender, Outcome p_outcome) {
 			break;
 		}
 		case Outcome::CROWDED:
-			say("crowded", "more than " + std::to_string(MOST_CHARACTERS) + " characters come in: " + number +
-							" from " + p_sender + " is left out");
+			say("crowded",
+					"more than " + std::to_string(MOST_CHARACTERS) + " characters come in: " + number + " from " +
+							p_sender + " is left out");
 			break;
 		default:
 			break;
@@ -212,8 +212,7 @@ void Receiver::look_after(uint64_t p_now_usec) {
 		const CharacterStatistics statistics = _collector.statistics(at->first);
 		judge(at->first, at->second, statistics);
 		if (p_now_usec > statistics.newest_usec + GONE_USEC) {
-			say("gone " + std::to_string(at->first), "character " + std::to_string(at->first) + " comes no more",
-					true);
+			say("gone " + std::to_string(at->first), "character " + std::to_string(at->first) + " comes no more", true);
 			at = _characters.erase(at);
 		} else {
 			++at;

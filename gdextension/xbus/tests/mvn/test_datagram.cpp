@@ -145,7 +145,13 @@ TEST(meta_data_come_in_any_order_with_unknown_tags) {
 TEST(text_of_strangers_is_made_harmless) {
 	const std::string bad = "a\x1B[31m\xC0\x80\xFF\xE2\x82\xAC\xED\xA0\x80\xC2\x9B!\xF0\x9F\x98\x80\xE2\x82";
 	const std::string good = clean_text(bad.data(), bad.size());
-	CHECK(good == "a[31m?" "?" "?\xE2\x82\xAC?" "?" "?!\xF0\x9F\x98\x80?" "?");
+	CHECK(good ==
+			"a[31m?"
+			"?"
+			"?\xE2\x82\xAC?"
+			"?"
+			"?!\xF0\x9F\x98\x80?"
+			"?");
 	CHECK(cut_text("1\xE2\x82\xAC", 3) == "1");
 	CHECK(cut_text("1\xE2\x82\xAC", 4) == "1\xE2\x82\xAC");
 }

@@ -13,7 +13,8 @@ namespace {
 constexpr const char *HELP =
 		"xbus-decode FILE [--json] [options]\n"
 		"\n"
-		"Says what a recording of an Xbus holds: raw bytes as they came, or hexadecimal text.\n"
+		"Says what a recording of an Xbus holds: raw bytes as they came, hexadecimal text, or a recording\n"
+		"of Dismount's (of the bus that said the most).\n"
 		"\n"
 		"  --json            everything, each message decoded, as one JSON object (docs/xbus.md)\n"
 		"  --mode=N          output mode of MTData, if no message in the recording tells it\n"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "recording.hpp"
 
+#include "recording/bus_replay.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -72,6 +74,16 @@ bool read_recording(const std::string &p_name, Recording &r_recording, std::stri
 	if (r_recording.bytes.empty()) {
 		r_fault = p_name + " is empty.";
 		return false;
+	}
+	if (recording::is_recording(r_recording.bytes.data(), r_recording.bytes.size())) {
+		recording::Reader reader;
+		reader.open(std::move(r_recording.bytes));
+		r_recording.bytes = recording::bus_bytes(reader, -1, true);
+		r_recording.kind = "recording";
+		if (r_recording.bytes.empty()) {
+			r_fault = p_name + " holds no bytes of a bus (datagrams of MVN only, or nothing).";
+		}
+		return r_fault.empty();
 	}
 	std::vector<uint8_t> bytes;
 	if (read_hex(r_recording.bytes, bytes)) {

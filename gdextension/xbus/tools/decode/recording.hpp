@@ -9,7 +9,7 @@
 struct Recording {
 	std::string name;
 	std::vector<uint8_t> bytes;
-	/// "raw" or "hex".
+	/// "raw", "hex", or "recording" for one of Dismount's own (docs/recordings.md).
 	const char *kind = "raw";
 };
 

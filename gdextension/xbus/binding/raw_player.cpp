@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: MIT
+#include "raw_player.hpp"
+
+#include "suit_dictionary.hpp"
+
+#include <bus/message.hpp>
+#include <mvn/stranger_text.hpp>
+
+#include <godot_cpp/core/error_macros.hpp>
+#include <godot_cpp/variant/packed_byte_array.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace godot {
+
+namespace {
+
+using recording::Kind;
+using recording::Record;
+
+/// Frames and datagrams that wait for who fetches them.
+constexpr std::size_t MOST_FRAMES = 512;
+constexpr std::size_t MOST_DATAGRAMS = 4096;
+
+String text(const std::string &p_text) {
+	return String::utf8(p_text.c_str());
+}
+
+std::string told(const Record &p_record, const char *p_key) {
+	const std::string value = recording::about(p_record, p_key);
+	return mvn::clean_text(value.data(), value.size());
+}
+
+bool is_played(Kind p_kind) {
+	return p_kind == Kind::BUS_IN || p_kind == Kind::BUS_OUT || p_kind == Kind::DATAGRAM;
+}
+
+const char *kind_text(Kind p_kind) {
+	return p_kind == Kind::DATAGRAM ? "datagram" : (p_kind == Kind::BUS_OUT ? "out" : "in");
+}
+
+PackedByteArray packed(const uint8_t *p_bytes, std::size_t p_size) {
+	PackedByteArray bytes;
+	bytes.resize(int64_t(p_size));
+	if (p_size > 0) {
+		std::copy(p_bytes, p_bytes + p_size, bytes.ptrw());
+	}
+	return bytes;
+}
+
+} // namespace
+
+String RawPlayer::open(const String &p_path) {
+	const std::lock_guard<std::mutex> lock(mutex);
+	has_next = false;
+	streams.clear();
+	datagrams.clear();
+	const std::string fault = reader.open_file(p_path.utf8().get_data());
+	if (fault.empty()) {
+		survey();
+	}
+	return text(fault);
+}
+
+/// Looks through the whole file once: streams, length, damage.
+void RawPlayer::survey() {
+	first_usec = last_usec = 0;
+	Record record;
+	while (reader.next(record)) {
+		if (record.kind == Kind::STREAM) {
+			Stream &stream = streams[record.stream];
+			stream.is_bus = told(record, "kind") == "bus";
+			stream.name = told(record, "name");
+			stream.place = told(record, "place");
+			stream.serial = told(record, "serial");
+			stream.usb = told(record, "usb");
+			stream.sender = told(record, "sender");
+			stream.port = told(record, "port");
+		} else if (is_played(record.kind)) {
+			Stream &stream = streams[record.stream];
+			stream.is_bus = record.kind != Kind::DATAGRAM;
+			++stream.records;
+			stream.bytes += record.size;
+			first_usec = first_usec == 0 ? record.time_usec : std::min(first_usec, record.time_usec);
+			last_usec = std::max(last_usec, record.time_usec);
+		}
+	}
+	whole = reader.figures();
+	reader.rewind();
+	for (auto &[number, stream] : streams) {
+		if (stream.is_bus) {
+			stream.replay = std::make_unique<recording::BusReplay>();
+		}
+	}
+	at_usec = first_usec;
+	fetch();
+}
+
+/// Finds the next record that is to be played.
+bool RawPlayer::fetch() {
+	do {
+		has_next = reader.next(next);
+	} while (has_next && !is_played(next.kind));
+	return has_next;
+}
+
+void RawPlayer::begin(int64_t p_unix_usec, double p_speed) {
+	// Written so that NaN fails too.
+	ERR_FAIL_COND_MSG(
+			!(p_speed >= 0.01 && p_speed <= 1000.0), "A recording is played at 0.01 to 1000 times its speed.");
+	const std::lock_guard<std::mutex> lock(mutex);
+	begin_usec = p_unix_usec;
+	speed = p_speed;
+	streams.clear();
+	datagrams.clear();
+	reader.rewind();
+	survey();
+}
+
+int64_t RawPlayer::played_usec(uint64_t p_time_usec) const {
+	return begin_usec + int64_t(double(int64_t(p_time_usec - first_usec)) / speed);
+}
+
+int64_t RawPlayer::advance(int64_t p_unix_usec) {
+	const std::lock_guard<std::mutex> lock(mutex);
+	int64_t count = 0;
+	while (has_next && played_usec(next.time_usec) <= p_unix_usec) {
+		play_next();
+		++count;
+	}
+	return count;
+}
+
+Dictionary RawPlayer::step() {
+	const std::lock_guard<std::mutex> lock(mutex);
+	Dictionary result;
+	if (has_next) {
+		result["kind"] = kind_text(next.kind);
+		result["stream"] = int64_t(next.stream);
+		result["time_s"] = double(int64_t(next.time_usec - first_usec)) / 1e6;
+		result["bytes"] = packed(next.payload, next.size);
+		play_next();
+	}
+	return result;
+}
+
+void RawPlayer::play_next() {
+	Stream &stream = streams[next.stream];
+	at_usec = std::max(at_usec, next.time_usec);
+	if (next.kind == Kind::DATAGRAM) {
+		datagrams.push_back({ next.stream, next.time_usec, { next.payload, next.payload + next.size } });
+		if (datagrams.size() > MOST_DATAGRAMS) {
+			datagrams.pop_front();
+		}
+	} else if (stream.replay != nullptr) {
+		play_bus(stream, next);
+	}
+	fetch();
+}
+
+void RawPlayer::play_bus(Stream &r_stream, const Record &p_record) {
+	if (p_record.kind == Kind::BUS_OUT) {
+		r_stream.replay->take_out(p_record.payload, p_record.size);
+		return;
+	}
+	r_stream.replay->take_in(p_record.payload, p_record.size, p_record.time_usec, [&](const xbus::SuitFrame &p_frame) {
+		r_stream.frames.push_back(p_frame);
+		if (r_stream.frames.size() > MOST_FRAMES) {
+			r_stream.frames.pop_front();
+		}
+	});
+}
+
+bool RawPlayer::is_at_end() const {
+	const std::lock_guard<std::mutex> lock(mutex);
+	return !has_next;
+}
+
+double RawPlayer::get_length_s() const {
+	const std::lock_guard<std::mutex> lock(mutex);
+	return double(last_usec - first_usec) / 1e6;
+}
+
+double RawPlayer::get_position_s() const {
+	const std::lock_guard<std::mutex> lock(mutex);
+	return double(at_usec - first_usec) / 1e6;
+}
+
+TypedArray<Dictionary> RawPlayer::get_streams() const {
+	const std::lock_guard<std::mutex> lock(mutex);
+	TypedArray<Dictionary> result;
+	for (const auto &[number, stream] : streams) {
+		Dictionary entry;
+		entry["number"] = int64_t(number);
+		entry["kind"] = stream.is_bus ? "bus" : "mvn";
+		entry["name"] = text(stream.name);
+		entry["usb"] = text(stream.usb);
+		entry["place"] = text(stream.place);
+		entry["serial"] = text(stream.serial);
+		entry["sender"] = text(stream.sender);
+		entry["port"] = text(stream.port);
+		entry["records"] = int64_t(stream.records);
+		entry["bytes"] = int64_t(stream.bytes);
+		result.push_back(entry);
+	}
+	return result;
+}
+
+Dictionary RawPlayer::get_figures() const {
+	const std::lock_guard<std::mutex> lock(mutex);
+	Dictionary result;
+	result["records"] = int64_t(whole.records);
+	result["bytes"] = int64_t(whole.payload_bytes);
+	result["damaged_records"] = int64_t(whole.damaged_records);
+	result["damaged_bytes"] = int64_t(whole.damaged_bytes);
+	result["cut_bytes"] = int64_t(whole.cut_bytes);
+	result["lost"] = int64_t(whole.lost);
+	result["is_whole"] = whole.has_end && whole.damaged_bytes == 0 && whole.lost == 0;
+	return result;
+}
+
+TypedArray<Dictionary> RawPlayer::get_devices() const {
+	const std::lock_guard<std::mutex> lock(mutex);
+	TypedArray<Dictionary> devices;
+	for (const auto &[number, stream] : streams) {
+		if (stream.replay != nullptr) {
+			devices.push_back(device_of(number, stream));
+		}
+	}
+	return devices;
+}
+
+/// As `SuitHub.get_devices` tells it.
+Dictionary RawPlayer::device_of(int p_number, const Stream &p_stream) const {
+	const recording::BusReplay &replay = *p_stream.replay;
+	const xbus::FramerStatistics &framer = replay.framer();
+	const std::size_t count = replay.is_master() ? replay.tracker_ids().size() : (replay.device_id() != 0 ? 1 : 0);
+	TypedArray<Dictionary> trackers;
+	bool measures = false;
+	for (std::size_t at = 0; at < count; ++at) {
+		const xbus::DeviceStatistics &statistics = replay.tracker(int(at));
+		const xbus::TrackerFlow flow = replay.flow(int(at), at_usec);
+		Dictionary tracker;
+		tracker["id"] = int64_t(replay.is_master() ? replay.tracker_ids()[at] : replay.device_id());
+		tracker["bus_id"] = int64_t(replay.is_master() ? at + 1 : xbus::MASTER);
+		tracker["received"] = int64_t(statistics.received);
+		tracker["lost"] = int64_t(statistics.lost);
+		tracker["implausible"] = int64_t(statistics.implausible);
+		tracker["rate_hz"] = flow.rate_hz;
+		tracker["age_s"] = flow.newest_usec > 0 ? double(at_usec - flow.newest_usec) / 1e6 / speed : -1.0;
+		measures = measures || flow.newest_usec > 0;
+		trackers.push_back(tracker);
+	}
+	const char *trouble =
+			replay.undecoded() > 0 ? "the recording does not tell how its samples are laid out: it began too late" : "";
+	Dictionary result;
+	result["number"] = int64_t(p_number);
+	result["name"] = text(p_stream.name.empty() ? "a recorded suit" : p_stream.name);
+	const std::size_t colon = p_stream.usb.find(':');
+	const unsigned long vendor = std::strtoul(p_stream.usb.c_str(), nullptr, 16);
+	const unsigned long product =
+			colon == std::string::npos ? 0 : std::strtoul(p_stream.usb.c_str() + colon + 1, nullptr, 16);
+	result["usb"] = int64_t(((vendor & 0xFFFFUL) << 16U) | (product & 0xFFFFUL));
+	result["place"] = text(p_stream.place);
+	result["serial"] = text(p_stream.serial);
+	result["is_open"] = true;
+	result["state"] = has_next ? "recorded" : "recorded, at its end";
+	result["measures"] = measures;
+	result["trouble"] = trouble;
+	result["id"] = int64_t(replay.device_id());
+	result["kind"] = xbus::device_kind_name(xbus::device_kind(replay.device_id()));
+	result["baud"] = int64_t(0);
+	result["rate_hz"] = replay.rate_hz();
+	result["battery"] = -1.0;
+	result["malformed_bytes"] = int64_t(framer.skipped_bytes);
+	result["refused"] = int64_t(framer.refused_frames);
+	result["errors"] = int64_t(0);
+	result["restarts"] = int64_t(0);
+	result["line_faults"] = int64_t(0);
+	result["overruns"] = int64_t(0);
+	result["trackers"] = trackers;
+	return result;
+}
+
+TypedArray<Dictionary> RawPlayer::take_frames(int64_t p_device) {
+	const std::lock_guard<std::mutex> lock(mutex);
+	TypedArray<Dictionary> frames;
+	const auto found = streams.find(int(p_device));
+	if (found != streams.end()) {
+		for (xbus::SuitFrame &frame : found->second.frames) {
+			frame.time_usec = uint64_t(played_usec(frame.time_usec));
+			frame.arrival_usec = uint64_t(played_usec(frame.arrival_usec));
+			frames.push_back(suit_frame_dictionary(frame, 0));
+		}
+		found->second.frames.clear();
+	}
+	return frames;
+}
+
+TypedArray<Dictionary> RawPlayer::take_datagrams() {
+	const std::lock_guard<std::mutex> lock(mutex);
+	TypedArray<Dictionary> result;
+	for (const Datagram &datagram : datagrams) {
+		const std::string &sender = streams[datagram.stream].sender;
+		Dictionary entry;
+		entry["sender"] = text(sender.empty() ? "recording" : sender);
+		entry["port"] = text(streams[datagram.stream].port);
+		entry["time_usec"] = played_usec(datagram.time_usec);
+		entry["bytes"] = packed(datagram.bytes.data(), datagram.bytes.size());
+		result.push_back(entry);
+	}
+	datagrams.clear();
+	return result;
+}
+
+void RawPlayer::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("open", "path"), &RawPlayer::open);
+	ClassDB::bind_method(D_METHOD("begin", "unix_usec", "speed"), &RawPlayer::begin, DEFVAL(1.0));
+	ClassDB::bind_method(D_METHOD("advance", "unix_usec"), &RawPlayer::advance);
+	ClassDB::bind_method(D_METHOD("step"), &RawPlayer::step);
+	ClassDB::bind_method(D_METHOD("is_at_end"), &RawPlayer::is_at_end);
+	ClassDB::bind_method(D_METHOD("get_length_s"), &RawPlayer::get_length_s);
+	ClassDB::bind_method(D_METHOD("get_position_s"), &RawPlayer::get_position_s);
+	ClassDB::bind_method(D_METHOD("get_streams"), &RawPlayer::get_streams);
+	ClassDB::bind_method(D_METHOD("get_figures"), &RawPlayer::get_figures);
+	ClassDB::bind_method(D_METHOD("get_devices"), &RawPlayer::get_devices);
+	ClassDB::bind_method(D_METHOD("take_frames", "device"), &RawPlayer::take_frames);
+	ClassDB::bind_method(D_METHOD("take_datagrams"), &RawPlayer::take_datagrams);
+}
+
+} // namespace godot

@@ -1,0 +1,109 @@
+class_name LegSpread
+extends RefCounted
+## How much legs turn in their joints otherwise than by bending: little between true neighbours,
+## since knees are hinges and ankles nearly so; much if a thigh is told to be the other leg's.
+##
+## Offsets do not count, only how far the turns spread about their mean.
+
+## The places of both legs, see [BodyPlaces].
+const PLACES: PackedInt32Array = [11, 12, 13, 14, 15, 16]
+## The joints: places that are neighbours.
+const JOINTS: Array[Vector2i] = [
+	Vector2i(11, 12), Vector2i(12, 13), Vector2i(14, 15), Vector2i(15, 16)
+]
+## Exchanges that are judged.
+const PAIRS: Array[Vector2i] = [
+	Vector2i(12, 13), Vector2i(15, 16), Vector2i(11, 14), Vector2i(12, 15), Vector2i(13, 16)
+]
+## An exchange must lessen the sum of the joints' spreads by so much, degrees, and to less than
+## this part.
+const GAIN_DEG: float = 5.0
+const EXPLAINS: float = 0.7
+
+var _most: int = 100
+# For each pair of places, by smaller * 32 + larger: turns about the two axes that are no hinge.
+var _turns: Dictionary[int, PackedVector2Array] = {}
+
+
+func _init(p_most: int) -> void:
+	_most = p_most
+
+
+## Forgets everything.
+func clear() -> void:
+	_turns.clear()
+
+
+## Takes a pose: for each place of [BodyPlaces] a rotation from the reset pose, or null.
+func add(p_pose: Array) -> void:
+	for first: int in PLACES:
+		for second: int in PLACES:
+			if first >= second or p_pose[first] == null or p_pose[second] == null:
+				continue
+			var above: Quaternion = p_pose[first]
+			var turn: Vector3 = Rotations.vector(above.inverse() * p_pose[second])
+			var key: int = first * 32 + second
+			var turns: PackedVector2Array = _turns.get(key, PackedVector2Array())
+			turns.append(Vector2(turn.y, turn.z))
+			if turns.size() > _most:
+				turns.remove_at(0)
+			_turns[key] = turns
+
+
+## Sum of the spreads of the joints if two places are exchanged (zero: as they are), degrees; NaN
+## if no joint is known.
+func total_deg(p_exchange: Vector2i) -> float:
+	var sum: float = NAN
+	for joint: Vector2i in JOINTS:
+		var first: int = _after(joint.x, p_exchange)
+		var second: int = _after(joint.y, p_exchange)
+		var spread: float = _spread_deg(mini(first, second) * 32 + maxi(first, second))
+		if not is_nan(spread):
+			sum = spread if is_nan(sum) else sum + spread
+	return sum
+
+
+## The exchange that makes knees and ankles the hinges that they should be; zero if there is none.
+func find_swap() -> Vector2i:
+	var now: float = total_deg(Vector2i.ZERO)
+	var found: Vector2i = Vector2i.ZERO
+	if is_nan(now):
+		return found
+	var best: float = minf(now - GAIN_DEG, now * EXPLAINS)
+	for pair: Vector2i in PAIRS:
+		# With only some of the places worn an exchange could hide a joint instead of mending it.
+		if _joints_known(pair) < _joints_known(Vector2i.ZERO):
+			continue
+		var then: float = total_deg(pair)
+		if then < best - 0.01:
+			best = then
+			found = pair
+	return found
+
+
+func _joints_known(p_exchange: Vector2i) -> int:
+	var known: int = 0
+	for joint: Vector2i in JOINTS:
+		var first: int = _after(joint.x, p_exchange)
+		var second: int = _after(joint.y, p_exchange)
+		known += 1 if _turns.has(mini(first, second) * 32 + maxi(first, second)) else 0
+	return known
+
+
+static func _after(p_place: int, p_exchange: Vector2i) -> int:
+	if p_place == p_exchange.x:
+		return p_exchange.y
+	return p_exchange.x if p_place == p_exchange.y else p_place
+
+
+func _spread_deg(p_key: int) -> float:
+	if not _turns.has(p_key):
+		return NAN
+	var turns: PackedVector2Array = _turns[p_key]
+	var mean: Vector2 = Vector2.ZERO
+	for turn: Vector2 in turns:
+		mean += turn / turns.size()
+	var sum: float = 0.0
+	for turn: Vector2 in turns:
+		sum += (turn - mean).length_squared() / turns.size()
+	return rad_to_deg(sqrt(sum))

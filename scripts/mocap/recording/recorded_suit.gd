@@ -1,0 +1,22 @@
+class_name RecordedSuit
+extends UsbSuitFeed
+## The suits of a recording, as if they were plugged in.
+
+## The recording.
+var player: RawPlayer = null
+
+
+## Hands out what [param p_player] plays; whoever owns that goes on with it.
+func play(p_player: RawPlayer) -> void:
+	player = p_player
+	_hub.play(p_player)
+
+
+## A recording has no end to be given back; it is only no longer played.
+func close() -> void:
+	_hub.play(null)
+	super()
+
+
+func describe() -> String:
+	return "%d recorded trackers" % list_sensors().size()

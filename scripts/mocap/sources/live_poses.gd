@@ -1,0 +1,95 @@
+class_name LivePoses
+extends RefCounted
+## Poses of a live source, to be asked for at any moment.
+##
+## A source measures in its own time, samples are taken in the server's: asked for the newest pose
+## only, the server would get now a fresh one and now an old one, and would have to guess on. So it
+## is asked for the pose of a moment a little more than one period back, which lies between two that
+## were measured. For one thread.
+
+## How much further back than one period, s: what the way from the source is late now and then.
+const MARGIN_S: float = 0.002
+## A source that is late is guessed on for so long, s; then nothing is told until it comes again.
+const MOST_AHEAD_S: float = 0.05
+## Poses that are kept.
+const MOST: int = 16
+## The period of a source of which only one pose is known, s.
+const _USUAL_PERIOD_S: float = 0.01
+const _LONGEST_PERIOD_S: float = 0.1
+
+var _poses: Array[PoseSample] = []
+var _told_usec: int = 0
+
+
+## Takes a pose that was measured at its [member PoseSample.time_usec].
+func push(p_pose: PoseSample) -> void:
+	if not _poses.is_empty() and p_pose.time_usec <= _poses[_poses.size() - 1].time_usec:
+		_poses.clear()  # A clock that was set, or another recording.
+	_poses.append(p_pose)
+	if _poses.size() > MOST:
+		_poses.pop_front()
+
+
+## Forgets all.
+func clear() -> void:
+	_poses.clear()
+
+
+## Time between two poses, s.
+func period_s() -> float:
+	if _poses.size() < 2:
+		return _USUAL_PERIOD_S
+	var span: float = (_poses[_poses.size() - 1].time_usec - _poses[0].time_usec) / 1e6
+	return minf(span / (_poses.size() - 1), _LONGEST_PERIOD_S)
+
+
+## The pose for a moment, µs of Unix time; it says itself of when it is. Null if there is none, or
+## none that was not told before.
+func at(p_time_usec: int) -> PoseSample:
+	if _poses.is_empty():
+		return null
+	var wanted: int = p_time_usec - roundi((period_s() + MARGIN_S) * 1e6)
+	var newest: PoseSample = _poses[_poses.size() - 1]
+	if _poses.size() < 2:
+		wanted = newest.time_usec
+	wanted = mini(wanted, newest.time_usec + roundi(MOST_AHEAD_S * 1e6))
+	if wanted <= _told_usec and _told_usec <= newest.time_usec + roundi(MOST_AHEAD_S * 1e6):
+		return null
+	_told_usec = wanted
+	if _poses.size() < 2 or wanted <= _poses[0].time_usec:
+		return _between(_poses[0], _poses[0], 0.0)
+	var later: int = 1
+	while later < _poses.size() - 1 and _poses[later].time_usec < wanted:
+		later += 1
+	var before: PoseSample = _poses[later - 1]
+	var span: float = _poses[later].time_usec - before.time_usec
+	return _between(before, _poses[later], (wanted - before.time_usec) / span)
+
+
+static func _between(p_from: PoseSample, p_to: PoseSample, p_part: float) -> PoseSample:
+	var pose: PoseSample = PoseSample.new()
+	pose.time_usec = p_from.time_usec + roundi((p_to.time_usec - p_from.time_usec) * p_part)
+	for limb: int in Limbs.COUNT:
+		pose.set_orientation(
+			limb, p_from.orientation(limb).slerp(p_to.orientation(limb), p_part).normalized()
+		)
+	pose.root = p_from.root.lerp(p_to.root, p_part)
+	pose.details = p_to.details
+	if p_to.details != null and p_from.details != null:
+		pose.details = _details_between(p_from.details, p_to.details, p_part)
+	return pose
+
+
+static func _details_between(
+	p_from: MotionDetails, p_to: MotionDetails, p_part: float
+) -> MotionDetails:
+	var details: MotionDetails = MotionDetails.new()
+	details.counter = p_to.counter
+	details.positions = p_to.positions
+	details.contacts = p_to.contacts
+	details.joints = p_to.joints
+	details.measured = p_to.measured
+	details.rates = p_to.rates.duplicate()
+	for limb: int in mini(details.rates.size(), p_from.rates.size()):
+		details.rates[limb] = p_from.rates[limb].lerp(p_to.rates[limb], p_part)
+	return details
