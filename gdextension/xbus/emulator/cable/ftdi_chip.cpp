@@ -172,12 +172,10 @@ void FtdiChip::_advance(Usec p_now) {
 	while (!_deliveries.empty() && _deliveries.front().time <= p_now) {
 		const Delivery delivery = std::move(_deliveries.front());
 		_deliveries.pop_front();
-		_device.advance(delivery.time);
-		_line.pull(_device, delivery.time, _byte_nsec(), !_speeds_agree());
+		_line.advance(_device, delivery.time, _byte_nsec(), !_speeds_agree());
 		_device.receive(delivery.bytes.data(), delivery.bytes.size(), delivery.time);
 	}
-	_device.advance(p_now);
-	_line.pull(_device, p_now, _byte_nsec(), !_speeds_agree());
+	_line.advance(_device, p_now, _byte_nsec(), !_speeds_agree());
 }
 
 Usec FtdiChip::_next_packet() const {

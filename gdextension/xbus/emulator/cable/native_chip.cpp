@@ -43,8 +43,7 @@ int NativeChip::write(uint8_t p_endpoint, const uint8_t *p_bytes, size_t p_size,
 }
 
 void NativeChip::_advance(Usec p_now) {
-	_device.advance(p_now);
-	_line.pull(_device, p_now, 0, false);
+	_line.advance(_device, p_now, 0, false);
 }
 
 int NativeChip::read_packet(uint8_t p_endpoint, uint8_t *r_packet, Usec p_now, Usec &r_time) {

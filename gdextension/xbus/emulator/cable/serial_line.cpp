@@ -56,6 +56,15 @@ void SerialLine::pull(SerialDevice &p_device, Usec p_now, int64_t p_byte_nsec, b
 	}
 }
 
+void SerialLine::advance(SerialDevice &p_device, Usec p_now, int64_t p_byte_nsec, bool p_garbage) {
+	for (Usec time = p_device.next_event(); time <= p_now; time = p_device.next_event()) {
+		p_device.advance(time);
+		pull(p_device, time, p_byte_nsec, p_garbage);
+	}
+	p_device.advance(p_now);
+	pull(p_device, p_now, p_byte_nsec, p_garbage);
+}
+
 Usec SerialLine::next_pull(const SerialDevice &p_device) const {
 	const Usec ready = p_device.next_output();
 	return ready == NEVER ? NEVER : std::max(ready, (_free_nsec + 999) / 1000);

@@ -79,6 +79,9 @@ public:
 	/// Takes what the device has sent until `p_now`. `p_byte_nsec`: how long a byte takes on the line, 0 for
 	/// a line that takes no time. `p_garbage`: both ends do not agree on the speed.
 	void pull(SerialDevice &p_device, Usec p_now, int64_t p_byte_nsec, bool p_garbage);
+	/// Lets the device do what is due until `p_now`, in steps: a late look must not fill its buffers, when the
+	/// line would have emptied them meanwhile.
+	void advance(SerialDevice &p_device, Usec p_now, int64_t p_byte_nsec, bool p_garbage);
 	/// When the line is free for more, where the device has more.
 	Usec next_pull(const SerialDevice &p_device) const;
 	/// When the n-th byte from now (from 1) will be there; NEVER if it has not been sent.

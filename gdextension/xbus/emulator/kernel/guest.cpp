@@ -14,6 +14,7 @@
 #include <fcntl.h>
 #include <sys/mount.h>
 #include <sys/reboot.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -43,6 +44,8 @@ void set_up() {
 			mount("sysfs", "/sys", "sysfs", 0, nullptr) == 0 && mount("devtmpfs", "/dev", "devtmpfs", 0, nullptr) == 0;
 	tell("mounted", is_mounted ? "yes" : std::strerror(errno));
 	setenv("LD_LIBRARY_PATH", "/lib", 1);
+	// What stands for hardware comes before programs.
+	(void)setpriority(PRIO_PROCESS, 0, -15);
 	std::ifstream order("/modules/order");
 	for (std::string name; std::getline(order, name);) {
 		load_module("/modules/" + name);
@@ -109,6 +112,7 @@ Program::Program(std::vector<std::string> p_arguments) {
 		dup2(ends[1], STDOUT_FILENO);
 		dup2(ends[1], STDERR_FILENO);
 		close(ends[0]);
+		(void)setpriority(PRIO_PROCESS, 0, 0);
 		execv(arguments[0], arguments.data());
 		_exit(127);
 	}

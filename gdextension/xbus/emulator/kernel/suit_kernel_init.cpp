@@ -35,9 +35,7 @@ void examine(const std::string &p_kind, int p_place, const Load &p_load) {
 	options.devices = p_kind;
 	options.sensors = p_load.sensors;
 	const auto log = [](Usec /*p_now*/, size_t /*p_place*/, const std::string &p_text) {
-		if (p_text.compare(0, 8, "control ") == 0) {
-			(void)printf("LOG %s\n", p_text.c_str());
-		}
+		(void)printf("LOG %s\n", p_text.c_str());
 	};
 	emulator::Suit suit(options, emulator::MotionStream::still(size_t(p_load.sensors)), monotonic, log);
 	suit.begin(monotonic());
@@ -66,7 +64,7 @@ void examine(const std::string &p_kind, int p_place, const Load &p_load) {
 int main() {
 	kernel::set_up();
 	examine("ftdi", 0, { 3, 50 });
-	examine("native", 1, { 15, 100 });
+	examine("native", 1, { 6, 100 });
 	kernel::tell("finished", "yes");
 	kernel::power_off();
 	return 0;
