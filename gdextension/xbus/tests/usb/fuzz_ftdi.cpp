@@ -14,8 +14,7 @@ constexpr std::size_t MOST = 1100;
 /// Fast numbers; their quality hardly matters.
 class Random {
 public:
-	explicit Random(uint64_t p_seed) :
-			_state(p_seed * 2 + 1) {}
+	explicit Random(uint64_t p_seed) : _state(p_seed * 2 + 1) {}
 	uint32_t below(uint32_t p_end) {
 		_state = _state * 6364136223846793005ULL + 1442695040888963407ULL;
 		return uint32_t(_state >> 33U) % p_end;
@@ -46,8 +45,7 @@ bool strip(Random &r_random, const std::vector<std::unique_ptr<uint8_t[]>> &p_bl
 		}
 	});
 	const std::size_t status = 2 * (statistics.packets - statistics.short_packets) + statistics.short_packets;
-	return is_sound && payload + status == size && statistics.line_faults <= statistics.packets &&
-			sum <= 255 * payload;
+	return is_sound && payload + status == size && statistics.line_faults <= statistics.packets && sum <= 255 * payload;
 }
 
 } // namespace
@@ -62,7 +60,8 @@ int main(int p_count, char **p_values) {
 	}
 	for (uint64_t execution = 0; execution < executions; ++execution) {
 		if (!strip(random, blocks)) {
-			std::printf("FAIL at execution %llu of seed %llu\n", (unsigned long long)execution, (unsigned long long)seed);
+			std::printf(
+					"FAIL at execution %llu of seed %llu\n", (unsigned long long)execution, (unsigned long long)seed);
 			return 1;
 		}
 	}
