@@ -35,8 +35,7 @@ using File = std::unique_ptr<std::FILE, FileCloser>;
 /// Notes frames in the hub's own thread: what a callback of the program would see.
 class Tracer final : public usb::HubListener {
 public:
-	explicit Tracer(File p_file) :
-			_file(std::move(p_file)) {}
+	explicit Tracer(File p_file) : _file(std::move(p_file)) {}
 
 	void take_frame(int p_device, const xbus::SuitFrame &p_frame) override {
 		++frames;
@@ -113,9 +112,10 @@ void print_report(const std::vector<usb::DeviceReport> &p_reports, uint64_t p_fr
 	std::printf("{\"frames\":%llu,\"devices\":[", (unsigned long long)p_frames);
 	for (std::size_t at = 0; at < p_reports.size(); ++at) {
 		const usb::DeviceReport &report = p_reports[at];
-		std::printf("%s{\"place\":\"%s\",\"usb\":\"%04x:%04x\",\"serial\":\"%s\",\"state\":\"%s\",\"device_id\":\"%08X\","
-					"\"baud\":%u,\"rate_hz\":%.1f,\"battery\":%.2f,\"malformed_bytes\":%llu,\"errors\":%llu,"
-					"\"restarts\":%llu,\"line_faults\":%llu,",
+		std::printf(
+				"%s{\"place\":\"%s\",\"usb\":\"%04x:%04x\",\"serial\":\"%s\",\"state\":\"%s\",\"device_id\":\"%08X\","
+				"\"baud\":%u,\"rate_hz\":%.1f,\"battery\":%.2f,\"malformed_bytes\":%llu,\"errors\":%llu,"
+				"\"restarts\":%llu,\"line_faults\":%llu,",
 				at > 0 ? "," : "", report.place.c_str(), report.known.vendor, report.known.product,
 				report.serial.c_str(), xbus::state_text(report.session.state), report.session.device_id,
 				report.session.baud, report.session.rate_hz, report.session.battery,

@@ -15,6 +15,8 @@ var effort: float = 1.0
 var pose_kind: ResetPose.Kind = ResetPose.Kind.T
 ## Places that are worn, for a fit check.
 var places: PackedInt32Array = PackedInt32Array(range(BodyPlaces.COUNT))
+## How far both arms point ahead in the T-pose instead of to the side, degrees.
+var ahead_deg: float = 0.0
 ## How far places are off in every pose, by place of [BodyPlaces].
 var faults: Dictionary[int, Quaternion] = {}
 ## How far places sway during everything, degrees to either side, by place.
@@ -64,13 +66,19 @@ func pose_at(p_time_s: float) -> PoseSample:
 
 func _rotation(p_step: CalibrationGuide.Step, p_part: float, p_place: int) -> Quaternion:
 	var pose: Quaternion = ResetPose.rotation(p_step.pose, p_place)
+	var stretched: Quaternion = Quaternion.IDENTITY
+	if ResetPose.hangs(p_place):
+		stretched = Rotations.yaw(deg_to_rad(-ahead_deg) * BodyPlaces.side(p_place))
 	if p_step.pose == ResetPose.Kind.N:
-		pose = Quaternion.IDENTITY.slerp(pose, minf(effort, 1.0))
+		pose = stretched.slerp(pose, minf(effort, 1.0))
+	elif p_step.movement == GuideMovements.Movement.NONE:
+		pose = stretched
 	var turn: Vector3 = GuideMovements.turn_deg(p_step.movement, p_place) * (PI / 180.0)
 	if turn == Vector3.ZERO:
 		return pose
 	# People do not move at once, and stand before the end.
 	var eased: float = smoothstep(0.2, 0.8, p_part)
-	if p_step.movement != GuideMovements.Movement.ARMS:
-		eased = sin(PI * eased)
+	if p_step.movement == GuideMovements.Movement.ARMS:
+		return stretched.slerp(ResetPose.rotation(ResetPose.Kind.N, p_place), eased * effort)
+	eased = sin(PI * eased)
 	return Rotations.from_vector(turn * eased * effort) * pose

@@ -10,6 +10,8 @@ const OFF_DEG: float = 20.0
 const OFF_STANDING_DEG: float = 8.0
 ## A heading that differs by more than this from its neighbours' is worth a word, degrees.
 const TURNED_DEG: float = 12.0
+## From such a difference on it is the sensor's north and not the wearer's movement, degrees.
+const OWN_NORTH_DEG: float = 25.0
 
 ## Why there is none, or an empty text.
 var error: String = ""

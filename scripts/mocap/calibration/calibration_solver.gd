@@ -138,7 +138,7 @@ func _old_entry(p_sensor: int) -> Calibration.Entry:
 
 func _is_each_its_own() -> bool:
 	if options.align == CalibrationOptions.Align.AUTO:
-		return _finder.spread() > deg_to_rad(CalibrationResult.TURNED_DEG)
+		return _finder.spread() > deg_to_rad(CalibrationResult.OWN_NORTH_DEG)
 	return options.align == CalibrationOptions.Align.EACH
 
 
@@ -194,7 +194,11 @@ func _advise_on_headings(p_each: bool) -> void:
 			odd.append("%s by %d°" % [BodyPlaces.title(place), roundi(rad_to_deg(off))])
 	if odd.is_empty():
 		return
-	var text: String = "the norths of the sensors differ (%s)" % ", ".join(odd)
-	if p_each and axes.size() < 2:
-		text += ": a full calibration aligns trunk and legs too"
-	_result.advice.append(text + (": each got its own" if p_each and axes.size() >= 2 else ""))
+	var differ: String = ", ".join(odd)
+	if not p_each:
+		_result.advice.append("turned about another axis (%s): straight to the side?" % differ)
+	elif axes.size() < 2:
+		var wanted: String = "a full calibration aligns trunk and legs too"
+		_result.advice.append("the norths of the sensors differ (%s): %s" % [differ, wanted])
+	else:
+		_result.advice.append("the norths of the sensors differ (%s): each got its own" % differ)

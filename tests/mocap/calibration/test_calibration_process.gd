@@ -123,6 +123,18 @@ func test_the_other_pose_tells_who_is_off() -> void:
 	contains(", ".join(result.advice), "left upper arm was 27° away")
 
 
+func test_arms_that_come_down_ahead_on_both_sides() -> void:
+	# In the T-pose both arms point ahead by 15 degrees, which turns their axes against each other.
+	var wearer: Wearer = _wearer(0.0)
+	wearer.motion.facing = 1.0
+	wearer.motion.ahead_deg = 15.0
+	var result: CalibrationResult = wearer.calibrate(CalibrationGuide.Kind.T_TO_N)
+	var off: float = angle_difference(1.0, deg_to_rad(result.find(0).heading_deg))
+	almost_equal(rad_to_deg(off), 0.0, 1.0, "left and right cancel")
+	almost_equal(result.find(5).heading_deg, result.find(9).heading_deg, 1e-4)
+	is_true(result.is_good(), ", ".join(result.advice))
+
+
 func test_a_heading_that_drifts_between_the_poses_is_named() -> void:
 	var wearer: Wearer = _wearer(0.0)
 	wearer.feed.drifts_deg.resize(17)

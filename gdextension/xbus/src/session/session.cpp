@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "session/session.hpp"
 
-#include "bus/bytes.hpp"
-
 #include <algorithm>
 #include <cstdarg>
 #include <cstdio>
@@ -13,14 +11,10 @@ namespace {
 
 /// Speeds at which a master may be found, the likeliest first, bit/s.
 constexpr std::array<uint32_t, 7> BAUDS = { 460800, 115200, 921600, 230400, 57600, 38400, 19200 };
-/// The speed that a slower master is set to where its line does not carry the samples.
-constexpr uint32_t FAST_BAUD = 460800;
 constexpr uint8_t FAST_BAUD_CODE = 0x00;
 /// A master that is reset is back after about 750 ms.
 constexpr uint64_t REBOOT_USEC = 1000000;
 constexpr uint64_t PAUSE_USEC = 500000;
-/// Bus errors in a row until people are told to look at the cables.
-constexpr int MOST_BUS_FAILURES = 3;
 
 } // namespace
 
@@ -41,8 +35,7 @@ const char *state_text(SessionState p_state) {
 	}
 }
 
-Session::Session(const SessionOptions &p_options, SessionHost &p_host) :
-		_options(p_options), _host(p_host) {}
+Session::Session(const SessionOptions &p_options, SessionHost &p_host) : _options(p_options), _host(p_host) {}
 
 void Session::open(uint64_t p_now_usec) {
 	_now_usec = p_now_usec;
@@ -267,16 +260,24 @@ void Session::fail_step() {
 		go_to(Step::STOPPED);
 	} else if (_step == Step::GO_TO_CONFIG) {
 		next_baud();
-	} else if (patience(_step).is_optional) {
-		go_to(step_after(_step));
-	} else if (_step == Step::SET_BAUD) {
-		choose_outputs();
-	} else {
+	} else if (!pass_over()) {
 		const char *name = message_name(_request.message());
 		char why[80];
 		snprintf(why, sizeof(why), "no answer to %s", name != nullptr ? name : "a message");
 		start_over(why);
 	}
+}
+
+/// Goes on without an answer, where that is possible.
+bool Session::pass_over() {
+	if (_step == Step::CONFIGURATION || _step == Step::SET_BAUD) {
+		choose_outputs();
+	} else if (patience(_step).is_optional) {
+		go_to(step_after(_step));
+	} else {
+		return false;
+	}
+	return true;
 }
 
 void Session::next_baud() {
@@ -360,189 +361,6 @@ void Session::wake_up() {
 	_has_answered = true;
 	_has_powered = false;
 	go_to(Step::DEVICE_ID);
-}
-
-void Session::take_answer(const Frame &p_frame) {
-	switch (_step) {
-		case Step::STOP:
-			go_to(Step::STOPPED);
-			return;
-		case Step::DEVICE_ID:
-			take_device_id(p_frame);
-			return;
-		case Step::INIT_BUS:
-			take_bus(p_frame);
-			return;
-		case Step::CONFIGURATION:
-			choose_outputs();
-			return;
-		case Step::OUTPUT_MODE:
-		case Step::OUTPUT_SETTINGS:
-			go_to(after_trackers(_step));
-			return;
-		case Step::DATA_LENGTH:
-			take_data_length(p_frame);
-			return;
-		case Step::MEASURING:
-			ask_resets();
-			return;
-		default:
-			go_to(step_after(_step));
-	}
-}
-
-void Session::take_device_id(const Frame &p_frame) {
-	if (p_frame.size < 4) {
-		return; // Asked again when the time is up.
-	}
-	_device_id = read_u32(p_frame.data);
-	_kind = device_kind(_device_id);
-	switch (_kind) {
-		case DeviceKind::AWINDA_STATION:
-		case DeviceKind::AWINDA_DONGLE:
-		case DeviceKind::BODY_PACK:
-		case DeviceKind::MTW2_MTX2:
-			tell(Severity::WARNING,
-					"%08X is an %s: its protocol and the filter that makes its orientations are not public. Let MVN "
-					"run with it and send its motion here (network streamer, UDP port 9763; here --mvn)",
-					_device_id, device_kind_name(_kind));
-			go_to(Step::UNSUPPORTED);
-			return;
-		default:
-			break;
-	}
-	_tracker_count = is_master() ? 0 : 1;
-	_tracker_ids[0] = _device_id;
-	go_to(step_after(_step));
-}
-
-void Session::take_bus(const Frame &p_frame) {
-	const std::size_t count = p_frame.size / 4;
-	if (p_frame.size % 4 != 0 || count > std::size_t(MOST_TRACKERS)) {
-		tell(Severity::WARNING, "names its trackers in %zu bytes, which is no list of at most %d", p_frame.size,
-				MOST_TRACKERS);
-		return; // Asked again when the time is up.
-	}
-	if (count == 0) {
-		start_over("finds no tracker on its bus (look at the cables)");
-		return;
-	}
-	for (std::size_t tracker = 0; tracker < count; ++tracker) {
-		_tracker_ids[tracker] = read_u32(p_frame.data + 4 * tracker);
-	}
-	_tracker_count = int(count);
-	_bus_failures = 0;
-	go_to(step_after(_step));
-}
-
-/// Asks for as much as the line carries; a slow line is made faster once, else the rate goes down.
-void Session::choose_outputs() {
-	_tracker = 0;
-	if (speaks_mtdata2()) {
-		go_to(Step::OUTPUT_CONFIGURATION);
-		return;
-	}
-	auto demand = std::size_t(_demands);
-	while (demand + 1 < DEMANDS.size() && !fits(_baud, DEMANDS[demand].block, _tracker_count, _options.rate_hz)) {
-		++demand;
-	}
-	const Demand &chosen = DEMANDS[demand];
-	const double rate = rate_that_fits(_baud, chosen.block, _tracker_count, _options.rate_hz);
-	if (rate < _options.rate_hz && _baud < FAST_BAUD && !_has_raised_baud && _step != Step::SET_BAUD) {
-		_has_raised_baud = true;
-		tell(Severity::INFO, "%u bit/s are too slow for %d trackers at %.0f Hz: setting it to %u", _baud,
-				_tracker_count, _options.rate_hz, FAST_BAUD);
-		go_to(Step::SET_BAUD);
-		return;
-	}
-	if (rate < _options.rate_hz) {
-		tell(Severity::WARNING, "%u bit/s carry %d trackers at %.0f Hz, not at %.0f", _baud, _tracker_count, rate,
-				_options.rate_hz);
-	}
-	_outputs.mode = chosen.mode;
-	_outputs.settings = chosen.settings | (is_master() ? 0U : SETTINGS_COUNTER);
-	_outputs.period = std::max(period_of(rate), _outputs.period);
-	go_to(Step::OUTPUT_MODE);
-}
-
-Session::Step Session::after_trackers(Step p_step) {
-	if (++_tracker < _tracker_count) {
-		return p_step;
-	}
-	_tracker = 0;
-	return step_after(p_step);
-}
-
-void Session::take_data_length(const Frame &p_frame) {
-	const std::size_t expected = expected_size();
-	if (p_frame.size >= 2 && read_u16(p_frame.data) != expected) {
-		tell(Severity::WARNING, "says that a sample has %u bytes; by its settings it has %zu", read_u16(p_frame.data),
-				expected);
-	}
-	go_to(step_after(_step));
-}
-
-void Session::take_error(const Frame &p_frame) {
-	++_errors;
-	const uint8_t code = p_frame.size > 0 ? p_frame.data[0] : uint8_t(0);
-	const char *text = error_text(code);
-	const unsigned faulty = p_frame.size > 1 ? p_frame.data[1] : 0U;
-	char where[24] = "";
-	if (faulty >= 1 && faulty <= unsigned(_tracker_count) && is_master()) {
-		snprintf(where, sizeof(where), ", tracker %u", faulty);
-	}
-	if (_step != Step::STOP && !is_stopped() && _step != Step::GO_TO_CONFIG) {
-		tell(Severity::WARNING, "error %02X%s: %s", code, where, text != nullptr ? text : "unknown");
-	}
-	if (_waits && _step != Step::MEASURING) {
-		take_setup_error(code);
-	}
-}
-
-void Session::take_setup_error(uint8_t p_code) {
-	constexpr uint8_t NO_BUS = 0x01;
-	constexpr uint8_t BUS_NOT_READY = 0x02;
-	if (_step == Step::INIT_BUS && p_code == NO_BUS && !_has_powered) {
-		_has_powered = true;
-		go_to(Step::BUS_POWER);
-	} else if (_step == Step::INIT_BUS) {
-		if (++_bus_failures < MOST_BUS_FAILURES) {
-			start_over("its bus failed");
-		} else {
-			_bus_failures = 0;
-			start_over("its bus fails again and again (look at the cables)");
-		}
-	} else if (p_code == BUS_NOT_READY && is_master()) {
-		go_to(Step::INIT_BUS);
-	} else if (_step == Step::SET_BAUD) {
-		choose_outputs();
-	} else if (_step == Step::PERIOD || _step == Step::MEASURE || _step == Step::OUTPUT_MODE ||
-			_step == Step::OUTPUT_SETTINGS) {
-		if (lower_demands()) {
-			choose_outputs();
-		} else {
-			start_over("refuses its settings");
-		}
-	} else if (patience(_step).is_optional) {
-		go_to(step_after(_step));
-	} else {
-		// Asked again when the time is up.
-		_deadline_usec = std::min(_deadline_usec, _now_usec + 100000);
-	}
-}
-
-/// Asks for less the next time; false if that is the least already.
-bool Session::lower_demands() {
-	if (_demands + 1 < int(DEMANDS.size())) {
-		++_demands;
-		return true;
-	}
-	if (_outputs.period > 0 && _outputs.period <= MOST_PERIOD / 2) {
-		_outputs.period = uint16_t(_outputs.period * 2);
-		tell(Severity::WARNING, "bears no more than %.0f Hz", _outputs.rate_hz());
-		return true;
-	}
-	return false;
 }
 
 void Session::tell(Severity p_severity, const char *p_format, ...) {

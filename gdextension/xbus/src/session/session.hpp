@@ -14,7 +14,11 @@
 
 namespace xbus {
 
-enum class Severity : uint8_t { INFO, WARNING, ERROR };
+enum class Severity : uint8_t {
+	INFO,
+	WARNING,
+	ERROR
+};
 
 using ResetMethod = host::OrientationReset;
 
@@ -90,6 +94,9 @@ public:
 /// session is open. Nothing is allocated while the device measures.
 class Session {
 public:
+	/// The speed that a slower master is set to where its line does not carry the samples, bit/s.
+	static constexpr uint32_t FAST_BAUD = 460800;
+
 	Session(const SessionOptions &p_options, SessionHost &p_host);
 
 	/// Begins.
@@ -153,6 +160,7 @@ private:
 	Step after_trackers(Step p_step);
 	void start_over(const char *p_why);
 	void fail_step();
+	bool pass_over();
 	void next_baud();
 	void pause(uint64_t p_usec);
 
@@ -171,7 +179,7 @@ private:
 	void begin_measuring();
 	void look_after_stream();
 	void ask_resets();
-	bool lower_demands();
+	bool lower_demands(uint8_t p_code);
 	void tell(Severity p_severity, const char *p_format, ...) __attribute__((format(printf, 3, 4)));
 	bool is_master() const { return _kind == DeviceKind::XBUS_MASTER; }
 	bool speaks_mtdata2() const;
@@ -208,7 +216,9 @@ private:
 	uint64_t _battery_usec = 0;
 
 	uint64_t _heard_usec = 0;
+	/// Samples of a wrong length when it began to measure, and when that was told last.
 	uint64_t _refused = 0;
+	uint64_t _told_refused = 0;
 	uint64_t _bytes_usec = 0;
 	bool _is_silent = false;
 	bool _has_answered = false;

@@ -31,7 +31,9 @@ void Session::begin_measuring() {
 	} else if (!speaks_mtdata2()) {
 		_check.expect_tracker(tracker_format());
 	}
-	_refused = _check.statistics().wrong_sizes;
+	// A false length must not hold back what comes behind it.
+	_framer.set_longest(std::max<std::size_t>(_check.data_size(), Configuration::MOST_BYTES));
+	_refused = _told_refused = _check.statistics().wrong_sizes;
 	tell(Severity::INFO, "%s %08X measures: %d tracker%s at %.0f Hz", device_kind_name(_kind), _device_id,
 			_tracker_count, _tracker_count == 1 ? "" : "s", rate_hz());
 }
@@ -53,7 +55,7 @@ void Session::look_after_stream() {
 	const auto patience_usec = uint64_t(std::max(double(SILENT_USEC), SILENT_PERIODS * 1e6 / rate_hz()));
 	if (_now_usec > _heard_usec + patience_usec) {
 		_is_silent = true;
-		start_over("has fallen silent");
+		start_over(_check.statistics().wrong_sizes > _refused ? "sends nothing that can be used" : "has fallen silent");
 		return;
 	}
 	if (_waits && _now_usec > _deadline_usec) {
@@ -70,8 +72,8 @@ void Session::look_after_stream() {
 void Session::note_refusals() {
 	constexpr uint64_t MANY = 20;
 	const uint64_t refused = _check.statistics().wrong_sizes;
-	if (refused >= _refused + MANY) {
-		_refused = refused;
+	if (refused >= _told_refused + MANY) {
+		_told_refused = refused;
 		tell(Severity::WARNING,
 				"sends samples of another length than its settings make (%zu bytes): they are counted and dropped",
 				expected_size());

@@ -87,8 +87,8 @@ struct FtdiStatistics {
 /// Hands the payload of a read on without the two status bytes that begin every packet.
 /// `p_sink(const uint8_t *bytes, std::size_t size)` is called for each run of payload.
 template <class Sink>
-void ftdi_strip(const uint8_t *p_bytes, std::size_t p_size, std::size_t p_packet_size,
-		FtdiStatistics &r_statistics, Sink &&p_sink) {
+void ftdi_strip(const uint8_t *p_bytes, std::size_t p_size, std::size_t p_packet_size, FtdiStatistics &r_statistics,
+		Sink &&p_sink) {
 	const std::size_t packet_size = std::max(p_packet_size, ftdi::STATUS_SIZE + 1);
 	for (std::size_t at = 0; at < p_size; at += packet_size) {
 		const std::size_t size = std::min(packet_size, p_size - at);

@@ -42,8 +42,8 @@ public:
 	/// A sample of all trackers of a device.
 	virtual void take_frame(int p_device, const xbus::SuitFrame &p_frame) = 0;
 	/// Bytes of the bus as they come in (or go out), µs of CLOCK_MONOTONIC.
-	virtual void take_raw(int p_device, bool p_is_out, const uint8_t *p_bytes, std::size_t p_size,
-			uint64_t p_time_usec) = 0;
+	virtual void take_raw(
+			int p_device, bool p_is_out, const uint8_t *p_bytes, std::size_t p_size, uint64_t p_time_usec) = 0;
 	/// A device was opened.
 	virtual void device_opened(const DeviceReport &p_report) = 0;
 };

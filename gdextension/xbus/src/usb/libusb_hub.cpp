@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "usb/libusb_hub.hpp"
+#include "usb/libusb_device.hpp"
 
 #include <algorithm>
 
@@ -40,69 +40,6 @@ const char *advice(DeviceLink p_kind) {
 
 } // namespace
 
-/// A device that is there, open or not.
-struct LibusbHub::Device final : public PortListener, public xbus::SessionHost {
-	LibusbHub &hub;
-	libusb_device *device;
-	DeviceReport report;
-	std::unique_ptr<Port> port;
-	std::unique_ptr<xbus::Session> session;
-	std::shared_ptr<FrameRing> frames = std::make_shared<FrameRing>();
-	uint64_t retry_usec = 0;
-	uint32_t wanted_baud = 0;
-	bool is_leaving = false;
-
-	Device(LibusbHub &p_hub, libusb_device *p_device) :
-			hub(p_hub), device(libusb_ref_device(p_device)) {}
-	Device(const Device &) = delete;
-	Device &operator=(const Device &) = delete;
-	~Device() override {
-		if (port != nullptr && !port->is_idle()) {
-			// libusb still holds transfers of it: rather lost than used after it is gone.
-			static_cast<void>(port.release());
-		}
-		port.reset();
-		libusb_unref_device(device);
-	}
-
-	void take_bytes(const uint8_t *p_bytes, std::size_t p_size, uint64_t p_time_usec) override {
-		if (hub._listener != nullptr) {
-			hub._listener->take_raw(report.number, false, p_bytes, p_size, p_time_usec);
-		}
-		session->take_bytes(p_bytes, p_size, p_time_usec);
-	}
-
-	bool send(const uint8_t *p_bytes, std::size_t p_size) override {
-		if (hub._listener != nullptr) {
-			hub._listener->take_raw(report.number, true, p_bytes, p_size, now_usec());
-		}
-		return port->send(p_bytes, p_size);
-	}
-
-	// Not at once: it takes a request of its own, which an event must not wait for.
-	void set_baud(uint32_t p_baud) override { wanted_baud = p_baud; }
-
-	void take_frame(const xbus::SuitFrame &p_frame) override {
-		if (hub._listener != nullptr) {
-			hub._listener->take_frame(report.number, p_frame);
-		}
-		if (xbus::SuitFrame *entry = frames->claim(); entry != nullptr) {
-			*entry = p_frame;
-			frames->publish();
-		} else {
-			++report.overruns;
-		}
-	}
-
-	void say(xbus::Severity p_severity, const char *p_text) override {
-		hub.say(p_severity, name() + ": " + p_text);
-	}
-
-	std::string name() const {
-		return std::string(report.known.name) + " at " + report.place;
-	}
-};
-
 LibusbHub::LibusbHub(const xbus::SessionOptions &p_options, HubListener *p_listener) :
 		_options(p_options), _listener(p_listener), _context(nullptr, free_context) {}
 
@@ -120,9 +57,8 @@ std::string LibusbHub::start() {
 	_context.reset(context);
 	const int events = LIBUSB_HOTPLUG_EVENT_DEVICE_ARRIVED | LIBUSB_HOTPLUG_EVENT_DEVICE_LEFT;
 	_has_hotplug = libusb_has_capability(LIBUSB_CAP_HAS_HOTPLUG) != 0 &&
-			libusb_hotplug_register_callback(context, events, LIBUSB_HOTPLUG_ENUMERATE,
-					LIBUSB_HOTPLUG_MATCH_ANY, LIBUSB_HOTPLUG_MATCH_ANY, LIBUSB_HOTPLUG_MATCH_ANY, on_hotplug,
-					this, &_hotplug) == LIBUSB_SUCCESS;
+			libusb_hotplug_register_callback(context, events, LIBUSB_HOTPLUG_ENUMERATE, LIBUSB_HOTPLUG_MATCH_ANY,
+					LIBUSB_HOTPLUG_MATCH_ANY, LIBUSB_HOTPLUG_MATCH_ANY, on_hotplug, this, &_hotplug) == LIBUSB_SUCCESS;
 	_stops = false;
 	_thread = std::thread(&LibusbHub::run, this);
 	return "";
@@ -204,10 +140,9 @@ void LibusbHub::run() {
 		for (const std::unique_ptr<Device> &device : _devices) {
 			advance(*device, now);
 		}
-		const auto gone = std::remove_if(_devices.begin(), _devices.end(),
-				[](const std::unique_ptr<Device> &p_device) {
-					return p_device->is_leaving && (p_device->port == nullptr || p_device->port->is_idle());
-				});
+		const auto gone = std::remove_if(_devices.begin(), _devices.end(), [](const std::unique_ptr<Device> &p_device) {
+			return p_device->is_leaving && (p_device->port == nullptr || p_device->port->is_idle());
+		});
 		_devices.erase(gone, _devices.end());
 		publish();
 	}
@@ -261,8 +196,7 @@ void LibusbHub::add(libusb_device *p_device) {
 	}
 	auto device = std::make_unique<Device>(*this, p_device);
 	char place[16];
-	snprintf(place, sizeof(place), "%03d/%03d", libusb_get_bus_number(p_device),
-			libusb_get_device_address(p_device));
+	snprintf(place, sizeof(place), "%03d/%03d", libusb_get_bus_number(p_device), libusb_get_device_address(p_device));
 	device->report.number = _next_number++;
 	device->report.known = known;
 	device->report.place = place;

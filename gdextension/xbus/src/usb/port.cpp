@@ -9,7 +9,8 @@ namespace usb {
 
 namespace {
 
-constexpr int READS = 16;
+/// An FTDI chip completes a read each millisecond: so many can wait for a thread that gets no processor.
+constexpr int READS = 64;
 constexpr int WRITES = 16;
 constexpr std::size_t READ_SIZE = 4096;
 constexpr std::size_t WRITE_SIZE = 512;
@@ -37,8 +38,8 @@ std::string node_of(libusb_device *p_device) {
 }
 
 PortFault fault_of(int p_error, libusb_device *p_device, const KnownDevice &p_known) {
-	const std::string which = std::string(p_known.name) + " (" + hex(p_known.vendor) + ":" +
-			hex(p_known.product) + ", " + node_of(p_device) + ")";
+	const std::string which = std::string(p_known.name) + " (" + hex(p_known.vendor) + ":" + hex(p_known.product) +
+			", " + node_of(p_device) + ")";
 	switch (p_error) {
 		case LIBUSB_ERROR_ACCESS:
 			return { "no permission for " + which +
@@ -63,8 +64,8 @@ uint64_t now_usec() {
 	return uint64_t(duration_cast<microseconds>(steady_clock::now().time_since_epoch()).count());
 }
 
-std::unique_ptr<Port> Port::open(libusb_device *p_device, const KnownDevice &p_known,
-		PortListener &p_listener, PortFault &r_fault) {
+std::unique_ptr<Port> Port::open(
+		libusb_device *p_device, const KnownDevice &p_known, PortListener &p_listener, PortFault &r_fault) {
 	std::unique_ptr<Port> port(new Port(p_known, p_listener));
 	libusb_device_handle *handle = nullptr;
 	const int error = libusb_open(p_device, &handle);
@@ -137,8 +138,8 @@ bool Port::claim(libusb_device *p_device, PortFault &r_fault) {
 	_release = descriptor.bcdDevice;
 	if (descriptor.iSerialNumber != 0) {
 		unsigned char text[64] = {};
-		const int size = libusb_get_string_descriptor_ascii(
-				_handle.get(), descriptor.iSerialNumber, text, sizeof(text));
+		const int size =
+				libusb_get_string_descriptor_ascii(_handle.get(), descriptor.iSerialNumber, text, sizeof(text));
 		// What a device says of itself goes to logs and screens.
 		for (int at = 0; at < size; ++at) {
 			_serial += text[at] > 0x20 && text[at] < 0x7F ? char(text[at]) : '?';
@@ -169,18 +170,16 @@ bool Port::set_up_chip(PortFault &r_fault) {
 		return true;
 	}
 	const uint16_t port = chip_port();
-	const bool done = control(ftdi::RESET, ftdi::RESET_ALL, port) &&
-			control(ftdi::LATENCY_TIMER, LATENCY_MS, port) &&
-			control(ftdi::DATA_FORMAT, ftdi::FORMAT_8N2, port) &&
-			control(ftdi::FLOW_CONTROL, 0, port) &&
+	const bool done = control(ftdi::RESET, ftdi::RESET_ALL, port) && control(ftdi::LATENCY_TIMER, LATENCY_MS, port) &&
+			control(ftdi::DATA_FORMAT, ftdi::FORMAT_8N2, port) && control(ftdi::FLOW_CONTROL, 0, port) &&
 			control(ftdi::MODEM_CONTROL, ftdi::DTR_RTS_ON, port);
 	if (!done) {
 		r_fault = { std::string(_known.name) + ": its serial chip does not answer; plug it in again", true };
 		return false;
 	}
 	unsigned char status[2] = {};
-	libusb_control_transfer(_handle.get(), ftdi::IN, ftdi::MODEM_STATUS, 0, port, status, sizeof(status),
-			CONTROL_LIMIT_MS);
+	libusb_control_transfer(
+			_handle.get(), ftdi::IN, ftdi::MODEM_STATUS, 0, port, status, sizeof(status), CONTROL_LIMIT_MS);
 	return true;
 }
 
@@ -208,8 +207,8 @@ bool Port::prepare_transfers() {
 				return false;
 			}
 			libusb_fill_bulk_transfer(transfer.transfer.get(), _handle.get(), reads ? _ends.in : _ends.out,
-					transfer.buffer.data(), int(transfer.buffer.size()), reads ? on_read : on_write,
-					&transfer, reads ? 0 : WRITE_LIMIT_MS);
+					transfer.buffer.data(), int(transfer.buffer.size()), reads ? on_read : on_write, &transfer,
+					reads ? 0 : WRITE_LIMIT_MS);
 		}
 	}
 	return true;

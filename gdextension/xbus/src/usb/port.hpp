@@ -38,8 +38,8 @@ class Port {
 public:
 	/// Opens a device: finds the bulk endpoints in any interface and setting, takes the interface from the
 	/// kernel's driver (which gets it back in the end), and sets an FTDI chip up.
-	static std::unique_ptr<Port> open(libusb_device *p_device, const KnownDevice &p_known,
-			PortListener &p_listener, PortFault &r_fault);
+	static std::unique_ptr<Port> open(
+			libusb_device *p_device, const KnownDevice &p_known, PortListener &p_listener, PortFault &r_fault);
 
 	Port(const Port &) = delete;
 	Port &operator=(const Port &) = delete;
@@ -86,8 +86,7 @@ private:
 		uint16_t packet_size = 64;
 	};
 
-	Port(const KnownDevice &p_known, PortListener &p_listener) :
-			_known(p_known), _listener(p_listener) {}
+	Port(const KnownDevice &p_known, PortListener &p_listener) : _known(p_known), _listener(p_listener) {}
 
 	bool claim(libusb_device *p_device, PortFault &r_fault);
 	bool set_up_chip(PortFault &r_fault);

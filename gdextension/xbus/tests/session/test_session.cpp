@@ -147,6 +147,22 @@ TEST(a_damaged_line_does_not_keep_it_from_measuring) {
 	}
 }
 
+TEST(a_configuration_that_never_comes_is_done_without) {
+	for (const char *seed : { "1", "2", "3", "4", "5", "6" }) {
+		SuitRig rig({ "--sensors=15", "--devices=ftdi", "--drop=0.002", std::string("--seed=") + seed });
+		CHECK(rig.measures_within(15.0));
+		CHECK(rig.logged("SetOutputMode 0000") == 0);
+		CHECK(rig.logged("SetPeriod 0000") == 0);
+	}
+}
+
+TEST(a_dead_tracker_does_not_slow_the_others_down) {
+	SuitRig rig(with({ "--devices=ftdi", "--dead=2" }));
+	rig.run(12.0);
+	CHECK(rig.has_said("tracker 2"));
+	CHECK(!rig.has_said("bears no more"));
+}
+
 TEST(a_suit_that_is_switched_on_off_and_on_again_comes_back) {
 	SuitRig rig(with({ "--devices=ftdi" }));
 	CHECK(rig.measures_within(3.0));
@@ -184,7 +200,8 @@ TEST(somebody_who_does_not_answer_is_told_of_and_found_later) {
 TEST(a_tracker_that_lies_about_its_length_is_told_of) {
 	SuitRig rig(with({ "--devices=ftdi", "--lie=3:5" }));
 	rig.run(6.0);
-	CHECK(rig.has_said("bytes"));
+	CHECK(rig.has_said("sends samples of another length"));
+	CHECK(!rig.has_said("silent"));
 	CHECK(rig.frames == 0);
 	CHECK(rig.report().framer.refused_frames > 0);
 	CHECK(rig.said.size() < 20);

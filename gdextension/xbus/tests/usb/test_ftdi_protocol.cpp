@@ -47,8 +47,8 @@ TEST(status_bytes_go_payload_stays_however_reads_are_cut) {
 				// A short packet ends a read.
 				usb::FtdiStatistics statistics;
 				std::vector<uint8_t> found;
-				usb::ftdi_strip(wire.data(), wire.size(), packet, statistics,
-						[&](const uint8_t *p_bytes, std::size_t p_size) {
+				usb::ftdi_strip(
+						wire.data(), wire.size(), packet, statistics, [&](const uint8_t *p_bytes, std::size_t p_size) {
 							found.insert(found.end(), p_bytes, p_bytes + p_size);
 						});
 				CHECK(found == payload);
@@ -71,11 +71,10 @@ TEST(hostile_reads_stay_within_their_bytes) {
 		const std::vector<uint8_t> bytes(size, uint8_t(random()));
 		usb::FtdiStatistics statistics;
 		std::size_t total = 0;
-		usb::ftdi_strip(bytes.data(), size, random() % 70, statistics,
-				[&](const uint8_t *p_bytes, std::size_t p_size) {
-					total += p_size;
-					CHECK(p_bytes >= bytes.data() && p_bytes + p_size <= bytes.data() + size);
-				});
+		usb::ftdi_strip(bytes.data(), size, random() % 70, statistics, [&](const uint8_t *p_bytes, std::size_t p_size) {
+			total += p_size;
+			CHECK(p_bytes >= bytes.data() && p_bytes + p_size <= bytes.data() + size);
+		});
 		CHECK(total <= size);
 	}
 }
