@@ -62,7 +62,7 @@ func _on_calibrated(p_result: CalibrationResult) -> void:
 	var now: float = Time.get_ticks_usec() / 1e6
 	var advice: String = "; ".join(p_result.advice.slice(0, _MOST_ADVICE))
 	var fault: String = p_result.error
-	if fault == "" and p_result.score() < _LEAST_SCORE:
+	if fault == "" and (p_result.score() < _LEAST_SCORE or not p_result.swaps.is_empty()):
 		fault = advice
 	if fault != "":
 		source.refuse_calibration()

@@ -209,6 +209,10 @@ func _wear(p_feed: SensorFeed, p_name: String) -> void:
 		wearer.set_profile(profile)
 	elif p_name != "":
 		Log.warning("mocap", PersonProfile.find_name_fault(p_name))
+	elif not wearers.is_empty():
+		var other: PersonProfile = PersonProfile.new()
+		other.name = "somebody %d" % (wearers.size() + 1)
+		wearer.set_profile(other)
 	_by_feed[p_feed] = wearer
 	wearers.append(wearer)
 	appeared.emit(wearer, p_name)

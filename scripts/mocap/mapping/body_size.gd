@@ -38,12 +38,14 @@ const HINTS: Dictionary[StringName, String] = {
 ## Smallest and largest height of a person, m.
 const LEAST_HEIGHT: float = 0.8
 const MOST_HEIGHT: float = 2.5
+## Height of somebody of whom nobody has told it, m.
+const USUAL_HEIGHT: float = 1.75
 ## A measure is between so many times what is usual for the height.
 const LEAST_PART: float = 0.5
 const MOST_PART: float = 1.8
 
 ## Height, m.
-var height: float = 1.75:
+var height: float = USUAL_HEIGHT:
 	set(p_height):
 		if p_height >= LEAST_HEIGHT and p_height <= MOST_HEIGHT:
 			height = p_height
@@ -125,6 +127,18 @@ func limb_length(p_limb: int) -> float:
 		11, 14:
 			return length(&"shank")
 	return length(&"foot_length")
+
+
+## Lengths of arms and legs for a [PersonCard], m, 0 for all others: what is a trunk, a head, a hand
+## differs from skeleton to skeleton. Empty for somebody of whom nobody has told a size.
+func limb_lengths() -> PackedFloat32Array:
+	var lengths: PackedFloat32Array = PackedFloat32Array()
+	if measured.is_empty() and is_equal_approx(height, USUAL_HEIGHT):
+		return lengths
+	lengths.resize(Limbs.COUNT)
+	for limb: int in [4, 5, 7, 8, 10, 11, 13, 14]:
+		lengths[limb] = limb_length(limb)
+	return lengths
 
 
 ## Where each limb begins in the reset pose, m: facing +Z, the hips' middle above the origin, the

@@ -3,8 +3,9 @@ extends MotionSource
 ## A person who wears sensors: a [SensorFeed], and who wears it where and how ([PersonProfile]).
 ##
 ## Any thread may sample it, and one other (the main one) show and calibrate it meanwhile: call
-## [method advance] there in every frame. A suit does not know where it is: the hips stay at
-## standing height above the origin, and the server finds the travel (--root=inertial).
+## [method advance] there in every frame. A suit does not know where it is: the
+## lower foot stands on the ground below the origin, and the server finds the travel
+## (--root=inertial).
 
 ## There is a result of a calibration to be taken over or refused.
 signal calibrated(p_result: CalibrationResult)
@@ -156,6 +157,10 @@ func get_hip_height() -> float:
 
 func get_body() -> BodySize:
 	return get_profile().size
+
+
+func get_limb_lengths() -> PackedFloat32Array:
+	return get_profile().size.limb_lengths()
 
 
 func describe() -> String:

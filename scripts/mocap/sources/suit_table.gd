@@ -14,7 +14,7 @@ var reset_pose: ResetPose.Kind = ResetPose.Kind.T
 
 var _left: Array[Quaternion] = []
 var _right: Array[Quaternion] = []
-var _hip_height: float = 0.95
+var _standing: StandingHeight = null
 var _is_known: PackedByteArray = PackedByteArray()
 # Written by one thread, read by others: guarded.
 var _mutex: Mutex = Mutex.new()
@@ -29,7 +29,7 @@ func setup(p_sensors: Array[SensorInfo], p_profile: PersonProfile) -> void:
 	is_calibrated = p_profile.calibration != null
 	if is_calibrated:
 		reset_pose = p_profile.calibration.pose
-	_hip_height = p_profile.size.length(&"hip_height")
+	_standing = StandingHeight.new(p_profile.size)
 	var count: int = p_sensors.size()
 	_left.resize(count)
 	_right.resize(count)
@@ -87,7 +87,7 @@ func pose(p_frame: SensorFrame) -> PoseSample:
 	for limb: int in Limbs.COUNT:
 		found.set_orientation(limb, _filler.limbs[limb])
 	found.time_usec = p_frame.time_usec
-	found.root = Vector3(0.0, _hip_height, 0.0)
+	found.root = Vector3(0.0, _standing.of(found), 0.0)
 	found.details = _details(p_frame)
 	_mutex.unlock()
 	return found
