@@ -23,29 +23,43 @@ HELP = """Dismount: people in motion-capture suits move through physics.
   ./run                     set up everything; start an exported server, a trainee who moves by a
                             recorded clip, and an observer. With a display: in windows, until one
                             is closed. Without: for 20 s; a picture and a film are left in out/
+
+Roles
   ./run server  [options]   the exported dedicated server alone
-  ./run trainee [options]   a client with a body; --bvh=FILE is its motion
+  ./run trainee [options]   a client with a body. Its motion (key M: the panel for suits):
+      --bvh=FILE[,FILE]     motion files, a person each (without any of these: a clip of ours)
+      --xbus                a wired Xsens suit on USB (docs/suits.md)
+      --mvn[=PORT]          Xsens MVN's network stream on UDP 9763: every person in it
+      --tracker=NAME        a body tracker of another Godot plugin
+      --suit-play=FILE      a recording of a suit or of MVN, in a loop
+      --suit-record=FILE    keeps every byte of suit and MVN for that
+      --person=NAME --calibrate=KIND   who wears the suit; t_pose, n_pose, t_to_n, full, quick
   ./run observer [options]  a client that watches
   ./run instructor [options]  a client that watches and decides who takes part
   ./run replay --file=FILE  shows what a client recorded with --record=FILE
-  ./run editor              the Godot editor with this project
-  ./run export              exports server and client to build/export/
-  ./run bvh FILE            what a motion file holds: joints, frames, duration, unit, up axis
-                            (--unit=m|cm|mm|inch|cmu|METRES and --up=y|z override the guess)
+
+Motion capture without a suit
+  ./run suit-emulator [-- COMMAND]  a suit on USB that is not there, for the program behind --
+                            (./run suit-emulator --help, docs/suit-emulator.md)
+  ./run mvn-sender --bvh FILE  plays a motion file as MVN's network stream: --host --port --rate
+                            --types --characters --name --seconds --loss (docs/mvn.md)
   ./run xbus-decode FILE    what a recording of a suit's bus holds: messages, devices, rates, loss;
                             --json prints everything, decoded (docs/xbus.md)
-  ./run mvn-sender --bvh FILE  plays a motion file as Xsens MVN's network stream, for trying without
-                            a suit: --host --port --rate --types --characters --name --seconds
-                            --loss (docs/mvn.md)
+  ./run bvh FILE            what a motion file holds: joints, frames, duration, unit, up axis
+                            (--unit=m|cm|mm|inch|cmu|METRES and --up=y|z override the guess)
+
+Measuring
   ./run latency             measures the delay from sample to display on this machine, stage by
                             stage, and draws it (--seconds, --rate, --fps, --smoothing, --bvh)
   ./run load                puts many clients on a server over a bad network (docs/load.md):
                             --trainees=8 --observers=24 --loss=2 --delay=25 --jitter=10
                             --seconds --rate --snapshot-rate --seed --json --server-options
-  ./run suit-emulator [-- COMMAND]  a motion-capture suit on USB that is not there, for programs
-                            that have none (./run suit-emulator --help, docs/suit-emulator.md)
   ./run bench               lists the benchmarks
   ./run bench NAME [--json] [options]   runs one
+
+Development
+  ./run editor              the Godot editor with this project
+  ./run export              exports server and client to build/export/
   ./run --help              this text; ./run server --help lists the roles' options
 
 Options of the roles are given as --name=value, or by the environment: DISMOUNT_PORT=7778 is
@@ -55,12 +69,16 @@ The environment also knows GODOT (an engine >= 4.6 to use), GODOT_CPP_DIR (build
 of godot-cpp), DISMOUNT_DEBIAN_MIRROR (where to fetch Godot), XDG_CACHE_HOME, and
 DISMOUNT_DISPLAY=virtual (do as if there was no display).
 
-Keys in a window: 1 mesh world, 2 static world, 3 physics world; drag and wheel move the camera.
+Keys in a window: 1 mesh world, 2 static world, 3 physics world, L delays; a trainee's: M suits and
+calibration. Drag and wheel move the camera.
 """
 
 FLAGS = ("--help", "--xbus", "--panel", "--dtls", "--waiting-room")
 SESSION_FILES = ("ban-file", "dtls-certificate", "dtls-key")
-FILES = ("suit-record", "suit-play", "bvh", "record", "file", "report", "screenshot", "latency-csv", *SESSION_FILES)
+SUIT_FILES = ("suit-record", "suit-play")
+OUTPUT_FILES = ("record", "report", "screenshot", "latency-csv")
+FILES = ("bvh", "file", *SUIT_FILES, *OUTPUT_FILES, *SESSION_FILES)
+SOURCES = ("bvh", "xbus", "mvn", "tracker", "suit-play")
 
 
 def main(arguments: list[str]) -> int:
@@ -135,11 +153,7 @@ def _server(arguments: list[str]) -> int:
 
 def _client(role: str, arguments: list[str]) -> int:
     options = normalise(arguments)
-    sources = ("bvh", "xbus", "mvn", "tracker", "suit-play")
-    named = tuple(f"--{name}" for name in sources)
-    asked = any(option.partition("=")[0] in named for option in options)
-    asked = asked or any(os.environ.get(f"DISMOUNT_{name.upper().replace('-', '_')}") for name in sources)
-    if role == "trainee" and not asked:
+    if role == "trainee" and not _names_source(options):
         options.append(f"--bvh={CLIPS / '01_01.bvh'}")
     prepare(export=True)
     command = [str(CLIENT_BINARY)]
@@ -147,6 +161,13 @@ def _client(role: str, arguments: list[str]) -> int:
         say("There is no display: the client runs without a window.")
         command.append("--headless")
     return _run([*command, "--", f"--role={role}", *options])
+
+
+def _names_source(options: list[str]) -> bool:
+    """Whether options or environment say where a trainee's motion comes from."""
+    named = [option.partition("=")[0] for option in options]
+    variables = [f"DISMOUNT_{name.upper().replace('-', '_')}" for name in SOURCES]
+    return any(f"--{name}" in named for name in SOURCES) or any(map(os.environ.get, variables))
 
 
 def _editor(_arguments: list[str]) -> int:

@@ -16,8 +16,10 @@ from .paths import BUILD, CLIENT_BINARY, ROOT, SERVER_BINARY, lock, make_folder,
 
 EXTENSIONS = BUILD / "gdextension"
 IMPORTED = ["assets", "scenes", "scripts", "tests", "addons", "gdextension/bin"]
-EXPORTED = ["assets", "scenes", "scripts", "addons", "gdextension/bin"]
+EXPORTED = ["assets", "scenes", "scripts", "addons", "gdextension/bin", "gdextension/xbus/udev"]
 SETTINGS = ["project.godot", "export_presets.cfg"]
+# What lets users at suits on USB; it lies beside the programs that ask for it.
+UDEV_RULES = ROOT / "gdextension" / "xbus" / "udev" / "60-dismount-suits.rules"
 PRESETS = {"Linux Dedicated Server": SERVER_BINARY, "Linux Client": CLIENT_BINARY}
 
 
@@ -135,7 +137,13 @@ def export_all(godot: Godot) -> None:
             shutil.rmtree(target.parent, ignore_errors=True)
             make_folder(target.parent)
             _export(godot, preset, target)
+            ship_rules(target.parent)
             stamp.set(value)
+
+
+def ship_rules(folder: Path) -> None:
+    """Puts the udev rules for suits into the folder of a program."""
+    shutil.copyfile(UDEV_RULES, folder / UDEV_RULES.name)
 
 
 def _export(godot: Godot, preset: str, target: Path) -> None:

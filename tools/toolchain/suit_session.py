@@ -138,4 +138,3 @@ def compare(godot: Godot, recording: Path, bvh: Path, begin: float, end: float) 
         raise Failure(f"The recording could not be compared:\n{tail(done.stdout + done.stderr)}")
     result: dict = json.loads(found[0])
     return result
-
