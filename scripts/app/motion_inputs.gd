@@ -26,6 +26,7 @@ var _begins_with: String = ""
 var _settled_revision: int = -1
 var _settled_s: float = 0.0
 var _recorder: RawRecorder = null
+var _recorder_fault: String = ""
 var _playback: RawPlayback = null
 var _tracker: TrackerSource = null
 var _by_feed: Dictionary[SensorFeed, SuitSource] = {}
@@ -67,6 +68,7 @@ func advance(p_now_s: float) -> void:
 		_tracker.advance(roundi(Time.get_unix_time_from_system() * 1e6))
 	for wearer: SuitSource in wearers:
 		wearer.advance(p_now_s)
+	_watch_recorder()
 	if _begins_with != "" and _is_settled(p_now_s):
 		calibrate(wearers[0], ClientCalibration.KINDS[_begins_with], p_now_s)
 		_begins_with = ""
@@ -100,6 +102,8 @@ func list_devices() -> Array[Dictionary]:
 ## suit; mostly nothing.
 func guide(p_now_s: float) -> String:
 	var text: String = calibration.text(p_now_s)
+	if text == "":
+		text = _recorder_fault
 	if text == "" and usb != null:
 		text = usb.trouble()
 	if text == "" and mvn != null:
@@ -127,6 +131,15 @@ func close() -> void:
 
 func _has_any() -> bool:
 	return _options.text("bvh") != "" or usb != null or mvn != null or _tracker != null
+
+
+## A disk that is full must not cost a session unseen.
+func _watch_recorder() -> void:
+	if _recorder == null or _recorder_fault != "" or Engine.get_process_frames() % 30 != 0:
+		return
+	_recorder_fault = _recorder.get_figures()["fault"]
+	if _recorder_fault != "":
+		Log.error("mocap", _recorder_fault)
 
 
 ## Whether all trackers that there are have been found: for a while no more have come.
@@ -223,4 +236,5 @@ func _take_off(p_feed: SensorFeed) -> void:
 	if wearer != null:
 		_by_feed.erase(p_feed)
 		wearers.erase(wearer)
+		calibration.forget(wearer)
 		vanished.emit(wearer)

@@ -105,7 +105,8 @@ func describe() -> String:
 ## Whether every device that answers measures: none is still being set up.
 func is_settled() -> bool:
 	for device: Dictionary in devices:
-		if device["is_open"] and device["id"] != 0 and not device["measures"]:
+		var is_known: bool = device["is_open"] and device["id"] != 0
+		if is_known and not device["measures"] and device["state"] != "not supported":
 			return false
 	return true
 

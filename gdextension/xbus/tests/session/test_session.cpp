@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sessions with emulated suits: from any state to measuring, and back there after whatever happens.
+#include "session/sample_timeline.hpp"
 #include "suit_rig.hpp"
 
 #include "check.hpp"
@@ -231,6 +232,35 @@ TEST(a_stop_leaves_the_suit_at_rest) {
 	rig.run(1.0);
 	CHECK(rig.session->is_stopped());
 	CHECK(rig.suit->devices()[0].device->state() == emulator::XbusDevice::State::CONFIG);
+}
+
+TEST(a_device_that_measures_at_another_rate_is_believed) {
+	for (const uint64_t period : { 8000U, 16667U, 20000U }) {
+		xbus::SampleTimeline timeline;
+		timeline.reset(10000.0);
+		for (uint64_t counter = 1; counter * period < 20000000; ++counter) {
+			const uint64_t arrival = 5000000 + counter * period + (counter % 3) * 300;
+			const uint64_t placed = timeline.place(counter, arrival);
+			if (counter * period > 3000000) {
+				CHECK(placed <= arrival && arrival - placed < 5000);
+			}
+		}
+	}
+}
+
+TEST(a_hold_up_on_the_way_is_no_other_rate) {
+	xbus::SampleTimeline timeline;
+	timeline.reset(10000.0);
+	for (uint64_t counter = 1; counter < 3000; ++counter) {
+		// Every half second all wait for a quarter of it.
+		const uint64_t sampled = 5000000 + counter * 10000;
+		const uint64_t phase = sampled % 500000;
+		const uint64_t arrival = phase < 120000 ? sampled - phase + 120000 : sampled;
+		const uint64_t placed = timeline.place(counter, arrival);
+		if (counter > 100) {
+			CHECK(placed + 5000 > sampled && placed < sampled + 5000);
+		}
+	}
 }
 
 TEST_MAIN()
