@@ -259,7 +259,8 @@ void LibusbHub::advance(Device &p_device, uint64_t p_now_usec) {
 /// Closes a device that can't be read any more, and opens it anew a little later.
 void LibusbHub::give_up(Device &p_device, uint64_t p_now_usec) {
 	if (p_device.report.fault.empty()) {
-		p_device.report.fault = p_device.name() + " can't be read any more: trying anew; if it stays so, plug it in again";
+		p_device.report.fault =
+				p_device.name() + " can't be read any more: trying anew; if it stays so, plug it in again";
 		say(xbus::Severity::WARNING, p_device.report.fault);
 		p_device.port->stop();
 	}
