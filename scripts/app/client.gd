@@ -315,7 +315,8 @@ func _quit(p_code: int, p_why: String) -> void:
 	_exit_code = p_code
 	Log.error("client", p_why)
 	_hud.show_message(p_why.left(1).to_upper() + p_why.substr(1) + ".")
-	var stays: bool = p_code == _EXIT_REFUSED and DisplayServer.get_name() != "headless"
+	var is_read: bool = p_code == _EXIT_REFUSED or p_code == _EXIT_OPTIONS
+	var stays: bool = is_read and DisplayServer.get_name() != "headless"
 	if stays and _options.seconds("duration") == 0.0:
 		get_tree().auto_accept_quit = false
 		get_window().close_requested.connect(get_tree().quit.bind(p_code))

@@ -25,8 +25,10 @@ var _until_s: float = 0.0
 
 ## Begins one at a time, s. Returns why it cannot, or an empty text.
 func start(p_source: SuitSource, p_kind: CalibrationGuide.Kind, p_now_s: float) -> String:
-	if _source != null:
+	if p_source.process.is_running() or is_running():
 		return "another calibration is going on"
+	if _source != null:
+		forget(_source)  # Somebody ended it at the panel.
 	var fault: String = p_source.start_calibration(p_kind, p_now_s)
 	if fault == "":
 		_source = p_source
@@ -35,9 +37,16 @@ func start(p_source: SuitSource, p_kind: CalibrationGuide.Kind, p_now_s: float) 
 	return fault
 
 
+## Leaves a calibration of somebody alone: the wearer has gone.
+func forget(p_source: SuitSource) -> void:
+	if _source == p_source:
+		_source.calibrated.disconnect(_on_calibrated)
+		_source = null
+
+
 ## Whether one is going on.
 func is_running() -> bool:
-	return _source != null
+	return _source != null and _source.process.is_running()
 
 
 ## Says something on the screen for a while, from a time on, s.

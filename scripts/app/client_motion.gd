@@ -45,8 +45,7 @@ func start(
 ) -> void:
 	source = p_source
 	card.index = p_index
-	card.hip_height = p_source.get_hip_height()
-	card.lengths = p_source.get_limb_lengths()
+	card.take_size(p_source.get_hip_height(), p_source.get_limb_lengths())
 	_index = p_index
 	_link = p_link
 	_codec = p_codec

@@ -7,6 +7,10 @@ signal changed
 
 ## A motion that is older than this is no longer published, s.
 const _STALE_S: float = 0.5
+## Sizes are looked at so often, s, and told anew when they differ by so much, m: some sources know
+## a size only after a while.
+const _SIZE_PERIOD_S: float = 1.0
+const _SIZE_STEP_M: float = 0.01
 
 ## Number of the first of them whose body is shown as the wearer's own, or -1.
 var first_actor: int = -1
@@ -16,6 +20,7 @@ var _rate: float = 60.0
 var _codec: PoseCodec.Coding = PoseCodec.SMALLEST_3
 var _name: String = ""
 var _motions: Array[ClientMotion] = []
+var _sizes_due_s: float = 0.0
 var _publishers: Dictionary[ClientMotion, TrackerPublisher] = {}
 
 
@@ -56,8 +61,7 @@ func remove(p_source: MotionSource) -> void:
 func measure(p_source: MotionSource) -> void:
 	for motion: ClientMotion in _motions:
 		if motion.source == p_source:
-			motion.card.hip_height = p_source.get_hip_height()
-			motion.card.lengths = p_source.get_limb_lengths()
+			motion.card.take_size(p_source.get_hip_height(), p_source.get_limb_lengths())
 			_publish_anew(motion)
 			_tell()
 
@@ -71,6 +75,10 @@ func take_samples() -> void:
 			_publishers[motion].publish(motion.newest)
 		elif motion.newest != null and _age_s(motion.newest) > _STALE_S:
 			_publishers[motion].pause()
+	var now: float = Time.get_ticks_usec() / 1e6
+	if now >= _sizes_due_s:
+		_sizes_due_s = now + _SIZE_PERIOD_S
+		_look_at_sizes()
 
 
 ## How many there are.
@@ -147,6 +155,14 @@ func stop() -> void:
 	for motion: ClientMotion in _motions:
 		_end(motion)
 	_motions.clear()
+
+
+func _look_at_sizes() -> void:
+	for motion: ClientMotion in _motions:
+		var fresh: PersonCard = PersonCard.new()
+		fresh.take_size(motion.source.get_hip_height(), motion.source.get_limb_lengths())
+		if fresh.is_resized(motion.card, _SIZE_STEP_M):
+			measure(motion.source)
 
 
 func _publish_anew(p_motion: ClientMotion) -> void:

@@ -30,6 +30,7 @@ var _settled_s: float = 0.0
 var _began_s: float = -1.0
 var _has_noticed: bool = false
 var _recorder: RawRecorder = null
+var _recorder_fault: String = ""
 var _playback: RawPlayback = null
 var _tracker: TrackerSource = null
 var _by_feed: Dictionary[SensorFeed, SuitSource] = {}
@@ -71,7 +72,11 @@ func advance(p_now_s: float) -> void:
 		_tracker.advance(roundi(Time.get_unix_time_from_system() * 1e6))
 	for wearer: SuitSource in wearers:
 		wearer.advance(p_now_s)
+<<<<<<< HEAD
 	_notice_absence(p_now_s)
+=======
+	_watch_recorder()
+>>>>>>> 5335cb9c9051819ea0127e6d23b09364e16a59f7
 	if _begins_with != "" and _is_settled(p_now_s):
 		calibrate(wearers[0], ClientCalibration.KINDS[_begins_with], p_now_s)
 		_begins_with = ""
@@ -105,6 +110,8 @@ func list_devices() -> Array[Dictionary]:
 ## suit; mostly nothing.
 func guide(p_now_s: float) -> String:
 	var text: String = calibration.text(p_now_s)
+	if text == "":
+		text = _recorder_fault
 	if text == "" and usb != null:
 		text = usb.trouble()
 	if text == "" and mvn != null:
@@ -145,6 +152,15 @@ func _notice_absence(p_now_s: float) -> void:
 
 func _has_any() -> bool:
 	return _options.text("bvh") != "" or usb != null or mvn != null or _tracker != null
+
+
+## A disk that is full must not cost a session unseen.
+func _watch_recorder() -> void:
+	if _recorder == null or _recorder_fault != "" or Engine.get_process_frames() % 30 != 0:
+		return
+	_recorder_fault = _recorder.get_figures()["fault"]
+	if _recorder_fault != "":
+		Log.error("mocap", _recorder_fault)
 
 
 ## Whether all trackers that there are have been found: for a while no more have come.
@@ -241,4 +257,5 @@ func _take_off(p_feed: SensorFeed) -> void:
 	if wearer != null:
 		_by_feed.erase(p_feed)
 		wearers.erase(wearer)
+		calibration.forget(wearer)
 		vanished.emit(wearer)

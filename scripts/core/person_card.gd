@@ -34,6 +34,26 @@ static func of(p_name: String, p_hip_height: float, p_index: int = 0) -> PersonC
 	return card
 
 
+## Takes over a size, m, as far as it is a person's: a length that is none counts as not known.
+func take_size(p_hip_height: float, p_lengths: PackedFloat32Array) -> void:
+	if is_finite(p_hip_height):
+		hip_height = clampf(p_hip_height, LEAST_HIPS_M + 0.01, MOST_HIPS_M - 0.01)
+	lengths = p_lengths.duplicate()
+	for limb: int in lengths.size():
+		if not (lengths[limb] > LEAST_LENGTH_M and lengths[limb] < MOST_LENGTH_M):
+			lengths[limb] = 0.0
+
+
+## Whether another card's size differs by more than so much, m.
+func is_resized(p_other: PersonCard, p_step: float) -> bool:
+	if absf(hip_height - p_other.hip_height) > p_step or lengths.size() != p_other.lengths.size():
+		return true
+	for limb: int in lengths.size():
+		if absf(lengths[limb] - p_other.lengths[limb]) > p_step:
+			return true
+	return false
+
+
 ## Why this cannot be a person's, or an empty text if it can.
 func find_fault() -> String:
 	if index < 0 or index >= MOST:

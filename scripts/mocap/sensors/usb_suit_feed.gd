@@ -113,7 +113,8 @@ func describe() -> String:
 ## Whether every device that answers measures: none is still being set up.
 func is_settled() -> bool:
 	for device: Dictionary in devices:
-		if device["is_open"] and device["id"] != 0 and not device["measures"]:
+		var is_known: bool = device["is_open"] and device["id"] != 0
+		if is_known and not device["measures"] and device["state"] != "not supported":
 			return false
 	return true
 
@@ -133,13 +134,16 @@ func list_devices() -> Array[Dictionary]:
 			details.append("battery %.0f %%" % (100.0 * device["battery"]))
 		if device["malformed_bytes"] != 0:
 			details.append("%d bad bytes" % device["malformed_bytes"])
-		rows.append(
-			{
-				"name": "%s (%s)" % [device["name"], device["place"]],
-				"state": device["state"],
-				"detail": ", ".join(details),
-				"advice": device["trouble"] if not device["measures"] else "",
-			}
+		(
+			rows
+			. append(
+				{
+					"name": "%s (%s)" % [device["name"], device["place"]],
+					"state": device["state"],
+					"detail": ", ".join(details),
+					"advice": device["trouble"] if not device["measures"] else "",
+				}
+			)
 		)
 	return rows
 

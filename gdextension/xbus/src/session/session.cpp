@@ -16,6 +16,10 @@ constexpr uint8_t FAST_BAUD_CODE = 0x00;
 constexpr uint64_t REBOOT_USEC = 1000000;
 constexpr uint64_t PAUSE_USEC = 500000;
 
+bool is_data(Message p_message) {
+	return p_message == Message::MT_DATA || p_message == Message::MT_DATA2;
+}
+
 } // namespace
 
 const char *state_text(SessionState p_state) {
@@ -349,10 +353,23 @@ void Session::take(const Frame &p_frame) {
 		default:
 			break;
 	}
-	if (_waits && p_frame.message == _request.reply() && p_frame.bus_id == _request.bus_id()) {
+	if (_step == Step::PAUSE && !_options.has_baud && p_frame.message == Message::GO_TO_CONFIG_ACK) {
+		// An answer that was long under way; with a speed to be found it would be one at another speed.
+		_has_answered = true;
+		go_to(Step::DEVICE_ID);
+	} else if (_waits && p_frame.message == _request.reply() && is_answering(p_frame.bus_id)) {
 		_has_answered = true;
 		take_answer(p_frame);
+	} else if (_step == Step::MEASURE && _tries > 1 && is_data(p_frame.message)) {
+		// It measures already: the answer was lost.
+		go_to(Step::MEASURING);
 	}
+}
+
+/// Whether the request may be answered by whom this identifier names: who was asked, the master in the name of
+/// a tracker, or a tracker that stands alone and calls itself by a number.
+bool Session::is_answering(uint8_t p_bus_id) const {
+	return p_bus_id == _request.bus_id() || p_bus_id == MASTER || !is_master();
 }
 
 void Session::wake_up() {

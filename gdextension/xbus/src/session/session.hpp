@@ -166,6 +166,7 @@ private:
 
 	bool judge(const Frame &p_frame);
 	void take(const Frame &p_frame);
+	bool is_answering(uint8_t p_bus_id) const;
 	void take_answer(const Frame &p_frame);
 	void take_device_id(const Frame &p_frame);
 	void take_bus(const Frame &p_frame);

@@ -189,7 +189,8 @@ void Session::take_setup_error(uint8_t p_code) {
 
 /// Asks for less the next time; false if that is the least already.
 bool Session::lower_demands(uint8_t p_code) {
-	if (_demands + 1 < int(DEMANDS.size())) {
+	const bool is_about_period = _step == Step::PERIOD && p_code == ERROR_PERIOD;
+	if (_demands + 1 < int(DEMANDS.size()) && !is_about_period) {
 		++_demands;
 		return true;
 	}

@@ -39,6 +39,9 @@ void Session::begin_measuring() {
 }
 
 void Session::take_data() {
+	if (_step == Step::MEASURE && _tries > 1) {
+		go_to(Step::MEASURING); // The answer was lost.
+	}
 	if (_step != Step::MEASURING) {
 		return;
 	}

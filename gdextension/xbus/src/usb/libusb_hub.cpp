@@ -17,6 +17,8 @@ constexpr uint64_t RETRY_USEC = 2000000;
 /// A device that does not stop measuring in time is left as it is.
 constexpr uint64_t STOP_USEC = 1500000;
 constexpr std::size_t MOST_MESSAGES = 256;
+/// Devices that have left and whose last samples may still be fetched.
+constexpr std::size_t MOST_LEFT = 8;
 
 void free_context(libusb_context *p_context) {
 	if (p_context != nullptr) {
@@ -241,6 +243,10 @@ void LibusbHub::advance(Device &p_device, uint64_t p_now_usec) {
 		_published_usec = 0;
 		return;
 	}
+	if (p_device.port->is_dead()) {
+		give_up(p_device, p_now_usec);
+		return;
+	}
 	if (p_device.wanted_baud != 0) {
 		const uint32_t baud = p_device.wanted_baud;
 		p_device.wanted_baud = 0;
@@ -248,6 +254,23 @@ void LibusbHub::advance(Device &p_device, uint64_t p_now_usec) {
 	}
 	p_device.port->look_after();
 	p_device.session->advance(p_now_usec);
+}
+
+/// Closes a device that can't be read any more, and opens it anew a little later.
+void LibusbHub::give_up(Device &p_device, uint64_t p_now_usec) {
+	if (p_device.report.fault.empty()) {
+		p_device.report.fault =
+				p_device.name() + " can't be read any more: trying anew; if it stays so, plug it in again";
+		say(xbus::Severity::WARNING, p_device.report.fault);
+		p_device.port->stop();
+	}
+	if (p_device.port->is_idle()) {
+		p_device.port.reset();
+		p_device.session.reset();
+		p_device.report.is_open = false;
+		p_device.report.session = {};
+		p_device.retry_usec = p_now_usec + RETRY_USEC;
+	}
 }
 
 void LibusbHub::open(Device &p_device, uint64_t p_now_usec) {
@@ -314,8 +337,16 @@ void LibusbHub::publish() {
 	const std::lock_guard<std::mutex> lock(_mutex);
 	_reports.swap(reports);
 	// What a device said before it left may still be fetched, but not for ever.
-	while (_queues.size() > _reports.size() + 8) {
-		_queues.erase(_queues.begin());
+	const auto has_left = [this](const Queue &p_queue) {
+		return std::none_of(_reports.begin(), _reports.end(),
+				[&p_queue](const DeviceReport &p_report) { return p_report.number == p_queue.device; });
+	};
+	while (_queues.size() > _reports.size() + MOST_LEFT) {
+		const auto oldest = std::find_if(_queues.begin(), _queues.end(), has_left);
+		if (oldest == _queues.end()) {
+			break;
+		}
+		_queues.erase(oldest);
 	}
 }
 

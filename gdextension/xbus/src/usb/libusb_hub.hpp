@@ -54,6 +54,7 @@ private:
 	void remove(libusb_device *p_device);
 	void advance(Device &p_device, uint64_t p_now_usec);
 	void open(Device &p_device, uint64_t p_now_usec);
+	void give_up(Device &p_device, uint64_t p_now_usec);
 	void obey();
 	void publish();
 	void say(xbus::Severity p_severity, const std::string &p_text);

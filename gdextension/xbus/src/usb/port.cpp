@@ -266,7 +266,7 @@ void Port::stop() {
 }
 
 void Port::look_after() {
-	if (_is_stopping || _gone) {
+	if (_is_stopping || _gone || _is_dead) {
 		return;
 	}
 	if (_is_halted) {
@@ -331,15 +331,15 @@ void Port::read_done(Transfer &p_transfer) {
 		case LIBUSB_TRANSFER_STALL:
 			++_statistics.halts;
 			_is_halted = true; // Ended by look_after: that takes a request of its own.
-			_gone = ++_failures > MOST_FAILURES;
+			_is_dead = ++_failures > MOST_FAILURES || _is_dead;
 			return;
 		default:
 			++_statistics.failed_reads;
 			// Begun again by look_after: a device that is going away fails thousands of times a second.
-			_gone = ++_failures > MOST_FAILURES;
+			_is_dead = ++_failures > MOST_FAILURES || _is_dead;
 			return;
 	}
-	if (!_is_stopping && !_gone) {
+	if (!_is_stopping && !_gone && !_is_dead) {
 		submit(p_transfer);
 	}
 }

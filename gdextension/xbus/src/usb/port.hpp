@@ -57,8 +57,10 @@ public:
 	void look_after();
 
 	bool is_idle() const { return _in_flight == 0; }
-	/// Whether the device was unplugged, or died.
+	/// Whether the device was unplugged.
 	bool is_gone() const { return _gone; }
+	/// Whether reads fail all the time, though it may still be plugged in.
+	bool is_dead() const { return _is_dead; }
 	void set_gone() { _gone = true; }
 	bool has_baud() const { return _known.kind == DeviceLink::FTDI; }
 	const std::string &serial() const { return _serial; }
@@ -116,6 +118,7 @@ private:
 	bool _is_stopping = false;
 	bool _is_halted = false;
 	bool _gone = false;
+	bool _is_dead = false;
 };
 
 /// Time of CLOCK_MONOTONIC, µs.

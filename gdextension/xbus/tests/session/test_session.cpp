@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Sessions with emulated suits: from any state to measuring, and back there after whatever happens.
+#include "bus/bytes.hpp"
+#include "bus/encoder.hpp"
+#include "session/sample_timeline.hpp"
 #include "suit_rig.hpp"
 
 #include "check.hpp"
@@ -14,7 +17,97 @@ std::vector<std::string> with(std::initializer_list<std::string> p_more) {
 	return options;
 }
 
+/// A master with two trackers that follows the protocol in its own way.
+class OddMaster final : public xbus::SessionHost {
+public:
+	/// How late it answers, µs; whether it answers for its trackers; whether it says that it measures.
+	uint64_t delay_usec = 0;
+	bool answers_for_trackers = false;
+	bool is_mute_at_start = false;
+	uint64_t frames = 0;
+
+	bool send(const uint8_t *p_bytes, std::size_t p_size) override {
+		_asked.feed(p_bytes, p_size, [this](const xbus::Frame &p_frame) { answer(p_frame); });
+		return true;
+	}
+	void set_baud(uint32_t) override {}
+	void take_frame(const xbus::SuitFrame &) override { ++frames; }
+	void say(xbus::Severity, const char *) override {}
+
+	void run(double p_seconds) {
+		xbus::Session session(xbus::SessionOptions(), *this);
+		session.open(_now);
+		for (const uint64_t end = _now + uint64_t(p_seconds * 1e6); _now < end; _now += 1000) {
+			if (_measures && _now % 10000 == 0) {
+				measure();
+			}
+			while (!_answers.empty() && _answers.front().first <= _now) {
+				const std::vector<uint8_t> bytes = _answers.front().second;
+				_answers.erase(_answers.begin());
+				session.take_bytes(bytes.data(), bytes.size(), _now);
+			}
+			session.advance(_now);
+		}
+	}
+
+private:
+	void say_later(uint8_t p_bus_id, xbus::Message p_message, const std::vector<uint8_t> &p_data, uint64_t p_delay) {
+		std::vector<uint8_t> bytes(p_data.size() + 7);
+		bytes.resize(xbus::write_frame(p_bus_id, p_message, p_data.data(), p_data.size(), bytes.data()));
+		_answers.emplace_back(_now + p_delay, bytes);
+	}
+
+	void answer(const xbus::Frame &p_frame) {
+		using xbus::Message;
+		std::vector<uint8_t> data;
+		_measures = p_frame.message == Message::GO_TO_MEASUREMENT;
+		if (p_frame.message == Message::REQ_DEVICE_ID) {
+			data = { 0x00, 0x10, 0x00, 0x01 };
+		} else if (p_frame.message == Message::INIT_BUS) {
+			data = { 0x00, 0x30, 0x00, 0x01, 0x00, 0x30, 0x00, 0x02 };
+		} else if (p_frame.message == Message::REQ_CONFIGURATION || p_frame.message == Message::REQ_DATA_LENGTH ||
+				p_frame.message == Message::REQ_BATTERY_LEVEL || (_measures && is_mute_at_start)) {
+			return;
+		}
+		const uint8_t bus_id = answers_for_trackers ? xbus::MASTER : p_frame.bus_id;
+		say_later(bus_id, Message(uint8_t(p_frame.message) + 1), data, delay_usec);
+	}
+
+	void measure() {
+		std::vector<uint8_t> data = { uint8_t(_counter >> 8U), uint8_t(_counter) };
+		++_counter;
+		for (int tracker = 0; tracker < 2; ++tracker) {
+			data.resize(data.size() + 24);
+			data.insert(data.end(), { 0x3F, 0x80, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 });
+		}
+		say_later(xbus::MASTER, xbus::Message::MT_DATA, data, 0);
+	}
+
+	xbus::Framer _asked;
+	std::vector<std::pair<uint64_t, std::vector<uint8_t>>> _answers;
+	uint64_t _now = 1000000;
+	uint16_t _counter = 0;
+	bool _measures = false;
+};
+
 } // namespace
+
+TEST(a_master_with_ways_of_its_own_is_brought_up) {
+	for (const uint64_t delay : { 0U, 100000U, 300000U, 600000U }) {
+		OddMaster master;
+		master.delay_usec = delay;
+		master.run(12.0);
+		CHECK(master.frames > 200);
+	}
+	OddMaster speaker;
+	speaker.answers_for_trackers = true;
+	speaker.run(6.0);
+	CHECK(speaker.frames > 200);
+	OddMaster quiet;
+	quiet.is_mute_at_start = true;
+	quiet.run(6.0);
+	CHECK(quiet.frames > 100);
+}
 
 TEST(a_suit_is_brought_up_as_xsens_own_host_does_it) {
 	SuitRig rig(with({ "--devices=ftdi" }));
@@ -231,6 +324,35 @@ TEST(a_stop_leaves_the_suit_at_rest) {
 	rig.run(1.0);
 	CHECK(rig.session->is_stopped());
 	CHECK(rig.suit->devices()[0].device->state() == emulator::XbusDevice::State::CONFIG);
+}
+
+TEST(a_device_that_measures_at_another_rate_is_believed) {
+	for (const uint64_t period : { 8000U, 16667U, 20000U }) {
+		xbus::SampleTimeline timeline;
+		timeline.reset(10000.0);
+		for (uint64_t counter = 1; counter * period < 20000000; ++counter) {
+			const uint64_t arrival = 5000000 + counter * period + (counter % 3) * 300;
+			const uint64_t placed = timeline.place(counter, arrival);
+			if (counter * period > 3000000) {
+				CHECK(placed <= arrival && arrival - placed < 5000);
+			}
+		}
+	}
+}
+
+TEST(a_hold_up_on_the_way_is_no_other_rate) {
+	xbus::SampleTimeline timeline;
+	timeline.reset(10000.0);
+	for (uint64_t counter = 1; counter < 3000; ++counter) {
+		// Every half second all wait for a quarter of it.
+		const uint64_t sampled = 5000000 + counter * 10000;
+		const uint64_t phase = sampled % 500000;
+		const uint64_t arrival = phase < 120000 ? sampled - phase + 120000 : sampled;
+		const uint64_t placed = timeline.place(counter, arrival);
+		if (counter > 100) {
+			CHECK(placed + 5000 > sampled && placed < sampled + 5000);
+		}
+	}
 }
 
 TEST_MAIN()
