@@ -51,9 +51,9 @@ def test_three_people_of_mvn_come_move_and_leave(world: World) -> None:
     people = recorded(recording)
     assert set(people) == NAMES
     for entries in people.values():
-        # They walk: every limb turns, and the hips stay at a height of people who stand.
+        # Limbs turn, and the hips are where those of people are who jump and climb.
         assert turned(entries) > 10.0
-        assert all(0.6 < entry["hips"][1] < 1.3 for entry in entries)
+        assert all(0.3 < entry["hips"][1] < 2.5 for entry in entries)
     places = [entries[-1]["hips"] for entries in people.values()]
     assert len({round(x, 1) for x, _, _ in places} | {round(z, 1) for _, _, z in places}) > 2
     await_people(trainee, set())

@@ -63,7 +63,7 @@ def played(calibrated: Past, tmp_path_factory: pytest.TempPathFactory) -> Iterat
     world = World(tmp_path_factory.mktemp("session"))
     take_over(calibrated.folder / "DATA", world)
     try:
-        server = world.server("--root=inertial")
+        server = world.server()
         with suits_of(world) as start:
             options = ["--person=ada", f"--suit-record={world.folder / 'suit.raw'}"]
             ada = start("ada", TWO, options)
@@ -154,7 +154,7 @@ def test_a_pulled_plug_ends_nothing(played: Past) -> None:
 
 def test_a_recorded_suit_moves_somebody_as_the_suit_did(world: World, played: Past) -> None:
     take_over(played.folder / "DATA", world)
-    world.server("--root=inertial")
+    world.server()
     options = [f"--suit-play={played.folder / 'suit.raw'}", "--person=ada"]
     client = world.client("trainee", *options)
     client.await_text("recording suit.raw")
