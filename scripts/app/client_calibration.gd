@@ -21,11 +21,18 @@ var _source: SuitSource = null
 var _store: CalibrationStore = CalibrationStore.new()
 var _outcome: String = ""
 var _until_s: float = 0.0
+# The time that was told last, s.
+var _now_s: float = 0.0
 
 
 ## Begins one at a time, s. Returns why it cannot, or an empty text.
 func start(p_source: SuitSource, p_kind: CalibrationGuide.Kind, p_now_s: float) -> String:
+<<<<<<< HEAD
 	if p_source.process.is_running() or is_running():
+=======
+	_now_s = p_now_s
+	if _source != null:
+>>>>>>> 41b39a234825ce1a7b2372fbced1f66040ae8909
 		return "another calibration is going on"
 	if _source != null:
 		forget(_source)  # Somebody ended it at the panel.
@@ -57,6 +64,7 @@ func say(p_text: String, p_now_s: float) -> void:
 
 ## What the wearer is to see at a time, s; mostly nothing.
 func text(p_now_s: float) -> String:
+	_now_s = p_now_s
 	if _source != null and _source.process.is_running():
 		var process: CalibrationProcess = _source.process
 		return "%s\n%d" % [process.instruction(), ceili(process.seconds_left)]
@@ -68,18 +76,17 @@ func text(p_now_s: float) -> String:
 func _on_calibrated(p_result: CalibrationResult) -> void:
 	var source: SuitSource = _source
 	_source = null
-	var now: float = Time.get_ticks_usec() / 1e6
 	var advice: String = "; ".join(p_result.advice.slice(0, _MOST_ADVICE))
 	var fault: String = p_result.error
 	if fault == "" and (p_result.score() < _LEAST_SCORE or not p_result.swaps.is_empty()):
 		fault = advice
 	if fault != "":
 		source.refuse_calibration()
-		say("Not calibrated:\n" + fault.replace("; ", "\n"), now)
+		say("Not calibrated:\n" + fault.replace("; ", "\n"), _now_s)
 		Log.warning("mocap", "not calibrated: " + fault)
 		return
 	source.accept_calibration()
-	say("Calibrated\n" + advice.replace("; ", "\n"), now)
+	say("Calibrated\n" + advice.replace("; ", "\n"), _now_s)
 	var parts: Array = [100.0 * p_result.score(), ": " + advice if advice != "" else ""]
 	Log.info("mocap", "calibrated, quality %.0f %%%s" % parts)
 	if not _store.write(source.get_profile()):

@@ -18,6 +18,15 @@ const CALIBRATE: String = "calibrate-"
 ## Why the orders make no sense, or an empty text.
 var error: String = ""
 
+## What a row of a roster holds, and of which type: a server may tell anything.
+const _ROW: Dictionary[String, Variant.Type] = {
+	"role": TYPE_INT,
+	"state": TYPE_STRING,
+	"name": TYPE_STRING,
+	"peer": TYPE_INT,
+	"session": TYPE_INT,
+}
+
 var _orders: Array[PackedStringArray] = []
 var _control: SessionControl = null
 
@@ -50,17 +59,20 @@ func _on_roster_changed(p_roster: Array[Dictionary]) -> void:
 
 
 func _is_meant(p_order: PackedStringArray, p_row: Dictionary) -> bool:
-	if p_row.get("role") == Protocol.Role.INSTRUCTOR:
+	for key: String in _ROW:
+		if typeof(p_row.get(key)) != _ROW[key]:
+			return false
+	if p_row["role"] == Protocol.Role.INSTRUCTOR:
 		return false
-	var named: bool = p_order[1] == "*" or p_order[1] == str(p_row.get("name"))
-	if _calibration(p_order[0]) >= 0 and p_row.get("role") != Protocol.Role.TRAINEE:
+	var named: bool = p_order[1] == "*" or p_order[1] == p_row["name"]
+	if _calibration(p_order[0]) >= 0 and p_row["role"] != Protocol.Role.TRAINEE:
 		return false
-	return named and p_row.get("state") == STATES.get(p_order[0], "here")
+	return named and p_row["state"] == STATES.get(p_order[0], "here")
 
 
 func _give(p_order: String, p_row: Dictionary) -> void:
-	var peer: int = p_row.get("peer", 0)
-	var session: int = p_row.get("session", 0)
+	var peer: int = p_row["peer"]
+	var session: int = p_row["session"]
 	match p_order:
 		"admit":
 			_control.admit(peer)

@@ -183,13 +183,15 @@ func _open_recorder() -> String:
 
 
 func _open_files() -> String:
-	for path: String in _options.files("bvh"):
+	var paths: PackedStringArray = _options.files("bvh")
+	for path: String in paths:
 		var source: BvhSource = BvhSource.new()
 		source.open(path, _options.text("unit"), _options.text("up"))
 		if source.error != "":
 			return source.error
 		Log.info("mocap", source.describe())
-		appeared.emit(source, "")
+		# Of several people each has the name of a file, one alone the client's.
+		appeared.emit(source, path.get_file().get_basename() if paths.size() > 1 else "")
 	return ""
 
 

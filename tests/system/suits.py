@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 from toolchain import suit
-from toolchain.godot import find
+from toolchain.godot import Godot
 from toolchain.paths import CLIENT_BINARY, CLIPS, ROOT
 
 from .conftest import Process, World
@@ -24,6 +24,11 @@ CALIBRATION_S = 60.0
 needs_emulator = pytest.mark.skipif(not suit.PROGRAM.exists(), reason="built without umockdev")
 
 
+def engine() -> Godot:
+    """The engine that ./test has found."""
+    return Godot(Path(os.environ["DISMOUNT_GODOT"]), "", "")
+
+
 class Suit:
     """A trainee's client in an emulated suit, whose wearer stands still until told otherwise."""
 
@@ -32,7 +37,7 @@ class Suit:
         os.mkfifo(pipe)
         self._commands = os.open(pipe, os.O_RDWR)
         own = [f"--bvh={WALK}", "--hold", f"--commands={pipe}", *emulator]
-        command = [str(suit.PROGRAM), *suit.complete(find(), own), "--", str(CLIENT_BINARY)]
+        command = [str(suit.PROGRAM), *suit.complete(engine(), own), "--", str(CLIENT_BINARY)]
         command += ["--headless", "--", "--role=trainee", f"--port={world.port}", "--xbus"]
         self.client: Process = world.start(name, [*command, f"--name={name}", *options])
 
@@ -113,7 +118,7 @@ def take_over(data: Path, world: World) -> None:
 def recorded(recording: Path) -> dict[str, list[dict]]:
     """Who is in an observer's recording and how they move: see recorded_people.gd."""
     arguments = ["--path", str(ROOT), "-s", "res://tests/system/recorded_people.gd"]
-    code, text = find().call([*arguments, "--", f"--recording={recording}"], 120)
+    code, text = engine().call([*arguments, "--", f"--recording={recording}"], 120)
     lines = [line for line in text.splitlines() if line.startswith("{")]
     assert code == 0, text
     assert lines, text

@@ -9,11 +9,10 @@ import struct
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from toolchain.godot import find
 from toolchain.paths import CLIPS, ROOT
 
 from .conftest import World, free_port
-from .suits import await_people, recorded, turned
+from .suits import await_people, engine, recorded, turned
 
 NAMES = {"Dismount 1", "Dismount 2", "Dismount 3"}
 
@@ -21,9 +20,9 @@ NAMES = {"Dismount 1", "Dismount 2", "Dismount 3"}
 @contextmanager
 def sender(world: World, port: int, *options: str) -> Iterator[None]:
     """Sends until its end."""
-    godot = find()
+    godot = engine()
     script = ["--path", str(ROOT), "-s", "res://scripts/mocap/mvn/mvn_sender.gd"]
-    own = ["--bvh", str(CLIPS / "01_01.bvh"), "--port", str(port), *options]
+    own = [f"--bvh={CLIPS / '01_01.bvh'}", f"--port={port}", *options]
     name = f"sender{len(world.processes)}"
     command = [str(godot.program), "--headless", "--no-header", *script, "--", *own]
     process = world.start(name, command, godot.environment(), reports=False)
@@ -44,7 +43,7 @@ def test_three_people_of_mvn_come_move_and_leave(world: World) -> None:
     port = free_port()
     trainee = world.client("trainee", f"--mvn={port}")
     trainee.await_text("joined")
-    with sender(world, port, "--characters", "3"):
+    with sender(world, port, "--characters=3"):
         await_people(trainee, NAMES)
         recording = world.folder / "three"
         observer = world.client("observer", f"--record={recording}", "--duration=4")
@@ -52,9 +51,9 @@ def test_three_people_of_mvn_come_move_and_leave(world: World) -> None:
     people = recorded(recording)
     assert set(people) == NAMES
     for entries in people.values():
-        # They walk: every limb turns, and the hips stay at a height of people who stand.
+        # Limbs turn, and the hips are where those of people are who jump and climb.
         assert turned(entries) > 10.0
-        assert all(0.6 < entry["hips"][1] < 1.3 for entry in entries)
+        assert all(0.3 < entry["hips"][1] < 2.5 for entry in entries)
     places = [entries[-1]["hips"] for entries in people.values()]
     assert len({round(x, 1) for x, _, _ in places} | {round(z, 1) for _, _, z in places}) > 2
     await_people(trainee, set())
@@ -64,7 +63,7 @@ def test_three_people_of_mvn_come_move_and_leave(world: World) -> None:
     assert recorded(recording) == {}
     assert trainee.process.poll() is None
     # Whoever comes back is there again.
-    with sender(world, port, "--name", "Ada"):
+    with sender(world, port, "--name=Ada"):
         await_people(trainee, {"Ada"})
     assert "ERROR" not in trainee.log() + server.log()
 
@@ -96,8 +95,8 @@ def test_rubbish_is_counted_and_told(world: World) -> None:
             rude.send(good[:size])
         for _ in range(300):
             rude.send(dice.randbytes(dice.randrange(1, 1400)))
-    trainee.await_text("can't be used", 10)
-    assert "255" in trainee.log()
+    for why in ("more segments than", "shorter than", "its size does not fit", "not of MVN's form"):
+        trainee.await_text(f"sent a datagram that was dropped: {why}", 10)
     assert sum(1 for line in trainee.log().splitlines() if "WARN" in line) < 30
     with sender(world, port):
         await_people(trainee, {"Dismount"})

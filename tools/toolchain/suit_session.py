@@ -120,9 +120,11 @@ class SuitSession:
             raise Failure(f"The observer recorded nothing:\n{tail(self._group.log(name))}")
 
 
-def compare(godot: Godot, recording: Path, bvh: Path, begin: float, end: float) -> dict:
+def compare(
+    godot: Godot, recording: Path, bvh: Path, begin: float, end: float, slack_s: float = 0.0
+) -> dict:
     """How far the person in a recording is from a part of a motion file: compare_recording.gd."""
-    options = [f"--recording={recording}", f"--bvh={bvh}", f"--from={begin}"]
+    options = [f"--recording={recording}", f"--bvh={bvh}", f"--from={begin}", f"--slack={slack_s}"]
     command = [str(godot.program), "--headless", "--no-header", "--path", str(ROOT), "-s", COMPARE]
     done = subprocess.run(
         [*command, "--", *options, f"--to={end}"],

@@ -172,7 +172,9 @@ func _take_device(p_device: Dictionary) -> void:
 			_sensors.append(fresh)
 			revision += 1
 		places.append(_places[id])
-		_describe(_sensors[_places[id]], tracker, p_device)
+		# One that has not been heard yet may be known by a device that was there before.
+		if tracker["age_s"] >= 0.0 or not is_finite(_sensors[_places[id]].age_s):
+			_describe(_sensors[_places[id]], tracker, p_device)
 	_trackers[number] = places
 
 
@@ -196,7 +198,7 @@ func _choose_leader() -> void:
 	_leader = -1
 	for device: Dictionary in devices:
 		var count: int = (device["trackers"] as Array).size()
-		if device["measures"] and count > most:
+		if count > most and device["measures"] and _is_heard(device):
 			most = count
 			_leader = device["number"]
 	# Those that are gone are forgotten; their trackers stay in the list, silent.
@@ -208,6 +210,14 @@ func _choose_leader() -> void:
 			_trackers.erase(number)
 			_followers.erase(number)
 	_followers.erase(_leader)
+
+
+## Whether something has come of a device lately: one that is silent can't lead.
+static func _is_heard(p_device: Dictionary) -> bool:
+	for tracker: Dictionary in p_device["trackers"]:
+		if tracker["age_s"] >= 0.0 and tracker["age_s"] < SILENT_S:
+			return true
+	return false
 
 
 func _convert(p_number: int, p_raw: Dictionary) -> SensorFrame:

@@ -2,12 +2,18 @@ extends SceneTree
 ## How far a person in an observer's recording is from a motion file, degrees.
 ##
 ## --recording=FILE --bvh=FILE --from=S --to=S (of the clip). The recording begins at some moment of the
-## clip: the one at which they agree best, found first coarsely, then exactly, is taken. Prints JSON:
-## mean and p95 of the limbs that a suit of 17 trackers measures, offset_s, limbs (mean of each), count.
+## clip: the one at which they agree best, found first coarsely, then exactly, is taken. Time is the
+## server's by its ticks. On a machine that is too slow for 60 ticks a second that is no clock: with
+## --slack=S time is that of the observer, and a pose may be so much earlier or later. Prints JSON:
+## mean and p95 of the limbs that a suit of 17 trackers measures, offset_s, limbs (mean of each), medians
+## (of each limb), count.
 
 ## Step of the coarse search, s, and how many snapshots it looks at.
 const COARSE_S: float = 0.1
 const LOOKS: int = 40
+## Step of the search for the moment of a single pose, s, and how many poses are looked at.
+const SLACK_STEP_S: float = 0.02
+const SLACK_LOOKS: int = 60
 ## The limb that no tracker of a suit sits on.
 const FILLED: int = 1
 
@@ -17,6 +23,7 @@ var _poses: Array[Array] = []
 var _clip: BvhSource = BvhSource.new()
 var _from: float = 0.0
 var _until: float = 0.0
+var _slack_s: float = 0.0
 
 
 func _init() -> void:
@@ -35,6 +42,7 @@ func _init() -> void:
 		return
 	_from = options.get("from", "0").to_float()
 	_until = options.get("to", "1e9").to_float()
+	_slack_s = options.get("slack", "0").to_float()
 	player.world_received.connect(
 		func(world: WorldDescription, _bytes: PackedByteArray) -> void: _replica.describe(world)
 	)
@@ -53,7 +61,7 @@ func _take(p_bytes: PackedByteArray, p_time_s: float) -> void:
 	if not _replica.take(p_bytes, p_time_s):
 		return
 	var people: PackedInt32Array = _replica.told_people()
-	var time: float = _replica.told_tick() / 60.0
+	var time: float = p_time_s if _slack_s > 0.0 else _replica.told_tick() / 60.0
 	if people.is_empty() or (not _times.is_empty() and time <= _times[_times.size() - 1]):
 		return
 	var floats: PackedFloat32Array = _replica.person_floats(people[0], true)
@@ -105,27 +113,51 @@ func _errors(p_at: int, p_offset_s: float) -> PackedFloat64Array:
 	return errors
 
 
+## The errors at the moment, within the slack, at which they are least.
+func _least_errors(p_at: int, p_offset_s: float) -> PackedFloat64Array:
+	var best: PackedFloat64Array = _errors(p_at, p_offset_s)
+	for step: int in range(-floori(_slack_s / SLACK_STEP_S), floori(_slack_s / SLACK_STEP_S) + 1):
+		var errors: PackedFloat64Array = _errors(p_at, p_offset_s + step * SLACK_STEP_S)
+		if _sum(errors) < _sum(best):
+			best = errors
+	return best
+
+
+static func _sum(p_values: PackedFloat64Array) -> float:
+	var sum: float = 0.0
+	for value: float in p_values:
+		sum += value
+	return sum
+
+
 func _print(p_offset_s: float) -> void:
 	var all: Statistics = Statistics.new()
 	var limbs: Dictionary[StringName, float] = {}
+	var medians: Dictionary[StringName, float] = {}
+	var of_limbs: Array[Statistics] = []
+	for _limb: int in Limbs.COUNT:
+		of_limbs.append(Statistics.new())
 	var count: int = 0
-	for at: int in _poses.size():
+	var every: int = maxi(_poses.size() / SLACK_LOOKS, 1) if _slack_s > 0.0 else 1
+	for at: int in range(0, _poses.size(), every):
 		var moment: float = _times[at] - _times[0] + p_offset_s
 		if moment < _from or moment > _until:
 			continue
 		count += 1
-		var errors: PackedFloat64Array = _errors(at, p_offset_s)
+		var errors: PackedFloat64Array = _least_errors(at, p_offset_s)
 		for limb: int in Limbs.COUNT:
 			if limb != FILLED:
 				all.add(errors[limb])
-			limbs[Limbs.BONES[limb]] = limbs.get(Limbs.BONES[limb], 0.0) + errors[limb]
-	for bone: StringName in limbs:
-		limbs[bone] /= count
+			of_limbs[limb].add(errors[limb])
+	for limb: int in Limbs.COUNT if count > 0 else 0:
+		limbs[Limbs.BONES[limb]] = of_limbs[limb].mean()
+		medians[Limbs.BONES[limb]] = of_limbs[limb].percentile(0.5)
 	var found: Dictionary = {
 		"mean": all.mean(),
 		"p95": all.percentile(0.95),
 		"offset_s": p_offset_s,
 		"count": count,
 		"limbs": limbs,
+		"medians": medians,
 	}
 	print(JSON.stringify(found))
