@@ -13,4 +13,6 @@ if(TARGET xbus_usb AND NOT DISMOUNT_SANITIZE)
 	target_link_libraries(suit_stream PRIVATE xbus_usb xbus_recording)
 	_dismount_common(suit_stream)
 endif()
+# Hostile reads, as many as asked for: xbus_fuzz_ftdi EXECUTIONS [SEED].
+dismount_add_core_test(xbus_fuzz_ftdi SOURCES tests/usb/fuzz_ftdi.cpp LIBRARIES xbus_bus)
 dismount_add_core_test(xbus_ftdi_protocol SOURCES tests/usb/test_ftdi_protocol.cpp LIBRARIES xbus_bus)

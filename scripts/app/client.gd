@@ -284,7 +284,10 @@ func _show_status() -> void:
 
 
 func _make_report() -> Dictionary:
-	return _figures.report(_role, _link.traffic)
+	var people: Array[Dictionary] = []
+	if _mocap.people != null:
+		people = _mocap.people.figures()
+	return _figures.report(_role, _link.traffic, people)
 
 
 func _check_duration() -> void:

@@ -70,10 +70,13 @@ func packet() -> PackedByteArray:
 	)
 
 
-## The figures for a report.
-func report(p_role: String, p_traffic: TrafficMeter) -> Dictionary:
+## The figures for a report; [param p_people] are those of [method ClientPeople.figures].
+func report(
+	p_role: String, p_traffic: TrafficMeter, p_people: Array[Dictionary] = []
+) -> Dictionary:
 	return {
 		"role": p_role,
+		"people": p_people,
 		"seconds": seconds(),
 		"frames_per_second": _frames / maxf(seconds(), 0.001),
 		"snapshots": snapshots,

@@ -10,6 +10,8 @@ signal vanished(p_source: MotionSource)
 
 ## No more trackers are waited for after so many seconds without a new one.
 const _SETTLE_S: float = 1.0
+## What has not come after so many seconds is told to the log.
+const _ABSENT_S: float = 2.0
 
 ## The suits on USB or of a recording, or null.
 var usb: UsbSuitFeed = null
@@ -25,6 +27,8 @@ var _store: CalibrationStore = CalibrationStore.new()
 var _begins_with: String = ""
 var _settled_revision: int = -1
 var _settled_s: float = 0.0
+var _began_s: float = -1.0
+var _has_noticed: bool = false
 var _recorder: RawRecorder = null
 var _playback: RawPlayback = null
 var _tracker: TrackerSource = null
@@ -67,6 +71,7 @@ func advance(p_now_s: float) -> void:
 		_tracker.advance(roundi(Time.get_unix_time_from_system() * 1e6))
 	for wearer: SuitSource in wearers:
 		wearer.advance(p_now_s)
+	_notice_absence(p_now_s)
 	if _begins_with != "" and _is_settled(p_now_s):
 		calibrate(wearers[0], ClientCalibration.KINDS[_begins_with], p_now_s)
 		_begins_with = ""
@@ -123,6 +128,19 @@ func close() -> void:
 		mvn.close()
 	if _recorder != null:
 		_recorder.close()
+
+
+## Tells the log once what does not come, for those who see no screen.
+func _notice_absence(p_now_s: float) -> void:
+	if _began_s < 0.0:
+		_began_s = p_now_s
+	if _has_noticed or p_now_s < _began_s + _ABSENT_S:
+		return
+	_has_noticed = true
+	if usb != null and usb.devices.is_empty():
+		Log.info("suit", "no suit on USB yet: plug it in and switch it on")
+	if _tracker != null and _tracker.error != "":
+		Log.warning("mocap", _tracker.error)
 
 
 func _has_any() -> bool:

@@ -38,7 +38,7 @@ var rules: ServerRules = ServerRules.new()
 var _api: SceneMultiplayer = null
 var _peer: ThreadedPeer = null
 var _book: SessionBook = SessionBook.new()
-var _door: SessionDoor = null
+var _lobby: SessionLobby = null
 var _strikes: CallStrikes = null
 var _world_number: int = 0
 var _ticks: TickClock = TickClock.new()
@@ -50,7 +50,6 @@ var _looked_usec: int = 0
 func listen(p_port: int, p_rules: ServerRules) -> Error:
 	close()
 	rules = p_rules
-	_door = SessionDoor.new(rules, _book)
 	_peer = ThreadedPeer.new()
 	_peer.guard = TransportGuard.new()
 	_peer.tls = rules.tls
@@ -66,14 +65,11 @@ func listen(p_port: int, p_rules: ServerRules) -> Error:
 	_api.root_path = ^"/root"
 	_api.server_relay = false
 	_api.allow_object_decoding = false
-	# The door has its own patience: the API would send away those who wait for an instructor.
-	_api.auth_timeout = 0.0
-	_api.auth_callback = _on_greeting
-	_api.peer_authenticating.connect(_on_arriving)
-	_api.peer_authentication_failed.connect(_on_turned_away)
 	_api.peer_connected.connect(_on_connected)
 	_api.peer_disconnected.connect(_on_disconnected)
 	_api.peer_packet.connect(_on_packet)
+	_lobby = SessionLobby.new(_api, _peer, rules, _book)
+	_lobby.changed.connect(roster_changed.emit)
 	_api.multiplayer_peer = _peer
 	_strikes = CallStrikes.new(_peer)
 	OS.add_logger(_strikes)
@@ -163,8 +159,8 @@ func send_world(p_world: WorldDescription) -> void:
 ## address and state (here, lost or waiting).
 func roster() -> Array[Dictionary]:
 	var rows: Array[Dictionary] = _book.rows()
-	if _door != null:
-		rows.append_array(_door.rows())
+	if _lobby != null:
+		rows.append_array(_lobby.rows())
 	return rows
 
 
@@ -175,26 +171,12 @@ func session_of_peer(p_peer: int) -> Session:
 
 ## Lets somebody in who waits, by the peer's id. Returns why not, or an empty text.
 func admit(p_peer: int) -> String:
-	var visitor: SessionDoor.Visitor = _door.find(p_peer)
-	if visitor == null or not visitor.waits:
-		return "nobody waits under the number %d" % p_peer
-	if _book.all().size() >= rules.max_clients:
-		return "the server is full (%d clients)" % rules.max_clients
-	_door.admit(visitor, Time.get_ticks_usec())
-	_welcome(visitor)
-	_tell_places()
-	return ""
+	return _lobby.admit(p_peer)
 
 
 ## Refuses somebody who waits, by the peer's id. Returns why not, or an empty text.
 func refuse(p_peer: int, p_why: String) -> String:
-	var visitor: SessionDoor.Visitor = _door.find(p_peer)
-	if visitor == null or not visitor.waits:
-		return "nobody waits under the number %d" % p_peer
-	_door.refuse(visitor, p_why, Time.get_ticks_usec())
-	_api.send_auth(p_peer, Answer.refusal(p_why, false))
-	_tell_places()
-	return ""
+	return _lobby.refuse(p_peer, p_why)
 
 
 ## Sends a client away, who is told why. Returns why not, or an empty text.
@@ -247,55 +229,19 @@ func close() -> void:
 		_api.multiplayer_peer = null
 	_peer = null
 	_api = null
+	_lobby = null
 	for session: Session in _book.all():
 		_end(session)
 
 
 func _look_after_sessions(p_now_usec: int) -> void:
-	for peer: int in _door.overdue(p_now_usec):
-		_door.forget(peer)
-		_turn_away(peer)
+	_lobby.look_after(p_now_usec)
 	for session: Session in _book.overdue(p_now_usec):
 		_end(session)
 
 
-func _on_arriving(p_peer: int) -> void:
-	var now: int = Time.get_ticks_usec()
-	_api.send_auth(p_peer, _door.arrive(p_peer, _peer.address_of(p_peer), now))
-
-
-func _on_greeting(p_peer: int, p_bytes: PackedByteArray) -> void:
-	var now: int = Time.get_ticks_usec()
-	var verdict: SessionDoor.Verdict = _door.judge(p_peer, p_bytes, now)
-	var visitor: SessionDoor.Visitor = _door.find(p_peer)
-	match verdict:
-		SessionDoor.Verdict.WELCOME:
-			if visitor.replaced_peer != 0:
-				_peer.dismiss(visitor.replaced_peer, Protocol.Goodbye.REPLACED)
-			_welcome(visitor)
-		SessionDoor.Verdict.REFUSED:
-			var parts: Array = [visitor.address, visitor.why]
-			Log.limited("net", "greeting", "refused a client from %s: %s" % parts)
-			visitor.since_usec = now
-			_api.send_auth(p_peer, Answer.refusal(visitor.why, visitor.later))
-		SessionDoor.Verdict.WAIT:
-			var parts: Array = [visitor.greeting.name, visitor.address, p_peer]
-			Log.info("net", "'%s' from %s waits to be admitted (%d)" % parts)
-			_peer.keep(p_peer)
-			_tell_places()
-
-
-func _welcome(p_visitor: SessionDoor.Visitor) -> void:
-	var session: Session = p_visitor.session
-	_peer.welcome(p_visitor.peer, session.role == Protocol.Role.INSTRUCTOR)
-	var said: Array[PackedByteArray] = [p_visitor.challenge, p_visitor.greeting.whole()]
-	var key: PackedByteArray = rules.key_of(session.role)
-	_api.send_auth(p_visitor.peer, Answer.welcome(session.id, session.token, key, said))
-	_api.complete_auth(p_visitor.peer)
-
-
 func _on_connected(p_peer: int) -> void:
-	_door.forget(p_peer)
+	_lobby.forget(p_peer)
 	var session: Session = _book.of_peer(p_peer)
 	if session == null:
 		_peer.disconnect_peer(p_peer, true)
@@ -308,25 +254,6 @@ func _on_connected(p_peer: int) -> void:
 		session.was_here = true
 		client_joined.emit(session.id, session.hello())
 	roster_changed.emit()
-
-
-## Somebody went before coming in.
-func _on_turned_away(p_peer: int) -> void:
-	var visitor: SessionDoor.Visitor = _door.find(p_peer)
-	_door.forget(p_peer)
-	var session: Session = _book.of_peer(p_peer)
-	if session != null and session.was_here:
-		_book.detach(session, Time.get_ticks_usec())
-	elif session != null:
-		_book.close(session)
-	if visitor != null and visitor.waits:
-		_tell_places()
-
-
-func _turn_away(p_peer: int) -> void:
-	_on_turned_away(p_peer)
-	if _api.get_authenticating_peers().has(p_peer):
-		_api.disconnect_peer(p_peer)
 
 
 func _on_disconnected(p_peer: int) -> void:
@@ -409,14 +336,6 @@ func _throw_out(p_peers: Array[int]) -> void:
 			_complain(session, "calls", "was thrown out: its calls make no sense")
 			_peer.dismiss(peer, Protocol.Goodbye.THROWN_OUT)
 			_end(session)
-
-
-func _tell_places() -> void:
-	var place: int = 0
-	for visitor: SessionDoor.Visitor in _door.waiting():
-		place += 1
-		_api.send_auth(visitor.peer, Answer.wait(place))
-	roster_changed.emit()
 
 
 func _send_reliably(p_peer: int, p_bytes: PackedByteArray) -> void:

@@ -29,6 +29,7 @@ class Process:
         folder: Path,
         environment: dict[str, str],
         cwd: Path | None = None,
+        reports: bool = True,
     ) -> None:
         self.log_file = folder / f"{name}.log"
         self.report_file = folder / f"{name}.json"
@@ -36,7 +37,7 @@ class Process:
         plain = {k: v for k, v in os.environ.items() if not k.startswith("DISMOUNT_")}
         with self.log_file.open("wb") as log:
             self.process = subprocess.Popen(
-                [*command, f"--report={self.report_file}"],
+                [*command, *([f"--report={self.report_file}"] if reports else [])],
                 cwd=cwd,
                 env={**plain, **home, **environment, "PWD": str(cwd or Path.cwd())},
                 stdin=subprocess.DEVNULL,
@@ -50,9 +51,9 @@ class Process:
     def report(self) -> dict:
         return json.loads(self.report_file.read_text(encoding="utf-8"))
 
-    def await_text(self, text: str, limit_s: float = 20.0) -> None:
+    def await_text(self, text: str, limit_s: float = 20.0, count: int = 1) -> None:
         end = time.monotonic() + limit_s
-        while text not in self.log():
+        while self.log().count(text) < count:
             assert time.monotonic() < end, f"'{text}' did not come in {limit_s} s:\n{self.log()}"
             assert self.process.poll() is None, f"it ended before '{text}':\n{self.log()}"
             time.sleep(0.05)
@@ -79,7 +80,7 @@ class World:
 
     def server(self, *options: str, name: str = "server", wait: bool = True) -> Process:
         command = [str(SERVER_BINARY), "--headless", "--", f"--port={self.port}", *options]
-        process = self._start(name, command, {})
+        process = self.start(name, command)
         if wait:
             process.await_text("listening on UDP port")
         return process
@@ -95,17 +96,26 @@ class World:
         flags = ["--headless"] if display is None else [*SOFTWARE, *SMALL]
         port = [] if any(o.startswith("--port=") for o in options) else [f"--port={self.port}"]
         command = [str(CLIENT_BINARY), *flags, "--", f"--role={role}", *port, *options]
-        return self._start(name or role, command, display or {}, cwd)
+        return self.start(name or role, command, display, cwd)
 
     def trainee(self, *options: str, name: str = "trainee", clip: str = "01_01.bvh") -> Process:
         return self.client("trainee", f"--bvh={CLIPS / clip}", *options, name=name)
 
-    def _start(
-        self, name: str, command: list[str], environment: dict[str, str], cwd: Path | None = None
+    def start(
+        self,
+        name: str,
+        command: list[str],
+        environment: dict[str, str] | None = None,
+        cwd: Path | None = None,
+        reports: bool = True,
     ) -> Process:
-        process = Process(name, command, self.folder, environment, cwd)
+        process = Process(name, command, self.folder, environment or {}, cwd, reports)
         self.processes.append(process)
         return process
+
+    def close(self) -> None:
+        for process in self.processes:
+            process.kill()
 
 
 def free_port() -> int:
@@ -119,8 +129,7 @@ def free_port() -> int:
 def world(tmp_path: Path) -> Iterator[World]:
     world = World(tmp_path)
     yield world
-    for process in world.processes:
-        process.kill()
+    world.close()
 
 
 @pytest.fixture(scope="session")

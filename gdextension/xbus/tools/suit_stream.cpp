@@ -72,9 +72,9 @@ bool parse(int p_count, char **p_values, Arguments &r_arguments) {
 		const std::string name = argument.substr(0, sign);
 		const std::string value = sign == std::string::npos ? "" : argument.substr(sign + 1);
 		if (name == "--seconds") {
-			r_arguments.seconds = std::atof(value.c_str());
+			r_arguments.seconds = std::strtod(value.c_str(), nullptr);
 		} else if (name == "--rate") {
-			r_arguments.session.rate_hz = std::atof(value.c_str());
+			r_arguments.session.rate_hz = std::strtod(value.c_str(), nullptr);
 		} else if (name == "--frames") {
 			r_arguments.frames = std::strtoull(value.c_str(), nullptr, 10);
 		} else if (name == "--trace") {

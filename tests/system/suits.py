@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: MIT
+"""People in emulated suits, for the whole-process tests."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+from toolchain import suit
+from toolchain.godot import find
+from toolchain.paths import CLIENT_BINARY, CLIPS, ROOT
+
+from .conftest import Process, World
+
+WALK = CLIPS / "01_01.bvh"
+CALIBRATION_S = 60.0
+
+needs_emulator = pytest.mark.skipif(not suit.PROGRAM.exists(), reason="built without umockdev")
+
+
+class Suit:
+    """A trainee's client in an emulated suit, whose wearer stands still until told otherwise."""
+
+    def __init__(self, world: World, name: str, emulator: list[str], options: list[str]) -> None:
+        pipe = world.folder / f"{name}.commands"
+        os.mkfifo(pipe)
+        self._commands = os.open(pipe, os.O_RDWR)
+        own = [f"--bvh={WALK}", "--hold", f"--commands={pipe}", *emulator]
+        command = [str(suit.PROGRAM), *suit.complete(find(), own), "--", str(CLIENT_BINARY)]
+        command += ["--headless", "--", "--role=trainee", f"--port={world.port}", "--xbus"]
+        self.client: Process = world.start(name, [*command, f"--name={name}", *options])
+
+    def command(self, line: str) -> None:
+        """Tells the emulator something."""
+        os.write(self._commands, f"{line}\n".encode())
+
+    def await_calibrated(self, kind: str) -> str:
+        """Waits until a calibration has come to its end; returns what the log says of it."""
+        self.client.await_text(f"calibrating ({kind})", 30)
+        # The wearer begins with what the guide asks for.
+        self.command("go")
+        self.client.await_text("calibrated", CALIBRATION_S)
+        return next(line for line in self.client.log().splitlines() if "calibrated" in line)
+
+    def quit(self) -> None:
+        """Ends emulator and client."""
+        if self.client.process.poll() is None:
+            self.command("quit")
+            self.client.await_exit(30)
+
+    def close(self) -> None:
+        """Lets go of the emulator, however it is."""
+        if self.client.process.poll() is None:
+            self.client.process.terminate()
+            self.client.process.wait(20)
+        os.close(self._commands)
+
+
+@contextmanager
+def suits_of(world: World) -> Iterator[Callable[..., Suit]]:
+    """Starts people in suits, who end with it."""
+    started: list[Suit] = []
+
+    def start(name: str, emulator: list[str], options: list[str]) -> Suit:
+        started.append(Suit(world, name, emulator, options))
+        return started[-1]
+
+    try:
+        yield start
+    finally:
+        for one in started:
+            one.close()
+
+
+def await_that(holds: Callable[[], bool], what: str, limit_s: float = 20.0) -> None:
+    """Waits until something holds; reports may be half-written or not there yet."""
+    end = time.monotonic() + limit_s
+    while time.monotonic() < end:
+        try:
+            if holds():
+                return
+        except (FileNotFoundError, json.JSONDecodeError, KeyError, IndexError):
+            pass
+        time.sleep(0.1)
+    pytest.fail(f"{what} did not come in {limit_s} s")
+
+
+def await_people(client: Process, names: set[str], limit_s: float = 30.0) -> None:
+    """Waits until a client says in its report that it brings these people."""
+
+    def holds() -> bool:
+        return {person["name"] for person in client.report()["people"]} == names
+
+    await_that(holds, f"{sorted(names)}", limit_s)
+
+
+def profiles_in(folder: Path) -> list[Path]:
+    """What is kept of people in a data folder."""
+    return sorted(folder.rglob("calibrations/*.json"))
+
+
+def take_over(data: Path, world: World) -> None:
+    """Gives a world's programs the user's folder of an earlier session."""
+    shutil.copytree(data, world.folder / "DATA", dirs_exist_ok=True)
+
+
+def recorded(recording: Path) -> dict[str, list[dict]]:
+    """Who is in an observer's recording and how they move: see recorded_people.gd."""
+    arguments = ["--path", str(ROOT), "-s", "res://tests/system/recorded_people.gd"]
+    code, text = find().call([*arguments, "--", f"--recording={recording}"], 120)
+    lines = [line for line in text.splitlines() if line.startswith("{")]
+    assert code == 0, text
+    assert lines, text
+    found: dict[str, list[dict]] = json.loads(lines[0])
+    return found
+
+
+def turned(entries: list[dict]) -> float:
+    """How far all limbs of a recorded person have turned altogether, degrees on average."""
+    return sum(entry["turned_deg"] for entry in entries)

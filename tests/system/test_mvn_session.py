@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: MIT
+"""People of MVN's network stream in a session: `./run mvn-sender` in place of MVN."""
+
+from __future__ import annotations
+
+import random
+import socket
+import struct
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from toolchain.godot import find
+from toolchain.paths import CLIPS, ROOT
+
+from .conftest import World, free_port
+from .suits import await_people, recorded, turned
+
+NAMES = {"Dismount 1", "Dismount 2", "Dismount 3"}
+
+
+@contextmanager
+def sender(world: World, port: int, *options: str) -> Iterator[None]:
+    """Sends until its end."""
+    godot = find()
+    script = ["--path", str(ROOT), "-s", "res://scripts/mocap/mvn/mvn_sender.gd"]
+    own = ["--bvh", str(CLIPS / "01_01.bvh"), "--port", str(port), *options]
+    name = f"sender{len(world.processes)}"
+    command = [str(godot.program), "--headless", "--no-header", *script, "--", *own]
+    process = world.start(name, command, godot.environment(), reports=False)
+    try:
+        yield
+    finally:
+        process.kill()
+
+
+def datagram(segments: int, items: int, payload: bytes, character: int = 0) -> bytes:
+    """A datagram of type 02 that says of itself what it wants."""
+    head = struct.pack(">6sIBB", b"MXTP02", 1, 0x80, items)
+    return head + struct.pack(">IBBBBHH", 0, character, segments, 0, 0, 0, len(payload)) + payload
+
+
+def test_three_people_of_mvn_come_move_and_leave(world: World) -> None:
+    server = world.server()
+    port = free_port()
+    trainee = world.client("trainee", f"--mvn={port}")
+    trainee.await_text("joined")
+    with sender(world, port, "--characters", "3"):
+        await_people(trainee, NAMES)
+        recording = world.folder / "three"
+        observer = world.client("observer", f"--record={recording}", "--duration=4")
+        assert observer.await_exit() == 0, observer.log()
+    people = recorded(recording)
+    assert set(people) == NAMES
+    for entries in people.values():
+        # They walk: every limb turns, and the hips stay at a height of people who stand.
+        assert turned(entries) > 10.0
+        assert all(0.6 < entry["hips"][1] < 1.3 for entry in entries)
+    places = [entries[-1]["hips"] for entries in people.values()]
+    assert len({round(x, 1) for x, _, _ in places} | {round(z, 1) for _, _, z in places}) > 2
+    await_people(trainee, set())
+    recording = world.folder / "nobody"
+    late = world.client("observer", f"--record={recording}", "--duration=2", name="late")
+    assert late.await_exit() == 0, late.log()
+    assert recorded(recording) == {}
+    assert trainee.process.poll() is None
+    # Whoever comes back is there again.
+    with sender(world, port, "--name", "Ada"):
+        await_people(trainee, {"Ada"})
+    assert "ERROR" not in trainee.log() + server.log()
+
+
+def test_one_port_has_one_receiver(world: World) -> None:
+    world.server()
+    port = free_port()
+    first = world.client("trainee", f"--mvn={port}", name="first")
+    first.await_text("joined")
+    second = world.client("trainee", f"--mvn={port}", name="second")
+    assert second.await_exit(20) == 2
+    said = [line for line in second.log().splitlines() if f"{port} is in use" in line]
+    assert len(said) == 1
+    assert "--mvn" in said[0]
+    assert first.process.poll() is None
+
+
+def test_rubbish_is_counted_and_told(world: World) -> None:
+    server = world.server()
+    port = free_port()
+    trainee = world.client("trainee", f"--mvn={port}")
+    trainee.await_text("joined")
+    dice = random.Random(5)
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as rude:
+        rude.connect(("127.0.0.1", port))
+        rude.send(datagram(255, 255, dice.randbytes(255 * 32)))
+        good = datagram(23, 23, dice.randbytes(23 * 32))
+        for size in (0, 5, 23, 24, 100, len(good) - 1):
+            rude.send(good[:size])
+        for _ in range(300):
+            rude.send(dice.randbytes(dice.randrange(1, 1400)))
+    trainee.await_text("can't be used", 10)
+    assert "255" in trainee.log()
+    assert sum(1 for line in trainee.log().splitlines() if "WARN" in line) < 30
+    with sender(world, port):
+        await_people(trainee, {"Dismount"})
+    assert "ERROR" not in trainee.log() + server.log()

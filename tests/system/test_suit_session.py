@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: MIT
+"""Somebody in an (emulated) suit, from the first calibration to a recording that is played."""
+
+from __future__ import annotations
+
+import json
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+from toolchain.godot import find
+from toolchain.suit_session import compare
+
+from .conftest import World
+from .suits import (
+    WALK,
+    Suit,
+    await_people,
+    needs_emulator,
+    profiles_in,
+    recorded,
+    suits_of,
+    take_over,
+    turned,
+)
+
+pytestmark = needs_emulator
+
+# Two masters, trackers at any angle, norths that differ by up to 30 degrees.
+TWO = ["--sensors=17", "--devices=two-masters", "--heading=30"]
+MASTERS = ("00130500", "00130501")
+ARMS_AND_TRUNK = ["Hips", "UpperChest", "LeftUpperArm", "LeftLowerArm"]
+ARMS_AND_TRUNK += ["RightUpperArm", "RightLowerArm"]
+
+
+class Past(NamedTuple):
+    """What an earlier session has left."""
+
+    folder: Path
+    said: str
+
+
+@pytest.fixture(scope="module")
+def calibrated(tmp_path_factory: pytest.TempPathFactory) -> Past:
+    """Ada has been calibrated, guided by the texts on the screen."""
+    world = World(tmp_path_factory.mktemp("calibration"))
+    try:
+        world.server()
+        with suits_of(world) as start:
+            ada = start("ada", TWO, ["--person=ada", "--calibrate=full"])
+            said = ada.await_calibrated("full")
+            ada.quit()
+    finally:
+        world.close()
+    return Past(world.folder, said)
+
+
+@pytest.fixture(scope="module")
+def played(calibrated: Past, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Past]:
+    """Ada has worn the suit again; what the suit said is recorded."""
+    world = World(tmp_path_factory.mktemp("session"))
+    take_over(calibrated.folder / "DATA", world)
+    try:
+        server = world.server("--root=inertial")
+        with suits_of(world) as start:
+            options = ["--person=ada", f"--suit-record={world.folder / 'suit.raw'}"]
+            ada = start("ada", TWO, options)
+            _play(world, ada)
+            ada.quit()
+        assert "ERROR" not in server.log()
+    finally:
+        world.close()
+    yield Past(world.folder, ada.client.log())
+
+
+def _play(world: World, ada: Suit) -> None:
+    """What happens in that session: an instructor's calibration, motion, and a pulled plug."""
+    ada.client.await_text("joined")
+    _await_masters(ada, 1)
+    orders = "--orders=calibrate-quick:ada"
+    instructor = world.client("instructor", orders, "--name=Ida", "--duration=20")
+    instructor.await_text("was asked to calibrate")
+    ada.client.await_text("calibrated, quality")
+    ada.command("clip")
+    _observe(world, "moving", 8)
+    ada.command("unplug")
+    ada.client.await_text("was unplugged")
+    time.sleep(1)
+    await_people(ada.client, {"ada"})
+    ada.command("plug")
+    _await_masters(ada, 2)
+    time.sleep(1)
+    _observe(world, "again", 6)
+
+
+def _await_masters(ada: Suit, count: int) -> None:
+    for master in MASTERS:
+        ada.client.await_text(f"Xbus Master {master} measures", 30, count)
+
+
+def _observe(world: World, name: str, seconds: int) -> None:
+    options = [f"--record={world.folder / name}", f"--duration={seconds}"]
+    observer = world.client("observer", *options, name=name)
+    assert observer.await_exit() == 0, observer.log()
+
+
+def _check_moves_as_the_clip(recording: Path) -> None:
+    found = compare(find(), recording, WALK, 0.0, 1e9)
+    assert found["mean"] < 5.0
+    for bone in ARMS_AND_TRUNK:
+        assert found["limbs"][bone] < 3.0, bone
+
+
+def test_a_guided_calibration_is_good_and_kept(calibrated: Past) -> None:
+    assert "not calibrated" not in calibrated.said
+    assert int(calibrated.said.split("quality ")[1].split()[0]) >= 70
+    (file,) = profiles_in(calibrated.folder / "DATA")
+    kept = json.loads(file.read_text(encoding="utf-8"))
+    assert kept["name"] == "ada"
+    assert file.stem == "ada"
+
+
+def test_the_next_session_needs_no_calibration(played: Past) -> None:
+    assert "ada: as kept in" in played.said
+    before = played.said.split("was asked")[0]
+    assert "calibrating (full)" not in before
+
+
+def test_an_observer_sees_the_wearer_move_as_the_wearer_does(played: Past) -> None:
+    _check_moves_as_the_clip(played.folder / "moving")
+
+
+def test_an_instructor_lets_the_wearer_be_calibrated(played: Past) -> None:
+    assert "calibrating (quick reset)" in played.said
+    assert "calibrated, quality" in played.said
+    instructor = (played.folder / "instructor.log").read_text(encoding="utf-8")
+    assert "was asked to calibrate" in instructor
+
+
+def test_a_pulled_plug_ends_nothing(played: Past) -> None:
+    assert played.said.count("was unplugged") == 2
+    # Everybody is as before: the same trackers on the same limbs, calibrated.
+    _check_moves_as_the_clip(played.folder / "again")
+    (entries,) = recorded(played.folder / "again").values()
+    assert turned(entries) > 10.0
+    assert "ERROR" not in played.said
+
+
+def test_a_recorded_suit_moves_somebody_as_the_suit_did(world: World, played: Past) -> None:
+    take_over(played.folder / "DATA", world)
+    world.server("--root=inertial")
+    options = [f"--suit-play={played.folder / 'suit.raw'}", "--person=ada"]
+    client = world.client("trainee", *options)
+    client.await_text("recording suit.raw")
+    # It stands first, as the wearer did.
+    time.sleep(9)
+    _observe(world, "played", 6)
+    _check_moves_as_the_clip(world.folder / "played")
+    assert "ERROR" not in client.log()
+
+
+@pytest.mark.parametrize(
+    ("emulator", "words"),
+    [
+        (["--sensors=3", "--devices=native", "--forbidden"], ["permission", ".rules", "udevadm"]),
+        (["--devices=awinda"], ["MVN", "--mvn"]),
+    ],
+)
+def test_what_cannot_be_used_is_said(world: World, emulator: list[str], words: list[str]) -> None:
+    world.server()
+    with suits_of(world) as start:
+        ada = start("ada", emulator, [])
+        ada.client.await_text(words[0])
+        ada.client.await_text("joined")
+        told = [line for line in ada.client.log().splitlines() if words[0] in line]
+        assert all(word in told[0] for word in words)
+        assert "WARN" in told[0]
+        ada.quit()
+
+
+def test_without_a_suit_there_is_a_hint(world: World) -> None:
+    world.server()
+    trainee = world.client("trainee", "--xbus=1", "--duration=6")
+    trainee.await_text("no suit on USB yet")
+    assert trainee.await_exit() == 0
+    assert "ERROR" not in trainee.log()
+
+
+def test_a_file_for_each_of_two_people(world: World) -> None:
+    world.server()
+    files = ",".join(str(WALK.parent / name) for name in ("01_01.bvh", "Boxing_Toes.bvh"))
+    trainee = world.client("trainee", f"--bvh={files}", "--name=both")
+    trainee.await_text("joined")
+    _observe(world, "both", 4)
+    assert len(trainee.report()["people"]) == 2
+    found = recorded(world.folder / "both")
+    assert len(found) == 2
+    assert all(turned(entries) > 10.0 for entries in found.values())
