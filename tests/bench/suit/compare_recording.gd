@@ -1,9 +1,10 @@
 extends SceneTree
 ## How far a person in an observer's recording is from a motion file, degrees.
 ##
-## --recording=FILE --bvh=FILE --from=S --to=S (of the clip). The recording begins at some moment of the
-## clip: the one at which they agree best, found first coarsely, then exactly, is taken. Prints JSON:
-## mean and p95 of the limbs that a suit of 17 trackers measures, offset_s, limbs (mean of each), count.
+## --recording=FILE --bvh=FILE --from=S --to=S (of the clip). The recording begins at some moment
+## of the clip: the one at which they agree best, found first coarsely, then exactly, is taken.
+## Prints JSON: mean and p95 of the limbs that a suit of 17 trackers measures, offset_s, limbs
+## (mean of each), count.
 
 ## Step of the coarse search, s, and how many snapshots it looks at.
 const COARSE_S: float = 0.1
