@@ -27,12 +27,8 @@ var _now_s: float = 0.0
 
 ## Begins one at a time, s. Returns why it cannot, or an empty text.
 func start(p_source: SuitSource, p_kind: CalibrationGuide.Kind, p_now_s: float) -> String:
-<<<<<<< HEAD
-	if p_source.process.is_running() or is_running():
-=======
 	_now_s = p_now_s
-	if _source != null:
->>>>>>> 41b39a234825ce1a7b2372fbced1f66040ae8909
+	if p_source.process.is_running() or is_running():
 		return "another calibration is going on"
 	if _source != null:
 		forget(_source)  # Somebody ended it at the panel.

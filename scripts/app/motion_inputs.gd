@@ -72,11 +72,8 @@ func advance(p_now_s: float) -> void:
 		_tracker.advance(roundi(Time.get_unix_time_from_system() * 1e6))
 	for wearer: SuitSource in wearers:
 		wearer.advance(p_now_s)
-<<<<<<< HEAD
 	_notice_absence(p_now_s)
-=======
 	_watch_recorder()
->>>>>>> 5335cb9c9051819ea0127e6d23b09364e16a59f7
 	if _begins_with != "" and _is_settled(p_now_s):
 		calibrate(wearers[0], ClientCalibration.KINDS[_begins_with], p_now_s)
 		_begins_with = ""

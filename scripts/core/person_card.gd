@@ -19,9 +19,9 @@ var name: String = ""
 var hip_height: float = 0.95
 ## Length of each limb of [constant Limbs.BONES], m, 0 where it is not known; empty: none is.
 ##
-## From a limb's joint to its end in [constant Limbs.TAILS]: the hand's to the knuckle of the middle
-## finger, the foot's from the ankle to the ball, the head's from its joint to the crown. Hips, spine
-## and chest count as one sum.
+## From a limb's joint to its end in [constant Limbs.TAILS]: the hand's to the knuckle of the
+## middle finger, the foot's from the ankle to the ball, the head's from its joint to the crown.
+## Hips, spine and chest count as one sum.
 var lengths: PackedFloat32Array = PackedFloat32Array()
 
 

@@ -29,10 +29,10 @@ func get_hip_height() -> float:
 	return 0.95
 
 
-## Lengths of the wearer's limbs, m, by place in [constant Limbs.BONES], 0 where it is not known; empty
-## where none is. From a limb's joint to its end in [constant Limbs.TAILS], as in
-## [member PersonCard.lengths]: the hand to the middle knuckle, the foot from ankle to ball, the head
-## from its joint to the crown; hips, spine and chest count as one sum.
+## Lengths of the wearer's limbs, m, by place in [constant Limbs.BONES], 0 where it is not known;
+## empty where none is. From a limb's joint to its end in [constant Limbs.TAILS], as in [member
+## PersonCard.lengths]: the hand to the middle knuckle, the foot from ankle to ball, the head from
+## its joint to the crown; hips, spine and chest count as one sum.
 func get_limb_lengths() -> PackedFloat32Array:
 	return PackedFloat32Array()
 

@@ -134,17 +134,13 @@ func list_devices() -> Array[Dictionary]:
 			details.append("battery %.0f %%" % (100.0 * device["battery"]))
 		if device["malformed_bytes"] != 0:
 			details.append("%d bad bytes" % device["malformed_bytes"])
-		(
-			rows
-			. append(
-				{
-					"name": "%s (%s)" % [device["name"], device["place"]],
-					"state": device["state"],
-					"detail": ", ".join(details),
-					"advice": device["trouble"] if not device["measures"] else "",
-				}
-			)
-		)
+		var row: Dictionary = {
+			"name": "%s (%s)" % [device["name"], device["place"]],
+			"state": device["state"],
+			"detail": ", ".join(details),
+			"advice": device["trouble"] if not device["measures"] else "",
+		}
+		rows.append(row)
 	return rows
 
 

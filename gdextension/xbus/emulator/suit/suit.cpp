@@ -20,6 +20,8 @@ constexpr uint16_t PRODUCT_MTI_30 = 0x0003;
 constexpr uint16_t PRODUCT_AWINDA_STATION = 0xD38D;
 /// What Xsens' own hosts allow on one master, at most.
 constexpr size_t MOST_TRACKERS = 20;
+/// From the first sample until the wearer begins: a client has found all trackers then and has said what to do.
+constexpr Usec REACTION = 1300000;
 
 std::string hexadecimal(uint32_t p_value) {
 	std::array<char, 16> text{};
@@ -158,7 +160,7 @@ void Suit::_add(std::unique_ptr<XbusDevice> p_device, const std::string &p_kind,
 	made.device->set_log([this, place](Usec p_now, const std::string &p_text) { _log(p_now, place, p_text); });
 	made.device->set_on_measuring([this](Usec p_now) {
 		if (_waits) {
-			_move("go", 0.0, p_now);
+			_move("go", 0.0, p_now + REACTION);
 		}
 	});
 	const std::string serial = hexadecimal(made.device->device_id());
@@ -204,8 +206,8 @@ void Suit::begin(Usec p_now) {
 	}
 }
 
-bool Suit::_move(const std::string &p_name, double p_value, Usec p_now) {
-	double time = _devices.front().device->motion_time(p_now);
+bool Suit::_move(const std::string &p_name, double p_value, Usec p_since) {
+	double time = _devices.front().device->motion_time(p_since);
 	if (p_name == "calibrate") {
 		time = 0.0;
 	} else if (p_name == "clip") {
@@ -217,7 +219,7 @@ bool Suit::_move(const std::string &p_name, double p_value, Usec p_now) {
 	}
 	_waits = false;
 	for (SuitDevice &one : _devices) {
-		one.device->set_motion(time, p_name != "hold", p_now);
+		one.device->set_motion(time, p_name != "hold", p_since);
 	}
 	return true;
 }

@@ -40,7 +40,7 @@ public:
 	/// What is wrong with the options, or an empty text.
 	const std::string &error() const { return _error; }
 	std::vector<SuitDevice> &devices() { return _devices; }
-	/// The wearer stands in the first pose, until a device begins to measure or, with --hold, until told.
+	/// The wearer stands in the first pose, until a device has measured for a moment or, with --hold, until told.
 	void begin(Usec p_now);
 	void advance(Usec p_now);
 	Usec next_event() const;
@@ -51,7 +51,7 @@ public:
 
 private:
 	/// "hold", "go", "calibrate", "clip", "motion SECONDS"; false if it is none of them.
-	bool _move(const std::string &p_name, double p_value, Usec p_now);
+	bool _move(const std::string &p_name, double p_value, Usec p_since);
 	/// All the other commands, for one device; false if it is none.
 	static bool _disturb(SuitDevice &r_device, const std::string &p_name, double p_value, Usec p_now);
 	std::string _make(const std::string &p_kind, std::vector<Tracker> p_trackers);

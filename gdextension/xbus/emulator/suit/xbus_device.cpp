@@ -69,9 +69,9 @@ void XbusDevice::power(bool p_on, Usec p_now) {
 	}
 }
 
-void XbusDevice::set_motion(double p_seconds, bool p_runs, Usec p_now) {
+void XbusDevice::set_motion(double p_seconds, bool p_runs, Usec p_since) {
 	_motion_s = p_seconds;
-	_motion_since = p_now;
+	_motion_since = p_since;
 	_motion_runs = p_runs;
 }
 

@@ -62,11 +62,11 @@ public:
 	void set_baud(uint32_t p_baud) { _baud = _next_baud = p_baud; }
 	/// The counter of the first sample, to see it go round.
 	void set_first_counter(uint16_t p_counter) { _counter = p_counter; }
-	/// The wearer does now what the motion has after so many seconds, and goes on or stands still.
-	void set_motion(double p_seconds, bool p_runs, Usec p_now);
+	/// The wearer does what the motion has after so many seconds, and goes on from that time on or stands still.
+	void set_motion(double p_seconds, bool p_runs, Usec p_since);
 	/// Where in the motion the wearer is, s.
 	double motion_time(Usec p_now) const {
-		return _motion_s + (_motion_runs ? double(p_now - _motion_since) * 1e-6 : 0.0);
+		return _motion_s + (_motion_runs && p_now > _motion_since ? double(p_now - _motion_since) * 1e-6 : 0.0);
 	}
 	/// Sends an Error message by itself.
 	void send_error(uint8_t p_code, Usec p_now);
