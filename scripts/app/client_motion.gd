@@ -1,7 +1,7 @@
 class_name ClientMotion
 extends RefCounted
-## The motion of one of a trainee's people: sampled in a thread of its own, sent at once, and shown at once as the own
-## body (thesis sections 7.4.2 and 7.5).
+## The motion of one of a trainee's people: sampled in a thread of its own, sent at once, and shown
+## at once as the own body (thesis sections 7.4.2 and 7.5).
 
 ## Samples shall reach the server so long before a tick begins, µs: later ones wait for the next. On
 ## an unsteady way a little more.

@@ -29,8 +29,8 @@ func get_hip_height() -> float:
 	return 0.95
 
 
-## Lengths of the wearer's limbs, m, by place in [constant Limbs.BONES], 0 where it is not known; empty
-## where none is.
+## Lengths of the wearer's limbs, m, by place in [constant Limbs.BONES], 0 where it is not known;
+## empty where none is.
 func get_limb_lengths() -> PackedFloat32Array:
 	return PackedFloat32Array()
 

@@ -6,8 +6,8 @@ figure without a goal, at which it lies in the chip) to the callback of the suit
 clip, worn in a suit with trackers at any angle and with norths that differ by up to 30 degrees,
 calibrated by the guided T- and N-pose, against the same clip sent directly: how far the observer's
 picture is from the clip, on the limbs that have a tracker (the spine, which has none, on its own).
-Options: --seconds=20 (of each part), --sensors=15 (delay), --rate=100, --bvh=FILE, --only=delay|motion,
---port=7777 (a free one by default).
+Options: --seconds=20 (of each part), --sensors=15 (delay), --rate=100, --bvh=FILE,
+--only=delay|motion, --port=7777 (a free one by default).
 """
 
 from __future__ import annotations
@@ -107,7 +107,9 @@ def measure_motion(options: dict[str, str], figures: Figures, folder: Path) -> N
             found[name] = motion_error(godot, options, folder / name, name == "suit")
         figures.add("motion at the observer", f"{name}: mean error", found[name]["mean"], "deg")
         figures.add("motion at the observer", f"{name}: p95", found[name]["p95"], "deg")
-        figures.add("motion at the observer", f"{name}: spine", found[name]["limbs"]["Spine"], "deg")
+        figures.add(
+            "motion at the observer", f"{name}: spine", found[name]["limbs"]["Spine"], "deg"
+        )
     more = found["suit"]["mean"] - found["direct"]["mean"]
     figures.add("motion at the observer", "suit - direct", more, "deg", at_most=MOTION_DEG)
 

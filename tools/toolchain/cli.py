@@ -60,7 +60,17 @@ Keys in a window: 1 mesh world, 2 static world, 3 physics world; drag and wheel 
 
 FLAGS = ("--help", "--xbus", "--panel", "--dtls", "--waiting-room")
 SESSION_FILES = ("ban-file", "dtls-certificate", "dtls-key")
-FILES = ("suit-record", "suit-play", "bvh", "record", "file", "report", "screenshot", "latency-csv", *SESSION_FILES)
+FILES = (
+    "suit-record",
+    "suit-play",
+    "bvh",
+    "record",
+    "file",
+    "report",
+    "screenshot",
+    "latency-csv",
+    *SESSION_FILES,
+)
 
 
 def main(arguments: list[str]) -> int:
@@ -138,7 +148,9 @@ def _client(role: str, arguments: list[str]) -> int:
     sources = ("bvh", "xbus", "mvn", "tracker", "suit-play")
     named = tuple(f"--{name}" for name in sources)
     asked = any(option.partition("=")[0] in named for option in options)
-    asked = asked or any(os.environ.get(f"DISMOUNT_{name.upper().replace('-', '_')}") for name in sources)
+    asked = asked or any(
+        os.environ.get(f"DISMOUNT_{name.upper().replace('-', '_')}") for name in sources
+    )
     if role == "trainee" and not asked:
         options.append(f"--bvh={CLIPS / '01_01.bvh'}")
     prepare(export=True)

@@ -140,4 +140,3 @@ def compare(
         raise Failure(f"The recording could not be compared:\n{tail(done.stdout + done.stderr)}")
     result: dict = json.loads(found[0])
     return result
-
