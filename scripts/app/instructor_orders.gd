@@ -15,9 +15,6 @@ const STATES: Dictionary[String, String] = {
 ## follows.
 const CALIBRATE: String = "calibrate-"
 
-## Why the orders make no sense, or an empty text.
-var error: String = ""
-
 ## What a row of a roster holds, and of which type: a server may tell anything.
 const _ROW: Dictionary[String, Variant.Type] = {
 	"role": TYPE_INT,
@@ -26,6 +23,9 @@ const _ROW: Dictionary[String, Variant.Type] = {
 	"peer": TYPE_INT,
 	"session": TYPE_INT,
 }
+
+## Why the orders make no sense, or an empty text.
+var error: String = ""
 
 var _orders: Array[PackedStringArray] = []
 var _control: SessionControl = null

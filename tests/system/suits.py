@@ -16,7 +16,7 @@ from toolchain import suit
 from toolchain.godot import Godot
 from toolchain.paths import CLIENT_BINARY, CLIPS, ROOT
 
-from .conftest import Process, World
+from .conftest import SOFTWARE, Process, World
 
 WALK = CLIPS / "01_01.bvh"
 CALIBRATION_S = 60.0
@@ -32,14 +32,22 @@ def engine() -> Godot:
 class Suit:
     """A trainee's client in an emulated suit, whose wearer stands still until told otherwise."""
 
-    def __init__(self, world: World, name: str, emulator: list[str], options: list[str]) -> None:
+    def __init__(
+        self,
+        world: World,
+        name: str,
+        emulator: list[str],
+        options: list[str],
+        display: dict[str, str] | None = None,
+    ) -> None:
         pipe = world.folder / f"{name}.commands"
         os.mkfifo(pipe)
         self._commands = os.open(pipe, os.O_RDWR)
         own = [f"--bvh={WALK}", "--hold", f"--commands={pipe}", *emulator]
         command = [str(suit.PROGRAM), *suit.complete(engine(), own), "--", str(CLIENT_BINARY)]
-        command += ["--headless", "--", "--role=trainee", f"--port={world.port}", "--xbus"]
-        self.client: Process = world.start(name, [*command, f"--name={name}", *options])
+        command += ["--headless"] if display is None else [*SOFTWARE, "--resolution", "1280x720"]
+        command += ["--", "--role=trainee", f"--port={world.port}", "--xbus", f"--name={name}"]
+        self.client: Process = world.start(name, [*command, *options], display)
 
     def command(self, line: str) -> None:
         """Tells the emulator something."""
@@ -72,8 +80,8 @@ def suits_of(world: World) -> Iterator[Callable[..., Suit]]:
     """Starts people in suits, who end with it."""
     started: list[Suit] = []
 
-    def start(name: str, emulator: list[str], options: list[str]) -> Suit:
-        started.append(Suit(world, name, emulator, options))
+    def start(name: str, emulator: list[str], options: list[str], **more: dict) -> Suit:
+        started.append(Suit(world, name, emulator, options, **more))
         return started[-1]
 
     try:

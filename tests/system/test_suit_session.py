@@ -25,6 +25,7 @@ from .suits import (
     take_over,
     turned,
 )
+from .test_views import Pixel, read_png
 
 pytestmark = needs_emulator
 
@@ -202,3 +203,27 @@ def test_a_file_for_each_of_two_people(world: World) -> None:
     found = recorded(world.folder / "both")
     assert set(found) == {"01_01", "Boxing_Toes"}
     assert all(turned(entries) > 10.0 for entries in found.values())
+
+
+def test_the_panel_shows_the_sensors(
+    world: World, calibrated: Past, display: dict[str, str]
+) -> None:
+    """A picture of the panel with a suit has more to tell in its table than one without."""
+    take_over(calibrated.folder / "DATA", world)
+    world.server()
+    lines = {}
+    with suits_of(world) as start:
+        for name, emulator in (("worn", TWO), ("denied", [*TWO, "--forbidden"])):
+            target = world.folder / f"{name}.png"
+            options = ["--panel=1", "--person=ada", "--duration=9", f"--screenshot={target}"]
+            suit = start(name, emulator, options, display=display)
+            assert suit.client.await_exit(60) == 0, suit.client.log()
+            assert "ERROR" not in suit.client.log()
+            lines[name] = lines_of_text(read_png(target))
+    assert lines["worn"] >= lines["denied"] + 10
+
+
+def lines_of_text(picture: list[list[Pixel]]) -> int:
+    """How many lines of bright text the left half of a picture has."""
+    bright = [sum(1 for pixel in row[:640] if min(pixel) > 150) > 8 for row in picture]
+    return sum(1 for row in range(1, len(bright)) if bright[row] and not bright[row - 1])
