@@ -30,13 +30,9 @@ func get_hip_height() -> float:
 
 
 ## Lengths of the wearer's limbs, m, by place in [constant Limbs.BONES], 0 where it is not known;
-<<<<<<< HEAD
 ## empty where none is. From a limb's joint to its end in [constant Limbs.TAILS], as in [member
 ## PersonCard.lengths]: the hand to the middle knuckle, the foot from ankle to ball, the head from
 ## its joint to the crown; hips, spine and chest count as one sum.
-=======
-## empty where none is.
->>>>>>> af5af2c0189d0f7962aa0366c256120e8ecf69f1
 func get_limb_lengths() -> PackedFloat32Array:
 	return PackedFloat32Array()
 

@@ -75,24 +75,10 @@ calibration. Drag and wheel move the camera.
 
 FLAGS = ("--help", "--xbus", "--panel", "--dtls", "--waiting-room")
 SESSION_FILES = ("ban-file", "dtls-certificate", "dtls-key")
-<<<<<<< HEAD
 SUIT_FILES = ("suit-record", "suit-play")
 OUTPUT_FILES = ("record", "report", "screenshot", "latency-csv")
 FILES = ("bvh", "file", *SUIT_FILES, *OUTPUT_FILES, *SESSION_FILES)
 SOURCES = ("bvh", "xbus", "mvn", "tracker", "suit-play")
-=======
-FILES = (
-    "suit-record",
-    "suit-play",
-    "bvh",
-    "record",
-    "file",
-    "report",
-    "screenshot",
-    "latency-csv",
-    *SESSION_FILES,
-)
->>>>>>> af5af2c0189d0f7962aa0366c256120e8ecf69f1
 
 
 def main(arguments: list[str]) -> int:
@@ -167,17 +153,7 @@ def _server(arguments: list[str]) -> int:
 
 def _client(role: str, arguments: list[str]) -> int:
     options = normalise(arguments)
-<<<<<<< HEAD
     if role == "trainee" and not _names_source(options):
-=======
-    sources = ("bvh", "xbus", "mvn", "tracker", "suit-play")
-    named = tuple(f"--{name}" for name in sources)
-    asked = any(option.partition("=")[0] in named for option in options)
-    asked = asked or any(
-        os.environ.get(f"DISMOUNT_{name.upper().replace('-', '_')}") for name in sources
-    )
-    if role == "trainee" and not asked:
->>>>>>> af5af2c0189d0f7962aa0366c256120e8ecf69f1
         options.append(f"--bvh={CLIPS / '01_01.bvh'}")
     prepare(export=True)
     command = [str(CLIENT_BINARY)]

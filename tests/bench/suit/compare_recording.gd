@@ -1,18 +1,10 @@
 extends SceneTree
 ## How far a person in an observer's recording is from a motion file, degrees.
 ##
-<<<<<<< HEAD
 ## --recording=FILE --bvh=FILE --from=S --to=S (of the clip). The recording begins at some moment
 ## of the clip: the one at which they agree best, found first coarsely, then exactly, is taken. Time
 ## is the server's by its ticks. On a machine that is too slow for 60 ticks a second that is no
 ## clock: with --slack=S time is that of the observer, and a pose may be so much earlier or later.
-=======
-## --recording=FILE --bvh=FILE --from=S --to=S (of the clip). The recording begins at some moment of
-## the clip: the one at which they agree best, found first coarsely, then exactly, is taken. Time is
-## the server's by its ticks. On a machine that is too slow for 60 ticks a second that is no clock:
-## with --slack=S time is that of the observer, and a pose may be so much earlier or later.
-##
->>>>>>> af5af2c0189d0f7962aa0366c256120e8ecf69f1
 ## Prints JSON: mean and p95 of the limbs that a suit of 17 trackers measures, offset_s, limbs (mean
 ## of each), medians (of each limb), count.
 
