@@ -45,7 +45,7 @@ def test_wrong_options(world: World) -> None:
 
 
 def test_options_come_from_the_environment_too(world: World) -> None:
-    process = world._start(
+    process = world.start(
         "environment",
         [str(SERVER_BINARY), "--headless", "--", "--duration=1"],
         {"DISMOUNT_PORT": str(world.port)},
