@@ -236,7 +236,8 @@ func _wear(p_feed: SensorFeed, p_name: String) -> void:
 		if profile != null:
 			Log.info("mocap", "%s: as kept in %s" % [p_name, _store.path_of(p_name)])
 		else:
-			Log.info("mocap", _store.error)
+			var is_new: bool = not FileAccess.file_exists(_store.path_of(p_name))
+			Log.info("mocap", "nothing is kept of %s yet" % p_name if is_new else _store.error)
 			profile = PersonProfile.new()
 			profile.name = p_name
 		wearer.set_profile(profile)

@@ -6,7 +6,7 @@ extends RefCounted
 ## the start (µs) and the packet. See [SnapshotPlayer].
 
 ## First bytes of a recording: the name and the version of the format.
-const MAGIC: String = "DSMTREC2"
+const MAGIC: String = "DSMTREC3"
 ## The only byte of a record that says that a connection begins: what was told before is void.
 const BEGIN: int = 0xFF
 ## Seconds between two flushes to the disk.

@@ -111,7 +111,7 @@ func test_what_is_no_recording_is_told() -> void:
 	for bytes: PackedByteArray in cases:
 		_write(bytes)
 		var error: String = SnapshotPlayer.new().open(PATH)
-		contains(error, PATH + ": expected a recording (DSMTREC2), found")
+		contains(error, PATH + ": expected a recording (DSMTREC3), found")
 		equal(error, error.strip_escapes(), "no control characters in the log")
 
 

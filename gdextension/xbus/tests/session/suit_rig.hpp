@@ -52,11 +52,12 @@ public:
 
 	/// Lets time pass until it measures; whether it does within so many seconds.
 	bool measures_within(double p_seconds) {
-		for (double passed = 0.0; passed < p_seconds; passed += 0.01) {
+		constexpr double STEP_S = 0.01;
+		for (int step = 0; step < int(p_seconds / STEP_S); ++step) {
 			if (session->state() == xbus::SessionState::MEASURING) {
 				return true;
 			}
-			run(0.01);
+			run(STEP_S);
 		}
 		return false;
 	}
