@@ -32,11 +32,11 @@ constexpr uint16_t FORMAT_8N2 = 0x1008;
 constexpr uint32_t BITS_PER_BYTE = 11;
 
 /// Bits of the second status byte that say that bytes are lost or wrong.
-constexpr uint8_t LINE_OVERRUN = 0x02;
-constexpr uint8_t LINE_PARITY = 0x04;
-constexpr uint8_t LINE_FRAMING = 0x08;
-constexpr uint8_t LINE_BREAK = 0x10;
-constexpr uint8_t LINE_FAULTS = LINE_OVERRUN | LINE_PARITY | LINE_FRAMING | LINE_BREAK;
+constexpr unsigned LINE_OVERRUN = 0x02;
+constexpr unsigned LINE_PARITY = 0x04;
+constexpr unsigned LINE_FRAMING = 0x08;
+constexpr unsigned LINE_BREAK = 0x10;
+constexpr unsigned LINE_FAULTS = LINE_OVERRUN | LINE_PARITY | LINE_FRAMING | LINE_BREAK;
 
 /// Status bytes at the beginning of every packet.
 constexpr std::size_t STATUS_SIZE = 2;
@@ -60,7 +60,7 @@ inline FtdiDivisor ftdi_divisor(uint32_t p_baud, uint16_t p_release, uint16_t p_
 	constexpr uint32_t CLOCK = 24000000; // 48 MHz / 2: the divisor in eighths.
 	constexpr uint32_t FRACTIONS[8] = { 0, 3, 2, 4, 1, 5, 6, 7 };
 	const uint32_t eighths = std::clamp((CLOCK + p_baud / 2) / std::max(p_baud, 1U), 8U, 0x1FFFFU);
-	uint32_t divisor = (eighths >> 3) | (FRACTIONS[eighths & 7U] << 14);
+	uint32_t divisor = (eighths >> 3U) | (FRACTIONS[eighths & 7U] << 14U);
 	if (divisor == 1) {
 		divisor = 0; // 3 Mbaud
 	} else if (divisor == 0x4001) {
@@ -68,9 +68,9 @@ inline FtdiDivisor ftdi_divisor(uint32_t p_baud, uint16_t p_release, uint16_t p_
 	}
 	FtdiDivisor result;
 	result.value = uint16_t(divisor & 0xFFFFU);
-	result.index = uint16_t(divisor >> 16);
+	result.index = uint16_t(divisor >> 16U);
 	if (ftdi_has_ports(p_release)) {
-		result.index = uint16_t((uint32_t(result.index) << 8) | p_port);
+		result.index = uint16_t((uint32_t(result.index) << 8U) | uint32_t(p_port));
 	}
 	return result;
 }

@@ -52,7 +52,7 @@ public:
 
 	/// Lets time pass until it measures; whether it does within so many seconds.
 	bool measures_within(double p_seconds) {
-		for (double passed = 0.0; passed < p_seconds; passed += 0.01) {
+		for (int step = 0; step < int(p_seconds * 100.0); ++step) {
 			if (session->state() == xbus::SessionState::MEASURING) {
 				return true;
 			}
