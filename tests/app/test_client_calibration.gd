@@ -75,6 +75,36 @@ func test_a_suit_that_is_silent_cannot_be_calibrated() -> void:
 	is_false(_source.is_calibrated())
 
 
+func test_a_wearer_who_leaves_meanwhile_is_forgotten() -> void:
+	_measure()
+	equal(_calibration.start(_source, CalibrationGuide.Kind.FULL, _now_s()), "")
+	_calibration.forget(_source)
+	is_false(_calibration.is_running())
+	equal(_source.calibrated.get_connections().size(), 0)
+	_run_anew()
+
+
+func test_one_that_the_panel_ended_is_forgotten() -> void:
+	_measure()
+	equal(_calibration.start(_source, CalibrationGuide.Kind.FULL, _now_s()), "")
+	_source.refuse_calibration()
+	is_false(_calibration.is_running())
+	_run_anew()
+
+
+func test_one_that_the_panel_leads_is_not_disturbed() -> void:
+	_measure()
+	equal(_source.start_calibration(CalibrationGuide.Kind.FULL, _now_s()), "")
+	contains(_calibration.start(_source, CalibrationGuide.Kind.QUICK, _now_s()), "going on")
+	equal(_source.process.kind, CalibrationGuide.Kind.FULL)
+
+
+func _run_anew() -> void:
+	_source.refuse_calibration()
+	_run(CalibrationGuide.Kind.T_TO_N)
+	is_true(_source.is_calibrated())
+
+
 func _run(p_kind: CalibrationGuide.Kind) -> void:
 	_motion.kind = p_kind
 	_begin_usec = _now_usec

@@ -11,15 +11,12 @@ extends SensorFeed
 const MOST_AHEAD_S: float = 0.03
 ## A tracker that is silent for so long is called so, s.
 const SILENT_S: float = 0.5
-## When no suit has been found after so long, the log says so, s.
-const PATIENCE_S: float = 3.0
 
 ## What is said of the devices, for the screen: names, states, troubles; see
 ## [method SuitHub.get_devices].
 var devices: Array[Dictionary] = []
 
 var _hub: SuitHub = SuitHub.new()
-var _opened_usec: int = -1
 # Shared between threads and guarded.
 var _mutex: Mutex = Mutex.new()
 var _sensors: Array[SensorInfo] = []
@@ -34,7 +31,6 @@ var _followers: Dictionary[int, Array] = {}
 ## Looks for suits, which are to measure so many times a second. [member error] tells why it cannot.
 func open(p_rate_hz: float) -> void:
 	error = _hub.start(p_rate_hz)
-	_opened_usec = Time.get_ticks_usec()
 
 
 ## Records every byte of the suits that are opened from now on; null does not.
@@ -61,10 +57,6 @@ func advance() -> void:
 		_take_device(device)
 	_choose_leader()
 	_mutex.unlock()
-	if _opened_usec >= 0 and Time.get_ticks_usec() - _opened_usec > PATIENCE_S * 1e6:
-		_opened_usec = -1
-		if devices.is_empty():
-			Log.warning("suit", describe() + ": it is used as soon as it is plugged in")
 
 
 ## Asks all trackers to take their present orientation anew: the object reset of the trackers

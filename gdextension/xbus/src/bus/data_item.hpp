@@ -118,7 +118,7 @@ struct Item {
 
 	uint16_t type() const { return id & 0xFFF0U; }
 	NumberFormat format() const { return NumberFormat(id & 3U); }
-	Axes axes() const { return Axes((uint32_t(id) >> 2U) & 3U); }
+	Axes axes() const { return Axes(unsigned(id) >> 2U & 3U); }
 };
 
 /// Whether an item of this type and format can be so long.

@@ -32,11 +32,11 @@ constexpr uint16_t FORMAT_8N2 = 0x1008;
 constexpr uint32_t BITS_PER_BYTE = 11;
 
 /// Bits of the second status byte that say that bytes are lost or wrong.
-constexpr uint8_t LINE_OVERRUN = 0x02;
-constexpr uint8_t LINE_PARITY = 0x04;
-constexpr uint8_t LINE_FRAMING = 0x08;
-constexpr uint8_t LINE_BREAK = 0x10;
-constexpr uint8_t LINE_FAULTS = uint8_t(0U + LINE_OVERRUN + LINE_PARITY + LINE_FRAMING + LINE_BREAK);
+constexpr unsigned LINE_OVERRUN = 0x02;
+constexpr unsigned LINE_PARITY = 0x04;
+constexpr unsigned LINE_FRAMING = 0x08;
+constexpr unsigned LINE_BREAK = 0x10;
+constexpr unsigned LINE_FAULTS = LINE_OVERRUN | LINE_PARITY | LINE_FRAMING | LINE_BREAK;
 
 /// Status bytes at the beginning of every packet.
 constexpr std::size_t STATUS_SIZE = 2;

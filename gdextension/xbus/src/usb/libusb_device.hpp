@@ -23,7 +23,8 @@ struct LibusbHub::Device final : public PortListener, public xbus::SessionHost {
 	~Device() override {
 		if (port != nullptr && !port->is_idle()) {
 			// libusb still holds transfers of it: rather lost than used after it is gone.
-			[[maybe_unused]] const Port *const lost = port.release();
+			const Port *const lost = port.release();
+			static_cast<void>(lost);
 		}
 		port.reset();
 		libusb_unref_device(device);

@@ -52,12 +52,11 @@ public:
 
 	/// Lets time pass until it measures; whether it does within so many seconds.
 	bool measures_within(double p_seconds) {
-		constexpr double STEP_S = 0.01;
-		for (int step = 0; step < int(p_seconds / STEP_S); ++step) {
+		for (int step = 0; step < int(p_seconds * 100.0); ++step) {
 			if (session->state() == xbus::SessionState::MEASURING) {
 				return true;
 			}
-			run(STEP_S);
+			run(0.01);
 		}
 		return false;
 	}
