@@ -3,8 +3,8 @@ extends RefCounted
 ## A [PoseSample] as bytes, from a trainee to the server.
 ##
 ## Little-endian: u8 message, u8 codec (low four bits) and person (high), u32 sample id, u64
-## sampling time (Unix, µs), u32 how long it was held (µs), u64 when it was sent (server's clock, µs;
-## 0 unknown), 3 f32 root position (m), then the limbs' rotations from the reset pose as the
+## sampling time (Unix, µs), u32 how long it was held (µs), u64 when it was sent (server's clock,
+## µs; 0 unknown), 3 f32 root position (m), then the limbs' rotations from the reset pose as the
 ## [PoseCodec] has them: 92 bytes in all.
 
 ## How rotations may be written, by the names that options have.
