@@ -132,4 +132,26 @@ void Session::ask_resets() {
 	_deadline_usec = _now_usec + RESET_LIMIT_USEC;
 }
 
+void Session::report(uint64_t p_now_usec, SessionReport &r_report) const {
+	r_report.state = state();
+	r_report.device_id = _device_id;
+	r_report.kind = _kind;
+	r_report.baud = _baud;
+	r_report.rate_hz = rate_hz();
+	r_report.battery = _battery;
+	r_report.framer = _framer.statistics();
+	r_report.stream = _check.statistics();
+	r_report.errors = _errors;
+	r_report.restarts = _restarts;
+	r_report.problem = _problem.data();
+	r_report.trackers.resize(std::size_t(_tracker_count));
+	for (int tracker = 0; tracker < _tracker_count; ++tracker) {
+		TrackerReport &report = r_report.trackers[std::size_t(tracker)];
+		report.device_id = _tracker_ids[std::size_t(tracker)];
+		report.bus_id = bus_id_of(tracker);
+		report.samples = _check.device(report.bus_id);
+		report.flow = _stream.flow(tracker, p_now_usec);
+	}
+}
+
 } // namespace xbus
