@@ -90,10 +90,9 @@ func bodies_of(p_actor: int) -> Array[Body]:
 ## The packet that carries the description. Little-endian: u8 message; f32 error of poses
 ## (degrees); u16 number of people, for each s32 actor id, s32 session, u8 which of its people,
 ## name, u8 number of limbs (0 or all), for each limb 3 f32 joint in the parent's frame, 3 f32 in
-## its own (m), 4 f32 x, y, z, w of the body in the reset pose; u16 number of bodies, for each u16 id, s32
-## actor, part, u8 number of shapes, for each u8 type, 3 f32 size (m), 12 f32 transform (columns of
-## the basis, origin).
-## Texts are u16 length and UTF-8.
+## its own (m), 4 f32 x, y, z, w of the body in the reset pose; u16 number of bodies, for each u16
+## id, s32 actor, part, u8 number of shapes, for each u8 type, 3 f32 size (m), 12 f32 transform
+## (columns of the basis, origin). Texts are u16 length and UTF-8.
 func encode() -> PackedByteArray:
 	var bytes: PackedByteArray = PackedByteArray([Protocol.Message.WORLD])
 	bytes.append_array(PackedFloat32Array([pose_error_deg]).to_byte_array())
