@@ -41,6 +41,8 @@ class Past(NamedTuple):
 
     folder: Path
     said: str
+    # When the clip began, s after the suit was opened.
+    clip_s: float = 0.0
 
 
 @pytest.fixture(scope="module")
@@ -68,16 +70,18 @@ def played(calibrated: Past, tmp_path_factory: pytest.TempPathFactory) -> Iterat
         with suits_of(world) as start:
             options = ["--person=ada", f"--suit-record={world.folder / 'suit.raw'}"]
             ada = start("ada", TWO, options)
-            _play(world, ada)
+            clip_s = _play(world, ada)
             ada.quit()
         assert "ERROR" not in server.log()
     finally:
         world.close()
-    yield Past(world.folder, ada.client.log())
+    yield Past(world.folder, ada.client.log(), clip_s)
 
 
-def _play(world: World, ada: Suit) -> None:
+def _play(world: World, ada: Suit) -> float:
     """What happens in that session: an instructor's calibration, motion, and a pulled plug."""
+    ada.client.await_text("was plugged in")
+    begin = time.monotonic()
     ada.client.await_text("joined")
     _await_masters(ada, 1)
     orders = "--orders=calibrate-quick:ada"
@@ -85,6 +89,7 @@ def _play(world: World, ada: Suit) -> None:
     instructor.await_text("was asked to calibrate")
     ada.client.await_text("calibrated, quality")
     ada.command("clip")
+    clip_s = time.monotonic() - begin
     _observe(world, "moving", 8)
     ada.command("hold")
     time.sleep(1)
@@ -97,6 +102,7 @@ def _play(world: World, ada: Suit) -> None:
     ada.command("clip")
     time.sleep(1)
     _observe(world, "again", 6)
+    return clip_s
 
 
 def _await_masters(ada: Suit, count: int) -> None:
@@ -160,8 +166,8 @@ def test_a_recorded_suit_moves_somebody_as_the_suit_did(world: World, played: Pa
     client = world.client("trainee", *options)
     client.await_text("recording suit.raw")
     # It stands first, as the wearer did.
-    time.sleep(9)
-    _observe(world, "played", 6)
+    time.sleep(played.clip_s + 0.5)
+    _observe(world, "played", 5)
     _check_moves_as_the_clip(world.folder / "played")
     assert "ERROR" not in client.log()
 
