@@ -14,6 +14,8 @@ signal calibrated(p_result: CalibrationResult)
 const SILENT_S: float = 0.5
 ## Frames that wait for whoever shows and calibrates; beyond it the oldest go.
 const MOST_RECENT: int = 512
+## How long the body takes to go over to another calibration, s.
+const PASSAGE_S: float = 0.5
 
 ## Where the sensors' samples come from.
 var feed: SensorFeed = null
@@ -32,6 +34,9 @@ var _trial: SuitTable = null
 # Of the thread that samples alone.
 var _poses: LivePoses = LivePoses.new()
 var _poses_of: SuitTable = null
+var _told: PoseSample = null
+var _passes_from: PoseSample = null
+var _passes_since_usec: int = 0
 # Shared between threads and guarded.
 var _mutex: Mutex = Mutex.new()
 var _profile: PersonProfile = PersonProfile.new()
@@ -175,13 +180,29 @@ func _read(p_time_usec: int) -> PoseSample:
 	var table: SuitTable = _table
 	_mutex.unlock()
 	if table != _poses_of:
+		# Another calibration: the body goes over to it, it would be flung otherwise.
 		_poses_of = table
 		_poses.clear()
+		_passes_from = _told
+		_passes_since_usec = p_time_usec
 	for frame: SensorFrame in frames.slice(-LivePoses.MOST):
 		var pose: PoseSample = table.pose(frame)
 		if pose != null:
 			_poses.push(pose)
-	return _poses.at(p_time_usec)
+	_told = _pass_over(_poses.at(p_time_usec), p_time_usec)
+	return _told
+
+
+## A pose on the way from what was told under the calibration before to what is told now.
+func _pass_over(p_pose: PoseSample, p_time_usec: int) -> PoseSample:
+	var part: float = (p_time_usec - _passes_since_usec) / 1e6 / PASSAGE_S
+	if p_pose == null or _passes_from == null or part < 0.0 or part >= 1.0:
+		return p_pose
+	for limb: int in Limbs.COUNT:
+		var before: Quaternion = _passes_from.orientation(limb)
+		p_pose.set_orientation(limb, before.slerp(p_pose.orientation(limb), part).normalized())
+	p_pose.root = _passes_from.root.lerp(p_pose.root, part)
+	return p_pose
 
 
 ## Takes what the feed has. The mutex is held.

@@ -94,6 +94,26 @@ func test_a_result_is_shown_before_it_is_accepted() -> void:
 	is_null(_suit.newest_pose)
 
 
+func test_the_body_goes_over_to_another_calibration() -> void:
+	_calibrate()
+	_go(0.1)
+	var before: PoseSample = _suit.sample(_now_usec)
+	var other: Calibration = _suit.get_profile().calibration
+	other.turn(PI / 2.0)
+	_suit.set_calibration(other)
+	var steps: int = 0
+	for step: int in 40:
+		_go(0.02)
+		var pose: PoseSample = _suit.sample(_now_usec)
+		if pose == null:
+			continue
+		var turned: float = Rotations.between_deg(before.orientation(0), pose.orientation(0))
+		is_true(turned < 12.0, "turned by %f deg at once" % turned)
+		before = pose
+		steps += 1
+	is_true(steps > 30)
+
+
 func test_a_silent_sensor_is_filled_from_its_neighbours() -> void:
 	_calibrate()
 	_go(0.1)
