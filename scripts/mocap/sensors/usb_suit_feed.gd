@@ -130,7 +130,7 @@ func list_devices() -> Array[Dictionary]:
 			"name": "%s (%s)" % [device["name"], device["place"]],
 			"state": device["state"],
 			"detail": ", ".join(details),
-			"advice": device["trouble"] if not device["measures"] else "",
+			"advice": device["trouble"],
 		}
 		rows.append(row)
 	return rows
