@@ -10,7 +10,6 @@ Options: --seconds=20, --rate=60 (samples per second), --fps=60 (of the displays
 from __future__ import annotations
 
 import json
-import socket
 import sys
 import tempfile
 from pathlib import Path
@@ -18,17 +17,11 @@ from pathlib import Path
 from toolchain.console import Failure
 from toolchain.figures import Figures
 from toolchain.latency import Settings, run_session
+from toolchain.processes import free_port
 
 MOST_MS = 20.0
 MOST_SD_MS = 6.0
 THESIS_MS = 50.7
-
-
-def free_port() -> int:
-    """A UDP port that nobody uses at the moment."""
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
 
 
 def measure(arguments: list[str]) -> int:

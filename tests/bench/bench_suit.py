@@ -13,7 +13,6 @@ Options: --seconds=20 (of each part), --sensors=15 (delay), --rate=100, --bvh=FI
 from __future__ import annotations
 
 import csv
-import socket
 import subprocess
 import sys
 import tempfile
@@ -24,6 +23,7 @@ from toolchain.console import Failure, step, tail
 from toolchain.figures import Figures
 from toolchain.godot import Godot, find
 from toolchain.paths import CLIPS
+from toolchain.processes import free_port
 from toolchain.project import EXTENSIONS
 from toolchain.suit_session import SuitSession, compare
 
@@ -112,13 +112,6 @@ def measure_motion(options: dict[str, str], figures: Figures, folder: Path) -> N
         )
     more = found["suit"]["mean"] - found["direct"]["mean"]
     figures.add("motion at the observer", "suit - direct", more, "deg", at_most=MOTION_DEG)
-
-
-def free_port() -> int:
-    """A UDP port that nobody uses at the moment."""
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
 
 
 def main(arguments: list[str]) -> int:

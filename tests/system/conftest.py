@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import json
 import os
-import socket
 import subprocess
 import time
 from collections.abc import Iterator
@@ -14,6 +13,7 @@ from pathlib import Path
 import pytest
 from toolchain.display import virtual_display
 from toolchain.paths import CLIENT_BINARY, CLIPS, SERVER_BINARY
+from toolchain.processes import free_port
 
 SOFTWARE = ["--rendering-method", "gl_compatibility", "--audio-driver", "Dummy"]
 SMALL = ["--resolution", "640x360"]
@@ -116,13 +116,6 @@ class World:
     def close(self) -> None:
         for process in self.processes:
             process.kill()
-
-
-def free_port() -> int:
-    """A UDP port that nobody uses at the moment."""
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
 
 
 @pytest.fixture

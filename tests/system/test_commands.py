@@ -10,8 +10,7 @@ import subprocess
 from pathlib import Path
 
 from toolchain.paths import CLIPS, OUT, ROOT
-
-from .conftest import free_port
+from toolchain.processes import free_port
 
 
 def run(*arguments: str, limit_s: float = 240.0, **environment: str) -> subprocess.CompletedProcess:

@@ -6,8 +6,9 @@ from __future__ import annotations
 import json
 
 from toolchain.paths import CLIPS, OUT
+from toolchain.processes import free_port
 
-from .conftest import World, free_port
+from .conftest import World
 from .test_commands import run
 
 CLIENTS = ["--trainees", "2", "--observers", "2"]

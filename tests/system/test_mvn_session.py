@@ -10,8 +10,9 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 from toolchain.paths import CLIPS, ROOT
+from toolchain.processes import free_port
 
-from .conftest import World, free_port
+from .conftest import World
 from .suits import await_people, engine, recorded, turned
 
 NAMES = {"Dismount 1", "Dismount 2", "Dismount 3"}

@@ -26,6 +26,14 @@ def require_port(port: int) -> None:
             ) from error
 
 
+def free_port() -> int:
+    """A UDP port that nobody uses at the moment."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        probe.bind(("127.0.0.1", 0))
+        port: int = probe.getsockname()[1]
+        return port
+
+
 class Group:
     """Processes that end together, with their logs."""
 

@@ -3,10 +3,10 @@
 
 #include "mvn_dictionary.hpp"
 
+#include <clock/clock.hpp>
+
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/variant/packed_int32_array.hpp>
-
-#include <chrono>
 
 namespace godot {
 
@@ -18,12 +18,6 @@ constexpr int64_t MOST_CHARACTER = 255;
 
 String text(const std::string &p_text) {
 	return String::utf8(p_text.c_str());
-}
-
-template <class Clock>
-int64_t clock_usec() {
-	using namespace std::chrono;
-	return int64_t(duration_cast<microseconds>(Clock::now().time_since_epoch()).count());
 }
 
 Dictionary character_dictionary(const mvn::CharacterReport &p_character, uint64_t p_now_usec) {
@@ -55,13 +49,12 @@ Dictionary character_dictionary(const mvn::CharacterReport &p_character, uint64_
 } // namespace
 
 uint64_t MvnReceiver::now_usec() const {
-	return put_usec > 0 ? put_usec.load() : uint64_t(clock_usec<std::chrono::steady_clock>());
+	return put_usec > 0 ? put_usec.load() : clocks::now_usec();
 }
 
 /// Datagrams from a port bear the times of the steady clock, others those that were told with them.
 int64_t MvnReceiver::to_unix(uint64_t p_usec) const {
-	const int64_t ahead =
-			put_usec > 0 ? 0 : clock_usec<std::chrono::system_clock>() - clock_usec<std::chrono::steady_clock>();
+	const int64_t ahead = put_usec > 0 ? 0 : clocks::unix_ahead_usec();
 	return int64_t(p_usec) + ahead;
 }
 

@@ -3,30 +3,16 @@
 
 #include "suit_dictionary.hpp"
 
+#include <clock/clock.hpp>
 #include <usb/hub_library.hpp>
 
 #include <godot_cpp/core/error_macros.hpp>
-
-#include <chrono>
 
 namespace godot {
 
 namespace {
 
 constexpr double MOST_RATE_HZ = 512.0;
-
-/// The clock that the hub measures in, µs.
-uint64_t now_usec() {
-	using namespace std::chrono;
-	return uint64_t(duration_cast<microseconds>(steady_clock::now().time_since_epoch()).count());
-}
-
-/// Unix time minus the time that the hub measures in, µs.
-int64_t unix_ahead() {
-	using namespace std::chrono;
-	const auto unix = duration_cast<microseconds>(system_clock::now().time_since_epoch()).count();
-	return int64_t(unix) - int64_t(now_usec());
-}
 
 String text(const std::string &p_text) {
 	return String::utf8(p_text.c_str());
@@ -116,7 +102,7 @@ TypedArray<Dictionary> SuitHub::get_devices() const {
 	if (player.is_valid()) {
 		devices = player->get_devices();
 	} else if (hub != nullptr) {
-		const uint64_t now = now_usec();
+		const uint64_t now = clocks::now_usec();
 		for (const usb::DeviceReport &report : hub->report()) {
 			devices.push_back(device_dictionary(report, now));
 		}
@@ -142,7 +128,7 @@ TypedArray<Dictionary> SuitHub::take_frames(int64_t p_device) {
 	if (player.is_valid()) {
 		frames = player->take_frames(p_device);
 	} else if (hub != nullptr) {
-		const int64_t ahead = unix_ahead();
+		const int64_t ahead = clocks::unix_ahead_usec();
 		while (hub->take_frame(int(p_device), frame)) {
 			frames.push_back(suit_frame_dictionary(frame, ahead));
 		}

@@ -7,6 +7,7 @@
 // The trace has a line for each frame: device, sample counter of the device, when the frame was handed over (µs
 // of CLOCK_MONOTONIC), trackers. The recording has all raw bytes (docs/recordings.md). The last line of the
 // output is a JSON object with the figures.
+#include "clock/clock.hpp"
 #include "recording/taps.hpp"
 #include "usb/libusb_hub.hpp"
 
@@ -41,7 +42,7 @@ public:
 		++frames;
 		if (_file != nullptr) {
 			std::fprintf(_file.get(), "%d %llu %llu %d\n", p_device, (unsigned long long)p_frame.counter,
-					(unsigned long long)usb::now_usec(), p_frame.tracker_count);
+					(unsigned long long)clocks::now_usec(), p_frame.tracker_count);
 		}
 	}
 	void take_raw(
@@ -160,13 +161,13 @@ int main(int p_count, char **p_values) {
 		std::fprintf(stderr, "%s\n", fault.c_str());
 		return 1;
 	}
-	const uint64_t begin = usb::now_usec();
+	const uint64_t begin = clocks::now_usec();
 	std::vector<usb::DeviceReport> reports;
 	while (stops == 0) {
 		std::this_thread::sleep_for(std::chrono::milliseconds(20));
 		tell(hub);
 		reports = hub.report();
-		const double passed = double(usb::now_usec() - begin) / 1e6;
+		const double passed = double(clocks::now_usec() - begin) / 1e6;
 		const bool enough = arguments.frames > 0 && tracer.frames >= arguments.frames;
 		if (enough || (arguments.seconds > 0.0 && passed >= arguments.seconds)) {
 			break;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "recording/taps.hpp"
 
+#include "clock/clock.hpp"
+
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdio>
 
 namespace recording {
@@ -12,12 +13,6 @@ namespace {
 
 /// Senders that have a stream of their own; any others share the last one.
 constexpr std::size_t MOST_SENDERS = std::size_t(MOST_STREAMS) / 2;
-
-template <class Clock>
-int64_t clock_usec() {
-	using namespace std::chrono;
-	return int64_t(duration_cast<microseconds>(Clock::now().time_since_epoch()).count());
-}
 
 /// One line of what is known; what a device says of itself may hold anything.
 std::string line(const char *p_key, std::string p_value) {
@@ -28,7 +23,7 @@ std::string line(const char *p_key, std::string p_value) {
 } // namespace
 
 std::string about_file() {
-	const int64_t ahead = clock_usec<std::chrono::system_clock>() - clock_usec<std::chrono::steady_clock>();
+	const int64_t ahead = clocks::unix_ahead_usec();
 	return line("by", "Dismount") + line("unix_ahead_usec", std::to_string(ahead));
 }
 
@@ -45,7 +40,7 @@ void BusTap::device_opened(const usb::DeviceReport &p_report) {
 	std::snprintf(ids.data(), ids.size(), "%04x:%04x", p_report.known.vendor, p_report.known.product);
 	_streams[p_report.number] = _recorder->add_stream(line("kind", "bus") + line("usb", ids.data()) +
 					line("name", p_report.known.name) + line("place", p_report.place) + line("serial", p_report.serial),
-			uint64_t(clock_usec<std::chrono::steady_clock>()));
+			clocks::now_usec());
 }
 
 void BusTap::take_raw(int p_device, bool p_is_out, const uint8_t *p_bytes, std::size_t p_size, uint64_t p_time_usec) {

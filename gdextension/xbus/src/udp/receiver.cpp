@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "udp/receiver.hpp"
 
+#include "clock/clock.hpp"
+
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <poll.h>
@@ -8,7 +10,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <chrono>
 #include <cstring>
 
 namespace mvn {
@@ -25,11 +26,6 @@ constexpr uint64_t REPEAT_USEC = 10000000;
 /// A character that is silent for so long has left, µs.
 constexpr uint64_t GONE_USEC = 5000000;
 constexpr uint64_t LOOK_USEC = 500000;
-
-uint64_t now_usec() {
-	using namespace std::chrono;
-	return uint64_t(duration_cast<microseconds>(steady_clock::now().time_since_epoch()).count());
-}
 
 std::string address_of(const sockaddr_in &p_from) {
 	std::array<char, INET_ADDRSTRLEN> text{};
@@ -115,7 +111,7 @@ void Receiver::run() {
 					_socket, bytes.data(), bytes.size(), MSG_DONTWAIT, reinterpret_cast<sockaddr *>(&from), &size);
 			if (count >= 0) {
 				const std::string sender = address_of(from);
-				const uint64_t now = now_usec();
+				const uint64_t now = clocks::now_usec();
 				if (_raw) {
 					_raw(sender, bytes.data(), std::size_t(count), now);
 				}
@@ -124,7 +120,7 @@ void Receiver::run() {
 			}
 		}
 		const std::lock_guard<std::mutex> lock(_mutex);
-		look_after(now_usec());
+		look_after(clocks::now_usec());
 	}
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "clock/clock.hpp"
 #include "usb/libusb_hub.hpp"
 
 namespace usb {
@@ -39,7 +40,7 @@ struct LibusbHub::Device final : public PortListener, public xbus::SessionHost {
 
 	bool send(const uint8_t *p_bytes, std::size_t p_size) override {
 		if (hub._listener != nullptr) {
-			hub._listener->take_raw(report.number, true, p_bytes, p_size, now_usec());
+			hub._listener->take_raw(report.number, true, p_bytes, p_size, clocks::now_usec());
 		}
 		return port->send(p_bytes, p_size);
 	}

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "usb/libusb_device.hpp"
 
+#include "clock/clock.hpp"
+
 #include <algorithm>
 
 namespace usb {
@@ -138,7 +140,7 @@ void LibusbHub::run() {
 		libusb_handle_events_timeout_completed(_context.get(), &wait, nullptr);
 		look_for_changes();
 		obey();
-		const uint64_t now = now_usec();
+		const uint64_t now = clocks::now_usec();
 		for (const std::unique_ptr<Device> &device : _devices) {
 			advance(*device, now);
 		}
@@ -162,7 +164,7 @@ void LibusbHub::look_for_changes() {
 		}
 		libusb_unref_device(change.device);
 	}
-	const uint64_t now = now_usec();
+	const uint64_t now = clocks::now_usec();
 	if (!_has_hotplug && (_polled_usec == 0 || now - _polled_usec > POLL_USEC)) {
 		_polled_usec = now;
 		poll_devices();
@@ -318,7 +320,7 @@ void LibusbHub::obey() {
 }
 
 void LibusbHub::publish() {
-	const uint64_t now = now_usec();
+	const uint64_t now = clocks::now_usec();
 	if (_published_usec != 0 && now - _published_usec < PUBLISH_USEC) {
 		return;
 	}
@@ -358,20 +360,20 @@ void LibusbHub::say(xbus::Severity p_severity, const std::string &p_text) {
 }
 
 void LibusbHub::close_all() {
-	const uint64_t begin = now_usec();
+	const uint64_t begin = clocks::now_usec();
 	for (const std::unique_ptr<Device> &device : _devices) {
 		if (device->session != nullptr && !device->is_leaving) {
 			device->session->stop(begin);
 		}
 	}
 	bool works = true;
-	while (works && now_usec() - begin < STOP_USEC) {
+	while (works && clocks::now_usec() - begin < STOP_USEC) {
 		timeval wait{ 0, WAIT_USEC };
 		libusb_handle_events_timeout_completed(_context.get(), &wait, nullptr);
 		works = false;
 		for (const std::unique_ptr<Device> &device : _devices) {
 			if (device->session != nullptr && !device->is_leaving && !device->port->is_gone()) {
-				device->session->advance(now_usec());
+				device->session->advance(clocks::now_usec());
 				works = works || !device->session->is_stopped();
 			}
 		}
@@ -381,7 +383,7 @@ void LibusbHub::close_all() {
 			device->port->stop();
 		}
 	}
-	for (works = true; works && now_usec() - begin < 2 * STOP_USEC;) {
+	for (works = true; works && clocks::now_usec() - begin < 2 * STOP_USEC;) {
 		timeval wait{ 0, WAIT_USEC };
 		libusb_handle_events_timeout_completed(_context.get(), &wait, nullptr);
 		works = std::any_of(_devices.begin(), _devices.end(), [](const std::unique_ptr<Device> &p_device) {

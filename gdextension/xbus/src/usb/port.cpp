@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "usb/port.hpp"
 
+#include "clock/clock.hpp"
+
 #include <algorithm>
-#include <chrono>
 #include <cstring>
 
 namespace usb {
@@ -58,11 +59,6 @@ PortFault fault_of(int p_error, libusb_device *p_device, const KnownDevice &p_kn
 }
 
 } // namespace
-
-uint64_t now_usec() {
-	using namespace std::chrono;
-	return uint64_t(duration_cast<microseconds>(steady_clock::now().time_since_epoch()).count());
-}
 
 std::unique_ptr<Port> Port::open(
 		libusb_device *p_device, const KnownDevice &p_known, PortListener &p_listener, PortFault &r_fault) {
@@ -307,7 +303,7 @@ void Port::read_done(Transfer &p_transfer) {
 	const libusb_transfer &transfer = *p_transfer.transfer;
 	const auto size = std::size_t(std::max(transfer.actual_length, 0));
 	if (size > 0) {
-		const uint64_t now = now_usec();
+		const uint64_t now = clocks::now_usec();
 		_statistics.bytes_in += size;
 		if (has_baud()) {
 			ftdi_strip(transfer.buffer, size, _ends.packet_size, _statistics.ftdi,

@@ -121,7 +121,4 @@ private:
 	bool _is_dead = false;
 };
 
-/// Time of CLOCK_MONOTONIC, µs.
-uint64_t now_usec();
-
 } // namespace usb

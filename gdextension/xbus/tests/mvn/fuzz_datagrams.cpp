@@ -2,12 +2,12 @@
 // Hostile datagrams for the receiver of MVN's stream: mvn_fuzz [EXECUTIONS [SEED]]. Built with sanitizers
 // (DISMOUNT_SANITIZE) it finds what a wrong byte could do. The loop itself allocates nothing.
 #include "drawn_content.hpp"
+#include "fuzzing.hpp"
 
 #include "mvn/collector.hpp"
 
 #include <cstdio>
 #include <cstdlib>
-#include <memory>
 
 using namespace drawn;
 
@@ -15,26 +15,9 @@ namespace {
 
 constexpr std::size_t MOST = 2300;
 
-/// Fast numbers; their quality hardly matters.
-class Random {
-public:
-	explicit Random(uint64_t p_seed) : _state(p_seed * 2 + 1) {}
-	uint32_t operator()() {
-		_state = _state * 6364136223846793005ULL + 1442695040888963407ULL;
-		return uint32_t(_state >> 33U);
-	}
-	uint32_t below(uint32_t p_end) { return (*this)() % p_end; }
-
-private:
-	uint64_t _state;
-};
-
 class Fuzzer {
 public:
-	explicit Fuzzer(unsigned p_seed) : _random(p_seed), _blocks(MOST + 1) {
-		for (std::size_t size = 0; size <= MOST; ++size) {
-			_blocks[size] = std::make_unique<uint8_t[]>(size); // So that what is read beyond the end is seen.
-		}
+	explicit Fuzzer(unsigned p_seed) : _random(p_seed), _blocks(MOST) {
 		Source source(p_seed);
 		_seeds.reserve(256);
 		for (const Type type : TYPES_OF_ALL) {
@@ -73,13 +56,13 @@ private:
 		if (_random.below(16) == 0) {
 			r_size = _random.below(200);
 			for (std::size_t at = 0; at < r_size; ++at) {
-				_blocks[r_size][at] = uint8_t(_random());
+				_blocks.of(r_size)[at] = uint8_t(_random());
 			}
-			return _blocks[r_size].get();
+			return _blocks.of(r_size);
 		}
 		const Bytes &seed = _seeds[_random.below(uint32_t(_seeds.size()))];
 		r_size = _random.below(6) == 0 ? _random.below(uint32_t(seed.size()) + 1) : seed.size();
-		uint8_t *bytes = _blocks[r_size].get();
+		uint8_t *bytes = _blocks.of(r_size);
 		std::copy(seed.begin(), seed.begin() + std::ptrdiff_t(r_size), bytes);
 		if (r_size >= HEADER_SIZE) {
 			++_sample;
@@ -97,8 +80,8 @@ private:
 		return bytes;
 	}
 
-	Random _random;
-	std::vector<std::unique_ptr<uint8_t[]>> _blocks;
+	fuzzing::Random _random;
+	fuzzing::ExactBlocks _blocks;
 	std::vector<Bytes> _seeds;
 	Collector _collector;
 	uint64_t _now_usec = 1;

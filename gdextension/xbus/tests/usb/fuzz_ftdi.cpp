@@ -2,32 +2,19 @@
 // Hostile reads for the removal of FTDI's status bytes: xbus_fuzz_ftdi [EXECUTIONS [SEED]].
 #include "usb/ftdi_protocol.hpp"
 
+#include "fuzzing.hpp"
+
 #include <cstdio>
 #include <cstdlib>
-#include <memory>
-#include <vector>
 
 namespace {
 
 constexpr std::size_t MOST = 1100;
 
-/// Fast numbers; their quality hardly matters.
-class Random {
-public:
-	explicit Random(uint64_t p_seed) : _state(p_seed * 2 + 1) {}
-	uint32_t below(uint32_t p_end) {
-		_state = _state * 6364136223846793005ULL + 1442695040888963407ULL;
-		return uint32_t(_state >> 33U) % p_end;
-	}
-
-private:
-	uint64_t _state;
-};
-
 /// Strips a read that lies in memory of just its size; false if what came out cannot be.
-bool strip(Random &r_random, const std::vector<std::unique_ptr<uint8_t[]>> &p_blocks) {
+bool strip(fuzzing::Random &r_random, fuzzing::ExactBlocks &r_blocks) {
 	const std::size_t size = r_random.below(8) == 0 ? r_random.below(MOST) : r_random.below(140);
-	uint8_t *bytes = p_blocks[size].get();
+	uint8_t *bytes = r_blocks.of(size);
 	for (int change = 0; change < 4 && size > 0; ++change) {
 		bytes[r_random.below(uint32_t(size))] = uint8_t(r_random.below(256));
 	}
@@ -53,11 +40,8 @@ bool strip(Random &r_random, const std::vector<std::unique_ptr<uint8_t[]>> &p_bl
 int main(int p_count, char **p_values) {
 	const uint64_t executions = p_count > 1 ? std::strtoull(p_values[1], nullptr, 10) : 300000;
 	const uint64_t seed = p_count > 2 ? std::strtoull(p_values[2], nullptr, 10) : 1;
-	Random random(seed);
-	std::vector<std::unique_ptr<uint8_t[]>> blocks(MOST + 1);
-	for (std::size_t size = 0; size <= MOST; ++size) {
-		blocks[size] = std::make_unique<uint8_t[]>(size);
-	}
+	fuzzing::Random random(seed);
+	fuzzing::ExactBlocks blocks(MOST);
 	for (uint64_t execution = 0; execution < executions; ++execution) {
 		if (!strip(random, blocks)) {
 			std::printf(

@@ -9,7 +9,7 @@
 #include <vector>
 
 TEST(divisors_are_those_of_the_kernels_driver) {
-	// /work/shared/data/xbus/ftdi_sio_trace.txt
+	// What Linux 6.1 was seen to send: docs/suits.md, "The wire".
 	constexpr struct {
 		uint32_t baud;
 		uint16_t value;
