@@ -9,8 +9,8 @@ extends RefCounted
 ## what is told of it: skeletons do not agree on where in the back its joints are.
 
 ## A limb gets at least and at most so many times as long.
-const LEAST: float = 0.5
-const MOST: float = 1.8
+const MIN: float = 0.5
+const MAX: float = 1.8
 ## Factors nearer to 1 change nothing.
 const TOLERANCE: float = 1e-4
 
@@ -83,7 +83,7 @@ static func of_lengths(
 	if _is_length(p_hip_height):
 		for limb: int in _LEGS:
 			if told[limb] == 0.0:
-				told[limb] = clampf(p_hip_height / p_ragdoll.get_hip_height(), LEAST, MOST)
+				told[limb] = clampf(p_hip_height / p_ragdoll.get_hip_height(), MIN, MAX)
 	scale.across = _mean(told, own)
 	for limb: int in Limbs.COUNT:
 		scale.along[limb] = told[limb] if told[limb] > 0.0 else scale.across
@@ -133,12 +133,12 @@ func _limit(r_told: PackedFloat32Array, p_name: String) -> void:
 	for limb: int in Limbs.COUNT:
 		if r_told[limb] == 0.0:
 			continue
-		if r_told[limb] < LEAST - TOLERANCE or r_told[limb] > MOST + TOLERANCE:
+		if r_told[limb] < MIN - TOLERANCE or r_told[limb] > MAX + TOLERANCE:
 			limited.append("%s %.2f" % [Limbs.BONES[limb], r_told[limb]])
-		r_told[limb] = clampf(r_told[limb], LEAST, MOST)
+		r_told[limb] = clampf(r_told[limb], MIN, MAX)
 	if not limited.is_empty():
 		var text: String = "%s: limbs may be %.1f to %.1f times as long as the body's own, found %s"
-		var parts: Array = [p_name, LEAST, MOST, ", ".join(limited)]
+		var parts: Array = [p_name, MIN, MAX, ", ".join(limited)]
 		Log.limited("actor", "size", text % parts)
 
 
@@ -174,7 +174,7 @@ static func _hip_width(p_joints: PersonSkeleton) -> float:
 
 
 static func _ratio(p_told: float, p_own: float) -> float:
-	return clampf(p_told / p_own, LEAST, MOST) if p_own > 0.001 else 1.0
+	return clampf(p_told / p_own, MIN, MAX) if p_own > 0.001 else 1.0
 
 
 static func _is_length(p_metres: float) -> bool:

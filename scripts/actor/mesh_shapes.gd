@@ -8,7 +8,7 @@ extends RefCounted
 ## skeleton is symmetric, both sides are fitted together and become alike.
 
 ## Fewest points of the surface that say something about a limb.
-const _FEWEST: int = 24
+const _MIN_POINTS: int = 24
 ## Shares of the area cut off at each face of a box: sideways, along, deep.
 const _TRIM_TRUNK: Vector3 = Vector3(0.05, 0.03, 0.10)
 const _TRIM_HAND: Vector3 = Vector3(0.06, 0.02, 0.06)
@@ -41,7 +41,7 @@ func fit(p_profile: RagdollProfile) -> void:
 			for point: Vector3 in _surface.points[other]:
 				points.append(point * Vector3(-1.0, 1.0, 1.0))
 			areas.append_array(_surface.areas[other])
-		if points.size() >= _FEWEST:
+		if points.size() >= _MIN_POINTS:
 			_fit_limb(shape, limb, points, areas)
 
 

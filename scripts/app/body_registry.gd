@@ -13,7 +13,7 @@ const FIRST_FIXED: int = 2048
 ## Where people's numbers begin.
 const FIRST_PERSON: int = 4096
 ## People whose numbers differ by less than this have bodies of different numbers.
-const MOST_PEOPLE: int = 1024
+const MAX_PEOPLE: int = 1024
 
 var _props: Dictionary[int, RigidBody3D] = {}
 var _paths: Dictionary[int, String] = {}
@@ -43,7 +43,7 @@ func describe(p_people: Array[ServerActors.Person]) -> WorldDescription:
 	for person: ServerActors.Person in p_people:
 		var joints: PersonSkeleton = person.ragdoll.get_joints()
 		world.add_person(person.id, person.session, person.name, joints, person.card.index)
-		var first: int = FIRST_PERSON + person.id % MOST_PEOPLE * PER_PERSON
+		var first: int = FIRST_PERSON + person.id % MAX_PEOPLE * PER_PERSON
 		for slot: int in Limbs.COUNT:
 			var limb: StringName = Limbs.BONES[slot]
 			var bone: Node = person.ragdoll.get_simulator().get_node(NodePath(limb))

@@ -14,8 +14,8 @@ const KINDS: Dictionary[String, CalibrationGuide.Kind] = {
 ## How long the outcome is shown, s.
 const _SHOWN_S: float = 6.0
 ## What is worse is not taken: somebody moved by 6 degrees.
-const _LEAST_SCORE: float = 0.4
-const _MOST_ADVICE: int = 3
+const _MIN_SCORE: float = 0.4
+const _MAX_ADVICE: int = 3
 
 var _source: SuitSource = null
 var _store: CalibrationStore = CalibrationStore.new()
@@ -72,9 +72,9 @@ func text(p_now_s: float) -> String:
 func _on_calibrated(p_result: CalibrationResult) -> void:
 	var source: SuitSource = _source
 	_source = null
-	var advice: String = "; ".join(p_result.advice.slice(0, _MOST_ADVICE))
+	var advice: String = "; ".join(p_result.advice.slice(0, _MAX_ADVICE))
 	var fault: String = p_result.error
-	if fault == "" and (p_result.score() < _LEAST_SCORE or not p_result.swaps.is_empty()):
+	if fault == "" and (p_result.score() < _MIN_SCORE or not p_result.swaps.is_empty()):
 		fault = advice
 	if fault != "":
 		source.refuse_calibration()

@@ -6,7 +6,7 @@ extends RefCounted
 ## Samples shall reach the server so long before a tick begins, µs: later ones wait for the next. On
 ## an unsteady way a little more.
 const LEAD_USEC: int = 4000
-const MOST_LEAD_USEC: int = 8000
+const MAX_LEAD_USEC: int = 8000
 ## Span over which the quickest way of a sample to the server counts, marks.
 const _TRIPS: int = 40
 
@@ -98,7 +98,7 @@ func keep_in_step() -> void:
 		_mutex.unlock()
 		var tick: int = ceili(_link.clock.tick_at(now)) + 1
 		var way: int = _link.clock.round_trip_usec / 2
-		var lead: int = mini(LEAD_USEC + roundi(2.0 * _link.clock.jitter_usec), MOST_LEAD_USEC)
+		var lead: int = mini(LEAD_USEC + roundi(2.0 * _link.clock.jitter_usec), MAX_LEAD_USEC)
 		var due: int = _link.clock.local_usec_of_tick(tick) - way - lead
 		_sampler.set_phase(due + _unix_ahead())
 

@@ -35,8 +35,8 @@ func add(p_source: MotionSource, p_name: String) -> bool:
 	var index: int = 0
 	while _motions.any(func(other: ClientMotion) -> bool: return other.card.index == index):
 		index += 1
-	if index >= PersonCard.MOST:
-		Log.warning("mocap", "%s is one too many: %d is the most" % [p_name, PersonCard.MOST])
+	if index >= PersonCard.MAX_PEOPLE:
+		Log.warning("mocap", "%s is one too many: %d is the most" % [p_name, PersonCard.MAX_PEOPLE])
 		return false
 	var motion: ClientMotion = ClientMotion.new()
 	motion.card.name = p_name

@@ -172,11 +172,11 @@ func _set_option(p_name: String, p_value: String, p_source: String) -> void:
 	# ENet's most, less those that are just arriving.
 	_check_range("max-clients", "the number of clients", 4000)
 	for name: String in ["trainees", "observers"]:
-		if number(name) > LoadRun.MOST_CLIENTS:
-			_refuse("--%s is at most %d, found %d" % [name, LoadRun.MOST_CLIENTS, number(name)])
+		if number(name) > LoadRun.MAX_CLIENTS:
+			_refuse("--%s is at most %d, found %d" % [name, LoadRun.MAX_CLIENTS, number(name)])
 	var error_asked: float = degrees("pose-error")
-	var least: float = WorldDescription.LEAST_ERROR_DEG
-	if error_asked < least or error_asked > WorldDescription.MOST_ERROR_DEG:
+	var least: float = WorldDescription.MIN_ERROR_DEG
+	if error_asked < least or error_asked > WorldDescription.MAX_ERROR_DEG:
 		_refuse("--pose-error is %s to 5 degrees, found %s" % [least, error_asked])
 	_check_choice("feedback", ["local", "server"])
 	if number("suit-rate") < 10 or number("suit-rate") > 512:

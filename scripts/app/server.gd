@@ -16,7 +16,7 @@ const _ROOTS: Dictionary[String, RagdollMotor.RootMode] = {
 	"self_righting": RagdollMotor.ROOT_SELF_RIGHTING,
 }
 ## Ticks per second at most: a snapshot tells the rate in a byte.
-const _MOST_TICKS: int = 240
+const _MAX_TICKS: int = 240
 ## Exit code for wrong options.
 const _EXIT_OPTIONS: int = 2
 ## Seconds between two lines of figures in the log.
@@ -54,8 +54,8 @@ func _ready() -> void:
 	_actors.root_mode = _ROOTS[root]
 	if not _open_link(port):
 		return
-	if _rate() > _MOST_TICKS:
-		_give_up(_EXIT_OPTIONS, "%d ticks/s are set, %d is the most" % [_rate(), _MOST_TICKS])
+	if _rate() > _MAX_TICKS:
+		_give_up(_EXIT_OPTIONS, "%d ticks/s are set, %d is the most" % [_rate(), _MAX_TICKS])
 		return
 	_figures = ServerFigures.new(_rate())
 	var bits: float = _options.number("bandwidth") * 1000.0

@@ -16,7 +16,7 @@ const _NEW_CLOCK: int = 30
 const _LONGEST_STEP_USEC: int = 655000
 
 ## Numbers of people are 16 bits on the wire.
-const _MOST_IDS: int = 65536
+const _MAX_IDS: int = 65536
 
 ## The scene of a person; its root is a [Ragdoll].
 @export var scene: PackedScene
@@ -70,7 +70,7 @@ func set_people(p_session: int, p_cards: Array[PersonCard], p_name: String) -> v
 		if person != null:
 			person.card = card
 			person.name = card.name if card.name != "" else p_name
-	for index: int in PersonCard.MOST:
+	for index: int in PersonCard.MAX_PEOPLE:
 		if not wanted.has(index):
 			_remove(_key(p_session, index))
 	changed.emit()
@@ -85,7 +85,7 @@ func _add(p_session: int, p_card: PersonCard, p_name: String) -> void:
 	person.ragdoll.name = "Person%d" % person.id
 	person.ragdoll.root_mode = root_mode
 	person.origin = _free_place()
-	_next_id = (person.id + 1) % _MOST_IDS
+	_next_id = (person.id + 1) % _MAX_IDS
 	if not p_card.lengths.is_empty():
 		person.ragdoll.fit(p_card.lengths, p_card.hip_height)
 	add_child(person.ragdoll)
@@ -99,7 +99,7 @@ func _add(p_session: int, p_card: PersonCard, p_name: String) -> void:
 
 ## Takes all bodies of a session away.
 func remove(p_session: int) -> void:
-	for index: int in PersonCard.MOST:
+	for index: int in PersonCard.MAX_PEOPLE:
 		_remove(_key(p_session, index))
 	changed.emit()
 
@@ -193,17 +193,17 @@ static func _figure(p_person: Person) -> Dictionary:
 
 
 static func _key(p_session: int, p_index: int) -> int:
-	return p_session * PersonCard.MOST + p_index
+	return p_session * PersonCard.MAX_PEOPLE + p_index
 
 
 ## A number that no one here has, not even as far as the numbers of the bodies tell people apart.
 func _free_id() -> int:
-	var id: int = _next_id % _MOST_IDS
+	var id: int = _next_id % _MAX_IDS
 	var taken: Array = list().map(
-		func(person: Person) -> int: return person.id % BodyRegistry.MOST_PEOPLE
+		func(person: Person) -> int: return person.id % BodyRegistry.MAX_PEOPLE
 	)
-	while taken.has(id % BodyRegistry.MOST_PEOPLE):
-		id = (id + 1) % _MOST_IDS
+	while taken.has(id % BodyRegistry.MAX_PEOPLE):
+		id = (id + 1) % _MAX_IDS
 	return id
 
 

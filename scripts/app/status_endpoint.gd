@@ -6,7 +6,7 @@ extends RefCounted
 ## can reach it. Requests are few, short and soon over, or they are dropped.
 
 ## Requests that are answered at a time.
-const MOST_REQUESTS: int = 8
+const MAX_REQUESTS: int = 8
 ## Bytes of a request's head.
 const LONGEST_HEAD: int = 4096
 ## Time for a request, µs.
@@ -37,7 +37,7 @@ func poll(p_figures: Callable) -> void:
 		request.since_usec = Time.get_ticks_usec()
 		_requests.append(request)
 		# Whoever just holds a place must not keep others out.
-		if _requests.size() > MOST_REQUESTS:
+		if _requests.size() > MAX_REQUESTS:
 			(_requests.pop_front() as Request).stream.disconnect_from_host()
 	for request: Request in _requests.duplicate():
 		if _serve(request, p_figures):

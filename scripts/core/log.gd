@@ -8,9 +8,9 @@ extends RefCounted
 ## Seconds between two lines of one key of [method limited].
 const LIMIT_S: float = 5.0
 ## Keys that are remembered at most; beyond it the oldest go.
-const MOST_KEYS: int = 256
+const MAX_KEYS: int = 256
 ## Lines of all kinds in a second at most; then those left out are counted. Errors always come.
-const MOST_LINES: int = 100
+const MAX_LINES: int = 100
 
 static var _last_usec: Dictionary[String, int] = {}
 static var _left_out: Dictionary[String, int] = {}
@@ -40,7 +40,7 @@ static func limited(p_tag: String, p_key: String, p_text: String) -> void:
 	if _last_usec.has(key) and now - _last_usec[key] < int(LIMIT_S * 1e6):
 		_left_out[key] = _left_out.get(key, 0) + 1
 		return
-	if _last_usec.size() >= MOST_KEYS:
+	if _last_usec.size() >= MAX_KEYS:
 		var oldest: String = _last_usec.keys()[0]
 		_last_usec.erase(oldest)
 		_left_out.erase(oldest)
@@ -55,12 +55,12 @@ static func limited(p_tag: String, p_key: String, p_text: String) -> void:
 static func _write(p_level: String, p_tag: String, p_text: String) -> void:
 	var now: int = Time.get_ticks_usec()
 	if now - _second_usec > 1000000:
-		if _lines > MOST_LINES:
-			print(_line("WARN", "log", "%d lines were left out" % (_lines - MOST_LINES)))
+		if _lines > MAX_LINES:
+			print(_line("WARN", "log", "%d lines were left out" % (_lines - MAX_LINES)))
 		_second_usec = now
 		_lines = 0
 	_lines += 1
-	if _lines <= MOST_LINES:
+	if _lines <= MAX_LINES:
 		print(_line(p_level, p_tag, p_text))
 
 

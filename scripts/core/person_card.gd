@@ -3,15 +3,15 @@ extends RefCounted
 ## What a client tells of somebody whose motion it sends: name and size.
 
 ## People whose motion one client may send.
-const MOST: int = 8
+const MAX_PEOPLE: int = 8
 ## Limits of a hip height, m.
-const LEAST_HIPS_M: float = 0.2
-const MOST_HIPS_M: float = 2.0
+const MIN_HIPS_M: float = 0.2
+const MAX_HIPS_M: float = 2.0
 ## Limits of a limb's length, m.
-const LEAST_LENGTH_M: float = 0.03
-const MOST_LENGTH_M: float = 1.2
+const MIN_LENGTH_M: float = 0.03
+const MAX_LENGTH_M: float = 1.2
 
-## Which of the client's people it is, 0 to [constant MOST] - 1; its samples carry the same number.
+## Which of the client's people it is, 0 to [constant MAX_PEOPLE] - 1; its samples carry the same number.
 var index: int = 0
 ## Shown to the others; empty: the client's own name.
 var name: String = ""
@@ -37,10 +37,10 @@ static func of(p_name: String, p_hip_height: float, p_index: int = 0) -> PersonC
 ## Takes over a size, m, as far as it is a person's: a length that is none counts as not known.
 func take_size(p_hip_height: float, p_lengths: PackedFloat32Array) -> void:
 	if is_finite(p_hip_height):
-		hip_height = clampf(p_hip_height, LEAST_HIPS_M + 0.01, MOST_HIPS_M - 0.01)
+		hip_height = clampf(p_hip_height, MIN_HIPS_M + 0.01, MAX_HIPS_M - 0.01)
 	lengths = p_lengths.duplicate()
 	for limb: int in lengths.size():
-		if not (lengths[limb] > LEAST_LENGTH_M and lengths[limb] < MOST_LENGTH_M):
+		if not (lengths[limb] > MIN_LENGTH_M and lengths[limb] < MAX_LENGTH_M):
 			lengths[limb] = 0.0
 
 
@@ -56,16 +56,16 @@ func is_resized(p_other: PersonCard, p_step: float) -> bool:
 
 ## Why this cannot be a person's, or an empty text if it can.
 func find_fault() -> String:
-	if index < 0 or index >= MOST:
-		return "a client has at most %d people, found number %d" % [MOST, index]
+	if index < 0 or index >= MAX_PEOPLE:
+		return "a client has at most %d people, found number %d" % [MAX_PEOPLE, index]
 	# Written so that NaN fails too.
-	if not (hip_height > LEAST_HIPS_M and hip_height < MOST_HIPS_M):
+	if not (hip_height > MIN_HIPS_M and hip_height < MAX_HIPS_M):
 		return "a hip height of %f m is no person's" % hip_height
 	if not lengths.is_empty() and lengths.size() != Limbs.COUNT:
 		return "%d limbs' lengths instead of %d" % [lengths.size(), Limbs.COUNT]
 	for limb: int in lengths.size():
 		var length: float = lengths[limb]
-		if not (length == 0.0 or (length > LEAST_LENGTH_M and length < MOST_LENGTH_M)):
+		if not (length == 0.0 or (length > MIN_LENGTH_M and length < MAX_LENGTH_M)):
 			return "%s of %f m is no person's" % [Limbs.BONES[limb], length]
 	return ""
 

@@ -19,7 +19,7 @@ enum Stage {
 }
 
 ## Most trainees, and most observers.
-const MOST_CLIENTS: int = 500
+const MAX_CLIENTS: int = 500
 ## Each client is polled so often, as displays of 60 frames per second would.
 const POLLS_PER_SECOND: int = 60
 ## Frames in which all clients have their turn: they are not polled all at once.

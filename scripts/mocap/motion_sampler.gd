@@ -8,10 +8,10 @@ extends RefCounted
 ## running thread keeps it alive.
 
 ## Samples that wait for [method take_samples] at most; beyond it the oldest go.
-const MOST_WAITING: int = 64
+const MAX_WAITING: int = 64
 ## A due time that is further off than so many periods is set anew: the machine slept, or its clock
 ## was set.
-const MOST_PERIODS: int = 16
+const MAX_PERIODS: int = 16
 ## Part of a period by which a sample's time gives way to the phase that is wanted.
 const SLEW: float = 0.05
 ## The thread looks about itself at least so often, µs.
@@ -101,7 +101,7 @@ func _run() -> void:
 	var due: float = _now()
 	while true:
 		var wait: float = due - _now()
-		if absf(wait) > MOST_PERIODS * _period_usec:
+		if absf(wait) > MAX_PERIODS * _period_usec:
 			due = _now()
 		elif wait > 0.0:
 			OS.delay_usec(clampi(ceili(wait), 1, _LONGEST_SLEEP_USEC))
@@ -124,7 +124,7 @@ func _take(p_due_usec: int, p_late_usec: float) -> void:
 	_deliver.call(sample)
 	_mutex.lock()
 	_waiting.append(sample)
-	if _waiting.size() > MOST_WAITING:
+	if _waiting.size() > MAX_WAITING:
 		_waiting.pop_front()
 	_taken += 1
 	# The figures are those of the first minutes: enough to judge a machine by.

@@ -11,9 +11,9 @@ const WINDOW_S: float = 10.0
 ## Span over which the drift is measured, s.
 const DRIFT_WINDOW_S: float = 120.0
 ## Least span for a drift, s.
-const LEAST_DRIFT_S: float = 15.0
+const MIN_DRIFT_S: float = 15.0
 ## Most that two clocks can drift apart; more is an error of measurement. Parts per million.
-const MOST_DRIFT_PPM: float = 300.0
+const MAX_DRIFT_PPM: float = 300.0
 ## A round trip beyond this tells nothing, s.
 const LONGEST_TRIP_S: float = 2.0
 ## An offset that is this far off is another clock, s.
@@ -139,7 +139,7 @@ func _note_best(p_best: Probe) -> void:
 ## The slope of the best probes by least squares, quick ones counting more.
 func _fit_drift() -> void:
 	var first: int = _best[0].local_usec
-	if _best.back().local_usec - first < int(LEAST_DRIFT_S * 1e6):
+	if _best.back().local_usec - first < int(MIN_DRIFT_S * 1e6):
 		return
 	var quickest: int = _best[0].trip_usec
 	for probe: Probe in _best:
@@ -157,4 +157,4 @@ func _fit_drift() -> void:
 	var spread: float = sums[0] * sums[3] - sums[1] * sums[1]
 	if spread > 0.0:
 		var slope: float = (sums[0] * sums[4] - sums[1] * sums[2]) / spread
-		drift_ppm = clampf(slope, -MOST_DRIFT_PPM, MOST_DRIFT_PPM)
+		drift_ppm = clampf(slope, -MAX_DRIFT_PPM, MAX_DRIFT_PPM)

@@ -12,7 +12,7 @@ const SIZE: int = 9
 const PERIOD_S: float = 1.0
 
 const _UNIT_MS: float = 0.1
-const _MOST: int = 65535
+const _MAX: int = 65535
 
 
 ## The bytes of figures: ms, ms, ms, frames per second.
@@ -26,7 +26,7 @@ static func encode(
 	for number: float in [
 		p_median_ms / _UNIT_MS, p_high_ms / _UNIT_MS, p_behind_ms / _UNIT_MS, p_frames
 	]:
-		bytes.encode_u16(at, clampi(roundi(number), 0, _MOST) if is_finite(number) else 0)
+		bytes.encode_u16(at, clampi(roundi(number), 0, _MAX) if is_finite(number) else 0)
 		at += 2
 	return bytes
 

@@ -8,7 +8,7 @@ extends RefCounted
 ## Bytes of a packet in a part.
 const ROOM: int = Protocol.MAX_DATAGRAM - 64
 ## Most parts of a packet.
-const MOST_PARTS: int = 4096
+const MAX_PARTS: int = 4096
 
 const _HEADER: int = 7
 
@@ -22,7 +22,7 @@ var _next: int = 0
 static func split(p_bytes: PackedByteArray, p_packet: int) -> Array[PackedByteArray]:
 	var count: int = maxi(ceili(float(p_bytes.size()) / ROOM), 1)
 	var parts: Array[PackedByteArray] = []
-	if count > MOST_PARTS:
+	if count > MAX_PARTS:
 		return parts
 	for i: int in count:
 		var part: PackedByteArray = PackedByteArray()
@@ -50,7 +50,7 @@ func join(p_part: PackedByteArray) -> PackedByteArray:
 		_next = 0
 		# Not clear(): whoever got the last packet may still hold it.
 		_joined = PackedByteArray()
-	if packet != _packet or number != _next or parts != _parts or parts > MOST_PARTS:
+	if packet != _packet or number != _next or parts != _parts or parts > MAX_PARTS:
 		_packet = -1
 		return PackedByteArray()
 	_joined.append_array(p_part.slice(_HEADER))

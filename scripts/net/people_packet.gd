@@ -34,8 +34,8 @@ static func decode(p_bytes: PackedByteArray) -> Array[PersonCard]:
 static func _read(p_bytes: PackedByteArray, p_people: Array[PersonCard]) -> String:
 	var reader: ByteReader = ByteReader.new(p_bytes, 1)
 	var count: int = reader.read_u8()
-	if count > PersonCard.MOST:
-		return "%d people, %d are the most" % [count, PersonCard.MOST]
+	if count > PersonCard.MAX_PEOPLE:
+		return "%d people, %d are the most" % [count, PersonCard.MAX_PEOPLE]
 	var taken: Dictionary[int, bool] = {}
 	for _person: int in count:
 		var card: PersonCard = PersonCard.new()

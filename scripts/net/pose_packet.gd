@@ -69,7 +69,7 @@ static func decode(p_bytes: PackedByteArray) -> PoseSample:
 	error = sample.find_fault()
 	if error == "" and (sample.time_usec < 0 or sample.sent_usec < 0):
 		error = "a time before 1970"
-	if error == "" and sample.person >= PersonCard.MOST:
+	if error == "" and sample.person >= PersonCard.MAX_PEOPLE:
 		error = "of the client's person %d" % sample.person
 	if error != "":
 		error = "a pose packet that is no pose: " + error

@@ -200,7 +200,7 @@ func ask_calibration(p_session: int, p_index: int, p_pose: int) -> String:
 	var session: Session = _book.find(p_session)
 	if session == null or session.role != Protocol.Role.TRAINEE or session.peer == 0:
 		return "session %d is no trainee that is here" % p_session
-	if p_index < 0 or p_index >= PersonCard.MOST or p_pose < 0 or p_pose > 255:
+	if p_index < 0 or p_index >= PersonCard.MAX_PEOPLE or p_pose < 0 or p_pose > 255:
 		return "there is no person %d or no pose %d" % [p_index, p_pose]
 	var bytes: PackedByteArray = [
 		Protocol.Message.CONTROL, Protocol.Notice.CALIBRATE, p_index, p_pose

@@ -33,11 +33,11 @@ const PROP: int = -1
 ## In place of an actor: part of the static world. Its shapes are placed in the world.
 const FIXED: int = -2
 ## Most people in a description.
-const MOST_PEOPLE: int = 1024
+const MAX_PEOPLE: int = 1024
 
 ## Errors of poses that can be, degrees.
-const LEAST_ERROR_DEG: float = 0.02
-const MOST_ERROR_DEG: float = 5.0
+const MIN_ERROR_DEG: float = 0.02
+const MAX_ERROR_DEG: float = 5.0
 
 const _LONGEST_TEXT: int = 1024
 const _LARGEST: float = 1e5
@@ -128,7 +128,7 @@ static func decode(p_bytes: PackedByteArray) -> WorldDescription:
 	description.pose_error_deg = snappedf(reader.read_float(), 0.001)
 	var people: int = reader.read_u16()
 	var error: float = description.pose_error_deg
-	if people > MOST_PEOPLE or error < LEAST_ERROR_DEG or error > MOST_ERROR_DEG:
+	if people > MAX_PEOPLE or error < MIN_ERROR_DEG or error > MAX_ERROR_DEG:
 		return null
 	for _person: int in people:
 		var actor: int = reader.read_s32()

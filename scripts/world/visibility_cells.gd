@@ -4,16 +4,16 @@ extends RefCounted
 ## never moves (potentially visible sets, thesis sections 4.2.2 and 7.2).
 
 ## Cells at most; a larger world gets larger ones.
-const MOST_CELLS: int = 256
+const MAX_CELLS: int = 256
 ## Smallest edge of a cell, m.
-const LEAST_M: float = 4.0
+const MIN_M: float = 4.0
 ## How far a world may reach, m.
 const FARTHEST_M: float = 2000.0
 
 ## Corner of the grid with the least coordinates, m.
 var origin: Vector3 = Vector3.ZERO
 ## Edge of a cell, m.
-var size: float = LEAST_M
+var size: float = MIN_M
 ## Cells along each axis.
 var counts: Vector3i = Vector3i.ZERO
 ## A byte for each pair of cells (from, to): 1 where something of the one can be seen from
@@ -42,10 +42,10 @@ func openness() -> float:
 
 
 func _divide(p_box: AABB) -> void:
-	size = LEAST_M
+	size = MIN_M
 	while true:
 		counts = Vector3i((p_box.size / size).ceil().max(Vector3.ONE))
-		if counts.x * counts.y * counts.z <= MOST_CELLS:
+		if counts.x * counts.y * counts.z <= MAX_CELLS:
 			break
 		size *= 1.25
 	origin = p_box.get_center() - Vector3(counts) * size / 2.0

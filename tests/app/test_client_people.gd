@@ -57,13 +57,13 @@ func test_their_samples_come_under_their_numbers() -> void:
 
 
 func test_one_too_many_is_refused() -> void:
-	for number: int in PersonCard.MOST:
+	for number: int in PersonCard.MAX_PEOPLE:
 		is_true(_people.add(MotionSource.new(), "P%d" % number))
 	is_false(_people.add(MotionSource.new(), "late"))
-	equal(_people.count(), PersonCard.MOST)
+	equal(_people.count(), PersonCard.MAX_PEOPLE)
 	_join()
 	is_true(_pair.until(func() -> bool: return _told.size() > 0))
-	equal(_told[-1].size(), PersonCard.MOST)
+	equal(_told[-1].size(), PersonCard.MAX_PEOPLE)
 
 
 func test_a_lost_connection_tells_them_again() -> void:

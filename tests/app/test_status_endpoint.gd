@@ -97,10 +97,10 @@ func test_who_says_nothing_is_dropped() -> void:
 
 func test_more_requests_than_are_served_at_a_time() -> void:
 	var streams: Array[StreamPeerTCP] = []
-	for _request: int in StatusEndpoint.MOST_REQUESTS + 5:
+	for _request: int in StatusEndpoint.MAX_REQUESTS + 5:
 		streams.append(_connect())
 	_turn(5)
-	equal(_endpoint._requests.size(), StatusEndpoint.MOST_REQUESTS)
+	equal(_endpoint._requests.size(), StatusEndpoint.MAX_REQUESTS)
 	for stream: StreamPeerTCP in streams:
 		stream.disconnect_from_host()
 	_turn(5)

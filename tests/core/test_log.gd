@@ -47,10 +47,10 @@ func test_limited_lines_of_a_key_come_once() -> void:
 
 
 func test_memory_of_keys_is_bounded() -> void:
-	for key: int in Log.MOST_KEYS + 20:
+	for key: int in Log.MAX_KEYS + 20:
 		Log.limited("test", "key %d" % key, "text")
-	is_true(Log._last_usec.size() <= Log.MOST_KEYS)
-	is_true(Log._left_out.size() <= Log.MOST_KEYS)
+	is_true(Log._last_usec.size() <= Log.MAX_KEYS)
+	is_true(Log._left_out.size() <= Log.MAX_KEYS)
 
 
 func test_says_how_many_were_left_out() -> void:
@@ -65,12 +65,12 @@ func test_says_how_many_were_left_out() -> void:
 func test_no_flood_of_any_kind() -> void:
 	# Begins a new second, so that none begins in between.
 	Log._second_usec = Time.get_ticks_usec()
-	for line: int in 3 * Log.MOST_LINES:
+	for line: int in 3 * Log.MAX_LINES:
 		Log.info("test", "line %d" % line)
-	equal(_trap.lines.size(), Log.MOST_LINES)
+	equal(_trap.lines.size(), Log.MAX_LINES)
 	Log.error("test", "errors come")
 	contains(_trap.lines[-1], "errors come")
 	Log._second_usec -= 1100000
 	Log.info("test", "a new second")
-	contains(_trap.lines[-2], "%d lines were left out" % (2 * Log.MOST_LINES))
+	contains(_trap.lines[-2], "%d lines were left out" % (2 * Log.MAX_LINES))
 	contains(_trap.lines[-1], "a new second")

@@ -68,7 +68,7 @@ func test_a_client_that_takes_nothing_in() -> void:
 			api.send_bytes(block, peer, MultiplayerPeer.TRANSFER_MODE_RELIABLE)
 		_pair.run(0.002)
 	is_true(_pair.until(func() -> bool: return _pair.left.has(session), 6.0))
-	is_true(connection.unreceipted > TransportConnection.MOST_UNRECEIPTED)
+	is_true(connection.unreceipted > TransportConnection.MAX_UNRECEIPTED)
 	equal(_pair.server.figures()["thrown_out"], 1)
 	bad.link.close()
 	_check_good()

@@ -107,7 +107,7 @@ func test_challenge() -> void:
 			_is_reason(challenge.error)
 			continue
 		_accepted += 1
-		if challenge.rounds > PasswordKey.MOST_ROUNDS or challenge.nonce.size() != 32:
+		if challenge.rounds > PasswordKey.MAX_ROUNDS or challenge.nonce.size() != 32:
 			fail("%d rounds" % challenge.rounds)
 	_check_mixture()
 

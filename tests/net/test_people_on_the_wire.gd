@@ -96,7 +96,7 @@ func test_what_cannot_be_calibrated_is_said() -> void:
 		[eve.link.session, 0, 0, "no trainee"],
 		[999, 0, 0, "no trainee"],
 		[-1, 0, 0, "no trainee"],
-		[session, PersonCard.MOST, 0, "no person"],
+		[session, PersonCard.MAX_PEOPLE, 0, "no person"],
 		[session, -1, 0, "no person"],
 		[session, 0, 256, "no pose"],
 		[session, 1 << 40, 1 << 40, "no person"],

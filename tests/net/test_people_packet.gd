@@ -5,10 +5,10 @@ var _random: RandomNumberGenerator = RandomNumberGenerator.new()
 
 
 func test_round_trip() -> void:
-	for count: int in PersonCard.MOST + 1:
+	for count: int in PersonCard.MAX_PEOPLE + 1:
 		var sent: Array[PersonCard] = []
 		for index: int in count:
-			sent.append(_card(PersonCard.MOST - 1 - index))
+			sent.append(_card(PersonCard.MAX_PEOPLE - 1 - index))
 		var got: Array[PersonCard] = PeoplePacket.decode(PeoplePacket.encode(sent))
 		equal(PeoplePacket.error, "")
 		equal(got.size(), count)
@@ -29,7 +29,7 @@ func test_nobody_is_taken_for_a_person() -> void:
 		card.lengths[4] = length
 		_refuses([card], "LeftUpperArm" if is_finite(length) else "")
 	_refuses([_card(0), _card(3), _card(0)], "twice")
-	_refuses([_card(PersonCard.MOST)], "at most")
+	_refuses([_card(PersonCard.MAX_PEOPLE)], "at most")
 
 
 func test_a_packet_cut_anywhere_is_refused() -> void:

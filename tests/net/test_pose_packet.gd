@@ -52,7 +52,7 @@ func test_a_person_too_many() -> void:
 		var sample: PoseSample = NetSamples.pose(_random)
 		sample.person = person
 		var got: PoseSample = PosePacket.decode(PosePacket.encode(sample))
-		equal(got != null, person < PersonCard.MOST)
+		equal(got != null, person < PersonCard.MAX_PEOPLE)
 		if got != null:
 			equal(got.person, person)
 		else:

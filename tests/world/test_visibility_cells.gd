@@ -97,9 +97,9 @@ func test_a_large_world_gets_larger_cells() -> void:
 	_add(Vector3(0.0, 9.5, 0.0), Vector3(300.0, 1.0, 300.0))
 	var cells: VisibilityCells = await _survey()
 	var count: int = cells.counts.x * cells.counts.y * cells.counts.z
-	is_true(count <= VisibilityCells.MOST_CELLS, "%d cells" % count)
-	is_true(count > VisibilityCells.MOST_CELLS / 4, "%d cells" % count)
-	is_true(cells.size > VisibilityCells.LEAST_M)
+	is_true(count <= VisibilityCells.MAX_CELLS, "%d cells" % count)
+	is_true(count > VisibilityCells.MAX_CELLS / 4, "%d cells" % count)
+	is_true(cells.size > VisibilityCells.MIN_M)
 	equal(cells.visible.size(), count * count)
 	var end: Vector3 = cells.origin + Vector3(cells.counts) * cells.size
 	is_true(

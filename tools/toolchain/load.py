@@ -23,7 +23,7 @@ from .processes import Group, require_port
 from .project import prepare
 from .udp_proxy import ProxyProcess
 
-MOST_CLIENTS = 500
+MAX_CLIENTS = 500
 FILE = "load.json"
 
 
@@ -52,8 +52,8 @@ class Settings:
             if not argument.startswith("--") or name not in values:
                 raise Failure(f"'{argument}' is no option of ./run load ({known}).", 2)
             values[name] = value
-        self.trainees = _whole(values, "trainees", 0, MOST_CLIENTS)
-        self.observers = _whole(values, "observers", 0, MOST_CLIENTS)
+        self.trainees = _whole(values, "trainees", 0, MAX_CLIENTS)
+        self.observers = _whole(values, "observers", 0, MAX_CLIENTS)
         self.loss = _number(values, "loss", 95.0, "%")
         self.delay = _number(values, "delay", 2000.0, "ms")
         self.jitter = _number(values, "jitter", 2000.0, "ms")

@@ -12,8 +12,8 @@ from .figures import Figures
 from .udp_proxy import HEADERS
 
 TICK_RATE = 60.0
-MOST_NETWORK_MS = 2.0
-MOST_KBIT = 256.0
+MAX_NETWORK_MS = 2.0
+MAX_KBIT = 256.0
 # The engine names a thread after its function: here TransportThread._run.
 THREAD = "_run"
 TROUBLE = ("ERROR", "WARN ", "WARNING")
@@ -98,7 +98,7 @@ def _add_networking(figures: Figures, found: Measured) -> None:
     recent = found.after["status"]["recent"]
     figures.add(case, "main thread, CPU per tick, p99", recent["network_ms_p99"], "ms")
     figures.add(case, "transport thread, CPU per tick", thread, "ms")
-    figures.add(case, "both, CPU per tick", main + thread, "ms", at_most=MOST_NETWORK_MS)
+    figures.add(case, "both, CPU per tick", main + thread, "ms", at_most=MAX_NETWORK_MS)
     used = _thread_growth(found.before["threads"], found.after["threads"])
     named = [used[number] for number, row in found.after["threads"].items() if row[0] == THREAD]
     figures.add(case, "transport thread (/proc)", 1000.0 * sum(named) / found.ticks, "ms")
@@ -122,7 +122,7 @@ def _add_counted_traffic(figures: Figures, found: Measured) -> None:
         size = found.grown(lambda status, way=way: status["transport"][f"{way}_bytes"])
         number = found.grown(lambda status, way=way: status["transport"][f"{way}_packets"])
         kbit = (size + HEADERS * number) * 8.0 / 1000.0 / found.seconds / count
-        goal = MOST_KBIT if name == "down" else None
+        goal = MAX_KBIT if name == "down" else None
         figures.add("traffic", f"{name}, mean of the clients", kbit, "kbit/s", at_most=goal)
         rate = number / found.seconds / count
         figures.add("traffic", f"{name}, datagrams of a client", rate, "/s")
@@ -134,7 +134,7 @@ def _add_wire(figures: Figures, found: Measured, wire: dict[str, Any]) -> None:
     rows = [row for row in wire["clients"] if row["up"]["datagrams"] + row["down"]["datagrams"]]
     for way in ("down", "up"):
         kbit = [row[way]["wire_bytes"] * 8.0 / 1000.0 / seconds for row in rows] or [0.0]
-        goal = MOST_KBIT if way == "down" else None
+        goal = MAX_KBIT if way == "down" else None
         mean = statistics.fmean(kbit)
         figures.add("wire", f"{way}, mean of the clients", mean, "kbit/s", at_most=goal)
         figures.add("wire", f"{way}, most of a client", max(kbit), "kbit/s")

@@ -37,7 +37,7 @@ TIMESPEC = struct.Struct("qq")
 SPACE = socket.CMSG_SPACE(TIMESPEC.size) if hasattr(socket, "CMSG_SPACE") else 64
 LONGEST = 65536
 BUFFER = 4 << 20
-MOST_CLIENTS = 4096
+MAX_CLIENTS = 4096
 # A client that has been silent for so long is forgotten.
 IDLE_NS = 60_000_000_000
 BIN_NS = 20_000
@@ -239,9 +239,9 @@ class Proxy:
             self._queue(client, False, data, extra)
 
     def _admit(self, address: tuple[str, int]) -> Client | None:
-        if len(self._clients) >= MOST_CLIENTS:
+        if len(self._clients) >= MAX_CLIENTS:
             self._forget_idle()
-        if len(self._clients) >= MOST_CLIENTS:
+        if len(self._clients) >= MAX_CLIENTS:
             return None
         client = Client(address, self._target)
         self._clients[address] = client

@@ -25,7 +25,7 @@ Skeleton arm() {
 TEST(a_straight_chain_is_placed_end_to_end) {
 	PersonPose pose;
 	pose.root = { 1.0f, 2.0f, 3.0f };
-	std::array<Vec3, MOST_LIMBS> places;
+	std::array<Vec3, MAX_LIMBS> places;
 	place_limbs(arm(), pose, places);
 	CHECK_NEAR(places[2].x, 3.0, 1e-6);
 	CHECK_NEAR(places[2].y, 2.0, 1e-6);
@@ -35,7 +35,7 @@ TEST(a_bent_joint_stays_closed) {
 	PersonPose pose;
 	pose.orientations[1] = exp({ 0.0f, 0.0f, QUARTER });
 	pose.orientations[2] = exp({ 0.0f, QUARTER, 0.0f });
-	std::array<Vec3, MOST_LIMBS> places;
+	std::array<Vec3, MAX_LIMBS> places;
 	const Skeleton skeleton = arm();
 	place_limbs(skeleton, pose, places);
 	for (std::size_t i = 1; i < 3; i++) {

@@ -12,7 +12,7 @@ namespace {
 constexpr float PI = 3.14159265358979f;
 constexpr float FURTHEST = 100.0f; // m
 constexpr float THINNEST = 1e-3f; // m
-constexpr float LEAST_FRACTION = 1e-5f;
+constexpr float MIN_FRACTION = 1e-5f;
 constexpr double LIGHTEST = 1.0;
 constexpr double HEAVIEST = 1000.0;
 
@@ -161,10 +161,10 @@ std::string find_fault(const Limb &p_limb) {
 			return fault;
 		}
 	}
-	if (!(p_limb.mass_fraction >= LEAST_FRACTION && p_limb.mass_fraction <= 1.0f)) {
+	if (!(p_limb.mass_fraction >= MIN_FRACTION && p_limb.mass_fraction <= 1.0f)) {
 		return bone +
 				format("'s mass_fraction is %f instead of %g to 1", double(p_limb.mass_fraction),
-						double(LEAST_FRACTION));
+						double(MIN_FRACTION));
 	}
 	// The root hangs on nothing: its torque is that of the joint to the world.
 	const float least = p_limb.parent_bone.empty() ? 0.0f : 1e-6f;

@@ -11,7 +11,7 @@ float Muscles::get_torque(std::size_t p_limb, const Vec3 &p_forward, const Vec3 
 	const Vec3 change = p_forward - before[p_limb];
 	before[p_limb] = p_forward;
 	const float speed = std::min(p_forward.length() / p_fast, 1.0f);
-	const float hill = std::max(LEAST, (1.0f - speed) / (1.0f + CURVE * speed));
+	const float hill = std::max(MIN, (1.0f - speed) / (1.0f + CURVE * speed));
 	left[p_limb] = std::min(hill, left[p_limb] + RECOVERY * p_delta_s);
 	// A motion that brakes needs torque too, but not of the muscles that push on where something holds
 	// the limb up.

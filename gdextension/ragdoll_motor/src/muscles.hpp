@@ -24,7 +24,7 @@ public:
 	/// F0 / a of Hill's equation: how bent the curve is.
 	static constexpr float CURVE = 4.0f;
 	/// Share of the torque that is left at any speed.
-	static constexpr float LEAST = 0.13f;
+	static constexpr float MIN = 0.13f;
 	/// How much of the torque comes back in a second.
 	static constexpr float RECOVERY = 2.0f;
 
@@ -35,7 +35,7 @@ public:
 	/// @param p_forward the motion's velocity relative to the parent, limb's axes, rad/s
 	/// @param p_missing what the joint lacks to its target velocity, rad/s
 	/// @param p_inertia what the joint has to turn, about the limb's axes, kg m^2
-	/// @param p_fast speed (rad/s) from which LEAST is left
+	/// @param p_fast speed (rad/s) from which MIN is left
 	float get_torque(std::size_t p_limb, const Vec3 &p_forward, const Vec3 &p_missing, const Vec3 &p_inertia,
 			float p_fast, float p_delta_s, float p_whole);
 	void reset();

@@ -8,7 +8,7 @@ namespace godot {
 
 namespace {
 
-using Bytes = std::array<uint8_t, wire::PersonCodec::MOST_BYTES>;
+using Bytes = std::array<uint8_t, wire::PersonCodec::MAX_BYTES>;
 
 double microseconds_since(std::chrono::steady_clock::time_point p_start) {
 	return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - p_start).count();
@@ -22,7 +22,7 @@ int PersonStream::resolution_for(double p_max_error_deg) {
 
 bool PersonStream::setup(const PackedInt32Array &p_parents, int p_resolution) {
 	wire::Skeleton wanted;
-	if (p_parents.size() > kinematics::MOST_LIMBS) {
+	if (p_parents.size() > kinematics::MAX_LIMBS) {
 		return false;
 	}
 	wanted.limb_count = int(p_parents.size());
@@ -57,7 +57,7 @@ int PersonStream::push(const Vector3 &p_root, const PackedFloat32Array &p_orient
 }
 
 std::size_t PersonStream::write(int p_tick, int p_base, int p_before, uint8_t *r_bytes) const {
-	wire::RangeEncoder encoder(r_bytes, wire::PersonCodec::MOST_BYTES);
+	wire::RangeEncoder encoder(r_bytes, wire::PersonCodec::MAX_BYTES);
 	wire::PersonCodec(skeleton, resolution)
 			.encode(encoder, states[std::size_t(p_tick)], state_or_null(p_base), state_or_null(p_before),
 					p_tick - p_base, p_tick - p_before);

@@ -23,7 +23,7 @@ inline bool is_id(int64_t p_id) {
 inline bool read_skeleton(const PackedInt32Array &p_parents, const PackedVector3Array &p_in_parent,
 		const PackedVector3Array &p_in_limb, kinematics::Skeleton &r_skeleton) {
 	const int64_t count = p_parents.size();
-	if (count > kinematics::MOST_LIMBS || p_in_parent.size() != count || p_in_limb.size() != count) {
+	if (count > kinematics::MAX_LIMBS || p_in_parent.size() != count || p_in_limb.size() != count) {
 		return false;
 	}
 	r_skeleton.limb_count = int(count);
@@ -63,7 +63,7 @@ inline bool read_orientations(const PackedFloat32Array &p_floats, int p_count, k
 
 /// TRANSFORM_SIZE floats a limb.
 inline PackedFloat32Array write_transforms(const kinematics::PersonPose &p_pose,
-		const std::array<kinematics::Vec3, kinematics::MOST_LIMBS> &p_positions, int p_count) {
+		const std::array<kinematics::Vec3, kinematics::MAX_LIMBS> &p_positions, int p_count) {
 	PackedFloat32Array result;
 	result.resize(p_count * TRANSFORM_SIZE);
 	float *into = result.ptrw();

@@ -8,14 +8,14 @@ namespace godot {
 namespace {
 
 // A quaternion whose norm is not between these is no rotation.
-constexpr float LEAST_NORM = 0.9f;
-constexpr float MOST_NORM = 1.1f;
+constexpr float MIN_NORM = 0.9f;
+constexpr float MAX_NORM = 1.1f;
 
 using Rotations = std::array<kinematics::Quat, PoseCodec::MAX_LIMBS>;
 
 bool is_coding(PoseCodec::Coding p_coding, int p_bits) {
-	return int(p_coding) >= 0 && int(p_coding) <= int(PoseCodec::SMALLEST_3) && p_bits >= wire::LEAST_BITS &&
-			p_bits <= wire::MOST_BITS;
+	return int(p_coding) >= 0 && int(p_coding) <= int(PoseCodec::SMALLEST_3) && p_bits >= wire::MIN_BITS &&
+			p_bits <= wire::MAX_BITS;
 }
 
 } // namespace
@@ -68,7 +68,7 @@ int PoseCodec::find_broken(const PackedFloat32Array &p_orientations) {
 	for (int64_t i = 0; i < count; i++, at += 4) {
 		const float square = at[0] * at[0] + at[1] * at[1] + at[2] * at[2] + at[3] * at[3];
 		// Written so that NaN is broken too.
-		if (!(square > LEAST_NORM * LEAST_NORM && square < MOST_NORM * MOST_NORM)) {
+		if (!(square > MIN_NORM * MIN_NORM && square < MAX_NORM * MAX_NORM)) {
 			return int(i);
 		}
 	}

@@ -64,7 +64,7 @@ private:
 	std::unique_ptr<wire::SnapshotEncoder> core;
 	std::vector<Person> people;
 	std::vector<Body> bodies;
-	std::array<wire::Datagram, wire::MOST_DATAGRAMS> datagrams{};
+	std::array<wire::Datagram, wire::MAX_DATAGRAMS> datagrams{};
 };
 
 } // namespace godot

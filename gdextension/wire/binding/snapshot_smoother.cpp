@@ -42,7 +42,7 @@ bool SnapshotSmoother::push_person(int64_t p_person, int64_t p_tick, double p_ar
 		const PackedFloat32Array &p_orientations) {
 	wire::PersonUpdate update;
 	const int count = int(p_orientations.size() / 4);
-	if (!is_id(p_person) || !is_tick(p_tick) || count > kinematics::MOST_LIMBS ||
+	if (!is_id(p_person) || !is_tick(p_tick) || count > kinematics::MAX_LIMBS ||
 			!read_orientations(p_orientations, count, update.pose) ||
 			count != smoother.limb_count(uint16_t(p_person))) {
 		return false;

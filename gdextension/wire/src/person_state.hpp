@@ -8,7 +8,7 @@
 
 namespace wire {
 
-using kinematics::MOST_LIMBS;
+using kinematics::MAX_LIMBS;
 using kinematics::PersonPose;
 using kinematics::Quat;
 using kinematics::Vec3;
@@ -27,7 +27,7 @@ struct RotationCode {
 struct PersonState {
 	std::array<int32_t, 3> root{}; ///< Position of the root limb's frame in the world, mm.
 	/// The root limb's orientation in the world; the others' relative to their parents.
-	std::array<RotationCode, MOST_LIMBS> limbs{};
+	std::array<RotationCode, MAX_LIMBS> limbs{};
 };
 
 } // namespace wire

@@ -26,7 +26,7 @@ public:
 			carry();
 		}
 		range = unit * p_share;
-		while (range < LEAST_RANGE) {
+		while (range < MIN_RANGE) {
 			put(uint8_t(low >> 24));
 			low <<= 8;
 			range <<= 8;
@@ -50,7 +50,7 @@ public:
 	/// too small.
 	std::size_t finish() {
 		const uint32_t before = low;
-		const uint32_t slack = range >= 2 * LEAST_RANGE ? LEAST_RANGE - 1 : 0xFFFF;
+		const uint32_t slack = range >= 2 * MIN_RANGE ? MIN_RANGE - 1 : 0xFFFF;
 		low += slack;
 		if (low < before) {
 			carry();
@@ -65,7 +65,7 @@ public:
 	/// Bytes that are written for sure; a few more come at the end.
 	std::size_t written() const { return size; }
 
-	static constexpr uint32_t LEAST_RANGE = 1U << 24;
+	static constexpr uint32_t MIN_RANGE = 1U << 24;
 
 private:
 	void put(uint8_t p_byte) {
@@ -114,7 +114,7 @@ public:
 	void decode(uint32_t p_below, uint32_t p_share) {
 		code -= unit * p_below;
 		range = unit * p_share;
-		while (range < RangeEncoder::LEAST_RANGE) {
+		while (range < RangeEncoder::MIN_RANGE) {
 			code = (code << 8) | next();
 			range <<= 8;
 		}
@@ -133,7 +133,7 @@ public:
 		return one;
 	}
 	/// Bytes that the encoder wrote up to here, if it ended here.
-	std::size_t used() const { return taken - 4 + (range >= 2 * RangeEncoder::LEAST_RANGE ? 1 : 2); }
+	std::size_t used() const { return taken - 4 + (range >= 2 * RangeEncoder::MIN_RANGE ? 1 : 2); }
 	/// Whether this cannot come from an encoder, or is cut off.
 	bool is_bad() const { return bad || used() > size; }
 

@@ -35,7 +35,7 @@ public:
 		const int age = random() % 16 == 0 ? int(random()) : int(random() % 12);
 		const int before_age = random() % 16 == 0 ? int(random()) : age + int(random() % 4);
 		const PersonCodec codec(body, lattices[fine].resolution());
-		std::array<uint8_t, PersonCodec::MOST_BYTES> bytes;
+		std::array<uint8_t, PersonCodec::MAX_BYTES> bytes;
 		std::size_t size = random() % 96;
 		if (random() % 2 == 0) {
 			RangeEncoder encoder(bytes.data(), bytes.size());

@@ -277,7 +277,7 @@ private:
 	std::vector<BodyUpdate> bodies;
 	std::deque<Bytes> recent;
 	std::vector<Bytes> waiting;
-	std::array<Datagram, MOST_DATAGRAMS> datagrams{};
+	std::array<Datagram, MAX_DATAGRAMS> datagrams{};
 	uint32_t now = 1000;
 };
 

@@ -267,7 +267,7 @@ private:
 	PersonLattice lattice{ PersonLattice::resolution_for(0.1) };
 	std::mt19937 random{ 5 };
 	std::multimap<uint32_t, Packet> post_box;
-	std::array<Datagram, MOST_DATAGRAMS> datagrams{};
+	std::array<Datagram, MAX_DATAGRAMS> datagrams{};
 };
 
 } // namespace wire

@@ -14,7 +14,7 @@ TEST(coding_a_person_takes_no_memory) {
 	const PersonLattice lattice;
 	const PersonCodec codec(body, lattice.resolution());
 	std::array<PersonState, 3> states;
-	std::array<uint8_t, PersonCodec::MOST_BYTES> bytes{};
+	std::array<uint8_t, PersonCodec::MAX_BYTES> bytes{};
 	PersonPose pose = people::draw_pose(random);
 	int wrong = 0;
 	const int before = allocations;

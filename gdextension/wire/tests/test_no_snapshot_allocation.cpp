@@ -18,7 +18,7 @@ struct Crowd {
 	std::array<std::unique_ptr<SnapshotDecoder>, CLIENTS> clients;
 	std::array<PersonPose, PEOPLE> poses;
 	std::vector<BodyUpdate> bodies{ BODIES };
-	std::array<Datagram, MOST_DATAGRAMS> datagrams{};
+	std::array<Datagram, MAX_DATAGRAMS> datagrams{};
 	std::mt19937 random{ 1 };
 	uint32_t tick = 1000;
 	int told = 0;

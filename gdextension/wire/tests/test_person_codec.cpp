@@ -11,7 +11,7 @@ using namespace wire;
 
 namespace {
 
-using Bytes = std::array<uint8_t, PersonCodec::MOST_BYTES + 16>;
+using Bytes = std::array<uint8_t, PersonCodec::MAX_BYTES + 16>;
 
 struct Case {
 	PersonState now;
@@ -27,7 +27,7 @@ struct Case {
 };
 
 std::size_t write(const PersonCodec &p_codec, const Case &p_case, Bytes &r_bytes) {
-	RangeEncoder encoder(r_bytes.data(), PersonCodec::MOST_BYTES);
+	RangeEncoder encoder(r_bytes.data(), PersonCodec::MAX_BYTES);
 	p_codec.encode(
 			encoder, p_case.now, p_case.base_or_null(), p_case.before_or_null(), p_case.base_age, p_case.before_age);
 	return encoder.finish();
@@ -62,8 +62,8 @@ Case draw_case(std::mt19937 &p_random, const PersonLattice &p_lattice, const Ske
 
 TEST(what_is_written_is_read_and_its_end_found) {
 	std::mt19937 random(1);
-	for (const int resolution : { PersonLattice::FINE, PersonLattice::COARSE, PersonLattice::LEAST_RESOLUTION,
-				 PersonLattice::MOST_RESOLUTION }) {
+	for (const int resolution : { PersonLattice::FINE, PersonLattice::COARSE, PersonLattice::MIN_RESOLUTION,
+				 PersonLattice::MAX_RESOLUTION }) {
 		const PersonLattice lattice(resolution);
 		const Skeleton body = people::skeleton();
 		const PersonCodec codec(body, resolution);
@@ -83,7 +83,7 @@ TEST(what_is_written_is_read_and_its_end_found) {
 
 TEST(bodies_with_any_number_of_limbs) {
 	std::mt19937 random(2);
-	for (int limbs = 1; limbs <= kinematics::MOST_LIMBS; limbs++) {
+	for (int limbs = 1; limbs <= kinematics::MAX_LIMBS; limbs++) {
 		Skeleton body;
 		body.limb_count = limbs;
 		body.parents[0] = -1;
@@ -108,11 +108,11 @@ TEST(extreme_places_and_ages) {
 	const PersonLattice lattice;
 	const Skeleton body = people::skeleton();
 	const PersonCodec codec(body, lattice.resolution());
-	constexpr int32_t MOST = PersonLattice::MOST_ROOT;
+	constexpr int32_t MAX = PersonLattice::MAX_ROOT;
 	int wrong = 0;
-	for (const int32_t now : { -MOST, 0, 1, MOST }) {
-		for (const int32_t base : { -MOST, 0, MOST }) {
-			for (const int32_t before : { -MOST, 0, MOST }) {
+	for (const int32_t now : { -MAX, 0, 1, MAX }) {
+		for (const int32_t base : { -MAX, 0, MAX }) {
+			for (const int32_t before : { -MAX, 0, MAX }) {
 				for (const int age : { -1, 0, 1, 255, 100000, 2147483647 }) {
 					Case made;
 					made.now.root = { now, -now, now };

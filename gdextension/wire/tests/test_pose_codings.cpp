@@ -80,7 +80,7 @@ TEST(sizes) {
 	CHECK(coded_size(PoseCoding::SMALLEST_3, 15, 16) == 94);
 	CHECK(coded_size(PoseCoding::SMALLEST_3, 10, 16) == 64);
 	for (std::size_t limbs = 1; limbs <= 32; limbs++) {
-		for (int bits = LEAST_BITS; bits <= MOST_BITS; bits++) {
+		for (int bits = MIN_BITS; bits <= MAX_BITS; bits++) {
 			const PoseCoding coding = PoseCoding::SMALLEST_3;
 			CHECK(coded_limbs(coding, bits, coded_size(coding, bits, limbs)) == limbs);
 		}
@@ -107,7 +107,7 @@ TEST(any_bytes_are_unit_quaternions_or_refused) {
 	int good = 0;
 	for (int round = 0; round < 400000; round++) {
 		const PoseCoding coding = ALL[round % 4];
-		const int bits = LEAST_BITS + int(random() % (MOST_BITS - LEAST_BITS + 1));
+		const int bits = MIN_BITS + int(random() % (MAX_BITS - MIN_BITS + 1));
 		std::array<uint8_t, 64> bytes{};
 		for (uint8_t &byte : bytes) {
 			byte = uint8_t(random());

@@ -45,7 +45,7 @@ Vec3 true_hand(double p_time) {
 	update.pose.root.x = time;
 	update.pose.orientations[1] = kinematics::exp({ 0.0f, 0.0f, std::sin(6.283f * time) });
 	update.pose.orientations[2] = kinematics::exp({ 0.0f, 0.6f * std::cos(6.283f * time), std::sin(6.283f * time) });
-	std::array<Vec3, kinematics::MOST_LIMBS> positions;
+	std::array<Vec3, kinematics::MAX_LIMBS> positions;
 	kinematics::place_limbs(arm(), update.pose, positions);
 	return positions[2];
 }

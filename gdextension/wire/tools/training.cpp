@@ -25,11 +25,11 @@ public:
 		const NumberSymbols symbols(p_model);
 		const int64_t index = symbols.index_of(p_number);
 		const int64_t away = symbols.bucket_of(index);
-		constexpr int64_t MOST = NumberSymbols::MOST_BUCKETS;
-		const int bucket = int(away < -MOST ? -MOST : (away > MOST ? MOST : away));
+		constexpr int64_t MAX = NumberSymbols::MAX_BUCKETS;
+		const int bucket = int(away < -MAX ? -MAX : (away > MAX ? MAX : away));
 		sum += costs[symbols.below(bucket + 1) - symbols.below(bucket)];
-		if (bucket == MOST || bucket == -MOST) {
-			sum += 5.0 + std::floor(std::log2(double((away < 0 ? -away : away) - MOST + 1)));
+		if (bucket == MAX || bucket == -MAX) {
+			sum += 5.0 + std::floor(std::log2(double((away < 0 ? -away : away) - MAX + 1)));
 		}
 		sum += symbols.shift;
 		return true;
@@ -216,7 +216,7 @@ void fill_shares(double p_freedom, uint16_t *r_shares) {
 	for (int i = 0; i < count; i++) {
 		sums.push_back(sums.back() + step * density((i + 0.5) * step));
 	}
-	constexpr double HALF = 32768 - NumberSymbols::MOST_BUCKETS - 1;
+	constexpr double HALF = 32768 - NumberSymbols::MAX_BUCKETS - 1;
 	for (int i = 0; i < SHARE_POINTS; i++) {
 		r_shares[i] = uint16_t(std::lround(HALF * sums[std::size_t(i) * FINE_STEPS] / sums.back()));
 	}

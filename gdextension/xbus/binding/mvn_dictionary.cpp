@@ -266,15 +266,15 @@ Dictionary mvn_to_dictionary(const Content &p_content) {
 }
 
 String mvn_from_dictionary(const Dictionary &p_sample, Content &r_content) {
-	constexpr int64_t MOST_U32 = std::numeric_limits<uint32_t>::max();
+	constexpr int64_t MAX_U32 = std::numeric_limits<uint32_t>::max();
 	DictionaryReader reader(p_sample);
 	mvn::Header &header = r_content.header;
 	header.type = Type(reader.number("type", true, 99));
-	header.sample = uint32_t(reader.number("sample", true, MOST_U32));
-	header.time_code_ms = uint32_t(reader.number("time_code_ms", false, MOST_U32));
+	header.sample = uint32_t(reader.number("sample", true, MAX_U32));
+	header.time_code_ms = uint32_t(reader.number("time_code_ms", false, MAX_U32));
 	header.character = uint8_t(reader.number("character", false, 255));
 	header.body_segments = mvn::BODY_SEGMENTS;
-	header.props = uint8_t(reader.number("props", false, mvn::MOST_PROPS));
+	header.props = uint8_t(reader.number("props", false, mvn::MAX_PROPS));
 	header.fingers = uint8_t(reader.number("fingers", false, mvn::FINGER_SEGMENTS));
 	if (reader.fault().is_empty()) {
 		take_body(reader, r_content);

@@ -14,7 +14,7 @@ namespace {
 
 /// A pose that came so much earlier than another has ended, µs.
 constexpr uint64_t STALE_USEC = 1000000;
-constexpr int64_t MOST_CHARACTER = 255;
+constexpr int64_t MAX_CHARACTER = 255;
 
 String text(const std::string &p_text) {
 	return String::utf8(p_text.c_str());
@@ -144,7 +144,7 @@ TypedArray<Dictionary> MvnReceiver::take_poses(int64_t p_character) {
 	uint64_t best_usec = 0;
 	mvn::ReceivedSample newest;
 	for (const mvn::Type type : { mvn::Type::POSE, mvn::Type::EULER_POSE, mvn::Type::UNITY_POSE }) {
-		if (p_character >= 0 && p_character <= MOST_CHARACTER && receiver.newest(int(p_character), type, newest) &&
+		if (p_character >= 0 && p_character <= MAX_CHARACTER && receiver.newest(int(p_character), type, newest) &&
 				(best_usec == 0 || newest.arrival_usec > best_usec + STALE_USEC)) {
 			best = type;
 			best_usec = newest.arrival_usec;
@@ -159,7 +159,7 @@ TypedArray<Dictionary> MvnReceiver::take_trackers(int64_t p_character) {
 
 TypedArray<Dictionary> MvnReceiver::take_type(int64_t p_character, mvn::Type p_type) {
 	TypedArray<Dictionary> samples;
-	if (p_character < 0 || p_character > MOST_CHARACTER) {
+	if (p_character < 0 || p_character > MAX_CHARACTER) {
 		return samples;
 	}
 	const std::lock_guard<std::mutex> lock(mutex);
@@ -175,7 +175,7 @@ TypedArray<Dictionary> MvnReceiver::take_type(int64_t p_character, mvn::Type p_t
 
 Dictionary MvnReceiver::get_newest(int64_t p_character, int64_t p_type) const {
 	mvn::ReceivedSample sample;
-	const bool can_be = p_character >= 0 && p_character <= MOST_CHARACTER && p_type >= 0 && p_type < mvn::TYPES;
+	const bool can_be = p_character >= 0 && p_character <= MAX_CHARACTER && p_type >= 0 && p_type < mvn::TYPES;
 	Dictionary entry;
 	if (can_be && receiver.newest(int(p_character), mvn::Type(p_type), sample)) {
 		entry = mvn_to_dictionary(sample.content);

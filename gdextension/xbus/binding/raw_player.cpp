@@ -20,8 +20,8 @@ using recording::Kind;
 using recording::Record;
 
 /// Frames and datagrams that wait for who fetches them.
-constexpr std::size_t MOST_FRAMES = 512;
-constexpr std::size_t MOST_DATAGRAMS = 4096;
+constexpr std::size_t MAX_FRAMES = 512;
+constexpr std::size_t MAX_DATAGRAMS = 4096;
 
 String text(const std::string &p_text) {
 	return String::utf8(p_text.c_str());
@@ -150,7 +150,7 @@ void RawPlayer::play_next() {
 	at_usec = std::max(at_usec, next.time_usec);
 	if (next.kind == Kind::DATAGRAM) {
 		datagrams.push_back({ next.stream, next.time_usec, { next.payload, next.payload + next.size } });
-		if (datagrams.size() > MOST_DATAGRAMS) {
+		if (datagrams.size() > MAX_DATAGRAMS) {
 			datagrams.pop_front();
 		}
 	} else if (stream.replay != nullptr) {
@@ -166,7 +166,7 @@ void RawPlayer::play_bus(Stream &r_stream, const Record &p_record) {
 	}
 	r_stream.replay->take_in(p_record.payload, p_record.size, p_record.time_usec, [&](const xbus::SuitFrame &p_frame) {
 		r_stream.frames.push_back(p_frame);
-		if (r_stream.frames.size() > MOST_FRAMES) {
+		if (r_stream.frames.size() > MAX_FRAMES) {
 			r_stream.frames.pop_front();
 		}
 	});

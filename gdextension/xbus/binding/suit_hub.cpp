@@ -12,7 +12,7 @@ namespace godot {
 
 namespace {
 
-constexpr double MOST_RATE_HZ = 512.0;
+constexpr double MAX_RATE_HZ = 512.0;
 
 String text(const std::string &p_text) {
 	return String::utf8(p_text.c_str());
@@ -65,7 +65,7 @@ Dictionary device_dictionary(const usb::DeviceReport &p_report, uint64_t p_now_u
 } // namespace
 
 String SuitHub::start(double p_rate_hz) {
-	ERR_FAIL_COND_V_MSG(!(p_rate_hz >= 10.0 && p_rate_hz <= MOST_RATE_HZ), "the rate is no suit's",
+	ERR_FAIL_COND_V_MSG(!(p_rate_hz >= 10.0 && p_rate_hz <= MAX_RATE_HZ), "the rate is no suit's",
 			"A suit measures at 10 to 512 Hz.");
 	stop();
 	player = Ref<RawPlayer>();

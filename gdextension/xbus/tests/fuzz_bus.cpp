@@ -26,9 +26,9 @@ void expect(bool p_holds, const char *p_what) {
 
 class Fuzzer {
 public:
-	static constexpr size_t MOST = 700;
+	static constexpr size_t MAX = 700;
 
-	explicit Fuzzer(uint32_t p_seed) : _random(p_seed), _blocks(MOST) {
+	explicit Fuzzer(uint32_t p_seed) : _random(p_seed), _blocks(MAX) {
 		std::mt19937 random(p_seed);
 		_seed_mt_data2(random);
 		_seed_mt_data(random);
@@ -67,7 +67,7 @@ private:
 		item::FRAME_RANGE };
 
 	void _keep(const uint8_t *p_data, size_t p_size, std::vector<Bytes> &r_seeds) {
-		r_seeds.emplace_back(p_data, p_data + std::min(p_size, MOST));
+		r_seeds.emplace_back(p_data, p_data + std::min(p_size, MAX));
 	}
 	void _seed_mt_data2(std::mt19937 &r_random) {
 		Bytes data(MAX_DATA);
@@ -90,7 +90,7 @@ private:
 	}
 	void _seed_configuration() {
 		Configuration configuration;
-		Bytes data(Configuration::MOST_BYTES);
+		Bytes data(Configuration::MAX_BYTES);
 		for (const size_t count : { 0, 1, 2, 17, 30 }) {
 			configuration.device_count = count;
 			_keep(data.data(), configuration.write(data.data()), _configurations);
@@ -173,8 +173,8 @@ private:
 	void _run_framer() {
 		size_t size = 0;
 		const uint8_t *bytes = _draw(_random.below(2) == 0 ? _items : _configurations, size);
-		std::array<uint8_t, MOST + 7> frame;
-		size = write_frame(MASTER, Message::MT_DATA2, bytes, std::min(size, MOST - 7), frame.data());
+		std::array<uint8_t, MAX + 7> frame;
+		size = write_frame(MASTER, Message::MT_DATA2, bytes, std::min(size, MAX - 7), frame.data());
 		_damage(frame.data(), size);
 		_framer->set_longest(_random.below(16) == 0 ? MAX_DATA : 300);
 		size_t at = 0;

@@ -31,7 +31,7 @@ Configuration suit(size_t p_trackers) {
 
 TEST(configurations_of_all_sizes_go_both_ways) {
 	for (const size_t trackers : { size_t(0), size_t(1), size_t(10), size_t(20), MAX_DEVICES }) {
-		Bytes bytes(Configuration::MOST_BYTES);
+		Bytes bytes(Configuration::MAX_BYTES);
 		bytes.resize(suit(trackers).write(bytes.data()));
 		CHECK(bytes.size() == 98 + 20 * trackers);
 		Configuration found;
@@ -41,14 +41,14 @@ TEST(configurations_of_all_sizes_go_both_ways) {
 			CHECK(found.devices[i].device_id == 0x00300000 + i && found.devices[i].data_length == 16 + i);
 			CHECK(found.devices[i].format.settings == i);
 		}
-		Bytes again(Configuration::MOST_BYTES);
+		Bytes again(Configuration::MAX_BYTES);
 		again.resize(found.write(again.data()));
 		CHECK(again == bytes);
 	}
 }
 
 TEST(a_lie_about_the_number_of_trackers_is_seen) {
-	Bytes bytes(Configuration::MOST_BYTES);
+	Bytes bytes(Configuration::MAX_BYTES);
 	bytes.resize(suit(3).write(bytes.data()));
 	Configuration found = suit(1);
 	for (const uint16_t lie : { 0, 2, 4, 255, 65535 }) {

@@ -21,7 +21,7 @@ const COLOURS: Array[Color] = [
 ## Saturation above the limit: darker than the rest, too, not only another hue.
 const OVER: Color = Color(1.0, 0.3, 0.22)
 ## A scale ends no lower than here: degrees, N m, percent.
-const LEAST_TOPS: Array[float] = [5.0, 10.0, 120.0]
+const MIN_TOPS: Array[float] = [5.0, 10.0, 120.0]
 
 const _BACK: Color = Color(0.09, 0.1, 0.12, 0.85)
 const _PALE: Color = Color(0.72, 0.75, 0.78)
@@ -103,10 +103,10 @@ func _draw_curve(p_curve: Trace, p_font: Font, p_base: float) -> void:
 	var across: Vector2 = box(p_curve, size.x)
 	var frame: Rect2 = Rect2(across.x, 1.0, across.y, size.y - 2.0)
 	draw_rect(frame, _BACK)
-	var top: float = LEAST_TOPS[p_curve]
+	var top: float = MIN_TOPS[p_curve]
 	for age: int in _count:
 		top = maxf(top, value(p_curve, age))
-	if top > LEAST_TOPS[p_curve]:
+	if top > MIN_TOPS[p_curve]:
 		top = round_top(top)
 	var newest: float = value(p_curve)
 	var colour: Color = COLOURS[p_curve]

@@ -18,7 +18,7 @@ const _BALL_SPEED: float = 10.0
 const _BALL_FROM_M: float = 3.0
 const _CRATE_HEIGHT_M: float = 1.0
 ## More things than that, and the oldest goes.
-const _MOST_THINGS: int = 20
+const _MAX_THINGS: int = 20
 
 ## The person, a [Ragdoll].
 @export var person: PackedScene = null
@@ -259,7 +259,7 @@ func _make_ball() -> RigidBody3D:
 
 
 func _add_thing(p_thing: RigidBody3D, p_place: Vector3) -> void:
-	if _things.size() >= _MOST_THINGS:
+	if _things.size() >= _MAX_THINGS:
 		_things[0].queue_free()
 		_things.remove_at(0)
 	p_thing.position = p_place

@@ -6,7 +6,7 @@ extends RefCounted
 ## Width of a bin, ms.
 const BIN_MS: float = 0.25
 ## Where the bins begin, ms: estimates of clocks may make a delay seem negative.
-const LEAST_MS: float = -25.0
+const MIN_MS: float = -25.0
 ## Number of bins. What is beyond the first or the last is counted in it.
 const BINS: int = 2100
 
@@ -25,7 +25,7 @@ func _init() -> void:
 func add(p_ms: float) -> void:
 	if not is_finite(p_ms):
 		return
-	_bins[clampi(floori((p_ms - LEAST_MS) / BIN_MS), 0, BINS - 1)] += 1
+	_bins[clampi(floori((p_ms - MIN_MS) / BIN_MS), 0, BINS - 1)] += 1
 	_count += 1
 	var off: float = p_ms - _mean
 	_mean += off / _count
@@ -67,7 +67,7 @@ func percentile(p_fraction: float) -> float:
 	for bin: int in BINS if _count > 0 else 0:
 		sum += _bins[bin]
 		if sum >= rank:
-			return LEAST_MS + (bin + 0.5) * BIN_MS
+			return MIN_MS + (bin + 0.5) * BIN_MS
 	return 0.0
 
 
@@ -76,7 +76,7 @@ func coarse(p_from_ms: float, p_to_ms: float, p_steps: int) -> PackedInt32Array:
 	var result: PackedInt32Array = PackedInt32Array()
 	result.resize(p_steps)
 	for bin: int in BINS:
-		var middle: float = LEAST_MS + (bin + 0.5) * BIN_MS
+		var middle: float = MIN_MS + (bin + 0.5) * BIN_MS
 		if _bins[bin] > 0 and middle >= p_from_ms and middle < p_to_ms:
 			var step: int = int((middle - p_from_ms) / (p_to_ms - p_from_ms) * p_steps)
 			result[mini(step, p_steps - 1)] += _bins[bin]

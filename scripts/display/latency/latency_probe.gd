@@ -6,7 +6,7 @@ extends RefCounted
 ## a later one, and counts when that frame is drawn. Memory is bounded however long it runs.
 
 ## Marks that wait for their tick at most; beyond it the oldest are given up.
-const MOST_WAITING: int = 1024
+const MAX_WAITING: int = 1024
 ## What is longer than this is a stream that had stopped, not a delay, ms.
 const LONGEST_MS: float = 2000.0
 
@@ -41,7 +41,7 @@ func arrived(p_mark: LatencyMark) -> void:
 		return
 	_newest[p_mark.person] = p_mark.sample
 	_waiting.append(p_mark)
-	if _waiting.size() > MOST_WAITING:
+	if _waiting.size() > MAX_WAITING:
 		_waiting.pop_front()
 
 

@@ -5,7 +5,7 @@ extends RefCounted
 ## Where they are unless told otherwise.
 const FOLDER: String = "user://calibrations"
 ## Files beyond this are none of ours, bytes.
-const MOST_BYTES: int = 1 << 20
+const MAX_BYTES: int = 1 << 20
 
 ## The folder.
 var folder: String = FOLDER
@@ -44,7 +44,7 @@ func read(p_name: String) -> PersonProfile:
 	if file == null:
 		error = "%s: cannot be read: %s" % [path, error_string(FileAccess.get_open_error())]
 		return null
-	if file.get_length() > MOST_BYTES:
+	if file.get_length() > MAX_BYTES:
 		error = "%s: %d bytes are too many for a calibration" % [path, file.get_length()]
 		return null
 	var bytes: PackedByteArray = file.get_buffer(file.get_length())

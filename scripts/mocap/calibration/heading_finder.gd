@@ -3,9 +3,9 @@ extends RefCounted
 ## Finds which way each sensor's north is from the axes about which it turned.
 
 ## A movement must have turned a place by so much, rad.
-const LEAST_TURN: float = 0.3
+const MIN_TURN: float = 0.3
 ## And it must have been about one level axis: [method MotionAxis.purity].
-const LEAST_PURITY: float = 0.9
+const MIN_PURITY: float = 0.9
 
 ## Headings that differ by more than this are reversed, rad.
 const REVERSED_RAD: float = 2.4
@@ -21,7 +21,7 @@ var _sines: Dictionary[int, Vector2] = {}
 ## Takes what a movement told of a place: the level axis in the sensor's global
 ## frame and the turn, rad.
 func add(p_place: int, p_wanted: Vector3, p_axis: Vector3, p_turn: float, p_purity: float) -> void:
-	if p_turn < LEAST_TURN or p_purity < LEAST_PURITY or p_wanted == Vector3.ZERO:
+	if p_turn < MIN_TURN or p_purity < MIN_PURITY or p_wanted == Vector3.ZERO:
 		return
 	var heading: float = atan2(p_axis.x, p_axis.z) - atan2(p_wanted.x, p_wanted.z)
 	var sum: Vector2 = _sines.get(p_place, Vector2.ZERO)

@@ -9,7 +9,7 @@ extends RefCounted
 ## Frames whose mean is where a movement starts from.
 const START_FRAMES: int = 8
 ## Turns less than this out of the first pose tell nothing, rad.
-const LEAST_TURN: float = 0.15
+const MIN_TURN: float = 0.15
 
 var _first: Array[Quaternion] = []
 var _heard: PackedInt32Array = PackedInt32Array()
@@ -61,7 +61,7 @@ func purity(p_sensor: int) -> float:
 func _add_turn(p_sensor: int, p_turn: Vector3) -> void:
 	var angle: float = p_turn.length()
 	_most[p_sensor] = maxf(_most[p_sensor], angle)
-	if angle > LEAST_TURN:
+	if angle > MIN_TURN:
 		# Far out the axis is known best: weight by the square of the angle.
 		_sums[p_sensor] += p_turn * angle
 		_lengths[p_sensor] += angle * angle

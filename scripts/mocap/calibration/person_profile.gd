@@ -3,7 +3,7 @@ extends RefCounted
 ## What is kept of a person who wears sensors: name, body, which sensor is where, calibration.
 
 ## Longest name.
-const MOST_LETTERS: int = 60
+const MAX_LETTERS: int = 60
 
 ## Name of the person, and of the file.
 var name: String = "somebody"
@@ -21,8 +21,8 @@ static func find_name_fault(p_name: String) -> String:
 		return "a person needs a name"
 	if p_name != p_name.strip_edges() or p_name.begins_with(".") or p_name.ends_with("."):
 		return "a name neither begins nor ends with a space or a full stop"
-	if p_name.length() > MOST_LETTERS:
-		return "a name has at most %d letters, found %d" % [MOST_LETTERS, p_name.length()]
+	if p_name.length() > MAX_LETTERS:
+		return "a name has at most %d letters, found %d" % [MAX_LETTERS, p_name.length()]
 	for at: int in p_name.length():
 		if p_name.unicode_at(at) < 32 or p_name.unicode_at(at) == 127:
 			return "a name has no control characters"

@@ -9,7 +9,7 @@ const CHUNKS: int = 48
 ## Distance at which a part has half its weight in the mean, rad: shocks count for little.
 const ROBUST_RAD: float = 0.03
 ## Samples that are kept of each sensor at most; beyond it every second one goes.
-const MOST_SAMPLES: int = 600
+const MAX_SAMPLES: int = 600
 
 var _samples: Array[Array] = []
 var _frames: int = 0
@@ -27,7 +27,7 @@ func add(p_frame: SensorFrame) -> void:
 			if p_frame.present[sensor] != 0:
 				_samples[sensor].append(p_frame.orientation(sensor).normalized())
 	_frames += 1
-	if _frames / _step >= MOST_SAMPLES:
+	if _frames / _step >= MAX_SAMPLES:
 		_thin()
 
 

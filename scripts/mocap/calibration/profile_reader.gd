@@ -5,7 +5,7 @@ extends RefCounted
 ## Version of the files.
 const VERSION: int = 1
 ## Sensors of a person at most.
-const MOST_SENSORS: int = 64
+const MAX_SENSORS: int = 64
 
 ## What is wrong: field and reason; empty if nothing is.
 var error: String = ""
@@ -85,8 +85,8 @@ func _read_size(p_data: Dictionary, r_size: BodySize) -> void:
 
 
 func _read_map(p_data: Dictionary, r_map: SensorMap) -> void:
-	if error == "" and p_data.size() > MOST_SENSORS:
-		error = "sensors: at most %d, found %d" % [MOST_SENSORS, p_data.size()]
+	if error == "" and p_data.size() > MAX_SENSORS:
+		error = "sensors: at most %d, found %d" % [MAX_SENSORS, p_data.size()]
 	for id: Variant in p_data:
 		if error != "":
 			return
@@ -110,8 +110,8 @@ func _read_calibration(p_data: Dictionary) -> Calibration:
 	found.pose = maxi(ResetPose.NAMES.find(pose), 0) as ResetPose.Kind
 	found.made_s = _number(p_data, "made_s", "calibration.made_s", 0.0, 1e11)
 	var sensors: Dictionary = _object(p_data, "sensors", "calibration.sensors")
-	if error == "" and sensors.size() > MOST_SENSORS:
-		error = "calibration.sensors: at most %d, found %d" % [MOST_SENSORS, sensors.size()]
+	if error == "" and sensors.size() > MAX_SENSORS:
+		error = "calibration.sensors: at most %d, found %d" % [MAX_SENSORS, sensors.size()]
 	for id: Variant in sensors:
 		var field: String = "calibration.sensors.%s" % _short(id)
 		var data: Dictionary = _object(sensors, id, field)

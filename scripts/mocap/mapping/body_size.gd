@@ -36,18 +36,18 @@ const HINTS: Dictionary[StringName, String] = {
 	&"foot_length": "heel to toes",
 }
 ## Smallest and largest height of a person, m.
-const LEAST_HEIGHT: float = 0.8
-const MOST_HEIGHT: float = 2.5
+const MIN_HEIGHT: float = 0.8
+const MAX_HEIGHT: float = 2.5
 ## Height of somebody of whom nobody has told it, m.
 const USUAL_HEIGHT: float = 1.75
 ## A measure is between so many times what is usual for the height.
-const LEAST_PART: float = 0.5
-const MOST_PART: float = 1.8
+const MIN_PART: float = 0.5
+const MAX_PART: float = 1.8
 
 ## Height, m.
 var height: float = USUAL_HEIGHT:
 	set(p_height):
-		if p_height >= LEAST_HEIGHT and p_height <= MOST_HEIGHT:
+		if p_height >= MIN_HEIGHT and p_height <= MAX_HEIGHT:
 			height = p_height
 ## What was measured, m; the rest is usual for the height.
 var measured: Dictionary[StringName, float] = {}
@@ -63,7 +63,7 @@ static func of_height(p_height: float) -> BodySize:
 ## The size of somebody of whom only the height of the hips is known, m.
 static func of_hip_height(p_hips: float) -> BodySize:
 	var usual: float = RATIOS[&"hip_height"]
-	return of_height(clampf(p_hips / usual, LEAST_HEIGHT, MOST_HEIGHT))
+	return of_height(clampf(p_hips / usual, MIN_HEIGHT, MAX_HEIGHT))
 
 
 ## A measure of [constant RATIOS], m.
@@ -77,8 +77,8 @@ func measure(p_name: StringName, p_metres: float) -> String:
 		return "there is no measure '%s', only %s" % [p_name, ", ".join(RATIOS.keys())]
 	var usual: float = RATIOS[p_name] * height
 	# Written so that NaN fails too.
-	if not (p_metres >= usual * LEAST_PART and p_metres <= usual * MOST_PART):
-		var parts: Array = [p_name, usual * LEAST_PART, usual * MOST_PART, height, p_metres]
+	if not (p_metres >= usual * MIN_PART and p_metres <= usual * MAX_PART):
+		var parts: Array = [p_name, usual * MIN_PART, usual * MAX_PART, height, p_metres]
 		return "%s is between %.2f and %.2f m for a height of %.2f m, found %.2f m" % parts
 	measured[p_name] = p_metres
 	return ""
@@ -87,8 +87,8 @@ func measure(p_name: StringName, p_metres: float) -> String:
 ## Sets the height, m. Measures that no longer fit it are forgotten. Returns why not, or an empty
 ## text.
 func set_height(p_metres: float) -> String:
-	if not (p_metres >= LEAST_HEIGHT and p_metres <= MOST_HEIGHT):
-		var parts: Array = [LEAST_HEIGHT, MOST_HEIGHT, p_metres]
+	if not (p_metres >= MIN_HEIGHT and p_metres <= MAX_HEIGHT):
+		var parts: Array = [MIN_HEIGHT, MAX_HEIGHT, p_metres]
 		return "a person is between %.1f and %.1f m tall, found %.2f m" % parts
 	height = p_metres
 	var old: Dictionary[StringName, float] = measured

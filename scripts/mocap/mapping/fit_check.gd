@@ -12,7 +12,7 @@ const SPREAD_PART: float = 0.3
 ## Nobody stands quite still, degrees.
 const STILL_DEG: float = 6.0
 ## One movement counts at most so much: somebody may get one wrong.
-const MOST: float = 6.0
+const MAX: float = 6.0
 ## By so much an exchange must fit better.
 const BETTER: float = 2.0
 ## Places that do not do anything of what they should fit by less than this.
@@ -109,5 +109,5 @@ static func _misfit(
 		var got: float = rad_to_deg(p_axes[movement].turn(p_sensor))
 		var off: float = maxf(absf(got - wanted) - STILL_DEG, 0.0)
 		off /= SPREAD_DEG + SPREAD_PART * wanted
-		sum += minf(off * off, MOST)
+		sum += minf(off * off, MAX)
 	return sum

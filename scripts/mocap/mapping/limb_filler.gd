@@ -17,7 +17,7 @@ extends RefCounted
 ## How far an ankle gives before a foot tilts with its shank, degrees.
 const ANKLE_DEG: float = 20.0
 ## Elbows and knees bend by so much at most, degrees.
-const MOST_BEND_DEG: float = 150.0
+const MAX_BEND_DEG: float = 150.0
 ## Share of a forearm's way out of hanging that an elbow makes.
 const ELBOW_SHARE: float = 0.8
 ## Where a left upper arm points at ease, seen from the chest.
@@ -137,7 +137,7 @@ func _upper_arm(p_fore: Quaternion, p_side: float) -> Quaternion:
 	var straight: float = maxf(maxf(seen.x * p_side, -seen.z), 0.0)
 	var out: float = along.angle_to(hanging)
 	var bend: float = ELBOW_SHARE * out * (1.0 - straight * straight)
-	return Quaternion(hinge.normalized(), -minf(bend, deg_to_rad(MOST_BEND_DEG))) * p_fore
+	return Quaternion(hinge.normalized(), -minf(bend, deg_to_rad(MAX_BEND_DEG))) * p_fore
 
 
 func _fill_leg(p_thigh: int) -> void:
@@ -163,7 +163,7 @@ func _thigh(p_shank: Quaternion) -> Quaternion:
 	var ahead: float = back
 	if back > 0.0:
 		ahead = -KNEE_SHARE * back * maxf(cos(back), 0.0)
-	var bend: float = minf(back - ahead, deg_to_rad(MOST_BEND_DEG))
+	var bend: float = minf(back - ahead, deg_to_rad(MAX_BEND_DEG))
 	return Quaternion(p_shank * Vector3.RIGHT, -bend) * p_shank
 
 
@@ -172,7 +172,7 @@ func _shank(p_thigh: Quaternion) -> Quaternion:
 	var raised: float = -_pitch(p_thigh)
 	if raised <= 0.0:
 		return p_thigh
-	var bend: float = minf(raised, deg_to_rad(MOST_BEND_DEG))
+	var bend: float = minf(raised, deg_to_rad(MAX_BEND_DEG))
 	return Quaternion(p_thigh * Vector3.RIGHT, bend) * p_thigh
 
 

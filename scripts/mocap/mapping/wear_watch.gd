@@ -16,7 +16,7 @@ const WINDOW_S: float = 20.0
 ## Poses a second that are kept.
 const RATE_HZ: float = 5.0
 ## Nothing is said before so many poses.
-const LEAST_POSES: int = 40
+const MIN_POSES: int = 40
 ## By so much an exchange must lessen what all joints together are beyond their ranges, in the
 ## mean, rad.
 const SWAP_RAD: float = 0.2
@@ -111,7 +111,7 @@ func add(p_frame: SensorFrame, p_table: SuitTable) -> void:
 	if _rows.size() > WINDOW_S * RATE_HZ:
 		_rows.pop_front()
 	_since += 1
-	if _rows.size() >= LEAST_POSES and _since >= RATE_HZ:
+	if _rows.size() >= MIN_POSES and _since >= RATE_HZ:
 		_since = 0
 		_conclude()
 

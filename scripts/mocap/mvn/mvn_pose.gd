@@ -6,7 +6,7 @@ extends RefCounted
 ## order, and what only shows over time is looked after.
 
 ## Further from the pelvis than that no segment is, m: such places are in centimetres.
-const MOST_REACH: float = 5.0
+const MAX_REACH: float = 5.0
 ## The stream's frame by type.
 const FRAMES: Dictionary[int, SourceFrames.Frame] = {
 	1: SourceFrames.Frame.MVN_Y_UP,
@@ -100,7 +100,7 @@ func _scale(r_pose: PoseSample, p_type: int) -> void:
 		scale = unit_m / 0.01 if p_type == 1 else unit_m
 	elif p_type != 1:
 		for place: Vector3 in r_pose.details.positions:
-			_is_cm = _is_cm or place.distance_to(r_pose.root) > MOST_REACH
+			_is_cm = _is_cm or place.distance_to(r_pose.root) > MAX_REACH
 		scale = 0.01 if _is_cm else 1.0
 	if scale != 1.0:
 		r_pose.root *= scale

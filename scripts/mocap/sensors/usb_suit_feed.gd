@@ -8,7 +8,7 @@ extends SensorFeed
 ## between their last two.
 
 ## How far an orientation is carried on at most, s.
-const MOST_AHEAD_S: float = 0.03
+const MAX_AHEAD_S: float = 0.03
 ## A tracker that is silent for so long is called so, s.
 const SILENT_S: float = 0.5
 
@@ -252,7 +252,7 @@ func _carry_on(p_number: int, p_frame: SensorFrame) -> void:
 		return
 	var before: SensorFrame = last[0]
 	var step: float = (newest.time_usec - before.time_usec) / 1e6
-	ahead = clampf(ahead, -MOST_AHEAD_S, MOST_AHEAD_S)
+	ahead = clampf(ahead, -MAX_AHEAD_S, MAX_AHEAD_S)
 	for place: int in mini(newest.count(), p_frame.count()):
 		if newest.present[place] == 0 or p_frame.present[place] != 0:
 			continue

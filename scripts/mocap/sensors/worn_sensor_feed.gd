@@ -7,7 +7,7 @@ extends SensorFeed
 ## sensor sits on the limb, H which way the sensor's global frame is turned about the vertical.
 
 ## Frames that wait at most; beyond it the oldest go.
-const MOST_WAITING: int = 512
+const MAX_WAITING: int = 512
 ## Gravity, m/s².
 const GRAVITY: float = 9.81
 ## Places that are no limb, and the joints under which a pose may tell of them.
@@ -89,7 +89,7 @@ func measure(p_pose: PoseSample, p_time_usec: int) -> void:
 	_before_usec = p_time_usec
 	_rate_hz = 1.0 / step if step > 0.0 else 0.0
 	_waiting.append(frame)
-	if _waiting.size() > MOST_WAITING:
+	if _waiting.size() > MAX_WAITING:
 		_waiting.pop_front()
 	_mutex.unlock()
 

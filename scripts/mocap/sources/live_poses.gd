@@ -10,9 +10,9 @@ extends RefCounted
 ## How much further back than one period, s: what the way from the source is late now and then.
 const MARGIN_S: float = 0.002
 ## A source that is late is guessed on for so long, s; then nothing is told until it comes again.
-const MOST_AHEAD_S: float = 0.05
+const MAX_AHEAD_S: float = 0.05
 ## Poses that are kept.
-const MOST: int = 16
+const MAX_POSES: int = 16
 ## The period of a source of which only one pose is known, s.
 const _USUAL_PERIOD_S: float = 0.01
 const _LONGEST_PERIOD_S: float = 0.1
@@ -26,7 +26,7 @@ func push(p_pose: PoseSample) -> void:
 	if not _poses.is_empty() and p_pose.time_usec <= _poses[_poses.size() - 1].time_usec:
 		_poses.clear()  # A clock that was set, or another recording.
 	_poses.append(p_pose)
-	if _poses.size() > MOST:
+	if _poses.size() > MAX_POSES:
 		_poses.pop_front()
 
 
@@ -52,8 +52,8 @@ func at(p_time_usec: int) -> PoseSample:
 	var newest: PoseSample = _poses[_poses.size() - 1]
 	if _poses.size() < 2:
 		wanted = newest.time_usec
-	wanted = mini(wanted, newest.time_usec + roundi(MOST_AHEAD_S * 1e6))
-	if wanted <= _told_usec and _told_usec <= newest.time_usec + roundi(MOST_AHEAD_S * 1e6):
+	wanted = mini(wanted, newest.time_usec + roundi(MAX_AHEAD_S * 1e6))
+	if wanted <= _told_usec and _told_usec <= newest.time_usec + roundi(MAX_AHEAD_S * 1e6):
 		return null
 	_told_usec = wanted
 	if _poses.size() < 2 or wanted <= _poses[0].time_usec:

@@ -13,7 +13,7 @@ signal calibrated(p_result: CalibrationResult)
 ## A sensor that is silent for so long counts as not worn, its limb is filled: s.
 const SILENT_S: float = 0.5
 ## Frames that wait for whoever shows and calibrates; beyond it the oldest go.
-const MOST_RECENT: int = 512
+const MAX_RECENT: int = 512
 ## How long the body takes to go over to another calibration, s.
 const PASSAGE_S: float = 0.5
 
@@ -185,7 +185,7 @@ func _read(p_time_usec: int) -> PoseSample:
 		_poses.clear()
 		_passes_from = _told
 		_passes_since_usec = p_time_usec
-	for frame: SensorFrame in frames.slice(-LivePoses.MOST):
+	for frame: SensorFrame in frames.slice(-LivePoses.MAX_POSES):
 		var pose: PoseSample = table.pose(frame)
 		if pose != null:
 			_poses.push(pose)
@@ -222,10 +222,10 @@ func _pump() -> void:
 			continue
 		_table.remember(frame)
 		_unread.append(frame)
-		if _unread.size() > MOST_RECENT:
+		if _unread.size() > MAX_RECENT:
 			_unread.pop_front()
 		_recent.append(frame)
-		if _recent.size() > MOST_RECENT:
+		if _recent.size() > MAX_RECENT:
 			_recent.pop_front()
 
 

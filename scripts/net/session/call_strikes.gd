@@ -7,7 +7,7 @@ extends Logger
 ## other arguments; nobody can check that beforehand.
 
 ## Errors that a client may cause.
-const MOST: int = 3
+const MAX_STRIKES: int = 3
 
 var _mutex: Mutex = Mutex.new()
 var _peer: ThreadedPeer = null
@@ -34,7 +34,7 @@ func end() -> Array[int]:
 	for peer: int in _strikes:
 		if not _peer.has_peer(peer):
 			_strikes[peer] = 0
-		elif _strikes[peer] >= MOST:
+		elif _strikes[peer] >= MAX_STRIKES:
 			guilty.append(peer)
 			_strikes[peer] = 0
 	_mutex.unlock()

@@ -43,7 +43,7 @@ static func decode(p_bytes: PackedByteArray) -> Challenge:
 	elif p_bytes.decode_u32(4) != Protocol.VERSION:
 		var versions: Array = [p_bytes.decode_u32(4), Protocol.VERSION]
 		challenge.error = "it speaks protocol version %d, this client %d" % versions
-	elif p_bytes.size() != SIZE or p_bytes.decode_u32(9) > PasswordKey.MOST_ROUNDS:
+	elif p_bytes.size() != SIZE or p_bytes.decode_u32(9) > PasswordKey.MAX_ROUNDS:
 		challenge.error = "its challenge is broken"
 	else:
 		challenge.locked_roles = p_bytes.decode_u8(8)

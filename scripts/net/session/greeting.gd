@@ -10,9 +10,9 @@ extends RefCounted
 ## Bytes of a token.
 const TOKEN_SIZE: int = 16
 ## Least and most bytes of a greeting.
-const LEAST_SIZE: int = 8
-## See [constant LEAST_SIZE].
-const MOST_SIZE: int = 512
+const MIN_SIZE: int = 8
+## See [constant MIN_SIZE].
+const MAX_SIZE: int = 512
 
 ## What the client wants to be.
 var role: Protocol.Role = Protocol.Role.OBSERVER
@@ -67,7 +67,7 @@ func whole() -> PackedByteArray:
 
 
 func _read(p_bytes: PackedByteArray) -> String:
-	if p_bytes.size() < LEAST_SIZE or p_bytes.size() > MOST_SIZE:
+	if p_bytes.size() < MIN_SIZE or p_bytes.size() > MAX_SIZE:
 		return "the greeting has %d bytes" % p_bytes.size()
 	if p_bytes.slice(0, 4) != Protocol.HELLO.to_ascii_buffer():
 		return "the greeting is not in Dismount's form"

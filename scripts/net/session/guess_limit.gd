@@ -7,7 +7,7 @@ const BURST: int = 5
 ## Seconds for which one more is allowed.
 const PER_GUESS_S: float = 2.0
 ## Addresses that are remembered; the oldest go.
-const MOST_ADDRESSES: int = 4096
+const MAX_ADDRESSES: int = 4096
 
 var _left: Dictionary[String, float] = {}
 var _seen_usec: Dictionary[String, int] = {}
@@ -22,7 +22,7 @@ func may_guess(p_address: String, p_now_usec: int) -> bool:
 func note_wrong(p_address: String, p_now_usec: int) -> void:
 	_left[p_address] = maxf(_refresh(p_address, p_now_usec) - 1.0, 0.0)
 	_seen_usec[p_address] = p_now_usec
-	if _left.size() > MOST_ADDRESSES:
+	if _left.size() > MAX_ADDRESSES:
 		var oldest: String = _left.keys()[0]
 		_left.erase(oldest)
 		_seen_usec.erase(oldest)

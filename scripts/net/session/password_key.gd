@@ -5,7 +5,7 @@ extends RefCounted
 ## Rounds of the derivation: they make guessing from a recorded session slow.
 const ROUNDS: int = 2000
 ## Most rounds that a client does for a server.
-const MOST_ROUNDS: int = 50000
+const MAX_ROUNDS: int = 50000
 ## Bytes of a proof and of a key.
 const SIZE: int = 32
 

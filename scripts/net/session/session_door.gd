@@ -17,7 +17,7 @@ enum Verdict {
 ## Seconds that a client has to say who it is, and to take in the answer.
 const GREETING_S: float = 3.0
 ## Clients that may wait for an instructor.
-const MOST_WAITING: int = 64
+const MAX_WAITING: int = 64
 
 var _rules: ServerRules = null
 var _book: SessionBook = null
@@ -167,7 +167,7 @@ func _judge_room(p_visitor: Visitor, p_now_usec: int) -> Verdict:
 		var most: int = _rules.max_per_address
 		return _refuse(p_visitor, "%d clients of your address are here already" % most, false)
 	if _rules.waiting_room and not instructor:
-		if rows.size() >= MOST_WAITING:
+		if rows.size() >= MAX_WAITING:
 			return _refuse(p_visitor, "the waiting room is full", true)
 		p_visitor.waits = true
 		return Verdict.WAIT

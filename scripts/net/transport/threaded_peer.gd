@@ -15,7 +15,7 @@ signal reopened
 signal failed(p_why: String)
 
 ## Transfer channels that can be used beside 0.
-const MOST_TRANSFER_CHANNEL: int = TransportHost.CHANNELS - TransportHost.FAST_CHANNEL - 1
+const MAX_TRANSFER_CHANNEL: int = TransportHost.CHANNELS - TransportHost.FAST_CHANNEL - 1
 
 ## Longest time that something to be sent waits in the thread, ms.
 var wait_ms: int = 1:
@@ -317,7 +317,7 @@ func _get_packet_channel() -> int:
 func _put_packet_script(p_bytes: PackedByteArray) -> Error:
 	if _status != CONNECTION_CONNECTED or _thread == null:
 		return ERR_UNCONFIGURED
-	if _channel < 0 or _channel > MOST_TRANSFER_CHANNEL:
+	if _channel < 0 or _channel > MAX_TRANSFER_CHANNEL:
 		return ERR_INVALID_PARAMETER
 	if _target > 0 and not _addresses.has(_target):
 		return ERR_INVALID_PARAMETER

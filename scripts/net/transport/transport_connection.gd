@@ -17,7 +17,7 @@ enum Stage {
 ## Bytes sent reliably between two marks.
 const MARK_EVERY: int = 65536
 ## Bytes sent reliably that may wait for the other end's receipt.
-const MOST_UNRECEIPTED: int = 4 << 20
+const MAX_UNRECEIPTED: int = 4 << 20
 
 ## Seconds between two complaints of one kind about one connection.
 const _COMPLAINT_S: float = 1.0

@@ -20,19 +20,19 @@ enum Verdict {
 }
 
 ## Poses that a client may send per second; what is above it is dropped.
-const MOST_POSES: int = 600
+const MAX_POSES: int = 600
 ## Packets of any kind that a client may send per second; what is above it is dropped.
-const MOST_PACKETS: int = 1000
+const MAX_PACKETS: int = 1000
 ## A client that sends this many packets in a second is thrown out.
 const FLOOD: int = 3000
 ## Bytes that a client may send per second; what is above it is dropped.
-const MOST_BYTES: int = 1 << 20
+const MAX_BYTES: int = 1 << 20
 ## Remote calls, and what belongs to them, per second.
-const MOST_CALLS: int = 30
+const MAX_CALLS: int = 30
 ## Largest packet for the multiplayer API, bytes.
 const LARGEST_PACKET: int = 16384
 ## Packets of a client that wait for the main thread; one that has more is thrown out.
-const MOST_WAITING: int = 512
+const MAX_WAITING: int = 512
 
 ## The multiplayer API's first byte has the command in its low bits.
 const _COMMAND_MASK: int = 7
@@ -65,8 +65,8 @@ func judge_fast(p_from: TransportConnection, p_bytes: PackedByteArray) -> Verdic
 		return _drop("size", "sent a fast datagram of %d bytes" % p_bytes.size())
 	if p_bytes[0] == Protocol.Message.POSE:
 		p_from.poses += 1
-		if p_from.poses > MOST_POSES:
-			return _drop("rate", "sends more than %d poses a second" % MOST_POSES)
+		if p_from.poses > MAX_POSES:
+			return _drop("rate", "sends more than %d poses a second" % MAX_POSES)
 	return Verdict.PASS
 
 
@@ -75,7 +75,7 @@ func judge(p_from: TransportConnection, p_bytes: PackedByteArray) -> Verdict:
 	var rate: Verdict = _judge_rate(p_from, p_bytes.size())
 	if rate != Verdict.PASS:
 		return rate
-	if p_from.waiting >= MOST_WAITING:
+	if p_from.waiting >= MAX_WAITING:
 		return _say(Verdict.THROW_OUT, "waiting", "has sent more than can be taken in")
 	if p_bytes.is_empty() or p_bytes.size() > LARGEST_PACKET:
 		return _drop("size", "sent a packet of %d bytes" % p_bytes.size())
@@ -103,8 +103,8 @@ func _judge_admitted(
 	if not p_from.may_call:
 		return _drop("call", "may not call anything")
 	p_from.calls += 1
-	if p_from.calls > MOST_CALLS:
-		return _drop("calls", "calls more than %d times a second" % MOST_CALLS)
+	if p_from.calls > MAX_CALLS:
+		return _drop("calls", "calls more than %d times a second" % MAX_CALLS)
 	return Verdict.PASS
 
 
@@ -113,13 +113,13 @@ func _judge_rate(p_from: TransportConnection, p_size: int) -> Verdict:
 		return Verdict.IGNORE
 	p_from.packets += 1
 	p_from.bytes += p_size
-	if p_from.packets > FLOOD or p_from.bytes > 16 * MOST_BYTES:
+	if p_from.packets > FLOOD or p_from.bytes > 16 * MAX_BYTES:
 		var parts: Array = [p_from.packets, p_from.bytes]
 		return _say(Verdict.THROW_OUT, "flood", "sent %d packets, %d bytes in a second" % parts)
-	if p_from.packets > MOST_PACKETS:
-		return _drop("rate", "sends more than %d packets a second" % MOST_PACKETS)
-	if p_from.bytes > MOST_BYTES:
-		return _drop("bytes", "sends more than %d bytes a second" % MOST_BYTES)
+	if p_from.packets > MAX_PACKETS:
+		return _drop("rate", "sends more than %d packets a second" % MAX_PACKETS)
+	if p_from.bytes > MAX_BYTES:
+		return _drop("bytes", "sends more than %d bytes a second" % MAX_BYTES)
 	return Verdict.PASS
 
 

@@ -9,7 +9,7 @@ const CHANNELS: int = 8
 ## ENet channel of the fast path.
 const FAST_CHANNEL: int = 2
 ## Connections that have not been admitted; the oldest goes when there are more.
-const MOST_ARRIVING: int = 512
+const MAX_ARRIVING: int = 512
 ## When a silent end is gone: ENet's limit (2 to the attempts), least and most ms. With less, a
 ## fifth of the datagrams lost would end connections now and then.
 const TIMEOUTS_MS: Array[int] = [64, 4000, 8000]
@@ -155,7 +155,7 @@ func _make_room() -> void:
 			arriving += 1
 			if oldest == null:
 				oldest = connection
-	if arriving >= MOST_ARRIVING:
+	if arriving >= MAX_ARRIVING:
 		_count("evicted")
 		_drop(oldest, Protocol.Goodbye.LOST)
 
@@ -181,7 +181,7 @@ func _drop(p_connection: TransportConnection, p_code: int) -> void:
 func _keep_house(p_now_usec: int) -> void:
 	for id: int in _connections.keys():
 		var connection: TransportConnection = _connections[id]
-		if connection.unreceipted > TransportConnection.MOST_UNRECEIPTED:
+		if connection.unreceipted > TransportConnection.MAX_UNRECEIPTED:
 			_throw_out(connection, "takes in nothing of what it is sent")
 		elif (
 			connection.stage == TransportConnection.Stage.LEAVING

@@ -4,11 +4,11 @@ extends RefCounted
 ## and every queue has an end.
 
 ## Fast datagrams that wait for the main thread; the older half goes when there are more.
-const MOST_FAST: int = 8192
+const MAX_FAST: int = 8192
 ## Unreliable orders that wait for the thread; beyond it they are dropped.
-const MOST_ORDERS: int = 16384
+const MAX_ORDERS: int = 16384
 ## Notes of trouble that wait for the main thread.
-const MOST_TROUBLE: int = 64
+const MAX_TROUBLE: int = 64
 
 var _mutex: Mutex = Mutex.new()
 var _orders: Array[Array] = []
@@ -24,7 +24,7 @@ var _dropped: int = 0
 ## have some.
 func post(p_order: Array, p_must: bool) -> bool:
 	_mutex.lock()
-	var room: bool = p_must or _orders.size() < MOST_ORDERS
+	var room: bool = p_must or _orders.size() < MAX_ORDERS
 	if room:
 		_orders.append(p_order)
 	else:
@@ -48,13 +48,13 @@ func hand_over(p_events: Array[TransportEvent], p_fast: Array[FastPacket]) -> in
 	for event: TransportEvent in p_events:
 		if event.kind == TransportEvent.Kind.TROUBLE:
 			_trouble += 1
-			if _trouble > MOST_TROUBLE:
+			if _trouble > MAX_TROUBLE:
 				continue
 		_events.append(event)
 	if not p_fast.is_empty():
 		_fast.append_array(p_fast)
-		if _fast.size() > MOST_FAST:
-			var kept: int = MOST_FAST / 2
+		if _fast.size() > MAX_FAST:
+			var kept: int = MAX_FAST / 2
 			_dropped += _fast.size() - kept
 			_fast = _fast.slice(_fast.size() - kept)
 	var taken: int = _taken

@@ -12,9 +12,9 @@ extends TransportHost
 const SLOTS: int = 4095
 
 ## Events in a row before what came is handed over.
-const _MOST_EVENTS: int = 128
+const _MAX_EVENTS: int = 128
 ## Bytes that wait for the main thread: a client whose main thread stands that still is lost.
-const _MOST_WAITING_BYTES: int = 32 << 20
+const _MAX_WAITING_BYTES: int = 32 << 20
 const _HOUSEKEEPING_USEC: int = 100000
 ## Errors without any success for so long mean that the host is dead, µs.
 const _DEAD_USEC: int = 500000
@@ -183,9 +183,9 @@ func _begin_client() -> void:
 
 
 func _serve() -> void:
-	_left = _MOST_EVENTS
+	_left = _MAX_EVENTS
 	_answered = false
-	for number: int in _MOST_EVENTS:
+	for number: int in _MAX_EVENTS:
 		# Every packet that is told of must be taken, or the next event would get it.
 		var event: Array = _host.service(wait_ms if number == 0 and not _busy else 0)
 		if number == 0 and _busy:
@@ -220,7 +220,7 @@ func _expect() -> void:
 	var came: int = int(_host.pop_statistic(ENetConnection.HOST_TOTAL_RECEIVED_PACKETS))
 	_count("received_packets", came)
 	if came > 0:
-		_left = mini(came, _MOST_EVENTS)
+		_left = mini(came, _MAX_EVENTS)
 
 
 ## A datagram from port 0 makes a few errors, as no answer can be sent there; the host is none the
@@ -259,7 +259,7 @@ func _look_after_client(p_now_usec: int, p_gap_usec: int) -> void:
 	if p_gap_usec > TIMEOUTS_MS[1] * 1000:
 		# The server has given us up; waiting until we notice it would take as long again.
 		_fail("this machine stood still for %.1f s" % (p_gap_usec / 1e6))
-	elif _waiting_bytes > _MOST_WAITING_BYTES:
+	elif _waiting_bytes > _MAX_WAITING_BYTES:
 		_fail("%d bytes wait to be taken in" % _waiting_bytes)
 	elif beacon.is_valid() and p_now_usec >= _beacon_usec:
 		_beacons += 1

@@ -15,7 +15,7 @@ const _SIZE: float = 0.5
 const _FRICTION: float = 0.02
 const _WINDOW_S: float = 0.1
 ## A slower blow of a clip is none.
-const _LEAST_SPEED: float = 3.0
+const _MIN_SPEED: float = 3.0
 const _GOAL_PERCENT: float = 30.0
 
 var _world: ContactWorld = null
@@ -54,7 +54,7 @@ func _strike(p_performer: ContactPerformer, p_number: int, p_mass: float) -> boo
 	_person = p_performer.enter(_world, root)
 	_hand = _person.find(&"RightHand")
 	_blow = _make_blow(p_performer, p_number)
-	if _blow.speed < _LEAST_SPEED:
+	if _blow.speed < _MIN_SPEED:
 		await end_world(_world)
 		return false
 	_world.add_person(_person, _blow.pose, _blow.place)

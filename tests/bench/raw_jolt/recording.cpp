@@ -47,7 +47,7 @@ private:
 
 std::string Recording::read(const std::string &p_path) {
 	constexpr float VERSION = 2.0f;
-	constexpr float MOST = 1e6f;
+	constexpr float MAX = 1e6f;
 	std::ifstream file(p_path, std::ios::binary);
 	if (!file) {
 		return p_path + " cannot be read";
@@ -56,8 +56,8 @@ std::string Recording::read(const std::string &p_path) {
 	Reader reader(bytes);
 	float header[5] = {};
 	reader.take(header, 5);
-	const bool is_sane = header[1] >= 1.0f && header[2] >= 1.0f && header[3] >= 1.0f && header[1] <= MOST &&
-			header[2] <= MOST && header[3] <= MOST && header[4] >= 1.0f;
+	const bool is_sane = header[1] >= 1.0f && header[2] >= 1.0f && header[3] >= 1.0f && header[1] <= MAX &&
+			header[2] <= MAX && header[3] <= MAX && header[4] >= 1.0f;
 	if (header[0] != VERSION || !is_sane) {
 		return p_path + " is no recording of this version";
 	}

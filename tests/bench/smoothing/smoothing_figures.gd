@@ -4,8 +4,8 @@ extends RefCounted
 const Motion: GDScript = preload("smoothing_motion.gd")
 const Run: GDScript = preload("smoothing_run.gd")
 ## Lags between which the best is looked for, s.
-const _LEAST_LAG_S: float = -0.05
-const _MOST_LAG_S: float = 0.25
+const _MIN_LAG_S: float = -0.05
+const _MAX_LAG_S: float = 0.25
 const _GOLDEN: float = 0.6180339887
 
 ## The lag at which what is shown fits best, ms.
@@ -39,8 +39,8 @@ func _init(p_runs: Array[Run]) -> void:
 
 ## Golden section: the error grows to both sides of the best lag.
 func _find_lag() -> void:
-	var low: float = _LEAST_LAG_S
-	var high: float = _MOST_LAG_S
+	var low: float = _MIN_LAG_S
+	var high: float = _MAX_LAG_S
 	while high - low > 0.0005:
 		var third: float = high - (high - low) * _GOLDEN
 		var other: float = low + (high - low) * _GOLDEN

@@ -80,11 +80,11 @@ func test_a_stream_that_had_stopped_is_no_delay() -> void:
 
 
 func test_memory_is_bounded() -> void:
-	for sample: int in LatencyProbe.MOST_WAITING + 500:
+	for sample: int in LatencyProbe.MAX_WAITING + 500:
 		_probe.arrived(_mark(sample, sample, 1000000))
 	_probe.shows(1e9)
 	_probe.drawn(1010000)
-	equal(_probe.total.count(), LatencyProbe.MOST_WAITING)
+	equal(_probe.total.count(), LatencyProbe.MAX_WAITING)
 
 
 func test_a_new_server_begins_anew() -> void:

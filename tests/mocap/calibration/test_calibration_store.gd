@@ -125,7 +125,7 @@ func test_damaged_files_never_do_harm() -> void:
 
 
 func test_huge_and_binary_files() -> void:
-	_put("x".repeat(CalibrationStore.MOST_BYTES + 1))
+	_put("x".repeat(CalibrationStore.MAX_BYTES + 1))
 	is_null(_store.read("bad"))
 	contains(_store.error, "too many")
 	var file: FileAccess = FileAccess.open(_store.path_of("bad"), FileAccess.WRITE)

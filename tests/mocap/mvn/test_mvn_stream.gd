@@ -3,8 +3,8 @@ extends TestCase
 ## the way.
 
 const CLIP: String = "res://assets/motion/01_01.bvh"
-const MOST_DEG: float = 0.05
-const MOST_M: float = 0.001
+const MAX_DEG: float = 0.05
+const MAX_M: float = 0.001
 ## Frames to wait for a datagram at most.
 const PATIENCE: int = 600
 
@@ -63,8 +63,8 @@ func test_poses_arrive_as_the_file_has_them() -> void:
 			equal(came.find_fault(), "")
 			equal(came.details.counter, step)
 			worst = worst.max(_difference(came, pose))
-		is_true(worst.x < MOST_DEG, "type %d is off by %f deg" % [type, worst.x])
-		is_true(worst.y < MOST_M, "type %d is off by %f m" % [type, worst.y])
+		is_true(worst.x < MAX_DEG, "type %d is off by %f deg" % [type, worst.x])
+		is_true(worst.y < MAX_M, "type %d is off by %f m" % [type, worst.y])
 		after_each()
 
 
@@ -84,7 +84,7 @@ func test_several_people_come_and_go() -> void:
 		var number: int = person.character / 5
 		equal(_people[person], "P%d" % number)
 		var difference: Vector2 = _difference(person.get_newest(), source.pose_at(number))
-		is_true(difference.x < MOST_DEG, "%f deg" % difference.x)
+		is_true(difference.x < MAX_DEG, "%f deg" % difference.x)
 	await _until(func() -> bool: return _stream.list_devices().size() == 4)
 	for row: Dictionary in _stream.list_devices():
 		for key: String in DeviceList.KEYS:
@@ -185,7 +185,7 @@ func test_a_body_of_a_few_segments_is_filled() -> void:
 	_send(writer.sample(12, 0, 0))
 	var came: PoseSample = await _next(await _first_person())
 	equal(came.find_fault(), "")
-	is_true(Rotations.between_deg(came.orientation(6), pose.orientation(6)) < MOST_DEG)
+	is_true(Rotations.between_deg(came.orientation(6), pose.orientation(6)) < MAX_DEG)
 	equal(came.details.measured[6], 1)
 	equal(came.details.measured[11], 0)
 
@@ -216,7 +216,7 @@ func test_trackers_become_sensors() -> void:
 		if not sensors[at].id.contains("Shoulder"):
 			var turn: Quaternion = pose.orientation(BodyPlaces.LIMBS[place])
 			var off: float = Rotations.between_deg(frames[0].orientation(at), turn)
-			is_true(off < MOST_DEG, "%s is off by %f deg" % [sensors[at].id, off])
+			is_true(off < MAX_DEG, "%s is off by %f deg" % [sensors[at].id, off])
 		is_true(frames[0].accelerations[at].length() > 1.0)
 
 

@@ -66,7 +66,7 @@ func test_frames_that_nobody_takes_are_bounded() -> void:
 	feed.advance(BEGIN_USEC)
 	feed.advance(BEGIN_USEC + 8000000)
 	var frames: Array[SensorFrame] = feed.take_frames()
-	equal(frames.size(), WornSensorFeed.MOST_WAITING)
+	equal(frames.size(), WornSensorFeed.MAX_WAITING)
 	equal(frames[frames.size() - 1].time_usec, BEGIN_USEC + 8000000)
 
 

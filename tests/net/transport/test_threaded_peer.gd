@@ -129,7 +129,7 @@ func test_targets_one_all_and_all_but_one() -> void:
 	_server.set_target_peer(12345)
 	equal(_server.put_packet(PackedByteArray([1])), ERR_INVALID_PARAMETER)
 	_server.set_target_peer(0)
-	_server.transfer_channel = ThreadedPeer.MOST_TRANSFER_CHANNEL + 1
+	_server.transfer_channel = ThreadedPeer.MAX_TRANSFER_CHANNEL + 1
 	equal(_server.put_packet(PackedByteArray([1])), ERR_INVALID_PARAMETER)
 
 
@@ -192,7 +192,7 @@ func test_fast_datagrams_carry_their_arrival() -> void:
 func test_a_main_thread_that_stands_still_loses_only_the_oldest() -> void:
 	var client: ThreadedPeer = _connect()
 	await _until(func() -> bool: return _count_peers() == 1)
-	for number: int in TransportMailbox.MOST_FAST * 2:
+	for number: int in TransportMailbox.MAX_FAST * 2:
 		var bytes: PackedByteArray = [Protocol.Message.POSE, 0, 0, 0, 0]
 		bytes.encode_u32(1, number)
 		client.send_fast(1, bytes)
@@ -200,9 +200,9 @@ func test_a_main_thread_that_stands_still_loses_only_the_oldest() -> void:
 			OS.delay_usec(1500)
 	OS.delay_msec(100)
 	var got: Array[FastPacket] = _server.take_fast()
-	is_true(got.size() > TransportMailbox.MOST_FAST / 4, "%d kept" % got.size())
-	is_true(got.size() <= TransportMailbox.MOST_FAST, "%d kept" % got.size())
-	equal(got.back().bytes.decode_u32(1), TransportMailbox.MOST_FAST * 2 - 1, "the newest")
+	is_true(got.size() > TransportMailbox.MAX_FAST / 4, "%d kept" % got.size())
+	is_true(got.size() <= TransportMailbox.MAX_FAST, "%d kept" % got.size())
+	equal(got.back().bytes.decode_u32(1), TransportMailbox.MAX_FAST * 2 - 1, "the newest")
 
 
 func test_a_dead_host_is_opened_again() -> void:

@@ -16,6 +16,6 @@ constexpr uint8_t CLASS_OF_LIMB[16] = { 0, 1, 2, 3, 4, 5, 6, 4, 5, 6, 7, 8, 9, 7
 constexpr int AGE_STEPS = 8;
 constexpr int LAST_OF_AGE_STEP[AGE_STEPS] = { 1, 2, 4, 6, 9, 14, 24, 255 };
 /// Resolutions from here on use the tables for small errors.
-constexpr int LEAST_FINE = 1200;
+constexpr int MIN_FINE = 1200;
 
 } // namespace wire

@@ -38,12 +38,12 @@ struct NumberModel {
 class NumberSymbols {
 public:
 	/// Buckets to each side of the middle one; the last ones stand for all beyond.
-	static constexpr int MOST_BUCKETS = 40;
-	static constexpr int LEAST_LEVEL = 16;
-	static constexpr int MOST_LEVEL = 255;
+	static constexpr int MAX_BUCKETS = 40;
+	static constexpr int MIN_LEVEL = 16;
+	static constexpr int MAX_LEVEL = 255;
 
 	explicit NumberSymbols(const NumberModel &p_model) : model(p_model) {
-		level = p_model.level < LEAST_LEVEL ? LEAST_LEVEL : (p_model.level > MOST_LEVEL ? MOST_LEVEL : p_model.level);
+		level = p_model.level < MIN_LEVEL ? MIN_LEVEL : (p_model.level > MAX_LEVEL ? MAX_LEVEL : p_model.level);
 		const int octaves = level / 16 - 7 - (p_model.step > 1 ? 1 : 0);
 		shift = octaves > 0 ? octaves : 0;
 		const int64_t width = int64_t(FRACTION_OF_UNIT) * p_model.step;
@@ -52,12 +52,12 @@ public:
 		middle = nearest >> shift;
 	}
 
-	/// Share of 65536 of all buckets below p_bucket (relative to the middle), -MOST_BUCKETS to MOST_BUCKETS + 1.
+	/// Share of 65536 of all buckets below p_bucket (relative to the middle), -MAX_BUCKETS to MAX_BUCKETS + 1.
 	uint32_t below(int p_bucket) const {
-		if (p_bucket <= -MOST_BUCKETS) {
+		if (p_bucket <= -MAX_BUCKETS) {
 			return 0;
 		}
-		if (p_bucket > MOST_BUCKETS) {
+		if (p_bucket > MAX_BUCKETS) {
 			return 1U << PROBABILITY_BITS;
 		}
 		const int64_t number = (middle + p_bucket) * (int64_t(1) << shift);
@@ -67,7 +67,7 @@ public:
 		// In 1 / 1024 of the spread.
 		const uint64_t place = (distance * RECIPROCAL_OF_LEVEL[level & 15]) >> (6 + level / 16);
 		const uint32_t half = share_within(place);
-		return uint32_t(p_bucket + MOST_BUCKETS) + (edge < 0 ? HALF - half : HALF + half);
+		return uint32_t(p_bucket + MAX_BUCKETS) + (edge < 0 ? HALF - half : HALF + half);
 	}
 	int64_t number_of(int64_t p_index) const { return model.first + p_index * model.step; }
 	/// The bucket that an index is in, relative to the middle one.
@@ -79,7 +79,7 @@ public:
 
 private:
 	static constexpr int FRACTION_OF_UNIT = 16;
-	static constexpr uint32_t HALF = (1U << (PROBABILITY_BITS - 1)) - MOST_BUCKETS - 1;
+	static constexpr uint32_t HALF = (1U << (PROBABILITY_BITS - 1)) - MAX_BUCKETS - 1;
 
 	uint32_t share_within(uint64_t p_place) const {
 		const uint64_t at = p_place >> 6;
@@ -103,12 +103,12 @@ public:
 		const NumberSymbols symbols(p_model);
 		const int64_t index = symbols.index_of(p_number);
 		const int64_t away = symbols.bucket_of(index);
-		constexpr int64_t MOST = NumberSymbols::MOST_BUCKETS;
-		const int bucket = int(away < -MOST ? -MOST : (away > MOST ? MOST : away));
+		constexpr int64_t MAX = NumberSymbols::MAX_BUCKETS;
+		const int bucket = int(away < -MAX ? -MAX : (away > MAX ? MAX : away));
 		const uint32_t below = symbols.below(bucket);
 		encoder.encode(below, symbols.below(bucket + 1) - below);
-		if (bucket == MOST || bucket == -MOST) {
-			excess(uint64_t((away < 0 ? -away : away) - MOST));
+		if (bucket == MAX || bucket == -MAX) {
+			excess(uint64_t((away < 0 ? -away : away) - MAX));
 		}
 		encoder.encode_bits(uint32_t(index & ((int64_t(1) << symbols.shift) - 1)), symbols.shift);
 		return true;
@@ -142,10 +142,10 @@ public:
 
 	bool number(const NumberModel &p_model, int64_t &r_number) {
 		const NumberSymbols symbols(p_model);
-		constexpr int MOST = NumberSymbols::MOST_BUCKETS;
+		constexpr int MAX = NumberSymbols::MAX_BUCKETS;
 		const uint32_t place = decoder.peek();
-		int low = -MOST;
-		int high = MOST + 1;
+		int low = -MAX;
+		int high = MAX + 1;
 		while (high - low > 1) {
 			const int middle = low + (high - low) / 2;
 			symbols.below(middle) <= place ? low = middle : high = middle;
@@ -153,7 +153,7 @@ public:
 		const uint32_t below = symbols.below(low);
 		decoder.decode(below, symbols.below(low + 1) - below);
 		int64_t away = low;
-		if (low == MOST || low == -MOST) {
+		if (low == MAX || low == -MAX) {
 			const uint32_t size = decoder.decode_bits(5);
 			const int64_t beyond = int64_t((uint64_t(1) << size) | decoder.decode_bits(int(size))) - 1;
 			away += low < 0 ? -beyond : beyond;

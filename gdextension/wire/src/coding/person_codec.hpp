@@ -13,9 +13,9 @@ namespace wire {
 class PersonCodec {
 public:
 	/// Most bytes that a person takes, whatever the states.
-	static constexpr int MOST_BYTES = 640;
+	static constexpr int MAX_BYTES = 640;
 	/// Ages above this are taken for this.
-	static constexpr int MOST_AGE = 255;
+	static constexpr int MAX_AGE = 255;
 
 	/// p_skeleton has to be sound.
 	PersonCodec(const Skeleton &p_skeleton, int p_resolution) :

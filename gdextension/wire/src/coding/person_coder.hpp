@@ -52,11 +52,11 @@ public:
 	}
 
 private:
-	static constexpr int64_t MOST_PLACE = int64_t(1) << 29;
-	static constexpr int64_t MOST_MOTION = int64_t(1) << 18;
-	static constexpr int64_t MOST_ERROR = int64_t(1) << 20;
+	static constexpr int64_t MAX_PLACE = int64_t(1) << 29;
+	static constexpr int64_t MAX_MOTION = int64_t(1) << 18;
+	static constexpr int64_t MAX_ERROR = int64_t(1) << 20;
 	static constexpr int SQUARE_FLOOR = 256; // A unit, squared.
-	static constexpr int MOST_SURPRISE = 64; // Four octaves.
+	static constexpr int MAX_SURPRISE = 64; // Four octaves.
 	static constexpr uint32_t SAME_CHART = 65400;
 	static constexpr uint32_t CHANGED = 65000;
 
@@ -85,7 +85,7 @@ private:
 		return p_value < -p_most ? -p_most : (p_value > p_most ? p_most : p_value);
 	}
 	int64_t moved(int64_t p_difference) const {
-		return limited(p_difference * context.base_age / context.velocity_age, MOST_MOTION);
+		return limited(p_difference * context.base_age / context.velocity_age, MAX_MOTION);
 	}
 
 	bool code_place(PersonState &r_state) {
@@ -102,7 +102,7 @@ private:
 			return false;
 		}
 		for (std::size_t i = 0; i < 3; i++) {
-			if (triple.numbers[i] < -MOST_PLACE || triple.numbers[i] > MOST_PLACE) {
+			if (triple.numbers[i] < -MAX_PLACE || triple.numbers[i] > MAX_PLACE) {
 				return false;
 			}
 			r_state.root[i] = int32_t(triple.numbers[i]);
@@ -182,7 +182,7 @@ private:
 		}
 		const int64_t share = context.model.rotation.passes[p_triple.limb_class];
 		for (std::size_t i = 0; i < 3; i++) {
-			r_turn[i] = limited(p_triple.error[i] + p_triple.pull[i] * share / 256, MOST_ERROR);
+			r_turn[i] = limited(p_triple.error[i] + p_triple.pull[i] * share / 256, MAX_ERROR);
 		}
 	}
 
@@ -216,15 +216,15 @@ private:
 				return false;
 			}
 			const int64_t found = r_triple.numbers[i] * FRACTION;
-			r_triple.error[i] = limited(found - expected, MOST_ERROR);
+			r_triple.error[i] = limited(found - expected, MAX_ERROR);
 			along += r_triple.error[i] * motion[i];
 			weight += motion[i] * motion[i];
-			const int64_t off = limited(found - number.expected, MOST_ERROR);
+			const int64_t off = limited(found - number.expected, MAX_ERROR);
 			const int now = half_log16(off * off) - number.level;
 			total += now;
-			surprise = int(limited(surprise + now, MOST_SURPRISE));
+			surprise = int(limited(surprise + now, MAX_SURPRISE));
 		}
-		r_surprise = int(limited(total / 3, MOST_SURPRISE));
+		r_surprise = int(limited(total / 3, MAX_SURPRISE));
 		average += (r_surprise - average) / 4;
 		return true;
 	}
@@ -242,8 +242,8 @@ private:
 
 	Port &port;
 	const PersonContext &context;
-	std::array<int, MOST_LIMBS> surprises{};
-	std::array<std::array<int64_t, 3>, MOST_LIMBS> turns{}; // What hand_on() left.
+	std::array<int, MAX_LIMBS> surprises{};
+	std::array<std::array<int64_t, 3>, MAX_LIMBS> turns{}; // What hand_on() left.
 	int average = 0;
 };
 

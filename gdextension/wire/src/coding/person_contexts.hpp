@@ -17,16 +17,16 @@ inline int age_step(int p_age) {
 
 /// Which tables there are for a resolution: 0 fine, 1 coarse.
 inline int precision_step(int p_resolution) {
-	return p_resolution >= LEAST_FINE ? 0 : 1;
+	return p_resolution >= MIN_FINE ? 0 : 1;
 }
 
 /// Finds the parameters for a person that is to be coded.
 inline PersonContext make_context(const kinematics::Skeleton &p_skeleton, int p_resolution, const PersonState *p_base,
 		const PersonState *p_before, int p_base_age, int p_before_age) {
-	constexpr int MOST_AGE = 255;
+	constexpr int MAX_AGE = 255;
 	const int precision = precision_step(p_resolution);
-	const int age = p_base_age < 1 ? 1 : (p_base_age > MOST_AGE ? MOST_AGE : p_base_age);
-	const int older = p_before_age > 2 * MOST_AGE ? 2 * MOST_AGE : p_before_age;
+	const int age = p_base_age < 1 ? 1 : (p_base_age > MAX_AGE ? MAX_AGE : p_base_age);
+	const int older = p_before_age > 2 * MAX_AGE ? 2 * MAX_AGE : p_before_age;
 	const PersonState *before = p_base != nullptr && older > age ? p_before : nullptr;
 	const PersonModel &model = p_base == nullptr
 			? WHOLE_MODELS[precision]

@@ -9,7 +9,7 @@ namespace wire {
 namespace {
 
 // A chart is kept while the component that it drops is at least this.
-constexpr float LEAST_DROPPED = 0.42f;
+constexpr float MIN_DROPPED = 0.42f;
 
 // No place is farther from the lattice than sqrt(5) / 2 units; a little of the margin for what floats
 // round off is used.
@@ -27,7 +27,7 @@ bool is_rotation(const Quat &p_rotation) {
 }
 
 int find_chart(const std::array<float, 4> &p_values, const RotationCode *p_previous) {
-	if (p_previous != nullptr && std::fabs(p_values[p_previous->dropped % 4]) >= LEAST_DROPPED) {
+	if (p_previous != nullptr && std::fabs(p_values[p_previous->dropped % 4]) >= MIN_DROPPED) {
 		return p_previous->dropped % 4;
 	}
 	int largest = 3;
@@ -82,11 +82,11 @@ int PersonLattice::resolution_for(double p_max_error_deg) {
 	// quaternion's component, and that is half as much of an angle. 1 % is for what floats round off.
 	const double radians = p_max_error_deg * 3.14159265358979 / 180.0;
 	const double units = 1.01 * 2.0 * std::sqrt(5.0) / std::max(radians, 1e-9);
-	return int(std::min(std::max(std::ceil(units), double(LEAST_RESOLUTION)), double(MOST_RESOLUTION)));
+	return int(std::min(std::max(std::ceil(units), double(MIN_RESOLUTION)), double(MAX_RESOLUTION)));
 }
 
 PersonLattice::PersonLattice(int p_resolution) :
-		lattice_resolution(std::min(std::max(p_resolution, LEAST_RESOLUTION), MOST_RESOLUTION)) {}
+		lattice_resolution(std::min(std::max(p_resolution, MIN_RESOLUTION), MAX_RESOLUTION)) {}
 
 RotationCode PersonLattice::nearest(const Quat &p_rotation, const RotationCode *p_previous) const {
 	const std::array<float, 4> values = to_array(p_rotation);
@@ -116,10 +116,10 @@ Quat PersonLattice::rotation(const RotationCode &p_code) const {
 
 bool PersonLattice::quantise(const PersonPose &p_pose, const Skeleton &p_skeleton, const PersonState *p_previous,
 		PersonState &r_state) const {
-	constexpr float MOST_METRES = float(MOST_ROOT) / 1000.0f;
+	constexpr float MAX_METRES = float(MAX_ROOT) / 1000.0f;
 	const std::array<float, 3> root{ p_pose.root.x, p_pose.root.y, p_pose.root.z };
 	for (const float value : root) {
-		if (!(std::fabs(value) < MOST_METRES)) {
+		if (!(std::fabs(value) < MAX_METRES)) {
 			return false;
 		}
 	}
@@ -129,7 +129,7 @@ bool PersonLattice::quantise(const PersonPose &p_pose, const Skeleton &p_skeleto
 			return false;
 		}
 	}
-	std::array<Quat, MOST_LIMBS> restored{};
+	std::array<Quat, MAX_LIMBS> restored{};
 	for (std::size_t i = 0; i < 3; i++) {
 		r_state.root[i] = int32_t(std::lround(double(root[i]) * 1000.0));
 	}

@@ -21,10 +21,10 @@ public:
 	/// Resolutions for 0.1 and 0.5 degrees.
 	static constexpr int FINE = 2600;
 	static constexpr int COARSE = 520;
-	static constexpr int LEAST_RESOLUTION = 32;
-	static constexpr int MOST_RESOLUTION = 16384;
+	static constexpr int MIN_RESOLUTION = 32;
+	static constexpr int MAX_RESOLUTION = 16384;
 	/// The root is within so many millimetres from the origin, along each axis.
-	static constexpr int32_t MOST_ROOT = 1 << 28;
+	static constexpr int32_t MAX_ROOT = 1 << 28;
 
 	/// What cannot be a resolution becomes the nearest one that can.
 	explicit PersonLattice(int p_resolution = FINE);

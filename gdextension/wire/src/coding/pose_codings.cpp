@@ -15,7 +15,7 @@ constexpr double PI = 3.14159265358979323846;
 // Polar coordinates: rows of equal pitch, in each row as many yaws as its circle is long.
 constexpr std::size_t ROWS = 1814;
 constexpr uint32_t LENGTH_BITS = 10;
-constexpr uint32_t MOST_LENGTH = (1U << LENGTH_BITS) - 1;
+constexpr uint32_t MAX_LENGTH = (1U << LENGTH_BITS) - 1;
 constexpr double SQRT_2 = 1.41421356237309504880;
 
 using RowStarts = std::array<uint32_t, ROWS + 1>;
@@ -78,14 +78,14 @@ uint32_t to_polar(const Quat &p_rotation) {
 			double(p_rotation.z) * p_rotation.z);
 	// Half the angle instead of its sine: close to a half turn the sine says next to nothing.
 	const double half = std::atan2(length, double(p_rotation.w));
-	const uint32_t size = uint32_t(std::lround(half / (0.5 * PI) * MOST_LENGTH));
+	const uint32_t size = uint32_t(std::lround(half / (0.5 * PI) * MAX_LENGTH));
 	const double pitch = length > 0.0 ? std::asin(std::fmax(-1.0, std::fmin(1.0, p_rotation.y / length))) : 0.0;
 	const double row = (pitch / PI + 0.5) * double(ROWS);
 	const std::size_t at = row < 0.0 ? 0 : (row >= double(ROWS) ? ROWS - 1 : std::size_t(row));
 	const uint32_t count = row_starts()[at + 1] - row_starts()[at];
 	const double yaw = std::atan2(double(p_rotation.z), double(p_rotation.x)) / (2.0 * PI);
 	const int64_t step = std::lround((yaw - std::floor(yaw)) * count);
-	return ((row_starts()[at] + uint32_t(step % count)) << LENGTH_BITS) | (size > MOST_LENGTH ? MOST_LENGTH : size);
+	return ((row_starts()[at] + uint32_t(step % count)) << LENGTH_BITS) | (size > MAX_LENGTH ? MAX_LENGTH : size);
 }
 
 bool from_polar(uint32_t p_word, Quat &r_rotation) {
@@ -99,7 +99,7 @@ bool from_polar(uint32_t p_word, Quat &r_rotation) {
 		row += row + step < ROWS && starts[row + step] <= direction ? step : 0;
 	}
 	const double yaw = 2.0 * PI * double(direction - starts[row]) / double(starts[row + 1] - starts[row]);
-	const double half = 0.5 * PI * double(p_word & MOST_LENGTH) / MOST_LENGTH;
+	const double half = 0.5 * PI * double(p_word & MAX_LENGTH) / MAX_LENGTH;
 	const double across = std::sin(half) * std::cos(pitch_of(row));
 	r_rotation = Quat{ float(across * std::cos(yaw)), float(std::sin(half) * std::sin(pitch_of(row))),
 		float(across * std::sin(yaw)), float(std::cos(half)) }

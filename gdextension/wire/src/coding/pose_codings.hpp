@@ -17,8 +17,8 @@ enum class PoseCoding {
 };
 
 /// Bits of each component that SMALLEST_3 can have.
-constexpr int LEAST_BITS = 4;
-constexpr int MOST_BITS = 16;
+constexpr int MIN_BITS = 4;
+constexpr int MAX_BITS = 16;
 
 /// Bytes that so many limbs take.
 std::size_t coded_size(PoseCoding p_coding, int p_bits, std::size_t p_limbs);

@@ -26,8 +26,8 @@ struct SentDatagram {
 	bool is_open = false; ///< Neither acknowledged nor given up.
 	uint8_t people_count = 0;
 	uint16_t body_count = 0;
-	std::array<uint16_t, MOST_PEOPLE> people{}; ///< Places in WorldHistory.
-	std::array<uint16_t, MOST_BODIES> bodies{};
+	std::array<uint16_t, MAX_PEOPLE> people{}; ///< Places in WorldHistory.
+	std::array<uint16_t, MAX_BODIES> bodies{};
 };
 
 /// Figures of a client since it came.
@@ -54,7 +54,7 @@ public:
 	/// Snapshots per second.
 	const int rate;
 	const double bytes_per_tick;
-	double allowance = double(MOST_BYTES);
+	double allowance = double(MAX_BYTES);
 	/// Where the client looks from, if it has told, or if it has a body.
 	Vec3 viewpoint;
 	bool has_viewpoint = false;

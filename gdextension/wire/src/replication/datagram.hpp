@@ -8,17 +8,17 @@
 namespace wire {
 
 /// Largest datagram, bytes: it passes every usual network in one piece.
-constexpr std::size_t MOST_BYTES = 1200;
+constexpr std::size_t MAX_BYTES = 1200;
 /// Bytes that UDP, IP (28) and ENet (12) add to each datagram.
 constexpr std::size_t TRANSPORT_BYTES = 40;
 /// Datagrams of a client in one tick, at most.
-constexpr std::size_t MOST_DATAGRAMS = 4;
+constexpr std::size_t MAX_DATAGRAMS = 4;
 /// People in a datagram, at most.
-constexpr int MOST_PEOPLE = 15;
+constexpr int MAX_PEOPLE = 15;
 /// Bodies in a datagram, at most.
-constexpr int MOST_BODIES = 256;
+constexpr int MAX_BODIES = 256;
 /// States are of use as a baseline for so many ticks.
-constexpr int MOST_AGE = 127;
+constexpr int MAX_AGE = 127;
 /// Ticks that are kept of everything.
 constexpr int HISTORY = 128;
 /// A datagram that is so many ticks older than the newest is dropped: its number may have come round.
@@ -41,12 +41,12 @@ struct Baseline {
 	int age = 0; ///< Ticks; 0: nothing.
 	int spacing = 0; ///< Ticks from the one before to it; 0: there is none.
 
-	static constexpr int MOST_SHORT_AGE = 31;
-	static constexpr int MOST_SPACING = 7;
+	static constexpr int MAX_SHORT_AGE = 31;
+	static constexpr int MAX_SPACING = 7;
 
 	bool operator==(const Baseline &p_other) const { return age == p_other.age && spacing == p_other.spacing; }
 	/// As one byte, where the age fits.
-	uint8_t pack() const { return uint8_t(age <= MOST_SHORT_AGE ? (age << 3) | spacing : 0); }
+	uint8_t pack() const { return uint8_t(age <= MAX_SHORT_AGE ? (age << 3) | spacing : 0); }
 	static Baseline unpack(uint8_t p_byte) {
 		const int age = p_byte >> 3;
 		return { age, age == 0 ? 0 : p_byte & 7 };
@@ -83,7 +83,7 @@ inline uint64_t get_number(const uint8_t *p_at, int p_bytes) {
 
 /// A datagram in a buffer of its own.
 struct Datagram {
-	std::array<uint8_t, MOST_BYTES> bytes{};
+	std::array<uint8_t, MAX_BYTES> bytes{};
 	std::size_t size = 0;
 };
 

@@ -12,9 +12,9 @@ bool Interest::set_cells(const Vec3 &p_origin, float p_size, const std::array<in
 	counts = {};
 	int64_t cells = 1;
 	for (const int count : p_counts) {
-		cells = count >= 1 && count <= MOST_CELLS ? std::min<int64_t>(cells * count, MOST_CELLS + 1) : 0;
+		cells = count >= 1 && count <= MAX_CELLS ? std::min<int64_t>(cells * count, MAX_CELLS + 1) : 0;
 	}
-	if (cells < 1 || cells > MOST_CELLS || !(p_size > 0.0f) || !std::isfinite(p_size) || !p_origin.is_finite() ||
+	if (cells < 1 || cells > MAX_CELLS || !(p_size > 0.0f) || !std::isfinite(p_size) || !p_origin.is_finite() ||
 			p_table_size != std::size_t(cells * cells)) {
 		return false;
 	}

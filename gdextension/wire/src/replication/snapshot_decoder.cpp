@@ -13,10 +13,10 @@ SnapshotDecoder::SnapshotDecoder(const Skeleton &p_skeleton, double p_max_error_
 		skeleton(p_skeleton),
 		lattice(PersonLattice::resolution_for(p_max_error_deg)),
 		codec(p_skeleton, PersonLattice::resolution_for(p_max_error_deg)) {
-	person_scratch.reserve(MOST_PEOPLE);
-	body_scratch.reserve(MOST_BODIES);
-	person_updates.reserve(MOST_PEOPLE);
-	body_updates.reserve(MOST_BODIES);
+	person_scratch.reserve(MAX_PEOPLE);
+	body_scratch.reserve(MAX_BODIES);
+	person_updates.reserve(MAX_PEOPLE);
+	body_updates.reserve(MAX_BODIES);
 }
 
 void SnapshotDecoder::clear() {
@@ -53,7 +53,7 @@ bool SnapshotDecoder::is_astray(const Reader &p_reader) {
 		strays++;
 		stray_tick = p_reader.tick;
 	}
-	return strays >= MOST_STRAYS;
+	return strays >= MAX_STRAYS;
 }
 
 void SnapshotDecoder::note(uint8_t p_number) {
@@ -74,7 +74,7 @@ void SnapshotDecoder::note(uint8_t p_number) {
 
 SnapshotDecoder::Outcome SnapshotDecoder::read_header(Reader &r_reader, int &r_people) {
 	const uint8_t *bytes = r_reader.bytes;
-	if (r_reader.size < 4 || r_reader.size > MOST_BYTES) {
+	if (r_reader.size < 4 || r_reader.size > MAX_BYTES) {
 		return Outcome::BROKEN;
 	}
 	const Kind kind = Kind(bytes[0] & KIND_MASK);
@@ -155,7 +155,7 @@ SnapshotDecoder::Outcome SnapshotDecoder::read_bodies(Reader &r_reader) {
 	int64_t id = -1;
 	do {
 		id += 1 + int64_t(decode_count(decoder, 1));
-		if (id > 65535 || decoder.is_bad() || body_scratch.size() >= std::size_t(MOST_BODIES)) {
+		if (id > 65535 || decoder.is_bad() || body_scratch.size() >= std::size_t(MAX_BODIES)) {
 			return Outcome::BROKEN;
 		}
 		const BodyState *base = nullptr;
@@ -223,7 +223,7 @@ SnapshotDecoder::Outcome SnapshotDecoder::decode(const uint8_t *p_bytes, std::si
 	outcome = outcome == Outcome::OK ? read_people(reader, people) : outcome;
 	outcome = outcome == Outcome::OK ? read_bodies(reader) : outcome;
 	if (outcome == Outcome::OK &&
-			people_known.size() + bodies_known.size() + person_scratch.size() + body_scratch.size() > MOST_ENTITIES) {
+			people_known.size() + bodies_known.size() + person_scratch.size() + body_scratch.size() > MAX_ENTITIES) {
 		outcome = Outcome::BROKEN;
 	}
 	if (outcome != Outcome::OK) {

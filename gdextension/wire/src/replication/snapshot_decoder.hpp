@@ -25,10 +25,10 @@ public:
 		NOT_BEGUN, ///< The first one with a whole tick has not come yet.
 	};
 	/// People and bodies that are kept at most.
-	static constexpr std::size_t MOST_ENTITIES = 8192;
+	static constexpr std::size_t MAX_ENTITIES = 8192;
 	/// So many whole ticks from long ago, and none of late between, mean that the newest one was wrong: all
 	/// is forgotten then.
-	static constexpr int MOST_STRAYS = 10;
+	static constexpr int MAX_STRAYS = 10;
 
 	SnapshotDecoder(const Skeleton &p_skeleton, double p_max_error_deg);
 

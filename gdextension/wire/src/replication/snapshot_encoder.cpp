@@ -19,11 +19,11 @@ constexpr float HIDDEN_URGENCY = 0.75f;
 // Of what is out of sight only a coarse place is needed: so many times the tolerance.
 constexpr float HIDDEN_TOLERANCE = 8.0f;
 // Errors beyond so many tolerances are all alike.
-constexpr float MOST_ERROR = 20.0f;
+constexpr float MAX_ERROR = 20.0f;
 // Added where the receiver believes something that is plainly wrong.
 constexpr float URGENT = 1000.0f;
 // Snapshots' worth of bytes that a client may save up.
-constexpr double MOST_SAVED = 4.0;
+constexpr double MAX_SAVED = 4.0;
 // A client that has acknowledged nothing for this part of a second is silent.
 constexpr uint32_t SILENT_PART = 4;
 // Bytes that a body usually takes at most, and those that the worst takes, with the end of the coder.
@@ -114,7 +114,7 @@ void SnapshotEncoder::collect_bodies(ClientRecord &p_client, bool p_jolts_only) 
 		const bool is_wrong = delivery.sent == NEVER || delivery.is_lost || body.jolted ||
 				body.now.at_rest != delivery.believed.at_rest;
 		const bool ages = !body.now.at_rest && history.tick() - delivery.sent >= uint32_t(history.rate());
-		const float error = is_wrong ? MOST_ERROR : std::min(body_error(delivery, body) / TOLERANCE_M, MOST_ERROR);
+		const float error = is_wrong ? MAX_ERROR : std::min(body_error(delivery, body) / TOLERANCE_M, MAX_ERROR);
 		if (!is_wrong && !ages && error < (weight < Interest::FAR ? HIDDEN_TOLERANCE : 1.0f)) {
 			continue;
 		}
@@ -126,13 +126,13 @@ void SnapshotEncoder::collect_bodies(ClientRecord &p_client, bool p_jolts_only) 
 Baseline SnapshotEncoder::baseline_of(const Delivery &p_delivery, bool p_has_before) const {
 	Baseline base;
 	const uint32_t tick = history.tick();
-	if (p_delivery.acked == NEVER || tick - p_delivery.acked > uint32_t(MOST_AGE) || p_delivery.acked >= tick) {
+	if (p_delivery.acked == NEVER || tick - p_delivery.acked > uint32_t(MAX_AGE) || p_delivery.acked >= tick) {
 		return base;
 	}
 	base.age = int(tick - p_delivery.acked);
 	if (p_has_before && p_delivery.before != NEVER) {
 		const uint32_t spacing = p_delivery.acked - p_delivery.before;
-		const bool fits = spacing <= uint32_t(Baseline::MOST_SPACING) && base.age + int(spacing) <= MOST_AGE;
+		const bool fits = spacing <= uint32_t(Baseline::MAX_SPACING) && base.age + int(spacing) <= MAX_AGE;
 		base.spacing = fits ? int(spacing) : 0;
 	}
 	return base;
@@ -144,7 +144,7 @@ Baseline SnapshotEncoder::usual_baseline(const ClientRecord &p_client) const {
 		return {};
 	}
 	const Baseline base = baseline_of(p_client.people[people_waiting.back().place], true);
-	return base.age <= Baseline::MOST_SHORT_AGE ? base : Baseline{};
+	return base.age <= Baseline::MAX_SHORT_AGE ? base : Baseline{};
 }
 
 void SnapshotEncoder::write_header(ClientRecord &p_client, Draft &p_draft, int64_t p_now_usec) {
@@ -228,7 +228,7 @@ const SnapshotEncoder::Blob &SnapshotEncoder::person_blob(
 
 void SnapshotEncoder::write_people(ClientRecord &p_client, Draft &p_draft, std::size_t p_room) {
 	SentDatagram &entry = p_draft.entry;
-	while (!people_waiting.empty() && entry.people_count < MOST_PEOPLE) {
+	while (!people_waiting.empty() && entry.people_count < MAX_PEOPLE) {
 		const std::size_t place = people_waiting.back().place;
 		const WorldHistory::Person &person = *history.people()[place];
 		Delivery &delivery = p_client.people[place];
@@ -260,7 +260,7 @@ void SnapshotEncoder::write_people(ClientRecord &p_client, Draft &p_draft, std::
 
 // Takes the most urgent bodies that are likely to fit out of those that wait, in the order of their ids.
 std::size_t SnapshotEncoder::choose_bodies(std::size_t p_room) {
-	const std::size_t most = std::min(std::size_t(float(p_room) / bytes_per_body), std::size_t(MOST_BODIES));
+	const std::size_t most = std::min(std::size_t(float(p_room) / bytes_per_body), std::size_t(MAX_BODIES));
 	const std::size_t count = std::min(most, bodies_waiting.size());
 	const auto begin = bodies_waiting.end() - std::ptrdiff_t(count);
 	std::nth_element(bodies_waiting.begin(), begin, bodies_waiting.end(),
@@ -282,12 +282,12 @@ void SnapshotEncoder::write_bodies(ClientRecord &p_client, Draft &p_draft) {
 		return;
 	}
 	const std::size_t begin = out.size;
-	RangeEncoder encoder(&out.bytes[begin], MOST_BYTES - begin);
+	RangeEncoder encoder(&out.bytes[begin], MAX_BYTES - begin);
 	int last_id = -1;
 	bool is_full = false;
 	for (const uint16_t place : chosen) {
 		const std::size_t now = begin + encoder.written();
-		is_full = is_full || now + BODY_MARGIN > p_draft.room || now + WORST_BODY > MOST_BYTES;
+		is_full = is_full || now + BODY_MARGIN > p_draft.room || now + WORST_BODY > MAX_BYTES;
 		if (is_full) {
 			bodies_waiting.push_back({ p_client.bodies[place].urgency, place });
 			continue;
@@ -325,14 +325,14 @@ void SnapshotEncoder::write_bodies(ClientRecord &p_client, Draft &p_draft) {
 }
 
 std::size_t SnapshotEncoder::encode(
-		int p_client, int64_t p_now_usec, std::array<Datagram, MOST_DATAGRAMS> &r_datagrams) {
+		int p_client, int64_t p_now_usec, std::array<Datagram, MAX_DATAGRAMS> &r_datagrams) {
 	ClientRecord *client = this->client(p_client);
 	if (client == nullptr || history.tick() == NEVER || client->last_tick == history.tick()) {
 		return 0;
 	}
 	client->follow(history);
 	client->allowance = std::min(client->allowance + client->bytes_per_tick,
-			std::max(client->bytes_per_tick * history.rate() / client->rate * MOST_SAVED, double(MOST_BYTES)));
+			std::max(client->bytes_per_tick * history.rate() / client->rate * MAX_SAVED, double(MAX_BYTES)));
 	// Evenly, also where the rates do not divide each other.
 	const auto snapshots = [&](uint32_t p_tick) {
 		return uint64_t(p_tick) * uint64_t(client->rate) / uint64_t(history.rate());
@@ -350,8 +350,8 @@ std::size_t SnapshotEncoder::encode(
 		return 0;
 	}
 	std::size_t count = 0;
-	while (count < MOST_DATAGRAMS && (count == 0 || !people_waiting.empty() || !bodies_waiting.empty())) {
-		const double room = std::min(client->allowance - double(TRANSPORT_BYTES), double(MOST_BYTES));
+	while (count < MAX_DATAGRAMS && (count == 0 || !people_waiting.empty() || !bodies_waiting.empty())) {
+		const double room = std::min(client->allowance - double(TRANSPORT_BYTES), double(MAX_BYTES));
 		if (room < double(WORST_BODY)) {
 			break;
 		}

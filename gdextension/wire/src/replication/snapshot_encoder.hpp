@@ -33,7 +33,7 @@ public:
 	/// Notes which sample moved a person in this tick, and when it was where; for a while it is sent along.
 	void set_mark(const Mark &p_mark);
 	/// Writes what a client gets in this tick into as many datagrams as it returns; 0 where it gets none.
-	std::size_t encode(int p_client, int64_t p_now_usec, std::array<Datagram, MOST_DATAGRAMS> &r_datagrams);
+	std::size_t encode(int p_client, int64_t p_now_usec, std::array<Datagram, MAX_DATAGRAMS> &r_datagrams);
 
 private:
 	struct Candidate {
@@ -41,7 +41,7 @@ private:
 		uint16_t place;
 	};
 	struct Blob {
-		std::array<uint8_t, PersonCodec::MOST_BYTES + 16> bytes{}; // With who it is, and against what.
+		std::array<uint8_t, PersonCodec::MAX_BYTES + 16> bytes{}; // With who it is, and against what.
 		std::size_t size = 0;
 		uint32_t tick = NEVER;
 		Baseline base;

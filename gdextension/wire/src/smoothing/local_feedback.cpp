@@ -21,7 +21,7 @@ constexpr double SILENCE_S = 0.5;
 constexpr float JUMP = 1.0f;
 // The wearer's pose may be guessed so far beyond the newest and the oldest that is known, s.
 constexpr double GUESS_S = 0.02;
-constexpr double MOST_STEP_S = 0.25;
+constexpr double MAX_STEP_S = 0.25;
 
 float share(float p_angle, float p_slack) {
 	const float part = std::min(std::max((p_angle - p_slack) / (2.0f * p_slack), 0.0f), 1.0f);
@@ -104,7 +104,7 @@ bool LocalFeedback::local_at(double p_moment_s, Limbs &r_frame, LimbShift &r_spe
 	r_speed = between(first.frame, local(after).frame, float(1.0 / span), count);
 	r_frame = first.frame;
 	apply(r_frame, r_speed, float(ahead), count);
-	return p_moment_s - local(after).moment <= MOST_STEP_S;
+	return p_moment_s - local(after).moment <= MAX_STEP_S;
 }
 
 bool LocalFeedback::push_truth(double p_moment_s, const PersonPose &p_pose) {
@@ -164,7 +164,7 @@ bool LocalFeedback::show(double p_now_s, double p_moment_s) {
 	if (p_now_s - truth_at > SILENCE_S) {
 		wanted.turns.fill(Vec3());
 	}
-	const double step = is_shown ? std::min(std::max(p_now_s - shown_at, 0.0), MOST_STEP_S) : 0.0;
+	const double step = is_shown ? std::min(std::max(p_now_s - shown_at, 0.0), MAX_STEP_S) : 0.0;
 	filter(float(step));
 	apply(frame, shown, 1.0f, count);
 	pose.root = frame.position;

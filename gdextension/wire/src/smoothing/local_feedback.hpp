@@ -36,15 +36,15 @@ public:
 
 	/// As shown.
 	const PersonPose &get_pose() const { return pose; }
-	const std::array<Vec3, kinematics::MOST_LIMBS> &get_positions() const { return positions; }
+	const std::array<Vec3, kinematics::MAX_LIMBS> &get_positions() const { return positions; }
 	/// How far a limb is shown from where the wearer has it, rad.
 	float deviation(std::size_t p_limb) const { return shown.turns[p_limb].length(); }
 	/// Moment of the newest pose of the wearer, s.
 	double newest_moment() const { return local_count > 0 ? local(local_count - 1).moment : 0.0; }
 
 private:
-	using Limbs = Frame<kinematics::MOST_LIMBS>;
-	using LimbShift = Shift<kinematics::MOST_LIMBS>;
+	using Limbs = Frame<kinematics::MAX_LIMBS>;
+	using LimbShift = Shift<kinematics::MAX_LIMBS>;
 	struct Local {
 		double moment = 0.0;
 		Limbs frame;
@@ -73,7 +73,7 @@ private:
 	LimbShift shown; // What is shown of it.
 	LimbShift speed; // How fast that changes.
 	PersonPose pose;
-	std::array<Vec3, kinematics::MOST_LIMBS> positions{};
+	std::array<Vec3, kinematics::MAX_LIMBS> positions{};
 };
 
 } // namespace wire

@@ -179,7 +179,7 @@ void Smoother::show(double p_now_s) {
 }
 
 void Smoother::place(
-		const kinematics::Skeleton &p_skeleton, const Frame<kinematics::MOST_LIMBS> &p_frame, Person &r_person) {
+		const kinematics::Skeleton &p_skeleton, const Frame<kinematics::MAX_LIMBS> &p_frame, Person &r_person) {
 	r_person.limb_count = p_skeleton.limb_count;
 	r_person.pose.root = p_frame.position;
 	r_person.pose.orientations = p_frame.turns;

@@ -20,13 +20,13 @@ namespace wire {
 /// late, twice, out of order, missing or broken: what makes no sense is refused.
 class Smoother {
 public:
-	using PersonTrack = Track<kinematics::MOST_LIMBS>;
+	using PersonTrack = Track<kinematics::MAX_LIMBS>;
 	using BodyTrack = Track<1>;
 
 	/// A person as shown.
 	struct Person {
 		PersonPose pose;
-		std::array<Vec3, kinematics::MOST_LIMBS> positions{}; ///< Of the limbs' frames, m.
+		std::array<Vec3, kinematics::MAX_LIMBS> positions{}; ///< Of the limbs' frames, m.
 		int limb_count = 0;
 	};
 
@@ -90,7 +90,7 @@ private:
 	void play(double p_now_s);
 	void forget_updates();
 	static void place(
-			const kinematics::Skeleton &p_skeleton, const Frame<kinematics::MOST_LIMBS> &p_frame, Person &r_person);
+			const kinematics::Skeleton &p_skeleton, const Frame<kinematics::MAX_LIMBS> &p_frame, Person &r_person);
 
 	SmoothingMethod method = SmoothingMethod::ADAPTIVE_LOW_DELAY;
 	ServerClock clock;

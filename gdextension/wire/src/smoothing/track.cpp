@@ -323,6 +323,6 @@ void Track<N>::show(const Moment &p_moment) {
 }
 
 template class Track<1>;
-template class Track<kinematics::MOST_LIMBS>;
+template class Track<kinematics::MAX_LIMBS>;
 
 } // namespace wire

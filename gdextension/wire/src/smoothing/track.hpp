@@ -84,6 +84,6 @@ private:
 };
 
 extern template class Track<1>;
-extern template class Track<kinematics::MOST_LIMBS>;
+extern template class Track<kinematics::MAX_LIMBS>;
 
 } // namespace wire

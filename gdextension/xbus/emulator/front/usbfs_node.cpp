@@ -177,7 +177,7 @@ void UsbfsNode::_fill_buffer(const Transfer &p_transfer) {
 }
 
 std::unique_ptr<Urb> UsbfsNode::_make_urb(UMockdevIoctlClient *p_client, Transfer &r_transfer) {
-	constexpr int MOST = 4194304;
+	constexpr int MAX = 4194304;
 	constexpr int REQUEST = 8;
 	UMockdevIoctlData *argument = umockdev_ioctl_client_get_arg(p_client);
 	r_transfer.client = p_client;
@@ -187,7 +187,7 @@ std::unique_ptr<Urb> UsbfsNode::_make_urb(UMockdevIoctlClient *p_client, Transfe
 	}
 	const auto *raw = reinterpret_cast<usbdevfs_urb *>(r_transfer.urb->data);
 	const int head = raw->type == USBDEVFS_URB_TYPE_CONTROL ? REQUEST : 0;
-	if (raw->buffer_length < head || raw->buffer_length > MOST) {
+	if (raw->buffer_length < head || raw->buffer_length > MAX) {
 		return nullptr;
 	}
 	auto urb = std::make_unique<Urb>();

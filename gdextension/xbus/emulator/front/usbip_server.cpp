@@ -43,7 +43,7 @@ constexpr uint32_t UNLINK = 2;
 constexpr uint32_t SUBMITTED = 3;
 constexpr uint32_t UNLINKED = 4;
 constexpr uint32_t DEVICE = 0x00010002;
-constexpr uint32_t MOST = 1U << 20U;
+constexpr uint32_t MAX = 1U << 20U;
 
 } // namespace
 
@@ -139,7 +139,7 @@ bool UsbipServer::_take() {
 
 bool UsbipServer::_submit(const Header &p_header) {
 	const uint32_t length = p_header.values[1];
-	if (length > MOST || p_header.endpoint > 15) {
+	if (length > MAX || p_header.endpoint > 15) {
 		return false;
 	}
 	auto urb = std::make_unique<Urb>();

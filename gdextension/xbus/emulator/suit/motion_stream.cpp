@@ -38,7 +38,7 @@ std::string MotionStream::parse(const std::vector<uint8_t> &p_bytes) {
 	_rate = read<double>(p_bytes.data() + 16);
 	_frame_count = read<uint32_t>(p_bytes.data() + 24);
 	_loop_frame = read<uint32_t>(p_bytes.data() + 28);
-	if (limbs < 1 || limbs > MOST_LIMBS || !(_rate >= 1.0 && _rate <= 10000.0)) {
+	if (limbs < 1 || limbs > MAX_LIMBS || !(_rate >= 1.0 && _rate <= 10000.0)) {
 		return "it says an impossible number of limbs or frames a second";
 	}
 	if (_frame_count < 1 || _loop_frame >= _frame_count) {

@@ -42,7 +42,7 @@ public:
 	/// How a limb is after so many seconds.
 	LimbMotion at(size_t p_limb, double p_time_s) const;
 
-	static constexpr size_t MOST_LIMBS = 64;
+	static constexpr size_t MAX_LIMBS = 64;
 
 private:
 	struct Key {

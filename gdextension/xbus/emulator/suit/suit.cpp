@@ -19,7 +19,7 @@ constexpr uint16_t PRODUCT_CONVERTER = 0xD38B;
 constexpr uint16_t PRODUCT_MTI_30 = 0x0003;
 constexpr uint16_t PRODUCT_AWINDA_STATION = 0xD38D;
 /// What Xsens' own hosts allow on one master, at most.
-constexpr size_t MOST_TRACKERS = 20;
+constexpr size_t MAX_TRACKERS = 20;
 /// From the first sample until the wearer begins: a client has found all trackers then and has said what to do.
 constexpr Usec REACTION = 1300000;
 
@@ -136,8 +136,8 @@ std::string Suit::_make(const std::string &p_kind, std::vector<Tracker> p_tracke
 		return "there is no device '" + p_kind +
 				"': --devices takes ftdi, ftdi-fast, native, two-masters, mti, mti-ftdi, awinda";
 	}
-	if (p_trackers.size() > MOST_TRACKERS) {
-		return "a master has at most " + std::to_string(MOST_TRACKERS) + " sensors: use --devices=two-masters";
+	if (p_trackers.size() > MAX_TRACKERS) {
+		return "a master has at most " + std::to_string(MAX_TRACKERS) + " sensors: use --devices=two-masters";
 	}
 	auto device = std::make_unique<Master>(MASTER_ID + number, std::move(p_trackers), _stream, seed);
 	device->set_bus_power(_options.has_bus_power);

@@ -35,7 +35,7 @@ struct Configuration {
 	/// Bytes before the trackers, and of each tracker.
 	static constexpr size_t HEAD = 98;
 	static constexpr size_t DEVICE = 20;
-	static constexpr size_t MOST_BYTES = HEAD + DEVICE * MAX_DEVICES;
+	static constexpr size_t MAX_BYTES = HEAD + DEVICE * MAX_DEVICES;
 
 	uint32_t master_id = 0;
 	/// 1/115200 s.
@@ -56,7 +56,7 @@ struct Configuration {
 	double rate() const;
 	/// Reads the data of a Configuration message. On a fault nothing is changed.
 	ConfigurationFault parse(const uint8_t *p_data, size_t p_size);
-	/// Writes the data; returns its size, at most MOST_BYTES.
+	/// Writes the data; returns its size, at most MAX_BYTES.
 	size_t write(uint8_t *r_bytes) const;
 };
 

@@ -26,7 +26,7 @@ CounterTrack::Step CounterTrack::see(uint32_t p_counter, unsigned p_bits, uint32
 	}
 	const uint32_t ahead = (p_counter - _last) & mask;
 	const uint32_t behind = (_last - p_counter) & mask;
-	const uint32_t most_ahead = std::min(MOST_LOST * _step, mask / 4U);
+	const uint32_t most_ahead = std::min(MAX_LOST * _step, mask / 4U);
 	if (ahead == 0) {
 		return Step::DUPLICATE;
 	}
@@ -37,7 +37,7 @@ CounterTrack::Step CounterTrack::see(uint32_t p_counter, unsigned p_bits, uint32
 		_jumped = false;
 		return r_lost > 0 ? Step::GAP : Step::NEXT;
 	}
-	return _jump(p_counter, mask, behind <= std::min(MOST_LATE * _step, mask / 4U) ? Step::LATE : Step::JUMP);
+	return _jump(p_counter, mask, behind <= std::min(MAX_LATE * _step, mask / 4U) ? Step::LATE : Step::JUMP);
 }
 
 CounterTrack::Step CounterTrack::see(uint32_t p_counter, unsigned p_bits, DeviceStatistics &r_statistics) {

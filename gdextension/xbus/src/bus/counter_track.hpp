@@ -38,9 +38,9 @@ public:
 	};
 
 	/// Forward steps that are taken for a loss rather than for a jump, at most a quarter of the counter's range.
-	static constexpr uint32_t MOST_LOST = 3000;
+	static constexpr uint32_t MAX_LOST = 3000;
 	/// Backward steps that are taken for a late sample.
-	static constexpr uint32_t MOST_LATE = 16;
+	static constexpr uint32_t MAX_LATE = 16;
 
 	/// How far the counter goes with each sample: the skip factor + 1 of a tracker that stands alone.
 	void set_step(uint32_t p_step) { _step = p_step > 0 ? p_step : 1; }

@@ -212,7 +212,7 @@ size_t write_gnss_pvt(const GnssPvt &p_pvt, uint8_t *r_bytes) {
 
 void read_satellites(const uint8_t *p_data, GnssSatellites &r_satellites) {
 	r_satellites.itow = read_u32(p_data);
-	r_satellites.count = p_data[4] < GnssSatellites::MOST ? p_data[4] : uint8_t(GnssSatellites::MOST);
+	r_satellites.count = p_data[4] < GnssSatellites::MAX ? p_data[4] : uint8_t(GnssSatellites::MAX);
 	Reader reader(p_data + 8);
 	for (size_t i = 0; i < r_satellites.count; i++) {
 		go_through_satellite(reader, r_satellites.satellites[i]);
@@ -220,7 +220,7 @@ void read_satellites(const uint8_t *p_data, GnssSatellites &r_satellites) {
 }
 
 size_t write_satellites(const GnssSatellites &p_satellites, uint8_t *r_bytes) {
-	const size_t count = p_satellites.count < GnssSatellites::MOST ? p_satellites.count : GnssSatellites::MOST;
+	const size_t count = p_satellites.count < GnssSatellites::MAX ? p_satellites.count : GnssSatellites::MAX;
 	Writer writer(r_bytes);
 	writer.u32(p_satellites.itow);
 	writer.u32(uint32_t(count) << 24U);

@@ -31,8 +31,8 @@ ItemReport decode_mt_data2(const uint8_t *p_data, size_t p_size, Sample &r_sampl
 }
 
 size_t write_mt_data2(const uint16_t *p_ids, size_t p_count, const Sample &p_sample, uint8_t *r_bytes, size_t p_room) {
-	constexpr size_t MOST = 3 + 255;
-	std::array<uint8_t, MOST> bytes;
+	constexpr size_t MAX = 3 + 255;
+	std::array<uint8_t, MAX> bytes;
 	size_t at = 0;
 	for (size_t i = 0; i < p_count; i++) {
 		const size_t size = write_item(p_ids[i], p_sample, bytes.data());

@@ -22,8 +22,8 @@ int64_t to_fixed(double p_value, int p_bits, int p_width) {
 /// To the nearest float; a finite number that is too great becomes an infinity, as the conversion of one that
 /// is out of range is undefined.
 float to_float(double p_value) {
-	constexpr double MOST = double(std::numeric_limits<float>::max());
-	if (std::fabs(p_value) <= MOST || !std::isfinite(p_value)) {
+	constexpr double MAX = double(std::numeric_limits<float>::max());
+	if (std::fabs(p_value) <= MAX || !std::isfinite(p_value)) {
 		return float(p_value);
 	}
 	return p_value > 0.0 ? std::numeric_limits<float>::infinity() : -std::numeric_limits<float>::infinity();

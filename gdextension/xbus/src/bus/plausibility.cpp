@@ -9,14 +9,14 @@ namespace xbus {
 namespace {
 
 // Beyond what any tracker of this kind measures: 180 m/s^2, 35 rad/s, a few units of magnetic field.
-constexpr double MOST_ACCELERATION = 1000.0;
-constexpr double MOST_RATE = 100.0;
-constexpr double MOST_FIELD = 100.0;
-constexpr double MOST_TEMPERATURE = 200.0;
-constexpr double MOST_SPEED = 10000.0;
-constexpr double MOST_ALTITUDE = 1.0e6;
-constexpr double MOST_DISTANCE = 1.0e8;
-constexpr uint32_t MOST_PRESSURE = 200000;
+constexpr double MAX_ACCELERATION = 1000.0;
+constexpr double MAX_RATE = 100.0;
+constexpr double MAX_FIELD = 100.0;
+constexpr double MAX_TEMPERATURE = 200.0;
+constexpr double MAX_SPEED = 10000.0;
+constexpr double MAX_ALTITUDE = 1.0e6;
+constexpr double MAX_DISTANCE = 1.0e8;
+constexpr uint32_t MAX_PRESSURE = 200000;
 /// Rounding of an angle at its end, degrees.
 constexpr double ANGLE_SLACK = 0.01;
 
@@ -51,14 +51,14 @@ bool is_pvt(const GnssPvt &p_pvt) {
 bool is_motion_in_range(const Sample &p_sample) {
 	const auto good = [&](Field p_field, bool p_good) { return !p_sample.has(p_field) || p_good; };
 	return good(Field::EULER, is_euler(p_sample.euler)) &&
-			good(Field::ACCELERATION, within(p_sample.acceleration, MOST_ACCELERATION)) &&
-			good(Field::FREE_ACCELERATION, within(p_sample.free_acceleration, MOST_ACCELERATION)) &&
-			good(Field::ACCELERATION_HR, within(p_sample.acceleration_hr, MOST_ACCELERATION)) &&
-			good(Field::DELTA_V, within(p_sample.delta_v, MOST_ACCELERATION)) &&
-			good(Field::RATE_OF_TURN, within(p_sample.rate_of_turn, MOST_RATE)) &&
-			good(Field::RATE_OF_TURN_HR, within(p_sample.rate_of_turn_hr, MOST_RATE)) &&
-			good(Field::MAGNETIC_FIELD, within(p_sample.magnetic_field, MOST_FIELD)) &&
-			good(Field::MAGNETIC_FIELD_CORRECTED, within(p_sample.magnetic_field_corrected, MOST_FIELD));
+			good(Field::ACCELERATION, within(p_sample.acceleration, MAX_ACCELERATION)) &&
+			good(Field::FREE_ACCELERATION, within(p_sample.free_acceleration, MAX_ACCELERATION)) &&
+			good(Field::ACCELERATION_HR, within(p_sample.acceleration_hr, MAX_ACCELERATION)) &&
+			good(Field::DELTA_V, within(p_sample.delta_v, MAX_ACCELERATION)) &&
+			good(Field::RATE_OF_TURN, within(p_sample.rate_of_turn, MAX_RATE)) &&
+			good(Field::RATE_OF_TURN_HR, within(p_sample.rate_of_turn_hr, MAX_RATE)) &&
+			good(Field::MAGNETIC_FIELD, within(p_sample.magnetic_field, MAX_FIELD)) &&
+			good(Field::MAGNETIC_FIELD_CORRECTED, within(p_sample.magnetic_field_corrected, MAX_FIELD));
 }
 
 bool is_place_in_range(const Sample &p_sample) {
@@ -67,11 +67,11 @@ bool is_place_in_range(const Sample &p_sample) {
 	const auto &position = p_sample.position;
 	return good(Field::LAT_LON, within(lat_lon[0], 90.0) && within(lat_lon[1], 360.0)) &&
 			good(Field::POSITION,
-					within(position[0], 90.0) && within(position[1], 360.0) && within(position[2], MOST_ALTITUDE)) &&
-			good(Field::ALTITUDE_MSL, within(p_sample.altitude_msl, MOST_ALTITUDE)) &&
-			good(Field::ALTITUDE_ELLIPSOID, within(p_sample.altitude_ellipsoid, MOST_ALTITUDE)) &&
-			good(Field::POSITION_ECEF, within(p_sample.position_ecef, MOST_DISTANCE)) &&
-			good(Field::VELOCITY, within(p_sample.velocity, MOST_SPEED));
+					within(position[0], 90.0) && within(position[1], 360.0) && within(position[2], MAX_ALTITUDE)) &&
+			good(Field::ALTITUDE_MSL, within(p_sample.altitude_msl, MAX_ALTITUDE)) &&
+			good(Field::ALTITUDE_ELLIPSOID, within(p_sample.altitude_ellipsoid, MAX_ALTITUDE)) &&
+			good(Field::POSITION_ECEF, within(p_sample.position_ecef, MAX_DISTANCE)) &&
+			good(Field::VELOCITY, within(p_sample.velocity, MAX_SPEED));
 }
 
 } // namespace
@@ -79,8 +79,8 @@ bool is_place_in_range(const Sample &p_sample) {
 bool is_in_range(const Sample &p_sample) {
 	const auto good = [&](Field p_field, bool p_good) { return !p_sample.has(p_field) || p_good; };
 	return is_motion_in_range(p_sample) && is_place_in_range(p_sample) &&
-			good(Field::TEMPERATURE, within(p_sample.temperature, MOST_TEMPERATURE)) &&
-			good(Field::PRESSURE, p_sample.pressure <= MOST_PRESSURE) && good(Field::UTC_TIME, is_time(p_sample.utc)) &&
+			good(Field::TEMPERATURE, within(p_sample.temperature, MAX_TEMPERATURE)) &&
+			good(Field::PRESSURE, p_sample.pressure <= MAX_PRESSURE) && good(Field::UTC_TIME, is_time(p_sample.utc)) &&
 			good(Field::GNSS_PVT, is_pvt(p_sample.gnss_pvt));
 }
 
@@ -106,10 +106,10 @@ double rotation_deviation(const std::array<double, 9> &p_matrix) {
 }
 
 bool NormJudge::accept(double p_deviation) {
-	if (!(p_deviation <= MOST)) {
+	if (!(p_deviation <= MAX)) {
 		return false;
 	}
-	const double bound = _seen < LEARN ? MOST : std::max(LEAST, FACTOR * _usual);
+	const double bound = _seen < LEARN ? MAX : std::max(MIN, FACTOR * _usual);
 	if (p_deviation > bound && _refused < PATIENCE) {
 		_refused++;
 		return false;

@@ -21,9 +21,9 @@ double rotation_deviation(const std::array<double, 9> &p_matrix);
 class NormJudge {
 public:
 	/// Never more.
-	static constexpr double MOST = 0.01;
+	static constexpr double MAX = 0.01;
 	/// Never less is asked for: rounding of the coarsest format.
-	static constexpr double LEAST = 4.0e-6;
+	static constexpr double MIN = 4.0e-6;
 
 	bool accept(double p_deviation);
 

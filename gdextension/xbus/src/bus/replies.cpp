@@ -44,7 +44,7 @@ size_t write_device_list(const uint32_t *p_device_ids, size_t p_count, uint8_t *
 }
 
 size_t write_configuration(const Configuration &p_configuration, uint8_t *r_bytes) {
-	std::array<uint8_t, Configuration::MOST_BYTES> data;
+	std::array<uint8_t, Configuration::MAX_BYTES> data;
 	const size_t size = p_configuration.write(data.data());
 	return write_frame(MASTER, Message::CONFIGURATION, data.data(), size, r_bytes);
 }

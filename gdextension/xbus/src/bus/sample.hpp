@@ -139,11 +139,11 @@ struct Satellite {
 
 struct GnssSatellites {
 	/// As many as an item's one length byte allows.
-	static constexpr size_t MOST = 61;
+	static constexpr size_t MAX = 61;
 	/// GPS time of week, ms.
 	uint32_t itow = 0;
 	uint8_t count = 0;
-	std::array<Satellite, MOST> satellites{};
+	std::array<Satellite, MAX> satellites{};
 };
 
 /// An edge on an input line.

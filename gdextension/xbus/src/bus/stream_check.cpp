@@ -21,7 +21,7 @@ constexpr Lengths LENGTHS[] = {
 	{ Message::SET_BUS_ID_ACK, 0, 1 },
 	{ Message::BUS_POWER_ACK, 0, 2 },
 	{ Message::DATA_LENGTH, 2, 2 },
-	{ Message::CONFIGURATION, Configuration::HEAD, Configuration::MOST_BYTES },
+	{ Message::CONFIGURATION, Configuration::HEAD, Configuration::MAX_BYTES },
 	{ Message::RESTORE_FACTORY_DEFAULTS_ACK, 0, 0 },
 	{ Message::GO_TO_MEASUREMENT_ACK, 0, 0 },
 	{ Message::FIRMWARE_REVISION, 3, 11 },

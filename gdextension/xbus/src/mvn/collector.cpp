@@ -10,10 +10,10 @@ namespace {
 /// A sender that is silent for so long has given its characters up, µs.
 constexpr uint64_t SENDER_USEC = 2000000;
 /// Bytes of a sample in all its parts.
-constexpr std::size_t MOST_BYTES = 65536;
+constexpr std::size_t MAX_BYTES = 65536;
 /// A counter that is further back than so many has begun anew.
-constexpr uint32_t MOST_LATE = 240;
-constexpr uint32_t MOST_STEP = 2000;
+constexpr uint32_t MAX_LATE = 240;
+constexpr uint32_t MAX_STEP = 2000;
 /// Without a sample for so long a counter may begin anew anywhere, µs.
 constexpr uint64_t ANEW_USEC = 500000;
 constexpr uint64_t METER_USEC = 1000000;
@@ -32,7 +32,7 @@ Outcome Collector::take(const uint8_t *p_bytes, std::size_t p_size, uint64_t p_s
 	}
 	auto found = _characters.find(_header.character);
 	if (found == _characters.end()) {
-		if (_characters.size() >= std::size_t(MOST_CHARACTERS)) {
+		if (_characters.size() >= std::size_t(MAX_CHARACTERS)) {
 			return Outcome::CROWDED;
 		}
 		found = _characters.try_emplace(_header.character).first;
@@ -60,7 +60,7 @@ Outcome Collector::refuse(Fault p_fault) {
 Outcome Collector::add(Character &p_character, const uint8_t *p_payload, std::size_t p_size, uint64_t p_now_usec) {
 	Slot &slot = p_character.slots[std::size_t(_header.type)];
 	// A counter that goes back when nothing has come for a while belongs to a sender that began anew.
-	if (slot.has_whole && slot.newest_whole - _header.sample < MOST_LATE && p_now_usec < slot.whole_usec + ANEW_USEC) {
+	if (slot.has_whole && slot.newest_whole - _header.sample < MAX_LATE && p_now_usec < slot.whole_usec + ANEW_USEC) {
 		++p_character.statistics.late;
 		return Outcome::LATE;
 	}
@@ -79,7 +79,7 @@ Outcome Collector::add(Character &p_character, const uint8_t *p_payload, std::si
 	}
 	for (Pending &other : slot.pending) {
 		// Older ones would come too late now.
-		if (other.is_begun && _header.sample - other.sample < MOST_LATE) {
+		if (other.is_begun && _header.sample - other.sample < MAX_LATE) {
 			other.is_begun = false;
 			++p_character.statistics.incomplete;
 		}
@@ -127,7 +127,7 @@ Outcome Collector::store_part(Pending &p_pending, const uint8_t *p_payload, std:
 		}
 	}
 	p_pending.bytes += p_size;
-	if (p_pending.bytes > MOST_BYTES) {
+	if (p_pending.bytes > MAX_BYTES) {
 		p_pending.is_begun = false;
 		return refuse(Fault::TOO_MANY);
 	}
@@ -179,7 +179,7 @@ void Collector::note_sample(Character &p_character, uint64_t p_now_usec) {
 	p_character.leader_usec = p_now_usec;
 	if (p_character.has_last) {
 		const uint32_t gap = _header.sample - p_character.last_sample;
-		if (gap == 0 || gap > MOST_STEP) {
+		if (gap == 0 || gap > MAX_STEP) {
 			p_character.step = 0; // Begun anew.
 			++p_character.statistics.jumps;
 		} else if (p_character.step == 0 || gap < p_character.step) {

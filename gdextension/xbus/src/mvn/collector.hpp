@@ -12,7 +12,7 @@
 namespace mvn {
 
 /// Characters in one stream at most.
-constexpr int MOST_CHARACTERS = 32;
+constexpr int MAX_CHARACTERS = 32;
 constexpr int TYPES = 26;
 
 /// How a character's samples come.

@@ -28,12 +28,12 @@ constexpr std::size_t TRACKER_ITEM = 68;
 constexpr std::size_t CENTRE_SIZE = 12;
 constexpr std::size_t TIME_CODE_SIZE = 12;
 /// How far from 1 the length of a quaternion may be.
-constexpr float MOST_NORM_ERROR = 0.05F;
-constexpr int MOST_TEXT = 256;
-constexpr int MOST_TAGS = 64;
-constexpr int MOST_POINTS = 512;
+constexpr float MAX_NORM_ERROR = 0.05F;
+constexpr int MAX_TEXT = 256;
+constexpr int MAX_TAGS = 64;
+constexpr int MAX_POINTS = 512;
 /// Joints of a body with fingers, and more.
-constexpr int MOST_JOINTS = 128;
+constexpr int MAX_JOINTS = 128;
 
 bool is_known(int p_type) {
 	switch (Type(p_type)) {
@@ -69,7 +69,7 @@ bool is_rotation(const Quaternion &p_rotation) {
 		norm += part * part;
 	}
 	// Written so that NaN fails too.
-	return std::fabs(std::sqrt(norm) - 1.0F) < MOST_NORM_ERROR;
+	return std::fabs(std::sqrt(norm) - 1.0F) < MAX_NORM_ERROR;
 }
 
 /// Reads items of one size, each by `p_read(PayloadReader &)`, which says whether its values can be.
@@ -87,7 +87,7 @@ Fault read_items(PayloadReader &p_reader, int p_items, std::size_t p_item_size, 
 }
 
 Fault read_poses(const Header &p_header, PayloadReader &p_reader, Content &r_content) {
-	if (r_content.poses.size() + p_header.items > std::size_t(MOST_SEGMENTS)) {
+	if (r_content.poses.size() + p_header.items > std::size_t(MAX_SEGMENTS)) {
 		return Fault::TOO_MANY;
 	}
 	const bool is_euler = p_header.type == Type::EULER_POSE;
@@ -108,7 +108,7 @@ Fault read_poses(const Header &p_header, PayloadReader &p_reader, Content &r_con
 }
 
 Fault read_points(const Header &p_header, PayloadReader &p_reader, Content &r_content) {
-	if (r_content.poses.size() + p_header.items > std::size_t(MOST_POINTS)) {
+	if (r_content.poses.size() + p_header.items > std::size_t(MAX_POINTS)) {
 		return Fault::TOO_MANY;
 	}
 	return read_items(p_reader, p_header.items, POINT_ITEM, [&](PayloadReader &p_from) {
@@ -122,7 +122,7 @@ Fault read_points(const Header &p_header, PayloadReader &p_reader, Content &r_co
 }
 
 Fault read_joints(const Header &p_header, PayloadReader &p_reader, Content &r_content) {
-	if (r_content.joints.size() + p_header.items > std::size_t(MOST_JOINTS)) {
+	if (r_content.joints.size() + p_header.items > std::size_t(MAX_JOINTS)) {
 		return Fault::TOO_MANY;
 	}
 	return read_items(p_reader, p_header.items, JOINT_ITEM, [&](PayloadReader &p_from) {
@@ -181,7 +181,7 @@ Fault read_trackers(const Header &p_header, PayloadReader &p_reader, Content &r_
 }
 
 Fault read_motions(const Header &p_header, PayloadReader &p_reader, Content &r_content) {
-	if (r_content.motions.size() + p_header.items > std::size_t(MOST_SEGMENTS)) {
+	if (r_content.motions.size() + p_header.items > std::size_t(MAX_SEGMENTS)) {
 		return Fault::TOO_MANY;
 	}
 	switch (p_header.type) {
@@ -197,13 +197,13 @@ Fault read_motions(const Header &p_header, PayloadReader &p_reader, Content &r_c
 Fault read_meta(PayloadReader &p_reader, Content &r_content) {
 	const std::string text = p_reader.read_rest();
 	std::size_t at = 0;
-	while (at < text.size() && r_content.tags.size() < std::size_t(MOST_TAGS)) {
+	while (at < text.size() && r_content.tags.size() < std::size_t(MAX_TAGS)) {
 		const std::size_t end = std::min(text.find('\n', at), text.size());
 		const std::string line = text.substr(at, end - at);
 		const std::size_t colon = line.find(':');
 		if (colon != std::string::npos && colon > 0) {
 			r_content.tags.emplace_back(
-					cut_text(line.substr(0, colon), MOST_TEXT), cut_text(line.substr(colon + 1), MOST_TEXT));
+					cut_text(line.substr(0, colon), MAX_TEXT), cut_text(line.substr(colon + 1), MAX_TEXT));
 		}
 		at = end + 1;
 	}
@@ -212,26 +212,26 @@ Fault read_meta(PayloadReader &p_reader, Content &r_content) {
 
 Fault read_scale(PayloadReader &p_reader, Content &r_content) {
 	const int32_t segments = p_reader.read_i32();
-	if (segments < 0 || segments > MOST_SEGMENTS) {
+	if (segments < 0 || segments > MAX_SEGMENTS) {
 		return p_reader.has_failed() ? Fault::WRONG_SIZE : Fault::TOO_MANY;
 	}
 	for (int32_t segment = 0; segment < segments && !p_reader.has_failed(); ++segment) {
 		SegmentOrigin origin;
-		origin.name = p_reader.read_text(MOST_TEXT);
+		origin.name = p_reader.read_text(MAX_TEXT);
 		origin.origin = p_reader.read_vector();
 		r_content.origins.push_back(origin);
 	}
 	const int32_t points = p_reader.read_i32();
-	if (points < 0 || points > MOST_POINTS ||
-			r_content.points.size() + std::size_t(points) > std::size_t(MOST_POINTS) ||
-			r_content.origins.size() > std::size_t(MOST_SEGMENTS)) {
+	if (points < 0 || points > MAX_POINTS ||
+			r_content.points.size() + std::size_t(points) > std::size_t(MAX_POINTS) ||
+			r_content.origins.size() > std::size_t(MAX_SEGMENTS)) {
 		return p_reader.has_failed() ? Fault::WRONG_SIZE : Fault::TOO_MANY;
 	}
 	for (int32_t number = 0; number < points && !p_reader.has_failed(); ++number) {
 		BodyPoint point;
 		point.segment = p_reader.read_u16();
 		point.point = p_reader.read_u16();
-		point.name = p_reader.read_text(MOST_TEXT);
+		point.name = p_reader.read_text(MAX_TEXT);
 		point.flags = p_reader.read_u32();
 		point.place = p_reader.read_vector();
 		r_content.points.push_back(point);
@@ -315,7 +315,7 @@ Fault read_header(const uint8_t *p_bytes, std::size_t p_size, Header &r_header) 
 	if (r_header.payload != 0 && r_header.payload != p_size - HEADER_SIZE) {
 		return Fault::WRONG_SIZE;
 	}
-	if (r_header.body_segments + r_header.props + r_header.fingers > MOST_SEGMENTS) {
+	if (r_header.body_segments + r_header.props + r_header.fingers > MAX_SEGMENTS) {
 		return Fault::TOO_MANY;
 	}
 	return Fault::NONE;

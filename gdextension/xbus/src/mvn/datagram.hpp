@@ -16,11 +16,11 @@ constexpr std::size_t HEADER_SIZE = 24;
 /// The largest that UDP carries.
 constexpr std::size_t MAX_DATAGRAM = 65507;
 constexpr int BODY_SEGMENTS = 23;
-constexpr int MOST_PROPS = 4;
+constexpr int MAX_PROPS = 4;
 constexpr int FINGER_SEGMENTS = 40;
-constexpr int MOST_SEGMENTS = BODY_SEGMENTS + MOST_PROPS + FINGER_SEGMENTS;
+constexpr int MAX_SEGMENTS = BODY_SEGMENTS + MAX_PROPS + FINGER_SEGMENTS;
 /// Datagrams of a sample: the index has seven bits.
-constexpr int MOST_PARTS = 128;
+constexpr int MAX_PARTS = 128;
 
 /// What a datagram holds, by the two digits in its head.
 enum class Type : uint8_t {

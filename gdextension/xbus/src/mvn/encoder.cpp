@@ -11,7 +11,7 @@ namespace mvn {
 namespace {
 
 /// The head has a byte for the number of items.
-constexpr std::size_t MOST_ITEMS = 255;
+constexpr std::size_t MAX_ITEMS = 255;
 
 /// A payload that grows.
 class PayloadWriter {
@@ -99,7 +99,7 @@ std::vector<Portion> cut(const std::vector<Item> &p_items, std::size_t p_most, W
 		PayloadWriter writer;
 		p_write(item, writer);
 		Portion *last = &portions.back();
-		if (last->items == MOST_ITEMS ||
+		if (last->items == MAX_ITEMS ||
 				(last->items > 0 && HEADER_SIZE + last->payload.size() + writer.bytes().size() > p_most)) {
 			last = &portions.emplace_back();
 		}
@@ -184,14 +184,14 @@ std::vector<Portion> portions_of(const Content &p_content, std::size_t p_most) {
 std::vector<Bytes> encode(const Content &p_content, std::size_t p_most) {
 	const std::vector<Portion> portions = portions_of(p_content, std::max<std::size_t>(p_most, 128));
 	std::vector<Bytes> datagrams;
-	if (portions.size() > std::size_t(MOST_PARTS)) {
+	if (portions.size() > std::size_t(MAX_PARTS)) {
 		return datagrams;
 	}
 	const Header &header = p_content.header;
 	datagrams.reserve(portions.size());
 	for (std::size_t part = 0; part < portions.size(); ++part) {
 		const Portion &portion = portions[part];
-		if (portion.items > MOST_ITEMS) {
+		if (portion.items > MAX_ITEMS) {
 			return {};
 		}
 		PayloadWriter writer;

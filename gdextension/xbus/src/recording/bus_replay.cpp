@@ -12,7 +12,7 @@ namespace recording {
 using namespace xbus;
 
 BusReplay::BusReplay() {
-	_tracker_ids.reserve(MOST_TRACKERS);
+	_tracker_ids.reserve(MAX_TRACKERS);
 }
 
 void BusReplay::take_out(const uint8_t *p_bytes, std::size_t p_size) {
@@ -69,7 +69,7 @@ void BusReplay::note_answer(const Frame &p_frame) {
 			}
 			break;
 		case Message::INIT_BUS_RESULTS:
-			if (p_frame.size % 4 == 0 && p_frame.size / 4 <= std::size_t(MOST_TRACKERS)) {
+			if (p_frame.size % 4 == 0 && p_frame.size / 4 <= std::size_t(MAX_TRACKERS)) {
 				_tracker_ids.clear();
 				for (std::size_t at = 0; at < p_frame.size; at += 4) {
 					_tracker_ids.push_back(read_u32(p_frame.data + at));
@@ -95,7 +95,7 @@ void BusReplay::note_configuration(const Frame &p_frame) {
 	}
 	_device_id = configuration.master_id;
 	_period = configuration.period;
-	const bool has_trackers = is_master() && configuration.device_count <= std::size_t(MOST_TRACKERS);
+	const bool has_trackers = is_master() && configuration.device_count <= std::size_t(MAX_TRACKERS);
 	if (!has_trackers && configuration.device_count > 0) {
 		_formats[MASTER] = configuration.devices[0].format;
 	}
@@ -127,7 +127,7 @@ void BusReplay::expect() {
 		_check.expect_tracker(_formats[MASTER]);
 	}
 	// Longer ones are not waited for. A configuration may come again.
-	_framer.set_longest(std::max(_check.data_size(), Configuration::MOST_BYTES));
+	_framer.set_longest(std::max(_check.data_size(), Configuration::MAX_BYTES));
 }
 
 bool BusReplay::is_master() const {

@@ -13,9 +13,9 @@ constexpr std::array<uint8_t, 8> MAGIC = { 'D', 'M', 'T', 'R', 'A', 'W', '1', '\
 /// Bytes in front of each record's payload, little-endian: mark u32, payload size u32, kind u8, 0, stream u16,
 /// time u64 (µs of CLOCK_MONOTONIC), checksum of the payload u32, checksum of these bytes u32.
 constexpr std::size_t HEAD_SIZE = 28;
-constexpr std::size_t MOST_PAYLOAD = 65536;
+constexpr std::size_t MAX_PAYLOAD = 65536;
 constexpr uint32_t MARK = 0x524D44A5;
-constexpr int MOST_STREAMS = 1024;
+constexpr int MAX_STREAMS = 1024;
 
 enum class Kind : uint8_t {
 	FILE_HEAD, ///< Text: what the whole file is.

@@ -14,7 +14,7 @@ namespace recording {
 namespace {
 
 /// A day of three suits; more is rather another file.
-constexpr off_t MOST_BYTES = off_t(8) * 1024 * 1024 * 1024;
+constexpr off_t MAX_BYTES = off_t(8) * 1024 * 1024 * 1024;
 
 } // namespace
 
@@ -33,7 +33,7 @@ std::string Reader::open_file(const std::string &p_path) {
 	if (stat(p_path.c_str(), &status) != 0) {
 		return p_path + " can't be read: " + std::strerror(errno);
 	}
-	if (!S_ISREG(status.st_mode) || status.st_size > MOST_BYTES) {
+	if (!S_ISREG(status.st_mode) || status.st_size > MAX_BYTES) {
 		return p_path + " is no file, or too large for a recording";
 	}
 	const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(std::fopen(p_path.c_str(), "rb"), std::fclose);
@@ -59,8 +59,8 @@ bool Reader::is_head(std::size_t p_at) const {
 	}
 	const uint8_t *head = _bytes.data() + p_at;
 	return get_little(head, 4) == MARK && get_little(head + 24, 4) == crc32(head, 24) &&
-			get_little(head + 4, 4) <= MOST_PAYLOAD && head[8] < KINDS &&
-			get_little(head + 10, 2) < uint64_t(MOST_STREAMS);
+			get_little(head + 4, 4) <= MAX_PAYLOAD && head[8] < KINDS &&
+			get_little(head + 10, 2) < uint64_t(MAX_STREAMS);
 }
 
 std::size_t Reader::find_head(std::size_t p_from) const {

@@ -72,8 +72,8 @@ void Recorder::close() {
 
 int Recorder::add_stream(const std::string &p_about, uint64_t p_time_usec) {
 	const std::lock_guard<std::mutex> lock(_mutex);
-	if (_streams >= MOST_STREAMS) {
-		return MOST_STREAMS - 1;
+	if (_streams >= MAX_STREAMS) {
+		return MAX_STREAMS - 1;
 	}
 	const int number = _streams++;
 	add_locked(Kind::STREAM, number, reinterpret_cast<const uint8_t *>(p_about.data()), p_about.size(), p_time_usec);
@@ -87,7 +87,7 @@ void Recorder::add(Kind p_kind, int p_stream, const uint8_t *p_payload, std::siz
 		// What is longer than a record goes into several: only bytes of a bus are.
 		std::size_t at = 0;
 		do {
-			const std::size_t size = p_size - at < MOST_PAYLOAD ? p_size - at : MOST_PAYLOAD;
+			const std::size_t size = p_size - at < MAX_PAYLOAD ? p_size - at : MAX_PAYLOAD;
 			add_locked(p_kind, p_stream, p_payload + at, size, p_time_usec);
 			at += size;
 		} while (at < p_size);

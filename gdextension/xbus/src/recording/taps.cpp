@@ -12,7 +12,7 @@ namespace recording {
 namespace {
 
 /// Senders that have a stream of their own; any others share the last one.
-constexpr std::size_t MOST_SENDERS = std::size_t(MOST_STREAMS) / 2;
+constexpr std::size_t MAX_SENDERS = std::size_t(MAX_STREAMS) / 2;
 
 /// One line of what is known; what a device says of itself may hold anything.
 std::string line(const char *p_key, std::string p_value) {
@@ -51,11 +51,11 @@ void BusTap::take_raw(int p_device, bool p_is_out, const uint8_t *p_bytes, std::
 }
 
 void DatagramTap::take(const std::string &p_sender, const uint8_t *p_bytes, std::size_t p_size, uint64_t p_time_usec) {
-	int stream = MOST_STREAMS - 1;
+	int stream = MAX_STREAMS - 1;
 	const auto found = _streams.find(p_sender);
 	if (found != _streams.end()) {
 		stream = found->second;
-	} else if (_streams.size() < MOST_SENDERS) {
+	} else if (_streams.size() < MAX_SENDERS) {
 		stream = _recorder->add_stream(
 				line("kind", "mvn") + line("sender", p_sender) + line("port", std::to_string(_port)), p_time_usec);
 		_streams.emplace(p_sender, stream);

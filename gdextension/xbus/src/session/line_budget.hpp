@@ -42,12 +42,12 @@ constexpr std::array<Demand, 3> DEMANDS = { {
 } };
 /// Rates that a line is brought down to, Hz.
 constexpr std::array<double, 8> RATES = { 100.0, 75.0, 60.0, 50.0, 40.0, 30.0, 20.0, 10.0 };
-constexpr uint16_t LEAST_PERIOD = 225;
-constexpr uint16_t MOST_PERIOD = 11520;
+constexpr uint16_t MIN_PERIOD = 225;
+constexpr uint16_t MAX_PERIOD = 11520;
 
 /// The period of a rate, in 1/115200 s.
 constexpr uint16_t period_of(double p_rate_hz) {
-	return uint16_t(std::clamp(115200.0 / std::max(p_rate_hz, 0.1) + 0.5, double(LEAST_PERIOD), double(MOST_PERIOD)));
+	return uint16_t(std::clamp(115200.0 / std::max(p_rate_hz, 0.1) + 0.5, double(MIN_PERIOD), double(MAX_PERIOD)));
 }
 
 /// Whether a line of `p_baud` (0: of any speed) carries a master's samples, with a tenth of it to spare.

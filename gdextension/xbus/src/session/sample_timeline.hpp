@@ -27,7 +27,7 @@ public:
 		const double expected = double(p_counter) * _period_usec;
 		const double offset = double(p_arrival_usec) - expected;
 		const double late = offset - _offset;
-		if (!_is_known || late < 0.0 || late > MOST_LATE_USEC) {
+		if (!_is_known || late < 0.0 || late > MAX_LATE_USEC) {
 			_offset = offset;
 			_is_known = true;
 		} else {
@@ -38,7 +38,7 @@ public:
 
 private:
 	/// Later than that it is no delay, but another stream.
-	static constexpr double MOST_LATE_USEC = 250000.0;
+	static constexpr double MAX_LATE_USEC = 250000.0;
 	/// Part of a delay by which the line moves: clocks that differ by 100 parts in a million, a hundred samples a
 	/// second, need 1 µs a sample.
 	static constexpr double DRIFT = 0.001;

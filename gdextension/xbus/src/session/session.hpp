@@ -202,7 +202,7 @@ private:
 
 	DeviceKind _kind = DeviceKind::UNKNOWN;
 	uint32_t _device_id = 0;
-	std::array<uint32_t, MOST_TRACKERS> _tracker_ids{};
+	std::array<uint32_t, MAX_TRACKERS> _tracker_ids{};
 	int _tracker_count = 0;
 	int _tracker = 0;
 	int _bus_failures = 0;

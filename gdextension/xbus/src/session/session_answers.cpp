@@ -12,7 +12,7 @@ namespace xbus {
 namespace {
 
 /// Bus errors in a row until people are told to look at the cables.
-constexpr int MOST_BUS_FAILURES = 3;
+constexpr int MAX_BUS_FAILURES = 3;
 
 /// Error codes of the device that ask for something else than asking again.
 constexpr uint8_t ERROR_NO_BUS = 0x01;
@@ -80,9 +80,9 @@ void Session::take_device_id(const Frame &p_frame) {
 
 void Session::take_bus(const Frame &p_frame) {
 	const std::size_t count = p_frame.size / 4;
-	if (p_frame.size % 4 != 0 || count > std::size_t(MOST_TRACKERS)) {
+	if (p_frame.size % 4 != 0 || count > std::size_t(MAX_TRACKERS)) {
 		tell(Severity::WARNING, "names its trackers in %zu bytes, which is no list of at most %d", p_frame.size,
-				MOST_TRACKERS);
+				MAX_TRACKERS);
 		return; // Asked again when the time is up.
 	}
 	if (count == 0) {
@@ -166,7 +166,7 @@ void Session::take_setup_error(uint8_t p_code) {
 		_has_powered = true;
 		go_to(Step::BUS_POWER);
 	} else if (_step == Step::INIT_BUS) {
-		if (++_bus_failures < MOST_BUS_FAILURES) {
+		if (++_bus_failures < MAX_BUS_FAILURES) {
 			start_over("its bus failed");
 		} else {
 			_bus_failures = 0;
@@ -196,7 +196,7 @@ bool Session::lower_demands(uint8_t p_code) {
 	}
 	const bool is_too_fast = p_code == ERROR_PERIOD || p_code == ERROR_PERIOD_TOO_SHORT ||
 			p_code == ERROR_TIMER_OVERFLOW || p_code == ERROR_BUFFER_FULL;
-	if (is_too_fast && _outputs.period > 0 && _outputs.period <= MOST_PERIOD / 2) {
+	if (is_too_fast && _outputs.period > 0 && _outputs.period <= MAX_PERIOD / 2) {
 		_outputs.period = uint16_t(_outputs.period * 2);
 		tell(Severity::WARNING, "bears no more than %.0f Hz", _outputs.rate_hz());
 		return true;

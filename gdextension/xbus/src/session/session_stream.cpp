@@ -32,7 +32,7 @@ void Session::begin_measuring() {
 		_check.expect_tracker(tracker_format());
 	}
 	// A false length must not hold back what comes behind it.
-	_framer.set_longest(std::max<std::size_t>(_check.data_size(), Configuration::MOST_BYTES));
+	_framer.set_longest(std::max<std::size_t>(_check.data_size(), Configuration::MAX_BYTES));
 	_refused = _told_refused = _check.statistics().wrong_sizes;
 	tell(Severity::INFO, "%s %08X measures: %d tracker%s at %.0f Hz", device_kind_name(_kind), _device_id,
 			_tracker_count, _tracker_count == 1 ? "" : "s", rate_hz());

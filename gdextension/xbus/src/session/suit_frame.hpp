@@ -9,7 +9,7 @@
 namespace xbus {
 
 /// Trackers on one master at most (the old host class of Xsens allows 20).
-constexpr int MOST_TRACKERS = 20;
+constexpr int MAX_TRACKERS = 20;
 
 /// What one tracker said in one sample, in the tracker's own axes.
 struct TrackerReading {
@@ -36,7 +36,7 @@ struct SuitFrame {
 	/// The global frame that orientations refer to: right-handed; a bus has X magnetic north, Y west, Z up.
 	Axes axes = Axes::NORTH_WEST_UP;
 	int tracker_count = 0;
-	std::array<TrackerReading, MOST_TRACKERS> trackers;
+	std::array<TrackerReading, MAX_TRACKERS> trackers;
 };
 
 } // namespace xbus

@@ -10,7 +10,7 @@ namespace {
 /// Span over which a rate is measured, µs.
 constexpr uint64_t METER_USEC = 1000000;
 /// A counter that goes back or leaps by more has begun anew.
-constexpr uint32_t MOST_STEP = 3000;
+constexpr uint32_t MAX_STEP = 3000;
 
 std::array<float, 3> narrow(const Sample::Vector &p_vector) {
 	return { float(p_vector[0]), float(p_vector[1]), float(p_vector[2]) };
@@ -30,7 +30,7 @@ void SuitStream::take(const StreamCheck &p_check, uint64_t p_now_usec, SuitFrame
 	r_frame.tracker_count = 0;
 	for (std::size_t place = 0; place < p_check.sample_count(); ++place) {
 		const Sample &sample = p_check.sample(place);
-		const int tracker = sample.bus_id >= 1 && sample.bus_id <= MOST_TRACKERS ? sample.bus_id - 1 : 0;
+		const int tracker = sample.bus_id >= 1 && sample.bus_id <= MAX_TRACKERS ? sample.bus_id - 1 : 0;
 		if (sample.present != 0) {
 			r_frame.axes = sample.axes;
 			read(sample, r_frame.trackers[std::size_t(tracker)]);
@@ -58,7 +58,7 @@ uint64_t SuitStream::count_on(const Sample &p_sample) {
 		const uint32_t mask = p_sample.counter_bits >= 32 ? UINT32_MAX : (1U << p_sample.counter_bits) - 1U;
 		if (_has_last) {
 			const uint32_t forward = (p_sample.counter - _last) & mask;
-			step = forward <= MOST_STEP ? forward : 1U;
+			step = forward <= MAX_STEP ? forward : 1U;
 		}
 		_last = p_sample.counter;
 		_has_last = true;

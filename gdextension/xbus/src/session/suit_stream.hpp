@@ -45,7 +45,7 @@ private:
 	static void read(const Sample &p_sample, TrackerReading &r_reading);
 
 	SampleTimeline _timeline;
-	std::array<Meter, MOST_TRACKERS> _meters{};
+	std::array<Meter, MAX_TRACKERS> _meters{};
 	uint64_t _counter = 0;
 	uint32_t _last = 0;
 	bool _has_last = false;

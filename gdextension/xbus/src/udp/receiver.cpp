@@ -19,8 +19,8 @@ namespace {
 constexpr int BUFFER_BYTES = 1024 * 1024;
 constexpr int WAIT_MS = 50;
 /// Samples of a pose that wait for who fetches them: a quarter of a second at least.
-constexpr std::size_t MOST_WAITING = 64;
-constexpr std::size_t MOST_MESSAGES = 64;
+constexpr std::size_t MAX_WAITING = 64;
+constexpr std::size_t MAX_MESSAGES = 64;
 /// The same is said again after so long, µs.
 constexpr uint64_t REPEAT_USEC = 10000000;
 /// A character that is silent for so long has left, µs.
@@ -165,7 +165,7 @@ void Receiver::keep(const std::string &p_sender, uint64_t p_now_usec) {
 	}
 	std::deque<ReceivedSample> &waiting = character.waiting[content.header.type];
 	waiting.push_back(newest);
-	if (waiting.size() > MOST_WAITING) {
+	if (waiting.size() > MAX_WAITING) {
 		waiting.pop_front();
 	}
 }
@@ -190,7 +190,7 @@ void Receiver::complain(const std::string &p_sender, Outcome p_outcome) {
 		}
 		case Outcome::CROWDED:
 			say("crowded",
-					"more than " + std::to_string(MOST_CHARACTERS) + " characters come in: " + number + " from " +
+					"more than " + std::to_string(MAX_CHARACTERS) + " characters come in: " + number + " from " +
 							p_sender + " is left out");
 			break;
 		default:
@@ -245,7 +245,7 @@ void Receiver::say(const std::string &p_key, const std::string &p_text, bool p_i
 	}
 	found->second = _now_usec;
 	std::vector<std::string> &said = p_is_news ? _news : _messages;
-	if (said.size() < MOST_MESSAGES) {
+	if (said.size() < MAX_MESSAGES) {
 		said.push_back(p_text);
 	}
 }

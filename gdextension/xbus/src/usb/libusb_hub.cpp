@@ -18,9 +18,9 @@ constexpr uint64_t POLL_USEC = 1000000;
 constexpr uint64_t RETRY_USEC = 2000000;
 /// A device that does not stop measuring in time is left as it is.
 constexpr uint64_t STOP_USEC = 1500000;
-constexpr std::size_t MOST_MESSAGES = 256;
+constexpr std::size_t MAX_MESSAGES = 256;
 /// Devices that have left and whose last samples may still be fetched.
-constexpr std::size_t MOST_LEFT = 8;
+constexpr std::size_t MAX_LEFT = 8;
 
 void free_context(libusb_context *p_context) {
 	if (p_context != nullptr) {
@@ -121,7 +121,7 @@ bool LibusbHub::take_frame(int p_device, xbus::SuitFrame &r_frame) {
 
 void LibusbHub::reset_orientation(int p_device, xbus::ResetMethod p_method) {
 	const std::lock_guard<std::mutex> lock(_mutex);
-	if (_commands.size() < MOST_MESSAGES) {
+	if (_commands.size() < MAX_MESSAGES) {
 		_commands.push_back({ p_device, p_method });
 	}
 }
@@ -343,7 +343,7 @@ void LibusbHub::publish() {
 		return std::none_of(_reports.begin(), _reports.end(),
 				[&p_queue](const DeviceReport &p_report) { return p_report.number == p_queue.device; });
 	};
-	while (_queues.size() > _reports.size() + MOST_LEFT) {
+	while (_queues.size() > _reports.size() + MAX_LEFT) {
 		const auto oldest = std::find_if(_queues.begin(), _queues.end(), has_left);
 		if (oldest == _queues.end()) {
 			break;
@@ -354,7 +354,7 @@ void LibusbHub::publish() {
 
 void LibusbHub::say(xbus::Severity p_severity, const std::string &p_text) {
 	const std::lock_guard<std::mutex> lock(_mutex);
-	if (_messages.size() < MOST_MESSAGES) {
+	if (_messages.size() < MAX_MESSAGES) {
 		_messages.push_back({ p_severity, p_text });
 	}
 }

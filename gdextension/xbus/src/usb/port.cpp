@@ -18,7 +18,7 @@ constexpr std::size_t WRITE_SIZE = 512;
 constexpr unsigned WRITE_LIMIT_MS = 1000;
 constexpr unsigned CONTROL_LIMIT_MS = 500;
 /// Reads that fail in a row before the device counts as dead.
-constexpr int MOST_FAILURES = 64;
+constexpr int MAX_FAILURES = 64;
 /// The shortest that the chip knows: with the default of 16 ms samples are 10 ms late on average.
 constexpr uint16_t LATENCY_MS = 1;
 
@@ -327,12 +327,12 @@ void Port::read_done(Transfer &p_transfer) {
 		case LIBUSB_TRANSFER_STALL:
 			++_statistics.halts;
 			_is_halted = true; // Ended by look_after: that takes a request of its own.
-			_is_dead = ++_failures > MOST_FAILURES || _is_dead;
+			_is_dead = ++_failures > MAX_FAILURES || _is_dead;
 			return;
 		default:
 			++_statistics.failed_reads;
 			// Begun again by look_after: a device that is going away fails thousands of times a second.
-			_is_dead = ++_failures > MOST_FAILURES || _is_dead;
+			_is_dead = ++_failures > MAX_FAILURES || _is_dead;
 			return;
 	}
 	if (!_is_stopping && !_gone && !_is_dead) {

@@ -72,7 +72,7 @@ public:
 		header.sample = p_sample;
 		header.time_code_ms = p_sample * 10;
 		header.body_segments = BODY_SEGMENTS;
-		header.props = p_has_fingers ? MOST_PROPS : 0;
+		header.props = p_has_fingers ? MAX_PROPS : 0;
 		header.fingers = p_has_fingers ? FINGER_SEGMENTS : 0;
 		const int segments = header.body_segments + header.props + header.fingers;
 		const bool is_full = below(2) == 0;

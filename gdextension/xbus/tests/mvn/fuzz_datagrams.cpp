@@ -13,17 +13,17 @@ using namespace drawn;
 
 namespace {
 
-constexpr std::size_t MOST = 2300;
+constexpr std::size_t MAX = 2300;
 
 class Fuzzer {
 public:
-	explicit Fuzzer(unsigned p_seed) : _random(p_seed), _blocks(MOST) {
+	explicit Fuzzer(unsigned p_seed) : _random(p_seed), _blocks(MAX) {
 		Source source(p_seed);
 		_seeds.reserve(256);
 		for (const Type type : TYPES_OF_ALL) {
-			for (const std::size_t most : { std::size_t(300), MOST }) {
+			for (const std::size_t most : { std::size_t(300), MAX }) {
 				for (const Bytes &bytes : encode(source.content(type, 1, source.below(2) == 0), most)) {
-					if (bytes.size() <= MOST) {
+					if (bytes.size() <= MAX) {
 						_seeds.push_back(bytes);
 					}
 				}
@@ -40,7 +40,7 @@ public:
 		if (outcome == Outcome::SAMPLE) {
 			++samples;
 			const Content &content = _collector.content();
-			return content.poses.size() <= 512 && content.motions.size() <= std::size_t(MOST_SEGMENTS) &&
+			return content.poses.size() <= 512 && content.motions.size() <= std::size_t(MAX_SEGMENTS) &&
 					content.joints.size() <= 128 && content.points.size() <= 512 && content.tags.size() <= 64;
 		}
 		if (_random.below(4096) == 0) {

@@ -147,13 +147,13 @@ TEST(characters_do_not_disturb_each_other) {
 	Collector collector;
 	uint64_t now = 1;
 	for (uint32_t number = 0; number < 60; ++number) {
-		for (int character = 0; character < MOST_CHARACTERS; ++character) {
+		for (int character = 0; character < MAX_CHARACTERS; ++character) {
 			for (const Type type : { Type::POSE, Type::TRACKERS }) {
 				CHECK(give(collector, pose(source, number, character * 7, type), now += 10) == Outcome::SAMPLE);
 			}
 		}
 	}
-	CHECK(collector.characters().size() == std::size_t(MOST_CHARACTERS));
+	CHECK(collector.characters().size() == std::size_t(MAX_CHARACTERS));
 	for (const auto &[number, statistics] : collector.characters()) {
 		CHECK(number % 7 == 0 && statistics.lost == 0);
 	}

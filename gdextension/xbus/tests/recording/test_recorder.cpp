@@ -200,7 +200,7 @@ TEST(made_up_heads_take_no_memory_and_little_time) {
 	Bytes bytes(MAGIC.begin(), MAGIC.end());
 	std::array<uint8_t, HEAD_SIZE> head{};
 	put_head(Kind::BUS_IN, 0, 1, nullptr, 0, head.data());
-	put_little(MOST_PAYLOAD, 4, head.data() + 4);
+	put_little(MAX_PAYLOAD, 4, head.data() + 4);
 	put_little(crc32(head.data(), 24), 4, head.data() + 24);
 	for (int number = 0; number < 100000; ++number) {
 		bytes.insert(bytes.end(), head.begin(), head.end());

@@ -189,10 +189,10 @@ TEST(hostile_recordings_do_no_harm) {
 			}
 			replay.take_in(bytes.data(), bytes.size(), now, [&](const SuitFrame &p_frame) {
 				++frames;
-				CHECK(p_frame.tracker_count >= 0 && p_frame.tracker_count <= MOST_TRACKERS);
+				CHECK(p_frame.tracker_count >= 0 && p_frame.tracker_count <= MAX_TRACKERS);
 			});
 		}
-		CHECK(replay.tracker_ids().size() <= std::size_t(MOST_TRACKERS));
+		CHECK(replay.tracker_ids().size() <= std::size_t(MAX_TRACKERS));
 	}
 	CHECK(frames > 1000);
 }

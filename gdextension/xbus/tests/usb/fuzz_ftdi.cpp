@@ -9,11 +9,11 @@
 
 namespace {
 
-constexpr std::size_t MOST = 1100;
+constexpr std::size_t MAX = 1100;
 
 /// Strips a read that lies in memory of just its size; false if what came out cannot be.
 bool strip(fuzzing::Random &r_random, fuzzing::ExactBlocks &r_blocks) {
-	const std::size_t size = r_random.below(8) == 0 ? r_random.below(MOST) : r_random.below(140);
+	const std::size_t size = r_random.below(8) == 0 ? r_random.below(MAX) : r_random.below(140);
 	uint8_t *bytes = r_blocks.of(size);
 	for (int change = 0; change < 4 && size > 0; ++change) {
 		bytes[r_random.below(uint32_t(size))] = uint8_t(r_random.below(256));
@@ -41,7 +41,7 @@ int main(int p_count, char **p_values) {
 	const uint64_t executions = p_count > 1 ? std::strtoull(p_values[1], nullptr, 10) : 300000;
 	const uint64_t seed = p_count > 2 ? std::strtoull(p_values[2], nullptr, 10) : 1;
 	fuzzing::Random random(seed);
-	fuzzing::ExactBlocks blocks(MOST);
+	fuzzing::ExactBlocks blocks(MAX);
 	for (uint64_t execution = 0; execution < executions; ++execution) {
 		if (!strip(random, blocks)) {
 			std::printf(

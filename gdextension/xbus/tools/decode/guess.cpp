@@ -11,12 +11,12 @@ using namespace xbus;
 namespace {
 
 /// Messages that a guess must make sense of.
-constexpr size_t MOST_TRIED = 50;
-constexpr size_t MOST_TRACKERS = 20;
+constexpr size_t MAX_TRIED = 50;
+constexpr size_t MAX_TRACKERS = 20;
 /// Messages that may be missing before another.
-constexpr uint16_t MOST_MISSED = 100;
+constexpr uint16_t MAX_MISSED = 100;
 /// Quaternions and matrices of real devices are nearer to a rotation than this.
-constexpr double MOST_DEVIATION = 1.0e-3;
+constexpr double MAX_DEVIATION = 1.0e-3;
 
 constexpr std::array<uint16_t, 10> MODES = { output_mode::ORIENTATION, output_mode::CALIBRATED,
 	output_mode::CALIBRATED | output_mode::ORIENTATION, output_mode::TEMPERATURE | output_mode::ORIENTATION,
@@ -30,10 +30,10 @@ bool is_sample_sensible(const Sample &p_sample) {
 	if (!is_in_range(p_sample)) {
 		return false;
 	}
-	if (p_sample.has(Field::QUATERNION) && !(norm_deviation(p_sample.quaternion) < MOST_DEVIATION)) {
+	if (p_sample.has(Field::QUATERNION) && !(norm_deviation(p_sample.quaternion) < MAX_DEVIATION)) {
 		return false;
 	}
-	if (p_sample.has(Field::MATRIX) && !(rotation_deviation(p_sample.matrix) < MOST_DEVIATION)) {
+	if (p_sample.has(Field::MATRIX) && !(rotation_deviation(p_sample.matrix) < MAX_DEVIATION)) {
 		return false;
 	}
 	if (p_sample.has(Field::ACCELERATION)) {
@@ -66,7 +66,7 @@ bool is_sensible(const DataFormat &p_format, const Frame &p_frame, std::vector<S
 /// Whether nearly all messages make sense: on a bad line some are wrong.
 bool fits(const DataFormat &p_format, const std::vector<Frame> &p_frames) {
 	std::vector<Sample> samples(MAX_DEVICES);
-	const size_t tried = std::min(p_frames.size(), MOST_TRIED);
+	const size_t tried = std::min(p_frames.size(), MAX_TRIED);
 	const size_t most_wrong = tried / 10;
 	size_t wrong = 0;
 	size_t astray = 0;
@@ -76,7 +76,7 @@ bool fits(const DataFormat &p_format, const std::vector<Frame> &p_frames) {
 		if (wrong > most_wrong) {
 			return false;
 		}
-		astray += i == 0 || uint16_t(samples[0].counter - last - 1U) < MOST_MISSED ? 0U : 1U;
+		astray += i == 0 || uint16_t(samples[0].counter - last - 1U) < MAX_MISSED ? 0U : 1U;
 		last = samples[0].counter;
 	}
 	const bool counts = p_format.is_master || samples[0].has(Field::COUNTER);
@@ -101,7 +101,7 @@ std::vector<DataFormat> candidates(size_t p_size) {
 			}
 			const size_t block = format.tracker.size_behind_master();
 			if (bits < 12 && p_size > MasterFormat::HEAD && (p_size - MasterFormat::HEAD) % block == 0 &&
-					(p_size - MasterFormat::HEAD) / block <= MOST_TRACKERS) {
+					(p_size - MasterFormat::HEAD) / block <= MAX_TRACKERS) {
 				format.is_master = true;
 				for (size_t i = 0; i < (p_size - MasterFormat::HEAD) / block; i++) {
 					format.trackers.add(format.tracker);
