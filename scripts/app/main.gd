@@ -7,8 +7,8 @@ extends Node
 const _ROLES: PackedStringArray = [
 	"server", "trainee", "observer", "instructor", "driver", "replay", "load"
 ]
-const _SERVER: String = "res://scenes/app/server.tscn"
-const _CLIENT: String = "res://scenes/app/client.tscn"
+const _SERVER: String = "res://scenes/server/server.tscn"
+const _CLIENT: String = "res://scenes/client/client.tscn"
 const _LOAD: String = "res://scenes/load/load.tscn"
 
 

@@ -5,7 +5,7 @@ extends SceneTree
 ## fingerprint (48 bits of all bodies' places and velocities) is the same in every process on a
 ## machine. A second session in one process differs: the engine counts its bodies on.
 
-const _CRATE: PackedScene = preload("res://scenes/world/crate.tscn")
+const _CRATE: PackedScene = preload("res://scenes/world/props/crate.tscn")
 const _ROOTS: Dictionary[String, RagdollMotor.RootMode] = {
 	"soft": RagdollMotor.ROOT_SOFT, "inertial": RagdollMotor.ROOT_INERTIAL
 }

@@ -1,4 +1,4 @@
-extends "res://tests/actor/stage_case.gd"
+extends "res://tests/actor/ragdoll/stage_case.gd"
 ## The own body with a real server's body behind it: free motion stays smooth, a wall is felt.
 
 const RATE: int = 60

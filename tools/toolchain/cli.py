@@ -200,7 +200,7 @@ def _bvh(arguments: list[str]) -> int:
     options = [argument for argument in arguments if argument.startswith("-")]
     godot = prepare(export=False)
     return _script(
-        godot, [], "res://scripts/mocap/bvh_info.gd", [str(user_path(files[0])), *options]
+        godot, [], "res://scripts/mocap/bvh/bvh_info.gd", [str(user_path(files[0])), *options]
     )
 
 

@@ -10,7 +10,7 @@ var _now_usec: int = 1700000000000000
 
 func before_each() -> void:
 	get_window().size = Vector2i(1280, 720)
-	_panel = (load("res://scenes/mocap/device_panel.tscn") as PackedScene).instantiate()
+	_panel = (load("res://scenes/mocap/panel/device_panel.tscn") as PackedScene).instantiate()
 	_panel.folder = "user://test-panel-%d" % OS.get_process_id()
 	_panel.clock = func() -> float: return _now_usec / 1e6
 	add_child(_panel)

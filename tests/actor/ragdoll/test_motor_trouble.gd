@@ -92,7 +92,7 @@ func test_a_crate_on_the_head_does_no_harm() -> void:
 	var height: Vector3 = Vector3(0.0, 1.03, 0.0)
 	var player: Stage.Player = _stage.add_soldier(height, SOFT)
 	await _stage.run(30)
-	var crate: RigidBody3D = preload("res://scenes/world/crate.tscn").instantiate()
+	var crate: RigidBody3D = preload("res://scenes/world/props/crate.tscn").instantiate()
 	crate.mass = 40.0
 	crate.position = Vector3(0.1, 4.0, 0.05)
 	_stage.add_child(crate)

@@ -1,7 +1,7 @@
 extends "stage_case.gd"
 ## People, props and walls push each other.
 
-const CRATE: PackedScene = preload("res://scenes/world/crate.tscn")
+const CRATE: PackedScene = preload("res://scenes/world/props/crate.tscn")
 const SOFT: RagdollMotor.RootMode = RagdollMotor.ROOT_SOFT
 const HEIGHT: Vector3 = Vector3(0.0, 1.03, 0.0)
 

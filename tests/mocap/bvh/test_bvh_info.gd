@@ -1,7 +1,7 @@
 extends TestCase
 ## The command line tool bvh_info.gd, as a process of its own.
 
-const SCRIPT: String = "res://scripts/mocap/bvh_info.gd"
+const SCRIPT: String = "res://scripts/mocap/bvh/bvh_info.gd"
 
 var _lines: PackedStringArray = PackedStringArray()
 var _exit_code: int = 0

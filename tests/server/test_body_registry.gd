@@ -1,7 +1,7 @@
 extends TestCase
 ## Numbers of bodies: unique, and the same as long as a body exists, while people come and go.
 
-const HALL: PackedScene = preload("res://scenes/world/hall.tscn")
+const HALL: PackedScene = preload("res://scenes/world/hall/hall.tscn")
 const Stage: GDScript = preload("../actor/stage.gd")
 const SOLDIER: PackedScene = preload("res://scenes/actor/soldier.tscn")
 

@@ -2,7 +2,7 @@ extends TestCase
 ## The tuning scene, used by its knobs as a person would.
 
 const FastPhysics: GDScript = preload("fast_physics.gd")
-const SCENE: PackedScene = preload("res://scenes/actor/tuning.tscn")
+const SCENE: PackedScene = preload("res://scenes/app/tuning/tuning.tscn")
 
 var _tuning: Tuning = null
 

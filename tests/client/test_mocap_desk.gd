@@ -2,7 +2,7 @@ extends TestCase
 ## Motion capture at a client: sources become people, the panel opens and closes by its key, and an
 ## instructor's orders reach whom they are meant for.
 
-const CLIENT: PackedScene = preload("res://scenes/app/client.tscn")
+const CLIENT: PackedScene = preload("res://scenes/client/client.tscn")
 
 var _client: Node = null
 var _desk: MocapDesk = null

@@ -2,7 +2,7 @@ extends TestCase
 ## What a client shows of a server's world, also of a broken or hostile one.
 
 const NetSamples: GDScript = preload("../net/net_samples.gd")
-const CLIENT: PackedScene = preload("res://scenes/app/client.tscn")
+const CLIENT: PackedScene = preload("res://scenes/client/client.tscn")
 const SnapshotStream: GDScript = preload("../net/snapshot_stream.gd")
 const ADA: int = 3
 

@@ -2,7 +2,7 @@ extends SceneTree
 ## Prints what a BVH file holds.
 ##
 ## [codeblock lang=text]
-## godot --headless --path . -s scripts/mocap/bvh_info.gd -- FILE [--unit=U] [--up=y|z]
+## godot --headless --path . -s scripts/mocap/bvh/bvh_info.gd -- FILE [--unit=U] [--up=y|z]
 ## [/codeblock]
 ## U is m, cm, mm, inch, cmu or a number of metres. Exit code 0; 2 with one line on the error output
 ## if the call is wrong or the file cannot be read.
