@@ -18,7 +18,7 @@ const _EXIT_NO_SERVER: int = 4
 
 @export var _scene: ClientScene
 @export var _hud: Hud
-@export var _mocap: MocapDesk
+@export var _mocap: MocapSetup
 
 var _role: String = ""
 var _options: Options = null
@@ -28,13 +28,13 @@ var _recorder: SnapshotRecorder = null
 var _told_s: float = 0.0
 var _was_joined: bool = false
 var _report: ReportFile = null
-var _greeting: Greeting = Greeting.new()
+var _greeting: JoinRequest = JoinRequest.new()
 var _orders: InstructorOrders = null
 var _clock_s: float = 0.0
 var _retry_at_s: float = 0.0
 var _alone_since_s: float = 0.0
 var _exit_code: int = 0
-var _figures: ClientFigures = ClientFigures.new()
+var _figures: ClientStats = ClientStats.new()
 var _stop: StopSignal = StopSignal.new()
 var _pacer: FramePacer = null
 
@@ -178,7 +178,7 @@ func _acknowledge() -> void:
 	)
 	if not bytes.is_empty():
 		_link.send_fast(bytes)
-	if _link.is_joined() and _clock_s - _told_s > FiguresPacket.PERIOD_S:
+	if _link.is_joined() and _clock_s - _told_s > StatsMessage.PERIOD_S:
 		_told_s = _clock_s
 		_link.send_fast(_figures.packet())
 

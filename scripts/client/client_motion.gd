@@ -150,7 +150,7 @@ func _send(p_sample: PoseSample) -> void:
 		var now: int = Time.get_ticks_usec()
 		p_sample.held_usec = maxi(now + _unix_ahead() - p_sample.time_usec, 0)
 		p_sample.sent_usec = now + ahead if knows else 0
-		_link.send_pose(PosePacket.encode(p_sample, _codec))
+		_link.send_pose(PoseMessage.encode(p_sample, _codec))
 
 
 ## Unix time minus this program's clock, µs.

@@ -27,7 +27,7 @@ var _publishers: Dictionary[ClientMotion, TrackerPublisher] = {}
 func _init(p_link: ClientLink, p_options: Options) -> void:
 	_link = p_link
 	_rate = p_options.number("rate")
-	_codec = PosePacket.CODECS[p_options.text("codec")]
+	_codec = PoseMessage.CODECS[p_options.text("codec")]
 
 
 ## Begins to send somebody's motion. Returns false where there are too many already.

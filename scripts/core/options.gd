@@ -184,7 +184,7 @@ func _set_option(p_name: String, p_value: String, p_source: String) -> void:
 	if number("mvn") > 65535:
 		_refuse("--mvn is a UDP port, found %d" % number("mvn"))
 	_check_choice("calibrate", [""] + ClientCalibration.KINDS.keys())
-	_check_choice("codec", PosePacket.CODECS.keys())
+	_check_choice("codec", PoseMessage.CODECS.keys())
 	_check_choice("smoothing", [""] + SmoothingMethods.BY_NAME.keys())
 	if number("fps") > 1000:
 		_refuse("--fps is at most 1000, found %d" % number("fps"))

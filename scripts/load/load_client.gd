@@ -16,13 +16,13 @@ var name: String = ""
 ## What the server has told.
 var replica: WorldReplica = WorldReplica.new()
 ## What has been counted since [method begin_counting].
-var figures: LoadFigures = LoadFigures.new()
+var figures: LoadStats = LoadStats.new()
 ## Why the server does not want this client, or an empty text.
 var refusal: String = ""
 
 var _options: Options = null
 var _link: ClientLink = ClientLink.new()
-var _greeting: Greeting = Greeting.new()
+var _greeting: JoinRequest = JoinRequest.new()
 var _motion: ClientMotion = null
 var _agreement: LoadAgreement = null
 var _viewpoint: Vector3 = Vector3.ZERO
@@ -51,7 +51,7 @@ func wear(p_source: MotionSource) -> void:
 	_greeting.role = Protocol.Role.TRAINEE
 	_link.wait_ms = TRAINEE_WAIT_MS
 	_motion = ClientMotion.new()
-	var codec: PoseCodec.Coding = PosePacket.CODECS[_options.text("codec")]
+	var codec: PoseCodec.Coding = PoseMessage.CODECS[_options.text("codec")]
 	_motion.start(p_source, _options.number("rate"), _link, codec)
 
 
@@ -91,7 +91,7 @@ func poll() -> void:
 
 ## Forgets what was counted.
 func begin_counting() -> void:
-	figures = LoadFigures.new()
+	figures = LoadStats.new()
 
 
 ## The people of whom something is known and who are there.

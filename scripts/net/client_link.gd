@@ -55,7 +55,7 @@ var _peer: ThreadedPeer = null
 # The peer while we are joined, for whichever thread has something to send.
 var _fast_peer: ThreadedPeer = null
 var _sending: Mutex = Mutex.new()
-var _greeting: Greeting = null
+var _greeting: JoinRequest = null
 var _password: String = ""
 var _challenge: PackedByteArray = PackedByteArray()
 var _key: PackedByteArray = PackedByteArray()
@@ -65,7 +65,7 @@ var _locked: bool = false
 var _token: PackedByteArray = PackedByteArray()
 var _token_of: String = ""
 var _state: State = State.CLOSED
-var _parts: PacketParts = PacketParts.new()
+var _parts: MessageParts = MessageParts.new()
 var _began_usec: int = 0
 var _where: String = ""
 var _why: String = ""
@@ -74,7 +74,7 @@ var _refusal: String = ""
 
 
 ## Begins to connect; the outcome comes as a signal from [method poll].
-func open(p_host: String, p_port: int, p_greeting: Greeting, p_password: String = "") -> void:
+func open(p_host: String, p_port: int, p_greeting: JoinRequest, p_password: String = "") -> void:
 	close()
 	_where = "%s:%d" % [p_host, p_port]
 	_greeting = p_greeting
@@ -87,7 +87,7 @@ func open(p_host: String, p_port: int, p_greeting: Greeting, p_password: String 
 	_over = false
 	_refusal = ""
 	clock.clear()
-	_parts = PacketParts.new()
+	_parts = MessageParts.new()
 	_peer = ThreadedPeer.new()
 	_peer.tls = tls
 	_peer.wait_ms = wait_ms
@@ -152,13 +152,13 @@ func poll() -> void:
 func declare_people(p_people: Array[PersonCard]) -> void:
 	if _state == State.JOINED:
 		_api.send_bytes(
-			PeoplePacket.encode(p_people),
+			PeopleMessage.encode(p_people),
 			MultiplayerPeer.TARGET_PEER_SERVER,
 			MultiplayerPeer.TRANSFER_MODE_RELIABLE
 		)
 
 
-## Sends a sample, if we are joined: the bytes of a [PosePacket]. It leaves at once.
+## Sends a sample, if we are joined: the bytes of a [PoseMessage]. It leaves at once.
 func send_pose(p_bytes: PackedByteArray) -> void:
 	send_fast(p_bytes)
 
@@ -184,7 +184,7 @@ func close() -> void:
 	if _peer != null:
 		var peer: ThreadedPeer = _peer
 		_peer = null
-		peer.close_with(Protocol.Goodbye.LEFT)
+		peer.close_with(Protocol.DisconnectReason.LEFT)
 		_api.multiplayer_peer = null
 
 
@@ -196,7 +196,7 @@ func _set_fast_peer(p_peer: ThreadedPeer) -> void:
 
 ## Runs in the transport's thread.
 func _ask_clock() -> PackedByteArray:
-	return ClockPacket.question(Time.get_ticks_usec())
+	return ClockMessage.question(Time.get_ticks_usec())
 
 
 ## Runs in the transport's thread.
@@ -212,11 +212,11 @@ func _loss() -> String:
 	if _state != State.JOINED:
 		return "no server answers at %s" % _where
 	match _peer.goodbye_of(MultiplayerPeer.TARGET_PEER_SERVER):
-		Protocol.Goodbye.CLOSED:
+		Protocol.DisconnectReason.CLOSED:
 			return "the server at %s was closed" % _where
-		Protocol.Goodbye.THROWN_OUT:
+		Protocol.DisconnectReason.THROWN_OUT:
 			return "the server at %s has thrown us out" % _where
-		Protocol.Goodbye.REPLACED:
+		Protocol.DisconnectReason.REPLACED:
 			return "another connection to %s has taken our place" % _where
 	return "the connection to %s is lost%s" % [_where, ": " + _why if _why != "" else ""]
 
@@ -227,14 +227,14 @@ func _on_answer(p_peer: int, p_bytes: PackedByteArray) -> void:
 	if _challenge.is_empty():
 		_greet(p_bytes)
 		return
-	var answer: Answer = Answer.decode(p_bytes)
+	var answer: JoinReply = JoinReply.decode(p_bytes)
 	match answer.kind:
-		Answer.Kind.WELCOME:
+		JoinReply.Kind.WELCOME:
 			_take_welcome(answer)
-		Answer.Kind.WAIT:
+		JoinReply.Kind.WAIT:
 			_state = State.WAITING
 			waiting.emit(answer.place)
-		Answer.Kind.LATER:
+		JoinReply.Kind.LATER:
 			_come_later(answer.why)
 		_:
 			_give_up(answer.why)
@@ -255,7 +255,7 @@ func _greet(p_bytes: PackedByteArray) -> void:
 	_api.send_auth(MultiplayerPeer.TARGET_PEER_SERVER, bytes)
 
 
-func _take_welcome(p_answer: Answer) -> void:
+func _take_welcome(p_answer: JoinReply) -> void:
 	if _locked and not p_answer.is_proven(_key, _said):
 		_give_up("the server does not know the password")
 		return
@@ -281,7 +281,7 @@ func _take_fast() -> void:
 				if _state == State.JOINED:
 					snapshot_received.emit(packet.bytes, packet.arrival_usec)
 			Protocol.Message.CLOCK:
-				var answer: ClockPacket = ClockPacket.decode(packet.bytes)
+				var answer: ClockMessage = ClockMessage.decode(packet.bytes)
 				if answer != null:
 					clock.arrived(answer, packet.arrival_usec)
 			_:
@@ -319,7 +319,7 @@ func _take_notice(p_bytes: PackedByteArray) -> bool:
 		return reader.is_complete()
 	reader = ByteReader.new(p_bytes, 1)
 	var what: int = reader.read_u8()
-	var why: String = reader.read_text(4 * Answer.LONGEST_WHY)
+	var why: String = reader.read_text(4 * JoinReply.LONGEST_WHY)
 	if not reader.is_complete() or what != Protocol.Notice.DISMISSED:
 		return false
 	_token = PackedByteArray()

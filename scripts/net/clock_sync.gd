@@ -1,6 +1,6 @@
 class_name ClockSync
 extends RefCounted
-## Tells what the server's clock and tick are, from answers to [ClockPacket] questions.
+## Tells what the server's clock and tick are, from answers to [ClockMessage] questions.
 ##
 ## Of each answer the server's time lies between question and arrival; the middle is right if both
 ## ways took as long. The quickest round trips of the last seconds bound the error most tightly: the
@@ -47,7 +47,7 @@ class Probe:
 
 
 ## Takes an answer that arrived at a local time, µs.
-func arrived(p_packet: ClockPacket, p_arrival_usec: int) -> void:
+func arrived(p_packet: ClockMessage, p_arrival_usec: int) -> void:
 	var trip: int = p_arrival_usec - p_packet.asked_usec
 	if trip < 0 or trip > int(LONGEST_TRIP_S * 1e6):
 		return

@@ -10,7 +10,7 @@ extends RefCounted
 
 ## A client was admitted. [param p_hello] has name, role and rate.
 signal client_joined(p_session: int, p_hello: Dictionary)
-## A client's connection is lost; it keeps its place for [constant SessionBook.KEPT_S] seconds.
+## A client's connection is lost; it keeps its place for [constant SessionTable.KEPT_S] seconds.
 signal client_lost(p_session: int)
 ## A client is back, after its connection was lost or because it has a new one.
 signal client_returned(p_session: int)
@@ -22,7 +22,7 @@ signal people_declared(p_session: int, p_people: Array[PersonCard])
 signal pose_received(p_session: int, p_sample: PoseSample, p_arrival_usec: int)
 ## A client acknowledges snapshots; the bytes begin with [constant Protocol.Message.ACK].
 signal ack_received(p_session: int, p_bytes: PackedByteArray, p_arrival_usec: int)
-## A client tells how well it sees: see [method FiguresPacket.decode].
+## A client tells how well it sees: see [method StatsMessage.decode].
 signal figures_received(p_session: int, p_figures: Dictionary)
 ## Who is here, lost or waiting has changed; see [method roster].
 signal roster_changed
@@ -37,9 +37,9 @@ var rules: ServerRules = ServerRules.new()
 
 var _api: SceneMultiplayer = null
 var _peer: ThreadedPeer = null
-var _book: SessionBook = SessionBook.new()
-var _lobby: SessionLobby = null
-var _strikes: CallStrikes = null
+var _book: SessionTable = SessionTable.new()
+var _lobby: Handshake = null
+var _strikes: RpcErrorLimiter = null
 var _world_number: int = 0
 var _ticks: TickClock = TickClock.new()
 var _looked_usec: int = 0
@@ -68,10 +68,10 @@ func listen(p_port: int, p_rules: ServerRules) -> Error:
 	_api.peer_connected.connect(_on_connected)
 	_api.peer_disconnected.connect(_on_disconnected)
 	_api.peer_packet.connect(_on_packet)
-	_lobby = SessionLobby.new(_api, _peer, rules, _book)
+	_lobby = Handshake.new(_api, _peer, rules, _book)
 	_lobby.changed.connect(roster_changed.emit)
 	_api.multiplayer_peer = _peer
-	_strikes = CallStrikes.new(_peer)
+	_strikes = RpcErrorLimiter.new(_peer)
 	OS.add_logger(_strikes)
 	return OK
 
@@ -150,7 +150,7 @@ func rate_of(p_session: int) -> int:
 ## Tells everybody which bodies there are.
 func send_world(p_world: WorldDescription) -> void:
 	_world_number += 1
-	for bytes: PackedByteArray in PacketParts.split(p_world.encode(), _world_number):
+	for bytes: PackedByteArray in MessageParts.split(p_world.encode(), _world_number):
 		for session: Session in _book.here():
 			_send_reliably(session.peer, bytes)
 
@@ -186,10 +186,10 @@ func kick(p_session: int, p_why: String) -> String:
 		return "there is no session %d" % p_session
 	Log.info("net", "%s: %s" % [session.describe(), p_why])
 	if session.peer != 0:
-		var text: PackedByteArray = ByteReader.text_bytes(p_why.left(Answer.LONGEST_WHY))
+		var text: PackedByteArray = ByteReader.text_bytes(p_why.left(JoinReply.LONGEST_WHY))
 		var bytes: PackedByteArray = [Protocol.Message.CONTROL, Protocol.Notice.DISMISSED]
 		_send_reliably(session.peer, bytes + text)
-		_peer.dismiss(session.peer, Protocol.Goodbye.DISMISSED)
+		_peer.dismiss(session.peer, Protocol.DisconnectReason.DISMISSED)
 	_end(session)
 	return ""
 
@@ -225,7 +225,7 @@ func close() -> void:
 		OS.remove_logger(_strikes)
 		_strikes = null
 	if _peer != null:
-		_peer.close_with(Protocol.Goodbye.CLOSED)
+		_peer.close_with(Protocol.DisconnectReason.CLOSED)
 		_api.multiplayer_peer = null
 	_peer = null
 	_api = null
@@ -260,7 +260,7 @@ func _on_disconnected(p_peer: int) -> void:
 	var session: Session = _book.of_peer(p_peer)
 	if session == null:
 		return
-	if _peer.goodbye_of(p_peer) != Protocol.Goodbye.LOST:
+	if _peer.goodbye_of(p_peer) != Protocol.DisconnectReason.LOST:
 		_end(session)
 		return
 	Log.info("net", "%s is lost" % session.describe())
@@ -291,7 +291,7 @@ func _on_fast(p_packet: FastPacket) -> void:
 		Protocol.Message.POSE:
 			_on_pose(session, p_packet)
 		Protocol.Message.FIGURES:
-			figures_received.emit(session.id, FiguresPacket.decode(p_packet.bytes))
+			figures_received.emit(session.id, StatsMessage.decode(p_packet.bytes))
 		_:
 			_on_packet(p_packet.peer, p_packet.bytes)
 
@@ -300,9 +300,9 @@ func _on_pose(p_session: Session, p_packet: FastPacket) -> void:
 	if p_session.role != Protocol.Role.TRAINEE:
 		_complain(p_session, "role", "sent a pose, but is no trainee")
 		return
-	var sample: PoseSample = PosePacket.decode(p_packet.bytes)
+	var sample: PoseSample = PoseMessage.decode(p_packet.bytes)
 	if sample == null:
-		_complain(p_session, "pose", "sent " + PosePacket.error)
+		_complain(p_session, "pose", "sent " + PoseMessage.error)
 		return
 	pose_received.emit(p_session.id, sample, p_packet.arrival_usec)
 
@@ -320,9 +320,9 @@ func _on_packet(p_peer: int, p_bytes: PackedByteArray) -> void:
 
 
 func _on_people(p_session: Session, p_bytes: PackedByteArray) -> void:
-	var people: Array[PersonCard] = PeoplePacket.decode(p_bytes)
-	if PeoplePacket.error != "":
-		_complain(p_session, "people", "sent " + PeoplePacket.error)
+	var people: Array[PersonCard] = PeopleMessage.decode(p_bytes)
+	if PeopleMessage.error != "":
+		_complain(p_session, "people", "sent " + PeopleMessage.error)
 	elif p_session.role != Protocol.Role.TRAINEE:
 		_complain(p_session, "role", "names people, but is no trainee")
 	elif p_session.is_here:
@@ -334,7 +334,7 @@ func _throw_out(p_peers: Array[int]) -> void:
 		var session: Session = _book.of_peer(peer)
 		if session != null:
 			_complain(session, "calls", "was thrown out: its calls make no sense")
-			_peer.dismiss(peer, Protocol.Goodbye.THROWN_OUT)
+			_peer.dismiss(peer, Protocol.DisconnectReason.THROWN_OUT)
 			_end(session)
 
 

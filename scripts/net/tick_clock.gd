@@ -17,11 +17,11 @@ func publish(p_tick: int, p_usec: int, p_rate: int) -> void:
 	_mutex.unlock()
 
 
-## Answers a question for the time that arrived at a time, µs; see [ClockPacket].
+## Answers a question for the time that arrived at a time, µs; see [ClockMessage].
 func answer(p_question: PackedByteArray, p_arrival_usec: int) -> PackedByteArray:
 	_mutex.lock()
 	var tick: int = _tick
 	var usec: int = _usec if _usec > 0 else p_arrival_usec
 	var rate: int = _rate
 	_mutex.unlock()
-	return ClockPacket.answer(p_question, p_arrival_usec, tick, usec, rate)
+	return ClockMessage.answer(p_question, p_arrival_usec, tick, usec, rate)

@@ -32,7 +32,7 @@ func add_world(p_world: Node) -> void:
 
 
 ## The description of all bodies, with these people.
-func describe(p_people: Array[ServerActors.Person]) -> WorldDescription:
+func describe(p_people: Array[ServerPeople.Person]) -> WorldDescription:
 	var world: WorldDescription = WorldDescription.new()
 	for id: int in _props:
 		var prop: int = WorldDescription.PROP
@@ -40,7 +40,7 @@ func describe(p_people: Array[ServerActors.Person]) -> WorldDescription:
 	for i: int in _fixed.size():
 		var shapes: Array = _describe_shapes(_fixed[i], _fixed[i].global_transform)
 		world.add(FIRST_FIXED + i, WorldDescription.FIXED, _fixed[i].name, shapes)
-	for person: ServerActors.Person in p_people:
+	for person: ServerPeople.Person in p_people:
 		var joints: PersonSkeleton = person.ragdoll.get_joints()
 		world.add_person(person.id, person.session, person.name, joints, person.card.index)
 		var first: int = FIRST_PERSON + person.id % MAX_PEOPLE * PER_PERSON
@@ -60,7 +60,7 @@ func watch_world(p_encoder: SnapshotEncoder) -> void:
 
 
 ## Lets an encoder read a person's limbs, in the order of [constant Limbs.BONES].
-static func watch_person(p_encoder: SnapshotEncoder, p_person: ServerActors.Person) -> void:
+static func watch_person(p_encoder: SnapshotEncoder, p_person: ServerPeople.Person) -> void:
 	var bodies: Array[RID] = []
 	var resets: PackedFloat32Array = []
 	var joints: PersonSkeleton = p_person.ragdoll.get_joints()

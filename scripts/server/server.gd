@@ -23,13 +23,13 @@ const _EXIT_OPTIONS: int = 2
 const _STATUS_S: float = 10.0
 
 @export var _world: Node3D
-@export var _actors: ServerActors
+@export var _actors: ServerPeople
 
 var _options: Options = null
 var _link: ServerLink = ServerLink.new()
-var _sending: ServerReplication = null
+var _sending: Replication = null
 var _report: ReportFile = null
-var _figures: ServerFigures = null
+var _figures: ServerStats = null
 var _status: StatusEndpoint = StatusEndpoint.new()
 var _stop: StopSignal = StopSignal.new()
 var _tick: int = 0
@@ -57,10 +57,10 @@ func _ready() -> void:
 	if _rate() > _MAX_TICKS:
 		_give_up(_EXIT_OPTIONS, "%d ticks/s are set, %d is the most" % [_rate(), _MAX_TICKS])
 		return
-	_figures = ServerFigures.new(_rate())
+	_figures = ServerStats.new(_rate())
 	var bits: float = _options.number("bandwidth") * 1000.0
 	var error: float = _options.degrees("pose-error")
-	_sending = ServerReplication.new(_link, _actors, _rate(), bits, error)
+	_sending = Replication.new(_link, _actors, _rate(), bits, error)
 	_actors.changed.connect(_sending.announce)
 	_link.client_joined.connect(_on_joined)
 	_link.client_returned.connect(_on_returned)

@@ -76,7 +76,7 @@ func _run_kind(p_clip: String, p_kind: CalibrationGuide.Kind, p_poses: Array[Pos
 		wearer.feed.noise_deg = _arguments.value("noise")
 		wearer.motion.facing = _random.randf_range(-PI, PI)
 		var norths: float = NAN if p_kind == CalibrationGuide.Kind.FULL else 0.0
-		wearer.wear(PackedInt32Array(range(BodyPlaces.COUNT)), norths)
+		wearer.wear(PackedInt32Array(range(BodyMounts.COUNT)), norths)
 		if p_kind < CalibrationGuide.Kind.T_TO_N:
 			wearer.process.options.facing = CalibrationOptions.Facing.HEADING
 			wearer.process.options.heading_deg = -rad_to_deg(wearer.motion.facing)
@@ -123,7 +123,7 @@ func _run_fill(p_clip: String, p_source: BvhSource, p_poses: Array[PoseSample]) 
 		for pose: PoseSample in p_poses:
 			filler.clear()
 			for place: int in SensorMap.layout(count):
-				filler.set_place(place, pose.orientation(BodyPlaces.LIMBS[place]))
+				filler.set_place(place, pose.orientation(BodyMounts.LIMBS[place]))
 			filler.fill()
 			for limb: int in Limbs.COUNT:
 				if filler.measured[limb] == 0:
@@ -136,7 +136,7 @@ func _run_fill(p_clip: String, p_source: BvhSource, p_poses: Array[PoseSample]) 
 func _run_suit(p_clip: String, p_source: BvhSource) -> void:
 	var wearer: Wearer = Wearer.new()
 	wearer.random = _random
-	wearer.wear(PackedInt32Array(range(BodyPlaces.COUNT)))
+	wearer.wear(PackedInt32Array(range(BodyMounts.COUNT)))
 	var result: CalibrationResult = wearer.calibrate(CalibrationGuide.Kind.FULL)
 	var suit: SuitSource = SuitSource.new(wearer.feed)
 	suit.set_calibration(result.calibration)

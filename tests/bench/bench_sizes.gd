@@ -89,7 +89,7 @@ func _run_clip(
 static func _fit(p_ragdoll: Ragdoll, p_person: Vector3) -> void:
 	if p_person.x <= 0.0:
 		return
-	var figure: RagdollFigure = RagdollFigure.new(p_ragdoll.get_skeleton())
+	var figure: RestSkeleton = RestSkeleton.new(p_ragdoll.get_skeleton())
 	var factor: float = p_person.x / BodyMass.stature(figure)
 	var lengths: PackedFloat32Array = BodyScale.own_lengths(p_ragdoll)
 	for limb: int in Limbs.COUNT:

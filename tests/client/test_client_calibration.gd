@@ -18,7 +18,7 @@ func before_each() -> void:
 	_random.seed = 4
 	_calibration = ClientCalibration.new()
 	_feed = WornSensorFeed.new()
-	for place: int in BodyPlaces.COUNT:
+	for place: int in BodyMounts.COUNT:
 		var turn: Vector3 = Vector3(_random.randfn(), _random.randfn(), _random.randfn())
 		_feed.add_sensor(place, Quaternion.from_euler(turn))
 	_motion = CalibrationMotion.new()
@@ -43,7 +43,7 @@ func test_the_wearer_is_told_what_to_do_and_the_result_is_kept() -> void:
 	equal(_calibration.text(_now_s() + 60.0), "", "and not for ever")
 	var kept: PersonProfile = CalibrationStore.new().read(NAME)
 	not_null(kept)
-	equal(kept.calibration.entries.size(), BodyPlaces.COUNT)
+	equal(kept.calibration.entries.size(), BodyMounts.COUNT)
 
 
 func test_who_does_not_hold_still_keeps_the_old_calibration() -> void:

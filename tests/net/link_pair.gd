@@ -28,7 +28,7 @@ var ends: Array[End] = []
 ## A client's end with what it heard.
 class End:
 	var link: ClientLink = ClientLink.new()
-	var greeting: Greeting = Greeting.new()
+	var greeting: JoinRequest = JoinRequest.new()
 	var joined: int = 0
 	var refusal: String = ""
 	var loss: String = ""

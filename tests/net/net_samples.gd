@@ -24,8 +24,8 @@ static func raw_pose(p_sample: PoseSample) -> PackedByteArray:
 	good.root = p_sample.root
 	for limb: int in Limbs.COUNT:
 		good.set_orientation(limb, Quaternion.IDENTITY)
-	var bytes: PackedByteArray = PosePacket.encode(good, PoseCodec.FLOATS)
-	return bytes.slice(0, PosePacket.HEADER) + p_sample.orientations.to_byte_array()
+	var bytes: PackedByteArray = PoseMessage.encode(good, PoseCodec.FLOATS)
+	return bytes.slice(0, PoseMessage.HEADER) + p_sample.orientations.to_byte_array()
 
 
 ## A world of so many bodies and people.

@@ -51,7 +51,7 @@ func test_there_and_back() -> void:
 
 func test_a_server_that_was_started_again_has_another_clock() -> void:
 	var sync: ClockSync = _simulate(10.0, 5000, 0, 0.0)
-	var packet: ClockPacket = _answer(20000000, 7000000)
+	var packet: ClockMessage = _answer(20000000, 7000000)
 	sync.arrived(packet, 20010000)
 	equal(sync.count, 1)
 	almost_equal(float(sync.server_usec(20010000)), 7005000.0, 5.0)
@@ -65,13 +65,13 @@ func test_answers_that_cannot_be() -> void:
 
 
 func test_packets() -> void:
-	var question: PackedByteArray = ClockPacket.question(123)
-	var bytes: PackedByteArray = ClockPacket.answer(question, 1000000, 60, 990000, 60)
-	var packet: ClockPacket = ClockPacket.decode(bytes)
+	var question: PackedByteArray = ClockMessage.question(123)
+	var bytes: PackedByteArray = ClockMessage.answer(question, 1000000, 60, 990000, 60)
+	var packet: ClockMessage = ClockMessage.decode(bytes)
 	equal([packet.asked_usec, packet.server_usec], [123, 1000000])
 	equal([packet.tick, packet.tick_usec, packet.tick_rate], [60, 990000, 60])
-	equal(ClockPacket.answer(bytes, 1, 1, 1, 1), PackedByteArray(), "no question")
-	is_null(ClockPacket.decode(question))
+	equal(ClockMessage.answer(bytes, 1, 1, 1, 1), PackedByteArray(), "no question")
+	is_null(ClockMessage.decode(question))
 
 
 ## Questions as a client asks them, for some seconds, with a delay each way, μs.
@@ -86,7 +86,7 @@ func _simulate(
 		if _random.randf() > 0.05:
 			var out: int = p_delay_usec + _random.randi_range(0, 2 * p_jitter_usec)
 			var back: int = p_delay_usec + _random.randi_range(0, 2 * p_jitter_usec)
-			var packet: ClockPacket = _answer(now, int(_server_time(now + out, p_drift_ppm)))
+			var packet: ClockMessage = _answer(now, int(_server_time(now + out, p_drift_ppm)))
 			sync.arrived(packet, now + out + back)
 		now += 250000 if number < 20 else 1000000
 	return sync
@@ -96,8 +96,8 @@ func _server_time(p_local_usec: int, p_drift_ppm: float) -> float:
 	return 3e9 + p_local_usec * (1.0 + p_drift_ppm * 1e-6)
 
 
-func _answer(p_asked_usec: int, p_server_usec: int) -> ClockPacket:
-	var packet: ClockPacket = ClockPacket.new()
+func _answer(p_asked_usec: int, p_server_usec: int) -> ClockMessage:
+	var packet: ClockMessage = ClockMessage.new()
 	packet.asked_usec = p_asked_usec
 	packet.server_usec = p_server_usec
 	var tick: int = floori((p_server_usec - 3e9) * RATE / 1e6)

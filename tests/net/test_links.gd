@@ -28,7 +28,7 @@ func test_trainee_joins_and_is_heard() -> void:
 	var hello: Dictionary = _pair.joined.values()[0]
 	equal([hello["name"], hello["role"]], ["Grace", int(TRAINEE)])
 	var sample: PoseSample = NetSamples.pose(_random)
-	end.link.send_pose(PosePacket.encode(sample))
+	end.link.send_pose(PoseMessage.encode(sample))
 	is_true(_pair.until(func() -> bool: return _pair.pose_count() == 1), "heard")
 	var got: PoseSample = _pair.poses.values()[0][0]
 	for limb: int in Limbs.COUNT:
@@ -90,7 +90,7 @@ func test_client_that_vanishes_is_lost_soon() -> void:
 	var end: LinkPair.End = _pair.join(TRAINEE, "vanishes")
 	equal(_pair.joined.size(), 2)
 	_pair.ends.erase(end)
-	end.link._peer.close_with(Protocol.Goodbye.LOST)
+	end.link._peer.close_with(Protocol.DisconnectReason.LOST)
 	var stream: SnapshotStream = SnapshotStream.new([], [1])
 	_pair.until(
 		func() -> bool:
@@ -119,7 +119,7 @@ func test_no_server() -> void:
 	_pair.server.close()
 	var end: LinkPair.End = LinkPair.End.new()
 	var began: int = Time.get_ticks_msec()
-	end.link.open("127.0.0.1", _pair.port, Greeting.new())
+	end.link.open("127.0.0.1", _pair.port, JoinRequest.new())
 	while end.loss == "" and Time.get_ticks_msec() - began < 8000:
 		end.link.poll()
 		OS.delay_msec(5)
@@ -131,7 +131,7 @@ func test_address_that_is_none() -> void:
 	var end: LinkPair.End = LinkPair.End.new()
 	allow_error("Couldn't")
 	allow_error("resolve")
-	end.link.open("", 7777, Greeting.new())
+	end.link.open("", 7777, JoinRequest.new())
 	for _poll: int in 500:
 		end.link.poll()
 		OS.delay_msec(1)
@@ -145,7 +145,7 @@ func test_joins_again_with_the_same_link() -> void:
 	is_true(_pair.until(func() -> bool: return _pair.left.size() == 1))
 	end.link.open("127.0.0.1", _pair.port, end.greeting)
 	is_true(_pair.until(func() -> bool: return end.joined == 2 and _pair.joined.size() == 2))
-	end.link.send_pose(PosePacket.encode(NetSamples.pose(_random)))
+	end.link.send_pose(PoseMessage.encode(NetSamples.pose(_random)))
 	is_true(_pair.until(func() -> bool: return _pair.pose_count() == 1))
 
 
@@ -162,10 +162,10 @@ func test_traffic_is_counted() -> void:
 	equal(end.joined, 1)
 	var before: int = _pair.server.traffic.received
 	for _pose: int in 20:
-		end.link.send_pose(PosePacket.encode(NetSamples.pose(_random)))
+		end.link.send_pose(PoseMessage.encode(NetSamples.pose(_random)))
 		_pair.run(0.01)
 	is_true(_pair.until(func() -> bool: return _pair.pose_count() == 20))
 	_pair.run(0.25)
 	var came: int = _pair.server.traffic.received - before
-	var size: int = PosePacket.encode(NetSamples.pose(_random)).size()
+	var size: int = PoseMessage.encode(NetSamples.pose(_random)).size()
 	is_true(came >= 20 * size and came < 40 * size, "%d bytes" % came)

@@ -6,14 +6,14 @@ const Stage: GDScript = preload("../actor/stage.gd")
 const SOLDIER: PackedScene = preload("res://scenes/actor/soldier.tscn")
 
 var _hall: Node3D = null
-var _actors: ServerActors = null
+var _actors: ServerPeople = null
 var _registry: BodyRegistry = null
 
 
 func before_each() -> void:
 	_hall = HALL.instantiate()
 	add_child(_hall)
-	_actors = ServerActors.new()
+	_actors = ServerPeople.new()
 	_actors.scene = SOLDIER
 	add_child(_actors)
 	_registry = BodyRegistry.new()
@@ -92,7 +92,7 @@ func test_snapshots_have_exactly_what_moves() -> void:
 	decoder.configure(parents, Protocol.POSE_ERROR_DEG)
 	encoder.add_client(1, 0, 1e8)
 	_registry.watch_world(encoder)
-	for person: ServerActors.Person in _actors.list():
+	for person: ServerPeople.Person in _actors.list():
 		BodyRegistry.watch_person(encoder, person)
 	encoder.capture(100)
 	var datagrams: Array[PackedByteArray] = encoder.encode(1, 0)
@@ -104,13 +104,13 @@ func test_snapshots_have_exactly_what_moves() -> void:
 		if is_prop:
 			var crate: Node3D = _hall.get_node(NodePath(world.bodies[id].part))
 			almost_equal(decoder.get_body_transform(id), crate.global_transform, 0.01)
-	for person: ServerActors.Person in _actors.list():
+	for person: ServerPeople.Person in _actors.list():
 		_check_limbs(decoder, person, world)
 
 
 ## A client comes to the server's places by forward kinematics.
 func _check_limbs(
-	p_decoder: SnapshotDecoder, p_person: ServerActors.Person, p_world: WorldDescription
+	p_decoder: SnapshotDecoder, p_person: ServerPeople.Person, p_world: WorldDescription
 ) -> void:
 	var joints: PersonSkeleton = p_world.skeletons[p_person.id]
 	is_true(joints.is_sound())
@@ -165,7 +165,7 @@ func test_numbers_are_unique_after_thousands_have_come_and_gone() -> void:
 	for next: int in [1023, 1024, 2048, 65535, 65536, 1000000]:
 		_actors._next_id = next
 		_actors.set_people(6, [PersonCard.of("comes again", 0.95)], "")
-		var people: Array[ServerActors.Person] = _actors.list()
+		var people: Array[ServerPeople.Person] = _actors.list()
 		not_equal(people[0].id, people[1].id)
 		is_true(people[1].id <= 65535, "an actor is 16 bits on the wire, not %d" % people[1].id)
 		var world: WorldDescription = _registry.describe(people)

@@ -30,7 +30,7 @@ func _build() -> bool:
 	person.add_child(body)
 	body.owner = person
 	person.set_editable_instance(body, true)
-	var figure: RagdollFigure = RagdollFigure.new(person.get_skeleton())
+	var figure: RestSkeleton = RestSkeleton.new(person.get_skeleton())
 	figure.fill_pose(profile)
 	LimbDistance.keep_apart(profile)
 	LimbContacts.fill(profile, figure, SkinnedSurface.new(figure))

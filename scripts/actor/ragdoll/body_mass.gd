@@ -19,7 +19,7 @@ const HEAVIEST: float = 1000.0
 
 ## Sets the mass of a profile that is made for a figure, and scales the torques of its limbs, which
 ## are an adult's.
-static func fill(p_profile: RagdollProfile, p_figure: RagdollFigure) -> void:
+static func fill(p_profile: RagdollProfile, p_figure: RestSkeleton) -> void:
 	var size: float = stature(p_figure) / ADULT_HEIGHT
 	# Tenths of a kilogram are more than anybody can tell of such a figure.
 	p_profile.mass = clampf(snappedf(ADULT_MASS * size ** 3, 0.1), LIGHTEST, HEAVIEST)
@@ -29,7 +29,7 @@ static func fill(p_profile: RagdollProfile, p_figure: RagdollFigure) -> void:
 
 ## How tall a figure is, m, by the height of its hip joints: not every skeleton tells where the
 ## head ends.
-static func stature(p_figure: RagdollFigure) -> float:
+static func stature(p_figure: RestSkeleton) -> float:
 	var lowest: float = INF
 	for side: String in ["Left", "Right"]:
 		for bone: String in ["Foot", "Toes"]:

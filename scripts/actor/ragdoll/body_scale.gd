@@ -54,7 +54,7 @@ func volume(p_limb: int) -> float:
 
 ## The lengths of a ragdoll's limbs, m, in the order of [constant Limbs.BONES].
 static func own_lengths(p_ragdoll: Ragdoll) -> PackedFloat32Array:
-	var figure: RagdollFigure = RagdollFigure.new(p_ragdoll.get_skeleton())
+	var figure: RestSkeleton = RestSkeleton.new(p_ragdoll.get_skeleton())
 	var lengths: PackedFloat32Array = []
 	for limb: int in Limbs.COUNT:
 		var length: float = figure.direction(limb).length()

@@ -16,7 +16,7 @@ const _BEYOND_BALL: float = 0.01
 
 ## Gives all limbs their contact points; the sole is taken from a surface, if it has one.
 static func fill(
-	p_profile: RagdollProfile, p_figure: RagdollFigure, p_surface: SkinnedSurface
+	p_profile: RagdollProfile, p_figure: RestSkeleton, p_surface: SkinnedSurface
 ) -> void:
 	for limb: RagdollLimb in p_profile.limbs:
 		if limb.is_foot:

@@ -16,12 +16,12 @@ const _TRIM_FOOT: Vector3 = Vector3(0.02, 0.05, 0.005)
 ## Thinnest shape, m.
 const _THINNEST: float = 0.01
 
-var _figure: RagdollFigure = null
+var _figure: RestSkeleton = null
 var _surface: SkinnedSurface = null
 var _is_symmetric: bool = false
 
 
-func _init(p_figure: RagdollFigure, p_surface: SkinnedSurface) -> void:
+func _init(p_figure: RestSkeleton, p_surface: SkinnedSurface) -> void:
 	_figure = p_figure
 	_surface = p_surface
 	_is_symmetric = _find_symmetry()

@@ -252,8 +252,8 @@ func _find_obstacles() -> PackedStringArray:
 	var skeleton: Skeleton3D = get_skeleton()
 	if skeleton == null:
 		obstacles.append("There is no Skeleton3D below it: add a rigged character.")
-	elif RagdollFigure.new(skeleton).find_fault() != "":
-		obstacles.append(RagdollFigure.new(skeleton).find_fault() + ".")
+	elif RestSkeleton.new(skeleton).find_fault() != "":
+		obstacles.append(RestSkeleton.new(skeleton).find_fault() + ".")
 	elif get_simulator() == null:
 		obstacles.append("The skeleton has no physical bones: press 'Make bodies'.")
 	return obstacles
@@ -306,5 +306,5 @@ func _joint_in(p_bone: PhysicalBone3D, p_limb: RagdollLimb, p_joint: Vector3) ->
 
 ## A body in the rest pose, in model space. A designer may have moved it.
 func _body_at_rest(p_bone: PhysicalBone3D, p_limb: RagdollLimb) -> Transform3D:
-	var rest: Transform3D = RagdollFigure.new(get_skeleton()).scaled_rest(p_limb.bone)
+	var rest: Transform3D = RestSkeleton.new(get_skeleton()).scaled_rest(p_limb.bone)
 	return Transform3D(Basis(p_limb.rest_orientation), (rest * p_bone.body_offset).origin)

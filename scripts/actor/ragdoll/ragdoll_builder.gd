@@ -18,7 +18,7 @@ const FRICTION: float = 0.8
 
 ## Makes a [PhysicalBoneSimulator3D] with a [PhysicalBone3D] per limb, adds it to the skeleton and
 ## returns it; on a fault it reports an error and returns null. [param p_owner] is the scene that
-## shall save them, or null. The profile's frame must be the figure's: see [RagdollFigure].
+## shall save them, or null. The profile's frame must be the figure's: see [RestSkeleton].
 static func build(
 	p_skeleton: Skeleton3D, p_profile: RagdollProfile, p_owner: Node = null
 ) -> PhysicalBoneSimulator3D:
@@ -51,12 +51,12 @@ static func make(p_skeleton: Skeleton3D, p_profile: RagdollProfile) -> PhysicalB
 		return null
 	var simulator: PhysicalBoneSimulator3D = PhysicalBoneSimulator3D.new()
 	simulator.name = SIMULATOR
-	var figure: RagdollFigure = RagdollFigure.new(p_skeleton)
+	var figure: RestSkeleton = RestSkeleton.new(p_skeleton)
 	for limb: RagdollLimb in p_profile.limbs:
 		var bone: PhysicalBone3D = _make_bone(limb, p_profile.mass)
 		# The offset takes the skeleton's scale away: bodies have none.
 		var rest: Transform3D = figure.scaled_rest(limb.bone)
-		bone.body_offset = rest.affine_inverse() * RagdollFigure.body_of(limb)
+		bone.body_offset = rest.affine_inverse() * RestSkeleton.body_of(limb)
 		simulator.add_child(bone)
 	return simulator
 

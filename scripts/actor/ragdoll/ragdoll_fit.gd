@@ -13,7 +13,7 @@ extends RefCounted
 var _ragdoll: Ragdoll = null
 var _scale: BodyScale = null
 var _skeleton: Skeleton3D = null
-var _figure: RagdollFigure = null
+var _figure: RestSkeleton = null
 ## Map of each bone, in its own axes.
 var _maps: Array[Basis] = []
 ## Rests of the limbs' bones before, in model space, by bone.
@@ -26,7 +26,7 @@ static func apply(p_ragdoll: Ragdoll, p_scale: BodyScale) -> void:
 	fit._ragdoll = p_ragdoll
 	fit._scale = p_scale
 	fit._skeleton = p_ragdoll.get_skeleton()
-	fit._figure = RagdollFigure.new(fit._skeleton)
+	fit._figure = RestSkeleton.new(fit._skeleton)
 	for bone: StringName in Limbs.BONES:
 		fit._rests[bone] = fit._figure.scaled_rest(bone)
 	fit._find_maps()

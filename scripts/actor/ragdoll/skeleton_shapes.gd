@@ -40,7 +40,7 @@ const _SHORTEST: float = 0.06
 
 ## The profile of a skeleton, or null (and an error that says what to do) where it is no figure.
 static func describe(p_skeleton: Skeleton3D) -> RagdollProfile:
-	var figure: RagdollFigure = RagdollFigure.new(p_skeleton)
+	var figure: RestSkeleton = RestSkeleton.new(p_skeleton)
 	if figure.find_fault() != "":
 		push_error(figure.find_fault() + ".")
 		return null
@@ -58,7 +58,7 @@ static func describe(p_skeleton: Skeleton3D) -> RagdollProfile:
 	return profile
 
 
-static func _shape(p_figure: RagdollFigure, p_limb: int, p_height: float) -> RagdollLimb:
+static func _shape(p_figure: RestSkeleton, p_limb: int, p_height: float) -> RagdollLimb:
 	var bone: StringName = Limbs.BONES[p_limb]
 	var shape: RagdollLimb = RagdollLimb.new()
 	shape.bone = bone
@@ -99,7 +99,7 @@ static func orientation_along(p_along: Vector3, p_is_hand: bool = false) -> Quat
 
 ## A level box from heel to toes that stands on the sole.
 static func _shape_foot(
-	p_shape: RagdollLimb, p_figure: RagdollFigure, p_limb: int, p_height: float
+	p_shape: RagdollLimb, p_figure: RestSkeleton, p_limb: int, p_height: float
 ) -> void:
 	var ahead: Vector3 = forward(p_figure, p_limb)
 	var toes: Vector3 = p_shape.anchor + p_figure.direction(p_limb)
@@ -122,12 +122,12 @@ static func _shape_foot(
 
 
 ## Where a foot points, level.
-static func forward(p_figure: RagdollFigure, p_limb: int) -> Vector3:
+static func forward(p_figure: RestSkeleton, p_limb: int) -> Vector3:
 	var ahead: Vector3 = p_figure.direction(p_limb) * Vector3(1.0, 0.0, 1.0)
 	return ahead.normalized() if ahead.length() > 0.02 else Vector3.BACK
 
 
-static func _along(p_figure: RagdollFigure, p_limb: int) -> Vector3:
+static func _along(p_figure: RestSkeleton, p_limb: int) -> Vector3:
 	var along: Vector3 = p_figure.direction(p_limb)
 	if along.length() >= _SHORTEST:
 		return along

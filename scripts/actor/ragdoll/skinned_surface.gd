@@ -13,13 +13,13 @@ var points: Array[PackedVector3Array] = []
 ## The area that each of these points stands for, m².
 var areas: Array[PackedFloat32Array] = []
 
-var _figure: RagdollFigure = null
+var _figure: RestSkeleton = null
 var _limbs: PackedInt32Array = []
 var _neck: int = -1
 var _neck_height: float = 0.0
 
 
-func _init(p_figure: RagdollFigure) -> void:
+func _init(p_figure: RestSkeleton) -> void:
 	_figure = p_figure
 	for _limb: int in Limbs.COUNT:
 		points.append(PackedVector3Array())
@@ -61,7 +61,7 @@ func _assign_bones() -> void:
 
 
 func _add_instance(p_instance: MeshInstance3D) -> void:
-	var place: Transform3D = RagdollFigure.place_of(p_instance)
+	var place: Transform3D = RestSkeleton.place_of(p_instance)
 	var bones: PackedInt32Array = []
 	var moves: Array[Transform3D] = []
 	var skeleton: Skeleton3D = _figure.skeleton

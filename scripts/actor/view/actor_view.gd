@@ -30,7 +30,7 @@ func _init(p_node: Ragdoll) -> void:
 			_offsets[bone.bone_name] = bone.body_offset.affine_inverse()
 	_neck = _skeleton.find_bone(&"Neck")
 	_meshes = SkinnedSurface.find_meshes(_skeleton)
-	_reach = 1.5 * RagdollFigure.new(_skeleton).height()
+	_reach = 1.5 * RestSkeleton.new(_skeleton).height()
 
 
 ## Shows the bodies' transforms in the world, by name of the limb's bone; parents come first.

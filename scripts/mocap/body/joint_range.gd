@@ -3,7 +3,7 @@ extends RefCounted
 ## How far joints of people go, for telling what cannot be: generous, so that no healthy person is
 ## ever told to be broken.
 
-## For places whose joint with the place above ([constant BodyPlaces.PARENTS]) is judged: least and
+## For places whose joint with the place above ([constant BodyMounts.PARENTS]) is judged: least and
 ## most of the rotation vector, degrees, of the left side or the middle, in the axes of the reset
 ## pose. The right side mirrors it.
 const _RANGES: Dictionary[int, Array] = {
@@ -20,15 +20,15 @@ const _RANGES: Dictionary[int, Array] = {
 
 ## Whether the joint above a place is judged.
 static func knows(p_place: int) -> bool:
-	return _RANGES.has(p_place) or _RANGES.has(BodyPlaces.MIRRORS[p_place])
+	return _RANGES.has(p_place) or _RANGES.has(BodyMounts.MIRRORS[p_place])
 
 
 ## By how much a joint is beyond its range, rad: of a place against the one above it.
 static func excess(p_place: int, p_above: Quaternion, p_rotation: Quaternion) -> float:
 	var turn: Vector3 = Rotations.vector(p_above.inverse() * p_rotation) * (180.0 / PI)
 	var place: int = p_place
-	if BodyPlaces.side(p_place) < 0:
-		place = BodyPlaces.MIRRORS[p_place]
+	if BodyMounts.side(p_place) < 0:
+		place = BodyMounts.MIRRORS[p_place]
 		turn = Vector3(turn.x, -turn.y, -turn.z)
 	if not _RANGES.has(place):
 		return 0.0

@@ -5,7 +5,7 @@ extends RefCounted
 ##
 ## Offsets do not count, only how far the turns spread about their mean.
 
-## The places of both legs, see [BodyPlaces].
+## The places of both legs, see [BodyMounts].
 const PLACES: PackedInt32Array = [11, 12, 13, 14, 15, 16]
 ## The joints: places that are neighbours.
 const JOINTS: Array[Vector2i] = [
@@ -34,7 +34,7 @@ func clear() -> void:
 	_turns.clear()
 
 
-## Takes a pose: for each place of [BodyPlaces] a rotation from the reset pose, or null.
+## Takes a pose: for each place of [BodyMounts] a rotation from the reset pose, or null.
 func add(p_pose: Array) -> void:
 	for first: int in PLACES:
 		for second: int in PLACES:

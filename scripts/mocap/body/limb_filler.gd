@@ -1,6 +1,6 @@
 class_name LimbFiller
 extends RefCounted
-## Makes all limbs of [Limbs] of what is known at the places of [BodyPlaces].
+## Makes all limbs of [Limbs] of what is known at the places of [BodyMounts].
 ##
 ## Rotations are from the reset pose, in the world. What no sensor tells is taken from its
 ## neighbours so that it looks like a person and bends only the way joints bend:
@@ -38,8 +38,8 @@ var _has: PackedByteArray = PackedByteArray()
 
 
 func _init() -> void:
-	rotations.resize(BodyPlaces.COUNT)
-	known.resize(BodyPlaces.COUNT)
+	rotations.resize(BodyMounts.COUNT)
+	known.resize(BodyMounts.COUNT)
 	limbs.resize(Limbs.COUNT)
 	measured.resize(Limbs.COUNT)
 	clear()
@@ -66,18 +66,18 @@ func fill() -> void:
 	_fill_leg(11)
 	_fill_leg(14)
 	measured.fill(0)
-	for place: int in BodyPlaces.COUNT:
+	for place: int in BodyMounts.COUNT:
 		if place == 3 or place == 7:
 			continue
-		limbs[BodyPlaces.LIMBS[place]] = rotations[place]
-		measured[BodyPlaces.LIMBS[place]] = known[place]
-	limbs[1] = rotations[BodyPlaces.PELVIS].slerp(rotations[BodyPlaces.STERNUM], 0.5)
+		limbs[BodyMounts.LIMBS[place]] = rotations[place]
+		measured[BodyMounts.LIMBS[place]] = known[place]
+	limbs[1] = rotations[BodyMounts.PELVIS].slerp(rotations[BodyMounts.STERNUM], 0.5)
 
 
 func _fill_trunk() -> void:
-	var pelvis: int = BodyPlaces.PELVIS
-	var chest: int = BodyPlaces.STERNUM
-	var head: int = BodyPlaces.HEAD
+	var pelvis: int = BodyMounts.PELVIS
+	var chest: int = BodyMounts.STERNUM
+	var head: int = BodyMounts.HEAD
 	if _has[chest] == 0:
 		if _has[3] != 0 and _has[7] != 0:
 			_put(chest, rotations[3].slerp(rotations[7], 0.5))
@@ -100,7 +100,7 @@ func _pelvis_from_others() -> Quaternion:
 	if _has[11] != 0 and _has[14] != 0:
 		# Between the thighs, upright: thighs swing, the pelvis hardly does.
 		return Rotations.yaw(Rotations.yaw_of(rotations[11].slerp(rotations[14], 0.5)))
-	for place: int in [BodyPlaces.STERNUM, BodyPlaces.HEAD, 11, 14, 12, 15]:
+	for place: int in [BodyMounts.STERNUM, BodyMounts.HEAD, 11, 14, 12, 15]:
 		if _has[place] != 0:
 			return Rotations.yaw(Rotations.yaw_of(rotations[place]))
 	return Quaternion.IDENTITY
@@ -115,7 +115,7 @@ func _fill_arm(p_upper: int, p_side: float) -> void:
 		if _has[fore] != 0:
 			_put(p_upper, _upper_arm(rotations[fore], p_side))
 		else:
-			var front: float = Rotations.yaw_of(rotations[BodyPlaces.STERNUM])
+			var front: float = Rotations.yaw_of(rotations[BodyMounts.STERNUM])
 			_put(p_upper, Rotations.yaw(front) * Quaternion(Vector3.BACK, -PI / 2.0 * p_side))
 	if _has[fore] == 0:
 		_put(fore, rotations[p_upper])
@@ -125,7 +125,7 @@ func _fill_arm(p_upper: int, p_side: float) -> void:
 
 ## An upper arm above a forearm; the side is 1 for left, -1 for right.
 func _upper_arm(p_fore: Quaternion, p_side: float) -> Quaternion:
-	var chest: Quaternion = rotations[BodyPlaces.STERNUM]
+	var chest: Quaternion = rotations[BodyMounts.STERNUM]
 	var along: Vector3 = p_fore * Vector3(p_side, 0.0, 0.0)
 	var hanging: Vector3 = chest * (HANGING * Vector3(p_side, 1.0, 1.0))
 	var hinge: Vector3 = hanging.cross(along)
@@ -150,7 +150,7 @@ func _fill_leg(p_thigh: int) -> void:
 		if _has[shank] != 0:
 			_put(p_thigh, _thigh(rotations[shank]))
 		else:
-			_put(p_thigh, Rotations.yaw(Rotations.yaw_of(rotations[BodyPlaces.PELVIS])))
+			_put(p_thigh, Rotations.yaw(Rotations.yaw_of(rotations[BodyMounts.PELVIS])))
 	if _has[shank] == 0:
 		_put(shank, _shank(rotations[p_thigh]))
 	if _has[foot] == 0:
@@ -178,7 +178,7 @@ func _shank(p_thigh: Quaternion) -> Quaternion:
 
 ## How far a leg's part points backwards, seen from the pelvis, rad.
 func _pitch(p_part: Quaternion) -> float:
-	var along: Vector3 = rotations[BodyPlaces.PELVIS].inverse() * (p_part * Vector3.DOWN)
+	var along: Vector3 = rotations[BodyMounts.PELVIS].inverse() * (p_part * Vector3.DOWN)
 	return atan2(-along.z, maxf(-along.y, 0.0) if absf(along.z) > 1e-6 else 1.0)
 
 

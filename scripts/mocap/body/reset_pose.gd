@@ -15,16 +15,16 @@ enum Kind {
 const NAMES: PackedStringArray = ["T", "N"]
 
 
-## Rotation of a place of [BodyPlaces] in a pose, from the reset pose.
+## Rotation of a place of [BodyMounts] in a pose, from the reset pose.
 static func rotation(p_kind: Kind, p_place: int) -> Quaternion:
 	if p_kind == Kind.T or not hangs(p_place):
 		return Quaternion.IDENTITY
-	return Quaternion(Vector3.BACK, -PI / 2.0 * BodyPlaces.side(p_place))
+	return Quaternion(Vector3.BACK, -PI / 2.0 * BodyMounts.side(p_place))
 
 
 ## Whether a place goes down with the arm from T to N: the arms, without the shoulder blades.
 static func hangs(p_place: int) -> bool:
-	return BodyPlaces.is_arm(p_place) and p_place != 3 and p_place != 7
+	return BodyMounts.is_arm(p_place) and p_place != 3 and p_place != 7
 
 
 ## The pose in words, as somebody is told to take it.

@@ -20,7 +20,7 @@ var made_s: float = 0.0
 
 ## One sensor.
 class Entry:
-	## Place of [BodyPlaces] on which it was worn.
+	## Place of [BodyMounts] on which it was worn.
 	var place: int = -1
 	## Heading H, rad about the vertical.
 	var heading: float = 0.0

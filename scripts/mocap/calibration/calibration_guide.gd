@@ -86,7 +86,7 @@ static func steps(
 
 ## How long a kind takes, s; the places are for a fit check.
 static func duration_s(
-	p_kind: Kind, p_places: PackedInt32Array = PackedInt32Array(range(BodyPlaces.COUNT))
+	p_kind: Kind, p_places: PackedInt32Array = PackedInt32Array(range(BodyMounts.COUNT))
 ) -> float:
 	var sum: float = 0.0
 	for step: Step in steps(p_kind, ResetPose.Kind.T, p_places):

@@ -27,7 +27,7 @@ var advice: PackedStringArray = PackedStringArray()
 
 ## One place.
 class PlaceQuality:
-	## The place of [BodyPlaces].
+	## The place of [BodyMounts].
 	var place: int = -1
 	## The sensor there.
 	var sensor: String = ""
@@ -53,7 +53,7 @@ class PlaceQuality:
 
 	## Whether the other pose was too far off.
 	func is_off() -> bool:
-		var stands: bool = not ResetPose.hangs(place) and place != BodyPlaces.HEAD
+		var stands: bool = not ResetPose.hangs(place) and place != BodyMounts.HEAD
 		if stands:
 			return residual_deg > CalibrationResult.OFF_STANDING_DEG
 		return residual_deg > CalibrationResult.OFF_DEG
@@ -92,7 +92,7 @@ func judge() -> void:
 		func(a: PlaceQuality, b: PlaceQuality) -> bool: return a.movement_deg > b.movement_deg
 	)
 	for quality: PlaceQuality in sorted:
-		var title: String = BodyPlaces.title(quality.place)
+		var title: String = BodyMounts.title(quality.place)
 		if quality.is_missing:
 			var parts: Array = [title, quality.sensor]
 			advice.append("%s: sensor %s says nothing" % parts)
@@ -102,7 +102,7 @@ func judge() -> void:
 	for quality: PlaceQuality in sorted:
 		if quality.is_missing or not quality.is_off():
 			continue
-		var parts: Array = [BodyPlaces.title(quality.place), roundi(quality.residual_deg)]
+		var parts: Array = [BodyMounts.title(quality.place), roundi(quality.residual_deg)]
 		if ResetPose.hangs(quality.place):
 			advice.append("%s was %d° away from where it should be in the other pose" % parts)
 		else:

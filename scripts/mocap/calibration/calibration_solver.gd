@@ -90,11 +90,11 @@ func _find_headings() -> void:
 func _find_swaps() -> void:
 	var odd: PackedInt32Array = _finder.reversed()
 	for place: int in odd:
-		var mirror: int = BodyPlaces.MIRRORS[place]
-		var above: int = BodyPlaces.PARENTS[place]
+		var mirror: int = BodyMounts.MIRRORS[place]
+		var above: int = BodyMounts.PARENTS[place]
 		if mirror > place and odd.has(mirror):
 			_result.swaps.append(Vector2i(place, mirror))
-		elif odd.has(above) and not odd.has(BodyPlaces.MIRRORS[above]):
+		elif odd.has(above) and not odd.has(BodyMounts.MIRRORS[above]):
 			_result.swaps.append(Vector2i(above, place))
 	for place: int in odd:
 		_finder.forget(place)
@@ -191,7 +191,7 @@ func _advise_on_headings(p_each: bool) -> void:
 	for place: int in _finder.measured:
 		var off: float = absf(angle_difference(_finder.common(), _finder.measured[place]))
 		if off > deg_to_rad(CalibrationResult.TURNED_DEG):
-			odd.append("%s by %d°" % [BodyPlaces.title(place), roundi(rad_to_deg(off))])
+			odd.append("%s by %d°" % [BodyMounts.title(place), roundi(rad_to_deg(off))])
 	if odd.is_empty():
 		return
 	var differ: String = ", ".join(odd)

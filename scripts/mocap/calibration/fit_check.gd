@@ -45,14 +45,14 @@ static func judge(
 		if place >= 0 and not named.has(place) and _was_heard(sensor, p_axes):
 			var misfit: float = _misfit(sensor, place, p_axes)
 			if misfit > ODD:
-				var title: String = BodyPlaces.title(place)
+				var title: String = BodyMounts.title(place)
 				result.advice.append("%s did not move as asked: is its sensor there?" % title)
 	return result
 
 
 ## What is said of an exchange.
 static func describe(p_swap: Vector2i) -> String:
-	var names: Array = [BodyPlaces.title(p_swap.x), BodyPlaces.title(p_swap.y)]
+	var names: Array = [BodyMounts.title(p_swap.x), BodyMounts.title(p_swap.y)]
 	return "%s and %s look swapped" % names
 
 

@@ -67,7 +67,7 @@ const TEXTS: PackedStringArray = [
 	"Lift the right heel to the back, the thigh hanging, then put the foot down.",
 ]
 
-## How far places are turned in the middle of a movement: places of [BodyPlaces] and rotation
+## How far places are turned in the middle of a movement: places of [BodyMounts] and rotation
 ## vectors in degrees, for somebody who faces +Z, of the left side. The right side mirrors it.
 ## ARMS is [method ResetPose.rotation].
 const _TURNS: Dictionary[Movement, Dictionary] = {
@@ -124,7 +124,7 @@ static func turn_deg(p_movement: Movement, p_place: int) -> Vector3:
 		var down: Quaternion = ResetPose.rotation(ResetPose.Kind.N, p_place)
 		return Rotations.vector(down) * (180.0 / PI)
 	if _MIRRORS.has(p_movement):
-		var left: Vector3 = turn_deg(_MIRRORS[p_movement], BodyPlaces.MIRRORS[p_place])
+		var left: Vector3 = turn_deg(_MIRRORS[p_movement], BodyMounts.MIRRORS[p_place])
 		return Vector3(left.x, -left.y, -left.z)
 	var turns: Dictionary = _TURNS.get(p_movement, {})
 	return turns.get(p_place, Vector3.ZERO)

@@ -42,7 +42,7 @@ func common() -> float:
 	for side: int in [-1, 1]:
 		var sum: Vector2 = Vector2.ZERO
 		for place: int in measured:
-			if ResetPose.hangs(place) and BodyPlaces.side(place) == side:
+			if ResetPose.hangs(place) and BodyMounts.side(place) == side:
 				sum += Vector2.from_angle(measured[place])
 		arms += sum.normalized()
 	if arms.length() > 0.5:
@@ -81,8 +81,8 @@ func nearest(p_place: int, p_else: float) -> float:
 	while place >= 0:
 		if measured.has(place):
 			return measured[place]
-		place = BodyPlaces.PARENTS[place]
-	return measured.get(BodyPlaces.MIRRORS[p_place], p_else)
+		place = BodyMounts.PARENTS[place]
+	return measured.get(BodyMounts.MIRRORS[p_place], p_else)
 
 
 ## The middle of angles, rad, robust against a few odd ones; 0 if there are none.

@@ -54,7 +54,7 @@ static func write(p_profile: PersonProfile) -> String:
 			var entry: Calibration.Entry = p_profile.calibration.entries[id]
 			var turn: Quaternion = entry.mounting
 			sensors[id] = {
-				"place": String(BodyPlaces.NAMES[entry.place]),
+				"place": String(BodyMounts.NAMES[entry.place]),
 				"heading_rad": entry.heading,
 				"mounting_xyzw": [turn.x, turn.y, turn.z, turn.w],
 			}
@@ -92,7 +92,7 @@ func _read_map(p_data: Dictionary, r_map: SensorMap) -> void:
 			return
 		var place: int = _place(p_data, id, "sensors.%s" % _short(id))
 		if error == "" and r_map.sensor_at(place) != "":
-			error = "sensors.%s: there are two on the %s" % [_short(id), BodyPlaces.title(place)]
+			error = "sensors.%s: there are two on the %s" % [_short(id), BodyMounts.title(place)]
 		if error == "":
 			r_map.assign(str(id), place)
 
@@ -146,7 +146,7 @@ func _rotation(p_data: Dictionary, p_field: String) -> Quaternion:
 
 func _place(p_data: Dictionary, p_key: Variant, p_field: String) -> int:
 	var name: String = _text(p_data, p_key, p_field)
-	var place: int = BodyPlaces.find(name)
+	var place: int = BodyMounts.find(name)
 	if error == "" and place < 0:
 		error = "%s: there is no place '%s' on the body" % [p_field, name.left(30)]
 	return place

@@ -14,10 +14,10 @@ var effort: float = 1.0
 ## The pose of a quick reset.
 var pose_kind: ResetPose.Kind = ResetPose.Kind.T
 ## Places that are worn, for a fit check.
-var places: PackedInt32Array = PackedInt32Array(range(BodyPlaces.COUNT))
+var places: PackedInt32Array = PackedInt32Array(range(BodyMounts.COUNT))
 ## How far both arms point ahead in the T-pose instead of to the side, degrees.
 var ahead_deg: float = 0.0
-## How far places are off in every pose, by place of [BodyPlaces].
+## How far places are off in every pose, by place of [BodyMounts].
 var faults: Dictionary[int, Quaternion] = {}
 ## How far places sway during everything, degrees to either side, by place.
 var sways_deg: Dictionary[int, float] = {}
@@ -49,7 +49,7 @@ func pose_at(p_time_s: float) -> PoseSample:
 	var pose: PoseSample = PoseSample.new()
 	pose.root = Vector3(0.0, get_hip_height(), 0.0)
 	pose.details = MotionDetails.new()
-	for place: int in BodyPlaces.COUNT:
+	for place: int in BodyMounts.COUNT:
 		var turned: Quaternion = Rotations.yaw(facing) * _rotation(at, part, place)
 		turned *= faults.get(place, Quaternion.IDENTITY)
 		if sways_deg.has(place):
@@ -59,7 +59,7 @@ func pose_at(p_time_s: float) -> PoseSample:
 			# The shoulder blades are no limbs.
 			pose.details.joints[WornSensorFeed.BLADES[place]] = turned
 		else:
-			pose.set_orientation(BodyPlaces.LIMBS[place], turned)
+			pose.set_orientation(BodyMounts.LIMBS[place], turned)
 	pose.set_orientation(1, pose.orientation(0).slerp(pose.orientation(2), 0.5))
 	return pose
 
@@ -68,7 +68,7 @@ func _rotation(p_step: CalibrationGuide.Step, p_part: float, p_place: int) -> Qu
 	var pose: Quaternion = ResetPose.rotation(p_step.pose, p_place)
 	var stretched: Quaternion = Quaternion.IDENTITY
 	if ResetPose.hangs(p_place):
-		stretched = Rotations.yaw(deg_to_rad(-ahead_deg) * BodyPlaces.side(p_place))
+		stretched = Rotations.yaw(deg_to_rad(-ahead_deg) * BodyMounts.side(p_place))
 	if p_step.pose == ResetPose.Kind.N:
 		pose = stretched.slerp(pose, minf(effort, 1.0))
 	elif p_step.movement == GuideMovements.Movement.NONE:

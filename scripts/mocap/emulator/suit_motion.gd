@@ -4,7 +4,7 @@ extends RefCounted
 ##
 ## Written as a motion stream for the emulator of suits, which knows no engine and no BVH files; its
 ## layout is told in [code]gdextension/xbus/emulator/suit/motion_stream.hpp[/code]. Limbs are the
-## places of [BodyPlaces]. Frame: Xsens' (X north, Y west, Z up, metres); in the reset pose the
+## places of [BodyMounts]. Frame: Xsens' (X north, Y west, Z up, metres); in the reset pose the
 ## wearer faces north.
 
 const MAGIC: String = "XBMOTION"
@@ -58,11 +58,11 @@ func encode() -> PackedByteArray:
 	var writer: StreamPeerBuffer = StreamPeerBuffer.new()
 	writer.put_data(MAGIC.to_ascii_buffer())
 	writer.put_u32(VERSION)
-	writer.put_u32(BodyPlaces.COUNT)
+	writer.put_u32(BodyMounts.COUNT)
 	writer.put_double(rate_hz)
 	writer.put_u32(count)
 	writer.put_u32(lead)
-	for place: StringName in BodyPlaces.NAMES:
+	for place: StringName in BodyMounts.NAMES:
 		var bytes: PackedByteArray = String(place).to_ascii_buffer()
 		bytes.resize(NAME_BYTES)
 		writer.put_data(bytes)
@@ -94,7 +94,7 @@ func pose_at(p_time_s: float) -> PoseSample:
 	var to: PoseSample = clip.pose_at(round_s)
 	var part: float = smoothstep(0.0, PASSAGE_S, passed)
 	var pose: PoseSample = PoseSample.new()
-	for limb: int in BodyPlaces.LIMBS:
+	for limb: int in BodyMounts.LIMBS:
 		pose.set_orientation(limb, from.orientation(limb).slerp(to.orientation(limb), part))
 	pose.root = from.root.lerp(to.root, part)
 	return pose
@@ -102,9 +102,9 @@ func pose_at(p_time_s: float) -> PoseSample:
 
 func _append(p_pose: PoseSample, r_values: PackedFloat32Array) -> void:
 	var joints: PackedVector3Array = PackedVector3Array()
-	for place: int in BodyPlaces.COUNT:
+	for place: int in BodyMounts.COUNT:
 		var rotation: Quaternion = _rotation(p_pose, place)
-		var parent: int = BodyPlaces.PARENTS[place]
+		var parent: int = BodyMounts.PARENTS[place]
 		var joint: Vector3 = p_pose.root
 		if parent >= 0:
 			joint = joints[parent] + _rotation(p_pose, parent) * OFFSETS[place]
@@ -116,7 +116,7 @@ func _append(p_pose: PoseSample, r_values: PackedFloat32Array) -> void:
 
 
 static func _rotation(p_pose: PoseSample, p_place: int) -> Quaternion:
-	var limb: Quaternion = p_pose.orientation(BodyPlaces.LIMBS[p_place])
+	var limb: Quaternion = p_pose.orientation(BodyMounts.LIMBS[p_place])
 	if p_pose.details != null and _BLADES.has(p_place):
 		return p_pose.details.joints.get(_BLADES[p_place], limb)
 	return limb

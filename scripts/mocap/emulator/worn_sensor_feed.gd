@@ -38,7 +38,7 @@ var _mutex: Mutex = Mutex.new()
 var _waiting: Array[SensorFrame] = []
 
 
-## Puts a sensor on a place of [BodyPlaces]; [param p_heading] in rad. Returns its number.
+## Puts a sensor on a place of [BodyMounts]; [param p_heading] in rad. Returns its number.
 func add_sensor(
 	p_place: int,
 	p_mounting: Quaternion = Quaternion.IDENTITY,
@@ -127,7 +127,7 @@ func _orientation(p_sensor: int, p_pose: PoseSample, p_passed_s: float) -> Quate
 	if p_sensor < drifts_deg.size():
 		heading += deg_to_rad(drifts_deg[p_sensor]) * p_passed_s
 	var place: int = _places[p_sensor]
-	var limb: Quaternion = p_pose.orientation(BodyPlaces.LIMBS[place])
+	var limb: Quaternion = p_pose.orientation(BodyMounts.LIMBS[place])
 	if BLADES.has(place) and p_pose.details != null:
 		limb = p_pose.details.joints.get(BLADES[place], limb)
 	var turned: Quaternion = Rotations.yaw(heading) * limb * _mountings[p_sensor]

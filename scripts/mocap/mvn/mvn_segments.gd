@@ -26,7 +26,7 @@ const UNITY_ORDER: PackedInt32Array = [
 const PARENTS: PackedInt32Array = [
 	-1, 0, 1, 2, 3, 4, 5, 4, 7, 8, 9, 4, 11, 12, 13, 0, 15, 16, 17, 0, 19, 20, 21
 ]
-## Names of the places of [BodyPlaces] by segment; empty where no tracker is worn. For type 23.
+## Names of the places of [BodyMounts] by segment; empty where no tracker is worn. For type 23.
 const PLACES: Array[StringName] = [
 	&"pelvis",
 	&"",
@@ -108,7 +108,7 @@ static func _pose_of(
 		return null
 	var filler: LimbFiller = LimbFiller.new()
 	for segment: int in COUNT:
-		var place: int = BodyPlaces.find(PLACES[segment])
+		var place: int = BodyMounts.find(PLACES[segment])
 		if place >= 0 and p_present[segment] != 0:
 			filler.set_place(place, p_turns[segment])
 	filler.fill()

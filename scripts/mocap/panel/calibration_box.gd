@@ -119,7 +119,7 @@ func offer_exchange(p_places: Vector2i) -> void:
 	_swap = p_places
 	_exchange.visible = p_places != Vector2i.ZERO
 	if _exchange.visible:
-		var parts: Array = [BodyPlaces.title(p_places.x), BodyPlaces.title(p_places.y)]
+		var parts: Array = [BodyMounts.title(p_places.x), BodyMounts.title(p_places.y)]
 		_exchange.text = "Exchange %s and %s [F8]" % parts
 
 
@@ -155,7 +155,7 @@ static func _worst(p_result: CalibrationResult) -> PackedStringArray:
 	var found: PackedStringArray = []
 	for quality: CalibrationResult.PlaceQuality in sorted.slice(0, 4):
 		if not quality.is_missing:
-			found.append("%s %.1f°" % [BodyPlaces.title(quality.place), quality.movement_deg])
+			found.append("%s %.1f°" % [BodyMounts.title(quality.place), quality.movement_deg])
 	return found
 
 

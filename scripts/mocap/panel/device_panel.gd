@@ -35,7 +35,7 @@ var _suits: Array[SuitSource] = []
 var _at: int = 0
 var _store: CalibrationStore = null
 var _boxes_view: SensorBoxesView = null
-var _figure_view: LimbFigureView = null
+var _figure_view: StickFigureView = null
 var _figures_due_s: float = 0.0
 var _fault: String = ""
 
@@ -43,7 +43,7 @@ var _fault: String = ""
 func _ready() -> void:
 	_store = CalibrationStore.new(folder)
 	_boxes_view = SensorBoxesView.new()
-	_figure_view = LimbFigureView.new()
+	_figure_view = StickFigureView.new()
 	_raw.stage.add_child(_boxes_view)
 	_calibrated.stage.add_child(_figure_view)
 	_figure_view.visible = false
@@ -187,9 +187,9 @@ func _places() -> PackedInt32Array:
 func _trouble() -> PackedInt32Array:
 	var found: PackedInt32Array = []
 	for swap: Vector2i in suit().watch.swaps:
-		found.append_array([BodyPlaces.LIMBS[swap.x], BodyPlaces.LIMBS[swap.y]])
+		found.append_array([BodyMounts.LIMBS[swap.x], BodyMounts.LIMBS[swap.y]])
 	for place: int in suit().watch.slipped:
-		found.append(BodyPlaces.LIMBS[place])
+		found.append(BodyMounts.LIMBS[place])
 	return found
 
 

@@ -36,7 +36,7 @@ func show_frame(p_frame: SensorFrame, p_places: PackedInt32Array, p_size: BodySi
 		var place: int = p_places[sensor] if sensor < p_places.size() else -1
 		var at: Vector3 = Vector3(-0.9 + 0.15 * beside, 0.1, 0.6)
 		if place >= 0:
-			var limb: int = BodyPlaces.LIMBS[place]
+			var limb: int = BodyMounts.LIMBS[place]
 			at = (bases[limb] + tails[limb]) / 2.0
 			if place == 3 or place == 7:
 				at = bases[limb].lerp(bases[4 if place == 3 else 7], 0.6) + Vector3(0, 0.1, 0)

@@ -43,9 +43,9 @@ func _init() -> void:
 	add_theme_font_size_override("font_size", 13)
 	add_theme_font_size_override("title_button_font_size", 13)
 	item_activated.connect(ask_place)
-	for place: int in BodyPlaces.COUNT:
-		_menu.add_item(BodyPlaces.title(place), place)
-	_menu.add_item("not worn", BodyPlaces.COUNT)
+	for place: int in BodyMounts.COUNT:
+		_menu.add_item(BodyMounts.title(place), place)
+	_menu.add_item("not worn", BodyMounts.COUNT)
 	_menu.id_pressed.connect(_choose)
 	add_child(_menu)
 
@@ -92,7 +92,7 @@ func ask_place() -> void:
 
 
 func _choose(p_place: int) -> void:
-	place_chosen.emit(_asked, p_place if p_place < BodyPlaces.COUNT else -1)
+	place_chosen.emit(_asked, p_place if p_place < BodyMounts.COUNT else -1)
 	grab_focus()
 
 
@@ -112,7 +112,7 @@ func _make_rows(p_ids: PackedStringArray) -> void:
 
 func _show(p_row: TreeItem, p_info: SensorInfo, p_place: int, p_moves: float) -> void:
 	var is_on: bool = p_info.state == SensorInfo.State.MEASURING
-	_cell(p_row, 0, BodyPlaces.title(p_place) if p_place >= 0 else "not worn", p_place < 0)
+	_cell(p_row, 0, BodyMounts.title(p_place) if p_place >= 0 else "not worn", p_place < 0)
 	_cell(p_row, 1, p_info.id, false)
 	_cell(p_row, 2, p_info.where, false)
 	_cell(p_row, 3, p_info.state_name(), not is_on)

@@ -22,7 +22,7 @@ const STATE_NAMES: PackedStringArray = ["waiting", "measuring", "silent", "faile
 var id: String = ""
 ## Where it hangs, for people: "XM 00100123 / 3".
 var where: String = ""
-## The place on the body that the device itself tells, one of [constant BodyPlaces.NAMES], or empty.
+## The place on the body that the device itself tells, one of [constant BodyMounts.NAMES], or empty.
 var place: StringName = &""
 ## What it does.
 var state: State = State.WAITING

@@ -1,6 +1,6 @@
 class_name SensorMap
 extends RefCounted
-## Which sensor is worn where: sensors by their ids, places of [BodyPlaces].
+## Which sensor is worn where: sensors by their ids, places of [BodyMounts].
 
 ## For each number of sensors the places, in the order in which they are plugged in.
 ## Legs and arms come left before right, from the trunk outwards.
@@ -32,7 +32,7 @@ static func guess(p_sensors: Array[SensorInfo]) -> SensorMap:
 	var map: SensorMap = SensorMap.new()
 	var free: PackedInt32Array = layout(p_sensors.size())
 	for sensor: SensorInfo in p_sensors:
-		var place: int = BodyPlaces.find(sensor.place)
+		var place: int = BodyMounts.find(sensor.place)
 		if place >= 0:
 			map.assign(sensor.id, place)
 			if free.has(place):
@@ -113,5 +113,5 @@ func duplicate() -> SensorMap:
 func to_dictionary() -> Dictionary:
 	var found: Dictionary = {}
 	for id: String in places:
-		found[id] = String(BodyPlaces.NAMES[places[id]])
+		found[id] = String(BodyMounts.NAMES[places[id]])
 	return found

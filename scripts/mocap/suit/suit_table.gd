@@ -113,5 +113,5 @@ func _details(p_frame: SensorFrame) -> MotionDetails:
 		var said: Quaternion = p_frame.orientation(sensor)
 		if p_frame.present[sensor] != 0:
 			var rate: Vector3 = _left[sensor] * (said * p_frame.rates[sensor])
-			details.rates[BodyPlaces.LIMBS[place]] = rate
+			details.rates[BodyMounts.LIMBS[place]] = rate
 	return details

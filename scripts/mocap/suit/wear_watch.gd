@@ -87,7 +87,7 @@ func messages() -> PackedStringArray:
 	for swap: Vector2i in swaps:
 		found.append(FitCheck.describe(swap))
 	for place: int in slipped:
-		var title: String = BodyPlaces.title(place)
+		var title: String = BodyMounts.title(place)
 		found.append("%s sensor seems loose or upside down: fasten it, calibrate again" % title)
 	return found
 
@@ -101,7 +101,7 @@ func add(p_frame: SensorFrame, p_table: SuitTable) -> void:
 	_last_usec = p_frame.time_usec
 	_reset = p_table.reset_pose
 	var pose: Array = []
-	pose.resize(BodyPlaces.COUNT)
+	pose.resize(BodyMounts.COUNT)
 	for sensor: int in mini(p_frame.count(), p_table.places.size()):
 		var place: int = p_table.places[sensor]
 		if place >= 0 and p_frame.present[sensor] != 0:
@@ -118,11 +118,11 @@ func add(p_frame: SensorFrame, p_table: SuitTable) -> void:
 
 func _judge(p_pose: Array) -> PackedFloat32Array:
 	var row: PackedFloat32Array = PackedFloat32Array()
-	row.resize(1 + PAIRS.size() + BodyPlaces.COUNT)
+	row.resize(1 + PAIRS.size() + BodyMounts.COUNT)
 	row.fill(NAN)
 	var joints: int = 1 + PAIRS.size()
 	row[0] = 0.0
-	for place: int in range(1, BodyPlaces.COUNT):
+	for place: int in range(1, BodyMounts.COUNT):
 		if JointRange.knows(place):
 			row[joints + place] = _excess(p_pose, place)
 			row[0] += 0.0 if is_nan(row[joints + place]) else row[joints + place]
@@ -142,7 +142,7 @@ func _judge(p_pose: Array) -> PackedFloat32Array:
 
 ## How far the joint above a place is beyond its range, rad; NaN if an end of it is not known.
 static func _excess(p_pose: Array, p_place: int) -> float:
-	var above: Variant = p_pose[BodyPlaces.PARENTS[p_place]]
+	var above: Variant = p_pose[BodyMounts.PARENTS[p_place]]
 	if p_pose[p_place] == null or above == null:
 		return NAN
 	return JointRange.excess(p_place, above, p_pose[p_place])
@@ -210,7 +210,7 @@ func _find_swap() -> Vector2i:
 func _find_slipped() -> PackedInt32Array:
 	var bad: PackedInt32Array = []
 	var good: PackedInt32Array = []
-	for place: int in BodyPlaces.COUNT:
+	for place: int in BodyMounts.COUNT:
 		# NaN, where nothing is known, is neither.
 		var mean: float = _mean(1 + PAIRS.size() + place)
 		if mean > SLIP_RAD:
@@ -221,7 +221,7 @@ func _find_slipped() -> PackedInt32Array:
 	while not bad.is_empty():
 		var best: int = -1
 		var most: int = 0
-		for place: int in BodyPlaces.COUNT:
+		for place: int in BodyMounts.COUNT:
 			var count: int = _joints_of(place, bad).size()
 			if count >= most and count > 0 and _joints_of(place, good).is_empty():
 				best = place
@@ -239,6 +239,6 @@ func _find_slipped() -> PackedInt32Array:
 static func _joints_of(p_place: int, p_joints: PackedInt32Array) -> PackedInt32Array:
 	var found: PackedInt32Array = []
 	for joint: int in p_joints:
-		if joint == p_place or BodyPlaces.PARENTS[joint] == p_place:
+		if joint == p_place or BodyMounts.PARENTS[joint] == p_place:
 			found.append(joint)
 	return found

@@ -23,13 +23,13 @@ const _FILLED: int = (
 ## The tracker.
 var tracker: XRBodyTracker = XRBodyTracker.new()
 
-var _figure: BodyFigure = null
+var _figure: BodySegments = null
 var _is_added: bool = false
 
 
 ## Begins to publish under a name. [param p_size] is for the joints' places.
 func _init(p_size: BodySize, p_name: StringName = NAME, p_title: String = "") -> void:
-	_figure = BodyFigure.new(p_size)
+	_figure = BodySegments.new(p_size)
 	tracker.name = p_name
 	tracker.description = p_title if p_title != "" else "Dismount motion capture"
 	tracker.has_tracking_data = false

@@ -7,7 +7,7 @@ extends MotionSource
 ## a suit with fewer sensors ([LimbFiller]). Call [method advance] in the main thread in every
 ## frame; any thread may sample.
 
-## Joints that tell of the places of [BodyPlaces], best first.
+## Joints that tell of the places of [BodyMounts], best first.
 const _JOINTS: Array[Array] = [
 	[XRBodyTracker.JOINT_HIPS],
 	[XRBodyTracker.JOINT_CHEST, XRBodyTracker.JOINT_UPPER_CHEST],
@@ -87,7 +87,7 @@ func _read(_p_time_usec: int) -> PoseSample:
 
 func _pose_of(p_tracker: XRBodyTracker) -> PoseSample:
 	_filler.clear()
-	for place: int in BodyPlaces.COUNT:
+	for place: int in BodyMounts.COUNT:
 		for joint: int in _JOINTS[place]:
 			if _filler.known[place] == 0 and _is_turned(p_tracker, joint):
 				_filler.set_place(place, _turn(p_tracker, joint))

@@ -18,23 +18,23 @@ enum Role {
 enum Message {
 	## Server to client, fast path: a snapshot with the whole tick, see docs/protocol.md.
 	KEY = 0,
-	## Trainee to server: a [PoseSample], see [PosePacket].
+	## Trainee to server: a [PoseSample], see [PoseMessage].
 	POSE = 1,
 	## Server to client, fast path: where bodies are, see [SnapshotDecoder].
 	SNAPSHOT = 2,
-	## Server to client, reliable: which bodies there are, see [WorldDescription]. In [PacketParts].
+	## Server to client, reliable: which bodies there are, see [WorldDescription]. In [MessageParts].
 	WORLD = 3,
-	## A part of a packet that is too large for a datagram, see [PacketParts].
+	## A part of a packet that is too large for a datagram, see [MessageParts].
 	PART = 4,
 	## Client to server, fast path: what of the snapshots has arrived.
 	ACK = 5,
-	## Both ways, fast path: see [ClockPacket].
+	## Both ways, fast path: see [ClockMessage].
 	CLOCK = 6,
 	## Server to client, reliable: what the session has to say, see [enum Notice].
 	CONTROL = 7,
-	## Client to server, fast path: how well it sees, see [FiguresPacket].
+	## Client to server, fast path: how well it sees, see [StatsMessage].
 	FIGURES = 8,
-	## Trainee to server, reliable: whose motion it sends, see [PeoplePacket].
+	## Trainee to server, reliable: whose motion it sends, see [PeopleMessage].
 	PEOPLE = 9,
 }
 
@@ -47,7 +47,7 @@ enum Notice {
 }
 
 ## Why a connection ended; ENet carries it in the data of its disconnect command.
-enum Goodbye {
+enum DisconnectReason {
 	## Nobody said anything: the way is broken or the other end has died. It may come back.
 	LOST,
 	## The client left.

@@ -59,7 +59,7 @@ var _refuses: bool = false
 
 func _notification(p_what: int) -> void:
 	if p_what == NOTIFICATION_PREDELETE and _thread != null:
-		_thread.stop(Protocol.Goodbye.LEFT)
+		_thread.stop(Protocol.DisconnectReason.LEFT)
 
 
 ## Opens a server's port. [constant ERR_ALREADY_IN_USE] if this peer is in use,
@@ -95,7 +95,7 @@ func create_client(p_host: String, p_port: int) -> Error:
 	return OK
 
 
-## Ends everything and says why: a [enum Protocol.Goodbye]. Takes 0.3 s at most.
+## Ends everything and says why: a [enum Protocol.DisconnectReason]. Takes 0.3 s at most.
 func close_with(p_goodbye: int) -> void:
 	if _thread == null:
 		return
@@ -110,7 +110,7 @@ func close_with(p_goodbye: int) -> void:
 	_next_waiting = 0
 
 
-## Ends a connection after what is still to be sent, and says why: a [enum Protocol.Goodbye].
+## Ends a connection after what is still to be sent, and says why: a [enum Protocol.DisconnectReason].
 func dismiss(p_peer: int, p_goodbye: int) -> void:
 	if _thread != null:
 		_thread.disconnect_peer(p_peer, false, p_goodbye)
@@ -171,9 +171,9 @@ func address_of(p_peer: int) -> String:
 	return _addresses.get(p_peer, "")
 
 
-## Why a connection ended: a [enum Protocol.Goodbye]. Valid while the signal is told.
+## Why a connection ended: a [enum Protocol.DisconnectReason]. Valid while the signal is told.
 func goodbye_of(p_peer: int) -> int:
-	return _goodbyes.get(p_peer, Protocol.Goodbye.LOST)
+	return _goodbyes.get(p_peer, Protocol.DisconnectReason.LOST)
 
 
 ## Figures of the thread: sent_bytes, received_bytes, errors, dropped and more since the start, and
@@ -233,7 +233,7 @@ func _take(p_event: TransportEvent) -> void:
 
 func _on_joined(p_event: TransportEvent) -> void:
 	if _refuses and _unique_id == TARGET_PEER_SERVER:
-		_thread.disconnect_peer(p_event.peer, true, Protocol.Goodbye.THROWN_OUT)
+		_thread.disconnect_peer(p_event.peer, true, Protocol.DisconnectReason.THROWN_OUT)
 		return
 	_leaving.erase(p_event.peer)
 	_addresses[p_event.peer] = p_event.key
@@ -246,7 +246,7 @@ func _on_joined(p_event: TransportEvent) -> void:
 func _revive() -> void:
 	var peers: Array[int] = _addresses.keys()
 	var wait: int = wait_ms
-	_thread.stop(Protocol.Goodbye.LOST)
+	_thread.stop(Protocol.DisconnectReason.LOST)
 	_thread = _make_thread()
 	var server: bool = _unique_id == TARGET_PEER_SERVER
 	if not server or _thread.start_server(_port, _address) != OK:
@@ -338,7 +338,7 @@ func _put_packet_script(p_bytes: PackedByteArray) -> Error:
 
 
 func _close() -> void:
-	close_with(Protocol.Goodbye.LEFT)
+	close_with(Protocol.DisconnectReason.LEFT)
 
 
 func _disconnect_peer(p_peer: int, p_force: bool) -> void:
@@ -352,7 +352,7 @@ func _disconnect_peer(p_peer: int, p_force: bool) -> void:
 	_leaving[p_peer] = true
 	if p_force:
 		_addresses.erase(p_peer)
-	_thread.disconnect_peer(p_peer, p_force, Protocol.Goodbye.LOST)
+	_thread.disconnect_peer(p_peer, p_force, Protocol.DisconnectReason.LOST)
 
 
 func _get_connection_status() -> MultiplayerPeer.ConnectionStatus:

@@ -51,12 +51,12 @@ func _on_connect(p_remote: ENetPacketPeer, p_data: int) -> void:
 		# The id is the client's own choice: below 2 it would mean "all" or "all except".
 		_count("refused_ids")
 		_trouble("id", "refused a client with the forbidden id %d" % id)
-		p_remote.peer_disconnect(Protocol.Goodbye.THROWN_OUT)
+		p_remote.peer_disconnect(Protocol.DisconnectReason.THROWN_OUT)
 		return
 	if _connections.has(id):
 		_count("refused_ids")
 		_trouble("id", "refused a client with the id %d, which another has" % id)
-		p_remote.peer_disconnect(Protocol.Goodbye.THROWN_OUT)
+		p_remote.peer_disconnect(Protocol.DisconnectReason.THROWN_OUT)
 		return
 	if guard != null:
 		_make_room()
@@ -157,13 +157,13 @@ func _make_room() -> void:
 				oldest = connection
 	if arriving >= MAX_ARRIVING:
 		_count("evicted")
-		_drop(oldest, Protocol.Goodbye.LOST)
+		_drop(oldest, Protocol.DisconnectReason.LOST)
 
 
 func _throw_out(p_connection: TransportConnection, p_why: String) -> void:
 	_count("thrown_out")
 	_complain(p_connection, "thrown out", "was thrown out: it %s" % p_why)
-	_drop(p_connection, Protocol.Goodbye.THROWN_OUT)
+	_drop(p_connection, Protocol.DisconnectReason.THROWN_OUT)
 
 
 ## Ends a connection at once; what still waited for it is freed, and the other end told. Not by
@@ -187,7 +187,7 @@ func _keep_house(p_now_usec: int) -> void:
 			connection.stage == TransportConnection.Stage.LEAVING
 			and p_now_usec - connection.leaving_usec > _LEAVING_USEC
 		):
-			_drop(connection, Protocol.Goodbye.LOST)
+			_drop(connection, Protocol.DisconnectReason.LOST)
 	_count("sent_bytes", int(_host.pop_statistic(ENetConnection.HOST_TOTAL_SENT_DATA)))
 	_count("received_bytes", int(_host.pop_statistic(ENetConnection.HOST_TOTAL_RECEIVED_DATA)))
 	_count("sent_packets", int(_host.pop_statistic(ENetConnection.HOST_TOTAL_SENT_PACKETS)))
@@ -233,7 +233,7 @@ func _set_up(p_remote: ENetPacketPeer) -> void:
 
 func _fail(p_why: String) -> void:
 	for id: int in _connections.keys():
-		_drop(_connections[id], Protocol.Goodbye.LOST)
+		_drop(_connections[id], Protocol.DisconnectReason.LOST)
 	_note(TransportEvent.Kind.FAILED, 0, "failed", p_why)
 	# There is only one server: nothing is left to be done.
 	_closing = true

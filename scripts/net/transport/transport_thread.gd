@@ -241,7 +241,7 @@ func _survives_error() -> bool:
 
 func _reopen() -> void:
 	for id: int in _connections.keys():
-		_drop(_connections[id], Protocol.Goodbye.LOST)
+		_drop(_connections[id], Protocol.DisconnectReason.LOST)
 	_host.destroy()
 	if not _server:
 		_fail("a network error ended the connection")

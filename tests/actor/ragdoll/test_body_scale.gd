@@ -1,7 +1,7 @@
 extends TestCase
 ## The soldier's body in the sizes of other people: skeleton, bodies, skin.
 
-const FigureSamples: GDScript = preload("figure_samples.gd")
+const RestSamples: GDScript = preload("figure_samples.gd")
 const SOLDIER: PackedScene = preload("res://scenes/actor/soldier.tscn")
 const ROUNDS: int = 12
 
@@ -82,7 +82,7 @@ func test_profiles_are_sound_and_soles_on_the_ground() -> void:
 		almost_equal(_sole(_person), _sole(_soldier), 1e-3)
 		for limb: RagdollLimb in _person.profile.limbs:
 			var bone: PhysicalBone3D = _bone(limb.bone)
-			var rest: Transform3D = RagdollFigure.new(_person.get_skeleton()).rest(limb.bone)
+			var rest: Transform3D = RestSkeleton.new(_person.get_skeleton()).rest(limb.bone)
 			almost_equal((rest * bone.body_offset).origin, limb.position, 1e-4, limb.bone)
 			almost_equal(rest.origin, limb.anchor, 1e-4, limb.bone)
 			_check_shape(bone, limb)
@@ -176,13 +176,13 @@ func test_the_skin_follows() -> void:
 func test_characters_of_any_kind_can_be_fitted() -> void:
 	for unit: float in [1.0, 0.01]:
 		for axes: int in 3:
-			var kind: FigureSamples.Kind = FigureSamples.Kind.new()
+			var kind: RestSamples.Kind = RestSamples.Kind.new()
 			kind.unit = unit
 			kind.axes = axes
 			kind.is_z_up = axes == 1
 			if _person != null:
 				_person.free()
-			_person = FigureSamples.make(kind)
+			_person = RestSamples.make(kind)
 			_person.make_bodies()
 			var told: PackedFloat32Array = BodyScale.own_lengths(_person)
 			for limb: int in Limbs.COUNT:
@@ -333,7 +333,7 @@ func _check_shape(p_bone: PhysicalBone3D, p_limb: RagdollLimb) -> void:
 
 
 func _skin(p_person: Ragdoll) -> Array[PackedVector3Array]:
-	return SkinnedSurface.new(RagdollFigure.new(p_person.get_skeleton())).points
+	return SkinnedSurface.new(RestSkeleton.new(p_person.get_skeleton())).points
 
 
 func _farthest(p_limb: RagdollLimb, p_points: PackedVector3Array) -> float:

@@ -52,7 +52,7 @@ func test_stands_on_the_floor() -> void:
 		var lowest: float = INF
 		for limb: RagdollLimb in player.ragdoll.profile.limbs:
 			for point: Vector3 in limb.contact_points if limb.is_foot else PackedVector3Array():
-				var rest: Transform3D = RagdollFigure.body_of(limb)
+				var rest: Transform3D = RestSkeleton.body_of(limb)
 				var body: Transform3D = player.body(Limbs.find(limb.bone))
 				lowest = minf(lowest, (body * (rest.affine_inverse() * point)).y)
 		almost_equal(lowest, 0.0, 0.01, "%s: soles" % person)

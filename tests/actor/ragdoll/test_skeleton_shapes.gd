@@ -36,7 +36,7 @@ func test_the_soldier_is_measured_as_by_the_tool() -> void:
 
 func test_the_skin_lies_near_the_shapes() -> void:
 	_person = _soldier(1.0)
-	var figure: RagdollFigure = RagdollFigure.new(_person.get_skeleton())
+	var figure: RestSkeleton = RestSkeleton.new(_person.get_skeleton())
 	var surface: SkinnedSurface = SkinnedSurface.new(figure)
 	var made: RagdollProfile = SkeletonShapes.describe(_person.get_skeleton())
 	for limb: int in Limbs.COUNT:
@@ -134,7 +134,7 @@ func test_without_a_skin_a_body_is_an_average_one() -> void:
 func test_feet_stand_on_the_sole_of_the_skin() -> void:
 	_person = _soldier(1.0)
 	var made: RagdollProfile = SkeletonShapes.describe(_person.get_skeleton())
-	var figure: RagdollFigure = RagdollFigure.new(_person.get_skeleton())
+	var figure: RestSkeleton = RestSkeleton.new(_person.get_skeleton())
 	var surface: SkinnedSurface = SkinnedSurface.new(figure)
 	for bone: StringName in [&"LeftFoot", &"RightFoot"]:
 		var foot: RagdollLimb = made.find(bone)

@@ -37,7 +37,7 @@ func test_measures_and_their_ranges() -> void:
 
 func test_a_figure_in_the_reset_pose_is_the_body() -> void:
 	var size: BodySize = BodySize.of_height(1.7)
-	var figure: BodyFigure = BodyFigure.new(size)
+	var figure: BodySegments = BodySegments.new(size)
 	var pose: PoseSample = CalibrationMotion.new().pose_at(0.0)
 	pose.root = size.joints()[0]
 	figure.solve(pose)
@@ -49,7 +49,7 @@ func test_limbs_of_a_figure_keep_their_lengths() -> void:
 	var source: BvhSource = BvhSource.new()
 	source.open("res://assets/motion/Boxing_Toes.bvh")
 	var size: BodySize = source.get_body()
-	var figure: BodyFigure = BodyFigure.new(size)
+	var figure: BodySegments = BodySegments.new(size)
 	for step: int in 20:
 		figure.solve(source.pose_at(step * 0.5))
 		for limb: int in [4, 5, 7, 8, 10, 11, 13, 14]:

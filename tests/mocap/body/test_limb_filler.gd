@@ -16,7 +16,7 @@ func test_what_is_measured_stays() -> void:
 	for count: int in SensorMap.LAYOUTS:
 		_wear(SensorMap.layout(count), pose)
 		for place: int in SensorMap.layout(count):
-			var limb: int = BodyPlaces.LIMBS[place]
+			var limb: int = BodyMounts.LIMBS[place]
 			if place != 3 and place != 7:
 				almost_equal(_filler.limbs[limb], pose.orientation(limb), 1e-5)
 				equal(_filler.measured[limb], 1)
@@ -53,7 +53,7 @@ func test_a_forearm_held_out_bends_the_elbow() -> void:
 	for side: float in [1.0, -1.0]:
 		var fore: int = 5 if side > 0.0 else 9
 		_filler.clear()
-		_filler.set_place(BodyPlaces.PELVIS, Quaternion.IDENTITY)
+		_filler.set_place(BodyMounts.PELVIS, Quaternion.IDENTITY)
 		var hang: Quaternion = Quaternion(Vector3.BACK, -PI / 2.0 * side)
 		var shake: Quaternion = Quaternion(Vector3.RIGHT, -PI / 2.0) * hang
 		_filler.set_place(fore, shake)
@@ -64,7 +64,7 @@ func test_a_forearm_held_out_bends_the_elbow() -> void:
 
 func test_a_raised_thigh_lets_the_shank_hang() -> void:
 	_filler.clear()
-	_filler.set_place(BodyPlaces.PELVIS, Quaternion.IDENTITY)
+	_filler.set_place(BodyMounts.PELVIS, Quaternion.IDENTITY)
 	_filler.set_place(11, Quaternion(Vector3.RIGHT, -1.2))
 	_filler.fill()
 	almost_equal(_filler.limbs[11] * Vector3.DOWN, Vector3.DOWN, 1e-4)
@@ -116,15 +116,15 @@ func _check_standing(p_places: PackedInt32Array, p_facing: float, p_kind: ResetP
 	for place: int in p_places:
 		_filler.set_place(place, Rotations.yaw(p_facing) * ResetPose.rotation(p_kind, place))
 	_filler.fill()
-	for place: int in BodyPlaces.COUNT:
+	for place: int in BodyMounts.COUNT:
 		var arm: bool = ResetPose.hangs(place)
 		var told: bool = p_places.has(place)
-		for near: int in range(4, 7) if BodyPlaces.side(place) > 0 else range(8, 11):
+		for near: int in range(4, 7) if BodyMounts.side(place) > 0 else range(8, 11):
 			told = told or p_places.has(near)
 		# Arms of which nothing is known hang.
 		var kind: ResetPose.Kind = p_kind if told or not arm else ResetPose.Kind.N
 		var wanted: Quaternion = Rotations.yaw(p_facing) * ResetPose.rotation(kind, place)
-		var note: String = "%d places, %s" % [p_places.size(), BodyPlaces.title(place)]
+		var note: String = "%d places, %s" % [p_places.size(), BodyMounts.title(place)]
 		var off: float = Rotations.between_deg(_filler.rotations[place], wanted)
 		is_true(off < 9.0, "%s is off by %f deg" % [note, off])
 
@@ -153,7 +153,7 @@ func _check_joints(p_places: PackedInt32Array) -> void:
 func _wear(p_places: PackedInt32Array, p_pose: PoseSample) -> void:
 	_filler.clear()
 	for place: int in p_places:
-		_filler.set_place(place, p_pose.orientation(BodyPlaces.LIMBS[place]))
+		_filler.set_place(place, p_pose.orientation(BodyMounts.LIMBS[place]))
 	_filler.fill()
 
 

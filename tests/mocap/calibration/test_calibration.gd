@@ -60,7 +60,7 @@ func test_any_north_of_each_sensor() -> void:
 		contains(result.advice[0], "the norths of the sensors differ")
 		contains(result.advice[0], "each got its own")
 		_check(wearer, result, wearer.motion.facing, "own norths")
-		is_true(result.find(BodyPlaces.PELVIS).is_heading_measured)
+		is_true(result.find(BodyMounts.PELVIS).is_heading_measured)
 
 
 func test_a_quick_reset_keeps_the_axes_and_takes_the_new_front() -> void:

@@ -74,7 +74,7 @@ func test_nothing_to_calibrate() -> void:
 
 
 func test_who_moves_is_named() -> void:
-	for place: int in [BodyPlaces.HEAD, 5, 12]:
+	for place: int in [BodyMounts.HEAD, 5, 12]:
 		var wearer: Wearer = _wearer(0.0)
 		wearer.motion.sways_deg[place] = 2.0
 		var result: CalibrationResult = wearer.calibrate(CalibrationGuide.Kind.T_POSE)
@@ -82,7 +82,7 @@ func test_who_moves_is_named() -> void:
 		var quality: CalibrationResult.PlaceQuality = result.find(place)
 		almost_equal(quality.movement_deg, 4.0, 0.4)
 		equal(quality.grade(), "moved")
-		var title: String = BodyPlaces.title(place)
+		var title: String = BodyMounts.title(place)
 		equal(result.advice[0], "%s moved 4° during the pose: again?" % title)
 		for other: CalibrationResult.PlaceQuality in result.places:
 			equal(other.place == place, other.movement_deg > 1.0)
@@ -119,7 +119,7 @@ func test_the_other_pose_tells_who_is_off() -> void:
 	var result: CalibrationResult = wearer.calibrate(CalibrationGuide.Kind.T_TO_N)
 	equal(result.find(4).grade(), "off")
 	almost_equal(result.find(4).residual_deg, 27.0, 0.2)
-	almost_equal(result.find(BodyPlaces.PELVIS).residual_deg, 0.0, 0.01)
+	almost_equal(result.find(BodyMounts.PELVIS).residual_deg, 0.0, 0.01)
 	contains(", ".join(result.advice), "left upper arm was 27° away")
 
 
@@ -199,8 +199,8 @@ func test_exchanged_sensors_are_named_by_any_calibration_with_movements() -> voi
 func test_arms_exchanged_as_a_whole() -> void:
 	var wearer: Wearer = _wearer(0.4)
 	for place: int in [4, 5, 6]:
-		wearer.places[place] = BodyPlaces.MIRRORS[place]
-		wearer.places[BodyPlaces.MIRRORS[place]] = place
+		wearer.places[place] = BodyMounts.MIRRORS[place]
+		wearer.places[BodyMounts.MIRRORS[place]] = place
 	var result: CalibrationResult = wearer.calibrate(CalibrationGuide.Kind.FULL)
 	equal(result.swaps, [Vector2i(4, 8), Vector2i(5, 9), Vector2i(6, 10)] as Array[Vector2i])
 

@@ -67,7 +67,7 @@ func test_two_exchanges_at_once() -> void:
 func test_a_sensor_that_is_not_worn_is_odd() -> void:
 	var wearer: Wearer = _wearer(17, 1.0)
 	# It lies on the table and is told to be on the left forearm.
-	wearer.feed.wear(5, BodyPlaces.PELVIS, Quaternion.IDENTITY)
+	wearer.feed.wear(5, BodyMounts.PELVIS, Quaternion.IDENTITY)
 	var result: CalibrationResult = wearer.calibrate(CalibrationGuide.Kind.FIT_CHECK)
 	contains(", ".join(result.advice), "left forearm did not move as asked")
 
@@ -85,7 +85,7 @@ func _check_neighbours(p_wearer: Wearer, p_note: String) -> void:
 		for second: int in first:
 			var one: int = p_wearer.places[first]
 			var other: int = p_wearer.places[second]
-			var near: bool = BodyPlaces.PARENTS[one] == other or BodyPlaces.MIRRORS[one] == other
+			var near: bool = BodyMounts.PARENTS[one] == other or BodyMounts.MIRRORS[one] == other
 			if not near:
 				continue
 			var places: PackedInt32Array = p_wearer.places.duplicate()

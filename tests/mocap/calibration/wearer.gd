@@ -64,7 +64,7 @@ func worst_deg(p_calibration: Calibration, p_poses: Array[PoseSample], p_front: 
 	for pose: PoseSample in p_poses:
 		var got: Array[Quaternion] = rotations(p_calibration, pose)
 		for sensor: int in places.size():
-			var limb: Quaternion = pose.orientation(BodyPlaces.LIMBS[places[sensor]])
+			var limb: Quaternion = pose.orientation(BodyMounts.LIMBS[places[sensor]])
 			var wanted: Quaternion = Rotations.yaw(-p_front) * limb
 			worst = maxf(worst, Rotations.between_deg(got[sensor], wanted))
 	return worst

@@ -24,7 +24,7 @@ func test_the_file_is_as_long_as_it_says() -> void:
 	equal(bytes.slice(0, 8).get_string_from_ascii(), "XBMOTION")
 	var limbs: int = bytes.decode_u32(12)
 	var frames: int = bytes.decode_u32(24)
-	equal(limbs, BodyPlaces.COUNT)
+	equal(limbs, BodyMounts.COUNT)
 	equal(bytes.size(), HEAD_BYTES + limbs * 32 + frames * limbs * 28)
 	equal(bytes.slice(HEAD_BYTES, HEAD_BYTES + 32).get_string_from_ascii(), "pelvis")
 	var lead_s: float = bytes.decode_u32(28) / 100.0
@@ -33,7 +33,7 @@ func test_the_file_is_as_long_as_it_says() -> void:
 
 func test_the_wearer_begins_in_the_t_pose_and_faces_north() -> void:
 	var pose: PoseSample = _motion.pose_at(0.0)
-	for limb: int in BodyPlaces.LIMBS:
+	for limb: int in BodyMounts.LIMBS:
 		almost_equal(pose.orientation(limb).angle_to(Quaternion.IDENTITY), 0.0, 1e-3)
 
 
@@ -45,22 +45,22 @@ func test_nothing_jumps() -> void:
 	for step: int in 60:
 		var time: float = begin - 0.1 + step * 0.02
 		var pose: PoseSample = _motion.pose_at(time)
-		for limb: int in BodyPlaces.LIMBS if before != null else [] as Array[int]:
+		for limb: int in BodyMounts.LIMBS if before != null else [] as Array[int]:
 			is_true(pose.orientation(limb).angle_to(before.orientation(limb)) < 0.3)
 		before = pose
 	var first: PoseSample = _motion.pose_at(begin + SuitMotion.PASSAGE_S)
 	var last: PoseSample = _motion.pose_at(begin + SuitMotion.PASSAGE_S + period)
-	for limb: int in BodyPlaces.LIMBS:
+	for limb: int in BodyMounts.LIMBS:
 		is_true(first.orientation(limb).angle_to(last.orientation(limb)) < 0.02)
 
 
 func test_axes_are_those_of_the_suit() -> void:
 	# The bow: the trunk turns about Godot's X, which is the suit's Y (to the left).
 	var bytes: PackedByteArray = _motion.encode()
-	var limbs: int = BodyPlaces.COUNT
+	var limbs: int = BodyMounts.COUNT
 	var largest: float = 0.0
 	for frame: int in roundi(_motion.calibration_s() * _motion.rate_hz):
-		var at: int = HEAD_BYTES + limbs * 32 + (frame * limbs + BodyPlaces.STERNUM) * 28
+		var at: int = HEAD_BYTES + limbs * 32 + (frame * limbs + BodyMounts.STERNUM) * 28
 		var turn: Quaternion = Quaternion(
 			bytes.decode_float(at + 4),
 			bytes.decode_float(at + 8),

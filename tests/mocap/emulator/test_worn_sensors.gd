@@ -33,7 +33,7 @@ func test_what_sensors_say_follows_the_limbs() -> void:
 		var pose: PoseSample = feed.pose_at(at / 100.0)
 		var before: PoseSample = feed.pose_at((at - 1) / 100.0)
 		for sensor: int in 17:
-			var limb: int = BodyPlaces.LIMBS[sensor]
+			var limb: int = BodyMounts.LIMBS[sensor]
 			var turn: float = Rotations.between(pose.orientation(limb), before.orientation(limb))
 			var said: Quaternion = frames[at].orientation(sensor)
 			almost_equal(Rotations.between(said, frames[at - 1].orientation(sensor)), turn, 1e-4)
@@ -56,7 +56,7 @@ func test_list_and_silence() -> void:
 	equal(sensors[3].state_name(), "waiting")
 	equal(feed.take_frames()[0].present[3], 0)
 	var revision: int = feed.revision
-	feed.add_sensor(BodyPlaces.HEAD)
+	feed.add_sensor(BodyMounts.HEAD)
 	equal(feed.revision, revision + 1)
 	contains(feed.describe(), "01_01.bvh")
 

@@ -62,9 +62,9 @@ func test_segments_of_both_orders_are_the_same_person() -> void:
 	for segment: int in range(1, MvnSegments.COUNT):
 		is_true(MvnSegments.PARENTS[segment] < segment)
 	for limb: int in Limbs.COUNT:
-		var place: int = BodyPlaces.find(MvnSegments.PLACES[MvnSegments.OF_LIMBS[limb]])
+		var place: int = BodyMounts.find(MvnSegments.PLACES[MvnSegments.OF_LIMBS[limb]])
 		if limb != 1:
-			equal(BodyPlaces.LIMBS[place], limb)
+			equal(BodyMounts.LIMBS[place], limb)
 
 
 func test_missing_and_broken_segments() -> void:

@@ -207,14 +207,14 @@ func test_trackers_become_sensors() -> void:
 	var frames: Array[SensorFrame] = feeds[0].take_frames()
 	var sensors: Array[SensorInfo] = feeds[0].list_sensors()
 	equal(frames.size(), 1)
-	equal(sensors.size(), BodyPlaces.COUNT)
+	equal(sensors.size(), BodyMounts.COUNT)
 	equal(frames[0].find_fault(), "")
 	for at: int in sensors.size():
-		var place: int = BodyPlaces.find(sensors[at].place)
+		var place: int = BodyMounts.find(sensors[at].place)
 		is_true(place >= 0, sensors[at].id)
 		equal(sensors[at].state, SensorInfo.State.MEASURING)
 		if not sensors[at].id.contains("Shoulder"):
-			var turn: Quaternion = pose.orientation(BodyPlaces.LIMBS[place])
+			var turn: Quaternion = pose.orientation(BodyMounts.LIMBS[place])
 			var off: float = Rotations.between_deg(frames[0].orientation(at), turn)
 			is_true(off < MAX_DEG, "%s is off by %f deg" % [sensors[at].id, off])
 		is_true(frames[0].accelerations[at].length() > 1.0)

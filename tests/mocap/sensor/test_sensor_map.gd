@@ -6,23 +6,23 @@ func test_layouts_are_plausible() -> void:
 	for count: int in range(5, 18):
 		var places: PackedInt32Array = SensorMap.layout(count)
 		equal(places.size(), count)
-		equal(places[0], BodyPlaces.PELVIS)
+		equal(places[0], BodyMounts.PELVIS)
 		for place: int in places:
 			equal(places.count(place), 1)
-			contains(places, BodyPlaces.MIRRORS[place], "%d sensors: both sides" % count)
+			contains(places, BodyMounts.MIRRORS[place], "%d sensors: both sides" % count)
 	equal(SensorMap.layout(3), PackedInt32Array([0, 5, 9]))
 	equal(SensorMap.layout(40).size(), 17)
 	equal(SensorMap.layout(0).size(), 0)
 
 
 func test_places_and_their_names() -> void:
-	for place: int in BodyPlaces.COUNT:
-		equal(BodyPlaces.find(BodyPlaces.NAMES[place]), place)
-		equal(BodyPlaces.MIRRORS[BodyPlaces.MIRRORS[place]], place)
-		equal(BodyPlaces.side(BodyPlaces.MIRRORS[place]), -BodyPlaces.side(place))
-		is_true(BodyPlaces.PARENTS[place] < place)
-	equal(BodyPlaces.find(&"wing"), -1)
-	equal(BodyPlaces.title(4), "left upper arm")
+	for place: int in BodyMounts.COUNT:
+		equal(BodyMounts.find(BodyMounts.NAMES[place]), place)
+		equal(BodyMounts.MIRRORS[BodyMounts.MIRRORS[place]], place)
+		equal(BodyMounts.side(BodyMounts.MIRRORS[place]), -BodyMounts.side(place))
+		is_true(BodyMounts.PARENTS[place] < place)
+	equal(BodyMounts.find(&"wing"), -1)
+	equal(BodyMounts.title(4), "left upper arm")
 
 
 func test_guess_by_order_and_by_what_devices_tell() -> void:
@@ -33,8 +33,8 @@ func test_guess_by_order_and_by_what_devices_tell() -> void:
 	sensors[0].place = &"head"
 	sensors[1].place = &"no such place"
 	map = SensorMap.guess(sensors)
-	equal(map.places["a"], BodyPlaces.HEAD)
-	equal(map.places["b"], BodyPlaces.PELVIS)
+	equal(map.places["a"], BodyMounts.HEAD)
+	equal(map.places["b"], BodyMounts.PELVIS)
 	equal(map.worn(), PackedInt32Array([0, 2, 5, 9, 12, 15]))
 	equal(SensorMap.guess([]).places.size(), 0)
 

@@ -147,7 +147,7 @@ func test_rates_are_those_of_the_limbs() -> void:
 func test_sensors_that_come_later() -> void:
 	_calibrate()
 	_go(0.1)
-	_feed.add_sensor(BodyPlaces.HEAD, Quaternion.IDENTITY, 0.0, "new")
+	_feed.add_sensor(BodyMounts.HEAD, Quaternion.IDENTITY, 0.0, "new")
 	_go(0.1)
 	not_null(_suit.sample(_now_usec))
 	equal(_suit.newest_frame.count(), 18)
@@ -185,7 +185,7 @@ func test_sampled_by_a_thread_while_shown_by_another() -> void:
 
 func test_another_suit_than_last_time() -> void:
 	var profile: PersonProfile = PersonProfile.new()
-	profile.map.assign("00999999", BodyPlaces.PELVIS)
+	profile.map.assign("00999999", BodyMounts.PELVIS)
 	_suit.set_profile(profile)
 	_go(0.1)
 	equal(_suit.get_profile().map.places.size(), 17)

@@ -36,7 +36,7 @@ func test_no_false_alarm_for_a_careless_wearer_with_noisy_drifting_sensors() -> 
 				feed.add_sensor(place, Quaternion(Vector3.UP, _random.randf_range(-3.0, 3.0)))
 				feed.drifts_deg.append(_random.randf_range(-0.3, 0.3))
 			_faults.clear()
-			for place: int in BodyPlaces.COUNT:
+			for place: int in BodyMounts.COUNT:
 				var axis: Vector3 = Vector3(_random.randfn(), _random.randfn(), _random.randfn())
 				_faults[place] = Quaternion(axis.normalized(), deg_to_rad(8.0))
 			var suit: SuitSource = _calibrated(feed, places, ResetPose.Kind.T)
@@ -89,7 +89,7 @@ func test_a_sensor_that_turned_over_is_named() -> void:
 		var suit: SuitSource = _calibrated(feed, places, ResetPose.Kind.T)
 		feed.wear(place, place, Quaternion(Vector3.RIGHT, PI))
 		_play(suit, feed, "01_01.bvh")
-		var title: String = BodyPlaces.title(place)
+		var title: String = BodyMounts.title(place)
 		contains(", ".join(suit.watch.messages()), "%s sensor seems loose or upside down" % title)
 		equal(suit.watch.slipped, PackedInt32Array([place]))
 		# Calibrated again, all is well.

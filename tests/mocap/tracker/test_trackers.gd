@@ -45,7 +45,7 @@ func test_an_avatar_wears_it() -> void:
 	skeleton.add_child(modifier)
 	node.add_child(skeleton)
 	add_child(node)
-	var figure: BodyFigure = BodyFigure.new(_clip.get_body())
+	var figure: BodySegments = BodySegments.new(_clip.get_body())
 	for step: int in 5:
 		var pose: PoseSample = _clip.pose_at(step * 1.3)
 		_publisher.publish(pose)

@@ -24,11 +24,11 @@ func after_each() -> void:
 
 
 func test_pose_packet() -> void:
-	var good: PackedByteArray = PosePacket.encode(NetSamples.pose(_random))
+	var good: PackedByteArray = PoseMessage.encode(NetSamples.pose(_random))
 	for _round: int in ROUNDS:
-		var sample: PoseSample = PosePacket.decode(_hostile(good))
+		var sample: PoseSample = PoseMessage.decode(_hostile(good))
 		if sample == null:
-			_is_reason(PosePacket.error)
+			_is_reason(PoseMessage.error)
 		else:
 			_accepted += 1
 			_is_empty(sample.find_fault())
@@ -83,11 +83,11 @@ func test_world_description() -> void:
 
 
 func test_greeting() -> void:
-	var sent: Greeting = Greeting.new()
+	var sent: JoinRequest = JoinRequest.new()
 	sent.name = "Adä😀"
 	var good: PackedByteArray = sent.encode(PackedByteArray([1]), PackedByteArray([2]))
 	for _round: int in ROUNDS:
-		var greeting: Greeting = Greeting.decode(_hostile(good))
+		var greeting: JoinRequest = JoinRequest.decode(_hostile(good))
 		if greeting.error != "":
 			_is_reason(greeting.error)
 			continue
@@ -113,22 +113,22 @@ func test_challenge() -> void:
 
 
 func test_answer() -> void:
-	var good: PackedByteArray = Answer.refusal("the server is füll 😀", true)
+	var good: PackedByteArray = JoinReply.refusal("the server is füll 😀", true)
 	for _round: int in ROUNDS:
-		var answer: Answer = Answer.decode(_hostile(good))
+		var answer: JoinReply = JoinReply.decode(_hostile(good))
 		_accepted += 1 if answer.why.begins_with("the s") else 0
-		var silent: bool = answer.kind == Answer.Kind.REFUSED and answer.why == ""
+		var silent: bool = answer.kind == JoinReply.Kind.REFUSED and answer.why == ""
 		if answer.why.length() > 800 or silent:
 			fail("%d characters" % answer.why.length())
 	_check_mixture()
 
 
 func test_clock_packet() -> void:
-	var question: PackedByteArray = ClockPacket.question(77)
-	var good: PackedByteArray = ClockPacket.answer(question, 5000000, 300, 4990000, 60)
+	var question: PackedByteArray = ClockMessage.question(77)
+	var good: PackedByteArray = ClockMessage.answer(question, 5000000, 300, 4990000, 60)
 	var sync: ClockSync = ClockSync.new()
 	for round: int in ROUNDS:
-		var packet: ClockPacket = ClockPacket.decode(_hostile(good))
+		var packet: ClockMessage = ClockMessage.decode(_hostile(good))
 		if packet == null:
 			continue
 		_accepted += 1
@@ -140,9 +140,9 @@ func test_clock_packet() -> void:
 
 func test_packet_parts() -> void:
 	var whole: PackedByteArray = NetSamples.world(_random, 80, 2).encode()
-	var parts: Array[PackedByteArray] = PacketParts.split(whole, 1)
+	var parts: Array[PackedByteArray] = MessageParts.split(whole, 1)
 	is_true(parts.size() > 3)
-	var joiner: PacketParts = PacketParts.new()
+	var joiner: MessageParts = MessageParts.new()
 	for round: int in ROUNDS:
 		var part: PackedByteArray = parts[round % parts.size()]
 		var joined: PackedByteArray = joiner.join(_hostile(part) if _random.randf() < 0.1 else part)
@@ -154,12 +154,12 @@ func test_packet_parts() -> void:
 
 func test_joined_packets_stay_as_they_are() -> void:
 	var whole: PackedByteArray = NetSamples.world(_random, 80, 2).encode()
-	var joiner: PacketParts = PacketParts.new()
+	var joiner: MessageParts = MessageParts.new()
 	var joined: PackedByteArray = []
-	for part: PackedByteArray in PacketParts.split(whole, 1):
+	for part: PackedByteArray in MessageParts.split(whole, 1):
 		joined = joiner.join(part)
 	equal(joined, whole)
-	joiner.join(PacketParts.split(PackedByteArray([1]), 2)[0])
+	joiner.join(MessageParts.split(PackedByteArray([1]), 2)[0])
 	equal(joined, whole, "a later packet does not change one that was handed out")
 
 

@@ -91,8 +91,8 @@ func test_guessing_is_slowed_down_and_keeps_nobody_out_who_comes_back() -> void:
 
 
 func test_guess_limit() -> void:
-	var limit: GuessLimit = GuessLimit.new()
-	for _guess: int in GuessLimit.BURST:
+	var limit: LoginRateLimiter = LoginRateLimiter.new()
+	for _guess: int in LoginRateLimiter.BURST:
 		is_true(limit.may_guess("a", 0))
 		limit.note_wrong("a", 0)
 	is_false(limit.may_guess("a", 1900000))
@@ -116,7 +116,7 @@ func test_a_lost_client_comes_back_into_its_session() -> void:
 	is_true(_pair.until(func() -> bool: return _pair.returned.size() == 1))
 	equal([end.link.session, _pair.returned[0]], [session, session])
 	equal(_pair.joined.size(), 1, "joined once")
-	end.link.send_pose(PosePacket.encode(NetSamples.pose(_random)))
+	end.link.send_pose(PoseMessage.encode(NetSamples.pose(_random)))
 	is_true(_pair.until(func() -> bool: return _pair.poses.has(session)))
 
 
@@ -155,7 +155,7 @@ func test_a_place_is_kept_for_a_minute_only() -> void:
 	var end: LinkPair.End = _pair.join(TRAINEE)
 	_lose(end)
 	var session: Session = _pair.server._book.find(_pair.lost[0])
-	session.lost_usec -= int(SessionBook.KEPT_S * 1e6) - 200000
+	session.lost_usec -= int(SessionTable.KEPT_S * 1e6) - 200000
 	_pair.run(0.05)
 	equal(_pair.left.size(), 0)
 	is_true(_pair.until(func() -> bool: return _pair.left.size() == 1, 1.0))
@@ -199,7 +199,7 @@ func test_those_who_wait_are_kept_longer_than_a_greeting_takes() -> void:
 	_pair.listen()
 	var first: LinkPair.End = _pair.add(TRAINEE, "first")
 	is_true(_pair.until(func() -> bool: return first.places.size() == 1))
-	_pair.run(SessionDoor.GREETING_S + 3.0)
+	_pair.run(Admission.GREETING_S + 3.0)
 	equal([first.refusal, first.loss], ["", ""])
 	equal(_pair.server.admit(_pair.server.roster()[0]["peer"]), "")
 	is_true(_pair.until(func() -> bool: return first.joined == 1))
@@ -295,5 +295,5 @@ func _make_node() -> Node:
 
 ## Cuts a client's connection without a goodbye.
 func _lose(p_end: LinkPair.End) -> void:
-	p_end.link._peer.close_with(Protocol.Goodbye.LOST)
+	p_end.link._peer.close_with(Protocol.DisconnectReason.LOST)
 	is_true(_pair.until(func() -> bool: return _pair.lost.size() == 1 and p_end.loss != ""))

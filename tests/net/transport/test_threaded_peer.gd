@@ -139,7 +139,7 @@ func test_what_was_sent_last_arrives_before_the_end() -> void:
 	_server.set_target_peer(client.get_unique_id())
 	for number: int in 200:
 		_server.put_packet(PackedByteArray([number]))
-	_server.dismiss(client.get_unique_id(), Protocol.Goodbye.DISMISSED)
+	_server.dismiss(client.get_unique_id(), Protocol.DisconnectReason.DISMISSED)
 	var got: Array[int] = []
 	await _until(
 		func() -> bool:
@@ -148,7 +148,7 @@ func test_what_was_sent_last_arrives_before_the_end() -> void:
 			return client.get_connection_status() == MultiplayerPeer.CONNECTION_DISCONNECTED
 	)
 	equal(got.size(), 200)
-	equal(client.goodbye_of(1), int(Protocol.Goodbye.DISMISSED))
+	equal(client.goodbye_of(1), int(Protocol.DisconnectReason.DISMISSED))
 
 
 func test_a_forced_end_is_told_to_the_other_side_only() -> void:

@@ -6,14 +6,14 @@ const Stage: GDScript = preload("../actor/stage.gd")
 const SOLDIER: PackedScene = preload("res://scenes/actor/soldier.tscn")
 const STEP_USEC: int = 16667
 
-var _actors: ServerActors = null
+var _actors: ServerPeople = null
 var _changes: int = 0
 var _now_s: float = 1000.0
 var _sent: int = 0
 
 
 func before_each() -> void:
-	_actors = ServerActors.new()
+	_actors = ServerPeople.new()
 	_actors.scene = SOLDIER
 	_actors.changed.connect(_on_changed)
 	add_child(_actors)
@@ -42,7 +42,7 @@ func test_everybody_starts_at_a_place_of_his_own() -> void:
 	_actors.remove(1)
 	_add(8, "late", 0.95)
 	var places: Array = _actors.list().map(
-		func(person: ServerActors.Person) -> Vector3: return person.origin
+		func(person: ServerPeople.Person) -> Vector3: return person.origin
 	)
 	for i: int in places.size():
 		for j: int in i:
@@ -51,7 +51,7 @@ func test_everybody_starts_at_a_place_of_his_own() -> void:
 
 func test_the_travel_of_tall_wearers_is_scaled() -> void:
 	_add(7, "tall", 1.2)
-	var person: ServerActors.Person = _actors.list()[0]
+	var person: ServerPeople.Person = _actors.list()[0]
 	almost_equal(person.scale, person.ragdoll.get_hip_height() / 1.2, 1e-6)
 
 
@@ -62,7 +62,7 @@ func test_a_body_gets_the_size_of_its_wearer() -> void:
 	for length: float in BodyScale.own_lengths(plain):
 		card.lengths.append(length * 0.8)
 	_actors.set_people(8, [card], "")
-	var person: ServerActors.Person = _actors.list()[1]
+	var person: ServerPeople.Person = _actors.list()[1]
 	almost_equal(person.scale, 1.0, 0.005)
 	almost_equal(person.ragdoll.get_hip_height(), plain.get_hip_height() * 0.8, 0.005)
 	is_true(person.ragdoll.profile.mass < 0.7 * plain.profile.mass)
@@ -71,7 +71,7 @@ func test_a_body_gets_the_size_of_its_wearer() -> void:
 	taller.lengths = card.lengths.duplicate()
 	taller.lengths[10] *= 1.3
 	_actors.set_people(8, [taller], "")
-	var grown: ServerActors.Person = _actors.list()[1]
+	var grown: ServerPeople.Person = _actors.list()[1]
 	not_equal(grown.id, person.id)
 	is_true(grown.ragdoll.get_hip_height() > person.ragdoll.get_hip_height() + 0.05)
 
@@ -80,7 +80,7 @@ func test_samples_move_the_body() -> void:
 	_add(7, "Ada", 1.0115)
 	for _step: int in 60:
 		await _step(7, Stage.arms_pose(80.0, 80.0), Vector3(0.0, 1.0115, 0.5))
-	var person: ServerActors.Person = _actors.list()[0]
+	var person: ServerPeople.Person = _actors.list()[0]
 	var hips: Transform3D = PhysicsServer3D.body_get_state(
 		person.ragdoll.get_bodies()[0], PhysicsServer3D.BODY_STATE_TRANSFORM
 	)
@@ -175,7 +175,7 @@ func _on_changed() -> void:
 	_changes += 1
 
 
-func _name(p_person: ServerActors.Person) -> String:
+func _name(p_person: ServerPeople.Person) -> String:
 	return p_person.name
 
 
@@ -185,7 +185,7 @@ func test_a_client_may_have_several_people() -> void:
 	_actors.set_people(7, [ada, bob], "client")
 	_add(9, "Eve", 0.9)
 	equal(_actors.list().map(_name), ["Ada", "client", "Eve"])
-	var first: ServerActors.Person = _actors.list()[0]
+	var first: ServerPeople.Person = _actors.list()[0]
 	_actors.set_people(7, [ada, bob], "client")
 	is_true(_actors.list()[0] == first, "told again, the bodies stay")
 	_actors.set_people(7, [bob], "client")

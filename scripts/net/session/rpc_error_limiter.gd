@@ -1,4 +1,4 @@
-class_name CallStrikes
+class_name RpcErrorLimiter
 extends Logger
 ## Counts the engine's errors that clients' remote calls cause, so that who causes them can be
 ## thrown out before the log fills.

@@ -1,4 +1,4 @@
-class_name ServerFigures
+class_name ServerStats
 extends RefCounted
 ## What a server tells of itself, to its operator's report file, status endpoint and log.
 
@@ -74,7 +74,7 @@ func since_status() -> float:
 
 
 ## The figures for report and status.
-func report(p_link: ServerLink, p_sending: ServerReplication, p_people: Array) -> Dictionary:
+func report(p_link: ServerLink, p_sending: Replication, p_people: Array) -> Dictionary:
 	return {
 		"role": "server",
 		"version": ProjectSettings.get_setting("application/config/version"),
@@ -113,7 +113,7 @@ func _recent() -> Dictionary:
 
 
 func _sessions(
-	p_link: ServerLink, p_sending: ServerReplication, p_ways: Dictionary
+	p_link: ServerLink, p_sending: Replication, p_ways: Dictionary
 ) -> Array[Dictionary]:
 	var rows: Array[Dictionary] = []
 	for person: Dictionary in p_link.roster():

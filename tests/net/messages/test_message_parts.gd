@@ -5,13 +5,13 @@ extends TestCase
 func test_parts_fit_a_datagram_and_join_again() -> void:
 	var random: RandomNumberGenerator = RandomNumberGenerator.new()
 	random.seed = 5
-	var joiner: PacketParts = PacketParts.new()
-	for size: int in [1, 10, PacketParts.ROOM, PacketParts.ROOM + 1, 20000]:
+	var joiner: MessageParts = MessageParts.new()
+	for size: int in [1, 10, MessageParts.ROOM, MessageParts.ROOM + 1, 20000]:
 		var bytes: PackedByteArray = PackedByteArray()
 		for i: int in size:
 			bytes.append(random.randi() & 255)
-		var parts: Array[PackedByteArray] = PacketParts.split(bytes, size)
-		equal(parts.size(), ceili(float(size) / PacketParts.ROOM))
+		var parts: Array[PackedByteArray] = MessageParts.split(bytes, size)
+		equal(parts.size(), ceili(float(size) / MessageParts.ROOM))
 		var whole: PackedByteArray = PackedByteArray()
 		for part: PackedByteArray in parts:
 			is_true(part.size() <= Protocol.MAX_DATAGRAM)
@@ -23,10 +23,10 @@ func test_parts_fit_a_datagram_and_join_again() -> void:
 func test_parts_of_different_packets_do_not_mix() -> void:
 	var bytes: PackedByteArray = PackedByteArray()
 	bytes.resize(3000)
-	var first: Array[PackedByteArray] = PacketParts.split(bytes, 1)
+	var first: Array[PackedByteArray] = MessageParts.split(bytes, 1)
 	bytes.fill(7)
-	var second: Array[PackedByteArray] = PacketParts.split(bytes, 2)
-	var joiner: PacketParts = PacketParts.new()
+	var second: Array[PackedByteArray] = MessageParts.split(bytes, 2)
+	var joiner: MessageParts = MessageParts.new()
 	joiner.join(first[0])
 	is_true(joiner.join(second[1]).is_empty())
 	is_true(joiner.join(first[2]).is_empty(), "a part is missing")
@@ -39,7 +39,7 @@ func test_parts_of_different_packets_do_not_mix() -> void:
 func test_garbage_is_no_part() -> void:
 	var random: RandomNumberGenerator = RandomNumberGenerator.new()
 	random.seed = 6
-	var joiner: PacketParts = PacketParts.new()
+	var joiner: MessageParts = MessageParts.new()
 	for i: int in 5000:
 		var bytes: PackedByteArray = PackedByteArray()
 		for at: int in random.randi_range(0, 20):

@@ -1,4 +1,4 @@
-class_name GuessLimit
+class_name LoginRateLimiter
 extends RefCounted
 ## How often an address may be wrong about a password: a few times at once, then seldom.
 

@@ -1,4 +1,4 @@
-class_name LoadFigures
+class_name LoadStats
 extends RefCounted
 ## What one client of a load run has seen since it was told to count.
 

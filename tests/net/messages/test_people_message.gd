@@ -9,8 +9,8 @@ func test_round_trip() -> void:
 		var sent: Array[PersonCard] = []
 		for index: int in count:
 			sent.append(_card(PersonCard.MAX_PEOPLE - 1 - index))
-		var got: Array[PersonCard] = PeoplePacket.decode(PeoplePacket.encode(sent))
-		equal(PeoplePacket.error, "")
+		var got: Array[PersonCard] = PeopleMessage.decode(PeopleMessage.encode(sent))
+		equal(PeopleMessage.error, "")
 		equal(got.size(), count)
 		for place: int in got.size():
 			equal(got[place].index, sent[place].index)
@@ -33,27 +33,27 @@ func test_nobody_is_taken_for_a_person() -> void:
 
 
 func test_a_packet_cut_anywhere_is_refused() -> void:
-	var bytes: PackedByteArray = PeoplePacket.encode([_card(0), _card(1)])
+	var bytes: PackedByteArray = PeopleMessage.encode([_card(0), _card(1)])
 	for size: int in range(1, bytes.size()):
-		equal(PeoplePacket.decode(bytes.slice(0, size)), [], "%d bytes" % size)
-		not_equal(PeoplePacket.error, "", "%d bytes" % size)
+		equal(PeopleMessage.decode(bytes.slice(0, size)), [], "%d bytes" % size)
+		not_equal(PeopleMessage.error, "", "%d bytes" % size)
 
 
 func test_hostile_bytes() -> void:
-	var good: PackedByteArray = PeoplePacket.encode([_card(0), _card(1)])
+	var good: PackedByteArray = PeopleMessage.encode([_card(0), _card(1)])
 	for _round: int in 3000:
 		var bytes: PackedByteArray = good.duplicate()
 		for _change: int in _random.randi_range(1, 4):
 			bytes[_random.randi_range(1, bytes.size() - 1)] = _random.randi_range(0, 255)
-		for card: PersonCard in PeoplePacket.decode(bytes):
+		for card: PersonCard in PeopleMessage.decode(bytes):
 			equal(card.find_fault(), "")
 
 
 func _refuses(p_people: Array[PersonCard], p_why: String) -> void:
-	equal(PeoplePacket.decode(PeoplePacket.encode(p_people)), [])
-	not_equal(PeoplePacket.error, "")
+	equal(PeopleMessage.decode(PeopleMessage.encode(p_people)), [])
+	not_equal(PeopleMessage.error, "")
 	if p_why != "":
-		contains(PeoplePacket.error, p_why)
+		contains(PeopleMessage.error, p_why)
 
 
 func _card(p_index: int) -> PersonCard:

@@ -1,4 +1,4 @@
-class_name MocapDesk
+class_name MocapSetup
 extends CanvasLayer
 ## Everything about motion capture at a client: the sources that the options ask for, calibrations,
 ## and the panel with devices and sensors, which a key opens.

@@ -11,7 +11,7 @@ var _key: PackedByteArray = PasswordKey.derive("secret", _challenge.slice(13, 29
 func test_greeting_round_trip() -> void:
 	for name: String in ["Ada", "Größe 東京 😀", "x".repeat(32)]:
 		for role: Protocol.Role in Protocol.Role.values():
-			var greeting: Greeting = Greeting.decode(_encode(name, role))
+			var greeting: JoinRequest = JoinRequest.decode(_encode(name, role))
 			equal(greeting.error, "")
 			equal([greeting.name, greeting.role, greeting.rate], [name, role, 30])
 			equal(greeting.version, Protocol.VERSION)
@@ -19,9 +19,9 @@ func test_greeting_round_trip() -> void:
 
 
 func test_a_token_is_carried() -> void:
-	var sent: Greeting = Greeting.new()
+	var sent: JoinRequest = JoinRequest.new()
 	sent.token = Crypto.new().generate_random_bytes(16)
-	equal(Greeting.decode(sent.encode(_challenge, _key)).token, sent.token)
+	equal(JoinRequest.decode(sent.encode(_challenge, _key)).token, sent.token)
 
 
 func test_names_are_made_decent() -> void:
@@ -35,40 +35,40 @@ func test_names_are_made_decent() -> void:
 		"😀".repeat(40): "😀".repeat(32),
 	}
 	for name: String in cases:
-		equal(Greeting.decode(_encode(name)).name, cases[name], name.left(40))
+		equal(JoinRequest.decode(_encode(name)).name, cases[name], name.left(40))
 
 
 func test_other_versions_are_named() -> void:
 	for version: int in [0, 1, 65537, 0xFFFFFFFF]:
-		var sent: Greeting = Greeting.new()
+		var sent: JoinRequest = JoinRequest.new()
 		sent.version = version
 		var text: String = "the client speaks protocol version %d, the server 3" % version
-		equal(Greeting.decode(sent.encode(_challenge, _key)).error, text)
+		equal(JoinRequest.decode(sent.encode(_challenge, _key)).error, text)
 
 
 func test_other_versions_of_another_form_are_named() -> void:
 	var bytes: PackedByteArray = "DSMT".to_ascii_buffer() + PackedByteArray([1, 0, 0, 0, 1, 2, 3])
-	contains(Greeting.decode(bytes).error, "version 1, the server 3")
+	contains(JoinRequest.decode(bytes).error, "version 1, the server 3")
 	contains(Challenge.decode(bytes).error, "version 1, this client 3")
 
 
 func test_unknown_role() -> void:
 	var bytes: PackedByteArray = _encode("Ada")
 	bytes[8] = 4
-	contains(Greeting.decode(bytes).error, "role")
+	contains(JoinRequest.decode(bytes).error, "role")
 
 
 func test_foreign_bytes() -> void:
 	var variant: PackedByteArray = var_to_bytes({"version": 1, "role": 0, "name": "Ada"})
-	contains(Greeting.decode(variant).error, "not in Dismount's form")
-	contains(Greeting.decode(PackedByteArray()).error, "0 bytes")
+	contains(JoinRequest.decode(variant).error, "not in Dismount's form")
+	contains(JoinRequest.decode(PackedByteArray()).error, "0 bytes")
 	var large: PackedByteArray = _encode("Ada")
 	large.resize(10000)
-	contains(Greeting.decode(large).error, "10000 bytes")
+	contains(JoinRequest.decode(large).error, "10000 bytes")
 
 
 func test_only_the_right_password_is_proven() -> void:
-	var greeting: Greeting = Greeting.decode(_encode("Ada"))
+	var greeting: JoinRequest = JoinRequest.decode(_encode("Ada"))
 	is_true(greeting.is_proven(_challenge, _key))
 	var other: PackedByteArray = PasswordKey.derive("Secret", _challenge.slice(13, 29), 100)
 	is_false(greeting.is_proven(_challenge, other), "another password")
@@ -80,7 +80,7 @@ func test_a_proof_covers_the_whole_greeting() -> void:
 	for at: int in range(8, good.size(), 3):
 		var bad: PackedByteArray = good.duplicate()
 		bad[at] = bad[at] ^ 1
-		var greeting: Greeting = Greeting.decode(bad)
+		var greeting: JoinRequest = JoinRequest.decode(bad)
 		is_false(greeting.error == "" and greeting.is_proven(_challenge, _key), "byte %d" % at)
 
 
@@ -91,30 +91,30 @@ func test_key_derivation_is_pbkdf2() -> void:
 
 func test_answers() -> void:
 	for why: String in ["the server is full (8 clients)", "zu groß 😀"]:
-		equal(Answer.decode(Answer.refusal(why, false)).why, why)
-		equal(Answer.decode(Answer.refusal(why, false)).kind, Answer.Kind.REFUSED)
-		equal(Answer.decode(Answer.refusal(why, true)).kind, Answer.Kind.LATER)
-	equal(Answer.decode(Answer.wait(7)).place, 7)
+		equal(JoinReply.decode(JoinReply.refusal(why, false)).why, why)
+		equal(JoinReply.decode(JoinReply.refusal(why, false)).kind, JoinReply.Kind.REFUSED)
+		equal(JoinReply.decode(JoinReply.refusal(why, true)).kind, JoinReply.Kind.LATER)
+	equal(JoinReply.decode(JoinReply.wait(7)).place, 7)
 	var token: PackedByteArray = Crypto.new().generate_random_bytes(16)
 	var said: Array[PackedByteArray] = [_challenge]
-	var bytes: PackedByteArray = Answer.welcome(9, token, _key, said)
-	var welcome: Answer = Answer.decode(bytes)
-	equal([welcome.kind, welcome.session, welcome.token], [Answer.Kind.WELCOME, 9, token])
+	var bytes: PackedByteArray = JoinReply.welcome(9, token, _key, said)
+	var welcome: JoinReply = JoinReply.decode(bytes)
+	equal([welcome.kind, welcome.session, welcome.token], [JoinReply.Kind.WELCOME, 9, token])
 	is_true(welcome.is_proven(_key, said))
 	bytes[2] = 1
-	is_false(Answer.decode(bytes).is_proven(_key, said), "another session")
+	is_false(JoinReply.decode(bytes).is_proven(_key, said), "another session")
 
 
 func test_a_broken_answer_is_no_welcome() -> void:
 	var broken: Array[PackedByteArray] = [[], [0], [1], [1, 0, 0], [0, 1, 0, 65], [2], [3], [9, 9]]
 	for bytes: PackedByteArray in broken:
-		var answer: Answer = Answer.decode(bytes)
-		equal(answer.kind, Answer.Kind.REFUSED, str(bytes))
+		var answer: JoinReply = JoinReply.decode(bytes)
+		equal(answer.kind, JoinReply.Kind.REFUSED, str(bytes))
 		not_equal(answer.why, "", str(bytes))
 
 
 func _encode(p_name: String, p_role: Protocol.Role = Protocol.Role.TRAINEE) -> PackedByteArray:
-	var greeting: Greeting = Greeting.new()
+	var greeting: JoinRequest = JoinRequest.new()
 	greeting.name = p_name
 	greeting.role = p_role
 	greeting.rate = 30

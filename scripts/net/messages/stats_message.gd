@@ -1,4 +1,4 @@
-class_name FiguresPacket
+class_name StatsMessage
 extends RefCounted
 ## What a client tells its server about how well it sees, once a second, for the server's status.
 ##

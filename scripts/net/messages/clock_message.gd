@@ -1,9 +1,9 @@
-class_name ClockPacket
+class_name ClockMessage
 extends RefCounted
 ## The question for the server's time, and its answer. Both are made and answered in the transport's
 ## threads, so that no frame rate comes in between.
 ##
-## Little-endian. Question: u8 message, u64 client's time (µs). Answer: u8 message, u64 the client's
+## Little-endian. Question: u8 message, u64 client's time (µs). JoinReply: u8 message, u64 the client's
 ## time of the question, u64 server's time (µs), u32 the server's tick, u64 server's time at which
 ## this tick began (µs), u16 ticks per second. All times are of monotonic clocks.
 
@@ -49,10 +49,10 @@ static func answer(
 
 
 ## What an answer says; null if it is none.
-static func decode(p_bytes: PackedByteArray) -> ClockPacket:
+static func decode(p_bytes: PackedByteArray) -> ClockMessage:
 	if p_bytes.size() != ANSWER_SIZE or p_bytes[0] != Protocol.Message.CLOCK:
 		return null
-	var packet: ClockPacket = ClockPacket.new()
+	var packet: ClockMessage = ClockMessage.new()
 	packet.asked_usec = p_bytes.decode_u64(1)
 	packet.server_usec = p_bytes.decode_u64(9)
 	packet.tick = p_bytes.decode_u32(17)

@@ -1,4 +1,4 @@
-class_name Greeting
+class_name JoinRequest
 extends RefCounted
 ## A client's answer to a [Challenge]: who it is and what it wants, with a proof if it has a
 ## password.
@@ -49,8 +49,8 @@ func encode(p_challenge: PackedByteArray, p_key: PackedByteArray) -> PackedByteA
 
 
 ## What a client says; [member error] tells if it is no greeting.
-static func decode(p_bytes: PackedByteArray) -> Greeting:
-	var greeting: Greeting = Greeting.new()
+static func decode(p_bytes: PackedByteArray) -> JoinRequest:
+	var greeting: JoinRequest = JoinRequest.new()
 	greeting.error = greeting._read(p_bytes)
 	return greeting
 

@@ -1,5 +1,5 @@
 @tool
-class_name RagdollFigure
+class_name RestSkeleton
 extends RefCounted
 ## A skeleton's rest pose in the model space of its ragdoll: upright, facing +Z, metres.
 ##

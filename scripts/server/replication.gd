@@ -1,11 +1,11 @@
-class_name ServerReplication
+class_name Replication
 extends RefCounted
 ## Tells all clients where people and props are, each as far as its share of the network goes.
 
 var _encoder: SnapshotEncoder = SnapshotEncoder.new()
 var _registry: BodyRegistry = BodyRegistry.new()
 var _link: ServerLink = null
-var _actors: ServerActors = null
+var _actors: ServerPeople = null
 var _bits_per_second: float = 0.0
 var _error_deg: float = Protocol.POSE_ERROR_DEG
 ## Who is there: session to the id of its person, -1 without a body.
@@ -19,7 +19,7 @@ var _told: Dictionary[int, Dictionary] = {}
 
 func _init(
 	p_link: ServerLink,
-	p_actors: ServerActors,
+	p_actors: ServerPeople,
 	p_tick_rate: int,
 	p_bits_per_second: float,
 	p_error_deg: float
@@ -68,9 +68,9 @@ func remove_client(p_session: int) -> void:
 
 ## Tells everybody which bodies there are now.
 func announce() -> void:
-	var people: Array[ServerActors.Person] = _actors.list()
+	var people: Array[ServerPeople.Person] = _actors.list()
 	var here: Dictionary[int, bool] = {}
-	for person: ServerActors.Person in people:
+	for person: ServerPeople.Person in people:
 		here[person.id] = true
 		if not _known.has(person.id):
 			_known[person.id] = true

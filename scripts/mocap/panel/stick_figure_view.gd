@@ -1,4 +1,4 @@
-class_name LimbFigureView
+class_name StickFigureView
 extends Node3D
 ## A person of boxes, one for each limb.
 
@@ -28,7 +28,7 @@ const _THICK: Array[Vector2] = [
 ]
 
 var _boxes: Array[MeshInstance3D] = []
-var _figure: BodyFigure = null
+var _figure: BodySegments = null
 var _size: BodySize = null
 var _looks: Array[StandardMaterial3D] = []
 
@@ -49,7 +49,7 @@ func _init() -> void:
 func show_pose(p_pose: PoseSample, p_size: BodySize, p_trouble: PackedInt32Array) -> void:
 	if _size != p_size:
 		_size = p_size
-		_figure = BodyFigure.new(p_size)
+		_figure = BodySegments.new(p_size)
 	_figure.solve(p_pose)
 	for limb: int in Limbs.COUNT:
 		var rest: Vector3 = _figure.rest_tail(limb) - _figure.rest_base(limb)

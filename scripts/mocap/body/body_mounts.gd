@@ -1,4 +1,4 @@
-class_name BodyPlaces
+class_name BodyMounts
 extends RefCounted
 ## Where sensors are worn: 17 places, their names, and which limb of [Limbs] each moves with.
 

@@ -1,7 +1,7 @@
-class_name SessionLobby
+class_name Handshake
 extends RefCounted
 ## Where a server's clients are until they are in: asked who they are and answered, by way of the
-## multiplayer API's authentication, as the [SessionDoor] says.
+## multiplayer API's authentication, as the [Admission] says.
 
 ## Who waits has changed.
 signal changed
@@ -9,19 +9,19 @@ signal changed
 var _api: SceneMultiplayer = null
 var _peer: ThreadedPeer = null
 var _rules: ServerRules = null
-var _book: SessionBook = null
-var _door: SessionDoor = null
+var _book: SessionTable = null
+var _door: Admission = null
 
 
 ## Takes over who arrives over an API, whose peer is given.
 func _init(
-	p_api: SceneMultiplayer, p_peer: ThreadedPeer, p_rules: ServerRules, p_book: SessionBook
+	p_api: SceneMultiplayer, p_peer: ThreadedPeer, p_rules: ServerRules, p_book: SessionTable
 ) -> void:
 	_api = p_api
 	_peer = p_peer
 	_rules = p_rules
 	_book = p_book
-	_door = SessionDoor.new(p_rules, p_book)
+	_door = Admission.new(p_rules, p_book)
 	# The door has its own patience: the API would send away those who wait for an instructor.
 	_api.auth_timeout = 0.0
 	_api.auth_callback = _on_greeting
@@ -50,7 +50,7 @@ func look_after(p_now_usec: int) -> void:
 
 ## Lets somebody in who waits, by the peer's id. Returns why not, or an empty text.
 func admit(p_peer: int) -> String:
-	var visitor: SessionDoor.Visitor = _door.find(p_peer)
+	var visitor: Admission.PendingPeer = _door.find(p_peer)
 	if visitor == null or not visitor.waits:
 		return "nobody waits under the number %d" % p_peer
 	if _book.all().size() >= _rules.max_clients:
@@ -63,11 +63,11 @@ func admit(p_peer: int) -> String:
 
 ## Refuses somebody who waits, by the peer's id. Returns why not, or an empty text.
 func refuse(p_peer: int, p_why: String) -> String:
-	var visitor: SessionDoor.Visitor = _door.find(p_peer)
+	var visitor: Admission.PendingPeer = _door.find(p_peer)
 	if visitor == null or not visitor.waits:
 		return "nobody waits under the number %d" % p_peer
 	_door.refuse(visitor, p_why, Time.get_ticks_usec())
-	_api.send_auth(p_peer, Answer.refusal(p_why, false))
+	_api.send_auth(p_peer, JoinReply.refusal(p_why, false))
 	_tell_places()
 	return ""
 
@@ -79,37 +79,37 @@ func _on_arriving(p_peer: int) -> void:
 
 func _on_greeting(p_peer: int, p_bytes: PackedByteArray) -> void:
 	var now: int = Time.get_ticks_usec()
-	var verdict: SessionDoor.Verdict = _door.judge(p_peer, p_bytes, now)
-	var visitor: SessionDoor.Visitor = _door.find(p_peer)
+	var verdict: Admission.Verdict = _door.judge(p_peer, p_bytes, now)
+	var visitor: Admission.PendingPeer = _door.find(p_peer)
 	match verdict:
-		SessionDoor.Verdict.WELCOME:
+		Admission.Verdict.WELCOME:
 			if visitor.replaced_peer != 0:
-				_peer.dismiss(visitor.replaced_peer, Protocol.Goodbye.REPLACED)
+				_peer.dismiss(visitor.replaced_peer, Protocol.DisconnectReason.REPLACED)
 			_welcome(visitor)
-		SessionDoor.Verdict.REFUSED:
+		Admission.Verdict.REFUSED:
 			var parts: Array = [visitor.address, visitor.why]
 			Log.limited("net", "greeting", "refused a client from %s: %s" % parts)
 			visitor.since_usec = now
-			_api.send_auth(p_peer, Answer.refusal(visitor.why, visitor.later))
-		SessionDoor.Verdict.WAIT:
+			_api.send_auth(p_peer, JoinReply.refusal(visitor.why, visitor.later))
+		Admission.Verdict.WAIT:
 			var parts: Array = [visitor.greeting.name, visitor.address, p_peer]
 			Log.info("net", "'%s' from %s waits to be admitted (%d)" % parts)
 			_peer.keep(p_peer)
 			_tell_places()
 
 
-func _welcome(p_visitor: SessionDoor.Visitor) -> void:
+func _welcome(p_visitor: Admission.PendingPeer) -> void:
 	var session: Session = p_visitor.session
 	_peer.welcome(p_visitor.peer, session.role == Protocol.Role.INSTRUCTOR)
 	var said: Array[PackedByteArray] = [p_visitor.challenge, p_visitor.greeting.whole()]
 	var key: PackedByteArray = _rules.key_of(session.role)
-	_api.send_auth(p_visitor.peer, Answer.welcome(session.id, session.token, key, said))
+	_api.send_auth(p_visitor.peer, JoinReply.welcome(session.id, session.token, key, said))
 	_api.complete_auth(p_visitor.peer)
 
 
 ## Somebody went before coming in.
 func _on_turned_away(p_peer: int) -> void:
-	var visitor: SessionDoor.Visitor = _door.find(p_peer)
+	var visitor: Admission.PendingPeer = _door.find(p_peer)
 	_door.forget(p_peer)
 	var session: Session = _book.of_peer(p_peer)
 	if session != null and session.was_here:
@@ -122,7 +122,7 @@ func _on_turned_away(p_peer: int) -> void:
 
 func _tell_places() -> void:
 	var place: int = 0
-	for visitor: SessionDoor.Visitor in _door.waiting():
+	for visitor: Admission.PendingPeer in _door.waiting():
 		place += 1
-		_api.send_auth(visitor.peer, Answer.wait(place))
+		_api.send_auth(visitor.peer, JoinReply.wait(place))
 	changed.emit()

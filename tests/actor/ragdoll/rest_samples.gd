@@ -66,7 +66,7 @@ static func _change(p_plain: Skeleton3D, p_move: Transform3D, p_seed: int) -> Sk
 static func _add_skin(p_plain: Skeleton3D, p_skeleton: Skeleton3D, p_move: Transform3D) -> void:
 	var mesh: ArrayMesh = ArrayMesh.new()
 	mesh.add_blend_shape(&"fat")
-	var figure: RagdollFigure = RagdollFigure.new(p_plain)
+	var figure: RestSkeleton = RestSkeleton.new(p_plain)
 	for half: int in 2:
 		var arrays: Array = []
 		arrays.resize(Mesh.ARRAY_MAX)
@@ -92,7 +92,7 @@ static func _add_skin(p_plain: Skeleton3D, p_skeleton: Skeleton3D, p_move: Trans
 	instance.skeleton = ^".."
 
 
-static func _add_tube(p_figure: RagdollFigure, p_limb: int, r_vertices: PackedVector3Array) -> void:
+static func _add_tube(p_figure: RestSkeleton, p_limb: int, r_vertices: PackedVector3Array) -> void:
 	var base: Vector3 = p_figure.rest(Limbs.BONES[p_limb]).origin
 	var along: Vector3 = p_figure.direction(p_limb)
 	var turn: Basis = Basis(SkeletonShapes.orientation_along(along))

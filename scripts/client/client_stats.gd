@@ -1,4 +1,4 @@
-class_name ClientFigures
+class_name ClientStats
 extends RefCounted
 ## What a client measures of its own session: frames, snapshots, traffic, and the delay from a
 ## sample in the wearer's suit to its display here (thesis section 7.4).
@@ -62,7 +62,7 @@ func describe(p_role: String, p_traffic: TrafficMeter) -> String:
 
 ## The figures for the server's status.
 func packet() -> PackedByteArray:
-	return FiguresPacket.encode(
+	return StatsMessage.encode(
 		probe.total.percentile(0.5),
 		probe.total.percentile(0.95),
 		smoothing_delay_s * 1000.0,

@@ -5,7 +5,7 @@ extends TestCase
 const CLIENT: PackedScene = preload("res://scenes/client/client.tscn")
 
 var _client: Node = null
-var _desk: MocapDesk = null
+var _desk: MocapSetup = null
 
 
 func before_each() -> void:
@@ -69,7 +69,7 @@ func test_an_order_for_motion_that_comes_calibrated_is_answered() -> void:
 func test_an_order_reaches_the_one_who_wears_sensors() -> void:
 	equal(_open(["--bvh=res://assets/motion/01_01.bvh"]), "")
 	var feed: WornSensorFeed = WornSensorFeed.new()
-	for place: int in BodyPlaces.COUNT:
+	for place: int in BodyMounts.COUNT:
 		feed.add_sensor(place)
 	var suit: SuitSource = SuitSource.new(feed)
 	_desk.people.add(suit, "Ada")
@@ -88,7 +88,7 @@ func _open(p_arguments: PackedStringArray) -> String:
 
 func _press() -> void:
 	var event: InputEventKey = InputEventKey.new()
-	event.keycode = MocapDesk.KEY
+	event.keycode = MocapSetup.KEY
 	event.pressed = true
 	get_window().push_input(event)
 	await process_frames(2)

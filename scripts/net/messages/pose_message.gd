@@ -1,4 +1,4 @@
-class_name PosePacket
+class_name PoseMessage
 extends RefCounted
 ## A [PoseSample] as bytes, from a trainee to the server.
 ##

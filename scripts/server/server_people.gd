@@ -1,4 +1,4 @@
-class_name ServerActors
+class_name ServerPeople
 extends Node3D
 ## The people on the server: a ragdoll for each, driven by the samples that a client sends.
 

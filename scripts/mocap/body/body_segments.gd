@@ -1,4 +1,4 @@
-class_name BodyFigure
+class_name BodySegments
 extends RefCounted
 ## Where the limbs of somebody of a size are in a pose: forward kinematics from the hips.
 

@@ -1,4 +1,4 @@
-class_name SessionDoor
+class_name Admission
 extends RefCounted
 ## Who may come in: judges the greetings of a server's clients.
 
@@ -6,9 +6,9 @@ extends RefCounted
 enum Verdict {
 	## The client is to be ignored: it has said everything already.
 	NONE,
-	## [member Visitor.session] is its session.
+	## [member PendingPeer.session] is its session.
 	WELCOME,
-	## It was refused, see [member Visitor.why].
+	## It was refused, see [member PendingPeer.why].
 	REFUSED,
 	## An instructor decides.
 	WAIT,
@@ -20,18 +20,18 @@ const GREETING_S: float = 3.0
 const MAX_WAITING: int = 64
 
 var _rules: ServerRules = null
-var _book: SessionBook = null
-var _guesses: GuessLimit = GuessLimit.new()
-var _visitors: Dictionary[int, Visitor] = {}
+var _book: SessionTable = null
+var _guesses: LoginRateLimiter = LoginRateLimiter.new()
+var _visitors: Dictionary[int, PendingPeer] = {}
 
 
 ## Somebody who has not come in yet.
-class Visitor:
+class PendingPeer:
 	var peer: int = 0
 	var address: String = ""
 	var since_usec: int = 0
 	var challenge: PackedByteArray = PackedByteArray()
-	var greeting: Greeting = null
+	var greeting: JoinRequest = null
 	var session: Session = null
 	## The connection that the session had until now; 0 if none.
 	var replaced_peer: int = 0
@@ -42,14 +42,14 @@ class Visitor:
 	var refused: bool = false
 
 
-func _init(p_rules: ServerRules, p_book: SessionBook) -> void:
+func _init(p_rules: ServerRules, p_book: SessionTable) -> void:
 	_rules = p_rules
 	_book = p_book
 
 
 ## Somebody has come; returns the challenge.
 func arrive(p_peer: int, p_address: String, p_now_usec: int) -> PackedByteArray:
-	var visitor: Visitor = Visitor.new()
+	var visitor: PendingPeer = PendingPeer.new()
 	visitor.peer = p_peer
 	visitor.address = p_address
 	visitor.since_usec = p_now_usec
@@ -59,7 +59,7 @@ func arrive(p_peer: int, p_address: String, p_now_usec: int) -> PackedByteArray:
 
 
 ## Somebody, or null.
-func find(p_peer: int) -> Visitor:
+func find(p_peer: int) -> PendingPeer:
 	return _visitors.get(p_peer)
 
 
@@ -70,10 +70,10 @@ func forget(p_peer: int) -> void:
 
 ## Judges what somebody says.
 func judge(p_peer: int, p_bytes: PackedByteArray, p_now_usec: int) -> Verdict:
-	var visitor: Visitor = _visitors.get(p_peer)
+	var visitor: PendingPeer = _visitors.get(p_peer)
 	if visitor == null or visitor.greeting != null or visitor.refused:
 		return Verdict.NONE
-	var greeting: Greeting = Greeting.decode(p_bytes)
+	var greeting: JoinRequest = JoinRequest.decode(p_bytes)
 	if greeting.error != "":
 		return _refuse(visitor, greeting.error, false)
 	visitor.greeting = greeting
@@ -95,28 +95,28 @@ func judge(p_peer: int, p_bytes: PackedByteArray, p_now_usec: int) -> Verdict:
 
 
 ## Lets somebody in who has waited.
-func admit(p_visitor: Visitor, p_now_usec: int) -> void:
+func admit(p_visitor: PendingPeer, p_now_usec: int) -> void:
 	p_visitor.waits = false
 	p_visitor.since_usec = p_now_usec
 	p_visitor.session = _book.open(p_visitor.greeting, p_visitor.peer, p_visitor.address)
 
 
 ## Refuses somebody.
-func refuse(p_visitor: Visitor, p_why: String, p_now_usec: int) -> void:
+func refuse(p_visitor: PendingPeer, p_why: String, p_now_usec: int) -> void:
 	_refuse(p_visitor, p_why, false)
 	p_visitor.since_usec = p_now_usec
 
 
 ## Those who wait for an instructor, in the order of their coming.
-func waiting() -> Array[Visitor]:
-	var all: Array[Visitor] = _visitors.values()
-	return all.filter(func(visitor: Visitor) -> bool: return visitor.waits)
+func waiting() -> Array[PendingPeer]:
+	var all: Array[PendingPeer] = _visitors.values()
+	return all.filter(func(visitor: PendingPeer) -> bool: return visitor.waits)
 
 
 ## Those who wait, for an instructor; see [method ServerLink.roster].
 func rows() -> Array[Dictionary]:
 	var list: Array[Dictionary] = []
-	for visitor: Visitor in waiting():
+	for visitor: PendingPeer in waiting():
 		var row: Dictionary = {"session": 0, "peer": visitor.peer, "state": "waiting"}
 		row["name"] = visitor.greeting.name
 		row["role"] = visitor.greeting.role
@@ -129,14 +129,14 @@ func rows() -> Array[Dictionary]:
 func overdue(p_now_usec: int) -> Array[int]:
 	var peers: Array[int] = []
 	for peer: int in _visitors:
-		var visitor: Visitor = _visitors[peer]
+		var visitor: PendingPeer = _visitors[peer]
 		var patience_s: float = 0.5 if visitor.refused else GREETING_S
 		if not visitor.waits and p_now_usec - visitor.since_usec > int(patience_s * 1e6):
 			peers.append(peer)
 	return peers
 
 
-func _judge_password(p_visitor: Visitor, p_known: bool, p_now_usec: int) -> Verdict:
+func _judge_password(p_visitor: PendingPeer, p_known: bool, p_now_usec: int) -> Verdict:
 	var role: Protocol.Role = p_visitor.greeting.role
 	if _rules.password_of(role) == "":
 		var local: bool = ServerRules.is_loopback(p_visitor.address)
@@ -155,13 +155,13 @@ func _judge_password(p_visitor: Visitor, p_known: bool, p_now_usec: int) -> Verd
 	return _refuse(p_visitor, "the password is wrong", false)
 
 
-func _judge_room(p_visitor: Visitor, p_now_usec: int) -> Verdict:
+func _judge_room(p_visitor: PendingPeer, p_now_usec: int) -> Verdict:
 	var instructor: bool = p_visitor.greeting.role == Protocol.Role.INSTRUCTOR
-	var rows: Array[Visitor] = waiting()
+	var rows: Array[PendingPeer] = waiting()
 	if _book.all().size() >= _rules.max_clients:
 		return _refuse(p_visitor, "the server is full (%d clients)" % _rules.max_clients, false)
 	var mine: int = _book.count_at(p_visitor.address)
-	for visitor: Visitor in rows:
+	for visitor: PendingPeer in rows:
 		mine += 1 if visitor.address == p_visitor.address else 0
 	if _rules.max_per_address > 0 and mine >= _rules.max_per_address:
 		var most: int = _rules.max_per_address
@@ -175,7 +175,7 @@ func _judge_room(p_visitor: Visitor, p_now_usec: int) -> Verdict:
 	return Verdict.WELCOME
 
 
-func _refuse(p_visitor: Visitor, p_why: String, p_later: bool) -> Verdict:
+func _refuse(p_visitor: PendingPeer, p_why: String, p_later: bool) -> Verdict:
 	p_visitor.refused = true
 	p_visitor.waits = false
 	p_visitor.why = p_why

@@ -1,4 +1,4 @@
-class_name PeoplePacket
+class_name PeopleMessage
 extends RefCounted
 ## Whose motion a trainee's client sends, as bytes: reliably, at joining and whenever it changes.
 ##

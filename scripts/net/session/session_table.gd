@@ -1,4 +1,4 @@
-class_name SessionBook
+class_name SessionTable
 extends RefCounted
 ## All sessions of a server: those that are here and those whose connection is lost.
 
@@ -11,20 +11,20 @@ var _next_id: int = 1
 
 
 ## A new session.
-func open(p_greeting: Greeting, p_peer: int, p_address: String) -> Session:
+func open(p_greeting: JoinRequest, p_peer: int, p_address: String) -> Session:
 	var session: Session = Session.new()
 	session.id = _next_id
 	_next_id = _next_id % 0x7FFFFFFF + 1
 	session.role = p_greeting.role
 	session.name = p_greeting.name
-	session.token = Crypto.new().generate_random_bytes(Greeting.TOKEN_SIZE)
+	session.token = Crypto.new().generate_random_bytes(JoinRequest.TOKEN_SIZE)
 	_sessions[session.id] = session
 	attach(session, p_greeting, p_peer, p_address)
 	return session
 
 
 ## Ties a session to a connection.
-func attach(p_session: Session, p_greeting: Greeting, p_peer: int, p_address: String) -> void:
+func attach(p_session: Session, p_greeting: JoinRequest, p_peer: int, p_address: String) -> void:
 	p_session.rate = p_greeting.rate
 	p_session.peer = p_peer
 	p_session.address = p_address
@@ -61,7 +61,7 @@ func of_peer(p_peer: int) -> Session:
 ## The session of a token, or null; takes as long for any token.
 func of_token(p_token: PackedByteArray) -> Session:
 	var found: Session = null
-	if p_token.size() != Greeting.TOKEN_SIZE:
+	if p_token.size() != JoinRequest.TOKEN_SIZE:
 		return null
 	var crypto: Crypto = Crypto.new()
 	for id: int in _sessions:

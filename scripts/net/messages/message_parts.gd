@@ -1,4 +1,4 @@
-class_name PacketParts
+class_name MessageParts
 extends RefCounted
 ## Cuts a large reliable packet into parts that fit a datagram each, and joins them again.
 ##

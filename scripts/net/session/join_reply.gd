@@ -1,6 +1,6 @@
-class_name Answer
+class_name JoinReply
 extends RefCounted
-## What a server says to a [Greeting].
+## What a server says to a [JoinRequest].
 ##
 ## Little-endian: u8 [enum Kind]; a welcome: u32 session, 16 bytes token, 32 bytes proof; a refusal:
 ## text why; waiting: u16 place in the row.
@@ -59,15 +59,15 @@ static func wait(p_place: int) -> PackedByteArray:
 
 
 ## What a server says; a refusal if it makes no sense.
-static func decode(p_bytes: PackedByteArray) -> Answer:
-	var answer: Answer = Answer.new()
+static func decode(p_bytes: PackedByteArray) -> JoinReply:
+	var answer: JoinReply = JoinReply.new()
 	var reader: ByteReader = ByteReader.new(p_bytes)
 	var said: int = reader.read_u8()
 	match said:
 		Kind.WELCOME:
 			answer.session = reader.read_u32()
-			answer.token = reader.read_bytes(Greeting.TOKEN_SIZE)
-			answer._signed = p_bytes.slice(0, 5 + Greeting.TOKEN_SIZE)
+			answer.token = reader.read_bytes(JoinRequest.TOKEN_SIZE)
+			answer._signed = p_bytes.slice(0, 5 + JoinRequest.TOKEN_SIZE)
 			answer._proof = reader.read_bytes(PasswordKey.SIZE)
 		Kind.REFUSED, Kind.LATER:
 			answer.why = reader.read_text(4 * LONGEST_WHY)
