@@ -28,13 +28,13 @@ var _recorder: SnapshotRecorder = null
 var _told_s: float = 0.0
 var _was_joined: bool = false
 var _report: ReportFile = null
-var _greeting: JoinRequest = JoinRequest.new()
+var _request: JoinRequest = JoinRequest.new()
 var _orders: InstructorOrders = null
 var _clock_s: float = 0.0
 var _retry_at_s: float = 0.0
 var _alone_since_s: float = 0.0
 var _exit_code: int = 0
-var _figures: ClientStats = ClientStats.new()
+var _stats: ClientStats = ClientStats.new()
 var _stop: StopSignal = StopSignal.new()
 var _pacer: FramePacer = null
 
@@ -67,9 +67,9 @@ func _ready() -> void:
 	if fault != "":
 		_quit(_EXIT_FAILED, fault)
 		return
-	_hud.show_probe(_figures.probe)
+	_hud.show_probe(_stats.probe)
 	if _options.file("latency-csv") != "":
-		fault = _figures.probe.write_to(_options.file("latency-csv"))
+		fault = _stats.probe.write_to(_options.file("latency-csv"))
 		if fault != "":
 			_quit(_EXIT_FAILED, fault)
 			return
@@ -101,7 +101,7 @@ func _exit_tree() -> void:
 		_report.write(_make_report())
 	if _recorder != null:
 		_recorder.close()
-	_figures.probe.close()
+	_stats.probe.close()
 	_link.close()
 
 
@@ -121,10 +121,10 @@ func _open_player() -> String:
 
 
 func _open_link() -> String:
-	_greeting.role = Protocol.Role[_role.to_upper()]
-	_greeting.name = _options.text("name") if _options.text("name") != "" else _role
-	_greeting.rate = _options.number("snapshot-rate")
-	_greeting.version = _options.number("protocol")
+	_request.role = Protocol.Role[_role.to_upper()]
+	_request.name = _options.text("name") if _options.text("name") != "" else _role
+	_request.rate = _options.number("snapshot-rate")
+	_request.version = _options.number("protocol")
 	_orders = InstructorOrders.new(_options.text("orders"))
 	if _orders.error != "":
 		return _orders.error
@@ -157,8 +157,8 @@ func _connect() -> void:
 	var where: Array = [_options.text("host"), _options.number("port")]
 	_hud.show_message("Joining %s:%d ..." % where)
 	_retry_at_s = INF
-	_link.open(where[0], where[1], _greeting, _options.text("password"))
-	if _greeting.role == Protocol.Role.INSTRUCTOR:
+	_link.open(where[0], where[1], _request, _options.text("password"))
+	if _request.role == Protocol.Role.INSTRUCTOR:
 		_orders.attach(SessionControl.follow(self, _link))
 
 
@@ -180,7 +180,7 @@ func _acknowledge() -> void:
 		_link.send_fast(bytes)
 	if _link.is_joined() and _clock_s - _told_s > StatsMessage.PERIOD_S:
 		_told_s = _clock_s
-		_link.send_fast(_figures.packet())
+		_link.send_fast(_stats.packet())
 
 
 func _show_world() -> void:
@@ -192,13 +192,13 @@ func _show_world() -> void:
 	if _options.text("feedback") == "server":
 		own.clear()
 	elif people != null and own.has(people.first_actor):
-		_figures.own_shown(people.shown_moment_usec(now))
+		_stats.own_shown(people.shown_moment_usec(now))
 	_scene.update(_clock_s, own)
 	var headless: bool = DisplayServer.get_name() == "headless"
-	_figures.smoothing_delay_s = _scene.replica.delay()
+	_stats.smoothing_delay_s = _scene.replica.delay()
 	if FramePacer.is_free():
 		Engine.max_fps = _pacer.limit_for(_scene.replica.shown_tick(), _scene.replica.tick_rate())
-	_figures.frame(_scene.replica.shown_tick(), _server_usec(), headless)
+	_stats.frame(_scene.replica.shown_tick(), _server_usec(), headless)
 
 
 func _on_joined() -> void:
@@ -223,7 +223,7 @@ func _on_lost(p_why: String) -> void:
 		_alone_since_s = now
 	_was_joined = false
 	_scene.clear()
-	_figures.probe.restart()
+	_stats.probe.restart()
 
 
 func _on_refused(p_why: String) -> void:
@@ -241,7 +241,7 @@ func _on_datagram(p_bytes: PackedByteArray, p_arrival_usec: int) -> void:
 	var mark: LatencyMark = _scene.replica.take_mark()
 	if mark != null and _link.clock.is_known():
 		mark.arrival_usec = _link.clock.server_usec(p_arrival_usec)
-		_figures.probe.arrived(mark)
+		_stats.probe.arrived(mark)
 		if _mocap.people != null:
 			_mocap.people.note_trip(mark)
 	if _recorder != null:
@@ -250,7 +250,7 @@ func _on_datagram(p_bytes: PackedByteArray, p_arrival_usec: int) -> void:
 
 func _take_snapshot(p_bytes: PackedByteArray, p_arrival_s: float) -> void:
 	if _scene.replica.take(p_bytes, p_arrival_s):
-		_figures.snapshots += 1
+		_stats.snapshots += 1
 
 
 func _on_world(p_world: WorldDescription, p_bytes: PackedByteArray) -> void:
@@ -267,7 +267,7 @@ func _on_calibration_asked(p_index: int, p_kind: int) -> void:
 
 
 func _on_frame_drawn() -> void:
-	_figures.drawn(_server_usec())
+	_stats.drawn(_server_usec())
 
 
 ## The server's clock, µs, as far as it is known.
@@ -278,7 +278,7 @@ func _server_usec() -> int:
 
 func _show_status() -> void:
 	if Engine.get_process_frames() % 10 == 0:
-		_hud.show_status(_figures.describe(_role, _link.traffic), _scene.describe_views())
+		_hud.show_status(_stats.describe(_role, _link.traffic), _scene.describe_views())
 	if _report.is_due():
 		_report.write(_make_report())
 
@@ -286,8 +286,8 @@ func _show_status() -> void:
 func _make_report() -> Dictionary:
 	var people: Array[Dictionary] = []
 	if _mocap.people != null:
-		people = _mocap.people.figures()
-	return _figures.report(_role, _link.traffic, people)
+		people = _mocap.people.stats()
+	return _stats.report(_role, _link.traffic, people)
 
 
 func _check_duration() -> void:
@@ -296,7 +296,7 @@ func _check_duration() -> void:
 		return
 	var duration: float = _options.seconds("duration")
 	# A film is made slower than it plays: a replay has a clock of its own.
-	var elapsed: float = _clock_s if _role == "replay" else _figures.seconds()
+	var elapsed: float = _clock_s if _role == "replay" else _stats.seconds()
 	if duration > 0.0 and elapsed > duration:
 		if _options.file("screenshot") != "":
 			_take_picture(_options.file("screenshot"))

@@ -133,9 +133,9 @@ func shown_moment_usec(p_now_usec: int) -> int:
 	return _body.shown_moment_usec(p_now_usec + _unix_ahead())
 
 
-## Figures for a report.
-func figures() -> Dictionary:
-	return _sampler.figures()
+## Stats for a report.
+func stats() -> Dictionary:
+	return _sampler.stats()
 
 
 ## Runs in the sampling thread.

@@ -139,11 +139,11 @@ func shown_moment_usec(p_now_usec: int) -> int:
 	return _motions[0].shown_moment_usec(p_now_usec) if not _motions.is_empty() else 0
 
 
-## Figures for a report, by name.
-func figures() -> Array[Dictionary]:
+## Stats for a report, by name.
+func stats() -> Array[Dictionary]:
 	var result: Array[Dictionary] = []
 	for motion: ClientMotion in _motions:
-		var figure: Dictionary = motion.figures()
+		var figure: Dictionary = motion.stats()
 		figure["name"] = motion.card.name
 		figure["source"] = motion.source.describe()
 		result.append(figure)

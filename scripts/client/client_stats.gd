@@ -60,7 +60,7 @@ func describe(p_role: String, p_traffic: TrafficMeter) -> String:
 	return "%s   %d fps   %.1f kB/s in   %.1f kB/s out   sample to display %.0f ms" % parts
 
 
-## The figures for the server's status.
+## The stats for the server's status.
 func packet() -> PackedByteArray:
 	return StatsMessage.encode(
 		probe.total.percentile(0.5),
@@ -70,7 +70,7 @@ func packet() -> PackedByteArray:
 	)
 
 
-## The figures for a report; [param p_people] are those of [method ClientPeople.figures].
+## The stats for a report; [param p_people] are those of [method ClientPeople.stats].
 func report(
 	p_role: String, p_traffic: TrafficMeter, p_people: Array[Dictionary] = []
 ) -> Dictionary:
@@ -87,8 +87,8 @@ func report(
 		"latency_ms_p50": probe.total.percentile(0.5),
 		"latency_ms_p95": probe.total.percentile(0.95),
 		"latency_ms_p99": probe.total.percentile(0.99),
-		"latency": probe.figures(),
-		"own_latency": own.figures(),
+		"latency": probe.stats(),
+		"own_latency": own.stats(),
 		"sent_bytes_per_second": p_traffic.sent_per_second(),
 		"received_bytes_per_second": p_traffic.received_per_second(),
 	}

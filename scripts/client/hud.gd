@@ -1,6 +1,6 @@
 class_name Hud
 extends CanvasLayer
-## A line of figures, a line of keys, in the middle what the user must know, and the delays.
+## A line of stats, a line of keys, in the middle what the user must know, and the delays.
 
 @export var _status: Label
 @export var _keys: Label
@@ -9,7 +9,7 @@ extends CanvasLayer
 @export var _latency: LatencyPanel
 
 
-## Shows the figures and the worlds.
+## Shows the stats and the worlds.
 func show_status(p_status: String, p_views: String) -> void:
 	_status.text = p_status
 	_keys.text = p_views + "   L delays   M motion capture   drag and wheel: camera"

@@ -44,7 +44,7 @@ const TABLE: Array[Array] = [
 	],
 	["connect-timeout", 0.0, "client: give up after so many seconds without a server; 0 never"],
 	["duration", 0.0, "end after so many seconds; 0 never"],
-	["report", "", "write figures of the session to this file (JSON) every second"],
+	["report", "", "write stats of the session to this file (JSON) every second"],
 	["screenshot", "", "client: write a picture of the screen to this file before the end"],
 	["record", "", "client: record what the server sends to this file"],
 	["file", "", "replay: recording to show"],

@@ -1,6 +1,6 @@
 class_name ReportFile
 extends RefCounted
-## Figures of a session in a JSON file, written anew every second, so that a kill loses at most one.
+## Stats of a session in a JSON file, written anew every second, so that a kill loses at most one.
 
 ## Seconds between two writings.
 const PERIOD_S: float = 1.0
@@ -18,8 +18,8 @@ func is_due() -> bool:
 	return _path != "" and Time.get_ticks_usec() - _written_usec > int(PERIOD_S * 1e6)
 
 
-## Writes the figures; the file is replaced whole, never half.
-func write(p_figures: Dictionary) -> void:
+## Writes the stats; the file is replaced whole, never half.
+func write(p_stats: Dictionary) -> void:
 	if _path == "":
 		return
 	_written_usec = Time.get_ticks_usec()
@@ -28,6 +28,6 @@ func write(p_figures: Dictionary) -> void:
 		var why: String = error_string(FileAccess.get_open_error())
 		Log.limited("app", "report", "cannot write the report %s: %s" % [_path, why])
 		return
-	file.store_string(JSON.stringify(p_figures, "\t") + "\n")
+	file.store_string(JSON.stringify(p_stats, "\t") + "\n")
 	file.close()
 	DirAccess.rename_absolute(_path + ".part", _path)

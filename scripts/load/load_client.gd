@@ -16,13 +16,13 @@ var name: String = ""
 ## What the server has told.
 var replica: WorldReplica = WorldReplica.new()
 ## What has been counted since [method begin_counting].
-var figures: LoadStats = LoadStats.new()
+var stats: LoadStats = LoadStats.new()
 ## Why the server does not want this client, or an empty text.
 var refusal: String = ""
 
 var _options: Options = null
 var _link: ClientLink = ClientLink.new()
-var _greeting: JoinRequest = JoinRequest.new()
+var _request: JoinRequest = JoinRequest.new()
 var _motion: ClientMotion = null
 var _agreement: LoadAgreement = null
 var _viewpoint: Vector3 = Vector3.ZERO
@@ -36,8 +36,8 @@ func _init(p_name: String, p_options: Options, p_agreement: LoadAgreement) -> vo
 	name = p_name
 	_options = p_options
 	_agreement = p_agreement
-	_greeting.name = p_name
-	_greeting.rate = p_options.number("snapshot-rate")
+	_request.name = p_name
+	_request.rate = p_options.number("snapshot-rate")
 	_link.wait_ms = OBSERVER_WAIT_MS
 	_link.joined.connect(_on_joined)
 	_link.lost.connect(_on_lost)
@@ -48,7 +48,7 @@ func _init(p_name: String, p_options: Options, p_agreement: LoadAgreement) -> vo
 
 ## Makes it a trainee who moves by a source.
 func wear(p_source: MotionSource) -> void:
-	_greeting.role = Protocol.Role.TRAINEE
+	_request.role = Protocol.Role.TRAINEE
 	_link.wait_ms = TRAINEE_WAIT_MS
 	_motion = ClientMotion.new()
 	var codec: PoseCodec.Coding = PoseMessage.CODECS[_options.text("codec")]
@@ -63,7 +63,7 @@ func look_from(p_place: Vector3) -> void:
 ## Begins to connect.
 func open() -> void:
 	_retry_usec = 0
-	_link.open(_options.text("host"), _options.number("port"), _greeting, _options.text("password"))
+	_link.open(_options.text("host"), _options.number("port"), _request, _options.text("password"))
 
 
 ## Whether the server has admitted it.
@@ -91,7 +91,7 @@ func poll() -> void:
 
 ## Forgets what was counted.
 func begin_counting() -> void:
-	figures = LoadStats.new()
+	stats = LoadStats.new()
 
 
 ## The people of whom something is known and who are there.
@@ -102,7 +102,7 @@ func people_known() -> int:
 	return known
 
 
-## The figures for a report.
+## The stats for a report.
 func report() -> Dictionary:
 	var result: Dictionary = {
 		"name": name,
@@ -113,9 +113,9 @@ func report() -> Dictionary:
 		"round_trip_ms": _link.clock.round_trip_usec / 1000.0,
 		"clock_jitter_ms": _link.clock.jitter_usec / 1000.0,
 	}
-	result.merge(figures.report())
+	result.merge(stats.report())
 	if _motion != null:
-		result["samples"] = _motion.figures()
+		result["samples"] = _motion.stats()
 	return result
 
 
@@ -133,14 +133,14 @@ func _sample_ages(p_now_usec: int) -> void:
 	for actor: int in replica.world.names:
 		if _newest.has(actor):
 			var began: int = _link.clock.local_usec_of_tick(_newest[actor])
-			figures.ages.add((p_now_usec - began) / 1000.0)
+			stats.ages.add((p_now_usec - began) / 1000.0)
 		else:
-			figures.unknown += 1
+			stats.unknown += 1
 
 
 func _on_joined() -> void:
 	if _was_joined:
-		figures.returned += 1
+		stats.returned += 1
 	_was_joined = true
 	replica.clear()
 	_newest.clear()
@@ -152,7 +152,7 @@ func _on_joined() -> void:
 func _on_lost(p_why: String) -> void:
 	Log.limited("load", name, "%s: %s" % [name, p_why])
 	if _was_joined:
-		figures.lost += 1
+		stats.lost += 1
 	if _motion != null:
 		_motion.set_sending(false)
 	_retry_usec = Time.get_ticks_usec() + int(RETRY_S * 1e6)
@@ -164,7 +164,7 @@ func _on_world(p_world: WorldDescription, _p_bytes: PackedByteArray) -> void:
 
 func _on_snapshot(p_bytes: PackedByteArray, p_arrival_usec: int) -> void:
 	var useful: bool = replica.take(p_bytes, p_arrival_usec / 1e6)
-	figures.took(replica.outcome, p_bytes.size())
+	stats.took(replica.outcome, p_bytes.size())
 	if not useful:
 		return
 	var tick: int = replica.told_tick()
@@ -175,4 +175,4 @@ func _on_snapshot(p_bytes: PackedByteArray, p_arrival_usec: int) -> void:
 	var mark: LatencyMark = replica.take_mark()
 	if mark != null and _link.clock.is_known():
 		mark.arrival_usec = _link.clock.server_usec(p_arrival_usec)
-		figures.marked(mark)
+		stats.marked(mark)

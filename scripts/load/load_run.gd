@@ -177,9 +177,9 @@ func _group(p_role: String) -> Dictionary:
 	for client: LoadClient in _clients:
 		if client.name.begins_with(p_role):
 			count += 1
-			ages.merge(client.figures.ages)
-			delays.merge(client.figures.probe.total)
-	return {"clients": count, "age": ages.figures(), "latency": delays.figures()}
+			ages.merge(client.stats.ages)
+			delays.merge(client.stats.probe.total)
+	return {"clients": count, "age": ages.stats(), "latency": delays.stats()}
 
 
 func _age_s() -> float:

@@ -31,7 +31,7 @@ func marked(p_mark: LatencyMark) -> void:
 	probe.drawn(p_mark.arrival_usec)
 
 
-## The figures for a report.
+## The stats for a report.
 func report() -> Dictionary:
 	var by_name: Dictionary = {}
 	var names: PackedStringArray = ["ok", "broken", "stale", "lacks_baseline", "not_begun"]
@@ -41,9 +41,9 @@ func report() -> Dictionary:
 		"snapshots": by_name["ok"],
 		"outcomes": by_name,
 		"bytes": bytes,
-		"age": ages.figures(),
+		"age": ages.stats(),
 		"unknown_ages": unknown,
 		"lost": lost,
 		"returned": returned,
-		"latency": probe.figures(),
+		"latency": probe.stats(),
 	}

@@ -75,8 +75,8 @@ func take_samples() -> Array[PoseSample]:
 	return samples
 
 
-## Figures for a report: samples, and how late the thread was, ms.
-func figures() -> Dictionary:
+## Stats for a report: samples, and how late the thread was, ms.
+func stats() -> Dictionary:
 	_mutex.lock()
 	var result: Dictionary = {
 		"samples": _taken,
@@ -127,7 +127,7 @@ func _take(p_due_usec: int, p_late_usec: float) -> void:
 	if _waiting.size() > MAX_WAITING:
 		_waiting.pop_front()
 	_taken += 1
-	# The figures are those of the first minutes: enough to judge a machine by.
+	# The stats are those of the first minutes: enough to judge a machine by.
 	if _lateness.count() < 20000:
 		_lateness.add(p_late_usec)
 	_mutex.unlock()

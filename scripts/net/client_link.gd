@@ -55,7 +55,7 @@ var _peer: ThreadedPeer = null
 # The peer while we are joined, for whichever thread has something to send.
 var _fast_peer: ThreadedPeer = null
 var _sending: Mutex = Mutex.new()
-var _greeting: JoinRequest = null
+var _request: JoinRequest = null
 var _password: String = ""
 var _challenge: PackedByteArray = PackedByteArray()
 var _key: PackedByteArray = PackedByteArray()
@@ -74,12 +74,12 @@ var _refusal: String = ""
 
 
 ## Begins to connect; the outcome comes as a signal from [method poll].
-func open(p_host: String, p_port: int, p_greeting: JoinRequest, p_password: String = "") -> void:
+func open(p_host: String, p_port: int, p_request: JoinRequest, p_password: String = "") -> void:
 	close()
 	_where = "%s:%d" % [p_host, p_port]
-	_greeting = p_greeting
+	_request = p_request
 	_password = p_password
-	_greeting.token = _token if _token_of == _where else PackedByteArray()
+	_request.token = _token if _token_of == _where else PackedByteArray()
 	_began_usec = Time.get_ticks_usec()
 	_state = State.CONNECTING
 	_challenge = PackedByteArray()
@@ -130,7 +130,7 @@ func poll() -> void:
 				_api.poll()
 	if _state == State.CLOSED:
 		return
-	traffic.read(_peer.figures())
+	traffic.read(_peer.stats())
 	_take_fast()
 	if _state == State.CLOSED:
 		return
@@ -173,7 +173,7 @@ func send_fast(p_bytes: PackedByteArray) -> void:
 
 ## Round trip (ms) and loss (0 to 1) of the connection, as ENet sees them.
 func quality() -> Dictionary:
-	var peers: Dictionary = _peer.figures().get("peers", {}) if _peer != null else {}
+	var peers: Dictionary = _peer.stats().get("peers", {}) if _peer != null else {}
 	return peers.get(MultiplayerPeer.TARGET_PEER_SERVER, {})
 
 
@@ -211,7 +211,7 @@ func _on_failed(p_why: String) -> void:
 func _loss() -> String:
 	if _state != State.JOINED:
 		return "no server answers at %s" % _where
-	match _peer.goodbye_of(MultiplayerPeer.TARGET_PEER_SERVER):
+	match _peer.reason_of(MultiplayerPeer.TARGET_PEER_SERVER):
 		Protocol.DisconnectReason.CLOSED:
 			return "the server at %s was closed" % _where
 		Protocol.DisconnectReason.THROWN_OUT:
@@ -225,7 +225,7 @@ func _on_answer(p_peer: int, p_bytes: PackedByteArray) -> void:
 	if p_peer != MultiplayerPeer.TARGET_PEER_SERVER or _over:
 		return
 	if _challenge.is_empty():
-		_greet(p_bytes)
+		_send_join_request(p_bytes)
 		return
 	var answer: JoinReply = JoinReply.decode(p_bytes)
 	match answer.kind:
@@ -240,17 +240,17 @@ func _on_answer(p_peer: int, p_bytes: PackedByteArray) -> void:
 			_give_up(answer.why)
 
 
-func _greet(p_bytes: PackedByteArray) -> void:
+func _send_join_request(p_bytes: PackedByteArray) -> void:
 	var challenge: Challenge = Challenge.decode(p_bytes)
 	if challenge.error != "":
 		_give_up(challenge.error)
 		return
 	_challenge = p_bytes
-	_locked = challenge.is_locked(_greeting.role)
+	_locked = challenge.is_locked(_request.role)
 	if _key.is_empty() or _key_salt != challenge.salt:
 		_key = PasswordKey.derive(_password, challenge.salt, challenge.rounds)
 		_key_salt = challenge.salt
-	var bytes: PackedByteArray = _greeting.encode(_challenge, _key)
+	var bytes: PackedByteArray = _request.encode(_challenge, _key)
 	_said = [_challenge, bytes]
 	_api.send_auth(MultiplayerPeer.TARGET_PEER_SERVER, bytes)
 

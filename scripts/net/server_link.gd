@@ -23,7 +23,7 @@ signal pose_received(p_session: int, p_sample: PoseSample, p_arrival_usec: int)
 ## A client acknowledges snapshots; the bytes begin with [constant Protocol.Message.ACK].
 signal ack_received(p_session: int, p_bytes: PackedByteArray, p_arrival_usec: int)
 ## A client tells how well it sees: see [method StatsMessage.decode].
-signal figures_received(p_session: int, p_figures: Dictionary)
+signal stats_received(p_session: int, p_stats: Dictionary)
 ## Who is here, lost or waiting has changed; see [method roster].
 signal roster_changed
 
@@ -37,8 +37,8 @@ var rules: ServerRules = ServerRules.new()
 
 var _api: SceneMultiplayer = null
 var _peer: ThreadedPeer = null
-var _book: SessionTable = SessionTable.new()
-var _lobby: Handshake = null
+var _sessions: SessionTable = SessionTable.new()
+var _handshake: Handshake = null
 var _strikes: RpcErrorLimiter = null
 var _world_number: int = 0
 var _ticks: TickClock = TickClock.new()
@@ -68,8 +68,8 @@ func listen(p_port: int, p_rules: ServerRules) -> Error:
 	_api.peer_connected.connect(_on_connected)
 	_api.peer_disconnected.connect(_on_disconnected)
 	_api.peer_packet.connect(_on_packet)
-	_lobby = Handshake.new(_api, _peer, rules, _book)
-	_lobby.changed.connect(roster_changed.emit)
+	_handshake = Handshake.new(_api, _peer, rules, _sessions)
+	_handshake.changed.connect(roster_changed.emit)
 	_api.multiplayer_peer = _peer
 	_strikes = RpcErrorLimiter.new(_peer)
 	OS.add_logger(_strikes)
@@ -92,7 +92,7 @@ func poll() -> void:
 	if now - _looked_usec > _LOOK_USEC:
 		_looked_usec = now
 		_look_after_sessions(now)
-		traffic.read(_peer.figures())
+		traffic.read(_peer.stats())
 
 
 ## Whether the port is open.
@@ -107,21 +107,21 @@ func api() -> SceneMultiplayer:
 
 ## Number of clients that are here.
 func client_count() -> int:
-	return _book.here().size()
+	return _sessions.here().size()
 
 
-## The transport's figures: see [method ThreadedPeer.figures]; peers are named by their sessions.
-func figures() -> Dictionary:
+## The transport's stats: see [method ThreadedPeer.stats]; peers are named by their sessions.
+func stats() -> Dictionary:
 	if _peer == null:
 		return {}
-	var figures: Dictionary = _peer.figures()
+	var stats: Dictionary = _peer.stats()
 	var by_session: Dictionary = {}
-	for peer: int in figures.get("peers", {}):
-		var session: Session = _book.of_peer(peer)
+	for peer: int in stats.get("peers", {}):
+		var session: Session = _sessions.of_peer(peer)
 		if session != null:
-			by_session[session.id] = figures["peers"][peer]
-	figures["peers"] = by_session
-	return figures
+			by_session[session.id] = stats["peers"][peer]
+	stats["peers"] = by_session
+	return stats
 
 
 ## Says which tick begins, and when, [method Time.get_ticks_usec]: clients ask for it.
@@ -134,7 +134,7 @@ func publish_tick(p_tick: int, p_usec: int, p_tick_rate: int = 60) -> void:
 func send_datagrams(p_sessions: PackedInt32Array, p_datagrams: Array[PackedByteArray]) -> void:
 	var peers: PackedInt32Array = PackedInt32Array()
 	for id: int in p_sessions:
-		var session: Session = _book.find(id)
+		var session: Session = _sessions.find(id)
 		# No peer has the number 0 here.
 		peers.append(session.peer if session != null and session.is_here else 0)
 	if _peer != null and not peers.is_empty():
@@ -143,7 +143,7 @@ func send_datagrams(p_sessions: PackedInt32Array, p_datagrams: Array[PackedByteA
 
 ## Snapshots per second that a client wants; 0 for as many as there are.
 func rate_of(p_session: int) -> int:
-	var session: Session = _book.find(p_session)
+	var session: Session = _sessions.find(p_session)
 	return session.rate if session != null else 0
 
 
@@ -151,37 +151,37 @@ func rate_of(p_session: int) -> int:
 func send_world(p_world: WorldDescription) -> void:
 	_world_number += 1
 	for bytes: PackedByteArray in MessageParts.split(p_world.encode(), _world_number):
-		for session: Session in _book.here():
+		for session: Session in _sessions.here():
 			_send_reliably(session.peer, bytes)
 
 
 ## Everybody, for an instructor: dictionaries with session (0 while waiting), peer, name, role,
 ## address and state (here, lost or waiting).
 func roster() -> Array[Dictionary]:
-	var rows: Array[Dictionary] = _book.rows()
-	if _lobby != null:
-		rows.append_array(_lobby.rows())
+	var rows: Array[Dictionary] = _sessions.rows()
+	if _handshake != null:
+		rows.append_array(_handshake.rows())
 	return rows
 
 
 ## The session of a connection, or null.
 func session_of_peer(p_peer: int) -> Session:
-	return _book.of_peer(p_peer)
+	return _sessions.of_peer(p_peer)
 
 
 ## Lets somebody in who waits, by the peer's id. Returns why not, or an empty text.
 func admit(p_peer: int) -> String:
-	return _lobby.admit(p_peer)
+	return _handshake.admit(p_peer)
 
 
 ## Refuses somebody who waits, by the peer's id. Returns why not, or an empty text.
 func refuse(p_peer: int, p_why: String) -> String:
-	return _lobby.refuse(p_peer, p_why)
+	return _handshake.refuse(p_peer, p_why)
 
 
 ## Sends a client away, who is told why. Returns why not, or an empty text.
 func kick(p_session: int, p_why: String) -> String:
-	var session: Session = _book.find(p_session)
+	var session: Session = _sessions.find(p_session)
 	if session == null:
 		return "there is no session %d" % p_session
 	Log.info("net", "%s: %s" % [session.describe(), p_why])
@@ -197,7 +197,7 @@ func kick(p_session: int, p_why: String) -> String:
 ## Asks a trainee's client to calibrate one of its people in a pose (the client knows which poses
 ## there are). Returns why not, or an empty text.
 func ask_calibration(p_session: int, p_index: int, p_pose: int) -> String:
-	var session: Session = _book.find(p_session)
+	var session: Session = _sessions.find(p_session)
 	if session == null or session.role != Protocol.Role.TRAINEE or session.peer == 0:
 		return "session %d is no trainee that is here" % p_session
 	if p_index < 0 or p_index >= PersonCard.MAX_PEOPLE or p_pose < 0 or p_pose > 255:
@@ -211,7 +211,7 @@ func ask_calibration(p_session: int, p_index: int, p_pose: int) -> String:
 
 ## Sends a client away for good. Returns what went wrong, or an empty text.
 func ban(p_session: int, p_why: String) -> String:
-	var session: Session = _book.find(p_session)
+	var session: Session = _sessions.find(p_session)
 	if session == null:
 		return "there is no session %d" % p_session
 	var fault: String = rules.bans.add(session.address)
@@ -229,20 +229,20 @@ func close() -> void:
 		_api.multiplayer_peer = null
 	_peer = null
 	_api = null
-	_lobby = null
-	for session: Session in _book.all():
+	_handshake = null
+	for session: Session in _sessions.all():
 		_end(session)
 
 
 func _look_after_sessions(p_now_usec: int) -> void:
-	_lobby.look_after(p_now_usec)
-	for session: Session in _book.overdue(p_now_usec):
+	_handshake.look_after(p_now_usec)
+	for session: Session in _sessions.overdue(p_now_usec):
 		_end(session)
 
 
 func _on_connected(p_peer: int) -> void:
-	_lobby.forget(p_peer)
-	var session: Session = _book.of_peer(p_peer)
+	_handshake.forget(p_peer)
+	var session: Session = _sessions.of_peer(p_peer)
 	if session == null:
 		_peer.disconnect_peer(p_peer, true)
 		return
@@ -257,20 +257,20 @@ func _on_connected(p_peer: int) -> void:
 
 
 func _on_disconnected(p_peer: int) -> void:
-	var session: Session = _book.of_peer(p_peer)
+	var session: Session = _sessions.of_peer(p_peer)
 	if session == null:
 		return
-	if _peer.goodbye_of(p_peer) != Protocol.DisconnectReason.LOST:
+	if _peer.reason_of(p_peer) != Protocol.DisconnectReason.LOST:
 		_end(session)
 		return
 	Log.info("net", "%s is lost" % session.describe())
-	_book.detach(session, Time.get_ticks_usec())
+	_sessions.detach(session, Time.get_ticks_usec())
 	client_lost.emit(session.id)
 	roster_changed.emit()
 
 
 func _end(p_session: Session) -> void:
-	_book.close(p_session)
+	_sessions.close(p_session)
 	if p_session.was_here:
 		Log.info("net", "%s left" % p_session.describe())
 		client_left.emit(p_session.id)
@@ -282,7 +282,7 @@ func _on_reopened() -> void:
 
 
 func _on_fast(p_packet: FastPacket) -> void:
-	var session: Session = _book.of_peer(p_packet.peer)
+	var session: Session = _sessions.of_peer(p_packet.peer)
 	if session == null or not session.is_here:
 		return
 	match p_packet.bytes[0]:
@@ -290,8 +290,8 @@ func _on_fast(p_packet: FastPacket) -> void:
 			ack_received.emit(session.id, p_packet.bytes, p_packet.arrival_usec)
 		Protocol.Message.POSE:
 			_on_pose(session, p_packet)
-		Protocol.Message.FIGURES:
-			figures_received.emit(session.id, StatsMessage.decode(p_packet.bytes))
+		Protocol.Message.STATS:
+			stats_received.emit(session.id, StatsMessage.decode(p_packet.bytes))
 		_:
 			_on_packet(p_packet.peer, p_packet.bytes)
 
@@ -308,7 +308,7 @@ func _on_pose(p_session: Session, p_packet: FastPacket) -> void:
 
 
 func _on_packet(p_peer: int, p_bytes: PackedByteArray) -> void:
-	var session: Session = _book.of_peer(p_peer)
+	var session: Session = _sessions.of_peer(p_peer)
 	if session == null:
 		return
 	if not p_bytes.is_empty() and p_bytes[0] == Protocol.Message.PEOPLE:
@@ -331,7 +331,7 @@ func _on_people(p_session: Session, p_bytes: PackedByteArray) -> void:
 
 func _throw_out(p_peers: Array[int]) -> void:
 	for peer: int in p_peers:
-		var session: Session = _book.of_peer(peer)
+		var session: Session = _sessions.of_peer(peer)
 		if session != null:
 			_complain(session, "calls", "was thrown out: its calls make no sense")
 			_peer.dismiss(peer, Protocol.DisconnectReason.THROWN_OUT)
@@ -344,7 +344,7 @@ func _send_reliably(p_peer: int, p_bytes: PackedByteArray) -> void:
 
 
 func _on_trouble(p_peer: int, p_key: String, p_what: String) -> void:
-	var session: Session = _book.of_peer(p_peer)
+	var session: Session = _sessions.of_peer(p_peer)
 	if session != null:
 		_complain(session, p_key, p_what)
 	elif p_peer != 0:

@@ -12,11 +12,11 @@ var _last_received: int = 0
 var _since_usec: int = Time.get_ticks_usec()
 
 
-## Takes over what the transport has counted, see [method ThreadedPeer.figures]. A new transport
+## Takes over what the transport has counted, see [method ThreadedPeer.stats]. A new transport
 ## counts from 0 again.
-func read(p_figures: Dictionary) -> void:
-	var out: int = p_figures.get("sent_bytes", 0)
-	var into: int = p_figures.get("received_bytes", 0)
+func read(p_stats: Dictionary) -> void:
+	var out: int = p_stats.get("sent_bytes", 0)
+	var into: int = p_stats.get("received_bytes", 0)
 	sent += out - _last_sent if out >= _last_sent else out
 	received += into - _last_received if into >= _last_received else into
 	_last_sent = out

@@ -30,7 +30,7 @@ func _init(
 	_error_deg = p_error_deg
 	_encoder.configure(PackedInt32Array(Limbs.PARENTS), p_error_deg, p_tick_rate)
 	_link.ack_received.connect(_on_ack)
-	_link.figures_received.connect(_on_figures)
+	_link.stats_received.connect(_on_stats)
 
 
 ## Takes a world in, and finds out which parts of it can be seen from which.
@@ -99,21 +99,21 @@ func send(p_tick: int, p_now_usec: int) -> void:
 	_link.send_datagrams(sessions, datagrams)
 
 
-## Figures of a client since it came, for a status; empty if it is not here.
-func figures_of(p_session: int) -> Dictionary:
+## Stats of a client since it came, for a status; empty if it is not here.
+func stats_of(p_session: int) -> Dictionary:
 	var sent: Dictionary = _encoder.get_figures(p_session) if _clients.has(p_session) else {}
 	if sent.is_empty():
 		return {}
 	var seconds: float = (Time.get_ticks_usec() - _since_usec[p_session]) / 1e6
 	var counted: int = maxi(sent["acknowledged"] + sent["lost"], 1)
-	var figures: Dictionary = {
+	var stats: Dictionary = {
 		"sent_kbit_per_second": sent["bytes"] * 8.0 / 1000.0 / maxf(seconds, 0.001),
 		"datagrams": sent["datagrams"],
 		"loss_percent": 100.0 * sent["lost"] / counted,
 		"round_trip_ms": sent["round_trip_ms"],
 	}
-	figures.merge(_told.get(p_session, {}))
-	return figures
+	stats.merge(_told.get(p_session, {}))
+	return stats
 
 
 func _on_ack(p_session: int, p_bytes: PackedByteArray, _p_arrival_usec: int) -> void:
@@ -121,6 +121,6 @@ func _on_ack(p_session: int, p_bytes: PackedByteArray, _p_arrival_usec: int) -> 
 		Log.limited("net", "ack %d" % p_session, "session %d acknowledges nonsense" % p_session)
 
 
-func _on_figures(p_session: int, p_figures: Dictionary) -> void:
+func _on_stats(p_session: int, p_stats: Dictionary) -> void:
 	if _clients.has(p_session):
-		_told[p_session] = p_figures
+		_told[p_session] = p_stats

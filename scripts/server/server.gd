@@ -19,7 +19,7 @@ const _ROOTS: Dictionary[String, RagdollMotor.RootMode] = {
 const _MAX_TICKS: int = 240
 ## Exit code for wrong options.
 const _EXIT_OPTIONS: int = 2
-## Seconds between two lines of figures in the log.
+## Seconds between two lines of stats in the log.
 const _STATUS_S: float = 10.0
 
 @export var _world: Node3D
@@ -29,7 +29,7 @@ var _options: Options = null
 var _link: ServerLink = ServerLink.new()
 var _sending: Replication = null
 var _report: ReportFile = null
-var _figures: ServerStats = null
+var _stats: ServerStats = null
 var _status: StatusEndpoint = StatusEndpoint.new()
 var _stop: StopSignal = StopSignal.new()
 var _tick: int = 0
@@ -57,7 +57,7 @@ func _ready() -> void:
 	if _rate() > _MAX_TICKS:
 		_give_up(_EXIT_OPTIONS, "%d ticks/s are set, %d is the most" % [_rate(), _MAX_TICKS])
 		return
-	_figures = ServerStats.new(_rate())
+	_stats = ServerStats.new(_rate())
 	var bits: float = _options.number("bandwidth") * 1000.0
 	var error: float = _options.degrees("pose-error")
 	_sending = Replication.new(_link, _actors, _rate(), bits, error)
@@ -124,9 +124,9 @@ func _physics_process(p_delta: float) -> void:
 	_network_usec += ThreadClock.get_usec()
 	_actors.drive(begin / 1e6, p_delta)
 	_tick += 1
-	_figures.ticks = _tick
-	_figures.script_time.add((Time.get_ticks_usec() - begin) / 1e6)
-	if _figures.watch.ticked(begin / 1e6):
+	_stats.ticks = _tick
+	_stats.script_time.add((Time.get_ticks_usec() - begin) / 1e6)
+	if _stats.watch.ticked(begin / 1e6):
 		_tell_speed()
 
 
@@ -134,22 +134,22 @@ func _process(_p_delta: float) -> void:
 	if _sent_tick != _tick:
 		_sent_tick = _tick
 		_after_step()
-	_figures.frame(Time.get_ticks_usec())
+	_stats.frame(Time.get_ticks_usec())
 	_status.poll(_make_report)
 	if _report.is_due():
 		_report.write(_make_report())
-	if _figures.since_status() > _STATUS_S:
-		Log.info("server", _figures.describe(_link.client_count(), _actors.list().size()))
+	if _stats.since_status() > _STATUS_S:
+		Log.info("server", _stats.describe(_link.client_count(), _actors.list().size()))
 	var duration: float = _options.seconds("duration")
 	if _stop.is_raised():
 		Log.info("server", "stopped by a signal: ending all sessions")
 		get_tree().quit(0)
-	elif duration > 0.0 and _figures.seconds() > duration:
+	elif duration > 0.0 and _stats.seconds() > duration:
 		get_tree().quit(0)
 
 
 func _exit_tree() -> void:
-	if _report != null and _figures != null:
+	if _report != null and _stats != null:
 		_report.write(_make_report())
 	_status.close()
 	# The bodies are out of the tree already: nobody is to be told who leaves now.
@@ -163,16 +163,16 @@ func _after_step() -> void:
 	_actors.measure()
 	var begin: int = ThreadClock.get_usec()
 	_sending.send(_tick, now)
-	_figures.networked(_network_usec + ThreadClock.get_usec() - begin)
+	_stats.networked(_network_usec + ThreadClock.get_usec() - begin)
 	_network_usec = 0
-	_figures.send_time.add((Time.get_ticks_usec() - now) / 1e6)
+	_stats.send_time.add((Time.get_ticks_usec() - now) / 1e6)
 
 
 func _tell_speed() -> void:
-	if not _figures.watch.is_slow:
+	if not _stats.watch.is_slow:
 		Log.info("server", "the world runs at full speed again")
 		return
-	var parts: Array = [100.0 * _figures.watch.speed, _actors.list().size(), _link.client_count()]
+	var parts: Array = [100.0 * _stats.watch.speed, _actors.list().size(), _link.client_count()]
 	var text: String = "the world runs at %.0f %% of its speed (%d people, %d clients): "
 	Log.warning("server", text % parts + "the machine is too slow for it")
 
@@ -211,4 +211,4 @@ func _rate() -> int:
 
 
 func _make_report() -> Dictionary:
-	return _figures.report(_link, _sending, _actors.figures())
+	return _stats.report(_link, _sending, _actors.stats())

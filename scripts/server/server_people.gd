@@ -5,7 +5,7 @@ extends Node3D
 ## Somebody came or went.
 signal changed
 
-## People that left and whose figures are still told.
+## People that left and whose stats are still told.
 const _REMEMBERED: int = 16
 
 ## Old samples in a row that are worth a word, and that mean a new clock.
@@ -175,8 +175,8 @@ func mark(p_encoder: SnapshotEncoder, p_now_usec: int) -> void:
 		p_encoder.set_mark(person.id, newest.id, p_now_usec, steps)
 
 
-## Figures of everybody for a report: who is there, then who left last.
-func figures() -> Array[Dictionary]:
+## Stats of everybody for a report: who is there, then who left last.
+func stats() -> Array[Dictionary]:
 	var result: Array[Dictionary] = []
 	for person: Person in _people.values():
 		result.append(_figure(person))

@@ -73,7 +73,7 @@ func since_status() -> float:
 	return (Time.get_ticks_usec() - _status_usec) / 1e6
 
 
-## The figures for report and status.
+## The stats for report and status.
 func report(p_link: ServerLink, p_sending: Replication, p_people: Array) -> Dictionary:
 	return {
 		"role": "server",
@@ -96,8 +96,8 @@ func report(p_link: ServerLink, p_sending: Replication, p_people: Array) -> Dict
 		"clients": p_link.client_count(),
 		"sent_bytes_per_second": p_link.traffic.sent_per_second(),
 		"received_bytes_per_second": p_link.traffic.received_per_second(),
-		"transport": p_link.figures(),
-		"sessions": _sessions(p_link, p_sending, p_link.figures().get("peers", {})),
+		"transport": p_link.stats(),
+		"sessions": _sessions(p_link, p_sending, p_link.stats().get("peers", {})),
 		"people": p_people,
 	}
 
@@ -112,16 +112,14 @@ func _recent() -> Dictionary:
 	return result
 
 
-func _sessions(
-	p_link: ServerLink, p_sending: Replication, p_ways: Dictionary
-) -> Array[Dictionary]:
+func _sessions(p_link: ServerLink, p_sending: Replication, p_ways: Dictionary) -> Array[Dictionary]:
 	var rows: Array[Dictionary] = []
 	for person: Dictionary in p_link.roster():
 		var row: Dictionary = {"session": person["session"], "name": person["name"]}
 		row["role"] = (Protocol.Role.find_key(person["role"]) as String).to_lower()
 		row["state"] = person["state"]
 		row["address"] = person["address"]
-		row.merge(p_sending.figures_of(person["session"]))
+		row.merge(p_sending.stats_of(person["session"]))
 		var ways: Dictionary = p_ways.get(person["session"], {})
 		if ways.has("round_trip_ms"):
 			row["round_trip_ms"] = ways["round_trip_ms"]

@@ -1,6 +1,6 @@
 class_name StatusEndpoint
 extends RefCounted
-## Tells a server's figures to whoever asks on this machine: HTTP on 127.0.0.1, JSON.
+## Tells a server's stats to whoever asks on this machine: HTTP on 127.0.0.1, JSON.
 ##
 ## [code]curl http://127.0.0.1:7777/[/code]. Meant for operators and their monitoring; nobody else
 ## can reach it. Requests are few, short and soon over, or they are dropped.
@@ -29,8 +29,8 @@ func open(p_port: int) -> Error:
 	return _server.listen(p_port, "127.0.0.1")
 
 
-## Answers who has asked; [param p_figures] is called for a [Dictionary] only if somebody has.
-func poll(p_figures: Callable) -> void:
+## Answers who has asked; [param p_stats] is called for a [Dictionary] only if somebody has.
+func poll(p_stats: Callable) -> void:
 	while _server.is_connection_available():
 		var request: Request = Request.new()
 		request.stream = _server.take_connection()
@@ -40,7 +40,7 @@ func poll(p_figures: Callable) -> void:
 		if _requests.size() > MAX_REQUESTS:
 			(_requests.pop_front() as Request).stream.disconnect_from_host()
 	for request: Request in _requests.duplicate():
-		if _serve(request, p_figures):
+		if _serve(request, p_stats):
 			request.stream.disconnect_from_host()
 			_requests.erase(request)
 
@@ -54,7 +54,7 @@ func close() -> void:
 
 
 ## Whether the request is over.
-func _serve(p_request: Request, p_figures: Callable) -> bool:
+func _serve(p_request: Request, p_stats: Callable) -> bool:
 	var stream: StreamPeerTCP = p_request.stream
 	stream.poll()
 	if stream.get_status() != StreamPeerTCP.STATUS_CONNECTED:
@@ -62,7 +62,7 @@ func _serve(p_request: Request, p_figures: Callable) -> bool:
 	if Time.get_ticks_usec() - p_request.since_usec > PATIENCE_USEC:
 		return true
 	if p_request.reply.is_empty():
-		_read(p_request, p_figures)
+		_read(p_request, p_stats)
 	if not p_request.reply.is_empty():
 		var sent: Array = stream.put_partial_data(p_request.reply)
 		p_request.reply = p_request.reply.slice(sent[1])
@@ -70,7 +70,7 @@ func _serve(p_request: Request, p_figures: Callable) -> bool:
 	return false
 
 
-func _read(p_request: Request, p_figures: Callable) -> void:
+func _read(p_request: Request, p_stats: Callable) -> void:
 	var waiting: int = p_request.stream.get_available_bytes()
 	if waiting > 0:
 		# All of it: closing a connection with something unread would tear up the reply.
@@ -91,7 +91,7 @@ func _read(p_request: Request, p_figures: Callable) -> void:
 	elif not line[1] in ["/", "/status", "/status.json"]:
 		p_request.reply = _reply("404 Not Found", {"error": "there is only /"})
 	else:
-		p_request.reply = _reply("200 OK", p_figures.call(), line[0] == "HEAD")
+		p_request.reply = _reply("200 OK", p_stats.call(), line[0] == "HEAD")
 
 
 static func _reply(

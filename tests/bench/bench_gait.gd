@@ -9,7 +9,7 @@ extends SceneTree
 ## (of the noise).
 
 const Walker: GDScript = preload("gait/walker.gd")
-const Figures: GDScript = preload("gait/gait_figures.gd")
+const Stats: GDScript = preload("gait/gait_stats.gd")
 const _SOLDIER: String = "res://scenes/actor/soldier.tscn"
 const _ROOTS: Dictionary[String, RagdollMotor.RootMode] = {
 	"inertial": RagdollMotor.ROOT_INERTIAL,
@@ -81,12 +81,12 @@ func _run_walks(p_root: String) -> void:
 			var ragdoll: Ragdoll = _begin(p_root)
 			var walker: Walker = Walker.new(ragdoll.profile)
 			walker.walk(_WALKS[name][0], _WALKS[name][1], _WALKS[name][2])
-			var figures: Figures = await _walk(walker, ragdoll, noise)
+			var stats: Stats = await _walk(walker, ragdoll, noise)
 			var title: String = "%s: %s%s" % [p_root, name, ", 1 deg noise" if noise > 0.0 else ""]
 			var goal: bool = p_root == "inertial"
-			_add_travel(title, figures, goal)
+			_add_travel(title, stats, goal)
 			var most: float = 8.0 if noise > 0.0 else 3.0
-			_add(title, "stance-foot skate", 100.0 * figures.skate.mean(), "cm/s", goal, most)
+			_add(title, "stance-foot skate", 100.0 * stats.skate.mean(), "cm/s", goal, most)
 
 
 func _run_stairs(p_root: String) -> void:
@@ -94,10 +94,10 @@ func _run_stairs(p_root: String) -> void:
 		var ragdoll: Ragdoll = _begin(p_root)
 		var walker: Walker = Walker.new(ragdoll.profile)
 		walker.climb(16, rise, _TREAD, 0.6)
-		var figures: Figures = await _walk(walker, ragdoll, 0.0)
+		var stats: Stats = await _walk(walker, ragdoll, 0.0)
 		var title: String = "%s: 16 stairs %s" % [p_root, "up" if rise > 0.0 else "down"]
-		_add_travel(title, figures, false)
-		var right: float = 1.0 if figures.is_on_tread(_RISE, _TREAD) else 0.0
+		_add_travel(title, stats, false)
+		var right: float = 1.0 if stats.is_on_tread(_RISE, _TREAD) else 0.0
 		var kind: BenchReport.Goal = BenchReport.Goal.NONE
 		if p_root == "inertial":
 			kind = BenchReport.Goal.AT_LEAST
@@ -113,23 +113,23 @@ func _begin(p_root: String) -> Ragdoll:
 	return ragdoll
 
 
-func _walk(p_walker: Walker, p_ragdoll: Ragdoll, p_noise_deg: float) -> Figures:
+func _walk(p_walker: Walker, p_ragdoll: Ragdoll, p_noise_deg: float) -> Stats:
 	p_walker.build_ground(_world)
 	_world.add_child(p_ragdoll)
 	p_ragdoll.start()
-	var figures: Figures = Figures.new()
+	var stats: Stats = Stats.new()
 	var delta: float = 1.0 / Engine.physics_ticks_per_second
 	var before: Dictionary[int, Vector3] = {}
 	for tick: int in int(p_walker.duration / delta):
 		await physics_frame
 		var time: float = tick * delta
 		if tick > 2:
-			figures.add_root(_root_of(p_ragdoll), p_walker.pose_at(time).root)
+			stats.add_root(_root_of(p_ragdoll), p_walker.pose_at(time).root)
 			for side: int in [-1, 1]:
 				var ball: Vector3 = _ball_of(p_ragdoll, side)
 				if before.has(side) and p_walker.is_standing(side, time):
 					var moved: Vector3 = ball - before[side]
-					figures.skate.add(Vector2(moved.x, moved.z).length() / delta)
+					stats.skate.add(Vector2(moved.x, moved.z).length() / delta)
 				before[side] = ball
 		var sample: PoseSample = p_walker.pose_at(time)
 		var start: Vector3 = p_walker.pose_at(0.0).root
@@ -138,7 +138,7 @@ func _walk(p_walker: Walker, p_ragdoll: Ragdoll, p_noise_deg: float) -> Figures:
 		p_ragdoll.drive(time, delta)
 	_world.queue_free()
 	await process_frame
-	return figures
+	return stats
 
 
 func _run_clip(p_file: String, p_root: String) -> String:
@@ -157,23 +157,23 @@ func _run_clip(p_file: String, p_root: String) -> String:
 	_world.add_child(ragdoll)
 	if not ragdoll.start():
 		return "%s: the ragdoll does not start" % p_file
-	var figures: Figures = Figures.new()
-	await _play(source, ragdoll, figures)
+	var stats: Stats = Stats.new()
+	await _play(source, ragdoll, stats)
 	_world.queue_free()
 	await process_frame
 	var title: String = "%s: %s" % [p_root, p_file.get_file()]
 	# The goal is for level walking, and whether a file is that, only its owner knows.
-	_add_travel(title, figures, p_root == "inertial" and _arguments.is_given("bvh"))
-	_report.add(title, "stance-foot skate", 100.0 * figures.skate.mean(), "cm/s")
-	if figures.flights > 0 or figures.invented > 0:
-		var share: float = 100.0 * figures.found / maxf(figures.flights, 1.0)
-		_report.add(title, "flights in truth", figures.flights, "")
+	_add_travel(title, stats, p_root == "inertial" and _arguments.is_given("bvh"))
+	_report.add(title, "stance-foot skate", 100.0 * stats.skate.mean(), "cm/s")
+	if stats.flights > 0 or stats.invented > 0:
+		var share: float = 100.0 * stats.found / maxf(stats.flights, 1.0)
+		_report.add(title, "flights in truth", stats.flights, "")
 		_add_least(title, "flights found", share, "%", p_root == "inertial", 90.0)
-		_add(title, "flights invented", figures.invented, "", p_root == "inertial", 0.0)
+		_add(title, "flights invented", stats.invented, "", p_root == "inertial", 0.0)
 	return ""
 
 
-func _play(p_source: BvhSource, p_ragdoll: Ragdoll, p_figures: Figures) -> void:
+func _play(p_source: BvhSource, p_ragdoll: Ragdoll, p_stats: Stats) -> void:
 	var delta: float = 1.0 / Engine.physics_ticks_per_second
 	var soles: Dictionary[Vector2i, Array] = {}
 	for tick: int in int((p_source.rig.clip.duration() - BvhSource.BLEND_S) / delta):
@@ -181,8 +181,8 @@ func _play(p_source: BvhSource, p_ragdoll: Ragdoll, p_figures: Figures) -> void:
 		var time: float = tick * delta
 		var sample: PoseSample = p_source.pose_at(time)
 		if tick > 2:
-			p_figures.add_root(_root_of(p_ragdoll), sample.root)
-			_note_soles(p_ragdoll, sample, p_figures, soles)
+			p_stats.add_root(_root_of(p_ragdoll), sample.root)
+			_note_soles(p_ragdoll, sample, p_stats, soles)
 		_add_noise(sample, _arguments.value("noise"))
 		p_ragdoll.push_sample(time, sample, p_source.pose_at(0.0).root)
 		p_ragdoll.drive(time, delta)
@@ -190,7 +190,7 @@ func _play(p_source: BvhSource, p_ragdoll: Ragdoll, p_figures: Figures) -> void:
 
 ## Compares the sole points of the bodies with those of the true motion.
 func _note_soles(
-	p_ragdoll: Ragdoll, p_true: PoseSample, p_figures: Figures, r_last: Dictionary[Vector2i, Array]
+	p_ragdoll: Ragdoll, p_true: PoseSample, p_stats: Stats, r_last: Dictionary[Vector2i, Array]
 ) -> void:
 	var delta: float = 1.0 / Engine.physics_ticks_per_second
 	var places: Array[Vector3] = _true_joints(p_ragdoll.profile, p_true)
@@ -213,10 +213,10 @@ func _note_soles(
 		if r_last.has(key):
 			var truth: Vector3 = (now[key][0] - r_last[key][0]) / delta
 			var shown: Vector3 = (now[key][1] - r_last[key][1]) / delta
-			var stands: bool = Vector2(truth.x, truth.z).length() < Figures.STANDS_BELOW
-			if stands and now[key][0].y < lowest + Figures.STANDS_WITHIN:
-				p_figures.skate.add(Vector2(shown.x - truth.x, shown.z - truth.z).length())
-	p_figures.add_flight(lowest > _FLIGHT, p_ragdoll.motor.is_flying())
+			var stands: bool = Vector2(truth.x, truth.z).length() < Stats.STANDS_BELOW
+			if stands and now[key][0].y < lowest + Stats.STANDS_WITHIN:
+				p_stats.skate.add(Vector2(shown.x - truth.x, shown.z - truth.z).length())
+	p_stats.add_flight(lowest > _FLIGHT, p_ragdoll.motor.is_flying())
 	r_last.assign(now)
 
 
@@ -264,10 +264,10 @@ func _add_noise(p_sample: PoseSample, p_degrees: float) -> void:
 		p_sample.set_orientation(limb, p_sample.orientation(limb) * turn)
 
 
-func _add_travel(p_title: String, p_figures: Figures, p_has_goal: bool) -> void:
-	_report.add(p_title, "way", p_figures.way, "m")
-	_add(p_title, "max travel error", p_figures.travel_percent(), "%", p_has_goal, 4.0)
-	_add(p_title, "body height error", 1000.0 * p_figures.height.mean(), "mm", p_has_goal, 30.0)
+func _add_travel(p_title: String, p_stats: Stats, p_has_goal: bool) -> void:
+	_report.add(p_title, "way", p_stats.way, "m")
+	_add(p_title, "max travel error", p_stats.travel_percent(), "%", p_has_goal, 4.0)
+	_add(p_title, "body height error", 1000.0 * p_stats.height.mean(), "mm", p_has_goal, 30.0)
 
 
 func _add(

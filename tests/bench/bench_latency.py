@@ -15,7 +15,7 @@ import tempfile
 from pathlib import Path
 
 from toolchain.console import Failure
-from toolchain.figures import Figures
+from toolchain.stats import Stats
 from toolchain.latency import Settings, run_session
 from toolchain.processes import free_port
 
@@ -25,7 +25,7 @@ THESIS_MS = 50.7
 
 
 def measure(arguments: list[str]) -> int:
-    """Runs a session and prints its figures."""
+    """Runs a session and prints its stats."""
     as_json = "--json" in arguments
     options = [argument for argument in arguments if argument != "--json"]
     if not any(option.startswith("--port=") for option in options):
@@ -33,30 +33,30 @@ def measure(arguments: list[str]) -> int:
     settings = Settings(options)
     with tempfile.TemporaryDirectory(prefix="dismount-") as folder:
         reports = run_session(settings, Path(folder) / "latency.csv")
-    figures = Figures("latency", as_json)
+    stats = Stats("latency", as_json)
     delays = reports["observer"]["latency"]
     total = delays.pop("total")
     case = "sample to display"
-    figures.add(case, "mean", total["mean_ms"], "ms", at_most=MAX_MS)
-    figures.add(case, "sd", total["sd_ms"], "ms", at_most=MAX_SD_MS)
+    stats.add(case, "mean", total["mean_ms"], "ms", at_most=MAX_MS)
+    stats.add(case, "sd", total["sd_ms"], "ms", at_most=MAX_SD_MS)
     for name in ("p50", "p95", "p99"):
-        figures.add(case, name, total[name + "_ms"], "ms")
-    figures.add(
+        stats.add(case, name, total[name + "_ms"], "ms")
+    stats.add(
         case, "samples", total["count"], "", at_least=0.9 * settings.rate * settings.seconds
     )
-    figures.add(case, "thesis over ours", THESIS_MS / max(total["mean_ms"], 0.001), "")
+    stats.add(case, "thesis over ours", THESIS_MS / max(total["mean_ms"], 0.001), "")
     for stage, row in delays.items():
         if row["count"]:
-            figures.add(stage, "mean", row["mean_ms"], "ms")
-            figures.add(stage, "p99", row["p99_ms"], "ms")
+            stats.add(stage, "mean", row["mean_ms"], "ms")
+            stats.add(stage, "p99", row["p99_ms"], "ms")
     own = reports["trainee"].get("own_latency", {"count": 0})
     if own["count"]:
         frame_ms = 1000.0 / settings.fps
-        figures.add("own body", "mean", own["mean_ms"], "ms", at_most=frame_ms)
-        figures.add("own body", "p95", own["p95_ms"], "ms")
+        stats.add("own body", "mean", own["mean_ms"], "ms", at_most=frame_ms)
+        stats.add("own body", "p95", own["p95_ms"], "ms")
     else:
         print("The trainee did not show the own body.", file=sys.stderr)
-    figures.finish()
+    stats.finish()
     return 0
 
 

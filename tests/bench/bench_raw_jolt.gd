@@ -119,10 +119,10 @@ func _replay(p_case: String, p_path: String, p_engine_us: float) -> String:
 		return "'%s' failed (exit %d): %s" % [program, code, output[0]]
 	var threads: String = "raw, %d threads" % found["threads"]
 	for kind: Array in [[threads, "all"], ["raw, 1 thread", "one"]]:
-		var figures: Dictionary = found[kind[1]]
-		_report.add(p_case, "%s, step p50" % kind[0], figures["p50_us"], "us")
-		_report.add(p_case, "%s, step p99" % kind[0], figures["p99_us"], "us")
-		_report.add(p_case, "engine by %s" % kind[0], p_engine_us / figures["p50_us"], "")
+		var stats: Dictionary = found[kind[1]]
+		_report.add(p_case, "%s, step p50" % kind[0], stats["p50_us"], "us")
+		_report.add(p_case, "%s, step p99" % kind[0], stats["p99_us"], "us")
+		_report.add(p_case, "engine by %s" % kind[0], p_engine_us / stats["p50_us"], "")
 	var apart: Dictionary = found["all"]
 	var goal: BenchReport.Goal = BenchReport.Goal.AT_MOST
 	_report.add(p_case, "bodies apart, max", apart["max_mm"], "mm", goal, _GOAL_APART_MM)

@@ -1,6 +1,6 @@
 class_name BenchReport
 extends RefCounted
-## Figures of a benchmark: a table for people, or a JSON object a line for programs.
+## Stats of a benchmark: a table for people, or a JSON object a line for programs.
 ##
 ## Keys of an object: bench, case, metric, value, unit, goal (null if there is none), holds (null
 ## likewise).

@@ -71,10 +71,10 @@ func _run_case(p_people: int, p_source: BvhSource, p_report: BenchReport) -> voi
 			motors.add(float(Time.get_ticks_usec() - last) / p_people)
 	crowd.leave()
 	await process_frame
-	_add_figures(p_people, ticks, motors, p_report)
+	_add_stats(p_people, ticks, motors, p_report)
 
 
-func _add_figures(
+func _add_stats(
 	p_people: int, p_ticks: Statistics, p_motors: Statistics, p_report: BenchReport
 ) -> void:
 	var is_named: bool = Engine.physics_ticks_per_second == 60

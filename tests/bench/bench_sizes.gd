@@ -60,7 +60,7 @@ func _add(
 	_report.add(name, "guard acted", p_acted, "ticks", BenchReport.Goal.AT_MOST, 0.0)
 
 
-## Adds a clip's figures to the sums. Returns whether there are any.
+## Adds a clip's stats to the sums. Returns whether there are any.
 func _run_clip(
 	p_file: String, p_person: Vector3, p_mode: RagdollMotor.RootMode, r_sums: Dictionary
 ) -> bool:

@@ -9,7 +9,7 @@ extends SceneTree
 ## --loss=2 (%), --method=none|linear|extrapolate_lerp|hermite|error_offset|adaptive_low_delay
 ## (again for more), --seconds=25 (of each clip), --seed=1.
 
-const Figures: GDScript = preload("smoothing/smoothing_figures.gd")
+const Stats: GDScript = preload("smoothing/smoothing_stats.gd")
 const Motion: GDScript = preload("smoothing/smoothing_motion.gd")
 const Run: GDScript = preload("smoothing/smoothing_run.gd")
 const _SOLDIER: String = "res://scenes/actor/soldier.tscn"
@@ -98,7 +98,7 @@ func _measure(p_method: String, p_rate: float) -> void:
 		var run: Run = Run.new()
 		run.watch(motion, SmoothingMethods.BY_NAME[p_method], network)
 		runs.append(run)
-	var figures: Figures = Figures.new(runs)
+	var stats: Stats = Stats.new(runs)
 	var name: String = "%s at %d Hz" % [p_method, roundi(p_rate)]
 	# The goals are those of the observer's default in the network that they were set for.
 	var has: bool = p_method == "adaptive_low_delay" and roundi(p_rate) == 30
@@ -106,13 +106,13 @@ func _measure(p_method: String, p_rate: float) -> void:
 		has = has and not _arguments.is_given(option)
 	var most: BenchReport.Goal = BenchReport.Goal.AT_MOST if has else BenchReport.Goal.NONE
 	var least: BenchReport.Goal = BenchReport.Goal.AT_LEAST if has else BenchReport.Goal.NONE
-	_report.add(name, "error now", figures.now_deg, "deg")
-	_report.add(name, "error now", figures.now_mm, "mm")
-	_report.add(name, "lag", figures.lag_ms, "ms", most, 45.0)
-	_report.add(name, "residual", figures.residual_mm, "mm", most, 8.0)
-	_report.add(name, "jerk", figures.jerk, "of truth", most, 1.0)
-	_report.add(name, "jerk", figures.jerk, "of truth", least, 0.6)
-	_report.add(name, "joint gap", figures.gap_mm, "mm", most, 0.01)
+	_report.add(name, "error now", stats.now_deg, "deg")
+	_report.add(name, "error now", stats.now_mm, "mm")
+	_report.add(name, "lag", stats.lag_ms, "ms", most, 45.0)
+	_report.add(name, "residual", stats.residual_mm, "mm", most, 8.0)
+	_report.add(name, "jerk", stats.jerk, "of truth", most, 1.0)
+	_report.add(name, "jerk", stats.jerk, "of truth", least, 0.6)
+	_report.add(name, "joint gap", stats.gap_mm, "mm", most, 0.01)
 
 
 ## What a frame of a crowded world costs.

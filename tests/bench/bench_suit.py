@@ -20,7 +20,7 @@ from pathlib import Path
 
 from toolchain import suit
 from toolchain.console import Failure, step, tail
-from toolchain.figures import Figures
+from toolchain.stats import Stats
 from toolchain.godot import Godot, find
 from toolchain.paths import CLIPS
 from toolchain.processes import free_port
@@ -69,19 +69,19 @@ def delays(chip: str, options: dict[str, str], folder: Path) -> dict[str, list[f
     return found
 
 
-def measure_delays(options: dict[str, str], figures: Figures, folder: Path) -> None:
-    """Adds the figures of all kinds of chip."""
+def measure_delays(options: dict[str, str], stats: Stats, folder: Path) -> None:
+    """Adds the stats of all kinds of chip."""
     for chip in CHIPS:
         with step(f"stream from an emulated suit ({chip})"):
             found = delays(chip, options, folder)
         case = f"{chip}, {options['sensors']} trackers at {options['rate']} Hz"
         handed = found["handed over"]
-        figures.add(case, "sample to callback p50", percentile(handed, 0.5), "ms", at_most=P50_MS)
-        figures.add(case, "sample to callback p99", percentile(handed, 0.99), "ms", at_most=P99_MS)
-        figures.add(case, "in the chip to callback p50", percentile(found["chip"], 0.5), "ms")
-        figures.add(case, "in the chip to callback p99", percentile(found["chip"], 0.99), "ms")
-        figures.add(case, "samples", len(handed), "")
-        figures.add(case, "samples lost", len(found["lost"]), "", at_most=0)
+        stats.add(case, "sample to callback p50", percentile(handed, 0.5), "ms", at_most=P50_MS)
+        stats.add(case, "sample to callback p99", percentile(handed, 0.99), "ms", at_most=P99_MS)
+        stats.add(case, "in the chip to callback p50", percentile(found["chip"], 0.5), "ms")
+        stats.add(case, "in the chip to callback p99", percentile(found["chip"], 0.99), "ms")
+        stats.add(case, "samples", len(handed), "")
+        stats.add(case, "samples lost", len(found["lost"]), "", at_most=0)
 
 
 def motion_error(godot: Godot, options: dict[str, str], folder: Path, worn: bool) -> dict:
@@ -98,24 +98,24 @@ def motion_error(godot: Godot, options: dict[str, str], folder: Path, worn: bool
     return compare(godot, folder / "observer.rec", bvh, BEGIN_S, BEGIN_S + seconds)
 
 
-def measure_motion(options: dict[str, str], figures: Figures, folder: Path) -> None:
-    """Adds the figures of a motion that goes through a suit and of one that does not."""
+def measure_motion(options: dict[str, str], stats: Stats, folder: Path) -> None:
+    """Adds the stats of a motion that goes through a suit and of one that does not."""
     godot = find()
     found = {}
     for name in ("direct", "suit"):
         with step(f"follow {Path(options['bvh']).name} ({name})"):
             found[name] = motion_error(godot, options, folder / name, name == "suit")
-        figures.add("motion at the observer", f"{name}: mean error", found[name]["mean"], "deg")
-        figures.add("motion at the observer", f"{name}: p95", found[name]["p95"], "deg")
-        figures.add(
+        stats.add("motion at the observer", f"{name}: mean error", found[name]["mean"], "deg")
+        stats.add("motion at the observer", f"{name}: p95", found[name]["p95"], "deg")
+        stats.add(
             "motion at the observer", f"{name}: spine", found[name]["limbs"]["Spine"], "deg"
         )
     more = found["suit"]["mean"] - found["direct"]["mean"]
-    figures.add("motion at the observer", "suit - direct", more, "deg", at_most=MOTION_DEG)
+    stats.add("motion at the observer", "suit - direct", more, "deg", at_most=MOTION_DEG)
 
 
 def main(arguments: list[str]) -> int:
-    """Measures and prints the figures."""
+    """Measures and prints the stats."""
     options = {"seconds": "20", "sensors": "15", "rate": "100", "only": ""}
     options |= {"bvh": str(CLIPS / "01_01.bvh"), "port": str(free_port())}
     for argument in arguments:
@@ -123,13 +123,13 @@ def main(arguments: list[str]) -> int:
         if name != "json" and name not in options:
             raise Failure(f"There is no option '{argument}': see ./run bench suit --help.", 2)
         options |= {name: value}
-    figures = Figures("suit", "json" in options)
+    stats = Stats("suit", "json" in options)
     with tempfile.TemporaryDirectory(prefix="dismount-") as name:
         if options["only"] != "motion":
-            measure_delays(options, figures, Path(name))
+            measure_delays(options, stats, Path(name))
         if options["only"] != "delay":
-            measure_motion(options, figures, Path(name))
-    figures.finish()
+            measure_motion(options, stats, Path(name))
+    stats.finish()
     return 0
 
 

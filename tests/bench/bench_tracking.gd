@@ -9,7 +9,7 @@ extends SceneTree
 
 const Case: GDScript = preload("tracking/tracking_case.gd")
 const _START_S: float = 0.3
-## Metrics: key in the tracking figures, name, unit, factor.
+## Metrics: key in the tracking stats, name, unit, factor.
 const _METRICS: Array[Array] = [
 	["mean_deg", "mean error", "deg", 1.0],
 	["p95_deg", "p95 error", "deg", 1.0],
@@ -46,12 +46,12 @@ func _run() -> void:
 	_report = BenchReport.new("tracking", _arguments.value("json"))
 	var plain: Dictionary[String, float] = {}
 	for case: Case in _cases() if fault == "" else []:
-		var figures: Dictionary = await _run_case(case)
-		fault = figures.get("error", "")
+		var stats: Dictionary = await _run_case(case)
+		fault = stats.get("error", "")
 		if fault != "":
 			break
-		_add_figures(case, "all %d clips" % BenchArguments.clips(_arguments).size(), figures, true)
-		_compare_self_collision(case, figures["mean_deg"], plain)
+		_add_stats(case, "all %d clips" % BenchArguments.clips(_arguments).size(), stats, true)
+		_compare_self_collision(case, stats["mean_deg"], plain)
 	if fault != "":
 		printerr(fault)
 		quit(2)
@@ -103,7 +103,7 @@ func _run_case(p_case: Case) -> Dictionary:
 		var tracking: Dictionary = await _run_clip(file, p_case)
 		if tracking.has("error"):
 			return tracking
-		_add_figures(p_case, file.get_file(), tracking, false)
+		_add_stats(p_case, file.get_file(), tracking, false)
 		for metric: Array in _METRICS:
 			sums[metric[0]] = sums.get(metric[0], 0.0) + tracking[metric[0]] / files.size()
 		sums["acted"] = sums.get("acted", 0) + tracking["acted"]
@@ -174,7 +174,7 @@ func _make_ragdoll(p_rig: BvhRig, p_case: Case) -> Ragdoll:
 	return ragdoll
 
 
-func _add_figures(p_case: Case, p_of: String, p_figures: Dictionary, p_is_total: bool) -> void:
+func _add_stats(p_case: Case, p_of: String, p_stats: Dictionary, p_is_total: bool) -> void:
 	# Goals are for all clips together.
 	var alone: bool = BenchArguments.clips(_arguments).size() == 1
 	if p_is_total and alone:
@@ -185,10 +185,10 @@ func _add_figures(p_case: Case, p_of: String, p_figures: Dictionary, p_is_total:
 		var kind: BenchReport.Goal = BenchReport.Goal.NONE
 		if (p_is_total or alone) and p_case.goals[i] > 0.0 and _arguments.value("noise") == 0.0:
 			kind = BenchReport.Goal.AT_MOST
-		var value: float = p_figures[metric[0]] * metric[3]
+		var value: float = p_stats[metric[0]] * metric[3]
 		_report.add(name, metric[1], value, metric[2], kind, p_case.goals[i])
-	if p_figures["acted"] > 0:
-		_report.add(name, "guard acted", p_figures["acted"], "ticks")
+	if p_stats["acted"] > 0:
+		_report.add(name, "guard acted", p_stats["acted"], "ticks")
 
 
 ## What self-collision costs against the same case without.

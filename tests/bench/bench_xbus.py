@@ -13,21 +13,21 @@ from pathlib import Path
 
 from toolchain import xbus
 from toolchain.console import Failure
-from toolchain.figures import Figures
+from toolchain.stats import Stats
 
 
 def measure(arguments: list[str]) -> int:
-    """Prints the figures and their goals."""
+    """Prints the stats and their goals."""
     files = [a.partition("=")[2] for a in arguments if a.startswith("--file=")]
     unknown = [a for a in arguments if a != "--json" and not a.startswith("--file=")]
     if unknown:
         raise Failure(f"There is no option '{unknown[0]}': --file=FILE, --json.", 2)
     code, lines = xbus.measure(Path(files[-1]) if files else None)
-    figures = Figures("xbus", "--json" in arguments)
+    stats = Stats("xbus", "--json" in arguments)
     for line in lines.splitlines():
         row = json.loads(line)
-        figures.add(row.pop("case"), **row)
-    figures.finish()
+        stats.add(row.pop("case"), **row)
+    stats.finish()
     return code
 
 

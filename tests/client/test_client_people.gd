@@ -17,7 +17,7 @@ func before_each() -> void:
 	)
 	_pair.listen()
 	_end = LinkPair.End.new()
-	_end.greeting.role = Protocol.Role.TRAINEE
+	_end.request.role = Protocol.Role.TRAINEE
 	_pair.ends.append(_end)
 	_people = ClientPeople.new(_end.link, Options.parse([]))
 	_end.link.joined.connect(_people.begin)
@@ -73,7 +73,7 @@ func test_a_lost_connection_tells_them_again() -> void:
 	_end.link._peer.close_with(Protocol.DisconnectReason.LOST)
 	is_true(_pair.until(func() -> bool: return _pair.lost.size() == 1 and _end.loss != ""))
 	_add("Bob")
-	_end.link.open("127.0.0.1", _pair.port, _end.greeting)
+	_end.link.open("127.0.0.1", _pair.port, _end.request)
 	_await_names(["Ada", "Bob"])
 	equal([_pair.returned.size(), _pair.left.size()], [1, 0])
 
@@ -103,12 +103,12 @@ func test_each_is_published_to_other_programs_scenes() -> void:
 	is_null(XRServer.get_tracker(tracker))
 
 
-func test_figures_name_people_and_sources() -> void:
+func test_stats_name_people_and_sources() -> void:
 	_add("Ada")
-	equal(_people.figures()[0]["name"], "Ada")
-	contains(_people.figures()[0]["source"], "01_01.bvh")
+	equal(_people.stats()[0]["name"], "Ada")
+	contains(_people.stats()[0]["source"], "01_01.bvh")
 	_people.stop()
-	equal([_people.count(), _people.figures()], [0, [] as Array[Dictionary]])
+	equal([_people.count(), _people.stats()], [0, [] as Array[Dictionary]])
 
 
 func _add(p_name: String) -> MotionSource:
@@ -119,7 +119,7 @@ func _add(p_name: String) -> MotionSource:
 
 
 func _join() -> void:
-	_end.link.open("127.0.0.1", _pair.port, _end.greeting)
+	_end.link.open("127.0.0.1", _pair.port, _end.request)
 	is_true(_pair.until(func() -> bool: return _end.joined == 1))
 
 

@@ -32,10 +32,10 @@ def results(console: str) -> dict[str, str]:
     return found
 
 
-def _figures(output: str) -> dict[str, Any]:
-    """The figures in the last line but one of suit_stream's output."""
-    figures: dict[str, Any] = json.loads(output.split("|")[-2])
-    return figures
+def _stats(output: str) -> dict[str, Any]:
+    """The stats in the last line but one of suit_stream's output."""
+    stats: dict[str, Any] = json.loads(output.split("|")[-2])
+    return stats
 
 
 KINDS = pytest.mark.parametrize(("kind", "driver"), [("ftdi", "ftdi_sio"), ("native", "xsens_mt")])
@@ -53,9 +53,9 @@ def test_the_kernel_s_driver_is_detached_and_given_back(
 @KINDS
 def test_all_samples_arrive(results: dict[str, str], kind: str, driver: str) -> None:
     del driver
-    figures = _figures(results[f"{kind} output"])
-    assert figures["frames"] > 50
-    (device,) = figures["devices"]
+    stats = _stats(results[f"{kind} output"])
+    assert stats["frames"] > 50
+    (device,) = stats["devices"]
     assert device["trackers"]
     for tracker in device["trackers"]:
         assert tracker["received"] > 50
@@ -67,7 +67,7 @@ def test_a_pulled_cable_is_noticed(results: dict[str, str], kind: str, driver: s
     del driver
     output = results[f"{kind} output of the unplugged"]
     assert "was unplugged" in output
-    assert _figures(output)["frames"] > 0
+    assert _stats(output)["frames"] > 0
     assert results[f"{kind} driver of the unplugged"] == "gone"
 
 

@@ -35,7 +35,7 @@ func test_samples_come_from_another_thread_at_even_times() -> void:
 		almost_equal(step, PERIOD, 2.0)
 		equal(_delivered[i].find_fault(), "")
 	is_false(_threads.has(OS.get_main_thread_id()))
-	is_true(_sampler.figures()["samples"] >= 40)
+	is_true(_sampler.stats()["samples"] >= 40)
 
 
 func test_every_sample_can_be_taken_here_once() -> void:

@@ -3,7 +3,7 @@ extends RefCounted
 
 const SnapshotStream: GDScript = preload("snapshot_stream.gd")
 
-## Who joined the server: session to greeting.
+## Who joined the server: session to join request.
 var joined: Dictionary[int, Dictionary] = {}
 ## Who left the server.
 var left: Array[int] = []
@@ -28,7 +28,7 @@ var ends: Array[End] = []
 ## A client's end with what it heard.
 class End:
 	var link: ClientLink = ClientLink.new()
-	var greeting: JoinRequest = JoinRequest.new()
+	var request: JoinRequest = JoinRequest.new()
 	var joined: int = 0
 	var refusal: String = ""
 	var loss: String = ""
@@ -118,11 +118,11 @@ func add(
 	p_password: String = ""
 ) -> End:
 	var end: End = End.new()
-	end.greeting.role = p_role
-	end.greeting.name = p_name
-	end.greeting.version = p_version
+	end.request.role = p_role
+	end.request.name = p_name
+	end.request.version = p_version
 	ends.append(end)
-	end.link.open("127.0.0.1", port, end.greeting, p_password)
+	end.link.open("127.0.0.1", port, end.request, p_password)
 	return end
 
 

@@ -143,7 +143,7 @@ func test_joins_again_with_the_same_link() -> void:
 	equal(end.joined, 1)
 	end.link.close()
 	is_true(_pair.until(func() -> bool: return _pair.left.size() == 1))
-	end.link.open("127.0.0.1", _pair.port, end.greeting)
+	end.link.open("127.0.0.1", _pair.port, end.request)
 	is_true(_pair.until(func() -> bool: return end.joined == 2 and _pair.joined.size() == 2))
 	end.link.send_pose(PoseMessage.encode(NetSamples.pose(_random)))
 	is_true(_pair.until(func() -> bool: return _pair.pose_count() == 1))

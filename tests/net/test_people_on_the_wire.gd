@@ -67,7 +67,7 @@ func test_who_is_back_tells_again_and_has_the_same_session() -> void:
 	is_true(_pair.until(func() -> bool: return _pair.lost.size() == 1 and ada.loss != ""))
 	# What is declared meanwhile goes nowhere, and harms nothing.
 	ada.link.declare_people(_cards(["Ada"]))
-	ada.link.open("127.0.0.1", _pair.port, ada.greeting)
+	ada.link.open("127.0.0.1", _pair.port, ada.request)
 	is_true(_pair.until(func() -> bool: return _pair.returned.size() == 1 and ada.joined == 2))
 	ada.link.declare_people(_cards(["Ada", "Bob"]))
 	is_true(_pair.until(func() -> bool: return _told[session].size() == 2))

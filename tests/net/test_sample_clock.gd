@@ -14,29 +14,29 @@ func before_each() -> void:
 
 
 func test_steady_under_jitter() -> void:
-	var figures: Dictionary = _play(30.0, {"jitter": 0.02})
-	is_true(figures["step_error_s"] < 0.001, "steps differ by %f s" % figures["step_error_s"])
-	is_true(figures["lag_error_s"] < 0.004, "off by %f s" % figures["lag_error_s"])
+	var stats: Dictionary = _play(30.0, {"jitter": 0.02})
+	is_true(stats["step_error_s"] < 0.001, "steps differ by %f s" % stats["step_error_s"])
+	is_true(stats["lag_error_s"] < 0.004, "off by %f s" % stats["lag_error_s"])
 
 
 func test_steady_under_jitter_and_loss_at_a_low_rate() -> void:
-	var figures: Dictionary = _play(30.0, {"jitter": 0.03, "rate": 20.0, "loss": 0.05})
-	is_true(figures["step_error_s"] < 0.002, "steps differ by %f s" % figures["step_error_s"])
-	is_true(figures["lag_error_s"] < 0.012, "off by %f s" % figures["lag_error_s"])
+	var stats: Dictionary = _play(30.0, {"jitter": 0.03, "rate": 20.0, "loss": 0.05})
+	is_true(stats["step_error_s"] < 0.002, "steps differ by %f s" % stats["step_error_s"])
+	is_true(stats["lag_error_s"] < 0.012, "off by %f s" % stats["lag_error_s"])
 
 
 func test_follows_drifting_clocks() -> void:
 	for drift: float in [-1e-4, 1e-4]:
 		_clock = SampleClock.new()
-		var figures: Dictionary = _play(300.0, {"jitter": 0.01, "drift": drift})
-		is_true(figures["lag_error_s"] < 0.004, "off by %f s" % figures["lag_error_s"])
-		is_true(figures["step_error_s"] < 0.001, "steps differ by %f s" % figures["step_error_s"])
+		var stats: Dictionary = _play(300.0, {"jitter": 0.01, "drift": drift})
+		is_true(stats["lag_error_s"] < 0.004, "off by %f s" % stats["lag_error_s"])
+		is_true(stats["step_error_s"] < 0.001, "steps differ by %f s" % stats["step_error_s"])
 
 
 func test_follows_a_way_that_becomes_slower() -> void:
 	# 0.1 s more for good: the ragdoll must not wait for samples that are always late.
-	var figures: Dictionary = _play(30.0, {"jitter": 0.005, "later": 0.1})
-	is_true(figures["lag_error_s"] < 0.004, "off by %f s" % figures["lag_error_s"])
+	var stats: Dictionary = _play(30.0, {"jitter": 0.005, "later": 0.1})
+	is_true(stats["lag_error_s"] < 0.004, "off by %f s" % stats["lag_error_s"])
 
 
 func test_jumps_of_the_wearer() -> void:

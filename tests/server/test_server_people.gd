@@ -115,7 +115,7 @@ func test_old_samples_are_refused_and_counted() -> void:
 	var old: PoseSample = Stage.reset_pose()
 	old.time_usec = 5
 	_actors.push_sample(7, old, _now_s)
-	equal(_actors.figures()[0]["refused_samples"], 1)
+	equal(_actors.stats()[0]["refused_samples"], 1)
 	not_equal(_actors.list()[0].newest, old)
 
 
@@ -129,16 +129,16 @@ func test_a_wearers_new_clock_is_followed_soon() -> void:
 	equal(_actors.list()[0].newest.id, _sent)
 
 
-func test_figures_also_of_who_left() -> void:
+func test_stats_also_of_who_left() -> void:
 	_add(7, "Ada", 0.95)
 	_add(9, "Bob", 0.95)
 	_actors.remove(7)
-	var names: Array = _actors.figures().map(func(row: Dictionary) -> String: return row["name"])
+	var names: Array = _actors.stats().map(func(row: Dictionary) -> String: return row["name"])
 	equal(names, ["Bob", "Ada"])
 	for peer: int in 40:
 		_add(100 + peer, "n", 0.95)
 		_actors.remove(100 + peer)
-	is_true(_actors.figures().size() <= 20, "memory is bounded")
+	is_true(_actors.stats().size() <= 20, "memory is bounded")
 
 
 ## A sample, and a step of the simulation.

@@ -1,10 +1,10 @@
 extends TestCase
-## Operators get figures by HTTP; nobody can make the server wait, or ask for much.
+## Operators get stats by HTTP; nobody can make the server wait, or ask for much.
 
 var _endpoint: StatusEndpoint = StatusEndpoint.new()
 var _port: int = 0
 var _asked: int = 0
-var _figures: Dictionary = {"ticks_per_second": 60.0, "sessions": [{"name": "Ada"}]}
+var _stats: Dictionary = {"ticks_per_second": 60.0, "sessions": [{"name": "Ada"}]}
 
 
 func before_each() -> void:
@@ -19,14 +19,14 @@ func after_each() -> void:
 	_endpoint.close()
 
 
-func test_the_figures() -> void:
+func test_the_stats() -> void:
 	for path: String in ["/", "/status", "/status.json"]:
 		var reply: String = _ask("GET %s HTTP/1.1\r\nHost: x\r\n\r\n" % path)
 		is_true(reply.begins_with("HTTP/1.1 200 OK\r\n"), path)
 		contains(reply, "Content-Type: application/json\r\n")
 		var body: String = reply.get_slice("\r\n\r\n", 1)
 		contains(reply, "Content-Length: %d\r\n" % body.to_utf8_buffer().size())
-		equal(JSON.parse_string(body), _figures)
+		equal(JSON.parse_string(body), _stats)
 	equal(_asked, 3)
 
 
@@ -37,7 +37,7 @@ func test_the_head_alone() -> void:
 	is_false(reply.contains("Content-Length: 0"))
 
 
-func test_what_is_no_request_for_figures() -> void:
+func test_what_is_no_request_for_stats() -> void:
 	var cases: Dictionary[String, String] = {
 		"GET /etc/passwd HTTP/1.1": "404 Not Found",
 		"GET /../ HTTP/1.0": "404 Not Found",
@@ -52,7 +52,7 @@ func test_what_is_no_request_for_figures() -> void:
 		var reply: String = _ask(line + "\r\n\r\n")
 		is_true(reply.begins_with("HTTP/1.1 %s\r\n" % cases[line]), "%s: %s" % [line, reply])
 		not_null(JSON.parse_string(reply.get_slice("\r\n\r\n", 1)))
-	equal(_asked, 0, "the figures are not even made")
+	equal(_asked, 0, "the stats are not even made")
 
 
 func test_garbage() -> void:
@@ -118,7 +118,7 @@ func test_who_hangs_up_at_once() -> void:
 
 
 func test_a_large_reply_to_who_reads_slowly() -> void:
-	_figures = {"long": "x".repeat(16000000)}
+	_stats = {"long": "x".repeat(16000000)}
 	var stream: StreamPeerTCP = _connect()
 	stream.put_data("GET / HTTP/1.1\r\n\r\n".to_ascii_buffer())
 	_turn(20)
@@ -128,7 +128,7 @@ func test_a_large_reply_to_who_reads_slowly() -> void:
 	var begin: int = reply.find("\r\n\r\n") + 4
 	contains(reply.left(begin), "Content-Length: %d\r\n" % (reply.length() - begin))
 	is_true(reply.ends_with('x"\n}\n'), "to the end")
-	equal(_asked, 1, "the figures are made once")
+	equal(_asked, 1, "the stats are made once")
 
 
 func test_a_port_that_is_in_use() -> void:
@@ -183,4 +183,4 @@ func _turn(p_count: int) -> void:
 
 func _tell() -> Dictionary:
 	_asked += 1
-	return _figures
+	return _stats

@@ -20,7 +20,7 @@ SMALL = ["--resolution", "640x360"]
 
 
 class Process:
-    """A server or client with its log and its figures."""
+    """A server or client with its log and its stats."""
 
     def __init__(
         self,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What operators do and see: figures, signals, limits, a machine that is too slow."""
+"""What operators do and see: stats, signals, limits, a machine that is too slow."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ def test_the_status_while_people_are_there(world: World) -> None:
         assert 0.0 < session["round_trip_ms"] < 200.0
         assert 1.0 < session["sent_kbit_per_second"] < 250.0
         assert session["datagrams"] > 30
-    assert set(told) == set(server.report()), "the report has the same figures"
+    assert set(told) == set(server.report()), "the report has the same stats"
 
 
 def test_the_status_is_for_this_machine_only(world: World) -> None:
@@ -126,9 +126,9 @@ def test_a_server_that_is_asked_to_end(world: World) -> None:
     assert time.monotonic() - began < 1.4
     assert "stopped by a signal" in server.log()
     assert "ERROR" not in server.log()
-    figures = server.report()
-    assert figures["ticks"] > 60
-    assert [person["name"] for person in figures["people"]] == ["Ada"]
+    stats = server.report()
+    assert stats["ticks"] > 60
+    assert [person["name"] for person in stats["people"]] == ["Ada"]
     assert not Path(f"{server.report_file}.part").exists()
     world.server(name="second")
     await_count(trainee, "joined", 2)

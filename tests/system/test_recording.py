@@ -102,13 +102,13 @@ def test_bytes_that_came_are_measured_as_any_raw_file(recording: Path, tmp_path:
     raw = tmp_path / "bus.bin"
     came = [record.payload for record in read(recording.read_bytes()) if record.kind == 2]
     raw.write_bytes(b"".join(came))
-    figures = [
+    stats = [
         subprocess.run([BENCH, ".", file], capture_output=True, check=True, text=True).stdout
         for file in (recording, raw)
     ]
     counts = [
         [line for line in text.splitlines() if '"bytes"' in line or '"messages"' in line]
-        for text in figures
+        for text in stats
     ]
     assert counts[0]
     assert counts[0] == counts[1]

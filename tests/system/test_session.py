@@ -18,9 +18,9 @@ def test_a_trainee_moves_and_an_observer_sees_it(world: World) -> None:
     assert observer.await_exit() == 0, observer.log()
     assert trainee.await_exit() == 0, trainee.log()
     time.sleep(1.5)
-    figures = server.report()
-    assert 58.0 < figures["ticks_per_second"] < 62.0
-    person = figures["people"][0]
+    stats = server.report()
+    assert 58.0 < stats["ticks_per_second"] < 62.0
+    person = stats["people"][0]
     assert person["name"] == "Ada"
     assert person["count"] > 16 * 60 * 5
     assert person["mean_deg"] < 5.0

@@ -64,10 +64,10 @@ class Emulated:
     def finish(self) -> int:
         return self.process.wait(LIMIT_S)
 
-    def figures(self) -> dict[str, Any]:
-        """The figures at the end of suit_stream's output."""
-        figures: dict[str, Any] = json.loads(self.output().strip().splitlines()[-1])
-        return figures
+    def stats(self) -> dict[str, Any]:
+        """The stats at the end of suit_stream's output."""
+        stats: dict[str, Any] = json.loads(self.output().strip().splitlines()[-1])
+        return stats
 
     def close(self) -> None:
         if self.process.poll() is None:
@@ -103,7 +103,7 @@ def start(tmp_path: Path) -> Any:
 def test_every_kind_of_device_streams(start: Start, kind: str, trackers: list[int]) -> None:
     emulated = start(f"--devices={kind}", "--sensors=6")
     assert emulated.finish() == 0
-    devices = emulated.figures()["devices"]
+    devices = emulated.stats()["devices"]
     assert sorted(len(device["trackers"]) for device in devices) == trackers
     for device in devices:
         assert device["malformed_bytes"] == 0
@@ -175,7 +175,7 @@ def test_faults_on_the_line_are_survived(start: Start) -> None:
     )
     emulated.await_text("measures")
     assert emulated.finish() == 0
-    (device,) = emulated.figures()["devices"]
+    (device,) = emulated.stats()["devices"]
     assert device["malformed_bytes"] > 0
     assert device["trackers"][0]["lost"] > 0
 

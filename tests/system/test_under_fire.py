@@ -30,7 +30,7 @@ class Scene:
         self.observer.await_text("joined")
         time.sleep(2.5)
 
-    def figures(self) -> tuple[float, int, float, int]:
+    def stats(self) -> tuple[float, int, float, int]:
         """Seconds and snapshots of the observer, seconds of the server and steps of the body."""
         seen = self.observer.report()
         made = self.server.report()
@@ -40,11 +40,11 @@ class Scene:
     @contextmanager
     def nobody_notices(self, least: float = 0.95) -> Iterator[None]:
         """What is done meanwhile takes no snapshot and no sample from the legitimate clients."""
-        before = self.figures()
+        before = self.stats()
         lines = len(self.server.log().splitlines())
         yield
         time.sleep(1.2)
-        after = self.figures()
+        after = self.stats()
         seconds = after[0] - before[0]
         rate = (after[1] - before[1]) / seconds
         moved = (after[3] - before[3]) / (after[2] - before[2])
@@ -138,13 +138,13 @@ def test_a_client_frozen_for_five_seconds_comes_back_into_its_body(world: World)
 
 def test_a_server_frozen_for_five_seconds_gets_its_people_back(world: World) -> None:
     scene = Scene(world)
-    before = scene.figures()
+    before = scene.stats()
     os.kill(scene.server.process.pid, signal.SIGSTOP)
     time.sleep(5.0)
     os.kill(scene.server.process.pid, signal.SIGCONT)
     # The connections may have outlasted it, or the clients come back by themselves.
     time.sleep(8.0)
-    after = scene.figures()
+    after = scene.stats()
     assert after[3] > before[3] + 3 * 60
     assert " left" not in scene.server.log()
     assert [p["name"] for p in scene.server.report()["people"]] == ["Good"]

@@ -55,7 +55,7 @@ def settle(proxy: Proxy, count: int) -> None:
     """Lets the proxy work until so many datagrams have come to it and none waits in it."""
     limit = time.monotonic() + LIMIT_S
     while True:
-        rows = proxy.figures()["clients"]
+        rows = proxy.stats()["clients"]
         came = sum(row["up"]["datagrams"] for row in rows)
         if came >= count and proxy.wait_s() is None:
             return
@@ -95,7 +95,7 @@ def test_each_client_has_an_address_of_its_own_and_gets_its_own_answers(
         server.sendto(bytes([number, 42]), address)
     for number, client in enumerate(clients):
         assert receive(proxy, client, 1)[0][0] == bytes([number, 42])
-    for row in proxy.figures()["clients"]:
+    for row in proxy.stats()["clients"]:
         assert row["up"] == {
             "datagrams": 1,
             "wire_bytes": 100 + HEADERS,
@@ -105,7 +105,7 @@ def test_each_client_has_an_address_of_its_own_and_gets_its_own_answers(
         }
         assert row["down"]["wire_bytes"] == 2 + HEADERS
     proxy.restart()
-    assert all(row["up"]["datagrams"] == 0 for row in proxy.figures()["clients"])
+    assert all(row["up"]["datagrams"] == 0 for row in proxy.stats()["clients"])
     proxy.close()
 
 
@@ -120,7 +120,7 @@ def test_nothing_comes_too_early_and_jitter_changes_the_order(server: socket.soc
     order = [data[0] for data, _ in first + receive(proxy, server, 99)]
     assert sorted(order) == list(range(100))
     assert order != sorted(order)
-    assert proxy.figures()["late"]["p99_ms"] > 0.0
+    assert proxy.stats()["late"]["p99_ms"] > 0.0
     proxy.close()
 
 
@@ -130,7 +130,7 @@ def test_what_is_lost_is_counted_and_never_comes(server: socket.socket) -> None:
     for number in range(100):
         client.send(bytes([number]))
     settle(proxy, 100)
-    row = proxy.figures()["clients"][0]["up"]
+    row = proxy.stats()["clients"][0]["up"]
     assert row["datagrams"] == 100
     assert row["lost"] + row["delivered"] == 100
     assert 15 <= row["lost"] <= 45
@@ -153,7 +153,7 @@ def test_a_server_that_is_gone_does_not_end_the_proxy() -> None:
     for _ in range(20):
         client.send(b"anybody?")
     settle(proxy, 20)
-    row = proxy.figures()["clients"][0]["up"]
+    row = proxy.stats()["clients"][0]["up"]
     assert row["delivered"] + row["failed"] == 20
     proxy.close()
 
@@ -168,8 +168,8 @@ def test_a_process_of_its_own(server: socket.socket) -> None:
         server.sendto(b"back", address)
         client.settimeout(LIMIT_S)
         assert client.recv(100) == b"back"
-        figures = proxy.figures()
-        assert figures["clients"][0]["up"]["delivered"] == 1
-        assert figures["overflowed"] == 0
+        stats = proxy.stats()
+        assert stats["clients"][0]["up"]["delivered"] == 1
+        assert stats["overflowed"] == 0
         proxy.restart()
-        assert proxy.figures()["clients"][0]["up"]["delivered"] == 0
+        assert proxy.stats()["clients"][0]["up"]["delivered"] == 0

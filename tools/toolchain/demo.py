@@ -51,18 +51,18 @@ class Settings:
 
 
 def main(arguments: list[str]) -> int:
-    """Shows Dismount: in windows, or by a picture, a film and figures."""
+    """Shows Dismount: in windows, or by a picture, a film and stats."""
     settings = Settings(arguments)
     require_port(settings.port)
     prepare(export=True)
     with tempfile.TemporaryDirectory(prefix="dismount-") as folder:
         work = Path(folder)
         if real_display():
-            figures = _show(settings, work)
+            stats = _show(settings, work)
         else:
             with virtual_display() as environment:
-                figures = _measure(settings, work, environment)
-    print_table(figures)
+                stats = _measure(settings, work, environment)
+    print_table(stats)
     if not real_display():
         print(f"\npicture  {OUT / 'observer.png'}\nfilm     {OUT / 'observer.avi'}")
     return 0
@@ -118,13 +118,13 @@ def _measure(settings: Settings, work: Path, environment: dict[str, str]) -> dic
         for name in ("server", "trainee"):
             if group.exit_code(name) is not None:
                 raise Failure(f"The {name} ended too early:\n{group.log(name)[-2000:]}")
-        figures = _read_reports(work)
+        stats = _read_reports(work)
     with Group(work, environment) as group, step("film what the observer saw"):
         _film(group, recording)
     for product in ("observer.png", "observer.avi"):
         if not (OUT / product).is_file():
             raise Failure(f"No {product} was made:\n{group.log('film')[-2000:]}")
-    return figures
+    return stats
 
 
 def _film(group: Group, recording: Path) -> None:
@@ -141,14 +141,14 @@ def _read_reports(work: Path) -> dict[str, dict]:
     for role in ("server", "trainee", "observer"):
         file = work / f"{role}.json"
         if not file.exists():
-            raise Failure(f"The {role} left no figures: the session was too short.")
+            raise Failure(f"The {role} left no stats: the session was too short.")
         reports[role] = json.loads(file.read_text(encoding="utf-8"))
     return reports
 
 
-def print_table(figures: dict[str, dict]) -> None:
+def print_table(stats: dict[str, dict]) -> None:
     """Prints what was measured."""
-    server, trainee, observer = (figures[role] for role in ("server", "trainee", "observer"))
+    server, trainee, observer = (stats[role] for role in ("server", "trainee", "observer"))
     person = server["people"][0] if server["people"] else {"mean_deg": 0.0, "p95_deg": 0.0}
     rows = [
         ("server tick rate held", f"{server['ticks_per_second']:.1f} /s"),

@@ -66,8 +66,8 @@ def main(arguments: list[str]) -> int:
     with step(f"run server, trainee and observer for {settings.seconds} s"):
         run_session(settings, OUT / CSV)
     with step("draw the delays"):
-        figures = draw(godot, OUT / CSV, OUT / PICTURE)
-    print_table(figures)
+        stats = draw(godot, OUT / CSV, OUT / PICTURE)
+    print_table(stats)
     print(f"\nfile     {OUT / CSV}\npicture  {OUT / PICTURE}")
     return 0
 
@@ -109,12 +109,12 @@ def run_session(settings: Settings, csv: Path) -> dict[str, dict]:
 def _report(work: Path, name: str) -> dict:
     file = work / f"{name}.json"
     if not file.exists():
-        raise Failure(f"The {name} left no figures: the session was too short.")
+        raise Failure(f"The {name} left no stats: the session was too short.")
     return json.loads(file.read_text(encoding="utf-8"))
 
 
 def draw(godot: Godot, csv: Path, picture: Path) -> dict[str, dict]:
-    """Draws the delays of a file; returns their figures by stage."""
+    """Draws the delays of a file; returns their stats by stage."""
     picture.unlink(missing_ok=True)
     with virtual_display() as environment:
         done = subprocess.run(
@@ -133,12 +133,12 @@ def draw(godot: Godot, csv: Path, picture: Path) -> dict[str, dict]:
     return json.loads(found[0])
 
 
-def print_table(figures: dict[str, dict]) -> None:
+def print_table(stats: dict[str, dict]) -> None:
     """Prints the stages and the total."""
     columns = ("mean", "sd", "p50", "p95", "p99")
     print(f"\n{'ms':<12}" + "".join(f"{name:>8}" for name in columns) + f"{'count':>9}")
-    stages = [name for name in figures if name != "total"]
+    stages = [name for name in stats if name != "total"]
     for name in [*stages, "total"]:
-        row = figures[name]
+        row = stats[name]
         values = "".join(f"{row[column + '_ms']:8.1f}" for column in columns)
         print(f"{name:<12}{values if row['count'] else '       -' * 5}{row['count']:>9.0f}")

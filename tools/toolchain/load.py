@@ -15,8 +15,8 @@ from pathlib import Path
 from typing import Any
 
 from .console import Failure, step, tail
-from .figures import Figures
-from .load_report import Measured, add_figures
+from .stats import Stats
+from .load_report import Measured, add_stats
 from .paths import CLIENT_BINARY, CLIPS, OUT, SERVER_BINARY, make_folder
 from .process_times import thread_seconds
 from .processes import Group, require_port
@@ -104,7 +104,7 @@ def _number(values: dict[str, str], name: str, most: float, unit: str) -> float:
 
 
 def main(arguments: list[str]) -> int:
-    """Runs a session and prints its figures."""
+    """Runs a session and prints its stats."""
     settings = Settings(arguments)
     require_port(settings.port)
     make_folder(OUT)
@@ -112,9 +112,9 @@ def main(arguments: list[str]) -> int:
     prepare(export=True)
     with step(f"{settings.clients} clients for {settings.seconds} s"):
         measured = run_session(settings)
-    figures = Figures("load", settings.json)
-    add_figures(figures, measured)
-    figures.finish()
+    stats = Stats("load", settings.json)
+    add_stats(stats, measured)
+    stats.finish()
     (OUT / FILE).write_text(json.dumps(measured.whole(), indent=1) + "\n", encoding="utf-8")
     if not settings.json:
         print(f"\nof each client  {OUT / FILE}")
@@ -136,7 +136,7 @@ def run_session(settings: Settings) -> Measured:
             if network:
                 network.restart()
             group.await_text("load", "INFO  load: counted", settings.seconds + 60)
-            wire = network.figures() if network else None
+            wire = network.stats() if network else None
             after = _look(group, status_port)
         clients = json.loads((work / "load.json").read_text(encoding="utf-8"))
         if group.exit_code("server") is not None:

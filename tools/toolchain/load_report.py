@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What `./run load` found, as figures with goals."""
+"""What `./run load` found, as stats with goals."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from .figures import Figures
+from .stats import Stats
 from .udp_proxy import HEADERS
 
 TICK_RATE = 60.0
@@ -61,51 +61,51 @@ class Measured:
         return {**found, "clients": self.load, "wire": self.wire, "server": looks}
 
 
-def add_figures(figures: Figures, found: Measured) -> None:
+def add_stats(stats: Stats, found: Measured) -> None:
     """Adds everything that was found."""
-    _add_server(figures, found)
-    _add_networking(figures, found)
+    _add_server(stats, found)
+    _add_networking(stats, found)
     if found.wire is None:
-        _add_counted_traffic(figures, found)
+        _add_counted_traffic(stats, found)
     else:
-        _add_wire(figures, found, found.wire)
+        _add_wire(stats, found, found.wire)
     for role in ("trainees", "observers"):
         if found.settings[role]:
-            _add_knowledge(figures, found, role)
-    _add_health(figures, found)
+            _add_knowledge(stats, found, role)
+    _add_health(stats, found)
 
 
-def _add_server(figures: Figures, found: Measured) -> None:
+def _add_server(stats: Stats, found: Measured) -> None:
     status = found.after["status"]
-    figures.add(
+    stats.add(
         "server", "tick rate held", found.ticks / found.seconds, "/s", at_least=0.98 * TICK_RATE
     )
-    figures.add("server", "speed of the last second", status["speed"], "")
+    stats.add("server", "speed of the last second", status["speed"], "")
     slow = found.grown(lambda one: one["slow_seconds"])
-    figures.add("server", "slow seconds", slow, "s")
+    stats.add("server", "slow seconds", slow, "s")
     recent = status["recent"]
     for part in ("script", "send"):
         for rank in ("p50", "p99"):
             name = f"{part} time per tick, {rank}"
-            figures.add("server", name, recent[f"{part}_ms_{rank}"], "ms")
+            stats.add("server", name, recent[f"{part}_ms_{rank}"], "ms")
 
 
-def _add_networking(figures: Figures, found: Measured) -> None:
+def _add_networking(stats: Stats, found: Measured) -> None:
     main = found.grown(lambda status: status["network_cpu_usec"]) / 1000.0 / found.ticks
     thread = found.grown(lambda status: status["transport"]["cpu_usec"]) / 1000.0 / found.ticks
     case = "server networking"
-    figures.add(case, "main thread, CPU per tick", main, "ms")
+    stats.add(case, "main thread, CPU per tick", main, "ms")
     recent = found.after["status"]["recent"]
-    figures.add(case, "main thread, CPU per tick, p99", recent["network_ms_p99"], "ms")
-    figures.add(case, "transport thread, CPU per tick", thread, "ms")
-    figures.add(case, "both, CPU per tick", main + thread, "ms", at_most=MAX_NETWORK_MS)
+    stats.add(case, "main thread, CPU per tick, p99", recent["network_ms_p99"], "ms")
+    stats.add(case, "transport thread, CPU per tick", thread, "ms")
+    stats.add(case, "both, CPU per tick", main + thread, "ms", at_most=MAX_NETWORK_MS)
     used = _thread_growth(found.before["threads"], found.after["threads"])
     named = [used[number] for number, row in found.after["threads"].items() if row[0] == THREAD]
-    figures.add(case, "transport thread (/proc)", 1000.0 * sum(named) / found.ticks, "ms")
-    figures.add("server", "CPU of all threads", 100.0 * sum(used.values()) / found.seconds, "%")
+    stats.add(case, "transport thread (/proc)", 1000.0 * sum(named) / found.ticks, "ms")
+    stats.add("server", "CPU of all threads", 100.0 * sum(used.values()) / found.seconds, "%")
     used = _thread_growth(found.before["client_threads"], found.after["client_threads"])
     cpu = 100.0 * sum(used.values()) / found.seconds
-    figures.add("clients", "CPU of all of them", cpu, "%")
+    stats.add("clients", "CPU of all of them", cpu, "%")
 
 
 def _thread_growth(before: dict[int, Any], after: dict[int, Any]) -> dict[int, float]:
@@ -115,7 +115,7 @@ def _thread_growth(before: dict[int, Any], after: dict[int, Any]) -> dict[int, f
     }
 
 
-def _add_counted_traffic(figures: Figures, found: Measured) -> None:
+def _add_counted_traffic(stats: Stats, found: Measured) -> None:
     """Without a proxy: what the server's ENet has counted, and headers of UDP and IP."""
     count = max(len(found.clients), 1)
     for name, way in (("down", "sent"), ("up", "received")):
@@ -123,12 +123,12 @@ def _add_counted_traffic(figures: Figures, found: Measured) -> None:
         number = found.grown(lambda status, way=way: status["transport"][f"{way}_packets"])
         kbit = (size + HEADERS * number) * 8.0 / 1000.0 / found.seconds / count
         goal = MAX_KBIT if name == "down" else None
-        figures.add("traffic", f"{name}, mean of the clients", kbit, "kbit/s", at_most=goal)
+        stats.add("traffic", f"{name}, mean of the clients", kbit, "kbit/s", at_most=goal)
         rate = number / found.seconds / count
-        figures.add("traffic", f"{name}, datagrams of a client", rate, "/s")
+        stats.add("traffic", f"{name}, datagrams of a client", rate, "/s")
 
 
-def _add_wire(figures: Figures, found: Measured, wire: dict[str, Any]) -> None:
+def _add_wire(stats: Stats, found: Measured, wire: dict[str, Any]) -> None:
     """What the proxy has counted."""
     seconds = wire["seconds"]
     rows = [row for row in wire["clients"] if row["up"]["datagrams"] + row["down"]["datagrams"]]
@@ -136,19 +136,19 @@ def _add_wire(figures: Figures, found: Measured, wire: dict[str, Any]) -> None:
         kbit = [row[way]["wire_bytes"] * 8.0 / 1000.0 / seconds for row in rows] or [0.0]
         goal = MAX_KBIT if way == "down" else None
         mean = statistics.fmean(kbit)
-        figures.add("wire", f"{way}, mean of the clients", mean, "kbit/s", at_most=goal)
-        figures.add("wire", f"{way}, most of a client", max(kbit), "kbit/s")
+        stats.add("wire", f"{way}, mean of the clients", mean, "kbit/s", at_most=goal)
+        stats.add("wire", f"{way}, most of a client", max(kbit), "kbit/s")
         rate = statistics.fmean([row[way]["datagrams"] / seconds for row in rows] or [0.0])
-        figures.add("wire", f"{way}, datagrams of a client", rate, "/s")
+        stats.add("wire", f"{way}, datagrams of a client", rate, "/s")
         sent = sum(row[way]["datagrams"] for row in rows)
         lost = sum(row[way]["lost"] + row[way]["failed"] for row in rows)
-        figures.add("wire", f"{way}, loss made", 100.0 * lost / max(sent, 1), "%")
+        stats.add("wire", f"{way}, loss made", 100.0 * lost / max(sent, 1), "%")
     seen = [row["loss_percent"] for row in found.after["status"]["sessions"] if "datagrams" in row]
-    figures.add("wire", "loss of snapshots, as the server sees it", _mean(seen), "%")
-    figures.add("proxy", "late by, p50", wire["late"]["p50_ms"], "ms")
-    figures.add("proxy", "late by, p99", wire["late"]["p99_ms"], "ms")
-    figures.add("proxy", "dropped by full sockets", wire["overflowed"], "")
-    figures.add("proxy", "CPU", 100.0 * wire["cpu_seconds"] / seconds, "%")
+    stats.add("wire", "loss of snapshots, as the server sees it", _mean(seen), "%")
+    stats.add("proxy", "late by, p50", wire["late"]["p50_ms"], "ms")
+    stats.add("proxy", "late by, p99", wire["late"]["p99_ms"], "ms")
+    stats.add("proxy", "dropped by full sockets", wire["overflowed"], "")
+    stats.add("proxy", "CPU", 100.0 * wire["cpu_seconds"] / seconds, "%")
 
 
 def _mean(values: Iterable[float]) -> float:
@@ -156,36 +156,36 @@ def _mean(values: Iterable[float]) -> float:
     return statistics.fmean(known) if known else 0.0
 
 
-def _add_knowledge(figures: Figures, found: Measured, role: str) -> None:
+def _add_knowledge(stats: Stats, found: Measured, role: str) -> None:
     """What clients of a role know, and how old it is."""
     rows = [row for row in found.clients if row["role"] == role[:-1]]
     group = found.load["groups"][role]
     rate = _mean(row["snapshots"] for row in rows) / found.load["seconds"]
-    figures.add(role, "snapshots of a client", rate, "/s")
+    stats.add(role, "snapshots of a client", rate, "/s")
     for rank in ("p50", "p95", "p99"):
-        figures.add(role, f"age of people, {rank}", group["age"][f"{rank}_ms"], "ms")
+        stats.add(role, f"age of people, {rank}", group["age"][f"{rank}_ms"], "ms")
     known = min(row["people_known"] for row in rows)
-    figures.add(role, "people known", known, "", at_least=found.settings["trainees"])
+    stats.add(role, "people known", known, "", at_least=found.settings["trainees"])
     for rank in ("p50", "p99"):
         delay = group["latency"][f"{rank}_ms"]
-        figures.add(role, f"from sample to snapshot, {rank}", delay, "ms")
+        stats.add(role, f"from sample to snapshot, {rank}", delay, "ms")
 
 
-def _add_health(figures: Figures, found: Measured) -> None:
+def _add_health(stats: Stats, found: Measured) -> None:
     rows = found.clients
     for name in ("stale", "lacks_baseline"):
         count = sum(row["outcomes"][name] for row in rows)
-        figures.add("snapshots", name.replace("_", " "), count, "")
+        stats.add("snapshots", name.replace("_", " "), count, "")
     broken = sum(row["outcomes"]["broken"] for row in rows)
-    figures.add("snapshots", "broken", broken, "", at_most=0.0)
-    figures.add("snapshots", "poses compared", found.load["compared_poses"], "")
+    stats.add("snapshots", "broken", broken, "", at_most=0.0)
+    stats.add("snapshots", "poses compared", found.load["compared_poses"], "")
     different = found.load["different_poses"]
-    figures.add("snapshots", "poses that differ between clients", different, "", at_most=0.0)
+    stats.add("snapshots", "poses that differ between clients", different, "", at_most=0.0)
     lost = sum(row["lost"] for row in rows)
-    figures.add("sessions", "connections lost", lost, "", at_most=0.0)
+    stats.add("sessions", "connections lost", lost, "", at_most=0.0)
     here = found.after["status"]["clients"]
-    figures.add("sessions", "clients at the end", here, "", at_least=len(rows))
+    stats.add("sessions", "clients at the end", here, "", at_least=len(rows))
     troubles = found.troubles()
     errors = [line for line in troubles if "ERROR" in line]
-    figures.add("logs", "errors", len(errors), "", at_most=0.0)
-    figures.add("logs", "warnings", len(troubles) - len(errors), "")
+    stats.add("logs", "errors", len(errors), "", at_most=0.0)
+    stats.add("logs", "warnings", len(troubles) - len(errors), "")

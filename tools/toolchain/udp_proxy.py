@@ -7,7 +7,7 @@ on the wire is counted. 127.0.0.1 only.
 
 As a program (`python -m toolchain.udp_proxy TARGET_PORT LOSS DELAY JITTER SEED`) it prints the
 port that it listens on, then obeys lines on its standard input: "restart" begins to count anew,
-"figures" prints what was counted as a line of JSON. It ends when its input does.
+"stats" prints what was counted as a line of JSON. It ends when its input does.
 """
 
 from __future__ import annotations
@@ -77,7 +77,7 @@ class Way:
         self.delivered = 0
         self.failed = 0
 
-    def figures(self) -> dict[str, int]:
+    def stats(self) -> dict[str, int]:
         """What came in (bytes with headers), and what became of it."""
         return {
             "datagrams": self.datagrams,
@@ -128,7 +128,7 @@ class Lateness:
                 return (place + 1) * BIN_NS / 1e6
         return 0.0
 
-    def figures(self) -> dict[str, float]:
+    def stats(self) -> dict[str, float]:
         """For a report."""
         found = {f"p{n}_ms": self.percentile_ms(n / 100) for n in (50, 95, 99)}
         return {**found, "worst_ms": self._worst / 1e6}
@@ -188,17 +188,17 @@ class Proxy:
                 self._take_up()
         self._send_due()
 
-    def figures(self) -> dict[str, Any]:
+    def stats(self) -> dict[str, Any]:
         """What was counted since the last restart."""
         rows = [
-            {"port": c.address[1], "up": c.up.figures(), "down": c.down.figures()}
+            {"port": c.address[1], "up": c.up.stats(), "down": c.down.stats()}
             for c in self._clients.values()
         ]
         return {
             "seconds": (time.time_ns() - self._began_ns) / 1e9,
             "cpu_seconds": time.process_time() - self._began_cpu,
             "clients": rows,
-            "late": self._lateness.figures(),
+            "late": self._lateness.stats(),
             "overflowed": self._count_overflows() - self._overflowed,
         }
 
@@ -338,9 +338,9 @@ class ProxyProcess:
         self._write("restart")
         self._read()
 
-    def figures(self) -> dict[str, Any]:
+    def stats(self) -> dict[str, Any]:
         """What was counted."""
-        self._write("figures")
+        self._write("stats")
         return json.loads(self._read())
 
     def _write(self, line: str) -> None:
@@ -360,8 +360,8 @@ def _obey(proxy: Proxy, line: str) -> None:
     if line == "restart":
         proxy.restart()
         print("{}", flush=True)
-    elif line == "figures":
-        print(json.dumps(proxy.figures()), flush=True)
+    elif line == "stats":
+        print(json.dumps(proxy.stats()), flush=True)
 
 
 def main(arguments: list[str]) -> int:

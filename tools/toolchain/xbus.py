@@ -20,7 +20,7 @@ def decode(arguments: list[str]) -> int:
 
 
 def measure(file: Path | None) -> tuple[int, str]:
-    """Runs the native benchmark; returns its exit code and its lines of figures."""
+    """Runs the native benchmark; returns its exit code and its lines of stats."""
     command = [str(PROGRAMS / "xbus_bench"), str(ROOT / "tests" / "data" / "xbus")]
     command += [str(file)] if file else []
     done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=False)

@@ -98,7 +98,7 @@ func describe() -> String:
 	var guard: PackedStringArray = []
 	for flag: int in subject.guard_counts:
 		guard.append("%s %d" % [_GUARD_NAMES[flag], subject.guard_counts[flag]])
-	var figures: Array = [
+	var stats: Array = [
 		subject.time_s,
 		tracking["mean_deg"],
 		tracking["p95_deg"],
@@ -111,7 +111,7 @@ func describe() -> String:
 		"%.1f s    since the last change: mean error %.1f deg, p95 %.1f deg, lag %.0f ms"
 		+ "    guard actions: %s    flying: %s    %d fps"
 	)
-	return form % figures
+	return form % stats
 
 
 func _connect_panel() -> void:

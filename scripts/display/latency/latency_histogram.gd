@@ -83,8 +83,8 @@ func coarse(p_from_ms: float, p_to_ms: float, p_steps: int) -> PackedInt32Array:
 	return result
 
 
-## The figures for a report.
-func figures() -> Dictionary:
+## The stats for a report.
+func stats() -> Dictionary:
 	return {
 		"count": _count,
 		"mean_ms": mean(),

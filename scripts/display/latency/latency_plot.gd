@@ -1,7 +1,7 @@
 extends SceneTree
 ## Makes a picture of a session's latency file: godot -s latency_plot.gd -- FILE.csv PICTURE.png
 ##
-## Needs a display (a virtual one will do). Prints the figures as JSON.
+## Needs a display (a virtual one will do). Prints the stats as JSON.
 
 const _SIZE: Vector2i = Vector2i(960, 620)
 
@@ -38,7 +38,7 @@ func _make() -> void:
 	if probe == null or probe.total.count() == 0:
 		_fail("%s holds no latencies" % arguments[0])
 		return
-	print(JSON.stringify(probe.figures(), "", false))
+	print(JSON.stringify(probe.stats(), "", false))
 	var viewport: SubViewport = SubViewport.new()
 	viewport.size = _SIZE
 	viewport.render_target_update_mode = SubViewport.UPDATE_ALWAYS

@@ -80,11 +80,11 @@ func close() -> void:
 		_file = null
 
 
-## The figures for a report: of the total, and of each stage by its name.
-func figures() -> Dictionary:
-	var result: Dictionary = {"total": total.figures()}
+## The stats for a report: of the total, and of each stage by its name.
+func stats() -> Dictionary:
+	var result: Dictionary = {"total": total.stats()}
 	for stage: int in stages.size():
-		result[String(LatencyMark.STAGES[stage])] = stages[stage].figures()
+		result[String(LatencyMark.STAGES[stage])] = stages[stage].stats()
 	return result
 
 

@@ -16,7 +16,7 @@ var _pose: MvnPose = MvnPose.new()
 var _body: MvnBody = MvnBody.new()
 var _newest: PoseSample = null
 var _poses: LivePoses = LivePoses.new()
-var _figures: Dictionary = {}
+var _stats: Dictionary = {}
 
 
 func _init(p_receiver: MvnReceiver = null, p_character: int = 0, p_unit_m: float = 0.0) -> void:
@@ -63,12 +63,12 @@ func get_newest() -> PoseSample:
 
 ## Takes what is known of the stream of this person, see [method MvnReceiver.get_characters]; the
 ## main thread calls it.
-func note(p_figures: Dictionary) -> void:
+func note(p_stats: Dictionary) -> void:
 	var scale: Dictionary = _receiver.get_newest(character, 13)
 	_mutex.lock()
-	_figures = p_figures
-	if p_figures["name"] != "":
-		name = p_figures["name"]
+	_stats = p_stats
+	if p_stats["name"] != "":
+		name = p_stats["name"]
 	if not scale.is_empty():
 		_body.take_scale(scale)
 	_mutex.unlock()
@@ -76,13 +76,13 @@ func note(p_figures: Dictionary) -> void:
 
 ## What is wrong with the stream of this person, or an empty text.
 func trouble() -> String:
-	return _figures.get("trouble", "")
+	return _stats.get("trouble", "")
 
 
 func describe() -> String:
 	var who: String = name if name != "" else "character %d" % character
-	var rate: float = _figures.get("rate_hz", 0.0)
-	return "%s of MVN at %s, %.0f Hz" % [who, _figures.get("sender", "nobody yet"), rate]
+	var rate: float = _stats.get("rate_hz", 0.0)
+	return "%s of MVN at %s, %.0f Hz" % [who, _stats.get("sender", "nobody yet"), rate]
 
 
 func _read(p_time_usec: int) -> PoseSample:

@@ -61,17 +61,17 @@ func advance() -> void:
 	for message: String in receiver.take_messages():
 		Log.limited("mvn", message, message)
 	characters = receiver.get_characters()
-	for figures: Dictionary in characters:
-		_take(figures, now_s)
+	for stats: Dictionary in characters:
+		_take(stats, now_s)
 	_forget_gone()
 
 
 ## What is wrong with the stream, for the screen; empty if nothing is.
 func trouble() -> String:
 	var texts: PackedStringArray = []
-	for figures: Dictionary in characters:
-		if figures["trouble"] != "":
-			texts.append("MVN: %s" % figures["trouble"])
+	for stats: Dictionary in characters:
+		if stats["trouble"] != "":
+			texts.append("MVN: %s" % stats["trouble"])
 	var refused: int = receiver.get_figures()["refused"]
 	if refused > 0 and people.is_empty() and trackers.is_empty():
 		texts.append("MVN: %d datagrams came that can't be used" % refused)
@@ -101,60 +101,60 @@ func list_devices() -> Array[Dictionary]:
 			"advice": "",
 		}
 	]
-	for figures: Dictionary in characters:
-		rows.append(_row(figures))
+	for stats: Dictionary in characters:
+		rows.append(_row(stats))
 	return rows
 
 
-static func _row(p_figures: Dictionary) -> Dictionary:
-	var details: PackedStringArray = ["%.0f Hz" % p_figures["rate_hz"]]
-	var lost: int = p_figures["lost"]
+static func _row(p_stats: Dictionary) -> Dictionary:
+	var details: PackedStringArray = ["%.0f Hz" % p_stats["rate_hz"]]
+	var lost: int = p_stats["lost"]
 	if lost > 0:
-		var share: float = 100.0 * lost / maxi(lost + p_figures["samples"], 1)
+		var share: float = 100.0 * lost / maxi(lost + p_stats["samples"], 1)
 		details.append("%d lost (%.1f %%)" % [lost, share])
 	for key: String in ["incomplete", "late"]:
-		if p_figures[key] > 0:
-			details.append("%d %s" % [p_figures[key], key])
-	if p_figures["age_s"] > 0.5:
-		details.append("last %.1f s ago" % p_figures["age_s"])
+		if p_stats[key] > 0:
+			details.append("%d %s" % [p_stats[key], key])
+	if p_stats["age_s"] > 0.5:
+		details.append("last %.1f s ago" % p_stats["age_s"])
 	var types: PackedStringArray = []
-	for type: int in p_figures["types"]:
+	for type: int in p_stats["types"]:
 		types.append("%02d" % type)
 	details.append("types %s" % " ".join(types))
-	var who: String = p_figures["name"] if p_figures["name"] != "" else "no name"
+	var who: String = p_stats["name"] if p_stats["name"] != "" else "no name"
 	return {
-		"name": "MVN %d: %s (%s)" % [p_figures["number"], who, p_figures["sender"]],
-		"state": "streams" if p_figures["age_s"] <= 0.5 else "silent",
+		"name": "MVN %d: %s (%s)" % [p_stats["number"], who, p_stats["sender"]],
+		"state": "streams" if p_stats["age_s"] <= 0.5 else "silent",
 		"detail": ", ".join(details),
-		"advice": p_figures["trouble"],
+		"advice": p_stats["trouble"],
 	}
 
 
-func _take(p_figures: Dictionary, p_now_s: float) -> void:
-	var number: int = p_figures["number"]
+func _take(p_stats: Dictionary, p_now_s: float) -> void:
+	var number: int = p_stats["number"]
 	if people.has(number):
-		people[number].note(p_figures)
+		people[number].note(p_stats)
 		return
 	if trackers.has(number):
-		trackers[number].note(p_figures)
-	var types: PackedInt32Array = p_figures["types"]
+		trackers[number].note(p_stats)
+	var types: PackedInt32Array = p_stats["types"]
 	var since: float = _seen_s.get_or_add(number, p_now_s)
-	if p_figures["name"] == "" and p_now_s - since < NAME_PATIENCE_S:
+	if p_stats["name"] == "" and p_now_s - since < NAME_PATIENCE_S:
 		return
 	if POSES.any(func(p_type: int) -> bool: return types.has(p_type)):
 		var source: MvnSource = MvnSource.new(receiver, number, unit_m)
-		source.note(p_figures)
+		source.note(p_stats)
 		people[number] = source
-		appeared.emit(source, p_figures["name"])
+		appeared.emit(source, p_stats["name"])
 	elif types.has(23) and not trackers.has(number) and p_now_s - since >= NAME_PATIENCE_S:
 		var feed: MvnTrackerFeed = MvnTrackerFeed.new(receiver, number)
-		feed.note(p_figures)
+		feed.note(p_stats)
 		trackers[number] = feed
-		trackers_appeared.emit(feed, p_figures["name"])
+		trackers_appeared.emit(feed, p_stats["name"])
 
 
 func _forget_gone() -> void:
-	var here: Array = characters.map(func(p_figures: Dictionary) -> int: return p_figures["number"])
+	var here: Array = characters.map(func(p_stats: Dictionary) -> int: return p_stats["number"])
 	for number: int in people.keys():
 		if not here.has(number):
 			var source: MvnSource = people[number]

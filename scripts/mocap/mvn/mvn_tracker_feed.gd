@@ -15,7 +15,7 @@ var _mutex: Mutex = Mutex.new()
 var _sensors: Array[SensorInfo] = []
 var _places: Dictionary[int, int] = {}
 var _heard_usec: PackedInt64Array = PackedInt64Array()
-var _figures: Dictionary = {}
+var _stats: Dictionary = {}
 
 
 func _init(p_receiver: MvnReceiver = null, p_character: int = 0) -> void:
@@ -24,9 +24,9 @@ func _init(p_receiver: MvnReceiver = null, p_character: int = 0) -> void:
 
 
 ## Takes what is known of the stream of this person, see [method MvnReceiver.get_characters].
-func note(p_figures: Dictionary) -> void:
+func note(p_stats: Dictionary) -> void:
 	_mutex.lock()
-	_figures = p_figures
+	_stats = p_stats
 	_mutex.unlock()
 
 
@@ -40,10 +40,10 @@ func list_sensors() -> Array[SensorInfo]:
 		info.state = SensorInfo.State.SILENT
 		if info.age_s < SILENT_S:
 			info.state = SensorInfo.State.MEASURING
-		info.rate_hz = _figures.get("rate_hz", 0.0)
-		info.trouble = _figures.get("trouble", "")
-		var counted: int = _figures.get("samples", 0) + _figures.get("lost", 0)
-		info.loss = float(_figures.get("lost", 0)) / counted if counted > 0 else 0.0
+		info.rate_hz = _stats.get("rate_hz", 0.0)
+		info.trouble = _stats.get("trouble", "")
+		var counted: int = _stats.get("samples", 0) + _stats.get("lost", 0)
+		info.loss = float(_stats.get("lost", 0)) / counted if counted > 0 else 0.0
 		sensors.append(info)
 	_mutex.unlock()
 	return sensors
@@ -59,7 +59,7 @@ func take_frames() -> Array[SensorFrame]:
 
 
 func describe() -> String:
-	return "%d trackers of MVN at %s" % [_sensors.size(), _figures.get("sender", "nobody yet")]
+	return "%d trackers of MVN at %s" % [_sensors.size(), _stats.get("sender", "nobody yet")]
 
 
 func _convert(p_sample: Dictionary) -> SensorFrame:

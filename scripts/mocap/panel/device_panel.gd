@@ -10,7 +10,7 @@ signal close_wanted
 ## A person's data changed: name, size, places or calibration. Who is the number of the suit.
 signal profile_changed(p_suit: int)
 
-## How often figures are written anew, s.
+## How often stats are written anew, s.
 const PERIOD_S: float = 0.2
 
 ## Where people's data are kept.
@@ -36,7 +36,7 @@ var _at: int = 0
 var _store: CalibrationStore = null
 var _boxes_view: SensorBoxesView = null
 var _figure_view: StickFigureView = null
-var _figures_due_s: float = 0.0
+var _stats_due_s: float = 0.0
 var _fault: String = ""
 
 
@@ -118,9 +118,9 @@ func _process(_delta: float) -> void:
 	_box.show_process(suit().process, suit().watch.messages())
 	if suit().process.phase == CalibrationProcess.Phase.IDLE and not suit().watch.swaps.is_empty():
 		_box.offer_exchange(suit().watch.swaps[0])
-	if _now_s() >= _figures_due_s:
-		_figures_due_s = _now_s() + PERIOD_S
-		_show_figures()
+	if _now_s() >= _stats_due_s:
+		_stats_due_s = _now_s() + PERIOD_S
+		_show_stats()
 
 
 func _input(p_event: InputEvent) -> void:
@@ -151,10 +151,10 @@ func _refresh() -> void:
 	list.selected = _at
 	_person.show_person(suit().get_profile(), _store.list())
 	_sheet.show_size(suit().get_body(), _fault if _sheet.visible else "")
-	_show_figures()
+	_show_stats()
 
 
-func _show_figures() -> void:
+func _show_stats() -> void:
 	var sensors: Array[SensorInfo] = suit().feed.list_sensors()
 	var places: PackedInt32Array = suit().get_profile().map.of_sensors(sensors)
 	var process: CalibrationProcess = suit().process

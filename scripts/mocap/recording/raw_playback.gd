@@ -79,10 +79,10 @@ func describe() -> String:
 
 
 func _tell_damage() -> void:
-	var figures: Dictionary = player.get_figures()
-	if figures["is_whole"]:
+	var stats: Dictionary = player.get_figures()
+	if stats["is_whole"]:
 		return
 	var keys: Array = ["damaged_bytes", "cut_bytes", "lost"]
-	var counts: Array = keys.map(func(p_key: String) -> int: return figures[p_key])
+	var counts: Array = keys.map(func(p_key: String) -> int: return stats[p_key])
 	var text: String = "%s is not whole: %d bytes damaged, %d cut off at its end, %d records lost"
 	Log.warning("mocap", text % ([_name] + counts))

@@ -33,7 +33,7 @@ enum Message {
 	## Server to client, reliable: what the session has to say, see [enum Notice].
 	CONTROL = 7,
 	## Client to server, fast path: how well it sees, see [StatsMessage].
-	FIGURES = 8,
+	STATS = 8,
 	## Trainee to server, reliable: whose motion it sends, see [PeopleMessage].
 	PEOPLE = 9,
 }
@@ -66,7 +66,7 @@ enum DisconnectReason {
 const KIND_MASK: int = 7
 ## Raised with every change of what is sent; a server refuses other versions.
 const VERSION: int = 3
-## First bytes of a challenge and of a greeting.
+## First bytes of a challenge and of a join request.
 const HELLO: String = "DSMT"
 ## UDP port of a server unless told otherwise.
 const DEFAULT_PORT: int = 7777

@@ -15,13 +15,13 @@ const _UNIT_MS: float = 0.1
 const _MAX: int = 65535
 
 
-## The bytes of figures: ms, ms, ms, frames per second.
+## The bytes of stats: ms, ms, ms, frames per second.
 static func encode(
 	p_median_ms: float, p_high_ms: float, p_behind_ms: float, p_frames: float
 ) -> PackedByteArray:
 	var bytes: PackedByteArray = PackedByteArray()
 	bytes.resize(SIZE)
-	bytes.encode_u8(0, Protocol.Message.FIGURES)
+	bytes.encode_u8(0, Protocol.Message.STATS)
 	var at: int = 1
 	for number: float in [
 		p_median_ms / _UNIT_MS, p_high_ms / _UNIT_MS, p_behind_ms / _UNIT_MS, p_frames
@@ -31,9 +31,9 @@ static func encode(
 	return bytes
 
 
-## The figures by the names that a status has, or an empty dictionary if it is no such packet.
+## The stats by the names that a status has, or an empty dictionary if it is no such packet.
 static func decode(p_bytes: PackedByteArray) -> Dictionary:
-	if p_bytes.size() != SIZE or p_bytes[0] != Protocol.Message.FIGURES:
+	if p_bytes.size() != SIZE or p_bytes[0] != Protocol.Message.STATS:
 		return {}
 	return {
 		"display_latency_ms_p50": p_bytes.decode_u16(1) * _UNIT_MS,

@@ -9,40 +9,40 @@ signal changed
 var _api: SceneMultiplayer = null
 var _peer: ThreadedPeer = null
 var _rules: ServerRules = null
-var _book: SessionTable = null
-var _door: Admission = null
+var _sessions: SessionTable = null
+var _admission: Admission = null
 
 
 ## Takes over who arrives over an API, whose peer is given.
 func _init(
-	p_api: SceneMultiplayer, p_peer: ThreadedPeer, p_rules: ServerRules, p_book: SessionTable
+	p_api: SceneMultiplayer, p_peer: ThreadedPeer, p_rules: ServerRules, p_sessions: SessionTable
 ) -> void:
 	_api = p_api
 	_peer = p_peer
 	_rules = p_rules
-	_book = p_book
-	_door = Admission.new(p_rules, p_book)
+	_sessions = p_sessions
+	_admission = Admission.new(p_rules, p_sessions)
 	# The door has its own patience: the API would send away those who wait for an instructor.
 	_api.auth_timeout = 0.0
-	_api.auth_callback = _on_greeting
+	_api.auth_callback = _on_join_request
 	_api.peer_authenticating.connect(_on_arriving)
 	_api.peer_authentication_failed.connect(_on_turned_away)
 
 
 ## Those who wait for an instructor, as rows of [method ServerLink.roster].
 func rows() -> Array[Dictionary]:
-	return _door.rows()
+	return _admission.rows()
 
 
 ## Somebody has come in.
 func forget(p_peer: int) -> void:
-	_door.forget(p_peer)
+	_admission.forget(p_peer)
 
 
 ## Sends those away who take too long, at a time of [method Time.get_ticks_usec].
 func look_after(p_now_usec: int) -> void:
-	for peer: int in _door.overdue(p_now_usec):
-		_door.forget(peer)
+	for peer: int in _admission.overdue(p_now_usec):
+		_admission.forget(peer)
 		_on_turned_away(peer)
 		if _api.get_authenticating_peers().has(peer):
 			_api.disconnect_peer(peer)
@@ -50,23 +50,23 @@ func look_after(p_now_usec: int) -> void:
 
 ## Lets somebody in who waits, by the peer's id. Returns why not, or an empty text.
 func admit(p_peer: int) -> String:
-	var visitor: Admission.PendingPeer = _door.find(p_peer)
-	if visitor == null or not visitor.waits:
+	var pending: Admission.PendingPeer = _admission.find(p_peer)
+	if pending == null or not pending.waits:
 		return "nobody waits under the number %d" % p_peer
-	if _book.all().size() >= _rules.max_clients:
+	if _sessions.all().size() >= _rules.max_clients:
 		return "the server is full (%d clients)" % _rules.max_clients
-	_door.admit(visitor, Time.get_ticks_usec())
-	_welcome(visitor)
+	_admission.admit(pending, Time.get_ticks_usec())
+	_welcome(pending)
 	_tell_places()
 	return ""
 
 
 ## Refuses somebody who waits, by the peer's id. Returns why not, or an empty text.
 func refuse(p_peer: int, p_why: String) -> String:
-	var visitor: Admission.PendingPeer = _door.find(p_peer)
-	if visitor == null or not visitor.waits:
+	var pending: Admission.PendingPeer = _admission.find(p_peer)
+	if pending == null or not pending.waits:
 		return "nobody waits under the number %d" % p_peer
-	_door.refuse(visitor, p_why, Time.get_ticks_usec())
+	_admission.refuse(pending, p_why, Time.get_ticks_usec())
 	_api.send_auth(p_peer, JoinReply.refusal(p_why, false))
 	_tell_places()
 	return ""
@@ -74,55 +74,55 @@ func refuse(p_peer: int, p_why: String) -> String:
 
 func _on_arriving(p_peer: int) -> void:
 	var now: int = Time.get_ticks_usec()
-	_api.send_auth(p_peer, _door.arrive(p_peer, _peer.address_of(p_peer), now))
+	_api.send_auth(p_peer, _admission.arrive(p_peer, _peer.address_of(p_peer), now))
 
 
-func _on_greeting(p_peer: int, p_bytes: PackedByteArray) -> void:
+func _on_join_request(p_peer: int, p_bytes: PackedByteArray) -> void:
 	var now: int = Time.get_ticks_usec()
-	var verdict: Admission.Verdict = _door.judge(p_peer, p_bytes, now)
-	var visitor: Admission.PendingPeer = _door.find(p_peer)
+	var verdict: Admission.Verdict = _admission.judge(p_peer, p_bytes, now)
+	var pending: Admission.PendingPeer = _admission.find(p_peer)
 	match verdict:
 		Admission.Verdict.WELCOME:
-			if visitor.replaced_peer != 0:
-				_peer.dismiss(visitor.replaced_peer, Protocol.DisconnectReason.REPLACED)
-			_welcome(visitor)
+			if pending.replaced_peer != 0:
+				_peer.dismiss(pending.replaced_peer, Protocol.DisconnectReason.REPLACED)
+			_welcome(pending)
 		Admission.Verdict.REFUSED:
-			var parts: Array = [visitor.address, visitor.why]
-			Log.limited("net", "greeting", "refused a client from %s: %s" % parts)
-			visitor.since_usec = now
-			_api.send_auth(p_peer, JoinReply.refusal(visitor.why, visitor.later))
+			var parts: Array = [pending.address, pending.why]
+			Log.limited("net", "join request", "refused a client from %s: %s" % parts)
+			pending.since_usec = now
+			_api.send_auth(p_peer, JoinReply.refusal(pending.why, pending.later))
 		Admission.Verdict.WAIT:
-			var parts: Array = [visitor.greeting.name, visitor.address, p_peer]
+			var parts: Array = [pending.request.name, pending.address, p_peer]
 			Log.info("net", "'%s' from %s waits to be admitted (%d)" % parts)
 			_peer.keep(p_peer)
 			_tell_places()
 
 
-func _welcome(p_visitor: Admission.PendingPeer) -> void:
-	var session: Session = p_visitor.session
-	_peer.welcome(p_visitor.peer, session.role == Protocol.Role.INSTRUCTOR)
-	var said: Array[PackedByteArray] = [p_visitor.challenge, p_visitor.greeting.whole()]
+func _welcome(p_pending: Admission.PendingPeer) -> void:
+	var session: Session = p_pending.session
+	_peer.welcome(p_pending.peer, session.role == Protocol.Role.INSTRUCTOR)
+	var said: Array[PackedByteArray] = [p_pending.challenge, p_pending.request.whole()]
 	var key: PackedByteArray = _rules.key_of(session.role)
-	_api.send_auth(p_visitor.peer, JoinReply.welcome(session.id, session.token, key, said))
-	_api.complete_auth(p_visitor.peer)
+	_api.send_auth(p_pending.peer, JoinReply.welcome(session.id, session.token, key, said))
+	_api.complete_auth(p_pending.peer)
 
 
 ## Somebody went before coming in.
 func _on_turned_away(p_peer: int) -> void:
-	var visitor: Admission.PendingPeer = _door.find(p_peer)
-	_door.forget(p_peer)
-	var session: Session = _book.of_peer(p_peer)
+	var pending: Admission.PendingPeer = _admission.find(p_peer)
+	_admission.forget(p_peer)
+	var session: Session = _sessions.of_peer(p_peer)
 	if session != null and session.was_here:
-		_book.detach(session, Time.get_ticks_usec())
+		_sessions.detach(session, Time.get_ticks_usec())
 	elif session != null:
-		_book.close(session)
-	if visitor != null and visitor.waits:
+		_sessions.close(session)
+	if pending != null and pending.waits:
 		_tell_places()
 
 
 func _tell_places() -> void:
 	var place: int = 0
-	for visitor: Admission.PendingPeer in _door.waiting():
+	for pending: Admission.PendingPeer in _admission.waiting():
 		place += 1
-		_api.send_auth(visitor.peer, JoinReply.wait(place))
+		_api.send_auth(pending.peer, JoinReply.wait(place))
 	changed.emit()

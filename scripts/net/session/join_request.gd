@@ -9,7 +9,7 @@ extends RefCounted
 
 ## Bytes of a token.
 const TOKEN_SIZE: int = 16
-## Least and most bytes of a greeting.
+## Least and most bytes of a join request.
 const MIN_SIZE: int = 8
 ## See [constant MIN_SIZE].
 const MAX_SIZE: int = 512
@@ -26,7 +26,7 @@ var version: int = Protocol.VERSION
 var token: PackedByteArray = PackedByteArray()
 ## Never the same twice.
 var nonce: PackedByteArray = PackedByteArray()
-## Why it is no greeting, or an empty text.
+## Why it is no join request, or an empty text.
 var error: String = ""
 
 var _signed: PackedByteArray = PackedByteArray()
@@ -48,11 +48,11 @@ func encode(p_challenge: PackedByteArray, p_key: PackedByteArray) -> PackedByteA
 	return _signed + _proof
 
 
-## What a client says; [member error] tells if it is no greeting.
+## What a client says; [member error] tells if it is no join request.
 static func decode(p_bytes: PackedByteArray) -> JoinRequest:
-	var greeting: JoinRequest = JoinRequest.new()
-	greeting.error = greeting._read(p_bytes)
-	return greeting
+	var request: JoinRequest = JoinRequest.new()
+	request.error = request._read(p_bytes)
+	return request
 
 
 ## Whether the client has proven that it knows the key.
@@ -68,9 +68,9 @@ func whole() -> PackedByteArray:
 
 func _read(p_bytes: PackedByteArray) -> String:
 	if p_bytes.size() < MIN_SIZE or p_bytes.size() > MAX_SIZE:
-		return "the greeting has %d bytes" % p_bytes.size()
+		return "the join request has %d bytes" % p_bytes.size()
 	if p_bytes.slice(0, 4) != Protocol.HELLO.to_ascii_buffer():
-		return "the greeting is not in Dismount's form"
+		return "the join request is not in Dismount's form"
 	var reader: ByteReader = ByteReader.new(p_bytes, 4)
 	version = reader.read_u32()
 	if version != Protocol.VERSION:
@@ -84,9 +84,9 @@ func _read(p_bytes: PackedByteArray) -> String:
 	_signed = p_bytes.slice(0, p_bytes.size() - reader.left())
 	_proof = reader.read_bytes(PasswordKey.SIZE)
 	if not reader.is_complete():
-		return "the greeting is broken"
+		return "the join request is broken"
 	if wanted_role >= Protocol.Role.size():
-		return "the greeting asks for an unknown role"
+		return "the join request asks for an unknown role"
 	role = wanted_role as Protocol.Role
 	name = name if name != "" else "nobody"
 	if token.count(0) == TOKEN_SIZE:

@@ -11,21 +11,21 @@ var _next_id: int = 1
 
 
 ## A new session.
-func open(p_greeting: JoinRequest, p_peer: int, p_address: String) -> Session:
+func open(p_request: JoinRequest, p_peer: int, p_address: String) -> Session:
 	var session: Session = Session.new()
 	session.id = _next_id
 	_next_id = _next_id % 0x7FFFFFFF + 1
-	session.role = p_greeting.role
-	session.name = p_greeting.name
+	session.role = p_request.role
+	session.name = p_request.name
 	session.token = Crypto.new().generate_random_bytes(JoinRequest.TOKEN_SIZE)
 	_sessions[session.id] = session
-	attach(session, p_greeting, p_peer, p_address)
+	attach(session, p_request, p_peer, p_address)
 	return session
 
 
 ## Ties a session to a connection.
-func attach(p_session: Session, p_greeting: JoinRequest, p_peer: int, p_address: String) -> void:
-	p_session.rate = p_greeting.rate
+func attach(p_session: Session, p_request: JoinRequest, p_peer: int, p_address: String) -> void:
+	p_session.rate = p_request.rate
 	p_session.peer = p_peer
 	p_session.address = p_address
 	p_session.is_here = false

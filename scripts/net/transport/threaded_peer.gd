@@ -46,7 +46,7 @@ var _address: String = ""
 var _status: MultiplayerPeer.ConnectionStatus = CONNECTION_DISCONNECTED
 var _addresses: Dictionary[int, String] = {}
 var _leaving: Dictionary[int, bool] = {}
-var _goodbyes: Dictionary[int, int] = {}
+var _reasons: Dictionary[int, int] = {}
 var _events: Array[TransportEvent] = []
 var _next_event: int = 0
 var _waiting: Array[TransportEvent] = []
@@ -96,10 +96,10 @@ func create_client(p_host: String, p_port: int) -> Error:
 
 
 ## Ends everything and says why: a [enum Protocol.DisconnectReason]. Takes 0.3 s at most.
-func close_with(p_goodbye: int) -> void:
+func close_with(p_reason: int) -> void:
 	if _thread == null:
 		return
-	_thread.stop(p_goodbye)
+	_thread.stop(p_reason)
 	_thread = null
 	_status = CONNECTION_DISCONNECTED
 	_addresses.clear()
@@ -111,9 +111,9 @@ func close_with(p_goodbye: int) -> void:
 
 
 ## Ends a connection after what is still to be sent, and says why: a [enum Protocol.DisconnectReason].
-func dismiss(p_peer: int, p_goodbye: int) -> void:
+func dismiss(p_peer: int, p_reason: int) -> void:
 	if _thread != null:
-		_thread.disconnect_peer(p_peer, false, p_goodbye)
+		_thread.disconnect_peer(p_peer, false, p_reason)
 
 
 ## Sends a datagram over the fast path, from any thread; it leaves within [member wait_ms]. To one
@@ -172,14 +172,14 @@ func address_of(p_peer: int) -> String:
 
 
 ## Why a connection ended: a [enum Protocol.DisconnectReason]. Valid while the signal is told.
-func goodbye_of(p_peer: int) -> int:
-	return _goodbyes.get(p_peer, Protocol.DisconnectReason.LOST)
+func reason_of(p_peer: int) -> int:
+	return _reasons.get(p_peer, Protocol.DisconnectReason.LOST)
 
 
-## Figures of the thread: sent_bytes, received_bytes, errors, dropped and more since the start, and
+## Stats of the thread: sent_bytes, received_bytes, errors, dropped and more since the start, and
 ## for each of the peers its round_trip_ms and loss.
-func figures() -> Dictionary:
-	return _thread.mailbox.figures() if _thread != null else {}
+func stats() -> Dictionary:
+	return _thread.mailbox.stats() if _thread != null else {}
 
 
 func _poll() -> void:
@@ -196,7 +196,7 @@ func _poll() -> void:
 	if _events.is_empty() and stands and not runs:
 		_revive()
 		return
-	_goodbyes.clear()
+	_reasons.clear()
 	while _next_event < _events.size():
 		var event: TransportEvent = _events[_next_event]
 		# What somebody said last is read before the connection is over.
@@ -218,7 +218,7 @@ func _take(p_event: TransportEvent) -> void:
 		TransportEvent.Kind.GONE:
 			_leaving.erase(p_event.peer)
 			if _addresses.erase(p_event.peer):
-				_goodbyes[p_event.peer] = p_event.code
+				_reasons[p_event.peer] = p_event.code
 				if _unique_id != TARGET_PEER_SERVER:
 					_status = CONNECTION_DISCONNECTED
 				peer_disconnected.emit(p_event.peer)

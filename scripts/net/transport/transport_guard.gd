@@ -3,7 +3,7 @@ extends RefCounted
 ## What a server lets through of what clients send, and how much of it.
 ##
 ## Godot's [SceneMultiplayer] reports an engine error for nearly every packet that it does not
-## expect, so that any client could flood the log. It gets to see greetings of those who have not
+## expect, so that any client could flood the log. It gets to see join requests of those who have not
 ## been admitted, and plain bytes and remote calls of those who have. Nobody but the server spawns
 ## or synchronizes.
 
@@ -59,7 +59,7 @@ func judge_fast(p_from: TransportConnection, p_bytes: PackedByteArray) -> Verdic
 	if rate != Verdict.PASS:
 		return rate
 	if p_from.stage != TransportConnection.Stage.ADMITTED:
-		# It may have overtaken what says that the greeting is complete.
+		# It may have overtaken what says that the join request is complete.
 		return Verdict.IGNORE
 	if p_bytes.is_empty() or p_bytes.size() > Protocol.MAX_DATAGRAM:
 		return _drop("size", "sent a fast datagram of %d bytes" % p_bytes.size())
@@ -86,7 +86,7 @@ func judge(p_from: TransportConnection, p_bytes: PackedByteArray) -> Verdict:
 		return _drop("command", "sent %d bytes of no use (%d)" % [p_bytes.size(), command])
 	if p_bytes.size() > 2:
 		return Verdict.PASS
-	# An empty greeting says that the client has taken in that it is welcome.
+	# An empty join request says that the client has taken in that it is welcome.
 	if p_from.stage != TransportConnection.Stage.WELCOMED:
 		return _drop("command", "takes itself for welcome")
 	p_from.stage = TransportConnection.Stage.ADMITTED

@@ -14,7 +14,7 @@ var _mutex: Mutex = Mutex.new()
 var _orders: Array[Array] = []
 var _events: Array[TransportEvent] = []
 var _fast: Array[FastPacket] = []
-var _figures: Dictionary = {}
+var _stats: Dictionary = {}
 var _trouble: int = 0
 var _taken: int = 0
 var _dropped: int = 0
@@ -62,10 +62,10 @@ func hand_over(p_events: Array[TransportEvent], p_fast: Array[FastPacket]) -> in
 	return taken
 
 
-## For the thread: publishes figures.
-func publish(p_figures: Dictionary) -> void:
+## For the thread: publishes stats.
+func publish(p_stats: Dictionary) -> void:
 	_mutex.lock()
-	_figures = p_figures
+	_stats = p_stats
 	_mutex.unlock()
 
 
@@ -89,10 +89,10 @@ func take_fast() -> Array[FastPacket]:
 	return fast
 
 
-## The newest figures of the thread; with how much was dropped because nobody took it.
-func figures() -> Dictionary:
+## The newest stats of the thread; with how much was dropped because nobody took it.
+func stats() -> Dictionary:
 	_mutex.lock()
-	var figures: Dictionary = _figures.duplicate()
-	figures["dropped"] = _dropped
+	var stats: Dictionary = _stats.duplicate()
+	stats["dropped"] = _dropped
 	_mutex.unlock()
-	return figures
+	return stats

@@ -18,7 +18,7 @@ const _MAX_WAITING_BYTES: int = 32 << 20
 const _HOUSEKEEPING_USEC: int = 100000
 ## Errors without any success for so long mean that the host is dead, µs.
 const _DEAD_USEC: int = 500000
-const _GOODBYE_MS: int = 300
+const _LINGER_MS: int = 300
 ## With more events than so many in [constant _HOUSEKEEPING_USEC] the thread takes pauses and then
 ## takes in all that has come meanwhile: waking up costs more than what there is to do.
 const _BUSY_EVENTS: int = 60
@@ -54,7 +54,7 @@ var _handed_usec: int = 0
 var _handed_period_usec: int = 0
 var _beacons: int = 0
 var _beacon_usec: int = 0
-var _goodbye: int = 0
+var _reason: int = 0
 
 
 ## Opens a port. Without a guard there is no limit to what is let through.
@@ -80,11 +80,11 @@ func is_running() -> bool:
 	return _thread.is_started() and _thread.is_alive()
 
 
-## Says goodbye to everybody, ends the thread and closes the port. Takes 0.3 s at most.
-func stop(p_goodbye: int) -> void:
+## Says reason to everybody, ends the thread and closes the port. Takes 0.3 s at most.
+func stop(p_reason: int) -> void:
 	if not _thread.is_started():
 		return
-	mailbox.post([_order_close, [p_goodbye]], true)
+	mailbox.post([_order_close, [p_reason]], true)
 	_thread.wait_to_finish()
 	_host = null
 
@@ -147,11 +147,9 @@ func _run() -> void:
 			_busy = _recent_events > _BUSY_EVENTS
 			_recent_events = 0
 			_keep_house(now)
-			var figures: Dictionary = {
-				"peers": _describe_peers(), "cpu_usec": ThreadClock.get_usec()
-			}
-			figures.merge(_counts)
-			mailbox.publish(figures)
+			var stats: Dictionary = {"peers": _describe_peers(), "cpu_usec": ThreadClock.get_usec()}
+			stats.merge(_counts)
+			mailbox.publish(stats)
 		var taken: int = mailbox.hand_over(_events, _fast)
 		_events.clear()
 		_fast.clear()
@@ -163,7 +161,7 @@ func _run() -> void:
 			for id: int in _connections:
 				_connections[id].waiting = 0
 	mailbox.hand_over(_events, _fast)
-	_say_goodbye()
+	_disconnect_everybody()
 	_host.destroy()
 
 
@@ -314,16 +312,16 @@ func _order_keep(p_id: int) -> void:
 		_connections[p_id].kept = true
 
 
-func _order_close(p_goodbye: int) -> void:
-	_goodbye = p_goodbye
+func _order_close(p_reason: int) -> void:
+	_reason = p_reason
 	_closing = true
 
 
-func _say_goodbye() -> void:
+func _disconnect_everybody() -> void:
 	for id: int in _connections:
 		if _connections[id].remote.is_active():
-			_connections[id].remote.peer_disconnect_later(_goodbye)
-	var limit: int = Time.get_ticks_msec() + _GOODBYE_MS
+			_connections[id].remote.peer_disconnect_later(_reason)
+	var limit: int = Time.get_ticks_msec() + _LINGER_MS
 	while not _connections.is_empty() and Time.get_ticks_msec() < limit:
 		var event: Array = _host.service(5)
 		if event[0] == ENetConnection.EVENT_DISCONNECT:

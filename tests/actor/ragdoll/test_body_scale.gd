@@ -1,7 +1,7 @@
 extends TestCase
 ## The soldier's body in the sizes of other people: skeleton, bodies, skin.
 
-const RestSamples: GDScript = preload("figure_samples.gd")
+const RestSamples: GDScript = preload("rest_samples.gd")
 const SOLDIER: PackedScene = preload("res://scenes/actor/soldier.tscn")
 const ROUNDS: int = 12
 

@@ -1,7 +1,7 @@
 extends TestCase
 ## Bodies from skeleton and mesh: of the soldier, and of characters with any axes and scale.
 
-const Figures: GDScript = preload("figure_samples.gd")
+const Stats: GDScript = preload("rest_samples.gd")
 const FastPhysics: GDScript = preload("fast_physics.gd")
 const Stage: GDScript = preload("stage.gd")
 const AVATAR: PackedScene = preload("res://assets/avatar/soldier.glb")
@@ -68,13 +68,13 @@ func test_half_the_size_is_half_of_everything() -> void:
 
 
 func test_axes_and_scale_of_the_skeleton_do_not_matter() -> void:
-	_person = Figures.make(Figures.Kind.new())
+	_person = Stats.make(Stats.Kind.new())
 	var plain: RagdollProfile = SkeletonShapes.describe(_person.get_skeleton())
 	equal(plain.find_fault(), "")
-	almost_equal(plain.find(&"LeftUpperArm").radius, Figures.RADIUS, 0.003)
+	almost_equal(plain.find(&"LeftUpperArm").radius, Stats.RADIUS, 0.003)
 	for seed_of_axes: int in [1, 2]:
 		_person.free()
-		_person = Figures.make(_odd(seed_of_axes))
+		_person = Stats.make(_odd(seed_of_axes))
 		var made: RagdollProfile = SkeletonShapes.describe(_person.get_skeleton())
 		equal(made.find_fault(), "")
 		for i: int in Limbs.COUNT:
@@ -90,7 +90,7 @@ func test_axes_and_scale_of_the_skeleton_do_not_matter() -> void:
 
 func test_a_character_in_centimetres_is_driven() -> void:
 	FastPhysics.start()
-	_person = Figures.make(_odd(3))
+	_person = Stats.make(_odd(3))
 	add_child(_person)
 	_person.make_bodies()
 	equal(_person._find_obstacles(), PackedStringArray())
@@ -115,9 +115,9 @@ func test_a_character_in_centimetres_is_driven() -> void:
 
 
 func test_without_a_skin_a_body_is_an_average_one() -> void:
-	var kind: Figures.Kind = Figures.Kind.new()
+	var kind: Stats.Kind = Stats.Kind.new()
 	kind.has_skin = false
-	_person = Figures.make(kind)
+	_person = Stats.make(kind)
 	_person.make_bodies()
 	equal(_person.profile.find_fault(), "")
 	equal(RagdollBuilder.overlaps(_person.profile), [] as Array[Array])
@@ -161,7 +161,7 @@ func test_faults_of_characters_say_what_to_do() -> void:
 		func(armature: Node3D) -> void: armature.scale = Vector3(1, 1, 1.5),
 	}
 	for text: String in cases:
-		_person = Figures.make(Figures.Kind.new())
+		_person = Stats.make(Stats.Kind.new())
 		cases[text].call(_person.get_child(0))
 		expect_error(text)
 		_person.make_bodies()
@@ -171,8 +171,8 @@ func test_faults_of_characters_say_what_to_do() -> void:
 	_person = null
 
 
-static func _odd(p_seed: int) -> Figures.Kind:
-	var kind: Figures.Kind = Figures.Kind.new()
+static func _odd(p_seed: int) -> Stats.Kind:
+	var kind: Stats.Kind = Stats.Kind.new()
 	kind.unit = 0.01
 	kind.is_z_up = true
 	kind.axes = p_seed

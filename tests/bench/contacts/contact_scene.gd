@@ -1,10 +1,10 @@
 class_name ContactScene
 extends RefCounted
-## A scripted physical scene: makes worlds, plays in them and reports figures.
+## A scripted physical scene: makes worlds, plays in them and reports stats.
 
 ## The tree that worlds are added to.
 var tree: SceneTree = null
-## Where figures go.
+## Where stats go.
 var report: BenchReport = null
 ## Ticks a second.
 var hz: int = 60
@@ -40,7 +40,7 @@ func name_case(p_scene: String, p_performer: ContactPerformer) -> String:
 	return "%s, %s, %s, %d Hz" % [p_scene, p_performer.name, mode, hz]
 
 
-## Reports the energy of a world, and where it tells of more than the figures of the scene: the
+## Reports the energy of a world, and where it tells of more than the stats of the scene: the
 ## highest speed and the widest gap of a joint.
 func add_bounds(p_case: String, p_world: ContactWorld, p_all: bool) -> void:
 	if p_all:

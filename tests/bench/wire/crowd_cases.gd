@@ -28,7 +28,7 @@ const ALONE: Array[Array] = [
 ]
 
 
-## Runs all cases and adds their figures to a report.
+## Runs all cases and adds their stats to a report.
 func run(
 	p_report: BenchReport, p_sources: Array[BvhSource], p_people: int, p_crates: int, p_s: float
 ) -> void:

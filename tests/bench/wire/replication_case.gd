@@ -5,7 +5,7 @@ extends RefCounted
 const MovingWorld: GDScript = preload("moving_world.gd")
 const CLIENT: int = 1
 
-## Figures of the case.
+## Stats of the case.
 var bits: int = 0
 ## The same without headers of UDP, IP and ENet.
 var payload_bits: int = 0

@@ -148,7 +148,7 @@ func test_a_file_holds_a_line_for_each_sample_and_can_be_read_again() -> void:
 	equal(lines[0], ",".join(LatencyMark.COLUMNS))
 	is_true(lines[1].ends_with("18.000"))
 	var again: LatencyProbe = LatencyReader.read(_file)
-	equal(again.figures(), _probe.figures())
+	equal(again.stats(), _probe.stats())
 
 
 func test_a_file_that_is_none_is_refused() -> void:

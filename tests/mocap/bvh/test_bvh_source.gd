@@ -14,13 +14,13 @@ func test_samples_are_valid_and_the_loop_has_no_seam() -> void:
 		var source: BvhSource = BvhSource.new()
 		source.open(FOLDER + file)
 		equal(source.error, "", file)
-		var figures: Dictionary = _play_two_rounds(source)
-		equal(figures["fault"], "", file)
+		var stats: Dictionary = _play_two_rounds(source)
+		equal(stats["fault"], "", file)
 		# The clips themselves have a few unsteady feet and hands.
-		is_true(figures["any_deg"] < 60.0, "%s turns by %f deg" % [file, figures["any_deg"]])
-		is_true(figures["seam_deg"] < 25.0, "%s turns by %f deg" % [file, figures["seam_deg"]])
-		is_true(figures["any_m"] < 0.3, "%s jumps by %f m" % [file, figures["any_m"]])
-		is_true(figures["any_deg"] > 1.0 and figures["any_m"] > 0.001, "%s is still" % file)
+		is_true(stats["any_deg"] < 60.0, "%s turns by %f deg" % [file, stats["any_deg"]])
+		is_true(stats["seam_deg"] < 25.0, "%s turns by %f deg" % [file, stats["seam_deg"]])
+		is_true(stats["any_m"] < 0.3, "%s jumps by %f m" % [file, stats["any_m"]])
+		is_true(stats["any_deg"] > 1.0 and stats["any_m"] > 0.001, "%s is still" % file)
 
 
 func test_half_a_turn_at_the_seam() -> void:
@@ -31,8 +31,8 @@ func test_half_a_turn_at_the_seam() -> void:
 			person.frames.append({"Hips": Quaternion(Vector3.UP, end * i / 180.0)})
 		var source: BvhSource = BvhSource.new()
 		source.use(People.make(person))
-		var figures: Dictionary = _play_two_rounds(source)
-		is_true(figures["any_deg"] < 25.0, "%f: by %f deg" % [end, figures["any_deg"]])
+		var stats: Dictionary = _play_two_rounds(source)
+		is_true(stats["any_deg"] < 25.0, "%f: by %f deg" % [end, stats["any_deg"]])
 
 
 func test_rest_pose_before_the_motion_is_left_out() -> void:
@@ -159,19 +159,19 @@ func _walk() -> BvhSource:
 ## time and where a round passes into the next.
 func _play_two_rounds(p_source: BvhSource) -> Dictionary:
 	var before: PoseSample = null
-	var figures: Dictionary = {"fault": "", "any_deg": 0.0, "seam_deg": 0.0, "any_m": 0.0}
+	var stats: Dictionary = {"fault": "", "any_deg": 0.0, "seam_deg": 0.0, "any_m": 0.0}
 	var round_s: float = p_source.rig.clip.duration() - BvhSource.BLEND_S
 	for step: int in int(round_s * 2.2 * 60.0):
 		var sample: PoseSample = p_source.sample(BEGIN_USEC + step * STEP_USEC)
-		if figures["fault"] == "":
-			figures["fault"] = sample.find_fault()
+		if stats["fault"] == "":
+			stats["fault"] = sample.find_fault()
 		if before != null:
-			figures["any_m"] = maxf(figures["any_m"], sample.root.distance_to(before.root))
+			stats["any_m"] = maxf(stats["any_m"], sample.root.distance_to(before.root))
 			var seam: bool = step < 3 or fposmod(step / 60.0 + 0.1, round_s) < 0.7
 			for limb: int in Limbs.COUNT:
 				var turn: float = sample.orientation(limb).angle_to(before.orientation(limb))
-				figures["any_deg"] = maxf(figures["any_deg"], rad_to_deg(turn))
+				stats["any_deg"] = maxf(stats["any_deg"], rad_to_deg(turn))
 				if seam:
-					figures["seam_deg"] = maxf(figures["seam_deg"], rad_to_deg(turn))
+					stats["seam_deg"] = maxf(stats["seam_deg"], rad_to_deg(turn))
 		before = sample
-	return figures
+	return stats

@@ -87,15 +87,15 @@ func test_greeting() -> void:
 	sent.name = "Adä😀"
 	var good: PackedByteArray = sent.encode(PackedByteArray([1]), PackedByteArray([2]))
 	for _round: int in ROUNDS:
-		var greeting: JoinRequest = JoinRequest.decode(_hostile(good))
-		if greeting.error != "":
-			_is_reason(greeting.error)
+		var request: JoinRequest = JoinRequest.decode(_hostile(good))
+		if request.error != "":
+			_is_reason(request.error)
 			continue
 		_accepted += 1
-		if greeting.name == "" or greeting.name.length() > 32:
-			fail("'%s'" % greeting.name)
-		if greeting.role < 0 or greeting.role >= Protocol.Role.size():
-			fail("role %d" % greeting.role)
+		if request.name == "" or request.name.length() > 32:
+			fail("'%s'" % request.name)
+		if request.role < 0 or request.role >= Protocol.Role.size():
+			fail("role %d" % request.role)
 	_check_mixture()
 
 

@@ -1,5 +1,5 @@
 extends TestCase
-## What is said at the door: challenge, greeting, answer, and what each proves.
+## What is said at the door: challenge, join request, answer, and what each proves.
 
 ## Of "dismount:secret", salt 0 to 15, 1000 rounds, by Python's hashlib.
 const PBKDF2: String = "94ac395a81efc7218dd58e25107df9bc193996263888f17db1330cd75fc52f79"
@@ -11,11 +11,11 @@ var _key: PackedByteArray = PasswordKey.derive("secret", _challenge.slice(13, 29
 func test_greeting_round_trip() -> void:
 	for name: String in ["Ada", "Größe 東京 😀", "x".repeat(32)]:
 		for role: Protocol.Role in Protocol.Role.values():
-			var greeting: JoinRequest = JoinRequest.decode(_encode(name, role))
-			equal(greeting.error, "")
-			equal([greeting.name, greeting.role, greeting.rate], [name, role, 30])
-			equal(greeting.version, Protocol.VERSION)
-			equal(greeting.token, PackedByteArray())
+			var request: JoinRequest = JoinRequest.decode(_encode(name, role))
+			equal(request.error, "")
+			equal([request.name, request.role, request.rate], [name, role, 30])
+			equal(request.version, Protocol.VERSION)
+			equal(request.token, PackedByteArray())
 
 
 func test_a_token_is_carried() -> void:
@@ -68,11 +68,11 @@ func test_foreign_bytes() -> void:
 
 
 func test_only_the_right_password_is_proven() -> void:
-	var greeting: JoinRequest = JoinRequest.decode(_encode("Ada"))
-	is_true(greeting.is_proven(_challenge, _key))
+	var request: JoinRequest = JoinRequest.decode(_encode("Ada"))
+	is_true(request.is_proven(_challenge, _key))
 	var other: PackedByteArray = PasswordKey.derive("Secret", _challenge.slice(13, 29), 100)
-	is_false(greeting.is_proven(_challenge, other), "another password")
-	is_false(greeting.is_proven(ServerRules.new().challenge().encode(), _key), "replayed")
+	is_false(request.is_proven(_challenge, other), "another password")
+	is_false(request.is_proven(ServerRules.new().challenge().encode(), _key), "replayed")
 
 
 func test_a_proof_covers_the_whole_greeting() -> void:
@@ -80,8 +80,8 @@ func test_a_proof_covers_the_whole_greeting() -> void:
 	for at: int in range(8, good.size(), 3):
 		var bad: PackedByteArray = good.duplicate()
 		bad[at] = bad[at] ^ 1
-		var greeting: JoinRequest = JoinRequest.decode(bad)
-		is_false(greeting.error == "" and greeting.is_proven(_challenge, _key), "byte %d" % at)
+		var request: JoinRequest = JoinRequest.decode(bad)
+		is_false(request.error == "" and request.is_proven(_challenge, _key), "byte %d" % at)
 
 
 func test_key_derivation_is_pbkdf2() -> void:
@@ -114,8 +114,8 @@ func test_a_broken_answer_is_no_welcome() -> void:
 
 
 func _encode(p_name: String, p_role: Protocol.Role = Protocol.Role.TRAINEE) -> PackedByteArray:
-	var greeting: JoinRequest = JoinRequest.new()
-	greeting.name = p_name
-	greeting.role = p_role
-	greeting.rate = 30
-	return greeting.encode(_challenge, _key)
+	var request: JoinRequest = JoinRequest.new()
+	request.name = p_name
+	request.role = p_role
+	request.rate = 30
+	return request.encode(_challenge, _key)

@@ -83,7 +83,7 @@ func test_guessing_is_slowed_down_and_keeps_nobody_out_who_comes_back() -> void:
 		late += 1 if end.loss.contains("too many wrong passwords") else 0
 	is_true(late >= 5, "%d of 12 were not even tried" % late)
 	_lose(good)
-	good.link.open("127.0.0.1", _pair.port, good.greeting, "sesame")
+	good.link.open("127.0.0.1", _pair.port, good.request, "sesame")
 	is_true(
 		_pair.until(func() -> bool: return good.joined == 2), "%s %s" % [good.loss, good.refusal]
 	)
@@ -112,7 +112,7 @@ func test_a_lost_client_comes_back_into_its_session() -> void:
 	var other: LinkPair.End = _pair.add(OBSERVER, "Bob")
 	is_true(_pair.until(func() -> bool: return other.refusal != ""))
 	contains(other.refusal, "full", "the place is kept")
-	end.link.open("127.0.0.1", _pair.port, end.greeting)
+	end.link.open("127.0.0.1", _pair.port, end.request)
 	is_true(_pair.until(func() -> bool: return _pair.returned.size() == 1))
 	equal([end.link.session, _pair.returned[0]], [session, session])
 	equal(_pair.joined.size(), 1, "joined once")
@@ -126,10 +126,10 @@ func test_a_token_that_is_guessed_opens_nothing() -> void:
 	_lose(end)
 	var thief: LinkPair.End = LinkPair.End.new()
 	_pair.ends.append(thief)
-	thief.greeting.role = TRAINEE
+	thief.request.role = TRAINEE
 	thief.link._token = Crypto.new().generate_random_bytes(16)
 	thief.link._token_of = "127.0.0.1:%d" % _pair.port
-	thief.link.open("127.0.0.1", _pair.port, thief.greeting)
+	thief.link.open("127.0.0.1", _pair.port, thief.request)
 	is_true(_pair.until(func() -> bool: return thief.joined == 1))
 	not_equal(thief.link.session, end.link.session)
 	equal(_pair.returned.size(), 0)
@@ -142,8 +142,8 @@ func test_a_new_connection_replaces_the_old() -> void:
 	_pair.ends.append(twin)
 	twin.link._token = end.link._token
 	twin.link._token_of = end.link._token_of
-	twin.greeting.role = TRAINEE
-	twin.link.open("127.0.0.1", _pair.port, twin.greeting)
+	twin.request.role = TRAINEE
+	twin.link.open("127.0.0.1", _pair.port, twin.request)
 	is_true(_pair.until(func() -> bool: return twin.joined == 1 and end.loss != ""))
 	is_true(_pair.until(func() -> bool: return _pair.returned.size() == 1))
 	equal(_pair.left.size(), 0)
@@ -154,12 +154,12 @@ func test_a_place_is_kept_for_a_minute_only() -> void:
 	_pair.listen()
 	var end: LinkPair.End = _pair.join(TRAINEE)
 	_lose(end)
-	var session: Session = _pair.server._book.find(_pair.lost[0])
+	var session: Session = _pair.server._sessions.find(_pair.lost[0])
 	session.lost_usec -= int(SessionTable.KEPT_S * 1e6) - 200000
 	_pair.run(0.05)
 	equal(_pair.left.size(), 0)
 	is_true(_pair.until(func() -> bool: return _pair.left.size() == 1, 1.0))
-	end.link.open("127.0.0.1", _pair.port, end.greeting)
+	end.link.open("127.0.0.1", _pair.port, end.request)
 	is_true(_pair.until(func() -> bool: return _pair.joined.size() == 2), "as somebody new")
 
 
@@ -293,7 +293,7 @@ func _make_node() -> Node:
 	return node
 
 
-## Cuts a client's connection without a goodbye.
+## Cuts a client's connection without a reason.
 func _lose(p_end: LinkPair.End) -> void:
 	p_end.link._peer.close_with(Protocol.DisconnectReason.LOST)
 	is_true(_pair.until(func() -> bool: return _pair.lost.size() == 1 and p_end.loss != ""))

@@ -39,7 +39,7 @@ func test_chosen_ids() -> void:
 		equal(host.get_peers()[0].is_active() if host.get_peers().size() > 0 else false, false)
 	_check_good()
 	equal(_pair.server.client_count(), 1)
-	equal(_pair.server.figures()["refused_ids"], 7)
+	equal(_pair.server.stats()["refused_ids"], 7)
 
 
 func test_a_client_that_never_acknowledges() -> void:
@@ -57,7 +57,7 @@ func test_a_client_that_takes_nothing_in() -> void:
 	var session: int = bad.link.session
 	# It acknowledges just enough for ENet, but never says that it has taken in what it was sent.
 	var api: SceneMultiplayer = _pair.server.api()
-	var peer: int = _pair.server._book.find(session).peer
+	var peer: int = _pair.server._sessions.find(session).peer
 	var connection: TransportConnection = _pair.server._peer._thread._connections[peer]
 	_pair.ends.erase(bad)
 	bad.link._peer._thread._server = true
@@ -69,13 +69,13 @@ func test_a_client_that_takes_nothing_in() -> void:
 		_pair.run(0.002)
 	is_true(_pair.until(func() -> bool: return _pair.left.has(session), 6.0))
 	is_true(connection.unreceipted > TransportConnection.MAX_UNRECEIPTED)
-	equal(_pair.server.figures()["thrown_out"], 1)
+	equal(_pair.server.stats()["thrown_out"], 1)
 	bad.link.close()
 	_check_good()
 
 
 func test_large_reliable_traffic_is_receipted() -> void:
-	var peer: int = _pair.server._book.find(_good.link.session).peer
+	var peer: int = _pair.server._sessions.find(_good.link.session).peer
 	var connection: TransportConnection = _pair.server._peer._thread._connections[peer]
 	for _world: int in 30:
 		_pair.server.send_world(NetSamples.world(_random, 2000, 8))
@@ -93,9 +93,9 @@ func test_repeated_and_swapped_datagrams() -> void:
 	relay.replays = true
 	relay.start(_pair.port)
 	var odd: LinkPair.End = LinkPair.End.new()
-	odd.greeting.role = TRAINEE
+	odd.request.role = TRAINEE
 	_pair.ends.append(odd)
-	odd.link.open("127.0.0.1", relay.port, odd.greeting)
+	odd.link.open("127.0.0.1", relay.port, odd.request)
 	is_true(_pair.until(func() -> bool: return odd.joined == 1, 8.0), odd.loss)
 	for _pose: int in 60:
 		odd.link.send_pose(PoseMessage.encode(NetSamples.pose(_random)))
@@ -111,7 +111,7 @@ func test_repeated_and_swapped_datagrams() -> void:
 func test_snapshots_that_are_none() -> void:
 	_stream.move()
 	var good: PackedByteArray = _stream.datagrams(99)[0]
-	var peer: int = _pair.server._book.find(_good.link.session).peer
+	var peer: int = _pair.server._sessions.find(_good.link.session).peer
 	var large: PackedByteArray = good.duplicate()
 	large.resize(60000)
 	for round: int in 100:
@@ -125,7 +125,7 @@ func test_snapshots_that_are_none() -> void:
 
 func test_engine_commands_do_not_harm_a_client() -> void:
 	# A hostile server may make the client's engine complain, but not more.
-	var peer: int = _pair.server._book.find(_good.link.session).peer
+	var peer: int = _pair.server._sessions.find(_good.link.session).peer
 	for round: int in 20:
 		_pair.server._peer.set_target_peer(peer)
 		_pair.server._peer.put_packet(PackedByteArray([3, _random.randi_range(0, 255), 1, 2]))

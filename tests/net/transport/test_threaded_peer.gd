@@ -148,7 +148,7 @@ func test_what_was_sent_last_arrives_before_the_end() -> void:
 			return client.get_connection_status() == MultiplayerPeer.CONNECTION_DISCONNECTED
 	)
 	equal(got.size(), 200)
-	equal(client.goodbye_of(1), int(Protocol.DisconnectReason.DISMISSED))
+	equal(client.reason_of(1), int(Protocol.DisconnectReason.DISMISSED))
 
 
 func test_a_forced_end_is_told_to_the_other_side_only() -> void:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Figures of benchmarks in Python, printed as tests/bench/bench_report.gd prints them."""
+"""Stats of benchmarks in Python, printed as tests/bench/bench_report.gd prints them."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import json
 HEADS = ("case", "metric", "value", "unit", "goal", "holds")
 
 
-class Figures:
+class Stats:
     """A table for people, or a JSON object a line for programs."""
 
     def __init__(self, bench: str, as_json: bool) -> None:
