@@ -125,12 +125,12 @@ func clear() -> void:
 
 ## Works out where everything is at a local time, s.
 func show(p_now_s: float) -> void:
-	_smoother.show(p_now_s)
+	_smoother.evaluate(p_now_s)
 
 
 ## The server's tick that is shown, with its fraction, or -1.
 func shown_tick() -> float:
-	return _smoother.shown_tick()
+	return _smoother.get_shown_tick()
 
 
 ## The server's ticks per second, or 0 while that is not known.

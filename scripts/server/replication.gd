@@ -101,7 +101,7 @@ func send(p_tick: int, p_now_usec: int) -> void:
 
 ## Stats of a client since it came, for a status; empty if it is not here.
 func stats_of(p_session: int) -> Dictionary:
-	var sent: Dictionary = _encoder.get_figures(p_session) if _clients.has(p_session) else {}
+	var sent: Dictionary = _encoder.get_stats(p_session) if _clients.has(p_session) else {}
 	if sent.is_empty():
 		return {}
 	var seconds: float = (Time.get_ticks_usec() - _since_usec[p_session]) / 1e6

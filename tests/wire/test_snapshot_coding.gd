@@ -29,7 +29,7 @@ func test_an_encoder_that_is_not_configured() -> void:
 	is_false(_encoder.take_ack(1, []))
 	_encoder.set_mark(1, 1, 1, [1, 2, 3])
 	equal(_encoder.encode(1, 0).size(), 0)
-	equal(_encoder.get_figures(1), {})
+	equal(_encoder.get_stats(1), {})
 
 
 func test_a_decoder_that_is_not_configured() -> void:
@@ -163,7 +163,7 @@ func test_clients_that_are_not_there() -> void:
 	for client: int in [0, -1, 99, 1 << 40]:
 		equal(_encoder.encode(client, 0).size(), 0)
 		is_false(_encoder.take_ack(client, [5, 0, 0]))
-		equal(_encoder.get_figures(client), {})
+		equal(_encoder.get_stats(client), {})
 		_encoder.set_own_person(client, 3)
 		_encoder.remove_client(client)
 	_check_it_works()

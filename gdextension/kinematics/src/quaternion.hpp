@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-/// Rotations and places that all modules share: right-handed frames, metres, radians, seconds.
+/// Rotations and positions that all modules share: right-handed frames, metres, radians, seconds.
 namespace kinematics {
 
 /// A vector of three floats.

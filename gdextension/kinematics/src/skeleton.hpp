@@ -15,7 +15,7 @@ constexpr int MAX_LIMBS = 32;
 /// A limb's frame is that of its body: the origin is where the body's is, the axes are its bone's.
 struct Skeleton {
 	int limb_count = 0;
-	std::array<int, MAX_LIMBS> parents{}; ///< Place of each limb's parent, -1 for the root.
+	std::array<int, MAX_LIMBS> parents{}; ///< Index of each limb's parent, -1 for the root.
 	std::array<Vec3, MAX_LIMBS> joints_in_parent{}; ///< The joint in the parent's frame, m.
 	std::array<Vec3, MAX_LIMBS> joints_in_limb{}; ///< The same joint in the limb's own frame, m.
 
@@ -41,7 +41,7 @@ struct PersonPose {
 
 /// Positions of all limbs' frames in the world (m) by forward kinematics: joints have no gaps,
 /// whatever the orientations (thesis section 6.3).
-inline void place_limbs(
+inline void position_limbs(
 		const Skeleton &p_skeleton, const PersonPose &p_pose, std::array<Vec3, MAX_LIMBS> &r_positions) {
 	r_positions[0] = p_pose.root;
 	for (std::size_t i = 1; i < std::size_t(p_skeleton.limb_count); i++) {

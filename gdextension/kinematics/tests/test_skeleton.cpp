@@ -25,25 +25,25 @@ Skeleton arm() {
 TEST(a_straight_chain_is_placed_end_to_end) {
 	PersonPose pose;
 	pose.root = { 1.0f, 2.0f, 3.0f };
-	std::array<Vec3, MAX_LIMBS> places;
-	place_limbs(arm(), pose, places);
-	CHECK_NEAR(places[2].x, 3.0, 1e-6);
-	CHECK_NEAR(places[2].y, 2.0, 1e-6);
+	std::array<Vec3, MAX_LIMBS> positions;
+	position_limbs(arm(), pose, positions);
+	CHECK_NEAR(positions[2].x, 3.0, 1e-6);
+	CHECK_NEAR(positions[2].y, 2.0, 1e-6);
 }
 
 TEST(a_bent_joint_stays_closed) {
 	PersonPose pose;
 	pose.orientations[1] = exp({ 0.0f, 0.0f, QUARTER });
 	pose.orientations[2] = exp({ 0.0f, QUARTER, 0.0f });
-	std::array<Vec3, MAX_LIMBS> places;
+	std::array<Vec3, MAX_LIMBS> positions;
 	const Skeleton skeleton = arm();
-	place_limbs(skeleton, pose, places);
+	position_limbs(skeleton, pose, positions);
 	for (std::size_t i = 1; i < 3; i++) {
-		const Vec3 outer = places[i - 1] + pose.orientations[i - 1].rotate(skeleton.joints_in_parent[i]);
-		const Vec3 inner = places[i] + pose.orientations[i].rotate(skeleton.joints_in_limb[i]);
+		const Vec3 outer = positions[i - 1] + pose.orientations[i - 1].rotate(skeleton.joints_in_parent[i]);
+		const Vec3 inner = positions[i] + pose.orientations[i].rotate(skeleton.joints_in_limb[i]);
 		CHECK_NEAR((outer - inner).length(), 0.0, 1e-6);
 	}
-	CHECK_NEAR(places[1].y, 0.5, 1e-6);
+	CHECK_NEAR(positions[1].y, 0.5, 1e-6);
 }
 
 TEST(a_skeleton_whose_parents_come_late_is_none) {

@@ -9,17 +9,17 @@ namespace godot {
 bool LocalFeedback::set_skeleton(const PackedInt32Array &p_parents, const PackedVector3Array &p_joints_in_parent,
 		const PackedVector3Array &p_joints_in_limb) {
 	kinematics::Skeleton skeleton;
-	return read_skeleton(p_parents, p_joints_in_parent, p_joints_in_limb, skeleton) && feedback.set_skeleton(skeleton);
+	return read_skeleton(p_parents, p_joints_in_parent, p_joints_in_limb, skeleton) && _feedback.set_skeleton(skeleton);
 }
 
 bool LocalFeedback::push_local(double p_moment_s, const Vector3 &p_root, const PackedFloat32Array &p_orientations) {
 	kinematics::PersonPose pose;
 	pose.root = to_core(p_root);
-	return read_orientations(p_orientations, feedback.limb_count(), pose) && feedback.push_local(p_moment_s, pose);
+	return read_orientations(p_orientations, _feedback.limb_count(), pose) && _feedback.push_local(p_moment_s, pose);
 }
 
 bool LocalFeedback::push_truth(double p_moment_s, const PackedFloat32Array &p_transforms) {
-	const int count = feedback.limb_count();
+	const int count = _feedback.limb_count();
 	if (count == 0 || p_transforms.size() != int64_t(count) * TRANSFORM_SIZE) {
 		return false;
 	}
@@ -30,17 +30,17 @@ bool LocalFeedback::push_truth(double p_moment_s, const PackedFloat32Array &p_tr
 		const float *turn = from + i * TRANSFORM_SIZE + 3;
 		pose.orientations[i] = { turn[0], turn[1], turn[2], turn[3] };
 	}
-	return feedback.push_truth(p_moment_s, pose);
+	return _feedback.push_truth(p_moment_s, pose);
 }
 
 PackedFloat32Array LocalFeedback::transforms() const {
-	return write_transforms(feedback.get_pose(), feedback.get_positions(), feedback.limb_count());
+	return write_transforms(_feedback.get_pose(), _feedback.get_positions(), _feedback.limb_count());
 }
 
 double LocalFeedback::deviation(int64_t p_limb) const {
 	ERR_FAIL_COND_V_MSG(
-			p_limb < 0 || p_limb >= feedback.limb_count(), 0.0, "LocalFeedback: there is no limb of that number.");
-	return feedback.deviation(std::size_t(p_limb));
+			p_limb < 0 || p_limb >= _feedback.limb_count(), 0.0, "LocalFeedback: there is no limb of that number.");
+	return _feedback.deviation(std::size_t(p_limb));
 }
 
 void LocalFeedback::_bind_methods() {
@@ -48,7 +48,7 @@ void LocalFeedback::_bind_methods() {
 			D_METHOD("set_skeleton", "parents", "joints_in_parent", "joints_in_limb"), &LocalFeedback::set_skeleton);
 	ClassDB::bind_method(D_METHOD("push_local", "moment_s", "root", "orientations"), &LocalFeedback::push_local);
 	ClassDB::bind_method(D_METHOD("push_truth", "moment_s", "transforms"), &LocalFeedback::push_truth);
-	ClassDB::bind_method(D_METHOD("show", "now_s", "moment_s"), &LocalFeedback::show);
+	ClassDB::bind_method(D_METHOD("evaluate", "now_s", "moment_s"), &LocalFeedback::evaluate);
 	ClassDB::bind_method(D_METHOD("transforms"), &LocalFeedback::transforms);
 	ClassDB::bind_method(D_METHOD("deviation", "limb"), &LocalFeedback::deviation);
 	ClassDB::bind_method(D_METHOD("newest_moment"), &LocalFeedback::newest_moment);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../src/smoothing/local_feedback.hpp"
+#include <smoothing/local_feedback.hpp>
 
 #include <godot_cpp/classes/ref_counted.hpp>
 #include <godot_cpp/core/binder_common.hpp>
@@ -21,17 +21,17 @@ public:
 			const PackedVector3Array &p_joints_in_limb);
 	bool push_local(double p_moment_s, const Vector3 &p_root, const PackedFloat32Array &p_orientations);
 	bool push_truth(double p_moment_s, const PackedFloat32Array &p_transforms);
-	bool show(double p_now_s, double p_moment_s) { return feedback.show(p_now_s, p_moment_s); }
+	bool evaluate(double p_now_s, double p_moment_s) { return _feedback.evaluate(p_now_s, p_moment_s); }
 	PackedFloat32Array transforms() const;
 	double deviation(int64_t p_limb) const;
-	double newest_moment() const { return feedback.newest_moment(); }
-	void clear() { feedback.clear(); }
+	double newest_moment() const { return _feedback.newest_moment(); }
+	void clear() { _feedback.clear(); }
 
 protected:
 	static void _bind_methods();
 
 private:
-	wire::LocalFeedback feedback;
+	wire::LocalFeedback _feedback;
 };
 
 } // namespace godot

@@ -32,52 +32,53 @@ bool PersonStream::setup(const PackedInt32Array &p_parents, int p_resolution) {
 	if (!wanted.is_sound()) {
 		return false;
 	}
-	skeleton = wanted;
-	resolution = wire::PersonLattice(p_resolution).resolution();
-	states.clear();
+	_skeleton = wanted;
+	_resolution = wire::PersonLattice(p_resolution).resolution();
+	_states.clear();
 	return true;
 }
 
 int PersonStream::push(const Vector3 &p_root, const PackedFloat32Array &p_orientations) {
-	if (skeleton.limb_count == 0 || p_orientations.size() != 4 * skeleton.limb_count) {
+	if (_skeleton.limb_count == 0 || p_orientations.size() != 4 * _skeleton.limb_count) {
 		return -1;
 	}
 	wire::PersonPose pose;
 	pose.root = { p_root.x, p_root.y, p_root.z };
 	const float *values = p_orientations.ptr();
-	for (std::size_t i = 0; i < std::size_t(skeleton.limb_count); i++) {
+	for (std::size_t i = 0; i < std::size_t(_skeleton.limb_count); i++) {
 		pose.orientations[i] = { values[4 * i], values[4 * i + 1], values[4 * i + 2], values[4 * i + 3] };
 	}
 	wire::PersonState state;
-	if (!wire::PersonLattice(resolution).quantise(pose, skeleton, states.empty() ? nullptr : &states.back(), state)) {
+	if (!wire::PersonLattice(_resolution)
+					.quantise(pose, _skeleton, _states.empty() ? nullptr : &_states.back(), state)) {
 		return -1;
 	}
-	states.push_back(state);
-	return int(states.size()) - 1;
+	_states.push_back(state);
+	return int(_states.size()) - 1;
 }
 
-std::size_t PersonStream::write(int p_tick, int p_base, int p_before, uint8_t *r_bytes) const {
+std::size_t PersonStream::_write(int p_tick, int p_base, int p_before, uint8_t *r_bytes) const {
 	wire::RangeEncoder encoder(r_bytes, wire::PersonCodec::MAX_BYTES);
-	wire::PersonCodec(skeleton, resolution)
-			.encode(encoder, states[std::size_t(p_tick)], state_or_null(p_base), state_or_null(p_before),
+	wire::PersonCodec(_skeleton, _resolution)
+			.encode(encoder, _states[std::size_t(p_tick)], _state_or_null(p_base), _state_or_null(p_before),
 					p_tick - p_base, p_tick - p_before);
 	return encoder.finish();
 }
 
-bool PersonStream::read(const uint8_t *p_bytes, std::size_t p_size, int p_tick, int p_base, int p_before,
+bool PersonStream::_read(const uint8_t *p_bytes, std::size_t p_size, int p_tick, int p_base, int p_before,
 		wire::PersonState &r_state) const {
 	wire::RangeDecoder decoder(p_bytes, p_size);
-	return wire::PersonCodec(skeleton, resolution)
-				   .decode(decoder, r_state, state_or_null(p_base), state_or_null(p_before), p_tick - p_base,
+	return wire::PersonCodec(_skeleton, _resolution)
+				   .decode(decoder, r_state, _state_or_null(p_base), _state_or_null(p_before), p_tick - p_base,
 						   p_tick - p_before) &&
 			decoder.used() == p_size;
 }
 
 PackedByteArray PersonStream::encode(int p_tick, int p_base, int p_before) const {
 	PackedByteArray bytes;
-	if (is_tick(p_tick)) {
+	if (_is_tick(p_tick)) {
 		Bytes buffer{};
-		const std::size_t size = write(p_tick, p_base, p_before, buffer.data());
+		const std::size_t size = _write(p_tick, p_base, p_before, buffer.data());
 		bytes.resize(int64_t(size));
 		std::copy(buffer.begin(), buffer.begin() + std::ptrdiff_t(size), bytes.ptrw());
 	}
@@ -86,11 +87,11 @@ PackedByteArray PersonStream::encode(int p_tick, int p_base, int p_before) const
 
 bool PersonStream::decode(const PackedByteArray &p_bytes, int p_tick, int p_base, int p_before) const {
 	wire::PersonState found;
-	if (!is_tick(p_tick) || !read(p_bytes.ptr(), std::size_t(p_bytes.size()), p_tick, p_base, p_before, found)) {
+	if (!_is_tick(p_tick) || !_read(p_bytes.ptr(), std::size_t(p_bytes.size()), p_tick, p_base, p_before, found)) {
 		return false;
 	}
-	const wire::PersonState &state = states[std::size_t(p_tick)];
-	for (std::size_t i = 0; i < std::size_t(skeleton.limb_count); i++) {
+	const wire::PersonState &state = _states[std::size_t(p_tick)];
+	for (std::size_t i = 0; i < std::size_t(_skeleton.limb_count); i++) {
 		if (!(found.limbs[i] == state.limbs[i])) {
 			return false;
 		}
@@ -100,14 +101,14 @@ bool PersonStream::decode(const PackedByteArray &p_bytes, int p_tick, int p_base
 
 PackedFloat32Array PersonStream::restore(int p_tick) const {
 	PackedFloat32Array orientations;
-	if (!is_tick(p_tick)) {
+	if (!_is_tick(p_tick)) {
 		return orientations;
 	}
 	wire::PersonPose pose;
-	wire::PersonLattice(resolution).restore(states[std::size_t(p_tick)], skeleton, pose);
-	orientations.resize(4 * skeleton.limb_count);
+	wire::PersonLattice(_resolution).restore(_states[std::size_t(p_tick)], _skeleton, pose);
+	orientations.resize(4 * _skeleton.limb_count);
 	float *values = orientations.ptrw();
-	for (std::size_t i = 0; i < std::size_t(skeleton.limb_count); i++) {
+	for (std::size_t i = 0; i < std::size_t(_skeleton.limb_count); i++) {
 		const kinematics::Quat &rotation = pose.orientations[i];
 		values[4 * i] = rotation.x;
 		values[4 * i + 1] = rotation.y;
@@ -118,10 +119,10 @@ PackedFloat32Array PersonStream::restore(int p_tick) const {
 }
 
 Vector3 PersonStream::restore_root(int p_tick) const {
-	if (!is_tick(p_tick)) {
+	if (!_is_tick(p_tick)) {
 		return Vector3();
 	}
-	const std::array<int32_t, 3> &root = states[std::size_t(p_tick)].root;
+	const std::array<int32_t, 3> &root = _states[std::size_t(p_tick)].root;
 	return Vector3(float(root[0] * 0.001), float(root[1] * 0.001), float(root[2] * 0.001));
 }
 
@@ -130,17 +131,18 @@ Vector2 PersonStream::measure(int p_every, int p_age, int p_before_age, int p_ro
 	double decoding = 0.0;
 	int count = 0;
 	Bytes buffer{};
-	for (int tick = p_before_age; p_every > 0 && p_age > 0 && p_before_age >= p_age && is_tick(tick); tick += p_every) {
+	for (int tick = p_before_age; p_every > 0 && p_age > 0 && p_before_age >= p_age && _is_tick(tick);
+			tick += p_every) {
 		std::size_t size = 0;
 		const auto start = std::chrono::steady_clock::now();
 		for (int i = 0; i < p_rounds; i++) {
-			size = write(tick, tick - p_age, tick - p_before_age, buffer.data());
+			size = _write(tick, tick - p_age, tick - p_before_age, buffer.data());
 		}
 		encoding += microseconds_since(start);
 		const auto between = std::chrono::steady_clock::now();
 		wire::PersonState found;
 		for (int i = 0; i < p_rounds; i++) {
-			count += read(buffer.data(), size, tick, tick - p_age, tick - p_before_age, found) ? 1 : 0;
+			count += _read(buffer.data(), size, tick, tick - p_age, tick - p_before_age, found) ? 1 : 0;
 		}
 		decoding += microseconds_since(between);
 	}

@@ -24,7 +24,7 @@ public:
 
 	bool setup(const PackedInt32Array &p_parents, int p_resolution);
 	int push(const Vector3 &p_root, const PackedFloat32Array &p_orientations);
-	int get_tick_count() const { return int(states.size()); }
+	int get_tick_count() const { return int(_states.size()); }
 	PackedByteArray encode(int p_tick, int p_base, int p_before) const;
 	bool decode(const PackedByteArray &p_bytes, int p_tick, int p_base, int p_before) const;
 	PackedFloat32Array restore(int p_tick) const;
@@ -35,17 +35,17 @@ protected:
 	static void _bind_methods();
 
 private:
-	bool is_tick(int p_tick) const { return p_tick >= 0 && p_tick < int(states.size()); }
-	const wire::PersonState *state_or_null(int p_tick) const {
-		return is_tick(p_tick) ? &states[std::size_t(p_tick)] : nullptr;
+	bool _is_tick(int p_tick) const { return p_tick >= 0 && p_tick < int(_states.size()); }
+	const wire::PersonState *_state_or_null(int p_tick) const {
+		return _is_tick(p_tick) ? &_states[std::size_t(p_tick)] : nullptr;
 	}
-	std::size_t write(int p_tick, int p_base, int p_before, uint8_t *r_bytes) const;
-	bool read(const uint8_t *p_bytes, std::size_t p_size, int p_tick, int p_base, int p_before,
+	std::size_t _write(int p_tick, int p_base, int p_before, uint8_t *r_bytes) const;
+	bool _read(const uint8_t *p_bytes, std::size_t p_size, int p_tick, int p_base, int p_before,
 			wire::PersonState &r_state) const;
 
-	wire::Skeleton skeleton;
-	int resolution = wire::PersonLattice::FINE;
-	std::vector<wire::PersonState> states;
+	wire::Skeleton _skeleton;
+	int _resolution = wire::PersonLattice::FINE;
+	std::vector<wire::PersonState> _states;
 };
 
 } // namespace godot

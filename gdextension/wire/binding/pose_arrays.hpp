@@ -44,7 +44,7 @@ inline bool read_parents(const PackedInt32Array &p_parents, kinematics::Skeleton
 	return read_skeleton(p_parents, joints, joints, r_skeleton);
 }
 
-/// Whether poses can be told with an error of so many degrees.
+/// Whether poses can be coded with an error of so many degrees.
 inline bool is_pose_error(double p_degrees) {
 	return p_degrees >= 0.02 && p_degrees <= 5.0;
 }

@@ -19,35 +19,35 @@ bool SnapshotDecoder::configure(const PackedInt32Array &p_parents, double p_max_
 	ERR_FAIL_COND_V_MSG(!read_parents(p_parents, shape), false,
 			"SnapshotDecoder: parents come before their children, the first has -1.");
 	ERR_FAIL_COND_V_MSG(!is_pose_error(p_max_error_deg), false, "SnapshotDecoder: an error is 0.02 to 5 degrees.");
-	core = std::make_unique<wire::SnapshotDecoder>(shape, p_max_error_deg);
+	_core = std::make_unique<wire::SnapshotDecoder>(shape, p_max_error_deg);
 	return true;
 }
 
 SnapshotDecoder::Outcome SnapshotDecoder::decode(const PackedByteArray &p_bytes) {
-	ERR_FAIL_COND_V_MSG(core == nullptr, BROKEN, UNCONFIGURED);
-	return Outcome(int(core->decode(p_bytes.ptr(), std::size_t(p_bytes.size()))));
+	ERR_FAIL_COND_V_MSG(_core == nullptr, BROKEN, UNCONFIGURED);
+	return Outcome(int(_core->decode(p_bytes.ptr(), std::size_t(p_bytes.size()))));
 }
 
 void SnapshotDecoder::keep_people(const PackedInt32Array &p_people) {
-	ERR_FAIL_COND_MSG(core == nullptr, UNCONFIGURED);
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
 	std::vector<uint16_t> people;
 	people.reserve(std::size_t(p_people.size()));
 	for (int64_t i = 0; i < p_people.size(); i++) {
 		people.push_back(uint16_t(p_people[i]));
 	}
-	core->keep_people(people);
+	_core->keep_people(people);
 }
 
 void SnapshotDecoder::set_wants_marks(bool p_wanted) {
-	ERR_FAIL_COND_MSG(core == nullptr, UNCONFIGURED);
-	core->want_marks(p_wanted);
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	_core->want_marks(p_wanted);
 }
 
 PackedByteArray SnapshotDecoder::get_ack(const Vector3 &p_viewpoint) {
 	PackedByteArray result;
-	ERR_FAIL_COND_V_MSG(core == nullptr, result, UNCONFIGURED);
+	ERR_FAIL_COND_V_MSG(_core == nullptr, result, UNCONFIGURED);
 	std::array<uint8_t, wire::ClientRecord::ACK_BYTES> bytes{};
-	if (core->write_ack(to_core(p_viewpoint), bytes)) {
+	if (_core->write_ack(to_core(p_viewpoint), bytes)) {
 		result.resize(int64_t(bytes.size()));
 		std::memcpy(result.ptrw(), bytes.data(), bytes.size());
 	}
@@ -55,16 +55,16 @@ PackedByteArray SnapshotDecoder::get_ack(const Vector3 &p_viewpoint) {
 }
 
 int64_t SnapshotDecoder::get_tick() const {
-	return core == nullptr || core->tick() == wire::NEVER ? -1 : int64_t(core->tick());
+	return _core == nullptr || _core->tick() == wire::NEVER ? -1 : int64_t(_core->tick());
 }
 
 int64_t SnapshotDecoder::get_tick_rate() const {
-	return core == nullptr ? 0 : core->tick_rate();
+	return _core == nullptr ? 0 : _core->tick_rate();
 }
 
 Dictionary SnapshotDecoder::get_mark() const {
 	Dictionary result;
-	const wire::Mark *mark = core == nullptr ? nullptr : core->mark();
+	const wire::Mark *mark = _core == nullptr ? nullptr : _core->mark();
 	if (mark != nullptr) {
 		PackedInt32Array steps;
 		for (const uint16_t step : mark->steps) {
@@ -81,8 +81,8 @@ Dictionary SnapshotDecoder::get_mark() const {
 
 PackedInt32Array SnapshotDecoder::get_people() const {
 	PackedInt32Array result;
-	if (core != nullptr) {
-		for (const wire::PersonUpdate &update : core->people()) {
+	if (_core != nullptr) {
+		for (const wire::PersonUpdate &update : _core->people()) {
 			result.push_back(update.id);
 		}
 	}
@@ -91,17 +91,17 @@ PackedInt32Array SnapshotDecoder::get_people() const {
 
 PackedInt32Array SnapshotDecoder::get_bodies() const {
 	PackedInt32Array result;
-	if (core != nullptr) {
-		for (const wire::BodyUpdate &update : core->bodies()) {
+	if (_core != nullptr) {
+		for (const wire::BodyUpdate &update : _core->bodies()) {
 			result.push_back(update.id);
 		}
 	}
 	return result;
 }
 
-const wire::PersonUpdate *SnapshotDecoder::find_person(int64_t p_person) const {
-	if (core != nullptr) {
-		for (const wire::PersonUpdate &update : core->people()) {
+const wire::PersonUpdate *SnapshotDecoder::_find_person(int64_t p_person) const {
+	if (_core != nullptr) {
+		for (const wire::PersonUpdate &update : _core->people()) {
 			if (int64_t(update.id) == p_person) {
 				return &update;
 			}
@@ -112,9 +112,9 @@ const wire::PersonUpdate *SnapshotDecoder::find_person(int64_t p_person) const {
 
 PackedFloat32Array SnapshotDecoder::get_orientations(int64_t p_person) const {
 	PackedFloat32Array result;
-	const wire::PersonUpdate *update = find_person(p_person);
+	const wire::PersonUpdate *update = _find_person(p_person);
 	if (update != nullptr) {
-		for (int i = 0; i < core->shape().limb_count; i++) {
+		for (int i = 0; i < _core->shape().limb_count; i++) {
 			const kinematics::Quat &turn = update->pose.orientations[std::size_t(i)];
 			for (const float part : { turn.x, turn.y, turn.z, turn.w }) {
 				result.push_back(part);
@@ -125,13 +125,13 @@ PackedFloat32Array SnapshotDecoder::get_orientations(int64_t p_person) const {
 }
 
 Vector3 SnapshotDecoder::get_root(int64_t p_person) const {
-	const wire::PersonUpdate *update = find_person(p_person);
+	const wire::PersonUpdate *update = _find_person(p_person);
 	return update == nullptr ? Vector3() : from_core(update->pose.root);
 }
 
 Transform3D SnapshotDecoder::get_body_transform(int64_t p_body) const {
-	if (core != nullptr) {
-		for (const wire::BodyUpdate &update : core->bodies()) {
+	if (_core != nullptr) {
+		for (const wire::BodyUpdate &update : _core->bodies()) {
 			if (int64_t(update.id) == p_body) {
 				return Transform3D(Basis(from_core(update.orientation)), from_core(update.position));
 			}
@@ -141,8 +141,8 @@ Transform3D SnapshotDecoder::get_body_transform(int64_t p_body) const {
 }
 
 void SnapshotDecoder::clear() {
-	if (core != nullptr) {
-		core->clear();
+	if (_core != nullptr) {
+		_core->clear();
 	}
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../src/replication/snapshot_decoder.hpp"
+#include <replication/snapshot_decoder.hpp>
 
 #include <godot_cpp/classes/ref_counted.hpp>
 #include <godot_cpp/core/binder_common.hpp>
@@ -14,7 +14,7 @@
 
 namespace godot {
 
-/// Reads what a server tells. Documented in doc_classes/SnapshotDecoder.xml.
+/// Reads what a server sends. Documented in doc_classes/SnapshotDecoder.xml.
 class SnapshotDecoder : public RefCounted {
 	GDCLASS(SnapshotDecoder, RefCounted)
 
@@ -43,15 +43,15 @@ public:
 	void clear();
 
 	/// The core, or null before configure().
-	const wire::SnapshotDecoder *get_core() const { return core.get(); }
+	const wire::SnapshotDecoder *get_core() const { return _core.get(); }
 
 protected:
 	static void _bind_methods();
 
 private:
-	const wire::PersonUpdate *find_person(int64_t p_person) const;
+	const wire::PersonUpdate *_find_person(int64_t p_person) const;
 
-	std::unique_ptr<wire::SnapshotDecoder> core;
+	std::unique_ptr<wire::SnapshotDecoder> _core;
 };
 
 } // namespace godot

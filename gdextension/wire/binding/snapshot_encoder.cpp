@@ -25,15 +25,15 @@ bool SnapshotEncoder::configure(const PackedInt32Array &p_parents, double p_max_
 	ERR_FAIL_COND_V_MSG(!is_pose_error(p_max_error_deg), false, "SnapshotEncoder: an error is 0.02 to 5 degrees.");
 	ERR_FAIL_COND_V_MSG(
 			p_tick_rate < 1 || p_tick_rate > 240, false, "SnapshotEncoder: a tick rate is 1 to 240 a second.");
-	core = std::make_unique<wire::SnapshotEncoder>(shape, p_max_error_deg, int(p_tick_rate));
+	_core = std::make_unique<wire::SnapshotEncoder>(shape, p_max_error_deg, int(p_tick_rate));
 	return true;
 }
 
 bool SnapshotEncoder::add_person(
 		int64_t p_person, const TypedArray<RID> &p_bodies, const PackedFloat32Array &p_reset_orientations) {
-	ERR_FAIL_COND_V_MSG(core == nullptr, false, UNCONFIGURED);
+	ERR_FAIL_COND_V_MSG(_core == nullptr, false, UNCONFIGURED);
 	ERR_FAIL_COND_V_MSG(!is_id(p_person), false, "SnapshotEncoder: a person's number is 0 to 65535.");
-	ERR_FAIL_COND_V_MSG(p_bodies.size() != core->world().shape().limb_count, false,
+	ERR_FAIL_COND_V_MSG(p_bodies.size() != _core->world().shape().limb_count, false,
 			"SnapshotEncoder: a person has as many bodies as configure() has named parents.");
 	kinematics::PersonPose reset;
 	ERR_FAIL_COND_V_MSG(!read_orientations(p_reset_orientations, int(p_bodies.size()), reset), false,
@@ -44,80 +44,80 @@ bool SnapshotEncoder::add_person(
 		person.bodies.push_back(p_bodies[i]);
 		person.from_reset.push_back(reset.orientations[std::size_t(i)].inverse());
 	}
-	people.push_back(std::move(person));
+	_people.push_back(std::move(person));
 	return true;
 }
 
 void SnapshotEncoder::remove_person(int64_t p_person) {
-	people.erase(std::remove_if(people.begin(), people.end(),
-						 [p_person](const Person &p_one) { return int64_t(p_one.id) == p_person; }),
-			people.end());
+	_people.erase(std::remove_if(_people.begin(), _people.end(),
+						  [p_person](const Person &p_one) { return int64_t(p_one.id) == p_person; }),
+			_people.end());
 }
 
 bool SnapshotEncoder::add_body(int64_t p_body, const RID &p_rid) {
 	ERR_FAIL_COND_V_MSG(!is_id(p_body), false, "SnapshotEncoder: a body's number is 0 to 65535.");
-	bodies.push_back({ uint16_t(p_body), p_rid });
+	_bodies.push_back({ uint16_t(p_body), p_rid });
 	return true;
 }
 
 void SnapshotEncoder::clear_bodies() {
-	bodies.clear();
+	_bodies.clear();
 }
 
 void SnapshotEncoder::capture(int64_t p_tick) {
-	ERR_FAIL_COND_MSG(core == nullptr, UNCONFIGURED);
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
-	core->world().begin(uint32_t(p_tick));
-	for (const Person &person : people) {
+	_core->world().begin(uint32_t(p_tick));
+	for (const Person &person : _people) {
 		kinematics::PersonPose pose;
 		bool is_there = true;
 		for (std::size_t i = 0; i < person.bodies.size() && is_there; i++) {
 			PhysicsDirectBodyState3D *state = server->body_get_direct_state(person.bodies[i]);
 			is_there = state != nullptr;
 			if (is_there) {
-				const Transform3D place = state->get_transform();
-				pose.orientations[i] = to_core(place.basis) * person.from_reset[i];
-				pose.root = i == 0 ? to_core(place.origin) : pose.root;
+				const Transform3D transform = state->get_transform();
+				pose.orientations[i] = to_core(transform.basis) * person.from_reset[i];
+				pose.root = i == 0 ? to_core(transform.origin) : pose.root;
 			}
 		}
 		if (is_there) {
-			core->world().put_person(person.id, pose);
+			_core->world().put_person(person.id, pose);
 		}
 	}
-	for (const Body &body : bodies) {
+	for (const Body &body : _bodies) {
 		PhysicsDirectBodyState3D *state = server->body_get_direct_state(body.rid);
 		if (state == nullptr) {
 			continue;
 		}
 		wire::BodyUpdate update;
-		const Transform3D place = state->get_transform();
+		const Transform3D transform = state->get_transform();
 		update.id = body.id;
-		update.position = to_core(place.origin);
-		update.orientation = to_core(place.basis);
+		update.position = to_core(transform.origin);
+		update.orientation = to_core(transform.basis);
 		update.velocity = to_core(state->get_linear_velocity());
 		update.spin = to_core(state->get_angular_velocity());
 		update.at_rest = state->is_sleeping();
-		core->world().put_body(update);
+		_core->world().put_body(update);
 	}
-	core->world().end();
+	_core->world().end();
 }
 
 void SnapshotEncoder::begin_tick(int64_t p_tick) {
-	ERR_FAIL_COND_MSG(core == nullptr, UNCONFIGURED);
-	core->world().begin(uint32_t(p_tick));
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	_core->world().begin(uint32_t(p_tick));
 }
 
 bool SnapshotEncoder::put_person(int64_t p_person, const Vector3 &p_root, const PackedFloat32Array &p_orientations) {
-	ERR_FAIL_COND_V_MSG(core == nullptr, false, UNCONFIGURED);
+	ERR_FAIL_COND_V_MSG(_core == nullptr, false, UNCONFIGURED);
 	kinematics::PersonPose pose;
 	pose.root = to_core(p_root);
-	return is_id(p_person) && read_orientations(p_orientations, core->world().shape().limb_count, pose) &&
-			core->world().put_person(uint16_t(p_person), pose);
+	return is_id(p_person) && read_orientations(p_orientations, _core->world().shape().limb_count, pose) &&
+			_core->world().put_person(uint16_t(p_person), pose);
 }
 
 void SnapshotEncoder::put_body(int64_t p_body, const Transform3D &p_transform, const Vector3 &p_velocity,
 		const Vector3 &p_spin, bool p_at_rest) {
-	ERR_FAIL_COND_MSG(core == nullptr, UNCONFIGURED);
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
 	ERR_FAIL_COND_MSG(!is_id(p_body), "SnapshotEncoder: a body's number is 0 to 65535.");
 	wire::BodyUpdate update;
 	update.id = uint16_t(p_body);
@@ -126,27 +126,27 @@ void SnapshotEncoder::put_body(int64_t p_body, const Transform3D &p_transform, c
 	update.velocity = to_core(p_velocity);
 	update.spin = to_core(p_spin);
 	update.at_rest = p_at_rest;
-	core->world().put_body(update);
+	_core->world().put_body(update);
 }
 
 void SnapshotEncoder::end_tick() {
-	ERR_FAIL_COND_MSG(core == nullptr, UNCONFIGURED);
-	core->world().end();
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	_core->world().end();
 }
 
 void SnapshotEncoder::add_client(int64_t p_client, int64_t p_snapshots_per_second, double p_bits_per_second) {
-	ERR_FAIL_COND_MSG(core == nullptr, UNCONFIGURED);
-	core->add_client(int(p_client), int(p_snapshots_per_second), p_bits_per_second);
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	_core->add_client(int(p_client), int(p_snapshots_per_second), p_bits_per_second);
 }
 
 void SnapshotEncoder::remove_client(int64_t p_client) {
-	ERR_FAIL_COND_MSG(core == nullptr, UNCONFIGURED);
-	core->remove_client(int(p_client));
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	_core->remove_client(int(p_client));
 }
 
 void SnapshotEncoder::set_own_person(int64_t p_client, int64_t p_person) {
-	ERR_FAIL_COND_MSG(core == nullptr, UNCONFIGURED);
-	wire::ClientRecord *client = core->client(int(p_client));
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	wire::ClientRecord *client = _core->client(int(p_client));
 	if (client != nullptr) {
 		client->own_person = int(p_person);
 	}
@@ -154,20 +154,20 @@ void SnapshotEncoder::set_own_person(int64_t p_client, int64_t p_person) {
 
 bool SnapshotEncoder::set_cells(
 		const Vector3 &p_origin, double p_size, const Vector3i &p_counts, const PackedByteArray &p_visible) {
-	ERR_FAIL_COND_V_MSG(core == nullptr, false, UNCONFIGURED);
-	return core->interest().set_cells(to_core(p_origin), float(p_size), { p_counts.x, p_counts.y, p_counts.z },
+	ERR_FAIL_COND_V_MSG(_core == nullptr, false, UNCONFIGURED);
+	return _core->interest().set_cells(to_core(p_origin), float(p_size), { p_counts.x, p_counts.y, p_counts.z },
 			p_visible.ptr(), std::size_t(p_visible.size()));
 }
 
 bool SnapshotEncoder::take_ack(int64_t p_client, const PackedByteArray &p_bytes) {
-	ERR_FAIL_COND_V_MSG(core == nullptr, false, UNCONFIGURED);
-	wire::ClientRecord *client = core->client(int(p_client));
-	return client != nullptr && client->take_ack(p_bytes.ptr(), std::size_t(p_bytes.size()), core->world().tick());
+	ERR_FAIL_COND_V_MSG(_core == nullptr, false, UNCONFIGURED);
+	wire::ClientRecord *client = _core->client(int(p_client));
+	return client != nullptr && client->take_ack(p_bytes.ptr(), std::size_t(p_bytes.size()), _core->world().tick());
 }
 
 void SnapshotEncoder::set_mark(
 		int64_t p_person, int64_t p_sample, int64_t p_simulated_usec, const PackedInt32Array &p_steps_usec) {
-	ERR_FAIL_COND_MSG(core == nullptr, UNCONFIGURED);
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
 	ERR_FAIL_COND_MSG(p_steps_usec.size() != 3 || !is_id(p_person), "SnapshotEncoder: a mark has three steps.");
 	wire::Mark mark;
 	mark.person = uint16_t(p_person);
@@ -177,17 +177,17 @@ void SnapshotEncoder::set_mark(
 		const int64_t step = int64_t(p_steps_usec[i]) / wire::Mark::STEP_USEC;
 		mark.steps[std::size_t(i)] = uint16_t(std::clamp<int64_t>(step, 0, 65535));
 	}
-	core->set_mark(mark);
+	_core->set_mark(mark);
 }
 
 TypedArray<PackedByteArray> SnapshotEncoder::encode(int64_t p_client, int64_t p_now_usec) {
 	TypedArray<PackedByteArray> result;
-	ERR_FAIL_COND_V_MSG(core == nullptr, result, UNCONFIGURED);
-	const std::size_t count = core->encode(int(p_client), p_now_usec, datagrams);
+	ERR_FAIL_COND_V_MSG(_core == nullptr, result, UNCONFIGURED);
+	const std::size_t count = _core->encode(int(p_client), p_now_usec, _datagrams);
 	for (std::size_t i = 0; i < count; i++) {
 		PackedByteArray bytes;
-		bytes.resize(int64_t(datagrams[i].size));
-		std::memcpy(bytes.ptrw(), datagrams[i].bytes.data(), datagrams[i].size);
+		bytes.resize(int64_t(_datagrams[i].size));
+		std::memcpy(bytes.ptrw(), _datagrams[i].bytes.data(), _datagrams[i].size);
 		result.push_back(bytes);
 	}
 	return result;
@@ -196,13 +196,13 @@ TypedArray<PackedByteArray> SnapshotEncoder::encode(int64_t p_client, int64_t p_
 PackedInt32Array SnapshotEncoder::encode_each(
 		const PackedInt32Array &p_clients, int64_t p_now_usec, TypedArray<PackedByteArray> r_datagrams) {
 	PackedInt32Array receivers;
-	ERR_FAIL_COND_V_MSG(core == nullptr, receivers, UNCONFIGURED);
+	ERR_FAIL_COND_V_MSG(_core == nullptr, receivers, UNCONFIGURED);
 	for (int64_t i = 0; i < p_clients.size(); i++) {
-		const std::size_t count = core->encode(int(p_clients[i]), p_now_usec, datagrams);
+		const std::size_t count = _core->encode(int(p_clients[i]), p_now_usec, _datagrams);
 		for (std::size_t k = 0; k < count; k++) {
 			PackedByteArray bytes;
-			bytes.resize(int64_t(datagrams[k].size));
-			std::memcpy(bytes.ptrw(), datagrams[k].bytes.data(), datagrams[k].size);
+			bytes.resize(int64_t(_datagrams[k].size));
+			std::memcpy(bytes.ptrw(), _datagrams[k].bytes.data(), _datagrams[k].size);
 			r_datagrams.push_back(bytes);
 			receivers.push_back(p_clients[i]);
 		}
@@ -210,19 +210,19 @@ PackedInt32Array SnapshotEncoder::encode_each(
 	return receivers;
 }
 
-Dictionary SnapshotEncoder::get_figures(int64_t p_client) {
+Dictionary SnapshotEncoder::get_stats(int64_t p_client) {
 	Dictionary result;
-	ERR_FAIL_COND_V_MSG(core == nullptr, result, UNCONFIGURED);
-	const wire::ClientRecord *client = core->client(int(p_client));
+	ERR_FAIL_COND_V_MSG(_core == nullptr, result, UNCONFIGURED);
+	const wire::ClientRecord *client = _core->client(int(p_client));
 	if (client == nullptr) {
 		return result;
 	}
-	const wire::ClientFigures &figures = client->figures;
-	result["datagrams"] = int64_t(figures.datagrams);
-	result["bytes"] = int64_t(figures.bytes);
-	result["acknowledged"] = int64_t(figures.acked);
-	result["lost"] = int64_t(figures.lost);
-	result["round_trip_ms"] = 1000.0 * double(figures.round_trip_ticks) / core->world().rate();
+	const wire::ClientStats &stats = client->stats;
+	result["datagrams"] = int64_t(stats.datagrams);
+	result["bytes"] = int64_t(stats.bytes);
+	result["acknowledged"] = int64_t(stats.acked);
+	result["lost"] = int64_t(stats.lost);
+	result["round_trip_ms"] = 1000.0 * double(stats.round_trip_ticks) / _core->world().rate();
 	return result;
 }
 
@@ -249,7 +249,7 @@ void SnapshotEncoder::_bind_methods() {
 			D_METHOD("set_mark", "person", "sample", "simulated_usec", "steps_usec"), &SnapshotEncoder::set_mark);
 	ClassDB::bind_method(D_METHOD("encode", "client", "now_usec"), &SnapshotEncoder::encode);
 	ClassDB::bind_method(D_METHOD("encode_each", "clients", "now_usec", "datagrams"), &SnapshotEncoder::encode_each);
-	ClassDB::bind_method(D_METHOD("get_figures", "client"), &SnapshotEncoder::get_figures);
+	ClassDB::bind_method(D_METHOD("get_stats", "client"), &SnapshotEncoder::get_stats);
 }
 
 } // namespace godot

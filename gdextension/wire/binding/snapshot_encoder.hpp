@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../src/replication/snapshot_encoder.hpp"
+#include <replication/snapshot_encoder.hpp>
 
 #include <godot_cpp/classes/ref_counted.hpp>
 #include <godot_cpp/core/binder_common.hpp>
@@ -17,7 +17,7 @@
 
 namespace godot {
 
-/// Tells clients where everything is. Documented in doc_classes/SnapshotEncoder.xml.
+/// Sends clients where everything is. Documented in doc_classes/SnapshotEncoder.xml.
 class SnapshotEncoder : public RefCounted {
 	GDCLASS(SnapshotEncoder, RefCounted)
 
@@ -45,7 +45,7 @@ public:
 	TypedArray<PackedByteArray> encode(int64_t p_client, int64_t p_now_usec);
 	PackedInt32Array encode_each(
 			const PackedInt32Array &p_clients, int64_t p_now_usec, TypedArray<PackedByteArray> r_datagrams);
-	Dictionary get_figures(int64_t p_client);
+	Dictionary get_stats(int64_t p_client);
 
 protected:
 	static void _bind_methods();
@@ -61,10 +61,10 @@ private:
 		RID rid;
 	};
 
-	std::unique_ptr<wire::SnapshotEncoder> core;
-	std::vector<Person> people;
-	std::vector<Body> bodies;
-	std::array<wire::Datagram, wire::MAX_DATAGRAMS> datagrams{};
+	std::unique_ptr<wire::SnapshotEncoder> _core;
+	std::vector<Person> _people;
+	std::vector<Body> _bodies;
+	std::array<wire::Datagram, wire::MAX_DATAGRAMS> _datagrams{};
 };
 
 } // namespace godot

@@ -14,8 +14,8 @@ bool is_tick(int64_t p_tick) {
 	return p_tick >= 0 && p_tick <= std::numeric_limits<uint32_t>::max();
 }
 
-Transform3D to_transform(const wire::BodyPlace &p_place) {
-	return Transform3D(Basis(from_core(p_place.orientation)), from_core(p_place.position));
+Transform3D to_transform(const wire::BodyTransform &p_body) {
+	return Transform3D(Basis(from_core(p_body.orientation)), from_core(p_body.position));
 }
 
 } // namespace
@@ -23,11 +23,11 @@ Transform3D to_transform(const wire::BodyPlace &p_place) {
 void SnapshotSmoother::set_method(Method p_method) {
 	ERR_FAIL_COND_MSG(int(p_method) < 0 || int(p_method) >= wire::SMOOTHING_METHOD_COUNT,
 			"SnapshotSmoother: there is no such method.");
-	smoother.set_method(wire::SmoothingMethod(int(p_method)));
+	_smoother.set_method(wire::SmoothingMethod(int(p_method)));
 }
 
 void SnapshotSmoother::set_tick_rate(double p_rate) {
-	ERR_FAIL_COND_MSG(!smoother.set_tick_rate(p_rate), "SnapshotSmoother: a tick rate is above 0, at most 1000.");
+	ERR_FAIL_COND_MSG(!_smoother.set_tick_rate(p_rate), "SnapshotSmoother: a tick rate is above 0, at most 1000.");
 }
 
 bool SnapshotSmoother::set_skeleton(int64_t p_person, const PackedInt32Array &p_parents,
@@ -35,7 +35,7 @@ bool SnapshotSmoother::set_skeleton(int64_t p_person, const PackedInt32Array &p_
 	ERR_FAIL_COND_V_MSG(!is_id(p_person), false, "SnapshotSmoother: a person's number is 0 to 65535.");
 	kinematics::Skeleton skeleton;
 	return read_skeleton(p_parents, p_joints_in_parent, p_joints_in_limb, skeleton) &&
-			smoother.set_skeleton(uint16_t(p_person), skeleton);
+			_smoother.set_skeleton(uint16_t(p_person), skeleton);
 }
 
 bool SnapshotSmoother::push_person(int64_t p_person, int64_t p_tick, double p_arrival_s, const Vector3 &p_root,
@@ -44,13 +44,13 @@ bool SnapshotSmoother::push_person(int64_t p_person, int64_t p_tick, double p_ar
 	const int count = int(p_orientations.size() / 4);
 	if (!is_id(p_person) || !is_tick(p_tick) || count > kinematics::MAX_LIMBS ||
 			!read_orientations(p_orientations, count, update.pose) ||
-			count != smoother.limb_count(uint16_t(p_person))) {
+			count != _smoother.limb_count(uint16_t(p_person))) {
 		return false;
 	}
 	update.id = uint16_t(p_person);
 	update.tick = uint32_t(p_tick);
 	update.pose.root = to_core(p_root);
-	return smoother.push(update, p_arrival_s);
+	return _smoother.push(update, p_arrival_s);
 }
 
 bool SnapshotSmoother::push_body(int64_t p_body, int64_t p_tick, double p_arrival_s, const Transform3D &p_transform,
@@ -66,7 +66,7 @@ bool SnapshotSmoother::push_body(int64_t p_body, int64_t p_tick, double p_arriva
 	update.velocity = to_core(p_velocity);
 	update.spin = to_core(p_spin);
 	update.at_rest = p_at_rest;
-	return smoother.push(update, p_arrival_s);
+	return _smoother.push(update, p_arrival_s);
 }
 
 void SnapshotSmoother::take(const Ref<SnapshotDecoder> &p_decoder, double p_arrival_s) {
@@ -77,27 +77,27 @@ void SnapshotSmoother::take(const Ref<SnapshotDecoder> &p_decoder, double p_arri
 		set_tick_rate(decoder.tick_rate());
 	}
 	for (const wire::PersonUpdate &update : decoder.people()) {
-		smoother.push(update, p_arrival_s);
+		_smoother.push(update, p_arrival_s);
 	}
 	for (const wire::BodyUpdate &update : decoder.bodies()) {
-		smoother.push(update, p_arrival_s);
+		_smoother.push(update, p_arrival_s);
 	}
 }
 
 double SnapshotSmoother::server_time(double p_now_s) const {
-	return smoother.get_clock().is_known() ? smoother.get_clock().server_now(p_now_s) : -1.0;
+	return _smoother.get_clock().is_known() ? _smoother.get_clock().server_now(p_now_s) : -1.0;
 }
 
 bool SnapshotSmoother::has_person(int64_t p_person) const {
-	return is_id(p_person) && smoother.person(uint16_t(p_person)) != nullptr;
+	return is_id(p_person) && _smoother.person(uint16_t(p_person)) != nullptr;
 }
 
 bool SnapshotSmoother::has_body(int64_t p_body) const {
-	return is_id(p_body) && smoother.body(uint16_t(p_body)) != nullptr;
+	return is_id(p_body) && _smoother.body(uint16_t(p_body)) != nullptr;
 }
 
 PackedFloat32Array SnapshotSmoother::person_transforms(int64_t p_person) const {
-	const wire::Smoother::Person *person = is_id(p_person) ? smoother.person(uint16_t(p_person)) : nullptr;
+	const wire::Smoother::Person *person = is_id(p_person) ? _smoother.person(uint16_t(p_person)) : nullptr;
 	if (person == nullptr) {
 		return PackedFloat32Array();
 	}
@@ -106,31 +106,31 @@ PackedFloat32Array SnapshotSmoother::person_transforms(int64_t p_person) const {
 
 PackedFloat32Array SnapshotSmoother::newest_person_transforms(int64_t p_person) const {
 	wire::Smoother::Person person;
-	if (!is_id(p_person) || !smoother.newest(uint16_t(p_person), person)) {
+	if (!is_id(p_person) || !_smoother.newest(uint16_t(p_person), person)) {
 		return PackedFloat32Array();
 	}
 	return write_transforms(person.pose, person.positions, person.limb_count);
 }
 
 Transform3D SnapshotSmoother::body_transform(int64_t p_body) const {
-	const wire::BodyPlace *place = is_id(p_body) ? smoother.body(uint16_t(p_body)) : nullptr;
-	return place != nullptr ? to_transform(*place) : Transform3D();
+	const wire::BodyTransform *transform = is_id(p_body) ? _smoother.body(uint16_t(p_body)) : nullptr;
+	return transform != nullptr ? to_transform(*transform) : Transform3D();
 }
 
 Transform3D SnapshotSmoother::newest_body_transform(int64_t p_body) const {
-	wire::BodyPlace place;
-	return is_id(p_body) && smoother.newest(uint16_t(p_body), place) ? to_transform(place) : Transform3D();
+	wire::BodyTransform transform;
+	return is_id(p_body) && _smoother.newest(uint16_t(p_body), transform) ? to_transform(transform) : Transform3D();
 }
 
 void SnapshotSmoother::forget_person(int64_t p_person) {
 	if (is_id(p_person)) {
-		smoother.forget_person(uint16_t(p_person));
+		_smoother.forget_person(uint16_t(p_person));
 	}
 }
 
 void SnapshotSmoother::forget_body(int64_t p_body) {
 	if (is_id(p_body)) {
-		smoother.forget_body(uint16_t(p_body));
+		_smoother.forget_body(uint16_t(p_body));
 	}
 }
 
@@ -146,8 +146,8 @@ void SnapshotSmoother::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("push_body", "body", "tick", "arrival_s", "transform", "velocity", "spin", "at_rest"),
 			&SnapshotSmoother::push_body);
 	ClassDB::bind_method(D_METHOD("take", "decoder", "arrival_s"), &SnapshotSmoother::take);
-	ClassDB::bind_method(D_METHOD("show", "now_s"), &SnapshotSmoother::show);
-	ClassDB::bind_method(D_METHOD("shown_tick"), &SnapshotSmoother::shown_tick);
+	ClassDB::bind_method(D_METHOD("evaluate", "now_s"), &SnapshotSmoother::evaluate);
+	ClassDB::bind_method(D_METHOD("get_shown_tick"), &SnapshotSmoother::get_shown_tick);
 	ClassDB::bind_method(D_METHOD("get_delay"), &SnapshotSmoother::get_delay);
 	ClassDB::bind_method(D_METHOD("server_time", "now_s"), &SnapshotSmoother::server_time);
 	ClassDB::bind_method(D_METHOD("has_person", "person"), &SnapshotSmoother::has_person);

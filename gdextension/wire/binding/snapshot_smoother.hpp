@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../src/smoothing/smoother.hpp"
 #include "snapshot_decoder.hpp"
+#include <smoothing/smoother.hpp>
 
 #include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/classes/ref_counted.hpp>
@@ -30,9 +30,9 @@ public:
 	};
 
 	void set_method(Method p_method);
-	Method get_method() const { return Method(int(smoother.get_method())); }
+	Method get_method() const { return Method(int(_smoother.get_method())); }
 	void set_tick_rate(double p_rate);
-	double get_tick_rate() const { return smoother.get_clock().tick_rate; }
+	double get_tick_rate() const { return _smoother.get_clock().tick_rate; }
 
 	bool set_skeleton(int64_t p_person, const PackedInt32Array &p_parents, const PackedVector3Array &p_joints_in_parent,
 			const PackedVector3Array &p_joints_in_limb);
@@ -43,9 +43,9 @@ public:
 
 	void take(const Ref<SnapshotDecoder> &p_decoder, double p_arrival_s);
 
-	void show(double p_now_s) { smoother.show(p_now_s); }
-	double shown_tick() const { return smoother.shown_tick(); }
-	double get_delay() const { return smoother.delay(); }
+	void evaluate(double p_now_s) { _smoother.evaluate(p_now_s); }
+	double get_shown_tick() const { return _smoother.shown_tick(); }
+	double get_delay() const { return _smoother.delay(); }
 	double server_time(double p_now_s) const;
 
 	bool has_person(int64_t p_person) const;
@@ -57,13 +57,13 @@ public:
 
 	void forget_person(int64_t p_person);
 	void forget_body(int64_t p_body);
-	void clear() { smoother.clear(); }
+	void clear() { _smoother.clear(); }
 
 protected:
 	static void _bind_methods();
 
 private:
-	wire::Smoother smoother;
+	wire::Smoother _smoother;
 };
 
 } // namespace godot

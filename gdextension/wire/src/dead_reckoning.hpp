@@ -11,7 +11,7 @@ namespace wire {
 constexpr float LONGEST_PREDICTION_S = 1.0f;
 
 /// Where a body is.
-struct BodyPlace {
+struct BodyTransform {
 	Vec3 position; ///< m
 	Quat orientation;
 };
@@ -19,7 +19,7 @@ struct BodyPlace {
 /// Where a body is believed to be so many seconds after an update (0 to LONGEST_PREDICTION_S; more and
 /// less are cut off): straight on at its velocity and spin. Server and clients use this one formula, so
 /// that the server knows how wrong its clients are (dead reckoning: Aronson 1997, thesis section 7.2).
-inline BodyPlace predict(const BodyUpdate &p_update, float p_seconds) {
+inline BodyTransform predict(const BodyUpdate &p_update, float p_seconds) {
 	if (p_update.at_rest) {
 		return { p_update.position, p_update.orientation };
 	}

@@ -17,34 +17,34 @@ constexpr std::size_t STATES = 64;
 /// Bytes and states that a fuzzer starts from.
 class Fuzzer {
 public:
-	explicit Fuzzer(uint32_t p_seed) : random(p_seed), body(people::skeleton()) {
-		PersonPose pose = people::draw_pose(random);
+	explicit Fuzzer(uint32_t p_seed) : _random(p_seed), _body(people::skeleton()) {
+		PersonPose pose = people::draw_pose(_random);
 		for (std::size_t i = 0; i < STATES; i++) {
-			pose = people::moved(random, pose, i % 7 == 0 ? 2.0f : 0.05f);
+			pose = people::moved(_random, pose, i % 7 == 0 ? 2.0f : 0.05f);
 			for (std::size_t fine = 0; fine < 2; fine++) {
-				lattices[fine].quantise(pose, body, i > 0 ? &states[fine][i - 1] : nullptr, states[fine][i]);
+				_lattices[fine].quantise(pose, _body, i > 0 ? &_states[fine][i - 1] : nullptr, _states[fine][i]);
 			}
 		}
 	}
 
 	/// Reads one damaged or made-up person; false if what comes out is no state.
 	bool run() {
-		const std::size_t fine = random() % 2;
-		const PersonState *base = random() % 8 == 0 ? nullptr : &states[fine][random() % STATES];
-		const PersonState *before = random() % 4 == 0 ? nullptr : &states[fine][random() % STATES];
-		const int age = random() % 16 == 0 ? int(random()) : int(random() % 12);
-		const int before_age = random() % 16 == 0 ? int(random()) : age + int(random() % 4);
-		const PersonCodec codec(body, lattices[fine].resolution());
+		const std::size_t fine = _random() % 2;
+		const PersonState *base = _random() % 8 == 0 ? nullptr : &_states[fine][_random() % STATES];
+		const PersonState *before = _random() % 4 == 0 ? nullptr : &_states[fine][_random() % STATES];
+		const int age = _random() % 16 == 0 ? int(_random()) : int(_random() % 12);
+		const int before_age = _random() % 16 == 0 ? int(_random()) : age + int(_random() % 4);
+		const PersonCodec codec(_body, _lattices[fine].resolution());
 		std::array<uint8_t, PersonCodec::MAX_BYTES> bytes;
-		std::size_t size = random() % 96;
-		if (random() % 2 == 0) {
+		std::size_t size = _random() % 96;
+		if (_random() % 2 == 0) {
 			RangeEncoder encoder(bytes.data(), bytes.size());
-			codec.encode(encoder, states[fine][random() % STATES], base, before, age, before_age);
+			codec.encode(encoder, _states[fine][_random() % STATES], base, before, age, before_age);
 			size = encoder.finish();
-			damage(bytes.data(), size);
+			_damage(bytes.data(), size);
 		} else {
 			for (std::size_t i = 0; i < size; i++) {
-				bytes[i] = uint8_t(random());
+				bytes[i] = uint8_t(_random());
 			}
 		}
 		// Of just this size, so that a sanitizer sees what is read beyond.
@@ -53,22 +53,22 @@ public:
 		RangeDecoder decoder(exact.data(), exact.size());
 		const bool good = codec.decode(decoder, found, base, before, age, before_age);
 		accepted += good ? 1 : 0;
-		return !good || is_state(found, lattices[fine].resolution());
+		return !good || _is_state(found, _lattices[fine].resolution());
 	}
 
 	long accepted = 0;
 
 private:
-	void damage(uint8_t *r_bytes, std::size_t &r_size) {
-		for (std::size_t i = random() % 4; i > 0 && r_size > 0; i--) {
-			const std::size_t at = random() % r_size;
-			r_bytes[at] = random() % 2 == 0 ? uint8_t(random()) : uint8_t(r_bytes[at] ^ (1U << (random() % 8)));
+	void _damage(uint8_t *r_bytes, std::size_t &r_size) {
+		for (std::size_t i = _random() % 4; i > 0 && r_size > 0; i--) {
+			const std::size_t at = _random() % r_size;
+			r_bytes[at] = _random() % 2 == 0 ? uint8_t(_random()) : uint8_t(r_bytes[at] ^ (1U << (_random() % 8)));
 		}
-		r_size -= random() % 4 == 0 && r_size > 0 ? random() % r_size : 0;
+		r_size -= _random() % 4 == 0 && r_size > 0 ? _random() % r_size : 0;
 	}
-	bool is_state(const PersonState &p_state, int p_resolution) const {
+	bool _is_state(const PersonState &p_state, int p_resolution) const {
 		bool good = true;
-		for (std::size_t i = 0; i < std::size_t(body.limb_count); i++) {
+		for (std::size_t i = 0; i < std::size_t(_body.limb_count); i++) {
 			const RotationCode &code = p_state.limbs[i];
 			good = good && code.dropped < 4 &&
 					is_on_lattice({ code.parts[0], code.parts[1], code.parts[2] }, p_resolution);
@@ -76,10 +76,10 @@ private:
 		return good;
 	}
 
-	std::mt19937 random;
-	Skeleton body;
-	std::array<PersonLattice, 2> lattices{ PersonLattice(PersonLattice::COARSE), PersonLattice(PersonLattice::FINE) };
-	std::array<std::array<PersonState, STATES>, 2> states{};
+	std::mt19937 _random;
+	Skeleton _body;
+	std::array<PersonLattice, 2> _lattices{ PersonLattice(PersonLattice::COARSE), PersonLattice(PersonLattice::FINE) };
+	std::array<std::array<PersonState, STATES>, 2> _states{};
 };
 
 } // namespace

@@ -16,7 +16,7 @@ class Scene {
 public:
 	struct Client {
 		std::unique_ptr<SnapshotDecoder> decoder;
-		int delay = 0; ///< Ticks, each way.
+		int delay = 0; ///< Ticks, in each direction.
 		int jitter = 0; ///< Up to so many more.
 		bool answers = true;
 		Vec3 viewpoint;
@@ -38,10 +38,10 @@ public:
 	bool still = false;
 	bool is_cut = false; ///< Nothing gets through.
 	bool kicks_often = false; ///< Bodies hardly ever rest.
-	uint32_t ticks_at_once = 1; ///< A slow server makes several steps and tells of the last.
+	uint32_t ticks_at_once = 1; ///< A slow server makes several steps and sends the last.
 
 	Scene(int p_people, int p_bodies, int p_loss, double p_bits = 1e6, int p_rate = 60) :
-			server(shape(), 0.1, 60), loss(p_loss), bits(p_bits), rate(p_rate) {
+			server(shape(), 0.1, 60), _loss(p_loss), _bits(p_bits), _rate(p_rate) {
 		for (int i = 0; i < p_people; i++) {
 			poses.emplace_back();
 			poses.back().root = { float(i), 1.0f, 0.0f };
@@ -69,7 +69,7 @@ public:
 		Client client;
 		client.decoder = std::make_unique<SnapshotDecoder>(shape(), 0.1);
 		clients.push_back(std::move(client));
-		server.add_client(int(clients.size()), rate, bits);
+		server.add_client(int(clients.size()), _rate, _bits);
 	}
 
 	void rename_person(int p_person, uint16_t p_id) { ids[std::size_t(p_person)] = p_id; }
@@ -77,12 +77,12 @@ public:
 	void run(int p_ticks) {
 		for (int i = 0; i < p_ticks; i++) {
 			tick += ticks_at_once;
-			move();
-			simulate();
+			_move();
+			_simulate();
 			for (std::size_t c = 0; c < clients.size(); c++) {
-				send(c);
+				_send(c);
 			}
-			deliver();
+			_deliver();
 		}
 	}
 
@@ -108,8 +108,8 @@ public:
 		for (const BodyUpdate &body : bodies) {
 			const auto &known = clients[std::size_t(p_client)].bodies;
 			const BodyUpdate &update = known.at(body.id);
-			const BodyPlace place = predict(update, float(tick - update.tick) / 60.0f);
-			worst = std::max(worst, (place.position - body.position).length());
+			const BodyTransform position = predict(update, float(tick - update.tick) / 60.0f);
+			worst = std::max(worst, (position.position - body.position).length());
 		}
 		return worst;
 	}
@@ -131,10 +131,10 @@ private:
 		std::vector<uint8_t> bytes;
 	};
 
-	float noise(float p_size) { return std::normal_distribution<float>(0.0f, p_size)(random); }
-	Vec3 noise_vector(float p_size) { return { noise(p_size), noise(p_size), noise(p_size) }; }
+	float _noise(float p_size) { return std::normal_distribution<float>(0.0f, p_size)(_random); }
+	Vec3 _noise_vector(float p_size) { return { _noise(p_size), _noise(p_size), _noise(p_size) }; }
 
-	void move() {
+	void _move() {
 		if (still) {
 			for (BodyUpdate &body : bodies) {
 				body.position = body.position + body.velocity * (1.0f / 60.0f);
@@ -150,11 +150,11 @@ private:
 			}
 		}
 		for (BodyUpdate &body : bodies) {
-			const bool kicked = random() % (kicks_often ? 10 : 300) == 0;
-			const bool stops = random() % (kicks_often ? 1000 : 300) == 1;
+			const bool kicked = _random() % (kicks_often ? 10 : 300) == 0;
+			const bool stops = _random() % (kicks_often ? 1000 : 300) == 1;
 			if (kicked) {
-				body.velocity = noise_vector(1.0f);
-				body.spin = noise_vector(2.0f);
+				body.velocity = _noise_vector(1.0f);
+				body.spin = _noise_vector(2.0f);
 				body.at_rest = false;
 			} else if (stops) {
 				body.velocity = body.spin = {};
@@ -165,7 +165,7 @@ private:
 		}
 	}
 
-	void simulate() {
+	void _simulate() {
 		WorldHistory &world = server.world();
 		world.begin(tick);
 		for (std::size_t i = 0; i < poses.size(); i++) {
@@ -177,66 +177,66 @@ private:
 		world.end();
 	}
 
-	void post(std::size_t p_client, bool p_is_ack, const uint8_t *p_bytes, std::size_t p_size) {
-		if (is_cut || int(random() % 100) < loss) {
+	void _post(std::size_t p_client, bool p_is_ack, const uint8_t *p_bytes, std::size_t p_size) {
+		if (is_cut || int(_random() % 100) < _loss) {
 			return;
 		}
 		const Client &client = clients[p_client];
-		const uint32_t late = uint32_t(client.delay) + uint32_t(random() % uint32_t(client.jitter + 1));
-		post_box.emplace(tick + late, Packet{ p_client, p_is_ack, { p_bytes, p_bytes + p_size } });
+		const uint32_t late = uint32_t(client.delay) + uint32_t(_random() % uint32_t(client.jitter + 1));
+		_post_box.emplace(tick + late, Packet{ p_client, p_is_ack, { p_bytes, p_bytes + p_size } });
 	}
 
-	void send(std::size_t p_client) {
-		const std::size_t count = server.encode(int(p_client) + 1, 0, datagrams);
+	void _send(std::size_t p_client) {
+		const std::size_t count = server.encode(int(p_client) + 1, 0, _datagrams);
 		for (std::size_t i = 0; i < count; i++) {
-			post(p_client, false, datagrams[i].bytes.data(), datagrams[i].size);
+			_post(p_client, false, _datagrams[i].bytes.data(), _datagrams[i].size);
 		}
 	}
 
-	void deliver() {
-		while (!post_box.empty() && post_box.begin()->first <= tick) {
-			const Packet packet = post_box.begin()->second;
-			post_box.erase(post_box.begin());
+	void _deliver() {
+		while (!_post_box.empty() && _post_box.begin()->first <= tick) {
+			const Packet packet = _post_box.begin()->second;
+			_post_box.erase(_post_box.begin());
 			if (packet.is_ack) {
 				server.client(int(packet.client) + 1)->take_ack(packet.bytes.data(), packet.bytes.size(), tick);
 			} else {
-				receive(packet);
+				_receive(packet);
 			}
 		}
 	}
 
-	void receive(const Packet &p_packet) {
+	void _receive(const Packet &p_packet) {
 		Client &client = clients[p_packet.client];
 		const auto outcome = client.decoder->decode(p_packet.bytes.data(), p_packet.bytes.size());
 		client.outcomes[int(outcome)]++;
 		client.newest_tick = outcome == SnapshotDecoder::Outcome::OK ? client.decoder->tick() : client.newest_tick;
 		for (const PersonUpdate &update : client.decoder->people()) {
-			check_person(client, update);
+			_check_person(client, update);
 		}
 		for (const BodyUpdate &update : client.decoder->bodies()) {
-			check_body(client, update);
+			_check_body(client, update);
 		}
 		std::array<uint8_t, ClientRecord::ACK_BYTES> ack{};
 		if (client.answers && client.decoder->write_ack(client.viewpoint, ack)) {
-			post(p_packet.client, true, ack.data(), ack.size());
+			_post(p_packet.client, true, ack.data(), ack.size());
 		}
 	}
 
-	static bool is_equal(const Quat &p_a, const Quat &p_b) {
+	static bool _is_equal(const Quat &p_a, const Quat &p_b) {
 		return p_a.x == p_b.x && p_a.y == p_b.y && p_a.z == p_b.z && p_a.w == p_b.w;
 	}
 
-	void check_person(Client &r_client, const PersonUpdate &p_update) {
+	void _check_person(Client &r_client, const PersonUpdate &p_update) {
 		for (const auto &person : server.world().people()) {
-			const PersonState *state = person->id == p_update.id ? person->trail.find(p_update.tick) : nullptr;
+			const PersonState *state = person->id == p_update.id ? person->history.find(p_update.tick) : nullptr;
 			if (state == nullptr) {
 				continue;
 			}
 			PersonPose pose;
-			lattice.restore(*state, shape(), pose);
+			_lattice.restore(*state, shape(), pose);
 			bool same = (pose.root - p_update.pose.root).length() == 0.0f;
 			for (std::size_t i = 0; i < 16; i++) {
-				same = same && is_equal(pose.orientations[i], p_update.pose.orientations[i]);
+				same = same && _is_equal(pose.orientations[i], p_update.pose.orientations[i]);
 			}
 			same ? r_client.right_people++ : r_client.wrong++;
 			uint32_t &newest = r_client.people[p_update.id];
@@ -244,9 +244,9 @@ private:
 		}
 	}
 
-	void check_body(Client &r_client, const BodyUpdate &p_update) {
+	void _check_body(Client &r_client, const BodyUpdate &p_update) {
 		for (const auto &body : server.world().bodies()) {
-			const BodyState *state = body->id == p_update.id ? body->trail.find(p_update.tick) : nullptr;
+			const BodyState *state = body->id == p_update.id ? body->history.find(p_update.tick) : nullptr;
 			if (state == nullptr) {
 				continue;
 			}
@@ -254,20 +254,20 @@ private:
 			restore_body(*state, expected);
 			const bool same = (expected.position - p_update.position).length() == 0.0f &&
 					(expected.velocity - p_update.velocity).length() == 0.0f &&
-					is_equal(expected.orientation, p_update.orientation) && expected.at_rest == p_update.at_rest;
+					_is_equal(expected.orientation, p_update.orientation) && expected.at_rest == p_update.at_rest;
 			same ? r_client.right_bodies++ : r_client.wrong++;
 			BodyUpdate &newest = r_client.bodies[p_update.id];
 			newest = p_update.tick >= newest.tick ? p_update : newest;
 		}
 	}
 
-	int loss;
-	double bits;
-	int rate;
-	PersonLattice lattice{ PersonLattice::resolution_for(0.1) };
-	std::mt19937 random{ 5 };
-	std::multimap<uint32_t, Packet> post_box;
-	std::array<Datagram, MAX_DATAGRAMS> datagrams{};
+	int _loss;
+	double _bits;
+	int _rate;
+	PersonLattice _lattice{ PersonLattice::resolution_for(0.1) };
+	std::mt19937 _random{ 5 };
+	std::multimap<uint32_t, Packet> _post_box;
+	std::array<Datagram, MAX_DATAGRAMS> _datagrams{};
 };
 
 } // namespace wire

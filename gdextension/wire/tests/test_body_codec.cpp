@@ -57,9 +57,9 @@ BodyState extreme(int p_sign, uint8_t p_dropped) {
 
 double apart_deg(const Quat &p_a, const Quat &p_b) {
 	const Quat change = p_a.inverse() * p_b;
-	const double way =
+	const double chord =
 			std::sqrt(double(change.x) * change.x + double(change.y) * change.y + double(change.z) * change.z);
-	return 2.0 * std::atan2(way, std::fabs(double(change.w))) * 180.0 / 3.14159265358979;
+	return 2.0 * std::atan2(chord, std::fabs(double(change.w))) * 180.0 / 3.14159265358979;
 }
 
 } // namespace
@@ -97,7 +97,7 @@ TEST(extremes_come_through) {
 TEST(what_comes_through_is_near_what_was_put_in) {
 	std::mt19937 random(2);
 	double angle = 0.0;
-	float way = 0.0f;
+	float distance = 0.0f;
 	float velocity = 0.0f;
 	for (int round = 0; round < 5000; round++) {
 		BodyUpdate body;
@@ -107,12 +107,12 @@ TEST(what_comes_through_is_near_what_was_put_in) {
 		BodyUpdate found;
 		restore_body(quantise_body(body), found);
 		angle = std::max(angle, apart_deg(body.orientation, found.orientation));
-		way = std::max(way, (body.position - found.position).length());
+		distance = std::max(distance, (body.position - found.position).length());
 		velocity = std::max(velocity, (body.velocity - found.velocity).length());
 		CHECK_NEAR(found.orientation.dot(found.orientation), 1.0, 1e-5);
 	}
 	CHECK(angle < 0.8);
-	CHECK(way < 0.001f);
+	CHECK(distance < 0.001f);
 	CHECK(velocity < 1.0f / float(BODY_VELOCITY_SCALE));
 }
 
@@ -174,11 +174,11 @@ TEST(positions_are_foreseen_as_by_floats) {
 		BodyUpdate restored;
 		restore_body(base, restored);
 		const int ticks = int(random() % 128);
-		const auto place = foresee_position(base, base.velocity, ticks, RATE);
+		const auto position = foresee_position(base, base.velocity, ticks, RATE);
 		const Vec3 expected = restored.position + restored.velocity * (float(ticks) / float(RATE));
 		for (std::size_t i = 0; i < 3; i++) {
 			const float part = i == 0 ? expected.x : (i == 1 ? expected.y : expected.z);
-			worst_mm = std::max(worst_mm, std::fabs(double(place[i]) - 1000.0 * double(part)));
+			worst_mm = std::max(worst_mm, std::fabs(double(position[i]) - 1000.0 * double(part)));
 		}
 	}
 	CHECK(worst_mm < 1.0);

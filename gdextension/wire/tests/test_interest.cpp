@@ -45,13 +45,13 @@ TEST(outside_is_in_no_cell) {
 	Interest interest;
 	CHECK(set(interest, { 2, 3, 4 }, table(24, 0)));
 	const Vec3 inside{ 0.0f, 1.0f, 11.0f };
-	for (const Vec3 &place : { Vec3{ -1.01f, 1.0f, 11.0f }, Vec3{ 3.0f, 1.0f, 11.0f }, Vec3{ 0.0f, -0.01f, 11.0f },
+	for (const Vec3 &position : { Vec3{ -1.01f, 1.0f, 11.0f }, Vec3{ 3.0f, 1.0f, 11.0f }, Vec3{ 0.0f, -0.01f, 11.0f },
 				 Vec3{ 0.0f, 6.0f, 11.0f }, Vec3{ 0.0f, 1.0f, 9.9f }, Vec3{ 0.0f, 1.0f, 18.0f },
 				 Vec3{ NOT_A_NUMBER, 1.0f, 11.0f }, Vec3{ 0.0f, INFINITE, 11.0f }, Vec3{ 0.0f, 1.0f, -1e30f } }) {
-		CHECK(interest.cell(place) == -1);
+		CHECK(interest.cell(position) == -1);
 		// Nothing is known of it, so it is not hidden.
-		CHECK(interest.weight(inside, place) >= Interest::FAR);
-		CHECK(interest.weight(place, inside) >= Interest::FAR);
+		CHECK(interest.weight(inside, position) >= Interest::FAR);
+		CHECK(interest.weight(position, inside) >= Interest::FAR);
 	}
 	CHECK(interest.weight(inside, inside) == Interest::HIDDEN);
 }

@@ -21,7 +21,7 @@ struct Crowd {
 	std::array<Datagram, MAX_DATAGRAMS> datagrams{};
 	std::mt19937 random{ 1 };
 	uint32_t tick = 1000;
-	int told = 0;
+	int received = 0;
 
 	Crowd() {
 		for (std::size_t c = 0; c < CLIENTS; c++) {
@@ -63,7 +63,7 @@ struct Crowd {
 		}
 	}
 
-	void tell() {
+	void send() {
 		for (std::size_t c = 0; c < CLIENTS; c++) {
 			SnapshotDecoder &client = *clients[c];
 			const std::size_t count = server.encode(int(c), 0, datagrams);
@@ -72,7 +72,7 @@ struct Crowd {
 					continue;
 				}
 				client.decode(datagrams[i].bytes.data(), datagrams[i].size);
-				told += int(client.people().size() + client.bodies().size());
+				received += int(client.people().size() + client.bodies().size());
 			}
 			std::array<uint8_t, ClientRecord::ACK_BYTES> ack{};
 			if (client.write_ack({ 1.0f, 2.0f, 3.0f }, ack)) {
@@ -84,21 +84,21 @@ struct Crowd {
 	void run(int p_ticks) {
 		for (int i = 0; i < p_ticks; i++) {
 			move(i % 100 == 50);
-			tell();
+			send();
 		}
 	}
 };
 
 } // namespace
 
-TEST(telling_a_world_takes_no_memory) {
+TEST(sending_a_world_takes_no_memory) {
 	Crowd crowd;
 	crowd.run(60);
-	crowd.told = 0;
+	crowd.received = 0;
 	const int before = allocations;
 	crowd.run(1200);
 	CHECK(allocations == before);
-	CHECK(crowd.told > 1200 * int(PEOPLE));
+	CHECK(crowd.received > 1200 * int(PEOPLE));
 	// The counter counts.
 	delete new int(1);
 	CHECK(allocations > before);
@@ -112,7 +112,7 @@ TEST(only_what_is_new_takes_memory) {
 	crowd.bodies.back().id = 5000;
 	const int own = allocations - before;
 	crowd.run(60);
-	// A place on the server, in its index and in the clients' records, and a trail for each client; some
+	// A position on the server, in its index and in the clients' records, and a history for each client; some
 	// tables grow.
 	CHECK(allocations - before - own > 0);
 	CHECK(allocations - before - own < 8 * int(CLIENTS));

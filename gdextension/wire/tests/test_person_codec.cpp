@@ -206,8 +206,8 @@ TEST(the_format_does_not_drift) {
 			}
 			code.dropped = uint8_t(draw(100) == 0 ? (code.dropped + 1) % 4 : code.dropped);
 		}
-		for (int32_t &place : walk.now.root) {
-			place += draw(30);
+		for (int32_t &position : walk.now.root) {
+			position += draw(30);
 		}
 		walk.base_age = 1 + round % 9;
 		walk.before_age = walk.base_age + round % 4;
@@ -227,11 +227,11 @@ TEST(no_parameter_lets_anything_be_divided_by_nothing) {
 	for (const auto &models : { STILL_MODELS, MOVING_MODELS }) {
 		for (int i = 0; i < 2 * AGE_STEPS; i++) {
 			const PersonModel &model = models[i / AGE_STEPS][i % AGE_STEPS];
-			CHECK(model.place.along >= 0 && model.rotation.along >= 0);
+			CHECK(model.root.along >= 0 && model.rotation.along >= 0);
 		}
 	}
 	for (const PersonModel &model : WHOLE_MODELS) {
-		CHECK(model.place.along >= 0 && model.rotation.along >= 0);
+		CHECK(model.root.along >= 0 && model.rotation.along >= 0);
 	}
 }
 

@@ -32,8 +32,8 @@ std::vector<Symbol> draw(std::mt19937 &p_random, int p_count) {
 bool reads_back(const std::vector<Symbol> &p_symbols, const uint8_t *p_bytes, std::size_t p_size, std::size_t &r_used) {
 	RangeDecoder decoder(p_bytes, p_size);
 	for (const Symbol &symbol : p_symbols) {
-		const uint32_t place = decoder.peek(symbol.bits);
-		if (place < symbol.below || place >= symbol.below + symbol.share) {
+		const uint32_t position = decoder.peek(symbol.bits);
+		if (position < symbol.below || position >= symbol.below + symbol.share) {
 			return false;
 		}
 		decoder.decode(symbol.below, symbol.share);

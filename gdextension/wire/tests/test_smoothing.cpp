@@ -27,7 +27,7 @@ Watched watch(SmoothingMethod p_method, const std::vector<Datagram> &p_datagrams
 			smoother.push(swinging(p_datagrams[next].tick), p_datagrams[next].arrival);
 			next++;
 		}
-		smoother.show(now);
+		smoother.evaluate(now);
 		const Smoother::Person *person = smoother.person(0);
 		if (person != nullptr && now >= p_begin) {
 			watched.hand.push_back(person->positions[2]);
@@ -46,7 +46,7 @@ Vec3 true_hand(double p_time) {
 	update.pose.orientations[1] = kinematics::exp({ 0.0f, 0.0f, std::sin(6.283f * time) });
 	update.pose.orientations[2] = kinematics::exp({ 0.0f, 0.6f * std::cos(6.283f * time), std::sin(6.283f * time) });
 	std::array<Vec3, kinematics::MAX_LIMBS> positions;
-	kinematics::place_limbs(arm(), update.pose, positions);
+	kinematics::position_limbs(arm(), update.pose, positions);
 	return positions[2];
 }
 
@@ -60,7 +60,7 @@ double error(const Watched &p_watched, double p_lag) {
 	return std::sqrt(sum / double(p_watched.hand.size()));
 }
 
-/// The greatest change of the hand's way from one frame to the next, m: a jump shows in it.
+/// The greatest change of the hand's path from one frame to the next, m: a jump shows in it.
 float roughest(const Watched &p_watched) {
 	float worst = 0.0f;
 	for (std::size_t i = 2; i < p_watched.hand.size(); i++) {
@@ -107,7 +107,7 @@ TEST(the_default_waits_longer_where_updates_vary_more) {
 		for (const Datagram &datagram : network(0, 300, 1, 0.08, jitter, 0.0)) {
 			smoother.push(swinging(datagram.tick), datagram.arrival);
 		}
-		smoother.show(5.1);
+		smoother.evaluate(5.1);
 		CHECK(smoother.delay() > before);
 		CHECK(smoother.delay() < 0.02 + 2.0 * jitter);
 		before = smoother.delay();
@@ -122,7 +122,7 @@ TEST(the_thesis_and_the_error_offset_are_ahead_of_the_buffers) {
 	}
 }
 
-TEST(the_clock_finds_the_quickest_way_and_follows_drift) {
+TEST(the_clock_finds_the_least_latency_and_follows_drift) {
 	ServerClock clock;
 	std::mt19937 random(3);
 	std::uniform_real_distribution<double> jitter(0.0, 0.02);
@@ -147,7 +147,7 @@ TEST(what_is_shown_never_goes_back_in_time) {
 	double before = -1.0;
 	int back = 0;
 	std::size_t next = 0;
-	// The way becomes slower, then quicker again.
+	// The network becomes slower, then quicker again.
 	std::vector<Datagram> datagrams = network(0, 300, 1, 0.02, 0.005, 0.0);
 	for (const Datagram &datagram : network(300, 600, 1, 0.15, 0.05, 0.0)) {
 		datagrams.push_back(datagram);
@@ -160,7 +160,7 @@ TEST(what_is_shown_never_goes_back_in_time) {
 			smoother.push(swinging(datagrams[next].tick), datagrams[next].arrival);
 			next++;
 		}
-		smoother.show(double(frame) / 60.0);
+		smoother.evaluate(double(frame) / 60.0);
 		back += smoother.shown_tick() < before ? 1 : 0;
 		before = smoother.shown_tick();
 	}
@@ -177,7 +177,7 @@ TEST(the_method_can_change_while_it_runs) {
 		const double now = double(tick) / 60.0;
 		smoother.set_method(ALL_METHODS[(tick / 50) % 6]);
 		smoother.push(swinging(tick), now);
-		smoother.show(now + 0.001);
+		smoother.evaluate(now + 0.001);
 		const Smoother::Person *person = smoother.person(0);
 		CHECK(person != nullptr && is_finite(*person));
 		widest = tick > 1 ? std::max(widest, (person->pose.root - before).length()) : 0.0f;

@@ -37,17 +37,17 @@ std::vector<float> see(
 	LocalFeedback feedback;
 	feedback.set_skeleton(arm());
 	std::mt19937 random(5);
-	std::deque<Truth> way;
+	std::deque<Truth> in_flight;
 	std::vector<float> seen;
 	for (int frame = 0; double(frame) / 60.0 < p_seconds; frame++) {
 		const double now = double(frame) / 60.0;
 		feedback.push_local(now, armed(p_local(now)));
-		way.push_back({ now + 0.04 + 0.02 * double(random() % 100) / 100.0, now, armed(p_server(now)) });
-		while (!way.empty() && way.front().arrival <= now) {
-			feedback.push_truth(way.front().moment, way.front().pose);
-			way.pop_front();
+		in_flight.push_back({ now + 0.04 + 0.02 * double(random() % 100) / 100.0, now, armed(p_server(now)) });
+		while (!in_flight.empty() && in_flight.front().arrival <= now) {
+			feedback.push_truth(in_flight.front().moment, in_flight.front().pose);
+			in_flight.pop_front();
 		}
-		feedback.show(now, now);
+		feedback.evaluate(now, now);
 		seen.push_back(kinematics::log(feedback.get_pose().orientations[1]).y);
 	}
 	return seen;
@@ -125,7 +125,7 @@ TEST(the_root_goes_where_the_server_has_it) {
 		pose.root.x = std::min(float(now), 1.0f);
 		pose.root.z = 4.5f;
 		feedback.push_truth(now, pose);
-		CHECK(feedback.show(now, now));
+		CHECK(feedback.evaluate(now, now));
 		CHECK_NEAR(feedback.get_pose().root.z, 4.5, 1e-4);
 		CHECK(feedback.get_pose().root.x < 1.06f);
 	}
@@ -140,7 +140,7 @@ TEST(without_word_from_the_server_the_wearer_is_shown) {
 		if (now < 1.0) {
 			feedback.push_truth(now, armed(0.5f));
 		}
-		feedback.show(now, now);
+		feedback.evaluate(now, now);
 		if (frame == 59) {
 			CHECK_NEAR(feedback.deviation(1), 0.5, 0.01);
 		}
@@ -158,7 +158,7 @@ TEST(a_body_that_is_turned_around_does_not_flip) {
 		feedback.push_local(now, armed(0.0f));
 		// It turns by more than half a circle and back again.
 		feedback.push_truth(now, armed(3.6f * std::sin(1.5f * float(now))));
-		feedback.show(now, now);
+		feedback.evaluate(now, now);
 		const Quat turn = feedback.get_pose().orientations[1];
 		const float angle = 2.0f * std::atan2(turn.y, turn.w);
 		const float step = std::fabs(std::remainder(angle - before, 6.2831853f));
@@ -171,7 +171,7 @@ TEST(a_body_that_is_turned_around_does_not_flip) {
 TEST(what_is_broken_is_refused) {
 	LocalFeedback feedback;
 	CHECK(!feedback.push_local(0.0, armed(0.0f)));
-	CHECK(!feedback.show(0.0, 0.0));
+	CHECK(!feedback.evaluate(0.0, 0.0));
 	kinematics::Skeleton wrong = arm();
 	wrong.limb_count = 0;
 	CHECK(!feedback.set_skeleton(wrong));
@@ -190,8 +190,8 @@ TEST(what_is_broken_is_refused) {
 	CHECK(!feedback.push_truth(10.0, broken));
 	CHECK(feedback.push_truth(10.0, armed(0.1f)));
 	CHECK(!feedback.push_truth(10.0, armed(0.1f)));
-	CHECK(!feedback.show(std::numeric_limits<double>::quiet_NaN(), 10.0));
-	CHECK(feedback.show(-5.0, 1e300));
+	CHECK(!feedback.evaluate(std::numeric_limits<double>::quiet_NaN(), 10.0));
+	CHECK(feedback.evaluate(-5.0, 1e300));
 	CHECK(feedback.get_positions()[2].is_finite());
 }
 

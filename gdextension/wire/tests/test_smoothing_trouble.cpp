@@ -67,12 +67,12 @@ Vec3 any_vector(std::mt19937 &p_random) {
 	return { any_float(p_random), any_float(p_random), any_float(p_random) };
 }
 
-/// A person shown at 60 Hz who is told of every tick.
+/// A person shown at 60 Hz who gets every tick.
 void run(Smoother &r_smoother, uint32_t p_first, uint32_t p_end, double p_begin) {
 	for (uint32_t tick = p_first; tick < p_end; tick++) {
 		const double now = p_begin + double(tick - p_first) / 60.0;
 		r_smoother.push(swinging(tick), now);
-		r_smoother.show(now + 0.001);
+		r_smoother.evaluate(now + 0.001);
 	}
 }
 
@@ -85,7 +85,7 @@ TEST(a_running_smoother_allocates_nothing) {
 		const double now = double(p_tick) / 60.0;
 		smoother.push(swinging(p_tick), now);
 		smoother.push(falling(p_tick), now);
-		smoother.show(now);
+		smoother.evaluate(now);
 	};
 	step(0);
 	const int before = allocations;
@@ -118,11 +118,11 @@ TEST(what_is_broken_is_refused_and_never_shown) {
 		smoother.set_method(ALL_METHODS[(i / 100) % 6]);
 		smoother.push(person, now);
 		smoother.push(body, now);
-		smoother.show(random() % 16 == 0 ? double(any_float(random)) : double(i) / 60.0);
+		smoother.evaluate(random() % 16 == 0 ? double(any_float(random)) : double(i) / 60.0);
 		const Smoother::Person *shown = smoother.person(0);
-		const BodyPlace *place = smoother.body(0);
+		const BodyTransform *position = smoother.body(0);
 		sound = sound && (shown == nullptr || is_finite(*shown));
-		sound = sound && (place == nullptr || (place->position.is_finite() && place->orientation.is_finite()));
+		sound = sound && (position == nullptr || (position->position.is_finite() && position->orientation.is_finite()));
 	}
 	CHECK(sound);
 }
@@ -139,7 +139,7 @@ TEST(a_person_without_a_sound_skeleton_is_refused) {
 	CHECK(smoother.set_skeleton(0, arm()));
 	CHECK(smoother.push(swinging(1), 0.0));
 	CHECK(smoother.person(0) == nullptr);
-	smoother.show(0.0);
+	smoother.evaluate(0.0);
 	CHECK(smoother.person(0) != nullptr);
 	smoother.forget_person(0);
 	CHECK(smoother.person(0) == nullptr);
@@ -156,7 +156,7 @@ TEST(twice_and_out_of_order_change_nothing) {
 		smoother.push(swinging(tick + 1), now);
 		smoother.push(swinging(tick), now);
 		refused += smoother.push(swinging(tick), now) ? 0 : 1;
-		smoother.show(now);
+		smoother.evaluate(now);
 		if (tick > 60) {
 			// The walk is one metre a second.
 			const double error = smoother.person(0)->pose.root.x - smoother.shown_tick() / 60.0;
@@ -176,7 +176,7 @@ TEST(a_replayed_old_datagram_does_not_restart_the_world) {
 	CHECK(!smoother.push(swinging(100), 5.0));
 	CHECK(!smoother.push(swinging(100), 5.0));
 	CHECK(!smoother.push(swinging(4000000000U), 5.0));
-	smoother.show(5.001);
+	smoother.evaluate(5.001);
 	CHECK(smoother.shown_tick() > tick - 0.1 && smoother.shown_tick() < tick + 10.0);
 }
 
@@ -200,7 +200,7 @@ TEST(during_a_pause_a_person_stops_and_afterwards_goes_on) {
 		smoother.set_skeleton(0, arm());
 		run(smoother, 0, 300, 0.0);
 		for (int frame = 0; frame < 295; frame++) {
-			smoother.show(5.0 + double(frame) / 60.0);
+			smoother.evaluate(5.0 + double(frame) / 60.0);
 		}
 		CHECK_NEAR(smoother.person(0)->pose.root.x, 5.0, 0.4);
 		CHECK(is_finite(*smoother.person(0)));
@@ -217,11 +217,11 @@ TEST(after_a_sleep_of_the_client_it_catches_up_at_once) {
 	for (uint32_t tick = 300; tick < 600; tick++) {
 		smoother.push(swinging(tick), double(tick) / 60.0);
 	}
-	smoother.show(10.0);
+	smoother.evaluate(10.0);
 	CHECK_NEAR(smoother.person(0)->pose.root.x, 10.0, 0.1);
 }
 
-TEST(a_body_goes_on_as_predicted_until_it_is_told_otherwise) {
+TEST(a_body_goes_on_as_predicted_until_an_update_says_otherwise) {
 	for (const SmoothingMethod method :
 			{ SmoothingMethod::LINEAR, SmoothingMethod::HERMITE, SmoothingMethod::EXTRAPOLATE_LERP,
 					SmoothingMethod::ERROR_OFFSET, SmoothingMethod::ADAPTIVE_LOW_DELAY }) {
@@ -235,7 +235,7 @@ TEST(a_body_goes_on_as_predicted_until_it_is_told_otherwise) {
 			if (tick % 48 == 0) { // Rarely, as a server does whose prediction holds.
 				smoother.push(falling(tick), now);
 			}
-			smoother.show(now);
+			smoother.evaluate(now);
 			const double seconds = smoother.shown_tick() / 60.0;
 			const float truth = float(10.0 - std::max(seconds, 0.0));
 			worst = std::max(worst, std::fabs(smoother.body(5)->position.y - truth));
@@ -268,7 +268,7 @@ TEST(a_correction_slides_in_and_a_body_at_rest_lies_exactly) {
 			landed.at_rest = true;
 			smoother.push(landed, now);
 		}
-		smoother.show(now);
+		smoother.evaluate(now);
 		const float height = smoother.body(5)->position.y;
 		roughest = tick > 0 ? std::max(roughest, std::fabs(height - before)) : 0.0f;
 		before = height;
@@ -282,15 +282,15 @@ TEST(what_is_put_elsewhere_does_not_fly_there) {
 	BodyUpdate update;
 	update.at_rest = true;
 	smoother.push(update, 0.0);
-	smoother.show(0.0);
+	smoother.evaluate(0.0);
 	for (uint32_t tick = 1; tick < 30; tick++) {
 		update.tick = tick;
 		update.position.x = tick < 10 ? 0.0f : 20.0f;
 		const double now = double(tick) / 60.0;
 		smoother.push(update, now);
-		smoother.show(now);
-		const float place = smoother.body(0)->position.x;
-		CHECK(place < 0.01f || place > 19.99f);
+		smoother.evaluate(now);
+		const float position = smoother.body(0)->position.x;
+		CHECK(position < 0.01f || position > 19.99f);
 	}
 	smoother.forget_body(0);
 	CHECK(smoother.body(0) == nullptr);

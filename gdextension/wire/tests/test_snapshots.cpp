@@ -23,7 +23,7 @@ TEST(loss_delay_and_overtaking_do_no_harm) {
 		CHECK(scene.clients[0].wrong == 0);
 		CHECK(scene.clients[0].outcomes[int(SnapshotDecoder::Outcome::BROKEN)] == 0);
 		CHECK(scene.clients[0].right_people > 3 * 1500 * (100 - loss) / 100 * 8 / 10);
-		// Everything has been told, and not long ago.
+		// Everything has been sent, and not long ago.
 		CHECK(scene.oldest_person(0) < 60);
 		scene.stop();
 		scene.run(120);
@@ -79,7 +79,7 @@ TEST(old_datagrams_again_do_not_make_a_client_forget) {
 	CHECK(scene.clients[0].right_people > 2 * 2100);
 }
 
-TEST(a_client_that_never_answers_is_still_told) {
+TEST(a_client_that_never_answers_still_gets_updates) {
 	Scene scene(2, 10, 0);
 	scene.clients[0].answers = false;
 	scene.run(300);
@@ -103,7 +103,7 @@ TEST(a_client_keeps_to_its_share) {
 	Scene scene(8, 200, 0, 64000.0);
 	scene.run(1200);
 	const double seconds = 20.0;
-	const double rate = double(scene.server.client(1)->figures.bytes) * 8.0 / seconds;
+	const double rate = double(scene.server.client(1)->stats.bytes) * 8.0 / seconds;
 	CHECK(rate < 64000.0 * 1.05);
 	CHECK(rate > 64000.0 * 0.5);
 	CHECK(scene.clients[0].wrong == 0);
@@ -134,13 +134,13 @@ TEST(what_rests_costs_nothing) {
 	Scene scene(0, 200, 0);
 	scene.still = true;
 	scene.run(200);
-	const uint64_t before = scene.server.client(1)->figures.bytes;
+	const uint64_t before = scene.server.client(1)->stats.bytes;
 	scene.run(600);
-	CHECK(scene.server.client(1)->figures.bytes - before < 10 * 2 * 60);
+	CHECK(scene.server.client(1)->stats.bytes - before < 10 * 2 * 60);
 	CHECK(scene.known_bodies(0) == 200);
 }
 
-TEST(what_is_out_of_sight_is_told_rarely) {
+TEST(what_is_out_of_sight_is_sent_rarely) {
 	Scene scene(2, 0, 0);
 	// Two cells: people stand in the first, and the client sees only the second.
 	const uint8_t table[4] = { 1, 0, 0, 1 };
@@ -149,8 +149,8 @@ TEST(what_is_out_of_sight_is_told_rarely) {
 	scene.run(60);
 	const int before = scene.clients[0].right_people;
 	scene.run(600);
-	const int told = scene.clients[0].right_people - before;
-	CHECK(told > 2 * 20 && told < 2 * 100);
+	const int received = scene.clients[0].right_people - before;
+	CHECK(received > 2 * 20 && received < 2 * 100);
 }
 
 TEST(an_outage_of_any_length_is_mended_at_once) {
@@ -176,7 +176,7 @@ TEST(people_do_not_starve_when_there_is_little_room) {
 		CHECK(scene.clients[0].wrong == 0);
 		CHECK(scene.known_people(0) == 8);
 		CHECK(scene.oldest_person(0) < 600);
-		CHECK(double(scene.server.client(1)->figures.bytes) * 8.0 / 30.0 < bits * 1.1 + 1000.0);
+		CHECK(double(scene.server.client(1)->stats.bytes) * 8.0 / 30.0 < bits * 1.1 + 1000.0);
 	}
 }
 
@@ -188,7 +188,7 @@ TEST(any_rate_of_snapshots_is_kept) {
 	}
 }
 
-TEST(a_slow_server_that_leaves_out_ticks_still_tells_of_jolts) {
+TEST(a_slow_server_that_leaves_out_ticks_still_sends_jolts) {
 	Scene scene(1, 1, 0, 256000.0, 10);
 	scene.still = true;
 	scene.run(100);

@@ -76,8 +76,9 @@ bool write_models(const Models &p_models, const char *p_path) {
 	}
 	std::fprintf(file,
 			"// SPDX-License-Identifier: MIT\n#pragma once\n\n// Made by tools/wire/train_models.sh from the motion "
-			"files in assets/motion: do not edit.\n// clang-format off\n\n#include \"fixed_tables.hpp\"\n#include "
-			"\"person_model.hpp\"\n\nnamespace wire {\n\n");
+			"files in assets/motion: do not edit.\n// clang-format off\n\n#include "
+			"\"coding/fixed_tables.hpp\"\n#include "
+			"\"coding/person_model.hpp\"\n\nnamespace wire {\n\n");
 	write_shares(file, p_models);
 	std::fprintf(file, "/// Where there is no base.\nconstexpr PersonModel WHOLE_MODELS[2] = {\n");
 	write_model(file, p_models.whole[0]);

@@ -18,7 +18,7 @@ class CostPort {
 public:
 	CostPort() {
 		for (int i = 1; i <= 65536; i++) {
-			costs[std::size_t(i)] = float(16.0 - std::log2(double(i)));
+			_costs[std::size_t(i)] = float(16.0 - std::log2(double(i)));
 		}
 	}
 	bool number(const NumberModel &p_model, int64_t &p_number) {
@@ -27,7 +27,7 @@ public:
 		const int64_t away = symbols.bucket_of(index);
 		constexpr int64_t MAX = NumberSymbols::MAX_BUCKETS;
 		const int bucket = int(away < -MAX ? -MAX : (away > MAX ? MAX : away));
-		sum += costs[symbols.below(bucket + 1) - symbols.below(bucket)];
+		sum += _costs[symbols.below(bucket + 1) - symbols.below(bucket)];
 		if (bucket == MAX || bucket == -MAX) {
 			sum += 5.0 + std::floor(std::log2(double((away < 0 ? -away : away) - MAX + 1)));
 		}
@@ -35,7 +35,7 @@ public:
 		return true;
 	}
 	bool bit(uint32_t p_zero, bool &p_one) {
-		sum += costs[p_one ? 65536 - p_zero : p_zero];
+		sum += _costs[p_one ? 65536 - p_zero : p_zero];
 		return true;
 	}
 	bool bits(int p_count, uint32_t &) {
@@ -46,7 +46,7 @@ public:
 	double sum = 0.0;
 
 private:
-	std::array<float, 65537> costs{};
+	std::array<float, 65537> _costs{};
 };
 
 using States = std::vector<std::vector<PersonState>>;
@@ -95,18 +95,18 @@ Samples sample(const States &p_states, int p_age, bool p_moving, int p_stride) {
 class Trainer {
 public:
 	Trainer(const uint16_t (*p_shares)[SHARE_POINTS], const Samples &p_samples, int p_resolution) :
-			shares(p_shares), samples(p_samples), resolution(p_resolution), body(skeleton()) {}
+			_shares(p_shares), _samples(p_samples), _resolution(p_resolution), _body(skeleton()) {}
 
 	// Bits of a person.
 	double cost(const PersonModel &p_model) {
-		port.sum = 0.0;
-		for (const Sample &sample : samples) {
-			const PersonContext context{ p_model, shares, body, resolution, sample.base, sample.before, sample.base_age,
-				sample.velocity_age };
+		_port.sum = 0.0;
+		for (const Sample &sample : _samples) {
+			const PersonContext context{ p_model, _shares, _body, _resolution, sample.base, sample.before,
+				sample.base_age, sample.velocity_age };
 			PersonState state = *sample.now;
-			PersonCoder<CostPort>(port, context).code_changed(state);
+			PersonCoder<CostPort>(_port, context).code_changed(state);
 		}
-		return port.sum / double(samples.size());
+		return _port.sum / double(_samples.size());
 	}
 
 	// Changes one parameter after the other as long as it helps.
@@ -118,7 +118,7 @@ public:
 		for (int round = 0; round < 12; round++) {
 			const double start = best;
 			for (int i = 0; i < COUNT; i++) {
-				best = improve_one(r_model, parameters[i], is_shape(i), is_weight(i), steps[std::size_t(i)], best);
+				best = _improve_one(r_model, parameters[i], _is_shape(i), _is_weight(i), steps[std::size_t(i)], best);
 			}
 			if (start - best < 0.02 && round > 5) {
 				break;
@@ -127,16 +127,16 @@ public:
 	}
 
 private:
-	static bool is_shape(int p_parameter) {
+	static bool _is_shape(int p_parameter) {
 		constexpr int COUNT = int(sizeof(MotionModel) / sizeof(int16_t));
 		return p_parameter % COUNT >= COUNT - 3;
 	}
 	// A divisor: MotionModel::along.
-	static bool is_weight(int p_parameter) {
+	static bool _is_weight(int p_parameter) {
 		constexpr int COUNT = int(sizeof(MotionModel) / sizeof(int16_t));
 		return p_parameter % COUNT == COUNT - 4;
 	}
-	double improve_one(
+	double _improve_one(
 			PersonModel &r_model, int16_t &r_parameter, bool p_shape, bool p_positive, int &r_step, double p_best) {
 		const int16_t old = r_parameter;
 		const int step = p_shape ? 1 : r_step;
@@ -157,11 +157,11 @@ private:
 		return p_best;
 	}
 
-	const uint16_t (*shares)[SHARE_POINTS];
-	const Samples &samples;
-	int resolution;
-	Skeleton body;
-	CostPort port;
+	const uint16_t (*_shares)[SHARE_POINTS];
+	const Samples &_samples;
+	int _resolution;
+	Skeleton _body;
+	CostPort _port;
 };
 
 MotionModel start_motion(int p_bias, int p_gain, bool p_moving) {
@@ -203,12 +203,12 @@ PersonModel train(
 	return model;
 }
 
-// Share of Student's distribution within a place, to one side; degrees of freedom 0: Gauss.
+// Share of Student's distribution within a point, to one side; degrees of freedom 0: Gauss.
 void fill_shares(double p_freedom, uint16_t *r_shares) {
 	constexpr int FINE_STEPS = 64;
-	const auto density = [&](double p_place) {
-		return p_freedom <= 0.0 ? std::exp(-0.5 * p_place * p_place)
-								: std::pow(1.0 + p_place * p_place / p_freedom, -0.5 * (p_freedom + 1.0));
+	const auto density = [&](double p_point) {
+		return p_freedom <= 0.0 ? std::exp(-0.5 * p_point * p_point)
+								: std::pow(1.0 + p_point * p_point / p_freedom, -0.5 * (p_freedom + 1.0));
 	};
 	std::vector<double> sums{ 0.0 };
 	const double step = 1.0 / (16.0 * FINE_STEPS);

@@ -48,7 +48,7 @@ func watch(p_motion: Motion, p_method: SnapshotSmoother.Method, p_network: Dicti
 				0, tick, arrivals[next].x, motion.roots[sample], motion.turns_of(sample)
 			)
 			next += 1
-		smoother.show(now)
+		smoother.evaluate(now)
 		if now > SETTLING_S:
 			_note(now, smoother.person_transforms(0))
 

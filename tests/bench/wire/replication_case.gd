@@ -110,8 +110,8 @@ func _deliver() -> void:
 
 ## What is shown against the truth at the moment that is shown.
 func _compare(p_world: MovingWorld) -> void:
-	_smoother.show(float(_tick) / _rate)
-	var shown: float = _smoother.shown_tick() - 1.0
+	_smoother.evaluate(float(_tick) / _rate)
+	var shown: float = _smoother.get_shown_tick() - 1.0
 	var last: int = _tick - 1
 	var at: float = shown - (last - (_history.size() - 1))
 	if _tick < 2 * _rate or at < 0.0 or at > _history.size() - 1:

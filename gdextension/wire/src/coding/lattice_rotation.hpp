@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../person_state.hpp"
+#include "person_state.hpp"
 
 #include <array>
 #include <cstdint>

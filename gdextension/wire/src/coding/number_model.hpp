@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../range_coder.hpp"
-#include "fixed_tables.hpp"
-#include "person_model.hpp"
+#include "coding/fixed_tables.hpp"
+#include "coding/person_model.hpp"
+#include "range_coder.hpp"
 
 #include <cstdint>
 
@@ -42,9 +42,9 @@ public:
 	static constexpr int MIN_LEVEL = 16;
 	static constexpr int MAX_LEVEL = 255;
 
-	explicit NumberSymbols(const NumberModel &p_model) : model(p_model) {
-		level = p_model.level < MIN_LEVEL ? MIN_LEVEL : (p_model.level > MAX_LEVEL ? MAX_LEVEL : p_model.level);
-		const int octaves = level / 16 - 7 - (p_model.step > 1 ? 1 : 0);
+	explicit NumberSymbols(const NumberModel &p_model) : _model(p_model) {
+		_level = p_model.level < MIN_LEVEL ? MIN_LEVEL : (p_model.level > MAX_LEVEL ? MAX_LEVEL : p_model.level);
+		const int octaves = _level / 16 - 7 - (p_model.step > 1 ? 1 : 0);
 		shift = octaves > 0 ? octaves : 0;
 		const int64_t width = int64_t(FRACTION_OF_UNIT) * p_model.step;
 		const int64_t offset = p_model.expected - FRACTION_OF_UNIT * p_model.first + width / 2;
@@ -61,18 +61,18 @@ public:
 			return 1U << PROBABILITY_BITS;
 		}
 		const int64_t number = (middle + p_bucket) * (int64_t(1) << shift);
-		const int64_t edge = FRACTION_OF_UNIT * (model.first + number * model.step) - model.expected -
-				FRACTION_OF_UNIT * model.step / 2;
+		const int64_t edge = FRACTION_OF_UNIT * (_model.first + number * _model.step) - _model.expected -
+				FRACTION_OF_UNIT * _model.step / 2;
 		const uint64_t distance = uint64_t(edge < 0 ? -edge : edge);
 		// In 1 / 1024 of the spread.
-		const uint64_t place = (distance * RECIPROCAL_OF_LEVEL[level & 15]) >> (6 + level / 16);
-		const uint32_t half = share_within(place);
+		const uint64_t multiple = (distance * RECIPROCAL_OF_LEVEL[_level & 15]) >> (6 + _level / 16);
+		const uint32_t half = _share_within(multiple);
 		return uint32_t(p_bucket + MAX_BUCKETS) + (edge < 0 ? HALF - half : HALF + half);
 	}
-	int64_t number_of(int64_t p_index) const { return model.first + p_index * model.step; }
+	int64_t number_of(int64_t p_index) const { return _model.first + p_index * _model.step; }
 	/// The bucket that an index is in, relative to the middle one.
 	int64_t bucket_of(int64_t p_index) const { return (p_index >> shift) - middle; }
-	int64_t index_of(int64_t p_number) const { return (p_number - model.first) / model.step; }
+	int64_t index_of(int64_t p_number) const { return (p_number - _model.first) / _model.step; }
 
 	int shift = 0;
 	int64_t middle = 0;
@@ -81,23 +81,23 @@ private:
 	static constexpr int FRACTION_OF_UNIT = 16;
 	static constexpr uint32_t HALF = (1U << (PROBABILITY_BITS - 1)) - MAX_BUCKETS - 1;
 
-	uint32_t share_within(uint64_t p_place) const {
-		const uint64_t at = p_place >> 6;
+	uint32_t _share_within(uint64_t p_distance) const {
+		const uint64_t at = p_distance >> 6;
 		if (at >= SHARE_POINTS - 1) {
-			return model.shares[SHARE_POINTS - 1];
+			return _model.shares[SHARE_POINTS - 1];
 		}
-		const uint32_t from = model.shares[at];
-		return from + (((model.shares[at + 1] - from) * uint32_t(p_place & 63)) >> 6);
+		const uint32_t from = _model.shares[at];
+		return from + (((_model.shares[at + 1] - from) * uint32_t(p_distance & 63)) >> 6);
 	}
 
-	const NumberModel &model;
-	int level = 0;
+	const NumberModel &_model;
+	int _level = 0;
 };
 
 /// Writes numbers and bits.
 class NumberWriter {
 public:
-	explicit NumberWriter(RangeEncoder &p_encoder) : encoder(p_encoder) {}
+	explicit NumberWriter(RangeEncoder &p_encoder) : _encoder(p_encoder) {}
 
 	bool number(const NumberModel &p_model, int64_t &p_number) {
 		const NumberSymbols symbols(p_model);
@@ -106,74 +106,74 @@ public:
 		constexpr int64_t MAX = NumberSymbols::MAX_BUCKETS;
 		const int bucket = int(away < -MAX ? -MAX : (away > MAX ? MAX : away));
 		const uint32_t below = symbols.below(bucket);
-		encoder.encode(below, symbols.below(bucket + 1) - below);
+		_encoder.encode(below, symbols.below(bucket + 1) - below);
 		if (bucket == MAX || bucket == -MAX) {
-			excess(uint64_t((away < 0 ? -away : away) - MAX));
+			_excess(uint64_t((away < 0 ? -away : away) - MAX));
 		}
-		encoder.encode_bits(uint32_t(index & ((int64_t(1) << symbols.shift) - 1)), symbols.shift);
+		_encoder.encode_bits(uint32_t(index & ((int64_t(1) << symbols.shift) - 1)), symbols.shift);
 		return true;
 	}
 	bool bit(uint32_t p_zero, bool &p_one) {
-		encoder.encode_bit(p_one, p_zero);
+		_encoder.encode_bit(p_one, p_zero);
 		return true;
 	}
 	bool bits(int p_count, uint32_t &p_value) {
-		encoder.encode_bits(p_value, p_count);
+		_encoder.encode_bits(p_value, p_count);
 		return true;
 	}
 
 private:
-	void excess(uint64_t p_excess) {
+	void _excess(uint64_t p_excess) {
 		int size = 0;
 		while (((p_excess + 1) >> (size + 1)) != 0) {
 			size++;
 		}
-		encoder.encode_bits(uint32_t(size), 5);
-		encoder.encode_bits(uint32_t((p_excess + 1) & ((uint64_t(1) << size) - 1)), size);
+		_encoder.encode_bits(uint32_t(size), 5);
+		_encoder.encode_bits(uint32_t((p_excess + 1) & ((uint64_t(1) << size) - 1)), size);
 	}
 
-	RangeEncoder &encoder;
+	RangeEncoder &_encoder;
 };
 
 /// Reads what a NumberWriter wrote; false where that cannot be.
 class NumberReader {
 public:
-	explicit NumberReader(RangeDecoder &p_decoder) : decoder(p_decoder) {}
+	explicit NumberReader(RangeDecoder &p_decoder) : _decoder(p_decoder) {}
 
 	bool number(const NumberModel &p_model, int64_t &r_number) {
 		const NumberSymbols symbols(p_model);
 		constexpr int MAX = NumberSymbols::MAX_BUCKETS;
-		const uint32_t place = decoder.peek();
+		const uint32_t point = _decoder.peek();
 		int low = -MAX;
 		int high = MAX + 1;
 		while (high - low > 1) {
 			const int middle = low + (high - low) / 2;
-			symbols.below(middle) <= place ? low = middle : high = middle;
+			symbols.below(middle) <= point ? low = middle : high = middle;
 		}
 		const uint32_t below = symbols.below(low);
-		decoder.decode(below, symbols.below(low + 1) - below);
+		_decoder.decode(below, symbols.below(low + 1) - below);
 		int64_t away = low;
 		if (low == MAX || low == -MAX) {
-			const uint32_t size = decoder.decode_bits(5);
-			const int64_t beyond = int64_t((uint64_t(1) << size) | decoder.decode_bits(int(size))) - 1;
+			const uint32_t size = _decoder.decode_bits(5);
+			const int64_t beyond = int64_t((uint64_t(1) << size) | _decoder.decode_bits(int(size))) - 1;
 			away += low < 0 ? -beyond : beyond;
 		}
 		const int64_t index =
-				(symbols.middle + away) * (int64_t(1) << symbols.shift) + int64_t(decoder.decode_bits(symbols.shift));
+				(symbols.middle + away) * (int64_t(1) << symbols.shift) + int64_t(_decoder.decode_bits(symbols.shift));
 		r_number = symbols.number_of(index);
-		return !decoder.is_bad();
+		return !_decoder.is_bad();
 	}
 	bool bit(uint32_t p_zero, bool &r_one) {
-		r_one = decoder.decode_bit(p_zero);
-		return !decoder.is_bad();
+		r_one = _decoder.decode_bit(p_zero);
+		return !_decoder.is_bad();
 	}
 	bool bits(int p_count, uint32_t &r_value) {
-		r_value = decoder.decode_bits(p_count);
-		return !decoder.is_bad();
+		r_value = _decoder.decode_bits(p_count);
+		return !_decoder.is_bad();
 	}
 
 private:
-	RangeDecoder &decoder;
+	RangeDecoder &_decoder;
 };
 
 } // namespace wire

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../range_coder.hpp"
-#include "person_lattice.hpp"
+#include "coding/person_lattice.hpp"
+#include "range_coder.hpp"
 
 namespace wire {
 
@@ -19,7 +19,7 @@ public:
 
 	/// p_skeleton has to be sound.
 	PersonCodec(const Skeleton &p_skeleton, int p_resolution) :
-			skeleton(p_skeleton), lattice_resolution(PersonLattice(p_resolution).resolution()) {}
+			_skeleton(p_skeleton), _lattice_resolution(PersonLattice(p_resolution).resolution()) {}
 
 	/// Writes where a person is now. p_base is a state that the receiver has, p_base_age_ticks (60 a
 	/// second, 1 or more) older; p_before another one, older still. Both may be null; the receiver
@@ -32,8 +32,8 @@ public:
 			int p_base_age_ticks, int p_before_age_ticks) const;
 
 private:
-	Skeleton skeleton;
-	int lattice_resolution;
+	Skeleton _skeleton;
+	int _lattice_resolution;
 };
 
 } // namespace wire

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "person_coder.hpp"
-#include "person_tables.hpp" // Made by tools/wire/train_models.sh.
+#include "coding/person_coder.hpp"
+#include "coding/person_tables.hpp" // Made by tools/wire/train_models.sh.
 
 namespace wire {
 
-/// Place of an age (ticks) in the tables.
+/// Index of an age (ticks) in the tables.
 inline int age_step(int p_age) {
 	int step = 0;
 	while (step < AGE_STEPS - 1 && p_age > LAST_OF_AGE_STEP[step]) {

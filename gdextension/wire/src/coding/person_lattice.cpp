@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "person_lattice.hpp"
+#include "coding/person_lattice.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 // A chart is kept while the component that it drops is at least this.
 constexpr float MIN_DROPPED = 0.42f;
 
-// No place is farther from the lattice than sqrt(5) / 2 units; a little of the margin for what floats
+// No point is farther from the lattice than sqrt(5) / 2 units; a little of the margin for what floats
 // round off is used.
 constexpr float REACH = 1.127f;
 // Makes what is too far away dearer than all that is near enough.
@@ -86,7 +86,7 @@ int PersonLattice::resolution_for(double p_max_error_deg) {
 }
 
 PersonLattice::PersonLattice(int p_resolution) :
-		lattice_resolution(std::min(std::max(p_resolution, MIN_RESOLUTION), MAX_RESOLUTION)) {}
+		_lattice_resolution(std::min(std::max(p_resolution, MIN_RESOLUTION), MAX_RESOLUTION)) {}
 
 RotationCode PersonLattice::nearest(const Quat &p_rotation, const RotationCode *p_previous) const {
 	const std::array<float, 4> values = to_array(p_rotation);
@@ -94,7 +94,7 @@ RotationCode PersonLattice::nearest(const Quat &p_rotation, const RotationCode *
 	const int chart = find_chart(values, p_previous);
 	code.dropped = uint8_t(chart);
 	const float sign = values[std::size_t(chart)] < 0.0f ? -1.0f : 1.0f;
-	const float scale = sign * float(lattice_resolution) / (1.0f + std::fabs(values[std::size_t(chart)]));
+	const float scale = sign * float(_lattice_resolution) / (1.0f + std::fabs(values[std::size_t(chart)]));
 	std::array<float, 3> point{};
 	int at = 0;
 	for (int i = 0; i < 4; i++) {
@@ -103,13 +103,13 @@ RotationCode PersonLattice::nearest(const Quat &p_rotation, const RotationCode *
 		}
 	}
 	const bool same_chart = p_previous != nullptr && p_previous->dropped == code.dropped;
-	choose(point, same_chart ? p_previous : nullptr, lattice_resolution, code);
+	choose(point, same_chart ? p_previous : nullptr, _lattice_resolution, code);
 	return code;
 }
 
 Quat PersonLattice::rotation(const RotationCode &p_code) const {
 	std::array<int64_t, 4> components{};
-	const float scale = 1.0f / float(components_of(p_code, lattice_resolution, components));
+	const float scale = 1.0f / float(components_of(p_code, _lattice_resolution, components));
 	return { float(components[0]) * scale, float(components[1]) * scale, float(components[2]) * scale,
 		float(components[3]) * scale };
 }

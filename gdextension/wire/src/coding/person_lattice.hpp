@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lattice_rotation.hpp"
+#include "coding/lattice_rotation.hpp"
 
 namespace wire {
 
@@ -30,7 +30,7 @@ public:
 	explicit PersonLattice(int p_resolution = FINE);
 
 	/// Lattice units to a tangent of 1.
-	int resolution() const { return lattice_resolution; }
+	int resolution() const { return _lattice_resolution; }
 	/// Puts a pose on the lattice. A limb's relative rotation is taken against its parent as receivers
 	/// restore it, so that errors do not add up. p_previous, where the person was a tick ago, helps to
 	/// choose among what is near enough; it may be null, or r_state itself. False, and nothing is changed, if the pose
@@ -45,7 +45,7 @@ public:
 	RotationCode nearest(const Quat &p_rotation, const RotationCode *p_previous) const;
 
 private:
-	int lattice_resolution;
+	int _lattice_resolution;
 };
 
 } // namespace wire

@@ -16,7 +16,7 @@ constexpr int SHARE_POINTS = 193;
 /// Distributions to choose from, the ones with the heaviest tails first.
 constexpr int SHAPES = 8;
 
-/// Parameters of predictions: of the root's place, or of rotations. All are trained.
+/// Parameters of predictions: of the root's position, or of rotations. All are trained.
 struct MotionModel {
 	int16_t gains[GAIN_STEPS]; ///< By speed: share of the velocity that is believed, 1 / 256.
 	int16_t biases[LIMB_CLASSES]; ///< By class: level where nothing else is known, 1 / 16 octave.
@@ -34,7 +34,7 @@ struct MotionModel {
 
 /// All parameters for one age of the base and one resolution.
 struct PersonModel {
-	MotionModel place;
+	MotionModel root;
 	MotionModel rotation;
 };
 

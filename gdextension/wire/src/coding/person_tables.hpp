@@ -4,8 +4,8 @@
 // Made by tools/wire/train_models.sh from the motion files in assets/motion: do not edit.
 // clang-format off
 
-#include "fixed_tables.hpp"
-#include "person_model.hpp"
+#include "coding/fixed_tables.hpp"
+#include "coding/person_model.hpp"
 
 namespace wire {
 

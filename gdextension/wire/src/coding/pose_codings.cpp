@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pose_codings.hpp"
+#include "coding/pose_codings.hpp"
 
 #include <array>
 #include <cmath>
@@ -132,8 +132,8 @@ void put_smallest(const Quat &p_rotation, int p_bits, std::size_t &r_at, uint8_t
 	put_bits(uint32_t(largest), 2, r_at, r_bytes);
 	for (int i = 0; i < 4; i++) {
 		if (i != largest) {
-			const double place = 0.5 * (sign * double(values[i]) * SQRT_2 + 1.0);
-			put_bits(uint32_t(std::lround(std::fmax(0.0, std::fmin(1.0, place)) * most)), uint32_t(p_bits), r_at,
+			const double share = 0.5 * (sign * double(values[i]) * SQRT_2 + 1.0);
+			put_bits(uint32_t(std::lround(std::fmax(0.0, std::fmin(1.0, share)) * most)), uint32_t(p_bits), r_at,
 					r_bytes);
 		}
 	}

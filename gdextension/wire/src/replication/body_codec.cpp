@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "body_codec.hpp"
+#include "replication/body_codec.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -91,9 +91,9 @@ void encode_three(RangeEncoder &p_encoder, const Three &p_numbers, const SizeTab
 }
 
 Three decode_three(RangeDecoder &p_decoder, const SizeTable &p_table) {
-	const uint32_t place = p_decoder.peek(8);
+	const uint32_t point = p_decoder.peek(8);
 	std::size_t size = 0;
-	while (p_table.below[size + 1] <= place) {
+	while (p_table.below[size + 1] <= point) {
 		size++;
 	}
 	p_decoder.decode(p_table.below[size], uint32_t(p_table.below[size + 1] - p_table.below[size]));
@@ -141,8 +141,8 @@ void BodyCodec::encode(
 		encode_three(p_encoder, difference(p_now.velocity, base.velocity), VELOCITY);
 		encode_three(p_encoder, difference(p_now.spin, base.spin), SPIN);
 	}
-	const std::array<int32_t, 3> place = foresee_position(base, p_now.velocity, p_ticks, p_tick_rate);
-	encode_three(p_encoder, difference(p_now.position, place), POSITION);
+	const std::array<int32_t, 3> position = foresee_position(base, p_now.velocity, p_ticks, p_tick_rate);
+	encode_three(p_encoder, difference(p_now.position, position), POSITION);
 	const bool same = p_now.turn.dropped == base.turn.dropped;
 	p_encoder.encode_bit(!same, SAME_CHART);
 	if (!same) {
@@ -163,9 +163,9 @@ bool BodyCodec::decode(
 		fits = add(base.velocity, decode_three(p_decoder, VELOCITY), INT16_MAX, now.velocity);
 		fits = add(base.spin, decode_three(p_decoder, SPIN), INT16_MAX, now.spin) && fits;
 	}
-	const std::array<int32_t, 3> place = foresee_position(base, now.velocity, p_ticks, p_tick_rate);
+	const std::array<int32_t, 3> position = foresee_position(base, now.velocity, p_ticks, p_tick_rate);
 	const int64_t farthest = int64_t(FARTHEST_M) * 1000;
-	fits = add(place, decode_three(p_decoder, POSITION), farthest, now.position) && fits;
+	fits = add(position, decode_three(p_decoder, POSITION), farthest, now.position) && fits;
 	now.turn.dropped = base.turn.dropped;
 	if (p_decoder.decode_bit(SAME_CHART)) {
 		now.turn.dropped = uint8_t(p_decoder.decode_bits(2));

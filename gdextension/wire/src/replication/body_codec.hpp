@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../range_coder.hpp"
-#include "body_state.hpp"
+#include "range_coder.hpp"
+#include "replication/body_state.hpp"
 
 namespace wire {
 
 /// How a rigid body's state is written: as the difference from what its receiver can foresee from a
 /// state that it has, or from nothing.
 ///
-/// Differences are Rice codes whose size is told first, once for each of position, velocity, turn and
+/// Differences are Rice codes whose size comes first, once for each of position, velocity, turn and
 /// spin: bodies in one heap slide, fall and tumble quite differently.
 class BodyCodec {
 public:

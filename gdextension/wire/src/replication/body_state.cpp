@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "body_state.hpp"
+#include "replication/body_state.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -124,13 +124,13 @@ void restore_body(const BodyState &p_state, BodyUpdate &r_body) {
 
 std::array<int32_t, 3> foresee_position(
 		const BodyState &p_base, const std::array<int16_t, 3> &p_velocity, int p_ticks, int p_tick_rate) {
-	std::array<int32_t, 3> place{};
+	std::array<int32_t, 3> position{};
 	for (std::size_t i = 0; i < 3; i++) {
 		const int64_t twice = int64_t(p_base.velocity[i]) + p_velocity[i];
-		const int64_t way = divide_rounded(twice * p_ticks * 1000, 2LL * BODY_VELOCITY_SCALE * p_tick_rate);
-		place[i] = int32_t(p_base.position[i] + way);
+		const int64_t displacement = divide_rounded(twice * p_ticks * 1000, 2LL * BODY_VELOCITY_SCALE * p_tick_rate);
+		position[i] = int32_t(p_base.position[i] + displacement);
 	}
-	return place;
+	return position;
 }
 
 std::array<int16_t, 3> foresee_turn(

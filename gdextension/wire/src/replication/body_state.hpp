@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../updates.hpp"
+#include "updates.hpp"
 
 namespace wire {
 

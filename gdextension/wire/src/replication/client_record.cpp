@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "client_record.hpp"
+#include "replication/client_record.hpp"
 
 #include <cstring>
 
@@ -40,12 +40,12 @@ void ClientRecord::follow(const WorldHistory &p_world) {
 }
 
 SentDatagram &ClientRecord::begin_datagram(uint32_t p_tick) {
-	SentDatagram &entry = log[next_number % KEPT];
+	SentDatagram &entry = _log[_next_number % KEPT];
 	if (entry.is_open) {
-		note_loss(entry);
+		_note_loss(entry);
 	}
 	entry.tick = p_tick;
-	entry.number = next_number++;
+	entry.number = _next_number++;
 	entry.is_open = true;
 	entry.people_count = 0;
 	entry.body_count = 0;
@@ -53,23 +53,23 @@ SentDatagram &ClientRecord::begin_datagram(uint32_t p_tick) {
 }
 
 void ClientRecord::cancel_datagram() {
-	log[--next_number % KEPT].is_open = false;
+	_log[--_next_number % KEPT].is_open = false;
 }
 
 bool ClientRecord::take_ack(const uint8_t *p_bytes, std::size_t p_size, uint32_t p_now) {
 	if (p_size != ACK_BYTES || p_bytes[0] != uint8_t(Kind::ACK)) {
 		return false;
 	}
-	std::array<float, 3> place{};
-	std::memcpy(place.data(), p_bytes + 11, sizeof(place));
-	const Vec3 from{ place[0], place[1], place[2] };
+	std::array<float, 3> position{};
+	std::memcpy(position.data(), p_bytes + 11, sizeof(position));
+	const Vec3 from{ position[0], position[1], position[2] };
 	if (from.is_finite() && from.length() < FARTHEST_M) {
 		viewpoint = from;
 		has_viewpoint = true;
 	}
 	wants_marks = (p_bytes[1] & WANTS_MARKS) != 0;
 	if ((p_bytes[1] & WANTS_ALL) != 0) {
-		forget_all();
+		_forget_all();
 		return true;
 	}
 	const uint8_t newest = p_bytes[2];
@@ -77,26 +77,26 @@ bool ClientRecord::take_ack(const uint8_t *p_bytes, std::size_t p_size, uint32_t
 	// The oldest first: who has what is noted in the order of time.
 	for (uint32_t ago = 65; ago-- > 0;) {
 		const uint8_t number = uint8_t(newest - ago);
-		SentDatagram &entry = log[number % KEPT];
+		SentDatagram &entry = _log[number % KEPT];
 		if (!entry.is_open || entry.number != number) {
 			continue;
 		}
 		if (ago == 0 || ((earlier >> (ago - 1)) & 1U) != 0) {
-			note_arrival(entry, p_now);
+			_note_arrival(entry, p_now);
 		} else if (ago >= OVERTAKEN) {
-			note_loss(entry);
+			_note_loss(entry);
 		}
 	}
 	return true;
 }
 
-void ClientRecord::note_arrival(SentDatagram &p_entry, uint32_t p_now) {
+void ClientRecord::_note_arrival(SentDatagram &p_entry, uint32_t p_now) {
 	p_entry.is_open = false;
 	heard_tick = p_now;
-	figures.acked++;
+	stats.acked++;
 	const float ticks = float(p_now - p_entry.tick);
-	figures.round_trip_ticks +=
-			(ticks - figures.round_trip_ticks) * (figures.round_trip_ticks == 0.0f ? 1.0f : ROUND_TRIP_MEMORY);
+	stats.round_trip_ticks +=
+			(ticks - stats.round_trip_ticks) * (stats.round_trip_ticks == 0.0f ? 1.0f : ROUND_TRIP_MEMORY);
 	for (std::size_t i = 0; i < p_entry.people_count; i++) {
 		people[p_entry.people[i]].arrived(p_entry.tick);
 	}
@@ -105,9 +105,9 @@ void ClientRecord::note_arrival(SentDatagram &p_entry, uint32_t p_now) {
 	}
 }
 
-void ClientRecord::note_loss(SentDatagram &p_entry) {
+void ClientRecord::_note_loss(SentDatagram &p_entry) {
 	p_entry.is_open = false;
-	figures.lost++;
+	stats.lost++;
 	for (std::size_t i = 0; i < p_entry.people_count; i++) {
 		Delivery &delivery = people[p_entry.people[i]];
 		delivery.is_lost = delivery.is_lost || delivery.sent == p_entry.tick;
@@ -118,7 +118,7 @@ void ClientRecord::note_loss(SentDatagram &p_entry) {
 	}
 }
 
-void ClientRecord::forget_all() {
+void ClientRecord::_forget_all() {
 	for (Delivery &delivery : people) {
 		delivery.acked = delivery.before = NEVER;
 	}
@@ -126,7 +126,7 @@ void ClientRecord::forget_all() {
 		delivery.acked = delivery.before = NEVER;
 		delivery.is_lost = true;
 	}
-	for (SentDatagram &entry : log) {
+	for (SentDatagram &entry : _log) {
 		entry.is_open = false;
 	}
 	heard_tick = NEVER;

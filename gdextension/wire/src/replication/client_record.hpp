@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../updates.hpp"
-#include "world_history.hpp"
+#include "replication/world_history.hpp"
+#include "updates.hpp"
 
 namespace wire {
 
@@ -26,12 +26,12 @@ struct SentDatagram {
 	bool is_open = false; ///< Neither acknowledged nor given up.
 	uint8_t people_count = 0;
 	uint16_t body_count = 0;
-	std::array<uint16_t, MAX_PEOPLE> people{}; ///< Places in WorldHistory.
+	std::array<uint16_t, MAX_PEOPLE> people{}; ///< Indices in WorldHistory.
 	std::array<uint16_t, MAX_BODIES> bodies{};
 };
 
-/// Figures of a client since it came.
-struct ClientFigures {
+/// Statistics of a client since it came.
+struct ClientStats {
 	uint64_t datagrams = 0;
 	uint64_t bytes = 0; ///< With headers of UDP, IP and ENet.
 	uint64_t acked = 0;
@@ -44,7 +44,7 @@ class ClientRecord {
 public:
 	/// Acknowledgements: kind, flags, newest number, the 64 before it as bits, where the client looks from.
 	static constexpr std::size_t ACK_BYTES = 1 + 1 + 1 + 8 + 12;
-	/// Flags of an acknowledgement: the client lacks a baseline, all has to be told anew; it wants a mark in
+	/// Flags of an acknowledgement: the client lacks a baseline, all has to be sent anew; it wants a mark in
 	/// every datagram.
 	static constexpr uint8_t WANTS_ALL = 1;
 	static constexpr uint8_t WANTS_MARKS = 2;
@@ -55,18 +55,18 @@ public:
 	const int rate;
 	const double bytes_per_tick;
 	double allowance = double(MAX_BYTES);
-	/// Where the client looks from, if it has told, or if it has a body.
+	/// Where the client looks from, if it has sent that.
 	Vec3 viewpoint;
 	bool has_viewpoint = false;
 	int own_person = -1; ///< Id of the body that is the client's own.
 	uint32_t last_tick = NEVER; ///< When a snapshot was due last.
 	uint32_t sent_tick = NEVER; ///< Of the last datagram.
 	uint32_t mark_tick = NEVER; ///< Of the last mark.
-	std::size_t marked = 0; ///< Place of the person that the last mark was about.
-	std::size_t key_in = 0; ///< Datagrams until the whole tick is told again.
+	std::size_t marked = 0; ///< Index of the person that the last mark was about.
+	std::size_t key_in = 0; ///< Datagrams until the whole tick is sent again.
 	uint32_t heard_tick = NEVER; ///< When it acknowledged something last.
 	bool wants_marks = false; ///< A mark in every datagram.
-	ClientFigures figures;
+	ClientStats stats;
 
 	struct BodyDelivery : Delivery {
 		BodyUpdate believed; ///< What was sent last.
@@ -86,12 +86,12 @@ public:
 private:
 	static constexpr std::size_t KEPT = 128;
 
-	void note_arrival(SentDatagram &p_entry, uint32_t p_now);
-	void note_loss(SentDatagram &p_entry);
-	void forget_all();
+	void _note_arrival(SentDatagram &p_entry, uint32_t p_now);
+	void _note_loss(SentDatagram &p_entry);
+	void _forget_all();
 
-	std::array<SentDatagram, KEPT> log{};
-	uint8_t next_number = 0;
+	std::array<SentDatagram, KEPT> _log{};
+	uint8_t _next_number = 0;
 };
 
 } // namespace wire

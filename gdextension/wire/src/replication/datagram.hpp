@@ -36,7 +36,7 @@ enum class Kind : uint8_t {
 constexpr uint8_t KIND_MASK = 7;
 constexpr uint8_t HAS_MARKS = 8;
 
-/// Which states a datagram's entries are told against, unless they say otherwise.
+/// Which states a datagram's entries are coded against, unless they say otherwise.
 struct Baseline {
 	int age = 0; ///< Ticks; 0: nothing.
 	int spacing = 0; ///< Ticks from the one before to it; 0: there is none.

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../range_coder.hpp"
-#include "datagram.hpp"
+#include "range_coder.hpp"
+#include "replication/datagram.hpp"
 
 namespace wire {
 
-/// What stands before each person and body in a datagram: who it is, and what it is told against.
+/// What stands before each person and body in a datagram: who it is, and what it is coded against.
 
-/// Of 65536: that an entry is told against the datagram's usual baseline; that another entry follows;
+/// Of 65536: that an entry is coded against the datagram's usual baseline; that another entry follows;
 /// that a body has a baseline at all.
 constexpr uint32_t IS_USUAL = 62000;
 constexpr uint32_t GOES_ON = 64500;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "interest.hpp"
+#include "replication/interest.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@ namespace wire {
 
 bool Interest::set_cells(const Vec3 &p_origin, float p_size, const std::array<int, 3> &p_counts,
 		const uint8_t *p_visible, std::size_t p_table_size) {
-	visible.clear();
-	counts = {};
+	_visible.clear();
+	_counts = {};
 	int64_t cells = 1;
 	for (const int count : p_counts) {
 		cells = count >= 1 && count <= MAX_CELLS ? std::min<int64_t>(cells * count, MAX_CELLS + 1) : 0;
@@ -18,19 +18,19 @@ bool Interest::set_cells(const Vec3 &p_origin, float p_size, const std::array<in
 			p_table_size != std::size_t(cells * cells)) {
 		return false;
 	}
-	origin = p_origin;
-	size = p_size;
-	counts = p_counts;
-	visible.assign(p_visible, p_visible + p_table_size);
+	_origin = p_origin;
+	_size = p_size;
+	_counts = p_counts;
+	_visible.assign(p_visible, p_visible + p_table_size);
 	return true;
 }
 
-int Interest::cell(const Vec3 &p_place) const {
-	const std::array<float, 3> place{ p_place.x - origin.x, p_place.z - origin.z, p_place.y - origin.y };
-	const std::array<int, 3> along{ counts[0], counts[2], counts[1] };
+int Interest::cell(const Vec3 &p_position) const {
+	const std::array<float, 3> position{ p_position.x - _origin.x, p_position.z - _origin.z, p_position.y - _origin.y };
+	const std::array<int, 3> along{ _counts[0], _counts[2], _counts[1] };
 	int number = 0;
 	for (std::size_t i = 0; i < 3; i++) {
-		const float step = std::floor(place[i] / size);
+		const float step = std::floor(position[i] / _size);
 		// Written so that NaN fails too.
 		if (!(step >= 0.0f && step < float(along[i]))) {
 			return -1;
@@ -44,13 +44,13 @@ float Interest::weight(const Vec3 &p_from, const Vec3 &p_to) const {
 	const float distance = (p_to - p_from).length();
 	const float near = HALF_DISTANCE_M / (HALF_DISTANCE_M + distance);
 	const float weight = std::isfinite(near) ? std::max(near, FAR) : FAR;
-	if (visible.empty()) {
+	if (_visible.empty()) {
 		return weight;
 	}
 	const int from = cell(p_from);
 	const int to = cell(p_to);
-	const int count = counts[0] * counts[1] * counts[2];
-	const bool hidden = from >= 0 && to >= 0 && visible[std::size_t(from) * std::size_t(count) + std::size_t(to)] == 0;
+	const int count = _counts[0] * _counts[1] * _counts[2];
+	const bool hidden = from >= 0 && to >= 0 && _visible[std::size_t(from) * std::size_t(count) + std::size_t(to)] == 0;
 	return hidden ? HIDDEN : weight;
 }
 

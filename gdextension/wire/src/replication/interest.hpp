@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../updates.hpp"
+#include "updates.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -24,16 +24,16 @@ public:
 	/// y from slow to fast; not 0 means visible. Returns false, and everything is visible, if it is none.
 	bool set_cells(const Vec3 &p_origin, float p_size, const std::array<int, 3> &p_counts, const uint8_t *p_visible,
 			std::size_t p_table_size);
-	/// The number of the cell that a place lies in, or -1 if in none.
-	int cell(const Vec3 &p_place) const;
-	/// How much somebody at one place wants to know about another, 0 to 1.
+	/// The number of the cell that a position lies in, or -1 if in none.
+	int cell(const Vec3 &p_position) const;
+	/// How much somebody at one position wants to know about another, 0 to 1.
 	float weight(const Vec3 &p_from, const Vec3 &p_to) const;
 
 private:
-	Vec3 origin;
-	float size = 0.0f;
-	std::array<int, 3> counts{};
-	std::vector<uint8_t> visible;
+	Vec3 _origin;
+	float _size = 0.0f;
+	std::array<int, 3> _counts{};
+	std::vector<uint8_t> _visible;
 };
 
 } // namespace wire

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../coding/person_codec.hpp"
-#include "body_codec.hpp"
-#include "client_record.hpp"
-#include "datagram.hpp"
+#include "coding/person_codec.hpp"
+#include "replication/body_codec.hpp"
+#include "replication/client_record.hpp"
+#include "replication/datagram.hpp"
 
 #include <memory>
 #include <unordered_map>
@@ -13,7 +13,7 @@
 namespace wire {
 
 /// Reads a SnapshotEncoder's datagrams: each by itself, whatever came or did not come before it, as long
-/// as the states it is told against are known. Takes any bytes; what is wrong changes nothing.
+/// as the states it is coded against are known. Takes any bytes; what is wrong changes nothing.
 class SnapshotDecoder {
 public:
 	/// What became of a datagram.
@@ -21,7 +21,7 @@ public:
 		OK,
 		BROKEN, ///< Nothing that an encoder writes.
 		STALE, ///< Too old, or known already.
-		LACKS_BASELINE, ///< Told against states that are not known: the next acknowledgement says so.
+		LACKS_BASELINE, ///< Coded against states that are not known: the next acknowledgement says so.
 		NOT_BEGUN, ///< The first one with a whole tick has not come yet.
 	};
 	/// People and bodies that are kept at most.
@@ -33,20 +33,20 @@ public:
 	SnapshotDecoder(const Skeleton &p_skeleton, double p_max_error_deg);
 
 	Outcome decode(const uint8_t *p_bytes, std::size_t p_size);
-	/// What the last datagram told; valid until the next.
-	const std::vector<PersonUpdate> &people() const { return person_updates; }
-	const std::vector<BodyUpdate> &bodies() const { return body_updates; }
+	/// What the last datagram said; valid until the next.
+	const std::vector<PersonUpdate> &people() const { return _person_updates; }
+	const std::vector<BodyUpdate> &bodies() const { return _body_updates; }
 	/// The last datagram's mark, or null.
-	const Mark *mark() const { return has_mark ? &last_mark : nullptr; }
+	const Mark *mark() const { return _has_mark ? &_last_mark : nullptr; }
 	/// Tick of the last datagram that was fine.
-	uint32_t tick() const { return last_tick; }
-	int tick_rate() const { return rate; }
-	const Skeleton &shape() const { return skeleton; }
+	uint32_t tick() const { return _last_tick; }
+	int tick_rate() const { return _rate; }
+	const Skeleton &shape() const { return _skeleton; }
 
 	/// Forgets people who are not in a list.
 	void keep_people(const std::vector<uint16_t> &p_people);
 	/// Whether a mark is wanted in every datagram.
-	void want_marks(bool p_wanted) { wants_marks = p_wanted; }
+	void want_marks(bool p_wanted) { _wants_marks = p_wanted; }
 	/// Writes an acknowledgement of what has come; false if nothing has, or nothing new.
 	bool write_ack(const Vec3 &p_viewpoint, std::array<uint8_t, ClientRecord::ACK_BYTES> &r_bytes);
 	/// Forgets everything: another server, or the same one anew.
@@ -71,37 +71,37 @@ private:
 		bool follows_gap = false; // Its number says nothing about those before.
 	};
 
-	Outcome read_header(Reader &r_reader, int &r_people);
-	Outcome read_people(Reader &r_reader, int p_count);
-	Outcome read_bodies(Reader &r_reader);
-	bool is_known(uint8_t p_number, uint32_t p_tick) const;
-	bool is_astray(const Reader &p_reader);
-	void note(uint8_t p_number);
-	void keep(uint32_t p_tick);
+	Outcome _read_header(Reader &r_reader, int &r_people);
+	Outcome _read_people(Reader &r_reader, int p_count);
+	Outcome _read_bodies(Reader &r_reader);
+	bool _is_known(uint8_t p_number, uint32_t p_tick) const;
+	bool _is_astray(const Reader &p_reader);
+	void _note(uint8_t p_number);
+	void _keep(uint32_t p_tick);
 
-	Skeleton skeleton;
-	PersonLattice lattice;
-	PersonCodec codec;
-	std::unordered_map<uint16_t, std::unique_ptr<Trail<PersonState>>> people_known;
-	std::unordered_map<uint16_t, std::unique_ptr<Trail<BodyState>>> bodies_known;
-	std::vector<PersonScratch> person_scratch;
-	std::vector<BodyScratch> body_scratch;
-	std::vector<PersonUpdate> person_updates;
-	std::vector<BodyUpdate> body_updates;
-	Mark last_mark;
-	bool has_mark = false;
-	int rate = 0;
-	int read_rate = 0;
-	uint32_t last_tick = NEVER;
-	uint32_t newest_tick = NEVER;
-	uint8_t newest_number = 0;
-	uint64_t earlier_numbers = 0;
-	bool has_numbers = false;
-	bool owes_ack = false;
-	bool wants_all = false;
-	bool wants_marks = false;
-	int strays = 0;
-	uint32_t stray_tick = NEVER; // Of the last of them.
+	Skeleton _skeleton;
+	PersonLattice _lattice;
+	PersonCodec _codec;
+	std::unordered_map<uint16_t, std::unique_ptr<History<PersonState>>> _people_known;
+	std::unordered_map<uint16_t, std::unique_ptr<History<BodyState>>> _bodies_known;
+	std::vector<PersonScratch> _person_scratch;
+	std::vector<BodyScratch> _body_scratch;
+	std::vector<PersonUpdate> _person_updates;
+	std::vector<BodyUpdate> _body_updates;
+	Mark _last_mark;
+	bool _has_mark = false;
+	int _rate = 0;
+	int _read_rate = 0;
+	uint32_t _last_tick = NEVER;
+	uint32_t _newest_tick = NEVER;
+	uint8_t _newest_number = 0;
+	uint64_t _earlier_numbers = 0;
+	bool _has_numbers = false;
+	bool _owes_ack = false;
+	bool _wants_all = false;
+	bool _wants_marks = false;
+	int _strays = 0;
+	uint32_t _stray_tick = NEVER; // Of the last of them.
 };
 
 } // namespace wire

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../coding/person_lattice.hpp"
-#include "../dead_reckoning.hpp"
-#include "body_state.hpp"
-#include "datagram.hpp"
+#include "coding/person_lattice.hpp"
+#include "dead_reckoning.hpp"
+#include "replication/body_state.hpp"
+#include "replication/datagram.hpp"
 
 #include <memory>
 #include <unordered_map>
@@ -17,23 +17,23 @@ constexpr uint32_t NEVER = UINT32_MAX;
 
 /// The states of one person or body over the last ticks.
 template <typename State>
-class Trail {
+class History {
 public:
 	void put(uint32_t p_tick, const State &p_state) {
-		ticks[p_tick % HISTORY] = p_tick;
-		states[p_tick % HISTORY] = p_state;
+		_ticks[p_tick % HISTORY] = p_tick;
+		_states[p_tick % HISTORY] = p_state;
 	}
 	/// The state at a tick, or null if it is not known (any more).
 	const State *find(uint32_t p_tick) const {
-		return p_tick != NEVER && ticks[p_tick % HISTORY] == p_tick ? &states[p_tick % HISTORY] : nullptr;
+		return p_tick != NEVER && _ticks[p_tick % HISTORY] == p_tick ? &_states[p_tick % HISTORY] : nullptr;
 	}
-	void clear() { ticks.fill(NEVER); }
+	void clear() { _ticks.fill(NEVER); }
 
-	Trail() { clear(); }
+	History() { clear(); }
 
 private:
-	std::array<uint32_t, HISTORY> ticks{};
-	std::array<State, HISTORY> states{};
+	std::array<uint32_t, HISTORY> _ticks{};
+	std::array<State, HISTORY> _states{};
 };
 
 /// What the server simulates, put on the lattice once for all clients.
@@ -47,11 +47,11 @@ public:
 		uint16_t id = 0;
 		bool is_there = false;
 		bool jolted = false;
-		/// Counts who has had this place: records about an earlier one are void.
+		/// Counts who has had this slot: records about an earlier one are void.
 		uint32_t generation = 0;
-		Vec3 place;
+		Vec3 position;
 		Vec3 velocity; ///< m/s
-		Trail<PersonState> trail;
+		History<PersonState> history;
 	};
 	struct Body {
 		uint16_t id = 0;
@@ -59,7 +59,7 @@ public:
 		bool jolted = false;
 		uint32_t generation = 0;
 		BodyUpdate now; ///< As receivers restore it.
-		Trail<BodyState> trail;
+		History<BodyState> history;
 	};
 
 	WorldHistory(const Skeleton &p_skeleton, const PersonLattice &p_lattice, int p_tick_rate);
@@ -72,36 +72,36 @@ public:
 	/// Ends the tick: who was not put is gone.
 	void end();
 
-	uint32_t tick() const { return now; }
-	int rate() const { return tick_rate; }
-	const Skeleton &shape() const { return skeleton; }
-	/// Places of people and bodies; some may be empty. They never move while somebody is there.
-	const std::vector<std::unique_ptr<Person>> &people() const { return person_slots; }
-	const std::vector<std::unique_ptr<Body>> &bodies() const { return body_slots; }
+	uint32_t tick() const { return _now; }
+	int rate() const { return _tick_rate; }
+	const Skeleton &shape() const { return _skeleton; }
+	/// Slots of people and bodies; some may be empty. They never move while somebody is there.
+	const std::vector<std::unique_ptr<Person>> &people() const { return _person_slots; }
+	const std::vector<std::unique_ptr<Body>> &bodies() const { return _body_slots; }
 	/// Whether somebody or something was jolted in this tick.
-	bool has_jolts() const { return jolts; }
+	bool has_jolts() const { return _jolts; }
 
 private:
 	template <typename Slot>
-	static Slot &find(std::vector<std::unique_ptr<Slot>> &p_slots, std::unordered_map<uint16_t, std::size_t> &p_index,
+	static Slot &_find(std::vector<std::unique_ptr<Slot>> &p_slots, std::unordered_map<uint16_t, std::size_t> &p_index,
 			uint16_t p_id);
 	template <typename Slot>
-	void sweep(std::vector<std::unique_ptr<Slot>> &p_slots, std::unordered_map<uint16_t, std::size_t> &p_index);
-	bool is_jolt(const Vec3 &p_change) const;
+	void _sweep(std::vector<std::unique_ptr<Slot>> &p_slots, std::unordered_map<uint16_t, std::size_t> &p_index);
+	bool _is_jolt(const Vec3 &p_change) const;
 	/// Seconds since the tick before.
-	float step() const { return float(now - before) / float(tick_rate); }
+	float _step() const { return float(_now - _before) / float(_tick_rate); }
 
-	Skeleton skeleton;
-	PersonLattice lattice;
-	int tick_rate;
-	uint32_t now = NEVER;
-	uint32_t before = NEVER; // The tick before: a slow server may have left some out.
-	uint32_t earlier = NEVER; // The one before that.
-	bool jolts = false;
-	std::vector<std::unique_ptr<Person>> person_slots;
-	std::vector<std::unique_ptr<Body>> body_slots;
-	std::unordered_map<uint16_t, std::size_t> person_index;
-	std::unordered_map<uint16_t, std::size_t> body_index;
+	Skeleton _skeleton;
+	PersonLattice _lattice;
+	int _tick_rate;
+	uint32_t _now = NEVER;
+	uint32_t _before = NEVER; // The tick before: a slow server may have left some out.
+	uint32_t _earlier = NEVER; // The one before that.
+	bool _jolts = false;
+	std::vector<std::unique_ptr<Person>> _person_slots;
+	std::vector<std::unique_ptr<Body>> _body_slots;
+	std::unordered_map<uint16_t, std::size_t> _person_index;
+	std::unordered_map<uint16_t, std::size_t> _body_index;
 };
 
 } // namespace wire

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "frame.hpp"
+#include "smoothing/frame.hpp"
 
 #include <skeleton.hpp>
 
@@ -17,11 +17,11 @@ namespace wire {
 /// Moments are times of the wearer's clock, s; frames as in kinematics::PersonPose. Nothing allocates.
 class LocalFeedback {
 public:
-	static constexpr float FARTHEST = 1e5f; ///< Places further from the origin are refused, m.
+	static constexpr float FARTHEST = 1e5f; ///< Positions further from the origin are refused, m.
 
 	/// Says how the limbs hang together; forgets everything. False if it is no skeleton.
 	bool set_skeleton(const kinematics::Skeleton &p_skeleton);
-	int limb_count() const { return skeleton.limb_count; }
+	int limb_count() const { return _skeleton.limb_count; }
 
 	/// Takes the wearer's pose at a moment. False if it is broken or not newer than the last.
 	bool push_local(double p_moment_s, const PersonPose &p_pose);
@@ -30,21 +30,21 @@ public:
 	bool push_truth(double p_moment_s, const PersonPose &p_pose);
 	/// Works out what is shown at a time of the client's clock, s: the wearer's pose at a moment, which
 	/// may be a little beyond the newest. False before the first pose.
-	bool show(double p_now_s, double p_moment_s);
+	bool evaluate(double p_now_s, double p_moment_s);
 	/// Forgets all poses.
 	void clear();
 
 	/// As shown.
-	const PersonPose &get_pose() const { return pose; }
-	const std::array<Vec3, kinematics::MAX_LIMBS> &get_positions() const { return positions; }
+	const PersonPose &get_pose() const { return _pose; }
+	const std::array<Vec3, kinematics::MAX_LIMBS> &get_positions() const { return _positions; }
 	/// How far a limb is shown from where the wearer has it, rad.
-	float deviation(std::size_t p_limb) const { return shown.turns[p_limb].length(); }
+	float deviation(std::size_t p_limb) const { return _shown.turns[p_limb].length(); }
 	/// Moment of the newest pose of the wearer, s.
-	double newest_moment() const { return local_count > 0 ? local(local_count - 1).moment : 0.0; }
+	double newest_moment() const { return _local_count > 0 ? _local(_local_count - 1).moment : 0.0; }
 
 private:
 	using Limbs = Frame<kinematics::MAX_LIMBS>;
-	using LimbShift = Shift<kinematics::MAX_LIMBS>;
+	using LimbDelta = Delta<kinematics::MAX_LIMBS>;
 	struct Local {
 		double moment = 0.0;
 		Limbs frame;
@@ -52,28 +52,28 @@ private:
 
 	static constexpr std::size_t KEPT = 256;
 
-	const Local &local(std::size_t p_number) const { return history[p_number % KEPT]; }
-	std::size_t oldest() const { return local_count > KEPT ? local_count - KEPT : 0; }
-	bool read(const PersonPose &p_pose, Limbs &r_frame) const;
-	bool local_at(double p_moment_s, Limbs &r_frame, LimbShift &r_speed) const;
-	void note_turn(std::size_t p_limb, const Vec3 &p_deviation, float p_speed);
-	void filter(float p_step);
+	const Local &_local(std::size_t p_number) const { return _history[p_number % KEPT]; }
+	std::size_t _oldest() const { return _local_count > KEPT ? _local_count - KEPT : 0; }
+	bool _read(const PersonPose &p_pose, Limbs &r_frame) const;
+	bool _local_at(double p_moment_s, Limbs &r_frame, LimbDelta &r_speed) const;
+	void _note_turn(std::size_t p_limb, const Vec3 &p_deviation, float p_speed);
+	void _filter(float p_step);
 
-	kinematics::Skeleton skeleton;
-	std::size_t count = 0;
-	std::array<Local, KEPT> history{};
-	std::size_t local_count = 0; // Of all; the newest KEPT are kept.
-	double truth_moment = 0.0;
-	bool has_truth = false;
-	bool has_news = false;
-	double truth_at = 0.0;
-	bool is_shown = false;
-	double shown_at = 0.0;
-	LimbShift wanted; // What the server's pose deviates by, as far as it is to be shown.
-	LimbShift shown; // What is shown of it.
-	LimbShift speed; // How fast that changes.
-	PersonPose pose;
-	std::array<Vec3, kinematics::MAX_LIMBS> positions{};
+	kinematics::Skeleton _skeleton;
+	std::size_t _count = 0;
+	std::array<Local, KEPT> _history{};
+	std::size_t _local_count = 0; // Of all; the newest KEPT are kept.
+	double _truth_moment = 0.0;
+	bool _has_truth = false;
+	bool _has_news = false;
+	double _truth_at = 0.0;
+	bool _is_shown = false;
+	double _shown_at = 0.0;
+	LimbDelta _wanted; // What the server's pose deviates by, as far as it is to be shown.
+	LimbDelta _shown; // What is shown of it.
+	LimbDelta _speed; // How fast that changes.
+	PersonPose _pose;
+	std::array<Vec3, kinematics::MAX_LIMBS> _positions{};
 };
 
 } // namespace wire

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server_clock.hpp"
+#include "smoothing/server_clock.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,32 +9,32 @@ namespace wire {
 ServerClock::Verdict ServerClock::arrived(uint32_t p_tick, double p_now_s) {
 	const double delay = p_now_s - time_of(p_tick);
 	Verdict verdict = Verdict::USABLE;
-	if (is_known() && std::fabs(delay - difference) > JUMP_S) {
+	if (is_known() && std::fabs(delay - _difference) > JUMP_S) {
 		// The parts of one tick are one witness.
-		strange += strange == 0 || p_tick != strange_tick ? 1 : 0;
-		strange_tick = p_tick;
-		if (strange < CONFIRMATIONS) {
+		_strange += _strange == 0 || p_tick != _strange_tick ? 1 : 0;
+		_strange_tick = p_tick;
+		if (_strange < CONFIRMATIONS) {
 			return Verdict::OUTLANDISH;
 		}
 		clear();
 		verdict = Verdict::NEW_SERVER;
 	}
-	strange = 0;
-	note_interval(p_tick);
-	note_delay(delay, p_now_s);
-	if (p_now_s - window_begin > WINDOW_S) {
-		// After a silence the arrivals before it tell nothing.
-		quickest_before = p_now_s - last > SILENCE_S ? std::numeric_limits<double>::infinity() : quickest;
-		window_begin = p_now_s;
-		quickest = std::numeric_limits<double>::infinity();
+	_strange = 0;
+	_note_interval(p_tick);
+	_note_delay(delay, p_now_s);
+	if (p_now_s - _window_begin > WINDOW_S) {
+		// After a silence the arrivals before it say nothing.
+		_quickest_before = p_now_s - _last > SILENCE_S ? std::numeric_limits<double>::infinity() : _quickest;
+		_window_begin = p_now_s;
+		_quickest = std::numeric_limits<double>::infinity();
 	}
-	quickest = std::min(quickest, delay);
-	double rise = std::min(quickest, quickest_before) - difference;
+	_quickest = std::min(_quickest, delay);
+	double rise = std::min(_quickest, _quickest_before) - _difference;
 	if (rise > 0.0 && rise <= PAUSE_S) {
-		rise = std::min(rise, std::max(p_now_s - last, 0.0) * RISE);
+		rise = std::min(rise, std::max(p_now_s - _last, 0.0) * RISE);
 	}
-	difference = is_known() ? std::min(difference + std::max(rise, 0.0), delay) : delay;
-	last = p_now_s;
+	_difference = is_known() ? std::min(_difference + std::max(rise, 0.0), delay) : delay;
+	_last = p_now_s;
 	return verdict;
 }
 
@@ -44,45 +44,45 @@ void ServerClock::clear() {
 	tick_rate = rate;
 }
 
-void ServerClock::note_interval(uint32_t p_tick) {
-	if (p_tick > newest_tick && newest_tick > 0) {
-		gaps[gap_count++ % GAPS] = p_tick - newest_tick;
+void ServerClock::_note_interval(uint32_t p_tick) {
+	if (p_tick > _newest_tick && _newest_tick > 0) {
+		_gaps[_gap_count++ % GAPS] = p_tick - _newest_tick;
 	}
-	newest_tick = std::max(newest_tick, p_tick);
+	_newest_tick = std::max(_newest_tick, p_tick);
 }
 
-void ServerClock::note_delay(double p_delay, double p_now_s) {
+void ServerClock::_note_delay(double p_delay, double p_now_s) {
 	// Entities of one datagram count once.
-	if (arrival_count > 0) {
-		const Arrival &before = arrivals[(arrival_count - 1) % KEPT];
+	if (_arrival_count > 0) {
+		const Arrival &before = _arrivals[(_arrival_count - 1) % KEPT];
 		if (before.at == p_now_s && before.delay == p_delay) {
 			return;
 		}
 	}
-	arrivals[arrival_count++ % KEPT] = { p_now_s, p_delay };
+	_arrivals[_arrival_count++ % KEPT] = { p_now_s, p_delay };
 }
 
 double ServerClock::lateness(double p_fraction) const {
 	std::array<double, KEPT> delays;
 	std::size_t count = 0;
-	const std::size_t most = std::min(arrival_count, KEPT);
+	const std::size_t most = std::min(_arrival_count, KEPT);
 	for (std::size_t i = 0; i < most; i++) {
-		if (last - arrivals[i].at <= LATENESS_S) {
-			delays[count++] = arrivals[i].delay;
+		if (_last - _arrivals[i].at <= LATENESS_S) {
+			delays[count++] = _arrivals[i].delay;
 		}
 	}
 	if (count == 0) {
 		return 0.0;
 	}
-	const double place = std::ceil(p_fraction * double(count)) - 1.0;
-	const std::size_t rank = std::size_t(std::min(std::max(place, 0.0), double(count - 1)));
+	const double index = std::ceil(p_fraction * double(count)) - 1.0;
+	const std::size_t rank = std::size_t(std::min(std::max(index, 0.0), double(count - 1)));
 	std::nth_element(delays.begin(), delays.begin() + std::ptrdiff_t(rank), delays.begin() + std::ptrdiff_t(count));
-	return std::max(delays[rank] - difference, 0.0);
+	return std::max(delays[rank] - _difference, 0.0);
 }
 
 double ServerClock::interval() const {
-	std::array<uint32_t, GAPS> sorted = gaps;
-	const std::size_t count = std::min(gap_count, GAPS);
+	std::array<uint32_t, GAPS> sorted = _gaps;
+	const std::size_t count = std::min(_gap_count, GAPS);
 	if (count == 0) {
 		return 1.0 / tick_rate;
 	}

@@ -10,9 +10,9 @@ namespace wire {
 
 /// What the server's clock shows, seen from a client: estimated from when ticks arrive.
 ///
-/// The way takes a varying time, but never less than some least one: the quickest arrivals of the last
-/// one or two seconds tell how the clocks differ. The difference falls at once and rises slowly. What
-/// the others were later than that tells how far display must stay behind to have them in time.
+/// The latency varies, but never falls below some minimum: the quickest arrivals of the last
+/// one or two seconds give the difference of the clocks. The difference falls at once and rises slowly. What
+/// the others were later than that says how far display must stay behind to have them in time.
 class ServerClock {
 public:
 	/// What a tick is to the clock.
@@ -34,11 +34,11 @@ public:
 	Verdict arrived(uint32_t p_tick, double p_now_s);
 	void clear();
 
-	bool is_known() const { return difference < std::numeric_limits<double>::infinity(); }
+	bool is_known() const { return _difference < std::numeric_limits<double>::infinity(); }
 	/// Time of a tick in the server's clock, s.
 	double time_of(uint32_t p_tick) const { return double(p_tick) / tick_rate; }
 	/// The server's time of what would arrive now if it was as quick as the quickest, s.
-	double server_now(double p_now_s) const { return p_now_s - difference; }
+	double server_now(double p_now_s) const { return p_now_s - _difference; }
 	/// How much later than the quickest a fraction (0 to 1) of the arrivals is not, s.
 	double lateness(double p_fraction) const;
 	/// Time between two ticks that are sent, s: the median of the last ones.
@@ -52,24 +52,24 @@ private:
 		double delay = 0.0;
 	};
 
-	void note_interval(uint32_t p_tick);
-	void note_delay(double p_delay, double p_now_s);
+	void _note_interval(uint32_t p_tick);
+	void _note_delay(double p_delay, double p_now_s);
 
 	static constexpr std::size_t KEPT = 256;
 	static constexpr std::size_t GAPS = 9;
 
-	double difference = std::numeric_limits<double>::infinity();
-	double quickest = std::numeric_limits<double>::infinity();
-	double quickest_before = std::numeric_limits<double>::infinity();
-	double window_begin = -std::numeric_limits<double>::infinity();
-	double last = 0.0;
-	std::array<Arrival, KEPT> arrivals{};
-	std::size_t arrival_count = 0; // Of all; the newest KEPT are kept.
-	std::array<uint32_t, GAPS> gaps{};
-	std::size_t gap_count = 0;
-	uint32_t newest_tick = 0;
-	uint32_t strange_tick = 0;
-	int strange = 0;
+	double _difference = std::numeric_limits<double>::infinity();
+	double _quickest = std::numeric_limits<double>::infinity();
+	double _quickest_before = std::numeric_limits<double>::infinity();
+	double _window_begin = -std::numeric_limits<double>::infinity();
+	double _last = 0.0;
+	std::array<Arrival, KEPT> _arrivals{};
+	std::size_t _arrival_count = 0; // Of all; the newest KEPT are kept.
+	std::array<uint32_t, GAPS> _gaps{};
+	std::size_t _gap_count = 0;
+	uint32_t _newest_tick = 0;
+	uint32_t _strange_tick = 0;
+	int _strange = 0;
 };
 
 } // namespace wire

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "smoother.hpp"
+#include "smoothing/smoother.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,9 +19,9 @@ constexpr double CORRECTION = 6.0;
 // It is set anew if it is further off, s.
 constexpr double JUMP_S = 0.25;
 
-bool is_place(const Vec3 &p_place) {
-	return p_place.is_finite() && std::fabs(p_place.x) <= Smoother::FARTHEST &&
-			std::fabs(p_place.y) <= Smoother::FARTHEST && std::fabs(p_place.z) <= Smoother::FARTHEST;
+bool is_position(const Vec3 &p_position) {
+	return p_position.is_finite() && std::fabs(p_position.x) <= Smoother::FARTHEST &&
+			std::fabs(p_position.y) <= Smoother::FARTHEST && std::fabs(p_position.z) <= Smoother::FARTHEST;
 }
 
 // NaN fails too.
@@ -40,9 +40,9 @@ bool Smoother::set_tick_rate(double p_rate) {
 	if (!(p_rate > 0.0 && p_rate <= 1000.0)) {
 		return false;
 	}
-	if (p_rate != clock.tick_rate) {
+	if (p_rate != _clock.tick_rate) {
 		clear();
-		clock.tick_rate = p_rate;
+		_clock.tick_rate = p_rate;
 	}
 	return true;
 }
@@ -52,38 +52,38 @@ bool Smoother::set_skeleton(uint16_t p_id, const kinematics::Skeleton &p_skeleto
 		return false;
 	}
 	for (std::size_t i = 0; i < std::size_t(p_skeleton.limb_count); i++) {
-		if (!is_place(p_skeleton.joints_in_parent[i]) || !is_place(p_skeleton.joints_in_limb[i])) {
+		if (!is_position(p_skeleton.joints_in_parent[i]) || !is_position(p_skeleton.joints_in_limb[i])) {
 			return false;
 		}
 	}
-	const auto known = persons.find(p_id);
-	if (known != persons.end() && known->second->skeleton.limb_count == p_skeleton.limb_count) {
+	const auto known = _persons.find(p_id);
+	if (known != _persons.end() && known->second->skeleton.limb_count == p_skeleton.limb_count) {
 		known->second->skeleton = p_skeleton;
 	} else {
-		persons[p_id] = std::make_unique<PersonEntry>(p_skeleton);
+		_persons[p_id] = std::make_unique<PersonEntry>(p_skeleton);
 	}
 	return true;
 }
 
 int Smoother::limb_count(uint16_t p_id) const {
-	const auto found = persons.find(p_id);
-	return found != persons.end() ? found->second->skeleton.limb_count : 0;
+	const auto found = _persons.find(p_id);
+	return found != _persons.end() ? found->second->skeleton.limb_count : 0;
 }
 
-bool Smoother::is_timely(uint32_t p_tick, double p_arrival_s) {
+bool Smoother::_is_timely(uint32_t p_tick, double p_arrival_s) {
 	if (!std::isfinite(p_arrival_s)) {
 		return false;
 	}
-	const ServerClock::Verdict verdict = clock.arrived(p_tick, p_arrival_s);
+	const ServerClock::Verdict verdict = _clock.arrived(p_tick, p_arrival_s);
 	if (verdict == ServerClock::Verdict::NEW_SERVER) {
-		forget_updates();
+		_forget_updates();
 	}
 	return verdict != ServerClock::Verdict::OUTLANDISH;
 }
 
 bool Smoother::push(const PersonUpdate &p_update, double p_arrival_s) {
-	const auto found = persons.find(p_update.id);
-	if (found == persons.end() || !is_place(p_update.pose.root)) {
+	const auto found = _persons.find(p_update.id);
+	if (found == _persons.end() || !is_position(p_update.pose.root)) {
 		return false;
 	}
 	PersonTrack::Key key;
@@ -94,31 +94,31 @@ bool Smoother::push(const PersonUpdate &p_update, double p_arrival_s) {
 		}
 		key.frame.turns[i] = p_update.pose.orientations[i].normalized();
 	}
-	if (!is_timely(p_update.tick, p_arrival_s)) {
+	if (!_is_timely(p_update.tick, p_arrival_s)) {
 		return false;
 	}
-	key.time = clock.time_of(p_update.tick);
+	key.time = _clock.time_of(p_update.tick);
 	key.arrival = p_arrival_s;
 	return found->second->track.push(key);
 }
 
 bool Smoother::push(const BodyUpdate &p_update, double p_arrival_s) {
-	const bool is_sound = is_place(p_update.position) && is_turn(p_update.orientation) && is_speed(p_update.velocity) &&
-			is_speed(p_update.spin);
-	if (!is_sound || !is_timely(p_update.tick, p_arrival_s)) {
+	const bool is_sound = is_position(p_update.position) && is_turn(p_update.orientation) &&
+			is_speed(p_update.velocity) && is_speed(p_update.spin);
+	if (!is_sound || !_is_timely(p_update.tick, p_arrival_s)) {
 		return false;
 	}
 	BodyTrack::Key key;
-	key.time = clock.time_of(p_update.tick);
+	key.time = _clock.time_of(p_update.tick);
 	key.arrival = p_arrival_s;
 	key.frame.position = p_update.position;
 	key.frame.turns[0] = p_update.orientation.normalized();
 	key.at_rest = p_update.at_rest;
 	if (!p_update.at_rest) {
-		key.motion.way = p_update.velocity;
+		key.motion.displacement = p_update.velocity;
 		key.motion.turns[0] = p_update.spin;
 	}
-	std::unique_ptr<BodyEntry> &entry = bodies[p_update.id];
+	std::unique_ptr<BodyEntry> &entry = _bodies[p_update.id];
 	if (!entry) {
 		entry = std::make_unique<BodyEntry>();
 	}
@@ -126,110 +126,110 @@ bool Smoother::push(const BodyUpdate &p_update, double p_arrival_s) {
 }
 
 /// The server's time that the method would like to show.
-double Smoother::wanted_time(double p_now_s) {
-	const double share = std::min(SHARE, SHARE_GROWTH * clock.interval());
-	switch (method) {
+double Smoother::_wanted_time(double p_now_s) {
+	const double share = std::min(SHARE, SHARE_GROWTH * _clock.interval());
+	switch (_method) {
 		case SmoothingMethod::LINEAR:
 		case SmoothingMethod::HERMITE:
-			behind = std::min(std::max(BUFFER_S, clock.interval() + clock.lateness(WAITS_FOR)), LONGEST_DELAY_S);
+			_behind = std::min(std::max(BUFFER_S, _clock.interval() + _clock.lateness(WAITS_FOR)), LONGEST_DELAY_S);
 			break;
 		case SmoothingMethod::ADAPTIVE_LOW_DELAY:
-			behind = std::min(clock.lateness(WAITS_FOR) + share * clock.interval(), LONGEST_DELAY_S);
+			_behind = std::min(_clock.lateness(WAITS_FOR) + share * _clock.interval(), LONGEST_DELAY_S);
 			break;
 		default:
-			behind = 0.0;
+			_behind = 0.0;
 	}
-	return clock.server_now(p_now_s) - behind;
+	return _clock.server_now(p_now_s) - _behind;
 }
 
 /// Lets what is shown run on, a little faster or slower than time, to where it should be.
-void Smoother::play(double p_now_s) {
-	const double wanted = wanted_time(p_now_s);
-	const double step = p_now_s - shown_at;
-	const double error = wanted - (shown_time + step);
-	if (!is_playing || step < 0.0 || std::fabs(error) > JUMP_S) {
-		shown_time = wanted;
+void Smoother::_play(double p_now_s) {
+	const double wanted = _wanted_time(p_now_s);
+	const double step = p_now_s - _shown_at;
+	const double error = wanted - (_shown_time + step);
+	if (!_is_playing || step < 0.0 || std::fabs(error) > JUMP_S) {
+		_shown_time = wanted;
 	} else {
 		// Never back, however much too far ahead it is.
-		shown_time += std::max(step + error * (1.0 - std::exp(-CORRECTION * step)), 0.0);
+		_shown_time += std::max(step + error * (1.0 - std::exp(-CORRECTION * step)), 0.0);
 	}
-	shown_at = p_now_s;
-	is_playing = true;
+	_shown_at = p_now_s;
+	_is_playing = true;
 }
 
-void Smoother::show(double p_now_s) {
-	if (!clock.is_known() || !std::isfinite(p_now_s)) {
+void Smoother::evaluate(double p_now_s) {
+	if (!_clock.is_known() || !std::isfinite(p_now_s)) {
 		return;
 	}
-	play(p_now_s);
-	for (auto &[id, entry] : persons) {
+	_play(p_now_s);
+	for (auto &[id, entry] : _persons) {
 		if (!entry->track.is_empty()) {
-			entry->track.show({ shown_time, p_now_s, method });
-			place(entry->skeleton, entry->track.get_shown(), entry->shown);
+			entry->track.evaluate({ _shown_time, p_now_s, _method });
+			_pose_person(entry->skeleton, entry->track.get_shown(), entry->shown);
 			entry->is_shown = true;
 		}
 	}
-	for (auto &[id, entry] : bodies) {
+	for (auto &[id, entry] : _bodies) {
 		if (!entry->track.is_empty()) {
-			entry->track.show({ shown_time, p_now_s, method });
+			entry->track.evaluate({ _shown_time, p_now_s, _method });
 			entry->shown = { entry->track.get_shown().position, entry->track.get_shown().turns[0] };
 			entry->is_shown = true;
 		}
 	}
 }
 
-void Smoother::place(
+void Smoother::_pose_person(
 		const kinematics::Skeleton &p_skeleton, const Frame<kinematics::MAX_LIMBS> &p_frame, Person &r_person) {
 	r_person.limb_count = p_skeleton.limb_count;
 	r_person.pose.root = p_frame.position;
 	r_person.pose.orientations = p_frame.turns;
-	kinematics::place_limbs(p_skeleton, r_person.pose, r_person.positions);
+	kinematics::position_limbs(p_skeleton, r_person.pose, r_person.positions);
 }
 
 const Smoother::Person *Smoother::person(uint16_t p_id) const {
-	const auto found = persons.find(p_id);
-	return found != persons.end() && found->second->is_shown ? &found->second->shown : nullptr;
+	const auto found = _persons.find(p_id);
+	return found != _persons.end() && found->second->is_shown ? &found->second->shown : nullptr;
 }
 
-const BodyPlace *Smoother::body(uint16_t p_id) const {
-	const auto found = bodies.find(p_id);
-	return found != bodies.end() && found->second->is_shown ? &found->second->shown : nullptr;
+const BodyTransform *Smoother::body(uint16_t p_id) const {
+	const auto found = _bodies.find(p_id);
+	return found != _bodies.end() && found->second->is_shown ? &found->second->shown : nullptr;
 }
 
 bool Smoother::newest(uint16_t p_id, Person &r_person) const {
-	const auto found = persons.find(p_id);
-	if (found == persons.end() || found->second->track.is_empty()) {
+	const auto found = _persons.find(p_id);
+	if (found == _persons.end() || found->second->track.is_empty()) {
 		return false;
 	}
-	place(found->second->skeleton, found->second->track.get_newest().frame, r_person);
+	_pose_person(found->second->skeleton, found->second->track.get_newest().frame, r_person);
 	return true;
 }
 
-bool Smoother::newest(uint16_t p_id, BodyPlace &r_place) const {
-	const auto found = bodies.find(p_id);
-	if (found == bodies.end() || found->second->track.is_empty()) {
+bool Smoother::newest(uint16_t p_id, BodyTransform &r_transform) const {
+	const auto found = _bodies.find(p_id);
+	if (found == _bodies.end() || found->second->track.is_empty()) {
 		return false;
 	}
 	const Frame<1> &frame = found->second->track.get_newest().frame;
-	r_place = { frame.position, frame.turns[0] };
+	r_transform = { frame.position, frame.turns[0] };
 	return true;
 }
 
-void Smoother::forget_updates() {
-	for (auto &[id, entry] : persons) {
+void Smoother::_forget_updates() {
+	for (auto &[id, entry] : _persons) {
 		entry->track.clear();
 	}
 	// What the new server does not speak of is not there.
-	bodies.clear();
-	is_playing = false;
+	_bodies.clear();
+	_is_playing = false;
 }
 
 void Smoother::clear() {
-	forget_updates();
-	for (auto &[id, entry] : persons) {
+	_forget_updates();
+	for (auto &[id, entry] : _persons) {
 		entry->is_shown = false;
 	}
-	clock.clear();
+	_clock.clear();
 }
 
 } // namespace wire

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../dead_reckoning.hpp"
-#include "server_clock.hpp"
-#include "smoothing_method.hpp"
-#include "track.hpp"
+#include "dead_reckoning.hpp"
+#include "smoothing/server_clock.hpp"
+#include "smoothing/smoothing_method.hpp"
+#include "smoothing/track.hpp"
 
 #include <skeleton.hpp>
 
@@ -15,7 +15,7 @@ namespace wire {
 
 /// Turns updates as they arrive into what a client shows, at its own frame rate.
 ///
-/// Push what arrives, call show() once for each frame of the display, then read persons and bodies.
+/// Push what arrives, call evaluate() once for each frame of the display, then read persons and bodies.
 /// Memory is only allocated when somebody or something is seen for the first time. Any update may be
 /// late, twice, out of order, missing or broken: what makes no sense is refused.
 class Smoother {
@@ -30,15 +30,15 @@ public:
 		int limb_count = 0;
 	};
 
-	static constexpr float FARTHEST = 1e5f; ///< Places further from the origin are refused, m.
+	static constexpr float FARTHEST = 1e5f; ///< Positions further from the origin are refused, m.
 	static constexpr float FASTEST = 1e4f; ///< Likewise faster bodies, m/s or rad/s.
 	static constexpr double LONGEST_DELAY_S = 0.25; ///< Nothing is shown further behind.
 
-	void set_method(SmoothingMethod p_method) { method = p_method; }
-	SmoothingMethod get_method() const { return method; }
+	void set_method(SmoothingMethod p_method) { _method = p_method; }
+	SmoothingMethod get_method() const { return _method; }
 	/// The server's ticks per second (above 0); forgets all updates if it is another one.
 	bool set_tick_rate(double p_rate);
-	const ServerClock &get_clock() const { return clock; }
+	const ServerClock &get_clock() const { return _clock; }
 
 	/// Says how a person's limbs hang together; without it the person's updates are refused. False if
 	/// it is no skeleton.
@@ -52,21 +52,21 @@ public:
 	bool push(const BodyUpdate &p_update, double p_arrival_s);
 
 	/// Works out where everything is at a time of the client's clock, s.
-	void show(double p_now_s);
+	void evaluate(double p_now_s);
 
 	/// The tick that is shown, with its fraction; -1 before the first update.
-	double shown_tick() const { return is_playing ? shown_time * clock.tick_rate : -1.0; }
+	double shown_tick() const { return _is_playing ? _shown_time * _clock.tick_rate : -1.0; }
 	/// How far what is shown is behind the quickest arrivals, s.
-	double delay() const { return behind; }
-	/// As shown by show(); null until there is something.
+	double delay() const { return _behind; }
+	/// As shown by evaluate(); null until there is something.
 	const Person *person(uint16_t p_id) const;
-	const BodyPlace *body(uint16_t p_id) const;
+	const BodyTransform *body(uint16_t p_id) const;
 	/// As it was received last, without smoothing; false if there is nothing.
 	bool newest(uint16_t p_id, Person &r_person) const;
-	bool newest(uint16_t p_id, BodyPlace &r_place) const;
+	bool newest(uint16_t p_id, BodyTransform &r_transform) const;
 
-	void forget_person(uint16_t p_id) { persons.erase(p_id); }
-	void forget_body(uint16_t p_id) { bodies.erase(p_id); }
+	void forget_person(uint16_t p_id) { _persons.erase(p_id); }
+	void forget_body(uint16_t p_id) { _bodies.erase(p_id); }
 	/// Forgets all updates and the clock, but not the skeletons.
 	void clear();
 
@@ -81,25 +81,25 @@ private:
 	};
 	struct BodyEntry {
 		BodyTrack track{ 1, true };
-		BodyPlace shown;
+		BodyTransform shown;
 		bool is_shown = false;
 	};
 
-	bool is_timely(uint32_t p_tick, double p_arrival_s);
-	double wanted_time(double p_now_s);
-	void play(double p_now_s);
-	void forget_updates();
-	static void place(
+	bool _is_timely(uint32_t p_tick, double p_arrival_s);
+	double _wanted_time(double p_now_s);
+	void _play(double p_now_s);
+	void _forget_updates();
+	static void _pose_person(
 			const kinematics::Skeleton &p_skeleton, const Frame<kinematics::MAX_LIMBS> &p_frame, Person &r_person);
 
-	SmoothingMethod method = SmoothingMethod::ADAPTIVE_LOW_DELAY;
-	ServerClock clock;
-	std::unordered_map<uint16_t, std::unique_ptr<PersonEntry>> persons;
-	std::unordered_map<uint16_t, std::unique_ptr<BodyEntry>> bodies;
-	bool is_playing = false;
-	double shown_time = 0.0; // In the server's clock, s.
-	double shown_at = 0.0; // In the client's.
-	double behind = 0.0;
+	SmoothingMethod _method = SmoothingMethod::ADAPTIVE_LOW_DELAY;
+	ServerClock _clock;
+	std::unordered_map<uint16_t, std::unique_ptr<PersonEntry>> _persons;
+	std::unordered_map<uint16_t, std::unique_ptr<BodyEntry>> _bodies;
+	bool _is_playing = false;
+	double _shown_time = 0.0; // In the server's clock, s.
+	double _shown_at = 0.0; // In the client's.
+	double _behind = 0.0;
 };
 
 } // namespace wire

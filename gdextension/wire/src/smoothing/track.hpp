@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "frame.hpp"
-#include "smoothing_method.hpp"
+#include "smoothing/frame.hpp"
+#include "smoothing/smoothing_method.hpp"
 
 namespace wire {
 
@@ -17,7 +17,7 @@ public:
 		double time = 0.0;
 		double arrival = 0.0; ///< In the client's clock.
 		Frame<N> frame;
-		Shift<N> motion; ///< Per second; only where it is received.
+		Delta<N> motion; ///< Per second; only where it is received.
 		bool at_rest = false;
 	};
 
@@ -33,54 +33,54 @@ public:
 
 	/// p_count of N orientations are in use. Where motion is received it is believed (dead reckoning);
 	/// elsewhere it is estimated from successive updates.
-	explicit Track(std::size_t p_count, bool p_has_motion) : count(p_count), has_motion(p_has_motion) {}
+	explicit Track(std::size_t p_count, bool p_has_motion) : _count(p_count), _has_motion(p_has_motion) {}
 
 	/// Takes an update; whether it says anything new.
 	bool push(const Key &p_key);
 	/// Works out what is shown at a moment.
-	void show(const Moment &p_moment);
+	void evaluate(const Moment &p_moment);
 	/// Forgets all but what is shown now.
-	void clear() { size = 0; }
+	void clear() { _size = 0; }
 
-	bool is_empty() const { return size == 0; }
-	const Frame<N> &get_shown() const { return shown; }
-	const Key &get_newest() const { return key(size - 1); }
+	bool is_empty() const { return _size == 0; }
+	const Frame<N> &get_shown() const { return _shown; }
+	const Key &get_newest() const { return _key(_size - 1); }
 
 private:
-	const Key &key(std::size_t p_place) const { return keys[order[p_place]]; }
-	double gap(std::size_t p_place) const { return key(p_place).time - key(p_place - 1).time; }
-	double usual_gap() const;
-	Shift<N> motion_of(std::size_t p_place) const;
-	Shift<N> motion_at_end() const;
-	Frame<N> predicted(const Key &p_key, double p_time, const Shift<N> &p_motion, double p_reach) const;
-	Frame<N> straight(double p_time) const;
-	Frame<N> curved(double p_time, bool p_goes_on) const;
-	Frame<N> blended(std::size_t p_after, double p_time, bool p_eased) const;
-	Frame<N> newest_at(double p_time, double p_reach) const;
-	Frame<N> wanted(const Moment &p_moment) const;
-	void chase(const Moment &p_moment);
-	void decay(const Moment &p_moment, double p_step);
-	void take_over(const Moment &p_moment);
+	const Key &_key(std::size_t p_index) const { return _keys[_order[p_index]]; }
+	double _gap(std::size_t p_index) const { return _key(p_index).time - _key(p_index - 1).time; }
+	double _usual_gap() const;
+	Delta<N> _motion_of(std::size_t p_index) const;
+	Delta<N> _motion_at_end() const;
+	Frame<N> _predicted(const Key &p_key, double p_time, const Delta<N> &p_motion, double p_reach) const;
+	Frame<N> _straight(double p_time) const;
+	Frame<N> _curved(double p_time, bool p_goes_on) const;
+	Frame<N> _blended(std::size_t p_after, double p_time, bool p_eased) const;
+	Frame<N> _newest_at(double p_time, double p_reach) const;
+	Frame<N> _wanted(const Moment &p_moment) const;
+	void _chase(const Moment &p_moment);
+	void _decay(const Moment &p_moment, double p_step);
+	void _take_over(const Moment &p_moment);
 
-	std::size_t count;
-	bool has_motion;
-	std::array<Key, KEPT> keys{};
-	std::array<uint8_t, KEPT> order{};
-	std::size_t size = 0;
+	std::size_t _count;
+	bool _has_motion;
+	std::array<Key, KEPT> _keys{};
+	std::array<uint8_t, KEPT> _order{};
+	std::size_t _size = 0;
 
-	bool is_shown = false;
-	bool has_news = false;
-	Moment last;
-	Frame<N> shown;
-	Shift<N> speed; // Of what is shown, per second.
-	Shift<N> offset; // From what is wanted to what is shown: a jump that decays.
-	Shift<N> offset_speed;
+	bool _is_shown = false;
+	bool _has_news = false;
+	Moment _last;
+	Frame<N> _shown;
+	Delta<N> _speed; // Of what is shown, per second.
+	Delta<N> _offset; // From what is wanted to what is shown: a jump that decays.
+	Delta<N> _offset_speed;
 	// EXTRAPOLATE_LERP: from where, to where, when.
-	Frame<N> chase_from;
-	Frame<N> chase_to;
-	Shift<N> chase_motion;
-	double chase_begin = 0.0;
-	double chase_span = 0.0;
+	Frame<N> _chase_from;
+	Frame<N> _chase_to;
+	Delta<N> _chase_motion;
+	double _chase_begin = 0.0;
+	double _chase_span = 0.0;
 };
 
 extern template class Track<1>;
