@@ -21,8 +21,11 @@ if(DISMOUNT_EXTENSIONS)
 			binding/raw_player.cpp
 			binding/raw_recorder.cpp
 			binding/register_types.cpp
-			binding/suit_dictionary.cpp
+			binding/suit_device.cpp
+			binding/suit_frame.cpp
 			binding/suit_hub.cpp
+			binding/suit_message.cpp
+			binding/suit_tracker.cpp
 			src/usb/hub_library.cpp
 		LIBRARIES
 			xbus_recording
@@ -34,7 +37,11 @@ if(DISMOUNT_EXTENSIONS)
 			doc_classes/MvnReceiver.xml
 			doc_classes/RawPlayer.xml
 			doc_classes/RawRecorder.xml
+			doc_classes/SuitDevice.xml
+			doc_classes/SuitFrame.xml
 			doc_classes/SuitHub.xml
+			doc_classes/SuitMessage.xml
+			doc_classes/SuitTracker.xml
 	)
 	target_compile_definitions(xbus PRIVATE
 		DISMOUNT_USB_LIBRARY="libxbus_usb.linux.${architecture}.so")

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "raw_player.hpp"
 
-#include "suit_dictionary.hpp"
+#include "text.hpp"
 
 #include <bus/message.hpp>
 #include <mvn/stranger_text.hpp>
@@ -22,10 +22,6 @@ using recording::Record;
 /// Frames and datagrams that wait for who fetches them.
 constexpr std::size_t MAX_FRAMES = 512;
 constexpr std::size_t MAX_DATAGRAMS = 4096;
-
-String text(const std::string &p_text) {
-	return String::utf8(p_text.c_str());
-}
 
 std::string told(const Record &p_record, const char *p_key) {
 	const std::string value = recording::about(p_record, p_key);
@@ -60,7 +56,7 @@ String RawPlayer::open(const String &p_path) {
 	if (fault.empty()) {
 		survey();
 	}
-	return text(fault);
+	return as_string(fault);
 }
 
 /// Looks through the whole file once: streams, length, damage.
@@ -72,7 +68,7 @@ void RawPlayer::survey() {
 			Stream &stream = streams[record.stream];
 			stream.is_bus = told(record, "kind") == "bus";
 			stream.name = told(record, "name");
-			stream.place = told(record, "place");
+			stream.address = told(record, "place");
 			stream.serial = told(record, "serial");
 			stream.usb = told(record, "usb");
 			stream.sender = told(record, "sender");
@@ -194,12 +190,12 @@ TypedArray<Dictionary> RawPlayer::get_streams() const {
 		Dictionary entry;
 		entry["number"] = int64_t(number);
 		entry["kind"] = stream.is_bus ? "bus" : "mvn";
-		entry["name"] = text(stream.name);
-		entry["usb"] = text(stream.usb);
-		entry["place"] = text(stream.place);
-		entry["serial"] = text(stream.serial);
-		entry["sender"] = text(stream.sender);
-		entry["port"] = text(stream.port);
+		entry["name"] = as_string(stream.name);
+		entry["usb"] = as_string(stream.usb);
+		entry["address"] = as_string(stream.address);
+		entry["serial"] = as_string(stream.serial);
+		entry["sender"] = as_string(stream.sender);
+		entry["port"] = as_string(stream.port);
 		entry["records"] = int64_t(stream.records);
 		entry["bytes"] = int64_t(stream.bytes);
 		result.push_back(entry);
@@ -220,9 +216,9 @@ Dictionary RawPlayer::get_figures() const {
 	return result;
 }
 
-TypedArray<Dictionary> RawPlayer::get_devices() const {
+TypedArray<SuitDevice> RawPlayer::get_devices() const {
 	const std::lock_guard<std::mutex> lock(mutex);
-	TypedArray<Dictionary> devices;
+	TypedArray<SuitDevice> devices;
 	for (const auto &[number, stream] : streams) {
 		if (stream.replay != nullptr) {
 			devices.push_back(device_of(number, stream));
@@ -231,67 +227,48 @@ TypedArray<Dictionary> RawPlayer::get_devices() const {
 	return devices;
 }
 
-/// As `SuitHub.get_devices` tells it.
-Dictionary RawPlayer::device_of(int p_number, const Stream &p_stream) const {
+Ref<SuitDevice> RawPlayer::device_of(int p_number, const Stream &p_stream) const {
 	const recording::BusReplay &replay = *p_stream.replay;
-	const xbus::FramerStatistics &framer = replay.framer();
-	const std::size_t count = replay.is_master() ? replay.tracker_ids().size() : (replay.device_id() != 0 ? 1 : 0);
-	TypedArray<Dictionary> trackers;
-	bool measures = false;
-	for (std::size_t at = 0; at < count; ++at) {
-		const xbus::DeviceStatistics &statistics = replay.tracker(int(at));
-		const xbus::TrackerFlow flow = replay.flow(int(at), at_usec);
-		Dictionary tracker;
-		tracker["id"] = int64_t(replay.is_master() ? replay.tracker_ids()[at] : replay.device_id());
-		tracker["bus_id"] = int64_t(replay.is_master() ? at + 1 : xbus::MASTER);
-		tracker["received"] = int64_t(statistics.received);
-		tracker["lost"] = int64_t(statistics.lost);
-		tracker["implausible"] = int64_t(statistics.implausible);
-		tracker["rate_hz"] = flow.rate_hz;
-		tracker["age_s"] = flow.newest_usec > 0 ? double(at_usec - flow.newest_usec) / 1e6 / speed : -1.0;
-		measures = measures || flow.newest_usec > 0;
-		trackers.push_back(tracker);
-	}
-	const char *trouble =
-			replay.undecoded() > 0 ? "the recording does not tell how its samples are laid out: it began too late" : "";
-	Dictionary result;
-	result["number"] = int64_t(p_number);
-	result["name"] = text(p_stream.name.empty() ? "a recorded suit" : p_stream.name);
+	usb::DeviceReport report;
+	report.number = p_number;
 	const std::size_t colon = p_stream.usb.find(':');
-	const unsigned long vendor = std::strtoul(p_stream.usb.c_str(), nullptr, 16);
-	const unsigned long product =
-			colon == std::string::npos ? 0 : std::strtoul(p_stream.usb.c_str() + colon + 1, nullptr, 16);
-	result["usb"] = int64_t(((vendor & 0xFFFFUL) << 16U) | (product & 0xFFFFUL));
-	result["place"] = text(p_stream.place);
-	result["serial"] = text(p_stream.serial);
-	result["is_open"] = true;
-	result["state"] = has_next ? "recorded" : "recorded, at its end";
-	result["measures"] = measures;
-	result["trouble"] = trouble;
-	result["id"] = int64_t(replay.device_id());
-	result["kind"] = xbus::device_kind_name(xbus::device_kind(replay.device_id()));
-	result["baud"] = int64_t(0);
-	result["rate_hz"] = replay.rate_hz();
-	result["battery"] = -1.0;
-	result["malformed_bytes"] = int64_t(framer.skipped_bytes);
-	result["refused"] = int64_t(framer.refused_frames);
-	result["errors"] = int64_t(0);
-	result["restarts"] = int64_t(0);
-	result["line_faults"] = int64_t(0);
-	result["overruns"] = int64_t(0);
-	result["trackers"] = trackers;
-	return result;
+	report.known.vendor = uint16_t(std::strtoul(p_stream.usb.c_str(), nullptr, 16));
+	if (colon != std::string::npos) {
+		report.known.product = uint16_t(std::strtoul(p_stream.usb.c_str() + colon + 1, nullptr, 16));
+	}
+	report.address = p_stream.address;
+	report.serial = p_stream.serial;
+	report.is_open = true;
+	if (replay.undecoded() > 0) {
+		report.fault = "the recording does not tell how its samples are laid out: it began too late";
+	}
+	report.session.device_id = replay.device_id();
+	report.session.kind = xbus::device_kind(replay.device_id());
+	report.session.rate_hz = replay.rate_hz();
+	report.session.framer = replay.framer();
+	const std::size_t count = replay.is_master() ? replay.tracker_ids().size() : (replay.device_id() != 0 ? 1 : 0);
+	for (std::size_t at = 0; at < count; ++at) {
+		xbus::TrackerReport tracker;
+		tracker.device_id = replay.is_master() ? replay.tracker_ids()[at] : replay.device_id();
+		tracker.bus_id = replay.is_master() ? uint8_t(at + 1) : xbus::MASTER;
+		tracker.samples = replay.tracker(int(at));
+		tracker.flow = replay.flow(int(at), at_usec);
+		report.session.trackers.push_back(tracker);
+	}
+	const String name = p_stream.name.empty() ? String("a recorded suit") : as_string(p_stream.name);
+	const SuitDevice::State state = has_next ? SuitDevice::STATE_PLAYING : SuitDevice::STATE_PLAYED;
+	return SuitDevice::make_recorded(report, name, state, at_usec, speed);
 }
 
-TypedArray<Dictionary> RawPlayer::take_frames(int64_t p_device) {
+TypedArray<SuitFrame> RawPlayer::take_frames(int64_t p_device) {
 	const std::lock_guard<std::mutex> lock(mutex);
-	TypedArray<Dictionary> frames;
+	TypedArray<SuitFrame> frames;
 	const auto found = streams.find(int(p_device));
 	if (found != streams.end()) {
 		for (xbus::SuitFrame &frame : found->second.frames) {
 			frame.time_usec = uint64_t(played_usec(frame.time_usec));
 			frame.arrival_usec = uint64_t(played_usec(frame.arrival_usec));
-			frames.push_back(suit_frame_dictionary(frame, 0));
+			frames.push_back(SuitFrame::make(frame, 0));
 		}
 		found->second.frames.clear();
 	}
@@ -304,8 +281,8 @@ TypedArray<Dictionary> RawPlayer::take_datagrams() {
 	for (const Datagram &datagram : datagrams) {
 		const std::string &sender = streams[datagram.stream].sender;
 		Dictionary entry;
-		entry["sender"] = text(sender.empty() ? "recording" : sender);
-		entry["port"] = text(streams[datagram.stream].port);
+		entry["sender"] = as_string(sender.empty() ? "recording" : sender);
+		entry["port"] = as_string(streams[datagram.stream].port);
 		entry["time_usec"] = played_usec(datagram.time_usec);
 		entry["bytes"] = packed(datagram.bytes.data(), datagram.bytes.size());
 		result.push_back(entry);

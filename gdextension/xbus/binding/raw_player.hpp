@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "suit_device.hpp"
+#include "suit_frame.hpp"
+
 #include <recording/bus_replay.hpp>
 
 #include <godot_cpp/classes/ref_counted.hpp>
@@ -31,8 +34,8 @@ public:
 	double get_position_s() const;
 	TypedArray<Dictionary> get_streams() const;
 	Dictionary get_figures() const;
-	TypedArray<Dictionary> get_devices() const;
-	TypedArray<Dictionary> take_frames(int64_t p_device);
+	TypedArray<SuitDevice> get_devices() const;
+	TypedArray<SuitFrame> take_frames(int64_t p_device);
 	TypedArray<Dictionary> take_datagrams();
 
 protected:
@@ -42,7 +45,7 @@ private:
 	struct Stream {
 		bool is_bus = false;
 		std::string name;
-		std::string place;
+		std::string address;
 		std::string serial;
 		std::string usb;
 		std::string sender;
@@ -63,7 +66,7 @@ private:
 	void play_next();
 	void play_bus(Stream &r_stream, const recording::Record &p_record);
 	int64_t played_usec(uint64_t p_time_usec) const;
-	Dictionary device_of(int p_number, const Stream &p_stream) const;
+	Ref<SuitDevice> device_of(int p_number, const Stream &p_stream) const;
 
 	mutable std::mutex mutex;
 	// Guarded.

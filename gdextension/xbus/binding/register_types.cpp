@@ -3,7 +3,11 @@
 #include "mvn_receiver.hpp"
 #include "raw_player.hpp"
 #include "raw_recorder.hpp"
+#include "suit_device.hpp"
+#include "suit_frame.hpp"
 #include "suit_hub.hpp"
+#include "suit_message.hpp"
+#include "suit_tracker.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/defs.hpp>
@@ -15,6 +19,10 @@ namespace {
 
 void initialize(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
+		GDREGISTER_CLASS(SuitTracker);
+		GDREGISTER_CLASS(SuitDevice);
+		GDREGISTER_CLASS(SuitFrame);
+		GDREGISTER_CLASS(SuitMessage);
 		GDREGISTER_CLASS(RawRecorder);
 		GDREGISTER_CLASS(RawPlayer);
 		GDREGISTER_CLASS(MvnEncoder);

@@ -3,6 +3,9 @@
 
 #include "raw_player.hpp"
 #include "raw_recorder.hpp"
+#include "suit_device.hpp"
+#include "suit_frame.hpp"
+#include "suit_message.hpp"
 
 #include <recording/taps.hpp>
 #include <usb/hub.hpp>
@@ -10,7 +13,6 @@
 #include <godot_cpp/classes/ref_counted.hpp>
 #include <godot_cpp/core/binder_common.hpp>
 #include <godot_cpp/core/class_db.hpp>
-#include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/string.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
@@ -36,9 +38,9 @@ public:
 	bool is_running() const { return hub != nullptr; }
 	void set_recorder(const Ref<RawRecorder> &p_recorder);
 	void play(const Ref<RawPlayer> &p_player);
-	TypedArray<Dictionary> get_devices() const;
-	TypedArray<Dictionary> take_messages();
-	TypedArray<Dictionary> take_frames(int64_t p_device);
+	TypedArray<SuitDevice> get_devices() const;
+	TypedArray<SuitMessage> take_messages();
+	TypedArray<SuitFrame> take_frames(int64_t p_device);
 	void reset_orientation(int64_t p_device, Reset p_method);
 
 protected:

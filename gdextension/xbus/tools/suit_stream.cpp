@@ -114,10 +114,10 @@ void print_report(const std::vector<usb::DeviceReport> &p_reports, uint64_t p_fr
 	for (std::size_t at = 0; at < p_reports.size(); ++at) {
 		const usb::DeviceReport &report = p_reports[at];
 		std::printf(
-				"%s{\"place\":\"%s\",\"usb\":\"%04x:%04x\",\"serial\":\"%s\",\"state\":\"%s\",\"device_id\":\"%08X\","
+				"%s{\"address\":\"%s\",\"usb\":\"%04x:%04x\",\"serial\":\"%s\",\"state\":\"%s\",\"device_id\":\"%08X\","
 				"\"baud\":%u,\"rate_hz\":%.1f,\"battery\":%.2f,\"malformed_bytes\":%llu,\"errors\":%llu,"
 				"\"restarts\":%llu,\"line_faults\":%llu,",
-				at > 0 ? "," : "", report.place.c_str(), report.known.vendor, report.known.product,
+				at > 0 ? "," : "", report.address.c_str(), report.known.vendor, report.known.product,
 				report.serial.c_str(), xbus::state_text(report.session.state), report.session.device_id,
 				report.session.baud, report.session.rate_hz, report.session.battery,
 				(unsigned long long)report.session.framer.skipped_bytes, (unsigned long long)report.session.errors,

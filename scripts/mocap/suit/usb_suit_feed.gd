@@ -2,9 +2,9 @@ class_name UsbSuitFeed
 extends SensorFeed
 ## The suit that is plugged in: all trackers of all masters on this machine's USB ports.
 ##
-## Trackers keep their place in the list by their device ids, also when a master is plugged out and
-## in again. Masters measure each in its own time: a frame is one of the leading master's (the one
-## with the most trackers), and the others' orientations are carried on to its time by the turn
+## Trackers keep their position in the list by their device ids, also when a master is plugged out
+## and in again. Masters measure each in its own time: a frame is one of the leading master's (the
+## one with the most trackers), and the others' orientations are carried on to its time by the turn
 ## between their last two.
 
 ## How far an orientation is carried on at most, s.
@@ -12,16 +12,22 @@ const MAX_AHEAD_S: float = 0.03
 ## A tracker that is silent for so long is called so, s.
 const SILENT_S: float = 0.5
 
-## What is said of the devices, for the screen: names, states, troubles; see
-## [method SuitHub.get_devices].
-var devices: Array[Dictionary] = []
+const _FRAMES: Dictionary[SuitFrame.Axes, SourceFrames.Frame] = {
+	SuitFrame.AXES_EAST_NORTH_UP: SourceFrames.Frame.XSENS_ENU,
+	SuitFrame.AXES_NORTH_EAST_DOWN: SourceFrames.Frame.XSENS_NED,
+	SuitFrame.AXES_NORTH_WEST_UP: SourceFrames.Frame.XSENS,
+	SuitFrame.AXES_UNKNOWN: SourceFrames.Frame.XSENS,
+}
+
+## The devices as of the last [method advance].
+var devices: Array[SuitDevice] = []
 
 var _hub: SuitHub = SuitHub.new()
 # Shared between threads and guarded.
 var _mutex: Mutex = Mutex.new()
 var _sensors: Array[SensorInfo] = []
-var _places: Dictionary[String, int] = {}
-## For each device its number, and the places of its trackers in the list.
+var _indices: Dictionary[String, int] = {}
+## For each device its number, and the positions of its trackers in the list.
 var _trackers: Dictionary[int, PackedInt32Array] = {}
 var _leader: int = -1
 ## The newest two frames of each device that does not lead.
@@ -45,15 +51,15 @@ func close() -> void:
 
 ## Goes on, in the main thread: tells the log what happens, finds new trackers.
 func advance() -> void:
-	for message: Dictionary in _hub.take_messages():
-		if message["severity"] == 0:
-			Log.info("suit", message["text"])
+	for message: SuitMessage in _hub.take_messages():
+		if message.get_severity() == SuitMessage.SEVERITY_INFO:
+			Log.info("suit", message.get_text())
 		else:
-			Log.warning("suit", message["text"])
-	var found: Array[Dictionary] = _hub.get_devices()
+			Log.warning("suit", message.get_text())
+	var found: Array[SuitDevice] = _hub.get_devices()
 	_mutex.lock()
 	devices = found
-	for device: Dictionary in found:
+	for device: SuitDevice in found:
 		_take_device(device)
 	_choose_leader()
 	_mutex.unlock()
@@ -62,8 +68,8 @@ func advance() -> void:
 ## Asks all trackers to take their present orientation anew: the object reset of the trackers
 ## themselves.
 func reset_trackers(p_method: SuitHub.Reset) -> void:
-	for device: Dictionary in devices:
-		_hub.reset_orientation(device["number"], p_method)
+	for device: SuitDevice in devices:
+		_hub.reset_orientation(device.get_number(), p_method)
 
 
 func list_sensors() -> Array[SensorInfo]:
@@ -81,10 +87,10 @@ func take_frames() -> Array[SensorFrame]:
 	for number: int in _trackers:
 		if number == _leader:
 			continue
-		for raw: Dictionary in _hub.take_frames(number):
+		for raw: SuitFrame in _hub.take_frames(number):
 			_remember(number, _convert(number, raw))
 	if _leader >= 0:
-		for raw: Dictionary in _hub.take_frames(_leader):
+		for raw: SuitFrame in _hub.take_frames(_leader):
 			var frame: SensorFrame = _convert(_leader, raw)
 			for number: int in _followers:
 				_carry_on(number, frame)
@@ -95,8 +101,8 @@ func take_frames() -> Array[SensorFrame]:
 
 func describe() -> String:
 	var measuring: int = 0
-	for device: Dictionary in devices:
-		measuring += 1 if device["measures"] else 0
+	for device: SuitDevice in devices:
+		measuring += 1 if device.is_measuring() else 0
 	if measuring == 0:
 		return "no suit on USB yet"
 	return "%d trackers on USB" % _sensors.size()
@@ -104,9 +110,10 @@ func describe() -> String:
 
 ## Whether every device that answers measures: none is still being set up.
 func is_settled() -> bool:
-	for device: Dictionary in devices:
-		var is_known: bool = device["is_open"] and device["id"] != 0
-		if is_known and not device["measures"] and device["state"] != "not supported":
+	for device: SuitDevice in devices:
+		var is_known: bool = device.is_open() and device.get_id() != 0
+		var is_usable: bool = device.get_state() != SuitDevice.STATE_UNSUPPORTED
+		if is_known and is_usable and not device.is_measuring():
 			return false
 	return true
 
@@ -114,23 +121,23 @@ func is_settled() -> bool:
 ## The devices in plain words, for a panel: name, state, detail and advice, texts all.
 func list_devices() -> Array[Dictionary]:
 	var rows: Array[Dictionary] = []
-	for device: Dictionary in devices:
+	for device: SuitDevice in devices:
 		var details: PackedStringArray = []
-		if device["id"] != 0:
-			details.append("%s %08X" % [device["kind"], device["id"]])
-		if device["measures"]:
-			details.append("%.0f Hz" % device["rate_hz"])
-		if device["baud"] != 0:
-			details.append("%d bit/s" % device["baud"])
-		if device["battery"] >= 0.0:
-			details.append("battery %.0f %%" % (100.0 * device["battery"]))
-		if device["malformed_bytes"] != 0:
-			details.append("%d bad bytes" % device["malformed_bytes"])
+		if device.get_id() != 0:
+			details.append("%s %08X" % [device.get_kind_text(), device.get_id()])
+		if device.is_measuring():
+			details.append("%.0f Hz" % device.get_rate_hz())
+		if device.get_baud() != 0:
+			details.append("%d bit/s" % device.get_baud())
+		if device.get_battery() >= 0.0:
+			details.append("battery %.0f %%" % (100.0 * device.get_battery()))
+		if device.get_malformed_bytes() != 0:
+			details.append("%d bad bytes" % device.get_malformed_bytes())
 		var row: Dictionary = {
-			"name": "%s (%s)" % [device["name"], device["place"]],
-			"state": device["state"],
+			"name": "%s (%s)" % [device.get_name(), device.get_address()],
+			"state": device.get_state_text(),
 			"detail": ", ".join(details),
-			"advice": device["trouble"],
+			"advice": device.get_problem(),
 		}
 		rows.append(row)
 	return rows
@@ -139,41 +146,42 @@ func list_devices() -> Array[Dictionary]:
 ## What is wrong with the devices, for people; empty if nothing is.
 func trouble() -> String:
 	var texts: PackedStringArray = []
-	for device: Dictionary in devices:
-		if device["trouble"] != "" and not device["measures"]:
-			texts.append("%s: %s" % [device["name"], device["trouble"]])
+	for device: SuitDevice in devices:
+		if device.get_problem() != "" and not device.is_measuring():
+			texts.append("%s: %s" % [device.get_name(), device.get_problem()])
 	return "\n".join(texts)
 
 
-func _take_device(p_device: Dictionary) -> void:
-	var number: int = p_device["number"]
-	var trackers: Array = p_device["trackers"]
+func _take_device(p_device: SuitDevice) -> void:
+	var number: int = p_device.get_number()
+	var trackers: Array[SuitTracker] = p_device.get_trackers()
 	if trackers.is_empty():
 		return
-	var places: PackedInt32Array = []
-	for tracker: Dictionary in trackers:
-		var id: String = "%08X" % tracker["id"]
-		if not _places.has(id):
-			_places[id] = _sensors.size()
+	var indices: PackedInt32Array = []
+	for tracker: SuitTracker in trackers:
+		var id: String = "%08X" % tracker.get_id()
+		if not _indices.has(id):
+			_indices[id] = _sensors.size()
 			var fresh: SensorInfo = SensorInfo.new()
 			fresh.id = id
 			_sensors.append(fresh)
 			revision += 1
-		places.append(_places[id])
+		indices.append(_indices[id])
 		# One that has not been heard yet may be known by a device that was there before.
-		if tracker["age_s"] >= 0.0 or not is_finite(_sensors[_places[id]].age_s):
-			_describe(_sensors[_places[id]], tracker, p_device)
-	_trackers[number] = places
+		if tracker.get_age_s() >= 0.0 or not is_finite(_sensors[_indices[id]].age_s):
+			_describe(_sensors[_indices[id]], tracker, p_device)
+	_trackers[number] = indices
 
 
-func _describe(p_sensor: SensorInfo, p_tracker: Dictionary, p_device: Dictionary) -> void:
-	p_sensor.where = "%s %08X / %d" % [p_device["kind"], p_device["id"], p_tracker["bus_id"]]
-	p_sensor.rate_hz = p_tracker["rate_hz"]
-	p_sensor.age_s = p_tracker["age_s"] if p_tracker["age_s"] >= 0.0 else INF
-	p_sensor.battery = p_device["battery"]
-	p_sensor.trouble = p_device["trouble"]
-	var counted: int = p_tracker["received"] + p_tracker["lost"]
-	p_sensor.loss = float(p_tracker["lost"]) / counted if counted > 0 else 0.0
+func _describe(p_sensor: SensorInfo, p_tracker: SuitTracker, p_device: SuitDevice) -> void:
+	var parts: Array = [p_device.get_kind_text(), p_device.get_id(), p_tracker.get_bus_id()]
+	p_sensor.where = "%s %08X / %d" % parts
+	p_sensor.rate_hz = p_tracker.get_rate_hz()
+	p_sensor.age_s = p_tracker.get_age_s() if p_tracker.get_age_s() >= 0.0 else INF
+	p_sensor.battery = p_device.get_battery()
+	p_sensor.trouble = p_device.get_problem()
+	var counted: int = p_tracker.get_received() + p_tracker.get_lost()
+	p_sensor.loss = float(p_tracker.get_lost()) / counted if counted > 0 else 0.0
 	p_sensor.state = SensorInfo.State.WAITING
 	if p_sensor.age_s < SILENT_S:
 		p_sensor.state = SensorInfo.State.MEASURING
@@ -184,55 +192,52 @@ func _describe(p_sensor: SensorInfo, p_tracker: Dictionary, p_device: Dictionary
 func _choose_leader() -> void:
 	var most: int = 0
 	_leader = -1
-	for device: Dictionary in devices:
-		var count: int = (device["trackers"] as Array).size()
-		if count > most and device["measures"] and _is_heard(device):
+	for device: SuitDevice in devices:
+		var count: int = device.get_trackers().size()
+		if count > most and device.is_measuring() and _is_heard(device):
 			most = count
-			_leader = device["number"]
+			_leader = device.get_number()
 	# Those that are gone are forgotten; their trackers stay in the list, silent.
-	var here: Array = devices.map(func(device: Dictionary) -> int: return device["number"])
+	var here: Array = devices.map(func(device: SuitDevice) -> int: return device.get_number())
 	for number: int in _trackers.keys():
 		if not here.has(number):
-			for place: int in _trackers[number]:
-				_sensors[place].state = SensorInfo.State.SILENT
+			for index: int in _trackers[number]:
+				_sensors[index].state = SensorInfo.State.SILENT
 			_trackers.erase(number)
 			_followers.erase(number)
 	_followers.erase(_leader)
 
 
 ## Whether something has come of a device lately: one that is silent can't lead.
-static func _is_heard(p_device: Dictionary) -> bool:
-	for tracker: Dictionary in p_device["trackers"]:
-		if tracker["age_s"] >= 0.0 and tracker["age_s"] < SILENT_S:
+static func _is_heard(p_device: SuitDevice) -> bool:
+	for tracker: SuitTracker in p_device.get_trackers():
+		if tracker.get_age_s() >= 0.0 and tracker.get_age_s() < SILENT_S:
 			return true
 	return false
 
 
-func _convert(p_number: int, p_raw: Dictionary) -> SensorFrame:
-	var axes: Array[SourceFrames.Frame] = [
-		SourceFrames.Frame.XSENS_ENU, SourceFrames.Frame.XSENS_NED, SourceFrames.Frame.XSENS
-	]
+func _convert(p_number: int, p_raw: SuitFrame) -> SensorFrame:
 	var turns: PackedFloat32Array = SourceFrames.rotations(
-		p_raw["orientations"], axes[mini(p_raw["axes"], 2)]
+		p_raw.get_orientations(), _FRAMES[p_raw.get_axes()]
 	)
-	var rates: PackedVector3Array = SourceFrames.sensor_vectors(p_raw["rates"])
-	var accelerations: PackedVector3Array = SourceFrames.sensor_vectors(p_raw["accelerations"])
-	var present: PackedByteArray = p_raw["present"]
+	var rates: PackedVector3Array = SourceFrames.sensor_vectors(p_raw.get_rates())
+	var accelerations: PackedVector3Array = SourceFrames.sensor_vectors(p_raw.get_accelerations())
+	var present: PackedByteArray = p_raw.get_present()
 	var frame: SensorFrame = SensorFrame.new()
 	frame.resize(_sensors.size(), not rates.is_empty(), not accelerations.is_empty())
-	frame.time_usec = p_raw["time_usec"]
-	frame.counter = p_raw["counter"]
-	var places: PackedInt32Array = _trackers[p_number]
-	for tracker: int in mini(present.size(), places.size()):
+	frame.time_usec = p_raw.get_time_usec()
+	frame.counter = p_raw.get_counter()
+	var indices: PackedInt32Array = _trackers[p_number]
+	for tracker: int in mini(present.size(), indices.size()):
 		if present[tracker] == 0:
 			continue
 		var at: int = tracker * 4
 		var turn: Quaternion = Quaternion(turns[at], turns[at + 1], turns[at + 2], turns[at + 3])
-		frame.set_orientation(places[tracker], turn)
+		frame.set_orientation(indices[tracker], turn)
 		if not rates.is_empty():
-			frame.rates[places[tracker]] = rates[tracker]
+			frame.rates[indices[tracker]] = rates[tracker]
 		if not accelerations.is_empty():
-			frame.accelerations[places[tracker]] = accelerations[tracker]
+			frame.accelerations[indices[tracker]] = accelerations[tracker]
 	return frame
 
 
@@ -253,13 +258,13 @@ func _carry_on(p_number: int, p_frame: SensorFrame) -> void:
 	var before: SensorFrame = last[0]
 	var step: float = (newest.time_usec - before.time_usec) / 1e6
 	ahead = clampf(ahead, -MAX_AHEAD_S, MAX_AHEAD_S)
-	for place: int in mini(newest.count(), p_frame.count()):
-		if newest.present[place] == 0 or p_frame.present[place] != 0:
+	for index: int in mini(newest.count(), p_frame.count()):
+		if newest.present[index] == 0 or p_frame.present[index] != 0:
 			continue
-		var turn: Quaternion = newest.orientation(place)
-		if step > 0.0 and place < before.count() and before.present[place] != 0:
-			var turned: Vector3 = Rotations.vector(turn * before.orientation(place).inverse())
+		var turn: Quaternion = newest.orientation(index)
+		if step > 0.0 and index < before.count() and before.present[index] != 0:
+			var turned: Vector3 = Rotations.vector(turn * before.orientation(index).inverse())
 			turn = Rotations.from_vector(turned * (ahead / step)) * turn
-		p_frame.set_orientation(place, turn.normalized())
-		if not p_frame.rates.is_empty() and place < newest.rates.size():
-			p_frame.rates[place] = newest.rates[place]
+		p_frame.set_orientation(index, turn.normalized())
+		if not p_frame.rates.is_empty() and index < newest.rates.size():
+			p_frame.rates[index] = newest.rates[index]

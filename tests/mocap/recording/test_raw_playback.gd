@@ -119,7 +119,7 @@ func test_a_recorded_tracker_becomes_a_sensor() -> void:
 		0.996549, -0.081155, -0.017347, 0.001371, SourceFrames.Frame.XSENS_ENU
 	)
 	is_true(Rotations.between_deg(turn, wanted) < 0.01)
-	equal(playback.suit.devices[0]["usb"], (0x2639 << 16) | 3)
+	equal(playback.suit.devices[0].get_usb_id(), (0x2639 << 16) | 3)
 	playback.close()
 
 

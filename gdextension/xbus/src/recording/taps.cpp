@@ -38,9 +38,10 @@ void BusTap::device_opened(const usb::DeviceReport &p_report) {
 	}
 	std::array<char, 16> ids{};
 	std::snprintf(ids.data(), ids.size(), "%04x:%04x", p_report.known.vendor, p_report.known.product);
-	_streams[p_report.number] = _recorder->add_stream(line("kind", "bus") + line("usb", ids.data()) +
-					line("name", p_report.known.name) + line("place", p_report.place) + line("serial", p_report.serial),
-			clocks::now_usec());
+	_streams[p_report.number] =
+			_recorder->add_stream(line("kind", "bus") + line("usb", ids.data()) + line("name", p_report.known.name) +
+							line("place", p_report.address) + line("serial", p_report.serial),
+					clocks::now_usec());
 }
 
 void BusTap::take_raw(int p_device, bool p_is_out, const uint8_t *p_bytes, std::size_t p_size, uint64_t p_time_usec) {

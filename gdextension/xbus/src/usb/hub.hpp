@@ -18,7 +18,7 @@ struct DeviceReport {
 	int number = 0;
 	KnownDevice known{};
 	/// Bus and address, as in /dev/bus/usb/001/004.
-	std::string place;
+	std::string address;
 	std::string serial;
 	/// Why it does not work, and what to do about it; empty while it does.
 	std::string fault;

@@ -62,7 +62,7 @@ struct LibusbHub::Device final : public PortListener, public xbus::SessionHost {
 
 	void say(xbus::Severity p_severity, const char *p_text) override { hub.say(p_severity, name() + ": " + p_text); }
 
-	std::string name() const { return std::string(report.known.name) + " at " + report.place; }
+	std::string name() const { return std::string(report.known.name) + " at " + report.address; }
 };
 
 } // namespace usb

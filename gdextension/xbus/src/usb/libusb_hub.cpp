@@ -199,11 +199,12 @@ void LibusbHub::add(libusb_device *p_device) {
 		return;
 	}
 	auto device = std::make_unique<Device>(*this, p_device);
-	char place[16];
-	snprintf(place, sizeof(place), "%03d/%03d", libusb_get_bus_number(p_device), libusb_get_device_address(p_device));
+	char address[16];
+	snprintf(address, sizeof(address), "%03d/%03d", libusb_get_bus_number(p_device),
+			libusb_get_device_address(p_device));
 	device->report.number = _next_number++;
 	device->report.known = known;
-	device->report.place = place;
+	device->report.address = address;
 	if (known.kind == DeviceLink::AWINDA || known.kind == DeviceLink::BODY_PACK) {
 		device->report.fault = device->name() + advice(known.kind);
 		say(xbus::Severity::WARNING, device->report.fault);

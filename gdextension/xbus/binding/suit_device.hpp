@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "suit_tracker.hpp"
+
+#include <usb/hub.hpp>
+
+#include <godot_cpp/classes/ref.hpp>
+#include <godot_cpp/classes/ref_counted.hpp>
+#include <godot_cpp/core/binder_common.hpp>
+#include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/variant/string.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+#include <cstdint>
+
+namespace godot {
+
+/// What is known of a device: a suit's master or a tracker that stands alone. Documented in
+/// doc_classes/SuitDevice.xml.
+class SuitDevice : public RefCounted {
+	GDCLASS(SuitDevice, RefCounted)
+
+public:
+	enum State {
+		STATE_CLOSED,
+		STATE_SEARCHING,
+		STATE_CONFIGURING,
+		STATE_MEASURING,
+		STATE_SILENT,
+		STATE_UNSUPPORTED,
+		STATE_STOPPED,
+		STATE_PLAYING,
+		STATE_PLAYED,
+	};
+
+	/// In the order of `xbus::DeviceKind`.
+	enum Kind {
+		KIND_UNKNOWN,
+		KIND_XBUS_MASTER,
+		KIND_MTI_MTX,
+		KIND_MTI_G,
+		KIND_MTI_10,
+		KIND_MTI_100,
+		KIND_AWINDA_STATION,
+		KIND_AWINDA_DONGLE,
+		KIND_BODY_PACK,
+		KIND_MTW2_MTX2,
+	};
+
+	/// A device on USB, as of a time (µs of CLOCK_MONOTONIC).
+	static Ref<SuitDevice> make(const usb::DeviceReport &p_report, uint64_t p_now_usec);
+	/// A device of a recording: its state is the player's, and ages count in played time, `p_speed` times as fast as
+	/// the recorded one.
+	static Ref<SuitDevice> make_recorded(const usb::DeviceReport &p_report, const String &p_name, State p_state,
+			uint64_t p_now_usec, double p_speed);
+
+	int64_t get_number() const { return _report.number; }
+	String get_name() const { return _name; }
+	int64_t get_usb_id() const;
+	String get_address() const;
+	String get_serial() const;
+	bool is_open() const { return _report.is_open; }
+	State get_state() const { return _state; }
+	String get_state_text() const;
+	bool is_measuring() const { return _is_measuring; }
+	String get_problem() const;
+	int64_t get_id() const { return int64_t(_report.session.device_id); }
+	Kind get_kind() const { return Kind(_report.session.kind); }
+	String get_kind_text() const;
+	int64_t get_baud() const { return int64_t(_report.session.baud); }
+	double get_rate_hz() const { return _report.session.rate_hz; }
+	double get_battery() const { return _report.session.battery; }
+	int64_t get_malformed_bytes() const { return int64_t(_report.session.framer.skipped_bytes); }
+	int64_t get_refused() const { return int64_t(_report.session.framer.refused_frames); }
+	int64_t get_errors() const { return int64_t(_report.session.errors); }
+	int64_t get_restarts() const { return int64_t(_report.session.restarts); }
+	int64_t get_line_faults() const { return int64_t(_report.port.ftdi.line_faults); }
+	int64_t get_overruns() const { return int64_t(_report.overruns); }
+	TypedArray<SuitTracker> get_trackers() const { return _trackers; }
+
+protected:
+	static void _bind_methods();
+
+private:
+	void take_trackers(uint64_t p_now_usec, double p_speed);
+
+	usb::DeviceReport _report;
+	String _name;
+	State _state = STATE_CLOSED;
+	bool _is_measuring = false;
+	TypedArray<SuitTracker> _trackers;
+};
+
+} // namespace godot
+
+VARIANT_ENUM_CAST(SuitDevice::State);
+VARIANT_ENUM_CAST(SuitDevice::Kind);
