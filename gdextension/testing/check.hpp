@@ -61,7 +61,7 @@ inline int run_all() {
 		failed += bad ? 1 : 0;
 		std::printf("%s %s%s\n", bad ? "FAIL" : "ok  ", test.name, empty ? " (checks nothing)" : "");
 	}
-	std::printf("%zu passed, %d failed\n", state().cases.size() - size_t(failed), failed);
+	std::printf("%zu passed, %d failed\n", state().cases.size() - std::size_t(failed), failed);
 	return failed == 0 && !state().cases.empty() ? 0 : 1;
 }
 

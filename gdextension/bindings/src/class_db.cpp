@@ -13,8 +13,8 @@ namespace {
 /// Equal names share their data in the engine, so that its address stands for the name. Whoever
 /// looks a name up must keep it alive: another text could get the address of a freed one.
 struct NameHash {
-	size_t operator()(const StringName &p_name) const {
-		size_t address = 0;
+	std::size_t operator()(const StringName &p_name) const {
+		std::size_t address = 0;
 		std::memcpy(&address, p_name.opaque, sizeof(address));
 		return address;
 	}
@@ -105,8 +105,8 @@ void add_method(const StringName &p_class, std::unique_ptr<BoundMethod> p_method
 	ClassRecord *record = find_record(p_class);
 	ERR_FAIL_NULL_MSG(record, "A method was bound to a class that is not being registered.");
 	BoundMethod &method = *p_method;
-	const size_t count = size_t(method.argument_count());
-	for (size_t i = 0; i < count && i < method.definition.arguments.size(); i++) {
+	const std::size_t count = std::size_t(method.argument_count());
+	for (std::size_t i = 0; i < count && i < method.definition.arguments.size(); i++) {
 		method.properties[i + 1].name = method.definition.arguments[i];
 	}
 	std::vector<GDExtensionPropertyInfo> properties;

@@ -12,7 +12,7 @@ namespace {
 
 struct Xml {
 	const char *text;
-	size_t size;
+	std::size_t size;
 };
 
 // Filled by static objects, before there is an engine to ask for anything.
@@ -30,8 +30,8 @@ void report(const std::vector<std::string> &p_missing) {
 	GDExtensionGodotVersion2 version = {};
 	engine.get_godot_version2(&version);
 	std::string message = "The engine, Godot " + std::string(version.string) + ", lacks ";
-	constexpr size_t SHOWN = 10;
-	for (size_t i = 0; i < p_missing.size() && i < SHOWN; i++) {
+	constexpr std::size_t SHOWN = 10;
+	for (std::size_t i = 0; i < p_missing.size() && i < SHOWN; i++) {
 		message += (i == 0 ? "" : ", ") + p_missing[i];
 	}
 	if (p_missing.size() > SHOWN) {
@@ -77,7 +77,7 @@ void deinitialize(void *, GDExtensionInitializationLevel p_level) {
 
 } // namespace
 
-Documentation::Documentation(const char *p_xml, size_t p_size) {
+Documentation::Documentation(const char *p_xml, std::size_t p_size) {
 	documentation().push_back({ p_xml, p_size });
 }
 

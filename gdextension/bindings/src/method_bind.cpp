@@ -31,8 +31,8 @@ void BoundMethod::call_checked(Wrapped *p_self, const GDExtensionConstVariantPtr
 	const Variant *arguments[MAX_ARGUMENTS];
 	for (int64_t i = 0; i < wanted; i++) {
 		arguments[i] =
-				i < p_count ? static_cast<const Variant *>(p_arguments[i]) : &defaults[size_t(i - first_default)];
-		const PropertyInfo &property = properties[size_t(i) + 1];
+				i < p_count ? static_cast<const Variant *>(p_arguments[i]) : &defaults[std::size_t(i - first_default)];
+		const PropertyInfo &property = properties[std::size_t(i) + 1];
 		if (!fits(*arguments[i], property)) {
 			*r_error = { GDEXTENSION_CALL_ERROR_INVALID_ARGUMENT, int32_t(i), int32_t(property.type) };
 			return;
@@ -48,19 +48,19 @@ void BoundMethod::call_checked(Wrapped *p_self, const GDExtensionConstVariantPtr
 
 std::string enum_class_name(const char *p_qualified_name) {
 	std::string name(p_qualified_name);
-	const size_t enum_start = name.rfind("::");
+	const std::size_t enum_start = name.rfind("::");
 	if (enum_start == std::string::npos) {
 		return name;
 	}
 	// Only the class counts: namespaces around it are C++'s own.
-	const size_t class_end = name.rfind("::", enum_start - 1);
-	const size_t class_start = class_end == std::string::npos || enum_start == 0 ? 0 : class_end + 2;
+	const std::size_t class_end = name.rfind("::", enum_start - 1);
+	const std::size_t class_start = class_end == std::string::npos || enum_start == 0 ? 0 : class_end + 2;
 	return name.substr(class_start, enum_start - class_start) + "." + name.substr(enum_start + 2);
 }
 
 const char *enum_short_name(const char *p_qualified_name) {
 	const std::string name(p_qualified_name);
-	const size_t separator = name.rfind("::");
+	const std::size_t separator = name.rfind("::");
 	return separator == std::string::npos ? p_qualified_name : p_qualified_name + separator + 2;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "../src/quaternion.hpp"
+#include "quaternion.hpp"
 
-#include "../../testing/check.hpp"
+#include "check.hpp"
 
 #include <random>
 

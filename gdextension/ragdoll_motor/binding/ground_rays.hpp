@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../src/gait/ground.hpp"
+#include <gait/ground.hpp>
 
 #include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/classes/ray_cast3d.hpp>
@@ -23,12 +23,12 @@ public:
 	void attach(Node *p_parent, const std::vector<RID> &p_ignored, std::uint32_t p_mask);
 	/// Frees it.
 	void detach();
-	bool is_attached() const { return ray != nullptr; }
+	bool is_attached() const { return _ray != nullptr; }
 	/// Height of the highest ground between ABOVE and BELOW the point, m; NaN where there is none.
 	float height(const ragdoll::Vec3 &p_at) const override;
 
 private:
-	RayCast3D *ray = nullptr; // The parent owns it.
+	RayCast3D *_ray = nullptr; // The parent owns it.
 };
 
 } // namespace godot

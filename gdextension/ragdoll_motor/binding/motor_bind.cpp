@@ -7,61 +7,61 @@ namespace godot {
 void RagdollMotor::set_root_mode(RootMode p_mode) {
 	ERR_FAIL_COND_MSG(
 			int(p_mode) < 0 || int(p_mode) >= ragdoll::ROOT_MODE_COUNT, "RagdollMotor: there is no such root mode.");
-	root_mode = p_mode;
+	_root_mode = p_mode;
 	apply_settings();
 }
 
 void RagdollMotor::set_gain(double p_gain) {
 	ERR_FAIL_COND_MSG(!is_amount(p_gain), "RagdollMotor: a gain is 0 or more.");
-	gain = p_gain;
+	_gain = p_gain;
 	apply_settings();
 }
 
 void RagdollMotor::set_muscle_speed(double p_speed) {
 	ERR_FAIL_COND_MSG(!is_amount(p_speed), "RagdollMotor: a muscle speed is 0 or more.");
-	muscle_speed = p_speed;
+	_muscle_speed = p_speed;
 	apply_settings();
 }
 
 void RagdollMotor::set_root_force(double p_force) {
 	ERR_FAIL_COND_MSG(!is_amount(p_force), "RagdollMotor: a force is 0 or more.");
-	root_force = p_force;
+	_root_force = p_force;
 	apply_settings();
 }
 
 void RagdollMotor::set_root_torque(double p_torque) {
 	ERR_FAIL_COND_MSG(!is_amount(p_torque), "RagdollMotor: a torque is 0 or more.");
-	root_torque = p_torque;
+	_root_torque = p_torque;
 	apply_settings();
 }
 
 void RagdollMotor::set_inertia_scale(double p_scale) {
 	ERR_FAIL_COND_MSG(!is_amount(p_scale) || p_scale < 0.01, "RagdollMotor: an inertia scale is 0.01 or more.");
-	inertia_scale = p_scale;
+	_inertia_scale = p_scale;
 }
 
 void RagdollMotor::set_sample_slots(const PackedInt32Array &p_slots) {
-	sample_slots = p_slots;
+	_sample_slots = p_slots;
 }
 
 void RagdollMotor::set_measures_torque(bool p_enabled) {
-	measures_torque = p_enabled;
+	_measures_torque = p_enabled;
 	apply_settings();
 }
 
 void RagdollMotor::set_measures_lag(bool p_enabled) {
-	measures_lag = p_enabled;
+	_measures_lag = p_enabled;
 	apply_settings();
 }
 
 void RagdollMotor::set_ground_mask(int64_t p_mask) {
-	ground_mask = p_mask;
+	_ground_mask = p_mask;
 	apply_settings();
 }
 
 void RagdollMotor::set_max_energy(double p_energy) {
 	ERR_FAIL_COND_MSG(!is_amount(p_energy), "RagdollMotor: an energy is 0 or more.");
-	max_energy = p_energy;
+	_max_energy = p_energy;
 	apply_settings();
 }
 

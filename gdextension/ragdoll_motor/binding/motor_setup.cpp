@@ -2,7 +2,7 @@
 // RagdollMotor: how a profile and its bodies become a driven ragdoll.
 #include "ragdoll_motor.hpp"
 
-#include "../../kinematics/binding/convert.hpp"
+#include <convert.hpp>
 
 #include <cmath>
 #include <utility>
@@ -47,17 +47,17 @@ bool RagdollMotor::setup(const Ref<RagdollProfile> &p_profile, const TypedArray<
 		return false;
 	}
 	apply_settings();
-	bodies = std::make_unique<RagdollBodies>();
-	bodies->make(driver->get_rig(), std::move(specs), p_space);
-	bodies->set_righted_limb(driver->righted_limb);
-	bodies->prepare(self_collision);
+	_bodies = std::make_unique<RagdollBodies>();
+	_bodies->make(_driver->get_rig(), std::move(_specs), p_space);
+	_bodies->set_righted_limb(_driver->righted_limb);
+	_bodies->prepare(_self_collision);
 	return true;
 }
 
 TypedArray<RID> RagdollMotor::get_joints() const {
 	TypedArray<RID> result;
-	for (std::size_t i = 0; driver && i < driver->get_rig().size(); i++) {
-		result.append(bodies->get_joint(i));
+	for (std::size_t i = 0; _driver && i < _driver->get_rig().size(); i++) {
+		result.append(_bodies->get_joint(i));
 	}
 	return result;
 }
@@ -71,7 +71,7 @@ void RagdollMotor::add_contacts(const Ref<RagdollLimb> &p_limb, int p_index) {
 		contact.local = turn.rotate(to_core(points[i] - p_limb->get_anchor()));
 		contact.radius = float(p_limb->get_contact_radius());
 		contact.sole = p_limb->get_is_foot();
-		contacts.push_back(contact);
+		_contacts.push_back(contact);
 	}
 }
 
@@ -80,11 +80,11 @@ bool RagdollMotor::make_driver(
 	const int64_t count = p_bodies.size();
 	std::vector<ragdoll::Segment> limbs;
 	std::vector<int> limb_groups;
-	groups.clear();
-	reset_pose.clear();
-	specs.clear();
-	body_rids.clear();
-	contacts.clear();
+	_groups.clear();
+	_reset_pose.clear();
+	_specs.clear();
+	_body_rids.clear();
+	_contacts.clear();
 	int righted = -1;
 	for (int64_t i = 0; i < count; i++) {
 		const Ref<RagdollLimb> source = p_profile->get_limbs()[i];
@@ -102,34 +102,34 @@ bool RagdollMotor::make_driver(
 		}
 		limb.rest = to_core(source->get_reset_orientation());
 		limb.mass = float(p_profile->get_mass() * source->get_mass_fraction());
-		limb.inertia = to_core(source->get_body_inertia(limb.mass)) * float(inertia_scale);
+		limb.inertia = to_core(source->get_body_inertia(limb.mass)) * float(_inertia_scale);
 		limb.max_torque = float(source->get_max_torque());
 		limb.is_foot = source->get_is_foot();
 		if (!find_group(source->get_group(), limb.group) || limb.group < 0) {
-			limb.group = int(groups.size());
-			groups.push_back(source->get_group());
+			limb.group = int(_groups.size());
+			_groups.push_back(source->get_group());
 		}
 		righted = limb.group == 0 && i > 0 ? int(i) : righted;
 		limbs.push_back(limb);
 		limb_groups.push_back(limb.group);
-		reset_pose.push_back(limb.rest);
+		_reset_pose.push_back(limb.rest);
 		RagdollBodies::JointSpec spec;
 		spec.body = p_bodies[i];
-		spec.has_limits = anatomical_limits && limb.parent >= 0;
+		spec.has_limits = _anatomical_limits && limb.parent >= 0;
 		if (spec.has_limits) {
 			spec.axes = limb.rest.inverse() * to_core(source->get_joint_axes());
 			// As with motors, the engine's sign of angles is the other way round.
 			spec.lower = -source->get_max_angles();
 			spec.upper = -source->get_min_angles();
 		}
-		specs.push_back(spec);
-		body_rids.push_back(p_bodies[i]);
+		_specs.push_back(spec);
+		_body_rids.push_back(p_bodies[i]);
 		add_contacts(source, int(i));
 	}
-	driver = std::make_unique<ragdoll::Driver>(ragdoll::Rig(std::move(limbs)), limb_groups, groups.size(), contacts);
-	driver->righted_limb = righted;
-	state.resize(std::size_t(count));
-	targets.assign(std::size_t(count) * 4, 0.0f);
+	_driver = std::make_unique<ragdoll::Driver>(ragdoll::Rig(std::move(limbs)), limb_groups, _groups.size(), _contacts);
+	_driver->righted_limb = righted;
+	_state.resize(std::size_t(count));
+	_targets.assign(std::size_t(count) * 4, 0.0f);
 	return true;
 }
 

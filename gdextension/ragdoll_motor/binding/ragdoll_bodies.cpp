@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ragdoll_bodies.hpp"
 
-#include "../../kinematics/binding/convert.hpp"
+#include <convert.hpp>
 
 #include <godot_cpp/classes/physics_direct_body_state3d.hpp>
 #include <godot_cpp/core/error_macros.hpp>
@@ -39,58 +39,58 @@ RagdollBodies::~RagdollBodies() {
 
 void RagdollBodies::free_all() {
 	free_assist();
-	for (std::size_t i = 0; i < written.size(); i++) {
+	for (std::size_t i = 0; i < _written.size(); i++) {
 		// Bodies that were put in place fall again, those that are still there.
-		if (written[i].is_set && server()->body_get_direct_state(specs[i].body) != nullptr) {
+		if (_written[i].is_set && server()->body_get_direct_state(_specs[i].body) != nullptr) {
 			set_kinematic(i, false);
 		}
 	}
-	written.clear();
-	for (const RID &joint : joints) {
+	_written.clear();
+	for (const RID &joint : _joints) {
 		if (joint.is_valid()) {
 			server()->free_rid(joint);
 		}
 	}
-	joints.clear();
-	if (anchor.is_valid()) {
-		server()->free_rid(anchor);
-		anchor = RID();
+	_joints.clear();
+	if (_anchor.is_valid()) {
+		server()->free_rid(_anchor);
+		_anchor = RID();
 	}
 }
 
 Transform3D RagdollBodies::frame_in_body(std::size_t p_limb) const {
-	return Transform3D(Basis(from_core(specs[p_limb].axes)), from_core((*rig)[p_limb].centre * -1.0f));
+	return Transform3D(Basis(from_core(_specs[p_limb].axes)), from_core((*_rig)[p_limb].centre * -1.0f));
 }
 
 void RagdollBodies::make(const ragdoll::Rig &p_rig, std::vector<JointSpec> p_specs, const RID &p_space) {
 	free_all();
-	rig = &p_rig;
-	specs = std::move(p_specs);
-	space = p_space;
-	joints.assign(specs.size(), RID());
-	written.assign(specs.size(), Written());
-	states.assign(specs.size(), nullptr);
-	rest_inverse.assign(specs.size(), ragdoll::Quat());
-	hold = Hold();
-	for (std::size_t i = specs.size(); i-- > 1;) {
+	_rig = &p_rig;
+	_specs = std::move(p_specs);
+	_space = p_space;
+	_joints.assign(_specs.size(), RID());
+	_written.assign(_specs.size(), Written());
+	_states.assign(_specs.size(), nullptr);
+	_rest_inverse.assign(_specs.size(), ragdoll::Quat());
+	_hold = Hold();
+	for (std::size_t i = _specs.size(); i-- > 1;) {
 		const ragdoll::Segment &limb = p_rig[i];
 		const ragdoll::Segment &parent = p_rig[limb.parent];
 		const ragdoll::Quat relative = parent.rest.inverse() * limb.rest;
-		rest_inverse[i] = relative.inverse();
-		const Transform3D frame(Basis(from_core(relative * specs[i].axes)), from_core(limb.anchor - parent.centre));
-		joints[i] = make_joint(specs[limb.parent].body, frame, i, false);
-		server()->joint_disable_collisions_between_bodies(joints[i], true);
+		_rest_inverse[i] = relative.inverse();
+		const Transform3D frame(Basis(from_core(relative * _specs[i].axes)), from_core(limb.anchor - parent.centre));
+		_joints[i] = make_joint(_specs[limb.parent].body, frame, i, false);
+		server()->joint_disable_collisions_between_bodies(_joints[i], true);
 	}
 	// A joint to the world needs a body there: a static one without a shape.
-	anchor = server()->body_create();
-	server()->body_set_mode(anchor, Joint::BODY_MODE_STATIC);
-	server()->body_set_space(anchor, space);
-	joints[0] = make_joint(anchor, Transform3D(), 0, true);
+	_anchor = server()->body_create();
+	server()->body_set_mode(_anchor, Joint::BODY_MODE_STATIC);
+	server()->body_set_space(_anchor, _space);
+	_joints[0] = make_joint(_anchor, Transform3D(), 0, true);
 }
 
 void RagdollBodies::remake() {
-	const std::vector<JointSpec> kept = specs;
-	const RID where = space;
+	const std::vector<JointSpec> kept = _specs;
+	const RID where = _space;
 	free_all();
 	// Out in the opposite order: the engine gives freed places to the next that comes, and solves in
 	// the order of places.
@@ -100,11 +100,11 @@ void RagdollBodies::remake() {
 	for (const JointSpec &spec : kept) {
 		server()->body_set_space(spec.body, where);
 	}
-	make(*rig, kept, where);
+	make(*_rig, kept, where);
 }
 
 RID RagdollBodies::make_joint(const RID &p_a, const Transform3D &p_frame_a, std::size_t p_limb, bool p_is_root) {
-	const JointSpec &spec = specs[p_limb];
+	const JointSpec &spec = _specs[p_limb];
 	const RID joint = server()->joint_create();
 	server()->joint_make_generic_6dof(joint, p_a, p_frame_a, spec.body, frame_in_body(p_limb));
 	for (int i = 0; i < 3; i++) {
@@ -122,57 +122,57 @@ RID RagdollBodies::make_joint(const RID &p_a, const Transform3D &p_frame_a, std:
 }
 
 void RagdollBodies::prepare(bool p_self_collision) {
-	for (std::size_t i = 0; i < specs.size(); i++) {
-		const RID &body = specs[i].body;
+	for (std::size_t i = 0; i < _specs.size(); i++) {
+		const RID &body = _specs[i].body;
 		server()->body_set_mode(body, Joint::BODY_MODE_RIGID);
-		server()->body_set_param(body, Joint::BODY_PARAM_INERTIA, from_core((*rig)[i].inertia));
+		server()->body_set_param(body, Joint::BODY_PARAM_INERTIA, from_core((*_rig)[i].inertia));
 		server()->body_set_enable_continuous_collision_detection(body, true);
 		server()->body_set_state(body, Joint::BODY_STATE_CAN_SLEEP, false);
 		for (std::size_t j = 0; j < i; j++) {
 			// Limbs that hang on the same one meet at its end: upper legs, upper arms.
-			const bool meet = (*rig)[i].parent == (*rig)[j].parent;
+			const bool meet = (*_rig)[i].parent == (*_rig)[j].parent;
 			if (p_self_collision && !meet) {
-				server()->body_remove_collision_exception(body, specs[j].body);
+				server()->body_remove_collision_exception(body, _specs[j].body);
 			} else {
-				server()->body_add_collision_exception(body, specs[j].body);
+				server()->body_add_collision_exception(body, _specs[j].body);
 			}
 		}
 	}
 }
 
 bool RagdollBodies::read(ragdoll::RigState &r_state) {
-	for (std::size_t i = 0; i < specs.size(); i++) {
-		states[i] = server()->body_get_direct_state(specs[i].body);
-		if (!states[i]) {
+	for (std::size_t i = 0; i < _specs.size(); i++) {
+		_states[i] = server()->body_get_direct_state(_specs[i].body);
+		if (!_states[i]) {
 			// Said once, not every tick.
-			if (!is_lost) {
+			if (!_is_lost) {
 				ERR_PRINT("RagdollMotor: a body is not in a physics space (any more).");
 			}
-			is_lost = true;
+			_is_lost = true;
 			return false;
 		}
 		// With many people nothing of them is in the processor's cache any more: waiting for one body
 		// after the other would take a twentieth of the motor's time.
-		__builtin_prefetch(states[i]);
+		__builtin_prefetch(_states[i]);
 	}
-	for (std::size_t i = 0; i < specs.size(); i++) {
-		const PhysicsDirectBodyState3D *state = states[i];
+	for (std::size_t i = 0; i < _specs.size(); i++) {
+		const PhysicsDirectBodyState3D *state = _states[i];
 		const Transform3D transform = state->get_transform();
 		r_state.orientations[i] = to_core(transform.basis);
 		r_state.centres[i] = to_core(transform.origin);
 		r_state.linear[i] = to_core(state->get_linear_velocity());
 		r_state.angular[i] = to_core(state->get_angular_velocity());
 	}
-	r_state.root = rig->joint_of(r_state, 0);
-	is_lost = false;
+	r_state.root = _rig->joint_of(r_state, 0);
+	_is_lost = false;
 	return true;
 }
 
 void RagdollBodies::put(const ragdoll::RigState &p_state) {
-	for (std::size_t i = 0; i < specs.size(); i++) {
-		const RID &body = specs[i].body;
+	for (std::size_t i = 0; i < _specs.size(); i++) {
+		const RID &body = _specs[i].body;
 		// A kinematic body would travel there within a step and fling the others about.
-		const bool was_kinematic = written[i].is_set;
+		const bool was_kinematic = _written[i].is_set;
 		set_kinematic(i, false);
 		const Transform3D transform(Basis(from_core(p_state.orientations[i])), from_core(p_state.centres[i]));
 		server()->body_set_state(body, Joint::BODY_STATE_TRANSFORM, transform);
@@ -183,43 +183,43 @@ void RagdollBodies::put(const ragdoll::RigState &p_state) {
 }
 
 void RagdollBodies::set_kinematic(std::size_t p_limb, bool p_kinematic) {
-	if (written[p_limb].is_set != p_kinematic) {
-		written[p_limb].is_set = p_kinematic;
-		server()->body_set_mode(specs[p_limb].body, p_kinematic ? Joint::BODY_MODE_KINEMATIC : Joint::BODY_MODE_RIGID);
+	if (_written[p_limb].is_set != p_kinematic) {
+		_written[p_limb].is_set = p_kinematic;
+		server()->body_set_mode(_specs[p_limb].body, p_kinematic ? Joint::BODY_MODE_KINEMATIC : Joint::BODY_MODE_RIGID);
 	}
 }
 
 void RagdollBodies::place(std::size_t p_limb, const ragdoll::Quat &p_orientation, const ragdoll::Vec3 &p_joint) {
 	set_kinematic(p_limb, true);
-	const ragdoll::Vec3 origin = p_joint + p_orientation.rotate((*rig)[p_limb].centre);
-	server()->body_set_state(specs[p_limb].body, Joint::BODY_STATE_TRANSFORM,
+	const ragdoll::Vec3 origin = p_joint + p_orientation.rotate((*_rig)[p_limb].centre);
+	server()->body_set_state(_specs[p_limb].body, Joint::BODY_STATE_TRANSFORM,
 			Transform3D(Basis(from_core(p_orientation)), from_core(origin)));
 }
 
 void RagdollBodies::set_loose(std::size_t p_limb, bool p_loose) {
-	if (written[p_limb].is_loose == p_loose) {
+	if (_written[p_limb].is_loose == p_loose) {
 		return;
 	}
 	// A limb that is put follows its parent. With its infinite mass it would drag that along, which
 	// it follows then: a body with one arm in DIRECT_SET flew off.
-	written[p_limb].is_loose = p_loose;
+	_written[p_limb].is_loose = p_loose;
 	for (const Vector3::Axis axis : AXES) {
 		server()->generic_6dof_joint_set_flag(
-				joints[p_limb], axis, Joint::G6DOF_JOINT_FLAG_ENABLE_LINEAR_LIMIT, !p_loose);
+				_joints[p_limb], axis, Joint::G6DOF_JOINT_FLAG_ENABLE_LINEAR_LIMIT, !p_loose);
 	}
 }
 
 void RagdollBodies::set_drive(std::size_t p_limb, Drive p_drive) {
-	Written &last = written[p_limb];
+	Written &last = _written[p_limb];
 	if (last.drive == p_drive) {
 		return;
 	}
 	last.drive = p_drive;
 	for (const Vector3::Axis axis : AXES) {
 		server()->generic_6dof_joint_set_flag(
-				joints[p_limb], axis, Joint::G6DOF_JOINT_FLAG_ENABLE_MOTOR, p_drive == Drive::MOTOR);
+				_joints[p_limb], axis, Joint::G6DOF_JOINT_FLAG_ENABLE_MOTOR, p_drive == Drive::MOTOR);
 		server()->generic_6dof_joint_set_flag(
-				joints[p_limb], axis, Joint::G6DOF_JOINT_FLAG_ENABLE_ANGULAR_SPRING, p_drive == Drive::SPRING);
+				_joints[p_limb], axis, Joint::G6DOF_JOINT_FLAG_ENABLE_ANGULAR_SPRING, p_drive == Drive::SPRING);
 	}
 	last.torque = -1.0f;
 }
@@ -235,21 +235,21 @@ void RagdollBodies::set_torque(const RID &p_joint, float p_torque, float &r_writ
 }
 
 void RagdollBodies::turn(std::size_t p_limb, const ragdoll::Vec3 &p_velocity) {
-	const ragdoll::Vec3 local = specs[p_limb].axes.inverse().rotate(p_velocity);
+	const ragdoll::Vec3 local = _specs[p_limb].axes.inverse().rotate(p_velocity);
 	const float axes[3] = { local.x, local.y, local.z };
 	for (int i = 0; i < 3; i++) {
-		if (written[p_limb].velocity[i] != axes[i]) {
-			written[p_limb].velocity[i] = axes[i];
+		if (_written[p_limb].velocity[i] != axes[i]) {
+			_written[p_limb].velocity[i] = axes[i];
 			// The engine's sign is the other way round for angular motors (not for linear ones).
 			server()->generic_6dof_joint_set_param(
-					joints[p_limb], AXES[i], Joint::G6DOF_JOINT_ANGULAR_MOTOR_TARGET_VELOCITY, -axes[i]);
+					_joints[p_limb], AXES[i], Joint::G6DOF_JOINT_ANGULAR_MOTOR_TARGET_VELOCITY, -axes[i]);
 		}
 	}
 }
 
 void RagdollBodies::pull(std::size_t p_limb, const ragdoll::LimbCommand &p_command) {
-	Written &last = written[p_limb];
-	const ragdoll::Quat &axes = specs[p_limb].axes;
+	Written &last = _written[p_limb];
+	const ragdoll::Quat &axes = _specs[p_limb].axes;
 	const ragdoll::Vec3 stiffness = ragdoll::turned_inertia(p_command.stiffness, axes.inverse());
 	const ragdoll::Vec3 damping = ragdoll::turned_inertia(p_command.damping, axes.inverse());
 	const bool stiffer = (last.stiffness - stiffness).length() + (last.damping - damping).length() > 0.0f;
@@ -257,30 +257,30 @@ void RagdollBodies::pull(std::size_t p_limb, const ragdoll::LimbCommand &p_comma
 	last.damping = damping;
 	const Vector3 stiff = from_core(stiffness);
 	const Vector3 damped = from_core(damping);
-	const Vector3 angles = -euler_zyx(axes.inverse() * (rest_inverse[p_limb] * p_command.target) * axes);
+	const Vector3 angles = -euler_zyx(axes.inverse() * (_rest_inverse[p_limb] * p_command.target) * axes);
 	for (int i = 0; i < 3; i++) {
 		if (stiffer) {
 			server()->generic_6dof_joint_set_param(
-					joints[p_limb], AXES[i], Joint::G6DOF_JOINT_ANGULAR_SPRING_STIFFNESS, stiff[i]);
+					_joints[p_limb], AXES[i], Joint::G6DOF_JOINT_ANGULAR_SPRING_STIFFNESS, stiff[i]);
 			server()->generic_6dof_joint_set_param(
-					joints[p_limb], AXES[i], Joint::G6DOF_JOINT_ANGULAR_SPRING_DAMPING, damped[i]);
+					_joints[p_limb], AXES[i], Joint::G6DOF_JOINT_ANGULAR_SPRING_DAMPING, damped[i]);
 		}
 		server()->generic_6dof_joint_set_param(
-				joints[p_limb], AXES[i], Joint::G6DOF_JOINT_ANGULAR_SPRING_EQUILIBRIUM_POINT, angles[i]);
+				_joints[p_limb], AXES[i], Joint::G6DOF_JOINT_ANGULAR_SPRING_EQUILIBRIUM_POINT, angles[i]);
 	}
 }
 
 void RagdollBodies::push(std::size_t p_limb, const ragdoll::LimbCommand &p_command) {
 	const Vector3 torque = from_core(p_command.torque);
-	server()->body_apply_torque(specs[p_limb].body, torque);
-	server()->body_apply_torque(specs[(*rig)[p_limb].parent].body, -torque);
+	server()->body_apply_torque(_specs[p_limb].body, torque);
+	server()->body_apply_torque(_specs[(*_rig)[p_limb].parent].body, -torque);
 }
 
 void RagdollBodies::write(const std::vector<ragdoll::LimbCommand> &p_commands,
 		const std::vector<ragdoll::Quat> &p_orientations, const std::vector<ragdoll::Vec3> &p_joints) {
-	for (std::size_t i = 1; i < specs.size(); i++) {
+	for (std::size_t i = 1; i < _specs.size(); i++) {
 		const ragdoll::LimbCommand &command = p_commands[i];
-		const bool hangs_on_set = p_commands[std::size_t((*rig)[i].parent)].mode == ragdoll::Actuation::DIRECT_SET;
+		const bool hangs_on_set = p_commands[std::size_t((*_rig)[i].parent)].mode == ragdoll::Actuation::DIRECT_SET;
 		set_loose(i, command.mode == ragdoll::Actuation::DIRECT_SET && !hangs_on_set);
 		if (command.mode == ragdoll::Actuation::DIRECT_SET) {
 			set_drive(i, Drive::FREE);
@@ -299,7 +299,7 @@ void RagdollBodies::write(const std::vector<ragdoll::LimbCommand> &p_commands,
 				break;
 			default:
 				set_drive(i, Drive::MOTOR);
-				set_torque(joints[i], command.max_torque, written[i].torque);
+				set_torque(_joints[i], command.max_torque, _written[i].torque);
 				turn(i, command.velocity);
 				break;
 		}

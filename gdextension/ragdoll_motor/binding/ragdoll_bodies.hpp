@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../src/controller.hpp"
-#include "../src/root_drive.hpp"
+#include <controller.hpp>
+#include <root_drive.hpp>
 
 #include <godot_cpp/classes/physics_direct_body_state3d.hpp>
 #include <godot_cpp/classes/physics_server3d.hpp>
@@ -56,10 +56,10 @@ public:
 	void draw_root(ragdoll::RootMode p_mode, const ragdoll::RootCommand &p_command, const ragdoll::Vec3 &p_turn,
 			const ragdoll::Vec3 &p_trunk_turn);
 	/// The joint that holds a limb.
-	const RID &get_joint(std::size_t p_limb) const { return joints[p_limb]; }
+	const RID &get_joint(std::size_t p_limb) const { return _joints[p_limb]; }
 	/// The limb that SELF_RIGHTING keeps upright besides the root.
-	void set_righted_limb(int p_limb) { righted_limb = p_limb; }
-	int get_righted_limb() const { return righted_limb; }
+	void set_righted_limb(int p_limb) { _righted_limb = p_limb; }
+	int get_righted_limb() const { return _righted_limb; }
 	/// Puts all bodies somewhere, with these velocities.
 	void put(const ragdoll::RigState &p_state);
 
@@ -103,21 +103,21 @@ private:
 	void pull(std::size_t p_limb, const ragdoll::LimbCommand &p_command);
 	void push(std::size_t p_limb, const ragdoll::LimbCommand &p_command);
 
-	const ragdoll::Rig *rig = nullptr;
-	std::vector<JointSpec> specs;
-	std::vector<RID> joints;
-	std::vector<Written> written;
-	std::vector<PhysicsDirectBodyState3D *> states; // Of this tick.
-	std::vector<ragdoll::Quat> rest_inverse; // Parent's reset orientation to the limb's, inverted.
-	Hold hold;
-	bool is_lost = false; // A body was not there at the last reading.
-	RID space;
-	RID anchor;
-	RID pendulum;
-	RID assist_joint; // Of the pendulum, or between the trunk and the world.
-	float assist_torque = -1.0f;
-	int righted_limb = -1;
-	ragdoll::RootMode assist = ragdoll::RootMode::SOFT;
+	const ragdoll::Rig *_rig = nullptr;
+	std::vector<JointSpec> _specs;
+	std::vector<RID> _joints;
+	std::vector<Written> _written;
+	std::vector<PhysicsDirectBodyState3D *> _states; // Of this tick.
+	std::vector<ragdoll::Quat> _rest_inverse; // Parent's reset orientation to the limb's, inverted.
+	Hold _hold;
+	bool _is_lost = false; // A body was not there at the last reading.
+	RID _space;
+	RID _anchor;
+	RID _pendulum;
+	RID _assist_joint; // Of the pendulum, or between the trunk and the world.
+	float _assist_torque = -1.0f;
+	int _righted_limb = -1;
+	ragdoll::RootMode _assist = ragdoll::RootMode::SOFT;
 };
 
 } // namespace godot

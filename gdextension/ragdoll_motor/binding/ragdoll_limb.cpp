@@ -26,103 +26,103 @@ void RagdollLimb::change(T &r_member, const T &p_value) {
 }
 
 void RagdollLimb::set_bone(const StringName &p_bone) {
-	change(bone, p_bone);
+	change(_bone, p_bone);
 }
 
 void RagdollLimb::set_parent_bone(const StringName &p_bone) {
-	change(parent_bone, p_bone);
+	change(_parent_bone, p_bone);
 }
 
 void RagdollLimb::set_group(const StringName &p_group) {
-	change(group, p_group);
+	change(_group, p_group);
 }
 
 void RagdollLimb::set_type(Type p_type) {
-	change(type, p_type);
+	change(_type, p_type);
 }
 
 void RagdollLimb::set_position(const Vector3 &p_position) {
-	change(position, p_position);
+	change(_position, p_position);
 }
 
 void RagdollLimb::set_orientation(const Quaternion &p_orientation) {
-	change(orientation, p_orientation);
+	change(_orientation, p_orientation);
 }
 
 void RagdollLimb::set_radius(double p_radius) {
-	change(radius, p_radius);
+	change(_radius, p_radius);
 }
 
 void RagdollLimb::set_length(double p_length) {
-	change(length, p_length);
+	change(_length, p_length);
 }
 
 void RagdollLimb::set_size(const Vector3 &p_size) {
-	change(size, p_size);
+	change(_size, p_size);
 }
 
 void RagdollLimb::set_anchor(const Vector3 &p_anchor) {
-	change(anchor, p_anchor);
+	change(_anchor, p_anchor);
 }
 
 void RagdollLimb::set_rest_orientation(const Quaternion &p_orientation) {
-	change(rest_orientation, p_orientation);
+	change(_rest_orientation, p_orientation);
 }
 
 void RagdollLimb::set_reset_orientation(const Quaternion &p_orientation) {
-	change(reset_orientation, p_orientation);
+	change(_reset_orientation, p_orientation);
 }
 
 void RagdollLimb::set_mass_fraction(double p_fraction) {
-	change(mass_fraction, p_fraction);
+	change(_mass_fraction, p_fraction);
 }
 
 void RagdollLimb::set_max_torque(double p_torque) {
-	change(max_torque, p_torque);
+	change(_max_torque, p_torque);
 }
 
 void RagdollLimb::set_contact_points(const PackedVector3Array &p_points) {
-	change(contact_points, p_points);
+	change(_contact_points, p_points);
 }
 
 void RagdollLimb::set_contact_radius(double p_radius) {
-	change(contact_radius, p_radius);
+	change(_contact_radius, p_radius);
 }
 
 void RagdollLimb::set_is_foot(bool p_is_foot) {
-	change(is_foot, p_is_foot);
+	change(_is_foot, p_is_foot);
 }
 
 void RagdollLimb::set_min_angles(const Vector3 &p_angles) {
-	change(min_angles, p_angles);
+	change(_min_angles, p_angles);
 }
 
 void RagdollLimb::set_max_angles(const Vector3 &p_angles) {
-	change(max_angles, p_angles);
+	change(_max_angles, p_angles);
 }
 
 ragdoll::Limb RagdollLimb::to_core() const {
 	ragdoll::Limb limb;
-	limb.bone = to_text(bone);
-	limb.parent_bone = to_text(parent_bone);
-	limb.group = to_text(group);
-	limb.type = ragdoll::Limb::Type(type);
-	limb.position = to_core_vector(position);
-	limb.orientation = to_core_rotation(orientation);
-	limb.radius = float(radius);
-	limb.length = float(length);
-	limb.size = to_core_vector(size);
-	limb.anchor = to_core_vector(anchor);
-	limb.rest_orientation = to_core_rotation(rest_orientation);
-	limb.reset_orientation = to_core_rotation(reset_orientation);
-	limb.mass_fraction = float(mass_fraction);
-	limb.max_torque = float(max_torque);
-	for (int64_t i = 0; i < contact_points.size(); i++) {
-		limb.contact_points.push_back(to_core_vector(contact_points[i]));
+	limb.bone = to_text(_bone);
+	limb.parent_bone = to_text(_parent_bone);
+	limb.group = to_text(_group);
+	limb.type = ragdoll::Limb::Type(_type);
+	limb.position = to_core_vector(_position);
+	limb.orientation = to_core_rotation(_orientation);
+	limb.radius = float(_radius);
+	limb.length = float(_length);
+	limb.size = to_core_vector(_size);
+	limb.anchor = to_core_vector(_anchor);
+	limb.rest_orientation = to_core_rotation(_rest_orientation);
+	limb.reset_orientation = to_core_rotation(_reset_orientation);
+	limb.mass_fraction = float(_mass_fraction);
+	limb.max_torque = float(_max_torque);
+	for (int64_t i = 0; i < _contact_points.size(); i++) {
+		limb.contact_points.push_back(to_core_vector(_contact_points[i]));
 	}
-	limb.contact_radius = float(contact_radius);
-	limb.min_angles = to_core_vector(min_angles);
-	limb.max_angles = to_core_vector(max_angles);
+	limb.contact_radius = float(_contact_radius);
+	limb.min_angles = to_core_vector(_min_angles);
+	limb.max_angles = to_core_vector(_max_angles);
 	return limb;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ragdoll_motor.hpp"
 
-#include "../../kinematics/binding/convert.hpp"
+#include <convert.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -26,48 +26,48 @@ PackedFloat32Array to_packed(const std::vector<float> &p_values) {
 } // namespace
 
 void RagdollMotor::release() {
-	ground.detach();
-	bodies.reset();
-	driver.reset();
+	_ground.detach();
+	_bodies.reset();
+	_driver.reset();
 }
 
 void RagdollMotor::apply_settings() {
-	if (!driver) {
+	if (!_driver) {
 		return;
 	}
-	driver->root_mode = ragdoll::RootMode(root_mode);
-	driver->root_settings.force = float(root_force);
-	driver->root_settings.torque = float(root_torque);
-	driver->get_controller().settings.gain = float(gain);
-	driver->get_controller().settings.muscle_speed = float(muscle_speed);
-	driver->get_guard().max_energy = float(max_energy);
-	driver->measures_torque = measures_torque;
-	driver->get_meter().measures_lag = measures_lag;
+	_driver->root_mode = ragdoll::RootMode(_root_mode);
+	_driver->root_settings.force = float(_root_force);
+	_driver->root_settings.torque = float(_root_torque);
+	_driver->get_controller().settings.gain = float(_gain);
+	_driver->get_controller().settings.muscle_speed = float(_muscle_speed);
+	_driver->get_guard().max_energy = float(_max_energy);
+	_driver->measures_torque = _measures_torque;
+	_driver->get_meter().measures_lag = _measures_lag;
 	look_at_ground();
 }
 
 void RagdollMotor::look_at_ground() {
-	const bool wanted = driver && ragdoll::finds_travel(driver->root_mode) && is_inside_tree();
-	driver->ground = wanted ? &ground : nullptr;
+	const bool wanted = _driver && ragdoll::finds_travel(_driver->root_mode) && is_inside_tree();
+	_driver->ground = wanted ? &_ground : nullptr;
 	if (wanted) {
-		ground.attach(this, body_rids, std::uint32_t(ground_mask));
+		_ground.attach(this, _body_rids, std::uint32_t(_ground_mask));
 	} else {
-		ground.detach();
+		_ground.detach();
 	}
 }
 
 bool RagdollMotor::push_sample(double p_time_s, const PackedFloat32Array &p_rotations, const Vector3 &p_root,
 		const PackedFloat32Array &p_rates) {
-	const std::size_t count = reset_pose.size();
+	const std::size_t count = _reset_pose.size();
 	// A sample may be of more limbs than the profile has, where slots say which are meant.
-	const bool is_chosen = !sample_slots.is_empty();
-	if (!driver || (is_chosen && sample_slots.size() != int64_t(count)) || p_rotations.size() % 4 != 0 ||
+	const bool is_chosen = !_sample_slots.is_empty();
+	if (!_driver || (is_chosen && _sample_slots.size() != int64_t(count)) || p_rotations.size() % 4 != 0 ||
 			(!is_chosen && p_rotations.size() != int64_t(count) * 4) ||
 			(!p_rates.is_empty() && p_rates.size() != int64_t(count) * 3)) {
 		return false;
 	}
 	const float *rotations = p_rotations.ptr();
-	const int32_t *slots = is_chosen ? sample_slots.ptr() : nullptr;
+	const int32_t *slots = is_chosen ? _sample_slots.ptr() : nullptr;
 	const int64_t most = p_rotations.size() / 4;
 	for (std::size_t i = 0; i < count; i++) {
 		const int64_t slot = slots ? slots[i] : int64_t(i);
@@ -76,18 +76,18 @@ bool RagdollMotor::push_sample(double p_time_s, const PackedFloat32Array &p_rota
 		}
 		const float *values = rotations + slot * 4;
 		// Thesis section 6.2: q = r i.
-		const ragdoll::Quat target = ragdoll::Quat{ values[0], values[1], values[2], values[3] } * reset_pose[i];
-		targets[i * 4] = target.x;
-		targets[i * 4 + 1] = target.y;
-		targets[i * 4 + 2] = target.z;
-		targets[i * 4 + 3] = target.w;
+		const ragdoll::Quat target = ragdoll::Quat{ values[0], values[1], values[2], values[3] } * _reset_pose[i];
+		_targets[i * 4] = target.x;
+		_targets[i * 4 + 1] = target.y;
+		_targets[i * 4 + 2] = target.z;
+		_targets[i * 4 + 3] = target.w;
 	}
-	return driver->push(p_time_s, targets.data(), to_core(p_root), p_rates.is_empty() ? nullptr : p_rates.ptr());
+	return _driver->push(p_time_s, _targets.data(), to_core(p_root), p_rates.is_empty() ? nullptr : p_rates.ptr());
 }
 
 void RagdollMotor::clear_motion() {
-	if (driver) {
-		driver->clear_motion();
+	if (_driver) {
+		_driver->clear_motion();
 	}
 }
 
@@ -96,8 +96,8 @@ bool RagdollMotor::snap_to(double p_time_s) {
 	if (!is_ready()) {
 		return false;
 	}
-	driver->pose_state(p_time_s, state);
-	bodies->put(state);
+	_driver->pose_state(p_time_s, _state);
+	_bodies->put(_state);
 	return true;
 }
 
@@ -106,22 +106,22 @@ bool RagdollMotor::drive(double p_time_s, double p_delta_s) {
 	ERR_FAIL_COND_V_MSG(!(p_delta_s >= SHORTEST_STEP && p_delta_s <= LONGEST_STEP), false,
 			"RagdollMotor: the time step must be above zero (0.00001 s or more) and 1 s at most.");
 	ERR_FAIL_COND_V_MSG(!std::isfinite(p_time_s), false, "RagdollMotor: the time is not finite.");
-	if (!is_ready() || !bodies->read(state)) {
+	if (!is_ready() || !_bodies->read(_state)) {
 		return false;
 	}
-	if (ragdoll::finds_travel(driver->root_mode) && (driver->ground != nullptr) != is_inside_tree()) {
+	if (ragdoll::finds_travel(_driver->root_mode) && (_driver->ground != nullptr) != is_inside_tree()) {
 		look_at_ground(); // It has come into the tree, or left it, since.
 	}
-	const ragdoll::StepCommands &commands = driver->step(state, p_time_s, float(p_delta_s));
+	const ragdoll::StepCommands &commands = _driver->step(_state, p_time_s, float(p_delta_s));
 	if (commands.must_put) {
-		bodies->put(state);
+		_bodies->put(_state);
 	}
 	const std::uint32_t guarded = commands.guarded;
-	bodies->write(commands.limbs, commands.orientations, commands.joints);
+	_bodies->write(commands.limbs, commands.orientations, commands.joints);
 	if (commands.is_root_held) {
-		bodies->hold_root(commands.orientations[0], commands.joints[0]);
+		_bodies->hold_root(commands.orientations[0], commands.joints[0]);
 	} else {
-		bodies->draw_root(driver->root_mode, commands.root, commands.root_turn, commands.trunk_turn);
+		_bodies->draw_root(_driver->root_mode, commands.root, commands.root_turn, commands.trunk_turn);
 	}
 	if (guarded != ragdoll::GUARD_NOTHING) {
 		report(guarded); // Last of all: whoever listens may release or free this node.
@@ -146,7 +146,7 @@ void RagdollMotor::report(std::uint32_t p_guarded) {
 }
 
 bool RagdollMotor::is_stalled(double p_time_s) const {
-	return !driver || driver->get_stream().is_stalled(p_time_s);
+	return !_driver || _driver->get_stream().is_stalled(p_time_s);
 }
 
 bool RagdollMotor::find_group(const StringName &p_group, int &r_group) const {
@@ -154,8 +154,8 @@ bool RagdollMotor::find_group(const StringName &p_group, int &r_group) const {
 	if (p_group == StringName()) {
 		return true;
 	}
-	for (std::size_t i = 0; i < groups.size(); i++) {
-		if (groups[i] == p_group) {
+	for (std::size_t i = 0; i < _groups.size(); i++) {
+		if (_groups[i] == p_group) {
 			r_group = int(i);
 			return true;
 		}
@@ -165,21 +165,21 @@ bool RagdollMotor::find_group(const StringName &p_group, int &r_group) const {
 
 void RagdollMotor::set_actuation(Actuation p_mode, const StringName &p_group, double p_blend_s) {
 	int group = -1;
-	ERR_FAIL_COND_MSG(!driver, "RagdollMotor: set_actuation() comes after setup().");
+	ERR_FAIL_COND_MSG(!_driver, "RagdollMotor: set_actuation() comes after setup().");
 	ERR_FAIL_COND_MSG(
 			int(p_mode) < 0 || int(p_mode) >= ragdoll::ACTUATION_COUNT, "RagdollMotor: there is no such actuation.");
 	ERR_FAIL_COND_MSG(!find_group(p_group, group), "RagdollMotor: the profile has no group " + String(p_group) + ".");
-	driver->get_table().set_mode(ragdoll::Actuation(p_mode), group, float(p_blend_s));
+	_driver->get_table().set_mode(ragdoll::Actuation(p_mode), group, float(p_blend_s));
 }
 
 RagdollMotor::Actuation RagdollMotor::get_actuation(const StringName &p_group) const {
 	int group = -1;
-	if (!driver || !find_group(p_group, group)) {
+	if (!_driver || !find_group(p_group, group)) {
 		return VELOCITY_MOTOR;
 	}
-	for (std::size_t i = 0; i < driver->get_rig().size(); i++) {
-		if (group < 0 || driver->get_rig()[i].group == group) {
-			return Actuation(driver->get_table().get_wanted_mode(i));
+	for (std::size_t i = 0; i < _driver->get_rig().size(); i++) {
+		if (group < 0 || _driver->get_rig()[i].group == group) {
+			return Actuation(_driver->get_table().get_wanted_mode(i));
 		}
 	}
 	return VELOCITY_MOTOR;
@@ -187,93 +187,93 @@ RagdollMotor::Actuation RagdollMotor::get_actuation(const StringName &p_group) c
 
 void RagdollMotor::set_group_strength(double p_strength, const StringName &p_group, double p_blend_s) {
 	int group = -1;
-	ERR_FAIL_COND_MSG(!driver, "RagdollMotor: set_group_strength() comes after setup().");
+	ERR_FAIL_COND_MSG(!_driver, "RagdollMotor: set_group_strength() comes after setup().");
 	ERR_FAIL_COND_MSG(!is_amount(p_strength), "RagdollMotor: a strength is 0 or more.");
 	ERR_FAIL_COND_MSG(!find_group(p_group, group), "RagdollMotor: the profile has no group " + String(p_group) + ".");
-	driver->get_table().set_strength(float(p_strength), group, float(p_blend_s));
+	_driver->get_table().set_strength(float(p_strength), group, float(p_blend_s));
 }
 
 double RagdollMotor::get_group_strength(const StringName &p_group) const {
 	int group = -1;
-	if (!driver || !find_group(p_group, group)) {
+	if (!_driver || !find_group(p_group, group)) {
 		return 0.0;
 	}
-	return driver->get_table().get_group_strength(group < 0 ? 0 : group);
+	return _driver->get_table().get_group_strength(group < 0 ? 0 : group);
 }
 
 void RagdollMotor::set_group_spring(double p_frequency, double p_damping_ratio, const StringName &p_group) {
 	int group = -1;
-	ERR_FAIL_COND_MSG(!driver, "RagdollMotor: set_group_spring() comes after setup().");
+	ERR_FAIL_COND_MSG(!_driver, "RagdollMotor: set_group_spring() comes after setup().");
 	ERR_FAIL_COND_MSG(!is_amount(p_frequency) || !is_amount(p_damping_ratio),
 			"RagdollMotor: a spring's frequency and damping ratio are 0 or more.");
 	ERR_FAIL_COND_MSG(!find_group(p_group, group), "RagdollMotor: the profile has no group " + String(p_group) + ".");
-	driver->get_table().set_spring(float(p_frequency), float(p_damping_ratio), group);
+	_driver->get_table().set_spring(float(p_frequency), float(p_damping_ratio), group);
 }
 
 void RagdollMotor::measure(double p_time_s) {
-	if (is_ready() && bodies->read(state)) {
-		driver->measure(p_time_s, state);
+	if (is_ready() && _bodies->read(_state)) {
+		_driver->measure(p_time_s, _state);
 	}
 }
 
 Dictionary RagdollMotor::get_tracking() const {
 	Dictionary tracking;
-	const bool known = driver != nullptr;
-	tracking["count"] = known ? int64_t(driver->get_meter().get_count()) : int64_t(0);
-	tracking["mean_deg"] = known ? driver->get_meter().mean() * DEGREES : 0.0;
-	tracking["p95_deg"] = known ? driver->get_meter().percentile(0.95) * DEGREES : 0.0;
-	tracking["latest_deg"] = known ? driver->get_meter().latest() * DEGREES : 0.0;
-	tracking["distance_m"] = known ? driver->get_meter().mean_distance() : 0.0;
-	tracking["lag_s"] = known ? driver->get_meter().lag() : 0.0;
+	const bool known = _driver != nullptr;
+	tracking["count"] = known ? int64_t(_driver->get_meter().get_count()) : int64_t(0);
+	tracking["mean_deg"] = known ? _driver->get_meter().mean() * DEGREES : 0.0;
+	tracking["p95_deg"] = known ? _driver->get_meter().percentile(0.95) * DEGREES : 0.0;
+	tracking["latest_deg"] = known ? _driver->get_meter().latest() * DEGREES : 0.0;
+	tracking["distance_m"] = known ? _driver->get_meter().mean_distance() : 0.0;
+	tracking["lag_s"] = known ? _driver->get_meter().lag() : 0.0;
 	return tracking;
 }
 
 void RagdollMotor::clear_tracking() {
-	if (driver) {
-		driver->get_meter().clear();
+	if (_driver) {
+		_driver->get_meter().clear();
 	}
 }
 
 PackedFloat32Array RagdollMotor::get_limb_errors() {
-	return driver ? to_packed(driver->find_errors(state)) : PackedFloat32Array();
+	return _driver ? to_packed(_driver->find_errors(_state)) : PackedFloat32Array();
 }
 
 PackedFloat32Array RagdollMotor::get_limb_torques() const {
-	return driver ? to_packed(driver->get_torques().get_torques()) : PackedFloat32Array();
+	return _driver ? to_packed(_driver->get_torques().get_torques()) : PackedFloat32Array();
 }
 
 PackedFloat32Array RagdollMotor::get_limb_saturations() const {
-	return driver ? to_packed(driver->get_saturations()) : PackedFloat32Array();
+	return _driver ? to_packed(_driver->get_saturations()) : PackedFloat32Array();
 }
 
 Vector3 RagdollMotor::get_root_target() const {
-	return driver ? from_core(driver->get_root_target()) : Vector3();
+	return _driver ? from_core(_driver->get_root_target()) : Vector3();
 }
 
 bool RagdollMotor::is_flying() const {
-	return driver && driver->get_travel() && driver->get_travel()->is_flying();
+	return _driver && _driver->get_travel() && _driver->get_travel()->is_flying();
 }
 
 PackedFloat32Array RagdollMotor::get_contact_weights() const {
-	return driver && driver->get_travel() ? to_packed(driver->get_travel()->get_weights()) : PackedFloat32Array();
+	return _driver && _driver->get_travel() ? to_packed(_driver->get_travel()->get_weights()) : PackedFloat32Array();
 }
 
 double RagdollMotor::get_internal_energy() {
-	return driver && bodies->read(state) ? ragdoll::EnergyGuard::internal_energy(driver->get_rig(), state) : 0.0;
+	return _driver && _bodies->read(_state) ? ragdoll::EnergyGuard::internal_energy(_driver->get_rig(), _state) : 0.0;
 }
 
 PackedByteArray RagdollMotor::save_state() {
 	PackedByteArray result;
-	if (!driver || !bodies->read(state)) {
+	if (!_driver || !_bodies->read(_state)) {
 		return result;
 	}
 	ragdoll::ArchiveWriter archive;
 	archive.put(STATE_MAGIC);
-	driver->save(archive);
-	archive.put_all(state.orientations);
-	archive.put_all(state.centres);
-	archive.put_all(state.linear);
-	archive.put_all(state.angular);
+	_driver->save(archive);
+	archive.put_all(_state.orientations);
+	archive.put_all(_state.centres);
+	archive.put_all(_state.linear);
+	archive.put_all(_state.angular);
 	ragdoll::StateHash sum;
 	for (const std::uint8_t byte : archive.get_bytes()) {
 		sum.add(byte);
@@ -286,7 +286,7 @@ PackedByteArray RagdollMotor::save_state() {
 }
 
 bool RagdollMotor::restore_state(const PackedByteArray &p_bytes) {
-	ERR_FAIL_COND_V_MSG(!driver, false, "RagdollMotor: restore_state() comes after setup().");
+	ERR_FAIL_COND_V_MSG(!_driver, false, "RagdollMotor: restore_state() comes after setup().");
 	const std::size_t size = std::size_t(p_bytes.size());
 	const std::size_t tail = sizeof(std::uint64_t);
 	ERR_FAIL_COND_V_MSG(size < tail, false, "RagdollMotor: the saved state is cut off.");
@@ -300,26 +300,26 @@ bool RagdollMotor::restore_state(const PackedByteArray &p_bytes) {
 	ERR_FAIL_COND_V_MSG(sum.get() != expected, false, "RagdollMotor: the saved state is damaged.");
 	ragdoll::ArchiveReader archive(bytes, size - tail);
 	std::uint32_t magic = 0;
-	const bool fits = archive.get(magic) && magic == STATE_MAGIC && driver->restore(archive) &&
-			archive.get_all(state.orientations) && archive.get_all(state.centres) && archive.get_all(state.linear) &&
-			archive.get_all(state.angular) && archive.is_at_end();
+	const bool fits = archive.get(magic) && magic == STATE_MAGIC && _driver->restore(archive) &&
+			archive.get_all(_state.orientations) && archive.get_all(_state.centres) && archive.get_all(_state.linear) &&
+			archive.get_all(_state.angular) && archive.is_at_end();
 	ERR_FAIL_COND_V_MSG(!fits, false, "RagdollMotor: the saved state is of another profile or version.");
-	root_mode = RootMode(driver->root_mode);
+	_root_mode = RootMode(_driver->root_mode);
 	look_at_ground();
 	// New joints know nothing of the impulses of the time before: every replay begins the same.
-	bodies->remake();
-	bodies->put(state);
+	_bodies->remake();
+	_bodies->put(_state);
 	return true;
 }
 
 int64_t RagdollMotor::get_state_hash() {
 	ragdoll::StateHash hash;
-	if (driver && bodies->read(state)) {
-		for (std::size_t i = 0; i < state.centres.size(); i++) {
-			hash.add(state.orientations[i]);
-			hash.add(state.centres[i]);
-			hash.add(state.linear[i]);
-			hash.add(state.angular[i]);
+	if (_driver && _bodies->read(_state)) {
+		for (std::size_t i = 0; i < _state.centres.size(); i++) {
+			hash.add(_state.orientations[i]);
+			hash.add(_state.centres[i]);
+			hash.add(_state.linear[i]);
+			hash.add(_state.angular[i]);
 		}
 	}
 	return int64_t(hash.get());

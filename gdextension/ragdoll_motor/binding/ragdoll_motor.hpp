@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../src/driver.hpp"
 #include "ground_rays.hpp"
 #include "ragdoll_bodies.hpp"
 #include "ragdoll_profile.hpp"
+#include <driver.hpp>
 
 #include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/core/binder_common.hpp>
@@ -58,7 +58,7 @@ public:
 	bool setup(const Ref<RagdollProfile> &p_profile, const TypedArray<RID> &p_bodies,
 			const PackedVector3Array &p_centres, const RID &p_space);
 	void release();
-	bool is_set_up() const { return driver != nullptr; }
+	bool is_set_up() const { return _driver != nullptr; }
 	TypedArray<RID> get_joints() const;
 
 	// Motion.
@@ -97,31 +97,31 @@ public:
 
 	// Properties.
 	void set_root_mode(RootMode p_mode);
-	RootMode get_root_mode() const { return root_mode; }
+	RootMode get_root_mode() const { return _root_mode; }
 	void set_gain(double p_gain);
-	double get_gain() const { return gain; }
+	double get_gain() const { return _gain; }
 	void set_muscle_speed(double p_speed);
-	double get_muscle_speed() const { return muscle_speed; }
+	double get_muscle_speed() const { return _muscle_speed; }
 	void set_root_force(double p_force);
-	double get_root_force() const { return root_force; }
+	double get_root_force() const { return _root_force; }
 	void set_root_torque(double p_torque);
-	double get_root_torque() const { return root_torque; }
+	double get_root_torque() const { return _root_torque; }
 	void set_inertia_scale(double p_scale);
-	double get_inertia_scale() const { return inertia_scale; }
-	void set_self_collision(bool p_enabled) { self_collision = p_enabled; }
-	bool has_self_collision() const { return self_collision; }
-	void set_anatomical_limits(bool p_enabled) { anatomical_limits = p_enabled; }
-	bool has_anatomical_limits() const { return anatomical_limits; }
+	double get_inertia_scale() const { return _inertia_scale; }
+	void set_self_collision(bool p_enabled) { _self_collision = p_enabled; }
+	bool has_self_collision() const { return _self_collision; }
+	void set_anatomical_limits(bool p_enabled) { _anatomical_limits = p_enabled; }
+	bool has_anatomical_limits() const { return _anatomical_limits; }
 	void set_sample_slots(const PackedInt32Array &p_slots);
-	PackedInt32Array get_sample_slots() const { return sample_slots; }
+	PackedInt32Array get_sample_slots() const { return _sample_slots; }
 	void set_measures_torque(bool p_enabled);
-	bool get_measures_torque() const { return measures_torque; }
+	bool get_measures_torque() const { return _measures_torque; }
 	void set_measures_lag(bool p_enabled);
-	bool get_measures_lag() const { return measures_lag; }
+	bool get_measures_lag() const { return _measures_lag; }
 	void set_ground_mask(int64_t p_mask);
-	int64_t get_ground_mask() const { return ground_mask; }
+	int64_t get_ground_mask() const { return _ground_mask; }
 	void set_max_energy(double p_energy);
-	double get_max_energy() const { return max_energy; }
+	double get_max_energy() const { return _max_energy; }
 
 protected:
 	static void _bind_methods();
@@ -134,7 +134,7 @@ private:
 	void look_at_ground();
 	/// Whether a number can be a force, a gain, a strength: 0 or more, and finite as the core has it.
 	static bool is_amount(double p_value) { return p_value >= 0.0 && p_value <= 1e30; }
-	bool is_ready() const { return driver && !driver->get_stream().is_empty(); }
+	bool is_ready() const { return _driver && !_driver->get_stream().is_empty(); }
 	bool make_driver(
 			const Ref<RagdollProfile> &p_profile, const TypedArray<RID> &p_bodies, const PackedVector3Array &p_centres);
 	void add_contacts(const Ref<RagdollLimb> &p_limb, int p_index);
@@ -142,34 +142,34 @@ private:
 	bool find_group(const StringName &p_group, int &r_group) const;
 	void report(std::uint32_t p_guarded);
 
-	RootMode root_mode = ROOT_SOFT;
-	double gain = 50.0;
-	double muscle_speed = 8.0;
-	double root_force = 2000.0;
-	double root_torque = 800.0;
-	double inertia_scale = 6.0;
-	double max_energy = 60.0;
-	int64_t ground_mask = 5; // World and props, not people.
-	bool self_collision = false;
-	bool anatomical_limits = false;
-	bool measures_torque = false;
-	bool measures_lag = false;
-	PackedInt32Array sample_slots;
+	RootMode _root_mode = ROOT_SOFT;
+	double _gain = 50.0;
+	double _muscle_speed = 8.0;
+	double _root_force = 2000.0;
+	double _root_torque = 800.0;
+	double _inertia_scale = 6.0;
+	double _max_energy = 60.0;
+	int64_t _ground_mask = 5; // World and props, not people.
+	bool _self_collision = false;
+	bool _anatomical_limits = false;
+	bool _measures_torque = false;
+	bool _measures_lag = false;
+	PackedInt32Array _sample_slots;
 
-	std::vector<StringName> groups;
-	std::vector<ragdoll::Quat> reset_pose;
-	std::vector<RID> body_rids;
-	std::vector<ragdoll::ContactPoint> contacts;
-	std::vector<RagdollBodies::JointSpec> specs;
-	std::unique_ptr<ragdoll::Driver> driver;
+	std::vector<StringName> _groups;
+	std::vector<ragdoll::Quat> _reset_pose;
+	std::vector<RID> _body_rids;
+	std::vector<ragdoll::ContactPoint> _contacts;
+	std::vector<RagdollBodies::JointSpec> _specs;
+	std::unique_ptr<ragdoll::Driver> _driver;
 	// After the driver: the bodies refer to its rig.
-	std::unique_ptr<RagdollBodies> bodies;
+	std::unique_ptr<RagdollBodies> _bodies;
 
-	GroundRays ground;
+	GroundRays _ground;
 
 	// Kept between ticks, so that a tick allocates nothing.
-	ragdoll::RigState state;
-	std::vector<float> targets;
+	ragdoll::RigState _state;
+	std::vector<float> _targets;
 };
 
 } // namespace godot

@@ -4,21 +4,21 @@
 namespace godot {
 
 void RagdollProfile::set_limbs(const TypedArray<RagdollLimb> &p_limbs) {
-	limbs = p_limbs;
+	_limbs = p_limbs;
 	emit_changed();
 }
 
 void RagdollProfile::set_mass(double p_mass) {
-	mass = p_mass;
+	_mass = p_mass;
 	emit_changed();
 }
 
 Ref<RagdollLimb> RagdollProfile::get_limb(int64_t p_index) const {
-	return Ref<RagdollLimb>(limbs[p_index]);
+	return Ref<RagdollLimb>(_limbs[p_index]);
 }
 
 int64_t RagdollProfile::find_index(const StringName &p_bone) const {
-	for (int64_t i = 0; i < limbs.size(); i++) {
+	for (int64_t i = 0; i < _limbs.size(); i++) {
 		const Ref<RagdollLimb> limb = get_limb(i);
 		if (limb.is_valid() && limb->get_bone() == p_bone) {
 			return i;
@@ -33,7 +33,7 @@ Ref<RagdollLimb> RagdollProfile::find(const StringName &p_bone) const {
 }
 
 int RagdollProfile::get_parent_index(int p_limb) const {
-	ERR_FAIL_COND_V_MSG(p_limb < 0 || p_limb >= limbs.size(), -1, "RagdollProfile: there is no limb of this number.");
+	ERR_FAIL_COND_V_MSG(p_limb < 0 || p_limb >= _limbs.size(), -1, "RagdollProfile: there is no limb of this number.");
 	const Ref<RagdollLimb> limb = get_limb(p_limb);
 	if (limb.is_null() || limb->get_parent_bone().is_empty()) {
 		return -1;
@@ -43,7 +43,7 @@ int RagdollProfile::get_parent_index(int p_limb) const {
 
 PackedStringArray RagdollProfile::get_groups() const {
 	PackedStringArray groups;
-	for (int64_t i = 0; i < limbs.size(); i++) {
+	for (int64_t i = 0; i < _limbs.size(); i++) {
 		const Ref<RagdollLimb> limb = get_limb(i);
 		if (limb.is_valid() && !limb->get_group().is_empty() && !groups.has(limb->get_group())) {
 			groups.push_back(limb->get_group());
@@ -53,7 +53,7 @@ PackedStringArray RagdollProfile::get_groups() const {
 }
 
 String RagdollProfile::find_fault() const {
-	const int64_t count = limbs.size();
+	const int64_t count = _limbs.size();
 	std::vector<ragdoll::Limb> core;
 	// Of too many limbs only the number matters.
 	const bool is_readable = count <= int64_t(ragdoll::MAX_LIMBS);
@@ -67,7 +67,7 @@ String RagdollProfile::find_fault() const {
 		core.push_back(limb->to_core());
 	}
 	core.resize(std::size_t(count));
-	return String::utf8(ragdoll::find_fault(core, mass).c_str());
+	return String::utf8(ragdoll::find_fault(core, _mass).c_str());
 }
 
 void RagdollProfile::_bind_methods() {

@@ -19,9 +19,9 @@ public:
 	};
 
 	void set_limbs(const TypedArray<RagdollLimb> &p_limbs);
-	TypedArray<RagdollLimb> get_limbs() const { return limbs; }
+	TypedArray<RagdollLimb> get_limbs() const { return _limbs; }
 	void set_mass(double p_mass);
-	double get_mass() const { return mass; }
+	double get_mass() const { return _mass; }
 
 	Ref<RagdollLimb> find(const StringName &p_bone) const;
 	int get_parent_index(int p_limb) const;
@@ -30,7 +30,7 @@ public:
 
 	/// The limb at a place, or null.
 	Ref<RagdollLimb> get_limb(int64_t p_index) const;
-	int64_t get_limb_count() const { return limbs.size(); }
+	int64_t get_limb_count() const { return _limbs.size(); }
 
 protected:
 	static void _bind_methods();
@@ -38,8 +38,8 @@ protected:
 private:
 	int64_t find_index(const StringName &p_bone) const;
 
-	TypedArray<RagdollLimb> limbs;
-	double mass = 80.0;
+	TypedArray<RagdollLimb> _limbs;
+	double _mass = 80.0;
 };
 
 } // namespace godot

@@ -7,27 +7,27 @@ namespace ragdoll {
 
 float Ramp::get() const {
 	if (!is_moving()) {
-		return to;
+		return _to;
 	}
-	const float part = elapsed / duration;
-	return from + (to - from) * part * part * (3.0f - 2.0f * part);
+	const float part = _elapsed / _duration;
+	return _from + (_to - _from) * part * part * (3.0f - 2.0f * part);
 }
 
 void Ramp::go(float p_to, float p_duration_s) {
-	from = get();
-	to = p_to;
-	elapsed = 0.0f;
-	duration = std::max(p_duration_s, 0.0f);
+	_from = get();
+	_to = p_to;
+	_elapsed = 0.0f;
+	_duration = std::max(p_duration_s, 0.0f);
 }
 
 void Ramp::advance(float p_delta_s) {
-	elapsed = std::min(elapsed + p_delta_s, duration);
+	_elapsed = std::min(_elapsed + p_delta_s, _duration);
 }
 
 ActuationTable::ActuationTable(const std::vector<int> &p_groups, std::size_t p_group_count) :
-		limbs(p_groups.size()), groups(p_group_count) {
-	for (std::size_t i = 0; i < limbs.size(); i++) {
-		limbs[i].group = p_groups[i];
+		_limbs(p_groups.size()), _groups(p_group_count) {
+	for (std::size_t i = 0; i < _limbs.size(); i++) {
+		_limbs[i].group = p_groups[i];
 	}
 }
 
@@ -50,7 +50,7 @@ void ActuationTable::change(LimbState &r_limb, Actuation p_mode, float p_blend_s
 }
 
 void ActuationTable::set_mode(Actuation p_mode, int p_group, float p_blend_s) {
-	for (LimbState &limb : limbs) {
+	for (LimbState &limb : _limbs) {
 		if (p_group < 0 || limb.group == p_group) {
 			change(limb, p_mode, p_blend_s);
 		}
@@ -58,34 +58,34 @@ void ActuationTable::set_mode(Actuation p_mode, int p_group, float p_blend_s) {
 }
 
 void ActuationTable::set_strength(float p_strength, int p_group, float p_blend_s) {
-	for (std::size_t i = 0; i < groups.size(); i++) {
+	for (std::size_t i = 0; i < _groups.size(); i++) {
 		if (p_group < 0 || int(i) == p_group) {
-			groups[i].strength.go(std::max(p_strength, 0.0f), p_blend_s);
+			_groups[i].strength.go(std::max(p_strength, 0.0f), p_blend_s);
 		}
 	}
 }
 
 void ActuationTable::set_spring(float p_frequency, float p_damping_ratio, int p_group) {
-	for (std::size_t i = 0; i < groups.size(); i++) {
+	for (std::size_t i = 0; i < _groups.size(); i++) {
 		if (p_group < 0 || int(i) == p_group) {
-			groups[i].frequency = std::max(p_frequency, 0.0f);
-			groups[i].damping_ratio = std::max(p_damping_ratio, 0.0f);
+			_groups[i].frequency = std::max(p_frequency, 0.0f);
+			_groups[i].damping_ratio = std::max(p_damping_ratio, 0.0f);
 		}
 	}
 }
 
 void ActuationTable::set_overall(float p_strength, float p_blend_s) {
-	if (overall.get_target() != p_strength) {
-		overall.go(p_strength, p_blend_s);
+	if (_overall.get_target() != p_strength) {
+		_overall.go(p_strength, p_blend_s);
 	}
 }
 
 void ActuationTable::advance(float p_delta_s) {
-	overall.advance(p_delta_s);
-	for (GroupSettings &group : groups) {
+	_overall.advance(p_delta_s);
+	for (GroupSettings &group : _groups) {
 		group.strength.advance(p_delta_s);
 	}
-	for (LimbState &limb : limbs) {
+	for (LimbState &limb : _limbs) {
 		limb.authority.advance(p_delta_s);
 		limb.arrival.advance(p_delta_s);
 		if (limb.wanted == Actuation::LIMP && !limb.authority.is_moving()) {
@@ -95,26 +95,27 @@ void ActuationTable::advance(float p_delta_s) {
 }
 
 bool ActuationTable::has_mode(Actuation p_mode) const {
-	return std::any_of(limbs.begin(), limbs.end(), [p_mode](const LimbState &p_limb) { return p_limb.mode == p_mode; });
+	return std::any_of(
+			_limbs.begin(), _limbs.end(), [p_mode](const LimbState &p_limb) { return p_limb.mode == p_mode; });
 }
 
 float ActuationTable::get_strength(std::size_t p_limb) const {
-	return std::max(get_standing_strength(p_limb) * overall.get(), LIMP_FRICTION);
+	return std::max(get_standing_strength(p_limb) * _overall.get(), LIMP_FRICTION);
 }
 
 float ActuationTable::get_standing_strength(std::size_t p_limb) const {
-	const LimbState &limb = limbs[p_limb];
-	return groups[limb.group].strength.get() * limb.authority.get();
+	const LimbState &limb = _limbs[p_limb];
+	return _groups[limb.group].strength.get() * limb.authority.get();
 }
 
 void ActuationTable::save(ArchiveWriter &p_archive) const {
-	p_archive.put_all(limbs);
-	p_archive.put_all(groups);
-	p_archive.put(overall);
+	p_archive.put_all(_limbs);
+	p_archive.put_all(_groups);
+	p_archive.put(_overall);
 }
 
 bool ActuationTable::restore(ArchiveReader &p_archive) {
-	return p_archive.get_all(limbs) && p_archive.get_all(groups) && p_archive.get(overall);
+	return p_archive.get_all(_limbs) && p_archive.get_all(_groups) && p_archive.get(_overall);
 }
 
 } // namespace ragdoll

@@ -23,20 +23,20 @@ constexpr int ACTUATION_COUNT = 6;
 class Ramp {
 public:
 	Ramp() = default;
-	explicit Ramp(float p_value) : from(p_value), to(p_value) {}
+	explicit Ramp(float p_value) : _from(p_value), _to(p_value) {}
 
 	float get() const;
-	float get_target() const { return to; }
-	bool is_moving() const { return elapsed < duration; }
+	float get_target() const { return _to; }
+	bool is_moving() const { return _elapsed < _duration; }
 	/// Goes to a value within a time, s; at once for 0.
 	void go(float p_to, float p_duration_s);
 	void advance(float p_delta_s);
 
 private:
-	float from = 0.0f;
-	float to = 0.0f;
-	float elapsed = 0.0f;
-	float duration = 0.0f;
+	float _from = 0.0f;
+	float _to = 0.0f;
+	float _elapsed = 0.0f;
+	float _duration = 0.0f;
 };
 
 /// Parameters of a strength group.
@@ -60,7 +60,7 @@ public:
 	/// @param p_groups each limb's strength group
 	ActuationTable(const std::vector<int> &p_groups, std::size_t p_group_count);
 
-	std::size_t get_group_count() const { return groups.size(); }
+	std::size_t get_group_count() const { return _groups.size(); }
 	/// Changes the mode of a group, or of all limbs (-1), within a time, s.
 	void set_mode(Actuation p_mode, int p_group, float p_blend_s);
 	/// Changes the strength of a group, or of all (-1). Values below 0 count as 0.
@@ -71,9 +71,9 @@ public:
 	void advance(float p_delta_s);
 
 	/// The mode a limb is in now: while it goes limp, still the old one.
-	Actuation get_mode(std::size_t p_limb) const { return limbs[p_limb].mode; }
+	Actuation get_mode(std::size_t p_limb) const { return _limbs[p_limb].mode; }
 	/// The mode that was asked for.
-	Actuation get_wanted_mode(std::size_t p_limb) const { return limbs[p_limb].wanted; }
+	Actuation get_wanted_mode(std::size_t p_limb) const { return _limbs[p_limb].wanted; }
 	/// Whether any limb is in a mode.
 	bool has_mode(Actuation p_mode) const;
 	/// What the limb's torque limit is multiplied by, LIMP_FRICTION at least.
@@ -81,10 +81,10 @@ public:
 	/// The same without what set_overall() takes away: a stream that stalls lets nobody drop.
 	float get_standing_strength(std::size_t p_limb) const;
 	/// The strength that was asked for, of a group.
-	float get_group_strength(int p_group) const { return groups[p_group].strength.get_target(); }
+	float get_group_strength(int p_group) const { return _groups[p_group].strength.get_target(); }
 	/// How far a DIRECT_SET limb has come from where it was, 0 to 1.
-	float get_arrival(std::size_t p_limb) const { return limbs[p_limb].arrival.get(); }
-	const GroupSettings &get_group(std::size_t p_limb) const { return groups[limbs[p_limb].group]; }
+	float get_arrival(std::size_t p_limb) const { return _limbs[p_limb].arrival.get(); }
+	const GroupSettings &get_group(std::size_t p_limb) const { return _groups[_limbs[p_limb].group]; }
 
 	void save(ArchiveWriter &p_archive) const;
 	bool restore(ArchiveReader &p_archive);
@@ -100,9 +100,9 @@ private:
 
 	static void change(LimbState &r_limb, Actuation p_mode, float p_blend_s);
 
-	std::vector<LimbState> limbs;
-	std::vector<GroupSettings> groups;
-	Ramp overall{ 1.0f };
+	std::vector<LimbState> _limbs;
+	std::vector<GroupSettings> _groups;
+	Ramp _overall{ 1.0f };
 };
 
 } // namespace ragdoll

@@ -17,9 +17,9 @@ public:
 	template <class T>
 	void put(const T &p_value) {
 		static_assert(std::is_trivially_copyable_v<T>, "only plain values can be archived");
-		const std::size_t begin = bytes.size();
-		bytes.resize(begin + sizeof(T));
-		std::memcpy(bytes.data() + begin, &p_value, sizeof(T));
+		const std::size_t begin = _bytes.size();
+		_bytes.resize(begin + sizeof(T));
+		std::memcpy(_bytes.data() + begin, &p_value, sizeof(T));
 	}
 	template <class T>
 	void put_all(const std::vector<T> &p_values) {
@@ -28,26 +28,26 @@ public:
 			put(value);
 		}
 	}
-	const std::vector<std::uint8_t> &get_bytes() const { return bytes; }
+	const std::vector<std::uint8_t> &get_bytes() const { return _bytes; }
 
 private:
-	std::vector<std::uint8_t> bytes;
+	std::vector<std::uint8_t> _bytes;
 };
 
 /// Reads such bytes. After the first value that is not there every further one is refused.
 class ArchiveReader {
 public:
-	ArchiveReader(const std::uint8_t *p_bytes, std::size_t p_size) : bytes(p_bytes), size(p_size) {}
+	ArchiveReader(const std::uint8_t *p_bytes, std::size_t p_size) : _bytes(p_bytes), _size(p_size) {}
 
 	template <class T>
 	bool get(T &r_value) {
 		static_assert(std::is_trivially_copyable_v<T>, "only plain values can be archived");
-		if (!good || size - at < sizeof(T)) {
-			good = false;
+		if (!_good || _size - _at < sizeof(T)) {
+			_good = false;
 			return false;
 		}
-		std::memcpy(&r_value, bytes + at, sizeof(T));
-		at += sizeof(T);
+		std::memcpy(&r_value, _bytes + _at, sizeof(T));
+		_at += sizeof(T);
 		return true;
 	}
 	/// Reads as many values as the vector has; refuses any other number.
@@ -55,22 +55,22 @@ public:
 	bool get_all(std::vector<T> &r_values) {
 		std::uint32_t count = 0;
 		if (!get(count) || count != r_values.size()) {
-			good = false;
+			_good = false;
 			return false;
 		}
 		for (T &value : r_values) {
 			get(value);
 		}
-		return good;
+		return _good;
 	}
-	bool is_good() const { return good; }
-	bool is_at_end() const { return at == size; }
+	bool is_good() const { return _good; }
+	bool is_at_end() const { return _at == _size; }
 
 private:
-	const std::uint8_t *bytes;
-	std::size_t size;
-	std::size_t at = 0;
-	bool good = true;
+	const std::uint8_t *_bytes;
+	std::size_t _size;
+	std::size_t _at = 0;
+	bool _good = true;
 };
 
 /// FNV-1a, 64 bits: a fingerprint of a simulation's state.
@@ -82,13 +82,13 @@ public:
 		std::uint8_t raw[sizeof(T)];
 		std::memcpy(raw, &p_value, sizeof(T));
 		for (const std::uint8_t byte : raw) {
-			value = (value ^ byte) * 1099511628211ULL;
+			_value = (_value ^ byte) * 1099511628211ULL;
 		}
 	}
-	std::uint64_t get() const { return value; }
+	std::uint64_t get() const { return _value; }
 
 private:
-	std::uint64_t value = 14695981039346656037ULL;
+	std::uint64_t _value = 14695981039346656037ULL;
 };
 
 } // namespace ragdoll

@@ -24,17 +24,17 @@ public:
 	/// @param p_memory_s over which surprises are averaged, s
 	/// @param p_most the most that is left out, so that what rests can start to move
 	void advance(float p_square, float p_noise, float p_span_s, float p_memory_s, float p_most) {
-		surprise += share(p_span_s, p_memory_s) * (p_square - surprise);
-		left_out = surprise > 0.0f ? std::min(p_noise / std::sqrt(surprise), p_most) : 0.0f;
+		_surprise += share(p_span_s, p_memory_s) * (p_square - _surprise);
+		_left_out = _surprise > 0.0f ? std::min(p_noise / std::sqrt(_surprise), p_most) : 0.0f;
 	}
 	/// Share of the surprise by which the place is corrected.
-	float get_gain() const { return 1.0f - left_out * left_out; }
+	float get_gain() const { return 1.0f - _left_out * _left_out; }
 	/// Share of it by which the rate is corrected, for a span of one.
-	float get_rate_gain() const { return (1.0f - left_out) * (1.0f - left_out); }
+	float get_rate_gain() const { return (1.0f - _left_out) * (1.0f - _left_out); }
 
 private:
-	float surprise = 0.0f; // Mean square.
-	float left_out = 0.0f;
+	float _surprise = 0.0f; // Mean square.
+	float _left_out = 0.0f;
 };
 
 } // namespace ragdoll

@@ -19,22 +19,22 @@ float braking_speed(float p_error, float p_deceleration) {
 	return std::sqrt(std::max(2.0f * p_deceleration * p_error, 0.0f));
 }
 
-Controller::Controller(const Rig &p_rig) : rig(&p_rig), muscles(p_rig.size()), integrals(p_rig.size(), 0.0f) {}
+Controller::Controller(const Rig &p_rig) : _rig(&p_rig), _muscles(p_rig.size()), _integrals(p_rig.size(), 0.0f) {}
 
 void Controller::reset() {
-	std::fill(integrals.begin(), integrals.end(), 0.0f);
-	muscles.reset();
+	std::fill(_integrals.begin(), _integrals.end(), 0.0f);
+	_muscles.reset();
 }
 
 void Controller::compute(const RigState &p_actual, const Pose &p_now, const Pose &p_next, float p_delta_s,
 		const ActuationTable &p_table, std::vector<LimbCommand> &r_commands) {
-	r_commands.resize(rig->size());
-	for (std::size_t i = 0; i < rig->size(); i++) {
+	r_commands.resize(_rig->size());
+	for (std::size_t i = 0; i < _rig->size(); i++) {
 		LimbCommand &command = r_commands[i];
 		command.mode = p_table.get_mode(i);
-		command.max_torque = (*rig)[i].max_torque * p_table.get_strength(i);
+		command.max_torque = (*_rig)[i].max_torque * p_table.get_strength(i);
 		const Relative state = relative(i, p_actual, p_now, p_next, p_delta_s);
-		const bool is_root = (*rig)[i].parent < 0;
+		const bool is_root = (*_rig)[i].parent < 0;
 		switch (command.mode) {
 			case Actuation::VELOCITY_MOTOR:
 				command_velocity(i, state, p_delta_s, command);
@@ -66,7 +66,7 @@ void Controller::compute(const RigState &p_actual, const Pose &p_now, const Pose
 
 Controller::Relative Controller::relative(
 		std::size_t p_limb, const RigState &p_actual, const Pose &p_now, const Pose &p_next, float p_delta_s) const {
-	const int parent = (*rig)[p_limb].parent;
+	const int parent = (*_rig)[p_limb].parent;
 	const Quat &world = p_actual.orientations[p_limb];
 	Quat actual = world;
 	Quat now = p_now.orientations[p_limb];
@@ -91,8 +91,8 @@ void Controller::command_velocity(
 	const float gain = std::min(settings.gain * settings.eagerness, 1.0f / p_delta_s);
 	Vec3 correction = p_relative.error * gain;
 	const float error = p_relative.error.length();
-	const bool is_root = (*rig)[p_limb].parent < 0;
-	const Vec3 &turned = rig->get_subtree_inertia(p_limb);
+	const bool is_root = (*_rig)[p_limb].parent < 0;
+	const Vec3 &turned = _rig->get_subtree_inertia(p_limb);
 	if (!is_root && error > 0.0f) {
 		const float inertia = p_relative.error.scaled(turned).length() / error;
 		const float fastest = settings.eagerness * braking_speed(error, r_command.max_torque / inertia);
@@ -100,9 +100,9 @@ void Controller::command_velocity(
 	}
 	r_command.velocity = p_relative.forward + correction;
 	// Legs are spared: swinging takes nearly all their torque, and a leg that comes down has to bear.
-	if (!is_root && !rig->is_in_leg(p_limb) && settings.muscle_speed > 0.0f) {
+	if (!is_root && !_rig->is_in_leg(p_limb) && settings.muscle_speed > 0.0f) {
 		const Vec3 missing = r_command.velocity - p_relative.velocity;
-		r_command.max_torque = muscles.get_torque(
+		r_command.max_torque = _muscles.get_torque(
 				p_limb, p_relative.forward, missing, turned, settings.muscle_speed, p_delta_s, r_command.max_torque);
 	}
 }
@@ -110,14 +110,14 @@ void Controller::command_velocity(
 void Controller::command_torque(std::size_t p_limb, const Relative &p_relative, const Quat &p_orientation,
 		const GroupSettings &p_group, float p_delta_s, LimbCommand &r_command) {
 	const float angle = p_relative.error.length();
-	float &integral = integrals[p_limb];
+	float &integral = _integrals[p_limb];
 	// dx/dt = i - a x over the step, exactly, with the input held.
 	const float kept = std::exp(-settings.leak * p_delta_s);
 	integral = integral * kept + angle * (1.0f - kept) / settings.leak;
 	const float omega = TAU * chosen(p_group.frequency, settings.torque_frequency);
 	const float ratio = chosen(p_group.damping_ratio, settings.torque_damping_ratio);
-	const Vec3 &inertia = rig->get_subtree_inertia(p_limb);
-	const Vec3 &own = rig->get_own_inertia(p_limb);
+	const Vec3 &inertia = _rig->get_subtree_inertia(p_limb);
+	const Vec3 &own = _rig->get_own_inertia(p_limb);
 	const Vec3 stiffness = inertia * (omega * omega * (1.0f + settings.leak_weight * integral));
 	const Vec3 damping = inertia * (2.0f * ratio * omega);
 	// Taken at the end of the step, as if the limb turned alone (Tan, Liu, Turk 2011, "Stable
@@ -135,7 +135,7 @@ void Controller::command_position(std::size_t p_limb, const Relative &p_relative
 		float p_delta_s, LimbCommand &r_command) const {
 	const float omega = TAU * chosen(p_group.frequency, settings.position_frequency);
 	const float ratio = chosen(p_group.damping_ratio, settings.position_damping_ratio);
-	const Vec3 &inertia = rig->get_subtree_inertia(p_limb);
+	const Vec3 &inertia = _rig->get_subtree_inertia(p_limb);
 	r_command.stiffness = inertia * (omega * omega);
 	r_command.damping = inertia * (2.0f * ratio * omega);
 	// A damper holds back what moves anyway: the target lies ahead by damping / stiffness.

@@ -62,10 +62,10 @@ public:
 	void reset();
 
 	void save(ArchiveWriter &p_archive) const {
-		p_archive.put_all(integrals);
-		muscles.save(p_archive);
+		p_archive.put_all(_integrals);
+		_muscles.save(p_archive);
 	}
-	bool restore(ArchiveReader &p_archive) { return p_archive.get_all(integrals) && muscles.restore(p_archive); }
+	bool restore(ArchiveReader &p_archive) { return p_archive.get_all(_integrals) && _muscles.restore(p_archive); }
 
 private:
 	/// The motion of one limb relative to its parent, and how far the simulation is off.
@@ -85,9 +85,9 @@ private:
 	void command_position(std::size_t p_limb, const Relative &p_relative, const GroupSettings &p_group, float p_delta_s,
 			LimbCommand &r_command) const;
 
-	const Rig *rig = nullptr;
-	Muscles muscles;
-	std::vector<float> integrals; // SPRING_TORQUE's leaky integrators, rad s.
+	const Rig *_rig = nullptr;
+	Muscles _muscles;
+	std::vector<float> _integrals; // SPRING_TORQUE's leaky integrators, rad s.
 };
 
 /// The most a correction may go at (rad/s or m/s), so that the motor can still brake it: the speed from

@@ -69,16 +69,16 @@ public:
 	Driver(const Driver &) = delete;
 	Driver &operator=(const Driver &) = delete;
 
-	const Rig &get_rig() const { return rig; }
-	PoseStream &get_stream() { return stream; }
-	const PoseStream &get_stream() const { return stream; }
-	ActuationTable &get_table() { return table; }
-	const ActuationTable &get_table() const { return table; }
-	Controller &get_controller() { return controller; }
-	EnergyGuard &get_guard() { return guard; }
-	TrackingMeter &get_meter() { return meter; }
-	const TrackingMeter &get_meter() const { return meter; }
-	const TorqueMeter &get_torques() const { return torques; }
+	const Rig &get_rig() const { return _rig; }
+	PoseStream &get_stream() { return _stream; }
+	const PoseStream &get_stream() const { return _stream; }
+	ActuationTable &get_table() { return _table; }
+	const ActuationTable &get_table() const { return _table; }
+	Controller &get_controller() { return _controller; }
+	EnergyGuard &get_guard() { return _guard; }
+	TrackingMeter &get_meter() { return _meter; }
+	const TrackingMeter &get_meter() const { return _meter; }
+	const TorqueMeter &get_torques() const { return _torques; }
 
 	RootSettings root_settings;
 	RootMode root_mode = RootMode::SOFT;
@@ -104,11 +104,11 @@ public:
 	const std::vector<float> &find_errors(const RigState &p_state);
 	/// How much of each joint's greatest torque the last step needed, 0 to 1 and more. Needs
 	/// measures_torque.
-	const std::vector<float> &get_saturations() const { return saturations; }
+	const std::vector<float> &get_saturations() const { return _saturations; }
 	/// The estimator of the root's travel of a mode, or null where the mode has none.
 	const Travel *get_travel() const { return find_travel(root_mode); }
 	/// Where the root is to be at the end of the last step, m.
-	const Vec3 &get_root_target() const { return next.root; }
+	const Vec3 &get_root_target() const { return _next.root; }
 
 	void save(ArchiveWriter &p_archive) const;
 	/// Returns false, and is as before, where the archive is not of such a body.
@@ -131,36 +131,36 @@ private:
 	void command_root(const RigState &p_state, float p_delta_s);
 	void note_torques(const RigState &p_state, float p_delta_s);
 
-	Rig rig;
-	PoseStream stream;
-	ActuationTable table;
-	Controller controller;
-	EnergyGuard guard;
-	TrackingMeter meter;
-	TorqueMeter torques;
-	StepCommands commands;
-	Pose now;
-	Pose next;
-	std::vector<Vec3> joints;
-	std::vector<float> errors;
-	std::vector<float> saturations;
-	std::array<std::unique_ptr<Travel>, 3> travels; // LOWEST_FOOT, CONTACTS, INERTIAL.
-	std::vector<ContactPoint> contacts;
-	std::vector<Vec3> points_now;
-	std::vector<Vec3> points_next;
-	std::vector<Vec3> points_shown;
-	FootLock foot_lock;
-	PathFilter path; // Of the root, where it is found.
-	Vec3 next_root; // Where the step before was to bring the root, m.
-	FlatGround level_ground;
-	RootMode travelled = RootMode::SOFT; // The mode of the step before.
+	Rig _rig;
+	PoseStream _stream;
+	ActuationTable _table;
+	Controller _controller;
+	EnergyGuard _guard;
+	TrackingMeter _meter;
+	TorqueMeter _torques;
+	StepCommands _commands;
+	Pose _now;
+	Pose _next;
+	std::vector<Vec3> _joints;
+	std::vector<float> _errors;
+	std::vector<float> _saturations;
+	std::array<std::unique_ptr<Travel>, 3> _travels; // LOWEST_FOOT, CONTACTS, INERTIAL.
+	std::vector<ContactPoint> _contacts;
+	std::vector<Vec3> _points_now;
+	std::vector<Vec3> _points_next;
+	std::vector<Vec3> _points_shown;
+	FootLock _foot_lock;
+	PathFilter _path; // Of the root, where it is found.
+	Vec3 _next_root; // Where the step before was to bring the root, m.
+	FlatGround _level_ground;
+	RootMode _travelled = RootMode::SOFT; // The mode of the step before.
 	static constexpr double NEVER = -1e30;
-	double alive = NEVER; // When the motion was last not stalled, s.
-	bool was_limp = false;
-	bool is_getting_up = false;
-	Vec3 lift; // Of the root while the body gets up, m.
-	bool was_held = false;
-	bool is_fetched = false; // The root is on its way to where it will be held.
+	double _alive = NEVER; // When the motion was last not stalled, s.
+	bool _was_limp = false;
+	bool _is_getting_up = false;
+	Vec3 _lift; // Of the root while the body gets up, m.
+	bool _was_held = false;
+	bool _is_fetched = false; // The root is on its way to where it will be held.
 };
 
 } // namespace ragdoll

@@ -8,11 +8,11 @@ namespace ragdoll {
 
 float Muscles::get_torque(std::size_t p_limb, const Vec3 &p_forward, const Vec3 &p_missing, const Vec3 &p_inertia,
 		float p_fast, float p_delta_s, float p_whole) {
-	const Vec3 change = p_forward - before[p_limb];
-	before[p_limb] = p_forward;
+	const Vec3 change = p_forward - _before[p_limb];
+	_before[p_limb] = p_forward;
 	const float speed = std::min(p_forward.length() / p_fast, 1.0f);
 	const float hill = std::max(MIN, (1.0f - speed) / (1.0f + CURVE * speed));
-	left[p_limb] = std::min(hill, left[p_limb] + RECOVERY * p_delta_s);
+	_left[p_limb] = std::min(hill, _left[p_limb] + RECOVERY * p_delta_s);
 	// A motion that brakes needs torque too, but not of the muscles that push on where something holds
 	// the limb up.
 	const bool pushes = p_missing.dot(change) >= 0.0f;
@@ -20,12 +20,12 @@ float Muscles::get_torque(std::size_t p_limb, const Vec3 &p_forward, const Vec3 
 	if (p_whole <= 0.0f) {
 		return 0.0f;
 	}
-	return std::min(1.0f, std::ceil((needed / p_whole + left[p_limb]) * STEPS) / STEPS) * p_whole;
+	return std::min(1.0f, std::ceil((needed / p_whole + _left[p_limb]) * STEPS) / STEPS) * p_whole;
 }
 
 void Muscles::reset() {
-	std::fill(before.begin(), before.end(), Vec3());
-	std::fill(left.begin(), left.end(), 1.0f);
+	std::fill(_before.begin(), _before.end(), Vec3());
+	std::fill(_left.begin(), _left.end(), 1.0f);
 }
 
 } // namespace ragdoll

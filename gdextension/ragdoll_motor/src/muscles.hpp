@@ -29,7 +29,7 @@ public:
 	static constexpr float RECOVERY = 2.0f;
 
 	Muscles() = default;
-	explicit Muscles(std::size_t p_limb_count) : before(p_limb_count), left(p_limb_count, 1.0f) {}
+	explicit Muscles(std::size_t p_limb_count) : _before(p_limb_count), _left(p_limb_count, 1.0f) {}
 
 	/// The joint's torque for a step, N m, at most p_whole. To be asked once a step.
 	/// @param p_forward the motion's velocity relative to the parent, limb's axes, rad/s
@@ -41,14 +41,14 @@ public:
 	void reset();
 
 	void save(ArchiveWriter &p_archive) const {
-		p_archive.put_all(before);
-		p_archive.put_all(left);
+		p_archive.put_all(_before);
+		p_archive.put_all(_left);
 	}
-	bool restore(ArchiveReader &p_archive) { return p_archive.get_all(before) && p_archive.get_all(left); }
+	bool restore(ArchiveReader &p_archive) { return p_archive.get_all(_before) && p_archive.get_all(_left); }
 
 private:
-	std::vector<Vec3> before; // The motion's velocity in the last step, rad/s.
-	std::vector<float> left; // Share of the whole torque.
+	std::vector<Vec3> _before; // The motion's velocity in the last step, rad/s.
+	std::vector<float> _left; // Share of the whole torque.
 };
 
 } // namespace ragdoll

@@ -30,10 +30,10 @@ public:
 	/// The most of its surprises that is left out: a limb must be able to start.
 	static constexpr float CALMEST = 0.95f;
 
-	explicit PoseFilter(std::size_t p_limb_count) : limbs(p_limb_count), levels(p_limb_count, 0.0f) {}
+	explicit PoseFilter(std::size_t p_limb_count) : _limbs(p_limb_count), _levels(p_limb_count, 0.0f) {}
 
 	void clear();
-	bool is_empty() const { return known == 0; }
+	bool is_empty() const { return _known == 0; }
 	/// Begins anew with a pose at rest; what is known of the noise stays.
 	void begin(const std::vector<Quat> &p_sampled);
 	/// Takes the next pose.
@@ -41,12 +41,12 @@ public:
 	void advance(const std::vector<Quat> &p_sampled, float p_span_s);
 
 	/// White noise of each axis of the limbs, rad; 0 where the motion is clean.
-	float get_noise() const { return noise; }
+	float get_noise() const { return _noise; }
 	/// How noisy the motion is: 0 where it is clean, towards 1 the more it shakes.
-	float get_unrest() const { return noise / (noise + SHAKY); }
-	const Quat &get_orientation(std::size_t p_limb) const { return limbs[p_limb].calm; }
+	float get_unrest() const { return _noise / (_noise + SHAKY); }
+	const Quat &get_orientation(std::size_t p_limb) const { return _limbs[p_limb].calm; }
 	/// Turning rate in the limb's axes, rad/s.
-	const Vec3 &get_rate(std::size_t p_limb) const { return limbs[p_limb].rate; }
+	const Vec3 &get_rate(std::size_t p_limb) const { return _limbs[p_limb].rate; }
 
 	void save(ArchiveWriter &p_archive) const;
 	bool restore(ArchiveReader &p_archive);
@@ -64,11 +64,11 @@ private:
 
 	void find_noise(const std::vector<Quat> &p_sampled, float p_span_s);
 
-	std::vector<Limb> limbs;
-	std::vector<float> levels; // Variance of each limb's noise, rad^2; scratch.
-	float noise = 0.0f;
-	float span = 0.0f; // Of the last two samples, s.
-	int known = 0; // Samples in a row at even spans.
+	std::vector<Limb> _limbs;
+	std::vector<float> _levels; // Variance of each limb's noise, rad^2; scratch.
+	float _noise = 0.0f;
+	float _span = 0.0f; // Of the last two samples, s.
+	int _known = 0; // Samples in a row at even spans.
 };
 
 } // namespace ragdoll

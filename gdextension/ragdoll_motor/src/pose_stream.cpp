@@ -28,22 +28,22 @@ bool is_rotation(const Quat &p_value) {
 
 } // namespace
 
-PoseStream::PoseStream(std::size_t p_limb_count) : limb_count(p_limb_count), filter(p_limb_count) {
-	for (Sample &sample : ring) {
-		sample.sampled.resize(limb_count);
-		sample.orientations.resize(limb_count);
-		sample.rates.resize(limb_count);
+PoseStream::PoseStream(std::size_t p_limb_count) : _limb_count(p_limb_count), _filter(p_limb_count) {
+	for (Sample &sample : _ring) {
+		sample.sampled.resize(_limb_count);
+		sample.orientations.resize(_limb_count);
+		sample.rates.resize(_limb_count);
 	}
 }
 
 void PoseStream::clear() {
-	count = 0;
-	late = 0;
-	teleported = false;
+	_count = 0;
+	_late = 0;
+	_teleported = false;
 }
 
 bool PoseStream::take_teleport() {
-	return std::exchange(teleported, false);
+	return std::exchange(_teleported, false);
 }
 
 bool PoseStream::push(double p_time_s, const float *p_orientations, const Vec3 &p_root, const float *p_rates) {
@@ -51,7 +51,7 @@ bool PoseStream::push(double p_time_s, const float *p_orientations, const Vec3 &
 		return false;
 	}
 	bool is_measured = p_rates != nullptr;
-	for (std::size_t i = 0; i < limb_count; i++) {
+	for (std::size_t i = 0; i < _limb_count; i++) {
 		const float *values = p_orientations + 4 * i;
 		if (!is_rotation({ values[0], values[1], values[2], values[3] })) {
 			return false;
@@ -66,45 +66,45 @@ bool PoseStream::push(double p_time_s, const float *p_orientations, const Vec3 &
 		return false;
 	}
 	p_rates = is_measured ? p_rates : nullptr;
-	const std::size_t next = (head + 1) % CAPACITY;
-	Sample &sample = ring[next];
+	const std::size_t next = (_head + 1) % CAPACITY;
+	Sample &sample = _ring[next];
 	sample.time_s = p_time_s;
 	sample.root = p_root;
-	for (std::size_t i = 0; i < limb_count; i++) {
+	for (std::size_t i = 0; i < _limb_count; i++) {
 		const float *values = p_orientations + 4 * i;
 		sample.sampled[i] = Quat{ values[0], values[1], values[2], values[3] }.normalized();
 		sample.orientations[i] = sample.sampled[i];
 		sample.rates[i] = p_rates ? Vec3{ p_rates[3 * i], p_rates[3 * i + 1], p_rates[3 * i + 2] } : Vec3();
 	}
 	sample.root_rate = {};
-	if (count > 0) {
+	if (_count > 0) {
 		const float distance = (p_root - at(0).root).length();
 		if (distance > TELEPORT_DISTANCE && distance > FASTEST_ROOT * float(p_time_s - newest())) {
-			count = 0;
-			teleported = true;
+			_count = 0;
+			_teleported = true;
 		} else if (p_time_s - newest() <= LONGEST_GAP) {
 			if (!p_rates) {
 				estimate_rates(at(0), sample);
 			}
 			const double span = p_time_s - newest();
-			const float old = count > 1 ? forgetting(span) : 0.0f;
+			const float old = _count > 1 ? forgetting(span) : 0.0f;
 			sample.root_rate = (p_root - at(0).root) * ((1.0f - old) / float(span)) + at(0).root_rate * old;
 		}
 	}
 	calm(sample, p_rates != nullptr);
-	head = next;
-	count = std::min(count + 1, CAPACITY);
+	_head = next;
+	_count = std::min(_count + 1, CAPACITY);
 	return true;
 }
 
 bool PoseStream::comes_late(double p_time_s) {
-	if (count == 0 || p_time_s > newest()) {
-		late = 0;
+	if (_count == 0 || p_time_s > newest()) {
+		_late = 0;
 		return false;
 	}
-	late = late > 0 && p_time_s > latest_late_s ? late + 1 : 1;
-	latest_late_s = p_time_s;
-	if (late < CLOCK_SET_BACK) {
+	_late = _late > 0 && p_time_s > _latest_late_s ? _late + 1 : 1;
+	_latest_late_s = p_time_s;
+	if (_late < CLOCK_SET_BACK) {
 		return true;
 	}
 	clear();
@@ -112,19 +112,19 @@ bool PoseStream::comes_late(double p_time_s) {
 }
 
 void PoseStream::calm(Sample &r_sample, bool p_knows_rates) {
-	const double span = count > 0 ? r_sample.time_s - newest() : LONGEST_GAP;
-	if (!calms) {
-		filter.clear();
+	const double span = _count > 0 ? r_sample.time_s - newest() : LONGEST_GAP;
+	if (!_calms) {
+		_filter.clear();
 		return;
 	}
-	if (span >= LONGEST_GAP || filter.is_empty()) {
-		filter.begin(r_sample.sampled);
+	if (span >= LONGEST_GAP || _filter.is_empty()) {
+		_filter.begin(r_sample.sampled);
 		return;
 	}
-	filter.advance(r_sample.sampled, float(span));
-	for (std::size_t i = 0; i < limb_count && filter.get_noise() > 0.0f; i++) {
-		r_sample.orientations[i] = filter.get_orientation(i);
-		r_sample.rates[i] = p_knows_rates ? r_sample.rates[i] : filter.get_rate(i).limited(FASTEST_TURN);
+	_filter.advance(r_sample.sampled, float(span));
+	for (std::size_t i = 0; i < _limb_count && _filter.get_noise() > 0.0f; i++) {
+		r_sample.orientations[i] = _filter.get_orientation(i);
+		r_sample.rates[i] = p_knows_rates ? r_sample.rates[i] : _filter.get_rate(i).limited(FASTEST_TURN);
 	}
 }
 
@@ -134,9 +134,9 @@ float PoseStream::forgetting(double p_span_s) const {
 
 void PoseStream::estimate_rates(const Sample &p_before, Sample &r_sample) const {
 	const double span = r_sample.time_s - p_before.time_s;
-	const float old = count > 1 ? forgetting(span) : 0.0f;
+	const float old = _count > 1 ? forgetting(span) : 0.0f;
 	const float fresh = (1.0f - old) / float(span);
-	for (std::size_t i = 0; i < limb_count; i++) {
+	for (std::size_t i = 0; i < _limb_count; i++) {
 		const Vec3 turned = log(p_before.sampled[i].inverse() * r_sample.sampled[i]);
 		r_sample.rates[i] = (turned * fresh + p_before.rates[i] * old).limited(FASTEST_TURN);
 	}
@@ -144,7 +144,7 @@ void PoseStream::estimate_rates(const Sample &p_before, Sample &r_sample) const 
 
 void PoseStream::predict(double p_time_s, Pose &r_pose) const {
 	if (p_time_s >= newest()) {
-		r_pose.orientations.resize(limb_count);
+		r_pose.orientations.resize(_limb_count);
 		extrapolate(p_time_s - newest(), r_pose);
 		return;
 	}
@@ -157,11 +157,11 @@ void PoseStream::recall(double p_time_s, Pose &r_pose) const {
 
 void PoseStream::interpolate(double p_time_s, std::vector<Quat> Sample::*p_which, Pose &r_pose) const {
 	std::size_t age = 0; // Of the later of the two samples that the time lies between.
-	while (age + 2 < count && at(age + 1).time_s > p_time_s) {
+	while (age + 2 < _count && at(age + 1).time_s > p_time_s) {
 		age++;
 	}
 	const Sample &after = at(age);
-	const Sample &before = at(std::min(age + 1, count - 1));
+	const Sample &before = at(std::min(age + 1, _count - 1));
 	const double span = after.time_s - before.time_s;
 	if (span <= 0.0 || span > LONGEST_GAP) {
 		const Sample &held = p_time_s < after.time_s ? before : after;
@@ -171,8 +171,8 @@ void PoseStream::interpolate(double p_time_s, std::vector<Quat> Sample::*p_which
 	}
 	const double time = std::max(p_time_s, before.time_s);
 	const float fraction = float((time - before.time_s) / span);
-	r_pose.orientations.resize(limb_count);
-	for (std::size_t i = 0; i < limb_count; i++) {
+	r_pose.orientations.resize(_limb_count);
+	for (std::size_t i = 0; i < _limb_count; i++) {
 		r_pose.orientations[i] = slerp((before.*p_which)[i], (after.*p_which)[i], fraction);
 	}
 	r_pose.root = before.root + (after.root - before.root) * fraction;
@@ -181,21 +181,21 @@ void PoseStream::interpolate(double p_time_s, std::vector<Quat> Sample::*p_which
 void PoseStream::extrapolate(double p_age_s, Pose &r_pose) const {
 	const Sample &newest_sample = at(0);
 	const float ahead = float(faded(p_age_s));
-	for (std::size_t i = 0; i < limb_count; i++) {
+	for (std::size_t i = 0; i < _limb_count; i++) {
 		r_pose.orientations[i] = newest_sample.orientations[i] * exp(newest_sample.rates[i] * ahead);
 	}
 	r_pose.root = newest_sample.root + newest_sample.root_rate * ahead;
 }
 
 void PoseStream::save(ArchiveWriter &p_archive) const {
-	p_archive.put(std::uint32_t(limb_count));
-	p_archive.put(std::uint32_t(count));
-	p_archive.put(teleported);
-	p_archive.put(late);
-	p_archive.put(latest_late_s);
-	p_archive.put(calms);
-	filter.save(p_archive);
-	for (std::size_t age = count; age-- > 0;) {
+	p_archive.put(std::uint32_t(_limb_count));
+	p_archive.put(std::uint32_t(_count));
+	p_archive.put(_teleported);
+	p_archive.put(_late);
+	p_archive.put(_latest_late_s);
+	p_archive.put(_calms);
+	_filter.save(p_archive);
+	for (std::size_t age = _count; age-- > 0;) {
 		const Sample &sample = at(age);
 		p_archive.put(sample.time_s);
 		p_archive.put(sample.root);
@@ -214,15 +214,15 @@ bool PoseStream::restore(ArchiveReader &p_archive) {
 	p_archive.get(limbs);
 	p_archive.get(samples);
 	p_archive.get(jumped);
-	p_archive.get(late);
-	p_archive.get(latest_late_s);
-	p_archive.get(calms);
-	if (!p_archive.is_good() || !filter.restore(p_archive) || limbs != limb_count || samples > CAPACITY) {
+	p_archive.get(_late);
+	p_archive.get(_latest_late_s);
+	p_archive.get(_calms);
+	if (!p_archive.is_good() || !_filter.restore(p_archive) || limbs != _limb_count || samples > CAPACITY) {
 		return false;
 	}
 	for (std::uint32_t i = 0; i < samples; i++) {
-		head = (head + 1) % CAPACITY;
-		Sample &sample = ring[head];
+		_head = (_head + 1) % CAPACITY;
+		Sample &sample = _ring[_head];
 		p_archive.get(sample.time_s);
 		p_archive.get(sample.root);
 		p_archive.get(sample.root_rate);
@@ -230,8 +230,8 @@ bool PoseStream::restore(ArchiveReader &p_archive) {
 		p_archive.get_all(sample.orientations);
 		p_archive.get_all(sample.rates);
 	}
-	count = p_archive.is_good() ? samples : 0;
-	teleported = jumped;
+	_count = p_archive.is_good() ? samples : 0;
+	_teleported = jumped;
 	return p_archive.is_good();
 }
 

@@ -62,14 +62,14 @@ public:
 
 	/// Whether noise is taken out of the samples to come: it costs a millisecond or two of lag where a
 	/// recording is not quite clean.
-	void set_calms(bool p_calms) { calms = p_calms; }
+	void set_calms(bool p_calms) { _calms = p_calms; }
 	/// The noise of the samples; none where it is not taken out.
-	const PoseFilter &get_filter() const { return filter; }
-	std::size_t get_limb_count() const { return limb_count; }
-	bool is_empty() const { return count == 0; }
+	const PoseFilter &get_filter() const { return _filter; }
+	std::size_t get_limb_count() const { return _limb_count; }
+	bool is_empty() const { return _count == 0; }
 	/// Time of the newest and the oldest sample that is kept, s.
 	double newest() const { return at(0).time_s; }
-	double oldest() const { return at(count - 1).time_s; }
+	double oldest() const { return at(_count - 1).time_s; }
 	bool is_stalled(double p_time_s) const { return is_empty() || p_time_s - newest() > STALL_AFTER; }
 	/// Whether the root has been put elsewhere since the last call.
 	bool take_teleport();
@@ -95,7 +95,7 @@ private:
 	};
 
 	/// The sample p_age places before the newest.
-	const Sample &at(std::size_t p_age) const { return ring[(head + CAPACITY - p_age) % CAPACITY]; }
+	const Sample &at(std::size_t p_age) const { return _ring[(_head + CAPACITY - p_age) % CAPACITY]; }
 	void calm(Sample &r_sample, bool p_knows_rates);
 	bool comes_late(double p_time_s);
 	void estimate_rates(const Sample &p_before, Sample &r_sample) const;
@@ -104,15 +104,15 @@ private:
 
 	float forgetting(double p_span_s) const;
 
-	std::size_t limb_count;
-	std::array<Sample, CAPACITY> ring;
-	std::size_t head = 0;
-	std::size_t count = 0;
-	bool teleported = false;
-	int late = 0; // Samples in a row that came late, and the time of the last.
-	double latest_late_s = 0.0;
-	bool calms = false;
-	PoseFilter filter;
+	std::size_t _limb_count;
+	std::array<Sample, CAPACITY> _ring;
+	std::size_t _head = 0;
+	std::size_t _count = 0;
+	bool _teleported = false;
+	int _late = 0; // Samples in a row that came late, and the time of the last.
+	double _latest_late_s = 0.0;
+	bool _calms = false;
+	PoseFilter _filter;
 };
 
 } // namespace ragdoll

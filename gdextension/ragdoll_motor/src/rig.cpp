@@ -20,50 +20,53 @@ Vec3 turned_inertia(const Vec3 &p_moments, const Quat &p_turn) {
 }
 
 Rig::Rig(std::vector<Segment> p_limbs) :
-		limbs(std::move(p_limbs)), subtree_inertia(limbs.size()), own_inertia(limbs.size()), legs(limbs.size(), 0) {
-	std::vector<Vec3> joints(limbs.size());
-	for (std::size_t i = 0; i < limbs.size(); i++) {
-		mass += limbs[i].mass;
-		for (int above = int(i); limbs[i].is_foot && limbs[above].parent >= 0; above = limbs[above].parent) {
-			legs[above] = 1;
+		_limbs(std::move(p_limbs)),
+		_subtree_inertia(_limbs.size()),
+		_own_inertia(_limbs.size()),
+		_legs(_limbs.size(), 0) {
+	std::vector<Vec3> joints(_limbs.size());
+	for (std::size_t i = 0; i < _limbs.size(); i++) {
+		_mass += _limbs[i].mass;
+		for (int above = int(i); _limbs[i].is_foot && _limbs[above].parent >= 0; above = _limbs[above].parent) {
+			_legs[above] = 1;
 		}
-		if (limbs[i].parent >= 0) {
-			const Segment &parent = limbs[limbs[i].parent];
-			joints[i] = joints[limbs[i].parent] + parent.rest.rotate(limbs[i].anchor);
+		if (_limbs[i].parent >= 0) {
+			const Segment &parent = _limbs[_limbs[i].parent];
+			joints[i] = joints[_limbs[i].parent] + parent.rest.rotate(_limbs[i].anchor);
 		}
-		for (int above = int(i); above >= 0; above = limbs[above].parent) {
-			const Quat turn = limbs[above].rest.inverse();
-			const Vec3 arm = turn.rotate(joints[i] + limbs[i].rest.rotate(limbs[i].centre) - joints[above]);
-			const Vec3 square = arm.scaled(arm) * limbs[i].mass;
-			const Vec3 about_joint = turned_inertia(limbs[i].inertia, turn * limbs[i].rest) +
+		for (int above = int(i); above >= 0; above = _limbs[above].parent) {
+			const Quat turn = _limbs[above].rest.inverse();
+			const Vec3 arm = turn.rotate(joints[i] + _limbs[i].rest.rotate(_limbs[i].centre) - joints[above]);
+			const Vec3 square = arm.scaled(arm) * _limbs[i].mass;
+			const Vec3 about_joint = turned_inertia(_limbs[i].inertia, turn * _limbs[i].rest) +
 					Vec3{ square.y + square.z, square.x + square.z, square.x + square.y };
-			subtree_inertia[above] = subtree_inertia[above] + about_joint;
+			_subtree_inertia[above] = _subtree_inertia[above] + about_joint;
 			if (above == int(i)) {
-				own_inertia[i] = about_joint;
+				_own_inertia[i] = about_joint;
 			}
 		}
 	}
 }
 
 void Rig::joint_positions(const Pose &p_pose, std::vector<Vec3> &r_positions) const {
-	r_positions.resize(limbs.size());
-	for (std::size_t i = 0; i < limbs.size(); i++) {
-		const int parent = limbs[i].parent;
+	r_positions.resize(_limbs.size());
+	for (std::size_t i = 0; i < _limbs.size(); i++) {
+		const int parent = _limbs[i].parent;
 		r_positions[i] =
-				parent < 0 ? p_pose.root : r_positions[parent] + p_pose.orientations[parent].rotate(limbs[i].anchor);
+				parent < 0 ? p_pose.root : r_positions[parent] + p_pose.orientations[parent].rotate(_limbs[i].anchor);
 	}
 }
 
 Vec3 Rig::centre_of_mass(const Pose &p_pose, const std::vector<Vec3> &p_joints) const {
 	Vec3 sum;
-	for (std::size_t i = 0; i < limbs.size(); i++) {
-		sum = sum + (p_joints[i] + p_pose.orientations[i].rotate(limbs[i].centre)) * limbs[i].mass;
+	for (std::size_t i = 0; i < _limbs.size(); i++) {
+		sum = sum + (p_joints[i] + p_pose.orientations[i].rotate(_limbs[i].centre)) * _limbs[i].mass;
 	}
-	return sum * (1.0f / mass);
+	return sum * (1.0f / _mass);
 }
 
 Vec3 Rig::joint_of(const RigState &p_state, std::size_t p_limb) const {
-	return p_state.centres[p_limb] - p_state.orientations[p_limb].rotate(limbs[p_limb].centre);
+	return p_state.centres[p_limb] - p_state.orientations[p_limb].rotate(_limbs[p_limb].centre);
 }
 
 } // namespace ragdoll

@@ -43,19 +43,19 @@ public:
 	/// @param p_limbs parents before children, the root first
 	explicit Rig(std::vector<Segment> p_limbs);
 
-	std::size_t size() const { return limbs.size(); }
-	const Segment &operator[](std::size_t p_limb) const { return limbs[p_limb]; }
+	std::size_t size() const { return _limbs.size(); }
+	const Segment &operator[](std::size_t p_limb) const { return _limbs[p_limb]; }
 	/// Mass of all limbs, kg.
-	float get_mass() const { return mass; }
+	float get_mass() const { return _mass; }
 	/// Moments of inertia (kg m^2) of a limb and all that hangs on it about the limb's joint and axes,
 	/// in the rest pose: what a motor of the joint has to turn.
-	const Vec3 &get_subtree_inertia(std::size_t p_limb) const { return subtree_inertia[p_limb]; }
+	const Vec3 &get_subtree_inertia(std::size_t p_limb) const { return _subtree_inertia[p_limb]; }
 
 	/// The same of the limb alone.
-	const Vec3 &get_own_inertia(std::size_t p_limb) const { return own_inertia[p_limb]; }
+	const Vec3 &get_own_inertia(std::size_t p_limb) const { return _own_inertia[p_limb]; }
 
 	/// Whether a limb is part of a leg: a foot, or between the root and a foot.
-	bool is_in_leg(std::size_t p_limb) const { return legs[p_limb] != 0; }
+	bool is_in_leg(std::size_t p_limb) const { return _legs[p_limb] != 0; }
 
 	/// World positions of the limbs' joints for a pose, parent first (thesis section 8.1.1, eq. 1-4:
 	/// each limb is moved so that the anchors on both bodies match up).
@@ -66,11 +66,11 @@ public:
 	Vec3 joint_of(const RigState &p_state, std::size_t p_limb) const;
 
 private:
-	std::vector<Segment> limbs;
-	std::vector<Vec3> subtree_inertia;
-	std::vector<Vec3> own_inertia;
-	std::vector<std::uint8_t> legs;
-	float mass = 0.0f;
+	std::vector<Segment> _limbs;
+	std::vector<Vec3> _subtree_inertia;
+	std::vector<Vec3> _own_inertia;
+	std::vector<std::uint8_t> _legs;
+	float _mass = 0.0f;
 };
 
 /// The diagonal of R I R^T: moments about other axes of a body whose products of inertia are small.

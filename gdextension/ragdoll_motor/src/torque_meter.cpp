@@ -6,40 +6,40 @@
 namespace ragdoll {
 
 TorqueMeter::TorqueMeter(std::size_t p_limb_count) :
-		linear_before(p_limb_count),
-		angular_before(p_limb_count),
-		forces(p_limb_count),
-		moments(p_limb_count),
-		torques(p_limb_count, 0.0f) {}
+		_linear_before(p_limb_count),
+		_angular_before(p_limb_count),
+		_forces(p_limb_count),
+		_moments(p_limb_count),
+		_torques(p_limb_count, 0.0f) {}
 
 void TorqueMeter::note(const Rig &p_rig, const RigState &p_state, float p_delta_s, float p_gravity) {
-	const float rate = is_known ? 1.0f / p_delta_s : 0.0f;
-	std::fill(forces.begin(), forces.end(), Vec3());
-	std::fill(moments.begin(), moments.end(), Vec3());
+	const float rate = _is_known ? 1.0f / p_delta_s : 0.0f;
+	std::fill(_forces.begin(), _forces.end(), Vec3());
+	std::fill(_moments.begin(), _moments.end(), Vec3());
 	for (std::size_t i = p_rig.size(); i-- > 0;) {
 		const Segment &limb = p_rig[i];
 		const Quat &turn = p_state.orientations[i];
 		const Vec3 joint = p_rig.joint_of(p_state, i);
-		const Vec3 acceleration = (p_state.linear[i] - linear_before[i]) * rate + Vec3{ 0.0f, p_gravity, 0.0f };
+		const Vec3 acceleration = (p_state.linear[i] - _linear_before[i]) * rate + Vec3{ 0.0f, p_gravity, 0.0f };
 		const Vec3 force = acceleration * limb.mass;
 		const Vec3 spin = turn.inverse().rotate(p_state.angular[i]);
-		const Vec3 speeding = turn.inverse().rotate((p_state.angular[i] - angular_before[i]) * rate);
+		const Vec3 speeding = turn.inverse().rotate((p_state.angular[i] - _angular_before[i]) * rate);
 		const Vec3 &inertia = limb.inertia;
 		const Vec3 momentum{ inertia.x * spin.x, inertia.y * spin.y, inertia.z * spin.z };
 		const Vec3 own =
 				Vec3{ inertia.x * speeding.x, inertia.y * speeding.y, inertia.z * speeding.z } + spin.cross(momentum);
-		forces[i] = forces[i] + force;
-		moments[i] = moments[i] + turn.rotate(own) + (p_state.centres[i] - joint).cross(force);
-		torques[i] = moments[i].length();
+		_forces[i] = _forces[i] + force;
+		_moments[i] = _moments[i] + turn.rotate(own) + (p_state.centres[i] - joint).cross(force);
+		_torques[i] = _moments[i].length();
 		if (limb.parent >= 0) {
 			const Vec3 arm = joint - p_rig.joint_of(p_state, limb.parent);
-			forces[limb.parent] = forces[limb.parent] + forces[i];
-			moments[limb.parent] = moments[limb.parent] + moments[i] + arm.cross(forces[i]);
+			_forces[limb.parent] = _forces[limb.parent] + _forces[i];
+			_moments[limb.parent] = _moments[limb.parent] + _moments[i] + arm.cross(_forces[i]);
 		}
-		linear_before[i] = p_state.linear[i];
-		angular_before[i] = p_state.angular[i];
+		_linear_before[i] = p_state.linear[i];
+		_angular_before[i] = p_state.angular[i];
 	}
-	is_known = true;
+	_is_known = true;
 }
 
 } // namespace ragdoll

@@ -18,16 +18,16 @@ public:
 	/// @param p_gravity m/s^2, downwards along -Y
 	void note(const Rig &p_rig, const RigState &p_state, float p_delta_s, float p_gravity);
 	/// Magnitude of the torque at each limb's joint, N m; the root's is that of its hold by the world.
-	const std::vector<float> &get_torques() const { return torques; }
-	void clear() { is_known = false; }
+	const std::vector<float> &get_torques() const { return _torques; }
+	void clear() { _is_known = false; }
 
 private:
-	bool is_known = false;
-	std::vector<Vec3> linear_before;
-	std::vector<Vec3> angular_before;
-	std::vector<Vec3> forces;
-	std::vector<Vec3> moments;
-	std::vector<float> torques;
+	bool _is_known = false;
+	std::vector<Vec3> _linear_before;
+	std::vector<Vec3> _angular_before;
+	std::vector<Vec3> _forces;
+	std::vector<Vec3> _moments;
+	std::vector<float> _torques;
 };
 
 } // namespace ragdoll

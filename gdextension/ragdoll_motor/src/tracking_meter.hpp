@@ -24,18 +24,18 @@ public:
 	void settle(const PoseStream &p_stream, const Rig &p_rig);
 	void clear();
 	/// Forgets poses that have not been compared yet: another clock begins.
-	void forget_waiting() { waiting.clear(); }
+	void forget_waiting() { _waiting.clear(); }
 
 	/// Number of limb orientations compared.
-	std::uint64_t get_count() const { return count; }
+	std::uint64_t get_count() const { return _count; }
 	/// Mean and 95th percentile of the angle between limb and motion, rad.
-	double mean() const { return count > 0 ? sum / double(count) : 0.0; }
+	double mean() const { return _count > 0 ? _sum / double(_count) : 0.0; }
 	double percentile(double p_fraction) const;
 	/// Mean angle of the limbs in the pose compared last, rad.
-	double latest() const { return last_mean; }
+	double latest() const { return _last_mean; }
 	/// Mean distance between the limbs' joints and where the motion has them, m. Says something only
 	/// where the root is where the motion has it.
-	double mean_distance() const { return count > 0 ? distance_sum / double(count) : 0.0; }
+	double mean_distance() const { return _count > 0 ? _distance_sum / double(_count) : 0.0; }
 	/// How far the limbs come behind the motion, s: the delay of the motion with which they agree best.
 	/// 0 unless `measures_lag`.
 	double lag() const;
@@ -58,16 +58,16 @@ private:
 	void compare_shifted(const Noted &p_noted, const PoseStream &p_stream);
 	void compare(const Noted &p_noted, const PoseStream &p_stream, const Rig &p_rig);
 
-	std::deque<Noted> waiting;
-	std::array<std::uint64_t, BINS> histogram{};
-	std::uint64_t count = 0;
-	double sum = 0.0;
-	double last_mean = 0.0;
-	double distance_sum = 0.0;
-	std::array<double, SHIFTS> shifted_sums{};
-	Pose truth;
-	Pose shifted;
-	std::vector<Vec3> true_joints;
+	std::deque<Noted> _waiting;
+	std::array<std::uint64_t, BINS> _histogram{};
+	std::uint64_t _count = 0;
+	double _sum = 0.0;
+	double _last_mean = 0.0;
+	double _distance_sum = 0.0;
+	std::array<double, SHIFTS> _shifted_sums{};
+	Pose _truth;
+	Pose _shifted;
+	std::vector<Vec3> _true_joints;
 };
 
 } // namespace ragdoll

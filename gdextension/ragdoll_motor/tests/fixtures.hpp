@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../src/driver.hpp"
+#include "driver.hpp"
 
 #include <random>
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "../src/gait/path_filter.hpp"
-#include "../src/pose_filter.hpp"
+#include "gait/path_filter.hpp"
+#include "pose_filter.hpp"
 
-#include "../../testing/check.hpp"
+#include "check.hpp"
 
 #include <random>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fixtures.hpp"
 
-#include "../../testing/check.hpp"
+#include "check.hpp"
 
 using namespace ragdoll;
 

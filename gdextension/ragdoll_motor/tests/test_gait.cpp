@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "../src/gait/foot_lock.hpp"
-#include "../src/gait/inertial_gait.hpp"
-#include "../src/gait/lowest_contact.hpp"
-#include "../src/gait/lowest_foot.hpp"
+#include "gait/foot_lock.hpp"
+#include "gait/inertial_gait.hpp"
+#include "gait/lowest_contact.hpp"
+#include "gait/lowest_foot.hpp"
 
-#include "../../testing/check.hpp"
+#include "check.hpp"
 #include "fixtures.hpp"
 
 #include <functional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "../src/limb.hpp"
+#include "limb.hpp"
 
-#include "../../testing/check.hpp"
+#include "check.hpp"
 
 #include <limits>
 

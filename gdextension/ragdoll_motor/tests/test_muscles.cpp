@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "../src/muscles.hpp"
+#include "muscles.hpp"
 
-#include "../../testing/check.hpp"
+#include "check.hpp"
 
 using namespace ragdoll;
 

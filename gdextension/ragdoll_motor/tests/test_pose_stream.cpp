@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "../src/pose_stream.hpp"
+#include "pose_stream.hpp"
 
-#include "../../testing/check.hpp"
+#include "check.hpp"
 
 #include <limits>
 #include <random>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "local_feedback.hpp"
 
-#include "../../kinematics/binding/convert.hpp"
 #include "pose_arrays.hpp"
+#include <convert.hpp>
 
 namespace godot {
 

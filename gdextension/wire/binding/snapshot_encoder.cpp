@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "snapshot_encoder.hpp"
 
-#include "../../kinematics/binding/convert.hpp"
 #include "pose_arrays.hpp"
+#include <convert.hpp>
 
 #include <godot_cpp/classes/physics_direct_body_state3d.hpp>
 #include <godot_cpp/classes/physics_server3d.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "snapshot_smoother.hpp"
 
-#include "../../kinematics/binding/convert.hpp"
 #include "pose_arrays.hpp"
+#include <convert.hpp>
 
 #include <limits>
 

@@ -49,12 +49,12 @@ Dictionary character_dictionary(const mvn::CharacterReport &p_character, uint64_
 } // namespace
 
 uint64_t MvnReceiver::now_usec() const {
-	return put_usec > 0 ? put_usec.load() : clocks::now_usec();
+	return _put_usec > 0 ? _put_usec.load() : clocks::now_usec();
 }
 
 /// Datagrams from a port bear the times of the steady clock, others those that were told with them.
 int64_t MvnReceiver::to_unix(uint64_t p_usec) const {
-	const int64_t ahead = put_usec > 0 ? 0 : clocks::unix_ahead_usec();
+	const int64_t ahead = _put_usec > 0 ? 0 : clocks::unix_ahead_usec();
 	return int64_t(p_usec) + ahead;
 }
 
@@ -62,50 +62,50 @@ String MvnReceiver::open(int64_t p_port) {
 	if (p_port < 0 || p_port > 65535) {
 		return "a UDP port is 1 to 65535 (0 for any that is free)";
 	}
-	put_usec = 0;
-	receiver.close();
+	_put_usec = 0;
+	_receiver.close();
 	{
-		const std::lock_guard<std::mutex> lock(mutex);
-		clocks.clear();
+		const std::lock_guard<std::mutex> lock(_mutex);
+		_clocks.clear();
 	}
-	tap = recorder != nullptr ? std::make_unique<recording::DatagramTap>(recorder, int(p_port)) : nullptr;
+	_tap = _recorder != nullptr ? std::make_unique<recording::DatagramTap>(_recorder, int(p_port)) : nullptr;
 	mvn::Receiver::RawListener listener;
-	if (tap != nullptr) {
+	if (_tap != nullptr) {
 		listener = [this](const std::string &p_sender, const uint8_t *p_bytes, std::size_t p_size,
-						   uint64_t p_time_usec) { tap->take(p_sender, p_bytes, p_size, p_time_usec); };
+						   uint64_t p_time_usec) { _tap->take(p_sender, p_bytes, p_size, p_time_usec); };
 	}
-	return text(receiver.open(uint16_t(p_port), listener));
+	return text(_receiver.open(uint16_t(p_port), listener));
 }
 
 void MvnReceiver::close() {
-	receiver.close();
+	_receiver.close();
 }
 
 void MvnReceiver::set_recorder(const Ref<RawRecorder> &p_recorder) {
-	ERR_FAIL_COND_MSG(receiver.port() != 0, "A recording begins before the port is opened.");
-	recorder = p_recorder.is_valid() ? p_recorder->share() : nullptr;
+	ERR_FAIL_COND_MSG(_receiver.port() != 0, "A recording begins before the port is opened.");
+	_recorder = p_recorder.is_valid() ? p_recorder->share() : nullptr;
 }
 
 void MvnReceiver::put(const String &p_sender, const PackedByteArray &p_datagram, int64_t p_time_usec) {
-	ERR_FAIL_COND_MSG(receiver.port() != 0, "Datagrams come from the port while one is open.");
+	ERR_FAIL_COND_MSG(_receiver.port() != 0, "Datagrams come from the port while one is open.");
 	ERR_FAIL_COND_MSG(p_time_usec <= 0, "A datagram comes at a time after 1970.");
-	put_usec = uint64_t(p_time_usec);
+	_put_usec = uint64_t(p_time_usec);
 	const uint8_t nothing = 0;
 	const int64_t size = p_datagram.size();
-	receiver.take(p_sender.utf8().get_data(), size > 0 ? p_datagram.ptr() : &nothing, std::size_t(size), put_usec);
+	_receiver.take(p_sender.utf8().get_data(), size > 0 ? p_datagram.ptr() : &nothing, std::size_t(size), _put_usec);
 }
 
 TypedArray<Dictionary> MvnReceiver::get_characters() const {
 	TypedArray<Dictionary> characters;
 	const uint64_t now = now_usec();
-	for (const mvn::CharacterReport &character : receiver.report().characters) {
+	for (const mvn::CharacterReport &character : _receiver.report().characters) {
 		characters.push_back(character_dictionary(character, now));
 	}
 	return characters;
 }
 
 Dictionary MvnReceiver::get_figures() const {
-	const mvn::ReceiverReport report = receiver.report();
+	const mvn::ReceiverReport report = _receiver.report();
 	Dictionary refused;
 	int64_t sum = 0;
 	for (int fault = 1; fault < mvn::FAULTS; ++fault) {
@@ -124,7 +124,7 @@ Dictionary MvnReceiver::get_figures() const {
 
 PackedStringArray MvnReceiver::take_messages() {
 	PackedStringArray messages;
-	for (const std::string &message : receiver.take_messages()) {
+	for (const std::string &message : _receiver.take_messages()) {
 		messages.push_back(text(message));
 	}
 	return messages;
@@ -132,7 +132,7 @@ PackedStringArray MvnReceiver::take_messages() {
 
 PackedStringArray MvnReceiver::take_news() {
 	PackedStringArray news;
-	for (const std::string &line : receiver.take_news()) {
+	for (const std::string &line : _receiver.take_news()) {
 		news.push_back(text(line));
 	}
 	return news;
@@ -144,7 +144,7 @@ TypedArray<Dictionary> MvnReceiver::take_poses(int64_t p_character) {
 	uint64_t best_usec = 0;
 	mvn::ReceivedSample newest;
 	for (const mvn::Type type : { mvn::Type::POSE, mvn::Type::EULER_POSE, mvn::Type::UNITY_POSE }) {
-		if (p_character >= 0 && p_character <= MAX_CHARACTER && receiver.newest(int(p_character), type, newest) &&
+		if (p_character >= 0 && p_character <= MAX_CHARACTER && _receiver.newest(int(p_character), type, newest) &&
 				(best_usec == 0 || newest.arrival_usec > best_usec + STALE_USEC)) {
 			best = type;
 			best_usec = newest.arrival_usec;
@@ -162,9 +162,9 @@ TypedArray<Dictionary> MvnReceiver::take_type(int64_t p_character, mvn::Type p_t
 	if (p_character < 0 || p_character > MAX_CHARACTER) {
 		return samples;
 	}
-	const std::lock_guard<std::mutex> lock(mutex);
-	mvn::StreamClock &clock = clocks[{ p_character, int(p_type) }];
-	for (const mvn::ReceivedSample &sample : receiver.take_samples(int(p_character), p_type)) {
+	const std::lock_guard<std::mutex> lock(_mutex);
+	mvn::StreamClock &clock = _clocks[{ p_character, int(p_type) }];
+	for (const mvn::ReceivedSample &sample : _receiver.take_samples(int(p_character), p_type)) {
 		Dictionary entry = mvn_to_dictionary(sample.content);
 		entry["time_usec"] = to_unix(clock.place(sample.content.header.time_code_ms, sample.arrival_usec));
 		entry["arrival_usec"] = to_unix(sample.arrival_usec);
@@ -177,7 +177,7 @@ Dictionary MvnReceiver::get_newest(int64_t p_character, int64_t p_type) const {
 	mvn::ReceivedSample sample;
 	const bool can_be = p_character >= 0 && p_character <= MAX_CHARACTER && p_type >= 0 && p_type < mvn::TYPES;
 	Dictionary entry;
-	if (can_be && receiver.newest(int(p_character), mvn::Type(p_type), sample)) {
+	if (can_be && _receiver.newest(int(p_character), mvn::Type(p_type), sample)) {
 		entry = mvn_to_dictionary(sample.content);
 		entry["arrival_usec"] = to_unix(sample.arrival_usec);
 	}

@@ -31,7 +31,7 @@ public:
 	String open(int64_t p_port);
 	void close();
 	void set_recorder(const Ref<RawRecorder> &p_recorder);
-	int64_t get_port() const { return receiver.port(); }
+	int64_t get_port() const { return _receiver.port(); }
 	void put(const String &p_sender, const PackedByteArray &p_datagram, int64_t p_time_usec);
 	TypedArray<Dictionary> get_characters() const;
 	Dictionary get_figures() const;
@@ -50,14 +50,14 @@ private:
 	int64_t to_unix(uint64_t p_usec) const;
 
 	/// Outlives the receiver's thread, which calls it.
-	std::unique_ptr<recording::DatagramTap> tap;
-	std::shared_ptr<recording::Recorder> recorder;
-	mvn::Receiver receiver;
+	std::unique_ptr<recording::DatagramTap> _tap;
+	std::shared_ptr<recording::Recorder> _recorder;
+	mvn::Receiver _receiver;
 	/// The time of the newest datagram that was put in, µs; 0 where they come from a port.
-	std::atomic<uint64_t> put_usec{ 0 };
+	std::atomic<uint64_t> _put_usec{ 0 };
 	/// Of each character and type; threads may ask for different people at once.
-	std::map<std::pair<int64_t, int>, mvn::StreamClock> clocks;
-	std::mutex mutex;
+	std::map<std::pair<int64_t, int>, mvn::StreamClock> _clocks;
+	std::mutex _mutex;
 };
 
 } // namespace godot

@@ -48,11 +48,11 @@ PackedByteArray packed(const uint8_t *p_bytes, std::size_t p_size) {
 } // namespace
 
 String RawPlayer::open(const String &p_path) {
-	const std::lock_guard<std::mutex> lock(mutex);
-	has_next = false;
-	streams.clear();
-	datagrams.clear();
-	const std::string fault = reader.open_file(p_path.utf8().get_data());
+	const std::lock_guard<std::mutex> lock(_mutex);
+	_has_next = false;
+	_streams.clear();
+	_datagrams.clear();
+	const std::string fault = _reader.open_file(p_path.utf8().get_data());
 	if (fault.empty()) {
 		survey();
 	}
@@ -61,11 +61,11 @@ String RawPlayer::open(const String &p_path) {
 
 /// Looks through the whole file once: streams, length, damage.
 void RawPlayer::survey() {
-	first_usec = last_usec = 0;
+	_first_usec = _last_usec = 0;
 	Record record;
-	while (reader.next(record)) {
+	while (_reader.next(record)) {
 		if (record.kind == Kind::STREAM) {
-			Stream &stream = streams[record.stream];
+			Stream &stream = _streams[record.stream];
 			stream.is_bus = told(record, "kind") == "bus";
 			stream.name = told(record, "name");
 			stream.address = told(record, "place");
@@ -74,54 +74,54 @@ void RawPlayer::survey() {
 			stream.sender = told(record, "sender");
 			stream.port = told(record, "port");
 		} else if (is_played(record.kind)) {
-			Stream &stream = streams[record.stream];
+			Stream &stream = _streams[record.stream];
 			stream.is_bus = record.kind != Kind::DATAGRAM;
 			++stream.records;
 			stream.bytes += record.size;
-			first_usec = first_usec == 0 ? record.time_usec : std::min(first_usec, record.time_usec);
-			last_usec = std::max(last_usec, record.time_usec);
+			_first_usec = _first_usec == 0 ? record.time_usec : std::min(_first_usec, record.time_usec);
+			_last_usec = std::max(_last_usec, record.time_usec);
 		}
 	}
-	whole = reader.figures();
-	reader.rewind();
-	for (auto &[number, stream] : streams) {
+	_whole = _reader.figures();
+	_reader.rewind();
+	for (auto &[number, stream] : _streams) {
 		if (stream.is_bus) {
 			stream.replay = std::make_unique<recording::BusReplay>();
 		}
 	}
-	at_usec = first_usec;
+	_at_usec = _first_usec;
 	fetch();
 }
 
 /// Finds the next record that is to be played.
 bool RawPlayer::fetch() {
 	do {
-		has_next = reader.next(next);
-	} while (has_next && !is_played(next.kind));
-	return has_next;
+		_has_next = _reader.next(_next);
+	} while (_has_next && !is_played(_next.kind));
+	return _has_next;
 }
 
 void RawPlayer::begin(int64_t p_unix_usec, double p_speed) {
 	// Written so that NaN fails too.
 	ERR_FAIL_COND_MSG(
 			!(p_speed >= 0.01 && p_speed <= 1000.0), "A recording is played at 0.01 to 1000 times its speed.");
-	const std::lock_guard<std::mutex> lock(mutex);
-	begin_usec = p_unix_usec;
-	speed = p_speed;
-	streams.clear();
-	datagrams.clear();
-	reader.rewind();
+	const std::lock_guard<std::mutex> lock(_mutex);
+	_begin_usec = p_unix_usec;
+	_speed = p_speed;
+	_streams.clear();
+	_datagrams.clear();
+	_reader.rewind();
 	survey();
 }
 
 int64_t RawPlayer::played_usec(uint64_t p_time_usec) const {
-	return begin_usec + int64_t(double(int64_t(p_time_usec - first_usec)) / speed);
+	return _begin_usec + int64_t(double(int64_t(p_time_usec - _first_usec)) / _speed);
 }
 
 int64_t RawPlayer::advance(int64_t p_unix_usec) {
-	const std::lock_guard<std::mutex> lock(mutex);
+	const std::lock_guard<std::mutex> lock(_mutex);
 	int64_t count = 0;
-	while (has_next && played_usec(next.time_usec) <= p_unix_usec) {
+	while (_has_next && played_usec(_next.time_usec) <= p_unix_usec) {
 		play_next();
 		++count;
 	}
@@ -129,28 +129,28 @@ int64_t RawPlayer::advance(int64_t p_unix_usec) {
 }
 
 Dictionary RawPlayer::step() {
-	const std::lock_guard<std::mutex> lock(mutex);
+	const std::lock_guard<std::mutex> lock(_mutex);
 	Dictionary result;
-	if (has_next) {
-		result["kind"] = kind_text(next.kind);
-		result["stream"] = int64_t(next.stream);
-		result["time_s"] = double(int64_t(next.time_usec - first_usec)) / 1e6;
-		result["bytes"] = packed(next.payload, next.size);
+	if (_has_next) {
+		result["kind"] = kind_text(_next.kind);
+		result["stream"] = int64_t(_next.stream);
+		result["time_s"] = double(int64_t(_next.time_usec - _first_usec)) / 1e6;
+		result["bytes"] = packed(_next.payload, _next.size);
 		play_next();
 	}
 	return result;
 }
 
 void RawPlayer::play_next() {
-	Stream &stream = streams[next.stream];
-	at_usec = std::max(at_usec, next.time_usec);
-	if (next.kind == Kind::DATAGRAM) {
-		datagrams.push_back({ next.stream, next.time_usec, { next.payload, next.payload + next.size } });
-		if (datagrams.size() > MAX_DATAGRAMS) {
-			datagrams.pop_front();
+	Stream &stream = _streams[_next.stream];
+	_at_usec = std::max(_at_usec, _next.time_usec);
+	if (_next.kind == Kind::DATAGRAM) {
+		_datagrams.push_back({ _next.stream, _next.time_usec, { _next.payload, _next.payload + _next.size } });
+		if (_datagrams.size() > MAX_DATAGRAMS) {
+			_datagrams.pop_front();
 		}
 	} else if (stream.replay != nullptr) {
-		play_bus(stream, next);
+		play_bus(stream, _next);
 	}
 	fetch();
 }
@@ -169,24 +169,24 @@ void RawPlayer::play_bus(Stream &r_stream, const Record &p_record) {
 }
 
 bool RawPlayer::is_at_end() const {
-	const std::lock_guard<std::mutex> lock(mutex);
-	return !has_next;
+	const std::lock_guard<std::mutex> lock(_mutex);
+	return !_has_next;
 }
 
 double RawPlayer::get_length_s() const {
-	const std::lock_guard<std::mutex> lock(mutex);
-	return double(last_usec - first_usec) / 1e6;
+	const std::lock_guard<std::mutex> lock(_mutex);
+	return double(_last_usec - _first_usec) / 1e6;
 }
 
 double RawPlayer::get_position_s() const {
-	const std::lock_guard<std::mutex> lock(mutex);
-	return double(at_usec - first_usec) / 1e6;
+	const std::lock_guard<std::mutex> lock(_mutex);
+	return double(_at_usec - _first_usec) / 1e6;
 }
 
 TypedArray<Dictionary> RawPlayer::get_streams() const {
-	const std::lock_guard<std::mutex> lock(mutex);
+	const std::lock_guard<std::mutex> lock(_mutex);
 	TypedArray<Dictionary> result;
-	for (const auto &[number, stream] : streams) {
+	for (const auto &[number, stream] : _streams) {
 		Dictionary entry;
 		entry["number"] = int64_t(number);
 		entry["kind"] = stream.is_bus ? "bus" : "mvn";
@@ -204,22 +204,22 @@ TypedArray<Dictionary> RawPlayer::get_streams() const {
 }
 
 Dictionary RawPlayer::get_figures() const {
-	const std::lock_guard<std::mutex> lock(mutex);
+	const std::lock_guard<std::mutex> lock(_mutex);
 	Dictionary result;
-	result["records"] = int64_t(whole.records);
-	result["bytes"] = int64_t(whole.payload_bytes);
-	result["damaged_records"] = int64_t(whole.damaged_records);
-	result["damaged_bytes"] = int64_t(whole.damaged_bytes);
-	result["cut_bytes"] = int64_t(whole.cut_bytes);
-	result["lost"] = int64_t(whole.lost);
-	result["is_whole"] = whole.has_end && whole.damaged_bytes == 0 && whole.lost == 0;
+	result["records"] = int64_t(_whole.records);
+	result["bytes"] = int64_t(_whole.payload_bytes);
+	result["damaged_records"] = int64_t(_whole.damaged_records);
+	result["damaged_bytes"] = int64_t(_whole.damaged_bytes);
+	result["cut_bytes"] = int64_t(_whole.cut_bytes);
+	result["lost"] = int64_t(_whole.lost);
+	result["is_whole"] = _whole.has_end && _whole.damaged_bytes == 0 && _whole.lost == 0;
 	return result;
 }
 
 TypedArray<SuitDevice> RawPlayer::get_devices() const {
-	const std::lock_guard<std::mutex> lock(mutex);
+	const std::lock_guard<std::mutex> lock(_mutex);
 	TypedArray<SuitDevice> devices;
-	for (const auto &[number, stream] : streams) {
+	for (const auto &[number, stream] : _streams) {
 		if (stream.replay != nullptr) {
 			devices.push_back(device_of(number, stream));
 		}
@@ -252,19 +252,19 @@ Ref<SuitDevice> RawPlayer::device_of(int p_number, const Stream &p_stream) const
 		tracker.device_id = replay.is_master() ? replay.tracker_ids()[at] : replay.device_id();
 		tracker.bus_id = replay.is_master() ? uint8_t(at + 1) : xbus::MASTER;
 		tracker.samples = replay.tracker(int(at));
-		tracker.flow = replay.flow(int(at), at_usec);
+		tracker.flow = replay.flow(int(at), _at_usec);
 		report.session.trackers.push_back(tracker);
 	}
 	const String name = p_stream.name.empty() ? String("a recorded suit") : as_string(p_stream.name);
-	const SuitDevice::State state = has_next ? SuitDevice::STATE_PLAYING : SuitDevice::STATE_PLAYED;
-	return SuitDevice::make_recorded(report, name, state, at_usec, speed);
+	const SuitDevice::State state = _has_next ? SuitDevice::STATE_PLAYING : SuitDevice::STATE_PLAYED;
+	return SuitDevice::make_recorded(report, name, state, _at_usec, _speed);
 }
 
 TypedArray<SuitFrame> RawPlayer::take_frames(int64_t p_device) {
-	const std::lock_guard<std::mutex> lock(mutex);
+	const std::lock_guard<std::mutex> lock(_mutex);
 	TypedArray<SuitFrame> frames;
-	const auto found = streams.find(int(p_device));
-	if (found != streams.end()) {
+	const auto found = _streams.find(int(p_device));
+	if (found != _streams.end()) {
 		for (xbus::SuitFrame &frame : found->second.frames) {
 			frame.time_usec = uint64_t(played_usec(frame.time_usec));
 			frame.arrival_usec = uint64_t(played_usec(frame.arrival_usec));
@@ -276,18 +276,18 @@ TypedArray<SuitFrame> RawPlayer::take_frames(int64_t p_device) {
 }
 
 TypedArray<Dictionary> RawPlayer::take_datagrams() {
-	const std::lock_guard<std::mutex> lock(mutex);
+	const std::lock_guard<std::mutex> lock(_mutex);
 	TypedArray<Dictionary> result;
-	for (const Datagram &datagram : datagrams) {
-		const std::string &sender = streams[datagram.stream].sender;
+	for (const Datagram &datagram : _datagrams) {
+		const std::string &sender = _streams[datagram.stream].sender;
 		Dictionary entry;
 		entry["sender"] = as_string(sender.empty() ? "recording" : sender);
-		entry["port"] = as_string(streams[datagram.stream].port);
+		entry["port"] = as_string(_streams[datagram.stream].port);
 		entry["time_usec"] = played_usec(datagram.time_usec);
 		entry["bytes"] = packed(datagram.bytes.data(), datagram.bytes.size());
 		result.push_back(entry);
 	}
-	datagrams.clear();
+	_datagrams.clear();
 	return result;
 }
 

@@ -68,20 +68,20 @@ private:
 	int64_t played_usec(uint64_t p_time_usec) const;
 	Ref<SuitDevice> device_of(int p_number, const Stream &p_stream) const;
 
-	mutable std::mutex mutex;
+	mutable std::mutex _mutex;
 	// Guarded.
-	recording::Reader reader;
-	recording::ReaderFigures whole;
-	std::map<int, Stream> streams;
-	std::deque<Datagram> datagrams;
+	recording::Reader _reader;
+	recording::ReaderFigures _whole;
+	std::map<int, Stream> _streams;
+	std::deque<Datagram> _datagrams;
 	/// The next one, if there is one.
-	recording::Record next;
-	bool has_next = false;
-	uint64_t first_usec = 0;
-	uint64_t last_usec = 0;
-	uint64_t at_usec = 0;
-	int64_t begin_usec = 0;
-	double speed = 1.0;
+	recording::Record _next;
+	bool _has_next = false;
+	uint64_t _first_usec = 0;
+	uint64_t _last_usec = 0;
+	uint64_t _at_usec = 0;
+	int64_t _begin_usec = 0;
+	double _speed = 1.0;
 };
 
 } // namespace godot

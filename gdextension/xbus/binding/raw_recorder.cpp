@@ -6,11 +6,11 @@
 namespace godot {
 
 String RawRecorder::open(const String &p_path) {
-	return String::utf8(recorder->open(p_path.utf8().get_data(), recording::about_file()).c_str());
+	return String::utf8(_recorder->open(p_path.utf8().get_data(), recording::about_file()).c_str());
 }
 
 Dictionary RawRecorder::get_figures() const {
-	const recording::RecorderFigures figures = recorder->figures();
+	const recording::RecorderFigures figures = _recorder->figures();
 	Dictionary result;
 	result["records"] = int64_t(figures.records);
 	result["bytes"] = int64_t(figures.bytes);

@@ -19,15 +19,15 @@ class RawRecorder : public RefCounted {
 
 public:
 	String open(const String &p_path);
-	void close() { recorder->close(); }
+	void close() { _recorder->close(); }
 	Dictionary get_figures() const;
-	std::shared_ptr<recording::Recorder> share() const { return recorder; }
+	std::shared_ptr<recording::Recorder> share() const { return _recorder; }
 
 protected:
 	static void _bind_methods();
 
 private:
-	std::shared_ptr<recording::Recorder> recorder = std::make_shared<recording::Recorder>();
+	std::shared_ptr<recording::Recorder> _recorder = std::make_shared<recording::Recorder>();
 };
 
 } // namespace godot

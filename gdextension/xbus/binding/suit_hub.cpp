@@ -20,42 +20,42 @@ String SuitHub::start(double p_rate_hz) {
 	ERR_FAIL_COND_V_MSG(!(p_rate_hz >= 10.0 && p_rate_hz <= MAX_RATE_HZ), "the rate is no suit's",
 			"A suit measures at 10 to 512 Hz.");
 	stop();
-	player = Ref<RawPlayer>();
+	_player = Ref<RawPlayer>();
 	xbus::SessionOptions options;
 	options.rate_hz = p_rate_hz;
 	std::string fault;
-	hub = usb::make_hub(options, &tap, fault);
-	if (hub != nullptr) {
-		fault = hub->start();
+	_hub = usb::make_hub(options, &_tap, fault);
+	if (_hub != nullptr) {
+		fault = _hub->start();
 	}
 	if (!fault.empty()) {
-		hub.reset();
+		_hub.reset();
 	}
 	return as_string(fault);
 }
 
 void SuitHub::stop() {
-	hub.reset();
+	_hub.reset();
 }
 
 void SuitHub::set_recorder(const Ref<RawRecorder> &p_recorder) {
 	ERR_FAIL_COND_MSG(
-			hub != nullptr, "A recording begins before the suits are looked for, or nobody could tell what is in it.");
-	tap.record_to(p_recorder.is_valid() ? p_recorder->share() : nullptr);
+			_hub != nullptr, "A recording begins before the suits are looked for, or nobody could tell what is in it.");
+	_tap.record_to(p_recorder.is_valid() ? p_recorder->share() : nullptr);
 }
 
 void SuitHub::play(const Ref<RawPlayer> &p_player) {
 	stop();
-	player = p_player;
+	_player = p_player;
 }
 
 TypedArray<SuitDevice> SuitHub::get_devices() const {
 	TypedArray<SuitDevice> devices;
-	if (player.is_valid()) {
-		devices = player->get_devices();
-	} else if (hub != nullptr) {
+	if (_player.is_valid()) {
+		devices = _player->get_devices();
+	} else if (_hub != nullptr) {
 		const uint64_t now = clocks::now_usec();
-		for (const usb::DeviceReport &report : hub->report()) {
+		for (const usb::DeviceReport &report : _hub->report()) {
 			devices.push_back(SuitDevice::make(report, now));
 		}
 	}
@@ -64,8 +64,8 @@ TypedArray<SuitDevice> SuitHub::get_devices() const {
 
 TypedArray<SuitMessage> SuitHub::take_messages() {
 	TypedArray<SuitMessage> messages;
-	if (hub != nullptr) {
-		for (const usb::HubMessage &message : hub->take_messages()) {
+	if (_hub != nullptr) {
+		for (const usb::HubMessage &message : _hub->take_messages()) {
 			messages.push_back(SuitMessage::make(message));
 		}
 	}
@@ -74,12 +74,12 @@ TypedArray<SuitMessage> SuitHub::take_messages() {
 
 TypedArray<SuitFrame> SuitHub::take_frames(int64_t p_device) {
 	TypedArray<SuitFrame> frames;
-	if (player.is_valid()) {
-		frames = player->take_frames(p_device);
-	} else if (hub != nullptr) {
+	if (_player.is_valid()) {
+		frames = _player->take_frames(p_device);
+	} else if (_hub != nullptr) {
 		const int64_t ahead = clocks::unix_ahead_usec();
-		while (hub->take_frame(int(p_device), frame)) {
-			frames.push_back(SuitFrame::make(frame, ahead));
+		while (_hub->take_frame(int(p_device), _frame)) {
+			frames.push_back(SuitFrame::make(_frame, ahead));
 		}
 	}
 	return frames;
@@ -87,8 +87,8 @@ TypedArray<SuitFrame> SuitHub::take_frames(int64_t p_device) {
 
 void SuitHub::reset_orientation(int64_t p_device, Reset p_method) {
 	ERR_FAIL_COND_MSG(p_method < RESET_STORE || p_method > RESET_ALIGN, "There is no such reset.");
-	if (hub != nullptr) {
-		hub->reset_orientation(int(p_device), xbus::ResetMethod(p_method));
+	if (_hub != nullptr) {
+		_hub->reset_orientation(int(p_device), xbus::ResetMethod(p_method));
 	}
 }
 

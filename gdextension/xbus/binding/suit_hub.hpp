@@ -35,7 +35,7 @@ public:
 
 	String start(double p_rate_hz);
 	void stop();
-	bool is_running() const { return hub != nullptr; }
+	bool is_running() const { return _hub != nullptr; }
 	void set_recorder(const Ref<RawRecorder> &p_recorder);
 	void play(const Ref<RawPlayer> &p_player);
 	TypedArray<SuitDevice> get_devices() const;
@@ -48,10 +48,10 @@ protected:
 
 private:
 	/// Outlives the hub, which calls it.
-	recording::BusTap tap;
-	std::unique_ptr<usb::Hub> hub;
-	Ref<RawPlayer> player;
-	xbus::SuitFrame frame;
+	recording::BusTap _tap;
+	std::unique_ptr<usb::Hub> _hub;
+	Ref<RawPlayer> _player;
+	xbus::SuitFrame _frame;
 };
 
 } // namespace godot

@@ -24,13 +24,15 @@ using Bytes = std::vector<uint8_t>;
 /// Messages one after the other, and where each begins.
 struct Stream {
 	Bytes bytes;
-	std::vector<size_t> begins;
+	std::vector<std::size_t> begins;
 
-	void add(const uint8_t *p_bytes, size_t p_size) {
+	void add(const uint8_t *p_bytes, std::size_t p_size) {
 		begins.push_back(bytes.size());
 		bytes.insert(bytes.end(), p_bytes, p_bytes + p_size);
 	}
-	size_t end(size_t p_message) const { return p_message + 1 < begins.size() ? begins[p_message + 1] : bytes.size(); }
+	std::size_t end(std::size_t p_message) const {
+		return p_message + 1 < begins.size() ? begins[p_message + 1] : bytes.size();
+	}
 };
 
 /// A random rotation, as a person's limb could have it.
@@ -58,7 +60,7 @@ inline std::array<double, 9> matrix_of(const std::array<double, 4> &q) {
 		1 - 2 * (x * x + y * y) };
 }
 
-template <size_t N>
+template <std::size_t N>
 void draw(std::mt19937 &r_random, double p_most, std::array<double, N> &r_values) {
 	std::uniform_real_distribution<double> values(-p_most, p_most);
 	for (double &value : r_values) {
@@ -119,23 +121,24 @@ inline Sample draw_sample(std::mt19937 &r_random) {
 }
 
 /// A master with so many trackers that send orientations, and what they measure too if asked for.
-inline MasterFormat suit_format(size_t p_trackers, uint16_t p_mode, uint32_t p_settings = 0) {
+inline MasterFormat suit_format(std::size_t p_trackers, uint16_t p_mode, uint32_t p_settings = 0) {
 	MasterFormat format;
-	for (size_t i = 0; i < p_trackers; i++) {
+	for (std::size_t i = 0; i < p_trackers; i++) {
 		format.add({ p_mode, p_settings });
 	}
 	return format;
 }
 
 /// So many messages of a master whose trackers move smoothly.
-inline Stream suit_stream(const MasterFormat &p_format, size_t p_messages, uint32_t p_seed, uint16_t p_counter = 0) {
+inline Stream suit_stream(
+		const MasterFormat &p_format, std::size_t p_messages, uint32_t p_seed, uint16_t p_counter = 0) {
 	std::mt19937 random(p_seed);
 	Stream stream;
 	stream.bytes.reserve(p_messages * (p_format.size() + 7));
 	stream.begins.reserve(p_messages);
 	std::vector<Sample> samples(p_format.count());
 	std::array<uint8_t, MAX_FRAME> frame;
-	for (size_t i = 0; i < p_messages; i++) {
+	for (std::size_t i = 0; i < p_messages; i++) {
 		for (Sample &sample : samples) {
 			sample = draw_sample(random);
 		}
@@ -149,11 +152,11 @@ inline Stream suit_stream(const MasterFormat &p_format, size_t p_messages, uint3
 constexpr std::array<uint16_t, 9> IMU_ITEMS = { item::PACKET_COUNTER, item::SAMPLE_TIME_FINE, item::UTC_TIME,
 	item::QUATERNION, item::ACCELERATION, item::RATE_OF_TURN, item::DELTA_V, item::DELTA_Q, item::STATUS_WORD };
 
-inline Stream imu_stream(size_t p_messages, uint32_t p_seed) {
+inline Stream imu_stream(std::size_t p_messages, uint32_t p_seed) {
 	std::mt19937 random(p_seed);
 	Stream stream;
 	std::array<uint8_t, MAX_FRAME> frame;
-	for (size_t i = 0; i < p_messages; i++) {
+	for (std::size_t i = 0; i < p_messages; i++) {
 		Sample sample = draw_sample(random);
 		sample.counter = uint32_t(i);
 		sample.sample_time_fine = uint32_t(i * 100);
@@ -166,11 +169,11 @@ inline Stream imu_stream(size_t p_messages, uint32_t p_seed) {
 /// Replaces every byte by another one with this probability. `r_touched`: of each message, whether it was.
 inline Bytes corrupt(const Stream &p_stream, double p_rate, uint32_t p_seed, std::vector<bool> &r_touched) {
 	std::mt19937 random(p_seed);
-	std::geometric_distribution<size_t> gap(p_rate);
+	std::geometric_distribution<std::size_t> gap(p_rate);
 	Bytes bytes = p_stream.bytes;
 	r_touched.assign(p_stream.begins.size(), false);
-	size_t message = 0;
-	for (size_t at = gap(random); at < bytes.size(); at += 1 + gap(random)) {
+	std::size_t message = 0;
+	for (std::size_t at = gap(random); at < bytes.size(); at += 1 + gap(random)) {
 		bytes[at] = uint8_t(bytes[at] + 1 + random() % 255);
 		while (p_stream.end(message) <= at) {
 			message++;
@@ -182,11 +185,11 @@ inline Bytes corrupt(const Stream &p_stream, double p_rate, uint32_t p_seed, std
 
 /// What came through a bad line.
 struct Survival {
-	size_t clean = 0;
-	size_t regained = 0;
+	std::size_t clean = 0;
+	std::size_t regained = 0;
 	/// Stretches of corrupted messages, and messages taken that nobody sent.
-	size_t stretches = 0;
-	size_t wrong = 0;
+	std::size_t stretches = 0;
+	std::size_t wrong = 0;
 
 	double regained_share() const { return clean > 0 ? double(regained) / double(clean) : 0.0; }
 	double wrong_share() const { return stretches > 0 ? double(wrong) / double(stretches) : 0.0; }
@@ -210,20 +213,20 @@ inline Survival survive(const Stream &p_stream, const MasterFormat *p_format, do
 		framer->set_longest(p_format->size() > MAX_SHORT_DATA ? p_format->size() : MAX_SHORT_DATA);
 	}
 	Survival found;
-	for (size_t i = 0; i < touched.size(); i++) {
+	for (std::size_t i = 0; i < touched.size(); i++) {
 		found.clean += touched[i] ? 0U : 1U;
 		found.stretches += touched[i] && (i == 0 || !touched[i - 1]) ? 1U : 0U;
 	}
-	size_t message = 0;
+	std::size_t message = 0;
 	const auto sink = [&](const Frame &p_frame) {
 		if (check->take(p_frame, framer->statistics().is_noisy()) == StreamCheck::Verdict::REFUSED) {
 			return false;
 		}
-		const auto at = size_t(p_frame.data - bytes.data());
+		const auto at = std::size_t(p_frame.data - bytes.data());
 		while (message + 1 < touched.size() && p_stream.begins[message + 1] < at) {
 			message++;
 		}
-		const size_t head = p_stream.end(message) - p_stream.begins[message] > MAX_SHORT_DATA + 5 ? 6 : 4;
+		const std::size_t head = p_stream.end(message) - p_stream.begins[message] > MAX_SHORT_DATA + 5 ? 6 : 4;
 		const bool same = !touched[message] && at == p_stream.begins[message] + head;
 		found.regained += same ? 1U : 0U;
 		found.wrong += same ? 0U : 1U;
@@ -238,7 +241,7 @@ inline Bytes read_file(const std::string &p_name) {
 	Bytes bytes;
 	if (std::FILE *file = std::fopen(p_name.c_str(), "rb")) {
 		std::array<uint8_t, 65536> block;
-		size_t got = 0;
+		std::size_t got = 0;
 		while ((got = std::fread(block.data(), 1, block.size(), file)) > 0) {
 			bytes.insert(bytes.end(), block.begin(), block.begin() + std::ptrdiff_t(got));
 		}
@@ -250,7 +253,7 @@ inline Bytes read_file(const std::string &p_name) {
 /// "FA FF 30 00 D1" as bytes.
 inline Bytes hex(const std::string &p_text) {
 	Bytes bytes;
-	for (size_t at = 0; at + 1 < p_text.size(); at += 3) {
+	for (std::size_t at = 0; at + 1 < p_text.size(); at += 3) {
 		bytes.push_back(uint8_t(std::stoul(p_text.substr(at, 2), nullptr, 16)));
 	}
 	return bytes;

@@ -26,7 +26,7 @@ void expect(bool p_holds, const char *p_what) {
 
 class Fuzzer {
 public:
-	static constexpr size_t MAX = 700;
+	static constexpr std::size_t MAX = 700;
 
 	explicit Fuzzer(uint32_t p_seed) : _random(p_seed), _blocks(MAX) {
 		std::mt19937 random(p_seed);
@@ -66,12 +66,12 @@ private:
 		item::TRIGGER_IN_2, item::RAW_ACC_GYR_MAG_TEMP, item::SAMPLE_TIME_64, 0xD012, item::STATUS_BYTE, item::RSSI,
 		item::FRAME_RANGE };
 
-	void _keep(const uint8_t *p_data, size_t p_size, std::vector<Bytes> &r_seeds) {
+	void _keep(const uint8_t *p_data, std::size_t p_size, std::vector<Bytes> &r_seeds) {
 		r_seeds.emplace_back(p_data, p_data + std::min(p_size, MAX));
 	}
 	void _seed_mt_data2(std::mt19937 &r_random) {
 		Bytes data(MAX_DATA);
-		for (size_t i = 0; i < 24; i++) {
+		for (std::size_t i = 0; i < 24; i++) {
 			Sample sample = draw_sample(r_random);
 			sample.gnss_satellites.count = uint8_t(i);
 			const uint16_t *first = ITEMS.data() + i % 12;
@@ -80,7 +80,7 @@ private:
 	}
 	void _seed_mt_data(std::mt19937 &r_random) {
 		Bytes data(MAX_DATA);
-		for (size_t i = 0; i < 24; i++) {
+		for (std::size_t i = 0; i < 24; i++) {
 			const Sample sample = draw_sample(r_random);
 			const OutputFormat format = { uint16_t(i % 3 == 0 ? 0x1000U : (0x083FU & ~(1U << (i % 6)))),
 				uint32_t((i % 4) << 8U | (i % 3) << 2U | 1U) };
@@ -91,18 +91,18 @@ private:
 	void _seed_configuration() {
 		Configuration configuration;
 		Bytes data(Configuration::MAX_BYTES);
-		for (const size_t count : { 0, 1, 2, 17, 30 }) {
+		for (const std::size_t count : { 0, 1, 2, 17, 30 }) {
 			configuration.device_count = count;
 			_keep(data.data(), configuration.write(data.data()), _configurations);
 		}
 	}
 
 	/// A damaged seed, or bytes that are made up, in memory of just that size.
-	const uint8_t *_draw(const std::vector<Bytes> &p_seeds, size_t &r_size) {
+	const uint8_t *_draw(const std::vector<Bytes> &p_seeds, std::size_t &r_size) {
 		if (_random.below(4) == 0) {
 			r_size = _random.below(60);
 			uint8_t *bytes = _blocks.of(r_size);
-			for (size_t i = 0; i < r_size; i++) {
+			for (std::size_t i = 0; i < r_size; i++) {
 				bytes[i] = uint8_t(_random());
 			}
 			return bytes;
@@ -115,7 +115,7 @@ private:
 		_damage(bytes, r_size);
 		return bytes;
 	}
-	void _damage(uint8_t *r_bytes, size_t p_size) {
+	void _damage(uint8_t *r_bytes, std::size_t p_size) {
 		for (uint32_t i = p_size > 0 ? _random.below(4) : 0; i > 0; i--) {
 			const uint32_t at = _random.below(uint32_t(p_size));
 			r_bytes[at] = _random.below(2) == 0 ? uint8_t(_random()) : uint8_t(r_bytes[at] ^ (1U << _random.below(8)));
@@ -123,10 +123,10 @@ private:
 	}
 
 	void _run_mt_data2() {
-		size_t size = 0;
+		std::size_t size = 0;
 		const uint8_t *bytes = _draw(_items, size);
 		const ItemReport report = decode_mt_data2(bytes, size, _sample);
-		size_t sum = 0;
+		std::size_t sum = 0;
 		const bool whole = visit_items(bytes, size, [&](const Item &p_item) { sum += 3U + p_item.size; });
 		expect(whole == report.whole && sum <= size && (!whole || sum == size), "items do not add up");
 		expect(_sample.present == 0 || report.decoded > 0, "what is present was not decoded");
@@ -136,7 +136,7 @@ private:
 		is_in_range(_sample);
 	}
 	void _run_mt_data() {
-		size_t size = 0;
+		std::size_t size = 0;
 		const uint8_t *bytes = _draw(_blocks_of_data, size);
 		OutputFormat format = _formats[_random.below(uint32_t(_formats.size()))];
 		if (_random.below(2) == 0) {
@@ -147,12 +147,12 @@ private:
 		taken += good ? 1U : 0U;
 		format.decode_behind_master(bytes, size, _sample);
 		OutputRequest outputs[20];
-		size_t count = 0;
+		std::size_t count = 0;
 		parse_output_configuration(bytes, size, outputs, 20, count);
 		expect(count <= 20, "too many lines");
 	}
 	void _run_configuration() {
-		size_t size = 0;
+		std::size_t size = 0;
 		const uint8_t *bytes = _draw(_configurations, size);
 		const bool good = _configuration.parse(bytes, size) == ConfigurationFault::NONE;
 		expect(!good || size == Configuration::HEAD + _configuration.device_count * Configuration::DEVICE,
@@ -160,7 +160,7 @@ private:
 		taken += good ? 1U : 0U;
 	}
 	void _run_check() {
-		size_t size = 0;
+		std::size_t size = 0;
 		const uint8_t *bytes = _draw(_random.below(2) == 0 ? _items : _blocks_of_data, size);
 		const bool items = _random.below(2) == 0;
 		const Message message =
@@ -171,15 +171,15 @@ private:
 		taken += data ? 1U : 0U;
 	}
 	void _run_framer() {
-		size_t size = 0;
+		std::size_t size = 0;
 		const uint8_t *bytes = _draw(_random.below(2) == 0 ? _items : _configurations, size);
 		std::array<uint8_t, MAX + 7> frame;
 		size = write_frame(MASTER, Message::MT_DATA2, bytes, std::min(size, MAX - 7), frame.data());
 		_damage(frame.data(), size);
 		_framer->set_longest(_random.below(16) == 0 ? MAX_DATA : 300);
-		size_t at = 0;
+		std::size_t at = 0;
 		while (at < size) {
-			const size_t piece = std::min<size_t>(1 + _random.below(uint32_t(size)), size - at);
+			const std::size_t piece = std::min<std::size_t>(1 + _random.below(uint32_t(size)), size - at);
 			uint8_t *exact = _blocks.of(piece);
 			std::memcpy(exact, frame.data() + at, piece);
 			_framer->feed(exact, piece, [&](const Frame &p_frame) { _see(p_frame); });
@@ -194,7 +194,7 @@ private:
 	}
 	void _see(const Frame &p_frame) {
 		uint32_t sum = 0;
-		for (size_t i = 0; i < p_frame.size; i++) {
+		for (std::size_t i = 0; i < p_frame.size; i++) {
 			sum += p_frame.data[i];
 		}
 		expect(sum <= p_frame.size * 255, "bytes above 255");

@@ -12,13 +12,13 @@ using namespace streams;
 
 namespace {
 
-Configuration suit(size_t p_trackers) {
+Configuration suit(std::size_t p_trackers) {
 	Configuration configuration;
 	configuration.master_id = 0x00120304;
 	configuration.period = 1152;
 	configuration.date = { '2', '0', '0', '8', '0', '1', '3', '1' };
 	configuration.device_count = p_trackers;
-	for (size_t i = 0; i < p_trackers; i++) {
+	for (std::size_t i = 0; i < p_trackers; i++) {
 		DeviceConfiguration &device = configuration.devices[i];
 		device.device_id = uint32_t(0x00300000 + i);
 		device.format = { output_mode::ORIENTATION, uint32_t(i) };
@@ -30,14 +30,15 @@ Configuration suit(size_t p_trackers) {
 } // namespace
 
 TEST(configurations_of_all_sizes_go_both_ways) {
-	for (const size_t trackers : { size_t(0), size_t(1), size_t(10), size_t(20), MAX_DEVICES }) {
+	for (const std::size_t trackers :
+			{ std::size_t(0), std::size_t(1), std::size_t(10), std::size_t(20), MAX_DEVICES }) {
 		Bytes bytes(Configuration::MAX_BYTES);
 		bytes.resize(suit(trackers).write(bytes.data()));
 		CHECK(bytes.size() == 98 + 20 * trackers);
 		Configuration found;
 		CHECK(found.parse(bytes.data(), bytes.size()) == ConfigurationFault::NONE);
 		CHECK(found.device_count == trackers && found.master_id == 0x00120304 && found.period == 1152);
-		for (size_t i = 0; i < trackers; i++) {
+		for (std::size_t i = 0; i < trackers; i++) {
 			CHECK(found.devices[i].device_id == 0x00300000 + i && found.devices[i].data_length == 16 + i);
 			CHECK(found.devices[i].format.settings == i);
 		}
@@ -115,8 +116,8 @@ TEST(requests_say_what_they_ask) {
 TEST(replies_can_be_framed) {
 	Bytes bytes(MAX_FRAME);
 	std::vector<uint32_t> ids(70, 0x00300001);
-	size_t size = device::write_device_list(ids.data(), ids.size(), bytes.data());
-	size_t trackers = 0;
+	std::size_t size = device::write_device_list(ids.data(), ids.size(), bytes.data());
+	std::size_t trackers = 0;
 	Framer framer;
 	const auto sink = [&](const Frame &p_frame) {
 		trackers = p_frame.size / 4;
@@ -124,7 +125,7 @@ TEST(replies_can_be_framed) {
 	};
 	framer.feed(bytes.data(), size, sink);
 	CHECK(trackers == MAX_DEVICES);
-	for (const size_t written :
+	for (const std::size_t written :
 			{ device::write_error(0x1E, 3, bytes.data()), device::write_product_code("MTx-28A53G25", 1, bytes.data()),
 					device::write_firmware_revision({ 2, 5, 1 }, MASTER, bytes.data()),
 					device::write_u8_reply(Message::BATTERY_LEVEL, 200, MASTER, bytes.data()) }) {

@@ -8,7 +8,7 @@ using namespace streams;
 
 namespace {
 
-constexpr size_t MESSAGES = 40000;
+constexpr std::size_t MESSAGES = 40000;
 constexpr int RUNS = 4;
 
 Survival survive_often(const Stream &p_stream, const MasterFormat *p_format, double p_rate) {

@@ -20,7 +20,7 @@ bool is_request(const Request &p_request, const char *p_hex) {
 /// The only message in these bytes; its data stay where they are.
 Frame frame_in(const Bytes &p_bytes) {
 	Frame found;
-	size_t count = 0;
+	std::size_t count = 0;
 	Framer framer;
 	framer.feed(p_bytes.data(), p_bytes.size(), [&](const Frame &p_frame) {
 		found = p_frame;
@@ -31,7 +31,7 @@ Frame frame_in(const Bytes &p_bytes) {
 }
 
 /// Decodes the MTData2 message and writes it again: the same bytes.
-Sample through(const char *p_hex, size_t p_items) {
+Sample through(const char *p_hex, std::size_t p_items) {
 	const Bytes bytes = hex(p_hex);
 	const Frame frame = frame_in(bytes);
 	CHECK(frame.message == Message::MT_DATA2 && frame.bus_id == MASTER);
@@ -87,7 +87,7 @@ TEST(an_output_configuration_goes_both_ways) {
 	const Bytes bytes = hex(OUTPUTS);
 	const Frame frame = frame_in(bytes);
 	std::array<OutputRequest, 32> outputs;
-	size_t count = 0;
+	std::size_t count = 0;
 	CHECK(parse_output_configuration(frame.data, frame.size, outputs.data(), outputs.size(), count));
 	CHECK(count == 11 && outputs[0].id == 0x1010 && outputs[0].rate == OutputRequest::EVERY);
 	CHECK(outputs[4].id == 0x5043 && outputs[4].rate == 10);
@@ -99,7 +99,7 @@ TEST(an_output_configuration_goes_both_ways) {
 
 TEST(answers_are_as_seen) {
 	std::array<uint8_t, 64> bytes;
-	const auto is = [&](size_t p_size, const char *p_hex) {
+	const auto is = [&](std::size_t p_size, const char *p_hex) {
 		const Bytes wanted = hex(p_hex);
 		return p_size == wanted.size() && std::equal(wanted.begin(), wanted.end(), bytes.begin());
 	};

@@ -23,7 +23,7 @@ struct Kept {
 struct Result {
 	std::vector<Kept> kept;
 	FramerStatistics statistics;
-	size_t pending = 0;
+	std::size_t pending = 0;
 };
 
 auto keep(std::vector<Kept> &r_kept) {
@@ -34,13 +34,13 @@ auto keep(std::vector<Kept> &r_kept) {
 
 /// Feeds the bytes in pieces of these sizes, over and over. Each piece lies in memory of its own, so that a
 /// sanitizer sees what is read beyond.
-Result feed_in(const Bytes &p_bytes, const std::vector<size_t> &p_sizes, size_t p_longest = MAX_DATA) {
+Result feed_in(const Bytes &p_bytes, const std::vector<std::size_t> &p_sizes, std::size_t p_longest = MAX_DATA) {
 	Result result;
 	Framer framer;
 	framer.set_longest(p_longest);
-	size_t at = 0;
-	for (size_t i = 0; at < p_bytes.size(); i++) {
-		const size_t size = std::min(p_sizes[i % p_sizes.size()], p_bytes.size() - at);
+	std::size_t at = 0;
+	for (std::size_t i = 0; at < p_bytes.size(); i++) {
+		const std::size_t size = std::min(p_sizes[i % p_sizes.size()], p_bytes.size() - at);
 		const Bytes piece(p_bytes.begin() + std::ptrdiff_t(at), p_bytes.begin() + std::ptrdiff_t(at + size));
 		framer.feed(piece.data(), piece.size(), keep(result.kept));
 		at += size;
@@ -50,8 +50,8 @@ Result feed_in(const Bytes &p_bytes, const std::vector<size_t> &p_sizes, size_t 
 	return result;
 }
 
-Result feed_whole(const Bytes &p_bytes, size_t p_longest = MAX_DATA) {
-	return feed_in(p_bytes, { std::max<size_t>(p_bytes.size(), 1) }, p_longest);
+Result feed_whole(const Bytes &p_bytes, std::size_t p_longest = MAX_DATA) {
+	return feed_in(p_bytes, { std::max<std::size_t>(p_bytes.size(), 1) }, p_longest);
 }
 
 bool is_counted(const Result &p_result) {
@@ -71,10 +71,10 @@ void append(Bytes &r_bytes, const Bytes &p_more) {
 }
 
 /// Messages of all lengths with noise between, in which there are many false beginnings.
-Bytes noisy_bytes(uint32_t p_seed, size_t p_messages) {
+Bytes noisy_bytes(uint32_t p_seed, std::size_t p_messages) {
 	std::mt19937 random(p_seed);
 	Bytes bytes;
-	for (size_t i = 0; i < p_messages; i++) {
+	for (std::size_t i = 0; i < p_messages; i++) {
 		Bytes data(random() % 8 == 0 ? random() % 3000 : random() % 80);
 		for (uint8_t &byte : data) {
 			byte = random() % 6 == 0 ? PREAMBLE : (random() % 6 == 0 ? MASTER : uint8_t(random()));
@@ -84,7 +84,7 @@ Bytes noisy_bytes(uint32_t p_seed, size_t p_messages) {
 			frame[random() % frame.size()] ^= uint8_t(1U << (random() % 8));
 		}
 		append(bytes, frame);
-		for (size_t noise = random() % 3 == 0 ? random() % 9 : 0; noise > 0; noise--) {
+		for (std::size_t noise = random() % 3 == 0 ? random() % 9 : 0; noise > 0; noise--) {
 			bytes.push_back(random() % 3 == 0 ? PREAMBLE : uint8_t(random()));
 		}
 	}
@@ -100,12 +100,12 @@ TEST(every_split_gives_the_same) {
 		CHECK(whole.kept.size() > 150 && whole.statistics.bad_checksums > 0);
 		CHECK(is_counted(whole));
 		std::mt19937 random(seed);
-		std::vector<size_t> sizes(97);
-		for (size_t &size : sizes) {
+		std::vector<std::size_t> sizes(97);
+		for (std::size_t &size : sizes) {
 			size = 1 + random() % 700;
 		}
-		for (const std::vector<size_t> &split :
-				{ std::vector<size_t>{ 1 }, { 2 }, { 62 }, { 512 }, { 16384 }, sizes }) {
+		for (const std::vector<std::size_t> &split :
+				{ std::vector<std::size_t>{ 1 }, { 2 }, { 62 }, { 512 }, { 16384 }, sizes }) {
 			const Result cut = feed_in(bytes, split, seed % 2 == 0 ? 1000 : MAX_DATA);
 			CHECK(cut.kept == whole.kept);
 			CHECK(cut.pending == whole.pending);
@@ -147,7 +147,7 @@ TEST(a_sink_that_refuses_makes_the_search_go_on) {
 	const Bytes inner = frame_of(MASTER, Message::WAKE_UP, {});
 	const Bytes outer = frame_of(MASTER, Message::MT_DATA, inner);
 	Framer framer;
-	size_t taken = 0;
+	std::size_t taken = 0;
 	framer.feed(outer.data(), outer.size(), [&](const Frame &p_frame) {
 		taken += p_frame.message == Message::WAKE_UP ? 1U : 0U;
 		return p_frame.message == Message::WAKE_UP;
@@ -158,7 +158,7 @@ TEST(a_sink_that_refuses_makes_the_search_go_on) {
 }
 
 TEST(lengths_at_their_limits) {
-	for (const size_t size : { 0, 1, 253, 254, 255, 256, 2048, 8191, 8192 }) {
+	for (const std::size_t size : { 0, 1, 253, 254, 255, 256, 2048, 8191, 8192 }) {
 		const Bytes bytes = frame_of(MASTER, Message::MT_DATA, Bytes(size, 0x55));
 		CHECK(bytes.size() == frame_size(size));
 		const Result result = feed_whole(bytes);

@@ -52,8 +52,8 @@ std::string head_of(uint16_t p_id) {
 	static const std::array<const char *, 4> AXES = { "EastNorthUp", "NorthEastDown", "NorthWestUp", "?" };
 	std::string head = type.name == nullptr ? "?" : type.name;
 	if (type.kind == ItemKind::REALS) {
-		const std::string axes = type.has_axes() ? std::string(AXES[size_t(Item{ p_id }.axes())]) + "," : "";
-		head += "(" + axes + FORMATS[size_t(Item{ p_id }.format())] + ")";
+		const std::string axes = type.has_axes() ? std::string(AXES[std::size_t(Item{ p_id }.axes())]) + "," : "";
+		head += "(" + axes + FORMATS[std::size_t(Item{ p_id }.format())] + ")";
 	}
 	return head;
 }
@@ -152,7 +152,7 @@ bool is_same(const GoldenItem &p_golden, const Item &p_item, const Sample &p_sam
 	}
 	const std::vector<double> numbers = numbers_of(p_item.type(), p_sample);
 	bool same = !numbers.empty() && numbers.size() == p_golden.values.size();
-	for (size_t i = 0; same && i < numbers.size(); i++) {
+	for (std::size_t i = 0; same && i < numbers.size(); i++) {
 		// Written with as many digits as tell one number from all others.
 		same = std::strtod(p_golden.values[i].c_str(), nullptr) == numbers[i];
 	}
@@ -163,7 +163,7 @@ void check_message(const Frame &p_frame, const GoldenMessage &p_golden) {
 	CHECK(p_frame.message == Message::MT_DATA2);
 	Sample whole;
 	CHECK(decode_mt_data2(p_frame.data, p_frame.size, whole).is_clean());
-	size_t at = 0;
+	std::size_t at = 0;
 	visit_items(p_frame.data, p_frame.size, [&](const Item &p_item) {
 		Sample sample;
 		CHECK(decode_item(p_item, sample));
@@ -178,7 +178,7 @@ void check_set(int p_set) {
 	const Bytes bytes = read_file(path_of(p_set, "output.bin"));
 	const std::vector<GoldenMessage> golden = read_golden(path_of(p_set, "output.golden"));
 	CHECK(golden.size() == 100);
-	size_t message = 0;
+	std::size_t message = 0;
 	StreamCheck check;
 	Framer framer;
 	framer.feed(bytes.data(), bytes.size(), [&](const Frame &p_frame) {
@@ -199,10 +199,10 @@ void check_outputs(int p_set) {
 	const Bytes bytes = read_file(path_of(p_set, "outputconfig.bin"));
 	const std::vector<GoldenMessage> golden = read_golden(path_of(p_set, "outputconfig.golden"));
 	std::array<OutputRequest, 32> outputs;
-	size_t count = 0;
+	std::size_t count = 0;
 	CHECK(parse_output_configuration(bytes.data(), bytes.size(), outputs.data(), outputs.size(), count));
 	CHECK(golden.size() == 1 && golden[0].size() == count);
-	for (size_t i = 0; i < count && i < golden[0].size(); i++) {
+	for (std::size_t i = 0; i < count && i < golden[0].size(); i++) {
 		const std::string rate =
 				outputs[i].rate == OutputRequest::EVERY ? "Max" : std::to_string(outputs[i].rate) + " Hz";
 		CHECK(golden[0][i].head == head_of(outputs[i].id) && golden[0][i].values[0] == rate);

@@ -30,25 +30,26 @@ double step_of(NumberFormat p_format, double p_value) {
 	}
 }
 
-template <size_t N>
+template <std::size_t N>
 bool near_all(const std::array<double, N> &p_a, const std::array<double, N> &p_b, NumberFormat p_format) {
 	bool near = true;
-	for (size_t i = 0; i < N; i++) {
+	for (std::size_t i = 0; i < N; i++) {
 		near = near && std::fabs(p_a[i] - p_b[i]) <= step_of(p_format, p_b[i]);
 	}
 	return near;
 }
 
 /// The length as the manual adds it up, part by part.
-size_t length_in_manual(const OutputFormat &p_format) {
-	const size_t number = std::array<size_t, 4>{ 4, 4, 6, 8 }[(p_format.settings & NUMBER_MASK) >> NUMBER_SHIFT];
+std::size_t length_in_manual(const OutputFormat &p_format) {
+	const std::size_t number =
+			std::array<std::size_t, 4>{ 4, 4, 6, 8 }[(p_format.settings & NUMBER_MASK) >> NUMBER_SHIFT];
 	const auto on = [&](uint32_t p_bit) { return (p_format.mode & p_bit) != 0; };
 	const auto has = [&](uint32_t p_bit) { return (p_format.settings & p_bit) != 0; };
-	size_t size = on(TEMPERATURE) ? number : 0;
+	std::size_t size = on(TEMPERATURE) ? number : 0;
 	for (const uint32_t left_out : { NO_ACCELERATION, NO_RATE_OF_TURN, NO_MAGNETIC_FIELD }) {
 		size += on(CALIBRATED) && !has(left_out) ? 3 * number : 0;
 	}
-	const std::array<size_t, 4> forms = { 4, 3, 9, 0 };
+	const std::array<std::size_t, 4> forms = { 4, 3, 9, 0 };
 	size += on(ORIENTATION) ? forms[(p_format.settings & ORIENTATION_MASK) >> 2U] * number : 0;
 	for (const uint32_t left_out : { NO_ANALOG_1, NO_ANALOG_2 }) {
 		size += on(AUXILIARY) && !has(left_out) ? 2 : 0;
@@ -115,11 +116,11 @@ uint64_t fields_of(const OutputFormat &p_format) {
 TEST(every_mode_and_setting_goes_both_ways) {
 	std::mt19937 random(1);
 	Bytes bytes(600);
-	size_t wrong = 0;
-	size_t tried = 0;
+	std::size_t wrong = 0;
+	std::size_t tried = 0;
 	for (uint32_t modes = 1; modes < 256; modes++) {
 		uint32_t mode = 0;
-		for (size_t i = 0; i < PARTS.size(); i++) {
+		for (std::size_t i = 0; i < PARTS.size(); i++) {
 			mode |= (modes >> i & 1U) != 0 ? PARTS[i] : 0U;
 		}
 		for (uint32_t numbers = 0; numbers < 4; numbers++) {
@@ -127,7 +128,7 @@ TEST(every_mode_and_setting_goes_both_ways) {
 				const uint32_t left_out = (random() & 7U) << 4U | (random() & 3U) << 10U | (random() & 3U);
 				const OutputFormat format = { uint16_t(mode), left_out | numbers << NUMBER_SHIFT | form << 2U };
 				const Sample sent = draw_sample(random);
-				const size_t size = format.write(sent, true, bytes.data());
+				const std::size_t size = format.write(sent, true, bytes.data());
 				Sample found;
 				const bool good = format.is_valid() && size == length_in_manual(format) && size == format.size() &&
 						(size == 0 || format.decode(bytes.data(), size, found)) &&
@@ -170,7 +171,7 @@ TEST(the_axes_are_told_by_the_settings) {
 
 TEST(a_master_counts_in_front) {
 	std::mt19937 random(3);
-	for (const size_t trackers : { 1, 10, 15, 16, 17, 64 }) {
+	for (const std::size_t trackers : { 1, 10, 15, 16, 17, 64 }) {
 		// Trackers may be set to count: behind a master they do not.
 		const MasterFormat format = suit_format(trackers, ORIENTATION, SAMPLE_COUNTER);
 		CHECK(format.size() == 2 + 16 * trackers);
@@ -182,7 +183,7 @@ TEST(a_master_counts_in_front) {
 		bytes.resize(device::write_mt_data(format, 0xABCD, sent.data(), bytes.data()));
 		CHECK((bytes[3] == EXTENDED) == (trackers >= 16));
 		std::vector<Sample> found(trackers);
-		size_t seen = 0;
+		std::size_t seen = 0;
 		Framer framer;
 		framer.feed(bytes.data(), bytes.size(), [&](const Frame &p_frame) {
 			CHECK(read_u16(p_frame.data) == 0xABCD);
@@ -191,7 +192,7 @@ TEST(a_master_counts_in_front) {
 			seen++;
 		});
 		CHECK(seen == 1);
-		for (size_t i = 0; i < trackers; i++) {
+		for (std::size_t i = 0; i < trackers; i++) {
 			CHECK(found[i].bus_id == i + 1 && found[i].counter == 0xABCD && found[i].counter_bits == 16);
 			CHECK(near_all(found[i].quaternion, sent[i].quaternion, NumberFormat::FLOAT));
 		}
@@ -215,7 +216,7 @@ TEST(trackers_of_a_master_may_differ) {
 
 TEST(too_many_trackers_are_refused) {
 	MasterFormat format;
-	size_t added = 0;
+	std::size_t added = 0;
 	while (added < 100 && format.add({ CALIBRATED | ORIENTATION, 0x300U | MATRIX })) {
 		added++;
 	}

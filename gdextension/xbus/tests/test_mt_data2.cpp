@@ -10,7 +10,7 @@ namespace {
 /// Every type of item that a sample holds, and the bytes of one with floats.
 struct KnownItem {
 	uint16_t type;
-	size_t size;
+	std::size_t size;
 };
 
 constexpr std::array<KnownItem, 52> ITEMS = { { { 0x0810, 4 }, { 0x1010, 12 }, { 0x1020, 2 }, { 0x1030, 4 },
@@ -23,9 +23,9 @@ constexpr std::array<KnownItem, 52> ITEMS = { { { 0x0810, 4 }, { 0x1010, 12 }, {
 		{ 0xD010, 12 }, { 0xE010, 1 }, { 0xE020, 4 }, { 0xE040, 1 }, { 0xE080, 4 }, { 0xE090, 2 } } };
 
 /// Bytes that are as random as the item's form allows.
-Bytes draw_item(std::mt19937 &r_random, uint16_t p_id, size_t p_size) {
+Bytes draw_item(std::mt19937 &r_random, uint16_t p_id, std::size_t p_size) {
 	Bytes bytes = { uint8_t(p_id >> 8U), uint8_t(p_id), uint8_t(p_size) };
-	for (size_t i = 0; i < p_size; i++) {
+	for (std::size_t i = 0; i < p_size; i++) {
 		bytes.push_back(uint8_t(r_random() & 0x3FU));
 	}
 	if ((p_id & 0xFFF0U) == item::GNSS_SAT_INFO) {
@@ -42,8 +42,8 @@ TEST(every_item_goes_both_ways_in_every_format) {
 	for (const KnownItem &known : ITEMS) {
 		const bool reals = item_type(known.type).kind == ItemKind::REALS;
 		for (uint32_t low = 0; low < (reals ? 12U : 1U); low++) {
-			const size_t number = std::array<size_t, 4>{ 4, 4, 6, 8 }[low & 3U];
-			const size_t size = reals ? known.size / 4 * number : known.size;
+			const std::size_t number = std::array<std::size_t, 4>{ 4, 4, 6, 8 }[low & 3U];
+			const std::size_t size = reals ? known.size / 4 * number : known.size;
 			const auto id = uint16_t(uint32_t(known.type) | low);
 			const Bytes bytes = draw_item(random, id, size);
 			Sample sample;
@@ -80,7 +80,7 @@ TEST(what_is_unknown_is_skipped_and_counted) {
 	const ItemReport report = decode_mt_data2(bytes.data(), bytes.size(), sample);
 	CHECK(report.whole && report.unknown == 1 && report.decoded == 2 && report.misfits == 0);
 	CHECK(sample.counter == 9 && sample.has(Field::COUNTER));
-	size_t visited = 0;
+	std::size_t visited = 0;
 	CHECK(visit_items(bytes.data(), bytes.size(), [&](const Item &) { visited++; }) && visited == 3);
 }
 
@@ -124,7 +124,7 @@ TEST(orientations_are_the_same_in_every_form) {
 		std::array<double, 4> found{};
 		CHECK(sample.orientation(found));
 		double dot = 0.0;
-		for (size_t k = 0; k < 4; k++) {
+		for (std::size_t k = 0; k < 4; k++) {
 			dot += found[k] * sent[k];
 		}
 		CHECK_NEAR(std::fabs(dot), 1.0, 1e-12);

@@ -24,11 +24,11 @@ public:
 	}
 
 	Verdict send(uint16_t p_counter) {
-		const size_t size = format.write(p_counter, samples.data(), _data.data());
+		const std::size_t size = format.write(p_counter, samples.data(), _data.data());
 		return check->take({ MASTER, Message::MT_DATA, _data.data(), size });
 	}
-	void send_good(size_t p_count) {
-		for (size_t i = 0; i < p_count; i++) {
+	void send_good(std::size_t p_count) {
+		for (std::size_t i = 0; i < p_count; i++) {
 			CHECK(send(next++) == Verdict::DATA);
 		}
 	}
@@ -132,7 +132,7 @@ TEST(a_sick_tracker_does_not_stop_the_others) {
 	Suit suit;
 	suit.send_good(50);
 	suit.samples[2].quaternion = {};
-	size_t taken = 0;
+	std::size_t taken = 0;
 	for (int i = 0; i < 100; i++) {
 		taken += suit.send(suit.next++) == Verdict::DATA ? 1U : 0U;
 	}
@@ -152,7 +152,7 @@ TEST(a_device_that_computes_coarsely_is_believed) {
 	for (double &part : suit.samples[0].quaternion) {
 		part *= 1.0005;
 	}
-	size_t taken = 0;
+	std::size_t taken = 0;
 	for (int i = 0; i < 20; i++) {
 		taken += suit.send(suit.next++) == Verdict::DATA ? 1U : 0U;
 	}
@@ -193,7 +193,7 @@ TEST(trackers_with_items_are_told_apart_by_their_bus_identifiers) {
 		const auto bus_id = uint8_t(1 + i % 3);
 		Sample sample = draw_sample(random);
 		sample.counter = i / 3 + (bus_id == 2 && i > 30 ? 5 : 0);
-		const size_t size = write_mt_data2(IMU_ITEMS.data(), IMU_ITEMS.size(), sample, data.data(), data.size());
+		const std::size_t size = write_mt_data2(IMU_ITEMS.data(), IMU_ITEMS.size(), sample, data.data(), data.size());
 		CHECK(check.take({ bus_id, Message::MT_DATA2, data.data(), size }) == Verdict::DATA);
 		CHECK(check.sample(0).bus_id == bus_id);
 	}
@@ -231,11 +231,11 @@ TEST(following_a_stream_takes_no_memory) {
 	const auto check = std::make_unique<StreamCheck>();
 	const auto framer = std::make_unique<Framer>();
 	check->expect_master(format);
-	size_t taken = 0;
+	std::size_t taken = 0;
 	const int before = allocations;
 	for (const Stream *stream : { &suit, &imu }) {
-		for (size_t at = 0; at < stream->bytes.size(); at += 62) {
-			const size_t size = std::min<size_t>(62, stream->bytes.size() - at);
+		for (std::size_t at = 0; at < stream->bytes.size(); at += 62) {
+			const std::size_t size = std::min<std::size_t>(62, stream->bytes.size() - at);
 			framer->feed(stream->bytes.data() + at, size,
 					[&](const Frame &p_frame) { taken += check->take(p_frame) == Verdict::DATA ? 1U : 0U; });
 		}

@@ -15,7 +15,7 @@ using namespace streams;
 namespace {
 
 constexpr int REPEATS = 5;
-constexpr size_t FRAMING_BYTES = 32U << 20U;
+constexpr std::size_t FRAMING_BYTES = 32U << 20U;
 
 enum class Goal : uint8_t {
 	NONE,
@@ -48,13 +48,13 @@ double time_of(const std::function<void()> &p_work) {
 
 /// Calls `p_feed(bytes, size)` for the bytes in pieces.
 template <class F>
-void in_pieces(const Bytes &p_bytes, size_t p_piece, F &&p_feed) {
-	for (size_t at = 0; at < p_bytes.size(); at += p_piece) {
+void in_pieces(const Bytes &p_bytes, std::size_t p_piece, F &&p_feed) {
+	for (std::size_t at = 0; at < p_bytes.size(); at += p_piece) {
 		p_feed(p_bytes.data() + at, std::min(p_piece, p_bytes.size() - at));
 	}
 }
 
-Bytes repeated(const Bytes &p_bytes, size_t p_least) {
+Bytes repeated(const Bytes &p_bytes, std::size_t p_least) {
 	Bytes all;
 	all.reserve(p_least + p_bytes.size());
 	while (!p_bytes.empty() && all.size() < p_least) {
@@ -66,14 +66,14 @@ Bytes repeated(const Bytes &p_bytes, size_t p_least) {
 void measure_framing(const Bytes &p_bytes) {
 	struct Piece {
 		const char *metric;
-		size_t size;
+		std::size_t size;
 	};
 	for (const Piece &piece : { Piece{ "in one piece", p_bytes.size() }, { "in pieces of 16384", 16384 },
 				 { "in pieces of 512", 512 }, { "in pieces of 62", 62 } }) {
 		const auto framer = std::make_unique<Framer>();
 		uint64_t sum = 0;
 		const double seconds = time_of([&] {
-			in_pieces(p_bytes, piece.size, [&](const uint8_t *p_data, size_t p_size) {
+			in_pieces(p_bytes, piece.size, [&](const uint8_t *p_data, std::size_t p_size) {
 				framer->feed(p_data, p_size, [&](const Frame &p_frame) { sum += p_frame.size; });
 			});
 		});
@@ -88,7 +88,7 @@ void measure_items(const Bytes &p_bytes) {
 	const auto framer = std::make_unique<Framer>();
 	Sample sample;
 	double sum = 0.0;
-	size_t messages = 0;
+	std::size_t messages = 0;
 	const double decoding = time_of([&] {
 		messages = 0;
 		framer->feed(p_bytes.data(), p_bytes.size(), [&](const Frame &p_frame) {
@@ -126,16 +126,16 @@ void measure_suit() {
 }
 
 /// A number for everything that a framer hands on.
-uint64_t digest_of(const Bytes &p_bytes, const std::function<size_t()> &p_piece) {
+uint64_t digest_of(const Bytes &p_bytes, const std::function<std::size_t()> &p_piece) {
 	uint64_t hash = 14695981039346656037ULL;
 	const auto mix = [&](uint64_t p_value) { hash = (hash ^ p_value) * 1099511628211ULL; };
 	const auto framer = std::make_unique<Framer>();
-	for (size_t at = 0; at < p_bytes.size();) {
-		const size_t size = std::min(p_piece(), p_bytes.size() - at);
+	for (std::size_t at = 0; at < p_bytes.size();) {
+		const std::size_t size = std::min(p_piece(), p_bytes.size() - at);
 		framer->feed(p_bytes.data() + at, size, [&](const Frame &p_frame) {
 			mix(p_frame.bus_id);
 			mix(uint64_t(p_frame.message));
-			for (size_t i = 0; i < p_frame.size; i++) {
+			for (std::size_t i = 0; i < p_frame.size; i++) {
 				mix(p_frame.data[i]);
 			}
 		});
@@ -153,11 +153,11 @@ void measure_splits(const Bytes &p_recordings) {
 	const Bytes bytes = corrupt(stream, 1.0e-3, 12, touched);
 	const uint64_t whole = digest_of(bytes, [&] { return bytes.size(); });
 	bool same = true;
-	for (const size_t piece : { size_t(1), size_t(62), size_t(512), size_t(16384) }) {
+	for (const std::size_t piece : { std::size_t(1), std::size_t(62), std::size_t(512), std::size_t(16384) }) {
 		same = same && digest_of(bytes, [&] { return piece; }) == whole;
 	}
 	std::mt19937 random(13);
-	same = same && digest_of(bytes, [&] { return size_t(1) + random() % 3000; }) == whole;
+	same = same && digest_of(bytes, [&] { return std::size_t(1) + random() % 3000; }) == whole;
 	print_figure("splits", "all give the same", same ? 1.0 : 0.0, "", Goal::AT_LEAST, 1.0);
 }
 
@@ -181,21 +181,21 @@ void measure_bad_line(
 
 /// A suit of 15 trackers at 100 Hz, in USB's pieces.
 void measure_hour() {
-	constexpr size_t MESSAGES = 3600 * 100;
+	constexpr std::size_t MESSAGES = 3600 * 100;
 	const MasterFormat format = suit_format(15, output_mode::ORIENTATION);
 	const auto framer = std::make_unique<Framer>();
 	const auto check = std::make_unique<StreamCheck>();
 	check->expect_master(format);
 	framer->set_longest(format.size());
-	const size_t block = 1200;
+	const std::size_t block = 1200;
 	int allocated = 0;
 	const auto begin = std::chrono::steady_clock::now();
 	double seconds = 0.0;
-	for (size_t sent = 0; sent < MESSAGES; sent += block) {
+	for (std::size_t sent = 0; sent < MESSAGES; sent += block) {
 		const Stream stream = suit_stream(format, block, uint32_t(sent), uint16_t(sent));
 		const int before = allocations;
 		const auto start = std::chrono::steady_clock::now();
-		in_pieces(stream.bytes, 62, [&](const uint8_t *p_data, size_t p_size) {
+		in_pieces(stream.bytes, 62, [&](const uint8_t *p_data, std::size_t p_size) {
 			framer->feed(p_data, p_size,
 					[&](const Frame &p_frame) { return check->take(p_frame) != StreamCheck::Verdict::REFUSED; });
 		});

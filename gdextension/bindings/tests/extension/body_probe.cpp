@@ -12,20 +12,20 @@ using namespace godot;
 namespace probe {
 
 void BodyProbe::_physics_process(double) {
-	ticks++;
+	_ticks++;
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
-	for (const RID &body : bodies) {
+	for (const RID &body : _bodies) {
 		PhysicsDirectBodyState3D *state = server->body_get_direct_state(body);
 		ERR_CONTINUE(state == nullptr);
-		height = state->get_transform().origin.y;
+		_height = state->get_transform().origin.y;
 		state->apply_torque(Vector3(0, 0.1f, 0));
 	}
 }
 
 void BodyProbe::set_bodies(const TypedArray<RID> &p_bodies) {
-	bodies.clear();
+	_bodies.clear();
 	for (int64_t i = 0; i < p_bodies.size(); i++) {
-		bodies.push_back(p_bodies[i]);
+		_bodies.push_back(p_bodies[i]);
 	}
 }
 
@@ -43,14 +43,14 @@ RID BodyProbe::join(const RID &p_body_a, const RID &p_body_b) const {
 }
 
 double BodyProbe::time_state_ns(int p_rounds) const {
-	ERR_FAIL_COND_V_MSG(bodies.empty() || p_rounds <= 0, 0.0, "There is nothing to measure.");
+	ERR_FAIL_COND_V_MSG(_bodies.empty() || p_rounds <= 0, 0.0, "There is nothing to measure.");
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
 	double best = 1e30;
 	double sum = 0.0; // Used, so that nothing is optimised away.
 	for (int run = 0; run < 20; run++) {
 		const auto start = std::chrono::steady_clock::now();
 		for (int i = 0; i < p_rounds; i++) {
-			PhysicsDirectBodyState3D *state = server->body_get_direct_state(bodies[0]);
+			PhysicsDirectBodyState3D *state = server->body_get_direct_state(_bodies[0]);
 			sum += state->get_transform().origin.y + state->get_angular_velocity().y;
 		}
 		const std::chrono::duration<double, std::nano> taken = std::chrono::steady_clock::now() - start;

@@ -17,8 +17,8 @@ class BodyProbe : public godot::Node {
 public:
 	void _physics_process(double p_delta) override;
 	void set_bodies(const godot::TypedArray<godot::RID> &p_bodies);
-	int get_ticks() const { return ticks; }
-	double get_height() const { return height; }
+	int get_ticks() const { return _ticks; }
+	double get_height() const { return _height; }
 	/// A joint between two bodies, with a motor.
 	godot::RID join(const godot::RID &p_body_a, const godot::RID &p_body_b) const;
 	/// Nanoseconds for a state, a transform and a velocity of one body: the best of several runs.
@@ -28,9 +28,9 @@ protected:
 	static void _bind_methods();
 
 private:
-	std::vector<godot::RID> bodies;
-	int ticks = 0;
-	double height = 0.0;
+	std::vector<godot::RID> _bodies;
+	int _ticks = 0;
+	double _height = 0.0;
 };
 
 } // namespace probe

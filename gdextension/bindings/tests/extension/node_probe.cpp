@@ -9,9 +9,9 @@ namespace probe {
 
 NodeProbe::NodeProbe() {
 	// The engine knows the object as a NodeProbe already.
-	built_in = memnew(Node3D);
-	built_in->set_name("BuiltIn");
-	add_child(built_in, false, INTERNAL_MODE_BACK);
+	_built_in = memnew(Node3D);
+	_built_in->set_name("BuiltIn");
+	add_child(_built_in, false, INTERNAL_MODE_BACK);
 }
 
 PackedStringArray NodeProbe::_get_configuration_warnings() const {
@@ -56,9 +56,9 @@ void NodeProbe::spawn(int p_count) {
 
 void NodeProbe::_notification(int p_what) {
 	if (p_what == NOTIFICATION_ENTER_TREE) {
-		notified.push_back("enter");
+		_notified.push_back("enter");
 	} else if (p_what == NOTIFICATION_EXIT_TREE) {
-		notified.push_back("exit");
+		_notified.push_back("exit");
 	}
 }
 
@@ -76,14 +76,14 @@ void NodeProbe::_bind_methods() {
 }
 
 void LoudNodeProbe::_process(double) {
-	frames++;
+	_frames++;
 }
 
 void LoudNodeProbe::_notification(int p_what) {
 	if (p_what == NOTIFICATION_ENTER_TREE) {
-		notified.push_back("loud enter");
+		_notified.push_back("loud enter");
 	} else if (p_what == NOTIFICATION_EXIT_TREE) {
-		notified.push_back("loud exit");
+		_notified.push_back("loud exit");
 	}
 }
 

@@ -16,14 +16,14 @@ class NodeProbe : public godot::Node3D {
 
 public:
 	NodeProbe();
-	void _enter_tree() override { entered++; }
-	void _ready() override { readied++; }
+	void _enter_tree() override { _entered++; }
+	void _ready() override { _readied++; }
 	godot::PackedStringArray _get_configuration_warnings() const override;
 
-	int get_entered() const { return entered; }
-	int get_readied() const { return readied; }
-	godot::PackedStringArray get_notified() const { return notified; }
-	godot::Node *get_built_in() const { return built_in; }
+	int get_entered() const { return _entered; }
+	int get_readied() const { return _readied; }
+	godot::PackedStringArray get_notified() const { return _notified; }
+	godot::Node *get_built_in() const { return _built_in; }
 
 	/// 0 nothing, 1 a node, 2 a Node3D, 3 a NodeProbe, 4 a LoudNodeProbe.
 	int kind_of(godot::Node *p_node) const;
@@ -37,12 +37,12 @@ protected:
 	static void _bind_methods();
 	void _notification(int p_what);
 
-	godot::PackedStringArray notified;
+	godot::PackedStringArray _notified;
 
 private:
-	int entered = 0;
-	int readied = 0;
-	godot::Node *built_in = nullptr;
+	int _entered = 0;
+	int _readied = 0;
+	godot::Node *_built_in = nullptr;
 };
 
 /// Inherits from a class of the extension.
@@ -51,14 +51,14 @@ class LoudNodeProbe : public NodeProbe {
 
 public:
 	void _process(double p_delta) override;
-	int get_frames() const { return frames; }
+	int get_frames() const { return _frames; }
 
 protected:
 	static void _bind_methods();
 	void _notification(int p_what);
 
 private:
-	int frames = 0;
+	int _frames = 0;
 };
 
 /// Answers a virtual that has a result.

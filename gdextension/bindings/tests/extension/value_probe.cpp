@@ -95,7 +95,7 @@ String ValueProbe::formatted(const String &p_name, int p_number) const {
 Ref<ValueProbe> ValueProbe::make_child() const {
 	Ref<ValueProbe> child;
 	child.instantiate();
-	child->set_gain(gain * 2);
+	child->set_gain(_gain * 2);
 	return child;
 }
 
@@ -110,12 +110,12 @@ Array ValueProbe::make_many(int p_count) const {
 }
 
 Ref<ValueProbe> ValueProbe::hold(const Ref<ValueProbe> &p_probe) {
-	held = p_probe;
-	return held;
+	_held = p_probe;
+	return _held;
 }
 
 void ValueProbe::set_gain(double p_gain) {
-	gain = p_gain;
+	_gain = p_gain;
 	emit_signal("gain_changed", p_gain, Vector3(1, 2, 3));
 }
 

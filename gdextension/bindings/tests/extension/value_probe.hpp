@@ -35,7 +35,7 @@ public:
 
 	int64_t add(int64_t p_left, int64_t p_right) const { return p_left + p_right; }
 	int32_t add_small(int32_t p_left, uint8_t p_right) const { return p_left + p_right; }
-	double scale(double p_value, double p_factor) const { return p_value * p_factor * gain; }
+	double scale(double p_value, double p_factor) const { return p_value * p_factor * _gain; }
 	bool flip(bool p_value) const { return !p_value; }
 	godot::String greet(const godot::String &p_name) const;
 	godot::StringName echo_name(const godot::StringName &p_name) const { return p_name; }
@@ -55,14 +55,14 @@ public:
 	godot::Ref<ValueProbe> make_child() const;
 	godot::Array make_many(int p_count) const;
 	godot::Ref<ValueProbe> hold(const godot::Ref<ValueProbe> &p_probe);
-	void release() { held.unref(); }
+	void release() { _held.unref(); }
 
 	void set_gain(double p_gain);
-	double get_gain() const { return gain; }
-	void set_mode(Mode p_mode) { mode = p_mode; }
-	Mode get_mode() const { return mode; }
-	void set_flags(godot::BitField<Flags> p_flags) { flags = p_flags; }
-	godot::BitField<Flags> get_flags() const { return flags; }
+	double get_gain() const { return _gain; }
+	void set_mode(Mode p_mode) { _mode = p_mode; }
+	Mode get_mode() const { return _mode; }
+	void set_flags(godot::BitField<Flags> p_flags) { _flags = p_flags; }
+	godot::BitField<Flags> get_flags() const { return _flags; }
 
 	/// Leaves early, with an error, by each of the checks.
 	int guarded(int p_index, const godot::Object *p_object) const;
@@ -73,10 +73,10 @@ protected:
 private:
 	static int64_t alive;
 
-	double gain = 1.0;
-	Mode mode = MODE_IDLE;
-	godot::BitField<Flags> flags = FLAG_A;
-	godot::Ref<ValueProbe> held;
+	double _gain = 1.0;
+	Mode _mode = MODE_IDLE;
+	godot::BitField<Flags> _flags = FLAG_A;
+	godot::Ref<ValueProbe> _held;
 };
 
 } // namespace probe

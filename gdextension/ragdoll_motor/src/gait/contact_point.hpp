@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../vectors.hpp"
+#include "vectors.hpp"
 
 namespace ragdoll {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "foot_lock.hpp"
+#include "gait/foot_lock.hpp"
 
 #include <algorithm>
 
@@ -28,10 +28,10 @@ constexpr float LOOSE = 0.1f; // A grip below this holds nothing.
 } // namespace
 
 FootLock::FootLock(const Rig &p_rig, const std::vector<ContactPoint> &p_contacts) :
-		contacts(p_contacts), anchors(p_contacts.size()), grips(p_contacts.size(), 0.0f) {
+		_contacts(p_contacts), _anchors(p_contacts.size()), _grips(p_contacts.size(), 0.0f) {
 	for (const ContactPoint &contact : p_contacts) {
 		const bool known =
-				std::any_of(legs.begin(), legs.end(), [&](const Leg &p_leg) { return p_leg.foot == contact.limb; });
+				std::any_of(_legs.begin(), _legs.end(), [&](const Leg &p_leg) { return p_leg.foot == contact.limb; });
 		const int shin = p_rig[std::size_t(contact.limb)].parent;
 		const int thigh = shin >= 0 ? p_rig[std::size_t(shin)].parent : -1;
 		if (contact.sole && !known && thigh >= 0 && p_rig[std::size_t(thigh)].parent >= 0) {
@@ -39,74 +39,74 @@ FootLock::FootLock(const Rig &p_rig, const std::vector<ContactPoint> &p_contacts
 			leg.foot = contact.limb;
 			leg.shin = shin;
 			leg.thigh = thigh;
-			legs.push_back(leg);
+			_legs.push_back(leg);
 		}
 	}
 }
 
 void FootLock::clear() {
-	for (Leg &leg : legs) {
+	for (Leg &leg : _legs) {
 		leg.offset = {};
 	}
-	std::fill(grips.begin(), grips.end(), 0.0f);
+	std::fill(_grips.begin(), _grips.end(), 0.0f);
 }
 
 void FootLock::advance(const Travel &p_travel, const Vec3 &p_root, const std::vector<Vec3> &p_points,
 		const std::vector<Vec3> &p_shown, float p_unrest, float p_delta_s) {
 	const float grip_s = GRIP_S * p_unrest;
 	const float kept = grip_s > 0.0f ? std::exp(-p_delta_s / grip_s) : 0.0f;
-	for (Leg &leg : legs) {
+	for (Leg &leg : _legs) {
 		leg.offset = leg.offset * std::exp(-p_delta_s / LET_GO_S);
-		for (std::size_t i = 0; i < contacts.size(); i++) {
-			if (contacts[i].limb != leg.foot) {
+		for (std::size_t i = 0; i < _contacts.size(); i++) {
+			if (_contacts[i].limb != leg.foot) {
 				continue;
 			}
-			if (grips[i] < LOOSE) {
-				anchors[i] = p_root + p_points[i] + leg.offset;
+			if (_grips[i] < LOOSE) {
+				_anchors[i] = p_root + p_points[i] + leg.offset;
 			}
 			const float wanted = p_travel.is_anchored(i) ? 1.0f : 0.0f;
-			grips[i] = wanted + (grips[i] - wanted) * kept;
+			_grips[i] = wanted + (_grips[i] - wanted) * kept;
 			const float height = p_travel.get_standing_height(i);
-			anchors[i].y = std::isfinite(height) ? height : anchors[i].y;
+			_anchors[i].y = std::isfinite(height) ? height : _anchors[i].y;
 			if (p_unrest > 0.0f) {
-				const Vec3 off{ p_shown[i].x - anchors[i].x, 0.0f, p_shown[i].z - anchors[i].z };
-				anchors[i] = anchors[i] + off - off.limited(SLACK / p_unrest);
+				const Vec3 off{ p_shown[i].x - _anchors[i].x, 0.0f, p_shown[i].z - _anchors[i].z };
+				_anchors[i] = _anchors[i] + off - off.limited(SLACK / p_unrest);
 			}
 		}
 	}
 }
 
 void FootLock::shift(const Vec3 &p_offset) {
-	for (Vec3 &anchor : anchors) {
+	for (Vec3 &anchor : _anchors) {
 		anchor = anchor + p_offset;
 	}
 }
 
 void FootLock::save(ArchiveWriter &p_archive) const {
-	p_archive.put_all(legs);
-	p_archive.put_all(anchors);
-	p_archive.put_all(grips);
+	p_archive.put_all(_legs);
+	p_archive.put_all(_anchors);
+	p_archive.put_all(_grips);
 }
 
 bool FootLock::restore(ArchiveReader &p_archive) {
-	return p_archive.get_all(legs) && p_archive.get_all(anchors) && p_archive.get_all(grips);
+	return p_archive.get_all(_legs) && p_archive.get_all(_anchors) && p_archive.get_all(_grips);
 }
 
 void FootLock::apply(const Rig &p_rig, float p_unrest, Pose &r_pose, std::vector<Vec3> &r_joints) {
 	// How high the feet are, the root's height sees to, unless shaking knees lift them.
 	const float lift = std::min(2.0f * p_unrest, 1.0f);
-	for (Leg &leg : legs) {
+	for (Leg &leg : _legs) {
 		const Quat &foot = r_pose.orientations[std::size_t(leg.foot)];
 		Vec3 away;
 		float sum = 0.0f;
 		float firmest = 0.0f;
-		for (std::size_t i = 0; i < contacts.size(); i++) {
-			if (contacts[i].limb == leg.foot && grips[i] >= LOOSE) {
+		for (std::size_t i = 0; i < _contacts.size(); i++) {
+			if (_contacts[i].limb == leg.foot && _grips[i] >= LOOSE) {
 				// All that are held count alike: as weights change, the foot must not.
-				const Vec3 place = r_joints[std::size_t(leg.foot)] + foot.rotate(contacts[i].local);
-				away = away + (anchors[i] - place) * grips[i];
-				sum += grips[i];
-				firmest = std::max(firmest, grips[i]);
+				const Vec3 place = r_joints[std::size_t(leg.foot)] + foot.rotate(_contacts[i].local);
+				away = away + (_anchors[i] - place) * _grips[i];
+				sum += _grips[i];
+				firmest = std::max(firmest, _grips[i]);
 			}
 		}
 		if (sum > 0.0f) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../rig.hpp"
-#include "travel.hpp"
+#include "gait/travel.hpp"
+#include "rig.hpp"
 
 #include <vector>
 
@@ -54,10 +54,10 @@ private:
 
 	void bend(const Rig &p_rig, const Leg &p_leg, Pose &r_pose, std::vector<Vec3> &r_joints) const;
 
-	std::vector<Leg> legs;
-	std::vector<ContactPoint> contacts;
-	std::vector<Vec3> anchors; // Where the held points are shown, m.
-	std::vector<float> grips; // How firmly each point is held, 0 to 1.
+	std::vector<Leg> _legs;
+	std::vector<ContactPoint> _contacts;
+	std::vector<Vec3> _anchors; // Where the held points are shown, m.
+	std::vector<float> _grips; // How firmly each point is held, 0 to 1.
 };
 
 } // namespace ragdoll

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../vectors.hpp"
+#include "vectors.hpp"
 
 namespace ragdoll {
 
@@ -20,11 +20,11 @@ public:
 /// Level ground without end.
 class FlatGround : public Ground {
 public:
-	explicit FlatGround(float p_height = 0.0f) : level(p_height) {}
-	float height(const Vec3 & /*p_at*/) const override { return level; }
+	explicit FlatGround(float p_height = 0.0f) : _level(p_height) {}
+	float height(const Vec3 & /*p_at*/) const override { return _level; }
 
 private:
-	float level;
+	float _level;
 };
 
 } // namespace ragdoll

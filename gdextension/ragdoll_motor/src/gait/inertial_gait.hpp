@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "travel.hpp"
+#include "gait/travel.hpp"
 
 namespace ragdoll {
 
@@ -36,7 +36,7 @@ public:
 	Settings settings;
 
 	void shift(const Vec3 &p_offset) override;
-	bool is_anchored(std::size_t p_point) const override { return locks[p_point] != 0; }
+	bool is_anchored(std::size_t p_point) const override { return _locks[p_point] != 0; }
 	void save(ArchiveWriter &p_archive) const override;
 	bool restore(ArchiveReader &p_archive) override;
 
@@ -61,17 +61,17 @@ private:
 	void hold(const GaitInput &p_input);
 	void finish(const GaitInput &p_input);
 
-	std::vector<Filter> filters;
-	std::vector<Vec3> smooth; // Points from the centre of mass, filtered, m.
-	std::vector<Vec3> footing; // The same as they are, for heights, m.
-	std::vector<Vec3> implied; // Velocity of the centre of mass if a point stands still, m/s.
-	std::vector<float> heights; // Of the centre of mass if a point touches, m.
-	std::vector<float> costs;
-	std::vector<std::uint8_t> locks; // Whether a point is anchored.
-	Vec3 centre; // Of mass, in the world, m.
-	Vec3 drift; // Its velocity, m/s.
-	float flown_s = 1.0f; // Since the last flight, s.
-	float standing = 0.0f; // Sum of the weights.
+	std::vector<Filter> _filters;
+	std::vector<Vec3> _smooth; // Points from the centre of mass, filtered, m.
+	std::vector<Vec3> _footing; // The same as they are, for heights, m.
+	std::vector<Vec3> _implied; // Velocity of the centre of mass if a point stands still, m/s.
+	std::vector<float> _heights; // Of the centre of mass if a point touches, m.
+	std::vector<float> _costs;
+	std::vector<std::uint8_t> _locks; // Whether a point is anchored.
+	Vec3 _centre; // Of mass, in the world, m.
+	Vec3 _drift; // Its velocity, m/s.
+	float _flown_s = 1.0f; // Since the last flight, s.
+	float _standing = 0.0f; // Sum of the weights.
 };
 
 } // namespace ragdoll

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lowest_contact.hpp"
+#include "gait/lowest_contact.hpp"
 
 #include <algorithm>
 
@@ -7,39 +7,39 @@ namespace ragdoll {
 
 void LowestContact::hold(const GaitInput &p_input) {
 	const std::vector<Vec3> &points = *p_input.points;
-	const float support = find_heights(p_input, points, root, heights);
+	const float support = find_heights(p_input, points, _root, _heights);
 	if (support <= NOWHERE) {
-		std::fill(weights.begin(), weights.end(), 0.0f);
+		std::fill(_weights.begin(), _weights.end(), 0.0f);
 		return; // No ground anywhere: it stays where it is.
 	}
-	root.y = support;
+	_root.y = support;
 	const int count =
-			int(std::count_if(heights.begin(), heights.end(), [&](float p_of) { return p_of > support - TOGETHER; }));
-	for (std::size_t i = 0; i < contacts.size(); i++) {
-		const bool stands = heights[i] > support - TOGETHER;
-		if (stands && weights[i] == 0.0f) {
-			anchors[i] = root + points[i];
+			int(std::count_if(_heights.begin(), _heights.end(), [&](float p_of) { return p_of > support - TOGETHER; }));
+	for (std::size_t i = 0; i < _contacts.size(); i++) {
+		const bool stands = _heights[i] > support - TOGETHER;
+		if (stands && _weights[i] == 0.0f) {
+			_anchors[i] = _root + points[i];
 		}
-		if (heights[i] >= support) {
-			floor = root.y + points[i].y - contacts[i].radius;
+		if (_heights[i] >= support) {
+			_floor = _root.y + points[i].y - _contacts[i].radius;
 		}
-		weights[i] = stands ? 1.0f / float(count) : 0.0f;
+		_weights[i] = stands ? 1.0f / float(count) : 0.0f;
 	}
 }
 
 void LowestContact::begin(const GaitInput &p_input) {
-	std::fill(weights.begin(), weights.end(), 0.0f);
+	std::fill(_weights.begin(), _weights.end(), 0.0f);
 	hold(p_input);
 }
 
 void LowestContact::advance(const GaitInput &p_input) {
 	const std::vector<Vec3> &points = *p_input.points;
 	Vec3 away;
-	for (std::size_t i = 0; i < contacts.size(); i++) {
-		away = away + (anchors[i] - points[i] - root) * weights[i];
+	for (std::size_t i = 0; i < _contacts.size(); i++) {
+		away = away + (_anchors[i] - points[i] - _root) * _weights[i];
 	}
-	root.x += away.x;
-	root.z += away.z;
+	_root.x += away.x;
+	_root.z += away.z;
 	hold(p_input);
 }
 

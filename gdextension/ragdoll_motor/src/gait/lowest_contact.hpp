@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "travel.hpp"
+#include "gait/travel.hpp"
 
 namespace ragdoll {
 
@@ -21,7 +21,7 @@ protected:
 private:
 	void hold(const GaitInput &p_input);
 
-	std::vector<float> heights = std::vector<float>(contacts.size(), 0.0f); // Root's, if a point touched, m.
+	std::vector<float> _heights = std::vector<float>(_contacts.size(), 0.0f); // Root's, if a point touched, m.
 };
 
 } // namespace ragdoll

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "travel.hpp"
+#include "gait/travel.hpp"
 
 namespace ragdoll {
 
@@ -21,8 +21,8 @@ protected:
 private:
 	int find_lowest(const std::vector<Vec3> &p_points) const;
 
-	int held = -1; // The thesis's j.
-	float level = 0.0f; // Of the ground, m.
+	int _held = -1; // The thesis's j.
+	float _level = 0.0f; // Of the ground, m.
 };
 
 } // namespace ragdoll

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../archive.hpp"
-#include "../calm.hpp"
-#include "../vectors.hpp"
+#include "archive.hpp"
+#include "calm.hpp"
+#include "vectors.hpp"
 
 namespace ragdoll {
 
@@ -17,25 +17,25 @@ public:
 	/// More of a surprise than this is never left out: a body jumps.
 	static constexpr float CALMEST = 0.85f;
 
-	void clear() { begun = false; }
+	void clear() { _begun = false; }
 	/// Takes the next place, m.
 	/// @param p_noise of the limbs, rad
 	void advance(const Vec3 &p_place, float p_noise, float p_span_s);
 	/// The world has moved the body, m.
-	void shift(const Vec3 &p_offset) { place = place + p_offset; }
+	void shift(const Vec3 &p_offset) { _place = _place + p_offset; }
 
-	const Vec3 &get_place() const { return place; }
+	const Vec3 &get_place() const { return _place; }
 	/// Where it will be, m.
-	Vec3 ahead(float p_span_s) const { return place + rate * p_span_s; }
+	Vec3 ahead(float p_span_s) const { return _place + _rate * p_span_s; }
 
 	void save(ArchiveWriter &p_archive) const;
 	bool restore(ArchiveReader &p_archive);
 
 private:
-	Vec3 place;
-	Vec3 rate; // m/s
-	Calm calm;
-	bool begun = false;
+	Vec3 _place;
+	Vec3 _rate; // m/s
+	Calm _calm;
+	bool _begun = false;
 };
 
 } // namespace ragdoll

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../archive.hpp"
-#include "contact_point.hpp"
-#include "ground.hpp"
+#include "archive.hpp"
+#include "gait/contact_point.hpp"
+#include "gait/ground.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -44,18 +44,18 @@ public:
 	virtual void shift(const Vec3 &p_offset);
 
 	/// Where the root's joint is, m.
-	const Vec3 &get_root() const { return root; }
+	const Vec3 &get_root() const { return _root; }
 	/// Its velocity, m/s.
-	const Vec3 &get_velocity() const { return velocity; }
+	const Vec3 &get_velocity() const { return _velocity; }
 	/// Whether nothing touches the ground.
-	bool is_flying() const { return flying; }
+	bool is_flying() const { return _flying; }
 	/// How surely each point stands still on the ground, 0 to 1.
-	const std::vector<float> &get_weights() const { return weights; }
+	const std::vector<float> &get_weights() const { return _weights; }
 	/// Whether a point is held where it stands, and where that is, m.
-	virtual bool is_anchored(std::size_t p_point) const { return weights[p_point] > 0.0f; }
-	const Vec3 &get_anchor(std::size_t p_point) const { return anchors[p_point]; }
+	virtual bool is_anchored(std::size_t p_point) const { return _weights[p_point] > 0.0f; }
+	const Vec3 &get_anchor(std::size_t p_point) const { return _anchors[p_point]; }
 	/// Height of a point when it stands on the ground that was found under it last, m; NaN without.
-	float get_standing_height(std::size_t p_point) const { return levels[p_point].height + contacts[p_point].radius; }
+	float get_standing_height(std::size_t p_point) const { return _levels[p_point].height + _contacts[p_point].radius; }
 	/// Where the root will be when the points will be elsewhere, as long as those that stand go on to.
 	Vec3 ahead(const std::vector<Vec3> &p_points, float p_delta_s) const;
 
@@ -74,15 +74,15 @@ protected:
 	float find_heights(const GaitInput &p_input, const std::vector<Vec3> &p_points, const Vec3 &p_reference,
 			std::vector<float> &r_heights);
 
-	std::vector<ContactPoint> contacts;
-	std::vector<float> weights;
-	std::vector<Vec3> anchors; // Where the points stand, m.
-	std::vector<Vec3> last; // The points of the tick before.
-	float floor = 0.0f; // Height of the ground that carries the body, m.
-	Vec3 root;
-	Vec3 velocity;
-	bool flying = false;
-	bool begun = false;
+	std::vector<ContactPoint> _contacts;
+	std::vector<float> _weights;
+	std::vector<Vec3> _anchors; // Where the points stand, m.
+	std::vector<Vec3> _last; // The points of the tick before.
+	float _floor = 0.0f; // Height of the ground that carries the body, m.
+	Vec3 _root;
+	Vec3 _velocity;
+	bool _flying = false;
+	bool _begun = false;
 
 private:
 	/// What was found under a point.
@@ -94,7 +94,7 @@ private:
 
 	float look(const GaitInput &p_input, std::size_t p_point, const Vec3 &p_at);
 
-	std::vector<Level> levels;
+	std::vector<Level> _levels;
 };
 
 } // namespace ragdoll

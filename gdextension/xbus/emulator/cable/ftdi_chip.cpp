@@ -21,9 +21,9 @@ constexpr uint8_t GET_LATENCY = 0x0A;
 constexpr uint8_t SET_BIT_MODE = 0x0B;
 constexpr uint8_t READ_EEPROM = 0x90;
 
-constexpr size_t STATUS_BYTES = 2;
+constexpr std::size_t STATUS_BYTES = 2;
 /// Bytes that the chip keeps while nobody reads.
-constexpr size_t KEPT = 256;
+constexpr std::size_t KEPT = 256;
 constexpr uint16_t TWO_STOP_BITS = 0x1000;
 
 UsbDescription describe(const ChipOptions &p_options) {
@@ -111,7 +111,7 @@ int FtdiChip::_read_register(const UsbSetup &p_setup, uint8_t *p_data) const {
 	}
 	size = std::min(size, int(p_setup.length));
 	const uint8_t bytes[] = { uint8_t(value & 0xFFU), uint8_t(value >> 8U) };
-	std::memcpy(p_data, bytes, size_t(size));
+	std::memcpy(p_data, bytes, std::size_t(size));
 	return size;
 }
 
@@ -149,7 +149,7 @@ int FtdiChip::control(const UsbSetup &p_setup, uint8_t *p_data, Usec p_now) {
 	}
 }
 
-int FtdiChip::write(uint8_t p_endpoint, const uint8_t *p_bytes, size_t p_size, Usec p_now) {
+int FtdiChip::write(uint8_t p_endpoint, const uint8_t *p_bytes, std::size_t p_size, Usec p_now) {
 	if (p_endpoint != OUT || _is_halted) {
 		return USB_STALL;
 	}
@@ -179,7 +179,7 @@ void FtdiChip::_advance(Usec p_now) {
 }
 
 Usec FtdiChip::_next_packet() const {
-	const size_t payload = size_t(_description.interfaces[0].endpoints[0].packet) - STATUS_BYTES;
+	const std::size_t payload = std::size_t(_description.interfaces[0].endpoints[0].packet) - STATUS_BYTES;
 	const Usec tick = _last_packet + Usec(_latency_ms) * 1000;
 	return std::max(std::min(_line.arrival(payload), tick), _last_packet);
 }
@@ -193,14 +193,14 @@ int FtdiChip::read_packet(uint8_t p_endpoint, uint8_t *r_packet, Usec p_now, Use
 	if (time > p_now) {
 		return USB_NAK;
 	}
-	const size_t payload = size_t(_description.interfaces[0].endpoints[0].packet) - STATUS_BYTES;
+	const std::size_t payload = std::size_t(_description.interfaces[0].endpoints[0].packet) - STATUS_BYTES;
 	if (p_now - time > Usec(_latency_ms) * 1000) {
 		time = std::min(p_now, _line.arrival(payload)); // Late: not one packet for every tick that has passed.
 	}
 	constexpr uint8_t OVERRUN = 0x02;
 	r_packet[0] = _options.is_fast ? 0x32 : 0x31;
 	r_packet[1] = uint8_t(0x60U | (_has_overrun ? OVERRUN : 0U));
-	const size_t size = _line.take(r_packet + STATUS_BYTES, payload, time);
+	const std::size_t size = _line.take(r_packet + STATUS_BYTES, payload, time);
 	_line.collect(_traces, p_now);
 	_has_overrun = false;
 	_last_packet = time;
@@ -210,8 +210,8 @@ int FtdiChip::read_packet(uint8_t p_endpoint, uint8_t *r_packet, Usec p_now, Use
 
 void FtdiChip::wait(Usec p_now, Usec p_since) {
 	_advance(p_now);
-	const size_t arrived = _line.arrived(p_now);
-	const size_t kept = _line.arrived(p_since) + KEPT;
+	const std::size_t arrived = _line.arrived(p_now);
+	const std::size_t kept = _line.arrived(p_since) + KEPT;
 	if (arrived > kept) {
 		_line.drop(arrived - kept);
 		_has_overrun = true;

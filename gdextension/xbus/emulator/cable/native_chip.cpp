@@ -7,9 +7,9 @@ namespace emulator {
 namespace {
 
 constexpr uint16_t XSENS = 0x2639;
-constexpr size_t PACKET = 64;
+constexpr std::size_t PACKET = 64;
 /// Bytes that the chip keeps while nobody reads.
-constexpr size_t KEPT = 4096;
+constexpr std::size_t KEPT = 4096;
 
 } // namespace
 
@@ -32,7 +32,7 @@ int NativeChip::control(const UsbSetup & /*p_setup*/, uint8_t * /*p_data*/, Usec
 	return USB_STALL;
 }
 
-int NativeChip::write(uint8_t p_endpoint, const uint8_t *p_bytes, size_t p_size, Usec p_now) {
+int NativeChip::write(uint8_t p_endpoint, const uint8_t *p_bytes, std::size_t p_size, Usec p_now) {
 	if (p_endpoint != OUT || _is_halted) {
 		return USB_STALL;
 	}
@@ -54,7 +54,7 @@ int NativeChip::read_packet(uint8_t p_endpoint, uint8_t *r_packet, Usec p_now, U
 		return USB_STALL;
 	}
 	_advance(p_now);
-	const size_t size = _line.take(r_packet, PACKET, p_now);
+	const std::size_t size = _line.take(r_packet, PACKET, p_now);
 	_line.collect(_traces, p_now);
 	r_time = p_now;
 	return size > 0 ? int(size) : USB_NAK;
@@ -62,8 +62,8 @@ int NativeChip::read_packet(uint8_t p_endpoint, uint8_t *r_packet, Usec p_now, U
 
 void NativeChip::wait(Usec p_now, Usec p_since) {
 	_advance(p_now);
-	const size_t arrived = _line.arrived(p_now);
-	const size_t kept = _line.arrived(p_since) + KEPT;
+	const std::size_t arrived = _line.arrived(p_now);
+	const std::size_t kept = _line.arrived(p_since) + KEPT;
 	if (arrived > kept) {
 		_line.drop(arrived - kept);
 	}

@@ -14,7 +14,7 @@ public:
 
 	const UsbDescription &description() const override { return _description; }
 	int control(const UsbSetup &p_setup, uint8_t *p_data, Usec p_now) override;
-	int write(uint8_t p_endpoint, const uint8_t *p_bytes, size_t p_size, Usec p_now) override;
+	int write(uint8_t p_endpoint, const uint8_t *p_bytes, std::size_t p_size, Usec p_now) override;
 	int read_packet(uint8_t p_endpoint, uint8_t *r_packet, Usec p_now, Usec &r_time) override;
 	void wait(Usec p_now, Usec p_since) override;
 	Usec next_event(bool p_is_read) const override;

@@ -14,8 +14,8 @@ bool SerialDevice::take(Usec p_now, Chunk &r_chunk) {
 	return true;
 }
 
-size_t SerialDevice::waiting() const {
-	size_t total = 0;
+std::size_t SerialDevice::waiting() const {
+	std::size_t total = 0;
 	for (const Chunk &chunk : _output) {
 		total += chunk.bytes.size();
 	}
@@ -70,26 +70,26 @@ Usec SerialLine::next_pull(const SerialDevice &p_device) const {
 	return ready == NEVER ? NEVER : std::max(ready, (_free_nsec + 999) / 1000);
 }
 
-Usec SerialLine::arrival(size_t p_number) const {
+Usec SerialLine::arrival(std::size_t p_number) const {
 	return p_number > _bytes.size() ? NEVER : (_bytes[p_number - 1].nsec + 999) / 1000;
 }
 
-size_t SerialLine::arrived(Usec p_now) const {
+std::size_t SerialLine::arrived(Usec p_now) const {
 	const auto later = [](int64_t p_nsec, const Byte &p_byte) { return p_nsec < p_byte.nsec; };
-	return size_t(std::upper_bound(_bytes.begin(), _bytes.end(), p_now * 1000, later) - _bytes.begin());
+	return std::size_t(std::upper_bound(_bytes.begin(), _bytes.end(), p_now * 1000, later) - _bytes.begin());
 }
 
-size_t SerialLine::take(uint8_t *r_bytes, size_t p_most, Usec p_now) {
-	const size_t count = std::min(p_most, arrived(p_now));
-	for (size_t i = 0; i < count; i++) {
+std::size_t SerialLine::take(uint8_t *r_bytes, std::size_t p_most, Usec p_now) {
+	const std::size_t count = std::min(p_most, arrived(p_now));
+	for (std::size_t i = 0; i < count; i++) {
 		r_bytes[i] = _bytes[i].value;
 	}
 	drop(count);
 	return count;
 }
 
-void SerialLine::drop(size_t p_count) {
-	for (size_t i = 0; i < p_count && !_bytes.empty(); i++) {
+void SerialLine::drop(std::size_t p_count) {
+	for (std::size_t i = 0; i < p_count && !_bytes.empty(); i++) {
 		const auto ended = _traces.begin() + _bytes.front().ends;
 		_done.insert(_done.end(), _traces.begin(), ended);
 		_traces.erase(_traces.begin(), ended);

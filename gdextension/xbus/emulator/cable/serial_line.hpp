@@ -19,7 +19,7 @@ public:
 	/// Power comes, or goes.
 	virtual void power(bool p_on, Usec p_now) = 0;
 	/// Bytes from the host have arrived whole.
-	virtual void receive(const uint8_t *p_bytes, size_t p_size, Usec p_now) = 0;
+	virtual void receive(const uint8_t *p_bytes, std::size_t p_size, Usec p_now) = 0;
 	/// Does what was due until `p_now`.
 	virtual void advance(Usec p_now) = 0;
 	/// When something is due next.
@@ -44,7 +44,7 @@ protected:
 	/// Sends bytes, after what was sent before.
 	void send(Chunk p_chunk);
 	/// What the device has still to send, bytes.
-	size_t waiting() const;
+	std::size_t waiting() const;
 	void forget() { _output.clear(); }
 	/// What was sent last ends the message of a sample.
 	void mark_last(int p_counter) { _output.back().counter = p_counter; }
@@ -85,13 +85,13 @@ public:
 	/// When the line is free for more, where the device has more.
 	Usec next_pull(const SerialDevice &p_device) const;
 	/// When the n-th byte from now (from 1) will be there; NEVER if it has not been sent.
-	Usec arrival(size_t p_number) const;
+	Usec arrival(std::size_t p_number) const;
 	/// Bytes that are there at `p_now`.
-	size_t arrived(Usec p_now) const;
+	std::size_t arrived(Usec p_now) const;
 	/// Takes the next bytes out, at most what has arrived.
-	size_t take(uint8_t *r_bytes, size_t p_most, Usec p_now);
+	std::size_t take(uint8_t *r_bytes, std::size_t p_most, Usec p_now);
 	/// Drops the next bytes.
-	void drop(size_t p_count);
+	void drop(std::size_t p_count);
 	void clear();
 	/// Samples whose last byte was taken out since the last call.
 	void collect(std::vector<SampleTrace> &r_traces, Usec p_handed_over);

@@ -151,7 +151,7 @@ int standard_control(const UsbDescription &p_description, const UsbSetup &p_setu
 	if (answer.empty()) {
 		return USB_STALL;
 	}
-	const size_t size = std::min(answer.size(), size_t(p_setup.length));
+	const std::size_t size = std::min(answer.size(), std::size_t(p_setup.length));
 	std::memcpy(p_data, answer.data(), size);
 	return int(size);
 }

@@ -74,7 +74,7 @@ public:
 	/// A vendor's request; `p_data` is read or written. Bytes that went, or USB_STALL.
 	virtual int control(const UsbSetup &p_setup, uint8_t *p_data, Usec p_now) = 0;
 	/// Takes bytes: how many, or USB_STALL.
-	virtual int write(uint8_t p_endpoint, const uint8_t *p_bytes, size_t p_size, Usec p_now) = 0;
+	virtual int write(uint8_t p_endpoint, const uint8_t *p_bytes, std::size_t p_size, Usec p_now) = 0;
 	/// One packet for the host, at most as large as the endpoint's: its size, USB_NAK or USB_STALL.
 	/// `r_time`: when it was ready, not later than `p_now`.
 	virtual int read_packet(uint8_t p_endpoint, uint8_t *r_packet, Usec p_now, Usec &r_time) = 0;

@@ -44,7 +44,7 @@ int UsbPort::submit(std::unique_ptr<Urb> p_urb, Usec p_now) {
 		return 0;
 	}
 	const int went = _device.write(p_urb->endpoint, p_urb->data.data(), p_urb->data.size(), p_now);
-	p_urb->done = size_t(std::max(went, 0));
+	p_urb->done = std::size_t(std::max(went, 0));
 	_complete(std::move(p_urb), std::min(went, 0));
 	return 0;
 }
@@ -53,7 +53,7 @@ void UsbPort::_control(std::unique_ptr<Urb> p_urb, Usec p_now) {
 	constexpr uint8_t KIND = 0x60;
 	constexpr uint8_t CLEAR_ENDPOINT_FEATURE = 0x02;
 	const UsbSetup &setup = p_urb->setup;
-	p_urb->data.resize(std::max(p_urb->data.size(), size_t(setup.length)));
+	p_urb->data.resize(std::max(p_urb->data.size(), std::size_t(setup.length)));
 	int went = 0;
 	if ((setup.type & KIND) == 0) {
 		went = standard_control(description(), setup, p_urb->data.data());
@@ -64,7 +64,7 @@ void UsbPort::_control(std::unique_ptr<Urb> p_urb, Usec p_now) {
 		went = _device.control(setup, p_urb->data.data(), p_now);
 		_log("control " + setup.text() + (went < 0 ? " refused" : ""));
 	}
-	p_urb->done = size_t(std::max(went, 0));
+	p_urb->done = std::size_t(std::max(went, 0));
 	_complete(std::move(p_urb), std::min(went, 0));
 }
 
@@ -94,7 +94,7 @@ void UsbPort::discard_all(int p_status) {
 
 void UsbPort::_serve(uint8_t p_endpoint, Queue &r_queue, Usec p_now) {
 	std::array<uint8_t, 512> packet{};
-	const size_t longest = description().find_endpoint(p_endpoint)->packet;
+	const std::size_t longest = description().find_endpoint(p_endpoint)->packet;
 	while (!r_queue.empty()) {
 		Urb &urb = *r_queue.front();
 		Usec time = p_now;
@@ -105,11 +105,11 @@ void UsbPort::_serve(uint8_t p_endpoint, Queue &r_queue, Usec p_now) {
 		int status = std::min(size, 0);
 		bool is_over = size < int(longest);
 		if (size > 0) {
-			const size_t room = urb.data.size() - urb.done;
-			const size_t taken = std::min(size_t(size), room);
+			const std::size_t room = urb.data.size() - urb.done;
+			const std::size_t taken = std::min(std::size_t(size), room);
 			std::memcpy(urb.data.data() + urb.done, packet.data(), taken);
 			urb.done += taken;
-			status = size_t(size) > room ? -EOVERFLOW : 0;
+			status = std::size_t(size) > room ? -EOVERFLOW : 0;
 			is_over = is_over || urb.done == urb.data.size();
 		}
 		if (is_over) {

@@ -28,7 +28,7 @@ struct Urb {
 	/// What goes, or room for what comes.
 	std::vector<uint8_t> data;
 	/// Bytes that went.
-	size_t done = 0;
+	std::size_t done = 0;
 	/// 0, or a negative errno, as the kernel reports it.
 	int status = 0;
 };

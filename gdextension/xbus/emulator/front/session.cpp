@@ -70,7 +70,9 @@ std::string preload_value() {
 Session::Session(const SuitOptions &p_options, MotionStream p_stream) :
 		_options(p_options),
 		_suit(p_options, std::move(p_stream), monotonic,
-				[this](Usec p_now, size_t p_place, const std::string &p_text) { _write_log(p_now, p_place, p_text); }),
+				[this](Usec p_now, std::size_t p_place, const std::string &p_text) {
+					_write_log(p_now, p_place, p_text);
+				}),
 		_testbed(p_options.is_forbidden),
 		_begin(monotonic()),
 		_wake(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
@@ -97,7 +99,7 @@ Session::Session(const SuitOptions &p_options, MotionStream p_stream) :
 		}
 	}
 	for (SuitDevice &one : _suit.devices()) {
-		const size_t place = _nodes.size() + 1;
+		const std::size_t place = _nodes.size() + 1;
 		const auto log = [this, place](const std::string &p_text) { _write_log(monotonic(), place, p_text); };
 		_nodes.push_back(
 				std::make_unique<UsbfsNode>(_shared, *one.port, _testbed, int(place), one.kernel_driver(), log));
@@ -112,14 +114,14 @@ Session::~Session() {
 	}
 }
 
-void Session::_write_log(Usec p_now, size_t p_place, const std::string &p_text) {
+void Session::_write_log(Usec p_now, std::size_t p_place, const std::string &p_text) {
 	if (_log_file.is_open()) {
 		_log_file << p_now << ' ' << p_place << ' ' << p_text << std::endl;
 	}
 }
 
 void Session::_write_traces() {
-	size_t place = 0;
+	std::size_t place = 0;
 	for (SuitDevice &one : _suit.devices()) {
 		place++;
 		if (_trace_file.is_open()) {
@@ -272,8 +274,8 @@ void Session::_read_commands(int p_descriptor, std::string &r_rest) {
 		}
 		return;
 	}
-	r_rest.append(bytes.data(), size_t(size));
-	for (size_t end = r_rest.find('\n'); end != std::string::npos; end = r_rest.find('\n')) {
+	r_rest.append(bytes.data(), std::size_t(size));
+	for (std::size_t end = r_rest.find('\n'); end != std::string::npos; end = r_rest.find('\n')) {
 		_command(r_rest.substr(0, end));
 		r_rest.erase(0, end + 1);
 	}

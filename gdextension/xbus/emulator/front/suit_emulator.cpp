@@ -38,7 +38,7 @@ int main(int p_count, char **p_arguments) {
 		if (!fault.empty()) {
 			return refuse(fault);
 		}
-		emulator::MotionStream stream = emulator::MotionStream::still(size_t(options.sensors));
+		emulator::MotionStream stream = emulator::MotionStream::still(std::size_t(options.sensors));
 		if (!options.stream.empty()) {
 			std::ifstream file(options.stream, std::ios::binary);
 			const std::vector<uint8_t> bytes{ std::istreambuf_iterator<char>(file), {} };

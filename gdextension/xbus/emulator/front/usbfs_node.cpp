@@ -171,7 +171,7 @@ void UsbfsNode::_fill_buffer(const Transfer &p_transfer) {
 				p_transfer.urb, offsetof(usbdevfs_urb, buffer), p_transfer.bytes.size(), nullptr);
 	}
 	if (buffer != nullptr) {
-		const size_t room = size_t(buffer->data_len) - p_transfer.offset;
+		const std::size_t room = std::size_t(buffer->data_len) - p_transfer.offset;
 		std::memcpy(buffer->data + p_transfer.offset, p_transfer.bytes.data(), std::min(p_transfer.bytes.size(), room));
 	}
 }
@@ -194,16 +194,16 @@ std::unique_ptr<Urb> UsbfsNode::_make_urb(UMockdevIoctlClient *p_client, Transfe
 	urb->id = ++_last_id;
 	urb->type = Urb::Type(raw->type & 3U);
 	urb->endpoint = raw->endpoint;
-	r_transfer.offset = size_t(head);
+	r_transfer.offset = std::size_t(head);
 	if (raw->buffer_length == 0) {
 		return urb;
 	}
 	if (head == 0 && (raw->endpoint & 0x80U) != 0) {
-		urb->data.resize(size_t(raw->buffer_length));
+		urb->data.resize(std::size_t(raw->buffer_length));
 		return urb;
 	}
 	r_transfer.buffer = umockdev_ioctl_data_resolve(
-			r_transfer.urb, offsetof(usbdevfs_urb, buffer), size_t(raw->buffer_length), nullptr);
+			r_transfer.urb, offsetof(usbdevfs_urb, buffer), std::size_t(raw->buffer_length), nullptr);
 	if (r_transfer.buffer == nullptr) {
 		return nullptr;
 	}
@@ -291,7 +291,7 @@ UsbfsNode::Result UsbfsNode::_control(UMockdevIoctlClient *p_client) {
 	}
 	const std::unique_ptr<Urb> done = _port.take_completed();
 	if (done->status == 0 && is_in && buffer != nullptr) {
-		std::memcpy(buffer->data, done->data.data(), std::min(done->done, size_t(buffer->data_len)));
+		std::memcpy(buffer->data, done->data.data(), std::min(done->done, std::size_t(buffer->data_len)));
 	}
 	return done->status != 0 ? done->status : Result(done->done);
 }

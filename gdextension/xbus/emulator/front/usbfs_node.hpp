@@ -39,7 +39,7 @@ private:
 		UMockdevIoctlData *urb = nullptr;
 		UMockdevIoctlData *buffer = nullptr;
 		/// Where the data begin in the buffer: control transfers have the request before.
-		size_t offset = 0;
+		std::size_t offset = 0;
 		/// What came. The program's buffer is looked at no sooner than it fetches the transfer: most of it would
 		/// be carried to and fro for nothing.
 		std::vector<uint8_t> bytes;

@@ -104,19 +104,19 @@ void UsbipServer::_serve() {
 	}
 }
 
-bool UsbipServer::_read(void *r_bytes, size_t p_size) const {
+bool UsbipServer::_read(void *r_bytes, std::size_t p_size) const {
 	return p_size == 0 || recv(_socket, r_bytes, p_size, MSG_WAITALL) == ssize_t(p_size);
 }
 
-bool UsbipServer::_write(const void *p_bytes, size_t p_size) const {
+bool UsbipServer::_write(const void *p_bytes, std::size_t p_size) const {
 	const auto *bytes = static_cast<const uint8_t *>(p_bytes);
-	size_t sent = 0;
+	std::size_t sent = 0;
 	while (sent < p_size) {
 		const ssize_t went = send(_socket, bytes + sent, p_size - sent, MSG_NOSIGNAL);
 		if (went <= 0) {
 			return false;
 		}
-		sent += size_t(went);
+		sent += std::size_t(went);
 	}
 	return true;
 }

@@ -34,8 +34,8 @@ private:
 	void _unlink(const Header &p_header);
 	/// Answers what the port has completed.
 	bool _answer();
-	bool _read(void *r_bytes, size_t p_size) const;
-	bool _write(const void *p_bytes, size_t p_size) const;
+	bool _read(void *r_bytes, std::size_t p_size) const;
+	bool _write(const void *p_bytes, std::size_t p_size) const;
 
 	UsbPort &_port;
 	std::function<Usec()> _clock;

@@ -129,7 +129,7 @@ std::string Program::finish() {
 	std::string text;
 	std::array<char, 4096> bytes{};
 	for (ssize_t size = 0; (size = read(_output, bytes.data(), bytes.size())) > 0;) {
-		text.append(bytes.data(), size_t(size));
+		text.append(bytes.data(), std::size_t(size));
 	}
 	close(_output);
 	int status = 0;

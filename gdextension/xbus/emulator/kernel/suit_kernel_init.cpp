@@ -34,10 +34,10 @@ void examine(const std::string &p_kind, int p_place, const Load &p_load) {
 	emulator::SuitOptions options;
 	options.devices = p_kind;
 	options.sensors = p_load.sensors;
-	const auto log = [](Usec /*p_now*/, size_t /*p_place*/, const std::string &p_text) {
+	const auto log = [](Usec /*p_now*/, std::size_t /*p_place*/, const std::string &p_text) {
 		(void)printf("LOG %s\n", p_text.c_str());
 	};
-	emulator::Suit suit(options, emulator::MotionStream::still(size_t(p_load.sensors)), monotonic, log);
+	emulator::Suit suit(options, emulator::MotionStream::still(std::size_t(p_load.sensors)), monotonic, log);
 	suit.begin(monotonic());
 	emulator::SuitDevice &device = suit.devices().front();
 	emulator::UsbipServer server(*device.port, monotonic, p_place);

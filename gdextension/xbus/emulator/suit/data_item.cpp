@@ -23,15 +23,15 @@ public:
 	Item &operator=(const Item &) = delete;
 	~Item() { _data[_begin + 2] = uint8_t(_data.size() - _begin - 3); }
 
-	void add(const double *p_values, size_t p_count, xbus::NumberFormat p_format) {
-		const size_t at = _data.size();
+	void add(const double *p_values, std::size_t p_count, xbus::NumberFormat p_format) {
+		const std::size_t at = _data.size();
 		_data.resize(at + p_count * 8);
 		_data.resize(at + xbus::write_numbers(p_format, p_values, p_count, _data.data() + at));
 	}
 
 private:
 	Data &_data;
-	size_t _begin;
+	std::size_t _begin;
 };
 
 /// The orientation in the axes that the identifier asks for: 0 east-north-up, 4 north-east-down, 8 as it is.
@@ -126,7 +126,7 @@ void append_item(Data &r_data, uint16_t p_identifier, const Reading &p_reading, 
 	}
 	const double *values = nullptr;
 	std::array<double, 3> free_acceleration{};
-	size_t count = 3;
+	std::size_t count = 3;
 	switch (kind) {
 		case 0x0810:
 			values = &p_reading.temperature;

@@ -22,7 +22,8 @@ constexpr uint16_t RAW = 0x4000;
 
 } // namespace
 
-void append_configuration_head(Data &r_data, uint32_t p_device_id, unsigned p_period, unsigned p_skip, size_t p_count) {
+void append_configuration_head(
+		Data &r_data, uint32_t p_device_id, unsigned p_period, unsigned p_skip, std::size_t p_count) {
 	append_u32(r_data, p_device_id);
 	append_u16(r_data, p_period);
 	append_u16(r_data, p_skip);
@@ -33,7 +34,7 @@ void append_configuration_head(Data &r_data, uint32_t p_device_id, unsigned p_pe
 	append_u16(r_data, unsigned(p_count));
 }
 
-void append_configuration_block(Data &r_data, const Tracker &p_tracker, size_t p_data_size) {
+void append_configuration_block(Data &r_data, const Tracker &p_tracker, std::size_t p_data_size) {
 	append_u32(r_data, p_tracker.device_id);
 	append_u16(r_data, unsigned(p_data_size));
 	append_u16(r_data, p_tracker.mode);
@@ -77,8 +78,8 @@ uint8_t Master::start_measuring(uint8_t &r_bus_id) {
 	return _dead != 0 ? ERROR_NO_ANSWER : uint8_t(0);
 }
 
-size_t Master::_data_size() const {
-	size_t total = 2;
+std::size_t Master::_data_size() const {
+	std::size_t total = 2;
 	for (const Tracker &tracker : _trackers) {
 		total += tracker.data_size(true);
 	}
@@ -90,11 +91,11 @@ Data Master::sample(double p_motion_s, uint16_t p_counter) {
 	data.reserve(2 + _trackers.size() * Tracker::LONGEST);
 	append_u16(data, p_counter);
 	for (const Tracker &tracker : _trackers) {
-		const size_t at = data.size();
+		const std::size_t at = data.size();
 		data.resize(at + Tracker::LONGEST);
 		const Reading reading = tracker.read(_stream, p_motion_s, _random);
-		const size_t size = tracker.write_data(reading, true, p_counter, data.data() + at);
-		data.resize(size_t(std::max<ptrdiff_t>(ptrdiff_t(at + size) + tracker.length_fault, ptrdiff_t(at))));
+		const std::size_t size = tracker.write_data(reading, true, p_counter, data.data() + at);
+		data.resize(std::size_t(std::max<ptrdiff_t>(ptrdiff_t(at + size) + tracker.length_fault, ptrdiff_t(at))));
 	}
 	return data;
 }

@@ -15,7 +15,7 @@ public:
 	void set_bus_power(bool p_on) { _bus_power = p_on ? 1 : 0; }
 	bool is_initialised() const { return _is_initialised; }
 	/// A tracker that does not answer any more (from 1; 0: none): measuring fails.
-	void set_dead(size_t p_bus_id) { _dead = p_bus_id; }
+	void set_dead(std::size_t p_bus_id) { _dead = p_bus_id; }
 
 protected:
 	Answer handle(const xbus::Frame &p_frame, Usec p_now) override;
@@ -37,7 +37,7 @@ private:
 	Answer _set_period(const xbus::Frame &p_frame, Usec p_now);
 	Answer _set_mode(const xbus::Frame &p_frame, Tracker &r_tracker, Usec p_now);
 	Answer _reset_orientation(const xbus::Frame &p_frame, Tracker &r_tracker, Usec p_now);
-	size_t _data_size() const;
+	std::size_t _data_size() const;
 
 	std::vector<Tracker> _trackers;
 	unsigned _bus_power = 1;
@@ -49,12 +49,13 @@ private:
 	unsigned _sync_mode = 0;
 	unsigned _overflow_mode = 0;
 	unsigned _buffer_size = 1024;
-	size_t _dead = 0;
+	std::size_t _dead = 0;
 };
 
 /// The block of Configuration for one tracker (20 bytes), and the part that comes before all blocks.
-void append_configuration_head(Data &r_data, uint32_t p_device_id, unsigned p_period, unsigned p_skip, size_t p_count);
-void append_configuration_block(Data &r_data, const Tracker &p_tracker, size_t p_data_size);
+void append_configuration_head(
+		Data &r_data, uint32_t p_device_id, unsigned p_period, unsigned p_skip, std::size_t p_count);
+void append_configuration_block(Data &r_data, const Tracker &p_tracker, std::size_t p_data_size);
 /// 20 letters.
 Data product_code(const char *p_text);
 

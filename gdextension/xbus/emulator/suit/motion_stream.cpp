@@ -12,10 +12,10 @@ using kinematics::Quat;
 using kinematics::Vec3;
 
 constexpr char MAGIC[] = "XBMOTION";
-constexpr size_t MAGIC_SIZE = 8;
-constexpr size_t HEAD = 32;
-constexpr size_t NAME = 32;
-constexpr size_t KEY = 28;
+constexpr std::size_t MAGIC_SIZE = 8;
+constexpr std::size_t HEAD = 32;
+constexpr std::size_t NAME = 32;
+constexpr std::size_t KEY = 28;
 
 // The file is little-endian, and so are the machines that the emulator runs on.
 template <class T>
@@ -34,7 +34,7 @@ std::string MotionStream::parse(const std::vector<uint8_t> &p_bytes) {
 	if (read<uint32_t>(p_bytes.data() + 8) != 1) {
 		return "it is a motion stream of an unknown version";
 	}
-	const size_t limbs = read<uint32_t>(p_bytes.data() + 12);
+	const std::size_t limbs = read<uint32_t>(p_bytes.data() + 12);
 	_rate = read<double>(p_bytes.data() + 16);
 	_frame_count = read<uint32_t>(p_bytes.data() + 24);
 	_loop_frame = read<uint32_t>(p_bytes.data() + 28);
@@ -44,13 +44,13 @@ std::string MotionStream::parse(const std::vector<uint8_t> &p_bytes) {
 	if (_frame_count < 1 || _loop_frame >= _frame_count) {
 		return "its loop begins behind its end";
 	}
-	const size_t needed = HEAD + limbs * NAME + _frame_count * limbs * KEY;
+	const std::size_t needed = HEAD + limbs * NAME + _frame_count * limbs * KEY;
 	if (p_bytes.size() != needed) {
 		return "it has " + std::to_string(p_bytes.size()) + " bytes in place of " + std::to_string(needed);
 	}
 	_names.clear();
 	_names.reserve(limbs);
-	for (size_t i = 0; i < limbs; i++) {
+	for (std::size_t i = 0; i < limbs; i++) {
 		const char *name = reinterpret_cast<const char *>(p_bytes.data() + HEAD + i * NAME);
 		_names.emplace_back(name, strnlen(name, NAME));
 	}
@@ -59,7 +59,7 @@ std::string MotionStream::parse(const std::vector<uint8_t> &p_bytes) {
 
 std::string MotionStream::_parse_keys(const uint8_t *p_bytes) {
 	_keys.resize(_frame_count * _names.size());
-	for (size_t i = 0; i < _keys.size(); i++) {
+	for (std::size_t i = 0; i < _keys.size(); i++) {
 		float values[7];
 		std::memcpy(values, p_bytes + i * KEY, KEY);
 		const Quat orientation{ values[1], values[2], values[3], values[0] };
@@ -72,28 +72,28 @@ std::string MotionStream::_parse_keys(const uint8_t *p_bytes) {
 	return {};
 }
 
-MotionStream MotionStream::still(size_t p_limbs) {
+MotionStream MotionStream::still(std::size_t p_limbs) {
 	MotionStream stream;
 	stream._keys.resize(p_limbs);
 	stream._names.reserve(p_limbs);
-	for (size_t i = 0; i < p_limbs; i++) {
+	for (std::size_t i = 0; i < p_limbs; i++) {
 		stream._names.push_back("Sensor" + std::to_string(i + 1));
 	}
 	return stream;
 }
 
-size_t MotionStream::_frame(int64_t p_frame) const {
+std::size_t MotionStream::_frame(int64_t p_frame) const {
 	const auto count = int64_t(_frame_count);
 	const auto first = int64_t(_loop_frame);
 	const int64_t frame = std::max<int64_t>(p_frame, 0);
-	return size_t(frame < count ? frame : first + (frame - first) % (count - first));
+	return std::size_t(frame < count ? frame : first + (frame - first) % (count - first));
 }
 
-const MotionStream::Key &MotionStream::_key(size_t p_limb, int64_t p_frame) const {
+const MotionStream::Key &MotionStream::_key(std::size_t p_limb, int64_t p_frame) const {
 	return _keys[_frame(p_frame) * _names.size() + p_limb];
 }
 
-LimbMotion MotionStream::at(size_t p_limb, double p_time_s) const {
+LimbMotion MotionStream::at(std::size_t p_limb, double p_time_s) const {
 	const double at = std::max(p_time_s, 0.0) * _rate;
 	const auto frame = int64_t(at);
 	const auto part = float(at - double(frame));

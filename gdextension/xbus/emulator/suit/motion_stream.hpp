@@ -31,18 +31,18 @@ public:
 	/// Reads a file's bytes; an empty text, or what is wrong.
 	std::string parse(const std::vector<uint8_t> &p_bytes);
 	/// Stands still in the reset pose: what a suit without a file does.
-	static MotionStream still(size_t p_limbs);
+	static MotionStream still(std::size_t p_limbs);
 
-	size_t limb_count() const { return _names.size(); }
-	const std::string &limb_name(size_t p_limb) const { return _names[p_limb]; }
-	size_t frame_count() const { return _frame_count; }
+	std::size_t limb_count() const { return _names.size(); }
+	const std::string &limb_name(std::size_t p_limb) const { return _names[p_limb]; }
+	std::size_t frame_count() const { return _frame_count; }
 	/// Seconds until the loop begins.
 	double lead_in_s() const { return double(_loop_frame) / _rate; }
 
 	/// How a limb is after so many seconds.
-	LimbMotion at(size_t p_limb, double p_time_s) const;
+	LimbMotion at(std::size_t p_limb, double p_time_s) const;
 
-	static constexpr size_t MAX_LIMBS = 64;
+	static constexpr std::size_t MAX_LIMBS = 64;
 
 private:
 	struct Key {
@@ -52,14 +52,14 @@ private:
 
 	std::string _parse_keys(const uint8_t *p_bytes);
 	/// Which frame is so many frames after the beginning, in the loop.
-	size_t _frame(int64_t p_frame) const;
-	const Key &_key(size_t p_limb, int64_t p_frame) const;
+	std::size_t _frame(int64_t p_frame) const;
+	const Key &_key(std::size_t p_limb, int64_t p_frame) const;
 
 	std::vector<std::string> _names;
 	std::vector<Key> _keys;
 	double _rate = 100.0;
-	size_t _frame_count = 1;
-	size_t _loop_frame = 0;
+	std::size_t _frame_count = 1;
+	std::size_t _loop_frame = 0;
 };
 
 } // namespace emulator

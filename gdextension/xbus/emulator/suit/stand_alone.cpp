@@ -51,7 +51,7 @@ Data StandAlone::sample(double p_motion_s, uint16_t p_counter) {
 	if (_items.empty()) {
 		data.resize(Tracker::LONGEST);
 		data.resize(_tracker.write_data(reading, false, p_counter, data.data()));
-		data.resize(size_t(std::max(int(data.size()) + _tracker.length_fault, 0)));
+		data.resize(std::size_t(std::max(int(data.size()) + _tracker.length_fault, 0)));
 		return data;
 	}
 	const int rate = _rate();
@@ -166,7 +166,7 @@ XbusDevice::Answer StandAlone::_choose_items(const Frame &p_frame, Usec p_now) {
 	if (p_frame.size > 0) {
 		_items.clear();
 		_items.reserve(p_frame.size / 4);
-		for (size_t at = 0; at < p_frame.size; at += 4) {
+		for (std::size_t at = 0; at < p_frame.size; at += 4) {
 			const Item item = { xbus::read_u16(p_frame.data + at), xbus::read_u16(p_frame.data + at + 2) };
 			Data probe;
 			append_item(probe, item.identifier, {}, 0, 0.0);

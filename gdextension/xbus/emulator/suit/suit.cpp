@@ -19,7 +19,7 @@ constexpr uint16_t PRODUCT_CONVERTER = 0xD38B;
 constexpr uint16_t PRODUCT_MTI_30 = 0x0003;
 constexpr uint16_t PRODUCT_AWINDA_STATION = 0xD38D;
 /// What Xsens' own hosts allow on one master, at most.
-constexpr size_t MAX_TRACKERS = 20;
+constexpr std::size_t MAX_TRACKERS = 20;
 /// From the first sample until the wearer begins: a client has found all trackers then and has said what to do.
 constexpr Usec REACTION = 1300000;
 
@@ -45,13 +45,13 @@ Suit::Suit(const SuitOptions &p_options, MotionStream p_stream, std::function<Us
 }
 
 std::string Suit::_make_trackers(std::vector<Tracker> &r_trackers) {
-	r_trackers.resize(size_t(_options.sensors));
-	for (size_t i = 0; i < r_trackers.size(); i++) {
+	r_trackers.resize(std::size_t(_options.sensors));
+	for (std::size_t i = 0; i < r_trackers.size(); i++) {
 		Tracker &tracker = r_trackers[i];
 		tracker.device_id = TRACKER_ID + uint32_t(i) + 1;
 		tracker.limb = i % _stream.limb_count();
 		if (!_options.limbs.empty()) {
-			size_t limb = 0;
+			std::size_t limb = 0;
 			while (limb < _stream.limb_count() && _stream.limb_name(limb) != _options.limbs[i]) {
 				limb++;
 			}
@@ -71,10 +71,11 @@ std::string Suit::_make_trackers(std::vector<Tracker> &r_trackers) {
 		return "there are only " + std::to_string(count) + " sensors";
 	}
 	if (_options.swapped_a > 0 && _options.swapped_b > 0) {
-		std::swap(r_trackers[size_t(_options.swapped_a) - 1].limb, r_trackers[size_t(_options.swapped_b) - 1].limb);
+		std::swap(r_trackers[std::size_t(_options.swapped_a) - 1].limb,
+				r_trackers[std::size_t(_options.swapped_b) - 1].limb);
 	}
 	if (_options.liar > 0) {
-		r_trackers[size_t(_options.liar) - 1].length_fault = _options.lie;
+		r_trackers[std::size_t(_options.liar) - 1].length_fault = _options.lie;
 	}
 	return _options.mountings.empty() ? "" : _read_mountings(r_trackers);
 }
@@ -142,13 +143,13 @@ std::string Suit::_make(const std::string &p_kind, std::vector<Tracker> p_tracke
 	auto device = std::make_unique<Master>(MASTER_ID + number, std::move(p_trackers), _stream, seed);
 	device->set_bus_power(_options.has_bus_power);
 	device->set_battery(unsigned(_options.battery));
-	device->set_dead(size_t(_options.dead));
+	device->set_dead(std::size_t(_options.dead));
 	_add(std::move(device), p_kind, p_kind == "native" ? PRODUCT_MTI_30 : PRODUCT_CONVERTER);
 	return {};
 }
 
 void Suit::_add(std::unique_ptr<XbusDevice> p_device, const std::string &p_kind, uint16_t p_product) {
-	const size_t place = _devices.size() + 1;
+	const std::size_t place = _devices.size() + 1;
 	SuitDevice made;
 	made.device = std::move(p_device);
 	made.master = dynamic_cast<Master *>(made.device.get());

@@ -32,7 +32,7 @@ struct SuitDevice {
 class Suit {
 public:
 	/// A line for the log: time, place of the device from 1, what happened.
-	using Log = std::function<void(Usec, size_t, const std::string &)>;
+	using Log = std::function<void(Usec, std::size_t, const std::string &)>;
 
 	/// `p_stream`: the motion; sensors that are more than its limbs share them.
 	Suit(const SuitOptions &p_options, MotionStream p_stream, std::function<Usec()> p_clock, Log p_log);

@@ -32,7 +32,7 @@ bool parse_number(const std::string &p_text, double &r_value) {
 }
 
 std::string SuitOptions::parse(const std::vector<std::string> &p_arguments) {
-	for (size_t i = 0; i < p_arguments.size(); i++) {
+	for (std::size_t i = 0; i < p_arguments.size(); i++) {
 		const std::string &argument = p_arguments[i];
 		if (argument == "--") {
 			program.assign(p_arguments.begin() + std::ptrdiff_t(i) + 1, p_arguments.end());
@@ -41,7 +41,7 @@ std::string SuitOptions::parse(const std::vector<std::string> &p_arguments) {
 		if (argument.compare(0, 2, "--") != 0) {
 			return "'" + argument + "' is no option: a program to start comes behind '--'";
 		}
-		const size_t equals = argument.find('=');
+		const std::size_t equals = argument.find('=');
 		const std::string name = argument.substr(2, equals == std::string::npos ? equals : equals - 2);
 		const std::string value = equals == std::string::npos ? "" : argument.substr(equals + 1);
 		std::string fault = _set(name, value);

@@ -120,8 +120,8 @@ void Tracker::restart() {
 	_object = _stored_object;
 }
 
-size_t Tracker::_write_inertial(const Reading &p_reading, uint8_t *r_bytes) const {
-	size_t at = 0;
+std::size_t Tracker::_write_inertial(const Reading &p_reading, uint8_t *r_bytes) const {
+	std::size_t at = 0;
 	const std::array<double, 3> *parts[] = { &p_reading.acceleration, &p_reading.rate, &p_reading.magnetic };
 	for (unsigned i = 0; i < 3; i++) {
 		if ((settings >> (4U + i) & 1U) == 0) {
@@ -131,7 +131,7 @@ size_t Tracker::_write_inertial(const Reading &p_reading, uint8_t *r_bytes) cons
 	return at;
 }
 
-size_t Tracker::_write_orientation(const Reading &p_reading, uint8_t *r_bytes) const {
+std::size_t Tracker::_write_orientation(const Reading &p_reading, uint8_t *r_bytes) const {
 	// North-east-down: half a turn about the north.
 	const Quat half = (settings >> 31U) != 0 ? Quat{ 1.0F, 0.0F, 0.0F, 0.0F } : Quat{};
 	const Quat turn = half * p_reading.orientation;
@@ -149,10 +149,10 @@ size_t Tracker::_write_orientation(const Reading &p_reading, uint8_t *r_bytes) c
 	}
 }
 
-size_t Tracker::write_data(
+std::size_t Tracker::write_data(
 		const Reading &p_reading, bool p_is_behind_master, uint16_t p_counter, uint8_t *r_bytes) const {
-	size_t at = 0;
-	const auto zeros = [&](size_t p_count) {
+	std::size_t at = 0;
+	const auto zeros = [&](std::size_t p_count) {
 		std::memset(r_bytes + at, 0, p_count);
 		at += p_count;
 	};
@@ -167,7 +167,7 @@ size_t Tracker::write_data(
 		if ((mode & AUXILIARY) != 0) {
 			zeros(((settings & 0x400U) == 0 ? 2 : 0) + ((settings & 0x800U) == 0 ? 2 : 0));
 		}
-		const size_t three = 3 * xbus::number_size(number_format());
+		const std::size_t three = 3 * xbus::number_size(number_format());
 		zeros((mode & POSITION) != 0 ? three : 0);
 		zeros((mode & VELOCITY) != 0 ? three : 0);
 		if ((mode & STATUS) != 0) {
@@ -184,7 +184,7 @@ size_t Tracker::write_data(
 	return at;
 }
 
-size_t Tracker::data_size(bool p_is_behind_master) const {
+std::size_t Tracker::data_size(bool p_is_behind_master) const {
 	std::array<uint8_t, LONGEST> bytes{};
 	return write_data({}, p_is_behind_master, 0, bytes.data());
 }

@@ -58,7 +58,7 @@ public:
 	uint16_t filter_scenario = 0x0102;
 	Mounting mounting;
 	/// Which limb of the stream it sits on.
-	size_t limb = 0;
+	std::size_t limb = 0;
 	/// Bytes by which its data differ from the length that it tells: a fault.
 	int length_fault = 0;
 
@@ -69,17 +69,18 @@ public:
 	void restart();
 
 	/// Bytes of its part of MTData. Behind a master there is no counter of its own.
-	size_t data_size(bool p_is_behind_master) const;
+	std::size_t data_size(bool p_is_behind_master) const;
 	/// Writes that part; `r_bytes` has room for LONGEST. Returns the bytes written, and nothing else if
 	/// the settings ask for what does not exist.
-	size_t write_data(const Reading &p_reading, bool p_is_behind_master, uint16_t p_counter, uint8_t *r_bytes) const;
+	std::size_t write_data(
+			const Reading &p_reading, bool p_is_behind_master, uint16_t p_counter, uint8_t *r_bytes) const;
 	xbus::NumberFormat number_format() const { return xbus::NumberFormat(settings >> 8U & 3U); }
 
-	static constexpr size_t LONGEST = 512;
+	static constexpr std::size_t LONGEST = 512;
 
 private:
-	size_t _write_orientation(const Reading &p_reading, uint8_t *r_bytes) const;
-	size_t _write_inertial(const Reading &p_reading, uint8_t *r_bytes) const;
+	std::size_t _write_orientation(const Reading &p_reading, uint8_t *r_bytes) const;
+	std::size_t _write_inertial(const Reading &p_reading, uint8_t *r_bytes) const;
 
 	/// Turns the world's axes, and the sensor's: what ResetOrientation has made.
 	kinematics::Quat _world;

@@ -17,7 +17,7 @@ constexpr Usec REBOOT_TIME = 3 * SECOND / 4;
 /// How long a message from the host may take.
 constexpr Usec RECEIVE_TIME = SECOND / 5;
 /// Bytes that a device keeps for a slow line.
-constexpr size_t BUFFER = 8192;
+constexpr std::size_t BUFFER = 8192;
 constexpr int64_t TICKS = 115200;
 
 constexpr uint8_t ERROR_MESSAGE = 0x04;
@@ -29,8 +29,8 @@ std::string describe(const Frame &p_frame) {
 	const char *name = xbus::message_name(p_frame.message);
 	int at = snprintf(line.data(), line.size(), "message %02x %02x %s", p_frame.bus_id, unsigned(p_frame.message),
 			name == nullptr ? "unknown" : name);
-	for (size_t i = 0; i < p_frame.size && i < 12; i++) {
-		at += snprintf(line.data() + at, line.size() - size_t(at), i == 0 ? " %02x" : "%02x", p_frame.data[i]);
+	for (std::size_t i = 0; i < p_frame.size && i < 12; i++) {
+		at += snprintf(line.data() + at, line.size() - std::size_t(at), i == 0 ? " %02x" : "%02x", p_frame.data[i]);
 	}
 	return line.data();
 }
@@ -98,7 +98,7 @@ void XbusDevice::send_error(uint8_t p_code, Usec p_now) {
 	}
 }
 
-bool XbusDevice::exchange(const Frame &p_frame, unsigned &r_value, size_t p_bytes, Usec p_now) {
+bool XbusDevice::exchange(const Frame &p_frame, unsigned &r_value, std::size_t p_bytes, Usec p_now) {
 	const Message answer = xbus::acknowledgement(p_frame.message);
 	if (p_frame.size != 0 && p_frame.size != p_bytes) {
 		return false;
@@ -109,7 +109,7 @@ bool XbusDevice::exchange(const Frame &p_frame, unsigned &r_value, size_t p_byte
 		data.erase(data.begin(), data.begin() + ptrdiff_t(4 - p_bytes));
 	} else {
 		r_value = 0;
-		for (size_t i = 0; i < p_bytes; i++) {
+		for (std::size_t i = 0; i < p_bytes; i++) {
 			r_value = r_value << 8U | p_frame.data[i];
 		}
 	}
@@ -135,7 +135,7 @@ bool XbusDevice::change_baud(const Frame &p_frame, Usec p_now) {
 	return true;
 }
 
-void XbusDevice::receive(const uint8_t *p_bytes, size_t p_size, Usec p_now) {
+void XbusDevice::receive(const uint8_t *p_bytes, std::size_t p_size, Usec p_now) {
 	const auto take = [this, p_now](const Frame &p_frame) { _take(p_frame, p_now); };
 	if (p_now - _last_received > RECEIVE_TIME) {
 		_framer.finish([](const Frame & /*p_frame*/) {});

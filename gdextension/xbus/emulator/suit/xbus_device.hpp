@@ -48,7 +48,7 @@ public:
 	XbusDevice(MotionStream p_stream, uint64_t p_seed);
 
 	void power(bool p_on, Usec p_now) override;
-	void receive(const uint8_t *p_bytes, size_t p_size, Usec p_now) override;
+	void receive(const uint8_t *p_bytes, std::size_t p_size, Usec p_now) override;
 	void advance(Usec p_now) override;
 	Usec next_event() const override;
 	uint32_t baud() const override { return _baud; }
@@ -100,7 +100,7 @@ protected:
 	void reply(uint8_t p_bus_id, xbus::Message p_message, const Data &p_data, Usec p_now, Usec p_delay = 200);
 	void reply_error(uint8_t p_code, Usec p_now, uint8_t p_bus_id = 0);
 	/// Takes a value of 8, 16 or 32 bits, or tells it where there are no data; false if neither fits.
-	bool exchange(const xbus::Frame &p_frame, unsigned &r_value, size_t p_bytes, Usec p_now);
+	bool exchange(const xbus::Frame &p_frame, unsigned &r_value, std::size_t p_bytes, Usec p_now);
 	bool change_baud(const xbus::Frame &p_frame, Usec p_now);
 	void go_to(State p_state) { _state = p_state; }
 	bool is_overflowing() const;

@@ -20,7 +20,7 @@ public:
 	explicit BenchHost(const std::vector<std::string> &p_options, bool p_is_plugged = true) :
 			suit(
 					parse(p_options), emulator::MotionStream::still(16), [this]() { return now; },
-					[this](emulator::Usec, size_t, const std::string &p_text) { log.push_back(p_text); }) {
+					[this](emulator::Usec, std::size_t, const std::string &p_text) { log.push_back(p_text); }) {
 		suit.begin(now);
 		if (p_is_plugged) {
 			port().plug(true, now);
@@ -109,7 +109,7 @@ public:
 	std::vector<int> statuses;
 	std::vector<uint8_t> answer;
 	xbus::Framer framer;
-	size_t waiting = 0;
+	std::size_t waiting = 0;
 
 private:
 	void take(const xbus::Frame &p_frame) {
@@ -122,10 +122,10 @@ private:
 			statuses.push_back(done->status);
 			done->data.resize(done->done);
 			packets.push_back(done->data);
-			const size_t packet = size_t(is_ftdi() && device().chip->description().speed == 480 ? 512 : 64);
-			for (size_t at = 0; at < done->data.size(); at += packet) {
-				const size_t head = is_ftdi() ? 2 : 0;
-				const size_t size = std::min(packet, done->data.size() - at);
+			const std::size_t packet = std::size_t(is_ftdi() && device().chip->description().speed == 480 ? 512 : 64);
+			for (std::size_t at = 0; at < done->data.size(); at += packet) {
+				const std::size_t head = is_ftdi() ? 2 : 0;
+				const std::size_t size = std::min(packet, done->data.size() - at);
 				framer.feed(done->data.data() + at + head, size - std::min(head, size),
 						[this](const xbus::Frame &p_frame) { take(p_frame); });
 			}

@@ -70,8 +70,8 @@ TEST(a_line_too_slow_for_the_samples_loses_some_and_says_so) {
 	host.ask(MASTER, Message::GO_TO_MEASUREMENT);
 	host.received.clear();
 	host.read(10 * SECOND);
-	size_t errors = 0;
-	size_t samples = 0;
+	std::size_t errors = 0;
+	std::size_t samples = 0;
 	for (const BenchHost::Message &one : host.received) {
 		errors += one.message == Message::ERROR && one.data[0] == 0x2A ? 1 : 0;
 		samples += one.message == Message::MT_DATA ? 1 : 0;
@@ -148,10 +148,10 @@ TEST(a_pulled_cable_ends_every_transfer) {
 	BenchHost host({ "--devices=ftdi" });
 	host.bring_up();
 	host.read(SECOND / 10);
-	const size_t waiting = host.waiting;
+	const std::size_t waiting = host.waiting;
 	CHECK(waiting > 0);
 	host.port().plug(false, host.now);
-	for (size_t i = 0; i < waiting; i++) {
+	for (std::size_t i = 0; i < waiting; i++) {
 		const std::unique_ptr<emulator::Urb> done = host.port().take_completed();
 		CHECK(done != nullptr && done->status == -ESHUTDOWN);
 	}

@@ -92,7 +92,7 @@ TEST(samples_come_at_the_period_with_the_counter_in_front) {
 	host.read(SECOND);
 	const std::vector<int> found = counters(host);
 	CHECK(found.size() >= 99 && found.size() <= 101);
-	for (size_t i = 1; i < found.size(); i++) {
+	for (std::size_t i = 1; i < found.size(); i++) {
 		CHECK(found[i] == (found[i - 1] + 1) % 65536);
 	}
 	// 16 trackers with calibrated data and quaternions: the extended form.
@@ -165,7 +165,7 @@ TEST(faults_are_as_ordered) {
 	host.ask(MASTER, Message::GO_TO_MEASUREMENT);
 	host.received.clear();
 	host.read(SECOND);
-	size_t errors = 0;
+	std::size_t errors = 0;
 	for (const BenchHost::Message &one : host.received) {
 		errors += one.message == Message::ERROR ? 1 : 0;
 		CHECK(one.message == Message::ERROR || one.data.size() == 2 + 2 * 52 + 5);

@@ -18,7 +18,7 @@ namespace {
 /// A stream of one limb: turns about the vertical with `p_rate` rad/s, or goes up with `p_push` m/s2.
 std::vector<uint8_t> make_stream(float p_rate, float p_push, uint32_t p_frames = 200, uint32_t p_loop = 100) {
 	std::vector<uint8_t> bytes;
-	const auto put = [&bytes](const void *p_value, size_t p_size) {
+	const auto put = [&bytes](const void *p_value, std::size_t p_size) {
 		const auto *raw = static_cast<const uint8_t *>(p_value);
 		bytes.insert(bytes.end(), raw, raw + p_size);
 	};
@@ -53,10 +53,11 @@ TEST(a_broken_stream_is_refused_with_a_reason) {
 	MotionStream stream;
 	CHECK(stream.parse(good).empty());
 	CHECK(stream.limb_name(0) == "pelvis" && stream.frame_count() == 200);
-	for (size_t size = 0; size < good.size(); size += 7) {
+	for (std::size_t size = 0; size < good.size(); size += 7) {
 		CHECK(!stream.parse({ good.begin(), good.begin() + std::ptrdiff_t(size) }).empty());
 	}
-	for (const size_t at : { size_t(0), size_t(8), size_t(12), size_t(23), size_t(27), size_t(31), size_t(67) }) {
+	for (const std::size_t at : { std::size_t(0), std::size_t(8), std::size_t(12), std::size_t(23), std::size_t(27),
+				 std::size_t(31), std::size_t(67) }) {
 		std::vector<uint8_t> bad = good;
 		bad[at] = 0xFF;
 		CHECK(!stream.parse(bad).empty());

@@ -45,15 +45,15 @@ inline void write_u64(uint64_t p_value, uint8_t *r_bytes) {
 }
 
 /// Sum of all bytes modulo 256.
-inline uint8_t sum_bytes(const uint8_t *p_bytes, size_t p_size) {
+inline uint8_t sum_bytes(const uint8_t *p_bytes, std::size_t p_size) {
 	// Eight bytes at a time, in four lanes of 16 bits: a lane holds 128 words before it could overflow.
 	constexpr uint64_t LANES = 0x00FF00FF00FF00FFULL;
-	constexpr size_t BLOCK = size_t(128) * 8;
+	constexpr std::size_t BLOCK = std::size_t(128) * 8;
 	uint32_t sum = 0;
 	while (p_size >= 8) {
-		const size_t block = (p_size < BLOCK ? p_size : BLOCK) / 8 * 8;
+		const std::size_t block = (p_size < BLOCK ? p_size : BLOCK) / 8 * 8;
 		uint64_t lanes = 0;
-		for (size_t i = 0; i < block; i += 8) {
+		for (std::size_t i = 0; i < block; i += 8) {
 			uint64_t word = 0;
 			std::memcpy(&word, p_bytes + i, 8);
 			lanes += (word & LANES) + ((word >> 8U) & LANES);
@@ -63,7 +63,7 @@ inline uint8_t sum_bytes(const uint8_t *p_bytes, size_t p_size) {
 		p_bytes += block;
 		p_size -= block;
 	}
-	for (size_t i = 0; i < p_size; i++) {
+	for (std::size_t i = 0; i < p_size; i++) {
 		sum += p_bytes[i];
 	}
 	return uint8_t(sum);

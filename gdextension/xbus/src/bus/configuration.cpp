@@ -7,11 +7,11 @@ namespace xbus {
 
 namespace {
 
-constexpr size_t DATE_AT = 16;
-constexpr size_t TIME_AT = 24;
-constexpr size_t HOST_AT = 32;
-constexpr size_t CLIENT_AT = 64;
-constexpr size_t COUNT_AT = 96;
+constexpr std::size_t DATE_AT = 16;
+constexpr std::size_t TIME_AT = 24;
+constexpr std::size_t HOST_AT = 32;
+constexpr std::size_t CLIENT_AT = 64;
+constexpr std::size_t COUNT_AT = 96;
 /// Length of SetPeriod's unit.
 constexpr double TICKS_PER_SECOND = 115200.0;
 
@@ -55,11 +55,11 @@ double Configuration::rate() const {
 	return period > 0 ? TICKS_PER_SECOND / (double(period) * (double(skip_factor) + 1.0)) : 0.0;
 }
 
-ConfigurationFault Configuration::parse(const uint8_t *p_data, size_t p_size) {
+ConfigurationFault Configuration::parse(const uint8_t *p_data, std::size_t p_size) {
 	if (p_size < HEAD) {
 		return ConfigurationFault::TOO_SHORT;
 	}
-	const size_t count = read_u16(p_data + COUNT_AT);
+	const std::size_t count = read_u16(p_data + COUNT_AT);
 	if (p_size != HEAD + count * DEVICE) {
 		return ConfigurationFault::WRONG_LENGTH;
 	}
@@ -77,14 +77,14 @@ ConfigurationFault Configuration::parse(const uint8_t *p_data, size_t p_size) {
 	std::memcpy(reserved_host.data(), p_data + HOST_AT, reserved_host.size());
 	std::memcpy(reserved_client.data(), p_data + CLIENT_AT, reserved_client.size());
 	device_count = count;
-	for (size_t i = 0; i < count; i++) {
+	for (std::size_t i = 0; i < count; i++) {
 		parse_device(p_data + HEAD + i * DEVICE, devices[i]);
 	}
 	return ConfigurationFault::NONE;
 }
 
-size_t Configuration::write(uint8_t *r_bytes) const {
-	const size_t count = device_count < MAX_DEVICES ? device_count : MAX_DEVICES;
+std::size_t Configuration::write(uint8_t *r_bytes) const {
+	const std::size_t count = device_count < MAX_DEVICES ? device_count : MAX_DEVICES;
 	write_u32(master_id, r_bytes);
 	write_u16(period, r_bytes + 4);
 	write_u16(skip_factor, r_bytes + 6);
@@ -96,7 +96,7 @@ size_t Configuration::write(uint8_t *r_bytes) const {
 	std::memcpy(r_bytes + HOST_AT, reserved_host.data(), reserved_host.size());
 	std::memcpy(r_bytes + CLIENT_AT, reserved_client.data(), reserved_client.size());
 	write_u16(uint16_t(count), r_bytes + COUNT_AT);
-	for (size_t i = 0; i < count; i++) {
+	for (std::size_t i = 0; i < count; i++) {
 		write_device(devices[i], r_bytes + HEAD + i * DEVICE);
 	}
 	return HEAD + count * DEVICE;

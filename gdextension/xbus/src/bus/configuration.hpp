@@ -33,9 +33,9 @@ const char *configuration_fault_text(ConfigurationFault p_fault);
 /// What a master (or a tracker that stands alone) is set to.
 struct Configuration {
 	/// Bytes before the trackers, and of each tracker.
-	static constexpr size_t HEAD = 98;
-	static constexpr size_t DEVICE = 20;
-	static constexpr size_t MAX_BYTES = HEAD + DEVICE * MAX_DEVICES;
+	static constexpr std::size_t HEAD = 98;
+	static constexpr std::size_t DEVICE = 20;
+	static constexpr std::size_t MAX_BYTES = HEAD + DEVICE * MAX_DEVICES;
 
 	uint32_t master_id = 0;
 	/// 1/115200 s.
@@ -49,15 +49,15 @@ struct Configuration {
 	std::array<char, 8> time{};
 	std::array<uint8_t, 32> reserved_host{};
 	std::array<uint8_t, 32> reserved_client{};
-	size_t device_count = 0;
+	std::size_t device_count = 0;
 	std::array<DeviceConfiguration, MAX_DEVICES> devices{};
 
 	/// Samples a second, with the skip factor; 0 if there is no period.
 	double rate() const;
 	/// Reads the data of a Configuration message. On a fault nothing is changed.
-	ConfigurationFault parse(const uint8_t *p_data, size_t p_size);
+	ConfigurationFault parse(const uint8_t *p_data, std::size_t p_size);
 	/// Writes the data; returns its size, at most MAX_BYTES.
-	size_t write(uint8_t *r_bytes) const;
+	std::size_t write(uint8_t *r_bytes) const;
 };
 
 } // namespace xbus

@@ -46,7 +46,7 @@ void decode_integer(const ItemType &p_type, const uint8_t *p_data, Sample &r_sam
 }
 
 void read_raw_vector(const uint8_t *p_data, std::array<uint16_t, 3> &r_vector) {
-	for (size_t i = 0; i < r_vector.size(); i++) {
+	for (std::size_t i = 0; i < r_vector.size(); i++) {
 		r_vector[i] = read_u16(p_data + i * 2);
 	}
 }
@@ -97,14 +97,14 @@ void decode_struct(const ItemType &p_type, const Item &p_item, Sample &r_sample)
 	}
 }
 
-size_t write_raw_vector(const std::array<uint16_t, 3> &p_vector, uint8_t *r_bytes) {
-	for (size_t i = 0; i < p_vector.size(); i++) {
+std::size_t write_raw_vector(const std::array<uint16_t, 3> &p_vector, uint8_t *r_bytes) {
+	for (std::size_t i = 0; i < p_vector.size(); i++) {
 		write_u16(p_vector[i], r_bytes + i * 2);
 	}
 	return p_vector.size() * 2;
 }
 
-size_t write_raw(const Sample &p_sample, uint8_t *r_bytes) {
+std::size_t write_raw(const Sample &p_sample, uint8_t *r_bytes) {
 	write_raw_vector(p_sample.raw_acceleration, r_bytes);
 	write_raw_vector(p_sample.raw_rate_of_turn, r_bytes + 6);
 	write_raw_vector(p_sample.raw_magnetic_field, r_bytes + 12);
@@ -112,7 +112,7 @@ size_t write_raw(const Sample &p_sample, uint8_t *r_bytes) {
 	return 20;
 }
 
-size_t write_integer(const ItemType &p_type, const Sample &p_sample, uint8_t *r_bytes) {
+std::size_t write_integer(const ItemType &p_type, const Sample &p_sample, uint8_t *r_bytes) {
 	// The three counters are one number in a sample.
 	const bool counter = p_type.field == Field::COUNTER;
 	switch (p_type.kind) {
@@ -131,7 +131,7 @@ size_t write_integer(const ItemType &p_type, const Sample &p_sample, uint8_t *r_
 	}
 }
 
-size_t write_value(const ItemType &p_type, NumberFormat p_format, const Sample &p_sample, uint8_t *r_bytes) {
+std::size_t write_value(const ItemType &p_type, NumberFormat p_format, const Sample &p_sample, uint8_t *r_bytes) {
 	switch (p_type.kind) {
 		case ItemKind::REALS:
 			return write_numbers(p_format, &member<double>(p_sample, p_type), p_type.count, r_bytes);
@@ -222,9 +222,9 @@ bool decode_item(const Item &p_item, Sample &r_sample) {
 	return true;
 }
 
-size_t write_item(uint16_t p_id, const Sample &p_sample, uint8_t *r_bytes) {
-	constexpr size_t HEAD = 3;
-	const size_t size = write_value(item_type(p_id), NumberFormat(p_id & 3U), p_sample, r_bytes + HEAD);
+std::size_t write_item(uint16_t p_id, const Sample &p_sample, uint8_t *r_bytes) {
+	constexpr std::size_t HEAD = 3;
+	const std::size_t size = write_value(item_type(p_id), NumberFormat(p_id & 3U), p_sample, r_bytes + HEAD);
 	if (size == 0) {
 		return 0;
 	}
@@ -234,21 +234,22 @@ size_t write_item(uint16_t p_id, const Sample &p_sample, uint8_t *r_bytes) {
 }
 
 bool parse_output_configuration(
-		const uint8_t *p_data, size_t p_size, OutputRequest *r_outputs, size_t p_most, size_t &r_count) {
+		const uint8_t *p_data, std::size_t p_size, OutputRequest *r_outputs, std::size_t p_most, std::size_t &r_count) {
 	r_count = 0;
 	if (p_size % 4 != 0 || p_size / 4 > p_most) {
 		return false;
 	}
-	for (size_t i = 0; i < p_size / 4; i++) {
+	for (std::size_t i = 0; i < p_size / 4; i++) {
 		r_outputs[i] = { read_u16(p_data + i * 4), read_u16(p_data + i * 4 + 2) };
 	}
 	r_count = p_size / 4;
 	return true;
 }
 
-size_t write_output_configuration(const OutputRequest *p_outputs, size_t p_count, uint8_t *r_bytes, size_t p_room) {
-	const size_t count = p_count < p_room / 4 ? p_count : p_room / 4;
-	for (size_t i = 0; i < count; i++) {
+std::size_t write_output_configuration(
+		const OutputRequest *p_outputs, std::size_t p_count, uint8_t *r_bytes, std::size_t p_room) {
+	const std::size_t count = p_count < p_room / 4 ? p_count : p_room / 4;
+	for (std::size_t i = 0; i < count; i++) {
 		write_u16(p_outputs[i].id, r_bytes + i * 4);
 		write_u16(p_outputs[i].rate, r_bytes + i * 4 + 2);
 	}

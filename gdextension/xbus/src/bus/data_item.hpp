@@ -129,7 +129,7 @@ bool decode_item(const Item &p_item, Sample &r_sample);
 
 /// Appends the item as the sample holds it, head included, to the data of an MTData2 message. Returns the bytes
 /// written, 0 if the type is not one that a sample holds. `r_bytes` has room for 258 bytes.
-size_t write_item(uint16_t p_id, const Sample &p_sample, uint8_t *r_bytes);
+std::size_t write_item(uint16_t p_id, const Sample &p_sample, uint8_t *r_bytes);
 
 /// One line of SetOutputConfiguration (0xC0).
 struct OutputRequest {
@@ -144,9 +144,10 @@ struct OutputRequest {
 /// Reads a SetOutputConfiguration or its acknowledgement; false if its length cannot be, or if there are more
 /// than `p_most` lines.
 bool parse_output_configuration(
-		const uint8_t *p_data, size_t p_size, OutputRequest *r_outputs, size_t p_most, size_t &r_count);
+		const uint8_t *p_data, std::size_t p_size, OutputRequest *r_outputs, std::size_t p_most, std::size_t &r_count);
 
 /// Writes as many lines as there is room for; returns the bytes written.
-size_t write_output_configuration(const OutputRequest *p_outputs, size_t p_count, uint8_t *r_bytes, size_t p_room);
+std::size_t write_output_configuration(
+		const OutputRequest *p_outputs, std::size_t p_count, uint8_t *r_bytes, std::size_t p_room);
 
 } // namespace xbus

@@ -7,21 +7,22 @@ namespace xbus {
 
 namespace {
 
-void place_data(size_t p_head, const uint8_t *p_data, size_t p_size, uint8_t *r_bytes) {
+void place_data(std::size_t p_head, const uint8_t *p_data, std::size_t p_size, uint8_t *r_bytes) {
 	if (p_size > 0) {
 		std::memmove(r_bytes + p_head, p_data, p_size);
 	}
 }
 
-size_t finish_frame(size_t p_head, size_t p_size, uint8_t *r_bytes) {
-	const size_t end = p_head + p_size;
+std::size_t finish_frame(std::size_t p_head, std::size_t p_size, uint8_t *r_bytes) {
+	const std::size_t end = p_head + p_size;
 	r_bytes[end] = uint8_t(0U - sum_bytes(r_bytes + 1, end - 1));
 	return end + 1;
 }
 
 } // namespace
 
-size_t write_frame(uint8_t p_bus_id, Message p_message, const uint8_t *p_data, size_t p_size, uint8_t *r_bytes) {
+std::size_t write_frame(
+		uint8_t p_bus_id, Message p_message, const uint8_t *p_data, std::size_t p_size, uint8_t *r_bytes) {
 	if (p_size > MAX_SHORT_DATA) {
 		return write_extended_frame(p_bus_id, p_message, p_data, p_size, r_bytes);
 	}
@@ -33,8 +34,8 @@ size_t write_frame(uint8_t p_bus_id, Message p_message, const uint8_t *p_data, s
 	return finish_frame(4, p_size, r_bytes);
 }
 
-size_t write_extended_frame(
-		uint8_t p_bus_id, Message p_message, const uint8_t *p_data, size_t p_size, uint8_t *r_bytes) {
+std::size_t write_extended_frame(
+		uint8_t p_bus_id, Message p_message, const uint8_t *p_data, std::size_t p_size, uint8_t *r_bytes) {
 	if (p_size > MAX_DATA) {
 		return 0;
 	}

@@ -9,10 +9,10 @@ void Framer::reset() {
 	_statistics = {};
 }
 
-void Framer::_drop_pending(size_t p_count) {
+void Framer::_drop_pending(std::size_t p_count) {
 	const uint8_t *first = _buffer.data() + _begin;
 	const void *found = pending() > p_count ? std::memchr(first + p_count, PREAMBLE, pending() - p_count) : nullptr;
-	const size_t dropped = found == nullptr ? pending() : size_t(static_cast<const uint8_t *>(found) - first);
+	const std::size_t dropped = found == nullptr ? pending() : std::size_t(static_cast<const uint8_t *>(found) - first);
 	_skip(dropped);
 	_begin += dropped;
 	if (_begin == _end) {
@@ -21,7 +21,7 @@ void Framer::_drop_pending(size_t p_count) {
 }
 
 // There is always room: what is pending is less than one message, and a message fits.
-void Framer::_append(const uint8_t *p_bytes, size_t p_size) {
+void Framer::_append(const uint8_t *p_bytes, std::size_t p_size) {
 	if (p_size == 0) {
 		return;
 	}

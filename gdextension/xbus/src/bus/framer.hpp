@@ -41,12 +41,12 @@ class Framer {
 public:
 	/// Bounds the data bytes of a message; longer lengths are refused at once instead of waited for. The short
 	/// form's lengths (to 254) are bounded as well.
-	void set_longest(size_t p_data_bytes) { _longest = p_data_bytes < MAX_DATA ? p_data_bytes : MAX_DATA; }
+	void set_longest(std::size_t p_data_bytes) { _longest = p_data_bytes < MAX_DATA ? p_data_bytes : MAX_DATA; }
 
 	/// Takes the next bytes and calls `p_sink(const Frame &)` for every message. A sink that returns false
 	/// refuses the message: it was none, and the search goes on one byte after its start.
 	template <class S>
-	void feed(const uint8_t *p_bytes, size_t p_size, S &&p_sink);
+	void feed(const uint8_t *p_bytes, std::size_t p_size, S &&p_sink);
 
 	/// The rest of the message that is waited for did not come in time: goes on behind its first byte. What
 	/// is found there is handed on; a later message that is incomplete is waited for in its turn.
@@ -58,7 +58,7 @@ public:
 	void finish(S &&p_sink);
 
 	/// Bytes that wait for the rest of their message.
-	size_t pending() const { return _end - _begin; }
+	std::size_t pending() const { return _end - _begin; }
 	const FramerStatistics &statistics() const { return _statistics; }
 
 	/// Forgets what is pending, and all statistics.
@@ -73,40 +73,41 @@ private:
 
 	/// Whether a message starts at `p_bytes`, a preamble. `r_needed`: bytes of the whole message, or, if there
 	/// are too few to tell, the number that tells more.
-	Verdict _judge(const uint8_t *p_bytes, size_t p_size, Frame &r_frame, size_t &r_needed);
-	Verdict _judge_extended(const uint8_t *p_bytes, size_t p_size, Frame &r_frame, size_t &r_needed);
-	Verdict _judge_whole(const uint8_t *p_bytes, size_t p_size, size_t p_head, Frame &r_frame, size_t &r_needed);
+	Verdict _judge(const uint8_t *p_bytes, std::size_t p_size, Frame &r_frame, std::size_t &r_needed);
+	Verdict _judge_extended(const uint8_t *p_bytes, std::size_t p_size, Frame &r_frame, std::size_t &r_needed);
+	Verdict _judge_whole(
+			const uint8_t *p_bytes, std::size_t p_size, std::size_t p_head, Frame &r_frame, std::size_t &r_needed);
 
 	template <class S>
-	Verdict _try(const uint8_t *p_bytes, size_t p_size, size_t &r_needed, S &p_sink);
+	Verdict _try(const uint8_t *p_bytes, std::size_t p_size, std::size_t &r_needed, S &p_sink);
 	/// Works through `p_bytes`; what is left at the end is a message's beginning.
 	template <class S>
-	size_t _scan(const uint8_t *p_bytes, size_t p_size, S &p_sink);
+	std::size_t _scan(const uint8_t *p_bytes, std::size_t p_size, S &p_sink);
 	/// Completes what is pending from a new chunk; returns where in the chunk the scan goes on.
 	template <class S>
-	size_t _continue(const uint8_t *p_bytes, size_t p_size, S &p_sink);
+	std::size_t _continue(const uint8_t *p_bytes, std::size_t p_size, S &p_sink);
 
 	/// Drops pending bytes up to the next preamble after the first `p_count`.
-	void _drop_pending(size_t p_count);
-	void _append(const uint8_t *p_bytes, size_t p_size);
-	void _skip(size_t p_count);
+	void _drop_pending(std::size_t p_count);
+	void _append(const uint8_t *p_bytes, std::size_t p_size);
+	void _skip(std::size_t p_count);
 
-	size_t _longest = MAX_DATA;
+	std::size_t _longest = MAX_DATA;
 	std::array<uint8_t, MAX_FRAME> _buffer{};
-	size_t _begin = 0;
-	size_t _end = 0;
+	std::size_t _begin = 0;
+	std::size_t _end = 0;
 	bool _in_stretch = false;
 	FramerStatistics _statistics;
 };
 
-inline void Framer::_skip(size_t p_count) {
+inline void Framer::_skip(std::size_t p_count) {
 	_statistics.skipped_bytes += p_count;
 	_statistics.stretches += _in_stretch || p_count == 0 ? 0U : 1U;
 	_in_stretch = _in_stretch || p_count > 0;
 }
 
 inline Framer::Verdict Framer::_judge_whole(
-		const uint8_t *p_bytes, size_t p_size, size_t p_head, Frame &r_frame, size_t &r_needed) {
+		const uint8_t *p_bytes, std::size_t p_size, std::size_t p_head, Frame &r_frame, std::size_t &r_needed) {
 	if (r_frame.size > _longest) {
 		_statistics.refused_lengths++;
 		return Verdict::BAD;
@@ -124,8 +125,8 @@ inline Framer::Verdict Framer::_judge_whole(
 }
 
 inline Framer::Verdict Framer::_judge_extended(
-		const uint8_t *p_bytes, size_t p_size, Frame &r_frame, size_t &r_needed) {
-	constexpr size_t HEAD = 6;
+		const uint8_t *p_bytes, std::size_t p_size, Frame &r_frame, std::size_t &r_needed) {
+	constexpr std::size_t HEAD = 6;
 	if (p_size < HEAD) {
 		r_needed = HEAD;
 		return Verdict::SHORT;
@@ -134,8 +135,9 @@ inline Framer::Verdict Framer::_judge_extended(
 	return _judge_whole(p_bytes, p_size, HEAD, r_frame, r_needed);
 }
 
-inline Framer::Verdict Framer::_judge(const uint8_t *p_bytes, size_t p_size, Frame &r_frame, size_t &r_needed) {
-	constexpr size_t HEAD = 4;
+inline Framer::Verdict Framer::_judge(
+		const uint8_t *p_bytes, std::size_t p_size, Frame &r_frame, std::size_t &r_needed) {
+	constexpr std::size_t HEAD = 4;
 	if (p_size < HEAD) {
 		r_needed = HEAD;
 		return Verdict::SHORT;
@@ -155,7 +157,7 @@ inline Framer::Verdict Framer::_judge(const uint8_t *p_bytes, size_t p_size, Fra
 }
 
 template <class S>
-Framer::Verdict Framer::_try(const uint8_t *p_bytes, size_t p_size, size_t &r_needed, S &p_sink) {
+Framer::Verdict Framer::_try(const uint8_t *p_bytes, std::size_t p_size, std::size_t &r_needed, S &p_sink) {
 	Frame frame;
 	const Verdict verdict = _judge(p_bytes, p_size, frame, r_needed);
 	if (verdict != Verdict::GOOD) {
@@ -176,17 +178,18 @@ Framer::Verdict Framer::_try(const uint8_t *p_bytes, size_t p_size, size_t &r_ne
 }
 
 template <class S>
-size_t Framer::_scan(const uint8_t *p_bytes, size_t p_size, S &p_sink) {
-	size_t at = 0;
+std::size_t Framer::_scan(const uint8_t *p_bytes, std::size_t p_size, S &p_sink) {
+	std::size_t at = 0;
 	while (at < p_size) {
 		if (p_bytes[at] != PREAMBLE) {
 			const void *found = std::memchr(p_bytes + at, PREAMBLE, p_size - at);
-			const size_t next = found == nullptr ? p_size : size_t(static_cast<const uint8_t *>(found) - p_bytes);
+			const std::size_t next =
+					found == nullptr ? p_size : std::size_t(static_cast<const uint8_t *>(found) - p_bytes);
 			_skip(next - at);
 			at = next;
 			continue;
 		}
-		size_t needed = 0;
+		std::size_t needed = 0;
 		const Verdict verdict = _try(p_bytes + at, p_size - at, needed, p_sink);
 		if (verdict == Verdict::SHORT) {
 			break;
@@ -202,20 +205,20 @@ size_t Framer::_scan(const uint8_t *p_bytes, size_t p_size, S &p_sink) {
 }
 
 template <class S>
-size_t Framer::_continue(const uint8_t *p_bytes, size_t p_size, S &p_sink) {
-	size_t taken = 0;
+std::size_t Framer::_continue(const uint8_t *p_bytes, std::size_t p_size, S &p_sink) {
+	std::size_t taken = 0;
 	while (pending() > 0) {
 		// What is pending came with this chunk: it can be read where it lies.
 		if (pending() <= taken) {
-			const size_t back = pending();
+			const std::size_t back = pending();
 			_begin = _end = 0;
 			return taken - back;
 		}
-		size_t needed = 0;
+		std::size_t needed = 0;
 		const Verdict verdict = _try(_buffer.data() + _begin, pending(), needed, p_sink);
 		if (verdict == Verdict::SHORT) {
-			const size_t more = needed - pending();
-			const size_t here = more < p_size - taken ? more : p_size - taken;
+			const std::size_t more = needed - pending();
+			const std::size_t here = more < p_size - taken ? more : p_size - taken;
 			if (here == 0) {
 				break;
 			}
@@ -232,9 +235,9 @@ size_t Framer::_continue(const uint8_t *p_bytes, size_t p_size, S &p_sink) {
 }
 
 template <class S>
-void Framer::feed(const uint8_t *p_bytes, size_t p_size, S &&p_sink) {
+void Framer::feed(const uint8_t *p_bytes, std::size_t p_size, S &&p_sink) {
 	_statistics.bytes += p_size;
-	size_t at = _continue(p_bytes, p_size, p_sink);
+	std::size_t at = _continue(p_bytes, p_size, p_sink);
 	if (pending() == 0 && at < p_size) {
 		at += _scan(p_bytes + at, p_size - at, p_sink);
 		_append(p_bytes + at, p_size - at);

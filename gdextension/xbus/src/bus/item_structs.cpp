@@ -24,7 +24,7 @@ public:
 	void short_i64(int64_t &r_value) { r_value = read_i32(_step(4)); }
 
 private:
-	const uint8_t *_step(size_t p_size) {
+	const uint8_t *_step(std::size_t p_size) {
 		const uint8_t *here = _at;
 		_at += p_size;
 		return here;
@@ -45,10 +45,10 @@ public:
 	void i64(int64_t p_value) { write_u64(uint64_t(p_value), _step(8)); }
 	void short_i32(int32_t p_value) { write_u16(uint16_t(p_value), _step(2)); }
 	void short_i64(int64_t p_value) { write_u32(uint32_t(p_value), _step(4)); }
-	size_t size() const { return size_t(_at - _begin); }
+	std::size_t size() const { return std::size_t(_at - _begin); }
 
 private:
-	uint8_t *_step(size_t p_size) {
+	uint8_t *_step(std::size_t p_size) {
 		uint8_t *here = _at;
 		_at += p_size;
 		return here;
@@ -124,7 +124,7 @@ template <class A, class T>
 void go_through_awinda(A &r_archive, T &r_snapshot) {
 	r_archive.u32(r_snapshot.device_id);
 	r_archive.u32(r_snapshot.frame);
-	for (size_t i = 0; i < 3; i++) {
+	for (std::size_t i = 0; i < 3; i++) {
 		r_archive.i32(r_snapshot.delta_q[i]);
 	}
 	for (auto &part : r_snapshot.delta_v) {
@@ -182,7 +182,7 @@ void read_utc(const uint8_t *p_data, UtcTime &r_utc) {
 	go_through_utc(reader, r_utc);
 }
 
-size_t write_utc(const UtcTime &p_utc, uint8_t *r_bytes) {
+std::size_t write_utc(const UtcTime &p_utc, uint8_t *r_bytes) {
 	Writer writer(r_bytes);
 	go_through_utc(writer, p_utc);
 	return writer.size();
@@ -193,7 +193,7 @@ void read_trigger(const uint8_t *p_data, Trigger &r_trigger) {
 	go_through_trigger(reader, r_trigger);
 }
 
-size_t write_trigger(const Trigger &p_trigger, uint8_t *r_bytes) {
+std::size_t write_trigger(const Trigger &p_trigger, uint8_t *r_bytes) {
 	Writer writer(r_bytes);
 	go_through_trigger(writer, p_trigger);
 	return writer.size();
@@ -204,7 +204,7 @@ void read_gnss_pvt(const uint8_t *p_data, GnssPvt &r_pvt) {
 	go_through_gnss_pvt(reader, r_pvt);
 }
 
-size_t write_gnss_pvt(const GnssPvt &p_pvt, uint8_t *r_bytes) {
+std::size_t write_gnss_pvt(const GnssPvt &p_pvt, uint8_t *r_bytes) {
 	Writer writer(r_bytes);
 	go_through_gnss_pvt(writer, p_pvt);
 	return writer.size();
@@ -214,17 +214,17 @@ void read_satellites(const uint8_t *p_data, GnssSatellites &r_satellites) {
 	r_satellites.itow = read_u32(p_data);
 	r_satellites.count = p_data[4] < GnssSatellites::MAX ? p_data[4] : uint8_t(GnssSatellites::MAX);
 	Reader reader(p_data + 8);
-	for (size_t i = 0; i < r_satellites.count; i++) {
+	for (std::size_t i = 0; i < r_satellites.count; i++) {
 		go_through_satellite(reader, r_satellites.satellites[i]);
 	}
 }
 
-size_t write_satellites(const GnssSatellites &p_satellites, uint8_t *r_bytes) {
-	const size_t count = p_satellites.count < GnssSatellites::MAX ? p_satellites.count : GnssSatellites::MAX;
+std::size_t write_satellites(const GnssSatellites &p_satellites, uint8_t *r_bytes) {
+	const std::size_t count = p_satellites.count < GnssSatellites::MAX ? p_satellites.count : GnssSatellites::MAX;
 	Writer writer(r_bytes);
 	writer.u32(p_satellites.itow);
 	writer.u32(uint32_t(count) << 24U);
-	for (size_t i = 0; i < count; i++) {
+	for (std::size_t i = 0; i < count; i++) {
 		go_through_satellite(writer, p_satellites.satellites[i]);
 	}
 	return writer.size();
@@ -236,7 +236,7 @@ void read_awinda_snapshot(const uint8_t *p_data, Snapshot &r_snapshot) {
 	go_through_awinda(reader, r_snapshot);
 }
 
-size_t write_awinda_snapshot(const Snapshot &p_snapshot, uint8_t *r_bytes) {
+std::size_t write_awinda_snapshot(const Snapshot &p_snapshot, uint8_t *r_bytes) {
 	Writer writer(r_bytes);
 	go_through_awinda(writer, p_snapshot);
 	return writer.size();
@@ -251,7 +251,7 @@ void read_full_snapshot(const uint8_t *p_data, Snapshot &r_snapshot) {
 	r_snapshot.frame = frame;
 }
 
-size_t write_full_snapshot(const Snapshot &p_snapshot, uint8_t *r_bytes) {
+std::size_t write_full_snapshot(const Snapshot &p_snapshot, uint8_t *r_bytes) {
 	Writer writer(r_bytes);
 	const auto frame = uint16_t(p_snapshot.frame);
 	go_through_full(writer, p_snapshot, frame);
@@ -263,7 +263,7 @@ void read_gps_pvt(const uint8_t *p_data, GpsPvt &r_pvt) {
 	go_through_gps_pvt(reader, r_pvt);
 }
 
-size_t write_gps_pvt(const GpsPvt &p_pvt, uint8_t *r_bytes) {
+std::size_t write_gps_pvt(const GpsPvt &p_pvt, uint8_t *r_bytes) {
 	Writer writer(r_bytes);
 	go_through_gps_pvt(writer, p_pvt);
 	return writer.size();

@@ -7,32 +7,32 @@
 
 namespace xbus {
 
-constexpr size_t UTC_SIZE = 12;
-constexpr size_t GNSS_PVT_SIZE = 94;
-constexpr size_t AWINDA_SNAPSHOT_SIZE = 46;
-constexpr size_t FULL_SNAPSHOT_SIZE = 70;
+constexpr std::size_t UTC_SIZE = 12;
+constexpr std::size_t GNSS_PVT_SIZE = 94;
+constexpr std::size_t AWINDA_SNAPSHOT_SIZE = 46;
+constexpr std::size_t FULL_SNAPSHOT_SIZE = 70;
 /// Pressure, its age, and 41 bytes from the receiver.
-constexpr size_t GPS_PVT_SIZE = 44;
+constexpr std::size_t GPS_PVT_SIZE = 44;
 
 void read_utc(const uint8_t *p_data, UtcTime &r_utc);
-size_t write_utc(const UtcTime &p_utc, uint8_t *r_bytes);
+std::size_t write_utc(const UtcTime &p_utc, uint8_t *r_bytes);
 
 void read_trigger(const uint8_t *p_data, Trigger &r_trigger);
-size_t write_trigger(const Trigger &p_trigger, uint8_t *r_bytes);
+std::size_t write_trigger(const Trigger &p_trigger, uint8_t *r_bytes);
 
 void read_gnss_pvt(const uint8_t *p_data, GnssPvt &r_pvt);
-size_t write_gnss_pvt(const GnssPvt &p_pvt, uint8_t *r_bytes);
+std::size_t write_gnss_pvt(const GnssPvt &p_pvt, uint8_t *r_bytes);
 
 /// The bytes' own count of satellites has been checked against their number.
 void read_satellites(const uint8_t *p_data, GnssSatellites &r_satellites);
-size_t write_satellites(const GnssSatellites &p_satellites, uint8_t *r_bytes);
+std::size_t write_satellites(const GnssSatellites &p_satellites, uint8_t *r_bytes);
 
 void read_awinda_snapshot(const uint8_t *p_data, Snapshot &r_snapshot);
-size_t write_awinda_snapshot(const Snapshot &p_snapshot, uint8_t *r_bytes);
+std::size_t write_awinda_snapshot(const Snapshot &p_snapshot, uint8_t *r_bytes);
 void read_full_snapshot(const uint8_t *p_data, Snapshot &r_snapshot);
-size_t write_full_snapshot(const Snapshot &p_snapshot, uint8_t *r_bytes);
+std::size_t write_full_snapshot(const Snapshot &p_snapshot, uint8_t *r_bytes);
 
 void read_gps_pvt(const uint8_t *p_data, GpsPvt &r_pvt);
-size_t write_gps_pvt(const GpsPvt &p_pvt, uint8_t *r_bytes);
+std::size_t write_gps_pvt(const GpsPvt &p_pvt, uint8_t *r_bytes);
 
 } // namespace xbus

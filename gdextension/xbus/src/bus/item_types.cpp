@@ -83,11 +83,11 @@ constexpr ItemType TYPES[] = {
 #undef AT
 #undef TRIGGER_AT
 
-constexpr size_t TYPE_COUNT = sizeof(TYPES) / sizeof(TYPES[0]);
+constexpr std::size_t TYPE_COUNT = sizeof(TYPES) / sizeof(TYPES[0]);
 
 constexpr std::array<uint8_t, 4096> places() {
 	std::array<uint8_t, 4096> found{};
-	for (size_t i = 1; i < TYPE_COUNT; i++) {
+	for (std::size_t i = 1; i < TYPE_COUNT; i++) {
 		found[TYPES[i].type >> 4U] = uint8_t(i);
 	}
 	return found;

@@ -15,13 +15,13 @@ constexpr uint8_t BROADCAST = 0x00;
 /// Value of the length byte that announces a 16-bit length.
 constexpr uint8_t EXTENDED = 0xFF;
 /// Most data bytes of the short form.
-constexpr size_t MAX_SHORT_DATA = 254;
+constexpr std::size_t MAX_SHORT_DATA = 254;
 /// Most data bytes of any message that is taken.
-constexpr size_t MAX_DATA = 8192;
+constexpr std::size_t MAX_DATA = 8192;
 /// Preamble, bus identifier, message identifier, length, two bytes of extended length, checksum.
-constexpr size_t MAX_FRAME = MAX_DATA + 7;
+constexpr std::size_t MAX_FRAME = MAX_DATA + 7;
 /// Most trackers behind one master that are taken; Xsens' own hosts allow 10 to 20.
-constexpr size_t MAX_DEVICES = 64;
+constexpr std::size_t MAX_DEVICES = 64;
 
 /// Message identifiers. A request is even, its acknowledgement is the next number. Where the same number
 /// means one thing to a master and another to a tracker, both names stand here.
@@ -128,7 +128,7 @@ struct Frame {
 	uint8_t bus_id = MASTER;
 	Message message = Message::REQ_DEVICE_ID;
 	const uint8_t *data = nullptr;
-	size_t size = 0;
+	std::size_t size = 0;
 };
 
 /// What answers this request.

@@ -65,7 +65,7 @@ void go_through(const OutputFormat &p_format, bool p_with_time, A &r_archive) {
 
 /// The numbers of a field.
 struct Numbers {
-	size_t count;
+	std::size_t count;
 	double *values;
 };
 
@@ -109,10 +109,10 @@ public:
 	void status() { size += 1; }
 	void utc() { size += UTC_SIZE; }
 
-	size_t size = 0;
+	std::size_t size = 0;
 
 private:
-	size_t _number;
+	std::size_t _number;
 };
 
 class BlockReader {
@@ -203,7 +203,7 @@ public:
 	}
 	void status() { *_at++ = _sample.status_byte; }
 	void utc() { _at += write_utc(_sample.utc, _at); }
-	size_t size() const { return size_t(_at - _begin); }
+	std::size_t size() const { return std::size_t(_at - _begin); }
 
 private:
 	void _put_u16(uint16_t p_value) {
@@ -217,7 +217,7 @@ private:
 	uint8_t *_begin;
 };
 
-size_t measure(const OutputFormat &p_format, bool p_with_time) {
+std::size_t measure(const OutputFormat &p_format, bool p_with_time) {
 	Measurer measurer(p_format.numbers());
 	go_through(p_format, p_with_time, measurer);
 	return measurer.size;
@@ -241,15 +241,15 @@ bool OutputFormat::is_valid() const {
 	return !mixed && !unknown && !no_form;
 }
 
-size_t OutputFormat::size() const {
+std::size_t OutputFormat::size() const {
 	return measure(*this, true);
 }
 
-size_t OutputFormat::size_behind_master() const {
+std::size_t OutputFormat::size_behind_master() const {
 	return measure(*this, false);
 }
 
-bool OutputFormat::decode(const uint8_t *p_data, size_t p_size, Sample &r_sample) const {
+bool OutputFormat::decode(const uint8_t *p_data, std::size_t p_size, Sample &r_sample) const {
 	if (!is_valid() || p_size == 0 || p_size != size()) {
 		return false;
 	}
@@ -257,7 +257,7 @@ bool OutputFormat::decode(const uint8_t *p_data, size_t p_size, Sample &r_sample
 	return true;
 }
 
-bool OutputFormat::decode_behind_master(const uint8_t *p_data, size_t p_size, Sample &r_sample) const {
+bool OutputFormat::decode_behind_master(const uint8_t *p_data, std::size_t p_size, Sample &r_sample) const {
 	if (!is_valid() || p_size != size_behind_master()) {
 		return false;
 	}
@@ -265,7 +265,7 @@ bool OutputFormat::decode_behind_master(const uint8_t *p_data, size_t p_size, Sa
 	return true;
 }
 
-size_t OutputFormat::write(const Sample &p_sample, bool p_with_time, uint8_t *r_bytes) const {
+std::size_t OutputFormat::write(const Sample &p_sample, bool p_with_time, uint8_t *r_bytes) const {
 	BlockWriter writer(numbers(), p_sample, r_bytes);
 	go_through(*this, p_with_time, writer);
 	return writer.size();
@@ -277,7 +277,7 @@ void MasterFormat::clear() {
 }
 
 bool MasterFormat::add(const OutputFormat &p_format) {
-	const size_t size = p_format.size_behind_master();
+	const std::size_t size = p_format.size_behind_master();
 	if (_count == MAX_DEVICES || !p_format.is_valid() || _size + size > MAX_DATA) {
 		return false;
 	}
@@ -288,13 +288,13 @@ bool MasterFormat::add(const OutputFormat &p_format) {
 	return true;
 }
 
-bool MasterFormat::decode(const uint8_t *p_data, size_t p_size, Sample *r_samples) const {
+bool MasterFormat::decode(const uint8_t *p_data, std::size_t p_size, Sample *r_samples) const {
 	if (p_size != _size || _count == 0) {
 		return false;
 	}
 	const uint16_t counter = read_u16(p_data);
 	const uint8_t *block = p_data + HEAD;
-	for (size_t i = 0; i < _count; i++) {
+	for (std::size_t i = 0; i < _count; i++) {
 		Sample &sample = r_samples[i];
 		decode_block(_formats[i], false, block, sample);
 		sample.bus_id = uint8_t(i + 1);
@@ -306,10 +306,10 @@ bool MasterFormat::decode(const uint8_t *p_data, size_t p_size, Sample *r_sample
 	return true;
 }
 
-size_t MasterFormat::write(uint16_t p_counter, const Sample *p_samples, uint8_t *r_bytes) const {
+std::size_t MasterFormat::write(uint16_t p_counter, const Sample *p_samples, uint8_t *r_bytes) const {
 	write_u16(p_counter, r_bytes);
-	size_t at = HEAD;
-	for (size_t i = 0; i < _count; i++) {
+	std::size_t at = HEAD;
+	for (std::size_t i = 0; i < _count; i++) {
 		at += _formats[i].write(p_samples[i], false, r_bytes + at);
 	}
 	return at;

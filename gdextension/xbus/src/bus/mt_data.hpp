@@ -52,45 +52,45 @@ struct OutputFormat {
 	/// Whether any device could send this, and all that it holds is understood.
 	bool is_valid() const;
 	/// Data bytes of one sample, of a tracker that stands alone.
-	size_t size() const;
+	std::size_t size() const;
 	/// The same without time stamps, which a master sends once, in front, in place of its trackers.
-	size_t size_behind_master() const;
+	std::size_t size_behind_master() const;
 
 	/// Decodes the block of one tracker, of exactly the size told; false if it is not.
-	bool decode(const uint8_t *p_data, size_t p_size, Sample &r_sample) const;
-	bool decode_behind_master(const uint8_t *p_data, size_t p_size, Sample &r_sample) const;
+	bool decode(const uint8_t *p_data, std::size_t p_size, Sample &r_sample) const;
+	bool decode_behind_master(const uint8_t *p_data, std::size_t p_size, Sample &r_sample) const;
 
 	/// Writes the block of one tracker and returns its size; `with_time`: as one that stands alone.
-	size_t write(const Sample &p_sample, bool p_with_time, uint8_t *r_bytes) const;
+	std::size_t write(const Sample &p_sample, bool p_with_time, uint8_t *r_bytes) const;
 };
 
 /// What a master sends: a counter, then a block for each of its trackers in the order of their identifiers.
 class MasterFormat {
 public:
 	/// Bytes of the counter.
-	static constexpr size_t HEAD = 2;
+	static constexpr std::size_t HEAD = 2;
 
 	/// Forgets all trackers.
 	void clear();
 	/// The next tracker's format; false if there are too many, or if it is not valid.
 	bool add(const OutputFormat &p_format);
 
-	size_t count() const { return _count; }
-	const OutputFormat &format(size_t p_tracker) const { return _formats[p_tracker]; }
+	std::size_t count() const { return _count; }
+	const OutputFormat &format(std::size_t p_tracker) const { return _formats[p_tracker]; }
 	/// Data bytes of a message.
-	size_t size() const { return _size; }
+	std::size_t size() const { return _size; }
 
 	/// Decodes a message into as many samples as there are trackers, their bus identifiers and counters
 	/// included; false if its size is not exactly right.
-	bool decode(const uint8_t *p_data, size_t p_size, Sample *r_samples) const;
+	bool decode(const uint8_t *p_data, std::size_t p_size, Sample *r_samples) const;
 	/// Writes the data of a message and returns its size; there is room for size().
-	size_t write(uint16_t p_counter, const Sample *p_samples, uint8_t *r_bytes) const;
+	std::size_t write(uint16_t p_counter, const Sample *p_samples, uint8_t *r_bytes) const;
 
 private:
 	std::array<OutputFormat, MAX_DEVICES> _formats{};
-	std::array<size_t, MAX_DEVICES> _sizes{};
-	size_t _count = 0;
-	size_t _size = HEAD;
+	std::array<std::size_t, MAX_DEVICES> _sizes{};
+	std::size_t _count = 0;
+	std::size_t _size = HEAD;
 };
 
 } // namespace xbus

@@ -14,7 +14,7 @@ void count(uint8_t &r_counter) {
 
 } // namespace
 
-ItemReport decode_mt_data2(const uint8_t *p_data, size_t p_size, Sample &r_sample) {
+ItemReport decode_mt_data2(const uint8_t *p_data, std::size_t p_size, Sample &r_sample) {
 	ItemReport report;
 	r_sample.present = 0;
 	r_sample.axes = Axes::EAST_NORTH_UP;
@@ -30,12 +30,13 @@ ItemReport decode_mt_data2(const uint8_t *p_data, size_t p_size, Sample &r_sampl
 	return report;
 }
 
-size_t write_mt_data2(const uint16_t *p_ids, size_t p_count, const Sample &p_sample, uint8_t *r_bytes, size_t p_room) {
-	constexpr size_t MAX = 3 + 255;
+std::size_t write_mt_data2(
+		const uint16_t *p_ids, std::size_t p_count, const Sample &p_sample, uint8_t *r_bytes, std::size_t p_room) {
+	constexpr std::size_t MAX = 3 + 255;
 	std::array<uint8_t, MAX> bytes;
-	size_t at = 0;
-	for (size_t i = 0; i < p_count; i++) {
-		const size_t size = write_item(p_ids[i], p_sample, bytes.data());
+	std::size_t at = 0;
+	for (std::size_t i = 0; i < p_count; i++) {
+		const std::size_t size = write_item(p_ids[i], p_sample, bytes.data());
 		if (size == 0 || size > p_room - at) {
 			return 0;
 		}

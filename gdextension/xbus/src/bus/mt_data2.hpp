@@ -8,9 +8,9 @@ namespace xbus {
 /// Calls `p_visit(const Item &)` for each item of an MTData2 message (0x36). False if the items do not fill
 /// the data exactly; those before the fault have been visited.
 template <class V>
-bool visit_items(const uint8_t *p_data, size_t p_size, V &&p_visit) {
-	constexpr size_t HEAD = 3;
-	size_t at = 0;
+bool visit_items(const uint8_t *p_data, std::size_t p_size, V &&p_visit) {
+	constexpr std::size_t HEAD = 3;
+	std::size_t at = 0;
 	while (p_size - at >= HEAD) {
 		const Item item = { read_u16(p_data + at), p_data + at + HEAD, p_data[at + 2] };
 		if (p_size - at - HEAD < item.size) {
@@ -36,10 +36,11 @@ struct ItemReport {
 };
 
 /// Decodes an MTData2 message. The sample's `present` begins anew; `bus_id` is left to the caller.
-ItemReport decode_mt_data2(const uint8_t *p_data, size_t p_size, Sample &r_sample);
+ItemReport decode_mt_data2(const uint8_t *p_data, std::size_t p_size, Sample &r_sample);
 
 /// Writes the data of an MTData2 message with these items of the sample. Returns its size; 0 if there is no
 /// room or an identifier that a sample does not hold.
-size_t write_mt_data2(const uint16_t *p_ids, size_t p_count, const Sample &p_sample, uint8_t *r_bytes, size_t p_room);
+std::size_t write_mt_data2(
+		const uint16_t *p_ids, std::size_t p_count, const Sample &p_sample, uint8_t *r_bytes, std::size_t p_room);
 
 } // namespace xbus

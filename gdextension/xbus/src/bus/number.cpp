@@ -69,34 +69,34 @@ const char *number_format_name(NumberFormat p_format) {
 	return "";
 }
 
-void read_numbers(NumberFormat p_format, const uint8_t *p_bytes, size_t p_count, double *r_values) {
+void read_numbers(NumberFormat p_format, const uint8_t *p_bytes, std::size_t p_count, double *r_values) {
 	switch (p_format) {
 		case NumberFormat::FLOAT:
-			for (size_t i = 0; i < p_count; i++) {
+			for (std::size_t i = 0; i < p_count; i++) {
 				r_values[i] = read_float(p_bytes + i * 4);
 			}
 			break;
 		case NumberFormat::FIXED_12_20:
-			for (size_t i = 0; i < p_count; i++) {
+			for (std::size_t i = 0; i < p_count; i++) {
 				r_values[i] = read_fixed_12_20(p_bytes + i * 4);
 			}
 			break;
 		case NumberFormat::FIXED_16_32:
-			for (size_t i = 0; i < p_count; i++) {
+			for (std::size_t i = 0; i < p_count; i++) {
 				r_values[i] = read_fixed_16_32(p_bytes + i * 6);
 			}
 			break;
 		case NumberFormat::DOUBLE:
-			for (size_t i = 0; i < p_count; i++) {
+			for (std::size_t i = 0; i < p_count; i++) {
 				r_values[i] = read_double(p_bytes + i * 8);
 			}
 			break;
 	}
 }
 
-size_t write_numbers(NumberFormat p_format, const double *p_values, size_t p_count, uint8_t *r_bytes) {
-	const size_t size = number_size(p_format);
-	for (size_t i = 0; i < p_count; i++) {
+std::size_t write_numbers(NumberFormat p_format, const double *p_values, std::size_t p_count, uint8_t *r_bytes) {
+	const std::size_t size = number_size(p_format);
+	for (std::size_t i = 0; i < p_count; i++) {
 		write_number(p_format, p_values[i], r_bytes + i * size);
 	}
 	return p_count * size;

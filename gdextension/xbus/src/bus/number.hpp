@@ -18,7 +18,7 @@ enum class NumberFormat : uint8_t {
 };
 
 /// Bytes of one number.
-constexpr size_t number_size(NumberFormat p_format) {
+constexpr std::size_t number_size(NumberFormat p_format) {
 	return p_format == NumberFormat::DOUBLE ? 8 : (p_format == NumberFormat::FIXED_16_32 ? 6 : 4);
 }
 
@@ -47,10 +47,10 @@ inline double read_fixed_16_32(const uint8_t *p_bytes) {
 }
 
 /// Reads so many numbers, exactly: a double holds every value of every format.
-void read_numbers(NumberFormat p_format, const uint8_t *p_bytes, size_t p_count, double *r_values);
+void read_numbers(NumberFormat p_format, const uint8_t *p_bytes, std::size_t p_count, double *r_values);
 
 /// Writes so many numbers, rounded to the nearest and kept within what the format can hold (a fixed-point NaN
 /// is 0), and returns the bytes written.
-size_t write_numbers(NumberFormat p_format, const double *p_values, size_t p_count, uint8_t *r_bytes);
+std::size_t write_numbers(NumberFormat p_format, const double *p_values, std::size_t p_count, uint8_t *r_bytes);
 
 } // namespace xbus

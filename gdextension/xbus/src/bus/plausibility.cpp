@@ -21,7 +21,7 @@ constexpr uint32_t MAX_PRESSURE = 200000;
 constexpr double ANGLE_SLACK = 0.01;
 
 /// False for what is not a number, too.
-template <size_t N>
+template <std::size_t N>
 bool within(const std::array<double, N> &p_values, double p_most) {
 	return std::all_of(p_values.begin(), p_values.end(), [&](double p_value) { return std::fabs(p_value) <= p_most; });
 }
@@ -93,9 +93,9 @@ double norm_deviation(const std::array<double, 4> &p_quaternion) {
 }
 
 double rotation_deviation(const std::array<double, 9> &p_matrix) {
-	const auto dot = [&](size_t p_a, size_t p_b) {
+	const auto dot = [&](std::size_t p_a, std::size_t p_b) {
 		double sum = 0.0;
-		for (size_t i = 0; i < 3; i++) {
+		for (std::size_t i = 0; i < 3; i++) {
 			sum += p_matrix[p_a * 3 + i] * p_matrix[p_b * 3 + i];
 		}
 		return sum;

@@ -9,26 +9,26 @@
 namespace xbus::device {
 
 /// An acknowledgement without data.
-size_t write_ack(Message p_request, uint8_t p_bus_id, uint8_t *r_bytes);
-size_t write_u8_reply(Message p_message, uint8_t p_value, uint8_t p_bus_id, uint8_t *r_bytes);
-size_t write_u16_reply(Message p_message, uint16_t p_value, uint8_t p_bus_id, uint8_t *r_bytes);
-size_t write_u32_reply(Message p_message, uint32_t p_value, uint8_t p_bus_id, uint8_t *r_bytes);
-size_t write_wake_up(uint8_t *r_bytes);
-size_t write_device_id(uint32_t p_device_id, uint8_t p_bus_id, uint8_t *r_bytes);
+std::size_t write_ack(Message p_request, uint8_t p_bus_id, uint8_t *r_bytes);
+std::size_t write_u8_reply(Message p_message, uint8_t p_value, uint8_t p_bus_id, uint8_t *r_bytes);
+std::size_t write_u16_reply(Message p_message, uint16_t p_value, uint8_t p_bus_id, uint8_t *r_bytes);
+std::size_t write_u32_reply(Message p_message, uint32_t p_value, uint8_t p_bus_id, uint8_t *r_bytes);
+std::size_t write_wake_up(uint8_t *r_bytes);
+std::size_t write_device_id(uint32_t p_device_id, uint8_t p_bus_id, uint8_t *r_bytes);
 /// InitBusResults; at most MAX_DEVICES identifiers.
-size_t write_device_list(const uint32_t *p_device_ids, size_t p_count, uint8_t *r_bytes);
-size_t write_configuration(const Configuration &p_configuration, uint8_t *r_bytes);
-size_t write_error(uint8_t p_code, uint8_t *r_bytes);
+std::size_t write_device_list(const uint32_t *p_device_ids, std::size_t p_count, uint8_t *r_bytes);
+std::size_t write_configuration(const Configuration &p_configuration, uint8_t *r_bytes);
+std::size_t write_error(uint8_t p_code, uint8_t *r_bytes);
 /// Names the tracker at fault.
-size_t write_error(uint8_t p_code, uint8_t p_bus_id, uint8_t *r_bytes);
-size_t write_firmware_revision(const std::array<uint8_t, 3> &p_revision, uint8_t p_bus_id, uint8_t *r_bytes);
+std::size_t write_error(uint8_t p_code, uint8_t p_bus_id, uint8_t *r_bytes);
+std::size_t write_firmware_revision(const std::array<uint8_t, 3> &p_revision, uint8_t p_bus_id, uint8_t *r_bytes);
 /// Padded with spaces to 20 characters.
-size_t write_product_code(const char *p_code, uint8_t p_bus_id, uint8_t *r_bytes);
+std::size_t write_product_code(const char *p_code, uint8_t p_bus_id, uint8_t *r_bytes);
 /// MTData of a master, and of a tracker that stands alone (its counter last).
-size_t write_mt_data(const MasterFormat &p_format, uint16_t p_counter, const Sample *p_samples, uint8_t *r_bytes);
-size_t write_mt_data(const OutputFormat &p_format, const Sample &p_sample, uint8_t p_bus_id, uint8_t *r_bytes);
+std::size_t write_mt_data(const MasterFormat &p_format, uint16_t p_counter, const Sample *p_samples, uint8_t *r_bytes);
+std::size_t write_mt_data(const OutputFormat &p_format, const Sample &p_sample, uint8_t p_bus_id, uint8_t *r_bytes);
 /// 0 if it cannot be written.
-size_t write_mt_data2(
-		const uint16_t *p_ids, size_t p_count, const Sample &p_sample, uint8_t p_bus_id, uint8_t *r_bytes);
+std::size_t write_mt_data2(
+		const uint16_t *p_ids, std::size_t p_count, const Sample &p_sample, uint8_t p_bus_id, uint8_t *r_bytes);
 
 } // namespace xbus::device

@@ -7,7 +7,7 @@ namespace xbus::host {
 
 namespace {
 
-Request with_data(Message p_message, const uint8_t *p_data, size_t p_size, uint8_t p_bus_id) {
+Request with_data(Message p_message, const uint8_t *p_data, std::size_t p_size, uint8_t p_bus_id) {
 	Request made;
 	made.size = write_frame(p_bus_id, p_message, p_data, p_size, made.bytes.data());
 	return made;
@@ -232,7 +232,7 @@ Request request_object_alignment(uint8_t p_bus_id) {
 
 Request set_object_alignment(const std::array<float, 9> &p_matrix, uint8_t p_bus_id) {
 	std::array<uint8_t, 36> data;
-	for (size_t i = 0; i < p_matrix.size(); i++) {
+	for (std::size_t i = 0; i < p_matrix.size(); i++) {
 		write_u32(float_bits(p_matrix[i]), data.data() + i * 4);
 	}
 	return with_data(Message::SET_OBJECT_ALIGNMENT, data.data(), data.size(), p_bus_id);
@@ -242,9 +242,9 @@ Request request_output_configuration(uint8_t p_bus_id) {
 	return request(Message::SET_OUTPUT_CONFIGURATION, p_bus_id);
 }
 
-Request set_output_configuration(const OutputRequest *p_outputs, size_t p_count, uint8_t p_bus_id) {
+Request set_output_configuration(const OutputRequest *p_outputs, std::size_t p_count, uint8_t p_bus_id) {
 	std::array<uint8_t, Request::MAX_OUTPUTS * 4> data;
-	const size_t size = write_output_configuration(p_outputs, p_count, data.data(), data.size());
+	const std::size_t size = write_output_configuration(p_outputs, p_count, data.data(), data.size());
 	return with_data(Message::SET_OUTPUT_CONFIGURATION, data.data(), size, p_bus_id);
 }
 

@@ -12,10 +12,10 @@ namespace xbus {
 /// A message from the host, ready to be sent.
 struct Request {
 	/// Most entries of a SetOutputConfiguration.
-	static constexpr size_t MAX_OUTPUTS = 32;
+	static constexpr std::size_t MAX_OUTPUTS = 32;
 
 	std::array<uint8_t, MAX_OUTPUTS * 4 + 7> bytes{};
-	size_t size = 0;
+	std::size_t size = 0;
 
 	uint8_t bus_id() const { return bytes[1]; }
 	Message message() const { return Message(bytes[2]); }
@@ -119,7 +119,7 @@ Request request_object_alignment(uint8_t p_bus_id);
 Request set_object_alignment(const std::array<float, 9> &p_matrix, uint8_t p_bus_id);
 Request request_output_configuration(uint8_t p_bus_id = MASTER);
 /// At most Request::MAX_OUTPUTS entries are sent.
-Request set_output_configuration(const OutputRequest *p_outputs, size_t p_count, uint8_t p_bus_id = MASTER);
+Request set_output_configuration(const OutputRequest *p_outputs, std::size_t p_count, uint8_t p_bus_id = MASTER);
 
 } // namespace host
 

@@ -21,11 +21,11 @@ std::array<double, 4> quaternion_of_euler(const Sample::Vector &p_degrees) {
 
 /// The component that is greatest is found first: the others are divided by it.
 std::array<double, 4> quaternion_of_matrix(const std::array<double, 9> &p_columns) {
-	const auto at = [&](size_t p_row, size_t p_column) { return p_columns[p_column * 3 + p_row]; };
+	const auto at = [&](std::size_t p_row, std::size_t p_column) { return p_columns[p_column * 3 + p_row]; };
 	const std::array<double, 4> squares = { 1.0 + at(0, 0) + at(1, 1) + at(2, 2), 1.0 + at(0, 0) - at(1, 1) - at(2, 2),
 		1.0 - at(0, 0) + at(1, 1) - at(2, 2), 1.0 - at(0, 0) - at(1, 1) + at(2, 2) };
-	size_t greatest = 0;
-	for (size_t i = 1; i < squares.size(); i++) {
+	std::size_t greatest = 0;
+	for (std::size_t i = 1; i < squares.size(); i++) {
 		greatest = squares[i] > squares[greatest] ? i : greatest;
 	}
 	// Row by row: four times the products of the components.

@@ -65,7 +65,7 @@ enum class Field : uint8_t {
 	COUNT,
 };
 
-static_assert(size_t(Field::COUNT) <= 64);
+static_assert(std::size_t(Field::COUNT) <= 64);
 
 /// The axes of the world that orientations and velocities refer to.
 enum class Axes : uint8_t {
@@ -139,7 +139,7 @@ struct Satellite {
 
 struct GnssSatellites {
 	/// As many as an item's one length byte allows.
-	static constexpr size_t MAX = 61;
+	static constexpr std::size_t MAX = 61;
 	/// GPS time of week, ms.
 	uint32_t itow = 0;
 	uint8_t count = 0;

@@ -68,7 +68,7 @@ struct LengthTable {
 	std::array<uint16_t, 256> most{};
 
 	constexpr LengthTable() {
-		for (size_t i = 0; i < 256; i++) {
+		for (std::size_t i = 0; i < 256; i++) {
 			least[i] = 1;
 		}
 		for (const Lengths &lengths : LENGTHS) {
@@ -130,7 +130,7 @@ void StreamCheck::expect_tracker(const OutputFormat &p_format, uint32_t p_counte
 	_devices[0].counter.set_step(p_counter_step);
 }
 
-size_t StreamCheck::data_size() const {
+std::size_t StreamCheck::data_size() const {
 	return _has_master ? _master.size() : (_has_tracker ? _tracker.size() : 0);
 }
 
@@ -177,7 +177,7 @@ StreamCheck::Verdict StreamCheck::_take_mt_data(const Frame &p_frame) {
 
 StreamCheck::Verdict StreamCheck::_take_master() {
 	bool implausible = false;
-	for (size_t i = 0; i < _master.count(); i++) {
+	for (std::size_t i = 0; i < _master.count(); i++) {
 		Device &device = _devices[i + 1];
 		const SampleJudge::Verdict verdict = device.judge.judge(_samples[i]);
 		device.statistics.implausible += verdict == SampleJudge::Verdict::PLAUSIBLE ? 0U : 1U;
@@ -191,7 +191,7 @@ StreamCheck::Verdict StreamCheck::_take_master() {
 	const uint16_t counter = uint16_t(_samples[0].counter);
 	const CounterTrack::Step step = _master_counter.see(counter, 16, lost);
 	note_step(step, lost, _devices[0].statistics);
-	for (size_t i = 0; i < _master.count(); i++) {
+	for (std::size_t i = 0; i < _master.count(); i++) {
 		note_step(step, lost, _devices[i + 1].statistics);
 		// What a sick device sends is not received.
 		_devices[i + 1].statistics.received -= _samples[i].present == 0 ? 1U : 0U;

@@ -55,21 +55,21 @@ public:
 	/// MTData comes from a tracker that stands alone; its counter goes `p_counter_step` up each time.
 	void expect_tracker(const OutputFormat &p_format, uint32_t p_counter_step = 1);
 	/// Trackers behind the master, if they are known: no other bus identifiers are taken.
-	void expect_devices(size_t p_count) { _device_count = p_count < MAX_DEVICES ? p_count : MAX_DEVICES; }
+	void expect_devices(std::size_t p_count) { _device_count = p_count < MAX_DEVICES ? p_count : MAX_DEVICES; }
 
 	/// Judges a message; on DATA its samples are decoded. On a noisy line an MTData2 message with items that
 	/// are not understood is taken only when one of the same shape has come before.
 	Verdict take(const Frame &p_frame, bool p_noisy = false);
 
 	/// Of the last message that was DATA. A sample of a sick device is empty: its `present` is 0.
-	size_t sample_count() const { return _sample_count; }
-	const Sample &sample(size_t p_index) const { return _samples[p_index]; }
+	std::size_t sample_count() const { return _sample_count; }
+	const Sample &sample(std::size_t p_index) const { return _samples[p_index]; }
 
 	const StreamStatistics &statistics() const { return _statistics; }
 	/// Of a device by its bus identifier (MASTER: one that stands alone).
 	const DeviceStatistics &device(uint8_t p_bus_id) const { return _devices[_place(p_bus_id)].statistics; }
 	/// Data bytes of MTData, 0 if its format is not known.
-	size_t data_size() const;
+	std::size_t data_size() const;
 
 private:
 	struct Device {
@@ -79,9 +79,9 @@ private:
 	};
 
 	/// Shapes of MTData2 messages with items that are not understood.
-	static constexpr size_t SHAPES = 16;
+	static constexpr std::size_t SHAPES = 16;
 
-	static size_t _place(uint8_t p_bus_id) { return p_bus_id == MASTER || p_bus_id > MAX_DEVICES ? 0 : p_bus_id; }
+	static std::size_t _place(uint8_t p_bus_id) { return p_bus_id == MASTER || p_bus_id > MAX_DEVICES ? 0 : p_bus_id; }
 	bool _is_bus_id(uint8_t p_bus_id) const;
 	Verdict _take_mt_data(const Frame &p_frame);
 	Verdict _take_mt_data2(const Frame &p_frame, bool p_noisy);
@@ -95,14 +95,14 @@ private:
 	OutputFormat _tracker;
 	bool _has_master = false;
 	bool _has_tracker = false;
-	size_t _device_count = 0;
+	std::size_t _device_count = 0;
 	CounterTrack _master_counter;
 	/// The first is whoever answers to MASTER.
 	std::array<Device, MAX_DEVICES + 1> _devices{};
 	std::array<Sample, MAX_DEVICES> _samples{};
-	size_t _sample_count = 0;
+	std::size_t _sample_count = 0;
 	std::array<uint32_t, SHAPES> _shapes{};
-	size_t _shape_count = 0;
+	std::size_t _shape_count = 0;
 	StreamStatistics _statistics;
 };
 

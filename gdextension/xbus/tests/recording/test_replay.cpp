@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a recorded bus carried, decoded again.
-#include "../bus_streams.hpp"
+#include "bus_streams.hpp"
 
 #include "bus/requests.hpp"
 #include "recording/bus_replay.hpp"

@@ -23,7 +23,7 @@ FramerStatistics frame_all(const std::vector<uint8_t> &p_bytes, S &&p_sink) {
 	const auto sink = [&](const Frame &p_frame) { return p_sink(p_frame, framer->statistics()); };
 	framer->feed(p_bytes.data(), p_bytes.size(), sink);
 	FramerStatistics all = framer->statistics();
-	size_t left = framer->pending();
+	std::size_t left = framer->pending();
 	while (left > 0) {
 		framer->reset();
 		framer->feed(p_bytes.data() + p_bytes.size() - left + 1, left - 1, sink);
@@ -48,13 +48,13 @@ struct FirstLook {
 	/// How often MTData2 messages of each shape come.
 	std::map<uint32_t, int> shapes;
 	/// MTData by size.
-	std::map<size_t, std::vector<Frame>> data;
+	std::map<std::size_t, std::vector<Frame>> data;
 
 	int count_of(uint32_t p_shape) const {
 		const auto found = shapes.find(p_shape);
 		return found == shapes.end() ? 0 : found->second;
 	}
-	const std::vector<Frame> &data_of(size_t p_size) const {
+	const std::vector<Frame> &data_of(std::size_t p_size) const {
 		static const std::vector<Frame> none;
 		const auto found = data.find(p_size);
 		return found == data.end() ? none : found->second;
@@ -80,7 +80,7 @@ public:
 	Judge(const FirstLook &p_look, const FormatOptions &p_options) :
 			_look(p_look), _book(p_options), _is_noisy(p_look.framing.is_noisy()) {}
 
-	bool take(const Frame &p_frame, size_t p_offset) {
+	bool take(const Frame &p_frame, std::size_t p_offset) {
 		Entry entry;
 		entry.offset = p_offset;
 		entry.frame = p_frame;
@@ -103,7 +103,7 @@ public:
 	std::vector<Entry> entries;
 
 private:
-	int _format(size_t p_size) {
+	int _format(std::size_t p_size) {
 		const int known = _book.pick(p_size);
 		if (known >= 0 || _guessed.count(p_size) > 0) {
 			return known;
@@ -135,7 +135,7 @@ private:
 			return _look.data_of(p_entry.frame.size).size() > 1;
 		}
 		if (p_entry.format != _checked) {
-			const DataFormat &format = _book.formats()[size_t(p_entry.format)];
+			const DataFormat &format = _book.formats()[std::size_t(p_entry.format)];
 			if (format.is_master) {
 				_data_check->expect_master(format.trackers);
 			} else {
@@ -149,7 +149,7 @@ private:
 	const FirstLook &_look;
 	FormatBook _book;
 	bool _is_noisy;
-	std::set<size_t> _guessed;
+	std::set<std::size_t> _guessed;
 	std::unique_ptr<StreamCheck> _check = std::make_unique<StreamCheck>();
 	std::unique_ptr<StreamCheck> _data_check = std::make_unique<StreamCheck>();
 	int _checked = -1;
@@ -160,11 +160,11 @@ class RangeNotes {
 public:
 	explicit RangeNotes(std::map<std::string, Range> &r_ranges) : _ranges(r_ranges) {}
 
-	void numbers(const char *p_key, const double *p_values, size_t p_count) {
+	void numbers(const char *p_key, const double *p_values, std::size_t p_count) {
 		Range &range = _ranges[p_key];
 		range.least.resize(p_count, p_values[0]);
 		range.most.resize(p_count, p_values[0]);
-		for (size_t i = 0; i < p_count; i++) {
+		for (std::size_t i = 0; i < p_count; i++) {
 			range.least[i] = range.count == 0 ? p_values[i] : std::min(range.least[i], p_values[i]);
 			range.most[i] = range.count == 0 ? p_values[i] : std::max(range.most[i], p_values[i]);
 		}
@@ -240,7 +240,7 @@ void note_control(const Frame &p_frame, Analysis &r_analysis) {
 			}
 			break;
 		case Message::INIT_BUS_RESULTS:
-			for (size_t i = 0; i < p_frame.size / 4; i++) {
+			for (std::size_t i = 0; i < p_frame.size / 4; i++) {
 				r_analysis.devices[int(i) + 1].device_id = read_u32(p_frame.data + i * 4);
 			}
 			break;
@@ -259,7 +259,7 @@ void note_control(const Frame &p_frame, Analysis &r_analysis) {
 			}
 			r_analysis.period = configuration.period;
 			r_analysis.devices[MASTER].device_id = configuration.master_id;
-			for (size_t i = 0; configuration.device_count > 1 && i < configuration.device_count; i++) {
+			for (std::size_t i = 0; configuration.device_count > 1 && i < configuration.device_count; i++) {
 				r_analysis.devices[int(i) + 1].device_id = configuration.devices[i].device_id;
 			}
 			break;
@@ -303,7 +303,7 @@ std::vector<Sample> decode_samples(const Analysis &p_analysis, const Entry &p_en
 	if (frame.message != Message::MT_DATA || p_entry.format < 0) {
 		return {};
 	}
-	const DataFormat &format = p_analysis.formats[size_t(p_entry.format)];
+	const DataFormat &format = p_analysis.formats[std::size_t(p_entry.format)];
 	samples.resize(format.is_master ? format.trackers.count() : 1);
 	const bool good = format.is_master ? format.trackers.decode(frame.data, frame.size, samples.data())
 									   : format.tracker.decode(frame.data, frame.size, samples[0]);
@@ -320,7 +320,7 @@ Analysis analyse(const Recording &p_recording, const FormatOptions &p_options) {
 	Judge judge(first, p_options);
 	Analysis analysis;
 	analysis.framing = frame_all(bytes, [&](const Frame &p_frame, const FramerStatistics &) {
-		const auto data = size_t(p_frame.data - bytes.data());
+		const auto data = std::size_t(p_frame.data - bytes.data());
 		// The extended form's length byte lies three before the data's two length bytes.
 		const bool extended = data >= 6 && bytes[data - 6] == PREAMBLE && bytes[data - 5] == p_frame.bus_id &&
 				bytes[data - 4] == uint8_t(p_frame.message) && bytes[data - 3] == EXTENDED &&

@@ -17,7 +17,7 @@ struct DataFormat {
 	xbus::MasterFormat trackers;
 	xbus::OutputFormat tracker;
 
-	size_t size() const { return is_master ? trackers.size() : tracker.size(); }
+	std::size_t size() const { return is_master ? trackers.size() : tracker.size(); }
 };
 
 /// What the command line says of MTData.
@@ -25,12 +25,12 @@ struct FormatOptions {
 	std::optional<uint16_t> mode;
 	uint32_t settings = 0;
 	bool is_master = false;
-	size_t devices = 1;
+	std::size_t devices = 1;
 };
 
 /// One message of a recording.
 struct Entry {
-	size_t offset = 0;
+	std::size_t offset = 0;
 	xbus::Frame frame;
 	/// Of MTData: index into Analysis::formats, -1 if nothing is known.
 	int format = -1;

@@ -17,7 +17,7 @@ std::string version(const std::array<uint8_t, 3> &p_parts) {
 }
 
 /// Up to the first zero; what is not ASCII becomes a question mark.
-template <size_t N>
+template <std::size_t N>
 std::string text_of(const std::array<char, N> &p_text) {
 	std::string text(p_text.begin(), std::find(p_text.begin(), p_text.end(), '\0'));
 	for (char &letter : text) {
@@ -40,7 +40,7 @@ void write_configuration(const Frame &p_frame, JsonWriter &r_json) {
 	r_json.member("time", text_of(configuration.time));
 	r_json.key("trackers");
 	r_json.begin_list();
-	for (size_t i = 0; i < configuration.device_count; i++) {
+	for (std::size_t i = 0; i < configuration.device_count; i++) {
 		const DeviceConfiguration &device = configuration.devices[i];
 		r_json.begin_object();
 		r_json.member("device_id", hex_id(device.device_id));
@@ -56,14 +56,14 @@ void write_configuration(const Frame &p_frame, JsonWriter &r_json) {
 
 void write_outputs(const Frame &p_frame, JsonWriter &r_json) {
 	std::array<OutputRequest, 64> outputs;
-	size_t count = 0;
+	std::size_t count = 0;
 	if (!parse_output_configuration(p_frame.data, p_frame.size, outputs.data(), outputs.size(), count)) {
 		r_json.member("fault", "its length is not that of a list of outputs");
 		return;
 	}
 	r_json.key("outputs");
 	r_json.begin_list();
-	for (size_t i = 0; i < count; i++) {
+	for (std::size_t i = 0; i < count; i++) {
 		const ItemType &type = item_type(outputs[i].id);
 		r_json.begin_object();
 		r_json.member("id", hex_id(outputs[i].id, 4));
@@ -94,7 +94,7 @@ void write_error(const Frame &p_frame, JsonWriter &r_json) {
 void write_device_ids(const Frame &p_frame, JsonWriter &r_json) {
 	r_json.key("device_ids");
 	r_json.begin_list();
-	for (size_t i = 0; i + 4 <= p_frame.size; i += 4) {
+	for (std::size_t i = 0; i + 4 <= p_frame.size; i += 4) {
 		r_json.value(hex_id(read_u32(p_frame.data + i)));
 	}
 	r_json.end_list();
@@ -108,11 +108,11 @@ std::string hex_id(uint32_t p_id, int p_digits) {
 	return text.data();
 }
 
-std::string hex_data(const uint8_t *p_data, size_t p_size) {
+std::string hex_data(const uint8_t *p_data, std::size_t p_size) {
 	static constexpr const char *DIGITS = "0123456789abcdef";
 	std::string text;
 	text.reserve(p_size * 2);
-	for (size_t i = 0; i < p_size; i++) {
+	for (std::size_t i = 0; i < p_size; i++) {
 		text += DIGITS[unsigned(p_data[i]) >> 4U];
 		text += DIGITS[p_data[i] & 0xFU];
 	}

@@ -13,7 +13,7 @@ FormatBook::FormatBook(const FormatOptions &p_options) {
 	format.source = "options";
 	format.is_master = p_options.is_master;
 	format.tracker = { *p_options.mode, p_options.settings };
-	for (size_t i = 0; p_options.is_master && i < p_options.devices; i++) {
+	for (std::size_t i = 0; p_options.is_master && i < p_options.devices; i++) {
 		format.trackers.add(format.tracker);
 	}
 	_formats.push_back(format);
@@ -24,8 +24,8 @@ int FormatBook::add(const DataFormat &p_format) {
 	return int(_formats.size()) - 1;
 }
 
-int FormatBook::pick(size_t p_size) const {
-	for (size_t i = _formats.size(); i > 0; i--) {
+int FormatBook::pick(std::size_t p_size) const {
+	for (std::size_t i = _formats.size(); i > 0; i--) {
 		if (_formats[i - 1].size() == p_size) {
 			return int(i) - 1;
 		}
@@ -72,7 +72,7 @@ void FormatBook::_note_configuration(const Frame &p_frame) {
 	format.is_master =
 			device_kind(configuration.master_id) == DeviceKind::XBUS_MASTER || configuration.device_count > 1;
 	format.tracker = configuration.devices[0].format;
-	for (size_t i = 0; i < configuration.device_count; i++) {
+	for (std::size_t i = 0; i < configuration.device_count; i++) {
 		format.trackers.add(configuration.devices[i].format);
 		_set[i + 1] = configuration.devices[i].format;
 		_is_set[i + 1] = format.is_master;
@@ -84,7 +84,7 @@ void FormatBook::_note_configuration(const Frame &p_frame) {
 void FormatBook::_combine() {
 	DataFormat format;
 	format.source = "SetOutputMode";
-	size_t count = 0;
+	std::size_t count = 0;
 	while (count < MAX_DEVICES && _is_set[count + 1] && (_trackers == 0 || count < _trackers)) {
 		format.trackers.add(_set[count + 1]);
 		count++;

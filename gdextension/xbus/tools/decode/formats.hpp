@@ -11,13 +11,13 @@ public:
 	/// Takes note of a message: a configuration, a list of devices, an output mode or settings.
 	void note(const xbus::Frame &p_frame);
 	/// The format of a message of this size: the newest that fits, else -1.
-	int pick(size_t p_size) const;
+	int pick(std::size_t p_size) const;
 	/// Adds one that was guessed.
 	int add(const DataFormat &p_format);
 
 	const std::vector<DataFormat> &formats() const { return _formats; }
 	/// Trackers behind the master, 0 if none told.
-	size_t trackers() const { return _trackers; }
+	std::size_t trackers() const { return _trackers; }
 
 private:
 	void _note_configuration(const xbus::Frame &p_frame);
@@ -27,9 +27,9 @@ private:
 	std::vector<DataFormat> _formats;
 	std::array<xbus::OutputFormat, 256> _set{};
 	std::array<bool, 256> _is_set{};
-	size_t _trackers = 0;
+	std::size_t _trackers = 0;
 };
 
 /// Which format makes sense of all these messages of one size, if just one does. `p_trackers`: behind the master,
 /// 0 if that is not known.
-std::optional<DataFormat> guess_format(const std::vector<xbus::Frame> &p_frames, size_t p_trackers);
+std::optional<DataFormat> guess_format(const std::vector<xbus::Frame> &p_frames, std::size_t p_trackers);

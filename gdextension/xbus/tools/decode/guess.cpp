@@ -11,8 +11,8 @@ using namespace xbus;
 namespace {
 
 /// Messages that a guess must make sense of.
-constexpr size_t MAX_TRIED = 50;
-constexpr size_t MAX_TRACKERS = 20;
+constexpr std::size_t MAX_TRIED = 50;
+constexpr std::size_t MAX_TRACKERS = 20;
 /// Messages that may be missing before another.
 constexpr uint16_t MAX_MISSED = 100;
 /// Quaternions and matrices of real devices are nearer to a rotation than this.
@@ -59,19 +59,19 @@ int evidence_of(const OutputFormat &p_format) {
 bool is_sensible(const DataFormat &p_format, const Frame &p_frame, std::vector<Sample> &r_samples) {
 	const bool decoded = p_format.is_master ? p_format.trackers.decode(p_frame.data, p_frame.size, r_samples.data())
 											: p_format.tracker.decode(p_frame.data, p_frame.size, r_samples[0]);
-	const size_t count = p_format.is_master ? p_format.trackers.count() : 1;
+	const std::size_t count = p_format.is_master ? p_format.trackers.count() : 1;
 	return decoded && std::all_of(r_samples.begin(), r_samples.begin() + std::ptrdiff_t(count), is_sample_sensible);
 }
 
 /// Whether nearly all messages make sense: on a bad line some are wrong.
 bool fits(const DataFormat &p_format, const std::vector<Frame> &p_frames) {
 	std::vector<Sample> samples(MAX_DEVICES);
-	const size_t tried = std::min(p_frames.size(), MAX_TRIED);
-	const size_t most_wrong = tried / 10;
-	size_t wrong = 0;
-	size_t astray = 0;
+	const std::size_t tried = std::min(p_frames.size(), MAX_TRIED);
+	const std::size_t most_wrong = tried / 10;
+	std::size_t wrong = 0;
+	std::size_t astray = 0;
 	uint32_t last = 0;
-	for (size_t i = 0; i < tried; i++) {
+	for (std::size_t i = 0; i < tried; i++) {
 		wrong += is_sensible(p_format, p_frames[i], samples) ? 0U : 1U;
 		if (wrong > most_wrong) {
 			return false;
@@ -84,7 +84,7 @@ bool fits(const DataFormat &p_format, const std::vector<Frame> &p_frames) {
 }
 
 /// All formats of this size that devices are set to in practice.
-std::vector<DataFormat> candidates(size_t p_size) {
+std::vector<DataFormat> candidates(std::size_t p_size) {
 	std::vector<DataFormat> found;
 	found.reserve(16);
 	for (const uint16_t mode : MODES) {
@@ -99,11 +99,11 @@ std::vector<DataFormat> candidates(size_t p_size) {
 			if (format.tracker.size() == p_size) {
 				found.push_back(format);
 			}
-			const size_t block = format.tracker.size_behind_master();
+			const std::size_t block = format.tracker.size_behind_master();
 			if (bits < 12 && p_size > MasterFormat::HEAD && (p_size - MasterFormat::HEAD) % block == 0 &&
 					(p_size - MasterFormat::HEAD) / block <= MAX_TRACKERS) {
 				format.is_master = true;
-				for (size_t i = 0; i < (p_size - MasterFormat::HEAD) / block; i++) {
+				for (std::size_t i = 0; i < (p_size - MasterFormat::HEAD) / block; i++) {
 					format.trackers.add(format.tracker);
 				}
 				found.push_back(format);
@@ -115,7 +115,7 @@ std::vector<DataFormat> candidates(size_t p_size) {
 
 } // namespace
 
-std::optional<DataFormat> guess_format(const std::vector<Frame> &p_frames, size_t p_trackers) {
+std::optional<DataFormat> guess_format(const std::vector<Frame> &p_frames, std::size_t p_trackers) {
 	std::optional<DataFormat> found;
 	if (p_frames.empty()) {
 		return found;

@@ -71,7 +71,7 @@ public:
 	}
 
 private:
-	static constexpr size_t FULL = 65536;
+	static constexpr std::size_t FULL = 65536;
 
 	void _begin(char p_mark) {
 		_comma();

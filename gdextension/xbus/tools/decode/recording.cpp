@@ -26,7 +26,7 @@ bool read_all(const std::string &p_name, std::vector<uint8_t> &r_bytes, std::str
 		return false;
 	}
 	std::array<uint8_t, 65536> block;
-	size_t got = 0;
+	std::size_t got = 0;
 	while ((got = std::fread(block.data(), 1, block.size(), file.get())) > 0) {
 		r_bytes.insert(r_bytes.end(), block.begin(), block.begin() + std::ptrdiff_t(got));
 	}
@@ -47,7 +47,7 @@ int hex_value(uint8_t p_digit) {
 /// Whether the bytes are text of nothing but pairs of hexadecimal digits: no bus sends only those.
 bool read_hex(const std::vector<uint8_t> &p_text, std::vector<uint8_t> &r_bytes) {
 	r_bytes.reserve(p_text.size() / 2);
-	for (size_t i = 0; i < p_text.size();) {
+	for (std::size_t i = 0; i < p_text.size();) {
 		if (std::isspace(p_text[i]) != 0) {
 			i++;
 			continue;

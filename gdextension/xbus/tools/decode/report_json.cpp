@@ -32,7 +32,7 @@ void write_formats(const std::vector<DataFormat> &p_formats, JsonWriter &r_json)
 		r_json.member("data_length", uint64_t(format.size()));
 		r_json.key("trackers");
 		r_json.begin_list();
-		for (size_t i = 0; i < (format.is_master ? format.trackers.count() : 1); i++) {
+		for (std::size_t i = 0; i < (format.is_master ? format.trackers.count() : 1); i++) {
 			const OutputFormat &tracker = format.is_master ? format.trackers.format(i) : format.tracker;
 			r_json.begin_object();
 			r_json.member("mode", unsigned(tracker.mode));

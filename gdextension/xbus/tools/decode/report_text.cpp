@@ -38,7 +38,7 @@ void write_ranges(const std::map<std::string, Range> &p_ranges, std::FILE *p_fil
 	std::fprintf(p_file, "\n%-26s %8s   range\n", "item", "count");
 	for (const auto &[key, range] : p_ranges) {
 		std::fprintf(p_file, "%-26s %8" PRIu64 "  ", key.c_str(), range.count);
-		for (size_t i = 0; i < range.least.size(); i++) {
+		for (std::size_t i = 0; i < range.least.size(); i++) {
 			std::fprintf(p_file, " %.6g..%.6g", range.least[i], range.most[i]);
 		}
 		std::fprintf(p_file, "\n");

@@ -17,14 +17,14 @@ void write_date(const UtcTime &p_utc, SampleJson &r_members) {
 
 } // namespace
 
-void SampleJson::numbers(const char *p_key, const double *p_values, size_t p_count) {
+void SampleJson::numbers(const char *p_key, const double *p_values, std::size_t p_count) {
 	_key(p_key);
 	if (p_count == 1) {
 		_json.value(*p_values);
 		return;
 	}
 	_json.begin_list();
-	for (size_t i = 0; i < p_count; i++) {
+	for (std::size_t i = 0; i < p_count; i++) {
 		_json.value(p_values[i]);
 	}
 	_json.end_list();
@@ -66,7 +66,7 @@ void SampleJson::structure(const char *p_key, const GnssPvt &p_pvt) {
 	members.integer("heading_accuracy", p_pvt.heading_accuracy);
 	members.integer("heading_of_vehicle", p_pvt.heading_of_vehicle);
 	static constexpr const char *DILUTIONS[] = { "gdop", "pdop", "tdop", "vdop", "hdop", "ndop", "edop" };
-	for (size_t i = 0; i < p_pvt.dilutions.size(); i++) {
+	for (std::size_t i = 0; i < p_pvt.dilutions.size(); i++) {
 		members.integer(DILUTIONS[i], p_pvt.dilutions[i]);
 	}
 	_json.end_object();
@@ -79,7 +79,7 @@ void SampleJson::structure(const char *p_key, const GnssSatellites &p_satellites
 	members.integer("itow", p_satellites.itow);
 	_json.key("satellites");
 	_json.begin_list();
-	for (size_t i = 0; i < p_satellites.count; i++) {
+	for (std::size_t i = 0; i < p_satellites.count; i++) {
 		const Satellite &satellite = p_satellites.satellites[i];
 		_json.begin_object();
 		members.integer("system", satellite.system);

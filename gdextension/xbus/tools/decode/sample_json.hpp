@@ -9,7 +9,7 @@ class SampleJson {
 public:
 	explicit SampleJson(JsonWriter &r_json, bool p_bare = false) : _json(r_json), _is_bare(p_bare) {}
 
-	void numbers(const char *p_key, const double *p_values, size_t p_count);
+	void numbers(const char *p_key, const double *p_values, std::size_t p_count);
 	void integer(const char *p_key, int64_t p_value) {
 		_key(p_key);
 		_json.value(p_value);

@@ -21,13 +21,13 @@ namespace internal {
 template <class T>
 struct Span {
 	T *elements = nullptr;
-	size_t size = 0;
+	std::size_t size = 0;
 
 	T *begin() const { return elements; }
 	T *end() const { return elements + size; }
 };
 
-template <class T, size_t N>
+template <class T, std::size_t N>
 constexpr Span<T> span(T (&p_elements)[N]) {
 	return { p_elements, N };
 }

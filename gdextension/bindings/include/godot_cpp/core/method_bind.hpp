@@ -59,11 +59,11 @@ class Callee {
 	using Class = typename Parts::Class;
 	using Result = typename Parts::Result;
 	using Arguments = typename Parts::Arguments;
-	template <size_t I>
+	template <std::size_t I>
 	using Info = TypeInfo<std::tuple_element_t<I, Arguments>>;
 
 public:
-	static constexpr size_t argument_count = std::tuple_size_v<Arguments>;
+	static constexpr std::size_t argument_count = std::tuple_size_v<Arguments>;
 
 	explicit Callee(Function p_function) : function(p_function) {}
 
@@ -83,7 +83,7 @@ private:
 			return (static_cast<Class *>(p_self)->*function)(std::forward<Values>(p_values)...);
 		}
 	}
-	template <size_t... I>
+	template <std::size_t... I>
 	void by_pointer(Wrapped *p_self, [[maybe_unused]] const void *const *p_arguments, [[maybe_unused]] void *r_result,
 			std::index_sequence<I...>) const {
 		if constexpr (std::is_void_v<Result>) {
@@ -92,7 +92,7 @@ private:
 			TypeInfo<Result>::to_pointer(invoke(p_self, Info<I>::from_pointer(p_arguments[I])...), r_result);
 		}
 	}
-	template <size_t... I>
+	template <std::size_t... I>
 	void by_variant(Wrapped *p_self, [[maybe_unused]] const Variant *const *p_arguments,
 			[[maybe_unused]] Variant &r_result, std::index_sequence<I...>) const {
 		if constexpr (std::is_void_v<Result>) {
@@ -177,7 +177,7 @@ private:
 			metadata.push_back(TypeInfo<T>::metadata);
 		}
 	}
-	template <size_t... I>
+	template <std::size_t... I>
 	void add_arguments(std::index_sequence<I...>) {
 		(add_type<std::tuple_element_t<I, Arguments>>(), ...);
 	}
