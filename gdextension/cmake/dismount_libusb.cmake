@@ -6,7 +6,7 @@
 #       Copies libusb-1.0.so.0 beside the built extensions, where the target then finds it. Name it
 #       under [dependencies] in the extension's .gdextension file: exports carry it then.
 #
-# Where there is no libusb the target does not exist; an extension cannot be built without.
+# A missing libusb is an error, unless DISMOUNT_USB is off: then the target does not exist.
 include_guard()
 
 set(DISMOUNT_LIBUSB_ROOT "" CACHE PATH "Folder like /usr that holds libusb 1.0; empty for the system's")
@@ -24,9 +24,14 @@ function(dismount_find_in p_root p_header p_suffix p_library r_header r_library)
 	mark_as_advanced(${r_header} ${r_library})
 endfunction()
 
-dismount_find_in("${DISMOUNT_LIBUSB_ROOT}" libusb.h libusb-1.0 usb-1.0 DISMOUNT_LIBUSB_INCLUDE DISMOUNT_LIBUSB_LIBRARY)
-
-if(DISMOUNT_LIBUSB_INCLUDE AND DISMOUNT_LIBUSB_LIBRARY)
+if(DISMOUNT_USB)
+	dismount_find_in("${DISMOUNT_LIBUSB_ROOT}" libusb.h libusb-1.0 usb-1.0 DISMOUNT_LIBUSB_INCLUDE DISMOUNT_LIBUSB_LIBRARY)
+	if(NOT DISMOUNT_LIBUSB_INCLUDE OR NOT DISMOUNT_LIBUSB_LIBRARY)
+		message(FATAL_ERROR
+			"libusb 1.0 was not found: install its headers (Debian: libusb-1.0-0-dev), "
+			"or set DISMOUNT_LIBUSB_ROOT to a folder like /usr that holds it. The engine-free C++ builds without: "
+			"-DDISMOUNT_EXTENSIONS=OFF -DDISMOUNT_USB=OFF -DDISMOUNT_UMOCKDEV=OFF.")
+	endif()
 	get_filename_component(_libusb_folder ${DISMOUNT_LIBUSB_LIBRARY} DIRECTORY)
 	add_library(libusb::libusb SHARED IMPORTED GLOBAL)
 	set_target_properties(libusb::libusb PROPERTIES
@@ -36,10 +41,6 @@ if(DISMOUNT_LIBUSB_INCLUDE AND DISMOUNT_LIBUSB_LIBRARY)
 		# For libudev, which libusb needs: of the same folder where the system has none.
 		INTERFACE_LINK_OPTIONS -Wl,-rpath-link,${_libusb_folder}
 	)
-elseif(DISMOUNT_EXTENSIONS)
-	message(FATAL_ERROR
-		"libusb 1.0 was not found: install its headers (Debian: libusb-1.0-0-dev), "
-		"or set DISMOUNT_LIBUSB_ROOT to a folder like /usr that holds it.")
 endif()
 
 function(dismount_ship_libusb p_target)

@@ -3,8 +3,11 @@
 #
 #   dismount_add_core_library(<name> SOURCES <file>... [LIBRARIES <target>...])
 #       Static library that knows nothing of the engine.
-#   dismount_add_core_test(<name> SOURCES <file>... [LIBRARIES <target>...])
-#       Executable that ctest runs; it passes when it exits with 0.
+#   dismount_add_core_test(<name> SOURCES <file>... [LIBRARIES <target>...] [THREADS])
+#       Executable that ctest runs; it passes when it exits with 0. With THREADS it runs several threads: it has
+#       ctest's label "threads" and belongs to the target thread_tests, for the thread sanitizer.
+#   dismount_add_fuzzer(<name> CORPUS <folder> SOURCES <file>... [LIBRARIES <target>...])
+#       The same for a fuzzer: <name> EXECUTIONS [SEED]. It finds its seeds in tests/corpus/<folder>.
 #   dismount_add_extension(<name> SOURCES <file>... [LIBRARIES <target>...] [DOCS <file.xml>...])
 #       ${DISMOUNT_BIN_DIR}/lib<name>.linux.<architecture>.so, linked to godot::cpp, with its class
 #       documentation inside. Does nothing where the extensions are not built.
@@ -36,11 +39,20 @@ endfunction()
 # Only cores and their tests are sanitized: the engine could not load a sanitized extension.
 function(_dismount_sanitize p_target)
 	if(DISMOUNT_SANITIZE)
-		set(flags -fsanitize=${DISMOUNT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -g)
+		set(flags -fsanitize=${DISMOUNT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
 		target_compile_options(${p_target} PUBLIC ${flags})
 		target_link_options(${p_target} PUBLIC ${flags})
 	endif()
 endfunction()
+
+# What is built to run the tests, and those of several threads alone.
+add_custom_target(core_tests)
+add_custom_target(thread_tests)
+# Sanitizers slow a test down several times.
+set(DISMOUNT_TEST_LIMIT_S 120)
+if(DISMOUNT_SANITIZE)
+	set(DISMOUNT_TEST_LIMIT_S 400)
+endif()
 
 function(dismount_add_core_library p_name)
 	cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
@@ -53,19 +65,39 @@ function(dismount_add_core_library p_name)
 endfunction()
 
 function(dismount_add_core_test p_name)
-	cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
+	cmake_parse_arguments(PARSE_ARGV 1 arg "THREADS" "" "SOURCES;LIBRARIES")
 	if(NOT BUILD_TESTING)
 		return()
 	endif()
 	add_executable(${p_name} ${arg_SOURCES})
 	# Assertions stay on in tests, and the shared check.hpp is found by its plain name.
 	target_compile_options(${p_name} PRIVATE -UNDEBUG)
-	target_include_directories(${p_name} PRIVATE ${PROJECT_SOURCE_DIR}/testing)
+	target_include_directories(${p_name} PRIVATE ${PROJECT_SOURCE_DIR}/testing ${CMAKE_CURRENT_SOURCE_DIR}/tests)
 	target_link_libraries(${p_name} PRIVATE ${arg_LIBRARIES})
 	_dismount_common(${p_name})
 	_dismount_sanitize(${p_name})
 	add_test(NAME ${p_name} COMMAND ${p_name})
-	set_tests_properties(${p_name} PROPERTIES TIMEOUT 120)
+	set_tests_properties(${p_name} PROPERTIES TIMEOUT ${DISMOUNT_TEST_LIMIT_S})
+	add_dependencies(core_tests ${p_name})
+	if(arg_THREADS)
+		dismount_mark_threaded(${p_name} ${p_name})
+	endif()
+endfunction()
+
+function(dismount_add_fuzzer p_name)
+	cmake_parse_arguments(PARSE_ARGV 1 arg "" "CORPUS" "SOURCES;LIBRARIES")
+	if(NOT BUILD_TESTING)
+		return()
+	endif()
+	dismount_add_core_test(${p_name} SOURCES ${arg_SOURCES} LIBRARIES ${arg_LIBRARIES})
+	target_compile_definitions(${p_name} PRIVATE
+		DISMOUNT_CORPUS="${CMAKE_CURRENT_SOURCE_DIR}/tests/corpus/${arg_CORPUS}")
+endfunction()
+
+# Says of a test that it runs several threads, and what is built for it.
+function(dismount_mark_threaded p_test)
+	set_tests_properties(${p_test} PROPERTIES LABELS threads)
+	add_dependencies(thread_tests ${ARGN})
 endfunction()
 
 function(dismount_add_extension p_name)

@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: MIT
 # Provides umockdev::umockdev, which gives programs USB devices that are not there: the suit emulator
-# stands behind it. From DISMOUNT_UMOCKDEV_ROOT or from the system. Without it the target does not
-# exist, and there is no emulator.
+# stands behind it. From DISMOUNT_UMOCKDEV_ROOT or from the system. A missing umockdev is an error,
+# unless DISMOUNT_UMOCKDEV is off: then the target does not exist, and there is no emulator.
 include_guard()
 include(dismount_libusb)
 
-option(DISMOUNT_UMOCKDEV "Build what needs umockdev: the suit emulator" ON)
 set(DISMOUNT_UMOCKDEV_ROOT "" CACHE PATH "Folder like /usr that holds umockdev and glib; empty for the system's")
 
 if(NOT DISMOUNT_UMOCKDEV)
@@ -16,8 +15,10 @@ dismount_find_in("${DISMOUNT_UMOCKDEV_ROOT}" glib.h glib-2.0 glib-2.0 DISMOUNT_G
 dismount_find_in("${DISMOUNT_UMOCKDEV_ROOT}" glib-object.h glib-2.0 gobject-2.0 DISMOUNT_GOBJECT_INCLUDE DISMOUNT_GOBJECT_LIBRARY)
 dismount_find_in("${DISMOUNT_UMOCKDEV_ROOT}" gio/gio.h glib-2.0 gio-2.0 DISMOUNT_GIO_INCLUDE DISMOUNT_GIO_LIBRARY)
 if(NOT DISMOUNT_UMOCKDEV_LIBRARY OR NOT DISMOUNT_UMOCKDEV_INCLUDE OR NOT DISMOUNT_GIO_LIBRARY OR NOT DISMOUNT_GIO_INCLUDE)
-	message(STATUS "umockdev was not found: no suit emulator")
-	return()
+	message(FATAL_ERROR
+		"umockdev with its headers and glib's was not found: install them (Debian: libumockdev-dev), or set "
+		"DISMOUNT_UMOCKDEV_ROOT to a folder like /usr that holds them. -DDISMOUNT_UMOCKDEV=OFF does without the "
+		"suit emulator and the tests that need it.")
 endif()
 
 get_filename_component(DISMOUNT_UMOCKDEV_FOLDER ${DISMOUNT_UMOCKDEV_LIBRARY} DIRECTORY)

@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
+#include <string>
 #include <vector>
+
+/// Of the sanitizers' run time; not there without one.
+extern "C" __attribute__((weak)) void __sanitizer_set_death_callback(void (*p_callback)());
 
 /// What fuzzers share.
 namespace fuzzing {
@@ -22,6 +31,68 @@ public:
 
 private:
 	std::vector<std::unique_ptr<uint8_t[]>> _blocks;
+};
+
+/// The files of a fuzzer's corpus, by name: tests/corpus/<fuzzer> of its module. They are tried as they are, then
+/// damaged like all other seeds. What a fuzzer trips over belongs there.
+class Corpus {
+public:
+	using Bytes = std::vector<uint8_t>;
+
+	/// Files above `p_most` bytes are cut.
+	Corpus(const char *p_folder, std::size_t p_most) {
+		std::vector<std::filesystem::path> paths;
+		for (const auto &entry : std::filesystem::directory_iterator(p_folder)) {
+			paths.push_back(entry.path());
+		}
+		std::sort(paths.begin(), paths.end());
+		for (const std::filesystem::path &path : paths) {
+			std::ifstream file(path, std::ios::binary);
+			Bytes bytes{ std::istreambuf_iterator<char>(file), {} };
+			bytes.resize(std::min(bytes.size(), p_most));
+			_files.push_back(bytes);
+		}
+	}
+
+	const std::vector<Bytes> &files() const { return _files; }
+	/// The file to be tried unchanged in an execution, or null when all were.
+	const Bytes *whole(uint64_t p_execution) const {
+		return p_execution < _files.size() ? &_files[std::size_t(p_execution)] : nullptr;
+	}
+
+private:
+	std::vector<Bytes> _files;
+};
+
+/// Keeps an eye on the present input, and writes it to crash.bin in the working folder when an execution fails or a
+/// sanitizer ends the program.
+class LastInput {
+public:
+	static void note(const uint8_t *p_bytes, std::size_t p_size) {
+		bytes() = p_bytes;
+		size() = p_size;
+	}
+	static void keep() {
+		std::ofstream("crash.bin", std::ios::binary)
+				.write(reinterpret_cast<const char *>(bytes()), std::streamsize(size()));
+		std::fprintf(stderr, "the input was written to crash.bin: keep it in the fuzzer's corpus\n");
+	}
+	/// Lets a sanitizer keep the input before it ends the program.
+	static void arm() {
+		if (__sanitizer_set_death_callback != nullptr) {
+			__sanitizer_set_death_callback(keep);
+		}
+	}
+
+private:
+	static const uint8_t *&bytes() {
+		static const uint8_t *value = nullptr;
+		return value;
+	}
+	static std::size_t &size() {
+		static std::size_t value = 0;
+		return value;
+	}
 };
 
 /// Fast numbers; their quality hardly matters.

@@ -26,7 +26,7 @@ if(BUILD_TESTING)
 	target_compile_definitions(xbus_golden PRIVATE DISMOUNT_TEST_DATA="${PROJECT_SOURCE_DIR}/../tests/data")
 endif()
 # Hostile bytes, as many as asked for: xbus_fuzz EXECUTIONS [SEED].
-dismount_add_core_test(xbus_fuzz SOURCES tests/fuzz_bus.cpp LIBRARIES xbus_bus)
+dismount_add_fuzzer(xbus_fuzz CORPUS bus SOURCES tests/fuzz_bus.cpp LIBRARIES xbus_bus)
 # What a recording holds: ./run xbus-decode FILE.
 add_executable(xbus_decode
 	tools/decode/analysis.cpp

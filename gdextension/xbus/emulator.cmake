@@ -19,7 +19,7 @@ dismount_add_core_library(xbus_emulator SOURCES
 )
 target_include_directories(xbus_emulator PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/emulator)
 
-if(TARGET umockdev::umockdev AND NOT DISMOUNT_SANITIZE)
+if(DISMOUNT_UMOCKDEV)
 	find_package(Threads REQUIRED)
 	add_executable(suit_emulator
 		emulator/front/device_node.cpp
@@ -33,7 +33,7 @@ if(TARGET umockdev::umockdev AND NOT DISMOUNT_SANITIZE)
 endif()
 
 # The same suit in a virtual machine, plugged into the kernel's own USB: ./test --kernel.
-if(TARGET suit_stream)
+if(DISMOUNT_USB)
 	add_executable(suit_kernel_init
 		emulator/front/usbip_server.cpp
 		emulator/kernel/guest.cpp
@@ -41,6 +41,13 @@ if(TARGET suit_stream)
 	)
 	target_link_libraries(suit_kernel_init PRIVATE xbus_emulator Threads::Threads)
 	_dismount_common(suit_kernel_init)
+endif()
+# The hub with its threads, at an emulated suit of several trackers that comes, streams and is given back.
+if(DISMOUNT_SUIT_EMULATOR AND DISMOUNT_USB AND BUILD_TESTING)
+	add_test(NAME xbus_hub_threads
+		COMMAND ${DISMOUNT_SUIT_EMULATOR} --sensors=4 -- $<TARGET_FILE:suit_stream> --frames=150 --seconds=60)
+	set_tests_properties(xbus_hub_threads PROPERTIES TIMEOUT ${DISMOUNT_TEST_LIMIT_S})
+	dismount_mark_threaded(xbus_hub_threads suit_stream)
 endif()
 foreach(test emulated_chips emulated_master emulated_motion)
 	dismount_add_core_test(xbus_${test} SOURCES emulator/tests/test_${test}.cpp LIBRARIES xbus_emulator)

@@ -10,4 +10,4 @@ foreach(test datagram collector stream_clock)
 	dismount_add_core_test(mvn_${test} SOURCES tests/mvn/test_${test}.cpp LIBRARIES xbus_mvn)
 endforeach()
 # Hostile datagrams, as many as asked for: mvn_fuzz EXECUTIONS [SEED].
-dismount_add_core_test(mvn_fuzz SOURCES tests/mvn/fuzz_datagrams.cpp LIBRARIES xbus_mvn)
+dismount_add_fuzzer(mvn_fuzz CORPUS mvn SOURCES tests/mvn/fuzz_datagrams.cpp LIBRARIES xbus_mvn)

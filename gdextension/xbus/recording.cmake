@@ -8,6 +8,6 @@ dismount_add_core_library(xbus_recording SOURCES
 	src/recording/taps.cpp
 	LIBRARIES xbus_session Threads::Threads
 )
-foreach(test recorder replay)
-	dismount_add_core_test(recording_${test} SOURCES tests/recording/test_${test}.cpp LIBRARIES xbus_recording)
-endforeach()
+dismount_add_core_test(recording_recorder
+	SOURCES tests/recording/test_recorder.cpp LIBRARIES xbus_recording THREADS)
+dismount_add_core_test(recording_replay SOURCES tests/recording/test_replay.cpp LIBRARIES xbus_recording)

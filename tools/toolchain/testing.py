@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import os
 import re
 import shutil
@@ -26,10 +27,11 @@ HELP = """./test [PART ...] [options]   sets up everything, then runs every test
   parts       lint      format and lint gates: gdformat, gdlint, clang-format, clang-tidy, ruff,
                         shellcheck
               cpp       C++ unit tests (ctest)
+              sanitizers  the same with address and undefined-behaviour sanitizers, and those of
+                        several threads with the thread sanitizer
               gdscript  GDScript tests in headless Godot
               system    whole-process tests in pytest, with exported server and clients
   options     --filter=TEXT   only GDScript and system tests whose name has TEXT
-              --sanitize      the C++ tests with address and undefined-behaviour sanitizers
               --kernel        only the test with the kernel's own USB drivers, in a virtual machine
                               (a minute; the first time it fetches a kernel and QEMU, 130 MB)
 """
@@ -45,11 +47,11 @@ def main(arguments: list[str]) -> int:
         print(HELP, end="")
         return 0
     text = next((a.partition("=")[2] for a in arguments if a.startswith("--filter=")), "")
-    sanitize = "--sanitize" in arguments
     kernel = "--kernel" in arguments
     parts: dict[str, Callable[[Godot, Path], Outcome]] = {
         "lint": lambda _godot, tools: run_lint(tools),
-        "cpp": lambda godot, _tools: run_ctest(godot, sanitize),
+        "cpp": lambda _godot, _tools: run_ctest(EXTENSIONS),
+        "sanitizers": lambda _godot, _tools: run_sanitizers(),
         "gdscript": lambda godot, _tools: run_gdscript(godot, text),
         "system": lambda godot, tools: run_pytest(godot, tools, text),
         "kernel": lambda godot, tools: run_pytest(godot, tools, text, ["tests/kernel"]),
@@ -57,8 +59,7 @@ def main(arguments: list[str]) -> int:
     chosen = [argument for argument in arguments if not argument.startswith("--")]
     chosen += ["kernel"] if kernel else []
     unknown = [name for name in chosen if name not in parts]
-    flags = ("--sanitize", "--kernel")
-    options = [a for a in arguments if a.startswith("--") and a not in flags]
+    options = [a for a in arguments if a.startswith("--") and a != "--kernel"]
     unknown += [option for option in options if not option.startswith("--filter=")]
     if unknown:
         raise Failure(f"There is no '{unknown[0]}': see ./test --help.", 2)
@@ -109,33 +110,62 @@ def _call(command: list[str], fault: str = TOOLS_FAULT) -> None:
         raise Failure(fault + "\n" + tail(done.stderr or done.stdout, 5))
 
 
-def run_ctest(_godot: Godot, sanitize: bool) -> Outcome:
-    """Runs the C++ unit tests of all modules."""
-    folder = EXTENSIONS
-    if sanitize:
-        folder = BUILD / "gdextension-sanitized"
-        _build_sanitized(folder)
-    command = ["ctest", "--test-dir", str(folder), "--output-on-failure", "--timeout", "120"]
-    done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=False)
+def run_ctest(folder: Path, *options: str) -> Outcome:
+    """Runs the C++ unit tests of a build folder."""
+    command = ["ctest", "--test-dir", str(folder), "--output-on-failure"]
+    done = subprocess.run([*command, *options], stdout=subprocess.PIPE, text=True, check=False)
     print(done.stdout)
     match = re.search(r"(\d+)% tests passed, (\d+) tests? failed out of (\d+)", done.stdout)
     if match is None:
-        return Outcome(0, 1, ["cpp: ctest ran no test"])
+        return Outcome(0, 1, [f"{folder.name}: ctest ran no test"])
     failed, count = int(match.group(2)), int(match.group(3))
     return Outcome(count - failed, failed)
 
 
-def _build_sanitized(folder: Path) -> None:
-    with step("build the C++ tests with sanitizers"):
-        cached = (EXTENSIONS / "CMakeCache.txt").read_text(encoding="utf-8")
-        api = re.search(r"^GODOT_API_DIR:\w+=(.*)$", cached, re.M)
-        command = ["cmake", "-S", str(ROOT / "gdextension"), "-B", str(folder)]
-        command += [f"-DGODOT_API_DIR={api.group(1) if api else ''}"]
-        command += ["-DDISMOUNT_SANITIZE=address,undefined", "-DDISMOUNT_EXTENSIONS=OFF"]
-        command += usb.find().options()
-        fault = "The C++ tests do not build with sanitizers."
+@dataclasses.dataclass(frozen=True)
+class Sanitized:
+    """A build of the engine-free C++ with sanitizers, and which of its tests are run."""
+
+    folder: str
+    sanitizers: str
+    has_usb: bool  # With the test of the USB hub at an emulated suit.
+    target: str
+    ctest: tuple[str, ...] = ()
+
+
+SANITIZED = [
+    Sanitized("sanitized-memory", "address,undefined", False, "core_tests"),
+    # One at a time: an emulated suit keeps real time.
+    Sanitized("sanitized-threads", "thread", True, "thread_tests", ("-L", "threads")),
+]
+
+
+def run_sanitizers() -> Outcome:
+    """Builds and runs the C++ tests with each set of sanitizers; a finding fails its test."""
+    outcome = Outcome()
+    for build in SANITIZED:
+        folder = _build_sanitized(build)
+        jobs = () if build.ctest else ("-j", str(os.cpu_count() or 2))
+        outcome.add(run_ctest(folder, *build.ctest, *jobs))
+    return outcome
+
+
+def _build_sanitized(build: Sanitized) -> Path:
+    folder = BUILD / build.folder
+    libraries = dataclasses.replace(usb.find(), has_umockdev=False)
+    command = ["cmake", "-S", str(ROOT / "gdextension"), "-B", str(folder)]
+    command += ["-G", "Ninja"] if shutil.which("ninja") else []
+    command += [f"-DDISMOUNT_SANITIZE={build.sanitizers}", "-DDISMOUNT_EXTENSIONS=OFF"]
+    command += [f"-DDISMOUNT_USB={'ON' if build.has_usb else 'OFF'}", *libraries.options()]
+    # umockdev is not of our making: what its threads do would be findings.
+    emulator = EXTENSIONS / "xbus" / "suit_emulator"
+    command += [f"-DDISMOUNT_SUIT_EMULATOR={emulator if emulator.exists() else ''}"]
+    fault = f"The C++ tests do not build with -fsanitize={build.sanitizers}."
+    with step(f"build the C++ tests with -fsanitize={build.sanitizers}"):
         _call(command, fault)
-        _call(["cmake", "--build", str(folder), "-j", str(os.cpu_count() or 2)], fault)
+        jobs = str(os.cpu_count() or 2)
+        _call(["cmake", "--build", str(folder), "-j", jobs, "--target", build.target], fault)
+    return folder
 
 
 def run_gdscript(godot: Godot, text: str) -> Outcome:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reads hostile bytes as a person: wire_fuzz [EXECUTIONS [SEED]]. Built with sanitizers
 // (DISMOUNT_SANITIZE) it finds what a wrong byte could do.
+#include "fuzzing.hpp"
 #include "people.hpp"
 
 #include <array>
@@ -17,7 +18,7 @@ constexpr std::size_t STATES = 64;
 /// Bytes and states that a fuzzer starts from.
 class Fuzzer {
 public:
-	explicit Fuzzer(uint32_t p_seed) : _random(p_seed), _body(people::skeleton()) {
+	explicit Fuzzer(uint32_t p_seed) : _random(p_seed), _body(people::skeleton()), _corpus(DISMOUNT_CORPUS, PersonCodec::MAX_BYTES) {
 		PersonPose pose = people::draw_pose(_random);
 		for (std::size_t i = 0; i < STATES; i++) {
 			pose = people::moved(_random, pose, i % 7 == 0 ? 2.0f : 0.05f);
@@ -37,7 +38,15 @@ public:
 		const PersonCodec codec(_body, _lattices[fine].resolution());
 		std::array<uint8_t, PersonCodec::MAX_BYTES> bytes;
 		std::size_t size = _random() % 96;
-		if (_random() % 2 == 0) {
+		const fuzzing::Corpus::Bytes *whole = _corpus.whole(_executions++);
+		if (whole != nullptr || _random() % 8 == 0) {
+			const auto &seed = whole != nullptr ? *whole : _corpus.files()[_random() % _corpus.files().size()];
+			size = seed.size();
+			std::copy(seed.begin(), seed.end(), bytes.begin());
+			if (whole == nullptr) {
+				_damage(bytes.data(), size);
+			}
+		} else if (_random() % 2 == 0) {
 			RangeEncoder encoder(bytes.data(), bytes.size());
 			codec.encode(encoder, _states[fine][_random() % STATES], base, before, age, before_age);
 			size = encoder.finish();
@@ -49,6 +58,7 @@ public:
 		}
 		// Of just this size, so that a sanitizer sees what is read beyond.
 		const std::vector<uint8_t> exact(bytes.begin(), bytes.begin() + std::ptrdiff_t(size));
+		fuzzing::LastInput::note(exact.data(), exact.size());
 		PersonState found;
 		RangeDecoder decoder(exact.data(), exact.size());
 		const bool good = codec.decode(decoder, found, base, before, age, before_age);
@@ -78,6 +88,8 @@ private:
 
 	std::mt19937 _random;
 	Skeleton _body;
+	fuzzing::Corpus _corpus;
+	uint64_t _executions = 0;
 	std::array<PersonLattice, 2> _lattices{ PersonLattice(PersonLattice::COARSE), PersonLattice(PersonLattice::FINE) };
 	std::array<std::array<PersonState, STATES>, 2> _states{};
 };
@@ -87,8 +99,10 @@ private:
 int main(int p_count, char **p_arguments) {
 	const long executions = p_count > 1 ? std::strtol(p_arguments[1], nullptr, 10) : 100000;
 	Fuzzer fuzzer(p_count > 2 ? uint32_t(std::strtol(p_arguments[2], nullptr, 10)) : 1);
+	fuzzing::LastInput::arm();
 	for (long i = 0; i < executions; i++) {
 		if (!fuzzer.run()) {
+			fuzzing::LastInput::keep();
 			std::printf("execution %ld: what was read is no state\n", i);
 			return 1;
 		}

@@ -2,6 +2,7 @@
 // Hostile snapshots and acknowledgements: wire_fuzz_snapshots [EXECUTIONS [SEED]]. Built with
 // sanitizers (DISMOUNT_SANITIZE) it finds what a wrong byte could do. What is refused must leave no
 // trace: the next good snapshots are read, and say what the server has.
+#include "fuzzing.hpp"
 #include "replication_scene.hpp"
 
 #include <cstdio>
@@ -27,7 +28,8 @@ constexpr int QUIET_TICKS = 6;
 class SnapshotFuzzer {
 public:
 	explicit SnapshotFuzzer(uint32_t p_seed) :
-			_random(p_seed), _server(Scene::shape(), 0.1, 60), _decoder(Scene::shape(), 0.1), _poses(PEOPLE) {
+			_random(p_seed), _server(Scene::shape(), 0.1, 60), _decoder(Scene::shape(), 0.1), _poses(PEOPLE),
+			_corpus(DISMOUNT_CORPUS, 1400) {
 		for (std::size_t i = 0; i < BODIES; i++) {
 			_bodies.emplace_back();
 			_bodies.back().id = uint16_t(3 * i);
@@ -152,8 +154,10 @@ private:
 			}
 			bool is_repeated = false;
 			// Of just this size, so that a sanitizer sees what is read beyond.
-			Bytes bytes = _make(p_fresh, is_repeated);
+			const Bytes *whole = _corpus.whole(_tried++);
+			Bytes bytes = whole != nullptr ? *whole : _make(p_fresh, is_repeated);
 			bytes.shrink_to_fit();
+			fuzzing::LastInput::note(bytes.data(), bytes.size());
 			const Outcome outcome = _decoder.decode(bytes.data(), bytes.size());
 			if (is_repeated && !poisoned && outcome == Outcome::OK) {
 				std::printf("a repeated datagram counts twice\n");
@@ -181,7 +185,7 @@ private:
 
 	Bytes _make(const Bytes &p_fresh, bool &r_is_repeated) {
 		Bytes bytes = p_fresh;
-		switch (_random() % 6) {
+		switch (_random() % 7) {
 			case 0:
 				bytes.resize(_random() % 8 == 0 ? _random() % 1400 : _random() % 64);
 				for (uint8_t &byte : bytes) {
@@ -192,6 +196,10 @@ private:
 				}
 				break;
 			case 1:
+				_damage(bytes);
+				break;
+			case 5:
+				bytes = _corpus.files()[_random() % _corpus.files().size()];
 				_damage(bytes);
 				break;
 			case 2:
@@ -274,6 +282,8 @@ private:
 	SnapshotDecoder _decoder;
 	PersonLattice _lattice{ PersonLattice::resolution_for(0.1) };
 	std::vector<PersonPose> _poses;
+	fuzzing::Corpus _corpus;
+	uint64_t _tried = 0;
 	std::vector<BodyUpdate> _bodies;
 	std::deque<Bytes> _recent;
 	std::vector<Bytes> _waiting;
@@ -286,8 +296,10 @@ private:
 int main(int p_count, char **p_arguments) {
 	const long executions = p_count > 1 ? std::strtol(p_arguments[1], nullptr, 10) : 200000;
 	SnapshotFuzzer fuzzer(p_count > 2 ? uint32_t(std::strtol(p_arguments[2], nullptr, 10)) : 1);
+	fuzzing::LastInput::arm();
 	while (fuzzer.executions < executions) {
 		if (!fuzzer.run(executions - fuzzer.executions)) {
+			fuzzing::LastInput::keep();
 			std::printf("after %ld executions\n", fuzzer.executions);
 			return 1;
 		}

@@ -28,13 +28,20 @@ class Fuzzer {
 public:
 	static constexpr std::size_t MAX = 700;
 
-	explicit Fuzzer(uint32_t p_seed) : _random(p_seed), _blocks(MAX) {
+	explicit Fuzzer(uint32_t p_seed) : _random(p_seed), _blocks(MAX), _corpus(DISMOUNT_CORPUS, MAX) {
 		std::mt19937 random(p_seed);
 		_seed_mt_data2(random);
 		_seed_mt_data(random);
 		_seed_configuration();
 		_master = suit_format(5, output_mode::CALIBRATED | output_mode::ORIENTATION);
 		_check->expect_master(_master);
+	}
+
+	/// The messages of the corpus unchanged, each to the framer.
+	void run_corpus() {
+		for (const Bytes &bytes : _corpus.files()) {
+			_feed(bytes.data(), bytes.size());
+		}
 	}
 
 	void run() {
@@ -113,6 +120,7 @@ private:
 		uint8_t *bytes = _blocks.of(r_size);
 		std::memcpy(bytes, seed.data(), r_size);
 		_damage(bytes, r_size);
+		fuzzing::LastInput::note(bytes, r_size);
 		return bytes;
 	}
 	void _damage(uint8_t *r_bytes, std::size_t p_size) {
@@ -174,14 +182,25 @@ private:
 		std::size_t size = 0;
 		const uint8_t *bytes = _draw(_random.below(2) == 0 ? _items : _configurations, size);
 		std::array<uint8_t, MAX + 7> frame;
-		size = write_frame(MASTER, Message::MT_DATA2, bytes, std::min(size, MAX - 7), frame.data());
+		if (_random.below(4) == 0) {
+			const Bytes &seed = _corpus.files()[_random.below(uint32_t(_corpus.files().size()))];
+			size = seed.size();
+			std::memcpy(frame.data(), seed.data(), size);
+		} else {
+			size = write_frame(MASTER, Message::MT_DATA2, bytes, std::min(size, MAX - 7), frame.data());
+		}
 		_damage(frame.data(), size);
 		_framer->set_longest(_random.below(16) == 0 ? MAX_DATA : 300);
+		_feed(frame.data(), size);
+	}
+	/// Feeds bytes in pieces.
+	void _feed(const uint8_t *p_bytes, std::size_t p_size) {
 		std::size_t at = 0;
-		while (at < size) {
-			const std::size_t piece = std::min<std::size_t>(1 + _random.below(uint32_t(size)), size - at);
+		while (at < p_size) {
+			const std::size_t piece = std::min<std::size_t>(1 + _random.below(uint32_t(p_size)), p_size - at);
 			uint8_t *exact = _blocks.of(piece);
-			std::memcpy(exact, frame.data() + at, piece);
+			std::memcpy(exact, p_bytes + at, piece);
+			fuzzing::LastInput::note(exact, piece);
 			_framer->feed(exact, piece, [&](const Frame &p_frame) { _see(p_frame); });
 			at += piece;
 		}
@@ -203,6 +222,7 @@ private:
 
 	Random _random;
 	ExactBlocks _blocks;
+	fuzzing::Corpus _corpus;
 	std::vector<Bytes> _items;
 	std::vector<Bytes> _blocks_of_data;
 	std::vector<Bytes> _configurations;
@@ -219,9 +239,12 @@ private:
 int main(int p_count, char **p_arguments) {
 	const long executions = p_count > 1 ? std::strtol(p_arguments[1], nullptr, 10) : 300000;
 	Fuzzer fuzzer(p_count > 2 ? uint32_t(std::strtol(p_arguments[2], nullptr, 10)) : 1);
+	fuzzing::LastInput::arm();
+	fuzzer.run_corpus();
 	for (long i = 0; i < executions; i++) {
 		fuzzer.run();
 		if (fault != nullptr) {
+			fuzzing::LastInput::keep();
 			std::printf("execution %ld: %s\n", i, fault);
 			return 1;
 		}

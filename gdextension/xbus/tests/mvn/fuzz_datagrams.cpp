@@ -17,7 +17,7 @@ constexpr std::size_t MAX = 2300;
 
 class Fuzzer {
 public:
-	explicit Fuzzer(unsigned p_seed) : _random(p_seed), _blocks(MAX) {
+	explicit Fuzzer(unsigned p_seed) : _random(p_seed), _blocks(MAX), _corpus(DISMOUNT_CORPUS, MAX) {
 		Source source(p_seed);
 		_seeds.reserve(256);
 		for (const Type type : TYPES_OF_ALL) {
@@ -29,12 +29,15 @@ public:
 				}
 			}
 		}
+		_seeds.insert(_seeds.end(), _corpus.files().begin(), _corpus.files().end());
 	}
 
 	/// One datagram; false if what came of it cannot be.
 	bool run() {
 		std::size_t size = 0;
-		uint8_t *bytes = draw(size);
+		const Bytes *whole = _corpus.whole(_executions++);
+		uint8_t *bytes = whole == nullptr ? draw(size) : copy(*whole, size);
+		fuzzing::LastInput::note(bytes, size);
 		_now_usec += _random.below(64) == 0 ? 3000000 : 500;
 		const Outcome outcome = _collector.take(bytes, size, _random.below(16) == 0 ? 2 : 1, _now_usec);
 		if (outcome == Outcome::SAMPLE) {
@@ -52,6 +55,11 @@ public:
 	uint64_t samples = 0;
 
 private:
+	uint8_t *copy(const Bytes &p_seed, std::size_t &r_size) {
+		r_size = p_seed.size();
+		std::copy(p_seed.begin(), p_seed.end(), _blocks.of(r_size));
+		return _blocks.of(r_size);
+	}
 	uint8_t *draw(std::size_t &r_size) {
 		if (_random.below(16) == 0) {
 			r_size = _random.below(200);
@@ -82,6 +90,8 @@ private:
 
 	fuzzing::Random _random;
 	fuzzing::ExactBlocks _blocks;
+	fuzzing::Corpus _corpus;
+	uint64_t _executions = 0;
 	std::vector<Bytes> _seeds;
 	Collector _collector;
 	uint64_t _now_usec = 1;
@@ -93,8 +103,10 @@ private:
 int main(int p_count, char **p_arguments) {
 	const long executions = p_count > 1 ? std::strtol(p_arguments[1], nullptr, 10) : 100000;
 	Fuzzer fuzzer(p_count > 2 ? unsigned(std::strtol(p_arguments[2], nullptr, 10)) : 1);
+	fuzzing::LastInput::arm();
 	for (long at = 0; at < executions; ++at) {
 		if (!fuzzer.run()) {
+			fuzzing::LastInput::keep();
 			std::printf("execution %ld: more came of a datagram than there can be\n", at);
 			return 1;
 		}

@@ -12,12 +12,22 @@ namespace {
 constexpr std::size_t MAX = 1100;
 
 /// Strips a read that lies in memory of just its size; false if what came out cannot be.
-bool strip(fuzzing::Random &r_random, fuzzing::ExactBlocks &r_blocks) {
-	const std::size_t size = r_random.below(8) == 0 ? r_random.below(MAX) : r_random.below(140);
+bool strip(fuzzing::Random &r_random, fuzzing::ExactBlocks &r_blocks, const fuzzing::Corpus &p_corpus,
+		const fuzzing::Corpus::Bytes *p_whole) {
+	const fuzzing::Corpus::Bytes *seed = p_whole;
+	if (seed == nullptr && r_random.below(4) == 0) {
+		seed = &p_corpus.files()[r_random.below(uint32_t(p_corpus.files().size()))];
+	}
+	std::size_t size = r_random.below(8) == 0 ? r_random.below(MAX) : r_random.below(140);
+	size = seed != nullptr ? seed->size() : size;
 	uint8_t *bytes = r_blocks.of(size);
-	for (int change = 0; change < 4 && size > 0; ++change) {
+	if (seed != nullptr) {
+		std::copy(seed->begin(), seed->end(), bytes);
+	}
+	for (int change = 0; change < 4 && size > 0 && p_whole == nullptr; ++change) {
 		bytes[r_random.below(uint32_t(size))] = uint8_t(r_random.below(256));
 	}
+	fuzzing::LastInput::note(bytes, size);
 	constexpr std::size_t PACKETS[] = { 64, 512, 8, 3, 2, 1, 0, 4096 };
 	const std::size_t packet = r_random.below(4) == 0 ? r_random.below(600) : PACKETS[r_random.below(8)];
 	usb::FtdiStatistics statistics;
@@ -42,8 +52,11 @@ int main(int p_count, char **p_values) {
 	const uint64_t seed = p_count > 2 ? std::strtoull(p_values[2], nullptr, 10) : 1;
 	fuzzing::Random random(seed);
 	fuzzing::ExactBlocks blocks(MAX);
+	const fuzzing::Corpus corpus(DISMOUNT_CORPUS, MAX);
+	fuzzing::LastInput::arm();
 	for (uint64_t execution = 0; execution < executions; ++execution) {
-		if (!strip(random, blocks)) {
+		if (!strip(random, blocks, corpus, corpus.whole(execution))) {
+			fuzzing::LastInput::keep();
 			std::printf(
 					"FAIL at execution %llu of seed %llu\n", (unsigned long long)execution, (unsigned long long)seed);
 			return 1;
