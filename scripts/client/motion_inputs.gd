@@ -155,7 +155,7 @@ func _has_any() -> bool:
 func _watch_recorder() -> void:
 	if _recorder == null or _recorder_fault != "" or Engine.get_process_frames() % 30 != 0:
 		return
-	_recorder_fault = _recorder.get_figures()["fault"]
+	_recorder_fault = _recorder.get_stats()["fault"]
 	if _recorder_fault != "":
 		Log.error("mocap", _recorder_fault)
 

@@ -90,6 +90,7 @@ func announce() -> void:
 
 ## Tells everybody what a tick has changed. The time is that of the tick's end, µs.
 func send(p_tick: int, p_now_usec: int) -> void:
+	_actors.hand_poses(_encoder)
 	_encoder.capture(p_tick)
 	_actors.mark(_encoder, p_now_usec)
 	var datagrams: Array[PackedByteArray] = []

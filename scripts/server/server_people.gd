@@ -160,6 +160,13 @@ func measure() -> void:
 			person.ragdoll.motor.measure(person.moment_s)
 
 
+## Hands over what [method measure] has read of everybody's bodies, so that they are read once.
+func hand_poses(p_encoder: SnapshotEncoder) -> void:
+	for person: Person in _people.values():
+		if person.newest != null:
+			p_encoder.set_body_pose(person.id, person.ragdoll.motor.get_body_pose())
+
+
 ## Tells an encoder which samples moved whom in a tick that ended at a time, µs.
 func mark(p_encoder: SnapshotEncoder, p_now_usec: int) -> void:
 	for person: Person in _people.values():

@@ -94,6 +94,12 @@ func test_snapshots_have_exactly_what_moves() -> void:
 	_registry.watch_world(encoder)
 	for person: ServerPeople.Person in _actors.list():
 		BodyRegistry.watch_person(encoder, person)
+	# What has been measured of one person's bodies is not read again, the other's bodies are read.
+	_actors.measure()
+	var first: ServerPeople.Person = _actors.list()[0]
+	is_true(encoder.set_body_pose(first.id, first.ragdoll.motor.get_body_pose()))
+	is_false(encoder.set_body_pose(first.id, PackedFloat32Array([1.0, 2.0])))
+	is_false(encoder.set_body_pose(4711, first.ragdoll.motor.get_body_pose()))
 	encoder.capture(100)
 	var datagrams: Array[PackedByteArray] = encoder.encode(1, 0)
 	equal(datagrams.size(), 1)

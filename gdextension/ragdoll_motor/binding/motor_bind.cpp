@@ -42,6 +42,7 @@ void RagdollMotor::set_inertia_scale(double p_scale) {
 
 void RagdollMotor::set_sample_slots(const PackedInt32Array &p_slots) {
 	_sample_slots = p_slots;
+	resize_body_pose();
 }
 
 void RagdollMotor::set_measures_torque(bool p_enabled) {
@@ -66,6 +67,8 @@ void RagdollMotor::set_max_energy(double p_energy) {
 }
 
 void RagdollMotor::bind_control() {
+	ClassDB::bind_static_method(
+			get_class_static(), D_METHOD("find_physics_problem"), &RagdollMotor::find_physics_problem);
 	ClassDB::bind_method(D_METHOD("setup", "profile", "bodies", "centres", "space"), &RagdollMotor::setup);
 	ClassDB::bind_method(D_METHOD("release"), &RagdollMotor::release);
 	ClassDB::bind_method(D_METHOD("is_set_up"), &RagdollMotor::is_set_up);
@@ -91,6 +94,7 @@ void RagdollMotor::bind_control() {
 
 void RagdollMotor::bind_measurement() {
 	ClassDB::bind_method(D_METHOD("measure", "time_s"), &RagdollMotor::measure);
+	ClassDB::bind_method(D_METHOD("get_body_pose"), &RagdollMotor::get_body_pose);
 	ClassDB::bind_method(D_METHOD("get_tracking"), &RagdollMotor::get_tracking);
 	ClassDB::bind_method(D_METHOD("clear_tracking"), &RagdollMotor::clear_tracking);
 	ClassDB::bind_method(D_METHOD("get_limb_errors"), &RagdollMotor::get_limb_errors);

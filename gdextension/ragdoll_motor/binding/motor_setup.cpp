@@ -42,6 +42,12 @@ bool RagdollMotor::setup(const Ref<RagdollProfile> &p_profile, const TypedArray<
 	ERR_FAIL_COND_V_MSG(!p_space.is_valid(), false, "RagdollMotor: there is no physics space.");
 	const String obstacle = find_body_fault(p_bodies, p_space);
 	ERR_FAIL_COND_V_MSG(!obstacle.is_empty(), false, "RagdollMotor: " + obstacle + ".");
+	const String problem = find_physics_problem();
+	static bool is_reported = false;
+	if (!problem.is_empty() && !is_reported) {
+		is_reported = true; // Once is enough: it is the project's.
+		WARN_PRINT(problem);
+	}
 	release();
 	if (!make_driver(p_profile, p_bodies, p_centres)) {
 		return false;
@@ -52,6 +58,15 @@ bool RagdollMotor::setup(const Ref<RagdollProfile> &p_profile, const TypedArray<
 	_bodies->set_righted_limb(_driver->righted_limb);
 	_bodies->prepare(_self_collision);
 	return true;
+}
+
+PackedStringArray RagdollMotor::_get_configuration_warnings() const {
+	PackedStringArray warnings;
+	const String problem = find_physics_problem();
+	if (!problem.is_empty()) {
+		warnings.push_back(problem);
+	}
+	return warnings;
 }
 
 TypedArray<RID> RagdollMotor::get_joints() const {
@@ -129,6 +144,7 @@ bool RagdollMotor::make_driver(
 	_driver = std::make_unique<ragdoll::Driver>(ragdoll::Rig(std::move(limbs)), limb_groups, _groups.size(), _contacts);
 	_driver->righted_limb = righted;
 	_state.resize(std::size_t(count));
+	resize_body_pose();
 	_targets.assign(std::size_t(count) * 4, 0.0f);
 	return true;
 }

@@ -49,11 +49,11 @@ public:
 	bool read(ragdoll::RigState &r_state);
 	void write(const std::vector<ragdoll::LimbCommand> &p_commands, const std::vector<ragdoll::Quat> &p_orientations,
 			const std::vector<ragdoll::Vec3> &p_joints);
-	/// Sets the root's hold: kinematic at a place, or by limited forces.
+	/// Sets the root's hold: kinematic at a pose, or by limited forces.
 	void hold_root(const ragdoll::Quat &p_orientation, const ragdoll::Vec3 &p_joint) {
 		place(0, p_orientation, p_joint);
 	}
-	void draw_root(ragdoll::RootMode p_mode, const ragdoll::RootCommand &p_command, const ragdoll::Vec3 &p_turn,
+	void pull_root(ragdoll::RootMode p_mode, const ragdoll::RootCommand &p_command, const ragdoll::Vec3 &p_turn,
 			const ragdoll::Vec3 &p_trunk_turn);
 	/// The joint that holds a limb.
 	const RID &get_joint(std::size_t p_limb) const { return _joints[p_limb]; }

@@ -3,6 +3,8 @@
 
 #include <convert.hpp>
 
+#include <godot_cpp/classes/engine.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -25,7 +27,56 @@ PackedFloat32Array to_packed(const std::vector<float> &p_values) {
 
 } // namespace
 
+bool RagdollMotor::is_state_current() const {
+	const Engine *engine = Engine::get_singleton();
+	const bool is_in_step = engine->is_in_physics_frame();
+	const uint64_t frame = engine->get_physics_frames();
+	// The simulation steps at the end of a physics frame: what was read since serves in the next one.
+	const bool is_next = is_in_step && !_is_read_in_step && frame == _read_frame + 1;
+	return _is_state_read && (is_next || (is_in_step == _is_read_in_step && frame == _read_frame));
+}
+
+bool RagdollMotor::read_bodies() {
+	if (is_state_current()) {
+		return true;
+	}
+	_is_state_read = _bodies->read(_state);
+	_is_read_in_step = Engine::get_singleton()->is_in_physics_frame();
+	_read_frame = Engine::get_singleton()->get_physics_frames();
+	return _is_state_read;
+}
+
+void RagdollMotor::resize_body_pose() {
+	int64_t slot_count = int64_t(_reset_pose.size());
+	for (int64_t i = 0; i < _sample_slots.size(); i++) {
+		slot_count = std::max<int64_t>(slot_count, std::min<int64_t>(_sample_slots[i] + 1, 256));
+	}
+	_body_pose.resize(3 + 4 * slot_count);
+	_body_pose.fill(0.0);
+}
+
+void RagdollMotor::note_body_pose() {
+	const int32_t *slots = _sample_slots.is_empty() ? nullptr : _sample_slots.ptr();
+	float *pose = _body_pose.ptrw();
+	const int64_t slot_count = (_body_pose.size() - 3) / 4;
+	pose[0] = _state.centres[0].x;
+	pose[1] = _state.centres[0].y;
+	pose[2] = _state.centres[0].z;
+	for (std::size_t i = 0; i < _state.orientations.size(); i++) {
+		const int64_t slot = slots != nullptr ? slots[i] : int64_t(i);
+		if (slot >= 0 && slot < slot_count) {
+			const ragdoll::Quat &orientation = _state.orientations[i];
+			float *values = pose + 3 + slot * 4;
+			values[0] = orientation.x;
+			values[1] = orientation.y;
+			values[2] = orientation.z;
+			values[3] = orientation.w;
+		}
+	}
+}
+
 void RagdollMotor::release() {
+	_is_state_read = false;
 	_ground.detach();
 	_bodies.reset();
 	_driver.reset();
@@ -98,6 +149,7 @@ bool RagdollMotor::snap_to(double p_time_s) {
 	}
 	_driver->pose_state(p_time_s, _state);
 	_bodies->put(_state);
+	_is_state_read = false;
 	return true;
 }
 
@@ -106,9 +158,10 @@ bool RagdollMotor::drive(double p_time_s, double p_delta_s) {
 	ERR_FAIL_COND_V_MSG(!(p_delta_s >= SHORTEST_STEP && p_delta_s <= LONGEST_STEP), false,
 			"RagdollMotor: the time step must be above zero (0.00001 s or more) and 1 s at most.");
 	ERR_FAIL_COND_V_MSG(!std::isfinite(p_time_s), false, "RagdollMotor: the time is not finite.");
-	if (!is_ready() || !_bodies->read(_state)) {
+	if (!is_ready() || !read_bodies()) {
 		return false;
 	}
+	_is_state_read = false; // It is about to change, by us and by the step.
 	if (ragdoll::finds_travel(_driver->root_mode) && (_driver->ground != nullptr) != is_inside_tree()) {
 		look_at_ground(); // It has come into the tree, or left it, since.
 	}
@@ -121,7 +174,7 @@ bool RagdollMotor::drive(double p_time_s, double p_delta_s) {
 	if (commands.is_root_held) {
 		_bodies->hold_root(commands.orientations[0], commands.joints[0]);
 	} else {
-		_bodies->draw_root(_driver->root_mode, commands.root, commands.root_turn, commands.trunk_turn);
+		_bodies->pull_root(_driver->root_mode, commands.root, commands.root_turn, commands.trunk_turn);
 	}
 	if (guarded != ragdoll::GUARD_NOTHING) {
 		report(guarded); // Last of all: whoever listens may release or free this node.
@@ -211,8 +264,9 @@ void RagdollMotor::set_group_spring(double p_frequency, double p_damping_ratio, 
 }
 
 void RagdollMotor::measure(double p_time_s) {
-	if (is_ready() && _bodies->read(_state)) {
+	if (is_ready() && read_bodies()) {
 		_driver->measure(p_time_s, _state);
+		note_body_pose();
 	}
 }
 
@@ -307,6 +361,7 @@ bool RagdollMotor::restore_state(const PackedByteArray &p_bytes) {
 	_root_mode = RootMode(_driver->root_mode);
 	look_at_ground();
 	// New joints know nothing of the impulses of the time before: every replay begins the same.
+	_is_state_read = false;
 	_bodies->remake();
 	_bodies->put(_state);
 	return true;

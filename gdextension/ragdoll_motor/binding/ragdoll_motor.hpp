@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ground_rays.hpp"
+#include "physics_check.hpp"
 #include "ragdoll_bodies.hpp"
 #include "ragdoll_profile.hpp"
 #include <driver.hpp>
@@ -14,6 +15,7 @@
 #include <godot_cpp/variant/packed_float32_array.hpp>
 #include <godot_cpp/variant/packed_float64_array.hpp>
 #include <godot_cpp/variant/packed_int32_array.hpp>
+#include <godot_cpp/variant/packed_string_array.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 #include <godot_cpp/variant/rid.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
@@ -54,6 +56,9 @@ public:
 		GUARD_LOST = 8,
 	};
 
+	static String find_physics_problem() { return godot::find_physics_problem(); }
+	PackedStringArray _get_configuration_warnings() const override;
+
 	// What it is made of.
 	bool setup(const Ref<RagdollProfile> &p_profile, const TypedArray<RID> &p_bodies,
 			const PackedVector3Array &p_centres, const RID &p_space);
@@ -80,6 +85,7 @@ public:
 
 	// Measurement.
 	void measure(double p_time_s);
+	PackedFloat32Array get_body_pose() const { return _body_pose; }
 	Dictionary get_tracking() const;
 	void clear_tracking();
 	PackedFloat32Array get_limb_errors();
@@ -131,6 +137,11 @@ private:
 	static void bind_control();
 	static void bind_measurement();
 
+	/// Reads the bodies, unless what was read last is still true.
+	bool read_bodies();
+	bool is_state_current() const;
+	void note_body_pose();
+	void resize_body_pose();
 	void look_at_ground();
 	/// Whether a number can be a force, a gain, a strength: 0 or more, and finite as the core has it.
 	static bool is_amount(double p_value) { return p_value >= 0.0 && p_value <= 1e30; }
@@ -169,6 +180,11 @@ private:
 
 	// Kept between ticks, so that a tick allocates nothing.
 	ragdoll::RigState _state;
+	/// When the state was read: number of the physics frame, and whether before its step.
+	bool _is_state_read = false;
+	bool _is_read_in_step = false;
+	uint64_t _read_frame = 0;
+	PackedFloat32Array _body_pose;
 	std::vector<float> _targets;
 };
 

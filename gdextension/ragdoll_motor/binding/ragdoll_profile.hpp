@@ -28,7 +28,7 @@ public:
 	PackedStringArray get_groups() const;
 	String find_fault() const;
 
-	/// The limb at a place, or null.
+	/// The limb at an index, or null.
 	Ref<RagdollLimb> get_limb(int64_t p_index) const;
 	int64_t get_limb_count() const { return _limbs.size(); }
 

@@ -58,13 +58,13 @@ void RagdollBodies::make_pendulum() {
 	if (!read(state)) {
 		return;
 	}
-	const ragdoll::Vec3 place = state.root - ragdoll::Vec3{ 0.0f, PENDULUM_DEPTH, 0.0f };
+	const ragdoll::Vec3 position = state.root - ragdoll::Vec3{ 0.0f, PENDULUM_DEPTH, 0.0f };
 	const float mass = _rig->get_mass() * PENDULUM_MASS;
 	_pendulum = server()->body_create();
 	server()->body_set_mode(_pendulum, Joint::BODY_MODE_RIGID);
 	server()->body_set_param(_pendulum, Joint::BODY_PARAM_MASS, mass);
 	server()->body_set_param(_pendulum, Joint::BODY_PARAM_INERTIA, Vector3(mass, mass, mass) * 0.1f);
-	server()->body_set_state(_pendulum, Joint::BODY_STATE_TRANSFORM, Transform3D(Basis(), from_core(place)));
+	server()->body_set_state(_pendulum, Joint::BODY_STATE_TRANSFORM, Transform3D(Basis(), from_core(position)));
 	server()->body_set_state(_pendulum, Joint::BODY_STATE_LINEAR_VELOCITY, from_core(state.linear[0]));
 	server()->body_set_space(_pendulum, _space);
 	server()->body_set_state(_pendulum, Joint::BODY_STATE_CAN_SLEEP, false);
@@ -103,7 +103,7 @@ void RagdollBodies::set_forces(const ragdoll::RootCommand &p_command) {
 	_hold.up = p_command.force_up;
 }
 
-void RagdollBodies::draw_root(ragdoll::RootMode p_mode, const ragdoll::RootCommand &p_command,
+void RagdollBodies::pull_root(ragdoll::RootMode p_mode, const ragdoll::RootCommand &p_command,
 		const ragdoll::Vec3 &p_turn, const ragdoll::Vec3 &p_trunk_turn) {
 	set_kinematic(0, false);
 	set_assist(p_mode);

@@ -13,7 +13,7 @@ inline float share(float p_delta_s, float p_time_s) {
 
 /// How much of what a predictor did not expect is noise: the rule by which noise is taken out.
 ///
-/// A predictor of place and rate is corrected by shares of its surprises (the critically damped g-h
+/// A predictor of position and rate is corrected by shares of its surprises (the critically damped g-h
 /// filter). Of a surprise's mean square the measured noise explains a part, and that part is left out:
 /// what rests is averaged for long, what moves is followed, and clean motion passes as it is.
 class Calm {
@@ -27,7 +27,7 @@ public:
 		_surprise += share(p_span_s, p_memory_s) * (p_square - _surprise);
 		_left_out = _surprise > 0.0f ? std::min(p_noise / std::sqrt(_surprise), p_most) : 0.0f;
 	}
-	/// Share of the surprise by which the place is corrected.
+	/// Share of the surprise by which the position is corrected.
 	float get_gain() const { return 1.0f - _left_out * _left_out; }
 	/// Share of it by which the rate is corrected, for a span of one.
 	float get_rate_gain() const { return (1.0f - _left_out) * (1.0f - _left_out); }

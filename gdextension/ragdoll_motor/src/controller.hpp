@@ -10,7 +10,7 @@
 
 namespace ragdoll {
 
-/// What the joint of one limb is told for a step.
+/// What the joint of one limb gets for a step.
 struct LimbCommand {
 	Actuation mode = Actuation::VELOCITY_MOTOR;
 	/// Target velocity relative to the parent (the root: to the world) in the limb's axes, rad/s. For

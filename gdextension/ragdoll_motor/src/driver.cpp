@@ -79,16 +79,16 @@ const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_del
 void Driver::hold_root(const RigState &p_state, float p_delta_s) {
 	_commands.orientations[0] = _next.orientations[0];
 	_commands.joints[0] = _next.root + _lift;
-	const Vec3 way = _commands.joints[0] - p_state.root;
+	const Vec3 displacement = _commands.joints[0] - p_state.root;
 	const Vec3 turn = log(p_state.orientations[0].inverse() * _next.orientations[0]);
-	const float distance = way.length() - (_next.root - _now.root).length();
+	const float distance = displacement.length() - (_next.root - _now.root).length();
 	const float angle = turn.length() - angle_between(_now.orientations[0], _next.orientations[0]);
 	_is_fetched = (_is_fetched || !_was_held) && (distance > FETCHED || angle > FETCHED);
 	if (_is_fetched) {
 		const float part =
 				std::min(1.0f, p_delta_s / std::max(std::max(distance / FETCH_SPEED, angle / FETCH_TURN), p_delta_s));
 		_commands.orientations[0] = p_state.orientations[0] * exp(turn * part);
-		_commands.joints[0] = p_state.root + way * part;
+		_commands.joints[0] = p_state.root + displacement * part;
 	}
 }
 
@@ -173,7 +173,7 @@ void Driver::travel(const RigState &p_state, float p_delta_s) {
 	const PoseFilter &filter = _stream.get_filter();
 	_path.advance(_now.root, filter.get_noise(), p_delta_s);
 	if (filter.get_noise() > 0.0f) {
-		_now.root = _path.get_place();
+		_now.root = _path.get_position();
 		_next.root = _path.ahead(p_delta_s);
 	}
 	_next_root = _next.root;

@@ -16,13 +16,13 @@
 
 namespace ragdoll {
 
-/// What the simulation is told for a step.
+/// What the simulation gets for a step.
 struct StepCommands {
 	std::vector<LimbCommand> limbs;
 	RootCommand root;
 	Vec3 root_turn; ///< Turning rate of the root, limb's axes, rad/s.
 	Vec3 trunk_turn; ///< The same of the limb that SELF_RIGHTING keeps upright.
-	bool is_root_held = false; ///< The root is put in place instead of drawn.
+	bool is_root_held = false; ///< The root is put in place instead of pulled.
 	std::vector<Quat> orientations; ///< Where limbs that are put in place belong at the step's end.
 	std::vector<Vec3> joints; ///< Their joints, m.
 	/// Flags of GuardAction. Where there are any, or after a teleport, `must_put` is set and the state

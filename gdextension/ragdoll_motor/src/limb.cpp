@@ -148,7 +148,7 @@ std::string find_fault(const Limb &p_limb) {
 		return bone + " is in no strength group (such as trunk or left_arm)";
 	}
 	if (!p_limb.position.is_finite() || !p_limb.anchor.is_finite()) {
-		return bone + " has a place that is not finite";
+		return bone + " has a position that is not finite";
 	}
 	if (!(p_limb.position.length() < FURTHEST && p_limb.anchor.length() < FURTHEST)) {
 		return bone + format(" has a position or anchor further than %.0f m from the model's origin", double(FURTHEST));
@@ -163,8 +163,7 @@ std::string find_fault(const Limb &p_limb) {
 	}
 	if (!(p_limb.mass_fraction >= MIN_FRACTION && p_limb.mass_fraction <= 1.0f)) {
 		return bone +
-				format("'s mass_fraction is %f instead of %g to 1", double(p_limb.mass_fraction),
-						double(MIN_FRACTION));
+				format("'s mass_fraction is %f instead of %g to 1", double(p_limb.mass_fraction), double(MIN_FRACTION));
 	}
 	// The root hangs on nothing: its torque is that of the joint to the world.
 	const float least = p_limb.parent_bone.empty() ? 0.0f : 1e-6f;

@@ -62,7 +62,7 @@ public:
 	void joint_positions(const Pose &p_pose, std::vector<Vec3> &r_positions) const;
 	/// The whole body's centre of mass for a pose whose joints are known, m.
 	Vec3 centre_of_mass(const Pose &p_pose, const std::vector<Vec3> &p_joints) const;
-	/// The joint's place in the world by the state of the limb's own body, m.
+	/// The joint's position in the world by the state of the limb's own body, m.
 	Vec3 joint_of(const RigState &p_state, std::size_t p_limb) const;
 
 private:

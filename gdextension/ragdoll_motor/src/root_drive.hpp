@@ -17,7 +17,7 @@ enum class RootMode : int {
 };
 constexpr int ROOT_MODE_COUNT = 7;
 
-/// Whether the mode finds the root's travel from the ground instead of being told it.
+/// Whether the mode finds the root's travel from the ground instead of getting it.
 constexpr bool finds_travel(RootMode p_mode) {
 	return p_mode == RootMode::LOWEST_FOOT || p_mode == RootMode::CONTACTS || p_mode == RootMode::INERTIAL;
 }
@@ -26,7 +26,7 @@ constexpr bool is_free(RootMode p_mode) {
 	return p_mode == RootMode::PENDULUM || p_mode == RootMode::SELF_RIGHTING;
 }
 
-/// What the root's joint to the world is told for a step.
+/// What the root's joint to the world gets for a step.
 struct RootCommand {
 	Vec3 velocity; ///< Of the root limb's joint, world axes, m/s.
 	float force_across = 0.0f; ///< Greatest horizontal force an axis, N.

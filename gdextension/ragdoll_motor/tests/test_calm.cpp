@@ -116,20 +116,20 @@ TEST(a_path_keeps_its_momentum_under_noise) {
 	Vec3 before;
 	double steps = 0.0;
 	for (int tick = 0; tick < 300; tick++) {
-		const Vec3 place{ 1.2f * float(tick) * STEP_S, 0.9f, 0.0f };
+		const Vec3 position{ 1.2f * float(tick) * STEP_S, 0.9f, 0.0f };
 		const Vec3 off{ noise.normal(noise.random), noise.normal(noise.random), noise.normal(noise.random) };
-		clean.advance(place, 0.0f, STEP_S);
-		shaken.advance(place + off * 0.5f, DEGREE, STEP_S);
-		CHECK_NEAR((clean.get_place() - place).length(), 0.0, 1e-5);
+		clean.advance(position, 0.0f, STEP_S);
+		shaken.advance(position + off * 0.5f, DEGREE, STEP_S);
+		CHECK_NEAR((clean.get_position() - position).length(), 0.0, 1e-5);
 		if (tick > 120) {
-			steps += double((shaken.get_place() - before - Vec3{ 1.2f * STEP_S, 0.0f, 0.0f }).length()) / 179.0;
-			CHECK((shaken.get_place() - place).length() < 0.03f);
+			steps += double((shaken.get_position() - before - Vec3{ 1.2f * STEP_S, 0.0f, 0.0f }).length()) / 179.0;
+			CHECK((shaken.get_position() - position).length() < 0.03f);
 		}
-		before = shaken.get_place();
+		before = shaken.get_position();
 	}
 	CHECK(steps < 0.006); // Unfiltered: 0.02 m a tick.
 	shaken.shift({ 0.0f, 0.0f, 1.0f });
-	CHECK_NEAR(shaken.get_place().z, before.z + 1.0f, 1e-6);
+	CHECK_NEAR(shaken.get_position().z, before.z + 1.0f, 1e-6);
 	ArchiveWriter archive;
 	shaken.save(archive);
 	ArchiveReader reader(archive.get_bytes().data(), archive.get_bytes().size());

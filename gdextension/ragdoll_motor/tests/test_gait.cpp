@@ -45,12 +45,12 @@ struct Walker {
 	Vec3 foot(int p_side, float p_time) const {
 		// Steps of this foot are two step lengths long; it stands during the first half of its round.
 		const float round = p_time / (2.0f * STEP_S) + (p_side == 0 ? 0.0f : 0.5f);
-		const float place = std::floor(round);
-		const float part = round - place;
+		const float position = std::floor(round);
+		const float part = round - position;
 		const float moved = part < 0.5f ? 0.0f : 0.5f - 0.5f * std::cos((part - 0.5f) * 2.0f * PI);
 		const float lift = part < 0.5f ? 0.0f : 0.1f * std::sin((part - 0.5f) * 2.0f * PI);
 		const float z =
-				(place + moved - (p_side == 0 ? 0.0f : 0.5f)) * 2.0f * STEP * speed * STEP_S / STEP + 0.25f * STEP;
+				(position + moved - (p_side == 0 ? 0.0f : 0.5f)) * 2.0f * STEP * speed * STEP_S / STEP + 0.25f * STEP;
 		return { p_side == 0 ? 0.1f : -0.1f, ground_rise * z + lift, z };
 	}
 	std::vector<Vec3> points(float p_time) const {

@@ -121,8 +121,8 @@ TEST(faults_of_a_limb_are_named) {
 	const std::pair<Change, const char *> cases[] = {
 		{ [](Limb &limb) { limb.bone = ""; }, "names no bone" },
 		{ [](Limb &limb) { limb.group = ""; }, "Head is in no strength group" },
-		{ [](Limb &limb) { limb.position.y = NOTHING; }, "Head has a place that is not finite" },
-		{ [](Limb &limb) { limb.anchor.x = ENDLESS; }, "Head has a place that is not finite" },
+		{ [](Limb &limb) { limb.position.y = NOTHING; }, "Head has a position that is not finite" },
+		{ [](Limb &limb) { limb.anchor.x = ENDLESS; }, "Head has a position that is not finite" },
 		{ [](Limb &limb) { limb.orientation.w = 0.5f; }, "Head's orientation is not a rotation (norm 0.5" },
 		{ [](Limb &limb) { limb.rest_orientation.w = 2.0f; }, "Head's rest_orientation is not a rotation" },
 		{ [](Limb &limb) { limb.reset_orientation.x = NOTHING; }, "Head's reset_orientation is not finite" },

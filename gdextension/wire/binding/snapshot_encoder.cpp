@@ -39,7 +39,8 @@ bool SnapshotEncoder::add_person(
 	ERR_FAIL_COND_V_MSG(!read_orientations(p_reset_orientations, int(p_bodies.size()), reset), false,
 			"SnapshotEncoder: each body has an orientation of four floats in the reset pose.");
 	remove_person(p_person);
-	Person person{ uint16_t(p_person), {}, {} };
+	Person person;
+	person.id = uint16_t(p_person);
 	for (int64_t i = 0; i < p_bodies.size(); i++) {
 		person.bodies.push_back(p_bodies[i]);
 		person.from_reset.push_back(reset.orientations[std::size_t(i)].inverse());
@@ -64,25 +65,45 @@ void SnapshotEncoder::clear_bodies() {
 	_bodies.clear();
 }
 
+bool SnapshotEncoder::set_body_pose(int64_t p_person, const PackedFloat32Array &p_pose) {
+	const auto person = std::find_if(
+			_people.begin(), _people.end(), [p_person](const Person &p_one) { return int64_t(p_one.id) == p_person; });
+	if (person == _people.end() || p_pose.size() != 3 + 4 * int64_t(person->bodies.size())) {
+		return false;
+	}
+	const float *values = p_pose.ptr();
+	person->pose.root = { values[0], values[1], values[2] };
+	for (std::size_t i = 0; i < person->bodies.size(); i++) {
+		const float *turn = values + 3 + i * 4;
+		person->pose.orientations[i] = kinematics::Quat{ turn[0], turn[1], turn[2], turn[3] } * person->from_reset[i];
+	}
+	person->has_pose = true;
+	return true;
+}
+
+bool SnapshotEncoder::read_pose(const Person &p_person, kinematics::PersonPose &r_pose) {
+	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
+	for (std::size_t i = 0; i < p_person.bodies.size(); i++) {
+		PhysicsDirectBodyState3D *state = server->body_get_direct_state(p_person.bodies[i]);
+		if (state == nullptr) {
+			return false;
+		}
+		const Transform3D transform = state->get_transform();
+		r_pose.orientations[i] = to_core(transform.basis) * p_person.from_reset[i];
+		r_pose.root = i == 0 ? to_core(transform.origin) : r_pose.root;
+	}
+	return true;
+}
+
 void SnapshotEncoder::capture(int64_t p_tick) {
 	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
 	_core->world().begin(uint32_t(p_tick));
-	for (const Person &person : _people) {
-		kinematics::PersonPose pose;
-		bool is_there = true;
-		for (std::size_t i = 0; i < person.bodies.size() && is_there; i++) {
-			PhysicsDirectBodyState3D *state = server->body_get_direct_state(person.bodies[i]);
-			is_there = state != nullptr;
-			if (is_there) {
-				const Transform3D transform = state->get_transform();
-				pose.orientations[i] = to_core(transform.basis) * person.from_reset[i];
-				pose.root = i == 0 ? to_core(transform.origin) : pose.root;
-			}
+	for (Person &person : _people) {
+		if (person.has_pose || read_pose(person, person.pose)) {
+			_core->world().put_person(person.id, person.pose);
 		}
-		if (is_there) {
-			_core->world().put_person(person.id, pose);
-		}
+		person.has_pose = false;
 	}
 	for (const Body &body : _bodies) {
 		PhysicsDirectBodyState3D *state = server->body_get_direct_state(body.rid);
@@ -233,6 +254,7 @@ void SnapshotEncoder::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("remove_person", "person"), &SnapshotEncoder::remove_person);
 	ClassDB::bind_method(D_METHOD("add_body", "body", "rid"), &SnapshotEncoder::add_body);
 	ClassDB::bind_method(D_METHOD("clear_bodies"), &SnapshotEncoder::clear_bodies);
+	ClassDB::bind_method(D_METHOD("set_body_pose", "person", "pose"), &SnapshotEncoder::set_body_pose);
 	ClassDB::bind_method(D_METHOD("capture", "tick"), &SnapshotEncoder::capture);
 	ClassDB::bind_method(D_METHOD("begin_tick", "tick"), &SnapshotEncoder::begin_tick);
 	ClassDB::bind_method(D_METHOD("put_person", "person", "root", "orientations"), &SnapshotEncoder::put_person);

@@ -28,6 +28,7 @@ public:
 	void remove_person(int64_t p_person);
 	bool add_body(int64_t p_body, const RID &p_rid);
 	void clear_bodies();
+	bool set_body_pose(int64_t p_person, const PackedFloat32Array &p_pose);
 	void capture(int64_t p_tick);
 
 	void begin_tick(int64_t p_tick);
@@ -52,10 +53,14 @@ protected:
 
 private:
 	struct Person {
-		uint16_t id;
+		uint16_t id = 0;
 		std::vector<RID> bodies;
 		std::vector<kinematics::Quat> from_reset; // Inverse of each body's orientation in the reset pose.
+		/// What somebody has read of the bodies for the next capture, if anybody has.
+		kinematics::PersonPose pose;
+		bool has_pose = false;
 	};
+	static bool read_pose(const Person &p_person, kinematics::PersonPose &r_pose);
 	struct Body {
 		uint16_t id;
 		RID rid;

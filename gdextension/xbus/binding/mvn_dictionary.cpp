@@ -98,7 +98,7 @@ void put_scale(const Content &p_content, Dictionary &r_result) {
 	r_result["point_numbers"] = numbers_of(p_content.points, &mvn::BodyPoint::point);
 	r_result["point_names"] = names_of(p_content.points);
 	r_result["point_flags"] = numbers_of(p_content.points, &mvn::BodyPoint::flags);
-	r_result["point_places"] = vectors_of(p_content.points, &mvn::BodyPoint::place);
+	r_result["point_positions"] = vectors_of(p_content.points, &mvn::BodyPoint::position);
 }
 
 Dictionary tags_of(const Content &p_content) {
@@ -145,7 +145,7 @@ void take_scale(DictionaryReader &r_reader, Content &r_content) {
 		r_reader.ids("point_numbers", r_content.points, &mvn::BodyPoint::point, false);
 		r_reader.names("point_names", r_content.points);
 		r_reader.ids("point_flags", r_content.points, &mvn::BodyPoint::flags, false);
-		r_reader.vectors("point_places", r_content.points, &mvn::BodyPoint::place);
+		r_reader.vectors("point_positions", r_content.points, &mvn::BodyPoint::position);
 	}
 }
 

@@ -9,10 +9,10 @@
 
 namespace godot {
 
-/// A sample of MVN's stream as scripts see it. The keys are told in doc_classes/MvnReceiver.xml.
+/// A sample of MVN's stream as scripts see it. The keys are described in doc_classes/MvnReceiver.xml.
 Dictionary mvn_to_dictionary(const mvn::Content &p_content);
 
-/// The way back. Returns what is wrong, or an empty text.
+/// The reverse. Returns what is wrong, or an empty text.
 String mvn_from_dictionary(const Dictionary &p_sample, mvn::Content &r_content);
 
 } // namespace godot

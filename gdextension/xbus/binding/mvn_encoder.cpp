@@ -37,8 +37,8 @@ PackedStringArray MvnEncoder::get_segment_names() {
 
 PackedByteArray MvnEncoder::get_unity_order() {
 	PackedByteArray order;
-	for (const uint8_t place : mvn::UNITY_ORDER) {
-		order.push_back(place);
+	for (const uint8_t index : mvn::UNITY_ORDER) {
+		order.push_back(index);
 	}
 	return order;
 }

@@ -104,7 +104,7 @@ TypedArray<Dictionary> MvnReceiver::get_characters() const {
 	return characters;
 }
 
-Dictionary MvnReceiver::get_figures() const {
+Dictionary MvnReceiver::get_stats() const {
 	const mvn::ReceiverReport report = _receiver.report();
 	Dictionary refused;
 	int64_t sum = 0;
@@ -166,7 +166,7 @@ TypedArray<Dictionary> MvnReceiver::take_type(int64_t p_character, mvn::Type p_t
 	mvn::StreamClock &clock = _clocks[{ p_character, int(p_type) }];
 	for (const mvn::ReceivedSample &sample : _receiver.take_samples(int(p_character), p_type)) {
 		Dictionary entry = mvn_to_dictionary(sample.content);
-		entry["time_usec"] = to_unix(clock.place(sample.content.header.time_code_ms, sample.arrival_usec));
+		entry["time_usec"] = to_unix(clock.timestamp(sample.content.header.time_code_ms, sample.arrival_usec));
 		entry["arrival_usec"] = to_unix(sample.arrival_usec);
 		samples.push_back(entry);
 	}
@@ -191,7 +191,7 @@ void MvnReceiver::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_port"), &MvnReceiver::get_port);
 	ClassDB::bind_method(D_METHOD("put", "sender", "datagram", "time_usec"), &MvnReceiver::put);
 	ClassDB::bind_method(D_METHOD("get_characters"), &MvnReceiver::get_characters);
-	ClassDB::bind_method(D_METHOD("get_figures"), &MvnReceiver::get_figures);
+	ClassDB::bind_method(D_METHOD("get_stats"), &MvnReceiver::get_stats);
 	ClassDB::bind_method(D_METHOD("take_messages"), &MvnReceiver::take_messages);
 	ClassDB::bind_method(D_METHOD("take_news"), &MvnReceiver::take_news);
 	ClassDB::bind_method(D_METHOD("take_poses", "character"), &MvnReceiver::take_poses);

@@ -34,7 +34,7 @@ public:
 	int64_t get_port() const { return _receiver.port(); }
 	void put(const String &p_sender, const PackedByteArray &p_datagram, int64_t p_time_usec);
 	TypedArray<Dictionary> get_characters() const;
-	Dictionary get_figures() const;
+	Dictionary get_stats() const;
 	PackedStringArray take_messages();
 	PackedStringArray take_news();
 	TypedArray<Dictionary> take_poses(int64_t p_character);

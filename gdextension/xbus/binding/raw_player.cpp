@@ -23,7 +23,7 @@ using recording::Record;
 constexpr std::size_t MAX_FRAMES = 512;
 constexpr std::size_t MAX_DATAGRAMS = 4096;
 
-std::string told(const Record &p_record, const char *p_key) {
+std::string text_of(const Record &p_record, const char *p_key) {
 	const std::string value = recording::about(p_record, p_key);
 	return mvn::clean_text(value.data(), value.size());
 }
@@ -66,13 +66,13 @@ void RawPlayer::survey() {
 	while (_reader.next(record)) {
 		if (record.kind == Kind::STREAM) {
 			Stream &stream = _streams[record.stream];
-			stream.is_bus = told(record, "kind") == "bus";
-			stream.name = told(record, "name");
-			stream.address = told(record, "place");
-			stream.serial = told(record, "serial");
-			stream.usb = told(record, "usb");
-			stream.sender = told(record, "sender");
-			stream.port = told(record, "port");
+			stream.is_bus = text_of(record, "kind") == "bus";
+			stream.name = text_of(record, "name");
+			stream.address = text_of(record, "place");
+			stream.serial = text_of(record, "serial");
+			stream.usb = text_of(record, "usb");
+			stream.sender = text_of(record, "sender");
+			stream.port = text_of(record, "port");
 		} else if (is_played(record.kind)) {
 			Stream &stream = _streams[record.stream];
 			stream.is_bus = record.kind != Kind::DATAGRAM;
@@ -82,7 +82,7 @@ void RawPlayer::survey() {
 			_last_usec = std::max(_last_usec, record.time_usec);
 		}
 	}
-	_whole = _reader.figures();
+	_whole = _reader.stats();
 	_reader.rewind();
 	for (auto &[number, stream] : _streams) {
 		if (stream.is_bus) {
@@ -203,7 +203,7 @@ TypedArray<Dictionary> RawPlayer::get_streams() const {
 	return result;
 }
 
-Dictionary RawPlayer::get_figures() const {
+Dictionary RawPlayer::get_stats() const {
 	const std::lock_guard<std::mutex> lock(_mutex);
 	Dictionary result;
 	result["records"] = int64_t(_whole.records);
@@ -300,7 +300,7 @@ void RawPlayer::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_length_s"), &RawPlayer::get_length_s);
 	ClassDB::bind_method(D_METHOD("get_position_s"), &RawPlayer::get_position_s);
 	ClassDB::bind_method(D_METHOD("get_streams"), &RawPlayer::get_streams);
-	ClassDB::bind_method(D_METHOD("get_figures"), &RawPlayer::get_figures);
+	ClassDB::bind_method(D_METHOD("get_stats"), &RawPlayer::get_stats);
 	ClassDB::bind_method(D_METHOD("get_devices"), &RawPlayer::get_devices);
 	ClassDB::bind_method(D_METHOD("take_frames", "device"), &RawPlayer::take_frames);
 	ClassDB::bind_method(D_METHOD("take_datagrams"), &RawPlayer::take_datagrams);

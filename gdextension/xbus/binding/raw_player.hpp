@@ -33,7 +33,7 @@ public:
 	double get_length_s() const;
 	double get_position_s() const;
 	TypedArray<Dictionary> get_streams() const;
-	Dictionary get_figures() const;
+	Dictionary get_stats() const;
 	TypedArray<SuitDevice> get_devices() const;
 	TypedArray<SuitFrame> take_frames(int64_t p_device);
 	TypedArray<Dictionary> take_datagrams();
@@ -71,7 +71,7 @@ private:
 	mutable std::mutex _mutex;
 	// Guarded.
 	recording::Reader _reader;
-	recording::ReaderFigures _whole;
+	recording::ReaderStats _whole;
 	std::map<int, Stream> _streams;
 	std::deque<Datagram> _datagrams;
 	/// The next one, if there is one.

@@ -20,7 +20,7 @@ class RawRecorder : public RefCounted {
 public:
 	String open(const String &p_path);
 	void close() { _recorder->close(); }
-	Dictionary get_figures() const;
+	Dictionary get_stats() const;
 	std::shared_ptr<recording::Recorder> share() const { return _recorder; }
 
 protected:

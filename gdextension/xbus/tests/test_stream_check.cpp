@@ -49,52 +49,52 @@ TEST(a_counter_wraps_around) {
 	for (const unsigned bits : { 8U, 16U, 32U }) {
 		const uint32_t mask = bits == 32 ? 0xFFFFFFFFU : (1U << bits) - 1U;
 		CounterTrack track;
-		DeviceStatistics figures;
-		CHECK(track.see(mask - 2, bits, figures) == Step::FIRST);
+		DeviceStatistics stats;
+		CHECK(track.see(mask - 2, bits, stats) == Step::FIRST);
 		for (uint32_t i = 0; i < 6; i++) {
-			CHECK(track.see((mask - 1 + i) & mask, bits, figures) == Step::NEXT);
+			CHECK(track.see((mask - 1 + i) & mask, bits, stats) == Step::NEXT);
 		}
-		CHECK(track.see((mask + 9) & mask, bits, figures) == Step::GAP);
-		CHECK(figures.lost == 4 && figures.received == 8 && figures.resets == 0);
+		CHECK(track.see((mask + 9) & mask, bits, stats) == Step::GAP);
+		CHECK(stats.lost == 4 && stats.received == 8 && stats.resets == 0);
 	}
 }
 
 TEST(what_is_lost_twice_or_late_is_counted) {
 	CounterTrack track;
-	DeviceStatistics figures;
-	track.see(100, 16, figures);
-	CHECK(track.see(100, 16, figures) == Step::DUPLICATE);
-	CHECK(track.see(103, 16, figures) == Step::GAP);
-	CHECK(track.see(101, 16, figures) == Step::LATE);
-	CHECK(track.see(104, 16, figures) == Step::NEXT);
-	CHECK(figures.lost == 2 && figures.duplicates == 1 && figures.late == 1 && figures.received == 5);
+	DeviceStatistics stats;
+	track.see(100, 16, stats);
+	CHECK(track.see(100, 16, stats) == Step::DUPLICATE);
+	CHECK(track.see(103, 16, stats) == Step::GAP);
+	CHECK(track.see(101, 16, stats) == Step::LATE);
+	CHECK(track.see(104, 16, stats) == Step::NEXT);
+	CHECK(stats.lost == 2 && stats.duplicates == 1 && stats.late == 1 && stats.received == 5);
 }
 
 TEST(a_wild_counter_is_not_believed_at_once) {
 	CounterTrack track;
-	DeviceStatistics figures;
-	track.see(100, 16, figures);
-	CHECK(track.see(40000, 16, figures) == Step::JUMP);
-	CHECK(track.see(101, 16, figures) == Step::NEXT);
+	DeviceStatistics stats;
+	track.see(100, 16, stats);
+	CHECK(track.see(40000, 16, stats) == Step::JUMP);
+	CHECK(track.see(101, 16, stats) == Step::NEXT);
 	// A device that starts again goes on from where it landed.
-	CHECK(track.see(30000, 16, figures) == Step::JUMP && track.see(30001, 16, figures) == Step::RESET);
-	CHECK(track.see(30002, 16, figures) == Step::NEXT);
+	CHECK(track.see(30000, 16, stats) == Step::JUMP && track.see(30001, 16, stats) == Step::RESET);
+	CHECK(track.see(30002, 16, stats) == Step::NEXT);
 	// Also one that had hardly begun: it looks late first.
 	CounterTrack young;
-	young.see(5, 16, figures);
-	CHECK(young.see(0, 16, figures) == Step::LATE && young.see(1, 16, figures) == Step::RESET);
-	CHECK(figures.lost == 0 && figures.resets == 2);
+	young.see(5, 16, stats);
+	CHECK(young.see(0, 16, stats) == Step::LATE && young.see(1, 16, stats) == Step::RESET);
+	CHECK(stats.lost == 0 && stats.resets == 2);
 }
 
 TEST(a_counter_may_go_up_by_more_than_one) {
 	CounterTrack track;
 	track.set_step(4);
-	DeviceStatistics figures;
+	DeviceStatistics stats;
 	for (uint32_t i = 0; i < 100; i++) {
-		track.see(uint16_t(65000 + i * 4), 16, figures);
+		track.see(uint16_t(65000 + i * 4), 16, stats);
 	}
-	track.see(uint16_t(65000 + 102 * 4), 16, figures);
-	CHECK(figures.lost == 2 && figures.received == 101);
+	track.see(uint16_t(65000 + 102 * 4), 16, stats);
+	CHECK(stats.lost == 2 && stats.received == 101);
 }
 
 TEST(a_suit_is_followed) {

@@ -6,7 +6,7 @@
 //
 // The trace has a line for each frame: device, sample counter of the device, when the frame was handed over (µs
 // of CLOCK_MONOTONIC), trackers. The recording has all raw bytes (docs/recordings.md). The last line of the
-// output is a JSON object with the figures.
+// output is a JSON object with the stats.
 #include "clock/clock.hpp"
 #include "recording/taps.hpp"
 #include "usb/libusb_hub.hpp"

@@ -45,6 +45,8 @@ var _is_fitted: bool = false
 
 func _get_configuration_warnings() -> PackedStringArray:
 	var warnings: PackedStringArray = _find_obstacles()
+	if RagdollMotor.find_physics_problem() != "":
+		warnings.append(RagdollMotor.find_physics_problem())
 	if profile != null:
 		for pair: Array in RagdollBuilder.overlaps(profile):
 			var text: String = "%s and %s touch in the reset pose: make one of them smaller."

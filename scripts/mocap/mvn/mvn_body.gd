@@ -36,7 +36,7 @@ func take_scale(p_scale: Dictionary) -> bool:
 	var segments: PackedInt32Array = p_scale["point_segments"]
 	for at: int in segments.size():
 		if segments[at] >= 1 and segments[at] <= MvnSegments.COUNT:
-			var point: Vector3 = SourceFrames.place(p_scale["point_places"][at])
+			var point: Vector3 = SourceFrames.place(p_scale["point_positions"][at])
 			lowest = minf(lowest, places[segments[at] - 1].y + point.y)
 	# The null pose stands on the ground, at 0; without it the lowest point has to do.
 	var height: float = places[0].y if places[0].y > 0.3 else places[0].y - lowest

@@ -72,7 +72,7 @@ func trouble() -> String:
 	for stats: Dictionary in characters:
 		if stats["trouble"] != "":
 			texts.append("MVN: %s" % stats["trouble"])
-	var refused: int = receiver.get_figures()["refused"]
+	var refused: int = receiver.get_stats()["refused"]
 	if refused > 0 and people.is_empty() and trackers.is_empty():
 		texts.append("MVN: %d datagrams came that can't be used" % refused)
 	return "\n".join(texts)
@@ -89,7 +89,7 @@ func describe() -> String:
 
 ## For the panel: the port, and everybody in the stream; see [constant DeviceList.KEYS].
 func list_devices() -> Array[Dictionary]:
-	var refused: int = receiver.get_figures()["refused"]
+	var refused: int = receiver.get_stats()["refused"]
 	var port: String = "UDP port %d" % receiver.get_port()
 	if receiver.get_port() == 0:
 		port = "recorded"

@@ -155,7 +155,7 @@ func _write_scale(r_written: Dictionary) -> void:
 	var soles: PackedVector3Array = []
 	for foot: int in [17, 21]:
 		soles.append(Vector3(0.0, 0.0, -_rest[foot].y))
-	r_written["point_places"] = soles
+	r_written["point_positions"] = soles
 
 
 func _write_joints(r_written: Dictionary) -> void:

@@ -79,7 +79,7 @@ func describe() -> String:
 
 
 func _tell_damage() -> void:
-	var stats: Dictionary = player.get_figures()
+	var stats: Dictionary = player.get_stats()
 	if stats["is_whole"]:
 		return
 	var keys: Array = ["damaged_bytes", "cut_bytes", "lost"]

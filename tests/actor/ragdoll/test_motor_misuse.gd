@@ -36,6 +36,20 @@ func after_each() -> void:
 	_bodies.clear()
 
 
+func test_physics_that_cannot_drive_a_ragdoll_are_named() -> void:
+	equal(RagdollMotor.find_physics_problem(), "")
+	const ENGINE: String = "physics/3d/physics_engine"
+	const STEPS: String = "physics/jolt_physics_3d/simulation/velocity_steps"
+	var engine: String = ProjectSettings.get_setting(ENGINE)
+	var steps: int = ProjectSettings.get_setting(STEPS)
+	ProjectSettings.set_setting(STEPS, 10)
+	contains(RagdollMotor.find_physics_problem(), "10 velocity steps")
+	ProjectSettings.set_setting(ENGINE, "GodotPhysics3D")
+	contains(RagdollMotor.find_physics_problem(), 'Set %s to "Jolt Physics"' % ENGINE)
+	ProjectSettings.set_setting(ENGINE, engine)
+	ProjectSettings.set_setting(STEPS, steps)
+
+
 func test_samples_of_the_wrong_size_are_refused() -> void:
 	for size: int in [0, 4, 11, 13, 16]:
 		var wrong: PackedFloat32Array = []

@@ -235,8 +235,8 @@ func test_rubbish_is_counted_and_told() -> void:
 	var datagram: PackedByteArray = MvnEncoder.encode(writer.sample(2, 0, 0))[0]
 	datagram[11] = 255
 	_peer.put_packet(datagram)
-	await _until(func() -> bool: return _stream.receiver.get_figures()["refused"] == 2)
-	equal(_stream.receiver.get_figures()["refused"], 2)
+	await _until(func() -> bool: return _stream.receiver.get_stats()["refused"] == 2)
+	equal(_stream.receiver.get_stats()["refused"], 2)
 	contains(_stream.trouble(), "2 datagrams")
 	equal(_people.size(), 0)
 

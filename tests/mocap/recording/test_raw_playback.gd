@@ -29,7 +29,7 @@ func test_a_stream_is_recorded_and_played_byte_for_byte() -> void:
 	var sent: Array[PackedByteArray] = await _record_stream(40)
 	var player: RawPlayer = RawPlayer.new()
 	equal(player.open(_path), "")
-	is_true(player.get_figures()["is_whole"])
+	is_true(player.get_stats()["is_whole"])
 	equal(player.get_streams().size(), 1)
 	contains(player.get_streams()[0]["sender"], "127.0.0.1:")
 	var came: Array[PackedByteArray] = []
@@ -105,7 +105,7 @@ func test_a_recorded_tracker_becomes_a_sensor() -> void:
 	_write(file + PackedByteArray([0xA5]))
 	var playback: RawPlayback = RawPlayback.new()
 	equal(playback.open(_path), "")
-	equal(playback.player.get_figures()["cut_bytes"], 1)
+	equal(playback.player.get_stats()["cut_bytes"], 1)
 	playback.player.begin(START_USEC, 1.0)
 	playback.advance_to(START_USEC + 1000000)
 	var sensors: Array[SensorInfo] = playback.suit.list_sensors()
@@ -157,13 +157,13 @@ func _record_stream(p_count: int) -> Array[PackedByteArray]:
 				sent.append(datagram)
 		OS.delay_usec(500)
 	for frame: int in 600:
-		if receiver.get_figures()["datagrams"] >= sent.size():
+		if receiver.get_stats()["datagrams"] >= sent.size():
 			break
 		await process_frames()
-	equal(receiver.get_figures()["datagrams"], sent.size())
+	equal(receiver.get_stats()["datagrams"], sent.size())
 	receiver.close()
 	recorder.close()
-	equal(recorder.get_figures()["lost"], 0)
+	equal(recorder.get_stats()["lost"], 0)
 	return sent
 
 

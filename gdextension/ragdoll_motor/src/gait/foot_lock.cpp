@@ -103,8 +103,8 @@ void FootLock::apply(const Rig &p_rig, float p_unrest, Pose &r_pose, std::vector
 		for (std::size_t i = 0; i < _contacts.size(); i++) {
 			if (_contacts[i].limb == leg.foot && _grips[i] >= LOOSE) {
 				// All that are held count alike: as weights change, the foot must not.
-				const Vec3 place = r_joints[std::size_t(leg.foot)] + foot.rotate(_contacts[i].local);
-				away = away + (_anchors[i] - place) * _grips[i];
+				const Vec3 position = r_joints[std::size_t(leg.foot)] + foot.rotate(_contacts[i].local);
+				away = away + (_anchors[i] - position) * _grips[i];
 				sum += _grips[i];
 				firmest = std::max(firmest, _grips[i]);
 			}
@@ -135,7 +135,7 @@ void FootLock::bend(const Rig &p_rig, const Leg &p_leg, Pose &r_pose, std::vecto
 		wanted.y = std::copysign(std::sqrt(std::max(left, 0.0f)), wanted.y);
 	}
 	const float reach = std::clamp(wanted.length(), std::fabs(a - b) + 0.01f, longest);
-	// The knee opens or closes about its own axis, then the whole leg swings to the place.
+	// The knee opens or closes about its own axis, then the whole leg swings to the position.
 	const Vec3 axis = upper.cross(lower);
 	const float more = angle_opposite(a, b, reach) - angle_opposite(a, b, (upper + lower).length());
 	Quat knee;

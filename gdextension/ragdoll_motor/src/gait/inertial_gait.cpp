@@ -169,7 +169,7 @@ void InertialGait::hold(const GaitInput &p_input) {
 	Vec3 away;
 	float sum = 0.0f;
 	for (std::size_t i = 0; i < _contacts.size(); i++) {
-		const Vec3 place = _centre + _smooth[i];
+		const Vec3 position = _centre + _smooth[i];
 		const float from = _locks[i] != 0 ? settings.release_below : settings.hold_from;
 		if (_weights[i] < from * surest || surest < SURE) {
 			_locks[i] = 0;
@@ -177,9 +177,9 @@ void InertialGait::hold(const GaitInput &p_input) {
 		}
 		if (_locks[i] == 0) {
 			_locks[i] = 1;
-			_anchors[i] = place;
+			_anchors[i] = position;
 		}
-		away = away + (_anchors[i] - place) * _weights[i];
+		away = away + (_anchors[i] - position) * _weights[i];
 		sum += _weights[i];
 	}
 	if (sum > 0.0f) {

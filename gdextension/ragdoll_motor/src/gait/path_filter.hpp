@@ -18,21 +18,21 @@ public:
 	static constexpr float CALMEST = 0.85f;
 
 	void clear() { _begun = false; }
-	/// Takes the next place, m.
+	/// Takes the next position, m.
 	/// @param p_noise of the limbs, rad
-	void advance(const Vec3 &p_place, float p_noise, float p_span_s);
+	void advance(const Vec3 &p_position, float p_noise, float p_span_s);
 	/// The world has moved the body, m.
-	void shift(const Vec3 &p_offset) { _place = _place + p_offset; }
+	void shift(const Vec3 &p_offset) { _position = _position + p_offset; }
 
-	const Vec3 &get_place() const { return _place; }
+	const Vec3 &get_position() const { return _position; }
 	/// Where it will be, m.
-	Vec3 ahead(float p_span_s) const { return _place + _rate * p_span_s; }
+	Vec3 ahead(float p_span_s) const { return _position + _rate * p_span_s; }
 
 	void save(ArchiveWriter &p_archive) const;
 	bool restore(ArchiveReader &p_archive);
 
 private:
-	Vec3 _place;
+	Vec3 _position;
 	Vec3 _rate; // m/s
 	Calm _calm;
 	bool _begun = false;

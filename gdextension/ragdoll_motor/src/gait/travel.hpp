@@ -10,7 +10,7 @@
 
 namespace ragdoll {
 
-/// What an estimator of travel is told each tick.
+/// What an estimator of travel gets each tick.
 struct GaitInput {
 	float delta_s = 0.0f;
 	const std::vector<Vec3> *points = nullptr; ///< Contact points from the root's joint, world axes, m.

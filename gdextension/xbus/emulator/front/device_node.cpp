@@ -69,13 +69,13 @@ std::string Testbed::preload() {
 	return access(beside.c_str(), R_OK) == 0 ? beside : name;
 }
 
-DeviceNode::DeviceNode(Testbed &p_testbed, const UsbDescription &p_description, int p_place, std::string p_driver,
+DeviceNode::DeviceNode(Testbed &p_testbed, const UsbDescription &p_description, int p_index, std::string p_driver,
 		UMockdevIoctlBase *p_handler) :
 		_testbed(p_testbed),
-		_place(p_place),
+		_index(p_index),
 		_number(p_testbed.next_device_number()),
 		_driver(std::move(p_driver)),
-		_syspath("/sys/devices/pci0000:00/0000:00:14.0/usb1/1-" + std::to_string(p_place)),
+		_syspath("/sys/devices/pci0000:00/0000:00:14.0/usb1/1-" + std::to_string(p_index)),
 		_devnode("/dev/bus/usb/001/" + decimal(_number, 3)),
 		_interfaces(p_description.interface_count()) {
 	GError *error = nullptr;
@@ -104,7 +104,7 @@ std::string DeviceNode::_text(const UsbDescription &p_description) const {
 	text += property("BUSNUM", "001") + property("DEVNUM", decimal(_number, 3)) + property("MAJOR", "189");
 	text += property("MINOR", minor) + property("PRODUCT", vendor + "/" + product + "/600");
 	text += attribute("dev", "189:" + minor) + attribute("busnum", "1") + attribute("devnum", std::to_string(_number));
-	text += attribute("devpath", std::to_string(_place)) + attribute("bConfigurationValue", "1");
+	text += attribute("devpath", std::to_string(_index)) + attribute("bConfigurationValue", "1");
 	text += attribute("speed", std::to_string(p_description.speed)) + attribute("idVendor", vendor);
 	text += attribute("idProduct", product) + attribute("manufacturer", p_description.manufacturer);
 	text += attribute("product", p_description.product_name);
@@ -148,7 +148,7 @@ void DeviceNode::announce() {
 }
 
 std::string DeviceNode::_interface_path(unsigned p_interface) const {
-	return _syspath + "/1-" + std::to_string(_place) + ":1." + std::to_string(p_interface);
+	return _syspath + "/1-" + std::to_string(_index) + ":1." + std::to_string(p_interface);
 }
 
 void DeviceNode::_make_gate() {

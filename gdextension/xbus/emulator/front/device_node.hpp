@@ -36,8 +36,8 @@ private:
 /// One device from when it is plugged in: its entries in /sys, its node, the gate at the node.
 class DeviceNode {
 public:
-	/// `p_place`: where it is plugged in, from 1. `p_driver`: the kernel's driver for its interfaces.
-	DeviceNode(Testbed &p_testbed, const UsbDescription &p_description, int p_place, std::string p_driver,
+	/// `p_index`: where it is plugged in, from 1. `p_driver`: the kernel's driver for its interfaces.
+	DeviceNode(Testbed &p_testbed, const UsbDescription &p_description, int p_index, std::string p_driver,
 			UMockdevIoctlBase *p_handler);
 	~DeviceNode();
 	DeviceNode(const DeviceNode &) = delete;
@@ -58,7 +58,7 @@ private:
 	void _make_gate();
 
 	Testbed &_testbed;
-	int _place;
+	int _index;
 	int _number;
 	std::string _driver;
 	std::string _syspath;

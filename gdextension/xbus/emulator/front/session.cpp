@@ -70,8 +70,8 @@ std::string preload_value() {
 Session::Session(const SuitOptions &p_options, MotionStream p_stream) :
 		_options(p_options),
 		_suit(p_options, std::move(p_stream), monotonic,
-				[this](Usec p_now, std::size_t p_place, const std::string &p_text) {
-					_write_log(p_now, p_place, p_text);
+				[this](Usec p_now, std::size_t p_index, const std::string &p_text) {
+					_write_log(p_now, p_index, p_text);
 				}),
 		_testbed(p_options.is_forbidden),
 		_begin(monotonic()),
@@ -99,10 +99,10 @@ Session::Session(const SuitOptions &p_options, MotionStream p_stream) :
 		}
 	}
 	for (SuitDevice &one : _suit.devices()) {
-		const std::size_t place = _nodes.size() + 1;
-		const auto log = [this, place](const std::string &p_text) { _write_log(monotonic(), place, p_text); };
+		const std::size_t index = _nodes.size() + 1;
+		const auto log = [this, index](const std::string &p_text) { _write_log(monotonic(), index, p_text); };
 		_nodes.push_back(
-				std::make_unique<UsbfsNode>(_shared, *one.port, _testbed, int(place), one.kernel_driver(), log));
+				std::make_unique<UsbfsNode>(_shared, *one.port, _testbed, int(index), one.kernel_driver(), log));
 	}
 }
 
@@ -114,19 +114,19 @@ Session::~Session() {
 	}
 }
 
-void Session::_write_log(Usec p_now, std::size_t p_place, const std::string &p_text) {
+void Session::_write_log(Usec p_now, std::size_t p_index, const std::string &p_text) {
 	if (_log_file.is_open()) {
-		_log_file << p_now << ' ' << p_place << ' ' << p_text << std::endl;
+		_log_file << p_now << ' ' << p_index << ' ' << p_text << std::endl;
 	}
 }
 
 void Session::_write_traces() {
-	std::size_t place = 0;
+	std::size_t index = 0;
 	for (SuitDevice &one : _suit.devices()) {
-		place++;
+		index++;
 		if (_trace_file.is_open()) {
 			for (const SampleTrace &trace : one.traces()) {
-				_trace_file << place << ',' << trace.counter << ',' << trace.sampled << ',' << trace.on_chip << ','
+				_trace_file << index << ',' << trace.counter << ',' << trace.sampled << ',' << trace.on_chip << ','
 							<< trace.handed_over << '\n';
 			}
 		}

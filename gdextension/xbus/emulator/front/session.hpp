@@ -28,7 +28,7 @@ public:
 	int run();
 
 private:
-	void _write_log(Usec p_now, std::size_t p_place, const std::string &p_text);
+	void _write_log(Usec p_now, std::size_t p_index, const std::string &p_text);
 	void _write_traces();
 	void _plug_all(bool p_in);
 	bool _start_program();

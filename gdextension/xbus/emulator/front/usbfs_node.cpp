@@ -13,11 +13,11 @@
 namespace emulator {
 
 UsbfsNode::UsbfsNode(
-		Shared &p_shared, UsbPort &p_port, Testbed &p_testbed, int p_place, std::string p_driver, UsbPort::Log p_log) :
+		Shared &p_shared, UsbPort &p_port, Testbed &p_testbed, int p_index, std::string p_driver, UsbPort::Log p_log) :
 		_shared(p_shared),
 		_port(p_port),
 		_testbed(p_testbed),
-		_place(p_place),
+		_index(p_index),
 		_driver(std::move(p_driver)),
 		_log(std::move(p_log)),
 		_handler(umockdev_ioctl_base_new()) {
@@ -51,7 +51,7 @@ void UsbfsNode::plug(bool p_in) {
 		_node->leave();
 		return;
 	}
-	auto node = std::make_unique<DeviceNode>(_testbed, _port.description(), _place, _driver, _handler);
+	auto node = std::make_unique<DeviceNode>(_testbed, _port.description(), _index, _driver, _handler);
 	{
 		const std::lock_guard lock(_shared.mutex);
 		std::swap(_node, node);

@@ -20,8 +20,8 @@ struct Shared {
 /// A device's node below /dev/bus/usb: answers the ioctls of the kernel's usbfs.
 class UsbfsNode {
 public:
-	/// `p_place`: where it is plugged in, from 1. `p_driver`: the kernel's driver that takes it first.
-	UsbfsNode(Shared &p_shared, UsbPort &p_port, Testbed &p_testbed, int p_place, std::string p_driver,
+	/// `p_index`: where it is plugged in, from 1. `p_driver`: the kernel's driver that takes it first.
+	UsbfsNode(Shared &p_shared, UsbPort &p_port, Testbed &p_testbed, int p_index, std::string p_driver,
 			UsbPort::Log p_log);
 	~UsbfsNode();
 	UsbfsNode(const UsbfsNode &) = delete;
@@ -87,7 +87,7 @@ private:
 	Shared &_shared;
 	UsbPort &_port;
 	Testbed &_testbed;
-	int _place;
+	int _index;
 	std::string _driver;
 	UsbPort::Log _log;
 	std::unique_ptr<DeviceNode> _node;

@@ -47,8 +47,8 @@ constexpr uint32_t MAX = 1U << 20U;
 
 } // namespace
 
-UsbipServer::UsbipServer(UsbPort &p_port, std::function<Usec()> p_clock, int p_place) :
-		_port(p_port), _clock(std::move(p_clock)), _place(p_place) {}
+UsbipServer::UsbipServer(UsbPort &p_port, std::function<Usec()> p_clock, int p_index) :
+		_port(p_port), _clock(std::move(p_clock)), _index(p_index) {}
 
 UsbipServer::~UsbipServer() {
 	unplug();
@@ -68,7 +68,7 @@ bool UsbipServer::plug() {
 	_thread = std::thread([this]() { _serve(); });
 	const int speed = _port.description().speed == 480 ? HIGH_SPEED : FULL_SPEED;
 	std::ofstream attach("/sys/devices/platform/vhci_hcd.0/attach");
-	attach << _place << ' ' << ends[1] << ' ' << DEVICE << ' ' << speed << std::flush;
+	attach << _index << ' ' << ends[1] << ' ' << DEVICE << ' ' << speed << std::flush;
 	const bool is_taken = bool(attach);
 	close(ends[1]);
 	return is_taken;

@@ -13,8 +13,8 @@ namespace emulator {
 /// kernel has the other. To the kernel and its drivers it is a device like any other.
 class UsbipServer {
 public:
-	/// `p_place`: which of the virtual ports, from 0.
-	UsbipServer(UsbPort &p_port, std::function<Usec()> p_clock, int p_place);
+	/// `p_index`: which of the virtual ports, from 0.
+	UsbipServer(UsbPort &p_port, std::function<Usec()> p_clock, int p_index);
 	~UsbipServer();
 	UsbipServer(const UsbipServer &) = delete;
 	UsbipServer &operator=(const UsbipServer &) = delete;
@@ -39,7 +39,7 @@ private:
 
 	UsbPort &_port;
 	std::function<Usec()> _clock;
-	int _place;
+	int _index;
 	int _socket = -1;
 	std::thread _thread;
 	std::atomic<bool> _is_over{ false };

@@ -27,20 +27,20 @@ struct Load {
 };
 
 /// One device, from when it is plugged in until it is pulled out while it streams.
-void examine(const std::string &p_kind, int p_place, const Load &p_load) {
+void examine(const std::string &p_kind, int p_index, const Load &p_load) {
 	const auto tell = [&p_kind](const std::string &p_what, const std::string &p_value) {
 		kernel::tell(p_kind + " " + p_what, p_value);
 	};
 	emulator::SuitOptions options;
 	options.devices = p_kind;
 	options.sensors = p_load.sensors;
-	const auto log = [](Usec /*p_now*/, std::size_t /*p_place*/, const std::string &p_text) {
+	const auto log = [](Usec /*p_now*/, std::size_t /*p_index*/, const std::string &p_text) {
 		(void)printf("LOG %s\n", p_text.c_str());
 	};
 	emulator::Suit suit(options, emulator::MotionStream::still(std::size_t(p_load.sensors)), monotonic, log);
 	suit.begin(monotonic());
 	emulator::SuitDevice &device = suit.devices().front();
-	emulator::UsbipServer server(*device.port, monotonic, p_place);
+	emulator::UsbipServer server(*device.port, monotonic, p_index);
 	const std::string number = p_kind == "native" ? ":1.1" : ":1.0";
 
 	tell("plugged", server.plug() ? "yes" : "no");

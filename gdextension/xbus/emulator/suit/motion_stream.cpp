@@ -46,7 +46,7 @@ std::string MotionStream::parse(const std::vector<uint8_t> &p_bytes) {
 	}
 	const std::size_t needed = HEAD + limbs * NAME + _frame_count * limbs * KEY;
 	if (p_bytes.size() != needed) {
-		return "it has " + std::to_string(p_bytes.size()) + " bytes in place of " + std::to_string(needed);
+		return "it has " + std::to_string(p_bytes.size()) + " bytes instead of " + std::to_string(needed);
 	}
 	_names.clear();
 	_names.reserve(limbs);
@@ -63,11 +63,12 @@ std::string MotionStream::_parse_keys(const uint8_t *p_bytes) {
 		float values[7];
 		std::memcpy(values, p_bytes + i * KEY, KEY);
 		const Quat orientation{ values[1], values[2], values[3], values[0] };
-		const Vec3 place{ values[4], values[5], values[6] };
-		if (!orientation.is_finite() || !place.is_finite() || std::fabs(orientation.dot(orientation) - 1.0F) > 0.01F) {
+		const Vec3 position{ values[4], values[5], values[6] };
+		if (!orientation.is_finite() || !position.is_finite() ||
+				std::fabs(orientation.dot(orientation) - 1.0F) > 0.01F) {
 			return "its frame " + std::to_string(i / _names.size()) + " holds what is no rotation";
 		}
-		_keys[i] = { orientation.normalized(), place };
+		_keys[i] = { orientation.normalized(), position };
 	}
 	return {};
 }
@@ -105,7 +106,7 @@ LimbMotion MotionStream::at(std::size_t p_limb, double p_time_s) const {
 	motion.orientation = from.orientation * exp(turn * part);
 	motion.rate = turn * float(_rate);
 	const float squared = float(_rate * _rate);
-	motion.acceleration = (to.place - from.place * 2.0F + before.place) * squared;
+	motion.acceleration = (to.position - from.position * 2.0F + before.position) * squared;
 	return motion;
 }
 

@@ -16,7 +16,7 @@ struct LimbMotion {
 	kinematics::Quat orientation;
 	/// In the limb's own axes, rad/s.
 	kinematics::Vec3 rate;
-	/// Of the sensor's place, in the world, m/s2, without gravity.
+	/// Of the sensor's position, in the world, m/s2, without gravity.
 	kinematics::Vec3 acceleration;
 };
 
@@ -25,7 +25,7 @@ struct LimbMotion {
 ///
 /// The file is little-endian: "XBMOTION", u32 version (1), u32 limbs, f64 frames a second, u32 frames, u32 first
 /// frame of the loop, 32 bytes of name for each limb, then for each frame and limb the orientation (w x y z)
-/// and the place (x y z) as 7 f32.
+/// and the position (x y z) as 7 f32.
 class MotionStream {
 public:
 	/// Reads a file's bytes; an empty text, or what is wrong.
@@ -47,7 +47,7 @@ public:
 private:
 	struct Key {
 		kinematics::Quat orientation;
-		kinematics::Vec3 place;
+		kinematics::Vec3 position;
 	};
 
 	std::string _parse_keys(const uint8_t *p_bytes);

@@ -149,7 +149,7 @@ std::string Suit::_make(const std::string &p_kind, std::vector<Tracker> p_tracke
 }
 
 void Suit::_add(std::unique_ptr<XbusDevice> p_device, const std::string &p_kind, uint16_t p_product) {
-	const std::size_t place = _devices.size() + 1;
+	const std::size_t index = _devices.size() + 1;
 	SuitDevice made;
 	made.device = std::move(p_device);
 	made.master = dynamic_cast<Master *>(made.device.get());
@@ -158,7 +158,7 @@ void Suit::_add(std::unique_ptr<XbusDevice> p_device, const std::string &p_kind,
 	made.device->faults.errors = _options.errors;
 	made.device->faults.error_every = _options.error_every;
 	made.device->faults.is_mute = _options.is_mute;
-	made.device->set_log([this, place](Usec p_now, const std::string &p_text) { _log(p_now, place, p_text); });
+	made.device->set_log([this, index](Usec p_now, const std::string &p_text) { _log(p_now, index, p_text); });
 	made.device->set_on_measuring([this](Usec p_now) {
 		if (_waits) {
 			_move("go", 0.0, p_now + REACTION);
@@ -166,7 +166,7 @@ void Suit::_add(std::unique_ptr<XbusDevice> p_device, const std::string &p_kind,
 	});
 	const std::string serial = hexadecimal(made.device->device_id());
 	if (p_kind == "native") {
-		auto chip = std::make_unique<NativeChip>(p_product, serial, _options.seed + place, *made.device);
+		auto chip = std::make_unique<NativeChip>(p_product, serial, _options.seed + index, *made.device);
 		made.native = chip.get();
 		made.chip = std::move(chip);
 	} else {
@@ -175,13 +175,13 @@ void Suit::_add(std::unique_ptr<XbusDevice> p_device, const std::string &p_kind,
 		options.serial = serial;
 		options.is_fast = p_kind == "ftdi-fast";
 		options.is_paced = _options.is_paced;
-		options.seed = _options.seed + place;
+		options.seed = _options.seed + index;
 		auto chip = std::make_unique<FtdiChip>(options, *made.device);
 		made.ftdi = chip.get();
 		made.chip = std::move(chip);
 	}
 	made.line().faults = { _options.corrupt, _options.drop };
-	const auto log = [this, place](const std::string &p_text) { _log(_clock(), place, p_text); };
+	const auto log = [this, index](const std::string &p_text) { _log(_clock(), index, p_text); };
 	made.port = std::make_unique<UsbPort>(*made.chip, log);
 	_devices.push_back(std::move(made));
 }

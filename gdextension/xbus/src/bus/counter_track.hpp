@@ -5,7 +5,7 @@
 
 namespace xbus {
 
-/// Public figures of one device.
+/// Public stats of one device.
 struct DeviceStatistics {
 	/// Samples taken.
 	uint64_t received = 0;
@@ -48,7 +48,7 @@ public:
 
 	/// What this counter of so many bits (8, 16 or 32) means. `r_lost`: samples missed before it.
 	Step see(uint32_t p_counter, unsigned p_bits, uint32_t &r_lost);
-	/// The same, noted in a device's figures.
+	/// The same, noted in a device's stats.
 	Step see(uint32_t p_counter, unsigned p_bits, DeviceStatistics &r_statistics);
 
 private:
@@ -61,7 +61,7 @@ private:
 	bool _jumped = false;
 };
 
-/// Notes a step in a device's figures.
+/// Notes a step in a device's stats.
 void note_step(CounterTrack::Step p_step, uint32_t p_lost, DeviceStatistics &r_statistics);
 
 } // namespace xbus

@@ -13,7 +13,7 @@ using F = Field;
 using K = ItemKind;
 
 #define AT(m_member) uint16_t(offsetof(Sample, m_member))
-#define TRIGGER_AT(m_place) uint16_t(offsetof(Sample, triggers) + (m_place) * sizeof(Trigger))
+#define TRIGGER_AT(m_index) uint16_t(offsetof(Sample, triggers) + (m_index) * sizeof(Trigger))
 
 // Offsets are taken of a class of the standard layout.
 static_assert(std::is_standard_layout_v<Sample>);

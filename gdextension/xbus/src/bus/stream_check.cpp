@@ -225,7 +225,7 @@ bool StreamCheck::_is_known_shape(const Frame &p_frame) {
 }
 
 StreamCheck::Verdict StreamCheck::_take_sample(Sample &r_sample) {
-	Device &device = _devices[_place(r_sample.bus_id)];
+	Device &device = _devices[_index(r_sample.bus_id)];
 	const SampleJudge::Verdict verdict = device.judge.judge(r_sample);
 	if (verdict != SampleJudge::Verdict::PLAUSIBLE) {
 		device.statistics.implausible++;

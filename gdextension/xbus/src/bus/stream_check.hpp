@@ -15,7 +15,7 @@ bool is_device_message(const Frame &p_frame);
 /// A number for the identifiers and lengths of an MTData2 message's items: the same for messages of one kind.
 uint32_t message_shape(const Frame &p_frame);
 
-/// Public figures of a stream.
+/// Public stats of a stream.
 struct StreamStatistics {
 	/// Messages taken, with samples and without.
 	uint64_t data = 0;
@@ -45,9 +45,9 @@ public:
 		CONTROL,
 	};
 
-	/// Forgets formats, counters and figures. Without a format MTData is CONTROL; MTData2 needs none.
+	/// Forgets formats, counters and stats. Without a format MTData is CONTROL; MTData2 needs none.
 	void reset();
-	/// Another measurement begins: counters may begin anywhere. Formats and figures stay.
+	/// Another measurement begins: counters may begin anywhere. Formats and stats stay.
 	void restart();
 
 	/// MTData comes from a master with these trackers.
@@ -67,7 +67,7 @@ public:
 
 	const StreamStatistics &statistics() const { return _statistics; }
 	/// Of a device by its bus identifier (MASTER: one that stands alone).
-	const DeviceStatistics &device(uint8_t p_bus_id) const { return _devices[_place(p_bus_id)].statistics; }
+	const DeviceStatistics &device(uint8_t p_bus_id) const { return _devices[_index(p_bus_id)].statistics; }
 	/// Data bytes of MTData, 0 if its format is not known.
 	std::size_t data_size() const;
 
@@ -81,7 +81,7 @@ private:
 	/// Shapes of MTData2 messages with items that are not understood.
 	static constexpr std::size_t SHAPES = 16;
 
-	static std::size_t _place(uint8_t p_bus_id) { return p_bus_id == MASTER || p_bus_id > MAX_DEVICES ? 0 : p_bus_id; }
+	static std::size_t _index(uint8_t p_bus_id) { return p_bus_id == MASTER || p_bus_id > MAX_DEVICES ? 0 : p_bus_id; }
 	bool _is_bus_id(uint8_t p_bus_id) const;
 	Verdict _take_mt_data(const Frame &p_frame);
 	Verdict _take_mt_data2(const Frame &p_frame, bool p_noisy);

@@ -95,22 +95,21 @@ Outcome Collector::add(Character &p_character, const uint8_t *p_payload, std::si
 
 /// Where the parts of the present sample are kept; a new one takes the place of the oldest.
 Collector::Pending &Collector::pending_of(Character &p_character, Slot &p_slot) const {
-	Pending *place = &p_slot.pending[0];
+	Pending *slot = &p_slot.pending[0];
 	for (Pending &pending : p_slot.pending) {
 		if (pending.is_begun && pending.sample == _header.sample) {
 			return pending;
 		}
-		if (place->is_begun &&
-				(!pending.is_begun || _header.sample - pending.sample > _header.sample - place->sample)) {
-			place = &pending;
+		if (slot->is_begun && (!pending.is_begun || _header.sample - pending.sample > _header.sample - slot->sample)) {
+			slot = &pending;
 		}
 	}
-	p_character.statistics.incomplete += place->is_begun ? 1U : 0U;
-	place->is_begun = true;
-	place->sample = _header.sample;
-	place->part_count = 0;
-	place->bytes = 0;
-	return *place;
+	p_character.statistics.incomplete += slot->is_begun ? 1U : 0U;
+	slot->is_begun = true;
+	slot->sample = _header.sample;
+	slot->part_count = 0;
+	slot->bytes = 0;
+	return *slot;
 }
 
 Outcome Collector::store_part(Pending &p_pending, const uint8_t *p_payload, std::size_t p_size) {

@@ -222,8 +222,7 @@ Fault read_scale(PayloadReader &p_reader, Content &r_content) {
 		r_content.origins.push_back(origin);
 	}
 	const int32_t points = p_reader.read_i32();
-	if (points < 0 || points > MAX_POINTS ||
-			r_content.points.size() + std::size_t(points) > std::size_t(MAX_POINTS) ||
+	if (points < 0 || points > MAX_POINTS || r_content.points.size() + std::size_t(points) > std::size_t(MAX_POINTS) ||
 			r_content.origins.size() > std::size_t(MAX_SEGMENTS)) {
 		return p_reader.has_failed() ? Fault::WRONG_SIZE : Fault::TOO_MANY;
 	}
@@ -233,7 +232,7 @@ Fault read_scale(PayloadReader &p_reader, Content &r_content) {
 		point.point = p_reader.read_u16();
 		point.name = p_reader.read_text(MAX_TEXT);
 		point.flags = p_reader.read_u32();
-		point.place = p_reader.read_vector();
+		point.position = p_reader.read_vector();
 		r_content.points.push_back(point);
 	}
 	if (p_reader.has_failed() || p_reader.left() != 0) {

@@ -128,7 +128,7 @@ struct BodyPoint {
 	uint16_t point = 0;
 	std::string name;
 	uint32_t flags = 0;
-	Vector place{};
+	Vector position{};
 };
 
 /// What a whole sample of one type holds; of its lists only that of the type is filled.

@@ -125,7 +125,7 @@ std::vector<Portion> cut_scale(const Content &p_content, std::size_t p_most) {
 		r_writer.u16(p_point.point);
 		r_writer.text(p_point.name);
 		r_writer.u32(p_point.flags);
-		r_writer.reals(p_point.place);
+		r_writer.reals(p_point.position);
 	};
 	constexpr std::size_t COUNTS = 8;
 	for (const Portion &points : cut(p_content.points, p_most - COUNTS, write)) {

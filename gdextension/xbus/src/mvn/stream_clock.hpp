@@ -14,7 +14,7 @@ namespace mvn {
 class StreamClock {
 public:
 	/// The time of a sample that arrived now, µs, never later than its arrival.
-	uint64_t place(uint32_t p_time_code_ms, uint64_t p_arrival_usec) {
+	uint64_t timestamp(uint32_t p_time_code_ms, uint64_t p_arrival_usec) {
 		const int64_t arrival = int64_t(p_arrival_usec);
 		const int64_t code = int64_t(p_time_code_ms) * 1000;
 		if (!_is_known || code < _last_code || arrival < _last_arrival || arrival - _last_arrival > GAP_USEC) {

@@ -13,7 +13,7 @@
 
 namespace recording {
 
-/// Decodes what a recorded bus carried, by the same way as a session: the formats follow from what the host asked
+/// Decodes what a recorded bus carried, in the same way as a session: the formats follow from what the host asked
 /// for and the device answered.
 class BusReplay {
 public:
@@ -45,7 +45,7 @@ public:
 	bool is_master() const;
 	/// Samples per second that were asked for, 0 if that is not known.
 	double rate_hz() const;
-	/// Messages of samples whose format nobody told.
+	/// Messages of samples of unknown format.
 	uint64_t undecoded() const { return _undecoded; }
 	const xbus::FramerStatistics &framer() const { return _framer.statistics(); }
 	const xbus::DeviceStatistics &tracker(int p_tracker) const;

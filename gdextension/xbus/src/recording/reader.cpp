@@ -50,7 +50,7 @@ std::string Reader::open_file(const std::string &p_path) {
 void Reader::rewind() {
 	_at = std::min(MAGIC.size(), _bytes.size());
 	_searched = 0;
-	_figures = ReaderFigures();
+	_stats = ReaderStats();
 }
 
 bool Reader::is_head(std::size_t p_at) const {
@@ -83,25 +83,25 @@ bool Reader::next(Record &r_record) {
 		if (!is_head(_at)) {
 			const std::size_t found = find_head(_at + 1);
 			const bool is_cut = found == _bytes.size() && found - _at < HEAD_SIZE;
-			(is_cut ? _figures.cut_bytes : _figures.damaged_bytes) += found - _at;
+			(is_cut ? _stats.cut_bytes : _stats.damaged_bytes) += found - _at;
 			_at = found;
 			continue;
 		}
 		const uint8_t *head = _bytes.data() + _at;
 		const std::size_t size = std::size_t(get_little(head + 4, 4));
 		if (_bytes.size() - _at - HEAD_SIZE < size) {
-			_figures.cut_bytes += _bytes.size() - _at;
+			_stats.cut_bytes += _bytes.size() - _at;
 			_at = _bytes.size();
 			break;
 		}
 		if (get_little(head + 20, 4) != crc32(head + HEAD_SIZE, size)) {
 			// The head is right, so the next one is where it says; unless bytes are missing in between.
-			++_figures.damaged_records;
+			++_stats.damaged_records;
 			const std::size_t behind = _at + HEAD_SIZE + size;
 			const bool fits = behind == _bytes.size() || is_head(behind) || _searched > 4 * _bytes.size();
 			_searched += fits ? 0 : size;
 			const std::size_t found = fits ? behind : find_head(_at + 1);
-			_figures.damaged_bytes += found - _at;
+			_stats.damaged_bytes += found - _at;
 			_at = found;
 			continue;
 		}
@@ -111,11 +111,11 @@ bool Reader::next(Record &r_record) {
 		r_record.time_usec = get_little(head + 12, 8);
 		r_record.payload = head + HEAD_SIZE;
 		r_record.size = size;
-		++_figures.records;
-		_figures.payload_bytes += size;
-		_figures.has_end = r_record.kind == Kind::END;
+		++_stats.records;
+		_stats.payload_bytes += size;
+		_stats.has_end = r_record.kind == Kind::END;
 		if (r_record.kind == Kind::LOST && size == 8) {
-			_figures.lost += get_little(r_record.payload, 8);
+			_stats.lost += get_little(r_record.payload, 8);
 		}
 		return true;
 	}

@@ -19,7 +19,7 @@ struct Record {
 };
 
 /// What a recording is worth.
-struct ReaderFigures {
+struct ReaderStats {
 	uint64_t records = 0;
 	uint64_t payload_bytes = 0;
 	/// Records whose bytes are not those that were written.
@@ -51,7 +51,7 @@ public:
 	/// Back to the first.
 	void rewind();
 	/// Of what was read so far.
-	const ReaderFigures &figures() const { return _figures; }
+	const ReaderStats &stats() const { return _stats; }
 
 private:
 	/// Where the next head is from here on; the end of the bytes if there is none.
@@ -62,7 +62,7 @@ private:
 	std::size_t _at = 0;
 	/// Bytes of payloads that were looked through for heads: bounded, or a made-up file could keep us for hours.
 	std::size_t _searched = 0;
-	ReaderFigures _figures;
+	ReaderStats _stats;
 };
 
 /// The value of a key in lines "key=value", or an empty text.

@@ -45,7 +45,7 @@ void Recorder::open_descriptor(int p_descriptor, const std::string &p_about) {
 	_writing.clear();
 	_writing.reserve(_room);
 	_waiting.insert(_waiting.end(), MAGIC.begin(), MAGIC.end());
-	_figures = RecorderFigures();
+	_stats = RecorderStats();
 	_stops = false;
 	_is_open = true;
 	_streams = 0;
@@ -100,14 +100,14 @@ void Recorder::add(Kind p_kind, int p_stream, const uint8_t *p_payload, std::siz
 
 void Recorder::add_locked(
 		Kind p_kind, int p_stream, const uint8_t *p_payload, std::size_t p_size, uint64_t p_time_usec) {
-	if (!_is_open || !_figures.fault.empty()) {
-		_figures.lost += _is_open ? 1U : 0U;
+	if (!_is_open || !_stats.fault.empty()) {
+		_stats.lost += _is_open ? 1U : 0U;
 		return;
 	}
 	// There is always room left to tell of a loss, and of the end.
 	const std::size_t reserve = 3 * HEAD_SIZE + 8;
 	if (_waiting.size() + HEAD_SIZE + p_size + reserve > _room) {
-		++_figures.lost;
+		++_stats.lost;
 		++_lost_untold;
 		return;
 	}
@@ -126,13 +126,13 @@ void Recorder::append(Kind p_kind, int p_stream, const uint8_t *p_payload, std::
 	put_head(p_kind, p_stream, p_time_usec, p_payload, p_size, head.data());
 	_waiting.insert(_waiting.end(), head.begin(), head.end());
 	_waiting.insert(_waiting.end(), p_payload, p_payload + p_size);
-	++_figures.records;
-	_figures.bytes += HEAD_SIZE + p_size;
+	++_stats.records;
+	_stats.bytes += HEAD_SIZE + p_size;
 }
 
-RecorderFigures Recorder::figures() const {
+RecorderStats Recorder::stats() const {
 	const std::lock_guard<std::mutex> lock(_mutex);
-	return _figures;
+	return _stats;
 }
 
 void Recorder::run() {
@@ -143,7 +143,7 @@ void Recorder::run() {
 			std::unique_lock<std::mutex> lock(_mutex);
 			_wakes.wait_for(lock, WRITE_EVERY, [this]() { return _stops || _waiting.size() > _room / 2; });
 			stops = _stops;
-			if (stops && _figures.fault.empty()) {
+			if (stops && _stats.fault.empty()) {
 				if (_lost_untold > 0) {
 					std::array<uint8_t, 8> count{};
 					put_little(_lost_untold, count.size(), count.data());
@@ -155,7 +155,7 @@ void Recorder::run() {
 		}
 		if (!_writing.empty() && !write_all(_writing)) {
 			const std::lock_guard<std::mutex> lock(_mutex);
-			_figures.fault = std::string("the recording can't be written any more: ") + std::strerror(errno);
+			_stats.fault = std::string("the recording can't be written any more: ") + std::strerror(errno);
 		}
 		_writing.clear();
 		const auto now = std::chrono::steady_clock::now();

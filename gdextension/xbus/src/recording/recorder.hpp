@@ -13,7 +13,7 @@
 namespace recording {
 
 /// How a recording goes.
-struct RecorderFigures {
+struct RecorderStats {
 	uint64_t records = 0;
 	uint64_t bytes = 0;
 	/// Records for which the disk was too slow.
@@ -45,7 +45,7 @@ public:
 	/// Takes a record. Any thread may call it; allocates nothing.
 	void add(Kind p_kind, int p_stream, const uint8_t *p_payload, std::size_t p_size, uint64_t p_time_usec);
 
-	RecorderFigures figures() const;
+	RecorderStats stats() const;
 
 private:
 	void run();
@@ -65,7 +65,7 @@ private:
 	int _streams = 0;
 	uint64_t _newest_usec = 0;
 	uint64_t _lost_untold = 0;
-	RecorderFigures _figures;
+	RecorderStats _stats;
 	// Of the thread alone.
 	std::vector<uint8_t> _writing;
 };

@@ -22,7 +22,7 @@ public:
 	}
 
 	/// The time of a sample that arrived now, µs.
-	uint64_t place(uint64_t p_counter, uint64_t p_arrival_usec) {
+	uint64_t timestamp(uint64_t p_counter, uint64_t p_arrival_usec) {
 		measure(p_counter, p_arrival_usec);
 		const double expected = double(p_counter) * _period_usec;
 		const double offset = double(p_arrival_usec) - expected;

@@ -217,9 +217,9 @@ private:
 	uint64_t _battery_usec = 0;
 
 	uint64_t _heard_usec = 0;
-	/// Samples of a wrong length when it began to measure, and when that was told last.
+	/// Samples of a wrong length when it began to measure, and when that was reported last.
 	uint64_t _refused = 0;
-	uint64_t _told_refused = 0;
+	uint64_t _reported_refused = 0;
 	uint64_t _bytes_usec = 0;
 	bool _is_silent = false;
 	bool _has_answered = false;

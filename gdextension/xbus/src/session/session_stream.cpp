@@ -33,7 +33,7 @@ void Session::begin_measuring() {
 	}
 	// A false length must not hold back what comes behind it.
 	_framer.set_longest(std::max<std::size_t>(_check.data_size(), Configuration::MAX_BYTES));
-	_refused = _told_refused = _check.statistics().wrong_sizes;
+	_refused = _reported_refused = _check.statistics().wrong_sizes;
 	tell(Severity::INFO, "%s %08X measures: %d tracker%s at %.0f Hz", device_kind_name(_kind), _device_id,
 			_tracker_count, _tracker_count == 1 ? "" : "s", rate_hz());
 }
@@ -75,8 +75,8 @@ void Session::look_after_stream() {
 void Session::note_refusals() {
 	constexpr uint64_t MANY = 20;
 	const uint64_t refused = _check.statistics().wrong_sizes;
-	if (refused >= _told_refused + MANY) {
-		_told_refused = refused;
+	if (refused >= _reported_refused + MANY) {
+		_reported_refused = refused;
 		tell(Severity::WARNING,
 				"sends samples of another length than its settings make (%zu bytes): they are counted and dropped",
 				expected_size());

@@ -28,8 +28,8 @@ void SuitStream::take(const StreamCheck &p_check, uint64_t p_now_usec, SuitFrame
 		reading.has_orientation = reading.has_rate = reading.has_acceleration = false;
 	}
 	r_frame.tracker_count = 0;
-	for (std::size_t place = 0; place < p_check.sample_count(); ++place) {
-		const Sample &sample = p_check.sample(place);
+	for (std::size_t index = 0; index < p_check.sample_count(); ++index) {
+		const Sample &sample = p_check.sample(index);
 		const int tracker = sample.bus_id >= 1 && sample.bus_id <= MAX_TRACKERS ? sample.bus_id - 1 : 0;
 		if (sample.present != 0) {
 			r_frame.axes = sample.axes;
@@ -40,7 +40,7 @@ void SuitStream::take(const StreamCheck &p_check, uint64_t p_now_usec, SuitFrame
 	}
 	r_frame.counter = p_check.sample_count() > 0 ? count_on(p_check.sample(0)) : _counter;
 	r_frame.arrival_usec = p_now_usec;
-	r_frame.time_usec = _timeline.place(r_frame.counter, p_now_usec);
+	r_frame.time_usec = _timeline.timestamp(r_frame.counter, p_now_usec);
 }
 
 TrackerFlow SuitStream::flow(int p_tracker, uint64_t p_now_usec) const {

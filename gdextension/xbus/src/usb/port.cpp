@@ -99,8 +99,8 @@ bool Port::find_endpoints(libusb_device *p_device, Endpoints &r_endpoints) {
 	}
 	const std::unique_ptr<libusb_config_descriptor, void (*)(libusb_config_descriptor *)> config(
 			raw, libusb_free_config_descriptor);
-	for (int place = 0; place < config->bNumInterfaces; ++place) {
-		const libusb_interface &interface = config->interface[place];
+	for (int index = 0; index < config->bNumInterfaces; ++index) {
+		const libusb_interface &interface = config->interface[index];
 		for (int setting = 0; setting < interface.num_altsetting; ++setting) {
 			const libusb_interface_descriptor &descriptor = interface.altsetting[setting];
 			Endpoints found;

@@ -146,7 +146,7 @@ inline bool same(const SegmentOrigin &p_a, const SegmentOrigin &p_b) {
 }
 inline bool same(const BodyPoint &p_a, const BodyPoint &p_b) {
 	return p_a.segment == p_b.segment && p_a.point == p_b.point && p_a.name == p_b.name && p_a.flags == p_b.flags &&
-			p_a.place == p_b.place;
+			p_a.position == p_b.position;
 }
 template <class Item>
 bool same(const std::vector<Item> &p_a, const std::vector<Item> &p_b) {

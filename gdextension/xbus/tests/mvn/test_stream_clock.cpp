@@ -30,7 +30,7 @@ Found play(StreamClock &r_clock, double p_jitter_ms, Code &&p_code) {
 		const double sampled = 1e6 + number * 1e6 / 60.0;
 		const double arrival = std::max(sampled + 2000.0 + late(random) * 1000.0, arrival_before + 1.0);
 		arrival_before = arrival;
-		const double time = double(r_clock.place(uint32_t(p_code(number / 60.0 * 1000.0)), uint64_t(arrival)));
+		const double time = double(r_clock.timestamp(uint32_t(p_code(number / 60.0 * 1000.0)), uint64_t(arrival)));
 		found.is_later_than_arrival = found.is_later_than_arrival || time > arrival;
 		if (number > 300) {
 			found.step_ms = std::max(found.step_ms, std::fabs(time - before - 1e6 / 60.0) / 1000.0);
@@ -75,7 +75,7 @@ TEST(a_time_code_that_begins_anew_or_wraps_is_followed) {
 			const uint64_t arrival = 5000000 + number * 10000ULL;
 			const uint32_t code =
 					number < 500 ? first + number * 10 : (first == 100000U ? number * 10 : first + number * 10);
-			const uint64_t time = clock.place(code, arrival);
+			const uint64_t time = clock.timestamp(code, arrival);
 			CHECK(time <= arrival);
 			worst = std::max(worst, arrival - time);
 		}

@@ -119,7 +119,7 @@ TEST(what_was_recorded_is_read) {
 	CHECK(about(record, "send").empty() && about(record, "99").empty());
 	const std::vector<int> numbers = numbers_of(reader);
 	CHECK(numbers.size() == 50 && is_run(numbers, 0, 0, 50));
-	CHECK(reader.figures().has_end && reader.figures().damaged_bytes == 0 && reader.figures().cut_bytes == 0);
+	CHECK(reader.stats().has_end && reader.stats().damaged_bytes == 0 && reader.stats().cut_bytes == 0);
 }
 
 TEST(a_recording_is_never_overwritten) {
@@ -142,10 +142,10 @@ TEST(a_cut_anywhere_leaves_all_in_front_of_it) {
 		CHECK(is_run(numbers, 0, 0, numbers.size()));
 		CHECK(numbers.size() >= before && numbers.size() <= before + 1);
 		before = numbers.size();
-		const ReaderFigures &figures = reader.figures();
-		CHECK(figures.damaged_bytes == 0 && figures.has_end == (size == whole.size()));
+		const ReaderStats &stats = reader.stats();
+		CHECK(stats.damaged_bytes == 0 && stats.has_end == (size == whole.size()));
 		// Every byte is of a record or cut off.
-		CHECK(MAGIC.size() + figures.records * HEAD_SIZE + figures.payload_bytes + figures.cut_bytes == size);
+		CHECK(MAGIC.size() + stats.records * HEAD_SIZE + stats.payload_bytes + stats.cut_bytes == size);
 	}
 	CHECK(before == 30);
 }
@@ -161,7 +161,7 @@ TEST(a_wrong_byte_costs_one_record) {
 		CHECK(numbers.size() + 1 >= 30);
 		CHECK(std::find(numbers.begin(), numbers.end(), -1) == numbers.end());
 		CHECK(std::is_sorted(numbers.begin(), numbers.end()));
-		CHECK(reader.figures().damaged_bytes + reader.figures().cut_bytes > 0);
+		CHECK(reader.stats().damaged_bytes + reader.stats().cut_bytes > 0);
 	}
 }
 
@@ -244,7 +244,7 @@ TEST(a_killed_process_leaves_all_that_was_written) {
 		CHECK(reader.open_file(folder.file()).empty());
 		const std::vector<int> numbers = numbers_of(reader);
 		CHECK(numbers.size() > 100 && is_run(numbers, 0, 0, numbers.size()));
-		CHECK(!reader.figures().has_end && reader.figures().damaged_bytes == 0 && reader.figures().lost == 0);
+		CHECK(!reader.stats().has_end && reader.stats().damaged_bytes == 0 && reader.stats().lost == 0);
 	}
 }
 
@@ -265,7 +265,7 @@ TEST(a_slow_disk_never_stops_the_bus_and_what_is_lost_is_told) {
 		recorder.add(Kind::BUS_IN, stream, payloads[number].data(), payloads[number].size(), 1000 + number);
 	}
 	CHECK(allocations == before);
-	const uint64_t lost = recorder.figures().lost;
+	const uint64_t lost = recorder.stats().lost;
 	CHECK(lost > 1000);
 	Bytes bytes;
 	std::thread drain([&]() {
@@ -281,7 +281,7 @@ TEST(a_slow_disk_never_stops_the_bus_and_what_is_lost_is_told) {
 	Reader reader;
 	CHECK(reader.open(bytes).empty());
 	const std::vector<int> numbers = numbers_of(reader);
-	CHECK(reader.figures().lost == lost && reader.figures().has_end);
+	CHECK(reader.stats().lost == lost && reader.stats().has_end);
 	// Those that tell of a loss have no number of their own.
 	const auto good = std::count_if(numbers.begin(), numbers.end(), [](int p_number) { return p_number >= 0; });
 	CHECK(uint64_t(good) + lost == 20000);
@@ -297,12 +297,12 @@ TEST(a_full_disk_is_told_and_stops_nothing) {
 	for (int wait = 0; wait < 5000 && fault.empty(); ++wait) {
 		recorder.add(Kind::BUS_IN, 0, bytes.data(), bytes.size(), 1);
 		usleep(1000);
-		fault = recorder.figures().fault;
+		fault = recorder.stats().fault;
 	}
 	CHECK(fault.find("can't be written") != std::string::npos);
-	const uint64_t lost = recorder.figures().lost;
+	const uint64_t lost = recorder.stats().lost;
 	recorder.add(Kind::BUS_IN, 0, bytes.data(), bytes.size(), 1);
-	CHECK(recorder.figures().lost == lost + 1);
+	CHECK(recorder.stats().lost == lost + 1);
 	recorder.close();
 }
 

@@ -332,7 +332,7 @@ TEST(a_device_that_measures_at_another_rate_is_believed) {
 		timeline.reset(10000.0);
 		for (uint64_t counter = 1; counter * period < 20000000; ++counter) {
 			const uint64_t arrival = 5000000 + counter * period + (counter % 3) * 300;
-			const uint64_t placed = timeline.place(counter, arrival);
+			const uint64_t placed = timeline.timestamp(counter, arrival);
 			if (counter * period > 3000000) {
 				CHECK(placed <= arrival && arrival - placed < 5000);
 			}
@@ -348,7 +348,7 @@ TEST(a_hold_up_on_the_way_is_no_other_rate) {
 		const uint64_t sampled = 5000000 + counter * 10000;
 		const uint64_t phase = sampled % 500000;
 		const uint64_t arrival = phase < 120000 ? sampled - phase + 120000 : sampled;
-		const uint64_t placed = timeline.place(counter, arrival);
+		const uint64_t placed = timeline.timestamp(counter, arrival);
 		if (counter > 100) {
 			CHECK(placed + 5000 > sampled && placed < sampled + 5000);
 		}

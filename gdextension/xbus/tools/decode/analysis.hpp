@@ -38,7 +38,7 @@ struct Entry {
 	bool is_implausible = false;
 };
 
-/// Figures of one device.
+/// Stats of one device.
 struct DeviceReport {
 	uint32_t device_id = 0;
 	xbus::DeviceStatistics statistics;
