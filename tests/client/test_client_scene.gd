@@ -3,7 +3,7 @@ extends TestCase
 
 const NetSamples: GDScript = preload("../net/net_samples.gd")
 const CLIENT: PackedScene = preload("res://scenes/client/client.tscn")
-const SnapshotStream: GDScript = preload("../net/snapshot_stream.gd")
+const SnapshotStream: GDScript = preload("res://tests/wire/snapshot_stream.gd")
 const ADA: int = 3
 
 var _client: Node = null

@@ -1,7 +1,7 @@
 extends TestCase
 ## A client's copy of the world, whatever comes in whatever order.
 
-const SnapshotStream: GDScript = preload("../net/snapshot_stream.gd")
+const SnapshotStream: GDScript = preload("res://tests/wire/snapshot_stream.gd")
 const NetSamples: GDScript = preload("../net/net_samples.gd")
 
 var _replica: WorldReplica = WorldReplica.new()

@@ -1,7 +1,7 @@
 extends RefCounted
 ## A server and clients in one process, over 127.0.0.1, and what they told.
 
-const SnapshotStream: GDScript = preload("snapshot_stream.gd")
+const SnapshotStream: GDScript = preload("res://tests/wire/snapshot_stream.gd")
 
 ## Who joined the server: session to join request.
 var joined: Dictionary[int, Dictionary] = {}

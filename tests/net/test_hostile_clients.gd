@@ -3,7 +3,7 @@ extends TestCase
 
 const LinkPair: GDScript = preload("link_pair.gd")
 const NetSamples: GDScript = preload("net_samples.gd")
-const SnapshotStream: GDScript = preload("snapshot_stream.gd")
+const SnapshotStream: GDScript = preload("res://tests/wire/snapshot_stream.gd")
 const TRAINEE: Protocol.Role = Protocol.Role.TRAINEE
 const OBSERVER: Protocol.Role = Protocol.Role.OBSERVER
 

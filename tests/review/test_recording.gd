@@ -2,7 +2,7 @@ extends TestCase
 ## What was recorded is played back the same; damaged files play as far as they go.
 
 const NetSamples: GDScript = preload("../net/net_samples.gd")
-const SnapshotStream: GDScript = preload("../net/snapshot_stream.gd")
+const SnapshotStream: GDScript = preload("res://tests/wire/snapshot_stream.gd")
 const PATH: String = "user://test_recording.dsmt"
 
 var _random: RandomNumberGenerator = RandomNumberGenerator.new()

@@ -2,7 +2,7 @@ extends TestCase
 ## Numbers of bodies: unique, and the same as long as a body exists, while people come and go.
 
 const HALL: PackedScene = preload("res://scenes/world/hall/hall.tscn")
-const Stage: GDScript = preload("../actor/stage.gd")
+const Stage: GDScript = preload("res://tests/actor/ragdoll/stage.gd")
 const SOLDIER: PackedScene = preload("res://scenes/actor/soldier.tscn")
 
 var _hall: Node3D = null

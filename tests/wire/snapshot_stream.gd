@@ -1,7 +1,7 @@
 extends RefCounted
 ## Real snapshots of a made-up world, for tests of what carries and shows them.
 
-const NetSamples: GDScript = preload("net_samples.gd")
+const NetSamples: GDScript = preload("res://tests/net/net_samples.gd")
 
 ## What is in the world: ids.
 var people: PackedInt32Array = []

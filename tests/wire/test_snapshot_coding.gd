@@ -1,7 +1,7 @@
 extends TestCase
 ## Wrong use of the encoder and the decoder: one clear error, and they work on.
 
-const SnapshotStream: GDScript = preload("../net/snapshot_stream.gd")
+const SnapshotStream: GDScript = preload("res://tests/wire/snapshot_stream.gd")
 const NetSamples: GDScript = preload("../net/net_samples.gd")
 
 var _encoder: SnapshotEncoder = SnapshotEncoder.new()

@@ -1,7 +1,7 @@
 extends TestCase
 ## The hall: what is in it, and that its crates come to rest.
 
-const FastPhysics: GDScript = preload("../actor/fast_physics.gd")
+const FastPhysics: GDScript = preload("res://tests/actor/ragdoll/fast_physics.gd")
 const HALL: PackedScene = preload("res://scenes/world/hall/hall.tscn")
 
 var _hall: Node3D = null

@@ -1,7 +1,7 @@
 extends RefCounted
 ## Rigged characters of every kind: any axes of the bones, any scale, several surfaces.
 
-const People: GDScript = preload("../mocap/people_samples.gd")
+const People: GDScript = preload("res://tests/mocap/people_samples.gd")
 
 ## Radius of the skin about arms and legs, m.
 const RADIUS: float = 0.06

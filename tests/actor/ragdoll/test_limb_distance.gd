@@ -1,7 +1,7 @@
 extends TestCase
 ## Distances of shapes, limbs that are too near each other, and making them thinner.
 
-const NetSamples: GDScript = preload("../net/net_samples.gd")
+const NetSamples: GDScript = preload("res://tests/net/net_samples.gd")
 const SOLDIER: PackedScene = preload("res://scenes/actor/soldier.tscn")
 const CLIPS: Array[String] = ["01_01", "01_03", "Boxing_Toes"]
 

@@ -1,8 +1,8 @@
 extends TestCase
 ## The physical bones of a skeleton: masses, places, shapes, inertia and errors.
 
-const NetSamples: GDScript = preload("../net/net_samples.gd")
-const People: GDScript = preload("../mocap/people_samples.gd")
+const NetSamples: GDScript = preload("res://tests/net/net_samples.gd")
+const People: GDScript = preload("res://tests/mocap/people_samples.gd")
 const SOLDIER: PackedScene = preload("res://scenes/actor/soldier.tscn")
 
 var _soldier: Ragdoll = null

@@ -1,7 +1,7 @@
 extends TestCase
 ## Sizes, inertia and faults of a limb's shape.
 
-const NetSamples: GDScript = preload("../net/net_samples.gd")
+const NetSamples: GDScript = preload("res://tests/net/net_samples.gd")
 ## Points of the numerical integration along each edge.
 const GRID: int = 60
 

@@ -1,9 +1,9 @@
 extends TestCase
 ## What a client draws lies exactly where the server's bodies are.
 
-const NetSamples: GDScript = preload("../net/net_samples.gd")
-const Stage: GDScript = preload("stage.gd")
-const FastPhysics: GDScript = preload("fast_physics.gd")
+const NetSamples: GDScript = preload("res://tests/net/net_samples.gd")
+const Stage: GDScript = preload("res://tests/actor/ragdoll/stage.gd")
+const FastPhysics: GDScript = preload("res://tests/actor/ragdoll/fast_physics.gd")
 const SOLDIER: PackedScene = preload("res://scenes/actor/soldier.tscn")
 
 var _node: Ragdoll = null

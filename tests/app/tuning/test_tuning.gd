@@ -1,7 +1,7 @@
 extends TestCase
 ## The tuning scene, used by its knobs as a person would.
 
-const FastPhysics: GDScript = preload("fast_physics.gd")
+const FastPhysics: GDScript = preload("res://tests/actor/ragdoll/fast_physics.gd")
 const SCENE: PackedScene = preload("res://scenes/app/tuning/tuning.tscn")
 
 var _tuning: Tuning = null

@@ -1,7 +1,7 @@
 extends TestCase
 ## Clips of any rest pose and heading become the same motion of a person.
 
-const People: GDScript = preload("people_samples.gd")
+const People: GDScript = preload("res://tests/mocap/people_samples.gd")
 ## Rest poses: how far the arms hang.
 const ARMS_DEG: PackedFloat32Array = [0.0, 45.0, 70.0, 89.9]
 const HEADINGS_DEG: PackedFloat32Array = [0.0, 90.0, 180.0, -90.0, -30.0]

@@ -1,7 +1,7 @@
 extends TestCase
 ## A clip that is played for ever: valid samples, no jumps, and errors that tell.
 
-const People: GDScript = preload("people_samples.gd")
+const People: GDScript = preload("res://tests/mocap/people_samples.gd")
 const CLIPS: PackedStringArray = ["01_01.bvh", "01_03.bvh", "Boxing_Toes.bvh"]
 const FOLDER: String = "res://assets/motion/"
 const STEP_USEC: int = 16667

@@ -1,7 +1,7 @@
 extends TestCase
 ## Finds the limbs in the skeletons of common programs, and says what is missing in others.
 
-const People: GDScript = preload("people_samples.gd")
+const People: GDScript = preload("res://tests/mocap/people_samples.gd")
 
 ## Names of each scheme in the order of [constant KEYS].
 const SCHEMES: Dictionary[String, Array] = {

@@ -2,9 +2,9 @@ extends TestCase
 ## Throws random and damaged packets at every decoder: they answer "none" or something valid, and
 ## nothing reaches the engine's log.
 
-const NetSamples: GDScript = preload("net_samples.gd")
-const SnapshotStream: GDScript = preload("snapshot_stream.gd")
-const LogTrap: GDScript = preload("log_trap.gd")
+const NetSamples: GDScript = preload("res://tests/net/net_samples.gd")
+const SnapshotStream: GDScript = preload("res://tests/wire/snapshot_stream.gd")
+const LogTrap: GDScript = preload("res://tests/net/log_trap.gd")
 const ROUNDS: int = 20000
 
 var _random: RandomNumberGenerator = RandomNumberGenerator.new()

@@ -1,7 +1,7 @@
 extends TestCase
 ## A pose survives the wire exactly; what is no pose is refused with a reason.
 
-const NetSamples: GDScript = preload("net_samples.gd")
+const NetSamples: GDScript = preload("res://tests/net/net_samples.gd")
 
 var _random: RandomNumberGenerator = RandomNumberGenerator.new()
 

@@ -1,7 +1,7 @@
 extends TestCase
 ## A description of the world survives the wire; what is none is refused whole.
 
-const NetSamples: GDScript = preload("net_samples.gd")
+const NetSamples: GDScript = preload("res://tests/net/net_samples.gd")
 
 var _random: RandomNumberGenerator = RandomNumberGenerator.new()
 

@@ -1,8 +1,8 @@
 extends TestCase
 ## Who may come in, who comes back, and what instructors decide.
 
-const LinkPair: GDScript = preload("link_pair.gd")
-const NetSamples: GDScript = preload("net_samples.gd")
+const LinkPair: GDScript = preload("res://tests/net/link_pair.gd")
+const NetSamples: GDScript = preload("res://tests/net/net_samples.gd")
 const TRAINEE: Protocol.Role = Protocol.Role.TRAINEE
 const OBSERVER: Protocol.Role = Protocol.Role.OBSERVER
 const INSTRUCTOR: Protocol.Role = Protocol.Role.INSTRUCTOR

@@ -2,10 +2,10 @@ extends TestCase
 ## Attacks on the transport itself, each with a legitimate client that must not notice: chosen ids,
 ## clients that take nothing in, repeated and swapped datagrams, bad snapshots.
 
-const LinkPair: GDScript = preload("link_pair.gd")
-const NetSamples: GDScript = preload("net_samples.gd")
-const SnapshotStream: GDScript = preload("snapshot_stream.gd")
-const UdpRelay: GDScript = preload("transport/udp_relay.gd")
+const LinkPair: GDScript = preload("res://tests/net/link_pair.gd")
+const NetSamples: GDScript = preload("res://tests/net/net_samples.gd")
+const SnapshotStream: GDScript = preload("res://tests/wire/snapshot_stream.gd")
+const UdpRelay: GDScript = preload("res://tests/net/transport/udp_relay.gd")
 const TRAINEE: Protocol.Role = Protocol.Role.TRAINEE
 
 var _pair: LinkPair = null
