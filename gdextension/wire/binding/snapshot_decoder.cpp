@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "snapshot_decoder.hpp"
 
+#include "entity_arrays.hpp"
 #include "pose_arrays.hpp"
 #include <convert.hpp>
 
@@ -46,12 +47,85 @@ void SnapshotDecoder::set_wants_marks(bool p_wanted) {
 PackedByteArray SnapshotDecoder::get_ack(const Vector3 &p_viewpoint) {
 	PackedByteArray result;
 	ERR_FAIL_COND_V_MSG(_core == nullptr, result, UNCONFIGURED);
-	std::array<uint8_t, wire::ClientRecord::ACK_BYTES> bytes{};
-	if (_core->write_ack(to_core(p_viewpoint), bytes)) {
-		result.resize(int64_t(bytes.size()));
-		std::memcpy(result.ptrw(), bytes.data(), bytes.size());
+	wire::SnapshotDecoder::Ack bytes{};
+	const std::size_t size = _core->write_ack(to_core(p_viewpoint), bytes);
+	if (size > 0) {
+		result.resize(int64_t(size));
+		std::memcpy(result.ptrw(), bytes.data(), size);
 	}
 	return result;
+}
+
+bool SnapshotDecoder::define_type(int64_t p_type, const PackedByteArray &p_kinds, const PackedFloat32Array &p_mins,
+		const PackedFloat32Array &p_maxs, const PackedFloat32Array &p_resolutions) {
+	ERR_FAIL_COND_V_MSG(_core == nullptr, false, UNCONFIGURED);
+	return read_type(_core->types(), p_type, p_kinds, p_mins, p_maxs, p_resolutions);
+}
+
+bool SnapshotDecoder::add_entity(int64_t p_entity, int64_t p_type, const PackedFloat32Array &p_values) {
+	ERR_FAIL_COND_V_MSG(_core == nullptr, false, UNCONFIGURED);
+	return is_id(p_entity) && is_type(p_type) &&
+			_core->add_entity(uint16_t(p_entity), uint8_t(p_type), p_values.ptr(), std::size_t(p_values.size()));
+}
+
+void SnapshotDecoder::remove_entity(int64_t p_entity) {
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	if (is_id(p_entity)) {
+		_core->remove_entity(uint16_t(p_entity));
+	}
+}
+
+bool SnapshotDecoder::has_entity(int64_t p_entity) const {
+	return _core != nullptr && is_id(p_entity) && _core->has_entity(uint16_t(p_entity));
+}
+
+void SnapshotDecoder::set_table_version(int64_t p_version) {
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	_core->set_table_version(uint32_t(p_version));
+}
+
+double SnapshotDecoder::get_field(int64_t p_entity, int64_t p_field) const {
+	if (!has_entity(p_entity)) {
+		return 0.0;
+	}
+	const wire::EntityType &type = *_core->type_of(uint16_t(p_entity));
+	if (p_field < 0 || p_field >= int64_t(type.fields.size())) {
+		return 0.0;
+	}
+	return double(type.fields[std::size_t(p_field)].restore(_core->newest_fields(uint16_t(p_entity))[p_field]));
+}
+
+PackedInt32Array SnapshotDecoder::get_changed_entities() const {
+	PackedInt32Array result;
+	if (_core != nullptr) {
+		for (const wire::FieldUpdate &update : _core->fields()) {
+			result.push_back(update.id);
+		}
+	}
+	return result;
+}
+
+int64_t SnapshotDecoder::get_command_ack() const {
+	return _core == nullptr ? -1 : _core->command_ack();
+}
+
+PackedByteArray SnapshotDecoder::get_motion_ack() const {
+	PackedByteArray result;
+	if (_core != nullptr) {
+		for (const uint8_t byte : _core->motion_ack()) {
+			result.push_back(byte);
+		}
+	}
+	return result;
+}
+
+int64_t SnapshotDecoder::get_unacknowledged() const {
+	return _core == nullptr ? 0 : _core->unacknowledged();
+}
+
+int64_t SnapshotDecoder::get_frame(int64_t p_person) const {
+	const wire::PersonUpdate *update = _find_person(p_person);
+	return update == nullptr || update->frame == 0 ? -1 : update->frame;
 }
 
 int64_t SnapshotDecoder::get_tick() const {
@@ -149,6 +223,18 @@ void SnapshotDecoder::clear() {
 void SnapshotDecoder::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("configure", "parents", "max_error_deg"), &SnapshotDecoder::configure);
 	ClassDB::bind_method(D_METHOD("decode", "bytes"), &SnapshotDecoder::decode);
+	ClassDB::bind_method(
+			D_METHOD("define_type", "type", "kinds", "mins", "maxs", "resolutions"), &SnapshotDecoder::define_type);
+	ClassDB::bind_method(D_METHOD("add_entity", "entity", "type", "values"), &SnapshotDecoder::add_entity);
+	ClassDB::bind_method(D_METHOD("remove_entity", "entity"), &SnapshotDecoder::remove_entity);
+	ClassDB::bind_method(D_METHOD("has_entity", "entity"), &SnapshotDecoder::has_entity);
+	ClassDB::bind_method(D_METHOD("set_table_version", "version"), &SnapshotDecoder::set_table_version);
+	ClassDB::bind_method(D_METHOD("get_field", "entity", "field"), &SnapshotDecoder::get_field);
+	ClassDB::bind_method(D_METHOD("get_changed_entities"), &SnapshotDecoder::get_changed_entities);
+	ClassDB::bind_method(D_METHOD("get_command_ack"), &SnapshotDecoder::get_command_ack);
+	ClassDB::bind_method(D_METHOD("get_motion_ack"), &SnapshotDecoder::get_motion_ack);
+	ClassDB::bind_method(D_METHOD("get_unacknowledged"), &SnapshotDecoder::get_unacknowledged);
+	ClassDB::bind_method(D_METHOD("get_frame", "person"), &SnapshotDecoder::get_frame);
 	ClassDB::bind_method(D_METHOD("keep_people", "people"), &SnapshotDecoder::keep_people);
 	ClassDB::bind_method(D_METHOD("set_wants_marks", "wanted"), &SnapshotDecoder::set_wants_marks);
 	ClassDB::bind_method(D_METHOD("get_ack", "viewpoint"), &SnapshotDecoder::get_ack);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "snapshot_encoder.hpp"
 
+#include "entity_arrays.hpp"
 #include "pose_arrays.hpp"
 #include <convert.hpp>
 
@@ -27,6 +28,60 @@ bool SnapshotEncoder::configure(const PackedInt32Array &p_parents, double p_max_
 			p_tick_rate < 1 || p_tick_rate > 240, false, "SnapshotEncoder: a tick rate is 1 to 240 a second.");
 	_core = std::make_unique<wire::SnapshotEncoder>(shape, p_max_error_deg, int(p_tick_rate));
 	return true;
+}
+
+bool SnapshotEncoder::define_type(int64_t p_type, const PackedByteArray &p_kinds, const PackedFloat32Array &p_mins,
+		const PackedFloat32Array &p_maxs, const PackedFloat32Array &p_resolutions) {
+	ERR_FAIL_COND_V_MSG(_core == nullptr, false, UNCONFIGURED);
+	return read_type(_core->world().entities().types(), p_type, p_kinds, p_mins, p_maxs, p_resolutions);
+}
+
+bool SnapshotEncoder::add_entity(
+		int64_t p_entity, int64_t p_type, const PackedFloat32Array &p_values, int64_t p_table_version) {
+	ERR_FAIL_COND_V_MSG(_core == nullptr, false, UNCONFIGURED);
+	if (!is_id(p_entity) || !is_type(p_type) || p_table_version < 0 || p_table_version >= int64_t(wire::NEVER)) {
+		return false;
+	}
+	remove_entity(p_entity);
+	return _core->world().entities().add(uint16_t(p_entity), uint8_t(p_type), p_values.ptr(),
+			std::size_t(p_values.size()), uint32_t(p_table_version));
+}
+
+void SnapshotEncoder::remove_entity(int64_t p_entity) {
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	if (is_id(p_entity)) {
+		remove_person(p_entity);
+		remove_body(p_entity);
+		_core->remove_entity(uint16_t(p_entity));
+	}
+}
+
+bool SnapshotEncoder::set_field(int64_t p_entity, int64_t p_field, double p_value) {
+	ERR_FAIL_COND_V_MSG(_core == nullptr, false, UNCONFIGURED);
+	return is_id(p_entity) && p_field >= 0 &&
+			_core->world().entities().set(uint16_t(p_entity), std::size_t(p_field), float(p_value));
+}
+
+double SnapshotEncoder::get_field(int64_t p_entity, int64_t p_field) const {
+	ERR_FAIL_COND_V_MSG(_core == nullptr, 0.0, UNCONFIGURED);
+	float value = 0.0f;
+	const bool is_there = is_id(p_entity) && p_field >= 0 &&
+			_core->world().entities().get(uint16_t(p_entity), std::size_t(p_field), value);
+	return is_there ? double(value) : 0.0;
+}
+
+void SnapshotEncoder::set_position(int64_t p_entity, const Vector3 &p_position) {
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	if (is_id(p_entity)) {
+		_core->world().entities().set_position(uint16_t(p_entity), to_core(p_position));
+	}
+}
+
+void SnapshotEncoder::set_frame(int64_t p_person, int64_t p_carrier) {
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	ERR_FAIL_COND_MSG(!is_id(p_person) || p_carrier < -1 || p_carrier == 0 || (p_carrier > 0 && !is_id(p_carrier)),
+			"SnapshotEncoder: a person is carried by an entity of 1 to 65535, or by none: -1.");
+	_core->world().set_frame(uint16_t(p_person), uint16_t(std::max<int64_t>(p_carrier, 0)));
 }
 
 bool SnapshotEncoder::add_person(
@@ -61,6 +116,12 @@ bool SnapshotEncoder::add_body(int64_t p_body, const RID &p_rid) {
 	return true;
 }
 
+void SnapshotEncoder::remove_body(int64_t p_body) {
+	_bodies.erase(std::remove_if(_bodies.begin(), _bodies.end(),
+						  [p_body](const Body &p_one) { return int64_t(p_one.id) == p_body; }),
+			_bodies.end());
+}
+
 void SnapshotEncoder::clear_bodies() {
 	_bodies.clear();
 }
@@ -81,7 +142,7 @@ bool SnapshotEncoder::set_body_pose(int64_t p_person, const PackedFloat32Array &
 	return true;
 }
 
-bool SnapshotEncoder::read_pose(const Person &p_person, kinematics::PersonPose &r_pose) {
+bool SnapshotEncoder::_read_pose(const Person &p_person, kinematics::PersonPose &r_pose) {
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
 	for (std::size_t i = 0; i < p_person.bodies.size(); i++) {
 		PhysicsDirectBodyState3D *state = server->body_get_direct_state(p_person.bodies[i]);
@@ -99,12 +160,7 @@ void SnapshotEncoder::capture(int64_t p_tick) {
 	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
 	_core->world().begin(uint32_t(p_tick));
-	for (Person &person : _people) {
-		if (person.has_pose || read_pose(person, person.pose)) {
-			_core->world().put_person(person.id, person.pose);
-		}
-		person.has_pose = false;
-	}
+	// Whoever is carried is put after what carries.
 	for (const Body &body : _bodies) {
 		PhysicsDirectBodyState3D *state = server->body_get_direct_state(body.rid);
 		if (state == nullptr) {
@@ -119,6 +175,12 @@ void SnapshotEncoder::capture(int64_t p_tick) {
 		update.spin = to_core(state->get_angular_velocity());
 		update.at_rest = state->is_sleeping();
 		_core->world().put_body(update);
+	}
+	for (Person &person : _people) {
+		if (person.has_pose || _read_pose(person, person.pose)) {
+			_core->world().put_person(person.id, person.pose);
+		}
+		person.has_pose = false;
 	}
 	_core->world().end();
 }
@@ -160,6 +222,11 @@ void SnapshotEncoder::add_client(int64_t p_client, int64_t p_snapshots_per_secon
 	_core->add_client(int(p_client), int(p_snapshots_per_second), p_bits_per_second);
 }
 
+void SnapshotEncoder::add_recorder(int64_t p_client) {
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	_core->add_recorder(int(p_client));
+}
+
 void SnapshotEncoder::remove_client(int64_t p_client) {
 	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
 	_core->remove_client(int(p_client));
@@ -180,10 +247,24 @@ bool SnapshotEncoder::set_cells(
 			p_visible.ptr(), std::size_t(p_visible.size()));
 }
 
+void SnapshotEncoder::set_command_ack(int64_t p_client, int64_t p_number) {
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	_core->set_command_ack(int(p_client), uint16_t(p_number));
+}
+
+void SnapshotEncoder::set_motion_ack(int64_t p_client, const PackedByteArray &p_bytes) {
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	ERR_FAIL_COND_MSG(p_bytes.size() > int64_t(wire::MAX_MOTION_ACK),
+			"SnapshotEncoder: an acknowledgement of motion has at most 32 bytes.");
+	_core->set_motion_ack(int(p_client), p_bytes.ptr(), std::size_t(p_bytes.size()));
+}
+
 bool SnapshotEncoder::take_ack(int64_t p_client, const PackedByteArray &p_bytes) {
 	ERR_FAIL_COND_V_MSG(_core == nullptr, false, UNCONFIGURED);
 	wire::ClientRecord *client = _core->client(int(p_client));
-	return client != nullptr && client->take_ack(p_bytes.ptr(), std::size_t(p_bytes.size()), _core->world().tick());
+	return client != nullptr &&
+			client->take_ack(p_bytes.ptr(), std::size_t(p_bytes.size()), _core->world().tick(),
+					_core->world().entities().newest_version());
 }
 
 void SnapshotEncoder::set_mark(
@@ -204,6 +285,7 @@ void SnapshotEncoder::set_mark(
 TypedArray<PackedByteArray> SnapshotEncoder::encode(int64_t p_client, int64_t p_now_usec) {
 	TypedArray<PackedByteArray> result;
 	ERR_FAIL_COND_V_MSG(_core == nullptr, result, UNCONFIGURED);
+	_datagrams.clear();
 	const std::size_t count = _core->encode(int(p_client), p_now_usec, _datagrams);
 	for (std::size_t i = 0; i < count; i++) {
 		PackedByteArray bytes;
@@ -219,6 +301,7 @@ PackedInt32Array SnapshotEncoder::encode_each(
 	PackedInt32Array receivers;
 	ERR_FAIL_COND_V_MSG(_core == nullptr, receivers, UNCONFIGURED);
 	for (int64_t i = 0; i < p_clients.size(); i++) {
+		_datagrams.clear();
 		const std::size_t count = _core->encode(int(p_clients[i]), p_now_usec, _datagrams);
 		for (std::size_t k = 0; k < count; k++) {
 			PackedByteArray bytes;
@@ -249,6 +332,19 @@ Dictionary SnapshotEncoder::get_stats(int64_t p_client) {
 
 void SnapshotEncoder::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("configure", "parents", "max_error_deg", "tick_rate"), &SnapshotEncoder::configure);
+	ClassDB::bind_method(
+			D_METHOD("define_type", "type", "kinds", "mins", "maxs", "resolutions"), &SnapshotEncoder::define_type);
+	ClassDB::bind_method(
+			D_METHOD("add_entity", "entity", "type", "values", "table_version"), &SnapshotEncoder::add_entity);
+	ClassDB::bind_method(D_METHOD("remove_entity", "entity"), &SnapshotEncoder::remove_entity);
+	ClassDB::bind_method(D_METHOD("set_field", "entity", "field", "value"), &SnapshotEncoder::set_field);
+	ClassDB::bind_method(D_METHOD("get_field", "entity", "field"), &SnapshotEncoder::get_field);
+	ClassDB::bind_method(D_METHOD("set_position", "entity", "position"), &SnapshotEncoder::set_position);
+	ClassDB::bind_method(D_METHOD("set_frame", "person", "carrier"), &SnapshotEncoder::set_frame);
+	ClassDB::bind_method(D_METHOD("add_recorder", "client"), &SnapshotEncoder::add_recorder);
+	ClassDB::bind_method(D_METHOD("set_command_ack", "client", "number"), &SnapshotEncoder::set_command_ack);
+	ClassDB::bind_method(D_METHOD("set_motion_ack", "client", "bytes"), &SnapshotEncoder::set_motion_ack);
+	ClassDB::bind_method(D_METHOD("remove_body", "body"), &SnapshotEncoder::remove_body);
 	ClassDB::bind_method(
 			D_METHOD("add_person", "person", "bodies", "reset_orientations"), &SnapshotEncoder::add_person);
 	ClassDB::bind_method(D_METHOD("remove_person", "person"), &SnapshotEncoder::remove_person);

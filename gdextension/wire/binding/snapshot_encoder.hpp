@@ -13,6 +13,7 @@
 #include <godot_cpp/variant/rid.hpp>
 #include <godot_cpp/variant/transform3d.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
+#include <godot_cpp/variant/vector3.hpp>
 #include <godot_cpp/variant/vector3i.hpp>
 
 namespace godot {
@@ -24,9 +25,19 @@ class SnapshotEncoder : public RefCounted {
 public:
 	bool configure(const PackedInt32Array &p_parents, double p_max_error_deg, int64_t p_tick_rate);
 
+	bool define_type(int64_t p_type, const PackedByteArray &p_kinds, const PackedFloat32Array &p_mins,
+			const PackedFloat32Array &p_maxs, const PackedFloat32Array &p_resolutions);
+	bool add_entity(int64_t p_entity, int64_t p_type, const PackedFloat32Array &p_values, int64_t p_table_version);
+	void remove_entity(int64_t p_entity);
+	bool set_field(int64_t p_entity, int64_t p_field, double p_value);
+	double get_field(int64_t p_entity, int64_t p_field) const;
+	void set_position(int64_t p_entity, const Vector3 &p_position);
+	void set_frame(int64_t p_person, int64_t p_carrier);
+
 	bool add_person(int64_t p_person, const TypedArray<RID> &p_bodies, const PackedFloat32Array &p_reset_orientations);
 	void remove_person(int64_t p_person);
 	bool add_body(int64_t p_body, const RID &p_rid);
+	void remove_body(int64_t p_body);
 	void clear_bodies();
 	bool set_body_pose(int64_t p_person, const PackedFloat32Array &p_pose);
 	void capture(int64_t p_tick);
@@ -38,9 +49,12 @@ public:
 	void end_tick();
 
 	void add_client(int64_t p_client, int64_t p_snapshots_per_second, double p_bits_per_second);
+	void add_recorder(int64_t p_client);
 	void remove_client(int64_t p_client);
 	void set_own_person(int64_t p_client, int64_t p_person);
 	bool set_cells(const Vector3 &p_origin, double p_size, const Vector3i &p_counts, const PackedByteArray &p_visible);
+	void set_command_ack(int64_t p_client, int64_t p_number);
+	void set_motion_ack(int64_t p_client, const PackedByteArray &p_bytes);
 	bool take_ack(int64_t p_client, const PackedByteArray &p_bytes);
 	void set_mark(int64_t p_person, int64_t p_sample, int64_t p_simulated_usec, const PackedInt32Array &p_steps_usec);
 	TypedArray<PackedByteArray> encode(int64_t p_client, int64_t p_now_usec);
@@ -60,7 +74,7 @@ private:
 		kinematics::PersonPose pose;
 		bool has_pose = false;
 	};
-	static bool read_pose(const Person &p_person, kinematics::PersonPose &r_pose);
+	static bool _read_pose(const Person &p_person, kinematics::PersonPose &r_pose);
 	struct Body {
 		uint16_t id;
 		RID rid;
@@ -69,7 +83,7 @@ private:
 	std::unique_ptr<wire::SnapshotEncoder> _core;
 	std::vector<Person> _people;
 	std::vector<Body> _bodies;
-	std::array<wire::Datagram, wire::MAX_DATAGRAMS> _datagrams{};
+	wire::DatagramList _datagrams;
 };
 
 } // namespace godot

@@ -28,6 +28,8 @@ struct PersonState {
 	std::array<int32_t, 3> root{}; ///< Position of the root limb's frame in the world, mm.
 	/// The root limb's orientation in the world; the others' relative to their parents.
 	std::array<RotationCode, MAX_LIMBS> limbs{};
+	/// Id of the body that carries the person, in whose frame root and root limb are; 0: none, in the world's.
+	uint16_t frame = 0;
 };
 
 } // namespace wire

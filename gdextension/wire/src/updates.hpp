@@ -10,6 +10,7 @@ struct PersonUpdate {
 	uint32_t tick = 0; ///< The server's physics tick after which the pose held.
 	uint16_t id = 0;
 	PersonPose pose;
+	uint16_t frame = 0; ///< Id of the body in whose frame the pose is, 0 for the world's.
 };
 
 /// A rigid body at a tick, as it was received.

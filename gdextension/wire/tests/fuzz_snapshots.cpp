@@ -57,12 +57,14 @@ private:
 	bool _tick(bool p_attack, long p_most) {
 		_move();
 		std::vector<Bytes> fresh;
+		_datagrams.clear();
 		const std::size_t count = _server.encode(GOOD, 0, _datagrams);
 		fresh.reserve(count);
 		for (std::size_t i = 0; i < count; i++) {
 			fresh.emplace_back(
 					_datagrams[i].bytes.begin(), _datagrams[i].bytes.begin() + std::ptrdiff_t(_datagrams[i].size));
 		}
+		_datagrams.clear();
 		_server.encode(HOSTILE, 0, _datagrams);
 		if (p_attack && !fresh.empty()) {
 			const long before = accepted;
@@ -105,9 +107,10 @@ private:
 			std::printf("a good datagram: not the server's states\n");
 			return false;
 		}
-		std::array<uint8_t, ClientRecord::ACK_BYTES> ack{};
-		if (_decoder.write_ack({}, ack)) {
-			_server.client(GOOD)->take_ack(ack.data(), ack.size(), _server.world().tick());
+		SnapshotDecoder::Ack ack{};
+		const std::size_t size = _decoder.write_ack({}, ack);
+		if (size > 0) {
+			_server.client(GOOD)->take_ack(ack.data(), size, _server.world().tick());
 		}
 		return true;
 	}
@@ -192,7 +195,11 @@ private:
 					byte = uint8_t(_random());
 				}
 				if (!bytes.empty() && _random() % 4 != 0) {
-					bytes[0] = uint8_t((bytes[0] & 0xf8U) | (_random() % 2 == 0 ? 0U : 2U));
+					bytes[0] = std::array<uint8_t, 3>{ 0, 2, 10 }[_random() % 3];
+					if (bytes.size() > 2 && bytes[0] != 10) {
+						bytes[1] &= ALL_FLAGS;
+						bytes[2] %= 8;
+					}
 				}
 				break;
 			case 1:
@@ -235,15 +242,16 @@ private:
 	}
 
 	void _acknowledge() {
-		Bytes bytes(_random() % 4 == 0 ? _random() % 64 : ClientRecord::ACK_BYTES);
+		const std::size_t right = ClientRecord::ACK_BYTES + (_random() % 2 == 0 ? ClientRecord::VIEWPOINT_BYTES : 0);
+		Bytes bytes(_random() % 4 == 0 ? _random() % 64 : right);
 		for (uint8_t &byte : bytes) {
 			byte = uint8_t(_random());
 		}
 		if (!bytes.empty() && _random() % 8 != 0) {
-			bytes[0] = uint8_t(Kind::ACK);
+			bytes[0] = uint8_t(Message::ACK);
 		}
 		if (bytes.size() > 1 && _random() % 4 != 0) {
-			bytes[1] = 0;
+			bytes[1] = right > ClientRecord::ACK_BYTES ? ClientRecord::HAS_VIEWPOINT : 0;
 		}
 		const bool taken = _server.client(HOSTILE)->take_ack(bytes.data(), bytes.size(), _server.world().tick());
 		refused_acks += taken ? 0 : 1;
@@ -287,7 +295,7 @@ private:
 	std::vector<BodyUpdate> _bodies;
 	std::deque<Bytes> _recent;
 	std::vector<Bytes> _waiting;
-	std::array<Datagram, MAX_DATAGRAMS> _datagrams{};
+	DatagramList _datagrams;
 	uint32_t _now = 1000;
 };
 

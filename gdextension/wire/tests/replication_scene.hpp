@@ -187,6 +187,7 @@ private:
 	}
 
 	void _send(std::size_t p_client) {
+		_datagrams.clear();
 		const std::size_t count = server.encode(int(p_client) + 1, 0, _datagrams);
 		for (std::size_t i = 0; i < count; i++) {
 			_post(p_client, false, _datagrams[i].bytes.data(), _datagrams[i].size);
@@ -198,7 +199,7 @@ private:
 			const Packet packet = _post_box.begin()->second;
 			_post_box.erase(_post_box.begin());
 			if (packet.is_ack) {
-				server.client(int(packet.client) + 1)->take_ack(packet.bytes.data(), packet.bytes.size(), tick);
+				server.client(int(packet.client) + 1)->take_ack(packet.bytes.data(), packet.bytes.size(), tick, server.world().entities().newest_version());
 			} else {
 				_receive(packet);
 			}
@@ -216,9 +217,10 @@ private:
 		for (const BodyUpdate &update : client.decoder->bodies()) {
 			_check_body(client, update);
 		}
-		std::array<uint8_t, ClientRecord::ACK_BYTES> ack{};
-		if (client.answers && client.decoder->write_ack(client.viewpoint, ack)) {
-			_post(p_packet.client, true, ack.data(), ack.size());
+		SnapshotDecoder::Ack ack{};
+		const std::size_t size = client.answers ? client.decoder->write_ack(client.viewpoint, ack) : 0;
+		if (size > 0) {
+			_post(p_packet.client, true, ack.data(), size);
 		}
 	}
 
@@ -267,7 +269,7 @@ private:
 	PersonLattice _lattice{ PersonLattice::resolution_for(0.1) };
 	std::mt19937 _random{ 5 };
 	std::multimap<uint32_t, Packet> _post_box;
-	std::array<Datagram, MAX_DATAGRAMS> _datagrams{};
+	DatagramList _datagrams;
 };
 
 } // namespace wire

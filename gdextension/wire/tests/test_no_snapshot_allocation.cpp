@@ -18,7 +18,7 @@ struct Crowd {
 	std::array<std::unique_ptr<SnapshotDecoder>, CLIENTS> clients;
 	std::array<PersonPose, PEOPLE> poses;
 	std::vector<BodyUpdate> bodies{ BODIES };
-	std::array<Datagram, MAX_DATAGRAMS> datagrams{};
+	DatagramList datagrams;
 	std::mt19937 random{ 1 };
 	uint32_t tick = 1000;
 	int received = 0;
@@ -66,6 +66,7 @@ struct Crowd {
 	void send() {
 		for (std::size_t c = 0; c < CLIENTS; c++) {
 			SnapshotDecoder &client = *clients[c];
+			datagrams.clear();
 			const std::size_t count = server.encode(int(c), 0, datagrams);
 			for (std::size_t i = 0; i < count; i++) {
 				if (c == 0 && random() % 5 == 0) {
@@ -74,9 +75,10 @@ struct Crowd {
 				client.decode(datagrams[i].bytes.data(), datagrams[i].size);
 				received += int(client.people().size() + client.bodies().size());
 			}
-			std::array<uint8_t, ClientRecord::ACK_BYTES> ack{};
-			if (client.write_ack({ 1.0f, 2.0f, 3.0f }, ack)) {
-				server.client(int(c))->take_ack(ack.data(), ack.size(), tick);
+			SnapshotDecoder::Ack ack{};
+			const std::size_t size = client.write_ack({ 1.0f, 2.0f, 3.0f }, ack);
+			if (size > 0) {
+				server.client(int(c))->take_ack(ack.data(), size, tick);
 			}
 		}
 	}

@@ -55,7 +55,7 @@ TEST(a_forged_tick_far_ahead_does_not_last) {
 	for (const uint8_t ahead : { uint8_t(0x7f), uint8_t(0x01), uint8_t(0x40) }) {
 		Scene scene(2, 10, 0);
 		scene.run(200);
-		const std::array<uint8_t, 8> forged{ 0, 200, 0, 0, 0, ahead, 60, 0 };
+		const std::array<uint8_t, 10> forged{ 0, 0, 0, 200, 0, 0, 0, ahead, 60, 0 };
 		CHECK(scene.clients[0].decoder->decode(forged.data(), forged.size()) == SnapshotDecoder::Outcome::OK);
 		scene.run(120);
 		const int before = scene.clients[0].right_people;
@@ -68,7 +68,7 @@ TEST(a_forged_tick_far_ahead_does_not_last) {
 TEST(old_datagrams_again_do_not_make_a_client_forget) {
 	Scene scene(2, 10, 0);
 	scene.run(200);
-	const std::array<uint8_t, 8> old{ 0, 200, 0, 0, 0, 0, 60, 0 };
+	const std::array<uint8_t, 10> old{ 0, 0, 0, 200, 0, 0, 0, 0, 60, 0 };
 	for (int i = 0; i < 200; i++) {
 		for (int again = 0; again < 20; again++) {
 			scene.clients[0].decoder->decode(old.data(), old.size());

@@ -22,6 +22,43 @@ void Delivery::arrived(uint32_t p_tick) {
 	}
 }
 
+void FieldDelivery::arrived(uint32_t p_tick) {
+	if (acked == NEVER || p_tick > acked) {
+		acked = p_tick;
+		// What lies between the two is not looked up: it counts as sent.
+		first_unacked = sent > acked ? acked + 1 : NEVER;
+	}
+}
+
+void FieldDelivery::was_sent(uint32_t p_tick) {
+	sent = p_tick;
+	first_unacked = first_unacked == NEVER ? p_tick : first_unacked;
+	urgency = 0.0f;
+	is_lost = false;
+}
+
+FieldDelivery &ClientRecord::field_delivery(std::size_t p_index, uint32_t p_generation) {
+	if (fields.size() <= p_index) {
+		fields.resize(p_index + 1);
+	}
+	FieldDelivery &delivery = fields[p_index];
+	if (delivery.generation != p_generation) {
+		const bool is_pending = delivery.is_pending;
+		delivery = FieldDelivery();
+		delivery.generation = p_generation;
+		delivery.is_pending = is_pending;
+	}
+	return delivery;
+}
+
+void ClientRecord::mark_fields(std::size_t p_index, uint32_t p_generation) {
+	FieldDelivery &delivery = field_delivery(p_index, p_generation);
+	if (!delivery.is_pending) {
+		delivery.is_pending = true;
+		pending_fields.push_back(uint16_t(p_index));
+	}
+}
+
 void ClientRecord::follow(const WorldHistory &p_world) {
 	people.resize(p_world.people().size());
 	bodies.resize(p_world.bodies().size());
@@ -49,6 +86,8 @@ SentDatagram &ClientRecord::begin_datagram(uint32_t p_tick) {
 	entry.is_open = true;
 	entry.people_count = 0;
 	entry.body_count = 0;
+	entry.field_count = 0;
+	entry.has_command_ack = false;
 	return entry;
 }
 
@@ -56,16 +95,34 @@ void ClientRecord::cancel_datagram() {
 	_log[--_next_number % KEPT].is_open = false;
 }
 
-bool ClientRecord::take_ack(const uint8_t *p_bytes, std::size_t p_size, uint32_t p_now) {
-	if (p_size != ACK_BYTES || p_bytes[0] != uint8_t(Kind::ACK)) {
-		return false;
-	}
+void ClientRecord::_take_viewpoint(const uint8_t *p_bytes) {
 	std::array<float, 3> position{};
-	std::memcpy(position.data(), p_bytes + 11, sizeof(position));
+	std::memcpy(position.data(), p_bytes, sizeof(position));
 	const Vec3 from{ position[0], position[1], position[2] };
 	if (from.is_finite() && from.length() < FARTHEST_M) {
 		viewpoint = from;
 		has_viewpoint = true;
+	}
+}
+
+bool ClientRecord::take_ack(const uint8_t *p_bytes, std::size_t p_size, uint32_t p_now, uint32_t p_newest_version) {
+	if (p_size < ACK_BYTES || p_bytes[0] != uint8_t(Message::ACK) ||
+			(p_bytes[1] & ~(WANTS_ALL | WANTS_MARKS | HAS_VIEWPOINT)) != 0) {
+		return false;
+	}
+	const bool sees = (p_bytes[1] & HAS_VIEWPOINT) != 0;
+	if (p_size != ACK_BYTES + (sees ? VIEWPOINT_BYTES : 0)) {
+		return false;
+	}
+	if (sees) {
+		_take_viewpoint(p_bytes + ACK_BYTES);
+	}
+	// Of the versions with these low bits the one nearest to the newest that there is.
+	const uint16_t low = uint16_t(get_number(p_bytes + 7, 2));
+	const int64_t version = int64_t(p_newest_version) + int16_t(low - uint16_t(p_newest_version));
+	if (version > int64_t(table_version) && version <= int64_t(UINT32_MAX)) {
+		table_version = uint32_t(version);
+		reads_all_fields = true;
 	}
 	wants_marks = (p_bytes[1] & WANTS_MARKS) != 0;
 	if ((p_bytes[1] & WANTS_ALL) != 0) {
@@ -73,9 +130,9 @@ bool ClientRecord::take_ack(const uint8_t *p_bytes, std::size_t p_size, uint32_t
 		return true;
 	}
 	const uint8_t newest = p_bytes[2];
-	const uint64_t earlier = get_number(p_bytes + 3, 8);
+	const uint64_t earlier = get_number(p_bytes + 3, 4);
 	// The oldest first: who has what is noted in the order of time.
-	for (uint32_t ago = 65; ago-- > 0;) {
+	for (uint32_t ago = ACKED_BEFORE + 1; ago-- > 0;) {
 		const uint8_t number = uint8_t(newest - ago);
 		SentDatagram &entry = _log[number % KEPT];
 		if (!entry.is_open || entry.number != number) {
@@ -103,6 +160,10 @@ void ClientRecord::_note_arrival(SentDatagram &p_entry, uint32_t p_now) {
 	for (std::size_t i = 0; i < p_entry.body_count; i++) {
 		bodies[p_entry.bodies[i]].arrived(p_entry.tick);
 	}
+	for (std::size_t i = 0; i < p_entry.field_count; i++) {
+		fields[p_entry.fields[i]].arrived(p_entry.tick);
+	}
+	is_command_acked = is_command_acked || (p_entry.has_command_ack && p_entry.command_ack == command);
 }
 
 void ClientRecord::_note_loss(SentDatagram &p_entry) {
@@ -116,6 +177,13 @@ void ClientRecord::_note_loss(SentDatagram &p_entry) {
 		Delivery &delivery = bodies[p_entry.bodies[i]];
 		delivery.is_lost = delivery.is_lost || delivery.sent == p_entry.tick;
 	}
+	for (std::size_t i = 0; i < p_entry.field_count; i++) {
+		FieldDelivery &delivery = fields[p_entry.fields[i]];
+		if (delivery.sent == p_entry.tick) {
+			delivery.is_lost = true;
+			mark_fields(p_entry.fields[i], delivery.generation);
+		}
+	}
 }
 
 void ClientRecord::_forget_all() {
@@ -126,6 +194,12 @@ void ClientRecord::_forget_all() {
 		delivery.acked = delivery.before = NEVER;
 		delivery.is_lost = true;
 	}
+	for (FieldDelivery &delivery : fields) {
+		delivery.acked = NEVER;
+		delivery.is_lost = delivery.sent != NEVER;
+	}
+	reads_all_fields = true;
+	is_command_acked = !has_command;
 	for (SentDatagram &entry : _log) {
 		entry.is_open = false;
 	}

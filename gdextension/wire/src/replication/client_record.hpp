@@ -19,6 +19,20 @@ struct Delivery {
 	void arrived(uint32_t p_tick);
 };
 
+/// What a client is known to have of an entity's fields.
+struct FieldDelivery {
+	uint32_t generation = 0;
+	uint32_t acked = NEVER; ///< Tick of the newest state that it has for sure.
+	uint32_t first_unacked = NEVER; ///< Tick from which on states were sent since, perhaps.
+	uint32_t sent = NEVER; ///< Tick of the newest state that was sent.
+	float urgency = 0.0f;
+	bool is_lost = false;
+	bool is_pending = false; ///< It is among those of which something may have to be sent.
+
+	void arrived(uint32_t p_tick);
+	void was_sent(uint32_t p_tick);
+};
+
 /// What was sent to a client in one datagram.
 struct SentDatagram {
 	uint32_t tick = NEVER;
@@ -26,8 +40,12 @@ struct SentDatagram {
 	bool is_open = false; ///< Neither acknowledged nor given up.
 	uint8_t people_count = 0;
 	uint16_t body_count = 0;
+	uint16_t field_count = 0;
+	bool has_command_ack = false;
+	uint16_t command_ack = 0;
 	std::array<uint16_t, MAX_PEOPLE> people{}; ///< Indices in WorldHistory.
 	std::array<uint16_t, MAX_BODIES> bodies{};
+	std::array<uint16_t, MAX_FIELD_ENTITIES> fields{}; ///< Indices in EntityTable.
 };
 
 /// Statistics of a client since it came.
@@ -42,12 +60,17 @@ struct ClientStats {
 /// Everything that the server keeps of one client.
 class ClientRecord {
 public:
-	/// Acknowledgements: kind, flags, newest number, the 64 before it as bits, where the client looks from.
-	static constexpr std::size_t ACK_BYTES = 1 + 1 + 1 + 8 + 12;
+	/// Acknowledgements: message, flags, newest number, those before it as bits, version of the entity table; then
+	/// perhaps where the client looks from.
+	static constexpr std::size_t ACK_BYTES = 1 + 1 + 1 + 4 + 2;
+	static constexpr std::size_t VIEWPOINT_BYTES = 12;
+	/// Datagrams before the newest that an acknowledgement speaks of.
+	static constexpr uint32_t ACKED_BEFORE = 32;
 	/// Flags of an acknowledgement: the client lacks a baseline, all has to be sent anew; it wants a mark in
-	/// every datagram.
+	/// every datagram; a viewpoint follows.
 	static constexpr uint8_t WANTS_ALL = 1;
 	static constexpr uint8_t WANTS_MARKS = 2;
+	static constexpr uint8_t HAS_VIEWPOINT = 4;
 
 	ClientRecord(int p_rate, double p_bytes_per_tick) : rate(p_rate), bytes_per_tick(p_bytes_per_tick) {}
 
@@ -66,6 +89,13 @@ public:
 	std::size_t key_in = 0; ///< Datagrams until the whole tick is sent again.
 	uint32_t heard_tick = NEVER; ///< When it acknowledged something last.
 	bool wants_marks = false; ///< A mark in every datagram.
+	bool is_recorder = false; ///< It gets everything, and loses nothing.
+	uint32_t table_version = 0; ///< Of the entity table, as far as the client has it.
+	bool has_command = false;
+	uint16_t command = 0; ///< The newest command that was applied.
+	bool is_command_acked = true; ///< The client knows that.
+	std::array<uint8_t, MAX_MOTION_ACK> motion_ack{};
+	std::size_t motion_ack_size = 0; ///< 0: it has been sent.
 	ClientStats stats;
 
 	struct BodyDelivery : Delivery {
@@ -73,19 +103,32 @@ public:
 	};
 	std::vector<Delivery> people;
 	std::vector<BodyDelivery> bodies;
+	std::vector<FieldDelivery> fields;
+	/// Indices of the entities of whose fields something may have to be sent.
+	std::vector<uint16_t> pending_fields;
+	uint64_t changes_read = 0; ///< Of EntityTable's.
+	bool reads_all_fields = true; ///< Any entity may have to be sent.
 
 	/// Makes records for as many people and bodies, and voids those about others than are there now.
 	void follow(const WorldHistory &p_world);
 	/// A new datagram's entry.
 	SentDatagram &begin_datagram(uint32_t p_tick);
 	/// Takes an acknowledgement; false if it is none.
-	bool take_ack(const uint8_t *p_bytes, std::size_t p_size, uint32_t p_now);
+	bool take_ack(const uint8_t *p_bytes, std::size_t p_size, uint32_t p_now, uint32_t p_newest_version = 0);
+	/// Counts a datagram as arrived that a recorder keeps.
+	void keep_datagram(SentDatagram &p_entry) { _note_arrival(p_entry, p_entry.tick); }
+	/// What the client has of an entity's fields.
+	FieldDelivery &field_delivery(std::size_t p_index, uint32_t p_generation);
+	/// Notes that something of an entity's fields may have to be sent.
+	void mark_fields(std::size_t p_index, uint32_t p_generation);
+	bool knows(uint32_t p_table_version) const { return is_recorder || p_table_version <= table_version; }
 	/// Takes back the datagram that was begun last: nothing went into it.
 	void cancel_datagram();
 
 private:
 	static constexpr std::size_t KEPT = 128;
 
+	void _take_viewpoint(const uint8_t *p_bytes);
 	void _note_arrival(SentDatagram &p_entry, uint32_t p_now);
 	void _note_loss(SentDatagram &p_entry);
 	void _forget_all();

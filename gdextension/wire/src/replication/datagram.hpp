@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 
 namespace wire {
 
@@ -14,9 +15,15 @@ constexpr std::size_t TRANSPORT_BYTES = 40;
 /// Datagrams of a client in one tick, at most.
 constexpr std::size_t MAX_DATAGRAMS = 4;
 /// People in a datagram, at most.
-constexpr int MAX_PEOPLE = 15;
+constexpr int MAX_PEOPLE = 40;
 /// Bodies in a datagram, at most.
 constexpr int MAX_BODIES = 256;
+/// Entities in a datagram whose fields are sent, at most.
+constexpr int MAX_FIELD_ENTITIES = 256;
+/// Datagrams of a recorder in one tick, at most.
+constexpr std::size_t MAX_RECORDED = 256;
+/// Ids from here on are not people's; those of bodies and fields are counted from here, and wrap.
+constexpr uint16_t FIRST_THING = 1024;
 /// States are of use as a baseline for so many ticks.
 constexpr int MAX_AGE = 127;
 /// Ticks that are kept of everything.
@@ -26,15 +33,22 @@ constexpr int32_t STALE = 30;
 /// A whole tick that is so many ticks newer than all before begins the numbers anew.
 constexpr int32_t GAP = 10;
 
-/// First byte of a snapshot: kind in the low three bits, then whether there are marks, then how many
-/// people.
-enum class Kind : uint8_t {
-	KEY = 0, ///< With the whole tick and the tick rate.
+/// First byte of a message.
+enum class Message : uint8_t {
+	KEY = 0, ///< A snapshot with the whole tick and the tick rate.
 	SNAPSHOT = 2, ///< With the tick's low byte.
 	ACK = 5, ///< From a client.
+	SNAPSHOT_OF_ONE = 10, ///< A SNAPSHOT of one person and nothing else: without flags and number of people.
 };
-constexpr uint8_t KIND_MASK = 7;
-constexpr uint8_t HAS_MARKS = 8;
+/// Flags of a snapshot: what is in it besides people. The other bits are 0.
+constexpr uint8_t HAS_MARK = 1;
+constexpr uint8_t HAS_COMMAND_ACK = 2;
+constexpr uint8_t HAS_MOTION_ACK = 4;
+constexpr uint8_t HAS_BODIES = 8;
+constexpr uint8_t HAS_FIELDS = 16;
+constexpr uint8_t ALL_FLAGS = 31;
+/// Bytes of an acknowledgement of motion, at most.
+constexpr std::size_t MAX_MOTION_ACK = 32;
 
 /// Which states a datagram's entries are coded against, unless they say otherwise.
 struct Baseline {
@@ -85,6 +99,26 @@ inline uint64_t get_number(const uint8_t *p_at, int p_bytes) {
 struct Datagram {
 	std::array<uint8_t, MAX_BYTES> bytes{};
 	std::size_t size = 0;
+};
+
+/// Datagrams to be sent. What it has had room for once it has room for again.
+class DatagramList {
+public:
+	void clear() { _count = 0; }
+	std::size_t size() const { return _count; }
+	const Datagram &operator[](std::size_t p_index) const { return _datagrams[p_index]; }
+	/// One more, at the end.
+	Datagram &add() {
+		if (_count == _datagrams.size()) {
+			_datagrams.emplace_back();
+		}
+		return _datagrams[_count++];
+	}
+	void remove_last() { _count--; }
+
+private:
+	std::deque<Datagram> _datagrams;
+	std::size_t _count = 0;
 };
 
 } // namespace wire

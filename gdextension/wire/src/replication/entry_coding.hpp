@@ -58,4 +58,33 @@ inline Baseline decode_baseline(RangeDecoder &p_decoder, const Baseline &p_usual
 	return base;
 }
 
+/// Of 65536: that a person who is sent without a base is in the world's frame.
+constexpr uint32_t IS_IN_WORLD = 64000;
+
+/// The frame of a person that is sent without a base; with one it is the base's.
+inline void encode_frame(RangeEncoder &p_encoder, uint16_t p_frame) {
+	p_encoder.encode_bit(p_frame != 0, IS_IN_WORLD);
+	if (p_frame != 0) {
+		p_encoder.encode_bits(p_frame, 16);
+	}
+}
+
+inline uint16_t decode_frame(RangeDecoder &p_decoder) {
+	return p_decoder.decode_bit(IS_IN_WORLD) ? uint16_t(p_decoder.decode_bits(16)) : uint16_t(0);
+}
+
+/// What bodies and entities with fields are sorted by, and the id of such a number.
+inline uint16_t thing_number(uint16_t p_id) {
+	return uint16_t(p_id - FIRST_THING);
+}
+inline uint16_t thing_id(uint16_t p_number) {
+	return uint16_t(p_number + FIRST_THING);
+}
+
+/// Of 65536: that an entity's fields are coded against a state as old as that of the entity before, or of the usual
+/// baseline; that otherwise it is a state that the client has, not those that it was spawned with.
+constexpr uint32_t SAME_FIELD_BASE = 60000;
+constexpr uint32_t HAS_FIELD_BASE = 32768;
+constexpr int FIELD_AGE_BITS = 6;
+
 } // namespace wire

@@ -17,9 +17,32 @@ SnapshotDecoder::SnapshotDecoder(const Skeleton &p_skeleton, double p_max_error_
 	_body_scratch.reserve(MAX_BODIES);
 	_person_updates.reserve(MAX_PEOPLE);
 	_body_updates.reserve(MAX_BODIES);
+	_field_scratch.reserve(MAX_FIELD_ENTITIES);
+	_field_updates.reserve(MAX_FIELD_ENTITIES);
+	_field_values.reserve(MAX_FIELD_ENTITIES * MAX_FIELDS);
+	_motion_ack.reserve(MAX_MOTION_ACK);
 }
 
 void SnapshotDecoder::clear() {
+	_known.clear();
+	_types = EntityTypes();
+	_table_version = 0;
+	_forget_snapshots();
+}
+
+// Forgets what snapshots have said, but not what the entity table says.
+void SnapshotDecoder::_forget_snapshots() {
+	for (auto &[id, known] : _known) {
+		known->newest = known->history.spawn();
+		known->newest_tick = NEVER;
+		known->history = FieldHistory(known->history.spawn());
+		known->is_removed = false;
+	}
+	_field_updates.clear();
+	_command_ack = -1;
+	_motion_ack.clear();
+	_viewpoint_tick = NEVER;
+	_unacknowledged = 0;
 	_people_known.clear();
 	_bodies_known.clear();
 	_person_updates.clear();
@@ -46,8 +69,7 @@ bool SnapshotDecoder::_is_known(uint8_t p_number, uint32_t p_tick) const {
 
 // Whether the newest tick must be wrong: a forgery with a tick far ahead would make all others look old.
 bool SnapshotDecoder::_is_astray(const Reader &p_reader) {
-	const bool is_key = Kind(p_reader.bytes[0] & KIND_MASK) == Kind::KEY;
-	const bool is_old = is_key && int32_t(p_reader.tick - _newest_tick) < -STALE;
+	const bool is_old = p_reader.is_key && int32_t(p_reader.tick - _newest_tick) < -STALE;
 	// Only a server goes on: what is merely sent again does not count.
 	if (is_old && (_strays == 0 || int32_t(p_reader.tick - _stray_tick) > 0)) {
 		_strays++;
@@ -70,39 +92,36 @@ void SnapshotDecoder::_note(uint8_t p_number) {
 	}
 	_has_numbers = true;
 	_owes_ack = true;
+	_unacknowledged++;
 }
 
-SnapshotDecoder::Outcome SnapshotDecoder::_read_header(Reader &r_reader, int &r_people) {
+// Message, flags, number of people and of the datagram, tick, usual baseline; false for what no encoder writes.
+bool SnapshotDecoder::_read_begin(Reader &r_reader) {
 	const uint8_t *bytes = r_reader.bytes;
-	if (r_reader.size < 4 || r_reader.size > MAX_BYTES) {
-		return Outcome::BROKEN;
+	const Message message = r_reader.size > 0 ? Message(bytes[0]) : Message::ACK;
+	r_reader.is_key = message == Message::KEY;
+	const bool is_short = message == Message::SNAPSHOT_OF_ONE;
+	if (!r_reader.is_key && !is_short && message != Message::SNAPSHOT) {
+		return false;
 	}
-	const Kind kind = Kind(bytes[0] & KIND_MASK);
-	r_people = int(uint32_t(bytes[0]) >> 4U);
-	if (kind == Kind::KEY && r_reader.size >= 8) {
-		r_reader.tick = uint32_t(get_number(bytes + 2, 4));
-		_read_rate = bytes[6];
-		r_reader.at = 7;
-	} else if (kind == Kind::SNAPSHOT) {
-		if (_rate == 0) {
-			return Outcome::NOT_BEGUN;
-		}
-		_read_rate = _rate;
-		r_reader.tick = _newest_tick + uint32_t(int32_t(int8_t(bytes[2] - uint8_t(_newest_tick))));
-		r_reader.at = 3;
-	} else {
-		return Outcome::BROKEN;
+	r_reader.at = is_short ? 1 : 3;
+	if (r_reader.size > MAX_BYTES || r_reader.size < r_reader.at + (r_reader.is_key ? 7 : 3)) {
+		return false;
 	}
-	if (_read_rate == 0 || r_reader.tick == NEVER) {
-		return Outcome::BROKEN;
-	}
-	r_reader.usual = Baseline::unpack(bytes[r_reader.at++]);
-	_has_mark = (bytes[0] & HAS_MARKS) != 0;
+	r_reader.flags = is_short ? uint8_t(0) : bytes[1];
+	r_reader.people = is_short ? 1 : int(bytes[2]);
+	r_reader.number = bytes[r_reader.at++];
+	return (r_reader.flags & ~ALL_FLAGS) == 0 && r_reader.people <= MAX_PEOPLE;
+}
+
+bool SnapshotDecoder::_read_extras(Reader &r_reader) {
+	const auto left = [&] { return r_reader.size - r_reader.at; };
+	_has_mark = (r_reader.flags & HAS_MARK) != 0;
 	if (_has_mark) {
-		if (r_reader.size - r_reader.at < Mark::BYTES) {
-			return Outcome::BROKEN;
+		if (left() < Mark::BYTES) {
+			return false;
 		}
-		const uint8_t *at = bytes + r_reader.at;
+		const uint8_t *at = r_reader.bytes + r_reader.at;
 		_last_mark.person = uint16_t(get_number(at, 2));
 		_last_mark.sample = uint32_t(get_number(at + 2, 4));
 		_last_mark.simulated_usec = int64_t(get_number(at + 6, 8));
@@ -111,18 +130,60 @@ SnapshotDecoder::Outcome SnapshotDecoder::_read_header(Reader &r_reader, int &r_
 		}
 		r_reader.at += Mark::BYTES;
 	}
-	// Numbers come round within a second or two: after a gap only a whole tick says what is new.
-	r_reader.follows_gap = kind == Kind::KEY && _has_numbers && int32_t(r_reader.tick - _newest_tick) > GAP;
-	return !r_reader.follows_gap && _is_known(bytes[1], r_reader.tick) ? Outcome::STALE : Outcome::OK;
+	if ((r_reader.flags & HAS_COMMAND_ACK) != 0) {
+		if (left() < 2) {
+			return false;
+		}
+		r_reader.command_ack = int(get_number(r_reader.bytes + r_reader.at, 2));
+		r_reader.at += 2;
+	}
+	if ((r_reader.flags & HAS_MOTION_ACK) != 0) {
+		const std::size_t size = left() > 0 ? r_reader.bytes[r_reader.at++] : 0;
+		if (size == 0 || size > MAX_MOTION_ACK || size > left()) {
+			return false;
+		}
+		r_reader.motion_ack = r_reader.bytes + r_reader.at;
+		r_reader.motion_ack_size = size;
+		r_reader.at += size;
+	}
+	return true;
 }
 
-SnapshotDecoder::Outcome SnapshotDecoder::_read_people(Reader &r_reader, int p_count) {
-	for (int i = 0; i < p_count; i++) {
+SnapshotDecoder::Outcome SnapshotDecoder::_read_header(Reader &r_reader) {
+	const uint8_t *bytes = r_reader.bytes;
+	if (!_read_begin(r_reader)) {
+		return Outcome::BROKEN;
+	}
+	if (r_reader.is_key) {
+		r_reader.tick = uint32_t(get_number(bytes + r_reader.at, 4));
+		_read_rate = bytes[r_reader.at + 4];
+		r_reader.at += 5;
+	} else {
+		if (_rate == 0) {
+			return Outcome::NOT_BEGUN;
+		}
+		_read_rate = _rate;
+		r_reader.tick = _newest_tick + uint32_t(int32_t(int8_t(bytes[r_reader.at++] - uint8_t(_newest_tick))));
+	}
+	if (_read_rate == 0 || r_reader.tick == NEVER) {
+		return Outcome::BROKEN;
+	}
+	r_reader.usual = Baseline::unpack(bytes[r_reader.at++]);
+	if (!_read_extras(r_reader)) {
+		return Outcome::BROKEN;
+	}
+	// Numbers come round within a second or two: after a gap only a whole tick says what is new.
+	r_reader.follows_gap = r_reader.is_key && _has_numbers && int32_t(r_reader.tick - _newest_tick) > GAP;
+	return !r_reader.follows_gap && _is_known(r_reader.number, r_reader.tick) ? Outcome::STALE : Outcome::OK;
+}
+
+SnapshotDecoder::Outcome SnapshotDecoder::_read_people(Reader &r_reader) {
+	for (int i = 0; i < r_reader.people; i++) {
 		const std::size_t left = r_reader.size - r_reader.at;
 		RangeDecoder decoder(r_reader.bytes + r_reader.at, left);
 		const uint32_t id = decode_count(decoder, 2);
 		const Baseline base = decode_baseline(decoder, r_reader.usual);
-		if (id > 65535 || left == 0) {
+		if (id > 65535 || left == 0 || !_may_be_sent(uint16_t(id))) {
 			return Outcome::BROKEN;
 		}
 		const auto known = _people_known.find(uint16_t(id));
@@ -138,9 +199,12 @@ SnapshotDecoder::Outcome SnapshotDecoder::_read_people(Reader &r_reader, int p_c
 		}
 		PersonScratch scratch;
 		scratch.id = uint16_t(id);
-		if (!_codec.decode(decoder, scratch.state, state, before, base.age, older) || decoder.is_bad()) {
+		const uint16_t frame = state != nullptr ? state->frame : decode_frame(decoder);
+		const bool is_sound = before == nullptr || before->frame == frame;
+		if (!is_sound || !_codec.decode(decoder, scratch.state, state, before, base.age, older) || decoder.is_bad()) {
 			return Outcome::BROKEN;
 		}
+		scratch.state.frame = frame;
 		r_reader.at += decoder.used();
 		_person_scratch.push_back(scratch);
 	}
@@ -148,35 +212,37 @@ SnapshotDecoder::Outcome SnapshotDecoder::_read_people(Reader &r_reader, int p_c
 }
 
 SnapshotDecoder::Outcome SnapshotDecoder::_read_bodies(Reader &r_reader) {
-	if (r_reader.at == r_reader.size) {
+	if ((r_reader.flags & HAS_BODIES) == 0) {
 		return Outcome::OK;
 	}
 	RangeDecoder decoder(r_reader.bytes + r_reader.at, r_reader.size - r_reader.at);
-	int64_t id = -1;
+	int64_t number = -1;
 	do {
-		id += 1 + int64_t(decode_count(decoder, 1));
-		if (id > 65535 || decoder.is_bad() || _body_scratch.size() >= std::size_t(MAX_BODIES)) {
+		number += 1 + int64_t(decode_count(decoder, 1));
+		const uint16_t id = thing_id(uint16_t(number));
+		if (number > 65535 || decoder.is_bad() || _body_scratch.size() >= std::size_t(MAX_BODIES) ||
+				!_may_be_sent(id)) {
 			return Outcome::BROKEN;
 		}
 		const BodyState *base = nullptr;
 		int age = 0;
 		if (!decoder.decode_bit(HAS_BASE)) {
 			age = int(decoder.decode_bits(AGE_BITS));
-			const auto known = _bodies_known.find(uint16_t(id));
+			const auto known = _bodies_known.find(id);
 			base = known == _bodies_known.end() ? nullptr : known->second->find(r_reader.tick - uint32_t(age));
 			if (base == nullptr || age == 0) {
 				return age == 0 || decoder.is_bad() ? Outcome::BROKEN : Outcome::LACKS_BASELINE;
 			}
 		}
 		BodyScratch scratch;
-		scratch.id = uint16_t(id);
+		scratch.id = id;
 		if (!BodyCodec::decode(decoder, base, age, _read_rate, scratch.state)) {
 			return Outcome::BROKEN;
 		}
 		_body_scratch.push_back(scratch);
 	} while (!decoder.decode_bit(GOES_ON));
 	r_reader.at += decoder.used();
-	return decoder.is_bad() || r_reader.at != r_reader.size ? Outcome::BROKEN : Outcome::OK;
+	return decoder.is_bad() ? Outcome::BROKEN : Outcome::OK;
 }
 
 void SnapshotDecoder::keep_people(const std::vector<uint16_t> &p_people) {
@@ -191,15 +257,22 @@ void SnapshotDecoder::_keep(uint32_t p_tick) {
 		std::unique_ptr<History<PersonState>> &history = _people_known[scratch.id];
 		history = history != nullptr ? std::move(history) : std::make_unique<History<PersonState>>();
 		history->put(p_tick, scratch.state);
+		if (_is_gone(scratch.id)) {
+			continue;
+		}
 		PersonUpdate &update = _person_updates.emplace_back();
 		update.id = scratch.id;
 		update.tick = p_tick;
+		update.frame = scratch.state.frame;
 		_lattice.restore(scratch.state, _skeleton, update.pose);
 	}
 	for (const BodyScratch &scratch : _body_scratch) {
 		std::unique_ptr<History<BodyState>> &history = _bodies_known[scratch.id];
 		history = history != nullptr ? std::move(history) : std::make_unique<History<BodyState>>();
 		history->put(p_tick, scratch.state);
+		if (_is_gone(scratch.id)) {
+			continue;
+		}
 		BodyUpdate &update = _body_updates.emplace_back();
 		update.id = scratch.id;
 		update.tick = p_tick;
@@ -210,18 +283,24 @@ void SnapshotDecoder::_keep(uint32_t p_tick) {
 SnapshotDecoder::Outcome SnapshotDecoder::decode(const uint8_t *p_bytes, std::size_t p_size) {
 	_person_scratch.clear();
 	_body_scratch.clear();
+	_field_scratch.clear();
+	_field_values.clear();
 	_person_updates.clear();
 	_body_updates.clear();
+	_field_updates.clear();
 	_has_mark = false;
-	Reader reader{ p_bytes, p_size, 0, 0, {}, false };
-	int people = 0;
-	Outcome outcome = _read_header(reader, people);
+	Reader reader;
+	reader.bytes = p_bytes;
+	reader.size = p_size;
+	Outcome outcome = _read_header(reader);
 	if (outcome == Outcome::STALE && _is_astray(reader)) {
-		clear();
-		outcome = _read_header(reader, people);
+		_forget_snapshots();
+		outcome = _read_header(reader);
 	}
-	outcome = outcome == Outcome::OK ? _read_people(reader, people) : outcome;
+	outcome = outcome == Outcome::OK ? _read_people(reader) : outcome;
 	outcome = outcome == Outcome::OK ? _read_bodies(reader) : outcome;
+	outcome = outcome == Outcome::OK ? _read_fields(reader) : outcome;
+	outcome = outcome == Outcome::OK && reader.at != reader.size ? Outcome::BROKEN : outcome;
 	if (outcome == Outcome::OK &&
 			_people_known.size() + _bodies_known.size() + _person_scratch.size() + _body_scratch.size() >
 					MAX_ENTITIES) {
@@ -232,28 +311,45 @@ SnapshotDecoder::Outcome SnapshotDecoder::decode(const uint8_t *p_bytes, std::si
 		_wants_all = _wants_all || outcome == Outcome::LACKS_BASELINE;
 		return outcome;
 	}
-	_strays = Kind(p_bytes[0] & KIND_MASK) == Kind::KEY ? 0 : _strays;
+	_strays = reader.is_key ? 0 : _strays;
 	_rate = _read_rate;
 	_last_tick = reader.tick;
 	_newest_tick = _newest_tick == NEVER || int32_t(reader.tick - _newest_tick) > 0 ? reader.tick : _newest_tick;
 	_has_numbers = _has_numbers && !reader.follows_gap;
-	_note(p_bytes[1]);
+	_note(reader.number);
 	_keep(reader.tick);
+	_keep_fields(reader.tick);
+	if (reader.command_ack >= 0 && reader.tick == _newest_tick) {
+		_command_ack = reader.command_ack;
+	}
+	if (reader.motion_ack_size > 0) {
+		_motion_ack.assign(reader.motion_ack, reader.motion_ack + reader.motion_ack_size);
+	}
 	return Outcome::OK;
 }
 
-bool SnapshotDecoder::write_ack(const Vec3 &p_viewpoint, std::array<uint8_t, ClientRecord::ACK_BYTES> &r_bytes) {
+std::size_t SnapshotDecoder::write_ack(const Vec3 &p_viewpoint, Ack &r_bytes) {
 	if (!_owes_ack && !_wants_all) {
-		return false;
+		return 0;
 	}
-	r_bytes[0] = uint8_t(Kind::ACK);
-	r_bytes[1] = uint8_t((_wants_all ? ClientRecord::WANTS_ALL : 0) + (_wants_marks ? ClientRecord::WANTS_MARKS : 0));
+	const bool is_moved = !((p_viewpoint - _sent_viewpoint).length() < VIEWPOINT_STEP_M);
+	const bool is_due = _viewpoint_tick == NEVER || int32_t(_newest_tick - _viewpoint_tick) >= _rate;
+	const bool sees = p_viewpoint.is_finite() && (is_moved || is_due);
+	r_bytes[0] = uint8_t(Message::ACK);
+	r_bytes[1] = uint8_t((_wants_all ? ClientRecord::WANTS_ALL : 0) + (_wants_marks ? ClientRecord::WANTS_MARKS : 0) +
+			(sees ? ClientRecord::HAS_VIEWPOINT : 0));
 	r_bytes[2] = _newest_number;
-	put_number(&r_bytes[3], _earlier_numbers, 8);
-	const std::array<float, 3> position{ p_viewpoint.x, p_viewpoint.y, p_viewpoint.z };
-	std::memcpy(&r_bytes[11], position.data(), sizeof(position));
+	put_number(&r_bytes[3], _earlier_numbers, 4);
+	put_number(&r_bytes[7], _table_version, 2);
+	if (sees) {
+		const std::array<float, 3> position{ p_viewpoint.x, p_viewpoint.y, p_viewpoint.z };
+		std::memcpy(&r_bytes[ClientRecord::ACK_BYTES], position.data(), sizeof(position));
+		_sent_viewpoint = p_viewpoint;
+		_viewpoint_tick = _newest_tick;
+	}
 	_owes_ack = _wants_all = false;
-	return true;
+	_unacknowledged = 0;
+	return ClientRecord::ACK_BYTES + (sees ? ClientRecord::VIEWPOINT_BYTES : 0);
 }
 
 } // namespace wire

@@ -48,9 +48,23 @@ bool WorldHistory::put_person(uint16_t p_id, const PersonPose &p_pose) {
 	Person &person = _find(_person_slots, _person_index, p_id);
 	const PersonState *last = person.history.find(_before);
 	PersonState state;
-	if (!_lattice.quantise(p_pose, _skeleton, last, state)) {
+	const Body *carrier = _carrier_of(p_id);
+	const PersonPose *pose = &p_pose;
+	PersonPose carried;
+	if (carrier != nullptr) {
+		carried = p_pose;
+		const Quat back = carrier->exact.orientation.inverse();
+		carried.root = back.rotate(p_pose.root - carrier->exact.position);
+		for (std::size_t i = 0; i < std::size_t(_skeleton.limb_count); i++) {
+			carried.orientations[i] = back * p_pose.orientations[i];
+		}
+		pose = &carried;
+	}
+	if (!_lattice.quantise(*pose, _skeleton, last, state)) {
 		return false;
 	}
+	state.frame = carrier != nullptr ? carrier->exact.id : 0;
+	person.table_version = _entities.version_of(p_id);
 	const Vec3 velocity = last != nullptr ? (p_pose.root - person.position) * (1.0f / _step()) : Vec3{};
 	// One tick's velocity says nothing yet.
 	person.jolted = last != nullptr && person.history.find(_earlier) != nullptr && _is_jolt(velocity - person.velocity);
@@ -61,12 +75,47 @@ bool WorldHistory::put_person(uint16_t p_id, const PersonPose &p_pose) {
 	return true;
 }
 
+void WorldHistory::set_frame(uint16_t p_person, uint16_t p_carrier) {
+	if (p_carrier == 0) {
+		_frames.erase(p_person);
+	} else {
+		_frames[p_person] = p_carrier;
+	}
+}
+
+const WorldHistory::Body *WorldHistory::_find_body(uint16_t p_id) const {
+	const auto found = _body_index.find(p_id);
+	return found != _body_index.end() ? _body_slots[found->second].get() : nullptr;
+}
+
+// The body that carries a person, if it was put in this tick.
+const WorldHistory::Body *WorldHistory::_carrier_of(uint16_t p_person) const {
+	const auto frame = _frames.find(p_person);
+	const Body *body = frame != _frames.end() ? _find_body(frame->second) : nullptr;
+	return body != nullptr && body->history.find(_now) != nullptr ? body : nullptr;
+}
+
+const Vec3 *WorldHistory::position_of(const EntityTable::Entity &p_entity) const {
+	const Body *body = _find_body(p_entity.id);
+	if (body != nullptr) {
+		return &body->now.position;
+	}
+	const auto person = _person_index.find(p_entity.id);
+	if (person != _person_index.end()) {
+		return &_person_slots[person->second]->position;
+	}
+	return p_entity.has_position ? &p_entity.position : nullptr;
+}
+
 void WorldHistory::put_body(const BodyUpdate &p_body) {
 	Body &body = _find(_body_slots, _body_index, p_body.id);
 	const bool is_new = body.history.find(_before) == nullptr;
 	const Vec3 velocity = body.now.velocity;
 	const BodyState state = quantise_body(p_body);
 	restore_body(state, body.now);
+	body.exact = p_body;
+	body.exact.orientation = p_body.orientation.normalized();
+	body.table_version = _entities.version_of(p_body.id);
 	body.now.id = p_body.id;
 	body.now.tick = _now;
 	body.jolted = !is_new && _is_jolt(body.now.velocity - velocity);
@@ -88,6 +137,7 @@ void WorldHistory::_sweep(
 void WorldHistory::end() {
 	_sweep(_person_slots, _person_index);
 	_sweep(_body_slots, _body_index);
+	_entities.commit(_now);
 }
 
 } // namespace wire

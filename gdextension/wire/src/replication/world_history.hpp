@@ -5,15 +5,14 @@
 #include "dead_reckoning.hpp"
 #include "replication/body_state.hpp"
 #include "replication/datagram.hpp"
+#include "replication/entity_table.hpp"
+#include "replication/world_tick.hpp"
 
 #include <memory>
 #include <unordered_map>
 #include <vector>
 
 namespace wire {
-
-/// Ticks that are not.
-constexpr uint32_t NEVER = UINT32_MAX;
 
 /// The states of one person or body over the last ticks.
 template <typename State>
@@ -49,6 +48,7 @@ public:
 		bool jolted = false;
 		/// Counts who has had this slot: records about an earlier one are void.
 		uint32_t generation = 0;
+		uint32_t table_version = 0; ///< From which on clients know of it.
 		Vec3 position;
 		Vec3 velocity; ///< m/s
 		History<PersonState> history;
@@ -58,6 +58,8 @@ public:
 		bool is_there = false;
 		bool jolted = false;
 		uint32_t generation = 0;
+		uint32_t table_version = 0;
+		BodyUpdate exact; ///< As it was put.
 		BodyUpdate now; ///< As receivers restore it.
 		History<BodyState> history;
 	};
@@ -66,11 +68,19 @@ public:
 
 	/// Begins a tick, newer than the last; then everything that is there is put.
 	void begin(uint32_t p_tick);
-	/// False for a pose that is none.
+	/// False for a pose that is none. A body that carries the person is put before.
 	bool put_person(uint16_t p_id, const PersonPose &p_pose);
 	void put_body(const BodyUpdate &p_body);
 	/// Ends the tick: who was not put is gone.
 	void end();
+
+	/// Says which body carries a person: from the next tick on the person is sent in that body's frame. An id of 0
+	/// means none, as does a body that is not there.
+	void set_frame(uint16_t p_person, uint16_t p_carrier);
+	EntityTable &entities() { return _entities; }
+	const EntityTable &entities() const { return _entities; }
+	/// Where an entity is: its body, its person, or the position that was set; null if nobody knows.
+	const Vec3 *position_of(const EntityTable::Entity &p_entity) const;
 
 	uint32_t tick() const { return _now; }
 	int rate() const { return _tick_rate; }
@@ -87,10 +97,14 @@ private:
 			uint16_t p_id);
 	template <typename Slot>
 	void _sweep(std::vector<std::unique_ptr<Slot>> &p_slots, std::unordered_map<uint16_t, std::size_t> &p_index);
+	const Body *_find_body(uint16_t p_id) const;
+	const Body *_carrier_of(uint16_t p_person) const;
 	bool _is_jolt(const Vec3 &p_change) const;
 	/// Seconds since the tick before.
 	float _step() const { return float(_now - _before) / float(_tick_rate); }
 
+	EntityTable _entities;
+	std::unordered_map<uint16_t, uint16_t> _frames; // Who is carried, and by what.
 	Skeleton _skeleton;
 	PersonLattice _lattice;
 	int _tick_rate;
