@@ -276,8 +276,8 @@ func _on_joined() -> void:
 
 func _take_fast() -> void:
 	for packet: FastPacket in _peer.take_fast():
-		match packet.bytes[0] & Protocol.KIND_MASK:
-			Protocol.Message.SNAPSHOT, Protocol.Message.KEY:
+		match packet.bytes[0]:
+			Protocol.Message.SNAPSHOT, Protocol.Message.SNAPSHOT_OF_ONE, Protocol.Message.KEY:
 				if _state == State.JOINED:
 					snapshot_received.emit(packet.bytes, packet.arrival_usec)
 			Protocol.Message.CLOCK:

@@ -14,7 +14,7 @@ enum Role {
 	DRIVER,
 }
 
-## First byte of every packet; of the two kinds of snapshots only its low three bits.
+## First byte of every packet.
 enum Message {
 	## Server to client, fast path: a snapshot with the whole tick, see docs/protocol.md.
 	KEY = 0,
@@ -36,6 +36,8 @@ enum Message {
 	STATS = 8,
 	## Trainee to server, reliable: whose motion it sends, see [PeopleMessage].
 	PEOPLE = 9,
+	## Server to client, fast path: a snapshot of one person and nothing else.
+	SNAPSHOT_OF_ONE = 10,
 }
 
 ## Second byte of a [constant Message.CONTROL].
@@ -62,10 +64,8 @@ enum DisconnectReason {
 	REPLACED,
 }
 
-## Bits of a snapshot's first byte that are its kind.
-const KIND_MASK: int = 7
 ## Raised with every change of what is sent; a server refuses other versions.
-const VERSION: int = 3
+const VERSION: int = 4
 ## First bytes of a challenge and of a join request.
 const HELLO: String = "DSMT"
 ## UDP port of a server unless told otherwise.
