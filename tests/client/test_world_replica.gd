@@ -205,7 +205,7 @@ func _world(p_people: Array) -> WorldDescription:
 func test_a_forged_tick_far_ahead_does_not_last() -> void:
 	_replica.describe(_world([1, 2]))
 	_advance(60)
-	is_true(_replica.take([0, 120, 0, 0, 0, 0x40, 60, 0], _now), "nobody can tell")
+	is_true(_replica.take([0, 0, 0, 120, 0, 0, 0, 0x40, 60, 0], _now), "nobody can tell")
 	_forward(180)
 	equal(_replica.newest_tick, _stream.tick)
 	_replica.show(_now)

@@ -18,7 +18,8 @@ constexpr std::size_t STATES = 64;
 /// Bytes and states that a fuzzer starts from.
 class Fuzzer {
 public:
-	explicit Fuzzer(uint32_t p_seed) : _random(p_seed), _body(people::skeleton()), _corpus(DISMOUNT_CORPUS, PersonCodec::MAX_BYTES) {
+	explicit Fuzzer(uint32_t p_seed) :
+			_random(p_seed), _body(people::skeleton()), _corpus(DISMOUNT_CORPUS, PersonCodec::MAX_BYTES) {
 		PersonPose pose = people::draw_pose(_random);
 		for (std::size_t i = 0; i < STATES; i++) {
 			pose = people::moved(_random, pose, i % 7 == 0 ? 2.0f : 0.05f);

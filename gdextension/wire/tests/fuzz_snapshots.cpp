@@ -28,7 +28,10 @@ constexpr int QUIET_TICKS = 6;
 class SnapshotFuzzer {
 public:
 	explicit SnapshotFuzzer(uint32_t p_seed) :
-			_random(p_seed), _server(Scene::shape(), 0.1, 60), _decoder(Scene::shape(), 0.1), _poses(PEOPLE),
+			_random(p_seed),
+			_server(Scene::shape(), 0.1, 60),
+			_decoder(Scene::shape(), 0.1),
+			_poses(PEOPLE),
 			_corpus(DISMOUNT_CORPUS, 1400) {
 		for (std::size_t i = 0; i < BODIES; i++) {
 			_bodies.emplace_back();

@@ -199,7 +199,9 @@ private:
 			const Packet packet = _post_box.begin()->second;
 			_post_box.erase(_post_box.begin());
 			if (packet.is_ack) {
-				server.client(int(packet.client) + 1)->take_ack(packet.bytes.data(), packet.bytes.size(), tick, server.world().entities().newest_version());
+				server.client(int(packet.client) + 1)
+						->take_ack(packet.bytes.data(), packet.bytes.size(), tick,
+								server.world().entities().newest_version());
 			} else {
 				_receive(packet);
 			}

@@ -25,7 +25,8 @@ bool SnapshotDecoder::add_entity(uint16_t p_id, uint8_t p_type, const float *p_v
 	for (std::size_t i = 0; i < p_count; i++) {
 		spawn.push_back(type->fields[i].quantise(p_values[i]));
 	}
-	_known[p_id] = std::make_unique<Known>(Known{ type, FieldHistory(spawn), spawn, NEVER, ++_generations, false, NEVER });
+	_known[p_id] =
+			std::make_unique<Known>(Known{ type, FieldHistory(spawn), spawn, NEVER, ++_generations, false, NEVER });
 	_people_known.erase(p_id);
 	_bodies_known.erase(p_id);
 	return true;

@@ -48,7 +48,9 @@ void SnapshotEncoder::_collect_bodies(ClientRecord &p_client, bool p_jolts_only)
 				body.history.find(_history.tick()) == nullptr) {
 			continue;
 		}
-		const float weight = p_client.has_viewpoint && !p_client.is_recorder ? _visibility.weight(p_client.viewpoint, body.now.position) : 1.0f;
+		const float weight = p_client.has_viewpoint && !p_client.is_recorder
+				? _visibility.weight(p_client.viewpoint, body.now.position)
+				: 1.0f;
 		const bool is_wrong = delivery.sent == NEVER || delivery.is_lost || body.jolted ||
 				body.now.at_rest != delivery.believed.at_rest;
 		const bool ages = !body.now.at_rest && _history.tick() - delivery.sent >= uint32_t(_history.rate());
@@ -74,8 +76,9 @@ std::size_t SnapshotEncoder::_choose_bodies(std::size_t p_room) {
 		_chosen.push_back(one->index);
 	}
 	_bodies_waiting.erase(begin, _bodies_waiting.end());
-	std::sort(_chosen.begin(), _chosen.end(),
-			[this](uint16_t p_a, uint16_t p_b) { return thing_number(_history.bodies()[p_a]->id) < thing_number(_history.bodies()[p_b]->id); });
+	std::sort(_chosen.begin(), _chosen.end(), [this](uint16_t p_a, uint16_t p_b) {
+		return thing_number(_history.bodies()[p_a]->id) < thing_number(_history.bodies()[p_b]->id);
+	});
 	return count;
 }
 

@@ -66,7 +66,7 @@ bool SnapshotEncoder::_needs_fields(ClientRecord &p_client, std::size_t p_index)
 	// What was sent last counts as on its way until it is known to be lost.
 	const uint32_t newest = delivery.first_unacked != NEVER ? delivery.sent : delivery.acked;
 	const uint32_t *known = newest == NEVER || newest < entity.first_tick ? entity.history->spawn().data()
-																		 : entity.history->in_force_at(newest);
+																		  : entity.history->in_force_at(newest);
 	return delivery.is_lost || known == nullptr || !std::equal(entity.committed.begin(), entity.committed.end(), known);
 }
 

@@ -25,8 +25,9 @@ void SnapshotEncoder::_collect_people(ClientRecord &p_client, bool p_jolts_only)
 			continue;
 		}
 		const bool own = int(person.id) == p_client.own_person;
-		const float weight =
-				own || p_client.is_recorder || !p_client.has_viewpoint ? 1.0f : _visibility.weight(p_client.viewpoint, person.position);
+		const float weight = own || p_client.is_recorder || !p_client.has_viewpoint
+				? 1.0f
+				: _visibility.weight(p_client.viewpoint, person.position);
 		delivery.urgency += weight;
 		const bool is_due = weight >= Interest::FAR || delivery.urgency >= HIDDEN_URGENCY || delivery.sent == NEVER;
 		if (p_jolts_only ? person.jolted : is_due) {

@@ -19,8 +19,7 @@ void FieldCodec::encode(
 	}
 }
 
-bool FieldCodec::decode(
-		RangeDecoder &p_decoder, const EntityType &p_type, const uint32_t *p_base, uint32_t *r_now) {
+bool FieldCodec::decode(RangeDecoder &p_decoder, const EntityType &p_type, const uint32_t *p_base, uint32_t *r_now) {
 	bool before = false;
 	for (std::size_t i = 0; i < p_type.fields.size(); i++) {
 		const bool changed = _changes[i][before ? 1 : 0].decode(p_decoder);

@@ -4,8 +4,8 @@
 #include "coding/person_codec.hpp"
 #include "replication/body_codec.hpp"
 #include "replication/client_record.hpp"
-#include "replication/field_codec.hpp"
 #include "replication/datagram.hpp"
+#include "replication/field_codec.hpp"
 
 #include <memory>
 #include <unordered_map>
@@ -78,8 +78,8 @@ public:
 	void want_marks(bool p_wanted) { _wants_marks = p_wanted; }
 	/// An acknowledgement, with room for a viewpoint.
 	using Ack = std::array<uint8_t, ClientRecord::ACK_BYTES + ClientRecord::VIEWPOINT_BYTES>;
-	/// Writes an acknowledgement of what has come; 0 bytes if nothing has, or nothing new. The viewpoint is said when it
-	/// has moved by VIEWPOINT_STEP_M, and once a second.
+	/// Writes an acknowledgement of what has come; 0 bytes if nothing has, or nothing new. The viewpoint is said when
+	/// it has moved by VIEWPOINT_STEP_M, and once a second.
 	std::size_t write_ack(const Vec3 &p_viewpoint, Ack &r_bytes);
 	static constexpr float VIEWPOINT_STEP_M = 0.25f;
 	/// Datagrams since the last acknowledgement. It speaks of no more than ClientRecord::ACKED_BEFORE.
@@ -128,7 +128,8 @@ private:
 	bool _read_extras(Reader &r_reader);
 	Outcome _read_people(Reader &r_reader);
 	Outcome _read_fields(Reader &r_reader);
-	Outcome _read_entity(RangeDecoder &p_decoder, FieldCodec &r_codec, const Reader &p_reader, Known &p_known, int p_age);
+	Outcome _read_entity(
+			RangeDecoder &p_decoder, FieldCodec &r_codec, const Reader &p_reader, Known &p_known, int p_age);
 	Known *_find_known(uint16_t p_id) const;
 	bool _may_be_sent(uint16_t p_id) const { return _known.empty() || _find_known(p_id) != nullptr; }
 	bool _is_gone(uint16_t p_id) const;
