@@ -13,6 +13,7 @@
 #include <vector>
 
 /// Of the sanitizers' run time; not there without one.
+// NOLINTNEXTLINE(bugprone-reserved-identifier): the name is theirs.
 extern "C" __attribute__((weak)) void __sanitizer_set_death_callback(void (*p_callback)());
 
 /// What fuzzers share.

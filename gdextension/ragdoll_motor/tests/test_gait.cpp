@@ -69,11 +69,11 @@ struct Walker {
 /// Ground that rises evenly.
 class Slope : public Ground {
 public:
-	explicit Slope(float p_rise) : rise(p_rise) {}
-	float height(const Vec3 &p_at) const override { return rise * p_at.z; }
+	explicit Slope(float p_rise) : _rise(p_rise) {}
+	float height(const Vec3 &p_at) const override { return _rise * p_at.z; }
 
 private:
-	float rise;
+	float _rise;
 };
 
 class Nothing : public Ground {

@@ -78,7 +78,12 @@ private:
 	// The first byte never overflows: all that is written is a fraction below 1.
 	void _carry() {
 		std::size_t at = _full ? 0 : _size;
-		while (at > 0 && ++_buffer[--at] == 0) {
+		while (at > 0) {
+			--at;
+			++_buffer[at];
+			if (_buffer[at] != 0) {
+				break;
+			}
 		}
 	}
 

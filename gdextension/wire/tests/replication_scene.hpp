@@ -50,7 +50,8 @@ public:
 		for (int i = 0; i < p_bodies; i++) {
 			BodyUpdate body;
 			body.id = uint16_t(3 * i);
-			body.position = { float(i % 20), 0.25f, float(i / 20) };
+			const int row = i / 20;
+			body.position = { float(i % 20), 0.25f, float(row) };
 			body.at_rest = true;
 			bodies.push_back(body);
 		}

@@ -36,7 +36,7 @@ void write_motion(std::FILE *p_file, const MotionModel &p_model) {
 
 void write_model(std::FILE *p_file, const PersonModel &p_model) {
 	std::fprintf(p_file, "\t{ ");
-	write_motion(p_file, p_model.place);
+	write_motion(p_file, p_model.root);
 	std::fprintf(p_file, ",\n\t\t");
 	write_motion(p_file, p_model.rotation);
 	std::fprintf(p_file, " },\n");
