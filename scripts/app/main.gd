@@ -4,9 +4,7 @@ extends Node
 ##
 ## Exit codes: 0 done, 1 failed, 2 wrong options, 3 refused by the server, 4 no server.
 
-const _ROLES: PackedStringArray = [
-	"server", "trainee", "observer", "instructor", "driver", "replay", "load"
-]
+const _ROLES: PackedStringArray = ["server", "trainee", "observer", "instructor", "replay", "load"]
 const _SERVER: String = "res://scenes/server/server.tscn"
 const _CLIENT: String = "res://scenes/client/client.tscn"
 const _LOAD: String = "res://scenes/load/load.tscn"

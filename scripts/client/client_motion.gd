@@ -113,7 +113,7 @@ func take_samples() -> void:
 
 ## The own body at a local time, µs: seven floats a limb. Given what the server has of it, and at
 ## which tick. Empty while that is not known.
-func show(p_now_usec: int, p_truth: PackedFloat32Array, p_tick: int) -> PackedFloat32Array:
+func evaluate(p_now_usec: int, p_truth: PackedFloat32Array, p_tick: int) -> PackedFloat32Array:
 	if not _has_body or p_truth.is_empty():
 		return PackedFloat32Array()
 	if p_tick != _truth_tick and _link.clock.is_known() and not _trips.is_empty():

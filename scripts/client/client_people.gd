@@ -103,11 +103,12 @@ func begin() -> void:
 
 
 ## Takes over which bodies the server has given them.
-func embody(p_world: WorldDescription, p_scene: ClientScene) -> void:
+func embody(p_scene: ClientScene) -> void:
 	for motion: ClientMotion in _motions:
 		var actor: int = p_scene.person_of(_link.session, motion.card.index)
-		if actor >= 0 and actor != motion.actor and p_world.skeletons[actor].is_sound():
-			motion.embody(actor, p_world.skeletons[actor], p_scene.hips_of(actor), _rate)
+		var row: EntityRow = p_scene.replica.table.find(actor)
+		if row != null and actor != motion.actor and row.skeleton.is_sound():
+			motion.embody(actor, row.skeleton, p_scene.hips_of(actor), _rate)
 		if motion.card.index == 0:
 			first_actor = motion.actor
 
@@ -121,14 +122,14 @@ func note_trip(p_mark: LatencyMark) -> void:
 
 ## Keeps the samples in step with the server's ticks, and tells where the own bodies are at a local
 ## time, µs: seven floats a limb, by person.
-func show(p_now_usec: int, p_replica: WorldReplica) -> Dictionary[int, PackedFloat32Array]:
+func evaluate(p_now_usec: int, p_replica: WorldReplica) -> Dictionary[int, PackedFloat32Array]:
 	var bodies: Dictionary[int, PackedFloat32Array] = {}
 	for motion: ClientMotion in _motions:
 		motion.keep_in_step()
 		var truth: PackedFloat32Array = []
 		if motion.actor >= 0 and p_replica.has_person(motion.actor):
 			truth = p_replica.person_floats(motion.actor, true)
-		var floats: PackedFloat32Array = motion.show(p_now_usec, truth, p_replica.newest_tick)
+		var floats: PackedFloat32Array = motion.evaluate(p_now_usec, truth, p_replica.newest_tick)
 		if not floats.is_empty():
 			bodies[motion.actor] = floats
 	return bodies

@@ -1,10 +1,16 @@
 class_name ClientScene
 extends Node3D
-## What a client shows: the world, its people and props where the snapshots have them, and a camera.
+## What a client shows: the level, its people and everything else where the snapshots have them, and
+## a camera.
 
-## The scene of a person.
+## What the user should know of the level; empty: nothing.
+signal level_noted(p_text: String)
+## The server's level is not on this machine.
+signal level_missing(p_why: String)
+
+## The scene of a person; its root is a [Ragdoll].
 @export var person_scene: PackedScene
-@export var _hall: Node3D
+@export var _level: ClientLevel
 @export var _people: Node3D
 @export var _physics: PhysicsWorld
 @export var _views: WorldViews
@@ -12,11 +18,20 @@ extends Node3D
 
 ## Where everything is.
 var replica: WorldReplica = WorldReplica.new()
+## Fields, commands and events of what is there.
+var entities: ClientEntities = ClientEntities.new(replica)
 
 var _actors: Dictionary[int, ActorView] = {}
-var _sizes: Dictionary[int, PersonSkeleton] = {}
-var _props: Dictionary[int, Node3D] = {}
 var _aimed: bool = false
+
+
+func _ready() -> void:
+	replica.level_named.connect(_level.set_level)
+	replica.table.spawned.connect(_on_spawned)
+	replica.table.despawned.connect(_on_despawned)
+	_level.changed.connect(_on_level_changed)
+	_level.entity_added.connect(_on_entity_added)
+	_level.missing.connect(level_missing.emit)
 
 
 ## Sets which worlds are shown and where the camera is; returns what is wrong, or an empty text.
@@ -27,69 +42,33 @@ func apply(p_views: String, p_camera: String) -> String:
 	return fault
 
 
-## Whether a server has told which bodies there are.
-func has_world() -> bool:
-	return replica.world != null
-
-
-## Takes over a new description of the world.
-func describe(p_world: WorldDescription) -> void:
-	replica.describe(p_world)
-	_physics.describe(p_world)
-	_props.clear()
-	for id: int in p_world.bodies:
-		var body: WorldDescription.Body = p_world.bodies[id]
-		if body.actor == WorldDescription.PROP:
-			var prop: Node3D = _hall.get_node_or_null(NodePath(body.part)) as Node3D
-			# The path is the server's word: it must not reach what is not its to move.
-			if prop != null and prop.is_in_group(BodyRegistry.PROPS) and _hall.is_ancestor_of(prop):
-				_props[id] = prop
-	for actor: int in _actors.keys():
-		if not p_world.names.has(actor) or not _is_as_big(actor, p_world.skeletons.get(actor)):
-			_actors[actor].node.queue_free()
-			_actors.erase(actor)
-	for actor: int in p_world.names:
-		if not _actors.has(actor):
-			var node: Ragdoll = person_scene.instantiate()
-			node.visible = false
-			_sizes[actor] = p_world.skeletons.get(actor)
-			if _sizes[actor] != null and _sizes[actor].is_sound():
-				node.fit_to(_sizes[actor])
-			_people.add_child(node)
-			_actors[actor] = ActorView.new(node)
-
-
 ## Forgets a world whose server is gone; what is on the screen stays as it is.
 func clear() -> void:
 	replica.clear()
+	entities.restart()
 
 
-## Puts everything where it is at a local time, s. The bodies of the client's own people are where
-## these floats have them, by person: see [method WorldReplica.person_floats].
+## Puts everything where it is at a time of the stream, s. The bodies of the client's own people are
+## where these floats have them, by person: see [method WorldReplica.person_floats].
 func update(p_now_s: float, p_own: Dictionary[int, PackedFloat32Array] = {}) -> void:
-	if replica.world == null or replica.newest_tick < 0:
+	if not replica.is_ready() or replica.newest_tick < 0:
 		return
-	replica.show(p_now_s)
+	replica.evaluate(p_now_s)
+	_level.move_bodies(replica)
 	for actor: int in _actors:
 		if replica.has_person(actor):
 			var own: PackedFloat32Array = p_own.get(actor, PackedFloat32Array())
-			_show_person(actor, own if not own.is_empty() else replica.person_floats(actor))
-	for id: int in _props:
-		if replica.has_body(id):
-			_props[id].global_transform = replica.body_transform(id)
+			_pose_person(actor, own if not own.is_empty() else replica.person_floats(actor))
+	entities.advance()
 	if _physics.visible:
-		_place_wires()
+		_move_wires()
 	_aim()
 
 
 ## One of the people of a session, or -1.
-func person_of(p_session: int, p_place: int = 0) -> int:
-	var world: WorldDescription = replica.world
-	if world != null:
-		for actor: int in world.owners:
-			if world.owners[actor] == p_session and world.places[actor] == p_place:
-				return actor
-	return -1
+func person_of(p_session: int, p_index: int = 0) -> int:
+	var row: EntityRow = replica.table.person_of(p_session, p_index)
+	return row.id if row != null else -1
 
 
 ## From where the client looks, m.
@@ -97,23 +76,75 @@ func viewpoint() -> Vector3:
 	return _camera.global_position
 
 
+## The camera.
+func get_camera() -> OrbitCamera:
+	return _camera
+
+
+## The level and what moves in it.
+func get_level() -> ClientLevel:
+	return _level
+
+
 ## Height of the hips of a person's body when standing, m.
 func hips_of(p_actor: int) -> float:
 	return _actors[p_actor].node.get_hip_height() if _actors.has(p_actor) else 0.0
 
 
-## Whether a person still has the size that is shown.
-func _is_as_big(p_actor: int, p_joints: PersonSkeleton) -> bool:
-	var shown: PersonSkeleton = _sizes.get(p_actor)
-	if shown == null or p_joints == null:
-		return shown == p_joints
-	return (
-		shown.joints_in_limb == p_joints.joints_in_limb
-		and shown.joints_in_parent == p_joints.joints_in_parent
-	)
+## The worlds and their keys, for the screen.
+func describe_views() -> String:
+	var words: PackedStringArray = []
+	for i: int in WorldViews.NAMES.size():
+		var world: StringName = WorldViews.NAMES[i]
+		words.append("%d %s %s" % [i + 1, world, "on" if _views.is_shown(world) else "off"])
+	return "   ".join(words)
 
 
-func _show_person(p_actor: int, p_floats: PackedFloat32Array) -> void:
+func _on_level_changed(p_level: Level, p_differs: bool) -> void:
+	_views.props = p_level.props_root
+	_views.static_world = p_level.static_root
+	_views.refresh()
+	_physics.set_level(p_level, p_differs)
+	var text: String = "This machine's world '%s' is not the server's."
+	level_noted.emit(text % _level.level_name if p_differs else "")
+
+
+func _on_spawned(p_row: EntityRow) -> void:
+	if p_row.is_person():
+		_add_person(p_row)
+	else:
+		_level.add_entity(p_row)
+
+
+func _on_despawned(p_row: EntityRow) -> void:
+	_physics.remove(p_row.id)
+	if _actors.has(p_row.id):
+		_actors[p_row.id].node.queue_free()
+		_actors.erase(p_row.id)
+	_level.remove_entity(p_row)
+
+
+func _on_entity_added(p_row: EntityRow, p_node: Entity, p_body: PhysicsBody3D) -> void:
+	if p_body != null:
+		_physics.add_body(p_row.id, p_body)
+	if p_node != null:
+		entities.bind(p_row, p_node)
+
+
+func _add_person(p_row: EntityRow) -> void:
+	var node: Ragdoll = person_scene.instantiate()
+	node.visible = false
+	if p_row.skeleton.is_sound():
+		node.fit_to(p_row.skeleton)
+	_people.add_child(node)
+	_actors[p_row.id] = ActorView.new(node)
+	_physics.add_person(p_row.id, node.get_limb_nodes())
+	var entity: Entity = Entity.find_in(node)
+	if entity != null:
+		entities.bind(p_row, entity)
+
+
+func _pose_person(p_actor: int, p_floats: PackedFloat32Array) -> void:
 	var limbs: Array[Transform3D] = replica.limbs_of(p_actor, p_floats)
 	if limbs.is_empty():
 		return
@@ -124,27 +155,14 @@ func _show_person(p_actor: int, p_floats: PackedFloat32Array) -> void:
 	_actors[p_actor].node.visible = true
 
 
-func _place_wires() -> void:
-	for id: int in _props:
+func _move_wires() -> void:
+	for id: int in _level.body_ids():
 		if replica.has_body(id):
-			_physics.place(id, replica.body_transform(id, true))
+			_physics.set_transforms(id, [replica.body_transform(id, true)])
 	for actor: int in _actors:
-		if not replica.has_person(actor):
-			continue
-		var limbs: Array[Transform3D] = replica.limbs_of(actor, replica.person_floats(actor, true))
-		for body: WorldDescription.Body in replica.world.bodies_of(actor):
-			var limb: int = Limbs.find(StringName(body.part))
-			if limb >= 0 and limb < limbs.size():
-				_physics.place(body.id, limbs[limb])
-
-
-## The worlds and their keys, for the screen.
-func describe_views() -> String:
-	var words: PackedStringArray = []
-	for i: int in WorldViews.NAMES.size():
-		var world: StringName = WorldViews.NAMES[i]
-		words.append("%d %s %s" % [i + 1, world, "on" if _views.is_shown(world) else "off"])
-	return "   ".join(words)
+		if replica.has_person(actor):
+			var floats: PackedFloat32Array = replica.person_floats(actor, true)
+			_physics.set_transforms(actor, replica.limbs_of(actor, floats))
 
 
 func _aim() -> void:

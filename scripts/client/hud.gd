@@ -6,6 +6,7 @@ extends CanvasLayer
 @export var _keys: Label
 @export var _message: Label
 @export var _guide: Label
+@export var _note: Label
 @export var _latency: LatencyPanel
 
 
@@ -25,6 +26,12 @@ func show_message(p_text: String) -> void:
 func show_guide(p_text: String) -> void:
 	_guide.text = p_text
 	_guide.visible = p_text != ""
+
+
+## Shows a note below the stats until another one comes; none if the text is empty.
+func show_note(p_text: String) -> void:
+	_note.text = p_text
+	_note.visible = p_text != ""
 
 
 ## Says which delays the panel shows that a key opens.

@@ -62,10 +62,10 @@ func _is_meant(p_order: PackedStringArray, p_row: Dictionary) -> bool:
 	for key: String in _ROW:
 		if typeof(p_row.get(key)) != _ROW[key]:
 			return false
-	if p_row["role"] == Protocol.Role.INSTRUCTOR:
+	if Roles.can(p_row["role"], Roles.Capability.MODERATE):
 		return false
 	var named: bool = p_order[1] == "*" or p_order[1] == p_row["name"]
-	if _calibration(p_order[0]) >= 0 and p_row["role"] != Protocol.Role.TRAINEE:
+	if _calibration(p_order[0]) >= 0 and not Roles.can(p_row["role"], Roles.Capability.SEND_MOTION):
 		return false
 	return named and p_row["state"] == STATES.get(p_order[0], "here")
 

@@ -1,7 +1,13 @@
 class_name WorldReplica
 extends RefCounted
-## A client's copy of the server's world: reads what the server tells, and tells where everything
-## is at the moment that is shown.
+## A client's copy of the server's world: takes in what a [StateStream] brings, and knows where
+## everything is, which values fields have, and which events are due, at the moment that is shown.
+
+## The server has a level of this name and fingerprint: all entities of the last one are gone.
+signal level_named(p_name: String, p_fingerprint: PackedByteArray)
+## A snapshot with this mark has come. [member LatencyMark.arrival_usec] is of the stream's clock, all
+## other times of the server's.
+signal marked(p_mark: LatencyMark)
 
 ## Floats of a limb in [method SnapshotSmoother.person_transforms]: position, quaternion.
 const FLOATS: int = 7
@@ -9,11 +15,15 @@ const FLOATS: int = 7
 const ACK_PERIOD_USEC: int = 30000
 ## The decoder takes nothing that is so many ticks older than the newest, unless that was wrong.
 const STALE: int = 30
+## Fields are looked at for so long after their last update, ticks: then they have come to rest.
+const _FIELD_TICKS: int = 60
 
 ## Datagrams that were of use.
 var datagrams: int = 0
-## Which bodies there are; null before the server has told.
-var world: WorldDescription = null
+## Which entities there are; it is void before [method is_ready].
+var table: EntityTable = EntityTable.new()
+## Events that wait for their moment.
+var events: EventQueue = EventQueue.new()
 ## The newest tick that has come, or -1.
 var newest_tick: int = -1
 ## What became of the datagram that was taken last.
@@ -25,12 +35,18 @@ var _decoder: SnapshotDecoder = SnapshotDecoder.new()
 var _smoother: SnapshotSmoother = SnapshotSmoother.new()
 var _acked_usec: int = 0
 var _error_deg: float = 0.0
-## Whether this server has told how exact its poses are: without that snapshots make no sense.
-var _is_told: bool = false
+## Whether this server has sent its table: without it snapshots make no sense.
+var _has_table: bool = false
+var _defined_types: int = 0
+## Entities whose fields are in motion, and the tick of their last update.
+var _active: Dictionary[int, int] = {}
 
 
 func _init() -> void:
 	_set_error(Protocol.POSE_ERROR_DEG)
+	table.spawned.connect(_on_spawned)
+	table.despawned.connect(_on_despawned)
+	table.cleared.connect(func() -> void: _defined_types = 0)
 
 
 ## Sets how motion is made smooth.
@@ -38,27 +54,30 @@ func set_smoothing(p_method: SnapshotSmoother.Method) -> void:
 	_smoother.method = p_method
 
 
-## Takes over which bodies there are.
-func describe(p_world: WorldDescription) -> void:
-	if world != null:
-		for actor: int in world.skeletons:
-			if not p_world.skeletons.has(actor):
-				_smoother.forget_person(actor)
-	world = p_world
-	_is_told = true
-	_set_error(world.pose_error_deg)
-	_decoder.keep_people(PackedInt32Array(world.skeletons.keys()))
-	for actor: int in world.skeletons:
-		var joints: PersonSkeleton = world.skeletons[actor]
-		if joints.is_sound():
-			_smoother.set_skeleton(
-				actor, joints.parents, joints.joints_in_parent, joints.joints_in_limb
-			)
+## Whether the server has sent which entities there are.
+func is_ready() -> bool:
+	return _has_table
 
 
-## Takes a datagram that arrived at a local time, s. Returns whether it was of use.
+## Takes a message that arrived at a time of the stream's clock, s. Returns whether it was of use.
 func take(p_bytes: PackedByteArray, p_arrival_s: float) -> bool:
-	outcome = _decoder.decode(p_bytes) if _is_told else SnapshotDecoder.NOT_BEGUN
+	match p_bytes[0]:
+		Protocol.Message.SNAPSHOT, Protocol.Message.SNAPSHOT_OF_ONE, Protocol.Message.KEY:
+			return take_snapshot(p_bytes, p_arrival_s)
+		Protocol.Message.TABLE:
+			return take_table(EntityTableMessage.decode(p_bytes, table.types))
+		Protocol.Message.LEVEL:
+			return _take_level(LevelMessage.decode(p_bytes))
+		Protocol.Message.EVENTS:
+			for event: EntityEvent in EventMessage.decode(p_bytes):
+				events.push(event)
+			return true
+	return false
+
+
+## Takes a snapshot's datagram; see [method take].
+func take_snapshot(p_bytes: PackedByteArray, p_arrival_s: float) -> bool:
+	outcome = _decoder.decode(p_bytes) if _has_table else SnapshotDecoder.NOT_BEGUN
 	if outcome != SnapshotDecoder.OK:
 		return false
 	datagrams += 1
@@ -66,45 +85,52 @@ func take(p_bytes: PackedByteArray, p_arrival_s: float) -> bool:
 	if tick > newest_tick or tick < newest_tick - STALE:
 		newest_tick = tick
 	_smoother.take(_decoder, p_arrival_s)
+	for entity: int in _decoder.get_changed_entities():
+		_active[entity] = tick
+	var mark: LatencyMark = _take_mark()
+	if mark != null:
+		mark.arrival_usec = roundi(p_arrival_s * 1e6)
+		marked.emit(mark)
+	return true
+
+
+## Takes changes of the entity table; null is none.
+func take_table(p_changes: EntityTableMessage) -> bool:
+	if p_changes == null or not (p_changes.is_full or _has_table):
+		return false
+	_set_error(p_changes.pose_error_deg)
+	if p_changes.is_full:
+		_active.clear()
+	if not p_changes.apply(table):
+		Log.limited("client", "table", "the server sent changes that do not fit what is here")
+		return false
+	_has_table = true
+	_decoder.set_table_version(table.version)
 	return true
 
 
 ## Tick of the last datagram that was of use, or -1.
-func told_tick() -> int:
+func received_tick() -> int:
 	return _decoder.get_tick()
 
 
-## People that the last datagram of use told of.
-func told_people() -> PackedInt32Array:
+## People that were in the last datagram of use.
+func received_people() -> PackedInt32Array:
 	return _decoder.get_people()
 
 
-## A number that is the same wherever the last datagram told the same of a person: of its root's
-## position and of its limbs' orientations.
-func told_fingerprint(p_actor: int) -> int:
-	return hash([_decoder.get_root(p_actor), _decoder.get_orientations(p_actor)])
+## A number that is the same wherever the last datagram had the same of a person: the root's position
+## and the limbs' orientations.
+func received_fingerprint(p_person: int) -> int:
+	return hash([_decoder.get_root(p_person), _decoder.get_orientations(p_person)])
 
 
-## The mark of the datagram that was taken last, in times of the server's clock but for
-## [member LatencyMark.arrival_usec]; null if it had none.
-func take_mark() -> LatencyMark:
-	var told: Dictionary = _decoder.get_mark()
-	if told.is_empty():
-		return null
-	var steps: PackedInt32Array = told["steps_usec"]
-	var mark: LatencyMark = LatencyMark.new()
-	mark.person = told["person"]
-	mark.sample = told["sample"]
-	mark.tick = told["tick"]
-	mark.simulated_usec = told["simulated_usec"]
-	mark.snapshot_sent_usec = mark.simulated_usec + steps[3]
-	mark.received_usec = mark.simulated_usec - steps[2]
-	mark.sent_usec = mark.received_usec - steps[1]
-	mark.sampled_usec = mark.sent_usec - steps[0]
-	return mark
+## Number of the newest command of this client that the server has applied, or -1.
+func applied_command() -> int:
+	return _decoder.get_command_ack()
 
 
-## What is to be said to the server at a time (µs), by somebody who looks from a place (m); mostly
+## What is to be sent to the server at a time (µs), by somebody who looks from a position (m); mostly
 ## nothing.
 func acknowledgement(p_now_usec: int, p_viewpoint: Vector3) -> PackedByteArray:
 	if p_now_usec - _acked_usec < ACK_PERIOD_USEC:
@@ -119,12 +145,15 @@ func acknowledgement(p_now_usec: int, p_viewpoint: Vector3) -> PackedByteArray:
 func clear() -> void:
 	_decoder.clear()
 	_smoother.clear()
+	table.clear()
+	events.clear()
+	_active.clear()
 	newest_tick = -1
-	_is_told = false
+	_has_table = false
 
 
-## Works out where everything is at a local time, s.
-func show(p_now_s: float) -> void:
+## Works out where everything is at a time of the stream's clock, s.
+func evaluate(p_now_s: float) -> void:
 	_smoother.evaluate(p_now_s)
 
 
@@ -143,35 +172,35 @@ func delay() -> float:
 	return _smoother.get_delay()
 
 
-## Whether something is known of a person.
-func has_person(p_actor: int) -> bool:
-	return _smoother.has_person(p_actor)
+## Whether something is known of a person's pose.
+func has_person(p_person: int) -> bool:
+	return _smoother.has_person(p_person)
 
 
 ## Where a person's limbs are, seven floats each; as received last if [param p_newest].
-func person_floats(p_actor: int, p_newest: bool = false) -> PackedFloat32Array:
+func person_floats(p_person: int, p_newest: bool = false) -> PackedFloat32Array:
 	if p_newest:
-		return _smoother.newest_person_transforms(p_actor)
-	return _smoother.person_transforms(p_actor)
+		return _smoother.newest_person_transforms(p_person)
+	return _smoother.person_transforms(p_person)
 
 
 ## Transforms of a person's bodies, by limb, of such floats.
-func limbs_of(p_actor: int, p_floats: PackedFloat32Array) -> Array[Transform3D]:
-	var joints: PersonSkeleton = world.skeletons.get(p_actor)
+func limbs_of(p_person: int, p_floats: PackedFloat32Array) -> Array[Transform3D]:
+	var row: EntityRow = table.find(p_person)
 	var bodies: Array[Transform3D] = []
-	if joints == null or p_floats.size() != Limbs.COUNT * FLOATS or not joints.is_sound():
+	if row == null or p_floats.size() != Limbs.COUNT * FLOATS or not row.skeleton.is_sound():
 		return bodies
 	for limb: int in Limbs.COUNT:
 		var at: int = limb * FLOATS
-		var place: Vector3 = Vector3(p_floats[at], p_floats[at + 1], p_floats[at + 2])
-		var turn: Quaternion = Quaternion(
+		var position: Vector3 = Vector3(p_floats[at], p_floats[at + 1], p_floats[at + 2])
+		var rotation: Quaternion = Quaternion(
 			p_floats[at + 3], p_floats[at + 4], p_floats[at + 5], p_floats[at + 6]
 		)
-		bodies.append(joints.body_at(limb, place, turn))
+		bodies.append(row.skeleton.body_at(limb, position, rotation))
 	return bodies
 
 
-## Whether something is known of a rigid body.
+## Whether something is known of where a rigid body is.
 func has_body(p_id: int) -> bool:
 	return _smoother.has_body(p_id)
 
@@ -181,6 +210,67 @@ func body_transform(p_id: int, p_newest: bool = false) -> Transform3D:
 	if p_newest:
 		return _smoother.newest_body_transform(p_id)
 	return _smoother.body_transform(p_id)
+
+
+## Entities whose fields may have other values than in the last frame.
+func active_entities() -> PackedInt32Array:
+	var found: PackedInt32Array = PackedInt32Array(_active.keys())
+	for entity: int in found:
+		if shown_tick() > _active[entity] + _FIELD_TICKS:
+			_active.erase(entity)
+	return found
+
+
+## The value of a field at the moment that is shown.
+func field(p_entity: int, p_field: int) -> float:
+	return _smoother.field(p_entity, p_field)
+
+
+func _take_level(p_level: LevelMessage) -> bool:
+	if p_level == null:
+		return false
+	clear()
+	level_named.emit(p_level.name, p_level.fingerprint)
+	return true
+
+
+func _on_spawned(p_row: EntityRow) -> void:
+	while _defined_types < table.types.size():
+		table.types[_defined_types].define(_decoder.define_type, _defined_types)
+		_defined_types += 1
+	_decoder.add_entity(p_row.id, p_row.type_number, p_row.values)
+	if p_row.is_person() and p_row.skeleton.is_sound():
+		var joints: PersonSkeleton = p_row.skeleton
+		_smoother.set_skeleton(
+			p_row.id, joints.parents, joints.joints_in_parent, joints.joints_in_limb
+		)
+
+
+func _on_despawned(p_row: EntityRow) -> void:
+	_decoder.remove_entity(p_row.id)
+	_active.erase(p_row.id)
+	if p_row.is_person():
+		_smoother.forget_person(p_row.id)
+	else:
+		_smoother.forget_body(p_row.id)
+
+
+## The mark of the datagram that was taken last, in times of the server's clock; null if it had none.
+func _take_mark() -> LatencyMark:
+	var known: Dictionary = _decoder.get_mark()
+	if known.is_empty():
+		return null
+	var steps: PackedInt32Array = known["steps_usec"]
+	var mark: LatencyMark = LatencyMark.new()
+	mark.person = known["person"]
+	mark.sample = known["sample"]
+	mark.tick = known["tick"]
+	mark.simulated_usec = known["simulated_usec"]
+	mark.snapshot_sent_usec = mark.simulated_usec + steps[3]
+	mark.received_usec = mark.simulated_usec - steps[2]
+	mark.sent_usec = mark.received_usec - steps[1]
+	mark.sampled_usec = mark.sent_usec - steps[0]
+	return mark
 
 
 func _set_error(p_degrees: float) -> void:

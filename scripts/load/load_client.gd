@@ -13,7 +13,7 @@ const TRAINEE_WAIT_MS: int = 2
 
 ## Shown to the others.
 var name: String = ""
-## What the server has told.
+## What the server has sent.
 var replica: WorldReplica = WorldReplica.new()
 ## What has been counted since [method begin_counting].
 var stats: LoadStats = LoadStats.new()
@@ -42,13 +42,13 @@ func _init(p_name: String, p_options: Options, p_agreement: LoadAgreement) -> vo
 	_link.joined.connect(_on_joined)
 	_link.lost.connect(_on_lost)
 	_link.refused.connect(func(why: String) -> void: refusal = why)
-	_link.snapshot_received.connect(_on_snapshot)
-	_link.world_received.connect(_on_world)
+	_link.state_received.connect(_on_state)
+	replica.marked.connect(_on_marked)
 
 
 ## Makes it a trainee who moves by a source.
 func wear(p_source: MotionSource) -> void:
-	_request.role = Protocol.Role.TRAINEE
+	_request.role = Roles.Role.TRAINEE
 	_link.wait_ms = TRAINEE_WAIT_MS
 	_motion = ClientMotion.new()
 	var codec: PoseCodec.Coding = PoseMessage.CODECS[_options.text("codec")]
@@ -56,8 +56,8 @@ func wear(p_source: MotionSource) -> void:
 
 
 ## Sets from where the client looks, m.
-func look_from(p_place: Vector3) -> void:
-	_viewpoint = p_place
+func look_from(p_position: Vector3) -> void:
+	_viewpoint = p_position
 
 
 ## Begins to connect.
@@ -97,8 +97,8 @@ func begin_counting() -> void:
 ## The people of whom something is known and who are there.
 func people_known() -> int:
 	var known: int = 0
-	for actor: int in replica.world.names if replica.world != null else {}:
-		known += 1 if _newest.has(actor) else 0
+	for row: EntityRow in replica.table.people():
+		known += 1 if _newest.has(row.id) else 0
 	return known
 
 
@@ -128,11 +128,11 @@ func close() -> void:
 
 ## How long ago the ticks began whose poses are the newest that are known.
 func _sample_ages(p_now_usec: int) -> void:
-	if replica.world == null or not _link.clock.is_known():
+	if not _link.clock.is_known():
 		return
-	for actor: int in replica.world.names:
-		if _newest.has(actor):
-			var began: int = _link.clock.local_usec_of_tick(_newest[actor])
+	for row: EntityRow in replica.table.people():
+		if _newest.has(row.id):
+			var began: int = _link.clock.local_usec_of_tick(_newest[row.id])
 			stats.ages.add((p_now_usec - began) / 1000.0)
 		else:
 			stats.unknown += 1
@@ -158,21 +158,22 @@ func _on_lost(p_why: String) -> void:
 	_retry_usec = Time.get_ticks_usec() + int(RETRY_S * 1e6)
 
 
-func _on_world(p_world: WorldDescription, _p_bytes: PackedByteArray) -> void:
-	replica.describe(p_world)
-
-
-func _on_snapshot(p_bytes: PackedByteArray, p_arrival_usec: int) -> void:
+func _on_state(p_bytes: PackedByteArray, p_arrival_usec: int) -> void:
 	var useful: bool = replica.take(p_bytes, p_arrival_usec / 1e6)
+	var kind: int = p_bytes[0]
+	if not Protocol.SNAPSHOTS.has(kind):
+		return
 	stats.took(replica.outcome, p_bytes.size())
 	if not useful:
 		return
-	var tick: int = replica.told_tick()
-	for person: int in replica.told_people():
+	var tick: int = replica.received_tick()
+	for person: int in replica.received_people():
 		_newest[person] = maxi(_newest.get(person, -1), tick)
 		if _agreement.wants(tick, person):
-			_agreement.take(tick, person, replica.told_fingerprint(person))
-	var mark: LatencyMark = replica.take_mark()
-	if mark != null and _link.clock.is_known():
-		mark.arrival_usec = _link.clock.server_usec(p_arrival_usec)
-		stats.marked(mark)
+			_agreement.take(tick, person, replica.received_fingerprint(person))
+
+
+func _on_marked(p_mark: LatencyMark) -> void:
+	if _link.clock.is_known():
+		p_mark.arrival_usec = _link.clock.server_usec(p_mark.arrival_usec)
+		stats.marked(p_mark)

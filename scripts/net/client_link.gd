@@ -9,17 +9,16 @@ extends RefCounted
 ## The server has admitted us.
 signal joined
 ## An instructor will decide; so many are before us, we included.
-signal waiting(p_place: int)
+signal waiting(p_position: int)
 ## The server does not want us, and says why. Trying again is of no use.
 signal refused(p_why: String)
 ## There is no server, or no longer, or it is not ready for us; trying again may help.
 signal lost(p_why: String)
-## A snapshot's datagram that arrived at [method Time.get_ticks_usec]. Not checked yet.
-signal snapshot_received(p_bytes: PackedByteArray, p_arrival_usec: int)
+## A message about the state of the world that arrived at [method Time.get_ticks_usec]: a snapshot's
+## datagram, a change of the entity table, events, a level. Not checked yet.
+signal state_received(p_bytes: PackedByteArray, p_arrival_usec: int)
 ## An instructor asks that one of our people be calibrated in a pose.
 signal calibration_asked(p_index: int, p_pose: int)
-## Which bodies there are now. The bytes are those of the packet, for a recorder.
-signal world_received(p_world: WorldDescription, p_bytes: PackedByteArray)
 
 ## How far a connection has come.
 enum State {
@@ -71,6 +70,12 @@ var _where: String = ""
 var _why: String = ""
 var _over: bool = false
 var _refusal: String = ""
+var _level: PackedByteArray = PackedByteArray()
+var _handlers: MessageHandlers = MessageHandlers.new()
+
+
+func _init() -> void:
+	_add_handlers()
 
 
 ## Begins to connect; the outcome comes as a signal from [method poll].
@@ -99,7 +104,7 @@ func open(p_host: String, p_port: int, p_request: JoinRequest, p_password: Strin
 	_api.server_relay = false
 	_api.allow_object_decoding = false
 	_api.auth_timeout = 0.0
-	_api.auth_callback = _on_answer
+	_api.auth_callback = _on_handshake
 	_api.connected_to_server.connect(_on_joined)
 	_api.peer_packet.connect(_on_packet)
 	var error: Error = _peer.create_client(p_host, p_port)
@@ -221,23 +226,23 @@ func _loss() -> String:
 	return "the connection to %s is lost%s" % [_where, ": " + _why if _why != "" else ""]
 
 
-func _on_answer(p_peer: int, p_bytes: PackedByteArray) -> void:
+func _on_handshake(p_peer: int, p_bytes: PackedByteArray) -> void:
 	if p_peer != MultiplayerPeer.TARGET_PEER_SERVER or _over:
 		return
 	if _challenge.is_empty():
 		_send_join_request(p_bytes)
 		return
-	var answer: JoinReply = JoinReply.decode(p_bytes)
-	match answer.kind:
+	var reply: JoinReply = JoinReply.decode(p_bytes)
+	match reply.kind:
 		JoinReply.Kind.WELCOME:
-			_take_welcome(answer)
+			_take_welcome(reply)
 		JoinReply.Kind.WAIT:
 			_state = State.WAITING
-			waiting.emit(answer.place)
+			waiting.emit(reply.position)
 		JoinReply.Kind.LATER:
-			_come_later(answer.why)
+			_come_later(reply.why)
 		_:
-			_give_up(answer.why)
+			_give_up(reply.why)
 
 
 func _send_join_request(p_bytes: PackedByteArray) -> void:
@@ -255,15 +260,16 @@ func _send_join_request(p_bytes: PackedByteArray) -> void:
 	_api.send_auth(MultiplayerPeer.TARGET_PEER_SERVER, bytes)
 
 
-func _take_welcome(p_answer: JoinReply) -> void:
-	if _locked and not p_answer.is_proven(_key, _said):
+func _take_welcome(p_reply: JoinReply) -> void:
+	if _locked and not p_reply.is_proven(_key, _said):
 		_give_up("the server does not know the password")
 		return
 	if _password != "" and not _locked:
 		Log.warning("net", "%s asks for no password: it may be another server" % _where)
-	session = p_answer.session
-	_token = p_answer.token
+	session = p_reply.session
+	_token = p_reply.token
 	_token_of = _where
+	_level = LevelMessage.encode(p_reply.level_name, p_reply.level_fingerprint)
 	_api.complete_auth(MultiplayerPeer.TARGET_PEER_SERVER)
 
 
@@ -272,20 +278,25 @@ func _on_joined() -> void:
 	_set_fast_peer(_peer)
 	traffic.restart()
 	joined.emit()
+	# The welcome has named the level; the rest of the program hears of it as of one that changes.
+	_on_state(_level, Time.get_ticks_usec())
+
+
+func _add_handlers() -> void:
+	var fast: MessageHandlers.Path = MessageHandlers.Path.FAST
+	var reliable: MessageHandlers.Path = MessageHandlers.Path.RELIABLE
+	for kind: int in Protocol.SNAPSHOTS:
+		_handlers.add(kind, fast, _on_state)
+	for kind: int in [Protocol.Message.TABLE, Protocol.Message.LEVEL]:
+		_handlers.add(kind, reliable, _on_state)
+	_handlers.add(Protocol.Message.EVENTS, MessageHandlers.Path.ANY, _on_state)
+	_handlers.add(Protocol.Message.CLOCK, fast, _on_clock)
+	_handlers.add(Protocol.Message.CONTROL, reliable, _on_control)
 
 
 func _take_fast() -> void:
 	for packet: FastPacket in _peer.take_fast():
-		match packet.bytes[0]:
-			Protocol.Message.SNAPSHOT, Protocol.Message.SNAPSHOT_OF_ONE, Protocol.Message.KEY:
-				if _state == State.JOINED:
-					snapshot_received.emit(packet.bytes, packet.arrival_usec)
-			Protocol.Message.CLOCK:
-				var answer: ClockMessage = ClockMessage.decode(packet.bytes)
-				if answer != null:
-					clock.arrived(answer, packet.arrival_usec)
-			_:
-				_complain(packet.bytes.size())
+		_handle(packet.bytes, MessageHandlers.Path.FAST, packet.arrival_usec)
 		if _state == State.CLOSED:
 			return
 
@@ -293,19 +304,35 @@ func _take_fast() -> void:
 func _on_packet(p_peer: int, p_bytes: PackedByteArray) -> void:
 	if p_peer != MultiplayerPeer.TARGET_PEER_SERVER or p_bytes.is_empty() or _over:
 		return
-	match p_bytes[0]:
-		Protocol.Message.PART:
-			var whole: PackedByteArray = _parts.join(p_bytes)
-			if whole.is_empty():
-				return
-			var world: WorldDescription = WorldDescription.decode(whole)
-			if world != null:
-				world_received.emit(world, whole)
-				return
-		Protocol.Message.CONTROL:
-			if _take_notice(p_bytes):
-				return
-	_complain(p_bytes.size())
+	var whole: PackedByteArray = p_bytes
+	if p_bytes[0] == Protocol.Message.PART:
+		whole = _parts.join(p_bytes)
+		if whole.is_empty():
+			return
+	_handle(whole, MessageHandlers.Path.RELIABLE, Time.get_ticks_usec())
+
+
+func _handle(p_bytes: PackedByteArray, p_path: MessageHandlers.Path, p_arrival_usec: int) -> void:
+	var entry: MessageHandlers.Handler = _handlers.find(p_bytes, p_path)
+	if entry == null or not entry.handler.call(p_bytes, p_arrival_usec):
+		_complain(p_bytes.size())
+
+
+func _on_state(p_bytes: PackedByteArray, p_arrival_usec: int) -> bool:
+	if _state == State.JOINED:
+		state_received.emit(p_bytes, p_arrival_usec)
+	return true
+
+
+func _on_clock(p_bytes: PackedByteArray, p_arrival_usec: int) -> bool:
+	var reply: ClockMessage = ClockMessage.decode(p_bytes)
+	if reply != null:
+		clock.arrived(reply, p_arrival_usec)
+	return true
+
+
+func _on_control(p_bytes: PackedByteArray, _arrival_usec: int) -> bool:
+	return _take_notice(p_bytes)
 
 
 ## Whether it is a notice that makes sense.

@@ -40,9 +40,14 @@ var _peer: ThreadedPeer = null
 var _sessions: SessionTable = SessionTable.new()
 var _handshake: Handshake = null
 var _strikes: RpcErrorLimiter = null
-var _world_number: int = 0
+var _message_number: int = 0
+var _handlers: MessageHandlers = MessageHandlers.new()
 var _ticks: TickClock = TickClock.new()
 var _looked_usec: int = 0
+
+
+func _init() -> void:
+	_add_handlers()
 
 
 ## Opens the port. Returns [constant ERR_CANT_CREATE] where it is in use, and
@@ -147,12 +152,37 @@ func rate_of(p_session: int) -> int:
 	return session.rate if session != null else 0
 
 
-## Tells everybody which bodies there are.
-func send_world(p_world: WorldDescription) -> void:
-	_world_number += 1
-	for bytes: PackedByteArray in MessageParts.split(p_world.encode(), _world_number):
-		for session: Session in _sessions.here():
-			_send_reliably(session.peer, bytes)
+## Sends a message of any size to sessions, reliably and in order with the others.
+func send_reliably(p_sessions: PackedInt32Array, p_bytes: PackedByteArray) -> void:
+	_message_number += 1
+	var parts: Array[PackedByteArray] = MessageParts.split(p_bytes, _message_number)
+	for id: int in p_sessions:
+		var session: Session = _sessions.find(id)
+		if session != null and session.is_here:
+			for part: PackedByteArray in parts:
+				_send_reliably(session.peer, part)
+
+
+## Registers who takes in a kind of message; see [method MessageHandlers.add].
+## [code]func(session: Session, bytes: PackedByteArray, arrival_usec: int) -> String[/code] returns
+## what is wrong with it, or an empty text.
+func handle(
+	p_kind: int, p_path: MessageHandlers.Path, p_handler: Callable, p_capability: int = 0
+) -> void:
+	_handlers.add(p_kind, p_path, p_handler, p_capability)
+
+
+## Sessions that are here.
+func session_ids() -> PackedInt32Array:
+	var ids: PackedInt32Array = []
+	for session: Session in _sessions.here():
+		ids.append(session.id)
+	return ids
+
+
+## A session by its number, or null.
+func session(p_id: int) -> Session:
+	return _sessions.find(p_id)
 
 
 ## Everybody, for an instructor: dictionaries with session (0 while waiting), peer, name, role,
@@ -198,7 +228,7 @@ func kick(p_session: int, p_why: String) -> String:
 ## there are). Returns why not, or an empty text.
 func ask_calibration(p_session: int, p_index: int, p_pose: int) -> String:
 	var session: Session = _sessions.find(p_session)
-	if session == null or session.role != Protocol.Role.TRAINEE or session.peer == 0:
+	if session == null or not session.can(Roles.Capability.SEND_MOTION) or session.peer == 0:
 		return "session %d is no trainee that is here" % p_session
 	if p_index < 0 or p_index >= PersonCard.MAX_PEOPLE or p_pose < 0 or p_pose > 255:
 		return "there is no person %d or no pose %d" % [p_index, p_pose]
@@ -283,57 +313,73 @@ func _on_reopened() -> void:
 
 func _on_fast(p_packet: FastPacket) -> void:
 	var session: Session = _sessions.of_peer(p_packet.peer)
-	if session == null or not session.is_here:
-		return
-	match p_packet.bytes[0]:
-		Protocol.Message.ACK:
-			ack_received.emit(session.id, p_packet.bytes, p_packet.arrival_usec)
-		Protocol.Message.POSE:
-			_on_pose(session, p_packet)
-		Protocol.Message.STATS:
-			stats_received.emit(session.id, StatsMessage.decode(p_packet.bytes))
-		_:
-			_on_packet(p_packet.peer, p_packet.bytes)
-
-
-func _on_pose(p_session: Session, p_packet: FastPacket) -> void:
-	if p_session.role != Protocol.Role.TRAINEE:
-		_complain(p_session, "role", "sent a pose, but is no trainee")
-		return
-	var sample: PoseSample = PoseMessage.decode(p_packet.bytes)
-	if sample == null:
-		_complain(p_session, "pose", "sent " + PoseMessage.error)
-		return
-	pose_received.emit(p_session.id, sample, p_packet.arrival_usec)
+	if session != null and session.is_here:
+		_handle(session, p_packet.bytes, MessageHandlers.Path.FAST, p_packet.arrival_usec)
 
 
 func _on_packet(p_peer: int, p_bytes: PackedByteArray) -> void:
 	var session: Session = _sessions.of_peer(p_peer)
-	if session == null:
-		return
-	if not p_bytes.is_empty() and p_bytes[0] == Protocol.Message.PEOPLE:
-		_on_people(session, p_bytes)
-	else:
+	if session != null and session.is_here:
+		_handle(session, p_bytes, MessageHandlers.Path.RELIABLE, Time.get_ticks_usec())
+
+
+func _handle(
+	p_session: Session, p_bytes: PackedByteArray, p_path: MessageHandlers.Path, p_arrival_usec: int
+) -> void:
+	var entry: MessageHandlers.Handler = _handlers.find(p_bytes, p_path)
+	if entry == null:
 		var kind: int = p_bytes[0] if not p_bytes.is_empty() else -1
 		var parts: Array = [p_bytes.size(), kind]
-		_complain(session, "kind", "sent %d bytes of unknown kind %d" % parts)
+		complain(p_session, "kind", "sent %d bytes of unknown kind %d" % parts)
+		return
+	if entry.capability != 0 and Roles.ROWS[p_session.role][1] & entry.capability == 0:
+		var what: String = Protocol.Message.find_key(p_bytes[0])
+		complain(p_session, "role", "sent %s, which its role may not" % what)
+		return
+	var fault: String = entry.handler.call(p_session, p_bytes, p_arrival_usec)
+	if fault != "":
+		complain(p_session, "message %d" % p_bytes[0], "sent " + fault)
 
 
-func _on_people(p_session: Session, p_bytes: PackedByteArray) -> void:
+func _add_handlers() -> void:
+	var fast: MessageHandlers.Path = MessageHandlers.Path.FAST
+	var motion: int = Roles.Capability.SEND_MOTION
+	handle(Protocol.Message.ACK, fast, _on_ack)
+	handle(Protocol.Message.POSE, fast, _on_pose, motion)
+	handle(Protocol.Message.STATS, fast, _on_stats)
+	handle(Protocol.Message.PEOPLE, MessageHandlers.Path.RELIABLE, _on_people, motion)
+
+
+func _on_ack(p_session: Session, p_bytes: PackedByteArray, p_arrival_usec: int) -> String:
+	ack_received.emit(p_session.id, p_bytes, p_arrival_usec)
+	return ""
+
+
+func _on_stats(p_session: Session, p_bytes: PackedByteArray, _arrival_usec: int) -> String:
+	stats_received.emit(p_session.id, StatsMessage.decode(p_bytes))
+	return ""
+
+
+func _on_pose(p_session: Session, p_bytes: PackedByteArray, p_arrival_usec: int) -> String:
+	var sample: PoseSample = PoseMessage.decode(p_bytes)
+	if sample == null:
+		return PoseMessage.error
+	pose_received.emit(p_session.id, sample, p_arrival_usec)
+	return ""
+
+
+func _on_people(p_session: Session, p_bytes: PackedByteArray, _arrival_usec: int) -> String:
 	var people: Array[PersonCard] = PeopleMessage.decode(p_bytes)
-	if PeopleMessage.error != "":
-		_complain(p_session, "people", "sent " + PeopleMessage.error)
-	elif p_session.role != Protocol.Role.TRAINEE:
-		_complain(p_session, "role", "names people, but is no trainee")
-	elif p_session.is_here:
+	if PeopleMessage.error == "":
 		people_declared.emit(p_session.id, people)
+	return PeopleMessage.error
 
 
 func _throw_out(p_peers: Array[int]) -> void:
 	for peer: int in p_peers:
 		var session: Session = _sessions.of_peer(peer)
 		if session != null:
-			_complain(session, "calls", "was thrown out: its calls make no sense")
+			complain(session, "calls", "was thrown out: its calls make no sense")
 			_peer.dismiss(peer, Protocol.DisconnectReason.THROWN_OUT)
 			_end(session)
 
@@ -346,7 +392,7 @@ func _send_reliably(p_peer: int, p_bytes: PackedByteArray) -> void:
 func _on_trouble(p_peer: int, p_key: String, p_what: String) -> void:
 	var session: Session = _sessions.of_peer(p_peer)
 	if session != null:
-		_complain(session, p_key, p_what)
+		complain(session, p_key, p_what)
 	elif p_peer != 0:
 		var parts: Array = [_peer.address_of(p_peer), p_what]
 		Log.limited("net", p_key, "a client from %s %s" % parts)
@@ -354,5 +400,6 @@ func _on_trouble(p_peer: int, p_key: String, p_what: String) -> void:
 		Log.limited("net", p_key, p_what)
 
 
-func _complain(p_about: Session, p_key: String, p_what: String) -> void:
+## Writes down what a client did that it should not; [param p_key] limits how often.
+func complain(p_about: Session, p_key: String, p_what: String) -> void:
 	Log.limited("net", "%s %d" % [p_key, p_about.id], "%s %s" % [p_about.describe(), p_what])

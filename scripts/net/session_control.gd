@@ -8,6 +8,9 @@ extends Node
 
 ## Who is here, lost or waiting has changed; see [method ServerLink.roster]. On clients.
 signal roster_changed(p_roster: Array[Dictionary])
+## An instructor asks for another level; the callable is to be told why not, or an empty text. On the
+## server.
+signal level_requested(p_name: String, p_answer: Callable)
 ## What became of a request, for the instructor who made it. On clients.
 signal answered(p_text: String)
 
@@ -62,6 +65,11 @@ func calibrate(p_session: int, p_index: int, p_pose: int) -> void:
 	_calibrate.rpc_id(MultiplayerPeer.TARGET_PEER_SERVER, p_session, p_index, p_pose)
 
 
+## Asks the server for another level, by its name.
+func change_level(p_name: String) -> void:
+	_change_level.rpc_id(MultiplayerPeer.TARGET_PEER_SERVER, p_name)
+
+
 static func _attach(p_parent: Node, p_api: SceneMultiplayer) -> SessionControl:
 	var control: SessionControl = p_parent.get_node_or_null(NodePath(NODE_NAME))
 	if control == null:
@@ -75,14 +83,14 @@ static func _attach(p_parent: Node, p_api: SceneMultiplayer) -> SessionControl:
 
 @rpc("any_peer", "call_remote", "reliable")
 func _admit(p_peer: Variant = null) -> void:
-	var caller: Session = _caller()
+	var caller: Session = _caller(Roles.Capability.MODERATE)
 	if caller != null and p_peer is int:
 		_answer(caller, _link.admit(p_peer), "%s let '%s' in" % [caller.name, p_peer])
 
 
 @rpc("any_peer", "call_remote", "reliable")
 func _refuse(p_peer: Variant = null, p_why: Variant = null) -> void:
-	var caller: Session = _caller()
+	var caller: Session = _caller(Roles.Capability.MODERATE)
 	if caller != null and p_peer is int and p_why is String:
 		var why: String = "refused by %s" % _sign(caller, p_why)
 		_answer(caller, _link.refuse(p_peer, why), why)
@@ -90,7 +98,7 @@ func _refuse(p_peer: Variant = null, p_why: Variant = null) -> void:
 
 @rpc("any_peer", "call_remote", "reliable")
 func _kick(p_session: Variant = null, p_why: Variant = null) -> void:
-	var caller: Session = _caller()
+	var caller: Session = _caller(Roles.Capability.MODERATE)
 	if caller != null and p_session is int and p_why is String:
 		var why: String = "kicked by %s" % _sign(caller, p_why)
 		_answer(caller, _link.kick(p_session, why), "session %d was %s" % [p_session, why])
@@ -98,7 +106,7 @@ func _kick(p_session: Variant = null, p_why: Variant = null) -> void:
 
 @rpc("any_peer", "call_remote", "reliable")
 func _ban(p_session: Variant = null, p_why: Variant = null) -> void:
-	var caller: Session = _caller()
+	var caller: Session = _caller(Roles.Capability.MODERATE)
 	if caller != null and p_session is int and p_why is String:
 		var why: String = "banned by %s" % _sign(caller, p_why)
 		_answer(caller, _link.ban(p_session, why), "session %d was %s" % [p_session, why])
@@ -106,10 +114,19 @@ func _ban(p_session: Variant = null, p_why: Variant = null) -> void:
 
 @rpc("any_peer", "call_remote", "reliable")
 func _calibrate(p_session: Variant = null, p_index: Variant = null, p_pose: Variant = null) -> void:
-	var caller: Session = _caller()
+	var caller: Session = _caller(Roles.Capability.DIRECT)
 	if caller != null and p_session is int and p_index is int and p_pose is int:
 		var done: String = "session %d was asked to calibrate" % p_session
 		_answer(caller, _link.ask_calibration(p_session, p_index, p_pose), done)
+
+
+@rpc("any_peer", "call_remote", "reliable")
+func _change_level(p_name: Variant = null) -> void:
+	var caller: Session = _caller(Roles.Capability.DIRECT)
+	if caller != null and p_name is String:
+		var name_asked: String = ByteReader.clean((p_name as String).left(Protocol.MAX_LEVEL_NAME))
+		var answer: Callable = _answer.bind("the world is now '%s'" % name_asked)
+		level_requested.emit(name_asked, func(fault: String) -> void: answer.call(caller, fault))
 
 
 @rpc("authority", "call_remote", "reliable")
@@ -128,14 +145,14 @@ func _tell(p_text: Variant = null) -> void:
 		answered.emit(ByteReader.clean((p_text as String).left(400)))
 
 
-## The instructor who calls, or null if it is none.
-func _caller() -> Session:
+## The client that calls, or null if it may not.
+func _caller(p_capability: Roles.Capability) -> Session:
 	if _link == null:
 		return null
 	var session: Session = _link.session_of_peer(multiplayer.get_remote_sender_id())
-	if session != null and session.is_here and session.role == Protocol.Role.INSTRUCTOR:
+	if session != null and session.is_here and session.can(p_capability):
 		return session
-	Log.limited("net", "instructor", "somebody who is no instructor gives orders")
+	Log.limited("net", "instructor", "somebody who may not gives orders")
 	return null
 
 
@@ -153,6 +170,6 @@ func _answer(p_caller: Session, p_fault: String, p_done: String) -> void:
 func _push() -> void:
 	var rows: Array[Dictionary] = _link.roster()
 	for row: Dictionary in rows:
-		if row["role"] == Protocol.Role.INSTRUCTOR and row["state"] == "here":
+		if Roles.can(row["role"], Roles.Capability.MODERATE) and row["state"] == "here":
 			if multiplayer.get_peers().has(row["peer"]):
 				_show.rpc_id(row["peer"], rows)

@@ -1,47 +1,87 @@
 class_name Replication
 extends RefCounted
-## Tells all clients where people and props are, each as far as its share of the network goes.
+## Tells all clients which entities there are and where they are, each as far as its share of the
+## network goes.
 
-var _encoder: SnapshotEncoder = SnapshotEncoder.new()
-var _registry: BodyRegistry = BodyRegistry.new()
+## The encoder, which also has the entities' fields.
+var encoder: SnapshotEncoder = SnapshotEncoder.new()
+
 var _link: ServerLink = null
-var _actors: ServerPeople = null
+var _level: ServerLevel = null
+var _people: ServerPeople = null
 var _bits_per_second: float = 0.0
 var _error_deg: float = Protocol.POSE_ERROR_DEG
-## Who is there: session to the id of its person, -1 without a body.
-var _clients: Dictionary[int, int] = {}
+## What has changed in the table since the last message.
+var _changes: EntityTableMessage = EntityTableMessage.new()
+var _known_types: int = 0
+var _defined_types: int = 0
+## Who is there, and who has not got the whole table yet.
 var _sessions: PackedInt32Array = PackedInt32Array()
-var _known: Dictionary[int, bool] = {}
-## When a client came or returned, µs, and what it has told of itself.
+var _newcomers: PackedInt32Array = PackedInt32Array()
+var _recorder: StateRecorder = null
+## When a client came or returned, µs, and what it has said of itself.
 var _since_usec: Dictionary[int, int] = {}
-var _told: Dictionary[int, Dictionary] = {}
+var _client_stats: Dictionary[int, Dictionary] = {}
 
 
 func _init(
 	p_link: ServerLink,
-	p_actors: ServerPeople,
+	p_level: ServerLevel,
+	p_people: ServerPeople,
 	p_tick_rate: int,
 	p_bits_per_second: float,
 	p_error_deg: float
 ) -> void:
 	_link = p_link
-	_actors = p_actors
+	_level = p_level
+	_people = p_people
 	_bits_per_second = p_bits_per_second
 	_error_deg = p_error_deg
-	_encoder.configure(PackedInt32Array(Limbs.PARENTS), p_error_deg, p_tick_rate)
+	encoder.configure(PackedInt32Array(Limbs.PARENTS), p_error_deg, p_tick_rate)
 	_link.ack_received.connect(_on_ack)
 	_link.stats_received.connect(_on_stats)
+	_level.table.spawned.connect(_on_spawned)
+	_level.table.despawned.connect(_on_despawned)
+	_level.entity_added.connect(_on_entity_added)
+	_level.changed.connect(_on_level_changed)
+	_level.table.cleared.connect(_on_table_cleared)
+	_people.person_added.connect(_on_person_added)
+	_people.person_attached.connect(
+		func(person: ServerPeople.Person, carrier: int) -> void:
+			encoder.set_frame(person.id, carrier)
+	)
 
 
-## Takes a world in, and finds out which parts of it can be seen from which.
-func watch_world(p_world: Node3D) -> void:
-	_registry.add_world(p_world)
-	_registry.watch_world(_encoder)
+## Records all that is sent, before it is thinned out for a client, to a file; an empty
+## path is none. Returns why it cannot, or an empty text.
+func record_to(p_path: String) -> String:
+	if p_path == "":
+		return ""
+	_recorder = StateRecorder.new()
+	var fault: String = _recorder.open(p_path)
+	if fault != "":
+		_recorder = null
+		return fault
+	_recorder.begin()
+	encoder.add_recorder(StateRecorder.CLIENT)
+	_newcomers.append(StateRecorder.CLIENT)
+	return ""
+
+
+## Ends the recording.
+func close() -> void:
+	if _recorder != null:
+		_recorder.close()
+
+
+## Finds out which parts of the level can be seen from which. Needs the physics space to have been
+## stepped since the level came.
+func survey() -> void:
 	var begin: int = Time.get_ticks_usec()
-	var cells: VisibilityCells = VisibilityCells.survey(p_world)
+	var cells: VisibilityCells = VisibilityCells.survey(_level.level)
 	if cells == null:
 		return
-	_encoder.set_cells(cells.origin, cells.size, cells.counts, cells.visible)
+	encoder.set_cells(cells.origin, cells.size, cells.counts, cells.visible)
 	var parts: Array = [
 		cells.counts.x * cells.counts.y * cells.counts.z,
 		100.0 * cells.openness(),
@@ -52,57 +92,44 @@ func watch_world(p_world: Node3D) -> void:
 
 ## Takes a client in, also one that returns: it knows nothing yet. A rate of 0 means every tick.
 func add_client(p_session: int, p_rate: int) -> void:
-	_clients[p_session] = -1
+	remove_client(p_session)
+	_sessions.append(p_session)
+	_newcomers.append(p_session)
 	_since_usec[p_session] = Time.get_ticks_usec()
-	_sessions = PackedInt32Array(_clients.keys())
-	_encoder.add_client(p_session, p_rate, _bits_per_second)
+	encoder.add_client(p_session, p_rate, _bits_per_second)
+	var own: EntityRow = _level.table.person_of(p_session)
+	if own != null:
+		encoder.set_own_person(p_session, own.id)
 
 
 ## Forgets a client.
 func remove_client(p_session: int) -> void:
-	_clients.erase(p_session)
-	_told.erase(p_session)
-	_sessions = PackedInt32Array(_clients.keys())
-	_encoder.remove_client(p_session)
+	_client_stats.erase(p_session)
+	_sessions = _without(_sessions, p_session)
+	_newcomers = _without(_newcomers, p_session)
+	encoder.remove_client(p_session)
 
 
-## Tells everybody which bodies there are now.
-func announce() -> void:
-	var people: Array[ServerPeople.Person] = _actors.list()
-	var here: Dictionary[int, bool] = {}
-	for person: ServerPeople.Person in people:
-		here[person.id] = true
-		if not _known.has(person.id):
-			_known[person.id] = true
-			BodyRegistry.watch_person(_encoder, person)
-		# Of several people of a client the first one's surroundings count most.
-		if _clients.has(person.session) and person.card.index == 0:
-			_clients[person.session] = person.id
-			_encoder.set_own_person(person.session, person.id)
-	for id: int in _known.keys():
-		if not here.has(id):
-			_known.erase(id)
-			_encoder.remove_person(id)
-	var world: WorldDescription = _registry.describe(people)
-	world.pose_error_deg = _error_deg
-	_link.send_world(world)
-
-
-## Tells everybody what a tick has changed. The time is that of the tick's end, µs.
-func send(p_tick: int, p_now_usec: int) -> void:
-	_actors.hand_poses(_encoder)
-	_encoder.capture(p_tick)
-	_actors.mark(_encoder, p_now_usec)
+## Sends everybody what a tick has changed. The time is that of the tick's end, µs.
+func send(p_tick: int, p_now_usec: int, p_events: Array[PackedByteArray]) -> void:
+	_send_table()
+	_send_events(p_events)
+	_people.hand_poses(encoder)
+	encoder.capture(p_tick)
+	_people.mark(encoder, p_now_usec)
 	var datagrams: Array[PackedByteArray] = []
-	var sessions: PackedInt32Array = _encoder.encode_each(
+	var sessions: PackedInt32Array = encoder.encode_each(
 		_sessions, Time.get_ticks_usec(), datagrams
 	)
 	_link.send_datagrams(sessions, datagrams)
+	if _recorder != null:
+		for bytes: PackedByteArray in encoder.encode(StateRecorder.CLIENT, Time.get_ticks_usec()):
+			_recorder.add(bytes)
 
 
 ## Stats of a client since it came, for a status; empty if it is not here.
 func stats_of(p_session: int) -> Dictionary:
-	var sent: Dictionary = _encoder.get_stats(p_session) if _clients.has(p_session) else {}
+	var sent: Dictionary = encoder.get_stats(p_session) if _sessions.has(p_session) else {}
 	if sent.is_empty():
 		return {}
 	var seconds: float = (Time.get_ticks_usec() - _since_usec[p_session]) / 1e6
@@ -113,15 +140,126 @@ func stats_of(p_session: int) -> Dictionary:
 		"loss_percent": 100.0 * sent["lost"] / counted,
 		"round_trip_ms": sent["round_trip_ms"],
 	}
-	stats.merge(_told.get(p_session, {}))
+	stats.merge(_client_stats.get(p_session, {}))
 	return stats
 
 
+## Tells who is new the whole table, and the others what has changed in it.
+func _send_table() -> void:
+	var table: EntityTable = _level.table
+	_changes.types = table.types.slice(_known_types)
+	_known_types = table.types.size()
+	var has_changed: bool = not (_changes.spawned.is_empty() and _changes.despawned.is_empty())
+	if has_changed or not _changes.types.is_empty():
+		_changes.version = table.version
+		_changes.pose_error_deg = _error_deg
+		var others: PackedInt32Array = []
+		for session: int in _sessions:
+			if not _newcomers.has(session):
+				others.append(session)
+		_send_to(others, _changes.encode())
+		_changes = EntityTableMessage.new()
+	if not _newcomers.is_empty():
+		var whole: EntityTableMessage = EntityTableMessage.of_table(table, _error_deg)
+		var newcomers: PackedInt32Array = _newcomers.duplicate()
+		_newcomers.clear()
+		var bytes: PackedByteArray = whole.encode()
+		if newcomers.has(StateRecorder.CLIENT):
+			_recorder.add(LevelMessage.encode(_level.level_name, _level.fingerprint))
+			_recorder.add(bytes)
+		_link.send_reliably(newcomers, bytes)
+
+
+func _send_events(p_events: Array[PackedByteArray]) -> void:
+	if not p_events[0].is_empty():
+		_send_to(_sessions, p_events[0])
+	if not p_events[1].is_empty():
+		var copies: Array[PackedByteArray] = []
+		copies.resize(_sessions.size())
+		copies.fill(p_events[1])
+		_link.send_datagrams(_sessions, copies)
+		if _recorder != null:
+			_recorder.add(p_events[1])
+
+
+func _send_to(p_sessions: PackedInt32Array, p_bytes: PackedByteArray) -> void:
+	_link.send_reliably(p_sessions, p_bytes)
+	if _recorder != null and not _newcomers.has(StateRecorder.CLIENT):
+		_recorder.add(p_bytes)
+
+
+func _on_spawned(p_row: EntityRow) -> void:
+	_changes.spawned.append(p_row)
+	_define_types()
+	encoder.add_entity(p_row.id, p_row.type_number, p_row.values, p_row.version)
+
+
+func _on_despawned(p_row: EntityRow) -> void:
+	var index: int = _changes.spawned.find(p_row)
+	if index >= 0:
+		_changes.spawned.remove_at(index)
+	else:
+		_changes.despawned.append(p_row.id)
+	encoder.remove_entity(p_row.id)
+
+
+func _on_entity_added(p_row: EntityRow, _node: Entity, p_body: PhysicsBody3D) -> void:
+	if p_body != null:
+		encoder.add_body(p_row.id, p_body.get_rid())
+
+
+## Lets the encoder read a person's limbs, in the order of [constant Limbs.BONES].
+func _on_person_added(p_person: ServerPeople.Person) -> void:
+	var bodies: Array[RID] = []
+	var resets: PackedFloat32Array = []
+	var joints: PersonSkeleton = p_person.ragdoll.get_joints()
+	var order: PackedInt32Array = p_person.ragdoll.get_limb_order()
+	for limb: int in Limbs.COUNT:
+		bodies.append(p_person.ragdoll.get_bodies()[order[limb]])
+		var reset: Quaternion = joints.reset_orientations[limb]
+		resets.append_array([reset.x, reset.y, reset.z, reset.w])
+	encoder.add_person(p_person.id, bodies, resets)
+	# Of several people of a client the first one's surroundings count most.
+	if p_person.card.index == 0 and _sessions.has(p_person.session):
+		encoder.set_own_person(p_person.session, p_person.id)
+
+
+func _on_table_cleared() -> void:
+	_known_types = 0
+	_defined_types = 0
+
+
+## Everybody begins anew in another level.
+func _on_level_changed() -> void:
+	_changes = EntityTableMessage.new()
+	_send_to(_sessions, LevelMessage.encode(_level.level_name, _level.fingerprint))
+	for session: int in _sessions:
+		if not _newcomers.has(session):
+			_newcomers.append(session)
+	if _recorder != null and not _newcomers.has(StateRecorder.CLIENT):
+		_newcomers.append(StateRecorder.CLIENT)
+
+
+static func _without(p_list: PackedInt32Array, p_session: int) -> PackedInt32Array:
+	var rest: PackedInt32Array = p_list.duplicate()
+	var index: int = rest.find(p_session)
+	if index >= 0:
+		rest.remove_at(index)
+	return rest
+
+
+func _define_types() -> void:
+	for number: int in range(_defined_types, _level.table.types.size()):
+		var type: EntityType = _level.table.types[number]
+		type.define(encoder.define_type, number)
+	_defined_types = _level.table.types.size()
+
+
 func _on_ack(p_session: int, p_bytes: PackedByteArray, _p_arrival_usec: int) -> void:
-	if not _encoder.take_ack(p_session, p_bytes):
+	if not encoder.take_ack(p_session, p_bytes):
 		Log.limited("net", "ack %d" % p_session, "session %d acknowledges nonsense" % p_session)
 
 
 func _on_stats(p_session: int, p_stats: Dictionary) -> void:
-	if _clients.has(p_session):
-		_told[p_session] = p_stats
+	if _sessions.has(p_session):
+		_client_stats[p_session] = p_stats

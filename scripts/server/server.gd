@@ -22,12 +22,13 @@ const _EXIT_OPTIONS: int = 2
 ## Seconds between two lines of stats in the log.
 const _STATUS_S: float = 10.0
 
-@export var _world: Node3D
-@export var _actors: ServerPeople
+@export var _level: ServerLevel
+@export var _people: ServerPeople
 
 var _options: Options = null
 var _link: ServerLink = ServerLink.new()
 var _sending: Replication = null
+var _entities: ServerEntities = null
 var _report: ReportFile = null
 var _stats: ServerStats = null
 var _status: StatusEndpoint = StatusEndpoint.new()
@@ -45,34 +46,46 @@ func configure(_p_role: String, p_options: Options) -> void:
 
 func _ready() -> void:
 	_report = ReportFile.new(_options.file("report"))
-	var port: int = _options.number("port")
 	var root: String = _options.text("root")
 	if not _ROOTS.has(root):
 		var known: String = ", ".join(_ROOTS.keys())
 		_give_up(_EXIT_OPTIONS, "--root is one of %s, found '%s'" % [known, root])
 		return
-	_actors.root_mode = _ROOTS[root]
-	if not _open_link(port):
-		return
 	if _rate() > _MAX_TICKS:
 		_give_up(_EXIT_OPTIONS, "%d ticks/s are set, %d is the most" % [_rate(), _MAX_TICKS])
 		return
+	_people.root_mode = _ROOTS[root]
 	_stats = ServerStats.new(_rate())
+	if _open_link(_options.number("port")):
+		_open_world()
+
+
+## Puts the parts together; the level comes last, as all others listen to what is in it.
+func _open_world() -> void:
 	var bits: float = _options.number("bandwidth") * 1000.0
 	var error: float = _options.degrees("pose-error")
-	_sending = Replication.new(_link, _actors, _rate(), bits, error)
-	_actors.changed.connect(_sending.announce)
+	_people.setup(_level.table)
+	_sending = Replication.new(_link, _level, _people, _rate(), bits, error)
+	_entities = ServerEntities.new(_link, _level.table, _people, _sending.encoder)
+	_level.entity_added.connect(_on_entity_added)
+	_level.leaving.connect(_people.leave)
+	_level.changed.connect(_on_level_changed)
+	_people.person_added.connect(_on_person_added)
 	_link.client_joined.connect(_on_joined)
 	_link.client_returned.connect(_on_returned)
 	_link.client_lost.connect(_sending.remove_client)
 	_link.client_left.connect(_on_left)
 	_link.people_declared.connect(_on_people)
 	_link.pose_received.connect(_on_pose)
+	var fault: String = _sending.record_to(_options.file("record"))
+	fault = _level.load_level(_options.text("world")) if fault == "" else fault
+	if fault != "":
+		_give_up(_EXIT_OPTIONS, fault)
+		return
 	_stop.watch()
-	_open_status(port)
-	Log.info("server", "listening on UDP port %d, %d ticks/s" % [port, _rate()])
-	await get_tree().physics_frame
-	_sending.watch_world(_world)
+	_open_status(_options.number("port"))
+	var parts: Array = [_options.number("port"), _rate(), _level.level_name]
+	Log.info("server", "listening on UDP port %d, %d ticks/s, world '%s'" % parts)
 
 
 func _open_link(p_port: int) -> bool:
@@ -95,7 +108,8 @@ func _open_link(p_port: int) -> bool:
 		_give_up(1, "UDP port %d is in use: choose another with --port" % p_port)
 		return false
 	Log.info("net", security.describe())
-	SessionControl.serve(self, _link)
+	var control: SessionControl = SessionControl.serve(self, _link)
+	control.level_requested.connect(_change_level)
 	return true
 
 
@@ -122,8 +136,10 @@ func _physics_process(p_delta: float) -> void:
 	_link.publish_tick(_tick + 1, begin, _rate())
 	_link.poll()
 	_network_usec += ThreadClock.get_usec()
-	_actors.drive(begin / 1e6, p_delta)
 	_tick += 1
+	_people.tick = _tick
+	_entities.advance(_tick, _rate())
+	_people.drive(begin / 1e6, p_delta)
 	_stats.ticks = _tick
 	_stats.script_time.add((Time.get_ticks_usec() - begin) / 1e6)
 	if _stats.watch.ticked(begin / 1e6):
@@ -139,7 +155,7 @@ func _process(_p_delta: float) -> void:
 	if _report.is_due():
 		_report.write(_make_report())
 	if _stats.since_status() > _STATUS_S:
-		Log.info("server", _stats.describe(_link.client_count(), _actors.list().size()))
+		Log.info("server", _stats.describe(_link.client_count(), _people.list().size()))
 	var duration: float = _options.seconds("duration")
 	if _stop.is_raised():
 		Log.info("server", "stopped by a signal: ending all sessions")
@@ -152,6 +168,8 @@ func _exit_tree() -> void:
 	if _report != null and _stats != null:
 		_report.write(_make_report())
 	_status.close()
+	if _sending != null:
+		_sending.close()
 	# The bodies are out of the tree already: nobody is to be told who leaves now.
 	if _link.client_left.is_connected(_on_left):
 		_link.client_left.disconnect(_on_left)
@@ -160,9 +178,9 @@ func _exit_tree() -> void:
 
 func _after_step() -> void:
 	var now: int = Time.get_ticks_usec()
-	_actors.measure()
+	_people.measure()
 	var begin: int = ThreadClock.get_usec()
-	_sending.send(_tick, now)
+	_sending.send(_tick, now, _entities.take_messages())
 	_stats.networked(_network_usec + ThreadClock.get_usec() - begin)
 	_network_usec = 0
 	_stats.send_time.add((Time.get_ticks_usec() - now) / 1e6)
@@ -172,37 +190,70 @@ func _tell_speed() -> void:
 	if not _stats.watch.is_slow:
 		Log.info("server", "the world runs at full speed again")
 		return
-	var parts: Array = [100.0 * _stats.watch.speed, _actors.list().size(), _link.client_count()]
+	var parts: Array = [100.0 * _stats.watch.speed, _people.list().size(), _link.client_count()]
 	var text: String = "the world runs at %.0f %% of its speed (%d people, %d clients): "
 	Log.warning("server", text % parts + "the machine is too slow for it")
 
 
+## Puts another level in place while the session runs. Returns why it cannot, or an empty text.
+func _change_level(p_name: String, p_answer: Callable) -> void:
+	p_answer.call(_level.load_level(p_name, _tick))
+
+
+func _on_level_changed() -> void:
+	_link.rules.level_name = _level.level_name
+	_link.rules.level_fingerprint = _level.fingerprint
+	var points: Array[Vector3] = []
+	for point: SpawnPoint in _level.level.get_spawn_points():
+		points.append(point.global_position)
+	_people.enter(points)
+	_survey_soon()
+
+
+func _survey_soon() -> void:
+	# Bodies are in the physics space after a step.
+	await get_tree().physics_frame
+	_sending.survey()
+
+
+func _on_entity_added(p_row: EntityRow, p_node: Entity, _body: PhysicsBody3D) -> void:
+	if p_node != null:
+		_entities.bind(p_row, p_node)
+
+
+func _on_person_added(p_person: ServerPeople.Person) -> void:
+	var node: Entity = Entity.find_in(p_person.ragdoll)
+	if node != null:
+		_entities.bind(_level.table.find(p_person.id), node)
+
+
 func _on_joined(p_session: int, p_hello: Dictionary) -> void:
+	_entities.add_session(p_session)
 	_sending.add_client(p_session, p_hello["rate"])
 	_names[p_session] = p_hello["name"]
-	_sending.announce()
 
 
 func _on_returned(p_session: int) -> void:
+	_entities.add_session(p_session)
 	_sending.add_client(p_session, _link.rate_of(p_session))
-	_sending.announce()
 
 
 func _on_left(p_session: int) -> void:
+	_entities.remove_session(p_session)
 	_sending.remove_client(p_session)
 	_names.erase(p_session)
-	_actors.remove(p_session)
+	_people.remove(p_session)
 
 
 func _on_people(p_session: int, p_people: Array[PersonCard]) -> void:
-	_actors.set_people(p_session, p_people, _names.get(p_session, ""))
+	_people.set_people(p_session, p_people, _names.get(p_session, ""))
 
 
 func _on_pose(p_session: int, p_sample: PoseSample, p_arrival_usec: int) -> void:
 	p_sample.arrival_usec = p_arrival_usec
 	# What the motors do with it is no work of the network.
 	_network_usec += ThreadClock.get_usec()
-	_actors.push_sample(p_session, p_sample, p_arrival_usec / 1e6)
+	_people.push_sample(p_session, p_sample, p_arrival_usec / 1e6)
 	_network_usec -= ThreadClock.get_usec()
 
 
@@ -211,4 +262,4 @@ func _rate() -> int:
 
 
 func _make_report() -> Dictionary:
-	return _stats.report(_link, _sending, _actors.stats())
+	return _stats.report(_link, _sending, _people.stats())

@@ -2,8 +2,10 @@ class_name ServerPeople
 extends Node3D
 ## The people on the server: a ragdoll for each, driven by the samples that a client sends.
 
-## Somebody came or went.
-signal changed
+## Somebody has come; the body is in the world.
+signal person_added(p_person: Person)
+## Somebody is carried by an entity from now on; -1 by none.
+signal person_attached(p_person: Person, p_carrier: int)
 
 ## People that left and whose stats are still told.
 const _REMEMBERED: int = 16
@@ -15,20 +17,21 @@ const _NEW_CLOCK: int = 30
 ## Longest step of a sample's way that a mark can tell, µs.
 const _LONGEST_STEP_USEC: int = 655000
 
-## Numbers of people are 16 bits on the wire.
-const _MAX_IDS: int = 65536
-
 ## The scene of a person; its root is a [Ragdoll].
 @export var scene: PackedScene
-## Distance between the places where people start.
+## Distance between people who start where there is no free [SpawnPoint].
 @export_range(0.5, 10.0, 0.1, "suffix:m") var spacing: float = 1.5
 
 ## Where people's travel comes from, and who holds them.
 var root_mode: RagdollMotor.RootMode = RagdollMotor.ROOT_SOFT
+## The server's tick.
+var tick: int = 0
 
 var _people: Dictionary[int, Person] = {}
 var _gone: Array[Dictionary] = []
-var _next_id: int = 0
+var _table: EntityTable = null
+var _spawn_points: Array[Vector3] = []
+var _plain_type: EntityType = EntityType.person()
 
 
 ## One person's body.
@@ -44,14 +47,22 @@ class Person:
 	## Moment of the motion that the last step ended at, s in the wearer's clock.
 	var moment_s: float = 0.0
 	var newest: PoseSample = null
-	## Where the person's own origin is in the world.
+	## Where the person's own origin is in the world, or in the carrier's frame.
 	var origin: Vector3 = Vector3.ZERO
+	## The body that carries the person, or null, and the person's own frame in that of the body.
+	var carrier: PhysicsBody3D = null
+	var seat: Transform3D = Transform3D.IDENTITY
 	## Scales the wearer's travel to the body's build.
 	var scale: float = 1.0
 	var refused: int = 0
 	var refused_in_a_row: int = 0
 	## From sampling to the end of the tick that used the sample, ms.
 	var delay: RecentStatistics = RecentStatistics.new()
+
+
+## Takes over the table that people are entities of.
+func setup(p_table: EntityTable) -> void:
+	_table = p_table
 
 
 ## Gives a session the bodies of these people, and takes away those of whom it tells no more.
@@ -73,25 +84,23 @@ func set_people(p_session: int, p_cards: Array[PersonCard], p_name: String) -> v
 	for index: int in PersonCard.MAX_PEOPLE:
 		if not wanted.has(index):
 			_remove(_key(p_session, index))
-	changed.emit()
 
 
 func _add(p_session: int, p_card: PersonCard, p_name: String) -> void:
 	var person: Person = Person.new()
-	person.id = _free_id()
 	person.session = p_session
 	person.card = p_card
 	person.ragdoll = scene.instantiate()
-	person.ragdoll.name = "Person%d" % person.id
 	person.ragdoll.root_mode = root_mode
-	person.origin = _free_place()
-	_next_id = (person.id + 1) % _MAX_IDS
+	person.origin = _free_origin()
 	if not p_card.lengths.is_empty():
 		person.ragdoll.fit(p_card.lengths, p_card.hip_height)
 	add_child(person.ragdoll)
 	person.scale = person.ragdoll.get_hip_height() / p_card.hip_height
 	if not person.ragdoll.get_limb_order().has(-1) and person.ragdoll.start():
+		person.name = p_card.name if p_card.name != "" else p_name
 		_people[_key(p_session, p_card.index)] = person
+		_enter(person)
 	else:
 		Log.error("server", "'%s' gets no body: the person's scene has a fault" % p_name)
 		person.ragdoll.queue_free()
@@ -101,13 +110,13 @@ func _add(p_session: int, p_card: PersonCard, p_name: String) -> void:
 func remove(p_session: int) -> void:
 	for index: int in PersonCard.MAX_PEOPLE:
 		_remove(_key(p_session, index))
-	changed.emit()
 
 
 func _remove(p_key: int) -> void:
 	if _people.has(p_key):
-		_gone.push_front(_figure(_people[p_key]))
+		_gone.push_front(_stats_of(_people[p_key]))
 		_gone.resize(mini(_gone.size(), _REMEMBERED))
+		_table.despawn(_people[p_key].id)
 		_people[p_key].ragdoll.queue_free()
 		_people.erase(p_key)
 
@@ -142,6 +151,7 @@ func push_sample(p_session: int, p_sample: PoseSample, p_now_s: float) -> void:
 
 ## Sets everybody's motors for the next step.
 func drive(p_now_s: float, p_delta_s: float) -> void:
+	_carry(p_delta_s)
 	var motors: Array[RagdollMotor] = []
 	var moments: PackedFloat64Array = []
 	for person: Person in _people.values():
@@ -186,37 +196,150 @@ func mark(p_encoder: SnapshotEncoder, p_now_usec: int) -> void:
 func stats() -> Array[Dictionary]:
 	var result: Array[Dictionary] = []
 	for person: Person in _people.values():
-		result.append(_figure(person))
+		result.append(_stats_of(person))
 	return result + _gone
 
 
-static func _figure(p_person: Person) -> Dictionary:
-	var figure: Dictionary = p_person.ragdoll.motor.get_tracking()
-	figure["name"] = p_person.name
-	figure["refused_samples"] = p_person.refused
-	figure["sample_to_tick_ms_p50"] = p_person.delay.percentile(0.5)
-	figure["sample_to_tick_ms_p95"] = p_person.delay.percentile(0.95)
-	return figure
+static func _stats_of(p_person: Person) -> Dictionary:
+	var stats: Dictionary = p_person.ragdoll.motor.get_tracking()
+	stats["name"] = p_person.name
+	stats["refused_samples"] = p_person.refused
+	stats["sample_to_tick_ms_p50"] = p_person.delay.percentile(0.5)
+	stats["sample_to_tick_ms_p95"] = p_person.delay.percentile(0.95)
+	return stats
 
 
 static func _key(p_session: int, p_index: int) -> int:
 	return p_session * PersonCard.MAX_PEOPLE + p_index
 
 
-## A number that no one here has, not even as far as the numbers of the bodies tell people apart.
-func _free_id() -> int:
-	var id: int = _next_id % _MAX_IDS
-	var taken: Array = list().map(
-		func(person: Person) -> int: return person.id % BodyRegistry.MAX_PEOPLE
-	)
-	while taken.has(id % BodyRegistry.MAX_PEOPLE):
-		id = (id + 1) % _MAX_IDS
-	return id
+## Takes everybody out of the table: the level goes.
+func leave() -> void:
+	for person: Person in _people.values():
+		person.carrier = null
+		_table.despawn(person.id)
 
 
-func _free_place() -> Vector3:
-	var place: int = 0
+## Puts everybody into the table and at the places where people start in the level that is there
+## now, m; those who come later start there too, and those without a point beside the last one.
+func enter(p_points: Array[Vector3]) -> void:
+	_spawn_points = p_points
+	for person: Person in _people.values():
+		person.origin = Vector3.INF
+	for person: Person in _people.values():
+		person.origin = _free_origin()
+		person.ragdoll.motor.set_frame(Transform3D.IDENTITY)
+		person.ragdoll.motor.clear_motion()
+		_enter(person)
+
+
+## Has a body carry all people of a session: their own frame is where [param p_seat] is in the body's,
+## with the first one's hips above it.
+func attach(p_session: int, p_entity: int, p_carrier: PhysicsBody3D, p_seat: Transform3D) -> void:
+	for person: Person in _of_session(p_session):
+		var at: Vector3 = person.origin
+		if person.newest != null:
+			at += person.newest.root * person.scale
+		at.y = 0.0
+		attach_person(person, p_entity, p_carrier, p_seat.translated_local(-at))
+
+
+## Has a body carry one person, whose own frame is in the body's from now on.
+func attach_person(
+	p_person: Person, p_entity: int, p_carrier: PhysicsBody3D, p_frame: Transform3D
+) -> void:
+	p_person.carrier = p_carrier
+	p_person.seat = p_frame
+	person_attached.emit(p_person, p_entity)
+
+
+## The person whose limb a node is, or null.
+func find_by_limb(p_limb: Node3D) -> Person:
+	for person: Person in _people.values():
+		if person.ragdoll.is_ancestor_of(p_limb):
+			return person
+	return null
+
+
+## Puts the people of a session back on their own feet, where they are.
+func detach(p_session: int) -> void:
+	for person: Person in _of_session(p_session):
+		detach_person(person)
+
+
+## Puts one person back on the ground's frame, where it is.
+func detach_person(p_person: Person) -> void:
+	if p_person.carrier == null:
+		return
+	var frame: Transform3D = p_person.carrier.global_transform * p_person.seat
+	p_person.carrier = null
+	# The frame stays turned as it is: nobody is twisted by getting off.
+	p_person.ragdoll.motor.set_frame(frame)
+	person_attached.emit(p_person, -1)
+
+
+func _enter(p_person: Person) -> void:
+	var row: EntityRow = EntityRow.new()
+	var node: Entity = Entity.find_in(p_person.ragdoll)
+	row.type = node.type if node != null and node.type != null else _plain_type
+	row.tick = tick
+	row.owner = p_person.session
+	row.person_index = p_person.card.index
+	row.person_name = p_person.name
+	row.skeleton = p_person.ragdoll.get_joints()
+	if _table.spawn(row) == null:
+		_people.erase(_key(p_person.session, p_person.card.index))
+		p_person.ragdoll.queue_free()
+		return
+	p_person.id = row.id
+	p_person.ragdoll.name = "Person%d" % row.id
+	person_added.emit(p_person)
+
+
+## Sets the frames of those who are carried, for a step of so many s.
+func _carry(p_delta_s: float) -> void:
+	for person: Person in _people.values():
+		if person.carrier != null and is_instance_valid(person.carrier):
+			var body: PhysicsBody3D = person.carrier
+			var state: PhysicsDirectBodyState3D = PhysicsServer3D.body_get_direct_state(
+				body.get_rid()
+			)
+			var next: Transform3D = body.global_transform
+			if state != null:
+				next = _moved(
+					state.transform, state.linear_velocity, state.angular_velocity, p_delta_s
+				)
+			person.ragdoll.motor.set_frame(next * person.seat)
+		elif person.carrier != null:
+			person.carrier = null
+			person_attached.emit(person, -1)
+
+
+static func _moved(
+	p_transform: Transform3D, p_velocity: Vector3, p_spin: Vector3, p_delta_s: float
+) -> Transform3D:
+	var moved: Transform3D = p_transform
+	moved.origin += p_velocity * p_delta_s
+	if not p_spin.is_zero_approx():
+		moved.basis = Basis(p_spin.normalized(), p_spin.length() * p_delta_s) * moved.basis
+	return moved
+
+
+func _of_session(p_session: int) -> Array[Person]:
+	var found: Array[Person] = []
+	for person: Person in _people.values():
+		if person.session == p_session:
+			found.append(person)
+	return found
+
+
+func _free_origin() -> Vector3:
 	var taken: Array = list().map(func(person: Person) -> Vector3: return person.origin)
-	while taken.has(Vector3(place * spacing, 0.0, 0.0)):
-		place += 1
-	return Vector3(place * spacing, 0.0, 0.0)
+	for point: Vector3 in _spawn_points:
+		if not taken.has(point):
+			return point
+	var last: Vector3 = _spawn_points[-1] if not _spawn_points.is_empty() else Vector3.ZERO
+	var origin: Vector3 = last
+	while taken.has(origin):
+		origin.x += spacing
+	return origin

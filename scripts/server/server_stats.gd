@@ -116,7 +116,7 @@ func _sessions(p_link: ServerLink, p_sending: Replication, p_ways: Dictionary) -
 	var rows: Array[Dictionary] = []
 	for person: Dictionary in p_link.roster():
 		var row: Dictionary = {"session": person["session"], "name": person["name"]}
-		row["role"] = (Protocol.Role.find_key(person["role"]) as String).to_lower()
+		row["role"] = Roles.name_of(person["role"])
 		row["state"] = person["state"]
 		row["address"] = person["address"]
 		row.merge(p_sending.stats_of(person["session"]))

@@ -19,6 +19,8 @@ const NAMES: Array[StringName] = [&"mesh", &"static", &"physics"]
 ## Draws wire frames.
 @export var physics_world: Node3D
 
+var _shown: Dictionary[StringName, bool] = {&"mesh": true, &"static": true, &"physics": false}
+
 
 func _unhandled_key_input(p_event: InputEvent) -> void:
 	var key: InputEventKey = p_event as InputEventKey
@@ -34,14 +36,22 @@ func _unhandled_key_input(p_event: InputEvent) -> void:
 
 ## Whether a world is shown.
 func is_shown(p_name: StringName) -> bool:
-	return _roots(p_name)[0].visible
+	return _shown[p_name]
 
 
 ## Shows or hides a world.
 func set_shown(p_name: StringName, p_shown: bool) -> void:
-	for root: Node3D in _roots(p_name):
-		root.visible = p_shown
+	_shown[p_name] = p_shown
+	refresh()
 	changed.emit()
+
+
+## Shows and hides the nodes as it is set: another level has other ones.
+func refresh() -> void:
+	for each: StringName in NAMES:
+		for root: Node3D in _roots(each):
+			if root != null:
+				root.visible = _shown[each]
 
 
 ## Switches a world.

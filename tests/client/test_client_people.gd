@@ -17,7 +17,7 @@ func before_each() -> void:
 	)
 	_pair.listen()
 	_end = LinkPair.End.new()
-	_end.request.role = Protocol.Role.TRAINEE
+	_end.request.role = Roles.Role.TRAINEE
 	_pair.ends.append(_end)
 	_people = ClientPeople.new(_end.link, Options.parse([]))
 	_end.link.joined.connect(_people.begin)

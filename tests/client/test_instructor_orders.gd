@@ -1,9 +1,9 @@
 extends TestCase
 ## What instructors order by options, and to whom it goes.
 
-const TRAINEE: Protocol.Role = Protocol.Role.TRAINEE
-const OBSERVER: Protocol.Role = Protocol.Role.OBSERVER
-const INSTRUCTOR: Protocol.Role = Protocol.Role.INSTRUCTOR
+const TRAINEE: Roles.Role = Roles.Role.TRAINEE
+const OBSERVER: Roles.Role = Roles.Role.OBSERVER
+const INSTRUCTOR: Roles.Role = Roles.Role.INSTRUCTOR
 
 var _control: Listener = null
 var _orders: InstructorOrders = null
@@ -96,5 +96,5 @@ func _tell(p_rows: Array) -> void:
 	_control.roster_changed.emit(rows)
 
 
-func _row(p_name: String, p_role: Protocol.Role, p_session: int) -> Dictionary:
+func _row(p_name: String, p_role: Roles.Role, p_session: int) -> Dictionary:
 	return {"name": p_name, "role": p_role, "session": p_session, "peer": 99, "state": "here"}

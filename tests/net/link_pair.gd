@@ -112,7 +112,7 @@ static func free_port() -> int:
 
 ## A client that begins to join.
 func add(
-	p_role: Protocol.Role,
+	p_role: Roles.Role,
 	p_name: String = "Ada",
 	p_version: int = Protocol.VERSION,
 	p_password: String = ""
@@ -127,7 +127,7 @@ func add(
 
 
 ## A client that has joined, on both sides.
-func join(p_role: Protocol.Role, p_name: String = "Ada", p_password: String = "") -> End:
+func join(p_role: Roles.Role, p_name: String = "Ada", p_password: String = "") -> End:
 	var before: int = joined.size()
 	var end: End = add(p_role, p_name, Protocol.VERSION, p_password)
 	until(func() -> bool: return end.joined == 1 and joined.size() == before + 1)

@@ -4,8 +4,8 @@ extends TestCase
 const LinkPair: GDScript = preload("link_pair.gd")
 const NetSamples: GDScript = preload("net_samples.gd")
 const SnapshotStream: GDScript = preload("res://tests/wire/snapshot_stream.gd")
-const TRAINEE: Protocol.Role = Protocol.Role.TRAINEE
-const OBSERVER: Protocol.Role = Protocol.Role.OBSERVER
+const TRAINEE: Roles.Role = Roles.Role.TRAINEE
+const OBSERVER: Roles.Role = Roles.Role.OBSERVER
 
 var _pair: LinkPair = null
 var _good: LinkPair.End = null

@@ -3,9 +3,9 @@ extends TestCase
 
 const LinkPair: GDScript = preload("link_pair.gd")
 const NetSamples: GDScript = preload("net_samples.gd")
-const TRAINEE: Protocol.Role = Protocol.Role.TRAINEE
-const OBSERVER: Protocol.Role = Protocol.Role.OBSERVER
-const INSTRUCTOR: Protocol.Role = Protocol.Role.INSTRUCTOR
+const TRAINEE: Roles.Role = Roles.Role.TRAINEE
+const OBSERVER: Roles.Role = Roles.Role.OBSERVER
+const INSTRUCTOR: Roles.Role = Roles.Role.INSTRUCTOR
 
 var _pair: LinkPair = null
 ## What the server was told: session to names, each time.
@@ -38,7 +38,7 @@ func test_a_trainee_tells_whom_it_brings() -> void:
 
 
 func test_nobody_else_brings_anybody() -> void:
-	for role: Protocol.Role in [OBSERVER, INSTRUCTOR]:
+	for role: Roles.Role in [OBSERVER, INSTRUCTOR]:
 		var end: LinkPair.End = _pair.join(role)
 		end.link.declare_people(_cards(["Eve"]))
 		_pair.run(0.2)
@@ -123,7 +123,7 @@ func test_arguments_that_are_none_are_ignored() -> void:
 func test_nobody_else_lets_anybody_be_calibrated() -> void:
 	SessionControl.serve(_node(), _pair.server)
 	var ada: LinkPair.End = _trainee("Ada")
-	for role: Protocol.Role in [TRAINEE, OBSERVER]:
+	for role: Roles.Role in [TRAINEE, OBSERVER]:
 		var rogue: LinkPair.End = _pair.join(role, "rogue")
 		var control: SessionControl = SessionControl.follow(_node(), rogue.link)
 		control.calibrate(ada.link.session, 0, 0)

@@ -36,7 +36,7 @@ func test_round_trip() -> void:
 
 
 func test_keeps_the_times() -> void:
-	var recorder: SnapshotRecorder = SnapshotRecorder.new()
+	var recorder: StateRecorder = StateRecorder.new()
 	equal(recorder.open(PATH), "")
 	for step: int in 5:
 		recorder.add(_packet(step))
@@ -72,7 +72,7 @@ func test_cut_file_plays_up_to_the_cut() -> void:
 
 
 func test_a_kill_loses_at_most_a_second() -> void:
-	var recorder: SnapshotRecorder = SnapshotRecorder.new()
+	var recorder: StateRecorder = StateRecorder.new()
 	equal(recorder.open(PATH), "")
 	var began: int = Time.get_ticks_msec()
 	while Time.get_ticks_msec() - began < 1300:
@@ -124,14 +124,14 @@ func test_playing_a_file_that_could_not_be_opened() -> void:
 
 
 func test_recorder_that_cannot_write() -> void:
-	var recorder: SnapshotRecorder = SnapshotRecorder.new()
+	var recorder: StateRecorder = StateRecorder.new()
 	contains(recorder.open("user://no_such_folder/x"), "cannot record to user://no_such_folder/x")
 	recorder.add(_packet(0))
 	recorder.close()
 
 
 func _record(p_count: int) -> void:
-	var recorder: SnapshotRecorder = SnapshotRecorder.new()
+	var recorder: StateRecorder = StateRecorder.new()
 	equal(recorder.open(PATH), "")
 	for i: int in p_count:
 		_packets.append(_packet(i))

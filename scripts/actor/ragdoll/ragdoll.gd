@@ -158,6 +158,16 @@ func get_bodies() -> Array[RID]:
 	return _bodies
 
 
+## Nodes of the limbs' bodies, in the order of [constant Limbs.BONES]; empty where one is missing.
+func get_limb_nodes() -> Array[PhysicsBody3D]:
+	var nodes: Array[PhysicsBody3D] = []
+	for bone: StringName in Limbs.BONES:
+		var node: PhysicsBody3D = get_simulator().get_node_or_null(NodePath(bone)) as PhysicsBody3D
+		if node != null:
+			nodes.append(node)
+	return nodes if nodes.size() == Limbs.COUNT else ([] as Array[PhysicsBody3D])
+
+
 ## Height of the hips above the feet in the rest pose, m: scales the travel of taller wearers.
 func get_hip_height() -> float:
 	return profile.limbs[0].anchor.y

@@ -2,18 +2,6 @@ class_name Protocol
 extends RefCounted
 ## What both ends of a connection must agree on. See [code]docs/protocol.md[/code].
 
-## What a client wants to be.
-enum Role {
-	## Watches.
-	OBSERVER,
-	## Has a body.
-	TRAINEE,
-	## Watches and decides who takes part.
-	INSTRUCTOR,
-	## Steers a vehicle.
-	DRIVER,
-}
-
 ## First byte of every packet.
 enum Message {
 	## Server to client, fast path: a snapshot with the whole tick, see docs/protocol.md.
@@ -22,8 +10,8 @@ enum Message {
 	POSE = 1,
 	## Server to client, fast path: where bodies are, see [SnapshotDecoder].
 	SNAPSHOT = 2,
-	## Server to client, reliable: which bodies there are, see [WorldDescription]. In [MessageParts].
-	WORLD = 3,
+	## Server to client, reliable: which entities there are, see [EntityTableMessage]. In parts.
+	TABLE = 3,
 	## A part of a packet that is too large for a datagram, see [MessageParts].
 	PART = 4,
 	## Client to server, fast path: what of the snapshots has arrived.
@@ -38,6 +26,12 @@ enum Message {
 	PEOPLE = 9,
 	## Server to client, fast path: a snapshot of one person and nothing else.
 	SNAPSHOT_OF_ONE = 10,
+	## Client to server, fast path: see [CommandMessage].
+	COMMAND = 11,
+	## Server to client, either way: see [EventMessage].
+	EVENTS = 12,
+	## Server to client, reliable: see [LevelMessage]. In parts.
+	LEVEL = 13,
 }
 
 ## Second byte of a [constant Message.CONTROL].
@@ -80,3 +74,9 @@ const TRANSPORT_BYTES: int = 40
 const DEFAULT_MAX_CLIENTS: int = 32
 ## Longest name of a person, characters.
 const LONGEST_NAME: int = 32
+## Bytes of a level's fingerprint.
+const FINGERPRINT_SIZE: int = 8
+## Longest name of a level, characters.
+const MAX_LEVEL_NAME: int = 64
+## The messages that are snapshots.
+const SNAPSHOTS: Array[int] = [Message.KEY, Message.SNAPSHOT, Message.SNAPSHOT_OF_ONE]

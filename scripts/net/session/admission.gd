@@ -15,13 +15,13 @@ enum Verdict {
 }
 
 ## Seconds that a client has to say who it is, and to take in the answer.
-const GREETING_S: float = 3.0
+const REQUEST_S: float = 3.0
 ## Clients that may wait for an instructor.
 const MAX_WAITING: int = 64
 
 var _rules: ServerRules = null
 var _sessions: SessionTable = null
-var _guesses: LoginRateLimiter = LoginRateLimiter.new()
+var _logins: LoginRateLimiter = LoginRateLimiter.new()
 var _pending: Dictionary[int, PendingPeer] = {}
 
 
@@ -130,33 +130,34 @@ func overdue(p_now_usec: int) -> Array[int]:
 	var peers: Array[int] = []
 	for peer: int in _pending:
 		var pending: PendingPeer = _pending[peer]
-		var patience_s: float = 0.5 if pending.refused else GREETING_S
+		var patience_s: float = 0.5 if pending.refused else REQUEST_S
 		if not pending.waits and p_now_usec - pending.since_usec > int(patience_s * 1e6):
 			peers.append(peer)
 	return peers
 
 
 func _judge_password(p_pending: PendingPeer, p_known: bool, p_now_usec: int) -> Verdict:
-	var role: Protocol.Role = p_pending.request.role
+	var role: Roles.Role = p_pending.request.role
 	if _rules.password_of(role) == "":
 		var local: bool = ServerRules.is_loopback(p_pending.address)
-		if role == Protocol.Role.INSTRUCTOR and not local:
+		if Roles.can(role, Roles.Capability.MODERATE) and not local:
 			return _refuse(
 				p_pending, "instructors from elsewhere need a server with a password", false
 			)
 		return Verdict.WELCOME
 	# Whoever knows a session's token does not guess: an attacker from the same address must not
 	# keep those out who come back.
-	if not p_known and not _guesses.may_guess(p_pending.address, p_now_usec):
+	if not p_known and not _logins.may_guess(p_pending.address, p_now_usec):
 		return _refuse(p_pending, "too many wrong passwords came from your address", true)
 	if p_pending.request.is_proven(p_pending.challenge, _rules.key_of(role)):
 		return Verdict.WELCOME
-	_guesses.note_wrong(p_pending.address, p_now_usec)
+	_logins.note_wrong(p_pending.address, p_now_usec)
 	return _refuse(p_pending, "the password is wrong", false)
 
 
 func _judge_room(p_pending: PendingPeer, p_now_usec: int) -> Verdict:
-	var instructor: bool = p_pending.request.role == Protocol.Role.INSTRUCTOR
+	var role: Roles.Role = p_pending.request.role
+	var moderates: bool = Roles.can(role, Roles.Capability.MODERATE)
 	var rows: Array[PendingPeer] = waiting()
 	if _sessions.all().size() >= _rules.max_clients:
 		return _refuse(p_pending, "the server is full (%d clients)" % _rules.max_clients, false)
@@ -166,7 +167,7 @@ func _judge_room(p_pending: PendingPeer, p_now_usec: int) -> Verdict:
 	if _rules.max_per_address > 0 and mine >= _rules.max_per_address:
 		var most: int = _rules.max_per_address
 		return _refuse(p_pending, "%d clients of your address are here already" % most, false)
-	if _rules.waiting_room and not instructor:
+	if _rules.waiting_room and not moderates:
 		if rows.size() >= MAX_WAITING:
 			return _refuse(p_pending, "the waiting room is full", true)
 		p_pending.waits = true

@@ -8,7 +8,7 @@ extends RefCounted
 ## Size, bytes.
 const SIZE: int = 61
 
-## Bit r is set where [enum Protocol.Role] r needs a password.
+## Bit r is set where [enum Roles.Role] r needs a password.
 var locked_roles: int = 0
 ## Rounds of [method PasswordKey.derive].
 var rounds: int = PasswordKey.ROUNDS
@@ -31,7 +31,7 @@ func encode() -> PackedByteArray:
 
 
 ## Whether a role needs a password.
-func is_locked(p_role: Protocol.Role) -> bool:
+func is_locked(p_role: Roles.Role) -> bool:
 	return locked_roles & (1 << p_role) != 0
 
 

@@ -22,7 +22,7 @@ func _init(
 	_rules = p_rules
 	_sessions = p_sessions
 	_admission = Admission.new(p_rules, p_sessions)
-	# The door has its own patience: the API would send away those who wait for an instructor.
+	# Admission has its own time limit: the API would send away those who wait for an instructor.
 	_api.auth_timeout = 0.0
 	_api.auth_callback = _on_join_request
 	_api.peer_authenticating.connect(_on_arriving)
@@ -57,7 +57,7 @@ func admit(p_peer: int) -> String:
 		return "the server is full (%d clients)" % _rules.max_clients
 	_admission.admit(pending, Time.get_ticks_usec())
 	_welcome(pending)
-	_tell_places()
+	_send_positions()
 	return ""
 
 
@@ -68,7 +68,7 @@ func refuse(p_peer: int, p_why: String) -> String:
 		return "nobody waits under the number %d" % p_peer
 	_admission.refuse(pending, p_why, Time.get_ticks_usec())
 	_api.send_auth(p_peer, JoinReply.refusal(p_why, false))
-	_tell_places()
+	_send_positions()
 	return ""
 
 
@@ -95,15 +95,15 @@ func _on_join_request(p_peer: int, p_bytes: PackedByteArray) -> void:
 			var parts: Array = [pending.request.name, pending.address, p_peer]
 			Log.info("net", "'%s' from %s waits to be admitted (%d)" % parts)
 			_peer.keep(p_peer)
-			_tell_places()
+			_send_positions()
 
 
 func _welcome(p_pending: Admission.PendingPeer) -> void:
 	var session: Session = p_pending.session
-	_peer.welcome(p_pending.peer, session.role == Protocol.Role.INSTRUCTOR)
+	_peer.welcome(p_pending.peer, Roles.can(session.role, Roles.Capability.MODERATE))
 	var said: Array[PackedByteArray] = [p_pending.challenge, p_pending.request.whole()]
 	var key: PackedByteArray = _rules.key_of(session.role)
-	_api.send_auth(p_pending.peer, JoinReply.welcome(session.id, session.token, key, said))
+	_api.send_auth(p_pending.peer, JoinReply.welcome(session, _rules, key, said))
 	_api.complete_auth(p_pending.peer)
 
 
@@ -117,12 +117,12 @@ func _on_turned_away(p_peer: int) -> void:
 	elif session != null:
 		_sessions.close(session)
 	if pending != null and pending.waits:
-		_tell_places()
+		_send_positions()
 
 
-func _tell_places() -> void:
-	var place: int = 0
+func _send_positions() -> void:
+	var position: int = 0
 	for pending: Admission.PendingPeer in _admission.waiting():
-		place += 1
-		_api.send_auth(pending.peer, JoinReply.wait(place))
+		position += 1
+		_api.send_auth(pending.peer, JoinReply.wait(position))
 	changed.emit()

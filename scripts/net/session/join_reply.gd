@@ -2,8 +2,9 @@ class_name JoinReply
 extends RefCounted
 ## What a server says to a [JoinRequest].
 ##
-## Little-endian: u8 [enum Kind]; a welcome: u32 session, 16 bytes token, 32 bytes proof; a refusal:
-## text why; waiting: u16 place in the row.
+## Little-endian: u8 [enum Kind]; a welcome: u32 session, 16 bytes token, text
+## name of the level, 8 bytes its fingerprint, 32 bytes proof; a refusal:
+## text why; waiting: u16 position.
 
 ## What it says.
 enum Kind {
@@ -28,8 +29,12 @@ var why: String = ""
 var session: int = 0
 ## Lets the client come back into its session.
 var token: PackedByteArray = PackedByteArray()
-## Place in the waiting room's row, from 1.
-var place: int = 0
+## Position among those who wait for an instructor, from 1.
+var position: int = 0
+## Name of the server's level.
+var level_name: String = ""
+## Fingerprint of the level at the server.
+var level_fingerprint: PackedByteArray = PackedByteArray()
 
 var _signed: PackedByteArray = PackedByteArray()
 var _proof: PackedByteArray = PackedByteArray()
@@ -37,11 +42,15 @@ var _proof: PackedByteArray = PackedByteArray()
 
 ## A welcome; the proof shows that the server knows the key.
 static func welcome(
-	p_session: int, p_token: PackedByteArray, p_key: PackedByteArray, p_said: Array[PackedByteArray]
+	p_session: Session, p_rules: ServerRules, p_key: PackedByteArray, p_said: Array[PackedByteArray]
 ) -> PackedByteArray:
 	var bytes: PackedByteArray = [Kind.WELCOME, 0, 0, 0, 0]
-	bytes.encode_u32(1, p_session)
-	bytes.append_array(p_token)
+	bytes.encode_u32(1, p_session.id)
+	bytes.append_array(p_session.token)
+	bytes.append_array(ByteReader.text_bytes(p_rules.level_name))
+	var fingerprint: PackedByteArray = p_rules.level_fingerprint.duplicate()
+	fingerprint.resize(Protocol.FINGERPRINT_SIZE)
+	bytes.append_array(fingerprint)
 	return bytes + _proof_of(p_key, p_said, bytes)
 
 
@@ -51,34 +60,36 @@ static func refusal(p_why: String, p_later: bool) -> PackedByteArray:
 	return bytes + ByteReader.text_bytes(p_why.left(LONGEST_WHY))
 
 
-## The place in the waiting room's row, from 1.
-static func wait(p_place: int) -> PackedByteArray:
+## The position among those who wait, from 1.
+static func wait(p_position: int) -> PackedByteArray:
 	var bytes: PackedByteArray = [Kind.WAIT, 0, 0]
-	bytes.encode_u16(1, mini(p_place, 65535))
+	bytes.encode_u16(1, mini(p_position, 65535))
 	return bytes
 
 
 ## What a server says; a refusal if it makes no sense.
 static func decode(p_bytes: PackedByteArray) -> JoinReply:
-	var answer: JoinReply = JoinReply.new()
+	var reply: JoinReply = JoinReply.new()
 	var reader: ByteReader = ByteReader.new(p_bytes)
 	var said: int = reader.read_u8()
 	match said:
 		Kind.WELCOME:
-			answer.session = reader.read_u32()
-			answer.token = reader.read_bytes(JoinRequest.TOKEN_SIZE)
-			answer._signed = p_bytes.slice(0, 5 + JoinRequest.TOKEN_SIZE)
-			answer._proof = reader.read_bytes(PasswordKey.SIZE)
+			reply.session = reader.read_u32()
+			reply.token = reader.read_bytes(JoinRequest.TOKEN_SIZE)
+			reply.level_name = reader.read_text(4 * Protocol.MAX_LEVEL_NAME)
+			reply.level_fingerprint = reader.read_bytes(Protocol.FINGERPRINT_SIZE)
+			reply._signed = p_bytes.slice(0, p_bytes.size() - reader.left())
+			reply._proof = reader.read_bytes(PasswordKey.SIZE)
 		Kind.REFUSED, Kind.LATER:
-			answer.why = reader.read_text(4 * LONGEST_WHY)
+			reply.why = reader.read_text(4 * LONGEST_WHY)
 		Kind.WAIT:
-			answer.place = reader.read_u16()
-	var silent: bool = answer.why == "" and (said == Kind.REFUSED or said == Kind.LATER)
+			reply.position = reader.read_u16()
+	var silent: bool = reply.why == "" and (said == Kind.REFUSED or said == Kind.LATER)
 	if not reader.is_complete() or said >= Kind.size() or silent:
-		answer.why = "it answers in a form that is not Dismount's"
-		return answer
-	answer.kind = said as Kind
-	return answer
+		reply.why = "it replys in a form that is not Dismount's"
+		return reply
+	reply.kind = said as Kind
+	return reply
 
 
 ## Whether the server has proven that it knows the key.

@@ -15,7 +15,7 @@ const MIN_SIZE: int = 8
 const MAX_SIZE: int = 512
 
 ## What the client wants to be.
-var role: Protocol.Role = Protocol.Role.OBSERVER
+var role: Roles.Role = Roles.Role.OBSERVER
 ## Shown to the others.
 var name: String = ""
 ## Snapshots per second that the client wants; 0 as the server does.
@@ -85,9 +85,9 @@ func _read(p_bytes: PackedByteArray) -> String:
 	_proof = reader.read_bytes(PasswordKey.SIZE)
 	if not reader.is_complete():
 		return "the join request is broken"
-	if wanted_role >= Protocol.Role.size():
+	if not Roles.is_role(wanted_role):
 		return "the join request asks for an unknown role"
-	role = wanted_role as Protocol.Role
+	role = wanted_role as Roles.Role
 	name = name if name != "" else "nobody"
 	if token.count(0) == TOKEN_SIZE:
 		token = PackedByteArray()

@@ -16,19 +16,24 @@ var waiting_room: bool = false
 var bans: BanList = BanList.new()
 ## DTLS, or null.
 var tls: TLSOptions = null
+## Name of the level that a client needs.
+var level_name: String = ""
+## Fingerprint of the level at the server, [constant Protocol.FINGERPRINT_SIZE] bytes.
+var level_fingerprint: PackedByteArray = PackedByteArray()
 
 var _salt: PackedByteArray = Crypto.new().generate_random_bytes(16)
 var _keys: Dictionary[String, PackedByteArray] = {}
 
 
 ## The password of a role; empty if it needs none.
-func password_of(p_role: Protocol.Role) -> String:
-	var own: bool = p_role == Protocol.Role.INSTRUCTOR and instructor_password != ""
+func password_of(p_role: Roles.Role) -> String:
+	var moderates: bool = Roles.can(p_role, Roles.Capability.MODERATE)
+	var own: bool = moderates and instructor_password != ""
 	return instructor_password if own else password
 
 
 ## The key of a role's password.
-func key_of(p_role: Protocol.Role) -> PackedByteArray:
+func key_of(p_role: Roles.Role) -> PackedByteArray:
 	var secret: String = password_of(p_role)
 	if not _keys.has(secret):
 		_keys[secret] = PasswordKey.derive(secret, _salt, PasswordKey.ROUNDS)
@@ -40,7 +45,7 @@ func challenge() -> Challenge:
 	var made: Challenge = Challenge.new()
 	made.salt = _salt
 	made.nonce = Crypto.new().generate_random_bytes(32)
-	for role: Protocol.Role in Protocol.Role.values():
+	for role: Roles.Role in Roles.Role.values():
 		if password_of(role) != "":
 			made.locked_roles |= 1 << role
 	return made

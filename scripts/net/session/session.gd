@@ -5,7 +5,7 @@ extends RefCounted
 ## Number of the session; the rest of the program knows clients by it.
 var id: int = 0
 ## What the client is.
-var role: Protocol.Role = Protocol.Role.OBSERVER
+var role: Roles.Role = Roles.Role.OBSERVER
 ## Shown to the others.
 var name: String = ""
 ## Snapshots per second that the client wants; 0 as the server does.
@@ -31,5 +31,9 @@ func hello() -> Dictionary:
 
 ## For the log.
 func describe() -> String:
-	var kind: String = (Protocol.Role.find_key(role) as String).to_lower()
-	return "%s '%s' (%d) from %s" % [kind, name, id, address]
+	return "%s '%s' (%d) from %s" % [Roles.name_of(role), name, id, address]
+
+
+## Whether the client may do something.
+func can(p_capability: Roles.Capability) -> bool:
+	return Roles.can(role, p_capability)

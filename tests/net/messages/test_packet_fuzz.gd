@@ -94,7 +94,7 @@ func test_greeting() -> void:
 		_accepted += 1
 		if request.name == "" or request.name.length() > 32:
 			fail("'%s'" % request.name)
-		if request.role < 0 or request.role >= Protocol.Role.size():
+		if request.role < 0 or request.role >= Roles.Role.size():
 			fail("role %d" % request.role)
 	_check_mixture()
 

@@ -10,7 +10,7 @@ var _key: PackedByteArray = PasswordKey.derive("secret", _challenge.slice(13, 29
 
 func test_greeting_round_trip() -> void:
 	for name: String in ["Ada", "Größe 東京 😀", "x".repeat(32)]:
-		for role: Protocol.Role in Protocol.Role.values():
+		for role: Roles.Role in Roles.Role.values():
 			var request: JoinRequest = JoinRequest.decode(_encode(name, role))
 			equal(request.error, "")
 			equal([request.name, request.role, request.rate], [name, role, 30])
@@ -113,7 +113,7 @@ func test_a_broken_answer_is_no_welcome() -> void:
 		not_equal(answer.why, "", str(bytes))
 
 
-func _encode(p_name: String, p_role: Protocol.Role = Protocol.Role.TRAINEE) -> PackedByteArray:
+func _encode(p_name: String, p_role: Roles.Role = Roles.Role.TRAINEE) -> PackedByteArray:
 	var request: JoinRequest = JoinRequest.new()
 	request.name = p_name
 	request.role = p_role

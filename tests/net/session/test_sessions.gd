@@ -3,9 +3,9 @@ extends TestCase
 
 const LinkPair: GDScript = preload("res://tests/net/link_pair.gd")
 const NetSamples: GDScript = preload("res://tests/net/net_samples.gd")
-const TRAINEE: Protocol.Role = Protocol.Role.TRAINEE
-const OBSERVER: Protocol.Role = Protocol.Role.OBSERVER
-const INSTRUCTOR: Protocol.Role = Protocol.Role.INSTRUCTOR
+const TRAINEE: Roles.Role = Roles.Role.TRAINEE
+const OBSERVER: Roles.Role = Roles.Role.OBSERVER
+const INSTRUCTOR: Roles.Role = Roles.Role.INSTRUCTOR
 const V: int = Protocol.VERSION
 
 var _pair: LinkPair = null

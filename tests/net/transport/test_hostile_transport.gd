@@ -6,7 +6,7 @@ const LinkPair: GDScript = preload("res://tests/net/link_pair.gd")
 const NetSamples: GDScript = preload("res://tests/net/net_samples.gd")
 const SnapshotStream: GDScript = preload("res://tests/wire/snapshot_stream.gd")
 const UdpRelay: GDScript = preload("res://tests/net/transport/udp_relay.gd")
-const TRAINEE: Protocol.Role = Protocol.Role.TRAINEE
+const TRAINEE: Roles.Role = Roles.Role.TRAINEE
 
 var _pair: LinkPair = null
 var _good: LinkPair.End = null

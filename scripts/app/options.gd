@@ -5,7 +5,7 @@ extends RefCounted
 
 ## Every option: its name, default (whose type it has) and what it means.
 const TABLE: Array[Array] = [
-	["role", "", "server, trainee, observer, instructor, driver, replay or load"],
+	["role", "", "server, trainee, observer, instructor, replay or load"],
 	["host", "127.0.0.1", "address of the server to join"],
 	["port", Protocol.DEFAULT_PORT, "UDP port of the server"],
 	["name", "", "your name, shown to the others"],
@@ -23,6 +23,7 @@ const TABLE: Array[Array] = [
 	["up", "", "trainee: up axis of the motion file: y or z"],
 	["rate", 60, "trainee: samples per second"],
 	["codec", "smallest_3", "trainee: how samples go: smallest_3, thesis_12, thesis_4 or float"],
+	["world", LevelStore.DEFAULT, "server: name of the level: a folder in scenes/world"],
 	["max-clients", Protocol.DEFAULT_MAX_CLIENTS, "server: clients that are admitted"],
 	["bandwidth", 250, "server: kbit/s for each client's snapshots, headers counted"],
 	["pose-error", 0.1, "server: how far limbs may be off on the wire, degrees (0.02 to 5)"],
@@ -46,7 +47,7 @@ const TABLE: Array[Array] = [
 	["duration", 0.0, "end after so many seconds; 0 never"],
 	["report", "", "write stats of the session to this file (JSON) every second"],
 	["screenshot", "", "client: write a picture of the screen to this file before the end"],
-	["record", "", "client: record what the server sends to this file"],
+	["record", "", "record the session to this file: what the server sends, or all of it there"],
 	["file", "", "replay: recording to show"],
 	["latency-csv", "", "client: write the delay of every sample, stage by stage, to this file"],
 	["fps", 0, "client without a window: frames per second; 0 for 240"],

@@ -1,14 +1,17 @@
-class_name SnapshotRecorder
+class_name StateRecorder
 extends RefCounted
-## Writes what a client receives to a file, as it comes. A kill loses at most the last second.
+## Writes what a client receives, or what a server sends, to a file. A kill loses at most the last
+## second.
 ##
 ## Format, little-endian: the eight bytes [constant MAGIC], then records of u32 size, u64 time since
-## the start (µs) and the packet. See [SnapshotPlayer].
+## the start (µs) and the packet. See [RecordedStream].
 
 ## First bytes of a recording: the name and the version of the format.
-const MAGIC: String = "DSMTREC3"
+const MAGIC: String = "DSMTREC4"
 ## The only byte of a record that says that a connection begins: what was told before is void.
 const BEGIN: int = 0xFF
+## Number by which a server's encoder knows its recorder; no session has it.
+const CLIENT: int = -1
 ## Seconds between two flushes to the disk.
 const FLUSH_S: float = 1.0
 

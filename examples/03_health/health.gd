@@ -1,0 +1,63 @@
+extends Node3D
+## Health of a person: a thrown crate lowers it, a bar above the head shows it to everybody.
+
+## Bones that feel a blow.
+const BONES: Array[StringName] = [&"Head", &"Chest", &"Spine", &"Hips"]
+
+## Blows below this do not hurt.
+@export_range(0.0, 200.0, 1.0, "suffix:N·s") var threshold: float = 15.0
+## Health that a blow of 1 N·s costs.
+@export_range(0.0, 10.0, 0.1) var vulnerability: float = 0.6
+## Height of the bar above the head.
+@export_range(0.0, 2.0, 0.05, "suffix:m") var height: float = 0.35
+
+@onready var _entity: Entity = $"../Entity"
+@onready var _label: Label3D = $Label
+
+var _bodies: Array[RID] = []
+
+
+func _ready() -> void:
+	_entity.started.connect(_on_started)
+	_entity.field_changed.connect(_on_field_changed)
+
+
+func _process(_delta: float) -> void:
+	var skeleton: Skeleton3D = (get_parent() as Ragdoll).get_skeleton()
+	var head: int = skeleton.find_bone(&"Head")
+	var pose: Transform3D = skeleton.global_transform * skeleton.get_bone_global_pose(head)
+	global_position = pose.origin + Vector3.UP * height
+
+
+func _physics_process(_delta: float) -> void:
+	for body: RID in _bodies:
+		var state: PhysicsDirectBodyState3D = PhysicsServer3D.body_get_direct_state(body)
+		for contact: int in state.get_contact_count() if state != null else 0:
+			var other: Node = state.get_contact_collider_object(contact) as Node
+			if other != null and other.is_in_group(Level.PROPS):
+				_take_blow(state.get_contact_impulse(contact).length())
+
+
+func _on_started() -> void:
+	_on_field_changed(&"health", _entity.get_value(&"health"))
+	if not _entity.is_authority():
+		return
+	for bone: StringName in BONES:
+		var node: Node = (get_parent() as Ragdoll).get_simulator().get_node(NodePath(bone))
+		_bodies.append((node as PhysicalBone3D).get_rid())
+		PhysicsServer3D.body_set_max_contacts_reported(_bodies[-1], 4)
+
+
+func _take_blow(p_impulse: float) -> void:
+	if p_impulse < threshold:
+		return
+	var health: float = _entity.get_value(&"health")
+	_entity.set_value(&"health", health - (p_impulse - threshold) * vulnerability)
+	_entity.send_event(&"hit", [p_impulse])
+
+
+func _on_field_changed(p_field: StringName, p_value: float) -> void:
+	if p_field == &"health":
+		_label.text = "%.0f %%" % p_value
+		_label.modulate = Color.RED.lerp(Color.GREEN, p_value / 100.0)
+		_label.visible = p_value < 100.0

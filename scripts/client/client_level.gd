@@ -1,0 +1,129 @@
+class_name ClientLevel
+extends Node3D
+## The level as a client sees it, with the nodes of the entities in it.
+##
+## Its static bodies are in the client's physics space, for rays and queries. Whatever moves is put
+## where the server says and never simulated here.
+
+## Another level is in place; [param p_differs] if the server's is not the same.
+signal changed(p_level: Level, p_differs: bool)
+## The node of an entity is there; null for a plain prop. The body is null where it has none.
+signal entity_added(p_row: EntityRow, p_node: Entity, p_body: PhysicsBody3D)
+## The server's level is not on this machine.
+signal missing(p_why: String)
+
+## The level, or null.
+var level: Level = null
+## Its name.
+var level_name: String = ""
+## Whether the server's level of the same name is another one.
+var differs: bool = false
+
+var _bodies: Dictionary[int, PhysicsBody3D] = {}
+var _instances: Dictionary[int, Node] = {}
+
+
+## Puts a level in place; the same one is kept if nothing of it has changed.
+func set_level(p_name: String, p_fingerprint: PackedByteArray) -> void:
+	_forget_entities()
+	if not LevelStore.has(p_name):
+		missing.emit("%s: update this program" % LevelStore.describe_missing(p_name))
+		return
+	if level != null:
+		remove_child(level)
+		level.queue_free()
+	level = LevelStore.instantiate(p_name)
+	level_name = p_name
+	add_child(level)
+	differs = level.fingerprint() != p_fingerprint
+	if differs:
+		var text: String = "world '%s' is not the server's: what you see may be wrong; "
+		Log.warning("client", text % p_name + "update this program or the server")
+	_freeze(level)
+	changed.emit(level, differs)
+
+
+## Finds or makes the node of an entity.
+func add_entity(p_row: EntityRow) -> void:
+	var node: Node = _find_node(p_row)
+	if node == null:
+		return
+	var entity: Entity = node as Entity
+	var body: PhysicsBody3D = node as PhysicsBody3D
+	if entity != null:
+		body = entity.get_body() if p_row.type.body == EntityType.Body.RIGID else null
+	if body != null:
+		_bodies[p_row.id] = body
+	entity_added.emit(p_row, entity, body)
+
+
+## Takes the node of an entity away.
+func remove_entity(p_row: EntityRow) -> void:
+	_bodies.erase(p_row.id)
+	var instance: Node = _instances.get(p_row.id)
+	if instance != null:
+		instance.queue_free()
+		_instances.erase(p_row.id)
+
+
+## Puts the bodies where a replica has them.
+func move_bodies(p_replica: WorldReplica) -> void:
+	for id: int in _bodies:
+		if p_replica.has_body(id):
+			_bodies[id].global_transform = p_replica.body_transform(id)
+
+
+## Numbers of the entities that have a body here.
+func body_ids() -> Array[int]:
+	return _bodies.keys()
+
+
+## The node of a row, or null. A path is the server's word: it must not reach what is not its to
+## move.
+func _find_node(p_row: EntityRow) -> Node:
+	var node: Node = null
+	match p_row.source:
+		EntityRow.Source.LEVEL:
+			node = level.get_node_or_null(NodePath(p_row.path)) if level != null else null
+			var is_ours: bool = node != null and level.is_ancestor_of(node)
+			var is_meant: bool = is_ours and (node is Entity or node.is_in_group(Level.PROPS))
+			if not is_meant:
+				Log.limited("client", "node", "this level has no %s" % p_row.describe())
+				return null
+		EntityRow.Source.SCENE:
+			node = _instantiate(p_row)
+	return node
+
+
+func _instantiate(p_row: EntityRow) -> Entity:
+	var is_scene: bool = p_row.path.begins_with("res://") and p_row.path.ends_with(".tscn")
+	if not is_scene or p_row.path.contains("..") or not ResourceLoader.exists(p_row.path):
+		Log.limited("client", "scene", "there is no scene for %s here" % p_row.describe())
+		return null
+	var scene: PackedScene = load(p_row.path) as PackedScene
+	var instance: Node = scene.instantiate() if scene != null else null
+	var entity: Entity = Entity.find_in(instance)
+	if entity == null or level == null:
+		if instance != null:
+			instance.free()
+		return null
+	_freeze(instance)
+	level.add_child(instance)
+	_instances[p_row.id] = instance
+	return entity
+
+
+func _forget_entities() -> void:
+	_bodies.clear()
+	for id: int in _instances:
+		_instances[id].queue_free()
+	_instances.clear()
+
+
+## Nothing that the server simulates moves by this machine's physics.
+static func _freeze(p_branch: Node) -> void:
+	for node: Node in [p_branch] + p_branch.find_children("*", "RigidBody3D", true, false):
+		var body: RigidBody3D = node as RigidBody3D
+		if body != null:
+			body.freeze_mode = RigidBody3D.FREEZE_MODE_KINEMATIC
+			body.freeze = true

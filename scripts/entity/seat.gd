@@ -1,0 +1,99 @@
+@tool
+@icon("res://scenes/entity/icons/seat.svg")
+class_name Seat
+extends Interactable
+## A seat for one in something that moves: whoever takes it possesses the entity, and his people
+## are carried along in the entity's frame.
+##
+## The entity's type needs the field [member occupant_field] (see [method add_to]) and the commands
+## [constant TAKE] and [constant LEAVE].
+
+## Somebody has taken or left the seat; 0 is nobody. On every machine.
+signal occupied(p_session: int)
+
+## Command that takes the seat.
+const TAKE: StringName = &"take_seat"
+## Command that leaves the seat.
+const LEAVE: StringName = &"leave_seat"
+## Highest number of a session that a seat can tell.
+const MAX_SESSION: int = 1 << 16
+
+## The field that tells who sits here.
+@export var occupant_field: StringName = &"occupant"
+## Whether the people of who sits here are carried along. If not, they stay where they are, and only
+## steer from afar.
+@export var carries_people: bool = true
+
+
+func _ready() -> void:
+	if not Engine.is_editor_hint() and entity != null:
+		entity.commanded.connect(_on_commanded)
+		entity.field_changed.connect(_on_field_changed)
+
+
+func _get_configuration_warnings() -> PackedStringArray:
+	if entity == null or entity.type == null:
+		return ["It needs the Entity that it is part of: choose one in the inspector."]
+	var type: EntityType = entity.type
+	if type.find_field(occupant_field) < 0:
+		return ["The type '%s' needs a field '%s'." % [type.name, occupant_field]]
+	if type.find_command(TAKE) < 0 or type.find_command(LEAVE) < 0:
+		return ["The type '%s' needs the commands '%s' and '%s'." % [type.name, TAKE, LEAVE]]
+	return []
+
+
+## Gives a type what a seat needs of it; for types that are made by a script.
+static func add_to(p_type: EntityType, p_field: StringName = &"occupant") -> void:
+	p_type.fields.append(EntityField.create_count(p_field, MAX_SESSION))
+	if p_type.find_command(TAKE) < 0:
+		p_type.commands.append(EntitySchema.create(TAKE))
+		p_type.commands.append(EntitySchema.create(LEAVE))
+
+
+func get_prompt() -> String:
+	if is_mine():
+		return "leave"
+	return (prompt if prompt != "" else "take the seat") if occupant() == 0 else ""
+
+
+func interact() -> void:
+	entity.send_command(LEAVE if is_mine() else TAKE)
+
+
+## Whether this client's session sits here.
+func is_mine() -> bool:
+	return entity.is_started() and occupant() != 0 and occupant() == entity.get_host().session()
+
+
+## The session that sits here; 0 nobody.
+func occupant() -> int:
+	return int(entity.get_value(occupant_field)) if entity.is_started() else 0
+
+
+## Frees the seat: on the server.
+func vacate() -> void:
+	var session: int = occupant()
+	if session == 0:
+		return
+	entity.get_host().possession().release(entity.id)
+	entity.get_host().detach(session)
+	entity.set_value(occupant_field, 0)
+
+
+func _on_commanded(p_session: int, p_command: StringName, _values: PackedFloat32Array) -> void:
+	if p_command == TAKE and occupant() == 0:
+		if entity.get_host().possession().take(p_session, entity.id):
+			entity.set_value(occupant_field, p_session)
+			if carries_people:
+				entity.get_host().attach(p_session, entity.id, _transform_in_body())
+	elif p_command == LEAVE and occupant() == p_session:
+		vacate()
+
+
+func _on_field_changed(p_field: StringName, p_value: float) -> void:
+	if p_field == occupant_field:
+		occupied.emit(int(p_value))
+
+
+func _transform_in_body() -> Transform3D:
+	return entity.get_body().global_transform.affine_inverse() * global_transform

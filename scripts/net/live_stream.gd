@@ -1,0 +1,117 @@
+class_name LiveStream
+extends StateStream
+## The state of a server's world, over a connection that is made again whenever it is lost.
+
+## The client has been admitted, anew after each loss.
+signal joined
+## A connection is being made: [method ClientLink.api] is another one from now on.
+signal connecting
+
+## Seconds between two attempts to reach a server.
+const _RETRY_S: float = 2.0
+## Seconds until the first one after a connection that stood.
+const _SOON_S: float = 0.3
+
+## The connection.
+var link: ClientLink = ClientLink.new()
+## Whom the server gets to know.
+var request: JoinRequest = JoinRequest.new()
+## Address of the server.
+var host: String = ""
+## UDP port of the server.
+var port: int = Protocol.DEFAULT_PORT
+## Password of the session; never sent in clear.
+var password: String = ""
+## Seconds without a server after which it gives up; 0 never.
+var patience_s: float = 0.0
+
+var _retry_at_s: float = INF
+var _alone_since_s: float = 0.0
+var _was_joined: bool = false
+
+
+func open() -> String:
+	traffic = link.traffic
+	link.joined.connect(_on_joined)
+	link.lost.connect(_on_lost)
+	link.refused.connect(_on_refused)
+	link.waiting.connect(_on_waiting)
+	link.state_received.connect(_on_state)
+	_alone_since_s = now_s()
+	_connect()
+	return ""
+
+
+func advance(_delta_s: float) -> void:
+	link.poll()
+	var now: float = now_s()
+	if not link.is_joined() and now > _retry_at_s:
+		_connect()
+	if not link.is_joined() and patience_s > 0.0 and now - _alone_since_s > patience_s:
+		var where: Array = [host, port, patience_s]
+		ended.emit(EXIT_NO_SERVER, "no server at %s:%d for %.0f s" % where)
+
+
+func now_s() -> float:
+	return Time.get_ticks_usec() / 1e6
+
+
+func server_usec(p_local_usec: int) -> int:
+	return link.clock.server_usec(p_local_usec) if link.clock.is_known() else p_local_usec
+
+
+func knows_server_clock() -> bool:
+	return link.clock.is_known()
+
+
+func session() -> int:
+	return link.session
+
+
+func send_fast(p_bytes: PackedByteArray) -> void:
+	link.send_fast(p_bytes)
+
+
+func close() -> void:
+	link.close()
+
+
+func _connect() -> void:
+	status_changed.emit("Joining %s:%d ..." % [host, port])
+	_retry_at_s = INF
+	link.open(host, port, request, password)
+	connecting.emit()
+
+
+func _on_joined() -> void:
+	Log.info("client", "joined %s:%d" % [host, port])
+	status_changed.emit("")
+	_was_joined = true
+	# What the server sends builds upon what it has sent in this connection.
+	restarted.emit()
+	joined.emit()
+
+
+func _on_lost(p_why: String) -> void:
+	Log.limited("client", p_why, "%s; trying again" % p_why)
+	status_changed.emit("%s.\nTrying again ..." % p_why.capitalize())
+	# The first try after a good time comes soon.
+	_retry_at_s = now_s() + (_SOON_S if _was_joined else _RETRY_S)
+	if _was_joined:
+		_alone_since_s = now_s()
+		restarted.emit()
+	_was_joined = false
+
+
+func _on_refused(p_why: String) -> void:
+	ended.emit(EXIT_REFUSED, "the server refused us: %s" % p_why)
+
+
+func _on_waiting(p_position: int) -> void:
+	status_changed.emit("Waiting for an instructor, position %d ..." % p_position)
+	Log.limited("client", "waiting", "waiting for an instructor, position %d" % p_position)
+	_alone_since_s = now_s()
+
+
+func _on_state(p_bytes: PackedByteArray, p_arrival_usec: int) -> void:
+	received.emit(p_bytes, p_arrival_usec / 1e6)

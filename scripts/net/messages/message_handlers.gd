@@ -1,0 +1,43 @@
+class_name MessageHandlers
+extends RefCounted
+## Who takes in which message: by its first byte. A feature registers its messages with a link; the
+## links know no others.
+
+## How a message comes.
+enum Path {
+	## In a datagram of the fast path.
+	FAST,
+	## Over the reliable channel.
+	RELIABLE,
+	## Either way.
+	ANY,
+}
+
+var _handlers: Dictionary[int, Handler] = {}
+
+
+## Who takes in one kind of message.
+class Handler:
+	extends RefCounted
+	var handler: Callable = Callable()
+	var path: Path = Path.ANY
+	var capability: int = 0
+
+
+## Registers who takes in a kind of message. [param p_capability] is the one of
+## [enum Roles.Capability] that its sender needs, or 0.
+func add(p_kind: int, p_path: Path, p_handler: Callable, p_capability: int = 0) -> void:
+	assert(p_kind >= 0 and p_kind < 256 and not _handlers.has(p_kind))
+	var entry: Handler = Handler.new()
+	entry.handler = p_handler
+	entry.path = p_path
+	entry.capability = p_capability
+	_handlers[p_kind] = entry
+
+
+## Who takes in a message that came by a path, or null if nobody does.
+func find(p_bytes: PackedByteArray, p_path: Path) -> Handler:
+	if p_bytes.is_empty() or not _handlers.has(p_bytes[0]):
+		return null
+	var entry: Handler = _handlers[p_bytes[0]]
+	return entry if entry.path == Path.ANY or entry.path == p_path else null

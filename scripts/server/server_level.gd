@@ -1,0 +1,112 @@
+class_name ServerLevel
+extends Node3D
+## The level that a server simulates, and the entities that are part of it.
+
+## The level is about to go, and everything with it.
+signal leaving
+## Another level is in place; its entities are in the table.
+signal changed
+## An entity of the level has come, with the node of its [Entity] (null for a plain prop) and its
+## body (null without one).
+signal entity_added(p_row: EntityRow, p_node: Entity, p_body: PhysicsBody3D)
+
+## Type of a prop that has no [Entity] of its own.
+const PROP_TYPE: StringName = &"prop"
+## Type of the world's own entity where the level names none.
+const WORLD_TYPE: StringName = &"world"
+
+## Which entities there are.
+var table: EntityTable = EntityTable.new()
+## The level, or null before one is loaded.
+var level: Level = null
+## Its name.
+var level_name: String = ""
+## Its fingerprint.
+var fingerprint: PackedByteArray = PackedByteArray()
+
+var _prop_type: EntityType = _make_type(PROP_TYPE, EntityType.Body.RIGID)
+var _world_type: EntityType = _make_type(WORLD_TYPE, EntityType.Body.NONE)
+
+
+## Puts a level in place of the one that is there: all entities go, those of the level come. Returns
+## why it cannot, or an empty text; then nothing has changed.
+func load_level(p_name: String, p_tick: int = 0) -> String:
+	if not LevelStore.has(p_name):
+		return LevelStore.describe_missing(p_name)
+	var fresh: Level = LevelStore.instantiate(p_name)
+	if fresh == null:
+		return "the scene of world '%s' is broken: its root must be a Level" % p_name
+	leaving.emit()
+	table.clear()
+	if level != null:
+		remove_child(level)
+		level.queue_free()
+	level = fresh
+	level_name = p_name
+	add_child(level)
+	fingerprint = level.fingerprint()
+	_spawn_all(p_tick)
+	changed.emit()
+	return ""
+
+
+## Adds an instance of a scene to the running level. Its root, or a node below it, is an [Entity].
+## Returns the entity, or null where that cannot be.
+func add_instance(
+	p_path: String, p_transform: Transform3D, p_tick: int, p_owner: int = 0
+) -> Entity:
+	var scene: PackedScene = load(p_path) as PackedScene
+	var node: Node = scene.instantiate() if scene != null else null
+	var entity: Entity = Entity.find_in(node)
+	if entity == null or entity.type == null:
+		Log.warning("server", "%s holds no Entity with a type" % p_path)
+		if node != null:
+			node.free()
+		return null
+	if node is Node3D:
+		(node as Node3D).transform = p_transform
+	level.add_child(node)
+	var row: EntityRow = _make_row(entity.type, EntityRow.Source.SCENE, p_path, p_tick)
+	row.owner = p_owner
+	_add(row, entity, entity.get_body())
+	return entity
+
+
+func _spawn_all(p_tick: int) -> void:
+	var type: EntityType = level.world_type if level.world_type != null else _world_type
+	table.spawn(_make_row(type, EntityRow.Source.NONE, "", p_tick), true)
+	for body: RigidBody3D in level.get_props():
+		var path: String = str(level.get_path_to(body))
+		_add(_make_row(_prop_type, EntityRow.Source.LEVEL, path, p_tick), null, body)
+	for entity: Entity in level.get_entities():
+		if entity.type == null:
+			Log.warning("server", "%s: an Entity without a type is left out" % entity.get_path())
+			continue
+		var path: String = str(level.get_path_to(entity))
+		_add(
+			_make_row(entity.type, EntityRow.Source.LEVEL, path, p_tick), entity, entity.get_body()
+		)
+
+
+func _add(p_row: EntityRow, p_node: Entity, p_body: PhysicsBody3D) -> void:
+	if table.spawn(p_row) != null:
+		var has_body: bool = p_row.type.body == EntityType.Body.RIGID
+		entity_added.emit(p_row, p_node, p_body if has_body else null)
+
+
+static func _make_row(
+	p_type: EntityType, p_source: EntityRow.Source, p_path: String, p_tick: int
+) -> EntityRow:
+	var row: EntityRow = EntityRow.new()
+	row.type = p_type
+	row.source = p_source
+	row.path = p_path
+	row.tick = p_tick
+	return row
+
+
+static func _make_type(p_name: StringName, p_body: EntityType.Body) -> EntityType:
+	var type: EntityType = EntityType.new()
+	type.name = p_name
+	type.body = p_body
+	return type
