@@ -176,8 +176,8 @@ func _set_option(p_name: String, p_value: String, p_source: String) -> void:
 		if number(name) > LoadRun.MAX_CLIENTS:
 			_refuse("--%s is at most %d, found %d" % [name, LoadRun.MAX_CLIENTS, number(name)])
 	var error_asked: float = degrees("pose-error")
-	var least: float = WorldDescription.MIN_ERROR_DEG
-	if error_asked < least or error_asked > WorldDescription.MAX_ERROR_DEG:
+	var least: float = EntityTableMessage.MIN_ERROR_DEG
+	if error_asked < least or error_asked > EntityTableMessage.MAX_ERROR_DEG:
 		_refuse("--pose-error is %s to 5 degrees, found %s" % [least, error_asked])
 	_check_choice("feedback", ["local", "server"])
 	if number("suit-rate") < 10 or number("suit-rate") > 512:

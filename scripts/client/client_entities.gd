@@ -18,7 +18,7 @@ var _sent_s: float = 0.0
 
 func _init(p_replica: WorldReplica) -> void:
 	_replica = p_replica
-	_replica.table.despawned.connect(func(row: EntityRow) -> void: _nodes.erase(row.id))
+	_replica.table.despawned.connect(_on_despawned)
 
 
 ## Sends commands over a stream from now on.
@@ -112,6 +112,10 @@ func attach(_session: int, _entity: int, _seat: Transform3D) -> void:
 
 func detach(_session: int) -> void:
 	push_error("Only the server detaches.")
+
+
+func _on_despawned(p_row: EntityRow) -> void:
+	_nodes.erase(p_row.id)
 
 
 func _send() -> void:

@@ -46,7 +46,7 @@ func _init() -> void:
 	_set_error(Protocol.POSE_ERROR_DEG)
 	table.spawned.connect(_on_spawned)
 	table.despawned.connect(_on_despawned)
-	table.cleared.connect(func() -> void: _defined_types = 0)
+	table.cleared.connect(_on_cleared)
 
 
 ## Sets how motion is made smooth.
@@ -223,7 +223,7 @@ func active_entities() -> PackedInt32Array:
 
 ## The value of a field at the moment that is shown.
 func field(p_entity: int, p_field: int) -> float:
-	return _smoother.field(p_entity, p_field)
+	return _decoder.get_field(p_entity, p_field)
 
 
 func _take_level(p_level: LevelMessage) -> bool:
@@ -232,6 +232,10 @@ func _take_level(p_level: LevelMessage) -> bool:
 	clear()
 	level_named.emit(p_level.name, p_level.fingerprint)
 	return true
+
+
+func _on_cleared() -> void:
+	_defined_types = 0
 
 
 func _on_spawned(p_row: EntityRow) -> void:

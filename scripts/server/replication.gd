@@ -46,10 +46,7 @@ func _init(
 	_level.changed.connect(_on_level_changed)
 	_level.table.cleared.connect(_on_table_cleared)
 	_people.person_added.connect(_on_person_added)
-	_people.person_attached.connect(
-		func(person: ServerPeople.Person, carrier: int) -> void:
-			encoder.set_frame(person.id, carrier)
-	)
+	_people.person_attached.connect(_on_person_attached)
 
 
 ## Records all that is sent, before it is thinned out for a client, to a file; an empty
@@ -222,6 +219,10 @@ func _on_person_added(p_person: ServerPeople.Person) -> void:
 	# Of several people of a client the first one's surroundings count most.
 	if p_person.card.index == 0 and _sessions.has(p_person.session):
 		encoder.set_own_person(p_person.session, p_person.id)
+
+
+func _on_person_attached(p_person: ServerPeople.Person, p_carrier: int) -> void:
+	encoder.set_frame(p_person.id, p_carrier)
 
 
 func _on_table_cleared() -> void:

@@ -38,7 +38,8 @@ class End:
 	## Bodies that snapshots told of.
 	var bodies: Dictionary[int, bool] = {}
 	var datagrams: int = 0
-	var worlds: Array[WorldDescription] = []
+	## Tables that came.
+	var tables: Array[EntityTableMessage] = []
 	var _decoder: SnapshotDecoder = SnapshotStream.decoder()
 
 	func _init() -> void:
@@ -46,8 +47,7 @@ class End:
 		link.refused.connect(_on_refused)
 		link.lost.connect(_on_lost)
 		link.waiting.connect(_on_waiting)
-		link.snapshot_received.connect(_on_snapshot)
-		link.world_received.connect(_on_world)
+		link.state_received.connect(_on_state)
 
 	func _on_joined() -> void:
 		joined += 1
@@ -62,15 +62,16 @@ class End:
 	func _on_waiting(p_place: int) -> void:
 		places.append(p_place)
 
-	func _on_snapshot(p_bytes: PackedByteArray, _p_arrival_usec: int) -> void:
+	func _on_state(p_bytes: PackedByteArray, _p_arrival_usec: int) -> void:
+		if p_bytes[0] == Protocol.Message.TABLE:
+			tables.append(EntityTableMessage.decode(p_bytes, []))
+		if not Protocol.SNAPSHOTS.has(int(p_bytes[0])):
+			return
 		datagrams += 1
 		if _decoder.decode(p_bytes) == SnapshotDecoder.OK:
 			snapshots.append(_decoder.get_tick())
 			for body: int in _decoder.get_bodies():
 				bodies[body] = true
-
-	func _on_world(p_world: WorldDescription, _p_bytes: PackedByteArray) -> void:
-		worlds.append(p_world)
 
 
 ## Sends everybody a snapshot of a world, a tick on.
@@ -78,6 +79,11 @@ func send_snapshot(p_stream: SnapshotStream) -> void:
 	p_stream.move()
 	for session: int in joined:
 		send_to(session, p_stream.datagrams(session))
+
+
+## Sends everybody who is here a message, reliably.
+func send_reliably(p_bytes: PackedByteArray) -> void:
+	server.send_reliably(server.session_ids(), p_bytes)
 
 
 ## Sends a client datagrams.

@@ -28,22 +28,33 @@ static func raw_pose(p_sample: PoseSample) -> PackedByteArray:
 	return bytes.slice(0, PoseMessage.HEADER) + p_sample.orientations.to_byte_array()
 
 
-## A world of so many bodies and people.
-static func world(
-	p_random: RandomNumberGenerator, p_bodies: int, p_people: int
-) -> WorldDescription:
-	var made: WorldDescription = WorldDescription.new()
-	for person: int in p_people:
-		var actor: int = p_random.randi_range(0, 0x7FFFFFFF)
-		made.add_person(actor, p_random.randi_range(0, 1000), text(p_random), skeleton(p_random))
-	while made.bodies.size() < p_bodies:
-		var shapes: Array = []
-		for shape: int in p_random.randi_range(0, 3):
-			var size: Vector3 = vector(p_random, 10.0).abs()
-			shapes.append([p_random.randi_range(0, 2), size, place(p_random)])
-		var actor: int = p_random.randi_range(-2, 2000000)
-		made.add(p_random.randi_range(0, 65535), actor, text(p_random), shapes)
+## A table of so many bodies and people.
+static func table(p_random: RandomNumberGenerator, p_bodies: int, p_people: int) -> EntityTable:
+	var made: EntityTable = EntityTable.new()
+	var prop: EntityType = EntityType.new()
+	prop.name = &"prop"
+	prop.body = EntityType.Body.RIGID
+	for _person: int in p_people:
+		var row: EntityRow = EntityRow.new()
+		row.type = EntityType.person()
+		row.owner = p_random.randi_range(0, 1000)
+		row.person_name = text(p_random)
+		row.skeleton = skeleton(p_random)
+		made.spawn(row)
+	for _body: int in p_bodies:
+		var row: EntityRow = EntityRow.new()
+		row.type = prop
+		row.source = EntityRow.Source.LEVEL
+		row.path = text(p_random)
+		made.spawn(row)
 	return made
+
+
+## The message that tells of a table of so many bodies and people.
+static func table_bytes(
+	p_random: RandomNumberGenerator, p_bodies: int, p_people: int
+) -> PackedByteArray:
+	return EntityTableMessage.of_table(table(p_random, p_bodies, p_people), 0.1).encode()
 
 
 ## A skeleton that can be somebody's; now and then none.

@@ -100,6 +100,8 @@ void RagdollMotor::bind_measurement() {
 	ClassDB::bind_method(D_METHOD("get_limb_errors"), &RagdollMotor::get_limb_errors);
 	ClassDB::bind_method(D_METHOD("get_limb_torques"), &RagdollMotor::get_limb_torques);
 	ClassDB::bind_method(D_METHOD("get_limb_saturations"), &RagdollMotor::get_limb_saturations);
+	ClassDB::bind_method(D_METHOD("set_frame", "frame"), &RagdollMotor::set_frame);
+	ClassDB::bind_method(D_METHOD("get_frame"), &RagdollMotor::get_frame);
 	ClassDB::bind_method(D_METHOD("get_root_target"), &RagdollMotor::get_root_target);
 	ClassDB::bind_method(D_METHOD("is_flying"), &RagdollMotor::is_flying);
 	ClassDB::bind_method(D_METHOD("get_contact_weights"), &RagdollMotor::get_contact_weights);

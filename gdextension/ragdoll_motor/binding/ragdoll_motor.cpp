@@ -300,6 +300,19 @@ PackedFloat32Array RagdollMotor::get_limb_saturations() const {
 	return _driver ? to_packed(_driver->get_saturations()) : PackedFloat32Array();
 }
 
+void RagdollMotor::set_frame(const Transform3D &p_frame) {
+	ERR_FAIL_COND_MSG(!_driver, "RagdollMotor: call setup() first.");
+	ERR_FAIL_COND_MSG(!p_frame.is_finite(), "RagdollMotor: a frame is finite.");
+	_driver->set_frame(to_core(p_frame.basis), to_core(p_frame.origin));
+}
+
+Transform3D RagdollMotor::get_frame() const {
+	if (!_driver) {
+		return Transform3D();
+	}
+	return Transform3D(Basis(from_core(_driver->get_frame_orientation())), from_core(_driver->get_frame_origin()));
+}
+
 Vector3 RagdollMotor::get_root_target() const {
 	return _driver ? from_core(_driver->get_root_target()) : Vector3();
 }

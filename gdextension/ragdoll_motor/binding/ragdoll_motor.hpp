@@ -91,6 +91,8 @@ public:
 	PackedFloat32Array get_limb_errors();
 	PackedFloat32Array get_limb_torques() const;
 	PackedFloat32Array get_limb_saturations() const;
+	void set_frame(const Transform3D &p_frame);
+	Transform3D get_frame() const;
 	Vector3 get_root_target() const;
 	bool is_flying() const;
 	PackedFloat32Array get_contact_weights() const;

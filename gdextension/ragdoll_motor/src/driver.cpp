@@ -44,6 +44,21 @@ bool Driver::push(double p_time_s, const float *p_orientations, const Vec3 &p_ro
 	return true;
 }
 
+void Driver::MotionFrame::apply(Pose &r_pose) const {
+	if (is_identity) {
+		return;
+	}
+	for (Quat &limb : r_pose.orientations) {
+		limb = orientation * limb;
+	}
+	r_pose.root = orientation.rotate(r_pose.root) + origin;
+}
+
+void Driver::set_frame(const Quat &p_orientation, const Vec3 &p_origin) {
+	_frame_next = { p_orientation, p_origin, false };
+	_frame_next.is_identity = p_origin.length() == 0.0f && p_orientation.w == 1.0f;
+}
+
 void Driver::clear_motion() {
 	_stream.clear();
 	_meter.forget_waiting();
@@ -52,7 +67,10 @@ void Driver::clear_motion() {
 
 const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_delta_s) {
 	_stream.predict(p_time_s, _now);
+	_frame_now.apply(_now);
 	_stream.predict(p_time_s + double(p_delta_s), _next);
+	_frame_next.apply(_next);
+	_frame_now = _frame_next;
 	_commands.guarded = _guard.check(_rig, r_state);
 	_commands.must_put = _commands.guarded != GUARD_NOTHING;
 	const bool teleported = _stream.take_teleport() && !finds_travel(root_mode) && !is_free(root_mode);
@@ -257,6 +275,7 @@ void Driver::put_into_pose(RigState &r_state) {
 
 void Driver::pose_state(double p_time_s, RigState &r_state) {
 	_stream.predict(p_time_s, _now);
+	_frame_next.apply(_now);
 	_next = _now;
 	put_into_pose(r_state);
 }
@@ -269,7 +288,18 @@ void Driver::measure(double p_time_s, const RigState &p_state) {
 	for (std::size_t i = 0; i < _rig.size(); i++) {
 		_joints[i] = _rig.joint_of(p_state, i);
 	}
-	_meter.note(p_time_s, p_state.orientations, _joints);
+	if (_frame_next.is_identity) {
+		_meter.note(p_time_s, p_state.orientations, _joints);
+		return;
+	}
+	// The motion knows nothing of what carries the person: they are compared in the motion's own frame.
+	const Quat back = _frame_next.orientation.inverse();
+	_measured = p_state.orientations;
+	for (std::size_t i = 0; i < _rig.size(); i++) {
+		_measured[i] = back * _measured[i];
+		_joints[i] = back.rotate(_joints[i] - _frame_next.origin);
+	}
+	_meter.note(p_time_s, _measured, _joints);
 }
 
 std::uint64_t Driver::fingerprint() const {

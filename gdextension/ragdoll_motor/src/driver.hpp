@@ -91,6 +91,11 @@ public:
 	bool measures_torque = false;
 
 	bool push(double p_time_s, const float *p_orientations, const Vec3 &p_root, const float *p_rates);
+	/// Sets the frame that the motion happens in at the end of the next step, in the world: that of a platform
+	/// or seat that carries the person. It stays until it is set again. It is no part of the saved state.
+	void set_frame(const Quat &p_orientation, const Vec3 &p_origin);
+	const Quat &get_frame_orientation() const { return _frame_next.orientation; }
+	const Vec3 &get_frame_origin() const { return _frame_next.origin; }
 	/// Forgets all samples. The next motion may have another clock; the body is put into its pose.
 	void clear_motion();
 	/// The commands for the next step. The stream must not be empty.
@@ -115,6 +120,15 @@ public:
 	bool restore(ArchiveReader &p_archive);
 
 private:
+	/// Where the motion's own frame is in the world.
+	struct MotionFrame {
+		Quat orientation;
+		Vec3 origin; ///< m
+		bool is_identity = true;
+
+		void apply(Pose &r_pose) const;
+	};
+
 	bool read(ArchiveReader &p_archive);
 	/// Of the limbs and contact points: whose state an archive is.
 	std::uint64_t fingerprint() const;
@@ -141,7 +155,10 @@ private:
 	StepCommands _commands;
 	Pose _now;
 	Pose _next;
+	MotionFrame _frame_now;
+	MotionFrame _frame_next;
 	std::vector<Vec3> _joints;
+	std::vector<Quat> _measured;
 	std::vector<float> _errors;
 	std::vector<float> _saturations;
 	std::array<std::unique_ptr<Travel>, 3> _travels; // LOWEST_FOOT, CONTACTS, INERTIAL.
