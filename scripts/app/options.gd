@@ -50,6 +50,7 @@ const TABLE: Array[Array] = [
 	["record", "", "record the session to this file: what the server sends, or all of it there"],
 	["file", "", "replay: recording to show"],
 	["latency-csv", "", "client: write the delay of every sample, stage by stage, to this file"],
+	["use", "", "client: use what is below a node of this name in the level, once it is there"],
 	["fps", 0, "client without a window: frames per second; 0 for 240"],
 	[
 		"smoothing",

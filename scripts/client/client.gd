@@ -11,6 +11,7 @@ const _HEADLESS_FPS: int = 240
 @export var _scene: ClientScene
 @export var _hud: Hud
 @export var _mocap: MocapSetup
+@export var _interaction: Interaction
 
 var _role: String = ""
 var _options: Options = null
@@ -105,6 +106,8 @@ func _connect_stream() -> void:
 	_stream.ended.connect(_on_ended)
 	_scene.entities.use(_stream)
 	_scene.level_noted.connect(_hud.show_note)
+	_interaction.prompt_changed.connect(_hud.show_prompt)
+	_interaction.use_by_name(_options.text("use"))
 	_scene.level_missing.connect(
 		func(why: String) -> void: _on_ended(StateStream.EXIT_REFUSED, why)
 	)

@@ -130,7 +130,7 @@ func evaluate(p_now_usec: int, p_replica: WorldReplica) -> Dictionary[int, Packe
 		if motion.actor >= 0 and p_replica.has_person(motion.actor):
 			truth = p_replica.person_floats(motion.actor, true)
 		var floats: PackedFloat32Array = motion.evaluate(p_now_usec, truth, p_replica.newest_tick)
-		if not floats.is_empty():
+		if not floats.is_empty() and p_replica.is_on_ground(motion.actor):
 			bodies[motion.actor] = floats
 	return bodies
 

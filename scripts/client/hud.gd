@@ -7,6 +7,7 @@ extends CanvasLayer
 @export var _message: Label
 @export var _guide: Label
 @export var _note: Label
+@export var _prompt: Label
 @export var _latency: LatencyPanel
 
 
@@ -32,6 +33,12 @@ func show_guide(p_text: String) -> void:
 func show_note(p_text: String) -> void:
 	_note.text = p_text
 	_note.visible = p_text != ""
+
+
+## Shows what the key for using would do; nothing if the text is empty.
+func show_prompt(p_text: String) -> void:
+	_prompt.text = "E   " + p_text
+	_prompt.visible = p_text != ""
 
 
 ## Says which delays the panel shows that a key opens.

@@ -200,6 +200,16 @@ func limbs_of(p_person: int, p_floats: PackedFloat32Array) -> Array[Transform3D]
 	return bodies
 
 
+## Whether a person's own frame is that of the world: then a wearer's motion can be shown at once,
+## before the server has moved the body.
+func is_on_ground(p_person: int) -> bool:
+	var row: EntityRow = table.find(p_person)
+	if row == null or _decoder.get_frame(p_person) >= 0:
+		return false
+	var heading: int = row.type.find_field(EntityType.HEADING)
+	return heading < 0 or absf(field(p_person, heading)) < 0.002
+
+
 ## Whether something is known of where a rigid body is.
 func has_body(p_id: int) -> bool:
 	return _smoother.has_body(p_id)

@@ -28,6 +28,10 @@ enum CommandedBy {
 	ANYBODY,
 }
 
+## Field of a person that tells which entity carries it; 0 none.
+const CARRIER: StringName = &"carrier"
+## Field of a person that tells how the motion's own frame is turned about the Y axis, rad.
+const HEADING: StringName = &"heading"
 ## Most commands, and most events, of a type.
 const MAX_SCHEMAS: int = 32
 ## Longest name of a type, command, event or field, characters.
@@ -55,6 +59,10 @@ static func person() -> EntityType:
 	var type: EntityType = EntityType.new()
 	type.name = &"person"
 	type.body = Body.PERSON
+	type.fields = [
+		EntityField.create_count(CARRIER, 65536),
+		EntityField.create(HEADING, EntityField.Kind.ANGLE, -PI, PI, 0.001),
+	]
 	return type
 
 

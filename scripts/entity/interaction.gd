@@ -9,9 +9,12 @@ signal prompt_changed(p_text: String)
 const ACTION: StringName = &"interact"
 
 var _prompt: String = ""
+var _named: String = ""
 
 
 func _process(_delta: float) -> void:
+	if _named != "":
+		_use_named()
 	var found: Interactable = find()
 	var prompt: String = found.get_prompt() if found != null else ""
 	if prompt != _prompt:
@@ -25,6 +28,21 @@ func _unhandled_input(p_event: InputEvent) -> void:
 		if found != null:
 			found.interact()
 			get_viewport().set_input_as_handled()
+
+
+## Uses what is below a node of a name in the level, once, as soon as it is part of the session; for
+## clients without anybody at the keyboard. An empty name is none.
+func use_by_name(p_name: String) -> void:
+	_named = p_name
+
+
+func _use_named() -> void:
+	for node: Node in get_tree().get_nodes_in_group(Interactable.GROUP):
+		var each: Interactable = node as Interactable
+		if each.entity != null and each.entity.is_started() and str(each.get_path()).contains(_named):
+			_named = ""
+			each.interact()
+			return
 
 
 ## What is looked at and can be used, or null. What this session sits in comes first: leaving it

@@ -223,6 +223,14 @@ func _on_person_added(p_person: ServerPeople.Person) -> void:
 
 func _on_person_attached(p_person: ServerPeople.Person, p_carrier: int) -> void:
 	encoder.set_frame(p_person.id, p_carrier)
+	var type: EntityType = _level.table.find(p_person.id).type
+	var heading: float = p_person.ragdoll.motor.get_frame().basis.get_euler().y
+	var values: Dictionary[StringName, float] = {
+		EntityType.CARRIER: maxi(p_carrier, 0), EntityType.HEADING: heading
+	}
+	for field: StringName in values:
+		if type.find_field(field) >= 0:
+			encoder.set_field(p_person.id, type.find_field(field), values[field])
 
 
 func _on_table_cleared() -> void:
