@@ -143,9 +143,10 @@ func acknowledgement(p_now_usec: int, p_viewpoint: Vector3) -> PackedByteArray:
 
 ## Forgets the server's world, but not how it was made smooth.
 func clear() -> void:
-	_decoder.clear()
-	_smoother.clear()
 	table.clear()
+	# Another server may have other types.
+	_configure(_error_deg)
+	_smoother.clear()
 	events.clear()
 	_active.clear()
 	newest_tick = -1
@@ -289,6 +290,11 @@ func _take_mark() -> LatencyMark:
 
 func _set_error(p_degrees: float) -> void:
 	if p_degrees != _error_deg:
-		_error_deg = p_degrees
-		_decoder.configure(PackedInt32Array(Limbs.PARENTS), p_degrees)
+		_configure(p_degrees)
+	_decoder.set_wants_marks(wants_marks)
+
+
+func _configure(p_error_deg: float) -> void:
+	_error_deg = p_error_deg
+	_decoder.configure(PackedInt32Array(Limbs.PARENTS), p_error_deg)
 	_decoder.set_wants_marks(wants_marks)

@@ -6,13 +6,13 @@ extends Resource
 ## On the wire it is a whole number of steps of [member resolution] above [member min_value], so
 ## both ends agree on every value exactly.
 
-## How a field behaves between two updates.
+## How a field behaves between two updates. Numbers are those of the wire.
 enum Kind {
-	## Interpolated like a position.
-	LINEAR,
 	## Interpolated the short way round; [member max_value] is the same angle as
 	## [member min_value].
 	ANGLE,
+	## Interpolated like a position.
+	LINEAR,
 	## Never interpolated: it keeps its value until the tick at which it changes.
 	STEP,
 }

@@ -8,7 +8,6 @@ extends RefCounted
 ## Number of the client's session; 0 on a server.
 @abstract func session() -> int
 
-
 ## Sets a field, on the server. See [method Entity.set_value].
 @abstract func set_field(p_entity: int, p_field: int, p_value: float) -> void
 
@@ -28,12 +27,9 @@ extends RefCounted
 ## Ends what [method attach] began.
 @abstract func detach(p_session: int) -> void
 
-
 ## Carries a person in the frame of an entity's body from now on, as the person stands there, on the
 ## server; [param p_limb] is one of the person's bodies. See [CarryArea].
-@abstract
-func carry(p_limb: Node3D, p_entity: int) -> void
-
+@abstract func carry(p_limb: Node3D, p_entity: int) -> void
 
 ## Puts a person who was carried back on the ground, on the server.
 @abstract func put_down(p_limb: Node3D) -> void

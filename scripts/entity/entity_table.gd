@@ -95,10 +95,15 @@ func despawn(p_id: int) -> void:
 	despawned.emit(row)
 
 
-## Takes all entities and types out.
-func clear() -> void:
+## Takes all entities out; types keep their numbers.
+func clear_rows() -> void:
 	for id: int in rows.keys():
 		despawn(id)
+
+
+## Takes all entities and types out: on a client.
+func clear() -> void:
+	clear_rows()
 	types.clear()
 	cleared.emit()
 

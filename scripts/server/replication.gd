@@ -44,7 +44,6 @@ func _init(
 	_level.table.despawned.connect(_on_despawned)
 	_level.entity_added.connect(_on_entity_added)
 	_level.changed.connect(_on_level_changed)
-	_level.table.cleared.connect(_on_table_cleared)
 	_people.person_added.connect(_on_person_added)
 	_people.person_attached.connect(_on_person_attached)
 
@@ -231,11 +230,6 @@ func _on_person_attached(p_person: ServerPeople.Person, p_carrier: int) -> void:
 	for field: StringName in values:
 		if type.find_field(field) >= 0:
 			encoder.set_field(p_person.id, type.find_field(field), values[field])
-
-
-func _on_table_cleared() -> void:
-	_known_types = 0
-	_defined_types = 0
 
 
 ## Everybody begins anew in another level.

@@ -37,7 +37,7 @@ func load_level(p_name: String, p_tick: int = 0) -> String:
 	if fresh == null:
 		return "the scene of world '%s' is broken: its root must be a Level" % p_name
 	leaving.emit()
-	table.clear()
+	table.clear_rows()
 	if level != null:
 		remove_child(level)
 		level.queue_free()
