@@ -4,12 +4,14 @@
 // Counts what a test program allocates. Include it in one source of the program only: it replaces the
 // program's own operators.
 
+#include <atomic>
 #include <cstdlib>
 #include <new>
 
 namespace {
 
-int allocations = 0;
+/// Of all threads.
+std::atomic<int> allocations{ 0 };
 
 } // namespace
 
