@@ -72,15 +72,57 @@ bool SnapshotSmoother::push_body(int64_t p_body, int64_t p_tick, double p_arriva
 void SnapshotSmoother::take(const Ref<SnapshotDecoder> &p_decoder, double p_arrival_s) {
 	ERR_FAIL_COND_MSG(
 			p_decoder.is_null() || p_decoder->get_core() == nullptr, "SnapshotSmoother: that decoder is none.");
+	_decoder = p_decoder;
 	const wire::SnapshotDecoder &decoder = *p_decoder->get_core();
 	if (decoder.tick_rate() > 0 && double(decoder.tick_rate()) != get_tick_rate()) {
 		set_tick_rate(decoder.tick_rate());
 	}
+	// Carriers before who is carried.
+	for (const wire::BodyUpdate &update : decoder.bodies()) {
+		_smoother.push(update, p_arrival_s);
+	}
 	for (const wire::PersonUpdate &update : decoder.people()) {
 		_smoother.push(update, p_arrival_s);
 	}
-	for (const wire::BodyUpdate &update : decoder.bodies()) {
-		_smoother.push(update, p_arrival_s);
+	for (const wire::FieldUpdate &update : decoder.fields()) {
+		_smoother.push(update.tick, update.id, *update.type, decoder.generation_of(update.id),
+				decoder.spawn_fields(update.id), update.values, p_arrival_s);
+	}
+}
+
+void SnapshotSmoother::set_types(const Ref<SnapshotDecoder> &p_decoder) {
+	_decoder = p_decoder;
+}
+
+double SnapshotSmoother::_field(int64_t p_entity, int64_t p_field, bool p_newest) const {
+	if (_decoder.is_null() || !_decoder->has_entity(p_entity)) {
+		return 0.0;
+	}
+	const uint32_t generation = _decoder->get_core()->generation_of(uint16_t(p_entity));
+	const wire::FieldTrack *track = _smoother.fields(uint16_t(p_entity), generation);
+	if (track == nullptr) {
+		return _decoder->get_field(p_entity, p_field);
+	}
+	if (p_field < 0 || p_field >= int64_t(track->field_count())) {
+		return 0.0;
+	}
+	const std::size_t index = std::size_t(p_field);
+	return double(p_newest ? track->newest(index) : _smoother.shown_field(*track, index));
+}
+
+double SnapshotSmoother::field(int64_t p_entity, int64_t p_field) const {
+	return _field(p_entity, p_field, false);
+}
+
+double SnapshotSmoother::newest_field(int64_t p_entity, int64_t p_field) const {
+	return _field(p_entity, p_field, true);
+}
+
+void SnapshotSmoother::forget_entity(int64_t p_entity) {
+	if (is_id(p_entity)) {
+		_smoother.forget_person(uint16_t(p_entity));
+		_smoother.forget_body(uint16_t(p_entity));
+		_smoother.forget_fields(uint16_t(p_entity));
 	}
 }
 
@@ -145,6 +187,10 @@ void SnapshotSmoother::_bind_methods() {
 			&SnapshotSmoother::push_person);
 	ClassDB::bind_method(D_METHOD("push_body", "body", "tick", "arrival_s", "transform", "velocity", "spin", "at_rest"),
 			&SnapshotSmoother::push_body);
+	ClassDB::bind_method(D_METHOD("set_types", "decoder"), &SnapshotSmoother::set_types);
+	ClassDB::bind_method(D_METHOD("field", "entity", "field"), &SnapshotSmoother::field);
+	ClassDB::bind_method(D_METHOD("newest_field", "entity", "field"), &SnapshotSmoother::newest_field);
+	ClassDB::bind_method(D_METHOD("forget_entity", "entity"), &SnapshotSmoother::forget_entity);
 	ClassDB::bind_method(D_METHOD("take", "decoder", "arrival_s"), &SnapshotSmoother::take);
 	ClassDB::bind_method(D_METHOD("evaluate", "now_s"), &SnapshotSmoother::evaluate);
 	ClassDB::bind_method(D_METHOD("get_shown_tick"), &SnapshotSmoother::get_shown_tick);

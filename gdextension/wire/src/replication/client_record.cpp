@@ -10,6 +10,10 @@ namespace {
 // So many later datagrams have to arrive before one counts as lost: some overtake each other.
 constexpr uint32_t OVERTAKEN = 3;
 constexpr float ROUND_TRIP_MEMORY = 0.1f;
+// After two round trips and this part of a second nobody waits for an acknowledgement, if the client was heard of
+// within so many seconds.
+constexpr uint32_t PATIENCE_PART = 4;
+constexpr uint32_t HEARD_S = 2;
 
 } // namespace
 
@@ -89,6 +93,24 @@ SentDatagram &ClientRecord::begin_datagram(uint32_t p_tick) {
 	entry.field_count = 0;
 	entry.has_command_ack = false;
 	return entry;
+}
+
+void ClientRecord::expire(uint32_t p_now, int p_tick_rate) {
+	// Who is not heard of is not there, or lacks more than this could mend.
+	if (heard_tick == NEVER || p_now - heard_tick > HEARD_S * uint32_t(p_tick_rate)) {
+		return;
+	}
+	const uint32_t patience = uint32_t(p_tick_rate) / PATIENCE_PART + 2 * uint32_t(stats.round_trip_ticks);
+	for (; _oldest_open != _next_number; _oldest_open++) {
+		SentDatagram &entry = _log[_oldest_open % KEPT];
+		const bool is_open = entry.is_open && entry.number == _oldest_open;
+		if (is_open && p_now - entry.tick <= patience) {
+			return;
+		}
+		if (is_open) {
+			_note_loss(entry);
+		}
+	}
 }
 
 void ClientRecord::cancel_datagram() {

@@ -122,6 +122,8 @@ public:
 	/// Notes that something of an entity's fields may have to be sent.
 	void mark_fields(std::size_t p_index, uint32_t p_generation);
 	bool knows(uint32_t p_table_version) const { return is_recorder || p_table_version <= table_version; }
+	/// Gives up datagrams that should have been acknowledged long ago: nothing newer may come to say so.
+	void expire(uint32_t p_now, int p_tick_rate);
 	/// Takes back the datagram that was begun last: nothing went into it.
 	void cancel_datagram();
 
@@ -135,6 +137,7 @@ private:
 
 	std::array<SentDatagram, KEPT> _log{};
 	uint8_t _next_number = 0;
+	uint8_t _oldest_open = 0; // No datagram before this one is open.
 };
 
 } // namespace wire

@@ -70,6 +70,10 @@ const uint32_t *SnapshotDecoder::newest_fields(uint16_t p_id) const {
 	return has_entity(p_id) ? _find_known(p_id)->newest.data() : nullptr;
 }
 
+const uint32_t *SnapshotDecoder::spawn_fields(uint16_t p_id) const {
+	return has_entity(p_id) ? _find_known(p_id)->history.spawn().data() : nullptr;
+}
+
 uint32_t SnapshotDecoder::generation_of(uint16_t p_id) const {
 	return has_entity(p_id) ? _find_known(p_id)->generation : 0;
 }

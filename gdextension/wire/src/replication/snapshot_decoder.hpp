@@ -69,6 +69,7 @@ public:
 	/// An entity's type, and its newest fields; null if there is none.
 	const EntityType *type_of(uint16_t p_id) const;
 	const uint32_t *newest_fields(uint16_t p_id) const;
+	const uint32_t *spawn_fields(uint16_t p_id) const;
 	/// Counts how often an id was added: another number is another entity.
 	uint32_t generation_of(uint16_t p_id) const;
 

@@ -206,6 +206,7 @@ std::size_t SnapshotEncoder::encode(int p_client, int64_t p_now_usec, DatagramLi
 		return 0;
 	}
 	client->follow(_history);
+	client->expire(_history.tick(), _history.rate());
 	client->allowance = std::min(client->allowance + client->bytes_per_tick,
 			std::max(client->bytes_per_tick * _history.rate() / client->rate * MAX_SAVED, double(MAX_BYTES)));
 	const bool is_due = _is_due(*client);

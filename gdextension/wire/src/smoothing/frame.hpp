@@ -60,4 +60,27 @@ inline void limit(Delta<N> &r_delta, float p_displacement, float p_turn, std::si
 	}
 }
 
+/// A frame that is given in that of a carrier, in the world.
+template <std::size_t N>
+inline Frame<N> carried(const Frame<1> &p_carrier, const Frame<N> &p_frame, std::size_t p_count) {
+	Frame<N> frame;
+	frame.position = p_carrier.position + p_carrier.turns[0].rotate(p_frame.position);
+	for (std::size_t i = 0; i < p_count; i++) {
+		frame.turns[i] = (p_carrier.turns[0] * p_frame.turns[i]).normalized();
+	}
+	return frame;
+}
+
+/// The inverse: a frame that is given in the world, in that of a carrier.
+template <std::size_t N>
+inline Frame<N> seen_from(const Frame<1> &p_carrier, const Frame<N> &p_frame, std::size_t p_count) {
+	const Quat back = p_carrier.turns[0].inverse();
+	Frame<N> frame;
+	frame.position = back.rotate(p_frame.position - p_carrier.position);
+	for (std::size_t i = 0; i < p_count; i++) {
+		frame.turns[i] = (back * p_frame.turns[i]).normalized();
+	}
+	return frame;
+}
+
 } // namespace wire

@@ -99,7 +99,7 @@ bool Smoother::push(const PersonUpdate &p_update, double p_arrival_s) {
 	}
 	key.time = _clock.time_of(p_update.tick);
 	key.arrival = p_arrival_s;
-	return found->second->track.push(key);
+	return _fit_frames(*found->second, p_update.frame, key) && found->second->track.push(key);
 }
 
 bool Smoother::push(const BodyUpdate &p_update, double p_arrival_s) {
@@ -162,13 +162,6 @@ void Smoother::evaluate(double p_now_s) {
 		return;
 	}
 	_play(p_now_s);
-	for (auto &[id, entry] : _persons) {
-		if (!entry->track.is_empty()) {
-			entry->track.evaluate({ _shown_time, p_now_s, _method });
-			_pose_person(entry->skeleton, entry->track.get_shown(), entry->shown);
-			entry->is_shown = true;
-		}
-	}
 	for (auto &[id, entry] : _bodies) {
 		if (!entry->track.is_empty()) {
 			entry->track.evaluate({ _shown_time, p_now_s, _method });
@@ -176,6 +169,102 @@ void Smoother::evaluate(double p_now_s) {
 			entry->is_shown = true;
 		}
 	}
+	// After the bodies that carry them.
+	for (auto &[id, entry] : _persons) {
+		if (!entry->track.is_empty()) {
+			_evaluate_person(*entry, p_now_s);
+		}
+	}
+}
+
+void Smoother::_evaluate_person(PersonEntry &r_entry, double p_now_s) {
+	r_entry.track.evaluate({ _shown_time, p_now_s, _method });
+	Frame<1> carrier;
+	// Somebody whose carrier has not come yet waits for it.
+	if (_carrier_shown(r_entry.frame, carrier)) {
+		const std::size_t count = std::size_t(r_entry.skeleton.limb_count);
+		const Frame<kinematics::MAX_LIMBS> &frame = r_entry.track.get_shown();
+		_pose_person(r_entry.skeleton, r_entry.frame == 0 ? frame : carried(carrier, frame, count), r_entry.shown);
+		r_entry.is_shown = true;
+	}
+}
+
+// Where a carrier is at a time, without what smooths its display; false if nobody knows.
+bool Smoother::_carrier_at(uint16_t p_frame, double p_time, Frame<1> &r_carrier) const {
+	r_carrier = Frame<1>();
+	if (p_frame == 0) {
+		return true;
+	}
+	const auto found = _bodies.find(p_frame);
+	if (found == _bodies.end() || found->second->track.is_empty()) {
+		return false;
+	}
+	r_carrier = found->second->track.at(p_time);
+	return true;
+}
+
+bool Smoother::_carrier_shown(uint16_t p_frame, Frame<1> &r_carrier) const {
+	r_carrier = Frame<1>();
+	if (p_frame == 0) {
+		return true;
+	}
+	const auto found = _bodies.find(p_frame);
+	if (found == _bodies.end() || !found->second->is_shown) {
+		return false;
+	}
+	r_carrier.position = found->second->shown.position;
+	r_carrier.turns[0] = found->second->shown.orientation;
+	return true;
+}
+
+// Brings a person's track and a new update into one frame: that of the newest. False if the update is of no use.
+bool Smoother::_fit_frames(PersonEntry &r_entry, uint16_t p_frame, PersonTrack::Key &r_key) const {
+	if (p_frame == r_entry.frame) {
+		return true;
+	}
+	const std::size_t count = std::size_t(r_entry.skeleton.limb_count);
+	const auto convert = [&](uint16_t p_from, uint16_t p_to, const Frame<kinematics::MAX_LIMBS> &p_what,
+								 double p_time) {
+		Frame<1> from;
+		Frame<1> to;
+		_carrier_at(p_from, p_time, from);
+		_carrier_at(p_to, p_time, to);
+		return seen_from(to, carried(from, p_what, count), count);
+	};
+	Frame<1> before;
+	Frame<1> after;
+	const bool is_known = _carrier_at(r_entry.frame, r_key.time, before) && _carrier_at(p_frame, r_key.time, after);
+	const bool is_newest = r_entry.track.is_empty() || r_entry.track.get_newest().time < r_key.time;
+	if (!is_newest) {
+		r_key.frame = is_known ? convert(p_frame, r_entry.frame, r_key.frame, r_key.time) : r_key.frame;
+		return is_known;
+	}
+	if (is_known && _carrier_shown(r_entry.frame, before) && _carrier_shown(p_frame, after)) {
+		const uint16_t left = r_entry.frame;
+		r_entry.track.reframe([&](const auto &p_what, double p_time) { return convert(left, p_frame, p_what, p_time); },
+				[&](const auto &p_what) { return seen_from(after, carried(before, p_what, count), count); });
+	} else {
+		r_entry.track = PersonTrack(count, false);
+	}
+	r_entry.frame = p_frame;
+	return true;
+}
+
+bool Smoother::push(uint32_t p_tick, uint16_t p_id, const EntityType &p_type, uint32_t p_generation,
+		const uint32_t *p_spawn, const uint32_t *p_values, double p_arrival_s) {
+	if (!_is_timely(p_tick, p_arrival_s)) {
+		return false;
+	}
+	std::unique_ptr<FieldEntry> &entry = _fields[p_id];
+	if (!entry || entry->generation != p_generation) {
+		entry = std::make_unique<FieldEntry>(FieldEntry{ p_generation, FieldTrack(p_type, p_spawn) });
+	}
+	return entry->track.push(_clock.time_of(p_tick), p_values, _clock.interval());
+}
+
+const FieldTrack *Smoother::fields(uint16_t p_id, uint32_t p_generation) const {
+	const auto found = _fields.find(p_id);
+	return found != _fields.end() && found->second->generation == p_generation ? &found->second->track : nullptr;
 }
 
 void Smoother::_pose_person(
@@ -201,7 +290,14 @@ bool Smoother::newest(uint16_t p_id, Person &r_person) const {
 	if (found == _persons.end() || found->second->track.is_empty()) {
 		return false;
 	}
-	_pose_person(found->second->skeleton, found->second->track.get_newest().frame, r_person);
+	const PersonEntry &entry = *found->second;
+	const PersonTrack::Key &key = entry.track.get_newest();
+	Frame<1> carrier;
+	if (!_carrier_at(entry.frame, key.time, carrier)) {
+		return false;
+	}
+	const std::size_t count = std::size_t(entry.skeleton.limb_count);
+	_pose_person(entry.skeleton, entry.frame == 0 ? key.frame : carried(carrier, key.frame, count), r_person);
 	return true;
 }
 
@@ -221,6 +317,7 @@ void Smoother::_forget_updates() {
 	}
 	// What the new server does not speak of is not there.
 	_bodies.clear();
+	_fields.clear();
 	_is_playing = false;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dead_reckoning.hpp"
+#include "smoothing/field_track.hpp"
 #include "smoothing/server_clock.hpp"
 #include "smoothing/smoothing_method.hpp"
 #include "smoothing/track.hpp"
@@ -51,6 +52,10 @@ public:
 	bool push(const PersonUpdate &p_update, double p_arrival_s);
 	bool push(const BodyUpdate &p_update, double p_arrival_s);
 
+	/// Takes an entity's fields. A generation other than before is another entity of that id.
+	bool push(uint32_t p_tick, uint16_t p_id, const EntityType &p_type, uint32_t p_generation, const uint32_t *p_spawn,
+			const uint32_t *p_values, double p_arrival_s);
+
 	/// Works out where everything is at a time of the client's clock, s.
 	void evaluate(double p_now_s);
 
@@ -65,6 +70,13 @@ public:
 	bool newest(uint16_t p_id, Person &r_person) const;
 	bool newest(uint16_t p_id, BodyTransform &r_transform) const;
 
+	/// An entity's fields, if something has come of them since it was added.
+	const FieldTrack *fields(uint16_t p_id, uint32_t p_generation) const;
+	/// A field as it is shown.
+	float shown_field(const FieldTrack &p_track, std::size_t p_field) const {
+		return _is_playing ? p_track.at(p_field, _shown_time) : p_track.newest(p_field);
+	}
+	void forget_fields(uint16_t p_id) { _fields.erase(p_id); }
 	void forget_person(uint16_t p_id) { _persons.erase(p_id); }
 	void forget_body(uint16_t p_id) { _bodies.erase(p_id); }
 	/// Forgets all updates and the clock, but not the skeletons.
@@ -76,8 +88,13 @@ private:
 				skeleton(p_skeleton), track(std::size_t(p_skeleton.limb_count), false) {}
 		kinematics::Skeleton skeleton;
 		PersonTrack track;
+		uint16_t frame = 0; // Id of the body in whose frame the track is; 0: in the world's.
 		Person shown;
 		bool is_shown = false;
+	};
+	struct FieldEntry {
+		uint32_t generation;
+		FieldTrack track;
 	};
 	struct BodyEntry {
 		BodyTrack track{ 1, true };
@@ -85,6 +102,10 @@ private:
 		bool is_shown = false;
 	};
 
+	bool _carrier_at(uint16_t p_frame, double p_time, Frame<1> &r_carrier) const;
+	bool _carrier_shown(uint16_t p_frame, Frame<1> &r_carrier) const;
+	bool _fit_frames(PersonEntry &r_entry, uint16_t p_frame, PersonTrack::Key &r_key) const;
+	void _evaluate_person(PersonEntry &r_entry, double p_now_s);
 	bool _is_timely(uint32_t p_tick, double p_arrival_s);
 	double _wanted_time(double p_now_s);
 	void _play(double p_now_s);
@@ -96,6 +117,7 @@ private:
 	ServerClock _clock;
 	std::unordered_map<uint16_t, std::unique_ptr<PersonEntry>> _persons;
 	std::unordered_map<uint16_t, std::unique_ptr<BodyEntry>> _bodies;
+	std::unordered_map<uint16_t, std::unique_ptr<FieldEntry>> _fields;
 	bool _is_playing = false;
 	double _shown_time = 0.0; // In the server's clock, s.
 	double _shown_at = 0.0; // In the client's.

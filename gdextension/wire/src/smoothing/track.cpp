@@ -265,6 +265,10 @@ void Track<N>::_take_over(const Moment &p_moment) {
 		_offset_speed = mix(_speed, 1.0f, target_speed, -1.0f, _count);
 		limit(_offset_speed, MAX_SPEED, MAX_SPIN, _count);
 	}
+	if (_is_reframed) {
+		_offset_speed = Delta<N>();
+		_is_reframed = false;
+	}
 	if (is_jump(_offset.displacement)) {
 		_offset = Delta<N>();
 		_offset_speed = Delta<N>();

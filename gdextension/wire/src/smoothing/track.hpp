@@ -39,6 +39,22 @@ public:
 	bool push(const Key &p_key);
 	/// Works out what is shown at a moment.
 	void evaluate(const Moment &p_moment);
+	/// Where it is at a time (s), as far as that is known; there has to be an update.
+	Frame<N> at(double p_time) const { return _curved(p_time, true); }
+	/// Gives all in another carrier's frame: updates by p_convert(frame, time), and what is shown by
+	/// p_convert_shown(frame). What is shown then goes on from there, at the speed of the updates.
+	template <typename Convert, typename ConvertShown>
+	void reframe(Convert p_convert, ConvertShown p_convert_shown) {
+		for (std::size_t i = 0; i < _size; i++) {
+			Key &key = _keys[_order[i]];
+			key.frame = p_convert(key.frame, key.time);
+		}
+		_shown = p_convert_shown(_shown);
+		_chase_from = p_convert_shown(_chase_from);
+		_chase_to = p_convert_shown(_chase_to);
+		_is_reframed = true;
+		_has_news = true;
+	}
 	/// Forgets all but what is shown now.
 	void clear() { _size = 0; }
 
@@ -70,6 +86,7 @@ private:
 
 	bool _is_shown = false;
 	bool _has_news = false;
+	bool _is_reframed = false; // The speed of what is shown is in another frame.
 	Moment _last;
 	Frame<N> _shown;
 	Delta<N> _speed; // Of what is shown, per second.
