@@ -11,8 +11,10 @@ signal marked(p_mark: LatencyMark)
 
 ## Floats of a limb in [method SnapshotSmoother.person_transforms]: position, quaternion.
 const FLOATS: int = 7
-## Acknowledgements are at least so far apart, µs.
-const ACK_PERIOD_USEC: int = 30000
+## Acknowledgements are at least so far apart, µs, unless more datagrams came than one speaks of.
+const ACK_PERIOD_USEC: int = 105000
+## An acknowledgement speaks of one datagram more than that.
+const MAX_UNACKNOWLEDGED: int = 32
 ## The decoder takes nothing that is so many ticks older than the newest, unless that was wrong.
 const STALE: int = 30
 ## Fields are looked at for so long after their last update, ticks: then they have come to rest.
@@ -133,7 +135,8 @@ func applied_command() -> int:
 ## What is to be sent to the server at a time (µs), by somebody who looks from a position (m); mostly
 ## nothing.
 func acknowledgement(p_now_usec: int, p_viewpoint: Vector3) -> PackedByteArray:
-	if p_now_usec - _acked_usec < ACK_PERIOD_USEC:
+	var is_early: bool = p_now_usec - _acked_usec < ACK_PERIOD_USEC
+	if is_early and _decoder.get_unacknowledged() < MAX_UNACKNOWLEDGED / 2:
 		return PackedByteArray()
 	var bytes: PackedByteArray = _decoder.get_ack(p_viewpoint)
 	if not bytes.is_empty():

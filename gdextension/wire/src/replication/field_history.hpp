@@ -25,23 +25,20 @@ public:
 		_ticks.fill(NEVER);
 	}
 
-	/// Notes the fields at a tick, in place of the oldest.
+	/// Notes the fields at a tick, in place of those that were put first.
 	void put(uint32_t p_tick, const uint32_t *p_values) {
-		std::size_t into = 0;
-		for (std::size_t i = 0; i < KEPT; i++) {
-			if (_ticks[i] == NEVER || _ticks[i] == p_tick) {
-				into = i;
-				break;
-			}
-			into = int32_t(_ticks[i] - _ticks[into]) < 0 ? i : into;
+		if (_ticks[_head] != p_tick) {
+			_is_ordered = _is_ordered && (_ticks[_head] == NEVER || int32_t(p_tick - _ticks[_head]) > 0);
+			_head = (_head + 1) % KEPT;
+			_has_dropped = _has_dropped || _ticks[_head] != NEVER;
 		}
-		_has_dropped = _has_dropped || (_ticks[into] != NEVER && _ticks[into] != p_tick);
-		_ticks[into] = p_tick;
-		std::copy_n(p_values, _count, _values.begin() + std::ptrdiff_t(into * _count));
+		_ticks[_head] = p_tick;
+		std::copy_n(p_values, _count, _values.begin() + std::ptrdiff_t(_head * _count));
 	}
 	/// The fields that were put at a tick; null if there are none (any more).
 	const uint32_t *find(uint32_t p_tick) const {
-		for (std::size_t i = 0; i < KEPT; i++) {
+		for (std::size_t ago = 0; ago < KEPT; ago++) {
+			const std::size_t i = (_head + KEPT - ago) % KEPT;
 			if (_ticks[i] == p_tick && p_tick != NEVER) {
 				return &_values[i * _count];
 			}
@@ -51,10 +48,14 @@ public:
 	/// The newest fields that were put at a tick or before; null if there are none (any more).
 	const uint32_t *find_until(uint32_t p_tick) const {
 		std::size_t best = KEPT;
-		for (std::size_t i = 0; i < KEPT; i++) {
+		for (std::size_t ago = 0; ago < KEPT; ago++) {
+			const std::size_t i = (_head + KEPT - ago) % KEPT;
 			if (_ticks[i] != NEVER && int32_t(_ticks[i] - p_tick) <= 0 &&
 					(best == KEPT || int32_t(_ticks[i] - _ticks[best]) > 0)) {
 				best = i;
+				if (_is_ordered) {
+					break;
+				}
 			}
 		}
 		return best == KEPT ? nullptr : &_values[best * _count];
@@ -69,6 +70,8 @@ public:
 
 private:
 	std::size_t _count;
+	std::size_t _head = 0; // What was put last.
+	bool _is_ordered = true; // All was put in the order of ticks.
 	bool _has_dropped = false;
 	std::vector<uint32_t> _spawn;
 	std::vector<uint32_t> _values;
