@@ -63,6 +63,8 @@ func is_ready() -> bool:
 
 ## Takes a message that arrived at a time of the stream's clock, s. Returns whether it was of use.
 func take(p_bytes: PackedByteArray, p_arrival_s: float) -> bool:
+	if p_bytes.is_empty():
+		return false
 	match p_bytes[0]:
 		Protocol.Message.SNAPSHOT, Protocol.Message.SNAPSHOT_OF_ONE, Protocol.Message.KEY:
 			return take_snapshot(p_bytes, p_arrival_s)
@@ -237,7 +239,7 @@ func active_entities() -> PackedInt32Array:
 
 ## The value of a field at the moment that is shown.
 func field(p_entity: int, p_field: int) -> float:
-	return _decoder.get_field(p_entity, p_field)
+	return _smoother.field(p_entity, p_field)
 
 
 func _take_level(p_level: LevelMessage) -> bool:
@@ -267,10 +269,7 @@ func _on_spawned(p_row: EntityRow) -> void:
 func _on_despawned(p_row: EntityRow) -> void:
 	_decoder.remove_entity(p_row.id)
 	_active.erase(p_row.id)
-	if p_row.is_person():
-		_smoother.forget_person(p_row.id)
-	else:
-		_smoother.forget_body(p_row.id)
+	_smoother.forget_entity(p_row.id)
 
 
 ## The mark of the datagram that was taken last, in times of the server's clock; null if it had none.

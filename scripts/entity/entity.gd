@@ -91,7 +91,8 @@ func get_host() -> EntityHost:
 func get_value(p_field: StringName) -> float:
 	var index: int = type.find_field(p_field)
 	if index < 0 or index >= _values.size():
-		push_error("%s has no field '%s'." % [type.name, p_field])
+		# A server of another version may have another type.
+		Log.limited("entity", "field", "%s has no field '%s'" % [type.name, p_field])
 		return 0.0
 	return _values[index]
 

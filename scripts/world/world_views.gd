@@ -19,7 +19,7 @@ const NAMES: Array[StringName] = [&"mesh", &"static", &"physics"]
 ## Draws wire frames.
 @export var physics_world: Node3D
 
-var _shown: Dictionary[StringName, bool] = {&"mesh": true, &"static": true, &"physics": false}
+var _shown: Dictionary[StringName, bool] = {&"mesh": true, &"static": true, &"physics": true}
 
 
 func _unhandled_key_input(p_event: InputEvent) -> void:

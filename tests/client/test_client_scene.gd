@@ -5,10 +5,12 @@ const NetSamples: GDScript = preload("../net/net_samples.gd")
 const CLIENT: PackedScene = preload("res://scenes/client/client.tscn")
 const SnapshotStream: GDScript = preload("res://tests/wire/snapshot_stream.gd")
 const ADA: int = 3
+const CRATE: int = 1024
 
 var _client: Node = null
 var _scene: ClientScene = null
 var _stream: SnapshotStream = null
+var _skeleton: PersonSkeleton = null
 var _random: RandomNumberGenerator = RandomNumberGenerator.new()
 
 
@@ -20,6 +22,9 @@ func before_each() -> void:
 	_client.remove_child(_scene)
 	_scene.owner = null
 	add_child(_scene)
+	var person: Ragdoll = _scene.person_scene.instantiate()
+	_skeleton = person.get_joints()
+	person.free()
 
 
 func after_each() -> void:
@@ -28,14 +33,12 @@ func after_each() -> void:
 
 
 func test_props_and_people_are_where_the_snapshots_have_them() -> void:
-	var world: WorldDescription = _world()
 	equal(_scene.apply("mesh,static,physics", ""), "")
-	is_false(_scene.has_world())
-	_scene.describe(world)
-	is_true(_scene.has_world())
-	_show([ADA], [0])
-	var crate: Node3D = _scene.get_node(^"Hall/Props/Crate1")
-	almost_equal(crate.global_transform, _stream.places[0], 0.01)
+	is_false(_scene.replica.is_ready())
+	_show([ADA], [CRATE])
+	is_true(_scene.replica.is_ready())
+	var crate: Node3D = _scene.get_level().level.get_node(^"Props/Crate1")
+	almost_equal(crate.global_transform, _stream.places[CRATE], 0.01)
 	var people: Node = _scene.get_node(^"People")
 	equal(people.get_child_count(), 1)
 	var node: Ragdoll = people.get_child(0)
@@ -52,12 +55,11 @@ func test_props_and_people_are_where_the_snapshots_have_them() -> void:
 	var pelvis: PhysicalBone3D = node.get_simulator().get_node(^"Hips")
 	almost_equal((hips * pelvis.body_offset).origin, _stream.poses[ADA].root, 0.003)
 	var wires: PhysicsWorld = _scene.get_node(^"PhysicsWorld")
-	almost_equal(wires.get_placed(4096 + Limbs.find(&"Head")), shown, 0.01)
+	almost_equal(wires.get_frame_transform(ADA, Limbs.find(&"Head")), shown, 0.01)
 
 
 func test_the_own_body_is_where_it_is_told() -> void:
-	_scene.describe(_world())
-	_show([ADA], [0])
+	_show([ADA], [CRATE])
 	var floats: PackedFloat32Array = _scene.replica.person_floats(ADA)
 	for limb: int in Limbs.COUNT:
 		floats[limb * WorldReplica.FLOATS] += 2.0
@@ -72,77 +74,85 @@ func test_the_own_body_is_where_it_is_told() -> void:
 
 func test_people_are_shown_in_their_size() -> void:
 	var people: Node = _scene.get_node(^"People")
-	var world: WorldDescription = _world()
-	var usual: PersonSkeleton = world.skeletons[ADA]
 	for factors: Vector2 in [Vector2(0.8, 0.8), Vector2(1.13, 1.13), Vector2(0.85, 1.2)]:
 		var small: Ragdoll = _scene.person_scene.instantiate()
 		var lengths: PackedFloat32Array = BodyScale.own_lengths(small)
 		for limb: int in Limbs.COUNT:
 			lengths[limb] *= factors.x if limb < 10 else factors.y
 		small.fit(lengths)
-		world.skeletons[ADA] = small.get_joints()
-		_scene.describe(world)
-		_show([ADA], [0])
+		_skeleton = small.get_joints()
+		_show([ADA], [CRATE])
 		await process_frames(2)
 		equal(people.get_child_count(), 1)
 		almost_equal(_scene.hips_of(ADA), small.get_hip_height(), 1e-4)
 		_check_shown(people.get_child(0), lengths)
 		small.free()
-	world.skeletons[ADA] = usual
-	_scene.describe(world)
-	await process_frames(2)
-	equal(people.get_child_count(), 1)
-	almost_equal(_scene.hips_of(ADA), 1.0115, 1e-4)
 
 
 func test_people_that_leave_are_gone() -> void:
-	var world: WorldDescription = _world()
-	_scene.describe(world)
-	_show([ADA], [0])
-	var empty: WorldDescription = WorldDescription.new()
-	_scene.describe(empty)
+	_show([ADA], [CRATE])
+	_tell([], ["Props/Crate1"])
 	await process_frames(2)
 	equal(_scene.get_node(^"People").get_child_count(), 0)
-	_show([ADA], [0])
+
+
+func test_snapshots_before_the_table_and_unknown_bodies() -> void:
+	_stream = SnapshotStream.new([ADA, 9], [CRATE, 1064])
+	_stream.move()
+	for bytes: PackedByteArray in _stream.datagrams():
+		is_false(_scene.replica.take(bytes, 1.0))
+	_scene.update(1.0)
 	equal(_scene.get_node(^"People").get_child_count(), 0)
 
 
-func test_snapshot_before_the_world_and_unknown_bodies() -> void:
-	_show([ADA, 9], [0, 40, 50])
-	_scene.describe(_world())
-	_show([ADA, 9], [0, 40, 50])
-	is_true(_scene.has_world())
-
-
-func test_a_hostile_server_moves_nothing_but_the_halls_props() -> void:
+func test_a_hostile_server_moves_nothing_but_what_is_in_the_level() -> void:
 	var camera: Node3D = _scene.get_node(^"Camera")
 	for path: String in [
-		"../Camera", "..", ".", "Props/../../Camera", "/root", "", "no:such", "%x"
+		"../../Camera", "..", ".", "Props/../../../Camera", "/root", "", "no:such", "%x", "Static/Floor"
 	]:
-		var before: Array = [camera.transform, _scene.transform]
-		before.append((_scene.get_node(^"Hall") as Node3D).transform)
-		var world: WorldDescription = WorldDescription.new()
-		world.add(0, WorldDescription.PROP, path, [])
-		world.add(1, WorldDescription.PROP, str(camera.get_path()), [])
-		_scene.describe(world)
-		_show([], [0, 1])
-		var after: Array = [camera.transform, _scene.transform]
-		after.append((_scene.get_node(^"Hall") as Node3D).transform)
-		equal(after, before, path)
+		_tell([], [path])
+		var level: Node3D = _scene.get_level().level
+		var before: Array = [camera.transform, _scene.transform, level.transform]
+		_play([], [CRATE])
+		equal([camera.transform, _scene.transform, level.transform], before, path)
 
 
-func test_random_worlds() -> void:
-	for _round: int in 20:
-		var world: WorldDescription = NetSamples.world(_random, 40, 0)
-		for id: int in world.bodies:
-			if _random.randf() < 0.5:
-				world.bodies[id].actor = ADA
-		world.names.clear()
-		world.add_person(ADA, 7, "Ada", NetSamples.skeleton(_random))
-		_scene.describe(world)
-		_show([ADA], [0, 3])
-	await process_frames(2)
-	equal(_scene.get_node(^"People").get_child_count(), 1)
+func test_a_hostile_server_names_scenes_that_are_none() -> void:
+	for path: String in [
+		"res://scenes/client/client.tscn",
+		"res://../x.tscn",
+		"user://x.tscn",
+		"res://project.godot",
+		"res://scenes/world/props/crate.tscn",
+	]:
+		var row: EntityRow = _row(CRATE, path)
+		row.source = EntityRow.Source.SCENE
+		_tell([], [])
+		var children: int = _level_child_count()
+		_send([row])
+		_play([], [CRATE])
+		equal(_level_child_count(), children, path)
+
+
+func test_a_level_that_is_not_here_is_said() -> void:
+	var missing: Array[String] = []
+	_scene.level_missing.connect(missing.append)
+	for name: String in ["atlantis", "../hall", "", "Hall"]:
+		_scene.replica.take(LevelMessage.encode(name, PackedByteArray()), 0.0)
+	equal(missing.size(), 4)
+	contains(missing[0], "no world 'atlantis' here: hall, yard")
+
+
+func test_a_level_that_is_another_is_said() -> void:
+	var notes: Array[String] = []
+	_scene.level_noted.connect(notes.append)
+	_scene.replica.take(LevelMessage.encode("yard", PackedByteArray([1, 2])), 0.0)
+	contains(notes[0], "'yard' is not the server's")
+	is_true(_scene.get_level().differs)
+	var same: PackedByteArray = _scene.get_level().level.fingerprint()
+	_scene.replica.take(LevelMessage.encode("yard", same), 0.0)
+	equal(notes[1], "")
+	is_false(_scene.get_level().differs)
 
 
 func test_wrong_views_and_camera_are_told() -> void:
@@ -164,23 +174,17 @@ func _check_shown(p_node: Ragdoll, p_lengths: PackedFloat32Array) -> void:
 		almost_equal(skeleton.get_bone_global_pose(to).basis.get_scale(), Vector3.ONE, 1e-3)
 
 
-func _world() -> WorldDescription:
-	var world: WorldDescription = WorldDescription.new()
-	var box: Array = [WorldDescription.ShapeType.BOX, Vector3.ONE, Transform3D.IDENTITY]
-	var soldier: Ragdoll = _scene.person_scene.instantiate()
-	world.add_person(ADA, 7, "Ada", soldier.get_joints())
-	soldier.free()
-	world.add(0, WorldDescription.PROP, "Props/Crate1", [box])
-	for limb: int in Limbs.COUNT:
-		world.add(4096 + limb, ADA, Limbs.BONES[limb], [box])
-	return world
-
-
-## Lets a new server tell of a world often enough for it to be shown, and shows it.
+## Lets a new server tell of people and bodies often enough for them to be shown.
 func _show(p_people: PackedInt32Array, p_bodies: PackedInt32Array) -> void:
-	_scene.clear()
-	if _scene.has_world():
-		_scene.describe(_scene.replica.world)
+	var paths: PackedStringArray = []
+	for _body: int in p_bodies:
+		paths.append("Props/Crate1")
+	_tell(p_people, paths)
+	_play(p_people, p_bodies)
+
+
+## Plays snapshots of people and bodies.
+func _play(p_people: PackedInt32Array, p_bodies: PackedInt32Array) -> void:
 	_stream = SnapshotStream.new(p_people, p_bodies)
 	_stream.move()
 	for _tick: int in 20:
@@ -188,3 +192,50 @@ func _show(p_people: PackedInt32Array, p_bodies: PackedInt32Array) -> void:
 		for bytes: PackedByteArray in _stream.datagrams():
 			_scene.replica.take(bytes, _stream.tick / 60.0)
 		_scene.update(_stream.tick / 60.0)
+
+
+## Sends the level, and a table with people and with props at these paths, from [constant CRATE] on.
+func _tell(p_people: PackedInt32Array, p_paths: PackedStringArray) -> void:
+	var rows: Array[EntityRow] = []
+	for index: int in p_paths.size():
+		rows.append(_row(CRATE + index, p_paths[index]))
+	for person: int in p_people:
+		var row: EntityRow = _row(person, "")
+		row.type = EntityType.person()
+		row.values = row.type.spawn_schema().defaults()
+		row.owner = 7
+		row.skeleton = _skeleton
+		rows.append(row)
+	_send(rows)
+
+
+func _send(p_rows: Array[EntityRow]) -> void:
+	_scene.clear()
+	_scene.replica.take(LevelMessage.encode("hall", PackedByteArray()), 0.0)
+	var message: EntityTableMessage = EntityTableMessage.new()
+	message.is_full = true
+	message.types = [EntityType.person(), _prop_type()]
+	for row: EntityRow in p_rows:
+		row.type_number = 0 if row.is_person() else 1
+	message.spawned = p_rows
+	is_true(_scene.replica.take(message.encode(), 0.0))
+
+
+func _level_child_count() -> int:
+	return _scene.get_level().level.get_child_count()
+
+
+static func _prop_type() -> EntityType:
+	var type: EntityType = EntityType.new()
+	type.name = &"prop"
+	type.body = EntityType.Body.RIGID
+	return type
+
+
+static func _row(p_id: int, p_path: String) -> EntityRow:
+	var row: EntityRow = EntityRow.new()
+	row.id = p_id
+	row.type = _prop_type()
+	row.source = EntityRow.Source.LEVEL
+	row.path = p_path
+	return row

@@ -5,9 +5,10 @@ const SnapshotStream: GDScript = preload("res://tests/wire/snapshot_stream.gd")
 const NetSamples: GDScript = preload("../net/net_samples.gd")
 
 var _replica: WorldReplica = WorldReplica.new()
-var _stream: SnapshotStream = SnapshotStream.new([1, 2], [7, 9])
+var _stream: SnapshotStream = SnapshotStream.new([1, 2], [1024, 1026])
 var _random: RandomNumberGenerator = RandomNumberGenerator.new()
 var _now: float = 100.0
+var _marks: Array[LatencyMark] = []
 
 
 func before_each() -> void:
@@ -18,12 +19,12 @@ func test_snapshots_before_the_world() -> void:
 	# Without the world nobody knows how exact poses are.
 	_advance(20, false)
 	equal([_replica.datagrams, _replica.newest_tick], [0, -1])
-	_replica.describe(_world([1, 2]))
+	_know([1, 2])
 	_advance(20)
 	is_true(_replica.datagrams >= 20)
-	_replica.show(_now)
+	_replica.evaluate(_now)
 	equal(_replica.tick_rate(), 60.0)
-	is_true(_replica.has_body(7) and _replica.has_body(9) and not _replica.has_body(8))
+	is_true(_replica.has_body(1024) and _replica.has_body(1026) and not _replica.has_body(1025))
 	is_true(_replica.has_person(1) and _replica.has_person(2) and not _replica.has_person(3))
 	var limbs: Array[Transform3D] = _replica.limbs_of(1, _replica.person_floats(1))
 	equal(limbs.size(), Limbs.COUNT)
@@ -32,7 +33,7 @@ func test_snapshots_before_the_world() -> void:
 
 
 func test_what_came_last_is_where_the_server_has_it() -> void:
-	_replica.describe(_world([1, 2]))
+	_know([1, 2])
 	_advance(5)
 	equal(_replica.newest_tick, _stream.tick)
 	for body: int in _stream.bodies:
@@ -42,10 +43,13 @@ func test_what_came_last_is_where_the_server_has_it() -> void:
 
 
 func test_who_leaves_is_forgotten() -> void:
-	_replica.describe(_world([1, 2]))
+	_know([1, 2])
 	_advance(10)
 	_stream.people = [1]
-	_replica.describe(_world([1]))
+	var gone: EntityTableMessage = EntityTableMessage.new()
+	gone.version = 2
+	gone.despawned = [2]
+	is_true(_replica.take(gone.encode(), _now))
 	is_false(_replica.has_person(2))
 	is_true(_replica.has_person(1))
 	equal(_replica.limbs_of(2, _replica.person_floats(1)).size(), 0)
@@ -54,7 +58,7 @@ func test_who_leaves_is_forgotten() -> void:
 
 
 func test_acknowledgements_are_not_too_frequent() -> void:
-	_replica.describe(_world([1, 2]))
+	_know([1, 2])
 	_give()
 	var first: int = 1000000
 	is_false(_replica.acknowledgement(first, Vector3.ZERO).is_empty())
@@ -67,7 +71,7 @@ func test_acknowledgements_are_not_too_frequent() -> void:
 
 
 func test_the_server_takes_the_acknowledgements() -> void:
-	_replica.describe(_world([1, 2]))
+	_know([1, 2])
 	_give()
 	var bytes: PackedByteArray = _replica.acknowledgement(1000000, Vector3(1.0, 2.0, 3.0))
 	equal(bytes[0], int(Protocol.Message.ACK))
@@ -75,20 +79,20 @@ func test_the_server_takes_the_acknowledgements() -> void:
 
 
 func test_marks_are_told_as_moments() -> void:
-	_replica.describe(_world([1, 2]))
-	is_null(_replica.take_mark())
+	_know([1, 2])
+	_replica.marked.connect(func(each: LatencyMark) -> void: _marks.append(each))
 	var encoder: SnapshotEncoder = SnapshotEncoder.new()
 	encoder.configure(PackedInt32Array(Limbs.PARENTS), Protocol.POSE_ERROR_DEG, 60)
 	encoder.add_client(1, 0, 1e8)
 	encoder.begin_tick(500)
 	var pose: PoseSample = NetSamples.pose(_random)
-	encoder.put_person(4, pose.root, pose.orientations)
+	encoder.put_person(2, pose.root, pose.orientations)
 	encoder.end_tick()
-	encoder.set_mark(4, 77, 9000000, [1000, 2000, 3000])
+	encoder.set_mark(2, 77, 9000000, [1000, 2000, 3000])
 	for bytes: PackedByteArray in encoder.encode(1, 9000400):
 		is_true(_replica.take(bytes, _now))
-	var mark: LatencyMark = _replica.take_mark()
-	equal([mark.person, mark.sample, mark.tick], [4, 77, 500])
+	var mark: LatencyMark = _marks[0]
+	equal([mark.person, mark.sample, mark.tick], [2, 77, 500])
 	equal(mark.simulated_usec, 9000000)
 	equal(mark.snapshot_sent_usec, 9000400)
 	equal(mark.received_usec, 9000000 - 3000)
@@ -100,9 +104,7 @@ func test_poses_as_exact_as_the_server_says() -> void:
 	var encoder: SnapshotEncoder = SnapshotEncoder.new()
 	encoder.configure(PackedInt32Array(Limbs.PARENTS), 0.5, 60)
 	encoder.add_client(1, 0, 1e8)
-	var world: WorldDescription = _world([1])
-	world.pose_error_deg = 0.5
-	_replica.describe(WorldDescription.decode(world.encode()))
+	_know([1], 0.5)
 	for tick: int in 20:
 		encoder.begin_tick(500 + tick)
 		var pose: PoseSample = NetSamples.pose(_random)
@@ -121,23 +123,23 @@ func test_poses_as_exact_as_the_server_says() -> void:
 
 
 func test_clear_and_another_server() -> void:
-	_replica.describe(_world([1, 2]))
+	_know([1, 2])
 	_advance(10)
 	_replica.clear()
 	equal([_replica.newest_tick, _replica.tick_rate()], [-1, 0.0])
-	is_false(_replica.has_person(1) or _replica.has_body(7))
+	is_false(_replica.has_person(1) or _replica.has_body(1024))
 	is_true(_replica.acknowledgement(9000000, Vector3.ZERO).is_empty())
 	# Its ticks begin anew.
-	_stream = SnapshotStream.new([5], [3])
+	_stream = SnapshotStream.new([5], [1023 + 4])
 	_stream.tick = 3
-	_replica.describe(_world([5]))
+	_know([5])
 	_advance(10)
 	equal(_replica.newest_tick, 13)
-	is_true(_replica.has_person(5) and _replica.has_body(3) and not _replica.has_body(7))
+	is_true(_replica.has_person(5) and _replica.has_body(1027) and not _replica.has_body(1024))
 
 
 func test_garbage_changes_nothing() -> void:
-	_replica.describe(_world([1, 2]))
+	_know([1, 2])
 	_advance(10)
 	for _round: int in 300:
 		# Of kinds that are no snapshot's: the decoder's own fuzzer tries the others.
@@ -145,32 +147,30 @@ func test_garbage_changes_nothing() -> void:
 		if not bytes.is_empty():
 			bytes[0] = bytes[0] | 1
 		is_false(_replica.take(bytes, _now))
-		is_null(_replica.take_mark())
 	equal(_replica.newest_tick, _stream.tick)
 	_advance(5)
 	equal(_replica.newest_tick, _stream.tick)
-	almost_equal(_replica.body_transform(7, true), _stream.places[7], 0.02)
+	almost_equal(_replica.body_transform(1024, true), _stream.places[1024], 0.02)
 
 
 func test_a_skeleton_that_is_none_is_not_shown() -> void:
-	var world: WorldDescription = _world([1])
-	world.skeletons[1] = PersonSkeleton.new()
-	_replica.describe(world)
+	_stream.people = [1]
+	_know([1], Protocol.POSE_ERROR_DEG, PersonSkeleton.new())
 	_advance(5)
-	_replica.show(_now)
+	_replica.evaluate(_now)
 	var floats: PackedFloat32Array = []
 	floats.resize(Limbs.COUNT * WorldReplica.FLOATS)
 	equal(_replica.limbs_of(1, floats).size(), 0)
 
 
 func test_floats_of_a_wrong_number() -> void:
-	_replica.describe(_world([1]))
+	_know([1])
 	equal(_replica.limbs_of(1, [1.0, 2.0]).size(), 0)
 	equal(_replica.limbs_of(8, []).size(), 0)
 
 
 func test_before_anything_came() -> void:
-	_replica.show(_now)
+	_replica.evaluate(_now)
 	equal([_replica.shown_tick(), _replica.tick_rate()], [-1.0, 0.0])
 	is_false(_replica.has_person(1) or _replica.has_body(1))
 	is_true(_replica.acknowledgement(1000000, Vector3.ZERO).is_empty())
@@ -179,7 +179,7 @@ func test_before_anything_came() -> void:
 func _advance(p_ticks: int, p_is_used: bool = true) -> void:
 	for _tick: int in p_ticks:
 		_give(p_is_used)
-		_replica.show(_now)
+		_replica.evaluate(_now)
 		var bytes: PackedByteArray = _replica.acknowledgement(int(_now * 1e6), Vector3.ZERO)
 		if not bytes.is_empty():
 			is_true(_stream.take_ack(1, bytes))
@@ -192,25 +192,51 @@ func _give(p_is_used: bool = true) -> void:
 		equal(_replica.take(bytes, _now), p_is_used)
 
 
-func _world(p_people: Array) -> WorldDescription:
-	var world: WorldDescription = WorldDescription.new()
-	for person: int in p_people:
-		var joints: PersonSkeleton = PersonSkeleton.new()
-		for _limb: int in Limbs.COUNT:
-			joints.add(Vector3(0.0, 0.2, 0.0), Vector3(0.0, -0.2, 0.0), Quaternion.IDENTITY)
-		world.add_person(person, person, "somebody", joints)
-	return world
+## Lets the replica know of these people, and of the bodies of the stream.
+func _know(
+	p_people: Array,
+	p_error_deg: float = Protocol.POSE_ERROR_DEG,
+	p_skeleton: PersonSkeleton = _skeleton()
+) -> void:
+	var message: EntityTableMessage = EntityTableMessage.new()
+	message.is_full = true
+	message.version = 1
+	message.pose_error_deg = p_error_deg
+	message.types = [EntityType.person(), _prop_type()]
+	for id: int in p_people + Array(_stream.bodies):
+		var row: EntityRow = EntityRow.new()
+		row.id = id
+		row.type_number = 0 if p_people.has(id) else 1
+		row.type = message.types[row.type_number]
+		row.values = row.type.spawn_schema().defaults()
+		row.skeleton = p_skeleton
+		message.spawned.append(row)
+	is_true(_replica.take(message.encode(), _now))
+
+
+static func _prop_type() -> EntityType:
+	var type: EntityType = EntityType.new()
+	type.name = &"prop"
+	type.body = EntityType.Body.RIGID
+	return type
+
+
+static func _skeleton() -> PersonSkeleton:
+	var joints: PersonSkeleton = PersonSkeleton.new()
+	for _limb: int in Limbs.COUNT:
+		joints.add(Vector3(0.0, 0.2, 0.0), Vector3(0.0, -0.2, 0.0), Quaternion.IDENTITY)
+	return joints
 
 
 func test_a_forged_tick_far_ahead_does_not_last() -> void:
-	_replica.describe(_world([1, 2]))
+	_know([1, 2])
 	_advance(60)
 	is_true(_replica.take([0, 0, 0, 120, 0, 0, 0, 0x40, 60, 0], _now), "nobody can tell")
 	_forward(180)
 	equal(_replica.newest_tick, _stream.tick)
-	_replica.show(_now)
+	_replica.evaluate(_now)
 	is_true(absf(_replica.shown_tick() - _stream.tick) < 20.0, "%f" % _replica.shown_tick())
-	almost_equal(_replica.body_transform(7, true), _stream.places[7], 0.02)
+	almost_equal(_replica.body_transform(1024, true), _stream.places[1024], 0.02)
 
 
 ## Like [method _advance], but not all that comes needs to be of use.
@@ -220,7 +246,7 @@ func _forward(p_ticks: int) -> void:
 		_now += 1.0 / 60.0
 		for bytes: PackedByteArray in _stream.datagrams():
 			_replica.take(bytes, _now)
-		_replica.show(_now)
+		_replica.evaluate(_now)
 		var bytes: PackedByteArray = _replica.acknowledgement(int(_now * 1e6), Vector3.ZERO)
 		if not bytes.is_empty():
 			_stream.take_ack(1, bytes)

@@ -26,7 +26,7 @@ func test_a_number_rests_before_it_is_used_again() -> void:
 	var type: EntityType = Samples.turret()
 	var first: EntityRow = _table.spawn(Samples.row(type))
 	_table.despawn(first.id)
-	differs(_table.spawn(Samples.row(type)).id, first.id)
+	not_equal(_table.spawn(Samples.row(type)).id, first.id)
 
 
 func test_four_thousand_entities_and_a_limit() -> void:

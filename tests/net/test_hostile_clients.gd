@@ -51,7 +51,7 @@ func test_packets_of_wrong_size_and_kind() -> void:
 		_send(bad, pose.slice(0, _random.randi_range(1, pose.size() - 1)))
 		_send(bad, pose + NetSamples.noise(_random, 50) + PackedByteArray([0]))
 	_send(bad, PackedByteArray([Protocol.Message.SNAPSHOT]))
-	_send(bad, PackedByteArray([Protocol.Message.WORLD]))
+	_send(bad, PackedByteArray([Protocol.Message.TABLE]))
 	_check_good_client_is_unaffected(0.3)
 	equal(_pair.pose_count(), _poses_of_good(), "poses of the bad one")
 

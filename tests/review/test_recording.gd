@@ -26,8 +26,8 @@ func after_each() -> void:
 
 func test_round_trip() -> void:
 	_record(50)
-	var player: SnapshotPlayer = _player()
-	equal(player.open(PATH), "")
+	var player: RecordedStream = _player()
+	equal(player.open(), "")
 	player.advance(1e6)
 	equal(_played, _packets)
 	equal(_finished, 1)
@@ -42,8 +42,8 @@ func test_keeps_the_times() -> void:
 		recorder.add(_packet(step))
 		OS.delay_msec(40)
 	recorder.close()
-	var player: SnapshotPlayer = _player()
-	player.open(PATH)
+	var player: RecordedStream = _player()
+	player.open()
 	player.advance(0.0)
 	is_true(_played.size() <= 1, "%d packets at once" % _played.size())
 	player.advance(0.1)
@@ -60,8 +60,8 @@ func test_cut_file_plays_up_to_the_cut() -> void:
 		_write(whole.slice(0, size))
 		_played.clear()
 		_finished = 0
-		var player: SnapshotPlayer = _player()
-		var error: String = player.open(PATH)
+		var player: RecordedStream = _player()
+		var error: String = player.open()
 		player.advance(1e6)
 		var complete: int = _complete_records(whole, size)
 		equal(_played, _packets.slice(0, complete), "cut to %d bytes" % size)
@@ -91,15 +91,15 @@ func test_damaged_files_are_survived() -> void:
 		var damaged: PackedByteArray = NetSamples.damage(_random, whole)
 		_write(damaged)
 		_played.clear()
-		var player: SnapshotPlayer = _player()
-		player.open(PATH)
+		var player: RecordedStream = _player()
+		player.open()
 		player.advance(1e12)
 		is_true(_played.size() <= 8)
 
 
 func test_what_is_no_recording_is_told() -> void:
-	var player: SnapshotPlayer = SnapshotPlayer.new()
-	contains(player.open("user://no_such_recording"), "cannot read user://no_such_recording: ")
+	var player: RecordedStream = RecordedStream.of_file("user://no_such_recording")
+	contains(player.open(), "cannot read user://no_such_recording: ")
 	var cases: Array[PackedByteArray] = [
 		[],
 		"DSMT".to_ascii_buffer(),
@@ -110,15 +110,15 @@ func test_what_is_no_recording_is_told() -> void:
 	cases.append(PackedByteArray([27, 91, 50, 74, 200, 0, 10, 13, 9]))
 	for bytes: PackedByteArray in cases:
 		_write(bytes)
-		var error: String = SnapshotPlayer.new().open(PATH)
-		contains(error, PATH + ": expected a recording (DSMTREC3), found")
+		var error: String = RecordedStream.of_file(PATH).open()
+		contains(error, PATH + ": expected a recording (DSMTREC4), found")
 		equal(error, error.strip_escapes(), "no control characters in the log")
 
 
 func test_playing_a_file_that_could_not_be_opened() -> void:
 	_write("garbage!".to_ascii_buffer())
-	var player: SnapshotPlayer = _player()
-	not_equal(player.open(PATH), "")
+	var player: RecordedStream = _player()
+	not_equal(player.open(), "")
 	player.advance(5.0)
 	equal(_played.size(), 0)
 
@@ -141,29 +141,24 @@ func _record(p_count: int) -> void:
 
 func _packet(p_index: int) -> PackedByteArray:
 	if p_index % 5 == 0:
-		return NetSamples.world(_random, 4, 1).encode()
+		return NetSamples.table_bytes(_random, 4, 1)
 	_stream.move()
 	return _stream.datagrams()[0]
 
 
-func _player() -> SnapshotPlayer:
-	var player: SnapshotPlayer = SnapshotPlayer.new()
-	player.snapshot_received.connect(_on_snapshot)
-	player.world_received.connect(_on_world)
-	player.finished.connect(_on_finished)
+func _player() -> RecordedStream:
+	var player: RecordedStream = RecordedStream.of_file(PATH)
+	player.received.connect(_on_received)
+	player.ended.connect(_on_ended)
 	return player
 
 
-func _on_snapshot(p_bytes: PackedByteArray, _p_time_s: float) -> void:
+func _on_received(p_bytes: PackedByteArray, _p_time_s: float) -> void:
 	_played.append(p_bytes)
 
 
-func _on_world(p_world: WorldDescription, p_bytes: PackedByteArray) -> void:
-	is_true(p_world.bodies.size() <= 65536)
-	_played.append(p_bytes)
-
-
-func _on_finished() -> void:
+func _on_ended(p_exit_code: int, p_why: String) -> void:
+	equal([p_exit_code, p_why], [0, ""])
 	_finished += 1
 
 

@@ -8,6 +8,7 @@ const STEP_USEC: int = 16667
 
 var _actors: ServerPeople = null
 var _changes: int = 0
+var _table: EntityTable = null
 var _now_s: float = 1000.0
 var _sent: int = 0
 
@@ -15,7 +16,10 @@ var _sent: int = 0
 func before_each() -> void:
 	_actors = ServerPeople.new()
 	_actors.scene = SOLDIER
-	_actors.changed.connect(_on_changed)
+	_table = EntityTable.new()
+	_actors.setup(_table)
+	_table.spawned.connect(_on_changed)
+	_table.despawned.connect(_on_changed)
 	add_child(_actors)
 	_changes = 0
 
@@ -29,6 +33,7 @@ func test_come_and_go() -> void:
 	_add(9, "Bob", 0.95)
 	equal(_changes, 2)
 	equal(_actors.list().map(_name), ["Ada", "Bob"])
+	equal([_table.person_of(7).person_name, _table.person_of(9).id], ["Ada", _actors.list()[1].id])
 	_actors.remove(7)
 	equal(_actors.list().map(_name), ["Bob"])
 	equal(_changes, 3)
@@ -171,7 +176,7 @@ func _mark_of(p_now_usec: int) -> Dictionary:
 	return decoder.get_mark()
 
 
-func _on_changed() -> void:
+func _on_changed(_row: EntityRow) -> void:
 	_changes += 1
 
 
@@ -207,3 +212,49 @@ func test_samples_move_the_person_that_they_are_of() -> void:
 
 func _add(p_session: int, p_name: String, p_hip_height: float) -> void:
 	_actors.set_people(p_session, [PersonCard.of(p_name, p_hip_height)], p_name)
+
+
+func test_people_start_at_the_points_of_the_level() -> void:
+	_actors.enter([Vector3(5.0, 0.0, 0.0), Vector3(0.0, 0.0, 7.0)])
+	for session: int in 3:
+		_add(session, "n%d" % session, 0.95)
+	var origins: Array = _actors.list().map(
+		func(person: ServerPeople.Person) -> Vector3: return person.origin
+	)
+	equal(origins.slice(0, 2), [Vector3(5.0, 0.0, 0.0), Vector3(0.0, 0.0, 7.0)])
+	almost_equal(origins[2], Vector3(_actors.spacing, 0.0, 7.0), 1e-5)
+
+
+func test_people_stay_when_the_level_changes() -> void:
+	_add(7, "Ada", 0.95)
+	var before: int = _actors.list()[0].id
+	_actors.leave()
+	is_null(_table.find(before))
+	_actors.enter([Vector3(0.0, 0.0, 3.0)])
+	equal(_actors.list()[0].origin, Vector3(0.0, 0.0, 3.0))
+	equal(_table.person_of(7).id, _actors.list()[0].id)
+
+
+func test_who_is_carried_moves_with_the_carrier() -> void:
+	_add(7, "Ada", 1.0115)
+	var person: ServerPeople.Person = _actors.list()[0]
+	for _step: int in 30:
+		await _step(7, Stage.reset_pose(), Vector3(0.0, 1.0115, 0.0))
+	var carrier: AnimatableBody3D = AnimatableBody3D.new()
+	carrier.sync_to_physics = false
+	add_child(carrier)
+	await get_tree().physics_frame
+	_actors.attach_person(person, 1024, carrier, person.ragdoll.motor.get_frame())
+	for _step: int in 60:
+		carrier.rotate_y(0.5 / 60.0)
+		carrier.position.x += 1.0 / 60.0
+		await _step(7, Stage.reset_pose(), Vector3(0.0, 1.0115, 0.0))
+	var hips: Transform3D = PhysicsServer3D.body_get_state(
+		person.ragdoll.get_bodies()[0], PhysicsServer3D.BODY_STATE_TRANSFORM
+	)
+	var expected: Vector3 = carrier.transform * (person.origin + Vector3(0.0, 1.02, 0.01))
+	almost_equal(hips.origin, expected, 0.06)
+	is_true(person.ragdoll.motor.get_tracking()["p95_deg"] < 6.0)
+	_actors.detach_person(person)
+	is_null(person.carrier)
+	carrier.free()

@@ -17,26 +17,23 @@ func _init() -> void:
 	var path: String = ""
 	for argument: String in OS.get_cmdline_user_args():
 		path = argument.trim_prefix("--recording=")
-	var player: SnapshotPlayer = SnapshotPlayer.new()
-	var fault: String = player.open(path)
+	var player: RecordedStream = RecordedStream.of_file(path)
+	var fault: String = player.open()
 	if fault != "":
 		printerr(fault)
 		quit(1)
 		return
-	player.world_received.connect(
-		func(world: WorldDescription, _bytes: PackedByteArray) -> void: _replica.describe(world)
-	)
 	player.restarted.connect(_replica.clear)
-	player.snapshot_received.connect(_take)
+	player.received.connect(_take)
 	player.advance(1e6)
 	print(JSON.stringify(_found))
 	quit()
 
 
 func _take(p_bytes: PackedByteArray, p_time_s: float) -> void:
-	if not _replica.take(p_bytes, p_time_s) or _replica.world == null:
+	if not _replica.take(p_bytes, p_time_s) or not Protocol.SNAPSHOTS.has(int(p_bytes[0])):
 		return
-	for actor: int in _replica.told_people():
+	for actor: int in _replica.received_people():
 		var step: int = floori(p_time_s / STEP_S)
 		if _step.get(actor, -1) == step:
 			continue
@@ -49,7 +46,8 @@ func _take(p_bytes: PackedByteArray, p_time_s: float) -> void:
 		_last[actor] = floats
 		var entry: Dictionary = {"time_s": p_time_s, "turned_deg": turned}
 		entry["hips"] = [floats[0], floats[1], floats[2]]
-		_found.get_or_add(_replica.world.names.get(actor, ""), []).append(entry)
+		var row: EntityRow = _replica.table.find(actor)
+		_found.get_or_add(row.person_name if row != null else "", []).append(entry)
 
 
 static func _turn(p_floats: PackedFloat32Array, p_limb: int) -> Quaternion:

@@ -1,7 +1,8 @@
 extends TestCase
-## Wire frames: of the server's shapes, exactly where the snapshots have the bodies.
+## Wire frames: of the collision shapes, exactly where the snapshots have the bodies.
 
-const NetSamples: GDScript = preload("../net/net_samples.gd")
+const NetSamples: GDScript = preload("res://tests/net/net_samples.gd")
+const SOLDIER: PackedScene = preload("res://scenes/actor/soldier.tscn")
 
 var _world: PhysicsWorld = null
 var _random: RandomNumberGenerator = RandomNumberGenerator.new()
@@ -18,62 +19,74 @@ func after_each() -> void:
 
 
 func test_frames_are_where_the_bodies_are() -> void:
-	var description: WorldDescription = NetSamples.world(_random, 50, 3)
-	_world.describe(description)
+	var body: RigidBody3D = _body(BoxShape3D.new())
+	_world.add_body(1024, body)
+	is_false(_world._frames[1024][0].visible, "hidden until it is known where it is")
 	for _round: int in 3:
-		for id: int in description.bodies:
-			var place: Transform3D = NetSamples.place(_random)
-			_world.place(id, place)
-			equal(_world.get_placed(id), place)
-			var frame: Node3D = _world._frames[id]
-			is_true(frame.is_visible_in_tree())
-			equal(frame.global_transform, place)
+		var transform: Transform3D = NetSamples.place(_random)
+		_world.set_transforms(1024, [transform])
+		equal(_world.get_frame_transform(1024), transform)
+		is_true((_world._frames[1024][0] as Node3D).is_visible_in_tree())
+	body.free()
 
 
-func test_moving_bodies_are_hidden_until_they_are_known() -> void:
-	var description: WorldDescription = WorldDescription.new()
-	var box: Array = [WorldDescription.ShapeType.BOX, Vector3.ONE, Transform3D.IDENTITY]
-	description.add(1, WorldDescription.PROP, "Crate", [box])
-	description.add(2, WorldDescription.FIXED, "Floor", [box])
-	_world.describe(description)
-	equal([_world._frames[1].visible, _world._frames[2].visible], [false, true])
-	_world.place(1, Transform3D.IDENTITY)
-	is_true(_world._frames[1].visible)
-
-
-func test_wires_have_the_sizes_places_and_colours() -> void:
-	var place: Transform3D = NetSamples.place(_random)
-	var description: WorldDescription = WorldDescription.new()
-	var box: Array = [WorldDescription.ShapeType.BOX, Vector3(1, 2, 3), place]
-	var pill: Array = [WorldDescription.ShapeType.CAPSULE, Vector3(0.1, 0.6, 0), place]
-	var ball: Array = [WorldDescription.ShapeType.SPHERE, Vector3(0.5, 0, 0), place]
-	description.add(1, WorldDescription.PROP, "", [box])
-	description.add(2, WorldDescription.FIXED, "", [ball])
-	description.add(3, 7, "Head", [pill, box])
-	_world.describe(description)
-	_check_wires(1, 0, Vector3(1, 2, 3), place, PhysicsWorld.PROPS)
-	_check_wires(2, 0, Vector3.ONE, place, PhysicsWorld.FIXED)
-	_check_wires(3, 0, Vector3(0.2, 0.6, 0.2), place, PhysicsWorld.LIMBS)
-	_check_wires(3, 1, Vector3(1, 2, 3), place, PhysicsWorld.LIMBS)
-
-
-func test_a_new_world_replaces_the_old_one() -> void:
-	_world.describe(NetSamples.world(_random, 20, 0))
-	var description: WorldDescription = NetSamples.world(_random, 5, 0)
-	_world.describe(description)
-	await process_frames(2)
-	equal(_world.get_child_count(), 5)
-	_world.place(70000, Transform3D.IDENTITY)
-
-
-func _check_wires(
-	p_id: int, p_shape: int, p_size: Vector3, p_place: Transform3D, p_colour: Color
-) -> void:
-	var wires: MeshInstance3D = _world._frames[p_id].get_child(p_shape)
-	equal(wires.transform, p_place)
-	almost_equal(wires.mesh.get_aabb().size, p_size, 0.01)
-	is_true(wires.mesh.get_surface_count() > 0)
-	for surface: int in wires.mesh.get_surface_count():
+func test_wires_have_the_sizes_and_colours_of_the_shapes() -> void:
+	var box: BoxShape3D = BoxShape3D.new()
+	box.size = Vector3(1, 2, 3)
+	var pill: CapsuleShape3D = CapsuleShape3D.new()
+	pill.radius = 0.1
+	pill.height = 0.6
+	for pair: Array in [[box, Vector3(1, 2, 3)], [pill, Vector3(0.2, 0.6, 0.2)]]:
+		var body: RigidBody3D = _body(pair[0])
+		_world.add_body(1030, body)
+		var wires: MeshInstance3D = _world._frames[1030][0].get_child(0)
+		almost_equal(wires.mesh.get_aabb().size, pair[1], 0.01)
 		var mesh: ArrayMesh = wires.mesh
-		equal(mesh.surface_get_primitive_type(surface), Mesh.PRIMITIVE_LINES)
-	equal((wires.material_override as StandardMaterial3D).albedo_color, p_colour)
+		for surface: int in mesh.get_surface_count():
+			equal(mesh.surface_get_primitive_type(surface), Mesh.PRIMITIVE_LINES)
+		var material: StandardMaterial3D = wires.material_override
+		equal(material.albedo_color, PhysicsWorld.PROPS)
+		body.free()
+
+
+func test_a_person_has_a_frame_for_each_limb() -> void:
+	var soldier: Ragdoll = SOLDIER.instantiate()
+	_world.add_person(3, soldier.get_limb_nodes())
+	equal(_world._frames[3].size(), Limbs.COUNT)
+	var transforms: Array[Transform3D] = []
+	for _limb: int in Limbs.COUNT:
+		transforms.append(NetSamples.place(_random))
+	_world.set_transforms(3, transforms)
+	equal(_world.get_frame_transform(3, 5), transforms[5])
+	_world.remove(3)
+	_world.set_transforms(3, transforms)
+	soldier.free()
+
+
+func test_the_level_is_drawn_and_its_colour_tells_that_it_differs() -> void:
+	var level: Level = LevelStore.instantiate("hall")
+	add_child(level)
+	var bodies: int = level.get_static_bodies().size()
+	_world.set_level(level)
+	equal(_world.get_child_count(), bodies)
+	equal(_colour(_world.get_child(0)), PhysicsWorld.FIXED)
+	_world.set_level(level, true)
+	await process_frames(2)
+	equal([_world.get_child_count(), _colour(_world.get_child(0))], [bodies, PhysicsWorld.DIFFERS])
+	_world.set_level(null)
+	await process_frames(2)
+	equal(_world.get_child_count(), 0)
+	level.free()
+
+
+static func _colour(p_frame: Node) -> Color:
+	var wires: MeshInstance3D = p_frame.get_child(0)
+	return (wires.material_override as StandardMaterial3D).albedo_color
+
+
+static func _body(p_shape: Shape3D) -> RigidBody3D:
+	var body: RigidBody3D = RigidBody3D.new()
+	var shape: CollisionShape3D = CollisionShape3D.new()
+	shape.shape = p_shape
+	body.add_child(shape)
+	return body

@@ -48,4 +48,6 @@ static func decode(p_bytes: PackedByteArray) -> Array[EntityCommand]:
 			return []
 		command.bytes = reader.read_bytes(size)
 		commands.append(command)
-	return commands if reader.is_complete() else []
+	if not reader.is_complete():
+		commands.clear()
+	return commands

@@ -43,4 +43,6 @@ static func decode(p_bytes: PackedByteArray) -> Array[EntityEvent]:
 			return []
 		event.bytes = reader.read_bytes(size)
 		events.append(event)
-	return events if reader.is_complete() else []
+	if not reader.is_complete():
+		events.clear()
+	return events

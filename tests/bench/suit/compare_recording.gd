@@ -32,10 +32,10 @@ func _init() -> void:
 		var parts: PackedStringArray = argument.trim_prefix("--").split("=", true, 1)
 		options[parts[0]] = parts[1] if parts.size() > 1 else ""
 	_clip.open(options.get("bvh", ""))
-	var player: SnapshotPlayer = SnapshotPlayer.new()
+	var player: RecordedStream = RecordedStream.of_file(options.get("recording", ""))
 	var fault: String = _clip.error
 	if fault == "":
-		fault = player.open(options.get("recording", ""))
+		fault = player.open()
 	if fault != "":
 		printerr(fault)
 		quit(1)
@@ -43,11 +43,8 @@ func _init() -> void:
 	_from = options.get("from", "0").to_float()
 	_until = options.get("to", "1e9").to_float()
 	_slack_s = options.get("slack", "0").to_float()
-	player.world_received.connect(
-		func(world: WorldDescription, _bytes: PackedByteArray) -> void: _replica.describe(world)
-	)
 	player.restarted.connect(_replica.clear)
-	player.snapshot_received.connect(_take)
+	player.received.connect(_take)
 	player.advance(1e6)
 	if _poses.is_empty():
 		printerr("nobody is in the recording at that time")
@@ -58,10 +55,10 @@ func _init() -> void:
 
 
 func _take(p_bytes: PackedByteArray, p_time_s: float) -> void:
-	if not _replica.take(p_bytes, p_time_s):
+	if not _replica.take(p_bytes, p_time_s) or not Protocol.SNAPSHOTS.has(int(p_bytes[0])):
 		return
-	var people: PackedInt32Array = _replica.told_people()
-	var time: float = p_time_s if _slack_s > 0.0 else _replica.told_tick() / 60.0
+	var people: PackedInt32Array = _replica.received_people()
+	var time: float = p_time_s if _slack_s > 0.0 else _replica.received_tick() / 60.0
 	if people.is_empty() or (not _times.is_empty() and time <= _times[_times.size() - 1]):
 		return
 	var floats: PackedFloat32Array = _replica.person_floats(people[0], true)

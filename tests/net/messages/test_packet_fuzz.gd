@@ -70,19 +70,31 @@ func test_snapshots() -> void:
 	_check_mixture(ROUNDS / 1000)
 
 
-func test_world_description() -> void:
-	var good: PackedByteArray = NetSamples.world(_random, 4, 2).encode()
+func test_entity_table() -> void:
+	var good: PackedByteArray = NetSamples.table_bytes(_random, 4, 2)
 	for _round: int in ROUNDS:
-		var world: WorldDescription = WorldDescription.decode(_hostile(good))
-		if world == null:
+		var message: EntityTableMessage = EntityTableMessage.decode(_hostile(good), [])
+		if message == null:
 			continue
 		_accepted += 1
-		for id: int in world.bodies:
-			_check_body(world.bodies[id])
+		for row: EntityRow in message.spawned:
+			if not EntityTable.is_id_for(row.id, row.type.body):
+				fail(row.describe())
 	_check_mixture()
 
 
-func test_greeting() -> void:
+func test_level() -> void:
+	var good: PackedByteArray = LevelMessage.encode("hall", PackedByteArray([1, 2, 3]))
+	for _round: int in ROUNDS:
+		var level: LevelMessage = LevelMessage.decode(_hostile(good))
+		if level != null:
+			_accepted += 1
+			if level.fingerprint.size() != Protocol.FINGERPRINT_SIZE:
+				fail("%d bytes" % level.fingerprint.size())
+	_check_mixture()
+
+
+func test_join_request() -> void:
 	var sent: JoinRequest = JoinRequest.new()
 	sent.name = "Adä😀"
 	var good: PackedByteArray = sent.encode(PackedByteArray([1]), PackedByteArray([2]))
@@ -112,7 +124,7 @@ func test_challenge() -> void:
 	_check_mixture()
 
 
-func test_answer() -> void:
+func test_join_reply() -> void:
 	var good: PackedByteArray = JoinReply.refusal("the server is füll 😀", true)
 	for _round: int in ROUNDS:
 		var answer: JoinReply = JoinReply.decode(_hostile(good))
@@ -139,7 +151,7 @@ func test_clock_packet() -> void:
 
 
 func test_packet_parts() -> void:
-	var whole: PackedByteArray = NetSamples.world(_random, 80, 2).encode()
+	var whole: PackedByteArray = NetSamples.table_bytes(_random, 300, 2)
 	var parts: Array[PackedByteArray] = MessageParts.split(whole, 1)
 	is_true(parts.size() > 3)
 	var joiner: MessageParts = MessageParts.new()
@@ -153,7 +165,7 @@ func test_packet_parts() -> void:
 
 
 func test_joined_packets_stay_as_they_are() -> void:
-	var whole: PackedByteArray = NetSamples.world(_random, 80, 2).encode()
+	var whole: PackedByteArray = NetSamples.table_bytes(_random, 300, 2)
 	var joiner: MessageParts = MessageParts.new()
 	var joined: PackedByteArray = []
 	for part: PackedByteArray in MessageParts.split(whole, 1):
@@ -167,17 +179,6 @@ func _hostile(p_good: PackedByteArray) -> PackedByteArray:
 	if _random.randf() < 0.3:
 		return NetSamples.noise(_random, 60)
 	return NetSamples.damage(_random, p_good)
-
-
-func _check_body(p_body: WorldDescription.Body) -> void:
-	if p_body.actor < WorldDescription.FIXED or p_body.id < 0 or p_body.id > 65535:
-		fail("body %d of actor %d" % [p_body.id, p_body.actor])
-	for shape: Array in p_body.shapes:
-		var made: Shape3D = WorldDescription.make_shape(shape)
-		if made == null or not (shape[2] as Transform3D).is_finite():
-			fail(str(shape))
-
-
 ## The damage must neither always nor never be found, or this tests little.
 func _check_mixture(p_least: int = ROUNDS / 100) -> void:
 	is_true(_accepted > p_least, "%d of %d accepted" % [_accepted, ROUNDS])

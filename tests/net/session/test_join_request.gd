@@ -42,14 +42,14 @@ func test_other_versions_are_named() -> void:
 	for version: int in [0, 1, 65537, 0xFFFFFFFF]:
 		var sent: JoinRequest = JoinRequest.new()
 		sent.version = version
-		var text: String = "the client speaks protocol version %d, the server 3" % version
+		var text: String = "the client speaks protocol version %d, the server 4" % version
 		equal(JoinRequest.decode(sent.encode(_challenge, _key)).error, text)
 
 
 func test_other_versions_of_another_form_are_named() -> void:
 	var bytes: PackedByteArray = "DSMT".to_ascii_buffer() + PackedByteArray([1, 0, 0, 0, 1, 2, 3])
-	contains(JoinRequest.decode(bytes).error, "version 1, the server 3")
-	contains(Challenge.decode(bytes).error, "version 1, this client 3")
+	contains(JoinRequest.decode(bytes).error, "version 1, the server 4")
+	contains(Challenge.decode(bytes).error, "version 1, this client 4")
 
 
 func test_unknown_role() -> void:
@@ -94,12 +94,19 @@ func test_answers() -> void:
 		equal(JoinReply.decode(JoinReply.refusal(why, false)).why, why)
 		equal(JoinReply.decode(JoinReply.refusal(why, false)).kind, JoinReply.Kind.REFUSED)
 		equal(JoinReply.decode(JoinReply.refusal(why, true)).kind, JoinReply.Kind.LATER)
-	equal(JoinReply.decode(JoinReply.wait(7)).place, 7)
-	var token: PackedByteArray = Crypto.new().generate_random_bytes(16)
+	equal(JoinReply.decode(JoinReply.wait(7)).position, 7)
+	var session: Session = Session.new()
+	session.id = 9
+	session.token = Crypto.new().generate_random_bytes(16)
+	var rules: ServerRules = ServerRules.new()
+	rules.level_name = "yard"
+	rules.level_fingerprint = PackedByteArray(range(8))
 	var said: Array[PackedByteArray] = [_challenge]
-	var bytes: PackedByteArray = JoinReply.welcome(9, token, _key, said)
+	var bytes: PackedByteArray = JoinReply.welcome(session, rules, _key, said)
 	var welcome: JoinReply = JoinReply.decode(bytes)
-	equal([welcome.kind, welcome.session, welcome.token], [JoinReply.Kind.WELCOME, 9, token])
+	equal([welcome.kind, welcome.session], [JoinReply.Kind.WELCOME, 9])
+	equal(welcome.token, session.token)
+	equal([welcome.level_name, welcome.level_fingerprint], ["yard", rules.level_fingerprint])
 	is_true(welcome.is_proven(_key, said))
 	bytes[2] = 1
 	is_false(JoinReply.decode(bytes).is_proven(_key, said), "another session")

@@ -199,7 +199,7 @@ func test_those_who_wait_are_kept_longer_than_a_greeting_takes() -> void:
 	_pair.listen()
 	var first: LinkPair.End = _pair.add(TRAINEE, "first")
 	is_true(_pair.until(func() -> bool: return first.places.size() == 1))
-	_pair.run(Admission.GREETING_S + 3.0)
+	_pair.run(Admission.REQUEST_S + 3.0)
 	equal([first.refusal, first.loss], ["", ""])
 	equal(_pair.server.admit(_pair.server.roster()[0]["peer"]), "")
 	is_true(_pair.until(func() -> bool: return first.joined == 1))

@@ -78,9 +78,9 @@ func test_large_reliable_traffic_is_receipted() -> void:
 	var peer: int = _pair.server._sessions.find(_good.link.session).peer
 	var connection: TransportConnection = _pair.server._peer._thread._connections[peer]
 	for _world: int in 30:
-		_pair.server.send_world(NetSamples.world(_random, 2000, 8))
+		_pair.send_reliably(NetSamples.table_bytes(_random, 4000, 8))
 		_pair.run(0.02)
-	is_true(_pair.until(func() -> bool: return _good.worlds.size() == 30, 10.0))
+	is_true(_pair.until(func() -> bool: return _good.tables.size() == 30, 10.0))
 	is_true(_pair.until(func() -> bool: return connection.unreceipted < 200000))
 	is_true(_good.link.is_joined())
 
