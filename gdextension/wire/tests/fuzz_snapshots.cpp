@@ -20,6 +20,9 @@ constexpr int GOOD = 1; // The client whose decoder is checked.
 constexpr int HOSTILE = 2; // The client whose acknowledgements are nonsense.
 constexpr int PEOPLE = 4;
 constexpr int BODIES = 24;
+constexpr uint16_t DOORS = 12; // Entities with fields.
+constexpr uint16_t FIRST_DOOR = 2000;
+constexpr std::array<float, 3> SPAWN{ 10.0f, 0.5f, 2.0f };
 // Good datagrams that are kept to be damaged or repeated.
 constexpr std::size_t KEPT = 60;
 // Ticks without attacks between two with them, so that there are baselines to be coded against.
@@ -37,6 +40,11 @@ public:
 			_bodies.emplace_back();
 			_bodies.back().id = uint16_t(3 * i);
 		}
+		_define(_server.world().entities().types());
+		for (uint16_t i = 0; i < DOORS; i++) {
+			_server.world().entities().add(uint16_t(FIRST_DOOR + 5 * i), 1, SPAWN.data(), SPAWN.size(), 0);
+		}
+		_fill_table();
 		_server.add_client(GOOD, 60, 1e7);
 		_server.add_client(HOSTILE, 60, 1e6);
 	}
@@ -57,6 +65,24 @@ public:
 	long refused_acks = 0;
 
 private:
+	static void _define(EntityTypes &r_types) {
+		const uint8_t kinds[3] = { 0, 1, 2 };
+		const float mins[3] = { 0.0f, -1.0f, 0.0f };
+		const float maxs[3] = { 360.0f, 1.0f, 5.0f };
+		const float resolutions[3] = { 0.1f, 0.0001f, 1.0f };
+		r_types.define(0, 0, kinds, mins, maxs, resolutions);
+		r_types.define(1, 3, kinds, mins, maxs, resolutions);
+	}
+	// What the entity table has told the client.
+	void _fill_table() {
+		_define(_decoder.types());
+		for (uint16_t id = 0; id < 3 * BODIES; id++) {
+			_decoder.add_entity(id, 0, SPAWN.data(), 0);
+		}
+		for (uint16_t i = 0; i < DOORS; i++) {
+			_decoder.add_entity(uint16_t(FIRST_DOOR + 5 * i), 1, SPAWN.data(), SPAWN.size());
+		}
+	}
 	bool _tick(bool p_attack, long p_most) {
 		_move();
 		std::vector<Bytes> fresh;
@@ -145,6 +171,13 @@ private:
 				return false;
 			}
 		}
+		for (const FieldUpdate &update : _decoder.fields()) {
+			const EntityTable::Entity *entity = _server_history().entities().find(update.id);
+			const uint32_t *values = entity == nullptr ? nullptr : entity->history->in_force_at(update.tick);
+			if (values == nullptr || !std::equal(values, values + SPAWN.size(), update.values)) {
+				return false;
+			}
+		}
 		return true;
 	}
 
@@ -172,7 +205,8 @@ private:
 			if (outcome == Outcome::OK) {
 				poisoned = true;
 				accepted++;
-			} else if (!_decoder.people().empty() || !_decoder.bodies().empty() || _decoder.mark() != nullptr) {
+			} else if (!_decoder.people().empty() || !_decoder.bodies().empty() || !_decoder.fields().empty() ||
+					_decoder.mark() != nullptr) {
 				std::printf("outcome %d, but something comes out\n", int(outcome));
 				return false;
 			}
@@ -183,6 +217,7 @@ private:
 	// Whoever could write what was accepted could write anything: the client joins anew.
 	bool _rejoin() {
 		_decoder.clear();
+		_fill_table();
 		_server.add_client(GOOD, 60, 1e7);
 		_waiting.clear();
 		_recent.clear();
@@ -267,14 +302,6 @@ private:
 		WorldHistory &world = _server.world();
 		world.begin(_now);
 		const float time = float(_now) / 60.0f;
-		for (std::size_t i = 0; i < _poses.size(); i++) {
-			_poses[i].root = { float(i) + std::sin(time), 1.0f, std::cos(time) };
-			for (std::size_t limb = 0; limb < 16; limb++) {
-				_poses[i].orientations[limb] =
-						kinematics::exp({ std::sin(time * (1.0f + 0.1f * float(limb))), 0.0f, 0.2f * float(limb) });
-			}
-			world.put_person(uint16_t(i), _poses[i]);
-		}
 		for (BodyUpdate &body : _bodies) {
 			if (_random() % 20 == 0) {
 				body.velocity = { float(_random() % 9) - 4.0f, 0.0f, 1.0f };
@@ -284,6 +311,20 @@ private:
 			body.position = body.position + body.velocity * (1.0f / 60.0f);
 			body.orientation = (kinematics::exp(body.spin * (1.0f / 60.0f)) * body.orientation).normalized();
 			world.put_body(body);
+		}
+		// After the bodies, one of which carries somebody now and then.
+		for (std::size_t i = 0; i < _poses.size(); i++) {
+			_poses[i].root = { float(i) + std::sin(time), 1.0f, std::cos(time) };
+			for (std::size_t limb = 0; limb < 16; limb++) {
+				_poses[i].orientations[limb] =
+						kinematics::exp({ std::sin(time * (1.0f + 0.1f * float(limb))), 0.0f, 0.2f * float(limb) });
+			}
+			world.set_frame(uint16_t(i), i == 1 && (_now / 100) % 2 == 0 ? uint16_t(3) : uint16_t(0));
+			world.put_person(uint16_t(i), _poses[i]);
+		}
+		for (int i = 0; i < 3; i++) {
+			const uint16_t door = uint16_t(FIRST_DOOR + 5 * (_random() % DOORS));
+			world.entities().set(door, _random() % 3, float(_random() % 4000) * 0.1f - 20.0f);
 		}
 		world.end();
 	}
