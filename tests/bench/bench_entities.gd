@@ -1,6 +1,6 @@
 extends SceneTree
-## What the fields of entities cost: time to encode for many clients, to decode and to read, bytes of
-## each field that changes, and of those that do not.
+## What the fields of entities cost: time to encode for many clients, to decode and to read; bytes
+## of each field that changes, and of those that do not.
 ##
 ## Options: --entities=4000, --awake=500 (whose fields change in every tick), --clients=32,
 ## --seconds=4.
@@ -27,8 +27,7 @@ var _report: BenchReport = null
 
 func _initialize() -> void:
 	_arguments = BenchArguments.parse(
-		OS.get_cmdline_user_args(),
-		{"entities": 4000, "awake": 500, "clients": 32, "seconds": 4.0}
+		OS.get_cmdline_user_args(), {"entities": 4000, "awake": 500, "clients": 32, "seconds": 4.0}
 	)
 	if _arguments.error != "":
 		printerr(_arguments.error)
@@ -57,7 +56,9 @@ func _measure(p_case: String, p_entities: int, p_awake: int) -> void:
 	var ticks: int = int(_arguments.value("seconds") * HZ)
 	for tick: int in ticks + HZ:
 		for i: int in p_awake:
-			encoder.set_field(_FIRST + i * p_entities / p_awake, 0, fmod(i + tick * 1.7, 360.0) - 180.0)
+			encoder.set_field(
+				_FIRST + i * p_entities / p_awake, 0, fmod(i + tick * 1.7, 360.0) - 180.0
+			)
 		encoder.begin_tick(1000 + tick)
 		encoder.end_tick()
 		var datagrams: Array[PackedByteArray] = []
