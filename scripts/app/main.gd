@@ -14,10 +14,10 @@ func _ready() -> void:
 	get_tree().auto_accept_quit = true
 	var arguments: PackedStringArray = OS.get_cmdline_user_args()
 	if arguments.has("--help"):
-		print("Options of Dismount (after --):\n" + Options.describe())
+		print("Options of Dismount (after --):\n" + ProgramOptions.describe())
 		get_tree().quit(0)
 		return
-	var options: Options = Options.parse(arguments)
+	var options: Options = ProgramOptions.parse(arguments)
 	var role: String = options.text("role")
 	if role == "":
 		role = "server" if OS.has_feature("dedicated_server") else "observer"

@@ -81,7 +81,7 @@ func test_an_order_reaches_the_one_who_wears_sensors() -> void:
 
 
 func _open(p_arguments: PackedStringArray) -> String:
-	var options: Options = Options.parse(p_arguments)
+	var options: Options = ProgramOptions.parse(p_arguments)
 	equal(options.error, "")
 	return _desk.open(options, ClientLink.new())
 

@@ -88,7 +88,7 @@ func test_motion_that_comes_calibrated_is_not_calibrated() -> void:
 
 
 func _open(p_arguments: PackedStringArray) -> String:
-	var options: Options = Options.parse(p_arguments)
+	var options: Options = ProgramOptions.parse(p_arguments)
 	equal(options.error, "")
 	return _inputs.open(options)
 

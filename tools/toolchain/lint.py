@@ -6,6 +6,7 @@ from __future__ import annotations
 import json
 import os
 import subprocess
+import sys
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -34,6 +35,7 @@ def gates(tools: Path) -> Iterator[tuple[str, list[str]]]:
     yield "clang-format", [str(tools / "clang-format"), "--dry-run", "--Werror", *cpp]
     yield "ruff check", [str(tools / "ruff"), "check", "--no-cache", "."]
     yield "ruff format", [str(tools / "ruff"), "format", "--no-cache", "--check", "."]
+    yield "arrows", [sys.executable, "-m", "toolchain.arrows"]
     yield "shellcheck", [str(tools / "shellcheck"), "-x", *shell]
 
 

@@ -15,12 +15,12 @@ from pathlib import Path
 from typing import Any
 
 from .console import Failure, step, tail
-from .stats import Stats
 from .load_report import Measured, add_stats
 from .paths import CLIENT_BINARY, CLIPS, OUT, SERVER_BINARY, make_folder
 from .process_times import thread_seconds
 from .processes import Group, require_port
 from .project import prepare
+from .stats import Stats
 from .udp_proxy import ProxyProcess
 
 MAX_CLIENTS = 500

@@ -12,7 +12,7 @@ func after_each() -> void:
 
 
 func test_defaults() -> void:
-	var options: Options = Options.parse([])
+	var options: Options = ProgramOptions.parse([])
 	equal(options.error, "")
 	equal(options.number("port"), 7777)
 	equal(options.text("host"), "127.0.0.1")
@@ -21,7 +21,7 @@ func test_defaults() -> void:
 
 
 func test_arguments() -> void:
-	var options: Options = Options.parse(
+	var options: Options = ProgramOptions.parse(
 		["--port=1234", "--name=Ada = Bob", "--duration=2.5", "--bvh=/a b/c.bvh", "--host="]
 	)
 	equal(options.error, "")
@@ -37,7 +37,7 @@ func test_environment_and_arguments_win() -> void:
 	OS.set_environment("DISMOUNT_MAX_CLIENTS", "8")
 	OS.set_environment("DISMOUNT_NAME", "Ada")
 	OS.set_environment("DISMOUNT_DURATION", "3")
-	var options: Options = Options.parse(["--port=3000"])
+	var options: Options = ProgramOptions.parse(["--port=3000"])
 	equal(options.error, "")
 	equal([options.number("port"), options.number("max-clients")], [3000, 8])
 	equal([options.text("name"), options.seconds("duration")], ["Ada", 3.0])
@@ -52,13 +52,13 @@ func test_every_option_has_both_forms() -> void:
 		"suit-rate": "50",
 		"calibrate": "full",
 	}
-	for row: Array in Options.TABLE:
+	for row: Array in ProgramOptions.TABLE:
 		var value: String = choices.get(row[0], "7" if row[1] is not String else "x")
-		var options: Options = Options.parse(["--%s=%s" % [row[0], value]])
+		var options: Options = ProgramOptions.parse(["--%s=%s" % [row[0], value]])
 		equal(options.error, "", row[0])
 		var variable: String = "DISMOUNT_" + (row[0] as String).to_upper().replace("-", "_")
 		OS.set_environment(variable, value)
-		var same: Options = Options.parse([])
+		var same: Options = ProgramOptions.parse([])
 		OS.unset_environment(variable)
 		equal(same._values[row[0]], options._values[row[0]], row[0])
 		equal(typeof(same._values[row[0]]), typeof(row[1]), row[0])
@@ -91,26 +91,26 @@ func test_bad_values_are_named() -> void:
 		"": "'' is not of the form --name=value",
 	}
 	for argument: String in cases:
-		contains(Options.parse([argument]).error, cases[argument], argument)
+		contains(ProgramOptions.parse([argument]).error, cases[argument], argument)
 
 
 func test_numbers_too_large_for_the_machine() -> void:
 	for argument: String in [
 		"--port=99999999999999999999999", "--max-clients=99999999999999999999"
 	]:
-		not_equal(Options.parse([argument]).error, "", argument)
+		not_equal(ProgramOptions.parse([argument]).error, "", argument)
 
 
 func test_the_first_fault_is_told() -> void:
-	contains(Options.parse(["--port=x", "--rate=y"]).error, "--port")
+	contains(ProgramOptions.parse(["--port=x", "--rate=y"]).error, "--port")
 
 
 func test_bad_environment_names_the_variable() -> void:
 	OS.set_environment("DISMOUNT_PORT", "abc")
-	contains(Options.parse([]).error, "DISMOUNT_PORT expects a whole number, found 'abc'")
+	contains(ProgramOptions.parse([]).error, "DISMOUNT_PORT expects a whole number, found 'abc'")
 
 
 func test_help_has_every_option() -> void:
-	for row: Array in Options.TABLE:
-		contains(Options.describe(), "--%s=" % row[0])
-		contains(Options.describe(), row[2])
+	for row: Array in ProgramOptions.TABLE:
+		contains(ProgramOptions.describe(), "--%s=" % row[0])
+		contains(ProgramOptions.describe(), row[2])
