@@ -6,10 +6,6 @@ extends RefCounted
 const RETRY_S: float = 2.0
 ## One of so many polls samples the ages.
 const AGES_EVERY: int = 3
-## Longest wait of the transport's thread, ms: an observer has nothing to send but acknowledgements.
-const OBSERVER_WAIT_MS: int = 8
-## See [constant OBSERVER_WAIT_MS]; a trainee's sample waits for this long at most.
-const TRAINEE_WAIT_MS: int = 2
 
 ## Shown to the others.
 var name: String = ""
@@ -38,7 +34,6 @@ func _init(p_name: String, p_options: Options, p_agreement: LoadAgreement) -> vo
 	_agreement = p_agreement
 	_request.name = p_name
 	_request.rate = p_options.number("snapshot-rate")
-	_link.wait_ms = OBSERVER_WAIT_MS
 	_link.joined.connect(_on_joined)
 	_link.lost.connect(_on_lost)
 	_link.refused.connect(func(why: String) -> void: refusal = why)
@@ -49,7 +44,6 @@ func _init(p_name: String, p_options: Options, p_agreement: LoadAgreement) -> vo
 ## Makes it a trainee who moves by a source.
 func wear(p_source: MotionSource) -> void:
 	_request.role = Roles.Role.TRAINEE
-	_link.wait_ms = TRAINEE_WAIT_MS
 	_motion = ClientMotion.new()
 	var codec: PoseCodec.Coding = PoseMessage.CODECS[_options.text("codec")]
 	_motion.start(p_source, _options.number("rate"), _link, codec)

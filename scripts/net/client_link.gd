@@ -46,8 +46,6 @@ var clock: ClockSync = ClockSync.new()
 var session: int = 0
 ## DTLS, or null.
 var tls: TLSOptions = null
-## See [member ThreadedPeer.wait_ms]; for the next [method open].
-var wait_ms: int = 1
 
 var _api: SceneMultiplayer = null
 var _peer: ThreadedPeer = null
@@ -94,8 +92,8 @@ func open(p_host: String, p_port: int, p_request: JoinRequest, p_password: Strin
 	clock.clear()
 	_parts = MessageParts.new()
 	_peer = ThreadedPeer.new()
+	_peer.limits.max_datagram = Protocol.MAX_DATAGRAM
 	_peer.tls = tls
-	_peer.wait_ms = wait_ms
 	_peer.beacon = _ask_clock
 	_peer.beacon_period = _clock_period
 	_peer.failed.connect(_on_failed)
@@ -189,7 +187,7 @@ func close() -> void:
 	if _peer != null:
 		var peer: ThreadedPeer = _peer
 		_peer = null
-		peer.close_with(Protocol.DisconnectReason.LEFT)
+		peer.close_with(DisconnectReason.LEFT)
 		_api.multiplayer_peer = null
 
 
@@ -217,11 +215,11 @@ func _loss() -> String:
 	if _state != State.JOINED:
 		return "no server answers at %s" % _where
 	match _peer.reason_of(MultiplayerPeer.TARGET_PEER_SERVER):
-		Protocol.DisconnectReason.CLOSED:
+		DisconnectReason.CLOSED:
 			return "the server at %s was closed" % _where
-		Protocol.DisconnectReason.THROWN_OUT:
+		DisconnectReason.THROWN_OUT:
 			return "the server at %s has thrown us out" % _where
-		Protocol.DisconnectReason.REPLACED:
+		DisconnectReason.REPLACED:
 			return "another connection to %s has taken our place" % _where
 	return "the connection to %s is lost%s" % [_where, ": " + _why if _why != "" else ""]
 

@@ -27,6 +27,9 @@ signal stats_received(p_session: int, p_stats: Dictionary)
 ## Who is here, lost or waiting has changed; see [method roster].
 signal roster_changed
 
+## Poses that a client may send per second; what is above it is dropped.
+const MAX_POSES: int = 600
+
 ## Time between two looks for those who are overdue, µs.
 const _LOOK_USEC: int = 100000
 
@@ -57,6 +60,8 @@ func listen(p_port: int, p_rules: ServerRules) -> Error:
 	rules = p_rules
 	_peer = ThreadedPeer.new()
 	_peer.guard = TransportGuard.new()
+	_peer.limits.max_datagram = Protocol.MAX_DATAGRAM
+	_peer.limits.max_fast = {Protocol.Message.POSE: MAX_POSES}
 	_peer.tls = rules.tls
 	_peer.instant_kind = Protocol.Message.CLOCK
 	_peer.instant = _ticks.answer
@@ -219,7 +224,7 @@ func kick(p_session: int, p_why: String) -> String:
 		var text: PackedByteArray = ByteReader.text_bytes(p_why.left(JoinReply.LONGEST_WHY))
 		var bytes: PackedByteArray = [Protocol.Message.CONTROL, Protocol.Notice.DISMISSED]
 		_send_reliably(session.peer, bytes + text)
-		_peer.dismiss(session.peer, Protocol.DisconnectReason.DISMISSED)
+		_peer.dismiss(session.peer, DisconnectReason.DISMISSED)
 	_end(session)
 	return ""
 
@@ -255,7 +260,7 @@ func close() -> void:
 		OS.remove_logger(_strikes)
 		_strikes = null
 	if _peer != null:
-		_peer.close_with(Protocol.DisconnectReason.CLOSED)
+		_peer.close_with(DisconnectReason.CLOSED)
 		_api.multiplayer_peer = null
 	_peer = null
 	_api = null
@@ -290,7 +295,7 @@ func _on_disconnected(p_peer: int) -> void:
 	var session: Session = _sessions.of_peer(p_peer)
 	if session == null:
 		return
-	if _peer.reason_of(p_peer) != Protocol.DisconnectReason.LOST:
+	if _peer.reason_of(p_peer) != DisconnectReason.LOST:
 		_end(session)
 		return
 	Log.info("net", "%s is lost" % session.describe())
@@ -380,7 +385,7 @@ func _throw_out(p_peers: Array[int]) -> void:
 		var session: Session = _sessions.of_peer(peer)
 		if session != null:
 			complain(session, "calls", "was thrown out: its calls make no sense")
-			_peer.dismiss(peer, Protocol.DisconnectReason.THROWN_OUT)
+			_peer.dismiss(peer, DisconnectReason.THROWN_OUT)
 			_end(session)
 
 

@@ -74,7 +74,7 @@ func test_too_many_poses_are_dropped() -> void:
 		_pair.run(0.002)
 	_check_good_client_is_unaffected(0.3)
 	var taken: int = _pair.poses.get(bad_peer, []).size()
-	is_true(taken > 10 and taken <= 2 * TransportGuard.MAX_POSES, "%d poses taken" % taken)
+	is_true(taken > 10 and taken <= 2 * ServerLink.MAX_POSES, "%d poses taken" % taken)
 
 
 func test_flood_ends_the_connection() -> void:

@@ -90,7 +90,7 @@ func test_client_that_vanishes_is_lost_soon() -> void:
 	var end: LinkPair.End = _pair.join(TRAINEE, "vanishes")
 	equal(_pair.joined.size(), 2)
 	_pair.ends.erase(end)
-	end.link._peer.close_with(Protocol.DisconnectReason.LOST)
+	end.link._peer.close_with(DisconnectReason.LOST)
 	var stream: SnapshotStream = SnapshotStream.new([], [1])
 	_pair.until(
 		func() -> bool:

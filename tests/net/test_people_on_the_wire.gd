@@ -63,7 +63,7 @@ func test_who_is_back_tells_again_and_has_the_same_session() -> void:
 	var session: int = ada.link.session
 	ada.link.declare_people(_cards(["Ada"]))
 	is_true(_pair.until(func() -> bool: return _told.has(session)))
-	ada.link._peer.close_with(Protocol.DisconnectReason.LOST)
+	ada.link._peer.close_with(DisconnectReason.LOST)
 	is_true(_pair.until(func() -> bool: return _pair.lost.size() == 1 and ada.loss != ""))
 	# What is declared meanwhile goes nowhere, and harms nothing.
 	ada.link.declare_people(_cards(["Ada"]))

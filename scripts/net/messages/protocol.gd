@@ -42,22 +42,6 @@ enum Notice {
 	CALIBRATE,
 }
 
-## Why a connection ended; ENet carries it in the data of its disconnect command.
-enum DisconnectReason {
-	## Nobody said anything: the way is broken or the other end has died. It may come back.
-	LOST,
-	## The client left.
-	LEFT,
-	## An instructor sent the client away.
-	DISMISSED,
-	## The server is being closed.
-	CLOSED,
-	## The client did what nobody should.
-	THROWN_OUT,
-	## The same client has another connection now.
-	REPLACED,
-}
-
 ## Raised with every change of what is sent; a server refuses other versions.
 const VERSION: int = 4
 ## First bytes of a challenge and of a join request.
@@ -68,8 +52,6 @@ const DEFAULT_PORT: int = 7777
 const MAX_DATAGRAM: int = 1200
 ## How far a limb's orientation may be off on the wire, degrees.
 const POSE_ERROR_DEG: float = 0.1
-## Bytes that UDP, IP and ENet add to each datagram of the fast path.
-const TRANSPORT_BYTES: int = 40
 ## People and watchers that a server admits unless told otherwise.
 const DEFAULT_MAX_CLIENTS: int = 32
 ## Longest name of a person, characters.

@@ -84,7 +84,7 @@ func _on_join_request(p_peer: int, p_bytes: PackedByteArray) -> void:
 	match verdict:
 		Admission.Verdict.WELCOME:
 			if pending.replaced_peer != 0:
-				_peer.dismiss(pending.replaced_peer, Protocol.DisconnectReason.REPLACED)
+				_peer.dismiss(pending.replaced_peer, DisconnectReason.REPLACED)
 			_welcome(pending)
 		Admission.Verdict.REFUSED:
 			var parts: Array = [pending.address, pending.why]

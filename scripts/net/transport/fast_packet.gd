@@ -4,7 +4,7 @@ extends RefCounted
 
 ## Who sent it: a peer's id, 1 for the server.
 var peer: int = 0
-## What it holds; the first byte is a [enum Protocol.Message].
+## What it holds; the first byte says of which kind it is.
 var bytes: PackedByteArray = PackedByteArray()
 ## When the thread took it from the socket, [method Time.get_ticks_usec], µs.
 var arrival_usec: int = 0

@@ -17,12 +17,8 @@ signal failed(p_why: String)
 ## Transfer channels that can be used beside 0.
 const MAX_TRANSFER_CHANNEL: int = TransportHost.CHANNELS - TransportHost.FAST_CHANNEL - 1
 
-## Longest time that something to be sent waits in the thread, ms.
-var wait_ms: int = 1:
-	set(p_value):
-		wait_ms = maxi(p_value, 1)
-		if _thread != null:
-			_thread.wait_ms = wait_ms
+## What this end lets through. Set it before creating.
+var limits: TransportLimits = TransportLimits.new()
 ## Judges what comes, on a server; null lets everything through. Set it before creating.
 var guard: TransportGuard = null
 ## DTLS for both ends, or null. Set it before creating.
@@ -59,7 +55,7 @@ var _refuses: bool = false
 
 func _notification(p_what: int) -> void:
 	if p_what == NOTIFICATION_PREDELETE and _thread != null:
-		_thread.stop(Protocol.DisconnectReason.LEFT)
+		_thread.stop(DisconnectReason.LEFT)
 
 
 ## Opens a server's port. [constant ERR_ALREADY_IN_USE] if this peer is in use,
@@ -95,7 +91,7 @@ func create_client(p_host: String, p_port: int) -> Error:
 	return OK
 
 
-## Ends everything and says why: a [enum Protocol.DisconnectReason]. Takes 0.3 s at most.
+## Ends everything and says why: a [DisconnectReason]. Takes 0.3 s at most.
 func close_with(p_reason: int) -> void:
 	if _thread == null:
 		return
@@ -110,19 +106,19 @@ func close_with(p_reason: int) -> void:
 	_next_waiting = 0
 
 
-## Ends a connection after what is still to be sent, and says why: a [enum Protocol.DisconnectReason].
+## Ends a connection after what is still to be sent, and says why: a [DisconnectReason].
 func dismiss(p_peer: int, p_reason: int) -> void:
 	if _thread != null:
 		_thread.disconnect_peer(p_peer, false, p_reason)
 
 
-## Sends a datagram over the fast path, from any thread; it leaves within [member wait_ms]. To one
-## (an id), to all (0) or to all except one (minus its id).
+## Sends a datagram over the fast path, from any thread; it leaves at once. To one (an id), to
+## all (0) or to all except one (minus its id).
 func send_fast(p_peer: int, p_bytes: PackedByteArray) -> bool:
 	var thread: TransportThread = _thread
 	return (
 		thread != null
-		and p_bytes.size() <= Protocol.MAX_DATAGRAM
+		and p_bytes.size() <= limits.max_datagram
 		and thread.send(
 			p_peer, TransportHost.FAST_CHANNEL, p_bytes, ENetPacketPeer.FLAG_UNSEQUENCED
 		)
@@ -132,7 +128,7 @@ func send_fast(p_peer: int, p_bytes: PackedByteArray) -> bool:
 ## Sends datagrams over the fast path, each to the peer in the same place.
 func send_fast_each(p_peers: PackedInt32Array, p_datagrams: Array[PackedByteArray]) -> bool:
 	for bytes: PackedByteArray in p_datagrams:
-		if bytes.size() > Protocol.MAX_DATAGRAM:
+		if bytes.size() > limits.max_datagram:
 			return false
 	var fits: bool = p_peers.size() == p_datagrams.size()
 	return fits and _thread != null and _thread.send_fast_each(p_peers, p_datagrams)
@@ -171,9 +167,9 @@ func address_of(p_peer: int) -> String:
 	return _addresses.get(p_peer, "")
 
 
-## Why a connection ended: a [enum Protocol.DisconnectReason]. Valid while the signal is told.
+## Why a connection ended: a [DisconnectReason]. Valid while the signal is told.
 func reason_of(p_peer: int) -> int:
-	return _reasons.get(p_peer, Protocol.DisconnectReason.LOST)
+	return _reasons.get(p_peer, DisconnectReason.LOST)
 
 
 ## Stats of the thread: sent_bytes, received_bytes, errors, dropped and more since the start, and
@@ -233,7 +229,7 @@ func _take(p_event: TransportEvent) -> void:
 
 func _on_joined(p_event: TransportEvent) -> void:
 	if _refuses and _unique_id == TARGET_PEER_SERVER:
-		_thread.disconnect_peer(p_event.peer, true, Protocol.DisconnectReason.THROWN_OUT)
+		_thread.disconnect_peer(p_event.peer, true, DisconnectReason.THROWN_OUT)
 		return
 	_leaving.erase(p_event.peer)
 	_addresses[p_event.peer] = p_event.key
@@ -245,14 +241,12 @@ func _on_joined(p_event: TransportEvent) -> void:
 ## The thread has ended by a fault of its own: everybody is gone, and the port is opened again.
 func _revive() -> void:
 	var peers: Array[int] = _addresses.keys()
-	var wait: int = wait_ms
-	_thread.stop(Protocol.DisconnectReason.LOST)
+	_thread.stop(DisconnectReason.LOST)
 	_thread = _make_thread()
 	var server: bool = _unique_id == TARGET_PEER_SERVER
 	if not server or _thread.start_server(_port, _address) != OK:
 		_thread = null
 		_status = CONNECTION_DISCONNECTED
-	wait_ms = wait
 	_addresses.clear()
 	for peer: int in peers:
 		peer_disconnected.emit(peer)
@@ -277,8 +271,10 @@ func _drop_read() -> void:
 
 func _make_thread() -> TransportThread:
 	var thread: TransportThread = TransportThread.new()
-	thread.wait_ms = wait_ms
+	thread.max_datagram = limits.max_datagram
 	thread.guard = guard
+	if guard != null:
+		guard.limits = limits
 	thread.tls = tls
 	thread.instant = instant
 	thread.instant_kind = instant_kind
@@ -338,7 +334,7 @@ func _put_packet_script(p_bytes: PackedByteArray) -> Error:
 
 
 func _close() -> void:
-	close_with(Protocol.DisconnectReason.LEFT)
+	close_with(DisconnectReason.LEFT)
 
 
 func _disconnect_peer(p_peer: int, p_force: bool) -> void:
@@ -352,7 +348,7 @@ func _disconnect_peer(p_peer: int, p_force: bool) -> void:
 	_leaving[p_peer] = true
 	if p_force:
 		_addresses.erase(p_peer)
-	_thread.disconnect_peer(p_peer, p_force, Protocol.DisconnectReason.LOST)
+	_thread.disconnect_peer(p_peer, p_force, DisconnectReason.LOST)
 
 
 func _get_connection_status() -> MultiplayerPeer.ConnectionStatus:

@@ -14,11 +14,6 @@ enum Stage {
 	LEAVING,
 }
 
-## Bytes sent reliably between two marks.
-const MARK_EVERY: int = 65536
-## Bytes sent reliably that may wait for the other end's receipt.
-const MAX_UNRECEIPTED: int = 4 << 20
-
 ## Seconds between two complaints of one kind about one connection.
 const _COMPLAINT_S: float = 1.0
 
@@ -40,19 +35,17 @@ var kept: bool = false
 var leaving_usec: int = 0
 ## Packets in this second.
 var packets: int = 0
-## Poses in this second.
-var poses: int = 0
+## Fast datagrams of the kinds that [member TransportLimits.max_fast] names, in this second.
+var fast: Dictionary[int, int] = {}
 ## Commands of the multiplayer API in this second.
 var calls: int = 0
 ## Bytes in this second.
 var bytes: int = 0
 ## Packets that wait for the main thread.
 var waiting: int = 0
-## Bytes sent reliably without a receipt.
-var unreceipted: int = 0
+## What was sent reliably and not taken in yet.
+var window: ReceiptWindow = ReceiptWindow.new()
 
-var _since_mark: int = 0
-var _marks: Dictionary[PackedByteArray, int] = {}
 var _complained_usec: Dictionary[String, int] = {}
 
 
@@ -66,34 +59,9 @@ func _init(p_id: int, p_remote: ENetPacketPeer, p_now_usec: int) -> void:
 ## Begins a new second.
 func restart_window() -> void:
 	packets = 0
-	poses = 0
+	fast.clear()
 	calls = 0
 	bytes = 0
-
-
-## Takes note of a reliable packet. Returns a mark that is to be sent behind it, or no bytes: only
-## who has taken in everything before it knows what to answer, however it plays with ENet's own
-## acknowledgements.
-func note_reliable(p_size: int) -> PackedByteArray:
-	unreceipted += p_size
-	_since_mark += p_size
-	if _since_mark < MARK_EVERY:
-		return PackedByteArray()
-	var nonce: PackedByteArray = Crypto.new().generate_random_bytes(8)
-	_marks[nonce] = _since_mark
-	_since_mark = 0
-	return nonce
-
-
-## Takes a receipt: everything up to that mark has arrived.
-func receipt(p_nonce: PackedByteArray) -> void:
-	if not _marks.has(p_nonce):
-		return
-	for nonce: PackedByteArray in _marks.keys():
-		unreceipted -= _marks[nonce]
-		_marks.erase(nonce)
-		if nonce == p_nonce:
-			return
 
 
 ## Whether it is time for another complaint of this kind.

@@ -6,7 +6,7 @@ extends RefCounted
 enum Kind {
 	## A connection stands; nothing is known of the other end yet.
 	JOINED,
-	## A connection is over; [member code] is a [enum Protocol.DisconnectReason].
+	## A connection is over; [member code] is a [DisconnectReason].
 	GONE,
 	## A packet for the multiplayer API.
 	PACKET,

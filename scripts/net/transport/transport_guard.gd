@@ -3,9 +3,9 @@ extends RefCounted
 ## What a server lets through of what clients send, and how much of it.
 ##
 ## Godot's [SceneMultiplayer] reports an engine error for nearly every packet that it does not
-## expect, so that any client could flood the log. It gets to see join requests of those who have not
-## been admitted, and plain bytes and remote calls of those who have. Nobody but the server spawns
-## or synchronizes.
+## expect, so that any client could flood the log. It gets to see join requests of those who have
+## not been admitted, and plain bytes and remote calls of those who have. Nobody but the server
+## spawns or synchronizes.
 
 ## What is done with a packet.
 enum Verdict {
@@ -19,21 +19,6 @@ enum Verdict {
 	THROW_OUT,
 }
 
-## Poses that a client may send per second; what is above it is dropped.
-const MAX_POSES: int = 600
-## Packets of any kind that a client may send per second; what is above it is dropped.
-const MAX_PACKETS: int = 1000
-## A client that sends this many packets in a second is thrown out.
-const FLOOD: int = 3000
-## Bytes that a client may send per second; what is above it is dropped.
-const MAX_BYTES: int = 1 << 20
-## Remote calls, and what belongs to them, per second.
-const MAX_CALLS: int = 30
-## Largest packet for the multiplayer API, bytes.
-const LARGEST_PACKET: int = 16384
-## Packets of a client that wait for the main thread; one that has more is thrown out.
-const MAX_WAITING: int = 512
-
 ## The multiplayer API's first byte has the command in its low bits.
 const _COMMAND_MASK: int = 7
 ## Remote calls, and what belongs to them, are up to here.
@@ -42,6 +27,8 @@ const _COMMAND_RAW: int = 3
 const _COMMAND_SYSTEM: int = 7
 const _SYSTEM_GREETING: int = 0
 
+## What a client may send. Set it before the thread begins.
+var limits: TransportLimits = TransportLimits.new()
 ## Why the last packet was not let through.
 var reason: String = ""
 ## What the complaint is filed under.
@@ -61,12 +48,15 @@ func judge_fast(p_from: TransportConnection, p_bytes: PackedByteArray) -> Verdic
 	if p_from.stage != TransportConnection.Stage.ADMITTED:
 		# It may have overtaken what says that the join request is complete.
 		return Verdict.IGNORE
-	if p_bytes.is_empty() or p_bytes.size() > Protocol.MAX_DATAGRAM:
+	if p_bytes.is_empty() or p_bytes.size() > limits.max_datagram:
 		return _drop("size", "sent a fast datagram of %d bytes" % p_bytes.size())
-	if p_bytes[0] == Protocol.Message.POSE:
-		p_from.poses += 1
-		if p_from.poses > MAX_POSES:
-			return _drop("rate", "sends more than %d poses a second" % MAX_POSES)
+	var kind: int = p_bytes[0]
+	if limits.max_fast.has(kind):
+		var count: int = p_from.fast.get(kind, 0) + 1
+		p_from.fast[kind] = count
+		if count > limits.max_fast[kind]:
+			var parts: Array = [limits.max_fast[kind], kind]
+			return _drop("rate", "sends more than %d datagrams of kind %d a second" % parts)
 	return Verdict.PASS
 
 
@@ -75,9 +65,9 @@ func judge(p_from: TransportConnection, p_bytes: PackedByteArray) -> Verdict:
 	var rate: Verdict = _judge_rate(p_from, p_bytes.size())
 	if rate != Verdict.PASS:
 		return rate
-	if p_from.waiting >= MAX_WAITING:
+	if p_from.waiting >= limits.max_waiting:
 		return _say(Verdict.THROW_OUT, "waiting", "has sent more than can be taken in")
-	if p_bytes.is_empty() or p_bytes.size() > LARGEST_PACKET:
+	if p_bytes.is_empty() or p_bytes.size() > limits.max_packet:
 		return _drop("size", "sent a packet of %d bytes" % p_bytes.size())
 	var command: int = p_bytes[0] & _COMMAND_MASK
 	if p_from.stage == TransportConnection.Stage.ADMITTED:
@@ -103,8 +93,8 @@ func _judge_admitted(
 	if not p_from.may_call:
 		return _drop("call", "may not call anything")
 	p_from.calls += 1
-	if p_from.calls > MAX_CALLS:
-		return _drop("calls", "calls more than %d times a second" % MAX_CALLS)
+	if p_from.calls > limits.max_calls:
+		return _drop("calls", "calls more than %d times a second" % limits.max_calls)
 	return Verdict.PASS
 
 
@@ -113,13 +103,13 @@ func _judge_rate(p_from: TransportConnection, p_size: int) -> Verdict:
 		return Verdict.IGNORE
 	p_from.packets += 1
 	p_from.bytes += p_size
-	if p_from.packets > FLOOD or p_from.bytes > 16 * MAX_BYTES:
+	if p_from.packets > limits.flood_packets or p_from.bytes > limits.flood_bytes:
 		var parts: Array = [p_from.packets, p_from.bytes]
 		return _say(Verdict.THROW_OUT, "flood", "sent %d packets, %d bytes in a second" % parts)
-	if p_from.packets > MAX_PACKETS:
-		return _drop("rate", "sends more than %d packets a second" % MAX_PACKETS)
-	if p_from.bytes > MAX_BYTES:
-		return _drop("bytes", "sends more than %d bytes a second" % MAX_BYTES)
+	if p_from.packets > limits.max_packets:
+		return _drop("rate", "sends more than %d packets a second" % limits.max_packets)
+	if p_from.bytes > limits.max_bytes:
+		return _drop("bytes", "sends more than %d bytes a second" % limits.max_bytes)
 	return Verdict.PASS
 
 

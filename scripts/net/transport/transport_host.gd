@@ -13,15 +13,17 @@ const MAX_ARRIVING: int = 512
 ## When a silent end is gone: ENet's limit (2 to the attempts), least and most ms. With less, a
 ## fifth of the datagrams lost would end connections now and then.
 const TIMEOUTS_MS: Array[int] = [64, 4000, 8000]
-## First bytes of a mark and of its receipt, both followed by 8 bytes.
-const MARK: PackedByteArray = [0xFF, 0x4D]
-## See [constant MARK].
+## First bytes of a probe and of its receipt, both followed by 8 bytes: see [ReceiptWindow].
+const PROBE: PackedByteArray = [0xFF, 0x4D]
+## See [constant PROBE].
 const RECEIPT: PackedByteArray = [0xFF, 0x52]
 
 const _FAST_FLAGS: int = ENetPacketPeer.FLAG_UNSEQUENCED
 const _WINDOW_USEC: int = 1000000
 const _LEAVING_USEC: int = 1000000
 
+## See [member TransportLimits.max_datagram].
+var max_datagram: int = 1200
 ## Judges what comes, on a server; null lets everything through.
 var guard: TransportGuard = null
 ## Answers fast datagrams of the kind [member instant_kind] in the thread:
@@ -51,12 +53,12 @@ func _on_connect(p_remote: ENetPacketPeer, p_data: int) -> void:
 		# The id is the client's own choice: below 2 it would mean "all" or "all except".
 		_count("refused_ids")
 		_trouble("id", "refused a client with the forbidden id %d" % id)
-		p_remote.peer_disconnect(Protocol.DisconnectReason.THROWN_OUT)
+		p_remote.peer_disconnect(DisconnectReason.THROWN_OUT)
 		return
 	if _connections.has(id):
 		_count("refused_ids")
 		_trouble("id", "refused a client with the id %d, which another has" % id)
-		p_remote.peer_disconnect(Protocol.DisconnectReason.THROWN_OUT)
+		p_remote.peer_disconnect(DisconnectReason.THROWN_OUT)
 		return
 	if guard != null:
 		_make_room()
@@ -87,11 +89,11 @@ func _on_receive(p_remote: ENetPacketPeer, p_channel: int) -> void:
 	if p_channel == FAST_CHANNEL:
 		_receive_fast(from, bytes, arrival)
 		return
-	if bytes.size() == 10 and bytes[0] == MARK[0] and p_channel == 0:
+	if bytes.size() == 10 and bytes[0] == PROBE[0] and p_channel == 0:
 		if bytes[1] == RECEIPT[1]:
-			from.receipt(bytes.slice(2))
+			from.window.take_receipt(bytes.slice(2))
 			return
-		if bytes[1] == MARK[1] and not _server:
+		if bytes[1] == PROBE[1] and not _server:
 			p_remote.send(0, RECEIPT + bytes.slice(2), ENetPacketPeer.FLAG_RELIABLE)
 			return
 	if guard != null and not _is_let_through(from, guard.judge(from, bytes)):
@@ -117,7 +119,7 @@ func _receive_fast(
 		var verdict: TransportGuard.Verdict = guard.judge_fast(p_from, p_bytes)
 		if verdict != TransportGuard.Verdict.PASS and not _is_let_through(p_from, verdict):
 			return
-	if p_bytes.is_empty() or p_bytes.size() > Protocol.MAX_DATAGRAM:
+	if p_bytes.is_empty() or p_bytes.size() > max_datagram:
 		_count("dropped_in")
 		return
 	if p_bytes[0] == instant_kind and instant.is_valid():
@@ -157,13 +159,13 @@ func _make_room() -> void:
 				oldest = connection
 	if arriving >= MAX_ARRIVING:
 		_count("evicted")
-		_drop(oldest, Protocol.DisconnectReason.LOST)
+		_drop(oldest, DisconnectReason.LOST)
 
 
 func _throw_out(p_connection: TransportConnection, p_why: String) -> void:
 	_count("thrown_out")
 	_complain(p_connection, "thrown out", "was thrown out: it %s" % p_why)
-	_drop(p_connection, Protocol.DisconnectReason.THROWN_OUT)
+	_drop(p_connection, DisconnectReason.THROWN_OUT)
 
 
 ## Ends a connection at once; what still waited for it is freed, and the other end told. Not by
@@ -181,13 +183,13 @@ func _drop(p_connection: TransportConnection, p_code: int) -> void:
 func _keep_house(p_now_usec: int) -> void:
 	for id: int in _connections.keys():
 		var connection: TransportConnection = _connections[id]
-		if connection.unreceipted > TransportConnection.MAX_UNRECEIPTED:
+		if connection.window.is_exceeded():
 			_throw_out(connection, "takes in nothing of what it is sent")
 		elif (
 			connection.stage == TransportConnection.Stage.LEAVING
 			and p_now_usec - connection.leaving_usec > _LEAVING_USEC
 		):
-			_drop(connection, Protocol.DisconnectReason.LOST)
+			_drop(connection, DisconnectReason.LOST)
 	_count("sent_bytes", int(_host.pop_statistic(ENetConnection.HOST_TOTAL_SENT_DATA)))
 	_count("received_bytes", int(_host.pop_statistic(ENetConnection.HOST_TOTAL_RECEIVED_DATA)))
 	_count("sent_packets", int(_host.pop_statistic(ENetConnection.HOST_TOTAL_SENT_PACKETS)))
@@ -218,9 +220,9 @@ func _send(
 		return
 	p_to.remote.send(p_channel, p_bytes, p_flags)
 	if _server and p_channel == 0 and p_flags & ENetPacketPeer.FLAG_RELIABLE:
-		var mark: PackedByteArray = p_to.note_reliable(p_bytes.size())
-		if not mark.is_empty():
-			p_to.remote.send(0, MARK + mark, ENetPacketPeer.FLAG_RELIABLE)
+		var probe: PackedByteArray = p_to.window.note_sent(p_bytes.size())
+		if not probe.is_empty():
+			p_to.remote.send(0, PROBE + probe, ENetPacketPeer.FLAG_RELIABLE)
 
 
 ## Notice a dead end within a few seconds, and never thin out datagrams because the round trip
@@ -233,7 +235,7 @@ func _set_up(p_remote: ENetPacketPeer) -> void:
 
 func _fail(p_why: String) -> void:
 	for id: int in _connections.keys():
-		_drop(_connections[id], Protocol.DisconnectReason.LOST)
+		_drop(_connections[id], DisconnectReason.LOST)
 	_note(TransportEvent.Kind.FAILED, 0, "failed", p_why)
 	# There is only one server: nothing is left to be done.
 	_closing = true

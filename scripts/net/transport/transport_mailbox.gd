@@ -42,8 +42,8 @@ func take_orders() -> Array[Array]:
 	return orders
 
 
-## For the thread: hands over what has happened. Returns how often the main thread has taken events.
-func hand_over(p_events: Array[TransportEvent], p_fast: Array[FastPacket]) -> int:
+## For the thread: hands over what has happened.
+func hand_over(p_events: Array[TransportEvent], p_fast: Array[FastPacket]) -> void:
 	_mutex.lock()
 	for event: TransportEvent in p_events:
 		if event.kind == TransportEvent.Kind.TROUBLE:
@@ -57,9 +57,15 @@ func hand_over(p_events: Array[TransportEvent], p_fast: Array[FastPacket]) -> in
 			var kept: int = MAX_FAST / 2
 			_dropped += _fast.size() - kept
 			_fast = _fast.slice(_fast.size() - kept)
-	var taken: int = _taken
 	_mutex.unlock()
-	return taken
+
+
+## For the thread: how often the main thread has taken events.
+func taken() -> int:
+	_mutex.lock()
+	var count: int = _taken
+	_mutex.unlock()
+	return count
 
 
 ## For the thread: publishes stats.

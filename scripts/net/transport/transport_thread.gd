@@ -2,10 +2,10 @@ class_name TransportThread
 extends TransportHost
 ## An ENet host that is served by a thread of its own.
 ##
-## The thread waits in the socket, so what arrives is taken in at once, and what others want sent
-## leaves within [member wait_ms]. It never touches anything of the main thread's, but hands it
-## events and fast datagrams by a [TransportMailbox]. Set the public members before
-## [method start_server] or [method start_client].
+## The thread waits for its socket and for the others, by a [TransportPump]: what arrives is taken
+## in at once, and what others want sent leaves at once. It never touches anything of the main
+## thread's, but hands it events and fast datagrams by a [TransportMailbox]. Set the public members
+## before [method start_server] or [method start_client].
 
 ## ENet's most connections. Half-open ones cannot be seen nor ended from here, and take a place for
 ## half a minute: so there are as many as there can be.
@@ -16,20 +16,17 @@ const _MAX_EVENTS: int = 128
 ## Bytes that wait for the main thread: a client whose main thread stands that still is lost.
 const _MAX_WAITING_BYTES: int = 32 << 20
 const _HOUSEKEEPING_USEC: int = 100000
+## The same on a client, which has one connection to look after, µs.
+const _CLIENT_HOUSEKEEPING_USEC: int = 250000
 ## Errors without any success for so long mean that the host is dead, µs.
 const _DEAD_USEC: int = 500000
 const _LINGER_MS: int = 300
+## Wait where the socket cannot be watched, as with DTLS, ms: what others want sent waits as long.
+const _BLIND_WAIT_MS: int = 1
 ## With more events than so many in [constant _HOUSEKEEPING_USEC] the thread takes pauses and then
-## takes in all that has come meanwhile: waking up costs more than what there is to do.
+## takes in all that has come meanwhile, see [method TransportPump.pause].
 const _BUSY_EVENTS: int = 60
-## These pauses, µs: short ones when the main thread's next snapshots are near, so that they leave
-## soon and no sample is late for the tick; long ones otherwise.
-const _SHORT_PAUSE_USEC: int = 500
-const _LONG_PAUSE_USEC: int = 2500
-const _NEAR_USEC: int = 1000
 
-## Longest wait in the socket, ms.
-var wait_ms: int = 1
 ## On a client: makes what is sent to the server again and again, in the thread:
 ## [code]func() -> PackedByteArray[/code].
 var beacon: Callable = Callable()
@@ -43,15 +40,15 @@ var tls: TLSOptions = null
 var mailbox: TransportMailbox = TransportMailbox.new()
 
 var _thread: Thread = Thread.new()
+var _pump: TransportPump = TransportPump.new()
 var _id: int = 0
 var _taken: int = 0
 var _errors_since_usec: int = 0
 var _housekept_usec: int = 0
+var _housekeeping_usec: int = _CLIENT_HOUSEKEEPING_USEC
 var _recent_events: int = 0
 var _busy: bool = false
 var _left: int = 0
-var _handed_usec: int = 0
-var _handed_period_usec: int = 0
 var _beacons: int = 0
 var _beacon_usec: int = 0
 var _reason: int = 0
@@ -60,6 +57,7 @@ var _reason: int = 0
 ## Opens a port. Without a guard there is no limit to what is let through.
 func start_server(p_port: int, p_address: String = "*") -> Error:
 	_server = true
+	_housekeeping_usec = _HOUSEKEEPING_USEC
 	_address = p_address
 	_port = p_port
 	var error: Error = _open()
@@ -84,7 +82,7 @@ func is_running() -> bool:
 func stop(p_reason: int) -> void:
 	if not _thread.is_started():
 		return
-	mailbox.post([_order_close, [p_reason]], true)
+	_post([_order_close, [p_reason]], true)
 	_thread.wait_to_finish()
 	_host = null
 
@@ -92,27 +90,33 @@ func stop(p_reason: int) -> void:
 ## Sends something to one (an id), to all (0), or to all except one (minus its id).
 func send(p_target: int, p_channel: int, p_bytes: PackedByteArray, p_flags: int) -> bool:
 	var must: bool = p_flags & ENetPacketPeer.FLAG_RELIABLE != 0
-	return mailbox.post([_order_send, [p_target, p_channel, p_bytes, p_flags]], must)
+	return _post([_order_send, [p_target, p_channel, p_bytes, p_flags]], must)
 
 
 ## Sends fast datagrams, each to the peer in the same place.
 func send_fast_each(p_peers: PackedInt32Array, p_datagrams: Array[PackedByteArray]) -> bool:
-	return mailbox.post([_order_send_each, [p_peers, p_datagrams]], false)
+	return _post([_order_send_each, [p_peers, p_datagrams]], false)
 
 
 ## Ends a connection: at once and without telling, or after what is still to be sent.
 func disconnect_peer(p_id: int, p_now: bool, p_code: int) -> void:
-	mailbox.post([_order_disconnect, [p_id, p_now, p_code]], true)
+	_post([_order_disconnect, [p_id, p_now, p_code]], true)
 
 
 ## Says that a client is welcome, and whether it may call; the guard then lets it complete.
 func welcome(p_id: int, p_may_call: bool) -> void:
-	mailbox.post([_order_welcome, [p_id, p_may_call]], true)
+	_post([_order_welcome, [p_id, p_may_call]], true)
 
 
 ## Keeps a client that has not been admitted yet, because somebody is to decide about it.
 func keep(p_id: int) -> void:
-	mailbox.post([_order_keep, [p_id]], true)
+	_post([_order_keep, [p_id]], true)
+
+
+func _post(p_order: Array, p_must: bool) -> bool:
+	var room: bool = mailbox.post(p_order, p_must)
+	_pump.wake()
+	return room
 
 
 func _open() -> Error:
@@ -120,13 +124,18 @@ func _open() -> Error:
 	var error: Error = OK
 	if _server:
 		error = _host.create_host_bound(_address, _port, SLOTS, CHANNELS)
-	else:
+	elif tls != null:
 		error = _host.create_host(1, CHANNELS)
+	else:
+		# Bound at once: by its port the pump finds the socket.
+		error = _host.create_host_bound("*", 0, 1, CHANNELS)
 	if error == OK and tls != null:
 		if _server:
 			error = _host.dtls_server_setup(tls)
 		else:
 			error = _host.dtls_client_setup(_address, tls)
+	if error == OK:
+		_pump.attach(_host, tls == null)
 	return error
 
 
@@ -142,7 +151,7 @@ func _run() -> void:
 		if not _server:
 			_look_after_client(now, now - before)
 		before = now
-		if now - _housekept_usec > _HOUSEKEEPING_USEC:
+		if now - _housekept_usec > _housekeeping_usec:
 			_housekept_usec = now
 			_busy = _recent_events > _BUSY_EVENTS
 			_recent_events = 0
@@ -150,26 +159,24 @@ func _run() -> void:
 			var stats: Dictionary = {"peers": _describe_peers(), "cpu_usec": ThreadClock.get_usec()}
 			stats.merge(_counts)
 			mailbox.publish(stats)
-		var taken: int = mailbox.hand_over(_events, _fast)
+		mailbox.hand_over(_events, _fast)
 		_events.clear()
 		_fast.clear()
 		if _busy:
-			OS.delay_usec(_pause_usec(Time.get_ticks_usec()))
-		if taken != _taken:
-			_taken = taken
-			_waiting_bytes = 0
-			for id: int in _connections:
-				_connections[id].waiting = 0
+			_pump.pause()
 	mailbox.hand_over(_events, _fast)
 	_disconnect_everybody()
+	_pump.detach()
 	_host.destroy()
 
 
-func _pause_usec(p_now_usec: int) -> int:
-	var near: int = _handed_usec + _handed_period_usec - _NEAR_USEC
-	if p_now_usec > near + 3 * _NEAR_USEC:
-		return 2 * _SHORT_PAUSE_USEC
-	return clampi(near - p_now_usec, _SHORT_PAUSE_USEC, _LONG_PAUSE_USEC)
+## Nothing waits any more when the main thread has taken what there was.
+func _note_taken(p_taken: int) -> void:
+	if p_taken != _taken:
+		_taken = p_taken
+		_waiting_bytes = 0
+		for id: int in _connections:
+			_connections[id].waiting = 0
 
 
 func _begin_client() -> void:
@@ -181,11 +188,17 @@ func _begin_client() -> void:
 
 
 func _serve() -> void:
+	var due: int = _housekept_usec + _housekeeping_usec
+	if beacon.is_valid() and not _connections.is_empty():
+		due = mini(due, _beacon_usec)
+	var wait_usec: int = maxi(due - Time.get_ticks_usec(), 0)
 	_left = _MAX_EVENTS
 	_answered = false
 	for number: int in _MAX_EVENTS:
 		# Every packet that is told of must be taken, or the next event would get it.
-		var event: Array = _host.service(wait_ms if number == 0 and not _busy else 0)
+		var event: Array = _pump.serve(number == 0 and not _busy, wait_usec, _BLIND_WAIT_MS)
+		if number == 0:
+			_note_taken(mailbox.taken())
 		if number == 0 and _busy:
 			_expect()
 		match event[0]:
@@ -239,7 +252,8 @@ func _survives_error() -> bool:
 
 func _reopen() -> void:
 	for id: int in _connections.keys():
-		_drop(_connections[id], Protocol.DisconnectReason.LOST)
+		_drop(_connections[id], DisconnectReason.LOST)
+	_pump.detach()
 	_host.destroy()
 	if not _server:
 		_fail("a network error ended the connection")
@@ -276,9 +290,7 @@ func _order_send(p_target: int, p_channel: int, p_bytes: PackedByteArray, p_flag
 
 
 func _order_send_each(p_peers: PackedInt32Array, p_datagrams: Array[PackedByteArray]) -> void:
-	var now: int = Time.get_ticks_usec()
-	_handed_period_usec = clampi(now - _handed_usec, 2 * _NEAR_USEC, 20 * _NEAR_USEC)
-	_handed_usec = now
+	_pump.note_handed_over()
 	for i: int in p_peers.size():
 		var connection: TransportConnection = _connections.get(p_peers[i])
 		# Who has died is still here, but takes nothing: send() would report an error.

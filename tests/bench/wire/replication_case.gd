@@ -4,6 +4,8 @@ extends RefCounted
 
 const MovingWorld: GDScript = preload("moving_world.gd")
 const CLIENT: int = 1
+## Bytes that UDP, IP and ENet add to each datagram.
+const TRANSPORT_BYTES: int = 40
 
 ## Stats of the case.
 var bits: int = 0
@@ -59,7 +61,7 @@ func advance(p_world: MovingWorld) -> void:
 	if not datagrams.is_empty():
 		encode_usec.append(Time.get_ticks_usec() - begin)
 	for bytes: PackedByteArray in datagrams:
-		bits += (bytes.size() + Protocol.TRANSPORT_BYTES) * 8
+		bits += (bytes.size() + TRANSPORT_BYTES) * 8
 		payload_bits += bytes.size() * 8
 		_post(_to_client, bytes)
 	_compare(p_world)

@@ -295,5 +295,5 @@ func _make_node() -> Node:
 
 ## Cuts a client's connection without a reason.
 func _lose(p_end: LinkPair.End) -> void:
-	p_end.link._peer.close_with(Protocol.DisconnectReason.LOST)
+	p_end.link._peer.close_with(DisconnectReason.LOST)
 	is_true(_pair.until(func() -> bool: return _pair.lost.size() == 1 and p_end.loss != ""))

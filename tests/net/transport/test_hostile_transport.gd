@@ -68,7 +68,7 @@ func test_a_client_that_takes_nothing_in() -> void:
 			api.send_bytes(block, peer, MultiplayerPeer.TRANSFER_MODE_RELIABLE)
 		_pair.run(0.002)
 	is_true(_pair.until(func() -> bool: return _pair.left.has(session), 6.0))
-	is_true(connection.unreceipted > TransportConnection.MAX_UNRECEIPTED)
+	is_true(connection.window.is_exceeded())
 	equal(_pair.server.stats()["thrown_out"], 1)
 	bad.link.close()
 	_check_good()
@@ -81,7 +81,7 @@ func test_large_reliable_traffic_is_receipted() -> void:
 		_pair.send_reliably(NetSamples.table_bytes(_random, 4000, 8))
 		_pair.run(0.02)
 	is_true(_pair.until(func() -> bool: return _good.tables.size() == 30, 10.0))
-	is_true(_pair.until(func() -> bool: return connection.unreceipted < 200000))
+	is_true(_pair.until(func() -> bool: return connection.window.get_unreceipted() < 200000))
 	is_true(_good.link.is_joined())
 
 

@@ -61,7 +61,7 @@ func test_a_large_reliable_call_arrives_whole() -> void:
 	equal(callers[1].heard[0].length(), text.length())
 	callers[0].tell.rpc("after")
 	await _until(func() -> bool: return callers[1].heard.size() == 2)
-	equal(callers[1].heard[1], "after", "the marks are nobody's packets")
+	equal(callers[1].heard[1], "after", "the probes are nobody's packets")
 
 
 func test_a_spawner_spawns_and_removes() -> void:
@@ -139,7 +139,7 @@ func test_what_was_sent_last_arrives_before_the_end() -> void:
 	_server.set_target_peer(client.get_unique_id())
 	for number: int in 200:
 		_server.put_packet(PackedByteArray([number]))
-	_server.dismiss(client.get_unique_id(), Protocol.DisconnectReason.DISMISSED)
+	_server.dismiss(client.get_unique_id(), DisconnectReason.DISMISSED)
 	var got: Array[int] = []
 	await _until(
 		func() -> bool:
@@ -148,7 +148,7 @@ func test_what_was_sent_last_arrives_before_the_end() -> void:
 			return client.get_connection_status() == MultiplayerPeer.CONNECTION_DISCONNECTED
 	)
 	equal(got.size(), 200)
-	equal(client.reason_of(1), int(Protocol.DisconnectReason.DISMISSED))
+	equal(client.reason_of(1), DisconnectReason.DISMISSED)
 
 
 func test_a_forced_end_is_told_to_the_other_side_only() -> void:

@@ -1,0 +1,24 @@
+class_name TransportLimits
+extends RefCounted
+## What an end of the transport lets through, as its owner sets it before it is created. All but
+## [member max_datagram] bind a [TransportGuard] only.
+
+## Largest datagram of the fast path, bytes: this many pass every usual network in one piece.
+var max_datagram: int = 1200
+## Fast datagrams that a client may send per second, by their first byte; what is above it is
+## dropped. Those of other first bytes count as packets only.
+var max_fast: Dictionary[int, int] = {}
+## Packets of any kind that a client may send per second; what is above it is dropped.
+var max_packets: int = 1000
+## A client that sends this many packets in a second is thrown out.
+var flood_packets: int = 3000
+## Bytes that a client may send per second; what is above it is dropped.
+var max_bytes: int = 1 << 20
+## A client that sends this many bytes in a second is thrown out.
+var flood_bytes: int = 1 << 24
+## Remote calls, and what belongs to them, per second.
+var max_calls: int = 30
+## Largest packet for the multiplayer API, bytes.
+var max_packet: int = 16384
+## Packets of a client that wait for the main thread; one that has more is thrown out.
+var max_waiting: int = 512
