@@ -22,6 +22,7 @@ bool SnapshotDecoder::add_entity(uint16_t p_id, uint8_t p_type, const float *p_v
 	}
 	_sweep_removed();
 	std::vector<uint32_t> spawn;
+	spawn.reserve(p_count);
 	for (std::size_t i = 0; i < p_count; i++) {
 		spawn.push_back(type->fields[i].quantise(p_values[i]));
 	}
