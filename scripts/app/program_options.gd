@@ -108,5 +108,5 @@ static func _check_motion(p_options: Options) -> void:
 
 static func _check_display(p_options: Options) -> void:
 	p_options.check_choice("feedback", ["local", "server"])
-	p_options.check_choice("smoothing", [""] + SmoothingMethods.BY_NAME.keys())
+	p_options.check_choice("smoothing", [""] + WorldReplica.SMOOTHING.keys())
 	p_options.check_range("fps", "--fps", 0, 1000)

@@ -83,7 +83,7 @@ func _exit_tree() -> void:
 func _apply_options() -> String:
 	var fault: String = _scene.apply(_options.text("views"), _options.text("camera"))
 	_scene.replica.wants_marks = _options.file("latency-csv") != ""
-	_scene.replica.set_smoothing(SmoothingMethods.find(_options.text("smoothing")))
+	_scene.replica.set_smoothing(_options.text("smoothing"))
 	_orders = InstructorOrders.new(_options.text("orders"))
 	fault = _orders.error if fault == "" else fault
 	var made: ClientStreams = ClientStreams.make(_role, _options)

@@ -11,6 +11,15 @@ signal marked(p_mark: LatencyMark)
 
 ## Floats of a limb in [method SnapshotSmoother.person_transforms]: position, quaternion.
 const FLOATS: int = 7
+## What the option --smoothing can be: the methods of [SnapshotSmoother] by name.
+const SMOOTHING: Dictionary[String, SnapshotSmoother.Method] = {
+	"none": SnapshotSmoother.NONE,
+	"linear": SnapshotSmoother.LINEAR,
+	"hermite": SnapshotSmoother.HERMITE,
+	"extrapolate_lerp": SnapshotSmoother.EXTRAPOLATE_LERP,
+	"error_offset": SnapshotSmoother.ERROR_OFFSET,
+	"adaptive_low_delay": SnapshotSmoother.ADAPTIVE_LOW_DELAY,
+}
 ## Acknowledgements are at least so far apart, µs, unless more datagrams came than one speaks of.
 const ACK_PERIOD_USEC: int = 105000
 ## An acknowledgement speaks of one datagram more than that.
@@ -51,9 +60,9 @@ func _init() -> void:
 	table.cleared.connect(_on_cleared)
 
 
-## Sets how motion is made smooth.
-func set_smoothing(p_method: SnapshotSmoother.Method) -> void:
-	_smoother.method = p_method
+## Sets how motion is made smooth, by a name of [constant SMOOTHING]; another name is the default.
+func set_smoothing(p_name: String) -> void:
+	_smoother.method = SMOOTHING.get(p_name, SnapshotSmoother.ADAPTIVE_LOW_DELAY)
 
 
 ## Whether the server has sent which entities there are.

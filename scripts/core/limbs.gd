@@ -7,10 +7,36 @@ extends RefCounted
 ## Frame: Godot's (right-handed, Y up, metres); in the reset pose the person faces +Z, as Godot's
 ## humanoid profile and glTF avatars do.
 
+## Index of each limb in all tables and arrays "by limb".
+enum {
+	HIPS,
+	SPINE,
+	CHEST,
+	HEAD,
+	LEFT_UPPER_ARM,
+	LEFT_LOWER_ARM,
+	LEFT_HAND,
+	RIGHT_UPPER_ARM,
+	RIGHT_LOWER_ARM,
+	RIGHT_HAND,
+	LEFT_UPPER_LEG,
+	LEFT_LOWER_LEG,
+	LEFT_FOOT,
+	RIGHT_UPPER_LEG,
+	RIGHT_LOWER_LEG,
+	RIGHT_FOOT,
+}
+
 ## How many limbs there are.
 const COUNT: int = 16
-## The root limb's place in the tables.
-const ROOT: int = 0
+## Index of the limb that has no parent.
+const ROOT: int = HIPS
+## The legs without their feet.
+const LEGS: Array[int] = [LEFT_UPPER_LEG, LEFT_LOWER_LEG, RIGHT_UPPER_LEG, RIGHT_LOWER_LEG]
+## The arms without their hands.
+const ARMS: Array[int] = [LEFT_UPPER_ARM, LEFT_LOWER_ARM, RIGHT_UPPER_ARM, RIGHT_LOWER_ARM]
+## The feet.
+const FEET: Array[int] = [LEFT_FOOT, RIGHT_FOOT]
 
 ## Humanoid bone whose orientation stands for the limb.
 const BONES: Array[StringName] = [
@@ -32,8 +58,25 @@ const BONES: Array[StringName] = [
 	&"RightFoot",
 ]
 
-## Place of each limb's parent in the tables, -1 for the root.
-const PARENTS: Array[int] = [-1, 0, 1, 2, 2, 4, 5, 2, 7, 8, 0, 10, 11, 0, 13, 14]
+## Index of each limb's parent, -1 for the root.
+const PARENTS: Array[int] = [
+	-1,
+	HIPS,
+	SPINE,
+	CHEST,
+	CHEST,
+	LEFT_UPPER_ARM,
+	LEFT_LOWER_ARM,
+	CHEST,
+	RIGHT_UPPER_ARM,
+	RIGHT_LOWER_ARM,
+	HIPS,
+	LEFT_UPPER_LEG,
+	LEFT_LOWER_LEG,
+	HIPS,
+	RIGHT_UPPER_LEG,
+	RIGHT_LOWER_LEG,
+]
 
 ## Humanoid bones, best first, that mark where a limb ends.
 const TAILS: Array[Array] = [
@@ -98,16 +141,16 @@ const TORQUES: Array[float] = [
 ## Limbs whose direction the reset pose (a T-pose) prescribes, and that direction in the world.
 ## A limb that is missing here stands in the reset pose as it does at rest.
 const RESET_DIRECTIONS: Dictionary[int, Vector3] = {
-	4: Vector3.RIGHT,
-	5: Vector3.RIGHT,
-	6: Vector3.RIGHT,
-	7: Vector3.LEFT,
-	8: Vector3.LEFT,
-	9: Vector3.LEFT,
-	10: Vector3.DOWN,
-	11: Vector3.DOWN,
-	13: Vector3.DOWN,
-	14: Vector3.DOWN,
+	LEFT_UPPER_ARM: Vector3.RIGHT,
+	LEFT_LOWER_ARM: Vector3.RIGHT,
+	LEFT_HAND: Vector3.RIGHT,
+	RIGHT_UPPER_ARM: Vector3.LEFT,
+	RIGHT_LOWER_ARM: Vector3.LEFT,
+	RIGHT_HAND: Vector3.LEFT,
+	LEFT_UPPER_LEG: Vector3.DOWN,
+	LEFT_LOWER_LEG: Vector3.DOWN,
+	RIGHT_UPPER_LEG: Vector3.DOWN,
+	RIGHT_LOWER_LEG: Vector3.DOWN,
 }
 
 
@@ -123,6 +166,6 @@ static func rest_to_reset(p_limb: int, p_direction: Vector3) -> Quaternion:
 	return Quaternion(from, to)
 
 
-## The place of a bone in the tables, or -1.
+## The index of the limb that a bone stands for, or -1.
 static func find(p_bone: StringName) -> int:
 	return BONES.find(p_bone)

@@ -57,7 +57,7 @@ class Person:
 	var refused: int = 0
 	var refused_in_a_row: int = 0
 	## From sampling to the end of the tick that used the sample, ms.
-	var delay: RecentStatistics = RecentStatistics.new()
+	var delay: Statistics = Statistics.recent()
 
 
 ## Takes over the table that people are entities of.

@@ -6,12 +6,12 @@ extends RefCounted
 const RECENT_TICKS: int = 600
 
 ## Time of our own work before a step, s.
-var script_time: RecentStatistics = RecentStatistics.new()
+var script_time: Statistics = Statistics.recent()
 ## Time of reading, encoding and handing over snapshots, s.
-var send_time: RecentStatistics = RecentStatistics.new()
+var send_time: Statistics = Statistics.recent()
 ## Processor time that the main thread spends on the network in a tick, s: taking in what has come,
 ## reading, encoding and handing over snapshots.
-var network_time: RecentStatistics = RecentStatistics.new()
+var network_time: Statistics = Statistics.recent()
 ## All of it so far, µs.
 var network_usec: int = 0
 ## Whether the world keeps up with the clock.

@@ -36,14 +36,14 @@ func _time_file(p_file: String, p_rounds: int, p_report: BenchReport) -> String:
 	var clip: BvhClip = null
 	for _round: int in p_rounds:
 		var begin: int = Time.get_ticks_usec()
-		var result: BvhResult = BvhParser.parse_file(p_file)
+		var result: BvhParser.Result = BvhParser.parse_file(p_file)
 		if result.error != "":
 			return result.error
 		clip = result.clip
 		begin = _note(times[0], begin)
 		clip.prepare()
 		begin = _note(times[1], begin)
-		var pose: BvhPose = BvhPose.new()
+		var pose: BvhClip.Pose = BvhClip.Pose.new()
 		for sample: int in _SAMPLES:
 			clip.sample_at(sample / 60.0, pose)
 		begin = _note(times[2], begin)

@@ -43,7 +43,7 @@ func _initialize() -> void:
 		quit(2)
 		return
 	for rate: String in _list("rate", ["10", "15", "30", "60"]):
-		for method: String in _list("method", SmoothingMethods.BY_NAME.keys()):
+		for method: String in _list("method", WorldReplica.SMOOTHING.keys()):
 			_measure(method, rate.to_float())
 	if not _arguments.is_given("method") and not _arguments.is_given("rate"):
 		_measure_cost()
@@ -55,10 +55,10 @@ func _find_fault() -> String:
 	if _arguments.error != "":
 		return _arguments.error
 	for method: String in _arguments.list("method"):
-		if not SmoothingMethods.BY_NAME.has(method):
+		if not WorldReplica.SMOOTHING.has(method):
 			return (
 				"a method is one of %s, found '%s'"
-				% [", ".join(SmoothingMethods.BY_NAME.keys()), method]
+				% [", ".join(WorldReplica.SMOOTHING.keys()), method]
 			)
 	for rate: String in _arguments.list("rate"):
 		if not rate.is_valid_float() or rate.to_float() < 1.0 or rate.to_float() > 60.0:
@@ -96,7 +96,7 @@ func _measure(p_method: String, p_rate: float) -> void:
 	var runs: Array[Run] = []
 	for motion: Motion in _motions:
 		var run: Run = Run.new()
-		run.watch(motion, SmoothingMethods.BY_NAME[p_method], network)
+		run.watch(motion, WorldReplica.SMOOTHING[p_method], network)
 		runs.append(run)
 	var stats: Stats = Stats.new(runs)
 	var name: String = "%s at %d Hz" % [p_method, roundi(p_rate)]

@@ -33,6 +33,29 @@ func test_a_percentile_is_the_least_value_that_a_fraction_does_not_exceed() -> v
 		is_true(_share(values, found, false) < fraction)
 
 
+func test_recent_percentiles() -> void:
+	var values: Statistics = Statistics.recent()
+	equal(values.percentile(0.5), 0.0, "none")
+	for value: int in 100:
+		values.add(value + 1.0)
+	equal(values.percentile(0.5), 50.0)
+	equal(values.percentile(1.0), 100.0)
+	equal(values.percentile(1.0, 1000), 100.0, "more than there are")
+	equal(values.percentile(0.0, 10), 91.0)
+	equal(values.percentile(0.5, 10), 95.0)
+
+
+func test_the_recent_ones_also_where_the_oldest_are_replaced() -> void:
+	var values: Statistics = Statistics.recent()
+	for value: int in Statistics.RECENT + 5:
+		values.add(value)
+	equal(values.count(), Statistics.RECENT)
+	equal(values.percentile(0.0), 5.0)
+	equal(values.percentile(0.0, 10), Statistics.RECENT - 5.0)
+	equal(values.percentile(1.0, 10), Statistics.RECENT + 4.0)
+	equal(values.percentile(0.0, 3), Statistics.RECENT + 2.0)
+
+
 ## The share of values below a limit, or at most it.
 func _share(p_values: Array[float], p_limit: float, p_with: bool) -> float:
 	var below: int = 0

@@ -54,9 +54,7 @@ func test_every_method_shows_something() -> void:
 
 
 func test_the_option_names_every_method() -> void:
-	equal(SmoothingMethods.BY_NAME.size(), METHODS)
-	equal(SmoothingMethods.find(""), SnapshotSmoother.ADAPTIVE_LOW_DELAY)
-	equal(SmoothingMethods.find("linear"), SnapshotSmoother.LINEAR)
+	equal(WorldReplica.SMOOTHING.size(), METHODS)
 
 
 func test_what_makes_no_sense_is_refused() -> void:

@@ -17,8 +17,7 @@ const TOLERANCE: float = 1e-4
 ## The limb that goes on where a limb ends, -1 for hands, feet and head.
 const NEXT: Array[int] = [1, 2, 3, -1, 5, 6, -1, 8, 9, -1, 11, 12, -1, 14, 15, -1]
 
-const _TRUNK: Array[int] = [0, 1, 2]
-const _LEGS: Array[int] = [10, 11, 13, 14]
+const _TRUNK: Array[int] = [Limbs.HIPS, Limbs.SPINE, Limbs.CHEST]
 
 ## Factor of each limb's length, in the order of [constant Limbs.BONES].
 var along: PackedFloat32Array = PackedFloat32Array()
@@ -81,7 +80,7 @@ static func of_lengths(
 		return scale
 	scale._limit(told, p_ragdoll.name)
 	if _is_length(p_hip_height):
-		for limb: int in _LEGS:
+		for limb: int in Limbs.LEGS:
 			if told[limb] == 0.0:
 				told[limb] = clampf(p_hip_height / p_ragdoll.get_hip_height(), MIN, MAX)
 	scale.across = _mean(told, own)
@@ -155,7 +154,7 @@ static func _mean(p_told: PackedFloat32Array, p_own: PackedFloat32Array) -> floa
 func _measure_height(p_own: PackedFloat32Array) -> void:
 	var sums: Vector2 = Vector2.ZERO
 	for limb: int in Limbs.COUNT:
-		if limb <= 3 or _LEGS.has(limb):
+		if limb <= Limbs.HEAD or Limbs.LEGS.has(limb):
 			var length: float = p_own[limb] * (0.5 if limb > 3 else 1.0)
 			sums += Vector2(along[limb] * length, length)
 	height = sums.x / sums.y if sums.y > 0.0 else 1.0
@@ -170,7 +169,9 @@ static func _reach(p_joints: PersonSkeleton, p_limb: int) -> float:
 
 
 static func _hip_width(p_joints: PersonSkeleton) -> float:
-	return p_joints.joints_in_parent[10].distance_to(p_joints.joints_in_parent[13])
+	return p_joints.joints_in_parent[Limbs.LEFT_UPPER_LEG].distance_to(
+		p_joints.joints_in_parent[Limbs.RIGHT_UPPER_LEG]
+	)
 
 
 static func _ratio(p_told: float, p_own: float) -> float:

@@ -29,7 +29,15 @@ const _THICKNESS: Array[Vector2] = [
 	Vector2(0.026, 0.02),
 ]
 ## Limbs that are boxes: trunk, hands, feet.
-const _BOXES: Array[int] = [0, 1, 2, 6, 9, 12, 15]
+const _BOXES: Array[int] = [
+	Limbs.HIPS,
+	Limbs.SPINE,
+	Limbs.CHEST,
+	Limbs.LEFT_HAND,
+	Limbs.RIGHT_HAND,
+	Limbs.LEFT_FOOT,
+	Limbs.RIGHT_FOOT
+]
 ## Height of the hips' box as a share of the body's height.
 const _HIPS_HEIGHT: float = 0.1
 ## Length of a foot, and how far the heel lies behind the ankle, as shares of the body's height.

@@ -1,8 +1,29 @@
 class_name BodyMounts
 extends RefCounted
-## Where sensors are worn: 17 places, their names, and which limb of [Limbs] each moves with.
+## Where sensors are worn: 17 mounts, their names, and which limb of [Limbs] each moves with.
 
-## How many places there are.
+## Index of each mount in all arrays "by mount".
+enum {
+	PELVIS,
+	STERNUM,
+	HEAD,
+	LEFT_SHOULDER,
+	LEFT_UPPER_ARM,
+	LEFT_FOREARM,
+	LEFT_HAND,
+	RIGHT_SHOULDER,
+	RIGHT_UPPER_ARM,
+	RIGHT_FOREARM,
+	RIGHT_HAND,
+	LEFT_THIGH,
+	LEFT_SHANK,
+	LEFT_FOOT,
+	RIGHT_THIGH,
+	RIGHT_SHANK,
+	RIGHT_FOOT,
+}
+
+## How many mounts there are.
 const COUNT: int = 17
 
 ## Names of the places as files have them. The order is the one of all arrays "per place".
@@ -28,17 +49,67 @@ const NAMES: Array[StringName] = [
 
 ## The limb that a sensor at the place is tied to. Shoulder blades are no limb of their own: they
 ## go with the chest.
-const LIMBS: Array[int] = [0, 2, 3, 2, 4, 5, 6, 2, 7, 8, 9, 10, 11, 12, 13, 14, 15]
+const LIMBS: Array[int] = [
+	Limbs.HIPS,
+	Limbs.CHEST,
+	Limbs.HEAD,
+	Limbs.CHEST,
+	Limbs.LEFT_UPPER_ARM,
+	Limbs.LEFT_LOWER_ARM,
+	Limbs.LEFT_HAND,
+	Limbs.CHEST,
+	Limbs.RIGHT_UPPER_ARM,
+	Limbs.RIGHT_LOWER_ARM,
+	Limbs.RIGHT_HAND,
+	Limbs.LEFT_UPPER_LEG,
+	Limbs.LEFT_LOWER_LEG,
+	Limbs.LEFT_FOOT,
+	Limbs.RIGHT_UPPER_LEG,
+	Limbs.RIGHT_LOWER_LEG,
+	Limbs.RIGHT_FOOT,
+]
 
 ## The place one joint nearer to the pelvis, -1 for the pelvis.
-const PARENTS: Array[int] = [-1, 0, 1, 1, 3, 4, 5, 1, 7, 8, 9, 0, 11, 12, 0, 14, 15]
+const PARENTS: Array[int] = [
+	-1,
+	PELVIS,
+	STERNUM,
+	STERNUM,
+	LEFT_SHOULDER,
+	LEFT_UPPER_ARM,
+	LEFT_FOREARM,
+	STERNUM,
+	RIGHT_SHOULDER,
+	RIGHT_UPPER_ARM,
+	RIGHT_FOREARM,
+	PELVIS,
+	LEFT_THIGH,
+	LEFT_SHANK,
+	PELVIS,
+	RIGHT_THIGH,
+	RIGHT_SHANK,
+]
 
 ## The same place on the other side; a place in the middle is its own mirror.
-const MIRRORS: Array[int] = [0, 1, 2, 7, 8, 9, 10, 3, 4, 5, 6, 14, 15, 16, 11, 12, 13]
-
-const PELVIS: int = 0
-const STERNUM: int = 1
-const HEAD: int = 2
+const MIRRORS: Array[int] = [
+	PELVIS,
+	STERNUM,
+	HEAD,
+	RIGHT_SHOULDER,
+	RIGHT_UPPER_ARM,
+	RIGHT_FOREARM,
+	RIGHT_HAND,
+	LEFT_SHOULDER,
+	LEFT_UPPER_ARM,
+	LEFT_FOREARM,
+	LEFT_HAND,
+	RIGHT_THIGH,
+	RIGHT_SHANK,
+	RIGHT_FOOT,
+	LEFT_THIGH,
+	LEFT_SHANK,
+	LEFT_FOOT,
+]
 
 
 ## The number of a place, or -1.
@@ -53,16 +124,11 @@ static func title(p_place: int) -> String:
 
 ## 1 for the left side, -1 for the right one, 0 for the middle.
 static func side(p_place: int) -> int:
-	if p_place >= 3 and p_place <= 6 or p_place >= 11 and p_place <= 13:
+	if NAMES[p_place].begins_with("left"):
 		return 1
-	return 0 if p_place < 3 else -1
+	return -1 if NAMES[p_place].begins_with("right") else 0
 
 
 ## Whether a place is on an arm or its shoulder.
 static func is_arm(p_place: int) -> bool:
-	return p_place >= 3 and p_place <= 10
-
-
-## Whether a place is on a leg.
-static func is_leg(p_place: int) -> bool:
-	return p_place >= 11
+	return p_place >= LEFT_SHOULDER and p_place <= RIGHT_HAND

@@ -136,7 +136,7 @@ func limb_lengths() -> PackedFloat32Array:
 	if measured.is_empty() and is_equal_approx(height, USUAL_HEIGHT):
 		return lengths
 	lengths.resize(Limbs.COUNT)
-	for limb: int in [4, 5, 7, 8, 10, 11, 13, 14]:
+	for limb: int in Limbs.ARMS + Limbs.LEGS:
 		lengths[limb] = limb_length(limb)
 	return lengths
 
@@ -148,10 +148,10 @@ func joints() -> PackedVector3Array:
 	var shoulders: float = hips + length(&"trunk")
 	var found: PackedVector3Array = PackedVector3Array()
 	found.resize(Limbs.COUNT)
-	found[0] = Vector3(0.0, hips, 0.0)
-	found[1] = Vector3(0.0, hips + limb_length(0), 0.0)
-	found[2] = found[1] + Vector3(0.0, limb_length(1), 0.0)
-	found[3] = Vector3(0.0, shoulders + length(&"head") * 0.15, 0.0)
+	found[Limbs.HIPS] = Vector3(0.0, hips, 0.0)
+	found[Limbs.SPINE] = Vector3(0.0, hips + limb_length(Limbs.HIPS), 0.0)
+	found[Limbs.CHEST] = found[Limbs.SPINE] + Vector3(0.0, limb_length(Limbs.SPINE), 0.0)
+	found[Limbs.HEAD] = Vector3(0.0, shoulders + length(&"head") * 0.15, 0.0)
 	for side: int in 2:
 		var sign: float = 1.0 - 2.0 * side
 		var arm: int = 4 + 3 * side
@@ -175,13 +175,13 @@ func joints() -> PackedVector3Array:
 func tails() -> PackedVector3Array:
 	var bases: PackedVector3Array = joints()
 	var found: PackedVector3Array = bases.duplicate()
-	for limb: int in [0, 1, 4, 5, 7, 8, 10, 11, 13, 14]:
+	for limb: int in [Limbs.HIPS, Limbs.SPINE] + Limbs.ARMS + Limbs.LEGS:
 		found[limb] = bases[limb + 1]
-	found[2] = Vector3(0.0, length(&"hip_height") + length(&"trunk"), 0.0)
-	found[3] = Vector3(0.0, found[2].y + length(&"head"), 0.0)
-	found[6] += Vector3.RIGHT * length(&"hand")
-	found[9] += Vector3.LEFT * length(&"hand")
-	for foot: int in [12, 15]:
+	found[Limbs.CHEST] = Vector3(0.0, length(&"hip_height") + length(&"trunk"), 0.0)
+	found[Limbs.HEAD] = Vector3(0.0, found[Limbs.CHEST].y + length(&"head"), 0.0)
+	found[Limbs.LEFT_HAND] += Vector3.RIGHT * length(&"hand")
+	found[Limbs.RIGHT_HAND] += Vector3.LEFT * length(&"hand")
+	for foot: int in Limbs.FEET:
 		found[foot] += Vector3(0.0, -length(&"foot_height") * 0.8, length(&"foot_length") * 0.7)
 	return found
 

@@ -6,7 +6,14 @@ extends RefCounted
 ## Offsets do not count, only how far the turns spread about their mean.
 
 ## The places of both legs, see [BodyMounts].
-const PLACES: PackedInt32Array = [11, 12, 13, 14, 15, 16]
+const PLACES: PackedInt32Array = [
+	BodyMounts.LEFT_THIGH,
+	BodyMounts.LEFT_SHANK,
+	BodyMounts.LEFT_FOOT,
+	BodyMounts.RIGHT_THIGH,
+	BodyMounts.RIGHT_SHANK,
+	BodyMounts.RIGHT_FOOT
+]
 ## The joints: places that are neighbours.
 const JOINTS: Array[Vector2i] = [
 	Vector2i(11, 12), Vector2i(12, 13), Vector2i(14, 15), Vector2i(15, 16)

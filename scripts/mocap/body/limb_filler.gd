@@ -25,6 +25,16 @@ const HANGING: Vector3 = Vector3(0.15, -0.98, 0.1)
 ## Share of a shank's way backwards by which the thigh comes ahead.
 const KNEE_SHARE: float = 0.5
 
+# What the pelvis' heading is taken from, best first, if not both thighs are known.
+const _PELVIS_BY: Array[int] = [
+	BodyMounts.STERNUM,
+	BodyMounts.HEAD,
+	BodyMounts.LEFT_THIGH,
+	BodyMounts.RIGHT_THIGH,
+	BodyMounts.LEFT_SHANK,
+	BodyMounts.RIGHT_SHANK,
+]
+
 ## Rotations of the places; those that are not known are filled by [method fill].
 var rotations: Array[Quaternion] = []
 ## Which places are known: 1 or 0. [method fill] leaves it.
@@ -61,28 +71,30 @@ func set_place(p_place: int, p_rotation: Quaternion) -> void:
 func fill() -> void:
 	_has = known.duplicate()
 	_fill_trunk()
-	_fill_arm(4, 1.0)
-	_fill_arm(8, -1.0)
-	_fill_leg(11)
-	_fill_leg(14)
+	_fill_arm(BodyMounts.LEFT_UPPER_ARM, 1.0)
+	_fill_arm(BodyMounts.RIGHT_UPPER_ARM, -1.0)
+	_fill_leg(BodyMounts.LEFT_THIGH)
+	_fill_leg(BodyMounts.RIGHT_THIGH)
 	measured.fill(0)
 	for place: int in BodyMounts.COUNT:
-		if place == 3 or place == 7:
+		if place == BodyMounts.LEFT_SHOULDER or place == BodyMounts.RIGHT_SHOULDER:
 			continue
 		limbs[BodyMounts.LIMBS[place]] = rotations[place]
 		measured[BodyMounts.LIMBS[place]] = known[place]
-	limbs[1] = rotations[BodyMounts.PELVIS].slerp(rotations[BodyMounts.STERNUM], 0.5)
+	limbs[Limbs.SPINE] = rotations[BodyMounts.PELVIS].slerp(rotations[BodyMounts.STERNUM], 0.5)
 
 
 func _fill_trunk() -> void:
 	var pelvis: int = BodyMounts.PELVIS
 	var chest: int = BodyMounts.STERNUM
 	var head: int = BodyMounts.HEAD
+	var left: int = BodyMounts.LEFT_SHOULDER
+	var right: int = BodyMounts.RIGHT_SHOULDER
 	if _has[chest] == 0:
-		if _has[3] != 0 and _has[7] != 0:
-			_put(chest, rotations[3].slerp(rotations[7], 0.5))
-		elif _has[3] != 0 or _has[7] != 0:
-			_put(chest, rotations[3] if _has[3] != 0 else rotations[7])
+		if _has[left] != 0 and _has[right] != 0:
+			_put(chest, rotations[left].slerp(rotations[right], 0.5))
+		elif _has[left] != 0 or _has[right] != 0:
+			_put(chest, rotations[left] if _has[left] != 0 else rotations[right])
 	if _has[pelvis] == 0:
 		_put(pelvis, _pelvis_from_others())
 	if _has[chest] == 0:
@@ -91,16 +103,18 @@ func _fill_trunk() -> void:
 		_put(chest, rotations[pelvis].slerp(above, 0.3))
 	if _has[head] == 0:
 		_put(head, rotations[chest])
-	for blade: int in [3, 7]:
+	for blade: int in [left, right]:
 		if _has[blade] == 0:
 			_put(blade, rotations[chest])
 
 
 func _pelvis_from_others() -> Quaternion:
-	if _has[11] != 0 and _has[14] != 0:
+	var left: int = BodyMounts.LEFT_THIGH
+	var right: int = BodyMounts.RIGHT_THIGH
+	if _has[left] != 0 and _has[right] != 0:
 		# Between the thighs, upright: thighs swing, the pelvis hardly does.
-		return Rotations.yaw(Rotations.yaw_of(rotations[11].slerp(rotations[14], 0.5)))
-	for place: int in [BodyMounts.STERNUM, BodyMounts.HEAD, 11, 14, 12, 15]:
+		return Rotations.yaw(Rotations.yaw_of(rotations[left].slerp(rotations[right], 0.5)))
+	for place: int in _PELVIS_BY:
 		if _has[place] != 0:
 			return Rotations.yaw(Rotations.yaw_of(rotations[place]))
 	return Quaternion.IDENTITY

@@ -5,7 +5,10 @@ extends RefCounted
 ## [code]--root=inertial[/code] sees it).
 
 ## Places of the legs in [Limbs]: thigh, shank, foot.
-const _LEGS: Array[Array] = [[10, 11, 12], [13, 14, 15]]
+const _LEGS: Array[Array] = [
+	[Limbs.LEFT_UPPER_LEG, Limbs.LEFT_LOWER_LEG, Limbs.LEFT_FOOT],
+	[Limbs.RIGHT_UPPER_LEG, Limbs.RIGHT_LOWER_LEG, Limbs.RIGHT_FOOT]
+]
 
 ## From the hips' middle to each hip joint in the hips' frame, then along each limb in its own: m.
 var _hip_joints: PackedVector3Array = PackedVector3Array()

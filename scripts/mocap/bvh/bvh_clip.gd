@@ -10,6 +10,16 @@ extends RefCounted
 ## The first question for an orientation computes those of all frames, about 20 us a frame; ask
 ## [method prepare] to do it earlier or in another thread. After it, any thread may read.
 
+
+## Where all joints of a clip are at one time, in Godot's frame.
+class Pose:
+	## Rotation of each joint in the world from the rest pose, in which all are the identity. An end
+	## site has its parent's.
+	var orientations: Array[Quaternion] = []
+	## Position of each joint in the world, m.
+	var positions: PackedVector3Array = PackedVector3Array()
+
+
 ## Name of the file.
 var source_name: String = ""
 ## The joints and end sites, each after its parent; the root is the first.
@@ -120,13 +130,13 @@ func global_orientation(p_frame: int, p_joint: int) -> Quaternion:
 
 ## All joints in one frame; before the first and after the last frame these two stay. Fills
 ## [param p_into] if given, to save memory being allocated.
-func sample_global(p_frame: int, p_into: BvhPose = null) -> BvhPose:
+func sample_global(p_frame: int, p_into: Pose = null) -> Pose:
 	return _sample(_clamped(p_frame), _clamped(p_frame), 0.0, p_into)
 
 
 ## All joints at a time in s, between two frames; before the start and after the end the first and
 ## last frame stay. Fills [param p_into] if given, to save memory being allocated.
-func sample_at(p_time: float, p_into: BvhPose = null) -> BvhPose:
+func sample_at(p_time: float, p_into: Pose = null) -> Pose:
 	var last: float = maxi(frame_count - 1, 0)
 	var at: float = clampf(p_time / frame_time, 0.0, last)
 	var first: int = int(at)
@@ -169,9 +179,9 @@ func _clamped(p_frame: int) -> int:
 	return clampi(p_frame, 0, maxi(frame_count - 1, 0))
 
 
-func _sample(p_first: int, p_second: int, p_weight: float, p_into: BvhPose) -> BvhPose:
+func _sample(p_first: int, p_second: int, p_weight: float, p_into: Pose) -> Pose:
 	prepare()
-	var pose: BvhPose = p_into if p_into != null else BvhPose.new()
+	var pose: Pose = p_into if p_into != null else Pose.new()
 	var count: int = joints.size()
 	pose.orientations.resize(count)
 	pose.positions.resize(count)

@@ -124,11 +124,11 @@ func _read_offset(p_index: int) -> bool:
 	var offset: Vector3 = Vector3.ZERO
 	for axis: int in 3:
 		var word: String = _lexer.peek()
-		if not BvhNumber.is_number(word):
+		if not BvhText.is_number(word):
 			return _fail_offset(line, word)
 		offset[axis] = _lexer.take().to_float()
 	joints[p_index].offset = offset
-	if not _lexer.is_line_done() and BvhNumber.is_number(_lexer.peek()):
+	if not _lexer.is_line_done() and BvhText.is_number(_lexer.peek()):
 		return _fail_offset(line, "")
 	return true
 
@@ -138,7 +138,8 @@ func _fail_offset(p_line: int, p_word: String) -> bool:
 	if _lexer.line_index() != p_line:
 		found += " and then %s" % BvhLexer.quote(p_word)
 	return _lexer.fail_at(
-		p_line, "expected 'OFFSET' with 3 numbers, found %s%s" % [found, BvhNumber.hint(p_word)]
+		p_line,
+		"expected 'OFFSET' with 3 numbers, found %s%s" % [found, BvhText.hint_at_number(p_word)]
 	)
 
 

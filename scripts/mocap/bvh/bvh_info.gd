@@ -19,7 +19,7 @@ func _initialize() -> void:
 		printerr(fault)
 		quit(2)
 		return
-	var result: BvhResult = BvhParser.parse_file(_path, _options)
+	var result: BvhParser.Result = BvhParser.parse_file(_path, _options)
 	if not result.is_ok():
 		printerr(result.error)
 		quit(2)

@@ -69,11 +69,3 @@ static func is_position(p_channel: int) -> bool:
 ## Whether a channel is a rotation.
 static func is_rotation(p_channel: int) -> bool:
 	return p_channel >= Channel.X_ROTATION and p_channel <= Channel.Z_ROTATION
-
-
-## Whether any of the joint's channels is a position.
-func has_position() -> bool:
-	for channel: int in channels:
-		if is_position(channel):
-			return true
-	return false

@@ -83,7 +83,7 @@ func _read_frame_time() -> bool:
 	var time: String = _read_header("^(?i)frame\\s*time(?:\\s*:\\s*|\\s+)(\\S.*)$", wanted)
 	if time.is_empty():
 		return false
-	frame_time = time.to_float() if BvhNumber.is_number(time) else -1.0
+	frame_time = time.to_float() if BvhText.is_number(time) else -1.0
 	if frame_time < MIN_FRAME_TIME or frame_time > MAX_FRAME_TIME:
 		return _lexer.fail_at(
 			_lexer.line_index(),
@@ -94,7 +94,7 @@ func _read_frame_time() -> bool:
 					MIN_FRAME_TIME,
 					int(MAX_FRAME_TIME),
 					BvhLexer.quote(time),
-					BvhNumber.hint(time)
+					BvhText.hint_at_number(time)
 				]
 			)
 		)
@@ -102,7 +102,7 @@ func _read_frame_time() -> bool:
 
 
 func _read_rows() -> bool:
-	var only_numbers: RegEx = BvhNumber.line_expression()
+	var only_numbers: RegEx = BvhText.number_line()
 	for index: int in range(_lexer.line_index() + 1, _lexer.line_count()):
 		var line: String = _lexer.raw_line(index)
 		if only_numbers.search(line) == null:
@@ -125,12 +125,17 @@ func _check_words(p_index: int, p_line: String) -> bool:
 	var words: PackedStringArray = p_line.split(" ", false)
 	for position: int in words.size():
 		var word: String = words[position]
-		if not BvhNumber.is_number(word):
+		if not BvhText.is_number(word):
 			return _lexer.fail_at(
 				p_index,
 				(
 					"expected a number, found %s as number %d of frame %d%s"
-					% [BvhLexer.quote(word), position + 1, _row_count + 1, BvhNumber.hint(word)]
+					% [
+						BvhLexer.quote(word),
+						position + 1,
+						_row_count + 1,
+						BvhText.hint_at_number(word)
+					]
 				)
 			)
 	return true

@@ -45,7 +45,7 @@ static func parse_unit(p_text: String) -> float:
 	var text: String = p_text.to_lower()
 	if UNITS.has(text):
 		return UNITS[text]
-	if not BvhNumber.is_number(text):
+	if not BvhText.is_number(text):
 		return 0.0
 	var metres: float = text.to_float()
 	return metres if metres >= 1e-6 and metres <= 1e6 else 0.0

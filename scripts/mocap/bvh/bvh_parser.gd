@@ -10,9 +10,22 @@ extends RefCounted
 ## methods may be called from any thread.
 
 
+## What reading a file gave: a whole clip, or the reason why there is none.
+class Result:
+	## The clip, or null if the file could not be read.
+	var clip: BvhClip = null
+	## Why not, in one line: "walk.bvh:17: expected 'OFFSET' with 3 numbers, found 'OFFSET 1 x 3'".
+	## Empty if there is a clip.
+	var error: String = ""
+
+	## Whether there is a clip.
+	func is_ok() -> bool:
+		return clip != null
+
+
 ## Reads a file. [param p_path] may be absolute or a [code]res://[/code] or [code]user://[/code]
 ## path.
-static func parse_file(p_path: String, p_options: BvhOptions = null) -> BvhResult:
+static func parse_file(p_path: String, p_options: BvhOptions = null) -> Result:
 	var options: BvhOptions = p_options if p_options != null else BvhOptions.new()
 	var name: String = "(no name)" if p_path.is_empty() else p_path.trim_suffix("/").get_file()
 	if not p_path.is_empty() and DirAccess.dir_exists_absolute(p_path):
@@ -30,7 +43,7 @@ static func parse_file(p_path: String, p_options: BvhOptions = null) -> BvhResul
 ## Reads the bytes of a file; [param p_source] is its name in errors.
 static func parse_bytes(
 	p_bytes: PackedByteArray, p_source: String = "text", p_options: BvhOptions = null
-) -> BvhResult:
+) -> Result:
 	if p_bytes.find(0) >= 0:
 		var found: String = "a zero byte"
 		if p_bytes.size() > 1 and p_bytes[0] + p_bytes[1] == 0xFF + 0xFE:
@@ -42,7 +55,7 @@ static func parse_bytes(
 ## Reads the text of a file; [param p_source] is its name in errors.
 static func parse_text(
 	p_text: String, p_source: String = "text", p_options: BvhOptions = null
-) -> BvhResult:
+) -> Result:
 	var options: BvhOptions = p_options if p_options != null else BvhOptions.new()
 	var lexer: BvhLexer = BvhLexer.new(p_text, p_source)
 	var hierarchy: BvhHierarchyReader = BvhHierarchyReader.new(lexer, options)
@@ -58,12 +71,12 @@ static func parse_text(
 	if not motion.note.is_empty():
 		clip.notes.append(motion.note)
 	BvhGuess.settle(clip, options)
-	var result: BvhResult = BvhResult.new()
+	var result: Result = Result.new()
 	result.clip = clip
 	return result
 
 
-static func _failed(p_error: String) -> BvhResult:
-	var result: BvhResult = BvhResult.new()
+static func _failed(p_error: String) -> Result:
+	var result: Result = Result.new()
 	result.error = p_error
 	return result

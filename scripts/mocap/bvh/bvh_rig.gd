@@ -79,7 +79,7 @@ func _measure() -> void:
 	across.y = 0.0
 	if across.length() > 0.01:
 		_heading = Quaternion(Vector3.UP, -atan2(-across.z, across.x))
-	hip_height = clampf(_rest[map.joints[0]].y - rest_floor(), 0.3, 1.8)
+	hip_height = clampf(_rest[map.joints[Limbs.HIPS]].y - rest_floor(), 0.3, 1.8)
 	_calibration.clear()
 	for limb: int in Limbs.COUNT:
 		var turn: Quaternion = Limbs.rest_to_reset(limb, rest_tail(limb) - rest_base(limb))
@@ -97,7 +97,7 @@ func _stands(p_places: PackedVector3Array) -> bool:
 ## The least of how far trunk and legs point up and down, -1 to 1.
 func _uprightness(p_places: PackedVector3Array) -> float:
 	var worst: float = 1.0
-	for limb: int in [1, 2, 10, 11, 13, 14]:
+	for limb: int in [Limbs.SPINE, Limbs.CHEST] + Limbs.LEGS:
 		if map.tails[limb] >= 0:
 			var along: Vector3 = p_places[map.tails[limb]] - p_places[map.bases[limb]]
 			var up: float = along.normalized().y
@@ -108,19 +108,25 @@ func _uprightness(p_places: PackedVector3Array) -> float:
 ## Takes the frame in which the person stands best for the rest pose, turned to face +Z.
 func _stand_up() -> void:
 	var best: float = -INF
-	var pose: BvhPose = null
+	var pose: BvhClip.Pose = null
 	for frame: int in range(0, clip.frame_count, maxi(clip.frame_count / 300, 1)):
-		var other: BvhPose = clip.sample_global(frame)
-		var feet: float = other.positions[map.bases[12]].y - other.positions[map.bases[15]].y
+		var other: BvhClip.Pose = clip.sample_global(frame)
+		var feet: float = (
+			other.positions[map.bases[Limbs.LEFT_FOOT]].y
+			- other.positions[map.bases[Limbs.RIGHT_FOOT]].y
+		)
 		var score: float = _uprightness(other.positions) - 2.0 * absf(feet)
 		if score > best:
 			best = score
 			pose = other
 	if best < 0.5:
 		return  # Nobody ever stands: the file's rest pose is as good as any.
-	var across: Vector3 = pose.positions[map.bases[10]] - pose.positions[map.bases[13]]
+	var across: Vector3 = (
+		pose.positions[map.bases[Limbs.LEFT_UPPER_LEG]]
+		- pose.positions[map.bases[Limbs.RIGHT_UPPER_LEG]]
+	)
 	var turn: Quaternion = Quaternion(Vector3.UP, -atan2(-across.z, across.x))
-	var origin: Vector3 = pose.positions[map.joints[0]]
+	var origin: Vector3 = pose.positions[map.joints[Limbs.HIPS]]
 	_rest_turns.clear()
 	for joint: int in pose.positions.size():
 		_rest[joint] = turn * (pose.positions[joint] - origin)
@@ -136,6 +142,6 @@ func _orientation(p_joint: int, p_time_s: float) -> Quaternion:
 
 
 func _hips(p_frame: int) -> Vector3:
-	if map.joints[0] == 0:
+	if map.joints[Limbs.HIPS] == 0:
 		return clip.root_position(p_frame)
-	return clip.sample_global(p_frame).positions[map.joints[0]]
+	return clip.sample_global(p_frame).positions[map.joints[Limbs.HIPS]]

@@ -35,7 +35,7 @@ func open(p_path: String, p_unit: String = "", p_up: String = "") -> void:
 			error = "an up axis is y or z, found '%s'" % p_up
 			return
 		options.up_axis = axes[p_up.to_lower()]
-	var result: BvhResult = BvhParser.parse_file(p_path, options)
+	var result: BvhParser.Result = BvhParser.parse_file(p_path, options)
 	error = result.error
 	if error == "":
 		use(result.clip)

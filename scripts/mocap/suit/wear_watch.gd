@@ -42,16 +42,21 @@ const PAIRS: Array[Vector2i] = [
 ]
 # For each pair the places above which a joint changes.
 const _TOUCHED: Array[Array] = [
-	[5, 6],
-	[9, 10],
-	[11, 12, 13],
-	[14, 15, 16],
-	[5, 9],
-	[5, 6, 9, 10],
-	[6, 10],
-	[11, 12, 14, 15],
-	[12, 13, 15, 16],
-	[13, 16],
+	[BodyMounts.LEFT_FOREARM, BodyMounts.LEFT_HAND],
+	[BodyMounts.RIGHT_FOREARM, BodyMounts.RIGHT_HAND],
+	[BodyMounts.LEFT_THIGH, BodyMounts.LEFT_SHANK, BodyMounts.LEFT_FOOT],
+	[BodyMounts.RIGHT_THIGH, BodyMounts.RIGHT_SHANK, BodyMounts.RIGHT_FOOT],
+	[BodyMounts.LEFT_FOREARM, BodyMounts.RIGHT_FOREARM],
+	[
+		BodyMounts.LEFT_FOREARM,
+		BodyMounts.LEFT_HAND,
+		BodyMounts.RIGHT_FOREARM,
+		BodyMounts.RIGHT_HAND
+	],
+	[BodyMounts.LEFT_HAND, BodyMounts.RIGHT_HAND],
+	[BodyMounts.LEFT_THIGH, BodyMounts.LEFT_SHANK, BodyMounts.RIGHT_THIGH, BodyMounts.RIGHT_SHANK],
+	[BodyMounts.LEFT_SHANK, BodyMounts.LEFT_FOOT, BodyMounts.RIGHT_SHANK, BodyMounts.RIGHT_FOOT],
+	[BodyMounts.LEFT_FOOT, BodyMounts.RIGHT_FOOT],
 ]
 
 ## Pairs of places whose sensors look exchanged.

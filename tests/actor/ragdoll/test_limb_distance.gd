@@ -103,7 +103,7 @@ func test_what_cannot_be_kept_apart_is_told() -> void:
 
 func test_skeletons_of_clips_have_no_overlaps() -> void:
 	for clip: String in CLIPS:
-		var result: BvhResult = BvhParser.parse_file("res://assets/motion/%s.bvh" % clip)
+		var result: BvhParser.Result = BvhParser.parse_file("res://assets/motion/%s.bvh" % clip)
 		var skeleton: Skeleton3D = BvhSkeleton.make(BvhRig.from_clip(result.clip))
 		var profile: RagdollProfile = SkeletonShapes.describe(skeleton)
 		equal(profile.find_fault(), "")

@@ -21,7 +21,7 @@ func test_rest_pose_in_metres() -> void:
 
 
 func test_positions_follow_the_rotations() -> void:
-	var pose: BvhPose = _clip(Samples.SIMPLE).sample_global(1)
+	var pose: BvhClip.Pose = _clip(Samples.SIMPLE).sample_global(1)
 	# The hips turn by 90 degrees about Z: up becomes -X. The leg then turns by 45 about its X.
 	var hips: Vector3 = Vector3(0.015, 0.9, 0)
 	almost_equal(pose.positions[0], hips)
@@ -62,7 +62,7 @@ func test_one_axis_twice() -> void:
 
 func test_half_way_between_frames() -> void:
 	var clip: BvhClip = _clip(Samples.SIMPLE)
-	var pose: BvhPose = clip.sample_at(0.25)
+	var pose: BvhClip.Pose = clip.sample_at(0.25)
 	almost_equal(pose.positions[0], Vector3(0.0075, 0.9, 0))
 	almost_equal(pose.orientations[0], Quaternion(Vector3.BACK, PI / 4))
 	almost_equal(pose.positions[2].distance_to(pose.positions[0]), 0.9, 1e-6, "bones keep length")
@@ -79,7 +79,7 @@ func test_ends_stay() -> void:
 
 func test_a_given_pose_is_filled() -> void:
 	var clip: BvhClip = _clip(Samples.SIMPLE)
-	var pose: BvhPose = BvhPose.new()
+	var pose: BvhClip.Pose = BvhClip.Pose.new()
 	equal(clip.sample_at(0.3, pose), pose)
 	equal(pose.positions, clip.sample_at(0.3).positions)
 
@@ -100,8 +100,8 @@ func test_z_up_is_turned() -> void:
 	clip.prepare()
 	clip.up_axis = BvhOptions.UpAxis.Z
 	var turn: Quaternion = Quaternion(Vector3.RIGHT, -PI / 2)
-	var y_up: BvhPose = _clip(text).sample_global(1)
-	var z_up: BvhPose = clip.sample_global(1)
+	var y_up: BvhClip.Pose = _clip(text).sample_global(1)
+	var z_up: BvhClip.Pose = clip.sample_global(1)
 	for joint: int in clip.joints.size():
 		almost_equal(z_up.positions[joint], turn * y_up.positions[joint])
 		almost_equal(z_up.orientations[joint], turn * y_up.orientations[joint] * turn.inverse())
@@ -112,7 +112,7 @@ func test_position_channels_replace_the_offset_or_add_to_it() -> void:
 	var options: BvhOptions = BvhOptions.new()
 	options.unit_metres = 1.0
 	options.up_axis = BvhOptions.UpAxis.Y
-	var pose: BvhPose = BvhParser.parse_file(path, options).clip.sample_global(0)
+	var pose: BvhClip.Pose = BvhParser.parse_file(path, options).clip.sample_global(0)
 	almost_equal(
 		pose.positions, [Vector3(5, 90, 7), Vector3(6, 150, 10), Vector3(6, 150, 40)], 1e-4
 	)
@@ -181,6 +181,6 @@ func _one_joint(p_channels: String, p_rows: String) -> BvhClip:
 
 
 func _clip(p_text: String) -> BvhClip:
-	var result: BvhResult = BvhParser.parse_text(p_text, "clip.bvh")
+	var result: BvhParser.Result = BvhParser.parse_text(p_text, "clip.bvh")
 	equal(result.error, "")
 	return result.clip

@@ -242,7 +242,7 @@ func test_files_that_cannot_be_opened() -> void:
 	)
 	var options: BvhOptions = BvhOptions.new()
 	options.max_bytes = 100
-	var result: BvhResult = BvhParser.parse_file("res://tests/data/bvh/old_mac.bvh", options)
+	var result: BvhParser.Result = BvhParser.parse_file("res://tests/data/bvh/old_mac.bvh", options)
 	_is_error(result, "")
 	options.max_bytes = 10
 	result = BvhParser.parse_file("res://tests/data/bvh/old_mac.bvh", options)
@@ -253,6 +253,6 @@ func _error(p_text: String, p_wanted: String) -> void:
 	_is_error(BvhParser.parse_text(p_text, "walk.bvh"), "walk.bvh:" + p_wanted)
 
 
-func _is_error(p_result: BvhResult, p_wanted: String) -> void:
+func _is_error(p_result: BvhParser.Result, p_wanted: String) -> void:
 	equal(p_result.error, p_wanted)
 	equal(p_result.is_ok(), p_wanted.is_empty())

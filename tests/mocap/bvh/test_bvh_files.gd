@@ -37,7 +37,7 @@ func test_carnegie_mellon_01_01() -> void:
 	_has_shape(clip, [31, 7, 96, 2752], 0.0083333, "CMU")
 	equal(clip.value(0, 0, 0), 9.3722)
 	equal(clip.value(2751, 0, 1), clip.values[2751 * 96 + 1])
-	var pose: BvhPose = clip.sample_global(1000)
+	var pose: BvhClip.Pose = clip.sample_global(1000)
 	_is_at(clip, pose, "Head", Vector3(0.525543, 1.442308, 2.585238))
 	_is_at(clip, pose, "LeftHand", Vector3(0.763941, 0.893498, 2.578662))
 	_is_at(clip, pose, "RightFoot", Vector3(0.39729, 0.112782, 2.439967))
@@ -52,7 +52,7 @@ func test_carnegie_mellon_01_01() -> void:
 func test_carnegie_mellon_01_03() -> void:
 	var clip: BvhClip = _clip(MOTION + "01_03.bvh")
 	_has_shape(clip, [31, 7, 96, 4511], 0.0083333, "CMU")
-	var pose: BvhPose = clip.sample_global(4510)
+	var pose: BvhClip.Pose = clip.sample_global(4510)
 	_is_at(clip, pose, "Head", Vector3(-0.2529, 1.402648, 0.694528))
 	_is_at(clip, pose, "RightFoot", Vector3(-0.29819, 0.133416, 0.832372))
 	almost_equal(
@@ -72,7 +72,7 @@ func test_carnegie_mellon_boxing() -> void:
 			["Boxing_Toes.bvh:128: 3069 frames declared, 3070 found; the last one is left out"]
 		)
 	)
-	var pose: BvhPose = clip.sample_global(2000)
+	var pose: BvhClip.Pose = clip.sample_global(2000)
 	_is_at(clip, pose, "Head", Vector3(-0.001924, 1.301835, 0.630635))
 	almost_equal(
 		pose.orientations[clip.find_joint("Head")],
@@ -120,7 +120,7 @@ func test_z_up_metres() -> void:
 	equal(clip.up_axis, BvhOptions.UpAxis.Z)
 	equal(clip.unit_metres, 1.0)
 	almost_equal(clip.root_position(0), Vector3(1, 0.9, -2))
-	var pose: BvhPose = clip.sample_global(0)
+	var pose: BvhClip.Pose = clip.sample_global(0)
 	almost_equal(pose.positions[clip.find_joint("Head")], Vector3(1, 1.6, -2))
 	# Turned by 90 degrees about the file's Z, so about Godot's Y.
 	almost_equal(pose.positions[clip.find_joint("LeftFoot")], Vector3(1, 0, -2.1))
@@ -133,7 +133,7 @@ func test_names_beyond_ascii() -> void:
 
 
 func _clip(p_path: String) -> BvhClip:
-	var result: BvhResult = BvhParser.parse_file(p_path)
+	var result: BvhParser.Result = BvhParser.parse_file(p_path)
 	equal(result.error, "")
 	return result.clip
 
@@ -147,7 +147,7 @@ func _has_shape(p_clip: BvhClip, p_counts: Array[int], p_time: float, p_unit: St
 	equal(p_clip.up_axis, BvhOptions.UpAxis.Y)
 
 
-func _is_at(p_clip: BvhClip, p_pose: BvhPose, p_joint: String, p_place: Vector3) -> void:
+func _is_at(p_clip: BvhClip, p_pose: BvhClip.Pose, p_joint: String, p_place: Vector3) -> void:
 	almost_equal(p_pose.positions[p_clip.find_joint(p_joint)], p_place, 1e-5, p_joint)
 
 

@@ -78,7 +78,7 @@ func _seeds() -> Array[PackedByteArray]:
 
 
 func _check_file(p_bytes: PackedByteArray, p_number: int) -> void:
-	var result: BvhResult = BvhParser.parse_bytes(p_bytes, "fuzz.bvh")
+	var result: BvhParser.Result = BvhParser.parse_bytes(p_bytes, "fuzz.bvh")
 	if result.is_ok() != result.error.is_empty():
 		fail("file %d gave both a clip and an error, or none" % p_number)
 	if not result.is_ok():
@@ -89,7 +89,7 @@ func _check_file(p_bytes: PackedByteArray, p_number: int) -> void:
 	var clip: BvhClip = result.clip
 	if clip.values.size() != clip.frame_count * clip.channel_count:
 		fail("file %d: %d numbers" % [p_number, clip.values.size()])
-	var pose: BvhPose = clip.sample_at(_random.randf() * clip.duration())
+	var pose: BvhClip.Pose = clip.sample_at(_random.randf() * clip.duration())
 	for joint: int in clip.joints.size():
 		if not pose.positions[joint].is_finite() or not pose.orientations[joint].is_normalized():
 			fail("file %d: joint %d is nowhere" % [p_number, joint])

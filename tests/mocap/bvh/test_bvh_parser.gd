@@ -140,11 +140,11 @@ func test_bytes_and_encodings() -> void:
 func test_parses_in_a_thread() -> void:
 	var thread: Thread = Thread.new()
 	thread.start(BvhParser.parse_text.bind(Samples.SIMPLE))
-	var result: BvhResult = thread.wait_to_finish()
+	var result: BvhParser.Result = thread.wait_to_finish()
 	is_true(result.is_ok())
 
 
 func _clip(p_text: String) -> BvhClip:
-	var result: BvhResult = BvhParser.parse_text(p_text, "simple.bvh")
+	var result: BvhParser.Result = BvhParser.parse_text(p_text, "simple.bvh")
 	equal(result.error, "")
 	return result.clip

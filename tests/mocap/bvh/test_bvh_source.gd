@@ -79,7 +79,7 @@ func test_stands_on_the_ground() -> void:
 		source.open(FOLDER + file)
 		var heights: Statistics = Statistics.new()
 		for step: int in int(source.rig.clip.duration() * 10.0):
-			var pose: BvhPose = source.rig.clip.sample_at(step / 10.0)
+			var pose: BvhClip.Pose = source.rig.clip.sample_at(step / 10.0)
 			var lowest: float = INF
 			for place: Vector3 in pose.positions:
 				lowest = minf(lowest, place.y)

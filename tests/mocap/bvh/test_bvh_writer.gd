@@ -20,7 +20,7 @@ func test_random_clips_survive() -> void:
 	random.seed = 20080901
 	for round_number: int in 300:
 		var clip: BvhClip = Samples.random_clip(random)
-		var result: BvhResult = BvhParser.parse_text(BvhWriter.to_text(clip), "random.bvh")
+		var result: BvhParser.Result = BvhParser.parse_text(BvhWriter.to_text(clip), "random.bvh")
 		equal(result.error, "", "round %d" % round_number)
 		if not result.is_ok():
 			continue
