@@ -3,8 +3,8 @@ extends CanvasLayer
 ## Everything about motion capture at a client: the sources that the options ask for, calibrations,
 ## and the panel with devices and sensors, which a key opens.
 
-## Key that opens and closes the panel.
-const KEY: Key = KEY_M
+## Input action that opens and closes the panel.
+const ACTION: StringName = &"toggle_devices"
 ## How often devices are listed anew, s.
 const _PERIOD_S: float = 0.25
 
@@ -76,8 +76,7 @@ func close() -> void:
 
 
 func _unhandled_key_input(p_event: InputEvent) -> void:
-	var key: InputEventKey = p_event as InputEventKey
-	if people != null and key.pressed and not key.echo and key.keycode == KEY:
+	if people != null and p_event.is_action_pressed(ACTION):
 		_show_panel(not is_panel_open())
 		get_viewport().set_input_as_handled()
 

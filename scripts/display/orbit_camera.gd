@@ -23,8 +23,8 @@ var _centre: Vector3 = Vector3(0.0, 1.0, 0.0)
 func _process(p_delta: float) -> void:
 	var turn: Vector2 = Vector2.ZERO
 	if takes_keys:
-		turn.x = Input.get_axis(&"ui_left", &"ui_right")
-		turn.y = Input.get_axis(&"ui_down", &"ui_up")
+		turn.x = Input.get_axis(&"camera_left", &"camera_right")
+		turn.y = Input.get_axis(&"camera_down", &"camera_up")
 	azimuth += turn.x * p_delta
 	elevation = clampf(elevation + turn.y * p_delta, deg_to_rad(-80.0), deg_to_rad(85.0))
 	_centre = _centre.lerp(target, 1.0 - exp(-follow_speed * p_delta))

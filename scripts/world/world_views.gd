@@ -23,15 +23,10 @@ var _shown: Dictionary[StringName, bool] = {&"mesh": true, &"static": true, &"ph
 
 
 func _unhandled_key_input(p_event: InputEvent) -> void:
-	var key: InputEventKey = p_event as InputEventKey
-	if key == null or not key.pressed or key.echo:
-		return
-	var index: int = [KEY_1, KEY_2, KEY_3].find(key.keycode)
-	if index < 0:
-		index = [KEY_KP_1, KEY_KP_2, KEY_KP_3].find(key.keycode)
-	if index >= 0:
-		toggle(NAMES[index])
-		get_viewport().set_input_as_handled()
+	for world: StringName in NAMES:
+		if p_event.is_action_pressed(&"view_" + world):
+			toggle(world)
+			get_viewport().set_input_as_handled()
 
 
 ## Whether a world is shown.

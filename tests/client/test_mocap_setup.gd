@@ -88,7 +88,7 @@ func _open(p_arguments: PackedStringArray) -> String:
 
 func _press() -> void:
 	var event: InputEventKey = InputEventKey.new()
-	event.keycode = MocapSetup.KEY
+	event.keycode = KEY_M
 	event.pressed = true
 	get_window().push_input(event)
 	await process_frames(2)

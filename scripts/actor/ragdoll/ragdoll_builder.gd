@@ -8,10 +8,6 @@ extends RefCounted
 
 ## Name of the node that holds the bones.
 const SIMULATOR: StringName = &"PhysicalBoneSimulator3D"
-## Physics layer of people.
-const LAYER_ACTORS: int = 2
-## What people collide with: world (1), people (2), props (4).
-const MASK_ACTORS: int = 7
 ## Friction of clothes and boots.
 const FRICTION: float = 0.8
 
@@ -91,8 +87,8 @@ static func _make_bone(p_limb: RagdollLimb, p_mass: float) -> PhysicalBone3D:
 	bone.linear_damp = 0.0
 	bone.angular_damp_mode = PhysicalBone3D.DAMP_MODE_REPLACE
 	bone.angular_damp = 0.0
-	bone.collision_layer = LAYER_ACTORS
-	bone.collision_mask = MASK_ACTORS
+	bone.collision_layer = PhysicsLayers.PEOPLE
+	bone.collision_mask = PhysicsLayers.ALL
 	var shape: CollisionShape3D = CollisionShape3D.new()
 	shape.name = "Shape"
 	shape.shape = make_shape(p_limb)

@@ -238,8 +238,8 @@ func _place(p_bone: StringName) -> Vector3:
 func _make_ball() -> RigidBody3D:
 	var ball: RigidBody3D = RigidBody3D.new()
 	ball.mass = _BALL_MASS_KG
-	ball.collision_layer = 4
-	ball.collision_mask = 7
+	ball.collision_layer = PhysicsLayers.PROPS
+	ball.collision_mask = PhysicsLayers.ALL
 	ball.continuous_cd = true
 	var shape: CollisionShape3D = CollisionShape3D.new()
 	var sphere: SphereShape3D = SphereShape3D.new()

@@ -2,8 +2,8 @@ class_name LatencyPanel
 extends Control
 ## The delays of the session on the screen: histogram, stages, table. A key opens and closes it.
 
-## Key that opens and closes it.
-const KEY: Key = KEY_L
+## Input action that opens and closes it.
+const ACTION: StringName = &"toggle_latency"
 ## Seconds between two drawings: percentiles are not worth more.
 const PERIOD_S: float = 0.5
 
@@ -29,8 +29,7 @@ func _process(p_delta: float) -> void:
 
 
 func _unhandled_key_input(p_event: InputEvent) -> void:
-	var key: InputEventKey = p_event as InputEventKey
-	if key != null and key.pressed and not key.echo and key.keycode == KEY:
+	if p_event.is_action_pressed(ACTION):
 		visible = not visible
 		queue_redraw()
 

@@ -103,8 +103,8 @@ func _add_free(p_shape: Shape3D, p_place: Vector3, p_mass: float) -> RigidBody3D
 	body.position = p_place
 	body.continuous_cd = true
 	body.can_sleep = false
-	body.collision_layer = 4
-	body.collision_mask = 7
+	body.collision_layer = PhysicsLayers.PROPS
+	body.collision_mask = PhysicsLayers.ALL
 	_add(body, p_shape)
 	return body
 

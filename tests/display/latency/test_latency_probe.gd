@@ -175,7 +175,7 @@ func test_the_panel_opens_and_closes_with_its_key() -> void:
 	is_false(panel.visible)
 	for opened: bool in [true, false, true]:
 		var key: InputEventKey = InputEventKey.new()
-		key.keycode = LatencyPanel.KEY
+		key.keycode = KEY_L
 		key.pressed = true
 		panel._unhandled_key_input(key)
 		equal(panel.visible, opened)
