@@ -34,6 +34,7 @@ func configure(p_role: String, p_options: Options) -> void:
 
 
 func _ready() -> void:
+	ClientPhysics.begin()
 	if DisplayServer.get_name() == "headless":
 		var frames: int = _options.number("fps")
 		Engine.max_fps = frames if frames > 0 else _HEADLESS_FPS

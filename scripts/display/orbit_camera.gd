@@ -3,6 +3,9 @@ extends Camera3D
 ## A camera that circles around what it watches. Drag with the mouse to turn, wheel to come closer,
 ## arrow keys likewise; it follows its target softly.
 
+## Distance that it keeps from what it does not pass, m.
+const _CLEARANCE_M: float = 0.15
+
 ## Where it looks from: angle about the vertical, 0 from +Z.
 @export_range(-180.0, 180.0, 0.1, "radians_as_degrees") var azimuth: float = deg_to_rad(35.0)
 ## Where it looks from: angle above the horizon.
@@ -13,6 +16,8 @@ extends Camera3D
 @export_range(0.1, 50.0, 0.1) var follow_speed: float = 6.0
 ## Whether arrow keys turn it.
 @export var takes_keys: bool = true
+## What it does not pass: it comes closer where one of these would stand between it and its target.
+@export_flags_3d_physics var obstacles: int = 0
 
 ## What it watches, in the world, m.
 var target: Vector3 = Vector3(0.0, 1.0, 0.0)
@@ -29,7 +34,8 @@ func _process(p_delta: float) -> void:
 	elevation = clampf(elevation + turn.y * p_delta, deg_to_rad(-80.0), deg_to_rad(85.0))
 	_centre = _centre.lerp(target, 1.0 - exp(-follow_speed * p_delta))
 	var direction: Vector3 = Vector3.BACK.rotated(Vector3.RIGHT, -elevation)
-	position = _centre + direction.rotated(Vector3.UP, azimuth) * distance
+	direction = direction.rotated(Vector3.UP, azimuth)
+	position = _centre + direction * _free_distance(direction)
 	look_at(_centre)
 
 
@@ -46,6 +52,20 @@ func _unhandled_input(p_event: InputEvent) -> void:
 			distance = maxf(distance * 0.9, 0.5)
 		elif button == MOUSE_BUTTON_WHEEL_DOWN:
 			distance = minf(distance * 1.1, 50.0)
+
+
+## How far it can be from its target in a direction, m.
+func _free_distance(p_direction: Vector3) -> float:
+	if obstacles == 0:
+		return distance
+	var end: Vector3 = _centre + p_direction * distance
+	var ray: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.create(
+		_centre, end, obstacles
+	)
+	var hit: Dictionary = get_world_3d().direct_space_state.intersect_ray(ray)
+	if hit.is_empty():
+		return distance
+	return maxf(_centre.distance_to(hit["position"]) - _CLEARANCE_M, _CLEARANCE_M)
 
 
 ## Jumps to the target at once.

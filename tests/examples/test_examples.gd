@@ -1,0 +1,73 @@
+extends TestCase
+## The examples work as their README says, also without a server.
+
+const DOOR: PackedScene = preload("res://examples/01_door/01_door.tscn")
+const TURNTABLE: PackedScene = preload("res://examples/02_turntable/02_turntable.tscn")
+const HEALTH: PackedScene = preload("res://examples/03_health/03_health.tscn")
+
+
+func test_a_door_opens_closes_and_slams() -> void:
+	var scene: Node = DOOR.instantiate()
+	add_child(scene)
+	await process_frames(2)
+	var entity: Entity = Entity.find_in(scene)
+	var events: Array[StringName] = []
+	entity.happened.connect(
+		func(event: StringName, _values: PackedFloat32Array) -> void: events.append(event)
+	)
+	var button: Interactable = scene.find_children("*", "Marker3D", true, false)[0]
+	button.interact()
+	await _until(func() -> bool: return entity.get_value(&"opening") == 1.0)
+	var leaf: Node3D = scene.get_node(^"Thing/Leaf")
+	almost_equal(leaf.position.x, 1.4, 0.01)
+	equal(events, [] as Array[StringName])
+	button.interact()
+	await _until(func() -> bool: return entity.get_value(&"opening") == 0.0)
+	equal(events, [&"slammed"] as Array[StringName])
+	scene.free()
+
+
+func test_a_turntable_is_taken_steered_and_left() -> void:
+	var scene: Node = TURNTABLE.instantiate()
+	add_child(scene)
+	await process_frames(2)
+	var entity: Entity = Entity.find_in(scene)
+	var seat: Seat = scene.get_node(^"Thing/Disc/Seat")
+	equal(seat.get_prompt(), "take the seat and steer")
+	seat.interact()
+	is_true(seat.is_mine())
+	equal(seat.get_prompt(), "leave")
+	entity.send_command(&"steer", [1.0])
+	var disc: Node3D = scene.get_node(^"Thing/Disc")
+	await _until(func() -> bool: return disc.rotation.y > 0.2)
+	seat.interact()
+	equal(seat.occupant(), 0)
+	await _until(func() -> bool: return entity.get_value(&"speed") == 0.0)
+	scene.free()
+
+
+func test_a_thrown_crate_lowers_health() -> void:
+	var scene: Node = HEALTH.instantiate()
+	add_child(scene)
+	await process_frames(2)
+	var person: Ragdoll = scene.get_node(^"Thing")
+	var entity: Entity = person.get_node(^"Entity")
+	equal(entity.get_value(&"health"), 100.0)
+	is_true(person.start())
+	person.root_mode = RagdollMotor.ROOT_HELD
+	var crate: RigidBody3D = preload("res://scenes/world/props/crate.tscn").instantiate()
+	crate.position = Vector3(0.0, 1.3, 2.0)
+	crate.linear_velocity = Vector3(0.0, 0.0, -12.0)
+	scene.add_child(crate)
+	await _until(func() -> bool: return entity.get_value(&"health") < 100.0)
+	is_true((person.get_node(^"Health/Label") as Label3D).visible)
+	scene.free()
+
+
+## Waits for something in simulated time, for 6 s at most.
+func _until(p_holds: Callable) -> void:
+	for _tick: int in 360:
+		if p_holds.call():
+			break
+		await get_tree().physics_frame
+	is_true(p_holds.call())
