@@ -30,12 +30,16 @@ func _process(_delta: float) -> void:
 
 
 func _physics_process(_delta: float) -> void:
+	# A blow is spread over several contacts and bodies, in another way each time.
+	var impulse: float = 0.0
 	for body: RID in _bodies:
 		var state: PhysicsDirectBodyState3D = PhysicsServer3D.body_get_direct_state(body)
 		for contact: int in state.get_contact_count() if state != null else 0:
 			var other: Node = state.get_contact_collider_object(contact) as Node
 			if other != null and other.is_in_group(Level.PROPS):
-				_take_blow(state.get_contact_impulse(contact).length())
+				impulse += state.get_contact_impulse(contact).length()
+	if impulse > threshold:
+		_take_blow(impulse)
 
 
 func _on_started() -> void:
@@ -49,8 +53,6 @@ func _on_started() -> void:
 
 
 func _take_blow(p_impulse: float) -> void:
-	if p_impulse < threshold:
-		return
 	var health: float = _entity.get_value(&"health")
 	_entity.set_value(&"health", health - (p_impulse - threshold) * vulnerability)
 	_entity.send_event(&"hit", [p_impulse])

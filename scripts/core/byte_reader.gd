@@ -52,6 +52,11 @@ func read_float() -> float:
 	return _finite(_bytes.decode_float(_at - 4)) if _take(4) else 0.0
 
 
+## A finite number of 8 bytes.
+func read_double() -> float:
+	return _finite(_bytes.decode_double(_at - 8)) if _take(8) else 0.0
+
+
 ## Three finite numbers of 4 bytes.
 func read_vector() -> Vector3:
 	var x: float = read_float()

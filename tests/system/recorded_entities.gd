@@ -46,6 +46,8 @@ func _on_spawned(p_row: EntityRow) -> void:
 
 func _take(p_bytes: PackedByteArray, p_time_s: float) -> void:
 	_replica.take(p_bytes, p_time_s)
+	if _replica.newest_tick < 0:
+		return
 	for event: EntityEvent in _replica.events.take(INF):
 		var row: EntityRow = _replica.table.find(event.entity)
 		var name: String = String(row.type.events[event.event].name)
