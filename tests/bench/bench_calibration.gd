@@ -122,8 +122,8 @@ func _run_fill(p_clip: String, p_source: BvhSource, p_poses: Array[PoseSample]) 
 		var off: Statistics = Statistics.new()
 		for pose: PoseSample in p_poses:
 			filler.clear()
-			for place: int in SensorMap.layout(count):
-				filler.set_place(place, pose.orientation(BodyMounts.LIMBS[place]))
+			for mount: int in SensorMap.layout(count):
+				filler.set_mount(mount, pose.orientation(BodyMounts.LIMBS[mount]))
 			filler.fill()
 			for limb: int in Limbs.COUNT:
 				if filler.measured[limb] == 0:

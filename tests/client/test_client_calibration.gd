@@ -18,9 +18,9 @@ func before_each() -> void:
 	_random.seed = 4
 	_calibration = ClientCalibration.new()
 	_feed = WornSensorFeed.new()
-	for place: int in BodyMounts.COUNT:
+	for mount: int in BodyMounts.COUNT:
 		var turn: Vector3 = Vector3(_random.randfn(), _random.randfn(), _random.randfn())
-		_feed.add_sensor(place, Quaternion.from_euler(turn))
+		_feed.add_sensor(mount, Quaternion.from_euler(turn))
 	_motion = CalibrationMotion.new()
 	_source = SuitSource.new(_feed)
 	_source.rename(NAME)

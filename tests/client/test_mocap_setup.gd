@@ -69,8 +69,8 @@ func test_an_order_for_motion_that_comes_calibrated_is_answered() -> void:
 func test_an_order_reaches_the_one_who_wears_sensors() -> void:
 	equal(_open(["--bvh=res://assets/motion/01_01.bvh"]), "")
 	var feed: WornSensorFeed = WornSensorFeed.new()
-	for place: int in BodyMounts.COUNT:
-		feed.add_sensor(place)
+	for mount: int in BodyMounts.COUNT:
+		feed.add_sensor(mount)
 	var suit: SuitSource = SuitSource.new(feed)
 	_desk.people.add(suit, "Ada")
 	feed.measure(CalibrationMotion.new().pose_at(0.0), 1000000)

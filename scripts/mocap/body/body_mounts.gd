@@ -26,7 +26,7 @@ enum {
 ## How many mounts there are.
 const COUNT: int = 17
 
-## Names of the places as files have them. The order is the one of all arrays "per place".
+## Names of the mounts as files have them. The order is the one of all arrays "per place".
 const NAMES: Array[StringName] = [
 	&"pelvis",
 	&"sternum",
@@ -47,7 +47,7 @@ const NAMES: Array[StringName] = [
 	&"right_foot",
 ]
 
-## The limb that a sensor at the place is tied to. Shoulder blades are no limb of their own: they
+## The limb that a sensor at the mount is tied to. Shoulder blades are no limb of their own: they
 ## go with the chest.
 const LIMBS: Array[int] = [
 	Limbs.HIPS,
@@ -69,7 +69,7 @@ const LIMBS: Array[int] = [
 	Limbs.RIGHT_FOOT,
 ]
 
-## The place one joint nearer to the pelvis, -1 for the pelvis.
+## The mount one joint nearer to the pelvis, -1 for the pelvis.
 const PARENTS: Array[int] = [
 	-1,
 	PELVIS,
@@ -90,7 +90,7 @@ const PARENTS: Array[int] = [
 	RIGHT_SHANK,
 ]
 
-## The same place on the other side; a place in the middle is its own mirror.
+## The same mount on the other side; a mount in the middle is its own mirror.
 const MIRRORS: Array[int] = [
 	PELVIS,
 	STERNUM,
@@ -112,23 +112,23 @@ const MIRRORS: Array[int] = [
 ]
 
 
-## The number of a place, or -1.
+## The number of a mount, or -1.
 static func find(p_name: StringName) -> int:
 	return NAMES.find(p_name)
 
 
-## A place for people: "left upper arm".
-static func title(p_place: int) -> String:
-	return String(NAMES[p_place]).replace("_", " ")
+## A mount for people: "left upper arm".
+static func title(p_mount: int) -> String:
+	return String(NAMES[p_mount]).replace("_", " ")
 
 
 ## 1 for the left side, -1 for the right one, 0 for the middle.
-static func side(p_place: int) -> int:
-	if NAMES[p_place].begins_with("left"):
+static func side(p_mount: int) -> int:
+	if NAMES[p_mount].begins_with("left"):
 		return 1
-	return -1 if NAMES[p_place].begins_with("right") else 0
+	return -1 if NAMES[p_mount].begins_with("right") else 0
 
 
-## Whether a place is on an arm or its shoulder.
-static func is_arm(p_place: int) -> bool:
-	return p_place >= LEFT_SHOULDER and p_place <= RIGHT_HAND
+## Whether a mount is on an arm or its shoulder.
+static func is_arm(p_mount: int) -> bool:
+	return p_mount >= LEFT_SHOULDER and p_mount <= RIGHT_HAND

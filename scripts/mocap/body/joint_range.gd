@@ -3,7 +3,7 @@ extends RefCounted
 ## How far joints of people go, for telling what cannot be: generous, so that no healthy person is
 ## ever told to be broken.
 
-## For places whose joint with the place above ([constant BodyMounts.PARENTS]) is judged: least and
+## For mounts whose joint with the mount above ([constant BodyMounts.PARENTS]) is judged: least and
 ## most of the rotation vector, degrees, of the left side or the middle, in the axes of the reset
 ## pose. The right side mirrors it.
 const _RANGES: Dictionary[int, Array] = {
@@ -18,20 +18,20 @@ const _RANGES: Dictionary[int, Array] = {
 }
 
 
-## Whether the joint above a place is judged.
-static func knows(p_place: int) -> bool:
-	return _RANGES.has(p_place) or _RANGES.has(BodyMounts.MIRRORS[p_place])
+## Whether the joint above a mount is judged.
+static func knows(p_mount: int) -> bool:
+	return _RANGES.has(p_mount) or _RANGES.has(BodyMounts.MIRRORS[p_mount])
 
 
-## By how much a joint is beyond its range, rad: of a place against the one above it.
-static func excess(p_place: int, p_above: Quaternion, p_rotation: Quaternion) -> float:
+## By how much a joint is beyond its range, rad: of a mount against the one above it.
+static func excess(p_mount: int, p_above: Quaternion, p_rotation: Quaternion) -> float:
 	var turn: Vector3 = Rotations.vector(p_above.inverse() * p_rotation) * (180.0 / PI)
-	var place: int = p_place
-	if BodyMounts.side(p_place) < 0:
-		place = BodyMounts.MIRRORS[p_place]
+	var mount: int = p_mount
+	if BodyMounts.side(p_mount) < 0:
+		mount = BodyMounts.MIRRORS[p_mount]
 		turn = Vector3(turn.x, -turn.y, -turn.z)
-	if not _RANGES.has(place):
+	if not _RANGES.has(mount):
 		return 0.0
-	var least: Vector3 = _RANGES[place][0]
-	var most: Vector3 = _RANGES[place][1]
+	var least: Vector3 = _RANGES[mount][0]
+	var most: Vector3 = _RANGES[mount][1]
 	return deg_to_rad((turn - turn.clamp(least, most)).length())

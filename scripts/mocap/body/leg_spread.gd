@@ -5,8 +5,8 @@ extends RefCounted
 ##
 ## Offsets do not count, only how far the turns spread about their mean.
 
-## The places of both legs, see [BodyMounts].
-const PLACES: PackedInt32Array = [
+## The mounts of both legs, see [BodyMounts].
+const MOUNTS: PackedInt32Array = [
 	BodyMounts.LEFT_THIGH,
 	BodyMounts.LEFT_SHANK,
 	BodyMounts.LEFT_FOOT,
@@ -14,7 +14,7 @@ const PLACES: PackedInt32Array = [
 	BodyMounts.RIGHT_SHANK,
 	BodyMounts.RIGHT_FOOT
 ]
-## The joints: places that are neighbours.
+## The joints: mounts that are neighbours.
 const JOINTS: Array[Vector2i] = [
 	Vector2i(11, 12), Vector2i(12, 13), Vector2i(14, 15), Vector2i(15, 16)
 ]
@@ -28,7 +28,7 @@ const GAIN_DEG: float = 5.0
 const EXPLAINS: float = 0.7
 
 var _most: int = 100
-# For each pair of places, by smaller * 32 + larger: turns about the two axes that are no hinge.
+# For each pair of mounts, by smaller * 32 + larger: turns about the two axes that are no hinge.
 var _turns: Dictionary[int, PackedVector2Array] = {}
 
 
@@ -41,10 +41,10 @@ func clear() -> void:
 	_turns.clear()
 
 
-## Takes a pose: for each place of [BodyMounts] a rotation from the reset pose, or null.
+## Takes a pose: for each mount of [BodyMounts] a rotation from the reset pose, or null.
 func add(p_pose: Array) -> void:
-	for first: int in PLACES:
-		for second: int in PLACES:
+	for first: int in MOUNTS:
+		for second: int in MOUNTS:
 			if first >= second or p_pose[first] == null or p_pose[second] == null:
 				continue
 			var above: Quaternion = p_pose[first]
@@ -57,7 +57,7 @@ func add(p_pose: Array) -> void:
 			_turns[key] = turns
 
 
-## Sum of the spreads of the joints if two places are exchanged (zero: as they are), degrees; NaN
+## Sum of the spreads of the joints if two mounts are exchanged (zero: as they are), degrees; NaN
 ## if no joint is known.
 func total_deg(p_exchange: Vector2i) -> float:
 	var sum: float = NAN
@@ -78,7 +78,7 @@ func find_swap() -> Vector2i:
 		return found
 	var best: float = minf(now - GAIN_DEG, now * EXPLAINS)
 	for pair: Vector2i in PAIRS:
-		# With only some of the places worn an exchange could hide a joint instead of mending it.
+		# With only some of the mounts worn an exchange could hide a joint instead of mending it.
 		if _joints_known(pair) < _joints_known(Vector2i.ZERO):
 			continue
 		var then: float = total_deg(pair)
@@ -97,10 +97,10 @@ func _joints_known(p_exchange: Vector2i) -> int:
 	return known
 
 
-static func _after(p_place: int, p_exchange: Vector2i) -> int:
-	if p_place == p_exchange.x:
+static func _after(p_mount: int, p_exchange: Vector2i) -> int:
+	if p_mount == p_exchange.x:
 		return p_exchange.y
-	return p_exchange.x if p_place == p_exchange.y else p_place
+	return p_exchange.x if p_mount == p_exchange.y else p_mount
 
 
 func _spread_deg(p_key: int) -> float:

@@ -1,6 +1,6 @@
 class_name LimbFiller
 extends RefCounted
-## Makes all limbs of [Limbs] of what is known at the places of [BodyMounts].
+## Makes all limbs of [Limbs] of what is known at the mounts of [BodyMounts].
 ##
 ## Rotations are from the reset pose, in the world. What no sensor tells is taken from its
 ## neighbours so that it looks like a person and bends only the way joints bend:
@@ -35,9 +35,9 @@ const _PELVIS_BY: Array[int] = [
 	BodyMounts.RIGHT_SHANK,
 ]
 
-## Rotations of the places; those that are not known are filled by [method fill].
+## Rotations of the mounts; those that are not known are filled by [method fill].
 var rotations: Array[Quaternion] = []
-## Which places are known: 1 or 0. [method fill] leaves it.
+## Which mounts are known: 1 or 0. [method fill] leaves it.
 var known: PackedByteArray = PackedByteArray()
 ## Rotations of the limbs after [method fill].
 var limbs: Array[Quaternion] = []
@@ -61,10 +61,10 @@ func clear() -> void:
 	known.fill(0)
 
 
-## Notes what a place does.
-func set_place(p_place: int, p_rotation: Quaternion) -> void:
-	rotations[p_place] = p_rotation
-	known[p_place] = 1
+## Notes what a mount does.
+func set_mount(p_mount: int, p_rotation: Quaternion) -> void:
+	rotations[p_mount] = p_rotation
+	known[p_mount] = 1
 
 
 ## Fills what is missing, then [member limbs] and [member measured].
@@ -76,11 +76,11 @@ func fill() -> void:
 	_fill_leg(BodyMounts.LEFT_THIGH)
 	_fill_leg(BodyMounts.RIGHT_THIGH)
 	measured.fill(0)
-	for place: int in BodyMounts.COUNT:
-		if place == BodyMounts.LEFT_SHOULDER or place == BodyMounts.RIGHT_SHOULDER:
+	for mount: int in BodyMounts.COUNT:
+		if mount == BodyMounts.LEFT_SHOULDER or mount == BodyMounts.RIGHT_SHOULDER:
 			continue
-		limbs[BodyMounts.LIMBS[place]] = rotations[place]
-		measured[BodyMounts.LIMBS[place]] = known[place]
+		limbs[BodyMounts.LIMBS[mount]] = rotations[mount]
+		measured[BodyMounts.LIMBS[mount]] = known[mount]
 	limbs[Limbs.SPINE] = rotations[BodyMounts.PELVIS].slerp(rotations[BodyMounts.STERNUM], 0.5)
 
 
@@ -114,9 +114,9 @@ func _pelvis_from_others() -> Quaternion:
 	if _has[left] != 0 and _has[right] != 0:
 		# Between the thighs, upright: thighs swing, the pelvis hardly does.
 		return Rotations.yaw(Rotations.yaw_of(rotations[left].slerp(rotations[right], 0.5)))
-	for place: int in _PELVIS_BY:
-		if _has[place] != 0:
-			return Rotations.yaw(Rotations.yaw_of(rotations[place]))
+	for mount: int in _PELVIS_BY:
+		if _has[mount] != 0:
+			return Rotations.yaw(Rotations.yaw_of(rotations[mount]))
 	return Quaternion.IDENTITY
 
 
@@ -209,6 +209,6 @@ static func _tilt(p_rotation: Quaternion) -> Quaternion:
 	return p_rotation * Rotations.yaw(-Rotations.yaw_of(p_rotation))
 
 
-func _put(p_place: int, p_rotation: Quaternion) -> void:
-	rotations[p_place] = p_rotation
-	_has[p_place] = 1
+func _put(p_mount: int, p_rotation: Quaternion) -> void:
+	rotations[p_mount] = p_rotation
+	_has[p_mount] = 1

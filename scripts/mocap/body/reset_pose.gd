@@ -1,6 +1,6 @@
 class_name ResetPose
 extends RefCounted
-## Poses that a wearer can take so that sensors learn how they sit: how each place is turned in
+## Poses that a wearer can take so that sensors learn how they sit: how each mount is turned in
 ## them from the reset pose (a T-pose, see [Limbs]), for somebody who faces +Z.
 
 ## The poses.
@@ -15,16 +15,16 @@ enum Kind {
 const NAMES: PackedStringArray = ["T", "N"]
 
 
-## Rotation of a place of [BodyMounts] in a pose, from the reset pose.
-static func rotation(p_kind: Kind, p_place: int) -> Quaternion:
-	if p_kind == Kind.T or not hangs(p_place):
+## Rotation of a mount of [BodyMounts] in a pose, from the reset pose.
+static func rotation(p_kind: Kind, p_mount: int) -> Quaternion:
+	if p_kind == Kind.T or not hangs(p_mount):
 		return Quaternion.IDENTITY
-	return Quaternion(Vector3.BACK, -PI / 2.0 * BodyMounts.side(p_place))
+	return Quaternion(Vector3.BACK, -PI / 2.0 * BodyMounts.side(p_mount))
 
 
-## Whether a place goes down with the arm from T to N: the arms, without the shoulder blades.
-static func hangs(p_place: int) -> bool:
-	return BodyMounts.is_arm(p_place) and p_place != 3 and p_place != 7
+## Whether a mount goes down with the arm from T to N: the arms, without the shoulder blades.
+static func hangs(p_mount: int) -> bool:
+	return BodyMounts.is_arm(p_mount) and p_mount != 3 and p_mount != 7
 
 
 ## The pose in words, as somebody is told to take it.

@@ -21,7 +21,7 @@ var made_s: float = 0.0
 ## One sensor.
 class Entry:
 	## Place of [BodyMounts] on which it was worn.
-	var place: int = -1
+	var mount: int = -1
 	## Heading H, rad about the vertical.
 	var heading: float = 0.0
 	## Mounting M: from the sensor's axes to the limb's.
@@ -34,19 +34,19 @@ class Entry:
 
 ## Sets the mounting of a sensor from what it said in a pose, its heading being known.
 func set_sensor(
-	p_id: String, p_place: int, p_heading: float, p_said: Quaternion, p_pose: Quaternion
+	p_id: String, p_mount: int, p_heading: float, p_said: Quaternion, p_pose: Quaternion
 ) -> void:
 	var entry: Entry = Entry.new()
-	entry.place = p_place
+	entry.mount = p_mount
 	entry.heading = p_heading
 	entry.mounting = ((Rotations.yaw(p_heading) * p_pose).inverse() * p_said).normalized()
 	entries[p_id] = entry
 
 
 ## The entry of a sensor if it is still worn where it was calibrated, or null.
-func entry_for(p_id: String, p_place: int) -> Entry:
+func entry_for(p_id: String, p_mount: int) -> Entry:
 	var entry: Entry = entries.get(p_id)
-	return entry if entry != null and entry.place == p_place else null
+	return entry if entry != null and entry.mount == p_mount else null
 
 
 ## Turns everything that comes out about the vertical, rad: whoever stood as in the reset pose then

@@ -53,12 +53,12 @@ class Step:
 		return ResetPose.instruction(pose)
 
 
-## The steps of a kind; [param p_pose] is the pose of a quick reset, [param p_places] are the worn
-## places, for a fit check.
+## The steps of a kind; [param p_pose] is the pose of a quick reset, [param p_mounts] are the worn
+## mounts, for a fit check.
 static func steps(
 	p_kind: Kind,
 	p_pose: ResetPose.Kind = ResetPose.Kind.T,
-	p_places: PackedInt32Array = PackedInt32Array()
+	p_mounts: PackedInt32Array = PackedInt32Array()
 ) -> Array[Step]:
 	var found: Array[Step] = []
 	match p_kind:
@@ -66,7 +66,7 @@ static func steps(
 			found.append(_hold(p_pose, QUICK_S))
 		Kind.FIT_CHECK:
 			found.append(_countdown(ResetPose.Kind.N))
-			for movement: GuideMovements.Movement in GuideMovements.telling(p_places):
+			for movement: GuideMovements.Movement in GuideMovements.telling(p_mounts):
 				found.append(_move(movement, CHECK_S))
 		Kind.N_POSE:
 			found.append(_countdown(ResetPose.Kind.N))
@@ -84,12 +84,12 @@ static func steps(
 	return found
 
 
-## How long a kind takes, s; the places are for a fit check.
+## How long a kind takes, s; the mounts are for a fit check.
 static func duration_s(
-	p_kind: Kind, p_places: PackedInt32Array = PackedInt32Array(range(BodyMounts.COUNT))
+	p_kind: Kind, p_mounts: PackedInt32Array = PackedInt32Array(range(BodyMounts.COUNT))
 ) -> float:
 	var sum: float = 0.0
-	for step: Step in steps(p_kind, ResetPose.Kind.T, p_places):
+	for step: Step in steps(p_kind, ResetPose.Kind.T, p_mounts):
 		sum += step.duration_s
 	return sum
 

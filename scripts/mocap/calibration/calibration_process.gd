@@ -47,27 +47,27 @@ var _ends_s: float = 0.0
 var _recent: Array[SensorFrame] = []
 
 
-## Begins, at a time in s of any clock. [param p_places] has a place for each sensor, -1 for none.
+## Begins, at a time in s of any clock. [param p_mounts] has a mount for each sensor, -1 for none.
 ## Returns why it cannot, or an empty text.
 func start(
 	p_kind: CalibrationGuide.Kind,
 	p_sensors: Array[SensorInfo],
-	p_places: PackedInt32Array,
+	p_mounts: PackedInt32Array,
 	p_old: Calibration,
 	p_now_s: float
 ) -> String:
-	if p_sensors.is_empty() or p_sensors.size() != p_places.size():
+	if p_sensors.is_empty() or p_sensors.size() != p_mounts.size():
 		return "there are no sensors to calibrate"
-	if _worn(p_places).is_empty():
+	if _worn(p_mounts).is_empty():
 		return "no sensor has a place on the body"
 	kind = p_kind
 	result = null
 	_solver = CalibrationSolver.new()
 	_solver.sensors = p_sensors
-	_solver.places = p_places
+	_solver.mounts = p_mounts
 	_solver.options = options
 	_solver.old = p_old
-	_steps = CalibrationGuide.steps(p_kind, options.pose, _worn(p_places))
+	_steps = CalibrationGuide.steps(p_kind, options.pose, _worn(p_mounts))
 	_step = -1
 	_ends_s = p_now_s
 	_next_step()
@@ -150,7 +150,7 @@ func _next_step() -> void:
 
 func _finish() -> void:
 	if kind == CalibrationGuide.Kind.FIT_CHECK:
-		result = FitCheck.judge(_solver.sensors, _solver.places, _solver.axes)
+		result = FitCheck.judge(_solver.sensors, _solver.mounts, _solver.axes)
 	else:
 		result = _solver.solve(kind, Time.get_unix_time_from_system())
 	_set_phase(Phase.DONE)
@@ -162,8 +162,8 @@ func _set_phase(p_phase: Phase) -> void:
 	phase_changed.emit(p_phase)
 
 
-static func _worn(p_places: PackedInt32Array) -> PackedInt32Array:
-	var worn: PackedInt32Array = p_places.duplicate()
+static func _worn(p_mounts: PackedInt32Array) -> PackedInt32Array:
+	var worn: PackedInt32Array = p_mounts.duplicate()
 	while worn.has(-1):
 		worn.remove_at(worn.find(-1))
 	return worn

@@ -17,18 +17,18 @@ const OWN_NORTH_DEG: float = 25.0
 var error: String = ""
 ## The calibration.
 var calibration: Calibration = null
-## How good each place is, in the order of the places.
-var places: Array[PlaceQuality] = []
-## Pairs of places whose sensors look exchanged.
+## How good each mount is, in the order of the mounts.
+var mounts: Array[PlaceQuality] = []
+## Pairs of mounts whose sensors look exchanged.
 var swaps: Array[Vector2i] = []
 ## What the wearer should know or do, one sentence each, worst first.
 var advice: PackedStringArray = PackedStringArray()
 
 
-## One place.
+## One mount.
 class PlaceQuality:
-	## The place of [BodyMounts].
-	var place: int = -1
+	## The mount of [BodyMounts].
+	var mount: int = -1
 	## The sensor there.
 	var sensor: String = ""
 	## Whether the sensor said nothing, or too little.
@@ -53,7 +53,7 @@ class PlaceQuality:
 
 	## Whether the other pose was too far off.
 	func is_off() -> bool:
-		var stands: bool = not ResetPose.hangs(place) and place != BodyMounts.HEAD
+		var stands: bool = not ResetPose.hangs(mount) and mount != BodyMounts.HEAD
 		if stands:
 			return residual_deg > CalibrationResult.OFF_STANDING_DEG
 		return residual_deg > CalibrationResult.OFF_DEG
@@ -63,16 +63,16 @@ class PlaceQuality:
 func is_good() -> bool:
 	if error != "" or not swaps.is_empty():
 		return false
-	for quality: PlaceQuality in places:
+	for quality: PlaceQuality in mounts:
 		if quality.grade() != "good":
 			return false
 	return true
 
 
-## Quality of a place, or null.
-func find(p_place: int) -> PlaceQuality:
-	for quality: PlaceQuality in places:
-		if quality.place == p_place:
+## Quality of a mount, or null.
+func find(p_mount: int) -> PlaceQuality:
+	for quality: PlaceQuality in mounts:
+		if quality.mount == p_mount:
 			return quality
 	return null
 
@@ -80,19 +80,19 @@ func find(p_place: int) -> PlaceQuality:
 ## How good it is in one number, 0 to 1: 1 if nobody moved, 0 if somebody moved by 10 degrees.
 func score() -> float:
 	var worst: float = 0.0
-	for quality: PlaceQuality in places:
+	for quality: PlaceQuality in mounts:
 		worst = maxf(worst, 10.0 if quality.is_missing else quality.movement_deg)
 	return 0.0 if error != "" else clampf(1.0 - worst / 10.0, 0.0, 1.0)
 
 
-## Fills [member advice] from the places.
+## Fills [member advice] from the mounts.
 func judge() -> void:
-	var sorted: Array[PlaceQuality] = places.duplicate()
+	var sorted: Array[PlaceQuality] = mounts.duplicate()
 	sorted.sort_custom(
 		func(a: PlaceQuality, b: PlaceQuality) -> bool: return a.movement_deg > b.movement_deg
 	)
 	for quality: PlaceQuality in sorted:
-		var title: String = BodyMounts.title(quality.place)
+		var title: String = BodyMounts.title(quality.mount)
 		if quality.is_missing:
 			var parts: Array = [title, quality.sensor]
 			advice.append("%s: sensor %s says nothing" % parts)
@@ -102,8 +102,8 @@ func judge() -> void:
 	for quality: PlaceQuality in sorted:
 		if quality.is_missing or not quality.is_off():
 			continue
-		var parts: Array = [BodyMounts.title(quality.place), roundi(quality.residual_deg)]
-		if ResetPose.hangs(quality.place):
+		var parts: Array = [BodyMounts.title(quality.mount), roundi(quality.residual_deg)]
+		if ResetPose.hangs(quality.mount):
 			advice.append("%s was %d° away from where it should be in the other pose" % parts)
 		else:
 			advice.append("%s turned by %d° between the poses: a step, or drift?" % parts)

@@ -13,7 +13,7 @@ var axes: Dictionary[GuideMovements.Movement, MotionAxis] = {}
 ## The sensors, in the order of the frames.
 var sensors: Array[SensorInfo] = []
 ## Place of each sensor, -1 if it is not worn.
-var places: PackedInt32Array = PackedInt32Array()
+var mounts: PackedInt32Array = PackedInt32Array()
 ## How it is to be done.
 var options: CalibrationOptions = CalibrationOptions.new()
 ## The calibration that is in force, or null.
@@ -41,13 +41,13 @@ func solve(p_kind: CalibrationGuide.Kind, p_now_s: float) -> CalibrationResult:
 	_common = _common_heading()
 	var each: bool = _is_each_its_own()
 	for sensor: int in sensors.size():
-		if places[sensor] >= 0:
+		if mounts[sensor] >= 0:
 			_solve_sensor(sensor, each)
-	_result.places.sort_custom(
+	_result.mounts.sort_custom(
 		func(a: CalibrationResult.PlaceQuality, b: CalibrationResult.PlaceQuality) -> bool:
-			return a.place < b.place
+			return a.mount < b.mount
 	)
-	if _result.places.is_empty():
+	if _result.mounts.is_empty():
 		_result.error = "no sensor has a place on the body"
 	_result.judge()
 	_advise_on_headings(each)
@@ -65,11 +65,11 @@ func _find_headings() -> void:
 	_finder = HeadingFinder.new()
 	var both: bool = holds.has(ResetPose.Kind.T) and holds.has(ResetPose.Kind.N)
 	for sensor: int in sensors.size():
-		var place: int = places[sensor]
-		if place < 0:
+		var mount: int = mounts[sensor]
+		if mount < 0:
 			continue
 		for movement: GuideMovements.Movement in axes:
-			var wanted: Vector3 = GuideMovements.axis(movement, place)
+			var wanted: Vector3 = GuideMovements.axis(movement, mount)
 			var axis: MotionAxis = axes[movement]
 			if movement == GuideMovements.Movement.ARMS and both and _held_both(sensor):
 				# From pose to pose is steadier than the way between them.
@@ -79,26 +79,26 @@ func _find_headings() -> void:
 				)
 				var level: Vector3 = Vector3(turn.x, 0.0, turn.z)
 				var purity: float = level.length() / maxf(turn.length(), 1e-6)
-				_finder.add(place, wanted, level.normalized(), turn.length(), purity)
+				_finder.add(mount, wanted, level.normalized(), turn.length(), purity)
 			else:
 				var angle: float = axis.turn(sensor)
-				_finder.add(place, wanted, axis.axis(sensor), angle, axis.purity(sensor))
+				_finder.add(mount, wanted, axis.axis(sensor), angle, axis.purity(sensor))
 
 
 ## Sensors that turned when others should have, or the other way round; their headings do not
 ## count.
 func _find_swaps() -> void:
 	var odd: PackedInt32Array = _finder.reversed()
-	for place: int in odd:
-		var mirror: int = BodyMounts.MIRRORS[place]
-		var above: int = BodyMounts.PARENTS[place]
-		if mirror > place and odd.has(mirror):
-			_result.swaps.append(Vector2i(place, mirror))
+	for mount: int in odd:
+		var mirror: int = BodyMounts.MIRRORS[mount]
+		var above: int = BodyMounts.PARENTS[mount]
+		if mirror > mount and odd.has(mirror):
+			_result.swaps.append(Vector2i(mount, mirror))
 		elif odd.has(above) and not odd.has(BodyMounts.MIRRORS[above]):
-			_result.swaps.append(Vector2i(above, place))
-	for place: int in odd:
-		_finder.forget(place)
-	for swap: Vector2i in FitCheck.find_swaps(places, axes, MUCH_BETTER):
+			_result.swaps.append(Vector2i(above, mount))
+	for mount: int in odd:
+		_finder.forget(mount)
+	for swap: Vector2i in FitCheck.find_swaps(mounts, axes, MUCH_BETTER):
 		if not _result.swaps.has(swap):
 			_result.swaps.append(swap)
 	for swap: Vector2i in _result.swaps:
@@ -125,15 +125,15 @@ func _turn_since_old() -> float:
 		var entry: Calibration.Entry = _old_entry(sensor)
 		if entry != null and holds[_pose].has(sensor):
 			var turned: Quaternion = entry.rotation(holds[_pose].mean(sensor))
-			turned *= ResetPose.rotation(_pose, places[sensor]).inverse()
+			turned *= ResetPose.rotation(_pose, mounts[sensor]).inverse()
 			turns.append(Rotations.yaw_of(turned))
 	return HeadingFinder.middle(turns) if not turns.is_empty() else NAN
 
 
 func _old_entry(p_sensor: int) -> Calibration.Entry:
-	if old == null or places[p_sensor] < 0:
+	if old == null or mounts[p_sensor] < 0:
 		return null
-	return old.entry_for(sensors[p_sensor].id, places[p_sensor])
+	return old.entry_for(sensors[p_sensor].id, mounts[p_sensor])
 
 
 func _is_each_its_own() -> bool:
@@ -144,7 +144,7 @@ func _is_each_its_own() -> bool:
 
 func _heading_of(p_sensor: int, p_each: bool) -> float:
 	if p_each:
-		return _finder.nearest(places[p_sensor], _common)
+		return _finder.nearest(mounts[p_sensor], _common)
 	if is_nan(_turned_from_old):
 		return _common
 	var entry: Calibration.Entry = _old_entry(p_sensor)
@@ -158,27 +158,27 @@ func _old_common() -> float:
 
 
 func _solve_sensor(p_sensor: int, p_each: bool) -> void:
-	var place: int = places[p_sensor]
+	var mount: int = mounts[p_sensor]
 	var quality: CalibrationResult.PlaceQuality = CalibrationResult.PlaceQuality.new()
-	quality.place = place
+	quality.mount = mount
 	quality.sensor = sensors[p_sensor].id
-	_result.places.append(quality)
+	_result.mounts.append(quality)
 	if not holds[_pose].has(p_sensor):
 		quality.is_missing = true
 		return
 	var heading: float = _heading_of(p_sensor, p_each)
 	quality.heading_deg = rad_to_deg(wrapf(heading, -PI, PI))
-	quality.is_heading_measured = p_each and _finder.measured.has(place)
+	quality.is_heading_measured = p_each and _finder.measured.has(mount)
 	quality.movement_deg = holds[_pose].movement_deg(p_sensor)
-	var wanted: Quaternion = ResetPose.rotation(_pose, place)
+	var wanted: Quaternion = ResetPose.rotation(_pose, mount)
 	var said: Quaternion = holds[_pose].mean(p_sensor)
-	_result.calibration.set_sensor(quality.sensor, place, heading, said, wanted)
+	_result.calibration.set_sensor(quality.sensor, mount, heading, said, wanted)
 	var entry: Calibration.Entry = _result.calibration.entries[quality.sensor]
 	for other: ResetPose.Kind in holds:
 		if other != _pose and holds[other].has(p_sensor):
 			var there: Quaternion = entry.rotation(holds[other].mean(p_sensor))
 			quality.movement_deg = maxf(quality.movement_deg, holds[other].movement_deg(p_sensor))
-			quality.residual_deg = Rotations.between_deg(there, ResetPose.rotation(other, place))
+			quality.residual_deg = Rotations.between_deg(there, ResetPose.rotation(other, mount))
 
 
 func _advise_on_headings(p_each: bool) -> void:
@@ -188,10 +188,10 @@ func _advise_on_headings(p_each: bool) -> void:
 		elif is_nan(_turned_from_old):
 			_result.advice.append("nothing tells which way you face: taken as facing north")
 	var odd: PackedStringArray = []
-	for place: int in _finder.measured:
-		var off: float = absf(angle_difference(_finder.common(), _finder.measured[place]))
+	for mount: int in _finder.measured:
+		var off: float = absf(angle_difference(_finder.common(), _finder.measured[mount]))
 		if off > deg_to_rad(CalibrationResult.TURNED_DEG):
-			odd.append("%s by %d°" % [BodyMounts.title(place), roundi(rad_to_deg(off))])
+			odd.append("%s by %d°" % [BodyMounts.title(mount), roundi(rad_to_deg(off))])
 	if odd.is_empty():
 		return
 	var differ: String = ", ".join(odd)

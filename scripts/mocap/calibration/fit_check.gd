@@ -3,7 +3,7 @@ extends RefCounted
 ## Finds sensors that are not where they should be, from how far each turned in which movement.
 ##
 ## It needs no calibration and no common north: only angles count. Each movement of
-## [GuideMovements] turns some places much and others hardly; two sensors look exchanged if what
+## [GuideMovements] turns some mounts much and others hardly; two sensors look exchanged if what
 ## they did fits much better when they are.
 
 ## How far people are off from what they are asked: degrees, and part of what is asked.
@@ -15,37 +15,37 @@ const STILL_DEG: float = 6.0
 const MAX: float = 6.0
 ## By so much an exchange must fit better.
 const BETTER: float = 2.0
-## Places that do not do anything of what they should fit by less than this.
+## Mounts that do not do anything of what they should fit by less than this.
 const ODD: float = 8.0
 
 
 ## The result of the movements: swaps and advice.
 static func judge(
 	p_sensors: Array[SensorInfo],
-	p_places: PackedInt32Array,
+	p_mounts: PackedInt32Array,
 	p_axes: Dictionary[GuideMovements.Movement, MotionAxis]
 ) -> CalibrationResult:
 	var result: CalibrationResult = CalibrationResult.new()
 	for sensor: int in p_sensors.size():
-		if p_places[sensor] < 0:
+		if p_mounts[sensor] < 0:
 			continue
 		var quality: CalibrationResult.PlaceQuality = CalibrationResult.PlaceQuality.new()
-		quality.place = p_places[sensor]
+		quality.mount = p_mounts[sensor]
 		quality.sensor = p_sensors[sensor].id
 		quality.is_missing = not _was_heard(sensor, p_axes)
-		result.places.append(quality)
+		result.mounts.append(quality)
 	result.judge()
-	result.swaps = find_swaps(p_places, p_axes)
+	result.swaps = find_swaps(p_mounts, p_axes)
 	var named: PackedInt32Array = []
 	for swap: Vector2i in result.swaps:
 		result.advice.insert(0, describe(swap))
 		named.append_array([swap.x, swap.y])
-	for sensor: int in p_places.size():
-		var place: int = p_places[sensor]
-		if place >= 0 and not named.has(place) and _was_heard(sensor, p_axes):
-			var misfit: float = _misfit(sensor, place, p_axes)
+	for sensor: int in p_mounts.size():
+		var mount: int = p_mounts[sensor]
+		if mount >= 0 and not named.has(mount) and _was_heard(sensor, p_axes):
+			var misfit: float = _misfit(sensor, mount, p_axes)
 			if misfit > ODD:
-				var title: String = BodyMounts.title(place)
+				var title: String = BodyMounts.title(mount)
 				result.advice.append("%s did not move as asked: is its sensor there?" % title)
 	return result
 
@@ -56,27 +56,27 @@ static func describe(p_swap: Vector2i) -> String:
 	return "%s and %s look swapped" % names
 
 
-## Pairs of places whose sensors did what the other one should, and fit better by so much when they
-## are exchanged; those that are surest first, and each place in one at most.
+## Pairs of mounts whose sensors did what the other one should, and fit better by so much when they
+## are exchanged; those that are surest first, and each mount in one at most.
 static func find_swaps(
-	p_places: PackedInt32Array,
+	p_mounts: PackedInt32Array,
 	p_axes: Dictionary[GuideMovements.Movement, MotionAxis],
 	p_better: float = BETTER
 ) -> Array[Vector2i]:
 	var gains: Array[Vector3] = []
-	for first: int in p_places.size():
+	for first: int in p_mounts.size():
 		for second: int in first:
-			if p_places[first] < 0 or p_places[second] < 0:
+			if p_mounts[first] < 0 or p_mounts[second] < 0:
 				continue
 			if not (_was_heard(first, p_axes) and _was_heard(second, p_axes)):
 				continue
-			var now: float = _misfit(first, p_places[first], p_axes)
-			now += _misfit(second, p_places[second], p_axes)
-			# Movements that turn both places alike weigh the same before and after.
-			var other: float = _misfit(first, p_places[second], p_axes)
-			other += _misfit(second, p_places[first], p_axes)
+			var now: float = _misfit(first, p_mounts[first], p_axes)
+			now += _misfit(second, p_mounts[second], p_axes)
+			# Movements that turn both mounts alike weigh the same before and after.
+			var other: float = _misfit(first, p_mounts[second], p_axes)
+			other += _misfit(second, p_mounts[first], p_axes)
 			if now - other > p_better:
-				gains.append(Vector3(now - other, p_places[second], p_places[first]))
+				gains.append(Vector3(now - other, p_mounts[second], p_mounts[first]))
 	gains.sort_custom(func(a: Vector3, b: Vector3) -> bool: return a.x > b.x)
 	var swaps: Array[Vector2i] = []
 	var taken: PackedInt32Array = []
@@ -99,13 +99,13 @@ static func _was_heard(
 	return false
 
 
-## How badly a sensor's turns fit those of a place: 0 is as asked.
+## How badly a sensor's turns fit those of a mount: 0 is as asked.
 static func _misfit(
-	p_sensor: int, p_place: int, p_axes: Dictionary[GuideMovements.Movement, MotionAxis]
+	p_sensor: int, p_mount: int, p_axes: Dictionary[GuideMovements.Movement, MotionAxis]
 ) -> float:
 	var sum: float = 0.0
 	for movement: GuideMovements.Movement in p_axes:
-		var wanted: float = GuideMovements.turn_deg(movement, p_place).length()
+		var wanted: float = GuideMovements.turn_deg(movement, p_mount).length()
 		var got: float = rad_to_deg(p_axes[movement].turn(p_sensor))
 		var off: float = maxf(absf(got - wanted) - STILL_DEG, 0.0)
 		off /= SPREAD_DEG + SPREAD_PART * wanted

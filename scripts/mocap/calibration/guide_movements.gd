@@ -1,6 +1,6 @@
 class_name GuideMovements
 extends RefCounted
-## The movements that a wearer is asked to make, and how they turn each place of the body.
+## The movements that a wearer is asked to make, and how they turn each mount of the body.
 
 ## Movements. All but ARMS start and end in the N-pose.
 enum Movement {
@@ -67,7 +67,7 @@ const TEXTS: PackedStringArray = [
 	"Lift the right heel to the back, the thigh hanging, then put the foot down.",
 ]
 
-## How far places are turned in the middle of a movement: places of [BodyMounts] and rotation
+## How far mounts are turned in the middle of a movement: mounts of [BodyMounts] and rotation
 ## vectors in degrees, for somebody who faces +Z, of the left side. The right side mirrors it.
 ## ARMS is [method ResetPose.rotation].
 const _TURNS: Dictionary[Movement, Dictionary] = {
@@ -117,36 +117,36 @@ const _MIRRORS: Dictionary[Movement, Movement] = {
 }
 
 
-## How a movement turns a place out of its pose in its middle: a rotation vector, degrees, for
+## How a movement turns a mount out of its pose in its middle: a rotation vector, degrees, for
 ## somebody who faces +Z.
-static func turn_deg(p_movement: Movement, p_place: int) -> Vector3:
+static func turn_deg(p_movement: Movement, p_mount: int) -> Vector3:
 	if p_movement == Movement.ARMS:
-		var down: Quaternion = ResetPose.rotation(ResetPose.Kind.N, p_place)
+		var down: Quaternion = ResetPose.rotation(ResetPose.Kind.N, p_mount)
 		return Rotations.vector(down) * (180.0 / PI)
 	if _MIRRORS.has(p_movement):
-		var left: Vector3 = turn_deg(_MIRRORS[p_movement], BodyMounts.MIRRORS[p_place])
+		var left: Vector3 = turn_deg(_MIRRORS[p_movement], BodyMounts.MIRRORS[p_mount])
 		return Vector3(left.x, -left.y, -left.z)
 	var turns: Dictionary = _TURNS.get(p_movement, {})
-	return turns.get(p_place, Vector3.ZERO)
+	return turns.get(p_mount, Vector3.ZERO)
 
 
-## The axis about which a movement turns a place, level and of length 1, for somebody who faces +Z;
+## The axis about which a movement turns a mount, level and of length 1, for somebody who faces +Z;
 ## zero if it leaves it. Only movements that everybody makes about one axis have one.
-static func axis(p_movement: Movement, p_place: int) -> Vector3:
+static func axis(p_movement: Movement, p_mount: int) -> Vector3:
 	if p_movement > Movement.RISE or p_movement == Movement.NONE:
 		return Vector3.ZERO
-	return turn_deg(p_movement, p_place).normalized()
+	return turn_deg(p_movement, p_mount).normalized()
 
 
-## The movements that tell the places apart which are worn.
-static func telling(p_places: PackedInt32Array) -> Array[Movement]:
+## The movements that tell the mounts apart which are worn.
+static func telling(p_mounts: PackedInt32Array) -> Array[Movement]:
 	var found: Array[Movement] = []
 	for movement: Movement in Movement.values():
 		if movement <= Movement.SQUAT:
 			continue
-		for place: int in p_places:
+		for mount: int in p_mounts:
 			# The turn of the chest is for pelvis and sternum: it moves much besides.
-			var about: bool = movement != Movement.TWIST or place < 2
-			if about and turn_deg(movement, place).length() > 14.0 and not found.has(movement):
+			var about: bool = movement != Movement.TWIST or mount < 2
+			if about and turn_deg(movement, mount).length() > 14.0 and not found.has(movement):
 				found.append(movement)
 	return found

@@ -54,7 +54,7 @@ static func write(p_profile: PersonProfile) -> String:
 			var entry: Calibration.Entry = p_profile.calibration.entries[id]
 			var turn: Quaternion = entry.mounting
 			sensors[id] = {
-				"place": String(BodyMounts.NAMES[entry.place]),
+				"place": String(BodyMounts.NAMES[entry.mount]),
 				"heading_rad": entry.heading,
 				"mounting_xyzw": [turn.x, turn.y, turn.z, turn.w],
 			}
@@ -90,11 +90,11 @@ func _read_map(p_data: Dictionary, r_map: SensorMap) -> void:
 	for id: Variant in p_data:
 		if error != "":
 			return
-		var place: int = _place(p_data, id, "sensors.%s" % _short(id))
-		if error == "" and r_map.sensor_at(place) != "":
-			error = "sensors.%s: there are two on the %s" % [_short(id), BodyMounts.title(place)]
+		var mount: int = _mount(p_data, id, "sensors.%s" % _short(id))
+		if error == "" and r_map.sensor_at(mount) != "":
+			error = "sensors.%s: there are two on the %s" % [_short(id), BodyMounts.title(mount)]
 		if error == "":
-			r_map.assign(str(id), place)
+			r_map.assign(str(id), mount)
 
 
 func _read_calibration(p_data: Dictionary) -> Calibration:
@@ -116,7 +116,7 @@ func _read_calibration(p_data: Dictionary) -> Calibration:
 		var field: String = "calibration.sensors.%s" % _short(id)
 		var data: Dictionary = _object(sensors, id, field)
 		var entry: Calibration.Entry = Calibration.Entry.new()
-		entry.place = _place(data, "place", field + ".place")
+		entry.mount = _mount(data, "place", field + ".place")
 		entry.heading = _number(data, "heading_rad", field + ".heading_rad", -1e3, 1e3)
 		entry.mounting = _rotation(data, field + ".mounting_xyzw")
 		if error != "":
@@ -144,12 +144,12 @@ func _rotation(p_data: Dictionary, p_field: String) -> Quaternion:
 	return turn.normalized()
 
 
-func _place(p_data: Dictionary, p_key: Variant, p_field: String) -> int:
+func _mount(p_data: Dictionary, p_key: Variant, p_field: String) -> int:
 	var name: String = _text(p_data, p_key, p_field)
-	var place: int = BodyMounts.find(name)
-	if error == "" and place < 0:
+	var mount: int = BodyMounts.find(name)
+	if error == "" and mount < 0:
 		error = "%s: there is no place '%s' on the body" % [p_field, name.left(30)]
-	return place
+	return mount
 
 
 func _object(p_data: Dictionary, p_key: Variant, p_field: String) -> Dictionary:

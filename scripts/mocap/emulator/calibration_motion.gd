@@ -13,13 +13,13 @@ var facing: float = 0.0
 var effort: float = 1.0
 ## The pose of a quick reset.
 var pose_kind: ResetPose.Kind = ResetPose.Kind.T
-## Places that are worn, for a fit check.
-var places: PackedInt32Array = PackedInt32Array(range(BodyMounts.COUNT))
+## Mounts that are worn, for a fit check.
+var mounts: PackedInt32Array = PackedInt32Array(range(BodyMounts.COUNT))
 ## How far both arms point ahead in the T-pose instead of to the side, degrees.
 var ahead_deg: float = 0.0
-## How far places are off in every pose, by place of [BodyMounts].
+## How far mounts are off in every pose, by mount of [BodyMounts].
 var faults: Dictionary[int, Quaternion] = {}
-## How far places sway during everything, degrees to either side, by place.
+## How far mounts sway during everything, degrees to either side, by mount.
 var sways_deg: Dictionary[int, float] = {}
 
 var _start_usec: int = -1
@@ -40,7 +40,7 @@ func pose_at(p_time_s: float) -> PoseSample:
 	var time: float = p_time_s
 	var at: CalibrationGuide.Step = null
 	var part: float = 1.0
-	for step: CalibrationGuide.Step in CalibrationGuide.steps(kind, pose_kind, places):
+	for step: CalibrationGuide.Step in CalibrationGuide.steps(kind, pose_kind, mounts):
 		at = step
 		part = clampf(time / step.duration_s, 0.0, 1.0)
 		if time < step.duration_s:
@@ -49,36 +49,36 @@ func pose_at(p_time_s: float) -> PoseSample:
 	var pose: PoseSample = PoseSample.new()
 	pose.root = Vector3(0.0, get_hip_height(), 0.0)
 	pose.details = MotionDetails.new()
-	for place: int in BodyMounts.COUNT:
-		var turned: Quaternion = Rotations.yaw(facing) * _rotation(at, part, place)
-		turned *= faults.get(place, Quaternion.IDENTITY)
-		if sways_deg.has(place):
-			var sway: float = sin(TAU * _SWAY_HZ * p_time_s) * deg_to_rad(sways_deg[place])
+	for mount: int in BodyMounts.COUNT:
+		var turned: Quaternion = Rotations.yaw(facing) * _rotation(at, part, mount)
+		turned *= faults.get(mount, Quaternion.IDENTITY)
+		if sways_deg.has(mount):
+			var sway: float = sin(TAU * _SWAY_HZ * p_time_s) * deg_to_rad(sways_deg[mount])
 			turned *= Quaternion(Vector3.RIGHT, sway)
-		if place == 3 or place == 7:
+		if mount == 3 or mount == 7:
 			# The shoulder blades are no limbs.
-			pose.details.joints[WornSensorFeed.BLADES[place]] = turned
+			pose.details.joints[WornSensorFeed.BLADES[mount]] = turned
 		else:
-			pose.set_orientation(BodyMounts.LIMBS[place], turned)
+			pose.set_orientation(BodyMounts.LIMBS[mount], turned)
 	pose.set_orientation(1, pose.orientation(0).slerp(pose.orientation(2), 0.5))
 	return pose
 
 
-func _rotation(p_step: CalibrationGuide.Step, p_part: float, p_place: int) -> Quaternion:
-	var pose: Quaternion = ResetPose.rotation(p_step.pose, p_place)
+func _rotation(p_step: CalibrationGuide.Step, p_part: float, p_mount: int) -> Quaternion:
+	var pose: Quaternion = ResetPose.rotation(p_step.pose, p_mount)
 	var stretched: Quaternion = Quaternion.IDENTITY
-	if ResetPose.hangs(p_place):
-		stretched = Rotations.yaw(deg_to_rad(-ahead_deg) * BodyMounts.side(p_place))
+	if ResetPose.hangs(p_mount):
+		stretched = Rotations.yaw(deg_to_rad(-ahead_deg) * BodyMounts.side(p_mount))
 	if p_step.pose == ResetPose.Kind.N:
 		pose = stretched.slerp(pose, minf(effort, 1.0))
 	elif p_step.movement == GuideMovements.Movement.NONE:
 		pose = stretched
-	var turn: Vector3 = GuideMovements.turn_deg(p_step.movement, p_place) * (PI / 180.0)
+	var turn: Vector3 = GuideMovements.turn_deg(p_step.movement, p_mount) * (PI / 180.0)
 	if turn == Vector3.ZERO:
 		return pose
 	# People do not move at once, and stand before the end.
 	var eased: float = smoothstep(0.2, 0.8, p_part)
 	if p_step.movement == GuideMovements.Movement.ARMS:
-		return stretched.slerp(ResetPose.rotation(ResetPose.Kind.N, p_place), eased * effort)
+		return stretched.slerp(ResetPose.rotation(ResetPose.Kind.N, p_mount), eased * effort)
 	eased = sin(PI * eased)
 	return Rotations.from_vector(turn * eased * effort) * pose

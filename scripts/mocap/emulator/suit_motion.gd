@@ -4,7 +4,7 @@ extends RefCounted
 ##
 ## Written as a motion stream for the emulator of suits, which knows no engine and no BVH files; its
 ## layout is told in [code]gdextension/xbus/emulator/suit/motion_stream.hpp[/code]. Limbs are the
-## places of [BodyMounts]. Frame: Xsens' (X north, Y west, Z up, metres); in the reset pose the
+## mounts of [BodyMounts]. Frame: Xsens' (X north, Y west, Z up, metres); in the reset pose the
 ## wearer faces north.
 
 const MAGIC: String = "XBMOTION"
@@ -13,7 +13,7 @@ const NAME_BYTES: int = 32
 ## Seconds in which the wearer goes from the calibration's last pose to the clip's first.
 const PASSAGE_S: float = 1.0
 
-## Where the joint of each place is, from the joint of its parent, in the reset pose (Godot's frame,
+## Where the joint of each mount is, from the joint of its parent, in the reset pose (Godot's frame,
 ## m): a person of 1.75 m. Accelerations follow from it.
 const OFFSETS: Array[Vector3] = [
 	Vector3(0.0, 0.0, 0.0),
@@ -35,7 +35,7 @@ const OFFSETS: Array[Vector3] = [
 	Vector3(0.0, -0.42, 0.0),
 ]
 
-## Places that are no limb of their own, and the joints under which a pose may tell of them.
+## Mounts that are no limb of their own, and the joints under which a pose may tell of them.
 const _BLADES: Dictionary[int, int] = {
 	3: XRBodyTracker.JOINT_LEFT_SHOULDER, 7: XRBodyTracker.JOINT_RIGHT_SHOULDER
 }
@@ -62,8 +62,8 @@ func encode() -> PackedByteArray:
 	writer.put_double(rate_hz)
 	writer.put_u32(count)
 	writer.put_u32(lead)
-	for place: StringName in BodyMounts.NAMES:
-		var bytes: PackedByteArray = String(place).to_ascii_buffer()
+	for mount: StringName in BodyMounts.NAMES:
+		var bytes: PackedByteArray = String(mount).to_ascii_buffer()
 		bytes.resize(NAME_BYTES)
 		writer.put_data(bytes)
 	var values: PackedFloat32Array = PackedFloat32Array()
@@ -102,12 +102,12 @@ func pose_at(p_time_s: float) -> PoseSample:
 
 func _append(p_pose: PoseSample, r_values: PackedFloat32Array) -> void:
 	var joints: PackedVector3Array = PackedVector3Array()
-	for place: int in BodyMounts.COUNT:
-		var rotation: Quaternion = _rotation(p_pose, place)
-		var parent: int = BodyMounts.PARENTS[place]
+	for mount: int in BodyMounts.COUNT:
+		var rotation: Quaternion = _rotation(p_pose, mount)
+		var parent: int = BodyMounts.PARENTS[mount]
 		var joint: Vector3 = p_pose.root
 		if parent >= 0:
-			joint = joints[parent] + _rotation(p_pose, parent) * OFFSETS[place]
+			joint = joints[parent] + _rotation(p_pose, parent) * OFFSETS[mount]
 		joints.append(joint)
 		# Godot's x, y, z are Xsens' y, z, x.
 		var numbers: Array[float] = [rotation.w, rotation.z, rotation.x, rotation.y]
@@ -115,8 +115,8 @@ func _append(p_pose: PoseSample, r_values: PackedFloat32Array) -> void:
 		r_values.append_array(PackedFloat32Array(numbers))
 
 
-static func _rotation(p_pose: PoseSample, p_place: int) -> Quaternion:
-	var limb: Quaternion = p_pose.orientation(BodyMounts.LIMBS[p_place])
-	if p_pose.details != null and _BLADES.has(p_place):
-		return p_pose.details.joints.get(_BLADES[p_place], limb)
+static func _rotation(p_pose: PoseSample, p_mount: int) -> Quaternion:
+	var limb: Quaternion = p_pose.orientation(BodyMounts.LIMBS[p_mount])
+	if p_pose.details != null and _BLADES.has(p_mount):
+		return p_pose.details.joints.get(_BLADES[p_mount], limb)
 	return limb

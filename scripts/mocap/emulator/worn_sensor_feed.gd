@@ -10,7 +10,7 @@ extends SensorFeed
 const MAX_WAITING: int = 512
 ## Gravity, m/s².
 const GRAVITY: float = 9.81
-## Places that are no limb, and the joints under which a pose may tell of them.
+## Mounts that are no limb, and the joints under which a pose may tell of them.
 const BLADES: Dictionary[int, int] = {
 	3: XRBodyTracker.JOINT_LEFT_SHOULDER, 7: XRBodyTracker.JOINT_RIGHT_SHOULDER
 }
@@ -25,7 +25,7 @@ var silent: PackedInt32Array = PackedInt32Array()
 var random: RandomNumberGenerator = RandomNumberGenerator.new()
 
 var _ids: PackedStringArray = PackedStringArray()
-var _places: PackedInt32Array = PackedInt32Array()
+var _mounts: PackedInt32Array = PackedInt32Array()
 var _mountings: Array[Quaternion] = []
 var _headings: PackedFloat32Array = PackedFloat32Array()
 var _before: Array[Quaternion] = []
@@ -38,9 +38,9 @@ var _mutex: Mutex = Mutex.new()
 var _waiting: Array[SensorFrame] = []
 
 
-## Puts a sensor on a place of [BodyMounts]; [param p_heading] in rad. Returns its number.
+## Puts a sensor on a mount of [BodyMounts]; [param p_heading] in rad. Returns its number.
 func add_sensor(
-	p_place: int,
+	p_mount: int,
 	p_mounting: Quaternion = Quaternion.IDENTITY,
 	p_heading: float = 0.0,
 	p_id: String = ""
@@ -48,7 +48,7 @@ func add_sensor(
 	_mutex.lock()
 	var number: int = _ids.size()
 	_ids.append(p_id if p_id != "" else "%08X" % (0x00300001 + number))
-	_places.append(p_place)
+	_mounts.append(p_mount)
 	_mountings.append(p_mounting.normalized())
 	_headings.append(p_heading)
 	_before.append(Quaternion.IDENTITY)
@@ -58,9 +58,9 @@ func add_sensor(
 
 
 ## Changes how a sensor sits, as if it slipped or was put elsewhere.
-func wear(p_sensor: int, p_place: int, p_mounting: Quaternion) -> void:
+func wear(p_sensor: int, p_mount: int, p_mounting: Quaternion) -> void:
 	_mutex.lock()
-	_places[p_sensor] = p_place
+	_mounts[p_sensor] = p_mount
 	_mountings[p_sensor] = p_mounting.normalized()
 	_mutex.unlock()
 
@@ -126,10 +126,10 @@ func _orientation(p_sensor: int, p_pose: PoseSample, p_passed_s: float) -> Quate
 	var heading: float = _headings[p_sensor]
 	if p_sensor < drifts_deg.size():
 		heading += deg_to_rad(drifts_deg[p_sensor]) * p_passed_s
-	var place: int = _places[p_sensor]
-	var limb: Quaternion = p_pose.orientation(BodyMounts.LIMBS[place])
-	if BLADES.has(place) and p_pose.details != null:
-		limb = p_pose.details.joints.get(BLADES[place], limb)
+	var mount: int = _mounts[p_sensor]
+	var limb: Quaternion = p_pose.orientation(BodyMounts.LIMBS[mount])
+	if BLADES.has(mount) and p_pose.details != null:
+		limb = p_pose.details.joints.get(BLADES[mount], limb)
 	var turned: Quaternion = Rotations.yaw(heading) * limb * _mountings[p_sensor]
 	if noise_deg > 0.0:
 		var off: Vector3 = Vector3(random.randfn(), random.randfn(), random.randfn())

@@ -110,7 +110,7 @@ static func _pose_of(
 	for segment: int in COUNT:
 		var place: int = BodyMounts.find(PLACES[segment])
 		if place >= 0 and p_present[segment] != 0:
-			filler.set_place(place, p_turns[segment])
+			filler.set_mount(place, p_turns[segment])
 	filler.fill()
 	var found: PoseSample = PoseSample.new()
 	found.details = MotionDetails.new()

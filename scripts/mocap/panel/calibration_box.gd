@@ -8,8 +8,8 @@ signal start_wanted(p_kind: CalibrationGuide.Kind)
 signal accept_wanted
 ## The calibration, or its result, shall be forgotten.
 signal cancel_wanted
-## Sensors of two places shall be exchanged.
-signal exchange_wanted(p_places: Vector2i)
+## Sensors of two mounts shall be exchanged.
+signal exchange_wanted(p_mounts: Vector2i)
 
 ## Keys of the kinds, by [enum CalibrationGuide.Kind].
 const KEYS: Array[Key] = [KEY_F1, KEY_F2, KEY_F3, KEY_F4, KEY_F5, KEY_F6]
@@ -114,12 +114,12 @@ func show_process(p_process: CalibrationProcess, p_notes: PackedStringArray) -> 
 			_show_buttons(false, Vector2i.ZERO)
 
 
-## Offers to exchange the sensors of two places.
-func offer_exchange(p_places: Vector2i) -> void:
-	_swap = p_places
-	_exchange.visible = p_places != Vector2i.ZERO
+## Offers to exchange the sensors of two mounts.
+func offer_exchange(p_mounts: Vector2i) -> void:
+	_swap = p_mounts
+	_exchange.visible = p_mounts != Vector2i.ZERO
 	if _exchange.visible:
-		var parts: Array = [BodyMounts.title(p_places.x), BodyMounts.title(p_places.y)]
+		var parts: Array = [BodyMounts.title(p_mounts.x), BodyMounts.title(p_mounts.y)]
 		_exchange.text = "Exchange %s and %s [F8]" % parts
 
 
@@ -145,9 +145,9 @@ func _show_result(p_result: CalibrationResult) -> void:
 	_accept.visible = p_result.error == "" and not is_check
 
 
-## The places that moved most, for people.
+## The mounts that moved most, for people.
 static func _worst(p_result: CalibrationResult) -> PackedStringArray:
-	var sorted: Array[CalibrationResult.PlaceQuality] = p_result.places.duplicate()
+	var sorted: Array[CalibrationResult.PlaceQuality] = p_result.mounts.duplicate()
 	sorted.sort_custom(
 		func(a: CalibrationResult.PlaceQuality, b: CalibrationResult.PlaceQuality) -> bool:
 			return a.movement_deg > b.movement_deg
@@ -155,7 +155,7 @@ static func _worst(p_result: CalibrationResult) -> PackedStringArray:
 	var found: PackedStringArray = []
 	for quality: CalibrationResult.PlaceQuality in sorted.slice(0, 4):
 		if not quality.is_missing:
-			found.append("%s %.1f°" % [BodyMounts.title(quality.place), quality.movement_deg])
+			found.append("%s %.1f°" % [BodyMounts.title(quality.mount), quality.movement_deg])
 	return found
 
 

@@ -7,7 +7,7 @@ extends Control
 
 ## It shall be closed.
 signal close_wanted
-## A person's data changed: name, size, places or calibration. Who is the number of the suit.
+## A person's data changed: name, size, mounts or calibration. Who is the number of the suit.
 signal profile_changed(p_suit: int)
 
 ## How often stats are written anew, s.
@@ -52,7 +52,7 @@ func _ready() -> void:
 	_box.accept_wanted.connect(_accept)
 	_box.cancel_wanted.connect(func() -> void: suit().refuse_calibration())
 	_box.exchange_wanted.connect(_exchange)
-	_sensors.place_chosen.connect(_move_sensor)
+	_sensors.mount_chosen.connect(_move_sensor)
 	_person.name_entered.connect(_rename)
 	_person.person_chosen.connect(_take_person)
 	_person.height_changed.connect(_set_height)
@@ -111,7 +111,7 @@ func _process(_delta: float) -> void:
 		return
 	var newest: SensorFrame = suit().newest_frame
 	if newest != null:
-		_boxes_view.show_frame(newest, _places(), suit().get_body())
+		_boxes_view.show_frame(newest, _mounts(), suit().get_body())
 	_figure_view.visible = suit().newest_pose != null
 	if suit().newest_pose != null:
 		_figure_view.show_pose(suit().newest_pose, suit().get_body(), _trouble())
@@ -156,10 +156,10 @@ func _refresh() -> void:
 
 func _show_stats() -> void:
 	var sensors: Array[SensorInfo] = suit().feed.list_sensors()
-	var places: PackedInt32Array = suit().get_profile().map.of_sensors(sensors)
+	var mounts: PackedInt32Array = suit().get_profile().map.of_sensors(sensors)
 	var process: CalibrationProcess = suit().process
 	var holds: bool = process.phase == CalibrationProcess.Phase.HOLD
-	_sensors.show_sensors(sensors, places, process.live_deg, holds)
+	_sensors.show_sensors(sensors, mounts, process.live_deg, holds)
 	_show_status()
 
 
@@ -179,7 +179,7 @@ func _show_status() -> void:
 	_status.tooltip_text = _status.text
 
 
-func _places() -> PackedInt32Array:
+func _mounts() -> PackedInt32Array:
 	return suit().get_profile().map.of_sensors(suit().feed.list_sensors())
 
 
@@ -188,8 +188,8 @@ func _trouble() -> PackedInt32Array:
 	var found: PackedInt32Array = []
 	for swap: Vector2i in suit().watch.swaps:
 		found.append_array([BodyMounts.LIMBS[swap.x], BodyMounts.LIMBS[swap.y]])
-	for place: int in suit().watch.slipped:
-		found.append(BodyMounts.LIMBS[place])
+	for mount: int in suit().watch.slipped:
+		found.append(BodyMounts.LIMBS[mount])
 	return found
 
 
@@ -198,18 +198,18 @@ func _accept() -> void:
 	_keep()
 
 
-func _exchange(p_places: Vector2i) -> void:
+func _exchange(p_mounts: Vector2i) -> void:
 	var map: SensorMap = suit().get_profile().map.duplicate()
-	map.exchange(p_places.x, p_places.y)
+	map.exchange(p_mounts.x, p_mounts.y)
 	suit().set_map(map)
 	suit().refuse_calibration()
 	_fault = "exchanged: calibrate again"
 	_keep()
 
 
-func _move_sensor(p_sensor: String, p_place: int) -> void:
+func _move_sensor(p_sensor: String, p_mount: int) -> void:
 	var map: SensorMap = suit().get_profile().map.duplicate()
-	map.assign(p_sensor, p_place)
+	map.assign(p_sensor, p_mount)
 	suit().set_map(map)
 	_keep()
 

@@ -21,8 +21,8 @@ func _init() -> void:
 		_looks.append(_look(color))
 
 
-## Shows a frame of sensors that are on places (-1: beside the person) of somebody of a size.
-func show_frame(p_frame: SensorFrame, p_places: PackedInt32Array, p_size: BodySize) -> void:
+## Shows a frame of sensors that are on mounts (-1: beside the person) of somebody of a size.
+func show_frame(p_frame: SensorFrame, p_mounts: PackedInt32Array, p_size: BodySize) -> void:
 	while _sensors.size() < p_frame.count():
 		_sensors.append(_make_sensor())
 		add_child(_sensors[_sensors.size() - 1])
@@ -33,13 +33,13 @@ func show_frame(p_frame: SensorFrame, p_places: PackedInt32Array, p_size: BodySi
 		_sensors[sensor].visible = sensor < p_frame.count()
 		if sensor >= p_frame.count():
 			continue
-		var place: int = p_places[sensor] if sensor < p_places.size() else -1
+		var mount: int = p_mounts[sensor] if sensor < p_mounts.size() else -1
 		var at: Vector3 = Vector3(-0.9 + 0.15 * beside, 0.1, 0.6)
-		if place >= 0:
-			var limb: int = BodyMounts.LIMBS[place]
+		if mount >= 0:
+			var limb: int = BodyMounts.LIMBS[mount]
 			at = (bases[limb] + tails[limb]) / 2.0
-			if place == 3 or place == 7:
-				at = bases[limb].lerp(bases[4 if place == 3 else 7], 0.6) + Vector3(0, 0.1, 0)
+			if mount == 3 or mount == 7:
+				at = bases[limb].lerp(bases[4 if mount == 3 else 7], 0.6) + Vector3(0, 0.1, 0)
 		else:
 			beside += 1
 		var speaks: bool = p_frame.present[sensor] != 0

@@ -2,8 +2,8 @@ class_name SensorTable
 extends Tree
 ## The sensors and how they do, a row each; Enter on a row asks where the sensor is worn.
 
-## A sensor shall be on another place; -1: it is not worn.
-signal place_chosen(p_sensor: String, p_place: int)
+## A sensor shall be on another mount; -1: it is not worn.
+signal mount_chosen(p_sensor: String, p_mount: int)
 
 ## Titles of the columns.
 const TITLES: PackedStringArray = [
@@ -42,19 +42,19 @@ func _init() -> void:
 	add_theme_constant_override("inner_item_margin_bottom", 0)
 	add_theme_font_size_override("font_size", 13)
 	add_theme_font_size_override("title_button_font_size", 13)
-	item_activated.connect(ask_place)
-	for place: int in BodyMounts.COUNT:
-		_menu.add_item(BodyMounts.title(place), place)
+	item_activated.connect(ask_mount)
+	for mount: int in BodyMounts.COUNT:
+		_menu.add_item(BodyMounts.title(mount), mount)
 	_menu.add_item("not worn", BodyMounts.COUNT)
 	_menu.id_pressed.connect(_choose)
 	add_child(_menu)
 
 
-## Shows sensors, with the place of each (-1: none) and how far each moved of late, degrees; which
+## Shows sensors, with the mount of each (-1: none) and how far each moved of late, degrees; which
 ## is wrong while [param p_holds] still.
 func show_sensors(
 	p_sensors: Array[SensorInfo],
-	p_places: PackedInt32Array,
+	p_mounts: PackedInt32Array,
 	p_moves: PackedFloat32Array,
 	p_holds: bool
 ) -> void:
@@ -62,7 +62,7 @@ func show_sensors(
 	var order: Array = range(p_sensors.size())
 	var ranks: PackedInt32Array = []
 	for at: int in p_sensors.size():
-		ranks.append((p_places[at] if p_places[at] >= 0 else 99) * 1000 + at)
+		ranks.append((p_mounts[at] if p_mounts[at] >= 0 else 99) * 1000 + at)
 	order.sort_custom(func(a: int, b: int) -> bool: return ranks[a] < ranks[b])
 	var wanted: PackedStringArray = []
 	for at: int in order:
@@ -71,7 +71,7 @@ func show_sensors(
 		_make_rows(wanted)
 	for at: int in p_sensors.size():
 		var moves: float = p_moves[at] if at < p_moves.size() else 0.0
-		_show(_rows[p_sensors[at].id], p_sensors[at], p_places[at], moves)
+		_show(_rows[p_sensors[at].id], p_sensors[at], p_mounts[at], moves)
 
 
 ## The sensor of the selected row, or an empty text.
@@ -81,7 +81,7 @@ func selected_sensor() -> String:
 
 
 ## Asks where the selected sensor is worn.
-func ask_place() -> void:
+func ask_mount() -> void:
 	_asked = selected_sensor()
 	if _asked == "":
 		return
@@ -91,8 +91,8 @@ func ask_place() -> void:
 	_menu.set_focused_item(0)
 
 
-func _choose(p_place: int) -> void:
-	place_chosen.emit(_asked, p_place if p_place < BodyMounts.COUNT else -1)
+func _choose(p_mount: int) -> void:
+	mount_chosen.emit(_asked, p_mount if p_mount < BodyMounts.COUNT else -1)
 	grab_focus()
 
 
@@ -110,9 +110,9 @@ func _make_rows(p_ids: PackedStringArray) -> void:
 			row.select(0)
 
 
-func _show(p_row: TreeItem, p_info: SensorInfo, p_place: int, p_moves: float) -> void:
+func _show(p_row: TreeItem, p_info: SensorInfo, p_mount: int, p_moves: float) -> void:
 	var is_on: bool = p_info.state == SensorInfo.State.MEASURING
-	_cell(p_row, 0, BodyMounts.title(p_place) if p_place >= 0 else "not worn", p_place < 0)
+	_cell(p_row, 0, BodyMounts.title(p_mount) if p_mount >= 0 else "not worn", p_mount < 0)
 	_cell(p_row, 1, p_info.id, false)
 	_cell(p_row, 2, p_info.where, false)
 	_cell(p_row, 3, p_info.state_name(), not is_on)

@@ -4,7 +4,7 @@ extends RefCounted
 ## Feeds derive from it.
 ##
 ## Any thread may call it: [SuitSource] takes the frames in the sampling thread while a panel lists
-## the sensors in the main one. A sensor keeps its place in the list while the feed lives; new ones
+## the sensors in the main one. A sensor keeps its mount in the list while the feed lives; new ones
 ## come behind.
 
 ## Why nothing comes, or an empty text.

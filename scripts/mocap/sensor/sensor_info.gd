@@ -22,8 +22,8 @@ const STATE_NAMES: PackedStringArray = ["waiting", "measuring", "silent", "faile
 var id: String = ""
 ## Where it hangs, for people: "XM 00100123 / 3".
 var where: String = ""
-## The place on the body that the device itself tells, one of [constant BodyMounts.NAMES], or empty.
-var place: StringName = &""
+## The mount on the body that the device itself tells, one of [constant BodyMounts.NAMES], or empty.
+var mount: StringName = &""
 ## What it does.
 var state: State = State.WAITING
 ## What is wrong, for people, or an empty text.
@@ -43,7 +43,7 @@ func copy() -> SensorInfo:
 	var other: SensorInfo = SensorInfo.new()
 	other.id = id
 	other.where = where
-	other.place = place
+	other.mount = mount
 	other.state = state
 	other.trouble = trouble
 	other.rate_hz = rate_hz

@@ -61,7 +61,7 @@ func get_profile() -> PersonProfile:
 	return profile
 
 
-## Says who wears it: places, size and calibration are in force from the next sample on.
+## Says who wears it: mounts, size and calibration are in force from the next sample on.
 func set_profile(p_profile: PersonProfile) -> void:
 	_mutex.lock()
 	_profile = p_profile
@@ -100,7 +100,7 @@ func set_calibration(p_calibration: Calibration) -> void:
 	set_profile(changed)
 
 
-## Whether samples come out: it is calibrated, and at least one place is worn.
+## Whether samples come out: it is calibrated, and at least one mount is worn.
 func is_calibrated() -> bool:
 	return get_profile().calibration != null
 
@@ -110,8 +110,8 @@ func is_calibrated() -> bool:
 func start_calibration(p_kind: CalibrationGuide.Kind, p_now_s: float) -> String:
 	var sensors: Array[SensorInfo] = feed.list_sensors()
 	var profile: PersonProfile = _profile_for(sensors)
-	var places: PackedInt32Array = profile.map.of_sensors(sensors)
-	return process.start(p_kind, sensors, places, profile.calibration, p_now_s)
+	var mounts: PackedInt32Array = profile.map.of_sensors(sensors)
+	return process.start(p_kind, sensors, mounts, profile.calibration, p_now_s)
 
 
 ## Takes the result of the calibration into force, as far as there is one.
@@ -247,7 +247,7 @@ func _table_to_show(p_table: SuitTable) -> SuitTable:
 func _profile_for(p_sensors: Array[SensorInfo]) -> PersonProfile:
 	var knows: bool = p_sensors.is_empty()
 	for sensor: SensorInfo in p_sensors:
-		knows = knows or _profile.map.places.has(sensor.id) and not _profile.map.is_guessed
+		knows = knows or _profile.map.mounts.has(sensor.id) and not _profile.map.is_guessed
 	if knows:
 		return _profile
 	var found: PersonProfile = _copy(_profile)

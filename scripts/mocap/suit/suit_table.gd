@@ -1,12 +1,12 @@
 class_name SuitTable
 extends RefCounted
-## Turns frames of sensors into poses: for each sensor its place and calibration, ready to be used.
+## Turns frames of sensors into poses: for each sensor its mount and calibration, ready to be used.
 ##
 ## A sensor that was silent in a frame keeps what it said last for [constant SuitSource.SILENT_S].
 ## Any thread may ask for a pose.
 
 ## Place of each sensor, -1 if it is not worn.
-var places: PackedInt32Array = PackedInt32Array()
+var mounts: PackedInt32Array = PackedInt32Array()
 ## Whether there is a calibration at all.
 var is_calibrated: bool = false
 ## The pose in which it was calibrated.
@@ -25,7 +25,7 @@ var _filler: LimbFiller = LimbFiller.new()
 
 ## Prepares for sensors and who wears them.
 func setup(p_sensors: Array[SensorInfo], p_profile: PersonProfile) -> void:
-	places = p_profile.map.of_sensors(p_sensors)
+	mounts = p_profile.map.of_sensors(p_sensors)
 	is_calibrated = p_profile.calibration != null
 	if is_calibrated:
 		reset_pose = p_profile.calibration.pose
@@ -40,7 +40,7 @@ func setup(p_sensors: Array[SensorInfo], p_profile: PersonProfile) -> void:
 		_last_usec[sensor] = -1
 		var entry: Calibration.Entry = null
 		if is_calibrated:
-			entry = p_profile.calibration.entry_for(p_sensors[sensor].id, places[sensor])
+			entry = p_profile.calibration.entry_for(p_sensors[sensor].id, mounts[sensor])
 		if entry != null:
 			_is_known[sensor] = 1
 			_left[sensor] = Rotations.yaw(-entry.heading)
@@ -78,7 +78,7 @@ func pose(p_frame: SensorFrame) -> PoseSample:
 		if sensor < p_frame.count() and p_frame.present[sensor] != 0:
 			said = p_frame.orientation(sensor)
 		var turned: Quaternion = (_left[sensor] * said * _right[sensor]).normalized()
-		_filler.set_place(places[sensor], turned)
+		_filler.set_mount(mounts[sensor], turned)
 	if spoke == 0:
 		_mutex.unlock()
 		return null
@@ -106,12 +106,12 @@ func _details(p_frame: SensorFrame) -> MotionDetails:
 	if p_frame.rates.is_empty():
 		return details
 	details.rates.resize(Limbs.COUNT)
-	for sensor: int in mini(p_frame.count(), places.size()):
-		var place: int = places[sensor]
-		if place < 0 or place == 3 or place == 7 or _is_known[sensor] == 0:
+	for sensor: int in mini(p_frame.count(), mounts.size()):
+		var mount: int = mounts[sensor]
+		if mount < 0 or mount == 3 or mount == 7 or _is_known[sensor] == 0:
 			continue
 		var said: Quaternion = p_frame.orientation(sensor)
 		if p_frame.present[sensor] != 0:
 			var rate: Vector3 = _left[sensor] * (said * p_frame.rates[sensor])
-			details.rates[BodyMounts.LIMBS[place]] = rate
+			details.rates[BodyMounts.LIMBS[mount]] = rate
 	return details

@@ -40,7 +40,7 @@ const PAIRS: Array[Vector2i] = [
 	Vector2i(12, 15),
 	Vector2i(13, 16),
 ]
-# For each pair the places above which a joint changes.
+# For each pair the mounts above which a joint changes.
 const _TOUCHED: Array[Array] = [
 	[BodyMounts.LEFT_FOREARM, BodyMounts.LEFT_HAND],
 	[BodyMounts.RIGHT_FOREARM, BodyMounts.RIGHT_HAND],
@@ -59,14 +59,14 @@ const _TOUCHED: Array[Array] = [
 	[BodyMounts.LEFT_FOOT, BodyMounts.RIGHT_FOOT],
 ]
 
-## Pairs of places whose sensors look exchanged.
+## Pairs of mounts whose sensors look exchanged.
 var swaps: Array[Vector2i] = []
-## Places whose sensor seems to have slipped or to sit upside down.
+## Mounts whose sensor seems to have slipped or to sit upside down.
 var slipped: PackedInt32Array = PackedInt32Array()
 
 var _last_usec: int = -1
 ## Of each pose: what all joints together are beyond their ranges now, then the same for each of
-## [constant PAIRS] exchanged (NaN if it is not possible), then for the joint above each place
+## [constant PAIRS] exchanged (NaN if it is not possible), then for the joint above each mount
 ## (NaN if it is not known), rad.
 var _rows: Array[PackedFloat32Array] = []
 var _since: int = 0
@@ -91,8 +91,8 @@ func messages() -> PackedStringArray:
 	var found: PackedStringArray = []
 	for swap: Vector2i in swaps:
 		found.append(FitCheck.describe(swap))
-	for place: int in slipped:
-		var title: String = BodyMounts.title(place)
+	for mount: int in slipped:
+		var title: String = BodyMounts.title(mount)
 		found.append("%s sensor seems loose or upside down: fasten it, calibrate again" % title)
 	return found
 
@@ -107,10 +107,10 @@ func add(p_frame: SensorFrame, p_table: SuitTable) -> void:
 	_reset = p_table.reset_pose
 	var pose: Array = []
 	pose.resize(BodyMounts.COUNT)
-	for sensor: int in mini(p_frame.count(), p_table.places.size()):
-		var place: int = p_table.places[sensor]
-		if place >= 0 and p_frame.present[sensor] != 0:
-			pose[place] = p_table.rotation(sensor, p_frame.orientation(sensor))
+	for sensor: int in mini(p_frame.count(), p_table.mounts.size()):
+		var mount: int = p_table.mounts[sensor]
+		if mount >= 0 and p_frame.present[sensor] != 0:
+			pose[mount] = p_table.rotation(sensor, p_frame.orientation(sensor))
 	_rows.append(_judge(pose))
 	_legs.add(pose)
 	if _rows.size() > WINDOW_S * RATE_HZ:
@@ -127,10 +127,10 @@ func _judge(p_pose: Array) -> PackedFloat32Array:
 	row.fill(NAN)
 	var joints: int = 1 + PAIRS.size()
 	row[0] = 0.0
-	for place: int in range(1, BodyMounts.COUNT):
-		if JointRange.knows(place):
-			row[joints + place] = _excess(p_pose, place)
-			row[0] += 0.0 if is_nan(row[joints + place]) else row[joints + place]
+	for mount: int in range(1, BodyMounts.COUNT):
+		if JointRange.knows(mount):
+			row[joints + mount] = _excess(p_pose, mount)
+			row[0] += 0.0 if is_nan(row[joints + mount]) else row[joints + mount]
 	for at: int in PAIRS.size():
 		var pair: Vector2i = PAIRS[at]
 		if p_pose[pair.x] == null or p_pose[pair.y] == null:
@@ -139,18 +139,18 @@ func _judge(p_pose: Array) -> PackedFloat32Array:
 		exchanged[pair.x] = _moved(p_pose[pair.y], pair.y, pair.x)
 		exchanged[pair.y] = _moved(p_pose[pair.x], pair.x, pair.y)
 		row[1 + at] = row[0]
-		for place: int in _TOUCHED[at]:
-			if not is_nan(row[joints + place]):
-				row[1 + at] += _excess(exchanged, place) - row[joints + place]
+		for mount: int in _TOUCHED[at]:
+			if not is_nan(row[joints + mount]):
+				row[1 + at] += _excess(exchanged, mount) - row[joints + mount]
 	return row
 
 
-## How far the joint above a place is beyond its range, rad; NaN if an end of it is not known.
-static func _excess(p_pose: Array, p_place: int) -> float:
-	var above: Variant = p_pose[BodyMounts.PARENTS[p_place]]
-	if p_pose[p_place] == null or above == null:
+## How far the joint above a mount is beyond its range, rad; NaN if an end of it is not known.
+static func _excess(p_pose: Array, p_mount: int) -> float:
+	var above: Variant = p_pose[BodyMounts.PARENTS[p_mount]]
+	if p_pose[p_mount] == null or above == null:
 		return NAN
-	return JointRange.excess(p_place, above, p_pose[p_place])
+	return JointRange.excess(p_mount, above, p_pose[p_mount])
 
 
 ## The mean of a column of the rows over those that know it; NaN if none does.
@@ -164,7 +164,7 @@ func _mean(p_column: int) -> float:
 	return sum / count if count > 0 else NAN
 
 
-## What a sensor would have said of another place, had it been calibrated for that.
+## What a sensor would have said of another mount, had it been calibrated for that.
 func _moved(p_rotation: Quaternion, p_from: int, p_to: int) -> Quaternion:
 	if _reset == ResetPose.Kind.T:
 		return p_rotation
@@ -210,26 +210,26 @@ func _find_swap() -> Vector2i:
 	return found
 
 
-## The fewest places that explain all bad joints: those whose every joint is bad, first those with
+## The fewest mounts that explain all bad joints: those whose every joint is bad, first those with
 ## most joints.
 func _find_slipped() -> PackedInt32Array:
 	var bad: PackedInt32Array = []
 	var good: PackedInt32Array = []
-	for place: int in BodyMounts.COUNT:
+	for mount: int in BodyMounts.COUNT:
 		# NaN, where nothing is known, is neither.
-		var mean: float = _mean(1 + PAIRS.size() + place)
+		var mean: float = _mean(1 + PAIRS.size() + mount)
 		if mean > SLIP_RAD:
-			bad.append(place)
+			bad.append(mount)
 		elif mean <= SLIP_RAD:
-			good.append(place)
+			good.append(mount)
 	var found: PackedInt32Array = []
 	while not bad.is_empty():
 		var best: int = -1
 		var most: int = 0
-		for place: int in BodyMounts.COUNT:
-			var count: int = _joints_of(place, bad).size()
-			if count >= most and count > 0 and _joints_of(place, good).is_empty():
-				best = place
+		for mount: int in BodyMounts.COUNT:
+			var count: int = _joints_of(mount, bad).size()
+			if count >= most and count > 0 and _joints_of(mount, good).is_empty():
+				best = mount
 				most = count
 		if best < 0:
 			break
@@ -240,10 +240,10 @@ func _find_slipped() -> PackedInt32Array:
 	return found
 
 
-## Those of some joints (by the place below) that touch a place.
-static func _joints_of(p_place: int, p_joints: PackedInt32Array) -> PackedInt32Array:
+## Those of some joints (by the mount below) that touch a mount.
+static func _joints_of(p_mount: int, p_joints: PackedInt32Array) -> PackedInt32Array:
 	var found: PackedInt32Array = []
 	for joint: int in p_joints:
-		if joint == p_place or BodyMounts.PARENTS[joint] == p_place:
+		if joint == p_mount or BodyMounts.PARENTS[joint] == p_mount:
 			found.append(joint)
 	return found

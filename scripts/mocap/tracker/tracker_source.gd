@@ -90,7 +90,7 @@ func _pose_of(p_tracker: XRBodyTracker) -> PoseSample:
 	for place: int in BodyMounts.COUNT:
 		for joint: int in _JOINTS[place]:
 			if _filler.known[place] == 0 and _is_turned(p_tracker, joint):
-				_filler.set_place(place, _turn(p_tracker, joint))
+				_filler.set_mount(place, _turn(p_tracker, joint))
 	if not _filler.known.has(1):
 		return null
 	_filler.fill()

@@ -72,7 +72,7 @@ func test_a_quick_reset_keeps_the_axes_and_takes_the_new_front() -> void:
 		wearer.motion.facing = _random.randf_range(-PI, PI)
 		var limb: int = 5
 		var slip: Quaternion = Quaternion(Vector3.RIGHT, 0.6)
-		wearer.feed.wear(limb, wearer.places[limb], slip * wearer.feed._mountings[limb])
+		wearer.feed.wear(limb, wearer.mounts[limb], slip * wearer.feed._mountings[limb])
 		var begin: int = wearer.now_usec
 		var result: CalibrationResult = wearer.calibrate(CalibrationGuide.Kind.QUICK)
 		is_true(wearer.now_usec - begin <= 1100000, "a second")

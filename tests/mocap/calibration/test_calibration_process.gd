@@ -17,7 +17,7 @@ func test_steps_and_their_times() -> void:
 	var note: Callable = func(p_phase: int) -> void: seen.append(str(p_phase))
 	process.phase_changed.connect(note)
 	var kind: CalibrationGuide.Kind = CalibrationGuide.Kind.T_TO_N
-	equal(process.start(kind, wearer.feed.list_sensors(), wearer.places, null, 5.0), "")
+	equal(process.start(kind, wearer.feed.list_sensors(), wearer.mounts, null, 5.0), "")
 	almost_equal(process.seconds_left, 3.0)
 	contains(process.instruction(), "arms straight out")
 	process.advance(7.5)
@@ -53,7 +53,7 @@ func test_cancelled_and_started_again() -> void:
 	var wearer: Wearer = _wearer(0.0)
 	var process: CalibrationProcess = wearer.process
 	var sensors: Array[SensorInfo] = wearer.feed.list_sensors()
-	process.start(CalibrationGuide.Kind.T_POSE, sensors, wearer.places, null, 0.0)
+	process.start(CalibrationGuide.Kind.T_POSE, sensors, wearer.mounts, null, 0.0)
 	process.advance(4.0)
 	process.cancel()
 	equal(process.phase, CalibrationProcess.Phase.IDLE)
@@ -74,18 +74,18 @@ func test_nothing_to_calibrate() -> void:
 
 
 func test_who_moves_is_named() -> void:
-	for place: int in [BodyMounts.HEAD, 5, 12]:
+	for mount: int in [BodyMounts.HEAD, 5, 12]:
 		var wearer: Wearer = _wearer(0.0)
-		wearer.motion.sways_deg[place] = 2.0
+		wearer.motion.sways_deg[mount] = 2.0
 		var result: CalibrationResult = wearer.calibrate(CalibrationGuide.Kind.T_POSE)
 		is_false(result.is_good())
-		var quality: CalibrationResult.PlaceQuality = result.find(place)
+		var quality: CalibrationResult.PlaceQuality = result.find(mount)
 		almost_equal(quality.movement_deg, 4.0, 0.4)
 		equal(quality.grade(), "moved")
-		var title: String = BodyMounts.title(place)
+		var title: String = BodyMounts.title(mount)
 		equal(result.advice[0], "%s moved 4° during the pose: again?" % title)
-		for other: CalibrationResult.PlaceQuality in result.places:
-			equal(other.place == place, other.movement_deg > 1.0)
+		for other: CalibrationResult.PlaceQuality in result.mounts:
+			equal(other.mount == mount, other.movement_deg > 1.0)
 
 
 func test_a_still_wearer_with_noisy_sensors_is_still() -> void:
@@ -150,9 +150,9 @@ func test_a_wearer_who_is_not_perfect() -> void:
 	var wearer: Wearer = _wearer(0.4)
 	wearer.motion.facing = 2.0
 	wearer.motion.effort = 0.93
-	for place: int in [4, 5, 6, 13]:
+	for mount: int in [4, 5, 6, 13]:
 		var off: Quaternion = Quaternion(wearer.any_axis(), deg_to_rad(7.0))
-		wearer.motion.faults[place] = off
+		wearer.motion.faults[mount] = off
 	var result: CalibrationResult = wearer.calibrate(CalibrationGuide.Kind.T_TO_N)
 	is_true(result.is_good(), ", ".join(result.advice))
 	var off_deg: float = absf(
@@ -186,8 +186,8 @@ func test_exchanged_sensors_are_named_by_any_calibration_with_movements() -> voi
 		for swap: Vector2i in cases[kind]:
 			var wearer: Wearer = _wearer(0.4)
 			wearer.motion.facing = 1.0
-			wearer.places[swap.x] = swap.y
-			wearer.places[swap.y] = swap.x
+			wearer.mounts[swap.x] = swap.y
+			wearer.mounts[swap.y] = swap.x
 			var result: CalibrationResult = wearer.calibrate(kind)
 			equal(result.swaps, [swap] as Array[Vector2i])
 			equal(result.advice[0], FitCheck.describe(swap))
@@ -198,9 +198,9 @@ func test_exchanged_sensors_are_named_by_any_calibration_with_movements() -> voi
 
 func test_arms_exchanged_as_a_whole() -> void:
 	var wearer: Wearer = _wearer(0.4)
-	for place: int in [4, 5, 6]:
-		wearer.places[place] = BodyMounts.MIRRORS[place]
-		wearer.places[BodyMounts.MIRRORS[place]] = place
+	for mount: int in [4, 5, 6]:
+		wearer.mounts[mount] = BodyMounts.MIRRORS[mount]
+		wearer.mounts[BodyMounts.MIRRORS[mount]] = mount
 	var result: CalibrationResult = wearer.calibrate(CalibrationGuide.Kind.FULL)
 	equal(result.swaps, [Vector2i(4, 8), Vector2i(5, 9), Vector2i(6, 10)] as Array[Vector2i])
 

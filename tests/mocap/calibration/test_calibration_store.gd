@@ -28,13 +28,13 @@ func test_a_profile_comes_back_as_it_was() -> void:
 	equal(again.name, profile.name)
 	equal(again.size.height, 1.62)
 	equal(again.size.measured, profile.size.measured)
-	equal(again.map.places, profile.map.places)
+	equal(again.map.mounts, profile.map.mounts)
 	equal(again.calibration.kind, CalibrationGuide.Kind.FULL)
 	equal(again.calibration.made_s, profile.calibration.made_s)
 	for id: String in profile.calibration.entries:
 		var was: Calibration.Entry = profile.calibration.entries[id]
 		var entry: Calibration.Entry = again.calibration.entries[id]
-		equal(entry.place, was.place)
+		equal(entry.mount, was.mount)
 		almost_equal(entry.heading, was.heading, 1e-12)
 		is_true(Rotations.between_deg(entry.mounting, was.mounting) < 1e-4)
 	_store.remove("Anna Ö. Meyer")
@@ -84,7 +84,7 @@ func test_faults_name_file_and_field() -> void:
 	var good: PersonProfile = _profile()
 	good.name = "bad"
 	var text: String = ProfileReader.write(good)
-	var id: String = good.map.places.keys()[0]
+	var id: String = good.map.mounts.keys()[0]
 	for change: Array in [
 		["1.62", "9.0", "size.height_m: a person is between"],
 		["1.62", "-1e99", "size.height_m"],
@@ -119,8 +119,8 @@ func test_damaged_files_never_do_harm() -> void:
 		equal(profile == null, reader.error != "")
 		if profile != null:
 			read += 1
-			for id: String in profile.map.places:
-				is_true(profile.map.places[id] >= 0 and profile.map.places[id] < 17)
+			for id: String in profile.map.mounts:
+				is_true(profile.map.mounts[id] >= 0 and profile.map.mounts[id] < 17)
 	is_true(read < 400)
 
 

@@ -15,7 +15,7 @@ func time_limit() -> float:
 
 
 func test_every_exchange_is_found_and_named() -> void:
-	# All pairs of 17 places, not only neighbours; 20 Hz, to be quick.
+	# All pairs of 17 mounts, not only neighbours; 20 Hz, to be quick.
 	var right: Array[MotionAxis] = []
 	var wearer: Wearer = _wearer(17, 1.0)
 	var result: CalibrationResult = wearer.calibrate(CalibrationGuide.Kind.FIT_CHECK)
@@ -25,11 +25,11 @@ func test_every_exchange_is_found_and_named() -> void:
 	right.resize(1)
 	for first: int in 17:
 		for second: int in first:
-			var places: PackedInt32Array = wearer.places.duplicate()
-			places[first] = second
-			places[second] = first
+			var mounts: PackedInt32Array = wearer.mounts.duplicate()
+			mounts[first] = second
+			mounts[second] = first
 			var axes: Dictionary[GuideMovements.Movement, MotionAxis] = wearer.process._solver.axes
-			var swaps: Array[Vector2i] = FitCheck.find_swaps(places, axes)
+			var swaps: Array[Vector2i] = FitCheck.find_swaps(mounts, axes)
 			equal(swaps, [Vector2i(second, first)] as Array[Vector2i])
 
 
@@ -46,8 +46,8 @@ func test_people_who_move_more_or_less_than_asked() -> void:
 
 func test_the_message() -> void:
 	var wearer: Wearer = _wearer(17, 1.0)
-	wearer.places[5] = 9
-	wearer.places[9] = 5
+	wearer.mounts[5] = 9
+	wearer.mounts[9] = 5
 	var result: CalibrationResult = wearer.calibrate(CalibrationGuide.Kind.FIT_CHECK)
 	equal(result.advice[0], "left forearm and right forearm look swapped")
 	is_false(result.is_good())
@@ -56,8 +56,8 @@ func test_the_message() -> void:
 func test_two_exchanges_at_once() -> void:
 	var wearer: Wearer = _wearer(17, 0.9)
 	for pair: Vector2i in [Vector2i(11, 12), Vector2i(6, 10)]:
-		wearer.places[pair.x] = pair.y
-		wearer.places[pair.y] = pair.x
+		wearer.mounts[pair.x] = pair.y
+		wearer.mounts[pair.y] = pair.x
 	var result: CalibrationResult = wearer.calibrate(CalibrationGuide.Kind.FIT_CHECK)
 	equal(result.swaps.size(), 2)
 	contains(result.swaps, Vector2i(11, 12))
@@ -81,18 +81,18 @@ func test_movements_suit_the_sensors() -> void:
 
 func _check_neighbours(p_wearer: Wearer, p_note: String) -> void:
 	var axes: Dictionary[GuideMovements.Movement, MotionAxis] = p_wearer.process._solver.axes
-	for first: int in p_wearer.places.size():
+	for first: int in p_wearer.mounts.size():
 		for second: int in first:
-			var one: int = p_wearer.places[first]
-			var other: int = p_wearer.places[second]
+			var one: int = p_wearer.mounts[first]
+			var other: int = p_wearer.mounts[second]
 			var near: bool = BodyMounts.PARENTS[one] == other or BodyMounts.MIRRORS[one] == other
 			if not near:
 				continue
-			var places: PackedInt32Array = p_wearer.places.duplicate()
-			places[first] = other
-			places[second] = one
+			var mounts: PackedInt32Array = p_wearer.mounts.duplicate()
+			mounts[first] = other
+			mounts[second] = one
 			var wanted: Vector2i = Vector2i(mini(one, other), maxi(one, other))
-			contains(FitCheck.find_swaps(places, axes), wanted, p_note)
+			contains(FitCheck.find_swaps(mounts, axes), wanted, p_note)
 
 
 func _wearer(p_count: int, p_effort: float) -> Wearer:
@@ -103,7 +103,7 @@ func _wearer(p_count: int, p_effort: float) -> Wearer:
 	wearer.wear(SensorMap.layout(p_count))
 	wearer.rate_hz = 20.0
 	wearer.motion.effort = p_effort
-	wearer.motion.places = wearer.places.duplicate()
-	for place: int in wearer.places:
-		wearer.motion.sways_deg[place] = 3.0
+	wearer.motion.mounts = wearer.mounts.duplicate()
+	for mount: int in wearer.mounts:
+		wearer.motion.sways_deg[mount] = 3.0
 	return wearer

@@ -14,23 +14,23 @@ var calibration: Calibration = null
 var random: RandomNumberGenerator = RandomNumberGenerator.new()
 var rate_hz: float = 100.0
 ## Place of each sensor.
-var places: PackedInt32Array = PackedInt32Array()
+var mounts: PackedInt32Array = PackedInt32Array()
 var now_usec: int = BEGIN_USEC
 
 
-## Puts sensors on places, sitting anyhow; the norths all alike (rad), or any if NaN.
-func wear(p_places: PackedInt32Array, p_north: float = NAN) -> void:
-	places = p_places
-	for place: int in p_places:
+## Puts sensors on mounts, sitting anyhow; the norths all alike (rad), or any if NaN.
+func wear(p_mounts: PackedInt32Array, p_north: float = NAN) -> void:
+	mounts = p_mounts
+	for mount: int in p_mounts:
 		var north: float = random.randf_range(-PI, PI) if is_nan(p_north) else p_north
-		feed.add_sensor(place, any_rotation(), north)
+		feed.add_sensor(mount, any_rotation(), north)
 
 
 ## Calibrates from start to end; returns the result.
 func calibrate(p_kind: CalibrationGuide.Kind) -> CalibrationResult:
 	motion.kind = p_kind
 	var start: float = now_usec / 1e6
-	var fault: String = process.start(p_kind, feed.list_sensors(), places, calibration, start)
+	var fault: String = process.start(p_kind, feed.list_sensors(), mounts, calibration, start)
 	if fault != "":
 		return null
 	var begin_usec: int = now_usec
@@ -63,8 +63,8 @@ func worst_deg(p_calibration: Calibration, p_poses: Array[PoseSample], p_front: 
 	var worst: float = 0.0
 	for pose: PoseSample in p_poses:
 		var got: Array[Quaternion] = rotations(p_calibration, pose)
-		for sensor: int in places.size():
-			var limb: Quaternion = pose.orientation(BodyMounts.LIMBS[places[sensor]])
+		for sensor: int in mounts.size():
+			var limb: Quaternion = pose.orientation(BodyMounts.LIMBS[mounts[sensor]])
 			var wanted: Quaternion = Rotations.yaw(-p_front) * limb
 			worst = maxf(worst, Rotations.between_deg(got[sensor], wanted))
 	return worst

@@ -210,7 +210,7 @@ func test_trackers_become_sensors() -> void:
 	equal(sensors.size(), BodyMounts.COUNT)
 	equal(frames[0].find_fault(), "")
 	for at: int in sensors.size():
-		var place: int = BodyMounts.find(sensors[at].place)
+		var place: int = BodyMounts.find(sensors[at].mount)
 		is_true(place >= 0, sensors[at].id)
 		equal(sensors[at].state, SensorInfo.State.MEASURING)
 		if not sensors[at].id.contains("Shoulder"):

@@ -105,12 +105,12 @@ func test_a_sensor_is_put_elsewhere_by_keys() -> void:
 	await _press(KEY_DOWN)
 	var sensor: String = _sensors().selected_sensor()
 	equal(sensor, "00300003")
-	var before: int = _suit.get_profile().map.places[sensor]
+	var before: int = _suit.get_profile().map.mounts[sensor]
 	equal(before, 2)
 	await _press(KEY_ENTER)
 	await _press(KEY_DOWN)
 	await _press(KEY_ENTER)
-	equal(_suit.get_profile().map.places[sensor], 1)
+	equal(_suit.get_profile().map.mounts[sensor], 1)
 	is_true(_sensors().has_focus())
 
 

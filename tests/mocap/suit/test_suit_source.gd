@@ -188,7 +188,7 @@ func test_another_suit_than_last_time() -> void:
 	profile.map.assign("00999999", BodyMounts.PELVIS)
 	_suit.set_profile(profile)
 	_go(0.1)
-	equal(_suit.get_profile().map.places.size(), 17)
+	equal(_suit.get_profile().map.mounts.size(), 17)
 	_calibrate()
 	_go(0.1)
 	not_null(_suit.newest_pose)

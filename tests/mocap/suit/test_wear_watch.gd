@@ -19,8 +19,8 @@ func test_no_false_alarm_on_any_clip_and_layout() -> void:
 	for clip: String in CLIPS:
 		for count: int in [17, 15, 11, 10, 6]:
 			for pose: int in 2:
-				var places: PackedInt32Array = SensorMap.layout(count)
-				var watch: WearWatch = _watch(clip, places, places, pose as ResetPose.Kind)
+				var mounts: PackedInt32Array = SensorMap.layout(count)
+				var watch: WearWatch = _watch(clip, mounts, mounts, pose as ResetPose.Kind)
 				var parts: Array = [clip, count, ", ".join(watch.messages())]
 				equal(watch.messages().size(), 0, "%s, %d sensors: %s" % parts)
 
@@ -28,18 +28,18 @@ func test_no_false_alarm_on_any_clip_and_layout() -> void:
 func test_no_false_alarm_for_a_careless_wearer_with_noisy_drifting_sensors() -> void:
 	for clip: String in CLIPS:
 		for count: int in [17, 10]:
-			var places: PackedInt32Array = SensorMap.layout(count)
+			var mounts: PackedInt32Array = SensorMap.layout(count)
 			var feed: WornSensorFeed = WornSensorFeed.new()
 			feed.random = _random
 			feed.noise_deg = 0.7
-			for place: int in places:
-				feed.add_sensor(place, Quaternion(Vector3.UP, _random.randf_range(-3.0, 3.0)))
+			for mount: int in mounts:
+				feed.add_sensor(mount, Quaternion(Vector3.UP, _random.randf_range(-3.0, 3.0)))
 				feed.drifts_deg.append(_random.randf_range(-0.3, 0.3))
 			_faults.clear()
-			for place: int in BodyMounts.COUNT:
+			for mount: int in BodyMounts.COUNT:
 				var axis: Vector3 = Vector3(_random.randfn(), _random.randfn(), _random.randfn())
-				_faults[place] = Quaternion(axis.normalized(), deg_to_rad(8.0))
-			var suit: SuitSource = _calibrated(feed, places, ResetPose.Kind.T)
+				_faults[mount] = Quaternion(axis.normalized(), deg_to_rad(8.0))
+			var suit: SuitSource = _calibrated(feed, mounts, ResetPose.Kind.T)
 			_play(suit, feed, clip)
 			var parts: Array = [clip, count, ", ".join(suit.watch.messages())]
 			equal(suit.watch.messages().size(), 0, "%s, %d sensors: %s" % parts)
@@ -81,17 +81,17 @@ func test_exchanged_neighbours_and_sides_are_named() -> void:
 
 
 func test_a_sensor_that_turned_over_is_named() -> void:
-	for place: int in [14, 5, 12]:
-		var places: PackedInt32Array = SensorMap.layout(17)
+	for mount: int in [14, 5, 12]:
+		var mounts: PackedInt32Array = SensorMap.layout(17)
 		var feed: WornSensorFeed = WornSensorFeed.new()
-		for worn: int in places:
+		for worn: int in mounts:
 			feed.add_sensor(worn)
-		var suit: SuitSource = _calibrated(feed, places, ResetPose.Kind.T)
-		feed.wear(place, place, Quaternion(Vector3.RIGHT, PI))
+		var suit: SuitSource = _calibrated(feed, mounts, ResetPose.Kind.T)
+		feed.wear(mount, mount, Quaternion(Vector3.RIGHT, PI))
 		_play(suit, feed, "01_01.bvh")
-		var title: String = BodyMounts.title(place)
+		var title: String = BodyMounts.title(mount)
 		contains(", ".join(suit.watch.messages()), "%s sensor seems loose or upside down" % title)
-		equal(suit.watch.slipped, PackedInt32Array([place]))
+		equal(suit.watch.slipped, PackedInt32Array([mount]))
 		# Calibrated again, all is well.
 		suit.set_calibration(null)
 		equal(suit.watch.messages().size(), 0)
@@ -101,8 +101,8 @@ func _watch(
 	p_clip: String, p_told: PackedInt32Array, p_worn: PackedInt32Array, p_pose: ResetPose.Kind
 ) -> WearWatch:
 	var feed: WornSensorFeed = WornSensorFeed.new()
-	for place: int in p_worn:
-		feed.add_sensor(place, Quaternion(Vector3.RIGHT, _random.randf_range(-3.0, 3.0)))
+	for mount: int in p_worn:
+		feed.add_sensor(mount, Quaternion(Vector3.RIGHT, _random.randf_range(-3.0, 3.0)))
 	var suit: SuitSource = _calibrated(feed, p_told, p_pose)
 	_play(suit, feed, p_clip)
 	return suit.watch
