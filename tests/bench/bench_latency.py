@@ -15,9 +15,9 @@ import tempfile
 from pathlib import Path
 
 from toolchain.console import Failure
-from toolchain.stats import Stats
 from toolchain.latency import Settings, run_session
 from toolchain.processes import free_port
+from toolchain.stats import Stats
 
 MAX_MS = 20.0
 MAX_SD_MS = 6.0

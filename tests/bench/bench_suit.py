@@ -20,11 +20,11 @@ from pathlib import Path
 
 from toolchain import suit
 from toolchain.console import Failure, step, tail
-from toolchain.stats import Stats
 from toolchain.godot import Godot, find
 from toolchain.paths import CLIPS
 from toolchain.processes import free_port
 from toolchain.project import EXTENSIONS
+from toolchain.stats import Stats
 from toolchain.suit_session import SuitSession, compare
 
 STREAM = EXTENSIONS / "xbus" / "suit_stream"
