@@ -24,6 +24,38 @@ std::vector<Xml> &documentation() {
 GDExtensionBinding::Callback initializer = nullptr;
 GDExtensionBinding::Callback terminator = nullptr;
 bool is_running = false;
+/// Whether a headless editor has found the extension by itself: it may quit before it can know our classes.
+bool is_late = false;
+
+/// What a method without arguments of an engine's singleton gives; a null object where it is not there.
+Variant ask(const char *p_singleton, const char *p_method) {
+	const GDExtensionObjectPtr object = engine.global_get_singleton(StringName(p_singleton).opaque);
+	if (object == nullptr) {
+		return Variant();
+	}
+	Variant self;
+	make_variant(GDEXTENSION_VARIANT_TYPE_OBJECT, &self, &object);
+	Variant answer;
+	GDExtensionCallError error = {};
+	const StringName method(p_method);
+	engine.variant_call(&self, method.opaque, nullptr, 0, &answer, &error);
+	return error.error == GDEXTENSION_CALL_OK ? answer : Variant();
+}
+
+/// Whether the editor has no window and began before it had the extension: the first `--import` of a project.
+bool comes_late() {
+	const Variant main_loop = ask("Engine", "get_main_loop");
+	return main_loop.get_type() == Variant::OBJECT && ask("DisplayServer", "get_name") == Variant(String("headless"));
+}
+
+/// The editor describes the classes of extensions in a call that it defers, and quits without waiting for it: the
+/// call then finds the help deleted and crashes (godotengine/godot#111048). It finds no classes to describe, as
+/// this comes first and every node is gone by now.
+void shut_down() {
+	if (is_running && is_late) {
+		unregister_classes();
+	}
+}
 
 /// One error that says what does not fit together, and what to do.
 void report(const std::vector<std::string> &p_missing) {
@@ -58,7 +90,10 @@ void initialize(void *, GDExtensionInitializationLevel p_level) {
 		initializer(ModuleInitializationLevel(p_level));
 	}
 	if (p_level == GDEXTENSION_INITIALIZATION_EDITOR) {
-		load_documentation();
+		is_late = comes_late();
+		if (!is_late) {
+			load_documentation();
+		}
 	}
 }
 
@@ -124,6 +159,9 @@ GDExtensionBool GDExtensionBinding::InitObject::init() const {
 		return false;
 	}
 	internal::load_variant_conversions();
+	GDExtensionMainLoopCallbacks callbacks = {};
+	callbacks.shutdown_func = internal::shut_down;
+	internal::engine.register_main_loop_callbacks(internal::library, &callbacks);
 	initialization->minimum_initialization_level = GDEXTENSION_INITIALIZATION_SCENE;
 	initialization->initialize = internal::initialize;
 	initialization->deinitialize = internal::deinitialize;

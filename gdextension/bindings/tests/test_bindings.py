@@ -45,14 +45,14 @@ def run(command: list[str], folder: Path) -> tuple[int, str]:
     return done.returncode, done.stdout
 
 
-def copy_project(target: Path, library: bytes) -> None:
-    """The project with a library in its place, ready to be opened."""
+def copy_project(target: Path, library: bytes, is_listed: bool = True) -> None:
+    """The project with a library in its place; where it is not listed, the editor has to find it."""
     shutil.copytree(TESTS / "project", target, ignore=shutil.ignore_patterns(".godot", "bin"))
     (target / "bin").mkdir()
     (target / "bin" / LIBRARY).write_bytes(library)
-    # The editor aborts in the run that discovers an extension.
-    (target / ".godot").mkdir()
-    (target / ".godot" / "extension_list.cfg").write_text("res://binding_probe.gdextension\n")
+    if is_listed:
+        (target / ".godot").mkdir()
+        (target / ".godot" / "extension_list.cfg").write_text("res://binding_probe.gdextension\n")
 
 
 @pytest.fixture(scope="module")
@@ -77,6 +77,20 @@ def assert_all_passed(code: int, text: str) -> None:
 
 def test_editor_build(project):
     assert_all_passed(*run([GODOT, "--headless", "--path", str(project)], project))
+
+
+@pytest.mark.skipif(not (BUILD / "bindings/generated").exists(), reason="built with godot-cpp")
+@pytest.mark.parametrize("flags", [["--import"], ["--editor", "--quit"]])
+def test_the_first_run_of_an_editor_without_a_window(tmp_path, flags):
+    # It quits before it has described our classes, see shut_down() in godot.cpp.
+    folder = tmp_path / "project"
+    copy_project(folder, BUILT.read_bytes(), is_listed=False)
+    code, text = run([GODOT, "--headless", "--path", str(folder), *flags], folder)
+    assert code == 0, text
+    assert "SCRIPT ERROR" not in text, text
+    listed = (folder / ".godot" / "extension_list.cfg").read_text()
+    assert listed == "res://binding_probe.gdextension\n"
+    assert_all_passed(*run([GODOT, "--headless", "--path", str(folder)], folder))
 
 
 def test_exported_release_build(project):
