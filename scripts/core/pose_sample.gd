@@ -6,6 +6,10 @@ extends RefCounted
 ## sample times the inverse of the reset pose), so that they suit a body of any build. Frame:
 ## Godot's, right-handed, Y up.
 
+# What a quaternion's norm may be, for all that coding does to it.
+const _MIN_NORM: float = 0.9
+const _MAX_NORM: float = 1.1
+
 ## Which of its client's people it is of.
 var person: int = 0
 ## Number of the sample at its source; grows by one and wraps at 2^32.
@@ -51,7 +55,9 @@ func find_fault() -> String:
 		return "%d floats instead of %d" % [orientations.size(), Limbs.COUNT * 4]
 	if not root.is_finite() or root.length() > 10000.0:
 		return "the root is not a place within 10 km"
-	var limb: int = PoseCodec.find_broken(orientations)
-	if limb >= 0:
-		return "%s has no rotation (norm %f)" % [Limbs.BONES[limb], orientation(limb).length()]
+	for limb: int in Limbs.COUNT:
+		var norm: float = orientation(limb).length()
+		# Written so that NaN is none either.
+		if not (norm > _MIN_NORM and norm < _MAX_NORM):
+			return "%s has no rotation (norm %f)" % [Limbs.BONES[limb], norm]
 	return ""

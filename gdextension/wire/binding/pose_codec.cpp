@@ -7,10 +7,6 @@ namespace godot {
 
 namespace {
 
-// A quaternion whose norm is not between these is no rotation.
-constexpr float MIN_NORM = 0.9f;
-constexpr float MAX_NORM = 1.1f;
-
 using Rotations = std::array<kinematics::Quat, PoseCodec::MAX_LIMBS>;
 
 bool is_coding(PoseCodec::Coding p_coding, int p_bits) {
@@ -62,25 +58,11 @@ PackedFloat32Array PoseCodec::decode(const PackedByteArray &p_bytes, Coding p_co
 	return orientations;
 }
 
-int PoseCodec::find_broken(const PackedFloat32Array &p_orientations) {
-	const float *at = p_orientations.ptr();
-	const int64_t count = p_orientations.size() / 4;
-	for (int64_t i = 0; i < count; i++, at += 4) {
-		const float square = at[0] * at[0] + at[1] * at[1] + at[2] * at[2] + at[3] * at[3];
-		// Written so that NaN is broken too.
-		if (!(square > MIN_NORM * MIN_NORM && square < MAX_NORM * MAX_NORM)) {
-			return int(i);
-		}
-	}
-	return -1;
-}
-
 void PoseCodec::_bind_methods() {
 	ClassDB::bind_static_method(
 			"PoseCodec", D_METHOD("encode", "orientations", "coding", "bits"), &PoseCodec::encode, DEFVAL(15));
 	ClassDB::bind_static_method(
 			"PoseCodec", D_METHOD("decode", "bytes", "coding", "bits"), &PoseCodec::decode, DEFVAL(15));
-	ClassDB::bind_static_method("PoseCodec", D_METHOD("find_broken", "orientations"), &PoseCodec::find_broken);
 	BIND_ENUM_CONSTANT(FLOATS);
 	BIND_ENUM_CONSTANT(THESIS_12);
 	BIND_ENUM_CONSTANT(THESIS_4);

@@ -28,7 +28,6 @@ public:
 
 	static PackedByteArray encode(const PackedFloat32Array &p_orientations, Coding p_coding, int p_bits);
 	static PackedFloat32Array decode(const PackedByteArray &p_bytes, Coding p_coding, int p_bits);
-	static int find_broken(const PackedFloat32Array &p_orientations);
 
 protected:
 	static void _bind_methods();
