@@ -20,6 +20,8 @@ var level_name: String = ""
 var differs: bool = false
 
 var _bodies: Dictionary[int, PhysicsBody3D] = {}
+## Bodies that have not been put where the server has them.
+var _unplaced: Dictionary[int, bool] = {}
 var _instances: Dictionary[int, Node] = {}
 
 
@@ -54,23 +56,30 @@ func add_entity(p_row: EntityRow) -> void:
 		body = entity.get_body() if p_row.type.body == EntityType.Body.RIGID else null
 	if body != null:
 		_bodies[p_row.id] = body
+		_unplaced[p_row.id] = true
 	entity_added.emit(p_row, entity, body)
 
 
 ## Takes the node of an entity away.
 func remove_entity(p_row: EntityRow) -> void:
 	_bodies.erase(p_row.id)
+	_unplaced.erase(p_row.id)
 	var instance: Node = _instances.get(p_row.id)
 	if instance != null:
 		instance.queue_free()
 		_instances.erase(p_row.id)
 
 
-## Puts the bodies where a replica has them.
+## Puts the bodies where a replica has them: those that move, as it costs the engine more than all
+## else to be told where a body is.
 func move_bodies(p_replica: WorldReplica) -> void:
-	for id: int in _bodies:
+	for id: int in p_replica.moved_bodies():
+		if _bodies.has(id):
+			_bodies[id].global_transform = p_replica.body_transform(id)
+	for id: int in _unplaced.keys():
 		if p_replica.has_body(id):
 			_bodies[id].global_transform = p_replica.body_transform(id)
+			_unplaced.erase(id)
 
 
 ## Numbers of the entities that have a body here.
@@ -115,6 +124,7 @@ func _instantiate(p_row: EntityRow) -> Entity:
 
 func _forget_entities() -> void:
 	_bodies.clear()
+	_unplaced.clear()
 	for id: int in _instances:
 		_instances[id].queue_free()
 	_instances.clear()

@@ -58,7 +58,7 @@ func update(p_now_s: float, p_own: Dictionary[int, PackedFloat32Array] = {}) -> 
 	for actor: int in _actors:
 		if replica.has_person(actor):
 			var own: PackedFloat32Array = p_own.get(actor, PackedFloat32Array())
-			_pose_person(actor, own if not own.is_empty() else replica.person_floats(actor))
+			_pose_person(_actors[actor], actor, own)
 	entities.advance()
 	if _physics.visible:
 		_move_wires()
@@ -137,22 +137,16 @@ func _add_person(p_row: EntityRow) -> void:
 	if p_row.skeleton.is_sound():
 		node.fit_to(p_row.skeleton)
 	_people.add_child(node)
-	_actors[p_row.id] = ActorView.new(node)
+	_actors[p_row.id] = ActorView.new(node, p_row.skeleton)
 	_physics.add_person(p_row.id, node.get_limb_nodes())
 	var entity: Entity = Entity.find_in(node)
 	if entity != null:
 		entities.bind(p_row, entity)
 
 
-func _pose_person(p_actor: int, p_floats: PackedFloat32Array) -> void:
-	var limbs: Array[Transform3D] = replica.limbs_of(p_actor, p_floats)
-	if limbs.is_empty():
-		return
-	var parts: Dictionary[StringName, Transform3D] = {}
-	for limb: int in Limbs.COUNT:
-		parts[Limbs.BONES[limb]] = limbs[limb]
-	_actors[p_actor].show(parts)
-	_actors[p_actor].node.visible = true
+func _pose_person(p_view: ActorView, p_actor: int, p_own: PackedFloat32Array) -> void:
+	if replica.pose(p_view, p_actor) if p_own.is_empty() else p_view.pose_floats(p_own):
+		p_view.node.visible = true
 
 
 func _move_wires() -> void:

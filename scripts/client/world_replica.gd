@@ -199,6 +199,11 @@ func person_floats(p_person: int, p_newest: bool = false) -> PackedFloat32Array:
 	return _smoother.person_transforms(p_person)
 
 
+## Poses the visible body of a person. Returns whether something is known of its pose.
+func pose(p_view: ActorView, p_person: int) -> bool:
+	return p_view.pose(_smoother, p_person)
+
+
 ## Transforms of a person's bodies, by limb, of such floats.
 func limbs_of(p_person: int, p_floats: PackedFloat32Array) -> Array[Transform3D]:
 	var row: EntityRow = table.find(p_person)
@@ -235,6 +240,11 @@ func body_transform(p_id: int, p_newest: bool = false) -> Transform3D:
 	if p_newest:
 		return _smoother.newest_body_transform(p_id)
 	return _smoother.body_transform(p_id)
+
+
+## Rigid bodies that are not where they were at the last [method evaluate].
+func moved_bodies() -> PackedInt32Array:
+	return _smoother.get_moved_bodies()
 
 
 ## Entities whose fields may have other values than in the last frame.

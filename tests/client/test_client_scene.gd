@@ -58,6 +58,19 @@ func test_props_and_people_are_where_the_snapshots_have_them() -> void:
 	almost_equal(wires.get_frame_transform(ADA, Limbs.find(&"Head")), shown, 0.01)
 
 
+func test_a_prop_that_is_named_late_is_placed_though_it_rests() -> void:
+	_show([ADA], [CRATE])
+	var crate: Node3D = _scene.get_level().level.get_node(^"Props/Crate1")
+	var row: EntityRow = _scene.replica.table.find(CRATE)
+	_scene.get_level().remove_entity(row)
+	crate.global_position = Vector3(1.0, 2.0, 3.0)
+	_scene.update(_stream.tick / 60.0)
+	almost_equal(crate.global_position, Vector3(1.0, 2.0, 3.0), 1e-5)
+	_scene.get_level().add_entity(row)
+	_scene.update(_stream.tick / 60.0)
+	almost_equal(crate.global_transform, _stream.places[CRATE], 0.01)
+
+
 func test_the_own_body_is_where_it_is_told() -> void:
 	_show([ADA], [CRATE])
 	var floats: PackedFloat32Array = _scene.replica.person_floats(ADA)
@@ -108,7 +121,15 @@ func test_snapshots_before_the_table_and_unknown_bodies() -> void:
 func test_a_hostile_server_moves_nothing_but_what_is_in_the_level() -> void:
 	var camera: Node3D = _scene.get_node(^"Camera")
 	for path: String in [
-		"../../Camera", "..", ".", "Props/../../../Camera", "/root", "", "no:such", "%x", "Static/Floor"
+		"../../Camera",
+		"..",
+		".",
+		"Props/../../../Camera",
+		"/root",
+		"",
+		"no:such",
+		"%x",
+		"Static/Floor"
 	]:
 		_tell([], [path])
 		var level: Node3D = _scene.get_level().level

@@ -2,6 +2,7 @@
 #include "local_feedback.hpp"
 #include "person_stream.hpp"
 #include "pose_codec.hpp"
+#include "skeleton_poser.hpp"
 #include "snapshot_decoder.hpp"
 #include "snapshot_encoder.hpp"
 #include "snapshot_smoother.hpp"
@@ -19,6 +20,7 @@ void initialize(ModuleInitializationLevel p_level) {
 		GDREGISTER_CLASS(LocalFeedback);
 		GDREGISTER_CLASS(PersonStream);
 		GDREGISTER_CLASS(PoseCodec);
+		GDREGISTER_CLASS(SkeletonPoser);
 		GDREGISTER_CLASS(SnapshotDecoder);
 		GDREGISTER_CLASS(SnapshotEncoder);
 		GDREGISTER_CLASS(SnapshotSmoother);

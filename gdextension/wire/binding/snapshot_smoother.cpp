@@ -4,6 +4,7 @@
 #include "pose_arrays.hpp"
 #include <convert.hpp>
 
+#include <algorithm>
 #include <limits>
 
 namespace godot {
@@ -164,6 +165,14 @@ Transform3D SnapshotSmoother::newest_body_transform(int64_t p_body) const {
 	return is_id(p_body) && _smoother.newest(uint16_t(p_body), transform) ? to_transform(transform) : Transform3D();
 }
 
+PackedInt32Array SnapshotSmoother::get_moved_bodies() const {
+	const std::vector<uint16_t> &moved = _smoother.moved_bodies();
+	PackedInt32Array result;
+	result.resize(int64_t(moved.size()));
+	std::copy(moved.begin(), moved.end(), result.ptrw());
+	return result;
+}
+
 void SnapshotSmoother::forget_person(int64_t p_person) {
 	if (is_id(p_person)) {
 		_smoother.forget_person(uint16_t(p_person));
@@ -202,6 +211,7 @@ void SnapshotSmoother::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("newest_person_transforms", "person"), &SnapshotSmoother::newest_person_transforms);
 	ClassDB::bind_method(D_METHOD("body_transform", "body"), &SnapshotSmoother::body_transform);
 	ClassDB::bind_method(D_METHOD("newest_body_transform", "body"), &SnapshotSmoother::newest_body_transform);
+	ClassDB::bind_method(D_METHOD("get_moved_bodies"), &SnapshotSmoother::get_moved_bodies);
 	ClassDB::bind_method(D_METHOD("forget_person", "person"), &SnapshotSmoother::forget_person);
 	ClassDB::bind_method(D_METHOD("forget_body", "body"), &SnapshotSmoother::forget_body);
 	ClassDB::bind_method(D_METHOD("clear"), &SnapshotSmoother::clear);

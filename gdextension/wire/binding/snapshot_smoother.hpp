@@ -55,6 +55,7 @@ public:
 	PackedFloat32Array newest_person_transforms(int64_t p_person) const;
 	Transform3D body_transform(int64_t p_body) const;
 	Transform3D newest_body_transform(int64_t p_body) const;
+	PackedInt32Array get_moved_bodies() const;
 
 	double field(int64_t p_entity, int64_t p_field) const;
 	double newest_field(int64_t p_entity, int64_t p_field) const;
@@ -63,6 +64,8 @@ public:
 	void forget_person(int64_t p_person);
 	void forget_body(int64_t p_body);
 	void clear() { _smoother.clear(); }
+	/// What other classes of this module read.
+	const wire::Smoother &get_core() const { return _smoother; }
 
 protected:
 	static void _bind_methods();

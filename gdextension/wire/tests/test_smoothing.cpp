@@ -186,4 +186,33 @@ TEST(the_method_can_change_while_it_runs) {
 	CHECK(widest < 0.1f);
 }
 
+TEST(bodies_at_rest_have_not_moved) {
+	Smoother smoother;
+	std::size_t shown = 0;
+	for (uint32_t tick = 0; tick < 120; tick++) {
+		const double now = double(tick) / 60.0;
+		for (uint16_t id = 1; id <= 3; id++) {
+			BodyUpdate update;
+			update.id = id;
+			update.tick = tick;
+			update.at_rest = id != 2;
+			update.position = { float(id), id == 2 ? float(now) : 0.0f, 0.0f };
+			update.velocity = { 0.0f, id == 2 ? 1.0f : 0.0f, 0.0f };
+			smoother.push(update, now);
+		}
+		smoother.evaluate(now);
+		const std::vector<uint16_t> &moved = smoother.moved_bodies();
+		shown += moved.size();
+		if (tick == 0) {
+			CHECK(moved.size() == 3);
+		} else {
+			CHECK(moved.size() == 1 && moved[0] == 2);
+		}
+	}
+	CHECK(shown == 122);
+	smoother.clear();
+	smoother.evaluate(2.0);
+	CHECK(smoother.moved_bodies().empty());
+}
+
 TEST_MAIN()

@@ -4,69 +4,78 @@ extends RefCounted
 ##
 ## Thesis section 6.3: a body's transform is that of the middle of a limb; the bone's follows from
 ## the offset between the two. Between the limbs (neck, shoulders, fingers) bones keep their rest
-## pose, but the neck shares the turn of the head.
+## pose, but the neck shares the turn of the head. [SkeletonPoser] does it.
+
+## The box of what is visible goes along when the hips are so far from its middle, m.
+const _SLACK: float = 0.25
 
 ## The scene that is shown.
 var node: Ragdoll = null
 
 var _skeleton: Skeleton3D = null
-var _bones: Dictionary[StringName, int] = {}
-var _offsets: Dictionary[StringName, Transform3D] = {}
-var _neck: int = -1
+var _poser: SkeletonPoser = SkeletonPoser.new()
 var _meshes: Array[MeshInstance3D] = []
 ## No point of the person is further from the hips, m.
 var _reach: float = 2.0
+var _middle: Vector3 = Vector3.INF
 
 
-func _init(p_node: Ragdoll) -> void:
+## Takes the person's scene, in its size, and how the server's bodies hang together.
+func _init(p_node: Ragdoll, p_joints: PersonSkeleton) -> void:
 	node = p_node
 	_skeleton = p_node.get_skeleton()
-	var simulator: PhysicalBoneSimulator3D = p_node.get_simulator()
-	simulator.active = false
-	for child: Node in simulator.get_children():
-		var bone: PhysicalBone3D = child as PhysicalBone3D
-		if bone != null and _skeleton.find_bone(bone.bone_name) >= 0:
-			_bones[bone.bone_name] = _skeleton.find_bone(bone.bone_name)
-			_offsets[bone.bone_name] = bone.body_offset.affine_inverse()
-	_neck = _skeleton.find_bone(&"Neck")
+	p_node.get_simulator().active = false
+	if p_joints.is_sound():
+		_set_up_poser(p_joints)
 	_meshes = SkinnedSurface.find_meshes(_skeleton)
 	_reach = 1.5 * RestSkeleton.new(_skeleton).height()
 
 
-## Shows the bodies' transforms in the world, by name of the limb's bone; parents come first.
-func show(p_bodies: Dictionary[StringName, Transform3D]) -> void:
-	var to_skeleton: Transform3D = _skeleton.global_transform.affine_inverse()
-	for limb: StringName in p_bodies:
-		if not _bones.has(limb):
-			continue
-		if limb == &"Head" and _neck >= 0:
-			_turn_neck(to_skeleton * p_bodies[limb] * _offsets[limb])
-		var pose: Transform3D = to_skeleton * p_bodies[limb] * _offsets[limb]
-		_skeleton.set_bone_global_pose(_bones[limb], pose)
-	_bound()
+## Shows a person as a smoother has it. Returns whether it has.
+func pose(p_smoother: SnapshotSmoother, p_person: int) -> bool:
+	var is_known: bool = _poser.pose(_skeleton, p_smoother, p_person)
+	if is_known:
+		_bound()
+	return is_known
 
 
-## Where the hips are in the world, m.
+## Shows a person as such floats have it: see [method SnapshotSmoother.person_transforms]. Returns
+## whether they are of use.
+func pose_floats(p_floats: PackedFloat32Array) -> bool:
+	var is_pose: bool = _poser.pose_floats(_skeleton, p_floats)
+	if is_pose:
+		_bound()
+	return is_pose
+
+
+## Where the hips were put last in the world, m.
 func hips() -> Vector3:
-	var bone: int = _bones.get(&"Hips", 0)
-	return _skeleton.global_transform * _skeleton.get_bone_global_pose(bone).origin
+	return _poser.get_root()
+
+
+func _set_up_poser(p_joints: PersonSkeleton) -> void:
+	var bones: PackedInt32Array = []
+	var offsets: Array[Transform3D] = []
+	var resets: PackedFloat32Array = []
+	for limb: int in Limbs.COUNT:
+		var name: StringName = Limbs.BONES[limb]
+		var body: PhysicalBone3D = node.get_simulator().get_node_or_null(NodePath(name))
+		bones.append(_skeleton.find_bone(name) if body != null else -1)
+		offsets.append(body.body_offset if body != null else Transform3D.IDENTITY)
+		var reset: Quaternion = p_joints.reset_orientations[limb]
+		resets.append_array([reset.x, reset.y, reset.z, reset.w])
+	if not _poser.setup(_skeleton, bones, offsets, resets):
+		Log.warning("actor", "the bones of %s are not those of a person" % node.name)
+	_poser.set_neck(_skeleton, _skeleton.find_bone(&"Neck"), Limbs.find(&"Head"))
 
 
 ## Says where the person can be seen: the engine would take the box of the rest pose at the node,
 ## and leave out who is elsewhere.
 func _bound() -> void:
+	if _middle.distance_squared_to(hips()) < _SLACK * _SLACK:
+		return
+	_middle = hips()
 	for mesh: MeshInstance3D in _meshes:
-		var middle: Vector3 = mesh.global_transform.affine_inverse() * hips()
+		var middle: Vector3 = mesh.global_transform.affine_inverse() * _middle
 		var unit: float = maxf(mesh.global_basis.get_scale().x, 1e-4)
-		mesh.custom_aabb = AABB(middle, Vector3.ZERO).grow(_reach / unit)
-
-
-func _turn_neck(p_head: Transform3D) -> void:
-	_skeleton.reset_bone_pose(_neck)
-	var rest: Transform3D = _skeleton.get_bone_global_pose(_neck)
-	var head: int = _bones[&"Head"]
-	var head_rest: Quaternion = _skeleton.get_bone_rest(head).basis.get_rotation_quaternion()
-	var straight: Quaternion = rest.basis.get_rotation_quaternion()
-	var bent: Quaternion = p_head.basis.get_rotation_quaternion() * head_rest.inverse()
-	rest.basis = Basis(straight.slerp(bent, 0.5))
-	_skeleton.set_bone_global_pose(_neck, rest)
+		mesh.custom_aabb = AABB(middle, Vector3.ZERO).grow((_reach + _SLACK) / unit)

@@ -8,6 +8,7 @@ const SOLDIER: PackedScene = preload("res://scenes/actor/soldier.tscn")
 
 var _node: Ragdoll = null
 var _view: ActorView = null
+var _joints: PersonSkeleton = null
 var _random: RandomNumberGenerator = RandomNumberGenerator.new()
 
 
@@ -15,7 +16,8 @@ func before_each() -> void:
 	_random.seed = 1
 	_node = SOLDIER.instantiate()
 	add_child(_node)
-	_view = ActorView.new(_node)
+	_joints = _node.get_joints()
+	_view = ActorView.new(_node, _joints)
 
 
 func after_each() -> void:
@@ -29,7 +31,7 @@ func test_bones_lie_where_the_bodies_are() -> void:
 			bodies[Limbs.BONES[limb]] = Transform3D(
 				Basis(NetSamples.rotation(_random)), NetSamples.vector(_random, 20.0)
 			)
-		_view.show(bodies)
+		is_true(_view.pose_floats(_floats(bodies)))
 		_check(bodies)
 
 
@@ -38,7 +40,7 @@ func test_the_node_may_stand_anywhere() -> void:
 	var bodies: Dictionary[StringName, Transform3D] = {}
 	for limb: int in Limbs.COUNT:
 		bodies[Limbs.BONES[limb]] = NetSamples.place(_random)
-	_view.show(bodies)
+	is_true(_view.pose_floats(_floats(bodies)))
 	_check(bodies, 0.002)
 
 
@@ -54,7 +56,7 @@ func test_bodies_of_a_simulated_person() -> void:
 	var bodies: Dictionary[StringName, Transform3D] = {}
 	for limb: int in Limbs.COUNT:
 		bodies[Limbs.BONES[limb]] = player.body(limb)
-	_view.show(bodies)
+	is_true(_view.pose_floats(_floats(bodies)))
 	_check(bodies)
 	almost_equal(_view.hips(), player.joint(0), 1e-3)
 	# The neck stays between chest and head.
@@ -68,7 +70,7 @@ func test_stays_there_over_frames() -> void:
 	var bodies: Dictionary[StringName, Transform3D] = {}
 	for limb: int in Limbs.COUNT:
 		bodies[Limbs.BONES[limb]] = NetSamples.place(_random)
-	_view.show(bodies)
+	is_true(_view.pose_floats(_floats(bodies)))
 	await physics_frames(3)
 	await process_frames(3)
 	_check(bodies, 0.002)
@@ -81,7 +83,7 @@ func test_the_box_of_what_is_visible_goes_with_the_person() -> void:
 		for limb: int in Limbs.COUNT:
 			var turn: Basis = Basis(NetSamples.rotation(_random))
 			bodies[Limbs.BONES[limb]] = Transform3D(turn, place)
-		_view.show(bodies)
+		is_true(_view.pose_floats(_floats(bodies)))
 		for mesh: MeshInstance3D in SkinnedSurface.find_meshes(_node.get_skeleton()):
 			var box: AABB = mesh.global_transform * mesh.custom_aabb
 			for offset: Vector3 in [Vector3.ZERO, Vector3.UP, Vector3.LEFT, Vector3.FORWARD]:
@@ -89,26 +91,105 @@ func test_the_box_of_what_is_visible_goes_with_the_person() -> void:
 			is_true(box.size.length() < 20.0, "%s is no larger than needed" % box)
 
 
-func test_parts_and_unknown_limbs() -> void:
-	var place: Transform3D = NetSamples.place(_random)
-	_view.show({&"Tail": place, &"Head": place, &"LeftHand": place})
-	_check({&"Head": place, &"LeftHand": place}, 0.002)
-	_view.show({} as Dictionary[StringName, Transform3D])
+func test_a_smoothers_person_is_shown_as_its_floats_are() -> void:
+	var smoother: SnapshotSmoother = SnapshotSmoother.new()
+	smoother.set_skeleton(5, _joints.parents, _joints.joints_in_parent, _joints.joints_in_limb)
+	is_false(_view.pose(smoother, 5), "nothing has come")
+	var sample: PoseSample = NetSamples.pose(_random)
+	for tick: int in 10:
+		smoother.push_person(5, tick, tick / 60.0, sample.root, sample.orientations)
+	smoother.evaluate(9.0 / 60.0)
+	is_true(_view.pose(smoother, 5))
+	var shown: Array[Transform3D] = _bones()
+	_view.pose_floats(_floats(_rest_bodies()))
+	is_false(shown[3].is_equal_approx(_bones()[3]))
+	is_true(_view.pose_floats(smoother.person_transforms(5)))
+	for bone: int in shown.size():
+		almost_equal(_bones()[bone], shown[bone], 1e-4)
+	for person: int in [6, -1, 70000]:
+		is_false(_view.pose(smoother, person))
+	is_false(_view.pose(null, 5))
+
+
+func test_what_is_no_pose_moves_nothing() -> void:
+	var good: PackedFloat32Array = _floats(_rest_bodies())
+	is_true(_view.pose_floats(good))
+	var before: Array[Transform3D] = _bones()
+	is_false(_view.pose_floats([]))
+	is_false(_view.pose_floats(good.slice(1)))
+	for bad: float in [NAN, INF, -INF]:
+		for index: int in [0, 50, 111]:
+			var floats: PackedFloat32Array = good.duplicate()
+			floats[index] = bad
+			is_false(_view.pose_floats(floats))
+	var none: PackedFloat32Array = good.duplicate()
+	for index: int in range(3, 7):
+		none[index] = 0.0
+	is_false(_view.pose_floats(none))
+	equal(_bones(), before)
+
+
+func test_a_skeleton_that_is_none_is_not_posed() -> void:
+	var view: ActorView = ActorView.new(_node, PersonSkeleton.new())
+	is_false(view.pose_floats(_floats(_rest_bodies())))
+	var poser: SkeletonPoser = SkeletonPoser.new()
+	var skeleton: Skeleton3D = _node.get_skeleton()
+	var offsets: Array[Transform3D] = [Transform3D.IDENTITY, Transform3D.IDENTITY]
+	var turns: PackedFloat32Array = [0, 0, 0, 1, 0, 0, 0, 1]
+	is_true(poser.setup(skeleton, [0, 1], offsets, turns))
+	is_false(poser.setup(null, [0, 1], offsets, turns))
+	is_false(poser.setup(skeleton, [1, 0], offsets, turns), "a child before its parent")
+	is_false(poser.setup(skeleton, [0, 100000], offsets, turns))
+	is_false(poser.setup(skeleton, [0, 1], offsets.slice(1), turns))
+	is_false(poser.setup(skeleton, [0, 1], offsets, [0, 0, 0, 1, 0, 0, 0, NAN]))
+	is_false(poser.pose_floats(skeleton, [0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1]))
+	# A limb without a bone is left out.
+	is_true(poser.setup(skeleton, [0, -1], offsets, turns))
+	is_true(poser.pose_floats(skeleton, [1, 2, 3, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1]))
+	almost_equal(poser.get_root(), Vector3(1.0, 2.0, 3.0), 1e-5)
+	for neck: int in [-1, 0, 5000]:
+		is_false(poser.set_neck(skeleton, neck, 0))
 
 
 func test_neck_takes_half_of_the_heads_turn() -> void:
 	var skeleton: Skeleton3D = _node.get_skeleton()
 	var turn: Quaternion = Quaternion(Vector3.UP, deg_to_rad(60.0))
-	var bodies: Dictionary[StringName, Transform3D] = {}
-	for limb: StringName in [&"Hips", &"Spine", &"Chest", &"Head"]:
-		var rest: Transform3D = skeleton.get_bone_global_rest(skeleton.find_bone(limb))
-		bodies[limb] = skeleton.global_transform * rest * _offset(limb)
+	var bodies: Dictionary[StringName, Transform3D] = _rest_bodies()
 	bodies[&"Head"].basis = Basis(turn) * bodies[&"Head"].basis
-	_view.show(bodies)
+	is_true(_view.pose_floats(_floats(bodies)))
 	var neck: int = skeleton.find_bone("Neck")
 	var before: Quaternion = skeleton.get_bone_global_rest(neck).basis.get_rotation_quaternion()
 	var after: Quaternion = skeleton.get_bone_global_pose(neck).basis.get_rotation_quaternion()
 	almost_equal(rad_to_deg(before.angle_to(after)), 30.0, 1.0)
+
+
+## The bodies of the rest pose.
+func _rest_bodies() -> Dictionary[StringName, Transform3D]:
+	var skeleton: Skeleton3D = _node.get_skeleton()
+	var bodies: Dictionary[StringName, Transform3D] = {}
+	for limb: StringName in Limbs.BONES:
+		var rest: Transform3D = skeleton.get_bone_global_rest(skeleton.find_bone(limb))
+		bodies[limb] = skeleton.global_transform * rest * _offset(limb)
+	return bodies
+
+
+## As the smoother gives the bodies of all limbs.
+func _floats(p_bodies: Dictionary[StringName, Transform3D]) -> PackedFloat32Array:
+	var floats: PackedFloat32Array = []
+	for limb: int in Limbs.COUNT:
+		var body: Transform3D = p_bodies[Limbs.BONES[limb]]
+		var turn: Quaternion = body.basis.get_rotation_quaternion()
+		turn *= _joints.reset_orientations[limb].inverse()
+		floats.append_array([body.origin.x, body.origin.y, body.origin.z])
+		floats.append_array([turn.x, turn.y, turn.z, turn.w])
+	return floats
+
+
+func _bones() -> Array[Transform3D]:
+	var poses: Array[Transform3D] = []
+	for bone: int in _node.get_skeleton().get_bone_count():
+		poses.append(_node.get_skeleton().get_bone_global_pose(bone))
+	return poses
 
 
 func _check(p_bodies: Dictionary, p_tolerance: float = 0.001) -> void:

@@ -30,6 +30,14 @@ bool is_turn(const Quat &p_turn) {
 	return square > 0.25f && square < 4.0f;
 }
 
+bool is_same(const BodyTransform &p_one, const BodyTransform &p_other) {
+	const Vec3 &a = p_one.position;
+	const Vec3 &b = p_other.position;
+	const Quat &s = p_one.orientation;
+	const Quat &t = p_other.orientation;
+	return a.x == b.x && a.y == b.y && a.z == b.z && s.x == t.x && s.y == t.y && s.z == t.z && s.w == t.w;
+}
+
 bool is_speed(const Vec3 &p_speed) {
 	return p_speed.length() <= Smoother::FASTEST;
 }
@@ -121,6 +129,7 @@ bool Smoother::push(const BodyUpdate &p_update, double p_arrival_s) {
 	std::unique_ptr<BodyEntry> &entry = _bodies[p_update.id];
 	if (!entry) {
 		entry = std::make_unique<BodyEntry>();
+		_moved_bodies.reserve(_bodies.size());
 	}
 	return entry->track.push(key);
 }
@@ -158,6 +167,7 @@ void Smoother::_play(double p_now_s) {
 }
 
 void Smoother::evaluate(double p_now_s) {
+	_moved_bodies.clear();
 	if (!_clock.is_known() || !std::isfinite(p_now_s)) {
 		return;
 	}
@@ -165,7 +175,11 @@ void Smoother::evaluate(double p_now_s) {
 	for (auto &[id, entry] : _bodies) {
 		if (!entry->track.is_empty()) {
 			entry->track.evaluate({ _shown_time, p_now_s, _method });
-			entry->shown = { entry->track.get_shown().position, entry->track.get_shown().turns[0] };
+			const BodyTransform shown{ entry->track.get_shown().position, entry->track.get_shown().turns[0] };
+			if (!entry->is_shown || !is_same(shown, entry->shown)) {
+				_moved_bodies.push_back(id);
+			}
+			entry->shown = shown;
 			entry->is_shown = true;
 		}
 	}

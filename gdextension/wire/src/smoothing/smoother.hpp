@@ -11,6 +11,7 @@
 
 #include <memory>
 #include <unordered_map>
+#include <vector>
 
 namespace wire {
 
@@ -66,6 +67,8 @@ public:
 	/// As shown by evaluate(); null until there is something.
 	const Person *person(uint16_t p_id) const;
 	const BodyTransform *body(uint16_t p_id) const;
+	/// Bodies that the last evaluate() put elsewhere than the one before, or showed for the first time.
+	const std::vector<uint16_t> &moved_bodies() const { return _moved_bodies; }
 	/// As it was received last, without smoothing; false if there is nothing.
 	bool newest(uint16_t p_id, Person &r_person) const;
 	bool newest(uint16_t p_id, BodyTransform &r_transform) const;
@@ -118,6 +121,7 @@ private:
 	std::unordered_map<uint16_t, std::unique_ptr<PersonEntry>> _persons;
 	std::unordered_map<uint16_t, std::unique_ptr<BodyEntry>> _bodies;
 	std::unordered_map<uint16_t, std::unique_ptr<FieldEntry>> _fields;
+	std::vector<uint16_t> _moved_bodies;
 	bool _is_playing = false;
 	double _shown_time = 0.0; // In the server's clock, s.
 	double _shown_at = 0.0; // In the client's.
