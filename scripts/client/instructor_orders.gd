@@ -2,7 +2,7 @@ class_name InstructorOrders
 extends RefCounted
 ## What an instructor without a keyboard does: orders such as [code]admit:*,kick:Bob[/code] or
 ## [code]calibrate-full:Ada[/code], each carried out when somebody of that name is there to whom it
-## applies.
+## applies, and [code]world:yard[/code], carried out at once.
 
 ## What can be ordered, and the state in which somebody must be for it.
 const STATES: Dictionary[String, String] = {
@@ -14,6 +14,8 @@ const STATES: Dictionary[String, String] = {
 ## Begins an order that lets a trainee be calibrated; one of [constant ClientCalibration.KINDS]
 ## follows.
 const CALIBRATE: String = "calibrate-"
+## The order that puts another level in place.
+const WORLD: String = "world"
 
 ## What a row of a roster holds, and of which type: a server may tell anything.
 const _ROW: Dictionary[String, Variant.Type] = {
@@ -34,8 +36,8 @@ var _control: SessionControl = null
 func _init(p_text: String = "") -> void:
 	for part: String in p_text.split(",", false):
 		var order: PackedStringArray = part.strip_edges().split(":", true, 1)
-		if order.size() != 2 or not (STATES.has(order[0]) or _calibration(order[0]) >= 0):
-			var known: String = ", ".join(STATES.keys() + [CALIBRATE + "KIND"])
+		if order.size() != 2 or not _is_known(order[0]):
+			var known: String = ", ".join(STATES.keys() + [CALIBRATE + "KIND", WORLD])
 			error = "an order is one of %s, a colon and a name or *, found '%s'" % [known, part]
 			return
 		_orders.append(order)
@@ -51,6 +53,9 @@ func attach(p_control: SessionControl) -> void:
 
 func _on_roster_changed(p_roster: Array[Dictionary]) -> void:
 	for order: PackedStringArray in _orders.duplicate():
+		if order[0] == WORLD:
+			_orders.erase(order)
+			_control.change_level(order[1])
 		for row: Dictionary in p_roster:
 			if _is_meant(order, row):
 				_give(order[0], row)
@@ -58,11 +63,17 @@ func _on_roster_changed(p_roster: Array[Dictionary]) -> void:
 					_orders.erase(order)
 
 
+func _is_known(p_order: String) -> bool:
+	return p_order == WORLD or STATES.has(p_order) or _calibration(p_order) >= 0
+
+
 func _is_meant(p_order: PackedStringArray, p_row: Dictionary) -> bool:
 	for key: String in _ROW:
 		if typeof(p_row.get(key)) != _ROW[key]:
 			return false
 	if Roles.can(p_row["role"], Roles.Capability.MODERATE):
+		return false
+	if p_order[0] == WORLD:
 		return false
 	var named: bool = p_order[1] == "*" or p_order[1] == p_row["name"]
 	if _calibration(p_order[0]) >= 0 and not Roles.can(p_row["role"], Roles.Capability.SEND_MOTION):
