@@ -7,11 +7,11 @@ extends Node3D
 ## Width of the way that it opens.
 @export_range(0.1, 10.0, 0.1, "suffix:m") var travel: float = 1.4
 
+var _target: float = 0.0
+
 @onready var _entity: Entity = $Entity
 @onready var _leaf: AnimatableBody3D = $Leaf
 @onready var _closed_x: float = _leaf.position.x
-
-var _target: float = 0.0
 
 
 func _ready() -> void:

@@ -1,17 +1,18 @@
 extends Node3D
-## A turntable with a seat: whoever takes the seat steers it by keys; whoever stands on it is carried.
+## A turntable with a seat: whoever takes the seat steers it by keys; whoever stands on it is
+## carried.
 
 ## Fastest turn.
 @export_range(0.1, 2.0, 0.05, "suffix:rad/s") var max_speed: float = 0.8
 ## How quickly the speed follows the one who steers.
 @export_range(0.1, 5.0, 0.1, "suffix:rad/s²") var acceleration: float = 0.6
 
+var _wanted: float = 0.0
+var _sent: float = 0.0
+
 @onready var _entity: Entity = $Disc/Entity
 @onready var _disc: AnimatableBody3D = $Disc
 @onready var _seat: Seat = $Disc/Seat
-
-var _wanted: float = 0.0
-var _sent: float = 0.0
 
 
 func _ready() -> void:

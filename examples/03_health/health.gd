@@ -11,10 +11,10 @@ const BONES: Array[StringName] = [&"Head", &"Chest", &"Spine", &"Hips"]
 ## Height of the bar above the head.
 @export_range(0.0, 2.0, 0.05, "suffix:m") var height: float = 0.35
 
+var _bodies: Array[RID] = []
+
 @onready var _entity: Entity = $"../Entity"
 @onready var _label: Label3D = $Label
-
-var _bodies: Array[RID] = []
 
 
 func _ready() -> void:

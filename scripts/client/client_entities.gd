@@ -129,7 +129,7 @@ func _repeat() -> void:
 		return
 	var now: float = Time.get_ticks_usec() / 1e6
 	var newest: int = _sent[-1].number
-	if _replica.applied_command() == newest or now - _commanded_s > _GIVE_UP_S:
+	if _replica.decoder.get_command_ack() == newest or now - _commanded_s > _GIVE_UP_S:
 		_sent.clear()
 	elif now - _sent_s > _RESEND_S:
 		_send()

@@ -1,7 +1,7 @@
 class_name ClientPhysics
 extends RefCounted
-## The physics space of a client: the level's static bodies are in it, so that rays and other queries
-## find them, and it stands still, so that it costs nothing.
+## The physics space of a client: the level's static bodies are in it, so that rays and other
+## queries find them, and it stands still, so that it costs nothing.
 ##
 ## What needs steps (a capsule that predicts its own walk, debris that only this client sees) calls
 ## [method hold], and [method release] when it is gone. Nothing that the server simulates moves by

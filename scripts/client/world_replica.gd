@@ -5,8 +5,8 @@ extends RefCounted
 
 ## The server has a level of this name and fingerprint: all entities of the last one are gone.
 signal level_named(p_name: String, p_fingerprint: PackedByteArray)
-## A snapshot with this mark has come. [member LatencyMark.arrival_usec] is of the stream's clock, all
-## other times of the server's.
+## A snapshot with this mark has come. [member LatencyMark.arrival_usec] is of the stream's clock,
+## all other times of the server's.
 signal marked(p_mark: LatencyMark)
 
 ## Floats of a limb in [method SnapshotSmoother.person_transforms]: position, quaternion.
@@ -39,10 +39,11 @@ var events: EventQueue = EventQueue.new()
 var newest_tick: int = -1
 ## What became of the datagram that was taken last.
 var outcome: SnapshotDecoder.Outcome = SnapshotDecoder.OK
+## Reads the snapshots: what the last datagram of use had, and which command the server has applied.
+var decoder: SnapshotDecoder = SnapshotDecoder.new()
 ## Whether the server shall mark every snapshot, for measuring delays.
 var wants_marks: bool = false
 
-var _decoder: SnapshotDecoder = SnapshotDecoder.new()
 var _smoother: SnapshotSmoother = SnapshotSmoother.new()
 var _acked_usec: int = 0
 var _error_deg: float = 0.0
@@ -76,9 +77,9 @@ func take(p_bytes: PackedByteArray, p_arrival_s: float) -> bool:
 		return false
 	match p_bytes[0]:
 		Protocol.Message.SNAPSHOT, Protocol.Message.SNAPSHOT_OF_ONE, Protocol.Message.KEY:
-			return take_snapshot(p_bytes, p_arrival_s)
+			return _take_snapshot(p_bytes, p_arrival_s)
 		Protocol.Message.TABLE:
-			return take_table(EntityTableMessage.decode(p_bytes, table.types))
+			return _take_table(EntityTableMessage.decode(p_bytes, table.types))
 		Protocol.Message.LEVEL:
 			return _take_level(LevelMessage.decode(p_bytes))
 		Protocol.Message.EVENTS:
@@ -89,16 +90,16 @@ func take(p_bytes: PackedByteArray, p_arrival_s: float) -> bool:
 
 
 ## Takes a snapshot's datagram; see [method take].
-func take_snapshot(p_bytes: PackedByteArray, p_arrival_s: float) -> bool:
-	outcome = _decoder.decode(p_bytes) if _has_table else SnapshotDecoder.NOT_BEGUN
+func _take_snapshot(p_bytes: PackedByteArray, p_arrival_s: float) -> bool:
+	outcome = decoder.decode(p_bytes) if _has_table else SnapshotDecoder.NOT_BEGUN
 	if outcome != SnapshotDecoder.OK:
 		return false
 	datagrams += 1
-	var tick: int = _decoder.get_tick()
+	var tick: int = decoder.get_tick()
 	if tick > newest_tick or tick < newest_tick - STALE:
 		newest_tick = tick
-	_smoother.take(_decoder, p_arrival_s)
-	for entity: int in _decoder.get_changed_entities():
+	_smoother.take(decoder, p_arrival_s)
+	for entity: int in decoder.get_changed_entities():
 		_active[entity] = tick
 	var mark: LatencyMark = _take_mark()
 	if mark != null:
@@ -108,7 +109,7 @@ func take_snapshot(p_bytes: PackedByteArray, p_arrival_s: float) -> bool:
 
 
 ## Takes changes of the entity table; null is none.
-func take_table(p_changes: EntityTableMessage) -> bool:
+func _take_table(p_changes: EntityTableMessage) -> bool:
 	if p_changes == null or not (p_changes.is_full or _has_table):
 		return false
 	_set_error(p_changes.pose_error_deg)
@@ -118,38 +119,17 @@ func take_table(p_changes: EntityTableMessage) -> bool:
 		Log.limited("client", "table", "the server sent changes that do not fit what is here")
 		return false
 	_has_table = true
-	_decoder.set_table_version(table.version)
+	decoder.set_table_version(table.version)
 	return true
 
 
-## Tick of the last datagram that was of use, or -1.
-func received_tick() -> int:
-	return _decoder.get_tick()
-
-
-## People that were in the last datagram of use.
-func received_people() -> PackedInt32Array:
-	return _decoder.get_people()
-
-
-## A number that is the same wherever the last datagram had the same of a person: the root's position
-## and the limbs' orientations.
-func received_fingerprint(p_person: int) -> int:
-	return hash([_decoder.get_root(p_person), _decoder.get_orientations(p_person)])
-
-
-## Number of the newest command of this client that the server has applied, or -1.
-func applied_command() -> int:
-	return _decoder.get_command_ack()
-
-
-## What is to be sent to the server at a time (µs), by somebody who looks from a position (m); mostly
-## nothing.
+## What is to be sent to the server at a time (µs), by somebody who looks from a position (m);
+## mostly nothing.
 func acknowledgement(p_now_usec: int, p_viewpoint: Vector3) -> PackedByteArray:
 	var is_early: bool = p_now_usec - _acked_usec < ACK_PERIOD_USEC
-	if is_early and _decoder.get_unacknowledged() < MAX_UNACKNOWLEDGED / 2:
+	if is_early and decoder.get_unacknowledged() < MAX_UNACKNOWLEDGED / 2:
 		return PackedByteArray()
-	var bytes: PackedByteArray = _decoder.get_ack(p_viewpoint)
+	var bytes: PackedByteArray = decoder.get_ack(p_viewpoint)
 	if not bytes.is_empty():
 		_acked_usec = p_now_usec
 	return bytes
@@ -179,7 +159,7 @@ func shown_tick() -> float:
 
 ## The server's ticks per second, or 0 while that is not known.
 func tick_rate() -> float:
-	return _decoder.get_tick_rate()
+	return decoder.get_tick_rate()
 
 
 ## How far what is shown is behind the quickest arrivals, s.
@@ -224,7 +204,7 @@ func limbs_of(p_person: int, p_floats: PackedFloat32Array) -> Array[Transform3D]
 ## before the server has moved the body.
 func is_on_ground(p_person: int) -> bool:
 	var row: EntityRow = table.find(p_person)
-	if row == null or _decoder.get_frame(p_person) >= 0:
+	if row == null or decoder.get_frame(p_person) >= 0:
 		return false
 	var heading: int = row.type.find_field(EntityType.HEADING)
 	return heading < 0 or absf(field(p_person, heading)) < 0.002
@@ -275,9 +255,9 @@ func _on_cleared() -> void:
 
 func _on_spawned(p_row: EntityRow) -> void:
 	while _defined_types < table.types.size():
-		table.types[_defined_types].define(_decoder.define_type, _defined_types)
+		table.types[_defined_types].define(decoder.define_type, _defined_types)
 		_defined_types += 1
-	_decoder.add_entity(p_row.id, p_row.type_number, p_row.values)
+	decoder.add_entity(p_row.id, p_row.type_number, p_row.values)
 	if p_row.is_person() and p_row.skeleton.is_sound():
 		var joints: PersonSkeleton = p_row.skeleton
 		_smoother.set_skeleton(
@@ -286,14 +266,15 @@ func _on_spawned(p_row: EntityRow) -> void:
 
 
 func _on_despawned(p_row: EntityRow) -> void:
-	_decoder.remove_entity(p_row.id)
+	decoder.remove_entity(p_row.id)
 	_active.erase(p_row.id)
 	_smoother.forget_entity(p_row.id)
 
 
-## The mark of the datagram that was taken last, in times of the server's clock; null if it had none.
+## The mark of the datagram that was taken last, in times of the server's clock; null if it had
+## none.
 func _take_mark() -> LatencyMark:
-	var known: Dictionary = _decoder.get_mark()
+	var known: Dictionary = decoder.get_mark()
 	if known.is_empty():
 		return null
 	var steps: PackedInt32Array = known["steps_usec"]
@@ -312,10 +293,10 @@ func _take_mark() -> LatencyMark:
 func _set_error(p_degrees: float) -> void:
 	if p_degrees != _error_deg:
 		_configure(p_degrees)
-	_decoder.set_wants_marks(wants_marks)
+	decoder.set_wants_marks(wants_marks)
 
 
 func _configure(p_error_deg: float) -> void:
 	_error_deg = p_error_deg
-	_decoder.configure(PackedInt32Array(Limbs.PARENTS), p_error_deg)
-	_decoder.set_wants_marks(wants_marks)
+	decoder.configure(PackedInt32Array(Limbs.PARENTS), p_error_deg)
+	decoder.set_wants_marks(wants_marks)

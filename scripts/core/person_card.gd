@@ -11,7 +11,8 @@ const MAX_HIPS_M: float = 2.0
 const MIN_LENGTH_M: float = 0.03
 const MAX_LENGTH_M: float = 1.2
 
-## Which of the client's people it is, 0 to [constant MAX_PEOPLE] - 1; its samples carry the same number.
+## Which of the client's people it is, 0 to [constant MAX_PEOPLE] - 1; its samples carry the same
+## number.
 var index: int = 0
 ## Shown to the others; empty: the client's own name.
 var name: String = ""

@@ -28,7 +28,7 @@ func wants(p_tick: int, p_person: int) -> bool:
 	return (p_tick + p_person) % EVERY == 0
 
 
-## Takes a pose's fingerprint, see [method WorldReplica.received_fingerprint].
+## Takes a pose's fingerprint, of a person at a tick.
 func take(p_tick: int, p_person: int, p_fingerprint: int) -> void:
 	var place: int = p_tick % KEPT
 	if _ticks[place] > p_tick:

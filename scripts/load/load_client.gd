@@ -160,14 +160,21 @@ func _on_state(p_bytes: PackedByteArray, p_arrival_usec: int) -> void:
 	stats.took(replica.outcome, p_bytes.size())
 	if not useful:
 		return
-	var tick: int = replica.received_tick()
-	for person: int in replica.received_people():
+	var tick: int = replica.decoder.get_tick()
+	for person: int in replica.decoder.get_people():
 		_newest[person] = maxi(_newest.get(person, -1), tick)
 		if _agreement.wants(tick, person):
-			_agreement.take(tick, person, replica.received_fingerprint(person))
+			_agreement.take(tick, person, _fingerprint_of(person))
 
 
 func _on_marked(p_mark: LatencyMark) -> void:
 	if _link.clock.is_known():
 		p_mark.arrival_usec = _link.clock.server_usec(p_mark.arrival_usec)
 		stats.marked(p_mark)
+
+
+## A number that is the same at every client whose last datagram had the same of a person: the
+## root's position and the limbs' orientations.
+func _fingerprint_of(p_person: int) -> int:
+	var decoder: SnapshotDecoder = replica.decoder
+	return hash([decoder.get_root(p_person), decoder.get_orientations(p_person)])

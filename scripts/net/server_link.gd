@@ -115,11 +115,6 @@ func api() -> SceneMultiplayer:
 	return _api
 
 
-## Number of clients that are here.
-func client_count() -> int:
-	return _sessions.here().size()
-
-
 ## The transport's stats: see [method ThreadedPeer.stats]; peers are named by their sessions.
 func stats() -> Dictionary:
 	if _peer == null:
@@ -149,12 +144,6 @@ func send_datagrams(p_sessions: PackedInt32Array, p_datagrams: Array[PackedByteA
 		peers.append(session.peer if session != null and session.is_here else 0)
 	if _peer != null and not peers.is_empty():
 		_peer.send_fast_each(peers, p_datagrams)
-
-
-## Snapshots per second that a client wants; 0 for as many as there are.
-func rate_of(p_session: int) -> int:
-	var session: Session = _sessions.find(p_session)
-	return session.rate if session != null else 0
 
 
 ## Sends a message of any size to sessions, reliably and in order with the others.

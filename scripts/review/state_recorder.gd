@@ -26,6 +26,7 @@ func open(p_path: String) -> String:
 	if _file == null:
 		return "cannot record to %s: %s" % [p_path, error_string(FileAccess.get_open_error())]
 	_file.store_buffer(MAGIC.to_ascii_buffer())
+	_file.flush()
 	_begin_usec = Time.get_ticks_usec()
 	return ""
 

@@ -155,7 +155,7 @@ func _process(_p_delta: float) -> void:
 	if _report.is_due():
 		_report.write(_make_report())
 	if _stats.since_status() > _STATUS_S:
-		Log.info("server", _stats.describe(_link.client_count(), _people.list().size()))
+		Log.info("server", _stats.describe(_link.session_ids().size(), _people.list().size()))
 	var duration: float = _options.seconds("duration")
 	if _stop.is_raised():
 		Log.info("server", "stopped by a signal: ending all sessions")
@@ -190,7 +190,9 @@ func _tell_speed() -> void:
 	if not _stats.watch.is_slow:
 		Log.info("server", "the world runs at full speed again")
 		return
-	var parts: Array = [100.0 * _stats.watch.speed, _people.list().size(), _link.client_count()]
+	var parts: Array = [
+		100.0 * _stats.watch.speed, _people.list().size(), _link.session_ids().size()
+	]
 	var text: String = "the world runs at %.0f %% of its speed (%d people, %d clients): "
 	Log.warning("server", text % parts + "the machine is too slow for it")
 
@@ -235,7 +237,7 @@ func _on_joined(p_session: int, p_hello: Dictionary) -> void:
 
 func _on_returned(p_session: int) -> void:
 	_entities.add_session(p_session)
-	_sending.add_client(p_session, _link.rate_of(p_session))
+	_sending.add_client(p_session, _link.session(p_session).rate)
 
 
 func _on_left(p_session: int) -> void:

@@ -233,8 +233,8 @@ func enter(p_points: Array[Vector3]) -> void:
 		_enter(person)
 
 
-## Has a body carry all people of a session: their own frame is where [param p_seat] is in the body's,
-## with the first one's hips above it.
+## Has a body carry all people of a session: their own frame is where [param p_seat] is in the
+## body's, with the first one's hips above it.
 func attach(p_session: int, p_entity: int, p_carrier: PhysicsBody3D, p_seat: Transform3D) -> void:
 	for person: Person in _of_session(p_session):
 		var at: Vector3 = person.origin

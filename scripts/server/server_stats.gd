@@ -93,7 +93,7 @@ func report(p_link: ServerLink, p_sending: Replication, p_people: Array) -> Dict
 		"network_ms_p99": network_time.percentile(0.99) * 1000.0,
 		"network_cpu_usec": network_usec,
 		"recent": _recent(),
-		"clients": p_link.client_count(),
+		"clients": p_link.session_ids().size(),
 		"sent_bytes_per_second": p_link.traffic.sent_per_second(),
 		"received_bytes_per_second": p_link.traffic.received_per_second(),
 		"transport": p_link.stats(),

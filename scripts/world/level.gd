@@ -4,8 +4,8 @@ class_name Level
 extends Node3D
 ## Root of a level: what never moves, props, where people start, triggers and cameras.
 ##
-## A level is a scene [code]scenes/world/NAME/NAME.tscn[/code] whose root has this script. The server
-## and all clients load the same one; [method fingerprint] tells whether they have.
+## A level is a scene [code]scenes/world/NAME/NAME.tscn[/code] whose root has this script. The
+## server and all clients load the same one; [method fingerprint] tells whether they have.
 
 ## Group of the props, [RigidBody3D] nodes: each is an entity of its own.
 const PROPS: StringName = &"props"
@@ -108,8 +108,8 @@ func get_cameras() -> Array[Camera3D]:
 
 
 ## A number that is the same wherever the level is: of shapes and positions of what never moves, of
-## props and of entities. What is only seen does not count, as a dedicated server has none of it. The
-## level must be in the tree and nothing may have moved yet.
+## props and of entities. What is only seen does not count, as a dedicated server has none of it.
+## The level must be in the tree and nothing may have moved yet.
 func fingerprint() -> PackedByteArray:
 	var context: HashingContext = HashingContext.new()
 	context.start(HashingContext.HASH_SHA256)

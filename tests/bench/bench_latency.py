@@ -41,9 +41,7 @@ def measure(arguments: list[str]) -> int:
     stats.add(case, "sd", total["sd_ms"], "ms", at_most=MAX_SD_MS)
     for name in ("p50", "p95", "p99"):
         stats.add(case, name, total[name + "_ms"], "ms")
-    stats.add(
-        case, "samples", total["count"], "", at_least=0.9 * settings.rate * settings.seconds
-    )
+    stats.add(case, "samples", total["count"], "", at_least=0.9 * settings.rate * settings.seconds)
     stats.add(case, "thesis over ours", THESIS_MS / max(total["mean_ms"], 0.001), "")
     for stage, row in delays.items():
         if row["count"]:

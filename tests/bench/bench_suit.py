@@ -107,9 +107,7 @@ def measure_motion(options: dict[str, str], stats: Stats, folder: Path) -> None:
             found[name] = motion_error(godot, options, folder / name, name == "suit")
         stats.add("motion at the observer", f"{name}: mean error", found[name]["mean"], "deg")
         stats.add("motion at the observer", f"{name}: p95", found[name]["p95"], "deg")
-        stats.add(
-            "motion at the observer", f"{name}: spine", found[name]["limbs"]["Spine"], "deg"
-        )
+        stats.add("motion at the observer", f"{name}: spine", found[name]["limbs"]["Spine"], "deg")
     more = found["suit"]["mean"] - found["direct"]["mean"]
     stats.add("motion at the observer", "suit - direct", more, "deg", at_most=MOTION_DEG)
 

@@ -24,7 +24,7 @@ func after_each() -> void:
 func test_trainee_joins_and_is_heard() -> void:
 	var end: LinkPair.End = _pair.join(TRAINEE, "Grace")
 	equal(end.joined, 1)
-	equal(_pair.server.client_count(), 1)
+	equal(_pair.server.session_ids().size(), 1)
 	var hello: Dictionary = _pair.joined.values()[0]
 	equal([hello["name"], hello["role"]], ["Grace", int(TRAINEE)])
 	var sample: PoseSample = NetSamples.pose(_random)
@@ -82,7 +82,7 @@ func test_client_that_leaves_is_gone_at_once() -> void:
 	end.link.close()
 	is_true(_pair.until(func() -> bool: return _pair.left.size() == 1, 0.5))
 	equal(_pair.left[0], _pair.joined.keys()[0])
-	equal(_pair.server.client_count(), 0)
+	equal(_pair.server.session_ids().size(), 0)
 
 
 func test_client_that_vanishes_is_lost_soon() -> void:

@@ -33,7 +33,7 @@ func _init() -> void:
 func _take(p_bytes: PackedByteArray, p_time_s: float) -> void:
 	if not _replica.take(p_bytes, p_time_s) or not Protocol.SNAPSHOTS.has(int(p_bytes[0])):
 		return
-	for actor: int in _replica.received_people():
+	for actor: int in _replica.decoder.get_people():
 		var step: int = floori(p_time_s / STEP_S)
 		if _step.get(actor, -1) == step:
 			continue

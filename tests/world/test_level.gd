@@ -40,7 +40,9 @@ func test_what_is_only_seen_does_not_count() -> void:
 
 
 func test_names_lead_nowhere_else() -> void:
-	for name: String in ["", "..", "../hall", "Hall", "hall/hall", "hall.tscn", "a b", "x".repeat(99)]:
+	for name: String in [
+		"", "..", "../hall", "Hall", "hall/hall", "hall.tscn", "a b", "x".repeat(99)
+	]:
 		is_false(LevelStore.has(name), name)
 		is_null(LevelStore.instantiate(name))
 	contains(LevelStore.describe_missing("atlantis"), "no world 'atlantis' here: hall, yard")

@@ -3,9 +3,9 @@ extends RefCounted
 ## The question for the server's time, and its answer. Both are made and answered in the transport's
 ## threads, so that no frame rate comes in between.
 ##
-## Little-endian. Question: u8 message, u64 client's time (µs). JoinReply: u8 message, u64 the client's
-## time of the question, u64 server's time (µs), u32 the server's tick, u64 server's time at which
-## this tick began (µs), u16 ticks per second. All times are of monotonic clocks.
+## Little-endian. Question: u8 message, u64 client's time (µs). JoinReply: u8 message, u64 the
+## client's time of the question, u64 server's time (µs), u32 the server's tick, u64 server's time
+## at which this tick began (µs), u16 ticks per second. All times are of monotonic clocks.
 
 ## Size of a question, bytes.
 const QUESTION_SIZE: int = 9

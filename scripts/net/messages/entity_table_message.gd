@@ -8,7 +8,8 @@ extends RefCounted
 ## of entities that are gone, of each u16; u16 number of new entities, of each: u16 id, u8 type, u32
 ## tick, s32 owner, u8 source, text path, its values as in [method EntitySchema.encode]; of a
 ## person also u8 which of its session's people, text name, u8 limbs (0 or all) and of each 3 f32
-## joint in the parent's frame, 3 f32 in its own (m), 4 f32 x, y, z, w of the body in the reset pose.
+## joint in the parent's frame, 3 f32 in its own (m), 4 f32 x, y, z, w of the body in the reset
+## pose.
 
 ## Smallest and largest error of poses, degrees.
 const MIN_ERROR_DEG: float = 0.02

@@ -41,7 +41,7 @@ func test_known_inertia() -> void:
 func test_faults() -> void:
 	var cases: Array[Array] = [
 		["bone", &"", "names no bone"],
-		["position", Vector3(NAN, 0, 0), "Head has a place that is not finite"],
+		["position", Vector3(NAN, 0, 0), "Head has a position that is not finite"],
 		["anchor", Vector3(0, INF, 0), "not finite"],
 		["orientation", Quaternion(0, 0, 0, 0.5), "not a rotation"],
 		["orientation", Quaternion(0, 0, NAN, 1), "not finite"],

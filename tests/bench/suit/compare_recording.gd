@@ -57,8 +57,8 @@ func _init() -> void:
 func _take(p_bytes: PackedByteArray, p_time_s: float) -> void:
 	if not _replica.take(p_bytes, p_time_s) or not Protocol.SNAPSHOTS.has(int(p_bytes[0])):
 		return
-	var people: PackedInt32Array = _replica.received_people()
-	var time: float = p_time_s if _slack_s > 0.0 else _replica.received_tick() / 60.0
+	var people: PackedInt32Array = _replica.decoder.get_people()
+	var time: float = p_time_s if _slack_s > 0.0 else _replica.decoder.get_tick() / 60.0
 	if people.is_empty() or (not _times.is_empty() and time <= _times[_times.size() - 1]):
 		return
 	var floats: PackedFloat32Array = _replica.person_floats(people[0], true)

@@ -179,6 +179,8 @@ func _hostile(p_good: PackedByteArray) -> PackedByteArray:
 	if _random.randf() < 0.3:
 		return NetSamples.noise(_random, 60)
 	return NetSamples.damage(_random, p_good)
+
+
 ## The damage must neither always nor never be found, or this tests little.
 func _check_mixture(p_least: int = ROUNDS / 100) -> void:
 	is_true(_accepted > p_least, "%d of %d accepted" % [_accepted, ROUNDS])

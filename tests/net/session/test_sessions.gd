@@ -31,7 +31,7 @@ func test_the_right_password_opens() -> void:
 	var none: LinkPair.End = _pair.add(OBSERVER, "Eve")
 	is_true(_pair.until(func() -> bool: return wrong.refusal != "" and none.refusal != ""))
 	equal([wrong.refusal, none.refusal], ["the password is wrong", "the password is wrong"])
-	equal(_pair.server.client_count(), 1)
+	equal(_pair.server.session_ids().size(), 1)
 
 
 func test_instructors_have_a_password_of_their_own() -> void:
@@ -108,7 +108,7 @@ func test_a_lost_client_comes_back_into_its_session() -> void:
 	var session: int = end.link.session
 	equal(_pair.joined.keys(), [session] as Array[int])
 	_lose(end)
-	equal(_pair.server.client_count(), 0)
+	equal(_pair.server.session_ids().size(), 0)
 	var other: LinkPair.End = _pair.add(OBSERVER, "Bob")
 	is_true(_pair.until(func() -> bool: return other.refusal != ""))
 	contains(other.refusal, "full", "the place is kept")
@@ -147,7 +147,7 @@ func test_a_new_connection_replaces_the_old() -> void:
 	is_true(_pair.until(func() -> bool: return twin.joined == 1 and end.loss != ""))
 	is_true(_pair.until(func() -> bool: return _pair.returned.size() == 1))
 	equal(_pair.left.size(), 0)
-	equal(_pair.server.client_count(), 1)
+	equal(_pair.server.session_ids().size(), 1)
 
 
 func test_a_place_is_kept_for_a_minute_only() -> void:

@@ -38,7 +38,7 @@ func test_chosen_ids() -> void:
 		_serve(host, 0.1)
 		equal(host.get_peers()[0].is_active() if host.get_peers().size() > 0 else false, false)
 	_check_good()
-	equal(_pair.server.client_count(), 1)
+	equal(_pair.server.session_ids().size(), 1)
 	equal(_pair.server.stats()["refused_ids"], 7)
 
 
