@@ -16,6 +16,8 @@ signal answered(p_text: String)
 
 ## Name of the node on both sides.
 const NODE_NAME: StringName = &"SessionControl"
+## Seconds between two notices about one session.
+const NOTICE_S: float = 5.0
 ## Longest reason, characters.
 const LONGEST_REASON: int = 120
 
@@ -23,6 +25,7 @@ const LONGEST_REASON: int = 120
 var roster: Array[Dictionary] = []
 
 var _link: ServerLink = null
+var _noticed_s: Dictionary[int, float] = {}
 
 
 ## Adds the node to a server, below a node of its own.
@@ -68,6 +71,18 @@ func calibrate(p_session: int, p_index: int, p_pose: int) -> void:
 ## Asks the server for another level, by its name.
 func change_level(p_name: String) -> void:
 	_change_level.rpc_id(MultiplayerPeer.TARGET_PEER_SERVER, p_name)
+
+
+## Tells all instructors what a session did that it should not: on the server. Each session is named
+## once in [constant NOTICE_S] at most.
+func tell_instructors(p_session: int, p_text: String) -> void:
+	var now: float = Time.get_ticks_usec() / 1e6
+	if now - _noticed_s.get(p_session, -NOTICE_S) < NOTICE_S:
+		return
+	_noticed_s[p_session] = now
+	for row: Dictionary in _link.roster():
+		if _is_reachable_moderator(row):
+			_tell.rpc_id(row["peer"], p_text)
 
 
 static func _attach(p_parent: Node, p_api: SceneMultiplayer) -> SessionControl:
@@ -170,6 +185,11 @@ func _answer(p_caller: Session, p_fault: String, p_done: String) -> void:
 func _push() -> void:
 	var rows: Array[Dictionary] = _link.roster()
 	for row: Dictionary in rows:
-		if Roles.can(row["role"], Roles.Capability.MODERATE) and row["state"] == "here":
-			if multiplayer.get_peers().has(row["peer"]):
-				_show.rpc_id(row["peer"], rows)
+		if _is_reachable_moderator(row):
+			_show.rpc_id(row["peer"], rows)
+
+
+func _is_reachable_moderator(p_row: Dictionary) -> bool:
+	var moderates: bool = Roles.can(p_row["role"], Roles.Capability.MODERATE)
+	var is_here: bool = p_row["state"] == "here"
+	return moderates and is_here and multiplayer.get_peers().has(p_row["peer"])

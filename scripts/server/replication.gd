@@ -199,9 +199,12 @@ func _on_despawned(p_row: EntityRow) -> void:
 	encoder.remove_entity(p_row.id)
 
 
-func _on_entity_added(p_row: EntityRow, _node: Entity, p_body: PhysicsBody3D) -> void:
+func _on_entity_added(p_row: EntityRow, p_node: Entity, p_body: PhysicsBody3D) -> void:
 	if p_body != null:
 		encoder.add_body(p_row.id, p_body.get_rid())
+	elif p_node != null and p_node.get_parent() is Node3D and p_row.id != EntityTable.WORLD:
+		# Who is far away hears of it later.
+		encoder.set_position(p_row.id, (p_node.get_parent() as Node3D).global_position)
 
 
 ## Lets the encoder read a person's limbs, in the order of [constant Limbs.BONES].

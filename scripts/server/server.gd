@@ -33,6 +33,7 @@ var _report: ReportFile = null
 var _stats: ServerStats = null
 var _status: StatusEndpoint = StatusEndpoint.new()
 var _stop: StopSignal = StopSignal.new()
+var _control: SessionControl = null
 var _tick: int = 0
 var _sent_tick: int = 0
 var _network_usec: int = 0
@@ -67,6 +68,9 @@ func _open_world() -> void:
 	_people.setup(_level.table)
 	_sending = Replication.new(_link, _level, _people, _rate(), bits, error)
 	_entities = ServerEntities.new(_link, _level.table, _people, _sending.encoder)
+	_entities.command_refused.connect(
+		func(session: int, what: String) -> void: _control.tell_instructors(session, what)
+	)
 	_level.entity_added.connect(_on_entity_added)
 	_level.leaving.connect(_people.leave)
 	_level.changed.connect(_on_level_changed)
@@ -110,6 +114,7 @@ func _open_link(p_port: int) -> bool:
 	Log.info("net", security.describe())
 	var control: SessionControl = SessionControl.serve(self, _link)
 	control.level_requested.connect(_change_level)
+	_control = control
 	return true
 
 

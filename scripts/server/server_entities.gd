@@ -197,7 +197,7 @@ func _apply(p_session: int, p_command: EntityCommand) -> void:
 	var session: Session = _link.session(p_session)
 	if session != null:
 		_link.complain(session, "command", "commanded in vain: %s" % fault)
-	command_refused.emit(p_session, fault)
+		command_refused.emit(p_session, "%s commanded in vain: %s" % [session.describe(), fault])
 
 
 func _find_fault(

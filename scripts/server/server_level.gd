@@ -73,8 +73,7 @@ func add_instance(
 
 
 func _spawn_all(p_tick: int) -> void:
-	var type: EntityType = level.world_type if level.world_type != null else _world_type
-	table.spawn(_make_row(type, EntityRow.Source.NONE, "", p_tick), true)
+	_spawn_world(p_tick)
 	for body: RigidBody3D in level.get_props():
 		var path: String = str(level.get_path_to(body))
 		_add(_make_row(_prop_type, EntityRow.Source.LEVEL, path, p_tick), null, body)
@@ -86,6 +85,16 @@ func _spawn_all(p_tick: int) -> void:
 		_add(
 			_make_row(entity.type, EntityRow.Source.LEVEL, path, p_tick), entity, entity.get_body()
 		)
+
+
+func _spawn_world(p_tick: int) -> void:
+	if level.world == null or level.world.type == null:
+		table.spawn(_make_row(_world_type, EntityRow.Source.NONE, "", p_tick), true)
+		return
+	var path: String = str(level.get_path_to(level.world))
+	var row: EntityRow = _make_row(level.world.type, EntityRow.Source.LEVEL, path, p_tick)
+	if table.spawn(row, true) != null:
+		entity_added.emit(row, level.world, null)
 
 
 func _add(p_row: EntityRow, p_node: Entity, p_body: PhysicsBody3D) -> void:

@@ -26,10 +26,11 @@ const _STEPS: float = 10000.0
 	set(p_value):
 		props_root = p_value
 		update_configuration_warnings()
-## Fields, commands and events of the world's own entity, number 0; may be empty.
-@export var world_type: EntityType:
+## The entity of the world itself, which has number 0: its fields are the variables of the level and
+## of a scenario. May be empty.
+@export var world: Entity:
 	set(p_value):
-		world_type = p_value
+		world = p_value
 		update_configuration_warnings()
 
 
@@ -48,8 +49,8 @@ func _get_configuration_warnings() -> PackedStringArray:
 	for body: RigidBody3D in get_props():
 		if not body.transform.basis.get_scale().is_equal_approx(Vector3.ONE):
 			warnings.append("%s is scaled, bodies cannot be: scale its shape and mesh." % body.name)
-	if world_type != null and world_type.find_fault() != "":
-		warnings.append("'World Type' cannot be used: %s." % world_type.find_fault())
+	if world != null and world.type != null and world.type.body != EntityType.Body.NONE:
+		warnings.append("The type of 'World' has a body: choose one with fields only.")
 	return warnings
 
 
@@ -75,11 +76,11 @@ func get_props() -> Array[RigidBody3D]:
 	return found
 
 
-## The [Entity] nodes, in the order of the tree.
+## The [Entity] nodes but for that of the world itself, in the order of the tree.
 func get_entities() -> Array[Entity]:
 	var found: Array[Entity] = []
 	for node: Node in find_children("*", "Node", true, false):
-		if node is Entity:
+		if node is Entity and node != world:
 			found.append(node)
 	return found
 
@@ -124,7 +125,8 @@ func fingerprint() -> PackedByteArray:
 			context.update(entity.type.encode())
 		if entity.get_body() != null:
 			_hash_body(context, entity.get_body())
-	context.update(world_type.encode() if world_type != null else PackedByteArray([0]))
+	var has_world: bool = world != null and world.type != null
+	context.update(world.type.encode() if has_world else PackedByteArray([0]))
 	return context.finish().slice(0, FINGERPRINT_SIZE)
 
 
