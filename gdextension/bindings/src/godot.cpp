@@ -27,7 +27,7 @@ bool is_running = false;
 /// Whether a headless editor has found the extension by itself: it may quit before it can know our classes.
 bool is_late = false;
 
-/// What a method without arguments of an engine's singleton gives; a null object where it is not there.
+/// What a method without arguments of an engine's singleton gives; null where it is not there.
 Variant ask(const char *p_singleton, const char *p_method) {
 	const GDExtensionObjectPtr object = engine.global_get_singleton(StringName(p_singleton).opaque);
 	if (object == nullptr) {
@@ -44,8 +44,8 @@ Variant ask(const char *p_singleton, const char *p_method) {
 
 /// Whether the editor has no window and began before it had the extension: the first `--import` of a project.
 bool comes_late() {
-	const Variant main_loop = ask("Engine", "get_main_loop");
-	return main_loop.get_type() == Variant::OBJECT && ask("DisplayServer", "get_name") == Variant(String("headless"));
+	return ask("Engine", "get_main_loop").booleanize() &&
+			ask("DisplayServer", "get_name") == Variant(String("headless"));
 }
 
 /// The editor describes the classes of extensions in a call that it defers, and quits without waiting for it: the

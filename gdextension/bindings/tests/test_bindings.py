@@ -71,7 +71,7 @@ def assert_all_passed(code: int, text: str) -> None:
     assert not re.search("^FAIL", text, re.M), text
     assert re.search(rf"^{CHECKS} passed, 0 failed$", text, re.M), text
     assert len(re.findall(r"^ok ", text, re.M)) == CHECKS
-    assert "leaked" not in text, text
+    assert "leaked" not in text and "ERROR: Failed to retrieve" not in text, text
     assert code == 0, text
 
 
