@@ -1,40 +1,31 @@
 extends Node
-## Starts the role that the options name: the exported dedicated server is a server by itself, every
-## other build an observer unless told otherwise.
+## Starts the role that the options name, see [ProgramRoles].
 ##
 ## Exit codes: 0 done, 1 failed, 2 wrong options, 3 refused by the server, 4 no server.
 
-const _ROLES: PackedStringArray = ["server", "trainee", "observer", "instructor", "replay", "load"]
-const _SERVER: String = "res://scenes/server/server.tscn"
-const _CLIENT: String = "res://scenes/client/client.tscn"
-const _LOAD: String = "res://scenes/load/load.tscn"
+## Prints the text of docs/options.md, for the gate that compares it.
+const _DOCUMENT: String = "--help=document"
 
 
 func _ready() -> void:
 	get_tree().auto_accept_quit = true
 	var arguments: PackedStringArray = OS.get_cmdline_user_args()
-	if arguments.has("--help"):
-		print("Options of Dismount (after --):\n" + ProgramOptions.describe())
+	var role: String = ProgramRoles.find_in(arguments)
+	if arguments.has("--help") or arguments.has(_DOCUMENT):
+		var is_named: bool = "--role" in " ".join(arguments)
+		var text: String = OptionsHelp.describe(role if is_named else "")
+		print(OptionsHelp.document() if arguments.has(_DOCUMENT) else text)
 		get_tree().quit(0)
 		return
-	var options: Options = ProgramOptions.parse(arguments)
-	var role: String = options.text("role")
-	if role == "":
-		role = "server" if OS.has_feature("dedicated_server") else "observer"
-	if options.error == "" and not role in _ROLES:
-		options.error = "there is no role '%s'" % role
+	var options: Options = ProgramOptions.parse(arguments, role)
+	if not ProgramRoles.names().has(role):
+		options = ProgramOptions.parse(["--role=" + role])
 	if options.error != "":
 		Log.error("app", options.error + " (--help lists all options)")
 		get_tree().quit(2)
 		return
 	var version: String = ProjectSettings.get_setting("application/config/version")
 	Log.info("app", "Dismount %s, %s" % [version, role])
-	_start(role, options)
-
-
-func _start(p_role: String, p_options: Options) -> void:
-	var paths: Dictionary[String, String] = {"server": _SERVER, "load": _LOAD}
-	var path: String = paths.get(p_role, _CLIENT)
-	var scene: Node = (load(path) as PackedScene).instantiate()
-	scene.call("configure", p_role, p_options)
+	var scene: Node = (load(ProgramRoles.scene_of(role)) as PackedScene).instantiate()
+	scene.call("configure", role, options)
 	add_child(scene)

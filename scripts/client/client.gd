@@ -5,8 +5,8 @@ extends Node
 ## It never simulates: everything that moves is put where its [StateStream] says, by way of a
 ## [WorldReplica]; only a trainee's own body is shown as the trainee moves it.
 
-## Frames per second without a window: enough to send every sample in time.
-const _HEADLESS_FPS: int = 240
+## Frames per second without a window unless told otherwise: enough to send every sample in time.
+const HEADLESS_FPS: int = 240
 
 @export var _scene: ClientScene
 @export var _hud: Hud
@@ -36,8 +36,7 @@ func configure(p_role: String, p_options: Options) -> void:
 func _ready() -> void:
 	ClientPhysics.begin()
 	if DisplayServer.get_name() == "headless":
-		var frames: int = _options.number("fps")
-		Engine.max_fps = frames if frames > 0 else _HEADLESS_FPS
+		Engine.max_fps = _options.number("fps")
 	else:
 		RenderingServer.frame_post_draw.connect(_on_frame_drawn)
 	_pacer = FramePacer.new(Engine.max_fps if FramePacer.is_free() else 0)

@@ -36,10 +36,8 @@ func _ready() -> void:
 
 ## Sets which worlds are shown and where the camera is; returns what is wrong, or an empty text.
 func apply(p_views: String, p_camera: String) -> String:
-	var fault: String = _views.show_only(p_views)
-	if fault == "" and p_camera != "":
-		fault = _camera.set_from_text(p_camera)
-	return fault
+	_views.show_only(p_views)
+	return _camera.set_from_text(p_camera) if p_camera != "" else ""
 
 
 ## Forgets a world whose server is gone; what is on the screen stays as it is.

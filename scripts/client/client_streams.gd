@@ -35,7 +35,7 @@ func _set_up(p_role: String, p_options: Options) -> void:
 	live.request.rate = p_options.number("snapshot-rate")
 	live.request.version = p_options.number("protocol")
 	var security: TransportSecurity = TransportSecurity.client(
-		p_options.number("dtls") != 0, p_options.file("dtls-certificate")
+		p_options.is_on("dtls"), p_options.file("dtls-certificate")
 	)
 	live.link.tls = security.tls
 	Log.info("net", security.describe())

@@ -35,7 +35,7 @@ func open(p_options: Options, p_link: ClientLink) -> String:
 	inputs.appeared.connect(people.add)
 	inputs.vanished.connect(people.remove)
 	var fault: String = inputs.open(p_options)
-	if fault == "" and p_options.number("panel") != 0:
+	if fault == "" and p_options.is_on("panel"):
 		_show_panel(true)
 	return fault
 

@@ -29,6 +29,7 @@ var _settled_revision: int = -1
 var _settled_s: float = 0.0
 var _began_s: float = -1.0
 var _has_noticed: bool = false
+var _has_files: bool = false
 var _recorder: RawRecorder = null
 var _recorder_fault: String = ""
 var _playback: RawPlayback = null
@@ -42,10 +43,10 @@ func open(p_options: Options) -> String:
 	_begins_with = p_options.text("calibrate")
 	var fault: String = _open_recorder()
 	if fault == "":
-		fault = _open_files()
+		fault = _open_files("bvh")
 	if fault == "":
 		fault = _open_playback()
-	if fault == "" and p_options.number("xbus") != 0:
+	if fault == "" and p_options.is_on("xbus"):
 		fault = _open_usb()
 	if fault == "" and p_options.number("mvn") != 0:
 		mvn = MvnStream.new()
@@ -55,6 +56,8 @@ func open(p_options: Options) -> String:
 	if fault == "" and p_options.text("tracker") != "":
 		_tracker = TrackerSource.new(p_options.text("tracker"))
 		appeared.emit(_tracker, "")
+	if fault == "" and not _has_any():
+		fault = _open_files("default-bvh")
 	if fault == "" and not _has_any():
 		return "a trainee needs a motion source: --bvh=FILE, --xbus, --mvn, --tracker or --suit-play"
 	return fault
@@ -148,7 +151,7 @@ func _notice_absence(p_now_s: float) -> void:
 
 
 func _has_any() -> bool:
-	return _options.text("bvh") != "" or usb != null or mvn != null or _tracker != null
+	return _has_files or usb != null or mvn != null or _tracker != null
 
 
 ## A disk that is full must not cost a session unseen.
@@ -179,8 +182,9 @@ func _open_recorder() -> String:
 	return _recorder.open(path)
 
 
-func _open_files() -> String:
-	var paths: PackedStringArray = _options.files("bvh")
+func _open_files(p_option: String) -> String:
+	var paths: PackedStringArray = _options.files(p_option)
+	_has_files = not paths.is_empty()
 	for path: String in paths:
 		var source: BvhSource = BvhSource.new()
 		source.open(path, _options.text("unit"), _options.text("up"))

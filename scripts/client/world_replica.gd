@@ -61,9 +61,9 @@ func _init() -> void:
 	table.cleared.connect(_on_cleared)
 
 
-## Sets how motion is made smooth, by a name of [constant SMOOTHING]; another name is the default.
+## Sets how motion is made smooth, by a name of [constant SMOOTHING].
 func set_smoothing(p_name: String) -> void:
-	_smoother.method = SMOOTHING.get(p_name, SnapshotSmoother.ADAPTIVE_LOW_DELAY)
+	_smoother.method = SMOOTHING[p_name]
 
 
 ## Whether the server has sent which entities there are.

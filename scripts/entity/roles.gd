@@ -67,3 +67,17 @@ static func find(p_name: String) -> int:
 		if ROWS[role][0] == p_name:
 			return role
 	return -1
+
+
+## Names of all roles, or of those that may do something.
+static func names(p_capability: int = 0) -> PackedStringArray:
+	var found: PackedStringArray = []
+	for role: int in ROWS:
+		if p_capability == 0 or ROWS[role][1] & p_capability != 0:
+			found.append(ROWS[role][0])
+	return found
+
+
+## What a role is for, for people.
+static func describe(p_role: int) -> String:
+	return ROWS[p_role][2] if is_role(p_role) else ""

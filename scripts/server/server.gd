@@ -6,7 +6,7 @@ extends Node
 ## state goes out, in the same frame.
 
 ## What --root can be: inertial finds travel from the feet, as a suit without positions needs it.
-const _ROOTS: Dictionary[String, RagdollMotor.RootMode] = {
+const ROOTS: Dictionary[String, RagdollMotor.RootMode] = {
 	"soft": RagdollMotor.ROOT_SOFT,
 	"held": RagdollMotor.ROOT_HELD,
 	"inertial": RagdollMotor.ROOT_INERTIAL,
@@ -47,15 +47,10 @@ func configure(_p_role: String, p_options: Options) -> void:
 
 func _ready() -> void:
 	_report = ReportFile.new(_options.file("report"))
-	var root: String = _options.text("root")
-	if not _ROOTS.has(root):
-		var known: String = ", ".join(_ROOTS.keys())
-		_give_up(_EXIT_OPTIONS, "--root is one of %s, found '%s'" % [known, root])
-		return
 	if _rate() > _MAX_TICKS:
 		_give_up(_EXIT_OPTIONS, "%d ticks/s are set, %d is the most" % [_rate(), _MAX_TICKS])
 		return
-	_people.root_mode = _ROOTS[root]
+	_people.root_mode = ROOTS[_options.text("root")]
 	_stats = ServerStats.new(_rate())
 	if _open_link(_options.number("port")):
 		_open_world()
@@ -98,7 +93,7 @@ func _open_link(p_port: int) -> bool:
 	rules.max_per_address = _options.number("max-per-address")
 	rules.password = _options.text("password")
 	rules.instructor_password = _options.text("instructor-password")
-	rules.waiting_room = _options.number("waiting-room") != 0
+	rules.waiting_room = _options.is_on("waiting-room")
 	rules.bans = BanList.open(_options.file("ban-file"))
 	var security: TransportSecurity = TransportSecurity.server(
 		_options.file("dtls-certificate"), _options.file("dtls-key")

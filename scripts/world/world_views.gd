@@ -54,15 +54,11 @@ func toggle(p_name: StringName) -> void:
 	set_shown(p_name, not is_shown(p_name))
 
 
-## Shows exactly the worlds of a list such as "mesh,physics"; returns why it cannot, or "".
-func show_only(p_list: String) -> String:
+## Shows exactly the worlds of a list such as "mesh,physics".
+func show_only(p_list: String) -> void:
 	var wanted: PackedStringArray = p_list.split(",", false)
-	for each: String in wanted:
-		if not NAMES.has(StringName(each)):
-			return "there is no world '%s': mesh, static, physics" % each
 	for each: StringName in NAMES:
 		set_shown(each, wanted.has(each))
-	return ""
 
 
 func _roots(p_name: StringName) -> Array[Node3D]:

@@ -176,8 +176,7 @@ func test_a_level_that_is_another_is_said() -> void:
 	is_false(_scene.get_level().differs)
 
 
-func test_wrong_views_and_camera_are_told() -> void:
-	contains(_scene.apply("mesh,sky", ""), "no world 'sky'")
+func test_a_wrong_camera_is_told() -> void:
 	contains(_scene.apply("mesh", "1,2"), "a camera is azimuth,elevation,distance")
 	equal(_scene.apply("mesh", "1,2,3"), "")
 	equal(_scene.describe_views(), "1 mesh on   2 static off   3 physics off")

@@ -21,3 +21,11 @@ func test_who_is_nobody_may_nothing() -> void:
 
 func test_every_role_has_a_row() -> void:
 	equal(Roles.ROWS.size(), Roles.Role.size())
+
+
+func test_names_of_roles() -> void:
+	equal(Roles.names(), PackedStringArray(["observer", "trainee", "instructor"]))
+	equal(Roles.names(Roles.Capability.SEND_MOTION), PackedStringArray(["trainee"]))
+	for role: int in Roles.ROWS:
+		not_equal(Roles.describe(role), "")
+	equal(Roles.describe(-1), "")

@@ -94,7 +94,8 @@ class World:
         cwd: Path | None = None,
     ) -> Process:
         flags = ["--headless"] if display is None else [*SOFTWARE, *SMALL]
-        port = [] if any(o.startswith("--port=") for o in options) else [f"--port={self.port}"]
+        is_named = role == "replay" or any(o.startswith("--port=") for o in options)
+        port = [] if is_named else [f"--port={self.port}"]
         command = [str(CLIENT_BINARY), *flags, "--", f"--role={role}", *port, *options]
         return self.start(name or role, command, display, cwd)
 

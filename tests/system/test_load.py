@@ -73,7 +73,7 @@ def test_the_role_itself_checks_what_it_is_asked_for(world: World) -> None:
     assert "there are no clients" in nobody.log()
     many = world.client("load", "--observers=501", name="many")
     assert many.await_exit() == 2
-    assert "--observers is at most 500" in many.log()
+    assert "--observers is 0 to 500, found" in many.log()
     still = world.client("load", "--trainees=1", name="still")
     assert still.await_exit() == 2
     assert "--bvh=FILE" in still.log()

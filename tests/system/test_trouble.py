@@ -33,9 +33,10 @@ def test_the_port_is_in_use(world: World) -> None:
 def test_wrong_options(world: World) -> None:
     for options, words in {
         ("--port=abc",): "--port expects a whole number",
+        ("--bvh=walk.bvh",): "--bvh is for trainee, load, not for server",
         ("--nonsense=1",): "no option --nonsense",
-        ("--role=king",): "no role 'king'",
-        ("--port=70000",): "between 1 and 65535",
+        ("--role=king",): "--role is one of server, observer",
+        ("--port=70000",): "--port is 1 to 65535",
         ("--dtls-key=nowhere",): "needs both --dtls-certificate and --dtls-key",
         ("--dtls-key=nowhere", "--dtls-certificate=nowhere"): "holds no certificate",
     }.items():

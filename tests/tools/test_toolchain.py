@@ -8,7 +8,7 @@ import socket
 from pathlib import Path
 
 import pytest
-from toolchain import cli, godot, jolt, paths, prefix, processes, project
+from toolchain import cli, godot, jolt, options, paths, prefix, processes, project
 from toolchain.console import Failure
 from toolchain.demo import Settings
 
@@ -84,6 +84,26 @@ def test_options_are_normalised(monkeypatch: pytest.MonkeyPatch) -> None:
     given = ["--port", "7778", "--bvh=walk.bvh", "--", "--name", "Ada", "--json"]
     wanted = ["--port=7778", "--bvh=/somewhere/walk.bvh", "--name=Ada", "--json"]
     assert cli.normalise(given) == wanted
+
+
+def test_roles_come_from_the_document_of_options() -> None:
+    roles = options.roles()
+    assert {"server", "observer", "trainee", "instructor", "replay"} <= set(roles)
+    assert all(roles.values())
+
+
+def test_a_document_that_differs_is_a_fault_with_its_remedy(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    document = tmp_path / "options.md"
+    monkeypatch.setattr(options, "DOCUMENT", document)
+    monkeypatch.setattr(options, "make", lambda _godot: "# Options\n\n## Roles\n")
+    engine = godot.Godot(tmp_path, "", "")
+    assert options.roles() == {}
+    options.write(engine)
+    assert options.fault(engine) == ""
+    document.write_text("# Options\n", encoding="utf-8")
+    assert "./run options-doc" in options.fault(engine)
 
 
 def test_a_port_in_use_is_a_sentence() -> None:

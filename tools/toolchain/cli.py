@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import ast
+import functools
 import itertools
 import os
 import subprocess
@@ -11,7 +12,7 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from . import demo, jolt, latency, load, suit, xbus
+from . import demo, jolt, latency, load, options, suit, xbus
 from .console import Failure, say
 from .display import real_display
 from .godot import Godot
@@ -24,19 +25,8 @@ HELP = """Dismount: people in motion-capture suits move through physics.
                             recorded clip, and an observer. With a display: in windows, until one
                             is closed. Without: for 20 s; a picture and a film are left in out/
 
-Roles
-  ./run server  [options]   the exported dedicated server alone
-  ./run trainee [options]   a client with a body. Its motion (key M: the panel for suits):
-      --bvh=FILE[,FILE]     motion files, a person each (without any of these: a clip of ours)
-      --xbus                a wired Xsens suit on USB (docs/suits.md)
-      --mvn[=PORT]          Xsens MVN's network stream on UDP 9763: every person in it
-      --tracker=NAME        a body tracker of another Godot plugin
-      --suit-play=FILE      a recording of a suit or of MVN, in a loop
-      --suit-record=FILE    keeps every byte of suit and MVN for that
-      --person=NAME --calibrate=KIND   who wears the suit; t_pose, n_pose, t_to_n, full, quick
-  ./run observer [options]  a client that watches
-  ./run instructor [options]  a client that watches and decides who takes part
-  ./run replay --file=FILE  shows what a client recorded with --record=FILE
+Roles (./run ROLE --help lists the options of one; all are in docs/options.md)
+{roles}
 
 Motion capture without a suit
   ./run suit-emulator [-- COMMAND]  a suit on USB that is not there, for the program behind --
@@ -60,7 +50,8 @@ Measuring
 Development
   ./run editor              the Godot editor with this project
   ./run export              exports server and client to build/export/
-  ./run --help              this text; ./run server --help lists the roles' options
+  ./run options-doc         writes docs/options.md anew from the rows of all options
+  ./run --help              this text
 
 Options of the roles are given as --name=value, or by the environment: DISMOUNT_PORT=7778 is
 --port=7778. For ./run itself: --port, --bvh, --seconds (of the session without a display).
@@ -73,25 +64,19 @@ Keys in a window: 1 mesh world, 2 static world, 3 physics world, L delays; a tra
 calibration. Drag and wheel move the camera.
 """
 
-FLAGS = ("--help", "--xbus", "--panel", "--dtls", "--waiting-room")
-SESSION_FILES = ("ban-file", "dtls-certificate", "dtls-key")
-SUIT_FILES = ("suit-record", "suit-play")
-OUTPUT_FILES = ("record", "report", "screenshot", "latency-csv")
-FILES = ("bvh", "file", *SUIT_FILES, *OUTPUT_FILES, *SESSION_FILES)
-SOURCES = ("bvh", "xbus", "mvn", "tracker", "suit-play")
+FLAGS = ("--help",)
+FILES = ("bvh", "file", "report")
+# What a trainee moves by who names no source of motion.
+CLIP = CLIPS / "01_01.bvh"
 
 
 def main(arguments: list[str]) -> int:
     """Runs one command and returns its exit code."""
     if arguments and arguments[0] in ("--help", "-h", "help"):
-        print(HELP, end="")
+        print(HELP.format(roles=_describe_roles()), end="")
         return 0
     commands: dict[str, Callable[[list[str]], int]] = {
-        "server": _server,
-        "trainee": lambda rest: _client("trainee", rest),
-        "observer": lambda rest: _client("observer", rest),
-        "instructor": lambda rest: _client("instructor", rest),
-        "replay": lambda rest: _client("replay", rest),
+        **{role: functools.partial(_role, role) for role in options.roles()},
         "editor": _editor,
         "export": _export,
         "bvh": _bvh,
@@ -101,6 +86,7 @@ def main(arguments: list[str]) -> int:
         "latency": lambda rest: latency.main(normalise(rest)),
         "load": lambda rest: load.main(normalise(rest)),
         "suit-emulator": suit.main,
+        "options-doc": _options_doc,
     }
     if not arguments or arguments[0].startswith("-"):
         return demo.main(normalise(arguments))
@@ -110,7 +96,8 @@ def main(arguments: list[str]) -> int:
 
 
 def normalise(arguments: list[str]) -> list[str]:
-    """Options as --name=value, also where they were given as --name value; files as full paths."""
+    """Options of commands that are no role as --name=value, also where they were given as
+    --name value; files as full paths."""
     result: list[str] = []
     rest = [argument for argument in arguments if argument != "--"]
     while rest:
@@ -132,9 +119,9 @@ def _user_files(value: str) -> str:
     return ",".join(str(user_path(part)) for part in value.split(","))
 
 
-def _run(command: list[str]) -> int:
+def _run(command: list[str], more: dict[str, str] | None = None) -> int:
     """Runs a program in the foreground and ends it when we end."""
-    with subprocess.Popen(command) as process:
+    with subprocess.Popen(command, env={**os.environ, **(more or {})}) as process:
         try:
             return process.wait()
         except BaseException:
@@ -146,28 +133,32 @@ def _run(command: list[str]) -> int:
             raise
 
 
-def _server(arguments: list[str]) -> int:
-    prepare(export=True)
-    return _run([str(SERVER_BINARY), "--headless", "--", "--role=server", *normalise(arguments)])
+def _describe_roles() -> str:
+    rows = options.roles().items()
+    return "\n".join(f"  {'./run ' + role:<26}{meaning}" for role, meaning in rows)
 
 
-def _client(role: str, arguments: list[str]) -> int:
-    options = normalise(arguments)
-    if role == "trainee" and not _names_source(options):
-        options.append(f"--bvh={CLIPS / '01_01.bvh'}")
+def _role(role: str, arguments: list[str]) -> int:
+    """Starts the program as a role. It knows its options itself, and where relative files are."""
     prepare(export=True)
-    command = [str(CLIENT_BINARY)]
-    if not real_display():
-        say("There is no display: the client runs without a window.")
+    environment = {"PWD": str(user_path(""))}
+    environment["DISMOUNT_DEFAULT_BVH"] = os.environ.get("DISMOUNT_DEFAULT_BVH") or str(CLIP)
+    command = [str(SERVER_BINARY if role == "server" else CLIENT_BINARY), "--no-header"]
+    wants_help = "--help" in arguments or "-h" in arguments
+    if wants_help or role == "server" or not real_display():
         command.append("--headless")
-    return _run([*command, "--", f"--role={role}", *options])
+    if wants_help:
+        return _run([*command, "--", f"--role={role}", "--help"])
+    if role != "server" and not real_display():
+        say("There is no display: the client runs without a window.")
+    given = [argument for argument in arguments if argument != "--"]
+    return _run([*command, "--", f"--role={role}", *given], environment)
 
 
-def _names_source(options: list[str]) -> bool:
-    """Whether options or environment say where a trainee's motion comes from."""
-    named = [option.partition("=")[0] for option in options]
-    variables = [f"DISMOUNT_{name.upper().replace('-', '_')}" for name in SOURCES]
-    return any(f"--{name}" in named for name in SOURCES) or any(map(os.environ.get, variables))
+def _options_doc(_arguments: list[str]) -> int:
+    options.write(prepare(export=False))
+    print(options.DOCUMENT)
+    return 0
 
 
 def _editor(_arguments: list[str]) -> int:
@@ -197,19 +188,19 @@ def _bvh(arguments: list[str]) -> int:
     files = [argument for argument in arguments if not argument.startswith("-")]
     if len(files) != 1:
         raise Failure("usage: ./run bvh FILE [--unit=U] [--up=y|z]", 2)
-    options = [argument for argument in arguments if argument.startswith("-")]
+    given = [argument for argument in arguments if argument.startswith("-")]
     godot = prepare(export=False)
     return _script(
-        godot, [], "res://scripts/mocap/bvh/bvh_info.gd", [str(user_path(files[0])), *options]
+        godot, [], "res://scripts/mocap/bvh/bvh_info.gd", [str(user_path(files[0])), *given]
     )
 
 
 def _mvn_sender(arguments: list[str]) -> int:
-    options = normalise(arguments)
-    if "-h" in options:
-        options = ["--help"]
+    given = normalise(arguments)
+    if "-h" in given:
+        given = ["--help"]
     godot = prepare(export=False)
-    return _script(godot, [], "res://scripts/mocap/mvn/mvn_sender.gd", options)
+    return _script(godot, [], "res://scripts/mocap/mvn/mvn_sender.gd", given)
 
 
 def benchmarks() -> dict[str, tuple[Path, str]]:
@@ -230,14 +221,14 @@ def _docstring(script: Path) -> str:
     return ast.get_docstring(ast.parse(script.read_text(encoding="utf-8"))) or ""
 
 
-def _bench_python(script: Path, options: list[str]) -> int:
+def _bench_python(script: Path, given: list[str]) -> int:
     """Runs a benchmark that drives whole processes: standard output is the script's alone."""
-    if "--help" in options or "-h" in options:
+    if "--help" in given or "-h" in given:
         print(_docstring(script))
         return 0
     prepare(export=True)
     path = {"PYTHONPATH": str(ROOT / "tools"), "PYTHONDONTWRITEBYTECODE": "1"}
-    command = [sys.executable, str(script), *normalise(options)]
+    command = [sys.executable, str(script), *normalise(given)]
     return subprocess.run(
         command, env={**os.environ, **path}, stdin=subprocess.DEVNULL, check=False
     ).returncode
@@ -249,12 +240,12 @@ def _bench(arguments: list[str]) -> int:
         for name, (_, about) in known.items():
             print(f"{name:<12} {about}")
         return 0
-    name, *options = arguments
+    name, *given = arguments
     if name not in known:
         raise Failure(f"There is no benchmark '{name}': {', '.join(known)}.", 2)
     if known[name][0].suffix == ".py":
-        return _bench_python(known[name][0], options)
-    if "--help" in options or "-h" in options:
+        return _bench_python(known[name][0], given)
+    if "--help" in given or "-h" in given:
         source = known[name][0].read_text(encoding="utf-8").splitlines()
         about = itertools.dropwhile(lambda line: not line.startswith("##"), source)
         head = itertools.takewhile(lambda line: line.startswith("##"), about)
@@ -262,9 +253,9 @@ def _bench(arguments: list[str]) -> int:
         return 0
     godot = prepare(export=False)
     relative = known[name][0].relative_to(ROOT)
-    rate = next((o.split("=")[1] for o in normalise(options) if o.startswith("--hz=")), "60")
+    rate = next((o.split("=")[1] for o in normalise(given) if o.startswith("--hz=")), "60")
     flags = ["--fixed-fps", rate] if rate.isdigit() and rate != "0" else []
-    options = normalise(options)
-    if name == "raw_jolt" and not any(o.startswith(("--program=", "--absent=")) for o in options):
-        options += jolt.options(godot)
-    return _script(godot, flags, f"res://{relative}", options)
+    given = normalise(given)
+    if name == "raw_jolt" and not any(o.startswith(("--program=", "--absent=")) for o in given):
+        given += jolt.options(godot)
+    return _script(godot, flags, f"res://{relative}", given)

@@ -11,6 +11,8 @@ from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from . import options
+from .godot import Godot
 from .outcome import Outcome
 from .paths import BUILD, ROOT
 from .project import EXTENSIONS
@@ -91,7 +93,7 @@ def tidy(tools: Path) -> str:
         return "".join(pool.map(check, changed_sources()))
 
 
-def run_lint(tools: Path) -> Outcome:
+def run_lint(godot: Godot, tools: Path) -> Outcome:
     """Runs every gate; each counts as a test."""
     outcome = Outcome()
     for name, command in gates(tools):
@@ -104,6 +106,7 @@ def run_lint(tools: Path) -> Outcome:
             check=False,
         )
         _count(outcome, name, "" if done.returncode == 0 else done.stdout or "it failed")
+    _count(outcome, "options", options.fault(godot))
     _count(outcome, "clang-tidy", tidy(tools))
     return outcome
 

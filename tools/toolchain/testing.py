@@ -49,7 +49,7 @@ def main(arguments: list[str]) -> int:
     text = next((a.partition("=")[2] for a in arguments if a.startswith("--filter=")), "")
     kernel = "--kernel" in arguments
     parts: dict[str, Callable[[Godot, Path], Outcome]] = {
-        "lint": lambda _godot, tools: run_lint(tools),
+        "lint": run_lint,
         "cpp": lambda _godot, _tools: run_ctest(EXTENSIONS),
         "sanitizers": lambda _godot, _tools: run_sanitizers(),
         "gdscript": lambda godot, _tools: run_gdscript(godot, text),
