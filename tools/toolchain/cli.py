@@ -134,7 +134,8 @@ def _run(command: list[str], more: dict[str, str] | None = None) -> int:
 
 
 def _describe_roles() -> str:
-    rows = options.roles().items()
+    """The roles that are commands of ours as they are: "load" needs a server and a network."""
+    rows = [row for row in options.roles().items() if row[0] != "load"]
     return "\n".join(f"  {'./run ' + role:<26}{meaning}" for role, meaning in rows)
 
 
