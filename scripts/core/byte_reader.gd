@@ -103,6 +103,8 @@ static func text_bytes(p_text: String) -> PackedByteArray:
 
 ## A text without the characters that would garble a log line.
 static func clean(p_text: String) -> String:
+	if _is_plain(p_text.to_utf8_buffer()):
+		return p_text
 	var kept: String = ""
 	for letter: String in p_text:
 		if _is_printable(letter.unicode_at(0)):
@@ -135,6 +137,8 @@ func _finite(p_value: float) -> float:
 
 ## Strict UTF-8: no overlong forms, no surrogates, no control characters.
 func _decode(p_bytes: PackedByteArray) -> String:
+	if _is_plain(p_bytes):
+		return p_bytes.get_string_from_ascii()
 	var text: String = ""
 	var index: int = 0
 	while index < p_bytes.size():
@@ -153,6 +157,14 @@ func _decode(p_bytes: PackedByteArray) -> String:
 		text += String.chr(code)
 		index += 1 + more
 	return text
+
+
+## Whether all are printable ASCII characters. Sorting tells the least and the greatest without a loop
+## in a script: a table of thousands of entities has as many texts.
+static func _is_plain(p_bytes: PackedByteArray) -> bool:
+	var sorted: PackedByteArray = p_bytes.duplicate()
+	sorted.sort()
+	return sorted.is_empty() or (sorted[0] >= 0x20 and sorted[-1] < 0x7F)
 
 
 static func _is_printable(p_code: int) -> bool:

@@ -30,6 +30,8 @@ var path: String = ""
 var values: PackedFloat32Array = PackedFloat32Array()
 ## Version of the table in which it came; of the server's table only.
 var version: int = 0
+## The row as it is sent; made when it is sent for the first time, as every late joiner gets it.
+var encoded: PackedByteArray = PackedByteArray()
 ## Of a person: which of its session's people it is.
 var person_index: int = 0
 ## Of a person: the name, shown to the others.

@@ -33,6 +33,7 @@ var rows: Dictionary[int, EntityRow] = {}
 ## Counts the changes.
 var version: int = 0
 
+var _people: Dictionary[int, EntityRow] = {}
 var _next_person: int = FIRST_PERSON
 var _next_other: int = FIRST_OTHER
 
@@ -82,6 +83,8 @@ func add(p_row: EntityRow) -> void:
 	version += 1
 	p_row.version = version
 	rows[p_row.id] = p_row
+	if p_row.is_person():
+		_people[p_row.id] = p_row
 	spawned.emit(p_row)
 
 
@@ -92,6 +95,7 @@ func despawn(p_id: int) -> void:
 		return
 	version += 1
 	rows.erase(p_id)
+	_people.erase(p_id)
 	despawned.emit(row)
 
 
@@ -115,11 +119,7 @@ func find(p_id: int) -> EntityRow:
 
 ## The people, in the order of their coming.
 func people() -> Array[EntityRow]:
-	var found: Array[EntityRow] = []
-	for id: int in rows:
-		if rows[id].is_person():
-			found.append(rows[id])
-	return found
+	return _people.values()
 
 
 ## The person of a session, or null.

@@ -53,6 +53,8 @@ const MAX_NAME: int = 48
 ## Who may command it.
 @export var commanded_by: CommandedBy = CommandedBy.NOBODY
 
+var _spawn_schema: EntitySchema = null
+
 
 ## The type of a person who is nothing but a body.
 static func person() -> EntityType:
@@ -84,9 +86,11 @@ func find_event(p_name: StringName) -> int:
 	return _find(events, p_name)
 
 
-## The fields as a list of values, as a spawn tells it.
+## The fields as a list of values, as a spawn has it. The type must not change any more.
 func spawn_schema() -> EntitySchema:
-	return EntitySchema.create(&"spawn", fields)
+	if _spawn_schema == null or _spawn_schema.fields != fields:
+		_spawn_schema = EntitySchema.create(&"spawn", fields)
+	return _spawn_schema
 
 
 ## Tells an encoder or decoder of the type: [param p_define_type] is its method

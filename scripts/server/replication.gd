@@ -11,6 +11,7 @@ var _level: ServerLevel = null
 var _people: ServerPeople = null
 var _bits_per_second: float = 0.0
 var _error_deg: float = Protocol.POSE_ERROR_DEG
+var _cache: EntityTableCache = null
 ## What has changed in the table since the last message.
 var _changes: EntityTableMessage = EntityTableMessage.new()
 var _known_types: int = 0
@@ -37,6 +38,7 @@ func _init(
 	_people = p_people
 	_bits_per_second = p_bits_per_second
 	_error_deg = p_error_deg
+	_cache = EntityTableCache.new(p_level.table)
 	encoder.configure(PackedInt32Array(Limbs.PARENTS), p_error_deg, p_tick_rate)
 	_link.ack_received.connect(_on_ack)
 	_link.stats_received.connect(_on_stats)
@@ -156,10 +158,9 @@ func _send_table() -> void:
 		_send_to(others, _changes.encode())
 		_changes = EntityTableMessage.new()
 	if not _newcomers.is_empty():
-		var whole: EntityTableMessage = EntityTableMessage.of_table(table, _error_deg)
 		var newcomers: PackedInt32Array = _newcomers.duplicate()
 		_newcomers.clear()
-		var bytes: PackedByteArray = whole.encode()
+		var bytes: PackedByteArray = _cache.encode(_error_deg)
 		if newcomers.has(StateRecorder.CLIENT):
 			_recorder.add(LevelMessage.encode(_level.level_name, _level.fingerprint))
 			_recorder.add(bytes)
@@ -238,6 +239,8 @@ func _on_person_attached(p_person: ServerPeople.Person, p_carrier: int) -> void:
 ## Everybody begins anew in another level.
 func _on_level_changed() -> void:
 	_changes = EntityTableMessage.new()
+	# Now, while everybody waits anyway, and not in the tick in which somebody joins.
+	_cache.encode(_error_deg)
 	_send_to(_sessions, LevelMessage.encode(_level.level_name, _level.fingerprint))
 	for session: int in _sessions:
 		if not _newcomers.has(session):

@@ -43,6 +43,14 @@ static func of_table(p_table: EntityTable, p_error_deg: float) -> EntityTableMes
 
 ## The bytes.
 func encode() -> PackedByteArray:
+	var rows: PackedByteArray = []
+	for row: EntityRow in spawned:
+		rows.append_array(row_bytes(row))
+	return encode_with(rows, spawned.size())
+
+
+## The bytes, with new entities that are encoded already, see [method row_bytes].
+func encode_with(p_rows: PackedByteArray, p_count: int) -> PackedByteArray:
 	var bytes: PackedByteArray = [Protocol.Message.TABLE, 1 if is_full else 0, 0, 0, 0, 0]
 	bytes.encode_u32(2, version)
 	bytes.append_array(PackedFloat32Array([pose_error_deg]).to_byte_array())
@@ -54,10 +62,8 @@ func encode() -> PackedByteArray:
 	bytes.encode_u16(offset, despawned.size())
 	for index: int in despawned.size():
 		bytes.encode_u16(offset + 2 + 2 * index, despawned[index])
-	bytes.encode_u16(bytes.size() - 2, spawned.size())
-	for row: EntityRow in spawned:
-		bytes.append_array(_row_bytes(row))
-	return bytes
+	bytes.encode_u16(bytes.size() - 2, p_count)
+	return bytes + p_rows
 
 
 ## The changes in a packet; null if it is none. [param p_known] are the types that are known.
@@ -125,7 +131,14 @@ func _fits(p_table: EntityTable) -> bool:
 	return count <= EntityTable.MAX_ENTITIES
 
 
-static func _row_bytes(p_row: EntityRow) -> PackedByteArray:
+## A new entity as it is sent.
+static func row_bytes(p_row: EntityRow) -> PackedByteArray:
+	if p_row.encoded.is_empty():
+		p_row.encoded = _encode_row(p_row)
+	return p_row.encoded
+
+
+static func _encode_row(p_row: EntityRow) -> PackedByteArray:
 	var bytes: PackedByteArray = []
 	bytes.resize(12)
 	bytes.encode_u16(0, p_row.id)
