@@ -3,7 +3,8 @@ extends TestCase
 
 
 func test_every_level_can_be_used() -> void:
-	equal(LevelStore.names(), PackedStringArray(["hall", "yard"]))
+	for known: String in ["hall", "yard"]:
+		is_true(LevelStore.names().has(known), known)
 	for name: String in LevelStore.names():
 		var level: Level = LevelStore.instantiate(name)
 		add_child(level)
@@ -45,7 +46,10 @@ func test_names_lead_nowhere_else() -> void:
 	]:
 		is_false(LevelStore.has(name), name)
 		is_null(LevelStore.instantiate(name))
-	contains(LevelStore.describe_missing("atlantis"), "no world 'atlantis' here: hall, yard")
+	contains(
+		LevelStore.describe_missing("atlantis"),
+		"no world 'atlantis' here: " + ", ".join(LevelStore.names())
+	)
 
 
 func test_warnings_say_how_to_mend_a_level() -> void:
