@@ -8,6 +8,10 @@ extends Node
 ## Frames per second without a window unless told otherwise: enough to send every sample in time.
 const HEADLESS_FPS: int = 240
 
+## Frames that must have been shown before a picture is taken, and how long that is waited for, s.
+const _PICTURE_FRAMES: int = 8
+const _PICTURE_PATIENCE_S: float = 60.0
+
 @export var _scene: ClientScene
 @export var _hud: Hud
 @export var _mocap: MocapSetup
@@ -225,12 +229,17 @@ func _check_duration() -> void:
 		get_tree().quit(0)
 		return
 	var duration: float = _options.seconds("duration")
+	var takes_picture: bool = _options.file("screenshot") != ""
 	# A film is made slower than it plays: a recording has a clock of its own.
 	var elapsed: float = _stream.now_s() - _begin_s
-	if duration > 0.0 and elapsed > duration:
-		if _options.file("screenshot") != "":
-			_take_picture(_options.file("screenshot"))
-		get_tree().quit(0)
+	if duration == 0.0 or elapsed < duration:
+		return
+	if takes_picture:
+		# A busy machine may not have drawn anything by then.
+		if _stats.shown_frames < _PICTURE_FRAMES and elapsed < duration + _PICTURE_PATIENCE_S:
+			return
+		_take_picture(_options.file("screenshot"))
+	get_tree().quit(0)
 
 
 func _take_picture(p_path: String) -> void:

@@ -125,7 +125,7 @@ func evaluate(p_now_usec: int, p_truth: PackedFloat32Array, p_tick: int) -> Pack
 	# Where the body is in the world, and what it touches, only the server knows.
 	if _truth_tick < 0:
 		return PackedFloat32Array()
-	return _body.show(p_now_usec / 1e6, p_now_usec + _unix_ahead())
+	return _body.evaluate(p_now_usec / 1e6, p_now_usec + _unix_ahead())
 
 
 ## Which moment of the motion [method show] shows at a local time: µs of Unix time.

@@ -43,7 +43,7 @@ func add(p_source: MotionSource, p_name: String) -> bool:
 	motion.start(p_source, _rate, _link, _codec, index)
 	_motions.append(motion)
 	_publish_anew(motion)
-	_tell()
+	_declare()
 	return true
 
 
@@ -53,7 +53,7 @@ func remove(p_source: MotionSource) -> void:
 		if motion.source == p_source:
 			_end(motion)
 			_motions.erase(motion)
-			_tell()
+			_declare()
 			return
 
 
@@ -63,7 +63,7 @@ func measure(p_source: MotionSource) -> void:
 		if motion.source == p_source:
 			motion.card.take_size(p_source.get_hip_height(), p_source.get_limb_lengths())
 			_publish_anew(motion)
-			_tell()
+			_declare()
 
 
 ## Takes what was sampled, and publishes it for avatars of this machine. Call it in every frame.
@@ -99,7 +99,7 @@ func begin() -> void:
 	for motion: ClientMotion in _motions:
 		motion.disembody()
 	first_actor = -1
-	_tell()
+	_declare()
 
 
 ## Takes over which bodies the server has given them.
@@ -184,7 +184,7 @@ static func _age_s(p_sample: PoseSample) -> float:
 	return Time.get_unix_time_from_system() - p_sample.time_usec / 1e6
 
 
-func _tell() -> void:
+func _declare() -> void:
 	var cards: Array[PersonCard] = []
 	for motion: ClientMotion in _motions:
 		cards.append(motion.card)

@@ -10,6 +10,8 @@ var probe: LatencyProbe = LatencyProbe.new()
 ## The delay from a wearer's motion to the display of the own body, in local feedback.
 var own: LatencyHistogram = LatencyHistogram.new()
 
+## Frames that have shown a world.
+var shown_frames: int = 0
 ## How far what is shown is behind the quickest arrivals, s.
 var smoothing_delay_s: float = 0.0
 
@@ -22,6 +24,7 @@ var _own_moment_usec: int = -1
 ## world at a tick of the server. The time is the server's, µs.
 func frame(p_shown_tick: float, p_server_usec: int, p_headless: bool) -> void:
 	_frames += 1
+	shown_frames += 1 if p_shown_tick >= 0.0 else 0
 	probe.shows(p_shown_tick)
 	if p_headless:
 		drawn(p_server_usec)

@@ -159,8 +159,8 @@ func _decode(p_bytes: PackedByteArray) -> String:
 	return text
 
 
-## Whether all are printable ASCII characters. Sorting tells the least and the greatest without a loop
-## in a script: a table of thousands of entities has as many texts.
+## Whether all are printable ASCII characters. Sorting tells the least and the greatest without a
+## loop in a script: a table of thousands of entities has as many texts.
 static func _is_plain(p_bytes: PackedByteArray) -> bool:
 	var sorted: PackedByteArray = p_bytes.duplicate()
 	sorted.sort()

@@ -41,8 +41,8 @@ func is_sound() -> bool:
 
 
 ## Where the body of a limb is whose frame is at a place and turned from the reset pose.
-func body_at(p_limb: int, p_place: Vector3, p_turn: Quaternion) -> Transform3D:
-	return Transform3D(Basis(p_turn * reset_orientations[p_limb]), p_place)
+func body_at(p_limb: int, p_position: Vector3, p_turn: Quaternion) -> Transform3D:
+	return Transform3D(Basis(p_turn * reset_orientations[p_limb]), p_position)
 
 
 ## Number of limbs.

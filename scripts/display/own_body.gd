@@ -41,7 +41,7 @@ func add_truth(p_moment_usec: int, p_transforms: PackedFloat32Array) -> bool:
 
 ## What is shown at a time of the client's clock (s), when the wearer's clock shows another (µs):
 ## seven floats a limb; empty before the first sample.
-func show(p_now_s: float, p_wearer_usec: int) -> PackedFloat32Array:
+func evaluate(p_now_s: float, p_wearer_usec: int) -> PackedFloat32Array:
 	var moment: float = p_wearer_usec / 1e6 - HALF_PERIOD * _period_s
 	if not _feedback.evaluate(p_now_s, moment):
 		return PackedFloat32Array()

@@ -74,9 +74,9 @@ static func sensor_vector(p_vector: Vector3) -> Vector3:
 
 
 ## A place of the source, m in Godot's frame.
-static func place(p_place: Vector3, p_frame: Frame = Frame.XSENS) -> Vector3:
+static func position(p_position: Vector3, p_frame: Frame = Frame.XSENS) -> Vector3:
 	var scale: float = 0.01 if p_frame == Frame.MVN_Y_UP else 1.0
-	return vector(p_place, p_frame) * scale
+	return vector(p_position, p_frame) * scale
 
 
 ## The rotation of Euler angles of MVN's type 01, degrees, as MotionBuilder and Maya have them:
@@ -121,10 +121,10 @@ static func sensor_vectors(p_vectors: PackedVector3Array) -> PackedVector3Array:
 
 
 ## Many places at once, m in Godot's frame.
-static func places(
-	p_places: PackedVector3Array, p_frame: Frame = Frame.XSENS
+static func positions(
+	p_positions: PackedVector3Array, p_frame: Frame = Frame.XSENS
 ) -> PackedVector3Array:
-	var found: PackedVector3Array = p_places.duplicate()
+	var found: PackedVector3Array = p_positions.duplicate()
 	for at: int in found.size():
-		found[at] = place(found[at], p_frame)
+		found[at] = position(found[at], p_frame)
 	return found

@@ -143,7 +143,7 @@ func _physics_process(p_delta: float) -> void:
 	_stats.ticks = _tick
 	_stats.script_time.add((Time.get_ticks_usec() - begin) / 1e6)
 	if _stats.watch.ticked(begin / 1e6):
-		_tell_speed()
+		_report_speed()
 
 
 func _process(_p_delta: float) -> void:
@@ -186,7 +186,7 @@ func _after_step() -> void:
 	_stats.send_time.add((Time.get_ticks_usec() - now) / 1e6)
 
 
-func _tell_speed() -> void:
+func _report_speed() -> void:
 	if not _stats.watch.is_slow:
 		Log.info("server", "the world runs at full speed again")
 		return

@@ -45,18 +45,18 @@ static func remove_boxes(p_body: StaticBody3D) -> void:
 
 ## Gives a body a box with mesh and shape. They belong to no scene, so they are not saved.
 static func add_box(
-	p_body: StaticBody3D, p_place: Transform3D, p_size: Vector3, p_material: Material
+	p_body: StaticBody3D, p_transform: Transform3D, p_size: Vector3, p_material: Material
 ) -> void:
 	var mesh: BoxMesh = BoxMesh.new()
 	mesh.size = p_size
 	mesh.material = p_material
 	var shown: MeshInstance3D = MeshInstance3D.new()
 	shown.mesh = mesh
-	shown.transform = p_place
+	shown.transform = p_transform
 	p_body.add_child(shown, false, Node.INTERNAL_MODE_BACK)
 	var box: BoxShape3D = BoxShape3D.new()
 	box.size = p_size
 	var shape: CollisionShape3D = CollisionShape3D.new()
 	shape.shape = box
-	shape.transform = p_place
+	shape.transform = p_transform
 	p_body.add_child(shape, false, Node.INTERNAL_MODE_BACK)

@@ -67,7 +67,7 @@ func _try_out(p_space: PhysicsDirectSpaceState3D, p_layers: int) -> void:
 func _sees(
 	p_space: PhysicsDirectSpaceState3D, p_query: PhysicsRayQueryParameters3D, p_a: int, p_b: int
 ) -> bool:
-	var apart: Vector3i = (_place(p_a) - _place(p_b)).abs()
+	var apart: Vector3i = (_cell_index(p_a) - _cell_index(p_b)).abs()
 	if maxi(apart.x, maxi(apart.y, apart.z)) <= 1:
 		return true
 	for from: Vector3 in _points(p_a):
@@ -81,7 +81,7 @@ func _sees(
 
 ## A few points of a cell: its middle and four of its corners, drawn in a little.
 func _points(p_cell: int) -> Array[Vector3]:
-	var middle: Vector3 = origin + (Vector3(_place(p_cell)) + Vector3.ONE * 0.5) * size
+	var middle: Vector3 = origin + (Vector3(_cell_index(p_cell)) + Vector3.ONE * 0.5) * size
 	var points: Array[Vector3] = [middle]
 	for corner: Vector3 in [
 		Vector3(1, 1, 1), Vector3(-1, 1, -1), Vector3(1, -1, -1), Vector3(-1, -1, 1)
@@ -90,7 +90,7 @@ func _points(p_cell: int) -> Array[Vector3]:
 	return points
 
 
-func _place(p_cell: int) -> Vector3i:
+func _cell_index(p_cell: int) -> Vector3i:
 	var y: int = p_cell % counts.y
 	var rest: int = p_cell / counts.y
 	return Vector3i(rest / counts.z, y, rest % counts.z)

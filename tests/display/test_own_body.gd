@@ -46,7 +46,7 @@ func test_the_hips_joint_is_where_the_sample_has_it() -> void:
 
 
 func test_nothing_is_shown_before_the_first_sample() -> void:
-	is_true(_body.show(0.0, 0).is_empty())
+	is_true(_body.evaluate(0.0, 0).is_empty())
 
 
 func test_the_delay_is_half_a_period_and_the_same_in_every_frame() -> void:
@@ -57,7 +57,7 @@ func test_the_delay_is_half_a_period_and_the_same_in_every_frame() -> void:
 		while next * 1000000 / RATE <= now:
 			is_true(_body.add_sample(_sample(next)))
 			next += 1
-		var shown: PackedFloat32Array = _body.show(now / 1e6, now)
+		var shown: PackedFloat32Array = _body.evaluate(now / 1e6, now)
 		almost_equal(now - _body.shown_moment_usec(now), 1e6 / RATE / 2.0, 1.0)
 		var true_pose: PackedFloat32Array = (
 			_source.pose_at((now - 1e6 / RATE / 2.0) / 1e6).orientations
@@ -75,7 +75,7 @@ func test_an_arm_is_stopped_where_the_server_stops_it() -> void:
 		_body.add_sample(local)
 		if sample >= 30 + ANSWER:
 			_body.add_truth((sample - ANSWER) * 1000000 / RATE, _truth(local, arm, held))
-		_body.show(sample / float(RATE), local.time_usec)
+		_body.evaluate(sample / float(RATE), local.time_usec)
 		if sample == 30 + ANSWER + 12:
 			almost_equal(_body.deviation(arm), deg_to_rad(30.0), deg_to_rad(1.0))
 	for limb: int in _skeleton.count():

@@ -91,7 +91,7 @@ func _see(p_time_s: float, p_player: Stage.Player) -> void:
 		var moment: int = roundi((p_time_s - ANSWER / float(RATE)) * 1e6)
 		_body.add_truth(moment, _truths[-1 - ANSWER])
 	# Half a period is taken off again: what is shown is this sample.
-	var shown: PackedFloat32Array = _body.show(p_time_s, sample.time_usec + roundi(5e5 / RATE))
+	var shown: PackedFloat32Array = _body.evaluate(p_time_s, sample.time_usec + roundi(5e5 / RATE))
 	if p_time_s < 1.0:
 		return
 	for bone: StringName in [&"LeftHand", &"RightHand"]:

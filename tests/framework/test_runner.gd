@@ -6,7 +6,7 @@ extends SceneTree
 ##   --filter=TEXT      only tests whose "file test_name" contains TEXT
 ##   --junit=FILE       also write a JUnit XML report
 ##   --current=FILE     keep the name of the test that runs in FILE
-##   --time-limit=S     time limit of tests that do not set one, s (30)
+##   --time-limit=S     time limit of tests that do not set one, s (120)
 ## [/codeblock]
 ## Exit code: 0 if every test passed, 1 if any failed, 2 if the call is wrong.
 
@@ -22,7 +22,7 @@ var _paths: PackedStringArray = PackedStringArray()
 var _filter: String = ""
 var _junit_path: String = ""
 var _current_path: String = ""
-var _default_limit: float = 30.0
+var _default_limit: float = 120.0
 var _trap: Logger = ErrorTrap.new()
 var _guard: RefCounted = HangGuard.new()
 var _results: Array[Dictionary] = []

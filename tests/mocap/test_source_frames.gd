@@ -55,9 +55,9 @@ func test_mvn_and_unity_agree_with_the_suit() -> void:
 	var left: Quaternion = Quaternion(Vector3.UP, -0.5)
 	var turned: Quaternion = SourceFrames.rotation(left.w, left.x, left.y, left.z, frame)
 	almost_equal(turned, Quaternion(Vector3.UP, 0.5), 1e-6)
-	almost_equal(SourceFrames.place(Vector3(1, 2, 3), frame), Vector3(-1, 2, 3))
-	almost_equal(SourceFrames.place(Vector3(100, 200, 300), y_up), Vector3(1, 2, 3))
-	almost_equal(SourceFrames.place(Vector3(3, 1, 2)), Vector3(1, 2, 3))
+	almost_equal(SourceFrames.position(Vector3(1, 2, 3), frame), Vector3(-1, 2, 3))
+	almost_equal(SourceFrames.position(Vector3(100, 200, 300), y_up), Vector3(1, 2, 3))
+	almost_equal(SourceFrames.position(Vector3(3, 1, 2)), Vector3(1, 2, 3))
 
 
 func test_arrays_are_what_single_values_are() -> void:
@@ -74,7 +74,7 @@ func test_arrays_are_what_single_values_are() -> void:
 			var many: Quaternion = Quaternion(got[at], got[at + 1], got[at + 2], got[at + 3])
 			equal(many, single)
 	equal(SourceFrames.rotations(PackedFloat32Array([1, 0, 0])).size(), 0)
-	var places: PackedVector3Array = SourceFrames.places([Vector3(1, 2, 3), Vector3(4, 5, 6)])
+	var places: PackedVector3Array = SourceFrames.positions([Vector3(1, 2, 3), Vector3(4, 5, 6)])
 	equal(places, PackedVector3Array([Vector3(2, 3, 1), Vector3(5, 6, 4)]))
 	equal(SourceFrames.sensor_vectors(PackedVector3Array([Vector3(1, 2, 3)]))[0], Vector3(2, 3, 1))
 

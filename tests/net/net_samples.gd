@@ -85,7 +85,7 @@ static func vector(p_random: RandomNumberGenerator, p_most: float) -> Vector3:
 
 
 ## A rigid transform.
-static func place(p_random: RandomNumberGenerator) -> Transform3D:
+static func transform(p_random: RandomNumberGenerator) -> Transform3D:
 	return Transform3D(Basis(rotation(p_random)), vector(p_random, 500.0))
 
 

@@ -161,7 +161,7 @@ func _connect() -> StreamPeerTCP:
 ## What comes until the other end hangs up.
 func _read(p_stream: StreamPeerTCP) -> String:
 	var bytes: PackedByteArray = []
-	var end: int = Time.get_ticks_msec() + 5000
+	var end: int = Time.get_ticks_msec() + 60000
 	while Time.get_ticks_msec() < end:
 		_endpoint.poll(_tell)
 		p_stream.poll()

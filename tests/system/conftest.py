@@ -7,7 +7,7 @@ import json
 import os
 import subprocess
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -51,7 +51,21 @@ class Process:
     def report(self) -> dict:
         return json.loads(self.report_file.read_text(encoding="utf-8"))
 
-    def await_text(self, text: str, limit_s: float = 20.0, count: int = 1) -> None:
+    def await_report(self, holds: Callable[[dict], bool], limit_s: float = 120.0) -> dict:
+        """The report as soon as something holds of it."""
+        end = time.monotonic() + limit_s
+        while True:
+            try:
+                report = self.report()
+                if holds(report):
+                    return report
+            except (OSError, ValueError, LookupError):
+                report = {}  # Not written yet, or only in part.
+            assert time.monotonic() < end, f"it did not come in {limit_s} s: {report}"
+            assert self.process.poll() is None, f"it ended before:\n{self.log()}"
+            time.sleep(0.1)
+
+    def await_text(self, text: str, limit_s: float = 60.0, count: int = 1) -> None:
         end = time.monotonic() + limit_s
         while self.log().count(text) < count:
             assert time.monotonic() < end, f"'{text}' did not come in {limit_s} s:\n{self.log()}"

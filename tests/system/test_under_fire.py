@@ -15,6 +15,8 @@ from .attackers import Attack, Garbage, HalfOpen, PortZero, ZeroLength, may_send
 from .conftest import Process, World
 
 MEASURED_S = 5.0
+# Ticks that two reports, each written once a second, can be apart.
+APART_TICKS = 60
 
 
 class Scene:
@@ -30,12 +32,17 @@ class Scene:
         self.observer.await_text("joined")
         time.sleep(2.5)
 
-    def stats(self) -> tuple[float, int, float, int]:
-        """Seconds and snapshots of the observer, seconds of the server and steps of the body."""
-        seen = self.observer.report()
+    def stats(self) -> tuple[int, int, int, int]:
+        """Snapshots of the observer, ticks of the server, steps of the body, work on the network.
+
+        All but the last (microseconds of processor time) are counted, not timed: a busy machine
+        makes fewer ticks a second, and an attack must not take any of them from anybody.
+        """
         made = self.server.report()
+        seen = self.observer.report()
         people = {person["name"]: person for person in made["people"]}
-        return seen["seconds"], seen["snapshots"], made["seconds"], people["Good"]["count"] // 16
+        steps = people["Good"]["count"] // 16
+        return seen["snapshots"], made["ticks"], steps, made["network_cpu_usec"]
 
     @contextmanager
     def nobody_notices(self, least: float = 0.95) -> Iterator[None]:
@@ -45,18 +52,20 @@ class Scene:
         yield
         time.sleep(1.2)
         after = self.stats()
-        seconds = after[0] - before[0]
-        rate = (after[1] - before[1]) / seconds
-        moved = (after[3] - before[3]) / (after[2] - before[2])
-        print(f"{rate:.1f} snapshots/s, {moved:.1f} steps/s of the body over {seconds:.1f} s")
-        assert rate > 60.0 * least
-        assert moved > 60.0 * least
+        # The two reports are up to a second apart, at the beginning and at the end.
+        ticks = after[1] - before[1]
+        rate = (after[0] - before[0] + APART_TICKS) / ticks
+        moved = (after[2] - before[2] + 1) / ticks
+        work_ms = (after[3] - before[3]) / ticks / 1000.0
+        print(f"{rate:.2f} snapshots and {moved:.2f} steps a tick of {ticks}, {work_ms:.2f} ms")
+        assert rate > least
+        assert moved > least
+        assert work_ms < 8.0
         for process in (self.trainee, self.observer):
             assert process.process.poll() is None, process.log()
             assert "lost" not in process.log()
             assert process.log().count("joined") == 1
         assert len(self.server.log().splitlines()) - lines < 40, self.server.log()
-        assert 58.0 < self.server.report()["ticks_per_second"] < 62.0
 
 
 def _endure(world: World, attack: Attack) -> None:

@@ -35,7 +35,7 @@ func move() -> void:
 		poses[person] = pose
 		_encoder.put_person(person, pose.root, pose.orientations)
 	for body: int in bodies:
-		places[body] = NetSamples.place(_random)
+		places[body] = NetSamples.transform(_random)
 		_encoder.put_body(body, places[body], Vector3.ZERO, Vector3.ZERO, true)
 	_encoder.end_tick()
 

@@ -23,7 +23,7 @@ func test_frames_are_where_the_bodies_are() -> void:
 	_world.add_body(1024, body)
 	is_false(_world._frames[1024][0].visible, "hidden until it is known where it is")
 	for _round: int in 3:
-		var transform: Transform3D = NetSamples.place(_random)
+		var transform: Transform3D = NetSamples.transform(_random)
 		_world.set_transforms(1024, [transform])
 		equal(_world.get_frame_transform(1024), transform)
 		is_true((_world._frames[1024][0] as Node3D).is_visible_in_tree())
@@ -55,7 +55,7 @@ func test_a_person_has_a_frame_for_each_limb() -> void:
 	equal(_world._frames[3].size(), Limbs.COUNT)
 	var transforms: Array[Transform3D] = []
 	for _limb: int in Limbs.COUNT:
-		transforms.append(NetSamples.place(_random))
+		transforms.append(NetSamples.transform(_random))
 	_world.set_transforms(3, transforms)
 	equal(_world.get_frame_transform(3, 5), transforms[5])
 	_world.remove(3)

@@ -104,7 +104,7 @@ def build_extensions(godot: Godot) -> None:
 
 
 def list_extensions() -> None:
-    """Names the extensions before the first editor run: those built with godot-cpp abort it else."""
+    """Names the extensions before the first editor run: it aborts with those of godot-cpp else."""
     found = sorted(ROOT.glob("gdextension/*/*.gdextension"))
     text = "".join(f"res://{path.relative_to(ROOT)}\n" for path in found)
     make_folder(ROOT / ".godot")

@@ -46,7 +46,7 @@ def run(command: list[str], folder: Path) -> tuple[int, str]:
 
 
 def copy_project(target: Path, library: bytes, is_listed: bool = True) -> None:
-    """The project with a library in its place; where it is not listed, the editor has to find it."""
+    """The project with a library; where it is not listed, the editor has to find it."""
     shutil.copytree(TESTS / "project", target, ignore=shutil.ignore_patterns(".godot", "bin"))
     (target / "bin").mkdir()
     (target / "bin" / LIBRARY).write_bytes(library)

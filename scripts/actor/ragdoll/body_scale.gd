@@ -75,66 +75,66 @@ static func of_lengths(
 ) -> BodyScale:
 	var scale: BodyScale = BodyScale.new()
 	var own: PackedFloat32Array = own_lengths(p_ragdoll)
-	var told: PackedFloat32Array = scale._known(p_lengths, own)
-	if told.count(0.0) == Limbs.COUNT:
+	var given: PackedFloat32Array = scale._known(p_lengths, own)
+	if given.count(0.0) == Limbs.COUNT:
 		return scale
-	scale._limit(told, p_ragdoll.name)
+	scale._limit(given, p_ragdoll.name)
 	if _is_length(p_hip_height):
 		for limb: int in Limbs.LEGS:
-			if told[limb] == 0.0:
-				told[limb] = clampf(p_hip_height / p_ragdoll.get_hip_height(), MIN, MAX)
-	scale.across = _mean(told, own)
+			if given[limb] == 0.0:
+				given[limb] = clampf(p_hip_height / p_ragdoll.get_hip_height(), MIN, MAX)
+	scale.across = _mean(given, own)
 	for limb: int in Limbs.COUNT:
-		scale.along[limb] = told[limb] if told[limb] > 0.0 else scale.across
+		scale.along[limb] = given[limb] if given[limb] > 0.0 else scale.across
 	scale._measure_height(own)
 	return scale
 
 
 ## The scale that makes one body's joints out of another's: that of a ragdoll as it is, and what a
 ## server tells of one that has been scaled.
-static func between(p_own: PersonSkeleton, p_told: PersonSkeleton) -> BodyScale:
+static func between(p_own: PersonSkeleton, p_given: PersonSkeleton) -> BodyScale:
 	var scale: BodyScale = BodyScale.new()
-	if p_own == null or p_told == null or not p_own.is_sound() or not p_told.is_sound():
+	if p_own == null or p_given == null or not p_own.is_sound() or not p_given.is_sound():
 		return scale
 	var lengths: PackedFloat32Array = []
 	for limb: int in Limbs.COUNT:
 		lengths.append(_reach(p_own, limb))
-		scale.along[limb] = _ratio(_reach(p_told, limb), lengths[limb])
-	scale.across = _ratio(_hip_width(p_told), _hip_width(p_own))
+		scale.along[limb] = _ratio(_reach(p_given, limb), lengths[limb])
+	scale.across = _ratio(_hip_width(p_given), _hip_width(p_own))
 	scale._measure_height(lengths)
 	return scale
 
 
 ## Factors of what is told, 0 where nothing is.
 func _known(p_lengths: PackedFloat32Array, p_own: PackedFloat32Array) -> PackedFloat32Array:
-	var told: PackedFloat32Array = []
-	told.resize(Limbs.COUNT)
+	var given: PackedFloat32Array = []
+	given.resize(Limbs.COUNT)
 	if p_lengths.size() != Limbs.COUNT:
-		return told
+		return given
 	for limb: int in Limbs.COUNT:
 		if _is_length(p_lengths[limb]) and p_own[limb] > 0.001:
-			told[limb] = p_lengths[limb] / p_own[limb]
+			given[limb] = p_lengths[limb] / p_own[limb]
 	for limb: int in Limbs.COUNT:
 		var other: int = MeshShapes.mirrored(limb)
-		if told[limb] == 0.0 and told[other] > 0.0:
-			told[limb] = told[other]
+		if given[limb] == 0.0 and given[other] > 0.0:
+			given[limb] = given[other]
 	var sums: Vector2 = Vector2.ZERO
 	for limb: int in _TRUNK:
-		if told[limb] > 0.0:
-			sums += Vector2(told[limb] * p_own[limb], p_own[limb])
+		if given[limb] > 0.0:
+			sums += Vector2(given[limb] * p_own[limb], p_own[limb])
 	for limb: int in _TRUNK:
-		told[limb] = sums.x / sums.y if sums.y > 0.0 else 0.0
-	return told
+		given[limb] = sums.x / sums.y if sums.y > 0.0 else 0.0
+	return given
 
 
-func _limit(r_told: PackedFloat32Array, p_name: String) -> void:
+func _limit(r_given: PackedFloat32Array, p_name: String) -> void:
 	var limited: PackedStringArray = []
 	for limb: int in Limbs.COUNT:
-		if r_told[limb] == 0.0:
+		if r_given[limb] == 0.0:
 			continue
-		if r_told[limb] < MIN - TOLERANCE or r_told[limb] > MAX + TOLERANCE:
-			limited.append("%s %.2f" % [Limbs.BONES[limb], r_told[limb]])
-		r_told[limb] = clampf(r_told[limb], MIN, MAX)
+		if r_given[limb] < MIN - TOLERANCE or r_given[limb] > MAX + TOLERANCE:
+			limited.append("%s %.2f" % [Limbs.BONES[limb], r_given[limb]])
+		r_given[limb] = clampf(r_given[limb], MIN, MAX)
 	if not limited.is_empty():
 		var text: String = "%s: limbs may be %.1f to %.1f times as long as the body's own, found %s"
 		var parts: Array = [p_name, MIN, MAX, ", ".join(limited)]
@@ -142,11 +142,11 @@ func _limit(r_told: PackedFloat32Array, p_name: String) -> void:
 
 
 ## The mean factor of trunk, arms and legs, by their lengths; 1 where none is known.
-static func _mean(p_told: PackedFloat32Array, p_own: PackedFloat32Array) -> float:
+static func _mean(p_given: PackedFloat32Array, p_own: PackedFloat32Array) -> float:
 	var sums: Vector2 = Vector2.ZERO
 	for limb: int in Limbs.COUNT:
-		if p_told[limb] > 0.0 and not is_uniform(limb):
-			sums += Vector2(p_told[limb] * p_own[limb], p_own[limb])
+		if p_given[limb] > 0.0 and not is_uniform(limb):
+			sums += Vector2(p_given[limb] * p_own[limb], p_own[limb])
 	return sums.x / sums.y if sums.y > 0.0 else 1.0
 
 
@@ -174,8 +174,8 @@ static func _hip_width(p_joints: PersonSkeleton) -> float:
 	)
 
 
-static func _ratio(p_told: float, p_own: float) -> float:
-	return clampf(p_told / p_own, MIN, MAX) if p_own > 0.001 else 1.0
+static func _ratio(p_given: float, p_own: float) -> float:
+	return clampf(p_given / p_own, MIN, MAX) if p_own > 0.001 else 1.0
 
 
 static func _is_length(p_metres: float) -> bool:

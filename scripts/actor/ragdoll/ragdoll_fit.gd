@@ -140,7 +140,7 @@ func _stand() -> void:
 		if not limb.is_foot:
 			continue
 		points.append(limb.anchor)
-		var now: Transform3D = _way_of(limb.bone)
+		var now: Transform3D = _displacement_of(limb.bone)
 		for point: Vector3 in points:
 			lowest = Vector2(minf(lowest.x, point.y), minf(lowest.y, (now * point).y))
 	if lowest.is_finite():
@@ -160,7 +160,7 @@ func _put(p_bone: int, p_rest: Transform3D) -> void:
 
 
 ## From where a limb's points were in model space to where they are.
-func _way_of(p_bone: StringName) -> Transform3D:
+func _displacement_of(p_bone: StringName) -> Transform3D:
 	var map: Transform3D = Transform3D(_map_of(p_bone), Vector3.ZERO)
 	return _figure.scaled_rest(p_bone) * map * _rests[p_bone].affine_inverse()
 
@@ -189,7 +189,7 @@ func _fit_profile() -> void:
 
 
 func _fit_limb(p_limb: RagdollLimb) -> void:
-	var way: Transform3D = _way_of(p_limb.bone)
+	var way: Transform3D = _displacement_of(p_limb.bone)
 	var turn: Basis = Basis(p_limb.rest_orientation.inverse() * p_limb.orientation)
 	var factors: Vector3 = _factors(_map_of(p_limb.bone), turn)
 	var thin: float = sqrt(factors.x * factors.z)

@@ -14,11 +14,11 @@ var to_model: Transform3D = Transform3D.IDENTITY
 
 func _init(p_skeleton: Skeleton3D) -> void:
 	skeleton = p_skeleton
-	to_model = place_of(p_skeleton)
+	to_model = transform_of(p_skeleton)
 
 
 ## Where a node is in the model: relative to the [Ragdoll] above it, or to the topmost node.
-static func place_of(p_node: Node3D) -> Transform3D:
+static func transform_of(p_node: Node3D) -> Transform3D:
 	var place: Transform3D = Transform3D.IDENTITY
 	var node: Node3D = p_node
 	while node != null and node is not Ragdoll:

@@ -61,7 +61,7 @@ func _assign_bones() -> void:
 
 
 func _add_instance(p_instance: MeshInstance3D) -> void:
-	var place: Transform3D = RestSkeleton.place_of(p_instance)
+	var place: Transform3D = RestSkeleton.transform_of(p_instance)
 	var bones: PackedInt32Array = []
 	var moves: Array[Transform3D] = []
 	var skeleton: Skeleton3D = _figure.skeleton

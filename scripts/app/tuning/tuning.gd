@@ -86,7 +86,7 @@ func play(p_file: String) -> void:
 	if fault != "":
 		_report(fault + ". The person stands in the reset pose.")
 	else:
-		panel.tell("Plays %s." % subject.describe(), false)
+		panel.report("Plays %s." % subject.describe(), false)
 
 
 ## The status line.
@@ -139,7 +139,7 @@ func _watched() -> Vector3:
 
 func _report(p_fault: String) -> void:
 	Log.error(_TAG, p_fault)
-	panel.tell(p_fault, true)
+	panel.report(p_fault, true)
 
 
 func _on_began() -> void:

@@ -139,13 +139,13 @@ func show_motor(p_motor: RagdollMotor, p_spring: Vector2) -> void:
 
 
 ## Tells the user something; [param p_is_fault] if it went wrong.
-func tell(p_text: String, p_is_fault: bool) -> void:
+func report(p_text: String, p_is_fault: bool) -> void:
 	_message.text = p_text
 	_message.add_theme_color_override("font_color", _FAULT if p_is_fault else Color.WHITE)
 
 
 ## What the user is told.
-func told() -> String:
+func last_report() -> String:
 	return _message.text
 
 

@@ -92,19 +92,21 @@ static func _fill() -> void:
 ## Offsets from the profile's own hand, as parts of its length.
 static func _measure(p_bones: PackedStringArray, p_parents: PackedInt32Array) -> PackedVector3Array:
 	var profile: SkeletonProfileHumanoid = SkeletonProfileHumanoid.new()
-	var places: PackedVector3Array = []
-	places.resize(PER_HAND)
+	var positions: PackedVector3Array = []
+	positions.resize(PER_HAND)
 	for at: int in PER_HAND:
-		places[at] = _place(profile, "LeftHand" if p_bones[at] == "" else "Left" + p_bones[at])
+		positions[at] = _position_of(
+			profile, "LeftHand" if p_bones[at] == "" else "Left" + p_bones[at]
+		)
 	# From the wrist to the last joint of the middle finger is most of a hand.
-	var length: float = maxf(places[0].distance_to(places[15]) / 0.85, 0.01)
+	var length: float = maxf(positions[0].distance_to(positions[15]) / 0.85, 0.01)
 	var offsets: PackedVector3Array = []
 	for at: int in PER_HAND:
-		offsets.append((places[at] - places[p_parents[at]]) / length)
+		offsets.append((positions[at] - positions[p_parents[at]]) / length)
 	return offsets
 
 
-static func _place(p_profile: SkeletonProfileHumanoid, p_bone: String) -> Vector3:
+static func _position_of(p_profile: SkeletonProfileHumanoid, p_bone: String) -> Vector3:
 	var at: Transform3D = Transform3D.IDENTITY
 	var bone: StringName = StringName(p_bone)
 	while bone != &"":

@@ -110,11 +110,11 @@ func rest_offset(p_joint: int) -> Vector3:
 
 ## Where the joints are in the rest pose, m, the root being at its OFFSET.
 func rest_positions() -> PackedVector3Array:
-	var places: PackedVector3Array = PackedVector3Array()
+	var positions: PackedVector3Array = PackedVector3Array()
 	for joint: BvhJoint in joints:
-		var base: Vector3 = Vector3.ZERO if joint.parent < 0 else places[joint.parent]
-		places.append(base + to_godot(joint.offset))
-	return places
+		var base: Vector3 = Vector3.ZERO if joint.parent < 0 else positions[joint.parent]
+		positions.append(base + to_godot(joint.offset))
+	return positions
 
 
 ## Where the root is, m.
@@ -169,10 +169,10 @@ func prepare() -> void:
 
 
 ## Turns a place or direction of the file into Godot's frame and m.
-func to_godot(p_place: Vector3) -> Vector3:
+func to_godot(p_position: Vector3) -> Vector3:
 	if up_axis == BvhOptions.UpAxis.Z:
-		return SourceFrames.vector(p_place, SourceFrames.Frame.BVH_Z_UP) * unit_metres
-	return p_place * unit_metres
+		return SourceFrames.vector(p_position, SourceFrames.Frame.BVH_Z_UP) * unit_metres
+	return p_position * unit_metres
 
 
 func _clamped(p_frame: int) -> int:
@@ -194,11 +194,11 @@ func _sample(p_first: int, p_second: int, p_weight: float, p_into: Pose) -> Pose
 			orientation = orientation.slerp(_orientation(p_second * count + joint), p_weight)
 			offset = offset.lerp(later[joint], p_weight)
 		pose.orientations[joint] = orientation
-		var place: Vector3 = to_godot(offset)
+		var position: Vector3 = to_godot(offset)
 		var parent: int = _parents[joint]
 		if parent >= 0:
-			place = pose.positions[parent] + pose.orientations[parent] * place
-		pose.positions[joint] = place
+			position = pose.positions[parent] + pose.orientations[parent] * position
+		pose.positions[joint] = position
 	return pose
 
 

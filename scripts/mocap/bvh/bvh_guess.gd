@@ -71,10 +71,10 @@ static func _guess_up(p_clip: BvhClip) -> void:
 
 
 static func _extent(p_kinematics: BvhKinematics) -> Vector3:
-	var places: PackedVector3Array = p_kinematics.places()
-	var low: Vector3 = places[0]
-	var high: Vector3 = places[0]
-	for place: Vector3 in places:
-		low = low.min(place)
-		high = high.max(place)
+	var positions: PackedVector3Array = p_kinematics.positions()
+	var low: Vector3 = positions[0]
+	var high: Vector3 = positions[0]
+	for position: Vector3 in positions:
+		low = low.min(position)
+		high = high.max(position)
 	return high - low

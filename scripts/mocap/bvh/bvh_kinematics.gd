@@ -86,7 +86,7 @@ func rest() -> void:
 
 
 ## The joints' places in the file's world, file units, of what was solved last.
-func places() -> PackedVector3Array:
+func positions() -> PackedVector3Array:
 	var found: PackedVector3Array = offsets.duplicate()
 	for joint: int in _parents.size():
 		var parent: int = _parents[joint]

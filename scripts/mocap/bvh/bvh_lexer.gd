@@ -111,12 +111,12 @@ func fail_at_next(p_wanted: String) -> bool:
 ## Notes an error in the line with that index, from 0. The first one stays. Returns false.
 func fail_at(p_index: int, p_message: String) -> bool:
 	if error.is_empty():
-		error = place(p_index, p_message)
+		error = locate(p_index, p_message)
 	return false
 
 
 ## A message with the file and the line, whose index is from 0, before it.
-func place(p_index: int, p_message: String) -> String:
+func locate(p_index: int, p_message: String) -> String:
 	return "%s:%d: %s" % [_source, maxi(p_index, 0) + 1, p_message]
 
 

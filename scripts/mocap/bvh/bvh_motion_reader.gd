@@ -151,7 +151,7 @@ func _check_counts() -> bool:
 		)
 	if _row_count == frame_count + 1 and frame_count >= MIN_SURPLUS_FRAMES:
 		values.resize(frame_count * _channel_count)
-		note = _lexer.place(
+		note = _lexer.locate(
 			_frames_line,
 			"%d frames declared, %d found; the last one is left out" % [frame_count, _row_count]
 		)

@@ -65,8 +65,8 @@ func rest_tail(p_limb: int) -> Vector3:
 ## Height of the lowest point of the rest pose, m, in the frame of [method rest_base].
 func rest_floor() -> float:
 	var lowest: float = INF
-	for place: Vector3 in _rest:
-		lowest = minf(lowest, place.y)
+	for position: Vector3 in _rest:
+		lowest = minf(lowest, position.y)
 	return lowest
 
 
@@ -90,16 +90,16 @@ func _measure() -> void:
 
 
 ## Whether somebody stands in a pose: the trunk up, the legs down.
-func _stands(p_places: PackedVector3Array) -> bool:
-	return _uprightness(p_places) > 0.6
+func _stands(p_positions: PackedVector3Array) -> bool:
+	return _uprightness(p_positions) > 0.6
 
 
 ## The least of how far trunk and legs point up and down, -1 to 1.
-func _uprightness(p_places: PackedVector3Array) -> float:
+func _uprightness(p_positions: PackedVector3Array) -> float:
 	var worst: float = 1.0
 	for limb: int in [Limbs.SPINE, Limbs.CHEST] + Limbs.LEGS:
 		if map.tails[limb] >= 0:
-			var along: Vector3 = p_places[map.tails[limb]] - p_places[map.bases[limb]]
+			var along: Vector3 = p_positions[map.tails[limb]] - p_positions[map.bases[limb]]
 			var up: float = along.normalized().y
 			worst = minf(worst, up if limb < 10 else -up)
 	return worst

@@ -134,8 +134,8 @@ func _find_floor() -> float:
 	var heights: PackedFloat32Array = []
 	for frame: int in range(0, rig.clip.frame_count, maxi(rig.clip.frame_count / 200, 1)):
 		var lowest: float = INF
-		for place: Vector3 in rig.clip.sample_global(frame).positions:
-			lowest = minf(lowest, place.y)
+		for position: Vector3 in rig.clip.sample_global(frame).positions:
+			lowest = minf(lowest, position.y)
 		heights.append(lowest)
 	heights.sort()
 	return heights[heights.size() / 10]

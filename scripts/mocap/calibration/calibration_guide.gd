@@ -66,7 +66,7 @@ static func steps(
 			found.append(_hold(p_pose, QUICK_S))
 		Kind.FIT_CHECK:
 			found.append(_countdown(ResetPose.Kind.N))
-			for movement: GuideMovements.Movement in GuideMovements.telling(p_mounts):
+			for movement: GuideMovements.Movement in GuideMovements.informative(p_mounts):
 				found.append(_move(movement, CHECK_S))
 		Kind.N_POSE:
 			found.append(_countdown(ResetPose.Kind.N))

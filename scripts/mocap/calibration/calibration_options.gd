@@ -36,5 +36,5 @@ var pose: ResetPose.Kind = ResetPose.Kind.T
 
 
 ## The heading of the wearer that is told, rad about Godot's vertical, for NORTH and HEADING.
-func told_heading() -> float:
+func given_heading() -> float:
 	return -deg_to_rad(heading_deg) if facing == Facing.HEADING else 0.0

@@ -111,7 +111,7 @@ func _held_both(p_sensor: int) -> bool:
 
 func _common_heading() -> float:
 	if options.facing != CalibrationOptions.Facing.MOVEMENT:
-		return options.told_heading()
+		return options.given_heading()
 	if not _finder.measured.is_empty():
 		return _finder.common()
 	_turned_from_old = _turn_since_old()

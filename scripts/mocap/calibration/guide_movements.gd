@@ -139,7 +139,7 @@ static func axis(p_movement: Movement, p_mount: int) -> Vector3:
 
 
 ## The movements that tell the mounts apart which are worn.
-static func telling(p_mounts: PackedInt32Array) -> Array[Movement]:
+static func informative(p_mounts: PackedInt32Array) -> Array[Movement]:
 	var found: Array[Movement] = []
 	for movement: Movement in Movement.values():
 		if movement <= Movement.SQUAT:

@@ -20,18 +20,18 @@ var _next: int = 0
 ## Opens a clip and puts sensors on the places, sitting and turned at random if
 ## [param p_random] is given.
 func open(
-	p_path: String, p_places: PackedInt32Array, p_random: RandomNumberGenerator = null
+	p_path: String, p_positions: PackedInt32Array, p_random: RandomNumberGenerator = null
 ) -> void:
 	source = BvhSource.new()
 	source.open(p_path)
 	error = source.error
-	for place: int in p_places:
+	for position: int in p_positions:
 		var mounting: Quaternion = Quaternion.IDENTITY
 		var heading: float = 0.0
 		if p_random != null:
 			mounting = _any_rotation(p_random)
 			heading = p_random.randf_range(-PI, PI)
-		add_sensor(place, mounting, heading)
+		add_sensor(position, mounting, heading)
 
 
 ## Measures all that is due up to a time (Unix time, µs).

@@ -19,27 +19,27 @@ func take_scale(p_scale: Dictionary) -> bool:
 	var names: PackedStringArray = p_scale["names"]
 	var known: PackedStringArray = MvnEncoder.get_segment_names()
 	var origins: PackedVector3Array = p_scale["origins"]
-	var places: PackedVector3Array = []
-	places.resize(MvnSegments.COUNT)
+	var positions: PackedVector3Array = []
+	positions.resize(MvnSegments.COUNT)
 	for segment: int in MvnSegments.COUNT:
 		var at: int = _find(names, known[segment])
 		if at < 0:
 			at = segment
 		if at >= origins.size():
 			return false
-		places[segment] = SourceFrames.place(origins[at])
-	if not _take_places(places):
+		positions[segment] = SourceFrames.position(origins[at])
+	if not _take_positions(positions):
 		return false
-	var lowest: float = places[0].y
-	for place: Vector3 in places:
-		lowest = minf(lowest, place.y)
+	var lowest: float = positions[0].y
+	for position: Vector3 in positions:
+		lowest = minf(lowest, position.y)
 	var segments: PackedInt32Array = p_scale["point_segments"]
 	for at: int in segments.size():
 		if segments[at] >= 1 and segments[at] <= MvnSegments.COUNT:
-			var point: Vector3 = SourceFrames.place(p_scale["point_positions"][at])
-			lowest = minf(lowest, places[segments[at] - 1].y + point.y)
+			var point: Vector3 = SourceFrames.position(p_scale["point_positions"][at])
+			lowest = minf(lowest, positions[segments[at] - 1].y + point.y)
 	# The null pose stands on the ground, at 0; without it the lowest point has to do.
-	var height: float = places[0].y if places[0].y > 0.3 else places[0].y - lowest
+	var height: float = positions[0].y if positions[0].y > 0.3 else positions[0].y - lowest
 	if height > 0.3 and height < 1.8:
 		hip_height = height
 		is_measured = true
@@ -48,28 +48,28 @@ func take_scale(p_scale: Dictionary) -> bool:
 
 ## Takes where the limbs of a pose are ([member MotionDetails.positions]), as long as there are no
 ## scale data.
-func take_pose(p_places: PackedVector3Array) -> void:
-	if is_measured or p_places.size() != Limbs.COUNT:
+func take_pose(p_positions: PackedVector3Array) -> void:
+	if is_measured or p_positions.size() != Limbs.COUNT:
 		return
 	var segments: PackedVector3Array = []
 	segments.resize(MvnSegments.COUNT)
 	segments.fill(Vector3(NAN, NAN, NAN))
 	for limb: int in Limbs.COUNT:
-		segments[MvnSegments.OF_LIMBS[limb]] = p_places[limb]
-	_take_places(segments)
+		segments[MvnSegments.OF_LIMBS[limb]] = p_positions[limb]
+	_take_positions(segments)
 	# The ankle is about 0.08 of the leg above the sole, the hips' middle at the hip joints.
 	var leg: float = (lengths[10] + lengths[11] + lengths[13] + lengths[14]) / 2.0
 	if leg > 0.3 and leg < 1.6:
 		hip_height = leg * 1.08
 
 
-func _take_places(p_places: PackedVector3Array) -> bool:
+func _take_positions(p_positions: PackedVector3Array) -> bool:
 	for limb: int in Limbs.COUNT:
 		var segment: int = MvnSegments.OF_LIMBS[limb]
 		var tail: int = _tail(segment)
 		if tail < 0:
 			continue
-		var length: float = p_places[segment].distance_to(p_places[tail])
+		var length: float = p_positions[segment].distance_to(p_positions[tail])
 		if length >= 1.0:
 			return false
 		# Where the tail is not known, its length is not a number.

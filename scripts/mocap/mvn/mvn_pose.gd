@@ -57,20 +57,20 @@ func read(p_sample: Dictionary) -> PoseSample:
 func _read_some(p_sample: Dictionary, p_wxyz: PackedFloat32Array) -> PoseSample:
 	var wxyz: PackedFloat32Array = []
 	wxyz.resize(MvnSegments.COUNT * 4)
-	var places: PackedVector3Array = []
-	places.resize(MvnSegments.COUNT)
+	var positions: PackedVector3Array = []
+	positions.resize(MvnSegments.COUNT)
 	var present: PackedByteArray = []
 	present.resize(MvnSegments.COUNT)
 	var segments: PackedInt32Array = p_sample["segments"]
 	for item: int in segments.size():
-		var place: int = segments[item] - 1
-		if place < 0 or place >= MvnSegments.COUNT:
+		var position: int = segments[item] - 1
+		if position < 0 or position >= MvnSegments.COUNT:
 			continue
 		for part: int in 4:
-			wxyz[place * 4 + part] = p_wxyz[item * 4 + part]
-		places[place] = p_sample["positions"][item]
-		present[place] = 1
-	return MvnSegments.pose(wxyz, places, FRAMES[p_sample["type"]], present)
+			wxyz[position * 4 + part] = p_wxyz[item * 4 + part]
+		positions[position] = p_sample["positions"][item]
+		present[position] = 1
+	return MvnSegments.pose(wxyz, positions, FRAMES[p_sample["type"]], present)
 
 
 ## Of all items, as w, x, y, z in the stream's frame.
@@ -99,8 +99,8 @@ func _scale(r_pose: PoseSample, p_type: int) -> void:
 	if unit_m > 0.0:
 		scale = unit_m / 0.01 if p_type == 1 else unit_m
 	elif p_type != 1:
-		for place: Vector3 in r_pose.details.positions:
-			_is_cm = _is_cm or place.distance_to(r_pose.root) > MAX_REACH
+		for position: Vector3 in r_pose.details.positions:
+			_is_cm = _is_cm or position.distance_to(r_pose.root) > MAX_REACH
 		scale = 0.01 if _is_cm else 1.0
 	if scale != 1.0:
 		r_pose.root *= scale

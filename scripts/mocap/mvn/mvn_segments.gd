@@ -59,14 +59,14 @@ const PLACES: Array[StringName] = [
 ## that came; empty: all did. Null if the pelvis is missing or a rotation is none.
 static func pose(
 	p_rotations: PackedFloat32Array,
-	p_places: PackedVector3Array,
+	p_positions: PackedVector3Array,
 	p_frame: SourceFrames.Frame,
 	p_present: PackedByteArray = PackedByteArray()
 ) -> PoseSample:
-	if p_rotations.size() < COUNT * 4 or p_places.size() < COUNT:
+	if p_rotations.size() < COUNT * 4 or p_positions.size() < COUNT:
 		return null
 	var turns: Array[Quaternion] = []
-	var places: PackedVector3Array = SourceFrames.places(p_places.slice(0, COUNT), p_frame)
+	var positions: PackedVector3Array = SourceFrames.positions(p_positions.slice(0, COUNT), p_frame)
 	var present: PackedByteArray = p_present.duplicate()
 	if present.size() != COUNT:
 		present.resize(COUNT)
@@ -80,41 +80,41 @@ static func pose(
 			return null
 		turns.append(turn.normalized() if present[segment] != 0 else Quaternion.IDENTITY)
 	if p_frame == SourceFrames.Frame.MVN_UNITY:
-		_sort_unity(turns, places, present)
-	return _pose_of(turns, places, present)
+		_sort_unity(turns, positions, present)
+	return _pose_of(turns, positions, present)
 
 
 ## Puts Unity's order right and makes its local rotations and places global.
 static func _sort_unity(
-	r_turns: Array[Quaternion], r_places: PackedVector3Array, r_present: PackedByteArray
+	r_turns: Array[Quaternion], r_positions: PackedVector3Array, r_present: PackedByteArray
 ) -> void:
 	var turns: Array[Quaternion] = r_turns.duplicate()
-	var places: PackedVector3Array = r_places.duplicate()
+	var positions: PackedVector3Array = r_positions.duplicate()
 	var present: PackedByteArray = r_present.duplicate()
 	for at: int in COUNT:
 		r_turns[UNITY_ORDER[at]] = turns[at]
-		r_places[UNITY_ORDER[at]] = places[at]
+		r_positions[UNITY_ORDER[at]] = positions[at]
 		r_present[UNITY_ORDER[at]] = present[at]
 	for segment: int in range(1, COUNT):
 		var above: int = PARENTS[segment]
-		r_places[segment] = r_places[above] + r_turns[above] * r_places[segment]
+		r_positions[segment] = r_positions[above] + r_turns[above] * r_positions[segment]
 		r_turns[segment] = r_turns[above] * r_turns[segment]
 
 
 static func _pose_of(
-	p_turns: Array[Quaternion], p_places: PackedVector3Array, p_present: PackedByteArray
+	p_turns: Array[Quaternion], p_positions: PackedVector3Array, p_present: PackedByteArray
 ) -> PoseSample:
-	if p_present[0] == 0 or not p_places[0].is_finite():
+	if p_present[0] == 0 or not p_positions[0].is_finite():
 		return null
 	var filler: LimbFiller = LimbFiller.new()
 	for segment: int in COUNT:
-		var place: int = BodyMounts.find(PLACES[segment])
-		if place >= 0 and p_present[segment] != 0:
-			filler.set_mount(place, p_turns[segment])
+		var position: int = BodyMounts.find(PLACES[segment])
+		if position >= 0 and p_present[segment] != 0:
+			filler.set_mount(position, p_turns[segment])
 	filler.fill()
 	var found: PoseSample = PoseSample.new()
 	found.details = MotionDetails.new()
-	found.root = p_places[0]
+	found.root = p_positions[0]
 	for limb: int in Limbs.COUNT:
 		found.set_orientation(limb, filler.limbs[limb])
 	if p_present[OF_LIMBS[1]] != 0:
@@ -126,5 +126,5 @@ static func _pose_of(
 			found.details.joints[OTHERS[segment]] = p_turns[segment]
 	if not p_present.has(0):
 		for limb: int in Limbs.COUNT:
-			found.details.positions.append(p_places[OF_LIMBS[limb]])
+			found.details.positions.append(p_positions[OF_LIMBS[limb]])
 	return found

@@ -13,7 +13,7 @@ var _receiver: MvnReceiver = null
 # Shared between threads and guarded.
 var _mutex: Mutex = Mutex.new()
 var _sensors: Array[SensorInfo] = []
-var _places: Dictionary[int, int] = {}
+var _positions: Dictionary[int, int] = {}
 var _heard_usec: PackedInt64Array = PackedInt64Array()
 var _stats: Dictionary = {}
 
@@ -66,7 +66,7 @@ func _convert(p_sample: Dictionary) -> SensorFrame:
 	var segments: PackedInt32Array = p_sample["segments"]
 	var present: PackedByteArray = p_sample["present"]
 	for item: int in segments.size():
-		if present[item] != 0 and not _places.has(segments[item]):
+		if present[item] != 0 and not _positions.has(segments[item]):
 			_add_sensor(segments[item])
 	var turns: PackedFloat32Array = SourceFrames.rotations(p_sample["orientations"])
 	var rates: PackedVector3Array = SourceFrames.sensor_vectors(p_sample["rates"])
@@ -79,15 +79,15 @@ func _convert(p_sample: Dictionary) -> SensorFrame:
 	for item: int in segments.size():
 		if present[item] == 0:
 			continue
-		var place: int = _places[segments[item]]
+		var position: int = _positions[segments[item]]
 		var at: int = item * 4
 		var turn: Quaternion = Quaternion(turns[at], turns[at + 1], turns[at + 2], turns[at + 3])
-		frame.set_orientation(place, turn.normalized())
-		_heard_usec[place] = now
+		frame.set_orientation(position, turn.normalized())
+		_heard_usec[position] = now
 		if not rates.is_empty():
-			frame.rates[place] = rates[item]
+			frame.rates[position] = rates[item]
 		if not accelerations.is_empty():
-			frame.accelerations[place] = accelerations[item]
+			frame.accelerations[position] = accelerations[item]
 	return frame
 
 
@@ -100,7 +100,7 @@ func _add_sensor(p_segment: int) -> void:
 		info.id = names[number]
 		info.mount = MvnSegments.PLACES[number]
 	info.where = "MVN %d / %d" % [character, p_segment]
-	_places[p_segment] = _sensors.size()
+	_positions[p_segment] = _sensors.size()
 	_sensors.append(info)
 	_heard_usec.append(0)
 	revision += 1

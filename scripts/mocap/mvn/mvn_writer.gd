@@ -17,7 +17,7 @@ var name: String = "Dismount"
 
 var _rest: PackedVector3Array = PackedVector3Array()
 var _turns: Array[Quaternion] = []
-var _places: PackedVector3Array = PackedVector3Array()
+var _positions: PackedVector3Array = PackedVector3Array()
 var _velocities: PackedVector3Array = PackedVector3Array()
 var _accelerations: PackedVector3Array = PackedVector3Array()
 var _rates: PackedVector3Array = PackedVector3Array()
@@ -48,23 +48,23 @@ func _init(p_size: BodySize = BodySize.new()) -> void:
 ## Takes a pose at a time, s.
 func take(p_pose: PoseSample, p_time_s: float) -> void:
 	var turns: Array[Quaternion] = _segment_turns(p_pose)
-	var places: PackedVector3Array = []
-	places.resize(MvnSegments.COUNT)
-	places[0] = p_pose.root
+	var positions: PackedVector3Array = []
+	positions.resize(MvnSegments.COUNT)
+	positions[0] = p_pose.root
 	for segment: int in range(1, MvnSegments.COUNT):
 		var parent: int = MvnSegments.PARENTS[segment]
-		places[segment] = places[parent] + turns[parent] * (_rest[segment] - _rest[parent])
+		positions[segment] = positions[parent] + turns[parent] * (_rest[segment] - _rest[parent])
 	var step: float = p_time_s - _time_s
 	if step > 0.0:
 		for segment: int in MvnSegments.COUNT:
-			var velocity: Vector3 = (places[segment] - _places[segment]) / step
+			var velocity: Vector3 = (positions[segment] - _positions[segment]) / step
 			var rate: Vector3 = Rotations.vector(turns[segment] * _turns[segment].inverse()) / step
 			_accelerations[segment] = (velocity - _velocities[segment]) / step
 			_rate_changes[segment] = (rate - _rates[segment]) / step
 			_velocities[segment] = velocity
 			_rates[segment] = rate
 	_turns = turns
-	_places = places
+	_positions = positions
 	_time_s = p_time_s
 
 
@@ -116,23 +116,23 @@ func _write_pose(p_type: int, r_written: Dictionary) -> void:
 	var wxyz: PackedFloat32Array = []
 	for item: int in MvnSegments.COUNT:
 		var segment: int = MvnSegments.UNITY_ORDER[item] if p_type == 5 else item
-		var place: Vector3 = _places[segment]
+		var position: Vector3 = _positions[segment]
 		var turn: Quaternion = _turns[segment]
 		ids.append(item + 1 if p_type != 3 else (item + 1) * 256)
 		match p_type:
 			1, 3:
-				positions.append(place * 100.0)
+				positions.append(position * 100.0)
 				var angles: Vector3 = Basis(turn).get_euler(EULER_ORDER_ZYX)
 				euler.append(angles * (180.0 / PI))
 			2:
-				positions.append(_out(place))
+				positions.append(_out(position))
 				wxyz.append_array([turn.w, turn.z, turn.x, turn.y])
 			5:
 				var parent: int = MvnSegments.PARENTS[segment]
 				if parent >= 0:
-					place = _turns[parent].inverse() * (place - _places[parent])
+					position = _turns[parent].inverse() * (position - _positions[parent])
 					turn = _turns[parent].inverse() * turn
-				positions.append(Vector3(-place.x, place.y, place.z))
+				positions.append(Vector3(-position.x, position.y, position.z))
 				wxyz.append_array([turn.w, turn.x, -turn.y, -turn.z])
 	r_written["segments"] = ids
 	r_written["positions"] = positions
@@ -144,8 +144,8 @@ func _write_pose(p_type: int, r_written: Dictionary) -> void:
 
 func _write_scale(r_written: Dictionary) -> void:
 	var origins: PackedVector3Array = []
-	for place: Vector3 in _rest:
-		origins.append(_out(place))
+	for position: Vector3 in _rest:
+		origins.append(_out(position))
 	r_written["names"] = MvnEncoder.get_segment_names()
 	r_written["origins"] = origins
 	r_written["point_segments"] = PackedInt32Array([18, 22])
@@ -187,7 +187,7 @@ func _write_motion(p_type: int, r_written: Dictionary) -> void:
 		wxyz.append_array([turn.w, turn.z, turn.x, turn.y])
 		match p_type:
 			21:
-				own[0].append(_out(_places[segment]))
+				own[0].append(_out(_positions[segment]))
 				own[1].append(_out(_velocities[segment]))
 				own[2].append(_out(_accelerations[segment]))
 			22:
@@ -215,7 +215,7 @@ func _centre_of_mass() -> Vector3:
 	var centre: Vector3 = Vector3.ZERO
 	var mass: float = 0.0
 	for limb: int in Limbs.COUNT:
-		centre += _places[MvnSegments.OF_LIMBS[limb]] * Limbs.MASS_FRACTIONS[limb]
+		centre += _positions[MvnSegments.OF_LIMBS[limb]] * Limbs.MASS_FRACTIONS[limb]
 		mass += Limbs.MASS_FRACTIONS[limb]
 	return centre / mass
 

@@ -38,7 +38,7 @@ func open(p_path: String) -> String:
 			stream = MvnStream.new()
 	if suit == null and stream == null:
 		return "%s holds no suit and no stream of MVN's" % p_path
-	_tell_damage()
+	_report_damage()
 	return ""
 
 
@@ -78,7 +78,7 @@ func describe() -> String:
 	return "recording %s, %.0f s" % [_name, player.get_length_s()]
 
 
-func _tell_damage() -> void:
+func _report_damage() -> void:
 	var stats: Dictionary = player.get_stats()
 	if stats["is_whole"]:
 		return

@@ -49,13 +49,13 @@ func publish(p_pose: PoseSample) -> void:
 	_figure.solve(p_pose)
 	for limb: int in Limbs.COUNT:
 		_set_joint(HumanoidAxes.JOINTS[limb], limb, p_pose.orientation(limb), p_pose)
-		_place_joint(HumanoidAxes.JOINTS[limb], _figure.bases[limb])
+		_set_joint_position(HumanoidAxes.JOINTS[limb], _figure.bases[limb])
 	for joint: int in HumanoidAxes.OTHERS:
 		_publish_other(joint as XRBodyTracker.Joint, p_pose)
 	for hand: int in 2:
 		_publish_fingers(hand, p_pose)
 	_set_joint(XRBodyTracker.JOINT_HEAD_TIP, 3, p_pose.orientation(3), p_pose)
-	_place_joint(XRBodyTracker.JOINT_HEAD_TIP, _figure.tails[3])
+	_set_joint_position(XRBodyTracker.JOINT_HEAD_TIP, _figure.tails[3])
 	var facing: Quaternion = Rotations.yaw(Rotations.yaw_of(p_pose.orientation(Limbs.ROOT)))
 	var ground: Vector3 = Vector3(_figure.bases[0].x, 0.0, _figure.bases[0].z)
 	var root: Transform3D = Transform3D(Basis(facing), ground)
@@ -100,8 +100,8 @@ func _publish_other(p_joint: XRBodyTracker.Joint, p_pose: PoseSample) -> void:
 	if p_pose.details != null:
 		turn = p_pose.details.joints.get(p_joint, turn)
 	var axes: Quaternion = HumanoidAxes.of_bone(HumanoidAxes.OTHERS[p_joint])
-	var place: Vector3 = _figure.attached(limb, rest, p_pose)
-	tracker.set_joint_transform(p_joint, Transform3D(Basis(turn * axes), place))
+	var position: Vector3 = _figure.attached(limb, rest, p_pose)
+	tracker.set_joint_transform(p_joint, Transform3D(Basis(turn * axes), position))
 	tracker.set_joint_flags(p_joint, _VALID)
 
 
@@ -117,14 +117,14 @@ func _publish_fingers(p_hand: int, p_pose: PoseSample) -> void:
 	var length: float = _figure.rest_base(limb).distance_to(_figure.rest_tail(limb))
 	var hand: int = HumanoidAxes.JOINTS[limb]
 	var turns: Dictionary[int, Quaternion] = {hand: p_pose.orientation(limb)}
-	var places: Dictionary[int, Vector3] = {hand: _figure.bases[limb]}
+	var positions: Dictionary[int, Vector3] = {hand: _figure.bases[limb]}
 	for joint: int in joints:
 		var above: int = FingerJoints.parent_of(joint)
 		var offset: Vector3 = FingerJoints.offset_of(joint, length)
 		turns[joint] = known.get(joint, turns[above])
-		places[joint] = places[above] + turns[above] * offset
+		positions[joint] = positions[above] + turns[above] * offset
 		var turn: Quaternion = turns[joint] * HumanoidAxes.of_bone(FingerJoints.bone_of(joint))
-		var at: Transform3D = Transform3D(Basis(turn), places[joint])
+		var at: Transform3D = Transform3D(Basis(turn), positions[joint])
 		tracker.set_joint_transform(joint as XRBodyTracker.Joint, at)
 		tracker.set_joint_flags(joint as XRBodyTracker.Joint, _VALID)
 	tracker.body_flags |= XRBodyTracker.BODY_FLAG_HANDS_SUPPORTED
@@ -140,6 +140,6 @@ func _set_joint(
 	tracker.set_joint_flags(p_joint, _FILLED if filled else _VALID)
 
 
-func _place_joint(p_joint: XRBodyTracker.Joint, p_place: Vector3) -> void:
+func _set_joint_position(p_joint: XRBodyTracker.Joint, p_position: Vector3) -> void:
 	var at: Transform3D = tracker.get_joint_transform(p_joint)
-	tracker.set_joint_transform(p_joint, Transform3D(at.basis, p_place))
+	tracker.set_joint_transform(p_joint, Transform3D(at.basis, p_position))

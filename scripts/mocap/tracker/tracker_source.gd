@@ -87,10 +87,10 @@ func _read(_p_time_usec: int) -> PoseSample:
 
 func _pose_of(p_tracker: XRBodyTracker) -> PoseSample:
 	_filler.clear()
-	for place: int in BodyMounts.COUNT:
-		for joint: int in _JOINTS[place]:
-			if _filler.known[place] == 0 and _is_turned(p_tracker, joint):
-				_filler.set_mount(place, _turn(p_tracker, joint))
+	for position: int in BodyMounts.COUNT:
+		for joint: int in _JOINTS[position]:
+			if _filler.known[position] == 0 and _is_turned(p_tracker, joint):
+				_filler.set_mount(position, _turn(p_tracker, joint))
 	if not _filler.known.has(1):
 		return null
 	_filler.fill()
@@ -111,7 +111,7 @@ func _pose_of(p_tracker: XRBodyTracker) -> PoseSample:
 				pose.details.joints[joint] = _turn(p_tracker, joint)
 	_measure(p_tracker)
 	pose.root = Vector3(0.0, get_hip_height(), 0.0)
-	if _is_placed(p_tracker, XRBodyTracker.JOINT_HIPS):
+	if _has_position(p_tracker, XRBodyTracker.JOINT_HIPS):
 		pose.root = p_tracker.get_joint_transform(XRBodyTracker.JOINT_HIPS).origin
 	return pose
 
@@ -125,12 +125,12 @@ func _measure(p_tracker: XRBodyTracker) -> void:
 		XRBodyTracker.JOINT_LEFT_LOWER_LEG,
 		XRBodyTracker.JOINT_LEFT_FOOT
 	]
-	var places: PackedVector3Array = []
+	var positions: PackedVector3Array = []
 	for joint: XRBodyTracker.Joint in joints:
-		if not _is_placed(p_tracker, joint):
+		if not _has_position(p_tracker, joint):
 			return
-		places.append(p_tracker.get_joint_transform(joint).origin)
-	var leg: float = places[0].distance_to(places[1]) + places[1].distance_to(places[2])
+		positions.append(p_tracker.get_joint_transform(joint).origin)
+	var leg: float = positions[0].distance_to(positions[1]) + positions[1].distance_to(positions[2])
 	var ankle: float = BodySize.RATIOS[&"foot_height"] / (0.53 - 0.039)
 	_hip_height = clampf(leg * (1.0 + ankle), 0.3, 1.5)
 
@@ -155,7 +155,7 @@ static func _is_turned(p_tracker: XRBodyTracker, p_joint: int) -> bool:
 	return turned.is_finite() and absf(turned.determinant()) > 1e-6
 
 
-static func _is_placed(p_tracker: XRBodyTracker, p_joint: XRBodyTracker.Joint) -> bool:
+static func _has_position(p_tracker: XRBodyTracker, p_joint: XRBodyTracker.Joint) -> bool:
 	var flags: int = p_tracker.get_joint_flags(p_joint)
 	var at: Vector3 = p_tracker.get_joint_transform(p_joint).origin
 	return flags & XRBodyTracker.JOINT_FLAG_POSITION_VALID != 0 and at.is_finite()

@@ -1,7 +1,7 @@
 class_name EntityTableCache
 extends RefCounted
-## The whole entity table as bytes, kept up to date: a late joiner must not cost a tick, however many
-## entities there are.
+## The whole entity table as bytes, kept up to date: a late joiner must not cost a tick, however
+## many entities there are.
 
 var _table: EntityTable = null
 ## Everything but people, who come and go: joined once, and appended to.

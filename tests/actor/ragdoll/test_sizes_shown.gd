@@ -30,7 +30,7 @@ func _check(p_person: Ragdoll) -> void:
 		sample.time_usec = step * 1000000 / RATE
 		is_true(body.add_sample(sample))
 		var now: int = sample.time_usec + 500000 / RATE
-		var floats: PackedFloat32Array = body.show(now / 1e6, now)
+		var floats: PackedFloat32Array = body.evaluate(now / 1e6, now)
 		equal(floats.size(), Limbs.COUNT * FLOATS)
 		if step < 5:
 			continue

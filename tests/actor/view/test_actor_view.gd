@@ -36,10 +36,10 @@ func test_bones_lie_where_the_bodies_are() -> void:
 
 
 func test_the_node_may_stand_anywhere() -> void:
-	_node.transform = NetSamples.place(_random)
+	_node.transform = NetSamples.transform(_random)
 	var bodies: Dictionary[StringName, Transform3D] = {}
 	for limb: int in Limbs.COUNT:
-		bodies[Limbs.BONES[limb]] = NetSamples.place(_random)
+		bodies[Limbs.BONES[limb]] = NetSamples.transform(_random)
 	is_true(_view.pose_floats(_floats(bodies)))
 	_check(bodies, 0.002)
 
@@ -69,7 +69,7 @@ func test_bodies_of_a_simulated_person() -> void:
 func test_stays_there_over_frames() -> void:
 	var bodies: Dictionary[StringName, Transform3D] = {}
 	for limb: int in Limbs.COUNT:
-		bodies[Limbs.BONES[limb]] = NetSamples.place(_random)
+		bodies[Limbs.BONES[limb]] = NetSamples.transform(_random)
 	is_true(_view.pose_floats(_floats(bodies)))
 	await physics_frames(3)
 	await process_frames(3)

@@ -31,7 +31,7 @@ func test_every_limb_gets_its_curves() -> void:
 		var share: float = plot.value(LimbPlot.Trace.SATURATION)
 		is_true(share >= 0.0 and is_finite(share), "%s: %f %%" % [plot.title, share])
 	equal(torques, Limbs.COUNT)
-	contains(_tuning.panel.told(), "01_01.bvh")
+	contains(_tuning.panel.last_report(), "01_01.bvh")
 	is_true(_motor().get_tracking()["mean_deg"] < 5.0, "follows the clip")
 	for word: String in ["mean error", "p95", "lag", "guard actions: none", "flying", "fps"]:
 		contains(_tuning.describe(), word)
@@ -130,14 +130,14 @@ func test_a_bad_file_is_told_and_the_person_stands() -> void:
 	FileAccess.open(text, FileAccess.WRITE).store_string("this is no motion")
 	for bad: String in ["/nowhere/at/all.bvh", text]:
 		_open(["--bvh=" + bad])
-		contains(_tuning.panel.told(), bad.get_file())
-		contains(_tuning.panel.told(), "expected")
+		contains(_tuning.panel.last_report(), bad.get_file())
+		contains(_tuning.panel.last_report(), "expected")
 		await physics_frames(60)
 		equal(_tuning.plots.plots.size(), Limbs.COUNT)
 		is_true(_tuning.subject.hips().y > 0.8, "stands at %s" % _tuning.subject.hips())
 		# A good file then plays.
 		_tuning.panel.file_edit.text_submitted.emit("res://assets/motion/01_03.bvh")
-		contains(_tuning.panel.told(), "Plays 01_03.bvh")
+		contains(_tuning.panel.last_report(), "Plays 01_03.bvh")
 		await physics_frames(5)
 		_tuning.free()
 		_tuning = null
@@ -148,7 +148,7 @@ func test_wrong_options_are_told() -> void:
 	for wrong: String in ["--bhv=x", "--duration=soon", "--duration=-1", "more"]:
 		contains(TuningArguments.parse([wrong]).error, "found '")
 	_open(["--duration=soon"])
-	contains(_tuning.panel.told(), "--duration=soon")
+	contains(_tuning.panel.last_report(), "--duration=soon")
 	await physics_frames(5)
 	is_true(_tuning.subject.time_s > 0.0)
 

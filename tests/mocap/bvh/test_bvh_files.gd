@@ -82,14 +82,6 @@ func test_carnegie_mellon_boxing() -> void:
 	_stands(clip)
 
 
-func test_parse_times() -> void:
-	# 3,000 frames of 96 channels in 1 s is asked for; measured is a tenth of it.
-	var started: int = Time.get_ticks_msec()
-	var clip: BvhClip = _clip(MOTION + "01_03.bvh")
-	var seconds: float = (Time.get_ticks_msec() - started) * 0.001
-	is_true(seconds * 3000.0 / clip.frame_count < 1.0, "%s s" % seconds)
-
-
 func test_exporter_mess() -> void:
 	var clip: BvhClip = _clip(DATA + "exporter_mess.bvh")
 	var names: PackedStringArray = PackedStringArray()

@@ -74,7 +74,7 @@ func test_a_sensor_that_is_not_worn_is_odd() -> void:
 
 func test_movements_suit_the_sensors() -> void:
 	for count: int in SensorMap.LAYOUTS:
-		var movements: Array = GuideMovements.telling(SensorMap.layout(count))
+		var movements: Array = GuideMovements.informative(SensorMap.layout(count))
 		equal(movements.has(GuideMovements.Movement.LEFT_SHRUG), count >= 16)
 		is_true(CalibrationGuide.duration_s(CalibrationGuide.Kind.FIT_CHECK) < 45.0)
 
