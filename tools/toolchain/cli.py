@@ -12,7 +12,7 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from . import demo, jolt, latency, load, options, suit, xbus
+from . import demo, jolt, latency, load, options, package, suit, xbus
 from .console import Failure, say
 from .display import real_display
 from .godot import Godot
@@ -50,6 +50,8 @@ Measuring
 Development
   ./run editor              the Godot editor with this project
   ./run export              exports server and client to build/export/
+  ./run package NAME...     writes build/addons/NAME/ for other Godot projects: ragdoll_motor,
+                            xbus, threaded_peer (docs/packages)
   ./run options-doc         writes docs/options.md anew from the rows of all options
   ./run --help              this text
 
@@ -85,6 +87,7 @@ def main(arguments: list[str]) -> int:
         "bench": _bench,
         "latency": lambda rest: latency.main(normalise(rest)),
         "load": lambda rest: load.main(normalise(rest)),
+        "package": package.main,
         "suit-emulator": suit.main,
         "options-doc": _options_doc,
     }
