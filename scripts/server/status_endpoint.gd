@@ -9,7 +9,7 @@ extends RefCounted
 const MAX_REQUESTS: int = 8
 ## Bytes of a request's head.
 const LONGEST_HEAD: int = 4096
-## Time for a request, µs.
+## Time for a request, and without progress of the reply, µs.
 const PATIENCE_USEC: int = 2000000
 
 var _server: TCPServer = TCPServer.new()
@@ -66,6 +66,8 @@ func _serve(p_request: Request, p_stats: Callable) -> bool:
 	if not p_request.reply.is_empty():
 		var sent: Array = stream.put_partial_data(p_request.reply)
 		p_request.reply = p_request.reply.slice(sent[1])
+		if sent[1] > 0:
+			p_request.since_usec = Time.get_ticks_usec()
 		return sent[0] != OK or p_request.reply.is_empty()
 	return false
 
