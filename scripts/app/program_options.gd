@@ -99,13 +99,6 @@ static func _motion() -> Array[OptionRow]:
 		),
 		OptionRow.number("rate", with_load, 60, [1, 240], "samples that are sent", "per second"),
 		OptionRow.choice(
-			"codec",
-			with_load,
-			"smallest_3",
-			PoseMessage.CODECS.keys(),
-			"how samples are coded (docs/wire-coding.md)"
-		),
-		OptionRow.choice(
 			"feedback",
 			moving,
 			"local",

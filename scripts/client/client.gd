@@ -134,7 +134,11 @@ func _acknowledge() -> void:
 	var bytes: PackedByteArray = _scene.replica.acknowledgement(
 		Time.get_ticks_usec(), _scene.viewpoint()
 	)
-	if not bytes.is_empty():
+	if _mocap.people != null:
+		_mocap.people.take_motion_ack(_scene.replica.decoder.get_motion_ack())
+	if not bytes.is_empty() and _mocap.people != null:
+		_mocap.people.send_ack(bytes)
+	elif not bytes.is_empty():
 		_stream.send_fast(bytes)
 	if _scene.replica.is_ready() and _stream.now_s() - _stats_sent_s > StatsMessage.PERIOD_S:
 		_stats_sent_s = _stream.now_s()

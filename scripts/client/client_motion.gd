@@ -1,7 +1,7 @@
 class_name ClientMotion
 extends RefCounted
-## The motion of one of a trainee's people: sampled in a thread of its own, sent at once, and shown
-## at once as the own body (thesis sections 7.4.2 and 7.5).
+## The motion of one of a trainee's people: sampled and sent by a [MotionSender], and shown at once
+## as the own body (thesis sections 7.4.2 and 7.5).
 
 ## Samples shall reach the server so long before a tick begins, µs: later ones wait for the next. On
 ## an unsteady way a little more.
@@ -21,48 +21,29 @@ var newest: PoseSample = null
 
 var _index: int = 0
 var _link: ClientLink = null
-var _codec: PoseCodec.Coding = PoseCodec.SMALLEST_3
-var _sampler: MotionSampler = MotionSampler.new()
+var _sender: MotionSender = null
 var _body: OwnBody = OwnBody.new()
 var _has_body: bool = false
 var _truth_tick: int = -1
 var _trips: Array[int] = []
-# Shared with the sampling thread and guarded.
-var _mutex: Mutex = Mutex.new()
-var _sends: bool = false
-var _server_ahead_usec: int = 0
-var _knows_server: bool = false
 
 
-## Begins to sample, so many times a second. Samples go out while [method set_sending] says so;
-## [param p_index] tells the people of a client apart.
+## Lets a sender sample a source and send it; [param p_index] tells the people of a client apart.
 func start(
-	p_source: MotionSource,
-	p_rate: float,
-	p_link: ClientLink,
-	p_codec: PoseCodec.Coding,
-	p_index: int = 0
+	p_source: MotionSource, p_sender: MotionSender, p_link: ClientLink, p_index: int = 0
 ) -> void:
 	source = p_source
 	card.index = p_index
 	card.take_size(p_source.get_hip_height(), p_source.get_limb_lengths())
 	_index = p_index
 	_link = p_link
-	_codec = p_codec
-	_sampler.start(p_source, p_rate, _send)
+	_sender = p_sender
+	_sender.add(_index, p_source)
 
 
-## Ends the thread.
+## Ends the sampling of the source.
 func stop() -> void:
-	_sampler.stop()
-
-
-## Whether samples are sent.
-func set_sending(p_sends: bool) -> void:
-	_mutex.lock()
-	_sends = p_sends
-	_knows_server = _knows_server and p_sends
-	_mutex.unlock()
+	_sender.remove(_index)
 
 
 ## Takes over the own body's number, skeleton and size, m from the ground to the hips.
@@ -92,20 +73,17 @@ func note_trip(p_mark: LatencyMark) -> void:
 func keep_in_step() -> void:
 	if _link.clock.is_known():
 		var now: int = Time.get_ticks_usec()
-		_mutex.lock()
-		_knows_server = true
-		_server_ahead_usec = _link.clock.server_usec(now) - now
-		_mutex.unlock()
 		var tick: int = ceili(_link.clock.tick_at(now)) + 1
 		var way: int = _link.clock.round_trip_usec / 2
 		var lead: int = mini(LEAD_USEC + roundi(2.0 * _link.clock.jitter_usec), MAX_LEAD_USEC)
 		var due: int = _link.clock.local_usec_of_tick(tick) - way - lead
-		_sampler.set_phase(due + _unix_ahead())
+		var ahead: int = _link.clock.server_usec(now) - now
+		_sender.keep_in_step(ahead, due + MotionSender.unix_ahead())
 
 
 ## Takes what was sampled since the last call. Call it in every frame.
 func take_samples() -> void:
-	for sample: PoseSample in _sampler.take_samples():
+	for sample: PoseSample in _sender.take_samples(_index):
 		newest = sample
 		if _has_body:
 			_body.add_sample(sample)
@@ -121,38 +99,18 @@ func evaluate(p_now_usec: int, p_truth: PackedFloat32Array, p_tick: int) -> Pack
 		# The step that ended tick p_tick aimed at the motion as it was known at the tick's begin, one
 		# step further.
 		var aimed: int = _link.clock.local_usec_of_tick(p_tick + 1.0) - _trips.min()
-		_body.add_truth(aimed + _unix_ahead(), p_truth)
+		_body.add_truth(aimed + MotionSender.unix_ahead(), p_truth)
 	# Where the body is in the world, and what it touches, only the server knows.
 	if _truth_tick < 0:
 		return PackedFloat32Array()
-	return _body.evaluate(p_now_usec / 1e6, p_now_usec + _unix_ahead())
+	return _body.evaluate(p_now_usec / 1e6, p_now_usec + MotionSender.unix_ahead())
 
 
 ## Which moment of the motion [method show] shows at a local time: µs of Unix time.
 func shown_moment_usec(p_now_usec: int) -> int:
-	return _body.shown_moment_usec(p_now_usec + _unix_ahead())
+	return _body.shown_moment_usec(p_now_usec + MotionSender.unix_ahead())
 
 
 ## Stats for a report.
 func stats() -> Dictionary:
-	return _sampler.stats()
-
-
-## Runs in the sampling thread.
-func _send(p_sample: PoseSample) -> void:
-	_mutex.lock()
-	var sends: bool = _sends
-	var ahead: int = _server_ahead_usec
-	var knows: bool = _knows_server
-	_mutex.unlock()
-	p_sample.person = _index
-	if sends:
-		var now: int = Time.get_ticks_usec()
-		p_sample.held_usec = maxi(now + _unix_ahead() - p_sample.time_usec, 0)
-		p_sample.sent_usec = now + ahead if knows else 0
-		_link.send_pose(PoseMessage.encode(p_sample, _codec))
-
-
-## Unix time minus this program's clock, µs.
-static func _unix_ahead() -> int:
-	return int(Time.get_unix_time_from_system() * 1e6) - Time.get_ticks_usec()
+	return _sender.stats(_index)

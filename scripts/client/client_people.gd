@@ -17,7 +17,7 @@ var first_actor: int = -1
 
 var _link: ClientLink = null
 var _rate: float = 60.0
-var _codec: PoseCodec.Coding = PoseCodec.SMALLEST_3
+var _sender: MotionSender = MotionSender.new()
 var _name: String = ""
 var _motions: Array[ClientMotion] = []
 var _sizes_due_s: float = 0.0
@@ -27,7 +27,7 @@ var _publishers: Dictionary[ClientMotion, TrackerPublisher] = {}
 func _init(p_link: ClientLink, p_options: Options) -> void:
 	_link = p_link
 	_rate = p_options.number("rate")
-	_codec = PoseMessage.CODECS[p_options.text("codec")]
+	_sender.start(_rate, _link)
 
 
 ## Begins to send somebody's motion. Returns false where there are too many already.
@@ -40,7 +40,7 @@ func add(p_source: MotionSource, p_name: String) -> bool:
 		return false
 	var motion: ClientMotion = ClientMotion.new()
 	motion.card.name = p_name
-	motion.start(p_source, _rate, _link, _codec, index)
+	motion.start(p_source, _sender, _link, index)
 	_motions.append(motion)
 	_publish_anew(motion)
 	_declare()
@@ -99,6 +99,7 @@ func begin() -> void:
 	for motion: ClientMotion in _motions:
 		motion.disembody()
 	first_actor = -1
+	_sender.restart()
 	_declare()
 
 
@@ -111,6 +112,16 @@ func embody(p_scene: ClientScene) -> void:
 			motion.embody(actor, row.skeleton, p_scene.hips_of(actor), _rate)
 		if motion.card.index == 0:
 			first_actor = motion.actor
+
+
+## Sends an acknowledgement of snapshots, together with samples.
+func send_ack(p_bytes: PackedByteArray) -> void:
+	_sender.send_ack(p_bytes)
+
+
+## Takes what the server says that it has of the samples; an empty one says nothing.
+func take_motion_ack(p_bytes: PackedByteArray) -> void:
+	_sender.take_ack(p_bytes)
 
 
 ## Notes how long a sample took to the server.
@@ -156,6 +167,7 @@ func stop() -> void:
 	for motion: ClientMotion in _motions:
 		_end(motion)
 	_motions.clear()
+	_sender.stop()
 
 
 func _look_at_sizes() -> void:
@@ -188,6 +200,6 @@ func _declare() -> void:
 	var cards: Array[PersonCard] = []
 	for motion: ClientMotion in _motions:
 		cards.append(motion.card)
-		motion.set_sending(_link.is_joined())
+	_sender.set_sending(_link.is_joined())
 	_link.declare_people(cards)
 	changed.emit()

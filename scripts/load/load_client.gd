@@ -20,6 +20,7 @@ var _options: Options = null
 var _link: ClientLink = ClientLink.new()
 var _request: JoinRequest = JoinRequest.new()
 var _motion: ClientMotion = null
+var _sender: MotionSender = null
 var _agreement: LoadAgreement = null
 var _viewpoint: Vector3 = Vector3.ZERO
 var _newest: Dictionary[int, int] = {}
@@ -45,8 +46,9 @@ func _init(p_name: String, p_options: Options, p_agreement: LoadAgreement) -> vo
 func wear(p_source: MotionSource) -> void:
 	_request.role = Roles.Role.TRAINEE
 	_motion = ClientMotion.new()
-	var codec: PoseCodec.Coding = PoseMessage.CODECS[_options.text("codec")]
-	_motion.start(p_source, _options.number("rate"), _link, codec)
+	_sender = MotionSender.new()
+	_sender.start(_options.number("rate"), _link)
+	_motion.start(p_source, _sender, _link)
 
 
 ## Sets from where the client looks, m.
@@ -74,10 +76,13 @@ func poll() -> void:
 	if not _link.is_joined():
 		return
 	var bytes: PackedByteArray = replica.acknowledgement(now, _viewpoint)
-	if not bytes.is_empty():
+	if not bytes.is_empty() and _motion == null:
 		_link.send_fast(bytes)
 	if _motion != null:
 		_motion.keep_in_step()
+		_sender.take_ack(replica.decoder.get_motion_ack())
+		if not bytes.is_empty():
+			_sender.send_ack(bytes)
 	_polls += 1
 	if _polls % AGES_EVERY == 0:
 		_sample_ages(now)
@@ -117,6 +122,7 @@ func report() -> Dictionary:
 func close() -> void:
 	if _motion != null:
 		_motion.stop()
+		_sender.stop()
 	_link.close()
 
 
@@ -140,7 +146,8 @@ func _on_joined() -> void:
 	_newest.clear()
 	if _motion != null:
 		_link.declare_people([_motion.card] as Array[PersonCard])
-		_motion.set_sending(true)
+		_sender.restart()
+		_sender.set_sending(true)
 
 
 func _on_lost(p_why: String) -> void:
@@ -148,7 +155,7 @@ func _on_lost(p_why: String) -> void:
 	if _was_joined:
 		stats.lost += 1
 	if _motion != null:
-		_motion.set_sending(false)
+		_sender.set_sending(false)
 	_retry_usec = Time.get_ticks_usec() + int(RETRY_S * 1e6)
 
 

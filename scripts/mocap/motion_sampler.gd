@@ -1,13 +1,13 @@
 class_name MotionSampler
 extends RefCounted
-## Samples a [MotionSource] at exact times in a thread of its own, however slow the display is.
+## Samples [MotionSource]s at exact times in a thread of its own, however slow the display is.
 ##
-## A sample goes to a callable at once, in that thread, and waits here for whoever shows the own
-## body. The times can be locked to another clock, so that samples reach the server shortly before
-## its ticks. While it runs nobody else may ask the source for samples. It must be stopped: a
-## running thread keeps it alive.
+## The samples of a moment go to a callable together and at once, in that thread, and wait here for
+## whoever shows the own bodies. The times can be locked to another clock, so that samples reach the
+## server shortly before its ticks. While it runs nobody else may ask the sources for samples. It
+## must be stopped: a running thread keeps it alive.
 
-## Samples that wait for [method take_samples] at most; beyond it the oldest go.
+## Samples of a source that wait for [method take_samples] at most; beyond it the oldest go.
 const MAX_WAITING: int = 64
 ## A due time that is further off than so many periods is set anew: the machine slept, or its clock
 ## was set.
@@ -17,24 +17,31 @@ const SLEW: float = 0.05
 ## The thread looks about itself at least so often, µs.
 const _LONGEST_SLEEP_USEC: int = 5000
 
-var _source: MotionSource = null
 var _deliver: Callable = Callable()
 var _period_usec: float = 1e6 / 60.0
 var _thread: Thread = null
+# Held while sources are asked: nobody is taken away meanwhile.
+var _asking: Mutex = Mutex.new()
+var _lanes: Dictionary[int, Lane] = {}
 # All below is shared with the thread and guarded.
 var _mutex: Mutex = Mutex.new()
 var _stops: bool = false
 var _phase_usec: float = -1.0
-var _waiting: Array[PoseSample] = []
-var _taken: int = 0
 var _lateness: Statistics = Statistics.new()
 
 
-## Begins to sample so many times a second. [param p_deliver] is called with each [PoseSample] in
-## the sampling thread: what it does must be safe there.
-func start(p_source: MotionSource, p_rate: float, p_deliver: Callable) -> void:
+## One source and what it has told.
+class Lane:
+	var source: MotionSource = null
+	var waiting: Array[PoseSample] = []
+	var taken: int = 0
+
+
+## Begins to sample so many times a second. [param p_deliver] is called with the samples of each
+## moment ([code]Array[PoseSample][/code], at least one) in the sampling thread: what it does must
+## be safe there. [member PoseSample.person] is the number of the source.
+func start(p_rate: float, p_deliver: Callable) -> void:
 	stop()
-	_source = p_source
 	_deliver = p_deliver
 	_period_usec = 1e6 / p_rate
 	_stops = false
@@ -42,7 +49,7 @@ func start(p_source: MotionSource, p_rate: float, p_deliver: Callable) -> void:
 	_thread.start(_run, Thread.PRIORITY_HIGH)
 
 
-## Ends it and waits for the thread; harmless if it does not run.
+## Ends it and waits for the thread; harmless if it does not run. The sources stay.
 func stop() -> void:
 	if _thread == null:
 		return
@@ -58,6 +65,22 @@ func is_running() -> bool:
 	return _thread != null
 
 
+## Samples a source from now on, under a number.
+func add_source(p_number: int, p_source: MotionSource) -> void:
+	var lane: Lane = Lane.new()
+	lane.source = p_source
+	_asking.lock()
+	_lanes[p_number] = lane
+	_asking.unlock()
+
+
+## Samples it no longer. When this returns nobody asks the source any more.
+func remove_source(p_number: int) -> void:
+	_asking.lock()
+	_lanes.erase(p_number)
+	_asking.unlock()
+
+
 ## Draws the times of the samples to one that would be right (Unix time, µs), and to all that are
 ## whole periods from it.
 func set_phase(p_due_usec: int) -> void:
@@ -66,20 +89,24 @@ func set_phase(p_due_usec: int) -> void:
 	_mutex.unlock()
 
 
-## The samples since the last call, oldest first. They may be read but not changed.
-func take_samples() -> Array[PoseSample]:
+## The samples of a source since the last call, oldest first. They may be read but not changed.
+func take_samples(p_number: int) -> Array[PoseSample]:
+	var samples: Array[PoseSample] = []
 	_mutex.lock()
-	var samples: Array[PoseSample] = _waiting
-	_waiting = []
+	var lane: Lane = _lanes.get(p_number)
+	if lane != null:
+		samples = lane.waiting
+		lane.waiting = []
 	_mutex.unlock()
 	return samples
 
 
-## Stats for a report: samples, and how late the thread was, ms.
-func stats() -> Dictionary:
+## Stats of a source for a report: samples, and how late the thread was, ms.
+func stats(p_number: int) -> Dictionary:
 	_mutex.lock()
+	var lane: Lane = _lanes.get(p_number)
 	var result: Dictionary = {
-		"samples": _taken,
+		"samples": lane.taken if lane != null else 0,
 		"late_ms_p50": _lateness.percentile(0.5) / 1000.0,
 		"late_ms_p99": _lateness.percentile(0.99) / 1000.0,
 	}
@@ -118,15 +145,27 @@ func _run() -> void:
 
 
 func _take(p_due_usec: int, p_late_usec: float) -> void:
-	var sample: PoseSample = _source.sample(p_due_usec)
-	if sample == null:
-		return
-	_deliver.call(sample)
+	var samples: Array[PoseSample] = []
+	_asking.lock()
+	for number: int in _lanes:
+		var sample: PoseSample = _lanes[number].source.sample(p_due_usec)
+		if sample != null:
+			sample.person = number
+			samples.append(sample)
+	if not samples.is_empty():
+		_deliver.call(samples)
+		_keep(samples, p_late_usec)
+	_asking.unlock()
+
+
+func _keep(p_samples: Array[PoseSample], p_late_usec: float) -> void:
 	_mutex.lock()
-	_waiting.append(sample)
-	if _waiting.size() > MAX_WAITING:
-		_waiting.pop_front()
-	_taken += 1
+	for sample: PoseSample in p_samples:
+		var lane: Lane = _lanes[sample.person]
+		lane.waiting.append(sample)
+		if lane.waiting.size() > MAX_WAITING:
+			lane.waiting.pop_front()
+		lane.taken += 1
 	# The stats are those of the first minutes: enough to judge a machine by.
 	if _lateness.count() < 20000:
 		_lateness.add(p_late_usec)

@@ -161,11 +161,6 @@ func declare_people(p_people: Array[PersonCard]) -> void:
 		)
 
 
-## Sends a sample, if we are joined: the bytes of a [PoseMessage]. It leaves at once.
-func send_pose(p_bytes: PackedByteArray) -> void:
-	send_fast(p_bytes)
-
-
 ## Sends a datagram over the fast path, if we are joined. It leaves at once. Any thread may call it.
 func send_fast(p_bytes: PackedByteArray) -> void:
 	_sending.lock()

@@ -27,7 +27,7 @@ signal stats_received(p_session: int, p_stats: Dictionary)
 ## Who is here, lost or waiting has changed; see [method roster].
 signal roster_changed
 
-## Poses that a client may send per second; what is above it is dropped.
+## Datagrams of motion that a client may send per second; what is above it is dropped.
 const MAX_POSES: int = 600
 
 ## Time between two looks for those who are overdue, µs.
@@ -61,7 +61,7 @@ func listen(p_port: int, p_rules: ServerRules) -> Error:
 	_peer = ThreadedPeer.new()
 	_peer.guard = TransportGuard.new()
 	_peer.limits.max_datagram = Protocol.MAX_DATAGRAM
-	_peer.limits.max_fast = {Protocol.Message.POSE: MAX_POSES}
+	_peer.limits.max_fast = {Protocol.Message.MOTION: MAX_POSES}
 	_peer.tls = rules.tls
 	_peer.instant_kind = Protocol.Message.CLOCK
 	_peer.instant = _ticks.answer
@@ -339,7 +339,7 @@ func _add_handlers() -> void:
 	var fast: MessageHandlers.Path = MessageHandlers.Path.FAST
 	var motion: int = Roles.Capability.SEND_MOTION
 	handle(Protocol.Message.ACK, fast, _on_ack)
-	handle(Protocol.Message.POSE, fast, _on_pose, motion)
+	handle(Protocol.Message.MOTION, fast, _on_motion, motion)
 	handle(Protocol.Message.STATS, fast, _on_stats)
 	handle(Protocol.Message.PEOPLE, MessageHandlers.Path.RELIABLE, _on_people, motion)
 
@@ -354,12 +354,12 @@ func _on_stats(p_session: Session, p_bytes: PackedByteArray, _arrival_usec: int)
 	return ""
 
 
-func _on_pose(p_session: Session, p_bytes: PackedByteArray, p_arrival_usec: int) -> String:
-	var sample: PoseSample = PoseMessage.decode(p_bytes)
-	if sample == null:
-		return PoseMessage.error
-	pose_received.emit(p_session.id, sample, p_arrival_usec)
-	return ""
+func _on_motion(p_session: Session, p_bytes: PackedByteArray, p_arrival_usec: int) -> String:
+	for sample: PoseSample in p_session.motion.read(p_bytes):
+		pose_received.emit(p_session.id, sample, p_arrival_usec)
+	if not p_session.motion.rider.is_empty():
+		ack_received.emit(p_session.id, p_session.motion.rider, p_arrival_usec)
+	return p_session.motion.error
 
 
 func _on_people(p_session: Session, p_bytes: PackedByteArray, _arrival_usec: int) -> String:

@@ -115,6 +115,7 @@ func send(p_tick: int, p_now_usec: int, p_events: Array[PackedByteArray]) -> voi
 	_people.hand_poses(encoder)
 	encoder.capture(p_tick)
 	_people.mark(encoder, p_now_usec)
+	_acknowledge_motion()
 	var datagrams: Array[PackedByteArray] = []
 	var sessions: PackedInt32Array = encoder.encode_each(
 		_sessions, Time.get_ticks_usec(), datagrams
@@ -165,6 +166,14 @@ func _send_table() -> void:
 			_recorder.add(LevelMessage.encode(_level.level_name, _level.fingerprint))
 			_recorder.add(bytes)
 		_link.send_reliably(newcomers, bytes)
+
+
+func _acknowledge_motion() -> void:
+	for id: int in _sessions:
+		var session: Session = _link.session(id)
+		var ack: PackedByteArray = session.motion.take_ack() if session != null else []
+		if not ack.is_empty():
+			encoder.set_motion_ack(id, ack)
 
 
 func _send_events(p_events: Array[PackedByteArray]) -> void:

@@ -5,11 +5,13 @@ extends SceneTree
 ## 15 ..., what divides 60), --age (ticks of 1/60 s that the acknowledged base is old; default 2
 ## and 6: a LAN and about 50 ms there and back), --error (degrees; default 0.1 and 0.5),
 ## --rounds=20. Payload of one person of 16 limbs, the end of the range coder included, no headers.
+## Then what one trainee and one with eight people send, with all headers.
 ## Then, unless --people=0, a client of a world of --people=8 and --crates=200 that all move, for
 ## --seconds=20, with all headers, on several networks, and Godot's own MultiplayerSynchronizer
 ## beside it.
 
 const CrowdCases: GDScript = preload("wire/crowd_cases.gd")
+const UpstreamCases: GDScript = preload("wire/upstream_cases.gd")
 
 ## Goals: by the error (tenths of a degree), then by the age, kbit/s.
 const _GOALS: Dictionary[int, Dictionary] = {
@@ -57,6 +59,7 @@ func _run() -> void:
 	for hz: int in rates:
 		_measure(clips, hz, arguments, report)
 	_compare(clips, arguments, report)
+	UpstreamCases.new().run(report, clips)
 	if arguments.value("people") > 0:
 		await _crowd(arguments, report)
 	report.finish()

@@ -24,7 +24,7 @@ class Shy:
 
 
 func test_samples_come_from_another_thread_at_even_times() -> void:
-	_sampler.start(_clip(), 120.0, _take)
+	_start(_clip(), 120.0)
 	is_true(_sampler.is_running())
 	await _until(40)
 	_sampler.stop()
@@ -35,17 +35,17 @@ func test_samples_come_from_another_thread_at_even_times() -> void:
 		almost_equal(step, PERIOD, 2.0)
 		equal(_delivered[i].find_fault(), "")
 	is_false(_threads.has(OS.get_main_thread_id()))
-	is_true(_sampler.stats()["samples"] >= 40)
+	is_true(_sampler.stats(0)["samples"] >= 40)
 
 
 func test_every_sample_can_be_taken_here_once() -> void:
-	_sampler.start(_clip(), 120.0, _take)
+	_start(_clip(), 120.0)
 	await _until(20)
 	_sampler.stop()
-	var taken: Array[PoseSample] = _sampler.take_samples()
+	var taken: Array[PoseSample] = _sampler.take_samples(0)
 	equal(taken.size(), mini(_delivered.size(), MotionSampler.MAX_WAITING))
 	is_true(taken.back() == _delivered.back())
-	equal(_sampler.take_samples().size(), 0)
+	equal(_sampler.take_samples(0).size(), 0)
 
 
 func test_times_are_drawn_to_the_phase_that_is_wanted() -> void:
@@ -62,7 +62,7 @@ func test_times_are_drawn_to_the_phase_that_is_wanted() -> void:
 func test_the_running_sampler_finds_the_phase() -> void:
 	var phase: int = int(Time.get_unix_time_from_system() * 1e6) + 4000
 	_sampler.set_phase(phase)
-	_sampler.start(_clip(), 120.0, _take)
+	_start(_clip(), 120.0)
 	await _until(40)
 	_sampler.stop()
 	var off: float = fposmod(_delivered.back().time_usec - phase + PERIOD / 2.0, PERIOD)
@@ -70,7 +70,7 @@ func test_the_running_sampler_finds_the_phase() -> void:
 
 
 func test_a_source_without_motion_is_asked_again() -> void:
-	_sampler.start(Shy.new(), 200.0, _take)
+	_start(Shy.new(), 200.0)
 	await _until(3)
 	_sampler.stop()
 	equal(_delivered[0].id, 0)
@@ -79,15 +79,43 @@ func test_a_source_without_motion_is_asked_again() -> void:
 func test_it_can_be_stopped_twice_and_started_again() -> void:
 	_sampler.stop()
 	for _round: int in 3:
-		_sampler.start(Shy.new(), 240.0, _take)
+		_start(Shy.new(), 240.0)
 	_sampler.stop()
 	_sampler.stop()
 	is_false(_sampler.is_running())
 
 
-func _take(p_sample: PoseSample) -> void:
+func test_several_sources_are_sampled_at_one_moment() -> void:
+	var together: Array[Array] = []
+	var take: Callable = func(samples: Array[PoseSample]) -> void:
+		_mutex.lock()
+		together.append(samples)
+		_mutex.unlock()
+		_take(samples)
+	_sampler.add_source(2, _clip())
+	_sampler.add_source(5, _clip())
+	_sampler.start(120.0, take)
+	await _until(20)
+	_sampler.remove_source(2)
+	var before: int = together.size()
+	await _until(_delivered.size() + 5)
+	_sampler.stop()
+	for at: int in together.size():
+		var numbers: Array = together[at].map(func(one: PoseSample) -> int: return one.person)
+		equal(numbers, [2, 5] if at < before else [5])
+		equal(together[at][0].time_usec, together[at][-1].time_usec)
+	equal(_sampler.take_samples(2).size(), 0)
+	is_true(_sampler.take_samples(5).size() > 5)
+
+
+func _start(p_source: MotionSource, p_rate: float) -> void:
+	_sampler.add_source(0, p_source)
+	_sampler.start(p_rate, _take)
+
+
+func _take(p_samples: Array[PoseSample]) -> void:
 	_mutex.lock()
-	_delivered.append(p_sample)
+	_delivered.append_array(p_samples)
 	_threads[OS.get_thread_caller_id()] = true
 	_mutex.unlock()
 

@@ -49,6 +49,10 @@ class End:
 		link.waiting.connect(_on_waiting)
 		link.state_received.connect(_on_state)
 
+	## Sends a sample, coded against nothing.
+	func send(p_sample: PoseSample) -> void:
+		link.send_fast(SampleWriter.new().write([p_sample] as Array[PoseSample])[0])
+
 	func _on_joined() -> void:
 		joined += 1
 		_decoder.clear()

@@ -16,16 +16,9 @@ static func pose(p_random: RandomNumberGenerator) -> PoseSample:
 	return sample
 
 
-## A pose's packet with numbers that the codec would not write.
-static func raw_pose(p_sample: PoseSample) -> PackedByteArray:
-	var good: PoseSample = PoseSample.new()
-	good.id = p_sample.id
-	good.time_usec = p_sample.time_usec
-	good.root = p_sample.root
-	for limb: int in Limbs.COUNT:
-		good.set_orientation(limb, Quaternion.IDENTITY)
-	var bytes: PackedByteArray = PoseMessage.encode(good, PoseCodec.FLOATS)
-	return bytes.slice(0, PoseMessage.HEADER) + p_sample.orientations.to_byte_array()
+## A sample's datagram, coded against nothing.
+static func motion(p_sample: PoseSample) -> PackedByteArray:
+	return SampleWriter.new().write([p_sample] as Array[PoseSample])[0]
 
 
 ## A table of so many bodies and people.

@@ -28,7 +28,7 @@ func test_trainee_joins_and_is_heard() -> void:
 	var hello: Dictionary = _pair.joined.values()[0]
 	equal([hello["name"], hello["role"]], ["Grace", int(TRAINEE)])
 	var sample: PoseSample = NetSamples.pose(_random)
-	end.link.send_pose(PoseMessage.encode(sample))
+	end.send(sample)
 	is_true(_pair.until(func() -> bool: return _pair.pose_count() == 1), "heard")
 	var got: PoseSample = _pair.poses.values()[0][0]
 	for limb: int in Limbs.COUNT:
@@ -145,7 +145,7 @@ func test_joins_again_with_the_same_link() -> void:
 	is_true(_pair.until(func() -> bool: return _pair.left.size() == 1))
 	end.link.open("127.0.0.1", _pair.port, end.request)
 	is_true(_pair.until(func() -> bool: return end.joined == 2 and _pair.joined.size() == 2))
-	end.link.send_pose(PoseMessage.encode(NetSamples.pose(_random)))
+	end.send(NetSamples.pose(_random))
 	is_true(_pair.until(func() -> bool: return _pair.pose_count() == 1))
 
 
@@ -162,10 +162,10 @@ func test_traffic_is_counted() -> void:
 	equal(end.joined, 1)
 	var before: int = _pair.server.traffic.received
 	for _pose: int in 20:
-		end.link.send_pose(PoseMessage.encode(NetSamples.pose(_random)))
+		end.send(NetSamples.pose(_random))
 		_pair.run(0.01)
 	is_true(_pair.until(func() -> bool: return _pair.pose_count() == 20))
-	var size: int = PoseMessage.encode(NetSamples.pose(_random)).size()
+	var size: int = NetSamples.motion(NetSamples.pose(_random)).size()
 	var came: Callable = func() -> int: return _pair.server.traffic.received - before
 	is_true(_pair.until(func() -> bool: return came.call() >= 20 * size), "%d bytes" % came.call())
 	is_true(came.call() < 40 * size, "%d bytes" % came.call())

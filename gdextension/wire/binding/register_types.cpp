@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "local_feedback.hpp"
+#include "motion_decoder.hpp"
+#include "motion_encoder.hpp"
 #include "person_stream.hpp"
 #include "pose_codec.hpp"
 #include "skeleton_poser.hpp"
@@ -18,6 +20,8 @@ namespace {
 void initialize(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
 		GDREGISTER_CLASS(LocalFeedback);
+		GDREGISTER_CLASS(MotionDecoder);
+		GDREGISTER_CLASS(MotionEncoder);
 		GDREGISTER_CLASS(PersonStream);
 		GDREGISTER_CLASS(PoseCodec);
 		GDREGISTER_CLASS(SkeletonPoser);

@@ -6,8 +6,8 @@ extends RefCounted
 enum Message {
 	## Server to client, fast path: a snapshot with the whole tick, see docs/protocol.md.
 	KEY = 0,
-	## Trainee to server: a [PoseSample], see [PoseMessage].
-	POSE = 1,
+	## Trainee to server, fast path: what its people do, see [SampleWriter].
+	MOTION = 1,
 	## Server to client, fast path: where bodies are, see [SnapshotDecoder].
 	SNAPSHOT = 2,
 	## Server to client, reliable: which entities there are, see [EntityTableMessage]. In parts.
@@ -52,6 +52,8 @@ const DEFAULT_PORT: int = 7777
 const MAX_DATAGRAM: int = 1200
 ## How far a limb's orientation may be off on the wire, degrees.
 const POSE_ERROR_DEG: float = 0.1
+## The same from a trainee to the server.
+const MOTION_ERROR_DEG: float = 0.1
 ## People and watchers that a server admits unless told otherwise.
 const DEFAULT_MAX_CLIENTS: int = 32
 ## Longest name of a person, characters.

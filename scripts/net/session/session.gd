@@ -20,6 +20,8 @@ var peer: int = 0
 var is_here: bool = false
 ## Whether it was here before.
 var was_here: bool = false
+## Reads the motion that it sends.
+var motion: SampleReader = SampleReader.new()
 ## When the connection was lost, µs.
 var lost_usec: int = 0
 

@@ -173,7 +173,8 @@ func test_sampled_by_a_thread_while_shown_by_another() -> void:
 	_calibrate()
 	var sampler: MotionSampler = MotionSampler.new()
 	var delivered: Array[PoseSample] = []
-	sampler.start(_suit, 200.0, func(sample: PoseSample) -> void: delivered.append(sample))
+	sampler.add_source(0, _suit)
+	sampler.start(200.0, func(samples: Array[PoseSample]) -> void: delivered.append_array(samples))
 	for step: int in 200:
 		_go(0.01)
 		OS.delay_usec(500)

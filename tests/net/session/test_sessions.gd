@@ -116,7 +116,7 @@ func test_a_lost_client_comes_back_into_its_session() -> void:
 	is_true(_pair.until(func() -> bool: return _pair.returned.size() == 1))
 	equal([end.link.session, _pair.returned[0]], [session, session])
 	equal(_pair.joined.size(), 1, "joined once")
-	end.link.send_pose(PoseMessage.encode(NetSamples.pose(_random)))
+	end.send(NetSamples.pose(_random))
 	is_true(_pair.until(func() -> bool: return _pair.poses.has(session)))
 
 

@@ -98,7 +98,7 @@ func test_repeated_and_swapped_datagrams() -> void:
 	odd.link.open("127.0.0.1", relay.port, odd.request)
 	is_true(_pair.until(func() -> bool: return odd.joined == 1, 8.0), odd.loss)
 	for _pose: int in 60:
-		odd.link.send_pose(PoseMessage.encode(NetSamples.pose(_random)))
+		odd.send(NetSamples.pose(_random))
 		_pair.run(0.016)
 	_check_good()
 	_pair.run(0.2)
@@ -138,7 +138,7 @@ func _check_good() -> void:
 	var before: int = _pair.poses.get(session, []).size()
 	var heard: int = _good.snapshots.size()
 	for _pose: int in 30:
-		_good.link.send_pose(PoseMessage.encode(NetSamples.pose(_random)))
+		_good.send(NetSamples.pose(_random))
 		_pair.send_snapshot(_stream)
 		_pair.run(1.0 / 60.0)
 	var all: Callable = func() -> bool: return _pair.poses.get(session, []).size() - before >= 30

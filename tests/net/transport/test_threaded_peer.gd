@@ -179,7 +179,7 @@ func test_fast_datagrams_carry_their_arrival() -> void:
 	var client: ThreadedPeer = _connect()
 	await _until(func() -> bool: return _count_peers() == 1)
 	var sent: int = Time.get_ticks_usec()
-	is_true(client.send_fast(1, PackedByteArray([Protocol.Message.POSE, 7])))
+	is_true(client.send_fast(1, PackedByteArray([Protocol.Message.MOTION, 7])))
 	OS.delay_msec(50)
 	var got: Array[FastPacket] = _server.take_fast()
 	equal(got.size(), 1)
@@ -193,7 +193,7 @@ func test_a_main_thread_that_stands_still_loses_only_the_oldest() -> void:
 	var client: ThreadedPeer = _connect()
 	await _until(func() -> bool: return _count_peers() == 1)
 	for number: int in TransportMailbox.MAX_FAST * 2:
-		var bytes: PackedByteArray = [Protocol.Message.POSE, 0, 0, 0, 0]
+		var bytes: PackedByteArray = [Protocol.Message.MOTION, 0, 0, 0, 0]
 		bytes.encode_u32(1, number)
 		client.send_fast(1, bytes)
 		if number % 20 == 0:
