@@ -162,8 +162,8 @@ def test_unfit_physics_are_told(
 
 def test_a_package_that_needs_more_is_refused() -> None:
     files = arrows.read_files(ROOT)
-    narrow = dataclasses.replace(package.PACKAGES["ragdoll_motor"], roots=("PoseMessage",))
-    with pytest.raises(Failure, match="would need the library wire, as scripts/net/"):
+    narrow = dataclasses.replace(package.PACKAGES["ragdoll_motor"], roots=("ActorView",))
+    with pytest.raises(Failure, match="would need the library wire, as scripts/actor/view"):
         package.collect("ragdoll_motor", narrow, files)
 
 
