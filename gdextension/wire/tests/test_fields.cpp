@@ -59,9 +59,9 @@ public:
 					datagrams[i].bytes.begin(), datagrams[i].bytes.begin() + std::ptrdiff_t(datagrams[i].size));
 			post({ true, bytes });
 		}
-		while (!mail.empty() && mail.begin()->first <= tick) {
-			const Letter letter = mail.begin()->second;
-			mail.erase(mail.begin());
+		while (!_mail.empty() && _mail.begin()->first <= tick) {
+			const Letter letter = _mail.begin()->second;
+			_mail.erase(_mail.begin());
 			letter.is_down ? receive(letter.bytes) : answer(letter.bytes);
 		}
 	}
@@ -89,8 +89,8 @@ private:
 		std::vector<uint8_t> bytes;
 	};
 	void post(const Letter &p_letter) {
-		if (int(random() % 100) >= loss) {
-			mail.emplace(tick + uint32_t(delay) + uint32_t(random() % uint32_t(jitter + 1)), p_letter);
+		if (int(_random() % 100) >= loss) {
+			_mail.emplace(tick + uint32_t(delay) + uint32_t(_random() % uint32_t(jitter + 1)), p_letter);
 		}
 	}
 	void receive(const std::vector<uint8_t> &p_bytes) {
@@ -110,8 +110,8 @@ private:
 		server.client(1)->take_ack(p_bytes.data(), p_bytes.size(), tick, server.world().entities().newest_version());
 	}
 
-	std::mt19937 random{ 7 };
-	std::multimap<uint32_t, Letter> mail;
+	std::mt19937 _random{ 7 };
+	std::multimap<uint32_t, Letter> _mail;
 };
 
 } // namespace
