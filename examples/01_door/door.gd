@@ -8,6 +8,7 @@ extends Node3D
 @export_range(0.1, 10.0, 0.1, "suffix:m") var travel: float = 1.4
 
 var _target: float = 0.0
+var _opening: float = 0.0
 
 @onready var _entity: Entity = $Entity
 @onready var _leaf: AnimatableBody3D = $Leaf
@@ -22,12 +23,12 @@ func _ready() -> void:
 func _physics_process(p_delta: float) -> void:
 	if not _entity.is_authority():
 		return
-	var opening: float = _entity.get_value(&"opening")
-	if opening == _target:
+	if _opening == _target:
 		return
-	opening = move_toward(opening, _target, p_delta / duration)
-	_entity.set_value(&"opening", opening)
-	if opening == 0.0:
+	# The exact value is kept here: the field is rounded to its resolution.
+	_opening = move_toward(_opening, _target, p_delta / duration)
+	_entity.set_value(&"opening", _opening)
+	if _opening == 0.0:
 		_entity.send_event(&"slammed", [travel / duration])
 
 

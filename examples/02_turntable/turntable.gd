@@ -8,6 +8,7 @@ extends Node3D
 @export_range(0.1, 5.0, 0.1, "suffix:rad/s²") var acceleration: float = 0.6
 
 var _wanted: float = 0.0
+var _speed: float = 0.0
 var _sent: float = 0.0
 
 @onready var _entity: Entity = $Disc/Entity
@@ -32,11 +33,11 @@ func _process(_delta: float) -> void:
 func _physics_process(p_delta: float) -> void:
 	if not _entity.is_authority():
 		return
-	var speed: float = _entity.get_value(&"speed")
-	speed = move_toward(speed, _wanted * max_speed, acceleration * p_delta)
-	_entity.set_value(&"speed", speed)
-	if speed != 0.0:
-		_disc.rotate_y(speed * p_delta)
+	# The exact value is kept here: the field is rounded to its resolution.
+	_speed = move_toward(_speed, _wanted * max_speed, acceleration * p_delta)
+	_entity.set_value(&"speed", _speed)
+	if _speed != 0.0:
+		_disc.rotate_y(_speed * p_delta)
 
 
 func _on_commanded(_session: int, p_command: StringName, p_values: PackedFloat32Array) -> void:

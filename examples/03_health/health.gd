@@ -46,6 +46,8 @@ func _on_started() -> void:
 	_on_field_changed(&"health", _entity.get_value(&"health"))
 	if not _entity.is_authority():
 		return
+	# It starts again in each level.
+	_bodies.clear()
 	for bone: StringName in BONES:
 		var node: Node = (get_parent() as Ragdoll).get_simulator().get_node(NodePath(bone))
 		_bodies.append((node as PhysicalBone3D).get_rid())

@@ -98,7 +98,7 @@ func carry(_limb: Node3D, _entity: int) -> void:
 	push_error("Only the server carries people.")
 
 
-func put_down(_limb: Node3D) -> void:
+func put_down(_limb: Node3D, _entity: int) -> void:
 	push_error("Only the server carries people.")
 
 

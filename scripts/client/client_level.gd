@@ -25,7 +25,7 @@ var _unplaced: Dictionary[int, bool] = {}
 var _instances: Dictionary[int, Node] = {}
 
 
-## Puts a level in place; the same one is kept if nothing of it has changed.
+## Puts a level in place, always a new one: what moved in the last is where it begins.
 func set_level(p_name: String, p_fingerprint: PackedByteArray) -> void:
 	_forget_entities()
 	if not LevelStore.has(p_name):
@@ -105,17 +105,17 @@ func _find_node(p_row: EntityRow) -> Node:
 
 
 func _instantiate(p_row: EntityRow) -> Entity:
-	var is_scene: bool = p_row.path.begins_with("res://") and p_row.path.ends_with(".tscn")
-	if not is_scene or p_row.path.contains("..") or not ResourceLoader.exists(p_row.path):
-		Log.limited("client", "scene", "there is no scene for %s here" % p_row.describe())
+	var scene: PackedScene = level.find_spawnable(p_row.path) if level != null else null
+	if scene == null:
+		Log.limited("client", "scene", "this level spawns no %s" % p_row.describe())
 		return null
-	var scene: PackedScene = load(p_row.path) as PackedScene
-	var instance: Node = scene.instantiate() if scene != null else null
+	var instance: Node = scene.instantiate()
 	var entity: Entity = Entity.find_in(instance)
-	if entity == null or level == null:
-		if instance != null:
-			instance.free()
+	if entity == null:
+		instance.free()
 		return null
+	if instance is Node3D:
+		(instance as Node3D).transform = p_row.transform
 	_freeze(instance)
 	level.add_child(instance)
 	_instances[p_row.id] = instance

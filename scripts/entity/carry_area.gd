@@ -37,7 +37,7 @@ func _on_body_entered(p_body: Node3D) -> void:
 
 func _on_body_exited(p_body: Node3D) -> void:
 	if _is_meant(p_body):
-		entity.get_host().put_down(p_body)
+		entity.get_host().put_down(p_body, entity.id)
 
 
 func _is_meant(p_body: Node3D) -> bool:

@@ -54,6 +54,12 @@ func take(p_now_tick: int, p_tick_rate: int) -> Array[EntityCommand]:
 	return due
 
 
+## Drops the commands that wait.
+func forget_waiting() -> void:
+	_waiting.clear()
+	_arrival_ticks.clear()
+
+
 ## Whether a number of 16 bits is newer than another one.
 static func is_newer(p_number: int, p_than: int) -> bool:
 	var ahead: int = (p_number - p_than) & 0xFFFF

@@ -16,7 +16,8 @@ signal field_changed(p_field: StringName, p_value: float)
 signal commanded(p_session: int, p_command: StringName, p_values: PackedFloat32Array)
 ## An event: on the server at once, on a client when it shows the tick of the event.
 signal happened(p_event: StringName, p_values: PackedFloat32Array)
-## It has become part of a session: fields can be read and set from now on.
+## It has become part of a session, also again in another level: fields can be read and set from
+## now on.
 signal started
 
 ## What kind of entity it is.
@@ -103,11 +104,13 @@ func set_value(p_field: StringName, p_value: float) -> void:
 	if index < 0 or not is_authority():
 		push_error("%s: only the server sets fields, and '%s' must be one." % [type.name, p_field])
 		return
-	var value: float = type.fields[index].quantize(p_value)
-	if value != _values[index]:
-		_values[index] = value
-		_host.set_field(id, index, value)
-		field_changed.emit(p_field, value)
+	var field: EntityField = type.fields[index]
+	var step: int = field.to_step(p_value)
+	# Steps, not values: those are kept with fewer digits than they are computed with.
+	if step != field.to_step(_values[index]):
+		_values[index] = field.from_step(step)
+		_host.set_field(id, index, _values[index])
+		field_changed.emit(p_field, _values[index])
 
 
 ## Tells everybody that something happens now: on the server.

@@ -31,5 +31,5 @@ extends RefCounted
 ## server; [param p_limb] is one of the person's bodies. See [CarryArea].
 @abstract func carry(p_limb: Node3D, p_entity: int) -> void
 
-## Puts a person who was carried back on the ground, on the server.
-@abstract func put_down(p_limb: Node3D) -> void
+## Puts a person whom the entity carries back on the ground, on the server.
+@abstract func put_down(p_limb: Node3D, p_entity: int) -> void

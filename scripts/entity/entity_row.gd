@@ -26,6 +26,8 @@ var owner: int = 0
 var source: Source = Source.NONE
 ## Path below the level's root, or of a scene.
 var path: String = ""
+## Of an instance of a scene: where its root is in the level when it comes.
+var transform: Transform3D = Transform3D.IDENTITY
 ## Values of its fields when it came, as both ends restore them.
 var values: PackedFloat32Array = PackedFloat32Array()
 ## Version of the table in which it came; of the server's table only.

@@ -21,6 +21,8 @@ const FIRST_PERSON: int = 1
 const FIRST_OTHER: int = 1024
 ## First number that is none.
 const END: int = 65536
+## Longest path of a node or scene, characters.
+const MAX_PATH: int = 250
 ## Most entities at a time.
 const MAX_ENTITIES: int = 8192
 ## Most types.
@@ -67,8 +69,13 @@ func spawn(p_row: EntityRow, p_is_world: bool = false) -> EntityRow:
 		)
 		return null
 	var id: int = WORLD if p_is_world else _free_id(p_row.is_person())
-	if id < 0 or rows.size() >= MAX_ENTITIES or rows.has(id):
-		Log.limited("entity", "full", "there is no room for %s" % p_row.describe())
+	var is_fit: bool = is_id_for(id, p_row.type.body) and p_row.path.length() <= MAX_PATH
+	if id < 0 or rows.size() >= MAX_ENTITIES or rows.has(id) or not is_fit:
+		Log.limited(
+			"entity",
+			"full",
+			"there is no room for %s, or its path or type does not fit" % p_row.describe()
+		)
 		return null
 	p_row.id = id
 	p_row.type_number = number

@@ -15,11 +15,15 @@ var _known: Dictionary[int, int] = {}
 
 ## Takes an event. Returns false for one that is known.
 func push(p_event: EntityEvent) -> bool:
+	if _waiting.size() >= 2 * MAX_WAITING:
+		return false
 	if _known.has(p_event.number) and _known[p_event.number] == p_event.tick:
 		return false
 	_known[p_event.number] = p_event.tick
 	if _known.size() > _MEMORY:
-		_known.erase(_known.keys()[0])
+		for oldest: int in _known:
+			_known.erase(oldest)
+			break
 	var index: int = _waiting.size()
 	while index > 0 and _waiting[index - 1].tick > p_event.tick:
 		index -= 1

@@ -46,7 +46,7 @@ class Host:
 	func carry(_limb: Node3D, _entity: int) -> void:
 		pass
 
-	func put_down(_limb: Node3D) -> void:
+	func put_down(_limb: Node3D, _entity: int) -> void:
 		pass
 
 

@@ -81,8 +81,11 @@ func vacate() -> void:
 
 
 func _on_commanded(p_session: int, p_command: StringName, _values: PackedFloat32Array) -> void:
-	if p_command == TAKE and occupant() == 0:
-		if entity.get_host().possession().take(p_session, entity.id):
+	var possession: Possession = entity.get_host().possession()
+	# One seat for each session: who wants another one leaves the first.
+	var is_free: bool = occupant() == 0 and possession.entities_of(p_session).is_empty()
+	if p_command == TAKE and is_free:
+		if possession.take(p_session, entity.id):
 			entity.set_value(occupant_field, p_session)
 			if carries_people:
 				entity.get_host().attach(p_session, entity.id, _transform_in_body())

@@ -33,6 +33,7 @@ static func serve(p_parent: Node, p_link: ServerLink) -> SessionControl:
 	var control: SessionControl = _attach(p_parent, p_link.api())
 	control._link = p_link
 	p_link.roster_changed.connect(control._push)
+	p_link.client_left.connect(control._forget)
 	return control
 
 
@@ -180,6 +181,10 @@ func _answer(p_caller: Session, p_fault: String, p_done: String) -> void:
 	Log.info("net", "%s asked: %s" % [p_caller.describe(), p_fault if p_fault != "" else p_done])
 	if p_caller.is_here:
 		_tell.rpc_id(p_caller.peer, p_fault if p_fault != "" else p_done)
+
+
+func _forget(p_session: int) -> void:
+	_noticed_s.erase(p_session)
 
 
 func _push() -> void:

@@ -98,11 +98,17 @@ func add_client(p_session: int, p_rate: int) -> void:
 	var own: EntityRow = _level.table.person_of(p_session)
 	if own != null:
 		encoder.set_own_person(p_session, own.id)
+	# Another level may have come since the welcome was on its way.
+	var level: PackedByteArray = LevelMessage.encode(_level.level_name, _level.fingerprint)
+	var session: Session = _link.session(p_session)
+	if session != null and session.welcome_level != level:
+		_link.send_reliably([p_session], level)
 
 
 ## Forgets a client.
 func remove_client(p_session: int) -> void:
 	_client_stats.erase(p_session)
+	_since_usec.erase(p_session)
 	_sessions = _without(_sessions, p_session)
 	_newcomers = _without(_newcomers, p_session)
 	encoder.remove_client(p_session)
@@ -248,6 +254,8 @@ func _on_person_attached(p_person: ServerPeople.Person, p_carrier: int) -> void:
 ## Everybody begins anew in another level.
 func _on_level_changed() -> void:
 	_changes = EntityTableMessage.new()
+	# What could be seen from where in the last level is of no meaning in this one.
+	encoder.set_cells(Vector3.ZERO, 0.0, Vector3i.ZERO, PackedByteArray())
 	# Now, while everybody waits anyway, and not in the tick in which somebody joins.
 	_cache.encode(_error_deg)
 	_send_to(_sessions, LevelMessage.encode(_level.level_name, _level.fingerprint))

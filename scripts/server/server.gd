@@ -68,6 +68,7 @@ func _open_world() -> void:
 	)
 	_level.entity_added.connect(_on_entity_added)
 	_level.leaving.connect(_people.leave)
+	_level.leaving.connect(_entities.forget_waiting)
 	_level.changed.connect(_on_level_changed)
 	_people.person_added.connect(_on_person_added)
 	_link.client_joined.connect(_on_joined)

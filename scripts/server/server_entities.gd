@@ -90,6 +90,14 @@ func refused_commands(p_session: int) -> int:
 	return _refusals.get(p_session, 0) + (queue.refused if queue != null else 0)
 
 
+## The level goes: nothing that waits is of any meaning in the next one.
+func forget_waiting() -> void:
+	_reliable.clear()
+	_unreliable.clear()
+	for session: int in _queues:
+		_queues[session].forget_waiting()
+
+
 ## The seats of an entity.
 static func seats_of(p_entity: Entity) -> Array[Seat]:
 	var found: Array[Seat] = []
@@ -110,10 +118,13 @@ func set_field(p_entity: int, p_field: int, p_value: float) -> void:
 
 func send_event(p_entity: int, p_event: int, p_values: PackedFloat32Array) -> void:
 	var row: EntityRow = _table.find(p_entity)
-	if row == null or _reliable.size() + _unreliable.size() >= MAX_EVENTS_PER_TICK * REPEATS:
-		Log.limited("server", "events", "too many events: some are left out")
+	if row == null:
 		return
 	var schema: EntitySchema = row.type.events[p_event]
+	var waiting: int = _reliable.size() if schema.is_reliable else _unreliable.size()
+	if waiting >= MAX_EVENTS_PER_TICK * (1 if schema.is_reliable else REPEATS):
+		Log.limited("server", "events", "too many events: some are left out")
+		return
 	var event: EntityEvent = EntityEvent.new()
 	event.number = _next_event
 	_next_event = (_next_event + 1) & 0xFFFF
@@ -145,9 +156,11 @@ func carry(p_limb: Node3D, p_entity: int) -> void:
 		_people.attach_person(person, p_entity, node.get_body(), to_body * frame)
 
 
-func put_down(p_limb: Node3D) -> void:
+func put_down(p_limb: Node3D, p_entity: int) -> void:
+	var node: Entity = _nodes.get(p_entity)
 	var person: ServerPeople.Person = _people.find_by_limb(p_limb)
-	if person != null:
+	# Who sits in something that leaves the area stays in it.
+	if person != null and node != null and person.carrier == node.get_body():
 		_people.detach_person(person)
 
 

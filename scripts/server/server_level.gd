@@ -55,11 +55,11 @@ func load_level(p_name: String, p_tick: int = 0) -> String:
 func add_instance(
 	p_path: String, p_transform: Transform3D, p_tick: int, p_owner: int = 0
 ) -> Entity:
-	var scene: PackedScene = load(p_path) as PackedScene
+	var scene: PackedScene = level.find_spawnable(p_path)
 	var node: Node = scene.instantiate() if scene != null else null
 	var entity: Entity = Entity.find_in(node)
 	if entity == null or entity.type == null:
-		Log.warning("server", "%s holds no Entity with a type" % p_path)
+		Log.warning("server", "%s is not spawnable here, or holds no Entity with a type" % p_path)
 		if node != null:
 			node.free()
 		return null
@@ -68,7 +68,11 @@ func add_instance(
 	level.add_child(node)
 	var row: EntityRow = _make_row(entity.type, EntityRow.Source.SCENE, p_path, p_tick)
 	row.owner = p_owner
+	row.transform = p_transform
 	_add(row, entity, entity.get_body())
+	if not entity.is_started():
+		node.queue_free()
+		return null
 	return entity
 
 
@@ -78,8 +82,8 @@ func _spawn_all(p_tick: int) -> void:
 		var path: String = str(level.get_path_to(body))
 		_add(_make_row(_prop_type, EntityRow.Source.LEVEL, path, p_tick), null, body)
 	for entity: Entity in level.get_entities():
-		if entity.type == null:
-			Log.warning("server", "%s: an Entity without a type is left out" % entity.get_path())
+		if entity.type == null or entity.type.body == EntityType.Body.PERSON:
+			Log.warning("server", "%s: no type, or that of a person: left out" % entity.get_path())
 			continue
 		var path: String = str(level.get_path_to(entity))
 		_add(
@@ -99,6 +103,9 @@ func _spawn_world(p_tick: int) -> void:
 
 func _add(p_row: EntityRow, p_node: Entity, p_body: PhysicsBody3D) -> void:
 	if table.spawn(p_row) != null:
+		# A script may free it; a row without a node would be met by the next command.
+		var watched: Node = p_node if p_node != null else p_body
+		watched.tree_exiting.connect(table.despawn.bind(p_row.id), CONNECT_ONE_SHOT)
 		var has_body: bool = p_row.type.body == EntityType.Body.RIGID
 		entity_added.emit(p_row, p_node, p_body if has_body else null)
 

@@ -51,6 +51,8 @@ class Person:
 	var origin: Vector3 = Vector3.ZERO
 	## The body that carries the person, or null, and the person's own frame in that of the body.
 	var carrier: PhysicsBody3D = null
+	## Its entity, which outlives the body; -1 none.
+	var carrier_id: int = -1
 	var seat: Transform3D = Transform3D.IDENTITY
 	## Scales the wearer's travel to the body's build.
 	var scale: float = 1.0
@@ -217,6 +219,7 @@ static func _key(p_session: int, p_index: int) -> int:
 func leave() -> void:
 	for person: Person in _people.values():
 		person.carrier = null
+		person.carrier_id = -1
 		_table.despawn(person.id)
 
 
@@ -249,6 +252,7 @@ func attach_person(
 	p_person: Person, p_entity: int, p_carrier: PhysicsBody3D, p_frame: Transform3D
 ) -> void:
 	p_person.carrier = p_carrier
+	p_person.carrier_id = p_entity
 	p_person.seat = p_frame
 	person_attached.emit(p_person, p_entity)
 
@@ -273,6 +277,7 @@ func detach_person(p_person: Person) -> void:
 		return
 	var frame: Transform3D = p_person.carrier.global_transform * p_person.seat
 	p_person.carrier = null
+	p_person.carrier_id = -1
 	# The frame stays turned as it is: nobody is twisted by getting off.
 	p_person.ragdoll.motor.set_frame(frame)
 	person_attached.emit(p_person, -1)
@@ -310,8 +315,10 @@ func _carry(p_delta_s: float) -> void:
 					state.transform, state.linear_velocity, state.angular_velocity, p_delta_s
 				)
 			person.ragdoll.motor.set_frame(next * person.seat)
-		elif person.carrier != null:
+		elif person.carrier_id >= 0:
+			# What carried it was freed: its frame stays where it was last.
 			person.carrier = null
+			person.carrier_id = -1
 			person_attached.emit(person, -1)
 
 

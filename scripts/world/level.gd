@@ -26,6 +26,9 @@ const _STEPS: float = 10000.0
 	set(p_value):
 		props_root = p_value
 		update_configuration_warnings()
+## Scenes that may be added while a session runs: a server can have clients make instances of these
+## and of no others.
+@export var spawnable: Array[PackedScene] = []
 ## The entity of the world itself, which has number 0: its fields are the variables of the level and
 ## of a scenario. May be empty.
 @export var world: Entity:
@@ -74,6 +77,14 @@ func get_props() -> Array[RigidBody3D]:
 		if node.is_in_group(PROPS) and not covered.has(node):
 			found.append(node)
 	return found
+
+
+## The scene of a path if it may be added while a session runs, or null.
+func find_spawnable(p_path: String) -> PackedScene:
+	for scene: PackedScene in spawnable:
+		if scene != null and scene.resource_path == p_path:
+			return scene
+	return null
 
 
 ## The [Entity] nodes but for that of the world itself, in the order of the tree.

@@ -6,7 +6,8 @@ extends RefCounted
 ## version of the table after the changes; f32 largest error of poses (degrees); u8 number of new
 ## types, each as in [method EntityType.encode], numbered on from those that are known; u16 number
 ## of entities that are gone, of each u16; u16 number of new entities, of each: u16 id, u8 type, u32
-## tick, s32 owner, u8 source, text path, its values as in [method EntitySchema.encode]; of a
+## tick, s32 owner, u8 source, text path, of an instance of a scene 12 f32
+## transform (columns of the basis, origin), its values as in [method EntitySchema.encode]; of a
 ## person also u8 which of its session's people, text name, u8 limbs (0 or all) and of each 3 f32
 ## joint in the parent's frame, 3 f32 in its own (m), 4 f32 x, y, z, w of the body in the reset
 ## pose.
@@ -147,6 +148,8 @@ static func _encode_row(p_row: EntityRow) -> PackedByteArray:
 	bytes.encode_s32(7, p_row.owner)
 	bytes.encode_u8(11, p_row.source)
 	bytes.append_array(ByteReader.text_bytes(p_row.path))
+	if p_row.source == EntityRow.Source.SCENE:
+		bytes.append_array(ByteReader.transform_bytes(p_row.transform))
 	bytes.append_array(p_row.type.spawn_schema().encode(p_row.values))
 	if p_row.is_person():
 		bytes.append(p_row.person_index)
@@ -167,6 +170,8 @@ static func _read_row(p_reader: ByteReader, p_types: Array[EntityType]) -> Entit
 		return null
 	row.type = p_types[row.type_number]
 	row.source = source as EntityRow.Source
+	if row.source == EntityRow.Source.SCENE:
+		row.transform = p_reader.read_transform()
 	if not EntityTable.is_id_for(row.id, row.type.body):
 		return null
 	row.values = row.type.spawn_schema().decode(p_reader)

@@ -103,6 +103,7 @@ func _welcome(p_pending: Admission.PendingPeer) -> void:
 	_peer.welcome(p_pending.peer, Roles.can(session.role, Roles.Capability.MODERATE))
 	var said: Array[PackedByteArray] = [p_pending.challenge, p_pending.request.whole()]
 	var key: PackedByteArray = _rules.key_of(session.role)
+	session.welcome_level = LevelMessage.encode(_rules.level_name, _rules.level_fingerprint)
 	_api.send_auth(p_pending.peer, JoinReply.welcome(session, _rules, key, said))
 	_api.complete_auth(p_pending.peer)
 

@@ -22,6 +22,8 @@ var is_here: bool = false
 var was_here: bool = false
 ## Reads the motion that it sends.
 var motion: SampleReader = SampleReader.new()
+## The level that the client was told of when it was let in, as [LevelMessage].
+var welcome_level: PackedByteArray = PackedByteArray()
 ## When the connection was lost, µs.
 var lost_usec: int = 0
 

@@ -5,6 +5,9 @@ extends RefCounted
 ## How long a lost client keeps its place, s.
 const KEPT_S: float = 60.0
 
+## Highest number of a session.
+const MAX_ID: int = 65535
+
 var _sessions: Dictionary[int, Session] = {}
 var _by_peer: Dictionary[int, Session] = {}
 var _next_id: int = 1
@@ -13,8 +16,11 @@ var _next_id: int = 1
 ## A new session.
 func open(p_request: JoinRequest, p_peer: int, p_address: String) -> Session:
 	var session: Session = Session.new()
+	# 16 bits, so that a field of an entity can tell it.
+	while _sessions.has(_next_id):
+		_next_id = _next_id % MAX_ID + 1
 	session.id = _next_id
-	_next_id = _next_id % 0x7FFFFFFF + 1
+	_next_id = _next_id % MAX_ID + 1
 	session.role = p_request.role
 	session.name = p_request.name
 	session.token = Crypto.new().generate_random_bytes(JoinRequest.TOKEN_SIZE)
