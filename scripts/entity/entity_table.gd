@@ -44,7 +44,9 @@ var _next_other: int = FIRST_OTHER
 ## type has its name, or there are too many.
 func add_type(p_type: EntityType) -> int:
 	for number: int in types.size():
-		if types[number] == p_type or types[number].name == p_type.name:
+		if types[number] == p_type:
+			return number
+		if types[number].name == p_type.name:
 			return number if types[number].is_same(p_type) else -1
 	if p_type.find_fault() != "" or types.size() >= MAX_TYPES:
 		return -1

@@ -99,10 +99,9 @@ func add_client(p_session: int, p_rate: int) -> void:
 	if own != null:
 		encoder.set_own_person(p_session, own.id)
 	# Another level may have come since the welcome was on its way.
-	var level: PackedByteArray = LevelMessage.encode(_level.level_name, _level.fingerprint)
 	var session: Session = _link.session(p_session)
-	if session != null and session.welcome_level != level:
-		_link.send_reliably([p_session], level)
+	if session != null and session.welcome_level != _level.message():
+		_link.send_reliably([p_session], _level.message())
 
 
 ## Forgets a client.
@@ -169,7 +168,7 @@ func _send_table() -> void:
 		_newcomers.clear()
 		var bytes: PackedByteArray = _cache.encode(_error_deg)
 		if newcomers.has(StateRecorder.CLIENT):
-			_recorder.add(LevelMessage.encode(_level.level_name, _level.fingerprint))
+			_recorder.add(_level.message())
 			_recorder.add(bytes)
 		_link.send_reliably(newcomers, bytes)
 
@@ -258,7 +257,8 @@ func _on_level_changed() -> void:
 	encoder.set_cells(Vector3.ZERO, 0.0, Vector3i.ZERO, PackedByteArray())
 	# Now, while everybody waits anyway, and not in the tick in which somebody joins.
 	_cache.encode(_error_deg)
-	_send_to(_sessions, LevelMessage.encode(_level.level_name, _level.fingerprint))
+	# The recorder gets it with the table, as at the beginning.
+	_link.send_reliably(_sessions, _level.message())
 	for session: int in _sessions:
 		if not _newcomers.has(session):
 			_newcomers.append(session)

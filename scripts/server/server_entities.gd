@@ -77,7 +77,8 @@ func add_session(p_session: int) -> void:
 func remove_session(p_session: int) -> void:
 	_queues.erase(p_session)
 	_refusals.erase(p_session)
-	for id: int in _nodes:
+	# Who sits in something possesses it.
+	for id: int in _possession.entities_of(p_session):
 		for seat: Seat in seats_of(_nodes[id]):
 			if seat.occupant() == p_session:
 				seat.vacate()

@@ -50,6 +50,11 @@ func load_level(p_name: String, p_tick: int = 0) -> String:
 	return ""
 
 
+## The message that names the level.
+func message() -> PackedByteArray:
+	return LevelMessage.encode(level_name, fingerprint)
+
+
 ## Adds an instance of a scene to the running level. Its root, or a node below it, is an [Entity].
 ## Returns the entity, or null where that cannot be.
 func add_instance(

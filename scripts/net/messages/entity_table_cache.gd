@@ -20,15 +20,11 @@ func _init(p_table: EntityTable) -> void:
 func encode(p_error_deg: float) -> PackedByteArray:
 	if not _is_valid:
 		_join()
-	var message: EntityTableMessage = EntityTableMessage.new()
-	message.is_full = true
-	message.version = _table.version
-	message.pose_error_deg = p_error_deg
-	message.types = _table.types
 	var rows: PackedByteArray = _others.duplicate()
 	var people: Array[EntityRow] = _table.people()
 	for row: EntityRow in people:
 		rows.append_array(EntityTableMessage.row_bytes(row))
+	var message: EntityTableMessage = EntityTableMessage.of_table(_table, p_error_deg)
 	return message.encode_with(rows, _other_count + people.size())
 
 
