@@ -174,7 +174,7 @@ def test_an_instructor_decides(world: World) -> None:
     instructor.await_text("joined")
     trainee = world.trainee("--name=Ada", name="ada")
     assert trainee.await_exit(30) == 3
-    assert "waiting for an instructor, place 1" in trainee.log()
+    assert "waiting for an instructor, position 1" in trainee.log()
     assert "joined" in trainee.log()
     assert "kicked by instructor 'instructor'" in trainee.log()
     bob = world.trainee("--name=Bob", name="bob")
