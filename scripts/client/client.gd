@@ -134,8 +134,6 @@ func _acknowledge() -> void:
 	var bytes: PackedByteArray = _scene.replica.acknowledgement(
 		Time.get_ticks_usec(), _scene.viewpoint()
 	)
-	if _mocap.people != null:
-		_mocap.people.take_motion_ack(_scene.replica.decoder.get_motion_ack())
 	if not bytes.is_empty() and _mocap.people != null:
 		_mocap.people.send_ack(bytes)
 	elif not bytes.is_empty():

@@ -119,11 +119,6 @@ func send_ack(p_bytes: PackedByteArray) -> void:
 	_sender.send_ack(p_bytes)
 
 
-## Takes what the server says that it has of the samples; an empty one says nothing.
-func take_motion_ack(p_bytes: PackedByteArray) -> void:
-	_sender.take_ack(p_bytes)
-
-
 ## Notes how long a sample took to the server.
 func note_trip(p_mark: LatencyMark) -> void:
 	for motion: ClientMotion in _motions:

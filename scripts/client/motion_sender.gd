@@ -16,11 +16,14 @@ var _knows_server: bool = false
 ## Begins to sample, so many times a second. Samples go out while [method set_sending] says so.
 func start(p_rate: float, p_link: ClientLink) -> void:
 	_link = p_link
+	_link.set_motion_ack_taker(_writer.take_ack)
 	_sampler.start(p_rate, _send)
 
 
 ## Ends the thread.
 func stop() -> void:
+	if _link != null:
+		_link.set_motion_ack_taker(Callable())
 	_sampler.stop()
 
 
@@ -69,11 +72,6 @@ func send_ack(p_bytes: PackedByteArray) -> void:
 	_mutex.unlock()
 	if not sends or not _writer.take_along(p_bytes):
 		_link.send_fast(p_bytes)
-
-
-## Takes what the server has of the samples; an empty one says nothing.
-func take_ack(p_bytes: PackedByteArray) -> void:
-	_writer.take_ack(p_bytes)
 
 
 ## Stats of a person for a report.

@@ -80,7 +80,6 @@ func poll() -> void:
 		_link.send_fast(bytes)
 	if _motion != null:
 		_motion.keep_in_step()
-		_sender.take_ack(replica.decoder.get_motion_ack())
 		if not bytes.is_empty():
 			_sender.send_ack(bytes)
 	_polls += 1

@@ -52,6 +52,9 @@ var _peer: ThreadedPeer = null
 # The peer while we are joined, for whichever thread has something to send.
 var _fast_peer: ThreadedPeer = null
 var _sending: Mutex = Mutex.new()
+var _motion_ack_taker: Callable = Callable()
+# Held while it is called: it is never called once it was taken away.
+var _taking: Mutex = Mutex.new()
 var _request: JoinRequest = null
 var _password: String = ""
 var _challenge: PackedByteArray = PackedByteArray()
@@ -94,6 +97,7 @@ func open(p_host: String, p_port: int, p_request: JoinRequest, p_password: Strin
 	_peer = ThreadedPeer.new()
 	_peer.limits.max_datagram = Protocol.MAX_DATAGRAM
 	_peer.tls = tls
+	_peer.watcher = _watch
 	_peer.beacon = _ask_clock
 	_peer.beacon_period = _clock_period
 	_peer.failed.connect(_on_failed)
@@ -169,6 +173,15 @@ func send_fast(p_bytes: PackedByteArray) -> void:
 	_sending.unlock()
 
 
+## Says who takes what the server has of our motion: at once, in the transport's thread, without
+## waiting for a frame; the sooner, the smaller the next samples are.
+## [code]func(ack: PackedByteArray) -> void[/code], or none.
+func set_motion_ack_taker(p_taker: Callable) -> void:
+	_taking.lock()
+	_motion_ack_taker = p_taker
+	_taking.unlock()
+
+
 ## Round trip (ms) and loss (0 to 1) of the connection, as ENet sees them.
 func quality() -> Dictionary:
 	var peers: Dictionary = _peer.stats().get("peers", {}) if _peer != null else {}
@@ -190,6 +203,17 @@ func _set_fast_peer(p_peer: ThreadedPeer) -> void:
 	_sending.lock()
 	_fast_peer = p_peer
 	_sending.unlock()
+
+
+## Runs in the transport's thread.
+func _watch(p_bytes: PackedByteArray) -> void:
+	var ack: PackedByteArray = SnapshotDecoder.find_motion_ack(p_bytes)
+	if ack.is_empty():
+		return
+	_taking.lock()
+	if _motion_ack_taker.is_valid():
+		_motion_ack_taker.call(ack)
+	_taking.unlock()
 
 
 ## Runs in the transport's thread.

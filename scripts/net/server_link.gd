@@ -62,6 +62,8 @@ func listen(p_port: int, p_rules: ServerRules) -> Error:
 	_peer.guard = TransportGuard.new()
 	_peer.limits.max_datagram = Protocol.MAX_DATAGRAM
 	_peer.limits.max_fast = {Protocol.Message.MOTION: MAX_POSES}
+	_peer.limits.high_from = Protocol.BASED_MOTION
+	_peer.limits.high_kind = Protocol.Message.MOTION
 	_peer.tls = rules.tls
 	_peer.instant_kind = Protocol.Message.CLOCK
 	_peer.instant = _ticks.answer
@@ -321,18 +323,18 @@ func _handle(
 	p_session: Session, p_bytes: PackedByteArray, p_path: MessageHandlers.Path, p_arrival_usec: int
 ) -> void:
 	var entry: MessageHandlers.Handler = _handlers.find(p_bytes, p_path)
+	var kind: int = Protocol.kind_of(p_bytes)
 	if entry == null:
-		var kind: int = p_bytes[0] if not p_bytes.is_empty() else -1
 		var parts: Array = [p_bytes.size(), kind]
 		complain(p_session, "kind", "sent %d bytes of unknown kind %d" % parts)
 		return
 	if entry.capability != 0 and Roles.ROWS[p_session.role][1] & entry.capability == 0:
-		var what: String = Protocol.Message.find_key(p_bytes[0])
+		var what: String = Protocol.Message.find_key(kind)
 		complain(p_session, "role", "sent %s, which its role may not" % what)
 		return
 	var fault: String = entry.handler.call(p_session, p_bytes, p_arrival_usec)
 	if fault != "":
-		complain(p_session, "message %d" % p_bytes[0], "sent " + fault)
+		complain(p_session, "message %d" % kind, "sent " + fault)
 
 
 func _add_handlers() -> void:

@@ -36,6 +36,31 @@ func test_trainee_joins_and_is_heard() -> void:
 	equal([got.id, got.time_usec], [sample.id, sample.time_usec])
 
 
+func test_an_acknowledgement_of_motion_waits_for_no_frame() -> void:
+	var end: LinkPair.End = _pair.join(TRAINEE, "Grace")
+	var acks: Array[PackedByteArray] = []
+	var arrived: Semaphore = Semaphore.new()
+	end.link.set_motion_ack_taker(
+		func(ack: PackedByteArray) -> void:
+			acks.append(ack)
+			arrived.post()
+	)
+	var stream: SnapshotStream = SnapshotStream.new([1], [])
+	stream.move()
+	var ack: PackedByteArray = [7, 3]
+	_pair.send_to(end.link.session, stream.datagrams(1, ack))
+	# Nobody polls: only the transport's threads run.
+	var limit: int = Time.get_ticks_msec() + 10000
+	while not arrived.try_wait() and Time.get_ticks_msec() < limit:
+		OS.delay_msec(1)
+	equal(acks, [ack] as Array[PackedByteArray])
+	end.link.set_motion_ack_taker(Callable())
+	stream.move()
+	_pair.send_to(end.link.session, stream.datagrams(1, ack))
+	is_true(_pair.until(func() -> bool: return end.snapshots.size() == 2), "both are decoded too")
+	equal(acks.size(), 1, "nobody takes them any more")
+
+
 func test_everybody_gets_world_and_snapshots() -> void:
 	var ends: Array[LinkPair.End] = [_pair.join(TRAINEE), _pair.join(OBSERVER, "Bob")]
 	var table: EntityTable = NetSamples.table(_random, 300, 8)

@@ -51,11 +51,15 @@ func stay() -> void:
 	_encoder.end_tick()
 
 
-## The datagrams of the tick for a client.
-func datagrams(p_client: int = 1) -> Array[PackedByteArray]:
+## The datagrams of the tick for a client, with what is to be said of its motion.
+func datagrams(
+	p_client: int = 1, p_motion_ack: PackedByteArray = PackedByteArray()
+) -> Array[PackedByteArray]:
 	if not _known.has(p_client):
 		_known[p_client] = true
 		_encoder.add_client(p_client, 0, 1e8)
+	if not p_motion_ack.is_empty():
+		_encoder.set_motion_ack(p_client, p_motion_ack)
 	return _encoder.encode(p_client, 0)
 
 

@@ -109,12 +109,11 @@ int64_t SnapshotDecoder::get_command_ack() const {
 	return _core == nullptr ? -1 : _core->command_ack();
 }
 
-PackedByteArray SnapshotDecoder::get_motion_ack() const {
+PackedByteArray SnapshotDecoder::find_motion_ack(const PackedByteArray &p_bytes) {
 	PackedByteArray result;
-	if (_core != nullptr) {
-		for (const uint8_t byte : _core->motion_ack()) {
-			result.push_back(byte);
-		}
+	const uint8_t *found = wire::SnapshotDecoder::find_motion_ack(p_bytes.ptr(), std::size_t(p_bytes.size()));
+	for (std::size_t i = 0; found != nullptr && i < wire::MOTION_ACK_BYTES; i++) {
+		result.push_back(found[i]);
 	}
 	return result;
 }
@@ -232,7 +231,8 @@ void SnapshotDecoder::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_field", "entity", "field"), &SnapshotDecoder::get_field);
 	ClassDB::bind_method(D_METHOD("get_changed_entities"), &SnapshotDecoder::get_changed_entities);
 	ClassDB::bind_method(D_METHOD("get_command_ack"), &SnapshotDecoder::get_command_ack);
-	ClassDB::bind_method(D_METHOD("get_motion_ack"), &SnapshotDecoder::get_motion_ack);
+	ClassDB::bind_static_method(
+			"SnapshotDecoder", D_METHOD("find_motion_ack", "bytes"), &SnapshotDecoder::find_motion_ack);
 	ClassDB::bind_method(D_METHOD("get_unacknowledged"), &SnapshotDecoder::get_unacknowledged);
 	ClassDB::bind_method(D_METHOD("get_frame", "person"), &SnapshotDecoder::get_frame);
 	ClassDB::bind_method(D_METHOD("keep_people", "people"), &SnapshotDecoder::keep_people);

@@ -38,7 +38,7 @@ public:
 	double get_field(int64_t p_entity, int64_t p_field) const;
 	PackedInt32Array get_changed_entities() const;
 	int64_t get_command_ack() const;
-	PackedByteArray get_motion_ack() const;
+	static PackedByteArray find_motion_ack(const PackedByteArray &p_bytes);
 	int64_t get_unacknowledged() const;
 	int64_t get_frame(int64_t p_person) const;
 	void keep_people(const PackedInt32Array &p_people);

@@ -254,8 +254,8 @@ void SnapshotEncoder::set_command_ack(int64_t p_client, int64_t p_number) {
 
 void SnapshotEncoder::set_motion_ack(int64_t p_client, const PackedByteArray &p_bytes) {
 	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
-	ERR_FAIL_COND_MSG(p_bytes.size() > int64_t(wire::MAX_MOTION_ACK),
-			"SnapshotEncoder: an acknowledgement of motion has at most 32 bytes.");
+	ERR_FAIL_COND_MSG(p_bytes.size() != int64_t(wire::MOTION_ACK_BYTES),
+			"SnapshotEncoder: an acknowledgement of motion is what MotionDecoder.get_ack() gives.");
 	_core->set_motion_ack(int(p_client), p_bytes.ptr(), std::size_t(p_bytes.size()));
 }
 

@@ -37,7 +37,8 @@ func add(p_kind: int, p_path: Path, p_handler: Callable, p_capability: int = 0) 
 
 ## Who takes in a message that came by a path, or null if nobody does.
 func find(p_bytes: PackedByteArray, p_path: Path) -> Handler:
-	if p_bytes.is_empty() or not _handlers.has(p_bytes[0]):
+	var kind: int = Protocol.kind_of(p_bytes)
+	if not _handlers.has(kind):
 		return null
-	var entry: Handler = _handlers[p_bytes[0]]
+	var entry: Handler = _handlers[kind]
 	return entry if entry.path == Path.ANY or entry.path == p_path else null

@@ -6,7 +6,8 @@ extends RefCounted
 enum Message {
 	## Server to client, fast path: a snapshot with the whole tick, see docs/protocol.md.
 	KEY = 0,
-	## Trainee to server, fast path: what its people do, see [SampleWriter].
+	## Trainee to server, fast path: what its people do, see [SampleWriter]. Most of them begin with
+	## [constant BASED_MOTION] or above instead.
 	MOTION = 1,
 	## Server to client, fast path: where bodies are, see [SnapshotDecoder].
 	SNAPSHOT = 2,
@@ -42,6 +43,8 @@ enum Notice {
 	CALIBRATE,
 }
 
+## A first byte of this or above is [constant Message.MOTION] too: it holds a part of its number.
+const BASED_MOTION: int = 128
 ## Raised with every change of what is sent; a server refuses other versions.
 const VERSION: int = 4
 ## First bytes of a challenge and of a join request.
@@ -64,3 +67,10 @@ const FINGERPRINT_SIZE: int = 8
 const MAX_LEVEL_NAME: int = 64
 ## The messages that are snapshots.
 const SNAPSHOTS: Array[int] = [Message.KEY, Message.SNAPSHOT, Message.SNAPSHOT_OF_ONE]
+
+
+## Which [enum Message] a packet is, by its first byte; -1 for an empty one.
+static func kind_of(p_bytes: PackedByteArray) -> int:
+	if p_bytes.is_empty():
+		return -1
+	return p_bytes[0] if p_bytes[0] < BASED_MOTION else Message.MOTION

@@ -2,16 +2,13 @@ class_name SampleReader
 extends RefCounted
 ## Reads the datagrams of one client's [SampleWriter].
 
-## Datagrams between two acknowledgements: fewer would make the next samples larger.
-const ACK_EVERY: int = 2
-
 ## What is wrong with the datagram that was read last, or an empty text.
 var error: String = ""
 ## The message that it took along, or none.
 var rider: PackedByteArray = PackedByteArray()
 
 var _decoder: MotionDecoder = MotionDecoder.new()
-var _unacknowledged: int = 0
+var _has_news: bool = false
 
 
 func _init() -> void:
@@ -29,7 +26,7 @@ func read(p_bytes: PackedByteArray) -> Array[PoseSample]:
 		error = "%d bytes that are no motion" % p_bytes.size()
 	if outcome != MotionDecoder.OK:
 		return samples
-	_unacknowledged += 1
+	_has_news = true
 	rider = p_bytes.slice(_decoder.get_used())
 	if not rider.is_empty() and rider[0] != Protocol.Message.ACK:
 		error = "motion with a message %d behind it" % rider[0]
@@ -45,11 +42,12 @@ func read(p_bytes: PackedByteArray) -> Array[PoseSample]:
 	return samples
 
 
-## What the client is to be told that has arrived; empty while there is little to tell.
+## What the client is to be told that has arrived; empty while there is nothing new. The sooner it
+## hears it, the smaller its next samples are.
 func take_ack() -> PackedByteArray:
-	if _unacknowledged < ACK_EVERY:
+	if not _has_news:
 		return PackedByteArray()
-	_unacknowledged = 0
+	_has_news = false
 	return _decoder.get_ack()
 
 

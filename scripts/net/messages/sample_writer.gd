@@ -39,7 +39,8 @@ func take_along(p_ack: PackedByteArray) -> bool:
 	return is_free
 
 
-## Takes what the server has of the samples: see [method SampleReader.take_ack].
+## Takes what the server has of the samples: see [method SampleReader.take_ack]. An empty one says
+## nothing.
 func take_ack(p_bytes: PackedByteArray) -> void:
 	if not p_bytes.is_empty():
 		_mutex.lock()

@@ -27,6 +27,8 @@ var tls: TLSOptions = null
 var instant: Callable = Callable()
 ## See [member TransportThread.instant_kind]. Set it before creating.
 var instant_kind: int = -1
+## See [member TransportThread.watcher]. Set it before creating.
+var watcher: Callable = Callable()
 ## See [member TransportThread.beacon]. Set it before creating.
 var beacon: Callable = Callable()
 ## See [member TransportThread.beacon_period]. Set it before creating.
@@ -278,6 +280,7 @@ func _make_thread() -> TransportThread:
 	thread.tls = tls
 	thread.instant = instant
 	thread.instant_kind = instant_kind
+	thread.watcher = watcher
 	thread.beacon = beacon
 	thread.beacon_period = beacon_period
 	return thread

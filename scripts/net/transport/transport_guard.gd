@@ -50,7 +50,8 @@ func judge_fast(p_from: TransportConnection, p_bytes: PackedByteArray) -> Verdic
 		return Verdict.IGNORE
 	if p_bytes.is_empty() or p_bytes.size() > limits.max_datagram:
 		return _drop("size", "sent a fast datagram of %d bytes" % p_bytes.size())
-	var kind: int = p_bytes[0]
+	var is_high: bool = p_bytes[0] >= limits.high_from
+	var kind: int = limits.high_kind if is_high else p_bytes[0]
 	if limits.max_fast.has(kind):
 		var count: int = p_from.fast.get(kind, 0) + 1
 		p_from.fast[kind] = count

@@ -31,6 +31,9 @@ var guard: TransportGuard = null
 var instant: Callable = Callable()
 ## First byte of what [member instant] answers.
 var instant_kind: int = -1
+## Sees every other fast datagram in the thread, before the main thread gets it:
+## [code]func(bytes: PackedByteArray) -> void[/code].
+var watcher: Callable = Callable()
 
 var _host: ENetConnection = null
 var _server: bool = false
@@ -128,6 +131,8 @@ func _receive_fast(
 			p_from.remote.send(FAST_CHANNEL, answer, _FAST_FLAGS)
 			_answered = true
 		return
+	if watcher.is_valid():
+		watcher.call(p_bytes)
 	var packet: FastPacket = FastPacket.new()
 	packet.peer = p_from.id
 	packet.bytes = p_bytes

@@ -8,6 +8,11 @@ var max_datagram: int = 1200
 ## Fast datagrams that a client may send per second, by their first byte; what is above it is
 ## dropped. Those of other first bytes count as packets only.
 var max_fast: Dictionary[int, int] = {}
+## Fast datagrams whose first byte is this or above count as [member high_kind] all together; 256:
+## none.
+var high_from: int = 256
+## The first byte that they count as.
+var high_kind: int = 0
 ## Packets of any kind that a client may send per second; what is above it is dropped.
 var max_packets: int = 1000
 ## A client that sends this many packets in a second is thrown out.

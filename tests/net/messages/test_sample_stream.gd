@@ -21,7 +21,7 @@ func test_people_arrive_as_they_were_sent() -> void:
 			sent.append(_sample(person, round))
 		var datagrams: Array[PackedByteArray] = _writer.write(sent)
 		equal(datagrams.size(), 1)
-		equal(int(datagrams[0][0]), Protocol.Message.MOTION)
+		equal(Protocol.kind_of(datagrams[0]), Protocol.Message.MOTION)
 		var got: Array[PoseSample] = _reader.read(datagrams[0])
 		equal([got.size(), _reader.error], [sent.size(), ""])
 		for at: int in got.size():
@@ -41,7 +41,7 @@ func test_a_motion_takes_fewer_bytes_than_its_poses() -> void:
 		sizes.add(bytes.size())
 		equal(_reader.read(bytes).size(), 1)
 		_writer.take_ack(_reader.take_ack())
-	is_true(sizes.percentile(0.5) < 45.0, "%d bytes" % sizes.percentile(0.5))
+	is_true(sizes.percentile(0.5) < 30.0, "%d bytes" % sizes.percentile(0.5))
 
 
 func test_an_acknowledgement_rides_along_once() -> void:
@@ -122,9 +122,10 @@ func _sample(p_person: int, p_step: int) -> PoseSample:
 
 
 func _check(p_got: PoseSample, p_sent: PoseSample) -> void:
-	equal([p_got.person, p_got.id, p_got.time_usec], [p_sent.person, p_sent.id, p_sent.time_usec])
-	almost_equal(float(p_got.held_usec - p_sent.held_usec), 0.0, 10.0)
-	almost_equal(float(p_got.sent_usec - p_sent.sent_usec), 0.0, 10.0)
+	equal([p_got.person, p_got.id], [p_sent.person, p_sent.id])
+	almost_equal(float(p_got.time_usec - p_sent.time_usec), 0.0, 10.0)
+	almost_equal(float(p_got.held_usec - p_sent.held_usec), 0.0, 50.0)
+	almost_equal(float(p_got.sent_usec - p_sent.sent_usec), 0.0, 60.0)
 	almost_equal(p_got.root, p_sent.root, 0.0005)
 	for limb: int in Limbs.COUNT:
 		var off: float = p_got.orientation(limb).angle_to(p_sent.orientation(limb))

@@ -13,6 +13,9 @@ public:
 
 	void bit(bool &p_one, uint32_t p_zero) { _encoder.encode_bit(p_one, p_zero); }
 	void bits(uint32_t &p_value, int p_count) { _encoder.encode_bits(p_value, p_count); }
+	bool number(const NumberModel &p_model, int64_t &p_number) {
+		return NumberWriter(_encoder).number(p_model, p_number);
+	}
 	bool person(const PersonCodec &p_codec, PersonState &p_now, const PersonState *p_base, const PersonState *p_before,
 			int p_age, int p_older) {
 		p_codec.encode(_encoder, p_now, p_base, p_before, p_age, p_older);
@@ -30,6 +33,9 @@ public:
 
 	void bit(bool &r_one, uint32_t p_zero) { r_one = _decoder.decode_bit(p_zero); }
 	void bits(uint32_t &r_value, int p_count) { r_value = _decoder.decode_bits(p_count); }
+	bool number(const NumberModel &p_model, int64_t &r_number) {
+		return NumberReader(_decoder).number(p_model, r_number);
+	}
 	bool person(const PersonCodec &p_codec, PersonState &r_now, const PersonState *p_base, const PersonState *p_before,
 			int p_age, int p_older) {
 		return p_codec.decode(_decoder, r_now, p_base, p_before, p_age, p_older);
@@ -41,7 +47,10 @@ private:
 
 /// What both ends of a motion stream share.
 struct MotionCoding {
-	static constexpr uint8_t MESSAGE = 1; ///< First byte of a datagram.
+	static constexpr uint8_t MESSAGE = 1; ///< First byte of a datagram without a baseline.
+	static constexpr uint8_t BASED = 0x80; ///< Of one with a baseline, or the low 7 bits of its number.
+	static constexpr int NUMBER_BITS = 8; ///< Of the number that one with a baseline tells.
+	static constexpr int FIRST_BITS = 7; ///< Of these in the first byte.
 	static constexpr int AGE_BITS = 5; ///< Of the baseline's age in datagrams.
 	static constexpr int SPACING_BITS = 3; ///< Of how much older the second baseline is; 0: there is none.
 	static constexpr uint32_t MAX_AGE = (1U << AGE_BITS) - 1;
@@ -49,33 +58,37 @@ struct MotionCoding {
 	static constexpr float ROOT_UNIT = 0.00025f; ///< m
 	static constexpr int64_t MAX_TIME_USEC = int64_t(1) << 60; ///< Times beyond are none.
 	static constexpr int64_t MAX_LATE_USEC = 10000000; ///< Samples of one datagram are not further apart.
-	static constexpr int64_t PERIOD_USEC = 16667; ///< Time between two datagrams where nothing else is known.
 };
 
-/// Codes a datagram behind its first byte through a port: MotionWriter or MotionReader.
+/// Codes a datagram behind its first byte through a port: MotionWriter or MotionReader. A writer leaves in
+/// the packet what the reader gets: times are rounded.
 template <class Port>
 class MotionCoder {
 public:
 	MotionCoder(Port &r_port, const PersonCodec &p_codec) : _port(r_port), _codec(p_codec) {}
 
-	/// Whether there are baselines, and which: how many datagrams older, and how much older still the second.
-	void code_baseline(bool &r_has_base, uint32_t &r_number, uint32_t &r_age, uint32_t &r_spacing) {
-		_port.bit(r_has_base, HAS_NONE);
-		if (!r_has_base) {
-			_port.bits(r_number, 32);
-			r_age = 0;
-			r_spacing = 0;
-			return;
+	/// The number of a datagram without a baseline.
+	void code_number(uint32_t &r_number) { _port.bits(r_number, 32); }
+	/// The highest of the bits of its number that one with a baseline tells, and its baselines: how many
+	/// datagrams older, and how much older still the second.
+	void code_baseline(uint32_t &r_high, uint32_t &r_age, uint32_t &r_spacing) {
+		_port.bits(r_high, MotionCoding::NUMBER_BITS - MotionCoding::FIRST_BITS);
+		bool old = r_age > 2;
+		_port.bit(old, YOUNG);
+		uint32_t rest = r_age - 1;
+		_port.bits(old ? r_age : rest, old ? MotionCoding::AGE_BITS : 1);
+		r_age = old ? r_age : rest + 1;
+		bool apart = r_spacing != 1;
+		_port.bit(apart, NEXT);
+		if (apart) {
+			_port.bits(r_spacing, MotionCoding::SPACING_BITS);
+		} else {
+			r_spacing = 1;
 		}
-		uint32_t low = r_number & 0xFF;
-		_port.bits(low, 8);
-		r_number = low;
-		_port.bits(r_age, MotionCoding::AGE_BITS);
-		_port.bits(r_spacing, MotionCoding::SPACING_BITS);
 	}
 	/// The rest. False if that is nothing that an encoder writes.
 	bool code(MotionPacket &r_packet, const MotionPacket *p_base, const MotionPacket *p_before) {
-		if (!_code_times(r_packet, p_base, p_before)) {
+		if (!(p_base != nullptr ? _code_times(r_packet, *p_base) : _code_first_times(r_packet))) {
 			return false;
 		}
 		bool others = p_base == nullptr || r_packet.people != p_base->people;
@@ -96,11 +109,14 @@ public:
 	}
 
 private:
-	static constexpr uint32_t HAS_NONE = 1000; // Of 65536, like the others.
+	static constexpr uint32_t YOUNG = 50000; // Chances of a 0, of 65536.
+	static constexpr uint32_t NEXT = 55000;
 	static constexpr uint32_t SAME = 65000;
 	static constexpr uint32_t UNKNOWN = 1000;
+	static constexpr int64_t MAX_FAR = MotionCoding::MAX_TIME_USEC / 16;
 	static constexpr int LENGTH_BITS = 4;
 	static constexpr uint32_t LONG = 15;
+	static constexpr MotionSteps LATE_STEPS{ 3 };
 
 	static bool _is_time(int64_t p_usec) {
 		return p_usec >= -MotionCoding::MAX_TIME_USEC && p_usec <= MotionCoding::MAX_TIME_USEC;
@@ -128,30 +144,32 @@ private:
 		}
 		r_value = value;
 	}
-	void _code_signed(int64_t &r_value) {
+	// False if it is beyond what times are.
+	bool _code_signed(int64_t &r_value) {
 		uint64_t folded = (uint64_t(r_value) << 1) ^ (r_value < 0 ? ~uint64_t(0) : 0);
 		_code_unsigned(folded);
 		r_value = int64_t((folded >> 1) ^ ((folded & 1) != 0 ? ~uint64_t(0) : 0));
-	}
-	// A number against what is expected; false if it is out of range.
-	bool _code_against(int64_t &r_value, int64_t p_expected) {
-		int64_t off = int64_t(uint64_t(r_value) - uint64_t(p_expected));
-		_code_signed(off);
-		r_value = int64_t(uint64_t(p_expected) + uint64_t(off));
 		return _is_time(r_value);
 	}
-
-	bool _code_times(MotionPacket &r_packet, const MotionPacket *p_base, const MotionPacket *p_before) {
-		int64_t expected = 0;
-		if (p_base != nullptr) {
-			const int64_t age = int64_t(r_packet.number - p_base->number);
-			const int64_t passed = p_before != nullptr
-					? (p_base->time_usec - p_before->time_usec) * age / int64_t(p_base->number - p_before->number)
-					: MotionCoding::PERIOD_USEC * age;
-			expected = p_base->time_usec + passed;
+	// So many steps away from what was expected.
+	bool _code_steps(int64_t &r_steps, const MotionSteps &p_known) {
+		bool far = r_steps > MotionSteps::MAX_STEPS || r_steps < -MotionSteps::MAX_STEPS;
+		_port.bit(far, SAME);
+		if (far) {
+			return _code_signed(r_steps) && r_steps <= MAX_FAR && r_steps >= -MAX_FAR;
 		}
+		return _port.number(p_known.model(), r_steps) && r_steps <= MotionSteps::MAX_STEPS &&
+				r_steps >= -MotionSteps::MAX_STEPS;
+	}
+	// Steps of p_size that bring p_expected near a value; none where it is off by one size at most.
+	static int64_t _steps_to(int64_t p_value, int64_t p_expected, int64_t p_size) {
+		const int64_t off = p_value - p_expected;
+		return off <= p_size && off >= -p_size ? 0 : rounded_quotient(off, p_size);
+	}
+
+	bool _code_first_times(MotionPacket &r_packet) {
 		uint64_t held = uint64_t(r_packet.held);
-		if (!_code_against(r_packet.time_usec, expected) || r_packet.time_usec < 0) {
+		if (!_code_signed(r_packet.time_usec) || r_packet.time_usec < 0) {
 			return false;
 		}
 		_code_unsigned(held);
@@ -160,11 +178,44 @@ private:
 		}
 		r_packet.held = int64_t(held);
 		_port.bit(r_packet.has_sent, UNKNOWN);
-		const bool is_base_known = p_base != nullptr && p_base->has_sent;
-		if (r_packet.has_sent && !_code_against(r_packet.ahead, is_base_known ? p_base->ahead : 0)) {
+		if (r_packet.has_sent && !_code_signed(r_packet.ahead)) {
 			return false;
 		}
-		return !r_packet.has_sent || (_is_time(r_packet.ahead * 8) && r_packet.sent_usec() >= 0);
+		r_packet.beat.time_usec = r_packet.time_usec;
+		return _is_sound(r_packet);
+	}
+	bool _code_times(MotionPacket &r_packet, const MotionPacket &p_base) {
+		const int64_t later = int64_t(r_packet.number - p_base.number);
+		const int64_t due = p_base.beat.due_usec(later);
+		const int64_t wanted = r_packet.time_usec;
+		int64_t steps = _steps_to(wanted, due, MotionPacket::UNIT_USEC);
+		if (!_code_steps(steps, p_base.beat.steps) || !_is_time(due + steps * MotionPacket::UNIT_USEC)) {
+			return false;
+		}
+		r_packet.time_usec = due + steps * MotionPacket::UNIT_USEC;
+		r_packet.beat = p_base.beat.after(later, r_packet.time_usec, steps);
+		_rounded_off_usec = wanted - r_packet.time_usec;
+		steps = rounded_quotient(r_packet.held - p_base.held, MotionPacket::HELD_STEP);
+		steps += p_base.held + steps * MotionPacket::HELD_STEP < 0 ? 1 : 0;
+		if (!_code_steps(steps, p_base.held_steps)) {
+			return false;
+		}
+		r_packet.held = p_base.held + steps * MotionPacket::HELD_STEP;
+		r_packet.held_steps = p_base.held_steps.after(steps);
+		_port.bit(r_packet.has_sent, p_base.has_sent ? UNKNOWN : SAME);
+		const int64_t known = p_base.has_sent ? p_base.ahead : 0;
+		steps = _steps_to(r_packet.ahead, known, 1);
+		if (r_packet.has_sent && !_code_steps(steps, p_base.ahead_steps)) {
+			return false;
+		}
+		r_packet.ahead = r_packet.has_sent ? known + steps : 0;
+		r_packet.ahead_steps = r_packet.has_sent ? p_base.ahead_steps.after(steps) : p_base.ahead_steps;
+		return _is_sound(r_packet);
+	}
+	static bool _is_sound(const MotionPacket &p_packet) {
+		return p_packet.time_usec >= 0 && _is_time(p_packet.time_usec) && p_packet.held >= 0 &&
+				p_packet.held <= UINT32_MAX &&
+				(!p_packet.has_sent || (_is_time(p_packet.ahead * 8) && p_packet.sent_usec() >= 0));
 	}
 
 	bool _code_person(
@@ -182,8 +233,13 @@ private:
 		} else {
 			person.id = expected;
 		}
-		if (!_code_against(person.late_usec, has_base ? p_base->persons[p_index].late_usec : 0) ||
-				person.late_usec > MotionCoding::MAX_LATE_USEC || person.late_usec < -MotionCoding::MAX_LATE_USEC ||
+		const int64_t usual = has_base ? p_base->persons[p_index].late_usec : 0;
+		int64_t steps = _steps_to(person.late_usec + _rounded_off_usec, usual, MotionPacket::UNIT_USEC);
+		if (!_code_steps(steps, LATE_STEPS) || !_is_time(steps * MotionPacket::UNIT_USEC)) {
+			return false;
+		}
+		person.late_usec = usual + steps * MotionPacket::UNIT_USEC;
+		if (person.late_usec > MotionCoding::MAX_LATE_USEC || person.late_usec < -MotionCoding::MAX_LATE_USEC ||
 				r_packet.time_usec + person.late_usec < 0) {
 			return false;
 		}
@@ -193,6 +249,7 @@ private:
 
 	Port &_port;
 	const PersonCodec &_codec;
+	int64_t _rounded_off_usec = 0; // A writer's: how much earlier the packet's time became.
 };
 
 } // namespace wire

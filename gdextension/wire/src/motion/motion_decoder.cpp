@@ -12,7 +12,7 @@ MotionDecoder::MotionDecoder(const Skeleton &p_skeleton, double p_max_error_deg)
 		_codec(p_skeleton, _lattice.resolution()) {}
 
 // Which datagram it is, from the number that it tells: whole, or the low byte.
-MotionDecoder::Outcome MotionDecoder::_place(bool p_has_base, uint32_t &r_number) {
+MotionDecoder::Outcome MotionDecoder::_place(bool p_has_base, uint32_t &r_number) const {
 	if (p_has_base) {
 		if (!_has_newest) {
 			return Outcome::UNKNOWN_BASE;
@@ -31,17 +31,22 @@ MotionDecoder::Outcome MotionDecoder::_place(bool p_has_base, uint32_t &r_number
 }
 
 MotionDecoder::Outcome MotionDecoder::decode(const uint8_t *p_bytes, std::size_t p_size) {
-	if (p_size < 2 || p_size > MAX_BYTES || p_bytes[0] != MotionCoding::MESSAGE) {
+	const bool has_base = p_size > 0 && (p_bytes[0] & MotionCoding::BASED) != 0;
+	if (p_size < 2 || p_size > MAX_BYTES || (!has_base && p_bytes[0] != MotionCoding::MESSAGE)) {
 		return Outcome::BROKEN;
 	}
 	RangeDecoder decoder(p_bytes + 1, p_size - 1);
 	MotionReader reader(decoder);
 	MotionCoder<MotionReader> coder(reader, _codec);
-	bool has_base = false;
 	uint32_t number = 0;
 	uint32_t age = 0;
 	uint32_t spacing = 0;
-	coder.code_baseline(has_base, number, age, spacing);
+	if (has_base) {
+		coder.code_baseline(number, age, spacing);
+		number = (number << MotionCoding::FIRST_BITS) | (p_bytes[0] & ~uint32_t(MotionCoding::BASED));
+	} else {
+		coder.code_number(number);
+	}
 	if (decoder.is_bad() || (has_base && age == 0)) {
 		return Outcome::BROKEN;
 	}
@@ -60,19 +65,25 @@ MotionDecoder::Outcome MotionDecoder::decode(const uint8_t *p_bytes, std::size_t
 		return Outcome::BROKEN;
 	}
 	_used = decoder.used() + 1;
-	const bool begins = !_has_newest || int32_t(number - _newest) >= int32_t(MotionHistory::KEPT) ||
-			int32_t(number - _newest) <= -int32_t(MotionHistory::KEPT);
+	_keep();
+	return Outcome::OK;
+}
+
+// Keeps what was read as a baseline.
+void MotionDecoder::_keep() {
+	constexpr int32_t KEPT = int32_t(MotionHistory::KEPT);
+	const int32_t ahead = int32_t(_reading.number - _newest);
+	const bool begins = !_has_newest || ahead >= KEPT || ahead <= -KEPT;
 	if (begins) {
 		_history.clear();
 	}
-	if (begins || int32_t(number - _newest) > 0) {
-		_newest = number;
+	if (begins || ahead > 0) {
+		_newest = _reading.number;
 	}
 	_has_newest = true;
 	_reading.is_known = true;
 	_packet = _reading;
-	_history.slot(number) = _packet;
-	return Outcome::OK;
+	_history.slot(_packet.number) = _packet;
 }
 
 void MotionDecoder::restore(std::size_t p_person, PersonPose &r_pose) const {
@@ -88,8 +99,8 @@ bool MotionDecoder::write_ack(uint8_t *r_bytes) const {
 	for (uint32_t i = 1; i <= ACK_BITS; i++) {
 		bits |= _history.find(_newest - i) != nullptr ? 1U << (i - 1) : 0;
 	}
-	put_number(r_bytes, _newest & 0xFFFF, 2);
-	put_number(r_bytes + 2, bits, 2);
+	r_bytes[0] = uint8_t(_newest);
+	r_bytes[1] = uint8_t(bits);
 	return true;
 }
 

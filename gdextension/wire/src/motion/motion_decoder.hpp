@@ -17,8 +17,8 @@ public:
 	};
 
 	/// Bytes of an acknowledgement, and how many datagrams before the newest it speaks of.
-	static constexpr std::size_t ACK_BYTES = 4;
-	static constexpr uint32_t ACK_BITS = 16;
+	static constexpr std::size_t ACK_BYTES = 2;
+	static constexpr uint32_t ACK_BITS = 8;
 
 	/// Skeleton and error are those of the encoder.
 	MotionDecoder(const Skeleton &p_skeleton, double p_max_error_deg);
@@ -35,7 +35,8 @@ public:
 	bool write_ack(uint8_t *r_bytes) const;
 
 private:
-	Outcome _place(bool p_has_base, uint32_t &r_number);
+	Outcome _place(bool p_has_base, uint32_t &r_number) const;
+	void _keep();
 
 	Skeleton _skeleton;
 	PersonLattice _lattice;

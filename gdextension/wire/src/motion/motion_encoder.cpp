@@ -9,6 +9,15 @@
 
 namespace wire {
 
+namespace {
+
+constexpr int64_t MAX_HELD_USEC = 3600000000;
+constexpr int64_t MIN_SENT_USEC = 1000;
+// Room for what is rounded.
+constexpr int64_t MAX_LATE_USEC = MotionCoding::MAX_LATE_USEC - 1000;
+
+} // namespace
+
 MotionEncoder::MotionEncoder(const Skeleton &p_skeleton, double p_max_error_deg, uint32_t p_first) :
 		_skeleton(p_skeleton),
 		_lattice(PersonLattice::resolution_for(p_max_error_deg)),
@@ -19,15 +28,12 @@ void MotionEncoder::begin(int64_t p_time_usec, int64_t p_held_usec, int64_t p_se
 	constexpr int64_t MAX = MotionCoding::MAX_TIME_USEC / 16;
 	_packet.people = 0;
 	_packet.time_usec = std::clamp<int64_t>(p_time_usec, 0, MAX);
-	_packet.held = std::clamp<int64_t>(p_held_usec / MotionPacket::UNIT_USEC, 0, UINT32_MAX);
+	const int64_t held = std::clamp<int64_t>(p_held_usec, 0, MAX_HELD_USEC);
+	_packet.held = held / MotionPacket::UNIT_USEC;
 	const int64_t sent = std::clamp<int64_t>(p_sent_usec, 0, MAX);
-	_packet.has_sent = sent > 0;
-	_packet.ahead = 0;
-	if (_packet.has_sent) {
-		// Rounded down, so that one that is hardly known yet does not become negative.
-		_packet.ahead = (sent - _packet.time_usec) / MotionPacket::UNIT_USEC - _packet.held;
-		_packet.has_sent = _packet.sent_usec() >= 0;
-	}
+	// What is that near to 0 may become negative when it is rounded.
+	_packet.has_sent = sent >= MIN_SENT_USEC;
+	_packet.ahead = _packet.has_sent ? (sent - _packet.time_usec - held) / MotionPacket::UNIT_USEC : 0;
 }
 
 bool MotionEncoder::put(std::size_t p_person, uint32_t p_sample, int64_t p_time_usec, const PersonPose &p_pose) {
@@ -44,7 +50,7 @@ bool MotionEncoder::put(std::size_t p_person, uint32_t p_sample, int64_t p_time_
 	}
 	person.id = p_sample;
 	const int64_t time = std::clamp<int64_t>(p_time_usec, 0, MotionCoding::MAX_TIME_USEC / 16);
-	person.late_usec = std::clamp(time - _packet.time_usec, -MotionCoding::MAX_LATE_USEC, MotionCoding::MAX_LATE_USEC);
+	person.late_usec = std::clamp(time - _packet.time_usec, -MAX_LATE_USEC, MAX_LATE_USEC);
 	_previous[p_person] = person.state;
 	_has_previous[p_person] = true;
 	_packet.people = uint8_t(_packet.people | (1U << p_person));
@@ -72,16 +78,22 @@ std::size_t MotionEncoder::finish(uint8_t *r_bytes, std::size_t p_capacity) {
 	uint32_t age = base != nullptr ? _number - base->number : 0;
 	const MotionPacket *before = base != nullptr ? _baseline(age + 1, age + MotionCoding::MAX_SPACING) : nullptr;
 	uint32_t spacing = before != nullptr ? base->number - before->number : 0;
-	r_bytes[0] = MotionCoding::MESSAGE;
+	r_bytes[0] = base != nullptr ? uint8_t(MotionCoding::BASED | (_number & 0x7F)) : MotionCoding::MESSAGE;
 	RangeEncoder encoder(r_bytes + 1, p_capacity - 1);
 	MotionWriter writer(encoder);
 	MotionCoder<MotionWriter> coder(writer, _codec);
-	bool has_base = base != nullptr;
-	uint32_t number = _number;
-	coder.code_baseline(has_base, number, age, spacing);
-	coder.code(_packet, base, before);
+	if (base != nullptr) {
+		uint32_t high = (_number >> MotionCoding::FIRST_BITS) & 1;
+		coder.code_baseline(high, age, spacing);
+	} else {
+		coder.code_number(_packet.number);
+		_packet.beat = MotionBeat();
+		_packet.held_steps = MotionSteps();
+		_packet.ahead_steps = MotionSteps();
+	}
+	const bool is_sound = coder.code(_packet, base, before);
 	const std::size_t size = encoder.finish();
-	if (size == 0) {
+	if (!is_sound || size == 0) {
 		return 0;
 	}
 	_history.slot(_number) = _packet;
@@ -93,11 +105,11 @@ bool MotionEncoder::take_ack(const uint8_t *p_bytes, std::size_t p_size) {
 	if (p_size != MotionDecoder::ACK_BYTES) {
 		return false;
 	}
-	const uint32_t back = (_number - uint32_t(get_number(p_bytes, 2))) & 0xFFFF;
+	const uint32_t back = (_number - p_bytes[0]) & 0xFF;
 	if (back == 0 || back > MotionHistory::KEPT) {
 		return true; // Too old to be of use, or of an encoder before this one.
 	}
-	const uint32_t bits = uint32_t(get_number(p_bytes + 2, 2)) << 1 | 1;
+	const uint32_t bits = uint32_t(p_bytes[1]) << 1 | 1;
 	for (uint32_t i = 0; i <= MotionDecoder::ACK_BITS; i++) {
 		MotionPacket &packet = _history.slot(_number - back - i);
 		if (((bits >> i) & 1U) != 0 && packet.number == _number - back - i && packet.people != 0) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "coding/person_codec.hpp"
+#include "motion/motion_beat.hpp"
 
 #include <array>
 #include <cstddef>
@@ -28,6 +29,9 @@ struct MotionPacket {
 	bool has_sent = false; ///< Whether the client knows the server's clock.
 	int64_t ahead = 0; ///< Server's clock minus Unix time of the wearer's machine, 10 us.
 	uint8_t people = 0; ///< Bit i: the client's person i is in it.
+	MotionBeat beat; ///< Of the datagrams up to this one.
+	MotionSteps held_steps; ///< How much held changed, HELD_STEP.
+	MotionSteps ahead_steps; ///< How much ahead changed.
 	std::array<MotionPerson, MAX_WEARERS> persons{};
 
 	bool has(std::size_t p_person) const { return ((people >> p_person) & 1U) != 0; }
@@ -35,6 +39,7 @@ struct MotionPacket {
 	int64_t sent_usec() const { return has_sent ? time_usec + (held + ahead) * UNIT_USEC : 0; }
 
 	static constexpr int64_t UNIT_USEC = 10;
+	static constexpr int64_t HELD_STEP = 5; ///< In units.
 };
 
 /// The datagrams of the last second, by number.

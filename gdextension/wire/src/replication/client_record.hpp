@@ -94,8 +94,8 @@ public:
 	bool has_command = false;
 	uint16_t command = 0; ///< The newest command that was applied.
 	bool is_command_acked = true; ///< The client knows that.
-	std::array<uint8_t, MAX_MOTION_ACK> motion_ack{};
-	std::size_t motion_ack_size = 0; ///< 0: it has been sent.
+	std::array<uint8_t, MOTION_ACK_BYTES> motion_ack{};
+	bool owes_motion_ack = false; ///< It has not been sent yet.
 	ClientStats stats;
 
 	struct BodyDelivery : Delivery {

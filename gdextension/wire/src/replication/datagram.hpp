@@ -47,8 +47,8 @@ constexpr uint8_t HAS_MOTION_ACK = 4;
 constexpr uint8_t HAS_BODIES = 8;
 constexpr uint8_t HAS_FIELDS = 16;
 constexpr uint8_t ALL_FLAGS = 31;
-/// Bytes of an acknowledgement of motion, at most.
-constexpr std::size_t MAX_MOTION_ACK = 32;
+/// Bytes of an acknowledgement of motion.
+constexpr std::size_t MOTION_ACK_BYTES = 2;
 
 /// Which states a datagram's entries are coded against, unless they say otherwise.
 struct Baseline {

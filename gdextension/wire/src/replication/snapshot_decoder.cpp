@@ -20,7 +20,6 @@ SnapshotDecoder::SnapshotDecoder(const Skeleton &p_skeleton, double p_max_error_
 	_field_scratch.reserve(MAX_FIELD_ENTITIES);
 	_field_updates.reserve(MAX_FIELD_ENTITIES);
 	_field_values.reserve(MAX_FIELD_ENTITIES * MAX_FIELDS);
-	_motion_ack.reserve(MAX_MOTION_ACK);
 }
 
 void SnapshotDecoder::clear() {
@@ -40,7 +39,6 @@ void SnapshotDecoder::_forget_snapshots() {
 	}
 	_field_updates.clear();
 	_command_ack = -1;
-	_motion_ack.clear();
 	_viewpoint_tick = NEVER;
 	_unacknowledged = 0;
 	_people_known.clear();
@@ -138,15 +136,25 @@ bool SnapshotDecoder::_read_extras(Reader &r_reader) {
 		r_reader.at += 2;
 	}
 	if ((r_reader.flags & HAS_MOTION_ACK) != 0) {
-		const std::size_t size = left() > 0 ? r_reader.bytes[r_reader.at++] : 0;
-		if (size == 0 || size > MAX_MOTION_ACK || size > left()) {
+		if (left() < MOTION_ACK_BYTES) {
 			return false;
 		}
-		r_reader.motion_ack = r_reader.bytes + r_reader.at;
-		r_reader.motion_ack_size = size;
-		r_reader.at += size;
+		r_reader.at += MOTION_ACK_BYTES; // Found elsewhere: find_motion_ack().
 	}
 	return true;
+}
+
+const uint8_t *SnapshotDecoder::find_motion_ack(const uint8_t *p_bytes, std::size_t p_size) {
+	Reader reader;
+	reader.bytes = p_bytes;
+	reader.size = p_size;
+	if (!_read_begin(reader) || (reader.flags & HAS_MOTION_ACK) == 0) {
+		return nullptr;
+	}
+	// Tick, usual baseline, mark, command.
+	reader.at += (reader.is_key ? 6 : 2) + ((reader.flags & HAS_MARK) != 0 ? Mark::BYTES : 0) +
+			((reader.flags & HAS_COMMAND_ACK) != 0 ? 2 : 0);
+	return reader.at + MOTION_ACK_BYTES <= p_size ? p_bytes + reader.at : nullptr;
 }
 
 SnapshotDecoder::Outcome SnapshotDecoder::_read_header(Reader &r_reader) {
@@ -321,9 +329,6 @@ SnapshotDecoder::Outcome SnapshotDecoder::decode(const uint8_t *p_bytes, std::si
 	_keep_fields(reader.tick);
 	if (reader.command_ack >= 0 && reader.tick == _newest_tick) {
 		_command_ack = reader.command_ack;
-	}
-	if (reader.motion_ack_size > 0) {
-		_motion_ack.assign(reader.motion_ack, reader.motion_ack + reader.motion_ack_size);
 	}
 	return Outcome::OK;
 }

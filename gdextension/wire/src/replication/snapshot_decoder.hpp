@@ -50,8 +50,9 @@ public:
 	const Mark *mark() const { return _has_mark ? &_last_mark : nullptr; }
 	/// The newest command that the server has applied, of which a datagram has said so; -1 if none has.
 	int command_ack() const { return _command_ack; }
-	/// What the server said last of our motion; empty if it has not.
-	const std::vector<uint8_t> &motion_ack() const { return _motion_ack; }
+	/// Where in a datagram the MOTION_ACK_BYTES bytes of SnapshotEncoder::set_motion_ack() are, or null: a
+	/// thread that needs them at once finds them here. It may be a datagram that decode() would not take.
+	static const uint8_t *find_motion_ack(const uint8_t *p_bytes, std::size_t p_size);
 	/// Tick of the last datagram that was fine.
 	uint32_t tick() const { return _last_tick; }
 	int tick_rate() const { return _rate; }
@@ -114,8 +115,6 @@ private:
 		std::size_t at = 0;
 		uint32_t tick = 0;
 		int command_ack = -1;
-		const uint8_t *motion_ack = nullptr;
-		std::size_t motion_ack_size = 0;
 		Baseline usual;
 		int people = 0;
 		uint8_t flags = 0;
@@ -125,7 +124,7 @@ private:
 	};
 
 	Outcome _read_header(Reader &r_reader);
-	bool _read_begin(Reader &r_reader);
+	static bool _read_begin(Reader &r_reader);
 	bool _read_extras(Reader &r_reader);
 	Outcome _read_people(Reader &r_reader);
 	Outcome _read_fields(Reader &r_reader);
@@ -160,7 +159,6 @@ private:
 	uint32_t _table_version = 0;
 	uint32_t _generations = 0;
 	int _command_ack = -1;
-	std::vector<uint8_t> _motion_ack;
 	Vec3 _sent_viewpoint;
 	uint32_t _viewpoint_tick = NEVER;
 	int _unacknowledged = 0;

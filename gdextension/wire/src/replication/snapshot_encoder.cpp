@@ -55,11 +55,11 @@ void SnapshotEncoder::set_command_ack(int p_client, uint16_t p_number) {
 
 bool SnapshotEncoder::set_motion_ack(int p_client, const uint8_t *p_bytes, std::size_t p_size) {
 	ClientRecord *record = client(p_client);
-	if (record == nullptr || p_size > MAX_MOTION_ACK) {
+	if (record == nullptr || p_size != MOTION_ACK_BYTES) {
 		return false;
 	}
 	std::copy_n(p_bytes, p_size, record->motion_ack.begin());
-	record->motion_ack_size = p_size;
+	record->owes_motion_ack = true;
 	return true;
 }
 
@@ -112,12 +112,11 @@ void SnapshotEncoder::_write_acks(ClientRecord &p_client, Draft &p_draft) {
 		p_draft.entry.has_command_ack = true;
 		p_draft.entry.command_ack = p_client.command;
 	}
-	if (p_client.motion_ack_size > 0) {
-		out.bytes[out.size++] = uint8_t(p_client.motion_ack_size);
-		std::memcpy(&out.bytes[out.size], p_client.motion_ack.data(), p_client.motion_ack_size);
-		out.size += p_client.motion_ack_size;
+	if (p_client.owes_motion_ack) {
+		std::memcpy(&out.bytes[out.size], p_client.motion_ack.data(), MOTION_ACK_BYTES);
+		out.size += MOTION_ACK_BYTES;
 		p_draft.flags |= HAS_MOTION_ACK;
-		p_client.motion_ack_size = 0;
+		p_client.owes_motion_ack = false;
 	}
 }
 
@@ -223,7 +222,7 @@ std::size_t SnapshotEncoder::encode(int p_client, int64_t p_now_usec, DatagramLi
 	const auto is_waiting = [this] {
 		return !_people_waiting.empty() || !_bodies_waiting.empty() || !_fields_waiting.empty();
 	};
-	const bool is_silent = !is_waiting() && client->is_command_acked && client->motion_ack_size == 0;
+	const bool is_silent = !is_waiting() && client->is_command_acked && !client->owes_motion_ack;
 	const uint32_t silence = uint32_t(_history.rate()) / SILENCES_PER_SECOND;
 	if (is_silent && client->sent_tick != NEVER && _history.tick() - client->sent_tick < silence) {
 		return 0;

@@ -33,7 +33,7 @@ public:
 	void remove_entity(uint16_t p_entity);
 	/// Notes which of a client's commands was applied last.
 	void set_command_ack(int p_client, uint16_t p_number);
-	/// Sends a few bytes along with the next snapshot; false if they are more than MAX_MOTION_ACK.
+	/// Sends MOTION_ACK_BYTES bytes along with the next snapshot; false if they are not so many.
 	bool set_motion_ack(int p_client, const uint8_t *p_bytes, std::size_t p_size);
 	/// The record of a client, or null.
 	ClientRecord *client(int p_client);
