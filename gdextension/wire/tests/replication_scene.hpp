@@ -20,6 +20,7 @@ public:
 		int jitter = 0; ///< Up to so many more.
 		bool answers = true;
 		Vec3 viewpoint;
+		std::size_t most_people = 0; ///< In one datagram.
 		int right_people = 0;
 		int right_bodies = 0;
 		int wrong = 0; ///< Updates that are not what the server had.
@@ -214,6 +215,7 @@ private:
 		const auto outcome = client.decoder->decode(p_packet.bytes.data(), p_packet.bytes.size());
 		client.outcomes[int(outcome)]++;
 		client.newest_tick = outcome == SnapshotDecoder::Outcome::OK ? client.decoder->tick() : client.newest_tick;
+		client.most_people = std::max(client.most_people, client.decoder->people().size());
 		for (const PersonUpdate &update : client.decoder->people()) {
 			_check_person(client, update);
 		}

@@ -14,6 +14,16 @@ TEST(a_client_has_the_servers_states_to_the_last_digit) {
 	CHECK(scene.clients[0].outcomes[int(SnapshotDecoder::Outcome::BROKEN)] == 0);
 }
 
+TEST(a_datagram_has_room_for_many_people) {
+	Scene scene(MAX_PEOPLE, 0, 0);
+	scene.run(300);
+	CHECK(scene.clients[0].wrong == 0);
+	CHECK(scene.clients[0].most_people > 25);
+	scene.stop(); // Who stands still takes a byte or two.
+	scene.run(60);
+	CHECK(scene.clients[0].most_people == std::size_t(MAX_PEOPLE));
+}
+
 TEST(loss_delay_and_overtaking_do_no_harm) {
 	for (const int loss : { 2, 20, 50 }) {
 		Scene scene(3, 20, loss);
