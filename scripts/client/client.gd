@@ -162,8 +162,8 @@ func _update_scene() -> void:
 
 
 func _on_received(p_bytes: PackedByteArray, p_time_s: float) -> void:
-	if _scene.replica.take(p_bytes, p_time_s):
-		_stats.snapshots += 1
+	_scene.replica.take(p_bytes, p_time_s)
+	_stats.snapshots = _scene.replica.datagrams
 	if _recorder != null:
 		_recorder.add(p_bytes)
 

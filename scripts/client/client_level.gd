@@ -25,9 +25,9 @@ var _unplaced: Dictionary[int, bool] = {}
 var _instances: Dictionary[int, Node] = {}
 
 
-## Puts a level in place, always a new one: what moved in the last is where it begins.
+## Puts a level in place, always a new one: what moved in the last is where it begins. Its entities
+## have been removed before.
 func set_level(p_name: String, p_fingerprint: PackedByteArray) -> void:
-	_forget_entities()
 	if not LevelStore.has(p_name):
 		missing.emit("%s: update this program" % LevelStore.describe_missing(p_name))
 		return
@@ -120,14 +120,6 @@ func _instantiate(p_row: EntityRow) -> Entity:
 	level.add_child(instance)
 	_instances[p_row.id] = instance
 	return entity
-
-
-func _forget_entities() -> void:
-	_bodies.clear()
-	_unplaced.clear()
-	for id: int in _instances:
-		_instances[id].queue_free()
-	_instances.clear()
 
 
 ## Nothing that the server simulates moves by this machine's physics.

@@ -40,7 +40,7 @@ func apply(p_views: String, p_camera: String) -> String:
 	return _camera.set_from_text(p_camera) if p_camera != "" else ""
 
 
-## Forgets a world whose server is gone; what is on the screen stays as it is.
+## Forgets a world whose server is gone: people and things leave, the level stays.
 func clear() -> void:
 	replica.clear()
 	entities.restart()
@@ -72,11 +72,6 @@ func person_of(p_session: int, p_index: int = 0) -> int:
 ## From where the client looks, m.
 func viewpoint() -> Vector3:
 	return _camera.global_position
-
-
-## The camera.
-func get_camera() -> OrbitCamera:
-	return _camera
 
 
 ## The level and what moves in it.

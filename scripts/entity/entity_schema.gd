@@ -32,14 +32,6 @@ static func create(
 	return schema
 
 
-## Position of a field in the list, or -1.
-func find(p_name: StringName) -> int:
-	for index: int in fields.size():
-		if fields[index].name == p_name:
-			return index
-	return -1
-
-
 ## The values of a new entity.
 func defaults() -> PackedFloat32Array:
 	var values: PackedFloat32Array = []

@@ -31,7 +31,6 @@ const SETTLE_S: float = 3.0
 ## Time that everybody has to join, beside [constant JOIN_USEC] for each, s.
 const PATIENCE_S: float = 30.0
 
-const _EXIT_FAILED: int = 1
 const _EXIT_OPTIONS: int = 2
 const _EXIT_REFUSED: int = 3
 const _EXIT_NO_SERVER: int = 4

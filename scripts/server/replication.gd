@@ -108,8 +108,8 @@ func add_client(p_session: int, p_rate: int) -> void:
 func remove_client(p_session: int) -> void:
 	_client_stats.erase(p_session)
 	_since_usec.erase(p_session)
-	_sessions = _without(_sessions, p_session)
-	_newcomers = _without(_newcomers, p_session)
+	_sessions.erase(p_session)
+	_newcomers.erase(p_session)
 	encoder.remove_client(p_session)
 
 
@@ -264,14 +264,6 @@ func _on_level_changed() -> void:
 			_newcomers.append(session)
 	if _recorder != null and not _newcomers.has(StateRecorder.CLIENT):
 		_newcomers.append(StateRecorder.CLIENT)
-
-
-static func _without(p_list: PackedInt32Array, p_session: int) -> PackedInt32Array:
-	var rest: PackedInt32Array = p_list.duplicate()
-	var index: int = rest.find(p_session)
-	if index >= 0:
-		rest.remove_at(index)
-	return rest
 
 
 func _define_types() -> void:

@@ -6,6 +6,7 @@ extends SceneTree
 ##   --filter=TEXT      only tests whose "file test_name" contains TEXT
 ##   --junit=FILE       also write a JUnit XML report
 ##   --current=FILE     keep the name of the test that runs in FILE
+##   --claims=FOLDER    share the files with other runners that are given the same empty folder
 ##   --time-limit=S     time limit of tests that do not set one, s (120)
 ## [/codeblock]
 ## Exit code: 0 if every test passed, 1 if any failed, 2 if the call is wrong.
@@ -22,6 +23,7 @@ var _paths: PackedStringArray = PackedStringArray()
 var _filter: String = ""
 var _junit_path: String = ""
 var _current_path: String = ""
+var _claims: String = ""
 var _default_limit: float = 120.0
 var _trap: Logger = ErrorTrap.new()
 var _guard: RefCounted = HangGuard.new()
@@ -44,7 +46,8 @@ func _initialize() -> void:
 func _run() -> void:
 	await process_frame
 	for path: String in _find_files():
-		await _run_file(path)
+		if _claim(path):
+			await _run_file(path)
 	_guard.call("stop")
 	OS.remove_logger(_trap)
 	if _results.is_empty():
@@ -69,6 +72,8 @@ func _read_arguments() -> bool:
 			_junit_path = value
 		elif argument.begins_with("--current="):
 			_current_path = value
+		elif argument.begins_with("--claims="):
+			_claims = value
 		elif argument.begins_with("--time-limit=") and value.is_valid_float():
 			_default_limit = value.to_float()
 		elif argument.begins_with("-"):
@@ -104,6 +109,15 @@ func _collect(p_folder: String, p_files: PackedStringArray) -> void:
 	folders.sort()
 	for folder: String in folders:
 		_collect(p_folder.path_join(folder), p_files)
+
+
+## Whether this runner is the first of those who share the files to come to this one.
+func _claim(p_path: String) -> bool:
+	# Making a folder is atomic.
+	return (
+		_claims.is_empty()
+		or DirAccess.make_dir_absolute(_claims.path_join(p_path.md5_text())) != ERR_ALREADY_EXISTS
+	)
 
 
 func _run_file(p_path: String) -> void:

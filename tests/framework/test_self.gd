@@ -92,6 +92,18 @@ func test_fails_when_nothing_matches() -> void:
 	contains(_output, "no test matches")
 
 
+func test_shares_files_with_other_runners() -> void:
+	var claims: String = "user://claims_%d" % OS.get_process_id()
+	DirAccess.make_dir_absolute(claims)
+	_run_on([FIXTURES + "good.gd", "--claims=" + claims])
+	equal(_exit_code, 0)
+	_run_on([FIXTURES + "good.gd", "--claims=" + claims])
+	contains(_output, "no test matches")
+	for folder: String in DirAccess.get_directories_at(claims):
+		DirAccess.remove_absolute(claims.path_join(folder))
+	DirAccess.remove_absolute(claims)
+
+
 func test_rejects_unknown_options() -> void:
 	_run_on(["--fliter=x"])
 	equal(_exit_code, 2)

@@ -209,11 +209,12 @@ def test_a_share_of_the_network_is_kept(world: World) -> None:
         observer = world.client("observer", f"--port={relay.port}", "--fps=60", "--name=Bob")
         observer.await_text("joined")
         time.sleep(2.0)
-        before, began = relay.to_client, time.monotonic()
+        before, began = relay.to_client, ask(world.port)["ticks"]
         time.sleep(3.0)
-        passed, span = relay.to_client - before, time.monotonic() - began
+        passed, ticks = relay.to_client - before, ask(world.port)["ticks"] - began
         rows = {row["name"]: row for row in ask(world.port)["sessions"]}
-    kbit = passed * 8.0 / 1000.0 / span
+    # A busy machine makes fewer ticks a second, and sends less.
+    kbit = passed * 8.0 / 1000.0 / (ticks / 60.0)
     print(f"{kbit:.1f} kbit/s pass")
     assert 30.0 < kbit < 64.0 * 1.1
     assert all(row["sent_kbit_per_second"] < 64.0 * 1.1 for row in rows.values())

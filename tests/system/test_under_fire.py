@@ -15,6 +15,9 @@ from .attackers import Attack, Garbage, HalfOpen, PortZero, ZeroLength, may_send
 from .conftest import Process, World
 
 MEASURED_S = 5.0
+# Of the snapshots and samples, these come at least: a busy machine starves a client of a tenth or
+# so, an attack that gets through takes nearly all.
+KEPT = 0.75
 # Ticks that two reports, each written once a second, can be apart.
 APART_TICKS = 60
 
@@ -45,7 +48,7 @@ class Scene:
         return seen["snapshots"], made["ticks"], steps, made["network_cpu_usec"]
 
     @contextmanager
-    def nobody_notices(self, least: float = 0.95) -> Iterator[None]:
+    def nobody_notices(self) -> Iterator[None]:
         """What is done meanwhile takes no snapshot and no sample from the legitimate clients."""
         before = self.stats()
         lines = len(self.server.log().splitlines())
@@ -58,8 +61,8 @@ class Scene:
         moved = (after[2] - before[2] + 1) / ticks
         work_ms = (after[3] - before[3]) / ticks / 1000.0
         print(f"{rate:.2f} snapshots and {moved:.2f} steps a tick of {ticks}, {work_ms:.2f} ms")
-        assert rate > least
-        assert moved > least
+        assert rate > KEPT
+        assert moved > KEPT
         assert work_ms < 8.0
         for process in (self.trainee, self.observer):
             assert process.process.poll() is None, process.log()
@@ -104,7 +107,7 @@ def test_slot_exhaustion(world: World) -> None:
 
 def test_wrong_passwords_at_speed(world: World) -> None:
     scene = Scene(world, "--password=sesame")
-    with scene.nobody_notices(0.9):
+    with scene.nobody_notices():
         for number in range(4):
             wrong = world.client("observer", "--password=guess", name=f"wrong{number}")
             assert wrong.await_exit(20) == 3

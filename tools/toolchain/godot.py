@@ -25,9 +25,9 @@ class Godot:
     version: str  # As the export templates' folder is named: "4.6.3.stable".
     full_version: str
 
-    def environment(self) -> dict[str, str]:
+    def environment(self, name: str = "godot-home") -> dict[str, str]:
         """An environment that keeps the editor's settings and templates out of the user's home."""
-        home = make_folder(BUILD / "godot-home")
+        home = make_folder(BUILD / name)
         own = {
             "XDG_DATA_HOME": str(home / "data"),
             "XDG_CONFIG_HOME": str(home / "config"),
@@ -35,14 +35,16 @@ class Godot:
         }
         return {**os.environ, **own}
 
-    def call(self, arguments: list[str], limit_s: float, cwd: Path = ROOT) -> tuple[int, str]:
+    def call(
+        self, arguments: list[str], limit_s: float, cwd: Path = ROOT, home: str = "godot-home"
+    ) -> tuple[int, str]:
         """Runs the engine headless; returns the exit code and what it printed."""
         command = [str(self.program), "--headless", *arguments]
         try:
             done = subprocess.run(
                 command,
                 cwd=cwd,
-                env=self.environment(),
+                env=self.environment(home),
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT,

@@ -65,13 +65,6 @@ func advance() -> void:
 	_mutex.unlock()
 
 
-## Asks all trackers to take their present orientation anew: the object reset of the trackers
-## themselves.
-func reset_trackers(p_method: SuitHub.Reset) -> void:
-	for device: SuitDevice in devices:
-		_hub.reset_orientation(device.get_number(), p_method)
-
-
 func list_sensors() -> Array[SensorInfo]:
 	_mutex.lock()
 	var sensors: Array[SensorInfo] = []

@@ -6,7 +6,7 @@ extends SceneTree
 ## is the server's by its ticks. On a machine that is too slow for 60 ticks a second that is no
 ## clock: with --slack=S time is that of the observer, and a pose may be so much earlier or later.
 ## Prints JSON: mean and p95 of the limbs that a suit of 17 trackers measures, offset_s, limbs (mean
-## of each), medians (of each limb), count.
+## of each), quartiles (the lower one of each limb), count.
 
 ## Step of the coarse search, s, and how many snapshots it looks at.
 const COARSE_S: float = 0.1
@@ -130,7 +130,7 @@ static func _sum(p_values: PackedFloat64Array) -> float:
 func _print(p_offset_s: float) -> void:
 	var all: Statistics = Statistics.new()
 	var limbs: Dictionary[StringName, float] = {}
-	var medians: Dictionary[StringName, float] = {}
+	var quartiles: Dictionary[StringName, float] = {}
 	var of_limbs: Array[Statistics] = []
 	for _limb: int in Limbs.COUNT:
 		of_limbs.append(Statistics.new())
@@ -148,13 +148,13 @@ func _print(p_offset_s: float) -> void:
 			of_limbs[limb].add(errors[limb])
 	for limb: int in Limbs.COUNT if count > 0 else 0:
 		limbs[Limbs.BONES[limb]] = of_limbs[limb].mean()
-		medians[Limbs.BONES[limb]] = of_limbs[limb].percentile(0.5)
+		quartiles[Limbs.BONES[limb]] = of_limbs[limb].percentile(0.25)
 	var found: Dictionary = {
 		"mean": all.mean(),
 		"p95": all.percentile(0.95),
 		"offset_s": p_offset_s,
 		"count": count,
 		"limbs": limbs,
-		"medians": medians,
+		"quartiles": quartiles,
 	}
 	print(JSON.stringify(found))
