@@ -40,6 +40,7 @@ def gates(tools: Path) -> Iterator[tuple[str, list[str]]]:
     yield "ruff check", [str(tools / "ruff"), "check", "--no-cache", "."]
     yield "ruff format", [str(tools / "ruff"), "format", "--no-cache", "--check", "."]
     yield "arrows", [sys.executable, "-m", "toolchain.arrows"]
+    yield "mirror", [sys.executable, "-m", "toolchain.mirror"]
     yield "shellcheck", [str(tools / "shellcheck"), "-x", *shell]
 
 

@@ -3,7 +3,7 @@ extends TestCase
 
 const NetSamples: GDScript = preload("../net/net_samples.gd")
 const SnapshotStream: GDScript = preload("res://tests/wire/snapshot_stream.gd")
-const PATH: String = "user://test_recording.dsmt"
+const PATH: String = "user://test_recorded_stream.dsmt"
 
 var _random: RandomNumberGenerator = RandomNumberGenerator.new()
 var _packets: Array[PackedByteArray] = []
