@@ -11,12 +11,15 @@ signal cancel_wanted
 ## Sensors of two mounts shall be exchanged.
 signal exchange_wanted(p_mounts: Vector2i)
 
-## Keys of the kinds, by [enum CalibrationGuide.Kind].
-const KEYS: Array[Key] = [KEY_F1, KEY_F2, KEY_F3, KEY_F4, KEY_F5, KEY_F6]
-## Keys of what can be done with a result.
-const ACCEPT_KEY: Key = KEY_F9
-const AGAIN_KEY: Key = KEY_F10
-const EXCHANGE_KEY: Key = KEY_F8
+## Input actions of the kinds, by [enum CalibrationGuide.Kind].
+const ACTIONS: Array[StringName] = [
+	&"calibrate_t_pose",
+	&"calibrate_n_pose",
+	&"calibrate_t_to_n",
+	&"calibrate_full",
+	&"calibrate_quick",
+	&"check_fit",
+]
 
 @export var _kinds: Container
 @export var _facing: OptionButton
@@ -35,10 +38,9 @@ var _shown: String = ""
 
 
 func _ready() -> void:
-	for kind: int in KEYS.size():
+	for kind: int in ACTIONS.size():
 		var button: Button = Button.new()
-		var parts: Array = [CalibrationGuide.NAMES[kind], OS.get_keycode_string(KEYS[kind])]
-		button.text = "%s [%s]" % parts
+		button.text = InputKeys.label(CalibrationGuide.NAMES[kind], ACTIONS[kind])
 		button.tooltip_text = _hint(kind as CalibrationGuide.Kind)
 		button.pressed.connect(start.bind(kind))
 		_kinds.add_child(button)
@@ -46,6 +48,8 @@ func _ready() -> void:
 		_facing.add_item(name)
 	for name: String in ResetPose.NAMES:
 		_pose.add_item(name + "-pose")
+	_accept.text = InputKeys.label("Accept", &"accept_calibration")
+	_again.text = InputKeys.label("Again", &"repeat_calibration")
 	_accept.pressed.connect(accept_wanted.emit)
 	_again.pressed.connect(_press_again)
 	_exchange.pressed.connect(func() -> void: exchange_wanted.emit(_swap))
@@ -69,25 +73,23 @@ func options() -> CalibrationOptions:
 	return wanted
 
 
-## Takes a key; tells whether it was for this.
-func take_key(p_key: Key, p_process: CalibrationProcess) -> bool:
-	if KEYS.has(p_key):
-		start(KEYS.find(p_key) as CalibrationGuide.Kind)
-		return true
-	if p_key == ACCEPT_KEY and _accept.visible:
-		accept_wanted.emit()
-		return true
-	if p_key == AGAIN_KEY and _again.visible:
-		_press_again()
-		return true
-	if p_key == EXCHANGE_KEY and _exchange.visible:
-		exchange_wanted.emit(_swap)
-		return true
-	if p_key == KEY_ESCAPE and p_process != null:
-		if p_process.phase != CalibrationProcess.Phase.IDLE:
-			cancel_wanted.emit()
+## Handles an input event; returns whether it was meant for this.
+func take_input(p_event: InputEvent, p_process: CalibrationProcess) -> bool:
+	for kind: int in ACTIONS.size():
+		if p_event.is_action_pressed(ACTIONS[kind]):
+			start(kind as CalibrationGuide.Kind)
 			return true
-	return false
+	if p_event.is_action_pressed(&"accept_calibration") and _accept.visible:
+		accept_wanted.emit()
+	elif p_event.is_action_pressed(&"repeat_calibration") and _again.visible:
+		_press_again()
+	elif p_event.is_action_pressed(&"exchange_sensors") and _exchange.visible:
+		exchange_wanted.emit(_swap)
+	elif p_event.is_action_pressed(&"ui_cancel") and _is_running(p_process):
+		cancel_wanted.emit()
+	else:
+		return false
+	return true
 
 
 ## Shows that nothing runs, and something for people to read.
@@ -120,7 +122,11 @@ func offer_exchange(p_mounts: Vector2i) -> void:
 	_exchange.visible = p_mounts != Vector2i.ZERO
 	if _exchange.visible:
 		var parts: Array = [BodyMounts.title(p_mounts.x), BodyMounts.title(p_mounts.y)]
-		_exchange.text = "Exchange %s and %s [F8]" % parts
+		_exchange.text = InputKeys.label("Exchange %s and %s" % parts, &"exchange_sensors")
+
+
+func _is_running(p_process: CalibrationProcess) -> bool:
+	return p_process != null and p_process.phase != CalibrationProcess.Phase.IDLE
 
 
 func _show_result(p_result: CalibrationResult) -> void:

@@ -124,16 +124,16 @@ func _process(_delta: float) -> void:
 
 
 func _input(p_event: InputEvent) -> void:
-	var key: InputEventKey = p_event as InputEventKey
-	if key == null or not key.pressed or key.echo or not is_visible_in_tree():
+	if not is_visible_in_tree():
 		return
 	var process: CalibrationProcess = suit().process if suit() != null else null
-	if key.keycode == KEY_ESCAPE and _sheet.visible:
+	var cancels: bool = p_event.is_action_pressed(&"ui_cancel")
+	if cancels and _sheet.visible:
 		_show_sheet(false)
-	elif key.keycode == KEY_F7:
+	elif p_event.is_action_pressed(&"toggle_body_sheet"):
 		_show_sheet(not _sheet.visible)
-	elif not _box.take_key(key.keycode, process):
-		if key.keycode != KEY_ESCAPE:
+	elif not _box.take_input(p_event, process):
+		if not cancels:
 			return
 		close_wanted.emit()
 	get_viewport().set_input_as_handled()

@@ -23,6 +23,7 @@ func _ready() -> void:
 	_name.focus_exited.connect(func() -> void: name_entered.emit(_name.text))
 	_known.item_selected.connect(_choose)
 	_height.value_changed.connect(func(cm: float) -> void: height_changed.emit(cm / 100.0))
+	_body.text = InputKeys.label("Body", &"toggle_body_sheet")
 	_body.pressed.connect(body_wanted.emit)
 
 

@@ -1,0 +1,13 @@
+class_name InputKeys
+extends RefCounted
+## Names of the keys that the project's input map has for actions.
+
+
+## A button's text with the key that presses it: "Accept [F9]"; only the text where there is none.
+static func label(p_text: String, p_action: StringName) -> String:
+	for event: InputEvent in InputMap.action_get_events(p_action):
+		var key: InputEventKey = event as InputEventKey
+		if key != null:
+			var code: Key = key.keycode if key.keycode != KEY_NONE else key.physical_keycode
+			return "%s [%s]" % [p_text, OS.get_keycode_string(code)]
+	return p_text
