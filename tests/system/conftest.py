@@ -65,14 +65,14 @@ class Process:
             assert self.process.poll() is None, f"it ended before:\n{self.log()}"
             time.sleep(0.1)
 
-    def await_text(self, text: str, limit_s: float = 60.0, count: int = 1) -> None:
+    def await_text(self, text: str, limit_s: float = 120.0, count: int = 1) -> None:
         end = time.monotonic() + limit_s
         while self.log().count(text) < count:
             assert time.monotonic() < end, f"'{text}' did not come in {limit_s} s:\n{self.log()}"
             assert self.process.poll() is None, f"it ended before '{text}':\n{self.log()}"
             time.sleep(0.05)
 
-    def await_exit(self, limit_s: float = 60.0) -> int:
+    def await_exit(self, limit_s: float = 120.0) -> int:
         try:
             return self.process.wait(limit_s)
         except subprocess.TimeoutExpired:

@@ -55,7 +55,7 @@ class Suit:
 
     def await_calibrated(self, kind: str) -> str:
         """Waits until a calibration has come to its end; returns what the log says of it."""
-        self.client.await_text(f"calibrating ({kind})", 30)
+        self.client.await_text(f"calibrating ({kind})")
         # The wearer begins with what the guide asks for.
         self.command("go")
         self.client.await_text("calibrated", CALIBRATION_S)
@@ -65,7 +65,7 @@ class Suit:
         """Ends emulator and client."""
         if self.client.process.poll() is None:
             self.command("quit")
-            self.client.await_exit(30)
+            self.client.await_exit()
 
     def close(self) -> None:
         """Lets go of the emulator, however it is."""
@@ -91,7 +91,7 @@ def suits_of(world: World) -> Iterator[Callable[..., Suit]]:
             one.close()
 
 
-def await_that(holds: Callable[[], bool], what: str, limit_s: float = 20.0) -> None:
+def await_that(holds: Callable[[], bool], what: str, limit_s: float = 120.0) -> None:
     """Waits until something holds; reports may be half-written or not there yet."""
     end = time.monotonic() + limit_s
     while time.monotonic() < end:
@@ -104,7 +104,7 @@ def await_that(holds: Callable[[], bool], what: str, limit_s: float = 20.0) -> N
     pytest.fail(f"{what} did not come in {limit_s} s")
 
 
-def await_people(client: Process, names: set[str], limit_s: float = 30.0) -> None:
+def await_people(client: Process, names: set[str], limit_s: float = 120.0) -> None:
     """Waits until a client says in its report that it brings these people."""
 
     def holds() -> bool:

@@ -52,9 +52,9 @@ def test_three_people_of_mvn_come_move_and_leave(world: World) -> None:
     people = recorded(recording)
     assert set(people) == NAMES
     for entries in people.values():
-        # Limbs turn, and the hips are where those of people are who jump and climb.
+        # Limbs turn, and the hips are where those of people are who jump, climb and fall.
         assert turned(entries) > 10.0
-        assert all(0.3 < entry["hips"][1] < 2.5 for entry in entries)
+        assert all(0.0 < entry["hips"][1] < 2.5 for entry in entries)
     places = [entries[-1]["hips"] for entries in people.values()]
     assert len({round(x, 1) for x, _, _ in places} | {round(z, 1) for _, _, z in places}) > 2
     await_people(trainee, set())
@@ -75,7 +75,7 @@ def test_one_port_has_one_receiver(world: World) -> None:
     first = world.client("trainee", f"--mvn={port}", name="first")
     first.await_text("joined")
     second = world.client("trainee", f"--mvn={port}", name="second")
-    assert second.await_exit(20) == 2
+    assert second.await_exit() == 2
     said = [line for line in second.log().splitlines() if f"{port} is in use" in line]
     assert len(said) == 1
     assert "--mvn" in said[0]
@@ -97,7 +97,7 @@ def test_rubbish_is_counted_and_told(world: World) -> None:
         for _ in range(300):
             rude.send(dice.randbytes(dice.randrange(1, 1400)))
     for why in ("more segments than", "shorter than", "its size does not fit", "not of MVN's form"):
-        trainee.await_text(f"sent a datagram that was dropped: {why}", 10)
+        trainee.await_text(f"sent a datagram that was dropped: {why}")
     assert sum(1 for line in trainee.log().splitlines() if "WARN" in line) < 30
     with sender(world, port):
         await_people(trainee, {"Dismount"})

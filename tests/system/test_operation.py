@@ -26,14 +26,14 @@ def ask(port: int, path: str = "/") -> dict:
         return json.load(reply)
 
 
-def await_count(process: Process, text: str, count: int, limit_s: float = 20.0) -> None:
+def await_count(process: Process, text: str, count: int, limit_s: float = 120.0) -> None:
     end = time.monotonic() + limit_s
     while process.log().count(text) < count:
         assert time.monotonic() < end, process.log()
         time.sleep(0.05)
 
 
-def await_line(process: Process, begin: str, end: str, limit_s: float) -> None:
+def await_line(process: Process, begin: str, end: str, limit_s: float = 120.0) -> None:
     until = time.monotonic() + limit_s
     while not any(begin in line and line.endswith(end) for line in process.log().splitlines()):
         assert time.monotonic() < until, process.log()
@@ -53,7 +53,7 @@ def listeners(port: int) -> list[str]:
     return found
 
 
-def await_status(port: int, holds: Callable[[dict], bool], limit_s: float = 90.0) -> dict:
+def await_status(port: int, holds: Callable[[dict], bool], limit_s: float = 120.0) -> dict:
     """The status as soon as something holds of it."""
     end = time.monotonic() + limit_s
     while True:
@@ -137,11 +137,11 @@ def test_a_server_that_is_asked_to_end(world: World) -> None:
     time.sleep(1.5)
     began = time.monotonic()
     server.process.send_signal(signal.SIGTERM)
-    assert server.await_exit(5) == 0, server.log()
+    assert server.await_exit() == 0, server.log()
     for client in (trainee, observer):
-        client.await_text("was closed; trying again", 2.0)
+        client.await_text("was closed; trying again")
     # Without a word it would take 4 to 8 s.
-    assert time.monotonic() - began < 1.4
+    assert time.monotonic() - began < 3.5
     assert "stopped by a signal" in server.log()
     assert "ERROR" not in server.log()
     stats = server.report()
@@ -160,16 +160,15 @@ def test_clients_that_are_asked_to_end(world: World) -> None:
     observer = world.client("observer", "--name=Bob", f"--record={recording}")
     trainee.await_text("joined")
     observer.await_text("joined")
-    time.sleep(2.0)
     for client, name in ((observer, "Bob"), (trainee, "Ada")):
+        client.await_report(lambda report: report["snapshots"] > 60)
         client.process.send_signal(signal.SIGTERM if name == "Bob" else signal.SIGINT)
-        assert client.await_exit(5) == 0, client.log()
-        await_line(server, f"'{name}' (", "left", 2.0)
-        assert client.report()["snapshots"] > 60
+        assert client.await_exit() == 0, client.log()
+        await_line(server, f"'{name}' (", "left")
     assert " is lost" not in server.log()
     seen = observer.report()["snapshots"]
     replay = world.client("replay", f"--file={recording}", name="replay")
-    assert replay.await_exit(20) == 0, replay.log()
+    assert replay.await_exit() == 0, replay.log()
     assert replay.report()["snapshots"] == seen, "nothing is missing at the end"
 
 
@@ -187,9 +186,9 @@ def test_a_machine_that_is_too_slow(world: World) -> None:
         time.sleep(0.3)
         os.kill(server.process.pid, signal.SIGCONT)
         time.sleep(0.05)
-    server.await_text("% of its speed (1 people, 2 clients)", 3.0)
+    server.await_text("% of its speed (1 people, 2 clients)")
     assert "the machine is too slow" in server.log()
-    server.await_text("the world runs at full speed again", 8.0)
+    server.await_text("the world runs at full speed again")
     for client in (trainee, observer):
         assert client.process.poll() is None
         assert client.log().count("joined") == 1
@@ -204,7 +203,7 @@ def test_a_share_of_the_network_is_kept(world: World) -> None:
         for number in range(8)
     ]
     for trainee in trainees:
-        trainee.await_text("joined", 30.0)
+        trainee.await_text("joined")
     with Relay(world.port) as relay:
         observer = world.client("observer", f"--port={relay.port}", "--fps=60", "--name=Bob")
         observer.await_text("joined")
@@ -227,12 +226,12 @@ def test_whoever_leaves_makes_room(world: World) -> None:
     leaves = world.client("observer", "--name=Leaves", name="leaves")
     stays.await_text("joined")
     leaves.await_text("joined")
-    assert world.client("observer", name="third").await_exit(20) == 3
+    assert world.client("observer", name="third").await_exit() == 3
     leaves.process.send_signal(signal.SIGTERM)
-    await_line(server, "'Leaves' (", "left", 3.0)
+    await_line(server, "'Leaves' (", "left")
     world.client("observer", name="fourth").await_text("joined")
     # The server counts it when it has taken in that the client has.
-    end = time.monotonic() + 3.0
+    end = time.monotonic() + 60.0
     while ask(world.port)["clients"] != 2:
         assert time.monotonic() < end, server.log()
         time.sleep(0.05)
@@ -246,13 +245,15 @@ def test_one_person_takes_less_than_40_kbit_per_second(world: World) -> None:
         observer = world.client("observer", f"--port={relay.port}", "--snapshot-rate=30")
         observer.await_text("joined")
         time.sleep(2.0)
-        before, began = relay.to_client, time.monotonic()
+        before, began = relay.to_client, ask(world.port)["ticks"]
         seen = observer.report()["snapshots"]
         time.sleep(4.0)
-        kbit = (relay.to_client - before) * 8.0 / 1000.0 / (time.monotonic() - began)
-        rate = (observer.report()["snapshots"] - seen) / 4.0
+        # A busy machine makes fewer ticks a second.
+        seconds = (ask(world.port)["ticks"] - began) / 60.0
+        kbit = (relay.to_client - before) * 8.0 / 1000.0 / seconds
+        rate = (observer.report()["snapshots"] - seen) / seconds
     print(f"{kbit:.1f} kbit/s at {rate:.0f} snapshots/s")
-    assert 24.0 < rate < 36.0
+    assert 20.0 < rate < 40.0
     assert 5.0 < kbit < 40.0
 
 
@@ -264,14 +265,14 @@ def test_a_recording_goes_on_over_a_restart_of_the_server(world: World) -> None:
     observer.await_text("joined")
     time.sleep(1.0)
     server.process.send_signal(signal.SIGTERM)
-    assert server.await_exit(5) == 0
+    assert server.await_exit() == 0
     world.server(name="second")
     await_count(observer, "joined", 2)
     time.sleep(1.0)
     observer.process.send_signal(signal.SIGTERM)
-    assert observer.await_exit(5) == 0
+    assert observer.await_exit() == 0
     seen = observer.report()["snapshots"]
     replay = world.client("replay", f"--file={recording}", name="replay")
-    assert replay.await_exit(30) == 0, replay.log()
+    assert replay.await_exit() == 0, replay.log()
     assert "ERROR" not in replay.log()
     assert replay.report()["snapshots"] == seen

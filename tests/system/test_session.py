@@ -50,7 +50,7 @@ def test_a_recording_can_be_played_and_survives_a_kill(world: World) -> None:
     observer.await_report(lambda seen: seen["snapshots"] > 60 * 3)
     observer.kill()
     replay = world.client("replay", f"--file={recording}", name="replay")
-    assert replay.await_exit(30) == 0, replay.log()
+    assert replay.await_exit() == 0, replay.log()
     assert replay.report()["snapshots"] > 60
     assert "ERROR" not in replay.log()
 
@@ -69,7 +69,7 @@ def test_the_server_is_full(world: World) -> None:
     world.server("--max-clients=1")
     world.client("observer", name="first").await_text("joined")
     second = world.client("observer", name="second")
-    assert second.await_exit(20) == 3
+    assert second.await_exit() == 3
     assert "the server is full" in second.log()
 
 

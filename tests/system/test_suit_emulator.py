@@ -160,7 +160,7 @@ def test_a_device_comes_and_goes(start: Start) -> None:
     # It has a new number, as on a real bus.
     emulated.await_text("001/003: Xbus Master")
     emulated.command("unplug")
-    emulated.await_text("was unplugged", 2)
+    emulated.await_text("was unplugged")
     emulated.command("quit")
     emulated.finish()
     assert [line for line in emulated.log() if "plugged" in line] == [

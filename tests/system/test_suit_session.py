@@ -107,7 +107,7 @@ def _play(world: World, ada: Suit) -> float:
 
 def _await_masters(ada: Suit, count: int) -> None:
     for master in MASTERS:
-        ada.client.await_text(f"Xbus Master {master} measures", 30, count)
+        ada.client.await_text(f"Xbus Master {master} measures", count=count)
 
 
 def _observe(world: World, name: str, seconds: int) -> None:
@@ -223,7 +223,7 @@ def test_the_panel_shows_the_sensors(
     options = ["--panel=1", "--person=ada", "--duration=8", f"--screenshot={target}"]
     with suits_of(world) as start:
         ada = start("ada", TWO, options, display=display)
-        assert ada.client.await_exit(60) == 0, ada.client.log()
+        assert ada.client.await_exit() == 0, ada.client.log()
         assert "ERROR" not in ada.client.log()
     # Without sensors there are seven lines.
     assert lines_of_text(read_png(target)) >= 24

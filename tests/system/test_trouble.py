@@ -10,14 +10,14 @@ from .conftest import World
 
 def test_no_server(world: World) -> None:
     client = world.client("observer", "--connect-timeout=2")
-    assert client.await_exit(30) == 4
+    assert client.await_exit() == 4
     assert f"no server at 127.0.0.1:{world.port}" in client.log()
 
 
 def test_a_wrong_version_is_refused(world: World) -> None:
     server = world.server()
     client = world.client("observer", "--protocol=999")
-    assert client.await_exit(20) == 3
+    assert client.await_exit() == 3
     assert "protocol version 999, the server 4" in client.log()
     assert server.log().count("protocol version 999") == 1
     assert server.process.poll() is None
@@ -26,7 +26,7 @@ def test_a_wrong_version_is_refused(world: World) -> None:
 def test_the_port_is_in_use(world: World) -> None:
     world.server()
     second = world.server(name="second", wait=False)
-    assert second.await_exit(20) == 1
+    assert second.await_exit() == 1
     assert f"UDP port {world.port} is in use" in second.log()
 
 
@@ -41,7 +41,7 @@ def test_wrong_options(world: World) -> None:
         ("--dtls-key=nowhere", "--dtls-certificate=nowhere"): "holds no certificate",
     }.items():
         process = world.server(*options, name="wrong", wait=False)
-        assert process.await_exit(20) == 2, process.log()
+        assert process.await_exit() == 2, process.log()
         assert words in process.log()
 
 
@@ -51,16 +51,16 @@ def test_options_come_from_the_environment_too(world: World) -> None:
         [str(SERVER_BINARY), "--headless", "--", "--duration=1"],
         {"DISMOUNT_PORT": str(world.port)},
     )
-    assert process.await_exit(20) == 0
+    assert process.await_exit() == 0
     assert f"listening on UDP port {world.port}" in process.log()
 
 
 def test_a_trainee_without_motion(world: World) -> None:
     missing = world.client("trainee", f"--bvh={world.folder / 'missing.bvh'}", name="missing")
-    assert missing.await_exit(20) == 2
+    assert missing.await_exit() == 2
     assert "missing.bvh" in missing.log()
     none = world.client("trainee", name="none")
-    assert none.await_exit(20) == 2
+    assert none.await_exit() == 2
     assert "--bvh=FILE" in none.log()
 
 
@@ -68,5 +68,5 @@ def test_a_broken_recording(world: World) -> None:
     file = world.folder / "broken"
     file.write_bytes(b"this is no recording at all")
     replay = world.client("replay", f"--file={file}")
-    assert replay.await_exit(20) == 1
+    assert replay.await_exit() == 1
     assert "expected a recording" in replay.log()

@@ -15,9 +15,11 @@ from .attackers import Attack, Garbage, HalfOpen, PortZero, ZeroLength, may_send
 from .conftest import Process, World
 
 MEASURED_S = 5.0
-# Of the snapshots and samples, these come at least: a busy machine starves a client of a tenth or
-# so, an attack that gets through takes nearly all.
-KEPT = 0.75
+# At least these shares of the snapshots and samples come. A busy machine starves the clients
+# themselves of some, the one that computes samples of half; an attack that gets through takes
+# nearly all.
+SNAPSHOTS_KEPT = 0.75
+SAMPLES_KEPT = 0.25
 # Ticks that two reports, each written once a second, can be apart.
 APART_TICKS = 60
 
@@ -61,8 +63,8 @@ class Scene:
         moved = (after[2] - before[2] + 1) / ticks
         work_ms = (after[3] - before[3]) / ticks / 1000.0
         print(f"{rate:.2f} snapshots and {moved:.2f} steps a tick of {ticks}, {work_ms:.2f} ms")
-        assert rate > KEPT
-        assert moved > KEPT
+        assert rate > SNAPSHOTS_KEPT
+        assert moved > SAMPLES_KEPT
         assert work_ms < 8.0
         for process in (self.trainee, self.observer):
             assert process.process.poll() is None, process.log()
@@ -110,7 +112,7 @@ def test_wrong_passwords_at_speed(world: World) -> None:
     with scene.nobody_notices():
         for number in range(4):
             wrong = world.client("observer", "--password=guess", name=f"wrong{number}")
-            assert wrong.await_exit(20) == 3
+            assert wrong.await_exit() == 3
             assert "the password is wrong" in wrong.log()
     everything = scene.server.log() + scene.trainee.log() + str(scene.server.report())
     assert "sesame" not in everything
@@ -124,7 +126,7 @@ def test_a_killed_client_is_lost_and_its_place_kept(world: World) -> None:
     time.sleep(2.0)
     with scene.nobody_notices():
         victim.kill()
-        scene.server.await_text("'Victim' (3) from 127.0.0.1 is lost", 15)
+        scene.server.await_text("'Victim' (3) from 127.0.0.1 is lost")
         time.sleep(1.5)
         names = [person["name"] for person in scene.server.report()["people"]]
         assert "Victim" in names, "its body is kept for a minute"
@@ -139,7 +141,7 @@ def test_a_client_frozen_for_five_seconds_comes_back_into_its_body(world: World)
         os.kill(victim.process.pid, signal.SIGSTOP)
         time.sleep(5.0)
         os.kill(victim.process.pid, signal.SIGCONT)
-        scene.server.await_text("'Victim' (3) from 127.0.0.1 is back", 12)
+        scene.server.await_text("'Victim' (3) from 127.0.0.1 is back")
     people = [p for p in scene.server.report()["people"] if p["name"] == "Victim"]
     assert len(people) == 1
     before = people[0]["count"]
@@ -165,7 +167,7 @@ def test_a_server_frozen_for_five_seconds_gets_its_people_back(world: World) -> 
 def test_a_killed_server_is_found_again(world: World) -> None:
     scene = Scene(world)
     scene.server.kill()
-    scene.observer.await_text("trying again", 20)
+    scene.observer.await_text("trying again")
     world.server(name="second")
     _await_count(scene.observer, "joined", 2)
     _await_count(scene.trainee, "joined", 2)
@@ -176,7 +178,7 @@ def test_an_instructor_decides(world: World) -> None:
     instructor = world.client("instructor", "--orders=admit:Ada,kick:Ada", name="instructor")
     instructor.await_text("joined")
     trainee = world.trainee("--name=Ada", name="ada")
-    assert trainee.await_exit(30) == 3
+    assert trainee.await_exit() == 3
     assert "waiting for an instructor, position 1" in trainee.log()
     assert "joined" in trainee.log()
     assert "kicked by instructor 'instructor'" in trainee.log()
@@ -186,7 +188,7 @@ def test_an_instructor_decides(world: World) -> None:
     assert "joined" not in bob.log()
 
 
-def _await_count(process: Process, text: str, count: int, limit_s: float = 20.0) -> None:
+def _await_count(process: Process, text: str, count: int, limit_s: float = 120.0) -> None:
     end = time.monotonic() + limit_s
     while process.log().count(text) < count:
         assert time.monotonic() < end, process.log()

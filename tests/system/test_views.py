@@ -95,7 +95,7 @@ def pictures(world: World, display: dict[str, str]):
             name=f"observer-{views}",
             display=display,
         )
-        assert observer.await_exit(90) == 0, observer.log()
+        assert observer.await_exit() == 0, observer.log()
         assert observer.report()["latency_count"] > 0
         return read_png(target)
 
@@ -133,7 +133,7 @@ def test_the_picture_changes_while_the_person_moves(world: World, display: dict[
             name=f"observer{number}",
             display=display,
         )
-        assert observer.await_exit(90) == 0, observer.log()
+        assert observer.await_exit() == 0, observer.log()
         shots.append(read_png(target))
     pairs = [(a, b) for x, y in zip(*shots, strict=True) for a, b in zip(x, y, strict=True)]
     changed = sum(1 for a, b in pairs if max(abs(p - q) for p, q in zip(a, b, strict=True)) > 40)
