@@ -217,7 +217,7 @@ def test_a_share_of_the_network_is_kept(world: World) -> None:
     print(f"{kbit:.1f} kbit/s pass")
     assert 30.0 < kbit < 64.0 * 1.1
     assert all(row["sent_kbit_per_second"] < 64.0 * 1.1 for row in rows.values())
-    assert observer.report()["snapshots"] > 30
+    observer.await_report(lambda report: report["snapshots"] > 30)
 
 
 def test_whoever_leaves_makes_room(world: World) -> None:

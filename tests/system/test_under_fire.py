@@ -18,7 +18,7 @@ MEASURED_S = 5.0
 # At least these shares of the snapshots and samples come. A busy machine starves the clients
 # themselves of some, the one that computes samples of half; an attack that gets through takes
 # nearly all.
-SNAPSHOTS_KEPT = 0.75
+SNAPSHOTS_KEPT = 0.5
 SAMPLES_KEPT = 0.25
 # Ticks that two reports, each written once a second, can be apart.
 APART_TICKS = 60

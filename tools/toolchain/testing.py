@@ -211,7 +211,7 @@ def run_pytest(godot: Godot, tools: Path, text: str, chosen: list[str] | None = 
     report.unlink(missing_ok=True)
     command = [str(tools / "pytest"), f"--junitxml={report}", "-p", "no:cacheprovider"]
     # Most of their time processes wait for one another. A file's tests stay together.
-    command += ["-n", str(2 * (os.cpu_count() or 2)), "--dist", "loadfile"]
+    command += ["-n", str((os.cpu_count() or 2) + 1), "--dist", "loadfile"]
     command += SYSTEM_TESTS if chosen is None else chosen
     command += ["-k", text] if text else []
     environment = {
