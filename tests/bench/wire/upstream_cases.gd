@@ -31,7 +31,7 @@ var _encode_usec: float = 0.0
 var _decode_usec: float = 0.0
 
 
-## Measures them over clips.
+## Measures them over clips; times are those of the processor.
 func run(p_report: BenchReport, p_clips: Array[WireClip]) -> void:
 	var most: BenchReport.Goal = BenchReport.Goal.AT_MOST
 	for people: int in _GOALS:
@@ -71,16 +71,16 @@ func _measure(p_clip: WireClip, p_people: int, p_network: Vector2) -> float:
 		var samples: Array[PoseSample] = []
 		for person: int in p_people:
 			samples.append(_sample_at(p_clip, person, tick))
-		var begin: int = Time.get_ticks_usec()
+		var begin: int = ThreadClock.get_usec()
 		var datagrams: Array[PackedByteArray] = writer.write(samples)
-		_encode_usec += float(Time.get_ticks_usec() - begin) / ticks
+		_encode_usec += float(ThreadClock.get_usec() - begin) / ticks
 		_sent += samples.size()
 		for datagram: PackedByteArray in datagrams:
 			bytes += HEADERS + datagram.size() + (_ACK_BYTES if tick % _ACK_TICKS == 0 else 0)
 			if _random.randf() >= p_network.x:
-				begin = Time.get_ticks_usec()
+				begin = ThreadClock.get_usec()
 				var got: Array[PoseSample] = reader.read(datagram)
-				_decode_usec += float(Time.get_ticks_usec() - begin) / ticks
+				_decode_usec += float(ThreadClock.get_usec() - begin) / ticks
 				_compare(got, samples)
 		acks.append(reader.take_ack())
 		if acks.size() > int(p_network.y):
