@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A few lines in place of a test library: none can be had without root on a bare machine.
+// A few lines instead of a test library: none can be installed without root on a bare machine.
 
 #include <cmath>
 #include <cstdio>

@@ -1,7 +1,7 @@
 class_name ProgramOptions
 extends RefCounted
 ## Every option of the program. Checks, [code]--help[/code] and docs/options.md are made from these
-## rows: a new option is a row here, and the place that reads it.
+## rows: a new option is a row here, and the code that reads it.
 
 
 ## Reads arguments such as [code]--port=7777[/code] and the environment, for a role, or for any.

@@ -6,7 +6,7 @@ const SERVER: String = "server"
 const LOAD: String = "load"
 ## Those that are no client of a session, and what they are for.
 const _OTHERS: Dictionary[String, String] = {
-	SERVER: "simulates the world and tells everybody",
+	SERVER: "simulates the world and sends its state to everybody",
 	ClientStreams.REPLAY: "shows what --record has kept",
 	LOAD: "puts many clients without displays on a server, for ./run load",
 }

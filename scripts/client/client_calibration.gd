@@ -21,7 +21,7 @@ var _source: SuitSource = null
 var _store: CalibrationStore = CalibrationStore.new()
 var _outcome: String = ""
 var _until_s: float = 0.0
-# The time that was told last, s.
+# The time of the last call, s.
 var _now_s: float = 0.0
 
 

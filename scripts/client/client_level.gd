@@ -5,7 +5,7 @@ extends Node3D
 ## Its static bodies are in the client's physics space, for rays and queries. Whatever moves is put
 ## where the server says and never simulated here.
 
-## Another level is in place; [param p_differs] if the server's is not the same.
+## Another level is loaded; [param p_differs] if the server's is not the same.
 signal changed(p_level: Level, p_differs: bool)
 ## The node of an entity is there; null for a plain prop. The body is null where it has none.
 signal entity_added(p_row: EntityRow, p_node: Entity, p_body: PhysicsBody3D)
@@ -25,7 +25,7 @@ var _unplaced: Dictionary[int, bool] = {}
 var _instances: Dictionary[int, Node] = {}
 
 
-## Puts a level in place, always a new one: what moved in the last is where it begins. Its entities
+## Loads a level, always a new one: what moved in the last is where it begins. Its entities
 ## have been removed before.
 func set_level(p_name: String, p_fingerprint: PackedByteArray) -> void:
 	if not LevelStore.has(p_name):
@@ -70,8 +70,8 @@ func remove_entity(p_row: EntityRow) -> void:
 		_instances.erase(p_row.id)
 
 
-## Puts the bodies where a replica has them: those that move, as it costs the engine more than all
-## else to be told where a body is.
+## Puts the bodies where a replica has them: those that move, as setting a transform costs more than
+## all else.
 func move_bodies(p_replica: WorldReplica) -> void:
 	for id: int in p_replica.moved_bodies():
 		if _bodies.has(id):

@@ -12,7 +12,7 @@ const _TRIPS: int = 40
 
 ## Where the motion comes from.
 var source: MotionSource = null
-## What the server is told of the wearer.
+## What is sent to the server about the wearer.
 var card: PersonCard = PersonCard.new()
 ## The person in the server's world, or -1.
 var actor: int = -1
@@ -56,7 +56,7 @@ func embody(p_actor: int, p_joints: PersonSkeleton, p_hips: float, p_rate: float
 	_trips.clear()
 
 
-## Forgets the body: the server will tell of another.
+## Forgets the body: the server will send another.
 func disembody() -> void:
 	actor = -1
 	_has_body = false
@@ -96,8 +96,8 @@ func evaluate(p_now_usec: int, p_truth: PackedFloat32Array, p_tick: int) -> Pack
 		return PackedFloat32Array()
 	if p_tick != _truth_tick and _link.clock.is_known() and not _trips.is_empty():
 		_truth_tick = p_tick
-		# The step that ended tick p_tick aimed at the motion as it was known at the tick's begin, one
-		# step further.
+		# The step that ended tick p_tick aimed at the motion as it was known at the tick's begin,
+		# one step further.
 		var aimed: int = _link.clock.local_usec_of_tick(p_tick + 1.0) - _trips.min()
 		_body.add_truth(aimed + MotionSender.unix_ahead(), p_truth)
 	# Where the body is in the world, and what it touches, only the server knows.

@@ -7,8 +7,8 @@ signal changed
 
 ## A motion that is older than this is no longer published, s.
 const _STALE_S: float = 0.5
-## Sizes are looked at so often, s, and told anew when they differ by so much, m: some sources know
-## a size only after a while.
+## Period of looking at sizes, s, and the difference from which on they are sent anew, m: some
+## sources know a size only after a while.
 const _SIZE_PERIOD_S: float = 1.0
 const _SIZE_STEP_M: float = 0.01
 
@@ -57,7 +57,7 @@ func remove(p_source: MotionSource) -> void:
 			return
 
 
-## Tells the server anew of somebody whose size has changed.
+## Sends the server the card of somebody whose size has changed.
 func measure(p_source: MotionSource) -> void:
 	for motion: ClientMotion in _motions:
 		if motion.source == p_source:
@@ -126,7 +126,7 @@ func note_trip(p_mark: LatencyMark) -> void:
 			motion.note_trip(p_mark)
 
 
-## Keeps the samples in step with the server's ticks, and tells where the own bodies are at a local
+## Keeps the samples in step with the server's ticks, and says where the own bodies are at a local
 ## time, µs: seven floats a limb, by person.
 func evaluate(p_now_usec: int, p_replica: WorldReplica) -> Dictionary[int, PackedFloat32Array]:
 	var bodies: Dictionary[int, PackedFloat32Array] = {}

@@ -14,10 +14,10 @@ const STATES: Dictionary[String, String] = {
 ## Begins an order that lets a trainee be calibrated; one of [constant ClientCalibration.KINDS]
 ## follows.
 const CALIBRATE: String = "calibrate-"
-## The order that puts another level in place.
+## The order that loads another level.
 const WORLD: String = "world"
 
-## What a row of a roster holds, and of which type: a server may tell anything.
+## What a row of a roster holds, and of which type: a server may send anything.
 const _ROW: Dictionary[String, Variant.Type] = {
 	"role": TYPE_INT,
 	"state": TYPE_STRING,

@@ -10,7 +10,7 @@ signal vanished(p_source: MotionSource)
 
 ## No more trackers are waited for after so many seconds without a new one.
 const _SETTLE_S: float = 1.0
-## What has not come after so many seconds is told to the log.
+## What has not come after so many seconds is logged.
 const _ABSENT_S: float = 2.0
 
 ## The suits on USB or of a recording, or null.
@@ -137,7 +137,7 @@ func close() -> void:
 		_recorder.close()
 
 
-## Tells the log once what does not come, for those who see no screen.
+## Logs once what does not come, for those who see no screen.
 func _notice_absence(p_now_s: float) -> void:
 	if _began_s < 0.0:
 		_began_s = p_now_s

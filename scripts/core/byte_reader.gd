@@ -159,7 +159,7 @@ func _decode(p_bytes: PackedByteArray) -> String:
 	return text
 
 
-## Whether all are printable ASCII characters. Sorting tells the least and the greatest without a
+## Whether all are printable ASCII characters. Sorting gives the least and the greatest without a
 ## loop in a script: a table of thousands of entities has as many texts.
 static func _is_plain(p_bytes: PackedByteArray) -> bool:
 	var sorted: PackedByteArray = p_bytes.duplicate()

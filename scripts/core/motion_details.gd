@@ -4,7 +4,7 @@ extends RefCounted
 
 ## What may be known of a foot.
 enum Contact {
-	## The source does not tell.
+	## The source does not know.
 	UNKNOWN,
 	## The foot is off the ground.
 	OFF,

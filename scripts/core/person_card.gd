@@ -1,6 +1,6 @@
 class_name PersonCard
 extends RefCounted
-## What a client tells of somebody whose motion it sends: name and size.
+## What a client sends about somebody whose motion it sends: name and size.
 
 ## People whose motion one client may send.
 const MAX_PEOPLE: int = 8
@@ -71,6 +71,6 @@ func find_fault() -> String:
 	return ""
 
 
-## Whether another card tells of the same body.
+## Whether another card describes the same body.
 func is_same_body(p_other: PersonCard) -> bool:
 	return hip_height == p_other.hip_height and lengths == p_other.lengths

@@ -9,7 +9,7 @@ extends RefCounted
 ## Joints further than this from the middle of a limb are no person's, m.
 const LONGEST_M: float = 10.0
 
-## Place of each limb's parent, -1 for the root.
+## Index of each limb's parent, -1 for the root.
 var parents: PackedInt32Array = PackedInt32Array(Limbs.PARENTS)
 ## The joint that holds each limb, in its parent's frame, m. Of no meaning for the root.
 var joints_in_parent: PackedVector3Array = PackedVector3Array()
@@ -40,7 +40,7 @@ func is_sound() -> bool:
 	return true
 
 
-## Where the body of a limb is whose frame is at a place and turned from the reset pose.
+## The transform of a limb's body, from the frame's position, m, and its turn from the reset pose.
 func body_at(p_limb: int, p_position: Vector3, p_turn: Quaternion) -> Transform3D:
 	return Transform3D(Basis(p_turn * reset_orientations[p_limb]), p_position)
 
@@ -50,6 +50,6 @@ func count() -> int:
 	return joints_in_limb.size()
 
 
-## Where the root's frame is when the hips of a sample are at a place, m.
+## Position of the root's frame when the hips of a sample are at [param p_hips], m.
 func root_of(p_sample: PoseSample, p_hips: Vector3) -> Vector3:
 	return p_hips - p_sample.orientation(Limbs.ROOT) * joints_in_limb[Limbs.ROOT]

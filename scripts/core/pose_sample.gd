@@ -54,7 +54,7 @@ func find_fault() -> String:
 	if orientations.size() != Limbs.COUNT * 4:
 		return "%d floats instead of %d" % [orientations.size(), Limbs.COUNT * 4]
 	if not root.is_finite() or root.length() > 10000.0:
-		return "the root is not a place within 10 km"
+		return "the root is not within 10 km of the origin"
 	for limb: int in Limbs.COUNT:
 		var norm: float = orientation(limb).length()
 		# Written so that NaN is none either.

@@ -2,8 +2,8 @@ class_name Rotations
 extends RefCounted
 ## What calibration needs to know of rotations, exact for small angles too.
 ##
-## [method Quaternion.angle_to] goes by an arc cosine, which in single precision cannot tell angles
-## below 0.04 degrees.
+## [method Quaternion.angle_to] goes by an arc cosine, which in single precision cannot distinguish
+## angles below 0.04 degrees.
 
 
 ## The angle of a rotation, rad, 0 to PI.

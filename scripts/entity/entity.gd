@@ -98,7 +98,7 @@ func get_value(p_field: StringName) -> float:
 	return _values[index]
 
 
-## Sets a field, on the server; everybody is told what fits the field's range and resolution.
+## Sets a field, on the server; everybody receives it within the field's range and resolution.
 func set_value(p_field: StringName, p_value: float) -> void:
 	var index: int = type.find_field(p_field)
 	if index < 0 or not is_authority():
@@ -113,7 +113,7 @@ func set_value(p_field: StringName, p_value: float) -> void:
 		field_changed.emit(p_field, _values[index])
 
 
-## Tells everybody that something happens now: on the server.
+## Sends everybody the event that something happens now: on the server.
 func send_event(p_event: StringName, p_values: PackedFloat32Array = []) -> void:
 	var index: int = type.find_event(p_event)
 	if index < 0 or not is_authority():

@@ -10,5 +10,5 @@ var tick: int = 0
 var entity: int = 0
 ## Position of the command in its type's list.
 var command: int = 0
-## What the command carries, not decoded yet: its type tells how.
+## What the command carries, not decoded yet: its type defines how.
 var bytes: PackedByteArray = PackedByteArray()

@@ -1,7 +1,7 @@
 @tool
 class_name EntityField
 extends Resource
-## One number that an entity tells all clients: a turret's angle, a door's opening, health.
+## One number of an entity that all clients know: a turret's angle, a door's opening, health.
 ##
 ## On the wire it is a whole number of steps of [member resolution] above [member min_value], so
 ## both ends agree on every value exactly.
@@ -31,7 +31,7 @@ const MAX_STEPS: int = 1 << 24
 @export var min_value: float = 0.0
 ## Highest value; of an angle the first one that is the same as [member min_value] again.
 @export var max_value: float = 1.0
-## Distance between two values that can be told apart, in the unit of the field.
+## Smallest difference between two values, in the unit of the field.
 @export var resolution: float = 0.01
 ## Value of a new entity.
 @export var default_value: float = 0.0

@@ -68,7 +68,7 @@ func encode(p_values: PackedFloat32Array) -> PackedByteArray:
 	return bytes
 
 
-## Reads values. [member ByteReader.failed] tells if they are none: a step out of range counts.
+## Reads values. [member ByteReader.failed] is true if they are invalid, as a step out of range is.
 func decode(p_reader: ByteReader) -> PackedFloat32Array:
 	var values: PackedFloat32Array = []
 	for field: EntityField in fields:

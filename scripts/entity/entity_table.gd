@@ -4,7 +4,7 @@ extends RefCounted
 ##
 ## Numbers: 0 is the world itself, 1 to 1023 are people, 1024 to 65535 everything else. A number
 ## whose entity is gone rests for a while before another one gets it. Each change raises
-## [member version] by one; a snapshot tells a client only of what its version knows.
+## [member version] by one; a snapshot has for a client only what its version knows.
 
 ## An entity has come.
 signal spawned(p_row: EntityRow)

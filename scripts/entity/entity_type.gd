@@ -2,10 +2,10 @@
 @icon("res://scenes/entity/icons/entity_type.svg")
 class_name EntityType
 extends Resource
-## What a kind of entity is: its body, the numbers that it tells everybody, the commands that it
+## What a kind of entity is: its body, the fields that everybody knows, the commands that it
 ## takes, the events that it sends, and who may command it.
 ##
-## Told reliably to every client that joins. A new kind of thing (a turret, a door, a scenario's
+## Sent reliably to every client that joins. A new kind of thing (a turret, a door, a scenario's
 ## variable) is a new resource of this class and needs no other code in the network.
 
 ## What is simulated of an entity and where it is on the wire.
@@ -28,9 +28,9 @@ enum CommandedBy {
 	ANYBODY,
 }
 
-## Field of a person that tells which entity carries it; 0 none.
+## Field of a person with the number of the entity that carries it; 0 none.
 const CARRIER: StringName = &"carrier"
-## Field of a person that tells how the motion's own frame is turned about the Y axis, rad.
+## Field of a person: how the motion's own frame is turned about the Y axis, rad.
 const HEADING: StringName = &"heading"
 ## Most commands, and most events, of a type.
 const MAX_SCHEMAS: int = 32
@@ -44,9 +44,9 @@ const MAX_NAME: int = 48
 		resource_name = p_value
 ## What is simulated of it.
 @export var body: Body = Body.NONE
-## What it tells everybody.
+## The numbers that all clients know.
 @export var fields: Array[EntityField] = []
-## What it can be told to do.
+## What it can be commanded to do.
 @export var commands: Array[EntitySchema] = []
 ## What can happen to it.
 @export var events: Array[EntitySchema] = []
@@ -93,7 +93,7 @@ func spawn_schema() -> EntitySchema:
 	return _spawn_schema
 
 
-## Tells an encoder or decoder of the type: [param p_define_type] is its method
+## Defines the type in an encoder or decoder: [param p_define_type] is its method
 ## [method SnapshotEncoder.define_type].
 func define(p_define_type: Callable, p_number: int) -> void:
 	var kinds: PackedByteArray = []
@@ -154,7 +154,7 @@ func encode() -> PackedByteArray:
 	return bytes
 
 
-## Reads a type; [member ByteReader.failed] tells if it is none.
+## Reads a type; [member ByteReader.failed] is true if it is invalid.
 static func decode(p_reader: ByteReader) -> EntityType:
 	var type: EntityType = EntityType.new()
 	type.name = p_reader.read_text(4 * MAX_NAME)

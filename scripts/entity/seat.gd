@@ -15,10 +15,10 @@ signal occupied(p_session: int)
 const TAKE: StringName = &"take_seat"
 ## Command that leaves the seat.
 const LEAVE: StringName = &"leave_seat"
-## Highest number of a session that a seat can tell.
+## Highest number of a session that a seat's field can hold.
 const MAX_SESSION: int = 1 << 16
 
-## The field that tells who sits here.
+## The field with the session of who sits here.
 @export var occupant_field: StringName = &"occupant"
 ## Whether the people of who sits here are carried along. If not, they stay where they are, and only
 ## steer from afar.

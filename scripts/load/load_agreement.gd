@@ -1,26 +1,26 @@
 class_name LoadAgreement
 extends RefCounted
-## Compares what clients have been told: whoever hears of a person's pose in a tick hears the same
-## as everybody else, whatever was lost on the way.
+## Compares what clients have received: every client gets the same pose of a person in a tick as all
+## others, whatever was lost in transit.
 
 ## Ticks that are remembered.
 const KEPT: int = 256
 ## Of so many of a person's poses one is compared.
 const EVERY: int = 8
 
-## Poses that two or more clients have told.
+## Poses that two or more clients have reported.
 var compared: int = 0
 ## Those of them that were not the same.
 var different: int = 0
 
 var _ticks: Array[int] = []
-var _told: Array[Dictionary] = []
+var _fingerprints: Array[Dictionary] = []
 
 
 func _init() -> void:
 	_ticks.resize(KEPT)
 	_ticks.fill(-1)
-	_told.resize(KEPT)
+	_fingerprints.resize(KEPT)
 
 
 ## Whether this pose is one of those that are compared.
@@ -30,17 +30,17 @@ func wants(p_tick: int, p_person: int) -> bool:
 
 ## Takes a pose's fingerprint, of a person at a tick.
 func take(p_tick: int, p_person: int, p_fingerprint: int) -> void:
-	var place: int = p_tick % KEPT
-	if _ticks[place] > p_tick:
+	var index: int = p_tick % KEPT
+	if _ticks[index] > p_tick:
 		return
-	if _ticks[place] != p_tick:
-		_ticks[place] = p_tick
-		_told[place] = {}
-	if not _told[place].has(p_person):
-		_told[place][p_person] = p_fingerprint
+	if _ticks[index] != p_tick:
+		_ticks[index] = p_tick
+		_fingerprints[index] = {}
+	if not _fingerprints[index].has(p_person):
+		_fingerprints[index][p_person] = p_fingerprint
 		return
 	compared += 1
-	if _told[place][p_person] != p_fingerprint:
+	if _fingerprints[index][p_person] != p_fingerprint:
 		different += 1
 
 

@@ -7,9 +7,9 @@ extends RefCounted
 ## is asked for the pose of a moment a little more than one period back, which lies between two that
 ## were measured. For one thread.
 
-## How much further back than one period, s: what the way from the source is late now and then.
+## How much further back than one period, s: the usual jitter of the path from the source.
 const MARGIN_S: float = 0.002
-## A source that is late is guessed on for so long, s; then nothing is told until it comes again.
+## A source that is late is extrapolated for so long, s; then there is no pose until it comes again.
 const MAX_AHEAD_S: float = 0.05
 ## Poses that are kept.
 const MAX_POSES: int = 16
@@ -18,7 +18,7 @@ const _USUAL_PERIOD_S: float = 0.01
 const _LONGEST_PERIOD_S: float = 0.1
 
 var _poses: Array[PoseSample] = []
-var _told_usec: int = 0
+var _returned_usec: int = 0
 
 
 ## Takes a pose that was measured at its [member PoseSample.time_usec].
@@ -43,8 +43,8 @@ func period_s() -> float:
 	return minf(span / (_poses.size() - 1), _LONGEST_PERIOD_S)
 
 
-## The pose for a moment, µs of Unix time; it says itself of when it is. Null if there is none, or
-## none that was not told before.
+## The pose for a moment, µs of Unix time; its own time says of when it is. Null if there is none,
+## or none newer than the last one returned.
 func at(p_time_usec: int) -> PoseSample:
 	if _poses.is_empty():
 		return null
@@ -53,9 +53,9 @@ func at(p_time_usec: int) -> PoseSample:
 	if _poses.size() < 2:
 		wanted = newest.time_usec
 	wanted = mini(wanted, newest.time_usec + roundi(MAX_AHEAD_S * 1e6))
-	if wanted <= _told_usec and _told_usec <= newest.time_usec + roundi(MAX_AHEAD_S * 1e6):
+	if wanted <= _returned_usec and _returned_usec <= newest.time_usec + roundi(MAX_AHEAD_S * 1e6):
 		return null
-	_told_usec = wanted
+	_returned_usec = wanted
 	if _poses.size() < 2 or wanted <= _poses[0].time_usec:
 		return _between(_poses[0], _poses[0], 0.0)
 	var later: int = 1

@@ -30,7 +30,7 @@ var _phase_usec: float = -1.0
 var _lateness: Statistics = Statistics.new()
 
 
-## One source and what it has told.
+## One source and its last poses.
 class Lane:
 	var source: MotionSource = null
 	var waiting: Array[PoseSample] = []

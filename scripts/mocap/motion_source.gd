@@ -11,9 +11,9 @@ var error: String = ""
 var _next_id: int = 0
 
 
-## The pose at a moment (Unix time, µs), or null while there is none. A live source cannot tell what
-## is not measured yet: it gives the pose of a moment shortly before, with that time, and null if
-## there is nothing newer than it has told ([LivePoses]).
+## The pose at a moment (Unix time, µs), or null while there is none. A live source does not know
+## what is not measured yet: it gives the pose of a moment shortly before, with that time, and null
+## if there is nothing newer than it has given ([LivePoses]).
 func sample(p_time_usec: int) -> PoseSample:
 	var taken: PoseSample = _read(p_time_usec)
 	if taken != null:
@@ -29,7 +29,7 @@ func get_hip_height() -> float:
 	return 0.95
 
 
-## Lengths of the wearer's limbs, m, by place in [constant Limbs.BONES], 0 where it is not known;
+## Lengths of the wearer's limbs, m, by index in [constant Limbs.BONES], 0 where it is not known;
 ## empty where none is. From a limb's joint to its end in [constant Limbs.TAILS], as in [member
 ## PersonCard.lengths]: the hand to the middle knuckle, the foot from ankle to ball, the head from
 ## its joint to the crown; hips, spine and chest count as one sum.

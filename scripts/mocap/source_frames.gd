@@ -15,7 +15,7 @@ enum Frame {
 	XSENS_NED,
 	## MTData2's ENU: X east, Y north, Z up.
 	XSENS_ENU,
-	## MVN's type 01: Y up, right-handed, places in cm. Z is forward, X left.
+	## MVN's type 01: Y up, right-handed, positions in cm. Z is forward, X left.
 	MVN_Y_UP,
 	## MVN's type 05: Unity's left-handed frame, Y up, Z forward, X right, metres.
 	MVN_UNITY,
@@ -73,7 +73,7 @@ static func sensor_vector(p_vector: Vector3) -> Vector3:
 	return Vector3(p_vector.y, p_vector.z, p_vector.x)
 
 
-## A place of the source, m in Godot's frame.
+## A position of the source, m in Godot's frame.
 static func position(p_position: Vector3, p_frame: Frame = Frame.XSENS) -> Vector3:
 	var scale: float = 0.01 if p_frame == Frame.MVN_Y_UP else 1.0
 	return vector(p_position, p_frame) * scale
@@ -120,7 +120,7 @@ static func sensor_vectors(p_vectors: PackedVector3Array) -> PackedVector3Array:
 	return found
 
 
-## Many places at once, m in Godot's frame.
+## Many positions at once, m in Godot's frame.
 static func positions(
 	p_positions: PackedVector3Array, p_frame: Frame = Frame.XSENS
 ) -> PackedVector3Array:

@@ -155,7 +155,7 @@ func poll() -> void:
 		_end("no server answers at %s" % _where)
 
 
-## Tells the server whose motion we send, if we are joined.
+## Sends the server the cards of the people whose motion we send, if we are joined.
 func declare_people(p_people: Array[PersonCard]) -> void:
 	if _state == State.JOINED:
 		_api.send_bytes(
@@ -239,7 +239,7 @@ func _loss() -> String:
 		DisconnectReason.THROWN_OUT:
 			return "the server at %s has thrown us out" % _where
 		DisconnectReason.REPLACED:
-			return "another connection to %s has taken our place" % _where
+			return "another connection to %s has replaced ours" % _where
 	return "the connection to %s is lost%s" % [_where, ": " + _why if _why != "" else ""]
 
 

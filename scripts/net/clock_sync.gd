@@ -1,6 +1,6 @@
 class_name ClockSync
 extends RefCounted
-## Tells what the server's clock and tick are, from answers to [ClockMessage] questions.
+## Estimates the server's clock and tick from answers to [ClockMessage] questions.
 ##
 ## Of each answer the server's time lies between question and arrival; the middle is right if both
 ## ways took as long. The quickest round trips of the last seconds bound the error most tightly: the
@@ -14,7 +14,7 @@ const DRIFT_WINDOW_S: float = 120.0
 const MIN_DRIFT_S: float = 15.0
 ## Most that two clocks can drift apart; more is an error of measurement. Parts per million.
 const MAX_DRIFT_PPM: float = 300.0
-## A round trip beyond this tells nothing, s.
+## A round trip beyond this is of no use, s.
 const LONGEST_TRIP_S: float = 2.0
 ## An offset that is this far off is another clock, s.
 const JUMP_S: float = 1.0

@@ -1,6 +1,6 @@
 class_name SampleClock
 extends RefCounted
-## Tells the server which moment of a wearer's motion is "now".
+## Finds for the server which moment of a wearer's motion is "now".
 ##
 ## Samples carry the wearer's clock and arrive with a varying delay, which is never below some least
 ## one: the quickest arrival of the last one or two seconds says by how much the clocks differ. That

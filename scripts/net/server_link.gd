@@ -10,7 +10,7 @@ extends RefCounted
 
 ## A client was admitted. [param p_hello] has name, role and rate.
 signal client_joined(p_session: int, p_hello: Dictionary)
-## A client's connection is lost; it keeps its place for [constant SessionTable.KEPT_S] seconds.
+## A client's connection is lost; its session is kept for [constant SessionTable.KEPT_S] seconds.
 signal client_lost(p_session: int)
 ## A client is back, after its connection was lost or because it has a new one.
 signal client_returned(p_session: int)
@@ -22,7 +22,7 @@ signal people_declared(p_session: int, p_people: Array[PersonCard])
 signal pose_received(p_session: int, p_sample: PoseSample, p_arrival_usec: int)
 ## A client acknowledges snapshots; the bytes begin with [constant Protocol.Message.ACK].
 signal ack_received(p_session: int, p_bytes: PackedByteArray, p_arrival_usec: int)
-## A client tells how well it sees: see [method StatsMessage.decode].
+## A client's own stats have come: see [method StatsMessage.decode].
 signal stats_received(p_session: int, p_stats: Dictionary)
 ## Who is here, lost or waiting has changed; see [method roster].
 signal roster_changed
@@ -137,7 +137,7 @@ func publish_tick(p_tick: int, p_usec: int, p_tick_rate: int = 60) -> void:
 
 
 ## Sends datagrams of at most [constant Protocol.MAX_DATAGRAM] bytes, unreliably, each to the
-## session in the same place; all at once, as handing over one by one takes longer than sending.
+## session of the same index; all at once, as handing over one by one takes longer than sending.
 func send_datagrams(p_sessions: PackedInt32Array, p_datagrams: Array[PackedByteArray]) -> void:
 	var peers: PackedInt32Array = PackedInt32Array()
 	for id: int in p_sessions:
@@ -205,7 +205,7 @@ func refuse(p_peer: int, p_why: String) -> String:
 	return _handshake.refuse(p_peer, p_why)
 
 
-## Sends a client away, who is told why. Returns why not, or an empty text.
+## Dismisses a client, which is told why. Returns why not, or an empty text.
 func kick(p_session: int, p_why: String) -> String:
 	var session: Session = _sessions.find(p_session)
 	if session == null:

@@ -8,7 +8,7 @@ extends Node
 
 ## Who is here, lost or waiting has changed; see [method ServerLink.roster]. On clients.
 signal roster_changed(p_roster: Array[Dictionary])
-## An instructor asks for another level; the callable is to be told why not, or an empty text. On
+## An instructor asks for another level; the callable gets the reason why not, or an empty text. On
 ## the server.
 signal level_requested(p_name: String, p_answer: Callable)
 ## What became of a request, for the instructor who made it. On clients.

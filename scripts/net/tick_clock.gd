@@ -1,6 +1,6 @@
 class_name TickClock
 extends RefCounted
-## The server's tick, told by the main thread and asked for in the transport's.
+## The server's tick, set by the main thread and read in the transport's.
 
 var _mutex: Mutex = Mutex.new()
 var _tick: int = 0

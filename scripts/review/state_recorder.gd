@@ -8,7 +8,7 @@ extends RefCounted
 
 ## First bytes of a recording: the name and the version of the format.
 const MAGIC: String = "DSMTREC4"
-## The only byte of a record that says that a connection begins: what was told before is void.
+## The only byte of a record that says that a connection begins: what came before is void.
 const BEGIN: int = 0xFF
 ## Number by which a server's encoder knows its recorder; no session has it.
 const CLIENT: int = -1

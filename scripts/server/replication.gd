@@ -1,7 +1,7 @@
 class_name Replication
 extends RefCounted
-## Tells all clients which entities there are and where they are, each as far as its share of the
-## network goes.
+## Sends all clients the entities and their state, each client as much as its share of the network
+## allows.
 
 ## The encoder, which also has the entities' fields.
 var encoder: SnapshotEncoder = SnapshotEncoder.new()
@@ -148,7 +148,7 @@ func stats_of(p_session: int) -> Dictionary:
 	return stats
 
 
-## Tells who is new the whole table, and the others what has changed in it.
+## Sends new clients the whole table, the others its changes.
 func _send_table() -> void:
 	var table: EntityTable = _level.table
 	_changes.types = table.types.slice(_known_types)

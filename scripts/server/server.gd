@@ -1,6 +1,7 @@
 class_name Server
 extends Node
-## The dedicated server: simulates the world, drives each trainee's ragdoll, tells everybody.
+## The dedicated server: simulates the world, drives each trainee's ragdoll, sends everybody the
+## state.
 ##
 ## A tick: take in what has arrived, set the motors, let Jolt step; right after the step the new
 ## state goes out, in the same frame.
@@ -15,7 +16,7 @@ const ROOTS: Dictionary[String, RagdollMotor.RootMode] = {
 	"pendulum": RagdollMotor.ROOT_PENDULUM,
 	"self_righting": RagdollMotor.ROOT_SELF_RIGHTING,
 }
-## Ticks per second at most: a snapshot tells the rate in a byte.
+## Maximum ticks per second: a snapshot has the rate in a byte.
 const _MAX_TICKS: int = 240
 ## Exit code for wrong options.
 const _EXIT_OPTIONS: int = 2
@@ -171,7 +172,7 @@ func _exit_tree() -> void:
 	_status.close()
 	if _sending != null:
 		_sending.close()
-	# The bodies are out of the tree already: nobody is to be told who leaves now.
+	# The bodies are out of the tree already: nobody needs to know who leaves now.
 	if _link.client_left.is_connected(_on_left):
 		_link.client_left.disconnect(_on_left)
 	_link.close()
@@ -198,7 +199,7 @@ func _report_speed() -> void:
 	Log.warning("server", text % parts + "the machine is too slow for it")
 
 
-## Puts another level in place while the session runs. Returns why it cannot, or an empty text.
+## Loads another level while the session runs. Returns why it cannot, or an empty text.
 func _change_level(p_name: String, p_answer: Callable) -> void:
 	p_answer.call(_level.load_level(p_name, _tick))
 

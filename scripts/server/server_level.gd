@@ -4,7 +4,7 @@ extends Node3D
 
 ## The level is about to go, and everything with it.
 signal leaving
-## Another level is in place; its entities are in the table.
+## Another level is loaded; its entities are in the table.
 signal changed
 ## An entity of the level has come, with the node of its [Entity] (null for a plain prop) and its
 ## body (null without one).
@@ -28,7 +28,7 @@ var _prop_type: EntityType = _make_type(PROP_TYPE, EntityType.Body.RIGID)
 var _world_type: EntityType = _make_type(WORLD_TYPE, EntityType.Body.NONE)
 
 
-## Puts a level in place of the one that is there: all entities go, those of the level come. Returns
+## Replaces the present level by another: all entities go, those of the level come. Returns
 ## why it cannot, or an empty text; then nothing has changed.
 func load_level(p_name: String, p_tick: int = 0) -> String:
 	if not LevelStore.has(p_name):

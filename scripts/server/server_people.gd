@@ -7,14 +7,14 @@ signal person_added(p_person: Person)
 ## Somebody is carried by an entity from now on; -1 by none.
 signal person_attached(p_person: Person, p_carrier: int)
 
-## People that left and whose stats are still told.
+## Number of people who left and whose stats are still reported.
 const _REMEMBERED: int = 16
 
-## Old samples in a row that are worth a word, and that mean a new clock.
+## Old samples in a row that are worth a log line, and that mean a new clock.
 const _LATE: int = 5
 const _NEW_CLOCK: int = 30
 
-## Longest step of a sample's way that a mark can tell, µs.
+## Longest stage of a sample's latency that a latency mark can hold, µs.
 const _LONGEST_STEP_USEC: int = 655000
 
 ## The scene of a person; its root is a [Ragdoll].
@@ -39,7 +39,7 @@ class Person:
 	var id: int = 0
 	## Number of the session that sends its motion.
 	var session: int = 0
-	## What the client told of the wearer.
+	## What the client sent about the wearer.
 	var card: PersonCard = PersonCard.new()
 	var name: String = ""
 	var ragdoll: Ragdoll = null
@@ -67,7 +67,7 @@ func setup(p_table: EntityTable) -> void:
 	_table = p_table
 
 
-## Gives a session the bodies of these people, and takes away those of whom it tells no more.
+## Gives a session the bodies of these people, and takes away those whom it no longer lists.
 ## [param p_name] is for those who have no name.
 func set_people(p_session: int, p_cards: Array[PersonCard], p_name: String) -> void:
 	var wanted: Dictionary[int, bool] = {}
@@ -179,7 +179,7 @@ func hand_poses(p_encoder: SnapshotEncoder) -> void:
 			p_encoder.set_body_pose(person.id, person.ragdoll.motor.get_body_pose())
 
 
-## Tells an encoder which samples moved whom in a tick that ended at a time, µs.
+## Gives an encoder the samples that moved each person in a tick that ended at a time, µs.
 func mark(p_encoder: SnapshotEncoder, p_now_usec: int) -> void:
 	for person: Person in _people.values():
 		var newest: PoseSample = person.newest
@@ -223,8 +223,8 @@ func leave() -> void:
 		_table.despawn(person.id)
 
 
-## Puts everybody into the table and at the places where people start in the level that is there
-## now, m; those who come later start there too, and those without a point beside the last one.
+## Puts everybody into the table and at the start points of the present level, m;
+## those who come later start there too, and those without a point beside the last one.
 func enter(p_points: Array[Vector3]) -> void:
 	_spawn_points = p_points
 	for person: Person in _people.values():

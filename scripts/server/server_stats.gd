@@ -1,6 +1,6 @@
 class_name ServerStats
 extends RefCounted
-## What a server tells of itself, to its operator's report file, status endpoint and log.
+## A server's stats for its operator's report file, status endpoint and log.
 
 ## Ticks that count in the report's "recent".
 const RECENT_TICKS: int = 600

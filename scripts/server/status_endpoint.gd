@@ -1,6 +1,6 @@
 class_name StatusEndpoint
 extends RefCounted
-## Tells a server's stats to whoever asks on this machine: HTTP on 127.0.0.1, JSON.
+## Serves a server's stats to whoever asks on this machine: HTTP on 127.0.0.1, JSON.
 ##
 ## [code]curl http://127.0.0.1:7777/[/code]. Meant for operators and their monitoring; nobody else
 ## can reach it. Requests are few, short and soon over, or they are dropped.
@@ -36,7 +36,7 @@ func poll(p_stats: Callable) -> void:
 		request.stream = _server.take_connection()
 		request.since_usec = Time.get_ticks_usec()
 		_requests.append(request)
-		# Whoever just holds a place must not keep others out.
+		# Whoever just holds a connection must not keep others out.
 		if _requests.size() > MAX_REQUESTS:
 			(_requests.pop_front() as Request).stream.disconnect_from_host()
 	for request: Request in _requests.duplicate():

@@ -5,7 +5,7 @@ extends Node3D
 ## Root of a level: what never moves, props, where people start, triggers and cameras.
 ##
 ## A level is a scene [code]scenes/world/NAME/NAME.tscn[/code] whose root has this script. The
-## server and all clients load the same one; [method fingerprint] tells whether they have.
+## server and all clients load the same one; [method fingerprint] shows whether they have.
 
 ## Group of the props, [RigidBody3D] nodes: each is an entity of its own.
 const PROPS: StringName = &"props"

@@ -4,7 +4,7 @@ extends RefCounted
 
 ## Folder of the levels.
 const ROOT: String = "res://scenes/world"
-## The level that a server has unless told otherwise.
+## The level that a server has by default.
 const DEFAULT: String = "hall"
 ## Longest name of a level, characters.
 const MAX_NAME: int = 40

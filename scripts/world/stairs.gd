@@ -57,6 +57,6 @@ func _rebuild() -> void:
 	for step: int in steps:
 		var depth: float = going + (landing if step == steps - 1 else 0.0)
 		var size: Vector3 = Vector3(width, rise * (step + 1), depth)
-		var place: Vector3 = Vector3(0.0, size.y / 2.0, -(going * step + depth / 2.0))
-		Block.add_box(self, Transform3D(Basis.IDENTITY, place), size, material)
+		var middle: Vector3 = Vector3(0.0, size.y / 2.0, -(going * step + depth / 2.0))
+		Block.add_box(self, Transform3D(Basis.IDENTITY, middle), size, material)
 	update_configuration_warnings()

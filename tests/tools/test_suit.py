@@ -33,7 +33,7 @@ def test_few_trackers_sit_where_they_tell_most() -> None:
     assert "--limbs=pelvis,left_forearm,right_forearm,left_shank,right_shank" in five
     own = suit.complete(ENGINE, ["--limbs=head,pelvis"])
     assert "--limbs=head,pelvis" in own
-    assert sorted(suit.PLACES) == sorted(suit.ORDER)
+    assert sorted(suit.MOUNTS) == sorted(suit.ORDER)
 
 
 def test_flags_stay_flags_and_words_are_refused() -> None:

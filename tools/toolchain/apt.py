@@ -61,7 +61,7 @@ def apt_command(work: Path, site: str, kind: str, suite: str = SUITE) -> list[st
 
 
 def apt_run(command: list[str], cwd: Path | None = None) -> None:
-    """Runs apt-get; an AptError tells what went wrong."""
+    """Runs apt-get; an AptError says what went wrong."""
     done = subprocess.run(command, cwd=cwd, capture_output=True, text=True, check=False)
     # A failed update of one source is only a warning to apt, hence the look at its words.
     if done.returncode != 0 or "Failed to fetch" in done.stderr:

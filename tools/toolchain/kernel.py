@@ -114,11 +114,11 @@ class KernelMachine:
     def _initial_files(self) -> bytes:
         """The machine's files: our programs, their libraries, the kernel's modules."""
         files: dict[str, bytes] = {}
-        for place, name in PROGRAMS.items():
+        for target, name in PROGRAMS.items():
             program = EXTENSIONS / "xbus" / name
             if not program.exists():
                 raise Failure(f"{program} has not been built: it needs libusb.")
-            files[place] = program.read_bytes()
+            files[target] = program.read_bytes()
             for library, source in _libraries(program).items():
                 files[library] = source.read_bytes()
         order: list[str] = []

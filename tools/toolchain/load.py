@@ -181,13 +181,13 @@ def _network(settings: Settings) -> Iterator[ProxyProcess | None]:
 
 
 def _look(group: Group, status_port: int) -> dict[str, Any]:
-    """What the server tells of itself, and what the system tells of it."""
+    """What the server reports of itself, and what the system reports of it."""
     try:
         with urllib.request.urlopen(f"http://127.0.0.1:{status_port}/", timeout=5) as reply:
             status = json.load(reply)
     except (OSError, ValueError) as error:
         log = tail(group.log("server"))
-        raise Failure(f"The server tells no status ({error}):\n{log}") from error
+        raise Failure(f"The server serves no status ({error}):\n{log}") from error
     return {
         "status": status,
         "threads": thread_seconds(group.number("server")),

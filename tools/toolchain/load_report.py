@@ -50,7 +50,7 @@ class Measured:
         return self.load["clients"]
 
     def troubles(self) -> list[str]:
-        """Lines of the logs that tell of something wrong."""
+        """Lines of the logs that report something wrong."""
         lines = [f"{name}: {one}" for name, log in self.logs.items() for one in log.splitlines()]
         return [line for line in lines if any(word in line for word in TROUBLE)]
 

@@ -223,7 +223,7 @@ def _copy(
 
 def _relink(text: str, source: Path, inside: str, contents: Contents) -> str:
     """Links to what the package has, plain words where it has not."""
-    places = {path.resolve(): where for where, path in contents.files.items()}
+    targets = {path.resolve(): where for where, path in contents.files.items()}
     depth = "../" * inside.count("/")
 
     def change(match: re.Match[str]) -> str:
@@ -231,7 +231,7 @@ def _relink(text: str, source: Path, inside: str, contents: Contents) -> str:
         if link.startswith(("http:", "https:", "#")):
             return match[0]
         file, hash_mark, anchor = link.partition("#")
-        where = places.get((source.parent / file).resolve())
+        where = targets.get((source.parent / file).resolve())
         return words if where is None else f"[{words}]({depth}{where}{hash_mark}{anchor})"
 
     return _LINK.sub(change, text)

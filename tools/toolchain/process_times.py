@@ -23,7 +23,7 @@ def thread_seconds(process: int) -> dict[int, tuple[str, float]]:
         # A thread may end while we read.
         with contextlib.suppress(OSError, ValueError, IndexError):
             name, seconds = parse_stat((task / "stat").read_text(encoding="utf-8"))
-            # ns, where the kernel tells them; the other counts in hundredths of a second.
+            # ns, where the kernel has them; the other counts in hundredths of a second.
             with contextlib.suppress(OSError, ValueError, IndexError):
                 seconds = int((task / "schedstat").read_text(encoding="ascii").split()[0]) / 1e9
             found[int(task.name)] = (name, seconds)

@@ -17,7 +17,7 @@ HELP = """./run suit-emulator [options] [-- COMMAND ...]
 
 A person in a wired Xsens suit, who calibrates and then moves by a BVH file, on USB devices that
 only the COMMAND finds (by umockdev; it ends with the command). Without a command: prints the
-environment that a program in another terminal needs. docs/suit-emulator.md tells more.
+environment that a program in another terminal needs. docs/suit-emulator.md has more.
 
   ./run suit-emulator -- ./run trainee --xbus --calibrate=full
 
@@ -32,7 +32,7 @@ environment that a program in another terminal needs. docs/suit-emulator.md tell
   --noise=DEGREES --drift=DEGREES   of each sample, of the heading in a minute
   --mountings=FILE      lines of "w x y z degrees": how each tracker sits, and its north
   --swap=A:B            trackers that were put on each other's limb
-  --hold                stands in a T-pose until the command 'go', in place of until the suit
+  --hold                stands in a T-pose until the command 'go', instead of until the suit
                         measures
   --baud=N --instant    speed of the serial line (460800), or one that takes no time
   --corrupt=P --drop=P  probability that a byte is changed or lost
@@ -49,15 +49,15 @@ environment that a program in another terminal needs. docs/suit-emulator.md tell
 
 PROGRAM = EXTENSIONS / "xbus" / "suit_emulator"
 FILES = ("bvh", "mountings", "trace", "log", "commands")
-# The places on the bus, from the middle outwards.
+# The mounts along the bus, from the middle outwards.
 ORDER = ["pelvis", "sternum", "head"]
 ORDER += ["left_shoulder", "left_upper_arm", "left_forearm", "left_hand"]
 ORDER += ["right_shoulder", "right_upper_arm", "right_forearm", "right_hand"]
 ORDER += ["left_thigh", "left_shank", "left_foot", "right_thigh", "right_shank", "right_foot"]
-# Where trackers matter most, the most important place first.
-PLACES = ["pelvis", "left_shank", "right_shank", "left_forearm", "right_forearm", "sternum"]
-PLACES += ["left_thigh", "right_thigh", "left_upper_arm", "right_upper_arm", "head"]
-PLACES += ["left_foot", "right_foot", "left_hand", "right_hand", "left_shoulder", "right_shoulder"]
+# Where trackers matter most, the most important mount first.
+MOUNTS = ["pelvis", "left_shank", "right_shank", "left_forearm", "right_forearm", "sternum"]
+MOUNTS += ["left_thigh", "right_thigh", "left_upper_arm", "right_upper_arm", "head"]
+MOUNTS += ["left_foot", "right_foot", "left_hand", "right_hand", "left_shoulder", "right_shoulder"]
 
 
 def main(arguments: list[str]) -> int:
@@ -91,7 +91,7 @@ def run(godot: Godot, options: list[str], command: list[str]) -> int:
 
 
 def complete(godot: Godot, options: list[str]) -> list[str]:
-    """The program's options: full paths, a motion stream in place of the BVH file, limbs."""
+    """The program's options: full paths, a motion stream instead of the BVH file, limbs."""
     values: dict[str, str | None] = {}
     for option in options:
         if not option.startswith("--"):
@@ -105,9 +105,9 @@ def complete(godot: Godot, options: list[str]) -> list[str]:
     values["stream"] = str(motion_stream(godot, Path(bvh)))
     values.setdefault("sensors", str(len(ORDER)))
     number = str(values["sensors"])
-    if "limbs" not in values and number.isdigit() and 0 < int(number) <= len(PLACES):
-        worn = PLACES[: int(number)]
-        values["limbs"] = ",".join(place for place in ORDER if place in worn)
+    if "limbs" not in values and number.isdigit() and 0 < int(number) <= len(MOUNTS):
+        worn = MOUNTS[: int(number)]
+        values["limbs"] = ",".join(mount for mount in ORDER if mount in worn)
     return [f"--{name}" if value is None else f"--{name}={value}" for name, value in values.items()]
 
 

@@ -99,7 +99,7 @@ class SuitSession:
         return [str(CLIENT_BINARY), "--headless", "--", *common, *options]
 
     def command(self, line: str, name: str = "trainee") -> None:
-        """Tells an emulator something."""
+        """Sends an emulator a command."""
         os.write(self._pipes[name], f"{line}\n".encode())
 
     def await_text(self, name: str, text: str, limit_s: float = 30.0) -> None:

@@ -122,10 +122,10 @@ class Lateness:
         """What a fraction of them does not exceed."""
         wanted = fraction * self._count
         total = 0
-        for place, count in enumerate(self._bins):
+        for index, count in enumerate(self._bins):
             total += count
             if count and total >= wanted:
-                return (place + 1) * BIN_NS / 1e6
+                return (index + 1) * BIN_NS / 1e6
         return 0.0
 
     def stats(self) -> dict[str, float]:

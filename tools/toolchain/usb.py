@@ -37,7 +37,7 @@ class Usb:
     has_umockdev: bool
 
     def options(self) -> list[str]:
-        """What CMake is told (gdextension/cmake/dismount_libusb.cmake, dismount_umockdev.cmake)."""
+        """Options for CMake (gdextension/cmake/dismount_libusb.cmake, dismount_umockdev.cmake)."""
         return [
             f"-DDISMOUNT_LIBUSB_ROOT={self.libusb or ''}",
             f"-DDISMOUNT_UMOCKDEV={'ON' if self.has_umockdev else 'OFF'}",

@@ -25,7 +25,7 @@ const GDExtensionInstanceBindingCallbacks extension_callbacks = {
 };
 
 /// The deepest class of the bindings that an object belongs to. Engine classes need not be public,
-/// nor in the build profile: only the object itself can tell what it is.
+/// nor in the build profile: only the object itself knows what it is.
 const EngineClass *nearest_class(GDExtensionObjectPtr p_object, const EngineClass &p_fallback) {
 	const EngineClass *nearest = &p_fallback;
 	for (const EngineClass *candidate : engine_classes()) {

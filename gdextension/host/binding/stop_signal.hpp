@@ -7,7 +7,7 @@
 
 namespace godot {
 
-/// Tells whether the system wants the program to end. Documented in doc_classes/StopSignal.xml.
+/// Whether the system wants the program to end. Documented in doc_classes/StopSignal.xml.
 class StopSignal : public RefCounted {
 	GDCLASS(StopSignal, RefCounted)
 

@@ -7,7 +7,7 @@
 
 namespace godot {
 
-/// Tells how long a thread has worked. Documented in doc_classes/ThreadClock.xml.
+/// Measures how long a thread has worked. Documented in doc_classes/ThreadClock.xml.
 class ThreadClock : public RefCounted {
 	GDCLASS(ThreadClock, RefCounted)
 

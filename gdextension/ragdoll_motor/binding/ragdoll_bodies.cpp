@@ -40,7 +40,7 @@ RagdollBodies::~RagdollBodies() {
 void RagdollBodies::free_all() {
 	free_assist();
 	for (std::size_t i = 0; i < _written.size(); i++) {
-		// Bodies that were put in place fall again, those that are still there.
+		// Bodies that were held at a pose fall again, as far as they are still there.
 		if (_written[i].is_set && server()->body_get_direct_state(_specs[i].body) != nullptr) {
 			set_kinematic(i, false);
 		}
@@ -92,8 +92,8 @@ void RagdollBodies::remake() {
 	const std::vector<JointSpec> kept = _specs;
 	const RID where = _space;
 	free_all();
-	// Out in the opposite order: the engine gives freed places to the next that comes, and solves in
-	// the order of places.
+	// Out in the opposite order: the engine gives a freed slot to the next that comes, and solves in
+	// the order of slots.
 	for (std::size_t i = kept.size(); i-- > 0;) {
 		server()->body_set_space(kept[i].body, RID());
 	}
@@ -189,7 +189,7 @@ void RagdollBodies::set_kinematic(std::size_t p_limb, bool p_kinematic) {
 	}
 }
 
-void RagdollBodies::place(std::size_t p_limb, const ragdoll::Quat &p_orientation, const ragdoll::Vec3 &p_joint) {
+void RagdollBodies::set_pose(std::size_t p_limb, const ragdoll::Quat &p_orientation, const ragdoll::Vec3 &p_joint) {
 	set_kinematic(p_limb, true);
 	const ragdoll::Vec3 origin = p_joint + p_orientation.rotate((*_rig)[p_limb].centre);
 	server()->body_set_state(_specs[p_limb].body, Joint::BODY_STATE_TRANSFORM,
@@ -284,7 +284,7 @@ void RagdollBodies::write(const std::vector<ragdoll::LimbCommand> &p_commands,
 		set_loose(i, command.mode == ragdoll::Actuation::DIRECT_SET && !hangs_on_set);
 		if (command.mode == ragdoll::Actuation::DIRECT_SET) {
 			set_drive(i, Drive::FREE);
-			place(i, p_orientations[i], p_joints[i]);
+			set_pose(i, p_orientations[i], p_joints[i]);
 			continue;
 		}
 		set_kinematic(i, false);

@@ -51,7 +51,7 @@ public:
 			const std::vector<ragdoll::Vec3> &p_joints);
 	/// Sets the root's hold: kinematic at a pose, or by limited forces.
 	void hold_root(const ragdoll::Quat &p_orientation, const ragdoll::Vec3 &p_joint) {
-		place(0, p_orientation, p_joint);
+		set_pose(0, p_orientation, p_joint);
 	}
 	void pull_root(ragdoll::RootMode p_mode, const ragdoll::RootCommand &p_command, const ragdoll::Vec3 &p_turn,
 			const ragdoll::Vec3 &p_trunk_turn);
@@ -95,7 +95,7 @@ private:
 	void free_all();
 	Transform3D frame_in_body(std::size_t p_limb) const;
 	void set_kinematic(std::size_t p_limb, bool p_kinematic);
-	void place(std::size_t p_limb, const ragdoll::Quat &p_orientation, const ragdoll::Vec3 &p_joint);
+	void set_pose(std::size_t p_limb, const ragdoll::Quat &p_orientation, const ragdoll::Vec3 &p_joint);
 	void set_drive(std::size_t p_limb, Drive p_drive);
 	void set_loose(std::size_t p_limb, bool p_loose);
 	void set_torque(const RID &p_joint, float p_torque, float &r_written);

@@ -355,7 +355,7 @@ bool Driver::restore(ArchiveReader &p_archive) {
 bool Driver::read(ArchiveReader &p_archive) {
 	std::uint64_t whose = 0;
 	RootMode mode = RootMode::SOFT;
-	// Archives hold places in tables: those of another body must not come any further.
+	// Archives hold indices of tables: those of another body must not come any further.
 	if (!p_archive.get(whose) || whose != fingerprint() || !p_archive.get(mode) || int(mode) < 0 ||
 			int(mode) >= ROOT_MODE_COUNT || !p_archive.get(_alive) || !p_archive.get(_was_limp) ||
 			!p_archive.get(_is_getting_up) || !p_archive.get(_was_held) || !p_archive.get(_is_fetched)) {

@@ -22,8 +22,8 @@ struct StepCommands {
 	RootCommand root;
 	Vec3 root_turn; ///< Turning rate of the root, limb's axes, rad/s.
 	Vec3 trunk_turn; ///< The same of the limb that SELF_RIGHTING keeps upright.
-	bool is_root_held = false; ///< The root is put in place instead of pulled.
-	std::vector<Quat> orientations; ///< Where limbs that are put in place belong at the step's end.
+	bool is_root_held = false; ///< The root is held at a pose instead of pulled.
+	std::vector<Quat> orientations; ///< Of limbs that are held at a pose, at the step's end.
 	std::vector<Vec3> joints; ///< Their joints, m.
 	/// Flags of GuardAction. Where there are any, or after a teleport, `must_put` is set and the state
 	/// that was handed in has been mended and has to be given back to the simulation.
@@ -83,7 +83,7 @@ public:
 	RootSettings root_settings;
 	RootMode root_mode = RootMode::SOFT;
 	/// What there is to stand on, for the modes that find the root's travel; level ground at height 0
-	/// where nobody tells. Must live as long.
+	/// where none is given. Must live as long.
 	const Ground *ground = nullptr;
 	/// The limb that SELF_RIGHTING keeps upright besides the root; -1 for none.
 	int righted_limb = -1;

@@ -29,7 +29,7 @@ public:
 	float max_gap = 0.3f; ///< Of a joint, m.
 
 	/// Checks a state and mends it in place. Returns flags of GuardAction; where it is not
-	/// GUARD_NOTHING, the mended velocities and places have to be given back to the simulation.
+	/// GUARD_NOTHING, the mended velocities and positions have to be given back to the simulation.
 	std::uint32_t check(const Rig &p_rig, RigState &r_state) const;
 	/// Kinetic energy of the limbs against the centre of mass, J.
 	static float internal_energy(const Rig &p_rig, const RigState &p_state);

@@ -18,7 +18,7 @@ namespace ragdoll {
 /// all of it.
 class Muscles {
 public:
-	/// Torques go up in so many steps: to tell the engine of every small change would take longer than
+	/// Torques go up in so many steps: to give the engine every small change would take longer than
 	/// all the rest.
 	static constexpr float STEPS = 8.0f;
 	/// F0 / a of Hill's equation: how bent the curve is.

@@ -94,7 +94,7 @@ private:
 		Vec3 root_rate; // m/s
 	};
 
-	/// The sample p_age places before the newest.
+	/// The sample that came p_age samples before the newest.
 	const Sample &at(std::size_t p_age) const { return _ring[(_head + CAPACITY - p_age) % CAPACITY]; }
 	void calm(Sample &r_sample, bool p_knows_rates);
 	bool comes_late(double p_time_s);

@@ -9,7 +9,7 @@ namespace ragdoll {
 
 /// Estimates what torque each joint has had to bring up in the last step, from how the bodies moved:
 /// recursive Newton-Euler inverse dynamics, from the leaves to the root (Luh, Walker, Paul 1980).
-/// The engine does not tell. What contacts push is not known and counts as the joints' work.
+/// The engine does not report them. Forces of contacts are not known and count as the joints' work.
 class TorqueMeter {
 public:
 	explicit TorqueMeter(std::size_t p_limb_count);

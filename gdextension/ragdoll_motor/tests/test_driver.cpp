@@ -27,7 +27,7 @@ TEST(the_state_of_another_body_is_refused) {
 	regrouped[3].group = 3;
 	Driver own(Rig(fixtures::limbs()), fixtures::groups(), 3, {});
 	Driver other(Rig(heavier), fixtures::groups(), 3, {});
-	// Of one group more: a limb's place in the table of groups would lie behind its end.
+	// Of one group more: a limb's index in the table of groups would lie behind its end.
 	Driver larger(Rig(regrouped), { 0, 0, 1, 3 }, 4, {});
 	Driver standing(Rig(fixtures::limbs()), fixtures::groups(), 3, std::vector<ContactPoint>(1));
 	CHECK(restore(own, saved(own)));

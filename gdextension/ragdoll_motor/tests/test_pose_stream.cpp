@@ -107,7 +107,7 @@ TEST(a_glitch_is_no_speed) {
 	CHECK(angle_at(stream, 0.06) < 3.0f + 0.01f * PoseStream::FASTEST_TURN);
 }
 
-TEST(a_teleport_is_told_once_and_is_no_speed) {
+TEST(a_teleport_is_reported_once_and_is_no_speed) {
 	PoseStream stream(1);
 	push(stream, 0.0, 0.0f, 0.0f);
 	push(stream, 0.02, 0.1f, 0.1f);

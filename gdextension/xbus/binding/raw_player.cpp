@@ -240,7 +240,7 @@ Ref<SuitDevice> RawPlayer::device_of(int p_number, const Stream &p_stream) const
 	report.serial = p_stream.serial;
 	report.is_open = true;
 	if (replay.undecoded() > 0) {
-		report.fault = "the recording does not tell how its samples are laid out: it began too late";
+		report.fault = "the recording does not say how its samples are laid out: it began too late";
 	}
 	report.session.device_id = replay.device_id();
 	report.session.kind = xbus::device_kind(replay.device_id());

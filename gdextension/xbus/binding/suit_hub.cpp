@@ -39,8 +39,8 @@ void SuitHub::stop() {
 }
 
 void SuitHub::set_recorder(const Ref<RawRecorder> &p_recorder) {
-	ERR_FAIL_COND_MSG(
-			_hub != nullptr, "A recording begins before the suits are looked for, or nobody could tell what is in it.");
+	ERR_FAIL_COND_MSG(_hub != nullptr,
+			"Begin recording before looking for suits: their set-up says how the samples are laid out.");
 	_tap.record_to(p_recorder.is_valid() ? p_recorder->share() : nullptr);
 }
 

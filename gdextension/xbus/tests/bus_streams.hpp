@@ -232,7 +232,7 @@ inline Survival survive(const Stream &p_stream, const MasterFormat *p_format, do
 		found.wrong += same ? 0U : 1U;
 		return true;
 	};
-	// In one piece, so that what is taken can be told by its place.
+	// In one piece, so that what is taken is known by its offset.
 	framer->feed(bytes.data(), bytes.size(), sink);
 	return found;
 }

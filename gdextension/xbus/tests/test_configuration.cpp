@@ -74,7 +74,7 @@ TEST(the_rate_counts_the_skip_factor) {
 	CHECK(configuration.rate() == 0.0);
 }
 
-TEST(devices_are_told_by_their_identifiers) {
+TEST(devices_are_known_by_their_identifiers) {
 	CHECK(device_kind(0x00100123) == DeviceKind::XBUS_MASTER);
 	CHECK(device_kind(0x00300123) == DeviceKind::MTI_MTX && device_kind(0x00500123) == DeviceKind::MTI_G);
 	CHECK(device_kind(0x00200123) == DeviceKind::AWINDA_STATION);

@@ -38,7 +38,7 @@ TEST(a_suit_with_orientations_survives) {
 	check_line(suit_stream(format, MESSAGES, 1), &format);
 }
 
-// Nothing tells a slightly wrong acceleration from a right one: what an eight-bit checksum misses in the long
+// Nothing distinguishes a slightly wrong acceleration from a right one: what an eight-bit checksum misses in the long
 // messages of a suit that sends all measurements stays unnoticed.
 TEST(a_suit_with_all_measurements_survives_with_more_errors) {
 	const MasterFormat format = suit_format(10, output_mode::CALIBRATED | output_mode::ORIENTATION);

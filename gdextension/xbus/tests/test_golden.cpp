@@ -12,7 +12,7 @@ using namespace streams;
 
 namespace {
 
-/// An item as the golden files tell of it: "Acceleration(Float32)" and its values.
+/// An item as the golden files have it: "Acceleration(Float32)" and its values.
 struct GoldenItem {
 	std::string head;
 	std::vector<std::string> values;
@@ -153,7 +153,7 @@ bool is_same(const GoldenItem &p_golden, const Item &p_item, const Sample &p_sam
 	const std::vector<double> numbers = numbers_of(p_item.type(), p_sample);
 	bool same = !numbers.empty() && numbers.size() == p_golden.values.size();
 	for (std::size_t i = 0; same && i < numbers.size(); i++) {
-		// Written with as many digits as tell one number from all others.
+		// Written with as many digits as distinguish one number from all others.
 		same = std::strtod(p_golden.values[i].c_str(), nullptr) == numbers[i];
 	}
 	return same;

@@ -160,7 +160,7 @@ TEST(raw_data_stand_alone) {
 	CHECK(!OutputFormat({ ORIENTATION, 0x0C }).is_valid());
 }
 
-TEST(the_axes_are_told_by_the_settings) {
+TEST(the_settings_decide_the_axes) {
 	const OutputFormat down = { ORIENTATION, NORTH_EAST_DOWN };
 	const Bytes bytes(16, 0);
 	Sample found;

@@ -185,7 +185,7 @@ TEST(data_without_a_format_are_kept_apart) {
 	CHECK(check.take({ MASTER, Message::MT_DATA, data.data(), data.size() }) == Verdict::CONTROL);
 }
 
-TEST(trackers_with_items_are_told_apart_by_their_bus_identifiers) {
+TEST(trackers_with_items_are_distinguished_by_their_bus_identifiers) {
 	std::mt19937 random(2);
 	StreamCheck check;
 	Bytes data(MAX_DATA);

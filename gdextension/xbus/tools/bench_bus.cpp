@@ -161,7 +161,7 @@ void measure_splits(const Bytes &p_recordings) {
 	print_figure("splits", "all give the same", same ? 1.0 : 0.0, "", Goal::AT_LEAST, 1.0);
 }
 
-/// `p_has_goal`: whether values tell enough for the goal of wrong messages to be in reach (docs/xbus.md).
+/// `p_has_goal`: whether values say enough for the goal of wrong messages to be in reach (docs/xbus.md).
 void measure_bad_line(
 		const char *p_case, const Stream &p_stream, const MasterFormat *p_format, bool p_has_goal = true) {
 	Survival rare;

@@ -90,7 +90,7 @@ bool parse(int p_count, char **p_values, Arguments &r_arguments) {
 	return true;
 }
 
-void tell(usb::Hub &p_hub) {
+void print_messages(usb::Hub &p_hub) {
 	constexpr const char *NAMES[] = { "info", "warning", "error" };
 	for (const usb::HubMessage &message : p_hub.take_messages()) {
 		std::printf("%s: %s\n", NAMES[int(message.severity)], message.text.c_str());
@@ -165,7 +165,7 @@ int main(int p_count, char **p_values) {
 	std::vector<usb::DeviceReport> reports;
 	while (stops == 0) {
 		std::this_thread::sleep_for(std::chrono::milliseconds(20));
-		tell(hub);
+		print_messages(hub);
 		reports = hub.report();
 		const double passed = double(clocks::now_usec() - begin) / 1e6;
 		const bool enough = arguments.frames > 0 && tracer.frames >= arguments.frames;
@@ -174,7 +174,7 @@ int main(int p_count, char **p_values) {
 		}
 	}
 	hub.stop();
-	tell(hub);
+	print_messages(hub);
 	print_report(reports, tracer.frames);
 	return tracer.frames > 0 ? 0 : 1;
 }

@@ -21,13 +21,13 @@ const HEAVIEST: float = 1000.0
 ## are an adult's.
 static func fill(p_profile: RagdollProfile, p_figure: RestSkeleton) -> void:
 	var size: float = stature(p_figure) / ADULT_HEIGHT
-	# Tenths of a kilogram are more than anybody can tell of such a figure.
+	# The estimate is no better than tenths of a kilogram.
 	p_profile.mass = clampf(snappedf(ADULT_MASS * size ** 3, 0.1), LIGHTEST, HEAVIEST)
 	for limb: RagdollLimb in p_profile.limbs:
 		limb.max_torque *= size * size
 
 
-## How tall a figure is, m, by the height of its hip joints: not every skeleton tells where the
+## How tall a figure is, m, by the height of its hip joints: not every skeleton has where the
 ## head ends.
 static func stature(p_figure: RestSkeleton) -> float:
 	var lowest: float = INF

@@ -6,7 +6,7 @@ extends RefCounted
 ## A limb's length goes from its joint to where [constant Limbs.TAILS] has its end: that of a hand
 ## to the knuckle of the middle finger, that of a foot from the ankle to the ball, that of the head
 ## from its joint to the crown. The trunk (hips, spine, chest) is scaled as a whole by the sum of
-## what is told of it: skeletons do not agree on where in the back its joints are.
+## what is known of it: skeletons do not agree on where in the back its joints are.
 
 ## A limb gets at least and at most so many times as long.
 const MIN: float = 0.5
@@ -67,9 +67,9 @@ static func own_lengths(p_ragdoll: Ragdoll) -> PackedFloat32Array:
 	return lengths
 
 
-## The scale that gives a ragdoll these lengths, m; 0 is what nobody knows. One side tells of the
-## other, the height of the hips (m, 0: not known) of the legs, all that is known of the rest.
-## Nothing known changes nothing. What is out of bounds is limited, with a warning.
+## The scale that gives a ragdoll these lengths, m; 0 where unknown. An unknown limb follows the
+## other side, unknown legs follow the height of the hips (m, 0: unknown), others the mean of what
+## is known. Nothing known changes nothing. What is out of bounds is limited, with a warning.
 static func of_lengths(
 	p_ragdoll: Ragdoll, p_lengths: PackedFloat32Array, p_hip_height: float = 0.0
 ) -> BodyScale:
@@ -90,8 +90,8 @@ static func of_lengths(
 	return scale
 
 
-## The scale that makes one body's joints out of another's: that of a ragdoll as it is, and what a
-## server tells of one that has been scaled.
+## The scale that makes one body's joints out of another's: those of a ragdoll as it is, and those
+## that a server sends of one that has been scaled.
 static func between(p_own: PersonSkeleton, p_given: PersonSkeleton) -> BodyScale:
 	var scale: BodyScale = BodyScale.new()
 	if p_own == null or p_given == null or not p_own.is_sound() or not p_given.is_sound():
@@ -105,7 +105,7 @@ static func between(p_own: PersonSkeleton, p_given: PersonSkeleton) -> BodyScale
 	return scale
 
 
-## Factors of what is told, 0 where nothing is.
+## Factors of the lengths that are given, 0 where none is.
 func _known(p_lengths: PackedFloat32Array, p_own: PackedFloat32Array) -> PackedFloat32Array:
 	var given: PackedFloat32Array = []
 	given.resize(Limbs.COUNT)

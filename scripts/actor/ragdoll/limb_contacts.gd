@@ -6,7 +6,7 @@ extends RefCounted
 ## Feet have five on the sole (thesis section 8.4.1): heel, both sides of the ball, both sides of
 ## the toes. Other limbs have the middles of the balls that their shapes end in.
 
-## How far around a place the surface says how low the sole is there, m.
+## Vertices within this distance of a point determine how low the sole is there, m.
 const _AROUND: float = 0.03
 ## How far inside the box's edges the points lie where there is no surface, as a share of its size.
 const _INSET: float = 0.12
@@ -74,10 +74,10 @@ static func _sole(
 	var local: PackedVector3Array = _lowest(frame.affine_inverse() * p_points, -half.y)
 	var heights: Vector3 = Vector3.ONE * -half.y
 	var sides: Array[Vector2] = []
-	var places: PackedFloat32Array = [heel, ball, tip]
+	var points: PackedFloat32Array = [heel, ball, tip]
 	for i: int in 3:
 		var reach: Vector2 = Vector2(-half.x, half.x) * (1.0 - _INSET)
-		var near: PackedVector3Array = _near(local, places[i])
+		var near: PackedVector3Array = _near(local, points[i])
 		if near.size() >= 3:
 			reach = Vector2(INF, -INF)
 			heights[i] = INF

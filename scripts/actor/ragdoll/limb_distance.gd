@@ -9,7 +9,7 @@ const GAP: float = 0.005
 const THINNEST: float = 0.6
 
 
-## Places of the limbs' shapes in the reset pose: a transform from the rest pose for each.
+## Where the limbs' shapes are in the reset pose: a transform from the rest pose for each.
 static func rest_to_reset(p_profile: RagdollProfile) -> Array[Transform3D]:
 	var moves: Array[Transform3D] = []
 	for i: int in p_profile.limbs.size():

@@ -55,9 +55,9 @@ static func mirrored(p_limb: int) -> int:
 
 func _find_symmetry() -> bool:
 	for limb: int in Limbs.COUNT:
-		var place: Vector3 = _figure.rest(Limbs.BONES[limb]).origin
+		var here: Vector3 = _figure.rest(Limbs.BONES[limb]).origin
 		var other: Vector3 = _figure.rest(Limbs.BONES[mirrored(limb)]).origin
-		if place.distance_to(other * Vector3(-1.0, 1.0, 1.0)) > 0.01:
+		if here.distance_to(other * Vector3(-1.0, 1.0, 1.0)) > 0.01:
 			return false
 	return true
 

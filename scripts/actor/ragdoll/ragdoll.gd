@@ -81,7 +81,7 @@ func get_simulator() -> PhysicalBoneSimulator3D:
 	return null
 
 
-## Gives the skeleton its physical bones, in place of those it may have. Without a profile one is
+## Gives the skeleton its physical bones, replacing those it may have. Without a profile one is
 ## made from the skeleton and the skinned meshes below this node. The button in the inspector
 ## calls it; the editor can undo it.
 func make_bodies() -> void:
@@ -116,7 +116,7 @@ func fit(p_lengths: PackedFloat32Array, p_hip_height: float = 0.0) -> bool:
 	return _can_fit() and _fit(BodyScale.of_lengths(self, p_lengths, p_hip_height))
 
 
-## Gives the body the size of another whose joints are told, see [method get_joints]: on a client.
+## Gives the body the size of another whose joints are given, see [method get_joints]: on a client.
 ## Returns whether it has changed.
 func fit_to(p_joints: PersonSkeleton) -> bool:
 	return _can_fit() and _fit(BodyScale.between(get_joints(), p_joints))
@@ -173,7 +173,7 @@ func get_hip_height() -> float:
 	return profile.limbs[0].anchor.y
 
 
-## Place of the body of each of [constant Limbs.BONES] in [method get_bodies]; -1 where the profile
+## Index of the body of each of [constant Limbs.BONES] in [method get_bodies]; -1 where the profile
 ## has no such limb.
 func get_limb_order() -> PackedInt32Array:
 	var order: PackedInt32Array = []
@@ -228,7 +228,7 @@ func _fit(p_scale: BodyScale) -> bool:
 	return true
 
 
-## Bodies in place of those that are there, which are taken out of the tree. Either may be null.
+## Replaces the bodies that are there, which are taken out of the tree. Either may be null.
 func _put_bodies(p_profile: RagdollProfile, p_simulator: PhysicalBoneSimulator3D) -> void:
 	if get_simulator() != null:
 		get_skeleton().remove_child(get_simulator())

@@ -5,9 +5,9 @@ extends RefCounted
 ##
 ## Each bone has a linear map in its own axes: along a limb by the limb's factor, across by the
 ## body's; head, hands and feet in all directions alike, and what hangs on a limb (fingers, toes,
-## shoulders) as the limb itself. Places go through the map of the bone that they belong to. Bones
-## never get a scale of their own, which children would inherit: the skin is stretched by the poses
-## that its meshes are bound with, so that it follows without shear however the limbs turn.
+## shoulders) as the limb itself. Positions go through the map of their bone. Bones never get a
+## scale of their own, which children would inherit: the skin is stretched by the poses that its
+## meshes are bound with, so that it follows without shear however the limbs turn.
 ## Rotations stay, and so do the rest and the reset pose. Nothing that scenes share is changed.
 
 var _ragdoll: Ragdoll = null

@@ -4,7 +4,7 @@ extends RefCounted
 ## A skeleton's rest pose in the model space of its ragdoll: upright, facing +Z, metres.
 ##
 ## The skeleton, or a node above it, may be turned and scaled, as imported characters are (0.01 for
-## centimetres): places come out in metres, orientations without scale.
+## centimetres): positions come out in metres, orientations without scale.
 
 ## The skeleton.
 var skeleton: Skeleton3D = null
@@ -19,12 +19,12 @@ func _init(p_skeleton: Skeleton3D) -> void:
 
 ## Where a node is in the model: relative to the [Ragdoll] above it, or to the topmost node.
 static func transform_of(p_node: Node3D) -> Transform3D:
-	var place: Transform3D = Transform3D.IDENTITY
+	var transform: Transform3D = Transform3D.IDENTITY
 	var node: Node3D = p_node
 	while node != null and node is not Ragdoll:
-		place = node.transform * place
+		transform = node.transform * transform
 		node = node.get_parent() as Node3D
-	return place
+	return transform
 
 
 ## Why no ragdoll can be made of the skeleton and how to change that, or an empty text.
@@ -70,7 +70,7 @@ func scaled_rest(p_bone: StringName) -> Transform3D:
 	return to_model * skeleton.get_bone_global_rest(skeleton.find_bone(p_bone))
 
 
-## From the end of a limb at its joint to the other; zero where the skeleton does not tell.
+## From the end of a limb at its joint to the other; zero where the skeleton has no end.
 func direction(p_limb: int) -> Vector3:
 	for tail: StringName in Limbs.TAILS[p_limb]:
 		if has(tail):

@@ -34,9 +34,9 @@ func find_fault() -> String:
 ## The pose as it is now. The root is where the hips are in the world, m.
 func sample() -> PoseSample:
 	var pose: PoseSample = PoseSample.new()
-	var place: Transform3D = _skeleton.global_transform
+	var transform: Transform3D = _skeleton.global_transform
 	for limb: int in Limbs.COUNT:
-		var bone: Transform3D = place * _skeleton.get_bone_global_pose(_bones[limb])
+		var bone: Transform3D = transform * _skeleton.get_bone_global_pose(_bones[limb])
 		var turn: Quaternion = bone.basis.get_rotation_quaternion()
 		pose.set_orientation(limb, (turn * _from_reset[limb]).normalized())
 		if limb == Limbs.ROOT:

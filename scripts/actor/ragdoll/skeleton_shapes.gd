@@ -42,7 +42,7 @@ const _BOXES: Array[int] = [
 const _HIPS_HEIGHT: float = 0.1
 ## Length of a foot, and how far the heel lies behind the ankle, as shares of the body's height.
 const _FOOT: Vector2 = Vector2(0.152, 0.035)
-## Shortest limb, m: where a skeleton does not tell.
+## Shortest limb, m: where a skeleton has no end of it.
 const _SHORTEST: float = 0.06
 
 

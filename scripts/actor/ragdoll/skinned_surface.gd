@@ -61,7 +61,7 @@ func _assign_bones() -> void:
 
 
 func _add_instance(p_instance: MeshInstance3D) -> void:
-	var place: Transform3D = RestSkeleton.transform_of(p_instance)
+	var transform: Transform3D = RestSkeleton.transform_of(p_instance)
 	var bones: PackedInt32Array = []
 	var moves: Array[Transform3D] = []
 	var skeleton: Skeleton3D = _figure.skeleton
@@ -77,7 +77,7 @@ func _add_instance(p_instance: MeshInstance3D) -> void:
 		if skin != null:
 			pose = skeleton.get_bone_global_rest(bone) * skin.get_bind_pose(bind)
 		bones.append(bone)
-		moves.append(place * pose)
+		moves.append(transform * pose)
 	for surface: int in p_instance.mesh.get_surface_count():
 		_add_surface(p_instance.mesh.surface_get_arrays(surface), bones, moves)
 
@@ -91,22 +91,22 @@ func _add_surface(p_arrays: Array, p_bones: PackedInt32Array, p_moves: Array[Tra
 	if vertices.is_empty() or bones.size() < vertices.size() or weights.size() != bones.size():
 		return
 	var count: int = bones.size() / vertices.size()
-	var places: PackedVector3Array = []
+	var positions: PackedVector3Array = []
 	var owners: PackedInt32Array = []
-	places.resize(vertices.size())
+	positions.resize(vertices.size())
 	owners.resize(vertices.size())
 	for i: int in vertices.size():
-		var place: Vector3 = Vector3.ZERO
+		var position: Vector3 = Vector3.ZERO
 		var total: float = 0.0
 		for slot: int in range(i * count, (i + 1) * count):
 			if weights[slot] > 0.0 and bones[slot] < p_moves.size():
-				place += p_moves[bones[slot]] * vertices[i] * weights[slot]
+				position += p_moves[bones[slot]] * vertices[i] * weights[slot]
 				total += weights[slot]
 		owners[i] = -1
-		if total > 0.0 and place.is_finite():
-			places[i] = place / total
-			owners[i] = _find_limb(places[i], i * count, count, bones, weights, p_bones)
-	_add_points(places, owners, p_arrays[Mesh.ARRAY_INDEX])
+		if total > 0.0 and position.is_finite():
+			positions[i] = position / total
+			owners[i] = _find_limb(positions[i], i * count, count, bones, weights, p_bones)
+	_add_points(positions, owners, p_arrays[Mesh.ARRAY_INDEX])
 
 
 func _find_limb(

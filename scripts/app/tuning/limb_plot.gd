@@ -119,9 +119,9 @@ func _draw_curve(p_curve: Trace, p_font: Font, p_base: float) -> void:
 	if p_curve == Trace.SATURATION and newest > 100.0:
 		colour = OVER
 		text += "!"
-	var place: Vector2 = Vector2(frame.end.x + 2.0, p_base)
+	var corner: Vector2 = Vector2(frame.end.x + 2.0, p_base)
 	draw_string(
-		p_font, place, text, HORIZONTAL_ALIGNMENT_RIGHT, VALUE_WIDTH - 4.0, _FONT_SIZE, colour
+		p_font, corner, text, HORIZONTAL_ALIGNMENT_RIGHT, VALUE_WIDTH - 4.0, _FONT_SIZE, colour
 	)
 
 
@@ -131,8 +131,8 @@ func _draw_top(p_frame: Rect2, p_top: float, p_font: Font) -> void:
 	var left: int = HORIZONTAL_ALIGNMENT_LEFT
 	var extent: Vector2 = p_font.get_string_size(text, left, -1, _SMALL_SIZE)
 	draw_rect(Rect2(p_frame.position, Vector2(extent.x + 4.0, _SMALL_SIZE + 2.0)), _BACK)
-	var place: Vector2 = p_frame.position + Vector2(2.0, _SMALL_SIZE)
-	draw_string(p_font, place, text, left, -1, _SMALL_SIZE, _PALE)
+	var corner: Vector2 = p_frame.position + Vector2(2.0, _SMALL_SIZE)
+	draw_string(p_font, corner, text, left, -1, _SMALL_SIZE, _PALE)
 
 
 ## Where the joint gives all that it has.

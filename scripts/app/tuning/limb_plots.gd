@@ -89,5 +89,5 @@ class _Heading:
 		for curve: int in LimbPlot.Trace.size():
 			var across: Vector2 = LimbPlot.box(curve as LimbPlot.Trace, size.x)
 			var colour: Color = LimbPlot.COLOURS[curve]
-			var place: Vector2 = Vector2(across.x, 13.0)
-			draw_string(font, place, _HEADINGS[curve], HORIZONTAL_ALIGNMENT_LEFT, -1, 13, colour)
+			var corner: Vector2 = Vector2(across.x, 13.0)
+			draw_string(font, corner, _HEADINGS[curve], HORIZONTAL_ALIGNMENT_LEFT, -1, 13, colour)

@@ -144,7 +144,7 @@ func report(p_text: String, p_is_fault: bool) -> void:
 	_message.add_theme_color_override("font_color", _FAULT if p_is_fault else Color.WHITE)
 
 
-## What the user is told.
+## The message to the user.
 func last_report() -> String:
 	return _message.text
 

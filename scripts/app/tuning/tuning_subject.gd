@@ -161,7 +161,7 @@ func hips() -> Vector3:
 	return _place(&"Hips")
 
 
-## Throws a ball at the chest, from the side that [param p_from] (horizontal, world) tells.
+## Throws a ball at the chest, from the side of [param p_from] (horizontal, world).
 func throw_ball(p_from: Vector3) -> RigidBody3D:
 	var ball: RigidBody3D = _make_ball()
 	var chest: Vector3 = _place(&"Chest")

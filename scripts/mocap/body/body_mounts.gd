@@ -26,7 +26,7 @@ enum {
 ## How many mounts there are.
 const COUNT: int = 17
 
-## Names of the mounts as files have them. The order is the one of all arrays "per place".
+## Names of the mounts as files have them. All arrays "per mount" have this order.
 const NAMES: Array[StringName] = [
 	&"pelvis",
 	&"sternum",

@@ -34,7 +34,7 @@ func solve(p_pose: PoseSample) -> void:
 		tails[limb] = bases[limb] + p_pose.orientation(limb) * along
 
 
-## Where a place is whose joint hangs on a limb, m, given where it is in the reset pose.
+## Position of a joint that hangs on a limb, m, from its position in the reset pose.
 func attached(p_limb: int, p_rest: Vector3, p_pose: PoseSample) -> Vector3:
 	return bases[p_limb] + p_pose.orientation(p_limb) * (p_rest - _rest_bases[p_limb])
 

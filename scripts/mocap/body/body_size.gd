@@ -38,7 +38,7 @@ const HINTS: Dictionary[StringName, String] = {
 ## Smallest and largest height of a person, m.
 const MIN_HEIGHT: float = 0.8
 const MAX_HEIGHT: float = 2.5
-## Height of somebody of whom nobody has told it, m.
+## Height of somebody whose height is not given, m.
 const USUAL_HEIGHT: float = 1.75
 ## A measure is between so many times what is usual for the height.
 const MIN_PART: float = 0.5
@@ -130,7 +130,7 @@ func limb_length(p_limb: int) -> float:
 
 
 ## Lengths of arms and legs for a [PersonCard], m, 0 for all others: what is a trunk, a head, a hand
-## differs from skeleton to skeleton. Empty for somebody of whom nobody has told a size.
+## differs from skeleton to skeleton. Empty for somebody whose size is not given.
 func limb_lengths() -> PackedFloat32Array:
 	var lengths: PackedFloat32Array = PackedFloat32Array()
 	if measured.is_empty() and is_equal_approx(height, USUAL_HEIGHT):

@@ -1,7 +1,7 @@
 class_name JointRange
 extends RefCounted
-## How far joints of people go, for telling what cannot be: generous, so that no healthy person is
-## ever told to be broken.
+## How far joints of people go, to recognise what cannot be: generous, so that no healthy person is
+## ever reported as impossible.
 
 ## For mounts whose joint with the mount above ([constant BodyMounts.PARENTS]) is judged: least and
 ## most of the rotation vector, degrees, of the left side or the middle, in the axes of the reset

@@ -1,7 +1,7 @@
 class_name LegSpread
 extends RefCounted
 ## How much legs turn in their joints otherwise than by bending: little between true neighbours,
-## since knees are hinges and ankles nearly so; much if a thigh is told to be the other leg's.
+## since knees are hinges and ankles nearly so; much if a thigh is taken for the other leg's.
 ##
 ## Offsets do not count, only how far the turns spread about their mean.
 

@@ -2,7 +2,7 @@ class_name LimbFiller
 extends RefCounted
 ## Makes all limbs of [Limbs] of what is known at the mounts of [BodyMounts].
 ##
-## Rotations are from the reset pose, in the world. What no sensor tells is taken from its
+## Rotations are from the reset pose, in the world. What no sensor measures is taken from its
 ## neighbours so that it looks like a person and bends only the way joints bend:
 ## [br]- the chest from the shoulder blades, else from head and pelvis; the waist halfway between
 ## pelvis and chest; the head looks where the chest does;

@@ -27,7 +27,7 @@ static func hangs(p_mount: int) -> bool:
 	return BodyMounts.is_arm(p_mount) and p_mount != 3 and p_mount != 7
 
 
-## The pose in words, as somebody is told to take it.
+## The pose in words, as an instruction to the wearer.
 static func instruction(p_kind: Kind) -> String:
 	if p_kind == Kind.T:
 		return "Stand upright, arms straight out to the sides, palms down, feet parallel."

@@ -4,7 +4,7 @@ extends RefCounted
 ## foot stands on it. So who squats goes down; a jump is not seen (the server's
 ## [code]--root=inertial[/code] sees it).
 
-## Places of the legs in [Limbs]: thigh, shank, foot.
+## Indices of the legs' limbs in [Limbs]: thigh, shank, foot.
 const _LEGS: Array[Array] = [
 	[Limbs.LEFT_UPPER_LEG, Limbs.LEFT_LOWER_LEG, Limbs.LEFT_FOOT],
 	[Limbs.RIGHT_UPPER_LEG, Limbs.RIGHT_LOWER_LEG, Limbs.RIGHT_FOOT]

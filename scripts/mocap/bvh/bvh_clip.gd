@@ -35,14 +35,14 @@ var channel_count: int = 0
 var values: PackedFloat64Array = PackedFloat64Array()
 ## Length of the file's unit, m.
 var unit_metres: float = 0.01
-## Why [member unit_metres] is what it is: "guess: ..." or "as told".
+## Why [member unit_metres] is what it is: "guess: ..." or "as given".
 var unit_reason: String = ""
 ## The file's axis that points up: [constant BvhOptions.Y] or [constant BvhOptions.Z].
 var up_axis: BvhOptions.UpAxis = BvhOptions.UpAxis.Y:
 	set(p_axis):
 		up_axis = p_axis
 		_orientations.clear()
-## Why [member up_axis] is what it is: "guess: ..." or "as told".
+## Why [member up_axis] is what it is: "guess: ..." or "as given".
 var up_reason: String = ""
 ## What was odd about the file but could be put right, one sentence each, with file and line.
 var notes: PackedStringArray = PackedStringArray()
@@ -168,7 +168,7 @@ func prepare() -> void:
 	_orientations = found
 
 
-## Turns a place or direction of the file into Godot's frame and m.
+## Turns a position or direction of the file into Godot's frame and m.
 func to_godot(p_position: Vector3) -> Vector3:
 	if up_axis == BvhOptions.UpAxis.Z:
 		return SourceFrames.vector(p_position, SourceFrames.Frame.BVH_Z_UP) * unit_metres

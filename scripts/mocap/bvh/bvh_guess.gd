@@ -3,9 +3,9 @@ extends RefCounted
 ## Guesses what a BVH file does not say, the unit and the axis that points up, from the skeleton.
 ##
 ## A guess is always given with its reason, so that a person can see when it is wrong, and both can
-## be told instead; see [BvhOptions]. The unit is the one that brings the largest extent of the rest
-## pose nearest to a person's; the axis is Z where the skeleton is longer along Z than along Y, in
-## the rest pose and over the clip together.
+## be given instead; see [BvhOptions]. The unit is the one that brings the largest extent of the
+## rest pose nearest to a person's; the axis is Z where the skeleton is longer along Z than along Y,
+## in the rest pose and over the clip together.
 
 ## What a rest pose usually spans, m: between a person's height and the arms' span.
 const USUAL_SPAN: float = 1.7
@@ -13,16 +13,16 @@ const USUAL_SPAN: float = 1.7
 const MAX_FRAMES: int = 16
 
 
-## Sets unit and up axis of a clip with their reasons: as told by the options, or else guessed.
+## Sets unit and up axis of a clip with their reasons: as given by the options, or else guessed.
 static func settle(p_clip: BvhClip, p_options: BvhOptions) -> void:
 	if p_options.up_axis == BvhOptions.UpAxis.GUESS:
 		_guess_up(p_clip)
 	else:
 		p_clip.up_axis = p_options.up_axis
-		p_clip.up_reason = "as told"
+		p_clip.up_reason = "as given"
 	if p_options.unit_metres > 0.0:
 		p_clip.unit_metres = p_options.unit_metres
-		p_clip.unit_reason = "as told"
+		p_clip.unit_reason = "as given"
 	else:
 		_guess_unit(p_clip)
 

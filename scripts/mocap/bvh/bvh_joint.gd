@@ -42,7 +42,7 @@ const CHANNEL_NAMES: PackedStringArray = [
 var name: String = ""
 ## Index of the joint it hangs on, always smaller than its own; -1 for the root.
 var parent: int = -1
-## Place in the parent's frame while nothing is rotated, file units and file axes.
+## Position in the parent's frame while nothing is rotated, file units and file axes.
 var offset: Vector3 = Vector3.ZERO
 ## What its numbers move, in the file's order, each a [enum Channel].
 var channels: PackedInt32Array = PackedInt32Array()

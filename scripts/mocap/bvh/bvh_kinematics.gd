@@ -1,16 +1,16 @@
 class_name BvhKinematics
 extends RefCounted
-## Turns a row of numbers into rotations and places, in the file's own axes and units.
+## Turns a row of numbers into rotations and positions, in the file's own axes and units.
 ##
 ## Rotations are composed in the order of the channels, each about the axis as the ones before it
 ## left it (Zrotation Xrotation Yrotation means Rz * Rx * Ry), below those of the parent. A position
-## channel replaces its component of the joint's OFFSET, or adds to it if so told.
+## channel replaces its component of the joint's OFFSET, or adds to it if the options say so.
 
 const AXES: PackedVector3Array = [Vector3.RIGHT, Vector3.UP, Vector3.BACK]
 
 ## Rotation of each joint in the file's world, after [method solve].
 var rotations: Array[Quaternion] = []
-## Place of each joint in its parent's frame, file units, after [method solve].
+## Position of each joint in its parent's frame, file units, after [method solve].
 var offsets: PackedVector3Array = PackedVector3Array()
 
 var _parents: PackedInt32Array = PackedInt32Array()
@@ -62,7 +62,7 @@ func solve(p_values: PackedFloat64Array, p_start: int) -> void:
 	offsets = offsets_at(p_values, p_start)
 
 
-## Places of all joints in their parents' frames, file units, for the row that starts at
+## Positions of all joints in their parents' frames, file units, for the row that starts at
 ## [param p_start]. Changes nothing here, so any thread may ask.
 func offsets_at(p_values: PackedFloat64Array, p_start: int) -> PackedVector3Array:
 	var found: PackedVector3Array = _rest_offsets.duplicate()
@@ -74,7 +74,7 @@ func offsets_at(p_values: PackedFloat64Array, p_start: int) -> PackedVector3Arra
 	return found
 
 
-## Places of all joints in their parents' frames in the rest pose, file units.
+## Positions of all joints in their parents' frames in the rest pose, file units.
 func rest_offsets() -> PackedVector3Array:
 	return _rest_offsets.duplicate()
 
@@ -85,7 +85,7 @@ func rest() -> void:
 	offsets = _rest_offsets.duplicate()
 
 
-## The joints' places in the file's world, file units, of what was solved last.
+## The joints' positions in the file's world, file units, of what was solved last.
 func positions() -> PackedVector3Array:
 	var found: PackedVector3Array = offsets.duplicate()
 	for joint: int in _parents.size():

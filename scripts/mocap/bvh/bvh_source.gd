@@ -19,7 +19,7 @@ var _seam_signs: PackedFloat32Array = PackedFloat32Array()
 
 
 ## Opens a file. The unit is one of [constant BvhOptions.UNITS] or metres per unit, the axis "y" or
-## "z"; empty texts leave both to be guessed. [member error] tells what is wrong.
+## "z"; empty texts leave both to be guessed. [member error] says what is wrong.
 func open(p_path: String, p_unit: String = "", p_up: String = "") -> void:
 	var options: BvhOptions = BvhOptions.new()
 	if p_unit != "":

@@ -3,9 +3,8 @@ extends RefCounted
 ## Finds the limbs of [Limbs] among the joints of somebody's skeleton, by names and by structure.
 ##
 ## Legs and arms are found by the names of their joints; the trunk is the chain of joints
-## between the
-## hips and the place where the arms branch off, whatever those are called. What a skeleton lacks
-## (hands, a waist) is filled from its neighbour.
+## between the hips and the joint where the arms branch off, whatever those are called. What a
+## skeleton lacks (hands, a waist) is filled from its neighbour.
 
 ## Limbs without which there is no person, by [constant Limbs.BONES].
 const NEEDED: Array[StringName] = [

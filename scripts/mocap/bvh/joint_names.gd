@@ -31,7 +31,7 @@ const _PREFIXES: Array[String] = [
 ]
 
 
-## The side that a name tells of.
+## The side that a name stands for.
 static func side(p_name: String) -> BodySide:
 	var words: PackedStringArray = _words(p_name)
 	for word: String in words:

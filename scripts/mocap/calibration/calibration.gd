@@ -20,7 +20,7 @@ var made_s: float = 0.0
 
 ## One sensor.
 class Entry:
-	## Place of [BodyMounts] on which it was worn.
+	## Index in [BodyMounts] of the mount on which it was worn.
 	var mount: int = -1
 	## Heading H, rad about the vertical.
 	var heading: float = 0.0

@@ -8,7 +8,7 @@ enum Kind {
 	T_POSE,
 	## Hold the N-pose.
 	N_POSE,
-	## T-pose, arms down, N-pose: the arms tell which way the wearer faces.
+	## T-pose, arms down, N-pose: the arms show which way the wearer faces.
 	T_TO_N,
 	## As T_TO_N, then a bow, a squat and rising on the toes: aligns the headings of all sensors.
 	FULL,
@@ -46,7 +46,7 @@ class Step:
 	## Whether it is the time to get ready for the pose.
 	var is_countdown: bool = false
 
-	## What the wearer is told.
+	## The instruction to the wearer.
 	func text() -> String:
 		if movement != GuideMovements.Movement.NONE:
 			return GuideMovements.TEXTS[movement]

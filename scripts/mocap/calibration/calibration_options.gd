@@ -14,9 +14,9 @@ enum Facing {
 
 ## Which way the sensors' own norths point.
 enum Align {
-	## The movements tell whether they agree; if not, as EACH.
+	## The movements show whether they agree; if not, as EACH.
 	AUTO,
-	## All have the same north: one heading for all, the mean of what the movements tell.
+	## All have the same north: one heading for all, the mean of those that the movements give.
 	COMMON,
 	## Each has its own, from its movement; a sensor that did not move takes its neighbour's.
 	EACH,
@@ -35,6 +35,6 @@ var align: Align = Align.AUTO
 var pose: ResetPose.Kind = ResetPose.Kind.T
 
 
-## The heading of the wearer that is told, rad about Godot's vertical, for NORTH and HEADING.
+## The heading of the wearer that is given, rad about Godot's vertical, for NORTH and HEADING.
 func given_heading() -> float:
 	return -deg_to_rad(heading_deg) if facing == Facing.HEADING else 0.0

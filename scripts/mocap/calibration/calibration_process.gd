@@ -59,7 +59,7 @@ func start(
 	if p_sensors.is_empty() or p_sensors.size() != p_mounts.size():
 		return "there are no sensors to calibrate"
 	if _worn(p_mounts).is_empty():
-		return "no sensor has a place on the body"
+		return "no sensor has a mount on the body"
 	kind = p_kind
 	result = null
 	_solver = CalibrationSolver.new()
@@ -86,7 +86,7 @@ func is_running() -> bool:
 	return phase == Phase.COUNTDOWN or phase == Phase.HOLD or phase == Phase.MOVE
 
 
-## What the wearer is told now.
+## The present instruction to the wearer.
 func instruction() -> String:
 	if is_running():
 		return _steps[_step].text()

@@ -2,13 +2,13 @@ class_name CalibrationResult
 extends RefCounted
 ## What a calibration found, and how good it is.
 
-## Movement during a pose from which on it should be done again, degrees.
+## A pose with more movement than this should be done again, degrees.
 const MOVED_DEG: float = 3.0
-## A pose that is off by more than this from what the other pose told is worth a word, degrees:
+## A pose that is off by more than this from the other pose's result is reported, degrees:
 ## arms and heads, which people hold less exactly, and the rest, which stands still between them.
 const OFF_DEG: float = 20.0
 const OFF_STANDING_DEG: float = 8.0
-## A heading that differs by more than this from its neighbours' is worth a word, degrees.
+## A heading that differs by more than this from its neighbours' is reported, degrees.
 const TURNED_DEG: float = 12.0
 ## From such a difference on it is the sensor's north and not the wearer's movement, degrees.
 const OWN_NORTH_DEG: float = 25.0

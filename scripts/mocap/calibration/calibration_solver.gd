@@ -2,7 +2,7 @@ class_name CalibrationSolver
 extends RefCounted
 ## Works a calibration out of what was measured while the wearer followed a [CalibrationGuide].
 
-## By so much an exchange must fit better before it is named: here people are told to take poses,
+## An exchange is named only if it fits better by this factor: here people are asked to take poses,
 ## not to show which sensor is which.
 const MUCH_BETTER: float = 5.0
 
@@ -12,7 +12,7 @@ var holds: Dictionary[ResetPose.Kind, PoseHold] = {}
 var axes: Dictionary[GuideMovements.Movement, MotionAxis] = {}
 ## The sensors, in the order of the frames.
 var sensors: Array[SensorInfo] = []
-## Place of each sensor, -1 if it is not worn.
+## Mount of each sensor, -1 if it is not worn.
 var mounts: PackedInt32Array = PackedInt32Array()
 ## How it is to be done.
 var options: CalibrationOptions = CalibrationOptions.new()
@@ -48,7 +48,7 @@ func solve(p_kind: CalibrationGuide.Kind, p_now_s: float) -> CalibrationResult:
 			return a.mount < b.mount
 	)
 	if _result.mounts.is_empty():
-		_result.error = "no sensor has a place on the body"
+		_result.error = "no sensor has a mount on the body"
 	_result.judge()
 	_advise_on_headings(each)
 	return _result
@@ -186,7 +186,7 @@ func _advise_on_headings(p_each: bool) -> void:
 		if axes.has(GuideMovements.Movement.ARMS):
 			_result.advice.append("the arms' movement was not seen: bring both arms down, straight")
 		elif is_nan(_turned_from_old):
-			_result.advice.append("nothing tells which way you face: taken as facing north")
+			_result.advice.append("nothing shows which way you face: taken as facing north")
 	var odd: PackedStringArray = []
 	for mount: int in _finder.measured:
 		var off: float = absf(angle_difference(_finder.common(), _finder.measured[mount]))

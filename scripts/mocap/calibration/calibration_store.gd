@@ -2,7 +2,7 @@ class_name CalibrationStore
 extends RefCounted
 ## Keeps a [PersonProfile] for each person in a folder: NAME.json.
 
-## Where they are unless told otherwise.
+## Where they are by default.
 const FOLDER: String = "user://calibrations"
 ## Files beyond this are none of ours, bytes.
 const MAX_BYTES: int = 1 << 20

@@ -44,7 +44,7 @@ enum Movement {
 	RIGHT_HEEL,
 }
 
-## What the wearer is told, by [enum Movement].
+## The instruction to the wearer, by [enum Movement].
 const TEXTS: PackedStringArray = [
 	"",
 	"Bring both arms down to your thighs, straight, palms turning in.",
@@ -138,7 +138,7 @@ static func axis(p_movement: Movement, p_mount: int) -> Vector3:
 	return turn_deg(p_movement, p_mount).normalized()
 
 
-## The movements that tell the mounts apart which are worn.
+## The movements that distinguish the mounts which are worn.
 static func informative(p_mounts: PackedInt32Array) -> Array[Movement]:
 	var found: Array[Movement] = []
 	for movement: Movement in Movement.values():

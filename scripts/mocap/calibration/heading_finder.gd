@@ -12,13 +12,13 @@ const REVERSED_RAD: float = 2.4
 ## Headings that differ by less agree, rad.
 const AGREE_RAD: float = 0.5
 
-## Headings that movements told, rad, by mount.
+## Headings found by movements, rad, by mount.
 var measured: Dictionary[int, float] = {}
 
 var _sines: Dictionary[int, Vector2] = {}
 
 
-## Takes what a movement told of a mount: the level axis in the sensor's global
+## Takes what a movement showed of a mount: the horizontal axis in the sensor's global
 ## frame and the turn, rad.
 func add(p_mount: int, p_wanted: Vector3, p_axis: Vector3, p_turn: float, p_purity: float) -> void:
 	if p_turn < MIN_TURN or p_purity < MIN_PURITY or p_wanted == Vector3.ZERO:
@@ -30,7 +30,7 @@ func add(p_mount: int, p_wanted: Vector3, p_axis: Vector3, p_turn: float, p_puri
 	measured[p_mount] = sum.angle()
 
 
-## Takes back what was told of a mount.
+## Takes back what was found of a mount.
 func forget(p_mount: int) -> void:
 	measured.erase(p_mount)
 	_sines.erase(p_mount)

@@ -3,12 +3,12 @@ extends RefCounted
 ## About which axis sensors turned during a movement, each in its own global frame.
 ##
 ## Movements of a calibration turn a limb out of a pose and back about one known, level axis of the
-## body: then the axis tells which way the sensor's global frame is turned about the vertical.
+## body: then the axis shows which way the sensor's global frame is turned about the vertical.
 ## Only level axes count, since a heading that drifts adds a turn about the vertical.
 
 ## Frames whose mean is where a movement starts from.
 const START_FRAMES: int = 8
-## Turns less than this out of the first pose tell nothing, rad.
+## Turns out of the first pose by less than this show nothing, rad.
 const MIN_TURN: float = 0.15
 
 var _first: Array[Quaternion] = []

@@ -54,6 +54,7 @@ static func write(p_profile: PersonProfile) -> String:
 			var entry: Calibration.Entry = p_profile.calibration.entries[id]
 			var turn: Quaternion = entry.mounting
 			sensors[id] = {
+				# The key in all profiles that exist: the mount's name.
 				"place": String(BodyMounts.NAMES[entry.mount]),
 				"heading_rad": entry.heading,
 				"mounting_xyzw": [turn.x, turn.y, turn.z, turn.w],
@@ -148,7 +149,7 @@ func _mount(p_data: Dictionary, p_key: Variant, p_field: String) -> int:
 	var name: String = _text(p_data, p_key, p_field)
 	var mount: int = BodyMounts.find(name)
 	if error == "" and mount < 0:
-		error = "%s: there is no place '%s' on the body" % [p_field, name.left(30)]
+		error = "%s: there is no mount '%s' on the body" % [p_field, name.left(30)]
 	return mount
 
 

@@ -17,7 +17,7 @@ var _start_usec: int = -1
 var _next: int = 0
 
 
-## Opens a clip and puts sensors on the places, sitting and turned at random if
+## Opens a clip and puts sensors on the mounts, sitting and turned at random if
 ## [param p_random] is given.
 func open(
 	p_path: String, p_positions: PackedInt32Array, p_random: RandomNumberGenerator = null

@@ -3,8 +3,8 @@ extends RefCounted
 ## What the wearer of an emulated suit does: a calibration as it is asked for, then a clip for ever.
 ##
 ## Written as a motion stream for the emulator of suits, which knows no engine and no BVH files; its
-## layout is told in [code]gdextension/xbus/emulator/suit/motion_stream.hpp[/code]. Limbs are the
-## mounts of [BodyMounts]. Frame: Xsens' (X north, Y west, Z up, metres); in the reset pose the
+## layout is described in [code]gdextension/xbus/emulator/suit/motion_stream.hpp[/code]. Limbs are
+## the mounts of [BodyMounts]. Frame: Xsens' (X north, Y west, Z up, metres); in the reset pose the
 ## wearer faces north.
 
 const MAGIC: String = "XBMOTION"
@@ -35,7 +35,7 @@ const OFFSETS: Array[Vector3] = [
 	Vector3(0.0, -0.42, 0.0),
 ]
 
-## Mounts that are no limb of their own, and the joints under which a pose may tell of them.
+## Mounts that are no limb of their own, and the joints under which a pose may have them.
 const _BLADES: Dictionary[int, int] = {
 	3: XRBodyTracker.JOINT_LEFT_SHOULDER, 7: XRBodyTracker.JOINT_RIGHT_SHOULDER
 }

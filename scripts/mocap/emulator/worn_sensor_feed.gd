@@ -10,7 +10,7 @@ extends SensorFeed
 const MAX_WAITING: int = 512
 ## Gravity, m/s².
 const GRAVITY: float = 9.81
-## Mounts that are no limb, and the joints under which a pose may tell of them.
+## Mounts that are no limb, and the joints under which a pose may have them.
 const BLADES: Dictionary[int, int] = {
 	3: XRBodyTracker.JOINT_LEFT_SHOULDER, 7: XRBodyTracker.JOINT_RIGHT_SHOULDER
 }

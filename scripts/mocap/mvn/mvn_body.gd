@@ -14,7 +14,7 @@ func _init() -> void:
 	lengths.resize(Limbs.COUNT)
 
 
-## Takes scale data. Returns false if they tell of no body.
+## Takes scale data. Returns false if they describe no body.
 func take_scale(p_scale: Dictionary) -> bool:
 	var names: PackedStringArray = p_scale["names"]
 	var known: PackedStringArray = MvnEncoder.get_segment_names()

@@ -2,10 +2,10 @@ class_name MvnPose
 extends RefCounted
 ## Makes poses of MVN's samples (types 01, 02 and 05, see [MvnReceiver]), one after the other.
 ##
-## What a segment is and where it points is told by [MvnSegments]; here samples are put into its
-## order, and what only shows over time is looked after.
+## [MvnSegments] defines what a segment is and where it points; here samples are put into its
+## order, and what shows only over time is handled.
 
-## Further from the pelvis than that no segment is, m: such places are in centimetres.
+## No segment is further from the pelvis than this, m: such positions are in centimetres.
 const MAX_REACH: float = 5.0
 ## The stream's frame by type.
 const FRAMES: Dictionary[int, SourceFrames.Frame] = {
@@ -53,7 +53,7 @@ func read(p_sample: Dictionary) -> PoseSample:
 	return pose
 
 
-## Fewer segments than a body has: only their numbers tell which.
+## Fewer segments than a body has: only their numbers say which.
 func _read_some(p_sample: Dictionary, p_wxyz: PackedFloat32Array) -> PoseSample:
 	var wxyz: PackedFloat32Array = []
 	wxyz.resize(MvnSegments.COUNT * 4)

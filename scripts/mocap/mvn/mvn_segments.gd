@@ -18,7 +18,7 @@ const OTHERS: Dictionary[int, int] = {
 	18: XRBodyTracker.JOINT_RIGHT_TOES,
 	22: XRBodyTracker.JOINT_LEFT_TOES,
 }
-## For each segment of type 05 (Unity) its place in the order of types 01 and 02.
+## For each segment of type 05 (Unity) its index in the order of types 01 and 02.
 const UNITY_ORDER: PackedInt32Array = [
 	0, 15, 16, 17, 18, 19, 20, 21, 22, 1, 2, 3, 4, 11, 12, 13, 14, 7, 8, 9, 10, 5, 6
 ]
@@ -26,8 +26,8 @@ const UNITY_ORDER: PackedInt32Array = [
 const PARENTS: PackedInt32Array = [
 	-1, 0, 1, 2, 3, 4, 5, 4, 7, 8, 9, 4, 11, 12, 13, 0, 15, 16, 17, 0, 19, 20, 21
 ]
-## Names of the places of [BodyMounts] by segment; empty where no tracker is worn. For type 23.
-const PLACES: Array[StringName] = [
+## Names of the mounts of [BodyMounts] by segment; empty where no tracker is worn. For type 23.
+const MOUNTS: Array[StringName] = [
 	&"pelvis",
 	&"",
 	&"",
@@ -55,8 +55,8 @@ const PLACES: Array[StringName] = [
 
 
 ## The pose of a sample of types 01, 02 or 05: for each of the 23 segments, in the datagram's order,
-## a place (units of the type) and a rotation (w, x, y, z). [param p_present] is 1 for each segment
-## that came; empty: all did. Null if the pelvis is missing or a rotation is none.
+## a position (units of the type) and a rotation (w, x, y, z). [param p_present] is 1 for each
+## segment that came; empty: all did. Null if the pelvis is missing or a rotation is invalid.
 static func pose(
 	p_rotations: PackedFloat32Array,
 	p_positions: PackedVector3Array,
@@ -71,10 +71,10 @@ static func pose(
 	if present.size() != COUNT:
 		present.resize(COUNT)
 		present.fill(1)
-	var told: PackedFloat32Array = SourceFrames.rotations(p_rotations, p_frame)
+	var turns: PackedFloat32Array = SourceFrames.rotations(p_rotations, p_frame)
 	for segment: int in COUNT:
 		var at: int = segment * 4
-		var turn: Quaternion = Quaternion(told[at], told[at + 1], told[at + 2], told[at + 3])
+		var turn: Quaternion = Quaternion(turns[at], turns[at + 1], turns[at + 2], turns[at + 3])
 		# Written so that NaN fails too.
 		if present[segment] != 0 and not absf(turn.length() - 1.0) < 0.1:
 			return null
@@ -84,7 +84,7 @@ static func pose(
 	return _pose_of(turns, positions, present)
 
 
-## Puts Unity's order right and makes its local rotations and places global.
+## Puts Unity's order right and makes its local rotations and positions global.
 static func _sort_unity(
 	r_turns: Array[Quaternion], r_positions: PackedVector3Array, r_present: PackedByteArray
 ) -> void:
@@ -108,7 +108,7 @@ static func _pose_of(
 		return null
 	var filler: LimbFiller = LimbFiller.new()
 	for segment: int in COUNT:
-		var position: int = BodyMounts.find(PLACES[segment])
+		var position: int = BodyMounts.find(MOUNTS[segment])
 		if position >= 0 and p_present[segment] != 0:
 			filler.set_mount(position, p_turns[segment])
 	filler.fill()

@@ -13,7 +13,7 @@ signal trackers_vanished(p_feed: MvnTrackerFeed)
 
 ## MVN's own port.
 const DEFAULT_PORT: int = 9763
-## Somebody who has not told a name after so long has none, s.
+## Somebody whose name has not come after so long has none, s.
 const NAME_PATIENCE_S: float = 1.0
 ## Between two looks at who is there, s.
 const LOOK_S: float = 0.1

@@ -98,7 +98,7 @@ func _add_sensor(p_segment: int) -> void:
 	info.id = "segment %d" % p_segment
 	if number >= 0 and number < names.size():
 		info.id = names[number]
-		info.mount = MvnSegments.PLACES[number]
+		info.mount = MvnSegments.MOUNTS[number]
 	info.where = "MVN %d / %d" % [character, p_segment]
 	_positions[p_segment] = _sensors.size()
 	_sensors.append(info)

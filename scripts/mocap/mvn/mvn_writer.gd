@@ -2,7 +2,7 @@ class_name MvnWriter
 extends RefCounted
 ## Writes a person's poses as MVN would: for trying and testing without a suit.
 ##
-## Limbs are the segments that [MvnSegments] tells; the others lie between them. What MVN measures
+## Limbs are the segments that [MvnSegments] names; the others lie between them. What MVN measures
 ## (accelerations, fields) follows from the motion.
 
 ## Types that it can write.
@@ -179,7 +179,7 @@ func _write_motion(p_type: int, r_written: Dictionary) -> void:
 	var wxyz: PackedFloat32Array = []
 	var own: Array[PackedVector3Array] = [[], [], [], []]
 	for segment: int in MvnSegments.COUNT:
-		if p_type == 23 and MvnSegments.PLACES[segment] == &"":
+		if p_type == 23 and MvnSegments.MOUNTS[segment] == &"":
 			continue
 		var turn: Quaternion = _turns[segment]
 		var back: Quaternion = turn.inverse()

@@ -28,7 +28,7 @@ const PERIOD_S: float = 0.2
 @export var _status: Label
 @export var _close: Button
 
-## Tells the time, s; it must be the clock of who calls [method SuitSource.advance].
+## Returns the time, s; it must be the clock of the caller of [method SuitSource.advance].
 var clock: Callable = func() -> float: return Time.get_ticks_usec() / 1e6
 
 var _suits: Array[SuitSource] = []
@@ -274,7 +274,7 @@ func _show_sheet(p_shows: bool) -> void:
 		_sensors.grab_focus()
 
 
-## Keeps the person's data, and tells of it.
+## Keeps the person's data, and logs it.
 func _keep() -> void:
 	if not _store.write(suit().get_profile()):
 		_fault = _store.error

@@ -7,7 +7,7 @@ signal mount_chosen(p_sensor: String, p_mount: int)
 
 ## Titles of the columns.
 const TITLES: PackedStringArray = [
-	"Place", "Sensor", "Where", "State", "Rate", "Loss", "Age", "Batt.", "Moves"
+	"Mount", "Sensor", "Where", "State", "Rate", "Loss", "Age", "Batt.", "Moves"
 ]
 ## Colour of what is not as it should be.
 const WARN: Color = Color(1.0, 0.7, 0.25)

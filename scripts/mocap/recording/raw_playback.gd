@@ -54,7 +54,7 @@ func advance() -> void:
 
 
 ## The same with a time of its own (Unix time, µs), for tests and for stepping;
-## [method RawPlayer.begin] has told when it began.
+## [method RawPlayer.begin] has returned when it began.
 func advance_to(p_unix_usec: int) -> void:
 	player.advance(p_unix_usec)
 	if stream != null:

@@ -20,7 +20,7 @@ var rates: PackedVector3Array = PackedVector3Array()
 var accelerations: PackedVector3Array = PackedVector3Array()
 
 
-## How many sensors it has a place for.
+## How many sensors it can hold.
 func count() -> int:
 	return present.size()
 

@@ -17,12 +17,13 @@ enum State {
 ## Names of the states for people, by [enum State].
 const STATE_NAMES: PackedStringArray = ["waiting", "measuring", "silent", "failed"]
 
-## What tells it from all others, also tomorrow: a device id such as "00300001", or for MVN the
+## Its unique and lasting name: a device id such as "00300001", or for MVN the
 ## segment's name.
 var id: String = ""
 ## Where it hangs, for people: "XM 00100123 / 3".
 var where: String = ""
-## The mount on the body that the device itself tells, one of [constant BodyMounts.NAMES], or empty.
+## The mount on the body that the device itself reports, one of [constant BodyMounts.NAMES], or
+## empty.
 var mount: StringName = &""
 ## What it does.
 var state: State = State.WAITING

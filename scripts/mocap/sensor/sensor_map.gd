@@ -22,11 +22,11 @@ const LAYOUTS: Dictionary[int, Array] = {
 
 ## Mounts by the sensors' ids.
 var mounts: Dictionary[String, int] = {}
-## Whether nobody has told it: then it is guessed anew when more sensors are found.
+## Whether nobody has set it: then it is guessed anew when more sensors are found.
 var is_guessed: bool = false
 
 
-## A map for sensors that nobody has told yet: mounts that they tell themselves, the others by the
+## A map for sensors that nobody has set yet: mounts that they report themselves, the others by the
 ## layout for their number, in their order.
 static func guess(p_sensors: Array[SensorInfo]) -> SensorMap:
 	var map: SensorMap = SensorMap.new()

@@ -34,7 +34,7 @@ var _trial: SuitTable = null
 # Of the thread that samples alone.
 var _poses: LivePoses = LivePoses.new()
 var _poses_of: SuitTable = null
-var _told: PoseSample = null
+var _last: PoseSample = null
 var _passes_from: PoseSample = null
 var _passes_since_usec: int = 0
 # Shared between threads and guarded.
@@ -183,17 +183,17 @@ func _read(p_time_usec: int) -> PoseSample:
 		# Another calibration: the body goes over to it, it would be flung otherwise.
 		_poses_of = table
 		_poses.clear()
-		_passes_from = _told
+		_passes_from = _last
 		_passes_since_usec = p_time_usec
 	for frame: SensorFrame in frames.slice(-LivePoses.MAX_POSES):
 		var pose: PoseSample = table.pose(frame)
 		if pose != null:
 			_poses.push(pose)
-	_told = _pass_over(_poses.at(p_time_usec), p_time_usec)
-	return _told
+	_last = _pass_over(_poses.at(p_time_usec), p_time_usec)
+	return _last
 
 
-## A pose on the way from what was told under the calibration before to what is told now.
+## A pose between the last one under the calibration before and the present one.
 func _pass_over(p_pose: PoseSample, p_time_usec: int) -> PoseSample:
 	var part: float = (p_time_usec - _passes_since_usec) / 1e6 / PASSAGE_S
 	if p_pose == null or _passes_from == null or part < 0.0 or part >= 1.0:

@@ -5,7 +5,7 @@ extends RefCounted
 ## A sensor that was silent in a frame keeps what it said last for [constant SuitSource.SILENT_S].
 ## Any thread may ask for a pose.
 
-## Place of each sensor, -1 if it is not worn.
+## Mount of each sensor, -1 if it is not worn.
 var mounts: PackedInt32Array = PackedInt32Array()
 ## Whether there is a calibration at all.
 var is_calibrated: bool = false

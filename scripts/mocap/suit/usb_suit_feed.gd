@@ -34,7 +34,8 @@ var _leader: int = -1
 var _followers: Dictionary[int, Array] = {}
 
 
-## Looks for suits, which are to measure so many times a second. [member error] tells why it cannot.
+## Looks for suits and sets them to measure so many times a second. [member error] says why it
+## cannot.
 func open(p_rate_hz: float) -> void:
 	error = _hub.start(p_rate_hz)
 
@@ -49,7 +50,7 @@ func close() -> void:
 	_hub.stop()
 
 
-## Goes on, in the main thread: tells the log what happens, finds new trackers.
+## Goes on, in the main thread: logs what happens, finds new trackers.
 func advance() -> void:
 	for message: SuitMessage in _hub.take_messages():
 		if message.get_severity() == SuitMessage.SEVERITY_INFO:

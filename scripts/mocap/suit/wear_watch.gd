@@ -203,7 +203,7 @@ func _find_swap() -> Vector2i:
 	for at: int in PAIRS.size():
 		if then[at] > best + ABOUT_RAD:
 			continue
-		# The first ones are those within an arm or a leg; but hinges tell legs apart better.
+		# The first ones are those within an arm or a leg; but hinges distinguish legs better.
 		var legs: float = _legs.total_deg(PAIRS[at])
 		if found == Vector2i.ZERO or legs < _legs.total_deg(found) - 1.0:
 			found = PAIRS[at]

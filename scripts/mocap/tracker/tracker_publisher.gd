@@ -6,7 +6,7 @@ extends RefCounted
 ## Joints are in the tracking space, metres, with the axes of Godot's humanoid bones. The root is on
 ## the ground below the hips and faces where they do.
 
-## What the tracker is called unless told otherwise; further people get a number behind it.
+## The tracker's name by default; further people get a number behind it.
 const NAME: StringName = &"/dismount/body_tracker"
 
 const _VALID: int = (
@@ -27,7 +27,7 @@ var _figure: BodySegments = null
 var _is_added: bool = false
 
 
-## Begins to publish under a name. [param p_size] is for the joints' places.
+## Begins to publish under a name. [param p_size] is for the joints' positions.
 func _init(p_size: BodySize, p_name: StringName = NAME, p_title: String = "") -> void:
 	_figure = BodySegments.new(p_size)
 	tracker.name = p_name

@@ -3,11 +3,11 @@ extends MotionSource
 ## Somebody's motion from an [XRBodyTracker]: from OpenXR, or from any of Godot's mocap plugins
 ## (MVN, Rokoko, Axis Studio, VMC), by the tracker's name.
 ##
-## Joints have the axes of Godot's humanoid bones. What the tracker does not tell is filled as from
+## Joints have the axes of Godot's humanoid bones. What the tracker does not have is filled as from
 ## a suit with fewer sensors ([LimbFiller]). Call [method advance] in the main thread in every
 ## frame; any thread may sample.
 
-## Joints that tell of the places of [BodyMounts], best first.
+## Joints that give the mounts of [BodyMounts], best first.
 const _JOINTS: Array[Array] = [
 	[XRBodyTracker.JOINT_HIPS],
 	[XRBodyTracker.JOINT_CHEST, XRBodyTracker.JOINT_UPPER_CHEST],

@@ -16,7 +16,7 @@ func _init(p_table: EntityTable) -> void:
 	_table.despawned.connect(_on_despawned)
 
 
-## The message that tells of the whole table.
+## The message with the whole table.
 func encode(p_error_deg: float) -> PackedByteArray:
 	if not _is_valid:
 		_join()

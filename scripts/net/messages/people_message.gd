@@ -9,7 +9,7 @@ extends RefCounted
 static var error: String = ""
 
 
-## The bytes that tell of some people.
+## The bytes of the cards of some people.
 static func encode(p_people: Array[PersonCard]) -> PackedByteArray:
 	var bytes: PackedByteArray = [Protocol.Message.PEOPLE, p_people.size()]
 	for card: PersonCard in p_people:
@@ -21,7 +21,7 @@ static func encode(p_people: Array[PersonCard]) -> PackedByteArray:
 	return bytes
 
 
-## The people in a packet; [member error] tells if it is none, and nobody is in what is returned.
+## The people in a packet; [member error] says what is wrong with it, and nobody is returned then.
 static func decode(p_bytes: PackedByteArray) -> Array[PersonCard]:
 	var people: Array[PersonCard] = []
 	error = _read(p_bytes, people)

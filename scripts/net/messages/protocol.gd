@@ -49,7 +49,7 @@ const BASED_MOTION: int = 128
 const VERSION: int = 4
 ## First bytes of a challenge and of a join request.
 const HELLO: String = "DSMT"
-## UDP port of a server unless told otherwise.
+## UDP port of a server by default.
 const DEFAULT_PORT: int = 7777
 ## Largest payload of a datagram, bytes: it passes every usual network in one piece.
 const MAX_DATAGRAM: int = 1200
@@ -57,7 +57,7 @@ const MAX_DATAGRAM: int = 1200
 const POSE_ERROR_DEG: float = 0.1
 ## The same from a trainee to the server.
 const MOTION_ERROR_DEG: float = 0.1
-## People and watchers that a server admits unless told otherwise.
+## People and watchers that a server admits by default.
 const DEFAULT_MAX_CLIENTS: int = 32
 ## Longest name of a person, characters.
 const LONGEST_NAME: int = 32

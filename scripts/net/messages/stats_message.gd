@@ -1,6 +1,6 @@
 class_name StatsMessage
 extends RefCounted
-## What a client tells its server about how well it sees, once a second, for the server's status.
+## A client's own stats, sent to its server once a second for the server's status.
 ##
 ## Little-endian: u8 message, u16 median and u16 95th percentile of the delay from sample to
 ## display, u16 how far what is shown is behind the quickest arrivals (0.1 ms; 65535 or more is

@@ -35,7 +35,7 @@ func is_locked(p_role: Roles.Role) -> bool:
 	return locked_roles & (1 << p_role) != 0
 
 
-## What a server says; [member error] tells if it is no challenge.
+## Reads a server's packet; [member error] says why it is no challenge.
 static func decode(p_bytes: PackedByteArray) -> Challenge:
 	var challenge: Challenge = Challenge.new()
 	if p_bytes.size() < 8 or p_bytes.slice(0, 4) != Protocol.HELLO.to_ascii_buffer():

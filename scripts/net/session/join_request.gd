@@ -48,7 +48,7 @@ func encode(p_challenge: PackedByteArray, p_key: PackedByteArray) -> PackedByteA
 	return _signed + _proof
 
 
-## What a client says; [member error] tells if it is no join request.
+## Reads a client's packet; [member error] says why it is no join request.
 static func decode(p_bytes: PackedByteArray) -> JoinRequest:
 	var request: JoinRequest = JoinRequest.new()
 	request.error = request._read(p_bytes)

@@ -22,13 +22,13 @@ var is_here: bool = false
 var was_here: bool = false
 ## Reads the motion that it sends.
 var motion: SampleReader = SampleReader.new()
-## The level that the client was told of when it was let in, as [LevelMessage].
+## The level that was sent to the client when it was admitted, as [LevelMessage].
 var welcome_level: PackedByteArray = PackedByteArray()
 ## When the connection was lost, µs.
 var lost_usec: int = 0
 
 
-## What the rest of the program is told of a client: name, role and rate.
+## What the rest of the program knows of a client: name, role and rate.
 func hello() -> Dictionary:
 	return {"name": name, "role": role, "rate": rate}
 

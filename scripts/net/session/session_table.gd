@@ -2,7 +2,7 @@ class_name SessionTable
 extends RefCounted
 ## All sessions of a server: those that are here and those whose connection is lost.
 
-## How long a lost client keeps its place, s.
+## How long the session of a lost client is kept, s.
 const KEPT_S: float = 60.0
 
 ## Highest number of a session.
@@ -16,7 +16,7 @@ var _next_id: int = 1
 ## A new session.
 func open(p_request: JoinRequest, p_peer: int, p_address: String) -> Session:
 	var session: Session = Session.new()
-	# 16 bits, so that a field of an entity can tell it.
+	# 16 bits, so that a field of an entity can hold it.
 	while _sessions.has(_next_id):
 		_next_id = _next_id % MAX_ID + 1
 	session.id = _next_id

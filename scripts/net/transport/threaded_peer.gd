@@ -127,7 +127,7 @@ func send_fast(p_peer: int, p_bytes: PackedByteArray) -> bool:
 	)
 
 
-## Sends datagrams over the fast path, each to the peer in the same place.
+## Sends datagrams over the fast path, each to the peer of the same index.
 func send_fast_each(p_peers: PackedInt32Array, p_datagrams: Array[PackedByteArray]) -> bool:
 	for bytes: PackedByteArray in p_datagrams:
 		if bytes.size() > limits.max_datagram:
@@ -169,7 +169,7 @@ func address_of(p_peer: int) -> String:
 	return _addresses.get(p_peer, "")
 
 
-## Why a connection ended: a [DisconnectReason]. Valid while the signal is told.
+## Why a connection ended: a [DisconnectReason]. Valid while the signal is emitted.
 func reason_of(p_peer: int) -> int:
 	return _reasons.get(p_peer, DisconnectReason.LOST)
 

@@ -1,6 +1,6 @@
 class_name TransportEvent
 extends RefCounted
-## Something that the transport's thread tells the main thread.
+## Something that the transport's thread reports to the main thread.
 
 ## What happened.
 enum Kind {

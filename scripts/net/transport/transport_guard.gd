@@ -13,9 +13,9 @@ enum Verdict {
 	PASS,
 	## It is dropped without a word: its sender could not know better.
 	IGNORE,
-	## It is dropped, and [member reason] is told.
+	## It is dropped, and [member reason] says why.
 	DROP,
-	## Its sender is thrown out, and [member reason] is told.
+	## Its sender is thrown out, and [member reason] says why.
 	THROW_OUT,
 }
 

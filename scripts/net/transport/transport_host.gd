@@ -173,9 +173,9 @@ func _throw_out(p_connection: TransportConnection, p_why: String) -> void:
 	_drop(p_connection, DisconnectReason.THROWN_OUT)
 
 
-## Ends a connection at once; what still waited for it is freed, and the other end told. Not by
-## peer_disconnect_now() nor reset(): after these ENetConnection.service() follows a freed element
-## of its list (Godot 4.6), which ends release builds.
+## Ends a connection at once; what still waited for it is freed, and the other end is notified. Not
+## by peer_disconnect_now() nor reset(): after these ENetConnection.service() follows a freed
+## element of its list (Godot 4.6), which ends release builds.
 func _drop(p_connection: TransportConnection, p_code: int) -> void:
 	_connections.erase(p_connection.id)
 	if p_connection.remote.is_active():

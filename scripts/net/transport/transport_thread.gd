@@ -7,8 +7,8 @@ extends TransportHost
 ## thread's, but hands it events and fast datagrams by a [TransportMailbox]. Set the public members
 ## before [method start_server] or [method start_client].
 
-## ENet's most connections. Half-open ones cannot be seen nor ended from here, and take a place for
-## half a minute: so there are as many as there can be.
+## Maximum of ENet connections. Half-open ones can be neither seen nor ended from here, and occupy a
+## slot for half a minute: hence as many slots as ENet allows.
 const SLOTS: int = 4095
 
 ## Events in a row before what came is handed over.
@@ -93,7 +93,7 @@ func send(p_target: int, p_channel: int, p_bytes: PackedByteArray, p_flags: int)
 	return _post([_order_send, [p_target, p_channel, p_bytes, p_flags]], must)
 
 
-## Sends fast datagrams, each to the peer in the same place.
+## Sends fast datagrams, each to the peer of the same index.
 func send_fast_each(p_peers: PackedInt32Array, p_datagrams: Array[PackedByteArray]) -> bool:
 	return _post([_order_send_each, [p_peers, p_datagrams]], false)
 
@@ -195,7 +195,7 @@ func _serve() -> void:
 	_left = _MAX_EVENTS
 	_answered = false
 	for number: int in _MAX_EVENTS:
-		# Every packet that is told of must be taken, or the next event would get it.
+		# Every packet that an event announces must be taken, or the next event would get it.
 		var event: Array = _pump.serve(number == 0 and not _busy, wait_usec, _BLIND_WAIT_MS)
 		if number == 0:
 			_note_taken(mailbox.taken())
@@ -224,7 +224,7 @@ func _serve() -> void:
 		_host.flush()
 
 
-## To find that nothing is left takes ENet as long as the rest, as it looks at all its places: so
+## To find that nothing is left takes ENet as long as the rest, as it looks at all its slots: so
 ## a busy thread asks for no more events than datagrams have come. What is left nevertheless comes
 ## with the next turn.
 func _expect() -> void:

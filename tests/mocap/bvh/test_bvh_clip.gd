@@ -155,8 +155,8 @@ func test_options_overrule_the_guess() -> void:
 	var clip: BvhClip = BvhParser.parse_text(Samples.SIMPLE, "x", options).clip
 	equal(clip.unit_metres, 0.0254)
 	equal(clip.up_axis, BvhOptions.UpAxis.Z)
-	equal(clip.unit_reason, "as told")
-	equal(clip.up_reason, "as told")
+	equal(clip.unit_reason, "as given")
+	equal(clip.up_reason, "as given")
 	almost_equal(clip.root_position(0), Vector3(0, 0, -90 * 0.0254))
 
 

@@ -26,14 +26,14 @@ func test_prints_a_clip() -> void:
 
 func test_takes_unit_and_axis() -> void:
 	_call_on(["tests/data/bvh/thesis_example.bvh", "--unit=0.02", "--up=z"])
-	contains(_lines, "unit: 0.02 m (as told)")
-	contains(_lines, "up: Z (as told)")
+	contains(_lines, "unit: 0.02 m (as given)")
+	contains(_lines, "up: Z (as given)")
 
 
 func test_notes() -> void:
 	_call_on(["assets/motion/Boxing_Toes.bvh", "--unit=cm"])
 	equal(_exit_code, 0)
-	contains(_lines, "unit: centimetre (as told)")
+	contains(_lines, "unit: centimetre (as given)")
 	equal(
 		_lines[-1],
 		"note: Boxing_Toes.bvh:128: 3069 frames declared, 3070 found; the last one is left out"

@@ -69,7 +69,7 @@ func test_nothing_to_calibrate() -> void:
 	contains(process.start(kind, [], PackedInt32Array(), null, 0.0), "no sensors")
 	var feed: WornSensorFeed = WornSensorFeed.new()
 	feed.add_sensor(0)
-	contains(process.start(kind, feed.list_sensors(), PackedInt32Array([-1]), null, 0.0), "place")
+	contains(process.start(kind, feed.list_sensors(), PackedInt32Array([-1]), null, 0.0), "mount")
 	equal(process.phase, CalibrationProcess.Phase.IDLE)
 
 

@@ -89,7 +89,7 @@ func test_faults_name_file_and_field() -> void:
 		["1.62", "9.0", "size.height_m: a person is between"],
 		["1.62", "-1e99", "size.height_m"],
 		['"trunk"', '"tail"', "size.measured_m.tail: there is no measure 'tail'"],
-		['"%s": "pelvis"' % id, '"%s": "wing"' % id, "sensors.%s: there is no place 'wing'" % id],
+		['"%s": "pelvis"' % id, '"%s": "wing"' % id, "sensors.%s: there is no mount 'wing'" % id],
 		['"%s": "pelvis"' % id, '"%s": "head"' % id, "there are two on the head"],
 		['"kind": "full"', '"kind": "half"', "calibration.kind: one of"],
 		['"pose": "T"', '"pose": "Z"', "calibration.pose: T or N, found 'Z'"],

@@ -62,7 +62,7 @@ func test_segments_of_both_orders_are_the_same_person() -> void:
 	for segment: int in range(1, MvnSegments.COUNT):
 		is_true(MvnSegments.PARENTS[segment] < segment)
 	for limb: int in Limbs.COUNT:
-		var place: int = BodyMounts.find(MvnSegments.PLACES[MvnSegments.OF_LIMBS[limb]])
+		var place: int = BodyMounts.find(MvnSegments.MOUNTS[MvnSegments.OF_LIMBS[limb]])
 		if limb != 1:
 			equal(BodyMounts.LIMBS[place], limb)
 

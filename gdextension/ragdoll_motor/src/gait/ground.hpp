@@ -5,7 +5,7 @@
 
 namespace ragdoll {
 
-/// What a person can stand on. The world tells; the estimators ask only for points that may touch.
+/// What a person can stand on. The world answers; the estimators ask only for points that may touch.
 class Ground {
 public:
 	Ground() = default;

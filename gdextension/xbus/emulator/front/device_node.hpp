@@ -43,9 +43,9 @@ public:
 	DeviceNode(const DeviceNode &) = delete;
 	DeviceNode &operator=(const DeviceNode &) = delete;
 
-	/// Tells udev's listeners that the device is there.
+	/// Notifies udev's listeners that the device is there.
 	void announce();
-	/// Takes it out of the system and tells the listeners. Who has the node open can still be woken.
+	/// Takes it out of the system and notifies the listeners. Who has the node open can still be woken.
 	void leave();
 	/// Whether programs that poll the node find it ready. libusb does so to learn that a transfer is over.
 	void set_ready(bool p_is_ready);

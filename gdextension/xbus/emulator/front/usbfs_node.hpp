@@ -27,7 +27,7 @@ public:
 	UsbfsNode(const UsbfsNode &) = delete;
 	UsbfsNode &operator=(const UsbfsNode &) = delete;
 
-	/// The device comes or goes, with all that the system tells about it. Not under the lock.
+	/// The device comes or goes, with all that the system says about it. Not under the lock.
 	void plug(bool p_in);
 	/// Hands what the port has completed to those who wait for it. Under the lock.
 	void collect();

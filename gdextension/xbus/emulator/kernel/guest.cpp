@@ -27,7 +27,7 @@ void load_module(const std::string &p_path) {
 	const int file = open(p_path.c_str(), O_RDONLY | O_CLOEXEC);
 	const bool is_loaded = file >= 0 && (syscall(SYS_finit_module, file, "", 0) == 0 || errno == EEXIST);
 	if (!is_loaded) {
-		tell("module", p_path + ": " + std::strerror(errno));
+		report("module", p_path + ": " + std::strerror(errno));
 	}
 	if (file >= 0) {
 		close(file);
@@ -42,7 +42,7 @@ void set_up() {
 	}
 	const bool is_mounted = mount("proc", "/proc", "proc", 0, nullptr) == 0 &&
 			mount("sysfs", "/sys", "sysfs", 0, nullptr) == 0 && mount("devtmpfs", "/dev", "devtmpfs", 0, nullptr) == 0;
-	tell("mounted", is_mounted ? "yes" : std::strerror(errno));
+	report("mounted", is_mounted ? "yes" : std::strerror(errno));
 	setenv("LD_LIBRARY_PATH", "/lib", 1);
 	// What stands for hardware comes before programs.
 	(void)setpriority(PRIO_PROCESS, 0, -15);
@@ -64,7 +64,7 @@ void pause(double p_seconds) {
 	nanosleep(&time, nullptr);
 }
 
-void tell(const std::string &p_name, const std::string &p_value) {
+void report(const std::string &p_name, const std::string &p_value) {
 	(void)printf("RESULT %s: %s\n", p_name.c_str(), p_value.c_str());
 	(void)fflush(stdout);
 }

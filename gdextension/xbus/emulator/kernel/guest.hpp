@@ -13,7 +13,7 @@ void set_up();
 void power_off();
 void pause(double p_seconds);
 /// A line for the test that reads the machine's console: "RESULT name: value".
-void tell(const std::string &p_name, const std::string &p_value);
+void report(const std::string &p_name, const std::string &p_value);
 
 /// The driver of the only USB interface whose name ends so, "none" without a driver, "gone" without it.
 std::string driver(const std::string &p_interface);

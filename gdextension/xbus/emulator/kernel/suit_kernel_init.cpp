@@ -28,8 +28,8 @@ struct Load {
 
 /// One device, from when it is plugged in until it is pulled out while it streams.
 void examine(const std::string &p_kind, int p_index, const Load &p_load) {
-	const auto tell = [&p_kind](const std::string &p_what, const std::string &p_value) {
-		kernel::tell(p_kind + " " + p_what, p_value);
+	const auto report = [&p_kind](const std::string &p_what, const std::string &p_value) {
+		kernel::report(p_kind + " " + p_what, p_value);
 	};
 	emulator::SuitOptions options;
 	options.devices = p_kind;
@@ -43,20 +43,20 @@ void examine(const std::string &p_kind, int p_index, const Load &p_load) {
 	emulator::UsbipServer server(*device.port, monotonic, p_index);
 	const std::string number = p_kind == "native" ? ":1.1" : ":1.0";
 
-	tell("plugged", server.plug() ? "yes" : "no");
-	tell("driver before", kernel::await_driver(number, device.kernel_driver()));
+	report("plugged", server.plug() ? "yes" : "no");
+	report("driver before", kernel::await_driver(number, device.kernel_driver()));
 	const std::string rate = "--rate=" + std::to_string(p_load.rate_hz);
 	kernel::Program stream({ "/bin/suit_stream", "--seconds=5", rate });
 	kernel::pause(3.0);
-	tell("driver meanwhile", kernel::driver(number));
-	tell("output", stream.finish());
-	tell("driver after", kernel::await_driver(number, device.kernel_driver()));
+	report("driver meanwhile", kernel::driver(number));
+	report("output", stream.finish());
+	report("driver after", kernel::await_driver(number, device.kernel_driver()));
 
 	kernel::Program second({ "/bin/suit_stream", "--seconds=6", rate });
 	kernel::pause(4.0);
 	server.unplug();
-	tell("output of the unplugged", second.finish());
-	tell("driver of the unplugged", kernel::driver(number));
+	report("output of the unplugged", second.finish());
+	report("driver of the unplugged", kernel::driver(number));
 }
 
 } // namespace
@@ -65,7 +65,7 @@ int main() {
 	kernel::set_up();
 	examine("ftdi", 0, { 3, 50 });
 	examine("native", 1, { 6, 100 });
-	kernel::tell("finished", "yes");
+	kernel::report("finished", "yes");
 	kernel::power_off();
 	return 0;
 }

@@ -30,7 +30,7 @@ protected:
 
 private:
 	Answer _handle_own(const xbus::Frame &p_frame, Usec p_now);
-	/// Messages that tell or set one value.
+	/// Messages that ask for or set one value.
 	Answer _handle_value(const xbus::Frame &p_frame, Usec p_now);
 	Answer _handle_tracker(const xbus::Frame &p_frame, Usec p_now);
 	Answer _init_bus(Usec p_now);

@@ -31,7 +31,7 @@ struct SuitDevice {
 /// All devices that a person wears, made from the options. Knows no system: its fronts do.
 class Suit {
 public:
-	/// A line for the log: time, place of the device from 1, what happened.
+	/// A line for the log: time, number of the device from 1, what happened.
 	using Log = std::function<void(Usec, std::size_t, const std::string &)>;
 
 	/// `p_stream`: the motion; sensors that are more than its limbs share them.
@@ -40,7 +40,7 @@ public:
 	/// What is wrong with the options, or an empty text.
 	const std::string &error() const { return _error; }
 	std::vector<SuitDevice> &devices() { return _devices; }
-	/// The wearer stands in the first pose, until a device has measured for a moment or, with --hold, until told.
+	/// The wearer stands in the first pose, until a device has measured for a moment or, with --hold, until a command.
 	void begin(Usec p_now);
 	void advance(Usec p_now);
 	Usec next_event() const;

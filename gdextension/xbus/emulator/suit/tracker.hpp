@@ -59,7 +59,7 @@ public:
 	Mounting mounting;
 	/// Which limb of the stream it sits on.
 	std::size_t limb = 0;
-	/// Bytes by which its data differ from the length that it tells: a fault.
+	/// Bytes by which its data differ from the length that it reports: a fault.
 	int length_fault = 0;
 
 	Reading read(const MotionStream &p_stream, double p_time_s, Random &r_random) const;

@@ -99,7 +99,7 @@ protected:
 	/// Sends a message; `p_delay`: how long the device works for it.
 	void reply(uint8_t p_bus_id, xbus::Message p_message, const Data &p_data, Usec p_now, Usec p_delay = 200);
 	void reply_error(uint8_t p_code, Usec p_now, uint8_t p_bus_id = 0);
-	/// Takes a value of 8, 16 or 32 bits, or tells it where there are no data; false if neither fits.
+	/// Takes a value of 8, 16 or 32 bits, or answers with it where there are no data; false if neither fits.
 	bool exchange(const xbus::Frame &p_frame, unsigned &r_value, std::size_t p_bytes, Usec p_now);
 	bool change_baud(const xbus::Frame &p_frame, Usec p_now);
 	void go_to(State p_state) { _state = p_state; }
@@ -110,7 +110,7 @@ protected:
 	uint32_t _device_id = 0;
 	/// Sends nothing while measuring but what it is asked for (ReqData).
 	bool _only_on_request = false;
-	/// Stops where its buffer overflows, in place of leaving out samples.
+	/// Stops where its buffer overflows, instead of leaving out samples.
 	bool _stops_on_overflow = false;
 	/// 0 ignore, 1 count, 2 count and send, 3 send and go to Config.
 	unsigned _error_mode = 2;

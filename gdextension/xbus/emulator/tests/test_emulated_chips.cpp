@@ -89,7 +89,7 @@ TEST(the_wrong_speed_gives_nothing_but_garbage) {
 	CHECK(host.ask(MASTER, Message::GO_TO_CONFIG).message == Message::GO_TO_CONFIG_ACK);
 }
 
-TEST(who_does_not_read_loses_bytes_and_is_told) {
+TEST(who_does_not_read_loses_bytes_and_is_notified) {
 	BenchHost host({ "--devices=ftdi" });
 	host.bring_up();
 	host.read(SECOND / 10);

@@ -99,7 +99,7 @@ TEST(samples_come_at_the_period_with_the_counter_in_front) {
 	CHECK(host.received.back().data.size() == 2 + 16 * 52);
 }
 
-TEST(what_is_told_of_lengths_is_what_comes) {
+TEST(reported_lengths_are_those_that_come) {
 	BenchHost host({ "--devices=native", "--sensors=4" });
 	host.ask(MASTER, Message::GO_TO_CONFIG);
 	host.ask(MASTER, Message::INIT_BUS);

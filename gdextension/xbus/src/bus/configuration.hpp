@@ -5,7 +5,7 @@
 
 namespace xbus {
 
-/// One tracker as a Configuration message (0x0D) tells of it.
+/// One tracker as a Configuration message (0x0D) describes it.
 struct DeviceConfiguration {
 	uint32_t device_id = 0;
 	uint16_t data_length = 0;

@@ -9,7 +9,7 @@ namespace xbus {
 struct DeviceStatistics {
 	/// Samples taken.
 	uint64_t received = 0;
-	/// Samples that the counter tells of and that never came.
+	/// Samples that the counter counted and that never came.
 	uint64_t lost = 0;
 	/// Samples with the counter of the one before.
 	uint64_t duplicates = 0;
@@ -27,7 +27,7 @@ public:
 	enum class Step : uint8_t {
 		FIRST,
 		NEXT,
-		/// Samples are missing: `lost` tells how many.
+		/// Samples are missing: `lost` says how many.
 		GAP,
 		DUPLICATE,
 		LATE,

@@ -103,7 +103,7 @@ struct ItemType {
 	const char *name = nullptr;
 
 	bool is_known() const { return kind != ItemKind::UNKNOWN; }
-	/// Whether the low bits of its identifier tell axes.
+	/// Whether the low bits of its identifier stand for axes.
 	bool has_axes() const;
 };
 

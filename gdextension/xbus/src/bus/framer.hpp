@@ -72,7 +72,7 @@ private:
 	};
 
 	/// Whether a message starts at `p_bytes`, a preamble. `r_needed`: bytes of the whole message, or, if there
-	/// are too few to tell, the number that tells more.
+	/// are too few to decide, the number that decides.
 	Verdict _judge(const uint8_t *p_bytes, std::size_t p_size, Frame &r_frame, std::size_t &r_needed);
 	Verdict _judge_extended(const uint8_t *p_bytes, std::size_t p_size, Frame &r_frame, std::size_t &r_needed);
 	Verdict _judge_whole(

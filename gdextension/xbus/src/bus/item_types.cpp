@@ -85,7 +85,7 @@ constexpr ItemType TYPES[] = {
 
 constexpr std::size_t TYPE_COUNT = sizeof(TYPES) / sizeof(TYPES[0]);
 
-constexpr std::array<uint8_t, 4096> places() {
+constexpr std::array<uint8_t, 4096> indices() {
 	std::array<uint8_t, 4096> found{};
 	for (std::size_t i = 1; i < TYPE_COUNT; i++) {
 		found[TYPES[i].type >> 4U] = uint8_t(i);
@@ -93,8 +93,8 @@ constexpr std::array<uint8_t, 4096> places() {
 	return found;
 }
 
-/// Where in TYPES a type is; 0 if it is not.
-constexpr std::array<uint8_t, 4096> PLACES = places();
+/// Index in TYPES of each type; 0 if it has none.
+constexpr std::array<uint8_t, 4096> INDICES = indices();
 
 } // namespace
 
@@ -103,7 +103,7 @@ bool ItemType::has_axes() const {
 }
 
 const ItemType &item_type(uint16_t p_id) {
-	return TYPES[PLACES[uint32_t(p_id) >> 4U]];
+	return TYPES[INDICES[uint32_t(p_id) >> 4U]];
 }
 
 } // namespace xbus

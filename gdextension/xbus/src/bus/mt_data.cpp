@@ -13,7 +13,7 @@ using namespace output_setting;
 constexpr uint32_t KNOWN_MODES =
 		TEMPERATURE | CALIBRATED | ORIENTATION | AUXILIARY | POSITION | VELOCITY | STATUS | GPS_PVT | RAW;
 
-/// The order of a block's parts, told once: `r_archive` measures, reads or writes them.
+/// The order of a block's parts, written once: `r_archive` measures, reads or writes them.
 template <class A>
 void go_through(const OutputFormat &p_format, bool p_with_time, A &r_archive) {
 	const auto on = [&](uint32_t p_bit) { return (p_format.mode & p_bit) != 0; };

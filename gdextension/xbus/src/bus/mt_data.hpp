@@ -53,10 +53,10 @@ struct OutputFormat {
 	bool is_valid() const;
 	/// Data bytes of one sample, of a tracker that stands alone.
 	std::size_t size() const;
-	/// The same without time stamps, which a master sends once, in front, in place of its trackers.
+	/// The same without time stamps, which a master sends once, in front, for all its trackers.
 	std::size_t size_behind_master() const;
 
-	/// Decodes the block of one tracker, of exactly the size told; false if it is not.
+	/// Decodes the block of one tracker, of exactly the size given; false if it is not.
 	bool decode(const uint8_t *p_data, std::size_t p_size, Sample &r_sample) const;
 	bool decode_behind_master(const uint8_t *p_data, std::size_t p_size, Sample &r_sample) const;
 

@@ -72,7 +72,7 @@ std::size_t write_product_code(const char *p_code, uint8_t p_bus_id, uint8_t *r_
 }
 
 std::size_t write_mt_data(const MasterFormat &p_format, uint16_t p_counter, const Sample *p_samples, uint8_t *r_bytes) {
-	// Written in its place; a short message's is one byte pair earlier.
+	// Written where the data of a long message begin; a short message's begin two bytes earlier.
 	const std::size_t head = frame_size(p_format.size()) - p_format.size() - 1;
 	const std::size_t size = p_format.write(p_counter, p_samples, r_bytes + head);
 	return write_frame(MASTER, Message::MT_DATA, r_bytes + head, size, r_bytes);

@@ -154,7 +154,7 @@ struct Trigger {
 	uint16_t frame = 0;
 };
 
-/// The increments that a wireless tracker sends in place of orientations, in the tracker's own units: only
+/// The increments that a wireless tracker sends instead of orientations, in the tracker's own units: only
 /// Xsens' closed software turns them into orientations.
 struct Snapshot {
 	bool is_full = false;
@@ -233,7 +233,7 @@ struct Sample {
 	Vector rate_of_turn_hr{};
 	/// w, x, y, z in one sample's time.
 	std::array<double, 4> delta_q{};
-	/// The earth's field is 1 at the place of calibration.
+	/// The earth's field is 1 where the tracker was calibrated.
 	Vector magnetic_field{};
 	Vector magnetic_field_corrected{};
 	/// Degrees Celsius.

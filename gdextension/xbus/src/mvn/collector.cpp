@@ -93,7 +93,7 @@ Outcome Collector::add(Character &p_character, const uint8_t *p_payload, std::si
 	return Outcome::SAMPLE;
 }
 
-/// Where the parts of the present sample are kept; a new one takes the place of the oldest.
+/// Where the parts of the present sample are kept; a new one replaces the oldest.
 Collector::Pending &Collector::pending_of(Character &p_character, Slot &p_slot) const {
 	Pending *slot = &p_slot.pending[0];
 	for (Pending &pending : p_slot.pending) {

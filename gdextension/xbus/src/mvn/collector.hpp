@@ -19,7 +19,7 @@ constexpr int TYPES = 26;
 struct CharacterStatistics {
 	/// Whole samples, of all types.
 	uint64_t samples = 0;
-	/// Samples of the pose that the counter tells of and that never came. A sender may leave samples out: what is
+	/// Samples of the pose that the counter counted and that never came. A sender may leave samples out: what is
 	/// left out regularly does not count.
 	uint64_t lost = 0;
 	/// Samples of which a part never came.
@@ -48,7 +48,7 @@ enum class Outcome : uint8_t {
 /// Puts the datagrams of a stream together, by character, type and sample. No I/O, no clock.
 class Collector {
 public:
-	/// Takes a datagram that came from a sender (any number that tells senders apart) at a time, µs.
+	/// Takes a datagram that came from a sender (any number that distinguishes senders) at a time, µs.
 	Outcome take(const uint8_t *p_bytes, std::size_t p_size, uint64_t p_sender, uint64_t p_now_usec);
 
 	/// What the last whole sample holds; valid until the next `take`.

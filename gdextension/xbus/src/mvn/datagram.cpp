@@ -160,7 +160,7 @@ Fault read_angular(const Header &p_header, PayloadReader &p_reader, Content &r_c
 	});
 }
 
-/// Xsens' own list of fields and their own code differ: the size of the items tells which form it is.
+/// Xsens' own list of fields and their own code differ: the size of the items shows which form it is.
 Fault read_trackers(const Header &p_header, PayloadReader &p_reader, Content &r_content) {
 	const bool is_full = p_header.items > 0 && p_reader.left() / p_header.items == TRACKER_ITEM;
 	return read_items(p_reader, p_header.items, is_full ? TRACKER_ITEM : ANGULAR_ITEM, [&](PayloadReader &p_from) {

@@ -26,7 +26,7 @@ constexpr int MAX_PARTS = 128;
 enum class Type : uint8_t {
 	EULER_POSE = 1, ///< Y up, right-handed, cm, degrees.
 	POSE = 2, ///< Quaternions; Z up, right-handed, m.
-	POINTS = 3, ///< Places of points on the body; Y up, right-handed, cm.
+	POINTS = 3, ///< Positions of points on the body; Y up, right-handed, cm.
 	UNITY_POSE = 5, ///< Y up, left-handed, m; only pelvis and props are global.
 	META = 12, ///< Name, colour and the like of a character.
 	SCALE = 13, ///< The null pose: where segments begin, and their points.
@@ -78,7 +78,7 @@ using Vector = std::array<float, 3>;
 /// w, x, y, z.
 using Quaternion = std::array<float, 4>;
 
-/// A segment's place and rotation (types 01, 02 and 05), or a point's place (type 03).
+/// A segment's position and rotation (types 01, 02 and 05), or a point's position (type 03).
 struct SegmentPose {
 	int32_t id = 0;
 	Vector position{};
@@ -152,7 +152,7 @@ Fault read_payload(const Header &p_header, const uint8_t *p_payload, std::size_t
 
 /// The names of MVN's body segments in the order of types 01 and 02 (segment id less one).
 extern const std::array<const char *, BODY_SEGMENTS> SEGMENT_NAMES;
-/// For each segment of type 05 its place among those of types 01 and 02.
+/// For each segment of type 05 its index among those of types 01 and 02.
 extern const std::array<uint8_t, BODY_SEGMENTS> UNITY_ORDER;
 
 } // namespace mvn

@@ -6,9 +6,9 @@
 
 namespace mvn {
 
-/// Tells when samples were taken from the sender's time code and the times at which they arrive.
+/// Estimates when samples were taken, by the sender's time code and the times at which they arrive.
 ///
-/// The quickest arrivals of the last seconds tell how far the two clocks are apart; all others waited
+/// The quickest arrivals of the last seconds show how far the two clocks are apart; all others waited
 /// somewhere. Where the time code does not run as time does (stopped, slow motion, left at zero) the arrival is
 /// all that is known.
 class StreamClock {

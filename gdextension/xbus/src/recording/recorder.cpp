@@ -104,7 +104,7 @@ void Recorder::add_locked(
 		_stats.lost += _is_open ? 1U : 0U;
 		return;
 	}
-	// There is always room left to tell of a loss, and of the end.
+	// There is always room left to note a loss, and the end.
 	const std::size_t reserve = 3 * HEAD_SIZE + 8;
 	if (_waiting.size() + HEAD_SIZE + p_size + reserve > _room) {
 		++_stats.lost;

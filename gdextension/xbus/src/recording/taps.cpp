@@ -38,6 +38,7 @@ void BusTap::device_opened(const usb::DeviceReport &p_report) {
 	}
 	std::array<char, 16> ids{};
 	std::snprintf(ids.data(), ids.size(), "%04x:%04x", p_report.known.vendor, p_report.known.product);
+	// "place" is the key for the address in all recordings that exist.
 	_streams[p_report.number] =
 			_recorder->add_stream(line("kind", "bus") + line("usb", ids.data()) + line("name", p_report.known.name) +
 							line("place", p_report.address) + line("serial", p_report.serial),

@@ -6,9 +6,9 @@
 
 namespace xbus {
 
-/// Tells when a sample was taken from its counter and the times at which samples arrive.
+/// Estimates when a sample was taken, by its counter and the times at which samples arrive.
 ///
-/// The quickest arrivals tell the truth, all others waited somewhere: an earlier arrival than expected moves
+/// The quickest arrivals are right, all others waited somewhere: an earlier arrival than expected moves
 /// the line at once, later ones draw it by so little that only a drift of the clocks is followed. A device that
 /// measures at another rate than it was asked for is believed, once it has done so for two seconds.
 class SampleTimeline {

@@ -281,7 +281,7 @@ void Session::next_baud() {
 		}
 	}
 	if (_problem[0] == 0) {
-		tell(Severity::WARNING, "does not answer%s: is the suit switched on and in reach?",
+		log(Severity::WARNING, "does not answer%s: is the suit switched on and in reach?",
 				_options.has_baud ? " at any speed" : "");
 	}
 	pause(PAUSE_USEC);
@@ -295,7 +295,7 @@ void Session::pause(uint64_t p_usec) {
 }
 
 void Session::start_over(const char *p_why) {
-	tell(Severity::WARNING, "%s: bringing it up anew", p_why);
+	log(Severity::WARNING, "%s: bringing it up anew", p_why);
 	++_restarts;
 	// What does not help the first time may take its time.
 	pause(PAUSE_USEC << std::min(_in_vain, 4U));
@@ -358,14 +358,14 @@ void Session::wake_up() {
 	_host.send(answer.bytes.data(), answer.size);
 	if (_step == Step::MEASURING) {
 		++_restarts;
-		tell(Severity::WARNING, "was switched on anew: bringing it up");
+		log(Severity::WARNING, "was switched on anew: bringing it up");
 	}
 	_has_answered = true;
 	_has_powered = false;
 	go_to(Step::DEVICE_ID);
 }
 
-void Session::tell(Severity p_severity, const char *p_format, ...) {
+void Session::log(Severity p_severity, const char *p_format, ...) {
 	std::array<char, 240> text{};
 	va_list arguments;
 	va_start(arguments, p_format);

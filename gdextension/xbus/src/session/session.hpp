@@ -181,7 +181,7 @@ private:
 	void look_after_stream();
 	void ask_resets();
 	bool lower_demands(uint8_t p_code);
-	void tell(Severity p_severity, const char *p_format, ...) __attribute__((format(printf, 3, 4)));
+	void log(Severity p_severity, const char *p_format, ...) __attribute__((format(printf, 3, 4)));
 	bool is_master() const { return _kind == DeviceKind::XBUS_MASTER; }
 	bool speaks_mtdata2() const;
 	uint8_t bus_id_of(int p_tracker) const { return is_master() ? uint8_t(p_tracker + 1) : MASTER; }

@@ -11,7 +11,7 @@ namespace xbus {
 
 namespace {
 
-/// Bus errors in a row until people are told to look at the cables.
+/// Bus errors in a row until the log asks to look at the cables.
 constexpr int MAX_BUS_FAILURES = 3;
 
 /// Error codes of the device that ask for something else than asking again.
@@ -64,7 +64,7 @@ void Session::take_device_id(const Frame &p_frame) {
 		case DeviceKind::AWINDA_DONGLE:
 		case DeviceKind::BODY_PACK:
 		case DeviceKind::MTW2_MTX2:
-			tell(Severity::WARNING,
+			log(Severity::WARNING,
 					"%08X is an %s: its protocol and the filter that makes its orientations are not public. Let MVN "
 					"run with it and send its motion here (network streamer, UDP port 9763; here --mvn)",
 					_device_id, device_kind_name(_kind));
@@ -81,7 +81,7 @@ void Session::take_device_id(const Frame &p_frame) {
 void Session::take_bus(const Frame &p_frame) {
 	const std::size_t count = p_frame.size / 4;
 	if (p_frame.size % 4 != 0 || count > std::size_t(MAX_TRACKERS)) {
-		tell(Severity::WARNING, "names its trackers in %zu bytes, which is no list of at most %d", p_frame.size,
+		log(Severity::WARNING, "names its trackers in %zu bytes, which is no list of at most %d", p_frame.size,
 				MAX_TRACKERS);
 		return; // Asked again when the time is up.
 	}
@@ -112,13 +112,13 @@ void Session::choose_outputs() {
 	const double rate = rate_that_fits(_baud, chosen.block, _tracker_count, _options.rate_hz);
 	if (rate < _options.rate_hz && _baud < FAST_BAUD && !_has_raised_baud && _step != Step::SET_BAUD) {
 		_has_raised_baud = true;
-		tell(Severity::INFO, "%u bit/s are too slow for %d trackers at %.0f Hz: setting it to %u", _baud,
-				_tracker_count, _options.rate_hz, FAST_BAUD);
+		log(Severity::INFO, "%u bit/s are too slow for %d trackers at %.0f Hz: setting it to %u", _baud, _tracker_count,
+				_options.rate_hz, FAST_BAUD);
 		go_to(Step::SET_BAUD);
 		return;
 	}
 	if (rate < _options.rate_hz) {
-		tell(Severity::WARNING, "%u bit/s carry %d trackers at %.0f Hz, not at %.0f", _baud, _tracker_count, rate,
+		log(Severity::WARNING, "%u bit/s carry %d trackers at %.0f Hz, not at %.0f", _baud, _tracker_count, rate,
 				_options.rate_hz);
 	}
 	_outputs.mode = chosen.mode;
@@ -138,7 +138,7 @@ Session::Step Session::after_trackers(Step p_step) {
 void Session::take_data_length(const Frame &p_frame) {
 	const std::size_t expected = expected_size();
 	if (p_frame.size >= 2 && read_u16(p_frame.data) != expected) {
-		tell(Severity::WARNING, "says that a sample has %u bytes; by its settings it has %zu", read_u16(p_frame.data),
+		log(Severity::WARNING, "says that a sample has %u bytes; by its settings it has %zu", read_u16(p_frame.data),
 				expected);
 	}
 	go_to(step_after(_step));
@@ -154,7 +154,7 @@ void Session::take_error(const Frame &p_frame) {
 		snprintf(where, sizeof(where), ", tracker %u", faulty);
 	}
 	if (_step != Step::STOP && !is_stopped() && _step != Step::GO_TO_CONFIG) {
-		tell(Severity::WARNING, "error %02X%s: %s", code, where, text != nullptr ? text : "unknown");
+		log(Severity::WARNING, "error %02X%s: %s", code, where, text != nullptr ? text : "unknown");
 	}
 	if (_waits && _step != Step::MEASURING) {
 		take_setup_error(code);
@@ -198,7 +198,7 @@ bool Session::lower_demands(uint8_t p_code) {
 			p_code == ERROR_TIMER_OVERFLOW || p_code == ERROR_BUFFER_FULL;
 	if (is_too_fast && _outputs.period > 0 && _outputs.period <= MAX_PERIOD / 2) {
 		_outputs.period = uint16_t(_outputs.period * 2);
-		tell(Severity::WARNING, "bears no more than %.0f Hz", _outputs.rate_hz());
+		log(Severity::WARNING, "bears no more than %.0f Hz", _outputs.rate_hz());
 		return true;
 	}
 	return false;

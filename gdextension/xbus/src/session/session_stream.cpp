@@ -34,7 +34,7 @@ void Session::begin_measuring() {
 	// A false length must not hold back what comes behind it.
 	_framer.set_longest(std::max<std::size_t>(_check.data_size(), Configuration::MAX_BYTES));
 	_refused = _reported_refused = _check.statistics().wrong_sizes;
-	tell(Severity::INFO, "%s %08X measures: %d tracker%s at %.0f Hz", device_kind_name(_kind), _device_id,
+	log(Severity::INFO, "%s %08X measures: %d tracker%s at %.0f Hz", device_kind_name(_kind), _device_id,
 			_tracker_count, _tracker_count == 1 ? "" : "s", rate_hz());
 }
 
@@ -71,13 +71,13 @@ void Session::look_after_stream() {
 	}
 }
 
-/// A device that sends something else than what it was told to.
+/// A device that sends something else than it was set to.
 void Session::note_refusals() {
 	constexpr uint64_t MANY = 20;
 	const uint64_t refused = _check.statistics().wrong_sizes;
 	if (refused >= _reported_refused + MANY) {
 		_reported_refused = refused;
-		tell(Severity::WARNING,
+		log(Severity::WARNING,
 				"sends samples of another length than its settings make (%zu bytes): they are counted and dropped",
 				expected_size());
 	}
@@ -112,7 +112,7 @@ Request Session::output_configuration(double p_rate_hz) {
 
 void Session::reset_orientation(ResetMethod p_method) {
 	if (_step != Step::MEASURING) {
-		tell(Severity::WARNING, "does not measure: its trackers can't be reset now");
+		log(Severity::WARNING, "does not measure: its trackers can't be reset now");
 		return;
 	}
 	_reset_method = p_method;

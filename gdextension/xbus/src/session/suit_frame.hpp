@@ -28,7 +28,7 @@ struct TrackerReading {
 struct SuitFrame {
 	/// When its last byte came in, µs of CLOCK_MONOTONIC.
 	uint64_t arrival_usec = 0;
-	/// When it was sampled as far as that can be told: counted on from the quickest arrivals, µs of
+	/// When it was sampled as far as that can be known: counted on from the quickest arrivals, µs of
 	/// CLOCK_MONOTONIC. Without the jitter of the bus, but with its least delay.
 	uint64_t time_usec = 0;
 	/// The device's sample counter, counted on over its wraps.

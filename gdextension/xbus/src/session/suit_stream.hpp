@@ -19,7 +19,7 @@ struct TrackerFlow {
 	double rate_hz = 0.0;
 };
 
-/// Makes frames of what a `StreamCheck` has decoded: numbers samples over the wraps of the counter, tells when
+/// Makes frames of what a `StreamCheck` has decoded: numbers samples over the wraps of the counter, estimates when
 /// they were taken, and how they come.
 class SuitStream {
 public:

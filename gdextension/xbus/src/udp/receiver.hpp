@@ -16,7 +16,7 @@
 
 namespace mvn {
 
-/// Where MVN sends to unless it is told otherwise.
+/// Where MVN sends to by default.
 constexpr uint16_t DEFAULT_PORT = 9763;
 
 /// A whole sample of one type, and when it came.

@@ -43,7 +43,7 @@ constexpr std::size_t STATUS_SIZE = 2;
 
 } // namespace ftdi
 
-/// How a chip is told a baud rate: the request's wValue and wIndex.
+/// How a chip's baud rate is set: the request's wValue and wIndex.
 struct FtdiDivisor {
 	uint16_t value = 0;
 	uint16_t index = 0;
@@ -80,7 +80,7 @@ struct FtdiStatistics {
 	uint64_t packets = 0;
 	/// Packets that were too short for a status: the chip never sends such.
 	uint64_t short_packets = 0;
-	/// Packets whose status tells of overrun, parity, framing or break.
+	/// Packets whose status has overrun, parity, framing or break.
 	uint64_t line_faults = 0;
 };
 

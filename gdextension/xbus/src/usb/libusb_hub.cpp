@@ -12,7 +12,7 @@ namespace {
 /// The thread looks about itself at least so often, µs: no answer of a device is waited for more exactly.
 constexpr long WAIT_USEC = 5000;
 constexpr uint64_t PUBLISH_USEC = 100000;
-/// Between two looks for devices where the system does not tell of them.
+/// Between two looks for devices where the system does not report them.
 constexpr uint64_t POLL_USEC = 1000000;
 /// Between two attempts to open a device that refused.
 constexpr uint64_t RETRY_USEC = 2000000;

@@ -51,7 +51,7 @@ public:
 	bool send(const uint8_t *p_bytes, std::size_t p_size);
 	/// Sets the speed of an FTDI chip's line, bit/s. Not to be called in `take_bytes`.
 	void set_baud(uint32_t p_baud);
-	/// Begins to end all transfers; `is_idle` tells when they are.
+	/// Begins to end all transfers; `is_idle` says when they have ended.
 	void stop();
 	/// What cannot be done within an event: ends a halt, begins reads anew.
 	void look_after();

@@ -70,7 +70,7 @@ TEST(a_quaternion_pose_of_an_old_sender_is_read) {
 	CHECK((content.poses[5].rotation == Quaternion{ 0.5F, -0.5F, 0.5F, 0.5F }));
 }
 
-TEST(trackers_are_told_apart_by_the_size_of_their_items) {
+TEST(trackers_are_distinguished_by_the_size_of_their_items) {
 	for (const bool is_full : { false, true }) {
 		Bytes bytes = head(23, 2);
 		for (int item = 0; item < 2; ++item) {
@@ -194,7 +194,7 @@ TEST(scale_data_cannot_ask_for_memory) {
 	bytes.insert(bytes.end(), { 0, 0, 0, 1, 0x7F, 0xFF, 0xFF, 0xFF, 'x' });
 	CHECK(fault_of(bytes) == Fault::WRONG_SIZE);
 	bytes = head(13, 1);
-	bytes.insert(bytes.end(), { 0, 0, 0, 1 }); // One is told of, none comes.
+	bytes.insert(bytes.end(), { 0, 0, 0, 1 }); // One is announced, none comes.
 	CHECK(fault_of(bytes) == Fault::WRONG_SIZE);
 }
 

@@ -97,7 +97,7 @@ TEST(samples_come_through_a_socket_as_they_were_sent) {
 	CHECK(!receiver.newest(0, Type::SCALE, newest) && !receiver.newest(9, Type::POSE, newest));
 }
 
-TEST(a_port_in_use_is_told_with_its_number) {
+TEST(a_port_in_use_is_reported_with_its_number) {
 	Receiver first;
 	CHECK(first.open(0).empty());
 	Receiver second;
@@ -109,7 +109,7 @@ TEST(a_port_in_use_is_told_with_its_number) {
 	CHECK(second.open(0).empty());
 }
 
-TEST(bad_datagrams_are_told_with_sender_and_reason) {
+TEST(bad_datagrams_are_reported_with_sender_and_reason) {
 	Receiver receiver;
 	receiver.open(0);
 	Sender sender(receiver.port());
@@ -132,7 +132,7 @@ TEST(bad_datagrams_are_told_with_sender_and_reason) {
 	CHECK(report.refused[std::size_t(Fault::TOO_MANY)] == 1 && report.refused[std::size_t(Fault::TOO_SHORT)] == 1);
 }
 
-TEST(a_character_of_two_senders_is_told_with_both) {
+TEST(a_character_of_two_senders_is_reported_with_both) {
 	Receiver receiver;
 	receiver.open(0);
 	Sender first(receiver.port());

@@ -196,7 +196,7 @@ TEST(files_that_are_none_are_refused) {
 }
 
 TEST(made_up_heads_take_no_memory_and_little_time) {
-	// Heads that are right and tell of 64 K behind them, one in the other, thousands of times.
+	// Heads that are right and announce 64 K behind them, one in the other, thousands of times.
 	Bytes bytes(MAGIC.begin(), MAGIC.end());
 	std::array<uint8_t, HEAD_SIZE> head{};
 	put_head(Kind::BUS_IN, 0, 1, nullptr, 0, head.data());
@@ -248,7 +248,7 @@ TEST(a_killed_process_leaves_all_that_was_written) {
 	}
 }
 
-TEST(a_slow_disk_never_stops_the_bus_and_what_is_lost_is_told) {
+TEST(a_slow_disk_never_stops_the_bus_and_what_is_lost_is_noted) {
 	std::array<int, 2> ends{};
 	CHECK(pipe(ends.data()) == 0);
 	Recorder recorder(64U << 10U);
@@ -282,12 +282,12 @@ TEST(a_slow_disk_never_stops_the_bus_and_what_is_lost_is_told) {
 	CHECK(reader.open(bytes).empty());
 	const std::vector<int> numbers = numbers_of(reader);
 	CHECK(reader.stats().lost == lost && reader.stats().has_end);
-	// Those that tell of a loss have no number of their own.
+	// Those that note a loss have no number of their own.
 	const auto good = std::count_if(numbers.begin(), numbers.end(), [](int p_number) { return p_number >= 0; });
 	CHECK(uint64_t(good) + lost == 20000);
 }
 
-TEST(a_full_disk_is_told_and_stops_nothing) {
+TEST(a_full_disk_is_reported_and_stops_nothing) {
 	const int full = open("/dev/full", O_WRONLY);
 	CHECK(full >= 0);
 	Recorder recorder;

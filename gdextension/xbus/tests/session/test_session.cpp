@@ -203,7 +203,7 @@ TEST(a_slow_line_is_made_faster_and_one_that_stays_slow_gets_a_lower_rate) {
 	CHECK(double(slow.frames) > 3.9 * slow.report().rate_hz);
 }
 
-TEST(errors_are_told_and_what_can_be_done_about_them_is_done) {
+TEST(errors_are_reported_and_what_can_be_done_about_them_is_done) {
 	SuitRig unpowered(with({ "--devices=ftdi", "--bus-power=off" }));
 	CHECK(unpowered.measures_within(6.0));
 	CHECK(unpowered.logged("BusPower") >= 1);
@@ -281,7 +281,7 @@ TEST(a_suit_that_freezes_is_brought_up_anew) {
 	CHECK(rig.session->state() == SessionState::MEASURING);
 }
 
-TEST(somebody_who_does_not_answer_is_told_of_and_found_later) {
+TEST(a_device_that_does_not_answer_is_reported_and_found_later) {
 	SuitRig rig(with({ "--devices=ftdi", "--mute" }));
 	CHECK(!rig.measures_within(6.0));
 	CHECK(rig.has_said("does not answer at any speed"));
@@ -290,7 +290,7 @@ TEST(somebody_who_does_not_answer_is_told_of_and_found_later) {
 	CHECK(rig.measures_within(12.0));
 }
 
-TEST(a_tracker_that_lies_about_its_length_is_told_of) {
+TEST(a_tracker_that_lies_about_its_length_is_reported) {
 	SuitRig rig(with({ "--devices=ftdi", "--lie=3:5" }));
 	rig.run(6.0);
 	CHECK(rig.has_said("sends samples of another length"));
@@ -332,15 +332,15 @@ TEST(a_device_that_measures_at_another_rate_is_believed) {
 		timeline.reset(10000.0);
 		for (uint64_t counter = 1; counter * period < 20000000; ++counter) {
 			const uint64_t arrival = 5000000 + counter * period + (counter % 3) * 300;
-			const uint64_t placed = timeline.timestamp(counter, arrival);
+			const uint64_t stamped = timeline.timestamp(counter, arrival);
 			if (counter * period > 3000000) {
-				CHECK(placed <= arrival && arrival - placed < 5000);
+				CHECK(stamped <= arrival && arrival - stamped < 5000);
 			}
 		}
 	}
 }
 
-TEST(a_hold_up_on_the_way_is_no_other_rate) {
+TEST(a_hold_up_in_transit_is_no_other_rate) {
 	xbus::SampleTimeline timeline;
 	timeline.reset(10000.0);
 	for (uint64_t counter = 1; counter < 3000; ++counter) {
@@ -348,9 +348,9 @@ TEST(a_hold_up_on_the_way_is_no_other_rate) {
 		const uint64_t sampled = 5000000 + counter * 10000;
 		const uint64_t phase = sampled % 500000;
 		const uint64_t arrival = phase < 120000 ? sampled - phase + 120000 : sampled;
-		const uint64_t placed = timeline.timestamp(counter, arrival);
+		const uint64_t stamped = timeline.timestamp(counter, arrival);
 		if (counter > 100) {
-			CHECK(placed + 5000 > sampled && placed < sampled + 5000);
+			CHECK(stamped + 5000 > sampled && stamped < sampled + 5000);
 		}
 	}
 }

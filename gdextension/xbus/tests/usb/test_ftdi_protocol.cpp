@@ -79,7 +79,7 @@ TEST(hostile_reads_stay_within_their_bytes) {
 	}
 }
 
-TEST(devices_are_told_apart_by_their_numbers) {
+TEST(devices_are_distinguished_by_their_numbers) {
 	using usb::DeviceLink;
 	CHECK(usb::identify(0x0403, 0xD388).kind == DeviceLink::FTDI);
 	CHECK(usb::identify(0x0403, 0xD38D).kind == DeviceLink::AWINDA);

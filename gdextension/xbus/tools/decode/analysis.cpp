@@ -195,7 +195,7 @@ void note_time(const Sample &p_sample, DeviceReport &r_device) {
 	constexpr uint32_t SECOND = 10000;
 	const uint32_t ahead = p_sample.sample_time_fine - r_device.last_time;
 	const uint32_t behind = r_device.last_time - p_sample.sample_time_fine;
-	// A satellite receiver's data come later than the time they tell.
+	// A satellite receiver's data come later than the time in them.
 	if (r_device.has_time && behind <= SECOND) {
 		return;
 	}
@@ -230,7 +230,7 @@ void note_items(const Frame &p_frame, Analysis &r_analysis) {
 	r_analysis.misfit_items += report.misfits;
 }
 
-/// Identifiers, period, steps of counters: what devices and host tell of themselves.
+/// Identifiers, period, steps of counters: what devices and host report of themselves.
 void note_control(const Frame &p_frame, Analysis &r_analysis) {
 	Configuration configuration;
 	switch (p_frame.message) {

@@ -74,7 +74,7 @@ struct Analysis {
 	uint64_t undecoded = 0;
 	uint64_t unknown_items = 0;
 	uint64_t misfit_items = 0;
-	/// 1/115200 s, 0 if no message tells it.
+	/// 1/115200 s, 0 if no message has it.
 	uint16_t period = 0;
 };
 

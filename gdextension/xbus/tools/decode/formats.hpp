@@ -3,7 +3,7 @@
 
 #include "analysis.hpp"
 
-/// Collects what messages tell of the format of MTData.
+/// Collects what messages say about the format of MTData.
 class FormatBook {
 public:
 	explicit FormatBook(const FormatOptions &p_options);
@@ -16,7 +16,7 @@ public:
 	int add(const DataFormat &p_format);
 
 	const std::vector<DataFormat> &formats() const { return _formats; }
-	/// Trackers behind the master, 0 if none told.
+	/// Trackers behind the master, 0 if none is known.
 	std::size_t trackers() const { return _trackers; }
 
 private:

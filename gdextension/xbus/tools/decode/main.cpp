@@ -17,7 +17,7 @@ constexpr const char *HELP =
 		"of Dismount's (of the bus that said the most).\n"
 		"\n"
 		"  --json            everything, each message decoded, as one JSON object (docs/xbus.md)\n"
-		"  --mode=N          output mode of MTData, if no message in the recording tells it\n"
+		"  --mode=N          output mode of MTData, if no message in the recording has it\n"
 		"  --settings=N      output settings of MTData\n"
 		"  --master          MTData comes from a master\n"
 		"  --devices=N       trackers behind that master\n"

@@ -14,5 +14,5 @@ struct Recording {
 };
 
 /// Reads a file of bytes as they came from the bus, or of hexadecimal text. On failure `r_fault` says in a
-/// sentence what is wrong with which file. The place to add another kind of file.
+/// sentence what is wrong with which file. Add other kinds of file here.
 bool read_recording(const std::string &p_name, Recording &r_recording, std::string &r_fault);

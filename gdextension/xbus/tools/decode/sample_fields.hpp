@@ -114,7 +114,7 @@ void visit_rest(const xbus::Sample &p, V &r_visitor) {
 	fields.structure(xbus::Field::SNAPSHOT, "snapshot", p.snapshot);
 }
 
-/// Tells a visitor all that a sample holds: `numbers(key, values, count)` for real numbers,
+/// Gives a visitor all that a sample holds: `numbers(key, values, count)` for real numbers,
 /// `integer(key, value)`, `integers(key, values)`, and `structure(key, value)`. The keys are documented in
 /// docs/xbus.md.
 template <class V>

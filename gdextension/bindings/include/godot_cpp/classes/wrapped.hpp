@@ -91,12 +91,12 @@ const GDExtensionInstanceBindingCallbacks *wrapper_callbacks() {
 	return &callbacks;
 }
 
-/// Tells the constructor of Wrapped which extension class is being made (null for engine classes),
+/// Gives the constructor of Wrapped which extension class is being made (null for engine classes),
 /// so that the object is whole before the class's own constructor runs.
 class ConstructionBase {
 public:
 	explicit ConstructionBase(const StringName *p_extension_class);
-	/// Tells a new object that it is complete.
+	/// Notifies a new object that it is complete.
 	static void notify_created(Wrapped *p_object);
 };
 

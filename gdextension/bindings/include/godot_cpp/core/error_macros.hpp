@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Checks at the border to scripts: they print an error with its place, and leave the function.
+// Checks at the border to scripts: they print an error with its file and line, and leave the function.
 // Messages may be a const char *, a String, or anything else that a String is made from.
 
 #include <godot_cpp/core/defs.hpp>

@@ -5,7 +5,7 @@
 
 namespace godot {
 
-/// A place and an orientation in the plane: x axis, y axis, origin.
+/// A position and an orientation in the plane: x axis, y axis, origin.
 struct Transform2D {
 	Vector2 columns[3] = { Vector2(1, 0), Vector2(0, 1), Vector2(0, 0) };
 

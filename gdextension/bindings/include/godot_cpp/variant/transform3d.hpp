@@ -5,7 +5,7 @@
 
 namespace godot {
 
-/// A place and an orientation in space.
+/// A position and an orientation in space.
 struct Transform3D {
 	Basis basis;
 	Vector3 origin;

@@ -2,7 +2,7 @@ extends CheckSuite
 ## The native number types against the engine's: equal to the last bits.
 
 const ROUNDS := 200
-## Allowed difference, relative to the values' size. A few units of the last place.
+## Allowed difference, relative to the values' size. A few units of the last digit.
 const TOLERANCE := 1e-6
 
 var _random := RandomNumberGenerator.new()
