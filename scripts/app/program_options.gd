@@ -9,7 +9,7 @@ static func parse(p_arguments: PackedStringArray, p_role: String = "") -> Option
 	return Options.parse(rows(), p_arguments, p_role)
 
 
-## All options, those that belong together beside one another.
+## All options, grouped by topic.
 static func rows() -> Array[OptionRow]:
 	return _connection() + _motion() + _server() + _display() + _run()
 
@@ -24,7 +24,7 @@ static func _connection() -> Array[OptionRow]:
 		OptionRow.text(
 			"name",
 			clients,
-			"your name, shown to the others; without one the role's",
+			"your name, shown to the others; by default the role's",
 			Protocol.LONGEST_NAME
 		),
 		OptionRow.text(
@@ -32,28 +32,28 @@ static func _connection() -> Array[OptionRow]:
 			both,
 			(
 				"password of the session: the server asks for it, clients prove it."
-				+ " Better DISMOUNT_PASSWORD: others on the machine can see arguments"
+				+ " Prefer DISMOUNT_PASSWORD: others on the machine can see arguments"
 			)
 		),
-		OptionRow.flag("dtls", clients, "encrypt the connection, where the engine can"),
+		OptionRow.flag("dtls", clients, "encrypt the connection, if the engine can"),
 		OptionRow.file(
 			"dtls-certificate",
 			PackedStringArray([ProgramRoles.SERVER]) + clients,
-			"certificate (PEM): the server's own, or the one to be trusted"
+			"certificate (PEM): the server's own, or the one that a client trusts"
 		),
 		OptionRow.number(
 			"snapshot-rate",
 			joining,
 			0,
 			[0, 240],
-			"snapshots per second that are wanted; 0: one each tick"
+			"snapshots per second to ask for; 0: one each tick"
 		),
 		OptionRow.decimal(
 			"connect-timeout",
 			clients,
 			0.0,
 			[0.0, 86400.0],
-			"give up after so long without a server; 0 never",
+			"give up after this time without a server; 0: never",
 			"s"
 		),
 		OptionRow.number(
@@ -70,9 +70,9 @@ static func _motion() -> Array[OptionRow]:
 	var moving: PackedStringArray = ProgramRoles.moving()
 	var with_load: PackedStringArray = moving + PackedStringArray([ProgramRoles.LOAD])
 	return [
-		OptionRow.files("bvh", with_load, "motion files, played in a loop, a person each"),
+		OptionRow.files("bvh", with_load, "motion files, played in a loop, one person each"),
 		OptionRow.file(
-			"default-bvh", moving, "motion file if no source is named; ./run names one of ours"
+			"default-bvh", moving, "motion file if no source is given; ./run gives one of ours"
 		),
 		OptionRow.flag("xbus", moving, "motion from the suit on this machine's USB ports"),
 		OptionRow.number("suit-rate", moving, 100, [10, 512], "samples of the suit", "per second"),
@@ -84,26 +84,26 @@ static func _motion() -> Array[OptionRow]:
 		OptionRow.text(
 			"tracker", moving, "body tracker of another plugin, such as /user/body_tracker"
 		),
-		OptionRow.file("suit-record", moving, "keep every byte of suits and of MVN in this file"),
-		OptionRow.file("suit-play", moving, "motion from such a file, in a loop"),
-		OptionRow.text("person", moving, "who wears the suit: whose size and calibration are kept"),
+		OptionRow.file("suit-record", moving, "record every byte of suits and of MVN in this file"),
+		OptionRow.file("suit-play", moving, "motion from a file of --suit-record, in a loop"),
+		OptionRow.text("person", moving, "who wears the suit: size and calibration are kept by this name"),
 		OptionRow.choice(
 			"calibrate", moving, "", ClientCalibration.KINDS.keys(), "calibrate at the start"
 		),
-		OptionRow.flag("panel", moving, "the device panel is open at the start (key M)"),
-		OptionRow.text("unit", with_load, "unit of the motion file; guessed without").shown_as(
+		OptionRow.flag("panel", moving, "open the device panel at the start (key M)"),
+		OptionRow.text("unit", with_load, "unit of the motion file; guessed by default").shown_as(
 			"|".join(BvhOptions.UNITS.keys()) + "|METRES"
 		),
 		OptionRow.choice(
-			"up", with_load, "", ["y", "z"], "up axis of the motion file; guessed without"
+			"up", with_load, "", ["y", "z"], "up axis of the motion file; guessed by default"
 		),
-		OptionRow.number("rate", with_load, 60, [1, 240], "samples that are sent", "per second"),
+		OptionRow.number("rate", with_load, 60, [1, 240], "samples to send", "per second"),
 		OptionRow.choice(
 			"feedback",
 			moving,
 			"local",
 			["local", "server"],
-			"the own body: shown at once, or as the server has it"
+			"your own body: shown at once, or as the server simulates it"
 		),
 	]
 
@@ -120,9 +120,9 @@ static func _server() -> Array[OptionRow]:
 				"max-clients",
 				server,
 				Protocol.DEFAULT_MAX_CLIENTS,
-				# ENet's most, less those that are just arriving.
+				# ENet's maximum, less those that are just arriving.
 				[1, 4000],
-				"clients that are admitted"
+				"maximum of clients"
 			)
 		),
 		OptionRow.number(
@@ -130,26 +130,26 @@ static func _server() -> Array[OptionRow]:
 			server,
 			0,
 			[0, 4000],
-			"clients that are admitted from one address; 0: any number"
+			"maximum of clients from one address; 0: any number"
 		),
-		OptionRow.text("instructor-password", server, "password of instructors, if it is another"),
-		OptionRow.flag("waiting-room", server, "an instructor admits everybody else"),
+		OptionRow.text("instructor-password", server, "password of instructors, if theirs differs"),
+		OptionRow.flag("waiting-room", server, "everybody waits until an instructor admits them"),
 		OptionRow.file(
-			"ban-file", server, "JSON list of addresses that are not let in; bans are added to it"
+			"ban-file", server, "JSON list of banned addresses; new bans are added to it"
 		),
 		OptionRow.number(
-			"bandwidth", server, 250, [1, 1000000], "for each client's snapshots", "kbit/s"
+			"bandwidth", server, 250, [1, 1000000], "limit for each client's snapshots", "kbit/s"
 		),
 		OptionRow.decimal(
 			"pose-error",
 			server,
 			Protocol.POSE_ERROR_DEG,
 			[EntityTableMessage.MIN_ERROR_DEG, EntityTableMessage.MAX_ERROR_DEG],
-			"how far limbs may be off on the wire",
+			"maximum error of limbs on the wire",
 			"degrees"
 		),
 		OptionRow.choice(
-			"root", server, "soft", Server.ROOTS.keys(), "where people's travel comes from"
+			"root", server, "soft", Server.ROOTS.keys(), "how people's travel is found and followed"
 		),
 		OptionRow.number(
 			"status-port",
@@ -167,9 +167,9 @@ static func _display() -> Array[OptionRow]:
 	var clients: PackedStringArray = Roles.names()
 	return [
 		OptionRow.choices_of(
-			"views", showing, "mesh,static", WorldViews.NAMES, "worlds that are shown at first"
+			"views", showing, "mesh,static", WorldViews.NAMES, "worlds to show at the start"
 		),
-		OptionRow.text("camera", showing, "where the camera is at first, degrees and m").shown_as(
+		OptionRow.text("camera", showing, "camera at the start, degrees and m").shown_as(
 			"AZIMUTH,ELEVATION,DISTANCE"
 		),
 		OptionRow.choice(
@@ -177,20 +177,20 @@ static func _display() -> Array[OptionRow]:
 			showing,
 			"adaptive_low_delay",
 			WorldReplica.SMOOTHING.keys(),
-			"what is shown between updates (docs/smoothing.md)"
+			"method for the motion between updates (docs/smoothing.md)"
 		),
 		OptionRow.number(
 			"fps", showing, Client.HEADLESS_FPS, [1, 1000], "frames without a window", "per second"
 		),
 		OptionRow.text(
-			"use", clients, "use what is below a node of this name in the level, once it is there"
+			"use", clients, "use the Interactable at or below a node of this name, once it is there"
 		),
 		(
 			OptionRow
 			. text(
 				"orders",
 				Roles.names(Roles.Capability.MODERATE),
-				"what to do, in order (docs/session-guide.md)"
+				"orders to give, one after the other (docs/session-guide.md)"
 			)
 			. shown_as("ORDER:NAME,...")
 		),
@@ -203,15 +203,15 @@ static func _run() -> Array[OptionRow]:
 	var recording: PackedStringArray = PackedStringArray([ProgramRoles.SERVER]) + showing
 	var load_only: PackedStringArray = [ProgramRoles.LOAD]
 	return [
-		OptionRow.choice("role", all, "", all, "what to start; without one server or observer"),
-		OptionRow.decimal("duration", all, 0.0, [0.0, 1e7], "end after so long; 0 never", "s"),
+		OptionRow.choice("role", all, "", all, "role to start; by default server or observer"),
+		OptionRow.decimal("duration", all, 0.0, [0.0, 1e7], "end after this time; 0: never", "s"),
 		OptionRow.file("report", all, "write stats to this file (JSON) every second"),
 		OptionRow.file(
-			"record", recording, "record what the server sends, at the server all of it"
+			"record", recording, "record what this client receives, or everything at the server"
 		),
-		OptionRow.file("file", [ClientStreams.REPLAY], "recording to show"),
-		OptionRow.file("screenshot", showing, "write a picture (PNG) before --duration ends"),
-		OptionRow.file("latency-csv", showing, "write the delay of each sample, stage by stage"),
+		OptionRow.file("file", [ClientStreams.REPLAY], "recording to replay"),
+		OptionRow.file("screenshot", showing, "save a picture (PNG) before --duration ends"),
+		OptionRow.file("latency-csv", showing, "write the latency of each sample, stage by stage"),
 		OptionRow.number(
 			"trainees", load_only, 1, [0, LoadRun.MAX_CLIENTS], "clients that send motion"
 		),

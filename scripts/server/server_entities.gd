@@ -210,8 +210,8 @@ func _apply(p_session: int, p_command: EntityCommand) -> void:
 	_refusals[p_session] = _refusals.get(p_session, 0) + 1
 	var session: Session = _link.session(p_session)
 	if session != null:
-		_link.complain(session, "command", "commanded in vain: %s" % fault)
-		command_refused.emit(p_session, "%s commanded in vain: %s" % [session.describe(), fault])
+		_link.complain(session, "command", "sent a command that was refused: %s" % fault)
+		command_refused.emit(p_session, "%s sent a command that was refused: %s" % [session.describe(), fault])
 
 
 func _find_fault(
