@@ -4,10 +4,10 @@ extends RefCounted
 ## as the own body (thesis sections 7.4.2 and 7.5).
 
 ## Samples shall reach the server so long before a tick begins, µs: later ones wait for the next. On
-## an unsteady way a little more.
+## an unsteady network a little more.
 const LEAD_USEC: int = 4000
 const MAX_LEAD_USEC: int = 8000
-## Span over which the quickest way of a sample to the server counts, marks.
+## Span over which the lowest latency of a sample to the server counts, marks.
 const _TRIPS: int = 40
 
 ## Where the motion comes from.
@@ -74,9 +74,9 @@ func keep_in_step() -> void:
 	if _link.clock.is_known():
 		var now: int = Time.get_ticks_usec()
 		var tick: int = ceili(_link.clock.tick_at(now)) + 1
-		var way: int = _link.clock.round_trip_usec / 2
+		var transit: int = _link.clock.round_trip_usec / 2
 		var lead: int = mini(LEAD_USEC + roundi(2.0 * _link.clock.jitter_usec), MAX_LEAD_USEC)
-		var due: int = _link.clock.local_usec_of_tick(tick) - way - lead
+		var due: int = _link.clock.local_usec_of_tick(tick) - transit - lead
 		var ahead: int = _link.clock.server_usec(now) - now
 		_sender.keep_in_step(ahead, due + MotionSender.unix_ahead())
 

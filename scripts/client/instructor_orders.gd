@@ -43,7 +43,7 @@ func _init(p_text: String = "") -> void:
 		_orders.append(order)
 
 
-## Gives the orders by way of a control.
+## Gives the orders through a control.
 func attach(p_control: SessionControl) -> void:
 	if _control == null:
 		p_control.roster_changed.connect(_on_roster_changed)

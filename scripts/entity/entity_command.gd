@@ -1,6 +1,6 @@
 class_name EntityCommand
 extends RefCounted
-## One command on its way from a client to the server.
+## One command from a client to the server.
 
 ## Counts the commands of a client; wraps at 65536.
 var number: int = 0

@@ -24,7 +24,7 @@ func took(p_outcome: SnapshotDecoder.Outcome, p_size: int) -> void:
 	bytes += p_size
 
 
-## Notes a sample's way that ended with a snapshot, at a time of the server's clock, µs.
+## Records a sample's latency, which ended with a snapshot at a time of the server's clock, µs.
 func marked(p_mark: LatencyMark) -> void:
 	probe.arrived(p_mark)
 	probe.shows(p_mark.tick)

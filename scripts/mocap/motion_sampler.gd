@@ -12,7 +12,7 @@ const MAX_WAITING: int = 64
 ## A due time that is further off than so many periods is set anew: the machine slept, or its clock
 ## was set.
 const MAX_PERIODS: int = 16
-## Part of a period by which a sample's time gives way to the phase that is wanted.
+## Part of a period by which a sample's time yields to the requested phase.
 const SLEW: float = 0.05
 ## The thread looks about itself at least so often, µs.
 const _LONGEST_SLEEP_USEC: int = 5000

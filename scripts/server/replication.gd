@@ -98,7 +98,7 @@ func add_client(p_session: int, p_rate: int) -> void:
 	var own: EntityRow = _level.table.person_of(p_session)
 	if own != null:
 		encoder.set_own_person(p_session, own.id)
-	# Another level may have come since the welcome was on its way.
+	# Another level may have come since the welcome was sent.
 	var session: Session = _link.session(p_session)
 	if session != null and session.welcome_level != _level.message():
 		_link.send_reliably([p_session], _level.message())

@@ -143,7 +143,7 @@ func push_sample(p_session: int, p_sample: PoseSample, p_now_s: float) -> void:
 	person.refused += 1
 	person.refused_in_a_row += 1
 	if person.refused_in_a_row == _LATE:
-		# One now and then is the way's fault, which lets some overtake others.
+		# A few are the network's fault, where datagrams overtake each other.
 		var parts: Array = [person.name, _LATE]
 		Log.limited("server", "sample %d" % person.id, "'%s' sent %d old samples in a row" % parts)
 	if person.refused_in_a_row >= _NEW_CLOCK:

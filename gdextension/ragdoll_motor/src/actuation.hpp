@@ -19,7 +19,7 @@ enum class Actuation : int {
 };
 constexpr int ACTUATION_COUNT = 6;
 
-/// A value on its way to another, smoothly.
+/// A value that changes smoothly to another.
 class Ramp {
 public:
 	Ramp() = default;

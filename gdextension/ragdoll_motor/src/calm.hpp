@@ -6,7 +6,7 @@
 
 namespace ragdoll {
 
-/// How much of the way to a value is gone in a step when the time constant is p_time_s.
+/// The share of the distance to a value that is covered in a step when the time constant is p_time_s.
 inline float share(float p_delta_s, float p_time_s) {
 	return 1.0f - std::exp(-p_delta_s / p_time_s);
 }

@@ -177,7 +177,7 @@ private:
 	bool _is_getting_up = false;
 	Vec3 _lift; // Of the root while the body gets up, m.
 	bool _was_held = false;
-	bool _is_fetched = false; // The root is on its way to where it will be held.
+	bool _is_fetched = false; // The root is moving to where it will be held.
 };
 
 } // namespace ragdoll

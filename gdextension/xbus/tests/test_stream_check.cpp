@@ -159,7 +159,7 @@ TEST(a_device_that_computes_coarsely_is_believed) {
 	CHECK(taken >= 15);
 }
 
-TEST(data_of_another_size_or_place_are_refused) {
+TEST(data_of_another_size_or_position_are_refused) {
 	Suit suit;
 	const Bytes data(200, 0);
 	CHECK(suit.check->take({ MASTER, Message::MT_DATA, data.data(), 65 }) == Verdict::REFUSED);

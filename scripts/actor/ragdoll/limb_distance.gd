@@ -110,9 +110,9 @@ static func _thin(p_limb: RagdollLimb) -> void:
 	p_limb.radius *= 0.98
 
 
-static func _ends(p_limb: RagdollLimb, p_place: Transform3D) -> PackedVector3Array:
+static func _ends(p_limb: RagdollLimb, p_transform: Transform3D) -> PackedVector3Array:
 	var half: Vector3 = Vector3(0.0, p_limb.length / 2.0, 0.0)
-	return [p_place * -half, p_place * half]
+	return [p_transform * -half, p_transform * half]
 
 
 ## The distance of a convex body along a line is convex: thirds find the least.

@@ -55,7 +55,7 @@ func _find_maps() -> void:
 			_maps[bone] = Basis.from_scale(Vector3.ONE * _scale.along[limb])
 
 
-## The bone that follows each bone on the way from a limb's joint to the next limb's.
+## The bone that follows each bone on the path from a limb's joint to the next limb's.
 func _find_chains() -> Dictionary[int, int]:
 	var next: Dictionary[int, int] = {}
 	for limb: int in Limbs.COUNT:
@@ -63,12 +63,12 @@ func _find_chains() -> Dictionary[int, int]:
 			continue
 		var top: int = _skeleton.find_bone(Limbs.BONES[limb])
 		var bone: int = _skeleton.find_bone(Limbs.BONES[BodyScale.NEXT[limb]])
-		var way: Dictionary[int, int] = {}
+		var path: Dictionary[int, int] = {}
 		while bone >= 0 and bone != top:
-			way[_skeleton.get_bone_parent(bone)] = bone
+			path[_skeleton.get_bone_parent(bone)] = bone
 			bone = _skeleton.get_bone_parent(bone)
 		if bone == top:
-			next.merge(way)
+			next.merge(path)
 	return next
 
 
@@ -189,13 +189,13 @@ func _fit_profile() -> void:
 
 
 func _fit_limb(p_limb: RagdollLimb) -> void:
-	var way: Transform3D = _displacement_of(p_limb.bone)
+	var displacement: Transform3D = _displacement_of(p_limb.bone)
 	var turn: Basis = Basis(p_limb.rest_orientation.inverse() * p_limb.orientation)
 	var factors: Vector3 = _factors(_map_of(p_limb.bone), turn)
 	var thin: float = sqrt(factors.x * factors.z)
-	p_limb.anchor = way * p_limb.anchor
-	p_limb.position = way * p_limb.position
-	p_limb.contact_points = way * p_limb.contact_points
+	p_limb.anchor = displacement * p_limb.anchor
+	p_limb.position = displacement * p_limb.position
+	p_limb.contact_points = displacement * p_limb.contact_points
 	p_limb.size *= factors
 	p_limb.length *= factors.y
 	p_limb.radius *= thin

@@ -110,7 +110,7 @@ func _add_surface(p_arrays: Array, p_bones: PackedInt32Array, p_moves: Array[Tra
 
 
 func _find_limb(
-	p_place: Vector3,
+	p_position: Vector3,
 	p_first: int,
 	p_count: int,
 	p_slots: PackedInt32Array,
@@ -125,7 +125,7 @@ func _find_limb(
 			continue
 		var bone: int = p_bones[p_slots[slot]]
 		var limb: int = _limbs[bone]
-		if bone == _neck and p_place.y > _neck_height:
+		if bone == _neck and p_position.y > _neck_height:
 			limb = Limbs.find(&"Head")
 		shares[limb] += p_weights[slot]
 		if shares[limb] > shares[best]:
@@ -135,20 +135,20 @@ func _find_limb(
 
 ## Every corner stands for a third of its triangles.
 func _add_points(
-	p_places: PackedVector3Array, p_owners: PackedInt32Array, p_indices: Variant
+	p_positions: PackedVector3Array, p_owners: PackedInt32Array, p_indices: Variant
 ) -> void:
 	var corners: PackedInt32Array = p_indices if p_indices != null else PackedInt32Array()
 	if p_indices == null:
-		corners = PackedInt32Array(range(p_places.size()))
+		corners = PackedInt32Array(range(p_positions.size()))
 	var shares: PackedFloat32Array = []
-	shares.resize(p_places.size())
+	shares.resize(p_positions.size())
 	for i: int in range(0, corners.size() - 2, 3):
-		var a: Vector3 = p_places[corners[i]]
-		var edge: Vector3 = p_places[corners[i + 1]] - a
-		var third: float = edge.cross(p_places[corners[i + 2]] - a).length() / 6.0
+		var a: Vector3 = p_positions[corners[i]]
+		var edge: Vector3 = p_positions[corners[i + 1]] - a
+		var third: float = edge.cross(p_positions[corners[i + 2]] - a).length() / 6.0
 		for corner: int in 3:
 			shares[corners[i + corner]] += third
-	for i: int in p_places.size():
+	for i: int in p_positions.size():
 		if p_owners[i] >= 0 and shares[i] > 0.0:
-			points[p_owners[i]].append(p_places[i])
+			points[p_owners[i]].append(p_positions[i])
 			areas[p_owners[i]].append(shares[i])

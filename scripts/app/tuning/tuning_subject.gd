@@ -158,16 +158,16 @@ func set_root_mode(p_mode: RagdollMotor.RootMode) -> void:
 
 ## Where the hips are, in the world, m.
 func hips() -> Vector3:
-	return _place(&"Hips")
+	return _limb_position(&"Hips")
 
 
 ## Throws a ball at the chest, from the side of [param p_from] (horizontal, world).
 func throw_ball(p_from: Vector3) -> RigidBody3D:
 	var ball: RigidBody3D = _make_ball()
-	var chest: Vector3 = _place(&"Chest")
+	var chest: Vector3 = _limb_position(&"Chest")
 	var flat: Vector3 = Vector3(p_from.x, 0.0, p_from.z).normalized()
 	var from: Vector3 = chest + (flat if flat != Vector3.ZERO else Vector3.BACK) * _BALL_FROM_M
-	# As high as it falls on its way.
+	# As high as it falls in flight.
 	var fall: float = 0.5 * 9.81 * pow(_BALL_FROM_M / _BALL_SPEED, 2.0)
 	var aim: Vector3 = (chest + Vector3.UP * fall - from).normalized()
 	_add_thing(ball, from)
@@ -178,7 +178,7 @@ func throw_ball(p_from: Vector3) -> RigidBody3D:
 ## Lets a crate fall onto the person, from 1 m above the head.
 func drop_crate() -> RigidBody3D:
 	var dropped: RigidBody3D = crate.instantiate()
-	_add_thing(dropped, _place(&"Head") + Vector3.UP * _CRATE_HEIGHT_M)
+	_add_thing(dropped, _limb_position(&"Head") + Vector3.UP * _CRATE_HEIGHT_M)
 	return dropped
 
 
@@ -225,7 +225,7 @@ func _chosen(p_group: StringName) -> Array[StringName]:
 	return all
 
 
-func _place(p_bone: StringName) -> Vector3:
+func _limb_position(p_bone: StringName) -> Vector3:
 	if ragdoll == null:
 		return Vector3(0.0, 1.0, 0.0)
 	var index: int = ragdoll.profile.limbs.find(ragdoll.profile.find(p_bone))
@@ -258,11 +258,11 @@ func _make_ball() -> RigidBody3D:
 	return ball
 
 
-func _add_thing(p_thing: RigidBody3D, p_place: Vector3) -> void:
+func _add_thing(p_thing: RigidBody3D, p_position: Vector3) -> void:
 	if _things.size() >= _MAX_THINGS:
 		_things[0].queue_free()
 		_things.remove_at(0)
-	p_thing.position = p_place
+	p_thing.position = p_position
 	add_child(p_thing)
 	_things.append(p_thing)
 

@@ -18,11 +18,11 @@ extends RefCounted
 const ANKLE_DEG: float = 20.0
 ## Elbows and knees bend by so much at most, degrees.
 const MAX_BEND_DEG: float = 150.0
-## Share of a forearm's way out of hanging that an elbow makes.
+## Share of a forearm's turn out of hanging that the elbow makes.
 const ELBOW_SHARE: float = 0.8
 ## Where a left upper arm points at ease, seen from the chest.
 const HANGING: Vector3 = Vector3(0.15, -0.98, 0.1)
-## Share of a shank's way backwards by which the thigh comes ahead.
+## Share of a shank's turn backwards by which the thigh comes ahead.
 const KNEE_SHARE: float = 0.5
 
 # What the pelvis' heading is taken from, best first, if not both thighs are known.

@@ -72,7 +72,7 @@ func _find_headings() -> void:
 			var wanted: Vector3 = GuideMovements.axis(movement, mount)
 			var axis: MotionAxis = axes[movement]
 			if movement == GuideMovements.Movement.ARMS and both and _held_both(sensor):
-				# From pose to pose is steadier than the way between them.
+				# From pose to pose is steadier than the path between them.
 				var start: Quaternion = holds[ResetPose.Kind.T].mean(sensor)
 				var turn: Vector3 = Rotations.vector(
 					holds[ResetPose.Kind.N].mean(sensor) * start.inverse()

@@ -71,10 +71,12 @@ static func pose(
 	if present.size() != COUNT:
 		present.resize(COUNT)
 		present.fill(1)
-	var turns: PackedFloat32Array = SourceFrames.rotations(p_rotations, p_frame)
+	var values: PackedFloat32Array = SourceFrames.rotations(p_rotations, p_frame)
 	for segment: int in COUNT:
 		var at: int = segment * 4
-		var turn: Quaternion = Quaternion(turns[at], turns[at + 1], turns[at + 2], turns[at + 3])
+		var turn: Quaternion = Quaternion(
+			values[at], values[at + 1], values[at + 2], values[at + 3]
+		)
 		# Written so that NaN fails too.
 		if present[segment] != 0 and not absf(turn.length() - 1.0) < 0.1:
 			return null
@@ -108,9 +110,9 @@ static func _pose_of(
 		return null
 	var filler: LimbFiller = LimbFiller.new()
 	for segment: int in COUNT:
-		var position: int = BodyMounts.find(MOUNTS[segment])
-		if position >= 0 and p_present[segment] != 0:
-			filler.set_mount(position, p_turns[segment])
+		var mount: int = BodyMounts.find(MOUNTS[segment])
+		if mount >= 0 and p_present[segment] != 0:
+			filler.set_mount(mount, p_turns[segment])
 	filler.fill()
 	var found: PoseSample = PoseSample.new()
 	found.details = MotionDetails.new()

@@ -229,7 +229,7 @@ static func _time_text(p_ms: int) -> String:
 	return "%02d:%02d:%02d.%03d" % parts
 
 
-## From Godot's frame to MVN's: the way back of [method SourceFrames.vector].
+## From Godot's frame to MVN's: the inverse of [method SourceFrames.vector].
 static func _out(p_vector: Vector3) -> Vector3:
 	return Vector3(p_vector.z, p_vector.x, p_vector.y)
 

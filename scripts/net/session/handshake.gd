@@ -1,6 +1,6 @@
 class_name Handshake
 extends RefCounted
-## Where a server's clients are until they are in: asked who they are and answered, by way of the
+## A server's pending peers: each gets a challenge and an answer to its join request, through the
 ## multiplayer API's authentication, as the [Admission] says.
 
 ## Who waits has changed.

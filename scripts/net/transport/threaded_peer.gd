@@ -11,7 +11,7 @@ extends MultiplayerPeerExtension
 signal troubled(p_peer: int, p_key: String, p_what: String)
 ## The port was closed by an error and is open again; everybody who was there is gone.
 signal reopened
-## A client's way to the server is over, and why.
+## A client's connection to the server is over, and why.
 signal failed(p_why: String)
 
 ## Transfer channels that can be used beside 0.

@@ -14,7 +14,7 @@ enum Kind {
 	TROUBLE,
 	## The host had died and was made anew; all connections are over.
 	REOPENED,
-	## The host cannot be made, or the client's way to the server is over.
+	## The host cannot be made, or the client's connection to the server is over.
 	FAILED,
 }
 

@@ -9,7 +9,7 @@ extends RefCounted
 
 ## What is done with a packet.
 enum Verdict {
-	## It goes its way.
+	## It is passed on.
 	PASS,
 	## It is dropped without a word: its sender could not know better.
 	IGNORE,

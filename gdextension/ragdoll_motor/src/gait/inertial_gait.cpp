@@ -151,7 +151,7 @@ void InertialGait::walk(const GaitInput &p_input, float p_height) {
 		mean = mean + _implied[i] * _weights[i];
 	}
 	const float delta = p_input.delta_s;
-	// Hardly anything stands: the body's own way up or down says more than the points do.
+	// Hardly anything stands: the body's own rise or fall says more than the points do.
 	const float rising = _standing > 0.3f ? mean.y / _standing : (p_height - _centre.y) / delta;
 	_centre = _centre + level(mean) * delta;
 	_centre.y = p_height;

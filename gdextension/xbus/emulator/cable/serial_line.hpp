@@ -62,7 +62,7 @@ struct LineFaults {
 	double drop = 0.0;
 };
 
-/// Samples on their way: when a sample was taken, when its last byte had passed the line, and when the host
+/// Samples in transit: when a sample was taken, when its last byte had passed the line, and when the host
 /// got the packet with it. What a benchmark needs.
 struct SampleTrace {
 	int counter = 0;

@@ -166,7 +166,7 @@ void XbusDevice::_take_common(const Frame &p_frame, Usec p_now) {
 			return;
 		case Message::GO_TO_CONFIG:
 			if (_state == State::MEASUREMENT && !_only_on_request) {
-				// The message that is on its way is cut short.
+				// The message in transit is cut short.
 				Data data = sample(motion_time(p_now), _counter);
 				reply(xbus::MASTER, sample_message(), data, p_now, 0);
 				halve_last();

@@ -61,7 +61,7 @@ bool is_motion_in_range(const Sample &p_sample) {
 			good(Field::MAGNETIC_FIELD_CORRECTED, within(p_sample.magnetic_field_corrected, MAX_FIELD));
 }
 
-bool is_place_in_range(const Sample &p_sample) {
+bool is_position_in_range(const Sample &p_sample) {
 	const auto good = [&](Field p_field, bool p_good) { return !p_sample.has(p_field) || p_good; };
 	const auto &lat_lon = p_sample.lat_lon;
 	const auto &position = p_sample.position;
@@ -78,7 +78,7 @@ bool is_place_in_range(const Sample &p_sample) {
 
 bool is_in_range(const Sample &p_sample) {
 	const auto good = [&](Field p_field, bool p_good) { return !p_sample.has(p_field) || p_good; };
-	return is_motion_in_range(p_sample) && is_place_in_range(p_sample) &&
+	return is_motion_in_range(p_sample) && is_position_in_range(p_sample) &&
 			good(Field::TEMPERATURE, within(p_sample.temperature, MAX_TEMPERATURE)) &&
 			good(Field::PRESSURE, p_sample.pressure <= MAX_PRESSURE) && good(Field::UTC_TIME, is_time(p_sample.utc)) &&
 			good(Field::GNSS_PVT, is_pvt(p_sample.gnss_pvt));

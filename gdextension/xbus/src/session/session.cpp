@@ -332,7 +332,7 @@ void Session::take(const Frame &p_frame) {
 			break;
 	}
 	if (_step == Step::PAUSE && !_options.has_baud && p_frame.message == Message::GO_TO_CONFIG_ACK) {
-		// An answer that was long under way; with a speed to be found it would be one at another speed.
+		// An answer that was long in transit; with a speed to be found it would be one at another speed.
 		_has_answered = true;
 		go_to(Step::DEVICE_ID);
 	} else if (_waits && p_frame.message == _request.reply() && is_answering(p_frame.bus_id)) {

@@ -77,7 +77,7 @@ void visit_motion(const xbus::Sample &p, V &r_visitor) {
 }
 
 template <class V>
-void visit_place(const xbus::Sample &p, V &r_visitor) {
+void visit_position(const xbus::Sample &p, V &r_visitor) {
 	FieldVisit<V> fields(p, r_visitor);
 	fields.real(xbus::Field::ALTITUDE_MSL, "altitude_msl", p.altitude_msl);
 	fields.real(xbus::Field::ALTITUDE_ELLIPSOID, "altitude_ellipsoid", p.altitude_ellipsoid);
@@ -121,6 +121,6 @@ template <class V>
 void visit_sample(const xbus::Sample &p_sample, V &r_visitor) {
 	visit_times(p_sample, r_visitor);
 	visit_motion(p_sample, r_visitor);
-	visit_place(p_sample, r_visitor);
+	visit_position(p_sample, r_visitor);
 	visit_rest(p_sample, r_visitor);
 }
