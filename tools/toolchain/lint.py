@@ -41,6 +41,7 @@ def gates(tools: Path) -> Iterator[tuple[str, list[str]]]:
     yield "ruff format", [str(tools / "ruff"), "format", "--no-cache", "--check", "."]
     yield "arrows", [sys.executable, "-m", "toolchain.arrows"]
     yield "mirror", [sys.executable, "-m", "toolchain.mirror"]
+    yield "words", [sys.executable, "-m", "toolchain.words"]
     yield "shellcheck", [str(tools / "shellcheck"), "-x", *shell]
 
 

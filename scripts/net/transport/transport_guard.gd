@@ -25,7 +25,7 @@ const _COMMAND_MASK: int = 7
 const _COMMAND_CONFIRM_PATH: int = 2
 const _COMMAND_RAW: int = 3
 const _COMMAND_SYSTEM: int = 7
-const _SYSTEM_GREETING: int = 0
+const _SYSTEM_AUTH: int = 0
 
 ## What a client may send. Set it before the thread begins.
 var limits: TransportLimits = TransportLimits.new()
@@ -73,7 +73,7 @@ func judge(p_from: TransportConnection, p_bytes: PackedByteArray) -> Verdict:
 	var command: int = p_bytes[0] & _COMMAND_MASK
 	if p_from.stage == TransportConnection.Stage.ADMITTED:
 		return _judge_admitted(p_from, p_bytes, command)
-	if command != _COMMAND_SYSTEM or p_bytes.size() < 2 or p_bytes[1] != _SYSTEM_GREETING:
+	if command != _COMMAND_SYSTEM or p_bytes.size() < 2 or p_bytes[1] != _SYSTEM_AUTH:
 		return _drop("command", "sent %d bytes of no use (%d)" % [p_bytes.size(), command])
 	if p_bytes.size() > 2:
 		return Verdict.PASS
