@@ -4,11 +4,11 @@ class_name CarryArea
 extends Area3D
 ## Carries the people who stand in it along with a moving body: a turntable, a lift, a deck.
 ##
-## Only the server does it, and everybody sees it: a person's pose is simulated, sent and shown in
+## Only the server carries, and everybody sees it: a person's pose is simulated, sent and shown in
 ## the frame of the body, so that nobody slides on it. Set the collision mask to the layer of
 ## people.
 
-## Bone whose body decides whether somebody stands here.
+## The bone whose body counts as standing here.
 const BONE: StringName = &"Hips"
 
 ## The entity whose body carries.

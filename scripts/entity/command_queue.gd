@@ -1,20 +1,20 @@
 class_name CommandQueue
 extends RefCounted
-## The commands of one session, in order and each once, at the server.
+## The commands of one session at the server: in order, and each only once.
 ##
-## Datagrams repeat the last commands, come twice, late and in another order. A command waits until
-## the tick that it is meant for, but not longer than [constant MAX_WAIT_TICKS]; what is meant for
-## a tick that is over is applied at once.
+## Datagrams repeat the last commands, and may come twice, late and out of order. A command waits
+## until its tick, but not longer than [constant MAX_WAIT_TICKS]; a command for a past tick is
+## applied at once.
 
 ## Longest wait for a command's tick: a client that claims a distant tick gains nothing.
 const MAX_WAIT_TICKS: int = 8
-## Commands that wait at most; beyond it the session is too eager, and new ones are refused.
+## Maximum of waiting commands; further ones are refused.
 const MAX_WAITING: int = 64
-## Commands of a session per second at most, and at once.
+## Maximum of a session's commands per second, and at once.
 const MAX_PER_SECOND: int = 120
 const MAX_BURST: int = 60
 
-## Number of the newest command that was taken out, or -1.
+## Number of the newest command that was applied, or -1.
 var applied: int = -1
 ## Commands that were refused because there were too many.
 var refused: int = 0
@@ -25,7 +25,7 @@ var _arrival_ticks: PackedInt32Array = PackedInt32Array()
 var _allowance: float = MAX_BURST
 
 
-## Takes a command that arrived during a tick. Returns false for one that is known, or refused.
+## Takes a command that arrived during a tick. Returns false if it is a repetition or refused.
 func push(p_command: EntityCommand, p_now_tick: int) -> bool:
 	if _newest >= 0 and not is_newer(p_command.number, _newest):
 		return false
@@ -39,7 +39,7 @@ func push(p_command: EntityCommand, p_now_tick: int) -> bool:
 	return true
 
 
-## The commands whose time has come, oldest first. Call it once a tick.
+## The commands that are due, oldest first. Call it once a tick.
 func take(p_now_tick: int, p_tick_rate: int) -> Array[EntityCommand]:
 	_allowance = minf(_allowance + float(MAX_PER_SECOND) / p_tick_rate, MAX_BURST)
 	var due: Array[EntityCommand] = []

@@ -7,16 +7,16 @@ extends Node
 ##
 ## Put it below a body and give it an [EntityType]. A script beside it listens: on the server
 ## [signal commanded] says what somebody wants and [method set_value] changes what is true; on
-## every machine [signal field_changed] and [signal happened] say what is to be seen and heard. The
-## same scene runs on both sides; [method is_authority] tells them apart.
+## every machine [signal field_changed] and [signal happened] say what to show and play. The
+## same scene runs on both sides; [method is_authority] distinguishes them.
 
-## A field has another value: the server's at once, a client's at the moment that it shows.
+## A field has another value: the server's at once, a client's at the moment that it displays.
 signal field_changed(p_field: StringName, p_value: float)
 ## A session commands it. On the server only; the values are those of the command's schema.
 signal commanded(p_session: int, p_command: StringName, p_values: PackedFloat32Array)
-## An event: on the server at once, on a client when it shows the tick of the event.
+## An event: on the server at once, on a client when it displays the tick of the event.
 signal happened(p_event: StringName, p_values: PackedFloat32Array)
-## It has become part of a session, also again in another level: fields can be read and set from
+## It has become part of a session (again after a change of level): fields can be read and set from
 ## now on.
 signal started
 
@@ -132,7 +132,7 @@ func send_command(p_command: StringName, p_values: PackedFloat32Array = []) -> v
 	_host.send_command(id, index, p_values)
 
 
-## Takes over a value that is shown from now on: the program calls it on clients.
+## Takes the value to display from now on: the program calls it on clients.
 func take_value(p_index: int, p_value: float) -> void:
 	if p_index >= 0 and p_index < _values.size() and _values[p_index] != p_value:
 		_values[p_index] = p_value

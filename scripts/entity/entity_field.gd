@@ -29,7 +29,7 @@ const MAX_STEPS: int = 1 << 24
 @export var kind: Kind = Kind.LINEAR
 ## Lowest value.
 @export var min_value: float = 0.0
-## Highest value; of an angle the first one that is the same as [member min_value] again.
+## Highest value; of an angle, the value that wraps to [member min_value].
 @export var max_value: float = 1.0
 ## Smallest difference between two values, in the unit of the field.
 @export var resolution: float = 0.01
@@ -66,8 +66,8 @@ func steps() -> int:
 	return roundi((max_value - min_value) / resolution)
 
 
-## The step that is nearest to a value: values out of range count as the nearest in range, angles
-## wrap, and what is no number counts as the lowest value.
+## The step that is nearest to a value: values out of range are clamped, angles wrap, and NaN
+## counts as the lowest value.
 func to_step(p_value: float) -> int:
 	if not is_finite(p_value):
 		return 0
@@ -94,7 +94,7 @@ func size() -> int:
 	return 1 if highest < 1 << 8 else (2 if highest < 1 << 16 else 4)
 
 
-## Why this is no field and how to mend it, or an empty text.
+## Why this field is invalid and how to fix it, or an empty text.
 func find_fault() -> String:
 	if name == &"":
 		return "a field has no name"

@@ -1,6 +1,6 @@
 @abstract class_name EntityHost
 extends RefCounted
-## What an [Entity] needs of the program that it lives in: the server, or a client.
+## What an [Entity] needs from its program: the server, or a client.
 
 ## Whether this is the server, which decides what is true.
 @abstract func is_authority() -> bool

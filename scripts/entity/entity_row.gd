@@ -1,6 +1,6 @@
 class_name EntityRow
 extends RefCounted
-## One row of an [EntityTable]: which entity there is, of which type, whose, and what it looks like.
+## One row of an [EntityTable]: an entity's number, type, owner and node.
 
 ## Where the entity's node comes from.
 enum Source {
@@ -32,7 +32,7 @@ var transform: Transform3D = Transform3D.IDENTITY
 var values: PackedFloat32Array = PackedFloat32Array()
 ## Version of the table in which it came; of the server's table only.
 var version: int = 0
-## The row as it is sent; made when it is sent for the first time, as every late joiner gets it.
+## The encoded row; made when it is first sent, as every late joiner gets it.
 var encoded: PackedByteArray = PackedByteArray()
 ## Of a person: which of its session's people it is.
 var person_index: int = 0

@@ -6,7 +6,7 @@ extends Resource
 ## On the wire each value is a step of its [EntityField], little-endian in as few bytes as its
 ## range takes.
 
-## Most values of a list.
+## Maximum of values in a list.
 const MAX_FIELDS: int = 32
 
 ## Name of the command or event within its type.
@@ -16,8 +16,8 @@ const MAX_FIELDS: int = 32
 		resource_name = p_value
 ## What it carries, in this order.
 @export var fields: Array[EntityField] = []
-## Of an event: whether it arrives for certain. Others are repeated a few times, arrive sooner, and
-## may get lost on a bad network. Of no meaning for a command.
+## Of an event: whether it is sent reliably. Unreliable ones are repeated a few times, arrive
+## sooner, and may get lost on a bad network. Not used for a command.
 @export var is_reliable: bool = true
 
 
@@ -85,14 +85,14 @@ func decode(p_reader: ByteReader) -> PackedFloat32Array:
 	return values
 
 
-## Why this is no schema and how to mend it, or an empty text.
+## Why this schema is invalid and how to fix it, or an empty text.
 func find_fault() -> String:
 	if name == &"":
 		return "a command or event has no name"
 	return find_fault_in(fields, "'%s'" % name)
 
 
-## Why a list of fields cannot be used and how to mend it, or an empty text.
+## Why a list of fields cannot be used and how to fix it, or an empty text.
 static func find_fault_in(p_fields: Array[EntityField], p_where: String) -> String:
 	if p_fields.size() > MAX_FIELDS:
 		return "%s has %d fields, %d are the most" % [p_where, p_fields.size(), MAX_FIELDS]

@@ -1,16 +1,16 @@
 class_name EntityTable
 extends RefCounted
-## Which entities there are: the server keeps it, every client has a copy that follows by deltas.
+## All entities: the server keeps the table, every client has a copy that follows by deltas.
 ##
-## Numbers: 0 is the world itself, 1 to 1023 are people, 1024 to 65535 everything else. A number
-## whose entity is gone rests for a while before another one gets it. Each change raises
+## Numbers: 0 is the world itself, 1 to 1023 are people, 1024 to 65535 everything else. The
+## number of a removed entity is not reused for a while. Each change raises
 ## [member version] by one; a snapshot has for a client only what its version knows.
 
 ## An entity has come.
 signal spawned(p_row: EntityRow)
 ## An entity is gone.
 signal despawned(p_row: EntityRow)
-## All entities and types are gone; types will be numbered anew.
+## All entities and types are gone; types will be numbered from the start.
 signal cleared
 
 ## Number of the world itself, which has the fields of the level and of the scenario.
@@ -19,20 +19,20 @@ const WORLD: int = 0
 const FIRST_PERSON: int = 1
 ## Lowest number of anything else.
 const FIRST_OTHER: int = 1024
-## First number that is none.
+## First number that is invalid.
 const END: int = 65536
 ## Longest path of a node or scene, characters.
 const MAX_PATH: int = 250
-## Most entities at a time.
+## Maximum of entities at a time.
 const MAX_ENTITIES: int = 8192
-## Most types.
+## Maximum of types.
 const MAX_TYPES: int = 255
 
 ## Types, by number.
 var types: Array[EntityType] = []
 ## Rows, by entity.
 var rows: Dictionary[int, EntityRow] = {}
-## Counts the changes.
+## Number of changes so far.
 var version: int = 0
 
 var _people: Dictionary[int, EntityRow] = {}
@@ -40,7 +40,7 @@ var _next_person: int = FIRST_PERSON
 var _next_other: int = FIRST_OTHER
 
 
-## Number of a type in the table, which is taken in if it is new; -1 where it is no type, another
+## Number of a type in the table, which is added if it is new; -1 if it is invalid, another
 ## type has its name, or there are too many.
 func add_type(p_type: EntityType) -> int:
 	for number: int in types.size():
@@ -54,7 +54,7 @@ func add_type(p_type: EntityType) -> int:
 	return types.size() - 1
 
 
-## Takes an entity in, under a number of its own; returns its row, or null if there is no room or
+## Adds an entity under a new number; returns its row, or null if there is no room or
 ## its type cannot be used (see the log). [param p_row] holds all but [member EntityRow.id],
 ## [member EntityRow.type_number] and [member EntityRow.version].
 func spawn(p_row: EntityRow, p_is_world: bool = false) -> EntityRow:
@@ -87,7 +87,7 @@ func spawn(p_row: EntityRow, p_is_world: bool = false) -> EntityRow:
 	return p_row
 
 
-## Takes in a row that has its number already: on a client.
+## Adds a row that already has its number: on a client.
 func add(p_row: EntityRow) -> void:
 	version += 1
 	p_row.version = version
@@ -97,7 +97,7 @@ func add(p_row: EntityRow) -> void:
 	spawned.emit(p_row)
 
 
-## Takes an entity out.
+## Removes an entity.
 func despawn(p_id: int) -> void:
 	var row: EntityRow = rows.get(p_id)
 	if row == null:
@@ -108,13 +108,13 @@ func despawn(p_id: int) -> void:
 	despawned.emit(row)
 
 
-## Takes all entities out; types keep their numbers.
+## Removes all entities; types keep their numbers.
 func clear_rows() -> void:
 	for id: int in rows.keys():
 		despawn(id)
 
 
-## Takes all entities and types out: on a client.
+## Removes all entities and types: on a client.
 func clear() -> void:
 	clear_rows()
 	types.clear()
@@ -126,7 +126,7 @@ func find(p_id: int) -> EntityRow:
 	return rows.get(p_id)
 
 
-## The people, in the order of their coming.
+## The people, in the order in which they came.
 func people() -> Array[EntityRow]:
 	return _people.values()
 
@@ -148,7 +148,7 @@ static func is_id_for(p_id: int, p_body: EntityType.Body) -> bool:
 	)
 
 
-## The next number that nobody has; -1 if all are taken.
+## The next free number; -1 if all are taken.
 func _free_id(p_is_person: bool) -> int:
 	var first: int = FIRST_PERSON if p_is_person else FIRST_OTHER
 	var end: int = FIRST_OTHER if p_is_person else END

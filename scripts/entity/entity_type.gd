@@ -32,7 +32,7 @@ enum CommandedBy {
 const CARRIER: StringName = &"carrier"
 ## Field of a person: how the motion's own frame is turned about the Y axis, rad.
 const HEADING: StringName = &"heading"
-## Most commands, and most events, of a type.
+## Maximum of commands, and of events, of a type.
 const MAX_SCHEMAS: int = 32
 ## Longest name of a type, command, event or field, characters.
 const MAX_NAME: int = 48
@@ -56,7 +56,7 @@ const MAX_NAME: int = 48
 var _spawn_schema: EntitySchema = null
 
 
-## The type of a person who is nothing but a body.
+## The type of a person with a body and nothing else.
 static func person() -> EntityType:
 	var type: EntityType = EntityType.new()
 	type.name = &"person"
@@ -86,7 +86,7 @@ func find_event(p_name: StringName) -> int:
 	return _find(events, p_name)
 
 
-## The fields as a list of values, as a spawn has it. The type must not change any more.
+## The fields as a list of values, as a spawn has it. The type must not change afterwards.
 func spawn_schema() -> EntitySchema:
 	if _spawn_schema == null or _spawn_schema.fields != fields:
 		_spawn_schema = EntitySchema.create(&"spawn", fields)
@@ -113,7 +113,7 @@ func is_same(p_other: EntityType) -> bool:
 	return encode() == p_other.encode()
 
 
-## Why this is no type and how to mend it, or an empty text.
+## Why this type is invalid and how to fix it, or an empty text.
 func find_fault() -> String:
 	if name == &"" or String(name).length() > MAX_NAME:
 		return "a type needs a name of at most %d characters" % MAX_NAME

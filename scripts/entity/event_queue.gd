@@ -1,19 +1,19 @@
 class_name EventQueue
 extends RefCounted
-## Events of a client that wait until the tick is shown at which they happen.
+## Events of a client that wait until their tick is displayed.
 
-## Events that wait at most; beyond it the oldest are played at once.
+## Maximum of waiting events; beyond it the oldest are played at once.
 const MAX_WAITING: int = 1024
-## Events further ahead than this are not of this session, ticks.
+## Events further ahead than this are invalid, ticks.
 const MAX_AHEAD_TICKS: int = 600
-## Numbers that are remembered, to know those that come again.
+## Numbers that are remembered, to recognise repetitions.
 const _MEMORY: int = 4096
 
 var _waiting: Array[EntityEvent] = []
 var _known: Dictionary[int, int] = {}
 
 
-## Takes an event. Returns false for one that is known.
+## Takes an event. Returns false for a repetition.
 func push(p_event: EntityEvent) -> bool:
 	if _waiting.size() >= 2 * MAX_WAITING:
 		return false
@@ -31,7 +31,7 @@ func push(p_event: EntityEvent) -> bool:
 	return true
 
 
-## The events that are to be played when a tick, with its fraction, is shown.
+## The events to play when a tick, with its fraction, is displayed.
 func take(p_shown_tick: float) -> Array[EntityEvent]:
 	var due: Array[EntityEvent] = []
 	while not _waiting.is_empty():

@@ -7,7 +7,7 @@ extends Marker3D
 ## Whoever looks at it from within [member reach] reads [method get_prompt]; the key for using sends
 ## the command to the entity.
 
-## Group of all that can be used.
+## Group of everything that can be used.
 const GROUP: StringName = &"interactables"
 
 ## The entity that gets the command.
@@ -48,8 +48,8 @@ func interact() -> void:
 	entity.send_command(command)
 
 
-## What somebody uses who looks along a ray from a position (m) in a direction: of what is within
-## reach and in front, the one nearest to the ray; null if there is nothing.
+## What somebody uses who looks from a position (m) in a direction: of everything within reach and
+## in front, the one nearest to that ray; null if there is nothing.
 static func find(p_tree: SceneTree, p_from: Vector3, p_direction: Vector3) -> Interactable:
 	var best: Interactable = null
 	var best_angle: float = deg_to_rad(25.0)

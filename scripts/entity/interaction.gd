@@ -30,8 +30,8 @@ func _unhandled_input(p_event: InputEvent) -> void:
 			get_viewport().set_input_as_handled()
 
 
-## Uses what is below a node of a name in the level, once, as soon as it is part of the session; for
-## clients without anybody at the keyboard. An empty name is none.
+## Uses the [Interactable] at or below a node of a name in the level, once, as soon as it is part of
+## the session: for clients without a user. An empty name means none.
 func use_by_name(p_name: String) -> void:
 	_named = p_name
 
@@ -49,8 +49,8 @@ func _use_named() -> void:
 			return
 
 
-## What is looked at and can be used, or null. What this session sits in comes first: leaving it
-## must not need a look.
+## What is looked at and can be used, or null. This session's own seat comes first, so
+## that one can leave it without looking at it.
 func find() -> Interactable:
 	for node: Node in get_tree().get_nodes_in_group(Interactable.GROUP):
 		var seat: Seat = node as Seat

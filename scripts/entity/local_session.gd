@@ -1,10 +1,10 @@
 @icon("res://scenes/entity/icons/entity.svg")
 class_name LocalSession
 extends Node
-## Lets the entities of a scene live without a server: for examples, and for trying a part of a
-## level in the editor (F6).
+## Runs the entities of a scene without a server: for examples, and for trying a part of a level in
+## the editor (F6).
 ##
-## Everything is true here and shown here. This machine's session has the number
+## This machine is both server and client. This machine's session has the number
 ## [constant SESSION].
 
 ## Number of the only session.

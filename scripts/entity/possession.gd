@@ -1,6 +1,6 @@
 class_name Possession
 extends RefCounted
-## Which session steers which entities: on the server. An entity has at most one possessor.
+## Which session may command which entities: on the server. An entity has at most one possessor.
 
 ## An entity has another possessor now; 0 is nobody.
 signal changed(p_entity: int, p_session: int)

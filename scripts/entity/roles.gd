@@ -1,6 +1,6 @@
 class_name Roles
 extends RefCounted
-## What clients can be, and what each may do: one table that join, guard, server and help read.
+## What clients can be, and what each may do: one table for handshake, guard, server and help.
 ##
 ## A new role is a new member of [enum Role] and a row of [constant ROWS].
 

@@ -20,8 +20,8 @@ const MAX_SESSION: int = 1 << 16
 
 ## The field with the session of who sits here.
 @export var occupant_field: StringName = &"occupant"
-## Whether the people of who sits here are carried along. If not, they stay where they are, and only
-## steer from afar.
+## Whether the occupant's people are carried along. If not, they stay where they are, and the
+## session only commands from there.
 @export var carries_people: bool = true
 
 
@@ -42,7 +42,7 @@ func _get_configuration_warnings() -> PackedStringArray:
 	return []
 
 
-## Gives a type what a seat needs of it; for types that are made by a script.
+## Adds the field and the commands of a seat to a type that is made by a script.
 static func add_to(p_type: EntityType, p_field: StringName = &"occupant") -> void:
 	p_type.fields.append(EntityField.create_count(p_field, MAX_SESSION))
 	if p_type.find_command(TAKE) < 0:
@@ -82,7 +82,7 @@ func vacate() -> void:
 
 func _on_commanded(p_session: int, p_command: StringName, _values: PackedFloat32Array) -> void:
 	var possession: Possession = entity.get_host().possession()
-	# One seat for each session: who wants another one leaves the first.
+	# One seat for each session: taking another one leaves the first.
 	var is_free: bool = occupant() == 0 and possession.entities_of(p_session).is_empty()
 	if p_command == TAKE and is_free:
 		if possession.take(p_session, entity.id):

@@ -2,17 +2,17 @@ class_name ClientLink
 extends RefCounted
 ## A client's end of the connection, the counterpart of [ServerLink].
 ##
-## It says who it is, then sends samples and receives snapshots. Polled by hand; what arrives in
-## between is kept with the time of its arrival. If the connection is lost, [method open] brings the
+## It does the handshake, then sends samples and receives snapshots. Polled by hand; what arrives in
+## between is kept with its time of arrival. If the connection is lost, [method open] brings the
 ## client back into its session.
 
 ## The server has admitted us.
 signal joined
-## An instructor will decide; so many are before us, we included.
+## An instructor will decide; our position among those who wait, from 1.
 signal waiting(p_position: int)
-## The server does not want us, and says why. Trying again is of no use.
+## The server refuses us, and says why. Trying again is useless.
 signal refused(p_why: String)
-## There is no server, or no longer, or it is not ready for us; trying again may help.
+## The server does not answer, is gone, or cannot admit us now; trying again may help.
 signal lost(p_why: String)
 ## A message about the state of the world that arrived at [method Time.get_ticks_usec]: a snapshot's
 ## datagram, a change of the entity table, events, a level. Not checked yet.
@@ -20,7 +20,7 @@ signal state_received(p_bytes: PackedByteArray, p_arrival_usec: int)
 ## An instructor asks that one of our people be calibrated in a pose.
 signal calibration_asked(p_index: int, p_pose: int)
 
-## How far a connection has come.
+## The state of a connection.
 enum State {
 	## There is none.
 	CLOSED,
@@ -35,7 +35,7 @@ enum State {
 ## Seconds to wait for a server's answer.
 const PATIENCE_S: float = 5.0
 
-## Questions for the time that follow each other quickly at first, and then.
+## Periods of the questions for the time: at first, and then.
 const _QUICK_QUESTIONS: int = 20
 
 ## Bytes in and out.
@@ -126,7 +126,7 @@ func api() -> SceneMultiplayer:
 	return _api
 
 
-## Takes in what has arrived and finds out whether the connection still stands.
+## Processes what has arrived and checks whether the connection still stands.
 func poll() -> void:
 	if _state == State.CLOSED:
 		return
@@ -352,7 +352,7 @@ func _on_control(p_bytes: PackedByteArray, _arrival_usec: int) -> bool:
 	return _take_notice(p_bytes)
 
 
-## Whether it is a notice that makes sense.
+## Whether it is a valid notice.
 func _take_notice(p_bytes: PackedByteArray) -> bool:
 	var reader: ByteReader = ByteReader.new(p_bytes, 1)
 	if reader.read_u8() == Protocol.Notice.CALIBRATE:

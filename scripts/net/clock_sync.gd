@@ -2,8 +2,8 @@ class_name ClockSync
 extends RefCounted
 ## Estimates the server's clock and tick from answers to [ClockMessage] questions.
 ##
-## Of each answer the server's time lies between question and arrival; the middle is right if both
-## ways took as long. The quickest round trips of the last seconds bound the error most tightly: the
+## The server's time in an answer lies between question and arrival, in the middle if both paths
+## took equally long. The quickest round trips of the last seconds bound the error most tightly: the
 ## offset is theirs, and its slope over minutes is the drift of the two clocks.
 
 ## Span whose quickest round trip gives the offset, s.
@@ -12,11 +12,11 @@ const WINDOW_S: float = 10.0
 const DRIFT_WINDOW_S: float = 120.0
 ## Least span for a drift, s.
 const MIN_DRIFT_S: float = 15.0
-## Most that two clocks can drift apart; more is an error of measurement. Parts per million.
+## Maximum drift of two clocks, parts per million; more is an error of measurement.
 const MAX_DRIFT_PPM: float = 300.0
 ## A round trip beyond this is of no use, s.
 const LONGEST_TRIP_S: float = 2.0
-## An offset that is this far off is another clock, s.
+## An offset that changes by this much means another clock, s.
 const JUMP_S: float = 1.0
 
 ## Server's time minus ours, µs, at [method reference_usec].
@@ -117,7 +117,7 @@ func _estimate() -> void:
 	var best: Probe = null
 	var cost: float = INF
 	for probe: Probe in _probes:
-		# What is old is less certain, by what the drift may be wrong.
+		# Old probes are less certain, by the error of the drift.
 		var age: float = _probes.back().local_usec - probe.local_usec
 		if probe.trip_usec / 2.0 + age * 20e-6 < cost:
 			cost = probe.trip_usec / 2.0 + age * 20e-6

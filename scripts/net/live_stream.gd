@@ -1,20 +1,20 @@
 class_name LiveStream
 extends StateStream
-## The state of a server's world, over a connection that is made again whenever it is lost.
+## The state of a server's world, over a connection that is restored whenever it is lost.
 
-## The client has been admitted, anew after each loss.
+## The client has been admitted; again after each loss.
 signal joined
 ## A connection is being made: [method ClientLink.api] is another one from now on.
 signal connecting
 
 ## Seconds between two attempts to reach a server.
 const _RETRY_S: float = 2.0
-## Seconds until the first one after a connection that stood.
+## Seconds until the first one after a working connection was lost.
 const _SOON_S: float = 0.3
 
 ## The connection.
 var link: ClientLink = ClientLink.new()
-## Whom the server gets to know.
+## Who the client is, for the server.
 var request: JoinRequest = JoinRequest.new()
 ## Address of the server.
 var host: String = ""
@@ -87,7 +87,7 @@ func _on_joined() -> void:
 	Log.info("client", "joined %s:%d" % [host, port])
 	status_changed.emit("")
 	_was_joined = true
-	# What the server sends builds upon what it has sent in this connection.
+	# The server's deltas are relative to what it has sent in this connection.
 	restarted.emit()
 	joined.emit()
 
@@ -95,7 +95,7 @@ func _on_joined() -> void:
 func _on_lost(p_why: String) -> void:
 	Log.limited("client", p_why, "%s; trying again" % p_why)
 	status_changed.emit("%s.\nTrying again ..." % p_why.capitalize())
-	# The first try after a good time comes soon.
+	# After a working connection the first attempt comes soon.
 	_retry_at_s = now_s() + (_SOON_S if _was_joined else _RETRY_S)
 	if _was_joined:
 		_alone_since_s = now_s()

@@ -2,17 +2,17 @@ class_name SampleClock
 extends RefCounted
 ## Finds for the server which moment of a wearer's motion is "now".
 ##
-## Samples carry the wearer's clock and arrive with a varying delay, which is never below some least
-## one: the quickest arrival of the last one or two seconds says by how much the clocks differ. That
+## Samples carry the wearer's clock and arrive with a varying delay, which is never below a minimum:
+## the quickest arrival of the last one or two seconds gives the offset of the clocks. That
 ## offset falls at once and rises slowly, so that clocks may drift and the network may become slower
 ## without the motion going back in time. The moment advances by whole steps of the simulation and
-## is pulled gently to where the offset has it, so that jitter does not shake the ragdoll.
+## is pulled gently to what the offset gives, so that jitter does not shake the ragdoll.
 
 ## Span whose quickest arrival counts, s.
 const WINDOW_S: float = 1.0
 ## How fast the offset rises, seconds per second.
 const RISE: float = 0.1
-## A rise beyond this, s, is taken over at once: the other machine has paused.
+## A rise beyond this, s, is applied at once: the other machine has paused.
 const PAUSE_S: float = 0.25
 ## How much of the error is corrected per step.
 const CORRECTION: float = 0.1

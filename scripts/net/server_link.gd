@@ -1,12 +1,12 @@
 class_name ServerLink
 extends RefCounted
-## The server's end of all connections: who is there, what they sent, what they get.
+## The server's end of all connections: its sessions, what they send and what they receive.
 ##
-## This is the seam behind which the transport may change: nobody else knows of peers' packets. The
+## This is the seam behind which the transport may change: nobody else handles peers' packets. The
 ## rest of the program knows clients by the numbers of their sessions. Godot's multiplayer API runs
 ## over a [ThreadedPeer], polled by hand in the physics tick, without relaying between clients;
-## poses, acknowledgements and snapshots take its fast path. Everything that comes in is checked;
-## what is bad is dropped with a log line that names the client.
+## poses, acknowledgements and snapshots take its fast path. Everything that arrives is checked;
+## what is invalid is dropped with a log line that names the client.
 
 ## A client was admitted. [param p_hello] has name, role and rate.
 signal client_joined(p_session: int, p_hello: Dictionary)
@@ -27,15 +27,15 @@ signal stats_received(p_session: int, p_stats: Dictionary)
 ## Who is here, lost or waiting has changed; see [method roster].
 signal roster_changed
 
-## Datagrams of motion that a client may send per second; what is above it is dropped.
+## Datagrams of motion that a client may send per second; more are dropped.
 const MAX_POSES: int = 600
 
-## Time between two looks for those who are overdue, µs.
+## Time between two checks for overdue sessions and peers, µs.
 const _LOOK_USEC: int = 100000
 
 ## Bytes in and out.
 var traffic: TrafficMeter = TrafficMeter.new()
-## Whom the server lets in.
+## Whom the server admits.
 var rules: ServerRules = ServerRules.new()
 
 var _api: SceneMultiplayer = null
@@ -88,7 +88,7 @@ func listen(p_port: int, p_rules: ServerRules) -> Error:
 	return OK
 
 
-## Takes in what has arrived. Call it once per physics tick, before the simulation needs it.
+## Processes what has arrived. Call it once per physics tick, before the simulation needs it.
 func poll() -> void:
 	if _api == null:
 		return
@@ -159,7 +159,7 @@ func send_reliably(p_sessions: PackedInt32Array, p_bytes: PackedByteArray) -> vo
 				_send_reliably(session.peer, part)
 
 
-## Registers who takes in a kind of message; see [method MessageHandlers.add].
+## Registers the handler of a kind of message; see [method MessageHandlers.add].
 ## [code]func(session: Session, bytes: PackedByteArray, arrival_usec: int) -> String[/code] returns
 ## what is wrong with it, or an empty text.
 func handle(
@@ -195,12 +195,12 @@ func session_of_peer(p_peer: int) -> Session:
 	return _sessions.of_peer(p_peer)
 
 
-## Lets somebody in who waits, by the peer's id. Returns why not, or an empty text.
+## Admits a waiting peer, by its id. Returns why not, or an empty text.
 func admit(p_peer: int) -> String:
 	return _handshake.admit(p_peer)
 
 
-## Refuses somebody who waits, by the peer's id. Returns why not, or an empty text.
+## Refuses a waiting peer, by its id. Returns why not, or an empty text.
 func refuse(p_peer: int, p_why: String) -> String:
 	return _handshake.refuse(p_peer, p_why)
 
@@ -235,7 +235,7 @@ func ask_calibration(p_session: int, p_index: int, p_pose: int) -> String:
 	return ""
 
 
-## Sends a client away for good. Returns what went wrong, or an empty text.
+## Bans a client's address and dismisses it. Returns what went wrong, or an empty text.
 func ban(p_session: int, p_why: String) -> String:
 	var session: Session = _sessions.find(p_session)
 	if session == null:
@@ -396,6 +396,6 @@ func _on_trouble(p_peer: int, p_key: String, p_what: String) -> void:
 		Log.limited("net", p_key, p_what)
 
 
-## Writes down what a client did that it should not; [param p_key] limits how often.
+## Logs what a client did wrong; [param p_key] limits how often.
 func complain(p_about: Session, p_key: String, p_what: String) -> void:
 	Log.limited("net", "%s %d" % [p_key, p_about.id], "%s %s" % [p_about.describe(), p_what])

@@ -1,7 +1,7 @@
 class_name SessionControl
 extends Node
-## What instructors do with a session: remote calls over Godot's multiplayer API. The server checks
-## the caller's role and every argument.
+## What instructors can do with a session: remote calls over Godot's multiplayer API. The server
+## checks the caller's role and every argument.
 ##
 ## The same node, under the same name, belongs on both sides: [method serve] on the server,
 ## [method follow] on an instructor's client, whose [member roster] is kept up to date.
@@ -11,7 +11,7 @@ signal roster_changed(p_roster: Array[Dictionary])
 ## An instructor asks for another level; the callable gets the reason why not, or an empty text. On
 ## the server.
 signal level_requested(p_name: String, p_answer: Callable)
-## What became of a request, for the instructor who made it. On clients.
+## The result of a request, for the instructor who made it. On clients.
 signal answered(p_text: String)
 
 ## Name of the node on both sides.
@@ -43,22 +43,22 @@ static func follow(p_parent: Node, p_link: ClientLink) -> SessionControl:
 	return _attach(p_parent, p_link.api())
 
 
-## Asks the server to let somebody in who waits, by the peer's id in the [member roster].
+## Asks the server to admit a waiting peer, by its id in the [member roster].
 func admit(p_peer: int) -> void:
 	_admit.rpc_id(MultiplayerPeer.TARGET_PEER_SERVER, p_peer)
 
 
-## Asks the server to refuse somebody who waits, by the peer's id in the [member roster].
+## Asks the server to refuse a waiting peer, by its id in the [member roster].
 func refuse(p_peer: int, p_why: String) -> void:
 	_refuse.rpc_id(MultiplayerPeer.TARGET_PEER_SERVER, p_peer, p_why)
 
 
-## Asks the server to send a client away.
+## Asks the server to dismiss a client.
 func kick(p_session: int, p_why: String) -> void:
 	_kick.rpc_id(MultiplayerPeer.TARGET_PEER_SERVER, p_session, p_why)
 
 
-## Asks the server to send a client away and not to let its address in again.
+## Asks the server to dismiss a client and ban its address.
 func ban(p_session: int, p_why: String) -> void:
 	_ban.rpc_id(MultiplayerPeer.TARGET_PEER_SERVER, p_session, p_why)
 
@@ -74,8 +74,8 @@ func change_level(p_name: String) -> void:
 	_change_level.rpc_id(MultiplayerPeer.TARGET_PEER_SERVER, p_name)
 
 
-## Tells all instructors what a session did that it should not: on the server. Each session is named
-## once in [constant NOTICE_S] at most.
+## Tells all instructors what a session did wrong: on the server. Each session is named at most once
+## in [constant NOTICE_S].
 func tell_instructors(p_session: int, p_text: String) -> void:
 	var now: float = Time.get_ticks_usec() / 1e6
 	if now - _noticed_s.get(p_session, -NOTICE_S) < NOTICE_S:

@@ -7,29 +7,29 @@ extends RefCounted
 signal received(p_bytes: PackedByteArray, p_time_s: float)
 ## A connection begins: what was received before is void.
 signal restarted
-## What the user is to read, or an empty text.
+## A message for the user, or an empty text.
 signal status_changed(p_text: String)
-## There will be no more, for good: the exit code of the program, and why (empty: all went well).
+## The stream has ended for good: the exit code of the program, and why (empty: all went well).
 signal ended(p_exit_code: int, p_why: String)
 
 ## Exit code: all went well.
 const EXIT_DONE: int = 0
 ## Exit code: something failed.
 const EXIT_FAILED: int = 1
-## Exit code: the options make no sense.
+## Exit code: wrong options.
 const EXIT_OPTIONS: int = 2
 ## Exit code: the server refuses the client, or has a level that is not here.
 const EXIT_REFUSED: int = 3
 ## Exit code: no server answers.
 const EXIT_NO_SERVER: int = 4
 
-## Bytes in and out; none of a recording.
+## Bytes in and out; none for a recording.
 var traffic: TrafficMeter = TrafficMeter.new()
 
 ## Begins. Returns why it cannot, or an empty text.
 @abstract func open() -> String
 
-## Takes in what has arrived, a frame of so many s after the last.
+## Processes what has arrived; the frame has this length, s.
 @abstract func advance(p_delta_s: float) -> void
 
 ## The clock of [signal received], s.

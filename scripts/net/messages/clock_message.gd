@@ -1,9 +1,9 @@
 class_name ClockMessage
 extends RefCounted
 ## The question for the server's time, and its answer. Both are made and answered in the transport's
-## threads, so that no frame rate comes in between.
+## threads, so that frame rates do not matter.
 ##
-## Little-endian. Question: u8 message, u64 client's time (µs). JoinReply: u8 message, u64 the
+## Little-endian. Question: u8 message, u64 client's time (µs). Answer: u8 message, u64 the
 ## client's time of the question, u64 server's time (µs), u32 the server's tick, u64 server's time
 ## at which this tick began (µs), u16 ticks per second. All times are of monotonic clocks.
 
@@ -59,5 +59,5 @@ static func decode(p_bytes: PackedByteArray) -> ClockMessage:
 	packet.tick_usec = p_bytes.decode_u64(21)
 	packet.tick_rate = p_bytes.decode_u16(29)
 	var sane: bool = packet.server_usec >= 0 and packet.tick_usec >= 0 and packet.tick_rate > 0
-	# A tick that began long ago, or will long after, is no server's.
+	# No server's tick began so long ago, or will begin so much later.
 	return packet if sane and absi(packet.server_usec - packet.tick_usec) < 3600000000 else null

@@ -7,9 +7,9 @@ extends RefCounted
 ## of each: u32 the server's tick that it is meant for, u16 entity, u8 which of its type's commands,
 ## u8 size, its values as in [method EntitySchema.encode].
 
-## Commands in a datagram at most.
+## Maximum of commands in a datagram.
 const MAX_REPEATED: int = 8
-## Most bytes of a command's values.
+## Maximum of bytes of a command's values.
 const MAX_BYTES: int = 128
 
 
@@ -29,7 +29,7 @@ static func encode(p_commands: Array[EntityCommand]) -> PackedByteArray:
 	return bytes
 
 
-## The commands in a datagram, oldest first; none if it makes no sense.
+## The commands in a datagram, oldest first; none if it is invalid.
 static func decode(p_bytes: PackedByteArray) -> Array[EntityCommand]:
 	var commands: Array[EntityCommand] = []
 	var reader: ByteReader = ByteReader.new(p_bytes, 1)

@@ -21,7 +21,7 @@ const _MAX_TEXT: int = 1024
 var is_full: bool = false
 ## Version of the table after the changes.
 var version: int = 0
-## How far a limb's orientation in snapshots may be off, degrees: both ends need the same.
+## Maximum error of a limb's orientation in snapshots, degrees: both ends need the same.
 var pose_error_deg: float = Protocol.POSE_ERROR_DEG
 ## New types, numbered on from those that are known.
 var types: Array[EntityType] = []
@@ -102,8 +102,7 @@ static func decode(p_bytes: PackedByteArray, p_known: Array[EntityType]) -> Enti
 	return message if reader.is_complete() else null
 
 
-## Carries the changes out in a client's table. Returns false where they do not fit it: then nothing
-## has changed.
+## Applies the changes to a client's table. Returns false, and changes nothing, if they do not fit.
 func apply(p_table: EntityTable) -> bool:
 	if not is_full and not _fits(p_table):
 		return false

@@ -6,7 +6,7 @@ extends RefCounted
 ## Little-endian: u8 message; u8 count; of each: u16 number, u32 tick, u16 entity, u8 which of its
 ## type's events, u8 size, its values as in [method EntitySchema.encode].
 
-## Most bytes of an event's values.
+## Maximum of bytes of an event's values.
 const MAX_BYTES: int = 128
 ## Bytes of an event without its values.
 const HEAD_BYTES: int = 10
@@ -28,7 +28,7 @@ static func encode(p_events: Array[EntityEvent]) -> PackedByteArray:
 	return bytes
 
 
-## The events in a packet; none if it makes no sense.
+## The events in a packet; none if it is invalid.
 static func decode(p_bytes: PackedByteArray) -> Array[EntityEvent]:
 	var events: Array[EntityEvent] = []
 	var reader: ByteReader = ByteReader.new(p_bytes, 1)

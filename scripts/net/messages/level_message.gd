@@ -18,7 +18,7 @@ static func encode(p_name: String, p_fingerprint: PackedByteArray) -> PackedByte
 	return bytes + ByteReader.text_bytes(p_name) + padded
 
 
-## The level in a packet, or null if it is none.
+## The level in a packet, or null if it is invalid.
 static func decode(p_bytes: PackedByteArray) -> LevelMessage:
 	var reader: ByteReader = ByteReader.new(p_bytes, 1)
 	var message: LevelMessage = LevelMessage.new()

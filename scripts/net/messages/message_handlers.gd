@@ -1,9 +1,9 @@
 class_name MessageHandlers
 extends RefCounted
-## Who takes in which message: by its first byte. A feature registers its messages with a link; the
+## The handler of each message, by its first byte. A feature registers its messages with a link; the
 ## links know no others.
 
-## How a message comes.
+## How a message arrives.
 enum Path {
 	## In a datagram of the fast path.
 	FAST,
@@ -16,7 +16,7 @@ enum Path {
 var _handlers: Dictionary[int, Handler] = {}
 
 
-## Who takes in one kind of message.
+## The handler of one kind of message.
 class Handler:
 	extends RefCounted
 	var handler: Callable = Callable()
@@ -24,7 +24,7 @@ class Handler:
 	var capability: int = 0
 
 
-## Registers who takes in a kind of message. [param p_capability] is the one of
+## Registers the handler of a kind of message. [param p_capability] is the one of
 ## [enum Roles.Capability] that its sender needs, or 0.
 func add(p_kind: int, p_path: Path, p_handler: Callable, p_capability: int = 0) -> void:
 	assert(p_kind >= 0 and p_kind < 256 and not _handlers.has(p_kind))
@@ -35,7 +35,7 @@ func add(p_kind: int, p_path: Path, p_handler: Callable, p_capability: int = 0) 
 	_handlers[p_kind] = entry
 
 
-## Who takes in a message that came by a path, or null if nobody does.
+## The handler of a message that came by a path, or null.
 func find(p_bytes: PackedByteArray, p_path: Path) -> Handler:
 	var kind: int = Protocol.kind_of(p_bytes)
 	if not _handlers.has(kind):

@@ -7,7 +7,7 @@ extends RefCounted
 
 ## Bytes of a packet in a part.
 const ROOM: int = Protocol.MAX_DATAGRAM - 64
-## Most parts of a packet.
+## Maximum of parts of a packet.
 const MAX_PARTS: int = 4096
 
 const _HEADER: int = 7

@@ -5,7 +5,7 @@ extends RefCounted
 ## Little-endian: u8 message, u8 number of people, for each u8 index, f32 hip height (m), u8 number
 ## of lengths (0 or all limbs), that many f32 (m, 0 unknown), name as u16 length and UTF-8.
 
-## Why the packet that was decoded last is none, or an empty text.
+## What is wrong with the packet that was decoded last, or an empty text.
 static var error: String = ""
 
 

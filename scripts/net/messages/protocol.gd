@@ -15,13 +15,13 @@ enum Message {
 	TABLE = 3,
 	## A part of a packet that is too large for a datagram, see [MessageParts].
 	PART = 4,
-	## Client to server, fast path: what of the snapshots has arrived.
+	## Client to server, fast path: which snapshots have arrived.
 	ACK = 5,
 	## Both ways, fast path: see [ClockMessage].
 	CLOCK = 6,
 	## Server to client, reliable: what the session has to say, see [enum Notice].
 	CONTROL = 7,
-	## Client to server, fast path: how well it sees, see [StatsMessage].
+	## Client to server, fast path: its stats, see [StatsMessage].
 	STATS = 8,
 	## Trainee to server, reliable: whose motion it sends, see [PeopleMessage].
 	PEOPLE = 9,
@@ -37,7 +37,7 @@ enum Message {
 
 ## Second byte of a [constant Message.CONTROL].
 enum Notice {
-	## The client is to leave and not to come back; a text says why.
+	## The client must leave and not come back; a text says why.
 	DISMISSED,
 	## An instructor asks for a calibration: u8 which of the client's people, u8 which pose.
 	CALIBRATE,
@@ -53,7 +53,7 @@ const HELLO: String = "DSMT"
 const DEFAULT_PORT: int = 7777
 ## Largest payload of a datagram, bytes: it passes every usual network in one piece.
 const MAX_DATAGRAM: int = 1200
-## How far a limb's orientation may be off on the wire, degrees.
+## Maximum error of a limb's orientation on the wire, degrees.
 const POSE_ERROR_DEG: float = 0.1
 ## The same from a trainee to the server.
 const MOTION_ERROR_DEG: float = 0.1

@@ -1,10 +1,10 @@
 class_name Admission
 extends RefCounted
-## Who may come in: judges the join requests of a server's clients.
+## Decides on the join requests of a server's clients.
 
-## What becomes of a join request.
+## The outcome of a join request.
 enum Verdict {
-	## The client is to be ignored: it has said everything already.
+	## It is ignored: the client has sent one already.
 	NONE,
 	## [member PendingPeer.session] is its session.
 	WELCOME,
@@ -14,7 +14,7 @@ enum Verdict {
 	WAIT,
 }
 
-## Seconds that a client has to say who it is, and to take in the answer.
+## Seconds that a client has for its join request, and for confirming the reply.
 const REQUEST_S: float = 3.0
 ## Clients that may wait for an instructor.
 const MAX_WAITING: int = 64
@@ -25,7 +25,7 @@ var _logins: LoginRateLimiter = LoginRateLimiter.new()
 var _pending: Dictionary[int, PendingPeer] = {}
 
 
-## Somebody who has not come in yet.
+## A connection that has not been admitted yet.
 class PendingPeer:
 	var peer: int = 0
 	var address: String = ""
@@ -47,7 +47,7 @@ func _init(p_rules: ServerRules, p_sessions: SessionTable) -> void:
 	_sessions = p_sessions
 
 
-## Somebody has come; returns the challenge.
+## A peer has connected; returns the challenge.
 func arrive(p_peer: int, p_address: String, p_now_usec: int) -> PackedByteArray:
 	var pending: PendingPeer = PendingPeer.new()
 	pending.peer = p_peer
@@ -58,17 +58,17 @@ func arrive(p_peer: int, p_address: String, p_now_usec: int) -> PackedByteArray:
 	return pending.challenge
 
 
-## Somebody, or null.
+## A pending peer, or null.
 func find(p_peer: int) -> PendingPeer:
 	return _pending.get(p_peer)
 
 
-## Somebody has come in or gone away.
+## A peer was admitted or has gone.
 func forget(p_peer: int) -> void:
 	_pending.erase(p_peer)
 
 
-## Judges what somebody says.
+## Decides on a join request.
 func judge(p_peer: int, p_bytes: PackedByteArray, p_now_usec: int) -> Verdict:
 	var pending: PendingPeer = _pending.get(p_peer)
 	if pending == null or pending.request != null or pending.refused:
@@ -94,20 +94,20 @@ func judge(p_peer: int, p_bytes: PackedByteArray, p_now_usec: int) -> Verdict:
 	return _judge_room(pending, p_now_usec)
 
 
-## Lets somebody in who has waited.
+## Admits a waiting peer.
 func admit(p_pending: PendingPeer, p_now_usec: int) -> void:
 	p_pending.waits = false
 	p_pending.since_usec = p_now_usec
 	p_pending.session = _sessions.open(p_pending.request, p_pending.peer, p_pending.address)
 
 
-## Refuses somebody.
+## Refuses a waiting peer.
 func refuse(p_pending: PendingPeer, p_why: String, p_now_usec: int) -> void:
 	_refuse(p_pending, p_why, false)
 	p_pending.since_usec = p_now_usec
 
 
-## Those who wait for an instructor, in the order of their coming.
+## Those who wait for an instructor, in the order in which they came.
 func waiting() -> Array[PendingPeer]:
 	var all: Array[PendingPeer] = _pending.values()
 	return all.filter(func(pending: PendingPeer) -> bool: return pending.waits)
@@ -125,7 +125,7 @@ func rows() -> Array[Dictionary]:
 	return list
 
 
-## Those who are to be sent away: they have said nothing, or nothing of use.
+## The peers to disconnect: they have sent no valid join request in time.
 func overdue(p_now_usec: int) -> Array[int]:
 	var peers: Array[int] = []
 	for peer: int in _pending:

@@ -1,6 +1,6 @@
 class_name BanList
 extends RefCounted
-## Addresses that are not let in, kept in a file: a JSON list of texts.
+## Banned addresses, kept in a file: a JSON list of texts.
 
 ## Why the file cannot be used, or an empty text.
 var error: String = ""
@@ -9,8 +9,8 @@ var _path: String = ""
 var _addresses: Dictionary[String, bool] = {}
 
 
-## Reads a file; one that is not there is begun with the first ban. Entries that are no addresses
-## are named in the log and left out.
+## Reads a file; a missing one is created with the first ban. Entries that are no addresses are
+## logged and left out.
 static func open(p_path: String) -> BanList:
 	var list: BanList = BanList.new()
 	list._path = p_path

@@ -1,6 +1,6 @@
 class_name Challenge
 extends RefCounted
-## The server's first words to a client: which version it speaks and what it wants to know.
+## The server's first message to a client: its version and what it asks for.
 ##
 ## Little-endian: [constant Protocol.HELLO], u32 version, u8 a bit for each role that needs a
 ## password, u32 rounds of the key's derivation, 16 bytes salt, 32 bytes nonce.
@@ -16,7 +16,7 @@ var rounds: int = PasswordKey.ROUNDS
 var salt: PackedByteArray = PackedByteArray()
 ## Never the same twice.
 var nonce: PackedByteArray = PackedByteArray()
-## Why it is none, or an empty text.
+## Why it is invalid, or an empty text.
 var error: String = ""
 
 

@@ -3,7 +3,7 @@ extends RefCounted
 ## A server's pending peers: each gets a challenge and an answer to its join request, through the
 ## multiplayer API's authentication, as the [Admission] says.
 
-## Who waits has changed.
+## The list of those who wait has changed.
 signal changed
 
 var _api: SceneMultiplayer = null
@@ -13,7 +13,7 @@ var _sessions: SessionTable = null
 var _admission: Admission = null
 
 
-## Takes over who arrives over an API, whose peer is given.
+## Handles the arrivals of an API, whose peer is given.
 func _init(
 	p_api: SceneMultiplayer, p_peer: ThreadedPeer, p_rules: ServerRules, p_sessions: SessionTable
 ) -> void:
@@ -22,7 +22,7 @@ func _init(
 	_rules = p_rules
 	_sessions = p_sessions
 	_admission = Admission.new(p_rules, p_sessions)
-	# Admission has its own time limit: the API would send away those who wait for an instructor.
+	# Admission has its own time limit: the API would disconnect those who wait for an instructor.
 	_api.auth_timeout = 0.0
 	_api.auth_callback = _on_join_request
 	_api.peer_authenticating.connect(_on_arriving)
@@ -34,12 +34,12 @@ func rows() -> Array[Dictionary]:
 	return _admission.rows()
 
 
-## Somebody has come in.
+## A peer was admitted.
 func forget(p_peer: int) -> void:
 	_admission.forget(p_peer)
 
 
-## Sends those away who take too long, at a time of [method Time.get_ticks_usec].
+## Disconnects those who take too long, at a time of [method Time.get_ticks_usec].
 func look_after(p_now_usec: int) -> void:
 	for peer: int in _admission.overdue(p_now_usec):
 		_admission.forget(peer)
@@ -48,7 +48,7 @@ func look_after(p_now_usec: int) -> void:
 			_api.disconnect_peer(peer)
 
 
-## Lets somebody in who waits, by the peer's id. Returns why not, or an empty text.
+## Admits a waiting peer, by its id. Returns why not, or an empty text.
 func admit(p_peer: int) -> String:
 	var pending: Admission.PendingPeer = _admission.find(p_peer)
 	if pending == null or not pending.waits:
@@ -61,7 +61,7 @@ func admit(p_peer: int) -> String:
 	return ""
 
 
-## Refuses somebody who waits, by the peer's id. Returns why not, or an empty text.
+## Refuses a waiting peer, by its id. Returns why not, or an empty text.
 func refuse(p_peer: int, p_why: String) -> String:
 	var pending: Admission.PendingPeer = _admission.find(p_peer)
 	if pending == null or not pending.waits:
@@ -108,7 +108,7 @@ func _welcome(p_pending: Admission.PendingPeer) -> void:
 	_api.complete_auth(p_pending.peer)
 
 
-## Somebody went before coming in.
+## A peer left before it was admitted.
 func _on_turned_away(p_peer: int) -> void:
 	var pending: Admission.PendingPeer = _admission.find(p_peer)
 	_admission.forget(p_peer)

@@ -1,27 +1,27 @@
 class_name JoinReply
 extends RefCounted
-## What a server says to a [JoinRequest].
+## A server's answer to a [JoinRequest].
 ##
 ## Little-endian: u8 [enum Kind]; a welcome: u32 session, 16 bytes token, text
 ## name of the level, 8 bytes its fingerprint, 32 bytes proof; a refusal:
 ## text why; waiting: u16 position.
 
-## What it says.
+## The kind of answer.
 enum Kind {
-	## The client is welcome.
+	## The client is admitted.
 	WELCOME,
-	## The client is not, and trying again is of no use.
+	## The client is refused, and trying again is useless.
 	REFUSED,
-	## Somebody will decide.
+	## An instructor will decide.
 	WAIT,
-	## The client is not welcome now; trying later may help.
+	## The client is refused now; trying later may help.
 	LATER,
 }
 
 ## Longest reason, characters.
 const LONGEST_WHY: int = 200
 
-## What it says.
+## The kind of answer.
 var kind: Kind = Kind.REFUSED
 ## Why the client is refused.
 var why: String = ""
@@ -67,7 +67,7 @@ static func wait(p_position: int) -> PackedByteArray:
 	return bytes
 
 
-## What a server says; a refusal if it makes no sense.
+## Reads a server's packet; a refusal if it is invalid.
 static func decode(p_bytes: PackedByteArray) -> JoinReply:
 	var reply: JoinReply = JoinReply.new()
 	var reader: ByteReader = ByteReader.new(p_bytes)

@@ -1,7 +1,6 @@
 class_name JoinRequest
 extends RefCounted
-## A client's answer to a [Challenge]: who it is and what it wants, with a proof if it has a
-## password.
+## A client's answer to a [Challenge]: its name, role and wishes, with a proof if it has a password.
 ##
 ## Little-endian: [constant Protocol.HELLO], u32 version, u8 role, u8 wanted snapshots per
 ## second (0: as the server does), 32 bytes nonce, 16 bytes token of a lost session (zeros: none),
@@ -9,12 +8,12 @@ extends RefCounted
 
 ## Bytes of a token.
 const TOKEN_SIZE: int = 16
-## Least and most bytes of a join request.
+## Minimum and maximum of bytes of a join request.
 const MIN_SIZE: int = 8
 ## See [constant MIN_SIZE].
 const MAX_SIZE: int = 512
 
-## What the client wants to be.
+## The role that the client asks for.
 var role: Roles.Role = Roles.Role.OBSERVER
 ## Shown to the others.
 var name: String = ""

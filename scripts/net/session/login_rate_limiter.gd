@@ -1,10 +1,10 @@
 class_name LoginRateLimiter
 extends RefCounted
-## How often an address may be wrong about a password: a few times at once, then seldom.
+## Limits wrong passwords from an address: a few at once, then one at a time, rarely.
 
-## Wrong passwords at once.
+## Maximum of wrong passwords at once.
 const BURST: int = 5
-## Seconds for which one more is allowed.
+## Seconds after which one more is allowed.
 const PER_GUESS_S: float = 2.0
 ## Addresses that are remembered; the oldest go.
 const MAX_ADDRESSES: int = 4096

@@ -1,10 +1,10 @@
 class_name PasswordKey
 extends RefCounted
-## A key made from a password, and what proves that somebody knows it without telling it.
+## A key made from a password, and the proof that somebody knows it without revealing it.
 
 ## Rounds of the derivation: they make guessing from a recorded session slow.
 const ROUNDS: int = 2000
-## Most rounds that a client does for a server.
+## Maximum of rounds that a client does for a server.
 const MAX_ROUNDS: int = 50000
 ## Bytes of a proof and of a key.
 const SIZE: int = 32
@@ -28,7 +28,7 @@ static func derive(p_password: String, p_salt: PackedByteArray, p_rounds: int) -
 	return key
 
 
-## The proof of a side ("client" or "server") over everything that was said.
+## The proof of a side ("client" or "server") over everything that was sent.
 static func prove(
 	p_key: PackedByteArray, p_side: String, p_said: Array[PackedByteArray]
 ) -> PackedByteArray:

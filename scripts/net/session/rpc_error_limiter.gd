@@ -1,10 +1,10 @@
 class_name RpcErrorLimiter
 extends Logger
-## Counts the engine's errors that clients' remote calls cause, so that who causes them can be
-## thrown out before the log fills.
+## Counts the engine's errors that clients' remote calls cause, so that their senders can be
+## disconnected before the log fills.
 ##
-## Godot reports an error for each call that names a node or a method that is not there, or has
-## other arguments; nobody can check that beforehand.
+## Godot reports an error for each call with an unknown node or method or wrong arguments; this
+## cannot be checked beforehand.
 
 ## Errors that a client may cause.
 const MAX_STRIKES: int = 3
@@ -26,7 +26,7 @@ func begin() -> void:
 	_mutex.unlock()
 
 
-## Counts no longer. Returns who has caused too many errors.
+## Stops counting. Returns the peers that have caused too many errors.
 func end() -> Array[int]:
 	var guilty: Array[int] = []
 	_mutex.lock()

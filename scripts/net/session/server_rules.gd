@@ -1,10 +1,10 @@
 class_name ServerRules
 extends RefCounted
-## Whom a server lets in, and how.
+## Whom a server admits, and how.
 
-## Clients that are admitted.
+## Maximum of clients.
 var max_clients: int = Protocol.DEFAULT_MAX_CLIENTS
-## Clients that are admitted from one address; 0 for no limit.
+## Maximum of clients from one address; 0 for no limit.
 var max_per_address: int = 0
 ## Password of all roles; empty if there is none.
 var password: String = ""
@@ -12,7 +12,7 @@ var password: String = ""
 var instructor_password: String = ""
 ## Whether an instructor admits each of the others.
 var waiting_room: bool = false
-## Addresses that are not let in.
+## Banned addresses.
 var bans: BanList = BanList.new()
 ## DTLS, or null.
 var tls: TLSOptions = null

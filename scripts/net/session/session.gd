@@ -1,6 +1,6 @@
 class_name Session
 extends RefCounted
-## Somebody's part in a training session; it outlasts a lost connection for a while.
+## One client's stay on a server; it outlasts a lost connection for a while.
 
 ## Number of the session; the rest of the program knows clients by it.
 var id: int = 0
@@ -16,7 +16,7 @@ var address: String = ""
 var token: PackedByteArray = PackedByteArray()
 ## The peer's id; 0 while the connection is lost.
 var peer: int = 0
-## Whether the client has taken in that it is welcome.
+## Whether the client has confirmed its admission.
 var is_here: bool = false
 ## Whether it was here before.
 var was_here: bool = false

@@ -3,11 +3,11 @@ extends RefCounted
 ## Why a connection ended; ENet carries it in the data of its disconnect command.
 
 enum {
-	## Nobody said anything: the network failed or the other end has died. It may come back.
+	## None was given: the network failed or the other end has died. It may come back.
 	LOST,
 	## The client left.
 	LEFT,
-	## The server's owner sent the client away.
+	## An instructor or the server dismissed the client.
 	DISMISSED,
 	## The server is being closed.
 	CLOSED,

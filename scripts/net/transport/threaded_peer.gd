@@ -4,12 +4,12 @@ extends MultiplayerPeerExtension
 ##
 ## Authentication, remote calls, spawners and synchronizers run over it unchanged, as over
 ## [ENetMultiplayerPeer]; their packets come with [method MultiplayerPeer.poll]. Beside them there
-## is a fast path for datagrams that shall not wait for a frame: [method send_fast] and
-## [method take_fast]. Nothing that a main thread does or leaves undone stops the thread.
+## is a fast path for datagrams that must not wait for a frame: [method send_fast] and
+## [method take_fast]. The main thread cannot stop it, whatever it does.
 
-## Somebody does what nobody should; for the log.
+## Somebody breaks the rules; for the log.
 signal troubled(p_peer: int, p_key: String, p_what: String)
-## The port was closed by an error and is open again; everybody who was there is gone.
+## The port was closed by an error and is open again; all connections are lost.
 signal reopened
 ## A client's connection to the server is over, and why.
 signal failed(p_why: String)
@@ -19,7 +19,7 @@ const MAX_TRANSFER_CHANNEL: int = TransportHost.CHANNELS - TransportHost.FAST_CH
 
 ## What this end lets through. Set it before creating.
 var limits: TransportLimits = TransportLimits.new()
-## Judges what comes, on a server; null lets everything through. Set it before creating.
+## Checks what arrives, on a server; null lets everything through. Set it before creating.
 var guard: TransportGuard = null
 ## DTLS for both ends, or null. Set it before creating.
 var tls: TLSOptions = null
@@ -34,7 +34,7 @@ var beacon: Callable = Callable()
 ## See [member TransportThread.beacon_period]. Set it before creating.
 var beacon_period: Callable = Callable()
 
-## Whose remote call, or what belongs to one, the multiplayer API reads now; 0 if it reads none.
+## The sender of the remote call that the multiplayer API reads now; 0 if it reads none.
 var reading_call_of: int = 0
 
 var _thread: TransportThread = null
@@ -148,7 +148,7 @@ func welcome(p_peer: int, p_may_call: bool) -> void:
 		_thread.welcome(p_peer, p_may_call)
 
 
-## Keeps a client that has not been admitted yet, because somebody is to decide about it.
+## Keeps a client that has not been admitted yet, because an instructor will decide.
 func keep(p_peer: int) -> void:
 	if _thread != null:
 		_thread.keep(p_peer)
@@ -185,7 +185,7 @@ func _poll() -> void:
 	if _thread == null:
 		return
 	_drop_read()
-	# Asked first: what the thread says last is there once it has ended.
+	# Asked first: the thread's last events are there once it has ended.
 	var runs: bool = _thread.is_running()
 	if _next_event >= _events.size():
 		_events = _thread.mailbox.take_events()
@@ -197,7 +197,7 @@ func _poll() -> void:
 	_reasons.clear()
 	while _next_event < _events.size():
 		var event: TransportEvent = _events[_next_event]
-		# What somebody said last is read before the connection is over.
+		# The last packets are read before the connection is over.
 		if event.kind == TransportEvent.Kind.GONE and _has_waiting(event.peer):
 			return
 		_next_event += 1
@@ -240,7 +240,7 @@ func _on_joined(p_event: TransportEvent) -> void:
 	peer_connected.emit(p_event.peer)
 
 
-## The thread has ended by a fault of its own: everybody is gone, and the port is opened again.
+## The thread has failed: all connections are lost, and the port is opened again.
 func _revive() -> void:
 	var peers: Array[int] = _addresses.keys()
 	_thread.stop(DisconnectReason.LOST)

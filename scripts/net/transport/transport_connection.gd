@@ -2,15 +2,15 @@ class_name TransportConnection
 extends RefCounted
 ## One connection as the transport's thread knows it. Only that thread touches it.
 
-## How far the other end has come.
+## The stage of the other end.
 enum Stage {
-	## It may say who it is.
+	## It may send its join request.
 	ARRIVING,
-	## The server has said that it is welcome.
+	## The server has admitted it.
 	WELCOMED,
-	## It has taken that in: plain bytes and the fast path are open to it.
+	## It has confirmed that: plain bytes and the fast path are open to it.
 	ADMITTED,
-	## It is being thrown out: nothing that it sends is looked at.
+	## It is being disconnected: everything that it sends is ignored.
 	LEAVING,
 }
 
@@ -25,13 +25,13 @@ var remote: ENetPacketPeer = null
 var address: String = ""
 ## When the connection was made, µs.
 var since_usec: int = 0
-## How far the other end has come.
+## The stage of the other end.
 var stage: Stage = Stage.ARRIVING
 ## Whether its remote calls are let through.
 var may_call: bool = false
-## Whether it is waited for somebody's decision about it.
+## Whether it waits for an instructor's decision.
 var kept: bool = false
-## When it began to be thrown out, µs.
+## When its disconnection began, µs.
 var leaving_usec: int = 0
 ## Packets in this second.
 var packets: int = 0
@@ -43,7 +43,7 @@ var calls: int = 0
 var bytes: int = 0
 ## Packets that wait for the main thread.
 var waiting: int = 0
-## What was sent reliably and not taken in yet.
+## What was sent reliably and not acknowledged by a receipt yet.
 var window: ReceiptWindow = ReceiptWindow.new()
 
 var _complained_usec: Dictionary[String, int] = {}
@@ -56,7 +56,7 @@ func _init(p_id: int, p_remote: ENetPacketPeer, p_now_usec: int) -> void:
 	address = plain_address(p_remote.get_remote_address()) if p_remote != null else ""
 
 
-## Begins a new second.
+## Starts a new second.
 func restart_window() -> void:
 	packets = 0
 	fast.clear()

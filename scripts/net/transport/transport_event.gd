@@ -4,15 +4,15 @@ extends RefCounted
 
 ## What happened.
 enum Kind {
-	## A connection stands; nothing is known of the other end yet.
+	## A connection is made; nothing is known about the other end yet.
 	JOINED,
 	## A connection is over; [member code] is a [DisconnectReason].
 	GONE,
 	## A packet for the multiplayer API.
 	PACKET,
-	## Somebody does what nobody should; for the log.
+	## Somebody breaks the rules; for the log.
 	TROUBLE,
-	## The host had died and was made anew; all connections are over.
+	## The host had failed and was replaced; all connections are over.
 	REOPENED,
 	## The host cannot be made, or the client's connection to the server is over.
 	FAILED,
@@ -20,7 +20,7 @@ enum Kind {
 
 ## What happened.
 var kind: Kind = Kind.TROUBLE
-## Whom it is about: a peer's id.
+## The peer's id.
 var peer: int = 0
 ## The packet.
 var bytes: PackedByteArray = PackedByteArray()

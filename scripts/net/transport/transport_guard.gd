@@ -1,6 +1,6 @@
 class_name TransportGuard
 extends RefCounted
-## What a server lets through of what clients send, and how much of it.
+## Decides which packets of clients a server lets through, and how many.
 ##
 ## Godot's [SceneMultiplayer] reports an engine error for nearly every packet that it does not
 ## expect, so that any client could flood the log. It gets to see join requests of those who have
@@ -11,11 +11,11 @@ extends RefCounted
 enum Verdict {
 	## It is passed on.
 	PASS,
-	## It is dropped without a word: its sender could not know better.
+	## It is dropped silently: its sender could not know better.
 	IGNORE,
 	## It is dropped, and [member reason] says why.
 	DROP,
-	## Its sender is thrown out, and [member reason] says why.
+	## Its sender is disconnected, and [member reason] says why.
 	THROW_OUT,
 }
 
@@ -31,7 +31,7 @@ const _SYSTEM_AUTH: int = 0
 var limits: TransportLimits = TransportLimits.new()
 ## Why the last packet was not let through.
 var reason: String = ""
-## What the complaint is filed under.
+## The key of the complaint in the log.
 var key: String = ""
 
 
@@ -40,7 +40,7 @@ static func is_call(p_bytes: PackedByteArray) -> bool:
 	return not p_bytes.is_empty() and p_bytes[0] & _COMMAND_MASK <= _COMMAND_CONFIRM_PATH
 
 
-## Judges a datagram of the fast path.
+## Checks a datagram of the fast path.
 func judge_fast(p_from: TransportConnection, p_bytes: PackedByteArray) -> Verdict:
 	var rate: Verdict = _judge_rate(p_from, p_bytes.size())
 	if rate != Verdict.PASS:
@@ -61,7 +61,7 @@ func judge_fast(p_from: TransportConnection, p_bytes: PackedByteArray) -> Verdic
 	return Verdict.PASS
 
 
-## Judges a packet that is meant for the multiplayer API.
+## Checks a packet for the multiplayer API.
 func judge(p_from: TransportConnection, p_bytes: PackedByteArray) -> Verdict:
 	var rate: Verdict = _judge_rate(p_from, p_bytes.size())
 	if rate != Verdict.PASS:

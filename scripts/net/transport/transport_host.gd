@@ -1,6 +1,6 @@
 class_name TransportHost
 extends RefCounted
-## The connections of an ENet host, and what comes and goes over them. Everything here belongs to
+## The connections of an ENet host and their traffic. Everything here belongs to
 ## the thread of [TransportThread].
 
 ## ENet channels: two that the multiplayer API knows, the fast path, and five more for its transfer
@@ -8,7 +8,7 @@ extends RefCounted
 const CHANNELS: int = 8
 ## ENet channel of the fast path.
 const FAST_CHANNEL: int = 2
-## Connections that have not been admitted; the oldest goes when there are more.
+## Maximum of connections that have not been admitted; beyond it the oldest is closed.
 const MAX_ARRIVING: int = 512
 ## When a silent end is gone: ENet's limit (2 to the attempts), least and most ms. With less, a
 ## fifth of the datagrams lost would end connections now and then.
@@ -24,7 +24,7 @@ const _LEAVING_USEC: int = 1000000
 
 ## See [member TransportLimits.max_datagram].
 var max_datagram: int = 1200
-## Judges what comes, on a server; null lets everything through.
+## Checks what arrives, on a server; null lets everything through.
 var guard: TransportGuard = null
 ## Answers fast datagrams of the kind [member instant_kind] in the thread:
 ## [code]func(bytes: PackedByteArray, arrival_usec: int) -> PackedByteArray[/code].
@@ -152,7 +152,7 @@ func _is_let_through(p_from: TransportConnection, p_verdict: TransportGuard.Verd
 	return false
 
 
-## A flood of connections that never say who they are must not keep others out.
+## A flood of connections without join request must not keep others out.
 func _make_room() -> void:
 	var oldest: TransportConnection = null
 	var arriving: int = 0
@@ -231,7 +231,7 @@ func _send(
 
 
 ## Notice a dead end within a few seconds, and never thin out datagrams because the round trip
-## varies: each is of use alone, and the newest matters most.
+## varies: each can be used alone, and the newest matters most.
 func _set_up(p_remote: ENetPacketPeer) -> void:
 	p_remote.set_timeout(TIMEOUTS_MS[0], TIMEOUTS_MS[1], TIMEOUTS_MS[2])
 	if p_remote.get_state() == ENetPacketPeer.STATE_CONNECTED:

@@ -1,13 +1,13 @@
 class_name TransportMailbox
 extends RefCounted
-## What the transport's thread and the others hand each other. Every call locks for a moment only,
-## and every queue has an end.
+## Queues between the transport's thread and the others. Every call locks only briefly, and every
+## queue is bounded.
 
-## Fast datagrams that wait for the main thread; the older half goes when there are more.
+## Maximum of fast datagrams that wait for the main thread; beyond it the older half is dropped.
 const MAX_FAST: int = 8192
-## Unreliable orders that wait for the thread; beyond it they are dropped.
+## Maximum of unreliable orders that wait for the thread; further ones are dropped.
 const MAX_ORDERS: int = 16384
-## Notes of trouble that wait for the main thread.
+## Maximum of complaints that wait for the main thread.
 const MAX_TROUBLE: int = 64
 
 var _mutex: Mutex = Mutex.new()

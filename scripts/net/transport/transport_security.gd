@@ -4,7 +4,7 @@ extends RefCounted
 
 ## For ENet; null if the connection is not encrypted.
 var tls: TLSOptions = null
-## Why it cannot be encrypted as was asked for, or an empty text.
+## Why it cannot be encrypted as requested, or an empty text.
 var error: String = ""
 
 
@@ -37,7 +37,7 @@ static func client(p_wanted: bool, p_certificate: String) -> TransportSecurity:
 		made.tls = TLSOptions.client()
 	else:
 		var trusted: X509Certificate = made._load_certificate(p_certificate)
-		# A certificate that was handed over is trusted whatever name it bears.
+		# A certificate that was given is trusted whatever its name.
 		made.tls = TLSOptions.client_unsafe(trusted) if made.error == "" else null
 	if made.error == "":
 		made._check_engine()
@@ -58,7 +58,7 @@ func _load_certificate(p_path: String) -> X509Certificate:
 	return certificate
 
 
-## Asks a host of no further use whether the engine has DTLS.
+## Asks a host, which is useless afterwards, whether the engine has DTLS.
 func _check_engine() -> void:
 	var host: ENetConnection = ENetConnection.new()
 	if host.create_host_bound("127.0.0.1", 0, 1) != OK:

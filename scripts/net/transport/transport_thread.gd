@@ -13,12 +13,12 @@ const SLOTS: int = 4095
 
 ## Events in a row before what came is handed over.
 const _MAX_EVENTS: int = 128
-## Bytes that wait for the main thread: a client whose main thread stands that still is lost.
+## Maximum of bytes that wait for the main thread: a client whose main thread stalls longer is lost.
 const _MAX_WAITING_BYTES: int = 32 << 20
 const _HOUSEKEEPING_USEC: int = 100000
 ## The same on a client, which has one connection to look after, µs.
 const _CLIENT_HOUSEKEEPING_USEC: int = 250000
-## Errors without any success for so long mean that the host is dead, µs.
+## After this time with errors only the host counts as dead, µs.
 const _DEAD_USEC: int = 500000
 const _LINGER_MS: int = 300
 ## Wait where the socket cannot be watched, as with DTLS, ms: what others want sent waits as long.
@@ -78,7 +78,7 @@ func is_running() -> bool:
 	return _thread.is_started() and _thread.is_alive()
 
 
-## Says reason to everybody, ends the thread and closes the port. Takes 0.3 s at most.
+## Sends everybody the reason, ends the thread and closes the port. Takes 0.3 s at most.
 func stop(p_reason: int) -> void:
 	if not _thread.is_started():
 		return
@@ -98,7 +98,7 @@ func send_fast_each(p_peers: PackedInt32Array, p_datagrams: Array[PackedByteArra
 	return _post([_order_send_each, [p_peers, p_datagrams]], false)
 
 
-## Ends a connection: at once and without telling, or after what is still to be sent.
+## Ends a connection: at once and silently, or after what is still to be sent.
 func disconnect_peer(p_id: int, p_now: bool, p_code: int) -> void:
 	_post([_order_disconnect, [p_id, p_now, p_code]], true)
 
