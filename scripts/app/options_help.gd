@@ -2,7 +2,7 @@ class_name OptionsHelp
 extends RefCounted
 ## The rows of [ProgramOptions] and [ProgramRoles] as texts: for the terminal, and docs/options.md.
 
-## Where the document lies, and what renews it.
+## Path of the document, and the command that renews it.
 const DOCUMENT: String = "res://docs/options.md"
 const RENEW: String = "./run options-doc"
 
@@ -20,7 +20,7 @@ const _INTRODUCTION: Array[String] = [
 ]
 
 
-## What a role takes, or where there is no such role, all options by roles; for the terminal.
+## The options of a role, or of all roles if there is no such role; for the terminal.
 static func describe(p_role: String) -> String:
 	var is_role: bool = ProgramRoles.names().has(p_role)
 	var lines: PackedStringArray = []
@@ -63,7 +63,7 @@ static func document() -> String:
 	return "".join(_INTRODUCTION) % RENEW + "\n".join(lines) + "\n"
 
 
-## Options by who takes them, in the order in which they are first met.
+## Options by the roles that take them, in the order of the rows.
 static func _by_roles() -> Dictionary[String, Array]:
 	var groups: Dictionary[String, Array] = {}
 	for row: OptionRow in ProgramOptions.rows():

@@ -4,7 +4,7 @@ extends RefCounted
 
 const SERVER: String = "server"
 const LOAD: String = "load"
-## Those that are no client of a session, and what they are for.
+## The roles that are no client of a session, and what they are for.
 const _OTHERS: Dictionary[String, String] = {
 	SERVER: "simulates the world and sends its state to everybody",
 	ClientStreams.REPLAY: "shows what --record has kept",
@@ -47,7 +47,7 @@ static func scene_of(p_name: String) -> String:
 	return _SCENES.get(p_name, _CLIENT)
 
 
-## The one that arguments or environment ask for, known or not. Without: an exported dedicated
+## The role that arguments or environment name, known or not. By default an exported dedicated
 ## server is a server, every other build an observer.
 static func find_in(p_arguments: PackedStringArray) -> String:
 	var role: String = OS.get_environment("DISMOUNT_ROLE")

@@ -1,7 +1,7 @@
 class_name ClientCalibration
 extends RefCounted
-## Calibrations that nobody leads at the device panel: at the start, or because an instructor asks
-## for one (thesis section 6.1). The wearer is guided by texts on the screen.
+## Calibrations without the device panel: at the start, or because an instructor asks for one
+## (thesis section 6.1). The wearer is guided by texts on the screen.
 
 ## Kinds that options name.
 const KINDS: Dictionary[String, CalibrationGuide.Kind] = {
@@ -13,7 +13,7 @@ const KINDS: Dictionary[String, CalibrationGuide.Kind] = {
 }
 ## How long the outcome is shown, s.
 const _SHOWN_S: float = 6.0
-## What is worse is not taken: somebody moved by 6 degrees.
+## A worse score is not accepted: it means a movement of 6 degrees.
 const _MIN_SCORE: float = 0.4
 const _MAX_ADVICE: int = 3
 
@@ -40,19 +40,19 @@ func start(p_source: SuitSource, p_kind: CalibrationGuide.Kind, p_now_s: float) 
 	return fault
 
 
-## Leaves a calibration of somebody alone: the wearer has gone.
+## Drops the calibration of a wearer who has gone.
 func forget(p_source: SuitSource) -> void:
 	if _source == p_source:
 		_source.calibrated.disconnect(_on_calibrated)
 		_source = null
 
 
-## Whether one is going on.
+## Whether one is in progress.
 func is_running() -> bool:
 	return _source != null and _source.process.is_running()
 
 
-## Says something on the screen for a while, from a time on, s.
+## Shows a text on the screen for a while, from a time on, s.
 func say(p_text: String, p_now_s: float) -> void:
 	_outcome = p_text
 	_until_s = p_now_s + _SHOWN_S
@@ -67,8 +67,8 @@ func text(p_now_s: float) -> String:
 	return _outcome if p_now_s < _until_s else ""
 
 
-## Nobody is asked, as the wearer has no hand free: what is good enough is taken, and what could be
-## better is said; otherwise the one before stays.
+## Nobody is asked, as the wearer has no hand free: a good result is accepted, with advice on what
+## could be better; otherwise the previous calibration stays.
 func _on_calibrated(p_result: CalibrationResult) -> void:
 	var source: SuitSource = _source
 	_source = null

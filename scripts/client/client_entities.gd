@@ -1,9 +1,9 @@
 class_name ClientEntities
 extends EntityHost
-## The client's side of all entities: gives them the values and events that are shown, and sends
+## The client's side of all entities: gives them the values and events to display, and sends
 ## their commands.
 
-## A command that is not acknowledged is sent again after so long, s, for so long at most.
+## Period of resending a command that is not acknowledged, and for how long, s.
 const _RESEND_S: float = 0.05
 const _GIVE_UP_S: float = 3.0
 
@@ -27,16 +27,16 @@ func use(p_stream: StateStream) -> void:
 	restart()
 
 
-## A connection begins: commands are numbered anew.
+## A connection begins: commands are numbered from the start.
 func restart() -> void:
 	_sent.clear()
 	_next_command = 0
 
 
-## Takes a node in that is an entity of a row.
+## Registers the node of a row's entity.
 func bind(p_row: EntityRow, p_node: Entity) -> void:
 	if p_node.type == null or not p_node.type.is_same(p_row.type):
-		# What the server says counts; a script may miss a field then, but nothing is misread.
+		# The server's type counts; a script may then miss a field, but nothing is misread.
 		Log.limited("client", "type", "%s is of another type at the server" % p_row.describe())
 		p_node.type = p_row.type
 	_nodes[p_row.id] = p_node
@@ -48,7 +48,7 @@ func find(p_id: int) -> Entity:
 	return _nodes.get(p_id)
 
 
-## Gives the nodes what is shown now. Call it in every frame.
+## Gives the nodes the present values and events. Call it in every frame.
 func advance() -> void:
 	for id: int in _replica.active_entities():
 		var node: Entity = _nodes.get(id)

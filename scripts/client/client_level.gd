@@ -2,8 +2,8 @@ class_name ClientLevel
 extends Node3D
 ## The level as a client sees it, with the nodes of the entities in it.
 ##
-## Its static bodies are in the client's physics space, for rays and queries. Whatever moves is put
-## where the server says and never simulated here.
+## Its static bodies are in the client's physics space, for rays and queries. Whatever moves takes
+## the server's transforms and is never simulated here.
 
 ## Another level is loaded; [param p_differs] if the server's is not the same.
 signal changed(p_level: Level, p_differs: bool)
@@ -25,8 +25,8 @@ var _unplaced: Dictionary[int, bool] = {}
 var _instances: Dictionary[int, Node] = {}
 
 
-## Loads a level, always a new one: what moved in the last is where it begins. Its entities
-## have been removed before.
+## Loads a level, always a new instance, in which everything is at its start. The entities
+## of the last one must have been removed before.
 func set_level(p_name: String, p_fingerprint: PackedByteArray) -> void:
 	if not LevelStore.has(p_name):
 		missing.emit("%s: update this program" % LevelStore.describe_missing(p_name))
@@ -87,8 +87,8 @@ func body_ids() -> Array[int]:
 	return _bodies.keys()
 
 
-## The node of a row, or null. A path is the server's word: it must not reach what is not its to
-## move.
+## The node of a row, or null. A path comes from the server: it must not reach nodes that the
+## server may not move.
 func _find_node(p_row: EntityRow) -> Node:
 	var node: Node = null
 	match p_row.source:

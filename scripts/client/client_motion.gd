@@ -3,8 +3,8 @@ extends RefCounted
 ## The motion of one of a trainee's people: sampled and sent by a [MotionSender], and shown at once
 ## as the own body (thesis sections 7.4.2 and 7.5).
 
-## Samples shall reach the server so long before a tick begins, µs: later ones wait for the next. On
-## an unsteady network a little more.
+## Samples should reach the server this long before a tick begins, µs: later ones wait for the next.
+## On an unsteady network a little more.
 const LEAD_USEC: int = 4000
 const MAX_LEAD_USEC: int = 8000
 ## Span over which the lowest latency of a sample to the server counts, marks.
@@ -46,7 +46,7 @@ func stop() -> void:
 	_sender.remove(_index)
 
 
-## Takes over the own body's number, skeleton and size, m from the ground to the hips.
+## Sets the own body's number, skeleton and height of the hips, m.
 func embody(p_actor: int, p_joints: PersonSkeleton, p_hips: float, p_rate: float) -> void:
 	actor = p_actor
 	_body.setup(p_joints, p_hips / source.get_hip_height(), p_rate)
@@ -62,7 +62,7 @@ func disembody() -> void:
 	_has_body = false
 
 
-## Notes how long a sample took to the server, from a mark about the own person.
+## Records how long a sample took to the server, from a latency mark of the own person.
 func note_trip(p_mark: LatencyMark) -> void:
 	_trips.append(p_mark.received_usec - p_mark.sampled_usec)
 	if _trips.size() > _TRIPS:
@@ -89,18 +89,18 @@ func take_samples() -> void:
 			_body.add_sample(sample)
 
 
-## The own body at a local time, µs: seven floats a limb. Given what the server has of it, and at
-## which tick. Empty while that is not known.
+## The own body at a local time, µs: seven floats a limb. Needs the server's state of it and that
+## state's tick. Empty while that is not known.
 func evaluate(p_now_usec: int, p_truth: PackedFloat32Array, p_tick: int) -> PackedFloat32Array:
 	if not _has_body or p_truth.is_empty():
 		return PackedFloat32Array()
 	if p_tick != _truth_tick and _link.clock.is_known() and not _trips.is_empty():
 		_truth_tick = p_tick
-		# The step that ended tick p_tick aimed at the motion as it was known at the tick's begin,
+		# The step that ended tick p_tick aimed at the motion as known at the tick's beginning,
 		# one step further.
 		var aimed: int = _link.clock.local_usec_of_tick(p_tick + 1.0) - _trips.min()
 		_body.add_truth(aimed + MotionSender.unix_ahead(), p_truth)
-	# Where the body is in the world, and what it touches, only the server knows.
+	# Only the server knows where the body is in the world, and what it touches.
 	if _truth_tick < 0:
 		return PackedFloat32Array()
 	return _body.evaluate(p_now_usec / 1e6, p_now_usec + MotionSender.unix_ahead())

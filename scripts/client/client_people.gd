@@ -2,7 +2,7 @@ class_name ClientPeople
 extends RefCounted
 ## The people whose motion a client sends: they come and go with their sources (thesis section 6.1).
 
-## Who they are has changed.
+## The list of people has changed.
 signal changed
 
 ## A motion that is older than this is no longer published, s.
@@ -94,7 +94,7 @@ func source_of(p_index: int) -> MotionSource:
 	return null
 
 
-## The server has admitted us: tells it whom we bring.
+## The server has admitted us: sends it the cards of our people.
 func begin() -> void:
 	for motion: ClientMotion in _motions:
 		motion.disembody()
@@ -103,7 +103,7 @@ func begin() -> void:
 	_declare()
 
 
-## Takes over which bodies the server has given them.
+## Finds the bodies that the server has given them.
 func embody(p_scene: ClientScene) -> void:
 	for motion: ClientMotion in _motions:
 		var actor: int = p_scene.person_of(_link.session, motion.card.index)

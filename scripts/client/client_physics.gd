@@ -1,11 +1,11 @@
 class_name ClientPhysics
 extends RefCounted
 ## The physics space of a client: the level's static bodies are in it, so that rays and other
-## queries find them, and it stands still, so that it costs nothing.
+## queries find them; it is not stepped, so that it costs nothing.
 ##
 ## What needs steps (a capsule that predicts its own walk, debris that only this client sees) calls
-## [method hold], and [method release] when it is gone. Nothing that the server simulates moves by
-## it: bodies of props and people are kinematic here.
+## [method hold], and [method release] when it is gone. It never moves what
+## the server simulates: bodies of props and people are kinematic here.
 
 static var _holders: int = 0
 

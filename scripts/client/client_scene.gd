@@ -34,7 +34,7 @@ func _ready() -> void:
 	_level.missing.connect(level_missing.emit)
 
 
-## Sets which worlds are shown and where the camera is; returns what is wrong, or an empty text.
+## Sets the visible worlds and the camera; returns what is wrong, or an empty text.
 func apply(p_views: String, p_camera: String) -> String:
 	_views.show_only(p_views)
 	return _camera.set_from_text(p_camera) if p_camera != "" else ""
@@ -46,8 +46,8 @@ func clear() -> void:
 	entities.restart()
 
 
-## Puts everything where it is at a time of the stream, s. The bodies of the client's own people are
-## where these floats have them, by person: see [method WorldReplica.person_floats].
+## Applies the state at a time of the stream, s. The bodies of the client's own people are taken
+## from these floats, by person: see [method WorldReplica.person_floats].
 func update(p_now_s: float, p_own: Dictionary[int, PackedFloat32Array] = {}) -> void:
 	if not replica.is_ready() or replica.newest_tick < 0:
 		return

@@ -12,7 +12,7 @@ var own: LatencyHistogram = LatencyHistogram.new()
 
 ## Frames that have shown a world.
 var shown_frames: int = 0
-## How far what is shown is behind the quickest arrivals, s.
+## How far the display is behind the quickest arrivals, s.
 var smoothing_delay_s: float = 0.0
 
 var _frames: int = 0
@@ -20,8 +20,8 @@ var _begin_usec: int = Time.get_ticks_usec()
 var _own_moment_usec: int = -1
 
 
-## Notes a frame that is about to be drawn, or that counts as shown where nothing is drawn, of the
-## world at a tick of the server. The time is the server's, µs.
+## Records that a frame of the world at a tick of the server is about to be drawn, or counts as
+## shown without a display. The time is the server's, µs.
 func frame(p_shown_tick: float, p_server_usec: int, p_headless: bool) -> void:
 	_frames += 1
 	shown_frames += 1 if p_shown_tick >= 0.0 else 0
@@ -30,7 +30,7 @@ func frame(p_shown_tick: float, p_server_usec: int, p_headless: bool) -> void:
 		drawn(p_server_usec)
 
 
-## Notes that the frame was drawn, at a time of the server, µs.
+## Records that the frame was drawn, at a time of the server, µs.
 func drawn(p_server_usec: int) -> void:
 	probe.drawn(p_server_usec)
 	if _own_moment_usec >= 0:
@@ -38,7 +38,7 @@ func drawn(p_server_usec: int) -> void:
 		_own_moment_usec = -1
 
 
-## Notes which moment of the wearer's motion the next frame shows of the own body, µs of this
+## Records which moment of the wearer's motion the own body shows in the next frame, µs of this
 ## machine's Unix time.
 func own_shown(p_moment_usec: int) -> void:
 	_own_moment_usec = p_moment_usec
@@ -49,7 +49,7 @@ func seconds() -> float:
 	return (Time.get_ticks_usec() - _begin_usec) / 1e6
 
 
-## A few words for the screen.
+## A short text for the screen.
 func describe(p_role: String, p_traffic: TrafficMeter) -> String:
 	if p_role == "replay":
 		return p_role

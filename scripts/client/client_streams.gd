@@ -7,7 +7,7 @@ const REPLAY: String = "replay"
 
 ## The stream; never null.
 var stream: StateStream = null
-## The same if it is a server's, or null.
+## The stream if it is a server's, otherwise null.
 var live: LiveStream = null
 ## What is wrong with the options, or an empty text.
 var error: String = ""

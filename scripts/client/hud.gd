@@ -1,6 +1,6 @@
 class_name Hud
 extends CanvasLayer
-## A line of stats, a line of keys, in the middle what the user must know, and the delays.
+## A line of stats, a line of keys, in the middle what the user must know, and the latencies.
 
 @export var _status: Label
 @export var _keys: Label
@@ -41,6 +41,6 @@ func show_prompt(p_text: String) -> void:
 	_prompt.visible = p_text != ""
 
 
-## Says which delays the panel shows that a key opens.
+## Sets the latencies that the panel shows, which a key opens.
 func show_probe(p_probe: LatencyProbe) -> void:
 	_latency.probe = p_probe

@@ -11,7 +11,7 @@ const STATES: Dictionary[String, String] = {
 	"kick": "here",
 	"ban": "here",
 }
-## Begins an order that lets a trainee be calibrated; one of [constant ClientCalibration.KINDS]
+## Prefix of an order that has a trainee calibrated; one of [constant ClientCalibration.KINDS]
 ## follows.
 const CALIBRATE: String = "calibrate-"
 ## The order that loads another level.
@@ -26,7 +26,7 @@ const _ROW: Dictionary[String, Variant.Type] = {
 	"session": TYPE_INT,
 }
 
-## Why the orders make no sense, or an empty text.
+## Why the orders are invalid, or an empty text.
 var error: String = ""
 
 var _orders: Array[PackedStringArray] = []

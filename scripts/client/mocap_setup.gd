@@ -5,7 +5,7 @@ extends CanvasLayer
 
 ## Input action that opens and closes the panel.
 const ACTION: StringName = &"toggle_devices"
-## How often devices are listed anew, s.
+## Period of updating the list of devices, s.
 const _PERIOD_S: float = 0.25
 
 ## The panel's scene; its root is a [DevicePanel].
@@ -13,7 +13,7 @@ const _PERIOD_S: float = 0.25
 
 ## The sources.
 var inputs: MotionInputs = MotionInputs.new()
-## Those whose motion is sent; null before [method open].
+## The people whose motion is sent; null before [method open].
 var people: ClientPeople = null
 
 var _listed_s: float = 0.0
@@ -23,7 +23,8 @@ var _panel: DevicePanel = null
 
 func _exit_tree() -> void:
 	if _panel != null:
-		# Debian's release build of the engine reports an error for everything that leaves a Container.
+		# Debian's release build of the engine reports an error for everything that leaves a
+		# Container.
 		Engine.print_error_messages = false
 		_panel.free()
 		Engine.print_error_messages = true
@@ -68,7 +69,7 @@ func calibrate(p_index: int, p_kind: int, p_now_s: float) -> void:
 	inputs.calibrate(source, p_kind as CalibrationGuide.Kind, p_now_s)
 
 
-## Gives all devices back.
+## Closes all devices.
 func close() -> void:
 	if people != null:
 		people.stop()

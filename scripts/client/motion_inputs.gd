@@ -3,14 +3,14 @@ extends RefCounted
 ## The motion sources that a client's options ask for: files, the suit on USB, MVN's stream, body
 ## trackers of other plugins, recordings of suits.
 
-## Somebody's motion can be had now.
+## A person's motion is available now.
 signal appeared(p_source: MotionSource, p_name: String)
-## Somebody's motion has ended.
+## A person's motion has ended.
 signal vanished(p_source: MotionSource)
 
-## No more trackers are waited for after so many seconds without a new one.
+## Seconds without a new tracker after which no more are expected.
 const _SETTLE_S: float = 1.0
-## What has not come after so many seconds is logged.
+## Seconds after which a missing source is logged.
 const _ABSENT_S: float = 2.0
 
 ## The suits on USB or of a recording, or null.
@@ -125,7 +125,7 @@ func guide(p_now_s: float) -> String:
 	return text
 
 
-## Gives all devices back.
+## Closes all devices.
 func close() -> void:
 	if _playback != null:
 		_playback.close()
@@ -137,7 +137,7 @@ func close() -> void:
 		_recorder.close()
 
 
-## Logs once what does not come, for those who see no screen.
+## Logs once which sources are missing, for those who see no screen.
 func _notice_absence(p_now_s: float) -> void:
 	if _began_s < 0.0:
 		_began_s = p_now_s
@@ -232,7 +232,7 @@ func _follow(p_stream: MvnStream) -> void:
 	p_stream.trackers_vanished.connect(_take_off)
 
 
-## Somebody wears sensors; what is kept of a person of that name is taken over.
+## Somebody wears sensors; the data kept under that person's name are loaded.
 func _wear(p_feed: SensorFeed, p_name: String) -> void:
 	var wearer: SuitSource = SuitSource.new(p_feed)
 	if p_name != "" and PersonProfile.find_name_fault(p_name) == "":

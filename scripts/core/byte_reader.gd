@@ -1,11 +1,11 @@
 class_name ByteReader
 extends RefCounted
-## Reads the fields of a packet from somebody unknown, one after the other, little-endian.
+## Reads the fields of a packet from an untrusted sender, one after the other, little-endian.
 ##
-## What cannot be read, or is not finite, sets [member failed] and gives zero. Nothing is reported
-## to the engine, as Godot's own decoders of Variants and UTF-8 do, so nobody can fill the log.
+## What cannot be read, or is not finite, sets [member failed] and gives zero. Unlike Godot's
+## own decoders of Variants and UTF-8 it reports no engine errors, so nobody can fill the log.
 
-## Whether a field was missing or made no sense.
+## Whether a field was missing or invalid.
 var failed: bool = false
 
 var _bytes: PackedByteArray = PackedByteArray()
@@ -17,7 +17,7 @@ func _init(p_bytes: PackedByteArray, p_begin: int = 0) -> void:
 	_at = p_begin
 
 
-## Whether every byte was read, and all made sense.
+## Whether every byte was read, and all were valid.
 func is_complete() -> bool:
 	return not failed and _at == _bytes.size()
 
@@ -78,7 +78,7 @@ func read_transform() -> Transform3D:
 	return Transform3D(x, y, z, read_vector())
 
 
-## So many bytes.
+## This many bytes.
 func read_bytes(p_size: int) -> PackedByteArray:
 	return _bytes.slice(_at - p_size, _at) if _take(p_size) else PackedByteArray()
 

@@ -5,11 +5,11 @@ extends RefCounted
 ## Lines that an outsider can provoke go through [method limited]: one per key in a while, with the
 ## number of those left out, so that nobody can flood the log.
 
-## Seconds between two lines of one key of [method limited].
+## Minimum seconds between two lines of one key of [method limited].
 const LIMIT_S: float = 5.0
-## Keys that are remembered at most; beyond it the oldest go.
+## Maximum of keys that are remembered; beyond it the oldest are dropped.
 const MAX_KEYS: int = 256
-## Lines of all kinds in a second at most; then those left out are counted. Errors always come.
+## Maximum of lines of all kinds in a second; further ones are counted. Errors are always written.
 const MAX_LINES: int = 100
 
 static var _last_usec: Dictionary[String, int] = {}
@@ -23,7 +23,7 @@ static func info(p_tag: String, p_text: String) -> void:
 	_write("INFO", p_tag, p_text)
 
 
-## Something that is not as it should be, while the work goes on.
+## Something that is wrong, while the work goes on.
 static func warning(p_tag: String, p_text: String) -> void:
 	_write("WARN", p_tag, p_text)
 

@@ -1,8 +1,8 @@
 class_name MotionDetails
 extends RefCounted
-## What a source knows of a moment beyond the limbs' rotations. All of it is optional.
+## What a source knows about a moment besides the limbs' rotations. All of it is optional.
 
-## What may be known of a foot.
+## What may be known about a foot.
 enum Contact {
 	## The source does not know.
 	UNKNOWN,

@@ -23,7 +23,7 @@ enum Kind {
 	FLAG,
 }
 
-## Longer numbers do not fit, and the engine reports an error of its own.
+## Longer numbers do not fit, and the engine would report an error.
 const _MAX_DIGITS: int = 10
 ## What stands for a value in help and errors.
 const _FORMS: Dictionary[Kind, String] = {
@@ -45,9 +45,9 @@ var kind: Kind = Kind.TEXT
 var roles: PackedStringArray = []
 ## What it is unless it is given: a text, an int or a float.
 var default_value: Variant = ""
-## What it can be at least, in its unit.
+## Its minimum, in its unit.
 var lowest: float = 0.0
-## What it can be at most, in its unit. Of a text: how many characters it has at most, 0 any number.
+## Its maximum, in its unit. Of a text: its maximum of characters, 0 for no limit.
 var highest: float = 0.0
 ## Unit of a number: "s", "degrees"; empty for counts.
 var unit: String = ""
@@ -61,7 +61,7 @@ var bare: String = ""
 var form: String = ""
 
 
-## An option that is any text, of a length at most; 0 is any length.
+## An option that is any text, with a maximum length; 0 for no limit.
 static func text(
 	p_name: String, p_roles: PackedStringArray, p_meaning: String, p_max_length: int = 0
 ) -> OptionRow:
@@ -194,7 +194,7 @@ func describe_default() -> String:
 	return _short(default_value) if default_value is float else str(default_value)
 
 
-## Reads a value. Returns null where it is none, see [method find_fault].
+## Reads a value. Returns null if it is invalid, see [method find_fault].
 func parse(p_value: String) -> Variant:
 	if find_fault(p_value) != "":
 		return null

@@ -1,13 +1,13 @@
 class_name Options
 extends RefCounted
-## What the user asked for: arguments after [code]--[/code], or environment variables of the same
+## The user's options: arguments after [code]--[/code], or environment variables of the same
 ## meaning ([code]--max-clients=8[/code] is [code]DISMOUNT_MAX_CLIENTS=8[/code]). Arguments win.
 ##
-## Which options there are is the program's business: it hands in an [OptionRow] for each.
+## The program defines the options: it passes an [OptionRow] for each.
 
 ## What is wrong with the arguments, or an empty text.
 var error: String = ""
-## The role that they are for, or an empty text: then each is taken.
+## The role that they are for, or an empty text: then options of all roles are accepted.
 var role: String = ""
 
 var _values: Dictionary[String, Variant] = {}
@@ -18,7 +18,7 @@ var _rows: Dictionary[String, OptionRow] = {}
 ## environment.
 ##
 ## An argument that [param p_role] does not take is refused; in the environment, which several
-## programs share, it is passed over.
+## programs share, it is ignored.
 static func parse(
 	p_rows: Array[OptionRow], p_arguments: PackedStringArray, p_role: String = ""
 ) -> Options:
@@ -41,7 +41,7 @@ func text(p_name: String) -> String:
 
 
 ## The value of an option that names a file, as a full path: a relative one counts from where the
-## program was started, not from where it lies. Empty if there is none.
+## program was started, not from the program's folder. Empty if there is none.
 func file(p_name: String) -> String:
 	return full_path(_values[p_name])
 

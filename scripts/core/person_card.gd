@@ -35,7 +35,7 @@ static func of(p_name: String, p_hip_height: float, p_index: int = 0) -> PersonC
 	return card
 
 
-## Takes over a size, m, as far as it is a person's: a length that is none counts as not known.
+## Sets a size, m, as far as it can be a person's: an impossible length counts as unknown.
 func take_size(p_hip_height: float, p_lengths: PackedFloat32Array) -> void:
 	if is_finite(p_hip_height):
 		hip_height = clampf(p_hip_height, MIN_HIPS_M + 0.01, MAX_HIPS_M - 0.01)

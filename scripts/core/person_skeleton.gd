@@ -11,7 +11,7 @@ const LONGEST_M: float = 10.0
 
 ## Index of each limb's parent, -1 for the root.
 var parents: PackedInt32Array = PackedInt32Array(Limbs.PARENTS)
-## The joint that holds each limb, in its parent's frame, m. Of no meaning for the root.
+## The joint that holds each limb, in its parent's frame, m. Not used for the root.
 var joints_in_parent: PackedVector3Array = PackedVector3Array()
 ## The same joint in the limb's own frame, m. That of the root is where the motion puts it.
 var joints_in_limb: PackedVector3Array = PackedVector3Array()

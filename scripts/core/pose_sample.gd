@@ -6,11 +6,11 @@ extends RefCounted
 ## sample times the inverse of the reset pose), so that they suit a body of any build. Frame:
 ## Godot's, right-handed, Y up.
 
-# What a quaternion's norm may be, for all that coding does to it.
+# Limits of a quaternion's norm, wide enough for all coding.
 const _MIN_NORM: float = 0.9
 const _MAX_NORM: float = 1.1
 
-## Which of its client's people it is of.
+## Which of its client's people it belongs to.
 var person: int = 0
 ## Number of the sample at its source; grows by one and wraps at 2^32.
 var id: int = 0
@@ -57,7 +57,7 @@ func find_fault() -> String:
 		return "the root is not within 10 km of the origin"
 	for limb: int in Limbs.COUNT:
 		var norm: float = orientation(limb).length()
-		# Written so that NaN is none either.
+		# Written so that NaN fails too.
 		if not (norm > _MIN_NORM and norm < _MAX_NORM):
 			return "%s has no rotation (norm %f)" % [Limbs.BONES[limb], norm]
 	return ""

@@ -18,7 +18,7 @@ func is_due() -> bool:
 	return _path != "" and Time.get_ticks_usec() - _written_usec > int(PERIOD_S * 1e6)
 
 
-## Writes the stats; the file is replaced whole, never half.
+## Writes the stats; the file is replaced as a whole.
 func write(p_stats: Dictionary) -> void:
 	if _path == "":
 		return

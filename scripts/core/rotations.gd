@@ -1,6 +1,6 @@
 class_name Rotations
 extends RefCounted
-## What calibration needs to know of rotations, exact for small angles too.
+## Functions of rotations for calibration, exact for small angles too.
 ##
 ## [method Quaternion.angle_to] goes by an arc cosine, which in single precision cannot distinguish
 ## angles below 0.04 degrees.
@@ -84,8 +84,7 @@ static func mean(p_rotations: Array[Quaternion], p_robust_rad: float = 0.0) -> Q
 	return found
 
 
-## A start for the mean that no single odd one can be: of a few, that which is nearest to the
-## others.
+## A start value for the mean that is no outlier: of a few, the one that is nearest to the others.
 static func _middle_most(p_rotations: Array[Quaternion]) -> Quaternion:
 	var few: Array[Quaternion] = []
 	for at: int in range(0, p_rotations.size(), maxi(p_rotations.size() / 12, 1)):

@@ -5,7 +5,7 @@ extends RefCounted
 
 ## Ticks that are remembered.
 const KEPT: int = 256
-## Of so many of a person's poses one is compared.
+## One of this many of a person's poses is compared.
 const EVERY: int = 8
 
 ## Poses that two or more clients have reported.

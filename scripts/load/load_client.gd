@@ -1,10 +1,10 @@
 class_name LoadClient
 extends RefCounted
-## One client of a load run: everything that a client does but showing the world.
+## One client of a load run: it does everything that a client does except displaying the world.
 
 ## Seconds between two attempts to reach the server.
 const RETRY_S: float = 2.0
-## One of so many polls samples the ages.
+## The ages are sampled once in this many polls.
 const AGES_EVERY: int = 3
 
 ## Shown to the others.
@@ -13,7 +13,7 @@ var name: String = ""
 var replica: WorldReplica = WorldReplica.new()
 ## What has been counted since [method begin_counting].
 var stats: LoadStats = LoadStats.new()
-## Why the server does not want this client, or an empty text.
+## Why the server refuses this client, or an empty text.
 var refusal: String = ""
 
 var _options: Options = null
@@ -67,7 +67,7 @@ func is_joined() -> bool:
 	return _link.is_joined()
 
 
-## Takes in what has come, acknowledges it, and counts.
+## Processes what has arrived, acknowledges it, and counts.
 func poll() -> void:
 	_link.poll()
 	var now: int = Time.get_ticks_usec()
@@ -92,7 +92,7 @@ func begin_counting() -> void:
 	stats = LoadStats.new()
 
 
-## The people of whom something is known and who are there.
+## The people who are there and whose state is known.
 func people_known() -> int:
 	var known: int = 0
 	for row: EntityRow in replica.table.people():
@@ -125,7 +125,7 @@ func close() -> void:
 	_link.close()
 
 
-## How long ago the ticks began whose poses are the newest that are known.
+## For each person, how long ago the tick of the newest known pose began.
 func _sample_ages(p_now_usec: int) -> void:
 	if not _link.clock.is_known():
 		return

@@ -6,7 +6,7 @@ extends Node
 ## [code]--duration[/code] seconds; then the report is written, and they stay until the process is
 ## ended, so that the server can be looked at while they are there.
 
-## How far the run has come.
+## The stage of the run.
 enum Stage {
 	## Not everybody is there yet.
 	JOINING,
@@ -18,9 +18,9 @@ enum Stage {
 	DONE,
 }
 
-## Most trainees, and most observers.
+## Maximum of trainees, and of observers.
 const MAX_CLIENTS: int = 500
-## Each client is polled so often, as displays of 60 frames per second would.
+## Rate of polling each client, as displays of 60 frames per second would.
 const POLLS_PER_SECOND: int = 60
 ## Frames in which all clients have their turn: they are not polled all at once.
 const TURNS: int = 4

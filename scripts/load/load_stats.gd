@@ -10,7 +10,7 @@ var bytes: int = 0
 var ages: LatencyHistogram = LatencyHistogram.new()
 ## Ages that could not be measured, as nothing was known of somebody who was there.
 var unknown: int = 0
-## From a sample in a suit to this client's knowing of it.
+## From a sample in a suit to its arrival at this client.
 var probe: LatencyProbe = LatencyProbe.new()
 ## Connections that were lost.
 var lost: int = 0
@@ -18,7 +18,7 @@ var lost: int = 0
 var returned: int = 0
 
 
-## Notes what became of a datagram.
+## Records the outcome of a datagram.
 func took(p_outcome: SnapshotDecoder.Outcome, p_size: int) -> void:
 	outcomes[p_outcome] += 1
 	bytes += p_size

@@ -66,7 +66,7 @@ func session() -> int:
 
 
 func send_fast(_bytes: PackedByteArray) -> void:
-	# Nobody is there who would take it.
+	# There is no server to take it.
 	pass
 
 

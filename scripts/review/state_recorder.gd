@@ -10,7 +10,7 @@ extends RefCounted
 const MAGIC: String = "DSMTREC4"
 ## The only byte of a record that says that a connection begins: what came before is void.
 const BEGIN: int = 0xFF
-## Number by which a server's encoder knows its recorder; no session has it.
+## Number of the recorder in a server's encoder; no session has it.
 const CLIENT: int = -1
 ## Seconds between two flushes to the disk.
 const FLUSH_S: float = 1.0
@@ -31,7 +31,7 @@ func open(p_path: String) -> String:
 	return ""
 
 
-## Notes that what follows comes from a connection that has just begun.
+## Records that a new connection has begun.
 func begin() -> void:
 	add(PackedByteArray([BEGIN]))
 

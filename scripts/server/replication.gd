@@ -16,11 +16,11 @@ var _cache: EntityTableCache = null
 var _changes: EntityTableMessage = EntityTableMessage.new()
 var _known_types: int = 0
 var _defined_types: int = 0
-## Who is there, and who has not got the whole table yet.
+## The sessions, and those that have not been sent the whole table yet.
 var _sessions: PackedInt32Array = PackedInt32Array()
 var _newcomers: PackedInt32Array = PackedInt32Array()
 var _recorder: StateRecorder = null
-## When a client came or returned, µs, and what it has said of itself.
+## When a client came or returned, µs, and its own stats.
 var _since_usec: Dictionary[int, int] = {}
 var _client_stats: Dictionary[int, Dictionary] = {}
 
@@ -50,8 +50,8 @@ func _init(
 	_people.person_attached.connect(_on_person_attached)
 
 
-## Records all that is sent, before it is thinned out for a client, to a file; an empty
-## path is none. Returns why it cannot, or an empty text.
+## Records to a file everything of every tick, without a client's limits; an empty path means none.
+## Returns why it cannot, or an empty text.
 func record_to(p_path: String) -> String:
 	if p_path == "":
 		return ""
@@ -72,7 +72,7 @@ func close() -> void:
 		_recorder.close()
 
 
-## Finds out which parts of the level can be seen from which. Needs the physics space to have been
+## Computes which parts of the level can be seen from which. Needs the physics space to have been
 ## stepped since the level came.
 func survey() -> void:
 	var begin: int = Time.get_ticks_usec()
@@ -88,7 +88,7 @@ func survey() -> void:
 	Log.info("server", "%d cells, %.0f %% of pairs in sight of each other (%.0f ms)" % parts)
 
 
-## Takes a client in, also one that returns: it knows nothing yet. A rate of 0 means every tick.
+## Adds a client, also one that returns: it has no state yet. A rate of 0 means every tick.
 func add_client(p_session: int, p_rate: int) -> void:
 	remove_client(p_session)
 	_sessions.append(p_session)
@@ -218,7 +218,7 @@ func _on_entity_added(p_row: EntityRow, p_node: Entity, p_body: PhysicsBody3D) -
 	if p_body != null:
 		encoder.add_body(p_row.id, p_body.get_rid())
 	elif p_node != null and p_node.get_parent() is Node3D and p_row.id != EntityTable.WORLD:
-		# Who is far away hears of it later.
+		# Clients that are far away get it later.
 		encoder.set_position(p_row.id, (p_node.get_parent() as Node3D).global_position)
 
 
@@ -250,10 +250,10 @@ func _on_person_attached(p_person: ServerPeople.Person, p_carrier: int) -> void:
 			encoder.set_field(p_person.id, type.find_field(field), values[field])
 
 
-## Everybody begins anew in another level.
+## Everybody starts again in another level.
 func _on_level_changed() -> void:
 	_changes = EntityTableMessage.new()
-	# What could be seen from where in the last level is of no meaning in this one.
+	# The visibility of the last level does not apply to this one.
 	encoder.set_cells(Vector3.ZERO, 0.0, Vector3i.ZERO, PackedByteArray())
 	# Now, while everybody waits anyway, and not in the tick in which somebody joins.
 	_cache.encode(_error_deg)

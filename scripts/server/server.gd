@@ -3,8 +3,8 @@ extends Node
 ## The dedicated server: simulates the world, drives each trainee's ragdoll, sends everybody the
 ## state.
 ##
-## A tick: take in what has arrived, set the motors, let Jolt step; right after the step the new
-## state goes out, in the same frame.
+## A tick: process what has arrived, set the motors, let Jolt step; right after the step the new
+## state is sent, in the same frame.
 
 ## What --root can be: inertial finds travel from the feet, as a suit without positions needs it.
 const ROOTS: Dictionary[String, RagdollMotor.RootMode] = {
@@ -57,7 +57,7 @@ func _ready() -> void:
 		_open_world()
 
 
-## Puts the parts together; the level comes last, as all others listen to what is in it.
+## Sets the parts up; the level comes last, as all others listen to its signals.
 func _open_world() -> void:
 	var bits: float = _options.number("bandwidth") * 1000.0
 	var error: float = _options.degrees("pose-error")

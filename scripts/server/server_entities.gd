@@ -1,14 +1,14 @@
 class_name ServerEntities
 extends EntityHost
-## The server's side of all entities: sets their fields, gives them the commands that come, and
+## The server's side of all entities: sets their fields, gives them the commands of clients, and
 ## sends their events.
 
-## A session sent a command that it may not, or that makes no sense.
+## A session sent a command that it may not, or that is invalid.
 signal command_refused(p_session: int, p_why: String)
 
 ## Ticks for which an unreliable event is repeated.
 const REPEATS: int = 4
-## Events in one tick at most; more would be no use to anybody.
+## Maximum of events in one tick.
 const MAX_EVENTS_PER_TICK: int = 64
 
 var _link: ServerLink = null
@@ -38,13 +38,13 @@ func _init(
 	)
 
 
-## Takes a node in that is an entity of a row.
+## Registers the node of a row's entity.
 func bind(p_row: EntityRow, p_node: Entity) -> void:
 	_nodes[p_row.id] = p_node
 	p_node.start(self, p_row.id, p_row.values)
 
 
-## Gives the entities the commands whose time has come. Call it once a tick, before the step.
+## Gives the entities the commands that are due. Call it once a tick, before the step.
 func advance(p_tick: int, p_tick_rate: int) -> void:
 	_tick = p_tick
 	for session: int in _queues:
@@ -77,7 +77,7 @@ func add_session(p_session: int) -> void:
 func remove_session(p_session: int) -> void:
 	_queues.erase(p_session)
 	_refusals.erase(p_session)
-	# Who sits in something possesses it.
+	# The occupant of a seat possesses it.
 	for id: int in _possession.entities_of(p_session):
 		for seat: Seat in seats_of(_nodes[id]):
 			if seat.occupant() == p_session:
@@ -91,7 +91,7 @@ func refused_commands(p_session: int) -> int:
 	return _refusals.get(p_session, 0) + (queue.refused if queue != null else 0)
 
 
-## The level goes: nothing that waits is of any meaning in the next one.
+## The level goes: what waits does not apply to the next one.
 func forget_waiting() -> void:
 	_reliable.clear()
 	_unreliable.clear()
@@ -129,7 +129,7 @@ func send_event(p_entity: int, p_event: int, p_values: PackedFloat32Array) -> vo
 	var event: EntityEvent = EntityEvent.new()
 	event.number = _next_event
 	_next_event = (_next_event + 1) & 0xFFFF
-	# What is sent during a tick's work is seen with the state that the tick ends in.
+	# Events that are sent during a tick are seen with the state at the tick's end.
 	event.tick = _tick
 	event.entity = p_entity
 	event.event = p_event
@@ -160,7 +160,7 @@ func carry(p_limb: Node3D, p_entity: int) -> void:
 func put_down(p_limb: Node3D, p_entity: int) -> void:
 	var node: Entity = _nodes.get(p_entity)
 	var person: ServerPeople.Person = _people.find_by_limb(p_limb)
-	# Who sits in something that leaves the area stays in it.
+	# An occupant whose seat leaves the area stays in it.
 	if person != null and node != null and person.carrier == node.get_body():
 		_people.detach_person(person)
 
@@ -211,7 +211,9 @@ func _apply(p_session: int, p_command: EntityCommand) -> void:
 	var session: Session = _link.session(p_session)
 	if session != null:
 		_link.complain(session, "command", "sent a command that was refused: %s" % fault)
-		command_refused.emit(p_session, "%s sent a command that was refused: %s" % [session.describe(), fault])
+		command_refused.emit(
+			p_session, "%s sent a command that was refused: %s" % [session.describe(), fault]
+		)
 
 
 func _find_fault(

@@ -15,7 +15,7 @@ const PROP_TYPE: StringName = &"prop"
 ## Type of the world's own entity where the level names none.
 const WORLD_TYPE: StringName = &"world"
 
-## Which entities there are.
+## The table of entities.
 var table: EntityTable = EntityTable.new()
 ## The level, or null before one is loaded.
 var level: Level = null
@@ -28,8 +28,8 @@ var _prop_type: EntityType = _make_type(PROP_TYPE, EntityType.Body.RIGID)
 var _world_type: EntityType = _make_type(WORLD_TYPE, EntityType.Body.NONE)
 
 
-## Replaces the present level by another: all entities go, those of the level come. Returns
-## why it cannot, or an empty text; then nothing has changed.
+## Replaces the present level and all its entities by another. Returns an empty text, or why it
+## cannot; then nothing has changed.
 func load_level(p_name: String, p_tick: int = 0) -> String:
 	if not LevelStore.has(p_name):
 		return LevelStore.describe_missing(p_name)
@@ -56,7 +56,7 @@ func message() -> PackedByteArray:
 
 
 ## Adds an instance of a scene to the running level. Its root, or a node below it, is an [Entity].
-## Returns the entity, or null where that cannot be.
+## Returns the entity, or null if that is not possible.
 func add_instance(
 	p_path: String, p_transform: Transform3D, p_tick: int, p_owner: int = 0
 ) -> Entity:

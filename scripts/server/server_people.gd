@@ -22,7 +22,7 @@ const _LONGEST_STEP_USEC: int = 655000
 ## Distance between people who start where there is no free [SpawnPoint].
 @export_range(0.5, 10.0, 0.1, "suffix:m") var spacing: float = 1.5
 
-## Where people's travel comes from, and who holds them.
+## How people's travel is found and how their hips follow.
 var root_mode: RagdollMotor.RootMode = RagdollMotor.ROOT_SOFT
 ## The server's tick.
 var tick: int = 0
@@ -62,7 +62,7 @@ class Person:
 	var delay: Statistics = Statistics.recent()
 
 
-## Takes over the table that people are entities of.
+## Sets the table of entities.
 func setup(p_table: EntityTable) -> void:
 	_table = p_table
 
@@ -108,7 +108,7 @@ func _add(p_session: int, p_card: PersonCard, p_name: String) -> void:
 		person.ragdoll.queue_free()
 
 
-## Takes all bodies of a session away.
+## Removes all bodies of a session.
 func remove(p_session: int) -> void:
 	for index: int in PersonCard.MAX_PEOPLE:
 		_remove(_key(p_session, index))
@@ -123,7 +123,7 @@ func _remove(p_key: int) -> void:
 		_people.erase(p_key)
 
 
-## The people, in the order of their coming.
+## The people, in the order in which they came.
 func list() -> Array[Person]:
 	return _people.values()
 
@@ -165,14 +165,14 @@ func drive(p_now_s: float, p_delta_s: float) -> void:
 	RagdollMotor.drive_all(motors, moments, p_delta_s)
 
 
-## Notes how well everybody followed, after a step.
+## Measures how well everybody followed, after a step.
 func measure() -> void:
 	for person: Person in _people.values():
 		if person.newest != null:
 			person.ragdoll.motor.measure(person.moment_s)
 
 
-## Hands over what [method measure] has read of everybody's bodies, so that they are read once.
+## Passes on the states of bodies that [method measure] has read, so that they are read once.
 func hand_poses(p_encoder: SnapshotEncoder) -> void:
 	for person: Person in _people.values():
 		if person.newest != null:
@@ -194,7 +194,7 @@ func mark(p_encoder: SnapshotEncoder, p_now_usec: int) -> void:
 		p_encoder.set_mark(person.id, newest.id, p_now_usec, steps)
 
 
-## Stats of everybody for a report: who is there, then who left last.
+## Stats of everybody for a report: those present, then those who left last.
 func stats() -> Array[Dictionary]:
 	var result: Array[Dictionary] = []
 	for person: Person in _people.values():
@@ -215,7 +215,7 @@ static func _key(p_session: int, p_index: int) -> int:
 	return p_session * PersonCard.MAX_PEOPLE + p_index
 
 
-## Takes everybody out of the table: the level goes.
+## Removes everybody from the table: the level goes.
 func leave() -> void:
 	for person: Person in _people.values():
 		person.carrier = null
@@ -278,7 +278,7 @@ func detach_person(p_person: Person) -> void:
 	var frame: Transform3D = p_person.carrier.global_transform * p_person.seat
 	p_person.carrier = null
 	p_person.carrier_id = -1
-	# The frame stays turned as it is: nobody is twisted by getting off.
+	# The frame stays turned as it is, so that getting off turns nobody.
 	p_person.ragdoll.motor.set_frame(frame)
 	person_attached.emit(p_person, -1)
 
@@ -301,7 +301,7 @@ func _enter(p_person: Person) -> void:
 	person_added.emit(p_person)
 
 
-## Sets the frames of those who are carried, for a step of so many s.
+## Sets the frames of those who are carried, for a step of this length, s.
 func _carry(p_delta_s: float) -> void:
 	for person: Person in _people.values():
 		if person.carrier != null and is_instance_valid(person.carrier):

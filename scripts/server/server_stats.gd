@@ -9,8 +9,8 @@ const RECENT_TICKS: int = 600
 var script_time: Statistics = Statistics.recent()
 ## Time of reading, encoding and handing over snapshots, s.
 var send_time: Statistics = Statistics.recent()
-## Processor time that the main thread spends on the network in a tick, s: taking in what has come,
-## reading, encoding and handing over snapshots.
+## Processor time that the main thread spends on the network in a tick, s: processing what has
+## arrived, reading, encoding and handing over snapshots.
 var network_time: Statistics = Statistics.recent()
 ## All of it so far, µs.
 var network_usec: int = 0
@@ -30,7 +30,7 @@ func _init(p_tick_rate: float) -> void:
 	watch = TickWatch.new(p_tick_rate)
 
 
-## Notes a frame, at a time in µs.
+## Records a frame, at a time in µs.
 func frame(p_now_usec: int) -> void:
 	# A loaded machine catches up with its start in the first second.
 	if _settled_usec == 0 and p_now_usec - _began_usec > 1000000:
@@ -40,7 +40,7 @@ func frame(p_now_usec: int) -> void:
 		_status_tick = ticks
 
 
-## Notes processor time of a tick's network work in the main thread, µs.
+## Records processor time of a tick's network work in the main thread, µs.
 func networked(p_usec: int) -> void:
 	network_usec += p_usec
 	network_time.add(p_usec / 1e6)
@@ -59,7 +59,7 @@ func ticks_per_second() -> float:
 	return (ticks - _settled_tick) / maxf(span, 0.001)
 
 
-## A line for the log, of what has been since the last.
+## A line for the log, about the time since the last one.
 func describe(p_clients: int, p_people: int) -> String:
 	var now: int = Time.get_ticks_usec()
 	var rate: float = (ticks - _status_tick) / maxf((now - _status_usec) / 1e6, 0.001)
@@ -102,7 +102,7 @@ func report(p_link: ServerLink, p_sending: Replication, p_people: Array) -> Dict
 	}
 
 
-## The same of the last seconds only, without what was when everybody came.
+## The same for the last seconds only, without the time when everybody joined.
 func _recent() -> Dictionary:
 	var result: Dictionary = {"ticks": mini(RECENT_TICKS, script_time.count())}
 	for pair: Array in [[0.5, "p50"], [0.99, "p99"]]:

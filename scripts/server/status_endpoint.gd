@@ -3,11 +3,11 @@ extends RefCounted
 ## Serves a server's stats to whoever asks on this machine: HTTP on 127.0.0.1, JSON.
 ##
 ## [code]curl http://127.0.0.1:7777/[/code]. Meant for operators and their monitoring; nobody else
-## can reach it. Requests are few, short and soon over, or they are dropped.
+## can reach it. Requests must be few, short and quick, or they are dropped.
 
-## Requests that are answered at a time.
+## Maximum of requests at a time.
 const MAX_REQUESTS: int = 8
-## Bytes of a request's head.
+## Maximum of bytes of a request's head.
 const LONGEST_HEAD: int = 4096
 ## Time for a request, and without progress of the reply, µs.
 const PATIENCE_USEC: int = 2000000
@@ -29,7 +29,7 @@ func open(p_port: int) -> Error:
 	return _server.listen(p_port, "127.0.0.1")
 
 
-## Answers who has asked; [param p_stats] is called for a [Dictionary] only if somebody has.
+## Answers requests; [param p_stats] is called for a [Dictionary] only if there is one.
 func poll(p_stats: Callable) -> void:
 	while _server.is_connection_available():
 		var request: Request = Request.new()
@@ -45,7 +45,7 @@ func poll(p_stats: Callable) -> void:
 			_requests.erase(request)
 
 
-## Ends it.
+## Closes it.
 func close() -> void:
 	for request: Request in _requests:
 		request.stream.disconnect_from_host()
@@ -75,13 +75,13 @@ func _serve(p_request: Request, p_stats: Callable) -> bool:
 func _read(p_request: Request, p_stats: Callable) -> void:
 	var waiting: int = p_request.stream.get_available_bytes()
 	if waiting > 0:
-		# All of it: closing a connection with something unread would tear up the reply.
+		# All of it: closing a connection with unread bytes would cut the reply off.
 		var bytes: PackedByteArray = p_request.stream.get_data(waiting)[1]
 		p_request.head.append_array(bytes.slice(0, LONGEST_HEAD + 1))
 	if p_request.head.size() > LONGEST_HEAD:
 		p_request.reply = _reply("431 Request Header Fields Too Large", {"error": "too long"})
 		return
-	# Bytes, not text: what a stranger sends need not be any.
+	# Bytes, not text: a stranger's request may be invalid text.
 	var head: String = p_request.head.get_string_from_ascii()
 	if not head.contains("\r\n\r\n"):
 		return

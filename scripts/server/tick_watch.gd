@@ -5,7 +5,7 @@ extends RefCounted
 
 ## Span over which the rate is judged, s.
 const WINDOW_S: float = 1.0
-## Below this part of the rate the world counts as slow, and above that as well again.
+## Below the first share of the rate the world counts as slow, above the second as normal again.
 const SLOW: float = 0.95
 const WELL: float = 0.98
 ## Time after the start that does not count, s: a loaded machine catches up with it.
@@ -28,7 +28,7 @@ func _init(p_rate: float) -> void:
 	_rate = p_rate
 
 
-## Notes a tick at a time, s. Returns whether [member is_slow] has just changed.
+## Records a tick at a time, s. Returns whether [member is_slow] has just changed.
 func ticked(p_now_s: float) -> bool:
 	if _began_s < 0.0:
 		_began_s = p_now_s

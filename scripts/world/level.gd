@@ -119,9 +119,9 @@ func get_cameras() -> Array[Camera3D]:
 	return found
 
 
-## A number that is the same wherever the level is: of shapes and positions of what never moves, of
-## props and of entities. What is only seen does not count, as a dedicated server has none of it.
-## The level must be in the tree and nothing may have moved yet.
+## A hash of the level that is the same on all machines: of shapes and positions of static bodies,
+## of props and of entities. Visual nodes do not count, as a dedicated server has none. The level
+## must be in the tree and nothing may have moved yet.
 func fingerprint() -> PackedByteArray:
 	var context: HashingContext = HashingContext.new()
 	context.start(HashingContext.HASH_SHA256)

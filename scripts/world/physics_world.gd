@@ -17,7 +17,7 @@ var _frames: Dictionary[int, Array] = {}
 var _fixed: Array[Node3D] = []
 
 
-## Draws what never moves in a level anew; [param p_differs] where the server's is another one.
+## Draws the static bodies of a level again; [param p_differs] if the server's level differs.
 func set_level(p_level: Level, p_differs: bool = false) -> void:
 	for frame: Node3D in _fixed:
 		frame.queue_free()
@@ -48,7 +48,7 @@ func add_person(p_id: int, p_bodies: Array[PhysicsBody3D]) -> void:
 	_frames[p_id] = frames
 
 
-## Draws an entity no longer.
+## Removes an entity.
 func remove(p_id: int) -> void:
 	for frame: Node3D in _frames.get(p_id, []):
 		frame.queue_free()

@@ -1,13 +1,13 @@
 class_name VisibilityCells
 extends RefCounted
-## Which parts of a world can be seen from which: a grid of cells, tried out with rays against what
-## never moves (potentially visible sets, thesis sections 4.2.2 and 7.2).
+## Which parts of a world can be seen from which: a grid of cells, tested with rays against
+## static bodies (potentially visible sets, thesis sections 4.2.2 and 7.2).
 
-## Cells at most; a larger world gets larger ones.
+## Maximum of cells; a larger world gets larger ones.
 const MAX_CELLS: int = 256
 ## Smallest edge of a cell, m.
 const MIN_M: float = 4.0
-## How far a world may reach, m.
+## Maximum extent of a world, m.
 const FARTHEST_M: float = 2000.0
 
 ## Corner of the grid with the least coordinates, m.
@@ -79,7 +79,7 @@ func _sees(
 	return false
 
 
-## A few points of a cell: its middle and four of its corners, drawn in a little.
+## A few points of a cell: its middle and four of its corners, moved inwards a little.
 func _points(p_cell: int) -> Array[Vector3]:
 	var middle: Vector3 = origin + (Vector3(_cell_index(p_cell)) + Vector3.ONE * 0.5) * size
 	var points: Array[Vector3] = [middle]

@@ -41,7 +41,7 @@ func set_shown(p_name: StringName, p_shown: bool) -> void:
 	changed.emit()
 
 
-## Shows and hides the nodes as it is set: another level has other ones.
+## Applies the visibility to the nodes: another level has other ones.
 func refresh() -> void:
 	for each: StringName in NAMES:
 		for root: Node3D in _roots(each):

@@ -14,13 +14,13 @@ const LENGTH: int = 150
 const NAME_WIDTH: float = 88.0
 ## Width of the newest value, px.
 const VALUE_WIDTH: float = 44.0
-## Colours of Okabe and Ito, which colour-blind people tell apart.
+## Colours of Okabe and Ito, which colour-blind people can distinguish.
 const COLOURS: Array[Color] = [
 	Color(0.34, 0.71, 0.91), Color(0.9, 0.62, 0.0), Color(0.94, 0.89, 0.36)
 ]
 ## Saturation above the limit: darker than the rest, too, not only another hue.
 const OVER: Color = Color(1.0, 0.3, 0.22)
-## A scale ends no lower than here: degrees, N m, percent.
+## Minimum end of a scale: degrees, N m, percent.
 const MIN_TOPS: Array[float] = [5.0, 10.0, 120.0]
 
 const _BACK: Color = Color(0.09, 0.1, 0.12, 0.85)
@@ -29,7 +29,7 @@ const _FONT_SIZE: int = 13
 const _SMALL_SIZE: int = 10
 const _GAP: float = 4.0
 
-## What is written before the curves.
+## The label before the curves.
 var title: String = ""
 
 ## Ring buffers, one behind the other; the oldest value is at [member _next].
@@ -125,7 +125,7 @@ func _draw_curve(p_curve: Trace, p_font: Font, p_base: float) -> void:
 	)
 
 
-## What the upper edge stands for, on a ground of its own so that curves do not cross it.
+## The value of the upper edge, on its own background so that curves do not cross it.
 func _draw_top(p_frame: Rect2, p_top: float, p_font: Font) -> void:
 	var text: String = "%d" % roundi(p_top)
 	var left: int = HORIZONTAL_ALIGNMENT_LEFT
@@ -135,7 +135,7 @@ func _draw_top(p_frame: Rect2, p_top: float, p_font: Font) -> void:
 	draw_string(p_font, corner, text, left, -1, _SMALL_SIZE, _PALE)
 
 
-## Where the joint gives all that it has.
+## The joint's limit.
 func _draw_limit(p_frame: Rect2, p_top: float) -> void:
 	var height: float = p_frame.end.y - p_frame.size.y * 100.0 / p_top
 	var from: Vector2 = Vector2(p_frame.position.x, height)

@@ -3,7 +3,7 @@ extends PanelContainer
 ## The plots of all limbs, one below the other, under a heading with the units.
 
 const _HEADINGS: Array[String] = ["error, deg", "torque, N m", "saturation, %"]
-## Every so many ticks a value is kept: the largest of them, so that no peak gets lost.
+## A value is kept every so many ticks: the largest of them, so that no peak gets lost.
 const _TICKS: int = 2
 ## Time between two drawings, s.
 const _REDRAW_S: float = 0.05
@@ -74,7 +74,7 @@ static func shorten(p_bone: String) -> String:
 	return text.left(1) + text.substr(1).to_lower()
 
 
-## What the columns are.
+## The headings of the columns.
 class _Heading:
 	extends Control
 

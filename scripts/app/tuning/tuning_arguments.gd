@@ -1,6 +1,6 @@
 class_name TuningArguments
 extends RefCounted
-## What the tuning scene was asked for on the command line.
+## The command line of the tuning scene.
 
 ## The clip; empty for the scene's own.
 var bvh: String = ""

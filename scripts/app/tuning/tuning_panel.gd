@@ -3,7 +3,7 @@ extends PanelContainer
 ## The knobs of the tuning scene. All of them can be reached and turned by the keyboard: Tab,
 ## arrow keys, Space; Escape gives the arrow keys to the camera.
 
-## A way to drive a strength group (all with an empty name), within [param blend_s] seconds.
+## How to drive a strength group (all with an empty name), within [param blend_s] seconds.
 signal actuation_chosen(mode: RagdollMotor.Actuation, group: StringName, blend_s: float)
 ## Who holds the hips.
 signal root_mode_chosen(mode: RagdollMotor.RootMode)
@@ -23,9 +23,9 @@ signal group_chosen(group: StringName)
 signal ball_asked
 ## A crate is to be dropped.
 signal crate_asked
-## All is to begin anew.
+## Everything is to be reset.
 signal reset_asked
-## Time is to stand still, or to go on.
+## Time is to stop, or to go on.
 signal pause_toggled(is_on: bool)
 
 ## Width of the names before the knobs, px.

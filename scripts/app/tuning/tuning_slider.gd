@@ -37,7 +37,7 @@ func _init(p_title: String, p_range: Vector3, p_unit: String, p_zero: String = "
 	_show()
 
 
-## Shows a value without telling anybody.
+## Shows a value without emitting a signal.
 func show_value(p_value: float) -> void:
 	slider.set_value_no_signal(p_value)
 	_show()

@@ -4,7 +4,7 @@ extends Node3D
 ##
 ## The settings outlive [method reset], which makes the ragdoll anew.
 
-## The ragdoll is there anew; its motor has the settings.
+## The ragdoll has been made again; its motor has the settings.
 signal began
 ## A tick has been measured: for each limb of the profile its error (degrees), its joint's torque
 ## (N m) and that torque as a share of the greatest (1 is at the limit).
@@ -17,7 +17,7 @@ const _BALL_RADIUS_M: float = 0.12
 const _BALL_SPEED: float = 10.0
 const _BALL_FROM_M: float = 3.0
 const _CRATE_HEIGHT_M: float = 1.0
-## More things than that, and the oldest goes.
+## Maximum of things; beyond it the oldest is removed.
 const _MAX_THINGS: int = 20
 
 ## The person, a [Ragdoll].
@@ -31,7 +31,7 @@ var ragdoll: Ragdoll = null
 var time_s: float = 0.0
 ## Whether the sample that follows the tick is known already, as with a buffer of one tick.
 var has_buffer: bool = false
-## How often the guard did what, by flag.
+## How often the guard acted, by flag.
 var guard_counts: Dictionary[int, int] = {}
 
 var _source: BvhSource = null
@@ -62,8 +62,8 @@ func _physics_process(p_delta: float) -> void:
 	measured.emit(errors, ragdoll.motor.get_limb_torques(), ragdoll.motor.get_limb_saturations())
 
 
-## Plays a BVH file from its beginning. Where it cannot, the person stands in the reset pose;
-## returns why, or an empty text.
+## Plays a BVH file from its beginning. If it cannot, the person stands in the reset pose; returns
+## why, or an empty text.
 func play(p_file: String) -> String:
 	var source: BvhSource = BvhSource.new()
 	source.open(p_file)
@@ -72,7 +72,7 @@ func play(p_file: String) -> String:
 	return source.error
 
 
-## Makes the person anew, at the beginning of the clip, and takes away what was thrown.
+## Makes the person again, at the beginning of the clip, and removes what was thrown.
 func reset() -> void:
 	for thing: RigidBody3D in _things:
 		thing.queue_free()
