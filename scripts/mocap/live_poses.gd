@@ -3,9 +3,9 @@ extends RefCounted
 ## Poses of a live source, to be asked for at any moment.
 ##
 ## A source measures in its own time, samples are taken in the server's: asked for the newest pose
-## only, the server would get now a fresh one and now an old one, and would have to guess on. So it
-## is asked for the pose of a moment a little more than one period back, which lies between two that
-## were measured. For one thread.
+## only, the server would sometimes get a fresh one and sometimes an old one, and would have to
+## extrapolate. So it is asked for the pose of a moment a little more than one period back, which
+## lies between two that were measured. For one thread.
 
 ## How much further back than one period, s: the usual jitter of the path from the source.
 const MARGIN_S: float = 0.002

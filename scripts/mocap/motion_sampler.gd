@@ -3,18 +3,19 @@ extends RefCounted
 ## Samples [MotionSource]s at exact times in a thread of its own, however slow the display is.
 ##
 ## The samples of a moment go to a callable together and at once, in that thread, and wait here for
-## whoever shows the own bodies. The times can be locked to another clock, so that samples reach the
-## server shortly before its ticks. While it runs nobody else may ask the sources for samples. It
-## must be stopped: a running thread keeps it alive.
+## the display of the own bodies. The times can be locked to another clock, so that samples reach
+## the server shortly before its ticks. While it runs nobody else may ask the sources for samples.
+## It must be stopped: a running thread keeps it alive.
 
-## Samples of a source that wait for [method take_samples] at most; beyond it the oldest go.
+## Maximum of a source's samples that wait for [method take_samples]; beyond it the oldest are
+## dropped.
 const MAX_WAITING: int = 64
-## A due time that is further off than so many periods is set anew: the machine slept, or its clock
+## A due time that is further off than this many periods is reset: the machine slept, or its clock
 ## was set.
 const MAX_PERIODS: int = 16
 ## Part of a period by which a sample's time yields to the requested phase.
 const SLEW: float = 0.05
-## The thread looks about itself at least so often, µs.
+## Maximum sleep of the thread, µs.
 const _LONGEST_SLEEP_USEC: int = 5000
 
 var _deliver: Callable = Callable()
@@ -37,7 +38,7 @@ class Lane:
 	var taken: int = 0
 
 
-## Begins to sample so many times a second. [param p_deliver] is called with the samples of each
+## Begins to sample at this rate, per second. [param p_deliver] is called with the samples of each
 ## moment ([code]Array[PoseSample][/code], at least one) in the sampling thread: what it does must
 ## be safe there. [member PoseSample.person] is the number of the source.
 func start(p_rate: float, p_deliver: Callable) -> void:
@@ -74,15 +75,15 @@ func add_source(p_number: int, p_source: MotionSource) -> void:
 	_asking.unlock()
 
 
-## Samples it no longer. When this returns nobody asks the source any more.
+## Stops sampling a source. When this returns nobody asks the source any more.
 func remove_source(p_number: int) -> void:
 	_asking.lock()
 	_lanes.erase(p_number)
 	_asking.unlock()
 
 
-## Draws the times of the samples to one that would be right (Unix time, µs), and to all that are
-## whole periods from it.
+## Pulls the times of the samples to a requested one (Unix time, µs) and to all that are whole
+## periods from it.
 func set_phase(p_due_usec: int) -> void:
 	_mutex.lock()
 	_phase_usec = p_due_usec

@@ -37,7 +37,7 @@ func get_limb_lengths() -> PackedFloat32Array:
 	return PackedFloat32Array()
 
 
-## How big the wearer is.
+## The wearer's size.
 func get_body() -> BodySize:
 	return BodySize.of_hip_height(get_hip_height())
 

@@ -1,6 +1,6 @@
 class_name SourceFrames
 extends RefCounted
-## Turns what motion sources say into Godot's frame: the one place where axes are exchanged.
+## Converts motion sources' values to Godot's frame: axes are exchanged only here.
 ##
 ## Godot's frame here: right-handed, Y up, metres; somebody who faces the source's own "forward"
 ## (Xsens: the magnetic north) faces +Z, as the reset pose of [Limbs] does, with the left to +X.

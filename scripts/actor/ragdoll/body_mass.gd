@@ -1,11 +1,11 @@
 @tool
 class_name BodyMass
 extends RefCounted
-## How heavy and strong a figure is, by its size.
+## Mass and strength of a figure, by its size.
 ##
 ## The mass goes with the cube of the height, as weights of children and adults do; torques go
-## with its square, as the area of muscles does. The volume of a mesh is not asked: clothes, hair
-## and gear have much of it and weigh little.
+## with its square, as the area of muscles does. The volume of a mesh is not used: clothes, hair and
+## gear have much volume and little mass.
 
 ## An average adult: height, m, mass, kg, and how high the hip joints are, as a share of the height
 ## (Winter 2009, Biomechanics and Motor Control of Human Movement, fig. 4.1).

@@ -8,7 +8,7 @@ extends RefCounted
 ## from its joint to the crown. The trunk (hips, spine, chest) is scaled as a whole by the sum of
 ## what is known of it: skeletons do not agree on where in the back its joints are.
 
-## A limb gets at least and at most so many times as long.
+## Minimum and maximum factor of a limb's length.
 const MIN: float = 0.5
 const MAX: float = 1.8
 ## Factors nearer to 1 change nothing.
@@ -32,7 +32,7 @@ func _init() -> void:
 	along.fill(1.0)
 
 
-## Whether everything stays as it is.
+## Whether nothing changes.
 func is_none() -> bool:
 	for factor: float in along:
 		if absf(factor - 1.0) > TOLERANCE:

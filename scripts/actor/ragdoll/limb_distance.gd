@@ -5,7 +5,7 @@ extends RefCounted
 
 ## Least distance of limbs that no joint connects, m.
 const GAP: float = 0.005
-## Thinnest that a limb may become to keep its distance, as a share of what it was.
+## Minimum thickness of a limb that is made thinner, as a share of what it was.
 const THINNEST: float = 0.6
 
 
@@ -35,7 +35,7 @@ static func overlaps(p_profile: RagdollProfile) -> Array[Array]:
 
 
 ## Makes limbs thinner, 2 % at a time, until none is too near one that it is not joined to, but
-## none thinner than [constant THINNEST]. Returns the share that is left of each limb.
+## none thinner than [constant THINNEST]. Returns the remaining share of each limb's thickness.
 static func keep_apart(p_profile: RagdollProfile) -> Dictionary[StringName, float]:
 	var left: Dictionary[StringName, float] = {}
 	for limb: RagdollLimb in p_profile.limbs:

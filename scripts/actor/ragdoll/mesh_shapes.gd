@@ -7,7 +7,7 @@ extends RefCounted
 ## sizes are percentiles by area, so that a pocket or a pouch does not fatten it. Where a figure's
 ## skeleton is symmetric, both sides are fitted together and become alike.
 
-## Fewest points of the surface that say something about a limb.
+## Minimum of surface points for fitting a limb.
 const _MIN_POINTS: int = 24
 ## Shares of the area cut off at each face of a box: sideways, along, deep.
 const _TRIM_TRUNK: Vector3 = Vector3(0.05, 0.03, 0.10)
@@ -27,7 +27,7 @@ func _init(p_figure: RestSkeleton, p_surface: SkinnedSurface) -> void:
 	_is_symmetric = _find_symmetry()
 
 
-## Fits all limbs that the surface says something about; the others stay as they are.
+## Fits all limbs that have enough points of the surface; the others stay as they are.
 func fit(p_profile: RagdollProfile) -> void:
 	for limb: int in Limbs.COUNT:
 		var shape: RagdollLimb = p_profile.find(Limbs.BONES[limb])
@@ -138,7 +138,7 @@ func _fit_box(
 	p_shape.size = (high - low).max(Vector3.ONE * _THINNEST)
 
 
-## The sole is the lowest of the surface, however little of it.
+## The sole is the lowest part of the surface, however small.
 func _fit_foot(
 	p_shape: RagdollLimb, p_limb: int, p_points: PackedVector3Array, p_areas: PackedFloat32Array
 ) -> void:

@@ -12,11 +12,11 @@ extends Node3D
 	set(value):
 		profile = value
 		update_configuration_warnings()
-## Where the hips' travel comes from, and who holds them.
+## How the hips' travel is found and how they follow it.
 @export var root_mode: RagdollMotor.RootMode = RagdollMotor.ROOT_SOFT
 ## How the limbs follow the motion.
 @export var actuation: RagdollMotor.Actuation = RagdollMotor.VELOCITY_MOTOR
-## Greatest force that draws the hips along. 0 leaves them to gravity.
+## Greatest force that pulls the hips along. 0 leaves them to gravity.
 @export_range(0.0, 10000.0, 10.0, "suffix:N") var root_force: float = 2000.0
 ## Greatest torque that keeps the hips upright. Below about 100 the person falls over.
 @export_range(0.0, 5000.0, 10.0, "suffix:Nm") var root_torque: float = 800.0
@@ -31,7 +31,7 @@ extends Node3D
 @export_range(0.0, 60.0, 0.5, "suffix:rad/s") var muscle_speed: float = 8.0
 ## Whether the person's own limbs collide with each other.
 @export var self_collision: bool = false
-## Whether joints turn no further than those of people.
+## Whether joints are limited to what people's joints can do.
 @export var anatomical_limits: bool = false
 
 @export_tool_button("Make bodies", "PhysicalBone3D") var _make_button: Callable = make_bodies
@@ -122,8 +122,8 @@ func fit_to(p_joints: PersonSkeleton) -> bool:
 	return _can_fit() and _fit(BodyScale.between(get_joints(), p_joints))
 
 
-## Starts the simulation, anew where it runs. The node must be in the tree. Returns false (and
-## reports an error) where the scene lacks something.
+## Starts the simulation; restarts it if it runs. The node must be in the tree. Returns false (and
+## reports an error) if the scene lacks something.
 func start() -> bool:
 	var obstacles: PackedStringArray = _find_obstacles()
 	if not obstacles.is_empty():
@@ -202,7 +202,7 @@ func get_joints() -> PersonSkeleton:
 
 
 ## Takes a sample of the motion and returns whether it was usable. [param p_time_s] is in the
-## wearer's clock; [param p_root] is where the hips are to be, in the world.
+## wearer's clock; [param p_root] is the target of the hips in the world, m.
 func push_sample(p_time_s: float, p_sample: PoseSample, p_root: Vector3) -> bool:
 	return motor.push_sample(p_time_s, p_sample.orientations, p_root)
 
@@ -252,7 +252,7 @@ func _put_bodies_with_undo(
 	undo.call(&"commit_action")
 
 
-## What the simulation cannot do without.
+## What the simulation needs and the scene lacks.
 func _find_obstacles() -> PackedStringArray:
 	var obstacles: PackedStringArray = []
 	if profile == null:

@@ -14,7 +14,7 @@ const FRICTION: float = 0.8
 
 ## Makes a [PhysicalBoneSimulator3D] with a [PhysicalBone3D] per limb, adds it to the skeleton and
 ## returns it; on a fault it reports an error and returns null. [param p_owner] is the scene that
-## shall save them, or null. The profile's frame must be the figure's: see [RestSkeleton].
+## will save them, or null. The profile's frame must be the figure's: see [RestSkeleton].
 static func build(
 	p_skeleton: Skeleton3D, p_profile: RagdollProfile, p_owner: Node = null
 ) -> PhysicalBoneSimulator3D:
@@ -24,7 +24,7 @@ static func build(
 	return simulator
 
 
-## Adds such bones to a skeleton and to the scene that shall save them.
+## Adds such bones to a skeleton and to the scene that will save them.
 static func add(
 	p_skeleton: Skeleton3D, p_simulator: PhysicalBoneSimulator3D, p_owner: Node
 ) -> void:

@@ -6,7 +6,7 @@ extends RefCounted
 ## the offset between the two. Between the limbs (neck, shoulders, fingers) bones keep their rest
 ## pose, but the neck shares the turn of the head. [SkeletonPoser] does it.
 
-## The box of what is visible goes along when the hips are so far from its middle, m.
+## The visible box follows when the hips are this far from its middle, m.
 const _SLACK: float = 0.25
 
 ## The scene that is shown.
@@ -15,7 +15,7 @@ var node: Ragdoll = null
 var _skeleton: Skeleton3D = null
 var _poser: SkeletonPoser = SkeletonPoser.new()
 var _meshes: Array[MeshInstance3D] = []
-## No point of the person is further from the hips, m.
+## Maximum distance of the person's points from the hips, m.
 var _reach: float = 2.0
 var _middle: Vector3 = Vector3.INF
 
@@ -31,7 +31,7 @@ func _init(p_node: Ragdoll, p_joints: PersonSkeleton) -> void:
 	_reach = 1.5 * RestSkeleton.new(_skeleton).height()
 
 
-## Shows a person as a smoother has it. Returns whether it has.
+## Applies a smoother's state of the person. Returns whether there is one.
 func pose(p_smoother: SnapshotSmoother, p_person: int) -> bool:
 	var is_known: bool = _poser.pose(_skeleton, p_smoother, p_person)
 	if is_known:
@@ -39,8 +39,7 @@ func pose(p_smoother: SnapshotSmoother, p_person: int) -> bool:
 	return is_known
 
 
-## Shows a person as such floats have it: see [method SnapshotSmoother.person_transforms]. Returns
-## whether they are of use.
+## Applies floats as of [method SnapshotSmoother.person_transforms]. Returns whether they are valid.
 func pose_floats(p_floats: PackedFloat32Array) -> bool:
 	var is_pose: bool = _poser.pose_floats(_skeleton, p_floats)
 	if is_pose:
@@ -69,8 +68,8 @@ func _set_up_poser(p_joints: PersonSkeleton) -> void:
 	_poser.set_neck(_skeleton, _skeleton.find_bone(&"Neck"), Limbs.find(&"Head"))
 
 
-## Says where the person can be seen: the engine would take the box of the rest pose at the node,
-## and leave out who is elsewhere.
+## Sets the visible box: the engine would use that of the rest pose at the node, and cull people who
+## are elsewhere.
 func _bound() -> void:
 	if _middle.distance_squared_to(hips()) < _SLACK * _SLACK:
 		return

@@ -1,6 +1,6 @@
 class_name BodySegments
 extends RefCounted
-## Where the limbs of somebody of a size are in a pose: forward kinematics from the hips.
+## Positions of the limbs of a person of a given size in a pose: forward kinematics from the hips.
 
 ## Where each limb begins, m, after [method solve].
 var bases: PackedVector3Array = PackedVector3Array()
@@ -18,7 +18,7 @@ func _init(p_size: BodySize) -> void:
 	tails = _rest_tails.duplicate()
 
 
-## Takes a pose. Positions that the source knows are taken as they are.
+## Takes a pose. Positions that the source knows are used as they are.
 func solve(p_pose: PoseSample) -> void:
 	var known: bool = p_pose.details != null and p_pose.details.positions.size() == Limbs.COUNT
 	for limb: int in Limbs.COUNT:

@@ -1,9 +1,9 @@
 class_name BodySize
 extends RefCounted
-## How big a person is: height and lengths of limbs, measured or taken from the height.
+## A person's size: height and lengths of limbs, measured or derived from the height.
 ##
-## Lengths that nobody measured follow from the height by the ratios of Drillis and Contini (1966),
-## as printed in Winter's "Biomechanics and Motor Control of Human Movement".
+## Lengths that were not measured follow from the height by the ratios of Drillis and Contini
+## (1966), as printed in Winter's "Biomechanics and Motor Control of Human Movement".
 
 ## What can be measured, and its usual share of the height.
 const RATIOS: Dictionary[StringName, float] = {
@@ -20,7 +20,7 @@ const RATIOS: Dictionary[StringName, float] = {
 	&"foot_height": 0.039,
 	&"foot_length": 0.152,
 }
-## What is meant by each, for people who measure.
+## Explanation of each, for people who measure.
 const HINTS: Dictionary[StringName, String] = {
 	&"hip_height": "floor to the bone that sticks out at the side of the hip",
 	&"trunk": "hip joint to shoulder joint",
@@ -40,7 +40,7 @@ const MIN_HEIGHT: float = 0.8
 const MAX_HEIGHT: float = 2.5
 ## Height of somebody whose height is not given, m.
 const USUAL_HEIGHT: float = 1.75
-## A measure is between so many times what is usual for the height.
+## Minimum and maximum of a measure, as multiples of what is usual for the height.
 const MIN_PART: float = 0.5
 const MAX_PART: float = 1.8
 

@@ -3,9 +3,9 @@ extends RefCounted
 ## How far joints of people go, to recognise what cannot be: generous, so that no healthy person is
 ## ever reported as impossible.
 
-## For mounts whose joint with the mount above ([constant BodyMounts.PARENTS]) is judged: least and
-## most of the rotation vector, degrees, of the left side or the middle, in the axes of the reset
-## pose. The right side mirrors it.
+## For mounts whose joint with the mount above ([constant BodyMounts.PARENTS]) is judged: minimum
+## and maximum of the rotation vector, degrees, of the left side or the middle, in the axes of the
+## reset pose. The right side mirrors it.
 const _RANGES: Dictionary[int, Array] = {
 	1: [Vector3(-60, -75, -60), Vector3(110, 75, 60)],
 	2: [Vector3(-90, -100, -75), Vector3(90, 100, 75)],

@@ -1,6 +1,6 @@
 class_name LegSpread
 extends RefCounted
-## How much legs turn in their joints otherwise than by bending: little between true neighbours,
+## How much legs turn in their joints other than by bending: little between true neighbours,
 ## since knees are hinges and ankles nearly so; much if a thigh is taken for the other leg's.
 ##
 ## Offsets do not count, only how far the turns spread about their mean.
@@ -22,8 +22,8 @@ const JOINTS: Array[Vector2i] = [
 const PAIRS: Array[Vector2i] = [
 	Vector2i(12, 13), Vector2i(15, 16), Vector2i(11, 14), Vector2i(12, 15), Vector2i(13, 16)
 ]
-## An exchange must lessen the sum of the joints' spreads by so much, degrees, and to less than
-## this part.
+## An exchange must reduce the sum of the joints' spreads by this much, degrees, and to less than
+## this share.
 const GAIN_DEG: float = 5.0
 const EXPLAINS: float = 0.7
 
@@ -78,7 +78,7 @@ func find_swap() -> Vector2i:
 		return found
 	var best: float = minf(now - GAIN_DEG, now * EXPLAINS)
 	for pair: Vector2i in PAIRS:
-		# With only some of the mounts worn an exchange could hide a joint instead of mending it.
+		# With only some of the mounts worn an exchange could hide a joint instead of correcting it.
 		if _joints_known(pair) < _joints_known(Vector2i.ZERO):
 			continue
 		var then: float = total_deg(pair)

@@ -1,6 +1,6 @@
 class_name LimbFiller
 extends RefCounted
-## Makes all limbs of [Limbs] of what is known at the mounts of [BodyMounts].
+## Derives all limbs of [Limbs] from what is known at the mounts of [BodyMounts].
 ##
 ## Rotations are from the reset pose, in the world. What no sensor measures is taken from its
 ## neighbours so that it looks like a person and bends only the way joints bend:
@@ -14,9 +14,9 @@ extends RefCounted
 ## up to [constant ANKLE_DEG];
 ## [br]- whole arms hang, whole legs stand below the pelvis.
 
-## How far an ankle gives before a foot tilts with its shank, degrees.
+## How far an ankle bends before a foot tilts with its shank, degrees.
 const ANKLE_DEG: float = 20.0
-## Elbows and knees bend by so much at most, degrees.
+## Maximum bend of elbows and knees, degrees.
 const MAX_BEND_DEG: float = 150.0
 ## Share of a forearm's turn out of hanging that the elbow makes.
 const ELBOW_SHARE: float = 0.8
@@ -61,7 +61,7 @@ func clear() -> void:
 	known.fill(0)
 
 
-## Notes what a mount does.
+## Sets the rotation of a mount.
 func set_mount(p_mount: int, p_rotation: Quaternion) -> void:
 	rotations[p_mount] = p_rotation
 	known[p_mount] = 1

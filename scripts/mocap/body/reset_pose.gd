@@ -1,7 +1,7 @@
 class_name ResetPose
 extends RefCounted
-## Poses that a wearer can take so that sensors learn how they sit: how each mount is turned in
-## them from the reset pose (a T-pose, see [Limbs]), for somebody who faces +Z.
+## Poses for calibrating sensors: the rotation of each mount in them from the reset pose (a T-pose,
+## see [Limbs]), for somebody who faces +Z.
 
 ## The poses.
 enum Kind {

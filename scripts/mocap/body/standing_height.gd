@@ -1,7 +1,7 @@
 class_name StandingHeight
 extends RefCounted
-## How high the hips are above the ground of somebody of whom only rotations are known: the lower
-## foot stands on it. So who squats goes down; a jump is not seen (the server's
+## Height of the hips above the ground, from rotations alone: the lower foot stands on the ground.
+## So a squat lowers the hips; a jump is not seen (the server's
 ## [code]--root=inertial[/code] sees it).
 
 ## Indices of the legs' limbs in [Limbs]: thigh, shank, foot.

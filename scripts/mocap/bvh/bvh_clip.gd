@@ -1,6 +1,6 @@
 class_name BvhClip
 extends RefCounted
-## A skeleton and its motion, as a BVH file holds them, and how to see them in Godot's frame.
+## A skeleton and its motion, as a BVH file holds them, and its conversion to Godot's frame.
 ##
 ## [member joints] and [member values] are the file's own: its axes, its units, degrees. All methods
 ## answer in Godot's frame: right-handed, Y up, metres, orientations from the rest pose as
@@ -31,7 +31,7 @@ var frame_count: int = 0
 ## Numbers in each frame.
 var channel_count: int = 0
 ## The frames, one after the other, each [member channel_count] numbers: positions in file units,
-## rotations in degrees. Change it through [method set_data] only.
+## rotations in degrees. Change it only by [method set_data].
 var values: PackedFloat64Array = PackedFloat64Array()
 ## Length of the file's unit, m.
 var unit_metres: float = 0.01
@@ -44,7 +44,7 @@ var up_axis: BvhOptions.UpAxis = BvhOptions.UpAxis.Y:
 		_orientations.clear()
 ## Why [member up_axis] is what it is: "guess: ..." or "as given".
 var up_reason: String = ""
-## What was odd about the file but could be put right, one sentence each, with file and line.
+## Oddities of the file that could be corrected, one sentence each, with file and line.
 var notes: PackedStringArray = PackedStringArray()
 ## See [member BvhOptions.positions_add_offset]. Set it before [method set_data].
 var positions_add_offset: bool = false
@@ -56,7 +56,7 @@ var _parents: PackedInt32Array = PackedInt32Array()
 var _orientations: PackedVector4Array = PackedVector4Array()
 
 
-## Takes a skeleton and its rows of numbers. Numbers the channels anew.
+## Sets the skeleton and its rows of numbers. Renumbers the channels.
 func set_data(p_joints: Array[BvhJoint], p_values: PackedFloat64Array, p_frame_time: float) -> void:
 	joints = p_joints
 	values = p_values

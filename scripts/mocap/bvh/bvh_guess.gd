@@ -9,7 +9,7 @@ extends RefCounted
 
 ## What a rest pose usually spans, m: between a person's height and the arms' span.
 const USUAL_SPAN: float = 1.7
-## Most frames that are looked at.
+## Maximum of frames that are looked at.
 const MAX_FRAMES: int = 16
 
 

@@ -2,7 +2,7 @@ class_name BvhHierarchyReader
 extends RefCounted
 ## Reads the HIERARCHY part of a BVH file into joints.
 
-## Most channels of one joint.
+## Maximum of channels of one joint.
 const MAX_CHANNELS: int = 64
 
 ## The joints, each after its parent; the root is the first.

@@ -1,6 +1,6 @@
 class_name BvhLexer
 extends RefCounted
-## Splits the text of a BVH file into lines and words, and knows where it is.
+## Splits the text of a BVH file into lines and words, and keeps track of the line.
 ##
 ## A comment runs from [code]#[/code] or [code]//[/code], at the start of a line or after a space,
 ## to the end of the line. Braces are words of their own even when nothing separates them.
@@ -102,13 +102,13 @@ func clean_line(p_index: int) -> String:
 	return text.strip_edges()
 
 
-## Notes that [param p_wanted] was expected where the next word stands.
+## Reports that [param p_wanted] was expected instead of the next word.
 func fail_at_next(p_wanted: String) -> bool:
 	var word: String = peek()
 	return fail_at(_line, "expected %s, found %s" % [p_wanted, quote(word)])
 
 
-## Notes an error in the line with that index, from 0. The first one stays. Returns false.
+## Reports an error in the line with that index, from 0. The first one stays. Returns false.
 func fail_at(p_index: int, p_message: String) -> bool:
 	if error.is_empty():
 		error = locate(p_index, p_message)

@@ -3,7 +3,7 @@ extends RefCounted
 ## Reads the MOTION part of a BVH file: the number of frames, their time and the rows of numbers.
 ##
 ## A line is a frame. If the lines do not have as many numbers as there are channels, but all
-## numbers together are as many as frames times channels, then the rows are taken to be wrapped.
+## numbers together are as many as frames times channels, then the rows are assumed to be wrapped.
 ## One row more than declared is left out of a long clip, with a note: some exporters declare the
 ## number of steps between the frames. Nothing is allocated for frames that are only announced.
 
@@ -12,7 +12,7 @@ const MIN_FRAME_TIME: float = 1e-6
 const MAX_FRAME_TIME: float = 3600.0
 ## Fewest declared frames of a clip in which one row too many is forgiven: below 1 % of it.
 const MIN_SURPLUS_FRAMES: int = 100
-## Most frames.
+## Maximum of frames.
 const MAX_FRAMES: int = 100_000_000
 
 ## Time from one frame to the next, s.
@@ -21,7 +21,7 @@ var frame_time: float = 0.0
 var frame_count: int = 0
 ## All rows, one after the other: positions in file units, rotations in degrees.
 var values: PackedFloat64Array = PackedFloat64Array()
-## What was odd but could be put right, or an empty text.
+## An oddity that could be corrected, or an empty text.
 var note: String = ""
 
 var _lexer: BvhLexer = null

@@ -33,9 +33,9 @@ var up_axis: UpAxis = UpAxis.GUESS
 var positions_add_offset: bool = false
 ## Largest file, bytes.
 var max_bytes: int = 256 * 1024 * 1024
-## Most joints, counting end sites.
+## Maximum of joints, counting end sites.
 var max_joints: int = 2048
-## Most joints below one another.
+## Maximum depth of joints.
 var max_depth: int = 256
 
 

@@ -2,11 +2,11 @@ class_name BvhParser
 extends RefCounted
 ## Reads BVH files, the text format of most motion capture libraries (thesis section 11.3).
 ##
-## It takes what is found in the wild: channels in any order and number, positions on any joint,
+## It accepts what real files have: channels in any order and number, positions on any joint,
 ## several or no End Sites, keywords in any case, names with spaces and colons, tabs, every line
 ## ending, comments, a byte order mark, wrapped rows. It refuses, naming file and line, whatever
 ## would have to be guessed: words that are no numbers, rows of another length, more or fewer frames
-## than declared, a second ROOT. There is either a whole clip or an error, nothing between. All
+## than declared, a second ROOT. The result is either a whole clip or an error. All
 ## methods may be called from any thread.
 
 

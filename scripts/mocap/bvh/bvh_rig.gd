@@ -1,6 +1,6 @@
 class_name BvhRig
 extends RefCounted
-## A clip as the motion of a person: which joint is which limb, and how it stands in the reset pose.
+## A clip as the motion of a person: the joint of each limb, and its rotation in the reset pose.
 ##
 ## The rest pose of a file (all rotations zero) may be a T-pose or not. Where it is not, the limbs
 ## that the reset pose prescribes are turned into it; what is left is the calibration of thesis

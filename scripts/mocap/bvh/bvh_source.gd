@@ -2,7 +2,7 @@ class_name BvhSource
 extends MotionSource
 ## Plays a BVH file in a loop, as if somebody in a suit made the motion now.
 
-## Seconds over which the end of the clip passes into its beginning.
+## Seconds over which the end of the clip is blended into its beginning.
 const BLEND_S: float = 0.5
 
 ## The clip that is played.
@@ -77,7 +77,7 @@ func pose_at(p_time_s: float) -> PoseSample:
 	var length: float = _length()
 	var period: float = get_period()
 	var time: float = fposmod(p_time_s, period)
-	# The last moments of a round pass into the first ones of the next.
+	# The last moments of a round are blended into the first ones of the next.
 	var late: float = time + period
 	var blend: float = 0.0
 	if p_time_s >= period and late < length:
@@ -118,8 +118,9 @@ func _find_skipped() -> float:
 	return step if jumps and rig.clip.frame_count > 3 else 0.0
 
 
-## Decides once which way each limb turns while the end passes into the beginning. Decided anew for
-## each sample, a limb that has to turn by about half a circle would flip to the other way.
+## Decides once which way each limb turns while the end is blended into the beginning. If it were
+## decided for each sample, a limb that has to turn by about half a circle would flip to the other
+## way.
 func _find_seam() -> void:
 	_seam_signs.resize(Limbs.COUNT)
 	var middle: float = (_length() - get_period()) / 2.0

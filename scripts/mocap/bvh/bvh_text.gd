@@ -5,7 +5,7 @@ extends RefCounted
 ## Regular expression of one number: a decimal number with a point, up to 9 digits before it and, if
 ## it has one, an exponent from -499 to +9. So nothing can become infinite, here or in a sum or
 ## square later, and neither a decimal comma nor NaN passes. Godot's own conversion takes "1.2abc"
-## for 1.2 without a word.
+## for 1.2 silently.
 const NUMBER: String = (
 	"[+-]?(?:[0-9]{1,9}(?:\\.[0-9]*)?|\\.[0-9]+)" + "(?:[eE](?:-0*[0-4]?[0-9]{1,2}|\\+?0*[0-9]))?"
 )

@@ -1,12 +1,12 @@
 class_name Calibration
 extends RefCounted
-## How each sensor sits, and which way its north is: what turns what sensors say into limbs'
-## rotations from the reset pose (thesis 6.1).
+## Mounting and heading of each sensor: they turn the sensors' orientations into limbs' rotations
+## from the reset pose (thesis 6.1).
 ##
-## A sensor says s = H r M: r is the limb's rotation from the reset pose, M the sensor's mounting on
-## the limb, H the heading: which way the wearer's front at the reset is turned in the sensor's
-## global frame, about the vertical. So r = H^-1 s M^-1. The thesis' one-sided r = s s0^-1, s0 being
-## what was said in the reset pose, is the same for H = 1 (who faces north), since then M = s0.
+## A sensor measures s = H r M: r is the limb's rotation from the reset pose, M the sensor's
+## mounting on the limb, H the heading: which way the wearer's front at the reset is turned in the
+## sensor's global frame, about the vertical. So r = H^-1 s M^-1. The thesis' one-sided r = s s0^-1,
+## s0 being measured in the reset pose, is the same for H = 1 (facing north), since then M = s0.
 
 ## What is known of each sensor, by its id.
 var entries: Dictionary[String, Entry] = {}
@@ -27,12 +27,12 @@ class Entry:
 	## Mounting M: from the sensor's axes to the limb's.
 	var mounting: Quaternion = Quaternion.IDENTITY
 
-	## The limb's rotation from the reset pose, of what the sensor said.
+	## The limb's rotation from the reset pose, from the sensor's orientation.
 	func rotation(p_said: Quaternion) -> Quaternion:
 		return Rotations.yaw(-heading) * p_said * mounting.inverse()
 
 
-## Sets the mounting of a sensor from what it said in a pose, its heading being known.
+## Sets the mounting of a sensor from its orientation in a pose; its heading must be known.
 func set_sensor(
 	p_id: String, p_mount: int, p_heading: float, p_said: Quaternion, p_pose: Quaternion
 ) -> void:

@@ -1,6 +1,6 @@
 class_name CalibrationGuide
 extends RefCounted
-## What a wearer is led through: the steps of each kind of calibration.
+## The steps of each kind of calibration, as the wearer is guided through them.
 
 ## Kinds of calibration.
 enum Kind {

@@ -1,8 +1,8 @@
 class_name CalibrationOptions
 extends RefCounted
-## How a calibration finds out which way the wearer faces, and which sensors share a north.
+## How a calibration finds the wearer's facing, and which sensors share a north.
 
-## Where it is known from which way the wearer faces.
+## How the wearer's facing is known.
 enum Facing {
 	## The arms' movement from T to N, or, where there is none, the calibration before this one.
 	MOVEMENT,
@@ -22,10 +22,10 @@ enum Align {
 	EACH,
 }
 
-## Names of the ways for people, by [enum Facing].
+## Names for people, by [enum Facing].
 const FACING_NAMES: PackedStringArray = ["from the arms' movement", "north", "compass heading"]
 
-## Where the wearer's facing is known from.
+## How the wearer's facing is known.
 var facing: Facing = Facing.MOVEMENT
 ## Compass heading of the wearer: degrees clockwise from north, for HEADING.
 var heading_deg: float = 0.0

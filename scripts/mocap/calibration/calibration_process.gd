@@ -1,16 +1,16 @@
 class_name CalibrationProcess
 extends RefCounted
-## Leads through a calibration step by step: what a screen shows, and what it measures meanwhile.
+## Runs a calibration step by step: instructions for the screen, and the measurement.
 ##
-## Time is passed in, frames too. The calibration that is in force stays so until the caller takes
-## over [member result].
+## Times and frames are passed in. The present calibration stays in use until the caller accepts
+## [member result].
 
 ## A step began, or everything ended.
 signal phase_changed(p_phase: Phase)
 ## There is a [member result].
 signal finished
 
-## What is going on.
+## The present stage.
 enum Phase {
 	## Nothing.
 	IDLE,
@@ -20,14 +20,14 @@ enum Phase {
 	HOLD,
 	## A movement is made.
 	MOVE,
-	## There is a result, which nobody has taken yet.
+	## There is a result that has not been accepted or refused yet.
 	DONE,
 }
 
 ## Span over which movement is shown live, s.
 const LIVE_S: float = 0.5
 
-## What is going on.
+## The present stage.
 var phase: Phase = Phase.IDLE
 ## The kind that runs or ran.
 var kind: CalibrationGuide.Kind = CalibrationGuide.Kind.T_POSE
@@ -35,7 +35,7 @@ var kind: CalibrationGuide.Kind = CalibrationGuide.Kind.T_POSE
 var options: CalibrationOptions = CalibrationOptions.new()
 ## Seconds that are left of this step.
 var seconds_left: float = 0.0
-## What came out, or null.
+## The result, or null.
 var result: CalibrationResult = null
 ## How far each sensor moved in the last [constant LIVE_S], degrees, by sensor.
 var live_deg: PackedFloat32Array = PackedFloat32Array()
@@ -93,7 +93,7 @@ func instruction() -> String:
 	return ""
 
 
-## How far everything has got, 0 to 1.
+## Progress, 0 to 1.
 func progress() -> float:
 	if not is_running():
 		return 1.0 if phase == Phase.DONE else 0.0
@@ -128,7 +128,7 @@ func advance(p_now_s: float) -> void:
 	seconds_left = maxf(_ends_s - p_now_s, 0.0) if is_running() else 0.0
 
 
-## Ends the result's life: it was taken over, or refused.
+## Forgets the result: it was accepted or refused.
 func close() -> void:
 	if phase == Phase.DONE:
 		_set_phase(Phase.IDLE)

@@ -10,10 +10,10 @@ const OFF_DEG: float = 20.0
 const OFF_STANDING_DEG: float = 8.0
 ## A heading that differs by more than this from its neighbours' is reported, degrees.
 const TURNED_DEG: float = 12.0
-## From such a difference on it is the sensor's north and not the wearer's movement, degrees.
+## A larger difference comes from the sensor's north and not from the wearer's movement, degrees.
 const OWN_NORTH_DEG: float = 25.0
 
-## Why there is none, or an empty text.
+## Why there is no result, or an empty text.
 var error: String = ""
 ## The calibration.
 var calibration: Calibration = null
@@ -31,11 +31,11 @@ class PlaceQuality:
 	var mount: int = -1
 	## The sensor there.
 	var sensor: String = ""
-	## Whether the sensor said nothing, or too little.
+	## Whether the sensor sent too little or nothing.
 	var is_missing: bool = false
 	## How far it moved while the pose was held, degrees.
 	var movement_deg: float = 0.0
-	## How far the other pose was off from what this calibration says of it, degrees; -1 if there
+	## How far the other pose was off from what this calibration makes of it, degrees; -1 if there
 	## was none.
 	var residual_deg: float = -1.0
 	## The heading that was found, degrees about the vertical.
@@ -59,7 +59,7 @@ class PlaceQuality:
 		return residual_deg > CalibrationResult.OFF_DEG
 
 
-## Whether nothing speaks against taking it over.
+## Whether it can be accepted.
 func is_good() -> bool:
 	if error != "" or not swaps.is_empty():
 		return false

@@ -1,6 +1,6 @@
 class_name CalibrationSolver
 extends RefCounted
-## Works a calibration out of what was measured while the wearer followed a [CalibrationGuide].
+## Computes a calibration from what was measured while the wearer followed a [CalibrationGuide].
 
 ## An exchange is named only if it fits better by this factor: here people are asked to take poses,
 ## not to show which sensor is which.
@@ -16,7 +16,7 @@ var sensors: Array[SensorInfo] = []
 var mounts: PackedInt32Array = PackedInt32Array()
 ## How it is to be done.
 var options: CalibrationOptions = CalibrationOptions.new()
-## The calibration that is in force, or null.
+## The present calibration, or null.
 var old: Calibration = null
 
 var _result: CalibrationResult = null

@@ -4,7 +4,7 @@ extends RefCounted
 
 ## Where they are by default.
 const FOLDER: String = "user://calibrations"
-## Files beyond this are none of ours, bytes.
+## Maximum size of a profile, bytes.
 const MAX_BYTES: int = 1 << 20
 
 ## The folder.
@@ -61,7 +61,7 @@ func read(p_name: String) -> PersonProfile:
 	return profile if error == "" else null
 
 
-## Writes a person's profile; the file is replaced whole, never half. Returns whether it is there.
+## Writes a person's profile; the file is replaced as a whole. Returns whether it was written.
 func write(p_profile: PersonProfile) -> bool:
 	error = PersonProfile.find_name_fault(p_profile.name)
 	if error != "":

@@ -6,16 +6,16 @@ extends RefCounted
 ## [GuideMovements] turns some mounts much and others hardly; two sensors look exchanged if what
 ## they did fits much better when they are.
 
-## How far people are off from what they are asked: degrees, and part of what is asked.
+## Usual deviation of people from a movement: degrees, and share of the movement.
 const SPREAD_DEG: float = 5.0
 const SPREAD_PART: float = 0.3
 ## Nobody stands quite still, degrees.
 const STILL_DEG: float = 6.0
-## One movement counts at most so much: somebody may get one wrong.
+## Maximum that one movement counts: somebody may get one wrong.
 const MAX: float = 6.0
-## By so much an exchange must fit better.
+## Factor by which an exchange must fit better.
 const BETTER: float = 2.0
-## Mounts that do not do anything of what they should fit by less than this.
+## Mounts that do nothing of what they should fit by less than this.
 const ODD: float = 8.0
 
 
@@ -50,7 +50,7 @@ static func judge(
 	return result
 
 
-## What is said of an exchange.
+## The advice on an exchange.
 static func describe(p_swap: Vector2i) -> String:
 	var names: Array = [BodyMounts.title(p_swap.x), BodyMounts.title(p_swap.y)]
 	return "%s and %s look swapped" % names

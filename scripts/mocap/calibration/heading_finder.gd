@@ -4,7 +4,7 @@ extends RefCounted
 
 ## A movement must have turned a mount by so much, rad.
 const MIN_TURN: float = 0.3
-## And it must have been about one level axis: [method MotionAxis.purity].
+## And it must have been about one horizontal axis: [method MotionAxis.purity].
 const MIN_PURITY: float = 0.9
 
 ## Headings that differ by more than this are reversed, rad.
@@ -60,7 +60,7 @@ func spread() -> float:
 
 
 ## Mounts whose axis points the other way round than that of most others, all of which agree: their
-## sensors are on the other side, or on the other end of a joint. Empty if that is not plain.
+## sensors are on the other side, or on the other end of a joint. Empty if that is not clear.
 func reversed() -> PackedInt32Array:
 	var most: float = middle(measured.values())
 	var odd: PackedInt32Array = []

@@ -2,9 +2,9 @@ class_name MotionAxis
 extends RefCounted
 ## About which axis sensors turned during a movement, each in its own global frame.
 ##
-## Movements of a calibration turn a limb out of a pose and back about one known, level axis of the
-## body: then the axis shows which way the sensor's global frame is turned about the vertical.
-## Only level axes count, since a heading that drifts adds a turn about the vertical.
+## Movements of a calibration turn a limb out of a pose and back about one known, horizontal axis of
+## the body: then the axis shows which way the sensor's global frame is turned about the vertical.
+## Only horizontal axes count, since a heading that drifts adds a turn about the vertical.
 
 ## Frames whose mean is where a movement starts from.
 const START_FRAMES: int = 8
@@ -34,7 +34,7 @@ func add(p_frame: SensorFrame) -> void:
 			_add_turn(sensor, Rotations.vector(turned * _first[sensor].inverse()))
 
 
-## Whether a sensor said enough to be judged by.
+## Whether a sensor sent enough to judge it.
 func was_heard(p_sensor: int) -> bool:
 	return p_sensor < _heard.size() and _heard[p_sensor] > START_FRAMES
 
@@ -44,14 +44,14 @@ func turn(p_sensor: int) -> float:
 	return _most[p_sensor] if p_sensor < _most.size() else 0.0
 
 
-## The axis in the sensor's global frame, level and of length 1; zero if it hardly turned.
+## The axis in the sensor's global frame, horizontal and of length 1; zero if it hardly turned.
 func axis(p_sensor: int) -> Vector3:
 	if p_sensor >= _sums.size():
 		return Vector3.ZERO
 	return Vector3(_sums[p_sensor].x, 0.0, _sums[p_sensor].z).normalized()
 
 
-## How much it was a turn about one level axis, 0 to 1.
+## How much it was a turn about one horizontal axis, 0 to 1.
 func purity(p_sensor: int) -> float:
 	if p_sensor >= _sums.size() or _lengths[p_sensor] <= 0.0:
 		return 0.0

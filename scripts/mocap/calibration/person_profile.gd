@@ -1,13 +1,13 @@
 class_name PersonProfile
 extends RefCounted
-## What is kept of a person who wears sensors: name, body, which sensor is where, calibration.
+## The stored data of a person who wears sensors: name, body, mounts of sensors, calibration.
 
 ## Longest name.
 const MAX_LETTERS: int = 60
 
 ## Name of the person, and of the file.
 var name: String = "somebody"
-## How big the person is.
+## The person's size.
 var size: BodySize = BodySize.new()
 ## Which sensor is worn where.
 var map: SensorMap = SensorMap.new()
@@ -15,7 +15,7 @@ var map: SensorMap = SensorMap.new()
 var calibration: Calibration = null
 
 
-## Why nobody can be called that, or an empty text.
+## Why a name is not allowed, or an empty text.
 static func find_name_fault(p_name: String) -> String:
 	if p_name.strip_edges() == "":
 		return "a person needs a name"

@@ -1,6 +1,6 @@
 class_name PoseHold
 extends RefCounted
-## What sensors said while somebody held a pose: the mean of each, and how still it was.
+## The sensors' orientations while somebody held a pose: the mean of each, and how still it was.
 
 ## Movement within such a part of the hold is taken for noise: parts in all.
 const PARTS: int = 12
@@ -8,7 +8,7 @@ const PARTS: int = 12
 const CHUNKS: int = 48
 ## Distance at which a part has half its weight in the mean, rad: shocks count for little.
 const ROBUST_RAD: float = 0.03
-## Samples that are kept of each sensor at most; beyond it every second one goes.
+## Maximum of samples kept of each sensor; beyond it every second one is dropped.
 const MAX_SAMPLES: int = 600
 
 var _samples: Array[Array] = []
@@ -41,7 +41,7 @@ func samples(p_sensor: int) -> int:
 	return _samples[p_sensor].size() if p_sensor < _samples.size() else 0
 
 
-## Whether a sensor said enough: in at least half of the frames, and more than once.
+## Whether there is enough of a sensor: in at least half of the frames, and more than once.
 func has(p_sensor: int) -> bool:
 	return samples(p_sensor) >= maxi(2, _frames / _step / 2)
 

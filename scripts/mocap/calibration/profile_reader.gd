@@ -4,7 +4,7 @@ extends RefCounted
 
 ## Version of the files.
 const VERSION: int = 1
-## Sensors of a person at most.
+## Maximum of a person's sensors.
 const MAX_SENSORS: int = 64
 
 ## What is wrong: field and reason; empty if nothing is.

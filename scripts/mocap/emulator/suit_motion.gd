@@ -1,6 +1,6 @@
 class_name SuitMotion
 extends RefCounted
-## What the wearer of an emulated suit does: a calibration as it is asked for, then a clip for ever.
+## The motion of an emulated suit's wearer: a calibration, then a clip in a loop.
 ##
 ## Written as a motion stream for the emulator of suits, which knows no engine and no BVH files; its
 ## layout is described in [code]gdextension/xbus/emulator/suit/motion_stream.hpp[/code]. Limbs are

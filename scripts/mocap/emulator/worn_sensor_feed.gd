@@ -6,7 +6,7 @@ extends SensorFeed
 ## A sensor's orientation is s = H r M: r is the limb's rotation from the reset pose, M how the
 ## sensor sits on the limb, H which way the sensor's global frame is turned about the vertical.
 
-## Frames that wait at most; beyond it the oldest go.
+## Maximum of waiting frames; beyond it the oldest are dropped.
 const MAX_WAITING: int = 512
 ## Gravity, m/s².
 const GRAVITY: float = 9.81
@@ -19,7 +19,7 @@ const BLADES: Dictionary[int, int] = {
 var noise_deg: float = 0.0
 ## How fast the heading of each sensor drifts, degrees per second, by sensor; empty: not at all.
 var drifts_deg: PackedFloat32Array = PackedFloat32Array()
-## Sensors that say nothing, by number.
+## Silent sensors, by number.
 var silent: PackedInt32Array = PackedInt32Array()
 ## Draws the noise.
 var random: RandomNumberGenerator = RandomNumberGenerator.new()

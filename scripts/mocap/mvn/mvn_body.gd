@@ -1,6 +1,6 @@
 class_name MvnBody
 extends RefCounted
-## How big a wearer is, from MVN's scale data (type 13), or from where the segments of a pose are.
+## A wearer's size, from MVN's scale data (type 13), or from the positions of a pose's segments.
 
 ## Height of the hips above the ground when standing, m.
 var hip_height: float = 0.95
@@ -38,7 +38,7 @@ func take_scale(p_scale: Dictionary) -> bool:
 		if segments[at] >= 1 and segments[at] <= MvnSegments.COUNT:
 			var point: Vector3 = SourceFrames.position(p_scale["point_positions"][at])
 			lowest = minf(lowest, positions[segments[at] - 1].y + point.y)
-	# The null pose stands on the ground, at 0; without it the lowest point has to do.
+	# The null pose stands on the ground, at 0; without it the lowest point is used.
 	var height: float = positions[0].y if positions[0].y > 0.3 else positions[0].y - lowest
 	if height > 0.3 and height < 1.8:
 		hip_height = height

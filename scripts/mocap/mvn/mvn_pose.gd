@@ -1,6 +1,6 @@
 class_name MvnPose
 extends RefCounted
-## Makes poses of MVN's samples (types 01, 02 and 05, see [MvnReceiver]), one after the other.
+## Turns MVN's samples into poses (types 01, 02 and 05, see [MvnReceiver]), one after the other.
 ##
 ## [MvnSegments] defines what a segment is and where it points; here samples are put into its
 ## order, and what shows only over time is handled.

@@ -2,8 +2,8 @@ class_name MvnSegments
 extends RefCounted
 ## MVN's 23 segments as the motion of a person.
 ##
-## MVN says of each segment how it is turned from its T-pose, in which all are identity and the
-## person faces X (SPEC 2.6.2): that is our rotation from the reset pose, in MVN's axes
+## MVN sends each segment's rotation from its T-pose, in which all are identity and the person
+## faces X (SPEC 2.6.2): that is our rotation from the reset pose, in MVN's axes
 ## ([SourceFrames]). It is calibrated already.
 
 ## How many segments a body has.

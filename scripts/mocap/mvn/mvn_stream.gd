@@ -4,18 +4,18 @@ extends RefCounted
 
 ## Somebody's motion has begun to come.
 signal appeared(p_source: MotionSource, p_name: String)
-## Somebody's motion comes no more.
+## A person's motion has stopped.
 signal vanished(p_source: MotionSource)
-## Somebody comes of whom only the trackers are sent (type 23): to be calibrated here.
+## A person has come with trackers only (type 23): to be calibrated here.
 signal trackers_appeared(p_feed: MvnTrackerFeed, p_name: String)
-## Those trackers come no more.
+## Those trackers have stopped.
 signal trackers_vanished(p_feed: MvnTrackerFeed)
 
 ## MVN's own port.
 const DEFAULT_PORT: int = 9763
 ## Somebody whose name has not come after so long has none, s.
 const NAME_PATIENCE_S: float = 1.0
-## Between two looks at who is there, s.
+## Period of checking who is there, s.
 const LOOK_S: float = 0.1
 ## Types of the stream that are poses.
 const POSES: Array[int] = [1, 2, 5]

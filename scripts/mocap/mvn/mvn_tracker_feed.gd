@@ -3,7 +3,7 @@ extends SensorFeed
 ## The trackers of one person of MVN's stream (type 23), for those who calibrate here rather than in
 ## MVN.
 
-## A tracker that is silent for so long is called so, s.
+## Time without samples after which a tracker counts as silent, s.
 const SILENT_S: float = 0.5
 
 ## The character's number in the stream.

@@ -1,10 +1,10 @@
 class_name BodySheet
 extends PanelContainer
-## The measures of a body, cm; those that nobody measured follow the height.
+## The measures of a body, cm; those that were not measured follow the height.
 
 ## A measure was changed: a name of [constant BodySize.RATIOS], and m.
 signal measured(p_name: StringName, p_metres: float)
-## It shall go away.
+## It is to be closed.
 signal close_wanted
 
 @export var _grid: GridContainer

@@ -4,11 +4,11 @@ extends PanelContainer
 
 ## A kind of calibration is wanted.
 signal start_wanted(p_kind: CalibrationGuide.Kind)
-## The result shall be taken over.
+## The result is to be accepted.
 signal accept_wanted
-## The calibration, or its result, shall be forgotten.
+## The calibration, or its result, is to be dropped.
 signal cancel_wanted
-## Sensors of two mounts shall be exchanged.
+## Sensors of two mounts are to be exchanged.
 signal exchange_wanted(p_mounts: Vector2i)
 
 ## Input actions of the kinds, by [enum CalibrationGuide.Kind].
@@ -92,7 +92,7 @@ func take_input(p_event: InputEvent, p_process: CalibrationProcess) -> bool:
 	return true
 
 
-## Shows that nothing runs, and something for people to read.
+## Shows that nothing runs, and a text.
 func show_idle(p_text: String) -> void:
 	_instruction.text = "Choose a calibration."
 	_progress.value = 0.0

@@ -2,20 +2,20 @@ class_name DevicePanel
 extends Control
 ## The client's screen for motion capture: devices, sensors, who wears them, calibration.
 ##
-## It knows of suits ([SuitSource]) and of devices as dictionaries ([constant DeviceList.KEYS]),
-## nothing else. Everything works with the keyboard alone; the keys are on the buttons.
+## It knows only suits ([SuitSource]) and devices as dictionaries ([constant DeviceList.KEYS]).
+## Everything works with the keyboard alone; the keys are on the buttons.
 
-## It shall be closed.
+## It is to be closed.
 signal close_wanted
 ## A person's data changed: name, size, mounts or calibration. Who is the number of the suit.
 signal profile_changed(p_suit: int)
 
-## How often stats are written anew, s.
+## Period of updating the stats, s.
 const PERIOD_S: float = 0.2
 
 ## Where people's data are kept.
 @export_dir var folder: String = CalibrationStore.FOLDER
-## Whether it lets the suits go on; otherwise somebody else calls [method SuitSource.advance].
+## Whether it advances the suits; otherwise somebody else calls [method SuitSource.advance].
 @export var drives: bool = false
 
 @export var _person: PersonBox

@@ -2,7 +2,7 @@ class_name PersonBox
 extends HBoxContainer
 ## Who wears the suit: name, known people, height.
 
-## Somebody else of those that are known shall wear it.
+## Another known person is chosen as the wearer.
 signal person_chosen(p_name: String)
 ## The name was changed; an empty text is none.
 signal name_entered(p_name: String)

@@ -1,9 +1,9 @@
 class_name SensorBoxesView
 extends Node3D
-## Sensors as they say they are turned: boxes with their axes (X red, Y green, Z blue, as Xsens has
+## The sensors' own orientations: boxes with their axes (X red, Y green, Z blue, as Xsens has
 ## them: X and Y level, Z up), where they are worn by somebody in the reset pose.
 
-## Colours of the boxes: sensors that spoke in the last frame, and those that did not.
+## Colours of the boxes: sensors that are in the last frame, and silent ones.
 const SPEAKS: Color = Color(0.95, 0.75, 0.25)
 const SILENT: Color = Color(0.35, 0.35, 0.38)
 

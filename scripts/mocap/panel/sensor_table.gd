@@ -1,19 +1,19 @@
 class_name SensorTable
 extends Tree
-## The sensors and how they do, a row each; Enter on a row asks where the sensor is worn.
+## The sensors and their state, a row each; Enter on a row asks where the sensor is worn.
 
-## A sensor shall be on another mount; -1: it is not worn.
+## A sensor is assigned to another mount; -1: it is not worn.
 signal mount_chosen(p_sensor: String, p_mount: int)
 
 ## Titles of the columns.
 const TITLES: PackedStringArray = [
 	"Mount", "Sensor", "Where", "State", "Rate", "Loss", "Age", "Batt.", "Moves"
 ]
-## Colour of what is not as it should be.
+## Colour of what is wrong.
 const WARN: Color = Color(1.0, 0.7, 0.25)
 
 const _WIDTHS: PackedInt32Array = [126, 82, 104, 74, 52, 50, 48, 48, 54]
-## A silence that is worth a colour, s.
+## A silence that is coloured, s.
 const _OLD_S: float = 0.3
 const _LOSSY: float = 0.02
 const _LOW: float = 0.15

@@ -2,7 +2,7 @@ class_name StickFigureView
 extends Node3D
 ## A person of boxes, one for each limb.
 
-## Colours: limbs that are measured, those that are filled, and those that something is wrong with.
+## Colours: limbs that are measured, those that are filled, and those with a fault.
 const MEASURED: Color = Color(0.85, 0.88, 0.92)
 const FILLED: Color = Color(0.45, 0.5, 0.6)
 const TROUBLE: Color = Color(1.0, 0.6, 0.15)

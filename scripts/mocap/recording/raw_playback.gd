@@ -3,7 +3,7 @@ extends RefCounted
 ## Plays a recording of raw bytes (docs/recordings.md) as motion: its suits as a feed of sensors,
 ## its MVN streams as people.
 
-## The recording has come to its end and begins anew.
+## The recording has ended and starts again.
 signal begun_anew
 
 ## What plays.
@@ -13,9 +13,9 @@ var suit: RecordedSuit = null
 ## The people of MVN in it, or null if it has none. Connect to its signals before the first
 ## [method advance].
 var stream: MvnStream = null
-## So many times as fast as it was recorded.
+## Speed, as a multiple of the recorded one.
 var speed: float = 1.0
-## Whether it begins anew at its end.
+## Whether it starts again at its end.
 var loops: bool = true
 
 var _name: String = ""

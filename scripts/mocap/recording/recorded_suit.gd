@@ -12,7 +12,7 @@ func play(p_player: RawPlayer) -> void:
 	_hub.play(p_player)
 
 
-## A recording has no end to be given back; it is only no longer played.
+## Nothing to close; the recording is just not played any longer.
 func close() -> void:
 	_hub.play(null)
 	super()

@@ -4,8 +4,8 @@ extends RefCounted
 ## Feeds derive from it.
 ##
 ## Any thread may call it: [SuitSource] takes the frames in the sampling thread while a panel lists
-## the sensors in the main one. A sensor keeps its mount in the list while the feed lives; new ones
-## come behind.
+## the sensors in the main one. A sensor keeps its index in the list while the feed lives; new ones
+## are appended.
 
 ## Why nothing comes, or an empty text.
 var error: String = ""
@@ -13,7 +13,7 @@ var error: String = ""
 var revision: int = 0
 
 
-## The sensors and how they do; what was returned is the caller's.
+## The sensors and their state; the caller may keep and change the result.
 func list_sensors() -> Array[SensorInfo]:
 	return []
 

@@ -2,16 +2,16 @@ class_name SensorFrame
 extends RefCounted
 ## One moment of all sensors of a [SensorFeed], in the order of its list.
 ##
-## Axes are Godot's already ([SourceFrames]), calibration is still to come.
+## Axes are Godot's already ([SourceFrames]); it is not calibrated yet.
 
 ## When it was measured, µs of Unix time on this machine.
 var time_usec: int = 0
 ## The device's own count of its samples, or -1 where it has none.
 var counter: int = -1
-## 4 floats (x, y, z, w) a sensor: from the sensor's axes to the global frame that it believes in,
-## Y up, +Z its north. Of no meaning where [member present] is 0.
+## 4 floats (x, y, z, w) a sensor: from the sensor's axes to its own global frame, Y up,
+## +Z its north. Undefined where [member present] is 0.
 var orientations: PackedFloat32Array = PackedFloat32Array()
-## 1 for each sensor that spoke, else 0.
+## 1 for each sensor with a reading, else 0.
 var present: PackedByteArray = PackedByteArray()
 ## Rates of turn in the sensors' axes, rad/s; empty if they are not known.
 var rates: PackedVector3Array = PackedVector3Array()
@@ -25,7 +25,7 @@ func count() -> int:
 	return present.size()
 
 
-## Makes room for so many sensors, none of which has spoken.
+## Makes room for this many sensors, all without readings.
 func resize(p_count: int, p_rates: bool = false, p_accelerations: bool = false) -> void:
 	orientations.resize(p_count * 4)
 	present.resize(p_count)
@@ -43,7 +43,7 @@ func orientation(p_sensor: int) -> Quaternion:
 	)
 
 
-## Notes that a sensor spoke, and its orientation.
+## Sets a sensor's orientation.
 func set_orientation(p_sensor: int, p_rotation: Quaternion) -> void:
 	var at: int = p_sensor * 4
 	orientations[at] = p_rotation.x

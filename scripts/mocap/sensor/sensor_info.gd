@@ -1,6 +1,6 @@
 class_name SensorInfo
 extends RefCounted
-## What a feed knows of one sensor.
+## What a feed knows about one sensor.
 
 ## What a sensor does.
 enum State {
@@ -10,7 +10,7 @@ enum State {
 	MEASURING,
 	## It measured, but no sample came for a while.
 	SILENT,
-	## It said that something is wrong, see [member trouble].
+	## It reported a fault, see [member trouble].
 	FAILED,
 }
 
@@ -29,7 +29,7 @@ var mount: StringName = &""
 var state: State = State.WAITING
 ## What is wrong, for people, or an empty text.
 var trouble: String = ""
-## Samples per second of late; 0 if none came.
+## Recent samples per second; 0 if none came.
 var rate_hz: float = 0.0
 ## Share of the samples that got lost, 0 to 1.
 var loss: float = 0.0
@@ -39,7 +39,7 @@ var age_s: float = INF
 var battery: float = -1.0
 
 
-## The same again, for somebody in another thread.
+## A copy, for another thread.
 func copy() -> SensorInfo:
 	var other: SensorInfo = SensorInfo.new()
 	other.id = id

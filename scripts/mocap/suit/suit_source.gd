@@ -7,14 +7,14 @@ extends MotionSource
 ## lower foot stands on the ground below the origin, and the server finds the travel
 ## (--root=inertial).
 
-## There is a result of a calibration to be taken over or refused.
+## There is a result of a calibration to accept or refuse.
 signal calibrated(p_result: CalibrationResult)
 
-## A sensor that is silent for so long counts as not worn, its limb is filled: s.
+## A sensor that is silent for this long counts as not worn, and its limb is filled, s.
 const SILENT_S: float = 0.5
-## Frames that wait for whoever shows and calibrates; beyond it the oldest go.
+## Maximum of frames that wait for display and calibration; beyond it the oldest are dropped.
 const MAX_RECENT: int = 512
-## How long the body takes to go over to another calibration, s.
+## Time in which the body blends into another calibration, s.
 const PASSAGE_S: float = 0.5
 
 ## Where the sensors' samples come from.
@@ -24,12 +24,12 @@ var process: CalibrationProcess = CalibrationProcess.new()
 ## The newest frame that [method advance] saw, or null.
 var newest_frame: SensorFrame = null
 ## The newest pose that [method advance] saw, or null before calibration. While a result waits to
-## be taken over, the pose as it would be then.
+## be accepted, the pose as it would be with it.
 var newest_pose: PoseSample = null
 ## Finds sensors that are exchanged or sit wrongly.
 var watch: WearWatch = WearWatch.new()
 
-# What a result would make of the frames.
+# The frames as the result would turn them into poses.
 var _trial: SuitTable = null
 # Of the thread that samples alone.
 var _poses: LivePoses = LivePoses.new()
@@ -53,7 +53,7 @@ func _init(p_feed: SensorFeed = null) -> void:
 		error = p_feed.error
 
 
-## Who wears it. It is not to be changed; make a new one or use the methods here.
+## Who wears it. Do not change it; make a new one or use the methods here.
 func get_profile() -> PersonProfile:
 	_mutex.lock()
 	var profile: PersonProfile = _profile
@@ -61,7 +61,7 @@ func get_profile() -> PersonProfile:
 	return profile
 
 
-## Says who wears it: mounts, size and calibration are in force from the next sample on.
+## Sets who wears it: mounts, size and calibration are used from the next sample on.
 func set_profile(p_profile: PersonProfile) -> void:
 	_mutex.lock()
 	_profile = p_profile
@@ -70,21 +70,21 @@ func set_profile(p_profile: PersonProfile) -> void:
 	watch.clear()
 
 
-## Says which sensor is where. The calibration of those that moved is void.
+## Sets the mounts of the sensors. The calibration of those that moved is void.
 func set_map(p_map: SensorMap) -> void:
 	var changed: PersonProfile = _copy_profile()
 	changed.map = p_map
 	set_profile(changed)
 
 
-## Says how big the wearer is.
+## Sets the wearer's size.
 func set_body(p_size: BodySize) -> void:
 	var changed: PersonProfile = _copy_profile()
 	changed.size = p_size
 	set_profile(changed)
 
 
-## Says what the wearer is called.
+## Sets the wearer's name.
 func rename(p_name: String) -> void:
 	var changed: PersonProfile = _copy_profile()
 	changed.name = p_name
@@ -93,7 +93,7 @@ func rename(p_name: String) -> void:
 	_mutex.unlock()
 
 
-## Takes a calibration into force.
+## Sets the calibration to use.
 func set_calibration(p_calibration: Calibration) -> void:
 	var changed: PersonProfile = _copy_profile()
 	changed.calibration = p_calibration
@@ -105,8 +105,8 @@ func is_calibrated() -> bool:
 	return get_profile().calibration != null
 
 
-## Begins a calibration of a kind, at a time in s of any clock. The one in force stays. Returns why
-## it cannot, or an empty text.
+## Begins a calibration of a kind, at a time in s of any clock. The present one stays in use.
+## Returns why it cannot, or an empty text.
 func start_calibration(p_kind: CalibrationGuide.Kind, p_now_s: float) -> String:
 	var sensors: Array[SensorInfo] = feed.list_sensors()
 	var profile: PersonProfile = _profile_for(sensors)
@@ -114,19 +114,19 @@ func start_calibration(p_kind: CalibrationGuide.Kind, p_now_s: float) -> String:
 	return process.start(p_kind, sensors, mounts, profile.calibration, p_now_s)
 
 
-## Takes the result of the calibration into force, as far as there is one.
+## Accepts the result of the calibration, if there is one.
 func accept_calibration() -> void:
 	if process.result != null and process.result.error == "":
 		set_calibration(process.result.calibration)
 	process.close()
 
 
-## Leaves the old calibration in force.
+## Refuses the result: the old calibration stays in use.
 func refuse_calibration() -> void:
 	process.cancel()
 
 
-## Goes on, in the main thread: takes what came, feeds a calibration that runs. The time is in s of
+## Goes on, in the main thread: takes new frames, feeds a calibration that runs. The time is in s of
 ## the clock that [method start_calibration] had.
 func advance(p_now_s: float) -> void:
 	_mutex.lock()
@@ -148,7 +148,7 @@ func advance(p_now_s: float) -> void:
 		calibrated.emit(process.result)
 
 
-## Frames of the feed that were none and were dropped.
+## Invalid frames of the feed, which were dropped.
 func faulty_frames() -> int:
 	_mutex.lock()
 	var faulty: int = _faulty
@@ -180,7 +180,7 @@ func _read(p_time_usec: int) -> PoseSample:
 	var table: SuitTable = _table
 	_mutex.unlock()
 	if table != _poses_of:
-		# Another calibration: the body goes over to it, it would be flung otherwise.
+		# Another calibration: the body is blended into it, it would be flung otherwise.
 		_poses_of = table
 		_poses.clear()
 		_passes_from = _last
@@ -205,7 +205,7 @@ func _pass_over(p_pose: PoseSample, p_time_usec: int) -> PoseSample:
 	return p_pose
 
 
-## Takes what the feed has. The mutex is held.
+## Takes the feed's frames. The mutex is held.
 func _pump() -> void:
 	if feed == null:
 		return
@@ -229,7 +229,7 @@ func _pump() -> void:
 			_recent.pop_front()
 
 
-## The table of a result that waits, or else the one in force.
+## The table of a waiting result, or else the one in use.
 func _table_to_show(p_table: SuitTable) -> SuitTable:
 	if process.phase != CalibrationProcess.Phase.DONE or process.result.calibration == null:
 		_trial = null
@@ -243,7 +243,7 @@ func _table_to_show(p_table: SuitTable) -> SuitTable:
 	return _trial
 
 
-## The profile; who has no map yet, or one of other sensors, gets the usual one for these.
+## The profile; without a map for these sensors it gets the usual one.
 func _profile_for(p_sensors: Array[SensorInfo]) -> PersonProfile:
 	var knows: bool = p_sensors.is_empty()
 	for sensor: SensorInfo in p_sensors:

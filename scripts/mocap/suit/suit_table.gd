@@ -2,8 +2,8 @@ class_name SuitTable
 extends RefCounted
 ## Turns frames of sensors into poses: for each sensor its mount and calibration, ready to be used.
 ##
-## A sensor that was silent in a frame keeps what it said last for [constant SuitSource.SILENT_S].
-## Any thread may ask for a pose.
+## A sensor that was silent in a frame keeps its last orientation for [constant
+## SuitSource.SILENT_S]. Any thread may ask for a pose.
 
 ## Mount of each sensor, -1 if it is not worn.
 var mounts: PackedInt32Array = PackedInt32Array()
@@ -47,7 +47,7 @@ func setup(p_sensors: Array[SensorInfo], p_profile: PersonProfile) -> void:
 			_right[sensor] = entry.mounting.inverse()
 
 
-## Notes what the sensors of a frame said.
+## Takes the sensors' orientations of a frame.
 func remember(p_frame: SensorFrame) -> void:
 	_mutex.lock()
 	for sensor: int in mini(p_frame.count(), _last.size()):
@@ -64,7 +64,7 @@ func rotation(p_sensor: int, p_said: Quaternion) -> Variant:
 	return (_left[p_sensor] * p_said * _right[p_sensor]).normalized()
 
 
-## The pose of a frame, with its time; null if nothing is calibrated or nobody spoke.
+## The pose of a frame, with its time; null if nothing is calibrated or all sensors are silent.
 func pose(p_frame: SensorFrame) -> PoseSample:
 	_mutex.lock()
 	_filler.clear()

@@ -2,14 +2,14 @@ class_name UsbSuitFeed
 extends SensorFeed
 ## The suit that is plugged in: all trackers of all masters on this machine's USB ports.
 ##
-## Trackers keep their position in the list by their device ids, also when a master is plugged out
+## Trackers keep their index in the list by their device ids, also when a master is plugged out
 ## and in again. Masters measure each in its own time: a frame is one of the leading master's (the
 ## one with the most trackers), and the others' orientations are carried on to its time by the turn
 ## between their last two.
 
-## How far an orientation is carried on at most, s.
+## Maximum time over which an orientation is extrapolated, s.
 const MAX_AHEAD_S: float = 0.03
-## A tracker that is silent for so long is called so, s.
+## Time without samples after which a tracker counts as silent, s.
 const SILENT_S: float = 0.5
 
 const _FRAMES: Dictionary[SuitFrame.Axes, SourceFrames.Frame] = {
@@ -27,7 +27,7 @@ var _hub: SuitHub = SuitHub.new()
 var _mutex: Mutex = Mutex.new()
 var _sensors: Array[SensorInfo] = []
 var _indices: Dictionary[String, int] = {}
-## For each device its number, and the positions of its trackers in the list.
+## For each device its number, and the indices of its trackers in the list.
 var _trackers: Dictionary[int, PackedInt32Array] = {}
 var _leader: int = -1
 ## The newest two frames of each device that does not lead.
