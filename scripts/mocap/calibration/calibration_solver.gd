@@ -2,7 +2,7 @@ class_name CalibrationSolver
 extends RefCounted
 ## Computes a calibration from what was measured while the wearer followed a [CalibrationGuide].
 
-## An exchange is named only if it fits better by this factor: here people are asked to take poses,
+## An exchange is named only if it fits better by this much: here people are asked to take poses,
 ## not to show which sensor is which.
 const MUCH_BETTER: float = 5.0
 

@@ -13,7 +13,7 @@ const SPREAD_PART: float = 0.3
 const STILL_DEG: float = 6.0
 ## Maximum that one movement counts: somebody may get one wrong.
 const MAX: float = 6.0
-## Factor by which an exchange must fit better.
+## Minimum by which an exchange must fit better.
 const BETTER: float = 2.0
 ## Mounts that do nothing of what they should fit by less than this.
 const ODD: float = 8.0
