@@ -14,7 +14,7 @@ enum class Actuation : int {
 	SPRING_TORQUE, ///< Thesis 8.2: a torque grows with the error, and with a leaky integral of it.
 	ANGULAR_MOTOR, ///< Thesis 8.3: the joint's motor turns with a speed in proportion to the error.
 	VELOCITY_MOTOR, ///< The same, plus the speed that the motion has anyway (feed-forward).
-	POSITION_MOTOR, ///< The engine's spring, drawn to where the motion will be.
+	POSITION_MOTOR, ///< The engine's spring, pulled to where the motion will be.
 	LIMP, ///< Nothing but a little friction in the joint.
 };
 constexpr int ACTUATION_COUNT = 6;
@@ -49,7 +49,7 @@ struct GroupSettings {
 /// Which mode and how much strength every limb has, and how they pass into each other.
 ///
 /// From and to LIMP the torque fades, so that a hit, a death or a getting-up looks like one. Into
-/// DIRECT_SET the limb is drawn from where it is. Between the other modes the change is at once: they
+/// DIRECT_SET the limb is moved from where it is. Between the other modes the change is at once: they
 /// hold the same pose.
 class ActuationTable {
 public:

@@ -18,7 +18,7 @@ struct LimbCommand {
 	Vec3 velocity;
 	/// SPRING_TORQUE: the torque on the limb in world axes, N m; the parent gets its opposite.
 	Vec3 torque;
-	/// POSITION_MOTOR: where the spring is drawn to, relative to the parent.
+	/// POSITION_MOTOR: the spring's target, relative to the parent.
 	Quat target;
 	Vec3 stiffness; ///< POSITION_MOTOR, about the limb's axes, N m/rad.
 	Vec3 damping; ///< POSITION_MOTOR, N m s/rad.
@@ -42,7 +42,7 @@ struct ControlSettings {
 	float position_damping_ratio = 1.0f; ///< POSITION_MOTOR.
 };
 
-/// Turns "where the limbs are, where they are to be" into commands for the joints.
+/// Turns the limbs' present and target orientations into commands for the joints.
 ///
 /// Every limb is driven relative to its parent. Its target is the *motion's* parent-relative
 /// orientation: targets computed from the simulated parent are unstable.

@@ -112,7 +112,7 @@ public:
 	const std::vector<float> &get_saturations() const { return _saturations; }
 	/// The estimator of the root's travel of a mode, or null where the mode has none.
 	const Travel *get_travel() const { return find_travel(root_mode); }
-	/// Where the root is to be at the end of the last step, m.
+	/// The target of the root at the end of the last step, m.
 	const Vec3 &get_root_target() const { return _next.root; }
 
 	void save(ArchiveWriter &p_archive) const;

@@ -11,7 +11,7 @@
 
 namespace ragdoll {
 
-/// Where every limb is to be at one moment.
+/// The target of every limb at one moment.
 struct Pose {
 	std::vector<Quat> orientations; ///< World orientation of each limb.
 	Vec3 root; ///< World position of the root limb's joint, m.

@@ -5,15 +5,15 @@
 
 namespace ragdoll {
 
-/// Where the root is to be, and who holds it there.
+/// The root's target, and what holds it there.
 enum class RootMode : int {
 	HELD, ///< Its position is known; it follows exactly and cannot be pushed.
-	SOFT, ///< Its position is known; it is drawn there with limited force.
+	SOFT, ///< Its position is known; it is pulled there with limited force.
 	LOWEST_FOOT, ///< Thesis 8.4.1: the lowest foot point stands still.
 	CONTACTS, ///< Thesis 8.4.2: whatever touches the ground stands still, on any ground.
 	PENDULUM, ///< Thesis 8.4.3: a heavy weight far below keeps the body upright; the feet move it.
 	SELF_RIGHTING, ///< Thesis 8.4.4: motors to the world keep pelvis and trunk upright; the feet move it.
-	INERTIAL, ///< For suits that know no position: predicted velocity and contacts, limited force.
+	INERTIAL, ///< For suits without position: predicted velocity and contacts, limited force.
 };
 constexpr int ROOT_MODE_COUNT = 7;
 
@@ -21,7 +21,7 @@ constexpr int ROOT_MODE_COUNT = 7;
 constexpr bool finds_travel(RootMode p_mode) {
 	return p_mode == RootMode::LOWEST_FOOT || p_mode == RootMode::CONTACTS || p_mode == RootMode::INERTIAL;
 }
-/// Whether no force draws the root along: the feet alone do.
+/// Whether no force pulls the root along: the feet alone do.
 constexpr bool is_free(RootMode p_mode) {
 	return p_mode == RootMode::PENDULUM || p_mode == RootMode::SELF_RIGHTING;
 }

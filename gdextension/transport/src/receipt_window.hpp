@@ -23,7 +23,7 @@ public:
 	/// Bytes without a receipt above which the other end takes nothing in.
 	static constexpr int64_t MAX_UNRECEIPTED = 4 << 20;
 
-	/// Takes note of bytes that are being sent. True if a probe is to be sent behind them.
+	/// Counts bytes that are being sent. True if a probe must be sent behind them.
 	bool note_sent(int64_t p_bytes, Nonce &r_probe);
 	/// Takes a receipt: all up to that probe has arrived. What was never asked for is ignored, so is
 	/// what was answered before.

@@ -26,7 +26,7 @@ public:
 		float takeoff_gap = 0.008f; ///< And height above the ground that the ballistic path has in 1/60 s, m.
 		float step_up = 0.06f; ///< Ground that would lift the body by more above its path is not stood on, m.
 		float settle_s = 0.2f; ///< For so long after a landing it is, s.
-		float hold_s = 0.01f; ///< How fast a standing point is drawn back to its anchor, s.
+		float hold_s = 0.01f; ///< How fast a standing point is pulled back to its anchor, s.
 		float hold_from = 0.5f; ///< Share of the surest point's weight from which a point is anchored.
 		float release_below = 0.1f; ///< And below which it is let go.
 	};

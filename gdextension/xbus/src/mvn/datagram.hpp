@@ -147,7 +147,7 @@ struct Content {
 	std::string time_code;
 };
 
-/// Reads the payload of one datagram and adds what it holds. On a fault what was added is of no use.
+/// Reads the payload of one datagram and adds what it holds. On a fault what was added is invalid.
 Fault read_payload(const Header &p_header, const uint8_t *p_payload, std::size_t p_size, Content &r_content);
 
 /// The names of MVN's body segments in the order of types 01 and 02 (segment id less one).

@@ -42,7 +42,7 @@ public:
 private:
 	/// Over which it is judged whether the time code runs.
 	static constexpr int64_t SPAN_USEC = 1000000;
-	/// Without a sample for so long all begins anew; and nobody waits for so long.
+	/// After this time without a sample everything is reset; no sample waits this long.
 	static constexpr int64_t GAP_USEC = 500000;
 
 	void begin(int64_t p_code, int64_t p_arrival) {

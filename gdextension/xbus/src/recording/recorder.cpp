@@ -49,7 +49,7 @@ void Recorder::open_descriptor(int p_descriptor, const std::string &p_about) {
 	_stops = false;
 	_is_open = true;
 	_streams = 0;
-	_lost_untold = 0;
+	_lost_unreported = 0;
 	_newest_usec = 0;
 	add_locked(Kind::FILE_HEAD, 0, reinterpret_cast<const uint8_t *>(p_about.data()), p_about.size(), 0);
 	_thread = std::thread(&Recorder::run, this);
@@ -108,15 +108,15 @@ void Recorder::add_locked(
 	const std::size_t reserve = 3 * HEAD_SIZE + 8;
 	if (_waiting.size() + HEAD_SIZE + p_size + reserve > _room) {
 		++_stats.lost;
-		++_lost_untold;
+		++_lost_unreported;
 		return;
 	}
 	_newest_usec = p_time_usec > _newest_usec ? p_time_usec : _newest_usec;
-	if (_lost_untold > 0) {
+	if (_lost_unreported > 0) {
 		std::array<uint8_t, 8> count{};
-		put_little(_lost_untold, count.size(), count.data());
+		put_little(_lost_unreported, count.size(), count.data());
 		append(Kind::LOST, 0, count.data(), count.size(), p_time_usec);
-		_lost_untold = 0;
+		_lost_unreported = 0;
 	}
 	append(p_kind, p_stream, p_payload, p_size, p_time_usec);
 }
@@ -144,9 +144,9 @@ void Recorder::run() {
 			_wakes.wait_for(lock, WRITE_EVERY, [this]() { return _stops || _waiting.size() > _room / 2; });
 			stops = _stops;
 			if (stops && _stats.fault.empty()) {
-				if (_lost_untold > 0) {
+				if (_lost_unreported > 0) {
 					std::array<uint8_t, 8> count{};
-					put_little(_lost_untold, count.size(), count.data());
+					put_little(_lost_unreported, count.size(), count.data());
 					append(Kind::LOST, 0, count.data(), count.size(), _newest_usec);
 				}
 				append(Kind::END, 0, nullptr, 0, _newest_usec);

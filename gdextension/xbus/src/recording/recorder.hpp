@@ -64,7 +64,7 @@ private:
 	bool _stops = false;
 	int _streams = 0;
 	uint64_t _newest_usec = 0;
-	uint64_t _lost_untold = 0;
+	uint64_t _lost_unreported = 0;
 	RecorderStats _stats;
 	// Of the thread alone.
 	std::vector<uint8_t> _writing;
