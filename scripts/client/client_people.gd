@@ -119,7 +119,7 @@ func send_ack(p_bytes: PackedByteArray) -> void:
 	_sender.send_ack(p_bytes)
 
 
-## Notes how long a sample took to the server.
+## Records how long a sample took to the server.
 func note_trip(p_mark: LatencyMark) -> void:
 	for motion: ClientMotion in _motions:
 		if motion.actor == p_mark.person:

@@ -13,7 +13,7 @@ var max_fast: Dictionary[int, int] = {}
 var high_from: int = 256
 ## The first byte that they count as.
 var high_kind: int = 0
-## Packets of any kind that a client may send per second; what is above it is dropped.
+## Packets of any kind that a client may send per second; more are dropped.
 var max_packets: int = 1000
 ## A client that sends this many packets in a second is disconnected.
 var flood_packets: int = 3000
