@@ -86,7 +86,7 @@ static func _motion() -> Array[OptionRow]:
 		),
 		OptionRow.file("suit-record", moving, "record every byte of suits and of MVN in this file"),
 		OptionRow.file("suit-play", moving, "motion from a file of --suit-record, in a loop"),
-		OptionRow.text("person", moving, "who wears the suit: size and calibration are kept by this name"),
+		OptionRow.text("person", moving, "who wears the suit: name of size and calibration"),
 		OptionRow.choice(
 			"calibrate", moving, "", ClientCalibration.KINDS.keys(), "calibrate at the start"
 		),
