@@ -203,6 +203,7 @@ void SnapshotSmoother::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("take", "decoder", "arrival_s"), &SnapshotSmoother::take);
 	ClassDB::bind_method(D_METHOD("evaluate", "now_s"), &SnapshotSmoother::evaluate);
 	ClassDB::bind_method(D_METHOD("get_shown_tick"), &SnapshotSmoother::get_shown_tick);
+	ClassDB::bind_method(D_METHOD("get_motion_tick"), &SnapshotSmoother::get_motion_tick);
 	ClassDB::bind_method(D_METHOD("get_delay"), &SnapshotSmoother::get_delay);
 	ClassDB::bind_method(D_METHOD("server_time", "now_s"), &SnapshotSmoother::server_time);
 	ClassDB::bind_method(D_METHOD("has_person", "person"), &SnapshotSmoother::has_person);

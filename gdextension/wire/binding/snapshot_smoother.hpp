@@ -46,6 +46,7 @@ public:
 
 	void evaluate(double p_now_s) { _smoother.evaluate(p_now_s); }
 	double get_shown_tick() const { return _smoother.shown_tick(); }
+	double get_motion_tick() const { return _smoother.motion_tick(); }
 	double get_delay() const { return _smoother.delay(); }
 	double server_time(double p_now_s) const;
 

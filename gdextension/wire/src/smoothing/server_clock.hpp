@@ -37,6 +37,8 @@ public:
 	bool is_known() const { return _difference < std::numeric_limits<double>::infinity(); }
 	/// Time of a tick in the server's clock, s.
 	double time_of(uint32_t p_tick) const { return double(p_tick) / tick_rate; }
+	/// Time of the newest tick that has arrived, s.
+	double newest() const { return time_of(_newest_tick); }
 	/// The server's time of what would arrive now if it was as quick as the quickest, s.
 	double server_now(double p_now_s) const { return p_now_s - _difference; }
 	/// How much later than the quickest a fraction (0 to 1) of the arrivals is not, s.

@@ -166,6 +166,23 @@ void Smoother::_play(double p_now_s) {
 	_is_playing = true;
 }
 
+double Smoother::_motion_time() const {
+	const double ahead = std::max(_shown_time - _clock.newest(), 0.0);
+	switch (_method) {
+		case SmoothingMethod::NONE:
+			return _clock.newest();
+		case SmoothingMethod::LINEAR:
+		case SmoothingMethod::HERMITE:
+			return std::min(_shown_time, _clock.newest());
+		case SmoothingMethod::EXTRAPOLATE_LERP:
+			return std::min(_shown_time, _clock.newest() + _clock.interval());
+		case SmoothingMethod::ERROR_OFFSET:
+			return _shown_time - ahead + carried_on(ahead, FAR_REACH_S);
+		default:
+			return _shown_time - ahead + carried_on(ahead, REACH_S);
+	}
+}
+
 void Smoother::evaluate(double p_now_s) {
 	_moved_bodies.clear();
 	if (!_clock.is_known() || !std::isfinite(p_now_s)) {

@@ -62,6 +62,9 @@ public:
 
 	/// The tick that is shown, with its fraction; -1 before the first update.
 	double shown_tick() const { return _is_playing ? _shown_time * _clock.tick_rate : -1.0; }
+	/// The tick of the motion of people that is shown, with its fraction: shown_tick(), but beyond the newest update
+	/// only as far as motion is carried on. -1 before the first update.
+	double motion_tick() const { return _is_playing ? _motion_time() * _clock.tick_rate : -1.0; }
 	/// How far what is shown is behind the quickest arrivals, s.
 	double delay() const { return _behind; }
 	/// As shown by evaluate(); null until there is something.
@@ -111,6 +114,7 @@ private:
 	void _evaluate_person(PersonEntry &r_entry, double p_now_s);
 	bool _is_timely(uint32_t p_tick, double p_arrival_s);
 	double _wanted_time(double p_now_s);
+	double _motion_time() const;
 	void _play(double p_now_s);
 	void _forget_updates();
 	static void _pose_person(

@@ -13,17 +13,19 @@ namespace {
 // A person's motion beyond what people do is a jump, and no base for a prediction.
 constexpr float MAX_SPEED = 30.0f; // m/s
 constexpr float MAX_SPIN = 40.0f; // rad/s
+// A person's speed changes by less than this from one update to the next.
+constexpr float MAX_SPEED_CHANGE = 10.0f; // m/s
+constexpr float MAX_SPIN_CHANGE = 20.0f; // rad/s
 // A jump beyond this is taken over at once: something was put elsewhere.
 constexpr float FARTHEST_OFFSET = 3.0f; // m
-// Beyond the newest update a person goes on ever slower, and no longer than this in sum.
-constexpr double REACH_S = 0.06;
-// ERROR_OFFSET wants to be where the server is now, and guesses further.
-constexpr double FAR_REACH_S = 0.3;
 // At the newest update motion is faster than its mean since the last one by so much of its change.
 constexpr float CHANGE = 0.25f;
 // How fast the jump of ADAPTIVE_LOW_DELAY decays (critically damped), and that of ERROR_OFFSET.
 constexpr double SPRING = 75.0; // 1/s, at up to this time between updates; less where they are rarer.
 constexpr double SPRING_GAP = 1.0 / 30.0; // s
+// A display of more frames has room for a stiffer spring: the jump is gone sooner, and motion is still smoother.
+constexpr double SPRING_FRAME = 1.0 / 60.0; // s: of 60 frames a second it is SPRING.
+constexpr double MAX_STIFFENING = 2.4;
 constexpr double DECAY = 21.4; // 1/s: to 0.7 within a sixtieth of a second.
 // Updates that are further apart are no samples of one motion, s.
 constexpr double LONGEST_GAP = 0.3;
@@ -31,6 +33,19 @@ constexpr double SHORTEST_GAP = 1.0 / 240.0;
 
 bool is_jump(const Vec3 &p_displacement) {
 	return p_displacement.length() > FARTHEST_OFFSET;
+}
+
+// What has just jumped does not go on like that: carried on, it would be shown far beyond where it is.
+template <std::size_t N>
+void stop_jumps(Delta<N> &r_motion, const Delta<N> &p_change, std::size_t p_count) {
+	if (p_change.displacement.length() > CHANGE * MAX_SPEED_CHANGE) {
+		r_motion.displacement = Vec3();
+	}
+	for (std::size_t i = 0; i < p_count; i++) {
+		if (p_change.turns[i].length() > CHANGE * MAX_SPIN_CHANGE) {
+			r_motion.turns[i] = Vec3();
+		}
+	}
 }
 
 float smooth(double p_part) {
@@ -107,8 +122,10 @@ Delta<N> Track<N>::_motion_at_end() const {
 	if (!_has_motion && _size > 2 && _gap(_size - 1) <= LONGEST_GAP && _gap(_size - 2) <= LONGEST_GAP) {
 		const Delta<N> before =
 				between(_key(_size - 3).frame, _key(_size - 2).frame, float(1.0 / _gap(_size - 2)), _count);
-		motion = mix(motion, 1.0f + CHANGE, before, -CHANGE, _count);
+		const Delta<N> change = mix(motion, CHANGE, before, -CHANGE, _count);
+		motion = mix(motion, 1.0f, change, 1.0f, _count);
 		limit(motion, MAX_SPEED, MAX_SPIN, _count);
+		stop_jumps(motion, change, _count);
 	}
 	return motion;
 }
@@ -125,8 +142,8 @@ Frame<N> Track<N>::_predicted(const Key &p_key, double p_time, const Delta<N> &p
 	double seconds = 0.0;
 	if (_has_motion) {
 		seconds = std::min(std::max(ahead, -double(LONGEST_PREDICTION_S)), double(LONGEST_PREDICTION_S));
-	} else if (ahead > 0.0) {
-		seconds = p_reach * (1.0 - std::exp(-ahead / p_reach));
+	} else {
+		seconds = ahead > 0.0 ? carried_on(ahead, p_reach) : std::max(ahead, -LONGEST_GAP);
 	}
 	apply(frame, p_motion, float(seconds), _count);
 	return frame;
@@ -282,7 +299,8 @@ void Track<N>::_decay(const Moment &p_moment, double p_step) {
 		return;
 	}
 	// A critically damped spring, solved exactly.
-	const double spring = SPRING * std::sqrt(std::min(1.0, SPRING_GAP / _usual_gap()));
+	const double stiffening = p_step > 0.0 ? std::min(std::max(SPRING_FRAME / p_step, 1.0), MAX_STIFFENING) : 1.0;
+	const double spring = SPRING * stiffening * std::sqrt(std::min(1.0, SPRING_GAP / _usual_gap()));
 	const float left = float(std::exp(-spring * p_step));
 	const float step = float(p_step);
 	const float stiffness = float(spring);
