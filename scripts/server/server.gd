@@ -34,6 +34,7 @@ var _report: ReportFile = null
 var _stats: ServerStats = null
 var _status: StatusEndpoint = StatusEndpoint.new()
 var _stop: StopSignal = StopSignal.new()
+var _pacer: TickPacer = TickPacer.new()
 var _control: SessionControl = null
 var _tick: int = 0
 var _sent_tick: int = 0
@@ -149,6 +150,7 @@ func _physics_process(p_delta: float) -> void:
 
 
 func _process(_p_delta: float) -> void:
+	_pacer.pace(_rate())
 	if _sent_tick != _tick:
 		_sent_tick = _tick
 		_after_step()

@@ -1,0 +1,24 @@
+class_name TickPacer
+extends RefCounted
+## Lets a server's ticks begin when they are due.
+##
+## Of a program that draws nothing Godot begins a frame every 6.9 ms, and ticks begin with frames:
+## each is late by another part of that, and clients have to wait for the latest. Here frames are
+## spread evenly over the time to the next tick, so that one begins with it.
+
+## Frames are at most so far apart, µs: what is asked between ticks waits no longer.
+const LONGEST_FRAME_USEC: float = 4200.0
+## A frame begins so long after its tick is due, µs: none is to come just before.
+const MARGIN_USEC: float = 50.0
+
+
+## Says when the next frame begins. Call it in every frame, with the ticks per second.
+func pace(p_tick_rate: float) -> void:
+	var fraction: float = Engine.get_physics_interpolation_fraction()
+	OS.low_processor_usage_mode_sleep_usec = frame_usec(fraction, p_tick_rate)
+
+
+## How long a frame lasts that begins at a fraction of the time between two ticks, µs.
+static func frame_usec(p_fraction: float, p_tick_rate: float) -> int:
+	var left: float = (1.0 - clampf(p_fraction, 0.0, 1.0)) * 1e6 / p_tick_rate + MARGIN_USEC
+	return ceili(left / ceilf(left / LONGEST_FRAME_USEC))
