@@ -5,8 +5,8 @@ extends Node
 ## It never simulates: everything that moves is put where its [StateStream] says, by way of a
 ## [WorldReplica]; only a trainee's own body is shown as the trainee moves it.
 
-## Frames per second without a window unless told otherwise: enough to send every sample in time.
-const HEADLESS_FPS: int = 240
+## Frames per second without a window unless told otherwise: as those of a quick display.
+const HEADLESS_FPS: int = 144
 
 ## Frames that must have been shown before a picture is taken, and how long that is waited for, s.
 const _PICTURE_FRAMES: int = 8
@@ -29,6 +29,7 @@ var _exit_code: int = 0
 var _stats: ClientStats = ClientStats.new()
 var _stop: StopSignal = StopSignal.new()
 var _pacer: FramePacer = null
+var _clock: FrameClock = FrameClock.of_window()
 
 
 ## Takes over the options. Call it before the node enters the tree.
@@ -41,6 +42,8 @@ func _ready() -> void:
 	ClientPhysics.begin()
 	if DisplayServer.get_name() == "headless":
 		Engine.max_fps = _options.number("fps")
+		# Else Godot makes 145 frames a second at most where nothing is drawn.
+		OS.low_processor_usage_mode_sleep_usec = 1
 	else:
 		RenderingServer.frame_post_draw.connect(_on_frame_drawn)
 	_pacer = FramePacer.new(Engine.max_fps if FramePacer.is_free() else 0)
@@ -145,7 +148,8 @@ func _acknowledge() -> void:
 
 func _update_scene() -> void:
 	var own: Dictionary[int, PackedFloat32Array] = {}
-	var now: int = Time.get_ticks_usec()
+	var begin: int = Time.get_ticks_usec()
+	var now: int = _clock.begin(begin)
 	var people: ClientPeople = _mocap.people
 	if people != null and _scene.replica.is_ready():
 		own = people.evaluate(now, _scene.replica)
@@ -153,12 +157,11 @@ func _update_scene() -> void:
 		own.clear()
 	elif people != null and own.has(people.first_actor):
 		_stats.own_shown(people.shown_moment_usec(now))
-	_scene.update(_stream.now_s(), own)
+	_scene.update(_stream.frame_s(now), own)
 	var headless: bool = DisplayServer.get_name() == "headless"
-	_stats.smoothing_delay_s = _scene.replica.delay()
 	if FramePacer.is_free():
 		Engine.max_fps = _pacer.limit_for(_scene.replica.shown_tick(), _scene.replica.tick_rate())
-	_stats.frame(_scene.replica.shown_tick(), _stream.server_usec(now), headless)
+	_stats.frame(_scene.replica, _stream.server_usec(begin), headless)
 
 
 func _on_received(p_bytes: PackedByteArray, p_time_s: float) -> void:
@@ -207,13 +210,16 @@ func _on_calibration_asked(p_index: int, p_kind: int) -> void:
 
 
 func _on_frame_drawn() -> void:
+	var now: int = Time.get_ticks_usec()
+	_clock.drawn(now)
 	if _stream != null:
-		_stats.drawn(_stream.server_usec(Time.get_ticks_usec()))
+		_stats.drawn(_stream.server_usec(now))
 
 
 func _show_status() -> void:
 	if Engine.get_process_frames() % 10 == 0:
 		_hud.show_status(_stats.describe(_role, _stream.traffic), _scene.describe_views())
+		_hud.show_screen(ScreenDelay.describe())
 	if _report.is_due():
 		_report.write(_make_report())
 

@@ -18,14 +18,19 @@ var smoothing_delay_s: float = 0.0
 var _frames: int = 0
 var _begin_usec: int = Time.get_ticks_usec()
 var _own_moment_usec: int = -1
+var _motion_tick: float = -1.0
+var _tick_rate: float = 0.0
 
 
-## Records that a frame of the world at a tick of the server is about to be drawn, or counts as
-## shown without a display. The time is the server's, µs.
-func frame(p_shown_tick: float, p_server_usec: int, p_headless: bool) -> void:
+## Records that a frame of the world, as a replica has it, is about to be drawn, or counts as shown
+## without a display. The time is the server's, µs.
+func frame(p_replica: WorldReplica, p_server_usec: int, p_headless: bool) -> void:
 	_frames += 1
-	shown_frames += 1 if p_shown_tick >= 0.0 else 0
-	probe.shows(p_shown_tick)
+	shown_frames += 1 if p_replica.shown_tick() >= 0.0 else 0
+	smoothing_delay_s = p_replica.delay()
+	_motion_tick = p_replica.motion_tick()
+	_tick_rate = p_replica.tick_rate()
+	probe.shows(p_replica.shown_tick())
 	if p_headless:
 		drawn(p_server_usec)
 
@@ -33,6 +38,7 @@ func frame(p_shown_tick: float, p_server_usec: int, p_headless: bool) -> void:
 ## Records that the frame was drawn, at a time of the server, µs.
 func drawn(p_server_usec: int) -> void:
 	probe.drawn(p_server_usec)
+	probe.frames.drawn(_motion_tick, _tick_rate, p_server_usec)
 	if _own_moment_usec >= 0:
 		own.add((Time.get_unix_time_from_system() * 1e6 - _own_moment_usec) / 1000.0)
 		_own_moment_usec = -1
@@ -58,9 +64,9 @@ func describe(p_role: String, p_traffic: TrafficMeter) -> String:
 		Engine.get_frames_per_second(),
 		p_traffic.received_per_second() / 1000.0,
 		p_traffic.sent_per_second() / 1000.0,
-		probe.latest_ms,
+		probe.frames.recent_ms,
 	]
-	return "%s   %d fps   %.1f kB/s in   %.1f kB/s out   sample to display %.0f ms" % parts
+	return "%s   %d fps   %.1f kB/s in   %.1f kB/s out   motion is %.0f ms old" % parts
 
 
 ## The stats for the server's status.
@@ -91,6 +97,7 @@ func report(
 		"latency_ms_p95": probe.total.percentile(0.95),
 		"latency_ms_p99": probe.total.percentile(0.99),
 		"latency": probe.stats(),
+		"frame_age": probe.frames.ages.stats(),
 		"own_latency": own.stats(),
 		"sent_bytes_per_second": p_traffic.sent_per_second(),
 		"received_bytes_per_second": p_traffic.received_per_second(),

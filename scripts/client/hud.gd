@@ -1,8 +1,10 @@
 class_name Hud
 extends CanvasLayer
-## A line of stats, a line of keys, in the middle what the user must know, and the latencies.
+## A line of stats, what the screen adds, a line of keys, in the middle what the user must know, and
+## the latencies.
 
 @export var _status: Label
+@export var _screen: Label
 @export var _keys: Label
 @export var _message: Label
 @export var _guide: Label
@@ -15,6 +17,11 @@ extends CanvasLayer
 func show_status(p_status: String, p_views: String) -> void:
 	_status.text = p_status
 	_keys.text = p_views + "   L delays   M motion capture   drag and wheel: camera"
+
+
+## Says what the screen adds to the delays that the stats have.
+func show_screen(p_text: String) -> void:
+	_screen.text = p_text
 
 
 ## Shows a message in the middle, or none if the text is empty.

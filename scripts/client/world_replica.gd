@@ -157,6 +157,12 @@ func shown_tick() -> float:
 	return _smoother.get_shown_tick()
 
 
+## The tick of people's motion that is shown, with its fraction, or -1: [method shown_tick], but
+## beyond the newest update only as far as motion is carried on.
+func motion_tick() -> float:
+	return _smoother.get_motion_tick()
+
+
 ## The server's ticks per second, or 0 while that is not known.
 func tick_rate() -> float:
 	return decoder.get_tick_rate()

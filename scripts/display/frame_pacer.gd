@@ -4,9 +4,9 @@ extends RefCounted
 ## with a limit of frames per second and without vertical synchronisation.
 ##
 ## A state that comes just after a frame began waits for the next one: up to a whole frame, always
-## the same, as both run at 60 Hz. By running a little faster or slower for a while, frames come to
-## begin just after there is something new to show. With vertical synchronisation the screen
-## decides.
+## the same, as there are as many frames as ticks, or a whole number of frames to each. By running a
+## little faster or slower for a while, frames come to begin just after there is something new to
+## show. With vertical synchronisation the screen decides.
 
 ## How long after there is something new a frame is to begin, s.
 const LEAD_S: float = 0.0015
@@ -26,11 +26,15 @@ func _init(p_limit: int) -> void:
 ## The limit for the next frame, when a tick (with its fraction) is shown of a server that makes so
 ## many a second.
 func limit_for(p_shown_tick: float, p_tick_rate: float) -> int:
-	if p_shown_tick < 0.0 or p_tick_rate <= 0.0 or roundi(p_tick_rate) != _limit:
+	if p_shown_tick < 0.0 or p_tick_rate <= 0.0:
 		return _limit
-	var period: float = 1.0 / p_tick_rate
-	# How long ago a new state could be shown for the first time; half a period off is a late frame.
-	var since: float = fposmod(p_shown_tick, 1.0) * period
+	var frames_per_tick: float = _limit / p_tick_rate
+	if frames_per_tick < 1.0 or not is_equal_approx(frames_per_tick, roundf(frames_per_tick)):
+		return _limit
+	var period: float = 1.0 / _limit
+	# How long ago a frame was due, of which one begins when a new state could be shown for the first
+	# time; half a period off is a late frame.
+	var since: float = fposmod(p_shown_tick * frames_per_tick, 1.0) * period
 	var late: float = since - LEAD_S
 	if late > period / 2.0:
 		late -= period

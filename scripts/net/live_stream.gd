@@ -56,6 +56,10 @@ func now_s() -> float:
 	return Time.get_ticks_usec() / 1e6
 
 
+func frame_s(p_frame_usec: int) -> float:
+	return p_frame_usec / 1e6
+
+
 func server_usec(p_local_usec: int) -> int:
 	return link.clock.server_usec(p_local_usec) if link.clock.is_known() else p_local_usec
 

@@ -35,6 +35,9 @@ var traffic: TrafficMeter = TrafficMeter.new()
 ## The clock of [signal received], s.
 @abstract func now_s() -> float
 
+## The same clock at the time that a frame is for, µs of [method Time.get_ticks_usec].
+@abstract func frame_s(p_frame_usec: int) -> float
+
 ## The server's clock at a local time (both µs), as far as it is known.
 @abstract func server_usec(p_local_usec: int) -> int
 

@@ -53,6 +53,11 @@ func now_s() -> float:
 	return _clock_s
 
 
+func frame_s(_frame_usec: int) -> float:
+	# A film is made slower than it plays: frames are as far apart as the engine says.
+	return _clock_s
+
+
 func server_usec(p_local_usec: int) -> int:
 	return p_local_usec
 

@@ -14,6 +14,19 @@ func test_frames_drift_to_the_right_phase_from_anywhere() -> void:
 		is_true(absf(late_s) < 2.0 * FramePacer.TOLERANCE_S, "from %d: %f s late" % [start, late_s])
 
 
+func test_several_frames_to_a_tick_find_the_phase_too() -> void:
+	for start: int in 20:
+		var shown: float = 1000.0 + start / 20.0
+		var pacer: FramePacer = FramePacer.new(2 * RATE)
+		for _frame: int in 120 * 3:
+			shown += float(RATE) / pacer.limit_for(shown, RATE)
+		var since_s: float = fposmod(shown, 0.5) / RATE
+		is_true(
+			absf(since_s - FramePacer.LEAD_S) < 2.0 * FramePacer.TOLERANCE_S,
+			"from %d: %f s after" % [start, since_s]
+		)
+
+
 func test_it_stays_there_while_clocks_differ() -> void:
 	# The server's clock is quicker by 0.02 %: twenty times what quartz does.
 	var pacer: FramePacer = FramePacer.new(RATE)
@@ -39,7 +52,8 @@ func test_it_leaves_alone_what_it_cannot_pace() -> void:
 	equal(pacer.limit_for(-1.0, RATE), RATE, "nothing is shown yet")
 	equal(pacer.limit_for(7.5, 0.0), RATE, "the rate is not known")
 	equal(pacer.limit_for(7.5, 50.0), RATE, "the server ticks otherwise")
-	equal(FramePacer.new(240).limit_for(7.5, RATE), 240, "the display runs otherwise")
+	for limit: int in [30, 59, 144]:
+		equal(FramePacer.new(limit).limit_for(7.5, RATE), limit, "the display runs otherwise")
 	equal(FramePacer.new(0).limit_for(7.5, RATE), 0, "the screen decides")
 
 

@@ -16,6 +16,8 @@ var total: LatencyHistogram = LatencyHistogram.new()
 var stages: Array[LatencyHistogram] = []
 ## The newest delay from sample to display, ms; 0 before the first.
 var latest_ms: float = 0.0
+## How old the motion is that each frame shows.
+var frames: FrameAges = FrameAges.new()
 
 var _waiting: Array[LatencyMark] = []
 var _shown: Array[LatencyMark] = []
@@ -37,6 +39,7 @@ func write_to(p_path: String) -> String:
 ## Takes a mark that came with a snapshot. Snapshots name a sample until there is a newer one: each
 ## counts once.
 func arrived(p_mark: LatencyMark) -> void:
+	frames.arrived(p_mark)
 	if _newest.get(p_mark.person, -1) == p_mark.sample:
 		return
 	_newest[p_mark.person] = p_mark.sample
@@ -71,6 +74,7 @@ func restart() -> void:
 	_waiting.clear()
 	_shown.clear()
 	_newest.clear()
+	frames.restart()
 
 
 ## Ends the file.
