@@ -4,13 +4,13 @@ extends RefCounted
 
 const Motion: GDScript = preload("smoothing_motion.gd")
 
-## Frames of the display per second.
-const DISPLAY_RATE: int = 60
 ## Ticks of the server per second.
 const TICK_RATE: int = 60
 ## What is shown before it counts, s.
 const SETTLING_S: float = 2.0
 
+## Frames of the display per second.
+var display_rate: float = 60.0
 ## Where the limbs were shown, m.
 var shown: PackedVector3Array = PackedVector3Array()
 ## When each frame was shown, s of the motion.
@@ -37,10 +37,10 @@ func watch(p_motion: Motion, p_method: SnapshotSmoother.Method, p_network: Dicti
 	smoother.set_skeleton(0, skeleton.parents, skeleton.joints_in_parent, skeleton.joints_in_limb)
 	var arrivals: Array[Vector2] = _send(p_network)
 	var next: int = 0
-	var frames: int = int((float(motion.count) / Motion.RATE) * DISPLAY_RATE) - 1
+	var frames: int = int((float(motion.count) / Motion.RATE) * display_rate) - 1
 	for frame: int in frames:
 		# The screen's clock is not the server's: a third of a frame apart.
-		var now: float = (frame + 0.33) / DISPLAY_RATE
+		var now: float = (frame + 0.33) / display_rate
 		while next < arrivals.size() and arrivals[next].x <= now:
 			var tick: int = int(arrivals[next].y)
 			var sample: int = tick * Motion.RATE / TICK_RATE

@@ -78,24 +78,33 @@ func _jerk_ratio() -> float:
 	var true_sum: float = 0.0
 	for run: Run in _runs:
 		var limbs: int = run.motion.skeleton.count()
-		@warning_ignore("integer_division")
-		var step: int = limbs * Motion.RATE / Run.DISPLAY_RATE
-		var first: int = int(run.times[0] * Motion.RATE) * limbs
-		for at: int in range(0, run.shown.size() - 3 * limbs):
-			shown += _third(run.shown, at, limbs)
-			@warning_ignore("integer_division")
-			true_sum += _third(run.motion.places, first + at / limbs * step + at % limbs, step)
+		shown += _jerk(run.shown, limbs)
+		true_sum += _jerk(_true_places(run), limbs)
 	return sqrt(shown / maxf(true_sum, 1e-12))
 
 
-static func _third(p_places: PackedVector3Array, p_at: int, p_step: int) -> float:
-	if p_at + 3 * p_step >= p_places.size():
-		return 0.0
-	return (
-		(
-			p_places[p_at + 3 * p_step]
-			- 3.0 * (p_places[p_at + 2 * p_step] - p_places[p_at + p_step])
-			- p_places[p_at]
-		)
-		. length_squared()
-	)
+## Where the limbs truly were, as many times as they were shown and as far apart.
+func _true_places(p_run: Run) -> PackedVector3Array:
+	var limbs: int = p_run.motion.skeleton.count()
+	var all: PackedVector3Array = p_run.motion.places
+	var places: PackedVector3Array = PackedVector3Array()
+	var first: int = int(p_run.times[0] * Motion.RATE)
+	for frame: int in p_run.times.size():
+		var at: float = minf(first + frame * Motion.RATE / p_run.display_rate, p_run.motion.count)
+		var sample: int = clampi(int(at), 1, p_run.motion.count - 3)
+		for limb: int in range(sample * limbs, (sample + 1) * limbs):
+			var before: Vector3 = all[limb - limbs]
+			var behind: Vector3 = all[limb + 2 * limbs]
+			places.append(
+				all[limb].cubic_interpolate(all[limb + limbs], before, behind, at - sample)
+			)
+	return places
+
+
+## Sum of the squares of the third differences.
+static func _jerk(p_places: PackedVector3Array, p_step: int) -> float:
+	var sum: float = 0.0
+	for at: int in p_places.size() - 3 * p_step:
+		var middle: Vector3 = p_places[at + 2 * p_step] - p_places[at + p_step]
+		sum += (p_places[at + 3 * p_step] - 3.0 * middle - p_places[at]).length_squared()
+	return sum
