@@ -13,10 +13,6 @@ var _shown: PackedVector3Array = []
 var _local: PackedVector3Array = []
 
 
-func time_limit() -> float:
-	return 60.0
-
-
 func test_free_motion_does_not_jitter() -> void:
 	for clip: String in ["01_01", "Boxing_Toes"]:
 		_clear_stage()

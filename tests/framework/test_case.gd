@@ -29,7 +29,7 @@ func after_each() -> void:
 	pass
 
 
-## Longest time of one test of this file, s; 0 for that of the runner, 120 s. Override to change it.
+## Longest time of one test of this file, s; 0 for that of the runner, 600 s. Override to change it.
 func time_limit() -> float:
 	return 0.0
 

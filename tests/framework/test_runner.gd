@@ -7,7 +7,7 @@ extends SceneTree
 ##   --junit=FILE       also write a JUnit XML report
 ##   --current=FILE     keep the name of the test that runs in FILE
 ##   --claims=FOLDER    share the files with other runners that are given the same empty folder
-##   --time-limit=S     time limit of tests that do not set one, s (120)
+##   --time-limit=S     time limit of tests that do not set one, s (600)
 ## [/codeblock]
 ## Exit code: 0 if every test passed, 1 if any failed, 2 if the call is wrong.
 
@@ -24,7 +24,7 @@ var _filter: String = ""
 var _junit_path: String = ""
 var _current_path: String = ""
 var _claims: String = ""
-var _default_limit: float = 120.0
+var _default_limit: float = 600.0
 var _trap: Logger = ErrorTrap.new()
 var _guard: RefCounted = HangGuard.new()
 var _results: Array[Dictionary] = []

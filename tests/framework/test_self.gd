@@ -8,10 +8,6 @@ var _output: String = ""
 var _exit_code: int = 0
 
 
-func time_limit() -> float:
-	return 90.0
-
-
 func test_passes_what_is_good() -> void:
 	_run_on([FIXTURES + "good.gd"])
 	equal(_exit_code, 0, _output)

@@ -45,10 +45,6 @@ var _place: RegEx = RegEx.create_from_string("^fuzz\\.bvh:[0-9]+: expected .+")
 var _clips: int = 0
 
 
-func time_limit() -> float:
-	return 120.0
-
-
 func test_damaged_files() -> void:
 	_random.seed = 4711
 	var seeds: Array[PackedByteArray] = _seeds()

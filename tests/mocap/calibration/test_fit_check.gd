@@ -10,10 +10,6 @@ func before_each() -> void:
 	_random.seed = 10
 
 
-func time_limit() -> float:
-	return 60.0
-
-
 func test_every_exchange_is_found_and_named() -> void:
 	# All pairs of 17 mounts, not only neighbours; 20 Hz, to be quick.
 	var right: Array[MotionAxis] = []

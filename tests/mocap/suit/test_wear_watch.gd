@@ -11,10 +11,6 @@ func before_each() -> void:
 	_random.seed = 11
 
 
-func time_limit() -> float:
-	return 120.0
-
-
 func test_no_false_alarm_on_any_clip_and_layout() -> void:
 	for clip: String in CLIPS:
 		for count: int in [17, 15, 11, 10, 6]:
