@@ -5,7 +5,7 @@ extends RefCounted
 
 ## Samples should reach the server this long before a tick begins, µs: later ones wait for the next.
 ## On an unsteady network a little more.
-const LEAD_USEC: int = 2500
+const LEAD_USEC: int = 3500
 const MAX_LEAD_USEC: int = 8000
 ## Span over which the lowest latency of a sample to the server counts, marks.
 const _TRIPS: int = 40
