@@ -5,7 +5,7 @@ extends Node
 ## It never simulates: everything that moves is put where its [StateStream] says, by way of a
 ## [WorldReplica]; only a trainee's own body is shown as the trainee moves it.
 
-## Frames per second without a window unless told otherwise: as those of a quick display.
+## Frames per second without a window by default: as those of a fast display.
 const HEADLESS_FPS: int = 144
 
 ## Frames that must have been shown before a picture is taken, and how long that is waited for, s.

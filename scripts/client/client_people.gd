@@ -150,10 +150,10 @@ func shown_moment_usec(p_now_usec: int) -> int:
 func stats() -> Array[Dictionary]:
 	var result: Array[Dictionary] = []
 	for motion: ClientMotion in _motions:
-		var figure: Dictionary = motion.stats()
-		figure["name"] = motion.card.name
-		figure["source"] = motion.source.describe()
-		result.append(figure)
+		var row: Dictionary = motion.stats()
+		row["name"] = motion.card.name
+		row["source"] = motion.source.describe()
+		result.append(row)
 	return result
 
 

@@ -52,7 +52,7 @@ uint64_t MvnReceiver::now_usec() const {
 	return _put_usec > 0 ? _put_usec.load() : clocks::now_usec();
 }
 
-/// Datagrams from a port bear the times of the steady clock, others those that were told with them.
+/// Datagrams from a port bear the times of the steady clock, others those that came with them.
 int64_t MvnReceiver::to_unix(uint64_t p_usec) const {
 	const int64_t ahead = _put_usec > 0 ? 0 : clocks::unix_ahead_usec();
 	return int64_t(p_usec) + ahead;

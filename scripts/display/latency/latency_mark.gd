@@ -9,7 +9,7 @@ extends RefCounted
 const UNKNOWN: int = -1
 ## What happens between two times, in order: one less than there are times.
 const STAGES: Array[StringName] = [
-	&"trainee", &"way up", &"simulation", &"sending", &"way down", &"display"
+	&"trainee", &"uplink", &"simulation", &"sending", &"downlink", &"display"
 ]
 ## Columns of a line for a file.
 const COLUMNS: Array[String] = [

@@ -42,7 +42,7 @@ func read(p_bytes: PackedByteArray) -> Array[PoseSample]:
 	return samples
 
 
-## What the client is to be told that has arrived; empty while there is nothing new. The sooner it
+## Acknowledgement for the client of what has arrived; empty while there is nothing new. The sooner it
 ## hears it, the smaller its next samples are.
 func take_ack() -> PackedByteArray:
 	if not _has_news:

@@ -12,7 +12,7 @@ namespace wire {
 /// A number that changes little from datagram to datagram, coded as steps away from what is expected.
 /// How far it strayed so far tells how it is coded: a steady one takes a fraction of a bit.
 struct MotionSteps {
-	static constexpr int64_t MAX_STEPS = 1000; ///< What strays farther is told in another way.
+	static constexpr int64_t MAX_STEPS = 1000; ///< What strays farther is coded as a whole.
 
 	int32_t spread = 64; ///< Mean of the steps so far, 1 / 16.
 
@@ -46,7 +46,7 @@ struct MotionBeat {
 
 	/// When the datagram that is so many later is due, us.
 	int64_t due_usec(int64_t p_later) const { return time_usec + period * p_later / 16; }
-	/// The beat at that datagram, which came at a time that was told as so many steps.
+	/// The beat at that datagram, whose time was coded as so many steps.
 	MotionBeat after(int64_t p_later, int64_t p_time_usec, int64_t p_steps) const {
 		MotionBeat beat = *this;
 		beat.time_usec = p_time_usec;

@@ -31,7 +31,7 @@ private:
 };
 
 /// How the fields of entities are written, one entity after the other in one message: which of them differ from a
-/// base that the receiver has, and by how much. What is usual is learned on the way, anew in each message.
+/// base that the receiver has, and by how much. Frequencies adapt while a message is read, anew in each.
 class FieldCodec {
 public:
 	/// Bytes that an entity with so many fields that differ takes at most.

@@ -59,7 +59,7 @@ public:
 	const Skeleton &shape() const { return _skeleton; }
 
 	/// What the entity table says. Once there is an entity, datagrams with people, bodies or fields of others are
-	/// broken. An entity that was removed is still read for a while, but nothing of it is told.
+	/// broken. An entity that was removed is still read for a while, but nothing of it is reported.
 	EntityTypes &types() { return _types; }
 	/// False if the type is not defined or has another number of fields.
 	bool add_entity(uint16_t p_id, uint8_t p_type, const float *p_values, std::size_t p_count);

@@ -134,7 +134,7 @@ void LocalFeedback::_note_turn(std::size_t p_limb, const Vec3 &p_deviation, floa
 	Vec3 deviation = p_deviation;
 	const float angle = deviation.length();
 	if (angle > 0.5f * PI && deviation.dot(_shown.turns[p_limb]) < 0.0f) {
-		// Beyond half a circle the short way is another one: go on the way that is shown.
+		// Beyond half a circle the shortest turn is the other one: keep turning as displayed.
 		deviation = deviation * (1.0f - 2.0f * PI / angle);
 	}
 	_wanted.turns[p_limb] = deviation * share(angle, SLACK + SLACK_TIME * p_speed);
