@@ -25,7 +25,7 @@ static func _connection() -> Array[OptionRow]:
 			"name",
 			clients,
 			"your name, shown to the others; by default the role's",
-			Protocol.LONGEST_NAME
+			Protocol.MAX_NAME
 		),
 		OptionRow.text(
 			"password",

@@ -7,7 +7,7 @@ extends RefCounted
 ## reset pose, as in a [PoseSample].
 
 ## Joints further than this from the middle of a limb are no person's, m.
-const LONGEST_M: float = 10.0
+const MAX_M: float = 10.0
 
 ## Index of each limb's parent, -1 for the root.
 var parents: PackedInt32Array = PackedInt32Array(Limbs.PARENTS)
@@ -35,7 +35,7 @@ func is_sound() -> bool:
 		var inner: float = joints_in_limb[limb].length()
 		var norm: float = reset_orientations[limb].length()
 		# Written so that NaN fails too.
-		if not (outer < LONGEST_M and inner < LONGEST_M and norm > 0.99 and norm < 1.01):
+		if not (outer < MAX_M and inner < MAX_M and norm > 0.99 and norm < 1.01):
 			return false
 	return true
 

@@ -15,7 +15,7 @@ const MAX_AHEAD_S: float = 0.05
 const MAX_POSES: int = 16
 ## The period of a source of which only one pose is known, s.
 const _USUAL_PERIOD_S: float = 0.01
-const _LONGEST_PERIOD_S: float = 0.1
+const _MAX_PERIOD_S: float = 0.1
 
 var _poses: Array[PoseSample] = []
 var _returned_usec: int = 0
@@ -40,7 +40,7 @@ func period_s() -> float:
 	if _poses.size() < 2:
 		return _USUAL_PERIOD_S
 	var span: float = (_poses[_poses.size() - 1].time_usec - _poses[0].time_usec) / 1e6
-	return minf(span / (_poses.size() - 1), _LONGEST_PERIOD_S)
+	return minf(span / (_poses.size() - 1), _MAX_PERIOD_S)
 
 
 ## The pose for a moment, µs of Unix time; its own time says of when it is. Null if there is none,

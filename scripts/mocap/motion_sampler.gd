@@ -16,7 +16,7 @@ const MAX_PERIODS: int = 16
 ## Part of a period by which a sample's time yields to the requested phase.
 const SLEW: float = 0.05
 ## Maximum sleep of the thread, µs.
-const _LONGEST_SLEEP_USEC: int = 5000
+const _MAX_SLEEP_USEC: int = 5000
 
 var _deliver: Callable = Callable()
 var _period_usec: float = 1e6 / 60.0
@@ -132,7 +132,7 @@ func _run() -> void:
 		if absf(wait) > MAX_PERIODS * _period_usec:
 			due = _now()
 		elif wait > 0.0:
-			OS.delay_usec(clampi(ceili(wait), 1, _LONGEST_SLEEP_USEC))
+			OS.delay_usec(clampi(ceili(wait), 1, _MAX_SLEEP_USEC))
 		else:
 			_take(roundi(due), -wait)
 			_mutex.lock()

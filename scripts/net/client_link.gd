@@ -363,7 +363,7 @@ func _take_notice(p_bytes: PackedByteArray) -> bool:
 		return reader.is_complete()
 	reader = ByteReader.new(p_bytes, 1)
 	var what: int = reader.read_u8()
-	var why: String = reader.read_text(4 * JoinReply.LONGEST_WHY)
+	var why: String = reader.read_text(4 * JoinReply.MAX_WHY)
 	if not reader.is_complete() or what != Protocol.Notice.DISMISSED:
 		return false
 	_token = PackedByteArray()

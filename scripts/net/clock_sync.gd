@@ -15,7 +15,7 @@ const MIN_DRIFT_S: float = 15.0
 ## Maximum drift of two clocks, parts per million; more is an error of measurement.
 const MAX_DRIFT_PPM: float = 300.0
 ## A round trip beyond this is of no use, s.
-const LONGEST_TRIP_S: float = 2.0
+const MAX_TRIP_S: float = 2.0
 ## An offset that changes by this much means another clock, s.
 const JUMP_S: float = 1.0
 
@@ -49,7 +49,7 @@ class Probe:
 ## Takes an answer that arrived at a local time, µs.
 func arrived(p_packet: ClockMessage, p_arrival_usec: int) -> void:
 	var trip: int = p_arrival_usec - p_packet.asked_usec
-	if trip < 0 or trip > int(LONGEST_TRIP_S * 1e6):
+	if trip < 0 or trip > int(MAX_TRIP_S * 1e6):
 		return
 	var probe: Probe = Probe.new()
 	probe.local_usec = p_arrival_usec - trip / 2

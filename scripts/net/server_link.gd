@@ -212,7 +212,7 @@ func kick(p_session: int, p_why: String) -> String:
 		return "there is no session %d" % p_session
 	Log.info("net", "%s: %s" % [session.describe(), p_why])
 	if session.peer != 0:
-		var text: PackedByteArray = ByteReader.text_bytes(p_why.left(JoinReply.LONGEST_WHY))
+		var text: PackedByteArray = ByteReader.text_bytes(p_why.left(JoinReply.MAX_WHY))
 		var bytes: PackedByteArray = [Protocol.Message.CONTROL, Protocol.Notice.DISMISSED]
 		_send_reliably(session.peer, bytes + text)
 		_peer.dismiss(session.peer, DisconnectReason.DISMISSED)

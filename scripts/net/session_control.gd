@@ -19,7 +19,7 @@ const NODE_NAME: StringName = &"SessionControl"
 ## Seconds between two notices about one session.
 const NOTICE_S: float = 5.0
 ## Longest reason, characters.
-const LONGEST_REASON: int = 120
+const MAX_REASON: int = 120
 
 ## Who is here, lost or waiting, on an instructor's client.
 var roster: Array[Dictionary] = []
@@ -173,7 +173,7 @@ func _caller(p_capability: Roles.Capability) -> Session:
 
 
 func _sign(p_caller: Session, p_why: String) -> String:
-	var why: String = ByteReader.clean(p_why.left(LONGEST_REASON)).strip_edges()
+	var why: String = ByteReader.clean(p_why.left(MAX_REASON)).strip_edges()
 	return "instructor '%s'%s" % [p_caller.name, ": " + why if why != "" else ""]
 
 

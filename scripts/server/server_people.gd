@@ -15,7 +15,7 @@ const _LATE: int = 5
 const _NEW_CLOCK: int = 30
 
 ## Longest stage of a sample's latency that a latency mark can hold, µs.
-const _LONGEST_STEP_USEC: int = 655000
+const _MAX_STEP_USEC: int = 655000
 
 ## The scene of a person; its root is a [Ragdoll].
 @export var scene: PackedScene
@@ -186,9 +186,9 @@ func mark(p_encoder: SnapshotEncoder, p_now_usec: int) -> void:
 		if newest == null or newest.sent_usec == 0:
 			continue
 		var steps: PackedInt32Array = [
-			mini(newest.held_usec, _LONGEST_STEP_USEC),
-			clampi(newest.arrival_usec - newest.sent_usec, 0, _LONGEST_STEP_USEC),
-			clampi(p_now_usec - newest.arrival_usec, 0, _LONGEST_STEP_USEC),
+			mini(newest.held_usec, _MAX_STEP_USEC),
+			clampi(newest.arrival_usec - newest.sent_usec, 0, _MAX_STEP_USEC),
+			clampi(p_now_usec - newest.arrival_usec, 0, _MAX_STEP_USEC),
 		]
 		person.delay.add((steps[0] + steps[1] + steps[2]) / 1000.0)
 		p_encoder.set_mark(person.id, newest.id, p_now_usec, steps)

@@ -8,7 +8,7 @@ extends RefCounted
 ## Maximum of requests at a time.
 const MAX_REQUESTS: int = 8
 ## Maximum of bytes of a request's head.
-const LONGEST_HEAD: int = 4096
+const MAX_HEAD: int = 4096
 ## Time for a request, and without progress of the reply, µs.
 const PATIENCE_USEC: int = 2000000
 
@@ -77,8 +77,8 @@ func _read(p_request: Request, p_stats: Callable) -> void:
 	if waiting > 0:
 		# All of it: closing a connection with unread bytes would cut the reply off.
 		var bytes: PackedByteArray = p_request.stream.get_data(waiting)[1]
-		p_request.head.append_array(bytes.slice(0, LONGEST_HEAD + 1))
-	if p_request.head.size() > LONGEST_HEAD:
+		p_request.head.append_array(bytes.slice(0, MAX_HEAD + 1))
+	if p_request.head.size() > MAX_HEAD:
 		p_request.reply = _reply("431 Request Header Fields Too Large", {"error": "too long"})
 		return
 	# Bytes, not text: a stranger's request may be invalid text.

@@ -7,7 +7,7 @@ extends RefCounted
 ## spread evenly over the time to the next tick, so that one begins with it.
 
 ## Frames are at most so far apart, µs: what is asked between ticks waits no longer.
-const LONGEST_FRAME_USEC: float = 4200.0
+const MAX_FRAME_USEC: float = 4200.0
 ## A frame begins so long after its tick is due, µs: none is to come just before.
 const MARGIN_USEC: float = 50.0
 
@@ -21,4 +21,4 @@ func pace(p_tick_rate: float) -> void:
 ## How long a frame lasts that begins at a fraction of the time between two ticks, µs.
 static func frame_usec(p_fraction: float, p_tick_rate: float) -> int:
 	var left: float = (1.0 - clampf(p_fraction, 0.0, 1.0)) * 1e6 / p_tick_rate + MARGIN_USEC
-	return ceili(left / ceilf(left / LONGEST_FRAME_USEC))
+	return ceili(left / ceilf(left / MAX_FRAME_USEC))

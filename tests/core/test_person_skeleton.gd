@@ -17,7 +17,7 @@ func test_too_few_and_too_many_limbs() -> void:
 
 func test_joints_that_are_no_persons() -> void:
 	for bad: Vector3 in [
-		Vector3(NAN, 0.0, 0.0), Vector3(0.0, INF, 0.0), Vector3(0.0, 0.0, -PersonSkeleton.LONGEST_M)
+		Vector3(NAN, 0.0, 0.0), Vector3(0.0, INF, 0.0), Vector3(0.0, 0.0, -PersonSkeleton.MAX_M)
 	]:
 		var joints: PersonSkeleton = _skeleton()
 		joints.joints_in_parent[3] = bad

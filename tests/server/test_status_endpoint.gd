@@ -68,7 +68,7 @@ func test_garbage() -> void:
 
 
 func test_a_head_that_is_too_long() -> void:
-	var long: String = "GET / HTTP/1.1\r\nX: " + "a".repeat(3 * StatusEndpoint.LONGEST_HEAD)
+	var long: String = "GET / HTTP/1.1\r\nX: " + "a".repeat(3 * StatusEndpoint.MAX_HEAD)
 	is_true(_ask(long).begins_with("HTTP/1.1 431 "))
 	equal(_asked, 0)
 

@@ -8,7 +8,7 @@ func test_frames_lead_up_to_the_next_tick() -> void:
 			var left: float = (1.0 - percent / 100.0) * 1e6 / rate + TickPacer.MARGIN_USEC
 			var frame: int = TickPacer.frame_usec(percent / 100.0, rate)
 			var frames: float = roundf(left / frame)
-			is_true(frame > 0 and frame <= TickPacer.LONGEST_FRAME_USEC + 1.0)
+			is_true(frame > 0 and frame <= TickPacer.MAX_FRAME_USEC + 1.0)
 			is_true(absf(frames * frame - left) <= frames, "%f: %d of %f" % [rate, frame, left])
 
 
@@ -33,4 +33,4 @@ func test_ticks_are_even_though_frames_begin_late() -> void:
 func test_a_broken_fraction_makes_no_endless_frame() -> void:
 	for fraction: float in [-1.0, 1.0, 7.0]:
 		var frame: int = TickPacer.frame_usec(fraction, 60.0)
-		is_true(frame > 0 and frame <= TickPacer.LONGEST_FRAME_USEC + 1.0)
+		is_true(frame > 0 and frame <= TickPacer.MAX_FRAME_USEC + 1.0)

@@ -14,8 +14,8 @@ namespace godot {
 namespace {
 
 constexpr double DEGREES = 180.0 / 3.14159265358979323846;
-constexpr double SHORTEST_STEP = 1e-5;
-constexpr double LONGEST_STEP = 1.0;
+constexpr double MIN_STEP = 1e-5;
+constexpr double MAX_STEP = 1.0;
 constexpr std::uint32_t STATE_MAGIC = 0x32534D52; // "RMS2"
 
 PackedFloat32Array to_packed(const std::vector<float> &p_values) {
@@ -155,7 +155,7 @@ bool RagdollMotor::snap_to(double p_time_s) {
 
 bool RagdollMotor::drive(double p_time_s, double p_delta_s) {
 	// Written so that NaN fails too; a step that is next to nothing would divide by zero.
-	ERR_FAIL_COND_V_MSG(!(p_delta_s >= SHORTEST_STEP && p_delta_s <= LONGEST_STEP), false,
+	ERR_FAIL_COND_V_MSG(!(p_delta_s >= MIN_STEP && p_delta_s <= MAX_STEP), false,
 			"RagdollMotor: the time step must be above zero (0.00001 s or more) and 1 s at most.");
 	ERR_FAIL_COND_V_MSG(!std::isfinite(p_time_s), false, "RagdollMotor: the time is not finite.");
 	if (!is_ready() || !read_bodies()) {

@@ -82,7 +82,7 @@ bool PoseStream::push(double p_time_s, const float *p_orientations, const Vec3 &
 		if (distance > TELEPORT_DISTANCE && distance > FASTEST_ROOT * float(p_time_s - newest())) {
 			_count = 0;
 			_teleported = true;
-		} else if (p_time_s - newest() <= LONGEST_GAP) {
+		} else if (p_time_s - newest() <= MAX_GAP) {
 			if (!p_rates) {
 				estimate_rates(at(0), sample);
 			}
@@ -112,12 +112,12 @@ bool PoseStream::comes_late(double p_time_s) {
 }
 
 void PoseStream::calm(Sample &r_sample, bool p_knows_rates) {
-	const double span = _count > 0 ? r_sample.time_s - newest() : LONGEST_GAP;
+	const double span = _count > 0 ? r_sample.time_s - newest() : MAX_GAP;
 	if (!_calms) {
 		_filter.clear();
 		return;
 	}
-	if (span >= LONGEST_GAP || _filter.is_empty()) {
+	if (span >= MAX_GAP || _filter.is_empty()) {
 		_filter.begin(r_sample.sampled);
 		return;
 	}
@@ -163,7 +163,7 @@ void PoseStream::interpolate(double p_time_s, std::vector<Quat> Sample::*p_which
 	const Sample &after = at(age);
 	const Sample &before = at(std::min(age + 1, _count - 1));
 	const double span = after.time_s - before.time_s;
-	if (span <= 0.0 || span > LONGEST_GAP) {
+	if (span <= 0.0 || span > MAX_GAP) {
 		const Sample &held = p_time_s < after.time_s ? before : after;
 		r_pose.orientations = held.*p_which;
 		r_pose.root = held.root;

@@ -30,7 +30,7 @@ public:
 	/// Age of the newest sample (s) at which nothing of the extrapolation is left.
 	static constexpr double HOLD_AFTER = 0.3;
 	/// Samples further apart than this (s) say nothing about velocity.
-	static constexpr double LONGEST_GAP = 0.25;
+	static constexpr double MAX_GAP = 0.25;
 	/// How fast the past is forgotten when rates are estimated, s. The two constants are those of the
 	/// best linear predictor of the repository's three clips (fitted at 30, 60 and 120 Hz).
 	static constexpr double RATE_MEMORY = 0.002;

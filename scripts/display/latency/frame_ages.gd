@@ -11,7 +11,7 @@ extends RefCounted
 ## Marks that are kept at most; beyond it the oldest are given up.
 const MAX_KEPT: int = 256
 ## What was sampled so long before or after a mark does not follow from it, s.
-const LONGEST_GAP_S: float = 2.5
+const MAX_GAP_S: float = 2.5
 
 ## How quickly [member recent_ms] follows.
 const RECENT_GAIN: float = 0.02
@@ -52,7 +52,7 @@ func drawn(p_motion_tick: float, p_tick_rate: float, p_now_usec: int) -> void:
 	var rate_usec: float = 1e6 / p_tick_rate
 	if _ticks.size() > 1:
 		rate_usec = float(_sampled_usec[1] - _sampled_usec[0]) / (_ticks[1] - _ticks[0])
-	if since * rate_usec <= LONGEST_GAP_S * 1e6:
+	if since * rate_usec <= MAX_GAP_S * 1e6:
 		var age_ms: float = (p_now_usec - _sampled_usec[0] - since * rate_usec) / 1000.0
 		ages.add(age_ms)
 		recent_ms = lerpf(recent_ms, age_ms, RECENT_GAIN) if ages.count() > 1 else age_ms
@@ -69,7 +69,7 @@ func restart() -> void:
 func _is_followed(p_mark: LatencyMark) -> bool:
 	if _person == p_mark.person or _ticks.is_empty():
 		return true
-	if p_mark.sampled_usec - _sampled_usec[-1] < LONGEST_GAP_S * 1e6:
+	if p_mark.sampled_usec - _sampled_usec[-1] < MAX_GAP_S * 1e6:
 		return false
 	restart()
 	return true

@@ -8,7 +8,7 @@ extends RefCounted
 ## Marks that wait for their tick at most; beyond it the oldest are given up.
 const MAX_WAITING: int = 1024
 ## What is longer than this is a stream that had stopped, not a delay, ms.
-const LONGEST_MS: float = 2000.0
+const MAX_MS: float = 2000.0
 
 ## Delays from sample to display.
 var total: LatencyHistogram = LatencyHistogram.new()
@@ -94,7 +94,7 @@ func stats() -> Dictionary:
 
 func _count(p_mark: LatencyMark) -> void:
 	var ms: float = p_mark.total_ms()
-	if ms > LONGEST_MS:
+	if ms > MAX_MS:
 		return
 	if not is_nan(ms):
 		latest_ms = ms

@@ -17,7 +17,7 @@ static func encode(p_people: Array[PersonCard]) -> PackedByteArray:
 		bytes.append_array(PackedFloat32Array([card.hip_height]).to_byte_array())
 		bytes.append(card.lengths.size())
 		bytes.append_array(card.lengths.to_byte_array())
-		bytes.append_array(ByteReader.text_bytes(card.name.left(Protocol.LONGEST_NAME)))
+		bytes.append_array(ByteReader.text_bytes(card.name.left(Protocol.MAX_NAME)))
 	return bytes
 
 
@@ -43,7 +43,7 @@ static func _read(p_bytes: PackedByteArray, p_people: Array[PersonCard]) -> Stri
 		card.hip_height = reader.read_float()
 		for _limb: int in mini(reader.read_u8(), Limbs.COUNT + 1):
 			card.lengths.append(reader.read_float())
-		card.name = reader.read_text(4 * Protocol.LONGEST_NAME).left(Protocol.LONGEST_NAME)
+		card.name = reader.read_text(4 * Protocol.MAX_NAME).left(Protocol.MAX_NAME)
 		card.name = card.name.strip_edges()
 		if reader.failed:
 			break

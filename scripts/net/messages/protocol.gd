@@ -60,7 +60,7 @@ const MOTION_ERROR_DEG: float = 0.1
 ## People and watchers that a server admits by default.
 const DEFAULT_MAX_CLIENTS: int = 32
 ## Longest name of a person, characters.
-const LONGEST_NAME: int = 32
+const MAX_NAME: int = 32
 ## Bytes of a level's fingerprint.
 const FINGERPRINT_SIZE: int = 8
 ## Longest name of a level, characters.

@@ -19,7 +19,7 @@ enum Kind {
 }
 
 ## Longest reason, characters.
-const LONGEST_WHY: int = 200
+const MAX_WHY: int = 200
 
 ## The kind of answer.
 var kind: Kind = Kind.REFUSED
@@ -57,7 +57,7 @@ static func welcome(
 ## A refusal.
 static func refusal(p_why: String, p_later: bool) -> PackedByteArray:
 	var bytes: PackedByteArray = [Kind.LATER if p_later else Kind.REFUSED]
-	return bytes + ByteReader.text_bytes(p_why.left(LONGEST_WHY))
+	return bytes + ByteReader.text_bytes(p_why.left(MAX_WHY))
 
 
 ## The position among those who wait, from 1.
@@ -81,7 +81,7 @@ static func decode(p_bytes: PackedByteArray) -> JoinReply:
 			reply._signed = p_bytes.slice(0, p_bytes.size() - reader.left())
 			reply._proof = reader.read_bytes(PasswordKey.SIZE)
 		Kind.REFUSED, Kind.LATER:
-			reply.why = reader.read_text(4 * LONGEST_WHY)
+			reply.why = reader.read_text(4 * MAX_WHY)
 		Kind.WAIT:
 			reply.position = reader.read_u16()
 	var silent: bool = reply.why == "" and (said == Kind.REFUSED or said == Kind.LATER)

@@ -42,7 +42,7 @@ func encode(p_challenge: PackedByteArray, p_key: PackedByteArray) -> PackedByteA
 	bytes.encode_u8(9, rate)
 	var kept: PackedByteArray = token.duplicate()
 	kept.resize(TOKEN_SIZE)
-	_signed = bytes + nonce + kept + ByteReader.text_bytes(name.left(Protocol.LONGEST_NAME))
+	_signed = bytes + nonce + kept + ByteReader.text_bytes(name.left(Protocol.MAX_NAME))
 	_proof = PasswordKey.prove(p_key, "client", [p_challenge, _signed])
 	return _signed + _proof
 
@@ -79,7 +79,7 @@ func _read(p_bytes: PackedByteArray) -> String:
 	rate = reader.read_u8()
 	nonce = reader.read_bytes(32)
 	token = reader.read_bytes(TOKEN_SIZE)
-	name = reader.read_text(4 * Protocol.LONGEST_NAME).left(Protocol.LONGEST_NAME).strip_edges()
+	name = reader.read_text(4 * Protocol.MAX_NAME).left(Protocol.MAX_NAME).strip_edges()
 	_signed = p_bytes.slice(0, p_bytes.size() - reader.left())
 	_proof = reader.read_bytes(PasswordKey.SIZE)
 	if not reader.is_complete():

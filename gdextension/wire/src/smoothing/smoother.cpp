@@ -140,10 +140,10 @@ double Smoother::_wanted_time(double p_now_s) {
 	switch (_method) {
 		case SmoothingMethod::LINEAR:
 		case SmoothingMethod::HERMITE:
-			_behind = std::min(std::max(BUFFER_S, _clock.interval() + _clock.lateness(WAITS_FOR)), LONGEST_DELAY_S);
+			_behind = std::min(std::max(BUFFER_S, _clock.interval() + _clock.lateness(WAITS_FOR)), MAX_DELAY_S);
 			break;
 		case SmoothingMethod::ADAPTIVE_LOW_DELAY:
-			_behind = std::min(_clock.lateness(WAITS_FOR) + share * _clock.interval(), LONGEST_DELAY_S);
+			_behind = std::min(_clock.lateness(WAITS_FOR) + share * _clock.interval(), MAX_DELAY_S);
 			break;
 		default:
 			_behind = 0.0;

@@ -34,7 +34,7 @@ public:
 
 	static constexpr float FARTHEST = 1e5f; ///< Positions further from the origin are refused, m.
 	static constexpr float FASTEST = 1e4f; ///< Likewise faster bodies, m/s or rad/s.
-	static constexpr double LONGEST_DELAY_S = 0.25; ///< Nothing is shown further behind.
+	static constexpr double MAX_DELAY_S = 0.25; ///< Nothing is shown further behind.
 
 	void set_method(SmoothingMethod p_method) { _method = p_method; }
 	SmoothingMethod get_method() const { return _method; }

@@ -28,8 +28,8 @@ constexpr double SPRING_FRAME = 1.0 / 60.0; // s: of 60 frames a second it is SP
 constexpr double MAX_STIFFENING = 2.4;
 constexpr double DECAY = 21.4; // 1/s: to 0.7 within a sixtieth of a second.
 // Updates that are further apart are no samples of one motion, s.
-constexpr double LONGEST_GAP = 0.3;
-constexpr double SHORTEST_GAP = 1.0 / 240.0;
+constexpr double MAX_GAP = 0.3;
+constexpr double MIN_GAP = 1.0 / 240.0;
 
 bool is_jump(const Vec3 &p_displacement) {
 	return p_displacement.length() > FARTHEST_OFFSET;
@@ -84,11 +84,11 @@ bool Track<N>::push(const Key &p_key) {
 /// The shortest of the last gaps: how often updates come when none is lost, s.
 template <std::size_t N>
 double Track<N>::_usual_gap() const {
-	double least = LONGEST_GAP;
+	double least = MAX_GAP;
 	for (std::size_t i = _size - 1; i > 0 && i + 6 > _size; i--) {
 		least = std::min(least, _gap(i));
 	}
-	return std::max(least, SHORTEST_GAP);
+	return std::max(least, MIN_GAP);
 }
 
 /// The motion at an update: received, or the mean of the motions before and behind it.
@@ -97,8 +97,8 @@ Delta<N> Track<N>::_motion_of(std::size_t p_index) const {
 	if (_has_motion) {
 		return _key(p_index).motion;
 	}
-	const bool has_before = p_index > 0 && _gap(p_index) <= LONGEST_GAP;
-	const bool has_after = p_index + 1 < _size && _gap(p_index + 1) <= LONGEST_GAP;
+	const bool has_before = p_index > 0 && _gap(p_index) <= MAX_GAP;
+	const bool has_after = p_index + 1 < _size && _gap(p_index + 1) <= MAX_GAP;
 	Delta<N> motion;
 	if (has_before && has_after) {
 		const float before = float(_gap(p_index));
@@ -119,7 +119,7 @@ Delta<N> Track<N>::_motion_of(std::size_t p_index) const {
 template <std::size_t N>
 Delta<N> Track<N>::_motion_at_end() const {
 	Delta<N> motion = _motion_of(_size - 1);
-	if (!_has_motion && _size > 2 && _gap(_size - 1) <= LONGEST_GAP && _gap(_size - 2) <= LONGEST_GAP) {
+	if (!_has_motion && _size > 2 && _gap(_size - 1) <= MAX_GAP && _gap(_size - 2) <= MAX_GAP) {
 		const Delta<N> before =
 				between(_key(_size - 3).frame, _key(_size - 2).frame, float(1.0 / _gap(_size - 2)), _count);
 		const Delta<N> change = mix(motion, CHANGE, before, -CHANGE, _count);
@@ -141,9 +141,9 @@ Frame<N> Track<N>::_predicted(const Key &p_key, double p_time, const Delta<N> &p
 	const double ahead = p_time - p_key.time;
 	double seconds = 0.0;
 	if (_has_motion) {
-		seconds = std::min(std::max(ahead, -double(LONGEST_PREDICTION_S)), double(LONGEST_PREDICTION_S));
+		seconds = std::min(std::max(ahead, -double(MAX_PREDICTION_S)), double(MAX_PREDICTION_S));
 	} else {
-		seconds = ahead > 0.0 ? carried_on(ahead, p_reach) : std::max(ahead, -LONGEST_GAP);
+		seconds = ahead > 0.0 ? carried_on(ahead, p_reach) : std::max(ahead, -MAX_GAP);
 	}
 	apply(frame, p_motion, float(seconds), _count);
 	return frame;
@@ -252,7 +252,7 @@ void Track<N>::_chase(const Moment &p_moment) {
 		_chase_from = is_jump(_shown.position - _key(_size - 1).frame.position) ? _key(_size - 1).frame : _shown;
 		_chase_motion = _motion_of(_size - 1);
 		_chase_begin = _last.now;
-		_chase_span = std::max(due - _last.now, SHORTEST_GAP);
+		_chase_span = std::max(due - _last.now, MIN_GAP);
 		_chase_to = _key(_size - 1).frame;
 		if (!_key(_size - 1).at_rest) {
 			apply(_chase_to, _chase_motion, float(_usual_gap()), _count);
@@ -262,7 +262,7 @@ void Track<N>::_chase(const Moment &p_moment) {
 	_shown = _chase_from;
 	apply(_shown, between(_chase_from, _chase_to, 1.0f, _count), float(std::min(std::max(part, 0.0), 1.0)), _count);
 	if (_has_motion && part > 1.0 && !_key(_size - 1).at_rest) {
-		const double beyond = std::min(p_moment.now - _chase_begin - _chase_span, double(LONGEST_PREDICTION_S));
+		const double beyond = std::min(p_moment.now - _chase_begin - _chase_span, double(MAX_PREDICTION_S));
 		apply(_shown, _chase_motion, float(beyond), _count);
 	}
 }
@@ -317,7 +317,7 @@ void Track<N>::evaluate(const Moment &p_moment) {
 	const bool decays =
 			p_moment.method == SmoothingMethod::ERROR_OFFSET || p_moment.method == SmoothingMethod::ADAPTIVE_LOW_DELAY;
 	// After a pause there is nothing to go on smoothly from.
-	const bool goes_on = _is_shown && p_moment.now - _last.now < LONGEST_GAP && p_moment.now >= _last.now;
+	const bool goes_on = _is_shown && p_moment.now - _last.now < MAX_GAP && p_moment.now >= _last.now;
 	const double step = goes_on ? p_moment.now - _last.now : 0.0;
 	const Frame<N> before = _shown;
 	if (!goes_on) {

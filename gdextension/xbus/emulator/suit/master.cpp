@@ -16,8 +16,8 @@ constexpr uint8_t ERROR_BUS_NOT_READY = 0x02;
 constexpr uint8_t ERROR_PERIOD = 0x03;
 constexpr uint8_t ERROR_NO_ANSWER = 0x1D;
 constexpr uint8_t ERROR_PARAMETER = 0x21;
-constexpr unsigned SHORTEST_PERIOD = 225;
-constexpr unsigned LONGEST_PERIOD = 11520;
+constexpr unsigned MIN_PERIOD = 225;
+constexpr unsigned MAX_PERIOD = 11520;
 constexpr uint16_t RAW = 0x4000;
 
 } // namespace
@@ -132,7 +132,7 @@ XbusDevice::Answer Master::_init_bus(Usec p_now) {
 XbusDevice::Answer Master::_set_period(const Frame &p_frame, Usec p_now) {
 	if (p_frame.size == 2) {
 		const unsigned period = xbus::read_u16(p_frame.data);
-		if (period < SHORTEST_PERIOD || period > LONGEST_PERIOD) {
+		if (period < MIN_PERIOD || period > MAX_PERIOD) {
 			reply_error(ERROR_PERIOD, p_now);
 			return Answer::DONE;
 		}
