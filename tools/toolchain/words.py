@@ -27,7 +27,7 @@ INSTEAD = {
     "visitor": "pending peer",
 }
 # Beginnings of constants.
-PREFIXES = {"MOST": "MAX_", "LEAST": "MIN_"}
+PREFIXES = {"MOST": "MAX_", "LONGEST": "MAX_", "LEAST": "MIN_", "SHORTEST": "MIN_"}
 
 # Where a word is somebody else's: files (a pattern), the word, whose it is.
 ALLOWED = (
