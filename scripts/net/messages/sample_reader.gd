@@ -42,8 +42,8 @@ func read(p_bytes: PackedByteArray) -> Array[PoseSample]:
 	return samples
 
 
-## Acknowledgement for the client of what has arrived; empty while there is nothing new. The sooner it
-## hears it, the smaller its next samples are.
+## Acknowledgement for the client of what has arrived; empty while there is nothing new. The sooner
+## it hears it, the smaller its next samples are.
 func take_ack() -> PackedByteArray:
 	if not _has_news:
 		return PackedByteArray()
