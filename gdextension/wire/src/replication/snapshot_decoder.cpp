@@ -112,34 +112,38 @@ bool SnapshotDecoder::_read_begin(Reader &r_reader) {
 	return (r_reader.flags & ~ALL_FLAGS) == 0 && r_reader.people <= MAX_PEOPLE;
 }
 
-bool SnapshotDecoder::_read_extras(Reader &r_reader) {
-	const auto left = [&] { return r_reader.size - r_reader.at; };
-	_has_mark = (r_reader.flags & HAS_MARK) != 0;
-	if (_has_mark) {
-		if (left() < Mark::BYTES) {
+bool SnapshotDecoder::_find_extras(Reader &r_reader) {
+	const auto find = [&r_reader](uint8_t p_flag, std::size_t p_size, const uint8_t *&r_found) {
+		if ((r_reader.flags & p_flag) == 0) {
+			return true;
+		}
+		if (r_reader.size - r_reader.at < p_size) {
 			return false;
 		}
-		const uint8_t *at = r_reader.bytes + r_reader.at;
+		r_found = r_reader.bytes + r_reader.at;
+		r_reader.at += p_size;
+		return true;
+	};
+	return find(HAS_MARK, Mark::BYTES, r_reader.mark) && find(HAS_COMMAND_ACK, 2, r_reader.command_bytes) &&
+			find(HAS_MOTION_ACK, MOTION_ACK_BYTES, r_reader.motion_ack);
+}
+
+bool SnapshotDecoder::_read_extras(Reader &r_reader) {
+	_has_mark = (r_reader.flags & HAS_MARK) != 0;
+	if (!_find_extras(r_reader)) {
+		return false;
+	}
+	if (_has_mark) {
+		const uint8_t *at = r_reader.mark;
 		_last_mark.person = uint16_t(get_number(at, 2));
 		_last_mark.sample = uint32_t(get_number(at + 2, 4));
 		_last_mark.simulated_usec = int64_t(get_number(at + 6, 8));
 		for (std::size_t step = 0; step < _last_mark.steps.size(); step++) {
 			_last_mark.steps[step] = uint16_t(get_number(at + 14 + 2 * step, 2));
 		}
-		r_reader.at += Mark::BYTES;
 	}
-	if ((r_reader.flags & HAS_COMMAND_ACK) != 0) {
-		if (left() < 2) {
-			return false;
-		}
-		r_reader.command_ack = int(get_number(r_reader.bytes + r_reader.at, 2));
-		r_reader.at += 2;
-	}
-	if ((r_reader.flags & HAS_MOTION_ACK) != 0) {
-		if (left() < MOTION_ACK_BYTES) {
-			return false;
-		}
-		r_reader.at += MOTION_ACK_BYTES; // Found elsewhere: find_motion_ack().
+	if (r_reader.command_bytes != nullptr) {
+		r_reader.command_ack = int(get_number(r_reader.command_bytes, 2));
 	}
 	return true;
 }
@@ -151,10 +155,8 @@ const uint8_t *SnapshotDecoder::find_motion_ack(const uint8_t *p_bytes, std::siz
 	if (!_read_begin(reader) || (reader.flags & HAS_MOTION_ACK) == 0) {
 		return nullptr;
 	}
-	// Tick, usual baseline, mark, command.
-	reader.at += (reader.is_key ? 6 : 2) + ((reader.flags & HAS_MARK) != 0 ? Mark::BYTES : 0) +
-			((reader.flags & HAS_COMMAND_ACK) != 0 ? 2 : 0);
-	return reader.at + MOTION_ACK_BYTES <= p_size ? p_bytes + reader.at : nullptr;
+	reader.at += reader.is_key ? 6 : 2; // Tick and usual baseline.
+	return reader.at <= p_size && _find_extras(reader) ? reader.motion_ack : nullptr;
 }
 
 SnapshotDecoder::Outcome SnapshotDecoder::_read_header(Reader &r_reader) {

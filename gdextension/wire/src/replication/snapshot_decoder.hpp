@@ -121,10 +121,14 @@ private:
 		uint8_t number = 0;
 		bool is_key = false;
 		bool follows_gap = false; // Its number says nothing about those before.
+		const uint8_t *mark = nullptr;
+		const uint8_t *command_bytes = nullptr;
+		const uint8_t *motion_ack = nullptr;
 	};
 
 	Outcome _read_header(Reader &r_reader);
 	static bool _read_begin(Reader &r_reader);
+	static bool _find_extras(Reader &r_reader);
 	bool _read_extras(Reader &r_reader);
 	Outcome _read_people(Reader &r_reader);
 	Outcome _read_fields(Reader &r_reader);
