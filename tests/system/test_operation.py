@@ -26,13 +26,6 @@ def ask(port: int, path: str = "/") -> dict:
         return json.load(reply)
 
 
-def await_count(process: Process, text: str, count: int, limit_s: float = 120.0) -> None:
-    end = time.monotonic() + limit_s
-    while process.log().count(text) < count:
-        assert time.monotonic() < end, process.log()
-        time.sleep(0.05)
-
-
 def await_line(process: Process, begin: str, end: str, limit_s: float = 120.0) -> None:
     until = time.monotonic() + limit_s
     while not any(begin in line and line.endswith(end) for line in process.log().splitlines()):
@@ -149,8 +142,8 @@ def test_a_server_that_is_asked_to_end(world: World) -> None:
     assert [person["name"] for person in stats["people"]] == ["Ada"]
     assert not Path(f"{server.report_file}.part").exists()
     world.server(name="second")
-    await_count(trainee, "joined", 2)
-    await_count(observer, "joined", 2)
+    trainee.await_text("joined", count=2)
+    observer.await_text("joined", count=2)
 
 
 def test_clients_that_are_asked_to_end(world: World) -> None:
@@ -267,7 +260,7 @@ def test_a_recording_goes_on_over_a_restart_of_the_server(world: World) -> None:
     server.process.send_signal(signal.SIGTERM)
     assert server.await_exit() == 0
     world.server(name="second")
-    await_count(observer, "joined", 2)
+    observer.await_text("joined", count=2)
     time.sleep(1.0)
     observer.process.send_signal(signal.SIGTERM)
     assert observer.await_exit() == 0

@@ -12,7 +12,7 @@ from contextlib import contextmanager
 import pytest
 
 from .attackers import Attack, Garbage, HalfOpen, PortZero, ZeroLength, may_send_raw
-from .conftest import Process, World
+from .conftest import World
 
 MEASURED_S = 5.0
 # At least these shares of the snapshots and samples come. A busy machine starves the clients
@@ -169,8 +169,8 @@ def test_a_killed_server_is_found_again(world: World) -> None:
     scene.server.kill()
     scene.observer.await_text("trying again")
     world.server(name="second")
-    _await_count(scene.observer, "joined", 2)
-    _await_count(scene.trainee, "joined", 2)
+    scene.observer.await_text("joined", count=2)
+    scene.trainee.await_text("joined", count=2)
 
 
 def test_an_instructor_decides(world: World) -> None:
@@ -186,10 +186,3 @@ def test_an_instructor_decides(world: World) -> None:
     bob.await_text("waiting for an instructor")
     time.sleep(1.0)
     assert "joined" not in bob.log()
-
-
-def _await_count(process: Process, text: str, count: int, limit_s: float = 120.0) -> None:
-    end = time.monotonic() + limit_s
-    while process.log().count(text) < count:
-        assert time.monotonic() < end, process.log()
-        time.sleep(0.1)

@@ -72,20 +72,12 @@ def tidy(tools: Path) -> str:
     """Runs clang-tidy on what has changed, on all processors; returns what it found."""
 
     def check(source: str) -> str:
-        done = subprocess.run(
-            [str(tools / "clang-tidy"), "-quiet", "-p", str(EXTENSIONS), source],
-            cwd=ROOT,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            text=True,
-            check=False,
-        )
-        if done.returncode != 0:
-            return done.stdout
-        mark = _passed(source)
-        mark.parent.mkdir(parents=True, exist_ok=True)
-        mark.touch()
-        return ""
+        found = _run_gate([str(tools / "clang-tidy"), "-quiet", "-p", str(EXTENSIONS), source])
+        if not found:
+            mark = _passed(source)
+            mark.parent.mkdir(parents=True, exist_ok=True)
+            mark.touch()
+        return found
 
     with ThreadPoolExecutor(os.cpu_count() or 2) as pool:
         return "".join(pool.map(check, changed_sources()))
