@@ -7,6 +7,11 @@ give_up() {
 	exit 1
 }
 
+# Prints how somebody who is not root runs a command line as root on this machine.
+as_root() {
+	if command -v sudo >/dev/null; then echo "sudo sh -c '$1'"; else echo "su -c '$1'"; fi
+}
+
 # Prints the packages that are missing, of those that every job needs and of the named ones.
 missing_packages() {
 	local -a missing=()
@@ -34,7 +39,7 @@ bootstrap() {
 	command -v apt-get >/dev/null ||
 		give_up "These programs are missing, install them and start again: $packages"
 	[ "$(id -u)" = 0 ] ||
-		give_up "Some programs are missing. Install them and start again: sudo apt-get install -y --no-install-recommends $packages"
+		give_up "Some programs are missing. Install them and start again: $(as_root "apt-get update && apt-get install -y --no-install-recommends $packages")"
 	echo "[ .. ] install $packages" >&2
 	local said
 	# shellcheck disable=SC2086

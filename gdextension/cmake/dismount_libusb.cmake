@@ -3,26 +3,12 @@
 # to ship it with an extension:
 #
 #   dismount_ship_libusb(<target>)
-#       Copies libusb-1.0.so.0 beside the built extensions, where the target then finds it. Name it
-#       under [dependencies] in the extension's .gdextension file: exports carry it then.
 #
 # A missing libusb is an error, unless DISMOUNT_USB is off: then the target does not exist.
 include_guard()
+include(dismount_shipped)
 
 set(DISMOUNT_LIBUSB_ROOT "" CACHE PATH "Folder like /usr that holds libusb 1.0; empty for the system's")
-
-# Where the libraries of a folder like /usr are: Debian's way, and everybody else's.
-set(DISMOUNT_LIBRARY_SUFFIXES lib/${CMAKE_LIBRARY_ARCHITECTURE} lib/x86_64-linux-gnu lib64 lib)
-
-# Finds a header and a library in the folder that was named, and nowhere else; or in the system.
-function(dismount_find_in p_root p_header p_suffix p_library r_header r_library)
-	if(p_root)
-		set(where PATHS ${p_root} NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH)
-	endif()
-	find_path(${r_header} ${p_header} ${where} PATH_SUFFIXES include/${p_suffix} ${p_suffix})
-	find_library(${r_library} ${p_library} ${where} PATH_SUFFIXES ${DISMOUNT_LIBRARY_SUFFIXES})
-	mark_as_advanced(${r_header} ${r_library})
-endfunction()
 
 if(DISMOUNT_USB)
 	dismount_find_in("${DISMOUNT_LIBUSB_ROOT}" libusb.h libusb-1.0 usb-1.0 DISMOUNT_LIBUSB_INCLUDE DISMOUNT_LIBUSB_LIBRARY)
@@ -44,20 +30,5 @@ if(DISMOUNT_USB)
 endif()
 
 function(dismount_ship_libusb p_target)
-	get_filename_component(library ${DISMOUNT_LIBUSB_LIBRARY} REALPATH)
-	set(shipped ${DISMOUNT_BIN_DIR}/libusb-1.0.so.0)
-	add_custom_command(
-		OUTPUT ${shipped}
-		COMMAND ${CMAKE_COMMAND} -E make_directory ${DISMOUNT_BIN_DIR}
-		COMMAND ${CMAKE_COMMAND} -E copy ${library} ${shipped}
-		DEPENDS ${library}
-		COMMENT "Copying libusb beside the extensions"
-		VERBATIM
-	)
-	target_sources(${p_target} PRIVATE ${shipped})
-	target_link_libraries(${p_target} PRIVATE libusb::libusb)
-	set_target_properties(${p_target} PROPERTIES
-		BUILD_WITH_INSTALL_RPATH ON
-		INSTALL_RPATH "$ORIGIN"
-	)
+	dismount_ship(${p_target} libusb::libusb ${DISMOUNT_LIBUSB_LIBRARY} libusb-1.0.so.0)
 endfunction()

@@ -30,6 +30,11 @@ if(DISMOUNT_UMOCKDEV)
 	)
 	target_link_libraries(suit_emulator PRIVATE xbus_emulator umockdev::umockdev Threads::Threads ${CMAKE_DL_LIBS})
 	_dismount_common(suit_emulator)
+	# Preloaded before umockdev's library; the emulator looks for it beside itself.
+	add_library(suit_device_gate SHARED emulator/front/device_gate.cpp)
+	target_link_libraries(suit_device_gate PRIVATE ${CMAKE_DL_LIBS})
+	_dismount_common(suit_device_gate)
+	add_dependencies(suit_emulator suit_device_gate)
 endif()
 
 # The same suit in a virtual machine, plugged into the kernel's own USB: ./test --kernel.

@@ -5,27 +5,45 @@ extends Node
 
 ## Prints the text of docs/options.md, for the gate that compares it.
 const _DOCUMENT: String = "--help=document"
+## Prints what --help prints of each role, for the same gate.
+const _ROLES: String = "--help=roles"
 
 
 func _ready() -> void:
 	get_tree().auto_accept_quit = true
 	var arguments: PackedStringArray = OS.get_cmdline_user_args()
+	if EditorSession.is_wanted(arguments):
+		arguments = EditorSession.begin()
 	var role: String = ProgramRoles.find_in(arguments)
-	if arguments.has("--help") or arguments.has(_DOCUMENT):
-		var is_named: bool = "--role" in " ".join(arguments)
-		var text: String = OptionsHelp.describe(role if is_named else "")
-		print(OptionsHelp.document() if arguments.has(_DOCUMENT) else text)
+	var version: String = ProjectSettings.get_setting("application/config/version")
+	var answer: String = _answer(arguments, role, version)
+	if answer != "":
+		print(answer)
 		get_tree().quit(0)
 		return
 	var options: Options = ProgramOptions.parse(arguments, role)
 	if not ProgramRoles.names().has(role):
 		options = ProgramOptions.parse(["--role=" + role])
+	if options.error == "":
+		options.refuse(Log.open(options.text("log-level"), options.file("log-file")))
 	if options.error != "":
 		Log.error("app", options.error + " (--help lists all options)")
 		get_tree().quit(2)
 		return
-	var version: String = ProjectSettings.get_setting("application/config/version")
 	Log.info("app", "Dismount %s, %s" % [version, role])
 	var scene: Node = (load(ProgramRoles.scene_of(role)) as PackedScene).instantiate()
 	scene.call("configure", role, options)
 	add_child(scene)
+
+
+## What arguments ask for that starts nothing; empty if they ask for nothing like that.
+func _answer(p_arguments: PackedStringArray, p_role: String, p_version: String) -> String:
+	if p_arguments.has("--version"):
+		return "Dismount " + p_version
+	if p_arguments.has(_DOCUMENT):
+		return OptionsHelp.document()
+	if p_arguments.has(_ROLES):
+		return OptionsHelp.all_roles()
+	if p_arguments.has("--help") or p_arguments.has("-h"):
+		return OptionsHelp.describe(p_role if "--role" in " ".join(p_arguments) else "")
+	return ""

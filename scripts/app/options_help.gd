@@ -7,14 +7,26 @@ const DOCUMENT: String = "res://docs/options.md"
 const RENEW: String = "./run options-doc"
 
 const _COLUMN: int = 34
+## Characters of a line on a terminal.
+const _WIDTH: int = 100
 const _INTRODUCTION: Array[String] = [
 	"# Options\n\n",
 	"Made by `%s` from the rows in `scripts/app/program_options.gd`; `./test lint` fails where",
 	" they differ.\n\nOptions are given as `--name=value` or `--name value`, or by the environment:",
-	" `DISMOUNT_MAX_CLIENTS=8` is `--max-clients=8`. Arguments win. A role refuses an option that",
-	" it does not take; in the environment, which several roles share, it passes over it. Relative",
-	" files count from where you started the program. `./run ROLE --help` lists what a role takes.",
-	" The other commands of `./run` have options of their own: `./run --help`.\n\n",
+	" `DISMOUNT_MAX_CLIENTS=8` is `--max-clients=8`, or by a file (below). Arguments win. A role",
+	" refuses an option that it does not take; in the environment, which several roles share, it",
+	" passes over it. Relative files count from where you started the program. `./run ROLE --help`",
+	" lists what a role takes. The other commands of `./run` have options of their own: `./run",
+	" --help`.\n\n",
+	"**A configuration file** has any of them: `--config=FILE` (or `DISMOUNT_CONFIG`). The command",
+	" line wins over the environment, that over the file. Lines above any heading are for the role",
+	" that reads the file; `[all]` is for each role that takes them. Relative files count from where",
+	" you started the program, as in the command line. Mistakes are named with their line, and",
+	" nothing starts.\n\n```\n; server.cfg\n[server]\nworld = hall\nmax-clients = 8\n",
+	'password = "two words"\nwaiting-room = true\nlog-file = /var/log/dismount.log\n```\n\n',
+	"SIGHUP lets a server open its log file anew and read configuration and bans again. %s take",
+	" effect at once, which the log says; others with the next start. Of a file or a list of bans",
+	" with a mistake nothing is taken.\n\n",
 	"Exit codes: 0 done, 1 failed, 2 wrong options or motion file, 3 refused by the server, 4 no",
 	" server (with `--connect-timeout`).\n\n## Roles\n\n| role | what it does |\n|---|---|\n",
 ]
@@ -43,6 +55,14 @@ static func describe(p_role: String) -> String:
 	return "\n".join(lines)
 
 
+## What --help prints of each role, with a line "=== ROLE" before it.
+static func all_roles() -> String:
+	var parts: PackedStringArray = []
+	for role: String in ProgramRoles.names():
+		parts.append("=== %s\n%s\n" % [role, describe(role)])
+	return "\n".join(parts)
+
+
 ## The text of docs/options.md.
 static func document() -> String:
 	var lines: PackedStringArray = []
@@ -60,7 +80,8 @@ static func document() -> String:
 				row.meaning
 			]
 			lines.append("| %s | %s | %s | %s |" % cells)
-	return "".join(_INTRODUCTION) % RENEW + "\n".join(lines) + "\n"
+	var live: String = "`--%s`" % "`, `--".join(ServerReload.CHANGEABLE)
+	return "".join(_INTRODUCTION) % [RENEW, live] + "\n".join(lines) + "\n"
 
 
 ## Options by the roles that take them, in the order of the rows.
@@ -81,7 +102,27 @@ static func _line(p_row: OptionRow) -> String:
 	if p_row.describe_default() != "" and p_row.kind != OptionRow.Kind.FLAG:
 		notes.append("default " + p_row.describe_default())
 	var note: String = " [%s]" % "; ".join(notes) if not notes.is_empty() else ""
-	return "  %s %s%s" % [p_row.usage().rpad(_COLUMN - 3), p_row.meaning, note]
+	var lines: PackedStringArray = _wrap(p_row.meaning + note, _WIDTH - _COLUMN)
+	var usage: String = "  " + p_row.usage()
+	if usage.length() >= _COLUMN:
+		lines.insert(0, "")
+	for i: int in lines.size():
+		lines[i] = (usage if i == 0 else "").rpad(_COLUMN) + lines[i]
+	return "\n".join(lines)
+
+
+## A text as lines of a maximum of characters, broken between words.
+static func _wrap(p_text: String, p_width: int) -> PackedStringArray:
+	var lines: PackedStringArray = [""]
+	for word: String in p_text.split(" "):
+		var last: String = lines[-1]
+		if last == "":
+			lines[-1] = word
+		elif last.length() + 1 + word.length() <= p_width:
+			lines[-1] = last + " " + word
+		else:
+			lines.append(word)
+	return lines
 
 
 static func _cell(p_text: String) -> String:

@@ -3,6 +3,8 @@ extends RefCounted
 ## Every option of the program. Checks, [code]--help[/code] and docs/options.md are made from these
 ## rows: a new option is a row here, and the code that reads it.
 
+static var _levels: PackedStringArray = []
+
 
 ## Reads arguments such as [code]--port=7777[/code] and the environment, for a role, or for any.
 static func parse(p_arguments: PackedStringArray, p_role: String = "") -> Options:
@@ -12,6 +14,13 @@ static func parse(p_arguments: PackedStringArray, p_role: String = "") -> Option
 ## All options, grouped by topic.
 static func rows() -> Array[OptionRow]:
 	return _connection() + _motion() + _server() + _display() + _run()
+
+
+## Looked for once: a folder is read for them.
+static func _level_names() -> PackedStringArray:
+	if _levels.is_empty():
+		_levels = LevelStore.names()
+	return _levels
 
 
 static func _connection() -> Array[OptionRow]:
@@ -35,11 +44,14 @@ static func _connection() -> Array[OptionRow]:
 				+ " Prefer DISMOUNT_PASSWORD: others on the machine can see arguments"
 			)
 		),
-		OptionRow.flag("dtls", clients, "encrypt the connection, if the engine can"),
-		OptionRow.file(
-			"dtls-certificate",
-			PackedStringArray([ProgramRoles.SERVER]) + clients,
-			"certificate (PEM): the server's own, or the one that a client trusts"
+		(
+			OptionRow
+			. flag(
+				"sealing",
+				both,
+				"encrypt and authenticate every datagram; 0 only where the network can be trusted"
+			)
+			. or_default(1)
 		),
 		OptionRow.number(
 			"snapshot-rate",
@@ -71,6 +83,9 @@ static func _motion() -> Array[OptionRow]:
 	var with_load: PackedStringArray = moving + PackedStringArray([ProgramRoles.LOAD])
 	return [
 		OptionRow.files("bvh", with_load, "motion files, played in a loop, one person each"),
+		OptionRow.decimal(
+			"bvh-from", moving, 0.0, [0.0, 1e6], "moment of the motion files to begin at", "s"
+		),
 		OptionRow.file(
 			"default-bvh", moving, "motion file if no source is given; ./run gives one of ours"
 		),
@@ -111,8 +126,12 @@ static func _motion() -> Array[OptionRow]:
 static func _server() -> Array[OptionRow]:
 	var server: PackedStringArray = [ProgramRoles.SERVER]
 	return [
-		OptionRow.text("world", server, "the level: a folder in scenes/world").or_default(
-			LevelStore.DEFAULT
+		OptionRow.choice(
+			"world",
+			server,
+			LevelStore.DEFAULT,
+			_level_names(),
+			"the level: a folder in scenes/world"
 		),
 		(
 			OptionRow
@@ -123,6 +142,17 @@ static func _server() -> Array[OptionRow]:
 				# ENet's maximum, less those that are just arriving.
 				[1, 4000],
 				"maximum of clients"
+			)
+		),
+		(
+			OptionRow
+			. number(
+				"max-people",
+				server,
+				PeopleChanges.DEFAULT_MAX,
+				# Each has 16 bodies of the 10,240 that the engine has room for.
+				[1, 500],
+				"maximum of people who have a body, of all clients together"
 			)
 		),
 		OptionRow.number(
@@ -158,7 +188,9 @@ static func _server() -> Array[OptionRow]:
 			[0, 65535],
 			"TCP port of the status on 127.0.0.1; 0: the number of --port"
 		),
-		OptionRow.file("dtls-key", server, "private key (PEM) of the certificate"),
+		OptionRow.number(
+			"end-with", server, 0, [0, 1 << 30], "end when the process of this number has; 0: none"
+		),
 	]
 
 
@@ -168,6 +200,11 @@ static func _display() -> Array[OptionRow]:
 	return [
 		OptionRow.choices_of(
 			"views", showing, "mesh,static", WorldViews.NAMES, "worlds to show at the start"
+		),
+		(
+			OptionRow
+			. text("physics-at", showing, "when the physics world fades in and out again, s")
+			. shown_as("BEGIN,END")
 		),
 		OptionRow.text("camera", showing, "camera at the start, degrees and m").shown_as(
 			"AZIMUTH,ELEVATION,DISTANCE"
@@ -203,6 +240,11 @@ static func _run() -> Array[OptionRow]:
 	var recording: PackedStringArray = PackedStringArray([ProgramRoles.SERVER]) + showing
 	var load_only: PackedStringArray = [ProgramRoles.LOAD]
 	return [
+		OptionRow.file("config", all, "read options from this file, see docs/options.md"),
+		OptionRow.file(
+			"log-file", all, "write the log to this file too; a server reopens it after SIGHUP"
+		),
+		OptionRow.choice("log-level", all, "info", Log.LEVELS, "lines that are left out below it"),
 		OptionRow.choice("role", all, "", all, "role to start; by default server or observer"),
 		OptionRow.decimal("duration", all, 0.0, [0.0, 1e7], "end after this time; 0: never", "s"),
 		OptionRow.file("report", all, "write stats to this file (JSON) every second"),
@@ -210,7 +252,12 @@ static func _run() -> Array[OptionRow]:
 			"record", recording, "record what this client receives, or everything at the server"
 		),
 		OptionRow.file("file", [ClientStreams.REPLAY], "recording to replay"),
-		OptionRow.file("screenshot", showing, "save a picture (PNG) before --duration ends"),
+		OptionRow.decimal(
+			"from", [ClientStreams.REPLAY], 0.0, [0.0, 1e7], "where in the recording to begin", "s"
+		),
+		OptionRow.file(
+			"screenshot", showing, "save a picture (PNG) as --duration or a signal ends it"
+		),
 		OptionRow.file("latency-csv", showing, "write the latency of each sample, stage by stage"),
 		OptionRow.number(
 			"trainees", load_only, 1, [0, LoadRun.MAX_CLIENTS], "clients that send motion"

@@ -16,6 +16,7 @@ const _PICTURE_PATIENCE_S: float = 60.0
 @export var _hud: Hud
 @export var _mocap: MocapSetup
 @export var _interaction: Interaction
+@export var _controls: WindowControls
 
 var _role: String = ""
 var _options: Options = null
@@ -23,12 +24,15 @@ var _stream: StateStream = null
 var _recorder: StateRecorder = null
 var _stats_sent_s: float = 0.0
 var _report: ReportFile = null
-var _orders: InstructorOrders = null
+var _desk: InstructorDesk = null
+var _wearer: WearerReports = null
+var _shared: SharedClient = null
 var _begin_s: float = 0.0
 var _exit_code: int = 0
 var _stats: ClientStats = ClientStats.new()
 var _stop: StopSignal = StopSignal.new()
 var _pacer: FramePacer = null
+var _fade: PhysicsFade = PhysicsFade.new()
 var _clock: FrameClock = FrameClock.of_window()
 
 
@@ -50,6 +54,7 @@ func _ready() -> void:
 	_report = ReportFile.new(_options.file("report"))
 	_stop.watch()
 	_hud.show_probe(_stats.probe)
+	_controls.set_up(_role, _options)
 	var fault: String = _apply_options()
 	if fault != "":
 		_quit(StateStream.EXIT_OPTIONS, fault)
@@ -67,16 +72,32 @@ func _process(p_delta: float) -> void:
 		return
 	if _mocap.people != null:
 		_mocap.advance(_stream.now_s())
+		_wearer.advance(_stream.now_s())
 		_hud.show_guide(_mocap.guide(_stream.now_s()))
+	if _desk != null:
+		_desk.advance(_stream.now_s())
 	_stream.advance(p_delta)
 	_acknowledge()
+	_scene.fade_physics(_fade, _stream.now_s() - _begin_s)
 	_update_scene()
 	_show_status()
 	_check_duration()
 
 
+func _physics_process(_delta: float) -> void:
+	ClientPhysics.advance()
+
+
+func _notification(p_what: int) -> void:
+	# The window is being closed: the engine quits after this.
+	if p_what == NOTIFICATION_WM_CLOSE_REQUEST and _shared != null:
+		_shared.api.close()
+
+
 func _exit_tree() -> void:
 	_mocap.close()
+	if _desk != null:
+		_desk.close()
 	if _report != null:
 		_report.write(_make_report())
 	if _recorder != null:
@@ -89,10 +110,9 @@ func _exit_tree() -> void:
 ## Puts the parts together as the options ask. Returns what is wrong, or an empty text.
 func _apply_options() -> String:
 	var fault: String = _scene.apply(_options.text("views"), _options.text("camera"))
+	fault = _fade.set_from_text(_options.text("physics-at")) if fault == "" else fault
 	_scene.replica.wants_marks = _options.file("latency-csv") != ""
 	_scene.replica.set_smoothing(_options.text("smoothing"))
-	_orders = InstructorOrders.new(_options.text("orders"))
-	fault = _orders.error if fault == "" else fault
 	var made: ClientStreams = ClientStreams.make(_role, _options)
 	fault = made.error if fault == "" else fault
 	_stream = made.stream
@@ -100,9 +120,20 @@ func _apply_options() -> String:
 	if fault == "" and Roles.can(Roles.find(_role), Roles.Capability.SEND_MOTION):
 		fault = _mocap.open(_options, made.live.link)
 		made.live.joined.connect(_mocap.people.begin)
+		_wearer = WearerReports.new(made.live.link, _mocap)
+		made.live.link.calibration_asked.connect(
+			func(index: int, kind: int, number: int) -> void:
+				_wearer.calibrate(index, kind, number, _stream.now_s())
+		)
+	if fault == "" and Roles.can(Roles.find(_role), Roles.Capability.MODERATE):
+		_desk = InstructorDesk.new(made.live.link, _options.text("orders"))
+		_desk.quit_wanted.connect(_leave.bind(0))
+		fault = _desk.error
 	if fault == "" and made.live != null:
-		made.live.link.calibration_asked.connect(_on_calibration_asked)
-		made.live.connecting.connect(_on_connecting.bind(made.live.link))
+		made.live.link.told.connect(_on_told)
+		_shared = SharedClient.new(made.live.link, Roles.find(_role) as Roles.Role)
+		_scene.get_level().shared = _shared.api
+		made.live.connecting.connect(_shared.reconnect)
 	return fault
 
 
@@ -183,6 +214,7 @@ func _on_marked(p_mark: LatencyMark) -> void:
 func _on_spawned(p_row: EntityRow) -> void:
 	if _mocap.people != null and p_row.is_person() and p_row.owner == _stream.session():
 		_mocap.people.embody(_scene)
+		_scene.follow_own(_mocap.people.first_actor, _options.text("camera") == "")
 
 
 func _on_restarted() -> void:
@@ -194,19 +226,14 @@ func _on_restarted() -> void:
 
 func _on_ended(p_exit_code: int, p_why: String) -> void:
 	if p_exit_code == StateStream.EXIT_DONE:
-		get_tree().quit(0)
+		_leave(0)
 	else:
 		_quit(p_exit_code, p_why)
 
 
-func _on_connecting(p_link: ClientLink) -> void:
-	if Roles.can(Roles.find(_role), Roles.Capability.MODERATE):
-		_orders.attach(SessionControl.follow(self, p_link))
-
-
-func _on_calibration_asked(p_index: int, p_kind: int) -> void:
-	if _mocap.people != null:
-		_mocap.calibrate(p_index, p_kind, _stream.now_s())
+func _on_told(p_text: String) -> void:
+	Log.warning("client", p_text)
+	_hud.show_note(p_text)
 
 
 func _on_frame_drawn() -> void:
@@ -218,8 +245,10 @@ func _on_frame_drawn() -> void:
 
 func _show_status() -> void:
 	if Engine.get_process_frames() % 10 == 0:
-		_hud.show_status(_stats.describe(_role, _stream.traffic), _scene.describe_views())
-		_hud.show_screen(ScreenDelay.describe())
+		var text: String = _stats.describe(_role, _stream.traffic, _stream.security())
+		_hud.show_status(text, _scene.describe_views() + "   " + _controls.hint())
+		if _role != ClientStreams.REPLAY:
+			_hud.show_screen(ScreenDelay.describe())
 	if _report.is_due():
 		_report.write(_make_report())
 
@@ -233,11 +262,13 @@ func _make_report() -> Dictionary:
 
 
 func _check_duration() -> void:
+	var takes_picture: bool = _options.file("screenshot") != ""
 	if _stop.is_raised():
-		get_tree().quit(0)
+		if takes_picture:
+			_take_picture(_options.file("screenshot"))
+		_leave(0)
 		return
 	var duration: float = _options.seconds("duration")
-	var takes_picture: bool = _options.file("screenshot") != ""
 	# A film is made slower than it plays: a recording has a clock of its own.
 	var elapsed: float = _stream.now_s() - _begin_s
 	if duration == 0.0 or elapsed < duration:
@@ -247,7 +278,7 @@ func _check_duration() -> void:
 		if _stats.shown_frames < _PICTURE_FRAMES and elapsed < duration + _PICTURE_PATIENCE_S:
 			return
 		_take_picture(_options.file("screenshot"))
-	get_tree().quit(0)
+	_leave(0)
 
 
 func _take_picture(p_path: String) -> void:
@@ -266,6 +297,13 @@ func _quit(p_code: int, p_why: String) -> void:
 	var stays: bool = is_read and DisplayServer.get_name() != "headless"
 	if stays and _options.seconds("duration") == 0.0:
 		get_tree().auto_accept_quit = false
-		get_window().close_requested.connect(get_tree().quit.bind(p_code))
+		get_window().close_requested.connect(_leave.bind(p_code))
 	else:
-		get_tree().quit(p_code)
+		_leave(p_code)
+
+
+## Ends the program with a code.
+func _leave(p_code: int) -> void:
+	if _shared != null:
+		_shared.api.close()
+	get_tree().quit(p_code)

@@ -19,14 +19,22 @@ const _MAX_ADVICE: int = 3
 
 var _source: SuitSource = null
 var _store: CalibrationStore = CalibrationStore.new()
+# Who hears of the outcome: func(accepted: bool, text: String), or none.
+var _answer: Callable = Callable()
 var _outcome: String = ""
 var _until_s: float = 0.0
 # The time of the last call, s.
 var _now_s: float = 0.0
 
 
-## Begins one at a time, s. Returns why it cannot, or an empty text.
-func start(p_source: SuitSource, p_kind: CalibrationGuide.Kind, p_now_s: float) -> String:
+## Begins one at a time, s. Returns why it cannot, or an empty text; then the outcome goes to
+## [code]func(accepted: bool, text: String)[/code] too.
+func start(
+	p_source: SuitSource,
+	p_kind: CalibrationGuide.Kind,
+	p_now_s: float,
+	p_answer: Callable = Callable()
+) -> String:
 	_now_s = p_now_s
 	if p_source.process.is_running() or is_running():
 		return "another calibration is going on"
@@ -35,6 +43,7 @@ func start(p_source: SuitSource, p_kind: CalibrationGuide.Kind, p_now_s: float) 
 	var fault: String = p_source.start_calibration(p_kind, p_now_s)
 	if fault == "":
 		_source = p_source
+		_answer = p_answer
 		_source.calibrated.connect(_on_calibrated, CONNECT_ONE_SHOT)
 		Log.info("mocap", "calibrating (%s)" % CalibrationGuide.NAMES[p_kind])
 	return fault
@@ -45,6 +54,7 @@ func forget(p_source: SuitSource) -> void:
 	if _source == p_source:
 		_source.calibrated.disconnect(_on_calibrated)
 		_source = null
+		_conclude(false, "not calibrated: it was ended at the suit")
 
 
 ## Whether one is in progress.
@@ -80,10 +90,19 @@ func _on_calibrated(p_result: CalibrationResult) -> void:
 		source.refuse_calibration()
 		say("Not calibrated:\n" + fault.replace("; ", "\n"), _now_s)
 		Log.warning("mocap", "not calibrated: " + fault)
+		_conclude(false, "not calibrated: " + fault)
 		return
 	source.accept_calibration()
 	say("Calibrated\n" + advice.replace("; ", "\n"), _now_s)
-	var parts: Array = [100.0 * p_result.score(), ": " + advice if advice != "" else ""]
-	Log.info("mocap", "calibrated, quality %.0f %%%s" % parts)
+	var outcome: String = p_result.describe() + (": " + advice if advice != "" else "")
+	Log.info("mocap", outcome)
+	_conclude(true, outcome)
 	if not _store.write(source.get_profile()):
 		Log.warning("mocap", _store.error)
+
+
+func _conclude(p_accepted: bool, p_text: String) -> void:
+	var answer: Callable = _answer
+	_answer = Callable()
+	if answer.is_valid():
+		answer.call(p_accepted, p_text)

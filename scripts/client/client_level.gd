@@ -16,6 +16,8 @@ signal missing(p_why: String)
 var level: Level = null
 ## Its name.
 var level_name: String = ""
+## The multiplayer API of its shared nodes; null for none.
+var shared: SharedApi = null
 ## Whether the server's level of the same name is another one.
 var differs: bool = false
 
@@ -32,15 +34,18 @@ func set_level(p_name: String, p_fingerprint: PackedByteArray) -> void:
 		missing.emit("%s: update this program" % LevelStore.describe_missing(p_name))
 		return
 	if level != null:
-		remove_child(level)
-		level.queue_free()
+		# At once: a server may send many levels between two frames.
+		level.free()
 	level = LevelStore.instantiate(p_name)
 	level_name = p_name
+	if shared != null:
+		shared.attach(self, level)
 	add_child(level)
 	differs = level.fingerprint() != p_fingerprint
 	if differs:
 		var text: String = "world '%s' is not the server's: what you see may be wrong; "
 		Log.warning("client", text % p_name + "update this program or the server")
+	ClientPhysics.note_added(level.get_static_bodies().size())
 	_freeze(level)
 	changed.emit(level, differs)
 
@@ -55,6 +60,7 @@ func add_entity(p_row: EntityRow) -> void:
 	if entity != null:
 		body = entity.get_body() if p_row.type.body == EntityType.Body.RIGID else null
 	if body != null:
+		ClientPhysics.note_added(1)
 		_bodies[p_row.id] = body
 		_unplaced[p_row.id] = true
 	entity_added.emit(p_row, entity, body)
@@ -66,7 +72,7 @@ func remove_entity(p_row: EntityRow) -> void:
 	_unplaced.erase(p_row.id)
 	var instance: Node = _instances.get(p_row.id)
 	if instance != null:
-		instance.queue_free()
+		instance.free()
 		_instances.erase(p_row.id)
 
 

@@ -106,6 +106,12 @@ func evaluate(p_now_usec: int, p_truth: PackedFloat32Array, p_tick: int) -> Pack
 	return _body.evaluate(p_now_usec / 1e6, p_now_usec + MotionSender.unix_ahead())
 
 
+## Says how far the person's own frame is turned about the vertical in the world, rad; with NAN it
+## stays as it is.
+func turn(p_heading: float) -> void:
+	_body.turn(p_heading)
+
+
 ## Which moment of the motion [method show] shows at a local time: µs of Unix time.
 func shown_moment_usec(p_now_usec: int) -> int:
 	return _body.shown_moment_usec(p_now_usec + MotionSender.unix_ahead())

@@ -18,7 +18,6 @@ var first_actor: int = -1
 var _link: ClientLink = null
 var _rate: float = 60.0
 var _sender: MotionSender = MotionSender.new()
-var _name: String = ""
 var _motions: Array[ClientMotion] = []
 var _sizes_due_s: float = 0.0
 var _publishers: Dictionary[ClientMotion, TrackerPublisher] = {}
@@ -133,10 +132,13 @@ func evaluate(p_now_usec: int, p_replica: WorldReplica) -> Dictionary[int, Packe
 	for motion: ClientMotion in _motions:
 		motion.keep_in_step()
 		var truth: PackedFloat32Array = []
+		var heading: float = NAN
 		if motion.actor >= 0 and p_replica.has_person(motion.actor):
+			heading = p_replica.ground_heading(motion.actor)
+			motion.turn(heading)
 			truth = p_replica.person_floats(motion.actor, true)
 		var floats: PackedFloat32Array = motion.evaluate(p_now_usec, truth, p_replica.newest_tick)
-		if not floats.is_empty() and p_replica.is_on_ground(motion.actor):
+		if not floats.is_empty() and not is_nan(heading):
 			bodies[motion.actor] = floats
 	return bodies
 

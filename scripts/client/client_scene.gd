@@ -8,6 +8,9 @@ signal level_noted(p_text: String)
 ## The server's level is not on this machine.
 signal level_missing(p_why: String)
 
+## The camera is told of bodies that are nearer than this, m.
+const _CAMERA_NEAR_M: float = 4.0
+
 ## The scene of a person; its root is a [Ragdoll].
 @export var person_scene: PackedScene
 @export var _level: ClientLevel
@@ -15,6 +18,7 @@ signal level_missing(p_why: String)
 @export var _physics: PhysicsWorld
 @export var _views: WorldViews
 @export var _camera: OrbitCamera
+@export var _names: NameTags
 
 ## Where everything is.
 var replica: WorldReplica = WorldReplica.new()
@@ -22,6 +26,7 @@ var replica: WorldReplica = WorldReplica.new()
 var entities: ClientEntities = ClientEntities.new(replica)
 
 var _actors: Dictionary[int, ActorView] = {}
+var _followed: FollowedPerson = FollowedPerson.new()
 var _aimed: bool = false
 
 
@@ -34,10 +39,54 @@ func _ready() -> void:
 	_level.missing.connect(level_missing.emit)
 
 
+## Lets the camera follow the person of this client, who has one from now on. Where the user has set
+## no camera it stays behind the person.
+func follow_own(p_actor: int, p_stays_behind: bool) -> void:
+	if _followed.own < 0 and p_actor >= 0 and p_stays_behind:
+		_camera.view = OrbitCamera.View.BEHIND
+		_camera.azimuth = 0.0
+		_aimed = false
+	_followed.own = p_actor
+
+
+## Whom the camera follows, or -1.
+func followed() -> int:
+	return _followed.find(_actors)
+
+
+## Lets the camera follow the next person.
+func follow_next() -> void:
+	_followed.choose_next(_actors)
+
+
+## Lets the camera follow who is seen at a point of the window, if anybody is.
+func follow_at(p_point: Vector2) -> void:
+	var from: Vector3 = _camera.project_ray_origin(p_point)
+	_followed.choose_at(_actors, from, _camera.project_ray_normal(p_point))
+
+
+## Looks at the followed person from elsewhere: around, from behind, out of the eyes.
+func change_view() -> void:
+	_camera.change_view()
+
+
 ## Sets the visible worlds and the camera; returns what is wrong, or an empty text.
 func apply(p_views: String, p_camera: String) -> String:
 	_views.show_only(p_views)
 	return _camera.set_from_text(p_camera) if p_camera != "" else ""
+
+
+## Fades the physics world at a time, s after the start.
+func fade_physics(p_fade: PhysicsFade, p_time_s: float) -> void:
+	if not p_fade.is_due(p_time_s):
+		return
+	var opacity: float = p_fade.opacity_at(p_time_s)
+	var is_over: bool = opacity == 0.0 and _views.is_shown(&"physics")
+	if _views.is_shown(&"physics") != (opacity > 0.0):
+		_views.set_shown(&"physics", opacity > 0.0)
+	_physics.opacity = 1.0 if is_over else opacity
+	if is_over:
+		p_fade.end()
 
 
 ## Forgets a world whose server is gone: people and things leave, the level stays.
@@ -112,8 +161,10 @@ func _on_spawned(p_row: EntityRow) -> void:
 func _on_despawned(p_row: EntityRow) -> void:
 	_physics.remove(p_row.id)
 	if _actors.has(p_row.id):
-		_actors[p_row.id].node.queue_free()
+		# At once: a server may send many tables between two frames.
+		_actors[p_row.id].node.free()
 		_actors.erase(p_row.id)
+		_names.remove(p_row.id)
 	_level.remove_entity(p_row)
 
 
@@ -130,7 +181,9 @@ func _add_person(p_row: EntityRow) -> void:
 	if p_row.skeleton.is_sound():
 		node.fit_to(p_row.skeleton)
 	_people.add_child(node)
+	ClientPhysics.note_added(Limbs.COUNT)
 	_actors[p_row.id] = ActorView.new(node, p_row.skeleton)
+	_names.add(p_row.id, p_row.person_name)
 	_physics.add_person(p_row.id, node.get_limb_nodes())
 	var entity: Entity = Entity.find_in(node)
 	if entity != null:
@@ -140,6 +193,8 @@ func _add_person(p_row: EntityRow) -> void:
 func _pose_person(p_view: ActorView, p_actor: int, p_own: PackedFloat32Array) -> void:
 	if replica.pose(p_view, p_actor) if p_own.is_empty() else p_view.pose_floats(p_own):
 		p_view.node.visible = true
+		if _names.wants(p_actor):
+			_names.put(p_actor, p_view.head_joint())
 
 
 func _move_wires() -> void:
@@ -152,11 +207,32 @@ func _move_wires() -> void:
 			_physics.set_transforms(actor, replica.limbs_of(actor, floats))
 
 
+## Tells the camera where bodies near it are.
+func _keep_camera_out() -> void:
+	var ends: PackedVector3Array = []
+	var radii: PackedFloat32Array = []
+	var eye: Vector3 = _camera.global_position
+	for view: ActorView in _actors.values():
+		if (
+			view.node.visible
+			and view.hips().distance_squared_to(eye) < _CAMERA_NEAR_M * _CAMERA_NEAR_M
+		):
+			view.hull.append_to(ends, radii)
+	_camera.capsule_ends = ends
+	_camera.capsule_radii = radii
+
+
 func _aim() -> void:
-	for actor: int in _actors:
-		if _actors[actor].node.visible:
-			_camera.target = _actors[actor].hips()
-			if not _aimed:
-				_camera.snap()
-				_aimed = true
-			return
+	var actor: int = followed()
+	_camera.has_head = actor >= 0
+	_keep_camera_out()
+	var looks_out: bool = _camera.view == OrbitCamera.View.EYES
+	_names.choose(_camera.global_position, actor if looks_out else -1)
+	if actor < 0:
+		return
+	_camera.target = _actors[actor].hips()
+	_camera.head = _actors[actor].head()
+	_camera.heading = _actors[actor].heading()
+	if not _aimed:
+		_camera.snap()
+		_aimed = true

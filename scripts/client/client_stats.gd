@@ -56,7 +56,7 @@ func seconds() -> float:
 
 
 ## A short text for the screen.
-func describe(p_role: String, p_traffic: TrafficMeter) -> String:
+func describe(p_role: String, p_traffic: TrafficMeter, p_security: String) -> String:
 	if p_role == "replay":
 		return p_role
 	var parts: Array = [
@@ -64,9 +64,10 @@ func describe(p_role: String, p_traffic: TrafficMeter) -> String:
 		Engine.get_frames_per_second(),
 		p_traffic.received_per_second() / 1000.0,
 		p_traffic.sent_per_second() / 1000.0,
+		p_security,
 		probe.frames.recent_ms,
 	]
-	return "%s   %d fps   %.1f kB/s in   %.1f kB/s out   motion is %.0f ms old" % parts
+	return "%s   %d fps   %.1f kB/s in   %.1f kB/s out   %s   motion is %.0f ms old" % parts
 
 
 ## The stats for the server's status.
@@ -87,8 +88,11 @@ func report(
 		"role": p_role,
 		"people": p_people,
 		"seconds": seconds(),
+		# What draws: "llvmpipe (...)" is the processor. Empty without a window.
+		"renderer": RenderingServer.get_video_adapter_name(),
 		"frames_per_second": _frames / maxf(seconds(), 0.001),
 		"snapshots": snapshots,
+		"shown_frames": shown_frames,
 		"smoothing_delay_ms": smoothing_delay_s * 1000.0,
 		"latency_count": probe.total.count(),
 		"latency_ms_mean": probe.total.mean(),

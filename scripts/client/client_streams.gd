@@ -17,7 +17,7 @@ var error: String = ""
 static func make(p_role: String, p_options: Options) -> ClientStreams:
 	var made: ClientStreams = ClientStreams.new()
 	if p_role == REPLAY:
-		made.stream = RecordedStream.of_file(p_options.file("file"))
+		made.stream = RecordedStream.of_file(p_options.file("file"), p_options.seconds("from"))
 		return made
 	made.live = LiveStream.new()
 	made.stream = made.live
@@ -34,9 +34,7 @@ func _set_up(p_role: String, p_options: Options) -> void:
 	live.request.name = p_options.text("name") if p_options.text("name") != "" else p_role
 	live.request.rate = p_options.number("snapshot-rate")
 	live.request.version = p_options.number("protocol")
-	var security: TransportSecurity = TransportSecurity.client(
-		p_options.is_on("dtls"), p_options.file("dtls-certificate")
-	)
-	live.link.tls = security.tls
-	Log.info("net", security.describe())
-	error = security.error
+	var where: String = "%s:%d" % [live.host, live.port]
+	var whose: JoinRequest = live.request
+	live.link.token_file = SessionTokenFile.claim(where, whose.role, whose.name)
+	live.link.seals = p_options.is_on("sealing")

@@ -13,10 +13,10 @@ extends CanvasLayer
 @export var _latency: LatencyPanel
 
 
-## Shows the stats and the worlds.
-func show_status(p_status: String, p_views: String) -> void:
+## Shows the stats, and the worlds and keys.
+func show_status(p_status: String, p_keys: String) -> void:
 	_status.text = p_status
-	_keys.text = p_views + "   L delays   M motion capture   drag and wheel: camera"
+	_keys.text = p_keys
 
 
 ## Says what the screen adds to the delays that the stats have.

@@ -5,11 +5,11 @@ extends RefCounted
 ## applies, and [code]world:yard[/code], carried out at once.
 
 ## What can be ordered, and the state in which somebody must be for it.
-const STATES: Dictionary[String, String] = {
-	"admit": "waiting",
-	"refuse": "waiting",
-	"kick": "here",
-	"ban": "here",
+const STATES: Dictionary[String, RosterRow.State] = {
+	"admit": RosterRow.State.WAITING,
+	"refuse": RosterRow.State.WAITING,
+	"kick": RosterRow.State.HERE,
+	"ban": RosterRow.State.HERE,
 }
 ## Prefix of an order that has a trainee calibrated; one of [constant ClientCalibration.KINDS]
 ## follows.
@@ -17,20 +17,11 @@ const CALIBRATE: String = "calibrate-"
 ## The order that loads another level.
 const WORLD: String = "world"
 
-## What a row of a roster holds, and of which type: a server may send anything.
-const _ROW: Dictionary[String, Variant.Type] = {
-	"role": TYPE_INT,
-	"state": TYPE_STRING,
-	"name": TYPE_STRING,
-	"peer": TYPE_INT,
-	"session": TYPE_INT,
-}
-
 ## Why the orders are invalid, or an empty text.
 var error: String = ""
 
 var _orders: Array[PackedStringArray] = []
-var _control: SessionControl = null
+var _control: InstructorControl = null
 
 
 func _init(p_text: String = "") -> void:
@@ -43,20 +34,25 @@ func _init(p_text: String = "") -> void:
 		_orders.append(order)
 
 
+## Whether there is nothing to order.
+func is_empty() -> bool:
+	return _orders.is_empty()
+
+
 ## Gives the orders through a control.
-func attach(p_control: SessionControl) -> void:
-	if _control == null:
-		p_control.roster_changed.connect(_on_roster_changed)
-		p_control.answered.connect(func(text: String) -> void: Log.info("client", text))
+func attach(p_control: InstructorControl) -> void:
 	_control = p_control
+	_control.roster_changed.connect(_on_roster_changed)
+	_control.answered.connect(func(answer: AnswerMessage) -> void: Log.info("client", answer.text))
 
 
-func _on_roster_changed(p_roster: Array[Dictionary]) -> void:
+func _on_roster_changed() -> void:
 	for order: PackedStringArray in _orders.duplicate():
 		if order[0] == WORLD:
 			_orders.erase(order)
 			_control.change_level(order[1])
-		for row: Dictionary in p_roster:
+			continue
+		for row: RosterRow in _control.roster:
 			if _is_meant(order, row):
 				_give(order[0], row)
 				if order[1] != "*":
@@ -67,34 +63,27 @@ func _is_known(p_order: String) -> bool:
 	return p_order == WORLD or STATES.has(p_order) or _calibration(p_order) >= 0
 
 
-func _is_meant(p_order: PackedStringArray, p_row: Dictionary) -> bool:
-	for key: String in _ROW:
-		if typeof(p_row.get(key)) != _ROW[key]:
-			return false
-	if Roles.can(p_row["role"], Roles.Capability.MODERATE):
+func _is_meant(p_order: PackedStringArray, p_row: RosterRow) -> bool:
+	if Roles.can(p_row.role, Roles.Capability.MODERATE):
 		return false
-	if p_order[0] == WORLD:
+	var named: bool = p_order[1] == "*" or p_order[1] == p_row.name
+	if _calibration(p_order[0]) >= 0 and not Roles.can(p_row.role, Roles.Capability.SEND_MOTION):
 		return false
-	var named: bool = p_order[1] == "*" or p_order[1] == p_row["name"]
-	if _calibration(p_order[0]) >= 0 and not Roles.can(p_row["role"], Roles.Capability.SEND_MOTION):
-		return false
-	return named and p_row["state"] == STATES.get(p_order[0], "here")
+	return named and p_row.state == STATES.get(p_order[0], RosterRow.State.HERE)
 
 
-func _give(p_order: String, p_row: Dictionary) -> void:
-	var peer: int = p_row["peer"]
-	var session: int = p_row["session"]
+func _give(p_order: String, p_row: RosterRow) -> void:
 	match p_order:
 		"admit":
-			_control.admit(peer)
+			_control.admit(p_row.peer)
 		"refuse":
-			_control.refuse(peer, "")
+			_control.refuse(p_row.peer, "")
 		"kick":
-			_control.kick(session, "")
+			_control.kick(p_row.session, "")
 		"ban":
-			_control.ban(session, "")
+			_control.ban(p_row.session, "")
 		_:
-			_control.calibrate(session, 0, _calibration(p_order))
+			_control.calibrate(p_row.session, 0, _calibration(p_order))
 
 
 ## The kind of calibration that an order asks for, or -1.

@@ -60,13 +60,16 @@ func is_panel_open() -> bool:
 	return _panel != null and _panel.visible
 
 
-## Calibrates one of the people, as an instructor asks.
-func calibrate(p_index: int, p_kind: int, p_now_s: float) -> void:
-	var source: MotionSource = people.source_of(p_index)
+## Calibrates one of the people, as an instructor asks. The outcome goes to
+## [code]func(accepted: bool, text: String)[/code].
+func calibrate(p_index: int, p_kind: int, p_now_s: float, p_answer: Callable = Callable()) -> void:
+	var source: MotionSource = people.source_of(p_index) if people != null else null
 	if source == null or not ClientCalibration.KINDS.values().has(p_kind):
 		Log.limited("mocap", "asked", "no calibration %d of person %d" % [p_kind, p_index])
+		if p_answer.is_valid():
+			p_answer.call(false, "has no person %d, or no calibration %d" % [p_index, p_kind])
 		return
-	inputs.calibrate(source, p_kind as CalibrationGuide.Kind, p_now_s)
+	inputs.calibrate(source, p_kind as CalibrationGuide.Kind, p_now_s, p_answer)
 
 
 ## Closes all devices.

@@ -82,12 +82,20 @@ func advance(p_now_s: float) -> void:
 		_begins_with = ""
 
 
-## Calibrates somebody, guided by texts on the screen.
-func calibrate(p_source: MotionSource, p_kind: CalibrationGuide.Kind, p_now_s: float) -> void:
+## Calibrates somebody, guided by texts on the screen. The outcome goes to
+## [code]func(accepted: bool, text: String)[/code] too, if there is one.
+func calibrate(
+	p_source: MotionSource,
+	p_kind: CalibrationGuide.Kind,
+	p_now_s: float,
+	p_answer: Callable = Callable()
+) -> void:
 	var fault: String = "this motion comes calibrated"
 	if p_source is SuitSource:
-		fault = calibration.start(p_source, p_kind, p_now_s)
+		fault = calibration.start(p_source, p_kind, p_now_s, p_answer)
 	if fault != "":
+		if p_answer.is_valid():
+			p_answer.call(false, "not calibrated: " + fault)
 		calibration.say("Not calibrated: " + fault, p_now_s)
 		Log.warning("mocap", "not calibrated: " + fault)
 
@@ -104,6 +112,19 @@ func list_devices() -> Array[Dictionary]:
 		row["advice"] = _tracker.error
 		rows.append(row)
 	return rows
+
+
+## What is worn, for an instructor: the suit, whether it is calibrated and what is wrong with it.
+func describe() -> String:
+	if wearers.is_empty():
+		return mvn.describe() if mvn != null else ""
+	var parts: PackedStringArray = [wearers[0].feed.describe()]
+	parts.append("calibrated" if wearers[0].is_calibrated() else "not calibrated")
+	if usb != null and usb.trouble() != "":
+		parts.append(usb.trouble())
+	if wearers.size() > 1:
+		parts.append("and %d more" % (wearers.size() - 1))
+	return ", ".join(parts)
 
 
 ## What the wearer is to see at a time, s: what to do in a calibration, or what is wrong with the
@@ -187,6 +208,7 @@ func _open_files(p_option: String) -> String:
 	_has_files = not paths.is_empty()
 	for path: String in paths:
 		var source: BvhSource = BvhSource.new()
+		source.start_s = _options.seconds("bvh-from")
 		source.open(path, _options.text("unit"), _options.text("up"))
 		if source.error != "":
 			return source.error

@@ -79,7 +79,7 @@ func take(p_bytes: PackedByteArray, p_arrival_s: float) -> bool:
 		Protocol.Message.SNAPSHOT, Protocol.Message.SNAPSHOT_OF_ONE, Protocol.Message.KEY:
 			return _take_snapshot(p_bytes, p_arrival_s)
 		Protocol.Message.TABLE:
-			return _take_table(EntityTableMessage.decode(p_bytes, table.types))
+			return _take_table(_decode_table(p_bytes))
 		Protocol.Message.LEVEL:
 			return _take_level(LevelMessage.decode(p_bytes))
 		Protocol.Message.EVENTS:
@@ -98,14 +98,28 @@ func _take_snapshot(p_bytes: PackedByteArray, p_arrival_s: float) -> bool:
 	var tick: int = decoder.get_tick()
 	if tick > newest_tick or tick < newest_tick - STALE:
 		newest_tick = tick
-	_smoother.take(decoder, p_arrival_s)
-	for entity: int in decoder.get_changed_entities():
-		_active[entity] = tick
+	_take_motion(p_arrival_s)
 	var mark: LatencyMark = _take_mark()
 	if mark != null:
 		mark.arrival_usec = roundi(p_arrival_s * 1e6)
 		marked.emit(mark)
 	return true
+
+
+## Takes the state of the snapshot that was decoded last.
+func _take_motion(p_arrival_s: float) -> void:
+	_smoother.take(decoder, p_arrival_s)
+	for entity: int in decoder.get_changed_entities():
+		_active[entity] = decoder.get_tick()
+
+
+func _decode_table(p_bytes: PackedByteArray) -> EntityTableMessage:
+	return EntityTableMessage.decode(p_bytes, table.types)
+
+
+func _set_skeleton(p_row: EntityRow) -> void:
+	var joints: PersonSkeleton = p_row.skeleton
+	_smoother.set_skeleton(p_row.id, joints.parents, joints.joints_in_parent, joints.joints_in_limb)
 
 
 ## Takes changes of the entity table; null is none.
@@ -206,14 +220,15 @@ func limbs_of(p_person: int, p_floats: PackedFloat32Array) -> Array[Transform3D]
 	return bodies
 
 
-## Whether a person's own frame is that of the world: then a wearer's motion can be shown at once,
-## before the server has moved the body.
-func is_on_ground(p_person: int) -> bool:
+## How far a person's own frame is turned about the vertical in the world, rad; NAN while something
+## carries it. A wearer's motion can be shown at once, before the server has moved the body, where
+## this is known.
+func ground_heading(p_person: int) -> float:
 	var row: EntityRow = table.find(p_person)
 	if row == null or decoder.get_frame(p_person) >= 0:
-		return false
+		return NAN
 	var heading: int = row.type.find_field(EntityType.HEADING)
-	return heading < 0 or absf(field(p_person, heading)) < 0.002
+	return field(p_person, heading) if heading >= 0 else 0.0
 
 
 ## Whether something is known of where a rigid body is.
@@ -265,10 +280,7 @@ func _on_spawned(p_row: EntityRow) -> void:
 		_defined_types += 1
 	decoder.add_entity(p_row.id, p_row.type_number, p_row.values)
 	if p_row.is_person() and p_row.skeleton.is_sound():
-		var joints: PersonSkeleton = p_row.skeleton
-		_smoother.set_skeleton(
-			p_row.id, joints.parents, joints.joints_in_parent, joints.joints_in_limb
-		)
+		_set_skeleton(p_row)
 
 
 func _on_despawned(p_row: EntityRow) -> void:

@@ -5,6 +5,64 @@ extends RefCounted
 ## What cannot be read, or is not finite, sets [member failed] and gives zero. Unlike Godot's
 ## own decoders of Variants and UTF-8 it reports no engine errors, so nobody can fill the log.
 
+## First and last of the ranges of Unicode that are controls, formats, fillers or private: its
+## categories Cc, Cf, Co, Zl, Zp, every space but the usual one, selectors and blank letters.
+const _UNSEEN: Array[int] = [
+	0x00,
+	0x1F,
+	0x7F,
+	0xA0,
+	0xAD,
+	0xAD,
+	0x34F,
+	0x34F,
+	0x600,
+	0x605,
+	0x61C,
+	0x61C,
+	0x6DD,
+	0x6DD,
+	0x70F,
+	0x70F,
+	0x115F,
+	0x1160,
+	0x1680,
+	0x1680,
+	0x17B4,
+	0x17B5,
+	0x180B,
+	0x180F,
+	0x2000,
+	0x200F,
+	0x2028,
+	0x202F,
+	0x205F,
+	0x206F,
+	0x2800,
+	0x2800,
+	0x3000,
+	0x3000,
+	0x3164,
+	0x3164,
+	0xE000,
+	0xF8FF,
+	0xFE00,
+	0xFE0F,
+	0xFEFF,
+	0xFEFF,
+	0xFFA0,
+	0xFFA0,
+	0xFFF0,
+	0xFFFB,
+	0x1D173,
+	0x1D17A,
+	0xE0000,
+	0x10FFFF,
+]
+
+## The least code that UTF-8 writes with so many more bytes.
+const _MIN_CODES: Array[int] = [0, 0x80, 0x800, 0x10000]
+
 ## Whether a field was missing or invalid.
 var failed: bool = false
 
@@ -50,6 +108,16 @@ func read_s32() -> int:
 ## A finite number of 4 bytes.
 func read_float() -> float:
 	return _finite(_bytes.decode_float(_at - 4)) if _take(4) else 0.0
+
+
+## So many finite numbers of 4 bytes.
+func read_floats(p_count: int) -> PackedFloat32Array:
+	var floats: PackedFloat32Array = PackedFloat32Array()
+	if _take(4 * p_count):
+		floats = _bytes.slice(_at - 4 * p_count, _at).to_float32_array()
+	for number: float in floats:
+		_finite(number)
+	return floats if not failed else PackedFloat32Array()
 
 
 ## A finite number of 8 bytes.
@@ -139,7 +207,7 @@ func _finite(p_value: float) -> float:
 func _decode(p_bytes: PackedByteArray) -> String:
 	if _is_plain(p_bytes):
 		return p_bytes.get_string_from_ascii()
-	var text: String = ""
+	var codes: PackedInt32Array = PackedInt32Array()
 	var index: int = 0
 	while index < p_bytes.size():
 		var byte: int = p_bytes[index]
@@ -151,12 +219,12 @@ func _decode(p_bytes: PackedByteArray) -> String:
 		for step: int in more:
 			failed = failed or p_bytes[index + 1 + step] & 0xC0 != 0x80
 			code = (code << 6) | (p_bytes[index + 1 + step] & 0x3F)
-		if failed or code < [0, 0x80, 0x800, 0x10000][more] or not _is_printable(code):
+		if failed or code < _MIN_CODES[more] or not _is_printable(code):
 			failed = true
 			return ""
-		text += String.chr(code)
+		codes.append(code)
 		index += 1 + more
-	return text
+	return codes.to_byte_array().get_string_from_utf32()
 
 
 ## Whether all are printable ASCII characters. Sorting gives the least and the greatest without a
@@ -167,9 +235,12 @@ static func _is_plain(p_bytes: PackedByteArray) -> bool:
 	return sorted.is_empty() or (sorted[0] >= 0x20 and sorted[-1] < 0x7F)
 
 
+## Whether a character may be in a name: not those that garble a log line or cannot be seen. Line
+## separators, marks that turn the direction of writing, joiners, fillers and tags would let
+## somebody look like somebody else.
 static func _is_printable(p_code: int) -> bool:
-	var control: bool = p_code < 0x20 or (p_code >= 0x7F and p_code < 0xA0)
-	# Line separators and marks that turn the direction of writing would garble the log.
-	var garbles: bool = (p_code >= 0x2028 and p_code <= 0x202E) or p_code & 0xFFFE == 0xFFFE
-	var surrogate: bool = p_code >= 0xD800 and p_code <= 0xDFFF
-	return not (control or garbles or surrogate) and p_code <= 0x10FFFF
+	if p_code > 0x10FFFF or (p_code >= 0xD800 and p_code <= 0xDFFF) or p_code & 0xFFFE == 0xFFFE:
+		return false
+	var next: int = _UNSEEN.bsearch(p_code)
+	# After a range's first comes its last.
+	return next % 2 == 0 and (next == _UNSEEN.size() or _UNSEEN[next] != p_code)

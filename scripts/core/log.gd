@@ -9,28 +9,63 @@ extends RefCounted
 const LIMIT_S: float = 5.0
 ## Maximum of keys that are remembered; beyond it the oldest are dropped.
 const MAX_KEYS: int = 256
-## Maximum of lines of all kinds in a second; further ones are counted. Errors are always written.
-const MAX_LINES: int = 100
+## What may be written in a second on the whole, and at once after a while of silence, characters.
+## Further lines are counted. Errors are always written.
+const CHARACTERS_PER_SECOND: float = 400.0
+const MAX_CHARACTERS: float = 2400.0
 
+## What --log-level can be, the most first.
+const LEVELS: PackedStringArray = ["info", "warning", "error"]
+
+## Takes the lines instead of standard output, where somebody types there meanwhile:
+## [code]func(line: String) -> void[/code]. Errors still go to standard error.
+static var sink: Callable = Callable()
+
+static var _level: int = 0
+static var _file: FileAccess = null
 static var _last_usec: Dictionary[String, int] = {}
 static var _left_out: Dictionary[String, int] = {}
-static var _second_usec: int = 0
-static var _lines: int = 0
+static var _room: float = MAX_CHARACTERS
+static var _room_usec: int = 0
+static var _lines_left_out: int = 0
+
+
+## Sets the lowest of [constant LEVELS] that is written, and the file that has the lines too; an
+## empty path is none. Returns why the file cannot be written, or an empty text. Called again, it
+## opens the file anew: it may have been moved away.
+static func open(p_level: String, p_path: String) -> String:
+	_level = maxi(LEVELS.find(p_level), 0)
+	_file = null
+	if p_path == "":
+		return ""
+	if FileAccess.file_exists(p_path):
+		_file = FileAccess.open(p_path, FileAccess.READ_WRITE)
+	else:
+		_file = FileAccess.open(p_path, FileAccess.WRITE)
+	if _file == null:
+		var why: String = error_string(FileAccess.get_open_error())
+		return "the log file %s cannot be written: %s" % [p_path, why]
+	_file.seek_end()
+	return ""
 
 
 ## Something that the operator may want to know.
 static func info(p_tag: String, p_text: String) -> void:
-	_write("INFO", p_tag, p_text)
+	if _level == 0:
+		_write("INFO", p_tag, p_text)
 
 
 ## Something that is wrong, while the work goes on.
 static func warning(p_tag: String, p_text: String) -> void:
-	_write("WARN", p_tag, p_text)
+	if _level <= 1:
+		_write("WARN", p_tag, p_text)
 
 
 ## Something that ends the work.
 static func error(p_tag: String, p_text: String) -> void:
-	printerr(_line("ERROR", p_tag, p_text))
+	var line: String = _line("ERROR", p_tag, p_text)
+	_store(line)
+	printerr(line)
 
 
 ## A warning that is repeated at most every [constant LIMIT_S] seconds for the same key.
@@ -54,14 +89,33 @@ static func limited(p_tag: String, p_key: String, p_text: String) -> void:
 ## Nobody can fill the disk by something that makes a line each time, such as joining and leaving.
 static func _write(p_level: String, p_tag: String, p_text: String) -> void:
 	var now: int = Time.get_ticks_usec()
-	if now - _second_usec > 1000000:
-		if _lines > MAX_LINES:
-			print(_line("WARN", "log", "%d lines were left out" % (_lines - MAX_LINES)))
-		_second_usec = now
-		_lines = 0
-	_lines += 1
-	if _lines <= MAX_LINES:
-		print(_line(p_level, p_tag, p_text))
+	_room += (now - _room_usec) / 1e6 * CHARACTERS_PER_SECOND
+	_room = minf(_room, MAX_CHARACTERS)
+	_room_usec = now
+	if _room <= 0.0:
+		_lines_left_out += 1
+		return
+	if _lines_left_out > 0:
+		_print(_line("WARN", "log", "%d lines were left out" % _lines_left_out))
+		_lines_left_out = 0
+	var line: String = _line(p_level, p_tag, p_text)
+	_room -= line.length()
+	_print(line)
+
+
+static func _store(p_line: String) -> void:
+	if _file != null:
+		_file.store_line(p_line)
+		# Whoever is killed has written all that it said.
+		_file.flush()
+
+
+static func _print(p_line: String) -> void:
+	_store(p_line)
+	if sink.is_valid():
+		sink.call(p_line)
+	else:
+		print(p_line)
 
 
 static func _line(p_level: String, p_tag: String, p_text: String) -> String:

@@ -200,7 +200,9 @@ func parse(p_value: String) -> Variant:
 		return null
 	if kind == Kind.NUMBER or kind == Kind.FLAG:
 		return p_value.to_int()
-	return p_value.to_float() if kind == Kind.DECIMAL else p_value as Variant
+	if kind == Kind.DECIMAL:
+		return p_value.to_float()
+	return p_value
 
 
 ## What is wrong with a value: what is expected and what was found; or an empty text.
@@ -215,10 +217,12 @@ func find_fault(p_value: String) -> String:
 				return "is %s, %s" % [_limits(), found]
 		Kind.CHOICE:
 			if p_value != default_value and not choices.has(p_value):
+				found += Nearest.suggest(p_value, choices)
 				return "is one of %s, %s" % [", ".join(choices), found]
 		Kind.CHOICES:
 			for part: String in p_value.split(",", false):
 				if not choices.has(part):
+					found += Nearest.suggest(part, choices)
 					return "is any of %s, with commas between, %s" % [", ".join(choices), found]
 		Kind.TEXT:
 			if highest > 0 and p_value.length() > highest:

@@ -1,15 +1,21 @@
 class_name Options
 extends RefCounted
-## The user's options: arguments after [code]--[/code], or environment variables of the same
-## meaning ([code]--max-clients=8[/code] is [code]DISMOUNT_MAX_CLIENTS=8[/code]). Arguments win.
+## The user's options: arguments after [code]--[/code], environment variables of the same meaning
+## ([code]--max-clients=8[/code] is [code]DISMOUNT_MAX_CLIENTS=8[/code]), or lines of the file that
+## [code]--config[/code] names ([OptionsFile]). Arguments win over the environment, and that over
+## the file.
 ##
 ## The program defines the options: it passes an [OptionRow] for each.
+
+## Name of the option that names the file of options; rows need not have it.
+const CONFIG: String = "config"
 
 ## What is wrong with the arguments, or an empty text.
 var error: String = ""
 ## The role that they are for, or an empty text: then options of all roles are accepted.
 var role: String = ""
 
+var _arguments: PackedStringArray = []
 var _values: Dictionary[String, Variant] = {}
 var _rows: Dictionary[String, OptionRow] = {}
 
@@ -24,15 +30,36 @@ static func parse(
 ) -> Options:
 	var options: Options = Options.new()
 	options.role = p_role
+	options._arguments = p_arguments
 	for row: OptionRow in p_rows:
 		options._rows[row.name] = row
 		options._values[row.name] = row.default_value
+	options._read_file()
 	for row: OptionRow in p_rows:
 		var value: String = OS.get_environment(row.variable())
 		if value != "" and options._takes(row):
 			options._set_option(row, value, row.variable())
 	options._read(p_arguments)
 	return options
+
+
+## The same arguments, with the environment and the file as they are now.
+func reread() -> Options:
+	return parse(_rows.values(), _arguments, role)
+
+
+## Names of the options whose values differ from those of others of the same rows.
+func find_changes(p_other: Options) -> PackedStringArray:
+	var names: PackedStringArray = []
+	for name: String in _values:
+		if _values[name] != p_other._values[name]:
+			names.append(name)
+	return names
+
+
+## The value of an option, for people.
+func describe(p_name: String) -> String:
+	return str(_values[p_name])
 
 
 ## The value of a text option.
@@ -88,12 +115,40 @@ func seconds(p_name: String) -> float:
 
 ## Refuses the arguments; only the first reason is kept.
 func refuse(p_why: String) -> void:
-	if error == "":
+	if error == "" and p_why != "":
 		error = p_why
 
 
 func _takes(p_row: OptionRow) -> bool:
 	return role == "" or p_row.roles.has(role)
+
+
+## Reads the file that the arguments name, else the environment.
+func _read_file() -> void:
+	if not _rows.has(CONFIG):
+		return
+	var path: String = OS.get_environment(_rows[CONFIG].variable())
+	for i: int in _arguments.size():
+		if _arguments[i].begins_with("--config="):
+			path = _arguments[i].trim_prefix("--config=")
+		elif _arguments[i] == "--config" and i + 1 < _arguments.size():
+			path = _arguments[i + 1]
+	if path == "":
+		return
+	var file: OptionsFile = OptionsFile.read(full_path(path), _rows, role)
+	if not file.faults.is_empty():
+		refuse(file.describe_faults())
+	for name: String in file.values:
+		_set_option(_rows[name], file.values[name], name)
+
+
+## The nearest option that the role takes.
+func _suggest(p_name: String) -> String:
+	var names: PackedStringArray = []
+	for row: OptionRow in _rows.values():
+		if _takes(row):
+			names.append(row.name)
+	return Nearest.suggest(p_name, names, "--")
 
 
 func _read(p_arguments: PackedStringArray) -> void:
@@ -107,7 +162,7 @@ func _read(p_arguments: PackedStringArray) -> void:
 		var parts: PackedStringArray = argument.trim_prefix("--").split("=", true, 1)
 		var row: OptionRow = _rows.get(parts[0])
 		if row == null:
-			refuse("there is no option --%s" % parts[0])
+			refuse("there is no option --%s%s" % [parts[0], _suggest(parts[0])])
 			continue
 		var is_next_mine: bool = parts.size() == 1 and row.kind != OptionRow.Kind.FLAG
 		if is_next_mine and i < p_arguments.size() and not p_arguments[i].begins_with("--"):

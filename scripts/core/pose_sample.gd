@@ -9,6 +9,7 @@ extends RefCounted
 # Limits of a quaternion's norm, wide enough for all coding.
 const _MIN_NORM: float = 0.9
 const _MAX_NORM: float = 1.1
+const _MAX_ROOT_M: float = 10000.0
 
 ## Which of its client's people it belongs to.
 var person: int = 0
@@ -53,11 +54,19 @@ func set_orientation(p_limb: int, p_rotation: Quaternion) -> void:
 func find_fault() -> String:
 	if orientations.size() != Limbs.COUNT * 4:
 		return "%d floats instead of %d" % [orientations.size(), Limbs.COUNT * 4]
-	if not root.is_finite() or root.length() > 10000.0:
-		return "the root is not within 10 km of the origin"
+	var fault: String = find_root_fault()
+	if fault != "":
+		return fault
 	for limb: int in Limbs.COUNT:
 		var norm: float = orientation(limb).length()
 		# Written so that NaN fails too.
 		if not (norm > _MIN_NORM and norm < _MAX_NORM):
 			return "%s has no rotation (norm %f)" % [Limbs.BONES[limb], norm]
 	return ""
+
+
+## Why the root cannot be one, or an empty text: all that there is to check of a pose whose
+## rotations a decoder has made.
+func find_root_fault() -> String:
+	# Written so that NaN fails too.
+	return "" if root.length() <= _MAX_ROOT_M else "the root is not within 10 km of the origin"

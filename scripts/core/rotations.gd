@@ -67,7 +67,7 @@ static func mean(p_rotations: Array[Quaternion], p_robust_rad: float = 0.0) -> Q
 	if p_rotations.is_empty():
 		return Quaternion.IDENTITY
 	var found: Quaternion = _middle_most(p_rotations)
-	for round: int in 8:
+	for _round: int in 8:
 		var sum: Vector3 = Vector3.ZERO
 		var weights: float = 0.0
 		for rotation: Quaternion in p_rotations:

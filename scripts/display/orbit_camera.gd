@@ -1,10 +1,36 @@
 class_name OrbitCamera
 extends Camera3D
 ## A camera that circles around what it watches. Drag with the mouse to turn, wheel to come closer,
-## arrow keys likewise; it follows its target softly.
+## arrow keys likewise; it follows its target softly. It can also stay behind a person, or look out
+## of the person's eyes.
+
+## From where it looks.
+enum View {
+	## From any side; the side stays when the person turns.
+	AROUND,
+	## From behind; it turns with the person.
+	BEHIND,
+	## Out of the eyes.
+	EYES,
+}
 
 ## Distance that it keeps from what it does not pass, m.
 const _CLEARANCE_M: float = 0.15
+## From where on something is drawn, m: the eyes are near the visor.
+const _NEAR_M: float = 0.05
+const _NEAR_EYES_M: float = 0.03
+## Distance from the head below which it would be in somebody's face, m.
+const _MIN_DISTANCE_M: float = 0.5
+## At this distance it looks at the head, and at the other one at the target, m.
+const _FACE_M: float = 1.2
+const _BODY_M: float = 3.0
+## It looks for a distance outside of bodies in steps of this length, m, up to so many.
+const _STEP_M: float = 0.05
+const _STEPS: int = 40
+## From the head's joint to the middle of the head, in the head's frame, m.
+const _FACE: Vector3 = Vector3(0.0, 0.1, 0.0)
+## From the head's joint to between the eyes, and a little before them, in the head's frame, m.
+const _EYES: Vector3 = Vector3(0.0, 0.07, 0.2)
 
 ## Where it looks from: angle about the vertical, 0 from +Z.
 @export_range(-180.0, 180.0, 0.1, "radians_as_degrees") var azimuth: float = deg_to_rad(35.0)
@@ -21,8 +47,20 @@ const _CLEARANCE_M: float = 0.15
 
 ## What it watches, in the world, m.
 var target: Vector3 = Vector3(0.0, 1.0, 0.0)
+## From where it looks.
+var view: View = View.AROUND
+## The head of whom it watches, in the world, its front towards +Z.
+var head: Transform3D = Transform3D.IDENTITY
+## Whether it watches a person, who has a [member head].
+var has_head: bool = false
+## Capsules that it does not enter: two ends in the world for each, m, and a radius, m.
+var capsule_ends: PackedVector3Array = []
+var capsule_radii: PackedFloat32Array = []
+## Where the person faces: angle about the vertical, 0 towards +Z.
+var heading: float = 0.0
 
 var _centre: Vector3 = Vector3(0.0, 1.0, 0.0)
+var _heading: float = 0.0
 
 
 func _process(p_delta: float) -> void:
@@ -32,11 +70,41 @@ func _process(p_delta: float) -> void:
 		turn.y = Input.get_axis(&"camera_down", &"camera_up")
 	azimuth += turn.x * p_delta
 	elevation = clampf(elevation + turn.y * p_delta, deg_to_rad(-80.0), deg_to_rad(85.0))
-	_centre = _centre.lerp(target, 1.0 - exp(-follow_speed * p_delta))
+	var share: float = 1.0 - exp(-follow_speed * p_delta)
+	_centre = _centre.lerp(_find_centre(), share)
+	_heading = lerp_angle(_heading, heading, share)
+	if view == View.EYES and has_head:
+		_look_out()
+		return
+	near = _NEAR_M
+	var around: float = azimuth + (_heading + PI if view == View.BEHIND else 0.0)
 	var direction: Vector3 = Vector3.BACK.rotated(Vector3.RIGHT, -elevation)
-	direction = direction.rotated(Vector3.UP, azimuth)
-	position = _centre + direction * _free_distance(direction)
+	direction = direction.rotated(Vector3.UP, around)
+	position = _centre + direction * _clear_of_bodies(direction)
 	look_at(_centre)
+
+
+## The next of the views.
+func change_view() -> void:
+	view = ((view + 1) % View.size()) as View
+	if view == View.BEHIND:
+		azimuth = 0.0
+	snap()
+
+
+## What is in the middle: from near, the head.
+func _find_centre() -> Vector3:
+	if not has_head:
+		return target
+	return (head * _FACE).lerp(target, smoothstep(_FACE_M, _BODY_M, distance))
+
+
+func _look_out() -> void:
+	near = _NEAR_EYES_M
+	var turn: Basis = head.basis.orthonormalized()
+	global_position = head.origin + turn * _EYES
+	# A camera looks along -Z, a face along +Z.
+	global_basis = turn * Basis(Vector3.UP, PI)
 
 
 func _unhandled_input(p_event: InputEvent) -> void:
@@ -49,28 +117,54 @@ func _unhandled_input(p_event: InputEvent) -> void:
 	elif p_event is InputEventMouseButton and p_event.is_pressed():
 		var button: MouseButton = (p_event as InputEventMouseButton).button_index
 		if button == MOUSE_BUTTON_WHEEL_UP:
-			distance = maxf(distance * 0.9, 0.5)
+			distance = maxf(distance * 0.9, _MIN_DISTANCE_M)
 		elif button == MOUSE_BUTTON_WHEEL_DOWN:
 			distance = minf(distance * 1.1, 50.0)
 
 
-## How far it can be from its target in a direction, m.
-func _free_distance(p_direction: Vector3) -> float:
+## How far it can be from its target in a direction before what it does not pass, m; up to a
+## distance.
+func _free_distance(p_direction: Vector3, p_up_to: float) -> float:
 	if obstacles == 0:
-		return distance
-	var end: Vector3 = _centre + p_direction * distance
+		return p_up_to
+	var end: Vector3 = _centre + p_direction * p_up_to
 	var ray: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.create(
 		_centre, end, obstacles
 	)
 	var hit: Dictionary = get_world_3d().direct_space_state.intersect_ray(ray)
 	if hit.is_empty():
-		return distance
+		return p_up_to
 	return maxf(_centre.distance_to(hit["position"]) - _CLEARANCE_M, _CLEARANCE_M)
+
+
+## The distance in a direction that is nearest to the wanted one, before walls and outside of all
+## bodies, m; the wanted one where there is none.
+func _clear_of_bodies(p_direction: Vector3) -> float:
+	var free: float = _free_distance(p_direction, distance + _STEPS * _STEP_M)
+	var wanted: float = minf(distance, free)
+	for step: int in _STEPS:
+		for each: float in [wanted - step * _STEP_M, wanted + step * _STEP_M]:
+			var is_allowed: bool = each >= minf(_MIN_DISTANCE_M, wanted) and each <= free
+			if is_allowed and not _is_in_body(_centre + p_direction * each):
+				return each
+	return wanted
+
+
+func _is_in_body(p_point: Vector3) -> bool:
+	for capsule: int in capsule_radii.size():
+		var reach: float = capsule_radii[capsule] + _NEAR_M
+		var nearest: Vector3 = Geometry3D.get_closest_point_to_segment(
+			p_point, capsule_ends[2 * capsule], capsule_ends[2 * capsule + 1]
+		)
+		if nearest.distance_squared_to(p_point) < reach * reach:
+			return true
+	return false
 
 
 ## Jumps to the target at once.
 func snap() -> void:
-	_centre = target
+	_centre = _find_centre()
+	_heading = heading
 
 
 ## Sets azimuth, elevation (degrees) and distance (m) from a text such as "35,12,4"; returns why it
@@ -84,5 +178,5 @@ func set_from_text(p_text: String) -> String:
 		return "a camera is azimuth,elevation,distance, found '%s'" % p_text
 	azimuth = deg_to_rad(parts[0].to_float())
 	elevation = deg_to_rad(clampf(parts[1].to_float(), -80.0, 85.0))
-	distance = clampf(parts[2].to_float(), 0.5, 50.0)
+	distance = clampf(parts[2].to_float(), _MIN_DISTANCE_M, 50.0)
 	return ""

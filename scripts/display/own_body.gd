@@ -26,6 +26,12 @@ func setup(p_skeleton: PersonSkeleton, p_scale: float, p_rate: float) -> void:
 	)
 
 
+## Says how far the wearer's own frame is turned about the vertical in the world, rad; with NAN it
+## stays as it is.
+func turn(p_heading: float) -> void:
+	_feedback.set_heading(p_heading)
+
+
 ## Takes a sample of the wearer's motion. Returns whether it was of use.
 func add_sample(p_sample: PoseSample) -> bool:
 	var root: Vector3 = _skeleton.root_of(p_sample, p_sample.root * _scale)

@@ -5,7 +5,10 @@ extends Marker3D
 ## Something in a level that a person can use: a button, a lever, a seat.
 ##
 ## Whoever looks at it from within [member reach] reads [method get_prompt]; the key for using sends
-## the command to the entity.
+## the command to the entity, and [signal used] to whatever listens.
+
+## This machine's user has used it.
+signal used
 
 ## Group of everything that can be used.
 const GROUP: StringName = &"interactables"
@@ -31,6 +34,8 @@ func _enter_tree() -> void:
 
 
 func _get_configuration_warnings() -> PackedStringArray:
+	if entity == null and not used.get_connections().is_empty():
+		return []
 	if entity == null or entity.type == null:
 		return ["It needs the Entity that gets the command: choose one in the inspector."]
 	if entity.type.find_command(command) < 0:
@@ -45,7 +50,14 @@ func get_prompt() -> String:
 
 ## Uses it, in the name of this client's session.
 func interact() -> void:
-	entity.send_command(command)
+	if entity != null:
+		entity.send_command(command)
+	used.emit()
+
+
+## Whether it can be used: its entity, if it has one, is part of a session.
+func is_live() -> bool:
+	return entity == null or entity.is_started()
 
 
 ## What somebody uses who looks from a position (m) in a direction: of everything within reach and
@@ -56,8 +68,7 @@ static func find(p_tree: SceneTree, p_from: Vector3, p_direction: Vector3) -> In
 	for node: Node in p_tree.get_nodes_in_group(GROUP):
 		var each: Interactable = node as Interactable
 		var offset: Vector3 = each.global_position - p_from
-		var is_ready_to_use: bool = each.entity != null and each.entity.is_started()
-		if not is_ready_to_use or offset.length() > each.reach or each.get_prompt() == "":
+		if not each.is_live() or offset.length() > each.reach or each.get_prompt() == "":
 			continue
 		var angle: float = offset.angle_to(p_direction)
 		if angle < best_angle:

@@ -39,11 +39,7 @@ func use_by_name(p_name: String) -> void:
 func _use_named() -> void:
 	for node: Node in get_tree().get_nodes_in_group(Interactable.GROUP):
 		var each: Interactable = node as Interactable
-		if (
-			each.entity != null
-			and each.entity.is_started()
-			and str(each.get_path()).contains(_named)
-		):
+		if each.is_live() and str(each.get_path()).contains(_named):
 			_named = ""
 			each.interact()
 			return

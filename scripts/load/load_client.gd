@@ -1,16 +1,21 @@
 class_name LoadClient
 extends RefCounted
-## One client of a load run: it does everything that a client does except displaying the world.
+## One client of a load run: it does what a client does, but keeps nothing that only a display
+## needs.
 
 ## Seconds between two attempts to reach the server.
 const RETRY_S: float = 2.0
-## The ages are sampled once in this many polls.
+## The ages are sampled once in this many polls: of many clients each seldom.
 const AGES_EVERY: int = 3
+const MANY_CLIENTS: int = 32
+## With more clients those that only watch have no threads of their own: two processors cannot wake
+## so many for each datagram, and are busy with nothing else.
+const MAX_THREADED: int = 64
 
 ## Shown to the others.
 var name: String = ""
 ## What the server has sent.
-var replica: WorldReplica = WorldReplica.new()
+var replica: LoadReplica = null
 ## What has been counted since [method begin_counting].
 var stats: LoadStats = LoadStats.new()
 ## Why the server refuses this client, or an empty text.
@@ -27,23 +32,31 @@ var _newest: Dictionary[int, int] = {}
 var _retry_usec: int = 0
 var _was_joined: bool = false
 var _polls: int = 0
+var _ages_every: int = AGES_EVERY
 
 
-func _init(p_name: String, p_options: Options, p_agreement: LoadAgreement) -> void:
+func _init(
+	p_name: String, p_options: Options, p_agreement: LoadAgreement, p_tables: SharedTables
+) -> void:
 	name = p_name
+	replica = LoadReplica.new(p_tables)
+	var clients: int = p_options.number("trainees") + p_options.number("observers")
+	_ages_every = AGES_EVERY * maxi(ceili(float(clients) / MANY_CLIENTS), 1)
+	_link.has_thread = clients <= MAX_THREADED
 	_options = p_options
 	_agreement = p_agreement
 	_request.name = p_name
 	_request.rate = p_options.number("snapshot-rate")
 	_link.joined.connect(_on_joined)
 	_link.lost.connect(_on_lost)
-	_link.refused.connect(func(why: String) -> void: refusal = why)
+	_link.refused.connect(_on_refused)
 	_link.state_received.connect(_on_state)
 	replica.marked.connect(_on_marked)
 
 
-## Makes it a trainee who moves by a source.
+## Makes it a trainee who moves by a source. Its samples leave between two polls.
 func wear(p_source: MotionSource) -> void:
+	_link.has_thread = true
 	_request.role = Roles.Role.TRAINEE
 	_motion = ClientMotion.new()
 	_sender = MotionSender.new()
@@ -60,6 +73,12 @@ func look_from(p_position: Vector3) -> void:
 func open() -> void:
 	_retry_usec = 0
 	_link.open(_options.text("host"), _options.number("port"), _request, _options.text("password"))
+
+
+## Whether it is on its way: it has begun to join, and is neither admitted nor waiting for its next
+## attempt.
+func is_joining() -> bool:
+	return not _link.is_joined() and _retry_usec == 0
 
 
 ## Whether the server has admitted it.
@@ -83,7 +102,7 @@ func poll() -> void:
 		if not bytes.is_empty():
 			_sender.send_ack(bytes)
 	_polls += 1
-	if _polls % AGES_EVERY == 0:
+	if _polls % _ages_every == 0:
 		_sample_ages(now)
 
 
@@ -122,7 +141,7 @@ func close() -> void:
 	if _motion != null:
 		_motion.stop()
 		_sender.stop()
-	_link.close()
+	_link.leave()
 
 
 ## For each person, how long ago the tick of the newest known pose began.
@@ -147,6 +166,10 @@ func _on_joined() -> void:
 		_link.declare_people([_motion.card] as Array[PersonCard])
 		_sender.restart()
 		_sender.set_sending(true)
+
+
+func _on_refused(p_why: String) -> void:
+	refusal = p_why
 
 
 func _on_lost(p_why: String) -> void:

@@ -2,9 +2,9 @@ class_name LoadRun
 extends Node
 ## Many clients in one process, without displays: what [code]./run load[/code] puts on a server.
 ##
-## They join one after the other. When all have and some time has passed they are counted for
-## [code]--duration[/code] seconds; then the report is written, and they stay until the process is
-## ended, so that the server can be looked at while they are there.
+## They join one after the other, a few at a time. When all have and some time has passed they are
+## counted for [code]--duration[/code] seconds; then the report is written, and they stay until the
+## process is ended, so that the server can be looked at while they are there.
 
 ## The stage of the run.
 enum Stage {
@@ -20,20 +20,20 @@ enum Stage {
 
 ## Maximum of trainees, and of observers.
 const MAX_CLIENTS: int = 500
-## Rate of polling each client, as displays of 60 frames per second would.
-const POLLS_PER_SECOND: int = 60
-## Frames in which all clients have their turn: they are not polled all at once.
-const TURNS: int = 4
+## Rate of polling each client, as displays of 60 frames per second would, 1/s.
+const POLLS_PER_SECOND: float = 60.0
+## Polls of all clients together, 1/s: with more of them each is polled less often.
+const MAX_POLLS: float = 3840.0
+## Frames in which clients are polled that are due: not all at once, 1/s.
+const FRAMES_PER_SECOND: int = 240
 ## Time between two that join, µs.
 const JOIN_USEC: int = 50000
 ## Time from the last one's joining to the counting, s.
 const SETTLE_S: float = 3.0
-## Time that everybody has to join, beside [constant JOIN_USEC] for each, s.
+## How many may be joining at a time.
+const MAX_JOINING: int = 4
+## Time in which at least one has to join, s.
 const PATIENCE_S: float = 30.0
-
-const _EXIT_OPTIONS: int = 2
-const _EXIT_REFUSED: int = 3
-const _EXIT_NO_SERVER: int = 4
 
 var _options: Options = null
 var _clients: Array[LoadClient] = []
@@ -43,7 +43,13 @@ var _report: ReportFile = null
 var _stage: Stage = Stage.JOINING
 var _since_usec: int = 0
 var _opened: int = 0
-var _turn: int = 0
+var _opened_usec: int = 0
+var _here: int = 0
+var _tables: SharedTables = SharedTables.new()
+var _joining: Array[LoadClient] = []
+var _polls: int = 0
+var _next: int = 0
+var _polled_usec: int = 0
 
 
 ## Takes over the options. Call it before the node enters the tree.
@@ -53,11 +59,11 @@ func configure(_p_role: String, p_options: Options) -> void:
 
 func _ready() -> void:
 	PhysicsServer3D.set_active(false)
-	Engine.max_fps = POLLS_PER_SECOND * TURNS
+	Engine.max_fps = FRAMES_PER_SECOND
 	_report = ReportFile.new(_options.file("report"))
 	var fault: String = _make_clients()
 	if fault != "":
-		_give_up(_EXIT_OPTIONS, fault)
+		_give_up(StateStream.EXIT_OPTIONS, fault)
 		return
 	_stop.watch()
 	_since_usec = Time.get_ticks_usec()
@@ -67,13 +73,8 @@ func _process(_p_delta: float) -> void:
 	if _stop.is_raised():
 		get_tree().quit(0)
 		return
-	_turn = (_turn + 1) % TURNS
-	for i: int in range(_turn, _clients.size(), TURNS):
-		if i < _opened:
-			_clients[i].poll()
-		if _clients[i].refusal != "":
-			_give_up(_EXIT_REFUSED, "the server refused us: %s" % _clients[i].refusal)
-			return
+	if not _poll_due():
+		return
 	match _stage:
 		Stage.JOINING:
 			_join()
@@ -83,6 +84,32 @@ func _process(_p_delta: float) -> void:
 		Stage.COUNTING:
 			if _options.seconds("duration") > 0.0 and _age_s() > _options.seconds("duration"):
 				_finish()
+
+
+## How often each client is polled, 1/s.
+func _poll_rate() -> float:
+	return minf(POLLS_PER_SECOND, MAX_POLLS / _clients.size())
+
+
+## Polls those whose turn it is, each once at most. Returns whether the run goes on.
+func _poll_due() -> bool:
+	var now: int = Time.get_ticks_usec()
+	var each_usec: float = 1e6 / (_poll_rate() * _clients.size())
+	var due: int = int((now - _polled_usec) / each_usec)
+	_polled_usec += int(due * each_usec)
+	for _turn: int in mini(due, _clients.size()):
+		_next = (_next + 1) % _clients.size()
+		_polls += 1
+		if _next < _opened:
+			_clients[_next].poll()
+		if _clients[_next].refusal != "":
+			var why: String = _clients[_next].refusal
+			_give_up(StateStream.EXIT_REFUSED, "the server refused us: %s" % why)
+			return false
+	# Who joins goes through many round trips, and would take a turn for each.
+	for client: LoadClient in _joining:
+		client.poll()
+	return true
 
 
 func _exit_tree() -> void:
@@ -108,7 +135,7 @@ func _make_clients() -> String:
 		var is_trainee: bool = i < trainees
 		var number: int = i if is_trainee else i - trainees
 		var who: String = "trainee %d" if is_trainee else "observer %d"
-		var client: LoadClient = LoadClient.new(who % number, _options, _agreement)
+		var client: LoadClient = LoadClient.new(who % number, _options, _agreement, _tables)
 		var angle: float = TAU * i / total
 		client.look_from(Vector3(4.0 * sin(angle), 1.6, 4.0 * cos(angle)))
 		if is_trainee:
@@ -123,23 +150,33 @@ func _make_clients() -> String:
 
 func _join() -> void:
 	var now: int = Time.get_ticks_usec()
-	if _opened < _clients.size() and now - _since_usec > JOIN_USEC * _opened:
+	var here: int = 0
+	_joining.clear()
+	for number: int in _opened:
+		here += 1 if _clients[number].is_joined() else 0
+		if _clients[number].is_joining():
+			_joining.append(_clients[number])
+	var is_due: bool = _joining.size() < MAX_JOINING and now - _opened_usec > JOIN_USEC
+	if is_due and _opened < _clients.size():
 		_clients[_opened].open()
 		_opened += 1
-	var here: int = 0
-	for client: LoadClient in _clients:
-		here += 1 if client.is_joined() else 0
+		_opened_usec = now
+	if here > _here:
+		_here = here
+		_since_usec = now
 	if here == _clients.size():
+		_joining.clear()
 		_enter(Stage.SETTLING, "%d clients have joined" % here)
-	elif _age_s() > PATIENCE_S + JOIN_USEC * _clients.size() / 1e6:
+	elif _age_s() > PATIENCE_S:
 		var parts: Array = [_clients.size(), here, _options.text("host"), _options.number("port")]
-		_give_up(_EXIT_NO_SERVER, "of %d clients only %d could join %s:%d" % parts)
+		_give_up(StateStream.EXIT_NO_SERVER, "of %d clients only %d could join %s:%d" % parts)
 
 
 func _begin_counting() -> void:
 	for client: LoadClient in _clients:
 		client.begin_counting()
 	_agreement.restart()
+	_polls = 0
 	_enter(Stage.COUNTING, "counting")
 
 
@@ -161,6 +198,8 @@ func _make_report() -> Dictionary:
 	return {
 		"role": "load",
 		"seconds": _age_s(),
+		"polls_per_second": _polls / float(_clients.size()) / maxf(_age_s(), 0.001),
+		"polls_wanted": _poll_rate(),
 		"compared_poses": _agreement.compared,
 		"different_poses": _agreement.different,
 		"clients": rows,

@@ -2,9 +2,9 @@ class_name ClientLink
 extends RefCounted
 ## A client's end of the connection, the counterpart of [ServerLink].
 ##
-## It does the handshake, then sends samples and receives snapshots. Polled by hand; what arrives in
-## between is kept with its time of arrival. If the connection is lost, [method open] brings the
-## client back into its session.
+## It joins by a [ClientHandshake], then sends samples and receives snapshots. Polled by hand; what
+## arrives in between is kept with its time of arrival. If the connection is lost, [method open]
+## brings the client back into its session.
 
 ## The server has admitted us.
 signal joined
@@ -17,8 +17,11 @@ signal lost(p_why: String)
 ## A message about the state of the world that arrived at [method Time.get_ticks_usec]: a snapshot's
 ## datagram, a change of the entity table, events, a level. Not checked yet.
 signal state_received(p_bytes: PackedByteArray, p_arrival_usec: int)
-## An instructor asks that one of our people be calibrated in a pose.
-signal calibration_asked(p_index: int, p_pose: int)
+## An instructor asks that one of our people be calibrated; the number is for the answer, a
+## [WearerMessage].
+signal calibration_asked(p_index: int, p_pose: int, p_number: int)
+## The server has something to say to our user.
+signal told(p_text: String)
 
 ## The state of a connection.
 enum State {
@@ -35,35 +38,34 @@ enum State {
 ## Seconds to wait for a server's answer.
 const PATIENCE_S: float = 5.0
 
-## Periods of the questions for the time: at first, and then.
-const _QUICK_QUESTIONS: int = 20
-
 ## Bytes in and out.
 var traffic: TrafficMeter = TrafficMeter.new()
 ## The server's clock.
 var clock: ClockSync = ClockSync.new()
 ## Number of our session, once joined.
 var session: int = 0
-## DTLS, or null.
-var tls: TLSOptions = null
+## Whether the connection is sealed.
+var seals: bool:
+	get:
+		return _handshake.seals
+	set(p_seals):
+		_handshake.seals = p_seals
+## Whether a thread serves the connection; see [member ThreadedPeer.has_thread].
+var has_thread: bool = true
+## Whether there is a level whose shared nodes take what the server's spawners and synchronizers
+## send; without one that is dropped. Set it before [method open].
+var takes_shared: bool = false
+## Keeps the session's token over a crash of the program; null keeps it in memory only.
+var token_file: SessionTokenFile:
+	get:
+		return _handshake.token_file
+	set(p_file):
+		_handshake.token_file = p_file
 
 var _api: SceneMultiplayer = null
 var _peer: ThreadedPeer = null
-# The peer while we are joined, for whichever thread has something to send.
-var _fast_peer: ThreadedPeer = null
-var _sending: Mutex = Mutex.new()
-var _motion_ack_taker: Callable = Callable()
-# Held while it is called: it is never called once it was taken away.
-var _taking: Mutex = Mutex.new()
-var _request: JoinRequest = null
-var _password: String = ""
-var _challenge: PackedByteArray = PackedByteArray()
-var _key: PackedByteArray = PackedByteArray()
-var _key_salt: PackedByteArray = PackedByteArray()
-var _said: Array[PackedByteArray] = []
-var _locked: bool = false
-var _token: PackedByteArray = PackedByteArray()
-var _token_of: String = ""
+var _handshake: ClientHandshake = ClientHandshake.new()
+var _fast: ClientFastPath = ClientFastPath.new()
 var _state: State = State.CLOSED
 var _parts: MessageParts = MessageParts.new()
 var _began_usec: int = 0
@@ -76,6 +78,10 @@ var _handlers: MessageHandlers = MessageHandlers.new()
 
 
 func _init() -> void:
+	_handshake.welcomed.connect(_on_welcome)
+	_handshake.waiting.connect(_on_waiting)
+	_handshake.refused.connect(_give_up)
+	_handshake.put_off.connect(_come_later)
 	_add_handlers()
 
 
@@ -83,30 +89,26 @@ func _init() -> void:
 func open(p_host: String, p_port: int, p_request: JoinRequest, p_password: String = "") -> void:
 	close()
 	_where = "%s:%d" % [p_host, p_port]
-	_request = p_request
-	_password = p_password
-	_request.token = _token if _token_of == _where else PackedByteArray()
+	_handshake.prepare(_where, p_request, p_password)
 	_began_usec = Time.get_ticks_usec()
 	_state = State.CONNECTING
-	_challenge = PackedByteArray()
 	_why = ""
 	_over = false
 	_refusal = ""
 	clock.clear()
 	_parts = MessageParts.new()
 	_peer = ThreadedPeer.new()
+	_peer.takes_engine = takes_shared
+	_peer.has_thread = has_thread
 	_peer.limits.max_datagram = Protocol.MAX_DATAGRAM
-	_peer.tls = tls
-	_peer.watcher = _watch
-	_peer.beacon = _ask_clock
-	_peer.beacon_period = _clock_period
+	_peer.sealing = _handshake.sealing()
+	_fast.attach(_peer)
 	_peer.failed.connect(_on_failed)
 	_api = SceneMultiplayer.new()
 	_api.root_path = ^"/root"
 	_api.server_relay = false
 	_api.allow_object_decoding = false
-	_api.auth_timeout = 0.0
-	_api.auth_callback = _on_handshake
+	_handshake.attach(_api, _peer)
 	_api.connected_to_server.connect(_on_joined)
 	_api.peer_packet.connect(_on_packet)
 	var error: Error = _peer.create_client(p_host, p_port)
@@ -121,7 +123,7 @@ func is_joined() -> bool:
 	return _state == State.JOINED
 
 
-## The multiplayer API, for nodes that call each other; see [SessionControl].
+## The multiplayer API; another one after each [method open].
 func api() -> SceneMultiplayer:
 	return _api
 
@@ -152,34 +154,39 @@ func poll() -> void:
 	if not stands or _why != "":
 		_end(_why if _why != "" and _state != State.JOINED else _loss())
 	elif _state == State.CONNECTING and _age_s() > PATIENCE_S:
-		_end("no server answers at %s" % _where)
+		_end(_no_answer())
 
 
 ## Sends the server the cards of the people whose motion we send, if we are joined.
 func declare_people(p_people: Array[PersonCard]) -> void:
+	send_reliably(PeopleMessage.encode(p_people))
+
+
+## Sends a message of at most [constant Protocol.MAX_DATAGRAM] bytes, reliably and in order with the
+## others, if we are joined.
+func send_reliably(p_bytes: PackedByteArray) -> void:
 	if _state == State.JOINED:
 		_api.send_bytes(
-			PeopleMessage.encode(p_people),
-			MultiplayerPeer.TARGET_PEER_SERVER,
-			MultiplayerPeer.TRANSFER_MODE_RELIABLE
+			p_bytes, MultiplayerPeer.TARGET_PEER_SERVER, MultiplayerPeer.TRANSFER_MODE_RELIABLE
 		)
+
+
+## Registers the handler of a kind of message of the server, once; see [method MessageHandlers.add].
+## [code]func(bytes: PackedByteArray, arrival_usec: int) -> bool[/code] returns whether it is valid.
+func handle(p_kind: int, p_path: MessageHandlers.Path, p_handler: Callable) -> void:
+	_handlers.add(p_kind, p_path, p_handler)
 
 
 ## Sends a datagram over the fast path, if we are joined. It leaves at once. Any thread may call it.
 func send_fast(p_bytes: PackedByteArray) -> void:
-	_sending.lock()
-	if _fast_peer != null:
-		_fast_peer.send_fast(MultiplayerPeer.TARGET_PEER_SERVER, p_bytes)
-	_sending.unlock()
+	_fast.send(p_bytes)
 
 
 ## Says who takes what the server has of our motion: at once, in the transport's thread, without
 ## waiting for a frame; the sooner, the smaller the next samples are.
 ## [code]func(ack: PackedByteArray) -> void[/code], or none.
 func set_motion_ack_taker(p_taker: Callable) -> void:
-	_taking.lock()
-	_motion_ack_taker = p_taker
-	_taking.unlock()
+	_fast.set_motion_ack_taker(p_taker)
 
 
 ## Round trip (ms) and loss (0 to 1) of the connection, as ENet sees them.
@@ -188,10 +195,19 @@ func quality() -> Dictionary:
 	return peers.get(MultiplayerPeer.TARGET_PEER_SERVER, {})
 
 
-## Leaves.
+## Leaves for good: nothing is kept to come back with.
+func leave() -> void:
+	if _state == State.JOINED:
+		send_reliably(PackedByteArray([Protocol.Message.LEAVE]) + _handshake.token())
+		_handshake.forget_session()
+	close()
+
+
+## Ends the connection; [method open] brings the client back into its session.
 func close() -> void:
 	_state = State.CLOSED
-	_set_fast_peer(null)
+	_fast.open(null)
+	_handshake.detach()
 	if _peer != null:
 		var peer: ThreadedPeer = _peer
 		_peer = null
@@ -199,40 +215,16 @@ func close() -> void:
 		_api.multiplayer_peer = null
 
 
-func _set_fast_peer(p_peer: ThreadedPeer) -> void:
-	_sending.lock()
-	_fast_peer = p_peer
-	_sending.unlock()
-
-
-## Runs in the transport's thread.
-func _watch(p_bytes: PackedByteArray) -> void:
-	var ack: PackedByteArray = SnapshotDecoder.find_motion_ack(p_bytes)
-	if ack.is_empty():
-		return
-	_taking.lock()
-	if _motion_ack_taker.is_valid():
-		_motion_ack_taker.call(ack)
-	_taking.unlock()
-
-
-## Runs in the transport's thread.
-func _ask_clock() -> PackedByteArray:
-	return ClockMessage.question(Time.get_ticks_usec())
-
-
-## Runs in the transport's thread.
-func _clock_period(p_count: int) -> int:
-	return 250000 if p_count < _QUICK_QUESTIONS else 1000000
-
-
 func _on_failed(p_why: String) -> void:
-	_why = p_why
+	if _peer.is_refused:
+		_give_up(p_why)
+	else:
+		_why = p_why
 
 
 func _loss() -> String:
 	if _state != State.JOINED:
-		return "no server answers at %s" % _where
+		return _no_answer()
 	match _peer.reason_of(MultiplayerPeer.TARGET_PEER_SERVER):
 		DisconnectReason.CLOSED:
 			return "the server at %s was closed" % _where
@@ -243,56 +235,25 @@ func _loss() -> String:
 	return "the connection to %s is lost%s" % [_where, ": " + _why if _why != "" else ""]
 
 
-func _on_handshake(p_peer: int, p_bytes: PackedByteArray) -> void:
-	if p_peer != MultiplayerPeer.TARGET_PEER_SERVER or _over:
-		return
-	if _challenge.is_empty():
-		_send_join_request(p_bytes)
-		return
-	var reply: JoinReply = JoinReply.decode(p_bytes)
-	match reply.kind:
-		JoinReply.Kind.WELCOME:
-			_take_welcome(reply)
-		JoinReply.Kind.WAIT:
-			_state = State.WAITING
-			waiting.emit(reply.position)
-		JoinReply.Kind.LATER:
-			_come_later(reply.why)
-		_:
-			_give_up(reply.why)
+func _no_answer() -> String:
+	var excuse: String = _peer.stats().get("excuse", "") if _peer != null else ""
+	return excuse if excuse != "" else "no server answers at %s" % _where
 
 
-func _send_join_request(p_bytes: PackedByteArray) -> void:
-	var challenge: Challenge = Challenge.decode(p_bytes)
-	if challenge.error != "":
-		_give_up(challenge.error)
-		return
-	_challenge = p_bytes
-	_locked = challenge.is_locked(_request.role)
-	if _key.is_empty() or _key_salt != challenge.salt:
-		_key = PasswordKey.derive(_password, challenge.salt, challenge.rounds)
-		_key_salt = challenge.salt
-	var bytes: PackedByteArray = _request.encode(_challenge, _key)
-	_said = [_challenge, bytes]
-	_api.send_auth(MultiplayerPeer.TARGET_PEER_SERVER, bytes)
+func _on_waiting(p_position: int) -> void:
+	_state = State.WAITING
+	waiting.emit(p_position)
 
 
-func _take_welcome(p_reply: JoinReply) -> void:
-	if _locked and not p_reply.is_proven(_key, _said):
-		_give_up("the server does not know the password")
-		return
-	if _password != "" and not _locked:
-		Log.warning("net", "%s asks for no password: it may be another server" % _where)
+func _on_welcome(p_reply: JoinReply) -> void:
 	session = p_reply.session
-	_token = p_reply.token
-	_token_of = _where
 	_level = LevelMessage.encode(p_reply.level_name, p_reply.level_fingerprint)
-	_api.complete_auth(MultiplayerPeer.TARGET_PEER_SERVER)
 
 
 func _on_joined() -> void:
 	_state = State.JOINED
-	_set_fast_peer(_peer)
+	Log.info("net", _handshake.describe_security())
+	_fast.open(_peer)
 	traffic.restart()
 	joined.emit()
 	# The welcome has named the level; the rest of the program hears of it as of one that changes.
@@ -349,25 +310,17 @@ func _on_clock(p_bytes: PackedByteArray, p_arrival_usec: int) -> bool:
 
 
 func _on_control(p_bytes: PackedByteArray, _arrival_usec: int) -> bool:
-	return _take_notice(p_bytes)
-
-
-## Whether it is a valid notice.
-func _take_notice(p_bytes: PackedByteArray) -> bool:
-	var reader: ByteReader = ByteReader.new(p_bytes, 1)
-	if reader.read_u8() == Protocol.Notice.CALIBRATE:
-		var index: int = reader.read_u8()
-		var pose: int = reader.read_u8()
-		if reader.is_complete():
-			calibration_asked.emit(index, pose)
-		return reader.is_complete()
-	reader = ByteReader.new(p_bytes, 1)
-	var what: int = reader.read_u8()
-	var why: String = reader.read_text(4 * JoinReply.MAX_WHY)
-	if not reader.is_complete() or what != Protocol.Notice.DISMISSED:
+	var notice: NoticeMessage = NoticeMessage.decode(p_bytes)
+	if notice == null:
 		return false
-	_token = PackedByteArray()
-	_give_up(why)
+	match notice.kind:
+		Protocol.Notice.CALIBRATE:
+			calibration_asked.emit(notice.index, notice.pose, notice.number)
+		Protocol.Notice.DISMISSED:
+			_handshake.forget_session()
+			_give_up(notice.text)
+		Protocol.Notice.TELL:
+			told.emit(notice.text)
 	return true
 
 
@@ -378,12 +331,14 @@ func _complain(p_size: int) -> void:
 ## The API is still reading: [method poll] ends it.
 func _give_up(p_why: String) -> void:
 	if not _over:
+		_handshake.detach()
 		_over = true
 		_refusal = p_why
 
 
 func _come_later(p_why: String) -> void:
 	if not _over:
+		_handshake.detach()
 		_over = true
 		_why = p_why
 

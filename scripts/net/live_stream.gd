@@ -72,12 +72,16 @@ func session() -> int:
 	return link.session
 
 
+func security() -> String:
+	return "sealed" if link.seals else "NOT SEALED"
+
+
 func send_fast(p_bytes: PackedByteArray) -> void:
 	link.send_fast(p_bytes)
 
 
 func close() -> void:
-	link.close()
+	link.leave()
 
 
 func _connect() -> void:
@@ -98,7 +102,8 @@ func _on_joined() -> void:
 
 func _on_lost(p_why: String) -> void:
 	Log.limited("client", p_why, "%s; trying again" % p_why)
-	status_changed.emit("%s.\nTrying again ..." % p_why.capitalize())
+	var sentence: String = p_why.left(1).to_upper() + p_why.substr(1)
+	status_changed.emit("%s.\nTrying again ..." % sentence)
 	# After a working connection the first attempt comes soon.
 	_retry_at_s = now_s() + (_SOON_S if _was_joined else _RETRY_S)
 	if _was_joined:

@@ -37,40 +37,46 @@ const _LOOK_USEC: int = 100000
 var traffic: TrafficMeter = TrafficMeter.new()
 ## Whom the server admits.
 var rules: ServerRules = ServerRules.new()
+## What clients sent and was not taken in, since the start: how often, by the key of its complaint.
+var refused: Dictionary[String, int]:
+	get:
+		return _inbox.refused
 
 var _api: SceneMultiplayer = null
 var _peer: ThreadedPeer = null
 var _sessions: SessionTable = SessionTable.new()
-var _handshake: Handshake = null
-var _strikes: RpcErrorLimiter = null
+var _handshake: ServerHandshake = null
 var _message_number: int = 0
-var _handlers: MessageHandlers = MessageHandlers.new()
+var _paced: PacedParts = PacedParts.new()
+var _inbox: SessionInbox = SessionInbox.new()
 var _ticks: TickClock = TickClock.new()
 var _looked_usec: int = 0
 
 
 func _init() -> void:
 	_add_handlers()
+	_inbox.overrun.connect(_on_overrun)
 
 
-## Opens the port. Returns [constant ERR_CANT_CREATE] where it is in use, and
-## [constant ERR_UNAVAILABLE] where DTLS is asked for and the engine has none.
+## Opens the port. Returns [constant ERR_CANT_CREATE] where it is in use.
 func listen(p_port: int, p_rules: ServerRules) -> Error:
 	close()
 	rules = p_rules
 	_peer = ThreadedPeer.new()
 	_peer.guard = TransportGuard.new()
 	_peer.limits.max_datagram = Protocol.MAX_DATAGRAM
+	_peer.limits.max_clients = maxi(TransportLimits.MIN_CLIENTS, rules.max_clients)
 	_peer.limits.max_fast = {Protocol.Message.MOTION: MAX_POSES}
 	_peer.limits.high_from = Protocol.BASED_MOTION
 	_peer.limits.high_kind = Protocol.Message.MOTION
-	_peer.tls = rules.tls
-	_peer.instant_kind = Protocol.Message.CLOCK
-	_peer.instant = _ticks.answer
+	_peer.sealing = rules.sealing()
+	_peer.callbacks.instant_kind = Protocol.Message.CLOCK
+	_peer.callbacks.instant = _ticks.answer
 	var error: Error = _peer.create_server(p_port)
 	if error != OK:
 		_peer = null
 		return error
+	_peer.engine.is_behind = _is_behind
 	_peer.troubled.connect(_on_trouble)
 	_peer.reopened.connect(_on_reopened)
 	_api = SceneMultiplayer.new()
@@ -80,12 +86,18 @@ func listen(p_port: int, p_rules: ServerRules) -> Error:
 	_api.peer_connected.connect(_on_connected)
 	_api.peer_disconnected.connect(_on_disconnected)
 	_api.peer_packet.connect(_on_packet)
-	_handshake = Handshake.new(_api, _peer, rules, _sessions)
+	_handshake = ServerHandshake.new(_api, _peer, rules, _sessions)
 	_handshake.changed.connect(roster_changed.emit)
+	_handshake.displaced.connect(_end)
+	_handshake.refused.connect(_inbox.count.bind("join request"))
 	_api.multiplayer_peer = _peer
-	_strikes = RpcErrorLimiter.new(_peer)
-	OS.add_logger(_strikes)
 	return OK
+
+
+## Asks the passwords that [member rules] have now of those who come from now on.
+func renew_passwords() -> void:
+	if _peer != null:
+		_peer.sealing = rules.sealing()
 
 
 ## Processes what has arrived. Call it once per physics tick, before the simulation needs it.
@@ -93,14 +105,15 @@ func poll() -> void:
 	if _api == null:
 		return
 	var now: int = Time.get_ticks_usec()
-	_strikes.begin()
+	_inbox.begin_turns()
 	_api.poll()
 	for _more: int in 64:
 		if _peer.has_more():
 			_api.poll()
-	_throw_out(_strikes.end())
 	for packet: FastPacket in _peer.take_fast():
 		_on_fast(packet)
+	_paced.advance(_send_part)
+	_peer.retry_engine()
 	if now - _looked_usec > _LOOK_USEC:
 		_looked_usec = now
 		_look_after_sessions(now)
@@ -112,7 +125,7 @@ func is_listening() -> bool:
 	return _peer != null and _peer.get_connection_status() == MultiplayerPeer.CONNECTION_CONNECTED
 
 
-## The multiplayer API, for nodes that call each other; see [SessionControl].
+## The multiplayer API.
 func api() -> SceneMultiplayer:
 	return _api
 
@@ -128,6 +141,7 @@ func stats() -> Dictionary:
 		if session != null:
 			by_session[session.id] = stats["peers"][peer]
 	stats["peers"] = by_session
+	stats["dropped_out_of_turn"] = _inbox.dropped
 	return stats
 
 
@@ -148,24 +162,31 @@ func send_datagrams(p_sessions: PackedInt32Array, p_datagrams: Array[PackedByteA
 		_peer.send_fast_each(peers, p_datagrams)
 
 
-## Sends a message of any size to sessions, reliably and in order with the others.
-func send_reliably(p_sessions: PackedInt32Array, p_bytes: PackedByteArray) -> void:
+## Sends a message of any size to sessions, reliably and in order with the others. Paced, a large
+## one goes in the next ticks, so that handing it over delays no tick.
+func send_reliably(
+	p_sessions: PackedInt32Array, p_bytes: PackedByteArray, p_is_paced: bool = false
+) -> void:
 	_message_number += 1
 	var parts: Array[PackedByteArray] = MessageParts.split(p_bytes, _message_number)
 	for id: int in p_sessions:
-		var session: Session = _sessions.find(id)
-		if session != null and session.is_here:
+		if p_is_paced or _paced.has(id):
+			_paced.add(id, parts)
+		else:
 			for part: PackedByteArray in parts:
-				_send_reliably(session.peer, part)
+				_send_part(id, part)
 
 
-## Registers the handler of a kind of message; see [method MessageHandlers.add].
-## [code]func(session: Session, bytes: PackedByteArray, arrival_usec: int) -> String[/code] returns
-## what is wrong with it, or an empty text.
+## Registers the handler of a kind of message; see [method SessionInbox.handle].
 func handle(
 	p_kind: int, p_path: MessageHandlers.Path, p_handler: Callable, p_capability: int = 0
 ) -> void:
-	_handlers.add(p_kind, p_path, p_handler, p_capability)
+	_inbox.handle(p_kind, p_path, p_handler, p_capability)
+
+
+## Counts and logs what a client did wrong; [param p_key] limits how often it is logged.
+func complain(p_about: Session, p_key: String, p_what: String) -> void:
+	_inbox.complain(p_about, p_key, p_what)
 
 
 ## Sessions that are here.
@@ -181,18 +202,12 @@ func session(p_id: int) -> Session:
 	return _sessions.find(p_id)
 
 
-## Everybody, for an instructor: dictionaries with session (0 while waiting), peer, name, role,
-## address and state (here, lost or waiting).
-func roster() -> Array[Dictionary]:
-	var rows: Array[Dictionary] = _sessions.rows()
+## Everybody who is here, lost or waiting, for an instructor.
+func roster() -> Array[RosterRow]:
+	var rows: Array[RosterRow] = _sessions.rows()
 	if _handshake != null:
 		rows.append_array(_handshake.rows())
 	return rows
-
-
-## The session of a connection, or null.
-func session_of_peer(p_peer: int) -> Session:
-	return _sessions.of_peer(p_peer)
 
 
 ## Admits a waiting peer, by its id. Returns why not, or an empty text.
@@ -212,44 +227,14 @@ func kick(p_session: int, p_why: String) -> String:
 		return "there is no session %d" % p_session
 	Log.info("net", "%s: %s" % [session.describe(), p_why])
 	if session.peer != 0:
-		var text: PackedByteArray = ByteReader.text_bytes(p_why.left(JoinReply.MAX_WHY))
-		var bytes: PackedByteArray = [Protocol.Message.CONTROL, Protocol.Notice.DISMISSED]
-		_send_reliably(session.peer, bytes + text)
+		_send_reliably(session.peer, NoticeMessage.dismiss(p_why))
 		_peer.dismiss(session.peer, DisconnectReason.DISMISSED)
 	_end(session)
 	return ""
 
 
-## Asks a trainee's client to calibrate one of its people in a pose (the client knows which poses
-## there are). Returns why not, or an empty text.
-func ask_calibration(p_session: int, p_index: int, p_pose: int) -> String:
-	var session: Session = _sessions.find(p_session)
-	if session == null or not session.can(Roles.Capability.SEND_MOTION) or session.peer == 0:
-		return "session %d is no trainee that is here" % p_session
-	if p_index < 0 or p_index >= PersonCard.MAX_PEOPLE or p_pose < 0 or p_pose > 255:
-		return "there is no person %d or no pose %d" % [p_index, p_pose]
-	var bytes: PackedByteArray = [
-		Protocol.Message.CONTROL, Protocol.Notice.CALIBRATE, p_index, p_pose
-	]
-	_send_reliably(session.peer, bytes)
-	return ""
-
-
-## Bans a client's address and dismisses it. Returns what went wrong, or an empty text.
-func ban(p_session: int, p_why: String) -> String:
-	var session: Session = _sessions.find(p_session)
-	if session == null:
-		return "there is no session %d" % p_session
-	var fault: String = rules.bans.add(session.address)
-	kick(p_session, p_why)
-	return fault
-
-
 ## Closes all connections and the port.
 func close() -> void:
-	if _strikes != null:
-		OS.remove_logger(_strikes)
-		_strikes = null
 	if _peer != null:
 		_peer.close_with(DisconnectReason.CLOSED)
 		_api.multiplayer_peer = null
@@ -273,6 +258,8 @@ func _on_connected(p_peer: int) -> void:
 		_peer.disconnect_peer(p_peer, true)
 		return
 	session.is_here = true
+	_paced.forget(session.id)
+	_inbox.forget(session)
 	Log.info("net", "%s %s" % [session.describe(), "is back" if session.was_here else "joined"])
 	if session.was_here:
 		client_returned.emit(session.id)
@@ -291,50 +278,49 @@ func _on_disconnected(p_peer: int) -> void:
 		return
 	Log.info("net", "%s is lost" % session.describe())
 	_sessions.detach(session, Time.get_ticks_usec())
+	_inbox.forget(session)
 	client_lost.emit(session.id)
 	roster_changed.emit()
 
 
 func _end(p_session: Session) -> void:
 	_sessions.close(p_session)
+	_paced.forget(p_session.id)
+	_inbox.forget(p_session)
 	if p_session.was_here:
 		Log.info("net", "%s left" % p_session.describe())
 		client_left.emit(p_session.id)
 		roster_changed.emit()
 
 
+## Whether parts of messages to a peer still wait: nodes of a level are not to come before it.
+func _is_behind(p_peer: int) -> bool:
+	var session: Session = _sessions.of_peer(p_peer)
+	return session != null and _paced.has(session.id)
+
+
 func _on_reopened() -> void:
 	Log.limited("net", "reopened", "a network error closed the port: it is open again")
+
+
+func _on_overrun(p_session: Session) -> void:
+	_peer.dismiss(p_session.peer, DisconnectReason.THROWN_OUT)
+	_end(p_session)
 
 
 func _on_fast(p_packet: FastPacket) -> void:
 	var session: Session = _sessions.of_peer(p_packet.peer)
 	if session != null and session.is_here:
-		_handle(session, p_packet.bytes, MessageHandlers.Path.FAST, p_packet.arrival_usec)
+		_inbox.take(session, p_packet, MessageHandlers.Path.FAST)
 
 
 func _on_packet(p_peer: int, p_bytes: PackedByteArray) -> void:
 	var session: Session = _sessions.of_peer(p_peer)
 	if session != null and session.is_here:
-		_handle(session, p_bytes, MessageHandlers.Path.RELIABLE, Time.get_ticks_usec())
-
-
-func _handle(
-	p_session: Session, p_bytes: PackedByteArray, p_path: MessageHandlers.Path, p_arrival_usec: int
-) -> void:
-	var entry: MessageHandlers.Handler = _handlers.find(p_bytes, p_path)
-	var kind: int = Protocol.kind_of(p_bytes)
-	if entry == null:
-		var parts: Array = [p_bytes.size(), kind]
-		complain(p_session, "kind", "sent %d bytes of unknown kind %d" % parts)
-		return
-	if entry.capability != 0 and Roles.ROWS[p_session.role][1] & entry.capability == 0:
-		var what: String = Protocol.Message.find_key(kind)
-		complain(p_session, "role", "sent %s, which its role may not" % what)
-		return
-	var fault: String = entry.handler.call(p_session, p_bytes, p_arrival_usec)
-	if fault != "":
-		complain(p_session, "message %d" % kind, "sent " + fault)
+		var packet: FastPacket = FastPacket.new()
+		packet.bytes = p_bytes
+		packet.arrival_usec = Time.get_ticks_usec()
+		_inbox.take(session, packet, MessageHandlers.Path.RELIABLE)
 
 
 func _add_handlers() -> void:
@@ -343,6 +329,7 @@ func _add_handlers() -> void:
 	handle(Protocol.Message.ACK, fast, _on_ack)
 	handle(Protocol.Message.MOTION, fast, _on_motion, motion)
 	handle(Protocol.Message.STATS, fast, _on_stats)
+	handle(Protocol.Message.LEAVE, MessageHandlers.Path.RELIABLE, _on_leave)
 	handle(Protocol.Message.PEOPLE, MessageHandlers.Path.RELIABLE, _on_people, motion)
 
 
@@ -352,7 +339,10 @@ func _on_ack(p_session: Session, p_bytes: PackedByteArray, p_arrival_usec: int) 
 
 
 func _on_stats(p_session: Session, p_bytes: PackedByteArray, _arrival_usec: int) -> String:
-	stats_received.emit(p_session.id, StatsMessage.decode(p_bytes))
+	var stats: Dictionary = StatsMessage.decode(p_bytes)
+	if stats.is_empty():
+		return "stats that are none"
+	stats_received.emit(p_session.id, stats)
 	return ""
 
 
@@ -371,13 +361,20 @@ func _on_people(p_session: Session, p_bytes: PackedByteArray, _arrival_usec: int
 	return PeopleMessage.error
 
 
-func _throw_out(p_peers: Array[int]) -> void:
-	for peer: int in p_peers:
-		var session: Session = _sessions.of_peer(peer)
-		if session != null:
-			complain(session, "calls", "was thrown out: its calls make no sense")
-			_peer.dismiss(peer, DisconnectReason.THROWN_OUT)
-			_end(session)
+## Who leaves proves that the session is its own: what ENet says of it can be forged.
+func _on_leave(p_session: Session, p_bytes: PackedByteArray, _arrival_usec: int) -> String:
+	if not Crypto.new().constant_time_compare(p_session.token, p_bytes.slice(1)):
+		return "a farewell without its token"
+	_peer.dismiss(p_session.peer, DisconnectReason.LEFT)
+	_end(p_session)
+	return ""
+
+
+func _send_part(p_session: int, p_part: PackedByteArray) -> void:
+	var session: Session = _sessions.find(p_session)
+	# Who is here is a peer of the API, which need not be asked.
+	if session != null and session.is_here and _peer.has_peer(session.peer):
+		_api.send_bytes(p_part, session.peer, MultiplayerPeer.TRANSFER_MODE_RELIABLE)
 
 
 func _send_reliably(p_peer: int, p_bytes: PackedByteArray) -> void:
@@ -388,14 +385,9 @@ func _send_reliably(p_peer: int, p_bytes: PackedByteArray) -> void:
 func _on_trouble(p_peer: int, p_key: String, p_what: String) -> void:
 	var session: Session = _sessions.of_peer(p_peer)
 	if session != null:
-		complain(session, p_key, p_what)
+		_inbox.log_about(session, p_key, p_what)
 	elif p_peer != 0:
 		var parts: Array = [_peer.address_of(p_peer), p_what]
 		Log.limited("net", p_key, "a client from %s %s" % parts)
 	else:
 		Log.limited("net", p_key, p_what)
-
-
-## Logs what a client did wrong; [param p_key] limits how often.
-func complain(p_about: Session, p_key: String, p_what: String) -> void:
-	Log.limited("net", "%s %d" % [p_key, p_about.id], "%s %s" % [p_about.describe(), p_what])

@@ -1,200 +1,249 @@
 class_name SessionControl
-extends Node
-## What instructors can do with a session: remote calls over Godot's multiplayer API. The server
-## checks the caller's role and every argument.
-##
-## The same node, under the same name, belongs on both sides: [method serve] on the server,
-## [method follow] on an instructor's client, whose [member roster] is kept up to date.
+extends RefCounted
+## Carries out what instructors order, on a server: see [OrderMessage]. Each order is answered, by
+## name and outcome. [InstructorControl] is the counterpart.
 
-## Who is here, lost or waiting has changed; see [method ServerLink.roster]. On clients.
-signal roster_changed(p_roster: Array[Dictionary])
-## An instructor asks for another level; the callable gets the reason why not, or an empty text. On
-## the server.
+## An instructor asks for another level; the callable gets the reason why not, or an empty text.
 signal level_requested(p_name: String, p_answer: Callable)
-## The result of a request, for the instructor who made it. On clients.
-signal answered(p_text: String)
 
-## Name of the node on both sides.
-const NODE_NAME: StringName = &"SessionControl"
 ## Seconds between two notices about one session.
 const NOTICE_S: float = 5.0
-## Longest reason, characters.
-const MAX_REASON: int = 120
+## Seconds between two lists of who is here, for those that change it often.
+const ROSTER_S: float = 0.25
+## Orders of an instructor in a second; more are refused.
+const MAX_ORDERS: int = 20
+## Calibrations that are going on at one time.
+const MAX_CALIBRATIONS: int = 256
 
-## Who is here, lost or waiting, on an instructor's client.
-var roster: Array[Dictionary] = []
+## Adds what the rest of the server knows of a client to its row: [code]func(row: RosterRow)[/code].
+var describer: Callable = Callable()
 
 var _link: ServerLink = null
 var _noticed_s: Dictionary[int, float] = {}
+var _calibrations: Dictionary[int, Calibrating] = {}
+var _next_number: int = 1
+var _is_roster_due: bool = false
+var _roster_s: float = 0.0
+var _second_s: float = 0.0
+var _orders: Dictionary[int, int] = {}
 
 
-## Adds the node to a server, below a node of its own.
-static func serve(p_parent: Node, p_link: ServerLink) -> SessionControl:
-	var control: SessionControl = _attach(p_parent, p_link.api())
-	control._link = p_link
-	p_link.roster_changed.connect(control._push)
-	p_link.client_left.connect(control._forget)
-	return control
+## A calibration that an instructor has asked for.
+class Calibrating:
+	## Session of the instructor, and the number of its order.
+	var instructor: int = 0
+	var order: int = 0
+	## Session of the trainee, and its name.
+	var session: int = 0
+	var name: String = ""
 
 
-## Adds the node to an instructor's client, below a node of its own; again after each
-## [method ClientLink.open].
-static func follow(p_parent: Node, p_link: ClientLink) -> SessionControl:
-	return _attach(p_parent, p_link.api())
+func _init(p_link: ServerLink) -> void:
+	_link = p_link
+	_link.roster_changed.connect(_on_roster_changed)
+	_link.client_left.connect(_on_left)
+	_link.handle(Protocol.Message.ORDER, MessageHandlers.Path.RELIABLE, _on_order)
+	_link.handle(
+		Protocol.Message.WEARER,
+		MessageHandlers.Path.RELIABLE,
+		_on_wearer,
+		Roles.Capability.SEND_MOTION
+	)
 
 
-## Asks the server to admit a waiting peer, by its id in the [member roster].
-func admit(p_peer: int) -> void:
-	_admit.rpc_id(MultiplayerPeer.TARGET_PEER_SERVER, p_peer)
+## Sends instructors who is here, if that has changed. Call it once a tick.
+func advance() -> void:
+	var now: float = Time.get_ticks_usec() / 1e6
+	if now - _second_s > 1.0:
+		_second_s = now
+		_orders.clear()
+	if _is_roster_due and now - _roster_s > ROSTER_S:
+		_is_roster_due = false
+		_roster_s = now
+		_send_roster(_instructors())
 
 
-## Asks the server to refuse a waiting peer, by its id in the [member roster].
-func refuse(p_peer: int, p_why: String) -> void:
-	_refuse.rpc_id(MultiplayerPeer.TARGET_PEER_SERVER, p_peer, p_why)
-
-
-## Asks the server to dismiss a client.
-func kick(p_session: int, p_why: String) -> void:
-	_kick.rpc_id(MultiplayerPeer.TARGET_PEER_SERVER, p_session, p_why)
-
-
-## Asks the server to dismiss a client and ban its address.
-func ban(p_session: int, p_why: String) -> void:
-	_ban.rpc_id(MultiplayerPeer.TARGET_PEER_SERVER, p_session, p_why)
-
-
-## Asks the server to have one of a trainee's people calibrated: thesis 6.1's "Reset Pose" button.
-## [param p_pose] is one of those that clients know.
-func calibrate(p_session: int, p_index: int, p_pose: int) -> void:
-	_calibrate.rpc_id(MultiplayerPeer.TARGET_PEER_SERVER, p_session, p_index, p_pose)
-
-
-## Asks the server for another level, by its name.
-func change_level(p_name: String) -> void:
-	_change_level.rpc_id(MultiplayerPeer.TARGET_PEER_SERVER, p_name)
-
-
-## Tells all instructors what a session did wrong: on the server. Each session is named at most once
-## in [constant NOTICE_S].
+## Tells all instructors what a session did wrong. Each session is named at most once in
+## [constant NOTICE_S].
 func tell_instructors(p_session: int, p_text: String) -> void:
 	var now: float = Time.get_ticks_usec() / 1e6
 	if now - _noticed_s.get(p_session, -NOTICE_S) < NOTICE_S:
 		return
 	_noticed_s[p_session] = now
-	for row: Dictionary in _link.roster():
-		if _is_reachable_moderator(row):
-			_tell.rpc_id(row["peer"], p_text)
+	_link.send_reliably(
+		_instructors(), AnswerMessage.encode(0, AnswerMessage.Outcome.NOTICE, p_text)
+	)
 
 
-static func _attach(p_parent: Node, p_api: SceneMultiplayer) -> SessionControl:
-	var control: SessionControl = p_parent.get_node_or_null(NodePath(NODE_NAME))
-	if control == null:
-		control = SessionControl.new()
-		control.name = NODE_NAME
-		p_parent.add_child(control)
-	control.get_tree().multiplayer_poll = false
-	control.get_tree().set_multiplayer(p_api, p_parent.get_path())
-	return control
+func _on_order(p_caller: Session, p_bytes: PackedByteArray, _arrival_usec: int) -> String:
+	var order: OrderMessage = OrderMessage.decode(p_bytes)
+	if order == null:
+		return "an order that is none"
+	if not p_caller.can(_needed(order.kind)):
+		return "an order that its role may not give"
+	_orders[p_caller.id] = _orders.get(p_caller.id, 0) + 1
+	if _orders[p_caller.id] > MAX_ORDERS:
+		if _orders[p_caller.id] == MAX_ORDERS + 1:
+			_answer(p_caller, order, "more than %d orders in a second" % MAX_ORDERS, "")
+		return ""
+	match order.kind:
+		OrderMessage.Kind.WHO:
+			_send_roster([p_caller.id])
+		OrderMessage.Kind.ADMIT, OrderMessage.Kind.REFUSE:
+			_decide(p_caller, order)
+		OrderMessage.Kind.KICK, OrderMessage.Kind.BAN:
+			_dismiss(p_caller, order)
+		OrderMessage.Kind.CALIBRATE:
+			_calibrate(p_caller, order)
+		OrderMessage.Kind.LEVEL:
+			var asked: String = order.argument.left(Protocol.MAX_LEVEL_NAME)
+			level_requested.emit(
+				asked,
+				func(fault: String) -> void:
+					_answer(p_caller, order, fault, "the world is now '%s'" % asked)
+			)
+	return ""
 
 
-@rpc("any_peer", "call_remote", "reliable")
-func _admit(p_peer: Variant = null) -> void:
-	var caller: Session = _caller(Roles.Capability.MODERATE)
-	if caller != null and p_peer is int:
-		_answer(caller, _link.admit(p_peer), "%s let '%s' in" % [caller.name, p_peer])
+func _needed(p_kind: OrderMessage.Kind) -> Roles.Capability:
+	if p_kind == OrderMessage.Kind.CALIBRATE or p_kind == OrderMessage.Kind.LEVEL:
+		return Roles.Capability.DIRECT
+	return Roles.Capability.MODERATE
 
 
-@rpc("any_peer", "call_remote", "reliable")
-func _refuse(p_peer: Variant = null, p_why: Variant = null) -> void:
-	var caller: Session = _caller(Roles.Capability.MODERATE)
-	if caller != null and p_peer is int and p_why is String:
-		var why: String = "refused by %s" % _sign(caller, p_why)
-		_answer(caller, _link.refuse(p_peer, why), why)
+func _decide(p_caller: Session, p_order: OrderMessage) -> void:
+	var name: String = "nobody"
+	for row: RosterRow in _link.roster():
+		if row.state == RosterRow.State.WAITING and row.peer == p_order.target:
+			name = row.name
+	if p_order.kind == OrderMessage.Kind.ADMIT:
+		_answer(p_caller, p_order, _link.admit(p_order.target), "%s: admitted" % name, name)
+		return
+	var why: String = "refused by %s" % _sign(p_caller, p_order.argument)
+	_answer(p_caller, p_order, _link.refuse(p_order.target, why), "%s: sent away" % name, name)
 
 
-@rpc("any_peer", "call_remote", "reliable")
-func _kick(p_session: Variant = null, p_why: Variant = null) -> void:
-	var caller: Session = _caller(Roles.Capability.MODERATE)
-	if caller != null and p_session is int and p_why is String:
-		var why: String = "kicked by %s" % _sign(caller, p_why)
-		_answer(caller, _link.kick(p_session, why), "session %d was %s" % [p_session, why])
+func _dismiss(p_caller: Session, p_order: OrderMessage) -> void:
+	var session: Session = _link.session(p_order.target)
+	var name: String = session.name if session != null else ""
+	if p_order.kind == OrderMessage.Kind.KICK:
+		var kicked: String = "kicked by %s" % _sign(p_caller, p_order.argument)
+		_answer(p_caller, p_order, _link.kick(p_order.target, kicked), "%s: kicked" % name, name)
+		return
+	var why: String = "banned by %s" % _sign(p_caller, p_order.argument)
+	var address: String = session.address if session != null else ""
+	var done: String = "%s: banned, with the address %s" % [name, address]
+	var fault: String = "there is no session %d" % p_order.target
+	if session != null:
+		fault = _link.rules.bans.add(address)
+		_link.kick(session.id, why)
+	_answer(p_caller, p_order, fault, done, name)
 
 
-@rpc("any_peer", "call_remote", "reliable")
-func _ban(p_session: Variant = null, p_why: Variant = null) -> void:
-	var caller: Session = _caller(Roles.Capability.MODERATE)
-	if caller != null and p_session is int and p_why is String:
-		var why: String = "banned by %s" % _sign(caller, p_why)
-		_answer(caller, _link.ban(p_session, why), "session %d was %s" % [p_session, why])
+func _calibrate(p_caller: Session, p_order: OrderMessage) -> void:
+	var session: Session = _link.session(p_order.target)
+	var name: String = session.name if session != null else ""
+	if _calibrations.size() >= MAX_CALIBRATIONS:
+		_answer(p_caller, p_order, "too many calibrations are going on", "", name)
+		return
+	var number: int = _next_number
+	var fault: String = _find_calibration_fault(session, p_order)
+	if fault != "":
+		_answer(p_caller, p_order, fault, "", name)
+		return
+	_link.send_reliably([session.id], NoticeMessage.calibrate(p_order.index, p_order.pose, number))
+	_next_number = _next_number % 0xFFFF + 1
+	var calibrating: Calibrating = Calibrating.new()
+	calibrating.instructor = p_caller.id
+	calibrating.order = p_order.number
+	calibrating.session = session.id
+	calibrating.name = name
+	_calibrations[number] = calibrating
+	_reply(p_caller, p_order.number, AnswerMessage.Outcome.BEGUN, "%s: calibrating" % name)
 
 
-@rpc("any_peer", "call_remote", "reliable")
-func _calibrate(p_session: Variant = null, p_index: Variant = null, p_pose: Variant = null) -> void:
-	var caller: Session = _caller(Roles.Capability.DIRECT)
-	if caller != null and p_session is int and p_index is int and p_pose is int:
-		var done: String = "session %d was asked to calibrate" % p_session
-		_answer(caller, _link.ask_calibration(p_session, p_index, p_pose), done)
+## Which poses there are the client knows.
+func _find_calibration_fault(p_session: Session, p_order: OrderMessage) -> String:
+	if p_session == null or not p_session.can(Roles.Capability.SEND_MOTION) or p_session.peer == 0:
+		return "is no trainee that is here"
+	if p_order.index >= PersonCard.MAX_PEOPLE:
+		return "there is no person %d" % p_order.index
+	return ""
 
 
-@rpc("any_peer", "call_remote", "reliable")
-func _change_level(p_name: Variant = null) -> void:
-	var caller: Session = _caller(Roles.Capability.DIRECT)
-	if caller != null and p_name is String:
-		var name_asked: String = ByteReader.clean((p_name as String).left(Protocol.MAX_LEVEL_NAME))
-		var answer: Callable = _answer.bind("the world is now '%s'" % name_asked)
-		level_requested.emit(name_asked, func(fault: String) -> void: answer.call(caller, fault))
+func _on_wearer(p_session: Session, p_bytes: PackedByteArray, _arrival_usec: int) -> String:
+	var message: WearerMessage = WearerMessage.decode(p_bytes)
+	if message == null:
+		return "a report on a suit that is none"
+	if message.number == 0:
+		_is_roster_due = _is_roster_due or p_session.suit != message.text
+		p_session.suit = message.text
+		return ""
+	var asked: Calibrating = _calibrations.get(message.number)
+	if asked == null or asked.session != p_session.id:
+		return "the outcome of a calibration that nobody asked for"
+	_calibrations.erase(message.number)
+	_conclude(asked, message.accepted, message.text)
+	return ""
 
 
-@rpc("authority", "call_remote", "reliable")
-func _show(p_roster: Variant = null) -> void:
-	roster = []
-	if _link == null and p_roster is Array:
-		for row: Variant in p_roster:
-			if row is Dictionary:
-				roster.append(row)
-		roster_changed.emit(roster)
+func _conclude(p_asked: Calibrating, p_accepted: bool, p_text: String) -> void:
+	var done: AnswerMessage.Outcome = AnswerMessage.Outcome.DONE
+	if not p_accepted:
+		done = AnswerMessage.Outcome.FAILED
+	var instructor: Session = _link.session(p_asked.instructor)
+	if instructor != null:
+		_reply(instructor, p_asked.order, done, "%s: %s" % [p_asked.name, p_text])
 
 
-@rpc("authority", "call_remote", "reliable")
-func _tell(p_text: Variant = null) -> void:
-	if _link == null and p_text is String:
-		answered.emit(ByteReader.clean((p_text as String).left(400)))
+func _on_roster_changed() -> void:
+	_is_roster_due = true
 
 
-## The client that calls, or null if it may not.
-func _caller(p_capability: Roles.Capability) -> Session:
-	if _link == null:
-		return null
-	var session: Session = _link.session_of_peer(multiplayer.get_remote_sender_id())
-	if session != null and session.is_here and session.can(p_capability):
-		return session
-	Log.limited("net", "instructor", "somebody who may not gives orders")
-	return null
+func _on_left(p_session: int) -> void:
+	_noticed_s.erase(p_session)
+	_orders.erase(p_session)
+	for number: int in _calibrations.keys():
+		if _calibrations[number].session == p_session:
+			_conclude(_calibrations[number], false, "left during the calibration")
+			_calibrations.erase(number)
 
 
 func _sign(p_caller: Session, p_why: String) -> String:
-	var why: String = ByteReader.clean(p_why.left(MAX_REASON)).strip_edges()
-	return "instructor '%s'%s" % [p_caller.name, ": " + why if why != "" else ""]
+	return "instructor '%s'%s" % [p_caller.name, ": " + p_why if p_why != "" else ""]
 
 
-func _answer(p_caller: Session, p_fault: String, p_done: String) -> void:
-	Log.info("net", "%s asked: %s" % [p_caller.describe(), p_fault if p_fault != "" else p_done])
-	if p_caller.is_here:
-		_tell.rpc_id(p_caller.peer, p_fault if p_fault != "" else p_done)
+## Answers that something failed, or what was done.
+func _answer(
+	p_caller: Session, p_order: OrderMessage, p_fault: String, p_done: String, p_name: String = ""
+) -> void:
+	if p_fault == "":
+		_reply(p_caller, p_order.number, AnswerMessage.Outcome.DONE, p_done)
+		return
+	var text: String = "%s: %s" % [p_name, p_fault] if p_name != "" else p_fault
+	_reply(p_caller, p_order.number, AnswerMessage.Outcome.FAILED, text)
 
 
-func _forget(p_session: int) -> void:
-	_noticed_s.erase(p_session)
+func _reply(
+	p_caller: Session, p_number: int, p_outcome: AnswerMessage.Outcome, p_text: String
+) -> void:
+	Log.info("net", "%s gave an order: %s" % [p_caller.describe(), p_text])
+	_link.send_reliably([p_caller.id], AnswerMessage.encode(p_number, p_outcome, p_text))
 
 
-func _push() -> void:
-	var rows: Array[Dictionary] = _link.roster()
-	for row: Dictionary in rows:
-		if _is_reachable_moderator(row):
-			_show.rpc_id(row["peer"], rows)
+func _instructors() -> PackedInt32Array:
+	var ids: PackedInt32Array = []
+	for row: RosterRow in _link.roster():
+		if row.can(Roles.Capability.MODERATE):
+			ids.append(row.session)
+	return ids
 
 
-func _is_reachable_moderator(p_row: Dictionary) -> bool:
-	var moderates: bool = Roles.can(p_row["role"], Roles.Capability.MODERATE)
-	var is_here: bool = p_row["state"] == "here"
-	return moderates and is_here and multiplayer.get_peers().has(p_row["peer"])
+func _send_roster(p_to: PackedInt32Array) -> void:
+	if p_to.is_empty():
+		return
+	var rows: Array[RosterRow] = _link.roster()
+	for row: RosterRow in rows:
+		if describer.is_valid() and row.session != 0:
+			describer.call(row)
+	_link.send_reliably(p_to, RosterMessage.encode(rows))

@@ -47,6 +47,9 @@ var traffic: TrafficMeter = TrafficMeter.new()
 ## Number of the client's session; 0 where it has none.
 @abstract func session() -> int
 
+## How well the connection is protected, for the screen; empty where there is none.
+@abstract func security() -> String
+
 ## Sends a datagram to the server, if there is one.
 @abstract func send_fast(p_bytes: PackedByteArray) -> void
 

@@ -4,27 +4,42 @@ extends StateStream
 
 ## Largest message that a recording may hold, bytes.
 const MAX_BYTES: int = 1 << 24
+## Changes of the world (beginnings, levels, each KiB of tables) that are played in a frame; the
+## rest waits for the next one. A forged recording could have everything made thousands of times at
+## once.
+const MAX_CHANGES: int = 8
+## The same of the first frame, if the playback begins in the middle: the frame is to show what was
+## there by then.
+const MAX_FIRST_CHANGES: int = 64
 
 ## Path of the recording.
 var path: String = ""
+## Where in the recording the playback begins, s: what was before is taken in at once.
+var from_s: float = 0.0
 
 var _file: FileAccess = null
 var _next: PackedByteArray = PackedByteArray()
 var _next_usec: int = 0
 var _clock_s: float = 0.0
+var _limit: int = MAX_CHANGES
 
 
 ## A stream that plays a file.
-static func of_file(p_path: String) -> RecordedStream:
+static func of_file(p_path: String, p_from_s: float = 0.0) -> RecordedStream:
 	var stream: RecordedStream = RecordedStream.new()
 	stream.path = p_path
+	stream.from_s = p_from_s
 	return stream
 
 
 func open() -> String:
+	if path == "":
+		return "which recording? --file=FILE"
 	_file = FileAccess.open(path, FileAccess.READ)
 	if _file == null:
 		return "cannot read %s: %s" % [path, error_string(FileAccess.get_open_error())]
+	if _file.get_length() == 0:
+		return "%s: the recording is empty" % path
 	var magic: String = _file.get_buffer(8).get_string_from_ascii()
 	if magic != StateRecorder.MAGIC:
 		var found: String = ByteReader.clean(magic)
@@ -32,13 +47,23 @@ func open() -> String:
 	_read_next()
 	if _next.is_empty():
 		return "%s: the recording is empty" % path
+	_clock_s = from_s
+	_limit = MAX_FIRST_CHANGES if from_s > 0.0 else MAX_CHANGES
 	return ""
 
 
 func advance(p_delta_s: float) -> void:
 	_clock_s += p_delta_s
+	var changes: int = 0
+	var limit: int = _limit
+	_limit = MAX_CHANGES
+	var is_first: bool = true
 	while not _next.is_empty() and _next_usec <= int(_clock_s * 1e6):
 		var bytes: PackedByteArray = _next
+		changes += _weight(bytes)
+		if changes > limit and not is_first:
+			return
+		is_first = false
 		var time_s: float = _next_usec / 1e6
 		_read_next()
 		if bytes.size() == 1 and bytes[0] == StateRecorder.BEGIN:
@@ -47,6 +72,12 @@ func advance(p_delta_s: float) -> void:
 			received.emit(bytes, time_s)
 		if _next.is_empty():
 			ended.emit(EXIT_DONE, "")
+
+
+## Plays all that is left at once, frame by frame, however long it is.
+func play_all() -> void:
+	while not _next.is_empty():
+		advance(1e6)
 
 
 func now_s() -> float:
@@ -70,6 +101,10 @@ func session() -> int:
 	return 0
 
 
+func security() -> String:
+	return ""
+
+
 func send_fast(_bytes: PackedByteArray) -> void:
 	# There is no server to take it.
 	pass
@@ -78,6 +113,18 @@ func send_fast(_bytes: PackedByteArray) -> void:
 func close() -> void:
 	_file = null
 	_next = PackedByteArray()
+
+
+## How many changes of the world a message counts for: a level is as many as fit into a frame.
+static func _weight(p_bytes: PackedByteArray) -> int:
+	match p_bytes[0]:
+		Protocol.Message.LEVEL:
+			return MAX_CHANGES
+		Protocol.Message.TABLE:
+			return 1 + (p_bytes.size() >> 10)
+		StateRecorder.BEGIN:
+			return 1
+	return 0
 
 
 func _read_next() -> void:

@@ -3,6 +3,9 @@ extends RefCounted
 ## Sends all clients the entities and their state, each client as much as its share of the network
 ## allows.
 
+## Changes of the table are so many ticks apart: those of a crowd that comes go together.
+const _TABLE_TICKS: int = 3
+
 ## The encoder, which also has the entities' fields.
 var encoder: SnapshotEncoder = SnapshotEncoder.new()
 
@@ -15,6 +18,8 @@ var _cache: EntityTableCache = null
 ## What has changed in the table since the last message.
 var _changes: EntityTableMessage = EntityTableMessage.new()
 var _known_types: int = 0
+## The tick whose changes were sent last.
+var _table_tick: int = -_TABLE_TICKS
 var _defined_types: int = 0
 ## The sessions, and those that have not been sent the whole table yet.
 var _sessions: PackedInt32Array = PackedInt32Array()
@@ -40,6 +45,7 @@ func _init(
 	_error_deg = p_error_deg
 	_cache = EntityTableCache.new(p_level.table)
 	encoder.configure(PackedInt32Array(Limbs.PARENTS), p_error_deg, p_tick_rate)
+	encoder.set_datagram_overhead(_link.rules.sealing().datagram_overhead())
 	_link.ack_received.connect(_on_ack)
 	_link.stats_received.connect(_on_stats)
 	_level.table.spawned.connect(_on_spawned)
@@ -88,6 +94,13 @@ func survey() -> void:
 	Log.info("server", "%d cells, %.0f %% of pairs in sight of each other (%.0f ms)" % parts)
 
 
+## Changes each client's share of the network, bit/s.
+func set_bandwidth(p_bits_per_second: float) -> void:
+	_bits_per_second = p_bits_per_second
+	for session: int in _sessions:
+		encoder.set_bandwidth(session, p_bits_per_second)
+
+
 ## Adds a client, also one that returns: it has no state yet. A rate of 0 means every tick.
 func add_client(p_session: int, p_rate: int) -> void:
 	remove_client(p_session)
@@ -115,7 +128,8 @@ func remove_client(p_session: int) -> void:
 
 ## Sends everybody what a tick has changed. The time is that of the tick's end, µs.
 func send(p_tick: int, p_now_usec: int, p_events: Array[PackedByteArray]) -> void:
-	_send_table()
+	if p_tick >= _table_tick + _TABLE_TICKS or p_tick < _table_tick:
+		_table_tick = p_tick if _send_table() else _table_tick
 	_send_events(p_events)
 	_people.hand_poses(encoder)
 	encoder.capture(p_tick)
@@ -148,13 +162,14 @@ func stats_of(p_session: int) -> Dictionary:
 	return stats
 
 
-## Sends new clients the whole table, the others its changes.
-func _send_table() -> void:
+## Sends new clients the whole table, the others its changes. Returns whether there was anything.
+func _send_table() -> bool:
 	var table: EntityTable = _level.table
 	_changes.types = table.types.slice(_known_types)
 	_known_types = table.types.size()
 	var has_changed: bool = not (_changes.spawned.is_empty() and _changes.despawned.is_empty())
-	if has_changed or not _changes.types.is_empty():
+	has_changed = has_changed or not _changes.types.is_empty()
+	if has_changed:
 		_changes.version = table.version
 		_changes.pose_error_deg = _error_deg
 		var others: PackedInt32Array = []
@@ -163,20 +178,24 @@ func _send_table() -> void:
 				others.append(session)
 		_send_to(others, _changes.encode())
 		_changes = EntityTableMessage.new()
-	if not _newcomers.is_empty():
-		var newcomers: PackedInt32Array = _newcomers.duplicate()
-		_newcomers.clear()
-		var bytes: PackedByteArray = _cache.encode(_error_deg)
-		if newcomers.has(StateRecorder.CLIENT):
-			_recorder.add(_level.message())
-			_recorder.add(bytes)
-		_link.send_reliably(newcomers, bytes)
+	if _newcomers.is_empty():
+		return has_changed
+	var newcomers: PackedInt32Array = _newcomers.duplicate()
+	_newcomers.clear()
+	var bytes: PackedByteArray = _cache.encode(_error_deg)
+	if newcomers.has(StateRecorder.CLIENT):
+		_recorder.add(_level.message())
+		_recorder.add(bytes)
+	_link.send_reliably(newcomers, bytes, true)
+	return true
 
 
 func _acknowledge_motion() -> void:
 	for id: int in _sessions:
 		var session: Session = _link.session(id)
-		var ack: PackedByteArray = session.motion.take_ack() if session != null else []
+		var ack: PackedByteArray = (
+			session.motion.take_ack() if session != null else PackedByteArray()
+		)
 		if not ack.is_empty():
 			encoder.set_motion_ack(id, ack)
 
@@ -223,10 +242,10 @@ func _on_entity_added(p_row: EntityRow, p_node: Entity, p_body: PhysicsBody3D) -
 
 
 ## Lets the encoder read a person's limbs, in the order of [constant Limbs.BONES].
-func _on_person_added(p_person: ServerPeople.Person) -> void:
+func _on_person_added(p_person: ServerPerson) -> void:
 	var bodies: Array[RID] = []
 	var resets: PackedFloat32Array = []
-	var joints: PersonSkeleton = p_person.ragdoll.get_joints()
+	var joints: PersonSkeleton = p_person.joints
 	var order: PackedInt32Array = p_person.ragdoll.get_limb_order()
 	for limb: int in Limbs.COUNT:
 		bodies.append(p_person.ragdoll.get_bodies()[order[limb]])
@@ -236,9 +255,10 @@ func _on_person_added(p_person: ServerPeople.Person) -> void:
 	# Of several people of a client the first one's surroundings count most.
 	if p_person.card.index == 0 and _sessions.has(p_person.session):
 		encoder.set_own_person(p_person.session, p_person.id)
+	_on_person_attached(p_person, -1)
 
 
-func _on_person_attached(p_person: ServerPeople.Person, p_carrier: int) -> void:
+func _on_person_attached(p_person: ServerPerson, p_carrier: int) -> void:
 	encoder.set_frame(p_person.id, p_carrier)
 	var type: EntityType = _level.table.find(p_person.id).type
 	var heading: float = p_person.ragdoll.motor.get_frame().basis.get_euler().y
@@ -275,7 +295,9 @@ func _define_types() -> void:
 
 func _on_ack(p_session: int, p_bytes: PackedByteArray, _p_arrival_usec: int) -> void:
 	if not encoder.take_ack(p_session, p_bytes):
-		Log.limited("net", "ack %d" % p_session, "session %d acknowledges nonsense" % p_session)
+		var session: Session = _link.session(p_session)
+		if session != null:
+			_link.complain(session, "ack", "acknowledges nonsense")
 
 
 func _on_stats(p_session: int, p_stats: Dictionary) -> void:

@@ -20,8 +20,12 @@ const ROOTS: Dictionary[String, RagdollMotor.RootMode] = {
 const _MAX_TICKS: int = 240
 ## Exit code for wrong options.
 const _EXIT_OPTIONS: int = 2
+## Below this speed of the world a frame's last tick is sent only.
+const _MIN_SPEED: float = 0.8
 ## Seconds between two lines of stats in the log.
 const _STATUS_S: float = 10.0
+## Frames between two looks whether the process of --end-with is there.
+const _WATCH_FRAMES: int = 30
 
 @export var _level: ServerLevel
 @export var _people: ServerPeople
@@ -33,18 +37,26 @@ var _entities: ServerEntities = null
 var _report: ReportFile = null
 var _stats: ServerStats = null
 var _status: StatusEndpoint = StatusEndpoint.new()
+var _reload: ServerReload = null
 var _stop: StopSignal = StopSignal.new()
 var _pacer: TickPacer = TickPacer.new()
 var _control: SessionControl = null
+var _shared: SharedServer = null
 var _tick: int = 0
 var _sent_tick: int = 0
 var _network_usec: int = 0
 var _names: Dictionary[int, String] = {}
+var _lists: PeopleLists = PeopleLists.new()
 
 
 ## Takes over the options. Call it before the node enters the tree.
 func configure(_p_role: String, p_options: Options) -> void:
 	_options = p_options
+
+
+## What it has counted so far.
+func stats() -> ServerStats:
+	return _stats
 
 
 func _ready() -> void:
@@ -60,9 +72,11 @@ func _ready() -> void:
 
 ## Sets the parts up; the level comes last, as all others listen to its signals.
 func _open_world() -> void:
-	var bits: float = _options.number("bandwidth") * 1000.0
+	var bits: float = _bandwidth()
 	var error: float = _options.degrees("pose-error")
-	_people.setup(_level.table)
+	_shared = SharedServer.new(_link)
+	_level.shared = _shared.api
+	_people.setup(_level.table, _options.number("max-people"))
 	_sending = Replication.new(_link, _level, _people, _rate(), bits, error)
 	_entities = ServerEntities.new(_link, _level.table, _people, _sending.encoder)
 	_entities.command_refused.connect(
@@ -84,7 +98,9 @@ func _open_world() -> void:
 	if fault != "":
 		_give_up(_EXIT_OPTIONS, fault)
 		return
+	_people.changes.prepare()
 	_stop.watch()
+	_stop.watch_reload()
 	_open_status(_options.number("port"))
 	var parts: Array = [_options.number("port"), _rate(), _level.level_name]
 	Log.info("server", "listening on UDP port %d, %d ticks/s, world '%s'" % parts)
@@ -92,28 +108,34 @@ func _open_world() -> void:
 
 func _open_link(p_port: int) -> bool:
 	var rules: ServerRules = ServerRules.new()
-	rules.max_clients = _options.number("max-clients")
-	rules.max_per_address = _options.number("max-per-address")
-	rules.password = _options.text("password")
-	rules.instructor_password = _options.text("instructor-password")
-	rules.waiting_room = _options.is_on("waiting-room")
+	ServerReload.apply(_options, rules)
 	rules.bans = BanList.open(_options.file("ban-file"))
-	var security: TransportSecurity = TransportSecurity.server(
-		_options.file("dtls-certificate"), _options.file("dtls-key")
-	)
-	rules.tls = security.tls
-	var fault: String = rules.bans.error if rules.bans.error != "" else security.error
-	if fault != "":
-		_give_up(_EXIT_OPTIONS, fault)
+	rules.seals = _options.is_on("sealing")
+	if rules.bans.error != "":
+		_give_up(_EXIT_OPTIONS, rules.bans.error)
 		return false
 	if _link.listen(p_port, rules) != OK:
 		_give_up(1, "UDP port %d is in use: choose another with --port" % p_port)
 		return false
-	Log.info("net", security.describe())
-	var control: SessionControl = SessionControl.serve(self, _link)
-	control.level_requested.connect(_change_level)
-	_control = control
+	Log.info("net", rules.sealing().describe())
+	_reload = ServerReload.new(_options, rules)
+	_control = SessionControl.new(_link)
+	_control.level_requested.connect(_change_level)
+	_control.describer = _describe_client
 	return true
+
+
+## Options that may change while it runs.
+func _take_options(p_options: Options) -> void:
+	_options = p_options
+	_people.changes.max_people = p_options.number("max-people")
+	_sending.set_bandwidth(_bandwidth())
+	_link.renew_passwords()
+
+
+## Of each client, bit/s.
+func _bandwidth() -> float:
+	return _options.number("bandwidth") * 1000.0
 
 
 func _open_status(p_port: int) -> void:
@@ -128,44 +150,57 @@ func _open_status(p_port: int) -> void:
 
 func _give_up(p_code: int, p_why: String) -> void:
 	Log.error("server", p_why)
-	get_tree().quit(p_code)
+	_leave(p_code)
 	set_physics_process(false)
 	set_process(false)
 
 
 func _physics_process(p_delta: float) -> void:
 	var begin: int = Time.get_ticks_usec()
+	if _sent_tick != _tick and _stats.watch.speed > _MIN_SPEED:
+		# A late frame has several ticks: who sees the world gets each of them.
+		_send_tick()
+	_stats.begin_work()
 	_network_usec -= ThreadClock.get_usec()
 	_link.publish_tick(_tick + 1, begin, _rate())
 	_link.poll()
+	_control.advance()
 	_network_usec += ThreadClock.get_usec()
 	_tick += 1
 	_people.tick = _tick
+	_take_lists(begin / 1e6)
+	_people.advance()
 	_entities.advance(_tick, _rate())
 	_people.drive(begin / 1e6, p_delta)
 	_stats.ticks = _tick
 	_stats.script_time.add((Time.get_ticks_usec() - begin) / 1e6)
-	if _stats.watch.ticked(begin / 1e6):
+	if _stats.begin_tick(begin):
 		_report_speed()
 
 
 func _process(_p_delta: float) -> void:
 	_pacer.pace(_rate())
 	if _sent_tick != _tick:
-		_sent_tick = _tick
-		_after_step()
+		_send_tick()
+	elif TickPacer.is_idle(_rate()):
+		_people.changes.restock()
 	_stats.frame(Time.get_ticks_usec())
 	_status.poll(_make_report)
 	if _report.is_due():
 		_report.write(_make_report())
 	if _stats.since_status() > _STATUS_S:
 		Log.info("server", _stats.describe(_link.session_ids().size(), _people.list().size()))
+	if _stop.take_reload():
+		_take_options(_reload.reload())
 	var duration: float = _options.seconds("duration")
 	if _stop.is_raised():
 		Log.info("server", "stopped by a signal: ending all sessions")
-		get_tree().quit(0)
+		_leave(0)
 	elif duration > 0.0 and _stats.seconds() > duration:
-		get_tree().quit(0)
+		_leave(0)
+	elif Engine.get_process_frames() % _WATCH_FRAMES == 0 and not _has_companion():
+		Log.info("server", "the process that it was to end with has ended")
+		_leave(0)
 
 
 func _exit_tree() -> void:
@@ -180,14 +215,23 @@ func _exit_tree() -> void:
 	_link.close()
 
 
-func _after_step() -> void:
+## Whether the process of --end-with runs still.
+func _has_companion() -> bool:
+	var number: int = _options.number("end-with")
+	return number == 0 or DirAccess.dir_exists_absolute("/proc/%d" % number)
+
+
+## Sends the state after a tick's step.
+func _send_tick() -> void:
 	var now: int = Time.get_ticks_usec()
+	_sent_tick = _tick
 	_people.measure()
 	var begin: int = ThreadClock.get_usec()
 	_sending.send(_tick, now, _entities.take_messages())
 	_stats.networked(_network_usec + ThreadClock.get_usec() - begin)
 	_network_usec = 0
 	_stats.send_time.add((Time.get_ticks_usec() - now) / 1e6)
+	_stats.end_work()
 
 
 func _report_speed() -> void:
@@ -206,12 +250,19 @@ func _change_level(p_name: String, p_answer: Callable) -> void:
 	p_answer.call(_level.load_level(p_name, _tick))
 
 
+func _describe_client(p_row: RosterRow) -> void:
+	var stats: Dictionary = _sending.stats_of(p_row.session)
+	p_row.round_trip_ms = stats.get("round_trip_ms", -1.0)
+	p_row.delay_ms = stats.get("display_latency_ms_p50", -1.0)
+	_people.describe(p_row)
+
+
 func _on_level_changed() -> void:
 	_link.rules.level_name = _level.level_name
 	_link.rules.level_fingerprint = _level.fingerprint
-	var points: Array[Vector3] = []
+	var points: Array[Transform3D] = []
 	for point: SpawnPoint in _level.level.get_spawn_points():
-		points.append(point.global_position)
+		points.append(point.get_start())
 	_people.enter(points)
 	_survey_soon()
 
@@ -227,10 +278,9 @@ func _on_entity_added(p_row: EntityRow, p_node: Entity, _body: PhysicsBody3D) ->
 		_entities.bind(p_row, p_node)
 
 
-func _on_person_added(p_person: ServerPeople.Person) -> void:
-	var node: Entity = Entity.find_in(p_person.ragdoll)
-	if node != null:
-		_entities.bind(_level.table.find(p_person.id), node)
+func _on_person_added(p_person: ServerPerson) -> void:
+	if p_person.entity != null:
+		_entities.bind(_level.table.find(p_person.id), p_person.entity)
 
 
 func _on_joined(p_session: int, p_hello: Dictionary) -> void:
@@ -248,11 +298,24 @@ func _on_left(p_session: int) -> void:
 	_entities.remove_session(p_session)
 	_sending.remove_client(p_session)
 	_names.erase(p_session)
+	_lists.forget(p_session)
 	_people.remove(p_session)
 
 
 func _on_people(p_session: int, p_people: Array[PersonCard]) -> void:
-	_people.set_people(p_session, p_people, _names.get(p_session, ""))
+	_lists.take(p_session, p_people)
+
+
+## Applies what sessions have said of their people, as far as it counts yet.
+func _take_lists(p_now_s: float) -> void:
+	var due: Dictionary[int, Array] = _lists.take_due(p_now_s)
+	for session: int in due:
+		var cards: Array[PersonCard] = []
+		cards.assign(due[session])
+		if _people.set_people(session, cards, _names.get(session, "")) > 0:
+			var text: String = "the server has room for %d people: not all of yours have a body"
+			text = text % _people.changes.max_people
+			_link.send_reliably([session], NoticeMessage.tell(text))
 
 
 func _on_pose(p_session: int, p_sample: PoseSample, p_arrival_usec: int) -> void:
@@ -268,4 +331,13 @@ func _rate() -> int:
 
 
 func _make_report() -> Dictionary:
-	return _stats.report(_link, _sending, _people.stats())
+	var report: Dictionary = _stats.report(_link, _sending, _people)
+	report["status_requests"] = _status.counts
+	return report
+
+
+## Ends the program with a code.
+func _leave(p_code: int) -> void:
+	if _shared != null:
+		_shared.api.close()
+	get_tree().quit(p_code)

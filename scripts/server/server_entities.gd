@@ -150,7 +150,7 @@ func session() -> int:
 
 func carry(p_limb: Node3D, p_entity: int) -> void:
 	var node: Entity = _nodes.get(p_entity)
-	var person: ServerPeople.Person = _people.find_by_limb(p_limb)
+	var person: ServerPerson = _people.find_by_limb(p_limb)
 	if node != null and node.get_body() != null and person != null and person.carrier == null:
 		var frame: Transform3D = person.ragdoll.motor.get_frame()
 		var to_body: Transform3D = node.get_body().global_transform.affine_inverse()
@@ -159,7 +159,7 @@ func carry(p_limb: Node3D, p_entity: int) -> void:
 
 func put_down(p_limb: Node3D, p_entity: int) -> void:
 	var node: Entity = _nodes.get(p_entity)
-	var person: ServerPeople.Person = _people.find_by_limb(p_limb)
+	var person: ServerPerson = _people.find_by_limb(p_limb)
 	# An occupant whose seat leaves the area stays in it.
 	if person != null and node != null and person.carrier == node.get_body():
 		_people.detach_person(person)

@@ -21,6 +21,8 @@ var table: EntityTable = EntityTable.new()
 var level: Level = null
 ## Its name.
 var level_name: String = ""
+## The multiplayer API of its shared nodes; null for none.
+var shared: SharedApi = null
 ## Its fingerprint.
 var fingerprint: PackedByteArray = PackedByteArray()
 
@@ -43,10 +45,14 @@ func load_level(p_name: String, p_tick: int = 0) -> String:
 		level.queue_free()
 	level = fresh
 	level_name = p_name
+	if shared != null:
+		shared.attach(self, level)
 	add_child(level)
 	fingerprint = level.fingerprint()
 	_spawn_all(p_tick)
 	changed.emit()
+	if shared != null:
+		shared.release()
 	return ""
 
 
@@ -109,7 +115,9 @@ func _spawn_world(p_tick: int) -> void:
 func _add(p_row: EntityRow, p_node: Entity, p_body: PhysicsBody3D) -> void:
 	if table.spawn(p_row) != null:
 		# A script may free it; a row without a node would be met by the next command.
-		var watched: Node = p_node if p_node != null else p_body
+		var watched: Node = p_body
+		if p_node != null:
+			watched = p_node
 		watched.tree_exiting.connect(table.despawn.bind(p_row.id), CONNECT_ONE_SHOT)
 		var has_body: bool = p_row.type.body == EntityType.Body.RIGID
 		entity_added.emit(p_row, p_node, p_body if has_body else null)

@@ -3,152 +3,133 @@ extends Node3D
 ## The people on the server: a ragdoll for each, driven by the samples that a client sends.
 
 ## Somebody has come; the body is in the world.
-signal person_added(p_person: Person)
+signal person_added(p_person: ServerPerson)
 ## Somebody is carried by an entity from now on; -1 by none.
-signal person_attached(p_person: Person, p_carrier: int)
+signal person_attached(p_person: ServerPerson, p_carrier: int)
 
 ## Number of people who left and whose stats are still reported.
 const _REMEMBERED: int = 16
 
-## Old samples in a row that are worth a log line, and that mean a new clock.
-const _LATE: int = 5
-const _NEW_CLOCK: int = 30
-
-## Longest stage of a sample's latency that a latency mark can hold, µs.
-const _MAX_STEP_USEC: int = 655000
+## Ticks after which the bodies of a new level are in the physics space.
+const _SETTLING: int = 2
 
 ## The scene of a person; its root is a [Ragdoll].
 @export var scene: PackedScene
-## Distance between people who start where there is no free [SpawnPoint].
-@export_range(0.5, 10.0, 0.1, "suffix:m") var spacing: float = 1.5
+## Distance between people who start, m.
+@export_range(0.5, 10.0, 0.1, "suffix:m") var spacing: float = 2.5
 
 ## How people's travel is found and how their hips follow.
 var root_mode: RagdollMotor.RootMode = RagdollMotor.ROOT_SOFT
 ## The server's tick.
 var tick: int = 0
+## Whose bodies are to be made and removed.
+var changes: PeopleChanges = null
 
-var _people: Dictionary[int, Person] = {}
+var _people: Dictionary[int, ServerPerson] = {}
 var _gone: Array[Dictionary] = []
 var _table: EntityTable = null
-var _spawn_points: Array[Vector3] = []
+var _positions: StartPositions = StartPositions.new()
+var _points: Array[Transform3D] = []
+## Ticks until the bodies of a new level are in the physics space; 0: they are.
+var _settling: int = 0
 var _plain_type: EntityType = EntityType.person()
 
 
-## One person's body.
-class Person:
-	var id: int = 0
-	## Number of the session that sends its motion.
-	var session: int = 0
-	## What the client sent about the wearer.
-	var card: PersonCard = PersonCard.new()
-	var name: String = ""
-	var ragdoll: Ragdoll = null
-	var clock: SampleClock = SampleClock.new()
-	## Moment of the motion that the last step ended at, s in the wearer's clock.
-	var moment_s: float = 0.0
-	var newest: PoseSample = null
-	## Where the person's own origin is in the world, or in the carrier's frame.
-	var origin: Vector3 = Vector3.ZERO
-	## The body that carries the person, or null, and the person's own frame in that of the body.
-	var carrier: PhysicsBody3D = null
-	## Its entity, which outlives the body; -1 none.
-	var carrier_id: int = -1
-	var seat: Transform3D = Transform3D.IDENTITY
-	## Scales the wearer's travel to the body's build.
-	var scale: float = 1.0
-	var refused: int = 0
-	var refused_in_a_row: int = 0
-	## From sampling to the end of the tick that used the sample, ms.
-	var delay: Statistics = Statistics.recent()
-
-
-## Sets the table of entities.
-func setup(p_table: EntityTable) -> void:
+## Sets the table of entities and the maximum of people.
+func setup(p_table: EntityTable, p_max_people: int = PeopleChanges.DEFAULT_MAX) -> void:
 	_table = p_table
+	_positions.spacing = spacing
+	_positions.set_points([])
+	changes = PeopleChanges.new(scene, self, _take_start)
+	changes.max_people = p_max_people
+	changes.root_mode = root_mode
+	changes.made.connect(_on_made)
+	changes.left.connect(_remove)
 
 
-## Gives a session the bodies of these people, and takes away those whom it no longer lists.
+func _exit_tree() -> void:
+	if changes != null:
+		changes.close()
+
+
+## Gives a session the bodies of these people, and takes away those whom it no longer lists: as
+## [method advance] comes to it. Returns how many of them there is no room for.
 ## [param p_name] is for those who have no name.
-func set_people(p_session: int, p_cards: Array[PersonCard], p_name: String) -> void:
-	var wanted: Dictionary[int, bool] = {}
+func set_people(p_session: int, p_cards: Array[PersonCard], p_name: String) -> int:
+	var refused: int = changes.take_list(p_session, p_cards, p_name)
 	for card: PersonCard in p_cards:
-		wanted[card.index] = true
-		var person: Person = _people.get(_key(p_session, card.index))
-		if person != null and not person.card.is_same_body(card):
-			_remove(_key(p_session, card.index))
-			person = null
-		if person == null:
-			_add(p_session, card, p_name)
-			person = _people.get(_key(p_session, card.index))
-		if person != null:
+		var person: ServerPerson = _people.get(PeopleChanges.key_of(p_session, card.index))
+		if person != null and person.card.is_same_body(card):
 			person.card = card
 			person.name = card.name if card.name != "" else p_name
-	for index: int in PersonCard.MAX_PEOPLE:
-		if not wanted.has(index):
-			_remove(_key(p_session, index))
+	return refused
 
 
-func _add(p_session: int, p_card: PersonCard, p_name: String) -> void:
-	var person: Person = Person.new()
-	person.session = p_session
-	person.card = p_card
-	person.ragdoll = scene.instantiate()
-	person.ragdoll.root_mode = root_mode
-	person.origin = _free_origin()
-	if not p_card.lengths.is_empty():
-		person.ragdoll.fit(p_card.lengths, p_card.hip_height)
-	add_child(person.ragdoll)
-	person.scale = person.ragdoll.get_hip_height() / p_card.hip_height
-	if not person.ragdoll.get_limb_order().has(-1) and person.ragdoll.start():
-		person.name = p_card.name if p_card.name != "" else p_name
-		_people[_key(p_session, p_card.index)] = person
-		_enter(person)
-	else:
-		Log.error("server", "'%s' gets no body: the person's scene has a fault" % p_name)
-		person.ragdoll.queue_free()
+## Makes and removes bodies, as many as fit into a tick. Call it once a tick, before the step.
+func advance() -> void:
+	if _settling > 0:
+		_settling -= 1
+		if _settling == 0:
+			# What is in the way is known only now.
+			_positions.set_points(_points, get_world_3d().direct_space_state)
+			_stand_up()
+	changes.advance()
 
 
-## Removes all bodies of a session.
+## Does all at once that [method advance] would do in the next ticks.
+func settle() -> void:
+	changes.settle()
+
+
+## Removes all bodies of a session, as [method advance] comes to it.
 func remove(p_session: int) -> void:
-	for index: int in PersonCard.MAX_PEOPLE:
-		_remove(_key(p_session, index))
+	changes.take_list(p_session, [], "")
+
+
+func _take_start(p_key: int) -> Transform3D:
+	var space: PhysicsDirectSpaceState3D = get_world_3d().direct_space_state
+	return _positions.take(p_key, space)
+
+
+func _on_made(
+	p_key: int, p_wanted: PeopleChanges.Wanted, p_ragdoll: Ragdoll, p_joints: PersonSkeleton
+) -> void:
+	var person: ServerPerson = ServerPerson.new()
+	person.session = p_wanted.session
+	person.card = p_wanted.card
+	person.name = p_wanted.name
+	person.ragdoll = p_ragdoll
+	person.entity = Entity.find_in(p_ragdoll)
+	person.scale = p_ragdoll.get_hip_height() / p_wanted.card.hip_height
+	person.joints = p_joints
+	_people[p_key] = person
+	person.stand_at(p_ragdoll.transform)
+	_enter(person)
 
 
 func _remove(p_key: int) -> void:
-	if _people.has(p_key):
-		_gone.push_front(_stats_of(_people[p_key]))
-		_gone.resize(mini(_gone.size(), _REMEMBERED))
-		_table.despawn(_people[p_key].id)
-		_people[p_key].ragdoll.queue_free()
-		_people.erase(p_key)
+	var person: ServerPerson = _people.get(p_key)
+	if person == null:
+		return
+	_gone.push_front(person.stats())
+	_gone.resize(mini(_gone.size(), _REMEMBERED))
+	_table.despawn(person.id)
+	# Before its limbs leave the areas that carry people.
+	_people.erase(p_key)
+	_positions.release(p_key)
+	changes.discard(person.ragdoll)
 
 
 ## The people, in the order in which they came.
-func list() -> Array[Person]:
+func list() -> Array[ServerPerson]:
 	return _people.values()
 
 
 ## Takes a sample that arrived from a session at a time, s.
 func push_sample(p_session: int, p_sample: PoseSample, p_now_s: float) -> void:
-	var person: Person = _people.get(_key(p_session, p_sample.person))
-	if person == null:
-		return
-	var sample_s: float = p_sample.time_usec / 1e6
-	var root: Vector3 = p_sample.root * person.scale + person.origin
-	if person.ragdoll.push_sample(sample_s, p_sample, root):
-		person.newest = p_sample
-		person.refused_in_a_row = 0
-		person.clock.arrived(sample_s, p_now_s)
-		return
-	person.refused += 1
-	person.refused_in_a_row += 1
-	if person.refused_in_a_row == _LATE:
-		# A few are the network's fault, where datagrams overtake each other.
-		var parts: Array = [person.name, _LATE]
-		Log.limited("server", "sample %d" % person.id, "'%s' sent %d old samples in a row" % parts)
-	if person.refused_in_a_row >= _NEW_CLOCK:
-		# Not some late datagrams, but a wearer whose clock was set back.
-		person.ragdoll.motor.clear_motion()
+	var person: ServerPerson = _people.get(PeopleChanges.key_of(p_session, p_sample.person))
+	if person != null:
+		person.push_sample(p_sample, p_now_s)
 
 
 ## Sets everybody's motors for the next step.
@@ -156,7 +137,7 @@ func drive(p_now_s: float, p_delta_s: float) -> void:
 	_carry(p_delta_s)
 	var motors: Array[RagdollMotor] = []
 	var moments: PackedFloat64Array = []
-	for person: Person in _people.values():
+	for person: ServerPerson in _people.values():
 		if person.newest != null:
 			var moment: float = person.clock.advance(p_now_s, p_delta_s)
 			motors.append(person.ragdoll.motor)
@@ -167,79 +148,75 @@ func drive(p_now_s: float, p_delta_s: float) -> void:
 
 ## Measures how well everybody followed, after a step.
 func measure() -> void:
-	for person: Person in _people.values():
+	for person: ServerPerson in _people.values():
 		if person.newest != null:
 			person.ragdoll.motor.measure(person.moment_s)
 
 
 ## Passes on the states of bodies that [method measure] has read, so that they are read once.
 func hand_poses(p_encoder: SnapshotEncoder) -> void:
-	for person: Person in _people.values():
+	for person: ServerPerson in _people.values():
 		if person.newest != null:
 			p_encoder.set_body_pose(person.id, person.ragdoll.motor.get_body_pose())
 
 
 ## Gives an encoder the samples that moved each person in a tick that ended at a time, µs.
 func mark(p_encoder: SnapshotEncoder, p_now_usec: int) -> void:
-	for person: Person in _people.values():
-		var newest: PoseSample = person.newest
-		if newest == null or newest.sent_usec == 0:
-			continue
-		var steps: PackedInt32Array = [
-			mini(newest.held_usec, _MAX_STEP_USEC),
-			clampi(newest.arrival_usec - newest.sent_usec, 0, _MAX_STEP_USEC),
-			clampi(p_now_usec - newest.arrival_usec, 0, _MAX_STEP_USEC),
-		]
-		person.delay.add((steps[0] + steps[1] + steps[2]) / 1000.0)
-		p_encoder.set_mark(person.id, newest.id, p_now_usec, steps)
+	for person: ServerPerson in _people.values():
+		person.mark(p_encoder, p_now_usec)
 
 
 ## Stats of everybody for a report: those present, then those who left last.
 func stats() -> Array[Dictionary]:
 	var result: Array[Dictionary] = []
-	for person: Person in _people.values():
-		result.append(_stats_of(person))
+	for person: ServerPerson in _people.values():
+		result.append(person.stats())
 	return result + _gone
 
 
-static func _stats_of(p_person: Person) -> Dictionary:
-	var stats: Dictionary = p_person.ragdoll.motor.get_tracking()
-	stats["name"] = p_person.name
-	stats["refused_samples"] = p_person.refused
-	stats["sample_to_tick_ms_p50"] = p_person.delay.percentile(0.5)
-	stats["sample_to_tick_ms_p95"] = p_person.delay.percentile(0.95)
-	return stats
-
-
-static func _key(p_session: int, p_index: int) -> int:
-	return p_session * PersonCard.MAX_PEOPLE + p_index
+## Adds how many people a client has, and how well their bodies follow, to its row in the list of
+## who is here.
+func describe(p_row: RosterRow) -> void:
+	var sum_deg: float = 0.0
+	for person: ServerPerson in _people.values():
+		if person.session == p_row.session:
+			p_row.people += 1
+			sum_deg += person.ragdoll.motor.get_tracking().get("mean_deg", 0.0)
+	if p_row.people > 0:
+		p_row.tracking_deg = sum_deg / p_row.people
 
 
 ## Removes everybody from the table: the level goes.
 func leave() -> void:
-	for person: Person in _people.values():
+	for person: ServerPerson in _people.values():
 		person.carrier = null
 		person.carrier_id = -1
 		_table.despawn(person.id)
 
 
-## Puts everybody into the table and at the start points of the present level, m;
-## those who come later start there too, and those without a point beside the last one.
-func enter(p_points: Array[Vector3]) -> void:
-	_spawn_points = p_points
-	for person: Person in _people.values():
-		person.origin = Vector3.INF
-	for person: Person in _people.values():
-		person.origin = _free_origin()
-		person.ragdoll.motor.set_frame(Transform3D.IDENTITY)
-		person.ragdoll.motor.clear_motion()
+## Puts everybody into the table and at the start points of the present level, m, facing their +Z;
+## those who come later start there too.
+func enter(p_points: Array[Transform3D]) -> void:
+	_points = p_points
+	_settling = _SETTLING
+	_positions.set_points(p_points)
+	for person: ServerPerson in _people.values():
 		_enter(person)
+	_stand_up()
+
+
+## Puts everybody who is here at start positions.
+func _stand_up() -> void:
+	for key: int in _people:
+		if _people[key].carrier == null:
+			_people[key].stand_at(_take_start(key))
+			person_attached.emit(_people[key], -1)
 
 
 ## Has a body carry all people of a session: their own frame is where [param p_seat] is in the
 ## body's, with the first one's hips above it.
 func attach(p_session: int, p_entity: int, p_carrier: PhysicsBody3D, p_seat: Transform3D) -> void:
-	for person: Person in _of_session(p_session):
+	for person: ServerPerson in _of_session(p_session):
 		var at: Vector3 = person.origin
 		if person.newest != null:
 			at += person.newest.root * person.scale
@@ -249,7 +226,7 @@ func attach(p_session: int, p_entity: int, p_carrier: PhysicsBody3D, p_seat: Tra
 
 ## Has a body carry one person, whose own frame is in the body's from now on.
 func attach_person(
-	p_person: Person, p_entity: int, p_carrier: PhysicsBody3D, p_frame: Transform3D
+	p_person: ServerPerson, p_entity: int, p_carrier: PhysicsBody3D, p_frame: Transform3D
 ) -> void:
 	p_person.carrier = p_carrier
 	p_person.carrier_id = p_entity
@@ -258,8 +235,8 @@ func attach_person(
 
 
 ## The person whose limb a node is, or null.
-func find_by_limb(p_limb: Node3D) -> Person:
-	for person: Person in _people.values():
+func find_by_limb(p_limb: Node3D) -> ServerPerson:
+	for person: ServerPerson in _people.values():
 		if person.ragdoll.is_ancestor_of(p_limb):
 			return person
 	return null
@@ -267,12 +244,12 @@ func find_by_limb(p_limb: Node3D) -> Person:
 
 ## Puts the people of a session back on their own feet, where they are.
 func detach(p_session: int) -> void:
-	for person: Person in _of_session(p_session):
+	for person: ServerPerson in _of_session(p_session):
 		detach_person(person)
 
 
 ## Puts one person back on the ground's frame, where it is.
-func detach_person(p_person: Person) -> void:
+func detach_person(p_person: ServerPerson) -> void:
 	if p_person.carrier == null:
 		return
 	var frame: Transform3D = p_person.carrier.global_transform * p_person.seat
@@ -283,18 +260,18 @@ func detach_person(p_person: Person) -> void:
 	person_attached.emit(p_person, -1)
 
 
-func _enter(p_person: Person) -> void:
+func _enter(p_person: ServerPerson) -> void:
 	var row: EntityRow = EntityRow.new()
-	var node: Entity = Entity.find_in(p_person.ragdoll)
+	var node: Entity = p_person.entity
 	row.type = node.type if node != null and node.type != null else _plain_type
 	row.tick = tick
 	row.owner = p_person.session
 	row.person_index = p_person.card.index
 	row.person_name = p_person.name
-	row.skeleton = p_person.ragdoll.get_joints()
+	row.skeleton = p_person.joints
 	if _table.spawn(row) == null:
-		_people.erase(_key(p_person.session, p_person.card.index))
-		p_person.ragdoll.queue_free()
+		_people.erase(PeopleChanges.key_of(p_person.session, p_person.card.index))
+		changes.discard(p_person.ragdoll)
 		return
 	p_person.id = row.id
 	p_person.ragdoll.name = "Person%d" % row.id
@@ -303,18 +280,9 @@ func _enter(p_person: Person) -> void:
 
 ## Sets the frames of those who are carried, for a step of this length, s.
 func _carry(p_delta_s: float) -> void:
-	for person: Person in _people.values():
+	for person: ServerPerson in _people.values():
 		if person.carrier != null and is_instance_valid(person.carrier):
-			var body: PhysicsBody3D = person.carrier
-			var state: PhysicsDirectBodyState3D = PhysicsServer3D.body_get_direct_state(
-				body.get_rid()
-			)
-			var next: Transform3D = body.global_transform
-			if state != null:
-				next = _moved(
-					state.transform, state.linear_velocity, state.angular_velocity, p_delta_s
-				)
-			person.ragdoll.motor.set_frame(next * person.seat)
+			person.follow_carrier(p_delta_s)
 		elif person.carrier_id >= 0:
 			# What carried it was freed: its frame stays where it was last.
 			person.carrier = null
@@ -322,31 +290,9 @@ func _carry(p_delta_s: float) -> void:
 			person_attached.emit(person, -1)
 
 
-static func _moved(
-	p_transform: Transform3D, p_velocity: Vector3, p_spin: Vector3, p_delta_s: float
-) -> Transform3D:
-	var moved: Transform3D = p_transform
-	moved.origin += p_velocity * p_delta_s
-	if not p_spin.is_zero_approx():
-		moved.basis = Basis(p_spin.normalized(), p_spin.length() * p_delta_s) * moved.basis
-	return moved
-
-
-func _of_session(p_session: int) -> Array[Person]:
-	var found: Array[Person] = []
-	for person: Person in _people.values():
+func _of_session(p_session: int) -> Array[ServerPerson]:
+	var found: Array[ServerPerson] = []
+	for person: ServerPerson in _people.values():
 		if person.session == p_session:
 			found.append(person)
 	return found
-
-
-func _free_origin() -> Vector3:
-	var taken: Array = list().map(func(person: Person) -> Vector3: return person.origin)
-	for point: Vector3 in _spawn_points:
-		if not taken.has(point):
-			return point
-	var last: Vector3 = _spawn_points[-1] if not _spawn_points.is_empty() else Vector3.ZERO
-	var origin: Vector3 = last
-	while taken.has(origin):
-		origin.x += spacing
-	return origin

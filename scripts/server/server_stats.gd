@@ -14,13 +14,22 @@ var send_time: Statistics = Statistics.recent()
 var network_time: Statistics = Statistics.recent()
 ## All of it so far, µs.
 var network_usec: int = 0
+## Processor time of the main thread from a tick's beginning until its state has been sent, s: with
+## the main thread's part of the physics.
+var work_time: Statistics = Statistics.recent()
+## Ticks whose state was sent.
+var sent_ticks: int = 0
+## From the beginning of a tick to that of the next, s.
+var gaps: Statistics = Statistics.recent()
 ## Whether the world keeps up with the clock.
 var watch: TickWatch = null
 ## Ticks so far.
 var ticks: int = 0
 
 var _began_usec: int = Time.get_ticks_usec()
+var _work_usec: int = 0
 var _settled_usec: int = 0
+var _tick_usec: int = 0
 var _settled_tick: int = 0
 var _status_usec: int = _began_usec
 var _status_tick: int = 0
@@ -28,6 +37,26 @@ var _status_tick: int = 0
 
 func _init(p_tick_rate: float) -> void:
 	watch = TickWatch.new(p_tick_rate)
+
+
+## Records the beginning of a tick, at a time in µs. Returns whether [member watch] has just found
+## that the world has become slow, or normal again.
+func begin_tick(p_now_usec: int) -> bool:
+	if _tick_usec > 0:
+		gaps.add((p_now_usec - _tick_usec) / 1e6)
+	_tick_usec = p_now_usec
+	return watch.ticked(p_now_usec / 1e6)
+
+
+## Begins to count a tick's processor time, of the calling thread.
+func begin_work() -> void:
+	_work_usec = ThreadClock.get_usec()
+
+
+## Ends it: the tick's state has been sent.
+func end_work() -> void:
+	sent_ticks += 1
+	work_time.add((ThreadClock.get_usec() - _work_usec) / 1e6)
 
 
 ## Records a frame, at a time in µs.
@@ -74,7 +103,7 @@ func since_status() -> float:
 
 
 ## The stats for report and status.
-func report(p_link: ServerLink, p_sending: Replication, p_people: Array) -> Dictionary:
+func report(p_link: ServerLink, p_sending: Replication, p_people: ServerPeople) -> Dictionary:
 	return {
 		"role": "server",
 		"version": ProjectSettings.get_setting("application/config/version"),
@@ -92,13 +121,23 @@ func report(p_link: ServerLink, p_sending: Replication, p_people: Array) -> Dict
 		"network_ms_p50": network_time.percentile(0.5) * 1000.0,
 		"network_ms_p99": network_time.percentile(0.99) * 1000.0,
 		"network_cpu_usec": network_usec,
+		"work_ms_p50": work_time.percentile(0.5) * 1000.0,
+		"work_ms_p99": work_time.percentile(0.99) * 1000.0,
+		"work_ms_max": work_time.percentile(1.0) * 1000.0,
+		"sent_ticks": sent_ticks,
 		"recent": _recent(),
 		"clients": p_link.session_ids().size(),
 		"sent_bytes_per_second": p_link.traffic.sent_per_second(),
 		"received_bytes_per_second": p_link.traffic.received_per_second(),
+		"sealing": p_link.rules.seals,
 		"transport": p_link.stats(),
+		"refused": p_link.refused,
 		"sessions": _sessions(p_link, p_sending, p_link.stats().get("peers", {})),
-		"people": p_people,
+		"people": p_people.stats(),
+		"max_people": p_people.changes.max_people,
+		"changes": p_people.changes.stats(),
+		"memory_bytes": OS.get_static_memory_usage(),
+		"longest_tick_ms": gaps.percentile(1.0) * 1000.0,
 	}
 
 
@@ -109,18 +148,19 @@ func _recent() -> Dictionary:
 		result["script_ms_" + pair[1]] = script_time.percentile(pair[0], RECENT_TICKS) * 1000.0
 		result["send_ms_" + pair[1]] = send_time.percentile(pair[0], RECENT_TICKS) * 1000.0
 		result["network_ms_" + pair[1]] = network_time.percentile(pair[0], RECENT_TICKS) * 1000.0
+		result["work_ms_" + pair[1]] = work_time.percentile(pair[0], RECENT_TICKS) * 1000.0
 	return result
 
 
 func _sessions(p_link: ServerLink, p_sending: Replication, p_ways: Dictionary) -> Array[Dictionary]:
 	var rows: Array[Dictionary] = []
-	for person: Dictionary in p_link.roster():
-		var row: Dictionary = {"session": person["session"], "name": person["name"]}
-		row["role"] = Roles.name_of(person["role"])
-		row["state"] = person["state"]
-		row["address"] = person["address"]
-		row.merge(p_sending.stats_of(person["session"]))
-		var ways: Dictionary = p_ways.get(person["session"], {})
+	for client: RosterRow in p_link.roster():
+		var row: Dictionary = {"session": client.session, "name": client.name}
+		row["role"] = Roles.name_of(client.role)
+		row["state"] = client.state_name()
+		row["address"] = client.address
+		row.merge(p_sending.stats_of(client.session))
+		var ways: Dictionary = p_ways.get(client.session, {})
 		if ways.has("round_trip_ms"):
 			row["round_trip_ms"] = ways["round_trip_ms"]
 		rows.append(row)

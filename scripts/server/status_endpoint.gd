@@ -7,10 +7,18 @@ extends RefCounted
 
 ## Maximum of requests at a time.
 const MAX_REQUESTS: int = 8
+## Maximum of new connections in a frame.
+const MAX_NEW: int = 64
 ## Maximum of bytes of a request's head.
 const MAX_HEAD: int = 4096
+## What a request may call this machine.
+const HOSTS: PackedStringArray = ["127.0.0.1", "localhost"]
 ## Time for a request, and without progress of the reply, µs.
 const PATIENCE_USEC: int = 2000000
+
+## Requests since the start that were answered, refused for what they ask, and dropped as they came
+## to nothing in time or made room for others.
+var counts: Dictionary[String, int] = {"answered": 0, "refused": 0, "dropped": 0}
 
 var _server: TCPServer = TCPServer.new()
 var _requests: Array[Request] = []
@@ -31,14 +39,20 @@ func open(p_port: int) -> Error:
 
 ## Answers requests; [param p_stats] is called for a [Dictionary] only if there is one.
 func poll(p_stats: Callable) -> void:
-	while _server.is_connection_available():
+	for _connection: int in MAX_NEW:
+		if not _server.is_connection_available():
+			break
 		var request: Request = Request.new()
 		request.stream = _server.take_connection()
+		if request.stream == null:
+			# The process has no descriptor left for it.
+			break
 		request.since_usec = Time.get_ticks_usec()
 		_requests.append(request)
 		# Whoever just holds a connection must not keep others out.
 		if _requests.size() > MAX_REQUESTS:
 			(_requests.pop_front() as Request).stream.disconnect_from_host()
+			counts["dropped"] += 1
 	for request: Request in _requests.duplicate():
 		if _serve(request, p_stats):
 			request.stream.disconnect_from_host()
@@ -57,9 +71,9 @@ func close() -> void:
 func _serve(p_request: Request, p_stats: Callable) -> bool:
 	var stream: StreamPeerTCP = p_request.stream
 	stream.poll()
-	if stream.get_status() != StreamPeerTCP.STATUS_CONNECTED:
-		return true
-	if Time.get_ticks_usec() - p_request.since_usec > PATIENCE_USEC:
+	var is_late: bool = Time.get_ticks_usec() - p_request.since_usec > PATIENCE_USEC
+	if stream.get_status() != StreamPeerTCP.STATUS_CONNECTED or is_late:
+		counts["dropped"] += 1
 		return true
 	if p_request.reply.is_empty():
 		_read(p_request, p_stats)
@@ -79,21 +93,47 @@ func _read(p_request: Request, p_stats: Callable) -> void:
 		var bytes: PackedByteArray = p_request.stream.get_data(waiting)[1]
 		p_request.head.append_array(bytes.slice(0, MAX_HEAD + 1))
 	if p_request.head.size() > MAX_HEAD:
-		p_request.reply = _reply("431 Request Header Fields Too Large", {"error": "too long"})
+		_refuse(p_request, "431 Request Header Fields Too Large", "too long")
+		return
+	if p_request.head.has(0):
+		_refuse(p_request, "400 Bad Request", "not HTTP")
 		return
 	# Bytes, not text: a stranger's request may be invalid text.
 	var head: String = p_request.head.get_string_from_ascii()
 	if not head.contains("\r\n\r\n"):
 		return
+	# One answer is all there is: what follows is not read.
+	head = head.get_slice("\r\n\r\n", 0)
 	var line: PackedStringArray = head.get_slice("\r\n", 0).split(" ")
 	if line.size() != 3 or not line[2].begins_with("HTTP/1."):
-		p_request.reply = _reply("400 Bad Request", {"error": "not HTTP"})
+		_refuse(p_request, "400 Bad Request", "not HTTP")
+	elif not _is_meant(head):
+		# A page of some site, whose name was pointed at this machine, asks through a browser.
+		_refuse(p_request, "421 Misdirected Request", "ask 127.0.0.1")
 	elif line[0] != "GET" and line[0] != "HEAD":
-		p_request.reply = _reply("405 Method Not Allowed", {"error": "GET it"})
+		_refuse(p_request, "405 Method Not Allowed", "GET it")
 	elif not line[1] in ["/", "/status", "/status.json"]:
-		p_request.reply = _reply("404 Not Found", {"error": "there is only /"})
+		_refuse(p_request, "404 Not Found", "there is only /")
 	else:
+		counts["answered"] += 1
 		p_request.reply = _reply("200 OK", p_stats.call(), line[0] == "HEAD")
+
+
+func _refuse(p_request: Request, p_state: String, p_why: String) -> void:
+	counts["refused"] += 1
+	p_request.reply = _reply(p_state, {"error": p_why})
+
+
+## Whether a request names this machine as its host. One without a host is no browser's.
+static func _is_meant(p_head: String) -> bool:
+	var hosts: PackedStringArray = []
+	for line: String in p_head.split("\r\n"):
+		if line.to_lower().begins_with("host:"):
+			hosts.append(line.substr(5).strip_edges().to_lower())
+	if hosts.is_empty():
+		return true
+	var name: String = hosts[0].get_slice(":", 0) if not hosts[0].begins_with("[") else hosts[0]
+	return hosts.size() == 1 and (name in HOSTS or name.begins_with("[::1]"))
 
 
 static func _reply(

@@ -11,11 +11,20 @@ const MAX_FRAME_USEC: float = 4200.0
 ## A frame begins so long after its tick is due, µs: none is to come just before.
 const MARGIN_USEC: float = 50.0
 
+## What is done between two ticks begins so long before the next one, µs, or not at all.
+const IDLE_USEC: float = 4000.0
+
 
 ## Says when the next frame begins. Call it in every frame, with the ticks per second.
 func pace(p_tick_rate: float) -> void:
 	var fraction: float = Engine.get_physics_interpolation_fraction()
 	OS.low_processor_usage_mode_sleep_usec = frame_usec(fraction, p_tick_rate)
+
+
+## Whether something of a millisecond's length that no tick waits for can be done now.
+static func is_idle(p_tick_rate: float) -> bool:
+	var fraction: float = Engine.get_physics_interpolation_fraction()
+	return (1.0 - fraction) * 1e6 / p_tick_rate > IDLE_USEC
 
 
 ## How long a frame lasts that begins at a fraction of the time between two ticks, µs.

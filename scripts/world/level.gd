@@ -105,20 +105,6 @@ func get_spawn_points() -> Array[SpawnPoint]:
 	return found
 
 
-## What notices who is inside, in the order of the tree.
-func get_triggers() -> Array[Area3D]:
-	var found: Array[Area3D] = []
-	found.assign(find_children("*", "Area3D", true, false))
-	return found
-
-
-## The cameras that the level offers, in the order of the tree.
-func get_cameras() -> Array[Camera3D]:
-	var found: Array[Camera3D] = []
-	found.assign(find_children("*", "Camera3D", true, false))
-	return found
-
-
 ## A hash of the level that is the same on all machines: of shapes and positions of static bodies,
 ## of props and of entities. Visual nodes do not count, as a dedicated server has none. The level
 ## must be in the tree and nothing may have moved yet.

@@ -12,7 +12,18 @@ const FIXED: Color = Color(0.35, 0.6, 1.0)
 ## Colour of what never moves where this machine's level is not the server's.
 const DIFFERS: Color = Color(1.0, 0.2, 0.2)
 
-## Frames of an entity: one for a body, one for each limb of a person.
+## Where a shape keeps its wire frame.
+const _WIRES: StringName = &"wires"
+
+## How much of the wire frames is seen: 0 to 1.
+var opacity: float = 1.0:
+	set = set_opacity
+
+var _materials: Dictionary[Color, StandardMaterial3D] = {}
+## The bodies of an entity: one, or one for each limb of a person.
+var _bodies: Dictionary[int, Array] = {}
+## Frames of an entity, one for each of its bodies, made when they are first shown: they are costly,
+## and few look at this world.
 var _frames: Dictionary[int, Array] = {}
 var _fixed: Array[Node3D] = []
 
@@ -20,7 +31,7 @@ var _fixed: Array[Node3D] = []
 ## Draws the static bodies of a level again; [param p_differs] if the server's level differs.
 func set_level(p_level: Level, p_differs: bool = false) -> void:
 	for frame: Node3D in _fixed:
-		frame.queue_free()
+		frame.free()
 	_fixed.clear()
 	if p_level == null:
 		return
@@ -30,37 +41,42 @@ func set_level(p_level: Level, p_differs: bool = false) -> void:
 		_fixed.append(frame)
 
 
-## Draws a body that moves, under the number of its entity.
+## Draws a body that moves, under the number of its entity, once it is known where it is.
 func add_body(p_id: int, p_body: PhysicsBody3D) -> void:
 	remove(p_id)
-	_frames[p_id] = [_make_frame(p_body, PROPS)]
-	_frames[p_id][0].visible = false
+	_bodies[p_id] = [p_body]
 
 
-## Draws a person's bodies, in the order of the limbs, under the number of the person.
+## Draws a person's bodies, in the order of the limbs, under the number of the person, once it is
+## known where they are.
 func add_person(p_id: int, p_bodies: Array[PhysicsBody3D]) -> void:
 	remove(p_id)
-	var frames: Array[Node3D] = []
-	for body: PhysicsBody3D in p_bodies:
-		var frame: Node3D = _make_frame(body, LIMBS)
-		frame.visible = false
-		frames.append(frame)
-	_frames[p_id] = frames
+	_bodies[p_id] = p_bodies
 
 
 ## Removes an entity.
 func remove(p_id: int) -> void:
 	for frame: Node3D in _frames.get(p_id, []):
-		frame.queue_free()
+		frame.free()
 	_frames.erase(p_id)
+	_bodies.erase(p_id)
 
 
 ## Moves the frames of an entity to where its bodies are.
 func set_transforms(p_id: int, p_transforms: Array[Transform3D]) -> void:
+	if not _frames.has(p_id) and _bodies.has(p_id):
+		var colour: Color = LIMBS if _bodies[p_id].size() > 1 else PROPS
+		_frames[p_id] = _bodies[p_id].map(_make_frame.bind(colour))
 	var frames: Array = _frames.get(p_id, [])
 	for index: int in mini(frames.size(), p_transforms.size()):
 		frames[index].transform = p_transforms[index]
-		frames[index].visible = true
+
+
+## Makes the wire frames more or less transparent; 1 is not transparent at all.
+func set_opacity(p_opacity: float) -> void:
+	opacity = clampf(p_opacity, 0.0, 1.0)
+	for material: StandardMaterial3D in _materials.values():
+		_apply_opacity(material)
 
 
 ## Where a frame of an entity is, for tests and measurements.
@@ -74,19 +90,37 @@ func _make_frame(p_body: PhysicsBody3D, p_colour: Color) -> Node3D:
 	for child: Node in p_body.get_children(true):
 		var shape: CollisionShape3D = child as CollisionShape3D
 		if shape != null and shape.shape != null:
-			frame.add_child(_make_wires(shape.shape, shape.transform, p_colour))
+			var wires: MeshInstance3D = _make_wires(shape.shape, shape.transform)
+			wires.material_override = _material_of(p_colour)
+			frame.add_child(wires)
 	return frame
 
 
-static func _make_wires(
-	p_shape: Shape3D, p_transform: Transform3D, p_colour: Color
-) -> MeshInstance3D:
-	var material: StandardMaterial3D = StandardMaterial3D.new()
-	material.shading_mode = BaseMaterial3D.SHADING_MODE_UNSHADED
-	material.albedo_color = p_colour
+func _material_of(p_colour: Color) -> StandardMaterial3D:
+	if not _materials.has(p_colour):
+		var material: StandardMaterial3D = StandardMaterial3D.new()
+		material.shading_mode = BaseMaterial3D.SHADING_MODE_UNSHADED
+		material.albedo_color = p_colour
+		_apply_opacity(material)
+		_materials[p_colour] = material
+	return _materials[p_colour]
+
+
+func _apply_opacity(p_material: StandardMaterial3D) -> void:
+	p_material.albedo_color.a = opacity
+	p_material.transparency = (
+		BaseMaterial3D.TRANSPARENCY_DISABLED
+		if opacity == 1.0
+		else BaseMaterial3D.TRANSPARENCY_ALPHA
+	)
+
+
+static func _make_wires(p_shape: Shape3D, p_transform: Transform3D) -> MeshInstance3D:
 	var wires: MeshInstance3D = MeshInstance3D.new()
-	wires.mesh = _keep_lines(p_shape.get_debug_mesh())
-	wires.material_override = material
+	# Many bodies share a shape.
+	if not p_shape.has_meta(_WIRES):
+		p_shape.set_meta(_WIRES, _keep_lines(p_shape.get_debug_mesh()))
+	wires.mesh = p_shape.get_meta(_WIRES)
 	wires.transform = p_transform
 	wires.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
 	return wires

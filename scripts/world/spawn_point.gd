@@ -2,9 +2,16 @@
 @icon("res://scenes/world/icons/spawn_point.svg")
 class_name SpawnPoint
 extends Marker3D
-## Where people start in a [Level]: on the ground, facing this node's +Z.
+## Where people start in a [Level]: on the ground, facing the point's +Z.
 ##
-## People take the points in turn. If all are taken, further people stand beside them.
+## People take the points in turn, 2.5 m apart at least. If all are taken, further people stand in
+## ranks around them, facing as they do, where there is floor and nothing in the way.
+
+
+## Where people stand, m, and which way they face: upright and not scaled, whatever the node is.
+func get_start() -> Transform3D:
+	var facing: float = Rotations.facing_of(global_basis.get_rotation_quaternion())
+	return Transform3D(Basis(Vector3.UP, facing), global_position)
 
 
 func _get_configuration_warnings() -> PackedStringArray:

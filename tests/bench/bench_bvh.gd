@@ -24,8 +24,7 @@ func _initialize() -> void:
 		printerr(fault)
 		quit(2)
 		return
-	report.finish()
-	quit(0)
+	quit(report.finish())
 
 
 ## Returns why the file cannot be timed, or an empty text.

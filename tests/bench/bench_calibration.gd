@@ -46,8 +46,7 @@ func _initialize() -> void:
 			goal = BenchReport.Goal.NONE
 		var seconds: float = CalibrationGuide.duration_s(kind)
 		_report.add(CalibrationGuide.NAMES[kind], "duration", seconds, "s", goal, _REDO_S)
-	_report.finish()
-	quit(0)
+	quit(_report.finish())
 
 
 func _run_clip(p_source: BvhSource) -> void:

@@ -63,8 +63,7 @@ func _run() -> void:
 	for name: String in _SCENES:
 		if names.is_empty() or names.has(name):
 			await _play(name, report)
-	report.finish()
-	quit(0)
+	quit(report.finish())
 
 
 func _play(p_name: String, p_report: BenchReport) -> void:

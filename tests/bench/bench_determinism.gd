@@ -48,8 +48,7 @@ func _run() -> void:
 	var report: BenchReport = BenchReport.new("determinism", _arguments.value("json"))
 	var name: String = "%d people, %s" % [_arguments.value("people"), _arguments.value("root")]
 	report.add(name, "fingerprint", await _play(source), "")
-	report.finish()
-	quit(0)
+	quit(report.finish())
 
 
 func _play(p_source: BvhSource) -> int:

@@ -57,8 +57,7 @@ func _measure() -> void:
 		name = "%d people, %d crates" % [_people, _crates]
 		_report.add(name, "a crate and frame", (all - people) / _crates, "us")
 	_report.add(name, "frame", all / 1000.0, "ms")
-	_report.finish()
-	quit(0)
+	quit(_report.finish())
 
 
 ## The median time of a frame of so many people and crates, µs.

@@ -39,8 +39,7 @@ func _initialize() -> void:
 	_measure("nothing there", 0, 0)
 	_measure("%d at rest" % entities, entities, 0)
 	_measure("%d of %d change" % [awake, entities], entities, awake)
-	_report.finish()
-	quit(0)
+	quit(_report.finish())
 
 
 func _measure(p_case: String, p_entities: int, p_awake: int) -> void:

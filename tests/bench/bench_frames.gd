@@ -16,7 +16,6 @@ const Watched: GDScript = preload("smoothing/smoothing_run.gd")
 const Display: GDScript = preload("frames/frames_display.gd")
 const Run: GDScript = preload("frames/frames_run.gd")
 const Steps: GDScript = preload("frames/frames_steps.gd")
-const _SOLDIER: String = "res://scenes/actor/soldier.tscn"
 const _RATES: PackedStringArray = ["50", "59", "60", "72", "75", "90", "120", "144"]
 ## How much later than the screen's beat frames begin at most, s.
 const _LATENESS_S: float = 0.004
@@ -39,7 +38,7 @@ func _initialize() -> void:
 	rates = _RATES if rates.is_empty() else rates
 	var fault: String = _find_fault(rates)
 	if fault == "":
-		fault = _open_motions()
+		fault = Motion.open_all(_arguments, _motions)
 	if fault != "":
 		printerr(fault)
 		quit(2)
@@ -47,8 +46,7 @@ func _initialize() -> void:
 	for rate: String in rates:
 		_measure(rate.to_float(), 0.0, "%s Hz, free" % rate)
 		_measure(rate.to_float(), _LATENESS_S, "%s Hz, screen" % rate)
-	_report.finish()
-	quit(0)
+	quit(_report.finish())
 
 
 func _find_fault(p_rates: PackedStringArray) -> String:
@@ -59,22 +57,6 @@ func _find_fault(p_rates: PackedStringArray) -> String:
 			return "frames per second are 10 to 240, found '%s'" % rate
 	if _arguments.value("seconds") < 4.0:
 		return "--seconds is 4 or more, found %s" % _arguments.value("seconds")
-	return ""
-
-
-func _open_motions() -> String:
-	var soldier: Ragdoll = (load(_SOLDIER) as PackedScene).instantiate()
-	var skeleton: PersonSkeleton = soldier.get_joints()
-	soldier.free()
-	for file: String in BenchArguments.clips(_arguments):
-		var source: BvhSource = BvhSource.new()
-		source.open(file)
-		if source.error != "":
-			return source.error
-		var seconds: float = minf(source.rig.clip.duration() - 1.0, _arguments.value("seconds"))
-		if seconds < 4.0:
-			return "%s is shorter than 5 s" % file
-		_motions.append(Motion.new(source, skeleton, seconds))
 	return ""
 
 

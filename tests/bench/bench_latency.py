@@ -48,8 +48,7 @@ def measure(arguments: list[str]) -> int:
     port = [option for option in arguments if option.startswith("--port=")]
     for rate in fps or FPS:
         measure_at(stats, [*options, f"--fps={rate}", *(port or [f"--port={free_port()}"])])
-    stats.finish()
-    return 0
+    return stats.finish()
 
 
 def measure_at(stats: Stats, options: list[str]) -> None:

@@ -52,8 +52,7 @@ func _run() -> void:
 		printerr(fault)
 		quit(2)
 		return
-	_report.finish()
-	quit(0)
+	quit(_report.finish())
 
 
 ## Returns why the case cannot be run, or an empty text.

@@ -15,8 +15,12 @@ enum Goal {
 	AT_LEAST,
 }
 
+## What a program exits with where a goal is missed: ./run bench knows it.
+const GOALS_MISSED: int = 5
+
 var _bench: String = ""
 var _json: bool = false
+var _missed: int = 0
 var _rows: Array[PackedStringArray] = []
 
 
@@ -40,6 +44,7 @@ func add(
 	if p_kind != Goal.NONE:
 		goal = p_goal
 		holds = p_value <= p_goal if p_kind == Goal.AT_MOST else p_value >= p_goal
+		_missed += 0 if holds else 1
 	if _json:
 		var row: Dictionary = {
 			"bench": _bench,
@@ -59,10 +64,14 @@ func add(
 	_rows.append(PackedStringArray([p_case, p_metric, value, p_unit, goal_text, holds_text]))
 
 
-## Prints the table, if it is not JSON that is wanted.
-func finish() -> void:
-	if _json:
-		return
+## Prints the table, if it is not JSON that is wanted. Returns the exit code of the program.
+func finish() -> int:
+	if not _json:
+		_print_table()
+	return GOALS_MISSED if _missed > 0 else 0
+
+
+func _print_table() -> void:
 	var widths: PackedInt32Array = [0, 0, 0, 0, 0, 0]
 	for row: PackedStringArray in _rows:
 		for column: int in row.size():

@@ -49,8 +49,7 @@ func _run() -> void:
 			return
 		await _run_case(people.to_int(), source, report)
 	_compare_costs(report)
-	report.finish()
-	quit(0)
+	quit(report.finish())
 
 
 func _run_case(p_people: int, p_source: BvhSource, p_report: BenchReport) -> void:

@@ -46,8 +46,7 @@ func _run() -> void:
 			if usual == 0.0:
 				usual = mean
 			_add(who, mode, mean, usual, sums["p95_deg"] / count, sums["acted"])
-	_report.finish()
-	quit(0)
+	quit(_report.finish())
 
 
 func _add(

@@ -12,7 +12,6 @@ extends SceneTree
 const Stats: GDScript = preload("smoothing/smoothing_stats.gd")
 const Motion: GDScript = preload("smoothing/smoothing_motion.gd")
 const Run: GDScript = preload("smoothing/smoothing_run.gd")
-const _SOLDIER: String = "res://scenes/actor/soldier.tscn"
 ## The crowded world whose cost is measured.
 const _PEOPLE: int = 32
 const _BODIES: int = 200
@@ -37,7 +36,7 @@ func _initialize() -> void:
 	_report = BenchReport.new("smoothing", _arguments.value("json"))
 	var fault: String = _find_fault()
 	if fault == "":
-		fault = _open_motions()
+		fault = Motion.open_all(_arguments, _motions)
 	if fault != "":
 		printerr(fault)
 		quit(2)
@@ -47,8 +46,7 @@ func _initialize() -> void:
 			_measure(method, rate.to_float())
 	if not _arguments.is_given("method") and not _arguments.is_given("rate"):
 		_measure_cost()
-	_report.finish()
-	quit(0)
+	quit(_report.finish())
 
 
 func _find_fault() -> String:
@@ -71,22 +69,6 @@ func _find_fault() -> String:
 func _list(p_name: String, p_default: Array) -> PackedStringArray:
 	var given: PackedStringArray = _arguments.list(p_name)
 	return given if not given.is_empty() else PackedStringArray(p_default)
-
-
-func _open_motions() -> String:
-	var soldier: Ragdoll = (load(_SOLDIER) as PackedScene).instantiate()
-	var skeleton: PersonSkeleton = soldier.get_joints()
-	soldier.free()
-	for file: String in BenchArguments.clips(_arguments):
-		var source: BvhSource = BvhSource.new()
-		source.open(file)
-		if source.error != "":
-			return source.error
-		var seconds: float = minf(source.rig.clip.duration() - 1.0, _arguments.value("seconds"))
-		if seconds < 4.0:
-			return "%s is shorter than 5 s" % file
-		_motions.append(Motion.new(source, skeleton, seconds))
-	return ""
 
 
 func _measure(p_method: String, p_rate: float) -> void:

@@ -127,8 +127,7 @@ def main(arguments: list[str]) -> int:
             measure_delays(options, stats, Path(name))
         if options["only"] != "delay":
             measure_motion(options, stats, Path(name))
-    stats.finish()
-    return 0
+    return stats.finish()
 
 
 if __name__ == "__main__":

@@ -56,8 +56,7 @@ func _run() -> void:
 		printerr(fault)
 		quit(2)
 		return
-	_report.finish()
-	quit(0)
+	quit(_report.finish())
 
 
 func _cases() -> Array:

@@ -3,12 +3,18 @@ extends SceneTree
 ## beside Godot's own ENetMultiplayerPeer that is polled every frame.
 ##
 ## Options: --seconds=5 (each case), --hz=60 (datagrams per second and pairs' sender), --bytes=281,
-## --fps=60 (frames of the polled peer), --clients=32 (connections in the case of many). Goals: p50
-## of the thread at most 1 ms; an idle client's thread at most 0.3 % of a core.
+## --fps=60 (frames of the polled peer), --clients=32 (connections in the case of many), --case=all
+## (or threads, flood, client, server, polled, sealing). Goals: p50 of the thread at most 1 ms; an
+## idle client's thread at most 0.3 % of a core; a server's at most 2 ms a tick.
+
+const LinkPair: GDScript = preload("res://tests/net/link_pair.gd")
+const SealingCase: GDScript = preload("res://tests/bench/transport/sealing_case.gd")
 
 const _GOAL_MS: float = 1.0
 ## Share of a core that a client's thread may take while nothing is sent, %.
 const _GOAL_IDLE: float = 0.3
+## Values of --case.
+const _CASES: Array[String] = ["all", "threads", "flood", "client", "server", "polled", "sealing"]
 ## First byte of the datagrams.
 const _KIND: int = 1
 
@@ -29,7 +35,7 @@ class Relay:
 func _initialize() -> void:
 	_arguments = BenchArguments.parse(
 		OS.get_cmdline_user_args(),
-		{"seconds": 5.0, "hz": 60, "bytes": 281, "fps": 60, "clients": 32}
+		{"seconds": 5.0, "hz": 60, "bytes": 281, "fps": 60, "clients": 32, "case": "all"}
 	)
 	_run.call_deferred()
 
@@ -41,28 +47,41 @@ func _run() -> void:
 		var value: int = _arguments.value(name)
 		if fault == "" and (value < (16 if name == "bytes" else 1) or value > most):
 			fault = "--%s is between 1 (bytes: 16) and %d, found %d" % [name, most, value]
+	if fault == "" and not _CASES.has(_arguments.value("case")):
+		fault = "--case is one of %s" % ", ".join(_CASES)
 	if fault != "":
 		printerr(fault)
 		quit(2)
 		return
 	_report = BenchReport.new("transport", _arguments.value("json"))
-	await _run_threaded()
-	await _run_polled()
-	await _run_flood()
-	await _run_idle()
-	await _run_many()
-	_report.finish()
-	quit(0)
+	for seals: bool in [true, false]:
+		if _is_wanted("threads"):
+			await _run_threaded(seals)
+		if _is_wanted("flood"):
+			await _run_flood(seals)
+		if _is_wanted("client"):
+			await _run_idle(seals)
+		if _is_wanted("server"):
+			await _run_many(seals)
+	if _is_wanted("polled"):
+		await _run_polled()
+	if _is_wanted("sealing"):
+		SealingCase.run(_report)
+	quit(_report.finish())
+
+
+func _is_wanted(p_case: String) -> bool:
+	return (_arguments.value("case") as String) in ["all", p_case]
 
 
 ## A to B over the server's thread: the arrival is that of B's thread.
-func _run_threaded() -> void:
-	var port: int = _free_port()
-	var server: ThreadedPeer = ThreadedPeer.new()
+func _run_threaded(p_seals: bool) -> void:
+	var port: int = LinkPair.free_port()
+	var server: ThreadedPeer = _make_peer(p_seals)
 	var relay: Relay = Relay.new()
 	relay.peer = server
-	server.instant_kind = _KIND
-	server.instant = relay.pass_on
+	server.callbacks.instant_kind = _KIND
+	server.callbacks.instant = relay.pass_on
 	server.create_server(port, "127.0.0.1")
 	var clients: Array[ThreadedPeer] = await _join(server, port, 2)
 	var delays: Statistics = Statistics.new()
@@ -80,13 +99,13 @@ func _run_threaded() -> void:
 	OS.delay_msec(50)
 	for packet: FastPacket in clients[1].take_fast():
 		delays.add((packet.arrival_usec - packet.bytes.decode_u64(1)) / 1000.0)
-	_add_delays("threads", delays, sent, true)
+	_add_delays("threads" + _suffix(p_seals), delays, sent, true)
 	_close(server, clients)
 
 
 ## The same over Godot's own peer, which is polled at the beginning of each frame.
 func _run_polled() -> void:
-	var port: int = _free_port()
+	var port: int = LinkPair.free_port()
 	var server: ENetMultiplayerPeer = ENetMultiplayerPeer.new()
 	server.create_server(port, 8)
 	var clients: Array[ENetMultiplayerPeer] = []
@@ -138,9 +157,9 @@ func _run_polled() -> void:
 
 
 ## As many datagrams as go through, and what one costs in all threads together.
-func _run_flood() -> void:
-	var port: int = _free_port()
-	var server: ThreadedPeer = ThreadedPeer.new()
+func _run_flood(p_seals: bool) -> void:
+	var port: int = LinkPair.free_port()
+	var server: ThreadedPeer = _make_peer(p_seals)
 	server.create_server(port, "127.0.0.1")
 	var clients: Array[ThreadedPeer] = await _join(server, port, 1)
 	var got: int = 0
@@ -157,23 +176,24 @@ func _run_flood() -> void:
 	OS.delay_msec(50)
 	got += server.take_fast().size()
 	var seconds: float = (Time.get_ticks_usec() - begin) / 1e6
-	_report.add("one way, as many as go", "arrived", got / seconds, "1/s")
-	_report.add("one way, as many as go", "lost", 100.0 * (sent - got) / sent, "%")
+	var case: String = "one way, as many as go" + _suffix(p_seals)
+	_report.add(case, "arrived", got / seconds, "1/s")
+	_report.add(case, "lost", 100.0 * (sent - got) / sent, "%")
 	var cost: float = (_cpu_seconds() - cpu) * 1e6 / got
-	_report.add("one way, as many as go", "all threads, per datagram", cost, "us")
+	_report.add(case, "all threads, per datagram", cost, "us")
 	_close(server, clients)
 
 
 ## What the thread of a connected client costs that sends nothing and is sent nothing, and of one
 ## that is sent as many datagrams as a server sends and answers each.
-func _run_idle() -> void:
-	var port: int = _free_port()
-	var server: ThreadedPeer = ThreadedPeer.new()
+func _run_idle(p_seals: bool) -> void:
+	var port: int = LinkPair.free_port()
+	var server: ThreadedPeer = _make_peer(p_seals)
 	server.create_server(port, "127.0.0.1")
 	var clients: Array[ThreadedPeer] = await _join(server, port, 1)
 	var idle: float = await _measure_client(server, clients[0], false)
 	var active: float = await _measure_client(server, clients[0], true)
-	var case: String = "client's thread"
+	var case: String = "client's thread" + _suffix(p_seals)
 	_report.add(case, "CPU, idle", idle, "%", BenchReport.Goal.AT_MOST, _GOAL_IDLE)
 	_report.add(case, "CPU, 60 Hz in, 60 Hz out", active, "%")
 	_close(server, clients)
@@ -201,15 +221,15 @@ func _measure_client(p_server: ThreadedPeer, p_client: ThreadedPeer, p_active: b
 
 ## What the server's thread costs with many connections: at rest, and with poses in and as many
 ## datagrams to each out as a server sends.
-func _run_many() -> void:
-	var port: int = _free_port()
+func _run_many(p_seals: bool) -> void:
+	var port: int = LinkPair.free_port()
 	var count: int = _arguments.value("clients")
-	var server: ThreadedPeer = ThreadedPeer.new()
+	var server: ThreadedPeer = _make_peer(p_seals)
 	server.create_server(port, "127.0.0.1")
 	var clients: Array[ThreadedPeer] = await _join(server, port, count)
 	var idle: float = await _measure_server(server, clients, false)
 	var active: float = await _measure_server(server, clients, true)
-	var case: String = "server's thread, %d clients" % count
+	var case: String = "server's thread, %d clients" % count + _suffix(p_seals)
 	_report.add(case, "CPU at rest", idle, "ms/s")
 	_report.add(case, "CPU, %d Hz in, 60 Hz out" % _arguments.value("hz"), active, "ms/s")
 	_report.add(case, "CPU a tick", active / 60.0, "ms", BenchReport.Goal.AT_MOST, 2.0)
@@ -228,11 +248,17 @@ func _measure_server(
 	while Time.get_ticks_usec() - begin < int((_arguments.value("seconds") as float) * 1e6):
 		due += period
 		OS.delay_usec(maxi(due - Time.get_ticks_usec(), 0))
+		var ids: PackedInt32Array = []
+		var datagrams: Array[PackedByteArray] = []
 		for client: ThreadedPeer in p_clients:
 			if p_active:
 				client.send_fast(1, _stamped())
-				p_server.send_fast(client.get_unique_id(), _stamped())
+				ids.append(client.get_unique_id())
+				datagrams.append(_stamped())
 			client.take_fast()
+		# As a server hands over its snapshots.
+		if p_active:
+			p_server.send_fast_each(ids, datagrams)
 		p_server.take_fast()
 	var spent: int = (p_server.stats()["cpu_usec"] as int) - cpu
 	await process_frame
@@ -242,7 +268,7 @@ func _measure_server(
 func _join(p_server: ThreadedPeer, p_port: int, p_count: int) -> Array[ThreadedPeer]:
 	var clients: Array[ThreadedPeer] = []
 	for _client: int in p_count:
-		var client: ThreadedPeer = ThreadedPeer.new()
+		var client: ThreadedPeer = _make_peer(p_server.sealing.seals)
 		client.create_client("127.0.0.1", p_port)
 		clients.append(client)
 	var limit: int = Time.get_ticks_msec() + 5000
@@ -257,10 +283,21 @@ func _join(p_server: ThreadedPeer, p_port: int, p_count: int) -> Array[ThreadedP
 	return clients
 
 
+func _make_peer(p_seals: bool) -> ThreadedPeer:
+	var peer: ThreadedPeer = ThreadedPeer.new()
+	peer.sealing.seals = p_seals
+	return peer
+
+
+func _suffix(p_seals: bool) -> String:
+	return ", sealed" if p_seals else ""
+
+
 func _close(p_server: ThreadedPeer, p_clients: Array[ThreadedPeer]) -> void:
+	# The server first: its clients need not wait for it then.
+	p_server.close()
 	for client: ThreadedPeer in p_clients:
 		client.close()
-	p_server.close()
 
 
 func _add_delays(p_case: String, p_delays: Statistics, p_sent: int, p_goal: bool) -> void:
@@ -278,14 +315,6 @@ func _stamped() -> PackedByteArray:
 	bytes.encode_u8(0, _KIND)
 	bytes.encode_u64(1, Time.get_ticks_usec())
 	return bytes
-
-
-func _free_port() -> int:
-	var probe: PacketPeerUDP = PacketPeerUDP.new()
-	probe.bind(0, "127.0.0.1")
-	var port: int = probe.get_local_port()
-	probe.close()
-	return port
 
 
 ## CPU time of all of the process, s.

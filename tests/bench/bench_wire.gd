@@ -62,8 +62,7 @@ func _run() -> void:
 	UpstreamCases.new().run(report, clips)
 	if arguments.value("people") > 0:
 		await _crowd(arguments, report)
-	report.finish()
-	quit(0)
+	quit(report.finish())
 
 
 func _find_fault(p_arguments: BenchArguments) -> String:

@@ -27,8 +27,8 @@ def measure(arguments: list[str]) -> int:
     for line in lines.splitlines():
         row = json.loads(line)
         stats.add(row.pop("case"), **row)
-    stats.finish()
-    return code
+    missed = stats.finish()
+    return code or missed
 
 
 if __name__ == "__main__":

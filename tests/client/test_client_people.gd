@@ -70,7 +70,7 @@ func test_a_lost_connection_tells_them_again() -> void:
 	_add("Ada")
 	_join()
 	_await_names(["Ada"])
-	_end.link._peer.close_with(DisconnectReason.LOST)
+	_end.cut()
 	is_true(_pair.until(func() -> bool: return _pair.lost.size() == 1 and _end.loss != ""))
 	_add("Bob")
 	_end.link.open("127.0.0.1", _pair.port, _end.request)

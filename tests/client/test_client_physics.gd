@@ -42,6 +42,27 @@ func test_who_needs_steps_gets_them_until_the_last_one_is_gone() -> void:
 	ball.free()
 
 
+func test_after_many_bodies_there_are_a_few_steps() -> void:
+	ClientPhysics.begin()
+	ClientPhysics.note_added(ClientPhysics.MAX_ADDED)
+	ClientPhysics.advance()
+	is_false(ClientPhysics.is_stepping())
+	ClientPhysics.note_added(1)
+	var steps: int = 0
+	for _frame: int in 10:
+		ClientPhysics.advance()
+		steps += 1 if ClientPhysics.is_stepping() else 0
+	is_true(steps >= 2, "Jolt needs two to give the nodes of its trees back")
+	is_false(ClientPhysics.is_stepping())
+	ClientPhysics.note_added(ClientPhysics.MAX_ADDED + 1)
+	ClientPhysics.hold()
+	for _frame: int in 10:
+		ClientPhysics.advance()
+	is_true(ClientPhysics.is_stepping(), "as somebody needs steps")
+	ClientPhysics.release()
+	is_false(ClientPhysics.is_stepping())
+
+
 func test_a_camera_does_not_pass_a_wall() -> void:
 	var level: Level = LevelStore.instantiate("yard")
 	add_child(level)

@@ -182,6 +182,57 @@ func test_a_wrong_camera_is_told() -> void:
 	equal(_scene.describe_views(), "1 mesh on   2 static off   3 physics off")
 
 
+func test_the_camera_follows_whom_the_user_chooses() -> void:
+	_show([ADA, 9], [CRATE])
+	equal(_scene.followed(), ADA)
+	_scene.follow_next()
+	equal(_scene.followed(), 9)
+	_scene.update(_stream.tick / 60.0)
+	var camera: OrbitCamera = _scene.get_node(^"Camera")
+	almost_equal(camera.target, _stream.poses[9].root, 0.01)
+	_scene.follow_next()
+	equal(_scene.followed(), ADA)
+	_scene.follow_next()
+	_show([ADA], [CRATE])
+	equal(_scene.followed(), ADA, "the other one has left")
+
+
+func test_a_trainee_is_followed_from_behind_but_where_a_camera_was_asked_for() -> void:
+	_show([ADA, 9], [CRATE])
+	var camera: OrbitCamera = _scene.get_node(^"Camera")
+	_scene.follow_own(9, false)
+	equal([_scene.followed(), camera.view], [9, OrbitCamera.View.AROUND])
+	_scene.follow_own(-1, true)
+	equal(camera.view, OrbitCamera.View.AROUND)
+	_scene.follow_own(9, true)
+	equal([_scene.followed(), camera.view], [9, OrbitCamera.View.BEHIND])
+	_scene.change_view()
+	_scene.follow_own(9, true)
+	equal(camera.view, OrbitCamera.View.EYES, "the user's choice stays")
+
+
+func test_names_are_over_heads_until_their_key_is_pressed() -> void:
+	_show([ADA], [CRATE])
+	# The camera comes near, and names are of those who are.
+	(_scene.get_node(^"Camera") as OrbitCamera)._process(1.0)
+	_play([ADA], [CRATE])
+	var names: NameTags = _scene.get_node(^"Names")
+	equal(names.get_child_count(), 1)
+	var label: Label3D = names.get_child(0)
+	equal(label.text, "Ada")
+	is_true(label.is_visible_in_tree())
+	var skeleton: Skeleton3D = (_scene.get_node(^"People").get_child(0) as Ragdoll).get_skeleton()
+	var head: Vector3 = skeleton.get_bone_global_pose(skeleton.find_bone("Head")).origin
+	almost_equal(label.global_position, skeleton.to_global(head) + Vector3.UP * 0.45, 1e-3)
+	var event: InputEventKey = InputEventKey.new()
+	event.keycode = KEY_N
+	event.pressed = true
+	names._unhandled_key_input(event)
+	is_false(label.is_visible_in_tree())
+	_tell([], [])
+	equal(names.get_child_count(), 0)
+
+
 ## The visible arms and legs are as long as they are told, whatever the pose.
 func _check_shown(p_node: Ragdoll, p_lengths: PackedFloat32Array) -> void:
 	var skeleton: Skeleton3D = p_node.get_skeleton()
@@ -224,6 +275,7 @@ func _tell(p_people: PackedInt32Array, p_paths: PackedStringArray) -> void:
 		row.type = EntityType.person()
 		row.values = row.type.spawn_schema().defaults()
 		row.owner = 7
+		row.person_name = "Ada"
 		row.skeleton = _skeleton
 		rows.append(row)
 	_send(rows)

@@ -105,6 +105,59 @@ func test_wheel_and_drag() -> void:
 	almost_equal(rad_to_deg(_camera.elevation), 85.0, 1e-3)
 
 
+func test_from_near_it_looks_at_the_face() -> void:
+	_camera.target = Vector3(0.0, 1.0, 0.0)
+	_camera.head = Transform3D(Basis.IDENTITY, Vector3(0.0, 1.7, 0.0))
+	_camera.has_head = true
+	for distance: float in [0.5, 1.0, 4.0]:
+		_camera.set_from_text("0,0,%f" % distance)
+		_camera.snap()
+		_camera._process(0.016)
+		var height: float = 1.8 if distance < 1.2 else 1.0
+		almost_equal(_camera.position, Vector3(0.0, height, distance), 1e-3, str(distance))
+
+
+func test_from_behind_it_turns_with_the_person() -> void:
+	_camera.target = Vector3(0.0, 1.0, 0.0)
+	_camera.set_from_text("0,0,4")
+	_camera.view = OrbitCamera.View.BEHIND
+	for degrees: float in [0.0, 90.0, -135.0]:
+		_camera.heading = deg_to_rad(degrees)
+		_camera.snap()
+		_camera._process(0.016)
+		var faces: Vector3 = Vector3.BACK.rotated(Vector3.UP, _camera.heading)
+		almost_equal(-_camera.global_basis.z, faces, 1e-3, str(degrees))
+
+
+func test_out_of_the_eyes_it_looks_where_the_head_does() -> void:
+	_camera.view = OrbitCamera.View.EYES
+	_camera.has_head = true
+	for turn: Basis in [Basis.IDENTITY, Basis(Vector3.UP, 1.0), Basis(Vector3.RIGHT, 0.6)]:
+		_camera.head = Transform3D(turn, Vector3(1.0, 1.7, 2.0))
+		_camera._process(0.016)
+		almost_equal(-_camera.global_basis.z, turn * Vector3.BACK, 1e-3)
+		is_true(_camera.global_position.distance_to(_camera.head.origin) < 0.3)
+
+
+func test_without_a_person_there_are_no_eyes() -> void:
+	_camera.view = OrbitCamera.View.EYES
+	_camera.set_from_text("0,0,4")
+	_camera.target = Vector3(0.0, 1.0, 0.0)
+	_camera.snap()
+	_camera._process(0.016)
+	almost_equal(_camera.position, Vector3(0.0, 1.0, 4.0), 1e-3)
+
+
+func test_views_come_one_after_the_other() -> void:
+	equal(_camera.view, OrbitCamera.View.AROUND)
+	_camera.change_view()
+	equal(_camera.view, OrbitCamera.View.BEHIND)
+	_camera.change_view()
+	equal(_camera.view, OrbitCamera.View.EYES)
+	_camera.change_view()
+	equal(_camera.view, OrbitCamera.View.AROUND)
+
+
 func _wheel(p_button: MouseButton) -> void:
 	var event: InputEventMouseButton = InputEventMouseButton.new()
 	event.button_index = p_button

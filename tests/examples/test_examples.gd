@@ -3,6 +3,7 @@ extends TestCase
 
 const DOOR: PackedScene = preload("res://examples/01_door/01_door.tscn")
 const TURNTABLE: PackedScene = preload("res://examples/02_turntable/02_turntable.tscn")
+const BELL: PackedScene = preload("res://examples/04_bell/04_bell.tscn")
 const HEALTH: PackedScene = preload("res://examples/03_health/03_health.tscn")
 
 
@@ -43,6 +44,20 @@ func test_a_turntable_is_taken_steered_and_left() -> void:
 	seat.interact()
 	equal(seat.occupant(), 0)
 	await _until(func() -> bool: return entity.get_value(&"speed") == 0.0)
+	scene.free()
+
+
+func test_a_bell_rings() -> void:
+	var scene: Node = BELL.instantiate()
+	add_child(scene)
+	await process_frames(2)
+	var bell: Node = scene.get_node(^"Shared/Bell")
+	var rings: Array[String] = []
+	bell.rung.connect(rings.append)
+	(scene.get_node(^"Shared/Bell/Button") as Interactable).interact()
+	await _until(func() -> bool: return bell.count == 1)
+	equal(rings, ["the server"] as Array[String], "this machine is the server")
+	equal(bell.get_node(^"Board").get_child_count(), 1)
 	scene.free()
 
 

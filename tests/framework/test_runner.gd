@@ -165,6 +165,7 @@ func _run_test(p_path: String, p_script: GDScript, p_test: String) -> void:
 	var full_name: String = "%s  %s" % [_short(p_path), p_test]
 	_note_current(full_name)
 	_guard.call("begin", full_name, limit * HANG_FACTOR)
+	var nodes: int = _orphans() - 1
 	root.add_child(test)
 	var started: int = Time.get_ticks_usec()
 	var in_time: bool = await _call_within("before_each", test, limit)
@@ -181,8 +182,16 @@ func _run_test(p_path: String, p_script: GDScript, p_test: String) -> void:
 	# What is queued for deletion or deferred still belongs to this test.
 	await process_frame
 	faults.append_array(_sift_errors(_trap.call("take"), expected, allowed))
+	if _orphans() > nodes:
+		var left: int = _orphans() - nodes
+		faults.append("left %d node%s outside the tree" % [left, "s" if left > 1 else ""])
 	_guard.call("end")
 	_report(p_path, p_test, seconds, "\n".join(faults))
+
+
+## Nodes that are in no tree; somebody must still free them.
+func _orphans() -> int:
+	return int(Performance.get_monitor(Performance.OBJECT_ORPHAN_NODE_COUNT))
 
 
 func _call_within(p_method: String, p_test: TestCase, p_limit: float) -> bool:

@@ -41,6 +41,15 @@ func test_fails_each_kind_of_fault() -> void:
 	_has_fault("test_many_failures", "and 30 more")
 
 
+func test_names_what_is_left() -> void:
+	_run_on([FIXTURES + "leaky.gd"])
+	equal(_exit_code, 1)
+	contains(_output, "1 passed, 1 failed")
+	_has_fault("test_leaves_a_node", "left 1 node outside the tree")
+	# What ./test takes for a failure, see find_leaks in tools/toolchain/testing.py.
+	contains(_output, "WARNING: ObjectDB instances leaked at exit")
+
+
 func test_fails_set_up_and_tear_down() -> void:
 	_run_on([FIXTURES + "bad_setup.gd"])
 	equal(_exit_code, 1)

@@ -2,6 +2,8 @@ extends RefCounted
 ## A server and clients in one process, over 127.0.0.1, and what they told.
 
 const SnapshotStream: GDScript = preload("res://tests/wire/snapshot_stream.gd")
+## How long a busy machine may take for what is certain to come, s.
+const PATIENCE_S: float = 60.0
 
 ## Who joined the server: session to join request.
 var joined: Dictionary[int, Dictionary] = {}
@@ -21,6 +23,8 @@ var server: ServerLink = ServerLink.new()
 var rules: ServerRules = ServerRules.new()
 ## The server's UDP port.
 var port: int = 0
+## Called with each poll of the server, if valid.
+var on_poll: Callable = Callable()
 ## Clients with what they heard.
 var ends: Array[End] = []
 
@@ -48,6 +52,14 @@ class End:
 		link.lost.connect(_on_lost)
 		link.waiting.connect(_on_waiting)
 		link.state_received.connect(_on_state)
+
+	## The client's peer; another one after each [method ClientLink.open].
+	func peer() -> ThreadedPeer:
+		return link.api().multiplayer_peer
+
+	## Cuts the connection without a reason.
+	func cut() -> void:
+		peer().close_with(DisconnectReason.LOST)
 
 	## Sends a sample, coded against nothing.
 	func send(p_sample: PoseSample) -> void:
@@ -98,7 +110,7 @@ func send_to(p_session: int, p_datagrams: Array[PackedByteArray]) -> void:
 	server.send_datagrams(sessions, p_datagrams)
 
 
-## Opens a server on a free port.
+## Opens a server on a free port, and seals unless [member rules] say otherwise.
 func listen(p_most_clients: int = 8) -> Error:
 	port = free_port()
 	rules.max_clients = p_most_clients
@@ -131,6 +143,7 @@ func add(
 	end.request.role = p_role
 	end.request.name = p_name
 	end.request.version = p_version
+	end.link.seals = rules.seals
 	ends.append(end)
 	end.link.open("127.0.0.1", port, end.request, p_password)
 	return end
@@ -145,7 +158,7 @@ func join(p_role: Roles.Role, p_name: String = "Ada", p_password: String = "") -
 
 
 ## Polls everybody until something holds, for so many seconds at most. Returns whether it holds.
-func until(p_holds: Callable, p_limit_s: float = 3.0) -> bool:
+func until(p_holds: Callable, p_limit_s: float = PATIENCE_S) -> bool:
 	var limit: int = Time.get_ticks_usec() + int(p_limit_s * 1e6)
 	while Time.get_ticks_usec() < limit:
 		poll()
@@ -163,8 +176,15 @@ func run(p_seconds: float) -> void:
 ## Polls everybody once.
 func poll() -> void:
 	server.poll()
+	if on_poll.is_valid():
+		on_poll.call()
 	for end: End in ends:
 		end.link.poll()
+
+
+## The server's peer.
+func server_peer() -> ThreadedPeer:
+	return server.api().multiplayer_peer
 
 
 ## Ends everything.

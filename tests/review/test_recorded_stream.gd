@@ -28,29 +28,92 @@ func test_round_trip() -> void:
 	_record(50)
 	var player: RecordedStream = _player()
 	equal(player.open(), "")
-	player.advance(1e6)
+	# Changes of the world are spread over frames.
+	for _frame: int in 10:
+		player.advance(1e6)
 	equal(_played, _packets)
 	equal(_finished, 1)
 	player.advance(2e6)
 	equal([_played.size(), _finished], [50, 1], "it ends once")
 
 
-func test_keeps_the_times() -> void:
+func test_the_recorder_notes_the_times() -> void:
 	var recorder: StateRecorder = StateRecorder.new()
+	var began: int = Time.get_ticks_usec()
 	equal(recorder.open(PATH), "")
+	var opened: int = Time.get_ticks_usec()
+	var before: Array[int] = []
+	var behind: Array[int] = []
 	for step: int in 5:
+		before.append(Time.get_ticks_usec())
 		recorder.add(_packet(step))
-		OS.delay_msec(40)
+		behind.append(Time.get_ticks_usec())
+		OS.delay_msec(10)
 	recorder.close()
+	var file: PackedByteArray = FileAccess.get_file_as_bytes(PATH)
+	var heads: Array[int] = _heads(file)
+	equal(heads.size(), 5)
+	for step: int in 5:
+		var time_usec: int = file.decode_u64(heads[step] + 4)
+		is_true(time_usec >= before[step] - opened and time_usec <= behind[step] - began)
+
+
+func test_keeps_the_times() -> void:
+	_record_at([0, 40, 80, 120, 160])
 	var player: RecordedStream = _player()
 	player.open()
 	player.advance(0.0)
-	is_true(_played.size() <= 1, "%d packets at once" % _played.size())
+	equal(_played.size(), 1)
 	player.advance(0.1)
-	is_true(_played.size() >= 2 and _played.size() <= 3, "%d in 0.1 s" % _played.size())
+	equal(_played.size(), 3)
 	equal(_finished, 0)
 	player.advance(1.0)
 	equal([_played.size(), _finished], [5, 1])
+
+
+func test_it_begins_in_the_middle() -> void:
+	_record_at([0, 40, 80, 120, 160])
+	var player: RecordedStream = _player()
+	player.from_s = 0.1
+	equal(player.open(), "")
+	almost_equal(player.now_s(), 0.1)
+	player.advance(0.0)
+	equal(_played.size(), 3, "before 0.1 s")
+	player.advance(1.0)
+	equal([_played.size(), _finished], [5, 1])
+
+
+func test_what_is_no_recording_is_said_in_words() -> void:
+	contains(RecordedStream.of_file("").open(), "--file=FILE")
+	_write(PackedByteArray())
+	contains(_player().open(), "is empty")
+	_write("DSMT".to_ascii_buffer())
+	contains(_player().open(), "expected a recording")
+	_write(StateRecorder.MAGIC.to_ascii_buffer())
+	contains(_player().open(), "is empty")
+
+
+func test_a_forged_file_cannot_have_everything_made_at_once() -> void:
+	var recorder: StateRecorder = StateRecorder.new()
+	equal(recorder.open(PATH), "")
+	var level: PackedByteArray = LevelMessage.encode("hall", PackedByteArray())
+	var table: PackedByteArray = EntityTableMessage.new().encode()
+	for _round: int in 3:
+		recorder.add(level)
+	for _round: int in 20:
+		recorder.add(table)
+	recorder.close()
+	var player: RecordedStream = _player()
+	equal(player.open(), "")
+	for frame: int in 3:
+		_played.clear()
+		player.advance(10.0)
+		equal(_played, [level] as Array[PackedByteArray])
+	for tables: int in [8, 8, 4]:
+		_played.clear()
+		player.advance(10.0)
+		equal(_played.size(), tables)
+	equal(_finished, 1, "and it is played whole")
 
 
 func test_cut_file_plays_up_to_the_cut() -> void:
@@ -74,13 +137,20 @@ func test_cut_file_plays_up_to_the_cut() -> void:
 func test_a_kill_loses_at_most_a_second() -> void:
 	var recorder: StateRecorder = StateRecorder.new()
 	equal(recorder.open(PATH), "")
-	var began: int = Time.get_ticks_msec()
-	while Time.get_ticks_msec() - began < 1300:
-		recorder.add(_packet(1))
+	var packet: PackedByteArray = _packet(1)
+	var added: Array[int] = []
+	while added.is_empty() or added[-1] - added[0] < 1300000:
+		recorder.add(packet)
+		added.append(Time.get_ticks_usec())
 		OS.delay_msec(10)
 	# Not closed: what is on the disk now is what a kill would leave.
 	var bytes: int = FileAccess.get_file_as_bytes(PATH).size()
-	is_true(bytes > 60 * (12 + _packet(1).size()), "%d bytes on the disk" % bytes)
+	var kept: int = (bytes - StateRecorder.MAGIC.length()) / (12 + packet.size())
+	var old: Callable = func(time_usec: int) -> bool:
+		return time_usec < added[-1] - int(StateRecorder.FLUSH_S * 1e6)
+	var wanted: int = added.filter(old).size()
+	is_true(wanted > 0)
+	is_true(kept >= wanted, "%d packets on the disk of %d" % [kept, wanted])
 	recorder.close()
 
 
@@ -101,10 +171,7 @@ func test_what_is_no_recording_is_told() -> void:
 	var player: RecordedStream = RecordedStream.of_file("user://no_such_recording")
 	contains(player.open(), "cannot read user://no_such_recording: ")
 	var cases: Array[PackedByteArray] = [
-		[],
-		"DSMT".to_ascii_buffer(),
-		"DSMTREC1".to_ascii_buffer(),
-		"HIERARCHY ROOT".to_ascii_buffer()
+		"DSMT".to_ascii_buffer(), "DSMTREC1".to_ascii_buffer(), "HIERARCHY ROOT".to_ascii_buffer()
 	]
 	cases.append(NetSamples.noise(_random, 200) + PackedByteArray([27, 91, 50, 74]))
 	cases.append(PackedByteArray([27, 91, 50, 74, 200, 0, 10, 13, 9]))
@@ -139,6 +206,16 @@ func _record(p_count: int) -> void:
 	recorder.close()
 
 
+## Records a packet at each of these times, ms.
+func _record_at(p_times_ms: Array[int]) -> void:
+	_record(p_times_ms.size())
+	var file: PackedByteArray = FileAccess.get_file_as_bytes(PATH)
+	var heads: Array[int] = _heads(file)
+	for step: int in heads.size():
+		file.encode_u64(heads[step] + 4, p_times_ms[step] * 1000)
+	_write(file)
+
+
 func _packet(p_index: int) -> PackedByteArray:
 	if p_index % 5 == 0:
 		return NetSamples.table_bytes(_random, 4, 1)
@@ -163,12 +240,17 @@ func _on_ended(p_exit_code: int, p_why: String) -> void:
 
 
 func _complete_records(p_file: PackedByteArray, p_size: int) -> int:
+	return _heads(p_file.slice(0, p_size)).size()
+
+
+## Where the whole records of a file begin.
+func _heads(p_file: PackedByteArray) -> Array[int]:
+	var heads: Array[int] = []
 	var at: int = 8
-	var count: int = 0
-	while at + 12 <= p_size and at + 12 + p_file.decode_u32(at) <= p_size:
+	while at + 12 <= p_file.size() and at + 12 + p_file.decode_u32(at) <= p_file.size():
+		heads.append(at)
 		at += 12 + p_file.decode_u32(at)
-		count += 1
-	return count
+	return heads
 
 
 func _write(p_bytes: PackedByteArray) -> void:

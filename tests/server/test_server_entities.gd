@@ -102,9 +102,10 @@ func test_forged_commands_are_refused_and_counted() -> void:
 
 func test_a_person_who_stands_on_a_turntable_is_carried_along() -> void:
 	var centre: Vector3 = (_level.level.get_node(^"Props/Turntable") as Node3D).global_position
-	_people.enter([centre + Vector3(1.5, 0.02, 0.0)])
+	_people.enter([Transform3D(Basis.IDENTITY, centre + Vector3(1.5, 0.02, 0.0))])
 	_people.set_people(2, [PersonCard.of("Ada", 1.0115)], "Ada")
-	var person: ServerPeople.Person = _people.list()[0]
+	_people.settle()
+	var person: ServerPerson = _people.list()[0]
 	for _tick: int in 40:
 		await _stand(2)
 	not_null(person.carrier, "the area has noticed who stands there")
@@ -192,7 +193,7 @@ func _stand(p_session: int) -> void:
 	_people.measure()
 
 
-static func _hips(p_person: ServerPeople.Person) -> Vector3:
+static func _hips(p_person: ServerPerson) -> Vector3:
 	var state: Transform3D = PhysicsServer3D.body_get_state(
 		p_person.ragdoll.get_bodies()[0], PhysicsServer3D.BODY_STATE_TRANSFORM
 	)

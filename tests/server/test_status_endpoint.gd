@@ -21,13 +21,24 @@ func after_each() -> void:
 
 func test_the_stats() -> void:
 	for path: String in ["/", "/status", "/status.json"]:
-		var reply: String = _ask("GET %s HTTP/1.1\r\nHost: x\r\n\r\n" % path)
+		var reply: String = _ask("GET %s HTTP/1.1\r\nHost: 127.0.0.1:7777\r\n\r\n" % path)
 		is_true(reply.begins_with("HTTP/1.1 200 OK\r\n"), path)
 		contains(reply, "Content-Type: application/json\r\n")
 		var body: String = reply.get_slice("\r\n\r\n", 1)
 		contains(reply, "Content-Length: %d\r\n" % body.to_utf8_buffer().size())
 		equal(JSON.parse_string(body), _stats)
 	equal(_asked, 3)
+
+
+func test_a_site_whose_name_points_here_gets_nothing() -> void:
+	for host: String in ["evil.example", "127.0.0.1.evil.example:7777", "localhost.evil", ""]:
+		var reply: String = _ask("GET / HTTP/1.1\r\nHost: %s\r\n\r\n" % host)
+		is_true(reply.begins_with("HTTP/1.1 421 "), host)
+	_ask("GET / HTTP/1.1\r\nHost: localhost\r\nhost: evil\r\n\r\n")
+	equal(_asked, 0)
+	for host: String in ["localhost", "LOCALHOST:7777", "127.0.0.1", "[::1]:7777"]:
+		var reply: String = _ask("GET / HTTP/1.1\r\nhOst: %s\r\n\r\n" % host)
+		is_true(reply.begins_with("HTTP/1.1 200 OK\r\n"), host)
 
 
 func test_the_head_alone() -> void:
@@ -149,7 +160,8 @@ func _connect() -> StreamPeerTCP:
 	var stream: StreamPeerTCP = StreamPeerTCP.new()
 	_endpoint.poll(_tell)
 	stream.connect_to_host("127.0.0.1", _port)
-	for _try: int in 200:
+	var end: int = Time.get_ticks_msec() + 60000
+	while Time.get_ticks_msec() < end:
 		stream.poll()
 		if stream.get_status() == StreamPeerTCP.STATUS_CONNECTED:
 			break

@@ -3,11 +3,20 @@
 
 from __future__ import annotations
 
+import itertools
+import json
+import os
 import random
 import socket
 import struct
+import subprocess
 import threading
 import time
+from pathlib import Path
+
+from toolchain.project import EXTENSIONS
+
+FLOOD = EXTENSIONS / "transport" / "transport_flood"
 
 
 def connect_datagram(peer_id: int, connect_id: int) -> bytes:
@@ -94,16 +103,61 @@ class HalfOpen(Attack):
         one.sendto(connect_datagram(1000 + self.sent, self.sent + 1), self.target)
 
 
-class PortZero(Attack):
-    """CONNECTs from port 0: no answer can be sent there, which is an error. Needs root."""
+class Forger(Attack):
+    """Sends from ports that are not its own. Needs root."""
 
     def prepare(self) -> None:
         self.socket = socket.socket(socket.AF_INET, socket.SOCK_RAW, socket.IPPROTO_UDP)
 
-    def attack(self) -> None:
-        datagram = connect_datagram(5000 + self.sent, self.sent + 1)
-        header = struct.pack(">HHHH", 0, self.target[1], 8 + len(datagram), 0)
+    def forge(self, source: int, datagram: bytes) -> None:
+        header = struct.pack(">HHHH", source, self.target[1], 8 + len(datagram), 0)
         self.socket.sendto(header + datagram, ("127.0.0.1", 0))
+
+
+class PortZero(Forger):
+    """CONNECTs from port 0: no answer can be sent there."""
+
+    def attack(self) -> None:
+        self.forge(0, connect_datagram(5000 + self.sent, self.sent + 1))
+
+
+class Disconnects(Forger):
+    """Ends the connections of clients whose ports it knows, as if they left."""
+
+    def __init__(self, port: int, rate: float, victims: list[int]) -> None:
+        super().__init__(port, rate)
+        self.aims = list(itertools.product(victims, range(8), range(4)))
+
+    def attack(self) -> None:
+        port, peer, session = self.aims[self.sent % len(self.aims)]
+        self.forge(port, struct.pack(">HBBHI", peer | session << 12, 0x44, 0xFF, 0, 1))
+
+
+class FewChannels(Attack):
+    """CONNECTs that ask for 1 or 2 channels: there would be none to send snapshots on."""
+
+    def attack(self) -> None:
+        whole = bytearray(connect_datagram(7000 + self.sent, self.sent + 1))
+        struct.pack_into(">I", whole, 20, 1 + self.sent % 2)
+        self.socket.sendto(whole, self.target)
+
+
+def outer_port(pid: int, server: int) -> int:
+    """The port from which a process speaks to a server."""
+    folder = Path(f"/proc/{pid}/fd")
+    own = {os.readlink(one) for one in folder.iterdir() if one.is_symlink()}
+    for line in Path("/proc/net/udp").read_text(encoding="ascii").splitlines()[1:]:
+        fields = line.split()
+        if int(fields[2].split(":")[1], 16) == server and f"socket:[{fields[9]}]" in own:
+            return int(fields[1].split(":")[1], 16)
+    raise AssertionError(f"process {pid} speaks to nobody on port {server}")
+
+
+def flood(*arguments: object) -> dict:
+    """Runs the attacker that is written in C++ (gdextension/transport/tests/flood.cpp)."""
+    command = [str(FLOOD), *(str(argument) for argument in arguments)]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    return json.loads(done.stdout)
 
 
 def may_send_raw() -> bool:

@@ -17,6 +17,7 @@ from toolchain.processes import free_port
 
 SOFTWARE = ["--rendering-method", "gl_compatibility", "--audio-driver", "Dummy"]
 SMALL = ["--resolution", "640x360"]
+WINDOW_LIMIT_S = 600.0
 
 
 class Process:
@@ -78,6 +79,16 @@ class Process:
         except subprocess.TimeoutExpired:
             pytest.fail(f"it does not end within {limit_s} s:\n{self.log()}")
 
+    def fresh_report(self) -> dict:
+        """A report that has just been written: one that lies there is up to a second old."""
+        stale = self.await_report(lambda _report: True)
+        return self.await_report(lambda report: report["seconds"] != stale["seconds"])
+
+    def end(self) -> int:
+        """Asks it to end; returns its exit code."""
+        self.process.terminate()
+        return self.await_exit()
+
     def kill(self) -> None:
         if self.process.poll() is None:
             self.process.kill()
@@ -112,6 +123,28 @@ class World:
         port = [] if is_named else [f"--port={self.port}"]
         command = [str(CLIENT_BINARY), *flags, "--", f"--role={role}", *port, *options]
         return self.start(name or role, command, display, cwd)
+
+    def take_picture(
+        self, display: dict[str, str], file: Path, *options: str, name: str, size: str = "640x360"
+    ) -> Process:
+        """An observer's window, which has ended with a picture when it had shown people."""
+        flags = [*SOFTWARE, "--resolution", size]
+        own = ["--role=observer", f"--port={self.port}", f"--screenshot={file}", *options]
+        window = self.start(name, [str(CLIENT_BINARY), *flags, "--", *own], display)
+        # A processor that draws, and has much else to do, takes seconds for each frame.
+        shown = window.await_report(
+            lambda seen: seen["shown_frames"] > 4 and seen["latency_count"] > 0, WINDOW_LIMIT_S
+        )
+        # The camera is on its way to who is there: after 2 s it has come within 0.001 %.
+        window.await_report(
+            lambda seen: (
+                seen["seconds"] > shown["seconds"] + 2.0
+                and seen["shown_frames"] > shown["shown_frames"] + 4
+            ),
+            WINDOW_LIMIT_S,
+        )
+        assert window.end() == 0, window.log()
+        return window
 
     def trainee(self, *options: str, name: str = "trainee", clip: str = "01_01.bvh") -> Process:
         return self.client("trainee", f"--bvh={CLIPS / clip}", *options, name=name)

@@ -26,7 +26,7 @@ func _init() -> void:
 	_replica.table.spawned.connect(_on_spawned)
 	stream.restarted.connect(_replica.clear)
 	stream.received.connect(_take)
-	stream.advance(1e6)
+	stream.play_all()
 	print(JSON.stringify({"levels": _levels, "entities": _found}))
 	quit()
 

@@ -35,19 +35,6 @@ def run(*arguments: str, limit_s: float = 240.0, **environment: str) -> subproce
     )
 
 
-def test_help_names_every_command() -> None:
-    done = run("--help")
-    assert done.returncode == 0
-    for word in ("server", "trainee", "observer", "editor", "export", "bvh", "latency", "bench"):
-        assert f"./run {word}" in done.stdout
-
-
-def test_an_unknown_command() -> None:
-    done = run("nonsense")
-    assert done.returncode == 2
-    assert "There is no command 'nonsense'" in done.stderr
-
-
 def test_bvh_tells_what_a_file_holds() -> None:
     done = run("bvh", "01_01.bvh")
     assert done.returncode == 0, done.stderr
@@ -70,11 +57,8 @@ def test_bvh_refuses_a_broken_file(tmp_path: Path) -> None:
     assert run("bvh").returncode == 2
 
 
-def test_bench_lists_and_runs() -> None:
-    listed = run("bench")
-    assert listed.returncode == 0
-    assert "tracking" in listed.stdout
-    command = ["bench", "tracking", "--json", "--bvh", "01_01.bvh", "--hz", "60"]
+def test_bench_runs() -> None:
+    command = ["bench", "tracking", "--json", "--no-goals", "--bvh", "01_01.bvh", "--hz", "60"]
     done = run(*command, "--mode", "velocity_motor", "--root", "held", "--seconds", "3")
     assert done.returncode == 0, done.stderr
     rows = [json.loads(line) for line in done.stdout.splitlines()]
@@ -88,8 +72,19 @@ def test_bench_lists_and_runs() -> None:
     assert run("bench", "tracking", "--mode", "magic").returncode == 2
 
 
+def test_a_missed_goal_is_an_exit_code() -> None:
+    """With motors this weak, a fist does not do what a stiff arm would."""
+    command = ["bench", "contacts", "--json", "--bvh", "01_01.bvh", "--scene", "fist"]
+    command += ["--gain", "5"]
+    missed = run(*command)
+    rows = [json.loads(line) for line in missed.stdout.splitlines()]
+    assert any(row["holds"] is False for row in rows)
+    assert missed.returncode == 5
+    assert run(*command, "--no-goals").returncode == 0
+
+
 def test_bench_contacts_plays_its_scenes() -> None:
-    command = ["bench", "contacts", "--json", "--bvh", "01_01.bvh", "--body", "file"]
+    command = ["bench", "contacts", "--json", "--no-goals", "--bvh", "01_01.bvh", "--body", "file"]
     done = run(*command, "--scene", "wall", "--scene", "fist", "--hz", "60", "--gain", "45")
     assert done.returncode == 0, done.stderr
     rows = [json.loads(line) for line in done.stdout.splitlines()]
@@ -100,16 +95,17 @@ def test_bench_contacts_plays_its_scenes() -> None:
     assert 3.0 < values["swing on 10 kg", "fist"] < 5.0
     assert values["swing on 10 kg", "crate"] > values["swing on 40 kg", "crate"] > 0.1
     assert run("bench", "contacts", "--scene", "nonsense").returncode == 2
-    assert "--scene=NAME" in run("bench", "contacts", "--help").stdout
     assert run("bench", "contacts", "--set", "nonsense=1").returncode == 2
 
 
 def test_bench_scale_and_raw_jolt() -> None:
-    done = run("bench", "scale", "--json", "--people", "1", "--people", "2", "--seconds", "1")
+    done = run(
+        "bench", "scale", "--json", "--no-goals", "--people", "1", "--people", "2", "--seconds", "1"
+    )
     assert done.returncode == 0, done.stderr
     rows = [json.loads(line) for line in done.stdout.splitlines()]
     assert any(row["case"] == "2 people by 1" and row["value"] > 0.0 for row in rows)
-    command = ["bench", "raw_jolt", "--json", "--people", "1", "--seconds", "1"]
+    command = ["bench", "raw_jolt", "--json", "--no-goals", "--people", "1", "--seconds", "1"]
     done = run(*command, "--absent", "nobody has fetched it")
     assert done.returncode == 0, done.stderr
     rows = [json.loads(line) for line in done.stdout.splitlines()]
@@ -129,7 +125,11 @@ def test_the_main_job_without_a_display() -> None:
     film = (OUT / "observer.avi").read_bytes()
     assert film[:4] == b"RIFF"
     assert film[8:12] == b"AVI "
-    assert film.count(b"\xff\xd8\xff") > 60
+    frames = film.split(b"\xff\xd8\xff")[1:]
+    assert len(frames) > 60
+    # An empty hall is a smooth picture: it takes 24 kB.
+    assert min(len(frame) for frame in frames) > 40000
+    assert "software rendering" in done.stdout
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
         probe.bind(("0.0.0.0", port))
     listed = subprocess.run(["ps", "ax"], capture_output=True, text=True, check=False).stdout

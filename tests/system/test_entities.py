@@ -98,7 +98,7 @@ def test_an_instructor_changes_the_level(world: World) -> None:
 def test_a_world_that_is_not_there(world: World) -> None:
     server = world.server("--world=../hall", wait=False)
     assert server.await_exit() == 2
-    assert "there is no world '../hall' here: hall, yard" in server.log()
+    assert "--world is one of hall, yard, found '../hall'" in server.log()
 
 
 def test_the_servers_recording_survives_a_kill_and_is_replayed(world: World) -> None:
@@ -110,3 +110,23 @@ def test_the_servers_recording_survives_a_kill_and_is_replayed(world: World) -> 
     replay = world.client("replay", f"--file={file}")
     assert replay.await_exit() == 0
     assert replay.report()["snapshots"] > 10
+
+
+def test_calls_of_a_level_go_where_its_permissions_say(world: World) -> None:
+    server = world.server("--world=yard")
+    world.client("observer", "--use=Bell", name="eve").await_text(
+        "the call of 'ring' was refused: a role of observer may not call 'ring'"
+    )
+    watcher = world.client("observer", name="watcher")
+    watcher.await_text("joined")
+    world.trainee("--name=Ada", "--use=Bell").await_text("bell: Ada rings")
+    watcher.await_text("bell: Ada rings")
+    assert "bell: Ada rings" in server.log() and "ERROR" not in server.log()
+    # The level comes anew, with all that is shared in it.
+    world.client("instructor", "--orders=world:yard").await_text("the world is now 'yard'")
+    world.trainee("--name=Bob", "--use=Bell", name="bob").await_text("bell: Bob rings")
+    watcher.await_text("bell: Bob rings")
+    for process in (watcher, server):
+        process.process.terminate()
+        assert process.await_exit() == 0
+        assert "ERROR" not in process.log()

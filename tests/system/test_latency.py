@@ -34,7 +34,8 @@ def test_every_sample_is_in_the_file_while_the_session_runs(world: World, tmp_pa
     for row in found[:-1]:
         total = (int(row["displayed_usec"]) - int(row["sampled_usec"])) / 1000.0
         assert abs(total - float(row["total_ms"])) < 0.01
-        assert -5.0 < total < 2000.0
+        # A starved observer shows what is old; a wrong clock would be off by years.
+        assert -5.0 < total < 60000.0
 
 
 def test_a_file_that_cannot_be_written_is_named(world: World) -> None:

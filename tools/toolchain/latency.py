@@ -12,6 +12,7 @@ from pathlib import Path
 from .console import Failure, step, tail
 from .display import virtual_display
 from .godot import Godot
+from .nearest import options_in, suggest, unknown_option
 from .paths import CLIENT_BINARY, CLIPS, OUT, ROOT, SERVER_BINARY, make_folder
 from .processes import Group, require_port
 from .project import prepare
@@ -20,6 +21,22 @@ PLOT = "res://scripts/display/latency/latency_plot.gd"
 SOFTWARE = ["--rendering-method", "gl_compatibility", "--audio-driver", "Dummy"]
 CSV = "latency.csv"
 PICTURE = "latency.png"
+SMOOTHING = ("none", "linear", "hermite", "extrapolate_lerp", "error_offset", "adaptive_low_delay")
+
+HELP = """./run latency [options]
+
+Measures the delay from sample to display on this machine, stage by stage: a server, a trainee who
+moves by a file, and an observer of a fixed frame rate. Prints a table; leaves out/latency.csv and
+out/latency.png. docs/latency.md says what the stages are.
+
+  --seconds=S           length of the measurement, 3 to 3600 (20)
+  --rate=N              samples a second of the trainee, 1 to 240 (60)
+  --fps=N               frames a second of the clients, 1 to 1000 (60)
+  --smoothing=NAME      the observer's method for the motion between updates: none, linear, hermite,
+                        extrapolate_lerp, error_offset, adaptive_low_delay (the default)
+  --bvh=FILE            the motion (assets/motion/01_01.bvh)
+  --port=NUMBER         UDP port of the session, 1 to 65535 (7777)
+"""
 
 
 class Settings:
@@ -37,8 +54,7 @@ class Settings:
         for argument in arguments:
             name, _, value = argument.removeprefix("--").partition("=")
             if name not in values or not value:
-                known = ", ".join("--" + name for name in values)
-                raise Failure(f"'{argument}' is no option of ./run latency ({known}).", 2)
+                raise Failure(unknown_option("./run latency", argument, options_in(HELP)), 2)
             values[name] = value
         self.port = _whole(values, "port", 1, 65535)
         self.rate = _whole(values, "rate", 1, 240)
@@ -46,6 +62,9 @@ class Settings:
         self.seconds = _whole(values, "seconds", 3, 3600)
         self.bvh = values["bvh"]
         self.smoothing = values["smoothing"]
+        if self.smoothing not in ("", *SMOOTHING):
+            hint = suggest(self.smoothing, SMOOTHING) or f": {', '.join(SMOOTHING)}."
+            raise Failure(f"There is no smoothing '{self.smoothing}'{hint}", 2)
         if not Path(self.bvh).is_file():
             raise Failure(f"There is no motion file {self.bvh}: name one with --bvh=FILE.", 2)
 

@@ -14,6 +14,8 @@ from .udp_proxy import HEADERS
 TICK_RATE = 60.0
 MAX_NETWORK_MS = 2.0
 MAX_KBIT = 256.0
+# The process with the clients keeps up if it polls each this share as often as it wants to.
+MIN_POLLS_SHARE = 0.9
 # The engine names a thread after its function: here TransportThread._run.
 THREAD = "_run"
 TROUBLE = ("ERROR", "WARN ", "WARNING")
@@ -43,6 +45,13 @@ class Measured:
     def seconds(self) -> float:
         """Time between the looks."""
         return max(self.grown(lambda status: status["seconds"]), 0.001)
+
+    @property
+    def is_generator_late(self) -> bool:
+        """Whether the process with the clients is too slow: what it measures is then its own."""
+        polls: float = self.load["polls_per_second"]
+        wanted: float = self.load["polls_wanted"]
+        return polls < MIN_POLLS_SHARE * wanted
 
     @property
     def clients(self) -> list[dict[str, Any]]:
@@ -106,6 +115,11 @@ def _add_networking(stats: Stats, found: Measured) -> None:
     used = _thread_growth(found.before["client_threads"], found.after["client_threads"])
     cpu = 100.0 * sum(used.values()) / found.seconds
     stats.add("clients", "CPU of all of them", cpu, "%")
+    stats.add("clients", "polls of each", found.load["polls_per_second"], "/s")
+    stats.add("clients", "polls of each that they want", found.load["polls_wanted"], "/s")
+    rate = found.settings["snapshot_rate"] or TICK_RATE
+    stats.add("clients", "snapshots that each asks for", rate, "/s")
+    stats.add("clients", "they are the limit, not the server", float(found.is_generator_late), "")
 
 
 def _thread_growth(before: dict[int, Any], after: dict[int, Any]) -> dict[int, float]:

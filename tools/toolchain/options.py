@@ -1,13 +1,18 @@
 # SPDX-License-Identifier: MIT
-"""docs/options.md: the program writes it from its own rows; `./run` reads the roles from it."""
+"""docs/options.md and the texts of --help: the program writes them from its own rows.
+
+`./run` reads the roles from the document.
+"""
 
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
+from . import help_texts
 from .console import Failure, tail
 from .godot import Godot
-from .paths import ROOT
+from .paths import ROOT, make_folder
 
 DOCUMENT = ROOT / "docs" / "options.md"
 RENEW = "./run options-doc"
@@ -31,13 +36,31 @@ def make(godot: Godot) -> str:
     return text
 
 
+def files(godot: Godot) -> dict[Path, str]:
+    """All that is made from the rows: each file, and what it is to hold."""
+    return {DOCUMENT: make(godot), **help_texts.make(godot)}
+
+
 def write(godot: Godot) -> None:
-    """Writes the document anew."""
-    DOCUMENT.write_text(make(godot), encoding="utf-8")
+    """Writes the document and the texts of --help anew."""
+    wanted = files(godot)
+    for file in help_texts.FOLDER.glob("*.txt"):
+        if file not in wanted:
+            file.unlink()
+    for file, text in wanted.items():
+        make_folder(file.parent)
+        file.write_text(text, encoding="utf-8")
 
 
 def fault(godot: Godot) -> str:
-    """Says how to renew the document if it differs from what the program has."""
-    if DOCUMENT.read_text(encoding="utf-8") == make(godot):
+    """Says how to renew what differs from the options that the program and the commands have."""
+    wanted = files(godot)
+    there = {*help_texts.FOLDER.glob("*.txt"), *wanted}
+    stale = [
+        str(file.relative_to(ROOT))
+        for file in sorted(there)
+        if not file.exists() or file.read_text(encoding="utf-8") != wanted.get(file)
+    ]
+    if not stale:
         return ""
-    return f"docs/options.md differs from the program's options: renew it with {RENEW}"
+    return f"{', '.join(stale)} differ from the options that there are: renew them with {RENEW}"

@@ -14,15 +14,23 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
-from . import arrows
+from . import archive, arrows
+from .archive import ARCHIVES
 from .console import Failure, say
+from .nearest import suggest
 from .paths import BUILD, ROOT, make_folder
 from .project import UDEV_RULES, prepare
 
 HELP = """./run package NAME...
 
-Writes build/addons/NAME/ for each name: libraries, scripts, documentation, an example, the
-licence. Copy it into the folder addons/ of a Godot project; NAME/README.md says how it goes on.
+server and client are archives in build/packages/ that run on any Linux with an x86_64 processor, as
+any user, from a read-only folder, without network: unpack one and call ./start. In it are the
+loader, all libraries, licences, a Containerfile and, for the server, a unit for systemd.
+
+"""
+ADDONS_HELP = """
+The others are addons, in build/addons/NAME/: libraries, scripts, documentation, an example, the
+licence. Copy one into the folder addons/ of a Godot project; NAME/README.md says how it goes on.
 
 """
 
@@ -68,7 +76,7 @@ PACKAGES = {
     "threaded_peer": Package(
         "Godot's multiplayer over an ENet host in a thread of its own",
         ("transport", "host"),
-        ("ThreadedPeer", "TransportSecurity"),
+        ("ThreadedPeer", "TransportSealing"),
     ),
 }
 
@@ -93,17 +101,26 @@ class Contents:
         }
 
 
+def help_text() -> str:
+    """What `./run package --help` prints."""
+    archives = "".join(f"  {name:<14} {one.about}\n" for name, one in ARCHIVES.items())
+    addons = "".join(f"  {name:<14} {one.about}\n" for name, one in PACKAGES.items())
+    return HELP + archives + ADDONS_HELP + addons
+
+
 def main(arguments: list[str]) -> int:
     """Writes the packages that are named."""
-    if "--help" in arguments or "-h" in arguments:
-        print(HELP + "\n".join(f"  {name:<14} {one.about}" for name, one in PACKAGES.items()))
-        return 0
-    unknown = [name for name in arguments if name not in PACKAGES]
+    known = [*ARCHIVES, *PACKAGES]
+    unknown = [name for name in arguments if name not in known]
     if unknown or not arguments:
         what = f"There is no package '{unknown[0]}'" if unknown else "usage: ./run package NAME..."
-        raise Failure(f"{what}: {', '.join(PACKAGES)}.", 2)
-    prepare(export=False)
-    for folder in write(arguments, ADDONS):
+        hint = suggest(unknown[0], known) if unknown else ""
+        raise Failure(f"{what}{hint or ': ' + ', '.join(known) + '.'}", 2)
+    archives = [name for name in arguments if name in ARCHIVES]
+    prepare(export=bool(archives))
+    for name in archives:
+        print(archive.write(ARCHIVES[name]))
+    for folder in write([name for name in arguments if name in PACKAGES], ADDONS):
         say(f"[ ok ] {folder.relative_to(ROOT)}")
         print(folder)
     return 0

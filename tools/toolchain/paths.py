@@ -23,7 +23,9 @@ CLIPS = ROOT / "assets" / "motion"
 
 def cache() -> Path:
     """The user's cache folder for downloads and the private Godot."""
-    base = os.environ.get("XDG_CACHE_HOME") or str(Path.home() / ".cache")
+    # Tests have an XDG_CACHE_HOME for the engine: nothing is to be fetched a second time into it.
+    named = os.environ.get("DISMOUNT_USER_CACHE") or os.environ.get("XDG_CACHE_HOME")
+    base = named or str(Path.home() / ".cache")
     return Path(base) / "dismount"
 
 

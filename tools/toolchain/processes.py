@@ -92,6 +92,15 @@ class Group:
         """The system's number of a process."""
         return self._processes[name].pid
 
+    def stop(self, name: str) -> None:
+        """Ends a process as a user would."""
+        self._processes[name].terminate()
+        try:
+            self._processes[name].wait(10)
+        except subprocess.TimeoutExpired:
+            self._processes[name].kill()
+            self._processes[name].wait()
+
     def await_text(self, name: str, text: str, limit_s: float) -> None:
         """Waits until a process has printed something."""
         end = time.monotonic() + limit_s

@@ -9,14 +9,22 @@ import shutil
 import subprocess
 from pathlib import Path
 
-from . import usb
+from . import libraries
 from .console import Failure, step, tail
 from .godot import Godot, dump_api, find, link_templates
 from .paths import BUILD, CLIENT_BINARY, ROOT, SERVER_BINARY, lock, make_folder, need_space
 
 EXTENSIONS = BUILD / "gdextension"
-IMPORTED = ["assets", "scenes", "scripts", "tests", "addons", "gdextension/bin"]
-EXPORTED = ["assets", "scenes", "scripts", "addons", "gdextension/bin", "gdextension/xbus/udev"]
+IMPORTED = ["assets", "examples", "scenes", "scripts", "tests", "addons", "gdextension/bin"]
+EXPORTED = [
+    "assets",
+    "examples",
+    "scenes",
+    "scripts",
+    "addons",
+    "gdextension/bin",
+    "gdextension/xbus/udev",
+]
 SETTINGS = ["project.godot", "export_presets.cfg"]
 # What lets users at suits on USB; it lies beside the programs that ask for it.
 UDEV_RULES = ROOT / "gdextension" / "xbus" / "udev" / "60-dismount-suits.rules"
@@ -81,15 +89,15 @@ def build_extensions(godot: Godot) -> None:
     api = dump_api(godot)
     generator = "Ninja" if shutil.which("ninja") else "Unix Makefiles"
     godot_cpp = os.environ.get("GODOT_CPP_DIR", "")
-    libraries = usb.find().options()
-    configure = f"{api} {generator} {godot_cpp} {' '.join(libraries)}"
+    options = libraries.find().options()
+    configure = f"{api} {generator} {godot_cpp} {' '.join(options)}"
     stamp = Stamp("configure")
     if not (stamp.holds(configure) and (EXTENSIONS / "CMakeCache.txt").exists()):
         with step("configure the extensions"):
             shutil.rmtree(EXTENSIONS, ignore_errors=True)
             command = ["cmake", "-S", str(ROOT / "gdextension"), "-B", str(EXTENSIONS)]
             command += ["-G", generator, f"-DGODOT_API_DIR={api}", "-DCMAKE_BUILD_TYPE=Release"]
-            command += libraries
+            command += options
             command += [f"-DGODOT_CPP_DIR={godot_cpp}"] if godot_cpp else []
             _tool(command, "Configuring the extensions")
             stamp.set(configure)

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import json
 
+# What a program exits with where a goal is missed.
+GOALS_MISSED = 5
 HEADS = ("case", "metric", "value", "unit", "goal", "holds")
 
 
@@ -15,6 +17,7 @@ class Stats:
         self._bench = bench
         self._json = as_json
         self._rows: list[tuple[str, ...]] = [HEADS]
+        self._missed = 0
 
     def add(
         self,
@@ -32,6 +35,7 @@ class Stats:
             holds = value <= at_most
         elif at_least is not None:
             holds = value >= at_least
+        self._missed += holds is False
         if self._json:
             row = {"bench": self._bench, "case": case, "metric": metric, "value": value}
             print(json.dumps({**row, "unit": unit, "goal": goal, "holds": holds}), flush=True)
@@ -41,10 +45,13 @@ class Stats:
         holds_text = "" if holds is None else ("yes" if holds else "NO")
         self._rows.append((case, metric, f"{value:.3f}", unit, goal_text, holds_text))
 
-    def finish(self) -> None:
-        """Prints the table, if it is not JSON that is wanted."""
-        if self._json:
-            return
+    def finish(self) -> int:
+        """Prints the table, if it is not JSON that is wanted; returns the exit code."""
+        if not self._json:
+            self._print_table()
+        return GOALS_MISSED if self._missed else 0
+
+    def _print_table(self) -> None:
         widths = [max(len(row[column]) for row in self._rows) for column in range(len(HEADS))]
         for row in self._rows:
             cells = (cell.ljust(width + 2) for cell, width in zip(row, widths, strict=True))

@@ -64,9 +64,6 @@ def main(arguments: list[str]) -> int:
     """Runs the emulator; returns the exit code of its command."""
     own = arguments[: arguments.index("--")] if "--" in arguments else arguments
     command = arguments[len(own) :]
-    if "--help" in own or "-h" in own:
-        print(HELP, end="")
-        return 0
     godot = prepare(export=False)
     return run(godot, own, command)
 

@@ -17,7 +17,7 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from . import usb
+from . import libraries
 from .console import Failure, say, step, tail
 from .godot import Godot
 from .lint import run_lint
@@ -158,11 +158,11 @@ def run_sanitizers() -> Outcome:
 
 def _build_sanitized(build: Sanitized) -> Path:
     folder = BUILD / build.folder
-    libraries = dataclasses.replace(usb.find(), has_umockdev=False)
+    found = dataclasses.replace(libraries.find(), has_umockdev=False)
     command = ["cmake", "-S", str(ROOT / "gdextension"), "-B", str(folder)]
     command += ["-G", "Ninja"] if shutil.which("ninja") else []
     command += [f"-DDISMOUNT_SANITIZE={build.sanitizers}", "-DDISMOUNT_EXTENSIONS=OFF"]
-    command += [f"-DDISMOUNT_USB={'ON' if build.has_usb else 'OFF'}", *libraries.options()]
+    command += [f"-DDISMOUNT_USB={'ON' if build.has_usb else 'OFF'}", *found.options()]
     # umockdev is not of our making: what its threads do would be findings.
     emulator = EXTENSIONS / "xbus" / "suit_emulator"
     command += [f"-DDISMOUNT_SUIT_EMULATOR={emulator if emulator.exists() else ''}"]
@@ -199,7 +199,15 @@ def _run_gdscript(godot: Godot, command: list[str], number: int) -> Outcome:
     # Who is left without a file says so and fails.
     if code != 0 and failed == 0 and passed > 0:
         failed = 1
-    return Outcome(passed, failed)
+    leaks = find_leaks(output)
+    return Outcome(passed, failed + len(leaks), [f"gdscript: {leak}" for leak in leaks])
+
+
+def find_leaks(output: str) -> list[str]:
+    """What the engine says at its end of what nobody has freed; --verbose has it name each."""
+    return re.findall(
+        r"^(?:WARNING|ERROR): (.*(?:leaked|in use|in use exist) at exit.*)", output, re.M
+    )
 
 
 SYSTEM_TESTS = ["tests", "gdextension/bindings/tests", "--ignore=tests/kernel"]

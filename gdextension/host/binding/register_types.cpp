@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "private_file.hpp"
 #include "stop_signal.hpp"
+#include "terminal.hpp"
 #include "thread_clock.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
@@ -12,12 +14,18 @@ namespace {
 
 void initialize(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
+		GDREGISTER_CLASS(PrivateFile);
 		GDREGISTER_CLASS(StopSignal);
+		GDREGISTER_CLASS(Terminal);
 		GDREGISTER_CLASS(ThreadClock);
 	}
 }
 
-void terminate(ModuleInitializationLevel) {}
+void terminate(ModuleInitializationLevel p_level) {
+	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
+		StopSignal::forget();
+	}
+}
 
 } // namespace
 

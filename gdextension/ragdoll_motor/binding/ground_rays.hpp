@@ -23,7 +23,6 @@ public:
 	void attach(Node *p_parent, const std::vector<RID> &p_ignored, std::uint32_t p_mask);
 	/// Frees it.
 	void detach();
-	bool is_attached() const { return _ray != nullptr; }
 	/// Height of the highest ground between ABOVE and BELOW the point, m; NaN where there is none.
 	float height(const ragdoll::Vec3 &p_at) const override;
 

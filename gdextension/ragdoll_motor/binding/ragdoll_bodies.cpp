@@ -107,13 +107,16 @@ RID RagdollBodies::make_joint(const RID &p_a, const Transform3D &p_frame_a, std:
 	const JointSpec &spec = _specs[p_limb];
 	const RID joint = server()->joint_create();
 	server()->joint_make_generic_6dof(joint, p_a, p_frame_a, spec.body, frame_in_body(p_limb));
+	// A new joint has no flag. The engine makes it anew for each limit: none is written in vain.
 	for (int i = 0; i < 3; i++) {
 		const Vector3::Axis axis = AXES[i];
-		server()->generic_6dof_joint_set_flag(joint, axis, Joint::G6DOF_JOINT_FLAG_ENABLE_LINEAR_LIMIT, !p_is_root);
-		server()->generic_6dof_joint_set_flag(joint, axis, Joint::G6DOF_JOINT_FLAG_ENABLE_LINEAR_MOTOR, p_is_root);
-		server()->generic_6dof_joint_set_flag(
-				joint, axis, Joint::G6DOF_JOINT_FLAG_ENABLE_ANGULAR_LIMIT, spec.has_limits && !p_is_root);
-		if (spec.has_limits && !p_is_root) {
+		if (p_is_root) {
+			server()->generic_6dof_joint_set_flag(joint, axis, Joint::G6DOF_JOINT_FLAG_ENABLE_LINEAR_MOTOR, true);
+			continue;
+		}
+		server()->generic_6dof_joint_set_flag(joint, axis, Joint::G6DOF_JOINT_FLAG_ENABLE_LINEAR_LIMIT, true);
+		if (spec.has_limits) {
+			server()->generic_6dof_joint_set_flag(joint, axis, Joint::G6DOF_JOINT_FLAG_ENABLE_ANGULAR_LIMIT, true);
 			server()->generic_6dof_joint_set_param(joint, axis, Joint::G6DOF_JOINT_ANGULAR_LOWER_LIMIT, spec.lower[i]);
 			server()->generic_6dof_joint_set_param(joint, axis, Joint::G6DOF_JOINT_ANGULAR_UPPER_LIMIT, spec.upper[i]);
 		}

@@ -59,7 +59,6 @@ public:
 	const RID &get_joint(std::size_t p_limb) const { return _joints[p_limb]; }
 	/// The limb that SELF_RIGHTING keeps upright besides the root.
 	void set_righted_limb(int p_limb) { _righted_limb = p_limb; }
-	int get_righted_limb() const { return _righted_limb; }
 	/// Puts all bodies somewhere, with these velocities.
 	void put(const ragdoll::RigState &p_state);
 

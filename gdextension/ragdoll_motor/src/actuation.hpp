@@ -60,7 +60,6 @@ public:
 	/// @param p_groups each limb's strength group
 	ActuationTable(const std::vector<int> &p_groups, std::size_t p_group_count);
 
-	std::size_t get_group_count() const { return _groups.size(); }
 	/// Changes the mode of a group, or of all limbs (-1), within a time, s.
 	void set_mode(Actuation p_mode, int p_group, float p_blend_s);
 	/// Changes the strength of a group, or of all (-1). Values below 0 count as 0.

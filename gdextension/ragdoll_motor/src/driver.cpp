@@ -60,6 +60,7 @@ void Driver::set_frame(const Quat &p_orientation, const Vec3 &p_origin) {
 }
 
 void Driver::clear_motion() {
+	_frame_now = _frame_next; // What comes begins in the frame that is set.
 	_stream.clear();
 	_meter.forget_waiting();
 	_alive = NEVER;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "fast_packet.hpp"
 #include "receipt_window.hpp"
+#include "sealed_socket.hpp"
 #include "transport_pump.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
@@ -12,7 +14,9 @@ namespace {
 
 void initialize(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
+		GDREGISTER_CLASS(FastPacket);
 		GDREGISTER_CLASS(ReceiptWindow);
+		GDREGISTER_CLASS(SealedSocket);
 		GDREGISTER_CLASS(TransportPump);
 	}
 }

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "transport_pump.hpp"
 
+#include "../src/clock.hpp"
+
 #include <algorithm>
 #include <chrono>
+#include <godot_cpp/classes/e_net_packet_peer.hpp>
 #include <thread>
+#include <utility>
 
 namespace godot {
 
@@ -12,56 +16,130 @@ namespace {
 /// ENet sends again and pings only when it is served: no later than this, ms.
 constexpr int64_t MAX_WAIT_MS = 50;
 
-int64_t now_usec() {
-	const auto now = std::chrono::steady_clock::now().time_since_epoch();
-	return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
-}
+/// Events that are taken before what came is handed over.
+constexpr int64_t MAX_EVENTS = 128;
 
 bool is_none(const Array &p_event) {
 	return int64_t(p_event[0]) == ENetConnection::EVENT_NONE;
 }
 
+Array event_of(ENetConnection::EventType p_type) {
+	Array made;
+	made.push_back(p_type);
+	return made;
+}
+
 } // namespace
 
-void TransportPump::attach(const Ref<ENetConnection> &p_host, bool p_watch_socket) {
-	ERR_FAIL_COND_MSG(p_host.is_null(), "A pump serves a host: found none.");
+void TransportPump::attach(
+		const Ref<ENetConnection> &p_host, const Ref<SealedSocket> &p_socket, int64_t p_fast_channel) {
+	ERR_FAIL_COND_MSG(p_host.is_null() || p_socket.is_null(), "A pump serves a host and its socket: found none.");
 	_host = p_host;
-	_wait.close();
-	if (p_watch_socket) {
-		_wait.open(uint16_t(_host->get_local_port()));
-	}
+	_socket = p_socket;
+	_fast_channel = p_fast_channel;
+	_wait.open(_socket->descriptor());
 }
 
 void TransportPump::detach() {
 	_wait.close();
 	_host.unref();
+	_socket.unref();
+	take_fast(0);
 }
 
-bool TransportPump::is_watching() const {
-	return _wait.is_open();
-}
-
-Array TransportPump::serve(bool p_wait, int64_t p_max_wait_usec, int64_t p_blind_wait_ms) {
+Array TransportPump::serve(bool p_first, int64_t p_max_wait_usec) {
 	if (_host.is_null()) {
-		Array error;
-		error.push_back(ENetConnection::EVENT_ERROR);
-		return error;
+		return event_of(ENetConnection::EVENT_ERROR);
 	}
-	if (!_wait.is_open()) {
-		return _host->service(p_wait ? int32_t(p_blind_wait_ms) : 0);
+	if (p_first) {
+		_left = MAX_EVENTS;
 	}
-	const int64_t until_usec = now_usec() + p_max_wait_usec;
+	Array event = p_first ? wait_for_event(p_max_wait_usec) : next_event();
+	if (p_first && _busy) {
+		expect();
+	}
+	while (keep_if_fast(event)) {
+		_left--;
+		event = next_event();
+	}
+	_left--;
+	return event;
+}
+
+Array TransportPump::wait_for_event(int64_t p_max_wait_usec) {
+	int64_t now = transport::now_usec();
+	const int64_t until_usec = now + p_max_wait_usec;
+	const SealedSocket::State state = _socket->get_state();
+	int64_t due_usec = _socket->take_in(now);
 	Array event = _host->service(0);
-	while (p_wait && is_none(event)) {
-		const int64_t left_usec = until_usec - now_usec();
-		if (_wait.take() || left_usec <= 0) {
+	while (is_none(event)) {
+		now = transport::now_usec();
+		_socket->send_out(now);
+		if (now >= until_usec || _wait.take() || _socket->get_state() != state) {
 			break;
 		}
+		const int64_t left_usec = std::min(until_usec, due_usec) - now;
 		// Rounded up: the last wait would be many of no time.
 		_wait.wait(int(std::clamp<int64_t>((left_usec + 999) / 1000, 1, MAX_WAIT_MS)));
+		due_usec = _socket->take_in(transport::now_usec());
 		event = _host->service(0);
 	}
 	return event;
+}
+
+Array TransportPump::next_event() {
+	return _left > 0 ? _host->service(0) : event_of(ENetConnection::EVENT_NONE);
+}
+
+/// To find that nothing is left takes ENet as long as the rest, as it looks at all its slots: so a busy
+/// thread asks for no more events than datagrams have come. What is left nevertheless comes with the
+/// next turn.
+void TransportPump::expect() {
+	const int64_t came = int64_t(_host->pop_statistic(ENetConnection::HOST_TOTAL_RECEIVED_PACKETS));
+	_received += came;
+	if (came > 0) {
+		_left = std::min(came, MAX_EVENTS);
+	}
+}
+
+bool TransportPump::keep_if_fast(const Array &p_event) {
+	if (int64_t(p_event[0]) != ENetConnection::EVENT_RECEIVE || int64_t(p_event[3]) != _fast_channel) {
+		return false;
+	}
+	// Every packet that an event announces must be taken, or the next event would get it.
+	const Ref<ENetPacketPeer> remote = p_event[1];
+	Ref<FastPacket> packet;
+	packet.instantiate();
+	packet->set_arrival_usec(transport::now_usec());
+	packet->set_bytes(remote->get_packet());
+	packet->set_peer(remote->get_meta(_id, 0));
+	_arrived.push_back(packet.ptr());
+	_fast.push_back(packet);
+	return true;
+}
+
+TypedArray<FastPacket> TransportPump::take_fast(int64_t p_ticks_usec) {
+	const TypedArray<FastPacket> taken = _fast;
+	if (!_arrived.empty()) {
+		// The engine's clock and ours do not count alike.
+		const int64_t offset_usec = p_ticks_usec - transport::now_usec();
+		for (FastPacket *packet : _arrived) {
+			packet->set_arrival_usec(packet->get_arrival_usec() + offset_usec);
+		}
+		_arrived.clear();
+		_fast = TypedArray<FastPacket>();
+	}
+	return taken;
+}
+
+int64_t TransportPump::take_received() {
+	return std::exchange(_received, 0);
+}
+
+void TransportPump::send_out() {
+	if (_socket.is_valid()) {
+		_socket->send_out(transport::now_usec());
+	}
 }
 
 void TransportPump::wake() {
@@ -69,18 +147,21 @@ void TransportPump::wake() {
 }
 
 void TransportPump::note_handed_over() {
-	_pause.handed_over(now_usec());
+	_pause.handed_over(transport::now_usec());
 }
 
 void TransportPump::pause() {
-	std::this_thread::sleep_for(std::chrono::microseconds(_pause.usec(now_usec())));
+	std::this_thread::sleep_for(std::chrono::microseconds(_pause.usec(transport::now_usec())));
 }
 
 void TransportPump::_bind_methods() {
-	ClassDB::bind_method(D_METHOD("attach", "host", "watch_socket"), &TransportPump::attach);
+	ClassDB::bind_method(D_METHOD("attach", "host", "socket", "fast_channel"), &TransportPump::attach);
 	ClassDB::bind_method(D_METHOD("detach"), &TransportPump::detach);
-	ClassDB::bind_method(D_METHOD("is_watching"), &TransportPump::is_watching);
-	ClassDB::bind_method(D_METHOD("serve", "wait", "max_wait_usec", "blind_wait_ms"), &TransportPump::serve);
+	ClassDB::bind_method(D_METHOD("serve", "first", "max_wait_usec"), &TransportPump::serve);
+	ClassDB::bind_method(D_METHOD("set_busy", "busy"), &TransportPump::set_busy);
+	ClassDB::bind_method(D_METHOD("take_fast", "ticks_usec"), &TransportPump::take_fast);
+	ClassDB::bind_method(D_METHOD("take_received"), &TransportPump::take_received);
+	ClassDB::bind_method(D_METHOD("send_out"), &TransportPump::send_out);
 	ClassDB::bind_method(D_METHOD("wake"), &TransportPump::wake);
 	ClassDB::bind_method(D_METHOD("note_handed_over"), &TransportPump::note_handed_over);
 	ClassDB::bind_method(D_METHOD("pause"), &TransportPump::pause);

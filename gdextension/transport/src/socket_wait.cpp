@@ -38,8 +38,9 @@ uint16_t udp_port(int p_descriptor) {
 	return at.ss_family == AF_INET6 ? ntohs(reinterpret_cast<const sockaddr_in6 &>(at).sin6_port) : 0;
 }
 
-/// The only UDP socket of a port in this process, or -1.
-int find_socket(uint16_t p_port) {
+} // namespace
+
+int find_udp_socket(uint16_t p_port) {
 	const std::unique_ptr<DIR, CloseFolder> folder(opendir("/proc/self/fd"));
 	if (!folder || p_port == 0) {
 		return -1;
@@ -59,19 +60,17 @@ int find_socket(uint16_t p_port) {
 	return found;
 }
 
-} // namespace
-
 SocketWait::~SocketWait() {
 	if (_event >= 0) {
 		::close(_event);
 	}
 }
 
-bool SocketWait::open(uint16_t p_port) {
+bool SocketWait::open(int p_socket) {
 	if (_event < 0) {
 		_event = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
 	}
-	_socket = find_socket(p_port);
+	_socket = p_socket;
 	return is_open();
 }
 

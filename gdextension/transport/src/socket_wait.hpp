@@ -6,9 +6,13 @@
 
 namespace transport {
 
-/// Lets a thread wait until its UDP socket has something to read or another thread calls wake(),
-/// whichever comes first. ENet can only wait for its socket: who has something to send would have to
-/// wait until that wait times out.
+/// The process's UDP socket of a port, or -1 if there is none or several: ENet does not give its own
+/// away. It stays its owner's.
+int find_udp_socket(uint16_t p_port);
+
+/// Lets a thread wait until its socket has something to read or another thread calls wake(), whichever
+/// comes first. ENet can only wait for its socket: who has something to send would have to wait until
+/// that wait times out.
 ///
 /// All but wake() belong to the waiting thread, or to its owner while it does not run.
 class SocketWait {
@@ -18,10 +22,9 @@ public:
 	SocketWait(const SocketWait &) = delete;
 	SocketWait &operator=(const SocketWait &) = delete;
 
-	/// Watches the process's UDP socket of a port: ENet does not give its own away. False if there is
-	/// no such socket or several, or the system has no descriptor left. The socket stays its owner's,
-	/// who calls close() before it ends.
-	bool open(uint16_t p_port);
+	/// Watches a socket. False if it is none, or the system has no descriptor left. It stays its
+	/// owner's, who calls close() before it ends.
+	bool open(int p_socket);
 	void close();
 	bool is_open() const { return _event >= 0 && _socket >= 0; }
 

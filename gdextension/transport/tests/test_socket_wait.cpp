@@ -11,6 +11,7 @@
 #include <thread>
 #include <unistd.h>
 
+using transport::find_udp_socket;
 using transport::SocketWait;
 
 namespace {
@@ -70,7 +71,7 @@ int64_t milliseconds(Call p_call) {
 TEST(a_wait_ends_with_its_time) {
 	const Port port;
 	SocketWait wait;
-	CHECK(wait.open(port.number()));
+	CHECK(wait.open(find_udp_socket(port.number())));
 	CHECK(milliseconds([&] { wait.wait(30); }) >= 29);
 	CHECK(!wait.take());
 }
@@ -79,7 +80,7 @@ TEST(a_datagram_ends_a_wait) {
 	const Port port;
 	const Port other;
 	SocketWait wait;
-	CHECK(wait.open(port.number()));
+	CHECK(wait.open(find_udp_socket(port.number())));
 	bool sent = false;
 	std::thread sender([&] { sent = other.send_to(port); });
 	CHECK(milliseconds([&] { wait.wait(FOREVER_MS); }) < FOREVER_MS);
@@ -92,7 +93,7 @@ TEST(a_datagram_ends_a_wait) {
 TEST(another_thread_ends_a_wait) {
 	const Port port;
 	SocketWait wait;
-	CHECK(wait.open(port.number()));
+	CHECK(wait.open(find_udp_socket(port.number())));
 	std::thread caller([&] { wait.wake(); });
 	CHECK(milliseconds([&] { wait.wait(FOREVER_MS); }) < FOREVER_MS);
 	caller.join();
@@ -105,7 +106,7 @@ TEST(a_call_before_the_wait_counts_and_is_taken_once) {
 	const Port port;
 	SocketWait wait;
 	wait.wake();
-	CHECK(wait.open(port.number()));
+	CHECK(wait.open(find_udp_socket(port.number())));
 	for (int i = 0; i < 100; i++) {
 		wait.wake();
 	}
@@ -117,7 +118,7 @@ TEST(a_call_before_the_wait_counts_and_is_taken_once) {
 TEST(no_call_is_missed_between_threads) {
 	const Port port;
 	SocketWait wait;
-	CHECK(wait.open(port.number()));
+	CHECK(wait.open(find_udp_socket(port.number())));
 	constexpr int ROUNDS = 20000;
 	std::atomic<int> posted{ 0 };
 	std::atomic<int> seen{ 0 };
@@ -142,18 +143,18 @@ TEST(no_call_is_missed_between_threads) {
 
 TEST(only_the_one_socket_of_a_port_is_watched) {
 	SocketWait wait;
-	CHECK(!wait.open(0));
+	CHECK(!wait.open(find_udp_socket(0)));
 	uint16_t gone = 0;
 	{
 		const Port port;
 		gone = port.number();
-		CHECK(wait.open(gone));
+		CHECK(wait.open(find_udp_socket(gone)));
 		wait.close();
 		CHECK(!wait.is_open());
 		const Port twin(gone, INADDR_LOOPBACK + 1);
-		CHECK(!wait.open(gone));
+		CHECK(!wait.open(find_udp_socket(gone)));
 	}
-	CHECK(!wait.open(gone));
+	CHECK(!wait.open(find_udp_socket(gone)));
 	wait.wake();
 	CHECK(wait.take());
 }

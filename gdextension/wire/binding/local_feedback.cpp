@@ -46,6 +46,7 @@ double LocalFeedback::deviation(int64_t p_limb) const {
 void LocalFeedback::_bind_methods() {
 	ClassDB::bind_method(
 			D_METHOD("set_skeleton", "parents", "joints_in_parent", "joints_in_limb"), &LocalFeedback::set_skeleton);
+	ClassDB::bind_method(D_METHOD("set_heading", "heading"), &LocalFeedback::set_heading);
 	ClassDB::bind_method(D_METHOD("push_local", "moment_s", "root", "orientations"), &LocalFeedback::push_local);
 	ClassDB::bind_method(D_METHOD("push_truth", "moment_s", "transforms"), &LocalFeedback::push_truth);
 	ClassDB::bind_method(D_METHOD("evaluate", "now_s", "moment_s"), &LocalFeedback::evaluate);

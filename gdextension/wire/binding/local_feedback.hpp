@@ -19,6 +19,7 @@ class LocalFeedback : public RefCounted {
 public:
 	bool set_skeleton(const PackedInt32Array &p_parents, const PackedVector3Array &p_joints_in_parent,
 			const PackedVector3Array &p_joints_in_limb);
+	void set_heading(double p_heading) { _feedback.set_heading(float(p_heading)); }
 	bool push_local(double p_moment_s, const Vector3 &p_root, const PackedFloat32Array &p_orientations);
 	bool push_truth(double p_moment_s, const PackedFloat32Array &p_transforms);
 	bool evaluate(double p_now_s, double p_moment_s) { return _feedback.evaluate(p_now_s, p_moment_s); }

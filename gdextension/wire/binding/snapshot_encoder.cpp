@@ -217,9 +217,19 @@ void SnapshotEncoder::end_tick() {
 	_core->world().end();
 }
 
+void SnapshotEncoder::set_datagram_overhead(int64_t p_bytes) {
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	ERR_FAIL_COND_MSG(p_bytes < 0 || p_bytes > 1000, "SnapshotEncoder: a datagram's overhead is 0 to 1000 bytes.");
+	_core->set_datagram_overhead(std::size_t(p_bytes));
+}
+
 void SnapshotEncoder::add_client(int64_t p_client, int64_t p_snapshots_per_second, double p_bits_per_second) {
 	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
 	_core->add_client(int(p_client), int(p_snapshots_per_second), p_bits_per_second);
+}
+
+void SnapshotEncoder::set_bandwidth(int64_t p_client, double p_bits_per_second) {
+	_core->set_bandwidth(int(p_client), p_bits_per_second);
 }
 
 void SnapshotEncoder::add_recorder(int64_t p_client) {
@@ -341,6 +351,7 @@ void SnapshotEncoder::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_field", "entity", "field"), &SnapshotEncoder::get_field);
 	ClassDB::bind_method(D_METHOD("set_position", "entity", "position"), &SnapshotEncoder::set_position);
 	ClassDB::bind_method(D_METHOD("set_frame", "person", "carrier"), &SnapshotEncoder::set_frame);
+	ClassDB::bind_method(D_METHOD("set_datagram_overhead", "bytes"), &SnapshotEncoder::set_datagram_overhead);
 	ClassDB::bind_method(D_METHOD("add_recorder", "client"), &SnapshotEncoder::add_recorder);
 	ClassDB::bind_method(D_METHOD("set_command_ack", "client", "number"), &SnapshotEncoder::set_command_ack);
 	ClassDB::bind_method(D_METHOD("set_motion_ack", "client", "bytes"), &SnapshotEncoder::set_motion_ack);
@@ -359,6 +370,7 @@ void SnapshotEncoder::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("end_tick"), &SnapshotEncoder::end_tick);
 	ClassDB::bind_method(
 			D_METHOD("add_client", "client", "snapshots_per_second", "bits_per_second"), &SnapshotEncoder::add_client);
+	ClassDB::bind_method(D_METHOD("set_bandwidth", "client", "bits_per_second"), &SnapshotEncoder::set_bandwidth);
 	ClassDB::bind_method(D_METHOD("remove_client", "client"), &SnapshotEncoder::remove_client);
 	ClassDB::bind_method(D_METHOD("set_own_person", "client", "person"), &SnapshotEncoder::set_own_person);
 	ClassDB::bind_method(D_METHOD("set_cells", "origin", "size", "counts", "visible"), &SnapshotEncoder::set_cells);

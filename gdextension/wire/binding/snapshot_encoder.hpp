@@ -48,7 +48,9 @@ public:
 			bool p_at_rest);
 	void end_tick();
 
+	void set_datagram_overhead(int64_t p_bytes);
 	void add_client(int64_t p_client, int64_t p_snapshots_per_second, double p_bits_per_second);
+	void set_bandwidth(int64_t p_client, double p_bits_per_second);
 	void add_recorder(int64_t p_client);
 	void remove_client(int64_t p_client);
 	void set_own_person(int64_t p_client, int64_t p_person);

@@ -114,6 +114,30 @@ TEST(the_default_waits_longer_where_updates_vary_more) {
 	}
 }
 
+TEST(the_delay_that_is_reported_is_that_of_what_is_shown_however_slow_the_server_is) {
+	for (const double speed : { 1.0, 0.95, 0.85, 0.7 }) {
+		Smoother smoother;
+		smoother.set_skeleton(0, arm());
+		double reported = 0.0;
+		double shown = 0.0;
+		int count = 0;
+		for (uint32_t tick = 1; tick < 1200; tick++) {
+			// Ticks come later and later, as those of a machine that is too slow.
+			const double arrival = double(tick) / 60.0 / speed + 0.005;
+			smoother.push(swinging(tick), arrival);
+			smoother.evaluate(arrival + 0.004);
+			if (tick > 600) {
+				reported += smoother.delay();
+				// Ahead of the newest tick it is carried on, which is no delay.
+				shown += std::max((double(tick) - smoother.shown_tick()) / 60.0, 0.0);
+				count++;
+			}
+		}
+		CHECK(std::fabs(reported - shown) / count < 0.05);
+		CHECK(reported / count < 0.06);
+	}
+}
+
 TEST(the_thesis_and_the_error_offset_are_ahead_of_the_buffers) {
 	const std::vector<Datagram> usual = network(0, 1200, 2, 0.025, 0.01, 0.02);
 	const double buffered = error(watch(SmoothingMethod::HERMITE, usual, 2.0, 20.0), 0.0);

@@ -68,6 +68,31 @@ float waving(double p_time) {
 
 } // namespace
 
+TEST(a_wearer_whose_frame_is_turned_is_seen_as_the_server_has_him) {
+	LocalFeedback feedback;
+	feedback.set_skeleton(arm());
+	const kinematics::Quat turn = kinematics::exp({ 0.0f, 2.0f, 0.0f });
+	for (const float heading : { 0.0f, 2.0f }) {
+		feedback.set_heading(heading);
+		CHECK(!feedback.evaluate(0.0, 0.0)); // What was pushed before is forgotten.
+		for (int frame = 0; frame < 60; frame++) {
+			const double now = double(frame) / 60.0;
+			const PersonPose local = armed(0.3f);
+			PersonPose truth = local;
+			for (kinematics::Quat &limb : truth.orientations) {
+				limb = turn * limb;
+			}
+			CHECK(feedback.push_local(now, local));
+			feedback.push_truth(now, truth);
+			CHECK(feedback.evaluate(now, now));
+		}
+		// By another frame than the server's the whole body is off.
+		CHECK((feedback.deviation(0) < 0.01f) == (heading == 2.0f));
+	}
+	const kinematics::Quat shown = feedback.get_pose().orientations[1];
+	CHECK(std::abs(shown.dot(turn * armed(0.3f).orientations[1])) > 0.9999f);
+}
+
 TEST(the_own_body_is_shown_at_once) {
 	const std::vector<float> seen = see(3.0, waving, waving);
 	float worst = 0.0f;

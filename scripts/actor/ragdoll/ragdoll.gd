@@ -34,6 +34,7 @@ extends Node3D
 ## Whether joints are limited to what people's joints can do.
 @export var anatomical_limits: bool = false
 
+@warning_ignore("unused_private_class_variable")
 @export_tool_button("Make bodies", "PhysicalBone3D") var _make_button: Callable = make_bodies
 
 ## Drives the bodies; null until [method start].
@@ -41,6 +42,10 @@ var motor: RagdollMotor = null
 
 var _bodies: Array[RID] = []
 var _is_fitted: bool = false
+## Bones of the limbs in the profile's order, as far as they were found already.
+var _bones: Array[PhysicalBone3D] = []
+## Bodies in the rest pose, in the profile's order, in model space, as far as they were found.
+var _rests: Array[Transform3D] = []
 
 
 func _get_configuration_warnings() -> PackedStringArray:
@@ -122,16 +127,25 @@ func fit_to(p_joints: PersonSkeleton) -> bool:
 	return _can_fit() and _fit(BodyScale.between(get_joints(), p_joints))
 
 
+## The same as [method fit] in parts and without the skin, for a server that must not stand still:
+## call [method RagdollFit.advance] until it is done. Null where nothing is to be changed.
+func begin_fit(p_lengths: PackedFloat32Array, p_hip_height: float = 0.0) -> RagdollFit:
+	if not _can_fit():
+		return null
+	var scale: BodyScale = BodyScale.of_lengths(self, p_lengths, p_hip_height)
+	if scale.is_none():
+		return null
+	_is_fitted = true
+	return RagdollFit.begin(self, scale, false)
+
+
 ## Starts the simulation; restarts it if it runs. The node must be in the tree. Returns false (and
 ## reports an error) if the scene lacks something.
 func start() -> bool:
-	var obstacles: PackedStringArray = _find_obstacles()
-	if not obstacles.is_empty():
-		push_error("%s cannot start: %s" % [name, obstacles[0]])
+	if _bones.is_empty() and not check():
 		return false
-	var bones: Array[PhysicalBone3D] = _find_bones()
-	if bones.is_empty():
-		return false
+	var bones: Array[PhysicalBone3D] = _bones
+	_bones = []
 	stop()  # Two motors would pull at the same bodies.
 	get_simulator().physical_bones_start_simulation()
 	_bodies.clear()
@@ -140,6 +154,23 @@ func start() -> bool:
 		bones[i].force_update_transform()
 		_bodies.append(bones[i].get_rid())
 	return _start_motor(bones)
+
+
+## Whether it can be started; reports an error if not. Who cannot wait calls it some time before
+## [method start], which then need not look again.
+func check() -> bool:
+	var obstacles: PackedStringArray = _find_obstacles()
+	if not obstacles.is_empty():
+		push_error("%s cannot start: %s" % [name, obstacles[0]])
+		return false
+	_bones = _find_bones()
+	return not _bones.is_empty()
+
+
+## Finds where the bodies are at rest, as [method check] finds them: who cannot wait calls it after
+## that and after fitting, then [method get_joints] and [method start] need not look.
+func measure_rests() -> void:
+	_rests = _find_rests(_bones)
 
 
 ## Ends the simulation: the joints and the motor go, the bodies rest where the skeleton has them.
@@ -186,17 +217,18 @@ func get_limb_order() -> PackedInt32Array:
 ## where the profile does not have all limbs.
 func get_joints() -> PersonSkeleton:
 	var joints: PersonSkeleton = PersonSkeleton.new()
-	var bones: Array[PhysicalBone3D] = _find_bones()
 	var order: PackedInt32Array = get_limb_order()
 	if order.has(-1):
 		return null
+	var limbs: Array[RagdollLimb] = profile.limbs
+	var rests: Array[Transform3D] = _rests if not _rests.is_empty() else _find_rests(_find_bones())
 	for slot: int in Limbs.COUNT:
-		var limb: RagdollLimb = profile.limbs[order[slot]]
-		var inner: Vector3 = _joint_in(bones[order[slot]], limb, limb.anchor)
+		var limb: RagdollLimb = limbs[order[slot]]
+		var inner: Vector3 = _joint_in(rests[order[slot]], limb, limb.anchor)
 		var outer: Vector3 = Vector3.ZERO
 		if slot > 0:
 			var parent: int = order[Limbs.PARENTS[slot]]
-			outer = _joint_in(bones[parent], profile.limbs[parent], limb.anchor)
+			outer = _joint_in(rests[parent], limbs[parent], limb.anchor)
 		joints.add(outer, inner, limb.reset_orientation)
 	return joints
 
@@ -214,7 +246,8 @@ func drive(p_time_s: float, p_delta_s: float) -> void:
 
 
 func _can_fit() -> bool:
-	if _is_fitted or motor != null or not _find_obstacles().is_empty():
+	var is_whole: bool = not _bones.is_empty() or _find_obstacles().is_empty()
+	if _is_fitted or motor != null or not is_whole:
 		Log.warning("actor", "%s cannot be given another size" % name)
 		return false
 	return not get_limb_order().has(-1)
@@ -272,27 +305,28 @@ func _find_obstacles() -> PackedStringArray:
 
 
 func _find_bones() -> Array[PhysicalBone3D]:
+	var by_name: Dictionary[StringName, PhysicalBone3D] = {}
+	for child: Node in get_simulator().get_children():
+		if child is PhysicalBone3D:
+			by_name[StringName((child as PhysicalBone3D).bone_name)] = child
 	var bones: Array[PhysicalBone3D] = []
 	for limb: RagdollLimb in profile.limbs:
-		var bone: PhysicalBone3D = null
-		for child: Node in get_simulator().get_children():
-			if child is PhysicalBone3D and (child as PhysicalBone3D).bone_name == limb.bone:
-				bone = child
-		if bone == null or Limbs.find(limb.bone) < 0:
+		if not by_name.has(limb.bone) or Limbs.find(limb.bone) < 0:
 			push_error("%s cannot start: no PhysicalBone3D for the limb %s." % [name, limb.bone])
 			return []
-		bones.append(bone)
+		bones.append(by_name[limb.bone])
 	return bones
 
 
 func _start_motor(p_bones: Array[PhysicalBone3D]) -> bool:
 	var centres: PackedVector3Array = []
 	var slots: PackedInt32Array = []
+	var limbs: Array[RagdollLimb] = profile.limbs
+	var rests: Array[Transform3D] = _rests if not _rests.is_empty() else _find_rests(p_bones)
+	_rests = []
 	for i: int in p_bones.size():
-		var limb: RagdollLimb = profile.limbs[i]
-		var body: Transform3D = _body_at_rest(p_bones[i], limb)
-		centres.append((body.origin - limb.anchor) * body.basis)
-		slots.append(Limbs.find(limb.bone))
+		centres.append((rests[i].origin - limbs[i].anchor) * rests[i].basis)
+		slots.append(Limbs.find(limbs[i].bone))
 	motor = RagdollMotor.new()
 	motor.gain = gain
 	motor.muscle_speed = muscle_speed
@@ -311,12 +345,23 @@ func _start_motor(p_bones: Array[PhysicalBone3D]) -> bool:
 	return true
 
 
+## The bodies in the rest pose, in the profile's order.
+func _find_rests(p_bones: Array[PhysicalBone3D]) -> Array[Transform3D]:
+	var figure: RestSkeleton = RestSkeleton.new(get_skeleton())
+	var rests: Array[Transform3D] = []
+	for i: int in p_bones.size():
+		rests.append(_body_at_rest(figure, p_bones[i], profile.limbs[i]))
+	return rests
+
+
 ## A joint in a limb's frame: that of the body, with the world's axes in the reset pose.
-func _joint_in(p_bone: PhysicalBone3D, p_limb: RagdollLimb, p_joint: Vector3) -> Vector3:
-	return p_limb.reset_orientation * (_body_at_rest(p_bone, p_limb).affine_inverse() * p_joint)
+static func _joint_in(p_rest: Transform3D, p_limb: RagdollLimb, p_joint: Vector3) -> Vector3:
+	return p_limb.reset_orientation * (p_rest.affine_inverse() * p_joint)
 
 
 ## A body in the rest pose, in model space. A designer may have moved it.
-func _body_at_rest(p_bone: PhysicalBone3D, p_limb: RagdollLimb) -> Transform3D:
-	var rest: Transform3D = RestSkeleton.new(get_skeleton()).scaled_rest(p_limb.bone)
+static func _body_at_rest(
+	p_figure: RestSkeleton, p_bone: PhysicalBone3D, p_limb: RagdollLimb
+) -> Transform3D:
+	var rest: Transform3D = p_figure.scaled_rest(p_limb.bone)
 	return Transform3D(Basis(p_limb.rest_orientation), (rest * p_bone.body_offset).origin)

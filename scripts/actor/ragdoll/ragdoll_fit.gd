@@ -10,6 +10,9 @@ extends RefCounted
 ## meshes are bound with, so that it follows without shear however the limbs turn.
 ## Rotations stay, and so do the rest and the reset pose. Nothing that scenes share is changed.
 
+## Limbs that one part of the work fits, so that none takes long.
+const _SLICE: int = 6
+
 var _ragdoll: Ragdoll = null
 var _scale: BodyScale = null
 var _skeleton: Skeleton3D = null
@@ -18,23 +21,51 @@ var _figure: RestSkeleton = null
 var _maps: Array[Basis] = []
 ## Rests of the limbs' bones before, in model space, by bone.
 var _rests: Dictionary[StringName, Transform3D] = {}
+## The limbs' bodies, by bone.
+var _bodies: Dictionary[StringName, PhysicalBone3D] = {}
+## The profile before, and the limbs of the new one so far.
+var _former: RagdollProfile = null
+var _fitted: Array[RagdollLimb] = []
+## What is still to be done.
+var _parts: Array[Callable] = []
 
 
 ## Applies a scale. It can be done once.
 static func apply(p_ragdoll: Ragdoll, p_scale: BodyScale) -> void:
+	var fit: RagdollFit = begin(p_ragdoll, p_scale)
+	while not fit.advance():
+		pass
+
+
+## Begins to apply a scale; [method advance] does it. Without the skin it is quicker, for who draws
+## nothing.
+static func begin(p_ragdoll: Ragdoll, p_scale: BodyScale, p_has_skin: bool = true) -> RagdollFit:
 	var fit: RagdollFit = RagdollFit.new()
 	fit._ragdoll = p_ragdoll
 	fit._scale = p_scale
 	fit._skeleton = p_ragdoll.get_skeleton()
 	fit._figure = RestSkeleton.new(fit._skeleton)
+	fit._former = p_ragdoll.profile
+	fit._bodies = fit._find_bodies()
 	for bone: StringName in Limbs.BONES:
 		fit._rests[bone] = fit._figure.scaled_rest(bone)
-	fit._find_maps()
-	fit._fit_skins()
-	fit._move_bones()
-	fit._stand()
-	fit._fit_bodies()
-	fit._fit_profile()
+	fit._parts = [fit._find_maps]
+	if p_has_skin:
+		fit._parts.append(fit._fit_skins)
+	fit._parts.append_array([fit._move_bones, fit._stand])
+	for first: int in range(0, fit._bodies.size(), _SLICE):
+		fit._parts.append(fit._fit_bodies.bind(fit._bodies.keys().slice(first, first + _SLICE)))
+	for first: int in range(0, fit._former.limbs.size(), _SLICE):
+		fit._parts.append(fit._fit_limbs.bind(fit._former.limbs.slice(first, first + _SLICE)))
+	fit._parts.append_array([fit._put_profile, fit._share_strength])
+	return fit
+
+
+## Does the next part, some tenths of a millisecond of work. Returns whether all is done.
+func advance() -> bool:
+	if not _parts.is_empty():
+		(_parts.pop_front() as Callable).call()
+	return _parts.is_empty()
 
 
 ## Maps of all bones; those of bones above the hips leave everything as it is.
@@ -169,20 +200,28 @@ func _map_of(p_bone: StringName) -> Basis:
 	return _maps[_skeleton.find_bone(p_bone)]
 
 
-func _fit_profile() -> void:
-	var profile: RagdollProfile = _ragdoll.profile.duplicate()
-	var limbs: Array[RagdollLimb] = []
-	for limb: RagdollLimb in profile.limbs:
+func _fit_limbs(p_limbs: Array[RagdollLimb]) -> void:
+	for limb: RagdollLimb in p_limbs:
 		var fitted: RagdollLimb = limb.duplicate()
 		_fit_limb(fitted)
-		limbs.append(fitted)
-	profile.limbs = limbs
-	_share_mass(profile)
-	for i: int in limbs.size():
-		var needed: float = _load(profile, i) / _load(_ragdoll.profile, i)
-		limbs[i].max_torque *= maxf(_scale.height ** 3, needed)
+		_fitted.append(fitted)
+
+
+func _put_profile() -> void:
+	var profile: RagdollProfile = _former.duplicate()
+	profile.limbs = _fitted
 	_ragdoll.profile = profile
-	# What bears and lifts the body bears another weight.
+
+
+## Masses, and what bears and lifts them.
+func _share_strength() -> void:
+	var profile: RagdollProfile = _ragdoll.profile
+	_share_mass(profile)
+	var before: PackedFloat32Array = _loads(_former)
+	var after: PackedFloat32Array = _loads(profile)
+	var limbs: Array[RagdollLimb] = profile.limbs
+	for i: int in limbs.size():
+		limbs[i].max_torque *= maxf(_scale.height ** 3, after[i] / before[i])
 	var weight: float = _scale.height ** 2
 	_ragdoll.root_force *= weight
 	_ragdoll.root_torque *= weight * _scale.height
@@ -205,18 +244,27 @@ func _fit_limb(p_limb: RagdollLimb) -> void:
 		p_limb.contact_radius *= factors[(p_limb.size / factors).min_axis_index()]
 
 
-## The torque that holds a limb and all that hangs on it out level, over the gravity, kg m.
-static func _load(p_profile: RagdollProfile, p_limb: int) -> float:
-	var sum: float = 0.0
-	var joint: Vector3 = p_profile.limbs[p_limb].anchor
-	for i: int in p_profile.limbs.size():
+## The torque that holds each limb and all that hangs on it out level, over the gravity, kg m.
+static func _loads(p_profile: RagdollProfile) -> PackedFloat32Array:
+	var limbs: Array[RagdollLimb] = p_profile.limbs
+	var numbers: Dictionary[StringName, int] = {}
+	for i: int in limbs.size():
+		numbers[limbs[i].bone] = i
+	var parents: PackedInt32Array = []
+	var anchors: PackedVector3Array = []
+	for limb: RagdollLimb in limbs:
+		parents.append(numbers.get(limb.parent_bone, -1))
+		anchors.append(limb.anchor)
+	var loads: PackedFloat32Array = []
+	loads.resize(limbs.size())
+	for i: int in limbs.size():
+		var position: Vector3 = limbs[i].position
+		var mass: float = p_profile.mass * limbs[i].mass_fraction
 		var above: int = i
-		while above >= 0 and above != p_limb:
-			above = p_profile.get_parent_index(above)
-		if above == p_limb:
-			var limb: RagdollLimb = p_profile.limbs[i]
-			sum += p_profile.mass * limb.mass_fraction * limb.position.distance_to(joint)
-	return sum
+		while above >= 0:
+			loads[above] += mass * position.distance_to(anchors[above])
+			above = parents[above]
+	return loads
 
 
 ## Masses go with the limbs' volumes, their sum with the square of the height.
@@ -230,19 +278,18 @@ func _share_mass(p_profile: RagdollProfile) -> void:
 	for limb: RagdollLimb in p_profile.limbs:
 		var former: float = limb.mass_fraction
 		limb.mass_fraction *= _scale.volume(Limbs.find(limb.bone)) * sums.x / sums.y
-		var bone: PhysicalBone3D = _bodies().get(limb.bone)
+		var bone: PhysicalBone3D = _bodies.get(limb.bone)
 		if bone != null and former > 0.0:
 			bone.mass *= limb.mass_fraction / former * p_profile.mass / own
 
 
-func _fit_bodies() -> void:
-	var bodies: Dictionary[StringName, PhysicalBone3D] = _bodies()
-	for name: StringName in bodies:
+func _fit_bodies(p_names: Array[StringName]) -> void:
+	for name: StringName in p_names:
 		var map: Basis = _map_of(name)
-		var offset: Transform3D = bodies[name].body_offset
+		var offset: Transform3D = _bodies[name].body_offset
 		offset.origin = map * offset.origin
-		bodies[name].body_offset = offset
-		for child: Node in bodies[name].get_children():
+		_bodies[name].body_offset = offset
+		for child: Node in _bodies[name].get_children():
 			if child is CollisionShape3D and (child as CollisionShape3D).shape != null:
 				_fit_shape(child as CollisionShape3D, map)
 
@@ -273,10 +320,11 @@ static func _factors(p_map: Basis, p_axes: Basis) -> Vector3:
 	return Vector3(turned.x.length(), turned.y.length(), turned.z.length())
 
 
-func _bodies() -> Dictionary[StringName, PhysicalBone3D]:
+func _find_bodies() -> Dictionary[StringName, PhysicalBone3D]:
 	var bodies: Dictionary[StringName, PhysicalBone3D] = {}
-	if _ragdoll.get_simulator() != null:
-		for child: Node in _ragdoll.get_simulator().get_children():
+	var simulator: PhysicalBoneSimulator3D = _ragdoll.get_simulator()
+	if simulator != null:
+		for child: Node in simulator.get_children():
 			var bone: PhysicalBone3D = child as PhysicalBone3D
 			if bone != null and Limbs.find(bone.bone_name) >= 0:
 				bodies[bone.bone_name] = bone

@@ -11,6 +11,8 @@ const _SLACK: float = 0.25
 
 ## The scene that is shown.
 var node: Ragdoll = null
+## Where its mesh is.
+var hull: BodyHull = null
 
 var _skeleton: Skeleton3D = null
 var _poser: SkeletonPoser = SkeletonPoser.new()
@@ -18,16 +20,22 @@ var _meshes: Array[MeshInstance3D] = []
 ## Maximum distance of the person's points from the hips, m.
 var _reach: float = 2.0
 var _middle: Vector3 = Vector3.INF
+# The bones, or -1.
+var _head: int = -1
+var _hips: int = -1
 
 
 ## Takes the person's scene, in its size, and how the server's bodies hang together.
 func _init(p_node: Ragdoll, p_joints: PersonSkeleton) -> void:
 	node = p_node
 	_skeleton = p_node.get_skeleton()
+	hull = BodyHull.new(_skeleton)
 	p_node.get_simulator().active = false
 	if p_joints.is_sound():
 		_set_up_poser(p_joints)
 	_meshes = SkinnedSurface.find_meshes(_skeleton)
+	_head = _skeleton.find_bone(&"Head")
+	_hips = _skeleton.find_bone(&"Hips")
 	_reach = 1.5 * RestSkeleton.new(_skeleton).height()
 
 
@@ -50,6 +58,33 @@ func pose_floats(p_floats: PackedFloat32Array) -> bool:
 ## Where the hips were put last in the world, m.
 func hips() -> Vector3:
 	return _poser.get_root()
+
+
+## Where the head's joint was put last in the world, m.
+func head_joint() -> Vector3:
+	if _head < 0:
+		return hips()
+	return _skeleton.global_transform * _skeleton.get_bone_global_pose(_head).origin
+
+
+## Where the head was put last in the world, its front towards +Z.
+func head() -> Transform3D:
+	return Transform3D(_turn_of(_head), head_joint())
+
+
+## Where the hips face: angle about the vertical, 0 towards +Z.
+func heading() -> float:
+	var ahead: Vector3 = _turn_of(_hips) * Vector3.BACK
+	return atan2(ahead.x, ahead.z)
+
+
+## How a bone is turned in the world, from its rest.
+func _turn_of(p_bone: int) -> Basis:
+	if p_bone < 0:
+		return Basis.IDENTITY
+	var rest: Basis = _skeleton.get_bone_global_rest(p_bone).basis.orthonormalized()
+	var pose: Basis = _skeleton.global_basis * _skeleton.get_bone_global_pose(p_bone).basis
+	return pose.orthonormalized() * rest.inverse()
 
 
 func _set_up_poser(p_joints: PersonSkeleton) -> void:

@@ -111,7 +111,7 @@ func _draw_moment(p_area: Rect2, p_part: float, p_text: String, p_colour: Color)
 	var x: float = p_area.position.x + p_part * p_area.size.x
 	_canvas.draw_line(Vector2(x, p_area.position.y), Vector2(x, p_area.end.y), p_colour, 1.5)
 	var line: float = 1.0 if p_colour == _THESIS else 2.4
-	var width: float = _font.get_string_size(p_text, 0, -1, font_size).x
+	var width: float = _font.get_string_size(p_text, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x
 	# Beside the line, on the side where there is room.
 	x += 4.0 if x + width + 4.0 < p_area.end.x else -4.0 - width
 	_text(Vector2(x, p_area.position.y + font_size * line), p_text, p_colour)

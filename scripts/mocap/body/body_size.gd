@@ -153,15 +153,15 @@ func joints() -> PackedVector3Array:
 	found[Limbs.CHEST] = found[Limbs.SPINE] + Vector3(0.0, limb_length(Limbs.SPINE), 0.0)
 	found[Limbs.HEAD] = Vector3(0.0, shoulders + length(&"head") * 0.15, 0.0)
 	for side: int in 2:
-		var sign: float = 1.0 - 2.0 * side
+		var mirror: float = 1.0 - 2.0 * side
 		var arm: int = 4 + 3 * side
 		var reach: float = length(&"shoulder_width") / 2.0
 		for part: int in 3:
-			found[arm + part] = Vector3(sign * reach, shoulders, 0.0)
+			found[arm + part] = Vector3(mirror * reach, shoulders, 0.0)
 			reach += limb_length(arm + part)
 		var leg: int = 10 + 3 * side
 		# The hip joints are nearer to each other than the bones at the side.
-		var across: float = sign * length(&"hip_width") * 0.5 * 0.9
+		var across: float = mirror * length(&"hip_width") * 0.5 * 0.9
 		found[leg] = Vector3(across, hips, 0.0)
 		var ankle: float = length(&"foot_height")
 		var legs: float = length(&"thigh") + length(&"shank")

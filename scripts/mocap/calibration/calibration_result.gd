@@ -85,6 +85,23 @@ func score() -> float:
 	return 0.0 if error != "" else clampf(1.0 - worst / 10.0, 0.0, 1.0)
 
 
+## A sentence for the log and for instructors.
+func describe() -> String:
+	if error != "":
+		return "not calibrated: " + error
+	var text: String = "calibrated, quality %.0f %%" % (100.0 * score())
+	var apart: PackedFloat64Array = []
+	for quality: PlaceQuality in mounts:
+		if quality.residual_deg >= 0.0:
+			apart.append(quality.residual_deg)
+	if apart.is_empty():
+		return text
+	var sum_deg: float = 0.0
+	for degrees: float in apart:
+		sum_deg += degrees
+	return text + ", the poses agree to %.1f°" % (sum_deg / apart.size())
+
+
 ## Fills [member advice] from the mounts.
 func judge() -> void:
 	var sorted: Array[PlaceQuality] = mounts.duplicate()

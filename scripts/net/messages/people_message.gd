@@ -41,8 +41,7 @@ static func _read(p_bytes: PackedByteArray, p_people: Array[PersonCard]) -> Stri
 		var card: PersonCard = PersonCard.new()
 		card.index = reader.read_u8()
 		card.hip_height = reader.read_float()
-		for _limb: int in mini(reader.read_u8(), Limbs.COUNT + 1):
-			card.lengths.append(reader.read_float())
+		card.lengths = reader.read_floats(mini(reader.read_u8(), Limbs.COUNT + 1))
 		card.name = reader.read_text(4 * Protocol.MAX_NAME).left(Protocol.MAX_NAME)
 		card.name = card.name.strip_edges()
 		if reader.failed:

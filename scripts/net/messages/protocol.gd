@@ -33,20 +33,38 @@ enum Message {
 	EVENTS = 12,
 	## Server to client, reliable: see [LevelMessage]. In parts.
 	LEVEL = 13,
+	## Instructor to server, reliable: see [OrderMessage].
+	ORDER = 14,
+	## Server to instructor, reliable: see [AnswerMessage]. In parts.
+	ANSWER = 15,
+	## Server to instructor, reliable: see [RosterMessage]. In parts.
+	ROSTER = 16,
+	## Trainee to server, reliable: see [WearerMessage].
+	WEARER = 17,
+	## Client to server, reliable: it leaves for good; behind it the session's token, so that nobody
+	## else can say so.
+	LEAVE = 18,
+	## Both ways, reliable or fast path: see [CallMessage].
+	CALL = 19,
+	## Server to client, reliable: see [RefusalMessage]. In parts.
+	REFUSAL = 20,
 }
 
 ## Second byte of a [constant Message.CONTROL].
 enum Notice {
 	## The client must leave and not come back; a text says why.
 	DISMISSED,
-	## An instructor asks for a calibration: u8 which of the client's people, u8 which pose.
+	## An instructor asks for a calibration: u8 which of the client's people, u8 which calibration,
+	## u16 number for the answer, a [WearerMessage].
 	CALIBRATE,
+	## Something that the client's user is to know; a text.
+	TELL,
 }
 
 ## A first byte of this or above is [constant Message.MOTION] too: it holds a part of its number.
 const BASED_MOTION: int = 128
 ## Raised with every change of what is sent; a server refuses other versions.
-const VERSION: int = 4
+const VERSION: int = 5
 ## First bytes of a challenge and of a join request.
 const HELLO: String = "DSMT"
 ## UDP port of a server by default.

@@ -34,7 +34,7 @@ func read(p_bytes: PackedByteArray) -> Array[PoseSample]:
 		return samples
 	for person: int in _decoder.get_people():
 		var sample: PoseSample = _sample_of(person)
-		error = sample.find_fault()
+		error = sample.find_root_fault()
 		if error != "":
 			error = "motion that is no pose: " + error
 			return []

@@ -31,10 +31,16 @@ class PendingPeer:
 	var address: String = ""
 	var since_usec: int = 0
 	var challenge: PackedByteArray = PackedByteArray()
+	## Key of the proofs, which only this client and the server have; empty without sealing.
+	var key: PackedByteArray = PackedByteArray()
+	## The role that a sealed connection was made for.
+	var sealed_role: int = 0
 	var request: JoinRequest = null
 	var session: Session = null
 	## The connection that the session had until now; 0 if none.
 	var replaced_peer: int = 0
+	## The lost session that ends to make room for this one, or null.
+	var displaced: Session = null
 	var why: String = ""
 	## Whether trying later may help.
 	var later: bool = false
@@ -47,7 +53,7 @@ func _init(p_rules: ServerRules, p_sessions: SessionTable) -> void:
 	_sessions = p_sessions
 
 
-## A peer has connected; returns the challenge.
+## A peer has connected; returns the challenge, which it must be sent.
 func arrive(p_peer: int, p_address: String, p_now_usec: int) -> PackedByteArray:
 	var pending: PendingPeer = PendingPeer.new()
 	pending.peer = p_peer
@@ -56,6 +62,18 @@ func arrive(p_peer: int, p_address: String, p_now_usec: int) -> PackedByteArray:
 	pending.challenge = _rules.challenge().encode()
 	_pending[p_peer] = pending
 	return pending.challenge
+
+
+## A peer has connected and has proven the password of a role by that: both ends know the key, and
+## the challenge without a word.
+func arrive_sealed(
+	p_peer: int, p_address: String, p_now_usec: int, p_key: PackedByteArray, p_role: int
+) -> void:
+	arrive(p_peer, p_address, p_now_usec)
+	var pending: PendingPeer = _pending[p_peer]
+	pending.challenge = Challenge.SEALED.to_ascii_buffer()
+	pending.key = p_key
+	pending.sealed_role = p_role
 
 
 ## A pending peer, or null.
@@ -94,6 +112,15 @@ func judge(p_peer: int, p_bytes: PackedByteArray, p_now_usec: int) -> Verdict:
 	return _judge_room(pending, p_now_usec)
 
 
+## Whether there is room for one more. A full server has it where a connection is lost:
+## [member PendingPeer.displaced] is the session that is to end then.
+func has_room(p_pending: PendingPeer) -> bool:
+	if _sessions.all().size() < _rules.max_clients:
+		return true
+	p_pending.displaced = _sessions.longest_lost()
+	return p_pending.displaced != null
+
+
 ## Admits a waiting peer.
 func admit(p_pending: PendingPeer, p_now_usec: int) -> void:
 	p_pending.waits = false
@@ -114,13 +141,14 @@ func waiting() -> Array[PendingPeer]:
 
 
 ## Those who wait, for an instructor; see [method ServerLink.roster].
-func rows() -> Array[Dictionary]:
-	var list: Array[Dictionary] = []
+func rows() -> Array[RosterRow]:
+	var list: Array[RosterRow] = []
 	for pending: PendingPeer in waiting():
-		var row: Dictionary = {"session": 0, "peer": pending.peer, "state": "waiting"}
-		row["name"] = pending.request.name
-		row["role"] = pending.request.role
-		row["address"] = pending.address
+		var row: RosterRow = RosterRow.new()
+		row.peer = pending.peer
+		row.name = pending.request.name
+		row.role = pending.request.role
+		row.address = pending.address
 		list.append(row)
 	return list
 
@@ -138,12 +166,18 @@ func overdue(p_now_usec: int) -> Array[int]:
 
 func _judge_password(p_pending: PendingPeer, p_known: bool, p_now_usec: int) -> Verdict:
 	var role: Roles.Role = p_pending.request.role
+	if not p_pending.key.is_empty():
+		var fits: bool = p_pending.sealed_role == role
+		if not fits or not p_pending.request.is_proven(p_pending.challenge, p_pending.key):
+			return _refuse(p_pending, "the connection was made for another role", false)
 	if _rules.password_of(role) == "":
 		var local: bool = ServerRules.is_loopback(p_pending.address)
 		if Roles.can(role, Roles.Capability.MODERATE) and not local:
 			return _refuse(
 				p_pending, "instructors from elsewhere need a server with a password", false
 			)
+		return Verdict.WELCOME
+	if not p_pending.key.is_empty():
 		return Verdict.WELCOME
 	# Whoever knows a session's token does not guess: an attacker from the same address must not
 	# keep those out who come back.
@@ -159,18 +193,21 @@ func _judge_room(p_pending: PendingPeer, p_now_usec: int) -> Verdict:
 	var role: Roles.Role = p_pending.request.role
 	var moderates: bool = Roles.can(role, Roles.Capability.MODERATE)
 	var rows: Array[PendingPeer] = waiting()
-	if _sessions.all().size() >= _rules.max_clients:
+	if not has_room(p_pending):
 		return _refuse(p_pending, "the server is full (%d clients)" % _rules.max_clients, false)
 	var mine: int = _sessions.count_at(p_pending.address)
 	for pending: PendingPeer in rows:
 		mine += 1 if pending.address == p_pending.address else 0
 	if _rules.max_per_address > 0 and mine >= _rules.max_per_address:
-		var most: int = _rules.max_per_address
-		return _refuse(p_pending, "%d clients of your address are here already" % most, false)
+		p_pending.displaced = _sessions.longest_lost(p_pending.address)
+		if p_pending.displaced == null:
+			var most: int = _rules.max_per_address
+			return _refuse(p_pending, "%d clients of your address are here already" % most, false)
 	if _rules.waiting_room and not moderates:
 		if rows.size() >= MAX_WAITING:
 			return _refuse(p_pending, "the waiting room is full", true)
 		p_pending.waits = true
+		p_pending.displaced = null
 		return Verdict.WAIT
 	admit(p_pending, p_now_usec)
 	return Verdict.WELCOME

@@ -5,6 +5,8 @@ extends RefCounted
 ## Little-endian: [constant Protocol.HELLO], u32 version, u8 a bit for each role that needs a
 ## password, u32 rounds of the key's derivation, 16 bytes salt, 32 bytes nonce.
 
+## What stands for the challenge in the proofs of a sealed connection, where none is sent.
+const SEALED: String = "DSMT sealed"
 ## Size, bytes.
 const SIZE: int = 61
 

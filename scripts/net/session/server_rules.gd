@@ -14,8 +14,8 @@ var instructor_password: String = ""
 var waiting_room: bool = false
 ## Banned addresses.
 var bans: BanList = BanList.new()
-## DTLS, or null.
-var tls: TLSOptions = null
+## Whether connections are sealed.
+var seals: bool = true
 ## Name of the level that a client needs.
 var level_name: String = ""
 ## Fingerprint of the level at the server, [constant Protocol.FINGERPRINT_SIZE] bytes.
@@ -38,6 +38,16 @@ func key_of(p_role: Roles.Role) -> PackedByteArray:
 	if not _keys.has(secret):
 		_keys[secret] = PasswordKey.derive(secret, _salt, PasswordKey.ROUNDS)
 	return _keys[secret]
+
+
+## How connections are sealed.
+func sealing() -> TransportSealing:
+	var made: TransportSealing = TransportSealing.new()
+	made.seals = seals
+	made.version = Protocol.VERSION
+	for role: Roles.Role in Roles.Role.values():
+		made.passwords.append(password_of(role))
+	return made
 
 
 ## A new challenge.

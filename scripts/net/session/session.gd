@@ -24,6 +24,8 @@ var was_here: bool = false
 var motion: SampleReader = SampleReader.new()
 ## The level that was sent to the client when it was admitted, as [LevelMessage].
 var welcome_level: PackedByteArray = PackedByteArray()
+## What the client says of its suit; empty: nothing.
+var suit: String = ""
 ## When the connection was lost, µs.
 var lost_usec: int = 0
 

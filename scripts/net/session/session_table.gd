@@ -22,7 +22,7 @@ func open(p_request: JoinRequest, p_peer: int, p_address: String) -> Session:
 	session.id = _next_id
 	_next_id = _next_id % MAX_ID + 1
 	session.role = p_request.role
-	session.name = p_request.name
+	session.name = _free_name(p_request.name)
 	session.token = Crypto.new().generate_random_bytes(JoinRequest.TOKEN_SIZE)
 	_sessions[session.id] = session
 	attach(session, p_request, p_peer, p_address)
@@ -94,6 +94,17 @@ func overdue(p_now_usec: int) -> Array[Session]:
 	)
 
 
+## The session whose connection was lost first, of an address or of all (an empty text), or null.
+func longest_lost(p_address: String = "") -> Session:
+	var found: Session = null
+	for session: Session in all():
+		var asked: bool = p_address == "" or session.address == p_address
+		if session.peer == 0 and asked:
+			if found == null or session.lost_usec < found.lost_usec:
+				found = session
+	return found
+
+
 ## Number of sessions from an address.
 func count_at(p_address: String) -> int:
 	var count: int = 0
@@ -103,14 +114,31 @@ func count_at(p_address: String) -> int:
 
 
 ## All, for an instructor; see [method ServerLink.roster].
-func rows() -> Array[Dictionary]:
-	var list: Array[Dictionary] = []
+func rows() -> Array[RosterRow]:
+	var list: Array[RosterRow] = []
 	for id: int in _sessions:
 		var session: Session = _sessions[id]
-		var row: Dictionary = session.hello()
-		row["session"] = session.id
-		row["peer"] = session.peer
-		row["address"] = session.address
-		row["state"] = "here" if session.is_here else "lost"
+		var row: RosterRow = RosterRow.new()
+		row.session = session.id
+		row.peer = session.peer
+		row.role = session.role
+		row.name = session.name
+		row.address = session.address
+		row.suit = session.suit
+		row.state = RosterRow.State.HERE if session.is_here else RosterRow.State.LOST
 		list.append(row)
 	return list
+
+
+## A name that no other session has: on screen and in orders people are told apart by it.
+func _free_name(p_name: String) -> String:
+	var taken: Dictionary[String, bool] = {}
+	for id: int in _sessions:
+		taken[_sessions[id].name.to_lower()] = true
+	var name: String = p_name
+	var number: int = 1
+	while taken.has(name.to_lower()):
+		number += 1
+		var suffix: String = " (%d)" % number
+		name = p_name.left(Protocol.MAX_NAME - suffix.length()) + suffix
+	return name

@@ -1,5 +1,5 @@
 class_name ThreadedPeer
-extends MultiplayerPeerExtension
+extends TransferSettings
 ## Godot's multiplayer API over an ENet host that a thread of its own serves.
 ##
 ## Authentication, remote calls, spawners and synchronizers run over it unchanged, as over
@@ -14,45 +14,41 @@ signal reopened
 ## A client's connection to the server is over, and why.
 signal failed(p_why: String)
 
-## Transfer channels that can be used beside 0.
-const MAX_TRANSFER_CHANNEL: int = TransportHost.CHANNELS - TransportHost.FAST_CHANNEL - 1
-
 ## What this end lets through. Set it before creating.
 var limits: TransportLimits = TransportLimits.new()
 ## Checks what arrives, on a server; null lets everything through. Set it before creating.
 var guard: TransportGuard = null
-## DTLS for both ends, or null. Set it before creating.
-var tls: TLSOptions = null
-## See [member TransportThread.instant]. Set it before creating.
-var instant: Callable = Callable()
-## See [member TransportThread.instant_kind]. Set it before creating.
-var instant_kind: int = -1
-## See [member TransportThread.watcher]. Set it before creating.
-var watcher: Callable = Callable()
-## See [member TransportThread.beacon]. Set it before creating.
-var beacon: Callable = Callable()
-## See [member TransportThread.beacon_period]. Set it before creating.
-var beacon_period: Callable = Callable()
-
-## The sender of the remote call that the multiplayer API reads now; 0 if it reads none.
-var reading_call_of: int = 0
+## Whether and how datagrams are sealed: the same at both ends. Set it before creating. Of a server
+## that is open it changes the passwords alone, for those who come from then on.
+var sealing: TransportSealing = TransportSealing.off():
+	set(p_sealing):
+		sealing = p_sealing
+		if _thread != null:
+			_thread.set_passwords(sealing.passwords)
+## On a client: whether a thread serves it. Without one [method MultiplayerPeer.poll] does, which
+## many clients in one process need. Set it before creating.
+var has_thread: bool = true
+## What the thread calls. Set it before creating.
+var callbacks: TransportCallbacks = TransportCallbacks.new()
+## The packets of spawners and synchronizers, on a server.
+var engine: EnginePackets = EnginePackets.new()
+## On a client: whether it has the nodes that the engine's own packets are about.
+var takes_engine: bool = true
+## On a client: whether the server refuses it, so that trying again is useless; see [signal failed].
+var is_refused: bool = false
 
 var _thread: TransportThread = null
 var _unique_id: int = 0
 var _port: int = 0
 var _address: String = ""
 var _status: MultiplayerPeer.ConnectionStatus = CONNECTION_DISCONNECTED
-var _addresses: Dictionary[int, String] = {}
+# How everybody joined who is connected.
+var _joined: Dictionary[int, TransportEvent] = {}
 var _leaving: Dictionary[int, bool] = {}
 var _reasons: Dictionary[int, int] = {}
 var _events: Array[TransportEvent] = []
 var _next_event: int = 0
-var _waiting: Array[TransportEvent] = []
-var _next_waiting: int = 0
-var _target: int = 0
-var _channel: int = 0
-var _mode: MultiplayerPeer.TransferMode = TRANSFER_MODE_RELIABLE
-var _refuses: bool = false
+var _waiting: PacketQueue = PacketQueue.new()
 
 
 func _notification(p_what: int) -> void:
@@ -61,8 +57,7 @@ func _notification(p_what: int) -> void:
 
 
 ## Opens a server's port. [constant ERR_ALREADY_IN_USE] if this peer is in use,
-## [constant ERR_CANT_CREATE] if the port is, [constant ERR_UNAVAILABLE] if DTLS is asked for and
-## the engine has none.
+## [constant ERR_CANT_CREATE] if the port is.
 func create_server(p_port: int, p_address: String = "*") -> Error:
 	if _thread != null:
 		return ERR_ALREADY_IN_USE
@@ -84,6 +79,7 @@ func create_client(p_host: String, p_port: int) -> Error:
 	if _thread != null:
 		return ERR_ALREADY_IN_USE
 	var thread: TransportThread = _make_thread()
+	thread.has_thread = has_thread
 	_unique_id = generate_unique_id()
 	var error: Error = thread.start_client(p_host, p_port, _unique_id)
 	if error != OK:
@@ -100,12 +96,11 @@ func close_with(p_reason: int) -> void:
 	_thread.stop(p_reason)
 	_thread = null
 	_status = CONNECTION_DISCONNECTED
-	_addresses.clear()
+	_joined.clear()
 	_leaving.clear()
 	_events.clear()
 	_next_event = 0
 	_waiting.clear()
-	_next_waiting = 0
 
 
 ## Ends a connection after what is still to be sent, and says why: a [DisconnectReason].
@@ -143,9 +138,9 @@ func take_fast() -> Array[FastPacket]:
 
 
 ## Says that a client is welcome: the guard then lets it complete its authentication.
-func welcome(p_peer: int, p_may_call: bool) -> void:
+func welcome(p_peer: int) -> void:
 	if _thread != null:
-		_thread.welcome(p_peer, p_may_call)
+		_thread.welcome(p_peer)
 
 
 ## Keeps a client that has not been admitted yet, because an instructor will decide.
@@ -161,12 +156,30 @@ func has_more() -> bool:
 
 ## Whether somebody is connected.
 func has_peer(p_peer: int) -> bool:
-	return _addresses.has(p_peer)
+	return _joined.has(p_peer)
 
 
 ## IP address of somebody, or an empty text.
 func address_of(p_peer: int) -> String:
-	return _addresses.get(p_peer, "")
+	return _joined[p_peer].key if _joined.has(p_peer) else ""
+
+
+## What both ends of a sealed connection know, and nobody else: 32 bytes, bound to the role and the
+## password. Empty without sealing, and where there is no connection.
+func exporter_of(p_peer: int) -> PackedByteArray:
+	return _joined[p_peer].exporter if _joined.has(p_peer) else PackedByteArray()
+
+
+## On a server: the role that a sealed connection was made for.
+func role_of(p_peer: int) -> int:
+	return _joined[p_peer].role if _joined.has(p_peer) else 0
+
+
+## On a client whose connection is sealed: how it was made, or null. See
+## [member TransportEvent.return_tag] and [member TransportEvent.locked].
+func sealed_join() -> TransportEvent:
+	var joined: TransportEvent = _joined.get(TARGET_PEER_SERVER)
+	return joined if joined != null and not joined.exporter.is_empty() else null
 
 
 ## Why a connection ended: a [DisconnectReason]. Valid while the signal is emitted.
@@ -180,14 +193,36 @@ func stats() -> Dictionary:
 	return _thread.mailbox.stats() if _thread != null else {}
 
 
+## While a level is loaded: what spawners and synchronizers send waits until [method
+## release_engine].
+func hold_engine() -> void:
+	engine.hold()
+
+
+## Sends what has waited for other messages, if it need not any more.
+func retry_engine() -> void:
+	if engine.has_waiting():
+		release_engine()
+
+
+## Sends what has waited since [method hold_engine].
+func release_engine() -> void:
+	for held: EnginePackets.Held in engine.release():
+		_target = held.target
+		_channel = held.channel
+		_mode = held.mode
+		if held.target <= 0 or _joined.has(held.target):
+			_put_packet_script(held.bytes)
+
+
 func _poll() -> void:
-	reading_call_of = 0
 	if _thread == null:
 		return
-	_drop_read()
+	_waiting.drop_taken()
 	# Asked first: the thread's last events are there once it has ended.
 	var runs: bool = _thread.is_running()
 	if _next_event >= _events.size():
+		_thread.serve()
 		_events = _thread.mailbox.take_events()
 		_next_event = 0
 	var stands: bool = _status != CONNECTION_DISCONNECTED
@@ -198,7 +233,7 @@ func _poll() -> void:
 	while _next_event < _events.size():
 		var event: TransportEvent = _events[_next_event]
 		# The last packets are read before the connection is over.
-		if event.kind == TransportEvent.Kind.GONE and _has_waiting(event.peer):
+		if event.kind == TransportEvent.Kind.GONE and _waiting.has_from(event.peer):
 			return
 		_next_event += 1
 		_take(event)
@@ -206,16 +241,30 @@ func _poll() -> void:
 			return
 
 
+func _take_packet(p_event: TransportEvent) -> void:
+	if _unique_id == TARGET_PEER_SERVER and not engine.expects(p_event.peer, p_event.bytes):
+		troubled.emit(p_event.peer, "command", "confirms a path that it was not sent")
+		return
+	if (
+		_unique_id != TARGET_PEER_SERVER
+		and not takes_engine
+		and EnginePackets.is_one(p_event.bytes)
+	):
+		return
+	_waiting.push(p_event)
+
+
 func _take(p_event: TransportEvent) -> void:
 	match p_event.kind:
 		TransportEvent.Kind.PACKET:
-			if _addresses.has(p_event.peer) and not _leaving.has(p_event.peer):
-				_waiting.append(p_event)
+			if _joined.has(p_event.peer) and not _leaving.has(p_event.peer):
+				_take_packet(p_event)
 		TransportEvent.Kind.JOINED:
 			_on_joined(p_event)
 		TransportEvent.Kind.GONE:
 			_leaving.erase(p_event.peer)
-			if _addresses.erase(p_event.peer):
+			engine.forget(p_event.peer)
+			if _joined.erase(p_event.peer):
 				_reasons[p_event.peer] = p_event.code
 				if _unique_id != TARGET_PEER_SERVER:
 					_status = CONNECTION_DISCONNECTED
@@ -226,6 +275,7 @@ func _take(p_event: TransportEvent) -> void:
 			reopened.emit()
 		TransportEvent.Kind.FAILED:
 			_status = CONNECTION_DISCONNECTED
+			is_refused = p_event.final
 			failed.emit(p_event.text)
 
 
@@ -234,7 +284,7 @@ func _on_joined(p_event: TransportEvent) -> void:
 		_thread.disconnect_peer(p_event.peer, true, DisconnectReason.THROWN_OUT)
 		return
 	_leaving.erase(p_event.peer)
-	_addresses[p_event.peer] = p_event.key
+	_joined[p_event.peer] = p_event
 	if _unique_id != TARGET_PEER_SERVER:
 		_status = CONNECTION_CONNECTED
 	peer_connected.emit(p_event.peer)
@@ -242,14 +292,14 @@ func _on_joined(p_event: TransportEvent) -> void:
 
 ## The thread has failed: all connections are lost, and the port is opened again.
 func _revive() -> void:
-	var peers: Array[int] = _addresses.keys()
+	var peers: Array[int] = _joined.keys()
 	_thread.stop(DisconnectReason.LOST)
 	_thread = _make_thread()
 	var server: bool = _unique_id == TARGET_PEER_SERVER
 	if not server or _thread.start_server(_port, _address) != OK:
 		_thread = null
 		_status = CONNECTION_DISCONNECTED
-	_addresses.clear()
+	_joined.clear()
 	for peer: int in peers:
 		peer_disconnected.emit(peer)
 	if _thread != null:
@@ -258,82 +308,53 @@ func _revive() -> void:
 		failed.emit("the thread of the transport has ended")
 
 
-func _has_waiting(p_peer: int) -> bool:
-	for i: int in range(_next_waiting, _waiting.size()):
-		if _waiting[i].peer == p_peer:
-			return true
-	return false
-
-
-func _drop_read() -> void:
-	if _next_waiting > 0:
-		_waiting = _waiting.slice(_next_waiting)
-		_next_waiting = 0
-
-
 func _make_thread() -> TransportThread:
 	var thread: TransportThread = TransportThread.new()
 	thread.max_datagram = limits.max_datagram
 	thread.guard = guard
 	if guard != null:
 		guard.limits = limits
-	thread.tls = tls
-	thread.instant = instant
-	thread.instant_kind = instant_kind
-	thread.watcher = watcher
-	thread.beacon = beacon
-	thread.beacon_period = beacon_period
+	thread.sealing = sealing
+	thread.callbacks = callbacks
 	return thread
 
 
 func _get_available_packet_count() -> int:
-	return _waiting.size() - _next_waiting
+	return _waiting.size()
 
 
 func _get_packet_script() -> PackedByteArray:
-	if _next_waiting >= _waiting.size():
-		return PackedByteArray()
-	var event: TransportEvent = _waiting[_next_waiting]
-	_next_waiting += 1
-	reading_call_of = event.peer if TransportGuard.is_call(event.bytes) else 0
-	return event.bytes
+	var packet: TransportEvent = _waiting.pop()
+	return packet.bytes if packet != null else PackedByteArray()
 
 
 func _get_packet_peer() -> int:
-	return _waiting[_next_waiting].peer if _next_waiting < _waiting.size() else 0
+	var packet: TransportEvent = _waiting.front()
+	return packet.peer if packet != null else 0
 
 
 func _get_packet_mode() -> MultiplayerPeer.TransferMode:
-	if _next_waiting < _waiting.size():
-		return _waiting[_next_waiting].mode
-	return TRANSFER_MODE_RELIABLE
+	var packet: TransportEvent = _waiting.front()
+	return packet.mode if packet != null else TRANSFER_MODE_RELIABLE
 
 
 func _get_packet_channel() -> int:
-	return _waiting[_next_waiting].channel if _next_waiting < _waiting.size() else 0
+	var packet: TransportEvent = _waiting.front()
+	return packet.channel if packet != null else 0
 
 
 func _put_packet_script(p_bytes: PackedByteArray) -> Error:
+	if _unique_id == TARGET_PEER_SERVER and engine.keeps(_target, _channel, _mode, p_bytes):
+		return OK
 	if _status != CONNECTION_CONNECTED or _thread == null:
 		return ERR_UNCONFIGURED
 	if _channel < 0 or _channel > MAX_TRANSFER_CHANNEL:
 		return ERR_INVALID_PARAMETER
-	if _target > 0 and not _addresses.has(_target):
+	if _target > 0 and not _joined.has(_target):
 		return ERR_INVALID_PARAMETER
 	if p_bytes.size() > _get_max_packet_size():
 		return ERR_OUT_OF_MEMORY
-	var flags: int = 0
-	match _mode:
-		TRANSFER_MODE_RELIABLE:
-			flags = ENetPacketPeer.FLAG_RELIABLE
-		TRANSFER_MODE_UNRELIABLE:
-			flags = ENetPacketPeer.FLAG_UNSEQUENCED | ENetPacketPeer.FLAG_UNRELIABLE_FRAGMENT
-		_:
-			flags = ENetPacketPeer.FLAG_UNRELIABLE_FRAGMENT
-	var enet_channel: int = 0 if _mode == TRANSFER_MODE_RELIABLE else 1
-	if _channel > 0:
-		enet_channel = TransportHost.FAST_CHANNEL + _channel
-	return OK if _thread.send(_target, enet_channel, p_bytes, flags) else ERR_BUSY
+	return OK if _thread.send(_target, _enet_channel(), p_bytes, _enet_flags()) else ERR_BUSY
 
 
 func _close() -> void:
@@ -344,22 +365,15 @@ func _disconnect_peer(p_peer: int, p_force: bool) -> void:
 	if _thread == null:
 		return
 	# Nobody wants to hear of it any more.
-	_waiting = _waiting.slice(_next_waiting).filter(
-		func(event: TransportEvent) -> bool: return event.peer != p_peer
-	)
-	_next_waiting = 0
+	_waiting.forget(p_peer)
 	_leaving[p_peer] = true
 	if p_force:
-		_addresses.erase(p_peer)
+		_joined.erase(p_peer)
 	_thread.disconnect_peer(p_peer, p_force, DisconnectReason.LOST)
 
 
 func _get_connection_status() -> MultiplayerPeer.ConnectionStatus:
 	return _status
-
-
-func _get_max_packet_size() -> int:
-	return 1 << 24
 
 
 func _get_unique_id() -> int:
@@ -368,35 +382,3 @@ func _get_unique_id() -> int:
 
 func _is_server() -> bool:
 	return _unique_id == TARGET_PEER_SERVER
-
-
-func _is_server_relay_supported() -> bool:
-	return false
-
-
-func _set_target_peer(p_peer: int) -> void:
-	_target = p_peer
-
-
-func _get_transfer_channel() -> int:
-	return _channel
-
-
-func _set_transfer_channel(p_channel: int) -> void:
-	_channel = p_channel
-
-
-func _get_transfer_mode() -> MultiplayerPeer.TransferMode:
-	return _mode
-
-
-func _set_transfer_mode(p_mode: MultiplayerPeer.TransferMode) -> void:
-	_mode = p_mode
-
-
-func _is_refusing_new_connections() -> bool:
-	return _refuses
-
-
-func _set_refuse_new_connections(p_refuse: bool) -> void:
-	_refuses = p_refuse

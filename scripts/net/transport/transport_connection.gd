@@ -27,8 +27,6 @@ var address: String = ""
 var since_usec: int = 0
 ## The stage of the other end.
 var stage: Stage = Stage.ARRIVING
-## Whether its remote calls are let through.
-var may_call: bool = false
 ## Whether it waits for an instructor's decision.
 var kept: bool = false
 ## When its disconnection began, µs.
@@ -37,8 +35,6 @@ var leaving_usec: int = 0
 var packets: int = 0
 ## Fast datagrams of the kinds that [member TransportLimits.max_fast] names, in this second.
 var fast: Dictionary[int, int] = {}
-## Commands of the multiplayer API in this second.
-var calls: int = 0
 ## Bytes in this second.
 var bytes: int = 0
 ## Packets that wait for the main thread.
@@ -49,18 +45,17 @@ var window: ReceiptWindow = ReceiptWindow.new()
 var _complained_usec: Dictionary[String, int] = {}
 
 
-func _init(p_id: int, p_remote: ENetPacketPeer, p_now_usec: int) -> void:
+func _init(p_id: int, p_remote: ENetPacketPeer, p_now_usec: int, p_address: String = "") -> void:
 	id = p_id
 	remote = p_remote
 	since_usec = p_now_usec
-	address = plain_address(p_remote.get_remote_address()) if p_remote != null else ""
+	address = p_address
 
 
 ## Starts a new second.
 func restart_window() -> void:
 	packets = 0
 	fast.clear()
-	calls = 0
 	bytes = 0
 
 
@@ -71,19 +66,3 @@ func may_complain(p_key: String, p_now_usec: int) -> bool:
 		return false
 	_complained_usec[p_key] = p_now_usec
 	return true
-
-
-## An IPv4 address in its usual form, also where the system writes it as an IPv6 address.
-static func plain_address(p_address: String) -> String:
-	var mapped: String = p_address.to_lower()
-	for prefix: String in ["::ffff:", "0:0:0:0:0:ffff:"]:
-		if mapped.begins_with(prefix):
-			var rest: String = mapped.trim_prefix(prefix)
-			if rest.contains("."):
-				return rest
-			var words: PackedStringArray = rest.split(":")
-			if words.size() == 2:
-				var high: int = words[0].hex_to_int()
-				var low: int = words[1].hex_to_int()
-				return "%d.%d.%d.%d" % [high >> 8, high & 255, low >> 8, low & 255]
-	return p_address

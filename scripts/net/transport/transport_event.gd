@@ -34,6 +34,17 @@ var code: int = 0
 var key: String = ""
 ## For people.
 var text: String = ""
+## Of [constant Kind.JOINED]: what both ends of a sealed connection know, and nobody else; empty
+## without sealing.
+var exporter: PackedByteArray = PackedByteArray()
+## Of [constant Kind.JOINED] on a server: the role that the sealed connection was made for.
+var role: int = 0
+## Of [constant Kind.JOINED] on a client: whether the role needs a password.
+var locked: bool = false
+## Of [constant Kind.JOINED] on a client: see [member TransportSealing.return_tag].
+var return_tag: PackedByteArray = PackedByteArray()
+## Of [constant Kind.FAILED]: whether trying again is useless.
+var final: bool = false
 
 
 func _init(p_kind: Kind = Kind.TROUBLE, p_peer: int = 0) -> void:

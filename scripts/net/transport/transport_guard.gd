@@ -4,8 +4,8 @@ extends RefCounted
 ##
 ## Godot's [SceneMultiplayer] reports an engine error for nearly every packet that it does not
 ## expect, so that any client could flood the log. It gets to see join requests of those who have
-## not been admitted, and plain bytes and remote calls of those who have. Nobody but the server
-## spawns or synchronizes.
+## not been admitted, and of those who have plain bytes and that they know a path, see
+## [EnginePackets]. Nobody but the server calls, spawns or synchronizes by the engine's own packets.
 
 ## What is done with a packet.
 enum Verdict {
@@ -21,8 +21,6 @@ enum Verdict {
 
 ## The multiplayer API's first byte has the command in its low bits.
 const _COMMAND_MASK: int = 7
-## Remote calls, and what belongs to them, are up to here.
-const _COMMAND_CONFIRM_PATH: int = 2
 const _COMMAND_RAW: int = 3
 const _COMMAND_SYSTEM: int = 7
 const _SYSTEM_AUTH: int = 0
@@ -33,11 +31,6 @@ var limits: TransportLimits = TransportLimits.new()
 var reason: String = ""
 ## The key of the complaint in the log.
 var key: String = ""
-
-
-## Whether a packet is a remote call or belongs to one.
-static func is_call(p_bytes: PackedByteArray) -> bool:
-	return not p_bytes.is_empty() and p_bytes[0] & _COMMAND_MASK <= _COMMAND_CONFIRM_PATH
 
 
 ## Checks a datagram of the fast path.
@@ -72,7 +65,11 @@ func judge(p_from: TransportConnection, p_bytes: PackedByteArray) -> Verdict:
 		return _drop("size", "sent a packet of %d bytes" % p_bytes.size())
 	var command: int = p_bytes[0] & _COMMAND_MASK
 	if p_from.stage == TransportConnection.Stage.ADMITTED:
-		return _judge_admitted(p_from, p_bytes, command)
+		# Plain bytes without any would be an error of the engine's.
+		var is_plain: bool = command == _COMMAND_RAW and p_bytes.size() > 1
+		if is_plain or EnginePackets.is_confirmation(p_bytes):
+			return Verdict.PASS
+		return _drop("command", "sent %d bytes of no use (%d)" % [p_bytes.size(), command])
 	if command != _COMMAND_SYSTEM or p_bytes.size() < 2 or p_bytes[1] != _SYSTEM_AUTH:
 		return _drop("command", "sent %d bytes of no use (%d)" % [p_bytes.size(), command])
 	if p_bytes.size() > 2:
@@ -81,21 +78,6 @@ func judge(p_from: TransportConnection, p_bytes: PackedByteArray) -> Verdict:
 	if p_from.stage != TransportConnection.Stage.WELCOMED:
 		return _drop("command", "takes itself for welcome")
 	p_from.stage = TransportConnection.Stage.ADMITTED
-	return Verdict.PASS
-
-
-func _judge_admitted(
-	p_from: TransportConnection, p_bytes: PackedByteArray, p_command: int
-) -> Verdict:
-	if p_command == _COMMAND_RAW:
-		return Verdict.PASS
-	if p_command > _COMMAND_CONFIRM_PATH:
-		return _drop("command", "sent %d bytes of no use (%d)" % [p_bytes.size(), p_command])
-	if not p_from.may_call:
-		return _drop("call", "may not call anything")
-	p_from.calls += 1
-	if p_from.calls > limits.max_calls:
-		return _drop("calls", "calls more than %d times a second" % limits.max_calls)
 	return Verdict.PASS
 
 

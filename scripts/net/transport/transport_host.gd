@@ -26,16 +26,13 @@ const _LEAVING_USEC: int = 1000000
 var max_datagram: int = 1200
 ## Checks what arrives, on a server; null lets everything through.
 var guard: TransportGuard = null
-## Answers fast datagrams of the kind [member instant_kind] in the thread:
-## [code]func(bytes: PackedByteArray, arrival_usec: int) -> PackedByteArray[/code].
-var instant: Callable = Callable()
-## First byte of what [member instant] answers.
-var instant_kind: int = -1
-## Sees every other fast datagram in the thread, before the main thread gets it:
-## [code]func(bytes: PackedByteArray) -> void[/code].
-var watcher: Callable = Callable()
+## Whether and how datagrams are sealed.
+var sealing: TransportSealing = TransportSealing.off()
+## What the thread calls.
+var callbacks: TransportCallbacks = TransportCallbacks.new()
 
 var _host: ENetConnection = null
+var _socket: SealedSocket = null
 var _server: bool = false
 var _address: String = ""
 var _port: int = 0
@@ -48,6 +45,8 @@ var _waiting_bytes: int = 0
 # Whether something was answered that is still to leave.
 var _answered: bool = false
 var _window_usec: int = 0
+# As stats() has them; never altered, as other threads read them.
+var _peers: Dictionary = {}
 
 
 func _on_connect(p_remote: ENetPacketPeer, p_data: int) -> void:
@@ -65,32 +64,51 @@ func _on_connect(p_remote: ENetPacketPeer, p_data: int) -> void:
 		return
 	if guard != null:
 		_make_room()
+	var joined: TransportEvent = _describe(id, p_remote)
+	if joined == null:
+		p_remote.peer_disconnect(DisconnectReason.THROWN_OUT)
+		return
 	var connection: TransportConnection = TransportConnection.new(
-		id, p_remote, Time.get_ticks_usec()
+		id, p_remote, Time.get_ticks_usec(), joined.key
 	)
 	_connections[id] = connection
 	p_remote.set_meta(&"id", id)
 	_set_up(p_remote)
-	_note(TransportEvent.Kind.JOINED, id, connection.address, "")
+	_events.append(joined)
+
+
+## Who it is that stands behind a loopback address for ENet; null if it has gone already.
+func _describe(p_id: int, p_remote: ENetPacketPeer) -> TransportEvent:
+	var joined: TransportEvent = TransportEvent.new(TransportEvent.Kind.JOINED, p_id)
+	if not _server:
+		joined.key = _address
+		joined.exporter = _socket.get_exporter()
+		joined.locked = _socket.is_locked()
+		joined.return_tag = _socket.get_return_tag()
+		return joined
+	var who: Dictionary = _socket.describe(p_remote.get_remote_address())
+	if who.is_empty():
+		return null
+	joined.key = who["address"]
+	joined.exporter = who["exporter"]
+	joined.role = who["role"]
+	return joined
 
 
 func _on_disconnect(p_remote: ENetPacketPeer, p_code: int) -> void:
 	var id: int = p_remote.get_meta(&"id", 0)
 	if _connections.has(id) and _connections[id].remote == p_remote:
-		_drop(_connections[id], p_code)
+		# What a client gives for a reason ends no session: anybody could have forged it.
+		_drop(_connections[id], DisconnectReason.LOST if _server else p_code)
 	elif not _server:
 		_fail("no server answers at %s:%d" % [_address, _port])
 
 
 func _on_receive(p_remote: ENetPacketPeer, p_channel: int) -> void:
-	var arrival: int = Time.get_ticks_usec()
-	var flags: int = 0 if p_channel == FAST_CHANNEL else p_remote.get_packet_flags()
+	var flags: int = p_remote.get_packet_flags()
 	var bytes: PackedByteArray = p_remote.get_packet()
 	var from: TransportConnection = _connections.get(p_remote.get_meta(&"id", 0))
 	if from == null or from.stage == TransportConnection.Stage.LEAVING:
-		return
-	if p_channel == FAST_CHANNEL:
-		_receive_fast(from, bytes, arrival)
 		return
 	if bytes.size() == 10 and bytes[0] == PROBE[0] and p_channel == 0:
 		if bytes[1] == RECEIPT[1]:
@@ -99,8 +117,12 @@ func _on_receive(p_remote: ENetPacketPeer, p_channel: int) -> void:
 		if bytes[1] == PROBE[1] and not _server:
 			p_remote.send(0, RECEIPT + bytes.slice(2), ENetPacketPeer.FLAG_RELIABLE)
 			return
-	if guard != null and not _is_let_through(from, guard.judge(from, bytes)):
-		return
+	if guard != null:
+		var before: TransportConnection.Stage = from.stage
+		if not _is_let_through(from, guard.judge(from, bytes)):
+			return
+		if from.stage != before and from.stage == TransportConnection.Stage.ADMITTED:
+			_socket.admit(p_remote.get_remote_address())
 	from.waiting += 1
 	_waiting_bytes += bytes.size()
 	var event: TransportEvent = TransportEvent.new(TransportEvent.Kind.PACKET, from.id)
@@ -115,29 +137,33 @@ func _on_receive(p_remote: ENetPacketPeer, p_channel: int) -> void:
 	_events.append(event)
 
 
-func _receive_fast(
-	p_from: TransportConnection, p_bytes: PackedByteArray, p_arrival_usec: int
-) -> void:
+## Returns how many they are.
+func _receive_all_fast(p_packets: Array[FastPacket]) -> int:
+	for packet: FastPacket in p_packets:
+		var from: TransportConnection = _connections.get(packet.peer)
+		if from != null and from.stage != TransportConnection.Stage.LEAVING:
+			_receive_fast(from, packet)
+	return p_packets.size()
+
+
+func _receive_fast(p_from: TransportConnection, p_packet: FastPacket) -> void:
+	var bytes: PackedByteArray = p_packet.bytes
 	if guard != null:
-		var verdict: TransportGuard.Verdict = guard.judge_fast(p_from, p_bytes)
+		var verdict: TransportGuard.Verdict = guard.judge_fast(p_from, bytes)
 		if verdict != TransportGuard.Verdict.PASS and not _is_let_through(p_from, verdict):
 			return
-	if p_bytes.is_empty() or p_bytes.size() > max_datagram:
+	if bytes.is_empty() or bytes.size() > max_datagram:
 		_count("dropped_in")
 		return
-	if p_bytes[0] == instant_kind and instant.is_valid():
-		var answer: PackedByteArray = instant.call(p_bytes, p_arrival_usec)
+	if bytes[0] == callbacks.instant_kind and callbacks.instant.is_valid():
+		var answer: PackedByteArray = callbacks.instant.call(bytes, p_packet.arrival_usec)
 		if not answer.is_empty():
 			p_from.remote.send(FAST_CHANNEL, answer, _FAST_FLAGS)
 			_answered = true
 		return
-	if watcher.is_valid():
-		watcher.call(p_bytes)
-	var packet: FastPacket = FastPacket.new()
-	packet.peer = p_from.id
-	packet.bytes = p_bytes
-	packet.arrival_usec = p_arrival_usec
-	_fast.append(packet)
+	if callbacks.watcher.is_valid():
+		callbacks.watcher.call(bytes)
+	_fast.append(p_packet)
 
 
 func _is_let_through(p_from: TransportConnection, p_verdict: TransportGuard.Verdict) -> bool:
@@ -195,6 +221,9 @@ func _keep_house(p_now_usec: int) -> void:
 			and p_now_usec - connection.leaving_usec > _LEAVING_USEC
 		):
 			_drop(connection, DisconnectReason.LOST)
+	var refusal: Dictionary = _socket.take_refusal()
+	if not refusal.is_empty():
+		_trouble("refused", sealing.describe_refusal(refusal))
 	_count("sent_bytes", int(_host.pop_statistic(ENetConnection.HOST_TOTAL_SENT_DATA)))
 	_count("received_bytes", int(_host.pop_statistic(ENetConnection.HOST_TOTAL_RECEIVED_DATA)))
 	_count("sent_packets", int(_host.pop_statistic(ENetConnection.HOST_TOTAL_SENT_PACKETS)))
@@ -203,6 +232,7 @@ func _keep_house(p_now_usec: int) -> void:
 		_window_usec = p_now_usec
 		for id: int in _connections:
 			_connections[id].restart_window()
+		_peers = _describe_peers()
 
 
 func _describe_peers() -> Dictionary:
@@ -216,6 +246,11 @@ func _describe_peers() -> Dictionary:
 			"loss": remote.get_statistic(ENetPacketPeer.PEER_PACKET_LOSS) / 65536.0,
 		}
 	return peers
+
+
+func _order_passwords(p_of_roles: PackedStringArray) -> void:
+	sealing.passwords = p_of_roles
+	_socket.set_passwords(p_of_roles)
 
 
 func _send(
@@ -238,10 +273,11 @@ func _set_up(p_remote: ENetPacketPeer) -> void:
 		p_remote.throttle_configure(5000, 32, 0)
 
 
-func _fail(p_why: String) -> void:
+func _fail(p_why: String, p_final: bool = false) -> void:
 	for id: int in _connections.keys():
 		_drop(_connections[id], DisconnectReason.LOST)
 	_note(TransportEvent.Kind.FAILED, 0, "failed", p_why)
+	_events[-1].final = p_final
 	# There is only one server: nothing is left to be done.
 	_closing = true
 

@@ -1,54 +1,51 @@
 class_name TransportThread
 extends TransportHost
-## An ENet host that is served by a thread of its own.
+## An ENet host that is served by a thread of its own, or by [method serve].
 ##
 ## The thread waits for its socket and for the others, by a [TransportPump]: what arrives is taken
 ## in at once, and what others want sent leaves at once. It never touches anything of the main
 ## thread's, but hands it events and fast datagrams by a [TransportMailbox]. Set the public members
 ## before [method start_server] or [method start_client].
 
-## Maximum of ENet connections. Half-open ones can be neither seen nor ended from here, and occupy a
-## slot for half a minute: hence as many slots as ENet allows.
-const SLOTS: int = 4095
+## Slots of ENet for connections in the making (1024, see [SealedSocket]) and for those that have
+## not been admitted ([constant TransportHost.MAX_ARRIVING]).
+const ARRIVING_SLOTS: int = 1024 + MAX_ARRIVING
+## Maximum of ENet connections.
+const MAX_SLOTS: int = 4095
+## Where ENet is: nobody but the socket can reach it there.
+const INNER_ADDRESS: String = "127.0.0.1"
 
-## Events in a row before what came is handed over.
-const _MAX_EVENTS: int = 128
 ## Maximum of bytes that wait for the main thread: a client whose main thread stalls longer is lost.
 const _MAX_WAITING_BYTES: int = 32 << 20
 const _HOUSEKEEPING_USEC: int = 100000
 ## The same on a client, which has one connection to look after, µs.
 const _CLIENT_HOUSEKEEPING_USEC: int = 250000
-## After this time with errors only the host counts as dead, µs.
-const _DEAD_USEC: int = 500000
+## After so many errors in a row the host counts as dead.
+const _MAX_ERRORS: int = 20
 const _LINGER_MS: int = 300
-## Wait where the socket cannot be watched, as with DTLS, ms: what others want sent waits as long.
-const _BLIND_WAIT_MS: int = 1
 ## With more events than so many in [constant _HOUSEKEEPING_USEC] the thread takes pauses and then
 ## takes in all that has come meanwhile, see [method TransportPump.pause].
 const _BUSY_EVENTS: int = 60
 
-## On a client: makes what is sent to the server again and again, in the thread:
-## [code]func() -> PackedByteArray[/code].
-var beacon: Callable = Callable()
-## When [member beacon] is due again, from how often it was: [code]func(count: int) -> int[/code],
-## µs.
-var beacon_period: Callable = Callable()
-## DTLS, or null.
-var tls: TLSOptions = null
-
+## Whether a client has a thread. Without one nothing moves but by [method serve]: for programs with
+## more clients than a machine can keep threads awake for.
+var has_thread: bool = true
 ## What the thread and the others hand each other.
 var mailbox: TransportMailbox = TransportMailbox.new()
 
 var _thread: Thread = Thread.new()
+var _serving: bool = false
+var _served_usec: int = 0
 var _pump: TransportPump = TransportPump.new()
 var _id: int = 0
 var _taken: int = 0
-var _errors_since_usec: int = 0
+var _errors_in_a_row: int = 0
+var _began: bool = false
+var _excuse: String = ""
 var _housekept_usec: int = 0
 var _housekeeping_usec: int = _CLIENT_HOUSEKEEPING_USEC
 var _recent_events: int = 0
 var _busy: bool = false
-var _left: int = 0
 var _beacons: int = 0
 var _beacon_usec: int = 0
 var _reason: int = 0
@@ -70,20 +67,36 @@ func start_client(p_host: String, p_port: int, p_id: int) -> Error:
 	_port = p_port
 	_id = p_id
 	var error: Error = _open()
-	return error if error != OK else _thread.start(_run)
+	if error != OK:
+		return error
+	if has_thread:
+		return _thread.start(_run)
+	_begin()
+	return OK
 
 
-## Whether the thread works.
+## Whether the host is served: its thread works, or [method serve] does.
 func is_running() -> bool:
-	return _thread.is_started() and _thread.is_alive()
+	return _serving if not has_thread else _thread.is_started() and _thread.is_alive()
 
 
-## Sends everybody the reason, ends the thread and closes the port. Takes 0.3 s at most.
+## Without a thread: takes in what has arrived, and sends what is to be sent.
+func serve() -> void:
+	if _serving:
+		_turn(false)
+		if _closing:
+			_end(0)
+
+
+## Sends everybody the reason, ends the thread and closes the port. Takes 0.3 s at most, and no
+## time without a thread.
 func stop(p_reason: int) -> void:
-	if not _thread.is_started():
-		return
-	_post([_order_close, [p_reason]], true)
-	_thread.wait_to_finish()
+	if _serving:
+		_order_close(p_reason)
+		_end(0)
+	elif _thread.is_started():
+		_post([_order_close, [p_reason]], true)
+		_thread.wait_to_finish()
 	_host = null
 
 
@@ -103,14 +116,19 @@ func disconnect_peer(p_id: int, p_now: bool, p_code: int) -> void:
 	_post([_order_disconnect, [p_id, p_now, p_code]], true)
 
 
-## Says that a client is welcome, and whether it may call; the guard then lets it complete.
-func welcome(p_id: int, p_may_call: bool) -> void:
-	_post([_order_welcome, [p_id, p_may_call]], true)
+## Says that a client is welcome: the guard then lets it complete.
+func welcome(p_id: int) -> void:
+	_post([_order_welcome, [p_id]], true)
 
 
 ## Keeps a client that has not been admitted yet, because somebody is to decide about it.
 func keep(p_id: int) -> void:
 	_post([_order_keep, [p_id]], true)
+
+
+## Asks other passwords, by role, of those who come from now on.
+func set_passwords(p_of_roles: PackedStringArray) -> void:
+	_post([_order_passwords, [p_of_roles]], true)
 
 
 func _post(p_order: Array, p_must: bool) -> bool:
@@ -120,54 +138,82 @@ func _post(p_order: Array, p_must: bool) -> bool:
 
 
 func _open() -> Error:
-	_host = ENetConnection.new()
-	var error: Error = OK
+	_socket = SealedSocket.new()
+	sealing.set_up(_socket)
+	var clients: int = guard.limits.max_clients if guard != null else TransportLimits.MIN_CLIENTS
+	var slots: int = mini(ARRIVING_SLOTS + clients, MAX_SLOTS) if _server else 1
 	if _server:
-		error = _host.create_host_bound(_address, _port, SLOTS, CHANNELS)
-	elif tls != null:
-		error = _host.create_host(1, CHANNELS)
-	else:
-		# Bound at once: by its port the pump finds the socket.
-		error = _host.create_host_bound("*", 0, 1, CHANNELS)
-	if error == OK and tls != null:
-		if _server:
-			error = _host.dtls_server_setup(tls)
-		else:
-			error = _host.dtls_client_setup(_address, tls)
+		_socket.set_limits(guard.limits.max_packet if guard != null else 0, CHANNELS, slots)
+		var opened: Error = _socket.open_server(_address, _port)
+		if opened != OK:
+			return opened
+	_host = ENetConnection.new()
+	# Bound at once: by its port the socket finds it.
+	var error: Error = _host.create_host_bound(INNER_ADDRESS, 0, slots, CHANNELS)
 	if error == OK:
-		_pump.attach(_host, tls == null)
+		error = _socket.tie(_host)
+	if error == OK and _server:
+		_pump.attach(_host, _socket, FAST_CHANNEL)
 	return error
 
 
 func _run() -> void:
+	_begin()
+	while not _closing:
+		_turn(true)
+		if _busy:
+			_pump.pause()
+	_end(_LINGER_MS)
+
+
+func _begin() -> void:
+	_serving = not has_thread
 	if not _server:
 		_begin_client()
-	var before: int = Time.get_ticks_usec()
-	while not _closing:
-		for order: Array in mailbox.take_orders():
-			(order[0] as Callable).callv(order[1])
-		_serve()
-		var now: int = Time.get_ticks_usec()
-		if not _server:
-			_look_after_client(now, now - before)
-		before = now
-		if now - _housekept_usec > _housekeeping_usec:
-			_housekept_usec = now
-			_busy = _recent_events > _BUSY_EVENTS
-			_recent_events = 0
-			_keep_house(now)
-			var stats: Dictionary = {"peers": _describe_peers(), "cpu_usec": ThreadClock.get_usec()}
-			stats.merge(_counts)
-			mailbox.publish(stats)
+	_served_usec = Time.get_ticks_usec()
+
+
+## Takes orders, serves the host, after waiting for something to do if it may, and hands over what
+## has happened.
+func _turn(p_waits: bool) -> void:
+	for order: Array in mailbox.take_orders():
+		(order[0] as Callable).callv(order[1])
+	_serve(p_waits)
+	var now: int = Time.get_ticks_usec()
+	if not _server:
+		_look_after_client(now, now - _served_usec)
+	_served_usec = now
+	if now - _housekept_usec > _housekeeping_usec:
+		_housekept_usec = now
+		_busy = _recent_events > _BUSY_EVENTS
+		_recent_events = 0
+		_pump.set_busy(_busy)
+		_keep_house(now)
+		_count("received_packets", _pump.take_received())
+		_publish_stats()
+	if not _events.is_empty() or not _fast.is_empty():
 		mailbox.hand_over(_events, _fast)
 		_events.clear()
 		_fast.clear()
-		if _busy:
-			_pump.pause()
+
+
+func _publish_stats() -> void:
+	var stats: Dictionary = {"peers": _peers, "cpu_usec": ThreadClock.get_usec()}
+	stats.merge(_counts)
+	stats.merge(_socket.stats())
+	if not _server:
+		stats["excuse"] = _excuse
+	mailbox.publish(stats)
+
+
+func _end(p_linger_ms: int) -> void:
+	_serving = false
 	mailbox.hand_over(_events, _fast)
-	_disconnect_everybody()
+	_disconnect_everybody(p_linger_ms)
+	_pump.send_out()
 	_pump.detach()
 	_host.destroy()
+	_socket.close()
 
 
 ## Nothing waits any more when the main thread has taken what there was.
@@ -179,28 +225,46 @@ func _note_taken(p_taken: int) -> void:
 			_connections[id].waiting = 0
 
 
+## Looks the server's name up, and begins the handshake.
 func _begin_client() -> void:
-	var remote: ENetPacketPeer = _host.connect_to_host(_address, _port, CHANNELS, _id)
-	if remote == null:
+	var ip: String = IP.resolve_hostname(_address, IP.TYPE_IPV4)
+	if ip == "":
+		ip = IP.resolve_hostname(_address, IP.TYPE_IPV6)
+	if ip == "" or _socket.open_client(ip, _port) != OK:
 		_fail("%s:%d is no address that can be connected to" % [_address, _port])
-	else:
-		_set_up(remote)
+		return
+	_pump.attach(_host, _socket, FAST_CHANNEL)
 
 
-func _serve() -> void:
+## ENet begins when the handshake is done; the server may refuse it in either.
+func _go_on_connecting() -> void:
+	match _socket.get_state():
+		SealedSocket.STATE_FAILED:
+			_fail(sealing.explain(_socket), true)
+		SealedSocket.STATE_OPEN:
+			if not _began:
+				_began = true
+				var port: int = _socket.get_inner_port()
+				_set_up(_host.connect_to_host(INNER_ADDRESS, port, CHANNELS, _id))
+		_:
+			# Shown if it does not come any further.
+			_excuse = sealing.explain(_socket)
+
+
+func _serve(p_waits: bool) -> void:
 	var due: int = _housekept_usec + _housekeeping_usec
-	if beacon.is_valid() and not _connections.is_empty():
+	if callbacks.beacon.is_valid() and not _connections.is_empty():
 		due = mini(due, _beacon_usec)
-	var wait_usec: int = maxi(due - Time.get_ticks_usec(), 0)
-	_left = _MAX_EVENTS
+	var waits: bool = p_waits and not _busy
+	var wait_usec: int = maxi(due - Time.get_ticks_usec(), 0) if waits else 0
 	_answered = false
-	for number: int in _MAX_EVENTS:
-		# Every packet that an event announces must be taken, or the next event would get it.
-		var event: Array = _pump.serve(number == 0 and not _busy, wait_usec, _BLIND_WAIT_MS)
-		if number == 0:
+	var first: bool = true
+	while true:
+		var event: Array = _pump.serve(first, wait_usec)
+		if first:
 			_note_taken(mailbox.taken())
-		if number == 0 and _busy:
-			_expect()
+			first = false
+		_recent_events += _receive_all_fast(_pump.take_fast(Time.get_ticks_usec()))
 		match event[0]:
 			ENetConnection.EVENT_CONNECT:
 				_on_connect(event[1], event[2])
@@ -209,45 +273,24 @@ func _serve() -> void:
 			ENetConnection.EVENT_RECEIVE:
 				_on_receive(event[1], event[3])
 			ENetConnection.EVENT_ERROR:
-				if not _survives_error():
-					return
-			_:
-				_errors_since_usec = 0
+				_take_error()
 				return
-		_recent_events += 1
-		_left -= 1
-		if event[0] != ENetConnection.EVENT_ERROR:
-			_errors_since_usec = 0
-			if _left <= 0:
+			_:
+				_errors_in_a_row = 0
 				break
+		_recent_events += 1
 	if _answered:
 		_host.flush()
+	_pump.send_out()
 
 
-## To find that nothing is left takes ENet as long as the rest, as it looks at all its slots: so
-## a busy thread asks for no more events than datagrams have come. What is left nevertheless comes
-## with the next turn.
-func _expect() -> void:
-	var came: int = int(_host.pop_statistic(ENetConnection.HOST_TOTAL_RECEIVED_PACKETS))
-	_count("received_packets", came)
-	if came > 0:
-		_left = mini(came, _MAX_EVENTS)
-
-
-## A datagram from port 0 makes a few errors, as no answer can be sent there; the host is none the
-## worse for it. Errors that do not end are another matter.
-func _survives_error() -> bool:
-	var now: int = Time.get_ticks_usec()
+## The socket lets nothing through that makes an error: a host that makes them is broken.
+func _take_error() -> void:
 	_count("errors")
-	if _errors_since_usec == 0:
-		_errors_since_usec = now
-	if now - _errors_since_usec < _DEAD_USEC / 5:
-		return true
-	OS.delay_usec(20000)
-	if now - _errors_since_usec > _DEAD_USEC:
-		_errors_since_usec = 0
+	_errors_in_a_row += 1
+	if _errors_in_a_row > _MAX_ERRORS:
+		_errors_in_a_row = 0
 		_reopen()
-	return false
 
 
 func _reopen() -> void:
@@ -255,6 +298,7 @@ func _reopen() -> void:
 		_drop(_connections[id], DisconnectReason.LOST)
 	_pump.detach()
 	_host.destroy()
+	_socket.close()
 	if not _server:
 		_fail("a network error ended the connection")
 		return
@@ -267,16 +311,18 @@ func _reopen() -> void:
 
 func _look_after_client(p_now_usec: int, p_gap_usec: int) -> void:
 	if _connections.is_empty():
+		if not _closing:
+			_go_on_connecting()
 		return
 	if p_gap_usec > TIMEOUTS_MS[1] * 1000:
 		# The server has given us up; waiting until we notice it would take as long again.
 		_fail("this machine stood still for %.1f s" % (p_gap_usec / 1e6))
 	elif _waiting_bytes > _MAX_WAITING_BYTES:
 		_fail("%d bytes wait to be taken in" % _waiting_bytes)
-	elif beacon.is_valid() and p_now_usec >= _beacon_usec:
+	elif callbacks.beacon.is_valid() and p_now_usec >= _beacon_usec:
 		_beacons += 1
-		_beacon_usec = p_now_usec + (beacon_period.call(_beacons) as int)
-		_connections.values()[0].remote.send(FAST_CHANNEL, beacon.call(), _FAST_FLAGS)
+		_beacon_usec = p_now_usec + (callbacks.beacon_period.call(_beacons) as int)
+		_connections.values()[0].remote.send(FAST_CHANNEL, callbacks.beacon.call(), _FAST_FLAGS)
 
 
 func _order_send(p_target: int, p_channel: int, p_bytes: PackedByteArray, p_flags: int) -> void:
@@ -312,11 +358,10 @@ func _order_disconnect(p_id: int, p_now: bool, p_code: int) -> void:
 		connection.remote.peer_disconnect_later(p_code)
 
 
-func _order_welcome(p_id: int, p_may_call: bool) -> void:
+func _order_welcome(p_id: int) -> void:
 	var connection: TransportConnection = _connections.get(p_id)
 	if connection != null and connection.stage == TransportConnection.Stage.ARRIVING:
 		connection.stage = TransportConnection.Stage.WELCOMED
-		connection.may_call = p_may_call
 
 
 func _order_keep(p_id: int) -> void:
@@ -329,16 +374,17 @@ func _order_close(p_reason: int) -> void:
 	_closing = true
 
 
-func _disconnect_everybody() -> void:
+func _disconnect_everybody(p_linger_ms: int) -> void:
 	for id: int in _connections:
 		if _connections[id].remote.is_active():
 			_connections[id].remote.peer_disconnect_later(_reason)
-	var limit: int = Time.get_ticks_msec() + _LINGER_MS
-	while not _connections.is_empty() and Time.get_ticks_msec() < limit:
-		var event: Array = _host.service(5)
+	var limit: int = Time.get_ticks_msec() + p_linger_ms
+	while not _connections.is_empty():
+		# At least once, so that it leaves.
+		var event: Array = _pump.serve(true, 5000 if p_linger_ms > 0 else 0)
 		if event[0] == ENetConnection.EVENT_DISCONNECT:
 			_connections.erase((event[1] as ENetPacketPeer).get_meta(&"id", 0))
 		elif event[0] == ENetConnection.EVENT_RECEIVE:
 			(event[1] as ENetPacketPeer).get_packet()
-		elif event[0] == ENetConnection.EVENT_ERROR:
+		if event[0] == ENetConnection.EVENT_ERROR or Time.get_ticks_msec() >= limit:
 			return

@@ -29,10 +29,10 @@ func test_file_of_the_soldier() -> void:
 	is_null(profile.find(&"Tail"))
 	var hips: RagdollLimb = profile.find(&"Hips")
 	equal(hips.type, RagdollLimb.BOX)
-	almost_equal(hips.position, Vector3(0.0, 1.02046, 0.0223))
+	almost_equal(hips.position, Vector3(0.0, 1.01664, 0.02147))
 	var arm: RagdollLimb = profile.find(&"LeftUpperArm")
 	equal(arm.type, RagdollLimb.PILL)
-	almost_equal([arm.radius, arm.length], [0.07365, 0.25809])
+	almost_equal([arm.radius, arm.length], [0.0746, 0.25741])
 
 
 func test_the_scene_is_made_from_the_file() -> void:

@@ -18,8 +18,6 @@ var highest_energy: float = 0.0
 ## The same of the motion that the person is to follow.
 var motion_energy: float = 0.0
 
-var _before: Array[Array] = []
-
 
 func _init(p_hz: int) -> void:
 	own_world_3d = true

@@ -45,7 +45,7 @@ func _init() -> void:
 	_slack_s = options.get("slack", "0").to_float()
 	player.restarted.connect(_replica.clear)
 	player.received.connect(_take)
-	player.advance(1e6)
+	player.play_all()
 	if _poses.is_empty():
 		printerr("nobody is in the recording at that time")
 		quit(1)

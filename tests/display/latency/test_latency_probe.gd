@@ -125,6 +125,19 @@ func test_the_histogram_knows_mean_deviation_and_percentiles() -> void:
 	is_true(sum > 4990 and sum <= 5000)
 
 
+func test_percentiles_of_long_delays_are_of_the_same_delays_as_the_mean() -> void:
+	var histogram: LatencyHistogram = LatencyHistogram.new()
+	for i: int in 1000:
+		histogram.add(400.0 + i)
+	almost_equal(histogram.mean(), 899.5, 0.01)
+	for fraction: float in [0.05, 0.2, 0.5, 0.95, 0.99]:
+		var exact: float = 400.0 + 1000.0 * fraction
+		almost_equal(histogram.percentile(fraction), exact, exact * LatencyHistogram.GROWTH - exact)
+	is_true(histogram.percentile(1.0) > histogram.mean())
+	histogram.add(1e9)
+	is_true(histogram.percentile(1.0) > 60000.0)
+
+
 func test_the_histogram_takes_any_delay() -> void:
 	var histogram: LatencyHistogram = LatencyHistogram.new()
 	equal(histogram.percentile(0.5), 0.0)

@@ -175,9 +175,12 @@ func test_sampled_by_a_thread_while_shown_by_another() -> void:
 	var delivered: Array[PoseSample] = []
 	sampler.add_source(0, _suit)
 	sampler.start(200.0, func(samples: Array[PoseSample]) -> void: delivered.append_array(samples))
-	for step: int in 200:
+	for step: int in 6000:
 		_go(0.01)
 		OS.delay_usec(500)
+		# The thread of a busy machine may come late.
+		if step >= 200 and sampler.stats(0)["samples"] > 3:
+			break
 	sampler.stop()
 	is_true(delivered.size() > 3)
 	for at: int in range(1, delivered.size()):

@@ -141,6 +141,22 @@ func test_join_reply() -> void:
 	_check_mixture()
 
 
+func test_notice() -> void:
+	var good: Array[PackedByteArray] = [
+		NoticeMessage.calibrate(7, 2, 40000),
+		NoticeMessage.dismiss("kicked by instructor 'Idä'"),
+		NoticeMessage.tell("the server has room for 128 people"),
+	]
+	for round: int in ROUNDS:
+		var notice: NoticeMessage = NoticeMessage.decode(_hostile(good[round % good.size()]))
+		if notice == null:
+			continue
+		_accepted += 1
+		if notice.text.length() > 4 * NoticeMessage.MAX_TEXT or notice.number > 0xFFFF:
+			fail("%d characters" % notice.text.length())
+	_check_mixture()
+
+
 func test_clock_packet() -> void:
 	var question: PackedByteArray = ClockMessage.question(77)
 	var good: PackedByteArray = ClockMessage.answer(question, 5000000, 300, 4990000, 60)

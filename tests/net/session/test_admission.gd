@@ -10,8 +10,18 @@ const V: int = Protocol.VERSION
 
 var _pair: LinkPair = null
 var _random: RandomNumberGenerator = RandomNumberGenerator.new()
-var _server_node: Node = null
-var _client_node: Node = null
+var _server_control: SessionControl = null
+var _token_file: SessionTokenFile = null
+
+
+## A server that takes any password, as one would that only wants to have people on it.
+class Impostor:
+	extends ServerRules
+
+	func challenge() -> Challenge:
+		var made: Challenge = super()
+		made.locked_roles = 0xFF
+		return made
 
 
 func before_each() -> void:
@@ -21,6 +31,8 @@ func before_each() -> void:
 
 func after_each() -> void:
 	_pair.close()
+	if _token_file != null:
+		_token_file.forget()
 
 
 func test_the_right_password_opens() -> void:
@@ -52,24 +64,30 @@ func test_instructors_without_password_are_local() -> void:
 
 
 func test_a_server_that_does_not_know_the_password_is_left() -> void:
-	_pair.rules.password = "sesame"
+	_pair.rules = Impostor.new()
+	_pair.rules.seals = false
 	_pair.listen()
-	# It takes any password, as a server would that only wants to have people on it.
-	var key: PackedByteArray = PasswordKey.derive("guess", _pair.rules._salt, PasswordKey.ROUNDS)
-	_pair.rules._keys["sesame"] = key
 	var end: LinkPair.End = _pair.add(TRAINEE, "Ada", V, "sesame")
-	end.link._key_salt = _pair.rules._salt
-	end.link._key = key
-	is_true(_pair.until(func() -> bool: return end.link._said.size() == 2))
-	end.link._key = PasswordKey.derive("sesame", _pair.rules._salt, PasswordKey.ROUNDS)
 	is_true(_pair.until(func() -> bool: return end.refusal != ""))
 	equal(end.refusal, "the server does not know the password")
+	equal(_pair.joined.size(), 0)
+
+
+func test_another_password_is_tried_without_sealing() -> void:
+	_pair.rules.password = "sesame"
+	_pair.rules.seals = false
+	_pair.listen()
+	var end: LinkPair.End = _pair.add(TRAINEE, "Ada", V, "open")
+	is_true(_pair.until(func() -> bool: return end.refusal != ""))
+	end.link.open("127.0.0.1", _pair.port, end.request, "sesame")
+	is_true(_pair.until(func() -> bool: return end.joined == 1))
 
 
 func test_guessing_is_slowed_down_and_keeps_nobody_out_who_comes_back() -> void:
 	_pair.rules.password = "sesame"
 	_pair.listen(64)
 	var good: LinkPair.End = _pair.join(TRAINEE, "Ada", "sesame")
+	var began: int = Time.get_ticks_usec()
 	var guesses: Array[LinkPair.End] = []
 	for i: int in 12:
 		guesses.append(_pair.add(OBSERVER, "Eve", V, "guess %d" % i))
@@ -77,11 +95,14 @@ func test_guessing_is_slowed_down_and_keeps_nobody_out_who_comes_back() -> void:
 		return guesses.all(
 			func(end: LinkPair.End) -> bool: return end.refusal != "" or end.loss != ""
 		)
-	is_true(_pair.until(told, 8.0))
+	is_true(_pair.until(told))
+	# Where twelve handshakes take seconds, a few more may be tried.
+	var seconds: float = (Time.get_ticks_usec() - began) / 1e6
+	var tried: int = LoginRateLimiter.BURST + ceili(seconds / LoginRateLimiter.PER_GUESS_S)
 	var late: int = 0
 	for end: LinkPair.End in guesses:
 		late += 1 if end.loss.contains("too many wrong passwords") else 0
-	is_true(late >= 5, "%d of 12 were not even tried" % late)
+	is_true(late >= 12 - tried, "%d of 12 were not even tried in %.1f s" % [late, seconds])
 	_lose(good)
 	good.link.open("127.0.0.1", _pair.port, good.request, "sesame")
 	is_true(
@@ -103,15 +124,12 @@ func test_guess_limit() -> void:
 
 
 func test_a_lost_client_comes_back_into_its_session() -> void:
-	_pair.listen(1)
+	_pair.listen(2)
 	var end: LinkPair.End = _pair.join(TRAINEE)
 	var session: int = end.link.session
 	equal(_pair.joined.keys(), [session] as Array[int])
 	_lose(end)
 	equal(_pair.server.session_ids().size(), 0)
-	var other: LinkPair.End = _pair.add(OBSERVER, "Bob")
-	is_true(_pair.until(func() -> bool: return other.refusal != ""))
-	contains(other.refusal, "full", "the place is kept")
 	end.link.open("127.0.0.1", _pair.port, end.request)
 	is_true(_pair.until(func() -> bool: return _pair.returned.size() == 1))
 	equal([end.link.session, _pair.returned[0]], [session, session])
@@ -127,8 +145,8 @@ func test_a_token_that_is_guessed_opens_nothing() -> void:
 	var thief: LinkPair.End = LinkPair.End.new()
 	_pair.ends.append(thief)
 	thief.request.role = TRAINEE
-	thief.link._token = Crypto.new().generate_random_bytes(16)
-	thief.link._token_of = "127.0.0.1:%d" % _pair.port
+	thief.link.token_file = _claim_token_file("thief")
+	thief.link.token_file.keep(Crypto.new().generate_random_bytes(JoinRequest.TOKEN_SIZE))
 	thief.link.open("127.0.0.1", _pair.port, thief.request)
 	is_true(_pair.until(func() -> bool: return thief.joined == 1))
 	not_equal(thief.link.session, end.link.session)
@@ -137,11 +155,12 @@ func test_a_token_that_is_guessed_opens_nothing() -> void:
 
 func test_a_new_connection_replaces_the_old() -> void:
 	_pair.listen(1)
-	var end: LinkPair.End = _pair.join(TRAINEE)
+	var end: LinkPair.End = _pair.add(TRAINEE)
+	end.link.token_file = _claim_token_file("twin")
+	is_true(_pair.until(func() -> bool: return end.joined == 1 and _pair.joined.size() == 1))
 	var twin: LinkPair.End = LinkPair.End.new()
 	_pair.ends.append(twin)
-	twin.link._token = end.link._token
-	twin.link._token_of = end.link._token_of
+	twin.link.token_file = end.link.token_file
 	twin.request.role = TRAINEE
 	twin.link.open("127.0.0.1", _pair.port, twin.request)
 	is_true(_pair.until(func() -> bool: return twin.joined == 1 and end.loss != ""))
@@ -154,11 +173,13 @@ func test_a_place_is_kept_for_a_minute_only() -> void:
 	_pair.listen()
 	var end: LinkPair.End = _pair.join(TRAINEE)
 	_lose(end)
-	var session: Session = _pair.server._sessions.find(_pair.lost[0])
-	session.lost_usec -= int(SessionTable.KEPT_S * 1e6) - 200000
-	_pair.run(0.05)
+	var session: Session = _pair.server.session(_pair.lost[0])
+	var last_usec: int = 20000000
+	session.lost_usec -= int(SessionTable.KEPT_S * 1e6) - last_usec
+	_pair.run(0.2)
 	equal(_pair.left.size(), 0)
-	is_true(_pair.until(func() -> bool: return _pair.left.size() == 1, 1.0))
+	session.lost_usec -= last_usec
+	is_true(_pair.until(func() -> bool: return _pair.left.size() == 1))
 	end.link.open("127.0.0.1", _pair.port, end.request)
 	is_true(_pair.until(func() -> bool: return _pair.joined.size() == 2), "as somebody new")
 
@@ -176,20 +197,26 @@ func test_limit_per_address() -> void:
 func test_an_instructor_admits_and_refuses() -> void:
 	_pair.rules.waiting_room = true
 	_pair.listen()
-	var control: SessionControl = _add_instructor()
+	var control: InstructorControl = _add_instructor()
 	var first: LinkPair.End = _pair.add(TRAINEE, "first")
 	is_true(_pair.until(func() -> bool: return first.places.has(1)))
 	var second: LinkPair.End = _pair.add(OBSERVER, "second")
 	is_true(_pair.until(func() -> bool: return second.places.has(2)))
 	_pair.run(0.2)
 	equal([first.joined, second.joined], [0, 0])
-	var waiting: Array = control.roster.filter(
-		func(row: Dictionary) -> bool: return row["state"] == "waiting"
-	)
-	equal(waiting.map(func(row: Dictionary) -> String: return row["name"]), ["first", "second"])
-	control.admit(waiting[0]["peer"])
+	var waiting: Array[RosterRow] = []
+	var knows_both: Callable = func() -> bool:
+		waiting.assign(
+			control.roster.filter(
+				func(row: RosterRow) -> bool: return row.state == RosterRow.State.WAITING
+			)
+		)
+		return waiting.size() == 2
+	is_true(_pair.until(knows_both))
+	equal(waiting.map(func(row: RosterRow) -> String: return row.name), ["first", "second"])
+	control.admit(waiting[0].peer)
 	is_true(_pair.until(func() -> bool: return first.joined == 1 and second.places.back() == 1))
-	control.refuse(waiting[1]["peer"], "not today")
+	control.refuse(waiting[1].peer, "not today")
 	is_true(_pair.until(func() -> bool: return second.refusal != ""))
 	equal(second.refusal, "refused by instructor 'Ida': not today")
 
@@ -201,7 +228,7 @@ func test_those_who_wait_are_kept_longer_than_a_greeting_takes() -> void:
 	is_true(_pair.until(func() -> bool: return first.places.size() == 1))
 	_pair.run(Admission.REQUEST_S + 3.0)
 	equal([first.refusal, first.loss], ["", ""])
-	equal(_pair.server.admit(_pair.server.roster()[0]["peer"]), "")
+	equal(_pair.server.admit(_pair.server.roster()[0].peer), "")
 	is_true(_pair.until(func() -> bool: return first.joined == 1))
 
 
@@ -209,9 +236,9 @@ func test_an_instructor_kicks_and_bans() -> void:
 	var file: String = "user://bans_%d.json" % Time.get_ticks_usec()
 	_pair.rules.bans = BanList.open(file)
 	_pair.listen()
-	var control: SessionControl = _add_instructor()
+	var control: InstructorControl = _add_instructor()
 	var answers: Array[String] = []
-	control.answered.connect(answers.append)
+	control.answered.connect(func(answer: AnswerMessage) -> void: answers.append(answer.text))
 	var rude: LinkPair.End = _pair.join(TRAINEE, "rude")
 	control.kick(rude.link.session, "be\nkind")
 	is_true(_pair.until(func() -> bool: return rude.refusal != ""))
@@ -231,32 +258,32 @@ func test_an_instructor_kicks_and_bans() -> void:
 
 func test_nobody_else_gives_orders() -> void:
 	_pair.listen()
-	SessionControl.serve(_make_node(), _pair.server)
-	var rogue: LinkPair.End = _pair.join(TRAINEE, "rogue")
+	_serve_orders()
 	var victim: LinkPair.End = _pair.join(TRAINEE, "victim")
-	var control: SessionControl = SessionControl.follow(_make_node(), rogue.link)
-	control.kick(victim.link.session, "")
-	_pair.run(0.3)
+	for role: Roles.Role in [TRAINEE, OBSERVER]:
+		var rogue: LinkPair.End = _pair.join(role, "rogue")
+		var control: InstructorControl = InstructorControl.new(rogue.link)
+		control.kick(victim.link.session, "")
+		control.ask_who()
+		_pair.run(0.3)
+		equal(control.roster.size(), 0, "nobody is named to it")
 	equal([victim.refusal, victim.loss, _pair.left.size()], ["", "", 0])
 
 
-func test_calls_that_make_no_sense_end_a_connection() -> void:
+func test_the_engines_own_packets_never_reach_it() -> void:
 	_pair.listen()
-	SessionControl.serve(_make_node(), _pair.server)
 	var good: LinkPair.End = _pair.join(TRAINEE, "good")
 	var bad: LinkPair.End = _pair.join(INSTRUCTOR, "bad")
-	SessionControl.follow(_make_node(), bad.link)
-	for text: String in ["not found", "is null", "Invalid packet", "Invalid call", "RPC", "cache"]:
-		allow_error(text)
 	for round: int in 40:
-		if bad.link._peer == null:
-			break
 		var bytes: PackedByteArray = NetSamples.noise(_random, 40)
-		bytes.insert(0, round % 3)
-		bad.link._peer.set_target_peer(1)
-		bad.link._peer.put_packet(bytes)
+		bytes.insert(0, [0, 1, 2, 4, 5, 6, 7][round % 7])
+		bad.peer().set_target_peer(1)
+		bad.peer().put_packet(bytes)
 		_pair.run(0.01)
-	is_true(_pair.until(func() -> bool: return _pair.left.size() == 1))
+	# An engine error would fail the test.
+	var is_counted: Callable = func() -> bool:
+		return _pair.server.stats().get("dropped_in", 0) >= 40
+	is_true(_pair.until(is_counted), "all are counted")
 	is_true(good.link.is_joined())
 
 
@@ -273,27 +300,32 @@ func test_ban_file_with_faults() -> void:
 	DirAccess.remove_absolute(file)
 
 
+## Where a client keeps its token; the test removes it.
+func _claim_token_file(p_name: String) -> SessionTokenFile:
+	_token_file = SessionTokenFile.claim("127.0.0.1:%d" % _pair.port, TRAINEE, p_name)
+	return _token_file
+
+
 func _write(p_path: String, p_text: String) -> void:
 	var file: FileAccess = FileAccess.open(p_path, FileAccess.WRITE)
 	file.store_string(p_text)
 	file.close()
 
 
-func _add_instructor() -> SessionControl:
-	SessionControl.serve(_make_node(), _pair.server)
+func _add_instructor() -> InstructorControl:
+	_serve_orders()
 	var end: LinkPair.End = _pair.add(INSTRUCTOR, "Ida")
-	var control: SessionControl = SessionControl.follow(_make_node(), end.link)
+	var control: InstructorControl = InstructorControl.new(end.link)
 	is_true(_pair.until(func() -> bool: return end.joined == 1 and not control.roster.is_empty()))
 	return control
 
 
-func _make_node() -> Node:
-	var node: Node = Node.new()
-	add_child(node)
-	return node
+func _serve_orders() -> void:
+	_server_control = SessionControl.new(_pair.server)
+	_pair.on_poll = _server_control.advance
 
 
 ## Cuts a client's connection without a reason.
 func _lose(p_end: LinkPair.End) -> void:
-	p_end.link._peer.close_with(DisconnectReason.LOST)
+	p_end.cut()
 	is_true(_pair.until(func() -> bool: return _pair.lost.size() == 1 and p_end.loss != ""))

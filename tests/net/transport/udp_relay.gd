@@ -9,6 +9,8 @@ var copies: int = 1
 var hold: float = 0.0
 ## Chance that a datagram is damaged.
 var damage: float = 0.0
+## How long each datagram takes, µs.
+var delay_usec: int = 0
 ## Keeps datagrams of long ago and sends them again.
 var replays: bool = false
 ## Datagrams that were sent on.
@@ -21,6 +23,7 @@ var _stop: bool = false
 var _random: RandomNumberGenerator = RandomNumberGenerator.new()
 var _client_known: bool = false
 var _held: Array[Array] = []
+var _late: Array[Array] = []
 var _old: Array[Array] = []
 
 
@@ -52,6 +55,8 @@ func _run() -> void:
 			_send(_held.pop_at(_random.randi_range(0, _held.size() - 1)))
 		if replays and not _old.is_empty():
 			_send(_old[_random.randi_range(0, _old.size() - 1)])
+		while not _late.is_empty() and Time.get_ticks_usec() >= (_late[0][2] as int):
+			_put(_late.pop_front())
 		OS.delay_usec(500)
 
 
@@ -71,5 +76,12 @@ func _pass(p_to: PacketPeerUDP, p_bytes: PackedByteArray) -> void:
 
 
 func _send(p_item: Array) -> void:
+	if delay_usec > 0:
+		_late.append([p_item[0], p_item[1], Time.get_ticks_usec() + delay_usec])
+	else:
+		_put(p_item)
+
+
+func _put(p_item: Array) -> void:
 	passed += 1
 	(p_item[0] as PacketPeerUDP).put_packet(p_item[1])

@@ -35,13 +35,13 @@ def hand_bones(rig: Rig) -> list[str]:
 
 
 def make_gloves(figure: Figure) -> QuadMesh:
-    """Offset the hands' skin to gloves; the cuff is wider so that it covers the sleeve's end."""
+    """Offset the hands' skin to gloves; the sleeves close over their ends."""
     rig = figure.rig
     hands = hand_bones(rig)
 
     def on_hand(middles: Array, weights: Array) -> NDArray[np.bool_]:
         forearm = rig.share(weights, ("LeftLowerArm", "RightLowerArm"))
-        wrist = (forearm > 0.4) & (rig.along_forearm(middles) > 0.86)
+        wrist = (forearm > 0.4) & (rig.along_forearm(middles) > 0.84)
         return (rig.share(weights, hands) > 0.5) | wrist
 
     gloves = figure.part(_BODY, on_hand)
@@ -50,8 +50,6 @@ def make_gloves(figure: Figure) -> QuadMesh:
     for _ in range(3):
         gloves.vertices = 0.6 * gloves.vertices + 0.4 * neighbour_mean(gloves.vertices, edges)
     gloves.vertices += gloves.normals() * 0.0012
-    cuff = np.clip((0.99 - rig.along_forearm(gloves.vertices)) / 0.05, 0, 1)
-    gloves.vertices += gloves.normals() * (cuff * 0.006)[:, None]
     return gloves
 
 

@@ -15,12 +15,13 @@ from .figure import Figure, build_figure
 from .gltf_export import Surface, export_avatar
 from .head_kit import (
     HelmetFit,
-    add_chin_strap,
     add_ear_protection,
     add_glasses,
     add_helmet,
     fit_helmet,
 )
+from .head_straps import add_chin_strap
+from .hems import finish_hems
 from .kit import Kit
 from .kit_parts import GLOVE_OLIVE
 from .leg_kit import add_cargo_pocket, add_knee_pad
@@ -42,6 +43,7 @@ def dress(figure: Figure, with_cloth: bool) -> UniformCut:
         simulate(cut.uniform, cut.body_form, figure.rig)
     else:
         fold_procedurally(cut.uniform, figure.rig, figure.noise)
+    finish_hems(cut.uniform, cut.boots, cut.body_form, figure.rig)
     return cut
 
 

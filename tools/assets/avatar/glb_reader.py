@@ -84,6 +84,19 @@ def read_skinned_model(path: Path) -> SkinnedModel:
     return model
 
 
+def read_surfaces(path: Path) -> dict[str, list[SkinVertex]]:
+    """Read the skinned vertices of each material of a .glb file, by the material's name."""
+    glb = _GlbFile(path)
+    joints = glb.tree["skins"][0]["joints"]
+    names = [glb.tree["nodes"][node]["name"] for node in joints]
+    primitives = [each for mesh in glb.tree["meshes"] for each in mesh["primitives"]]
+    materials = glb.tree["materials"]
+    return {
+        materials[each["material"]]["name"]: _read_primitive(glb, each, names)
+        for each in primitives
+    }
+
+
 def _read_bones(glb: _GlbFile, joints: list[int]) -> dict[str, Bone]:
     """Chain the local transforms of the joint nodes into model space."""
     nodes = glb.tree["nodes"]

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from .bake import linear_to_srgb
 from .blender import Matrix
 from .quad_mesh import QuadMesh
 from .rig import Rig
@@ -19,7 +20,7 @@ _FLOAT, _UINT32, _UINT16, _UINT8 = 5126, 5125, 5123, 5121
 _ARRAY_BUFFER, _INDEX_BUFFER = 34962, 34963
 _LINEAR, _LINEAR_MIPMAPS, _REPEAT = 9729, 9987, 10497
 _GENERATOR = "Dismount avatar tools"
-_DARKEST = 0.25
+_DARKEST = 0.3
 """Brightness of a fully occluded vertex."""
 
 
@@ -117,7 +118,9 @@ def _primitive(surface: Surface, material: int, buffer: _Buffer) -> dict:
     if surface.shaded:
         light = _DARKEST + (1 - _DARKEST) * mesh.occlusion[source]
         colours = colours * light[:, None]
-    rgba = np.column_stack([np.clip(colours, 0, 1), np.ones(len(colours))])
+    # sRGB, against the letter of glTF: see avatar_import.gd.
+    colours = linear_to_srgb(np.clip(colours, 0, 1))
+    rgba = np.column_stack([colours, np.ones(len(colours))])
     add = buffer.add_array
     attributes = {
         "POSITION": add(mesh.vertices[source].astype("f4"), _FLOAT, "VEC3", bounds=True),

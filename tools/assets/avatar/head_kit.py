@@ -1,4 +1,4 @@
-"""Helmet, ear protection, chin strap and glasses. Metres."""
+"""Helmet, ear protection and glasses. Metres."""
 
 import math
 from dataclasses import dataclass
@@ -6,6 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from .bands import cord
+from .curves import unit
 from .kit import Kit
 from .kit_parts import (
     BLACK,
@@ -17,7 +19,6 @@ from .kit_parts import (
     rounded_box,
 )
 from .quad_mesh import QuadMesh, subdivide
-from .surface import Surface
 
 Array = NDArray[np.float64]
 
@@ -25,6 +26,8 @@ Array = NDArray[np.float64]
 _RIM_ANGLES = [0, 35, 60, 80, 110, 135, 180]
 _RIM_HEIGHTS = [0.040, 0.040, 0.028, 0.015, 0.005, -0.045, -0.055]
 _HELMET_COLUMNS = 48
+_FULLNESS = 0.78
+"""Exponent on the shell's width over its height: 1 is an ellipsoid, less is fuller."""
 
 _LENS_RADIUS_X, _LENS_RADIUS_Z = 0.074, 0.062
 
@@ -48,23 +51,27 @@ def fit_helmet(head: QuadMesh, eye_centre: Array) -> HelmetFit:
     )
 
 
-def _dome_row(fit: HelmetFit, share: float, inset: float = 0.0) -> Array:
-    """Return one ring of the shell: share 0 at the rim, 1 at the top."""
-    azimuth = np.linspace(0, 2 * np.pi, _HELMET_COLUMNS + 1)[:-1]
+def shell_point(fit: HelmetFit, azimuth: float, share: float, inset: float = 0.0) -> Array:
+    """Return a point of the shell: azimuth 0 is in front (radians), share 0 the rim, 1 the top."""
+    return _shell(fit, np.array([azimuth]), share, inset)[0]
+
+
+def _shell(fit: HelmetFit, azimuth: Array, share: float, inset: float) -> Array:
+    """Return points of the shell; its sides are fuller than an ellipsoid's."""
     from_front = np.degrees(np.arccos(np.cos(azimuth)))
     rim = np.interp(from_front, _RIM_ANGLES, _RIM_HEIGHTS)
     lowest = np.arcsin(np.clip(rim / fit.radii[1], -1, 1))
     elevation = lowest + (np.pi / 2 - lowest) * share
     rx, ry, rz = fit.radii - inset
-    ring = np.stack(
-        [
-            np.sin(azimuth) * np.cos(elevation) * rx,
-            np.sin(elevation) * ry,
-            np.cos(azimuth) * np.cos(elevation) * rz,
-        ],
-        1,
-    )
-    return ring + fit.centre
+    width = np.clip(np.cos(elevation), 0, 1) ** _FULLNESS
+    shape = [np.sin(azimuth) * width * rx, np.sin(elevation) * ry, np.cos(azimuth) * width * rz]
+    return np.stack(shape, 1) + fit.centre
+
+
+def _dome_row(fit: HelmetFit, share: float, inset: float = 0.0) -> Array:
+    """Return one ring of the shell: share 0 at the rim, 1 at the top."""
+    azimuth = np.linspace(0, 2 * np.pi, _HELMET_COLUMNS + 1)[:-1]
+    return _shell(fit, azimuth, share, inset)
 
 
 def add_helmet(kit: Kit, fit: HelmetFit) -> None:
@@ -81,12 +88,23 @@ def add_helmet(kit: Kit, fit: HelmetFit) -> None:
     kit.add(cover, RANGER_GREEN)
     cover.camouflaged = cover.azimuthal = True
 
-    tilt = np.array([[1, 0, 0], [0, 0.93, 0.36], [0, -0.36, 0.93]])
-    shroud = BoxShape((0.022, 0.026, 0.008), radius=0.005)
-    at = fit.centre + [0, 0.075, fit.radii[2] * 0.86]
-    kit.add(rounded_box(at, tilt, shroud, weights), BLACK)
+    rim = (lip + inside[-1]) / 2
+    kit.add(cord(np.vstack([rim, rim[:2]]), 0.0075, weights, sides=6), RANGER_GREEN * 0.5)
+    _add_shroud(kit, fit, weights)
     for sign in (1, -1):
         _add_rail(kit, fit, sign, weights)
+
+
+def _add_shroud(kit: Kit, fit: HelmetFit, weights: WeightRule) -> None:
+    """Bolt the mount for night-vision goggles flat onto the front."""
+    at, above = (shell_point(fit, 0, share) for share in (0.30, 0.34))
+    up = unit(above - at)
+    right = np.array([1.0, 0, 0])
+    frame = np.stack([right, up, np.cross(right, up)], 1)
+    plate = BoxShape((0.024, 0.026, 0.005), radius=0.004, segments=(2, 2, 1), bend=2.0)
+    kit.add(rounded_box(at + frame[:, 2] * 0.002, frame, plate, weights), BLACK * 1.3)
+    socket = BoxShape((0.012, 0.016, 0.004), radius=0.003)
+    kit.add(rounded_box(at + frame[:, 2] * 0.007, frame, socket, weights), BLACK)
 
 
 def _add_rail(kit: Kit, fit: HelmetFit, sign: int, weights: WeightRule) -> None:
@@ -94,7 +112,7 @@ def _add_rail(kit: Kit, fit: HelmetFit, sign: int, weights: WeightRule) -> None:
     angles = np.radians(np.linspace(68, 122, 13)) * sign
     rows = []
     for y, swell in ((0.024, 1.0), (0.026, 1.075), (0.042, 1.075), (0.044, 1.0)):
-        waist = math.sqrt(1 - (y / fit.radii[1]) ** 2)
+        waist = math.sqrt(1 - (y / fit.radii[1]) ** 2) ** _FULLNESS
         x = np.sin(angles) * fit.radii[0] * waist * swell
         z = np.cos(angles) * fit.radii[2] * waist * swell
         rows.append(np.stack([x, y + 0 * angles, z], 1) + fit.centre)
@@ -103,39 +121,18 @@ def _add_rail(kit: Kit, fit: HelmetFit, sign: int, weights: WeightRule) -> None:
 
 
 def add_ear_protection(kit: Kit, fit: HelmetFit) -> None:
-    """Add two ear cups below the rails."""
+    """Hang two ear cups from the rails: cushion, shell and arm."""
     weights = rigid_weights(kit.rig, Head=1)
-    cup = BoxShape((0.018, 0.038, 0.030), radius=0.016, segments=(2, 3, 3))
+    cushion = BoxShape((0.010, 0.036, 0.028), radius=0.009, segments=(1, 3, 3))
+    cup = BoxShape((0.014, 0.036, 0.028), radius=0.0135, segments=(1, 4, 4))
+    arm = BoxShape((0.003, 0.026, 0.007), radius=0.002)
     for sign in (1, -1):
-        at = fit.centre + [sign * (fit.radii[0] - 0.014), -0.035, -0.012]
+        outer = sign * (fit.radii[0] - 0.004)
+        at = fit.centre + [outer, -0.032, -0.010]
+        kit.add(rounded_box(at - [sign * 0.016, 0, 0], np.eye(3), cushion, weights), BLACK)
         kit.add(rounded_box(at, np.eye(3), cup, weights), RANGER_GREEN * 0.7)
-
-
-def add_chin_strap(kit: Kit, fit: HelmetFit, head: QuadMesh) -> None:
-    """Sweep a strap from ear to ear under the chin, 4 mm off the skin."""
-    skin = Surface(head.vertices, head.faces)
-    origin = fit.centre + [0, -0.035, 0.015]
-    path = []
-    for angle in np.linspace(-100, 100, 25):
-        forward = 0.30 if abs(angle) < 60 else 0.30 - 0.2 * (abs(angle) - 60) / 40
-        direction = np.array([math.sin(np.radians(angle)), -math.cos(np.radians(angle)), forward])
-        direction /= np.linalg.norm(direction)
-        hit = skin.hit(origin + direction * 0.3, -direction, 0.3)
-        path.append(origin + direction * 0.1 if hit is None else hit + direction * 0.004)
-    line = np.array(path)
-    for _ in range(2):
-        line[1:-1] = (line[:-2] + 2 * line[1:-1] + line[2:]) / 4
-    tangents = np.gradient(line, axis=0)
-    outward = line - origin
-    outward /= np.linalg.norm(outward, axis=1, keepdims=True)
-    tangents /= np.linalg.norm(tangents, axis=1, keepdims=True)
-    across = np.cross(tangents, outward)
-    section = ((-0.009, 0), (-0.008, 0.003), (0.008, 0.003), (0.009, 0))
-    band = np.stack([line + across * a + outward * b for a, b in section], 1)
-    strap = grid_mesh(
-        band, rigid_weights(kit.rig, Head=1), closed=True, outward=outward.repeat(4, 0)
-    )
-    kit.add(strap, RANGER_GREEN * 0.6)
+        hook = fit.centre + [sign * (fit.radii[0] + 0.011), 0.010, -0.010]
+        kit.add(rounded_box(hook, np.eye(3), arm, weights), BLACK)
 
 
 def add_glasses(kit: Kit, eyes: list[QuadMesh]) -> QuadMesh:

@@ -20,11 +20,11 @@ IntArray = NDArray[np.int64]
 WeightRule = Callable[[Array], Array]
 """Gives every point its row of skin weights."""
 
-COYOTE = np.array([0.34, 0.27, 0.17])
-RANGER_GREEN = np.array([0.21, 0.205, 0.125])
-BLACK = np.array([0.035, 0.035, 0.035])
-BOOT_BROWN = np.array([0.25, 0.195, 0.125])
-GLOVE_OLIVE = np.array([0.16, 0.14, 0.09])
+COYOTE = np.array([0.26, 0.205, 0.13])
+RANGER_GREEN = np.array([0.118, 0.119, 0.072])
+BLACK = np.array([0.025, 0.025, 0.025])
+BOOT_BROWN = np.array([0.17, 0.125, 0.077])
+GLOVE_OLIVE = np.array([0.10, 0.092, 0.062])
 
 
 def rigid_weights(rig: Rig, **shares: float) -> WeightRule:

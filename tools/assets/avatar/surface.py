@@ -14,12 +14,17 @@ class Surface:
     def __init__(self, vertices: Array, faces: NDArray[np.int64]) -> None:
         # A triangle is a quad with a repeated corner; the tree wants each corner once.
         polygons = [tuple(dict.fromkeys(face)) for face in faces.tolist()]
+        self.points = vertices
         self._tree = BVHTree.FromPolygons([tuple(point) for point in vertices], polygons)
 
     def hit(self, origin: ArrayLike, direction: ArrayLike, reach: float) -> Array | None:
         """Return the first point on a ray of the given reach, or None."""
         location = self._tree.ray_cast(Vector(origin), Vector(direction), reach)[0]
         return None if location is None else np.array(location)
+
+    def nearest_normal(self, point: ArrayLike) -> Array:
+        """Return the normal of the face that is nearest to a point."""
+        return np.array(self._tree.find_nearest(Vector(point))[1])
 
     def hit_distance(self, origin: Vector, direction: ArrayLike, reach: float) -> float | None:
         """Return how far away the first point on a ray is, or None."""

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .figure import Figure
-from .quad_mesh import QuadMesh, neighbour_mean, subdivide, unique_edges, vertex_normals
+from .quad_mesh import QuadMesh, neighbour_mean, subdivide, unique_edges
 from .rig import SIDES, Rig
 
 Array = NDArray[np.float64]
@@ -44,9 +44,8 @@ def cut_uniform(figure: Figure) -> UniformCut:
     on_arm = _limb_share(rig, weights, ("UpperArm", "LowerArm", "Hand")) > 0.5
     hand = on_arm & (rig.along_forearm(middles) > 1.02)
     collar = (middles[:, 1] > rig.heads["Neck"][1] + 0.055) & ~on_arm
-    uniform = loose_shell.subset(~(on_leg & (shin > 0.80)) & ~hand & ~collar)
+    uniform = loose_shell.subset(~(on_leg & (shin > 0.82)) & ~hand & ~collar)
     boots = tight_shell.subset(on_leg & (shin > 0.64))
-    _tuck_into_boots(uniform, rig)
     return UniformCut(uniform, boots, subdivide(figure.part(_PATTERN)))
 
 
@@ -84,12 +83,3 @@ def _drape(pattern: QuadMesh, rig: Rig) -> None:
         lift = ((cloth - body) * normals).sum(1)
         cloth += normals * np.maximum(ease * 0.8 - lift, 0)[:, None]
     pattern.vertices = cloth
-
-
-def _tuck_into_boots(uniform: QuadMesh, rig: Rig) -> None:
-    """Draw the trouser ends 30 mm in, so that they vanish into the boots."""
-    points = uniform.vertices
-    inside = np.clip((rig.along_shin(points) - 0.66) / 0.09, 0, 1)
-    leg_bones = [side + part for part in ("LowerLeg", "Foot") for side in SIDES]
-    inside = inside * (rig.share(uniform.weights, leg_bones) > 0.5)
-    uniform.vertices = points - vertex_normals(points, uniform.faces) * (inside * 0.030)[:, None]

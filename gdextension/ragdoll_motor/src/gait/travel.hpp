@@ -45,8 +45,6 @@ public:
 
 	/// Where the root's joint is, m.
 	const Vec3 &get_root() const { return _root; }
-	/// Its velocity, m/s.
-	const Vec3 &get_velocity() const { return _velocity; }
 	/// Whether nothing touches the ground.
 	bool is_flying() const { return _flying; }
 	/// How surely each point stands still on the ground, 0 to 1.

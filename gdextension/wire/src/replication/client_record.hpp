@@ -76,7 +76,7 @@ public:
 
 	/// Snapshots per second.
 	const int rate;
-	const double bytes_per_tick;
+	double bytes_per_tick;
 	double allowance = double(MAX_BYTES);
 	/// Where the client looks from, if it has sent that.
 	Vec3 viewpoint;

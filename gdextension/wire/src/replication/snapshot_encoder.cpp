@@ -29,9 +29,20 @@ SnapshotEncoder::SnapshotEncoder(const Skeleton &p_skeleton, double p_max_error_
 void SnapshotEncoder::add_client(int p_client, int p_snapshots_per_second, double p_bits_per_second) {
 	const int rate =
 			std::clamp(p_snapshots_per_second <= 0 ? _history.rate() : p_snapshots_per_second, 1, _history.rate());
+	_clients[p_client] = std::make_unique<ClientRecord>(rate, bytes_per_tick(p_bits_per_second));
+}
+
+void SnapshotEncoder::set_bandwidth(int p_client, double p_bits_per_second) {
+	ClientRecord *record = client(p_client);
+	if (record != nullptr) {
+		record->bytes_per_tick = bytes_per_tick(p_bits_per_second);
+	}
+}
+
+double SnapshotEncoder::bytes_per_tick(double p_bits_per_second) const {
 	// Written so that NaN counts as the least.
 	const double bits = p_bits_per_second > 1000.0 ? p_bits_per_second : 1000.0;
-	_clients[p_client] = std::make_unique<ClientRecord>(rate, bits / 8.0 / _history.rate());
+	return bits / 8.0 / _history.rate();
 }
 
 void SnapshotEncoder::add_recorder(int p_client) {
@@ -189,10 +200,10 @@ bool SnapshotEncoder::_write_datagram(ClientRecord &p_client, Datagram &r_out, s
 		return false;
 	}
 	_finish(draft);
-	p_client.allowance -= double(r_out.size + TRANSPORT_BYTES);
+	p_client.allowance -= double(r_out.size + _datagram_overhead);
 	p_client.sent_tick = _history.tick();
 	p_client.stats.datagrams++;
-	p_client.stats.bytes += r_out.size + TRANSPORT_BYTES;
+	p_client.stats.bytes += r_out.size + _datagram_overhead;
 	if (p_client.is_recorder) {
 		p_client.keep_datagram(draft.entry);
 	}
@@ -230,7 +241,7 @@ std::size_t SnapshotEncoder::encode(int p_client, int64_t p_now_usec, DatagramLi
 	const std::size_t most = client->is_recorder ? MAX_RECORDED : MAX_DATAGRAMS;
 	std::size_t count = 0;
 	while (count < most && (count == 0 || is_waiting())) {
-		const double left = client->is_recorder ? double(MAX_BYTES) : client->allowance - double(TRANSPORT_BYTES);
+		const double left = client->is_recorder ? double(MAX_BYTES) : client->allowance - double(_datagram_overhead);
 		const double room = std::min(left, double(MAX_BYTES));
 		if (room < double(WORST_BODY)) {
 			break;

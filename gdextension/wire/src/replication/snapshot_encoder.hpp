@@ -24,8 +24,12 @@ public:
 
 	WorldHistory &world() { return _history; }
 	Interest &interest() { return _visibility; }
+	/// Sets how many bytes the way to a client adds to each datagram: they count as sent.
+	void set_datagram_overhead(std::size_t p_bytes) { _datagram_overhead = p_bytes; }
 	/// Takes a client in, anew if it is known. The rate is at most the tick rate; 0 asks for that.
 	void add_client(int p_client, int p_snapshots_per_second, double p_bits_per_second);
+	/// Changes a client's share of the network; who is not here and recorders have none.
+	void set_bandwidth(int p_client, double p_bits_per_second);
 	/// Takes a client in that gets all of every tick, and loses nothing: a recording on the server itself.
 	void add_recorder(int p_client);
 	void remove_client(int p_client) { _clients.erase(p_client); }
@@ -36,6 +40,7 @@ public:
 	/// Sends MOTION_ACK_BYTES bytes along with the next snapshot; false if they are not so many.
 	bool set_motion_ack(int p_client, const uint8_t *p_bytes, std::size_t p_size);
 	/// The record of a client, or null.
+	double bytes_per_tick(double p_bits_per_second) const;
 	ClientRecord *client(int p_client);
 
 	/// Notes which sample moved a person in this tick, and when it was where; for a while it is sent along.
@@ -101,6 +106,7 @@ private:
 
 	PersonCodec _codec;
 	WorldHistory _history;
+	std::size_t _datagram_overhead = TRANSPORT_BYTES;
 	Interest _visibility;
 	std::unordered_map<int, std::unique_ptr<ClientRecord>> _clients;
 	std::vector<Mark> _marks;

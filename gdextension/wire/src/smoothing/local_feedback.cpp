@@ -67,6 +67,14 @@ bool LocalFeedback::_read(const PersonPose &p_pose, Limbs &r_frame) const {
 	return true;
 }
 
+void LocalFeedback::set_heading(float p_heading) {
+	if (p_heading != _heading && std::isfinite(p_heading)) {
+		clear();
+		_heading = p_heading;
+		_turn = kinematics::exp({ 0.0f, p_heading, 0.0f });
+	}
+}
+
 bool LocalFeedback::push_local(double p_moment_s, const PersonPose &p_pose) {
 	Limbs frame;
 	if (!std::isfinite(p_moment_s) || !_read(p_pose, frame)) {
@@ -78,6 +86,12 @@ bool LocalFeedback::push_local(double p_moment_s, const PersonPose &p_pose) {
 			return false;
 		}
 		clear();
+	}
+	if (_heading != 0.0f) {
+		frame.position = _turn.rotate(frame.position);
+		for (std::size_t i = 0; i < _count; i++) {
+			frame.turns[i] = _turn * frame.turns[i];
+		}
 	}
 	_history[_local_count % KEPT] = { p_moment_s, frame };
 	_local_count++;

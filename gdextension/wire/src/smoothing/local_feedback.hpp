@@ -23,6 +23,9 @@ public:
 	bool set_skeleton(const kinematics::Skeleton &p_skeleton);
 	int limb_count() const { return _skeleton.limb_count; }
 
+	/// Turns the wearer's poses about the vertical, rad: as the wearer's own frame is turned in the world.
+	/// Where that changes all poses are forgotten.
+	void set_heading(float p_heading);
 	/// Takes the wearer's pose at a moment. False if it is broken or not newer than the last.
 	bool push_local(double p_moment_s, const PersonPose &p_pose);
 	/// Takes what the server made of the wearer's pose at a moment. False if it is broken, not newer
@@ -61,6 +64,8 @@ private:
 
 	kinematics::Skeleton _skeleton;
 	std::size_t _count = 0;
+	float _heading = 0.0f;
+	Quat _turn; // By the heading.
 	std::array<Local, KEPT> _history{};
 	std::size_t _local_count = 0; // Of all; the newest KEPT are kept.
 	double _truth_moment = 0.0;

@@ -62,6 +62,16 @@ void ServerClock::_note_delay(double p_delay, double p_now_s) {
 	_arrivals[_arrival_count++ % KEPT] = { p_now_s, p_delay };
 }
 
+double ServerClock::lately_now(double p_now_s) const {
+	double quickest = std::numeric_limits<double>::infinity();
+	for (std::size_t i = 0; i < std::min(_arrival_count, KEPT); i++) {
+		if (_last - _arrivals[i].at <= LATELY_S) {
+			quickest = std::min(quickest, _arrivals[i].delay);
+		}
+	}
+	return p_now_s - std::max(quickest, _difference);
+}
+
 double ServerClock::lateness(double p_fraction) const {
 	std::array<double, KEPT> delays;
 	std::size_t count = 0;

@@ -29,6 +29,7 @@ public:
 	static constexpr double PAUSE_S = 0.25; ///< A rise beyond this is taken over at once.
 	static constexpr double SILENCE_S = 0.5; ///< After so long without an arrival, old ones do not count.
 	static constexpr double LATENESS_S = 2.0; ///< Span over which lateness counts.
+	static constexpr double LATELY_S = 0.1; ///< Span whose quickest arrival counts for lately_now().
 
 	/// Takes note of a tick that arrived at a time of the client's clock, s.
 	Verdict arrived(uint32_t p_tick, double p_now_s);
@@ -41,6 +42,9 @@ public:
 	double newest() const { return time_of(_newest_tick); }
 	/// The server's time of what would arrive now if it was as quick as the quickest, s.
 	double server_now(double p_now_s) const { return p_now_s - _difference; }
+	/// The server's time of what would arrive now if it was as quick as the quickest of late, s. Beyond
+	/// server_now() never; behind it while the server runs slower than its clock.
+	double lately_now(double p_now_s) const;
 	/// How much later than the quickest a fraction (0 to 1) of the arrivals is not, s.
 	double lateness(double p_fraction) const;
 	/// Time between two ticks that are sent, s: the median of the last ones.

@@ -162,6 +162,7 @@ void Smoother::_play(double p_now_s) {
 		// Never back, however much too far ahead it is.
 		_shown_time += std::max(step + error * (1.0 - std::exp(-CORRECTION * step)), 0.0);
 	}
+	_shown_behind = std::max(_clock.lately_now(p_now_s) - _shown_time, 0.0);
 	_shown_at = p_now_s;
 	_is_playing = true;
 }

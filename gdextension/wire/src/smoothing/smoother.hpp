@@ -66,7 +66,7 @@ public:
 	/// only as far as motion is carried on. -1 before the first update.
 	double motion_tick() const { return _is_playing ? _motion_time() * _clock.tick_rate : -1.0; }
 	/// How far what is shown is behind the quickest arrivals, s.
-	double delay() const { return _behind; }
+	double delay() const { return _shown_behind; }
 	/// As shown by evaluate(); null until there is something.
 	const Person *person(uint16_t p_id) const;
 	const BodyTransform *body(uint16_t p_id) const;
@@ -129,6 +129,7 @@ private:
 	bool _is_playing = false;
 	double _shown_time = 0.0; // In the server's clock, s.
 	double _shown_at = 0.0; // In the client's.
+	double _shown_behind = 0.0;
 	double _behind = 0.0;
 };
 

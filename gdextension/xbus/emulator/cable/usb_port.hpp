@@ -53,7 +53,6 @@ public:
 	/// When there will be something to do next.
 	Usec next_event() const;
 
-	bool has_completed() const { return !_completed.empty(); }
 	/// The next transfer that is over, or null.
 	std::unique_ptr<Urb> take_completed();
 	/// The host asks for an end of a stall.

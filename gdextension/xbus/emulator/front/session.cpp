@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <filesystem>
 #include <stdexcept>
 
 #include <fcntl.h>
@@ -58,7 +59,9 @@ void prepare_threads() {
 }
 
 std::string preload_value() {
-	std::string own = Testbed::preload();
+	std::error_code error;
+	const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+	std::string own = (program.parent_path() / "libsuit_device_gate.so").string() + ":" + Testbed::preload();
 	const char *before = std::getenv("LD_PRELOAD");
 	if (before == nullptr || *before == '\0') {
 		return own;

@@ -13,7 +13,6 @@ public:
 	std::vector<Tracker> &trackers() { return _trackers; }
 	void set_battery(unsigned p_level) { _battery = p_level; }
 	void set_bus_power(bool p_on) { _bus_power = p_on ? 1 : 0; }
-	bool is_initialised() const { return _is_initialised; }
 	/// A tracker that does not answer any more (from 1; 0: none): measuring fails.
 	void set_dead(std::size_t p_bus_id) { _dead = p_bus_id; }
 

@@ -18,10 +18,6 @@ constexpr uint32_t MAX_STEP = 2000;
 constexpr uint64_t ANEW_USEC = 500000;
 constexpr uint64_t METER_USEC = 1000000;
 
-bool is_pose(Type p_type) {
-	return p_type == Type::POSE || p_type == Type::EULER_POSE || p_type == Type::UNITY_POSE || p_type == Type::TRACKERS;
-}
-
 } // namespace
 
 Outcome Collector::take(const uint8_t *p_bytes, std::size_t p_size, uint64_t p_sender, uint64_t p_now_usec) {
@@ -166,7 +162,7 @@ Fault Collector::read_parts(Pending &p_pending, Content &r_content) const {
 
 /// Rate and loss are those of the type that comes most often: of one pose.
 void Collector::note_sample(Character &p_character, uint64_t p_now_usec) {
-	if (!is_pose(_header.type)) {
+	if (!is_motion(_header.type)) {
 		return;
 	}
 	if (_header.type != p_character.leader && p_now_usec < p_character.leader_usec + METER_USEC &&

@@ -38,6 +38,11 @@ enum class Type : uint8_t {
 	TIME_CODE = 25,
 };
 
+/// Whether a type holds motion: of all else the newest is enough.
+inline bool is_motion(Type p_type) {
+	return p_type == Type::POSE || p_type == Type::EULER_POSE || p_type == Type::UNITY_POSE || p_type == Type::TRACKERS;
+}
+
 /// Why a datagram was refused.
 enum class Fault : uint8_t {
 	NONE,

@@ -33,11 +33,6 @@ std::string address_of(const sockaddr_in &p_from) {
 	return std::string(text.data()) + ":" + std::to_string(ntohs(p_from.sin_port));
 }
 
-/// What must not be left out from one look to the next; of all else the newest is enough.
-bool is_motion(Type p_type) {
-	return p_type == Type::POSE || p_type == Type::EULER_POSE || p_type == Type::UNITY_POSE || p_type == Type::TRACKERS;
-}
-
 std::string tag(const Content &p_content, const char *p_name) {
 	for (const auto &[name, value] : p_content.tags) {
 		if (name == p_name) {

@@ -16,9 +16,6 @@
 
 namespace mvn {
 
-/// Where MVN sends to by default.
-constexpr uint16_t DEFAULT_PORT = 9763;
-
 /// A whole sample of one type, and when it came.
 struct ReceivedSample {
 	Content content;

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: MIT
+#include "sealed_socket.hpp"
+
+#include "../src/clock.hpp"
+#include "../src/socket_wait.hpp"
+
+#include <algorithm>
+
+namespace godot {
+
+namespace {
+
+/// The loopback address that stands for a client's server.
+constexpr uint32_t SERVER_INNER = 0x7F000001;
+/// Datagrams that are read before ENet is served: all that ENet's socket holds, and no more.
+constexpr size_t READ_AT_ONCE = 64;
+constexpr size_t MAX_HANDED_IN = 128;
+/// After so long ENet is served in any case, us.
+constexpr int64_t MAX_READING_USEC = 2000;
+constexpr int64_t LOOK_USEC = 200000;
+
+transport::Bytes utf8(const String &p_text) {
+	const CharString text = p_text.utf8();
+	const auto *begin = reinterpret_cast<const uint8_t *>(text.get_data());
+	return transport::Bytes(begin, begin + text.length());
+}
+
+template <typename Array>
+PackedByteArray packed(const Array &p_bytes) {
+	PackedByteArray made;
+	made.resize(int64_t(p_bytes.size()));
+	std::copy(p_bytes.begin(), p_bytes.end(), made.ptrw());
+	return made;
+}
+
+/// What a server's relay counts, by the names that stats() has for it.
+struct Count {
+	const char *name;
+	uint64_t transport::RelayCounts::*member;
+};
+
+constexpr Count COUNTS[] = {
+	{ "sealed", &transport::RelayCounts::sealed },
+	{ "opened", &transport::RelayCounts::opened },
+	{ "not_opened", &transport::RelayCounts::not_opened },
+	{ "stray", &transport::RelayCounts::stray },
+	{ "from_port_zero", &transport::RelayCounts::from_port_zero },
+	{ "malformed", &transport::RelayCounts::malformed },
+	{ "too_few_channels", &transport::RelayCounts::too_few_channels },
+	{ "bad_fragments", &transport::RelayCounts::bad_fragments },
+	{ "held_too_much", &transport::RelayCounts::held_too_much },
+	{ "cookies", &transport::RelayCounts::cookies },
+	{ "bad_cookies", &transport::RelayCounts::bad_cookies },
+	{ "handshakes", &transport::RelayCounts::handshakes },
+	{ "handshakes_dropped", &transport::RelayCounts::handshakes_dropped },
+	{ "handshakes_later", &transport::RelayCounts::handshakes_later },
+	{ "wrong_passwords", &transport::RelayCounts::wrong_passwords },
+	{ "half_open_evicted", &transport::RelayCounts::evicted },
+};
+
+/// An IPv4 address as a number; false if it is none.
+bool parse_inner(const String &p_address, uint32_t &r_number) {
+	transport::Endpoint inner;
+	if (!inner.parse(p_address.utf8().get_data(), 0)) {
+		return false;
+	}
+	r_number = 0;
+	for (size_t i = 12; i < 16; i++) {
+		r_number = r_number << 8 | inner.address[i];
+	}
+	return true;
+}
+
+} // namespace
+
+void SealedSocket::set_sealing(bool p_seals, int64_t p_version) {
+	_settings.seals = _client_settings.seals = p_seals;
+	_settings.version = _client_settings.version = uint32_t(p_version);
+}
+
+void SealedSocket::set_passwords(const PackedStringArray &p_of_roles) {
+	ERR_FAIL_COND_MSG(p_of_roles.size() > transport::messages::ROLES, "There are fewer roles than passwords.");
+	for (int64_t i = 0; i < p_of_roles.size(); i++) {
+		_settings.passwords[size_t(i)] = utf8(p_of_roles[i]);
+	}
+	if (_server) {
+		_server->set_passwords(_settings.passwords);
+	}
+}
+
+void SealedSocket::set_client(int64_t p_role, const String &p_password, const PackedByteArray &p_return_tag) {
+	ERR_FAIL_COND_MSG(p_role < 0 || p_role >= transport::messages::ROLES, "There is no such role.");
+	_client_settings.role = uint8_t(p_role);
+	_client_settings.password = utf8(p_password);
+	_client_settings.return_tag = {};
+	if (size_t(p_return_tag.size()) == _client_settings.return_tag.size()) {
+		std::copy_n(p_return_tag.ptr(), p_return_tag.size(), _client_settings.return_tag.begin());
+	}
+}
+
+void SealedSocket::set_limits(int64_t p_max_packet, int64_t p_min_channels, int64_t p_slots) {
+	ERR_FAIL_COND_MSG(p_slots <= int64_t(transport::LinkTable::MAX_HALF_OPEN), "There are too few slots.");
+	_settings.limits.bounded = p_max_packet > 0;
+	_settings.limits.max_packet = uint32_t(p_max_packet);
+	_settings.limits.min_channels = uint32_t(p_min_channels);
+	_settings.max_confirmed = size_t(p_slots) - transport::LinkTable::MAX_HALF_OPEN - 1;
+}
+
+Error SealedSocket::open_server(const String &p_address, int64_t p_port) {
+	ERR_FAIL_COND_V_MSG(_server || _client, ERR_ALREADY_IN_USE, "The socket is open already.");
+	ERR_FAIL_COND_V_MSG(p_port < 0 || p_port > 65535, ERR_INVALID_PARAMETER, "There is no such port.");
+	const int failure = _socket.open_server(p_address.utf8().get_data(), uint16_t(p_port));
+	if (failure == 0) {
+		_server = std::make_unique<transport::ServerRelay>(_settings);
+	}
+	return failure == 0 ? OK : ERR_CANT_CREATE;
+}
+
+Error SealedSocket::open_client(const String &p_address, int64_t p_port) {
+	ERR_FAIL_COND_V_MSG(_server || _client, ERR_ALREADY_IN_USE, "The socket is open already.");
+	ERR_FAIL_COND_V_MSG(p_port < 1 || p_port > 65535, ERR_INVALID_PARAMETER, "There is no such port.");
+	if (!_server_at.parse(p_address.utf8().get_data(), uint16_t(p_port))) {
+		return ERR_CANT_RESOLVE;
+	}
+	const int failure = _socket.open_client(_server_at);
+	if (failure == 0) {
+		_client = std::make_unique<transport::ClientRelay>(
+				_client_settings, [this](const transport::View &p_bytes) { to_outer(_server_at, p_bytes); },
+				[this](const transport::View &p_bytes) { to_inner(SERVER_INNER, p_bytes); });
+	}
+	return failure == 0 ? OK : ERR_CANT_CREATE;
+}
+
+Error SealedSocket::tie(const Ref<ENetConnection> &p_host) {
+	ERR_FAIL_COND_V_MSG(p_host.is_null(), ERR_INVALID_PARAMETER, "A socket is tied to a host: found none.");
+	const uint16_t port = uint16_t(p_host->get_local_port());
+	const int descriptor = transport::find_udp_socket(port);
+	return descriptor >= 0 && _socket.tie(descriptor, port) ? OK : ERR_CANT_CREATE;
+}
+
+void SealedSocket::close() {
+	_socket.close();
+	_server.reset();
+	_client.reset();
+}
+
+int64_t SealedSocket::get_port() const {
+	return _socket.outer() >= 0 ? _socket.outer_port() : 0;
+}
+
+int64_t SealedSocket::get_inner_port() const {
+	return _socket.inner_port();
+}
+
+SealedSocket::State SealedSocket::get_state() const {
+	if (_server) {
+		return STATE_OPEN;
+	}
+	return _client ? State(int(_client->state()) + int(STATE_OPENING)) : STATE_CLOSED;
+}
+
+SealedSocket::Notice SealedSocket::get_notice() const {
+	return _client ? Notice(_client->notice()) : NOTICE_NONE;
+}
+
+int64_t SealedSocket::get_server_version() const {
+	return _client ? _client->server_version() : 0;
+}
+
+bool SealedSocket::is_locked() const {
+	return _client && _client->is_locked();
+}
+
+PackedByteArray SealedSocket::get_exporter() const {
+	const bool sealed = _client && _client_settings.seals;
+	return sealed ? packed(_client->keys().exporter) : PackedByteArray();
+}
+
+PackedByteArray SealedSocket::get_return_tag() const {
+	const bool sealed = _client && _client_settings.seals;
+	return sealed ? packed(_client->keys().return_tag) : PackedByteArray();
+}
+
+Dictionary SealedSocket::describe(const String &p_inner_address) {
+	Dictionary made;
+	uint32_t number = 0;
+	if (!_server || !parse_inner(p_inner_address, number)) {
+		return made;
+	}
+	transport::ServerRelay::Client client;
+	if (_server->find(number, client)) {
+		made["address"] = String(client.outer.address_text().c_str());
+		made["port"] = client.outer.port;
+		made["role"] = client.role;
+		made["exporter"] = _settings.seals ? packed(client.exporter) : PackedByteArray();
+	}
+	return made;
+}
+
+void SealedSocket::admit(const String &p_inner_address) {
+	uint32_t number = 0;
+	if (_server && parse_inner(p_inner_address, number)) {
+		_server->admit(number);
+	}
+}
+
+Dictionary SealedSocket::take_refusal() {
+	Dictionary made;
+	if (_server && _server->last_refusal().number != _refusals_taken) {
+		const transport::ServerHandshake::Refusal &last = _server->last_refusal();
+		_refusals_taken = last.number;
+		made["address"] = String(last.from.address_text().c_str());
+		made["notice"] = int(last.what);
+		made["version"] = last.version;
+	}
+	return made;
+}
+
+Dictionary SealedSocket::stats() const {
+	Dictionary made;
+	if (_client) {
+		made["not_opened"] = _client->not_opened();
+	}
+	if (!_server) {
+		return made;
+	}
+	const transport::RelayCounts &counts = _server->counts();
+	made["refused"] = _server->last_refusal().number;
+	for (const Count &count : COUNTS) {
+		made[count.name] = counts.*count.member;
+	}
+	made["held_bytes"] = _server->links().held();
+	made["half_open"] = uint64_t(_server->links().half_open() + _server->pending());
+	return made;
+}
+
+int64_t SealedSocket::take_in(int64_t p_now_usec) {
+	_handed_in = 0;
+	const auto take = [this, p_now_usec](const transport::Endpoint &p_from, const transport::View &p_bytes) {
+		if (_server) {
+			_server->take_outer(p_from, p_bytes, p_now_usec, *this);
+		} else if (_client) {
+			_client->take_outer(p_bytes, p_now_usec);
+		}
+	};
+	const int64_t until_usec = transport::now_usec() + MAX_READING_USEC;
+	while (_handed_in < MAX_HANDED_IN && _socket.has_room() && transport::now_usec() < until_usec) {
+		const size_t read = _socket.read_outer(READ_AT_ONCE, take);
+		_socket.flush();
+		if (read < READ_AT_ONCE) {
+			break;
+		}
+	}
+	int64_t due = p_now_usec + LOOK_USEC;
+	if (_client) {
+		due = std::min(due, _client->look_after(p_now_usec));
+	} else if (_server && p_now_usec - _looked_usec > LOOK_USEC) {
+		_looked_usec = p_now_usec;
+		_server->look_after(p_now_usec, *this);
+	}
+	_socket.flush();
+	return due;
+}
+
+void SealedSocket::send_out(int64_t p_now_usec) {
+	_socket.read_inner([this, p_now_usec](uint32_t p_to, const transport::View &p_bytes) {
+		if (p_bytes.size == 0) {
+			return;
+		}
+		if (_server) {
+			_server->take_inner(p_to, p_bytes, p_now_usec, *this);
+		} else if (_client) {
+			_client->take_inner(p_bytes);
+		}
+	});
+	_socket.flush();
+}
+
+void SealedSocket::to_outer(const transport::Endpoint &p_to, const transport::View &p_bytes) {
+	_socket.write_outer(p_to, p_bytes);
+}
+
+void SealedSocket::to_inner(uint32_t p_from, const transport::View &p_bytes) {
+	_handed_in++;
+	_socket.write_inner(p_from, p_bytes);
+}
+
+void SealedSocket::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("set_sealing", "seals", "version"), &SealedSocket::set_sealing);
+	ClassDB::bind_method(D_METHOD("set_passwords", "of_roles"), &SealedSocket::set_passwords);
+	ClassDB::bind_method(D_METHOD("set_client", "role", "password", "return_tag"), &SealedSocket::set_client);
+	ClassDB::bind_method(D_METHOD("set_limits", "max_packet", "min_channels", "slots"), &SealedSocket::set_limits);
+	ClassDB::bind_method(D_METHOD("open_server", "address", "port"), &SealedSocket::open_server);
+	ClassDB::bind_method(D_METHOD("open_client", "address", "port"), &SealedSocket::open_client);
+	ClassDB::bind_method(D_METHOD("tie", "host"), &SealedSocket::tie);
+	ClassDB::bind_method(D_METHOD("close"), &SealedSocket::close);
+	ClassDB::bind_method(D_METHOD("get_port"), &SealedSocket::get_port);
+	ClassDB::bind_method(D_METHOD("get_inner_port"), &SealedSocket::get_inner_port);
+	ClassDB::bind_method(D_METHOD("get_state"), &SealedSocket::get_state);
+	ClassDB::bind_method(D_METHOD("get_notice"), &SealedSocket::get_notice);
+	ClassDB::bind_method(D_METHOD("get_server_version"), &SealedSocket::get_server_version);
+	ClassDB::bind_method(D_METHOD("is_locked"), &SealedSocket::is_locked);
+	ClassDB::bind_method(D_METHOD("get_exporter"), &SealedSocket::get_exporter);
+	ClassDB::bind_method(D_METHOD("get_return_tag"), &SealedSocket::get_return_tag);
+	ClassDB::bind_method(D_METHOD("describe", "inner_address"), &SealedSocket::describe);
+	ClassDB::bind_method(D_METHOD("admit", "inner_address"), &SealedSocket::admit);
+	ClassDB::bind_method(D_METHOD("take_refusal"), &SealedSocket::take_refusal);
+	ClassDB::bind_method(D_METHOD("stats"), &SealedSocket::stats);
+
+	BIND_ENUM_CONSTANT(STATE_CLOSED);
+	BIND_ENUM_CONSTANT(STATE_OPENING);
+	BIND_ENUM_CONSTANT(STATE_OPEN);
+	BIND_ENUM_CONSTANT(STATE_FAILED);
+	BIND_ENUM_CONSTANT(NOTICE_NONE);
+	BIND_ENUM_CONSTANT(NOTICE_WRONG_PASSWORD);
+	BIND_ENUM_CONSTANT(NOTICE_LATER);
+	BIND_ENUM_CONSTANT(NOTICE_OTHER_VERSION);
+	BIND_ENUM_CONSTANT(NOTICE_SERVER_IS_OPEN);
+	BIND_ENUM_CONSTANT(NOTICE_SERVER_SEALS);
+}
+
+} // namespace godot

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../src/relay/client_relay.hpp"
+#include "../src/relay/relay_socket.hpp"
+#include "../src/relay/server_relay.hpp"
+
+#include <godot_cpp/classes/e_net_connection.hpp>
+#include <godot_cpp/classes/ref_counted.hpp>
+#include <godot_cpp/core/binder_common.hpp>
+#include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
+#include <godot_cpp/variant/packed_byte_array.hpp>
+#include <godot_cpp/variant/packed_string_array.hpp>
+
+namespace godot {
+
+/// The real UDP port of an ENet host. Documented in doc_classes/SealedSocket.xml.
+class SealedSocket : public RefCounted, private transport::RelaySink {
+	GDCLASS(SealedSocket, RefCounted)
+
+public:
+	enum State {
+		STATE_CLOSED,
+		STATE_OPENING,
+		STATE_OPEN,
+		STATE_FAILED,
+	};
+	enum Notice {
+		NOTICE_NONE,
+		NOTICE_WRONG_PASSWORD,
+		NOTICE_LATER,
+		NOTICE_OTHER_VERSION,
+		NOTICE_SERVER_IS_OPEN,
+		NOTICE_SERVER_SEALS,
+	};
+
+	void set_sealing(bool p_seals, int64_t p_version);
+	void set_passwords(const PackedStringArray &p_of_roles);
+	void set_client(int64_t p_role, const String &p_password, const PackedByteArray &p_return_tag);
+	void set_limits(int64_t p_max_packet, int64_t p_min_channels, int64_t p_slots);
+	Error open_server(const String &p_address, int64_t p_port);
+	Error open_client(const String &p_address, int64_t p_port);
+	Error tie(const Ref<ENetConnection> &p_host);
+	void close();
+
+	int64_t get_port() const;
+	int64_t get_inner_port() const;
+	State get_state() const;
+	Notice get_notice() const;
+	int64_t get_server_version() const;
+	bool is_locked() const;
+	PackedByteArray get_exporter() const;
+	PackedByteArray get_return_tag() const;
+	Dictionary describe(const String &p_inner_address);
+	void admit(const String &p_inner_address);
+	Dictionary take_refusal();
+	Dictionary stats() const;
+
+	/// Hands ENet what has come from the network. Returns when it must be called again at the latest,
+	/// us.
+	int64_t take_in(int64_t p_now_usec);
+	/// Hands the network what ENet has sent.
+	void send_out(int64_t p_now_usec);
+	/// The descriptor to watch.
+	int descriptor() const { return _socket.outer(); }
+
+protected:
+	static void _bind_methods();
+
+private:
+	void to_outer(const transport::Endpoint &p_to, const transport::View &p_bytes) override;
+	void to_inner(uint32_t p_from, const transport::View &p_bytes) override;
+
+	transport::ServerRelay::Settings _settings;
+	transport::ClientRelay::Settings _client_settings;
+	transport::RelaySocket _socket;
+	std::unique_ptr<transport::ServerRelay> _server;
+	std::unique_ptr<transport::ClientRelay> _client;
+	transport::Endpoint _server_at;
+	size_t _handed_in = 0;
+	uint64_t _refusals_taken = 0;
+	int64_t _looked_usec = 0;
+};
+
+} // namespace godot
+
+VARIANT_ENUM_CAST(SealedSocket::State);
+VARIANT_ENUM_CAST(SealedSocket::Notice);

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "server_handshake.hpp"
+
+#include <utility>
+
+namespace transport {
+
+namespace {
+
+using messages::Notice;
+
+/// Tries of a password from one network: at once, and each second.
+constexpr double PASSWORD_BURST = 5.0;
+constexpr double PASSWORDS_PER_S = 0.5;
+/// Key exchanges, of which each costs 0.1 ms: of one network, and of all.
+constexpr double STARTS_PER_S = 1500.0;
+constexpr double ALL_STARTS_PER_S = 2000.0;
+/// A damaged datagram is no wrong password yet.
+constexpr int MAX_FAILURES = 2;
+
+} // namespace
+
+ServerHandshake::ServerHandshake(uint32_t p_version, Passwords p_passwords, RelayCounts &r_counts) :
+		_version(p_version),
+		_passwords(std::move(p_passwords)),
+		_counts(r_counts),
+		_password_tries(PASSWORD_BURST, PASSWORDS_PER_S),
+		_starts(STARTS_PER_S),
+		_starts_of_all(ALL_STARTS_PER_S) {}
+
+void ServerHandshake::take_init(const Endpoint &p_from, const View &p_bytes, int64_t p_now_usec, RelaySink &r_sink) {
+	messages::Init init;
+	if (!init.decode(p_bytes)) {
+		_counts.stray++;
+		return;
+	}
+	if (init.version != _version) {
+		_last_refusal.version = init.version;
+		refuse(p_from, init.client, Notice::OTHER_VERSION, r_sink);
+		return;
+	}
+	if (init.role >= messages::ROLES) {
+		_counts.stray++;
+		return;
+	}
+	messages::CookieReply reply;
+	reply.client = init.client;
+	reply.cookie = _cookies.make(p_from, init, p_now_usec);
+	reply.locked = is_locked(init.role);
+	_counts.cookies++;
+	r_sink.to_outer(p_from, reply.encode());
+}
+
+void ServerHandshake::take_start(const Endpoint &p_from, const View &p_bytes, int64_t p_now_usec, RelaySink &r_sink) {
+	messages::Start start;
+	if (!start.decode(p_bytes) || !_cookies.is_valid(p_from, start, p_now_usec)) {
+		_counts.bad_cookies++;
+		return;
+	}
+	Pending *pending = _pending.find(p_from);
+	const bool again =
+			pending != nullptr && pending->start.client == start.client && pending->start.share == start.share;
+	if (!again) {
+		const std::array<uint8_t, 16> network = network_of(p_from);
+		if (!_starts.admit(network, p_now_usec) || !_starts_of_all.admit({}, p_now_usec)) {
+			_counts.handshakes_dropped++;
+			return;
+		}
+		if (pending != nullptr && pending->is_try) {
+			_password_tries.give_back(network);
+		}
+		const bool is_free = !is_locked(start.role) || _return_tags.take(start.return_tag, p_now_usec);
+		if (!is_free && !_password_tries.take(network, p_now_usec)) {
+			_counts.handshakes_later++;
+			_pending.remove(p_from);
+			refuse(p_from, start.client, Notice::LATER, r_sink);
+			return;
+		}
+		pending = &_pending.add(p_from);
+		pending->is_try = !is_free;
+		if (!begin(*pending, start, p_now_usec)) {
+			_pending.remove(p_from);
+			return;
+		}
+	}
+	_counts.handshakes++;
+	messages::Reply reply;
+	reply.client = start.client;
+	reply.share = pending->share;
+	r_sink.to_outer(p_from, reply.encode());
+}
+
+bool ServerHandshake::begin(Pending &r_pending, const messages::Start &p_start, int64_t p_now_usec) {
+	r_pending.start = p_start;
+	r_pending.since_usec = p_now_usec;
+	const Bytes channel = messages::channel_identifier();
+	const Bytes session = messages::session_identifier(p_start.client, p_start.cookie);
+	r_pending.scalar = cpace::sample_scalar();
+	const auto generator = cpace::generator({ _passwords[p_start.role], channel, session });
+	const auto share = cpace::share_of(r_pending.scalar, generator);
+	r_pending.share = share.value_or(cpace::Share{});
+	return share.has_value();
+}
+
+const Pending *ServerHandshake::take_first(
+		const Endpoint &p_from, const View &p_bytes, RelaySink &r_sink, Bytes &r_opened) {
+	Pending *pending = _pending.find(p_from);
+	if (pending == nullptr || pending->start.client != read_array<8>(p_bytes.data + 1)) {
+		_counts.stray++;
+		return nullptr;
+	}
+	if (!open(*pending, p_bytes, r_opened)) {
+		fail(*pending, r_sink);
+		return nullptr;
+	}
+	_counts.opened++;
+	return pending;
+}
+
+bool ServerHandshake::open(Pending &r_pending, const View &p_bytes, Bytes &r_opened) {
+	if (!r_pending.keys) {
+		const messages::Start &start = r_pending.start;
+		const Bytes session = messages::session_identifier(start.client, start.cookie);
+		const Bytes associated = start.associated();
+		const auto key = cpace::session_key(
+				r_pending.scalar, start.share, session, { start.share, associated }, { r_pending.share, View() });
+		if (!key) {
+			return false;
+		}
+		r_pending.keys = ChannelKeys::derive(*key);
+		r_pending.channel = SealedChannel(r_pending.keys->to_client, r_pending.keys->to_server);
+	}
+	return r_pending.channel.open(p_bytes, messages::FIRST_HEAD, r_opened);
+}
+
+void ServerHandshake::fail(Pending &r_pending, RelaySink &r_sink) {
+	_counts.not_opened++;
+	if (++r_pending.failures < MAX_FAILURES) {
+		return;
+	}
+	if (is_locked(r_pending.start.role)) {
+		_counts.wrong_passwords++;
+		refuse(r_pending.from, r_pending.start.client, Notice::WRONG_PASSWORD, r_sink);
+	}
+	_pending.remove(Endpoint(r_pending.from));
+}
+
+void ServerHandshake::finish(const Endpoint &p_from) {
+	const Pending *pending = _pending.find(p_from);
+	if (pending != nullptr && pending->is_try) {
+		_password_tries.give_back(network_of(p_from));
+	}
+	_pending.remove(p_from);
+}
+
+void ServerHandshake::refuse(
+		const Endpoint &p_to, const messages::ClientId &p_client, Notice p_what, RelaySink &r_sink) {
+	messages::NoticeMessage notice;
+	notice.client = p_client;
+	notice.what = p_what;
+	notice.version = _version;
+	_last_refusal.from = p_to;
+	_last_refusal.what = p_what;
+	_last_refusal.number++;
+	r_sink.to_outer(p_to, notice.encode());
+}
+
+void ServerHandshake::note_connected(uint8_t p_role, const messages::ReturnTag &p_tag) {
+	if (is_locked(p_role)) {
+		_return_tags.add(p_tag);
+	}
+}
+
+void ServerHandshake::look_after(int64_t p_now_usec) {
+	_pending.look_after(p_now_usec);
+	_return_tags.look_after(p_now_usec);
+}
+
+} // namespace transport

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../relay/endpoint.hpp"
+#include "messages.hpp"
+
+namespace transport {
+
+/// Makes and checks cookies, and keeps none: a client shows by its cookie that it receives what is
+/// sent to the address that it names, before the server spends anything on it.
+class CookieJar {
+public:
+	/// A cookie is good for one to two times as long, us.
+	static constexpr int64_t PERIOD_USEC = 8000000;
+
+	CookieJar();
+	messages::Cookie make(const Endpoint &p_client, const messages::Init &p_init, int64_t p_now_usec) const;
+	bool is_valid(const Endpoint &p_client, const messages::Start &p_start, int64_t p_now_usec) const;
+
+private:
+	messages::Cookie of_period(const Endpoint &p_client, const messages::Init &p_init, int64_t p_period) const;
+
+	std::array<uint8_t, 32> _key{};
+};
+
+} // namespace transport

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "messages.hpp"
+
+#include <map>
+
+namespace transport {
+
+/// Tags of clients that have proven a password: who is gone may come back with its tag, once and for
+/// a while, without counting as a try of the password.
+class ReturnTags {
+public:
+	static constexpr int64_t KEPT_USEC = 90000000;
+	static constexpr size_t MAX = 8192;
+
+	/// A client is here.
+	void add(const messages::ReturnTag &p_tag) {
+		if (_tags.size() < MAX) {
+			_tags[p_tag] = INT64_MAX;
+		}
+	}
+
+	/// A client is gone.
+	void leave(const messages::ReturnTag &p_tag, int64_t p_now_usec) {
+		const auto found = _tags.find(p_tag);
+		if (found != _tags.end()) {
+			found->second = p_now_usec + KEPT_USEC;
+		}
+	}
+
+	/// Whether a tag is good; it is good once.
+	bool take(const messages::ReturnTag &p_tag, int64_t p_now_usec) {
+		const auto found = _tags.find(p_tag);
+		const bool good = found != _tags.end() && found->second > p_now_usec;
+		if (good) {
+			_tags.erase(found);
+		}
+		return good;
+	}
+
+	/// Forgets those whose time is over.
+	void look_after(int64_t p_now_usec) {
+		for (auto tag = _tags.begin(); tag != _tags.end();) {
+			tag = tag->second < p_now_usec ? _tags.erase(tag) : std::next(tag);
+		}
+	}
+
+private:
+	/// Until when each is good, us.
+	std::map<messages::ReturnTag, int64_t> _tags;
+};
+
+} // namespace transport

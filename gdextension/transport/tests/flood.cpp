@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+// An attacker for the tests of whole processes:
+//
+//   transport_flood half-open <port> <handshakes a second> <seconds> <address>
+//       Begins handshakes from many ports of an address of loopback and ends none. Beside it, from
+//       127.0.0.1, honest handshakes run to their end, one after the other.
+//   transport_flood forged <port> <datagrams> <address>
+//       Sends that many datagrams of all types that nobody who has the key has made.
+//
+// Prints what it has done as JSON.
+#include "clock.hpp"
+#include "relay/client_relay.hpp"
+#include "relay/relay_socket.hpp"
+
+#include <algorithm>
+#include <arpa/inet.h>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <netinet/in.h>
+#include <random>
+#include <string>
+#include <sys/epoll.h>
+#include <sys/socket.h>
+#include <thread>
+#include <unistd.h>
+
+using namespace transport;
+
+namespace {
+
+/// Protocol.VERSION.
+constexpr uint32_t VERSION = 5;
+constexpr size_t PORTS = 800;
+/// Pauses between two honest handshakes, us.
+constexpr int64_t HONEST_USEC = 50000;
+
+/// A UDP socket that is connected to the server.
+class Port {
+public:
+	Port(const std::string &p_address, uint16_t p_server) {
+		sockaddr_in at = loopback(p_address, 0);
+		sockaddr_in to = loopback("127.0.0.1", p_server);
+		if (bind(_socket, reinterpret_cast<sockaddr *>(&at), sizeof(at)) != 0 ||
+				connect(_socket, reinterpret_cast<sockaddr *>(&to), sizeof(to)) != 0) {
+			std::perror("transport_flood");
+			std::exit(1);
+		}
+	}
+	~Port() { close(_socket); }
+	Port(const Port &) = delete;
+	Port &operator=(const Port &) = delete;
+
+	/// Lets an epoll name it by a number where there is something to read.
+	void watch(int p_epoll, uint32_t p_number) const {
+		epoll_event event{};
+		event.events = EPOLLIN;
+		event.data.u32 = p_number;
+		epoll_ctl(p_epoll, EPOLL_CTL_ADD, _socket, &event);
+	}
+	void write(const View &p_bytes) const { ::send(_socket, p_bytes.data, p_bytes.size, MSG_DONTWAIT); }
+	/// False if nothing has come.
+	bool read(Bytes &r_bytes) const {
+		r_bytes.resize(2048);
+		const ssize_t count = recv(_socket, r_bytes.data(), r_bytes.size(), MSG_DONTWAIT);
+		r_bytes.resize(count > 0 ? size_t(count) : 0);
+		return count >= 0;
+	}
+
+private:
+	static sockaddr_in loopback(const std::string &p_address, uint16_t p_port) {
+		sockaddr_in made{};
+		made.sin_family = AF_INET;
+		made.sin_port = htons(p_port);
+		inet_pton(AF_INET, p_address.c_str(), &made.sin_addr);
+		return made;
+	}
+
+	int _socket = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+};
+
+/// Handshakes like a real client's, timed until the server has shown that it has the key.
+class Honest {
+public:
+	explicit Honest(uint16_t p_server) : _server(p_server) {}
+
+	void go_on(int64_t p_now_usec) {
+		if (!_relay && p_now_usec >= _next_usec) {
+			_port = std::make_unique<Port>("127.0.0.1", _server);
+			ClientRelay::Settings settings;
+			settings.version = VERSION;
+			_relay = std::make_unique<ClientRelay>(
+					settings, [this](const View &p_bytes) { _port->write(p_bytes); }, [](const View &) {});
+			_began_usec = p_now_usec;
+		}
+		if (!_relay) {
+			return;
+		}
+		while (_port->read(_bytes)) {
+			_relay->take_outer(_bytes, p_now_usec);
+		}
+		if (_relay->look_after(p_now_usec) == INT64_MAX) {
+			took_usec.push_back(p_now_usec - _began_usec);
+			_relay.reset();
+			_next_usec = p_now_usec + HONEST_USEC;
+		}
+	}
+
+	std::vector<int64_t> took_usec;
+
+private:
+	uint16_t _server;
+	std::unique_ptr<Port> _port;
+	std::unique_ptr<ClientRelay> _relay;
+	Bytes _bytes;
+	int64_t _began_usec = 0;
+	int64_t _next_usec = 0;
+};
+
+int half_open(uint16_t p_server, double p_rate, double p_seconds, const std::string &p_address) {
+	std::vector<std::unique_ptr<Port>> ports;
+	ports.reserve(PORTS);
+	const int readable = epoll_create1(EPOLL_CLOEXEC);
+	for (size_t i = 0; i < PORTS; i++) {
+		ports.push_back(std::make_unique<Port>(p_address, p_server));
+		ports.back()->watch(readable, uint32_t(i));
+	}
+	std::mt19937_64 random(7);
+	messages::Init init;
+	init.version = VERSION;
+	messages::Start start;
+	start.version = VERSION;
+	start.share = cpace::share_of(cpace::sample_scalar(), cpace::generator({})).value_or(cpace::Share());
+	// By itself: the attack must not keep it from its own work.
+	Honest honest(p_server);
+	std::atomic<bool> over{ false };
+	std::thread beside([&honest, &over] {
+		while (!over) {
+			honest.go_on(now_usec());
+			std::this_thread::sleep_for(std::chrono::microseconds(500));
+		}
+	});
+	uint64_t begun = 0;
+	uint64_t started = 0;
+	uint64_t answered = 0;
+	Bytes bytes;
+	const int64_t begin = now_usec();
+	for (int64_t now = begin; double(now - begin) < p_seconds * 1e6; now = now_usec()) {
+		for (; double(begun) < double(now - begin) / 1e6 * p_rate; begun++) {
+			const uint64_t id = random();
+			std::memcpy(init.client.data(), &id, sizeof(id));
+			ports[begun % PORTS]->write(init.encode());
+		}
+		std::array<epoll_event, PORTS> events{};
+		const int count = epoll_wait(readable, events.data(), int(events.size()), 0);
+		for (int i = 0; i < count; i++) {
+			const std::unique_ptr<Port> &port = ports[events[size_t(i)].data.u32];
+			while (port->read(bytes)) {
+				messages::CookieReply reply;
+				if (reply.decode(bytes)) {
+					start.client = reply.client;
+					start.cookie = reply.cookie;
+					port->write(start.encode());
+					started++;
+				} else {
+					answered++;
+				}
+			}
+		}
+		std::this_thread::sleep_for(std::chrono::microseconds(500));
+	}
+	over = true;
+	beside.join();
+	close(readable);
+	std::sort(honest.took_usec.begin(), honest.took_usec.end());
+	const std::vector<int64_t> &took = honest.took_usec;
+	std::printf("{\"begun\": %llu, \"started\": %llu, \"answered\": %llu, \"honest\": %zu, \"median_ms\": %.1f, "
+				"\"longest_ms\": %.1f}\n",
+			static_cast<unsigned long long>(begun), static_cast<unsigned long long>(started),
+			static_cast<unsigned long long>(answered), took.size(),
+			took.empty() ? -1.0 : double(took[took.size() / 2]) / 1000.0,
+			took.empty() ? -1.0 : double(took.back()) / 1000.0);
+	return took.empty() ? 1 : 0;
+}
+
+int forged(uint16_t p_server, uint64_t p_count, const std::string &p_address) {
+	const Port port(p_address, p_server);
+	std::mt19937_64 random(8);
+	Bytes bytes;
+	for (uint64_t i = 0; i < p_count; i++) {
+		bytes.resize(1 + random() % 200);
+		for (uint8_t &byte : bytes) {
+			byte = uint8_t(random());
+		}
+		bytes[0] = uint8_t(0x40 + random() % 9);
+		port.write(bytes);
+		if (i % 50 == 49) {
+			std::this_thread::sleep_for(std::chrono::milliseconds(1));
+		}
+	}
+	std::printf("{\"sent\": %llu}\n", static_cast<unsigned long long>(p_count));
+	return 0;
+}
+
+} // namespace
+
+int main(int p_count, char **p_arguments) {
+	const std::vector<std::string> arguments(p_arguments + 1, p_arguments + p_count);
+	if (arguments.size() == 5 && arguments[0] == "half-open") {
+		return half_open(
+				uint16_t(std::stoi(arguments[1])), std::stod(arguments[2]), std::stod(arguments[3]), arguments[4]);
+	}
+	if (arguments.size() == 4 && arguments[0] == "forged") {
+		return forged(uint16_t(std::stoi(arguments[1])), std::stoull(arguments[2]), arguments[3]);
+	}
+	std::fputs("transport_flood half-open PORT RATE SECONDS ADDRESS | forged PORT COUNT ADDRESS\n", stderr);
+	return 2;
+}

@@ -1,0 +1,57 @@
+class_name WindowControls
+extends Node
+## What a user does to the window of a client, besides taking part: whom the camera follows and from
+## where, the menu, the keys.
+
+const _NEXT: StringName = &"next_person"
+const _VIEW: StringName = &"change_view"
+## A click moves the mouse by less than this, pixels; a drag turns the camera.
+const _CLICK_PIXELS: float = 6.0
+
+@export var _scene: ClientScene
+@export var _menu: WindowMenu
+
+var _moves: bool = false
+var _press: Vector2 = Vector2.INF
+
+
+## Takes over what the client is.
+func set_up(p_role: String, p_options: Options) -> void:
+	var role: int = Roles.find(p_role)
+	_moves = Roles.can(role, Roles.Capability.SEND_MOTION)
+	_menu.set_keys(KeyGuide.describe(_moves, Roles.can(role, Roles.Capability.COMMAND)))
+	_menu.leave_wanted.connect(get_tree().quit.bind(0))
+	if DisplayServer.get_name() == "headless":
+		return
+	WindowFrame.follow(get_window())
+	var where: String = p_options.file("file").get_file()
+	var name: String = ""
+	if p_role != ClientStreams.REPLAY:
+		where = "%s:%d" % [p_options.text("host"), p_options.number("port")]
+		name = p_options.text("name")
+	get_window().title = WindowFrame.title(p_role, name, where)
+
+
+## The keys, for the line at the bottom.
+func hint() -> String:
+	return KeyGuide.hint(_moves)
+
+
+func _unhandled_input(p_event: InputEvent) -> void:
+	if p_event.is_action_pressed(_NEXT):
+		_scene.follow_next()
+	elif p_event.is_action_pressed(_VIEW):
+		_scene.change_view()
+	else:
+		_take_click(p_event as InputEventMouseButton)
+		return
+	get_viewport().set_input_as_handled()
+
+
+func _take_click(p_event: InputEventMouseButton) -> void:
+	if p_event == null or p_event.button_index != MOUSE_BUTTON_LEFT:
+		return
+	if p_event.pressed:
+		_press = p_event.position
+	elif _press.distance_to(p_event.position) < _CLICK_PIXELS:
+		_scene.follow_at(p_event.position)

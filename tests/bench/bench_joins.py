@@ -1,0 +1,262 @@
+# SPDX-License-Identifier: MIT
+"""What people who come, go and change cost the others: an exported server, clients on 127.0.0.1.
+
+While two observers and a trainee watch: 80 people (10 clients with 8) join at once; 50 clients
+come and go, each staying for a second; one client sends lists of 8 people of other sizes 60 times
+a second; and to 32 people one joins after the other. Options: --case=NAME (again for more),
+--seconds=8 (of each), --server=FILE (another build's, to compare).
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+import tempfile
+import time
+import urllib.request
+from dataclasses import dataclass
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+from toolchain.console import Failure
+from toolchain.paths import ROOT, SERVER_BINARY
+from toolchain.processes import Group, free_port
+from toolchain.project import prepare
+from toolchain.stats import Stats
+
+SCRIPT = "res://tests/bench/joins/joins_clients.gd"
+WATCHERS = 3
+MIN_TICKS = 58.0
+MIN_SNAPSHOTS = 57.0
+MAX_WORK_MS = 1.0
+MAX_GAP_MS = 50.0
+MAX_MEMORY = 1.1
+MAX_LOG_BYTES = 1000.0
+# What a tick may take more because of a hostile client, and what it may hold, MiB.
+MAX_COST_MS = 1.0
+MAX_HELD_MIB = 16.0
+# Times that an honest client and the hostile one are compared, one after the other.
+PAIRS = 3
+# Ticks that the server's recent stats are made of.
+RECENT_TICKS = 600
+SETTLE_S = 4.0
+# Ends long after the driver has ended it.
+LONG_S = 600
+
+
+@dataclass(frozen=True)
+class Case:
+    """What a crowd does, and what it may cost."""
+
+    plan: str
+    clients: int
+    people: int
+    present: int = 0
+    goal_gap: bool = False
+    # An honest client with as many people comes first.
+    compares: bool = False
+
+
+CASES = {
+    "80 people join at once": Case("join", 10, 8),
+    "50 clients churn": Case("churn", 50, 1),
+    "lists at 60 Hz": Case("lists", 1, 8),
+    "joins at 32 people": Case("single", 6, 1, present=4, goal_gap=True),
+    "a hostile client": Case("hostile", 0, 8, compares=True),
+}
+
+
+@dataclass(frozen=True)
+class Seen:
+    """What was seen of a crowd: the server's reports, and the clients' rows."""
+
+    before: dict[str, Any]
+    after: dict[str, Any]
+    later: dict[str, Any]
+    watched: list[dict[str, Any]]
+    crowd: list[dict[str, Any]]
+
+
+class Session:
+    """A server with those who watch."""
+
+    def __init__(self, group: Group, server: Path, environment: list[str]) -> None:
+        self._group = group
+        self._godot = environment
+        self.port = free_port()
+        options = [f"--port={self.port}", "--max-clients=200"]
+        group.start("server", [str(server), "--headless", "--", "--role=server", *options])
+        mark = "status at http://127.0.0.1:"
+        group.await_text("server", mark, 30)
+        self._status = int(group.log("server").split(mark)[1].split("/")[0])
+        self.crowd("observers", "join", 2, 0)
+        self.crowd("trainee", "join", 1, 1)
+
+    def crowd(
+        self, name: str, plan: str, clients: int, people: int, begin: str = "", seed: int = 1
+    ) -> None:
+        """Starts clients, who wait for a file if one is named."""
+        options = [f"--plan={plan}", f"--port={self.port}", f"--clients={clients}"]
+        options += [f"--begin={begin}", f"--seed={seed}"]
+        options += [f"--people={people}", f"--seconds={LONG_S}"]
+        self._group.start(name, [*self._godot, "--", *options])
+
+    def await_row(self, name: str, key: str, least: int, limit_s: float = 60.0) -> None:
+        """Waits until so many are there."""
+        end = time.monotonic() + limit_s
+        while not any(row[key] >= least for row in self.rows(name)):
+            if time.monotonic() > end or self._group.exit_code(name) is not None:
+                raise Failure(
+                    f"{name}: {key} stays below {least}:\n{self._group.log(name)[-2000:]}"
+                )
+            time.sleep(0.1)
+
+    def await_ticks(self, ticks: int, limit_s: float = 120.0) -> dict[str, Any]:
+        """Waits for so many ticks more and returns what the server reports then."""
+        last = self.look()["ticks"] + ticks
+        end = time.monotonic() + limit_s
+        while (report := self.look())["ticks"] < last:
+            if time.monotonic() > end:
+                raise Failure(f"the server has made no {ticks} ticks in {limit_s:.0f} s")
+            time.sleep(0.2)
+        return report
+
+    def rows(self, name: str) -> list[dict[str, Any]]:
+        """What clients have seen, second by second."""
+        lines = self._group.log(name).splitlines()
+        return [json.loads(line) for line in lines if line.startswith("{") and line.endswith("}")]
+
+    def look(self) -> dict[str, Any]:
+        """What the server reports, and what the system and its log say of it."""
+        with urllib.request.urlopen(f"http://127.0.0.1:{self._status}/", timeout=120) as reply:
+            status: dict[str, Any] = json.load(reply)
+        number = self._group.number("server")
+        rows = Path(f"/proc/{number}/status").read_text(encoding="utf-8").splitlines()
+        status["rss_kb"] = next(int(row.split()[1]) for row in rows if row.startswith("VmRSS"))
+        status["log_bytes"] = self._group.log_file("server").stat().st_size
+        return status
+
+
+def measure(arguments: list[str]) -> int:
+    """Runs the cases and prints their stats."""
+    given = {"case": [], "seconds": ["8"], "seed": ["1"], "server": [str(SERVER_BINARY)]}
+    for option in arguments:
+        name, _, value = option.removeprefix("--").partition("=")
+        if name in given:
+            given[name] = [*given[name], value] if name == "case" else [value]
+        elif option != "--json":
+            known = "--case, --seconds, --seed, --server, --json"
+            raise Failure(f"'{option}' is no option: {known}.", 2)
+    unknown = [name for name in given["case"] if name not in CASES]
+    if unknown:
+        raise Failure(f"There is no case '{unknown[0]}': {', '.join(CASES)}.", 2)
+    stats = Stats("joins", "--json" in arguments)
+    for name in given["case"] or CASES:
+        begin = (float(given["seconds"][0]), int(given["seed"][0]), Path(given["server"][0]))
+        run_case(stats, name, *begin)
+    stats.finish()
+    return 0
+
+
+def run_case(stats: Stats, name: str, seconds: float, seed: int, server: Path) -> None:
+    """Runs one case and adds its stats."""
+    case = CASES[name]
+    godot = prepare(export=False)
+    program = [str(godot.program), "--headless", "--no-header", "--path", str(ROOT), "-s", SCRIPT]
+    with (
+        tempfile.TemporaryDirectory(prefix="dismount-") as folder,
+        Group(Path(folder), godot.environment()) as group,
+    ):
+        session = Session(group, server, program)
+        for watcher, count in (("observers", 2), ("trainee", 1)):
+            session.await_row(watcher, "joined", count)
+        if case.present:
+            session.crowd("present", "join", case.present, 8)
+            session.await_row("present", "people", 8 * case.present + 1)
+        pairs: list[tuple[dict[str, float], Seen]] = []
+        for pair in range(PAIRS if case.compares else 1):
+            honest = _watch_honest(session, group, case, f"honest {pair}") if case.compares else {}
+            begin = Path(folder) / f"begin{pair}"
+            session.crowd(
+                f"crowd {pair}", case.plan, case.clients, case.people, str(begin), seed + pair
+            )
+            least_s = RECENT_TICKS / 60.0 if case.compares else 0.0
+            pairs.append((honest, _watch_crowd(session, group, pair, begin, max(seconds, least_s))))
+    _add(stats, name, case, pairs[0][1])
+    if case.compares:
+        _add_cost(stats, name, pairs)
+
+
+def _watch_honest(session: Session, group: Group, case: Case, name: str) -> dict[str, float]:
+    session.crowd(name, "join", 1, case.people)
+    session.await_row(name, "bodies", case.people)
+    recent: dict[str, float] = session.await_ticks(RECENT_TICKS)["recent"]
+    group.stop(name)
+    return recent
+
+
+def _watch_crowd(session: Session, group: Group, pair: int, begin: Path, seconds: float) -> Seen:
+    # The crowd's program starts before, so that its start takes nothing from the server.
+    time.sleep(SETTLE_S)
+    before = session.look()
+    seen = len(session.rows("observers"))
+    begin.touch()
+    time.sleep(seconds)
+    after = session.look()
+    watched = session.rows("observers")[seen + 1 :]
+    crowd = session.rows(f"crowd {pair}")
+    group.stop(f"crowd {pair}")
+    time.sleep(2.0 * SETTLE_S)
+    return Seen(before, after, session.look(), watched, crowd)
+
+
+def _add(stats: Stats, name: str, case: Case, seen: Seen) -> None:
+    before, after, later = seen.before, seen.after, seen.later
+    watched, crowd = seen.watched, seen.crowd
+    span = after["seconds"] - before["seconds"]
+    ticks = (after["ticks"] - before["ticks"]) / span
+    stats.add(name, "ticks", ticks, "/s", at_least=MIN_TICKS)
+    first, last = watched[0], watched[-1]
+    seconds = max(last["second"] - first["second"], 1)
+    grown = [b - a for a, b in zip(first["snapshots"], last["snapshots"], strict=True)]
+    stats.add(name, "snapshots of an observer", min(grown) / seconds, "/s", at_least=MIN_SNAPSHOTS)
+    sent = (after["sent_ticks"] - before["sent_ticks"]) / span if "sent_ticks" in after else 0.0
+    stats.add(name, "ticks of which the server sent the state", sent, "/s")
+    gap = max(max(row["gaps_ms"]) for row in watched)
+    stats.add(name, "longest gap", gap, "ms", at_most=MAX_GAP_MS if case.goal_gap else None)
+    if "changes" in after:
+        changes = after["changes"]
+        stats.add(name, "making and removing people, ticks", changes["ticks"], "")
+        stats.add(name, "the same, p50", changes["ms_p50"], "ms")
+        stats.add(name, "the same, p99", changes["ms_p99"], "ms", at_most=MAX_WORK_MS)
+        stats.add(name, "the same, most", changes["ms_max"], "ms")
+    stats.add(name, "bodies of the crowd", max(row.get("bodies", 0) for row in crowd), "")
+    stats.add(name, "joins of the crowd", crowd[-1]["joins"], "")
+    stats.add(name, "a frame of the crowd", crowd[-1]["frame_ms"], "ms")
+    stats.add(name, "memory before", before["rss_kb"] / 1024.0, "MiB")
+    grown_by = later["rss_kb"] / before["rss_kb"]
+    stats.add(name, "memory afterwards, of that before", grown_by, "", at_most=MAX_MEMORY)
+    log = (after["log_bytes"] - before["log_bytes"]) / span
+    stats.add(name, "log", log, "B/s", at_most=MAX_LOG_BYTES)
+
+
+def _add_cost(stats: Stats, name: str, pairs: list[tuple[dict[str, float], Seen]]) -> None:
+    """Medians of the pairs: the machine is not always as fast."""
+    for part in ("p50", "p99"):
+        key = f"work_ms_{part}"
+        costs = [seen.after["recent"][key] - honest[key] for honest, seen in pairs]
+        beside = median(honest[key] for honest, _ in pairs)
+        stats.add(name, f"a tick beside an honest client, {part}", beside, "ms")
+        text = f"a tick takes longer than beside an honest one, {part}"
+        stats.add(name, text, median(costs), "ms", at_most=MAX_COST_MS)
+        stats.add(name, f"the same, least of {PAIRS}", min(costs), "ms")
+        stats.add(name, f"the same, most of {PAIRS}", max(costs), "ms")
+    looks = [seen for _, seen in pairs]
+    most = max(max(seen.after["rss_kb"], seen.later["rss_kb"]) for seen in looks)
+    held = (most - looks[0].before["rss_kb"]) / 1024.0
+    stats.add(name, "memory that it took", held, "MiB", at_most=MAX_HELD_MIB)
+
+
+if __name__ == "__main__":
+    sys.exit(measure(sys.argv[1:]))

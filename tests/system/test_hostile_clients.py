@@ -1,0 +1,225 @@
+# SPDX-License-Identifier: MIT
+"""Clients that have joined, or are about to, and send what no client of ours does."""
+
+from __future__ import annotations
+
+import re
+import socket
+from pathlib import Path
+
+import pytest
+
+from .conftest import Process, World
+from .noise import LEVEL, ORDER, Noise
+from .own_client import (
+    INSTRUCTOR,
+    OBSERVER,
+    TRAINEE,
+    Crowd,
+    OwnClient,
+    fragment_command,
+    reliable_command,
+    unreliable_command,
+)
+
+SEALING = pytest.mark.parametrize("sealed", [True, False], ids=["sealed", "open"])
+# Of the multiplayer API and its transfer channels.
+CHANNELS = [0, 1, 3, 4, 5, 6, 7]
+# Complaints that noise must lead to: bytes of unknown kinds, and what a role may not.
+KINDS = ("kind", "role")
+MIB = 1 << 20
+ENGINE_LINES = re.compile(r"ERROR|WARNING|^\s+at: |backtrace", re.MULTILINE)
+
+
+def _server(world: World, sealed: bool, *options: str) -> Process:
+    return world.server(*options, *([] if sealed else ["--sealing=0"]))
+
+
+def _memory(process: Process) -> int:
+    pages = Path(f"/proc/{process.process.pid}/statm").read_text(encoding="ascii").split()[1]
+    return int(pages) * 4096
+
+
+def _no_engine_lines(server: Process) -> None:
+    log = server.log()
+    found = ENGINE_LINES.search(log)
+    assert found is None, log[max(found.start() - 500, 0) : found.start() + 1000]
+
+
+def _send_noise(client: OwnClient, noise: Noise) -> None:
+    match noise.random.randrange(5):
+        case 0 | 1:
+            client.send(noise.packet(), noise.random.choice(CHANNELS))
+        case 2 | 3:
+            client.send_fast(noise.message())
+        case _:
+            client.send_fast(noise.packet(), noise.random.choice(CHANNELS))
+
+
+@SEALING
+def test_noise_of_every_role_makes_no_engine_error(world: World, sealed: bool) -> None:
+    server = _server(world, sealed, "--world=yard")
+    noise = Noise(13)
+    with Crowd() as crowd:
+        roles = (OBSERVER, TRAINEE, INSTRUCTOR)
+        clients = [OwnClient(world.port, role, sealed=sealed) for role in roles]
+        crowd.join(clients)
+        # A level without shared nodes after one that has some: the engine's own API goes on.
+        clients[2].send(bytes([3, ORDER, 1, 0, LEVEL, *bytes(6), 4, 0]) + b"hall")
+        for _round in range(400):
+            for client in clients:
+                # Less than what is too much in a second: that would only be dropped.
+                for _ in range(4):
+                    _send_noise(client, noise)
+            crowd.go_on()
+            # A busy server throws out who has sent more than it can take in.
+            for client in [client for client in clients if client.is_gone]:
+                clients.remove(client)
+                clients.append(OwnClient(world.port, client.role, sealed=sealed))
+                crowd.join(clients[-1:])
+        late = OwnClient(world.port, sealed=sealed)
+        crowd.join([late])
+    # The slower the server, the more of it is dropped before its turn.
+    report = server.await_report(lambda r: min(r["refused"].get(k, 0) for k in KINDS) > 5)
+    assert report["transport"]["dropped_in"] > 100
+    _no_engine_lines(server)
+    assert len(server.log()) < 1000 * report["seconds"] + 3000
+
+
+@SEALING
+def test_noise_before_a_join_makes_no_engine_error(world: World, sealed: bool) -> None:
+    server = _server(world, sealed)
+    noise = Noise(14)
+    with Crowd() as crowd:
+        for channels in (0, 1, 2, 255, 256, 0xFFFFFFFF, *([8] * 14)):
+            client = OwnClient(world.port, sealed=sealed, joins=False, channels=channels)
+            crowd.add(client)
+            if channels < 8 or channels > 255:
+                # Dropped: ENet never answers it.
+                for _ in range(40):
+                    crowd.go_on()
+                assert client.peer is None
+                continue
+            crowd.go_on_until(lambda client=client: client.peer is not None)
+            for _ in range(60):
+                if noise.random.random() < 0.5:
+                    client.send(b"\x07\x00" + noise.altered(client.join_request()))
+                _send_noise(client, noise)
+                crowd.go_on()
+        crowd.join([OwnClient(world.port, sealed=sealed)])
+    report = server.await_report(lambda r: r["refused"].get("join request", 0) > 5)
+    assert report["transport"]["too_few_channels"] > 0
+    assert report["transport"]["malformed"] > 0
+    assert report["transport"]["dropped_in"] > 50
+    _no_engine_lines(server)
+
+
+def _first_fragments(client: OwnClient, round_: int) -> bytes:
+    first = round_ * 16 % 900 + 1 + client.numbers[0]
+    return fragment_command(0, first, 0, 16, 16384, 1024, bytes(1024))
+
+
+def _behind_a_gap(client: OwnClient, round_: int) -> bytes:
+    channel = CHANNELS[round_ % 7]
+    return reliable_command(channel, client.numbers[channel] + 2 + round_ // 7, bytes(1100))
+
+
+def _waiting(client: OwnClient, round_: int) -> bytes:
+    channel = CHANNELS[round_ % 7]
+    return unreliable_command(channel, client.numbers[channel] + 1, round_, bytes(1100))
+
+
+@SEALING
+def test_packets_that_never_complete_hold_little(world: World, sealed: bool) -> None:
+    kinds = [_first_fragments, _behind_a_gap, _waiting]
+    server = _server(world, sealed)
+    observer = world.client("observer", *([] if sealed else ["--sealing=0"]))
+    observer.await_text("joined")
+    with Crowd() as crowd:
+        clients = [OwnClient(world.port, sealed=sealed) for _ in range(20)]
+        crowd.join(clients)
+        before = _memory(server)
+        snapshots = observer.report()["snapshots"]
+        for round_ in range(260):
+            for index, client in enumerate(clients):
+                client.write_commands(kinds[index % 3](client, round_))
+            crowd.go_on()
+        grown = _memory(server) - before
+        report = server.await_report(lambda r: r["transport"]["held_too_much"] > 100)
+        held = report["transport"]["held_bytes"]
+        print(f"{held / MIB:.1f} MiB held, {grown / MIB:.1f} MiB more in memory")
+        assert MIB < held <= 20 * (256 << 10)
+        assert grown < 16 * MIB
+        observer.await_report(lambda r: r["snapshots"] > snapshots + 60)
+        for client in clients:
+            client.is_gone = True
+    server.await_report(lambda r: r["transport"]["held_bytes"] == 0)
+    _no_engine_lines(server)
+
+
+@SEALING
+def test_who_has_not_joined_takes_nothing_from_those_who_do(world: World, sealed: bool) -> None:
+    """200 connections without a join request hold back all that they may; others join."""
+    server = _server(world, sealed)
+    with Crowd() as crowd:
+        joiners: list[OwnClient] = []
+        before = _memory(server)
+        for _burst in range(3):
+            arriving = [OwnClient(world.port, sealed=sealed, joins=False) for _ in range(200)]
+            crowd.add(*arriving)
+            crowd.go_on_until(lambda arriving=arriving: all(c.peer is not None for c in arriving))
+            for round_ in range(7 * 20):
+                for client in arriving:
+                    client.write_commands(_behind_a_gap(client, round_))
+                if round_ % 20 == 0:
+                    crowd.go_on()
+            joiners.append(OwnClient(world.port, sealed=sealed))
+            crowd.join(joiners[-1:])
+        assert all(joiner.is_joined for joiner in joiners)
+        report = server.await_report(lambda r: r["transport"]["held_too_much"] > 1000)
+        assert report["transport"]["held_bytes"] < 8 * MIB
+        assert _memory(server) - before < 32 * MIB
+    _no_engine_lines(server)
+
+
+def _ask(port: int, request: bytes) -> bytes:
+    with socket.create_connection(("127.0.0.1", port), timeout=120.0) as client:
+        client.sendall(request)
+        answer = b""
+        try:
+            while more := client.recv(65536):
+                answer += more
+        except ConnectionError:
+            pass
+        return answer.split(b"\r\n")[0]
+
+
+def test_garbage_at_the_status_port(world: World) -> None:
+    server = world.server()
+    noise = Noise(15)
+    good = b"GET / HTTP/1.1\r\nHost: localhost\r\n\r\n"
+    wrong = [
+        (b"GET /\xff\xfe HTTP/1.1\r\n\r\n", b"404"),
+        (b"\xff" * 200 + b"\r\n\r\n", b"400"),
+        (b"GET / HTTP/1.1\r\nHost: \xc3\xa9\r\n\r\n", b"421"),
+        (b"GET / HTTP/1.1\r\nHost: evil.example\r\n\r\n", b"421"),
+        (b"GET /\0 HTTP/1.1\r\n\r\n", b"400"),
+        (b"A" * 5000, b"431"),
+        (b"GET / HTTP/1.1\r\n" + b"X: y\r\n" * 800, b"431"),
+        (b"POST / HTTP/1.1\r\nContent-Length: -5\r\n\r\n", b"405"),
+        (b"\r\n\r\n", b"400"),
+    ]
+    for request, code in wrong:
+        assert code in _ask(world.port, request)
+    for _ in range(20):
+        _ask(world.port, noise.random.randbytes(300) + b"\0\r\n\r\n")
+    assert b"200" in _ask(world.port, good * 40)
+    # Connections that ask nothing, and many of them: those who do ask still get their answer.
+    for _ in range(10):
+        idle = [socket.create_connection(("127.0.0.1", world.port)) for _ in range(8)]
+        for one in idle:
+            one.close()
+    assert b"200" in _ask(world.port, good)
+    counts = server.await_report(lambda r: r["status_requests"]["dropped"] >= 60)
+    assert counts["status_requests"]["refused"] >= len(wrong) + 20
+    _no_engine_lines(server)

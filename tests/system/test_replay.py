@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: MIT
+"""Replays of recordings that somebody has forged to take a machine's memory."""
+
+from __future__ import annotations
+
+import os
+import struct
+import time
+
+import pytest
+
+from .conftest import World
+
+MAGIC = b"DSMTREC4"
+#: What a replay of the hall takes, and what its people and a level beside it may add, MiB.
+LIMIT_MIB = 450
+
+
+def _record(time_usec: int, message: bytes) -> bytes:
+    return struct.pack("<IQ", len(message), time_usec) + message
+
+
+def _text(text: str) -> bytes:
+    return struct.pack("<H", len(text)) + text.encode()
+
+
+def _level() -> bytes:
+    return bytes([13]) + _text("hall") + bytes(8)
+
+
+def _crowd() -> bytes:
+    """A table in which all is new: a type with the body of a person, and 249 of them."""
+    kind = _text("p") + bytes([2, 0, 0, 0, 0])
+    row = struct.pack("<BIiB", 0, 0, 0, 0) + _text("") + bytes([0]) + _text("x") + bytes([0])
+    rows = b"".join(struct.pack("<H", number) + row for number in range(1, 250))
+    head = bytes([3, 1]) + struct.pack("<If", 1, 0.1) + bytes([1]) + kind
+    return head + struct.pack("<HH", 0, 249) + rows
+
+
+FORGED = {
+    "levels": _record(0, _level()) * 200_000,
+    "crowds": _record(0, _level()) + _record(0, _crowd()) * 60,
+}
+
+
+@pytest.mark.parametrize("name", FORGED)
+def test_memory_is_bounded(world: World, name: str) -> None:
+    file = world.folder / f"{name}.dismount"
+    file.write_bytes(MAGIC + FORGED[name])
+    replay = world.client("replay", f"--file={file}", "--duration=15")
+    most_kib = 0
+    end = time.monotonic() + 240
+    while replay.process.poll() is None and time.monotonic() < end:
+        try:
+            with open(f"/proc/{replay.process.pid}/status", encoding="ascii") as status:
+                peak = next((line for line in status if line.startswith("VmHWM")), "VmHWM: 0")
+                most_kib = max(most_kib, int(peak.split()[1]))
+        except OSError:
+            break
+        time.sleep(0.1)
+    assert 0 < most_kib < LIMIT_MIB * 1024, f"{most_kib >> 10} MiB"
+    assert replay.await_exit() == 0, replay.log()
+    assert os.path.getsize(replay.log_file) < 100_000

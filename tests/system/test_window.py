@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: MIT
+"""Looks at the pixels of a window: texts that grow with it, a name over a person."""
+
+from __future__ import annotations
+
+from .conftest import World
+from .test_views import Pixel, read_png
+
+
+def is_text(pixel: Pixel) -> bool:
+    return min(pixel) > 225
+
+
+def is_name(pixel: Pixel) -> bool:
+    """Names are a little transparent; nothing else in the hall is so bright."""
+    return min(pixel) > 195
+
+
+def take(
+    world: World, display: dict[str, str], size: str, camera: str = "0,20,4"
+) -> list[list[Pixel]]:
+    """What an observer's window of a size shows."""
+    picture = world.folder / f"{size}.png"
+    options = {"name": f"window-{size}", "size": size}
+    world.take_picture(display, picture, f"--camera={camera}", **options)
+    return read_png(picture)
+
+
+def text_height(rows: list[list[Pixel]]) -> int:
+    """Height of the first line of text at the top left, pixels."""
+    lines = [any(is_text(pixel) for pixel in row[: len(row) // 8]) for row in rows]
+    begin = lines.index(True)
+    return lines.index(False, begin) - begin
+
+
+def test_texts_grow_with_the_window_and_people_have_names(
+    world: World, display: dict[str, str]
+) -> None:
+    world.server()
+    world.trainee("--name=Ada").await_text("joined")
+    small = take(world, display, "1280x720")
+    large = take(world, display, "1920x1080")
+    assert (len(small[0]), len(large[0])) == (1280, 1920)
+    assert 1.25 < text_height(large) / text_height(small) < 1.8
+    # The name: white above the middle, where there is no other text.
+    middle = [row[700:1220] for row in large[130:540]]
+    assert sum(is_name(pixel) for row in middle for pixel in row) > 40
