@@ -3,6 +3,7 @@
 
 #include <convert.hpp>
 
+#include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/physics_direct_body_state3d.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 
@@ -72,6 +73,8 @@ void RagdollBodies::make(const ragdoll::Rig &p_rig, std::vector<JointSpec> p_spe
 	_states.assign(_specs.size(), nullptr);
 	_rest_inverse.assign(_specs.size(), ragdoll::Quat());
 	_hold = Hold();
+	_has_stepped = false;
+	_made_in_frame = Engine::get_singleton()->get_physics_frames();
 	for (std::size_t i = _specs.size(); i-- > 1;) {
 		const ragdoll::Segment &limb = p_rig[i];
 		const ragdoll::Segment &parent = p_rig[limb.parent];
@@ -167,8 +170,22 @@ bool RagdollBodies::read(ragdoll::RigState &r_state) {
 		r_state.angular[i] = to_core(state->get_angular_velocity());
 	}
 	r_state.root = _rig->joint_of(r_state, 0);
+	r_state.gravity = find_gravity();
 	_is_lost = false;
 	return true;
+}
+
+ragdoll::Vec3 RagdollBodies::find_gravity() {
+	const Vector3 total = _states[0]->get_total_gravity(); // Of areas, by the body's own scale.
+	_has_stepped = _has_stepped || Engine::get_singleton()->get_physics_frames() != _made_in_frame;
+	if (_has_stepped || total != Vector3()) {
+		return to_core(total);
+	}
+	// The engine finds it in its steps: a body that is new has none yet.
+	const Vector3 down = server()->area_get_param(_space, Joint::AREA_PARAM_GRAVITY_VECTOR);
+	const double most = server()->area_get_param(_space, Joint::AREA_PARAM_GRAVITY);
+	const double scale = server()->body_get_param(_specs[0].body, Joint::BODY_PARAM_GRAVITY_SCALE);
+	return to_core(down * float(most * scale));
 }
 
 void RagdollBodies::put(const ragdoll::RigState &p_state) {

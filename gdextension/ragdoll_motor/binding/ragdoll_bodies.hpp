@@ -93,6 +93,7 @@ private:
 	void set_forces(const ragdoll::RootCommand &p_command);
 	void free_all();
 	Transform3D frame_in_body(std::size_t p_limb) const;
+	ragdoll::Vec3 find_gravity();
 	void set_kinematic(std::size_t p_limb, bool p_kinematic);
 	void set_pose(std::size_t p_limb, const ragdoll::Quat &p_orientation, const ragdoll::Vec3 &p_joint);
 	void set_drive(std::size_t p_limb, Drive p_drive);
@@ -111,6 +112,8 @@ private:
 	Hold _hold;
 	bool _is_lost = false; // A body was not there at the last reading.
 	RID _space;
+	bool _has_stepped = false; // The space, since the joints were made.
+	uint64_t _made_in_frame = 0;
 	RID _anchor;
 	RID _pendulum;
 	RID _assist_joint; // Of the pendulum, or between the trunk and the world.

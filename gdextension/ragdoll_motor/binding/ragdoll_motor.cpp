@@ -16,7 +16,7 @@ namespace {
 constexpr double DEGREES = 180.0 / 3.14159265358979323846;
 constexpr double MIN_STEP = 1e-5;
 constexpr double MAX_STEP = 1.0;
-constexpr std::uint32_t STATE_MAGIC = 0x32534D52; // "RMS2"
+constexpr std::uint32_t STATE_MAGIC = 0x33534D52; // "RMS3"
 
 PackedFloat32Array to_packed(const std::vector<float> &p_values) {
 	PackedFloat32Array result;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "actuation.hpp"
+#include "composite_inertia.hpp"
 #include "muscles.hpp"
 #include "rig.hpp"
 
@@ -87,6 +88,7 @@ private:
 
 	const Rig *_rig = nullptr;
 	Muscles _muscles;
+	CompositeInertia _turned; // In the present pose.
 	std::vector<float> _integrals; // SPRING_TORQUE's leaky integrators, rad s.
 };
 

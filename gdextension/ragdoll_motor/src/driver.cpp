@@ -186,7 +186,7 @@ void Driver::travel(const RigState &p_state, float p_delta_s) {
 	find_points(_next, _points_next);
 	find_points(_now, _points_now);
 	const Vec3 centre = _rig.centre_of_mass(_now, _joints);
-	estimator->step({ p_delta_s, &_points_now, centre, ground ? ground : &_level_ground });
+	estimator->step({ p_delta_s, &_points_now, centre, ground ? ground : &_level_ground, p_state.gravity });
 	_now.root = estimator->get_root();
 	_next.root = estimator->ahead(_points_next, p_delta_s);
 	const PoseFilter &filter = _stream.get_filter();
@@ -216,7 +216,7 @@ void Driver::command_root(const RigState &p_state, float p_delta_s) {
 	_lift = { 0.0f, lift_while_getting_up(p_state), 0.0f };
 	const float strength = mode == Actuation::LIMP ? 0.0f : _table.get_standing_strength(0);
 	_commands.root = drive_root(
-			root_mode, root_settings, _rig, p_state.root, _now.root + _lift, _next.root + _lift, p_delta_s, strength);
+			root_mode, root_settings, _rig, p_state, _now.root + _lift, _next.root + _lift, p_delta_s, strength);
 	_commands.root_turn = _commands.limbs[0].velocity;
 	if (root_mode == RootMode::SELF_RIGHTING && righted_limb > 0) {
 		const std::size_t limb = std::size_t(righted_limb);
@@ -251,7 +251,7 @@ void Driver::note_torques(const RigState &p_state, float p_delta_s) {
 	if (!measures_torque) {
 		return;
 	}
-	_torques.note(_rig, p_state, p_delta_s, 9.81f);
+	_torques.note(_rig, p_state, p_delta_s);
 	for (std::size_t i = 0; i < _rig.size(); i++) {
 		const float most = i == 0 ? root_settings.torque : _rig[i].max_torque * _table.get_strength(i);
 		_saturations[i] = most > 0.0f ? _torques.get_torques()[i] / most : 0.0f;

@@ -20,12 +20,16 @@ float Muscles::get_torque(std::size_t p_limb, const Vec3 &p_forward, const Vec3 
 	if (p_whole <= 0.0f) {
 		return 0.0f;
 	}
-	return std::min(1.0f, std::ceil((needed / p_whole + _left[p_limb]) * STEPS) / STEPS) * p_whole;
+	const float share = std::min(1.0f, needed / p_whole + _left[p_limb]);
+	float &given = _given[p_limb];
+	given = share >= 1.0f || std::fabs(share - given) > DEAD_BAND ? share : given;
+	return given * p_whole;
 }
 
 void Muscles::reset() {
 	std::fill(_before.begin(), _before.end(), Vec3());
 	std::fill(_left.begin(), _left.end(), 1.0f);
+	std::fill(_given.begin(), _given.end(), 1.0f);
 }
 
 } // namespace ragdoll

@@ -25,6 +25,9 @@ struct Segment {
 	bool is_foot = false;
 };
 
+/// Gravity where nothing else is known, m/s^2 (ISO 80000-3, rounded as the engine has it).
+constexpr float STANDARD_GRAVITY = 9.81f;
+
 /// What the simulation says of the limbs, all in world axes.
 struct RigState {
 	std::vector<Quat> orientations;
@@ -32,6 +35,8 @@ struct RigState {
 	std::vector<Vec3> linear; ///< Velocities of the bodies' origins, m/s.
 	std::vector<Vec3> angular; ///< rad/s
 	Vec3 root; ///< Where the root limb's joint is, m.
+	/// What pulls at the root limb: that of the areas it is in, m/s^2.
+	Vec3 gravity{ 0.0f, -STANDARD_GRAVITY, 0.0f };
 
 	void resize(std::size_t p_limb_count);
 };
@@ -48,7 +53,7 @@ public:
 	/// Mass of all limbs, kg.
 	float get_mass() const { return _mass; }
 	/// Moments of inertia (kg m^2) of a limb and all that hangs on it about the limb's joint and axes,
-	/// in the rest pose: what a motor of the joint has to turn.
+	/// in the rest pose: what springs are tuned by. CompositeInertia has them in any pose.
 	const Vec3 &get_subtree_inertia(std::size_t p_limb) const { return _subtree_inertia[p_limb]; }
 
 	/// The same of the limb alone.

@@ -44,9 +44,10 @@ struct RootSettings {
 	float grip = 1.6f;
 };
 
-/// The root's command for a step: feed-forward with the motion's velocity plus a correction.
+/// The root's command for a step: feed-forward with the motion's velocity plus a correction, which is
+/// never faster than the limits can brake: level and upright each by their own.
 /// @param p_strength multiplies the limits
-RootCommand drive_root(RootMode p_mode, const RootSettings &p_settings, const Rig &p_rig, const Vec3 &p_actual,
+RootCommand drive_root(RootMode p_mode, const RootSettings &p_settings, const Rig &p_rig, const RigState &p_actual,
 		const Vec3 &p_now, const Vec3 &p_next, float p_delta_s, float p_strength);
 
 /// The turning rate (rad/s, limb's axes) that brings a limb along in the world, whatever its parent

@@ -12,7 +12,7 @@ TorqueMeter::TorqueMeter(std::size_t p_limb_count) :
 		_moments(p_limb_count),
 		_torques(p_limb_count, 0.0f) {}
 
-void TorqueMeter::note(const Rig &p_rig, const RigState &p_state, float p_delta_s, float p_gravity) {
+void TorqueMeter::note(const Rig &p_rig, const RigState &p_state, float p_delta_s) {
 	const float rate = _is_known ? 1.0f / p_delta_s : 0.0f;
 	std::fill(_forces.begin(), _forces.end(), Vec3());
 	std::fill(_moments.begin(), _moments.end(), Vec3());
@@ -20,7 +20,7 @@ void TorqueMeter::note(const Rig &p_rig, const RigState &p_state, float p_delta_
 		const Segment &limb = p_rig[i];
 		const Quat &turn = p_state.orientations[i];
 		const Vec3 joint = p_rig.joint_of(p_state, i);
-		const Vec3 acceleration = (p_state.linear[i] - _linear_before[i]) * rate + Vec3{ 0.0f, p_gravity, 0.0f };
+		const Vec3 acceleration = (p_state.linear[i] - _linear_before[i]) * rate - p_state.gravity;
 		const Vec3 force = acceleration * limb.mass;
 		const Vec3 spin = turn.inverse().rotate(p_state.angular[i]);
 		const Vec3 speeding = turn.inverse().rotate((p_state.angular[i] - _angular_before[i]) * rate);

@@ -15,8 +15,7 @@ public:
 	explicit TorqueMeter(std::size_t p_limb_count);
 
 	/// Takes the state after a step of p_delta_s seconds.
-	/// @param p_gravity m/s^2, downwards along -Y
-	void note(const Rig &p_rig, const RigState &p_state, float p_delta_s, float p_gravity);
+	void note(const Rig &p_rig, const RigState &p_state, float p_delta_s);
 	/// Magnitude of the torque at each limb's joint, N m; the root's is that of its hold by the world.
 	const std::vector<float> &get_torques() const { return _torques; }
 	void clear() { _is_known = false; }

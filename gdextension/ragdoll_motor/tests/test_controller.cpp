@@ -189,18 +189,73 @@ TEST(subtree_inertia_counts_all_that_hangs_below) {
 TEST(root_drive_corrects_within_its_limits) {
 	const Rig rig(fixtures::limbs());
 	RootSettings settings;
+	RigState still;
 	const RootCommand soft =
-			drive_root(RootMode::SOFT, settings, rig, {}, { 0.001f, 0, 0 }, { 0.011f, 0, 0 }, 0.01f, 0.5f);
+			drive_root(RootMode::SOFT, settings, rig, still, { 0.001f, 0, 0 }, { 0.011f, 0, 0 }, 0.01f, 0.5f);
 	CHECK_NEAR(soft.velocity.x, 1.0 + 0.05, 1e-4);
 	CHECK_NEAR(soft.force_up, 1000.0, 1e-3);
 	CHECK_NEAR(soft.torque, 400.0, 1e-3);
-	const RootCommand far = drive_root(RootMode::SOFT, settings, rig, {}, { 10, 0, 0 }, { 10, 0, 0 }, 0.01f, 1.0f);
+	const RootCommand far = drive_root(RootMode::SOFT, settings, rig, still, { 10, 0, 0 }, { 10, 0, 0 }, 0.01f, 1.0f);
 	CHECK_NEAR(far.velocity.x, braking_speed(10.0f, 2000.0f / 40.0f), 1e-3);
-	const RootCommand grip = drive_root(RootMode::INERTIAL, settings, rig, {}, {}, {}, 0.01f, 1.0f);
+	const RootCommand grip = drive_root(RootMode::INERTIAL, settings, rig, still, {}, {}, 0.01f, 1.0f);
 	CHECK_NEAR(grip.force_across, double(settings.grip) * 40.0 * 9.81, 0.1);
-	const RootCommand free = drive_root(RootMode::SELF_RIGHTING, settings, rig, {}, {}, {}, 0.01f, 1.0f);
+	still.gravity = { 0.0f, -1.62f, 0.0f }; // The Moon's.
+	const RootCommand light = drive_root(RootMode::INERTIAL, settings, rig, still, {}, {}, 0.01f, 1.0f);
+	CHECK_NEAR(light.force_across, double(settings.grip) * 40.0 * 1.62, 0.1);
+	still.gravity = {};
+	const RootCommand weightless =
+			drive_root(RootMode::INERTIAL, settings, rig, still, { 1, 1, 0 }, { 1, 1, 0 }, 0.01f, 1.0f);
+	CHECK_NEAR(weightless.force_across, 0.0, 0.0);
+	CHECK_NEAR(weightless.velocity.x, 0.0, 0.0);
+	CHECK_NEAR(weightless.velocity.y, braking_speed(1.0f, 2000.0f / 40.0f), 1e-3);
+	const RootCommand free = drive_root(RootMode::SELF_RIGHTING, settings, rig, still, {}, {}, 0.01f, 1.0f);
 	CHECK_NEAR(free.force_up + free.force_across, 0.0, 0.0);
 	CHECK(free.torque > 0.0f);
+}
+
+TEST(the_root_rises_and_sinks_by_its_own_limits) {
+	const Rig rig(fixtures::limbs());
+	RootSettings settings;
+	settings.grip = 0.1f; // Hardly any force across, all of it upwards.
+	const RigState still;
+	const auto climb = [&](float p_x, float p_y) {
+		const Vec3 target{ p_x, p_y, 0.0f };
+		return drive_root(RootMode::INERTIAL, settings, rig, still, target, target, 0.01f, 1.0f).velocity;
+	};
+	const float up = 2000.0f / 40.0f;
+	CHECK_NEAR(climb(0.0f, 1.0f).y, braking_speed(1.0f, up + 9.81f), 1e-3);
+	CHECK_NEAR(climb(0.0f, -1.0f).y, -braking_speed(1.0f, up - 9.81f), 1e-3);
+	// Neither is slowed by the other, nor hurried.
+	CHECK_NEAR(climb(2.0f, 1.0f).y, climb(0.0f, 1.0f).y, 1e-6);
+	CHECK_NEAR(climb(2.0f, 1.0f).x, braking_speed(2.0f, 0.1f * 9.81f), 1e-3);
+	settings.force = 100.0f; // Less than the weight: what sinks could not be held.
+	CHECK_NEAR(climb(0.0f, -1.0f).y, 0.0, 0.0);
+}
+
+TEST(composite_inertia_is_that_of_the_present_pose) {
+	std::mt19937 random(11);
+	const Rig rig(fixtures::limbs());
+	CompositeInertia turned(rig.size());
+	Pose rest;
+	rest.orientations.assign(rig.size(), Quat());
+	turned.find(rig, fixtures::state_of(rig, rest));
+	for (std::size_t i = 0; i < rig.size(); i++) {
+		CHECK_NEAR((turned[i] - rig.get_subtree_inertia(i)).length(), 0.0, 1e-4);
+	}
+	for (int round = 0; round < 20; round++) {
+		// Against a rig whose rest pose is this one, far from the origin.
+		Pose pose = fixtures::random_pose(random);
+		pose.root = { 30.0f, 2.0f, -10.0f };
+		std::vector<Segment> limbs = fixtures::limbs();
+		for (std::size_t i = 0; i < limbs.size(); i++) {
+			limbs[i].rest = pose.orientations[i];
+		}
+		const Rig posed(limbs);
+		turned.find(rig, fixtures::state_of(rig, pose));
+		for (std::size_t i = 0; i < rig.size(); i++) {
+			CHECK_NEAR((turned[i] - posed.get_subtree_inertia(i)).length(), 0.0, 2e-3);
+		}
+	}
 }
 
 TEST_MAIN()

@@ -201,6 +201,47 @@ TEST(jumps_are_found_and_fall_freely_at_any_rate) {
 	}
 }
 
+TEST(a_flight_takes_as_long_as_gravity_lets_it) {
+	// Up with 1.4 m/s: 2 v / g in the air.
+	for (const float pull : { 9.81f, 3.71f, 1.62f }) {
+		InertialGait travel(contacts());
+		travel.reset({ 0.0f, HIP, 0.0f });
+		const FlatGround ground;
+		float flown_s = 0.0f;
+		for (int tick = 0; tick < 60 * 6; tick++) {
+			const float time = float(tick) / 60.0f;
+			float leg = HIP;
+			if (time > 1.0f && time < 1.25f) {
+				leg = HIP - 0.21f * std::sin((time - 1.0f) / 0.25f * PI / 2.0f);
+			} else if (time >= 1.25f && time < 1.4f) {
+				leg = HIP - 0.21f + 1.4f * (time - 1.25f);
+			}
+			std::vector<Vec3> points(5, Vec3{ 0.0f, -leg, 0.0f });
+			points[4] = { 0.3f, 0.0f, 0.0f };
+			travel.step({ 1.0f / 60.0f, &points, {}, &ground, { 0.0f, -pull, 0.0f } });
+			flown_s += travel.is_flying() ? 1.0f / 60.0f : 0.0f;
+		}
+		CHECK_NEAR(flown_s, 2.0f * 1.4f / pull, 0.25f * 2.0f * 1.4f / pull);
+		CHECK_NEAR(travel.get_root().y, HIP, 0.01);
+	}
+}
+
+TEST(without_gravity_nothing_falls) {
+	InertialGait travel(contacts());
+	const std::vector<Vec3> points = Walker{}.points(0.0f);
+	travel.reset({ 0.0f, HIP, 0.0f });
+	const Nothing nothing;
+	const FlatGround flat;
+	float stood = 0.0f;
+	for (int tick = 0; tick < 120; tick++) {
+		const bool is_gone = tick >= 60; // The ground.
+		stood = is_gone ? stood : travel.get_root().y;
+		travel.step({ 1.0f / 60.0f, &points, {}, is_gone ? static_cast<const Ground *>(&nothing) : &flat, {} });
+	}
+	CHECK(travel.is_flying());
+	CHECK_NEAR(travel.get_root().y, stood, 1e-3);
+}
+
 TEST(without_any_ground_a_body_falls) {
 	InertialGait travel(contacts());
 	const Walker still{ 0.0f };

@@ -86,22 +86,29 @@ TEST(torques_hold_a_limb_against_gravity) {
 	Pose pose;
 	// Everything lies level along X: limb 2's centre is 0.25 m from its joint.
 	pose.orientations.assign(rig.size(), exp({ 0.0f, 0.0f, -3.14159265f / 2 }));
-	const RigState state = fixtures::state_of(rig, pose);
+	RigState state = fixtures::state_of(rig, pose);
 	TorqueMeter meter(rig.size());
-	meter.note(rig, state, 0.01f, 9.81f);
+	meter.note(rig, state, 0.01f);
 	CHECK_NEAR(meter.get_torques()[2], 10.0 * 9.81 * 0.25, 1e-2);
 	CHECK_NEAR(meter.get_torques()[1], 10.0 * 9.81 * (0.25 + 0.75 + 0.75), 1e-1);
+	state.gravity = { 0.0f, -1.62f, 0.0f };
+	meter.note(rig, state, 0.01f);
+	CHECK_NEAR(meter.get_torques()[2], 10.0 * 1.62 * 0.25, 1e-2);
+	state.gravity = {};
+	meter.note(rig, state, 0.01f);
+	CHECK_NEAR(meter.get_torques()[2], 0.0, 1e-4);
 }
 
 TEST(torques_speed_a_limb_up) {
 	const Rig rig(fixtures::limbs());
 	RigState state = resting(rig);
+	state.gravity = {};
 	TorqueMeter meter(rig.size());
-	meter.note(rig, state, 0.01f, 0.0f);
+	meter.note(rig, state, 0.01f);
 	// Limb 2 begins to turn about its joint with 10 rad/s^2.
 	state.angular[2] = { 0.1f, 0.0f, 0.0f };
 	state.linear[2] = { 0.0f, 0.0f, 0.1f * 0.25f };
-	meter.note(rig, state, 0.01f, 0.0f);
+	meter.note(rig, state, 0.01f);
 	CHECK_NEAR(meter.get_torques()[2], 10.0 * (0.2 + 10.0 * 0.25 * 0.25), 1e-2);
 	CHECK_NEAR(meter.get_torques()[3], 0.0, 1e-3);
 }

@@ -6,6 +6,7 @@
 #include "../src/relay/server_relay.hpp"
 
 #include <godot_cpp/classes/e_net_connection.hpp>
+#include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/classes/ref_counted.hpp>
 #include <godot_cpp/core/binder_common.hpp>
 #include <godot_cpp/core/class_db.hpp>

@@ -10,6 +10,7 @@
 #include <recording/taps.hpp>
 #include <usb/hub.hpp>
 
+#include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/classes/ref_counted.hpp>
 #include <godot_cpp/core/binder_common.hpp>
 #include <godot_cpp/core/class_db.hpp>

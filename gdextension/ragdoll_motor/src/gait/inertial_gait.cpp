@@ -10,7 +10,6 @@ namespace ragdoll {
 
 namespace {
 
-constexpr float GRAVITY = 9.81f; // m/s^2
 constexpr float PI = 3.14159265f;
 constexpr float NEVER = 1e9f;
 constexpr float SURE = 0.05f; // Weight of a point from which it can be anchored.
@@ -105,12 +104,13 @@ float InertialGait::find_support(const GaitInput &p_input) {
 	return best;
 }
 
-bool InertialGait::is_falling(float p_height, float p_delta_s) {
-	const float path = _centre.y + (_drift.y - 0.5f * GRAVITY * p_delta_s) * p_delta_s;
+bool InertialGait::is_falling(const GaitInput &p_input, float p_height) {
+	const float delta = p_input.delta_s;
+	const float path = _centre.y + (_drift.y + 0.5f * p_input.gravity.y * delta) * delta;
 	if (_flying || p_height <= NOWHERE) {
 		return path > p_height;
 	}
-	return _drift.y > settings.takeoff && path > p_height + settings.takeoff_gap * std::min(60.0f * p_delta_s, 1.0f);
+	return _drift.y > settings.takeoff && path > p_height + settings.takeoff_gap * std::min(60.0f * delta, 1.0f);
 }
 
 void InertialGait::weigh(float p_height, float p_delta_s) {
@@ -189,9 +189,8 @@ void InertialGait::hold(const GaitInput &p_input) {
 
 void InertialGait::fly(const GaitInput &p_input) {
 	const float delta = p_input.delta_s;
-	_centre = _centre + _drift * delta;
-	_centre.y -= 0.5f * GRAVITY * delta * delta;
-	_drift.y -= GRAVITY * delta;
+	_centre = _centre + _drift * delta + p_input.gravity * (0.5f * delta * delta);
+	_drift = _drift + p_input.gravity * delta;
 	_flown_s = 0.0f;
 	std::fill(_weights.begin(), _weights.end(), 0.0f);
 	std::fill(_locks.begin(), _locks.end(), std::uint8_t(0));
@@ -200,7 +199,7 @@ void InertialGait::fly(const GaitInput &p_input) {
 void InertialGait::advance(const GaitInput &p_input) {
 	filter(p_input);
 	const float height = find_support(p_input);
-	_flying = is_falling(height, p_input.delta_s);
+	_flying = is_falling(p_input, height);
 	if (_flying) {
 		fly(p_input);
 	} else {

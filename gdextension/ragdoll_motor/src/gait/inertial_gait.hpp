@@ -54,7 +54,7 @@ private:
 	void filter(const GaitInput &p_input);
 	/// Heights of the body over each point, were it on the ground; returns the highest admissible, m.
 	float find_support(const GaitInput &p_input);
-	bool is_falling(float p_height, float p_delta_s);
+	bool is_falling(const GaitInput &p_input, float p_height);
 	void weigh(float p_height, float p_delta_s);
 	void walk(const GaitInput &p_input, float p_height);
 	void fly(const GaitInput &p_input);

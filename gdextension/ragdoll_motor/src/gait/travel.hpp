@@ -16,6 +16,7 @@ struct GaitInput {
 	const std::vector<Vec3> *points = nullptr; ///< Contact points from the root's joint, world axes, m.
 	Vec3 centre; ///< The centre of mass from the root's joint, world axes, m.
 	const Ground *ground = nullptr;
+	Vec3 gravity{ 0.0f, -9.81f, 0.0f }; ///< What pulls at the body, m/s^2.
 };
 
 /// Finds where a person's root is from its pose and the ground: for suits that know orientations only
