@@ -18,6 +18,11 @@ const NEEDED: Array[StringName] = [
 	&"RightLowerLeg",
 ]
 
+## How long a lower arm is by its upper arm, and a shank by its thigh (de Leva 1996, males: 268.9 by
+## 281.7 mm, 434.0 by 422.2 mm).
+const _FOREARM_BY_UPPER_ARM: float = 0.955
+const _SHANK_BY_THIGH: float = 1.028
+
 ## Why the skeleton is no person, or an empty text.
 var error: String = ""
 ## For each limb the joint whose orientation it has.
@@ -28,7 +33,9 @@ var bases: PackedInt32Array = PackedInt32Array()
 var tails: PackedInt32Array = PackedInt32Array()
 
 var _names: PackedStringArray = PackedStringArray()
+var _known: JointNames = null
 var _parents: PackedInt32Array = PackedInt32Array()
+var _offsets: PackedVector3Array = PackedVector3Array()
 var _is_end: Array[bool] = []
 
 
@@ -36,9 +43,11 @@ var _is_end: Array[bool] = []
 static func from_clip(p_clip: BvhClip) -> HumanoidMap:
 	var map: HumanoidMap = HumanoidMap.new()
 	for joint: BvhJoint in p_clip.joints:
-		map._names.append(joint.name)
+		map._names.append("" if joint.is_end_site else joint.name)
 		map._parents.append(joint.parent)
+		map._offsets.append(joint.offset)
 		map._is_end.append(joint.is_end_site)
+	map._known = JointNames.new(map._names)
 	map._find_all()
 	if map.error != "":
 		map.error = "%s: %s" % [p_clip.source_name, map.error]
@@ -49,15 +58,22 @@ func _find_all() -> void:
 	joints.resize(Limbs.COUNT)
 	joints.fill(-1)
 	for side: String in ["Left", "Right"]:
-		_find_chain(side, [&"UpperLeg", &"LowerLeg", &"Foot"])
-		_find_chain(side, [&"UpperArm", &"LowerArm", &"Hand"])
+		_find_chain(side, [&"UpperLeg", &"LowerLeg", &"Foot"], _SHANK_BY_THIGH)
+		_find_chain(side, [&"UpperArm", &"LowerArm", &"Hand"], _FOREARM_BY_UPPER_ARM)
 	var missing: PackedStringArray = []
 	for bone: StringName in NEEDED:
 		if joints[Limbs.find(bone)] < 0:
 			missing.append(bone)
 	if not missing.is_empty():
-		var seen: String = ", ".join(_names).left(300)
+		var named: PackedStringArray = []
+		for joint: int in _names.size():
+			if not _is_end[joint]:
+				named.append(_names[joint])
+		var seen: String = ", ".join(named).left(300)
 		error = "no joint is recognised as %s among: %s" % [", ".join(missing), seen]
+		return
+	error = _find_tangle()
+	if error != "":
 		return
 	bases = joints.duplicate()
 	_find_trunk()
@@ -65,34 +81,70 @@ func _find_all() -> void:
 	_find_tails()
 
 
-func _find_chain(p_side: String, p_parts: Array[StringName]) -> void:
-	var above: int = -1
-	for part: StringName in p_parts:
-		var limb: int = Limbs.find(StringName(p_side + part))
-		var found: int = _find_part(p_side, part, above)
-		if found < 0:
-			return
-		joints[limb] = found
-		above = found
+## Finds an arm or a leg: of all pairs of joints, one below the other, that with the best names; then
+## its hand or foot, which where there are several candidates (wrist and hand) is the one that makes
+## the limb above nearest to a person's, by its length over that of the limb above it.
+func _find_chain(p_side: String, p_parts: Array[StringName], p_ratio: float) -> void:
+	var best: int = 1000
+	var upper: int = -1
+	var lower: int = -1
+	var lowers: PackedInt32Array = _named(p_side, p_parts[1])
+	for first: int in _named(p_side, p_parts[0]):
+		for second: int in lowers:
+			var rank: int = _known.rank(first, p_parts[0]) + _known.rank(second, p_parts[1])
+			if rank < best and _is_below(second, first):
+				best = rank
+				upper = first
+				lower = second
+	if upper < 0:
+		# Which of the two is missing is for the message.
+		var alone: PackedInt32Array = _named(p_side, p_parts[0])
+		joints[Limbs.find(StringName(p_side + p_parts[0]))] = -1 if alone.is_empty() else alone[0]
+		return
+	joints[Limbs.find(StringName(p_side + p_parts[0]))] = upper
+	joints[Limbs.find(StringName(p_side + p_parts[1]))] = lower
+	var above: float = _distance(lower, upper)
+	var end: int = -1
+	var misfit: float = INF
+	for joint: int in _named(p_side, p_parts[2]):
+		if _is_below(joint, lower):
+			var length: float = _distance(joint, lower)
+			# Unknown lengths leave the first.
+			var fit: float = absf(log(length / above / p_ratio)) if length * above > 0.0 else 99.0
+			if fit < misfit:
+				misfit = fit
+				end = joint
+	joints[Limbs.find(StringName(p_side + p_parts[2]))] = end
 
 
-## The best joint for a part on a side, below another joint (or anywhere if that is -1).
-func _find_part(p_side: String, p_part: StringName, p_above: int) -> int:
+## The joints of a side whose names fit a part.
+func _named(p_side: String, p_part: StringName) -> PackedInt32Array:
 	var side: JointNames.BodySide = (
 		JointNames.BodySide.LEFT if p_side == "Left" else JointNames.BodySide.RIGHT
 	)
-	var best: int = -1
-	var best_rank: int = 1000
+	var found: PackedInt32Array = []
 	for joint: int in _names.size():
-		if _is_end[joint] or JointNames.side(_names[joint]) != side:
-			continue
-		if p_above >= 0 and not _is_below(joint, p_above):
-			continue
-		var rank: int = JointNames.rank(_names[joint], p_part)
-		if rank >= 0 and rank < best_rank:
-			best = joint
-			best_rank = rank
-	return best
+		if not _is_end[joint] and _known.side(joint) == side and _known.rank(joint, p_part) >= 0:
+			found.append(joint)
+	return found
+
+
+## Why arms and legs that were found by name cannot be those of one person, or an empty text.
+func _find_tangle() -> String:
+	var tops: PackedInt32Array = []
+	for bone: StringName in [&"LeftUpperArm", &"RightUpperArm", &"LeftUpperLeg", &"RightUpperLeg"]:
+		tops.append(joints[Limbs.find(bone)])
+	for first: int in tops:
+		for second: int in tops:
+			if first != second and _is_below(second, first):
+				var pair: Array = [_names[second], _names[first]]
+				return "this is no person: limb '%s' hangs on limb '%s'" % pair
+	var legs: int = _common_ancestor(tops[2], tops[3])
+	var arms: int = _common_ancestor(tops[0], tops[1])
+	for leg: int in [tops[2], tops[3]]:
+		if _is_below(leg, arms) and _is_below(arms, legs):
+			return "this is no person: legs and arms share the joint '%s'" % _names[arms]
+	return ""
 
 
 func _find_trunk() -> void:
@@ -110,24 +162,35 @@ func _find_trunk() -> void:
 	bases[1] = spine[0]
 	joints[2] = branch
 	bases[2] = spine[mini(1, spine.size() - 1)]
-	var head: int = -1
-	for joint: int in _names.size():
-		if not _is_end[joint] and JointNames.core(_names[joint]) == "head":
-			if head < 0 and _is_below(joint, branch):
-				head = joint
-	var neck: PackedInt32Array = _chain(head, branch) if head >= 0 else _find_neck(branch)
+	var neck: PackedInt32Array = _find_head(branch)
 	if neck.is_empty():
 		neck = [branch]
 	joints[3] = neck[neck.size() - 1]
 	bases[3] = neck[0]
 
 
-## The joints of a neck without a joint called head.
-func _find_neck(p_branch: int) -> PackedInt32Array:
+## The joints from the first of the neck to the head: by the head's name, or else the neck's, or else
+## whatever hangs beside the arms.
+func _find_head(p_branch: int) -> PackedInt32Array:
+	for part: StringName in [&"Head", &"Neck"]:
+		for joint: int in _names.size():
+			var fits: bool = not _is_end[joint] and _known.side(joint) == JointNames.BodySide.MIDDLE
+			if fits and _known.rank(joint, part) >= 0 and not joint in joints:
+				var above: int = _common_ancestor(joint, p_branch)
+				if above != joint:
+					return _chain(joint, above)
 	for joint: int in _names.size():
-		if not _is_end[joint] and JointNames.rank(_names[joint], &"Neck") >= 0:
-			return _chain(joint, p_branch)
+		if _parents[joint] == p_branch and not _is_end[joint] and not _has_limb(joint):
+			return PackedInt32Array([joint])
 	return PackedInt32Array()
+
+
+## Whether a joint is an arm or a leg, or carries one.
+func _has_limb(p_joint: int) -> bool:
+	for limb: int in Limbs.ARMS + Limbs.LEGS:
+		if joints[limb] == p_joint or _is_below(joints[limb], p_joint):
+			return true
+	return false
 
 
 func _fill_missing() -> void:
@@ -191,6 +254,14 @@ func _common_ancestor(p_first: int, p_second: int) -> int:
 		else:
 			second = _parents[second]
 	return first
+
+
+## Length of the bones between a joint and one above it, file units.
+func _distance(p_joint: int, p_above: int) -> float:
+	var length: float = 0.0
+	for joint: int in _chain(p_joint, p_above):
+		length += _offsets[joint].length()
+	return length
 
 
 ## The joints from below an ancestor down to a joint.
