@@ -110,7 +110,11 @@ static func _motion() -> Array[OptionRow]:
 			"|".join(BvhOptions.UNITS.keys()) + "|METRES"
 		),
 		OptionRow.choice(
-			"up", with_load, "", ["y", "z"], "up axis of the motion file; guessed by default"
+			"up",
+			with_load,
+			"",
+			BvhOptions.AXES.keys(),
+			"up axis of the motion file; guessed by default"
 		),
 		OptionRow.number("rate", with_load, 60, [1, 240], "samples to send", "per second"),
 		OptionRow.choice(

@@ -21,6 +21,14 @@ enum Frame {
 	MVN_UNITY,
 	## BVH files with Z up: X stays, Y goes to the back; the file's units.
 	BVH_Z_UP,
+	## BVH files with X up: Z stays, Y goes to the right.
+	BVH_X_UP,
+	## BVH files with Y down, as cameras have it: X stays, Z goes to the back.
+	BVH_Y_DOWN,
+	## BVH files with Z down: X stays, Y goes to the front.
+	BVH_Z_DOWN,
+	## BVH files with X down: Z stays, Y goes to the left.
+	BVH_X_DOWN,
 	## Godot's own.
 	GODOT,
 }
@@ -47,6 +55,14 @@ static func rotation(
 			return Quaternion(p_x, -p_y, -p_z, p_w)
 		Frame.BVH_Z_UP:
 			return Quaternion(p_x, p_z, -p_y, p_w)
+		Frame.BVH_X_UP:
+			return Quaternion(-p_y, p_x, p_z, p_w)
+		Frame.BVH_Y_DOWN:
+			return Quaternion(p_x, -p_y, -p_z, p_w)
+		Frame.BVH_Z_DOWN:
+			return Quaternion(p_x, -p_z, p_y, p_w)
+		Frame.BVH_X_DOWN:
+			return Quaternion(p_y, -p_x, p_z, p_w)
 	return Quaternion(p_x, p_y, p_z, p_w)
 
 
@@ -64,6 +80,14 @@ static func vector(p_vector: Vector3, p_frame: Frame = Frame.XSENS) -> Vector3:
 			return Vector3(-p_vector.x, p_vector.y, p_vector.z)
 		Frame.BVH_Z_UP:
 			return Vector3(p_vector.x, p_vector.z, -p_vector.y)
+		Frame.BVH_X_UP:
+			return Vector3(-p_vector.y, p_vector.x, p_vector.z)
+		Frame.BVH_Y_DOWN:
+			return Vector3(p_vector.x, -p_vector.y, -p_vector.z)
+		Frame.BVH_Z_DOWN:
+			return Vector3(p_vector.x, -p_vector.z, p_vector.y)
+		Frame.BVH_X_DOWN:
+			return Vector3(p_vector.y, -p_vector.x, p_vector.z)
 	return p_vector
 
 

@@ -73,12 +73,13 @@ Exit codes: 0 done, 1 failed, 2 wrong options, 5 a goal is missed.
 """
 BVH = """./run bvh FILE [--unit=U] [--up=AXIS]
 
-Says what a motion file (BVH) holds: joints, frames, duration, unit, up axis.
+Says what a motion file (BVH) holds: joints, frames, duration, unit, up axis, size of the person.
 
-  --unit=U              unit of its lengths: m, cm, mm, inch, cmu or a number of metres (guessed)
-  --up=AXIS             its up axis: y or z (guessed)
+  --unit=U              unit of its lengths: m, cm, mm, inch, cmu, dm, foot or a number of metres
+                        (guessed)
+  --up=AXIS             its up axis: y, z, x, -y (Y points down), -z or -x (guessed)
 
-Exit codes: 0 done, 2 the call is wrong or the file cannot be read.
+Exit codes: 0 done, 2 the call is wrong, the file cannot be read or it shows no person.
 """
 EDITOR = """./run editor
 

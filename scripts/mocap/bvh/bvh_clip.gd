@@ -4,8 +4,9 @@ extends RefCounted
 ##
 ## [member joints] and [member values] are the file's own: its axes, its units, degrees. All methods
 ## answer in Godot's frame: right-handed, Y up, metres, orientations from the rest pose as
-## quaternions. A file with Z up is turned by -90 degrees about X, so its (x, y, z) becomes
-## (x, z, -y). Which way the person faces is left as it is; most files face +Z.
+## quaternions. A file with Z up is turned by -90 degrees about X, so its (x, y, z) becomes (x, z,
+## -y); [SourceFrames] has the other axes. Which way the person faces is left as it is; most files
+## face +Z.
 ##
 ## The first question for an orientation computes those of all frames, about 20 us a frame; ask
 ## [method prepare] to do it earlier or in another thread. After it, any thread may read.
@@ -37,7 +38,7 @@ var values: PackedFloat64Array = PackedFloat64Array()
 var unit_metres: float = 0.01
 ## Why [member unit_metres] is what it is: "guess: ..." or "as given".
 var unit_reason: String = ""
-## The file's axis that points up: [constant BvhOptions.Y] or [constant BvhOptions.Z].
+## The file's axis that points up, never [constant BvhOptions.GUESS].
 var up_axis: BvhOptions.UpAxis = BvhOptions.UpAxis.Y:
 	set(p_axis):
 		up_axis = p_axis
@@ -150,16 +151,16 @@ func prepare() -> void:
 		return
 	var found: PackedVector4Array = PackedVector4Array()
 	found.resize(frame_count * count)
-	var turns: bool = up_axis == BvhOptions.UpAxis.Z
+	var frame_of_file: SourceFrames.Frame = BvhOptions.FRAMES[up_axis]
 	for frame: int in frame_count:
 		_kinematics.solve(values, frame * channel_count)
 		var rotations: Array[Quaternion] = _kinematics.rotations
 		var at: int = frame * count
 		for joint: int in count:
 			var rotation: Quaternion = rotations[joint]
-			if turns:
+			if frame_of_file != SourceFrames.Frame.GODOT:
 				rotation = SourceFrames.rotation(
-					rotation.w, rotation.x, rotation.y, rotation.z, SourceFrames.Frame.BVH_Z_UP
+					rotation.w, rotation.x, rotation.y, rotation.z, frame_of_file
 				)
 			var entry: Vector4 = Vector4(rotation.x, rotation.y, rotation.z, rotation.w)
 			if frame > 0 and entry.dot(found[at + joint - count]) < 0.0:
@@ -170,9 +171,7 @@ func prepare() -> void:
 
 ## Turns a position or direction of the file into Godot's frame and m.
 func to_godot(p_position: Vector3) -> Vector3:
-	if up_axis == BvhOptions.UpAxis.Z:
-		return SourceFrames.vector(p_position, SourceFrames.Frame.BVH_Z_UP) * unit_metres
-	return p_position * unit_metres
+	return SourceFrames.vector(p_position, BvhOptions.FRAMES[up_axis]) * unit_metres
 
 
 func _clamped(p_frame: int) -> int:

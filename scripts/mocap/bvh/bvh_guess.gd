@@ -1,33 +1,177 @@
 class_name BvhGuess
 extends RefCounted
-## Guesses what a BVH file does not say, the unit and the axis that points up, from the skeleton.
+## Guesses what a BVH file does not say, the unit and the axis that points up, from the body in it
+## and its motion.
 ##
 ## A guess is always given with its reason, so that a person can see when it is wrong, and both can
-## be given instead; see [BvhOptions]. The unit is the one that brings the largest extent of the
-## rest pose nearest to a person's; the axis is Z where the skeleton is longer along Z than along Y,
-## in the rest pose and over the clip together.
+## be given instead; see [BvhOptions]. Up is where trunk and legs point over the clip and in the
+## rest pose, and where the floor keeps still ([BvhAnatomy]). The unit is the one that gives the
+## legs the length of an adult's; where none does, the person is scaled to an adult. Where no person
+## is found in the file, the size of the whole skeleton must do.
 
 ## What a rest pose usually spans, m: between a person's height and the arms' span.
 const USUAL_SPAN: float = 1.7
-## Maximum of frames that are looked at.
-const MAX_FRAMES: int = 16
+## Thigh and shank of an adult, m (de Leva 1996, males: 0.4222 + 0.4340).
+const USUAL_LEG: float = 0.856
+## Shortest and longest legs of an adult, m: statures of 1.32 to 2.24 m by Drillis and Contini's
+## ratio ([constant BodySize.RATIOS]).
+const MIN_LEG: float = 0.65
+const MAX_LEG: float = 1.1
+## Shortest legs of somebody small, a child of 1.1 m or a cartoon, m, in a unit that is so common,
+## and so far from the others, that a small person is believed in it.
+const MIN_SMALL_LEG: float = 0.54
+## Shortest and tallest person, m.
+const MIN_STATURE: float = 1.0
+const MAX_STATURE: float = 2.3
+
+## These units.
+const _PLAIN: PackedStringArray = ["m", "cm", "mm"]
+## Maximum of frames that are looked at where there is no person.
+const _MAX_FRAMES: int = 16
+## How much each sign of an axis counts: direction of the body in the motion and in the rest pose, a
+## floor that keeps still, and that is at height 0.
+const _BY_MOTION: float = 1.0
+const _BY_REST: float = 0.7
+const _BY_FLOOR: float = 0.5
+const _BY_ZERO: float = 0.4
+## What an axis is believed beforehand.
+const _BEFORE: Dictionary[BvhOptions.UpAxis, float] = {
+	BvhOptions.UpAxis.Y: 0.15,
+	BvhOptions.UpAxis.Z: 0.1,
+	BvhOptions.UpAxis.X: 0.0,
+	BvhOptions.UpAxis.Y_DOWN: 0.0,
+	BvhOptions.UpAxis.Z_DOWN: -0.05,
+	BvhOptions.UpAxis.X_DOWN: -0.05,
+}
+## An axis that wins by less may be wrong.
+const _SURE: float = 0.3
 
 
 ## Sets unit and up axis of a clip with their reasons: as given by the options, or else guessed.
 static func settle(p_clip: BvhClip, p_options: BvhOptions) -> void:
-	if p_options.up_axis == BvhOptions.UpAxis.GUESS:
-		_guess_up(p_clip)
-	else:
+	var map: HumanoidMap = HumanoidMap.from_clip(p_clip)
+	var anatomy: BvhAnatomy = null
+	if map.error == "":
+		anatomy = BvhAnatomy.new(p_clip, map)
+		if anatomy.find_fault() != "":
+			anatomy = null
+	if p_options.up_axis != BvhOptions.UpAxis.GUESS:
 		p_clip.up_axis = p_options.up_axis
 		p_clip.up_reason = "as given"
+	elif anatomy != null:
+		_guess_up(p_clip, anatomy)
+	else:
+		_guess_up_by_size(p_clip)
 	if p_options.unit_metres > 0.0:
 		p_clip.unit_metres = p_options.unit_metres
 		p_clip.unit_reason = "as given"
+	elif anatomy != null:
+		_guess_unit(p_clip, anatomy)
 	else:
-		_guess_unit(p_clip)
+		_guess_unit_by_size(p_clip)
 
 
-static func _guess_unit(p_clip: BvhClip) -> void:
+static func _guess_unit(p_clip: BvhClip, p_anatomy: BvhAnatomy) -> void:
+	var best: String = ""
+	var parts: Array = [String.num(p_anatomy.leg, 3)]
+	for unit: String in BvhOptions.UNITS:
+		var metres: float = BvhOptions.UNITS[unit]
+		var fits: bool = _is_adult(p_anatomy, metres)
+		if unit in _PLAIN and p_anatomy.leg * metres >= MIN_SMALL_LEG:
+			fits = fits or _is_adult(p_anatomy, metres * MIN_LEG / MIN_SMALL_LEG)
+		if fits and (best == "" or _leg_misfit(p_anatomy, unit) < _leg_misfit(p_anatomy, best)):
+			best = unit
+	if best != "":
+		p_clip.unit_metres = BvhOptions.UNITS[best]
+		parts.append_array([p_anatomy.leg * p_clip.unit_metres, USUAL_LEG])
+		p_clip.unit_reason = (
+			"guess: the legs are %s units long, so %.2f m, of all units the nearest to %.2f m"
+			% parts
+		)
+		return
+	p_clip.unit_metres = USUAL_LEG / p_anatomy.leg
+	parts.append(USUAL_LEG)
+	p_clip.unit_reason = (
+		"guess: the legs are %s units long, an adult's in no unit; scaled to %.2f m" % parts
+	)
+	(
+		p_clip
+		. notes
+		. append(
+			(
+				"%s: the person has no adult's size in any unit and was scaled; --unit= says the true one"
+				% p_clip.source_name
+			)
+		)
+	)
+
+
+static func _is_adult(p_anatomy: BvhAnatomy, p_metres: float) -> bool:
+	var leg: float = p_anatomy.leg * p_metres
+	var stature: float = p_anatomy.stature() * p_metres
+	return leg >= MIN_LEG and leg <= MAX_LEG and stature >= MIN_STATURE and stature <= MAX_STATURE
+
+
+static func _leg_misfit(p_anatomy: BvhAnatomy, p_unit: String) -> float:
+	return absf(log(p_anatomy.leg * BvhOptions.UNITS[p_unit] / USUAL_LEG))
+
+
+static func _guess_up(p_clip: BvhClip, p_anatomy: BvhAnatomy) -> void:
+	var scores: Array[float] = []
+	var best: BvhOptions.UpAxis = BvhOptions.UpAxis.Y
+	for axis: BvhOptions.UpAxis in _BEFORE:
+		scores.append(_score(p_anatomy, axis) + _BEFORE[axis])
+		if scores[-1] >= scores.max():
+			best = axis
+	scores.sort()
+	p_clip.up_axis = best
+	p_clip.up_reason = (
+		"guess: trunk and legs point along %s, on average by %.2f of 1"
+		% [BvhOptions.axis_name(best), _uprightness(p_anatomy, best)]
+	)
+	if p_anatomy.rest_stands():
+		var rest: Vector3 = (p_anatomy.rest_trunk + p_anatomy.rest_legs) / 2.0
+		p_clip.up_reason += "; in the rest pose by %.2f" % _along(rest, best)
+	if scores[-1] - scores[-2] < _SURE:
+		p_clip.up_reason += "; unsure"
+		p_clip.notes.append(
+			"%s: which axis points up is unsure; --up= says it" % p_clip.source_name
+		)
+
+
+## How much speaks for an axis.
+static func _score(p_anatomy: BvhAnatomy, p_axis: BvhOptions.UpAxis) -> float:
+	var score: float = _BY_MOTION * _uprightness(p_anatomy, p_axis)
+	if p_anatomy.rest_stands():
+		var rest: Vector3 = (p_anatomy.rest_trunk + p_anatomy.rest_legs) / 2.0
+		score += _BY_REST * _along(rest, p_axis)
+	var floors: PackedFloat32Array = []
+	for frame: int in p_anatomy.lows.size():
+		var low: float = _along(p_anatomy.lows[frame], p_axis)
+		floors.append(minf(low, _along(p_anatomy.highs[frame], p_axis)))
+	if floors.is_empty():
+		return score
+	floors.sort()
+	# A jump leaves the floor for less than half of a clip.
+	var spread: float = floors[floors.size() / 2] - floors[floors.size() / 10]
+	score += _BY_FLOOR * exp(-spread / (0.05 * p_anatomy.leg))
+	return score + _BY_ZERO * exp(-absf(floors[floors.size() / 10]) / (0.15 * p_anatomy.leg))
+
+
+## How far trunk and legs point along an axis over the clip, -1 to 1.
+static func _uprightness(p_anatomy: BvhAnatomy, p_axis: BvhOptions.UpAxis) -> float:
+	var sum: float = 0.0
+	for frame: int in p_anatomy.trunks.size():
+		sum += _along(p_anatomy.trunks[frame] + p_anatomy.legs[frame], p_axis) / 2.0
+	return sum / maxi(p_anatomy.trunks.size(), 1)
+
+
+## The part of a vector in the file's axes that points up, if that axis does.
+static func _along(p_vector: Vector3, p_axis: BvhOptions.UpAxis) -> float:
+	return SourceFrames.vector(p_vector, BvhOptions.FRAMES[p_axis]).y
+
+
+static func _guess_unit_by_size(p_clip: BvhClip) -> void:
 	var kinematics: BvhKinematics = BvhKinematics.new(p_clip.joints, false)
 	kinematics.rest()
 	var extent: Vector3 = _extent(kinematics)
@@ -51,11 +195,11 @@ static func _misfit(p_span: float, p_unit: String) -> float:
 	return absf(log(p_span * BvhOptions.UNITS[p_unit] / USUAL_SPAN))
 
 
-static func _guess_up(p_clip: BvhClip) -> void:
+static func _guess_up_by_size(p_clip: BvhClip) -> void:
 	var kinematics: BvhKinematics = BvhKinematics.new(p_clip.joints, p_clip.positions_add_offset)
 	kinematics.rest()
 	var extent: Vector3 = _extent(kinematics)
-	var count: int = mini(p_clip.frame_count, MAX_FRAMES)
+	var count: int = mini(p_clip.frame_count, _MAX_FRAMES)
 	var posed: Vector3 = Vector3.ZERO
 	for index: int in count:
 		var frame: int = index * p_clip.frame_count / count

@@ -31,6 +31,9 @@ static func from_clip(p_clip: BvhClip) -> BvhRig:
 	rig.clip = p_clip
 	rig.map = HumanoidMap.from_clip(p_clip)
 	rig.error = rig.map.error
+	if rig.error == "":
+		var fault: String = BvhAnatomy.new(p_clip, rig.map).find_fault()
+		rig.error = "" if fault == "" else "%s: %s" % [p_clip.source_name, fault]
 	if rig.error == "" and p_clip.frame_count == 0:
 		rig.error = "%s: the clip has no frames" % p_clip.source_name
 	if rig.error == "":

@@ -18,23 +18,22 @@ var _skipped: float = 0.0
 var _seam_signs: PackedFloat32Array = PackedFloat32Array()
 
 
-## Opens a file. The unit is one of [constant BvhOptions.UNITS] or metres per unit, the axis "y" or
-## "z"; empty texts leave both to be guessed. [member error] says what is wrong.
+## Opens a file. The unit is one of [constant BvhOptions.UNITS] or metres per unit, the axis one of
+## [constant BvhOptions.AXES]; empty texts leave both to be guessed. [member error] says what is
+## wrong.
 func open(p_path: String, p_unit: String = "", p_up: String = "") -> void:
 	var options: BvhOptions = BvhOptions.new()
 	if p_unit != "":
 		options.unit_metres = BvhOptions.parse_unit(p_unit)
 		if options.unit_metres <= 0.0:
-			error = "a unit is m, cm, mm, inch, cmu or metres, found '%s'" % p_unit
+			var units: String = ", ".join(BvhOptions.UNITS.keys())
+			error = "a unit is %s or metres, found '%s'" % [units, p_unit]
 			return
 	if p_up != "":
-		var axes: Dictionary[String, BvhOptions.UpAxis] = {
-			"y": BvhOptions.UpAxis.Y, "z": BvhOptions.UpAxis.Z
-		}
-		if not axes.has(p_up.to_lower()):
-			error = "an up axis is y or z, found '%s'" % p_up
+		options.up_axis = BvhOptions.parse_axis(p_up)
+		if options.up_axis == BvhOptions.UpAxis.GUESS:
+			error = "an up axis is %s, found '%s'" % [", ".join(BvhOptions.AXES.keys()), p_up]
 			return
-		options.up_axis = axes[p_up.to_lower()]
 	var result: BvhParser.Result = BvhParser.parse_file(p_path, options)
 	error = result.error
 	if error == "":

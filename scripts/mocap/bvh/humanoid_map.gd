@@ -81,18 +81,25 @@ func _find_all() -> void:
 	_find_tails()
 
 
-## Finds an arm or a leg: of all pairs of joints, one below the other, that with the best names; then
-## its hand or foot, which where there are several candidates (wrist and hand) is the one that makes
-## the limb above nearest to a person's, by its length over that of the limb above it.
+## Finds an arm or a leg: of all pairs of joints, one below the other, that with the best names (a
+## helper of no length, or to which no hand or foot is attached, comes last); then its hand or foot,
+## which where there are several candidates (wrist and hand) is the one that makes the limb above
+## nearest to a person's, by its length over that of the limb above it.
 func _find_chain(p_side: String, p_parts: Array[StringName], p_ratio: float) -> void:
 	var best: int = 1000
 	var upper: int = -1
 	var lower: int = -1
-	var lowers: PackedInt32Array = _named(p_side, p_parts[1])
-	for first: int in _named(p_side, p_parts[0]):
-		for second: int in lowers:
-			var rank: int = _known.rank(first, p_parts[0]) + _known.rank(second, p_parts[1])
-			if rank < best and _is_below(second, first):
+	var ends: PackedInt32Array = _named(p_side, p_parts[2])
+	for second: int in _named(p_side, p_parts[1]):
+		var helper: int = 0 if _carries(second, ends) else 100
+		for first: int in _named(p_side, p_parts[0]):
+			var rank: int = (
+				_known.rank(first, p_parts[0]) + _known.rank(second, p_parts[1]) + helper
+			)
+			if not _is_below(second, first):
+				continue
+			rank += 100 if _distance(second, first) <= 0.0 else 0
+			if rank < best:
 				best = rank
 				upper = first
 				lower = second
@@ -106,7 +113,7 @@ func _find_chain(p_side: String, p_parts: Array[StringName], p_ratio: float) -> 
 	var above: float = _distance(lower, upper)
 	var end: int = -1
 	var misfit: float = INF
-	for joint: int in _named(p_side, p_parts[2]):
+	for joint: int in ends:
 		if _is_below(joint, lower):
 			var length: float = _distance(joint, lower)
 			# Unknown lengths leave the first.
@@ -115,6 +122,14 @@ func _find_chain(p_side: String, p_parts: Array[StringName], p_ratio: float) -> 
 				misfit = fit
 				end = joint
 	joints[Limbs.find(StringName(p_side + p_parts[2]))] = end
+
+
+## Whether one of some joints is below a joint.
+func _carries(p_joint: int, p_ends: PackedInt32Array) -> bool:
+	for end: int in p_ends:
+		if _is_below(end, p_joint):
+			return true
+	return false
 
 
 ## The joints of a side whose names fit a part.
@@ -169,8 +184,8 @@ func _find_trunk() -> void:
 	bases[3] = neck[0]
 
 
-## The joints from the first of the neck to the head: by the head's name, or else the neck's, or else
-## whatever hangs beside the arms.
+## The joints from the first of the neck to the head: by the head's name, or else the neck's, or
+## else whatever hangs beside the arms.
 func _find_head(p_branch: int) -> PackedInt32Array:
 	for part: StringName in [&"Head", &"Neck"]:
 		for joint: int in _names.size():

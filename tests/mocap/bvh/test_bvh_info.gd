@@ -24,10 +24,26 @@ func test_prints_a_clip() -> void:
 	contains("\n".join(_lines), "\nup: Y (guess: ")
 
 
+func test_says_how_tall_the_person_is() -> void:
+	_call_on(["assets/motion/Boxing_Toes.bvh"])
+	contains("\n".join(_lines), "\nperson: 1.7")
+
+
+func test_refuses_what_is_no_person() -> void:
+	for file: String in ["joint_positions.bvh", "utf8_name.bvh"]:
+		_call_on(["tests/data/bvh/" + file])
+		equal(_exit_code, 2, file)
+		contains(_lines, "file: tests/data/bvh/" + file)
+		contains(_lines[-1], file + ": no joint is recognised as LeftUpperArm")
+
+
 func test_takes_unit_and_axis() -> void:
 	_call_on(["tests/data/bvh/thesis_example.bvh", "--unit=0.02", "--up=z"])
 	contains(_lines, "unit: 0.02 m (as given)")
 	contains(_lines, "up: Z (as given)")
+	_call_on(["tests/data/bvh/thesis_example.bvh", "--unit=dm", "--up=-Y"])
+	contains(_lines, "unit: decimetre (as given)")
+	contains(_lines, "up: -Y (as given)")
 
 
 func test_notes() -> void:
@@ -44,7 +60,7 @@ func test_wrong_calls_and_files() -> void:
 	_fails([], "no file given; usage: bvh FILE")
 	_fails(["a.bvh", "b.bvh"], "more than one file; usage: ")
 	_fails(["a.bvh", "--unit=league"], "unknown unit 'league'; usage: ")
-	_fails(["a.bvh", "--up=x"], "unknown option '--up=x'; usage: ")
+	_fails(["a.bvh", "--up=w"], "unknown option '--up=w'; usage: ")
 	_fails(["missing.bvh"], "missing.bvh: expected a readable file")
 	_fails(["assets"], "assets: expected a BVH file, found a folder")
 	_fails(["assets/avatar/soldier.glb"], "soldier.glb:1: expected UTF-8 text")
