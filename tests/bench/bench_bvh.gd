@@ -16,14 +16,15 @@ func _initialize() -> void:
 	var fault: String = arguments.error
 	if fault == "" and (arguments.value("rounds") < 1 or arguments.value("rounds") > 1000):
 		fault = "--rounds is between 1 and 1000, found %d" % arguments.value("rounds")
-	var report: BenchReport = BenchReport.new("bvh", arguments.value("json"))
-	for file: String in BenchArguments.clips(arguments):
-		if fault == "":
-			fault = _time_file(file, arguments.value("rounds"), report)
 	if fault != "":
 		printerr(fault)
 		quit(2)
 		return
+	var report: BenchReport = BenchReport.new("bvh", arguments.value("json"))
+	for file: String in BenchArguments.clips(arguments):
+		fault = _time_file(file, arguments.value("rounds"), report)
+		if fault != "":
+			report.leave_out(file, fault)
 	quit(report.finish())
 
 

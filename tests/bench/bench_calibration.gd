@@ -29,17 +29,14 @@ func _initialize() -> void:
 		fault = "--noise is between 0 and 45 deg, found %s" % _arguments.value("noise")
 	_random.seed = _arguments.value("seed")
 	_report = BenchReport.new("calibration", _arguments.value("json"))
-	for file: String in BenchArguments.clips(_arguments):
-		var source: BvhSource = BvhSource.new()
-		source.open(file)
-		if fault == "":
-			fault = source.error
-		if fault == "":
-			_run_clip(source)
 	if fault != "":
 		printerr(fault)
 		quit(2)
 		return
+	for file: String in BenchArguments.clips(_arguments):
+		var source: BvhSource = _report.open_clip(file)
+		if source != null:
+			_run_clip(source)
 	for kind: CalibrationGuide.Kind in CalibrationGuide.Kind.values():
 		var goal: BenchReport.Goal = BenchReport.Goal.AT_MOST
 		if kind == CalibrationGuide.Kind.FULL or kind == CalibrationGuide.Kind.FIT_CHECK:

@@ -22,6 +22,9 @@ const _FAST_TOO: Array[String] = ["wall"]
 const _BOTH_ROOTS: Array[String] = ["jitter"]
 const TrackingCase: GDScript = preload("tracking/tracking_case.gd")
 
+## Clips that are shorter hold no movement to measure, s.
+const _SHORTEST_S: float = 1.0
+
 var _arguments: BenchArguments = null
 var _performers: Array[ContactPerformer] = []
 var _properties: Dictionary[StringName, float] = {}
@@ -49,8 +52,6 @@ func _run() -> void:
 	var fault: String = _find_fault()
 	if fault == "":
 		fault = _apply_settings()
-	if fault == "":
-		fault = _cast()
 	if fault != "":
 		printerr(fault)
 		quit(2)
@@ -59,6 +60,7 @@ func _run() -> void:
 	await process_frame
 	await process_frame
 	var report: BenchReport = BenchReport.new("contacts", _arguments.value("json"))
+	_cast(report)
 	var names: PackedStringArray = _arguments.list("scene")
 	for name: String in _SCENES:
 		if names.is_empty() or names.has(name):
@@ -142,17 +144,19 @@ func _apply_settings() -> String:
 	return fault
 
 
-## Opens the motion files; returns what is wrong.
-func _cast() -> String:
+## Opens the motion files.
+func _cast(p_report: BenchReport) -> void:
 	var bodies: PackedStringArray = _arguments.list("body")
 	for file: String in BenchArguments.clips(_arguments):
-		var source: BvhSource = BvhSource.new()
-		source.open(file)
-		if source.error != "":
-			return source.error
+		var source: BvhSource = p_report.open_clip(file)
+		if source == null:
+			continue
+		if source.rig.clip.duration() < _SHORTEST_S:
+			var parts: Array = [source.rig.clip.duration(), _SHORTEST_S]
+			p_report.leave_out(file, "%.2f s are too short for a blow: %.0f s is the least" % parts)
+			continue
 		# The soldier plays the first file only: the others would tell the same of its body.
 		if _performers.is_empty() and (bodies.is_empty() or bodies.has("soldier")):
 			_performers.append(ContactPerformer.new(source, true, _properties))
 		if bodies.is_empty() or bodies.has("file"):
 			_performers.append(ContactPerformer.new(source, false, _properties))
-	return ""

@@ -28,6 +28,8 @@ const _RISE: float = 0.17
 const _TREAD: float = 0.29
 ## A person whose lowest point is higher than this flies, m.
 const _FLIGHT: float = 0.04
+## Clips shorter than this hold no way that could be measured, s.
+const _SHORTEST_S: float = 1.0
 
 var _arguments: BenchArguments = null
 var _report: BenchReport = null
@@ -44,22 +46,21 @@ func _initialize() -> void:
 
 func _run() -> void:
 	var fault: String = _find_fault()
+	if fault != "":
+		printerr(fault)
+		quit(2)
+		return
 	_report = BenchReport.new("gait", _arguments.value("json"))
 	Engine.physics_ticks_per_second = _arguments.value("hz")
 	var roots: PackedStringArray = _arguments.list("root")
 	if roots.is_empty():
 		roots = ["inertial", "contacts", "lowest_foot"]
-	for name: String in roots if fault == "" else PackedStringArray():
+	for name: String in roots:
 		if not _arguments.is_given("bvh"):
 			await _run_walks(name)
 			await _run_stairs(name)
 		for file: String in BenchArguments.clips(_arguments):
-			if fault == "":
-				fault = await _run_clip(file, name)
-	if fault != "":
-		printerr(fault)
-		quit(2)
-		return
+			await _run_clip(file, name)
 	quit(_report.finish())
 
 
@@ -140,11 +141,14 @@ func _walk(p_walker: Walker, p_ragdoll: Ragdoll, p_noise_deg: float) -> Stats:
 	return stats
 
 
-func _run_clip(p_file: String, p_root: String) -> String:
-	var source: BvhSource = BvhSource.new()
-	source.open(p_file)
-	if source.error != "":
-		return source.error
+func _run_clip(p_file: String, p_root: String) -> void:
+	var source: BvhSource = _report.open_clip(p_file)
+	if source == null:
+		return
+	if source.rig.clip.duration() < _SHORTEST_S:
+		var parts: Array = [source.rig.clip.duration(), _SHORTEST_S]
+		_report.leave_out(p_file, "%.2f s are too short for a way: %.0f s is the least" % parts)
+		return
 	_begin(p_root).free()
 	var ragdoll: Ragdoll = Ragdoll.new()
 	var skeleton: Skeleton3D = BvhSkeleton.make(source.rig)
@@ -155,7 +159,9 @@ func _run_clip(p_file: String, p_root: String) -> String:
 	Walker.new(ragdoll.profile).build_ground(_world)
 	_world.add_child(ragdoll)
 	if not ragdoll.start():
-		return "%s: the ragdoll does not start" % p_file
+		_report.leave_out(p_file, "the ragdoll does not start")
+		_world.queue_free()
+		return
 	var stats: Stats = Stats.new()
 	await _play(source, ragdoll, stats)
 	_world.queue_free()
@@ -169,7 +175,6 @@ func _run_clip(p_file: String, p_root: String) -> String:
 		_report.add(title, "flights in truth", stats.flights, "")
 		_add_least(title, "flights found", share, "%", p_root == "inertial", 90.0)
 		_add(title, "flights invented", stats.invented, "", p_root == "inertial", 0.0)
-	return ""
 
 
 func _play(p_source: BvhSource, p_ragdoll: Ragdoll, p_stats: Stats) -> void:

@@ -37,11 +37,11 @@ func _run() -> void:
 		var usual: float = 0.0
 		for who: String in _PEOPLE:
 			var sums: Dictionary = {}
+			var count: int = 0
 			for file: String in BenchArguments.clips(_arguments):
-				if not await _run_clip(file, _PEOPLE[who], mode, sums):
-					quit(2)
-					return
-			var count: int = BenchArguments.clips(_arguments).size()
+				count += 1 if await _run_clip(file, _PEOPLE[who], mode, sums) else 0
+			if count == 0:
+				continue
 			var mean: float = sums["mean_deg"] / count
 			if usual == 0.0:
 				usual = mean
@@ -63,10 +63,8 @@ func _add(
 func _run_clip(
 	p_file: String, p_person: Vector3, p_mode: RagdollMotor.RootMode, r_sums: Dictionary
 ) -> bool:
-	var source: BvhSource = BvhSource.new()
-	source.open(p_file)
-	if source.error != "":
-		printerr(source.error)
+	var source: BvhSource = _report.open_clip(p_file)
+	if source == null:
 		return false
 	var ragdoll: Ragdoll = (load("res://scenes/actor/soldier.tscn") as PackedScene).instantiate()
 	_fit(ragdoll, p_person)
@@ -77,11 +75,14 @@ func _run_clip(
 	ragdoll.motor.guard_acted.connect(func(_actions: int) -> void: acted[0] += 1)
 	await _play(source, ragdoll)
 	var tracking: Dictionary = ragdoll.motor.get_tracking()
+	ragdoll.queue_free()
+	await process_frame
+	if tracking["count"] == 0:
+		_report.leave_out(p_file, "%.2f s are too short to measure" % source.rig.clip.duration())
+		return false
 	for key: String in ["mean_deg", "p95_deg"]:
 		r_sums[key] = r_sums.get(key, 0.0) + tracking[key]
 	r_sums["acted"] = r_sums.get("acted", 0) + acted[0]
-	ragdoll.queue_free()
-	await process_frame
 	return true
 
 

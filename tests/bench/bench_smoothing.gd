@@ -35,11 +35,13 @@ func _initialize() -> void:
 	_arguments = BenchArguments.parse(OS.get_cmdline_user_args(), _DEFAULTS)
 	_report = BenchReport.new("smoothing", _arguments.value("json"))
 	var fault: String = _find_fault()
-	if fault == "":
-		fault = Motion.open_all(_arguments, _motions)
 	if fault != "":
 		printerr(fault)
 		quit(2)
+		return
+	Motion.open_all(_arguments, _report, _motions)
+	if _motions.is_empty():
+		quit(_report.finish())
 		return
 	for rate: String in _list("rate", ["10", "15", "30", "60"]):
 		for method: String in _list("method", WorldReplica.SMOOTHING.keys()):

@@ -5,7 +5,8 @@ extends SceneTree
 ## mode, both roots, 30, 60 and 120 Hz), or one combination: --mode=velocity_motor|direct_set|
 ## spring_torque|angular_motor|position_motor|limp, --root=held|soft, --hz=60 (ticks), --buffer=0
 ## (ticks of delay that make the next sample known), --self-collision. Besides: --gain=50 (1/s),
-## --noise=0 (white noise of each limb, deg), --seconds=0 (of each clip; 0 is all).
+## --noise=0 (white noise of each limb, deg), --seconds=0 (of each clip; 0 is all). A file that
+## cannot be measured is left out and named at the end.
 
 const Case: GDScript = preload("tracking/tracking_case.gd")
 const _START_S: float = 0.3
@@ -45,17 +46,15 @@ func _run() -> void:
 	var fault: String = _find_fault()
 	_report = BenchReport.new("tracking", _arguments.value("json"))
 	var plain: Dictionary[String, float] = {}
-	for case: Case in _cases() if fault == "" else []:
-		var stats: Dictionary = await _run_case(case)
-		fault = stats.get("error", "")
-		if fault != "":
-			break
-		_add_stats(case, "all %d clips" % BenchArguments.clips(_arguments).size(), stats, true)
-		_compare_self_collision(case, stats["mean_deg"], plain)
 	if fault != "":
 		printerr(fault)
 		quit(2)
 		return
+	for case: Case in _cases():
+		var stats: Dictionary = await _run_case(case)
+		if stats["clips"] > 0:
+			_add_stats(case, "all %d clips" % stats["clips"], stats, true)
+			_compare_self_collision(case, stats["mean_deg"], plain)
 	quit(_report.finish())
 
 
@@ -92,32 +91,38 @@ func _find_fault() -> String:
 	return ""
 
 
-## Means over the clips, or why there are none.
+## Means over the clips, and how many could be measured. A lag counts by its magnitude: a lead in
+## one clip does not make up for it.
 func _run_case(p_case: Case) -> Dictionary:
 	Engine.physics_ticks_per_second = p_case.hz
 	_random.seed = 1
-	var sums: Dictionary = {}
-	var files: PackedStringArray = BenchArguments.clips(_arguments)
-	for file: String in files:
+	var sums: Dictionary = {"acted": 0, "clips": 0, "lag_unknown": 0}
+	for file: String in BenchArguments.clips(_arguments):
 		var tracking: Dictionary = await _run_clip(file, p_case)
-		if tracking.has("error"):
-			return tracking
+		if tracking.is_empty():
+			continue
 		_add_stats(p_case, file.get_file(), tracking, false)
 		for metric: Array in _METRICS:
-			sums[metric[0]] = sums.get(metric[0], 0.0) + tracking[metric[0]] / files.size()
-		sums["acted"] = sums.get("acted", 0) + tracking["acted"]
+			sums[metric[0]] = sums.get(metric[0], 0.0) + absf(tracking[metric[0]])
+		for count: String in ["acted", "lag_unknown"]:
+			sums[count] += tracking[count]
+		sums["clips"] += 1
+	for metric: Array in _METRICS:
+		sums[metric[0]] = sums.get(metric[0], 0.0) / maxi(sums["clips"], 1)
 	return sums
 
 
+## The stats of a clip; empty where there are none, which is noted.
 func _run_clip(p_file: String, p_case: Case) -> Dictionary:
-	var source: BvhSource = BvhSource.new()
-	source.open(p_file)
-	if source.error != "":
-		return {"error": source.error}
+	var source: BvhSource = _report.open_clip(p_file)
+	if source == null:
+		return {}
 	var ragdoll: Ragdoll = _make_ragdoll(source.rig, p_case)
 	root.add_child(ragdoll)
 	if not ragdoll.start():
-		return {"error": "%s: the ragdoll does not start" % p_file}
+		_report.leave_out(p_file, "the ragdoll does not start")
+		ragdoll.queue_free()
+		return {}
 	ragdoll.motor.measures_lag = true
 	ragdoll.motor.set_actuation(p_case.mode)
 	var acted: Array[int] = [0]
@@ -125,10 +130,16 @@ func _run_clip(p_file: String, p_case: Case) -> Dictionary:
 	await _play(source, ragdoll, p_case)
 	var tracking: Dictionary = ragdoll.motor.get_tracking()
 	tracking["acted"] = acted[0]
+	tracking["lag_unknown"] = 0 if tracking["lag_known"] else 1
 	ragdoll.queue_free()
 	await process_frame
 	if tracking["count"] == 0:
-		return {"error": "%s: the clip is too short to measure" % p_file}
+		var least: float = _START_S + BvhSource.BLEND_S
+		var parts: Array = [source.rig.clip.duration(), least]
+		_report.leave_out(
+			p_file, "%.2f s are too short: the clip has to be longer than %.1f s" % parts
+		)
+		return {}
 	return tracking
 
 
@@ -184,8 +195,13 @@ func _add_stats(p_case: Case, p_of: String, p_stats: Dictionary, p_is_total: boo
 		var kind: BenchReport.Goal = BenchReport.Goal.NONE
 		if (p_is_total or alone) and p_case.goals[i] > 0.0 and _arguments.value("noise") == 0.0:
 			kind = BenchReport.Goal.AT_MOST
+		if kind != BenchReport.Goal.NONE and metric[0] == "lag_s":
+			kind = BenchReport.Goal.WITHIN
 		var value: float = p_stats[metric[0]] * metric[3]
 		_report.add(name, metric[1], value, metric[2], kind, p_case.goals[i])
+	if p_stats["lag_unknown"] > 0:
+		# The value is then the bound of the search, which is beyond any goal.
+		_report.add(name, "lag beyond the search", p_stats["lag_unknown"], "clips")
 	if p_stats["acted"] > 0:
 		_report.add(name, "guard acted", p_stats["acted"], "ticks")
 

@@ -44,15 +44,20 @@ func _run() -> void:
 	)
 	var fault: String = _find_fault(arguments)
 	var clips: Array[WireClip] = []
-	if fault == "":
-		for file: String in BenchArguments.clips(arguments):
-			clips.append(WireClip.from_file(file))
-			fault = clips[-1].error if fault == "" else fault
 	if fault != "":
 		printerr(fault)
 		quit(2)
 		return
 	var report: BenchReport = BenchReport.new("wire", arguments.value("json"))
+	for file: String in BenchArguments.clips(arguments):
+		var clip: WireClip = WireClip.from_file(file)
+		if clip.error == "":
+			clips.append(clip)
+		else:
+			report.leave_out(file, clip.error)
+	if clips.is_empty():
+		quit(report.finish())
+		return
 	var rates: Array = [arguments.value("hz")]
 	if not arguments.is_given("hz"):
 		rates.append(60)
@@ -90,9 +95,9 @@ func _find_fault(p_arguments: BenchArguments) -> String:
 func _crowd(p_arguments: BenchArguments, p_report: BenchReport) -> void:
 	var sources: Array[BvhSource] = []
 	for file: String in BenchArguments.clips(p_arguments):
-		var source: BvhSource = BvhSource.new()
-		source.open(file)
-		sources.append(source)
+		var source: BvhSource = p_report.open_clip(file)
+		if source != null:
+			sources.append(source)
 	var cases: CrowdCases = CrowdCases.new()
 	root.add_child(cases)
 	var people: int = p_arguments.value("people")

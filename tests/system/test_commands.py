@@ -72,6 +72,29 @@ def test_bench_runs() -> None:
     assert run("bench", "tracking", "--mode", "magic").returncode == 2
 
 
+def test_a_bench_goes_on_at_a_bad_file(tmp_path: Path) -> None:
+    """A file that is none and one of two frames are named; the third is measured."""
+    whole = (ROOT / "assets" / "motion" / "01_01.bvh").read_text(encoding="utf-8")
+    hierarchy, frames = whole.split("MOTION")
+    rows = [line for line in frames.splitlines() if line and not line.startswith("Frame")]
+    head = f"{hierarchy}MOTION\nFrames: 2\nFrame Time: 0.0083333\n"
+    short = tmp_path / "short.bvh"
+    short.write_text(head + "\n".join(rows[:2]) + "\n", encoding="utf-8")
+    none = tmp_path / "none.bvh"
+    none.write_text("no motion at all", encoding="utf-8")
+    for name, options in {"tracking": ["--hz", "60", "--seconds", "2"], "gait": []}.items():
+        files = [f"--bvh={path}" for path in (short, none)]
+        done = run("bench", name, "--json", "--no-goals", *files, "--bvh", "01_01.bvh", *options)
+        assert done.returncode == 6, done.stderr
+        rows = [json.loads(line) for line in done.stdout.splitlines()]
+        assert {Path(row["case"]).name for row in rows if "error" in row} == {
+            "short.bvh",
+            "none.bvh",
+        }
+        assert any("01_01.bvh" in row["case"] for row in rows if "value" in row)
+        assert str(short) in done.stderr and str(none) in done.stderr
+
+
 def test_a_missed_goal_is_an_exit_code() -> None:
     """With motors this weak, a fist does not do what a stiff arm would."""
     command = ["bench", "contacts", "--json", "--bvh", "01_01.bvh", "--scene", "fist"]

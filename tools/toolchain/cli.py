@@ -19,7 +19,7 @@ from .godot import Godot
 from .nearest import check_options, suggest
 from .paths import CLIENT_BINARY, CLIPS, ROOT, SERVER_BINARY, user_path
 from .project import prepare
-from .stats import GOALS_MISSED
+from .stats import GOALS_MISSED, LEFT_OUT
 
 FLAGS = ("--no-goals",)
 FILES = ("bvh", "file", "report")
@@ -183,7 +183,8 @@ def _bench_python(script: Path, given: list[str]) -> int:
 
 
 def _bench(arguments: list[str]) -> int:
-    """Runs a benchmark; a missed goal is exit code 5, unless --no-goals says otherwise."""
+    """Runs a benchmark; a missed goal is exit code 5, unless --no-goals says otherwise, and 6 says
+    that something could not be measured."""
     known = benchmarks()
     name, *given = arguments
     if name not in known:
@@ -193,6 +194,8 @@ def _bench(arguments: list[str]) -> int:
     if code == GOALS_MISSED:
         say('A goal is missed: see the column "holds".')
         return 0 if "--no-goals" in given else GOALS_MISSED
+    if code == LEFT_OUT:
+        say('Not everything could be measured: see "not measured" above.')
     return code
 
 

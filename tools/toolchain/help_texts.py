@@ -68,7 +68,8 @@ BENCH = """./run bench                           lists the benchmarks
   --json                one JSON object a line: bench, case, metric, value, unit, goal, holds
   --no-goals            exit code 0 also where a goal is missed
 
-Exit codes: 0 done, 1 failed, 2 wrong options, 5 a goal is missed.
+Exit codes: 0 done, 1 failed, 2 wrong options, 5 a goal is missed, 6 something could not be measured
+(a file that is none, or too short); the rest was.
 
 """
 BVH = """./run bvh FILE [--unit=U] [--up=AXIS]

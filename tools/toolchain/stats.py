@@ -7,6 +7,8 @@ import json
 
 # What a program exits with where a goal is missed.
 GOALS_MISSED = 5
+# And where something, such as a file, could not be measured.
+LEFT_OUT = 6
 HEADS = ("case", "metric", "value", "unit", "goal", "holds")
 
 

@@ -279,6 +279,7 @@ Dictionary RagdollMotor::get_tracking() const {
 	tracking["latest_deg"] = known ? _driver->get_meter().latest() * DEGREES : 0.0;
 	tracking["distance_m"] = known ? _driver->get_meter().mean_distance() : 0.0;
 	tracking["lag_s"] = known ? _driver->get_meter().lag() : 0.0;
+	tracking["lag_known"] = known && _driver->get_meter().is_lag_known();
 	return tracking;
 }
 

@@ -13,7 +13,9 @@ void TrackingMeter::note(double p_time_s, const std::vector<Quat> &p_actual, con
 }
 
 void TrackingMeter::settle(const PoseStream &p_stream, const Rig &p_rig) {
-	while (!_waiting.empty() && !p_stream.is_empty() && _waiting.front().time_s <= p_stream.newest()) {
+	// With a lead, a pose is that of a moment to come.
+	const double lead = measures_lag ? MAX_LEAD : 0.0;
+	while (!_waiting.empty() && !p_stream.is_empty() && _waiting.front().time_s + lead <= p_stream.newest()) {
 		if (_waiting.front().time_s >= p_stream.oldest()) {
 			compare(_waiting.front(), p_stream, p_rig);
 		}
@@ -23,7 +25,7 @@ void TrackingMeter::settle(const PoseStream &p_stream, const Rig &p_rig) {
 
 void TrackingMeter::compare(const Noted &p_noted, const PoseStream &p_stream, const Rig &p_rig) {
 	p_stream.recall(p_noted.time_s, _truth);
-	if (measures_lag) {
+	if (measures_lag && p_noted.time_s - MAX_LAG >= p_stream.oldest()) {
 		compare_shifted(p_noted, p_stream);
 	}
 	p_rig.joint_positions(_truth, _true_joints);
@@ -40,26 +42,37 @@ void TrackingMeter::compare(const Noted &p_noted, const PoseStream &p_stream, co
 }
 
 void TrackingMeter::compare_shifted(const Noted &p_noted, const PoseStream &p_stream) {
+	_shifted_count++;
 	for (int shift = 0; shift < SHIFTS; shift++) {
-		// A negative delay would need samples that have not come: the pose is compared with what is
-		// known, which is right up to the newest sample.
-		p_stream.recall(p_noted.time_s - FIRST_SHIFT - shift * SHIFT, _shifted);
+		p_stream.recall(p_noted.time_s + MAX_LEAD - shift * SHIFT, _shifted);
 		for (std::size_t i = 0; i < p_noted.actual.size(); i++) {
 			_shifted_sums[shift] += angle_between(p_noted.actual[i], _shifted.orientations[i]);
 		}
 	}
 }
 
+int TrackingMeter::find_best_shift() const {
+	return int(std::min_element(_shifted_sums.begin(), _shifted_sums.end()) - _shifted_sums.begin());
+}
+
+bool TrackingMeter::is_lag_known() const {
+	const int best = find_best_shift();
+	return _shifted_count > 0 && best > 0 && best < SHIFTS - 1;
+}
+
 double TrackingMeter::lag() const {
-	const int best = int(std::min_element(_shifted_sums.begin(), _shifted_sums.end()) - _shifted_sums.begin());
-	if (!measures_lag || _count == 0 || best == 0 || best == SHIFTS - 1) {
-		return measures_lag && _count > 0 ? FIRST_SHIFT + best * SHIFT : 0.0;
+	if (_shifted_count == 0) {
+		return 0.0;
+	}
+	const int best = find_best_shift();
+	if (!is_lag_known()) {
+		return best * SHIFT - MAX_LEAD;
 	}
 	// The bottom of the parabola through the best delay and its neighbours.
 	const double left = _shifted_sums[best - 1];
 	const double right = _shifted_sums[best + 1];
 	const double bend = left - 2.0 * _shifted_sums[best] + right;
-	return FIRST_SHIFT + SHIFT * (best + (bend > 0.0 ? 0.5 * (left - right) / bend : 0.0));
+	return SHIFT * (best + (bend > 0.0 ? 0.5 * (left - right) / bend : 0.0)) - MAX_LEAD;
 }
 
 double TrackingMeter::percentile(double p_fraction) const {
@@ -81,6 +94,7 @@ void TrackingMeter::clear() {
 	_last_mean = 0.0;
 	_distance_sum = 0.0;
 	_shifted_sums.fill(0.0);
+	_shifted_count = 0;
 }
 
 } // namespace ragdoll

@@ -36,19 +36,27 @@ public:
 	/// Mean distance between the limbs' joints and where the motion has them, m. Says something only
 	/// where the root is where the motion has it.
 	double mean_distance() const { return _count > 0 ? _distance_sum / double(_count) : 0.0; }
-	/// How far the limbs come behind the motion, s: the delay of the motion with which they agree best.
-	/// 0 unless `measures_lag`.
+	/// How far the limbs come behind the motion, s: the delay of the motion with which they agree best;
+	/// below 0 they are ahead of it. 0 unless `measures_lag`.
 	double lag() const;
-	/// Whether lag() is found; costs a comparison for each of SHIFTS delays.
+	/// Whether lag() is one: false where nothing was compared, and where the limbs agree best with a
+	/// delay at either end of the search, MAX_LEAD or MAX_LAG; the true one lies beyond it.
+	bool is_lag_known() const;
+	/// Whether lag() is found; costs a comparison for each of SHIFTS delays. What is compared for it has
+	/// to wait until the motion is known MAX_LEAD further.
 	bool measures_lag = false;
+
+	/// How far ahead of the motion and behind it limbs are looked for, s. Together with a tick they are
+	/// what a stream of 240 Hz still remembers.
+	static constexpr double MAX_LEAD = 0.04;
+	static constexpr double MAX_LAG = 0.08;
 
 private:
 	static constexpr double BIN = 0.001; // rad
 	static constexpr std::size_t BINS = 3142; // Up to pi.
 	static constexpr std::size_t LONGEST = 64; // Poses that wait: about a second.
-	static constexpr int SHIFTS = 15; // Delays that are tried, from FIRST_SHIFT on.
-	static constexpr double SHIFT = 0.002; // s
-	static constexpr double FIRST_SHIFT = -0.004; // s
+	static constexpr double SHIFT = 0.002; // Between the delays that are tried, s.
+	static constexpr int SHIFTS = int((MAX_LEAD + MAX_LAG) / SHIFT + 1.5);
 	struct Noted {
 		double time_s;
 		std::vector<Quat> actual;
@@ -56,6 +64,7 @@ private:
 	};
 
 	void compare_shifted(const Noted &p_noted, const PoseStream &p_stream);
+	int find_best_shift() const;
 	void compare(const Noted &p_noted, const PoseStream &p_stream, const Rig &p_rig);
 
 	std::deque<Noted> _waiting;
@@ -65,6 +74,7 @@ private:
 	double _last_mean = 0.0;
 	double _distance_sum = 0.0;
 	std::array<double, SHIFTS> _shifted_sums{};
+	std::uint64_t _shifted_count = 0;
 	Pose _truth;
 	Pose _shifted;
 	std::vector<Vec3> _true_joints;

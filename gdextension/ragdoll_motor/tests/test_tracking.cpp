@@ -48,19 +48,44 @@ TEST(percentiles_of_a_known_spread) {
 	CHECK_NEAR(meter.percentile(0.95), 0.0, 0.0);
 }
 
-TEST(finds_a_known_lag) {
+namespace {
+
+/// Follows a swing that is sampled at a rate (Hz), so much late (s).
+TrackingMeter follow_late(double p_late_s, int p_hz) {
 	PoseStream stream(1);
 	TrackingMeter meter;
 	meter.measures_lag = true;
-	for (int i = 0; i < 300; i++) {
-		const double time = i / 60.0;
+	for (int i = 0; i < 5 * p_hz; i++) {
+		const double time = i / double(p_hz);
 		if (i > 2) {
-			const float late = 0.8f * float(std::sin(3.0 * (time - 0.011)));
+			const float late = 0.8f * float(std::sin(3.0 * (time - p_late_s)));
 			meter.note(time, { exp({ 0.0f, late, 0.0f }) }, { {} });
 		}
 		push(stream, meter, time, 0.8f * float(std::sin(3.0 * time)));
 	}
-	CHECK_NEAR(meter.lag(), 0.011, 0.001);
+	return meter;
+}
+
+} // namespace
+
+TEST(finds_a_known_lag_and_a_known_lead) {
+	for (const int hz : { 30, 60, 120, 240 }) {
+		for (const double late : { 0.011, 0.0, 0.03, 0.071, -0.0035, -0.01, -0.03 }) {
+			const TrackingMeter meter = follow_late(late, hz);
+			CHECK(meter.is_lag_known());
+			CHECK_NEAR(meter.lag(), late, 0.001);
+		}
+	}
+}
+
+TEST(says_when_the_lag_is_beyond_the_search) {
+	for (const double late : { 0.15, -0.08 }) {
+		const TrackingMeter meter = follow_late(late, 60);
+		CHECK(!meter.is_lag_known());
+		CHECK_NEAR(meter.lag(), late > 0.0 ? TrackingMeter::MAX_LAG : -TrackingMeter::MAX_LEAD, 1e-9);
+	}
+	CHECK(!TrackingMeter().is_lag_known());
+	CHECK_NEAR(TrackingMeter().lag(), 0.0, 0.0);
 }
 
 TEST_MAIN()

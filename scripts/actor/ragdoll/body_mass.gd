@@ -3,9 +3,13 @@ class_name BodyMass
 extends RefCounted
 ## Mass and strength of a figure, by its size.
 ##
-## The mass goes with the cube of the height, as weights of children and adults do; torques go
-## with its square, as the area of muscles does. The volume of a mesh is not used: clothes, hair and
-## gear have much volume and little mass.
+## The one place that knows how people of other sizes weigh and how strong they are. The mass of
+## adults goes with the square of their height (Quetelet 1835, the body mass index; Heymsfield et
+## al. 2007, Scaling of human body composition to stature, found powers of about 2). A joint's
+## torque goes with its cube: the force of a muscle with its area, which is h², times the lever,
+## which is h (Jaric 2002, Muscle strength testing: use of normalisation for body size). So torque
+## keeps step with weight times length: relative strength is the same at any size. The volume of a
+## mesh is not used: clothes, hair and gear have much volume and little mass.
 
 ## An average adult: height, m, mass, kg, and how high the hip joints are, as a share of the height
 ## (Winter 2009, Biomechanics and Motor Control of Human Movement, fig. 4.1).
@@ -22,9 +26,24 @@ const HEAVIEST: float = 1000.0
 static func fill(p_profile: RagdollProfile, p_figure: RestSkeleton) -> void:
 	var size: float = stature(p_figure) / ADULT_HEIGHT
 	# The estimate is no better than tenths of a kilogram.
-	p_profile.mass = clampf(snappedf(ADULT_MASS * size ** 3, 0.1), LIGHTEST, HEAVIEST)
+	p_profile.mass = snappedf(scaled_mass(ADULT_MASS, size), 0.1)
 	for limb: RagdollLimb in p_profile.limbs:
-		limb.max_torque *= size * size
+		limb.max_torque *= torque_factor(size)
+
+
+## The mass of somebody who is so much taller, kg.
+static func scaled_mass(p_mass: float, p_taller: float) -> float:
+	return clampf(p_mass * mass_factor(p_taller), LIGHTEST, HEAVIEST)
+
+
+## By how much somebody is heavier who is so much taller.
+static func mass_factor(p_taller: float) -> float:
+	return p_taller ** 2
+
+
+## By how much the joints of somebody are stronger who is so much taller.
+static func torque_factor(p_taller: float) -> float:
+	return p_taller ** 3
 
 
 ## How tall a figure is, m, by the height of its hip joints: not every skeleton has where the

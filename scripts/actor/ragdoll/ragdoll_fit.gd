@@ -221,10 +221,9 @@ func _share_strength() -> void:
 	var after: PackedFloat32Array = _loads(profile)
 	var limbs: Array[RagdollLimb] = profile.limbs
 	for i: int in limbs.size():
-		limbs[i].max_torque *= maxf(_scale.height ** 3, after[i] / before[i])
-	var weight: float = _scale.height ** 2
-	_ragdoll.root_force *= weight
-	_ragdoll.root_torque *= weight * _scale.height
+		limbs[i].max_torque *= maxf(BodyMass.torque_factor(_scale.height), after[i] / before[i])
+	_ragdoll.root_force *= BodyMass.mass_factor(_scale.height)
+	_ragdoll.root_torque *= BodyMass.torque_factor(_scale.height)
 
 
 func _fit_limb(p_limb: RagdollLimb) -> void:
@@ -267,10 +266,10 @@ static func _loads(p_profile: RagdollProfile) -> PackedFloat32Array:
 	return loads
 
 
-## Masses go with the limbs' volumes, their sum with the square of the height.
+## Masses go with the limbs' volumes, their sum with the height by [BodyMass].
 func _share_mass(p_profile: RagdollProfile) -> void:
 	var own: float = p_profile.mass
-	p_profile.mass = clampf(own * _scale.height ** 2, BodyMass.LIGHTEST, BodyMass.HEAVIEST)
+	p_profile.mass = BodyMass.scaled_mass(own, _scale.height)
 	var sums: Vector2 = Vector2.ZERO
 	for limb: RagdollLimb in p_profile.limbs:
 		var share: float = limb.mass_fraction

@@ -62,9 +62,9 @@ func test_half_the_size_is_half_of_everything() -> void:
 		almost_equal(limb.anchor, whole.limbs[i].anchor / 2.0, 1e-4, limb.bone)
 		almost_equal(limb.radius, whole.limbs[i].radius / (2.0 if limb.type == 0 else 1.0), 0.002)
 		almost_equal(limb.reset_orientation, whole.limbs[i].reset_orientation, 1e-4, limb.bone)
-	almost_equal(half.mass, whole.mass / 8.0, 0.1)
+	almost_equal(half.mass, whole.mass / 4.0, 0.1)
 	is_true(whole.mass > 65.0 and whole.mass < 95.0, "a grown man of %f kg" % whole.mass)
-	almost_equal(half.limbs[5].max_torque, whole.limbs[5].max_torque / 4.0, 0.1)
+	almost_equal(half.limbs[5].max_torque, whole.limbs[5].max_torque / 8.0, 0.1)
 
 
 func test_axes_and_scale_of_the_skeleton_do_not_matter() -> void:

@@ -30,21 +30,20 @@ func _init(p_source: BvhSource, p_skeleton: PersonSkeleton, p_seconds: float) ->
 		_place(floats, root, limbs)
 
 
-## Adds the motions that a benchmark's arguments ask for. Returns what is wrong, or an empty text.
-static func open_all(p_arguments: BenchArguments, r_motions: Array) -> String:
+## Adds the motions that a benchmark's arguments ask for; those that cannot be shown are noted.
+static func open_all(p_arguments: BenchArguments, p_report: BenchReport, r_motions: Array) -> void:
 	var soldier: Ragdoll = (load("res://scenes/actor/soldier.tscn") as PackedScene).instantiate()
 	var bones: PersonSkeleton = soldier.get_joints()
 	soldier.free()
 	for file: String in BenchArguments.clips(p_arguments):
-		var source: BvhSource = BvhSource.new()
-		source.open(file)
-		if source.error != "":
-			return source.error
+		var source: BvhSource = p_report.open_clip(file)
+		if source == null:
+			continue
 		var seconds: float = minf(source.rig.clip.duration() - 1.0, p_arguments.value("seconds"))
 		if seconds < 4.0:
-			return "%s is shorter than 5 s" % file
+			p_report.leave_out(file, "it is shorter than 5 s")
+			continue
 		r_motions.append(new(source, bones, seconds))
-	return ""
 
 
 ## Orientations of a sample, four floats a limb.
