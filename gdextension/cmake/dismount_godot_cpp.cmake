@@ -12,7 +12,7 @@ set(DISMOUNT_API_JSON ${GODOT_API_DIR}/extension_api.json)
 set(DISMOUNT_INTERFACE_H ${GODOT_API_DIR}/gdextension_interface.h)
 set(DISMOUNT_BINDINGS_DIR ${CMAKE_CURRENT_SOURCE_DIR}/bindings)
 # The real godot-cpp brings an API and an interface of its own, which serve where the engine's are not
-# given: the interface only ever grows.
+# given: the interface only ever grows. GODOTCPP_CUSTOM_API_FILE is its variable for any other API.
 if(GODOT_CPP_DIR)
 	if(NOT EXISTS ${GODOT_CPP_DIR}/CMakeLists.txt)
 		message(FATAL_ERROR "GODOT_CPP_DIR (${GODOT_CPP_DIR}) is no checkout of godot-cpp.")
