@@ -3,9 +3,8 @@
 
 #include <convert.hpp>
 
+#include <godot_cpp/classes/physics_server3d.hpp>
 #include <godot_cpp/core/memory.hpp>
-
-#include <limits>
 
 namespace godot {
 
@@ -13,7 +12,6 @@ void GroundRays::attach(Node *p_parent, const std::vector<RID> &p_ignored, std::
 	if (!_ray) {
 		_ray = memnew(RayCast3D);
 		_ray->set_enabled(false); // Cast by hand, not once a tick.
-		_ray->set_target_position(Vector3(0.0f, -(ABOVE + BELOW), 0.0f));
 		p_parent->add_child(_ray, false, Node::INTERNAL_MODE_FRONT);
 	}
 	_ray->set_collision_mask(p_mask);
@@ -31,12 +29,37 @@ void GroundRays::detach() {
 }
 
 float GroundRays::height(const ragdoll::Vec3 &p_at) const {
+	return find(p_at, STEP).height;
+}
+
+ragdoll::Footing GroundRays::find(const ragdoll::Vec3 &p_at, float p_above) const {
+	ragdoll::Footing found;
 	if (!_ray) {
-		return std::numeric_limits<float>::quiet_NaN();
+		return found;
 	}
-	_ray->set_position(from_core(p_at) + Vector3(0.0f, ABOVE, 0.0f));
+	_ray->set_position(from_core(p_at) + Vector3(0.0f, p_above, 0.0f));
+	_ray->set_target_position(Vector3(0.0f, -(p_above + BELOW), 0.0f));
 	_ray->force_raycast_update();
-	return _ray->is_colliding() ? float(_ray->get_collision_point().y) : std::numeric_limits<float>::quiet_NaN();
+	if (!_ray->is_colliding()) {
+		return found;
+	}
+	found.height = float(_ray->get_collision_point().y);
+	const RID body = _ray->get_collider_rid();
+	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
+	const PhysicsServer3D::BodyMode mode = server->body_get_mode(body);
+	if (mode == PhysicsServer3D::BODY_MODE_STATIC) {
+		return found;
+	}
+	const double mass = server->body_get_param(body, PhysicsServer3D::BODY_PARAM_MASS);
+	found.is_loose = mode != PhysicsServer3D::BODY_MODE_KINEMATIC && mass < HEAVY;
+	if (found.is_loose) {
+		return found; // A crate goes where the feet on it push it, and must not take them along then.
+	}
+	found.velocity = to_core(Vector3(server->body_get_state(body, PhysicsServer3D::BODY_STATE_LINEAR_VELOCITY)));
+	found.turning = to_core(Vector3(server->body_get_state(body, PhysicsServer3D::BODY_STATE_ANGULAR_VELOCITY)));
+	const Transform3D frame = server->body_get_state(body, PhysicsServer3D::BODY_STATE_TRANSFORM);
+	found.pivot = to_core(frame.origin);
+	return found;
 }
 
 } // namespace godot

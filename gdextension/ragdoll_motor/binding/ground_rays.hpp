@@ -14,17 +14,19 @@ namespace godot {
 /// The ground under a point, found by rays straight down into the physics world.
 class GroundRays : public ragdoll::Ground {
 public:
-	/// A ray begins so far above the point (m): steps that a foot may stand on are not higher.
-	static constexpr float ABOVE = 0.35f;
-	/// And ends so far below, m.
+	/// A ray ends so far below the point, m.
 	static constexpr float BELOW = 1.0f;
+
+	/// Bodies from this mass on (kg) carry people like a platform; lighter ones are pushed about by them.
+	static constexpr double HEAVY = 150.0;
 
 	/// Makes the node that casts, as a child of another that is in the tree.
 	void attach(Node *p_parent, const std::vector<RID> &p_ignored, std::uint32_t p_mask);
 	/// Frees it.
 	void detach();
-	/// Height of the highest ground between ABOVE and BELOW the point, m; NaN where there is none.
+	/// Height of the highest ground between STEP above and BELOW the point, m; NaN where there is none.
 	float height(const ragdoll::Vec3 &p_at) const override;
+	ragdoll::Footing find(const ragdoll::Vec3 &p_at, float p_above) const override;
 
 private:
 	RayCast3D *_ray = nullptr; // The parent owns it.

@@ -22,7 +22,8 @@ Driver::Driver(Rig p_rig, const std::vector<int> &p_groups, std::size_t p_group_
 		_contacts(p_contacts),
 		_points_now(p_contacts.size()),
 		_points_next(p_contacts.size()),
-		_points_shown(p_contacts.size()) {
+		_points_shown(p_contacts.size()),
+		_turns(_rig.size()) {
 	_foot_lock = FootLock(_rig, p_contacts);
 	_travels[0] = std::make_unique<LowestFoot>(p_contacts);
 	_travels[1] = std::make_unique<LowestContact>(p_contacts);
@@ -74,12 +75,16 @@ const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_del
 	_frame_now = _frame_next;
 	_commands.guarded = _guard.check(_rig, r_state);
 	_commands.must_put = _commands.guarded != GUARD_NOTHING;
+	const bool finds_anew = finds_travel(root_mode) && _travelled != root_mode;
 	const bool teleported = _stream.take_teleport() && !finds_travel(root_mode) && !is_free(root_mode);
 	if (has_come_back(p_time_s) || teleported || (_commands.guarded & GUARD_LOST) != 0) {
 		put_into_pose(r_state);
 		_commands.must_put = true;
 	}
 	travel(r_state, p_delta_s);
+	if (_commands.must_put && finds_anew) {
+		put_into_pose(r_state); // On the ground that was found, wherever the root was told to be.
+	}
 	let_go_when_stalled(p_time_s);
 	_table.advance(p_delta_s);
 	compute_limbs(r_state, p_delta_s);
@@ -138,70 +143,6 @@ Travel *Driver::find_travel(RootMode p_mode) const {
 		default:
 			return nullptr;
 	}
-}
-
-void Driver::find_points(const Pose &p_pose, std::vector<Vec3> &r_points) {
-	_rig.joint_positions(p_pose, _joints);
-	for (std::size_t i = 0; i < _contacts.size(); i++) {
-		const std::size_t limb = std::size_t(_contacts[i].limb);
-		r_points[i] = _joints[limb] + p_pose.orientations[limb].rotate(_contacts[i].local);
-	}
-}
-
-void Driver::find_shown(const RigState &p_state) {
-	for (std::size_t i = 0; i < _contacts.size(); i++) {
-		const std::size_t limb = std::size_t(_contacts[i].limb);
-		_points_shown[i] = _rig.joint_of(p_state, limb) + p_state.orientations[limb].rotate(_contacts[i].local);
-	}
-}
-
-void Driver::travel(const RigState &p_state, float p_delta_s) {
-	Travel *estimator = find_travel(root_mode);
-	const bool goes_on = _travelled == root_mode;
-	const Vec3 expected = _next_root; // Where the last step should have brought the root.
-	_travelled = root_mode;
-	if (!estimator) {
-		_next_root = _next.root;
-		return;
-	}
-	if (!goes_on) {
-		estimator->reset(p_state.root);
-		_foot_lock.clear();
-		_path.clear();
-	} else {
-		const Vec3 off = p_state.root - expected;
-		const bool limp = _table.get_mode(0) == Actuation::LIMP;
-		const Vec3 across{ off.x, limp ? off.y : 0.0f, off.z };
-		const float distance = across.length();
-		const float slack = limp ? 0.0f : SLACK;
-		if (distance > slack) {
-			const Vec3 given = across * (1.0f - slack / distance);
-			estimator->shift(given);
-			_foot_lock.shift(given);
-			_path.shift(given);
-		}
-	}
-	_now.root = {};
-	_next.root = {};
-	find_points(_next, _points_next);
-	find_points(_now, _points_now);
-	const Vec3 centre = _rig.centre_of_mass(_now, _joints);
-	estimator->step({ p_delta_s, &_points_now, centre, ground ? ground : &_level_ground, p_state.gravity });
-	_now.root = estimator->get_root();
-	_next.root = estimator->ahead(_points_next, p_delta_s);
-	const PoseFilter &filter = _stream.get_filter();
-	_path.advance(_now.root, filter.get_noise(), p_delta_s);
-	if (filter.get_noise() > 0.0f) {
-		_now.root = _path.get_position();
-		_next.root = _path.ahead(p_delta_s);
-	}
-	_next_root = _next.root;
-	find_shown(p_state);
-	_foot_lock.advance(*estimator, _now.root, _points_now, _points_shown, filter.get_unrest(), p_delta_s);
-	_rig.joint_positions(_now, _joints);
-	_foot_lock.apply(_rig, filter.get_unrest(), _now, _joints);
-	_rig.joint_positions(_next, _joints);
-	_foot_lock.apply(_rig, filter.get_unrest(), _next, _joints);
 }
 
 void Driver::let_go_when_stalled(double p_time_s) {

@@ -53,6 +53,9 @@ public:
 	/// INERTIAL, CONTACTS, LOWEST_FOOT: how far the body may be held back from where the feet carry it
 	/// (m) before the estimate gives in: a person who walks against a wall walks on the spot.
 	static constexpr float SLACK = 0.05f;
+	/// The same modes: how far the target may be above or below the body, m. Nobody is lifted faster than he
+	/// rises himself, and who lies on something that no ray sees stays there.
+	static constexpr float TETHER = 0.2f;
 	/// Modes that find the travel: by how much of themselves corrections fall where the motion is nothing
 	/// but noise.
 	static constexpr float CALMED = 0.75f;
@@ -136,6 +139,14 @@ private:
 	void travel(const RigState &p_state, float p_delta_s);
 	void find_points(const Pose &p_pose, std::vector<Vec3> &r_points);
 	void find_shown(const RigState &p_state);
+	void shift_travel(Travel &r_estimator, const Vec3 &p_offset);
+	/// Brings the estimate to where the body is held back or pushed to.
+	/// @param p_off how far the body is from where it should be, m
+	void give_in(Travel &r_estimator, const Vec3 &p_off);
+	/// Keeps the estimate's height near the body's.
+	void stay_near(Travel &r_estimator, const RigState &p_state);
+	/// Lets the estimator take the pose.
+	void estimate(Travel &r_estimator, const RigState &p_state, float p_delta_s);
 	bool has_come_back(double p_time_s);
 	void hold_root(const RigState &p_state, float p_delta_s);
 	void compute_limbs(const RigState &p_state, float p_delta_s);
@@ -166,6 +177,7 @@ private:
 	std::vector<Vec3> _points_now;
 	std::vector<Vec3> _points_next;
 	std::vector<Vec3> _points_shown;
+	std::vector<Vec3> _turns; // Rates of the limbs, world axes, rad/s.
 	FootLock _foot_lock;
 	PathFilter _path; // Of the root, where it is found.
 	Vec3 _next_root; // Where the step before was to bring the root, m.

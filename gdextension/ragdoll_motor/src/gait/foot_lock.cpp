@@ -64,6 +64,7 @@ void FootLock::advance(const Travel &p_travel, const Vec3 &p_root, const std::ve
 			if (_grips[i] < LOOSE) {
 				_anchors[i] = p_root + p_points[i] + leg.offset;
 			}
+			_anchors[i] = _anchors[i] + p_travel.get_carry(i, _anchors[i], p_delta_s);
 			const float wanted = p_travel.is_anchored(i) ? 1.0f : 0.0f;
 			_grips[i] = wanted + (_grips[i] - wanted) * kept;
 			const float height = p_travel.get_standing_height(i);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "gait/takeoff.hpp"
 #include "gait/travel.hpp"
 
 namespace ragdoll {
@@ -9,10 +10,14 @@ namespace ragdoll {
 /// that they imply for the body agrees with its momentum. A swinging toe clears the ground by 1 to 3 cm,
 /// less than a foot model's error, so height alone misleads; its velocity does not.
 ///
-/// All is done for the centre of mass, which nothing but the ground can accelerate. In flight it falls
-/// freely. Points that stand are anchored, so that they do not skate. Starts best from standing.
+/// All is done for the centre of mass, which nothing but the ground can accelerate. Heights are judged
+/// twice: over the world's ground and over the floor that the wearer's own pose stands on. A wearer who
+/// walks on a level floor while his body walks down a slope has his lowest foot in the pose, not in the
+/// world. In flight the centre falls freely, until a point is down or what carries the body is felt.
 class InertialGait : public Travel {
 public:
+	/// The wearer's momentum and the points' errors, in the units of what they are compared with. Without
+	/// another source they are fitted to the clips of docs/ragdoll.md.
 	struct Settings {
 		float cutoff = 16.0f; ///< Of the second-order low-pass by which points are judged, Hz.
 		float clearance = 0.02f; ///< Height above the ground that counts 1, m.
@@ -20,12 +25,14 @@ public:
 		float persistence = 1.0f; ///< What a limb that stood a sixtieth of a second before gains.
 		float sharpness = 0.7f; ///< Temperature of the choice between the points.
 		float air = 12.0f; ///< What it costs to stand on nothing.
-		float follow_s = 0.047f; ///< How fast the horizontal velocity follows the points', s.
-		float follow_up_s = 0.024f; ///< The same of the vertical one, s.
-		float takeoff = 0.85f; ///< Upward speed from which a jump is possible, m/s.
-		float takeoff_gap = 0.008f; ///< And height above the ground that the ballistic path has in 1/60 s, m.
-		float step_up = 0.06f; ///< Ground that would lift the body by more above its path is not stood on, m.
-		float settle_s = 0.2f; ///< For so long after a landing it is, s.
+		float unknown = 2.0f; ///< Standard deviation of the velocity of who begins, m/s.
+		float wander = 0.8f; ///< Growth of the velocity's variance, m^2/s^3.
+		float lost = 2.0f; ///< The same where nothing stands and yet nothing flies, m^2/s^3.
+		float scatter = 0.4f; ///< Standard deviation of what standing points say of it, m/s.
+		float follow_up_s = 0.024f; ///< How fast the vertical velocity follows the points', s.
+		float adapt = 0.6f; ///< Speed at which the height follows ground that the pose knows nothing of, m/s.
+		float adapt_s = 0.1f; ///< Or, if that is faster, the time in which it does, s.
+		float drop = 0.3f; ///< Ground that is so much lower all at once is fallen to, m.
 		float hold_s = 0.01f; ///< How fast a standing point is pulled back to its anchor, s.
 		float hold_from = 0.5f; ///< Share of the surest point's weight from which a point is anchored.
 		float release_below = 0.1f; ///< And below which it is let go.
@@ -34,6 +41,7 @@ public:
 	explicit InertialGait(std::vector<ContactPoint> p_points);
 
 	Settings settings;
+	Takeoff takeoff;
 
 	void shift(const Vec3 &p_offset) override;
 	bool is_anchored(std::size_t p_point) const override { return _locks[p_point] != 0; }
@@ -52,14 +60,24 @@ private:
 	};
 
 	void filter(const GaitInput &p_input);
-	/// Heights of the body over each point, were it on the ground; returns the highest admissible, m.
+	/// Velocity of a contact point at a place while it stands: that of the ground, and that of a ball's
+	/// middle while the ball rolls, m/s.
+	Vec3 slip(const GaitInput &p_input, std::size_t p_point, const Vec3 &p_at) const;
+	/// Heights of the body over each point, were it on the ground; returns the highest, m.
 	float find_support(const GaitInput &p_input);
-	bool is_falling(const GaitInput &p_input, float p_height);
-	void weigh(float p_height, float p_delta_s);
-	void walk(const GaitInput &p_input, float p_height);
-	void fly(const GaitInput &p_input);
+	/// Looks for ground under who begins, also where his limbs were told to be in it; the same height.
+	float find_first_support(const GaitInput &p_input);
+	/// How fast the slowest of the pose's lowest points moves over the ground, m/s.
+	float find_slide() const;
+	void weigh(const GaitInput &p_input, float p_highest);
+	float cost_of(std::size_t p_point, float p_expected, float p_persistence) const;
+	/// Height of the centre by the points that stand, m.
+	float find_standing_height() const;
+	void walk(const GaitInput &p_input);
+	void climb(float p_rising, float p_lifted, float p_delta_s);
 	void hold(const GaitInput &p_input);
-	void finish(const GaitInput &p_input);
+	void fly(const GaitInput &p_input, float p_height);
+	void finish();
 
 	std::vector<Filter> _filters;
 	std::vector<Vec3> _smooth; // Points from the centre of mass, filtered, m.
@@ -70,7 +88,9 @@ private:
 	std::vector<std::uint8_t> _locks; // Whether a point is anchored.
 	Vec3 _centre; // Of mass, in the world, m.
 	Vec3 _drift; // Its velocity, m/s.
-	float _flown_s = 1.0f; // Since the last flight, s.
+	float _lift = 0.0f; // How fast the ground itself rises, m/s.
+	float _doubt = 0.0f; // Variance of each horizontal component, m^2/s^2.
+	float _tall = 0.0f; // Height of the centre over the pose's lowest point, m.
 	float _standing = 0.0f; // Sum of the weights.
 };
 

@@ -33,7 +33,7 @@ void Travel::step(const GaitInput &p_input) {
 	const Vec3 before = _root;
 	if (!_begun) {
 		_begun = true;
-		std::fill(_levels.begin(), _levels.end(), Level());
+		forget_ground();
 		_floor = _root.y + std::min_element(points.begin(), points.end(), [](const Vec3 &p_a, const Vec3 &p_b) {
 			return p_a.y < p_b.y;
 		})->y;
@@ -63,14 +63,34 @@ Vec3 Travel::ahead(const std::vector<Vec3> &p_points, float p_delta_s) const {
 	return _root + moved + _velocity * (std::max(1.0f - sum, 0.0f) * p_delta_s);
 }
 
+Vec3 Travel::get_carry(std::size_t p_point, const Vec3 &p_at, float p_delta_s) const {
+	const Footing &footing = _levels[p_point].footing;
+	return footing.moves() ? footing.carry(p_at, p_delta_s) : Vec3();
+}
+
+Footing Travel::find_footing(const GaitInput &p_input, std::size_t p_point, const Vec3 &p_at) const {
+	if (!p_input.shown) {
+		return p_input.ground->find(p_at, STEP);
+	}
+	// The body cannot be in the ground, wherever the target is.
+	const float actual = (*p_input.shown)[p_point].y;
+	const Vec3 from{ p_at.x, std::max(p_at.y, actual), p_at.z };
+	const Footing found = p_input.ground->find(from, STEP);
+	const bool steps_up = _contacts[p_point].sole && !found.is_loose;
+	if (steps_up || !(found.height > actual + SUNK)) {
+		return found;
+	}
+	return p_input.ground->find({ p_at.x, actual, p_at.z }, SUNK);
+}
+
 float Travel::look(const GaitInput &p_input, std::size_t p_point, const Vec3 &p_at) {
 	Level &level = _levels[p_point];
 	level.age_s += p_input.delta_s;
 	const Vec3 moved{ p_at.x - level.at.x, 0.0f, p_at.z - level.at.z };
-	if (level.age_s > LOOK_AGAIN_S || moved.length() > SAME_PLACE) {
-		level = { p_at, p_input.ground->height(p_at), 0.0f };
+	if (level.age_s > LOOK_AGAIN_S || moved.length() > SAME_PLACE || level.footing.moves()) {
+		level = { p_at, find_footing(p_input, p_point, p_at), 0.0f };
 	}
-	return level.height;
+	return level.footing.height;
 }
 
 float Travel::find_heights(const GaitInput &p_input, const std::vector<Vec3> &p_points, const Vec3 &p_reference,

@@ -5,6 +5,7 @@
 #include "gait/contact_point.hpp"
 #include "gait/ground.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -17,6 +18,10 @@ struct GaitInput {
 	Vec3 centre; ///< The centre of mass from the root's joint, world axes, m.
 	const Ground *ground = nullptr;
 	Vec3 gravity{ 0.0f, -9.81f, 0.0f }; ///< What pulls at the body, m/s^2.
+	/// Turning rate of each limb, world axes, rad/s: what is round rolls where it touches. Null: unknown.
+	const std::vector<Vec3> *turns = nullptr;
+	/// Where the simulated body has the contact points, m. Null: nothing is known of it.
+	const std::vector<Vec3> *shown = nullptr;
 };
 
 /// Finds where a person's root is from its pose and the ground: for suits that know orientations only
@@ -25,8 +30,10 @@ class Travel {
 public:
 	/// Points further above the ground than this (m), were the body as low as it can be, do not touch.
 	static constexpr float REACH = 0.12f;
-	/// Steps that somebody takes are not higher than this, m: within it the ground is looked for.
-	static constexpr float STEP = 0.35f;
+	static constexpr float STEP = Ground::STEP;
+	/// What is further above the body's own limb than this (m) does not carry it: a table over somebody who
+	/// crawls, or a crate on the back. Only feet step up.
+	static constexpr float SUNK = 0.05f;
 	/// A point that has moved less than this (m) is on the same ground for LOOK_AGAIN_S seconds.
 	static constexpr float SAME_PLACE = 0.015f;
 	static constexpr float LOOK_AGAIN_S = 0.1f;
@@ -54,7 +61,11 @@ public:
 	virtual bool is_anchored(std::size_t p_point) const { return _weights[p_point] > 0.0f; }
 	const Vec3 &get_anchor(std::size_t p_point) const { return _anchors[p_point]; }
 	/// Height of a point when it stands on the ground that was found under it last, m; NaN without.
-	float get_standing_height(std::size_t p_point) const { return _levels[p_point].height + _contacts[p_point].radius; }
+	float get_standing_height(std::size_t p_point) const {
+		return _levels[p_point].footing.height + _contacts[p_point].radius;
+	}
+	/// How far the ground that was found under a point takes something at a place in a time, m.
+	Vec3 get_carry(std::size_t p_point, const Vec3 &p_at, float p_delta_s) const;
 	/// Where the root will be when the points will be elsewhere, as long as those that stand go on to.
 	Vec3 ahead(const std::vector<Vec3> &p_points, float p_delta_s) const;
 
@@ -73,6 +84,9 @@ protected:
 	float find_heights(const GaitInput &p_input, const std::vector<Vec3> &p_points, const Vec3 &p_reference,
 			std::vector<float> &r_heights);
 
+	/// What was found under the points counts no more.
+	void forget_ground() { std::fill(_levels.begin(), _levels.end(), Level()); }
+
 	std::vector<ContactPoint> _contacts;
 	std::vector<float> _weights;
 	std::vector<Vec3> _anchors; // Where the points stand, m.
@@ -87,10 +101,11 @@ private:
 	/// What was found under a point.
 	struct Level {
 		Vec3 at;
-		float height = 0.0f; // NaN for no ground.
+		Footing footing;
 		float age_s = 1e9f;
 	};
 
+	Footing find_footing(const GaitInput &p_input, std::size_t p_point, const Vec3 &p_at) const;
 	float look(const GaitInput &p_input, std::size_t p_point, const Vec3 &p_at);
 
 	std::vector<Level> _levels;

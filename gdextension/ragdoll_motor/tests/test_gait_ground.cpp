@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#include "gait/inertial_gait.hpp"
+#include "gait/takeoff.hpp"
+
+#include "check.hpp"
+
+#include <functional>
+
+using namespace ragdoll;
+
+namespace {
+
+constexpr float HIP = 0.9f; // m
+constexpr float HZ = 60.0f;
+constexpr float PI = 3.14159265f;
+
+/// Two feet of one point each, and a back.
+std::vector<ContactPoint> contacts() {
+	std::vector<ContactPoint> result(3);
+	for (int i = 0; i < 2; i++) {
+		result[std::size_t(i)].limb = 1 + i;
+		result[std::size_t(i)].sole = true;
+	}
+	result[2].limb = 3;
+	result[2].radius = 0.1f;
+	return result;
+}
+
+/// The feet of somebody who walks on a level floor, whatever his body walks on.
+std::vector<Vec3> walking(float p_time_s, float p_speed) {
+	std::vector<Vec3> points(3, Vec3{ 0.0f, 0.1f, 0.0f });
+	for (int side = 0; side < 2; side++) {
+		const float round = p_time_s + 0.5f * float(side);
+		const float part = round - std::floor(round);
+		const float swung = part < 0.5f ? 0.0f : 0.5f - 0.5f * std::cos((part - 0.5f) * 2.0f * PI);
+		const float lift = part < 0.5f ? 0.0f : 0.08f * std::sin((part - 0.5f) * 2.0f * PI);
+		points[std::size_t(side)] = { 0.1f - 0.2f * float(side), lift - HIP, (swung + 0.25f - part) * p_speed };
+	}
+	return points;
+}
+
+/// Ground of any shape, and a crate or a platform where there is one.
+class Field : public Ground {
+public:
+	std::function<float(const Vec3 &)> shape = [](const Vec3 &) { return 0.0f; };
+	Vec3 velocity;
+	Vec3 turning;
+	float crate = -1e9f; ///< Height of the crate's top, m.
+
+	float height(const Vec3 &p_at) const override { return shape(p_at); }
+	Footing find(const Vec3 &p_at, float p_above) const override {
+		Footing found;
+		found.height = shape(p_at);
+		found.velocity = velocity;
+		found.turning = turning;
+		if (crate > found.height && crate < p_at.y + p_above) {
+			found.height = crate;
+			found.is_loose = true;
+		}
+		// As rays do: nothing is seen from below the ground.
+		found.height = p_at.y + p_above < found.height ? NAN : found.height;
+		return found;
+	}
+};
+
+void step(InertialGait &r_gait, const std::vector<Vec3> &p_points, const Ground &p_ground,
+		const std::vector<Vec3> *p_shown = nullptr) {
+	GaitInput input;
+	input.delta_s = 1.0f / HZ;
+	input.points = &p_points;
+	input.ground = &p_ground;
+	input.shown = p_shown;
+	r_gait.step(input);
+}
+
+} // namespace
+
+TEST(a_level_walk_goes_on_down_and_up_any_slope) {
+	for (const float degrees : { -30.0f, -20.0f, -10.0f, -5.0f, 5.0f, 10.0f, 20.0f, 30.0f }) {
+		const float rise = std::tan(degrees * PI / 180.0f);
+		Field field;
+		field.shape = [rise](const Vec3 &p_at) { return rise * p_at.z; };
+		InertialGait gait(contacts());
+		gait.reset({ 0.0f, HIP, 0.0f });
+		for (int tick = 0; tick < 600; tick++) {
+			step(gait, walking(float(tick) / HZ, 1.2f), field);
+		}
+		CHECK_NEAR(gait.get_root().z, 1.2 * 599.0 / 60.0, 0.05 * 12.0);
+		CHECK_NEAR(gait.get_root().y, HIP + rise * gait.get_root().z, 0.2);
+	}
+}
+
+TEST(bumps_do_not_turn_a_walk) {
+	Field field;
+	field.shape = [](const Vec3 &p_at) { return 0.1f * std::sin(2.0f * p_at.x) * std::sin(2.0f * p_at.z); };
+	InertialGait gait(contacts());
+	gait.reset({ 0.5f, HIP, 0.0f });
+	for (int tick = 0; tick < 600; tick++) {
+		step(gait, walking(float(tick) / HZ, 1.2f), field);
+		CHECK(!gait.is_flying());
+	}
+	CHECK_NEAR(gait.get_root().z, 12.0, 0.6);
+}
+
+TEST(who_begins_in_the_ground_or_above_it_comes_to_stand) {
+	for (const float told : { -0.5f, 0.0f, 0.1f, 0.5f, 0.9f, 1.5f, 4.0f }) {
+		for (const float tall : { 0.15f, 0.3f, 0.5f, 0.9f }) {
+			std::vector<Vec3> points(3, Vec3{ 0.0f, 0.05f, 0.0f });
+			points[0] = { 0.1f, -tall, 0.0f };
+			points[1] = { -0.1f, -tall, 0.0f };
+			InertialGait gait(contacts());
+			gait.reset({ 0.0f, told, 0.0f });
+			for (int tick = 0; tick < 90; tick++) {
+				step(gait, points, Field());
+			}
+			CHECK(!gait.is_flying());
+			CHECK_NEAR(gait.get_root().y, tall, 1e-3);
+		}
+	}
+}
+
+TEST(a_ledge_is_fallen_down_from_and_landed_after) {
+	Field field;
+	InertialGait gait(contacts());
+	gait.reset({ 0.0f, HIP, 0.0f });
+	field.shape = [](const Vec3 &p_at) { return p_at.z < 3.0f ? 0.0f : -1.0f; };
+	float flown_s = 0.0f;
+	for (int tick = 0; tick < 400; tick++) {
+		step(gait, walking(float(tick) / HZ, 1.2f), field);
+		flown_s += gait.is_flying() ? 1.0f / HZ : 0.0f;
+	}
+	CHECK_NEAR(gait.get_root().y, HIP - 1.0, 0.02);
+	// A metre takes 0.45 s.
+	CHECK(flown_s > 0.2f && flown_s < 0.6f);
+}
+
+TEST(what_lies_on_the_body_does_not_carry_it) {
+	// Somebody lies on his back's side under a crate, or crawls under a table.
+	for (const bool steps_up : { false, true }) {
+		std::vector<ContactPoint> points_of = contacts();
+		Field field;
+		field.crate = 0.3f;
+		std::vector<Vec3> points(3, Vec3{ 0.0f, 0.0f, 0.0f });
+		points[0] = { 0.5f, -0.05f, 0.1f };
+		points[1] = { 0.5f, -0.05f, -0.1f };
+		InertialGait gait(points_of);
+		const float begins = steps_up ? 0.7f : 0.1f;
+		gait.reset({ 0.0f, begins, 0.0f });
+		for (int tick = 0; tick < 60; tick++) {
+			std::vector<Vec3> shown = points;
+			for (Vec3 &point : shown) {
+				point = point + Vec3{ 0.0f, begins, 0.0f };
+			}
+			step(gait, points, field, &shown);
+		}
+		CHECK_NEAR(gait.get_root().y, steps_up ? 0.4 : 0.1, 0.01);
+	}
+}
+
+TEST(platforms_carry_and_turn_who_stands_on_them) {
+	for (const bool turns : { false, true }) {
+		Field field;
+		field.velocity = turns ? Vec3() : Vec3{ 2.0f, 0.0f, 0.0f };
+		field.turning = turns ? Vec3{ 0.0f, PI / 6.0f, 0.0f } : Vec3();
+		InertialGait gait(contacts());
+		gait.reset({ 0.0f, HIP, 2.0f });
+		std::vector<Vec3> points(3, Vec3{ 0.0f, 0.1f, 0.0f });
+		points[0] = { 0.1f, -HIP, 0.0f };
+		points[1] = { -0.1f, -HIP, 0.0f };
+		const Quat turn = exp(field.turning * (1.0f / HZ));
+		Vec3 place{ 0.0f, HIP, 2.0f };
+		for (int tick = 0; tick < 1800; tick++) {
+			step(gait, points, field);
+			if (tick > 0) {
+				place = turns ? turn.rotate(place) : place + field.velocity * (1.0f / HZ);
+			}
+		}
+		// Half a minute: 60 m, or two and a half rounds.
+		CHECK_NEAR((gait.get_root() - place).length(), 0.0, 0.02);
+	}
+}
+
+TEST(a_lift_carries_who_stands_on_it) {
+	Field field;
+	float floor = 0.0f;
+	field.shape = [&floor](const Vec3 &) { return floor; };
+	InertialGait gait(contacts());
+	gait.reset({ 0.0f, HIP, 0.0f });
+	std::vector<Vec3> points(3, Vec3{ 0.0f, 0.1f, 0.0f });
+	points[0] = { 0.1f, -HIP, 0.0f };
+	points[1] = { -0.1f, -HIP, 0.0f };
+	for (int tick = 0; tick < 600; tick++) {
+		field.velocity = { 0.0f, 1.5f * std::sin(float(tick) / HZ * 2.0f * PI / 5.0f), 0.0f };
+		floor += field.velocity.y / HZ;
+		step(gait, points, field);
+		CHECK_NEAR(gait.get_root().y, floor + HIP, 0.03);
+		CHECK(!gait.is_flying());
+	}
+}
+
+TEST(a_quick_crouch_is_no_flight_and_a_runner_flies) {
+	Takeoff crouch;
+	bool flies = false;
+	for (int tick = 0; tick < 120; tick++) {
+		// 10 cm up and down twice a second: 3 m/s^2 at most.
+		const float phase = float(tick) / HZ * 4.0f * PI;
+		const float speed = 0.02f * 4.0f * PI * std::cos(phase);
+		flies = flies || crouch.advance(HIP + 0.02f * std::sin(phase), speed, 2.0f, 9.81f, 1.0f / HZ);
+	}
+	CHECK(!flies);
+	for (const float slide : { 0.0f, 2.0f }) {
+		// Legs are drawn up in flight: the lowest point comes nearer to the centre than the body rises.
+		Takeoff run;
+		flies = false;
+		for (int tick = 0; tick < 8; tick++) {
+			const float time = float(tick) / HZ;
+			flies = flies ||
+					run.advance(HIP - (tick > 2 ? 0.6f * (time - 0.05f) : 0.0f), 0.6f, slide, 9.81f, 1.0f / HZ);
+		}
+		CHECK(flies == (slide > 1.0f));
+	}
+}
+
+TEST_MAIN()
