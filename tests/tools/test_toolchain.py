@@ -13,6 +13,7 @@ from toolchain import (
     cli,
     demo,
     godot,
+    godot_cpp,
     help_texts,
     jolt,
     latency,
@@ -196,3 +197,12 @@ def test_help_names_the_options_that_there_are(module: ModuleType, name: str) ->
         assert "has no option" not in str(caught.value), f"{name} {option}"
     with pytest.raises(Failure, match="has no option --king"):
         module.Settings(["--king=1"])
+
+
+def test_a_folder_that_is_no_godot_cpp_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(Failure, match="no checkout of godot-cpp") as caught:
+        testing.main([f"--godot-cpp={tmp_path}"])
+    assert caught.value.code == 2
+    (tmp_path / "binding_generator.py").touch()
+    assert godot_cpp.checkout(tmp_path) == tmp_path.resolve()
+    assert {"RagdollMotor", "SuitHub", "TransportPump"} <= set(godot_cpp.documented_classes())

@@ -74,7 +74,9 @@ void RagdollBodies::make(const ragdoll::Rig &p_rig, std::vector<JointSpec> p_spe
 	_rest_inverse.assign(_specs.size(), ragdoll::Quat());
 	_hold = Hold();
 	_has_stepped = false;
-	_made_in_frame = Engine::get_singleton()->get_physics_frames();
+	// A physics frame ends with its step; what is made between two is stepped by the next.
+	const Engine *engine = Engine::get_singleton();
+	_first_frame = engine->get_physics_frames() + (engine->is_in_physics_frame() ? 0 : 1);
 	for (std::size_t i = _specs.size(); i-- > 1;) {
 		const ragdoll::Segment &limb = p_rig[i];
 		const ragdoll::Segment &parent = p_rig[limb.parent];
@@ -177,7 +179,7 @@ bool RagdollBodies::read(ragdoll::RigState &r_state) {
 
 ragdoll::Vec3 RagdollBodies::find_gravity() {
 	const Vector3 total = _states[0]->get_total_gravity(); // Of areas, by the body's own scale.
-	_has_stepped = _has_stepped || Engine::get_singleton()->get_physics_frames() != _made_in_frame;
+	_has_stepped = _has_stepped || Engine::get_singleton()->get_physics_frames() > _first_frame;
 	if (_has_stepped || total != Vector3()) {
 		return to_core(total);
 	}

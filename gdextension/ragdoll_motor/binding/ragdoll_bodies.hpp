@@ -113,7 +113,7 @@ private:
 	bool _is_lost = false; // A body was not there at the last reading.
 	RID _space;
 	bool _has_stepped = false; // The space, since the joints were made.
-	uint64_t _made_in_frame = 0;
+	uint64_t _first_frame = 0; // At whose end the space steps for the first time.
 	RID _anchor;
 	RID _pendulum;
 	RID _assist_joint; // Of the pendulum, or between the trunk and the world.
