@@ -11,6 +11,7 @@ const _SCENES: Dictionary[String, GDScript] = {
 	"jitter": preload("contacts/scene_jitter.gd"),
 	"wall": preload("contacts/scene_wall.gd"),
 	"ball": preload("contacts/scene_ball.gd"),
+	"hit": preload("contacts/scene_hit.gd"),
 	"fist": preload("contacts/scene_fist.gd"),
 	"hug": preload("contacts/scene_hug.gd"),
 	"crate": preload("contacts/scene_crate.gd"),

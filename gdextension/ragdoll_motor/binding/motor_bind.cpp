@@ -144,6 +144,7 @@ void RagdollMotor::_bind_methods() {
 	bind_control();
 	bind_measurement();
 	bind_properties();
+	bind_limb_control();
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "root_mode", PROPERTY_HINT_ENUM,
 						 "Held,Soft,Lowest Foot,Contacts,Pendulum,Self Righting,Inertial"),
 			"set_root_mode", "get_root_mode");

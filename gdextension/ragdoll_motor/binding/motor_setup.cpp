@@ -96,6 +96,8 @@ bool RagdollMotor::make_driver(
 	std::vector<ragdoll::Segment> limbs;
 	std::vector<int> limb_groups;
 	_groups.clear();
+	_bones.clear();
+	_control_profile = StringName();
 	_reset_pose.clear();
 	_specs.clear();
 	_body_rids.clear();
@@ -127,6 +129,7 @@ bool RagdollMotor::make_driver(
 		righted = limb.group == 0 && i > 0 ? int(i) : righted;
 		limbs.push_back(limb);
 		limb_groups.push_back(limb.group);
+		_bones.push_back(source->get_bone());
 		_reset_pose.push_back(limb.rest);
 		RagdollBodies::JointSpec spec;
 		spec.body = p_bodies[i];
@@ -144,6 +147,7 @@ bool RagdollMotor::make_driver(
 	_driver = std::make_unique<ragdoll::Driver>(ragdoll::Rig(std::move(limbs)), limb_groups, _groups.size(), _contacts);
 	_driver->righted_limb = righted;
 	_state.resize(std::size_t(count));
+	_shown.reserve(std::size_t(count));
 	resize_body_pose();
 	_targets.assign(std::size_t(count) * 4, 0.0f);
 	return true;

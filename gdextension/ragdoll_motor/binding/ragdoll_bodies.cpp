@@ -298,6 +298,40 @@ void RagdollBodies::push(std::size_t p_limb, const ragdoll::LimbCommand &p_comma
 	server()->body_apply_torque(_specs[(*_rig)[p_limb].parent].body, -torque);
 }
 
+void RagdollBodies::push_limbs(
+		const std::vector<ragdoll::LimbCommand> &p_commands, const std::vector<ragdoll::LimbPush> &p_pushes) {
+	for (std::size_t i = 0; i < _specs.size(); i++) {
+		const ragdoll::LimbPush &push = p_pushes[i];
+		if (p_commands[i].mode == ragdoll::Actuation::DIRECT_SET) {
+			continue;
+		}
+		if (push.force.dot(push.force) > 0.0f) {
+			server()->body_apply_central_force(_specs[i].body, from_core(push.force));
+		}
+		if (push.torque.dot(push.torque) > 0.0f) {
+			server()->body_apply_torque(_specs[i].body, from_core(push.torque));
+		}
+	}
+}
+
+void RagdollBodies::weaken(std::size_t p_limb, float p_share) {
+	Written &last = _written[p_limb];
+	if (p_share < 1.0f && last.drive == Drive::MOTOR && last.torque > 0.0f) {
+		set_torque(_joints[p_limb], last.torque * p_share, last.torque);
+	}
+	if (p_limb == 0 && p_share < 1.0f && _hold.across > 0.0f) {
+		_hold.across *= p_share;
+		for (const Vector3::Axis axis : { Vector3::AXIS_X, Vector3::AXIS_Z }) {
+			server()->generic_6dof_joint_set_param(
+					_joints[0], axis, Joint::G6DOF_JOINT_LINEAR_MOTOR_FORCE_LIMIT, _hold.across);
+		}
+	}
+}
+
+void RagdollBodies::strike(std::size_t p_limb, const Vector3 &p_impulse, const Vector3 &p_place) {
+	server()->body_apply_impulse(_specs[p_limb].body, p_impulse, p_place);
+}
+
 void RagdollBodies::write(const std::vector<ragdoll::LimbCommand> &p_commands,
 		const std::vector<ragdoll::Quat> &p_orientations, const std::vector<ragdoll::Vec3> &p_joints) {
 	for (std::size_t i = 1; i < _specs.size(); i++) {

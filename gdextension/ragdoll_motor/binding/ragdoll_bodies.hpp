@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <control/world_drive.hpp>
 #include <controller.hpp>
 #include <root_drive.hpp>
 
@@ -49,6 +50,14 @@ public:
 	bool read(ragdoll::RigState &r_state);
 	void write(const std::vector<ragdoll::LimbCommand> &p_commands, const std::vector<ragdoll::Quat> &p_orientations,
 			const std::vector<ragdoll::Vec3> &p_joints);
+	/// Forces and torques of this step on limbs that are simulated, besides their joints'.
+	void push_limbs(
+			const std::vector<ragdoll::LimbCommand> &p_commands, const std::vector<ragdoll::LimbPush> &p_pushes);
+	/// Lowers what a limb's motor was given last to a share at once: the next step may come before the next
+	/// commands, and would stop a blow with all its torque. The root's upward force stays.
+	void weaken(std::size_t p_limb, float p_share);
+	/// Gives a body an impulse (N s) at a place from its origin (m), both in world axes.
+	void strike(std::size_t p_limb, const Vector3 &p_impulse, const Vector3 &p_place);
 	/// Sets the root's hold: kinematic at a pose, or by limited forces.
 	void hold_root(const ragdoll::Quat &p_orientation, const ragdoll::Vec3 &p_joint) {
 		set_pose(0, p_orientation, p_joint);

@@ -16,7 +16,7 @@ namespace {
 constexpr double DEGREES = 180.0 / 3.14159265358979323846;
 constexpr double MIN_STEP = 1e-5;
 constexpr double MAX_STEP = 1.0;
-constexpr std::uint32_t STATE_MAGIC = 0x33534D52; // "RMS3"
+constexpr std::uint32_t STATE_MAGIC = 0x34534D52; // "RMS4"
 
 PackedFloat32Array to_packed(const std::vector<float> &p_values) {
 	PackedFloat32Array result;
@@ -59,13 +59,15 @@ void RagdollMotor::note_body_pose() {
 	const int32_t *slots = _sample_slots.is_empty() ? nullptr : _sample_slots.ptr();
 	float *pose = _body_pose.ptrw();
 	const int64_t slot_count = (_body_pose.size() - 3) / 4;
-	pose[0] = _state.centres[0].x;
-	pose[1] = _state.centres[0].y;
-	pose[2] = _state.centres[0].z;
-	for (std::size_t i = 0; i < _state.orientations.size(); i++) {
+	ragdoll::Vec3 centre;
+	_driver->blend_shown(_state, _shown, centre);
+	pose[0] = centre.x;
+	pose[1] = centre.y;
+	pose[2] = centre.z;
+	for (std::size_t i = 0; i < _shown.size(); i++) {
 		const int64_t slot = slots != nullptr ? slots[i] : int64_t(i);
 		if (slot >= 0 && slot < slot_count) {
-			const ragdoll::Quat &orientation = _state.orientations[i];
+			const ragdoll::Quat &orientation = _shown[i];
 			float *values = pose + 3 + slot * 4;
 			values[0] = orientation.x;
 			values[1] = orientation.y;
@@ -175,6 +177,9 @@ bool RagdollMotor::drive(double p_time_s, double p_delta_s) {
 		_bodies->hold_root(commands.orientations[0], commands.joints[0]);
 	} else {
 		_bodies->pull_root(_driver->root_mode, commands.root, commands.root_turn, commands.trunk_turn);
+	}
+	if (commands.is_pushed) {
+		_bodies->push_limbs(commands.limbs, commands.pushes);
 	}
 	if (guarded != ragdoll::GUARD_NOTHING) {
 		report(guarded); // Last of all: whoever listens may release or free this node.

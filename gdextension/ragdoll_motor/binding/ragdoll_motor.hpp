@@ -4,6 +4,7 @@
 #include "ground_rays.hpp"
 #include "physics_check.hpp"
 #include "ragdoll_bodies.hpp"
+#include "ragdoll_control_profile.hpp"
 #include "ragdoll_profile.hpp"
 #include <driver.hpp>
 
@@ -84,6 +85,17 @@ public:
 	double get_group_strength(const StringName &p_group) const;
 	void set_group_spring(double p_frequency, double p_damping_ratio, const StringName &p_group);
 
+	// Controls and hits.
+	int64_t hit(const Vector3 &p_impulse, const Vector3 &p_place, double p_strength, double p_blend_s,
+			const StringName &p_group);
+	bool set_limb_control(const Ref<RagdollControl> &p_control, double p_blend_s);
+	bool apply_control_profile(const Ref<RagdollControlProfile> &p_profile, double p_blend_s);
+	bool invoke_control_profile(const StringName &p_name, double p_blend_s);
+	StringName get_control_profile() const { return _control_profile; }
+	double get_physics_blend(const StringName &p_bone) const;
+	void set_control_profiles(const TypedArray<RagdollControlProfile> &p_profiles) { _control_profiles = p_profiles; }
+	TypedArray<RagdollControlProfile> get_control_profiles() const { return _control_profiles; }
+
 	// Measurement.
 	void measure(double p_time_s);
 	PackedFloat32Array get_body_pose() const { return _body_pose; }
@@ -139,6 +151,7 @@ private:
 	static void bind_properties();
 	static void bind_control();
 	static void bind_measurement();
+	static void bind_limb_control();
 
 	/// Reads the bodies, unless what was read last is still true.
 	bool read_bodies();
@@ -154,6 +167,8 @@ private:
 	void add_contacts(const Ref<RagdollLimb> &p_limb, int p_index);
 	void apply_settings();
 	bool find_group(const StringName &p_group, int &r_group) const;
+	/// Marks the limbs that names of bones and groups mean; reports an error where one means none.
+	bool find_limbs(const PackedStringArray &p_names, std::vector<std::uint8_t> &r_limbs) const;
 	void report(std::uint32_t p_guarded);
 
 	RootMode _root_mode = ROOT_SOFT;
@@ -170,7 +185,11 @@ private:
 	bool _measures_lag = false;
 	PackedInt32Array _sample_slots;
 
+	TypedArray<RagdollControlProfile> _control_profiles;
+	StringName _control_profile; // Applied last.
+
 	std::vector<StringName> _groups;
+	std::vector<StringName> _bones;
 	std::vector<ragdoll::Quat> _reset_pose;
 	std::vector<RID> _body_rids;
 	std::vector<ragdoll::ContactPoint> _contacts;
@@ -189,6 +208,7 @@ private:
 	uint64_t _read_frame = 0;
 	PackedFloat32Array _body_pose;
 	std::vector<float> _targets;
+	std::vector<ragdoll::Quat> _shown; // Orientations, by the limbs' physics blend.
 };
 
 } // namespace godot

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "ragdoll_control.hpp"
+#include "ragdoll_control_profile.hpp"
 #include "ragdoll_limb.hpp"
 #include "ragdoll_motor.hpp"
 #include "ragdoll_profile.hpp"
@@ -15,6 +17,8 @@ void initialize(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
 		GDREGISTER_CLASS(RagdollLimb);
 		GDREGISTER_CLASS(RagdollProfile);
+		GDREGISTER_CLASS(RagdollControl);
+		GDREGISTER_CLASS(RagdollControlProfile);
 		GDREGISTER_CLASS(RagdollMotor);
 	}
 }

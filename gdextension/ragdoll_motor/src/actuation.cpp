@@ -88,6 +88,9 @@ void ActuationTable::advance(float p_delta_s) {
 	for (LimbState &limb : _limbs) {
 		limb.authority.advance(p_delta_s);
 		limb.arrival.advance(p_delta_s);
+		for (Ramp *ramp : { &limb.share, &limb.flinch, &limb.blend, &limb.frequency, &limb.damping_ratio }) {
+			ramp->advance(p_delta_s);
+		}
 		if (limb.wanted == Actuation::LIMP && !limb.authority.is_moving()) {
 			limb.mode = Actuation::LIMP;
 		}
@@ -100,12 +103,46 @@ bool ActuationTable::has_mode(Actuation p_mode) const {
 }
 
 float ActuationTable::get_strength(std::size_t p_limb) const {
-	return std::max(get_standing_strength(p_limb) * _overall.get(), LIMP_FRICTION);
+	const float lost = _overall.get() * _limbs[p_limb].flinch.get();
+	return std::max(get_standing_strength(p_limb) * lost, LIMP_FRICTION);
 }
 
 float ActuationTable::get_standing_strength(std::size_t p_limb) const {
 	const LimbState &limb = _limbs[p_limb];
-	return _groups[limb.group].strength.get() * limb.authority.get();
+	return _groups[limb.group].strength.get() * limb.authority.get() * limb.share.get();
+}
+
+void ActuationTable::set_limb_spring(
+		float p_frequency, float p_damping_ratio, float p_usual, std::size_t p_limb, float p_blend_s) {
+	LimbState &limb = _limbs[p_limb];
+	if (p_frequency <= 0.0f) {
+		limb.frequency = Ramp(0.0f);
+		limb.damping_ratio = Ramp(0.0f);
+		return;
+	}
+	if (limb.frequency.get() <= 0.0f) {
+		limb.frequency = Ramp(p_usual);
+		limb.damping_ratio = Ramp(p_damping_ratio);
+	}
+	limb.frequency.go(p_frequency, p_blend_s);
+	limb.damping_ratio.go(p_damping_ratio, p_blend_s);
+}
+
+void ActuationTable::flinch(std::size_t p_limb, float p_strength, float p_blend_s) {
+	Ramp &ramp = _limbs[p_limb].flinch;
+	ramp = Ramp(std::min(ramp.get(), p_strength));
+	ramp.go(1.0f, p_blend_s);
+}
+
+SpringSettings ActuationTable::get_spring(std::size_t p_limb) const {
+	const LimbState &limb = _limbs[p_limb];
+	const GroupSettings &group = _groups[limb.group];
+	const bool is_own = limb.frequency.get() > 0.0f;
+	return { is_own ? limb.frequency.get() : group.frequency, is_own ? limb.damping_ratio.get() : group.damping_ratio };
+}
+
+bool ActuationTable::is_blended() const {
+	return std::any_of(_limbs.begin(), _limbs.end(), [](const LimbState &p_limb) { return p_limb.blend.get() < 1.0f; });
 }
 
 void ActuationTable::save(ArchiveWriter &p_archive) const {

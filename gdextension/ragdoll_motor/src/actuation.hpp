@@ -46,6 +46,12 @@ struct GroupSettings {
 	float damping_ratio = 0.0f; ///< Of the springs; 0 takes the mode's own.
 };
 
+/// What a limb's springs are like.
+struct SpringSettings {
+	float frequency = 0.0f; ///< Hz; 0 takes the mode's own.
+	float damping_ratio = 0.0f; ///< 0 takes the mode's own.
+};
+
 /// Which mode and how much strength every limb has, and how they pass into each other.
 ///
 /// From and to LIMP the torque fades, so that a hit, a death or a getting-up looks like one. Into
@@ -67,6 +73,23 @@ public:
 	void set_spring(float p_frequency, float p_damping_ratio, int p_group);
 	/// Scales everybody's strength besides: a stream that has stalled.
 	void set_overall(float p_strength, float p_blend_s);
+	// Single limbs, as controls have them; within a time, s.
+	void set_limb_mode(Actuation p_mode, std::size_t p_limb, float p_blend_s) {
+		change(_limbs[p_limb], p_mode, p_blend_s);
+	}
+	/// Multiplies the limb's torque besides its group's strength.
+	void set_limb_share(float p_share, std::size_t p_limb, float p_blend_s) {
+		_limbs[p_limb].share.go(p_share, p_blend_s);
+	}
+	/// Springs of the limb instead of its group's; a frequency of 0 gives it those again.
+	/// @param p_usual the mode's own frequency, from which the first one is approached, Hz
+	void set_limb_spring(float p_frequency, float p_damping_ratio, float p_usual, std::size_t p_limb, float p_blend_s);
+	/// How far the limb is shown from the motion (0) to the simulation (1).
+	void set_physics_blend(float p_blend, std::size_t p_limb, float p_blend_s) {
+		_limbs[p_limb].blend.go(p_blend, p_blend_s);
+	}
+	/// Leaves a limb no more than a share of its strength, which comes back within a time, s.
+	void flinch(std::size_t p_limb, float p_strength, float p_blend_s);
 	void advance(float p_delta_s);
 
 	/// The mode a limb is in now: while it goes limp, still the old one.
@@ -77,13 +100,17 @@ public:
 	bool has_mode(Actuation p_mode) const;
 	/// What the limb's torque limit is multiplied by, LIMP_FRICTION at least.
 	float get_strength(std::size_t p_limb) const;
-	/// The same without what set_overall() takes away: a stream that stalls lets nobody drop.
+	/// The same without what set_overall() and flinch() take away: neither lets anybody drop.
 	float get_standing_strength(std::size_t p_limb) const;
 	/// The strength that was asked for, of a group.
 	float get_group_strength(int p_group) const { return _groups[p_group].strength.get_target(); }
 	/// How far a DIRECT_SET limb has come from where it was, 0 to 1.
 	float get_arrival(std::size_t p_limb) const { return _limbs[p_limb].arrival.get(); }
-	const GroupSettings &get_group(std::size_t p_limb) const { return _groups[_limbs[p_limb].group]; }
+	SpringSettings get_spring(std::size_t p_limb) const;
+	float get_flinch(std::size_t p_limb) const { return _limbs[p_limb].flinch.get(); }
+	float get_physics_blend(std::size_t p_limb) const { return _limbs[p_limb].blend.get(); }
+	/// Whether any limb is shown elsewhere than where it is simulated.
+	bool is_blended() const;
 
 	void save(ArchiveWriter &p_archive) const;
 	bool restore(ArchiveReader &p_archive);
@@ -95,6 +122,11 @@ private:
 		Actuation wanted = Actuation::VELOCITY_MOTOR;
 		Ramp authority{ 1.0f };
 		Ramp arrival{ 1.0f };
+		Ramp share{ 1.0f };
+		Ramp flinch{ 1.0f };
+		Ramp blend{ 1.0f };
+		Ramp frequency{ 0.0f }; // 0 takes the group's.
+		Ramp damping_ratio{ 0.0f };
 	};
 
 	static void change(LimbState &r_limb, Actuation p_mode, float p_blend_s);

@@ -49,14 +49,14 @@ void Controller::compute(const RigState &p_actual, const Pose &p_now, const Pose
 					command_velocity(i, state, p_delta_s, command);
 					break;
 				}
-				command_torque(i, state, p_actual.orientations[i], p_table.get_group(i), p_delta_s, command);
+				command_torque(i, state, p_actual.orientations[i], p_table.get_spring(i), p_delta_s, command);
 				break;
 			case Actuation::POSITION_MOTOR:
 				if (is_root) {
 					command_velocity(i, state, p_delta_s, command);
 					break;
 				}
-				command_position(i, state, p_table.get_group(i), p_delta_s, command);
+				command_position(i, state, p_table.get_spring(i), p_delta_s, command);
 				break;
 			case Actuation::DIRECT_SET:
 			case Actuation::LIMP:
@@ -113,14 +113,14 @@ void Controller::command_velocity(
 }
 
 void Controller::command_torque(std::size_t p_limb, const Relative &p_relative, const Quat &p_orientation,
-		const GroupSettings &p_group, float p_delta_s, LimbCommand &r_command) {
+		const SpringSettings &p_spring, float p_delta_s, LimbCommand &r_command) {
 	const float angle = p_relative.error.length();
 	float &integral = _integrals[p_limb];
 	// dx/dt = i - a x over the step, exactly, with the input held.
 	const float kept = std::exp(-settings.leak * p_delta_s);
 	integral = integral * kept + angle * (1.0f - kept) / settings.leak;
-	const float omega = TAU * chosen(p_group.frequency, settings.torque_frequency);
-	const float ratio = chosen(p_group.damping_ratio, settings.torque_damping_ratio);
+	const float omega = TAU * chosen(p_spring.frequency, settings.torque_frequency);
+	const float ratio = chosen(p_spring.damping_ratio, settings.torque_damping_ratio);
 	const Vec3 &inertia = _rig->get_subtree_inertia(p_limb);
 	const Vec3 &own = _rig->get_own_inertia(p_limb);
 	const Vec3 stiffness = inertia * (omega * omega * (1.0f + settings.leak_weight * integral));
@@ -136,10 +136,10 @@ void Controller::command_torque(std::size_t p_limb, const Relative &p_relative, 
 	r_command.torque = p_orientation.rotate(torque.limited(r_command.max_torque));
 }
 
-void Controller::command_position(std::size_t p_limb, const Relative &p_relative, const GroupSettings &p_group,
+void Controller::command_position(std::size_t p_limb, const Relative &p_relative, const SpringSettings &p_spring,
 		float p_delta_s, LimbCommand &r_command) const {
-	const float omega = TAU * chosen(p_group.frequency, settings.position_frequency);
-	const float ratio = chosen(p_group.damping_ratio, settings.position_damping_ratio);
+	const float omega = TAU * chosen(p_spring.frequency, settings.position_frequency);
+	const float ratio = chosen(p_spring.damping_ratio, settings.position_damping_ratio);
 	const Vec3 &inertia = _rig->get_subtree_inertia(p_limb);
 	r_command.stiffness = inertia * (omega * omega);
 	r_command.damping = inertia * (2.0f * ratio * omega);

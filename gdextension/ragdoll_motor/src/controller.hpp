@@ -82,9 +82,9 @@ private:
 			std::size_t p_limb, const RigState &p_actual, const Pose &p_now, const Pose &p_next, float p_delta_s) const;
 	void command_velocity(std::size_t p_limb, const Relative &p_relative, float p_delta_s, LimbCommand &r_command);
 	void command_torque(std::size_t p_limb, const Relative &p_relative, const Quat &p_orientation,
-			const GroupSettings &p_group, float p_delta_s, LimbCommand &r_command);
-	void command_position(std::size_t p_limb, const Relative &p_relative, const GroupSettings &p_group, float p_delta_s,
-			LimbCommand &r_command) const;
+			const SpringSettings &p_spring, float p_delta_s, LimbCommand &r_command);
+	void command_position(std::size_t p_limb, const Relative &p_relative, const SpringSettings &p_spring,
+			float p_delta_s, LimbCommand &r_command) const;
 
 	const Rig *_rig = nullptr;
 	Muscles _muscles;

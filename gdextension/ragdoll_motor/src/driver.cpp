@@ -16,6 +16,7 @@ Driver::Driver(Rig p_rig, const std::vector<int> &p_groups, std::size_t p_group_
 		_stream(_rig.size()),
 		_table(p_groups, p_group_count),
 		_controller(_rig),
+		_world(_rig.size()),
 		_torques(_rig.size()),
 		_errors(_rig.size(), 0.0f),
 		_saturations(_rig.size(), 0.0f),
@@ -30,6 +31,8 @@ Driver::Driver(Rig p_rig, const std::vector<int> &p_groups, std::size_t p_group_
 	_travels[2] = std::make_unique<InertialGait>(p_contacts);
 	_commands.orientations.resize(_rig.size());
 	_commands.joints.resize(_rig.size());
+	_commands.pushes.resize(_rig.size());
+	_joints_next.resize(_rig.size());
 }
 
 bool Driver::push(double p_time_s, const float *p_orientations, const Vec3 &p_root, const float *p_rates) {
@@ -88,6 +91,7 @@ const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_del
 	let_go_when_stalled(p_time_s);
 	_table.advance(p_delta_s);
 	compute_limbs(r_state, p_delta_s);
+	push_limbs(r_state, p_delta_s);
 	note_torques(r_state, p_delta_s);
 	command_root(r_state, p_delta_s);
 	if (_table.has_mode(Actuation::DIRECT_SET)) {
@@ -158,6 +162,11 @@ void Driver::command_root(const RigState &p_state, float p_delta_s) {
 	const float strength = mode == Actuation::LIMP ? 0.0f : _table.get_standing_strength(0);
 	_commands.root = drive_root(
 			root_mode, root_settings, _rig, p_state, _now.root + _lift, _next.root + _lift, p_delta_s, strength);
+	// A hit shoves and turns the hips too, but drops nobody.
+	const float flinch = _table.get_flinch(0);
+	_commands.root.force_across *= flinch;
+	_commands.root.torque *= flinch;
+	_commands.root.assist_torque *= flinch;
 	_commands.root_turn = _commands.limbs[0].velocity;
 	if (root_mode == RootMode::SELF_RIGHTING && righted_limb > 0) {
 		const std::size_t limb = std::size_t(righted_limb);
@@ -281,6 +290,7 @@ void Driver::save(ArchiveWriter &p_archive) const {
 	_stream.save(p_archive);
 	_table.save(p_archive);
 	_controller.save(p_archive);
+	_world.save(p_archive);
 }
 
 bool Driver::restore(ArchiveReader &p_archive) {
@@ -313,7 +323,7 @@ bool Driver::read(ArchiveReader &p_archive) {
 		}
 	}
 	return _foot_lock.restore(p_archive) && _path.restore(p_archive) && _stream.restore(p_archive) &&
-			_table.restore(p_archive) && _controller.restore(p_archive);
+			_table.restore(p_archive) && _controller.restore(p_archive) && _world.restore(p_archive);
 }
 
 } // namespace ragdoll

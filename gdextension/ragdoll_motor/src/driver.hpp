@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "control/world_drive.hpp"
 #include "controller.hpp"
 #include "energy_guard.hpp"
 #include "gait/foot_lock.hpp"
@@ -25,6 +26,8 @@ struct StepCommands {
 	bool is_root_held = false; ///< The root is held at a pose instead of pulled.
 	std::vector<Quat> orientations; ///< Of limbs that are held at a pose, at the step's end.
 	std::vector<Vec3> joints; ///< Their joints, m.
+	bool is_pushed = false; ///< Whether there are pushes.
+	std::vector<LimbPush> pushes; ///< What world-space controls add to the limbs.
 	/// Flags of GuardAction. Where there are any, or after a teleport, `must_put` is set and the state
 	/// that was handed in has been mended and has to be given back to the simulation.
 	std::uint32_t guarded = GUARD_NOTHING;
@@ -106,6 +109,14 @@ public:
 	const StepCommands &step(RigState &r_state, double p_time_s, float p_delta_s);
 	/// The state of bodies at rest in the motion's pose.
 	void pose_state(double p_time_s, RigState &r_state);
+	/// Changes how a limb is controlled within a time, s. Its actuation can still be changed by its group.
+	void set_control(std::size_t p_limb, const LimbControl &p_control, float p_blend_s);
+	/// Lets the limb that is nearest to a place (m) and those around it give way for a moment, see flinch();
+	/// of one group, or of all (-1). Who calls it gives the body its impulse. Returns the limb, or -1.
+	int hit(const RigState &p_state, const Vec3 &p_place, int p_group, float p_strength, float p_blend_s);
+	/// The limbs' orientations, and the centre of the root's body (m), as they are shown: between the motion
+	/// at the end of the last step and the simulation, by the limbs' physics blend.
+	void blend_shown(const RigState &p_state, std::vector<Quat> &r_orientations, Vec3 &r_root_centre) const;
 	/// Notes the bodies' state after a step that ended at a moment of the motion.
 	void measure(double p_time_s, const RigState &p_state);
 	/// Angle between each limb and the motion at the beginning of the last step, rad.
@@ -155,11 +166,13 @@ private:
 	void let_go_when_stalled(double p_time_s);
 	void command_root(const RigState &p_state, float p_delta_s);
 	void note_torques(const RigState &p_state, float p_delta_s);
+	void push_limbs(const RigState &p_state, float p_delta_s);
 
 	Rig _rig;
 	PoseStream _stream;
 	ActuationTable _table;
 	Controller _controller;
+	WorldDrive _world;
 	EnergyGuard _guard;
 	TrackingMeter _meter;
 	TorqueMeter _torques;
@@ -169,6 +182,7 @@ private:
 	MotionFrame _frame_now;
 	MotionFrame _frame_next;
 	std::vector<Vec3> _joints;
+	std::vector<Vec3> _joints_next;
 	std::vector<Quat> _measured;
 	std::vector<float> _errors;
 	std::vector<float> _saturations;

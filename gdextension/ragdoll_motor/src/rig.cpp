@@ -23,6 +23,7 @@ Rig::Rig(std::vector<Segment> p_limbs) :
 		_limbs(std::move(p_limbs)),
 		_subtree_inertia(_limbs.size()),
 		_own_inertia(_limbs.size()),
+		_subtree_mass(_limbs.size(), 0.0f),
 		_legs(_limbs.size(), 0) {
 	std::vector<Vec3> joints(_limbs.size());
 	for (std::size_t i = 0; i < _limbs.size(); i++) {
@@ -41,6 +42,7 @@ Rig::Rig(std::vector<Segment> p_limbs) :
 			const Vec3 about_joint = turned_inertia(_limbs[i].inertia, turn * _limbs[i].rest) +
 					Vec3{ square.y + square.z, square.x + square.z, square.x + square.y };
 			_subtree_inertia[above] = _subtree_inertia[above] + about_joint;
+			_subtree_mass[above] += _limbs[i].mass;
 			if (above == int(i)) {
 				_own_inertia[i] = about_joint;
 			}

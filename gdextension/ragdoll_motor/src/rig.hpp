@@ -56,7 +56,9 @@ public:
 	/// in the rest pose: what springs are tuned by. CompositeInertia has them in any pose.
 	const Vec3 &get_subtree_inertia(std::size_t p_limb) const { return _subtree_inertia[p_limb]; }
 
-	/// The same of the limb alone.
+	/// Mass of a limb and all that hangs on it, kg.
+	float get_subtree_mass(std::size_t p_limb) const { return _subtree_mass[p_limb]; }
+	/// The inertia of the limb alone about its joint, kg m^2.
 	const Vec3 &get_own_inertia(std::size_t p_limb) const { return _own_inertia[p_limb]; }
 
 	/// Whether a limb is part of a leg: a foot, or between the root and a foot.
@@ -74,6 +76,7 @@ private:
 	std::vector<Segment> _limbs;
 	std::vector<Vec3> _subtree_inertia;
 	std::vector<Vec3> _own_inertia;
+	std::vector<float> _subtree_mass;
 	std::vector<std::uint8_t> _legs;
 	float _mass = 0.0f;
 };

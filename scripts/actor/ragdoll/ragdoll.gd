@@ -33,6 +33,13 @@ extends Node3D
 @export var self_collision: bool = false
 ## Whether joints are limited to what people's joints can do.
 @export var anatomical_limits: bool = false
+## Ways to control the limbs that [method RagdollMotor.invoke_control_profile] finds by their names.
+@export var control_profiles: Array[RagdollControlProfile] = [
+	preload("res://assets/control/standing.tres"),
+	preload("res://assets/control/wounded_left_arm.tres"),
+	preload("res://assets/control/wounded_right_arm.tres"),
+	preload("res://assets/control/limp_legs.tres"),
+]
 
 @warning_ignore("unused_private_class_variable")
 @export_tool_button("Make bodies", "PhysicalBone3D") var _make_button: Callable = make_bodies
@@ -337,6 +344,7 @@ func _start_motor(p_bones: Array[PhysicalBone3D]) -> bool:
 	motor.self_collision = self_collision
 	motor.anatomical_limits = anatomical_limits
 	motor.sample_slots = slots
+	motor.control_profiles = control_profiles
 	add_child(motor)
 	if not motor.setup(profile, _bodies, centres, get_world_3d().space):
 		return false

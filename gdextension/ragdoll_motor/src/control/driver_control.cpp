@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Driver: controls of single limbs, and hits.
+#include "control/hit.hpp"
+#include "driver.hpp"
+
+#include <algorithm>
+
+namespace ragdoll {
+
+void Driver::set_control(std::size_t p_limb, const LimbControl &p_control, float p_blend_s) {
+	const float blend = std::clamp(p_control.physics_blend, 0.0f, 1.0f);
+	const float own = _rig[p_limb].max_torque;
+	const float most = p_control.parent_angular.most;
+	const float share = most > 0.0f && own > 0.0f ? most / own : 1.0f;
+	const ControlSettings &usual = _controller.settings;
+	const bool is_sprung = p_control.mode == Actuation::SPRING_TORQUE;
+	_table.set_limb_mode(blend > 0.0f ? p_control.mode : Actuation::DIRECT_SET, p_limb, p_blend_s);
+	_table.set_limb_share(std::max(p_control.strength, 0.0f) * share, p_limb, p_blend_s);
+	_table.set_limb_spring(p_control.parent_angular.strength, p_control.parent_angular.damping_ratio,
+			is_sprung ? usual.torque_frequency : usual.position_frequency, p_limb, p_blend_s);
+	_table.set_physics_blend(blend, p_limb, p_blend_s);
+	_world.set(p_limb, p_control.world_angular, p_control.world_linear, p_blend_s);
+}
+
+int Driver::hit(const RigState &p_state, const Vec3 &p_place, int p_group, float p_strength, float p_blend_s) {
+	const int limb = find_nearest_limb(_rig, p_state, p_place, p_group);
+	if (limb >= 0) {
+		flinch(_rig, limb, std::clamp(p_strength, 0.0f, 1.0f), p_blend_s, _table);
+	}
+	return limb;
+}
+
+void Driver::push_limbs(const RigState &p_state, float p_delta_s) {
+	_world.advance(p_delta_s);
+	_commands.is_pushed = _world.is_active();
+	if (_commands.is_pushed) {
+		_rig.joint_positions(_now, _joints);
+		_rig.joint_positions(_next, _joints_next);
+		_world.compute(_rig, p_state, _now, _next, _joints, _joints_next, p_delta_s, _commands.pushes);
+	}
+}
+
+void Driver::blend_shown(const RigState &p_state, std::vector<Quat> &r_orientations, Vec3 &r_root_centre) const {
+	r_orientations = p_state.orientations;
+	r_root_centre = p_state.centres[0];
+	if (!_table.is_blended() || _next.orientations.size() != _rig.size()) {
+		return;
+	}
+	for (std::size_t i = 0; i < _rig.size(); i++) {
+		r_orientations[i] = slerp(_next.orientations[i], p_state.orientations[i], _table.get_physics_blend(i));
+	}
+	const Vec3 target = _next.root + _next.orientations[0].rotate(_rig[0].centre);
+	r_root_centre = target + (r_root_centre - target) * _table.get_physics_blend(0);
+}
+
+} // namespace ragdoll
