@@ -213,6 +213,8 @@ func _open_files(p_option: String) -> String:
 		if source.error != "":
 			return source.error
 		Log.info("mocap", source.describe())
+		for note: String in source.notes:
+			Log.info("mocap", note)
 		# Of several people each has the name of a file, one alone the client's.
 		appeared.emit(source, path.get_file().get_basename() if paths.size() > 1 else "")
 	return ""

@@ -29,11 +29,16 @@ const _PLAIN: PackedStringArray = ["m", "cm", "mm"]
 ## Maximum of frames that are looked at where there is no person.
 const _MAX_FRAMES: int = 16
 ## How much each sign of an axis counts: direction of the body in the motion and in the rest pose, a
-## floor that keeps still, and that is at height 0.
+## floor that keeps still, and that is at height 0. Where the motion speaks for another axis than
+## the rest pose, the person lies, or the hips turn the whole rest pose up: feet that are at 0 tell
+## which.
 const _BY_MOTION: float = 1.0
 const _BY_REST: float = 0.7
 const _BY_FLOOR: float = 0.5
-const _BY_ZERO: float = 0.4
+const _BY_ZERO: float = 0.9
+## How unsteady a floor may be, and how far from 0, to count by 1/e, as a share of the leg.
+const _UNSTEADY: float = 0.05
+const _OFF_ZERO: float = 0.45
 ## What an axis is believed beforehand.
 const _BEFORE: Dictionary[BvhOptions.UpAxis, float] = {
 	BvhOptions.UpAxis.Y: 0.15,
@@ -43,8 +48,9 @@ const _BEFORE: Dictionary[BvhOptions.UpAxis, float] = {
 	BvhOptions.UpAxis.Z_DOWN: -0.05,
 	BvhOptions.UpAxis.X_DOWN: -0.05,
 }
-## An axis that wins by less may be wrong.
+## An axis that wins by less may be wrong, and so may one along which the body is less upright.
 const _SURE: float = 0.3
+const _SURE_UPRIGHT: float = 0.6
 
 
 ## Sets unit and up axis of a clip with their reasons: as given by the options, or else guessed.
@@ -132,7 +138,9 @@ static func _guess_up(p_clip: BvhClip, p_anatomy: BvhAnatomy) -> void:
 	if p_anatomy.rest_stands():
 		var rest: Vector3 = (p_anatomy.rest_trunk + p_anatomy.rest_legs) / 2.0
 		p_clip.up_reason += "; in the rest pose by %.2f" % _along(rest, best)
-	if scores[-1] - scores[-2] < _SURE:
+	var is_upright: bool = p_anatomy.trunks.is_empty()
+	is_upright = is_upright or _uprightness(p_anatomy, best) > _SURE_UPRIGHT
+	if scores[-1] - scores[-2] < _SURE or not is_upright:
 		p_clip.up_reason += "; unsure"
 		p_clip.notes.append(
 			"%s: which axis points up is unsure; --up= says it" % p_clip.source_name
@@ -154,8 +162,10 @@ static func _score(p_anatomy: BvhAnatomy, p_axis: BvhOptions.UpAxis) -> float:
 	floors.sort()
 	# A jump leaves the floor for less than half of a clip.
 	var spread: float = floors[floors.size() / 2] - floors[floors.size() / 10]
-	score += _BY_FLOOR * exp(-spread / (0.05 * p_anatomy.leg))
-	return score + _BY_ZERO * exp(-absf(floors[floors.size() / 10]) / (0.15 * p_anatomy.leg))
+	score += _BY_FLOOR * exp(-spread / (_UNSTEADY * p_anatomy.leg))
+	return (
+		score + _BY_ZERO * exp(-pow(floors[floors.size() / 10] / (_OFF_ZERO * p_anatomy.leg), 2.0))
+	)
 
 
 ## How far trunk and legs point along an axis over the clip, -1 to 1.

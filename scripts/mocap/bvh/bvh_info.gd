@@ -67,5 +67,5 @@ func _print_clip(p_clip: BvhClip, p_source: BvhSource) -> void:
 		var anatomy: BvhAnatomy = BvhAnatomy.new(p_clip, p_source.rig.map)
 		var sizes: Array = [anatomy.stature() * p_clip.unit_metres, p_source.get_hip_height()]
 		print("person: %.2f m tall by legs and trunk, hips at %.2f m" % sizes)
-	for note: String in p_clip.notes:
+	for note: String in p_source.notes:
 		print("note: %s" % note)

@@ -9,6 +9,9 @@ extends RefCounted
 ## which the person stands best. Frames: Godot's, metres; the person faces +Z in the reset pose, so
 ## files that face elsewhere are turned about the vertical.
 
+## How far ankles are above toes at least, as a share of the leg: less means that toes are missing.
+const _ANKLE_ABOVE_TOES: float = 0.02
+
 ## Why the clip shows no person, or an empty text.
 var error: String = ""
 ## The motion.
@@ -21,6 +24,7 @@ var hip_height: float = 0.95
 var _heading: Quaternion = Quaternion.IDENTITY
 var _calibration: Array[Quaternion] = []
 var _rest: PackedVector3Array = PackedVector3Array()
+var _rest_floor: float = 0.0
 # Rotations of the joints in that pose; empty where it is the file's, in which they have none.
 var _rest_turns: Array[Quaternion] = []
 
@@ -65,12 +69,14 @@ func rest_tail(p_limb: int) -> Vector3:
 	return rest_base(p_limb) if tail < 0 else _heading * _rest[tail]
 
 
-## Height of the lowest point of the rest pose, m, in the frame of [method rest_base].
+## Height of the soles in the rest pose, m, in the frame of [method rest_base].
 func rest_floor() -> float:
-	var lowest: float = INF
-	for position: Vector3 in _rest:
-		lowest = minf(lowest, position.y)
-	return lowest
+	return _rest_floor
+
+
+## Height of a joint above the soles in the rest pose, m.
+func rest_height(p_joint: int) -> float:
+	return _rest[p_joint].y - _rest_floor
 
 
 func _measure() -> void:
@@ -82,7 +88,8 @@ func _measure() -> void:
 	across.y = 0.0
 	if across.length() > 0.01:
 		_heading = Quaternion(Vector3.UP, -atan2(-across.z, across.x))
-	hip_height = clampf(_rest[map.joints[Limbs.HIPS]].y - rest_floor(), 0.3, 1.8)
+	_rest_floor = _find_rest_floor()
+	hip_height = clampf(_rest[map.joints[Limbs.HIPS]].y - _rest_floor, 0.3, 1.8)
 	_calibration.clear()
 	for limb: int in Limbs.COUNT:
 		var turn: Quaternion = Limbs.rest_to_reset(limb, rest_tail(limb) - rest_base(limb))
@@ -90,6 +97,25 @@ func _measure() -> void:
 		if not _rest_turns.is_empty():
 			rest = _rest_turns[map.joints[limb]]
 		_calibration.append((turn * _heading * rest).inverse())
+
+
+## Of the lowest point of the legs; where that is an ankle, or the rest pose was taken from the
+## motion with knees that are never quite straight, a foot's height below the ankles of straight
+## legs ([constant BodySize.RATIOS]).
+func _find_rest_floor() -> float:
+	var lowest: float = INF
+	for upper: int in [Limbs.LEFT_UPPER_LEG, Limbs.RIGHT_UPPER_LEG]:
+		for joint: int in map.joints_below(map.joints[upper]):
+			lowest = minf(lowest, _rest[joint].y)
+	var thigh: Vector3 = _rest[map.bases[Limbs.LEFT_UPPER_LEG]]
+	var shank: Vector3 = _rest[map.bases[Limbs.LEFT_LOWER_LEG]]
+	var ankle: Vector3 = _rest[map.bases[Limbs.LEFT_FOOT]]
+	var leg: float = thigh.distance_to(shank) + shank.distance_to(ankle)
+	var straight: float = ankle.y if _rest_turns.is_empty() else thigh.y - leg
+	if _rest_turns.is_empty() and straight - lowest > _ANKLE_ABOVE_TOES * leg:
+		return lowest
+	var ratios: Dictionary[StringName, float] = BodySize.RATIOS
+	return straight - leg * ratios[&"foot_height"] / (ratios[&"thigh"] + ratios[&"shank"])
 
 
 ## Whether somebody stands in a pose: the trunk up, the legs down.
@@ -108,21 +134,24 @@ func _uprightness(p_positions: PackedVector3Array) -> float:
 	return worst
 
 
-## Takes the frame in which the person stands best for the rest pose, turned to face +Z.
+## Takes the frame in which the person stands best for the rest pose, turned to face +Z: upright,
+## and both ankles as low as they ever are, as a heel that is raised raises its ankle.
 func _stand_up() -> void:
 	var best: float = -INF
 	var pose: BvhClip.Pose = null
-	for frame: int in range(0, clip.frame_count, maxi(clip.frame_count / 300, 1)):
+	var frames: Array = range(0, clip.frame_count, maxi(clip.frame_count / 300, 1))
+	var lows: PackedFloat32Array = []
+	for frame: int in frames:
+		lows.append(_ankles(clip.sample_global(frame)).x)
+	lows.sort()
+	for frame: int in frames:
 		var other: BvhClip.Pose = clip.sample_global(frame)
-		var feet: float = (
-			other.positions[map.bases[Limbs.LEFT_FOOT]].y
-			- other.positions[map.bases[Limbs.RIGHT_FOOT]].y
-		)
-		var score: float = _uprightness(other.positions) - 2.0 * absf(feet)
+		var raised: Vector2 = _ankles(other) - Vector2.ONE * lows[lows.size() / 10]
+		var score: float = _uprightness(other.positions) - 2.0 * (maxf(raised.x, 0.0) + raised.y)
 		if score > best:
 			best = score
 			pose = other
-	if best < 0.5:
+	if pose == null or _uprightness(pose.positions) < 0.5:
 		return  # Nobody ever stands: the file's rest pose is as good as any.
 	var across: Vector3 = (
 		pose.positions[map.bases[Limbs.LEFT_UPPER_LEG]]
@@ -134,6 +163,13 @@ func _stand_up() -> void:
 	for joint: int in pose.positions.size():
 		_rest[joint] = turn * (pose.positions[joint] - origin)
 		_rest_turns.append(turn * pose.orientations[joint])
+
+
+## Heights of the lower and of the higher ankle, m.
+func _ankles(p_pose: BvhClip.Pose) -> Vector2:
+	var left: float = p_pose.positions[map.bases[Limbs.LEFT_FOOT]].y
+	var right: float = p_pose.positions[map.bases[Limbs.RIGHT_FOOT]].y
+	return Vector2(minf(left, right), maxf(left, right))
 
 
 func _orientation(p_joint: int, p_time_s: float) -> Quaternion:

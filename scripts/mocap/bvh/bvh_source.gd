@@ -7,13 +7,17 @@ const BLEND_S: float = 0.5
 
 ## The clip that is played.
 var rig: BvhRig = null
+## What was guessed with doubt, mended or left out, one sentence each: those of the clip, and those
+## of how it is played.
+var notes: PackedStringArray = PackedStringArray()
 ## Where in the loop playing begins, s.
 var start_s: float = 0.0
 
 var _begin_usec: int = -1
 var _floor: float = 0.0
-## Seconds of the clip that are left out at its beginning.
+## Seconds of the clip that are left out at its beginning and at its end.
 var _skipped: float = 0.0
+var _unplayed: float = 0.0
 ## For each limb 1 or -1: which of the end's two quaternions is the nearer one to the beginning's.
 var _seam_signs: PackedFloat32Array = PackedFloat32Array()
 
@@ -43,11 +47,12 @@ func open(p_path: String, p_unit: String = "", p_up: String = "") -> void:
 ## Plays a clip that is already there.
 func use(p_clip: BvhClip) -> void:
 	rig = BvhRig.from_clip(p_clip)
+	notes = p_clip.notes.duplicate()
 	error = rig.error
 	if error == "":
 		p_clip.prepare()
-		_floor = _find_floor()
-		_skipped = _find_skipped()
+		_floor = BvhFloor.find(rig)
+		_trim()
 		_find_seam()
 
 
@@ -96,25 +101,26 @@ func pose_at(p_time_s: float) -> PoseSample:
 
 
 func _length() -> float:
-	return maxf(rig.clip.duration() - _skipped, 0.001)
+	return maxf(rig.clip.duration() - _skipped - _unplayed, 0.001)
 
 
 func _limb_rotation(p_limb: int, p_time_s: float) -> Quaternion:
 	return rig.limb_rotation(p_limb, p_time_s + _skipped)
 
 
-## Some files begin with one frame in the rest pose, from which the body would be flung into the
-## motion: it is left out.
-func _find_skipped() -> float:
-	var first: float = 0.0
-	var second: float = 0.0
-	var step: float = rig.clip.frame_time
-	for limb: int in Limbs.COUNT:
-		var turn: Quaternion = rig.limb_rotation(limb, step)
-		first = maxf(first, turn.angle_to(rig.limb_rotation(limb, 0.0)))
-		second = maxf(second, turn.angle_to(rig.limb_rotation(limb, 2.0 * step)))
-	var jumps: bool = first > deg_to_rad(25.0) and first > 3.0 * second
-	return step if jumps and rig.clip.frame_count > 3 else 0.0
+## Leaves out what is no motion, and says so.
+func _trim() -> void:
+	var clip: BvhClip = rig.clip
+	var first: int = BvhTrim.leading(rig)
+	var last: int = BvhTrim.trailing(rig)
+	if first + last > clip.frame_count - 2:
+		last = 0
+	_skipped = first * clip.frame_time
+	_unplayed = last * clip.frame_time
+	for part: Array in [["begins", first], ["ends", last]]:
+		if part[1] > 0:
+			var parts: Array = [clip.source_name] + part
+			notes.append("%s: %s with another pose or place, not played: frames: %d" % parts)
 
 
 ## Decides once which way each limb turns while the end is blended into the beginning. If it were
@@ -127,15 +133,3 @@ func _find_seam() -> void:
 		var beginning: Quaternion = _limb_rotation(limb, middle)
 		var same: float = beginning.dot(_limb_rotation(limb, get_period() + middle))
 		_seam_signs[limb] = -1.0 if same < 0.0 else 1.0
-
-
-## Height of the ground that the clip was made on: standing feet are there most of the time.
-func _find_floor() -> float:
-	var heights: PackedFloat32Array = []
-	for frame: int in range(0, rig.clip.frame_count, maxi(rig.clip.frame_count / 200, 1)):
-		var lowest: float = INF
-		for position: Vector3 in rig.clip.sample_global(frame).positions:
-			lowest = minf(lowest, position.y)
-		heights.append(lowest)
-	heights.sort()
-	return heights[heights.size() / 10]

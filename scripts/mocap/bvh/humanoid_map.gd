@@ -54,6 +54,15 @@ static func from_clip(p_clip: BvhClip) -> HumanoidMap:
 	return map
 
 
+## All joints and end sites below a joint.
+func joints_below(p_joint: int) -> PackedInt32Array:
+	var found: PackedInt32Array = []
+	for joint: int in range(p_joint + 1, _parents.size()):
+		if _parents[joint] == p_joint or _parents[joint] in found:
+			found.append(joint)
+	return found
+
+
 func _find_all() -> void:
 	joints.resize(Limbs.COUNT)
 	joints.fill(-1)
@@ -196,8 +205,17 @@ func _find_head(p_branch: int) -> PackedInt32Array:
 					return _chain(joint, above)
 	for joint: int in _names.size():
 		if _parents[joint] == p_branch and not _is_end[joint] and not _has_limb(joint):
-			return PackedInt32Array([joint])
+			return _chain(_end_of_chain(joint), p_branch)
 	return PackedInt32Array()
+
+
+## The last of the joints that follow a joint, each alone.
+func _end_of_chain(p_joint: int) -> int:
+	var children: PackedInt32Array = []
+	for joint: int in _names.size():
+		if _parents[joint] == p_joint and not _is_end[joint]:
+			children.append(joint)
+	return _end_of_chain(children[0]) if children.size() == 1 else p_joint
 
 
 ## Whether a joint is an arm or a leg, or carries one.
