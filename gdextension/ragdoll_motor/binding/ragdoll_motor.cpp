@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace godot {
 
@@ -16,7 +15,6 @@ namespace {
 constexpr double DEGREES = 180.0 / 3.14159265358979323846;
 constexpr double MIN_STEP = 1e-5;
 constexpr double MAX_STEP = 1.0;
-constexpr std::uint32_t STATE_MAGIC = 0x34534D52; // "RMS4"
 
 PackedFloat32Array to_packed(const std::vector<float> &p_values) {
 	PackedFloat32Array result;
@@ -333,70 +331,6 @@ PackedFloat32Array RagdollMotor::get_contact_weights() const {
 
 double RagdollMotor::get_internal_energy() {
 	return _driver && _bodies->read(_state) ? ragdoll::EnergyGuard::internal_energy(_driver->get_rig(), _state) : 0.0;
-}
-
-PackedByteArray RagdollMotor::save_state() {
-	PackedByteArray result;
-	if (!_driver || !_bodies->read(_state)) {
-		return result;
-	}
-	ragdoll::ArchiveWriter archive;
-	archive.put(STATE_MAGIC);
-	_driver->save(archive);
-	archive.put_all(_state.orientations);
-	archive.put_all(_state.centres);
-	archive.put_all(_state.linear);
-	archive.put_all(_state.angular);
-	ragdoll::StateHash sum;
-	for (const std::uint8_t byte : archive.get_bytes()) {
-		sum.add(byte);
-	}
-	archive.put(sum.get());
-	const std::vector<std::uint8_t> &bytes = archive.get_bytes();
-	result.resize(int64_t(bytes.size()));
-	std::memcpy(result.ptrw(), bytes.data(), bytes.size());
-	return result;
-}
-
-bool RagdollMotor::restore_state(const PackedByteArray &p_bytes) {
-	ERR_FAIL_COND_V_MSG(!_driver, false, "RagdollMotor: restore_state() comes after setup().");
-	const std::size_t size = std::size_t(p_bytes.size());
-	const std::size_t tail = sizeof(std::uint64_t);
-	ERR_FAIL_COND_V_MSG(size < tail, false, "RagdollMotor: the saved state is cut off.");
-	const std::uint8_t *bytes = p_bytes.ptr();
-	ragdoll::StateHash sum;
-	for (std::size_t i = 0; i < size - tail; i++) {
-		sum.add(bytes[i]);
-	}
-	std::uint64_t expected = 0;
-	std::memcpy(&expected, bytes + size - tail, tail);
-	ERR_FAIL_COND_V_MSG(sum.get() != expected, false, "RagdollMotor: the saved state is damaged.");
-	ragdoll::ArchiveReader archive(bytes, size - tail);
-	std::uint32_t magic = 0;
-	const bool fits = archive.get(magic) && magic == STATE_MAGIC && _driver->restore(archive) &&
-			archive.get_all(_state.orientations) && archive.get_all(_state.centres) && archive.get_all(_state.linear) &&
-			archive.get_all(_state.angular) && archive.is_at_end();
-	ERR_FAIL_COND_V_MSG(!fits, false, "RagdollMotor: the saved state is of another profile or version.");
-	_root_mode = RootMode(_driver->root_mode);
-	look_at_ground();
-	// New joints know nothing of the impulses of the time before: every replay begins the same.
-	_is_state_read = false;
-	_bodies->remake();
-	_bodies->put(_state);
-	return true;
-}
-
-int64_t RagdollMotor::get_state_hash() {
-	ragdoll::StateHash hash;
-	if (_driver && _bodies->read(_state)) {
-		for (std::size_t i = 0; i < _state.centres.size(); i++) {
-			hash.add(_state.orientations[i]);
-			hash.add(_state.centres[i]);
-			hash.add(_state.linear[i]);
-			hash.add(_state.angular[i]);
-		}
-	}
-	return int64_t(hash.get());
 }
 
 } // namespace godot
