@@ -18,6 +18,9 @@ const FOUR_LEGS_BY_TRUNK: float = 1.15
 ## legs of the animals 0.85 and more.
 const MAX_ARM_BY_LEG: float = 1.8
 const FOUR_LEGS_ARM_BY_LEG: float = 0.8
+## Limbs that are as an animal's in both ways are one's, whatever the pose.
+const ANIMAL_BY_TRUNK: float = 0.85
+const ANIMAL_ARM_BY_LEG: float = 0.9
 ## A trunk that makes less than 70 degrees with the legs, most of the time, lies across them.
 const ACROSS: float = 0.35
 
@@ -91,12 +94,14 @@ func find_fault() -> String:
 		return "this is no person: the legs or the trunk have no length"
 	var by_trunk: float = leg / trunk
 	var by_leg: float = arm / leg
+	var is_animal: bool = by_trunk < ANIMAL_BY_TRUNK and by_leg > ANIMAL_ARM_BY_LEG
 	if straightness() < ACROSS and not rest_stands():
-		if by_trunk < FOUR_LEGS_BY_TRUNK or by_leg > FOUR_LEGS_ARM_BY_LEG:
-			return (
-				"this is no person: it goes on four legs (%.2f of the trunk, front by hind %.2f)"
-				% [by_trunk, by_leg]
-			)
+		is_animal = is_animal or by_trunk < FOUR_LEGS_BY_TRUNK or by_leg > FOUR_LEGS_ARM_BY_LEG
+	if is_animal:
+		return (
+			"this is no person: it goes on four legs (%.2f of the trunk, front by hind %.2f)"
+			% [by_trunk, by_leg]
+		)
 	if by_trunk < MIN_LEG_BY_TRUNK or by_trunk > MAX_LEG_BY_TRUNK:
 		return "this is no person: the legs are %.2f times as long as the trunk" % by_trunk
 	if by_leg > MAX_ARM_BY_LEG:

@@ -118,8 +118,10 @@ const _EMPTY: PackedStringArray = [
 	"skel",
 	"rig",
 ]
-## From this share of a skeleton's joints on, a word that they begin or end with says nothing.
-const _SHARED: float = 0.7
+## From this share of a skeleton's joints on, a word that they begin with, and one that they end
+## with, says nothing. Helpers often have names of their own.
+const _SHARED_FIRST: float = 0.4
+const _SHARED_LAST: float = 0.7
 ## A skeleton of fewer joints has no words that are counted as shared.
 const _MIN_NAMES: int = 8
 
@@ -213,7 +215,8 @@ static func _drop_shared(p_all: Array[PackedStringArray]) -> void:
 				var word: String = _shared_form(words[at])
 				counts[word] = counts.get(word, 0) + 1
 		for word: String in counts:
-			var is_common: bool = counts[word] >= _SHARED * names and names >= _MIN_NAMES
+			var share: float = _SHARED_FIRST if at == 0 else _SHARED_LAST
+			var is_common: bool = counts[word] >= share * names and names >= _MIN_NAMES
 			if is_common and not word in _LEFT and not word in _RIGHT and not _is_part(word):
 				_drop(p_all, at, word)
 

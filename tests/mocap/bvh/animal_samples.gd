@@ -22,6 +22,21 @@ const ANIMALS: Dictionary[String, Array] = {
 		["Tail", "Hips", Vector3(0.0, 0.55, -0.12)],
 		["Tail1", "Tail", Vector3(0.0, 0.5, -0.3)],
 	],
+	"dog whose front legs are longer":
+	[
+		["Hips", "", Vector3(0.0, 0.5, 0.0)],
+		["Spine", "Hips", Vector3(0.0, 0.56, 0.25)],
+		["Neck", "Spine", Vector3(0.0, 0.7, 0.45)],
+		["Head", "Neck", Vector3(0.0, 0.8, 0.55)],
+		["#Shoulder", "Spine", Vector3(0.05, 0.72, 0.38)],
+		["#Arm", "#Shoulder", Vector3(0.08, 0.7, 0.4)],
+		["#ForeArm", "#Arm", Vector3(0.08, 0.4, 0.36)],
+		["#Hand", "#ForeArm", Vector3(0.08, 0.08, 0.4)],
+		["#UpLeg", "Hips", Vector3(0.07, 0.38, -0.02)],
+		["#Leg", "#UpLeg", Vector3(0.07, 0.26, -0.12)],
+		["#Foot", "#Leg", Vector3(0.07, 0.14, -0.24)],
+		["#ToeBase", "#Foot", Vector3(0.07, 0.02, -0.2)],
+	],
 	"horse of a Biped":
 	[
 		["Bip01 Pelvis", "", Vector3(0.0, 1.35, 0.0)],

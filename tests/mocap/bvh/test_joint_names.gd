@@ -110,6 +110,18 @@ func test_words_of_most_joints_say_nothing() -> void:
 			equal(known.side(i), LEFT if names[i].begins_with("Left") else MIDDLE, written[i])
 
 
+func test_helpers_with_names_of_their_own_hide_no_shared_word() -> void:
+	var names: PackedStringArray = []
+	for part: String in ["Hips", "Spine", "LeftUpLeg", "LeftLeg", "LeftFoot", "LeftArm"]:
+		names.append("Character1_" + part)
+	for part: String in ["L_Femur", "L_Tibia", "L_Talus", "Pelvis"]:
+		names.append(part + "_RIGMESH")
+	var known: JointNames = JointNames.new(names)
+	equal(known.core(2), "upleg")
+	equal(known.rank(3, &"LowerLeg") >= 0, true)
+	equal(known.side(4), LEFT)
+
+
 func test_shared_sides_and_parts_are_kept() -> void:
 	var names: PackedStringArray = []
 	for i: int in 12:
