@@ -86,12 +86,12 @@ double RagdollMotor::get_physics_blend(const StringName &p_bone) const {
 	return 1.0;
 }
 
-int64_t RagdollMotor::hit(const Vector3 &p_impulse, const Vector3 &p_place, double p_strength, double p_blend_s,
+int64_t RagdollMotor::hit(const Vector3 &p_impulse, const Vector3 &p_position, double p_strength, double p_blend_s,
 		const StringName &p_group) {
 	int group = -1;
 	ERR_FAIL_COND_V_MSG(!_driver, -1, "RagdollMotor: hit() comes after setup().");
-	ERR_FAIL_COND_V_MSG(!p_impulse.is_finite() || !p_place.is_finite(), -1,
-			"RagdollMotor: the impulse and the place of a hit are finite.");
+	ERR_FAIL_COND_V_MSG(!p_impulse.is_finite() || !p_position.is_finite(), -1,
+			"RagdollMotor: the impulse and the position of a hit are finite.");
 	ERR_FAIL_COND_V_MSG(!(p_strength >= 0.0 && p_strength <= 1.0), -1, "RagdollMotor: what a hit leaves is 0 to 1.");
 	ERR_FAIL_COND_V_MSG(!is_amount(p_blend_s), -1, "RagdollMotor: a blend takes 0 s or more.");
 	ERR_FAIL_COND_V_MSG(
@@ -103,20 +103,20 @@ int64_t RagdollMotor::hit(const Vector3 &p_impulse, const Vector3 &p_place, doub
 	for (std::size_t i = 0; i < before.size(); i++) {
 		before[i] = _driver->get_table().get_flinch(i);
 	}
-	const int limb = _driver->hit(_state, to_core(p_place), group, float(p_strength), float(p_blend_s));
+	const int limb = _driver->hit(_state, to_core(p_position), group, float(p_strength), float(p_blend_s));
 	if (limb >= 0) {
 		for (std::size_t i = 0; i < before.size(); i++) {
 			const float after = std::max(_driver->get_table().get_flinch(i), ragdoll::ActuationTable::LIMP_FRICTION);
 			_bodies->weaken(i, after / std::max(before[i], after));
 		}
-		_bodies->strike(std::size_t(limb), p_impulse, p_place - from_core(_state.centres[std::size_t(limb)]));
+		_bodies->strike(std::size_t(limb), p_impulse, p_position - from_core(_state.centres[std::size_t(limb)]));
 	}
 	_is_state_read = false; // Its velocities are others now.
 	return limb;
 }
 
 void RagdollMotor::bind_limb_control() {
-	ClassDB::bind_method(D_METHOD("hit", "impulse", "place", "strength", "blend_s", "group"), &RagdollMotor::hit,
+	ClassDB::bind_method(D_METHOD("hit", "impulse", "position", "strength", "blend_s", "group"), &RagdollMotor::hit,
 			DEFVAL(0.05), DEFVAL(0.5), DEFVAL(StringName()));
 	ClassDB::bind_method(
 			D_METHOD("set_limb_control", "control", "blend_s"), &RagdollMotor::set_limb_control, DEFVAL(0.0));

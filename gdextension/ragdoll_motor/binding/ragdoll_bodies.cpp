@@ -328,8 +328,8 @@ void RagdollBodies::weaken(std::size_t p_limb, float p_share) {
 	}
 }
 
-void RagdollBodies::strike(std::size_t p_limb, const Vector3 &p_impulse, const Vector3 &p_place) {
-	server()->body_apply_impulse(_specs[p_limb].body, p_impulse, p_place);
+void RagdollBodies::strike(std::size_t p_limb, const Vector3 &p_impulse, const Vector3 &p_position) {
+	server()->body_apply_impulse(_specs[p_limb].body, p_impulse, p_position);
 }
 
 void RagdollBodies::write(const std::vector<ragdoll::LimbCommand> &p_commands,

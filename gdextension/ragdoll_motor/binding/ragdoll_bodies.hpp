@@ -56,8 +56,8 @@ public:
 	/// Lowers what a limb's motor was given last to a share at once: the next step may come before the next
 	/// commands, and would stop a blow with all its torque. The root's upward force stays.
 	void weaken(std::size_t p_limb, float p_share);
-	/// Gives a body an impulse (N s) at a place from its origin (m), both in world axes.
-	void strike(std::size_t p_limb, const Vector3 &p_impulse, const Vector3 &p_place);
+	/// Gives a body an impulse (N s) at a position from its origin (m), both in world axes.
+	void strike(std::size_t p_limb, const Vector3 &p_impulse, const Vector3 &p_position);
 	/// Sets the root's hold: kinematic at a pose, or by limited forces.
 	void hold_root(const ragdoll::Quat &p_orientation, const ragdoll::Vec3 &p_joint) {
 		set_pose(0, p_orientation, p_joint);

@@ -86,7 +86,7 @@ public:
 	void set_group_spring(double p_frequency, double p_damping_ratio, const StringName &p_group);
 
 	// Controls and hits.
-	int64_t hit(const Vector3 &p_impulse, const Vector3 &p_place, double p_strength, double p_blend_s,
+	int64_t hit(const Vector3 &p_impulse, const Vector3 &p_position, double p_strength, double p_blend_s,
 			const StringName &p_group);
 	bool set_limb_control(const Ref<RagdollControl> &p_control, double p_blend_s);
 	bool apply_control_profile(const Ref<RagdollControlProfile> &p_profile, double p_blend_s);

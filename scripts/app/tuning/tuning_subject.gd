@@ -168,7 +168,8 @@ func throw_ball(p_from: Vector3) -> RigidBody3D:
 	var flat: Vector3 = Vector3(p_from.x, 0.0, p_from.z).normalized()
 	var from: Vector3 = chest + (flat if flat != Vector3.ZERO else Vector3.BACK) * _BALL_FROM_M
 	# As high as it falls in flight.
-	var fall: float = 0.5 * 9.81 * pow(_BALL_FROM_M / _BALL_SPEED, 2.0)
+	var gravity: float = ProjectSettings.get_setting("physics/3d/default_gravity")
+	var fall: float = 0.5 * gravity * pow(_BALL_FROM_M / _BALL_SPEED, 2.0)
 	var aim: Vector3 = (chest + Vector3.UP * fall - from).normalized()
 	_add_thing(ball, from)
 	ball.linear_velocity = aim * _BALL_SPEED

@@ -12,8 +12,8 @@ func test_a_blow_turns_the_trunk_and_it_comes_back() -> void:
 	_stage.add_floor()
 	var player: Stage.Player = _stage.add_soldier(Vector3(0.0, 1.03, 0.0), RagdollMotor.ROOT_SOFT)
 	await _stage.run(30)
-	var place: Vector3 = player.body(CHEST).origin
-	equal(player.ragdoll.motor.hit(Vector3.FORWARD * 50.0, place), player.index(CHEST))
+	var position: Vector3 = player.body(CHEST).origin
+	equal(player.ragdoll.motor.hit(Vector3.FORWARD * 50.0, position), player.index(CHEST))
 	var turned: Array[float] = [0.0]
 	var note: Callable = func(_time: float) -> void:
 		turned[0] = maxf(turned[0], player.error_deg(CHEST, Stage.reset_pose()))

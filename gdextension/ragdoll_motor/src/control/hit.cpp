@@ -10,10 +10,10 @@ namespace {
 /// Share of the loss of strength that a neighbouring group has.
 constexpr float NEIGHBOUR = 0.5f;
 
-float distance_to_line(const Vec3 &p_from, const Vec3 &p_along, const Vec3 &p_place) {
+float distance_to_line(const Vec3 &p_from, const Vec3 &p_along, const Vec3 &p_position) {
 	const float square = p_along.dot(p_along);
-	const float part = square > 0.0f ? std::clamp(p_along.dot(p_place - p_from) / square, 0.0f, 1.0f) : 0.0f;
-	return (p_from + p_along * part - p_place).length();
+	const float part = square > 0.0f ? std::clamp(p_along.dot(p_position - p_from) / square, 0.0f, 1.0f) : 0.0f;
+	return (p_from + p_along * part - p_position).length();
 }
 
 bool are_neighbours(const Rig &p_rig, int p_group, int p_other) {
@@ -29,7 +29,7 @@ bool are_neighbours(const Rig &p_rig, int p_group, int p_other) {
 
 } // namespace
 
-int find_nearest_limb(const Rig &p_rig, const RigState &p_state, const Vec3 &p_place, int p_group) {
+int find_nearest_limb(const Rig &p_rig, const RigState &p_state, const Vec3 &p_position, int p_group) {
 	int nearest = -1;
 	float least = 0.0f;
 	for (std::size_t i = 0; i < p_rig.size(); i++) {
@@ -37,7 +37,7 @@ int find_nearest_limb(const Rig &p_rig, const RigState &p_state, const Vec3 &p_p
 			continue;
 		}
 		const Vec3 joint = p_rig.joint_of(p_state, i);
-		const float distance = distance_to_line(joint, (p_state.centres[i] - joint) * 2.0f, p_place);
+		const float distance = distance_to_line(joint, (p_state.centres[i] - joint) * 2.0f, p_position);
 		if (nearest < 0 || distance < least) {
 			nearest = int(i);
 			least = distance;
