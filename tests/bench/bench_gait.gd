@@ -5,11 +5,16 @@ extends SceneTree
 ## Without --bvh: a made-up walker with the soldier's body (level at three speeds, clean and with
 ## 1 degree of noise; 16 stairs up and down), then the clips of assets/motion. Options: --bvh=FILE
 ## (again for more; its own hips are the truth), --root=inertial|contacts|lowest_foot|
-## self_righting|pendulum (default the first three), --hz=60, --noise=0 (deg, for --bvh), --seed=1
-## (of the noise).
+## self_righting|pendulum (default the first three), --hz=60, --noise=0 (deg, for --bvh), --slope=0
+## (deg, of the ground under --bvh), --seed=1 (of the noise), --cases=walks|stairs|clips|slopes|
+## starts (again for more; default all but --bvh's, which are the clips alone).
 
 const Walker: GDScript = preload("gait/walker.gd")
 const Stats: GDScript = preload("gait/gait_stats.gd")
+const Case: GDScript = preload("gait/gait_case.gd")
+const Slopes: GDScript = preload("gait/gait_slopes.gd")
+const Starts: GDScript = preload("gait/gait_starts.gd")
+const _CASES: Array[String] = ["walks", "stairs", "clips", "slopes", "starts"]
 const _SOLDIER: String = "res://scenes/actor/soldier.tscn"
 const _ROOTS: Dictionary[String, RagdollMotor.RootMode] = {
 	"inertial": RagdollMotor.ROOT_INERTIAL,
@@ -38,8 +43,20 @@ var _world: Node3D = null
 
 
 func _initialize() -> void:
-	_arguments = BenchArguments.parse(
-		OS.get_cmdline_user_args(), {"bvh": "", "root": "", "hz": 60, "noise": 0.0, "seed": 1}
+	_arguments = (
+		BenchArguments
+		. parse(
+			OS.get_cmdline_user_args(),
+			{
+				"bvh": "",
+				"root": "",
+				"hz": 60,
+				"noise": 0.0,
+				"seed": 1,
+				"slope": 0.0,
+				"cases": "",
+			}
+		)
 	)
 	_run.call_deferred()
 
@@ -56,12 +73,32 @@ func _run() -> void:
 	if roots.is_empty():
 		roots = ["inertial", "contacts", "lowest_foot"]
 	for name: String in roots:
-		if not _arguments.is_given("bvh"):
-			await _run_walks(name)
-			await _run_stairs(name)
-		for file: String in BenchArguments.clips(_arguments):
-			await _run_clip(file, name)
+		for case: String in _cases():
+			await _run_case(case, name)
 	quit(_report.finish())
+
+
+func _cases() -> PackedStringArray:
+	if _arguments.is_given("cases"):
+		return _arguments.list("cases")
+	return ["clips"] if _arguments.is_given("bvh") else _CASES
+
+
+func _run_case(p_case: String, p_root: String) -> void:
+	match p_case:
+		"walks":
+			await _run_walks(p_root)
+		"stairs":
+			await _run_stairs(p_root)
+		"clips":
+			for file: String in BenchArguments.clips(_arguments):
+				await _run_clip(file, p_root)
+		_:
+			var cases: Dictionary[String, GDScript] = {"slopes": Slopes, "starts": Starts}
+			var case: Case = cases[p_case].new(self, _report, _arguments.value("seed"))
+			case.root_name = p_root
+			case.root_mode = _ROOTS[p_root]
+			await case.run()
 
 
 func _find_fault() -> String:
@@ -70,6 +107,9 @@ func _find_fault() -> String:
 	for name: String in _arguments.list("root"):
 		if not _ROOTS.has(name):
 			return "a root is one of %s, found '%s'" % [", ".join(_ROOTS.keys()), name]
+	for name: String in _arguments.list("cases"):
+		if not _CASES.has(name):
+			return "a case is one of %s, found '%s'" % [", ".join(_CASES), name]
 	if _arguments.value("hz") < 10 or _arguments.value("hz") > 1000:
 		return "a tick rate is between 10 and 1000, found %d" % _arguments.value("hz")
 	return ""
@@ -124,9 +164,9 @@ func _walk(p_walker: Walker, p_ragdoll: Ragdoll, p_noise_deg: float) -> Stats:
 		await physics_frame
 		var time: float = tick * delta
 		if tick > 2:
-			stats.add_root(_root_of(p_ragdoll), p_walker.pose_at(time).root)
+			stats.add_root(Case.root_of(p_ragdoll), p_walker.pose_at(time).root)
 			for side: int in [-1, 1]:
-				var ball: Vector3 = _ball_of(p_ragdoll, side)
+				var ball: Vector3 = Case.ball_of(p_ragdoll, side)
 				if before.has(side) and p_walker.is_standing(side, time):
 					var moved: Vector3 = ball - before[side]
 					stats.skate.add(Vector2(moved.x, moved.z).length() / delta)
@@ -156,7 +196,7 @@ func _run_clip(p_file: String, p_root: String) -> void:
 	ragdoll.profile = SkeletonShapes.describe(skeleton)
 	RagdollBuilder.build(skeleton, ragdoll.profile)
 	ragdoll.root_mode = _ROOTS[p_root]
-	Walker.new(ragdoll.profile).build_ground(_world)
+	_build_ground(ragdoll)
 	_world.add_child(ragdoll)
 	if not ragdoll.start():
 		_report.leave_out(p_file, "the ragdoll does not start")
@@ -177,6 +217,14 @@ func _run_clip(p_file: String, p_root: String) -> void:
 		_add(title, "flights invented", stats.invented, "", p_root == "inertial", 0.0)
 
 
+## Level, or the slope that is asked for.
+func _build_ground(p_ragdoll: Ragdoll) -> void:
+	if _arguments.value("slope") == 0.0:
+		Walker.new(p_ragdoll.profile).build_ground(_world)
+	else:
+		_world.add_child(Case.make_floor(deg_to_rad(_arguments.value("slope"))))
+
+
 func _play(p_source: BvhSource, p_ragdoll: Ragdoll, p_stats: Stats) -> void:
 	var delta: float = 1.0 / Engine.physics_ticks_per_second
 	var soles: Dictionary[Vector2i, Array] = {}
@@ -185,7 +233,7 @@ func _play(p_source: BvhSource, p_ragdoll: Ragdoll, p_stats: Stats) -> void:
 		var time: float = tick * delta
 		var sample: PoseSample = p_source.pose_at(time)
 		if tick > 2:
-			p_stats.add_root(_root_of(p_ragdoll), sample.root)
+			p_stats.add_root(Case.root_of(p_ragdoll), sample.root)
 			_note_soles(p_ragdoll, sample, p_stats, soles)
 		_add_noise(sample, _arguments.value("noise"))
 		p_ragdoll.push_sample(time, sample, p_source.pose_at(0.0).root)
@@ -212,7 +260,7 @@ func _note_soles(
 			var there: Vector3 = places[i] + turn * local
 			lowest = minf(lowest, there.y - limb.contact_radius)
 			if limb.is_foot:
-				now[Vector2i(i, j)] = [there, _point_of(p_ragdoll, i, local)]
+				now[Vector2i(i, j)] = [there, Case.point_of(p_ragdoll, i, local)]
 	for key: Vector2i in now:
 		if r_last.has(key):
 			var truth: Vector3 = (now[key][0] - r_last[key][0]) / delta
@@ -237,28 +285,6 @@ static func _true_joints(p_profile: RagdollProfile, p_pose: PoseSample) -> Array
 		var arm: Vector3 = above.rest_orientation.inverse() * (limb.anchor - above.anchor)
 		places.append(places[parent] + turn * arm)
 	return places
-
-
-## Where a point of a limb's frame is, by the limb's body.
-static func _point_of(p_ragdoll: Ragdoll, p_limb: int, p_local: Vector3) -> Vector3:
-	var limb: RagdollLimb = p_ragdoll.profile.limbs[p_limb]
-	var body: Transform3D = PhysicsServer3D.body_get_state(
-		p_ragdoll.get_bodies()[p_limb], PhysicsServer3D.BODY_STATE_TRANSFORM
-	)
-	var centre: Vector3 = limb.rest_orientation.inverse() * (limb.position - limb.anchor)
-	return body * (p_local - centre)
-
-
-static func _root_of(p_ragdoll: Ragdoll) -> Vector3:
-	return _point_of(p_ragdoll, 0, Vector3.ZERO)
-
-
-## The ball of a foot: the middle of its second and third contact points.
-static func _ball_of(p_ragdoll: Ragdoll, p_side: int) -> Vector3:
-	var foot: RagdollLimb = p_ragdoll.profile.find(&"LeftFoot" if p_side < 0 else &"RightFoot")
-	var ball: Vector3 = (foot.contact_points[1] + foot.contact_points[2]) / 2.0
-	var local: Vector3 = foot.rest_orientation.inverse() * (ball - foot.anchor)
-	return _point_of(p_ragdoll, p_ragdoll.profile.limbs.find(foot), local)
 
 
 func _add_noise(p_sample: PoseSample, p_degrees: float) -> void:

@@ -56,8 +56,8 @@ public:
 	/// INERTIAL, CONTACTS, LOWEST_FOOT: how far the body may be held back from where the feet carry it
 	/// (m) before the estimate gives in: a person who walks against a wall walks on the spot.
 	static constexpr float SLACK = 0.05f;
-	/// The same modes: how far the target may be above or below the body, m. Nobody is lifted faster than he
-	/// rises himself, and who lies on something that no ray sees stays there.
+	/// The same modes: how far the target may be from the body, m, upright and across. Nobody is lifted
+	/// faster than he rises himself, and who lies on something that no ray sees stays there.
 	static constexpr float TETHER = 0.2f;
 	/// Modes that find the travel: by how much of themselves corrections fall where the motion is nothing
 	/// but noise.
@@ -154,7 +154,7 @@ private:
 	/// Brings the estimate to where the body is held back or pushed to.
 	/// @param p_off how far the body is from where it should be, m
 	void give_in(Travel &r_estimator, const Vec3 &p_off);
-	/// Keeps the estimate's height near the body's.
+	/// Keeps the estimate near the body.
 	void stay_near(Travel &r_estimator, const RigState &p_state);
 	/// Lets the estimator take the pose.
 	void estimate(Travel &r_estimator, const RigState &p_state, float p_delta_s);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "gait/foot_lock.hpp"
 
+#include "calm.hpp"
+
 #include <algorithm>
+#include <limits>
 
 namespace ragdoll {
 
@@ -28,7 +31,10 @@ constexpr float LOOSE = 0.1f; // A grip below this holds nothing.
 } // namespace
 
 FootLock::FootLock(const Rig &p_rig, const std::vector<ContactPoint> &p_contacts) :
-		_contacts(p_contacts), _anchors(p_contacts.size()), _grips(p_contacts.size(), 0.0f) {
+		_contacts(p_contacts),
+		_anchors(p_contacts.size()),
+		_grounds(p_contacts.size()),
+		_grips(p_contacts.size(), 0.0f) {
 	for (const ContactPoint &contact : p_contacts) {
 		const bool known =
 				std::any_of(_legs.begin(), _legs.end(), [&](const Leg &p_leg) { return p_leg.foot == contact.limb; });
@@ -42,11 +48,23 @@ FootLock::FootLock(const Rig &p_rig, const std::vector<ContactPoint> &p_contacts
 			_legs.push_back(leg);
 		}
 	}
+	for (Leg &leg : _legs) {
+		for (std::size_t i = 0; i < _contacts.size(); i++) {
+			if (_contacts[i].limb == leg.foot) {
+				leg.points.push_back(i);
+				leg.sole = leg.sole + _contacts[i].local;
+			}
+		}
+		leg.sole = leg.sole * (1.0f / float(leg.points.size()));
+	}
 }
 
 void FootLock::clear() {
 	for (Leg &leg : _legs) {
 		leg.offset = {};
+		leg.away = {};
+		leg.rise = 0.0f;
+		leg.tilt = {};
 	}
 	std::fill(_grips.begin(), _grips.end(), 0.0f);
 }
@@ -54,9 +72,15 @@ void FootLock::clear() {
 void FootLock::advance(const Travel &p_travel, const Vec3 &p_root, const std::vector<Vec3> &p_points,
 		const std::vector<Vec3> &p_shown, float p_unrest, float p_delta_s) {
 	const float grip_s = GRIP_S * p_unrest;
+	_floor = std::numeric_limits<float>::infinity();
+	for (std::size_t i = 0; i < _contacts.size(); i++) {
+		_floor = std::min(_floor, p_points[i].y - _contacts[i].radius);
+	}
 	const float kept = grip_s > 0.0f ? std::exp(-p_delta_s / grip_s) : 0.0f;
 	for (Leg &leg : _legs) {
 		leg.offset = leg.offset * std::exp(-p_delta_s / LET_GO_S);
+		const float excess = std::max(leg.away.length() - SLIPS_FROM - SLIPS_LATER * p_unrest, 0.0f);
+		const Vec3 slip = leg.away.limited(excess) * share(p_delta_s, SLIP_S);
 		for (std::size_t i = 0; i < _contacts.size(); i++) {
 			if (_contacts[i].limb != leg.foot) {
 				continue;
@@ -67,14 +91,77 @@ void FootLock::advance(const Travel &p_travel, const Vec3 &p_root, const std::ve
 			_anchors[i] = _anchors[i] + p_travel.get_carry(i, _anchors[i], p_delta_s);
 			const float wanted = p_travel.is_anchored(i) ? 1.0f : 0.0f;
 			_grips[i] = wanted + (_grips[i] - wanted) * kept;
+			_anchors[i] = _anchors[i] - slip;
 			const float height = p_travel.get_standing_height(i);
 			_anchors[i].y = std::isfinite(height) ? height : _anchors[i].y;
+			_grounds[i] = { p_root.x + p_points[i].x, height, p_root.z + p_points[i].z };
 			if (p_unrest > 0.0f) {
 				const Vec3 off{ p_shown[i].x - _anchors[i].x, 0.0f, p_shown[i].z - _anchors[i].z };
 				_anchors[i] = _anchors[i] + off - off.limited(SLACK / p_unrest);
 			}
 		}
+		fit(leg, p_root, p_points, p_unrest, p_delta_s);
 	}
+}
+
+Vec3 FootLock::find_tilt(const Leg &p_leg) const {
+	if (p_leg.points.size() < 3) {
+		return {};
+	}
+	const Vec3 &heel = _grounds[p_leg.points[0]];
+	const Vec3 &left = _grounds[p_leg.points[1]];
+	Vec3 normal = (left - heel).cross(_grounds[p_leg.points[2]] - heel);
+	normal = normal * ((normal.y < 0.0f ? -1.0f : 1.0f) / std::max(normal.length(), 1e-9f));
+	for (const std::size_t point : p_leg.points) {
+		// Written so that no ground fails too.
+		if (!(std::fabs((_grounds[point] - heel).dot(normal)) < PLANE)) {
+			return {};
+		}
+	}
+	return log(rotation_between({ 0.0f, 1.0f, 0.0f }, normal)).limited(STEEPEST);
+}
+
+float FootLock::find_rise(
+		const Leg &p_leg, const Vec3 &p_root, const std::vector<Vec3> &p_points, float p_unrest) const {
+	Vec3 middle;
+	for (const std::size_t point : p_leg.points) {
+		middle = middle + p_points[point] * (1.0f / float(p_leg.points.size()));
+	}
+	const Quat turn = exp(p_leg.tilt);
+	float deepest = 0.0f;
+	float held = 0.0f;
+	float sum = 0.0f;
+	for (const std::size_t point : p_leg.points) {
+		if (!std::isfinite(_grounds[point].y)) {
+			continue;
+		}
+		const Vec3 place = p_root + middle + turn.rotate(p_points[point] - middle);
+		const float depth = _grounds[point].y - place.y;
+		// What swings shall clear the ground as it clears the floor.
+		deepest = std::max(deepest, depth + std::min(p_points[point].y - _floor, SWING * (1.0f - p_unrest)));
+		held += depth * _grips[point];
+		sum += _grips[point];
+	}
+	const float rise = sum < LOOSE ? deepest : held / sum;
+	const float beyond = std::max(std::fabs(rise) - UNEVEN * p_unrest, 0.0f);
+	return beyond < EVEN ? 0.0f : std::copysign(std::min(beyond, HIGHEST), rise);
+}
+
+void FootLock::fit(
+		Leg &r_leg, const Vec3 &p_root, const std::vector<Vec3> &p_points, float p_unrest, float p_delta_s) const {
+	const float part = share(p_delta_s, FIT_S + GRIP_S * p_unrest);
+	r_leg.tilt = r_leg.tilt + (find_tilt(r_leg) - r_leg.tilt) * part;
+	r_leg.rise += (find_rise(r_leg, p_root, p_points, p_unrest) - r_leg.rise) * part;
+}
+
+Vec3 FootLock::tilt(const Leg &p_leg, Pose &r_pose) const {
+	if (p_leg.tilt.length() < 1e-4f) {
+		return {};
+	}
+	Quat &foot = r_pose.orientations[std::size_t(p_leg.foot)];
+	const Vec3 before = foot.rotate(p_leg.sole);
+	foot = exp(p_leg.tilt) * foot;
+	return before - foot.rotate(p_leg.sole);
 }
 
 void FootLock::shift(const Vec3 &p_offset) {
@@ -84,43 +171,60 @@ void FootLock::shift(const Vec3 &p_offset) {
 }
 
 void FootLock::save(ArchiveWriter &p_archive) const {
-	p_archive.put_all(_legs);
+	for (const Leg &leg : _legs) {
+		p_archive.put(leg.offset);
+		p_archive.put(leg.away);
+		p_archive.put(leg.rise);
+		p_archive.put(leg.tilt);
+	}
 	p_archive.put_all(_anchors);
 	p_archive.put_all(_grips);
 }
 
 bool FootLock::restore(ArchiveReader &p_archive) {
-	return p_archive.get_all(_legs) && p_archive.get_all(_anchors) && p_archive.get_all(_grips);
+	for (Leg &leg : _legs) {
+		if (!p_archive.get(leg.offset) || !p_archive.get(leg.away) || !p_archive.get(leg.rise) ||
+				!p_archive.get(leg.tilt)) {
+			return false;
+		}
+	}
+	return p_archive.get_all(_anchors) && p_archive.get_all(_grips);
 }
 
 void FootLock::apply(const Rig &p_rig, float p_unrest, Pose &r_pose, std::vector<Vec3> &r_joints) {
 	// How high the feet are, the root's height sees to, unless shaking knees lift them.
 	const float lift = std::min(2.0f * p_unrest, 1.0f);
 	for (Leg &leg : _legs) {
+		const Vec3 moved = tilt(leg, r_pose);
 		const Quat &foot = r_pose.orientations[std::size_t(leg.foot)];
+		const Vec3 ankle = r_joints[std::size_t(leg.foot)] + moved;
 		Vec3 away;
 		float sum = 0.0f;
 		float firmest = 0.0f;
 		for (std::size_t i = 0; i < _contacts.size(); i++) {
 			if (_contacts[i].limb == leg.foot && _grips[i] >= LOOSE) {
 				// All that are held count alike: as weights change, the foot must not.
-				const Vec3 position = r_joints[std::size_t(leg.foot)] + foot.rotate(_contacts[i].local);
+				const Vec3 position = ankle + foot.rotate(_contacts[i].local);
 				away = away + (_anchors[i] - position) * _grips[i];
 				sum += _grips[i];
 				firmest = std::max(firmest, _grips[i]);
 			}
 		}
+		leg.away = {};
 		if (sum > 0.0f) {
+			leg.away = Vec3{ away.x, 0.0f, away.z } * (1.0f / sum);
 			const Vec3 wanted = (Vec3{ away.x, away.y * lift, away.z } * (1.0f / sum)).limited(FURTHEST);
 			leg.offset = leg.offset + (wanted - leg.offset) * firmest;
 		}
-		if (leg.offset.length() > 1e-5f) {
-			bend(p_rig, leg, r_pose, r_joints);
+		const Vec3 offset = leg.offset + moved + Vec3{ 0.0f, leg.rise, 0.0f };
+		if (offset.length() > 1e-5f) {
+			bend(p_rig, leg, offset, r_pose, r_joints);
 		}
 	}
 }
 
-void FootLock::bend(const Rig &p_rig, const Leg &p_leg, Pose &r_pose, std::vector<Vec3> &r_joints) const {
+void FootLock::bend(
+		const Rig &p_rig, const Leg &p_leg, const Vec3 &p_offset, Pose &r_pose, std::vector<Vec3> &r_joints) const {
 	Quat &thigh = r_pose.orientations[std::size_t(p_leg.thigh)];
 	Quat &shin = r_pose.orientations[std::size_t(p_leg.shin)];
 	const Vec3 hip = r_joints[std::size_t(p_leg.thigh)];
@@ -128,7 +232,7 @@ void FootLock::bend(const Rig &p_rig, const Leg &p_leg, Pose &r_pose, std::vecto
 	const Vec3 lower = shin.rotate(p_rig[std::size_t(p_leg.foot)].anchor);
 	const float a = upper.length();
 	const float b = lower.length();
-	Vec3 wanted = upper + lower + p_leg.offset;
+	Vec3 wanted = upper + lower + p_offset;
 	const float longest = a + b - 0.001f;
 	if (wanted.length() > longest) {
 		// A leg that is too short lifts the foot rather than drag it.

@@ -9,11 +9,31 @@
 namespace ragdoll {
 
 /// Bends the legs of a pose a little, so that feet that stand stay where they are: two-bone inverse
-/// kinematics on thigh and shin. It takes up what noise, calibration and the estimate of the root leave.
+/// kinematics on thigh and shin. It takes up what noise, calibration and the estimate of the root leave, and
+/// puts the feet of somebody who walks on a level floor onto the ground that his body walks on.
 class FootLock {
 public:
 	/// The most that a foot is moved, m.
 	static constexpr float FURTHEST = 0.12f;
+	/// A foot that is held further than this (m) from where the motion has it is let slip within SLIP_S.
+	static constexpr float SLIPS_FROM = 0.05f;
+	/// So much further where the motion is nothing but noise, m.
+	static constexpr float SLIPS_LATER = 0.3f;
+	static constexpr float SLIP_S = 0.15f;
+	/// The most that a foot is raised or lowered to the ground that is really there, m.
+	static constexpr float HIGHEST = 0.2f;
+	/// Ground that is so close to the pose's own floor (m) is the same.
+	static constexpr float EVEN = 0.005f;
+	/// A foot that swings keeps so much of its height over the pose's floor over the ground, m.
+	static constexpr float SWING = 0.025f;
+	/// How much further it may be where the motion is nothing but noise, m.
+	static constexpr float UNEVEN = 0.06f;
+	/// How fast feet are fitted to the ground, s.
+	static constexpr float FIT_S = 0.03f;
+	/// Ground under a foot is even when no point of it is further from a plane than this, m.
+	static constexpr float PLANE = 0.02f;
+	/// Feet are tilted no further than this, rad: about as far as ankles bend upward (AAOS 1965: 20 deg).
+	static constexpr float STEEPEST = 0.4f;
 	/// How fast a foot that lifts off comes back to where the motion has it, s.
 	static constexpr float LET_GO_S = 0.06f;
 	/// How slowly points are taken hold of and let go where the motion is nothing but noise, s.
@@ -49,14 +69,29 @@ private:
 		int foot = 0;
 		int shin = 0;
 		int thigh = 0;
+		std::vector<std::size_t> points; // Of the sole, as in the list of contact points.
+		Vec3 sole; // Their middle, in the foot's frame, m.
 		Vec3 offset; // m
+		Vec3 away; // How far from where it is held the motion has it, across, m.
+		float rise = 0.0f; // To the ground, m.
+		Vec3 tilt; // Of the foot with the ground, rotation vector, rad.
 	};
 
-	void bend(const Rig &p_rig, const Leg &p_leg, Pose &r_pose, std::vector<Vec3> &r_joints) const;
+	/// How the ground under a foot is tilted, rotation vector, rad; none where it is not even.
+	Vec3 find_tilt(const Leg &p_leg) const;
+	/// How far a foot has to be raised onto the ground, or lowered where it stands, m.
+	float find_rise(const Leg &p_leg, const Vec3 &p_root, const std::vector<Vec3> &p_points, float p_unrest) const;
+	void fit(Leg &r_leg, const Vec3 &p_root, const std::vector<Vec3> &p_points, float p_unrest, float p_delta_s) const;
+	/// Tilts a foot about the middle of its sole; returns how far that moves the ankle, m.
+	Vec3 tilt(const Leg &p_leg, Pose &r_pose) const;
+	void bend(
+			const Rig &p_rig, const Leg &p_leg, const Vec3 &p_offset, Pose &r_pose, std::vector<Vec3> &r_joints) const;
 
 	std::vector<Leg> _legs;
 	std::vector<ContactPoint> _contacts;
 	std::vector<Vec3> _anchors; // Where the held points are shown, m.
+	std::vector<Vec3> _grounds; // The ground under the points; NaN where none is known, m.
+	float _floor = 0.0f; // Of the pose, from the root, m.
 	std::vector<float> _grips; // How firmly each point is held, 0 to 1.
 };
 

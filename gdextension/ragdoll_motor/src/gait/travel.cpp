@@ -104,6 +104,7 @@ float Travel::find_heights(const GaitInput &p_input, const std::vector<Vec3> &p_
 	for (std::size_t i = 0; i < _contacts.size(); i++) {
 		if (r_heights[i] < likely - STEP) {
 			r_heights[i] = NOWHERE;
+			_levels[i] = Level(); // What was under it is not what is under it now.
 			continue;
 		}
 		const float level = look(p_input, i, p_reference + p_points[i]);
