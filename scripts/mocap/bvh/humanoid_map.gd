@@ -23,6 +23,10 @@ const NEEDED: Array[StringName] = [
 const _FOREARM_BY_UPPER_ARM: float = 0.955
 const _SHANK_BY_THIGH: float = 1.028
 
+## Maximum of joints of a side that are considered for a part. People's skeletons have at most ten;
+## all pairs of them are tried.
+const _MAX_CANDIDATES: int = 32
+
 ## Why the skeleton is no person, or an empty text.
 var error: String = ""
 ## For each limb the joint whose orientation it has.
@@ -141,7 +145,7 @@ func _carries(p_joint: int, p_ends: PackedInt32Array) -> bool:
 	return false
 
 
-## The joints of a side whose names fit a part.
+## The first joints of a side whose names fit a part.
 func _named(p_side: String, p_part: StringName) -> PackedInt32Array:
 	var side: JointNames.BodySide = (
 		JointNames.BodySide.LEFT if p_side == "Left" else JointNames.BodySide.RIGHT
@@ -150,6 +154,8 @@ func _named(p_side: String, p_part: StringName) -> PackedInt32Array:
 	for joint: int in _names.size():
 		if not _is_end[joint] and _known.side(joint) == side and _known.rank(joint, p_part) >= 0:
 			found.append(joint)
+		if found.size() >= _MAX_CANDIDATES:
+			break
 	return found
 
 

@@ -201,6 +201,20 @@ func test_any_skeleton_is_survived() -> void:
 	is_true(persons > 20 and persons < 980, "%d persons" % persons)
 
 
+func test_thousands_of_joints_of_one_name() -> void:
+	# Tried in all pairs, these would take minutes.
+	var joints: Array[BvhJoint] = []
+	for number: int in 2000:
+		var joint: BvhJoint = BvhJoint.new()
+		joint.name = ["LeftArm", "LeftForeArm", "LeftHand", "RightLeg"][number % 4]
+		joint.parent = number - 1 if number % 250 else mini(number, 1) - 1
+		joint.offset = Vector3.UP
+		joints.append(joint)
+	var clip: BvhClip = BvhClip.new()
+	clip.set_data(joints, PackedFloat64Array(), 0.1)
+	contains(HumanoidMap.from_clip(clip).error, "no joint is recognised as")
+
+
 func _check_file(p_path: String, p_names: String) -> void:
 	var clip: BvhClip = BvhParser.parse_file(p_path).clip
 	var map: HumanoidMap = HumanoidMap.from_clip(clip)
