@@ -25,6 +25,27 @@ func test_north_west_and_up() -> void:
 	almost_equal(SourceFrames.vector(Vector3(0, 0, 1), enu), Vector3.UP)
 
 
+func test_axes_of_motion_files_are_turned_up() -> void:
+	var ups: Dictionary[SourceFrames.Frame, Vector3] = {
+		SourceFrames.Frame.BVH_Z_UP: Vector3.BACK,
+		SourceFrames.Frame.BVH_X_UP: Vector3.RIGHT,
+		SourceFrames.Frame.BVH_Y_DOWN: Vector3.DOWN,
+		SourceFrames.Frame.BVH_Z_DOWN: Vector3.FORWARD,
+		SourceFrames.Frame.BVH_X_DOWN: Vector3.LEFT,
+	}
+	for frame: SourceFrames.Frame in ups:
+		almost_equal(SourceFrames.vector(ups[frame], frame), Vector3.UP)
+		var x: Vector3 = SourceFrames.vector(Vector3.RIGHT, frame)
+		var y: Vector3 = SourceFrames.vector(Vector3.UP, frame)
+		almost_equal(x.cross(y), SourceFrames.vector(Vector3.BACK, frame), 1e-6, "no mirror")
+		var turn: Quaternion = Quaternion(Vector3(0.48, 0.6, 0.64), 1.1)
+		var turned: Quaternion = SourceFrames.rotation(turn.w, turn.x, turn.y, turn.z, frame)
+		var some: Vector3 = Vector3(0.3, -0.8, 0.5)
+		almost_equal(
+			turned * SourceFrames.vector(some, frame), SourceFrames.vector(turn * some, frame), 1e-5
+		)
+
+
 func test_a_turned_sensor_sees_the_same_in_all_of_xsens_frames() -> void:
 	# How a vector in the sensor's axes comes out in the world, by each frame's own matrix.
 	for round: int in 200:
