@@ -103,7 +103,8 @@ int64_t RagdollMotor::hit(const Vector3 &p_impulse, const Vector3 &p_position, d
 	for (std::size_t i = 0; i < before.size(); i++) {
 		before[i] = _driver->get_table().get_flinch(i);
 	}
-	const int limb = _driver->hit(_state, to_core(p_position), group, float(p_strength), float(p_blend_s));
+	const int limb =
+			_driver->hit(_state, to_core(p_impulse), to_core(p_position), group, float(p_strength), float(p_blend_s));
 	if (limb >= 0) {
 		for (std::size_t i = 0; i < before.size(); i++) {
 			const float after = std::max(_driver->get_table().get_flinch(i), ragdoll::ActuationTable::LIMP_FRICTION);

@@ -112,8 +112,10 @@ public:
 	/// Changes how a limb is controlled within a time, s. Its actuation can still be changed by its group.
 	void set_control(std::size_t p_limb, const LimbControl &p_control, float p_blend_s);
 	/// Lets the limb that is nearest to a position (m) and those around it give way for a moment, see flinch();
-	/// of one group, or of all (-1). Who calls it gives the body its impulse. Returns the limb, or -1.
-	int hit(const RigState &p_state, const Vec3 &p_position, int p_group, float p_strength, float p_blend_s);
+	/// of one group, or of all (-1). Who calls it gives the body the impulse (N s), of which only is known here
+	/// how much strength it takes not to be bent further than MAX_BEND. Returns the limb, or -1.
+	int hit(const RigState &p_state, const Vec3 &p_impulse, const Vec3 &p_position, int p_group, float p_strength,
+			float p_blend_s);
 	/// The limbs' orientations, and the centre of the root's body (m), as they are shown: between the motion
 	/// at the end of the last step and the simulation, by the limbs' physics blend.
 	void blend_shown(const RigState &p_state, std::vector<Quat> &r_orientations, Vec3 &r_root_centre) const;

@@ -122,12 +122,12 @@ TEST(a_hit_takes_strength_of_the_group_and_half_as_much_of_its_neighbours) {
 	RigState state = fixtures::state_of(driver.get_rig(), pose);
 	CHECK(driver.push(0.0, STILL, {}, nullptr));
 	const ActuationTable &table = driver.get_table();
-	CHECK(driver.hit(state, { 0.0f, 1.4f, 0.0f }, 1, 0.2f, 0.5f) == 2);
+	CHECK(driver.hit(state, {}, { 0.0f, 1.4f, 0.0f }, 1, 0.2f, 0.5f) == 2);
 	CHECK_NEAR(table.get_strength(2), 0.2, 1e-6);
 	CHECK_NEAR(table.get_strength(0), 0.6, 1e-6); // The trunk, on which it hangs.
 	CHECK_NEAR(table.get_strength(3), 1.0, 1e-6); // The other arm.
 	// A second, weaker blow gives nothing back.
-	driver.hit(state, { 0.0f, 1.4f, 0.0f }, 1, 0.9f, 0.5f);
+	driver.hit(state, {}, { 0.0f, 1.4f, 0.0f }, 1, 0.9f, 0.5f);
 	CHECK_NEAR(table.get_strength(2), 0.2, 1e-6);
 	float before = 0.0f;
 	for (int i = 0; i < 31; i++) {
@@ -139,6 +139,24 @@ TEST(a_hit_takes_strength_of_the_group_and_half_as_much_of_its_neighbours) {
 	CHECK_NEAR(table.get_strength(2), 1.0, 1e-5);
 }
 
+TEST(a_heavy_blow_leaves_a_limb_what_stops_it) {
+	Driver driver(Rig(fixtures::limbs()), fixtures::groups(), 3, {});
+	Pose pose;
+	pose.orientations.assign(4, Quat());
+	RigState state = fixtures::state_of(driver.get_rig(), pose);
+	// Limb 2: 0.2 + 10 * 0.25^2 kg m^2 about its joint at 1 m, 500 N m.
+	const Vec3 end{ 0.0f, 1.5f, 0.0f };
+	const auto least = [&](float p_impulse) {
+		return find_least_strength(driver.get_rig(), state, 2, { 0.0f, 0.0f, p_impulse }, end);
+	};
+	CHECK_NEAR(least(20.0f), 0.5 * 10.0 * 10.0 / 0.825 / (500.0 * double(MAX_BEND)), 1e-3);
+	CHECK_NEAR(least(1000.0f), 1.0, 0.0);
+	CHECK_NEAR(least(0.0f), 0.0, 0.0);
+	CHECK_NEAR(find_least_strength(driver.get_rig(), state, 0, { 0.0f, 0.0f, 100.0f }, end), 0.0, 0.0);
+	CHECK(driver.hit(state, { 0.0f, 0.0f, 20.0f }, end, 1, 0.0f, 1.0f) == 2);
+	CHECK_NEAR(driver.get_table().get_strength(2), double(least(20.0f)), 1e-5);
+}
+
 TEST(a_hit_on_the_root_leaves_what_holds_it_up) {
 	Driver driver(Rig(fixtures::limbs()), fixtures::groups(), 3, {});
 	Pose pose;
@@ -146,7 +164,7 @@ TEST(a_hit_on_the_root_leaves_what_holds_it_up) {
 	RigState state = fixtures::state_of(driver.get_rig(), pose);
 	CHECK(driver.push(0.0, STILL, {}, nullptr));
 	driver.step(state, 0.0, DELTA);
-	driver.hit(state, {}, 0, 0.1f, 10.0f);
+	driver.hit(state, {}, {}, 0, 0.1f, 10.0f);
 	const RootCommand &command = driver.step(state, double(DELTA), DELTA).root;
 	CHECK_NEAR(command.force_up, 2000.0, 1.0);
 	CHECK_NEAR(command.force_across, 200.0, 5.0);

@@ -22,10 +22,12 @@ void Driver::set_control(std::size_t p_limb, const LimbControl &p_control, float
 	_world.set(p_limb, p_control.world_angular, p_control.world_linear, p_blend_s);
 }
 
-int Driver::hit(const RigState &p_state, const Vec3 &p_position, int p_group, float p_strength, float p_blend_s) {
+int Driver::hit(const RigState &p_state, const Vec3 &p_impulse, const Vec3 &p_position, int p_group, float p_strength,
+		float p_blend_s) {
 	const int limb = find_nearest_limb(_rig, p_state, p_position, p_group);
 	if (limb >= 0) {
-		flinch(_rig, limb, std::clamp(p_strength, 0.0f, 1.0f), p_blend_s, _table);
+		const float least = find_least_strength(_rig, p_state, limb, p_impulse, p_position);
+		flinch(_rig, limb, std::clamp(p_strength, least, 1.0f), p_blend_s, _table);
 	}
 	return limb;
 }

@@ -46,6 +46,22 @@ int find_nearest_limb(const Rig &p_rig, const RigState &p_state, const Vec3 &p_p
 	return nearest;
 }
 
+float find_least_strength(
+		const Rig &p_rig, const RigState &p_state, int p_limb, const Vec3 &p_impulse, const Vec3 &p_position) {
+	const std::size_t limb = std::size_t(p_limb);
+	if (p_rig[limb].max_torque <= 0.0f) {
+		return 0.0f; // The root's joint is to the world.
+	}
+	// The energy that the blow gives the limb about its joint, which the torque takes on the way.
+	const Vec3 spin = (p_position - p_rig.joint_of(p_state, limb)).cross(p_impulse);
+	const Vec3 momentum = p_state.orientations[limb].inverse().rotate(spin);
+	const Vec3 &inertia = p_rig.get_subtree_inertia(limb);
+	const float energy = 0.5f *
+			(momentum.x * momentum.x / inertia.x + momentum.y * momentum.y / inertia.y +
+					momentum.z * momentum.z / inertia.z);
+	return std::min(energy / (p_rig[limb].max_torque * MAX_BEND), 1.0f);
+}
+
 void flinch(const Rig &p_rig, int p_limb, float p_strength, float p_blend_s, ActuationTable &r_table) {
 	const int group = p_rig[std::size_t(p_limb)].group;
 	for (std::size_t i = 0; i < p_rig.size(); i++) {
