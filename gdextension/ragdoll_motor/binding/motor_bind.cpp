@@ -35,6 +35,18 @@ void RagdollMotor::set_root_torque(double p_torque) {
 	apply_settings();
 }
 
+void RagdollMotor::set_residual_share(double p_share) {
+	ERR_FAIL_COND_MSG(!is_amount(p_share), "RagdollMotor: a share of the weight is 0 or more.");
+	_residual_share = p_share;
+	apply_settings();
+}
+
+void RagdollMotor::set_standing_torque(double p_torque) {
+	ERR_FAIL_COND_MSG(!is_amount(p_torque), "RagdollMotor: a torque is 0 or more.");
+	_standing_torque = p_torque;
+	apply_settings();
+}
+
 void RagdollMotor::set_inertia_scale(double p_scale) {
 	ERR_FAIL_COND_MSG(!is_amount(p_scale) || p_scale < 0.01, "RagdollMotor: an inertia scale is 0.01 or more.");
 	_inertia_scale = p_scale;
@@ -103,6 +115,7 @@ void RagdollMotor::bind_measurement() {
 	ClassDB::bind_method(D_METHOD("set_frame", "frame"), &RagdollMotor::set_frame);
 	ClassDB::bind_method(D_METHOD("get_frame"), &RagdollMotor::get_frame);
 	ClassDB::bind_method(D_METHOD("get_root_target"), &RagdollMotor::get_root_target);
+	ClassDB::bind_method(D_METHOD("get_balance"), &RagdollMotor::get_balance);
 	ClassDB::bind_method(D_METHOD("is_flying"), &RagdollMotor::is_flying);
 	ClassDB::bind_method(D_METHOD("get_contact_weights"), &RagdollMotor::get_contact_weights);
 	ClassDB::bind_method(D_METHOD("get_internal_energy"), &RagdollMotor::get_internal_energy);
@@ -122,6 +135,10 @@ void RagdollMotor::bind_properties() {
 	ClassDB::bind_method(D_METHOD("get_root_force"), &RagdollMotor::get_root_force);
 	ClassDB::bind_method(D_METHOD("set_root_torque", "torque"), &RagdollMotor::set_root_torque);
 	ClassDB::bind_method(D_METHOD("get_root_torque"), &RagdollMotor::get_root_torque);
+	ClassDB::bind_method(D_METHOD("set_residual_share", "share"), &RagdollMotor::set_residual_share);
+	ClassDB::bind_method(D_METHOD("get_residual_share"), &RagdollMotor::get_residual_share);
+	ClassDB::bind_method(D_METHOD("set_standing_torque", "torque"), &RagdollMotor::set_standing_torque);
+	ClassDB::bind_method(D_METHOD("get_standing_torque"), &RagdollMotor::get_standing_torque);
 	ClassDB::bind_method(D_METHOD("set_inertia_scale", "scale"), &RagdollMotor::set_inertia_scale);
 	ClassDB::bind_method(D_METHOD("get_inertia_scale"), &RagdollMotor::get_inertia_scale);
 	ClassDB::bind_method(D_METHOD("set_self_collision", "enabled"), &RagdollMotor::set_self_collision);
@@ -146,7 +163,7 @@ void RagdollMotor::_bind_methods() {
 	bind_properties();
 	bind_limb_control();
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "root_mode", PROPERTY_HINT_ENUM,
-						 "Held,Soft,Lowest Foot,Contacts,Pendulum,Self Righting,Inertial"),
+						 "Held,Soft,Lowest Foot,Contacts,Pendulum,Self Righting,Inertial,Grounded"),
 			"set_root_mode", "get_root_mode");
 	ADD_PROPERTY(
 			PropertyInfo(Variant::FLOAT, "gain", PROPERTY_HINT_RANGE, "0,240,0.1,suffix:1/s"), "set_gain", "get_gain");
@@ -156,6 +173,10 @@ void RagdollMotor::_bind_methods() {
 			"set_root_force", "get_root_force");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "root_torque", PROPERTY_HINT_RANGE, "0,5000,10,suffix:Nm"),
 			"set_root_torque", "get_root_torque");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "residual_share", PROPERTY_HINT_RANGE, "0,1,0.01"), "set_residual_share",
+			"get_residual_share");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "standing_torque", PROPERTY_HINT_RANGE, "0,5000,10,suffix:Nm"),
+			"set_standing_torque", "get_standing_torque");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "ground_mask", PROPERTY_HINT_LAYERS_3D_PHYSICS), "set_ground_mask",
 			"get_ground_mask");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "max_energy", PROPERTY_HINT_RANGE, "1,1000,1,suffix:J/kg"),
@@ -175,6 +196,12 @@ void RagdollMotor::_bind_methods() {
 	BIND_ENUM_CONSTANT(ROOT_PENDULUM);
 	BIND_ENUM_CONSTANT(ROOT_SELF_RIGHTING);
 	BIND_ENUM_CONSTANT(ROOT_INERTIAL);
+	BIND_ENUM_CONSTANT(ROOT_GROUNDED);
+	BIND_ENUM_CONSTANT(BALANCE_STANDING);
+	BIND_ENUM_CONSTANT(BALANCE_FALLING);
+	BIND_ENUM_CONSTANT(BALANCE_TUCKING);
+	BIND_ENUM_CONSTANT(BALANCE_ROLLING);
+	BIND_ENUM_CONSTANT(BALANCE_RISING);
 	BIND_ENUM_CONSTANT(DIRECT_SET);
 	BIND_ENUM_CONSTANT(SPRING_TORQUE);
 	BIND_ENUM_CONSTANT(ANGULAR_MOTOR);

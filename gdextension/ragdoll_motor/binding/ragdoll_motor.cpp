@@ -12,16 +12,8 @@ namespace godot {
 
 namespace {
 
-constexpr double DEGREES = 180.0 / 3.14159265358979323846;
 constexpr double MIN_STEP = 1e-5;
 constexpr double MAX_STEP = 1.0;
-
-PackedFloat32Array to_packed(const std::vector<float> &p_values) {
-	PackedFloat32Array result;
-	result.resize(int64_t(p_values.size()));
-	std::copy(p_values.begin(), p_values.end(), result.ptrw());
-	return result;
-}
 
 } // namespace
 
@@ -89,6 +81,10 @@ void RagdollMotor::apply_settings() {
 	_driver->root_mode = ragdoll::RootMode(_root_mode);
 	_driver->root_settings.force = float(_root_force);
 	_driver->root_settings.torque = float(_root_torque);
+	ragdoll::BalanceSettings &balance = _driver->get_balance().settings;
+	balance.residual = float(_residual_share);
+	balance.torque = float(_root_torque);
+	balance.standing_torque = std::min(float(_standing_torque), float(_root_torque));
 	_driver->get_controller().settings.gain = float(_gain);
 	_driver->get_controller().settings.muscle_speed = float(_muscle_speed);
 	_driver->get_guard().max_energy = float(_max_energy);
@@ -98,7 +94,7 @@ void RagdollMotor::apply_settings() {
 }
 
 void RagdollMotor::look_at_ground() {
-	const bool wanted = _driver && ragdoll::finds_travel(_driver->root_mode) && is_inside_tree();
+	const bool wanted = _driver && ragdoll::needs_ground(_driver->root_mode) && is_inside_tree();
 	_driver->ground = wanted ? &_ground : nullptr;
 	if (wanted) {
 		_ground.attach(this, _body_rids, std::uint32_t(_ground_mask));
@@ -162,7 +158,7 @@ bool RagdollMotor::drive(double p_time_s, double p_delta_s) {
 		return false;
 	}
 	_is_state_read = false; // It is about to change, by us and by the step.
-	if (ragdoll::finds_travel(_driver->root_mode) && (_driver->ground != nullptr) != is_inside_tree()) {
+	if (ragdoll::needs_ground(_driver->root_mode) && (_driver->ground != nullptr) != is_inside_tree()) {
 		look_at_ground(); // It has come into the tree, or left it, since.
 	}
 	const ragdoll::StepCommands &commands = _driver->step(_state, p_time_s, float(p_delta_s));
@@ -266,71 +262,6 @@ void RagdollMotor::set_group_spring(double p_frequency, double p_damping_ratio, 
 	_driver->get_table().set_spring(float(p_frequency), float(p_damping_ratio), group);
 }
 
-void RagdollMotor::measure(double p_time_s) {
-	if (is_ready() && read_bodies()) {
-		_driver->measure(p_time_s, _state);
-		note_body_pose();
-	}
-}
-
-Dictionary RagdollMotor::get_tracking() const {
-	Dictionary tracking;
-	const bool known = _driver != nullptr;
-	tracking["count"] = known ? int64_t(_driver->get_meter().get_count()) : int64_t(0);
-	tracking["mean_deg"] = known ? _driver->get_meter().mean() * DEGREES : 0.0;
-	tracking["p95_deg"] = known ? _driver->get_meter().percentile(0.95) * DEGREES : 0.0;
-	tracking["latest_deg"] = known ? _driver->get_meter().latest() * DEGREES : 0.0;
-	tracking["distance_m"] = known ? _driver->get_meter().mean_distance() : 0.0;
-	tracking["lag_s"] = known ? _driver->get_meter().lag() : 0.0;
-	tracking["lag_known"] = known && _driver->get_meter().is_lag_known();
-	return tracking;
-}
-
-void RagdollMotor::clear_tracking() {
-	if (_driver) {
-		_driver->get_meter().clear();
-	}
-}
-
-PackedFloat32Array RagdollMotor::get_limb_errors() {
-	return _driver ? to_packed(_driver->find_errors(_state)) : PackedFloat32Array();
-}
-
-PackedFloat32Array RagdollMotor::get_limb_torques() const {
-	return _driver ? to_packed(_driver->get_torques().get_torques()) : PackedFloat32Array();
-}
-
-PackedFloat32Array RagdollMotor::get_limb_saturations() const {
-	return _driver ? to_packed(_driver->get_saturations()) : PackedFloat32Array();
-}
-
-void RagdollMotor::set_frame(const Transform3D &p_frame) {
-	ERR_FAIL_COND_MSG(!_driver, "RagdollMotor: call setup() first.");
-	ERR_FAIL_COND_MSG(!p_frame.is_finite(), "RagdollMotor: a frame is finite.");
-	_driver->set_frame(to_core(p_frame.basis), to_core(p_frame.origin));
-}
-
-Transform3D RagdollMotor::get_frame() const {
-	if (!_driver) {
-		return Transform3D();
-	}
-	return Transform3D(Basis(from_core(_driver->get_frame_orientation())), from_core(_driver->get_frame_origin()));
-}
-
-Vector3 RagdollMotor::get_root_target() const {
-	return _driver ? from_core(_driver->get_root_target()) : Vector3();
-}
-
-bool RagdollMotor::is_flying() const {
-	return _driver && _driver->get_travel() && _driver->get_travel()->is_flying();
-}
-
-PackedFloat32Array RagdollMotor::get_contact_weights() const {
-	return _driver && _driver->get_travel() ? to_packed(_driver->get_travel()->get_weights()) : PackedFloat32Array();
-}
-
-double RagdollMotor::get_internal_energy() {
-	return _driver && _bodies->read(_state) ? ragdoll::EnergyGuard::internal_energy(_driver->get_rig(), _state) : 0.0;
 }
 
 } // namespace godot

@@ -40,6 +40,16 @@ public:
 		ROOT_PENDULUM,
 		ROOT_SELF_RIGHTING,
 		ROOT_INERTIAL,
+		ROOT_GROUNDED,
+	};
+
+	/// What a GROUNDED body is doing about its balance.
+	enum BalancePhase {
+		BALANCE_STANDING,
+		BALANCE_FALLING,
+		BALANCE_TUCKING,
+		BALANCE_ROLLING,
+		BALANCE_RISING,
 	};
 	enum Actuation {
 		DIRECT_SET,
@@ -107,6 +117,7 @@ public:
 	void set_frame(const Transform3D &p_frame);
 	Transform3D get_frame() const;
 	Vector3 get_root_target() const;
+	Dictionary get_balance() const;
 	bool is_flying() const;
 	PackedFloat32Array get_contact_weights() const;
 	double get_internal_energy();
@@ -125,6 +136,10 @@ public:
 	double get_muscle_speed() const { return _muscle_speed; }
 	void set_root_force(double p_force);
 	double get_root_force() const { return _root_force; }
+	void set_residual_share(double p_share);
+	double get_residual_share() const { return _residual_share; }
+	void set_standing_torque(double p_torque);
+	double get_standing_torque() const { return _standing_torque; }
 	void set_root_torque(double p_torque);
 	double get_root_torque() const { return _root_torque; }
 	void set_inertia_scale(double p_scale);
@@ -175,6 +190,8 @@ private:
 	double _gain = 50.0;
 	double _muscle_speed = 8.0;
 	double _root_force = 2000.0;
+	double _residual_share = 0.06;
+	double _standing_torque = 240.0;
 	double _root_torque = 800.0;
 	double _inertia_scale = 6.0;
 	double _max_energy = 60.0;
@@ -214,5 +231,6 @@ private:
 } // namespace godot
 
 VARIANT_ENUM_CAST(RagdollMotor::RootMode);
+VARIANT_ENUM_CAST(RagdollMotor::BalancePhase);
 VARIANT_ENUM_CAST(RagdollMotor::Actuation);
 VARIANT_ENUM_CAST(RagdollMotor::GuardAction);

@@ -110,6 +110,9 @@ void RagdollBodies::pull_root(ragdoll::RootMode p_mode, const ragdoll::RootComma
 	set_drive(0, p_command.torque > 0.0f ? Drive::MOTOR : Drive::FREE);
 	set_torque(_joints[0], p_command.torque, _written[0].torque);
 	set_forces(p_command);
+	if (p_command.push.length() > 0.0f) {
+		server()->body_apply_central_force(_specs[0].body, from_core(p_command.push));
+	}
 	set_motors(_joints[0], _specs[0].axes.inverse().rotate(p_turn));
 	if (!_assist_joint.is_valid()) {
 		return;

@@ -103,6 +103,9 @@ void Controller::command_velocity(
 		const float fastest = settings.eagerness * braking_speed(error, r_command.max_torque / inertia);
 		correction = correction.limited(fastest);
 	}
+	if (is_root && settings.root_deceleration > 0.0f) {
+		correction = correction.limited(braking_speed(error, settings.root_deceleration));
+	}
 	r_command.velocity = p_relative.forward + correction;
 	// Legs are spared: swinging takes nearly all their torque, and a leg that comes down has to bear.
 	if (!is_root && !is_leg && settings.muscle_speed > 0.0f) {

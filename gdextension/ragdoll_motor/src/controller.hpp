@@ -32,6 +32,8 @@ struct ControlSettings {
 	/// VELOCITY_MOTOR: speed of the motion (rad/s) at which a joint has hardly any torque left besides
 	/// what that motion needs (Muscles); 0 leaves it the whole torque at any speed.
 	float muscle_speed = 8.0f;
+	/// How fast the root can be braked when it turns back to where the motion has it, rad/s^2; 0: at once.
+	float root_deceleration = 0.0f;
 	/// VELOCITY_MOTOR: share of the gain and of the greatest speed that corrections get.
 	float eagerness = 1.0f;
 	float angular_gain = 10.0f; ///< ANGULAR_MOTOR: the spring "in the speed domain" (thesis 8.3.1), 1/s.

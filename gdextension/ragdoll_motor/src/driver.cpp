@@ -26,6 +26,7 @@ Driver::Driver(Rig p_rig, const std::vector<int> &p_groups, std::size_t p_group_
 		_points_shown(p_contacts.size()),
 		_turns(_rig.size()) {
 	_foot_lock = FootLock(_rig, p_contacts);
+	_balance = Balance(_rig, p_contacts);
 	_travels[0] = std::make_unique<LowestFoot>(p_contacts);
 	_travels[1] = std::make_unique<LowestContact>(p_contacts);
 	_travels[2] = std::make_unique<InertialGait>(p_contacts);
@@ -83,11 +84,19 @@ const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_del
 	if (has_come_back(p_time_s) || teleported || (_commands.guarded & GUARD_LOST) != 0) {
 		put_into_pose(r_state);
 		_commands.must_put = true;
+		_arrival_s = root_mode == RootMode::GROUNDED ? ARRIVAL_S : 0.0f;
+	} else if (_arrival_s > 0.0f) {
+		// How fast the motion is only its next samples tell; feet alone could not take the body along.
+		_arrival_s -= p_delta_s;
+		put_into_pose(r_state);
+		set_in_motion(r_state, p_delta_s);
+		_commands.must_put = true;
 	}
 	travel(r_state, p_delta_s);
 	if (_commands.must_put && finds_anew) {
 		put_into_pose(r_state); // On the ground that was found, wherever the root was told to be.
 	}
+	balance(r_state, p_delta_s);
 	let_go_when_stalled(p_time_s);
 	_table.advance(p_delta_s);
 	compute_limbs(r_state, p_delta_s);
@@ -125,6 +134,9 @@ void Driver::compute_limbs(const RigState &p_state, float p_delta_s) {
 	const float calmed = get_travel() ? CALMED * _stream.get_filter().get_unrest() : 0.0f;
 	_controller.settings.eagerness = 1.0f - calmed;
 	_controller.compute(p_state, _now, _next, p_delta_s, _table, _commands.limbs);
+	for (std::size_t i = 0; root_mode == RootMode::GROUNDED && i < _rig.size(); i++) {
+		_commands.limbs[i].max_torque *= _balance.get_strength(_rig.is_in_leg(i) || _rig[i].group == _rig[0].group);
+	}
 }
 
 bool Driver::has_come_back(double p_time_s) {
@@ -149,6 +161,21 @@ Travel *Driver::find_travel(RootMode p_mode) const {
 	}
 }
 
+void Driver::balance(const RigState &p_state, float p_delta_s) {
+	if (root_mode != RootMode::GROUNDED) {
+		_balance.clear();
+		_controller.settings.root_deceleration = 0.0f;
+		return;
+	}
+	BalanceInput input;
+	input.state = &p_state;
+	input.ground = ground;
+	input.delta_s = p_delta_s;
+	input.gravity = std::max(-p_state.gravity.y, 0.0f);
+	_balance.advance(_rig, input, _now, _next);
+	_controller.settings.root_deceleration = _balance.get_deceleration();
+}
+
 void Driver::let_go_when_stalled(double p_time_s) {
 	const bool stalled = p_time_s - _stream.newest() > LET_GO_AFTER;
 	_table.set_overall(stalled ? STALLED_STRENGTH : 1.0f, LET_GO_S);
@@ -162,6 +189,10 @@ void Driver::command_root(const RigState &p_state, float p_delta_s) {
 	const float strength = mode == Actuation::LIMP ? 0.0f : _table.get_standing_strength(0);
 	_commands.root = drive_root(
 			root_mode, root_settings, _rig, p_state, _now.root + _lift, _next.root + _lift, p_delta_s, strength);
+	if (root_mode == RootMode::GROUNDED) {
+		_commands.root.torque = _balance.get_torque() * strength;
+		_commands.root.push = _balance.get_force() * strength;
+	}
 	// A hit shoves and turns the hips too, but drops nobody.
 	const float flinch = _table.get_flinch(0);
 	_commands.root.force_across *= flinch;
@@ -221,7 +252,20 @@ void Driver::put_into_pose(RigState &r_state) {
 	}
 	r_state.root = _now.root;
 	_controller.reset();
+	_balance.clear();
 	_torques.clear();
+}
+
+void Driver::set_in_motion(RigState &r_state, float p_delta_s) {
+	const float rate = 1.0f / p_delta_s;
+	_joints_next.resize(_rig.size());
+	_rig.joint_positions(_next, _joints_next);
+	for (std::size_t i = 0; i < _rig.size(); i++) {
+		const Vec3 centre = _joints_next[i] + _next.orientations[i].rotate(_rig[i].centre);
+		r_state.linear[i] = (centre - r_state.centres[i]) * rate;
+		const Quat turn = _next.orientations[i] * _now.orientations[i].inverse();
+		r_state.angular[i] = log(turn) * rate;
+	}
 }
 
 void Driver::pose_state(double p_time_s, RigState &r_state) {
@@ -282,10 +326,12 @@ void Driver::save(ArchiveWriter &p_archive) const {
 	p_archive.put(_is_fetched);
 	p_archive.put(_travelled);
 	p_archive.put(_next_root);
+	p_archive.put(_arrival_s);
 	for (const std::unique_ptr<Travel> &estimator : _travels) {
 		estimator->save(p_archive);
 	}
 	_foot_lock.save(p_archive);
+	_balance.save(p_archive);
 	_path.save(p_archive);
 	_stream.save(p_archive);
 	_table.save(p_archive);
@@ -317,12 +363,13 @@ bool Driver::read(ArchiveReader &p_archive) {
 	_torques.clear();
 	p_archive.get(_travelled);
 	p_archive.get(_next_root);
+	p_archive.get(_arrival_s);
 	for (const std::unique_ptr<Travel> &estimator : _travels) {
 		if (!estimator->restore(p_archive)) {
 			return false;
 		}
 	}
-	return _foot_lock.restore(p_archive) && _path.restore(p_archive) && _stream.restore(p_archive) &&
+	return _foot_lock.restore(p_archive) && _balance.restore(p_archive) && _path.restore(p_archive) && _stream.restore(p_archive) &&
 			_table.restore(p_archive) && _controller.restore(p_archive) && _world.restore(p_archive);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "balance/balance.hpp"
 #include "control/world_drive.hpp"
 #include "controller.hpp"
 #include "energy_guard.hpp"
@@ -45,6 +46,8 @@ public:
 	/// A pause of the motion (s) after which the body is put into the new pose instead of being flung
 	/// there; the beginning counts as one.
 	static constexpr double PUT_AFTER = 1.0;
+	/// GROUNDED: for how long a body that comes is put into the motion's pose, until that is in motion, s.
+	static constexpr float ARRIVAL_S = 0.06f;
 	/// How long it takes to sink, and to come back, s.
 	static constexpr float LET_GO_S = 0.25f;
 	/// While a body gets up its root is lifted by so much for each radian that its limbs are off, m: a
@@ -128,6 +131,9 @@ public:
 	const std::vector<float> &get_saturations() const { return _saturations; }
 	/// The estimator of the root's travel of a mode, or null where the mode has none.
 	const Travel *get_travel() const { return find_travel(root_mode); }
+	/// What keeps a GROUNDED body on its feet.
+	Balance &get_balance() { return _balance; }
+	const Balance &get_balance() const { return _balance; }
 	/// The target of the root at the end of the last step, m.
 	const Vec3 &get_root_target() const { return _next.root; }
 
@@ -150,6 +156,7 @@ private:
 	std::uint64_t fingerprint() const;
 	Travel *find_travel(RootMode p_mode) const;
 	void travel(const RigState &p_state, float p_delta_s);
+	void balance(const RigState &p_state, float p_delta_s);
 	void find_points(const Pose &p_pose, std::vector<Vec3> &r_points);
 	void find_shown(const RigState &p_state);
 	void shift_travel(Travel &r_estimator, const Vec3 &p_offset);
@@ -164,6 +171,8 @@ private:
 	void hold_root(const RigState &p_state, float p_delta_s);
 	void compute_limbs(const RigState &p_state, float p_delta_s);
 	void put_into_pose(RigState &r_state);
+	/// Gives bodies that have been put into the motion's pose its velocities too.
+	void set_in_motion(RigState &r_state, float p_delta_s);
 	float lift_while_getting_up(const RigState &p_state);
 	void let_go_when_stalled(double p_time_s);
 	void command_root(const RigState &p_state, float p_delta_s);
@@ -195,11 +204,13 @@ private:
 	std::vector<Vec3> _points_shown;
 	std::vector<Vec3> _turns; // Rates of the limbs, world axes, rad/s.
 	FootLock _foot_lock;
+	Balance _balance; // GROUNDED.
 	PathFilter _path; // Of the root, where it is found.
 	Vec3 _next_root; // Where the step before was to bring the root, m.
 	FlatGround _level_ground;
 	RootMode _travelled = RootMode::SOFT; // The mode of the step before.
 	static constexpr double NEVER = -1e30;
+	float _arrival_s = 0.0f; // How much longer the body is put into the motion's pose.
 	double _alive = NEVER; // When the motion was last not stalled, s.
 	bool _was_limp = false;
 	bool _is_getting_up = false;

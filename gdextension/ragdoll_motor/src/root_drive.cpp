@@ -12,7 +12,7 @@ RootCommand drive_root(RootMode p_mode, const RootSettings &p_settings, const Ri
 	RootCommand command;
 	command.torque = p_mode == RootMode::PENDULUM ? 0.0f : p_settings.torque * p_strength;
 	command.assist_torque = p_settings.torque * p_strength;
-	if (is_free(p_mode)) {
+	if (is_free(p_mode) || p_mode == RootMode::GROUNDED) {
 		return command;
 	}
 	command.force_up = p_settings.force * p_strength;

@@ -14,12 +14,17 @@ enum class RootMode : int {
 	PENDULUM, ///< Thesis 8.4.3: a heavy weight far below keeps the body upright; the feet move it.
 	SELF_RIGHTING, ///< Thesis 8.4.4: motors to the world keep pelvis and trunk upright; the feet move it.
 	INERTIAL, ///< For suits without position: predicted velocity and contacts, limited force.
+	GROUNDED, ///< Its position is known; feet and whatever else touches carry the body.
 };
-constexpr int ROOT_MODE_COUNT = 7;
+constexpr int ROOT_MODE_COUNT = 8;
 
 /// Whether the mode finds the root's travel from the ground instead of getting it.
 constexpr bool finds_travel(RootMode p_mode) {
 	return p_mode == RootMode::LOWEST_FOOT || p_mode == RootMode::CONTACTS || p_mode == RootMode::INERTIAL;
+}
+/// Whether the mode looks for the ground under the feet.
+constexpr bool needs_ground(RootMode p_mode) {
+	return finds_travel(p_mode) || p_mode == RootMode::GROUNDED;
 }
 /// Whether no force pulls the root along: the feet alone do.
 constexpr bool is_free(RootMode p_mode) {
@@ -33,6 +38,7 @@ struct RootCommand {
 	float force_up = 0.0f; ///< Greatest vertical force, N.
 	float torque = 0.0f; ///< Greatest torque an axis, N m.
 	float assist_torque = 0.0f; ///< Of the pendulum's or the trunk's joint, N m.
+	Vec3 push; ///< A force on the root's body besides, world axes, N.
 };
 
 /// Parameters of the root's hold.

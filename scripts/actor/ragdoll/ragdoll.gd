@@ -20,6 +20,11 @@ extends Node3D
 @export_range(0.0, 10000.0, 10.0, "suffix:N") var root_force: float = 2000.0
 ## Greatest torque that keeps the hips upright. Below about 100 the person falls over.
 @export_range(0.0, 5000.0, 10.0, "suffix:Nm") var root_torque: float = 800.0
+## Grounded: greatest horizontal force from outside, as a share of the weight.
+@export_range(0.0, 1.0, 0.01) var residual_share: float = 0.06
+## Grounded: greatest torque that keeps the hips of somebody upright who stands, and is to give way when
+## pushed. While the feet move, root_torque holds.
+@export_range(0.0, 5000.0, 10.0, "suffix:Nm") var standing_torque: float = 240.0
 ## Scales the torque of every joint: 1 is a strong adult, 0 is limp.
 @export_range(0.0, 4.0, 0.01) var strength: float = 1.0
 ## Scales the limbs' inertia: 6 keeps long chains of light limbs stable and exact at 60 ticks/s.
@@ -340,6 +345,8 @@ func _start_motor(p_bones: Array[PhysicalBone3D]) -> bool:
 	motor.root_mode = root_mode
 	motor.root_force = root_force
 	motor.root_torque = root_torque
+	motor.residual_share = residual_share
+	motor.standing_torque = standing_torque
 	motor.inertia_scale = inertia_scale
 	motor.self_collision = self_collision
 	motor.anatomical_limits = anatomical_limits

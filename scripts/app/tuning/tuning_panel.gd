@@ -65,6 +65,8 @@ var numbers: Dictionary[StringName, TuningSlider] = {
 	&"muscle_speed": TuningSlider.new("Muscle speed", Vector3(0.0, 60.0, 0.5), "rad/s", "any"),
 	&"root_force": TuningSlider.new("Root force", Vector3(0.0, 10000.0, 50.0), "N"),
 	&"root_torque": TuningSlider.new("Root torque", Vector3(0.0, 5000.0, 20.0), "N m"),
+	&"standing_torque": TuningSlider.new("When standing", Vector3(0.0, 5000.0, 20.0), "N m"),
+	&"residual_share": TuningSlider.new("Grounded: force", Vector3(0.0, 1.0, 0.01), "of weight"),
 }
 ## Whether the next sample is known.
 var buffer_box: CheckBox = CheckBox.new()

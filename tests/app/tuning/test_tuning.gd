@@ -61,7 +61,7 @@ func test_every_mode_is_chosen_for_all_and_for_a_group() -> void:
 func test_every_root_mode_is_chosen() -> void:
 	_open([])
 	var choice: OptionButton = _tuning.panel.root_choice
-	equal(choice.item_count, RagdollMotor.ROOT_INERTIAL + 1)
+	equal(choice.item_count, RagdollMotor.ROOT_GROUNDED + 1)
 	for mode: int in choice.item_count:
 		_choose(choice, mode)
 		equal(_motor().root_mode, mode)

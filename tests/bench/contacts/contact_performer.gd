@@ -46,6 +46,14 @@ func get_build() -> String:
 	return build
 
 
+## Whether the motion file's skeleton describes a body.
+func is_possible() -> bool:
+	var builder: Ragdoll = _make()
+	var is_whole: bool = builder.profile != null and builder.profile.find_fault() == ""
+	builder.free()
+	return is_whole
+
+
 ## Where the clip has the hips of this body at a time, s, the clip's ground at height 0.
 func hips_at(p_time_s: float, p_person: ContactPerson) -> Vector3:
 	var scale: float = p_person.ragdoll.get_hip_height() / source.get_hip_height()

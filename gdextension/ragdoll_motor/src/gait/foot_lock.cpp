@@ -20,12 +20,6 @@ Quat rotation_between(const Vec3 &p_from, const Vec3 &p_to) {
 	return Quat{ axis.x, axis.y, axis.z, lengths + p_from.dot(p_to) }.normalized();
 }
 
-/// The inner angle between two sides of a triangle, rad.
-float angle_opposite(float p_left, float p_right, float p_opposite) {
-	const float cosine = (p_left * p_left + p_right * p_right - p_opposite * p_opposite) / (2.0f * p_left * p_right);
-	return std::acos(std::clamp(cosine, -1.0f, 1.0f));
-}
-
 constexpr float LOOSE = 0.1f; // A grip below this holds nothing.
 
 } // namespace
@@ -35,20 +29,12 @@ FootLock::FootLock(const Rig &p_rig, const std::vector<ContactPoint> &p_contacts
 		_anchors(p_contacts.size()),
 		_grounds(p_contacts.size()),
 		_grips(p_contacts.size(), 0.0f) {
-	for (const ContactPoint &contact : p_contacts) {
-		const bool known =
-				std::any_of(_legs.begin(), _legs.end(), [&](const Leg &p_leg) { return p_leg.foot == contact.limb; });
-		const int shin = p_rig[std::size_t(contact.limb)].parent;
-		const int thigh = shin >= 0 ? p_rig[std::size_t(shin)].parent : -1;
-		if (contact.sole && !known && thigh >= 0 && p_rig[std::size_t(thigh)].parent >= 0) {
-			Leg leg;
-			leg.foot = contact.limb;
-			leg.shin = shin;
-			leg.thigh = thigh;
-			_legs.push_back(leg);
-		}
+	for (const Leg &limbs : find_legs(p_rig, p_contacts)) {
+		HeldLeg leg;
+		static_cast<Leg &>(leg) = limbs;
+		_legs.push_back(leg);
 	}
-	for (Leg &leg : _legs) {
+	for (HeldLeg &leg : _legs) {
 		for (std::size_t i = 0; i < _contacts.size(); i++) {
 			if (_contacts[i].limb == leg.foot) {
 				leg.points.push_back(i);
@@ -60,7 +46,7 @@ FootLock::FootLock(const Rig &p_rig, const std::vector<ContactPoint> &p_contacts
 }
 
 void FootLock::clear() {
-	for (Leg &leg : _legs) {
+	for (HeldLeg &leg : _legs) {
 		leg.offset = {};
 		leg.away = {};
 		leg.rise = 0.0f;
@@ -77,7 +63,7 @@ void FootLock::advance(const Travel &p_travel, const Vec3 &p_root, const std::ve
 		_floor = std::min(_floor, p_points[i].y - _contacts[i].radius);
 	}
 	const float kept = grip_s > 0.0f ? std::exp(-p_delta_s / grip_s) : 0.0f;
-	for (Leg &leg : _legs) {
+	for (HeldLeg &leg : _legs) {
 		leg.offset = leg.offset * std::exp(-p_delta_s / LET_GO_S);
 		const float excess = std::max(leg.away.length() - SLIPS_FROM - SLIPS_LATER * p_unrest, 0.0f);
 		const Vec3 slip = leg.away.limited(excess) * share(p_delta_s, SLIP_S);
@@ -104,7 +90,7 @@ void FootLock::advance(const Travel &p_travel, const Vec3 &p_root, const std::ve
 	}
 }
 
-Vec3 FootLock::find_tilt(const Leg &p_leg) const {
+Vec3 FootLock::find_tilt(const HeldLeg &p_leg) const {
 	if (p_leg.points.size() < 3) {
 		return {};
 	}
@@ -122,7 +108,7 @@ Vec3 FootLock::find_tilt(const Leg &p_leg) const {
 }
 
 float FootLock::find_rise(
-		const Leg &p_leg, const Vec3 &p_root, const std::vector<Vec3> &p_points, float p_unrest) const {
+		const HeldLeg &p_leg, const Vec3 &p_root, const std::vector<Vec3> &p_points, float p_unrest) const {
 	Vec3 middle;
 	for (const std::size_t point : p_leg.points) {
 		middle = middle + p_points[point] * (1.0f / float(p_leg.points.size()));
@@ -148,13 +134,13 @@ float FootLock::find_rise(
 }
 
 void FootLock::fit(
-		Leg &r_leg, const Vec3 &p_root, const std::vector<Vec3> &p_points, float p_unrest, float p_delta_s) const {
+		HeldLeg &r_leg, const Vec3 &p_root, const std::vector<Vec3> &p_points, float p_unrest, float p_delta_s) const {
 	const float part = share(p_delta_s, FIT_S + GRIP_S * p_unrest);
 	r_leg.tilt = r_leg.tilt + (find_tilt(r_leg) - r_leg.tilt) * part;
 	r_leg.rise += (find_rise(r_leg, p_root, p_points, p_unrest) - r_leg.rise) * part;
 }
 
-Vec3 FootLock::tilt(const Leg &p_leg, Pose &r_pose) const {
+Vec3 FootLock::tilt(const HeldLeg &p_leg, Pose &r_pose) const {
 	if (p_leg.tilt.length() < 1e-4f) {
 		return {};
 	}
@@ -171,7 +157,7 @@ void FootLock::shift(const Vec3 &p_offset) {
 }
 
 void FootLock::save(ArchiveWriter &p_archive) const {
-	for (const Leg &leg : _legs) {
+	for (const HeldLeg &leg : _legs) {
 		p_archive.put(leg.offset);
 		p_archive.put(leg.away);
 		p_archive.put(leg.rise);
@@ -182,7 +168,7 @@ void FootLock::save(ArchiveWriter &p_archive) const {
 }
 
 bool FootLock::restore(ArchiveReader &p_archive) {
-	for (Leg &leg : _legs) {
+	for (HeldLeg &leg : _legs) {
 		if (!p_archive.get(leg.offset) || !p_archive.get(leg.away) || !p_archive.get(leg.rise) ||
 				!p_archive.get(leg.tilt)) {
 			return false;
@@ -194,7 +180,7 @@ bool FootLock::restore(ArchiveReader &p_archive) {
 void FootLock::apply(const Rig &p_rig, float p_unrest, Pose &r_pose, std::vector<Vec3> &r_joints) {
 	// How high the feet are, the root's height sees to, unless shaking knees lift them.
 	const float lift = std::min(2.0f * p_unrest, 1.0f);
-	for (Leg &leg : _legs) {
+	for (HeldLeg &leg : _legs) {
 		const Vec3 moved = tilt(leg, r_pose);
 		const Quat &foot = r_pose.orientations[std::size_t(leg.foot)];
 		const Vec3 ankle = r_joints[std::size_t(leg.foot)] + moved;
@@ -218,40 +204,9 @@ void FootLock::apply(const Rig &p_rig, float p_unrest, Pose &r_pose, std::vector
 		}
 		const Vec3 offset = leg.offset + moved + Vec3{ 0.0f, leg.rise, 0.0f };
 		if (offset.length() > 1e-5f) {
-			bend(p_rig, leg, offset, r_pose, r_joints);
+			bend_leg(p_rig, leg, offset, r_pose, r_joints);
 		}
 	}
-}
-
-void FootLock::bend(
-		const Rig &p_rig, const Leg &p_leg, const Vec3 &p_offset, Pose &r_pose, std::vector<Vec3> &r_joints) const {
-	Quat &thigh = r_pose.orientations[std::size_t(p_leg.thigh)];
-	Quat &shin = r_pose.orientations[std::size_t(p_leg.shin)];
-	const Vec3 hip = r_joints[std::size_t(p_leg.thigh)];
-	const Vec3 upper = thigh.rotate(p_rig[std::size_t(p_leg.shin)].anchor);
-	const Vec3 lower = shin.rotate(p_rig[std::size_t(p_leg.foot)].anchor);
-	const float a = upper.length();
-	const float b = lower.length();
-	Vec3 wanted = upper + lower + p_offset;
-	const float longest = a + b - 0.001f;
-	if (wanted.length() > longest) {
-		// A leg that is too short lifts the foot rather than drag it.
-		const float left = longest * longest - wanted.x * wanted.x - wanted.z * wanted.z;
-		wanted.y = std::copysign(std::sqrt(std::max(left, 0.0f)), wanted.y);
-	}
-	const float reach = std::clamp(wanted.length(), std::fabs(a - b) + 0.01f, longest);
-	// The knee opens or closes about its own axis, then the whole leg swings to the position.
-	const Vec3 axis = upper.cross(lower);
-	const float more = angle_opposite(a, b, reach) - angle_opposite(a, b, (upper + lower).length());
-	Quat knee;
-	if (axis.length() > 1e-3f * a * b) {
-		knee = exp(axis * (-more / axis.length()));
-	}
-	const Quat swing = rotation_between(upper + knee.rotate(lower), wanted);
-	thigh = swing * thigh;
-	shin = swing * knee * shin;
-	r_joints[std::size_t(p_leg.shin)] = hip + swing.rotate(upper);
-	r_joints[std::size_t(p_leg.foot)] = r_joints[std::size_t(p_leg.shin)] + (swing * knee).rotate(lower);
 }
 
 } // namespace ragdoll

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gait/travel.hpp"
+#include "leg.hpp"
 #include "rig.hpp"
 
 #include <vector>
@@ -65,10 +66,7 @@ public:
 	bool restore(ArchiveReader &p_archive);
 
 private:
-	struct Leg {
-		int foot = 0;
-		int shin = 0;
-		int thigh = 0;
+	struct HeldLeg : Leg {
 		std::vector<std::size_t> points; // Of the sole, as in the list of contact points.
 		Vec3 sole; // Their middle, in the foot's frame, m.
 		Vec3 offset; // m
@@ -78,16 +76,14 @@ private:
 	};
 
 	/// How the ground under a foot is tilted, rotation vector, rad; none where it is not even.
-	Vec3 find_tilt(const Leg &p_leg) const;
+	Vec3 find_tilt(const HeldLeg &p_leg) const;
 	/// How far a foot has to be raised onto the ground, or lowered where it stands, m.
-	float find_rise(const Leg &p_leg, const Vec3 &p_root, const std::vector<Vec3> &p_points, float p_unrest) const;
-	void fit(Leg &r_leg, const Vec3 &p_root, const std::vector<Vec3> &p_points, float p_unrest, float p_delta_s) const;
+	float find_rise(const HeldLeg &p_leg, const Vec3 &p_root, const std::vector<Vec3> &p_points, float p_unrest) const;
+	void fit(HeldLeg &r_leg, const Vec3 &p_root, const std::vector<Vec3> &p_points, float p_unrest, float p_delta_s) const;
 	/// Tilts a foot about the middle of its sole; returns how far that moves the ankle, m.
-	Vec3 tilt(const Leg &p_leg, Pose &r_pose) const;
-	void bend(
-			const Rig &p_rig, const Leg &p_leg, const Vec3 &p_offset, Pose &r_pose, std::vector<Vec3> &r_joints) const;
+	Vec3 tilt(const HeldLeg &p_leg, Pose &r_pose) const;
 
-	std::vector<Leg> _legs;
+	std::vector<HeldLeg> _legs;
 	std::vector<ContactPoint> _contacts;
 	std::vector<Vec3> _anchors; // Where the held points are shown, m.
 	std::vector<Vec3> _grounds; // The ground under the points; NaN where none is known, m.

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: MIT
+#include "balance/balance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ragdoll {
+
+namespace {
+
+constexpr float SAME_PLACE = 0.015f; // Ground under a point that has moved less (m) is looked at no more.
+constexpr float AHEAD_S = 0.12f; // The ground is looked for where a foot will be.
+constexpr float SETTLE_FROM_S = 0.3f; // Who has stood for so long stands ...
+constexpr float SETTLE_S = 0.4f; // ... more and more within this time.
+constexpr float LEAST_HEIGHT = 0.3f; // Of the centre of mass over the feet, m: somebody who lies.
+
+Vec3 level(const Vec3 &p_vector) {
+	return { p_vector.x, 0.0f, p_vector.z };
+}
+
+float towards(float p_from, float p_to, float p_most) {
+	return p_from + std::clamp(p_to - p_from, -p_most, p_most);
+}
+
+} // namespace
+
+Balance::Balance(const Rig &p_rig, const std::vector<ContactPoint> &p_contacts) : _contacts(p_contacts), _recovery(p_rig, p_contacts) {
+	for (const Leg &leg : find_legs(p_rig, p_contacts)) {
+		Foot foot;
+		foot.limbs = leg;
+		_feet.push_back(foot);
+	}
+	_joints_now.resize(p_rig.size());
+	_joints_next.resize(p_rig.size());
+}
+
+void Balance::clear() {
+	for (Foot &foot : _feet) {
+		const Leg limbs = foot.limbs;
+		foot = Foot();
+		foot.limbs = limbs;
+	}
+	_recovery.clear();
+	_offset = {};
+	_stood_s = 0.0f;
+	_begun = false;
+}
+
+bool Balance::is_stepping() const {
+	return std::any_of(_feet.begin(), _feet.end(), [](const Foot &p_foot) { return p_foot.step_s >= 0.0f; });
+}
+
+void Balance::find_error(const Rig &p_rig, const BalanceInput &p_input, const Pose &p_now, const Pose &p_next) {
+	const RigState &state = *p_input.state;
+	Vec3 centre;
+	Vec3 velocity;
+	for (std::size_t i = 0; i < p_rig.size(); i++) {
+		centre = centre + state.centres[i] * p_rig[i].mass;
+		velocity = velocity + state.linear[i] * p_rig[i].mass;
+	}
+	centre = centre * (1.0f / p_rig.get_mass());
+	velocity = velocity * (1.0f / p_rig.get_mass());
+	const Vec3 wanted = p_rig.centre_of_mass(p_now, _joints_now);
+	const Vec3 wanted_next = p_rig.centre_of_mass(p_next, _joints_next);
+	if (!_begun) {
+		_offset = level(centre - wanted);
+		_begun = true;
+	}
+	_error = level(centre - wanted - _offset);
+	_velocity_error = level(velocity - (wanted_next - wanted) * (1.0f / p_input.delta_s));
+	float lowest = centre.y;
+	for (Foot &foot : _feet) {
+		const std::size_t limb = std::size_t(foot.limbs.foot);
+		foot.shown = p_rig.joint_of(state, limb);
+		foot.wanted = _joints_now[limb];
+	}
+	for (const Vec3 &limb : state.centres) {
+		lowest = std::min(lowest, limb.y);
+	}
+	_speed = velocity.length();
+	_height = centre.y - lowest;
+	float wanted_lowest = wanted.y;
+	for (std::size_t i = 0; i < p_rig.size(); i++) {
+		wanted_lowest = std::min(wanted_lowest, _joints_now[i].y + p_now.orientations[i].rotate(p_rig[i].centre).y);
+	}
+	_wanted_height = wanted.y - wanted_lowest;
+	const float height = std::max(_height, LEAST_HEIGHT);
+	_capture = _error + _velocity_error * std::sqrt(height / std::max(p_input.gravity, 0.1f));
+}
+
+void Balance::move_offset(const BalanceInput &p_input) {
+	const float delta = p_input.delta_s;
+	// Feet that slide take the motion's place along; a body that leans over its feet does not.
+	Vec3 slid;
+	float standing = 0.0f;
+	const Foot *last = nullptr;
+	for (const Foot &foot : _feet) {
+		if (!foot.is_up()) {
+			slid = slid + level(foot.shown - foot.wanted - _offset - foot.offset);
+			standing += 1.0f;
+		}
+		last = foot.is_new && !foot.is_up() ? &foot : last;
+	}
+	if (standing > 0.0f) {
+		slid = slid * (1.0f / standing);
+		const float distance = slid.length();
+		if (distance > settings.slack) {
+			_offset = _offset + slid * (1.0f - settings.slack / distance);
+		}
+	}
+	Vec3 moved;
+	if (last != nullptr) {
+		moved = level(last->offset).limited(settings.follow_step * delta);
+	} else if (std::any_of(_feet.begin(), _feet.end(), [](const Foot &p_foot) { return p_foot.swings; })) {
+		moved = level(_offset).limited(settings.walk_back * delta) * -1.0f;
+	}
+	_offset = _offset + moved;
+	float floor = 1e9f;
+	for (Foot &foot : _feet) {
+		foot.offset = foot.offset - moved;
+		floor = !foot.is_up() ? std::min(floor, foot.height) : floor;
+	}
+	if (floor < 1e9f) {
+		_offset.y = towards(_offset.y, floor, 0.5f * settings.rise_speed * delta);
+	}
+}
+
+void Balance::begin_steps() {
+	// Nobody lifts a foot while the other one is in the air.
+	if (std::any_of(_feet.begin(), _feet.end(), [](const Foot &p_foot) { return p_foot.is_up(); })) {
+		return;
+	}
+	const bool falls = _capture.length() > settings.step_from;
+	if (_stood_s < settings.stand_s) {
+		return;
+	}
+	const Vec3 wanted = falls ? _capture : Vec3();
+	Foot *chosen = nullptr;
+	float furthest = settings.step_from * 0.5f;
+	for (Foot &foot : _feet) {
+		const float distance = level(wanted - foot.offset).length();
+		if (distance > furthest) {
+			furthest = distance;
+			chosen = &foot;
+		}
+	}
+	if (chosen != nullptr) {
+		chosen->step_s = 0.0f;
+		for (Foot &foot : _feet) {
+			foot.is_new = &foot == chosen && falls;
+		}
+	}
+}
+
+float Balance::sole_height(const Pose &p_pose, const Foot &p_foot) const {
+	float lowest = 1e9f;
+	const std::size_t limb = std::size_t(p_foot.limbs.foot);
+	for (const ContactPoint &contact : _contacts) {
+		if (contact.limb == p_foot.limbs.foot) {
+			const Vec3 point = _joints_now[limb] + p_pose.orientations[limb].rotate(contact.local);
+			lowest = std::min(lowest, point.y - contact.radius);
+		}
+	}
+	return lowest;
+}
+
+void Balance::move_foot(const BalanceInput &p_input, const Pose &p_now, Foot &r_foot) {
+	const std::size_t limb = std::size_t(r_foot.limbs.foot);
+	const float delta = p_input.delta_s;
+	const Vec3 velocity = (_joints_next[limb] - _joints_now[limb]) * (1.0f / delta);
+	r_foot.swings = velocity.length() > settings.swing_speed * (r_foot.swings ? 0.5f : 1.0f);
+	r_foot.lift = 0.0f;
+	if (r_foot.step_s >= 0.0f) {
+		r_foot.step_s += delta;
+		const float part = r_foot.step_s / settings.step_s;
+		r_foot.lift = settings.step_height * std::sin(3.14159265f * std::min(part, 1.0f));
+		r_foot.step_s = part < 1.0f ? r_foot.step_s : -1.0f;
+	}
+	if (r_foot.is_up()) {
+		const float distance = _capture.length();
+		const float part = settings.place * std::max(1.0f - settings.place_from / std::max(distance, 1e-6f), 0.0f);
+		const bool catches = r_foot.step_s >= 0.0f && r_foot.is_new;
+		const Vec3 wanted = (_capture * (catches ? 1.0f : part)).limited(settings.longest_step);
+		const Vec3 off = level(wanted - r_foot.offset).limited(settings.foot_speed * delta);
+		r_foot.offset = r_foot.offset + off;
+	}
+	follow_ground(p_input, p_now, r_foot);
+	r_foot.offset = r_foot.offset.limited(settings.longest_step);
+}
+
+void Balance::follow_ground(const BalanceInput &p_input, const Pose &p_now, Foot &r_foot) {
+	if (p_input.ground == nullptr) {
+		return;
+	}
+	const std::size_t limb = std::size_t(r_foot.limbs.foot);
+	const Vec3 velocity = (_joints_next[limb] - _joints_now[limb]) * (1.0f / p_input.delta_s);
+	const Vec3 at = _joints_now[limb] + _offset + r_foot.offset + level(velocity) * AHEAD_S;
+	if (level(at - r_foot.looked).length() > SAME_PLACE) {
+		r_foot.looked = at;
+		r_foot.ground = p_input.ground->height(at);
+	}
+	if (!std::isfinite(r_foot.ground)) {
+		return;
+	}
+	const float needed = r_foot.ground - sole_height(p_now, r_foot);
+	const float wanted = r_foot.is_up() ? std::max(_offset.y, needed) : needed;
+	const float limited = std::clamp(wanted, _offset.y - settings.highest_step, _offset.y + settings.highest_step);
+	r_foot.height = towards(r_foot.height, limited, settings.rise_speed * p_input.delta_s);
+}
+
+void Balance::push(const Rig &p_rig, const BalanceInput &p_input) {
+	const float weight = p_rig.get_mass() * p_input.gravity;
+	const Vec3 wanted = (_error * settings.follow + _velocity_error) * (-settings.follow * p_rig.get_mass());
+	const float share = 1.0f - std::exp(-p_input.delta_s / settings.smooth_s);
+	_force_limit = settings.residual * weight;
+	_force = (_force + (wanted - _force) * share).limited(_force_limit);
+	const float stood = std::clamp((_stood_s - SETTLE_FROM_S) / SETTLE_S, 0.0f, 1.0f);
+	const float lever = std::max(_height, LEAST_HEIGHT);
+	_torque = settings.torque + (settings.standing_torque - settings.torque) * stood;
+	_bearing = settings.bearing + (1.0f - settings.bearing) * stood;
+	_deceleration = settings.braking * _torque / (p_rig.get_mass() * lever * lever);
+}
+
+void Balance::stay(const Rig &p_rig, const BalanceInput &p_input, const Pose &p_now) {
+	// Where it gets up is where the motion's place will be.
+	const float height = _offset.y;
+	_offset = level(p_input.state->root - p_now.root);
+	_offset.y = height;
+	for (Foot &foot : _feet) {
+		foot.offset = {};
+		foot.step_s = -1.0f;
+		foot.lift = 0.0f;
+		foot.is_new = false;
+	}
+	_force = {};
+	_bearing = 1.0f;
+	_torque = _recovery.get_phase() == Recovery::Phase::RISING ? settings.torque : _recovery.get_torque();
+	const float lever = std::max(_height, LEAST_HEIGHT);
+	_deceleration = settings.braking * _torque / (p_rig.get_mass() * lever * lever);
+	_capture = {};
+	_stood_s = 0.0f;
+}
+
+void Balance::bend(const Rig &p_rig, Pose &r_pose, std::vector<Vec3> &r_joints) {
+	r_pose.root = r_pose.root + _offset;
+	for (Vec3 &joint : r_joints) {
+		joint = joint + _offset;
+	}
+	for (const Foot &foot : _feet) {
+		const Vec3 away = foot.offset + Vec3{ 0.0f, foot.height - _offset.y + foot.lift, 0.0f };
+		if (away.length() > 1e-4f) {
+			bend_leg(p_rig, foot.limbs, away, r_pose, r_joints);
+		}
+	}
+}
+
+void Balance::advance(const Rig &p_rig, const BalanceInput &p_input, Pose &r_now, Pose &r_next) {
+	p_rig.joint_positions(r_now, _joints_now);
+	p_rig.joint_positions(r_next, _joints_next);
+	find_error(p_rig, p_input, r_now, r_next);
+	_recovery.advance(p_rig, *p_input.state, _height, _wanted_height, _speed, p_input.delta_s, r_now, r_next);
+	if (_recovery.get_phase() != Recovery::Phase::NONE) {
+		stay(p_rig, p_input, r_now);
+		return;
+	}
+	move_offset(p_input);
+	begin_steps();
+	_stood_s += p_input.delta_s;
+	for (Foot &foot : _feet) {
+		move_foot(p_input, r_now, foot);
+		_stood_s = foot.swings ? 0.0f : _stood_s;
+	}
+	push(p_rig, p_input);
+	bend(p_rig, r_now, _joints_now);
+	bend(p_rig, r_next, _joints_next);
+}
+
+void Balance::save(ArchiveWriter &p_archive) const {
+	p_archive.put_all(_feet);
+	p_archive.put(_offset);
+	p_archive.put(_force);
+	p_archive.put(_stood_s);
+	_recovery.save(p_archive);
+	p_archive.put(_begun);
+}
+
+bool Balance::restore(ArchiveReader &p_archive) {
+	return p_archive.get_all(_feet) && p_archive.get(_offset) && p_archive.get(_force) && p_archive.get(_stood_s) && _recovery.restore(p_archive) && p_archive.get(_begun);
+}
+
+} // namespace ragdoll

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "archive.hpp"
+#include "balance/recovery.hpp"
+#include "gait/ground.hpp"
+#include "leg.hpp"
+#include "rig.hpp"
+
+#include <vector>
+
+namespace ragdoll {
+
+/// Parameters of a body that stands on its own feet.
+struct BalanceSettings {
+	/// Greatest horizontal force from outside as a share of the weight. Nothing pulls upwards.
+	float residual = 0.06f;
+	/// Greatest torque from outside at the hips, N m: of somebody whose feet move, and of somebody who has
+	/// stood for some time and is to give way.
+	float torque = 800.0f;
+	float standing_torque = 240.0f;
+	/// What the torque of legs and trunk is multiplied by while the feet move: they have to swing limbs
+	/// whose inertia is scaled, and to catch a runner's weight.
+	float bearing = 2.0f;
+	/// The part of the torque that may brake a body that swings back; gravity and inertia take the rest.
+	float braking = 0.5f;
+	/// How fast the centre of mass is brought back to where the motion has it, 1/s.
+	float follow = 2.0f;
+	/// How slowly that force changes, s: a stiff body over stiff ankles would shake.
+	float smooth_s = 0.3f;
+	/// How far the centre of mass may be from where the motion has it before the motion's place gives
+	/// in, m.
+	float slack = 0.08f;
+	/// How fast a person who walks comes back to where the motion is, m/s.
+	float walk_back = 0.04f;
+	float follow_step = 1.0f;
+	/// A foot of the motion that moves faster than this swings, until it is slower than half of it, m/s.
+	float swing_speed = 0.6f;
+	/// How fast a swinging foot is put elsewhere than the motion has it, m/s.
+	float foot_speed = 1.5f;
+	/// How fast feet follow the ground's height, m/s.
+	float rise_speed = 2.0f;
+	/// Somebody who stands takes a step from this distance of the capture point on, m.
+	float step_from = 0.22f;
+	float place = 0.5f;
+	float place_from = 0.6f;
+	/// Nobody who has walked takes a step of their own before this, s, ...
+	float stand_s = 0.3f;
+	/// How long a step takes, s, and how high the foot is lifted, m.
+	float step_s = 0.3f;
+	float step_height = 0.07f;
+	/// Longest step and highest stair, m.
+	float longest_step = 0.45f;
+	float highest_step = 0.35f;
+};
+
+/// What the balance of a body knows at the beginning of a step.
+struct BalanceInput {
+	const RigState *state = nullptr;
+	const Ground *ground = nullptr; ///< Null for none: feet are where the motion has them.
+	float gravity = 9.81f; ///< m/s^2
+	float delta_s = 0.0f;
+};
+
+/// Keeps a body on its own feet whose position is known.
+///
+/// The feet carry it; from outside comes only a small horizontal force, and a torque that keeps the hips
+/// upright. How far a body is out of balance is told by the capture point (Pratt, Carff, Drakunov, Goswami
+/// 2006, "Capture point: a step toward humanoid push recovery", eq. 7: x + v sqrt(h / g)), relative to that
+/// of the motion. Feet that swing anyway are put down towards it, as in SIMBICON (Yin, Loken, van de Panne
+/// 2007, section 3.2); from a distance on a standing person takes steps. Where the world holds a body back,
+/// or a push has moved it, the place of the motion gives in, and comes back as the person walks. Feet follow
+/// the ground under them.
+class Balance {
+public:
+	Balance() = default;
+	Balance(const Rig &p_rig, const std::vector<ContactPoint> &p_contacts);
+
+	/// Begins a step: bends the motion's pose at its beginning and end to what the body can do.
+	void advance(const Rig &p_rig, const BalanceInput &p_input, Pose &r_now, Pose &r_next);
+	/// The body has been put into the motion's pose.
+	void clear();
+
+	/// The force on the hips in this step, world axes, N.
+	const Vec3 &get_force() const { return _force; }
+	/// What the joints' torque is multiplied by.
+	/// @param p_bears whether the limb is one of the legs or of the trunk
+	float get_strength(bool p_bears) const { return _recovery.get_strength() * (p_bears ? _bearing : 1.0f); }
+	const Recovery &get_recovery() const { return _recovery; }
+	/// The most that it may be, N.
+	float get_force_limit() const { return _force_limit; }
+	/// Greatest torque at the hips in this step, N m.
+	float get_torque() const { return _torque; }
+	/// How fast that torque can brake the whole body as it turns about its feet, rad/s^2.
+	float get_deceleration() const { return _deceleration; }
+	/// From where the motion has the hips to where the body has them, m: the tether.
+	const Vec3 &get_offset() const { return _offset; }
+	/// Distance of the body's capture point from the motion's, horizontal, m.
+	const Vec3 &get_capture_error() const { return _capture; }
+	/// Whether a step is being taken that the motion does not have.
+	bool is_stepping() const;
+
+	void save(ArchiveWriter &p_archive) const;
+	bool restore(ArchiveReader &p_archive);
+
+	BalanceSettings settings;
+
+private:
+	struct Foot {
+		Leg limbs;
+		Vec3 wanted; // Where the motion has the ankle, m.
+		Vec3 shown; // Where the body has it, m.
+		Vec3 offset; // How far it is put from where the motion has it at the body's place, horizontal, m.
+		float height = 0.0f; // How much higher it is put, m.
+		Vec3 looked; // Where the ground was looked for, m.
+		float ground = 0.0f; // Its height there, m; NaN for none.
+		bool swings = false;
+		float step_s = -1.0f; // Since a step of its own began; below 0 for none.
+		float lift = 0.0f; // m
+		bool is_new = false; // It was put where the body is to go.
+
+		bool is_up() const { return swings || step_s >= 0.0f; }
+	};
+
+	void find_error(const Rig &p_rig, const BalanceInput &p_input, const Pose &p_now, const Pose &p_next);
+	void move_offset(const BalanceInput &p_input);
+	void begin_steps();
+	void move_foot(const BalanceInput &p_input, const Pose &p_now, Foot &r_foot);
+	void follow_ground(const BalanceInput &p_input, const Pose &p_now, Foot &r_foot);
+	void stay(const Rig &p_rig, const BalanceInput &p_input, const Pose &p_now);
+	void push(const Rig &p_rig, const BalanceInput &p_input);
+	void bend(const Rig &p_rig, Pose &r_pose, std::vector<Vec3> &r_joints);
+	float sole_height(const Pose &p_pose, const Foot &p_foot) const;
+
+	std::vector<ContactPoint> _contacts;
+	std::vector<Foot> _feet;
+	Recovery _recovery;
+	float _height = 0.0f; // Of the centre of mass over the lowest limb, m.
+	float _wanted_height = 0.0f; // The same of the motion, m.
+	float _speed = 0.0f; // Of the centre of mass, m/s.
+	std::vector<Vec3> _joints_now;
+	std::vector<Vec3> _joints_next;
+	Vec3 _offset; // m
+	Vec3 _error; // Of the centre of mass, horizontal, m.
+	Vec3 _velocity_error; // m/s
+	Vec3 _capture; // m
+	Vec3 _force; // N
+	float _force_limit = 0.0f; // N
+	float _torque = 0.0f; // N m
+	float _bearing = 1.0f;
+	float _deceleration = 0.0f; // rad/s^2
+	float _stood_s = 0.0f; // Since a foot of the motion swung.
+	bool _begun = false;
+};
+
+} // namespace ragdoll

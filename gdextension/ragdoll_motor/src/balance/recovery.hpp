@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "archive.hpp"
+#include "leg.hpp"
+#include "rig.hpp"
+
+#include <vector>
+
+namespace ragdoll {
+
+/// Parameters of falling and getting up.
+struct RecoverySettings {
+	/// Hips that lean further than this from where the motion has them fall, rad.
+	float fall_angle = 0.9f;
+	/// And a centre of mass whose height over the feet is less than this share of the motion's.
+	float fall_height = 0.6f;
+	/// What is left of the joints' torque in a fall: limbs soften it, they do not hold it.
+	float fall_strength = 0.25f;
+	/// Who has fallen lies still below this speed of the centre of mass, m/s, or after this time, s.
+	float rest_speed = 0.4f;
+	float rest_s = 0.8f;
+	/// How long it takes to draw the legs in, to come over the feet, and to straighten up, s.
+	float tuck_s = 0.3f;
+	float roll_s = 0.6f;
+	float rise_s = 0.8f;
+	/// How far thighs and trunk are bent and shins turned in a crouch, rad.
+	float thigh_angle = 1.75f;
+	float shin_angle = 0.6f;
+	float trunk_angle = 0.5f;
+	/// Greatest torque from outside that helps the hips up, N m. No force does.
+	float torque = 500.0f;
+};
+
+/// Tells when a body falls, and brings it back to its feet: it draws the legs in, comes over its feet in
+/// a crouch, and straightens up into the motion's pose.
+class Recovery {
+public:
+	enum class Phase : int {
+		NONE, ///< The body stands, or lies because the motion does.
+		FALLING,
+		TUCKING,
+		ROLLING,
+		RISING,
+	};
+
+	Recovery() = default;
+	Recovery(const Rig &p_rig, const std::vector<ContactPoint> &p_contacts);
+
+	/// Begins a step; bends the poses while the body gets up.
+	/// @param p_height of the body's centre of mass over its lowest limb, m
+	/// @param p_wanted_height the same of the motion, m
+	/// @param p_speed of the body's centre of mass, m/s
+	void advance(const Rig &p_rig, const RigState &p_state, float p_height, float p_wanted_height, float p_speed,
+			float p_delta_s, Pose &r_now, Pose &r_next);
+	void clear() { _phase = Phase::NONE; }
+
+	Phase get_phase() const { return _phase; }
+	/// What the joints' torque is multiplied by.
+	float get_strength() const { return _phase == Phase::FALLING ? settings.fall_strength : 1.0f; }
+	/// Greatest torque at the hips, N m. For any phase but NONE.
+	float get_torque() const;
+
+	void save(ArchiveWriter &p_archive) const;
+	bool restore(ArchiveReader &p_archive);
+
+	RecoverySettings settings;
+
+private:
+	void go(Phase p_phase, const RigState &p_state);
+	void crouch(const Rig &p_rig, const Pose &p_motion, float p_share, Pose &r_pose) const;
+	void blend(const Rig &p_rig, float p_time_s, Pose &r_pose);
+	bool has_fallen(const RigState &p_state, float p_height, float p_wanted_height, const Pose &p_now) const;
+
+	std::vector<Leg> _legs;
+	std::vector<Quat> _start; // Where the limbs were when the phase began.
+	Pose _crouch;
+	Phase _phase = Phase::NONE;
+	float _time_s = 0.0f; // In this phase.
+};
+
+} // namespace ragdoll

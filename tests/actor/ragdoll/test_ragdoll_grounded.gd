@@ -1,0 +1,143 @@
+extends "stage_case.gd"
+## People who stand on their own feet: what carries them, pushes, falls, ground that is not level.
+
+const GROUNDED: RagdollMotor.RootMode = RagdollMotor.ROOT_GROUNDED
+const HEIGHT: Vector3 = Vector3(0.0, 1.03, 0.0)
+const CHEST: int = 2
+const LEFT_FOOT: int = 12
+const RIGHT_FOOT: int = 15
+
+
+func test_the_floor_carries_a_standing_person() -> void:
+	var scale: RigidBody3D = _add_scale()
+	_stage.add_soldier(HEIGHT, GROUNDED)
+	await _stage.run(60)
+	PhysicsServer3D.body_set_state(
+		scale.get_rid(), PhysicsServer3D.BODY_STATE_LINEAR_VELOCITY, Vector3.ZERO
+	)
+	var sum: Array[float] = [0.0]
+	await _stage.run(
+		120,
+		func(_time: float) -> void:
+			var rid: RID = scale.get_rid()
+			var velocity: Vector3 = PhysicsServer3D.body_get_state(
+				rid, PhysicsServer3D.BODY_STATE_LINEAR_VELOCITY
+			)
+			sum[0] -= velocity.y * scale.mass * 60.0 / 120.0
+			PhysicsServer3D.body_set_state(
+				rid, PhysicsServer3D.BODY_STATE_LINEAR_VELOCITY, Vector3.ZERO
+			)
+	)
+	almost_equal(sum[0] / (80.0 * 9.8), 1.0, 0.05)
+
+
+func test_a_light_push_makes_it_lean_and_come_back() -> void:
+	var player: Stage.Player = await _push(40.0)
+	var seen: Dictionary = await _watch(player)
+	is_true(seen.far > 0.03, "the chest moves by %f m" % seen.far)
+	is_false(seen.phases.has(RagdollMotor.BALANCE_FALLING), "it falls")
+	is_true(player.worst_error_deg(Stage.reset_pose()) < 5.0, "it is upright again")
+
+
+func test_a_push_makes_it_step() -> void:
+	var player: Stage.Player = await _push(80.0)
+	var seen: Dictionary = await _watch(player)
+	is_true(seen.steps > 0, "it takes no step")
+	is_false(seen.phases.has(RagdollMotor.BALANCE_FALLING), "it falls")
+	is_true(player.worst_error_deg(Stage.reset_pose()) < 5.0, "it is upright again")
+
+
+func test_a_blow_fells_it_and_it_gets_up() -> void:
+	var player: Stage.Player = await _push(160.0)
+	var seen: Dictionary = await _watch(player)
+	is_true(seen.low < 0.5, "the hips are at %f m at the lowest" % seen.low)
+	equal(
+		seen.phases,
+		[
+			RagdollMotor.BALANCE_STANDING,
+			RagdollMotor.BALANCE_FALLING,
+			RagdollMotor.BALANCE_TUCKING,
+			RagdollMotor.BALANCE_ROLLING,
+			RagdollMotor.BALANCE_RISING,
+			RagdollMotor.BALANCE_STANDING,
+		]
+	)
+	almost_equal(player.joint(0).y, HEIGHT.y, 0.05)
+	is_true(player.worst_error_deg(Stage.reset_pose()) < 5.0, "it is upright again")
+
+
+func test_nothing_lifts_it_off_lower_ground() -> void:
+	_stage.add_floor()
+	# The motion is 0.3 m higher than what there is to stand on.
+	var player: Stage.Player = _stage.add_soldier(HEIGHT + Vector3.UP * 0.3, GROUNDED)
+	await _stage.run(120)
+	almost_equal(player.joint(0).y, HEIGHT.y, 0.05)
+
+
+func test_it_stands_with_one_foot_on_a_step() -> void:
+	_stage.add_floor()
+	var step: Block = Block.new()
+	step.size = Vector3(0.5, 0.2, 1.0)
+	step.position = Vector3(0.27, 0.05, 0.0)
+	_stage.add_child(step)
+	var player: Stage.Player = _stage.add_soldier(HEIGHT + Vector3.UP * 0.15, GROUNDED)
+	await _stage.run(180)
+	var higher: float = player.joint(LEFT_FOOT).y - player.joint(RIGHT_FOOT).y
+	almost_equal(higher, 0.15, 0.03)
+	is_true(player.error_deg(CHEST, Stage.reset_pose()) < 5.0, "it stands upright")
+
+
+func test_balance_is_told_of_grounded_people_only() -> void:
+	_stage.add_floor()
+	var player: Stage.Player = _stage.add_soldier(HEIGHT, GROUNDED)
+	await _stage.run(30)
+	var balance: Dictionary = player.ragdoll.motor.get_balance()
+	is_true(balance.force_n <= balance.force_limit_n + 0.01, "%s" % balance)
+	almost_equal(balance.force_limit_n, 0.06 * 80.0 * 9.8, 1.0)
+	player.ragdoll.motor.root_mode = RagdollMotor.ROOT_SOFT
+	is_true(player.ragdoll.motor.get_balance().is_empty(), "another mode has a balance")
+
+
+func _push(p_impulse: float) -> Stage.Player:
+	_stage.add_floor()
+	var player: Stage.Player = _stage.add_soldier(HEIGHT, GROUNDED)
+	await _stage.run(60)
+	var chest: RID = player.ragdoll.get_bodies()[player.index(CHEST)]
+	PhysicsServer3D.body_apply_central_impulse(chest, Vector3.BACK * p_impulse)
+	return player
+
+
+## What happens within the next five seconds.
+func _watch(p_player: Stage.Player) -> Dictionary:
+	var start: Vector3 = p_player.joint(CHEST)
+	var seen: Dictionary = {"far": 0.0, "low": 9.0, "steps": 0, "phases": []}
+	await _stage.run(
+		300,
+		func(_time: float) -> void:
+			var balance: Dictionary = p_player.ragdoll.motor.get_balance()
+			seen.far = maxf(seen.far, p_player.joint(CHEST).z - start.z)
+			seen.low = minf(seen.low, p_player.joint(0).y)
+			seen.steps += 1 if balance.is_stepping else 0
+			if seen.phases.is_empty() or seen.phases[-1] != balance.phase:
+				seen.phases.append(balance.phase)
+	)
+	return seen
+
+
+## A floor that weighs: a heavy body without gravity, which takes up what presses on it.
+func _add_scale() -> RigidBody3D:
+	var scale: RigidBody3D = RigidBody3D.new()
+	scale.mass = 1e5
+	scale.gravity_scale = 0.0
+	scale.lock_rotation = true
+	scale.can_sleep = false
+	scale.collision_layer = PhysicsLayers.STATIC
+	scale.collision_mask = PhysicsLayers.ALL
+	scale.position = Vector3(0.0, -0.5, 0.0)
+	var shape: CollisionShape3D = CollisionShape3D.new()
+	var box: BoxShape3D = BoxShape3D.new()
+	box.size = Vector3(20.0, 1.0, 20.0)
+	shape.shape = box
+	scale.add_child(shape)
+	_stage.add_child(scale)
+	return scale
