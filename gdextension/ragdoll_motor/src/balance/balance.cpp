@@ -136,7 +136,7 @@ void Balance::begin_steps() {
 	}
 	const Vec3 wanted = falls ? _capture : Vec3();
 	Foot *chosen = nullptr;
-	float furthest = settings.step_from * 0.5f;
+	float furthest = falls ? 0.5f * settings.step_from : settings.close_from;
 	for (Foot &foot : _feet) {
 		const float distance = level(wanted - foot.offset).length();
 		if (distance > furthest) {

@@ -46,6 +46,8 @@ struct BalanceSettings {
 	float place_from = 0.6f;
 	/// Nobody who has walked takes a step of their own before this, s, ...
 	float stand_s = 0.3f;
+	/// A foot that was put further than this from where the motion has it comes back by a step, m.
+	float close_from = 0.03f;
 	/// How long a step takes, s, and how high the foot is lifted, m.
 	float step_s = 0.3f;
 	float step_height = 0.07f;
