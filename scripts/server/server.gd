@@ -6,7 +6,8 @@ extends Node
 ## A tick: process what has arrived, set the motors, let Jolt step; right after the step the new
 ## state is sent, in the same frame.
 
-## What --root can be: grounded people stand on their own feet; inertial finds travel from the feet, as a suit without positions needs it.
+## What --root can be: grounded people stand on their own feet; inertial finds travel from the
+## feet, as a suit without positions needs it.
 const ROOTS: Dictionary[String, RagdollMotor.RootMode] = {
 	"grounded": RagdollMotor.ROOT_GROUNDED,
 	"soft": RagdollMotor.ROOT_SOFT,

@@ -71,7 +71,9 @@ func _put_standing(p_run: GroundRun) -> void:
 	var pose: PoseSample = ContactPoses.standing(p_run.person)
 	var hips: Vector3 = p_run.person.standing_hips()
 	p_run.world.add_person(
-		p_run.person, func(_t: float) -> PoseSample: return pose, func(_t: float) -> Vector3: return hips
+		p_run.person,
+		func(_t: float) -> PoseSample: return pose,
+		func(_t: float) -> Vector3: return hips
 	)
 
 
@@ -103,7 +105,9 @@ func _tell(p_case: String, p_run: GroundRun, p_from: int, p_share: float) -> voi
 	var force: float = 100.0 * GroundRun.percentile(p_run.residual, 0.95) / weight
 	_report.add(p_case, "residual p95", force, "% of weight", BenchReport.Goal.AT_MOST, 8.0)
 	_report.add(p_case, "error", GroundRun.mean(p_run.errors), "deg", BenchReport.Goal.AT_MOST, 2.0)
-	_report.add(p_case, "upper body", GroundRun.mean(p_run.upper), "deg", BenchReport.Goal.AT_MOST, 1.2)
+	_report.add(
+		p_case, "upper body", GroundRun.mean(p_run.upper), "deg", BenchReport.Goal.AT_MOST, 1.2
+	)
 	_report.add(p_case, "worst error p99", GroundRun.percentile(p_run.errors, 0.99), "deg")
 	_report.add(p_case, "drift mean", GroundRun.mean(p_run.drifts), "m")
 	_report.add(p_case, "drift p99", GroundRun.percentile(p_run.drifts, 0.99), "m")
@@ -142,11 +146,21 @@ func _shove(p_impulse: float, p_direction: Vector3) -> void:
 		if _arguments.value("trace") and roundi(run.world.time_s * 60.0) % 6 == 0:
 			var balance: Dictionary = run.person.ragdoll.motor.get_balance()
 			print(
-				"%d %.2f hips %.2f error %.1f chest %.2f capture %v offset %v step %s force %.0f carried %.0f" % [
-					balance.phase, run.world.time_s, run.heights[-1], run.errors[-1],
-					(here.origin - start).dot(p_direction), balance.capture_error_m, balance.offset_m,
-					balance.is_stepping, balance.force_n, run.carried[-1]
-				]
+				(
+					"%d %.2f hips %.2f error %.1f chest %.2f capture %v offset %v step %s force %.0f carried %.0f"
+					% [
+						balance.phase,
+						run.world.time_s,
+						run.heights[-1],
+						run.errors[-1],
+						(here.origin - start).dot(p_direction),
+						balance.capture_error_m,
+						balance.offset_m,
+						balance.is_stepping,
+						balance.force_n,
+						run.carried[-1]
+					]
+				)
 			)
 		return false
 	await run.world.run(6.0, watch)

@@ -369,8 +369,9 @@ bool Driver::read(ArchiveReader &p_archive) {
 			return false;
 		}
 	}
-	return _foot_lock.restore(p_archive) && _balance.restore(p_archive) && _path.restore(p_archive) && _stream.restore(p_archive) &&
-			_table.restore(p_archive) && _controller.restore(p_archive) && _world.restore(p_archive);
+	return _foot_lock.restore(p_archive) && _balance.restore(p_archive) && _path.restore(p_archive) &&
+			_stream.restore(p_archive) && _table.restore(p_archive) && _controller.restore(p_archive) &&
+			_world.restore(p_archive);
 }
 
 } // namespace ragdoll

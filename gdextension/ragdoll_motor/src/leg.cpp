@@ -40,8 +40,7 @@ std::vector<Leg> find_legs(const Rig &p_rig, const std::vector<ContactPoint> &p_
 	return legs;
 }
 
-void bend_leg(
-		const Rig &p_rig, const Leg &p_leg, const Vec3 &p_offset, Pose &r_pose, std::vector<Vec3> &r_joints) {
+void bend_leg(const Rig &p_rig, const Leg &p_leg, const Vec3 &p_offset, Pose &r_pose, std::vector<Vec3> &r_joints) {
 	Quat &thigh = r_pose.orientations[std::size_t(p_leg.thigh)];
 	Quat &shin = r_pose.orientations[std::size_t(p_leg.shin)];
 	const Vec3 hip = r_joints[std::size_t(p_leg.thigh)];

@@ -23,7 +23,6 @@ std::vector<Leg> find_legs(const Rig &p_rig, const std::vector<ContactPoint> &p_
 /// rather than drag it.
 /// @param p_offset how far the ankle is moved, m
 /// @param r_joints the pose's joints, m; those of shin and foot are brought up to date
-void bend_leg(
-		const Rig &p_rig, const Leg &p_leg, const Vec3 &p_offset, Pose &r_pose, std::vector<Vec3> &r_joints);
+void bend_leg(const Rig &p_rig, const Leg &p_leg, const Vec3 &p_offset, Pose &r_pose, std::vector<Vec3> &r_joints);
 
 } // namespace ragdoll

@@ -22,8 +22,8 @@ extends Node3D
 @export_range(0.0, 5000.0, 10.0, "suffix:Nm") var root_torque: float = 800.0
 ## Grounded: greatest horizontal force from outside, as a share of the weight.
 @export_range(0.0, 1.0, 0.01) var residual_share: float = 0.06
-## Grounded: greatest torque that keeps the hips of somebody upright who stands, and is to give way when
-## pushed. While the feet move, root_torque holds.
+## Grounded: greatest torque that keeps the hips of somebody upright who stands, and is to give way
+## when pushed. While the feet move, [member root_torque] holds.
 @export_range(0.0, 5000.0, 10.0, "suffix:Nm") var standing_torque: float = 240.0
 ## Scales the torque of every joint: 1 is a strong adult, 0 is limp.
 @export_range(0.0, 4.0, 0.01) var strength: float = 1.0

@@ -2,9 +2,9 @@ class_name GroundScale
 extends RefCounted
 ## A floor that weighs what stands on it.
 ##
-## The engine tells no contact force of a ragdoll that could be trusted, so the floor is a free body of
-## great mass without gravity: what touches it in a step gives it a velocity, which is read and taken
-## away again after the step. Force = mass x velocity / step (Newton's third law).
+## The engine tells no contact force of a ragdoll that could be trusted, so the floor is a free body
+## of great mass without gravity: what touches it in a step gives it a velocity, which is read and
+## taken away again after the step. Force = mass x velocity / step (Newton's third law).
 
 ## Mass of the floor, kg: so heavy that it yields by less than a nanometre a step.
 const MASS: float = 1e5
@@ -15,8 +15,8 @@ var force: Vector3 = Vector3.ZERO
 var _body: RigidBody3D = null
 
 
-## Makes the floor, as wide as ContactWorld's, its top at a height (m). [param p_slope] turns it about
-## a point at that height.
+## Makes the floor, its top at a height (m) below the origin. [param p_slope] turns it about that
+## point.
 func _init(p_world: ContactWorld, p_height: float = 0.0, p_slope: Basis = Basis.IDENTITY) -> void:
 	_body = p_world.add_crate(Vector3(60.0, 1.0, 60.0), Vector3.ZERO, MASS)
 	_body.transform = Transform3D(p_slope, Vector3.UP * p_height - p_slope.y * 0.5)

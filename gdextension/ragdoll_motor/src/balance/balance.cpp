@@ -12,7 +12,7 @@ constexpr float SAME_PLACE = 0.015f; // Ground under a point that has moved less
 constexpr float AHEAD_S = 0.12f; // The ground is looked for where a foot will be.
 constexpr float SETTLE_FROM_S = 0.3f; // Who has stood for so long stands ...
 constexpr float SETTLE_S = 0.4f; // ... more and more within this time.
-constexpr float LEAST_HEIGHT = 0.3f; // Of the centre of mass over the feet, m: somebody who lies.
+constexpr float MIN_HEIGHT = 0.3f; // Of the centre of mass over the feet, m: somebody who lies.
 
 Vec3 level(const Vec3 &p_vector) {
 	return { p_vector.x, 0.0f, p_vector.z };
@@ -24,7 +24,8 @@ float towards(float p_from, float p_to, float p_most) {
 
 } // namespace
 
-Balance::Balance(const Rig &p_rig, const std::vector<ContactPoint> &p_contacts) : _contacts(p_contacts), _recovery(p_rig, p_contacts) {
+Balance::Balance(const Rig &p_rig, const std::vector<ContactPoint> &p_contacts) :
+		_contacts(p_contacts), _recovery(p_rig, p_contacts) {
 	for (const Leg &leg : find_legs(p_rig, p_contacts)) {
 		Foot foot;
 		foot.limbs = leg;
@@ -84,7 +85,7 @@ void Balance::find_error(const Rig &p_rig, const BalanceInput &p_input, const Po
 		wanted_lowest = std::min(wanted_lowest, _joints_now[i].y + p_now.orientations[i].rotate(p_rig[i].centre).y);
 	}
 	_wanted_height = wanted.y - wanted_lowest;
-	const float height = std::max(_height, LEAST_HEIGHT);
+	const float height = std::max(_height, MIN_HEIGHT);
 	_capture = _error + _velocity_error * std::sqrt(height / std::max(p_input.gravity, 0.1f));
 }
 
@@ -215,7 +216,7 @@ void Balance::push(const Rig &p_rig, const BalanceInput &p_input) {
 	_force_limit = settings.residual * weight;
 	_force = (_force + (wanted - _force) * share).limited(_force_limit);
 	const float stood = std::clamp((_stood_s - SETTLE_FROM_S) / SETTLE_S, 0.0f, 1.0f);
-	const float lever = std::max(_height, LEAST_HEIGHT);
+	const float lever = std::max(_height, MIN_HEIGHT);
 	_torque = settings.torque + (settings.standing_torque - settings.torque) * stood;
 	_bearing = settings.bearing + (1.0f - settings.bearing) * stood;
 	_deceleration = settings.braking * _torque / (p_rig.get_mass() * lever * lever);
@@ -235,7 +236,7 @@ void Balance::stay(const Rig &p_rig, const BalanceInput &p_input, const Pose &p_
 	_force = {};
 	_bearing = 1.0f;
 	_torque = _recovery.get_phase() == Recovery::Phase::RISING ? settings.torque : _recovery.get_torque();
-	const float lever = std::max(_height, LEAST_HEIGHT);
+	const float lever = std::max(_height, MIN_HEIGHT);
 	_deceleration = settings.braking * _torque / (p_rig.get_mass() * lever * lever);
 	_capture = {};
 	_stood_s = 0.0f;
@@ -285,7 +286,8 @@ void Balance::save(ArchiveWriter &p_archive) const {
 }
 
 bool Balance::restore(ArchiveReader &p_archive) {
-	return p_archive.get_all(_feet) && p_archive.get(_offset) && p_archive.get(_force) && p_archive.get(_stood_s) && _recovery.restore(p_archive) && p_archive.get(_begun);
+	return p_archive.get_all(_feet) && p_archive.get(_offset) && p_archive.get(_force) && p_archive.get(_stood_s) &&
+			_recovery.restore(p_archive) && p_archive.get(_begun);
 }
 
 } // namespace ragdoll

@@ -48,8 +48,8 @@ void Recovery::crouch(const Rig &p_rig, const Pose &p_motion, float p_share, Pos
 	}
 	Vec3 left = p_motion.orientations[0].rotate(
 			p_rig[std::size_t(_legs[0].thigh)].anchor - p_rig[std::size_t(_legs[1].thigh)].anchor);
-	const Vec3 foot = p_motion.orientations[std::size_t(_legs[0].foot)].rotate(
-			p_rig[std::size_t(_legs[0].foot)].centre);
+	const Vec3 foot =
+			p_motion.orientations[std::size_t(_legs[0].foot)].rotate(p_rig[std::size_t(_legs[0].foot)].centre);
 	// The feet point ahead.
 	const Vec3 ahead = Vec3{ foot.x, 0.0f, foot.z };
 	if (left.cross(Vec3{ 0.0f, 1.0f, 0.0f }).dot(ahead) < 0.0f) {
@@ -91,8 +91,8 @@ void Recovery::blend(const Rig &p_rig, float p_time_s, Pose &r_pose) {
 	}
 }
 
-void Recovery::advance(const Rig &p_rig, const RigState &p_state, float p_height, float p_wanted_height,
-		float p_speed, float p_delta_s, Pose &r_now, Pose &r_next) {
+void Recovery::advance(const Rig &p_rig, const RigState &p_state, float p_height, float p_wanted_height, float p_speed,
+		float p_delta_s, Pose &r_now, Pose &r_next) {
 	_time_s += p_delta_s;
 	switch (_phase) {
 		case Phase::NONE:
