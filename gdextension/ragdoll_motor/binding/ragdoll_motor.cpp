@@ -262,6 +262,4 @@ void RagdollMotor::set_group_spring(double p_frequency, double p_damping_ratio, 
 	_driver->get_table().set_spring(float(p_frequency), float(p_damping_ratio), group);
 }
 
-}
-
 } // namespace godot
