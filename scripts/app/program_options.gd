@@ -183,7 +183,11 @@ static func _server() -> Array[OptionRow]:
 			"degrees"
 		),
 		OptionRow.choice(
-			"root", server, "grounded", Server.ROOTS.keys(), "how people's travel is found and followed"
+			"root",
+			server,
+			"grounded",
+			Server.ROOTS.keys(),
+			"how people's travel is found and followed"
 		),
 		OptionRow.number(
 			"status-port",

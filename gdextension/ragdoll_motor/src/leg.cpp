@@ -8,7 +8,14 @@ namespace ragdoll {
 
 namespace {
 
-/// The shortest rotation from one direction to another.
+/// The inner angle between two sides of a triangle, rad.
+float angle_opposite(float p_left, float p_right, float p_opposite) {
+	const float cosine = (p_left * p_left + p_right * p_right - p_opposite * p_opposite) / (2.0f * p_left * p_right);
+	return std::acos(std::clamp(cosine, -1.0f, 1.0f));
+}
+
+} // namespace
+
 Quat rotation_between(const Vec3 &p_from, const Vec3 &p_to) {
 	const float lengths = p_from.length() * p_to.length();
 	if (lengths < 1e-9f || p_from.dot(p_to) < -0.99f * lengths) {
@@ -17,14 +24,6 @@ Quat rotation_between(const Vec3 &p_from, const Vec3 &p_to) {
 	const Vec3 axis = p_from.cross(p_to);
 	return Quat{ axis.x, axis.y, axis.z, lengths + p_from.dot(p_to) }.normalized();
 }
-
-/// The inner angle between two sides of a triangle, rad.
-float angle_opposite(float p_left, float p_right, float p_opposite) {
-	const float cosine = (p_left * p_left + p_right * p_right - p_opposite * p_opposite) / (2.0f * p_left * p_right);
-	return std::acos(std::clamp(cosine, -1.0f, 1.0f));
-}
-
-} // namespace
 
 std::vector<Leg> find_legs(const Rig &p_rig, const std::vector<ContactPoint> &p_contacts) {
 	std::vector<Leg> legs;

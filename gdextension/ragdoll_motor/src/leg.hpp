@@ -15,6 +15,9 @@ struct Leg {
 	int thigh = 0;
 };
 
+/// The shortest rotation from one direction to another; none where they are opposite.
+Quat rotation_between(const Vec3 &p_from, const Vec3 &p_to);
+
 /// The legs of a body: limbs with soles, what they hang on, and what that hangs on.
 std::vector<Leg> find_legs(const Rig &p_rig, const std::vector<ContactPoint> &p_contacts);
 

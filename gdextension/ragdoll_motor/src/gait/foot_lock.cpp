@@ -10,16 +10,6 @@ namespace ragdoll {
 
 namespace {
 
-/// The shortest rotation from one direction to another.
-Quat rotation_between(const Vec3 &p_from, const Vec3 &p_to) {
-	const float lengths = p_from.length() * p_to.length();
-	if (lengths < 1e-9f || p_from.dot(p_to) < -0.99f * lengths) {
-		return Quat(); // The opposite: never for a foot that moves by centimetres.
-	}
-	const Vec3 axis = p_from.cross(p_to);
-	return Quat{ axis.x, axis.y, axis.z, lengths + p_from.dot(p_to) }.normalized();
-}
-
 constexpr float LOOSE = 0.1f; // A grip below this holds nothing.
 
 } // namespace

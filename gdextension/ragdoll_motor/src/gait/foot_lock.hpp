@@ -79,7 +79,8 @@ private:
 	Vec3 find_tilt(const HeldLeg &p_leg) const;
 	/// How far a foot has to be raised onto the ground, or lowered where it stands, m.
 	float find_rise(const HeldLeg &p_leg, const Vec3 &p_root, const std::vector<Vec3> &p_points, float p_unrest) const;
-	void fit(HeldLeg &r_leg, const Vec3 &p_root, const std::vector<Vec3> &p_points, float p_unrest, float p_delta_s) const;
+	void fit(HeldLeg &r_leg, const Vec3 &p_root, const std::vector<Vec3> &p_points, float p_unrest,
+			float p_delta_s) const;
 	/// Tilts a foot about the middle of its sole; returns how far that moves the ankle, m.
 	Vec3 tilt(const HeldLeg &p_leg, Pose &r_pose) const;
 
