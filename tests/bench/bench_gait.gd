@@ -6,15 +6,18 @@ extends SceneTree
 ## 1 degree of noise; 16 stairs up and down), then the clips of assets/motion. Options: --bvh=FILE
 ## (again for more; its own hips are the truth), --root=inertial|contacts|lowest_foot|
 ## self_righting|pendulum (default the first three), --hz=60, --noise=0 (deg, for --bvh), --slope=0
-## (deg, of the ground under --bvh), --seed=1 (of the noise), --cases=walks|stairs|clips|slopes|
-## starts (again for more; default all but --bvh's, which are the clips alone).
+## (deg, of the ground under --bvh), --seed=1 (of the noise, and of the
+## first scene), --cases=walks|stairs|clips|slopes|
+## starts|scenes (again for more; default all, with --bvh the clips alone), --scenes=20 (how many
+## random ones).
 
 const Walker: GDScript = preload("gait/walker.gd")
 const Stats: GDScript = preload("gait/gait_stats.gd")
 const Case: GDScript = preload("gait/gait_case.gd")
 const Slopes: GDScript = preload("gait/gait_slopes.gd")
 const Starts: GDScript = preload("gait/gait_starts.gd")
-const _CASES: Array[String] = ["walks", "stairs", "clips", "slopes", "starts"]
+const Scenes: GDScript = preload("gait/gait_scenes.gd")
+const _CASES: Array[String] = ["walks", "stairs", "clips", "slopes", "starts", "scenes"]
 const _SOLDIER: String = "res://scenes/actor/soldier.tscn"
 const _ROOTS: Dictionary[String, RagdollMotor.RootMode] = {
 	"inertial": RagdollMotor.ROOT_INERTIAL,
@@ -55,6 +58,7 @@ func _initialize() -> void:
 				"seed": 1,
 				"slope": 0.0,
 				"cases": "",
+				"scenes": 20,
 			}
 		)
 	)
@@ -94,11 +98,26 @@ func _run_case(p_case: String, p_root: String) -> void:
 			for file: String in BenchArguments.clips(_arguments):
 				await _run_clip(file, p_root)
 		_:
-			var cases: Dictionary[String, GDScript] = {"slopes": Slopes, "starts": Starts}
+			var cases: Dictionary[String, GDScript] = {
+				"slopes": Slopes, "starts": Starts, "scenes": Scenes
+			}
 			var case: Case = cases[p_case].new(self, _report, _arguments.value("seed"))
 			case.root_name = p_root
 			case.root_mode = _ROOTS[p_root]
+			if case is Scenes:
+				case.count = _arguments.value("scenes")
+				case.clips = _open_clips()
 			await case.run()
+
+
+func _open_clips() -> Array[BvhSource]:
+	var result: Array[BvhSource] = []
+	for file: String in BenchArguments.clips(_arguments):
+		var source: BvhSource = BvhSource.new()
+		source.open(file)
+		if source.error == "":
+			result.append(source)
+	return result
 
 
 func _find_fault() -> String:

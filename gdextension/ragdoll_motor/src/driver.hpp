@@ -59,9 +59,10 @@ public:
 	/// INERTIAL, CONTACTS, LOWEST_FOOT: how far the body may be held back from where the feet carry it
 	/// (m) before the estimate gives in: a person who walks against a wall walks on the spot.
 	static constexpr float SLACK = 0.05f;
-	/// The same modes: how far the target may be from the body, m, upright and across. Nobody is lifted
+	/// The same modes: how far the target may be above or below the body, and across, m. Nobody is lifted
 	/// faster than he rises himself, and who lies on something that no ray sees stays there.
 	static constexpr float TETHER = 0.2f;
+	static constexpr float TETHER_ACROSS = 0.12f;
 	/// Modes that find the travel: by how much of themselves corrections fall where the motion is nothing
 	/// but noise.
 	static constexpr float CALMED = 0.75f;

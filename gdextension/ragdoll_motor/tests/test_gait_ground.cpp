@@ -119,6 +119,25 @@ TEST(who_begins_in_the_ground_or_above_it_comes_to_stand) {
 	}
 }
 
+TEST(who_joins_in_mid_stride_soon_goes_the_right_way) {
+	for (int phase = 0; phase < 20; phase++) {
+		InertialGait gait(contacts());
+		gait.reset({ 0.0f, HIP, 0.0f });
+		for (int tick = 0; tick < 60; tick++) {
+			step(gait, walking(0.05f * float(phase), 1.2f), Field()); // The suit's stream has stalled.
+		}
+		for (int tick = 0; tick < 120; tick++) {
+			step(gait, walking(0.05f * float(phase) + float(tick) / HZ, 1.2f), Field());
+		}
+		const float place = gait.get_root().z;
+		CHECK(place > 0.5f);
+		for (int tick = 120; tick < 420; tick++) {
+			step(gait, walking(0.05f * float(phase) + float(tick) / HZ, 1.2f), Field());
+		}
+		CHECK_NEAR(gait.get_root().z - place, 6.0, 0.2);
+	}
+}
+
 TEST(a_ledge_is_fallen_down_from_and_landed_after) {
 	Field field;
 	InertialGait gait(contacts());

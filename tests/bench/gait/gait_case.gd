@@ -14,6 +14,8 @@ var root_mode: RagdollMotor.RootMode = RagdollMotor.ROOT_INERTIAL
 ## What cases are named after.
 var root_name: String = ""
 var random: RandomNumberGenerator = RandomNumberGenerator.new()
+## The seed that was given.
+var first_seed: int = 1
 var world: Node3D = null
 var ragdoll: Ragdoll = null
 var time_s: float = 0.0
@@ -24,6 +26,7 @@ var _tree: SceneTree = null
 func _init(p_tree: SceneTree, p_report: BenchReport, p_seed: int) -> void:
 	_tree = p_tree
 	report = p_report
+	first_seed = p_seed
 	random.seed = p_seed
 
 

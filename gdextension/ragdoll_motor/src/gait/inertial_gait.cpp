@@ -44,6 +44,7 @@ void InertialGait::begin(const GaitInput &p_input) {
 	_centre = _root + p_input.centre;
 	_drift = {};
 	_lift = 0.0f;
+	_misfit = 0.0f;
 	_doubt = settings.unknown * settings.unknown;
 	_tall = NOWHERE;
 	takeoff.clear();
@@ -154,6 +155,12 @@ void InertialGait::weigh(const GaitInput &p_input, float p_highest) {
 	for (std::size_t i = 0; i < _contacts.size(); i++) {
 		_costs[i] = cost_of(i, expected, persistence);
 		least = std::min(least, _costs[i]);
+	}
+	// With a wrong velocity every swinging foot agrees and no standing one: a trap that walks backward.
+	_misfit += share(p_input.delta_s, settings.misfit_s) * (std::max(least, 0.0f) - _misfit);
+	if (_misfit > settings.misfit) {
+		_misfit = 0.0f;
+		_doubt = settings.unknown * settings.unknown;
 	}
 	const auto odds = [&](float p_cost) { return std::exp(-0.5f * (p_cost - least) / settings.sharpness); };
 	float sum = odds(settings.air);
@@ -301,6 +308,7 @@ void InertialGait::save(ArchiveWriter &p_archive) const {
 	p_archive.put(_drift);
 	p_archive.put(_lift);
 	p_archive.put(_doubt);
+	p_archive.put(_misfit);
 	p_archive.put(_tall);
 	takeoff.save(p_archive);
 }
@@ -308,7 +316,7 @@ void InertialGait::save(ArchiveWriter &p_archive) const {
 bool InertialGait::restore(ArchiveReader &p_archive) {
 	return Travel::restore(p_archive) && p_archive.get_all(_filters) && p_archive.get_all(_smooth) &&
 			p_archive.get_all(_locks) && p_archive.get(_centre) && p_archive.get(_drift) && p_archive.get(_lift) &&
-			p_archive.get(_doubt) && p_archive.get(_tall) && takeoff.restore(p_archive);
+			p_archive.get(_doubt) && p_archive.get(_misfit) && p_archive.get(_tall) && takeoff.restore(p_archive);
 }
 
 } // namespace ragdoll

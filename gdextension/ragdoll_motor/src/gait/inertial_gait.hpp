@@ -28,6 +28,8 @@ public:
 		float unknown = 2.0f; ///< Standard deviation of the velocity of who begins, m/s.
 		float wander = 0.8f; ///< Growth of the velocity's variance, m^2/s^3.
 		float lost = 2.0f; ///< The same where nothing stands and yet nothing flies, m^2/s^3.
+		float misfit = 4.0f; ///< Mean cost of the best explanation from which the velocity is not believed any more.
+		float misfit_s = 0.3f; ///< Over which that is averaged, s: longer than a stride's flight.
 		float scatter = 0.4f; ///< Standard deviation of what standing points say of it, m/s.
 		float follow_up_s = 0.024f; ///< How fast the vertical velocity follows the points', s.
 		float adapt = 0.6f; ///< Speed at which the height follows ground that the pose knows nothing of, m/s.
@@ -90,6 +92,7 @@ private:
 	Vec3 _drift; // Its velocity, m/s.
 	float _lift = 0.0f; // How fast the ground itself rises, m/s.
 	float _doubt = 0.0f; // Variance of each horizontal component, m^2/s^2.
+	float _misfit = 0.0f; // Mean cost of the best explanation.
 	float _tall = 0.0f; // Height of the centre over the pose's lowest point, m.
 	float _standing = 0.0f; // Sum of the weights.
 };
