@@ -190,6 +190,10 @@ TEST(platforms_carry_and_turn_who_stands_on_them) {
 		Vec3 place{ 0.0f, HIP, 2.0f };
 		for (int tick = 0; tick < 1800; tick++) {
 			step(gait, points, field);
+			if (!turns && tick > 10) {
+				// The platform goes on to carry him in the step that comes.
+				CHECK_NEAR(gait.ahead(points, 1.0f / HZ).x - gait.get_root().x, 2.0 / 60.0, 1e-3);
+			}
 			if (tick > 0) {
 				place = turns ? turn.rotate(place) : place + field.velocity * (1.0f / HZ);
 			}

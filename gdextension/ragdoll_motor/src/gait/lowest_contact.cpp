@@ -36,6 +36,7 @@ void LowestContact::advance(const GaitInput &p_input) {
 	const std::vector<Vec3> &points = *p_input.points;
 	Vec3 away;
 	for (std::size_t i = 0; i < _contacts.size(); i++) {
+		_anchors[i] = _anchors[i] + get_carry(i, _anchors[i], p_input.delta_s);
 		away = away + (_anchors[i] - points[i] - _root) * _weights[i];
 	}
 	_root.x += away.x;

@@ -57,7 +57,8 @@ Vec3 Travel::ahead(const std::vector<Vec3> &p_points, float p_delta_s) const {
 	Vec3 moved;
 	float sum = 0.0f;
 	for (std::size_t i = 0; i < _contacts.size() && i < p_points.size(); i++) {
-		moved = moved + (_last[i] - p_points[i]) * _weights[i];
+		const Vec3 carried = get_carry(i, _root + _last[i], p_delta_s);
+		moved = moved + (_last[i] - p_points[i] + carried) * _weights[i];
 		sum += _weights[i];
 	}
 	return _root + moved + _velocity * (std::max(1.0f - sum, 0.0f) * p_delta_s);
