@@ -13,6 +13,8 @@ namespace ragdoll {
 /// by that path, the body flies. A pose that comes back to the path before was only quick.
 class Takeoff {
 public:
+	/// Their source is the sweep that InertialGait::Settings describes: each holds at half and at twice its
+	/// value.
 	struct Settings {
 		float speed = 0.5f; ///< Upward speed below which nobody takes off, m/s.
 		float jump = 0.8f; ///< Upward speed from which it does not matter whether the lowest points slide, m/s.
