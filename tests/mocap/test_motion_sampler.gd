@@ -32,7 +32,9 @@ func test_samples_come_from_another_thread_at_even_times() -> void:
 	for i: int in range(1, _delivered.size()):
 		equal(_delivered[i].id, _delivered[i - 1].id + 1)
 		var step: float = _delivered[i].time_usec - _delivered[i - 1].time_usec
-		almost_equal(step, PERIOD, 2.0)
+		# A machine that was held up begins anew.
+		if step < PERIOD * MotionSampler.MAX_PERIODS:
+			almost_equal(step, PERIOD, 2.0)
 		equal(_delivered[i].find_fault(), "")
 	is_false(_threads.has(OS.get_main_thread_id()))
 	is_true(_sampler.stats(0)["samples"] >= 40)

@@ -36,7 +36,7 @@ const MODES: Array[String] = [
 ]
 ## Names of [enum RagdollMotor.RootMode], in its order.
 const ROOTS: Array[String] = [
-	"held", "soft", "lowest foot", "contacts", "pendulum", "self-righting", "inertial"
+	"held", "soft", "lowest foot", "contacts", "pendulum", "self-righting", "inertial", "grounded"
 ]
 
 const _FONT_SIZE: int = 14
