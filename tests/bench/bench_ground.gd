@@ -36,7 +36,7 @@ func _run() -> void:
 	_report = BenchReport.new("ground", _arguments.value("json"))
 	var scenes: PackedStringArray = _arguments.list("scene")
 	if scenes.is_empty():
-		scenes = ["stand", "clip", "shove"]
+		scenes = ["stand", "clip", "shove", "slopes", "stairs", "crates", "wall", "platforms"]
 	if scenes.has("stand"):
 		await _stand()
 	if scenes.has("clip"):
@@ -44,6 +44,12 @@ func _run() -> void:
 			await _clip(file)
 	if scenes.has("shove"):
 		await _shoves()
+	var walks: GroundWalks = GroundWalks.new(
+		self, _report, _arguments.value("hz"), _ROOTS[_arguments.value("root")], _soldier()
+	)
+	for name: StringName in [&"slopes", &"stairs", &"crates", &"wall", &"platforms"]:
+		if scenes.has(name):
+			await walks.call(name)
 	quit(_report.finish())
 
 

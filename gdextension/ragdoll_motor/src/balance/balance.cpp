@@ -42,6 +42,7 @@ void Balance::clear() {
 		foot.limbs = limbs;
 	}
 	_recovery.clear();
+	_carried = {};
 	_offset = {};
 	_stood_s = 0.0f;
 	_begun = false;
@@ -68,7 +69,7 @@ void Balance::find_error(const Rig &p_rig, const BalanceInput &p_input, const Po
 		_begun = true;
 	}
 	_error = level(centre - wanted - _offset);
-	_velocity_error = level(velocity - (wanted_next - wanted) * (1.0f / p_input.delta_s));
+	_velocity_error = level(velocity - (wanted_next - wanted + _carried) * (1.0f / p_input.delta_s));
 	float lowest = centre.y;
 	for (Foot &foot : _feet) {
 		const std::size_t limb = std::size_t(foot.limbs.foot);
@@ -94,26 +95,35 @@ void Balance::move_offset(const BalanceInput &p_input) {
 	// Feet that slide take the motion's place along; a body that leans over its feet does not.
 	Vec3 slid;
 	float standing = 0.0f;
+	Vec3 carried;
 	const Foot *last = nullptr;
 	for (const Foot &foot : _feet) {
 		if (!foot.is_up()) {
 			slid = slid + level(foot.shown - foot.wanted - _offset - foot.offset);
 			standing += 1.0f;
+			carried = carried + foot.ground.carry(foot.shown, delta);
 		}
 		last = foot.is_new && !foot.is_up() ? &foot : last;
 	}
 	if (standing > 0.0f) {
 		slid = slid * (1.0f / standing);
+		_carried = carried * (1.0f / standing);
 		const float distance = slid.length();
 		if (distance > settings.slack) {
 			_offset = _offset + slid * (1.0f - settings.slack / distance);
 		}
 	}
+	_offset = _offset + _carried;
+	for (Foot &foot : _feet) {
+		foot.height += _carried.y;
+	}
+	const float beyond = std::max(level(_offset).length() - settings.slack, 0.0f);
+	const float back = std::min(settings.walk_back + settings.walk_back_faster * beyond, settings.walk_back_most);
 	Vec3 moved;
 	if (last != nullptr) {
 		moved = level(last->offset).limited(settings.follow_step * delta);
 	} else if (std::any_of(_feet.begin(), _feet.end(), [](const Foot &p_foot) { return p_foot.swings; })) {
-		moved = level(_offset).limited(settings.walk_back * delta) * -1.0f;
+		moved = level(_offset).limited(back * delta) * -1.0f;
 	}
 	_offset = _offset + moved;
 	float floor = 1e9f;
@@ -196,14 +206,14 @@ void Balance::follow_ground(const BalanceInput &p_input, const Pose &p_now, Foot
 	const std::size_t limb = std::size_t(r_foot.limbs.foot);
 	const Vec3 velocity = (_joints_next[limb] - _joints_now[limb]) * (1.0f / p_input.delta_s);
 	const Vec3 at = _joints_now[limb] + _offset + r_foot.offset + level(velocity) * AHEAD_S;
-	if (level(at - r_foot.looked).length() > SAME_PLACE) {
+	if (level(at - r_foot.looked).length() > SAME_PLACE || r_foot.ground.moves()) {
 		r_foot.looked = at;
-		r_foot.ground = p_input.ground->height(at);
+		r_foot.ground = p_input.ground->find(at, Ground::STEP);
 	}
-	if (!std::isfinite(r_foot.ground)) {
+	if (!std::isfinite(r_foot.ground.height)) {
 		return;
 	}
-	const float needed = r_foot.ground - sole_height(p_now, r_foot);
+	const float needed = r_foot.ground.height - sole_height(p_now, r_foot);
 	const float wanted = r_foot.is_up() ? std::max(_offset.y, needed) : needed;
 	const float limited = std::clamp(wanted, _offset.y - settings.highest_step, _offset.y + settings.highest_step);
 	r_foot.height = towards(r_foot.height, limited, settings.rise_speed * p_input.delta_s);
@@ -279,6 +289,7 @@ void Balance::advance(const Rig &p_rig, const BalanceInput &p_input, Pose &r_now
 void Balance::save(ArchiveWriter &p_archive) const {
 	p_archive.put_all(_feet);
 	p_archive.put(_offset);
+	p_archive.put(_carried);
 	p_archive.put(_force);
 	p_archive.put(_stood_s);
 	_recovery.save(p_archive);
@@ -286,8 +297,8 @@ void Balance::save(ArchiveWriter &p_archive) const {
 }
 
 bool Balance::restore(ArchiveReader &p_archive) {
-	return p_archive.get_all(_feet) && p_archive.get(_offset) && p_archive.get(_force) && p_archive.get(_stood_s) &&
-			_recovery.restore(p_archive) && p_archive.get(_begun);
+	return p_archive.get_all(_feet) && p_archive.get(_offset) && p_archive.get(_carried) && p_archive.get(_force) &&
+			p_archive.get(_stood_s) && _recovery.restore(p_archive) && p_archive.get(_begun);
 }
 
 } // namespace ragdoll

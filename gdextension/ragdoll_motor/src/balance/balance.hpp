@@ -31,8 +31,11 @@ struct BalanceSettings {
 	/// How far the centre of mass may be from where the motion has it before the motion's place gives
 	/// in, m.
 	float slack = 0.08f;
-	/// How fast a person who walks comes back to where the motion is, m/s.
+	/// How fast a person who walks comes back to where the motion is, m/s, and how much faster for each
+	/// metre that the way is longer than the slack, 1/s, and how fast at most.
 	float walk_back = 0.04f;
+	float walk_back_faster = 0.5f;
+	float walk_back_most = 0.25f;
 	float follow_step = 1.0f;
 	/// A foot of the motion that moves faster than this swings, until it is slower than half of it, m/s.
 	float swing_speed = 0.6f;
@@ -115,7 +118,7 @@ private:
 		Vec3 offset; // How far it is put from where the motion has it at the body's place, horizontal, m.
 		float height = 0.0f; // How much higher it is put, m.
 		Vec3 looked; // Where the ground was looked for, m.
-		float ground = 0.0f; // Its height there, m; NaN for none.
+		Footing ground; // What is there.
 		bool swings = false;
 		float step_s = -1.0f; // Since a step of its own began; below 0 for none.
 		float lift = 0.0f; // m
@@ -146,6 +149,7 @@ private:
 	Vec3 _error; // Of the centre of mass, horizontal, m.
 	Vec3 _velocity_error; // m/s
 	Vec3 _capture; // m
+	Vec3 _carried; // How far the ground takes the body along in this step, m.
 	Vec3 _force; // N
 	float _force_limit = 0.0f; // N
 	float _torque = 0.0f; // N m

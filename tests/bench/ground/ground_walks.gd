@@ -1,0 +1,212 @@
+class_name GroundWalks
+extends RefCounted
+## People with a known position on ground that is not as their own: slopes, stairs, loose crates, a
+## wall in the way, platforms.
+
+const Walker: GDScript = preload("../gait/walker.gd")
+const _RISE: float = 0.17
+const _TREAD: float = 0.29
+
+var _tree: SceneTree = null
+var _report: BenchReport = null
+var _hz: int = 60
+var _root: RagdollMotor.RootMode = RagdollMotor.ROOT_GROUNDED
+var _performer: ContactPerformer = null
+
+
+func _init(
+	p_tree: SceneTree,
+	p_report: BenchReport,
+	p_hz: int,
+	p_root: RagdollMotor.RootMode,
+	p_performer: ContactPerformer
+) -> void:
+	_tree = p_tree
+	_report = p_report
+	_hz = p_hz
+	_root = p_root
+	_performer = p_performer
+
+
+## Walks on level ground in the wearer's room, on a slope in the world.
+func slopes() -> void:
+	for degrees: float in [0.0, 5.0, -5.0, 10.0, -10.0, 20.0, -20.0]:
+		var world: ContactWorld = _enter_world()
+		var tilt: Basis = Basis(Vector3.RIGHT, deg_to_rad(-degrees))
+		world.add_block(Vector3(20.0, 1.0, 60.0), Transform3D(tilt, -tilt.y * 0.5))
+		var rise: float = tan(deg_to_rad(degrees))
+		await _walk("slope %+d deg" % degrees, world, func(z: float) -> float: return rise * z)
+
+
+## Walks in place of climbing: the wearer's room is level, the world has stairs.
+func stairs() -> void:
+	for rise: float in [_RISE, -_RISE]:
+		var world: ContactWorld = _enter_world()
+		world.add_block(Vector3(20.0, 4.0, 10.0), Transform3D(Basis(), Vector3(0.0, -2.0, -4.0)))
+		for step: int in 30:
+			var at: Vector3 = Vector3(0.0, (step + 1) * rise - 2.0, 1.0 + (step + 0.5) * _TREAD)
+			world.add_block(Vector3(20.0, 4.0, _TREAD), Transform3D(Basis(), at))
+		var height: Callable = func(z: float) -> float:
+			return clampf(floorf((z - 1.0) / _TREAD) + 1.0, 0.0, 30.0) * rise
+		await _walk("stairs %s" % ("up" if rise > 0.0 else "down"), world, height)
+
+
+## Walks over loose crates of 5 to 20 cm.
+func crates() -> void:
+	for seed: int in 5:
+		var world: ContactWorld = _enter_world()
+		world.add_floor(0.0)
+		var random: RandomNumberGenerator = RandomNumberGenerator.new()
+		random.seed = seed
+		for crate: int in 200:
+			var size: Vector3 = Vector3(
+				random.randf_range(0.15, 0.4),
+				random.randf_range(0.05, 0.2),
+				random.randf_range(0.15, 0.4)
+			)
+			var at: Vector3 = Vector3(
+				random.randf_range(-1.2, 1.2), size.y / 2.0, random.randf_range(0.6, 14.0)
+			)
+			world.add_crate(size, at, size.x * size.y * size.z * 400.0)
+		await _walk("crates, seed %d" % seed, world, func(_z: float) -> float: return 0.0)
+
+
+## Walks three metres into a wall.
+func wall() -> void:
+	var world: ContactWorld = _enter_world()
+	world.add_floor(0.0)
+	world.add_block(Vector3(6.0, 4.0, 0.3), Transform3D(Basis(), Vector3(0.0, 2.0, 3.15)))
+	var person: ContactPerson = _enter_person(world)
+	var walker: Walker = _walker(person)
+	_play(world, person, walker)
+	var deepest: Array[float] = [0.0]
+	await world.run(
+		walker.duration,
+		func() -> bool:
+			var bodies: Array[Transform3D] = person.bodies()
+			for limb: int in person.count:
+				deepest[0] = maxf(deepest[0], person.reach(limb, bodies[limb], Vector3.BACK) - 3.0)
+			return false
+	)
+	_report.add("wall", "deepest limb", 1000.0 * deepest[0], "mm", BenchReport.Goal.AT_MOST, 30.0)
+	_report.add("wall", "fallen", _falls(person), "", BenchReport.Goal.AT_MOST, 0.0)
+	world.queue_free()
+
+
+## Stands for 30 s on what moves: sideways at 2 m/s, turning at 30 deg/s, a lift.
+func platforms() -> void:
+	for kind: String in ["sideways", "turning", "lift"]:
+		var world: ContactWorld = _enter_world()
+		var platform: AnimatableBody3D = AnimatableBody3D.new()
+		platform.sync_to_physics = false
+		var shape: CollisionShape3D = CollisionShape3D.new()
+		var box: BoxShape3D = BoxShape3D.new()
+		box.size = Vector3(6.0, 0.5, 6.0)
+		shape.shape = box
+		platform.add_child(shape)
+		platform.position.y = -0.25
+		platform.collision_layer = PhysicsLayers.STATIC
+		world.add_child(platform)
+		var person: ContactPerson = _enter_person(world)
+		var pose: PoseSample = ContactPoses.standing(person)
+		var hips: Vector3 = person.standing_hips() + Vector3(0.0, 0.0, 1.0)
+		world.add_person(
+			person,
+			func(_t: float) -> PoseSample: return pose,
+			func(_t: float) -> Vector3: return hips
+		)
+		await world.run(2.0)
+		var begin: Vector3 = platform.global_transform.affine_inverse() * person.bodies()[0].origin
+		var furthest: Array[float] = [0.0]
+		await world.run(
+			30.0,
+			func() -> bool:
+				_move(platform, kind, world.time_s - 2.0, world.delta_s)
+				var here: Vector3 = (
+					platform.global_transform.affine_inverse() * person.bodies()[0].origin
+				)
+				furthest[0] = maxf(furthest[0], here.distance_to(begin))
+				return false
+		)
+		_report.add(
+			"platform, " + kind,
+			"drift in 30 s",
+			100.0 * furthest[0],
+			"cm",
+			BenchReport.Goal.AT_MOST,
+			2.0
+		)
+		world.queue_free()
+
+
+func _move(p_platform: AnimatableBody3D, p_kind: String, p_time_s: float, p_delta_s: float) -> void:
+	var eased: float = minf(p_time_s, 1.0)
+	match p_kind:
+		"sideways":
+			p_platform.position.x += 2.0 * eased * p_delta_s
+		"turning":
+			p_platform.rotation.y += deg_to_rad(30.0) * eased * p_delta_s
+		"lift":
+			p_platform.position.y += 1.0 * sin(p_time_s) * p_delta_s
+
+
+func _walk(p_case: String, p_world: ContactWorld, p_ground: Callable) -> void:
+	var person: ContactPerson = _enter_person(p_world)
+	var walker: Walker = _walker(person)
+	_play(p_world, person, walker)
+	var seen: Dictionary = {"high": -INF, "low": INF, "far": 0.0}
+	var own: float = walker.pose_at(0.0).root.y
+	await p_world.run(
+		walker.duration,
+		func() -> bool:
+			var hips: Vector3 = person.joint(0, person.bodies())
+			var over: float = hips.y - _ground_under(person, hips, p_ground.call(hips.z)) - own
+			seen.high = maxf(seen.high, over)
+			seen.low = minf(seen.low, over)
+			seen.far = hips.z
+			return false
+	)
+	var kind: BenchReport.Goal = BenchReport.Goal.AT_MOST
+	var off: float = 100.0 * absf(seen.far - walker.way) / walker.way
+	_report.add(p_case, "off the way at the end", off, "% of the way", kind, 8.0)
+	_report.add(p_case, "hips too high at most", seen.high, "m", kind, 0.4)
+	_report.add(p_case, "hips too low at most", -seen.low, "m")
+	_report.add(p_case, "fallen", _falls(person), "", kind, 0.0)
+	p_world.queue_free()
+
+
+## Height of what is under the hips, crates too, m.
+func _ground_under(p_person: ContactPerson, p_hips: Vector3, p_else: float) -> float:
+	var query: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.create(
+		p_hips, p_hips + Vector3.DOWN * 3.0, PhysicsLayers.STATIC | PhysicsLayers.PROPS
+	)
+	var hit: Dictionary = p_person.ragdoll.get_world_3d().direct_space_state.intersect_ray(query)
+	return maxf(hit.position.y, p_else) if not hit.is_empty() else p_else
+
+
+## Whether a person is on the ground now.
+func _falls(p_person: ContactPerson) -> float:
+	var balance: Dictionary = p_person.ragdoll.motor.get_balance()
+	return 0.0 if balance.get("phase", 0) == RagdollMotor.BALANCE_STANDING else 1.0
+
+
+func _enter_world() -> ContactWorld:
+	var world: ContactWorld = ContactWorld.new(_hz)
+	_tree.root.add_child(world)
+	return world
+
+
+func _enter_person(p_world: ContactWorld) -> ContactPerson:
+	return _performer.enter(p_world, _root)
+
+
+func _walker(p_person: ContactPerson) -> Walker:
+	var walker: Walker = Walker.new(p_person.ragdoll.profile)
+	walker.walk(12, 0.6, 0.55)
+	return walker
+
+
+func _play(p_world: ContactWorld, p_person: ContactPerson, p_walker: Walker) -> void:
+	p_world.add_person(
+		p_person, p_walker.pose_at, func(t: float) -> Vector3: return p_walker.pose_at(t).root
+	)
