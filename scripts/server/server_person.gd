@@ -96,13 +96,20 @@ func mark(p_encoder: SnapshotEncoder, p_now_usec: int) -> void:
 	p_encoder.set_mark(id, newest.id, p_now_usec, steps)
 
 
-## How well the body follows, and how late, for a report.
+## How well the body follows, and how late, for a report; of grounded people also the horizontal
+## force from outside, N, and how far their place is from where their motion has it, m.
 func stats() -> Dictionary:
 	var made: Dictionary = ragdoll.motor.get_tracking()
 	made["name"] = name
 	made["refused_samples"] = refused
 	made["sample_to_tick_ms_p50"] = delay.percentile(0.5)
 	made["sample_to_tick_ms_p95"] = delay.percentile(0.95)
+	var balance: Dictionary = ragdoll.motor.get_balance()
+	if not balance.is_empty():
+		var offset: Vector3 = balance["offset_m"]
+		made["residual_n"] = balance["force_n"]
+		made["residual_limit_n"] = balance["force_limit_n"]
+		made["tether_m"] = Vector2(offset.x, offset.z).length()
 	return made
 
 

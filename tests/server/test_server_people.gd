@@ -124,6 +124,17 @@ func test_old_samples_are_refused_and_counted() -> void:
 	not_equal(_actors.list()[0].newest, old)
 
 
+func test_stats_of_grounded_people_tell_force_and_tether() -> void:
+	_add(7, "Ada", 0.95)
+	await _step(7, Stage.reset_pose(), Vector3.UP)
+	is_false(_actors.stats()[0].has("tether_m"), "a soft root has none")
+	_actors.list()[0].ragdoll.motor.root_mode = RagdollMotor.ROOT_GROUNDED
+	await _step(7, Stage.reset_pose(), Vector3.UP)
+	var row: Dictionary = _actors.stats()[0]
+	is_true(row["residual_n"] <= row["residual_limit_n"] + 0.01, "%s" % row)
+	is_true(row["tether_m"] >= 0.0 and row["tether_m"] < 1.0, "%s" % row)
+
+
 func test_a_wearers_new_clock_is_followed_soon() -> void:
 	_add(7, "Ada", 1.0115)
 	for _step_number: int in 20:

@@ -5,6 +5,8 @@ extends Node3D
 
 const _TAG: String = "tuning"
 const _STATUS_S: float = 0.25
+## Names of [enum RagdollMotor.BalancePhase], in its order.
+const _PHASES: Array[String] = ["stands", "falls", "draws in its legs", "rolls over", "rises"]
 const _GUARD_NAMES: Dictionary[int, String] = {
 	RagdollMotor.GUARD_ENERGY: "energy",
 	RagdollMotor.GUARD_SPEED: "speed",
@@ -111,7 +113,24 @@ func describe() -> String:
 		"%.1f s    since the last change: mean error %.1f deg, p95 %.1f deg, lag %.0f ms"
 		+ "    guard actions: %s    flying: %s    %d fps"
 	)
-	return form % stats
+	return form % stats + _describe_balance(motor.get_balance())
+
+
+## What a grounded body does for its balance; nothing for others.
+static func _describe_balance(p_balance: Dictionary) -> String:
+	if p_balance.is_empty():
+		return ""
+	var offset: Vector3 = p_balance["offset_m"]
+	return (
+		"    %s: force %.0f of %.0f N, torque up to %.0f N m, tether %.2f m"
+		% [
+			"steps" if p_balance["is_stepping"] else _PHASES[p_balance["phase"]],
+			p_balance["force_n"],
+			p_balance["force_limit_n"],
+			p_balance["torque_limit_nm"],
+			Vector2(offset.x, offset.z).length(),
+		]
+	)
 
 
 func _connect_panel() -> void:

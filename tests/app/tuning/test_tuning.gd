@@ -66,6 +66,7 @@ func test_every_root_mode_is_chosen() -> void:
 		_choose(choice, mode)
 		equal(_motor().root_mode, mode)
 		await physics_frames(5)
+	contains(_tuning.describe(), "tether")
 
 
 func test_sliders_turn_the_motor_and_outlive_a_reset() -> void:
