@@ -38,17 +38,17 @@ func slopes() -> void:
 		await _walk("slope %+d deg" % degrees, world, func(z: float) -> float: return rise * z)
 
 
-## Walks in place of climbing: the wearer's room is level, the world has stairs.
+## Climbs 16 stairs up and down, which the wearer's room has too.
 func stairs() -> void:
 	for rise: float in [_RISE, -_RISE]:
 		var world: ContactWorld = _enter_world()
-		world.add_block(Vector3(20.0, 4.0, 10.0), Transform3D(Basis(), Vector3(0.0, -2.0, -4.0)))
-		for step: int in 30:
-			var at: Vector3 = Vector3(0.0, (step + 1) * rise - 2.0, 1.0 + (step + 0.5) * _TREAD)
-			world.add_block(Vector3(20.0, 4.0, _TREAD), Transform3D(Basis(), at))
-		var height: Callable = func(z: float) -> float:
-			return clampf(floorf((z - 1.0) / _TREAD) + 1.0, 0.0, 30.0) * rise
-		await _walk("stairs %s" % ("up" if rise > 0.0 else "down"), world, height)
+		var person: ContactPerson = _enter_person(world)
+		var walker: Walker = Walker.new(person.ragdoll.profile)
+		walker.climb(16, rise, _TREAD, 0.6)
+		walker.build_ground(world)
+		await _walk(
+			"stairs %s" % ("up" if rise > 0.0 else "down"), world, walker.ground_at, person, walker
+		)
 
 
 ## Walks over loose crates of 5 to 20 cm.
@@ -150,9 +150,15 @@ func _move(p_platform: AnimatableBody3D, p_kind: String, p_time_s: float, p_delt
 			p_platform.position.y += 1.0 * sin(p_time_s) * p_delta_s
 
 
-func _walk(p_case: String, p_world: ContactWorld, p_ground: Callable) -> void:
-	var person: ContactPerson = _enter_person(p_world)
-	var walker: Walker = _walker(person)
+func _walk(
+	p_case: String,
+	p_world: ContactWorld,
+	p_ground: Callable,
+	p_person: ContactPerson = null,
+	p_walker: Walker = null
+) -> void:
+	var person: ContactPerson = p_person if p_person != null else _enter_person(p_world)
+	var walker: Walker = p_walker if p_walker != null else _walker(person)
 	_play(p_world, person, walker)
 	var seen: Dictionary = {"high": -INF, "low": INF, "far": 0.0}
 	var own: float = walker.pose_at(0.0).root.y
