@@ -3,6 +3,7 @@
 
 #include <convert.hpp>
 
+#include <godot_cpp/classes/physics_direct_body_state3d.hpp>
 #include <godot_cpp/classes/physics_server3d.hpp>
 #include <godot_cpp/core/memory.hpp>
 
@@ -57,8 +58,10 @@ ragdoll::Footing GroundRays::find(const ragdoll::Vec3 &p_at, float p_above) cons
 	}
 	found.velocity = to_core(Vector3(server->body_get_state(body, PhysicsServer3D::BODY_STATE_LINEAR_VELOCITY)));
 	found.turning = to_core(Vector3(server->body_get_state(body, PhysicsServer3D::BODY_STATE_ANGULAR_VELOCITY)));
+	// The engine's velocity is that of the centre of mass.
 	const Transform3D frame = server->body_get_state(body, PhysicsServer3D::BODY_STATE_TRANSFORM);
-	found.pivot = to_core(frame.origin);
+	const PhysicsDirectBodyState3D *state = server->body_get_direct_state(body);
+	found.pivot = to_core(frame.origin + (state != nullptr ? state->get_center_of_mass() : Vector3()));
 	return found;
 }
 

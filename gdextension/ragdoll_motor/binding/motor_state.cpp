@@ -8,7 +8,7 @@ namespace godot {
 
 namespace {
 
-constexpr std::uint32_t STATE_MAGIC = 0x34534D52; // "RMS4"
+constexpr std::uint32_t STATE_MAGIC = 0x35534D52; // "RMS5"
 
 } // namespace
 

@@ -25,7 +25,7 @@ void Ramp::advance(float p_delta_s) {
 }
 
 ActuationTable::ActuationTable(const std::vector<int> &p_groups, std::size_t p_group_count) :
-		_limbs(p_groups.size()), _groups(p_group_count) {
+		_limbs(p_groups.size()), _groups(p_group_count), _scales(p_groups.size(), 1.0f) {
 	for (std::size_t i = 0; i < _limbs.size(); i++) {
 		_limbs[i].group = p_groups[i];
 	}
@@ -103,7 +103,7 @@ bool ActuationTable::has_mode(Actuation p_mode) const {
 }
 
 float ActuationTable::get_strength(std::size_t p_limb) const {
-	const float lost = _overall.get() * _limbs[p_limb].flinch.get();
+	const float lost = _overall.get() * _limbs[p_limb].flinch.get() * _scales[p_limb];
 	return std::max(get_standing_strength(p_limb) * lost, LIMP_FRICTION);
 }
 

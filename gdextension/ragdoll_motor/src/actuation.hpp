@@ -98,6 +98,8 @@ public:
 	Actuation get_wanted_mode(std::size_t p_limb) const { return _limbs[p_limb].wanted; }
 	/// Whether any limb is in a mode.
 	bool has_mode(Actuation p_mode) const;
+	/// Multiplies a limb's torque besides, until it is set again: what balance asks for in a step.
+	void set_scale(std::size_t p_limb, float p_scale) { _scales[p_limb] = p_scale; }
 	/// What the limb's torque limit is multiplied by, LIMP_FRICTION at least.
 	float get_strength(std::size_t p_limb) const;
 	/// The same without what set_overall() and flinch() take away: neither lets anybody drop.
@@ -133,6 +135,7 @@ private:
 
 	std::vector<LimbState> _limbs;
 	std::vector<GroupSettings> _groups;
+	std::vector<float> _scales; // No part of the saved state.
 	Ramp _overall{ 1.0f };
 };
 

@@ -76,6 +76,9 @@ const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_del
 	_frame_now.apply(_now);
 	_stream.predict(p_time_s + double(p_delta_s), _next);
 	_frame_next.apply(_next);
+	_is_carried = !_frame_now.is_identity || !_frame_next.is_identity;
+	_frame_turn = _frame_next.orientation * _frame_now.orientation.inverse();
+	_frame_shift = _frame_next.origin - _frame_turn.rotate(_frame_now.origin);
 	_frame_now = _frame_next;
 	_commands.guarded = _guard.check(_rig, r_state);
 	_commands.must_put = _commands.guarded != GUARD_NOTHING;
@@ -132,11 +135,13 @@ void Driver::hold_root(const RigState &p_state, float p_delta_s) {
 void Driver::compute_limbs(const RigState &p_state, float p_delta_s) {
 	// A body that stands on shaking feet skates: noise is followed less eagerly.
 	const float calmed = get_travel() ? CALMED * _stream.get_filter().get_unrest() : 0.0f;
-	_controller.settings.eagerness = 1.0f - calmed;
-	_controller.compute(p_state, _now, _next, p_delta_s, _table, _commands.limbs);
-	for (std::size_t i = 0; root_mode == RootMode::GROUNDED && i < _rig.size(); i++) {
-		_commands.limbs[i].max_torque *= _balance.get_strength(_rig.is_in_leg(i) || _rig[i].group == _rig[0].group);
+	const bool is_grounded = root_mode == RootMode::GROUNDED;
+	_controller.settings.eagerness = is_grounded ? _balance.get_eagerness() : 1.0f - calmed;
+	for (std::size_t i = 0; i < _rig.size(); i++) {
+		const bool bears = _rig.is_in_leg(i) || _rig[i].group == _rig[0].group;
+		_table.set_scale(i, is_grounded ? _balance.get_strength(bears) : 1.0f);
 	}
+	_controller.compute(p_state, _now, _next, p_delta_s, _table, _commands.limbs);
 }
 
 bool Driver::has_come_back(double p_time_s) {
@@ -169,7 +174,10 @@ void Driver::balance(const RigState &p_state, float p_delta_s) {
 	}
 	BalanceInput input;
 	input.state = &p_state;
-	input.ground = ground;
+	input.ground = ground ? ground : &_level_ground;
+	input.is_carried = _is_carried;
+	input.turn = _frame_turn;
+	input.shift = _frame_shift;
 	input.delta_s = p_delta_s;
 	input.gravity = std::max(-p_state.gravity.y, 0.0f);
 	_balance.advance(_rig, input, _now, _next);

@@ -61,8 +61,8 @@ public:
 	static constexpr float SLACK = 0.05f;
 	/// The same modes: how far the target may be above or below the body, and across, m. Nobody is lifted
 	/// faster than he rises himself, and who lies on something that no ray sees stays there.
-	static constexpr float TETHER = 0.2f;
-	static constexpr float TETHER_ACROSS = 0.12f;
+	static constexpr float FURTHEST_UP = 0.2f;
+	static constexpr float FURTHEST_ACROSS = 0.12f;
 	/// Modes that find the travel: by how much of themselves corrections fall where the motion is nothing
 	/// but noise.
 	static constexpr float CALMED = 0.75f;
@@ -213,6 +213,9 @@ private:
 	static constexpr double NEVER = -1e30;
 	float _arrival_s = 0.0f; // How much longer the body is put into the motion's pose.
 	double _alive = NEVER; // When the motion was last not stalled, s.
+	bool _is_carried = false; // The motion's frame moves in this step, as the next two say.
+	Quat _frame_turn;
+	Vec3 _frame_shift; // m
 	bool _was_limp = false;
 	bool _is_getting_up = false;
 	Vec3 _lift; // Of the root while the body gets up, m.

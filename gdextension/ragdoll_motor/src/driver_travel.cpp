@@ -36,8 +36,8 @@ void Driver::give_in(Travel &r_estimator, const Vec3 &p_off) {
 
 void Driver::stay_near(Travel &r_estimator, const RigState &p_state) {
 	const Vec3 off = r_estimator.get_root() - p_state.root;
-	const Vec3 up{ 0.0f, std::clamp(off.y, -TETHER, TETHER), 0.0f };
-	const Vec3 across = Vec3{ off.x, 0.0f, off.z }.limited(TETHER_ACROSS);
+	const Vec3 up{ 0.0f, std::clamp(off.y, -FURTHEST_UP, FURTHEST_UP), 0.0f };
+	const Vec3 across = Vec3{ off.x, 0.0f, off.z }.limited(FURTHEST_ACROSS);
 	const Vec3 too_far = off - up - across;
 	if (too_far.length() > 0.0f) {
 		shift_travel(r_estimator, too_far * -1.0f);

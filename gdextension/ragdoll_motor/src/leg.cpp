@@ -8,6 +8,8 @@ namespace ragdoll {
 
 namespace {
 
+constexpr float MIN_LENGTH = 0.02f; // Of a thigh or shank that can be bent, m.
+
 /// The inner angle between two sides of a triangle, rad.
 float angle_opposite(float p_left, float p_right, float p_opposite) {
 	const float cosine = (p_left * p_left + p_right * p_right - p_opposite * p_opposite) / (2.0f * p_left * p_right);
@@ -47,6 +49,9 @@ void bend_leg(const Rig &p_rig, const Leg &p_leg, const Vec3 &p_offset, Pose &r_
 	const Vec3 lower = shin.rotate(p_rig[std::size_t(p_leg.foot)].anchor);
 	const float a = upper.length();
 	const float b = lower.length();
+	if (std::min(a, b) < MIN_LENGTH) {
+		return;
+	}
 	Vec3 wanted = upper + lower + p_offset;
 	const float longest = a + b - 0.001f;
 	if (wanted.length() > longest) {

@@ -46,12 +46,12 @@ var _toes: Array[PackedInt32Array] = []
 var _below: Array[PackedFloat32Array] = []
 
 
-## Height of the ground in a clip, m.
-static func find(p_rig: BvhRig) -> float:
+## Height of the ground in a clip, m, by its frames from one up to another; below 0: to the end.
+static func find(p_rig: BvhRig, p_first: int = 0, p_end: int = -1) -> float:
 	var ground: BvhFloor = BvhFloor.new(p_rig)
 	var heights: PackedFloat32Array = []
-	var count: int = p_rig.clip.frame_count
-	for frame: int in range(0, count, maxi(count / _MAX_FRAMES, 1)):
+	var end: int = p_end if p_end > p_first else p_rig.clip.frame_count
+	for frame: int in range(p_first, end, maxi((end - p_first) / _MAX_FRAMES, 1)):
 		heights.append(ground.lowest(frame))
 	heights.sort()
 	return heights[int(heights.size() * SHARE)]

@@ -51,8 +51,11 @@ func use(p_clip: BvhClip) -> void:
 	error = rig.error
 	if error == "":
 		p_clip.prepare()
-		_floor = BvhFloor.find(rig)
 		_trim()
+		var first: int = roundi(_skipped / p_clip.frame_time)
+		_floor = BvhFloor.find(
+			rig, first, p_clip.frame_count - roundi(_unplayed / p_clip.frame_time)
+		)
 		_find_seam()
 
 

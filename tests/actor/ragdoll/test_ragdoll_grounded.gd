@@ -74,6 +74,50 @@ func test_nothing_lifts_it_off_lower_ground() -> void:
 	almost_equal(player.joint(0).y, HEIGHT.y, 0.05)
 
 
+func test_who_drops_from_high_stands_on_the_ground_at_last() -> void:
+	_stage.add_floor()
+	var step: Block = Block.new()
+	step.size = Vector3(0.5, 0.2, 1.0)
+	step.position = Vector3(0.27, 0.05, 2.0)
+	_stage.add_child(step)
+	var player: Stage.Player = _stage.add_soldier(HEIGHT + Vector3.UP * 3.0, GROUNDED)
+	await _stage.run(420)
+	almost_equal(player.joint(0).y, HEIGHT.y, 0.05)
+	is_true(player.worst_error_deg(Stage.reset_pose()) < 5.0, "it is upright")
+
+
+func test_who_is_carried_in_a_frame_stays_in_it() -> void:
+	for speed: float in [0.3, 5.0]:
+		_clear_stage()
+		var platform: AnimatableBody3D = _add_platform()
+		var player: Stage.Player = _stage.make_soldier(HEIGHT, GROUNDED)
+		var ragdoll: Ragdoll = player.ragdoll
+		player.place = func(time: float) -> Vector3:
+			var at: Vector3 = Vector3.RIGHT * speed * time
+			platform.position = at + Vector3.DOWN * 0.5
+			ragdoll.motor.set_frame(Transform3D(Basis.IDENTITY, at))
+			return HEIGHT
+		_stage.enter(player)
+		await _stage.run(300)
+		var balance: Dictionary = player.ragdoll.motor.get_balance()
+		var tether: Vector3 = balance.offset_m
+		is_true(Vector2(tether.x, tether.z).length() < 0.15, "%f m/s: %s" % [speed, balance])
+		equal(balance.phase, RagdollMotor.BALANCE_STANDING)
+		almost_equal(player.joint(0).y, HEIGHT.y, 0.05)
+
+
+func test_a_platform_takes_along_who_stands_on_it() -> void:
+	var platform: AnimatableBody3D = _add_platform()
+	var player: Stage.Player = _stage.make_soldier(HEIGHT, GROUNDED)
+	player.place = func(time: float) -> Vector3:
+		platform.position = Vector3(maxf(time - 1.0, 0.0) * 1.0, -0.5, 0.0)
+		return HEIGHT
+	_stage.enter(player)
+	await _stage.run(300)
+	almost_equal(player.joint(0).x, platform.position.x, 0.15)
+	almost_equal(player.joint(0).y, HEIGHT.y, 0.05)
+
+
 func test_it_stands_with_one_foot_on_a_step() -> void:
 	_stage.add_floor()
 	var step: Block = Block.new()
@@ -124,6 +168,16 @@ func _watch(p_player: Stage.Player) -> Dictionary:
 	return seen
 
 
+## A floor that is moved.
+func _add_platform() -> AnimatableBody3D:
+	var platform: AnimatableBody3D = AnimatableBody3D.new()
+	platform.sync_to_physics = false
+	platform.collision_layer = PhysicsLayers.STATIC
+	platform.position.y = -0.5
+	_add_box(platform)
+	return platform
+
+
 ## A floor that weighs: a heavy body without gravity, which takes up what presses on it.
 func _add_scale() -> RigidBody3D:
 	var scale: RigidBody3D = RigidBody3D.new()
@@ -134,10 +188,14 @@ func _add_scale() -> RigidBody3D:
 	scale.collision_layer = PhysicsLayers.STATIC
 	scale.collision_mask = PhysicsLayers.ALL
 	scale.position = Vector3(0.0, -0.5, 0.0)
+	_add_box(scale)
+	return scale
+
+
+func _add_box(p_body: PhysicsBody3D) -> void:
 	var shape: CollisionShape3D = CollisionShape3D.new()
 	var box: BoxShape3D = BoxShape3D.new()
 	box.size = Vector3(20.0, 1.0, 20.0)
 	shape.shape = box
-	scale.add_child(shape)
-	_stage.add_child(scale)
-	return scale
+	p_body.add_child(shape)
+	_stage.add_child(p_body)

@@ -7,7 +7,7 @@ const UPPER: int = 10
 
 ## Vertical force on the floor, N, one entry a step.
 var carried: PackedFloat64Array = []
-## Horizontal force from outside, N.
+## Force that neither gravity nor the floor explains, N.
 var residual: PackedFloat64Array = []
 ## Mean error of all limbs, and of those above the legs, deg.
 var errors: PackedFloat64Array = []
@@ -17,13 +17,17 @@ var drifts: PackedFloat64Array = []
 ## Height of the hips over the floor, and where the motion has them, m.
 var heights: PackedFloat64Array = []
 var wanted_heights: PackedFloat64Array = []
+## How fast limbs turn against the motion, mean of all, deg/s.
+var jitter: PackedFloat64Array = []
 ## Steps that the motion does not have.
 var steps: int = 0
 
 var world: ContactWorld = null
 var person: ContactPerson = null
 var scale: GroundScale = null
+var _bodies_before: Array[Transform3D] = []
 var _was_stepping: bool = false
+var _momentum_before: Vector3 = Vector3.ZERO
 
 
 ## Begins with a world that holds a floor of force.
@@ -36,9 +40,15 @@ func _init(p_tree: SceneTree, p_hz: int, p_slope: Basis = Basis.IDENTITY) -> voi
 ## Notes the state after a step; for [method ContactWorld.run].
 func note() -> bool:
 	scale.read(world.delta_s)
+	# Newton's second law: what gravity and the floor do not explain comes from outside.
+	var momentum: Vector3 = _momentum()
+	var outside: Vector3 = (momentum - _momentum_before) / world.delta_s + scale.force
+	outside.y += weight()
+	_momentum_before = momentum
+	if not carried.is_empty():
+		residual.append(outside.length())
 	carried.append(-scale.force.y)
 	var balance: Dictionary = person.ragdoll.motor.get_balance()
-	residual.append(balance.get("force_n", 0.0))
 	var is_stepping: bool = balance.get("is_stepping", false)
 	steps += 1 if is_stepping and not _was_stepping else 0
 	_was_stepping = is_stepping
@@ -52,6 +62,12 @@ func note() -> bool:
 		sum += error
 		above += error if slot < UPPER else 0.0
 	errors.append(sum / Limbs.COUNT)
+	if not _bodies_before.is_empty():
+		var turned: float = 0.0
+		for limb: int in person.count:
+			turned += ContactPerson.angle_deg(_bodies_before[limb].basis, bodies[limb].basis)
+		jitter.append(turned / person.count / world.delta_s)
+	_bodies_before = bodies
 	upper.append(above / UPPER)
 	var off: Vector3 = person.joint(0, bodies) - person.joint(0, wanted)
 	drifts.append(Vector2(off.x, off.z).length())
@@ -66,6 +82,21 @@ func weight() -> float:
 	for limb: int in person.count:
 		mass += person.mass_of(limb)
 	return mass * 9.81
+
+
+## How far the hips were below where the motion has them at most, m.
+func lowest() -> float:
+	var low: float = 0.0
+	for i: int in heights.size():
+		low = maxf(low, wanted_heights[i] - heights[i])
+	return low
+
+
+func _momentum() -> Vector3:
+	var sum: Vector3 = Vector3.ZERO
+	for limb: int in person.count:
+		sum += person.velocity_of(limb) * person.mass_of(limb)
+	return sum
 
 
 func end() -> void:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "balance/balance.hpp"
 
+#include "calm.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,10 +10,15 @@ namespace ragdoll {
 
 namespace {
 
-constexpr float SAME_PLACE = 0.015f; // Ground under a point that has moved less (m) is looked at no more.
+constexpr float SAME_POSITION = 0.015f; // Ground under a point that has moved less (m) is looked at no more.
+constexpr float LOOK_AGAIN_S = 0.1f; // And for so long.
 constexpr float AHEAD_S = 0.12f; // The ground is looked for where a foot will be.
 constexpr float SETTLE_FROM_S = 0.3f; // Who has stood for so long stands ...
 constexpr float SETTLE_S = 0.4f; // ... more and more within this time.
+constexpr float MIN_GRAVITY = 0.1f; // For the capture point, m/s^2: without gravity there is none.
+constexpr float FLOAT_S = 0.5f; // How fast a body in the air is carried on less and less.
+constexpr float PI = 3.14159265f;
+constexpr float NONE = 1e9f;
 constexpr float MIN_HEIGHT = 0.3f; // Of the centre of mass over the feet, m: somebody who lies.
 
 Vec3 level(const Vec3 &p_vector) {
@@ -43,6 +50,10 @@ void Balance::clear() {
 	}
 	_recovery.clear();
 	_carried = {};
+	_force = {};
+	_capture = {};
+	_bearing = 1.0f;
+	_eagerness = 1.0f;
 	_offset = {};
 	_stood_s = 0.0f;
 	_begun = false;
@@ -65,7 +76,10 @@ void Balance::find_error(const Rig &p_rig, const BalanceInput &p_input, const Po
 	const Vec3 wanted = p_rig.centre_of_mass(p_now, _joints_now);
 	const Vec3 wanted_next = p_rig.centre_of_mass(p_next, _joints_next);
 	if (!_begun) {
-		_offset = level(centre - wanted);
+		_offset = centre - wanted;
+		for (Foot &foot : _feet) {
+			foot.height = _offset.y;
+		}
 		_begun = true;
 	}
 	_error = level(centre - wanted - _offset);
@@ -87,7 +101,25 @@ void Balance::find_error(const Rig &p_rig, const BalanceInput &p_input, const Po
 	}
 	_wanted_height = wanted.y - wanted_lowest;
 	const float height = std::max(_height, MIN_HEIGHT);
-	_capture = _error + _velocity_error * std::sqrt(height / std::max(p_input.gravity, 0.1f));
+	_capture = _error + _velocity_error * std::sqrt(height / std::max(p_input.gravity, MIN_GRAVITY));
+}
+
+void Balance::carry(const BalanceInput &p_input) {
+	Vec3 carried;
+	float standing = 0.0f;
+	for (const Foot &foot : _feet) {
+		if (!foot.is_up()) {
+			carried = carried + foot.ground.carry(foot.shown, p_input.delta_s);
+			standing += 1.0f;
+		}
+	}
+	// Who jumps on a platform comes down on it; whose whole motion is carried needs nothing besides.
+	_carried = standing > 0.0f ? carried * (1.0f / standing) : _carried * std::exp(-p_input.delta_s / FLOAT_S);
+	_carried = p_input.is_carried ? Vec3() : _carried;
+	_offset = _offset + _carried;
+	for (Foot &foot : _feet) {
+		foot.height += _carried.y;
+	}
 }
 
 void Balance::move_offset(const BalanceInput &p_input) {
@@ -95,27 +127,20 @@ void Balance::move_offset(const BalanceInput &p_input) {
 	// Feet that slide take the motion's place along; a body that leans over its feet does not.
 	Vec3 slid;
 	float standing = 0.0f;
-	Vec3 carried;
 	const Foot *last = nullptr;
 	for (const Foot &foot : _feet) {
 		if (!foot.is_up()) {
 			slid = slid + level(foot.shown - foot.wanted - _offset - foot.offset);
 			standing += 1.0f;
-			carried = carried + foot.ground.carry(foot.shown, delta);
 		}
 		last = foot.is_new && !foot.is_up() ? &foot : last;
 	}
 	if (standing > 0.0f) {
 		slid = slid * (1.0f / standing);
-		_carried = carried * (1.0f / standing);
 		const float distance = slid.length();
 		if (distance > settings.slack) {
 			_offset = _offset + slid * (1.0f - settings.slack / distance);
 		}
-	}
-	_offset = _offset + _carried;
-	for (Foot &foot : _feet) {
-		foot.height += _carried.y;
 	}
 	const float beyond = std::max(level(_offset).length() - settings.slack, 0.0f);
 	const float back = std::min(settings.walk_back + settings.walk_back_faster * beyond, settings.walk_back_most);
@@ -126,25 +151,23 @@ void Balance::move_offset(const BalanceInput &p_input) {
 		moved = level(_offset).limited(back * delta) * -1.0f;
 	}
 	_offset = _offset + moved;
-	float floor = 1e9f;
+	float floor = NONE;
 	for (Foot &foot : _feet) {
 		foot.offset = foot.offset - moved;
 		floor = !foot.is_up() ? std::min(floor, foot.height) : floor;
 	}
-	if (floor < 1e9f) {
+	if (floor < NONE) {
 		_offset.y = towards(_offset.y, floor, 0.5f * settings.rise_speed * delta);
 	}
 }
 
 void Balance::begin_steps() {
 	// Nobody lifts a foot while the other one is in the air.
-	if (std::any_of(_feet.begin(), _feet.end(), [](const Foot &p_foot) { return p_foot.is_up(); })) {
+	const bool is_up = std::any_of(_feet.begin(), _feet.end(), [](const Foot &p_foot) { return p_foot.is_up(); });
+	if (is_up || _feet.size() < 2 || _stood_s < settings.stand_s) {
 		return;
 	}
 	const bool falls = _capture.length() > settings.step_from;
-	if (_stood_s < settings.stand_s) {
-		return;
-	}
 	const Vec3 wanted = falls ? _capture : Vec3();
 	Foot *chosen = nullptr;
 	float furthest = falls ? 0.5f * settings.step_from : settings.close_from;
@@ -164,7 +187,7 @@ void Balance::begin_steps() {
 }
 
 float Balance::sole_height(const Pose &p_pose, const Foot &p_foot) const {
-	float lowest = 1e9f;
+	float lowest = NONE;
 	const std::size_t limb = std::size_t(p_foot.limbs.foot);
 	for (const ContactPoint &contact : _contacts) {
 		if (contact.limb == p_foot.limbs.foot) {
@@ -178,18 +201,19 @@ float Balance::sole_height(const Pose &p_pose, const Foot &p_foot) const {
 void Balance::move_foot(const BalanceInput &p_input, const Pose &p_now, Foot &r_foot) {
 	const std::size_t limb = std::size_t(r_foot.limbs.foot);
 	const float delta = p_input.delta_s;
-	const Vec3 velocity = (_joints_next[limb] - _joints_now[limb]) * (1.0f / delta);
+	const Vec3 velocity = find_velocity(p_input, limb);
 	r_foot.swings = velocity.length() > settings.swing_speed * (r_foot.swings ? 0.5f : 1.0f);
+	r_foot.is_new = r_foot.is_new && !r_foot.swings;
 	r_foot.lift = 0.0f;
 	if (r_foot.step_s >= 0.0f) {
 		r_foot.step_s += delta;
 		const float part = r_foot.step_s / settings.step_s;
-		r_foot.lift = settings.step_height * std::sin(3.14159265f * std::min(part, 1.0f));
+		r_foot.lift = settings.step_height * std::sin(PI * std::min(part, 1.0f));
 		r_foot.step_s = part < 1.0f ? r_foot.step_s : -1.0f;
 	}
 	if (r_foot.is_up()) {
 		const float distance = _capture.length();
-		const float part = settings.place * std::max(1.0f - settings.place_from / std::max(distance, 1e-6f), 0.0f);
+		const float part = settings.swing_gain * std::max(1.0f - settings.swing_from / std::max(distance, 1e-6f), 0.0f);
 		const bool catches = r_foot.step_s >= 0.0f && r_foot.is_new;
 		const Vec3 wanted = (_capture * (catches ? 1.0f : part)).limited(settings.longest_step);
 		const Vec3 off = level(wanted - r_foot.offset).limited(settings.foot_speed * delta);
@@ -199,15 +223,27 @@ void Balance::move_foot(const BalanceInput &p_input, const Pose &p_now, Foot &r_
 	r_foot.offset = r_foot.offset.limited(settings.longest_step);
 }
 
+Vec3 Balance::find_velocity(const BalanceInput &p_input, std::size_t p_limb) const {
+	Vec3 before = _joints_now[p_limb];
+	if (p_input.is_carried) {
+		before = p_input.turn.rotate(before) + p_input.shift;
+	}
+	return (_joints_next[p_limb] - before) * (1.0f / p_input.delta_s);
+}
+
 void Balance::follow_ground(const BalanceInput &p_input, const Pose &p_now, Foot &r_foot) {
 	if (p_input.ground == nullptr) {
 		return;
 	}
 	const std::size_t limb = std::size_t(r_foot.limbs.foot);
-	const Vec3 velocity = (_joints_next[limb] - _joints_now[limb]) * (1.0f / p_input.delta_s);
-	const Vec3 at = _joints_now[limb] + _offset + r_foot.offset + level(velocity) * AHEAD_S;
-	if (level(at - r_foot.looked).length() > SAME_PLACE || r_foot.ground.moves()) {
+	Vec3 at = _joints_now[limb] + _offset + r_foot.offset + level(find_velocity(p_input, limb)) * AHEAD_S;
+	// Wherever the motion is: the ground is under the body.
+	at.y = std::clamp(at.y, r_foot.shown.y - Ground::STEP, r_foot.shown.y + Ground::STEP);
+	r_foot.age_s += p_input.delta_s;
+	const bool is_old = r_foot.age_s > LOOK_AGAIN_S || r_foot.ground.moves();
+	if (is_old || level(at - r_foot.looked).length() > SAME_POSITION) {
 		r_foot.looked = at;
+		r_foot.age_s = 0.0f;
 		r_foot.ground = p_input.ground->find(at, Ground::STEP);
 	}
 	if (!std::isfinite(r_foot.ground.height)) {
@@ -215,37 +251,40 @@ void Balance::follow_ground(const BalanceInput &p_input, const Pose &p_now, Foot
 	}
 	const float needed = r_foot.ground.height - sole_height(p_now, r_foot);
 	const float wanted = r_foot.is_up() ? std::max(_offset.y, needed) : needed;
-	const float limited = std::clamp(wanted, _offset.y - settings.highest_step, _offset.y + settings.highest_step);
+	const float limited = std::clamp(wanted, _offset.y - Ground::STEP, _offset.y + Ground::STEP);
 	r_foot.height = towards(r_foot.height, limited, settings.rise_speed * p_input.delta_s);
 }
 
 void Balance::push(const Rig &p_rig, const BalanceInput &p_input) {
 	const float weight = p_rig.get_mass() * p_input.gravity;
 	const Vec3 wanted = (_error * settings.follow + _velocity_error) * (-settings.follow * p_rig.get_mass());
-	const float share = 1.0f - std::exp(-p_input.delta_s / settings.smooth_s);
 	_force_limit = settings.residual * weight;
-	_force = (_force + (wanted - _force) * share).limited(_force_limit);
+	_force = (_force + (wanted - _force) * share(p_input.delta_s, settings.smooth_s)).limited(_force_limit);
 	const float stood = std::clamp((_stood_s - SETTLE_FROM_S) / SETTLE_S, 0.0f, 1.0f);
 	const float lever = std::max(_height, MIN_HEIGHT);
 	_torque = settings.torque + (settings.standing_torque - settings.torque) * stood;
 	_bearing = settings.bearing + (1.0f - settings.bearing) * stood;
+	_eagerness = 1.0f + (settings.standing_eagerness - 1.0f) * stood;
 	_deceleration = settings.braking * _torque / (p_rig.get_mass() * lever * lever);
 }
 
-void Balance::stay(const Rig &p_rig, const BalanceInput &p_input, const Pose &p_now) {
-	// Where it gets up is where the motion's place will be.
-	const float height = _offset.y;
-	_offset = level(p_input.state->root - p_now.root);
-	_offset.y = height;
+void Balance::stay(const Rig &p_rig, const BalanceInput &p_input, Pose &r_now, Pose &r_next) {
+	// Where it gets up is where the motion's position will be.
+	_offset = p_input.state->root - r_now.root;
+	r_now.root = r_now.root + _offset;
+	r_next.root = r_next.root + _offset;
 	for (Foot &foot : _feet) {
 		foot.offset = {};
+		foot.height = _offset.y;
 		foot.step_s = -1.0f;
 		foot.lift = 0.0f;
 		foot.is_new = false;
 	}
 	_force = {};
+	_carried = {};
 	_bearing = 1.0f;
-	_torque = _recovery.get_phase() == Recovery::Phase::RISING ? settings.torque : _recovery.get_torque();
+	_eagerness = 1.0f;
+	_torque = _recovery.get_torque(settings.torque);
 	const float lever = std::max(_height, MIN_HEIGHT);
 	_deceleration = settings.braking * _torque / (p_rig.get_mass() * lever * lever);
 	_capture = {};
@@ -271,9 +310,10 @@ void Balance::advance(const Rig &p_rig, const BalanceInput &p_input, Pose &r_now
 	find_error(p_rig, p_input, r_now, r_next);
 	_recovery.advance(p_rig, *p_input.state, _height, _wanted_height, _speed, p_input.delta_s, r_now, r_next);
 	if (_recovery.get_phase() != Recovery::Phase::NONE) {
-		stay(p_rig, p_input, r_now);
+		stay(p_rig, p_input, r_now, r_next);
 		return;
 	}
+	carry(p_input);
 	move_offset(p_input);
 	begin_steps();
 	_stood_s += p_input.delta_s;
@@ -287,18 +327,47 @@ void Balance::advance(const Rig &p_rig, const BalanceInput &p_input, Pose &r_now
 }
 
 void Balance::save(ArchiveWriter &p_archive) const {
-	p_archive.put_all(_feet);
+	// Field by field: what lies between them is not the same every time, and whose legs these are is not
+	// for an archive to say.
+	for (const Foot &foot : _feet) {
+		p_archive.put(foot.offset);
+		p_archive.put(foot.height);
+		p_archive.put(foot.looked);
+		p_archive.put(foot.age_s);
+		p_archive.put(foot.ground.height);
+		p_archive.put(foot.ground.is_loose);
+		p_archive.put(foot.ground.velocity);
+		p_archive.put(foot.ground.turning);
+		p_archive.put(foot.ground.pivot);
+		p_archive.put(foot.swings);
+		p_archive.put(foot.is_new);
+		p_archive.put(foot.step_s);
+	}
 	p_archive.put(_offset);
 	p_archive.put(_carried);
 	p_archive.put(_force);
 	p_archive.put(_stood_s);
-	_recovery.save(p_archive);
 	p_archive.put(_begun);
+	_recovery.save(p_archive);
 }
 
 bool Balance::restore(ArchiveReader &p_archive) {
-	return p_archive.get_all(_feet) && p_archive.get(_offset) && p_archive.get(_carried) && p_archive.get(_force) &&
-			p_archive.get(_stood_s) && _recovery.restore(p_archive) && p_archive.get(_begun);
+	for (Foot &foot : _feet) {
+		p_archive.get(foot.offset);
+		p_archive.get(foot.height);
+		p_archive.get(foot.looked);
+		p_archive.get(foot.age_s);
+		p_archive.get(foot.ground.height);
+		p_archive.get(foot.ground.is_loose);
+		p_archive.get(foot.ground.velocity);
+		p_archive.get(foot.ground.turning);
+		p_archive.get(foot.ground.pivot);
+		p_archive.get(foot.swings);
+		p_archive.get(foot.is_new);
+		p_archive.get(foot.step_s);
+	}
+	return p_archive.get(_offset) && p_archive.get(_carried) && p_archive.get(_force) && p_archive.get(_stood_s) &&
+			p_archive.get(_begun) && _recovery.restore(p_archive);
 }
 
 } // namespace ragdoll

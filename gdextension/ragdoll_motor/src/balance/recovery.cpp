@@ -23,6 +23,17 @@ float eased(float p_part) {
 Recovery::Recovery(const Rig &p_rig, const std::vector<ContactPoint> &p_contacts) :
 		_legs(find_legs(p_rig, p_contacts)), _start(p_rig.size()) {
 	_crouch.orientations.resize(p_rig.size());
+	if (_legs.size() != 2) {
+		return;
+	}
+	const Segment &foot = p_rig[std::size_t(_legs[0].foot)];
+	_left = p_rig[std::size_t(_legs[0].thigh)].anchor - p_rig[std::size_t(_legs[1].thigh)].anchor;
+	_left = _left * (1.0f / std::max(_left.length(), 1e-6f));
+	// Turned so that thighs lifted about it go where the feet point.
+	const Vec3 ahead = p_rig[0].rest.rotate(_left).cross(Vec3{ 0.0f, 1.0f, 0.0f });
+	if (ahead.dot(foot.rest.rotate(foot.centre)) < 0.0f) {
+		_left = _left * -1.0f;
+	}
 }
 
 void Recovery::go(Phase p_phase, const RigState &p_state) {
@@ -31,8 +42,11 @@ void Recovery::go(Phase p_phase, const RigState &p_state) {
 	std::copy(p_state.orientations.begin(), p_state.orientations.end(), _start.begin());
 }
 
-float Recovery::get_torque() const {
-	return _phase == Phase::ROLLING || _phase == Phase::RISING ? settings.torque : 0.0f;
+float Recovery::get_torque(float p_most) const {
+	if (_phase == Phase::RISING) {
+		return p_most;
+	}
+	return _phase == Phase::ROLLING ? std::min(settings.torque, p_most) : 0.0f;
 }
 
 bool Recovery::has_fallen(const RigState &p_state, float p_height, float p_wanted_height, const Pose &p_now) const {
@@ -46,16 +60,7 @@ void Recovery::crouch(const Rig &p_rig, const Pose &p_motion, float p_share, Pos
 	if (_legs.size() != 2) {
 		return;
 	}
-	Vec3 left = p_motion.orientations[0].rotate(
-			p_rig[std::size_t(_legs[0].thigh)].anchor - p_rig[std::size_t(_legs[1].thigh)].anchor);
-	const Vec3 foot =
-			p_motion.orientations[std::size_t(_legs[0].foot)].rotate(p_rig[std::size_t(_legs[0].foot)].centre);
-	// The feet point ahead.
-	const Vec3 ahead = Vec3{ foot.x, 0.0f, foot.z };
-	if (left.cross(Vec3{ 0.0f, 1.0f, 0.0f }).dot(ahead) < 0.0f) {
-		left = left * -1.0f;
-	}
-	left = left * (1.0f / std::max(left.length(), 1e-6f));
+	const Vec3 left = p_motion.orientations[0].rotate(_left);
 	const Quat trunk = exp(left * (settings.trunk_angle * p_share));
 	for (std::size_t i = 0; i < p_rig.size(); i++) {
 		if (!p_rig.is_in_leg(i)) {
@@ -101,7 +106,7 @@ void Recovery::advance(const Rig &p_rig, const RigState &p_state, float p_height
 			}
 			break;
 		case Phase::FALLING:
-			if ((p_speed < settings.rest_speed && _time_s > 0.25f) || _time_s > settings.rest_s) {
+			if ((p_speed < settings.rest_speed && _time_s > settings.rest_from_s) || _time_s > settings.rest_s) {
 				go(Phase::TUCKING, p_state);
 			}
 			break;

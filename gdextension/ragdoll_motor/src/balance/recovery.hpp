@@ -11,14 +11,16 @@ namespace ragdoll {
 
 /// Parameters of falling and getting up.
 struct RecoverySettings {
-	/// Hips that lean further than this from where the motion has them fall, rad.
+	/// Hips that lean further than this from where the motion has them fall, rad; half of it is enough where
+	/// the centre of mass is lower over the lowest limb than this share of the motion's.
 	float fall_angle = 0.9f;
-	/// And a centre of mass whose height over the feet is less than this share of the motion's.
 	float fall_height = 0.6f;
 	/// What is left of the joints' torque in a fall: limbs soften it, they do not hold it.
 	float fall_strength = 0.25f;
-	/// Who has fallen lies still below this speed of the centre of mass, m/s, or after this time, s.
+	/// Who has fallen lies still below this speed of the centre of mass, m/s, after a moment, s, or anyhow
+	/// after this time, s.
 	float rest_speed = 0.4f;
+	float rest_from_s = 0.25f;
 	float rest_s = 0.8f;
 	/// How long it takes to draw the legs in, to come over the feet, and to straighten up, s.
 	float tuck_s = 0.3f;
@@ -28,7 +30,8 @@ struct RecoverySettings {
 	float thigh_angle = 1.75f;
 	float shin_angle = 0.6f;
 	float trunk_angle = 0.5f;
-	/// Greatest torque from outside that helps the hips up, N m. No force does.
+	/// Greatest torque from outside that turns the hips over the feet, N m (with 300 it takes up to 4.6 s).
+	/// No force does.
 	float torque = 500.0f;
 };
 
@@ -58,8 +61,9 @@ public:
 	Phase get_phase() const { return _phase; }
 	/// What the joints' torque is multiplied by.
 	float get_strength() const { return _phase == Phase::FALLING ? settings.fall_strength : 1.0f; }
-	/// Greatest torque at the hips, N m. For any phase but NONE.
-	float get_torque() const;
+	/// Greatest torque at the hips, N m, for any phase but NONE.
+	/// @param p_most that of somebody whose feet carry
+	float get_torque(float p_most) const;
 
 	void save(ArchiveWriter &p_archive) const;
 	bool restore(ArchiveReader &p_archive);
@@ -73,6 +77,8 @@ private:
 	bool has_fallen(const RigState &p_state, float p_height, float p_wanted_height, const Pose &p_now) const;
 
 	std::vector<Leg> _legs;
+	Vec3 _left; // From the right hip joint to the left one, or the other way round: knees bend ahead, in the hips'
+				// axes.
 	std::vector<Quat> _start; // Where the limbs were when the phase began.
 	Pose _crouch;
 	Phase _phase = Phase::NONE;
