@@ -11,14 +11,26 @@ var in_place: bool = false
 var _source: BvhSource = null
 var _motors: Array[RagdollMotor] = []
 var _times: PackedFloat64Array = PackedFloat64Array()
+var _floor: Block = null
 
 
-## Adds and starts soldiers below a node.
-func _init(p_people: int, p_source: BvhSource, p_parent: Node) -> void:
+## Adds and starts soldiers below a node; who stands on the own feet gets a floor.
+func _init(
+	p_people: int,
+	p_source: BvhSource,
+	p_parent: Node,
+	p_root: RagdollMotor.RootMode = RagdollMotor.ROOT_SOFT
+) -> void:
 	_source = p_source
+	if p_root == RagdollMotor.ROOT_GROUNDED:
+		_floor = Block.new()
+		_floor.size = Vector3(200.0, 1.0, 200.0)
+		_floor.position.y = -0.5
+		p_parent.add_child(_floor)
 	var scene: PackedScene = load("res://scenes/actor/soldier.tscn")
 	for i: int in p_people:
 		var ragdoll: Ragdoll = scene.instantiate()
+		ragdoll.root_mode = p_root
 		p_parent.add_child(ragdoll)
 		ragdoll.start()
 		ragdolls.append(ragdoll)
@@ -46,4 +58,6 @@ func leave() -> void:
 	for ragdoll: Ragdoll in ragdolls:
 		ragdoll.queue_free()
 	ragdolls.clear()
+	if _floor != null:
+		_floor.queue_free()
 	_motors.clear()
