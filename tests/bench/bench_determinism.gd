@@ -1,13 +1,15 @@
 extends SceneTree
 ## Whether the same motion leads to the same state: a fingerprint of people among crates.
 ##
-## Options: --bvh=FILE, --people=4, --hz=60, --seconds=5 (simulated), --root=soft|inertial. The
-## fingerprint (48 bits of all bodies' places and velocities) is the same in every process on a
-## machine. A second session in one process differs: the engine counts its bodies on.
+## Options: --bvh=FILE, --people=4, --hz=60, --seconds=5 (simulated),
+## --root=soft|inertial|grounded. The fingerprint (48 bits of all bodies' places and velocities) is
+## the same in every process on a machine. A second session in one process differs: the engine counts its bodies on.
 
 const _CRATE: PackedScene = preload("res://scenes/world/props/crate.tscn")
 const _ROOTS: Dictionary[String, RagdollMotor.RootMode] = {
-	"soft": RagdollMotor.ROOT_SOFT, "inertial": RagdollMotor.ROOT_INERTIAL
+	"soft": RagdollMotor.ROOT_SOFT,
+	"inertial": RagdollMotor.ROOT_INERTIAL,
+	"grounded": RagdollMotor.ROOT_GROUNDED,
 }
 
 var _arguments: BenchArguments = null

@@ -43,7 +43,7 @@ def fingerprint(root: str, processors: set[int]) -> int:
     return next(int(row["value"]) for row in rows if row["metric"] == "fingerprint")
 
 
-@pytest.mark.parametrize("root", ["soft", "inertial"])
+@pytest.mark.parametrize("root", ["soft", "inertial", "grounded"])
 def test_the_same_motion_leads_to_the_same_state_as_ever(root: str) -> None:
     here = os.sched_getaffinity(0)
     found = fingerprint(root, here)
