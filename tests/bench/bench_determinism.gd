@@ -3,7 +3,8 @@ extends SceneTree
 ##
 ## Options: --bvh=FILE, --people=4, --hz=60, --seconds=5 (simulated),
 ## --root=soft|inertial|grounded. The fingerprint (48 bits of all bodies' places and velocities) is
-## the same in every process on a machine. A second session in one process differs: the engine counts its bodies on.
+## the same in every process on a machine. A second session in one process differs: the engine
+## counts its bodies on.
 
 const _CRATE: PackedScene = preload("res://scenes/world/props/crate.tscn")
 const _ROOTS: Dictionary[String, RagdollMotor.RootMode] = {
