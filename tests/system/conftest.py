@@ -50,6 +50,10 @@ class Process:
         return self.log_file.read_text(encoding="utf-8", errors="replace")
 
     def report(self) -> dict:
+        """The newest report; the first one comes some time after the start."""
+        return self.await_report(lambda _report: True)
+
+    def _read_report(self) -> dict:
         return json.loads(self.report_file.read_text(encoding="utf-8"))
 
     def await_report(self, holds: Callable[[dict], bool], limit_s: float = 120.0) -> dict:
@@ -57,7 +61,7 @@ class Process:
         end = time.monotonic() + limit_s
         while True:
             try:
-                report = self.report()
+                report = self._read_report()
                 if holds(report):
                     return report
             except (OSError, ValueError, LookupError):
