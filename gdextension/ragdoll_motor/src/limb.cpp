@@ -9,7 +9,6 @@ namespace ragdoll {
 
 namespace {
 
-constexpr float PI = 3.14159265358979f;
 constexpr float FURTHEST = 100.0f; // m
 constexpr float THINNEST = 1e-3f; // m
 constexpr float MIN_FRACTION = 1e-5f;

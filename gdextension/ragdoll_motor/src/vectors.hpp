@@ -13,4 +13,11 @@ using kinematics::Quat;
 using kinematics::slerp;
 using kinematics::Vec3;
 
+constexpr float PI = 3.14159265f;
+
+/// What of a vector lies in the level.
+inline Vec3 level(const Vec3 &p_vector) {
+	return { p_vector.x, 0.0f, p_vector.z };
+}
+
 } // namespace ragdoll

@@ -19,7 +19,6 @@ namespace {
 constexpr float HIP = 0.9f;
 constexpr float STEP = 0.6f; // m
 constexpr float STEP_S = 0.5f;
-constexpr float PI = 3.14159265f;
 
 /// A body on two feet of two points each, and a hand.
 std::vector<ContactPoint> contacts() {

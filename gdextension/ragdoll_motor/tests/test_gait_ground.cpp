@@ -12,7 +12,6 @@ namespace {
 
 constexpr float HIP = 0.9f; // m
 constexpr float HZ = 60.0f;
-constexpr float PI = 3.14159265f;
 
 /// Two feet of one point each, and a back.
 std::vector<ContactPoint> contacts() {

@@ -3,7 +3,7 @@ extends TestCase
 
 const People: GDScript = preload("res://tests/mocap/people_samples.gd")
 
-## Names of each scheme in the order of [constant KEYS].
+## Names of each scheme in the order of [constant Schemes.KEYS].
 const SCHEMES: Dictionary[String, Array] = {
 	"humanoid":
 	[
@@ -62,21 +62,7 @@ const SCHEMES: Dictionary[String, Array] = {
 		"LEFT_THIGH,LEFT_CALF,LEFT_FOOT,LEFT_TOE"
 	],
 }
-const KEYS: PackedStringArray = [
-	"Hips",
-	"Spine",
-	"Chest",
-	"Neck",
-	"Head",
-	"LeftShoulder",
-	"LeftUpperArm",
-	"LeftLowerArm",
-	"LeftHand",
-	"LeftUpperLeg",
-	"LeftLowerLeg",
-	"LeftFoot",
-	"LeftToes",
-]
+const Schemes: GDScript = preload("foreign_schemes.gd")
 const SIDES: Dictionary[String, String] = {
 	"Left": "Right", "LEFT": "RIGHT", " L ": " R ", ".L": ".R", "_l": "_r", "_L_": "_R_"
 }
@@ -157,9 +143,9 @@ func test_files() -> void:
 
 func test_what_is_no_person_lists_the_names() -> void:
 	var person: People.Person = People.Person.new()
-	for i: int in KEYS.size():
-		person.names[KEYS[i]] = "Part%d" % i
-		person.names[KEYS[i].replace("Left", "Right")] = "Part%d" % i
+	for i: int in Schemes.KEYS.size():
+		person.names[Schemes.KEYS[i]] = "Part%d" % i
+		person.names[Schemes.KEYS[i].replace("Left", "Right")] = "Part%d" % i
 	var map: HumanoidMap = HumanoidMap.from_clip(People.make(person))
 	contains(map.error, "person.bvh: no joint is recognised as LeftUpperArm, LeftLowerArm")
 	contains(map.error, "Part0, Part1, Part2")
@@ -246,10 +232,10 @@ func _check_structure(p_clip: BvhClip, p_map: HumanoidMap, p_note: String) -> vo
 func _names(p_scheme: String) -> Dictionary[String, String]:
 	var names: Dictionary[String, String] = {}
 	var list: PackedStringArray = p_scheme.split(",")
-	for i: int in KEYS.size():
-		names[KEYS[i]] = list[i]
-		if KEYS[i].begins_with("Left"):
-			names[KEYS[i].replace("Left", "Right")] = _mirror(list[i])
+	for i: int in Schemes.KEYS.size():
+		names[Schemes.KEYS[i]] = list[i]
+		if Schemes.KEYS[i].begins_with("Left"):
+			names[Schemes.KEYS[i].replace("Left", "Right")] = _mirror(list[i])
 	return names
 
 

@@ -17,13 +17,8 @@ constexpr float SETTLE_FROM_S = 0.3f; // Who has stood for so long stands ...
 constexpr float SETTLE_S = 0.4f; // ... more and more within this time.
 constexpr float MIN_GRAVITY = 0.1f; // For the capture point, m/s^2: without gravity there is none.
 constexpr float FLOAT_S = 0.5f; // How fast a body in the air is carried on less and less.
-constexpr float PI = 3.14159265f;
 constexpr float NONE = 1e9f;
 constexpr float MIN_HEIGHT = 0.3f; // Of the centre of mass over the feet, m: somebody who lies.
-
-Vec3 level(const Vec3 &p_vector) {
-	return { p_vector.x, 0.0f, p_vector.z };
-}
 
 float towards(float p_from, float p_to, float p_most) {
 	return p_from + std::clamp(p_to - p_from, -p_most, p_most);
@@ -261,10 +256,14 @@ void Balance::push(const Rig &p_rig, const BalanceInput &p_input) {
 	_force_limit = settings.residual * weight;
 	_force = (_force + (wanted - _force) * share(p_input.delta_s, settings.smooth_s)).limited(_force_limit);
 	const float stood = std::clamp((_stood_s - SETTLE_FROM_S) / SETTLE_S, 0.0f, 1.0f);
-	const float lever = std::max(_height, MIN_HEIGHT);
 	_torque = settings.torque + (settings.standing_torque - settings.torque) * stood;
 	_bearing = settings.bearing + (1.0f - settings.bearing) * stood;
 	_eagerness = 1.0f + (settings.standing_eagerness - 1.0f) * stood;
+	find_deceleration(p_rig);
+}
+
+void Balance::find_deceleration(const Rig &p_rig) {
+	const float lever = std::max(_height, MIN_HEIGHT);
 	_deceleration = settings.braking * _torque / (p_rig.get_mass() * lever * lever);
 }
 
@@ -285,8 +284,7 @@ void Balance::stay(const Rig &p_rig, const BalanceInput &p_input, Pose &r_now, P
 	_bearing = 1.0f;
 	_eagerness = 1.0f;
 	_torque = _recovery.get_torque(settings.torque);
-	const float lever = std::max(_height, MIN_HEIGHT);
-	_deceleration = settings.braking * _torque / (p_rig.get_mass() * lever * lever);
+	find_deceleration(p_rig);
 	_capture = {};
 	_stood_s = 0.0f;
 }
@@ -327,21 +325,8 @@ void Balance::advance(const Rig &p_rig, const BalanceInput &p_input, Pose &r_now
 }
 
 void Balance::save(ArchiveWriter &p_archive) const {
-	// Field by field: what lies between them is not the same every time, and whose legs these are is not
-	// for an archive to say.
 	for (const Foot &foot : _feet) {
-		p_archive.put(foot.offset);
-		p_archive.put(foot.height);
-		p_archive.put(foot.looked);
-		p_archive.put(foot.age_s);
-		p_archive.put(foot.ground.height);
-		p_archive.put(foot.ground.is_loose);
-		p_archive.put(foot.ground.velocity);
-		p_archive.put(foot.ground.turning);
-		p_archive.put(foot.ground.pivot);
-		p_archive.put(foot.swings);
-		p_archive.put(foot.is_new);
-		p_archive.put(foot.step_s);
+		Foot::visit_saved(foot, [&](const auto &p_value) { p_archive.put(p_value); });
 	}
 	p_archive.put(_offset);
 	p_archive.put(_carried);
@@ -353,18 +338,7 @@ void Balance::save(ArchiveWriter &p_archive) const {
 
 bool Balance::restore(ArchiveReader &p_archive) {
 	for (Foot &foot : _feet) {
-		p_archive.get(foot.offset);
-		p_archive.get(foot.height);
-		p_archive.get(foot.looked);
-		p_archive.get(foot.age_s);
-		p_archive.get(foot.ground.height);
-		p_archive.get(foot.ground.is_loose);
-		p_archive.get(foot.ground.velocity);
-		p_archive.get(foot.ground.turning);
-		p_archive.get(foot.ground.pivot);
-		p_archive.get(foot.swings);
-		p_archive.get(foot.is_new);
-		p_archive.get(foot.step_s);
+		Foot::visit_saved(foot, [&](auto &r_value) { p_archive.get(r_value); });
 	}
 	return p_archive.get(_offset) && p_archive.get(_carried) && p_archive.get(_force) && p_archive.get(_stood_s) &&
 			p_archive.get(_begun) && _recovery.restore(p_archive);

@@ -144,6 +144,24 @@ private:
 		bool is_new = false; // It was put where the body is to go.
 
 		bool is_up() const { return swings || step_s >= 0.0f; }
+
+		/// Calls with each field that is saved. One by one: what lies between them is not the same every
+		/// time, and whose legs these are is not for an archive to say.
+		template <class FootType, class Visitor>
+		static void visit_saved(FootType &r_foot, const Visitor &p_visit) {
+			p_visit(r_foot.offset);
+			p_visit(r_foot.height);
+			p_visit(r_foot.looked);
+			p_visit(r_foot.age_s);
+			p_visit(r_foot.ground.height);
+			p_visit(r_foot.ground.is_loose);
+			p_visit(r_foot.ground.velocity);
+			p_visit(r_foot.ground.turning);
+			p_visit(r_foot.ground.pivot);
+			p_visit(r_foot.swings);
+			p_visit(r_foot.is_new);
+			p_visit(r_foot.step_s);
+		}
 	};
 
 	void carry(const BalanceInput &p_input);
@@ -154,6 +172,7 @@ private:
 	/// How fast the motion moves a limb's joint, what carries the person aside, m/s.
 	Vec3 find_velocity(const BalanceInput &p_input, std::size_t p_limb) const;
 	void follow_ground(const BalanceInput &p_input, const Pose &p_now, Foot &r_foot);
+	void find_deceleration(const Rig &p_rig);
 	void stay(const Rig &p_rig, const BalanceInput &p_input, Pose &r_now, Pose &r_next);
 	void push(const Rig &p_rig, const BalanceInput &p_input);
 	void bend(const Rig &p_rig, Pose &r_pose, std::vector<Vec3> &r_joints);

@@ -8,7 +8,6 @@ namespace ragdoll {
 
 namespace {
 
-constexpr float PI = 3.14159265f;
 constexpr float GIVE_UP_S = 1.5f; // A phase that takes so much longer than planned begins anew.
 constexpr float OVER_FEET = 0.5f; // Hips that lean less than this (rad) are over the feet.
 

@@ -10,17 +10,12 @@ namespace ragdoll {
 
 namespace {
 
-constexpr float PI = 3.14159265f;
 constexpr float NEVER = 1e9f;
 constexpr float SURE = 0.05f; // Weight of a point from which it can be anchored.
 constexpr float LOWEST = 0.03f; // Points of the pose that are no higher above the lowest (m) may stand.
 constexpr float LIKELY = 0.2f; // Share of the surest point's weight from which the body stands on a point.
 constexpr int FIRST_LOOKS = 6; // Steps that ground is looked for above who is told to begin in it.
 constexpr float FIRM = 0.3f; // Sum of weights from which the points' own rise counts.
-
-Vec3 level(const Vec3 &p_vector) {
-	return { p_vector.x, 0.0f, p_vector.z };
-}
 
 } // namespace
 
