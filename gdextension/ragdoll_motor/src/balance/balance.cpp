@@ -326,7 +326,7 @@ void Balance::advance(const Rig &p_rig, const BalanceInput &p_input, Pose &r_now
 
 void Balance::save(ArchiveWriter &p_archive) const {
 	for (const Foot &foot : _feet) {
-		Foot::visit_saved(foot, [&](const auto &p_value) { p_archive.put(p_value); });
+		Foot::for_each_saved(foot, [&](const auto &p_value) { p_archive.put(p_value); });
 	}
 	p_archive.put(_offset);
 	p_archive.put(_carried);
@@ -338,7 +338,7 @@ void Balance::save(ArchiveWriter &p_archive) const {
 
 bool Balance::restore(ArchiveReader &p_archive) {
 	for (Foot &foot : _feet) {
-		Foot::visit_saved(foot, [&](auto &r_value) { p_archive.get(r_value); });
+		Foot::for_each_saved(foot, [&](auto &r_value) { p_archive.get(r_value); });
 	}
 	return p_archive.get(_offset) && p_archive.get(_carried) && p_archive.get(_force) && p_archive.get(_stood_s) &&
 			p_archive.get(_begun) && _recovery.restore(p_archive);

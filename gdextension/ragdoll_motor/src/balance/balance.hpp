@@ -147,20 +147,20 @@ private:
 
 		/// Calls with each field that is saved. One by one: what lies between them is not the same every
 		/// time, and whose legs these are is not for an archive to say.
-		template <class FootType, class Visitor>
-		static void visit_saved(FootType &r_foot, const Visitor &p_visit) {
-			p_visit(r_foot.offset);
-			p_visit(r_foot.height);
-			p_visit(r_foot.looked);
-			p_visit(r_foot.age_s);
-			p_visit(r_foot.ground.height);
-			p_visit(r_foot.ground.is_loose);
-			p_visit(r_foot.ground.velocity);
-			p_visit(r_foot.ground.turning);
-			p_visit(r_foot.ground.pivot);
-			p_visit(r_foot.swings);
-			p_visit(r_foot.is_new);
-			p_visit(r_foot.step_s);
+		template <class FootType, class Call>
+		static void for_each_saved(FootType &r_foot, const Call &p_call) {
+			p_call(r_foot.offset);
+			p_call(r_foot.height);
+			p_call(r_foot.looked);
+			p_call(r_foot.age_s);
+			p_call(r_foot.ground.height);
+			p_call(r_foot.ground.is_loose);
+			p_call(r_foot.ground.velocity);
+			p_call(r_foot.ground.turning);
+			p_call(r_foot.ground.pivot);
+			p_call(r_foot.swings);
+			p_call(r_foot.is_new);
+			p_call(r_foot.step_s);
 		}
 	};
 
