@@ -83,21 +83,24 @@ const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_del
 	_commands.guarded = _guard.check(_rig, r_state);
 	_commands.must_put = _commands.guarded != GUARD_NOTHING;
 	const bool finds_anew = finds_travel(root_mode) && _travelled != root_mode;
+	bool is_arriving = false;
 	const bool teleported = _stream.take_teleport() && !finds_travel(root_mode) && !is_free(root_mode);
 	if (has_come_back(p_time_s) || teleported || (_commands.guarded & GUARD_LOST) != 0) {
 		put_into_pose(r_state);
 		_commands.must_put = true;
-		_arrival_s = root_mode == RootMode::GROUNDED ? ARRIVAL_S : 0.0f;
+		_arrival_s = needs_ground(root_mode) ? ARRIVAL_S : 0.0f;
 	} else if (_arrival_s > 0.0f) {
 		// How fast the motion is only its next samples tell; feet alone could not take the body along.
 		_arrival_s -= p_delta_s;
-		put_into_pose(r_state);
-		set_in_motion(r_state, p_delta_s);
+		is_arriving = true;
 		_commands.must_put = true;
 	}
 	travel(r_state, p_delta_s);
-	if (_commands.must_put && finds_anew) {
-		put_into_pose(r_state); // On the ground that was found, wherever the root was told to be.
+	if (is_arriving || (_commands.must_put && finds_anew)) {
+		place(r_state); // On the ground that was found, wherever the root was told to be.
+	}
+	if (is_arriving) {
+		set_in_motion(r_state, p_delta_s);
 	}
 	balance(r_state, p_delta_s);
 	let_go_when_stalled(p_time_s);
@@ -251,6 +254,10 @@ void Driver::put_into_pose(RigState &r_state) {
 	if (find_travel(root_mode) && _travelled == root_mode) {
 		_now.root = _next_root;
 	}
+	place(r_state);
+}
+
+void Driver::place(RigState &r_state) {
 	_rig.joint_positions(_now, _joints);
 	for (std::size_t i = 0; i < _rig.size(); i++) {
 		r_state.orientations[i] = _now.orientations[i];

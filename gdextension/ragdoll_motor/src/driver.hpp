@@ -46,7 +46,8 @@ public:
 	/// A pause of the motion (s) after which the body is put into the new pose instead of being flung
 	/// there; the beginning counts as one.
 	static constexpr double PUT_AFTER = 1.0;
-	/// GROUNDED: for how long a body that comes is put into the motion's pose, until that is in motion, s.
+	/// For how long a body that comes is put into the motion's pose, until that is in motion, s; in the modes
+	/// in which feet carry it or say where it is.
 	static constexpr float ARRIVAL_S = 0.06f;
 	/// How long it takes to sink, and to come back, s.
 	static constexpr float LET_GO_S = 0.25f;
@@ -172,6 +173,8 @@ private:
 	void hold_root(const RigState &p_state, float p_delta_s);
 	void compute_limbs(const RigState &p_state, float p_delta_s);
 	void put_into_pose(RigState &r_state);
+	/// Puts the bodies into the pose of the step's beginning, at rest.
+	void place(RigState &r_state);
 	/// Gives bodies that have been put into the motion's pose its velocities too.
 	void set_in_motion(RigState &r_state, float p_delta_s);
 	float lift_while_getting_up(const RigState &p_state);

@@ -35,7 +35,7 @@ void Driver::give_in(Travel &r_estimator, const Vec3 &p_off) {
 }
 
 void Driver::stay_near(Travel &r_estimator, const RigState &p_state) {
-	const Vec3 off = r_estimator.get_root() - p_state.root;
+	const Vec3 off = r_estimator.get_root() - Vec3{ 0.0f, _foot_lock.get_drop(), 0.0f } - p_state.root;
 	const Vec3 up{ 0.0f, std::clamp(off.y, -FURTHEST_UP, FURTHEST_UP), 0.0f };
 	const Vec3 across = Vec3{ off.x, 0.0f, off.z }.limited(FURTHEST_ACROSS);
 	const Vec3 too_far = off - up - across;
@@ -74,12 +74,17 @@ void Driver::travel(const RigState &p_state, float p_delta_s) {
 		_now.root = _path.get_position();
 		_next.root = _path.ahead(p_delta_s);
 	}
-	_next_root = _next.root;
 	_foot_lock.advance(*estimator, _now.root, _points_now, _points_shown, filter.get_unrest(), p_delta_s);
+	_rig.joint_positions(_now, _joints);
+	const float before = _foot_lock.get_drop();
+	const float drop = _foot_lock.sink(_rig, filter.get_unrest(), _joints, p_delta_s);
+	_now.root.y -= drop;
+	_next.root.y -= 2.0f * drop - before; // It goes on coming down.
 	_rig.joint_positions(_now, _joints);
 	_foot_lock.apply(_rig, filter.get_unrest(), _now, _joints);
 	_rig.joint_positions(_next, _joints);
 	_foot_lock.apply(_rig, filter.get_unrest(), _next, _joints);
+	_next_root = _next.root;
 }
 
 void Driver::estimate(Travel &r_estimator, const RigState &p_state, float p_delta_s) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "gait/foot_lock.hpp"
 #include "gait/inertial_gait.hpp"
 #include "gait/takeoff.hpp"
 
@@ -241,6 +242,63 @@ TEST(a_quick_crouch_is_no_flight_and_a_runner_flies) {
 		}
 		CHECK(flies == (slide > 1.0f));
 	}
+}
+
+/// Hips, two legs of thigh, shin and foot, and a sole of one point each; legs hang down.
+struct Walker {
+	std::vector<Segment> segments;
+	std::vector<ContactPoint> soles;
+	Walker() : segments(7), soles(2) {
+		for (std::size_t i = 1; i < 7; i++) {
+			const bool is_thigh = i == 1 || i == 4;
+			segments[i].parent = is_thigh ? 0 : int(i) - 1;
+			segments[i].anchor = { 0.0f, is_thigh ? 0.0f : -0.45f, i == 2 || i == 5 ? 0.05f : 0.0f };
+		}
+		for (std::size_t i = 0; i < 2; i++) {
+			soles[i].limb = i == 0 ? 3 : 6;
+			soles[i].sole = true;
+		}
+	}
+};
+
+TEST(feet_clear_the_ground_while_they_swing_and_reach_it_on_lower_ground) {
+	const Walker walker;
+	const Rig rig(walker.segments);
+	FootLock lock(rig, walker.soles);
+	Field field;
+	field.shape = [](const Vec3 &p_at) { return p_at.z > 0.2f ? -0.15f : 0.0f; };
+	InertialGait gait(walker.soles);
+	std::vector<Vec3> joints;
+	std::vector<Vec3> points(2);
+	Pose pose;
+	pose.orientations.resize(7);
+	const float step = 1.0f / HZ;
+	gait.reset({ 0.0f, HIP - 0.08f, 0.0f });
+	float least = 1.0f;
+	for (int tick = 0; tick < 60; tick++) {
+		// One foot stands still; the other one is swung ahead without being lifted, and comes to rest.
+		const float part = std::clamp(float(tick - 20) / 24.0f, 0.0f, 1.0f);
+		pose.root = {};
+		std::fill(pose.orientations.begin(), pose.orientations.end(), Quat());
+		rig.joint_positions(pose, joints);
+		bend_leg(rig, { 3, 2, 1 }, { 0.0f, 0.08f, 0.0f }, pose, joints);
+		bend_leg(rig, { 6, 5, 4 }, { 0.0f, 0.08f, 0.35f * part }, pose, joints);
+		points = { joints[3], joints[6] };
+		gait.step({ step, &points, {}, &field });
+		pose.root = gait.get_root();
+		lock.advance(gait, pose.root, points, { pose.root + points[0], pose.root + points[1] }, 0.0f, step);
+		rig.joint_positions(pose, joints);
+		pose.root.y -= lock.sink(rig, 0.0f, joints, step);
+		rig.joint_positions(pose, joints);
+		lock.apply(rig, 0.0f, pose, joints);
+		if (tick > 28 && joints[6].z < 0.2f) {
+			least = std::min(least, joints[6].y);
+		}
+	}
+	CHECK(least > 0.01f);
+	CHECK(lock.get_drop() > 0.05f);
+	CHECK_NEAR(joints[6].y, -0.15, 0.02);
+	CHECK_NEAR(joints[3].y, 0.0, 0.02);
 }
 
 TEST_MAIN()

@@ -11,6 +11,7 @@ namespace ragdoll {
 namespace {
 
 constexpr float LOOSE = 0.1f; // A grip below this holds nothing.
+constexpr float UPRIGHT = 0.3f; // Sum of the soles' weights from which a body stands on its feet.
 
 } // namespace
 
@@ -41,8 +42,10 @@ void FootLock::clear() {
 		leg.away = {};
 		leg.rise = 0.0f;
 		leg.tilt = {};
+		leg.place = NOWHERE;
 	}
 	std::fill(_grips.begin(), _grips.end(), 0.0f);
+	_drop = 0.0f;
 }
 
 void FootLock::advance(const Travel &p_travel, const Vec3 &p_root, const std::vector<Vec3> &p_points,
@@ -52,8 +55,10 @@ void FootLock::advance(const Travel &p_travel, const Vec3 &p_root, const std::ve
 	for (std::size_t i = 0; i < _contacts.size(); i++) {
 		_floor = std::min(_floor, p_points[i].y - _contacts[i].radius);
 	}
+	find_level(p_travel, p_points);
 	const float kept = grip_s > 0.0f ? std::exp(-p_delta_s / grip_s) : 0.0f;
 	for (HeldLeg &leg : _legs) {
+		find_clearance(leg, p_root, p_points, p_delta_s);
 		leg.offset = leg.offset * std::exp(-p_delta_s / LET_GO_S);
 		const float excess = std::max(leg.away.length() - SLIPS_FROM - SLIPS_LATER * p_unrest, 0.0f);
 		const Vec3 slip = leg.away.limited(excess) * share(p_delta_s, SLIP_S);
@@ -71,13 +76,36 @@ void FootLock::advance(const Travel &p_travel, const Vec3 &p_root, const std::ve
 			const float height = p_travel.get_standing_height(i);
 			_anchors[i].y = std::isfinite(height) ? height : _anchors[i].y;
 			_grounds[i] = { p_root.x + p_points[i].x, height, p_root.z + p_points[i].z };
-			if (p_unrest > 0.0f) {
-				const Vec3 off{ p_shown[i].x - _anchors[i].x, 0.0f, p_shown[i].z - _anchors[i].z };
-				_anchors[i] = _anchors[i] + off - off.limited(SLACK / p_unrest);
+			if (p_shown[i].y < _anchors[i].y + DOWN) { // What is in the air still comes to where it is held.
+				const Vec3 off = level(p_shown[i] - _anchors[i]);
+				_anchors[i] = _anchors[i] + off - off.limited(SLACK);
 			}
 		}
 		fit(leg, p_root, p_points, p_unrest, p_delta_s);
 	}
+}
+
+void FootLock::find_level(const Travel &p_travel, const std::vector<Vec3> &p_points) {
+	float sum = 0.0f;
+	_level = 0.0f;
+	for (std::size_t i = 0; i < _contacts.size(); i++) {
+		const float weight = _contacts[i].sole ? p_travel.get_weights()[i] : 0.0f;
+		_level += (p_points[i].y - _contacts[i].radius) * weight;
+		sum += weight;
+	}
+	_level = sum > UPRIGHT ? _level / sum : -std::numeric_limits<float>::infinity();
+}
+
+void FootLock::find_clearance(
+		HeldLeg &r_leg, const Vec3 &p_root, const std::vector<Vec3> &p_points, float p_delta_s) const {
+	Vec3 place = p_root;
+	for (const std::size_t point : r_leg.points) {
+		place = place + p_points[point] * (1.0f / float(r_leg.points.size()));
+	}
+	const float speed = level(place - r_leg.place).length() / p_delta_s;
+	r_leg.place = place;
+	const float fast = speed > CLEARS_FROM ? std::min((speed - CLEARS_FROM) / (CLEARS_AT - CLEARS_FROM), 1.0f) : 0.0f;
+	r_leg.clearance = CLEARS * fast; // None where nothing is known of the place before.
 }
 
 Vec3 FootLock::find_tilt(const HeldLeg &p_leg) const {
@@ -105,6 +133,8 @@ float FootLock::find_rise(
 	}
 	const Quat turn = exp(p_leg.tilt);
 	float deepest = 0.0f;
+	float sinks = -HIGHEST;
+	float lowest = 0.0f; // Of the sole over the level that the motion stands on, where it is below that.
 	float held = 0.0f;
 	float sum = 0.0f;
 	for (const std::size_t point : p_leg.points) {
@@ -113,10 +143,18 @@ float FootLock::find_rise(
 		}
 		const Vec3 place = p_root + middle + turn.rotate(p_points[point] - middle);
 		const float depth = _grounds[point].y - place.y;
-		// What swings shall clear the ground as it clears the floor.
-		deepest = std::max(deepest, depth + std::min(p_points[point].y - _floor, SWING * (1.0f - p_unrest)));
+		// What swings shall clear the ground as it clears the floor, and by more the faster it does.
+		const float over = std::max(std::min(p_points[point].y - _floor, SWING), p_leg.clearance);
+		deepest = std::max(deepest, depth + over * (1.0f - p_unrest));
+		const float over_level = p_points[point].y - _contacts[point].radius - _level;
+		sinks = std::max(sinks, depth + std::max(over_level, p_leg.clearance));
+		lowest = std::min(lowest, over_level);
 		held += depth * _grips[point];
 		sum += _grips[point];
+	}
+	if (sum < LOOSE && deepest <= 0.0f) {
+		// It comes down to lower ground as it does to the floor, unless the motion is stepping down itself.
+		deepest = std::min(sinks, 0.0f) * std::max(1.0f + lowest / LOWER, 0.0f) * (1.0f - p_unrest);
 	}
 	const float rise = sum < LOOSE ? deepest : held / sum;
 	const float beyond = std::max(std::fabs(rise) - UNEVEN * p_unrest, 0.0f);
@@ -140,9 +178,33 @@ Vec3 FootLock::tilt(const HeldLeg &p_leg, Pose &r_pose) const {
 	return before - foot.rotate(p_leg.sole);
 }
 
+float FootLock::sink(const Rig &p_rig, float p_unrest, const std::vector<Vec3> &p_joints, float p_delta_s) {
+	float needed = 0.0f;
+	for (const HeldLeg &leg : _legs) {
+		const Vec3 hip = p_joints[std::size_t(leg.thigh)];
+		const Vec3 pose = p_joints[std::size_t(leg.foot)] - hip;
+		const float length =
+				p_rig[std::size_t(leg.shin)].anchor.length() + p_rig[std::size_t(leg.foot)].anchor.length();
+		const float reach = std::max(length * STRETCHED, pose.length());
+		const Vec3 wanted = pose + leg.offset + Vec3{ 0.0f, leg.rise, 0.0f };
+		const float across = level(wanted).length();
+		if (wanted.length() > reach && across < reach) {
+			needed = std::max(needed, -wanted.y - std::sqrt(reach * reach - across * across));
+		}
+	}
+	needed = std::max(needed - UNEVEN * p_unrest, 0.0f);
+	const float most = SINK_SPEED * p_delta_s;
+	const float off = (std::min(needed, HIGHEST) - _drop) * share(p_delta_s, SINK_S);
+	_drop += std::clamp(off, -most, most);
+	return _drop;
+}
+
 void FootLock::shift(const Vec3 &p_offset) {
 	for (Vec3 &anchor : _anchors) {
 		anchor = anchor + p_offset;
+	}
+	for (HeldLeg &leg : _legs) {
+		leg.place = leg.place + p_offset;
 	}
 }
 
@@ -152,19 +214,21 @@ void FootLock::save(ArchiveWriter &p_archive) const {
 		p_archive.put(leg.away);
 		p_archive.put(leg.rise);
 		p_archive.put(leg.tilt);
+		p_archive.put(leg.place);
 	}
 	p_archive.put_all(_anchors);
 	p_archive.put_all(_grips);
+	p_archive.put(_drop);
 }
 
 bool FootLock::restore(ArchiveReader &p_archive) {
 	for (HeldLeg &leg : _legs) {
 		if (!p_archive.get(leg.offset) || !p_archive.get(leg.away) || !p_archive.get(leg.rise) ||
-				!p_archive.get(leg.tilt)) {
+				!p_archive.get(leg.tilt) || !p_archive.get(leg.place)) {
 			return false;
 		}
 	}
-	return p_archive.get_all(_anchors) && p_archive.get_all(_grips);
+	return p_archive.get_all(_anchors) && p_archive.get_all(_grips) && p_archive.get(_drop);
 }
 
 void FootLock::apply(const Rig &p_rig, float p_unrest, Pose &r_pose, std::vector<Vec3> &r_joints) {
@@ -192,7 +256,7 @@ void FootLock::apply(const Rig &p_rig, float p_unrest, Pose &r_pose, std::vector
 			const Vec3 wanted = (Vec3{ away.x, away.y * lift, away.z } * (1.0f / sum)).limited(FURTHEST);
 			leg.offset = leg.offset + (wanted - leg.offset) * firmest;
 		}
-		const Vec3 offset = leg.offset + moved + Vec3{ 0.0f, leg.rise, 0.0f };
+		const Vec3 offset = leg.offset + moved + Vec3{ 0.0f, leg.rise + _drop, 0.0f };
 		if (offset.length() > 1e-5f) {
 			bend_leg(p_rig, leg, offset, r_pose, r_joints);
 		}

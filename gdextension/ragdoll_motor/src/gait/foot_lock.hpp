@@ -5,6 +5,7 @@
 #include "leg.hpp"
 #include "rig.hpp"
 
+#include <limits>
 #include <vector>
 
 namespace ragdoll {
@@ -27,8 +28,20 @@ public:
 	static constexpr float EVEN = 0.005f;
 	/// A foot that swings keeps so much of its height over the pose's floor over the ground, m.
 	static constexpr float SWING = 0.025f;
+	/// A foot that swings with CLEARS_AT (m/s) and more clears the ground by so much (m), below CLEARS_FROM as
+	/// the motion has it: soles that scuff stick, and are dragged along behind the motion.
+	static constexpr float CLEARS = 0.03f;
+	static constexpr float CLEARS_FROM = 0.3f;
+	static constexpr float CLEARS_AT = 1.5f;
 	/// How much further it may be where the motion is nothing but noise, m.
 	static constexpr float UNEVEN = 0.06f;
+	/// Share of a leg's length to which it is stretched before the hips come down instead.
+	static constexpr float STRETCHED = 0.995f;
+	/// How fast the hips come down so that feet reach the ground, s, and m/s at most.
+	static constexpr float SINK_S = 0.2f;
+	static constexpr float SINK_SPEED = 1.5f;
+	/// A foot that the motion itself has so far below the one that stands (m) is on its way to a lower step.
+	static constexpr float LOWER = 0.04f;
 	/// How fast feet are fitted to the ground, s.
 	static constexpr float FIT_S = 0.03f;
 	/// Ground under a foot is even when no point of it is further from a plane than this, m.
@@ -39,9 +52,11 @@ public:
 	static constexpr float LET_GO_S = 0.06f;
 	/// How slowly points are taken hold of and let go where the motion is nothing but noise, s.
 	static constexpr float GRIP_S = 0.05f;
-	/// How far the body's foot may be from where it is held before the hold gives in, where the motion is
-	/// nothing but noise, m: motors that are calmed put it down elsewhere.
+	/// How far the body's foot may be from where it is held before the hold gives in, m: a foot that strikes is
+	/// a few centimetres behind the motion, and motors that are calmed put it down elsewhere.
 	static constexpr float SLACK = 0.002f;
+	/// The same, once that foot is no higher than this over where it is held, m.
+	static constexpr float DOWN = 0.03f;
 
 	FootLock() = default;
 	/// Legs are the limbs with soles, what they hang on, and what that hangs on.
@@ -58,6 +73,11 @@ public:
 	/// @param p_unrest how noisy the motion is, 0 to 1
 	void advance(const Travel &p_travel, const Vec3 &p_root, const std::vector<Vec3> &p_points,
 			const std::vector<Vec3> &p_shown, float p_unrest, float p_delta_s);
+	/// Lets the hips come down so far that legs reach where the feet shall be. Returns how far that is, m.
+	/// @param p_joints of the pose, m
+	float sink(const Rig &p_rig, float p_unrest, const std::vector<Vec3> &p_joints, float p_delta_s);
+	/// How far the hips have come down for the feet, m.
+	float get_drop() const { return _drop; }
 	/// The world has moved the body, m.
 	void shift(const Vec3 &p_offset);
 	void clear();
@@ -66,6 +86,9 @@ public:
 	bool restore(ArchiveReader &p_archive);
 
 private:
+	static constexpr float NAN_M = std::numeric_limits<float>::quiet_NaN();
+	static constexpr Vec3 NOWHERE{ NAN_M, NAN_M, NAN_M };
+
 	struct HeldLeg : Leg {
 		std::vector<std::size_t> points; // Of the sole, as in the list of contact points.
 		Vec3 sole; // Their middle, in the foot's frame, m.
@@ -73,8 +96,12 @@ private:
 		Vec3 away; // How far from where it is held the motion has it, across, m.
 		float rise = 0.0f; // To the ground, m.
 		Vec3 tilt; // Of the foot with the ground, rotation vector, rad.
+		Vec3 place = NOWHERE; // Of the sole in the motion, m.
+		float clearance = 0.0f; // By how much it shall clear the ground while it swings, m.
 	};
 
+	void find_level(const Travel &p_travel, const std::vector<Vec3> &p_points);
+	void find_clearance(HeldLeg &r_leg, const Vec3 &p_root, const std::vector<Vec3> &p_points, float p_delta_s) const;
 	/// How the ground under a foot is tilted, rotation vector, rad; none where it is not even.
 	Vec3 find_tilt(const HeldLeg &p_leg) const;
 	/// How far a foot has to be raised onto the ground, or lowered where it stands, m.
@@ -88,6 +115,8 @@ private:
 	std::vector<ContactPoint> _contacts;
 	std::vector<Vec3> _anchors; // Where the held points are shown, m.
 	std::vector<Vec3> _grounds; // The ground under the points; NaN where none is known, m.
+	float _level = 0.0f; // That the pose stands on, from the root, m.
+	float _drop = 0.0f; // Of the hips, m.
 	float _floor = 0.0f; // Of the pose, from the root, m.
 	std::vector<float> _grips; // How firmly each point is held, 0 to 1.
 };

@@ -32,7 +32,7 @@ public:
 		float contradiction = 0.4f; ///< Difference to the expected velocity that counts 1, m/s.
 		float persistence = 1.0f; ///< What a limb that stood a sixtieth of a second before gains.
 		float sharpness = 0.7f; ///< Temperature of the choice between the points.
-		float air = 12.0f; ///< What it costs to stand on nothing.
+		float air = 6.0f; ///< What it costs to stand on nothing.
 		float unknown = 2.0f; ///< Standard deviation of the velocity of who begins, m/s.
 		float wander = 0.8f; ///< Growth of the velocity's variance, m^2/s^3.
 		float lost = 2.0f; ///< The same where nothing stands and yet nothing flies, m^2/s^3.
