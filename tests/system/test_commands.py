@@ -39,7 +39,7 @@ def test_bvh_tells_what_a_file_holds() -> None:
     done = run("bvh", "01_01.bvh")
     assert done.returncode == 0, done.stderr
     lines = dict(line.split(": ", 1) for line in done.stdout.splitlines())
-    assert lines["frames"] == "2752"
+    assert lines["frames"] == "2751"
     assert lines["joints"] == "31"
     assert lines["frame_time"].startswith("0.00833")
     assert lines["unit"].startswith("CMU")

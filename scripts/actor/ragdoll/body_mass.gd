@@ -46,8 +46,8 @@ static func torque_factor(p_taller: float) -> float:
 	return p_taller ** 3
 
 
-## How tall a figure is, m, by the height of its hip joints: not every skeleton has where the
-## head ends.
+## How tall a figure is, m, by the height of its hip joints above straight legs: not every skeleton
+## has where the head ends, and many stand with their legs apart at rest.
 static func stature(p_figure: RestSkeleton) -> float:
 	var lowest: float = INF
 	for side: String in ["Left", "Right"]:
@@ -57,4 +57,12 @@ static func stature(p_figure: RestSkeleton) -> float:
 	var hips: float = p_figure.rest(&"LeftUpperLeg").origin.y
 	# The origin of a figure is between its soles, if it is anywhere near them.
 	var ground: float = 0.0 if absf(lowest) < 0.15 * absf(hips) else lowest
-	return (hips - ground) / HIPS_HEIGHT
+	return (hips - ground + _lowered(p_figure)) / HIPS_HEIGHT
+
+
+## By how much the hip joints are lower at rest than over straight, upright legs, m.
+static func _lowered(p_figure: RestSkeleton) -> float:
+	var hip: Vector3 = p_figure.rest(&"LeftUpperLeg").origin
+	var knee: Vector3 = p_figure.rest(&"LeftLowerLeg").origin
+	var ankle: Vector3 = p_figure.rest(&"LeftFoot").origin
+	return hip.distance_to(knee) + knee.distance_to(ankle) - (hip.y - ankle.y)

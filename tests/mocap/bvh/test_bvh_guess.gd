@@ -30,7 +30,7 @@ func before_each() -> void:
 	_random.seed = 7
 	if _motions.is_empty():
 		_motions = [
-			Files.motion("01_01", 300, 24, 4),
+			Files.motion("01_01", 900, 24, 4),
 			Files.motion("01_03", 400, 24, 4),
 			Files.motion("01_03", 2600, 24, 4),
 			Files.motion("Boxing_Toes", 900, 24, 4),

@@ -15,9 +15,9 @@ func test_prints_a_clip() -> void:
 		"joints: 31",
 		"end_sites: 7",
 		"channels: 96",
-		"frames: 2752",
+		"frames: 2751",
 		"frame_time: 0.008333 s",
-		"duration: 22.93 s"
+		"duration: 22.92 s"
 	]:
 		contains(_lines, line)
 	contains("\n".join(_lines), "\nunit: CMU (guess: ")

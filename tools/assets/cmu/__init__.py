@@ -1,0 +1,1 @@
+"""Tools that make motion files of Carnegie Mellon's library."""
