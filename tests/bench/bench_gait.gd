@@ -14,6 +14,7 @@ extends SceneTree
 const Walker: GDScript = preload("gait/walker.gd")
 const Stats: GDScript = preload("gait/gait_stats.gd")
 const Case: GDScript = preload("gait/gait_case.gd")
+const Clips: GDScript = preload("gait/gait_clips.gd")
 const Slopes: GDScript = preload("gait/gait_slopes.gd")
 const Starts: GDScript = preload("gait/gait_starts.gd")
 const Scenes: GDScript = preload("gait/gait_scenes.gd")
@@ -34,10 +35,6 @@ const _WALKS: Dictionary[String, Array] = {
 }
 const _RISE: float = 0.17
 const _TREAD: float = 0.29
-## A person whose lowest point is higher than this flies, m.
-const _FLIGHT: float = 0.04
-## Clips shorter than this hold no way that could be measured, s.
-const _SHORTEST_S: float = 1.0
 
 var _arguments: BenchArguments = null
 var _report: BenchReport = null
@@ -94,16 +91,17 @@ func _run_case(p_case: String, p_root: String) -> void:
 			await _run_walks(p_root)
 		"stairs":
 			await _run_stairs(p_root)
-		"clips":
-			for file: String in BenchArguments.clips(_arguments):
-				await _run_clip(file, p_root)
 		_:
 			var cases: Dictionary[String, GDScript] = {
-				"slopes": Slopes, "starts": Starts, "scenes": Scenes
+				"clips": Clips, "slopes": Slopes, "starts": Starts, "scenes": Scenes
 			}
 			var case: Case = cases[p_case].new(self, _report, _arguments.value("seed"))
 			case.root_name = p_root
 			case.root_mode = _ROOTS[p_root]
+			if case is Clips:
+				case.files = BenchArguments.clips(_arguments)
+				case.noise_deg = _arguments.value("noise")
+				case.slope = deg_to_rad(_arguments.value("slope"))
 			if case is Scenes:
 				case.count = _arguments.value("scenes")
 				case.clips = _open_clips()
@@ -192,125 +190,12 @@ func _walk(p_walker: Walker, p_ragdoll: Ragdoll, p_noise_deg: float) -> Stats:
 				before[side] = ball
 		var sample: PoseSample = p_walker.pose_at(time)
 		var start: Vector3 = p_walker.pose_at(0.0).root
-		_add_noise(sample, p_noise_deg)
+		Case.add_noise(sample, p_noise_deg, _random)
 		p_ragdoll.push_sample(time, sample, start)
 		p_ragdoll.drive(time, delta)
 	_world.queue_free()
 	await process_frame
 	return stats
-
-
-func _run_clip(p_file: String, p_root: String) -> void:
-	var source: BvhSource = _report.open_clip(p_file)
-	if source == null:
-		return
-	if source.rig.clip.duration() < _SHORTEST_S:
-		var parts: Array = [source.rig.clip.duration(), _SHORTEST_S]
-		_report.leave_out(p_file, "%.2f s are too short for a way: %.0f s is the least" % parts)
-		return
-	_begin(p_root).free()
-	var ragdoll: Ragdoll = Ragdoll.new()
-	var skeleton: Skeleton3D = BvhSkeleton.make(source.rig)
-	ragdoll.add_child(skeleton)
-	ragdoll.profile = SkeletonShapes.describe(skeleton)
-	RagdollBuilder.build(skeleton, ragdoll.profile)
-	ragdoll.root_mode = _ROOTS[p_root]
-	_build_ground(ragdoll)
-	_world.add_child(ragdoll)
-	if not ragdoll.start():
-		_report.leave_out(p_file, "the ragdoll does not start")
-		_world.queue_free()
-		return
-	var stats: Stats = Stats.new()
-	await _play(source, ragdoll, stats)
-	_world.queue_free()
-	await process_frame
-	var title: String = "%s: %s" % [p_root, p_file.get_file()]
-	# The goal is for level walking, and whether a file is that, only its owner knows.
-	_add_travel(title, stats, p_root == "inertial" and _arguments.is_given("bvh"))
-	_report.add(title, "stance-foot skate", 100.0 * stats.skate.mean(), "cm/s")
-	if stats.flights > 0 or stats.invented > 0:
-		var share: float = 100.0 * stats.found / maxf(stats.flights, 1.0)
-		_report.add(title, "flights in truth", stats.flights, "")
-		_add_least(title, "flights found", share, "%", p_root == "inertial", 90.0)
-		_add(title, "flights invented", stats.invented, "", p_root == "inertial", 0.0)
-
-
-## Level, or the slope that is asked for.
-func _build_ground(p_ragdoll: Ragdoll) -> void:
-	if _arguments.value("slope") == 0.0:
-		Walker.new(p_ragdoll.profile).build_ground(_world)
-	else:
-		_world.add_child(Case.make_floor(deg_to_rad(_arguments.value("slope"))))
-
-
-func _play(p_source: BvhSource, p_ragdoll: Ragdoll, p_stats: Stats) -> void:
-	var delta: float = 1.0 / Engine.physics_ticks_per_second
-	var soles: Dictionary[Vector2i, Array] = {}
-	for tick: int in int((p_source.rig.clip.duration() - BvhSource.BLEND_S) / delta):
-		await physics_frame
-		var time: float = tick * delta
-		var sample: PoseSample = p_source.pose_at(time)
-		if tick > 2:
-			p_stats.add_root(Case.root_of(p_ragdoll), sample.root)
-			_note_soles(p_ragdoll, sample, p_stats, soles)
-		_add_noise(sample, _arguments.value("noise"))
-		p_ragdoll.push_sample(time, sample, p_source.pose_at(0.0).root)
-		p_ragdoll.drive(time, delta)
-
-
-## Compares the sole points of the bodies with those of the true motion.
-func _note_soles(
-	p_ragdoll: Ragdoll, p_true: PoseSample, p_stats: Stats, r_last: Dictionary[Vector2i, Array]
-) -> void:
-	var delta: float = 1.0 / Engine.physics_ticks_per_second
-	var places: Array[Vector3] = _true_joints(p_ragdoll.profile, p_true)
-	var lowest: float = INF
-	var now: Dictionary[Vector2i, Array] = {}
-	for i: int in p_ragdoll.profile.limbs.size():
-		var limb: RagdollLimb = p_ragdoll.profile.limbs[i]
-		for j: int in limb.contact_points.size():
-			var local: Vector3 = (
-				limb.rest_orientation.inverse() * (limb.contact_points[j] - limb.anchor)
-			)
-			var turn: Quaternion = (
-				p_true.orientation(Limbs.find(limb.bone)) * limb.reset_orientation
-			)
-			var there: Vector3 = places[i] + turn * local
-			lowest = minf(lowest, there.y - limb.contact_radius)
-			if limb.is_foot:
-				now[Vector2i(i, j)] = [there, Case.point_of(p_ragdoll, i, local)]
-	for key: Vector2i in now:
-		if r_last.has(key):
-			var truth: Vector3 = (now[key][0] - r_last[key][0]) / delta
-			var shown: Vector3 = (now[key][1] - r_last[key][1]) / delta
-			var stands: bool = Vector2(truth.x, truth.z).length() < Stats.STANDS_BELOW
-			if stands and now[key][0].y < lowest + Stats.STANDS_WITHIN:
-				p_stats.skate.add(Vector2(shown.x - truth.x, shown.z - truth.z).length())
-	p_stats.add_flight(lowest > _FLIGHT, p_ragdoll.motor.is_flying())
-	r_last.assign(now)
-
-
-static func _true_joints(p_profile: RagdollProfile, p_pose: PoseSample) -> Array[Vector3]:
-	var places: Array[Vector3] = []
-	for i: int in p_profile.limbs.size():
-		var limb: RagdollLimb = p_profile.limbs[i]
-		var parent: int = p_profile.get_parent_index(i)
-		if parent < 0:
-			places.append(p_pose.root)
-			continue
-		var above: RagdollLimb = p_profile.limbs[parent]
-		var turn: Quaternion = p_pose.orientation(Limbs.find(above.bone)) * above.reset_orientation
-		var arm: Vector3 = above.rest_orientation.inverse() * (limb.anchor - above.anchor)
-		places.append(places[parent] + turn * arm)
-	return places
-
-
-func _add_noise(p_sample: PoseSample, p_degrees: float) -> void:
-	for limb: int in Limbs.COUNT if p_degrees > 0.0 else 0:
-		var axis: Vector3 = Vector3(_random.randfn(), _random.randfn(), _random.randfn())
-		var turn: Quaternion = Quaternion(axis.normalized(), axis.length() * deg_to_rad(p_degrees))
-		p_sample.set_orientation(limb, p_sample.orientation(limb) * turn)
 
 
 func _add_travel(p_title: String, p_stats: Stats, p_has_goal: bool) -> void:
@@ -323,11 +208,4 @@ func _add(
 	p_case: String, p_metric: String, p_value: float, p_unit: String, p_has: bool, p_goal: float
 ) -> void:
 	var kind: BenchReport.Goal = BenchReport.Goal.AT_MOST if p_has else BenchReport.Goal.NONE
-	_report.add(p_case, p_metric, p_value, p_unit, kind, p_goal)
-
-
-func _add_least(
-	p_case: String, p_metric: String, p_value: float, p_unit: String, p_has: bool, p_goal: float
-) -> void:
-	var kind: BenchReport.Goal = BenchReport.Goal.AT_LEAST if p_has else BenchReport.Goal.NONE
 	_report.add(p_case, p_metric, p_value, p_unit, kind, p_goal)

@@ -172,3 +172,13 @@ static func ball_of(p_ragdoll: Ragdoll, p_side: int) -> Vector3:
 	var ball: Vector3 = (foot.contact_points[1] + foot.contact_points[2]) / 2.0
 	var local: Vector3 = foot.rest_orientation.inverse() * (ball - foot.anchor)
 	return point_of(p_ragdoll, p_ragdoll.profile.limbs.find(foot), local)
+
+
+## Turns every limb of a pose at random, by a standard deviation in degrees.
+static func add_noise(
+	p_sample: PoseSample, p_degrees: float, p_random: RandomNumberGenerator
+) -> void:
+	for limb: int in Limbs.COUNT if p_degrees > 0.0 else 0:
+		var axis: Vector3 = Vector3(p_random.randfn(), p_random.randfn(), p_random.randfn())
+		var turn: Quaternion = Quaternion(axis.normalized(), axis.length() * deg_to_rad(p_degrees))
+		p_sample.set_orientation(limb, p_sample.orientation(limb) * turn)

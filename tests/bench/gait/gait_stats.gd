@@ -5,6 +5,8 @@ extends RefCounted
 const STANDS_BELOW: float = 0.1
 ## And are not higher above the lowest one, m.
 const STANDS_WITHIN: float = 0.03
+## Whoever moves so far (m) from one tick to the next has been put elsewhere by the file.
+const _TELEPORT: float = 0.5
 
 ## Greatest horizontal distance to the truth, m.
 var worst: float = 0.0
@@ -35,6 +37,10 @@ func add_root(p_root: Vector3, p_true: Vector3) -> void:
 		_offset = p_root - p_true
 		_offset.y = 0.0
 		last_true = p_true
+	var jump: Vector3 = p_true - last_true
+	if jump.length() > _TELEPORT:
+		_offset -= Vector3(jump.x, 0.0, jump.z)
+		last_true += Vector3(jump.x, 0.0, jump.z)
 	var off: Vector3 = p_root - p_true - _offset
 	height.add(absf(off.y))
 	worst = maxf(worst, Vector2(off.x, off.z).length())

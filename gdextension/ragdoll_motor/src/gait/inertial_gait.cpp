@@ -13,6 +13,7 @@ namespace {
 constexpr float NEVER = 1e9f;
 constexpr float SURE = 0.05f; // Weight of a point from which it can be anchored.
 constexpr float LOWEST = 0.03f; // Points of the pose that are no higher above the lowest (m) may stand.
+constexpr float LOW = 0.09f; // The same for a foot that is about to strike: who walks has one, who flies has none.
 constexpr float LIKELY = 0.2f; // Share of the surest point's weight from which the body stands on a point.
 constexpr int FIRST_LOOKS = 6; // Steps that ground is looked for above who is told to begin in it.
 constexpr float FIRM = 0.3f; // Sum of weights from which the points' own rise counts.
@@ -116,7 +117,7 @@ float InertialGait::find_support(const GaitInput &p_input) {
 float InertialGait::find_slide() const {
 	float least = NEVER;
 	for (std::size_t i = 0; i < _contacts.size(); i++) {
-		if (_contacts[i].radius - _footing[i].y > _tall - LOWEST) {
+		if (_contacts[i].radius - _footing[i].y > _tall - LOW) {
 			least = std::min(least, level(_implied[i] - _drift).length());
 		}
 	}

@@ -13,13 +13,14 @@ namespace ragdoll {
 /// by that path, the body flies. A pose that comes back to the path before was only quick.
 class Takeoff {
 public:
-	/// Their source is the sweep that InertialGait::Settings describes: each holds at half and at twice its
-	/// value.
+	/// Their source is a sweep over the motion files of `bench gait --cases=clips` (47 of 9 conventions on level
+	/// floors): what finds most flights with less than one a minute invented. With a speed of 0.5 and a clearance
+	/// of 0.015, 40 instead of 46 % were found.
 	struct Settings {
-		float speed = 0.5f; ///< Upward speed below which nobody takes off, m/s.
+		float speed = 0.25f; ///< Upward speed below which nobody takes off, m/s.
 		float jump = 0.8f; ///< Upward speed from which it does not matter whether the lowest points slide, m/s.
 		float slide = 0.7f; ///< Below it (m/s) they still stand: a runner's feet do not, once he flies.
-		float clearance = 0.015f; ///< Height above the ground from which the body flies for certain, m.
+		float clearance = 0.005f; ///< Height above the ground from which the body flies for certain, m.
 	};
 
 	Settings settings;

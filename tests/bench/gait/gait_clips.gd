@@ -1,0 +1,155 @@
+extends "gait_case.gd"
+## Motion files, whose own hips are the truth: runs, dances, crawling, lying, getting up, sitting,
+## jumps.
+
+const Stats: GDScript = preload("gait_stats.gd")
+const Truth: GDScript = preload("gait_truth.gd")
+## Clips shorter than this hold no way that could be measured, s.
+const _SHORTEST_S: float = 1.0
+## The travel may be off by this share of the way or by this, whichever is more, m.
+const _SHARE: float = 0.08
+const _LEAST: float = 0.15
+
+var files: PackedStringArray = []
+## Noise of every limb, degrees.
+var noise_deg: float = 0.0
+## Of the ground, rad.
+var slope: float = 0.0
+
+var _within: int = 0
+var _count: int = 0
+var _flights: int = 0
+var _found: int = 0
+var _invented: int = 0
+var _minutes: float = 0.0
+var _climbing: int = 0
+var _climbing_within: int = 0
+var _climbs: bool = false
+
+
+func run() -> void:
+	for file: String in files:
+		await _run_clip(file)
+	if files.size() < 2:
+		return
+	var title: String = "%s: all clips" % root_name
+	report.add(title, "clips", _count, "")
+	_add_least(title, "within 8 % or 0.15 m", _within, "clips", _count)
+	report.add(title, "of them climb what is not there", _climbing, "")
+	report.add(title, "of those within", _climbing_within, "")
+	if _flights > 0:
+		report.add(title, "flights in truth", _flights, "")
+		_add_least(title, "flights found", 100.0 * _found / _flights, "%", 90.0)
+	_add_most(title, "flights invented", _invented / maxf(_minutes, 0.01), "1/min", 1.0)
+
+
+func _run_clip(p_file: String) -> void:
+	var source: BvhSource = report.open_clip(p_file)
+	if source == null:
+		return
+	if source.rig.clip.duration() < _SHORTEST_S:
+		var parts: Array = [source.rig.clip.duration(), _SHORTEST_S]
+		report.leave_out(p_file, "%.2f s are too short for a way: %.0f s is the least" % parts)
+		return
+	begin()
+	ragdoll.free()
+	ragdoll = Ragdoll.new()
+	var skeleton: Skeleton3D = BvhSkeleton.make(source.rig)
+	ragdoll.add_child(skeleton)
+	ragdoll.profile = SkeletonShapes.describe(skeleton)
+	RagdollBuilder.build(skeleton, ragdoll.profile)
+	ragdoll.root_mode = root_mode
+	if slope == 0.0:
+		Walker.new(ragdoll.profile).build_ground(world)
+	else:
+		add_floor(slope)
+	world.add_child(ragdoll)
+	if ragdoll.start():
+		_add(p_file, await _play(source))
+	else:
+		report.leave_out(p_file, "the ragdoll does not start")
+	await end()
+
+
+func _play(p_source: BvhSource) -> Stats:
+	var stats: Stats = Stats.new()
+	var delta: float = 1.0 / Engine.physics_ticks_per_second
+	var ticks: int = int((p_source.rig.clip.duration() - BvhSource.BLEND_S) / delta)
+	var truth: Truth = Truth.new(ragdoll.profile)
+	truth.read(p_source, ticks, delta)
+	_climbs = truth.climbs
+	var told: Vector3 = p_source.pose_at(0.0).root
+	var before: PackedVector3Array = []
+	for tick: int in ticks:
+		await _tree.physics_frame
+		var sample: PoseSample = p_source.pose_at(time_s)
+		if tick > 2:
+			stats.add_root(root_of(ragdoll), sample.root)
+			stats.add_flight(truth.flies[tick], ragdoll.motor.is_flying())
+			before = _note_soles(truth, tick, before, stats)
+		add_noise(sample, noise_deg, random)
+		ragdoll.push_sample(time_s, sample, told)
+		ragdoll.drive(time_s, delta)
+		time_s += delta
+	_minutes += time_s / 60.0
+	return stats
+
+
+## Compares the sole points of the bodies with those of the true motion.
+func _note_soles(
+	p_truth: Truth, p_tick: int, p_before: PackedVector3Array, p_stats: Stats
+) -> PackedVector3Array:
+	var delta: float = 1.0 / Engine.physics_ticks_per_second
+	var places: PackedVector3Array = p_truth.points[p_tick]
+	var lowest: float = INF
+	var now: PackedVector3Array = []
+	for i: int in places.size():
+		lowest = minf(lowest, p_truth.height_of(i, places))
+		now.append(point_of(ragdoll, p_truth.limbs[i], p_truth.locals[i]))
+	for i: int in places.size() if not p_before.is_empty() else 0:
+		if not ragdoll.profile.limbs[p_truth.limbs[i]].is_foot:
+			continue
+		var moved: Vector3 = (places[i] - p_truth.points[p_tick - 1][i]) / delta
+		var shown: Vector3 = (now[i] - p_before[i]) / delta
+		var stands: bool = Vector2(moved.x, moved.z).length() < Stats.STANDS_BELOW
+		if stands and places[i].y < lowest + Stats.STANDS_WITHIN:
+			p_stats.skate.add(Vector2(shown.x - moved.x, shown.z - moved.z).length())
+	return now
+
+
+func _add(p_file: String, p_stats: Stats) -> void:
+	var title: String = "%s: %s" % [root_name, p_file.get_file()]
+	report.add(title, "way", p_stats.way, "m")
+	var most: float = maxf(_SHARE * p_stats.way, _LEAST)
+	_add_most(title, "max travel error", p_stats.worst, "m", most)
+	report.add(title, "the same, of the way", p_stats.travel_percent(), "%")
+	report.add(title, "body height error", 1000.0 * p_stats.height.mean(), "mm")
+	report.add(title, "stance-foot skate", 100.0 * p_stats.skate.mean(), "cm/s")
+	if p_stats.flights > 0 or p_stats.invented > 0:
+		var share: float = 100.0 * p_stats.found / maxf(p_stats.flights, 1.0)
+		report.add(title, "flights in truth", p_stats.flights, "")
+		report.add(title, "flights found", share, "%")
+		report.add(title, "flights invented", p_stats.invented, "")
+	_count += 1
+	_within += 1 if p_stats.worst <= most else 0
+	_climbing += 1 if _climbs else 0
+	_climbing_within += 1 if _climbs and p_stats.worst <= most else 0
+	_flights += p_stats.flights
+	_found += p_stats.found
+	_invented += p_stats.invented
+
+
+func _add_most(
+	p_case: String, p_metric: String, p_value: float, p_unit: String, p_goal: float
+) -> void:
+	var has: bool = root_mode == RagdollMotor.ROOT_INERTIAL
+	var kind: BenchReport.Goal = BenchReport.Goal.AT_MOST if has else BenchReport.Goal.NONE
+	report.add(p_case, p_metric, p_value, p_unit, kind, p_goal)
+
+
+func _add_least(
+	p_case: String, p_metric: String, p_value: float, p_unit: String, p_goal: float
+) -> void:
+	var has: bool = root_mode == RagdollMotor.ROOT_INERTIAL
+	var kind: BenchReport.Goal = BenchReport.Goal.AT_LEAST if has else BenchReport.Goal.NONE
+	report.add(p_case, p_metric, p_value, p_unit, kind, p_goal)
