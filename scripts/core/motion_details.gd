@@ -26,3 +26,8 @@ var joints: Dictionary[int, Quaternion] = {}
 ## Which limbs were measured and not filled from their neighbours: 1 or 0, by [Limbs]; empty if all
 ## were.
 var measured: PackedByteArray = PackedByteArray()
+
+
+## Whether the rates of all limbs were measured.
+func knows_all_rates() -> bool:
+	return rates.size() == Limbs.COUNT and not measured.has(0)

@@ -5,15 +5,19 @@ extends SceneTree
 ## mode, both roots, 30, 60 and 120 Hz), or one combination: --mode=velocity_motor|direct_set|
 ## spring_torque|angular_motor|position_motor|limp, --root=held|soft, --hz=60 (ticks), --buffer=0
 ## (ticks of delay that make the next sample known), --self-collision. Besides: --gain=50 (1/s),
-## --noise=0 (white noise of each limb, deg), --seconds=0 (of each clip; 0 is all). A file that
+## --noise=0 (white noise of each limb, deg), --rates (samples know the limbs' turning rates over
+## the last 4 ms, as a suit's gyroscopes do), --seconds=0 (of each clip; 0 is all). A file that
 ## cannot be measured is left out and named at the end.
 
 const Case: GDScript = preload("tracking/tracking_case.gd")
 const _START_S: float = 0.3
+## Over which a gyroscope's rate is taken, s.
+const _GYRO_S: float = 0.004
 ## Metrics: key in the tracking stats, name, unit, factor.
 const _METRICS: Array[Array] = [
 	["mean_deg", "mean error", "deg", 1.0],
 	["p95_deg", "p95 error", "deg", 1.0],
+	["p99_deg", "p99 error", "deg", 1.0],
 	["lag_s", "lag", "ms", 1000.0],
 	["distance_m", "joint position", "mm", 1000.0],
 ]
@@ -36,6 +40,7 @@ func _initialize() -> void:
 			"all": false,
 			"gain": 0.0,
 			"noise": 0.0,
+			"rates": false,
 			"seconds": 0.0
 		}
 	)
@@ -155,10 +160,20 @@ func _play(p_source: BvhSource, p_ragdoll: Ragdoll, p_case: Case) -> void:
 		if tick * delta > _START_S:
 			p_ragdoll.motor.measure(tick * delta)
 		var sampled: PoseSample = p_source.pose_at((tick + p_case.buffer) * delta)
+		if _arguments.value("rates"):
+			_add_rates(sampled, p_source, (tick + p_case.buffer) * delta)
 		_add_noise(sampled)
 		p_ragdoll.push_sample((tick + p_case.buffer) * delta, sampled, sampled.root)
 		p_ragdoll.drive(tick * delta, delta)
 		tick += 1
+
+
+func _add_rates(p_sample: PoseSample, p_source: BvhSource, p_time_s: float) -> void:
+	var before: PoseSample = p_source.pose_at(maxf(p_time_s - _GYRO_S, 0.0))
+	p_sample.details = MotionDetails.new()
+	for limb: int in Limbs.COUNT:
+		var turn: Quaternion = p_sample.orientation(limb) * before.orientation(limb).inverse()
+		p_sample.details.rates.append(Rotations.vector(turn) / _GYRO_S)
 
 
 func _add_noise(p_sample: PoseSample) -> void:
@@ -190,15 +205,15 @@ func _add_stats(p_case: Case, p_of: String, p_stats: Dictionary, p_is_total: boo
 	if p_is_total and alone:
 		return
 	var name: String = "%s: %s" % [p_case.name(), p_of]
-	for i: int in _METRICS.size():
-		var metric: Array = _METRICS[i]
+	for metric: Array in _METRICS:
+		var goal: float = p_case.goals.get(metric[0], 0.0)
 		var kind: BenchReport.Goal = BenchReport.Goal.NONE
-		if (p_is_total or alone) and p_case.goals[i] > 0.0 and _arguments.value("noise") == 0.0:
+		if (p_is_total or alone) and goal > 0.0 and _arguments.value("noise") == 0.0:
 			kind = BenchReport.Goal.AT_MOST
 		if kind != BenchReport.Goal.NONE and metric[0] == "lag_s":
 			kind = BenchReport.Goal.WITHIN
 		var value: float = p_stats[metric[0]] * metric[3]
-		_report.add(name, metric[1], value, metric[2], kind, p_case.goals[i])
+		_report.add(name, metric[1], value, metric[2], kind, goal)
 	if p_stats["lag_unknown"] > 0:
 		# The value is then the bound of the search, which is beyond any goal.
 		_report.add(name, "lag beyond the search", p_stats["lag_unknown"], "clips")

@@ -34,6 +34,7 @@ Dictionary RagdollMotor::get_tracking() const {
 	tracking["count"] = known ? int64_t(_driver->get_meter().get_count()) : int64_t(0);
 	tracking["mean_deg"] = known ? _driver->get_meter().mean() * DEGREES : 0.0;
 	tracking["p95_deg"] = known ? _driver->get_meter().percentile(0.95) * DEGREES : 0.0;
+	tracking["p99_deg"] = known ? _driver->get_meter().percentile(0.99) * DEGREES : 0.0;
 	tracking["latest_deg"] = known ? _driver->get_meter().latest() * DEGREES : 0.0;
 	tracking["distance_m"] = known ? _driver->get_meter().mean_distance() : 0.0;
 	tracking["lag_s"] = known ? _driver->get_meter().lag() : 0.0;

@@ -28,11 +28,13 @@ bool is_rotation(const Quat &p_value) {
 
 } // namespace
 
-PoseStream::PoseStream(std::size_t p_limb_count) : _limb_count(p_limb_count), _filter(p_limb_count) {
+PoseStream::PoseStream(std::size_t p_limb_count) :
+		_limb_count(p_limb_count), _filter(p_limb_count), _turns(p_limb_count, RatePredictor(SMALL_TURN)) {
 	for (Sample &sample : _ring) {
 		sample.sampled.resize(_limb_count);
 		sample.orientations.resize(_limb_count);
 		sample.rates.resize(_limb_count);
+		sample.turn_changes.resize(_limb_count);
 	}
 }
 
@@ -92,6 +94,8 @@ bool PoseStream::push(double p_time_s, const float *p_orientations, const Vec3 &
 		}
 	}
 	calm(sample, p_rates != nullptr);
+	sample.knows_rates = p_rates != nullptr;
+	foresee(sample);
 	_head = next;
 	_count = std::min(_count + 1, CAPACITY);
 	return true;
@@ -126,6 +130,27 @@ void PoseStream::calm(Sample &r_sample, bool p_knows_rates) {
 		r_sample.orientations[i] = _filter.get_orientation(i);
 		r_sample.rates[i] = p_knows_rates ? r_sample.rates[i] : _filter.get_rate(i).limited(FASTEST_TURN);
 	}
+}
+
+void PoseStream::foresee(Sample &r_sample) {
+	const double span = _count > 0 ? r_sample.time_s - newest() : MAX_GAP;
+	const bool follows = span < MAX_GAP;
+	r_sample.span_s = follows ? span : 0.0;
+	for (std::size_t i = 0; i < _limb_count; i++) {
+		if (follows) {
+			const Vec3 turned = log(at(0).orientations[i].inverse() * r_sample.orientations[i]);
+			_turns[i].advance(turned * (1.0f / float(span)), r_sample.rates[i], float(span));
+		} else {
+			_turns[i].begin(r_sample.rates[i]);
+		}
+		r_sample.turn_changes[i] = _turns[i].get_change();
+	}
+	if (follows) {
+		_path.advance((r_sample.root - at(0).root) * (1.0f / float(span)), r_sample.root_rate, float(span));
+	} else {
+		_path.begin(r_sample.root_rate);
+	}
+	r_sample.root_change = _path.get_change();
 }
 
 float PoseStream::forgetting(double p_span_s) const {
@@ -181,10 +206,17 @@ void PoseStream::interpolate(double p_time_s, std::vector<Quat> Sample::*p_which
 void PoseStream::extrapolate(double p_age_s, Pose &r_pose) const {
 	const Sample &newest_sample = at(0);
 	const float ahead = float(faded(p_age_s));
+	// The change of the mean rate grows with the time ahead. An estimated rate is that of half a span
+	// before the sample, a gyroscope's that of the sample. Beyond a span nothing is known of it.
+	const float span = float(newest_sample.span_s);
+	const float part = span > 0.0f ? std::min(ahead / span, 1.0f) : 0.0f;
+	const float begun = newest_sample.knows_rates ? 0.0f : 0.5f;
+	const float changed = part * span * (begun + (1.0f - begun) * part);
 	for (std::size_t i = 0; i < _limb_count; i++) {
-		r_pose.orientations[i] = newest_sample.orientations[i] * exp(newest_sample.rates[i] * ahead);
+		const Vec3 turn = newest_sample.rates[i] * ahead + newest_sample.turn_changes[i] * changed;
+		r_pose.orientations[i] = newest_sample.orientations[i] * exp(turn);
 	}
-	r_pose.root = newest_sample.root + newest_sample.root_rate * ahead;
+	r_pose.root = newest_sample.root + newest_sample.root_rate * ahead + newest_sample.root_change * changed;
 }
 
 void PoseStream::save(ArchiveWriter &p_archive) const {
@@ -203,7 +235,15 @@ void PoseStream::save(ArchiveWriter &p_archive) const {
 		p_archive.put_all(sample.sampled);
 		p_archive.put_all(sample.orientations);
 		p_archive.put_all(sample.rates);
+		p_archive.put_all(sample.turn_changes);
+		p_archive.put(sample.root_change);
+		p_archive.put(sample.span_s);
+		p_archive.put(sample.knows_rates);
 	}
+	for (const RatePredictor &turns : _turns) {
+		turns.save(p_archive);
+	}
+	_path.save(p_archive);
 }
 
 bool PoseStream::restore(ArchiveReader &p_archive) {
@@ -229,7 +269,15 @@ bool PoseStream::restore(ArchiveReader &p_archive) {
 		p_archive.get_all(sample.sampled);
 		p_archive.get_all(sample.orientations);
 		p_archive.get_all(sample.rates);
+		p_archive.get_all(sample.turn_changes);
+		p_archive.get(sample.root_change);
+		p_archive.get(sample.span_s);
+		p_archive.get(sample.knows_rates);
 	}
+	for (RatePredictor &turns : _turns) {
+		turns.restore(p_archive);
+	}
+	_path.restore(p_archive);
 	_count = p_archive.is_good() ? samples : 0;
 	_teleported = jumped;
 	return p_archive.is_good();

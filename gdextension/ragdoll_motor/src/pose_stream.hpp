@@ -3,6 +3,7 @@
 
 #include "archive.hpp"
 #include "pose_filter.hpp"
+#include "rate_predictor.hpp"
 #include "vectors.hpp"
 
 #include <array>
@@ -21,6 +22,7 @@ struct Pose {
 ///
 /// Causal: only what has arrived is used. Between samples it interpolates. Beyond the newest it goes
 /// on with the turning rates of the last samples (or a gyroscope's), which fade: human limbs brake.
+/// How the rates change until the next sample is learnt from the motion (RatePredictor).
 /// When the stream stalls it goes back to the last pose: stale feed-forward is worse than none. White
 /// noise is taken out where that is asked for.
 class PoseStream {
@@ -45,6 +47,9 @@ public:
 
 	/// A gyroscope's rate above this (rad/s) is none: the sample's rates are estimated then.
 	static constexpr float FASTEST_GYRO = 100.0f;
+	/// Changes of rate below this say nothing about the next: of a limb (rad/s) and of the root (m/s).
+	static constexpr float SMALL_TURN = 0.035f;
+	static constexpr float SMALL_SPEED = 0.02f;
 	/// So many samples in a row that are older than the newest (each newer than the one before) are a
 	/// clock that was set back, or a newest one whose time was wrong: the stream begins anew.
 	static constexpr int CLOCK_SET_BACK = 30;
@@ -92,6 +97,10 @@ private:
 		std::vector<Vec3> rates; // In the limbs' own axes, rad/s.
 		Vec3 root;
 		Vec3 root_rate; // m/s
+		std::vector<Vec3> turn_changes; // Of the rates until the next sample, rad/s.
+		Vec3 root_change; // m/s
+		double span_s = 0.0; // Since the sample before; 0 where the changes are not known.
+		bool knows_rates = false; // Whether the rates are a gyroscope's.
 	};
 
 	/// The sample that came p_age samples before the newest.
@@ -99,6 +108,7 @@ private:
 	void calm(Sample &r_sample, bool p_knows_rates);
 	bool comes_late(double p_time_s);
 	void estimate_rates(const Sample &p_before, Sample &r_sample) const;
+	void foresee(Sample &r_sample);
 	void interpolate(double p_time_s, std::vector<Quat> Sample::*p_which, Pose &r_pose) const;
 	void extrapolate(double p_age_s, Pose &r_pose) const;
 
@@ -113,6 +123,8 @@ private:
 	double _latest_late_s = 0.0;
 	bool _calms = false;
 	PoseFilter _filter;
+	std::vector<RatePredictor> _turns; // One for each limb.
+	RatePredictor _path{ SMALL_SPEED };
 };
 
 } // namespace ragdoll

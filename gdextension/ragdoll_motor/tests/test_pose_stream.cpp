@@ -98,6 +98,71 @@ TEST(a_gyroscope_is_believed) {
 	CHECK(!stream.push(0.04, still, {}, bad));
 }
 
+namespace {
+
+/// How far the predictions of the next sample are off on average over the second half of a motion, by
+/// the angle at each step of 1/60 s.
+template <class Angle>
+float mean_miss(Angle p_angle, bool p_with_gyroscope) {
+	PoseStream stream(1);
+	float sum = 0.0f;
+	const int count = 240;
+	for (int i = 0; i < count; i++) {
+		const double time = i / 60.0;
+		const Quat turn = exp({ 0.0f, p_angle(time), 0.0f });
+		const float values[4] = { turn.x, turn.y, turn.z, turn.w };
+		const float rates[3] = { 0.0f, (p_angle(time + 1e-3) - p_angle(time - 1e-3)) / 2e-3f, 0.0f };
+		stream.push(time, values, {}, p_with_gyroscope ? rates : nullptr);
+		sum += i < count / 2 ? 0.0f : std::abs(angle_at(stream, time + 1.0 / 60.0) - p_angle(time + 1.0 / 60.0));
+	}
+	return sum / float(count / 2);
+}
+
+float swing(double p_time) {
+	return 0.8f * float(std::sin(2.0 * 3.14159265 * 1.5 * p_time));
+}
+
+} // namespace
+
+TEST(smooth_motion_is_foreseen_by_its_acceleration) {
+	// Without, the error is half a span's change of rate more: a dt^2, with a gyroscope a dt^2 / 2.
+	const float acceleration = 0.8f * 9.42f * 9.42f * 2.0f / 3.14159f; // Its mean magnitude.
+	const float plain = acceleration / 3600.0f;
+	CHECK(mean_miss(swing, false) < 0.35f * plain);
+	CHECK(mean_miss(swing, true) < 0.2f * plain);
+}
+
+TEST(what_turns_back_each_time_is_not_gone_on_with) {
+	// White noise at rest: half of what the last difference says is noise of the sample before.
+	std::mt19937 random(3);
+	std::normal_distribution<float> noise(0.0f, 0.01f);
+	PoseStream stream(1);
+	float plain = 0.0f;
+	float missed = 0.0f;
+	float before = 0.0f;
+	for (int i = 0; i < 600; i++) {
+		const float angle = noise(random);
+		push(stream, i / 60.0, angle);
+		const float ahead = angle_at(stream, (i + 1) / 60.0);
+		missed += i < 100 ? 0.0f : ahead * ahead;
+		plain += i < 100 ? 0.0f : (2.0f * angle - before) * (2.0f * angle - before);
+		before = angle;
+	}
+	CHECK(missed < 0.8f * plain);
+}
+
+TEST(a_sudden_change_is_not_taken_for_an_acceleration) {
+	PoseStream stream(1);
+	float angle = 0.0f;
+	for (int i = 0; i < 120; i++) {
+		angle = 0.3f * float(std::sin(i * 0.1));
+		push(stream, i / 60.0, angle);
+	}
+	push(stream, 2.0, angle + 0.4f);
+	// The turn of 0.4 goes on for the next step, but does not become 0.8.
+	CHECK(angle_at(stream, 2.0 + 1.0 / 60.0) < angle + 0.4f + 0.45f);
+}
+
 TEST(a_glitch_is_no_speed) {
 	PoseStream stream(1);
 	for (int i = 0; i < 5; i++) {

@@ -246,15 +246,31 @@ func get_joints() -> PersonSkeleton:
 
 
 ## Takes a sample of the motion and returns whether it was usable. [param p_time_s] is in the
-## wearer's clock; [param p_root] is the target of the hips in the world, m.
+## wearer's clock; [param p_root] is the target of the hips in the world, m. Known rates are used.
 func push_sample(p_time_s: float, p_sample: PoseSample, p_root: Vector3) -> bool:
-	return motor.push_sample(p_time_s, p_sample.orientations, p_root)
+	var rates: PackedFloat32Array = PackedFloat32Array()
+	if p_sample.details != null and p_sample.details.knows_all_rates():
+		rates = _own_rates(p_sample)
+	return motor.push_sample(p_time_s, p_sample.orientations, p_root, rates)
 
 
 ## Sets the motors for the next step, from a [method Node._physics_process]. Many people are driven
 ## by one call of [method RagdollMotor.drive_all].
 func drive(p_time_s: float, p_delta_s: float) -> void:
 	motor.drive(p_time_s, p_delta_s)
+
+
+## A sample's rates in the axes of the profile's limbs.
+func _own_rates(p_sample: PoseSample) -> PackedFloat32Array:
+	var rates: PackedFloat32Array = PackedFloat32Array()
+	for limb: RagdollLimb in profile.limbs:
+		var slot: int = Limbs.BONES.find(limb.bone)
+		if slot < 0:
+			return PackedFloat32Array()
+		var turned: Quaternion = p_sample.orientation(slot) * limb.reset_orientation
+		var own: Vector3 = turned.inverse() * p_sample.details.rates[slot]
+		rates.append_array([own.x, own.y, own.z])
+	return rates
 
 
 func _can_fit() -> bool:

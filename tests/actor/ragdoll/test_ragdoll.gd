@@ -19,6 +19,33 @@ func test_holds_the_reset_pose() -> void:
 		player.ragdoll.free()
 
 
+func test_rates_of_a_sample_are_gone_on_with() -> void:
+	# All that is known is one sample of somebody who turns about an oblique axis, with rates or
+	# without those of one limb.
+	var spin: Vector3 = Vector3(0.5, 2.0, 0.3)
+	for known: bool in [true, false]:
+		var player: Stage.Player = _stage.add_soldier(STANDING, HELD)
+		player.pose = func(_time: float) -> PoseSample:
+			var sample: PoseSample = Stage.arms_pose(60.0, -20.0)
+			sample.details = MotionDetails.new()
+			sample.details.rates.resize(Limbs.COUNT)
+			sample.details.rates.fill(spin)
+			if not known:
+				sample.details.measured.resize(Limbs.COUNT)
+			return sample
+		var begun: float = _stage.time_s
+		player.lost = func(time: float) -> bool: return time > begun
+		await _stage.run(3)
+		var turned: PoseSample = Stage.arms_pose(60.0, -20.0)
+		var turn: Quaternion = Quaternion(spin.normalized(), spin.length() * 0.05)
+		for limb: int in Limbs.COUNT:
+			turned.set_orientation(limb, turn * turned.orientation(limb))
+		var off: float = player.worst_error_deg(turned)
+		is_true(off < 1.0 if known else off > 4.0, "off by %f deg" % off)
+		_stage.players.clear()
+		player.ragdoll.free()
+
+
 func test_the_reset_pose_is_a_t_pose_that_faces_plus_z() -> void:
 	var player: Stage.Player = _stage.add_soldier(STANDING, HELD)
 	await _stage.run(60)

@@ -18,8 +18,8 @@ var hz: int = 60
 var buffer: int = 0
 ## Whether the person's own limbs collide.
 var self_collision: bool = false
-## Greatest mean and 95th percentile of the error, deg; lag, ms; distance, mm. 0: no goal.
-var goals: PackedFloat64Array = [0.0, 0.0, 0.0, 0.0]
+## Greatest values of what [method RagdollMotor.get_tracking] finds, by its keys: deg, ms, mm.
+var goals: Dictionary[String, float] = {}
 
 
 func _init(p_mode: String, p_root: String, p_hz: int, p_buffer: int) -> void:
@@ -50,7 +50,7 @@ static func usual() -> Array:
 		cases.append(Case.new("velocity_motor", root_name, 120, 0))
 	var touching: Case = Case.new("velocity_motor", "soft", 60, 0)
 	touching.self_collision = true
-	touching.goals = [0.0, 0.0, 0.0, 0.0]
+	touching.goals = {}
 	cases.append(touching)
 	for mode_name: String in MODES:
 		if mode_name != "velocity_motor" and mode_name != "limp":
@@ -70,10 +70,13 @@ static func all() -> Array:
 
 func _set_goals() -> void:
 	if buffer > 0:
-		goals = [0.2, 0.6, 0.0, 0.0] if hz == 60 and buffer == 1 else goals
+		if hz == 60 and buffer == 1:
+			goals = {"mean_deg": 0.2, "p95_deg": 0.6}
 	elif hz == 60:
-		goals = [1.2, 3.7, 4.0, 6.0 if root == RagdollMotor.ROOT_HELD else 0.0]
+		goals = {"mean_deg": 1.2, "p95_deg": 3.7, "lag_s": 4.0}
+		if root == RagdollMotor.ROOT_HELD:
+			goals["distance_m"] = 6.0
 	elif hz == 30:
-		goals = [3.0, 0.0, 0.0, 0.0]
+		goals = {"mean_deg": 3.0}
 	elif hz == 120:
-		goals = [1.0, 0.0, 0.0, 0.0]
+		goals = {"mean_deg": 1.0}
