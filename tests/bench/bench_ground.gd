@@ -1,18 +1,25 @@
 extends SceneTree
 ## What carries people, and what becomes of them when they are pushed or the ground is not level.
 ##
-## Options: --scene=stand|clip|push|slopes|stairs|crates|wall|platforms (again for more; default
-## all), --root=grounded|soft|inertial (default grounded), --bvh=FILE (of the scene clip, again for
-## more; default the clips in assets/motion), --hz=60, --set=PROPERTY=NUMBER (of Ragdoll, again for
-## more), --trace (prints pushes as they go).
+## Options: --scene=stand|clip|push|blocked|slopes|stairs|crates|wall|platforms (again for more;
+## default all), --root=grounded|soft|inertial|held|lowest_foot|contacts|pendulum|self_righting
+## (default grounded), --bvh=FILE (of the scenes clip and blocked, again for more; default the clips
+## in assets/motion), --obstacle=wall|corner|table|door (of blocked, again for more; default all),
+## --hz=60, --set=PROPERTY=NUMBER (of Ragdoll, again for more), --trace (prints
+## pushes and the deepest limbs as they go).
 
 const _ROOTS: Dictionary[String, RagdollMotor.RootMode] = {
 	"grounded": RagdollMotor.ROOT_GROUNDED,
 	"soft": RagdollMotor.ROOT_SOFT,
 	"inertial": RagdollMotor.ROOT_INERTIAL,
+	"held": RagdollMotor.ROOT_HELD,
+	"lowest_foot": RagdollMotor.ROOT_LOWEST_FOOT,
+	"contacts": RagdollMotor.ROOT_CONTACTS,
+	"pendulum": RagdollMotor.ROOT_PENDULUM,
+	"self_righting": RagdollMotor.ROOT_SELF_RIGHTING,
 }
 const _SCENES: Array[String] = [
-	"stand", "clip", "push", "slopes", "stairs", "crates", "wall", "platforms"
+	"stand", "clip", "push", "blocked", "slopes", "stairs", "crates", "wall", "platforms"
 ]
 ## Of long clips so much is played, s; shorter ones tell nothing.
 const _MAX_S: float = 60.0
@@ -28,7 +35,15 @@ var _properties: Dictionary[StringName, float] = {}
 func _initialize() -> void:
 	_arguments = BenchArguments.parse(
 		OS.get_cmdline_user_args(),
-		{"scene": "", "root": "grounded", "bvh": "", "hz": 60, "set": "", "trace": false}
+		{
+			"scene": "",
+			"root": "grounded",
+			"bvh": "",
+			"hz": 60,
+			"set": "",
+			"trace": false,
+			"obstacle": ""
+		}
 	)
 	_run.call_deferred()
 
@@ -56,6 +71,8 @@ func _run() -> void:
 					await _clip(file)
 			"push":
 				await _push()
+			"blocked":
+				await _blocked()
 			_:
 				await walks.call(name)
 	quit(_report.finish())
@@ -69,6 +86,9 @@ func _find_fault() -> String:
 			return "--scene is one of %s; found '%s'" % [", ".join(_SCENES), name]
 	if not _ROOTS.has(_arguments.value("root")):
 		return "--root is one of %s" % ", ".join(_ROOTS.keys())
+	for name: String in _arguments.list("obstacle"):
+		if not name in GroundObstacles.KINDS:
+			return "--obstacle is one of %s" % ", ".join(GroundObstacles.KINDS)
 	if _arguments.value("hz") < 10 or _arguments.value("hz") > 1000:
 		return "a tick rate is between 10 and 1000, found %d" % _arguments.value("hz")
 	for pair: String in _arguments.list("set"):
@@ -120,17 +140,44 @@ func _push() -> void:
 			run.end()
 
 
-func _clip(p_file: String) -> void:
+func _blocked() -> void:
+	var kinds: PackedStringArray = _arguments.list("obstacle")
+	var side: int = 0
+	for file: String in BenchArguments.clips(_arguments):
+		var performer: ContactPerformer = _open(file)
+		if performer == null:
+			continue
+		for kind: String in GroundObstacles.KINDS if kinds.is_empty() else kinds:
+			var world: ContactWorld = ContactWorld.new(_arguments.value("hz"))
+			root.add_child(world)
+			var person: ContactPerson = performer.enter(world, _ROOTS[_arguments.value("root")])
+			var blocked: GroundBlocked = GroundBlocked.new(_arguments.value("trace"))
+			await blocked.run(world, person, performer, kind, side)
+			blocked.tell(_report, "%s, %s" % [kind, file.get_file()])
+			world.queue_free()
+			side += 1
+
+
+## Somebody who plays a motion file, or null, which is noted.
+func _open(p_file: String) -> ContactPerformer:
 	var source: BvhSource = _report.open_clip(p_file)
 	if source == null:
-		return
+		return null
 	var performer: ContactPerformer = ContactPerformer.new(source, false, _properties)
 	if not performer.is_possible():
 		_report.leave_out(p_file, "no body can be made of its skeleton")
-		return
+		return null
 	if performer.duration() < _MIN_S:
 		_report.leave_out(p_file, "shorter than %.0f s" % _MIN_S)
+		return null
+	return performer
+
+
+func _clip(p_file: String) -> void:
+	var performer: ContactPerformer = _open(p_file)
+	if performer == null:
 		return
+	var source: BvhSource = performer.source
 	var run: GroundRun = _begin(performer)
 	run.world.add_person(
 		run.person,

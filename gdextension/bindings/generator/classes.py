@@ -50,6 +50,7 @@ class ClassWriter:
         self._methods: list[Json] = []
         self._mentioned: set[str] = set()
         self._included: set[str] = set()
+        self._has_ref_default = False
 
     def write(self) -> None:
         """Fills body and source."""
@@ -96,6 +97,11 @@ class ClassWriter:
             self._add_virtual(name, method["name"], const, parameters, result)
             return
         self._methods.append(method)
+        # A default is an object, which takes more than a declaration of its class.
+        for parameter in parameters:
+            if parameter.default is not None and parameter.type.kind is Kind.REF:
+                self._included.add(parameter.type.engine_class)
+                self._has_ref_default = True
         if method["is_vararg"]:
             self._add_vararg(name, method, parameters, result)
             return
@@ -148,6 +154,8 @@ class ClassWriter:
         """The whole header."""
         includes = ["classes/global_constants.hpp", "classes/wrapped.hpp", "variant/variant.hpp"]
         includes += [f"classes/{snake_case(used)}.hpp" for used in sorted(self._included)]
+        if self._has_ref_default:
+            includes.append("classes/ref.hpp")
         if any("TypedArray<" in line for line in self._body):
             includes.append("variant/typed_array.hpp")
         if self.parent != "Wrapped":

@@ -61,6 +61,9 @@ ragdoll::Footing GroundRays::find(const ragdoll::Vec3 &p_at, float p_above) cons
 	// The engine's velocity is that of the centre of mass.
 	const Transform3D frame = server->body_get_state(body, PhysicsServer3D::BODY_STATE_TRANSFORM);
 	const PhysicsDirectBodyState3D *state = server->body_get_direct_state(body);
+	found.body = std::uint64_t(body.get_id());
+	found.orientation = to_core(frame.basis);
+	found.origin = to_core(frame.origin);
 	found.pivot = to_core(frame.origin + (state != nullptr ? state->get_center_of_mass() : Vector3()));
 	return found;
 }

@@ -115,6 +115,7 @@ void RagdollMotor::bind_measurement() {
 	ClassDB::bind_method(D_METHOD("set_frame", "frame"), &RagdollMotor::set_frame);
 	ClassDB::bind_method(D_METHOD("get_frame"), &RagdollMotor::get_frame);
 	ClassDB::bind_method(D_METHOD("get_root_target"), &RagdollMotor::get_root_target);
+	ClassDB::bind_method(D_METHOD("get_tether"), &RagdollMotor::get_tether);
 	ClassDB::bind_method(D_METHOD("get_balance"), &RagdollMotor::get_balance);
 	ClassDB::bind_method(D_METHOD("is_flying"), &RagdollMotor::is_flying);
 	ClassDB::bind_method(D_METHOD("get_contact_weights"), &RagdollMotor::get_contact_weights);

@@ -77,6 +77,10 @@ Vector3 RagdollMotor::get_root_target() const {
 	return _driver ? from_core(_driver->get_root_target()) : Vector3();
 }
 
+Vector3 RagdollMotor::get_tether() const {
+	return _driver ? from_core(_driver->get_tether()) : Vector3();
+}
+
 Dictionary RagdollMotor::get_balance() const {
 	Dictionary balance;
 	if (_driver != nullptr && _driver->root_mode == ragdoll::RootMode::GROUNDED) {

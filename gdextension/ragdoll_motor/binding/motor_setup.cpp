@@ -146,6 +146,7 @@ bool RagdollMotor::make_driver(
 	}
 	_driver = std::make_unique<ragdoll::Driver>(ragdoll::Rig(std::move(limbs)), limb_groups, _groups.size(), _contacts);
 	_driver->righted_limb = righted;
+	_obstacles.attach(_body_rids);
 	_state.resize(std::size_t(count));
 	_shown.reserve(std::size_t(count));
 	resize_body_pose();

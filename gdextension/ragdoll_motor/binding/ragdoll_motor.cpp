@@ -90,11 +90,12 @@ void RagdollMotor::apply_settings() {
 	_driver->get_guard().max_energy = float(_max_energy);
 	_driver->measures_torque = _measures_torque;
 	_driver->get_meter().measures_lag = _measures_lag;
+	_driver->obstacles = &_obstacles;
 	look_at_ground();
 }
 
 void RagdollMotor::look_at_ground() {
-	const bool wanted = _driver && ragdoll::needs_ground(_driver->root_mode) && is_inside_tree();
+	const bool wanted = _driver && is_inside_tree();
 	_driver->ground = wanted ? &_ground : nullptr;
 	if (wanted) {
 		_ground.attach(this, _body_rids, std::uint32_t(_ground_mask));
@@ -158,7 +159,7 @@ bool RagdollMotor::drive(double p_time_s, double p_delta_s) {
 		return false;
 	}
 	_is_state_read = false; // It is about to change, by us and by the step.
-	if (ragdoll::needs_ground(_driver->root_mode) && (_driver->ground != nullptr) != is_inside_tree()) {
+	if ((_driver->ground != nullptr) != is_inside_tree()) {
 		look_at_ground(); // It has come into the tree, or left it, since.
 	}
 	const ragdoll::StepCommands &commands = _driver->step(_state, p_time_s, float(p_delta_s));

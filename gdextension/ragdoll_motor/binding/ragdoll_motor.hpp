@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ground_rays.hpp"
+#include "obstacle_sweep.hpp"
 #include "physics_check.hpp"
 #include "ragdoll_bodies.hpp"
 #include "ragdoll_control_profile.hpp"
@@ -117,6 +118,7 @@ public:
 	void set_frame(const Transform3D &p_frame);
 	Transform3D get_frame() const;
 	Vector3 get_root_target() const;
+	Vector3 get_tether() const;
 	Dictionary get_balance() const;
 	bool is_flying() const;
 	PackedFloat32Array get_contact_weights() const;
@@ -216,6 +218,7 @@ private:
 	std::unique_ptr<RagdollBodies> _bodies;
 
 	GroundRays _ground;
+	ObstacleSweep _obstacles;
 
 	// Kept between ticks, so that a tick allocates nothing.
 	ragdoll::RigState _state;

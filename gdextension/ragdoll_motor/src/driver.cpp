@@ -62,6 +62,27 @@ void Driver::MotionFrame::apply(Pose &r_pose) const {
 void Driver::set_frame(const Quat &p_orientation, const Vec3 &p_origin) {
 	_frame_next = { p_orientation, p_origin, false };
 	_frame_next.is_identity = p_origin.length() == 0.0f && p_orientation.w == 1.0f;
+	_is_frame_set = true;
+}
+
+Driver::MotionFrame Driver::MotionFrame::moved(const Ride &p_ride) const {
+	return { (p_ride.turn * orientation).normalized(), p_ride.apply(origin), false };
+}
+
+void Driver::ride(const RigState &p_state, float p_delta_s) {
+	if (_is_frame_set || ground == nullptr) {
+		// Who is in a seat goes where that goes.
+		_carrier.clear();
+		_frame_base = _frame_next;
+		_is_frame_set = false;
+	} else {
+		_carrier.advance(_rig, _contacts, p_state, *ground, p_delta_s);
+		_frame_base = _carrier.get_past().moves ? _frame_base.moved(_carrier.get_past()) : _frame_base;
+		_frame_now = _frame_base;
+		_frame_next = _carrier.get_ahead().moves ? _frame_base.moved(_carrier.get_ahead()) : _frame_base;
+	}
+	_frame_turn = _frame_next.orientation * _frame_now.orientation.inverse();
+	_frame_shift = _frame_next.origin - _frame_turn.rotate(_frame_now.origin);
 }
 
 void Driver::clear_motion() {
@@ -72,20 +93,26 @@ void Driver::clear_motion() {
 }
 
 const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_delta_s) {
+	_commands.guarded = _guard.check(_rig, r_state);
+	ride(r_state, p_delta_s);
 	_stream.predict(p_time_s, _now);
 	_frame_now.apply(_now);
 	_stream.predict(p_time_s + double(p_delta_s), _next);
 	_frame_next.apply(_next);
-	_is_carried = !_frame_now.is_identity || !_frame_next.is_identity;
-	_frame_turn = _frame_next.orientation * _frame_now.orientation.inverse();
-	_frame_shift = _frame_next.origin - _frame_turn.rotate(_frame_now.origin);
 	_frame_now = _frame_next;
-	_commands.guarded = _guard.check(_rig, r_state);
 	_commands.must_put = _commands.guarded != GUARD_NOTHING;
 	const bool finds_anew = finds_travel(root_mode) && _travelled != root_mode;
 	bool is_arriving = false;
+	const bool begins = _alive == NEVER;
 	const bool teleported = _stream.take_teleport() && !finds_travel(root_mode) && !is_free(root_mode);
-	if (has_come_back(p_time_s) || teleported || (_commands.guarded & GUARD_LOST) != 0) {
+	// Whoever moves the frame at once means it: a seat is taken whatever is between.
+	const Vec3 carried = _frame_turn.rotate(_now.root) + _frame_shift - _now.root;
+	const bool seated = carried.length() > PoseStream::TELEPORT_DISTANCE &&
+			carried.length() > PoseStream::FASTEST_ROOT * p_delta_s && !finds_travel(root_mode) && !is_free(root_mode);
+	const bool is_elsewhere = has_come_back(p_time_s) || teleported || seated;
+	_now.root = seated ? _now.root + carried : _now.root;
+	const bool must_jump = hold_back(r_state, begins || seated, is_elsewhere, p_delta_s);
+	if (must_jump || (_commands.guarded & GUARD_LOST) != 0) {
 		put_into_pose(r_state);
 		_commands.must_put = true;
 		_arrival_s = needs_ground(root_mode) ? ARRIVAL_S : 0.0f;
@@ -178,7 +205,6 @@ void Driver::balance(const RigState &p_state, float p_delta_s) {
 	BalanceInput input;
 	input.state = &p_state;
 	input.ground = ground ? ground : &_level_ground;
-	input.is_carried = _is_carried;
 	input.turn = _frame_turn;
 	input.shift = _frame_shift;
 	input.delta_s = p_delta_s;
@@ -194,7 +220,9 @@ void Driver::let_go_when_stalled(double p_time_s) {
 
 void Driver::command_root(const RigState &p_state, float p_delta_s) {
 	const Actuation mode = _table.get_mode(0);
-	_commands.is_root_held = mode == Actuation::DIRECT_SET || (root_mode == RootMode::HELD && mode != Actuation::LIMP);
+	const bool holds = root_mode == RootMode::HELD && mode != Actuation::LIMP;
+	_commands.is_root_held =
+			mode == Actuation::DIRECT_SET || (holds && (_commands.must_put || !is_obstructed(p_state, p_delta_s)));
 	root_settings.gain = _controller.settings.gain * _controller.settings.eagerness;
 	_lift = { 0.0f, lift_while_getting_up(p_state), 0.0f };
 	const float strength = mode == Actuation::LIMP ? 0.0f : _table.get_standing_strength(0);
@@ -342,6 +370,9 @@ void Driver::save(ArchiveWriter &p_archive) const {
 	p_archive.put(_travelled);
 	p_archive.put(_next_root);
 	p_archive.put(_arrival_s);
+	p_archive.put(_obstructed_s);
+	p_archive.put(_frame_base);
+	_tether.save(p_archive);
 	for (const std::unique_ptr<Travel> &estimator : _travels) {
 		estimator->save(p_archive);
 	}
@@ -379,6 +410,15 @@ bool Driver::read(ArchiveReader &p_archive) {
 	p_archive.get(_travelled);
 	p_archive.get(_next_root);
 	p_archive.get(_arrival_s);
+	p_archive.get(_obstructed_s);
+	if (p_archive.get(_frame_base)) {
+		_frame_now = _frame_base;
+		_frame_next = _frame_base;
+		_is_frame_set = true;
+	}
+	if (!_tether.restore(p_archive)) {
+		return false;
+	}
 	for (const std::unique_ptr<Travel> &estimator : _travels) {
 		if (!estimator->restore(p_archive)) {
 			return false;

@@ -2,12 +2,15 @@
 #pragma once
 
 #include "balance/balance.hpp"
+#include "carrier.hpp"
 #include "control/world_drive.hpp"
 #include "controller.hpp"
 #include "energy_guard.hpp"
 #include "gait/foot_lock.hpp"
 #include "gait/path_filter.hpp"
+#include "obstacles.hpp"
 #include "root_drive.hpp"
+#include "tether.hpp"
 #include "torque_meter.hpp"
 #include "tracking_meter.hpp"
 
@@ -96,14 +99,16 @@ public:
 	/// What there is to stand on, for the modes that find the root's travel; level ground at height 0
 	/// where none is given. Must live as long.
 	const Ground *ground = nullptr;
+	/// What may stand in the way; nothing where none is given. Must live as long.
+	const Obstacles *obstacles = nullptr;
 	/// The limb that SELF_RIGHTING keeps upright besides the root; -1 for none.
 	int righted_limb = -1;
 	/// Whether torques are estimated; costs a microsecond or two a tick.
 	bool measures_torque = false;
 
 	bool push(double p_time_s, const float *p_orientations, const Vec3 &p_root, const float *p_rates);
-	/// Sets the frame that the motion happens in at the end of the next step, in the world: that of a platform
-	/// or seat that carries the person. It stays until it is set again. It is no part of the saved state.
+	/// Sets the frame that the motion happens in at the end of the next step, in the world: that of a seat that
+	/// carries the person. Until it is set again it moves with what the person stands on.
 	void set_frame(const Quat &p_orientation, const Vec3 &p_origin);
 	const Quat &get_frame_orientation() const { return _frame_next.orientation; }
 	const Vec3 &get_frame_origin() const { return _frame_next.origin; }
@@ -136,6 +141,9 @@ public:
 	/// What keeps a GROUNDED body on its feet.
 	Balance &get_balance() { return _balance; }
 	const Balance &get_balance() const { return _balance; }
+	/// From where the motion has the root to the position that is held instead, m: what is in the way holds
+	/// it back.
+	Vec3 get_tether() const { return root_mode == RootMode::GROUNDED ? _balance.get_offset() : _tether.get_now(); }
 	/// The target of the root at the end of the last step, m.
 	const Vec3 &get_root_target() const { return _next.root; }
 
@@ -144,6 +152,8 @@ public:
 	bool restore(ArchiveReader &p_archive);
 
 private:
+	/// Moves the motion's own frame with what carries the person.
+	void ride(const RigState &p_state, float p_delta_s);
 	/// Where the motion's own frame is in the world.
 	struct MotionFrame {
 		Quat orientation;
@@ -151,6 +161,7 @@ private:
 		bool is_identity = true;
 
 		void apply(Pose &r_pose) const;
+		MotionFrame moved(const Ride &p_ride) const;
 	};
 
 	bool read(ArchiveReader &p_archive);
@@ -159,6 +170,17 @@ private:
 	Travel *find_travel(RootMode p_mode) const;
 	void travel(const RigState &p_state, float p_delta_s);
 	void balance(const RigState &p_state, float p_delta_s);
+	/// Holds the motion's position on the body's side of what is in its way. Returns whether the body is to be
+	/// put into the motion's pose.
+	/// @param p_begins whether the motion begins, wherever that may be
+	/// @param p_jumps whether the motion is elsewhere at once
+	bool hold_back(const RigState &p_state, bool p_begins, bool p_jumps, float p_delta_s);
+	/// Moves the motion's root at the step's beginning and end, m.
+	void shift_root(const Vec3 &p_now, const Vec3 &p_next);
+	/// Whether the body cannot be put into the motion's pose, as something is between.
+	bool is_walled_off(const RigState &p_state) const;
+	/// Whether hips that are held have to be pulled instead, as something is in their way.
+	bool is_obstructed(const RigState &p_state, float p_delta_s);
 	void find_points(const Pose &p_pose, std::vector<Vec3> &r_points);
 	void find_shown(const RigState &p_state);
 	void shift_travel(Travel &r_estimator, const Vec3 &p_offset);
@@ -196,6 +218,9 @@ private:
 	Pose _next;
 	MotionFrame _frame_now;
 	MotionFrame _frame_next;
+	MotionFrame _frame_base; // Where it truly is, not where it was expected to be.
+	bool _is_frame_set = true; // By whoever drives, since the last step.
+	Carrier _carrier;
 	std::vector<Vec3> _joints;
 	std::vector<Vec3> _joints_next;
 	std::vector<Quat> _measured;
@@ -216,11 +241,12 @@ private:
 	static constexpr double NEVER = -1e30;
 	float _arrival_s = 0.0f; // How much longer the body is put into the motion's pose.
 	double _alive = NEVER; // When the motion was last not stalled, s.
-	bool _is_carried = false; // The motion's frame moves in this step, as the next two say.
-	Quat _frame_turn;
+	Quat _frame_turn; // How the motion's frame moves in this step.
 	Vec3 _frame_shift; // m
 	bool _was_limp = false;
 	bool _is_getting_up = false;
+	Tether _tether; // HELD, SOFT.
+	float _obstructed_s = 0.0f; // HELD: how much longer the root is pulled instead.
 	Vec3 _lift; // Of the root while the body gets up, m.
 	bool _was_held = false;
 	bool _is_fetched = false; // The root is moving to where it will be held.

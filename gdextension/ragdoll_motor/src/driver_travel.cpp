@@ -61,6 +61,11 @@ void Driver::travel(const RigState &p_state, float p_delta_s) {
 		_path.clear();
 	} else {
 		give_in(*estimator, p_state.root - expected);
+		const Ride &ride = _carrier.get_past();
+		if (root_mode == RootMode::LOWEST_FOOT && ride.moves) {
+			// The others know what their points stand on.
+			shift_travel(*estimator, ride.apply(p_state.root) - p_state.root);
+		}
 	}
 	estimate(*estimator, p_state, p_delta_s);
 	if (goes_on) {

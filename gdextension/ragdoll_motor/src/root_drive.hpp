@@ -22,13 +22,18 @@ constexpr int ROOT_MODE_COUNT = 8;
 constexpr bool finds_travel(RootMode p_mode) {
 	return p_mode == RootMode::LOWEST_FOOT || p_mode == RootMode::CONTACTS || p_mode == RootMode::INERTIAL;
 }
-/// Whether the mode looks for the ground under the feet.
+/// Whether the mode's people stand on the ground that is found under their feet.
 constexpr bool needs_ground(RootMode p_mode) {
 	return finds_travel(p_mode) || p_mode == RootMode::GROUNDED;
 }
 /// Whether no force pulls the root along: the feet alone do.
 constexpr bool is_free(RootMode p_mode) {
 	return p_mode == RootMode::PENDULUM || p_mode == RootMode::SELF_RIGHTING;
+}
+
+/// Whether the mode holds the root at a known position by force: what is in the way must hold that back.
+constexpr bool is_tethered(RootMode p_mode) {
+	return p_mode == RootMode::HELD || p_mode == RootMode::SOFT;
 }
 
 /// What the root's joint to the world gets for a step.

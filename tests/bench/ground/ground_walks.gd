@@ -123,11 +123,12 @@ func platforms() -> void:
 		await world.run(
 			30.0,
 			func() -> bool:
-				_move(platform, kind, world.time_s - 2.0, world.delta_s)
 				var here: Vector3 = (
 					platform.global_transform.affine_inverse() * person.bodies()[0].origin
 				)
 				furthest[0] = maxf(furthest[0], here.distance_to(begin))
+				# Last, as the step that follows takes it there.
+				_move(platform, kind, world.time_s - 2.0, world.delta_s)
 				return false
 		)
 		_report.add(

@@ -16,7 +16,6 @@ constexpr float AHEAD_S = 0.12f; // The ground is looked for where a foot will b
 constexpr float SETTLE_FROM_S = 0.3f; // Who has stood for so long stands ...
 constexpr float SETTLE_S = 0.4f; // ... more and more within this time.
 constexpr float MIN_GRAVITY = 0.1f; // For the capture point, m/s^2: without gravity there is none.
-constexpr float FLOAT_S = 0.5f; // How fast a body in the air is carried on less and less.
 constexpr float NONE = 1e9f;
 constexpr float MIN_HEIGHT = 0.3f; // Of the centre of mass over the feet, m: somebody who lies.
 
@@ -44,7 +43,6 @@ void Balance::clear() {
 		foot.limbs = limbs;
 	}
 	_recovery.clear();
-	_carried = {};
 	_force = {};
 	_capture = {};
 	_bearing = 1.0f;
@@ -78,7 +76,7 @@ void Balance::find_error(const Rig &p_rig, const BalanceInput &p_input, const Po
 		_begun = true;
 	}
 	_error = level(centre - wanted - _offset);
-	_velocity_error = level(velocity - (wanted_next - wanted + _carried) * (1.0f / p_input.delta_s));
+	_velocity_error = level(velocity - (wanted_next - wanted) * (1.0f / p_input.delta_s));
 	float lowest = centre.y;
 	for (Foot &foot : _feet) {
 		const std::size_t limb = std::size_t(foot.limbs.foot);
@@ -99,21 +97,10 @@ void Balance::find_error(const Rig &p_rig, const BalanceInput &p_input, const Po
 	_capture = _error + _velocity_error * std::sqrt(height / std::max(p_input.gravity, MIN_GRAVITY));
 }
 
-void Balance::carry(const BalanceInput &p_input) {
-	Vec3 carried;
-	float standing = 0.0f;
-	for (const Foot &foot : _feet) {
-		if (!foot.is_up()) {
-			carried = carried + foot.ground.carry(foot.shown, p_input.delta_s);
-			standing += 1.0f;
-		}
-	}
-	// Who jumps on a platform comes down on it; whose whole motion is carried needs nothing besides.
-	_carried = standing > 0.0f ? carried * (1.0f / standing) : _carried * std::exp(-p_input.delta_s / FLOAT_S);
-	_carried = p_input.is_carried ? Vec3() : _carried;
-	_offset = _offset + _carried;
+void Balance::carry(const Quat &p_turn) {
+	_offset = p_turn.rotate(_offset);
 	for (Foot &foot : _feet) {
-		foot.height += _carried.y;
+		foot.offset = p_turn.rotate(foot.offset);
 	}
 }
 
@@ -219,10 +206,7 @@ void Balance::move_foot(const BalanceInput &p_input, const Pose &p_now, Foot &r_
 }
 
 Vec3 Balance::find_velocity(const BalanceInput &p_input, std::size_t p_limb) const {
-	Vec3 before = _joints_now[p_limb];
-	if (p_input.is_carried) {
-		before = p_input.turn.rotate(before) + p_input.shift;
-	}
+	const Vec3 before = p_input.turn.rotate(_joints_now[p_limb]) + p_input.shift;
 	return (_joints_next[p_limb] - before) * (1.0f / p_input.delta_s);
 }
 
@@ -280,7 +264,6 @@ void Balance::stay(const Rig &p_rig, const BalanceInput &p_input, Pose &r_now, P
 		foot.is_new = false;
 	}
 	_force = {};
-	_carried = {};
 	_bearing = 1.0f;
 	_eagerness = 1.0f;
 	_torque = _recovery.get_torque(settings.torque);
@@ -311,7 +294,6 @@ void Balance::advance(const Rig &p_rig, const BalanceInput &p_input, Pose &r_now
 		stay(p_rig, p_input, r_now, r_next);
 		return;
 	}
-	carry(p_input);
 	move_offset(p_input);
 	begin_steps();
 	_stood_s += p_input.delta_s;
@@ -322,6 +304,7 @@ void Balance::advance(const Rig &p_rig, const BalanceInput &p_input, Pose &r_now
 	push(p_rig, p_input);
 	bend(p_rig, r_now, _joints_now);
 	bend(p_rig, r_next, _joints_next);
+	carry(p_input.turn);
 }
 
 void Balance::save(ArchiveWriter &p_archive) const {
@@ -329,7 +312,6 @@ void Balance::save(ArchiveWriter &p_archive) const {
 		Foot::for_each_saved(foot, [&](const auto &p_value) { p_archive.put(p_value); });
 	}
 	p_archive.put(_offset);
-	p_archive.put(_carried);
 	p_archive.put(_force);
 	p_archive.put(_stood_s);
 	p_archive.put(_begun);
@@ -340,8 +322,8 @@ bool Balance::restore(ArchiveReader &p_archive) {
 	for (Foot &foot : _feet) {
 		Foot::for_each_saved(foot, [&](auto &r_value) { p_archive.get(r_value); });
 	}
-	return p_archive.get(_offset) && p_archive.get(_carried) && p_archive.get(_force) && p_archive.get(_stood_s) &&
-			p_archive.get(_begun) && _recovery.restore(p_archive);
+	return p_archive.get(_offset) && p_archive.get(_force) && p_archive.get(_stood_s) && p_archive.get(_begun) &&
+			_recovery.restore(p_archive);
 }
 
 } // namespace ragdoll

@@ -73,9 +73,8 @@ struct BalanceSettings {
 struct BalanceInput {
 	const RigState *state = nullptr;
 	const Ground *ground = nullptr; ///< Null for none: feet are where the motion has them.
-	/// Whether the motion's frame moves in this step (a seat or platform carries the person), and how: a
-	/// point p of the world is at turn p + shift (m) at its end.
-	bool is_carried = false;
+	/// How the motion's frame moves in this step with what carries the person, a seat or a platform: a point
+	/// p of the world is at turn p + shift (m) at its end.
 	Quat turn;
 	Vec3 shift;
 	float gravity = 9.81f; ///< m/s^2
@@ -100,6 +99,8 @@ public:
 	void advance(const Rig &p_rig, const BalanceInput &p_input, Pose &r_now, Pose &r_next);
 	/// The body has been put into the motion's pose.
 	void clear();
+	/// The motion went elsewhere at once where the body cannot follow: the tether takes it all, m.
+	void shift(const Vec3 &p_by) { _offset = _offset + p_by; }
 
 	/// The force on the hips in this step, world axes, N.
 	const Vec3 &get_force() const { return _force; }
@@ -164,7 +165,7 @@ private:
 		}
 	};
 
-	void carry(const BalanceInput &p_input);
+	void carry(const Quat &p_turn);
 	void find_error(const Rig &p_rig, const BalanceInput &p_input, const Pose &p_now, const Pose &p_next);
 	void move_offset(const BalanceInput &p_input);
 	void begin_steps();
@@ -190,7 +191,6 @@ private:
 	Vec3 _error; // Of the centre of mass, horizontal, m.
 	Vec3 _velocity_error; // m/s
 	Vec3 _capture; // m
-	Vec3 _carried; // How far the ground takes the body along in this step, m.
 	Vec3 _force; // N
 	float _force_limit = 0.0f; // N
 	float _torque = 0.0f; // N m

@@ -3,6 +3,7 @@
 
 #include "vectors.hpp"
 
+#include <cstdint>
 #include <limits>
 
 namespace ragdoll {
@@ -14,6 +15,9 @@ struct Footing {
 	Vec3 velocity; ///< Of the pivot, m/s: platforms carry who stands on them.
 	Vec3 turning; ///< About the pivot, rad/s.
 	Vec3 pivot; ///< m
+	std::uint64_t body = 0; ///< Which body it is, if it can move by itself and carries people; 0 otherwise.
+	Quat orientation; ///< Of that body.
+	Vec3 origin; ///< Of that body, m.
 
 	bool moves() const { return velocity.length() > 0.0f || turning.length() > 0.0f; }
 	/// How far the ground at a place moves in a time, m. Turned, not along the tangent: in half a minute

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <obstacles.hpp>
+
+#include <godot_cpp/classes/physics_test_motion_parameters3d.hpp>
+#include <godot_cpp/classes/physics_test_motion_result3d.hpp>
+#include <godot_cpp/classes/ref.hpp>
+#include <godot_cpp/variant/rid.hpp>
+
+#include <vector>
+
+namespace godot {
+
+/// What stands in people's way, found by moving a limb's shapes through the physics world.
+class ObstacleSweep : public ragdoll::Obstacles {
+public:
+	/// Takes the bodies of the limbs.
+	void attach(const std::vector<RID> &p_bodies);
+	bool is_in_way(std::size_t p_limb, const ragdoll::Quat &p_orientation, const ragdoll::Vec3 &p_centre,
+			const ragdoll::Vec3 &p_motion) const override;
+
+private:
+	std::vector<RID> _bodies;
+	Ref<PhysicsTestMotionParameters3D> _parameters;
+	Ref<PhysicsTestMotionResult3D> _result;
+};
+
+} // namespace godot
