@@ -49,49 +49,6 @@ bool Driver::push(double p_time_s, const float *p_orientations, const Vec3 &p_ro
 	return true;
 }
 
-void Driver::MotionFrame::apply(Pose &r_pose) const {
-	if (is_identity) {
-		return;
-	}
-	for (Quat &limb : r_pose.orientations) {
-		limb = orientation * limb;
-	}
-	r_pose.root = orientation.rotate(r_pose.root) + origin;
-}
-
-void Driver::set_frame(const Quat &p_orientation, const Vec3 &p_origin) {
-	_frame_next = { p_orientation, p_origin, false };
-	_frame_next.is_identity = p_origin.length() == 0.0f && p_orientation.w == 1.0f;
-	_is_frame_set = true;
-}
-
-Driver::MotionFrame Driver::MotionFrame::moved(const Ride &p_ride) const {
-	return { (p_ride.turn * orientation).normalized(), p_ride.apply(origin), false };
-}
-
-void Driver::ride(const RigState &p_state, float p_delta_s) {
-	if (_is_frame_set || ground == nullptr) {
-		// Who is in a seat goes where that goes.
-		_carrier.clear();
-		_frame_base = _frame_next;
-		_is_frame_set = false;
-	} else {
-		_carrier.advance(_rig, _contacts, p_state, *ground, p_delta_s);
-		_frame_base = _carrier.get_past().moves ? _frame_base.moved(_carrier.get_past()) : _frame_base;
-		_frame_now = _frame_base;
-		_frame_next = _carrier.get_ahead().moves ? _frame_base.moved(_carrier.get_ahead()) : _frame_base;
-	}
-	_frame_turn = _frame_next.orientation * _frame_now.orientation.inverse();
-	_frame_shift = _frame_next.origin - _frame_turn.rotate(_frame_now.origin);
-}
-
-void Driver::clear_motion() {
-	_frame_now = _frame_next; // What comes begins in the frame that is set.
-	_stream.clear();
-	_meter.forget_waiting();
-	_alive = NEVER;
-}
-
 const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_delta_s) {
 	_commands.guarded = _guard.check(_rig, r_state);
 	ride(r_state, p_delta_s);

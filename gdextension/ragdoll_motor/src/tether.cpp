@@ -73,8 +73,8 @@ void Tether::save(ArchiveWriter &p_archive) const {
 }
 
 bool Tether::restore(ArchiveReader &p_archive) {
-	return p_archive.get(_now) && p_archive.get(_next) && p_archive.get(_free_s) &&
-			p_archive.get(_distance) && p_archive.get(_leaving) && p_archive.get(_pull);
+	return p_archive.get(_now) && p_archive.get(_next) && p_archive.get(_free_s) && p_archive.get(_distance) &&
+			p_archive.get(_leaving) && p_archive.get(_pull);
 }
 
 } // namespace ragdoll

@@ -13,8 +13,8 @@ namespace ragdoll {
 /// Level only: the height is the motion's.
 class Tether {
 public:
-	/// How far a body that is not pulled back may be off before the motion's position gives in, m: more than it is in any motion
-	/// without contacts (0.06 in a run), and than a person yields who is brushed in passing.
+	/// How far a body that is not pulled back may be off before the motion's position gives in, m: more than it is in
+	/// any motion without contacts (0.06 in a run), and than a person yields who is brushed in passing.
 	static constexpr float SLACK = 0.1f;
 	/// How far it remains off then, m: the root goes on pulling a little, to slide along what is in its way.
 	static constexpr float REST = 0.03f;
