@@ -135,6 +135,7 @@ void PoseStream::calm(Sample &r_sample, bool p_knows_rates) {
 void PoseStream::foresee(Sample &r_sample) {
 	const double span = _count > 0 ? r_sample.time_s - newest() : MAX_GAP;
 	const bool follows = span < MAX_GAP;
+	const float calmness = 1.0f - _filter.get_unrest(); // A noisy limb would overshoot when its foot lands.
 	r_sample.span_s = follows ? span : 0.0;
 	for (std::size_t i = 0; i < _limb_count; i++) {
 		if (follows) {
@@ -143,7 +144,7 @@ void PoseStream::foresee(Sample &r_sample) {
 		} else {
 			_turns[i].begin(r_sample.rates[i]);
 		}
-		r_sample.turn_changes[i] = _turns[i].get_change();
+		r_sample.turn_changes[i] = _turns[i].get_change() * calmness;
 	}
 	if (follows) {
 		_path.advance((r_sample.root - at(0).root) * (1.0f / float(span)), r_sample.root_rate, float(span));
