@@ -247,6 +247,8 @@ func _show_status() -> void:
 	if Engine.get_process_frames() % 10 == 0:
 		var text: String = _stats.describe(_role, _stream.traffic, _stream.security())
 		_hud.show_status(text, _scene.describe_views() + "   " + _controls.hint())
+		if _mocap.people != null:
+			_hud.show_tether(_scene.describe_tether(_mocap.people.first_actor))
 		if _role != ClientStreams.REPLAY:
 			_hud.show_screen(ScreenDelay.describe())
 	if _report.is_due():

@@ -133,6 +133,22 @@ func hips_of(p_actor: int) -> float:
 	return _actors[p_actor].node.get_hip_height() if _actors.has(p_actor) else 0.0
 
 
+## How far a person's body is from its motion, for the screen; empty if it is where that is.
+func describe_tether(p_actor: int) -> String:
+	if not _actors.has(p_actor):
+		return ""
+	var type: EntityType = replica.table.find(p_actor).type
+	var fields: PackedInt32Array = [
+		type.find_field(EntityType.TETHER_X), type.find_field(EntityType.TETHER_Z)
+	]
+	if fields.has(-1):
+		return ""
+	var tether: Vector2 = Vector2(
+		replica.field(p_actor, fields[0]), replica.field(p_actor, fields[1])
+	)
+	return TetherNote.describe(tether, _actors[p_actor].heading())
+
+
 ## The worlds and their keys, for the screen.
 func describe_views() -> String:
 	var words: PackedStringArray = []

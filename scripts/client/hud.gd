@@ -10,6 +10,7 @@ extends CanvasLayer
 @export var _guide: Label
 @export var _note: Label
 @export var _prompt: Label
+@export var _tether: Label
 @export var _latency: LatencyPanel
 
 
@@ -46,6 +47,12 @@ func show_note(p_text: String) -> void:
 func show_prompt(p_text: String) -> void:
 	_prompt.text = "E   " + p_text
 	_prompt.visible = p_text != ""
+
+
+## Tells wearers how far the own body is from their motion; nothing if empty.
+func show_tether(p_text: String) -> void:
+	_tether.text = p_text
+	_tether.visible = p_text != ""
 
 
 ## Sets the latencies that the panel shows, which a key opens.

@@ -32,6 +32,10 @@ enum CommandedBy {
 const CARRIER: StringName = &"carrier"
 ## Field of a person: how the motion's own frame is turned about the Y axis, rad.
 const HEADING: StringName = &"heading"
+## Fields of a person: from where its motion has the hips to where the body is held instead, in the
+## world, m; 0 up to a tenth of a metre.
+const TETHER_X: StringName = &"tether_x"
+const TETHER_Z: StringName = &"tether_z"
 ## Maximum of commands, and of events, of a type.
 const MAX_SCHEMAS: int = 32
 ## Longest name of a type, command, event or field, characters.
@@ -64,6 +68,8 @@ static func person() -> EntityType:
 	type.fields = [
 		EntityField.create_count(CARRIER, 65536),
 		EntityField.create(HEADING, EntityField.Kind.ANGLE, -PI, PI, 0.001),
+		EntityField.create(TETHER_X, EntityField.Kind.STEP, -100.0, 100.0, 0.05),
+		EntityField.create(TETHER_Z, EntityField.Kind.STEP, -100.0, 100.0, 0.05),
 	]
 	return type
 

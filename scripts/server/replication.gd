@@ -17,6 +17,7 @@ var _error_deg: float = Protocol.POSE_ERROR_DEG
 var _cache: EntityTableCache = null
 ## What has changed in the table since the last message.
 var _changes: EntityTableMessage = EntityTableMessage.new()
+var _fields: PersonFields = null
 var _known_types: int = 0
 ## The tick whose changes were sent last.
 var _table_tick: int = -_TABLE_TICKS
@@ -44,6 +45,7 @@ func _init(
 	_bits_per_second = p_bits_per_second
 	_error_deg = p_error_deg
 	_cache = EntityTableCache.new(p_level.table)
+	_fields = PersonFields.new(encoder, p_level.table)
 	encoder.configure(PackedInt32Array(Limbs.PARENTS), p_error_deg, p_tick_rate)
 	encoder.set_datagram_overhead(_link.rules.sealing().datagram_overhead())
 	_link.ack_received.connect(_on_ack)
@@ -132,6 +134,7 @@ func send(p_tick: int, p_now_usec: int, p_events: Array[PackedByteArray]) -> voi
 		_table_tick = p_tick if _send_table() else _table_tick
 	_send_events(p_events)
 	_people.hand_poses(encoder)
+	_fields.advance(p_tick, _people.list())
 	encoder.capture(p_tick)
 	_people.mark(encoder, p_now_usec)
 	_acknowledge_motion()
@@ -230,6 +233,7 @@ func _on_despawned(p_row: EntityRow) -> void:
 		_changes.spawned.remove_at(index)
 	else:
 		_changes.despawned.append(p_row.id)
+	_fields.forget(p_row.id)
 	encoder.remove_entity(p_row.id)
 
 
@@ -259,15 +263,7 @@ func _on_person_added(p_person: ServerPerson) -> void:
 
 
 func _on_person_attached(p_person: ServerPerson, p_carrier: int) -> void:
-	encoder.set_frame(p_person.id, p_carrier)
-	var type: EntityType = _level.table.find(p_person.id).type
-	var heading: float = p_person.ragdoll.motor.get_frame().basis.get_euler().y
-	var values: Dictionary[StringName, float] = {
-		EntityType.CARRIER: maxi(p_carrier, 0), EntityType.HEADING: heading
-	}
-	for field: StringName in values:
-		if type.find_field(field) >= 0:
-			encoder.set_field(p_person.id, type.find_field(field), values[field])
+	_fields.attach(p_person, p_carrier)
 
 
 ## Everybody starts again in another level.

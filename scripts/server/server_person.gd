@@ -96,20 +96,20 @@ func mark(p_encoder: SnapshotEncoder, p_now_usec: int) -> void:
 	p_encoder.set_mark(id, newest.id, p_now_usec, steps)
 
 
-## How well the body follows, and how late, for a report; of grounded people also the horizontal
-## force from outside, N, and how far their place is from where their motion has it, m.
+## How well the body follows, how late, and how far it is from where its motion has it, m, for a
+## report; of grounded people also the horizontal force from outside, N.
 func stats() -> Dictionary:
 	var made: Dictionary = ragdoll.motor.get_tracking()
 	made["name"] = name
 	made["refused_samples"] = refused
 	made["sample_to_tick_ms_p50"] = delay.percentile(0.5)
 	made["sample_to_tick_ms_p95"] = delay.percentile(0.95)
+	var tether: Vector3 = ragdoll.motor.get_tether()
+	made["tether_m"] = Vector2(tether.x, tether.z).length()
 	var balance: Dictionary = ragdoll.motor.get_balance()
 	if not balance.is_empty():
-		var offset: Vector3 = balance["offset_m"]
 		made["residual_n"] = balance["force_n"]
 		made["residual_limit_n"] = balance["force_limit_n"]
-		made["tether_m"] = Vector2(offset.x, offset.z).length()
 	return made
 
 
