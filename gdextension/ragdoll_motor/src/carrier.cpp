@@ -17,8 +17,10 @@ constexpr float FLOAT_S = 0.5f; // How fast a body in the air is carried on less
 
 /// The part of a rotation about the vertical.
 Quat heading_of(const Quat &p_turn) {
-	const float length = std::sqrt(p_turn.y * p_turn.y + p_turn.w * p_turn.w);
-	return length > 1e-6f ? Quat{ 0.0f, p_turn.y / length, 0.0f, p_turn.w / length } : Quat();
+	// With w above 0, so that the angle is the short way round.
+	const float size = std::sqrt(p_turn.y * p_turn.y + p_turn.w * p_turn.w);
+	const float length = p_turn.w < 0.0f ? -size : size;
+	return size > 1e-6f ? Quat{ 0.0f, p_turn.y / length, 0.0f, p_turn.w / length } : Quat();
 }
 
 /// A ride that takes a point somewhere and turns about it.
@@ -108,6 +110,7 @@ void Carrier::advance(const Rig &p_rig, const std::vector<ContactPoint> &p_conta
 	}
 	Vec3 from;
 	Vec3 to;
+	Vec3 spiral;
 	float heading = 0.0f;
 	float sum = 0.0f;
 	for (const Support &support : _supports) {
@@ -116,12 +119,18 @@ void Carrier::advance(const Rig &p_rig, const std::vector<ContactPoint> &p_conta
 		const Ride ride = weight > 0.0f ? find_ride(support) : Ride();
 		from = from + support.at * weight;
 		to = to + ride.apply(support.at) * weight;
-		heading += 2.0f * std::atan2(ride.turn.y, ride.turn.w) * weight;
+		const float turned = 2.0f * std::atan2(ride.turn.y, ride.turn.w);
+		const Vec3 arm = level(support.at - support.footing.pivot);
+		const Vec3 tangent = Vec3{ 0.0f, turned, 0.0f }.cross(arm);
+		spiral = spiral + (turned != 0.0f ? arm + tangent - ride.turn.rotate(arm) : Vec3()) * weight;
+		heading += turned * weight;
 		sum += weight;
 	}
 	remember();
 	// Over something else than before, in the air: what carried the person fades.
 	const bool is_carried = sum > 0.0f && (lowest < TOUCHES || (to - from).length() > 0.0f);
+	const bool touches = is_carried && lowest < TOUCHES;
+	_spiral = touches ? spiral * (1.0f / sum) : Vec3();
 	if (is_carried) {
 		const Quat turn = exp({ 0.0f, heading / sum, 0.0f });
 		_past = ride_about(turn, from * (1.0f / sum), to * (1.0f / sum));

@@ -51,13 +51,13 @@ bool Driver::push(double p_time_s, const float *p_orientations, const Vec3 &p_ro
 
 const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_delta_s) {
 	_commands.guarded = _guard.check(_rig, r_state);
+	_commands.must_put = _commands.guarded != GUARD_NOTHING;
 	ride(r_state, p_delta_s);
 	_stream.predict(p_time_s, _now);
 	_frame_now.apply(_now);
 	_stream.predict(p_time_s + double(p_delta_s), _next);
 	_frame_next.apply(_next);
 	_frame_now = _frame_next;
-	_commands.must_put = _commands.guarded != GUARD_NOTHING;
 	const bool finds_anew = finds_travel(root_mode) && _travelled != root_mode;
 	bool is_arriving = false;
 	const bool begins = _alive == NEVER;

@@ -153,7 +153,7 @@ public:
 
 private:
 	/// Moves the motion's own frame with what carries the person.
-	void ride(const RigState &p_state, float p_delta_s);
+	void ride(RigState &r_state, float p_delta_s);
 	/// Where the motion's own frame is in the world.
 	struct MotionFrame {
 		Quat orientation;

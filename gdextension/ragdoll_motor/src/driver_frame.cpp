@@ -24,14 +24,22 @@ Driver::MotionFrame Driver::MotionFrame::moved(const Ride &p_ride) const {
 	return { (p_ride.turn * orientation).normalized(), p_ride.apply(origin), false };
 }
 
-void Driver::ride(const RigState &p_state, float p_delta_s) {
+void Driver::ride(RigState &r_state, float p_delta_s) {
 	if (_is_frame_set || ground == nullptr) {
 		// Who is in a seat goes where that goes.
 		_carrier.clear();
 		_frame_base = _frame_next;
 		_is_frame_set = false;
 	} else {
-		_carrier.advance(_rig, _contacts, p_state, *ground, p_delta_s);
+		_carrier.advance(_rig, _contacts, r_state, *ground, p_delta_s);
+		// Others are drawn back to where they stood.
+		if (!is_tethered(root_mode) && _carrier.get_spiral().length() > 0.0f) {
+			for (Vec3 &centre : r_state.centres) {
+				centre = centre - _carrier.get_spiral();
+			}
+			r_state.root = r_state.root - _carrier.get_spiral();
+			_commands.must_put = true;
+		}
 		_frame_base = _carrier.get_past().moves ? _frame_base.moved(_carrier.get_past()) : _frame_base;
 		_frame_now = _frame_base;
 		_frame_next = _carrier.get_ahead().moves ? _frame_base.moved(_carrier.get_ahead()) : _frame_base;

@@ -116,6 +116,24 @@ TEST(who_stands_on_what_moves_or_turns_stays_where_he_stands_on_it) {
 	CHECK(drift_on(turning, [&](float) { turning.orientation = (turn * turning.orientation).normalized(); }) < 0.005f);
 }
 
+TEST(who_is_turned_is_told_how_far_an_engine_takes_him_off_the_arc) {
+	const Rig rig(fixtures::limbs());
+	Pose pose;
+	pose.orientations.assign(rig.size(), Quat());
+	pose.root = { 2.0f, 0.0f, 0.0f };
+	const RigState state = fixtures::state_of(rig, pose);
+	Platform platform;
+	Carrier carrier;
+	const float angle = PI / 6.0f * DELTA;
+	for (int i = 0; i < 2; i++) {
+		carrier.advance(rig, std::vector<ContactPoint>(1), state, platform, DELTA);
+		// Another sign is the same rotation.
+		platform.orientation = -(exp({ 0.0f, angle, 0.0f }) * platform.orientation);
+	}
+	CHECK_NEAR(carrier.get_spiral().length(), 0.5f * angle * angle * 2.0f, 1e-6);
+	CHECK(carrier.get_spiral().x > 0.0f);
+}
+
 TEST(what_is_put_elsewhere_takes_nobody_along) {
 	Platform platform;
 	float time = 0.0f;

@@ -95,62 +95,21 @@ func wall() -> void:
 	world.queue_free()
 
 
-## Stands for 30 s on what moves: sideways at 2 m/s, turning at 30 deg/s, a lift.
+## Stands and walks on what moves.
 func platforms() -> void:
-	for kind: String in ["sideways", "turning", "lift"]:
-		var world: ContactWorld = _enter_world()
-		var platform: AnimatableBody3D = AnimatableBody3D.new()
-		platform.sync_to_physics = false
-		var shape: CollisionShape3D = CollisionShape3D.new()
-		var box: BoxShape3D = BoxShape3D.new()
-		box.size = Vector3(6.0, 0.5, 6.0)
-		shape.shape = box
-		platform.add_child(shape)
-		platform.position.y = -0.25
-		platform.collision_layer = PhysicsLayers.STATIC
-		world.add_child(platform)
-		var person: ContactPerson = _enter_person(world)
-		var pose: PoseSample = ContactPoses.standing(person)
-		var hips: Vector3 = person.standing_hips() + Vector3(0.0, 0.0, 1.0)
-		world.add_person(
-			person,
-			func(_t: float) -> PoseSample: return pose,
-			func(_t: float) -> Vector3: return hips
-		)
-		await world.run(2.0)
-		var begin: Vector3 = platform.global_transform.affine_inverse() * person.bodies()[0].origin
-		var furthest: Array[float] = [0.0]
-		await world.run(
-			30.0,
-			func() -> bool:
-				var here: Vector3 = (
-					platform.global_transform.affine_inverse() * person.bodies()[0].origin
-				)
-				furthest[0] = maxf(furthest[0], here.distance_to(begin))
-				# Last, as the step that follows takes it there.
-				_move(platform, kind, world.time_s - 2.0, world.delta_s)
-				return false
-		)
-		_report.add(
-			"platform, " + kind,
-			"drift in 30 s",
-			100.0 * furthest[0],
-			"cm",
-			BenchReport.Goal.AT_MOST,
-			2.0
-		)
-		world.queue_free()
+	for kind: String in GroundPlatform.KINDS:
+		for away: float in [1.0, 3.0]:
+			var platform: GroundPlatform = _enter_platform(kind)
+			await platform.stand(away)
+			platform.tell(_report, "platform, %s, %.0f m from its middle" % [kind, away])
+		var deck: GroundPlatform = _enter_platform(kind)
+		await deck.walk(_walker(deck.person))
+		deck.tell(_report, "platform, %s, walking" % kind)
 
 
-func _move(p_platform: AnimatableBody3D, p_kind: String, p_time_s: float, p_delta_s: float) -> void:
-	var eased: float = minf(p_time_s, 1.0)
-	match p_kind:
-		"sideways":
-			p_platform.position.x += 2.0 * eased * p_delta_s
-		"turning":
-			p_platform.rotation.y += deg_to_rad(30.0) * eased * p_delta_s
-		"lift":
-			p_platform.position.y += 1.0 * sin(p_time_s) * p_delta_s
+func _enter_platform(p_kind: String) -> GroundPlatform:
+	var world: ContactWorld = _enter_world()
+	return GroundPlatform.new(world, _enter_person(world), p_kind)
 
 
 func _walk(
