@@ -52,6 +52,11 @@ void RagdollMotor::set_inertia_scale(double p_scale) {
 	_inertia_scale = p_scale;
 }
 
+void RagdollMotor::set_arm_inertia_scale(double p_scale) {
+	ERR_FAIL_COND_MSG(!is_amount(p_scale) || p_scale < 0.01, "RagdollMotor: an inertia scale is 0.01 or more.");
+	_arm_inertia_scale = p_scale;
+}
+
 void RagdollMotor::set_sample_slots(const PackedInt32Array &p_slots) {
 	_sample_slots = p_slots;
 	resize_body_pose();
@@ -142,6 +147,8 @@ void RagdollMotor::bind_properties() {
 	ClassDB::bind_method(D_METHOD("get_standing_torque"), &RagdollMotor::get_standing_torque);
 	ClassDB::bind_method(D_METHOD("set_inertia_scale", "scale"), &RagdollMotor::set_inertia_scale);
 	ClassDB::bind_method(D_METHOD("get_inertia_scale"), &RagdollMotor::get_inertia_scale);
+	ClassDB::bind_method(D_METHOD("set_arm_inertia_scale", "scale"), &RagdollMotor::set_arm_inertia_scale);
+	ClassDB::bind_method(D_METHOD("get_arm_inertia_scale"), &RagdollMotor::get_arm_inertia_scale);
 	ClassDB::bind_method(D_METHOD("set_self_collision", "enabled"), &RagdollMotor::set_self_collision);
 	ClassDB::bind_method(D_METHOD("has_self_collision"), &RagdollMotor::has_self_collision);
 	ClassDB::bind_method(D_METHOD("set_anatomical_limits", "enabled"), &RagdollMotor::set_anatomical_limits);
@@ -184,6 +191,8 @@ void RagdollMotor::_bind_methods() {
 			"set_max_energy", "get_max_energy");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "inertia_scale", PROPERTY_HINT_RANGE, "1,10,0.1"), "set_inertia_scale",
 			"get_inertia_scale");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "arm_inertia_scale", PROPERTY_HINT_RANGE, "1,10,0.1"),
+			"set_arm_inertia_scale", "get_arm_inertia_scale");
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "self_collision"), "set_self_collision", "has_self_collision");
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "anatomical_limits"), "set_anatomical_limits", "has_anatomical_limits");
 	ADD_PROPERTY(PropertyInfo(Variant::PACKED_INT32_ARRAY, "sample_slots"), "set_sample_slots", "get_sample_slots");

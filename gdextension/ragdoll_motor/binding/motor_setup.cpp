@@ -119,7 +119,7 @@ bool RagdollMotor::make_driver(
 		}
 		limb.rest = to_core(source->get_reset_orientation());
 		limb.mass = float(p_profile->get_mass() * source->get_mass_fraction());
-		limb.inertia = to_core(source->get_body_inertia(limb.mass)) * float(_inertia_scale);
+		limb.inertia = to_core(source->get_body_inertia(limb.mass));
 		limb.max_torque = float(source->get_max_torque());
 		limb.is_foot = source->get_is_foot();
 		if (!find_group(source->get_group(), limb.group) || limb.group < 0) {
@@ -144,6 +144,7 @@ bool RagdollMotor::make_driver(
 		_body_rids.push_back(p_bodies[i]);
 		add_contacts(source, int(i));
 	}
+	ragdoll::scale_inertia(limbs, float(_inertia_scale), float(_arm_inertia_scale));
 	_driver = std::make_unique<ragdoll::Driver>(ragdoll::Rig(std::move(limbs)), limb_groups, _groups.size(), _contacts);
 	_driver->righted_limb = righted;
 	_obstacles.attach(_body_rids);

@@ -77,7 +77,8 @@ void RagdollBodies::make(const ragdoll::Rig &p_rig, std::vector<JointSpec> p_spe
 	// A physics frame ends with its step; what is made between two is stepped by the next.
 	const Engine *engine = Engine::get_singleton();
 	_first_frame = engine->get_physics_frames() + (engine->is_in_physics_frame() ? 0 : 1);
-	for (std::size_t i = _specs.size(); i-- > 1;) {
+	// The order of creation is the order of solving: from the trunk outwards, what is carried is right sooner.
+	for (std::size_t i = 1; i < _specs.size(); i++) {
 		const ragdoll::Segment &limb = p_rig[i];
 		const ragdoll::Segment &parent = p_rig[limb.parent];
 		const ragdoll::Quat relative = parent.rest.inverse() * limb.rest;

@@ -173,9 +173,7 @@ bool RagdollMotor::drive(double p_time_s, double p_delta_s) {
 	} else {
 		_bodies->pull_root(_driver->root_mode, commands.root, commands.root_turn, commands.trunk_turn);
 	}
-	if (commands.is_pushed) {
-		_bodies->push_limbs(commands.limbs, commands.pushes);
-	}
+	_bodies->push_limbs(commands.limbs, commands.pushes);
 	if (guarded != ragdoll::GUARD_NOTHING) {
 		report(guarded); // Last of all: whoever listens may release or free this node.
 	}

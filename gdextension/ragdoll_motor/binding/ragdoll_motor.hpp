@@ -146,6 +146,8 @@ public:
 	double get_root_torque() const { return _root_torque; }
 	void set_inertia_scale(double p_scale);
 	double get_inertia_scale() const { return _inertia_scale; }
+	void set_arm_inertia_scale(double p_scale);
+	double get_arm_inertia_scale() const { return _arm_inertia_scale; }
 	void set_self_collision(bool p_enabled) { _self_collision = p_enabled; }
 	bool has_self_collision() const { return _self_collision; }
 	void set_anatomical_limits(bool p_enabled) { _anatomical_limits = p_enabled; }
@@ -196,6 +198,7 @@ private:
 	double _standing_torque = 240.0;
 	double _root_torque = 800.0;
 	double _inertia_scale = 6.0;
+	double _arm_inertia_scale = 2.5;
 	double _max_energy = 60.0;
 	int64_t _ground_mask = 5; // World and props, not people.
 	bool _self_collision = false;

@@ -35,6 +35,7 @@ void Controller::compute(const RigState &p_actual, const Pose &p_now, const Pose
 		LimbCommand &command = r_commands[i];
 		command.mode = p_table.get_mode(i);
 		command.max_torque = (*_rig)[i].max_torque * p_table.get_strength(i);
+		command.whole_torque = command.max_torque;
 		const Relative state = relative(i, p_actual, p_now, p_next, p_delta_s);
 		const bool is_root = (*_rig)[i].parent < 0;
 		switch (command.mode) {

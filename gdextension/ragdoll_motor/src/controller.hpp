@@ -24,6 +24,7 @@ struct LimbCommand {
 	Vec3 stiffness; ///< POSITION_MOTOR, about the limb's axes, N m/rad.
 	Vec3 damping; ///< POSITION_MOTOR, N m s/rad.
 	float max_torque = 0.0f; ///< N m
+	float whole_torque = 0.0f; ///< The same before the muscles' limit, N m.
 };
 
 /// Parameters of the modes.

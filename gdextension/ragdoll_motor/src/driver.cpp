@@ -17,6 +17,7 @@ Driver::Driver(Rig p_rig, const std::vector<int> &p_groups, std::size_t p_group_
 		_table(p_groups, p_group_count),
 		_controller(_rig),
 		_world(_rig.size()),
+		_feed_forward(_rig),
 		_torques(_rig.size()),
 		_errors(_rig.size(), 0.0f),
 		_saturations(_rig.size(), 0.0f),
@@ -181,7 +182,7 @@ void Driver::command_root(const RigState &p_state, float p_delta_s) {
 	_commands.is_root_held =
 			mode == Actuation::DIRECT_SET || (holds && (_commands.must_put || !is_obstructed(p_state, p_delta_s)));
 	root_settings.gain = _controller.settings.gain * _controller.settings.eagerness;
-	_lift = { 0.0f, lift_while_getting_up(p_state), 0.0f };
+	_lift = { 0.0f, lift_while_getting_up(p_state, p_delta_s), 0.0f };
 	const float strength = mode == Actuation::LIMP ? 0.0f : _table.get_standing_strength(0);
 	_commands.root = drive_root(
 			root_mode, root_settings, _rig, p_state, _now.root + _lift, _next.root + _lift, p_delta_s, strength);
@@ -202,7 +203,7 @@ void Driver::command_root(const RigState &p_state, float p_delta_s) {
 	}
 }
 
-float Driver::lift_while_getting_up(const RigState &p_state) {
+float Driver::lift_while_getting_up(const RigState &p_state, float p_delta_s) {
 	const bool limp = _table.get_mode(0) == Actuation::LIMP;
 	_is_getting_up = (_is_getting_up || _was_limp) && !limp;
 	_was_limp = limp;
@@ -213,7 +214,8 @@ float Driver::lift_while_getting_up(const RigState &p_state) {
 	for (const float off : find_errors(p_state)) {
 		error += off / float(_rig.size());
 	}
-	_is_getting_up = error > UPRIGHT;
+	_upright_s = error > UPRIGHT ? 0.0f : _upright_s + p_delta_s;
+	_is_getting_up = _upright_s < UPRIGHT_S;
 	return std::min(error, 0.5f) * GETTING_UP_LIFT;
 }
 
@@ -252,6 +254,7 @@ void Driver::place(RigState &r_state) {
 	}
 	r_state.root = _now.root;
 	_controller.reset();
+	_feed_forward.clear();
 	_balance.clear();
 	_torques.clear();
 }
@@ -322,6 +325,7 @@ void Driver::save(ArchiveWriter &p_archive) const {
 	p_archive.put(_alive);
 	p_archive.put(_was_limp);
 	p_archive.put(_is_getting_up);
+	p_archive.put(_upright_s);
 	p_archive.put(_was_held);
 	p_archive.put(_is_fetched);
 	p_archive.put(_travelled);
@@ -340,6 +344,7 @@ void Driver::save(ArchiveWriter &p_archive) const {
 	_table.save(p_archive);
 	_controller.save(p_archive);
 	_world.save(p_archive);
+	_feed_forward.save(p_archive);
 }
 
 bool Driver::restore(ArchiveReader &p_archive) {
@@ -359,7 +364,7 @@ bool Driver::read(ArchiveReader &p_archive) {
 	// Archives hold indices of tables: those of another body must not come any further.
 	if (!p_archive.get(whose) || whose != fingerprint() || !p_archive.get(mode) || int(mode) < 0 ||
 			int(mode) >= ROOT_MODE_COUNT || !p_archive.get(_alive) || !p_archive.get(_was_limp) ||
-			!p_archive.get(_is_getting_up) || !p_archive.get(_was_held) || !p_archive.get(_is_fetched)) {
+			!p_archive.get(_is_getting_up) || !p_archive.get(_upright_s) || !p_archive.get(_was_held) || !p_archive.get(_is_fetched)) {
 		return false;
 	}
 	root_mode = mode;
@@ -383,7 +388,7 @@ bool Driver::read(ArchiveReader &p_archive) {
 	}
 	return _foot_lock.restore(p_archive) && _balance.restore(p_archive) && _path.restore(p_archive) &&
 			_stream.restore(p_archive) && _table.restore(p_archive) && _controller.restore(p_archive) &&
-			_world.restore(p_archive);
+			_world.restore(p_archive) && _feed_forward.restore(p_archive);
 }
 
 } // namespace ragdoll

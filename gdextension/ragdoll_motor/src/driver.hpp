@@ -6,6 +6,7 @@
 #include "control/world_drive.hpp"
 #include "controller.hpp"
 #include "energy_guard.hpp"
+#include "feed_forward.hpp"
 #include "gait/foot_lock.hpp"
 #include "gait/path_filter.hpp"
 #include "obstacles.hpp"
@@ -30,8 +31,7 @@ struct StepCommands {
 	bool is_root_held = false; ///< The root is held at a pose instead of pulled.
 	std::vector<Quat> orientations; ///< Of limbs that are held at a pose, at the step's end.
 	std::vector<Vec3> joints; ///< Their joints, m.
-	bool is_pushed = false; ///< Whether there are pushes.
-	std::vector<LimbPush> pushes; ///< What world-space controls add to the limbs.
+	std::vector<LimbPush> pushes; ///< What feed-forward and world-space controls add to the limbs.
 	/// Flags of GuardAction. Where there are any, or after a teleport, `must_put` is set and the state
 	/// that was handed in has been mended and has to be given back to the simulation.
 	std::uint32_t guarded = GUARD_NOTHING;
@@ -57,8 +57,10 @@ public:
 	/// While a body gets up its root is lifted by so much for each radian that its limbs are off, m: a
 	/// leg that lies askew could not pass under it.
 	static constexpr float GETTING_UP_LIFT = 0.6f;
-	/// It has got up when its limbs are off by less than this, rad.
+	/// It has got up when its limbs are off by less than this, rad, for so long, s: legs that swing pass
+	/// through the pose without being there.
 	static constexpr float UPRIGHT = 0.02f;
+	static constexpr float UPRIGHT_S = 0.2f;
 
 	/// INERTIAL, CONTACTS, LOWEST_FOOT: how far the body may be held back from where the feet carry it
 	/// (m) before the estimate gives in: a person who walks against a wall walks on the spot.
@@ -199,7 +201,7 @@ private:
 	void place(RigState &r_state);
 	/// Gives bodies that have been put into the motion's pose its velocities too.
 	void set_in_motion(RigState &r_state, float p_delta_s);
-	float lift_while_getting_up(const RigState &p_state);
+	float lift_while_getting_up(const RigState &p_state, float p_delta_s);
 	void let_go_when_stalled(double p_time_s);
 	void command_root(const RigState &p_state, float p_delta_s);
 	void note_torques(const RigState &p_state, float p_delta_s);
@@ -210,6 +212,7 @@ private:
 	ActuationTable _table;
 	Controller _controller;
 	WorldDrive _world;
+	FeedForward _feed_forward;
 	EnergyGuard _guard;
 	TrackingMeter _meter;
 	TorqueMeter _torques;
@@ -247,6 +250,7 @@ private:
 	bool _is_getting_up = false;
 	Tether _tether; // HELD, SOFT.
 	float _obstructed_s = 0.0f; // HELD: how much longer the root is pulled instead.
+	float _upright_s = 0.0f; // For how long its limbs have been where they belong.
 	Vec3 _lift; // Of the root while the body gets up, m.
 	bool _was_held = false;
 	bool _is_fetched = false; // The root is moving to where it will be held.

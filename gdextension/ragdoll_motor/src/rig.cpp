@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rig.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace ragdoll {
@@ -17,6 +18,19 @@ Vec3 turned_inertia(const Vec3 &p_moments, const Quat &p_turn) {
 	const Vec3 y = p_turn.rotate({ 0.0f, 1.0f, 0.0f });
 	const Vec3 z = p_turn.rotate({ 0.0f, 0.0f, 1.0f });
 	return x.scaled(x) * p_moments.x + y.scaled(y) * p_moments.y + z.scaled(z) * p_moments.z;
+}
+
+void scale_inertia(std::vector<Segment> &r_limbs, float p_bearing, float p_hanging) {
+	std::vector<std::uint8_t> bears(r_limbs.size(), 0);
+	for (std::size_t i = r_limbs.size(); i-- > 0;) {
+		Segment &limb = r_limbs[i];
+		bears[i] |= limb.is_foot || limb.group == r_limbs[0].group ? 1 : 0;
+		if (bears[i] != 0 && limb.parent >= 0) {
+			bears[std::size_t(limb.parent)] = 1;
+		}
+		const float most = std::max({ limb.inertia.x, limb.inertia.y, limb.inertia.z });
+		limb.inertia = Vec3{ most, most, most } * (bears[i] != 0 ? p_bearing : p_hanging);
+	}
 }
 
 Rig::Rig(std::vector<Segment> p_limbs) :

@@ -81,6 +81,13 @@ private:
 	float _mass = 0.0f;
 };
 
+/// Makes the limbs of a body such that the engine's solver comes close enough to what their joints are to do,
+/// in the steps that it has: about its long axis a limb turns no more easily than across (what hangs beyond its
+/// joint would wag it), and bodies are heavier to turn than they are.
+/// @param p_bearing factor for trunk and legs, which carry the others
+/// @param p_hanging factor for head and arms
+void scale_inertia(std::vector<Segment> &r_limbs, float p_bearing, float p_hanging);
+
 /// The diagonal of R I R^T: moments about other axes of a body whose products of inertia are small.
 Vec3 turned_inertia(const Vec3 &p_moments, const Quat &p_turn);
 

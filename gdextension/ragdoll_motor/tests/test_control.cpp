@@ -251,7 +251,9 @@ TEST(controls_are_part_of_the_saved_state) {
 	pose.orientations.assign(4, Quat());
 	RigState state = fixtures::state_of(other.get_rig(), pose);
 	CHECK(other.push(0.0, STILL, {}, nullptr));
-	CHECK(other.step(state, 0.0, DELTA).is_pushed);
+	other.step(state, 0.0, DELTA); // Puts the body into the motion's pose.
+	state.centres[3].x += 0.1f;
+	CHECK(other.step(state, double(DELTA), DELTA).pushes[3].force.length() > 0.0f);
 }
 
 TEST_MAIN()

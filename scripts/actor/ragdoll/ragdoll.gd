@@ -27,8 +27,11 @@ extends Node3D
 @export_range(0.0, 5000.0, 10.0, "suffix:Nm") var standing_torque: float = 240.0
 ## Scales the torque of every joint: 1 is a strong adult, 0 is limp.
 @export_range(0.0, 4.0, 0.01) var strength: float = 1.0
-## Scales the limbs' inertia: 6 keeps long chains of light limbs stable and exact at 60 ticks/s.
+## Scales the inertia of trunk and legs, which bear the other limbs: 6 keeps a body that stands calm and
+## exact at 60 ticks/s.
 @export_range(1.0, 10.0, 0.1) var inertia_scale: float = 6.0
+## Scales the inertia of head and arms.
+@export_range(1.0, 10.0, 0.1) var arm_inertia_scale: float = 2.5
 ## How fast errors are corrected; never above one error per tick. 30 is calmer under noise.
 @export_range(1.0, 240.0, 1.0, "suffix:1/s") var gain: float = 50.0
 ## Speed of the motion at which a joint has hardly any torque left besides what the motion needs, as
@@ -364,6 +367,7 @@ func _start_motor(p_bones: Array[PhysicalBone3D]) -> bool:
 	motor.residual_share = residual_share
 	motor.standing_torque = standing_torque
 	motor.inertia_scale = inertia_scale
+	motor.arm_inertia_scale = arm_inertia_scale
 	motor.self_collision = self_collision
 	motor.anatomical_limits = anatomical_limits
 	motor.sample_slots = slots

@@ -34,12 +34,14 @@ int Driver::hit(const RigState &p_state, const Vec3 &p_impulse, const Vec3 &p_po
 
 void Driver::push_limbs(const RigState &p_state, float p_delta_s) {
 	_world.advance(p_delta_s);
-	_commands.is_pushed = _world.is_active();
-	if (_commands.is_pushed) {
+	if (_world.is_active()) {
 		_rig.joint_positions(_now, _joints);
 		_rig.joint_positions(_next, _joints_next);
 		_world.compute(_rig, p_state, _now, _next, _joints, _joints_next, p_delta_s, _commands.pushes);
+	} else {
+		std::fill(_commands.pushes.begin(), _commands.pushes.end(), LimbPush());
 	}
+	_feed_forward.add(_rig, p_state, _now, _next, p_delta_s, _commands.limbs, _commands.pushes);
 }
 
 void Driver::blend_shown(const RigState &p_state, std::vector<Quat> &r_orientations, Vec3 &r_root_centre) const {
