@@ -364,7 +364,8 @@ bool Driver::read(ArchiveReader &p_archive) {
 	// Archives hold indices of tables: those of another body must not come any further.
 	if (!p_archive.get(whose) || whose != fingerprint() || !p_archive.get(mode) || int(mode) < 0 ||
 			int(mode) >= ROOT_MODE_COUNT || !p_archive.get(_alive) || !p_archive.get(_was_limp) ||
-			!p_archive.get(_is_getting_up) || !p_archive.get(_upright_s) || !p_archive.get(_was_held) || !p_archive.get(_is_fetched)) {
+			!p_archive.get(_is_getting_up) || !p_archive.get(_upright_s) || !p_archive.get(_was_held) ||
+			!p_archive.get(_is_fetched)) {
 		return false;
 	}
 	root_mode = mode;
