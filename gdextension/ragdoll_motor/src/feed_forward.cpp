@@ -8,8 +8,8 @@ namespace ragdoll {
 namespace {
 
 // What no limb of a person does; more is a glitch of the source, or a jump of it to another place.
-constexpr float MOST_LINEAR = 100.0f; // m/s^2
-constexpr float MOST_ANGULAR = 300.0f; // rad/s^2
+constexpr float MAX_ACCELERATION = 100.0f; // m/s^2
+constexpr float MAX_ANGULAR_ACCELERATION = 300.0f; // rad/s^2
 
 } // namespace
 
@@ -37,10 +37,11 @@ void FeedForward::find_impulses(const Rig &p_rig, const RigState &p_state, const
 		const Vec3 linear = (centre_next - centre) * rate;
 		const Vec3 angular = log(p_next.orientations[i] * p_now.orientations[i].inverse()) * rate;
 		if (_driven[i] && _has_before) {
-			const Vec3 change = (linear - _linear[i]).limited(MOST_LINEAR * p_delta_s);
+			const Vec3 change = (linear - _linear[i]).limited(MAX_ACCELERATION * p_delta_s);
 			_impulses[i].linear = (change - p_state.gravity * p_delta_s) * p_rig[i].mass;
 			const Quat &turn = p_state.orientations[i];
-			const Vec3 turned = turn.inverse().rotate((angular - _angular[i]).limited(MOST_ANGULAR * p_delta_s));
+			const Vec3 turned =
+					turn.inverse().rotate((angular - _angular[i]).limited(MAX_ANGULAR_ACCELERATION * p_delta_s));
 			_impulses[i].angular = turn.rotate(turned.scaled(p_rig[i].inertia));
 		}
 		_linear[i] = linear;
