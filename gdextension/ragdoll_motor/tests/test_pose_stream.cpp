@@ -115,7 +115,8 @@ float mean_miss(Angle p_angle, bool p_with_gyroscope) {
 		stream.push(time, values, {}, p_with_gyroscope ? rates : nullptr);
 		sum += i < count / 2 ? 0.0f : std::abs(angle_at(stream, time + 1.0 / 60.0) - p_angle(time + 1.0 / 60.0));
 	}
-	return sum / float(count / 2);
+	const int half = count / 2;
+	return sum / float(half);
 }
 
 float swing(double p_time) {

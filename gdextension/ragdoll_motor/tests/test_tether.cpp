@@ -18,7 +18,7 @@ constexpr float DELTA = 1.0f / 60.0f;
 float follow(Tether &r_tether, float p_seconds, float p_motion, float p_from, bool p_has_wall) {
 	float expected = p_from;
 	float body = p_from;
-	for (float time = 0.0f; time < p_seconds; time += DELTA) {
+	for (int i = 0; i < int(p_seconds / DELTA); i++) {
 		r_tether.advance({ body - expected, 0.0f, 0.0f }, DELTA);
 		expected = p_motion + r_tether.get_next().x;
 		body = p_has_wall ? std::min(expected, 0.0f) : expected;
