@@ -59,7 +59,7 @@ const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_del
 	_stream.predict(p_time_s + double(p_delta_s), _next);
 	_frame_next.apply(_next);
 	_frame_now = _frame_next;
-	const bool finds_anew = finds_travel(root_mode) && _travelled != root_mode;
+	bool finds_anew = finds_travel(root_mode) && _travelled != root_mode;
 	bool is_arriving = false;
 	const bool begins = _alive == NEVER;
 	const bool teleported = _stream.take_teleport() && !finds_travel(root_mode) && !is_free(root_mode);
@@ -73,6 +73,7 @@ const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_del
 	if (must_jump || (_commands.guarded & GUARD_LOST) != 0) {
 		put_into_pose(r_state);
 		_commands.must_put = true;
+		finds_anew = finds_travel(root_mode);
 		_arrival_s = needs_ground(root_mode) ? ARRIVAL_S : 0.0f;
 	} else if (_arrival_s > 0.0f) {
 		// How fast the motion is only its next samples tell; feet alone could not take the body along.
@@ -133,9 +134,11 @@ void Driver::compute_limbs(const RigState &p_state, float p_delta_s) {
 }
 
 bool Driver::has_come_back(double p_time_s) {
+	_has_resumed = false;
 	if (_stream.is_stalled(p_time_s)) {
 		return false;
 	}
+	_has_resumed = p_time_s - _alive > PoseStream::STALL_AFTER;
 	const bool paused = p_time_s - _alive > PUT_AFTER;
 	_alive = p_time_s;
 	return paused;
@@ -207,6 +210,7 @@ float Driver::lift_while_getting_up(const RigState &p_state, float p_delta_s) {
 	const bool limp = _table.get_mode(0) == Actuation::LIMP;
 	_is_getting_up = (_is_getting_up || _was_limp) && !limp;
 	_was_limp = limp;
+	_gets_up_s = _is_getting_up && finds_travel(root_mode) ? _gets_up_s + p_delta_s : 0.0f;
 	if (!_is_getting_up) {
 		return 0.0f;
 	}
@@ -216,7 +220,10 @@ float Driver::lift_while_getting_up(const RigState &p_state, float p_delta_s) {
 	}
 	_upright_s = error > UPRIGHT ? 0.0f : _upright_s + p_delta_s;
 	_is_getting_up = _upright_s < UPRIGHT_S;
-	return std::min(error, 0.5f) * GETTING_UP_LIFT;
+	const float more = std::clamp(1.0f + (_gets_up_s - STUCK_S) * LIFTS_MORE, 1.0f, MAX_LIFT);
+	const float lift = std::min(error, 0.5f) * GETTING_UP_LIFT * more;
+	const float highest = std::max(p_state.root.y + FURTHEST_UP - _next.root.y, 0.0f);
+	return finds_travel(root_mode) ? std::min(lift, highest) : lift;
 }
 
 const std::vector<float> &Driver::find_errors(const RigState &p_state) {
@@ -326,6 +333,7 @@ void Driver::save(ArchiveWriter &p_archive) const {
 	p_archive.put(_was_limp);
 	p_archive.put(_is_getting_up);
 	p_archive.put(_upright_s);
+	p_archive.put(_gets_up_s);
 	p_archive.put(_was_held);
 	p_archive.put(_is_fetched);
 	p_archive.put(_travelled);
@@ -364,8 +372,8 @@ bool Driver::read(ArchiveReader &p_archive) {
 	// Archives hold indices of tables: those of another body must not come any further.
 	if (!p_archive.get(whose) || whose != fingerprint() || !p_archive.get(mode) || int(mode) < 0 ||
 			int(mode) >= ROOT_MODE_COUNT || !p_archive.get(_alive) || !p_archive.get(_was_limp) ||
-			!p_archive.get(_is_getting_up) || !p_archive.get(_upright_s) || !p_archive.get(_was_held) ||
-			!p_archive.get(_is_fetched)) {
+			!p_archive.get(_is_getting_up) || !p_archive.get(_upright_s) || !p_archive.get(_gets_up_s) ||
+			!p_archive.get(_was_held) || !p_archive.get(_is_fetched)) {
 		return false;
 	}
 	root_mode = mode;

@@ -57,6 +57,11 @@ public:
 	/// While a body gets up its root is lifted by so much for each radian that its limbs are off, m: a
 	/// leg that lies askew could not pass under it.
 	static constexpr float GETTING_UP_LIFT = 0.6f;
+	/// Who does not come free is lifted further, from this on (s), by so much more a second, and so many times as
+	/// far at most: until what lies on him falls off. Only where the travel is found.
+	static constexpr float STUCK_S = 1.0f;
+	static constexpr float LIFTS_MORE = 2.0f;
+	static constexpr float MAX_LIFT = 3.0f;
 	/// It has got up when its limbs are off by less than this, rad, for so long, s: legs that swing pass
 	/// through the pose without being there.
 	static constexpr float UPRIGHT = 0.02f;
@@ -146,8 +151,8 @@ public:
 	/// From where the motion has the root to the position that is held instead, m: what is in the way holds
 	/// it back.
 	Vec3 get_tether() const { return root_mode == RootMode::GROUNDED ? _balance.get_offset() : _tether.get_now(); }
-	/// The target of the root at the end of the last step, m.
-	const Vec3 &get_root_target() const { return _next.root; }
+	/// The target of the root at the end of the last step, m; who gets up is lifted to it.
+	Vec3 get_root_target() const { return _next.root + _lift; }
 
 	void save(ArchiveWriter &p_archive) const;
 	/// Returns false, and is as before, where the archive is not of such a body.
@@ -244,10 +249,12 @@ private:
 	static constexpr double NEVER = -1e30;
 	float _arrival_s = 0.0f; // How much longer the body is put into the motion's pose.
 	double _alive = NEVER; // When the motion was last not stalled, s.
+	bool _has_resumed = false; // The motion was stalled in the step before.
 	Quat _frame_turn; // How the motion's frame moves in this step.
 	Vec3 _frame_shift; // m
 	bool _was_limp = false;
 	bool _is_getting_up = false;
+	float _gets_up_s = 0.0f; // For how long.
 	Tether _tether; // HELD, SOFT.
 	float _obstructed_s = 0.0f; // HELD: how much longer the root is pulled instead.
 	float _upright_s = 0.0f; // For how long its limbs have been where they belong.

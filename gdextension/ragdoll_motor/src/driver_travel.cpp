@@ -53,9 +53,10 @@ void Driver::travel(const RigState &p_state, float p_delta_s) {
 		_next_root = _next.root;
 		return;
 	}
-	// Whoever lies limp is wherever the body is, and begins from there when he gets up.
+	// Whoever lies limp is wherever the body is, and begins from there when he gets up. How a pose has changed
+	// while nothing came says nothing of where the person went.
 	const bool limp = _table.get_mode(0) == Actuation::LIMP;
-	if (!goes_on || limp) {
+	if (!goes_on || limp || _has_resumed) {
 		estimator->reset(p_state.root);
 		_foot_lock.clear();
 		_path.clear();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "driver.hpp"
 #include "gait/foot_lock.hpp"
 #include "gait/inertial_gait.hpp"
 #include "gait/takeoff.hpp"
@@ -299,6 +300,44 @@ TEST(feet_clear_the_ground_while_they_swing_and_reach_it_on_lower_ground) {
 	CHECK(lock.get_drop() > 0.05f);
 	CHECK_NEAR(joints[6].y, -0.15, 0.02);
 	CHECK_NEAR(joints[3].y, 0.0, 0.02);
+}
+
+TEST(a_pose_that_changed_while_nothing_came_moves_nobody) {
+	Walker walker;
+	for (Segment &segment : walker.segments) {
+		segment.mass = 5.0f;
+		segment.inertia = { 0.1f, 0.1f, 0.1f };
+		segment.max_torque = 300.0f;
+	}
+	Driver driver(Rig(walker.segments), std::vector<int>(7, 0), 1, walker.soles);
+	driver.root_mode = RootMode::INERTIAL;
+	std::vector<Quat> pose(7);
+	RigState state;
+	state.resize(7);
+	state.gravity = { 0.0f, -9.81f, 0.0f };
+	double time = 0.0;
+	const auto run = [&](double p_until, bool p_sends) {
+		for (; time < p_until; time += 1.0 / 60.0) {
+			if (p_sends) {
+				driver.push(time, &pose[0].x, { 0.0f, HIP, 0.0f }, nullptr);
+			}
+			if (time == 0.0) {
+				driver.pose_state(time, state);
+			}
+			driver.step(state, time, 1.0f / 60.0f);
+		}
+	};
+	run(0.5, true);
+	run(1.0, false);
+	const Vec3 before = driver.get_root_target();
+	pose[1] = exp({ -0.4f, 0.0f, 0.0f });
+	pose[2] = pose[1];
+	pose[3] = pose[1];
+	pose[4] = pose[1];
+	pose[5] = pose[1];
+	pose[6] = pose[1];
+	run(1.03, true);
+	CHECK_NEAR(level(driver.get_root_target() - before).length(), 0.0, 0.03);
 }
 
 TEST_MAIN()

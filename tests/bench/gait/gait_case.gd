@@ -68,16 +68,16 @@ func step(p_pose: PoseSample, p_told: Vector3, p_sends: bool = true) -> void:
 
 
 ## A floor, 200 m long, that rises along +Z by an angle, rad. It passes through the origin.
-static func make_floor(p_angle: float) -> Block:
+static func make_floor(p_angle: float, p_width: float = 60.0) -> Block:
 	var block: Block = Block.new()
-	block.size = Vector3(60.0, 4.0, 200.0)
+	block.size = Vector3(p_width, 4.0, 200.0)
 	block.basis = Basis(Vector3.RIGHT, -p_angle)
 	block.position = block.basis * Vector3(0.0, -2.0, 0.0)
 	return block
 
 
-func add_floor(p_angle: float) -> void:
-	world.add_child(make_floor(p_angle))
+func add_floor(p_angle: float, p_width: float = 60.0) -> void:
+	world.add_child(make_floor(p_angle, p_width))
 
 
 ## Rough ground: hills and hollows of an amplitude (m), 3 m apart.

@@ -1,20 +1,18 @@
 extends "gait_case.gd"
-## Random scenes, one for each seed: somebody walks on a slope or on rough ground among loose
-## crates, or does what a clip has, from any moment of it on. Now and then nothing comes from the
-## suit.
+## Random scenes, many beside one another in one world.
 
-const _LENGTH_S: float = 6.0
-const _STEEPEST_DEG: float = 30.0
-const _MOST_CRATES: int = 12
+const Scene: GDScript = preload("gait_scene.gd")
+## So many at once, and how far apart, m.
+const _AT_ONCE: int = 40
+const _APART: float = 25.0
 ## The target is never further from the body than this, m.
 const _TARGET: float = 0.3
-## Nobody is higher above what is under him than this (m) for longer than a jump takes, s.
-const _LEVITATION: float = 0.1
+## Nobody is in the air for longer than a jump takes, s.
 const _JUMP_S: float = 0.7
 ## Who goes back so far (m) while he walks ahead goes the wrong way.
 const _BACK: float = 0.5
-## Clearances are looked for every so many ticks: 50 rays each.
-const _LOOKS: int = 6
+const _WALKS: int = 12
+const _HZ: float = 60.0
 
 ## How many scenes.
 var count: int = 20
@@ -24,12 +22,16 @@ var _farthest: float = 0.0
 var _far: int = 0
 var _levitations: int = 0
 var _wrong: int = 0
+var _motions: Array[Array] = []
 
 
 func run() -> void:
-	for i: int in count:
-		random.seed = first_seed + i
-		await _run_scene(first_seed + i)
+	await _make_motions()
+	var done: int = 0
+	while done < count:
+		var many: int = mini(_AT_ONCE, count - done)
+		await _run_batch(first_seed + done, many)
+		done += many
 	var title: String = "%s: random scenes" % root_name
 	var at_most: BenchReport.Goal = BenchReport.Goal.NONE
 	if root_mode == RagdollMotor.ROOT_INERTIAL:
@@ -41,77 +43,72 @@ func run() -> void:
 	report.add(title, "wrong ways", _wrong, "", at_most, 0.0)
 
 
-func _run_scene(p_number: int) -> void:
+## Stairs up and down, level walks of any pace, and the clips, as poses.
+func _make_motions() -> void:
 	begin()
-	var angle: float = deg_to_rad(random.randf_range(-_STEEPEST_DEG, _STEEPEST_DEG))
-	if random.randf() < 0.2:
-		add_bumps(0.1)
-		angle = 0.0
-	else:
-		add_floor(angle)
-	_strew_crates(tan(angle))
-	var walker: Walker = Walker.new(ragdoll.profile)
-	walker.walk(12, random.randf_range(0.4, 0.75), random.randf_range(0.4, 0.7))
-	var clip: BvhSource = null
-	if not clips.is_empty() and random.randf() < 0.5:
-		clip = clips[random.randi() % clips.size()]
-	enter()
-	var found: Dictionary[String, float] = await _play(walker, clip)
-	_farthest = maxf(_farthest, found["distance"])
-	var faults: PackedStringArray = []
-	if found["distance"] > _TARGET:
-		_far += 1
-		faults.append("target %.2f m from the body" % found["distance"])
-	if found["aloft_s"] > _JUMP_S:
-		_levitations += 1
-		faults.append("in the air for %.1f s" % found["aloft_s"])
-	if not clip and found["ahead"] < -_BACK:
-		_wrong += 1
-		faults.append("%.1f m backward" % -found["ahead"])
-	if not faults.is_empty():
-		var what: String = "clip %d" % clips.find(clip) if clip else "walk"
-		var where: String = "%s on %+.0f deg" % [what, rad_to_deg(angle)]
-		printerr("scene of seed %d (%s): %s" % [p_number, where, ", ".join(faults)])
+	for i: int in _WALKS:
+		var walker: Walker = Walker.new(ragdoll.profile)
+		if i < 2:
+			walker.climb(10, 0.17 if i == 0 else -0.17, 0.29, 0.6)
+		else:
+			walker.walk(12, random.randf_range(0.4, 0.75), random.randf_range(0.4, 0.7))
+		var poses: Array = []
+		for tick: int in int((walker.duration + 1.0) * _HZ):
+			poses.append(walker.pose_at(tick / _HZ))
+		_motions.append(poses)
+	for clip: BvhSource in clips:
+		var poses: Array = []
+		for tick: int in int((clip.rig.clip.duration() - BvhSource.BLEND_S) * _HZ):
+			poses.append(clip.pose_at(tick / _HZ))
+		_motions.append(poses)
+	ragdoll.free()
 	await end()
 
 
-func _strew_crates(p_rise: float) -> void:
-	for i: int in random.randi() % (_MOST_CRATES + 1):
-		var size: Vector3 = Vector3(
-			random.randf_range(0.2, 0.6),
-			random.randf_range(0.15, 0.6),
-			random.randf_range(0.2, 0.6)
-		)
-		var place: Vector3 = Vector3(
-			random.randf_range(-1.5, 1.5), 0.0, random.randf_range(0.7, 7.0)
-		)
-		place.y = p_rise * place.z + size.y
-		add_crate(size, place, random.randf_range(2.0, 40.0))
-
-
-## What is found out: the target's greatest distance from the body (m), for how long the body was
-## in the air (s), and how far it went ahead (m).
-func _play(p_walker: Walker, p_clip: BvhSource) -> Dictionary[String, float]:
-	var from: float = 0.0
-	if p_clip:
-		from = random.randf() * maxf(p_clip.rig.clip.duration() - _LENGTH_S - 1.0, 0.0)
-	elif random.randf() < 0.5:
-		from = random.randf_range(1.0, 3.0)
-	var stalls_at: float = random.randf_range(1.0, 12.0)
-	var stalls_until: float = stalls_at + random.randf_range(0.2, 1.5)
-	var farthest: float = 0.0
-	var aloft: float = 0.0
-	var longest: float = 0.0
+func _run_batch(p_seed: int, p_many: int) -> void:
+	var all: Node3D = Node3D.new()
+	_tree.root.add_child(all)
+	var scenes: Array[Scene] = []
+	var motors: Array[RagdollMotor] = []
+	for i: int in p_many:
+		var scene: Scene = Scene.new(_tree, report, p_seed + i)
+		scene.root_mode = root_mode
+		scene.motions = _motions
+		scene.walks = _WALKS
+		scene.climbs = 2
+		scene.build(all, Vector3(i * _APART, 0.0, 0.0))
+		scenes.append(scene)
+		motors.append(scene.ragdoll.motor)
 	var delta: float = 1.0 / Engine.physics_ticks_per_second
-	var tick: int = 0
-	while time_s < _LENGTH_S:
-		var moment: float = from + time_s
-		var pose: PoseSample = p_clip.pose_at(moment) if p_clip else p_walker.pose_at(moment)
-		await step(pose, Vector3(0.0, 0.95, 0.0), time_s < stalls_at or time_s > stalls_until)
-		tick += 1
-		if time_s > 0.5:
-			farthest = maxf(farthest, target_distance())
-		if tick % _LOOKS == 0 and time_s > 1.0:
-			aloft = aloft + _LOOKS * delta if clearance() > _LEVITATION else 0.0
-			longest = maxf(longest, aloft)
-	return {"distance": farthest, "aloft_s": longest, "ahead": root_of(ragdoll).z}
+	var times: PackedFloat64Array = []
+	times.resize(p_many)
+	while scenes[0].time_s < Scene.LENGTH_S:
+		await _tree.physics_frame
+		times.fill(scenes[0].time_s)
+		for scene: Scene in scenes:
+			scene.send()
+		RagdollMotor.drive_all(motors, times, delta)
+		for scene: Scene in scenes:
+			scene.note()
+	for scene: Scene in scenes:
+		_judge(scene)
+	all.queue_free()
+	await _tree.process_frame
+
+
+func _judge(p_scene: Scene) -> void:
+	_farthest = maxf(_farthest, p_scene.farthest)
+	var faults: PackedStringArray = []
+	if p_scene.farthest > _TARGET:
+		_far += 1
+		faults.append("target %.2f m from the body" % p_scene.farthest)
+	if p_scene.aloft_s > _JUMP_S:
+		_levitations += 1
+		faults.append("in the air for %.1f s" % p_scene.aloft_s)
+	if p_scene.get_ahead() < -_BACK:
+		_wrong += 1
+		faults.append("%.1f m backward" % -p_scene.get_ahead())
+	if not faults.is_empty():
+		printerr(
+			"scene of seed %d (%s): %s" % [p_scene.first_seed, p_scene.title, ", ".join(faults)]
+		)

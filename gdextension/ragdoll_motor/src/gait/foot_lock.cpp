@@ -132,6 +132,9 @@ float FootLock::find_rise(
 		middle = middle + p_points[point] * (1.0f / float(p_leg.points.size()));
 	}
 	const Quat turn = exp(p_leg.tilt);
+	// The foot is held beside where the motion has it, where a slope is higher or lower.
+	const Vec3 normal = turn.rotate({ 0.0f, 1.0f, 0.0f });
+	const float beside = -(normal.x * p_leg.offset.x + normal.z * p_leg.offset.z) / normal.y;
 	float deepest = 0.0f;
 	float sinks = -HIGHEST;
 	float lowest = 0.0f; // Of the sole over the level that the motion stands on, where it is below that.
@@ -142,7 +145,7 @@ float FootLock::find_rise(
 			continue;
 		}
 		const Vec3 place = p_root + middle + turn.rotate(p_points[point] - middle);
-		const float depth = _grounds[point].y - place.y;
+		const float depth = _grounds[point].y + beside - place.y;
 		// What swings shall clear the ground as it clears the floor, and by more the faster it does.
 		const float over = std::max(std::min(p_points[point].y - _floor, SWING), p_leg.clearance);
 		deepest = std::max(deepest, depth + over * (1.0f - p_unrest));
