@@ -68,11 +68,27 @@ RigState state_of(const Rig &p_rig, const Pose &p_pose, const Vec3 &p_velocity =
 	return state;
 }
 
+/// Level ground, and something loose under the left foot.
+class Crate : public ragdoll::FlatGround {
+public:
+	explicit Crate(float p_top) : _top(p_top) {}
+	ragdoll::Footing find(const Vec3 &p_at, float /*p_above*/) const override {
+		ragdoll::Footing found;
+		found.is_loose = p_at.x > 0.0f;
+		found.height = found.is_loose ? _top : 0.0f;
+		return found;
+	}
+
+private:
+	float _top;
+};
+
 /// A balance with its body and what it makes of the poses.
 struct Stand {
 	Rig rig{ limbs() };
 	Balance balance{ rig, soles() };
 	ragdoll::FlatGround ground;
+	const ragdoll::Ground *under = &ground;
 	Pose now = standing();
 	Pose next = standing();
 
@@ -81,7 +97,7 @@ struct Stand {
 		next = standing();
 		BalanceInput input;
 		input.state = &p_state;
-		input.ground = &ground;
+		input.ground = under;
 		input.delta_s = STEP;
 		balance.advance(rig, input, now, next);
 	}
@@ -163,6 +179,33 @@ TEST(a_foot_stands_on_the_ground_under_it) {
 	}
 	CHECK_NEAR(stand.sole(4), 0.15f, 0.01f);
 	CHECK_NEAR(stand.sole(7), 0.15f, 0.01f);
+}
+
+TEST(what_is_loose_and_high_is_kicked_aside) {
+	for (const float top : { 0.1f, 0.3f }) {
+		Stand stand;
+		const Crate crate(top);
+		stand.under = &crate;
+		const RigState state = state_of(stand.rig, standing());
+		for (int i = 0; i < 60; i++) {
+			stand.step(state);
+		}
+		CHECK_NEAR(stand.sole(4), top < 0.2f ? top : 0.0f, 0.02f);
+	}
+}
+
+TEST(who_falls_bends_the_knees) {
+	Stand stand;
+	Pose tipped = standing();
+	for (Quat &limb : tipped.orientations) {
+		limb = ragdoll::exp({ 1.0f, 0.0f, 0.0f });
+	}
+	stand.step(state_of(stand.rig, standing()));
+	for (int i = 0; i < 20; i++) {
+		stand.step(state_of(stand.rig, tipped, { 0.0f, -1.0f, 1.0f }));
+	}
+	CHECK(stand.balance.get_recovery().get_phase() == Recovery::Phase::FALLING);
+	CHECK(ragdoll::angle_between(stand.now.orientations[2], stand.now.orientations[3]) > 0.5f);
 }
 
 TEST(the_motions_place_gives_in_where_the_feet_are_held_back) {

@@ -228,7 +228,10 @@ void Balance::follow_ground(const BalanceInput &p_input, const Pose &p_now, Foot
 	if (!std::isfinite(r_foot.ground.height)) {
 		return;
 	}
-	const float needed = r_foot.ground.height - sole_height(p_now, r_foot);
+	float needed = r_foot.ground.height - sole_height(p_now, r_foot);
+	if (r_foot.ground.is_loose && needed > _offset.y + settings.loose_step) {
+		needed = _offset.y;
+	}
 	const float wanted = r_foot.is_up() ? std::max(_offset.y, needed) : needed;
 	const float limited = std::clamp(wanted, _offset.y - Ground::STEP, _offset.y + Ground::STEP);
 	r_foot.height = towards(r_foot.height, limited, settings.rise_speed * p_input.delta_s);

@@ -11,6 +11,31 @@ namespace {
 constexpr float GIVE_UP_S = 1.5f; // A phase that takes so much longer than planned begins anew.
 constexpr float OVER_FEET = 0.5f; // Hips that lean less than this (rad) are over the feet.
 
+constexpr float STILL = 0.3f; // A fall slower than this goes nowhere, m/s.
+
+/// Limbs that hang beside others above the legs, and carry limbs themselves: arms, not the head.
+std::vector<std::size_t> find_arms(const Rig &p_rig) {
+	std::vector<int> hanging(p_rig.size(), 0);
+	for (std::size_t i = 1; i < p_rig.size(); i++) {
+		hanging[std::size_t(p_rig[i].parent)] += p_rig.is_in_leg(i) ? 0 : 1;
+	}
+	std::vector<std::size_t> arms;
+	for (std::size_t i = 1; i < p_rig.size(); i++) {
+		if (!p_rig.is_in_leg(i) && hanging[i] > 0 && hanging[std::size_t(p_rig[i].parent)] > 1) {
+			arms.push_back(i);
+		}
+	}
+	return arms;
+}
+
+bool hangs_on(const Rig &p_rig, std::size_t p_limb, std::size_t p_above) {
+	int limb = p_rig[p_limb].parent;
+	while (limb > int(p_above)) {
+		limb = p_rig[std::size_t(limb)].parent;
+	}
+	return limb == int(p_above);
+}
+
 /// From 0 to 1, at rest at both ends.
 float eased(float p_part) {
 	const float part = std::clamp(p_part, 0.0f, 1.0f);
@@ -20,7 +45,7 @@ float eased(float p_part) {
 } // namespace
 
 Recovery::Recovery(const Rig &p_rig, const std::vector<ContactPoint> &p_contacts) :
-		_legs(find_legs(p_rig, p_contacts)), _start(p_rig.size()) {
+		_legs(find_legs(p_rig, p_contacts)), _arms(find_arms(p_rig)), _start(p_rig.size()) {
 	_crouch.orientations.resize(p_rig.size());
 	if (_legs.size() != 2) {
 		return;
@@ -73,6 +98,28 @@ void Recovery::crouch(const Rig &p_rig, const Pose &p_motion, float p_share, Pos
 	for (const Leg &leg : _legs) {
 		r_pose.orientations[std::size_t(leg.thigh)] = thigh * p_motion.orientations[std::size_t(leg.thigh)];
 		r_pose.orientations[std::size_t(leg.shin)] = shin * p_motion.orientations[std::size_t(leg.shin)];
+	}
+}
+
+void Recovery::protect(const Rig &p_rig, const RigState &p_state, float p_time_s, Pose &r_pose) {
+	crouch(p_rig, r_pose, settings.fall_crouch, _crouch);
+	const Vec3 speed = level(p_state.linear[0]);
+	const Vec3 ahead = speed.length() > STILL ? speed * (std::cos(settings.reach_down) / speed.length()) : Vec3();
+	const Vec3 reach = ahead + Vec3{ 0.0f, -std::sin(settings.reach_down), 0.0f };
+	// As the body lies in the air, not as the motion stands.
+	const Quat turn = _crouch.orientations[0] * p_state.orientations[0].inverse();
+	for (const std::size_t arm : _arms) {
+		const Vec3 points = _crouch.orientations[arm].rotate(p_rig[arm].centre);
+		const Quat raised = rotation_between(points, turn.rotate(reach));
+		for (std::size_t i = arm; i < p_rig.size(); i++) {
+			if (i == arm || hangs_on(p_rig, i, arm)) {
+				_crouch.orientations[i] = raised * _crouch.orientations[i];
+			}
+		}
+	}
+	const float share = eased(p_time_s / settings.protect_s);
+	for (std::size_t i = 0; i < p_rig.size(); i++) {
+		r_pose.orientations[i] = slerp(_start[i], _crouch.orientations[i], share);
 	}
 }
 
@@ -132,7 +179,10 @@ void Recovery::advance(const Rig &p_rig, const RigState &p_state, float p_height
 			}
 			break;
 	}
-	if (_phase != Phase::NONE && _phase != Phase::FALLING) {
+	if (_phase == Phase::FALLING) {
+		protect(p_rig, p_state, _time_s, r_now);
+		protect(p_rig, p_state, _time_s + p_delta_s, r_next);
+	} else if (_phase != Phase::NONE) {
 		blend(p_rig, _time_s, r_now);
 		blend(p_rig, _time_s + p_delta_s, r_next);
 	}

@@ -17,6 +17,11 @@ struct RecoverySettings {
 	float fall_height = 0.6f;
 	/// What is left of the joints' torque in a fall: limbs soften it, they do not hold it.
 	float fall_strength = 0.25f;
+	/// Who falls bends by this part of a crouch and reaches out, within this time, s: arms point this far down
+	/// from where the fall goes, rad.
+	float fall_crouch = 0.4f;
+	float protect_s = 0.25f;
+	float reach_down = 0.6f;
 	/// Who has fallen lies still below this speed of the centre of mass, m/s, after a moment, s, or anyhow
 	/// after this time, s.
 	float rest_speed = 0.4f;
@@ -74,9 +79,12 @@ private:
 	void go(Phase p_phase, const RigState &p_state);
 	void crouch(const Rig &p_rig, const Pose &p_motion, float p_share, Pose &r_pose) const;
 	void blend(const Rig &p_rig, float p_time_s, Pose &r_pose);
+	/// Bends knees and trunk and reaches for the ground: nobody falls like a plank.
+	void protect(const Rig &p_rig, const RigState &p_state, float p_time_s, Pose &r_pose);
 	bool has_fallen(const RigState &p_state, float p_height, float p_wanted_height, const Pose &p_now) const;
 
 	std::vector<Leg> _legs;
+	std::vector<std::size_t> _arms; // Upper arms, each before the limbs that hang on it.
 	Vec3 _left; // From the right hip joint to the left one, or the other way round: knees bend ahead, in the hips'
 				// axes.
 	std::vector<Quat> _start; // Where the limbs were when the phase began.
