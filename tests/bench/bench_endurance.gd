@@ -71,6 +71,10 @@ func _find_fault() -> String:
 		return "--root is one of %s" % ", ".join(_ROOTS.keys())
 	if _arguments.value("people") < 2 or _arguments.value("people") > 256:
 		return "--people is between 2 and 256, found %d" % _arguments.value("people")
+	if _arguments.value("hz") < 10 or _arguments.value("hz") > 1000:
+		return "a tick rate is between 10 and 1000, found %d" % _arguments.value("hz")
+	if not _arguments.value("minutes") > 0.0:
+		return "--minutes is more than 0, found %s" % _arguments.value("minutes")
 	return ""
 
 

@@ -1,11 +1,11 @@
 extends SceneTree
 ## What carries people, and what becomes of them when they are pushed or the ground is not level.
 ##
-## Options: --scene=stand|clip|push|blocked|slopes|stairs|crates|wall|platforms (again for more;
-## default all), --root=grounded|soft|inertial|held|lowest_foot|contacts|pendulum|self_righting
-## (default grounded), --bvh=FILE (of the scenes clip and blocked, again for more; default the clips
-## in assets/motion), --obstacle=wall|corner|table|door (of blocked, again for more; default all),
-## --hz=60, --set=PROPERTY=NUMBER (of Ragdoll, again for more), --trace (prints
+## Options: --scene=stand|clip|push|ball|blocked|slopes|stairs|crates|wall|platforms (again for
+## more; default all), --root=grounded|soft|inertial|held|lowest_foot|contacts|pendulum|
+## self_righting (default grounded), --bvh=FILE (of the scenes clip and blocked, again for more;
+## default the clips in assets/motion), --obstacle=wall|corner|table|door (of blocked, again for
+## more; default all), --hz=60, --set=PROPERTY=NUMBER (of Ragdoll, again for more), --trace (prints
 ## pushes and the deepest limbs as they go).
 
 const _ROOTS: Dictionary[String, RagdollMotor.RootMode] = {
@@ -19,7 +19,7 @@ const _ROOTS: Dictionary[String, RagdollMotor.RootMode] = {
 	"self_righting": RagdollMotor.ROOT_SELF_RIGHTING,
 }
 const _SCENES: Array[String] = [
-	"stand", "clip", "push", "blocked", "slopes", "stairs", "crates", "wall", "platforms"
+	"stand", "clip", "push", "ball", "blocked", "slopes", "stairs", "crates", "wall", "platforms"
 ]
 ## Of long clips so much is played, s; shorter ones tell nothing.
 const _MAX_S: float = 60.0
@@ -71,6 +71,8 @@ func _run() -> void:
 					await _clip(file)
 			"push":
 				await _push()
+			"ball":
+				await _ball()
 			"blocked":
 				await _blocked()
 			_:
@@ -129,6 +131,14 @@ func _stand() -> void:
 	var jitter: float = GroundRun.mean(run.jitter, 60)
 	_report.add("standing", "jitter", jitter, "deg/s", BenchReport.Goal.AT_MOST, 0.1)
 	run.end()
+
+
+func _ball() -> void:
+	var ball: GroundBall = GroundBall.new(_report)
+	for direction: Vector3 in [Vector3.BACK, Vector3.FORWARD, Vector3.RIGHT, Vector3.LEFT]:
+		var run: GroundRun = _begin_standing()
+		await ball.throw(run, direction)
+		run.end()
 
 
 func _push() -> void:

@@ -131,6 +131,9 @@ void Driver::compute_limbs(const RigState &p_state, float p_delta_s) {
 		_table.set_scale(i, is_grounded ? _balance.get_strength(bears) : 1.0f);
 	}
 	_controller.compute(p_state, _now, _next, p_delta_s, _table, _commands.limbs);
+	if (is_grounded) {
+		ease_limbs(p_state);
+	}
 }
 
 bool Driver::has_come_back(double p_time_s) {

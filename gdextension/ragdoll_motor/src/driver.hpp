@@ -210,6 +210,8 @@ private:
 	void let_go_when_stalled(double p_time_s);
 	void command_root(const RigState &p_state, float p_delta_s);
 	void note_torques(const RigState &p_state, float p_delta_s);
+	/// GROUNDED: lets the limbs above the legs of somebody who stands at ease give way.
+	void ease_limbs(const RigState &p_state);
 	void push_limbs(const RigState &p_state, float p_delta_s);
 
 	Rig _rig;

@@ -20,6 +20,7 @@ FeedForward::FeedForward(const Rig &p_rig) :
 		_joints_next(p_rig.size()),
 		_impulses(p_rig.size()),
 		_hanging(p_rig.size()),
+		_shares(p_rig.size(), 1.0f),
 		_driven(p_rig.size(), false) {}
 
 void FeedForward::find_impulses(const Rig &p_rig, const RigState &p_state, const Pose &p_now, const Pose &p_next,
@@ -49,9 +50,8 @@ void FeedForward::find_impulses(const Rig &p_rig, const RigState &p_state, const
 	}
 }
 
-float FeedForward::find_share(
+void FeedForward::find_shares(
 		const Rig &p_rig, const RigState &p_state, float p_delta_s, const std::vector<LimbCommand> &p_commands) {
-	float share = 1.0f;
 	std::fill(_hanging.begin(), _hanging.end(), Impulse());
 	for (std::size_t i = p_rig.size(); i-- > 1;) {
 		if (!_driven[i]) {
@@ -64,23 +64,27 @@ float FeedForward::find_share(
 		const float torque = p_commands[i].whole_torque;
 		const float most = torque * std::min(torque / std::max(p_rig[i].max_torque, 1e-6f), 1.0f) * p_delta_s;
 		const float needed = whole.angular.length();
-		share = needed > most ? std::min(share, most / needed) : share;
+		_shares[i] = needed > most ? most / needed : 1.0f;
 		Impulse &above = _hanging[std::size_t(p_rig[i].parent)];
 		const Vec3 arm = joint - p_rig.joint_of(p_state, std::size_t(p_rig[i].parent));
 		above.angular = above.angular + whole.angular + arm.cross(whole.linear);
 		above.linear = above.linear + whole.linear;
 	}
-	return share;
+	for (std::size_t i = 1; i < p_rig.size(); i++) {
+		const std::size_t parent = std::size_t(p_rig[i].parent);
+		_shares[i] = parent > 0 ? std::min(_shares[i], _shares[parent]) : _shares[i];
+	}
 }
 
 void FeedForward::add(const Rig &p_rig, const RigState &p_state, const Pose &p_now, const Pose &p_next, float p_delta_s,
 		const std::vector<LimbCommand> &p_commands, std::vector<LimbPush> &r_pushes) {
 	find_impulses(p_rig, p_state, p_now, p_next, p_delta_s, p_commands);
-	const float rate = find_share(p_rig, p_state, p_delta_s, p_commands) / p_delta_s;
+	find_shares(p_rig, p_state, p_delta_s, p_commands);
 	for (std::size_t i = 1; i < p_rig.size() && _has_before; i++) {
 		if (!_driven[i]) {
 			continue;
 		}
+		const float rate = _shares[i] / p_delta_s;
 		const Vec3 force = _impulses[i].linear * rate;
 		const Vec3 torque = _impulses[i].angular * rate;
 		r_pushes[i].force = r_pushes[i].force + force;

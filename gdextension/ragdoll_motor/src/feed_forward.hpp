@@ -42,8 +42,8 @@ private:
 
 	void find_impulses(const Rig &p_rig, const RigState &p_state, const Pose &p_now, const Pose &p_next,
 			float p_delta_s, const std::vector<LimbCommand> &p_commands);
-	/// How much of the impulses the joints' torques give, 0 to 1.
-	float find_share(
+	/// How much of its impulse the joints' torques give each limb, 0 to 1: no more than its parent gets.
+	void find_shares(
 			const Rig &p_rig, const RigState &p_state, float p_delta_s, const std::vector<LimbCommand> &p_commands);
 
 	std::vector<Vec3> _linear; // The motion's velocities in the step before, m/s ...
@@ -52,6 +52,7 @@ private:
 	std::vector<Vec3> _joints_next;
 	std::vector<Impulse> _impulses;
 	std::vector<Impulse> _hanging; // What hangs on each joint: all linear impulses, and the moment about it.
+	std::vector<float> _shares;
 	std::vector<bool> _driven; // By velocity motors from the root on.
 	bool _has_before = false;
 };

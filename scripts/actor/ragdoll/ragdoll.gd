@@ -27,8 +27,8 @@ extends Node3D
 @export_range(0.0, 5000.0, 10.0, "suffix:Nm") var standing_torque: float = 240.0
 ## Scales the torque of every joint: 1 is a strong adult, 0 is limp.
 @export_range(0.0, 4.0, 0.01) var strength: float = 1.0
-## Scales the inertia of trunk and legs, which bear the other limbs: 6 keeps a body that stands calm and
-## exact at 60 ticks/s.
+## Scales the inertia of trunk and legs, which bear the other limbs: 6 keeps a body that stands calm
+## and exact at 60 ticks/s.
 @export_range(1.0, 10.0, 0.1) var inertia_scale: float = 6.0
 ## Scales the inertia of head and arms.
 @export_range(1.0, 10.0, 0.1) var arm_inertia_scale: float = 2.5

@@ -47,6 +47,8 @@ void Balance::clear() {
 	_capture = {};
 	_bearing = 1.0f;
 	_eagerness = 1.0f;
+	_ease = 0.0f;
+	_calm_s = 0.0f;
 	_offset = {};
 	_stood_s = 0.0f;
 	_begun = false;
@@ -246,7 +248,15 @@ void Balance::push(const Rig &p_rig, const BalanceInput &p_input) {
 	_torque = settings.torque + (settings.standing_torque - settings.torque) * stood;
 	_bearing = settings.bearing + (1.0f - settings.bearing) * stood;
 	_eagerness = 1.0f + (settings.standing_eagerness - 1.0f) * stood;
+	_calm_s = is_stepping() || _stood_s == 0.0f ? 0.0f : _calm_s + p_input.delta_s;
+	_ease = std::clamp((_calm_s - SETTLE_FROM_S) / SETTLE_S, 0.0f, 1.0f);
 	find_deceleration(p_rig);
+}
+
+float Balance::get_stiffness(float p_error, bool p_returns) const {
+	const float part = std::min(p_error / settings.stiff_from, 1.0f);
+	const float left = 1.0f - _ease * (1.0f - settings.ease) * (1.0f - part);
+	return std::min(left * (p_returns ? settings.come_back : 1.0f), 1.0f);
 }
 
 void Balance::find_deceleration(const Rig &p_rig) {
@@ -269,6 +279,8 @@ void Balance::stay(const Rig &p_rig, const BalanceInput &p_input, Pose &r_now, P
 	_force = {};
 	_bearing = 1.0f;
 	_eagerness = 1.0f;
+	_ease = 0.0f;
+	_calm_s = 0.0f;
 	_torque = _recovery.get_torque(settings.torque);
 	find_deceleration(p_rig);
 	_capture = {};
@@ -317,6 +329,7 @@ void Balance::save(ArchiveWriter &p_archive) const {
 	p_archive.put(_offset);
 	p_archive.put(_force);
 	p_archive.put(_stood_s);
+	p_archive.put(_calm_s);
 	p_archive.put(_begun);
 	_recovery.save(p_archive);
 }
@@ -325,8 +338,8 @@ bool Balance::restore(ArchiveReader &p_archive) {
 	for (Foot &foot : _feet) {
 		Foot::for_each_saved(foot, [&](auto &r_value) { p_archive.get(r_value); });
 	}
-	return p_archive.get(_offset) && p_archive.get(_force) && p_archive.get(_stood_s) && p_archive.get(_begun) &&
-			_recovery.restore(p_archive);
+	return p_archive.get(_offset) && p_archive.get(_force) && p_archive.get(_stood_s) && p_archive.get(_calm_s) &&
+			p_archive.get(_begun) && _recovery.restore(p_archive);
 }
 
 } // namespace ragdoll

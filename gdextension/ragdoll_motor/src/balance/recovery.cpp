@@ -11,6 +11,7 @@ namespace {
 constexpr float GIVE_UP_S = 1.5f; // A phase that takes so much longer than planned begins anew.
 constexpr float OVER_FEET = 0.5f; // Hips that lean less than this (rad) are over the feet.
 
+constexpr float OPPOSITE = -0.8f; // Cosine.
 constexpr float STILL = 0.3f; // A fall slower than this goes nowhere, m/s.
 
 /// Limbs that hang beside others above the legs, and carry limbs themselves: arms, not the head.
@@ -110,7 +111,11 @@ void Recovery::protect(const Rig &p_rig, const RigState &p_state, float p_time_s
 	const Quat turn = _crouch.orientations[0] * p_state.orientations[0].inverse();
 	for (const std::size_t arm : _arms) {
 		const Vec3 points = _crouch.orientations[arm].rotate(p_rig[arm].centre);
-		const Quat raised = rotation_between(points, turn.rotate(reach));
+		const Vec3 wanted = turn.rotate(reach);
+		// From where they point the other way they come down ahead: between opposites there is no shortest turn.
+		const bool is_opposite = points.dot(wanted) < OPPOSITE * points.length() * wanted.length();
+		const Quat ahead_first = is_opposite ? exp(_crouch.orientations[0].rotate(_left) * (0.5f * PI)) : Quat();
+		const Quat raised = rotation_between(ahead_first.rotate(points), wanted) * ahead_first;
 		for (std::size_t i = arm; i < p_rig.size(); i++) {
 			if (i == arm || hangs_on(p_rig, i, arm)) {
 				_crouch.orientations[i] = raised * _crouch.orientations[i];

@@ -32,6 +32,21 @@ int Driver::hit(const RigState &p_state, const Vec3 &p_impulse, const Vec3 &p_po
 	return limb;
 }
 
+void Driver::ease_limbs(const RigState &p_state) {
+	for (std::size_t i = 1; i < _rig.size(); i++) {
+		LimbCommand &command = _commands.limbs[i];
+		if (_rig.is_in_leg(i) || command.mode != Actuation::VELOCITY_MOTOR) {
+			continue;
+		}
+		const std::size_t parent = std::size_t(_rig[i].parent);
+		const Quat actual = p_state.orientations[parent].inverse() * p_state.orientations[i];
+		const Quat wanted = _now.orientations[parent].inverse() * _now.orientations[i];
+		const Vec3 error = p_state.orientations[i].rotate(log(actual.inverse() * wanted));
+		const Vec3 turning = p_state.angular[i] - p_state.angular[parent];
+		command.max_torque *= _balance.get_stiffness(error.length(), error.dot(turning) > 0.0f);
+	}
+}
+
 void Driver::push_limbs(const RigState &p_state, float p_delta_s) {
 	_world.advance(p_delta_s);
 	if (_world.is_active()) {

@@ -58,7 +58,7 @@ void FootLock::advance(const Travel &p_travel, const Vec3 &p_root, const std::ve
 	find_level(p_travel, p_points);
 	const float kept = grip_s > 0.0f ? std::exp(-p_delta_s / grip_s) : 0.0f;
 	for (HeldLeg &leg : _legs) {
-		find_clearance(leg, p_root, p_points, p_delta_s);
+		find_clearance(leg, p_travel, p_root, p_points, p_delta_s);
 		leg.offset = leg.offset * std::exp(-p_delta_s / LET_GO_S);
 		const float excess = std::max(leg.away.length() - SLIPS_FROM - SLIPS_LATER * p_unrest, 0.0f);
 		const Vec3 slip = leg.away.limited(excess) * share(p_delta_s, SLIP_S);
@@ -96,13 +96,14 @@ void FootLock::find_level(const Travel &p_travel, const std::vector<Vec3> &p_poi
 	_level = sum > UPRIGHT ? _level / sum : -std::numeric_limits<float>::infinity();
 }
 
-void FootLock::find_clearance(
-		HeldLeg &r_leg, const Vec3 &p_root, const std::vector<Vec3> &p_points, float p_delta_s) const {
+void FootLock::find_clearance(HeldLeg &r_leg, const Travel &p_travel, const Vec3 &p_root,
+		const std::vector<Vec3> &p_points, float p_delta_s) const {
 	Vec3 place = p_root;
 	for (const std::size_t point : r_leg.points) {
 		place = place + p_points[point] * (1.0f / float(r_leg.points.size()));
 	}
-	const float speed = level(place - r_leg.place).length() / p_delta_s;
+	const Vec3 carried = r_leg.points.empty() ? Vec3() : p_travel.get_carry(r_leg.points[0], r_leg.place, p_delta_s);
+	const float speed = level(place - r_leg.place - carried).length() / p_delta_s;
 	r_leg.place = place;
 	const float fast = speed > CLEARS_FROM ? std::min((speed - CLEARS_FROM) / (CLEARS_AT - CLEARS_FROM), 1.0f) : 0.0f;
 	r_leg.clearance = CLEARS * fast; // None where nothing is known of the place before.

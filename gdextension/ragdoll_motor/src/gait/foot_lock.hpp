@@ -101,7 +101,8 @@ private:
 	};
 
 	void find_level(const Travel &p_travel, const std::vector<Vec3> &p_points);
-	void find_clearance(HeldLeg &r_leg, const Vec3 &p_root, const std::vector<Vec3> &p_points, float p_delta_s) const;
+	void find_clearance(HeldLeg &r_leg, const Travel &p_travel, const Vec3 &p_root, const std::vector<Vec3> &p_points,
+			float p_delta_s) const;
 	/// How the ground under a foot is tilted, rotation vector, rad; none where it is not even.
 	Vec3 find_tilt(const HeldLeg &p_leg) const;
 	/// How far a foot has to be raised onto the ground, or lowered where it stands, m.
