@@ -68,7 +68,7 @@ const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_del
 	const bool seated = carried.length() > PoseStream::TELEPORT_DISTANCE &&
 			carried.length() > PoseStream::FASTEST_ROOT * p_delta_s && !finds_travel(root_mode) && !is_free(root_mode);
 	const bool is_elsewhere = has_come_back(p_time_s) || teleported || seated;
-	_now.root = seated ? _now.root + carried : _now.root;
+	MotionFrame{ _frame_turn, _frame_shift, !seated }.apply(_now);
 	const bool must_jump = hold_back(r_state, begins || seated, is_elsewhere, p_delta_s);
 	if (must_jump || (_commands.guarded & GUARD_LOST) != 0) {
 		put_into_pose(r_state);
@@ -82,7 +82,9 @@ const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_del
 		_commands.must_put = true;
 	}
 	travel(r_state, p_delta_s);
-	if (is_arriving || (_commands.must_put && finds_anew)) {
+	// Who is only carried along by what turns keeps the pose and the speed that he has.
+	const bool was_put = must_jump || _commands.guarded != GUARD_NOTHING;
+	if (is_arriving || (was_put && finds_anew)) {
 		place(r_state); // On the ground that was found, wherever the root was told to be.
 	}
 	if (is_arriving) {

@@ -24,7 +24,8 @@ void Driver::shift_root(const Vec3 &p_now, const Vec3 &p_next) {
 }
 
 bool Driver::hold_back(const RigState &p_state, bool p_begins, bool p_jumps, float p_delta_s) {
-	const bool is_stopped = p_jumps && !p_begins && is_walled_off(p_state);
+	// Where the travel is found, the motion's own root means nothing in the world.
+	const bool is_stopped = p_jumps && !p_begins && !finds_travel(root_mode) && is_walled_off(p_state);
 	if (p_begins || p_jumps || _travelled != root_mode || !is_tethered(root_mode)) {
 		_tether.clear();
 	}
