@@ -6,7 +6,6 @@
 #include <convert.hpp>
 
 #include <godot_cpp/classes/physics_server3d.hpp>
-#include <godot_cpp/variant/typed_array.hpp>
 
 namespace godot {
 
@@ -14,10 +13,16 @@ namespace {
 
 constexpr double MARGIN = 0.005; // m
 constexpr int MAX_COLLISIONS = 4;
+constexpr int MAX_SWEEPS = 8; // Through what gives way.
 
-/// Whether a body does not give way to a person.
-bool stands_firm(const RID &p_body) {
+} // namespace
+
+bool ObstacleSweep::stands_firm(const RID &p_body) const {
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
+	// Hips that are held are kinematic, but give way when they meet somebody.
+	if ((server->body_get_collision_layer(p_body) & _mask) == 0) {
+		return false;
+	}
 	const PhysicsServer3D::BodyMode mode = server->body_get_mode(p_body);
 	if (mode == PhysicsServer3D::BODY_MODE_STATIC || mode == PhysicsServer3D::BODY_MODE_KINEMATIC) {
 		return true;
@@ -25,17 +30,15 @@ bool stands_firm(const RID &p_body) {
 	return double(server->body_get_param(p_body, PhysicsServer3D::BODY_PARAM_MASS)) >= GroundRays::HEAVY;
 }
 
-} // namespace
-
 void ObstacleSweep::attach(const std::vector<RID> &p_bodies) {
 	_bodies = p_bodies;
 	_parameters.instantiate();
 	_result.instantiate();
-	TypedArray<RID> own;
+	_own = TypedArray<RID>();
 	for (const RID &body : p_bodies) {
-		own.push_back(body);
+		_own.push_back(body);
 	}
-	_parameters->set_exclude_bodies(own);
+	_parameters->set_exclude_bodies(_own);
 	_parameters->set_margin(MARGIN);
 	_parameters->set_max_collisions(MAX_COLLISIONS);
 }
@@ -47,15 +50,25 @@ bool ObstacleSweep::is_in_way(std::size_t p_limb, const ragdoll::Quat &p_orienta
 	}
 	_parameters->set_from(Transform3D(Basis(from_core(p_orientation)), from_core(p_centre)));
 	_parameters->set_motion(from_core(p_motion));
-	if (!PhysicsServer3D::get_singleton()->body_test_motion(_bodies[p_limb], _parameters, _result)) {
-		return false;
-	}
-	for (int i = 0; i < int(_result->get_collision_count()); i++) {
-		if (stands_firm(_result->get_collider_rid(i))) {
-			return true;
+	TypedArray<RID> passed;
+	bool is_met = false;
+	for (int sweep = 0; sweep < MAX_SWEEPS && !is_met; sweep++) {
+		if (!PhysicsServer3D::get_singleton()->body_test_motion(_bodies[p_limb], _parameters, _result)) {
+			break;
 		}
+		// What gives way may hide what does not.
+		passed = passed.is_empty() ? TypedArray<RID>(_own.duplicate()) : passed;
+		for (int i = 0; i < int(_result->get_collision_count()); i++) {
+			const RID body = _result->get_collider_rid(i);
+			is_met = is_met || stands_firm(body);
+			passed.push_back(body);
+		}
+		_parameters->set_exclude_bodies(passed);
 	}
-	return false;
+	if (!passed.is_empty()) {
+		_parameters->set_exclude_bodies(_own);
+	}
+	return is_met;
 }
 
 } // namespace godot

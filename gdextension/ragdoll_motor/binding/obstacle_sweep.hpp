@@ -7,7 +7,9 @@
 #include <godot_cpp/classes/physics_test_motion_result3d.hpp>
 #include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/variant/rid.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
 
+#include <cstdint>
 #include <vector>
 
 namespace godot {
@@ -17,11 +19,17 @@ class ObstacleSweep : public ragdoll::Obstacles {
 public:
 	/// Takes the bodies of the limbs.
 	void attach(const std::vector<RID> &p_bodies);
+	/// The layers that can hold somebody back: the world and props, not people.
+	void set_mask(std::uint32_t p_mask) { _mask = p_mask; }
 	bool is_in_way(std::size_t p_limb, const ragdoll::Quat &p_orientation, const ragdoll::Vec3 &p_centre,
 			const ragdoll::Vec3 &p_motion) const override;
 
 private:
+	bool stands_firm(const RID &p_body) const;
+
 	std::vector<RID> _bodies;
+	TypedArray<RID> _own; // The same.
+	std::uint32_t _mask = 0;
 	Ref<PhysicsTestMotionParameters3D> _parameters;
 	Ref<PhysicsTestMotionResult3D> _result;
 };

@@ -90,6 +90,7 @@ void RagdollMotor::apply_settings() {
 	_driver->get_guard().max_energy = float(_max_energy);
 	_driver->measures_torque = _measures_torque;
 	_driver->get_meter().measures_lag = _measures_lag;
+	_obstacles.set_mask(std::uint32_t(_ground_mask));
 	_driver->obstacles = &_obstacles;
 	look_at_ground();
 }

@@ -37,6 +37,28 @@ func test_a_jump_of_the_motion_goes_through_no_wall() -> void:
 		almost_equal(player.ragdoll.motor.get_tether().z, -30.0, 1.0)
 
 
+func test_a_loose_thing_hides_no_wall() -> void:
+	for mode: RagdollMotor.RootMode in MODES:
+		var jump: Callable = func(time: float) -> float: return 0.0 if time < 1.0 else 30.0
+		var player: Stage.Player = _walker(mode, jump)
+		_add_loose(HEIGHT + Vector3.BACK * 0.6)
+		await _stage.run(90)
+		is_true(_furthest(player) < WALL + 0.03, "a limb is at %f m" % _furthest(player))
+
+
+func test_people_are_no_walls() -> void:
+	for mode: RagdollMotor.RootMode in MODES:
+		_clear_stage()
+		_stage.add_floor()
+		_stage.add_soldier(HEIGHT + Vector3.BACK, RagdollMotor.ROOT_HELD)
+		var player: Stage.Player = _stage.make_soldier(HEIGHT, mode)
+		player.place = func(time: float) -> Vector3:
+			return HEIGHT + Vector3.BACK * (0.0 if time < 1.0 else 4.0)
+		_stage.enter(player)
+		await _stage.run(90)
+		almost_equal(player.joint(0).z, 4.0, 0.1)
+
+
 func test_who_begins_anew_is_put_wherever_that_is() -> void:
 	for mode: RagdollMotor.RootMode in MODES:
 		var jump: Callable = func(time: float) -> float: return 0.0 if time < 1.0 else 4.0
@@ -121,6 +143,20 @@ static func _furthest(p_player: Stage.Player) -> float:
 	for limb: int in Limbs.COUNT:
 		furthest = maxf(furthest, p_player.body(limb).origin.z)
 	return furthest
+
+
+## A light thing that floats at a place.
+func _add_loose(p_place: Vector3) -> void:
+	var loose: RigidBody3D = RigidBody3D.new()
+	loose.collision_layer = PhysicsLayers.PROPS
+	loose.gravity_scale = 0.0
+	loose.position = p_place
+	var shape: CollisionShape3D = CollisionShape3D.new()
+	var box: BoxShape3D = BoxShape3D.new()
+	box.size = Vector3(0.6, 0.6, 0.2)
+	shape.shape = box
+	loose.add_child(shape)
+	_stage.add_child(loose)
 
 
 func _add_platform() -> AnimatableBody3D:
