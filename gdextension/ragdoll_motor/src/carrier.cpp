@@ -28,6 +28,35 @@ Ride ride_about(const Quat &p_turn, const Vec3 &p_from, const Vec3 &p_to) {
 	return { p_turn, p_to - p_turn.rotate(p_from), true };
 }
 
+// Value by value: what lies between them in memory is of no use in a replay.
+void put(ArchiveWriter &p_archive, const Ride &p_ride) {
+	p_archive.put(p_ride.turn);
+	p_archive.put(p_ride.shift);
+	p_archive.put(p_ride.moves);
+}
+
+bool get(ArchiveReader &p_archive, Ride &r_ride) {
+	return p_archive.get(r_ride.turn) && p_archive.get(r_ride.shift) && p_archive.get(r_ride.moves) &&
+			r_ride.turn.is_finite() && r_ride.shift.is_finite();
+}
+
+void put(ArchiveWriter &p_archive, const Footing &p_footing) {
+	p_archive.put(p_footing.height);
+	p_archive.put(p_footing.is_loose);
+	p_archive.put(p_footing.velocity);
+	p_archive.put(p_footing.turning);
+	p_archive.put(p_footing.pivot);
+	p_archive.put(p_footing.body);
+	p_archive.put(p_footing.orientation);
+	p_archive.put(p_footing.origin);
+}
+
+bool get(ArchiveReader &p_archive, Footing &r_footing) {
+	return p_archive.get(r_footing.height) && p_archive.get(r_footing.is_loose) && p_archive.get(r_footing.velocity) &&
+			p_archive.get(r_footing.turning) && p_archive.get(r_footing.pivot) && p_archive.get(r_footing.body) &&
+			p_archive.get(r_footing.orientation) && p_archive.get(r_footing.origin);
+}
+
 } // namespace
 
 void Carrier::find_supports(const Rig &p_rig, const std::vector<ContactPoint> &p_contacts, const RigState &p_state) {
@@ -142,6 +171,40 @@ void Carrier::advance(const Rig &p_rig, const std::vector<ContactPoint> &p_conta
 	const Vec3 moved = (_ahead.apply(at) - at) * std::exp(-p_delta_s / FLOAT_S);
 	_ahead = { Quat(), moved, moved.length() > 1e-5f };
 	_past = _ahead;
+}
+
+void Carrier::save(ArchiveWriter &p_archive) const {
+	for (const Support &support : _supports) {
+		p_archive.put(support.limb);
+		p_archive.put(support.looked);
+		p_archive.put(support.at);
+		p_archive.put(support.age_s);
+		put(p_archive, support.footing);
+		p_archive.put(support.height);
+	}
+	for (const Known &known : _known) {
+		p_archive.put(known.body);
+		p_archive.put(known.orientation);
+		p_archive.put(known.origin);
+	}
+	put(p_archive, _past);
+	put(p_archive, _ahead);
+	p_archive.put(_spiral);
+}
+
+bool Carrier::restore(ArchiveReader &p_archive) {
+	for (Support &support : _supports) {
+		if (!p_archive.get(support.limb) || !p_archive.get(support.looked) || !p_archive.get(support.at) ||
+				!p_archive.get(support.age_s) || !get(p_archive, support.footing) || !p_archive.get(support.height)) {
+			return false;
+		}
+	}
+	for (Known &known : _known) {
+		if (!p_archive.get(known.body) || !p_archive.get(known.orientation) || !p_archive.get(known.origin)) {
+			return false;
+		}
+	}
+	return get(p_archive, _past) && get(p_archive, _ahead) && p_archive.get(_spiral) && _spiral.is_finite();
 }
 
 } // namespace ragdoll

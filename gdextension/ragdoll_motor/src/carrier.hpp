@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "archive.hpp"
 #include "gait/contact_point.hpp"
 #include "gait/ground.hpp"
 #include "rig.hpp"
@@ -41,6 +42,9 @@ public:
 	/// in the last step, and not along that, m. Friction does not bring it back: in half a minute at 30 deg/s
 	/// it is 7 cm for each metre from the pivot.
 	const Vec3 &get_spiral() const { return _spiral; }
+
+	void save(ArchiveWriter &p_archive) const;
+	bool restore(ArchiveReader &p_archive);
 
 private:
 	static constexpr std::size_t SUPPORTS = 2;

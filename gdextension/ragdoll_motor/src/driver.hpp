@@ -169,6 +169,8 @@ private:
 
 		void apply(Pose &r_pose) const;
 		MotionFrame moved(const Ride &p_ride) const;
+		void save(ArchiveWriter &p_archive) const;
+		bool restore(ArchiveReader &p_archive);
 	};
 
 	bool read(ArchiveReader &p_archive);

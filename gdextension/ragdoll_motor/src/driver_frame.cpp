@@ -4,6 +4,15 @@
 
 namespace ragdoll {
 
+namespace {
+
+/// Whether a frame is that of the world.
+bool is_nowhere(const Quat &p_orientation, const Vec3 &p_origin) {
+	return p_origin.length() == 0.0f && p_orientation.w == 1.0f;
+}
+
+} // namespace
+
 void Driver::MotionFrame::apply(Pose &r_pose) const {
 	if (is_identity) {
 		return;
@@ -15,9 +24,21 @@ void Driver::MotionFrame::apply(Pose &r_pose) const {
 }
 
 void Driver::set_frame(const Quat &p_orientation, const Vec3 &p_origin) {
-	_frame_next = { p_orientation, p_origin, false };
-	_frame_next.is_identity = p_origin.length() == 0.0f && p_orientation.w == 1.0f;
+	_frame_next = { p_orientation, p_origin, is_nowhere(p_orientation, p_origin) };
 	_is_frame_set = true;
+}
+
+void Driver::MotionFrame::save(ArchiveWriter &p_archive) const {
+	p_archive.put(orientation);
+	p_archive.put(origin);
+}
+
+bool Driver::MotionFrame::restore(ArchiveReader &p_archive) {
+	if (!p_archive.get(orientation) || !p_archive.get(origin) || !orientation.is_finite() || !origin.is_finite()) {
+		return false;
+	}
+	is_identity = is_nowhere(orientation, origin);
+	return true;
 }
 
 Driver::MotionFrame Driver::MotionFrame::moved(const Ride &p_ride) const {

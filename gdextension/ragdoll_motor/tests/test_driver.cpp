@@ -166,4 +166,51 @@ TEST(a_turning_platform_puts_nobody_at_rest_whose_mode_changes) {
 	}
 }
 
+TEST(who_is_carried_still_is_after_a_replay) {
+	Platform platform;
+	Driver driver(Rig(fixtures::limbs()), fixtures::groups(), 3, std::vector<ContactPoint>(1));
+	driver.ground = &platform;
+	driver.root_mode = RootMode::SOFT;
+	RigState state = at_rest(driver, {});
+	double time = 1.0;
+	const auto turn_on = [&](int p_steps) {
+		for (int i = 0; i < p_steps; i++) {
+			stand(driver, state, time);
+			platform.orientation = exp({ 0.0f, 0.5f * DELTA, 0.0f }) * platform.orientation;
+			time += double(DELTA);
+		}
+	};
+	turn_on(50);
+	const std::vector<std::uint8_t> before = saved(driver);
+	const Quat was = platform.orientation;
+	turn_on(50);
+	const std::vector<std::uint8_t> after = saved(driver);
+	const Vec3 origin = driver.get_frame_origin();
+	CHECK(origin.length() > 0.1f);
+	platform.orientation = was;
+	time -= 50.0 * double(DELTA);
+	CHECK(restore(driver, before));
+	CHECK(saved(driver) == before);
+	turn_on(50);
+	CHECK_NEAR((driver.get_frame_origin() - origin).length(), 0.0, 0.0);
+	CHECK(saved(driver) == after);
+}
+
+TEST(a_refused_state_leaves_the_frame_that_is_set) {
+	Driver driver(Rig(fixtures::limbs()), fixtures::groups(), 3, {});
+	RigState state = at_rest(driver, {});
+	stand(driver, state, 1.0);
+	const std::vector<std::uint8_t> early = saved(driver);
+	driver.set_frame(exp({ 0.0f, 1.0f, 0.0f }), { 4.0f, 0.0f, 0.0f });
+	for (std::size_t size = 0; size < early.size(); size += 7) {
+		CHECK(!restore(driver, { early.begin(), early.begin() + long(size) }));
+		CHECK_NEAR(driver.get_frame_origin().x, 4.0, 0.0);
+	}
+	driver.set_frame(Quat(), { std::nanf(""), 0.0f, 0.0f });
+	const std::vector<std::uint8_t> broken = saved(driver);
+	driver.set_frame(Quat(), { 4.0f, 0.0f, 0.0f });
+	CHECK(!restore(driver, broken));
+	CHECK_NEAR(driver.get_frame_origin().x, 4.0, 0.0);
+}
+
 TEST_MAIN()
