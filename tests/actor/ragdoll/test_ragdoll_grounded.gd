@@ -39,6 +39,31 @@ func test_a_light_push_makes_it_lean_and_come_back() -> void:
 	is_true(player.worst_error_deg(Stage.reset_pose()) < 5.0, "it is upright again")
 
 
+func test_it_flinches_from_a_ball_and_comes_back() -> void:
+	_stage.add_floor()
+	var player: Stage.Player = _stage.add_soldier(HEIGHT, GROUNDED)
+	await _stage.run(90)
+	var ball: RigidBody3D = RigidBody3D.new()
+	var shape: CollisionShape3D = CollisionShape3D.new()
+	shape.shape = SphereShape3D.new()
+	(shape.shape as SphereShape3D).radius = 0.11
+	ball.add_child(shape)
+	ball.mass = 5.0
+	ball.collision_layer = PhysicsLayers.PROPS
+	ball.collision_mask = PhysicsLayers.ALL
+	ball.position = player.joint(CHEST) + Vector3(0.0, 0.1, 0.8)
+	ball.linear_velocity = Vector3.FORWARD * 10.0
+	_stage.add_child(ball)
+	var most: Array[float] = [0.0]
+	await _stage.run(
+		120,
+		func(_time: float) -> void:
+			most[0] = maxf(most[0], player.error_deg(CHEST, Stage.reset_pose()))
+	)
+	is_true(most[0] > 6.0 and most[0] < 25.0, "the chest turns by %f deg" % most[0])
+	is_true(player.error_deg(CHEST, Stage.reset_pose()) < 2.0, "it is back")
+
+
 func test_a_push_makes_it_step() -> void:
 	var player: Stage.Player = await _push(80.0)
 	var seen: Dictionary = await _watch(player)
