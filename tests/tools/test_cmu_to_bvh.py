@@ -196,6 +196,10 @@ def test_a_bone_without_motion_keeps_its_rest_pose(skeleton: Bone) -> None:
         ("dof ry rz", "dof ry l", "rx, ry and rz"),
         ("root thorax", "root chest", "'chest'"),
         (":hierarchy", ":nothing", ":hierarchy"),
+        ("position 0 0 0", "position 0 0 x", "expected numbers"),
+        ("root thorax", "root thorax thorax", "hangs on a bone already"),
+        ("begin", "start", "expected 'begin'"),
+        ("direction ", "direction nan ", "finite numbers"),
     ],
 )
 def test_skeletons_of_another_kind_are_refused(
@@ -211,6 +215,8 @@ def test_skeletons_of_another_kind_are_refused(
     [
         ("lclavicle 8 9", "lclavicle 8", ":7: found 'lclavicle', expected 2 numbers"),
         ("lclavicle 8 9", "tail 8 9", "'tail'"),
+        ("lclavicle 8 9", "lclavicle 8 x", ":7: expected numbers"),
+        ("lclavicle 8 9", "lclavicle 8 inf", "finite"),
         ("\n2\n", "\n3\n", ":9: expected frame 2"),
         ("\n1\n", "\n", "a frame's number first"),
     ],

@@ -70,12 +70,17 @@ def read_skeleton(path: Path) -> Bone:
     _check_root(path, sections)
     bones = {bone.name: bone for bone in _read_bones(path, sections[":bonedata"])}
     bones[ROOT] = Bone(ROOT, freedoms=["x", "y", "z"])
+    hung = {ROOT}
     for number, words in sections[":hierarchy"]:
         if words[0] in ("begin", "end"):
             continue
         for name in words:
             if name not in bones:
                 raise AcclaimError(f"{path}:{number}: no bone '{name}' is described above")
+        for name in words[1:]:
+            if name in hung:
+                raise AcclaimError(f"{path}:{number}: '{name}' hangs on a bone already")
+            hung.add(name)
         bones[words[0]].children = [bones[name] for name in words[1:]]
     return bones[ROOT]
 
@@ -97,7 +102,7 @@ def read_motion(path: Path, root: Bone) -> list[Frame]:
             wanted = f"{freedoms.get(name)} numbers for it" if frames else "a frame's number first"
             raise AcclaimError(f"{path}:{number}: found '{name}', expected {wanted}")
         else:
-            angles = [float(value) for value in values]
+            angles = _numbers(path, number, values, len(values))
             if name == ROOT:
                 frames[-1].place = (angles[0], angles[1], angles[2])
                 angles = angles[3:]
@@ -117,7 +122,7 @@ def _check_root(path: Path, sections: dict[str, list[tuple[int, list[str]]]]) ->
         name, *values = words
         fits = values == wanted.get(name, values)
         if name in ("position", "orientation"):
-            fits = all(float(value) == 0.0 for value in values)
+            fits = not any(_numbers(path, number, values, 3))
         if not fits:
             raise AcclaimError(f"{path}:{number}: no other '{name}' of the root is known")
     for number, words in sections.get(":units", []):
@@ -132,19 +137,36 @@ def _read_bones(path: Path, rows: list[tuple[int, list[str]]]) -> list[Bone]:
         name, *values = words
         if name == "begin":
             bones.append(Bone(""))
+        elif not bones:
+            raise AcclaimError(f"{path}:{number}: expected 'begin', found '{name}'")
         elif name == "name":
-            bones[-1].name = values[0]
+            bones[-1].name = " ".join(values)
         elif name == "direction":
-            direction = (float(values[0]), float(values[1]), float(values[2]))
+            x, y, z = _numbers(path, number, values, 3)
+            direction = (x, y, z)
         elif name == "length":
-            bones[-1].end = v3.scale(direction, float(values[0]))
+            bones[-1].end = v3.scale(direction, _numbers(path, number, values, 1)[0])
         elif name == "axis":
-            bones[-1].axes = _turns(list(values[3].lower()), [float(v) for v in values[:3]])
+            order = values[-1].lower() if values else ""
+            if sorted(order) != ["x", "y", "z"]:
+                raise AcclaimError(f"{path}:{number}: expected three angles and an order like XYZ")
+            bones[-1].axes = _turns(list(order), _numbers(path, number, values[:-1], 3))
         elif name == "dof":
             bones[-1].freedoms = [value[1:] for value in values if value in ("rx", "ry", "rz")]
             if len(bones[-1].freedoms) != len(values):
                 raise AcclaimError(f"{path}:{number}: only rx, ry and rz are known")
     return bones
+
+
+def _numbers(path: Path, number: int, words: list[str], count: int) -> list[float]:
+    """So many finite numbers of a line."""
+    try:
+        values = [float(word) for word in words]
+    except ValueError as error:
+        raise AcclaimError(f"{path}:{number}: expected numbers: {error}") from error
+    if len(values) != count or not all(math.isfinite(value) for value in values):
+        raise AcclaimError(f"{path}:{number}: expected {count} finite numbers, found {words}")
+    return values
 
 
 def _turns(axes: list[str], degrees: list[float]) -> Quat:
