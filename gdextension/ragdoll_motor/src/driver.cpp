@@ -134,7 +134,7 @@ void Driver::compute_limbs(const RigState &p_state, float p_delta_s) {
 	}
 	_controller.compute(p_state, _now, _next, p_delta_s, _table, _commands.limbs);
 	if (is_grounded) {
-		ease_limbs(p_state);
+		ease_limbs(p_state, p_delta_s);
 	}
 }
 

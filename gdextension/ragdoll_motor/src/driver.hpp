@@ -52,6 +52,8 @@ public:
 	/// For how long a body that comes is put into the motion's pose, until that is in motion, s; in the modes
 	/// in which feet carry it or say where it is.
 	static constexpr float ARRIVAL_S = 0.06f;
+	/// GROUNDED: nobody is at ease whose fastest limb the motion turns faster than this, rad/s.
+	static constexpr float EASE_BELOW = 0.5f;
 	/// How long it takes to sink, and to come back, s.
 	static constexpr float LET_GO_S = 0.25f;
 	/// While a body gets up its root is lifted by so much for each radian that its limbs are off, m: a
@@ -213,7 +215,7 @@ private:
 	void command_root(const RigState &p_state, float p_delta_s);
 	void note_torques(const RigState &p_state, float p_delta_s);
 	/// GROUNDED: lets the limbs above the legs of somebody who stands at ease give way.
-	void ease_limbs(const RigState &p_state);
+	void ease_limbs(const RigState &p_state, float p_delta_s);
 	void push_limbs(const RigState &p_state, float p_delta_s);
 
 	Rig _rig;

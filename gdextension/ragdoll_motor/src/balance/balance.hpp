@@ -57,8 +57,8 @@ struct BalanceSettings {
 	/// How fast feet follow the ground's height, m/s.
 	float rise_speed = 2.0f;
 	/// Loose things that are higher than this over where the body stands are kicked aside instead of stepped
-	/// onto, m: with 0.25 people climb heaps of crates to 0.56 m, with 0.1 they are stuck before more of them.
-	float loose_step = 0.15f;
+	/// onto, m: with 0.25 people climb heaps of crates to 0.56 m, with less they are stuck before more of them.
+	float loose_step = 0.12f;
 	/// Somebody who stands takes a step from this distance of the capture point on, m: somewhat more than
 	/// what the length of a foot can hold.
 	float step_from = 0.22f;

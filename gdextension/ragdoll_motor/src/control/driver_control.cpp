@@ -32,7 +32,15 @@ int Driver::hit(const RigState &p_state, const Vec3 &p_impulse, const Vec3 &p_po
 	return limb;
 }
 
-void Driver::ease_limbs(const RigState &p_state) {
+void Driver::ease_limbs(const RigState &p_state, float p_delta_s) {
+	float fastest = 0.0f;
+	for (std::size_t i = 1; i < _rig.size(); i++) {
+		const float turned = angle_between(_now.orientations[i], _next.orientations[i]);
+		fastest = std::max(fastest, turned / p_delta_s);
+	}
+	if (fastest > EASE_BELOW) {
+		return; // Who moves the arms needs their torque, and that of the trunk which holds them.
+	}
 	for (std::size_t i = 1; i < _rig.size(); i++) {
 		LimbCommand &command = _commands.limbs[i];
 		if (_rig.is_in_leg(i) || command.mode != Actuation::VELOCITY_MOTOR) {
