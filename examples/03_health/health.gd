@@ -23,10 +23,8 @@ func _ready() -> void:
 
 
 func _process(_delta: float) -> void:
-	var skeleton: Skeleton3D = (get_parent() as Ragdoll).get_skeleton()
-	var head: int = skeleton.find_bone(&"Head")
-	var pose: Transform3D = skeleton.global_transform * skeleton.get_bone_global_pose(head)
-	global_position = pose.origin + Vector3.UP * height
+	var head: Transform3D = (get_parent() as Ragdoll).get_bone_transform(&"Head")
+	global_position = head.origin + Vector3.UP * height
 
 
 func _physics_process(_delta: float) -> void:
@@ -36,7 +34,7 @@ func _physics_process(_delta: float) -> void:
 		var state: PhysicsDirectBodyState3D = PhysicsServer3D.body_get_direct_state(body)
 		for contact: int in state.get_contact_count() if state != null else 0:
 			var other: Node = state.get_contact_collider_object(contact) as Node
-			if other != null and other.is_in_group(Level.PROPS):
+			if other != null and other.is_in_group(KitBlock.PROPS_GROUP):
 				impulse += state.get_contact_impulse(contact).length()
 	if impulse > threshold:
 		_take_blow(impulse)

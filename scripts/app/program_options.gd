@@ -103,6 +103,16 @@ static func _motion() -> Array[OptionRow]:
 		OptionRow.file("suit-play", moving, "motion from a file of --suit-record, in a loop"),
 		OptionRow.text("person", moving, "who wears the suit: name of size and calibration"),
 		OptionRow.choice(
+			"avatar",
+			moving,
+			"",
+			AvatarStore.NAMES,
+			(
+				"what the others see you as; by default as the world says, else %s"
+				% AvatarStore.NAMES[0]
+			)
+		),
+		OptionRow.choice(
 			"calibrate", moving, "", ClientCalibration.KINDS.keys(), "calibrate at the start"
 		),
 		OptionRow.flag("panel", moving, "open the device panel at the start (key M)"),
@@ -130,12 +140,34 @@ static func _motion() -> Array[OptionRow]:
 static func _server() -> Array[OptionRow]:
 	var server: PackedStringArray = [ProgramRoles.SERVER]
 	return [
+		(
+			OptionRow
+			. text("world", server, "the level: one of the program's, or of --levels")
+			. or_default(LevelStore.DEFAULT)
+			. shown_as("|".join(_level_names()) + "|NAME")
+		),
+		(
+			OptionRow
+			. file("levels", server, "folder of levels that clients may get from this server")
+			. shown_as("FOLDER")
+		),
+		OptionRow.text(
+			"time", server, "time of day at the start, hours; by default the level's own"
+		),
 		OptionRow.choice(
-			"world",
+			"weather",
 			server,
-			LevelStore.DEFAULT,
-			_level_names(),
-			"the level: a folder in scenes/world"
+			"",
+			WorldConditions.WEATHERS,
+			"weather at the start; by default the level's own"
+		),
+		OptionRow.number(
+			"level-bandwidth",
+			server,
+			LevelOffers.DEFAULT_KBITS,
+			[100, 10_000_000],
+			"limit for all downloads of levels together",
+			"kbit/s"
 		),
 		(
 			OptionRow
@@ -214,6 +246,13 @@ static func _display() -> Array[OptionRow]:
 			. text("physics-at", showing, "when the physics world fades in and out again, s")
 			. shown_as("BEGIN,END")
 		),
+		OptionRow.choice(
+			"quality",
+			showing,
+			"",
+			Quality.NAMES,
+			"how much is drawn; by default what fits the machine, or what was chosen in the menu"
+		),
 		OptionRow.text("camera", showing, "camera at the start, degrees and m").shown_as(
 			"AZIMUTH,ELEVATION,DISTANCE"
 		),
@@ -226,6 +265,14 @@ static func _display() -> Array[OptionRow]:
 		),
 		OptionRow.number(
 			"fps", showing, Client.HEADLESS_FPS, [1, 1000], "frames without a window", "per second"
+		),
+		OptionRow.number(
+			"level-store",
+			clients,
+			ReceivedLevels.DEFAULT_ROOM >> 20,
+			[1, 1 << 20],
+			"room for levels that servers have sent",
+			"MB"
 		),
 		OptionRow.text(
 			"use", clients, "use the Interactable at or below a node of this name, once it is there"
@@ -263,9 +310,7 @@ static func _run() -> Array[OptionRow]:
 		OptionRow.decimal(
 			"from", [ClientStreams.REPLAY], 0.0, [0.0, 1e7], "where in the recording to begin", "s"
 		),
-		OptionRow.file(
-			"screenshot", showing, "save a picture (PNG) as --duration or a signal ends it"
-		),
+		OptionRow.file("screenshot", showing, "save a picture (PNG) in high quality at the end"),
 		OptionRow.file("latency-csv", showing, "write the latency of each sample, stage by stage"),
 		OptionRow.number(
 			"trainees", load_only, 1, [0, LoadRun.MAX_CLIENTS], "clients that send motion"

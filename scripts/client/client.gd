@@ -27,6 +27,7 @@ var _report: ReportFile = null
 var _desk: InstructorDesk = null
 var _wearer: WearerReports = null
 var _shared: SharedClient = null
+var _arrival: LevelArrival = null
 var _begin_s: float = 0.0
 var _exit_code: int = 0
 var _stats: ClientStats = ClientStats.new()
@@ -55,6 +56,7 @@ func _ready() -> void:
 	_stop.watch()
 	_hud.show_probe(_stats.probe)
 	_controls.set_up(_role, _options)
+	_scene.avatars.keep(_options.text("avatar"))
 	var fault: String = _apply_options()
 	if fault != "":
 		_quit(StateStream.EXIT_OPTIONS, fault)
@@ -77,6 +79,8 @@ func _process(p_delta: float) -> void:
 	if _desk != null:
 		_desk.advance(_stream.now_s())
 	_stream.advance(p_delta)
+	if _arrival != null:
+		_arrival.advance(p_delta, _take)
 	_acknowledge()
 	_scene.fade_physics(_fade, _stream.now_s() - _begin_s)
 	_update_scene()
@@ -96,6 +100,8 @@ func _notification(p_what: int) -> void:
 
 func _exit_tree() -> void:
 	_mocap.close()
+	if _arrival != null:
+		_arrival.close()
 	if _desk != null:
 		_desk.close()
 	if _report != null:
@@ -134,7 +140,23 @@ func _apply_options() -> String:
 		_shared = SharedClient.new(made.live.link, Roles.find(_role) as Roles.Role)
 		_scene.get_level().shared = _shared.api
 		made.live.connecting.connect(_shared.reconnect)
+		_await_levels(made.live.link)
 	return fault
+
+
+## Levels of a server are loaded over several frames, and got from it where they are not here.
+func _await_levels(p_link: ClientLink) -> void:
+	var store: ReceivedLevels = ReceivedLevels.new()
+	store.room = _options.number("level-store") << 20
+	_scene.get_level().store = store
+	_arrival = LevelArrival.new(_scene, store, p_link.send_reliably)
+	_arrival.hold_shared = p_link.hold_shared
+	_arrival.progressed.connect(_hud.show_message)
+	p_link.handle(
+		Protocol.Message.LEVEL_DATA,
+		MessageHandlers.Path.RELIABLE,
+		func(bytes: PackedByteArray, _arrival_usec: int) -> bool: return _arrival.take_data(bytes)
+	)
 
 
 func _connect_stream() -> void:
@@ -144,6 +166,7 @@ func _connect_stream() -> void:
 	_stream.ended.connect(_on_ended)
 	_scene.entities.use(_stream)
 	_scene.level_noted.connect(_hud.show_note)
+	_scene.happening_told.connect(_hud.show_news)
 	_interaction.prompt_changed.connect(_hud.show_prompt)
 	_interaction.use_by_name(_options.text("use"))
 	_scene.level_missing.connect(
@@ -196,10 +219,15 @@ func _update_scene() -> void:
 
 
 func _on_received(p_bytes: PackedByteArray, p_time_s: float) -> void:
-	_scene.replica.take(p_bytes, p_time_s)
-	_stats.snapshots = _scene.replica.datagrams
 	if _recorder != null:
 		_recorder.add(p_bytes)
+	if _arrival == null or not _arrival.keeps(p_bytes):
+		_take(p_bytes, p_time_s)
+
+
+func _take(p_bytes: PackedByteArray, p_time_s: float = 0.0) -> void:
+	_scene.replica.take(p_bytes, p_time_s)
+	_stats.snapshots = _scene.replica.datagrams
 
 
 func _on_marked(p_mark: LatencyMark) -> void:
@@ -219,6 +247,8 @@ func _on_spawned(p_row: EntityRow) -> void:
 
 func _on_restarted() -> void:
 	_scene.clear()
+	if _arrival != null:
+		_arrival.restart()
 	_stats.probe.restart()
 	if _recorder != null:
 		_recorder.begin()
@@ -260,7 +290,10 @@ func _make_report() -> Dictionary:
 	if _mocap.people != null:
 		people = _mocap.people.stats()
 	var traffic: TrafficMeter = _stream.traffic if _stream != null else TrafficMeter.new()
-	return _stats.report(_role, traffic, people)
+	var report: Dictionary = _stats.report(_role, traffic, people)
+	if _arrival != null:
+		report["level"] = _arrival.report()
+	return report
 
 
 func _check_duration() -> void:
@@ -284,6 +317,7 @@ func _check_duration() -> void:
 
 
 func _take_picture(p_path: String) -> void:
+	_controls.draw_for_picture(_options.text("quality"))
 	var image: Image = get_viewport().get_texture().get_image()
 	var error: Error = image.save_png(p_path) if image != null else ERR_UNAVAILABLE
 	if error != OK:

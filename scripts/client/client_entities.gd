@@ -102,6 +102,16 @@ func put_down(_limb: Node3D, _entity: int) -> void:
 	push_error("Only the server carries people.")
 
 
+func find_by_body(_body: Node3D) -> int:
+	push_error("Only the server knows whose body it is.")
+	return -1
+
+
+func name_of(p_entity: int) -> String:
+	var row: EntityRow = _replica.table.find(p_entity)
+	return row.title() if row != null else ""
+
+
 func possession() -> Possession:
 	return null
 

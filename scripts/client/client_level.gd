@@ -20,34 +20,80 @@ var level_name: String = ""
 var shared: SharedApi = null
 ## Whether the server's level of the same name is another one.
 var differs: bool = false
+## Its fingerprint.
+var fingerprint: PackedByteArray = PackedByteArray()
+## The levels that servers have sent.
+var store: ReceivedLevels = ReceivedLevels.new()
 
 var _bodies: Dictionary[int, PhysicsBody3D] = {}
 ## Bodies that have not been put where the server has them.
 var _unplaced: Dictionary[int, bool] = {}
 var _instances: Dictionary[int, Node] = {}
+## Whether the level has come by [method prepare].
+var _is_prepared: bool = false
 
 
 ## Loads a level, always a new instance, in which everything is at its start. The entities
 ## of the last one must have been removed before.
 func set_level(p_name: String, p_fingerprint: PackedByteArray) -> void:
-	if not LevelStore.has(p_name):
-		missing.emit("%s: update this program" % LevelStore.describe_missing(p_name))
+	var reference: LevelReference = LevelReference.parse(p_name)
+	if not _is_prepared and not _load(reference):
 		return
+	_is_prepared = false
+	level_name = reference.name
+	differs = fingerprint != p_fingerprint
+	if differs:
+		var text: String = "world '%s' is not the server's: what you see may be wrong; "
+		Log.warning("client", text % level_name + "update this program or the server")
+	ClientPhysics.note_added(level.get_static_bodies().size())
+	changed.emit(level, differs)
+
+
+## Lets the present level go, over the next frames.
+func dismiss(p_loader: LevelLoader) -> void:
+	_is_prepared = false
+	if level != null:
+		p_loader.dismiss(level)
+	level = null
+
+
+## The level that [method prepare] has taken over goes, as it is not wanted any more.
+func forget() -> void:
+	_is_prepared = false
+	level = null
+
+
+## Takes over a level that is about to enter the tree below this node; the next [method set_level]
+## is about it.
+func prepare(p_level: Level) -> void:
+	level = p_level
+	_is_prepared = true
+	_freeze(level)
+	if shared != null:
+		shared.attach(self, level)
+
+
+## Loads a level at once, of the program or of those that servers have sent.
+func _load(p_reference: LevelReference) -> bool:
+	var fresh: Level = null
+	if p_reference.content_hash == "":
+		fresh = LevelStore.instantiate(p_reference.name)
+		if fresh == null:
+			missing.emit("%s: update this program" % LevelStore.describe_missing(p_reference.name))
+	else:
+		var folder: LevelFolder = LevelFolder.new(store.folder_of(p_reference.content_hash))
+		fresh = folder.build()
+		if fresh == null:
+			missing.emit("world '%s' is not here: %s" % [p_reference.name, folder.error])
+	if fresh == null:
+		return false
 	if level != null:
 		# At once: a server may send many levels between two frames.
 		level.free()
-	level = LevelStore.instantiate(p_name)
-	level_name = p_name
-	if shared != null:
-		shared.attach(self, level)
+	prepare(fresh)
 	add_child(level)
-	differs = level.fingerprint() != p_fingerprint
-	if differs:
-		var text: String = "world '%s' is not the server's: what you see may be wrong; "
-		Log.warning("client", text % p_name + "update this program or the server")
-	ClientPhysics.note_added(level.get_static_bodies().size())
-	_freeze(level)
-	changed.emit(level, differs)
+	fingerprint = level.fingerprint()
+	return true
 
 
 ## Finds or makes the node of an entity.
@@ -60,6 +106,8 @@ func add_entity(p_row: EntityRow) -> void:
 	if entity != null:
 		body = entity.get_body() if p_row.type.body == EntityType.Body.RIGID else null
 	if body != null:
+		# Blocks make some of their own (a house its doors) only in the tree.
+		_freeze_body(body as RigidBody3D)
 		ClientPhysics.note_added(1)
 		_bodies[p_row.id] = body
 		_unplaced[p_row.id] = true
@@ -101,7 +149,9 @@ func _find_node(p_row: EntityRow) -> Node:
 		EntityRow.Source.LEVEL:
 			node = level.get_node_or_null(NodePath(p_row.path)) if level != null else null
 			var is_ours: bool = node != null and level.is_ancestor_of(node)
-			var is_meant: bool = is_ours and (node is Entity or node.is_in_group(Level.PROPS))
+			var is_meant: bool = (
+				is_ours and (node is Entity or node.is_in_group(KitBlock.PROPS_GROUP))
+			)
 			if not is_meant:
 				Log.limited("client", "node", "this level has no %s" % p_row.describe())
 				return null
@@ -131,7 +181,10 @@ func _instantiate(p_row: EntityRow) -> Entity:
 ## Nothing that the server simulates moves by this machine's physics.
 static func _freeze(p_branch: Node) -> void:
 	for node: Node in [p_branch] + p_branch.find_children("*", "RigidBody3D", true, false):
-		var body: RigidBody3D = node as RigidBody3D
-		if body != null:
-			body.freeze_mode = RigidBody3D.FREEZE_MODE_KINEMATIC
-			body.freeze = true
+		_freeze_body(node as RigidBody3D)
+
+
+static func _freeze_body(p_body: RigidBody3D) -> void:
+	if p_body != null:
+		p_body.freeze_mode = RigidBody3D.FREEZE_MODE_KINEMATIC
+		p_body.freeze = true

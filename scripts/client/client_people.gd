@@ -17,6 +17,7 @@ var first_actor: int = -1
 
 var _link: ClientLink = null
 var _rate: float = 60.0
+var _avatar: String = ""
 var _sender: MotionSender = MotionSender.new()
 var _motions: Array[ClientMotion] = []
 var _sizes_due_s: float = 0.0
@@ -26,6 +27,7 @@ var _publishers: Dictionary[ClientMotion, TrackerPublisher] = {}
 func _init(p_link: ClientLink, p_options: Options) -> void:
 	_link = p_link
 	_rate = p_options.number("rate")
+	_avatar = p_options.text("avatar")
 	_sender.start(_rate, _link)
 
 
@@ -39,6 +41,7 @@ func add(p_source: MotionSource, p_name: String) -> bool:
 		return false
 	var motion: ClientMotion = ClientMotion.new()
 	motion.card.name = p_name
+	motion.card.avatar = _avatar
 	motion.start(p_source, _sender, _link, index)
 	_motions.append(motion)
 	_publish_anew(motion)

@@ -5,6 +5,8 @@ extends Node3D
 
 ## What the user should know of the level; empty: nothing.
 signal level_noted(p_text: String)
+## Something has happened that screens tell for a while.
+signal happening_told(p_text: String)
 ## The server's level is not on this machine.
 signal level_missing(p_why: String)
 
@@ -24,10 +26,14 @@ const _CAMERA_NEAR_M: float = 4.0
 var replica: WorldReplica = WorldReplica.new()
 ## Fields, commands and events of what is there.
 var entities: ClientEntities = ClientEntities.new(replica)
+## Avatars on their way.
+var avatars: AvatarArrival = AvatarArrival.new()
 
 var _actors: Dictionary[int, ActorView] = {}
 var _followed: FollowedPerson = FollowedPerson.new()
 var _aimed: bool = false
+## Out of whose eyes the camera looks, or -1.
+var _eyes: int = -1
 
 
 func _ready() -> void:
@@ -37,6 +43,10 @@ func _ready() -> void:
 	_level.changed.connect(_on_level_changed)
 	_level.entity_added.connect(_on_entity_added)
 	_level.missing.connect(level_missing.emit)
+
+
+func _exit_tree() -> void:
+	avatars.finish()
 
 
 ## Lets the camera follow the person of this client, who has one from now on. Where the user has set
@@ -56,17 +66,36 @@ func followed() -> int:
 
 ## Lets the camera follow the next person.
 func follow_next() -> void:
+	_camera.fixed = null
 	_followed.choose_next(_actors)
 
 
 ## Lets the camera follow who is seen at a point of the window, if anybody is.
 func follow_at(p_point: Vector2) -> void:
 	var from: Vector3 = _camera.project_ray_origin(p_point)
-	_followed.choose_at(_actors, from, _camera.project_ray_normal(p_point))
+	if _followed.choose_at(_actors, from, _camera.project_ray_normal(p_point)):
+		_camera.fixed = null
+
+
+## Goes to the next of the level's own views, and after the last one back to the followed person.
+func next_camera() -> void:
+	var level: Level = _level.level
+	var views: Array[ObserverCamera] = [] if level == null else level.get_cameras()
+	var next: int = views.find(_camera.fixed) + 1
+	_camera.fixed = views[next] if next < views.size() else null
+	if _camera.fixed != null:
+		happening_told.emit(views[next].get_title())
+	elif views.is_empty():
+		happening_told.emit("This level has no views of its own")
+	else:
+		happening_told.emit("Back to people")
 
 
 ## Looks at the followed person from elsewhere: around, from behind, out of the eyes.
 func change_view() -> void:
+	if _camera.fixed != null:
+		_camera.fixed = null
+		return
 	_camera.change_view()
 
 
@@ -98,6 +127,8 @@ func clear() -> void:
 ## Applies the state at a time of the stream, s. The bodies of the client's own people are taken
 ## from these floats, by person: see [method WorldReplica.person_floats].
 func update(p_now_s: float, p_own: Dictionary[int, PackedFloat32Array] = {}) -> void:
+	for row: EntityRow in avatars.take_ready():
+		_add_person(row)
 	if not replica.is_ready() or replica.newest_tick < 0:
 		return
 	replica.evaluate(p_now_s)
@@ -162,22 +193,26 @@ func _on_level_changed(p_level: Level, p_differs: bool) -> void:
 	_views.props = p_level.props_root
 	_views.static_world = p_level.static_root
 	_views.refresh()
+	_camera.fixed = null
 	_physics.set_level(p_level, p_differs)
 	var text: String = "This machine's world '%s' is not the server's."
 	level_noted.emit(text % _level.level_name if p_differs else "")
 
 
 func _on_spawned(p_row: EntityRow) -> void:
-	if p_row.is_person():
-		_add_person(p_row)
-	else:
+	if not p_row.is_person():
 		_level.add_entity(p_row)
+	elif not avatars.holds_up(p_row):
+		_add_person(p_row)
 
 
 func _on_despawned(p_row: EntityRow) -> void:
 	_physics.remove(p_row.id)
+	avatars.forget(p_row.id)
 	if _actors.has(p_row.id):
 		# At once: a server may send many tables between two frames.
+		if p_row.id == _eyes:
+			_eyes = -1
 		_actors[p_row.id].node.free()
 		_actors.erase(p_row.id)
 		_names.remove(p_row.id)
@@ -189,10 +224,13 @@ func _on_entity_added(p_row: EntityRow, p_node: Entity, p_body: PhysicsBody3D) -
 		_physics.add_body(p_row.id, p_body)
 	if p_node != null:
 		entities.bind(p_row, p_node)
+		var zone: TriggerZone = p_node.get_parent() as TriggerZone
+		if zone != null and not zone.told.is_connected(happening_told.emit):
+			zone.told.connect(happening_told.emit)
 
 
 func _add_person(p_row: EntityRow) -> void:
-	var node: Ragdoll = person_scene.instantiate()
+	var node: Ragdoll = AvatarStore.scene_of(p_row.path, person_scene).instantiate()
 	node.visible = false
 	if p_row.skeleton.is_sound():
 		node.fit_to(p_row.skeleton)
@@ -233,16 +271,29 @@ func _keep_camera_out() -> void:
 			view.node.visible
 			and view.hips().distance_squared_to(eye) < _CAMERA_NEAR_M * _CAMERA_NEAR_M
 		):
+			view.write_skeleton()
 			view.hull.append_to(ends, radii)
 	_camera.capsule_ends = ends
 	_camera.capsule_radii = radii
+
+
+## Hides the own head from whose eyes the camera looks, and shows the one before again; -1: nobody.
+func _look_out_of(p_actor: int) -> void:
+	if p_actor == _eyes:
+		return
+	if _actors.has(_eyes):
+		_actors[_eyes].set_first_person(false)
+	_eyes = p_actor
+	if _actors.has(_eyes):
+		_actors[_eyes].set_first_person(true)
 
 
 func _aim() -> void:
 	var actor: int = followed()
 	_camera.has_head = actor >= 0
 	_keep_camera_out()
-	var looks_out: bool = _camera.view == OrbitCamera.View.EYES
+	var looks_out: bool = _camera.view == OrbitCamera.View.EYES and _camera.fixed == null
+	_look_out_of(actor if looks_out else -1)
 	_names.choose(_camera.global_position, actor if looks_out else -1)
 	if actor < 0:
 		return

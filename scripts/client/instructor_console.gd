@@ -25,6 +25,8 @@ const COMMANDS: Dictionary[String, Array] = {
 	"calibrate":
 	["NAME|* [KIND]", "have a trainee calibrated: t_pose, n_pose, t_to_n, full, quick"],
 	"level": ["NAME", "load another level"],
+	"time": ["HOURS", "set the time of day: 18.5, 18:30, dawn, noon, dusk, night"],
+	"weather": ["KIND [STRENGTH]", "set the weather: clear, haze, dust, rain; 0 to 1"],
 	"help": ["", "these commands"],
 	"quit": ["", "leave the session"],
 }
@@ -91,6 +93,8 @@ func submit(p_line: String) -> void:
 			_note("who", _control.ask_who(), true)
 		"level":
 			_change_level(rest)
+		"time", "weather":
+			_change_conditions(found[0], rest)
 		_:
 			_order(found[0], rest)
 
@@ -110,6 +114,10 @@ func completions(p_line: String) -> PackedStringArray:
 	var names: PackedStringArray = []
 	if command[0] == "level":
 		names = LevelStore.names()
+	elif command[0] == "time":
+		names = PackedStringArray(WorldConditions.TIMES.keys())
+	elif command[0] == "weather":
+		names = WorldConditions.WEATHERS
 	elif _usage(command[0]) != "":
 		for row: RosterRow in _candidates(command[0]):
 			names.append(row.name)
@@ -129,6 +137,14 @@ func _change_level(p_name: String) -> void:
 		said.emit("which level? %s" % ", ".join(LevelStore.names()))
 		return
 	_note("level '%s'" % p_name, _control.change_level(p_name))
+
+
+func _change_conditions(p_what: String, p_rest: String) -> void:
+	var values: Dictionary[StringName, float] = WorldConditions.parse(p_what, p_rest)
+	if values.is_empty():
+		said.emit("which %s? %s" % [p_what, WorldConditions.describe(p_what)])
+		return
+	_note("%s %s" % [p_what, p_rest], _control.set_fields(values))
 
 
 func _order(p_command: String, p_rest: String) -> void:

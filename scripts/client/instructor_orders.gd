@@ -2,7 +2,8 @@ class_name InstructorOrders
 extends RefCounted
 ## What an instructor without a keyboard does: orders such as [code]admit:*,kick:Bob[/code] or
 ## [code]calibrate-full:Ada[/code], each carried out when somebody of that name is there to whom it
-## applies, and [code]world:yard[/code], carried out at once.
+## applies, and [code]world:yard[/code],
+## [code]time:18:30[/code] or [code]weather:rain 0.5[/code], carried out at once.
 
 ## What can be ordered, and the state in which somebody must be for it.
 const STATES: Dictionary[String, RosterRow.State] = {
@@ -16,6 +17,8 @@ const STATES: Dictionary[String, RosterRow.State] = {
 const CALIBRATE: String = "calibrate-"
 ## The order that loads another level.
 const WORLD: String = "world"
+## The orders that change time of day and weather.
+const CONDITIONS: PackedStringArray = ["time", "weather"]
 
 ## Why the orders are invalid, or an empty text.
 var error: String = ""
@@ -28,8 +31,13 @@ func _init(p_text: String = "") -> void:
 	for part: String in p_text.split(",", false):
 		var order: PackedStringArray = part.strip_edges().split(":", true, 1)
 		if order.size() != 2 or not _is_known(order[0]):
-			var known: String = ", ".join(STATES.keys() + [CALIBRATE + "KIND", WORLD])
+			var others: Array = [CALIBRATE + "KIND", WORLD] + Array(CONDITIONS)
+			var known: String = ", ".join(STATES.keys() + others)
 			error = "an order is one of %s, a colon and a name or *, found '%s'" % [known, part]
+			return
+		if CONDITIONS.has(order[0]) and WorldConditions.parse(order[0], order[1]).is_empty():
+			var choice: String = WorldConditions.describe(order[0])
+			error = "%s is one of %s; found '%s'" % [order[0], choice, order[1]]
 			return
 		_orders.append(order)
 
@@ -52,6 +60,10 @@ func _on_roster_changed() -> void:
 			_orders.erase(order)
 			_control.change_level(order[1])
 			continue
+		if CONDITIONS.has(order[0]):
+			_orders.erase(order)
+			_control.set_fields(WorldConditions.parse(order[0], order[1]))
+			continue
 		for row: RosterRow in _control.roster:
 			if _is_meant(order, row):
 				_give(order[0], row)
@@ -60,7 +72,12 @@ func _on_roster_changed() -> void:
 
 
 func _is_known(p_order: String) -> bool:
-	return p_order == WORLD or STATES.has(p_order) or _calibration(p_order) >= 0
+	return (
+		p_order == WORLD
+		or CONDITIONS.has(p_order)
+		or STATES.has(p_order)
+		or _calibration(p_order) >= 0
+	)
 
 
 func _is_meant(p_order: PackedStringArray, p_row: RosterRow) -> bool:

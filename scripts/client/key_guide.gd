@@ -12,6 +12,7 @@ const _EVERYBODY: Dictionary[StringName, String] = {
 	&"ui_cancel": "menu",
 }
 const _VIEW: StringName = &"change_view"
+const _CAMERA: StringName = &"next_camera"
 const _USE: StringName = &"interact"
 const _MOUSE: String = "Drag, arrows\tturn the camera\nWheel\tcome nearer: at last to the face"
 
@@ -23,6 +24,7 @@ static func actions(p_moves: bool, p_uses: bool) -> Dictionary[StringName, Strin
 	for world: StringName in WorldViews.NAMES:
 		found[&"view_" + world] = "%s world" % world
 	found[_VIEW] = "camera: around, behind, eyes"
+	found[_CAMERA] = "views of the level"
 	if p_uses:
 		found[_USE] = "use what is looked at"
 	if p_moves:

@@ -5,6 +5,7 @@ extends Node
 
 const _NEXT: StringName = &"next_person"
 const _VIEW: StringName = &"change_view"
+const _CAMERA: StringName = &"next_camera"
 ## A click moves the mouse by less than this, pixels; a drag turns the camera.
 const _CLICK_PIXELS: float = 6.0
 
@@ -12,6 +13,7 @@ const _CLICK_PIXELS: float = 6.0
 @export var _menu: WindowMenu
 
 var _moves: bool = false
+var _settings: UserSettings = null
 var _press: Vector2 = Vector2.INF
 
 
@@ -24,12 +26,44 @@ func set_up(p_role: String, p_options: Options) -> void:
 	if DisplayServer.get_name() == "headless":
 		return
 	WindowFrame.follow(get_window())
+	_set_up_quality(p_options.text("quality"))
 	var where: String = p_options.file("file").get_file()
 	var name: String = ""
 	if p_role != ClientStreams.REPLAY:
 		where = "%s:%d" % [p_options.text("host"), p_options.number("port")]
 		name = p_options.text("name")
 	get_window().title = WindowFrame.title(p_role, name, where)
+
+
+## Uses the tier of quality that an option names, or else that of the user's settings.
+func _set_up_quality(p_name: String) -> void:
+	_settings = UserSettings.new()
+	var name: String = p_name
+	if name == "" and OS.has_feature("movie"):
+		# A film has all the time that it needs.
+		name = "high"
+	elif name == "":
+		name = _settings.quality(
+			RenderingServer.get_video_adapter_name(), RenderingServer.get_video_adapter_type()
+		)
+	Quality.use(Quality.find(name), get_viewport())
+	_menu.set_quality(name)
+	_menu.quality_chosen.connect(_on_quality_chosen)
+
+
+## Draws once more for a picture that is kept: it has the time that a window has not. A tier that an
+## option names stays.
+func draw_for_picture(p_quality: String) -> void:
+	if p_quality != "" or DisplayServer.get_name() == "headless":
+		return
+	if Quality.tier.render_scale < 1.0:
+		Quality.use(QualityTier.high(), get_viewport())
+		RenderingServer.force_draw(false)
+
+
+func _on_quality_chosen(p_name: String) -> void:
+	_settings.choose_quality(p_name)
+	Quality.use(Quality.find(p_name), get_viewport())
 
 
 ## The keys, for the line at the bottom.
@@ -42,6 +76,8 @@ func _unhandled_input(p_event: InputEvent) -> void:
 		_scene.follow_next()
 	elif p_event.is_action_pressed(_VIEW):
 		_scene.change_view()
+	elif p_event.is_action_pressed(_CAMERA):
+		_scene.next_camera()
 	else:
 		_take_click(p_event as InputEventMouseButton)
 		return

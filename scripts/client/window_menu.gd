@@ -1,9 +1,12 @@
 class_name WindowMenu
 extends CanvasLayer
-## What Esc leads to: go on, see the keys, fill the screen, leave. F1 shows the keys at once.
+## What Esc leads to: go on, see the keys, choose the quality, fill the screen, leave. F1 shows the
+## keys at once.
 
 ## The user wants to end the program.
 signal leave_wanted
+## The user wants another tier of quality, one of [constant Quality.NAMES].
+signal quality_chosen(p_name: String)
 
 const _SHOW_KEYS: StringName = &"show_keys"
 const _FULL_SCREEN: StringName = &"toggle_full_screen"
@@ -13,10 +16,14 @@ const _MENU: StringName = &"ui_cancel"
 @export var _continue: Button
 @export var _keys: Button
 @export var _full_screen: Button
+@export var _quality: Button
 @export var _leave: Button
 @export var _list: Label
 @export var _names: Label
 @export var _guide: Control
+
+## Place of the tier of quality among its names.
+var _tier: int = 0
 
 
 func _ready() -> void:
@@ -24,6 +31,7 @@ func _ready() -> void:
 	_keys.pressed.connect(_show_keys)
 	_full_screen.pressed.connect(_toggle_full_screen)
 	_leave.pressed.connect(leave_wanted.emit)
+	_quality.pressed.connect(_choose_next_quality)
 	_menu.visible = false
 	_guide.visible = false
 
@@ -37,6 +45,17 @@ func set_keys(p_text: String) -> void:
 		names.append(line.get_slice("\t", 1))
 	_list.text = "\n".join(keys)
 	_names.text = "\n".join(names)
+
+
+## Sets the tier of quality that is used.
+func set_quality(p_name: String) -> void:
+	_tier = Quality.NAMES.find(p_name)
+	_quality.text = "Quality: " + p_name
+
+
+func _choose_next_quality() -> void:
+	set_quality(Quality.NAMES[(_tier + 1) % Quality.NAMES.size()])
+	quality_chosen.emit(Quality.NAMES[_tier])
 
 
 ## Whether the menu is open.

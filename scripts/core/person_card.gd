@@ -10,12 +10,16 @@ const MAX_HIPS_M: float = 2.0
 ## Limits of a limb's length, m.
 const MIN_LENGTH_M: float = 0.03
 const MAX_LENGTH_M: float = 1.2
+## Longest name of an avatar, bytes.
+const MAX_AVATAR: int = 32
 
 ## Which of the client's people it is, 0 to [constant MAX_PEOPLE] - 1; its samples carry the same
 ## number.
 var index: int = 0
 ## Shown to the others; empty: the client's own name.
 var name: String = ""
+## Name of the avatar that the person is shown as; empty, or one that is not known: the default's.
+var avatar: String = ""
 ## Height of the wearer's hips when standing, m.
 var hip_height: float = 0.95
 ## Length of each limb of [constant Limbs.BONES], m, 0 where it is not known; empty: none is.
@@ -73,4 +77,6 @@ func find_fault() -> String:
 
 ## Whether another card describes the same body.
 func is_same_body(p_other: PersonCard) -> bool:
-	return hip_height == p_other.hip_height and lengths == p_other.lengths
+	return (
+		hip_height == p_other.hip_height and lengths == p_other.lengths and avatar == p_other.avatar
+	)

@@ -29,8 +29,8 @@ const _STEP_M: float = 0.05
 const _STEPS: int = 40
 ## From the head's joint to the middle of the head, in the head's frame, m.
 const _FACE: Vector3 = Vector3(0.0, 0.1, 0.0)
-## From the head's joint to between the eyes, and a little before them, in the head's frame, m.
-const _EYES: Vector3 = Vector3(0.0, 0.07, 0.2)
+## From the head's joint to between the eyes, in the head's frame, m. The own head is not drawn.
+const _EYES: Vector3 = Vector3(0.0, 0.085, 0.125)
 
 ## Where it looks from: angle about the vertical, 0 from +Z.
 @export_range(-180.0, 180.0, 0.1, "radians_as_degrees") var azimuth: float = deg_to_rad(35.0)
@@ -59,6 +59,17 @@ var capsule_radii: PackedFloat32Array = []
 ## Where the person faces: angle about the vertical, 0 towards +Z.
 var heading: float = 0.0
 
+## A view of the level that it shows instead, or null.
+var fixed: Camera3D = null:
+	set(p_value):
+		if fixed == null and p_value != null:
+			_own_fov = fov
+		fixed = p_value
+		if fixed == null:
+			fov = _own_fov
+			snap()
+
+var _own_fov: float = fov
 var _centre: Vector3 = Vector3(0.0, 1.0, 0.0)
 var _heading: float = 0.0
 
@@ -73,6 +84,11 @@ func _process(p_delta: float) -> void:
 	var share: float = 1.0 - exp(-follow_speed * p_delta)
 	_centre = _centre.lerp(_find_centre(), share)
 	_heading = lerp_angle(_heading, heading, share)
+	if is_instance_valid(fixed) and fixed.is_inside_tree():
+		near = _NEAR_M
+		fov = fixed.fov
+		global_transform = fixed.global_transform.orthonormalized()
+		return
 	if view == View.EYES and has_head:
 		_look_out()
 		return

@@ -20,6 +20,9 @@ signal happened(p_event: StringName, p_values: PackedFloat32Array)
 ## now on.
 signal started
 
+## Group of all of them: in a large level the engine finds them at once.
+const GROUP: StringName = &"entities"
+
 ## What kind of entity it is.
 @export var type: EntityType:
 	set(p_value):
@@ -36,6 +39,10 @@ var id: int = -1
 
 var _host: EntityHost = null
 var _values: PackedFloat32Array = PackedFloat32Array()
+
+
+func _init() -> void:
+	add_to_group(GROUP)
 
 
 func _get_configuration_warnings() -> PackedStringArray:

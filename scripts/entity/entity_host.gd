@@ -33,3 +33,9 @@ extends RefCounted
 
 ## Puts a person whom the entity carries back on the ground, on the server.
 @abstract func put_down(p_limb: Node3D, p_entity: int) -> void
+
+## Number of the entity to whose body a node belongs, on the server; -1 if it is part of none.
+@abstract func find_by_body(p_body: Node3D) -> int
+
+## What people call an entity: a person's name, or that of the node; empty if there is none.
+@abstract func name_of(p_entity: int) -> String

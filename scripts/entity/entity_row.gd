@@ -24,7 +24,7 @@ var tick: int = 0
 var owner: int = 0
 ## Where its node comes from.
 var source: Source = Source.NONE
-## Path below the level's root, or of a scene.
+## Path below the level's root, or of a scene; of a person the name of the avatar.
 var path: String = ""
 ## Of an instance of a scene: where its root is in the level when it comes.
 var transform: Transform3D = Transform3D.IDENTITY
@@ -45,6 +45,16 @@ var skeleton: PersonSkeleton = PersonSkeleton.new()
 ## Whether it is a person.
 func is_person() -> bool:
 	return type.body == EntityType.Body.PERSON
+
+
+## What people call it: a person's name, or that of its node.
+func title() -> String:
+	if is_person():
+		return person_name
+	# The node of an entity without a body of its own lies below what people see.
+	var parts: PackedStringArray = path.split("/", false)
+	var is_named: bool = parts.size() > 1 and parts[-1] == "Entity"
+	return parts[-2] if is_named else path.get_file()
 
 
 ## For the log.

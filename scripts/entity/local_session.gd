@@ -49,6 +49,16 @@ class Host:
 	func put_down(_limb: Node3D, _entity: int) -> void:
 		pass
 
+	func find_by_body(p_body: Node3D) -> int:
+		for id: int in nodes:
+			if nodes[id].get_body() == p_body:
+				return id
+		return -1
+
+	func name_of(p_entity: int) -> String:
+		var entity: Entity = nodes.get(p_entity)
+		return String(entity.get_parent().name) if entity != null else ""
+
 
 func _ready() -> void:
 	var root: Node = get_parent()

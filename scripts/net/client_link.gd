@@ -171,6 +171,15 @@ func send_reliably(p_bytes: PackedByteArray) -> void:
 		)
 
 
+## Lets what the server's spawners and synchronizers send wait while a level loads, or takes it in
+## now that it is there.
+func hold_shared(p_holds: bool) -> void:
+	if _peer != null and p_holds:
+		_peer.inbox.hold()
+	elif _peer != null:
+		_peer.inbox.release()
+
+
 ## Registers the handler of a kind of message of the server, once; see [method MessageHandlers.add].
 ## [code]func(bytes: PackedByteArray, arrival_usec: int) -> bool[/code] returns whether it is valid.
 func handle(p_kind: int, p_path: MessageHandlers.Path, p_handler: Callable) -> void:

@@ -61,6 +61,11 @@ func change_level(p_name: String) -> int:
 	return _give(OrderMessage.Kind.LEVEL, 0, p_name)
 
 
+## Asks that fields of the world's own entity get values, such as its time of day.
+func set_fields(p_values: Dictionary[StringName, float]) -> int:
+	return _give(OrderMessage.Kind.FIELDS, 0, OrderMessage.write_fields(p_values))
+
+
 func _give(
 	p_kind: OrderMessage.Kind,
 	p_target: int = 0,

@@ -177,6 +177,11 @@ func send_reliably(
 				_send_part(id, part)
 
 
+## Sends a message that fits into a datagram to a session, reliably, in order with the others.
+func send_whole(p_session: int, p_bytes: PackedByteArray) -> void:
+	_send_part(p_session, p_bytes)
+
+
 ## Registers the handler of a kind of message; see [method SessionInbox.handle].
 func handle(
 	p_kind: int, p_path: MessageHandlers.Path, p_handler: Callable, p_capability: int = 0

@@ -5,6 +5,9 @@ extends RefCounted
 
 ## An instructor asks for another level; the callable gets the reason why not, or an empty text.
 signal level_requested(p_name: String, p_answer: Callable)
+## An instructor sets fields of the world's own entity; the callable gets the reason why not, or an
+## empty text.
+signal fields_requested(p_values: Dictionary[StringName, float], p_answer: Callable)
 
 ## Seconds between two notices about one session.
 const NOTICE_S: float = 5.0
@@ -102,11 +105,21 @@ func _on_order(p_caller: Session, p_bytes: PackedByteArray, _arrival_usec: int) 
 				func(fault: String) -> void:
 					_answer(p_caller, order, fault, "the world is now '%s'" % asked)
 			)
+		OrderMessage.Kind.FIELDS:
+			var values: Dictionary[StringName, float] = OrderMessage.read_fields(order.argument)
+			fields_requested.emit(
+				values,
+				func(fault: String) -> void:
+					_answer(p_caller, order, fault, "the world has %s" % order.argument)
+			)
 	return ""
 
 
 func _needed(p_kind: OrderMessage.Kind) -> Roles.Capability:
-	if p_kind == OrderMessage.Kind.CALIBRATE or p_kind == OrderMessage.Kind.LEVEL:
+	var directing: Array[OrderMessage.Kind] = [
+		OrderMessage.Kind.CALIBRATE, OrderMessage.Kind.LEVEL, OrderMessage.Kind.FIELDS
+	]
+	if directing.has(p_kind):
 		return Roles.Capability.DIRECT
 	return Roles.Capability.MODERATE
 

@@ -36,7 +36,8 @@ class Wanted:
 
 
 ## Bodies are instances of a scene, and get into the tree below a node.
-## [code]func(key: int) -> Transform3D[/code] says where somebody starts, m, and which way it faces.
+## [code]func(key: int, avatar: String) -> Transform3D[/code] says where somebody starts, m, and
+## which way it faces.
 func _init(p_scene: PackedScene, p_parent: Node3D, p_start_of: Callable) -> void:
 	_workshop = RagdollWorkshop.new(p_scene, p_parent)
 	_start_of = p_start_of
@@ -177,8 +178,9 @@ func _do_next(p_kind: StringName) -> void:
 		&"remove":
 			budget.do(p_kind, _remove.bind(key))
 		&"begin":
-			var start: Callable = _start_of.bind(key)
-			budget.do(p_kind, _workshop.begin.bind(_wanted[key].card, root_mode, start))
+			var card: PersonCard = _wanted[key].card
+			var start: Callable = _start_of.bind(key, AvatarStore.resolve(card.avatar))
+			budget.do(p_kind, _workshop.begin.bind(card, root_mode, start))
 		&"enter":
 			budget.do(p_kind, _enter.bind(key))
 		_:

@@ -3,8 +3,8 @@ extends RefCounted
 ## Makes [Ragdoll]s of people's sizes and does away with those that are no longer needed, part by
 ## part: each part takes some tenths of a millisecond, so that no tick has to wait.
 ##
-## Some new ones are always in stock, as to make an instance of a scene is the longest part. None is
-## used twice: a scene's scripts know only one wearer.
+## Some new ones of the default avatar are always in stock, as to make an instance of a scene is the
+## longest part. None is used twice: a scene's scripts know only one wearer.
 
 ## New ragdolls in stock, outside the tree.
 const STOCK: int = 16
@@ -21,6 +21,8 @@ var has_failed: bool = false
 var _scene: PackedScene = null
 var _parent: Node3D = null
 var _stock: Array[Ragdoll] = []
+## Scenes of the other avatars, loaded once.
+var _others: Array[PackedScene] = []
 var _waste: Array[Ragdoll] = []
 var _parts: Array[Array] = []
 var _fit: RagdollFit = null
@@ -34,6 +36,7 @@ func _init(p_scene: PackedScene, p_parent: Node3D) -> void:
 
 ## Fills the stock at once: before anybody is here.
 func prepare() -> void:
+	_others = AvatarStore.load_all()
 	while restock():
 		pass
 
@@ -45,8 +48,9 @@ func begin(p_card: PersonCard, p_root_mode: RagdollMotor.RootMode, p_start: Call
 	card = p_card
 	has_failed = false
 	# Two kinds, as the budget has to know how long each takes.
-	if _stock.is_empty():
-		_parts.append([&"make", _make])
+	var scene: PackedScene = AvatarStore.scene_of(p_card.avatar, _scene)
+	if scene != _scene or _stock.is_empty():
+		_parts.append([&"make", _make.bind(scene)])
 	_parts.append([&"take", _take.bind(p_root_mode)])
 	_parts.append([&"check", _check])
 	if not p_card.lengths.is_empty():
@@ -105,7 +109,7 @@ func tidy() -> void:
 func restock() -> bool:
 	if _stock.size() >= STOCK:
 		return false
-	_make()
+	_stock.push_front(_scene.instantiate() as Ragdoll)
 	return true
 
 
@@ -123,8 +127,8 @@ func close() -> void:
 	_stock.clear()
 
 
-func _make() -> void:
-	_stock.append(_scene.instantiate() as Ragdoll)
+func _make(p_scene: PackedScene) -> void:
+	_stock.append(p_scene.instantiate() as Ragdoll)
 
 
 func _take(p_root_mode: RagdollMotor.RootMode) -> void:

@@ -5,6 +5,8 @@ extends RefCounted
 
 ## Changes of the table are so many ticks apart: those of a crowd that comes go together.
 const _TABLE_TICKS: int = 3
+## Time of a tick that finding who sees what may take, µs.
+const _SURVEY_USEC: int = 2000
 
 ## The encoder, which also has the entities' fields.
 var encoder: SnapshotEncoder = SnapshotEncoder.new()
@@ -26,6 +28,8 @@ var _defined_types: int = 0
 var _sessions: PackedInt32Array = PackedInt32Array()
 var _newcomers: PackedInt32Array = PackedInt32Array()
 var _recorder: StateRecorder = null
+var _survey: VisibilityCells = null
+var _survey_usec: int = 0
 ## When a client came or returned, µs, and its own stats.
 var _since_usec: Dictionary[int, int] = {}
 var _client_stats: Dictionary[int, Dictionary] = {}
@@ -54,6 +58,7 @@ func _init(
 	_level.table.despawned.connect(_on_despawned)
 	_level.entity_added.connect(_on_entity_added)
 	_level.changed.connect(_on_level_changed)
+	_level.leaving.connect(func() -> void: _survey = null)
 	_people.person_added.connect(_on_person_added)
 	_people.person_attached.connect(_on_person_attached)
 
@@ -80,18 +85,31 @@ func close() -> void:
 		_recorder.close()
 
 
-## Computes which parts of the level can be seen from which. Needs the physics space to have been
-## stepped since the level came.
+## Begins to find which parts of the level can be seen from which. Needs the physics space to have
+## been stepped since the level came.
 func survey() -> void:
+	_survey = VisibilityCells.begin_level(_level.level)
+	_survey_usec = 0
+
+
+## Goes on with [method survey], for a part of a tick.
+func advance_survey() -> void:
+	if _survey == null:
+		return
 	var begin: int = Time.get_ticks_usec()
-	var cells: VisibilityCells = VisibilityCells.survey(_level.level)
-	if cells == null:
+	var is_done: bool = _survey.advance_until(begin + _SURVEY_USEC)
+	_survey_usec += Time.get_ticks_usec() - begin
+	if not is_done:
+		return
+	var cells: VisibilityCells = _survey
+	_survey = null
+	if cells.visible.is_empty():
 		return
 	encoder.set_cells(cells.origin, cells.size, cells.counts, cells.visible)
 	var parts: Array = [
 		cells.counts.x * cells.counts.y * cells.counts.z,
 		100.0 * cells.openness(),
-		(Time.get_ticks_usec() - begin) / 1000.0,
+		_survey_usec / 1000.0,
 	]
 	Log.info("server", "%d cells, %.0f %% of pairs in sight of each other (%.0f ms)" % parts)
 

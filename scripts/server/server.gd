@@ -43,7 +43,9 @@ var _reload: ServerReload = null
 var _stop: StopSignal = StopSignal.new()
 var _pacer: TickPacer = TickPacer.new()
 var _control: SessionControl = null
+var _conditions: ServerConditions = null
 var _shared: SharedServer = null
+var _offers: LevelOffers = null
 var _tick: int = 0
 var _sent_tick: int = 0
 var _network_usec: int = 0
@@ -81,6 +83,8 @@ func _open_world() -> void:
 	_people.setup(_level.table, _options.number("max-people"))
 	_sending = Replication.new(_link, _level, _people, _rate(), bits, error)
 	_entities = ServerEntities.new(_link, _level.table, _people, _sending.encoder)
+	_offers = LevelOffers.new(_link, _level)
+	_offers.bits_per_second = _options.number("level-bandwidth") * 1000.0
 	_entities.command_refused.connect(
 		func(session: int, what: String) -> void: _control.tell_instructors(session, what)
 	)
@@ -96,6 +100,10 @@ func _open_world() -> void:
 	_link.people_declared.connect(_on_people)
 	_link.pose_received.connect(_on_pose)
 	var fault: String = _sending.record_to(_options.file("record"))
+	_level.share = LevelShare.new(_options.file("levels"))
+	fault = _level.share.find_fault() if fault == "" else fault
+	_conditions = ServerConditions.new(_level, _options.text("time"), _options.text("weather"))
+	fault = _conditions.error if fault == "" else fault
 	fault = _level.load_level(_options.text("world")) if fault == "" else fault
 	if fault != "":
 		_give_up(_EXIT_OPTIONS, fault)
@@ -123,6 +131,7 @@ func _open_link(p_port: int) -> bool:
 	_reload = ServerReload.new(_options, rules)
 	_control = SessionControl.new(_link)
 	_control.level_requested.connect(_change_level)
+	_control.fields_requested.connect(_change_fields)
 	_control.describer = _describe_client
 	return true
 
@@ -131,6 +140,7 @@ func _open_link(p_port: int) -> bool:
 func _take_options(p_options: Options) -> void:
 	_options = p_options
 	_people.changes.max_people = p_options.number("max-people")
+	_offers.bits_per_second = p_options.number("level-bandwidth") * 1000.0
 	_sending.set_bandwidth(_bandwidth())
 	_link.renew_passwords()
 
@@ -171,9 +181,13 @@ func _physics_process(p_delta: float) -> void:
 	_tick += 1
 	_people.tick = _tick
 	_take_lists(begin / 1e6)
-	_people.advance()
-	_entities.advance(_tick, _rate())
-	_people.drive(begin / 1e6, p_delta)
+	_level.advance(_tick)
+	_offers.advance(p_delta)
+	_sending.advance_survey()
+	if not _level.is_between:
+		_people.advance()
+		_entities.advance(_tick, _rate())
+		_people.drive(begin / 1e6, p_delta)
 	_stats.ticks = _tick
 	_stats.script_time.add((Time.get_ticks_usec() - begin) / 1e6)
 	if _stats.begin_tick(begin):
@@ -209,6 +223,8 @@ func _exit_tree() -> void:
 	if _report != null and _stats != null:
 		_report.write(_make_report())
 	_status.close()
+	if _offers != null:
+		_offers.close()
 	if _sending != null:
 		_sending.close()
 	# The bodies are out of the tree already: nobody needs to know who leaves now.
@@ -220,16 +236,22 @@ func _exit_tree() -> void:
 ## Whether the process of --end-with runs still.
 func _has_companion() -> bool:
 	var number: int = _options.number("end-with")
-	return number == 0 or DirAccess.dir_exists_absolute("/proc/%d" % number)
+	if number == 0:
+		return true
+	var file: FileAccess = FileAccess.open("/proc/%d/stat" % number, FileAccess.READ)
+	# One that has ended stays in the list until who started it asks, as the editor does not.
+	return file != null and not file.get_line().get_slice(") ", 1).begins_with("Z")
 
 
 ## Sends the state after a tick's step.
 func _send_tick() -> void:
 	var now: int = Time.get_ticks_usec()
 	_sent_tick = _tick
-	_people.measure()
 	var begin: int = ThreadClock.get_usec()
-	_sending.send(_tick, now, _entities.take_messages())
+	if not _level.is_between:
+		_people.measure()
+		begin = ThreadClock.get_usec()
+		_sending.send(_tick, now, _entities.take_messages())
 	_stats.networked(_network_usec + ThreadClock.get_usec() - begin)
 	_network_usec = 0
 	_stats.send_time.add((Time.get_ticks_usec() - now) / 1e6)
@@ -247,9 +269,27 @@ func _report_speed() -> void:
 	Log.warning("server", text % parts + "the machine is too slow for it")
 
 
-## Loads another level while the session runs. Returns why it cannot, or an empty text.
+## Loads another level while the session runs, and answers when it is there or cannot come.
 func _change_level(p_name: String, p_answer: Callable) -> void:
-	p_answer.call(_level.load_level(p_name, _tick))
+	var fault: String = _level.change_level(p_name)
+	if fault != "":
+		p_answer.call(fault)
+		return
+	Log.info("server", "loading world '%s'" % p_name)
+	var begin: int = Time.get_ticks_msec()
+	_level.change_ended.connect(
+		func(why: String) -> void:
+			var seconds: float = (Time.get_ticks_msec() - begin) / 1000.0
+			var parts: Array = [p_name, seconds, _level.longest_usec / 1000.0]
+			var text: String = "world '%s' is there after %.1f s (%.1f ms of a tick at most)"
+			Log.info("server", text % parts if why == "" else why)
+			p_answer.call(why),
+		CONNECT_ONE_SHOT
+	)
+
+
+func _change_fields(p_values: Dictionary[StringName, float], p_answer: Callable) -> void:
+	p_answer.call(_conditions.change(p_values))
 
 
 func _describe_client(p_row: RosterRow) -> void:
@@ -260,12 +300,16 @@ func _describe_client(p_row: RosterRow) -> void:
 
 
 func _on_level_changed() -> void:
-	_link.rules.level_name = _level.level_name
+	_link.rules.level_name = _level.reference
 	_link.rules.level_fingerprint = _level.fingerprint
+	_conditions.apply()
 	var points: Array[Transform3D] = []
+	var avatars: PackedStringArray = []
 	for point: SpawnPoint in _level.level.get_spawn_points():
 		points.append(point.get_start())
-	_people.enter(points)
+		avatars.append(point.avatar)
+	_people.default_avatar = _level.level.default_avatar
+	_people.enter(points, avatars)
 	_survey_soon()
 
 
@@ -275,7 +319,9 @@ func _survey_soon() -> void:
 	_sending.survey()
 
 
-func _on_entity_added(p_row: EntityRow, p_node: Entity, _body: PhysicsBody3D) -> void:
+func _on_entity_added(p_row: EntityRow, p_node: Entity, p_body: PhysicsBody3D) -> void:
+	if p_body != null:
+		_entities.note_body(p_row, p_body)
 	if p_node != null:
 		_entities.bind(p_row, p_node)
 
@@ -335,6 +381,8 @@ func _rate() -> int:
 func _make_report() -> Dictionary:
 	var report: Dictionary = _stats.report(_link, _sending, _people)
 	report["status_requests"] = _status.counts
+	report["level"] = _level.report()
+	report["level"].merge(_offers.report())
 	return report
 
 

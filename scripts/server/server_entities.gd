@@ -10,6 +10,8 @@ signal command_refused(p_session: int, p_why: String)
 const REPEATS: int = 4
 ## Maximum of events in one tick.
 const MAX_EVENTS_PER_TICK: int = 64
+## What a body knows of its entity.
+const _NUMBER: StringName = &"entity_number"
 
 var _link: ServerLink = null
 var _table: EntityTable = null
@@ -42,6 +44,11 @@ func _init(
 func bind(p_row: EntityRow, p_node: Entity) -> void:
 	_nodes[p_row.id] = p_node
 	p_node.start(self, p_row.id, p_row.values)
+
+
+## Notes the body of a row's entity.
+func note_body(p_row: EntityRow, p_body: PhysicsBody3D) -> void:
+	p_body.set_meta(_NUMBER, p_row.id)
 
 
 ## Gives the entities the commands that are due. Call it once a tick, before the step.
@@ -163,6 +170,16 @@ func put_down(p_limb: Node3D, p_entity: int) -> void:
 	# An occupant whose seat leaves the area stays in it.
 	if person != null and node != null and person.carrier == node.get_body():
 		_people.detach_person(person)
+
+
+func find_by_body(p_body: Node3D) -> int:
+	var person: ServerPerson = _people.find_by_limb(p_body)
+	return person.id if person != null else int(p_body.get_meta(_NUMBER, -1))
+
+
+func name_of(p_entity: int) -> String:
+	var row: EntityRow = _table.find(p_entity)
+	return row.title() if row != null else ""
 
 
 func possession() -> Possession:

@@ -6,6 +6,8 @@ extends Node3D
 signal leaving
 ## Another level is loaded; its entities are in the table.
 signal changed
+## The load that [method change_level] has begun is over: why it failed, or an empty text.
+signal change_ended(p_fault: String)
 ## An entity of the level has come, with the node of its [Entity] (null for a plain prop) and its
 ## body (null without one).
 signal entity_added(p_row: EntityRow, p_node: Entity, p_body: PhysicsBody3D)
@@ -13,7 +15,7 @@ signal entity_added(p_row: EntityRow, p_node: Entity, p_body: PhysicsBody3D)
 ## Type of a prop that has no [Entity] of its own.
 const PROP_TYPE: StringName = &"prop"
 ## Type of the world's own entity where the level names none.
-const WORLD_TYPE: StringName = &"world"
+const WORLD_TYPE: StringName = &"bare_world"
 
 ## The table of entities.
 var table: EntityTable = EntityTable.new()
@@ -21,44 +23,159 @@ var table: EntityTable = EntityTable.new()
 var level: Level = null
 ## Its name.
 var level_name: String = ""
+## How clients are told of it: see [LevelReference].
+var reference: String = ""
+## The folder that it is from; null for one of the program's own.
+var folder: LevelFolder = null
+## The levels that the server offers beside the program's own.
+var share: LevelShare = LevelShare.new("")
 ## The multiplayer API of its shared nodes; null for none.
 var shared: SharedApi = null
 ## Its fingerprint.
 var fingerprint: PackedByteArray = PackedByteArray()
+## Longest part of a change of level in a tick, µs of processor time.
+var longest_usec: int = 0
+## Loads levels while the ticks go on.
+var loader: LevelLoader = LevelLoader.new()
+## Whether the last level has gone and the next one is not there as a whole.
+var is_between: bool = false
 
+# What is still to be put into the table, the first one last.
+var _things: Array[Node] = []
 var _prop_type: EntityType = _make_type(PROP_TYPE, EntityType.Body.RIGID)
 var _world_type: EntityType = _make_type(WORLD_TYPE, EntityType.Body.NONE)
 
 
-## Replaces the present level and all its entities by another. Returns an empty text, or why it
-## cannot; then nothing has changed.
+## Replaces the present level and all its entities by another, at once. Returns an empty text, or
+## why it cannot; then nothing has changed.
 func load_level(p_name: String, p_tick: int = 0) -> String:
-	if not LevelStore.has(p_name):
-		return LevelStore.describe_missing(p_name)
-	var fresh: Level = LevelStore.instantiate(p_name)
-	if fresh == null:
-		return "the scene of world '%s' is broken: its root must be a Level" % p_name
-	leaving.emit()
-	table.clear_rows()
+	var fault: String = _find_fault(p_name)
+	var fresh: Level = null
+	var from: LevelFolder = null
+	if fault == "" and share.has(p_name):
+		from = LevelFolder.new(share.folder_of(p_name))
+		fresh = from.build()
+		fault = _name_fault(p_name, from.error)
+	elif fault == "":
+		fresh = LevelStore.instantiate(p_name)
+		if fresh == null:
+			fault = "the scene of world '%s' is broken: its root must be a Level" % p_name
+	if fault != "":
+		return fault
+	_leave_level()
 	if level != null:
 		remove_child(level)
 		level.queue_free()
-	level = fresh
-	level_name = p_name
-	if shared != null:
-		shared.attach(self, level)
+	_take_over(fresh, p_name, from)
 	add_child(level)
 	fingerprint = level.fingerprint()
-	_spawn_all(p_tick)
+	_spawn_world(p_tick)
+	_list_things()
+	_spawn_until(1 << 62, p_tick)
+	_begin_level()
+	return ""
+
+
+## Begins to replace the present level by another, while the ticks go on: see [method advance].
+## Until it is read the present one stays. Returns why it cannot, or an empty text.
+func change_level(p_name: String) -> String:
+	if loader.is_busy() or loader.is_leaving() or is_between:
+		return "world '%s' is being loaded" % loader.name
+	longest_usec = 0
+	var fault: String = _find_fault(p_name)
+	if fault == "" and share.has(p_name):
+		loader.begin_folder(p_name, share.folder_of(p_name))
+	elif fault == "":
+		loader.begin_own(p_name)
+	return fault
+
+
+## Does a part of what [method change_level] has begun. Call it once a tick, before all else.
+func advance(p_tick: int) -> void:
+	if loader.state == LevelLoader.State.IDLE and not (loader.is_leaving() or is_between):
+		return
+	var begin_usec: int = ThreadClock.get_usec()
+	_go_on(p_tick)
+	longest_usec = maxi(longest_usec, ThreadClock.get_usec() - begin_usec)
+
+
+func _go_on(p_tick: int) -> void:
+	loader.advance()
+	match loader.state:
+		LevelLoader.State.FAILED:
+			loader.state = LevelLoader.State.IDLE
+			change_ended.emit(_name_fault(loader.name, loader.fault))
+		LevelLoader.State.READ:
+			_leave_level()
+			if level != null:
+				loader.dismiss(level)
+			_take_over(loader.level, loader.name, loader.folder())
+			loader.enter(self)
+			is_between = true
+		LevelLoader.State.DONE:
+			fingerprint = loader.fingerprint
+			loader.state = LevelLoader.State.IDLE
+			_spawn_world(p_tick)
+			_list_things()
+		LevelLoader.State.IDLE:
+			var until: int = Time.get_ticks_usec() + LevelLoader.BUDGET_USEC
+			if is_between and _spawn_until(until, p_tick):
+				is_between = false
+				_begin_level()
+				change_ended.emit("")
+
+
+func _exit_tree() -> void:
+	loader.close()
+
+
+## Why there can be no level of a name, or an empty text.
+func _find_fault(p_name: String) -> String:
+	if share.has(p_name) or LevelStore.has(p_name):
+		return ""
+	return LevelStore.describe_missing(p_name, share.names())
+
+
+static func _name_fault(p_name: String, p_fault: String) -> String:
+	return "world '%s' is refused: %s" % [p_name, p_fault] if p_fault != "" else ""
+
+
+func _leave_level() -> void:
+	leaving.emit()
+	table.clear_rows()
+
+
+func _take_over(p_level: Level, p_name: String, p_folder: LevelFolder) -> void:
+	level = p_level
+	level_name = p_name
+	folder = p_folder
+	var content_hash: String = p_folder.manifest.content_hash() if p_folder != null else ""
+	reference = LevelReference.text_of(p_name, content_hash)
+	if shared != null:
+		shared.attach(self, level)
+
+
+## The level is in the tree as a whole, and in the table.
+func _begin_level() -> void:
 	changed.emit()
 	if shared != null:
 		shared.release()
-	return ""
+
+
+## The level and what is being loaded, for a report.
+func report() -> Dictionary:
+	return {
+		"name": level_name,
+		"reference": reference,
+		"loading": loader.name if loader.is_busy() else "",
+		"progress": loader.progress(),
+		"longest_ms": longest_usec / 1000.0,
+	}
 
 
 ## The message that names the level.
 func message() -> PackedByteArray:
-	return LevelMessage.encode(level_name, fingerprint)
+	return LevelMessage.encode(reference, fingerprint)
 
 
 ## Adds an instance of a scene to the running level. Its root, or a node below it, is an [Entity].
@@ -87,19 +204,31 @@ func add_instance(
 	return entity
 
 
-func _spawn_all(p_tick: int) -> void:
-	_spawn_world(p_tick)
-	for body: RigidBody3D in level.get_props():
-		var path: String = str(level.get_path_to(body))
-		_add(_make_row(_prop_type, EntityRow.Source.LEVEL, path, p_tick), null, body)
-	for entity: Entity in level.get_entities():
-		if entity.type == null or entity.type.body == EntityType.Body.PERSON:
+## Lists what the level has besides the world: its props and its entities, each with its node.
+func _list_things() -> void:
+	_things.append_array(level.get_props())
+	_things.append_array(level.get_entities())
+	_things.reverse()
+
+
+## Puts the level's things into the table, until a moment of [method Time.get_ticks_usec]. Returns
+## whether all are in.
+func _spawn_until(p_usec: int, p_tick: int) -> bool:
+	while not _things.is_empty():
+		var thing: Node = _things.pop_back()
+		var path: String = str(level.get_path_to(thing))
+		var entity: Entity = thing as Entity
+		if entity == null:
+			var row: EntityRow = _make_row(_prop_type, EntityRow.Source.LEVEL, path, p_tick)
+			_add(row, null, thing as RigidBody3D)
+		elif entity.type == null or entity.type.body == EntityType.Body.PERSON:
 			Log.warning("server", "%s: no type, or that of a person: left out" % entity.get_path())
-			continue
-		var path: String = str(level.get_path_to(entity))
-		_add(
-			_make_row(entity.type, EntityRow.Source.LEVEL, path, p_tick), entity, entity.get_body()
-		)
+		else:
+			var row: EntityRow = _make_row(entity.type, EntityRow.Source.LEVEL, path, p_tick)
+			_add(row, entity, entity.get_body())
+		if Time.get_ticks_usec() >= p_usec:
+			break
+	return _things.is_empty()
 
 
 func _spawn_world(p_tick: int) -> void:

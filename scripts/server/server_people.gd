@@ -20,6 +20,8 @@ const _SETTLING: int = 2
 
 ## How people's travel is found and how their hips follow.
 var root_mode: RagdollMotor.RootMode = RagdollMotor.ROOT_SOFT
+## What people are shown as who choose no avatar: the level's. Who is here already stays as he is.
+var default_avatar: String = ""
 ## The server's tick.
 var tick: int = 0
 ## Whose bodies are to be made and removed.
@@ -30,6 +32,7 @@ var _gone: Array[Dictionary] = []
 var _table: EntityTable = null
 var _positions: StartPositions = StartPositions.new()
 var _points: Array[Transform3D] = []
+var _avatars: PackedStringArray = PackedStringArray()
 ## Ticks until the bodies of a new level are in the physics space; 0: they are.
 var _settling: int = 0
 var _plain_type: EntityType = EntityType.person()
@@ -56,6 +59,9 @@ func _exit_tree() -> void:
 ## [method advance] comes to it. Returns how many of them there is no room for.
 ## [param p_name] is for those who have no name.
 func set_people(p_session: int, p_cards: Array[PersonCard], p_name: String) -> int:
+	for card: PersonCard in p_cards:
+		if card.avatar == "":
+			card.avatar = default_avatar
 	var refused: int = changes.take_list(p_session, p_cards, p_name)
 	for card: PersonCard in p_cards:
 		var person: ServerPerson = _people.get(PeopleChanges.key_of(p_session, card.index))
@@ -71,7 +77,7 @@ func advance() -> void:
 		_settling -= 1
 		if _settling == 0:
 			# What is in the way is known only now.
-			_positions.set_points(_points, get_world_3d().direct_space_state)
+			_positions.set_points(_points, get_world_3d().direct_space_state, _avatars)
 			_stand_up()
 	changes.advance()
 
@@ -86,9 +92,9 @@ func remove(p_session: int) -> void:
 	changes.take_list(p_session, [], "")
 
 
-func _take_start(p_key: int) -> Transform3D:
+func _take_start(p_key: int, p_avatar: String) -> Transform3D:
 	var space: PhysicsDirectSpaceState3D = get_world_3d().direct_space_state
-	return _positions.take(p_key, space)
+	return _positions.take(p_key, space, p_avatar)
 
 
 func _on_made(
@@ -196,10 +202,11 @@ func leave() -> void:
 
 ## Puts everybody into the table and at the start points of the present level, m, facing their +Z;
 ## those who come later start there too.
-func enter(p_points: Array[Transform3D]) -> void:
+func enter(p_points: Array[Transform3D], p_avatars: PackedStringArray = []) -> void:
 	_points = p_points
+	_avatars = p_avatars
 	_settling = _SETTLING
-	_positions.set_points(p_points)
+	_positions.set_points(p_points, null, p_avatars)
 	for person: ServerPerson in _people.values():
 		_enter(person)
 	_stand_up()
@@ -209,7 +216,8 @@ func enter(p_points: Array[Transform3D]) -> void:
 func _stand_up() -> void:
 	for key: int in _people:
 		if _people[key].carrier == null:
-			_people[key].stand_at(_take_start(key))
+			var avatar: String = AvatarStore.resolve(_people[key].card.avatar)
+			_people[key].stand_at(_take_start(key, avatar))
 			person_attached.emit(_people[key], -1)
 
 
@@ -268,6 +276,7 @@ func _enter(p_person: ServerPerson) -> void:
 	row.owner = p_person.session
 	row.person_index = p_person.card.index
 	row.person_name = p_person.name
+	row.path = AvatarStore.resolve(p_person.card.avatar)
 	row.skeleton = p_person.joints
 	if _table.spawn(row) == null:
 		_people.erase(PeopleChanges.key_of(p_person.session, p_person.card.index))

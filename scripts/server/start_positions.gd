@@ -21,6 +21,8 @@ const STEP_Y: float = 0.5
 var spacing: float = 2.5
 
 var _points: Array[Transform3D] = [Transform3D.IDENTITY]
+## The avatar that each point is for; empty: all.
+var _avatars: PackedStringArray = PackedStringArray([""])
 ## All positions of the level, in the order in which they are taken, and how many of them are at the
 ## whole distance.
 var _positions: PackedVector3Array = PackedVector3Array()
@@ -40,11 +42,18 @@ func _init() -> void:
 
 ## Sets the points of another level, m, turned about the vertical only, none for the origin, and
 ## frees everything. [param p_space] says where floors and walls are; null: there is floor
-## everywhere, and nothing else. It takes some milliseconds.
-func set_points(p_points: Array[Transform3D], p_space: PhysicsDirectSpaceState3D = null) -> void:
+## everywhere, and nothing else; [param p_avatars] for which avatar each point is, where it is not
+## for all. It takes some milliseconds.
+func set_points(
+	p_points: Array[Transform3D],
+	p_space: PhysicsDirectSpaceState3D = null,
+	p_avatars: PackedStringArray = []
+) -> void:
 	_points = p_points.duplicate()
 	if _points.is_empty():
 		_points.append(Transform3D.IDENTITY)
+	_avatars = p_avatars.duplicate()
+	_avatars.resize(_points.size())
 	_taken.clear()
 	_standing.clear()
 	_squares.clear()
@@ -56,10 +65,17 @@ func set_points(p_points: Array[Transform3D], p_space: PhysicsDirectSpaceState3D
 
 
 ## Takes the next free position for somebody, by a number: where it is, m, and which way it faces.
-## [param p_space] says which props are in the way; null: none is.
-func take(p_who: int, p_space: PhysicsDirectSpaceState3D) -> Transform3D:
+## [param p_space] says which props are in the way; null: none is. Points for [param p_avatar] come
+## first, then those for all, then, so that nobody is left out, the others.
+func take(p_who: int, p_space: PhysicsDirectSpaceState3D, p_avatar: String = "") -> Transform3D:
 	release(p_who)
-	var number: int = _find(p_space)
+	var number: int = -1
+	if p_avatar != "" and _avatars.has(p_avatar):
+		number = _find(p_space, func(avatar: String) -> bool: return avatar == p_avatar)
+	if number < 0:
+		number = _find(p_space, func(avatar: String) -> bool: return avatar == "")
+	if number < 0:
+		number = _find(p_space, func(_avatar: String) -> bool: return true)
 	# In a level without any room somebody stands in somebody else, who gives way.
 	var found: Transform3D = _points[0]
 	if number >= 0:
@@ -79,11 +95,11 @@ func release(p_who: int) -> void:
 		_squares[_square(former)].erase(former)
 
 
-## The number of the next free position, or -1.
-func _find(p_space: PhysicsDirectSpaceState3D) -> int:
+## The number of the next free position at points whose avatar fits, or -1.
+func _find(p_space: PhysicsDirectSpaceState3D, p_fits: Callable) -> int:
 	for number: int in _positions.size():
 		var position: Vector3 = _positions[number]
-		if _standing.has(position):
+		if _standing.has(position) or not p_fits.call(_avatars[_point_of[number]]):
 			continue
 		if _is_free(position, spacing if number < _wide else spacing / 2.0):
 			var turn: Basis = _points[_point_of[number]].basis

@@ -7,12 +7,8 @@ extends Node3D
 ## A level is a scene [code]scenes/world/NAME/NAME.tscn[/code] whose root has this script. The
 ## server and all clients load the same one; [method fingerprint] shows whether they have.
 
-## Group of the props, [RigidBody3D] nodes: each is an entity of its own.
-const PROPS: StringName = &"props"
 ## Bytes of a fingerprint.
 const FINGERPRINT_SIZE: int = 8
-## Steps of lengths and of rotations in a fingerprint, per m and per 1.
-const _STEPS: float = 10000.0
 
 ## What people call it.
 @export var title: String = ""
@@ -29,12 +25,40 @@ const _STEPS: float = 10000.0
 ## Scenes that may be added while a session runs: a server can have clients make instances of these
 ## and of no others.
 @export var spawnable: Array[PackedScene] = []
+## What people are shown as who choose no avatar: a name of [AvatarStore]; empty for its default.
+@export var default_avatar: String = "":
+	set(p_value):
+		default_avatar = p_value
+		update_configuration_warnings()
 ## The entity of the world itself, which has number 0: its fields are the variables of the level and
 ## of a scenario. May be empty.
 @export var world: Entity:
 	set(p_value):
 		world = p_value
 		update_configuration_warnings()
+
+## Folder of the files that belong to it (heights, what was baked); empty: that of its scene.
+var folder: String = ""
+
+## The file with what was baked of the level; empty for one beside the scene.
+var bake_path: String = ""
+## What was baked of the level, or null. Read by [method prepare].
+var bake: LevelBake = null
+## What shows the blocks; null before [method prepare], and where there is no display.
+var surfaces: LevelSurfaces = null
+
+var _is_prepared: bool = false
+## Lights that throw shadows where the tier of quality has any.
+var _shadowing: Array[DirectionalLight3D] = []
+
+
+func _enter_tree() -> void:
+	add_to_group(KitBlock.LEVEL_GROUP)
+
+
+func _ready() -> void:
+	if not Engine.is_editor_hint():
+		prepare()
 
 
 func _get_configuration_warnings() -> PackedStringArray:
@@ -52,9 +76,56 @@ func _get_configuration_warnings() -> PackedStringArray:
 	for body: RigidBody3D in get_props():
 		if not body.transform.basis.get_scale().is_equal_approx(Vector3.ONE):
 			warnings.append("%s is scaled, bodies cannot be: scale its shape and mesh." % body.name)
+	if default_avatar != "" and not AvatarStore.NAMES.has(default_avatar):
+		var text: String = "There is no avatar '%s': choose one of %s for 'Default Avatar'."
+		warnings.append(text % [default_avatar, ", ".join(AvatarStore.NAMES)])
 	if world != null and world.type != null and world.type.body != EntityType.Body.NONE:
 		warnings.append("The type of 'World' has a body: choose one with fields only.")
 	return warnings
+
+
+## Reads what was baked, and makes the meshes of the blocks where there is a display. It costs up to
+## a second or two: a loader does it in a thread before the level enters the tree.
+func prepare() -> void:
+	if _is_prepared:
+		return
+	_is_prepared = true
+	var path: String = bake_path if bake_path != "" else bake_path_of(scene_file_path)
+	if FileAccess.file_exists(path):
+		bake = LevelBake.load_file(path)
+		if bake.error != "":
+			Log.warning("world", bake.error + ": its light is not used")
+			bake = null
+	if DisplayServer.get_name() != "headless":
+		SurfaceTextures.prepare()
+		_follow_quality_from_now()
+		surfaces = LevelSurfaces.new()
+		surfaces.name = "Surfaces"
+		surfaces.assemble(self, bake)
+		add_child(surfaces, false, Node.INTERNAL_MODE_BACK)
+
+
+## Shows as much as the tier of quality says: see [Quality].
+func follow_quality() -> void:
+	SurfaceTextures.prepare()
+	var has_shadows: bool = Quality.tier.shadow_pixels > 0
+	WorldLight.set_shadows(has_shadows)
+	for light: DirectionalLight3D in _shadowing:
+		light.shadow_enabled = has_shadows
+
+
+func _follow_quality_from_now() -> void:
+	for node: Node in find_children("*", "DirectionalLight3D", true, false):
+		var light: DirectionalLight3D = node as DirectionalLight3D
+		if light.shadow_enabled:
+			_shadowing.append(light)
+	add_to_group(Quality.FOLLOWERS)
+	follow_quality()
+
+
+## The file with what was baked of a scene.
+static func bake_path_of(p_scene_path: String) -> String:
+	return p_scene_path.get_basename() + ".bake"
 
 
 ## What never moves, in the order of the tree.
@@ -73,10 +144,28 @@ func get_props() -> Array[RigidBody3D]:
 	for entity: Entity in get_entities():
 		covered[entity.get_body()] = true
 	var found: Array[RigidBody3D] = []
-	for node: Node in find_children("*", "RigidBody3D", true, false):
-		if node.is_in_group(PROPS) and not covered.has(node):
+	for node: Node in _find_in_group(KitBlock.PROPS_GROUP, "RigidBody3D"):
+		if node is RigidBody3D and not covered.has(node):
 			found.append(node)
 	return found
+
+
+## Nodes of a group, in the order of the tree. In the tree the engine knows them: to look at each of
+## thousands of nodes takes milliseconds.
+func _find_in_group(p_group: StringName, p_class: String) -> Array[Node]:
+	var found: Array[Node] = []
+	if is_inside_tree():
+		found = get_tree().get_nodes_in_group(p_group)
+		return found.filter(func(node: Node) -> bool: return is_ancestor_of(node))
+	found = find_children("*", p_class, true, false)
+	return found.filter(func(node: Node) -> bool: return node.is_in_group(p_group))
+
+
+## Whole path of a file that belongs to the level, by its name. It may not be there, and what is in
+## it is not to be trusted.
+func find_file(p_name: String) -> String:
+	var from: String = folder if folder != "" else scene_file_path.get_base_dir()
+	return from.path_join(p_name)
 
 
 ## The scene of a path if it may be added while a session runs, or null.
@@ -90,8 +179,8 @@ func find_spawnable(p_path: String) -> PackedScene:
 ## The [Entity] nodes but for that of the world itself, in the order of the tree.
 func get_entities() -> Array[Entity]:
 	var found: Array[Entity] = []
-	for node: Node in find_children("*", "Node", true, false):
-		if node is Entity and node != world:
+	for node: Node in _find_in_group(Entity.GROUP, "Entity"):
+		if node != world:
 			found.append(node)
 	return found
 
@@ -105,56 +194,19 @@ func get_spawn_points() -> Array[SpawnPoint]:
 	return found
 
 
+## The views that observers can go to, in the order of the tree.
+func get_cameras() -> Array[ObserverCamera]:
+	var found: Array[ObserverCamera] = []
+	for node: Node in _find_in_group(ObserverCamera.GROUP, "Camera3D"):
+		if node is ObserverCamera:
+			found.append(node)
+	return found
+
+
 ## A hash of the level that is the same on all machines: of shapes and positions of static bodies,
 ## of props and of entities. Visual nodes do not count, as a dedicated server has none. The level
 ## must be in the tree and nothing may have moved yet.
 func fingerprint() -> PackedByteArray:
-	var context: HashingContext = HashingContext.new()
-	context.start(HashingContext.HASH_SHA256)
-	for body: StaticBody3D in get_static_bodies():
-		_hash_body(context, body)
-	for body: RigidBody3D in get_props():
-		context.update(str(get_path_to(body)).to_utf8_buffer())
-		_hash_body(context, body)
-	for entity: Entity in get_entities():
-		context.update(str(get_path_to(entity)).to_utf8_buffer())
-		if entity.type != null:
-			context.update(entity.type.encode())
-		if entity.get_body() != null:
-			_hash_body(context, entity.get_body())
-	var has_world: bool = world != null and world.type != null
-	context.update(world.type.encode() if has_world else PackedByteArray([0]))
-	return context.finish().slice(0, FINGERPRINT_SIZE)
-
-
-func _hash_body(p_context: HashingContext, p_body: PhysicsBody3D) -> void:
-	var to_level: Transform3D = global_transform.affine_inverse()
-	for child: Node in p_body.get_children(true):
-		var shape: CollisionShape3D = child as CollisionShape3D
-		if shape == null or shape.shape == null or shape.disabled:
-			continue
-		p_context.update(shape.shape.get_class().to_ascii_buffer())
-		p_context.update(_numbers_of(to_level * shape.global_transform, shape.shape))
-
-
-static func _numbers_of(p_transform: Transform3D, p_shape: Shape3D) -> PackedByteArray:
-	var basis: Basis = p_transform.basis
-	var points: PackedVector3Array = [basis.x, basis.y, basis.z, p_transform.origin]
-	if p_shape is BoxShape3D:
-		points.append((p_shape as BoxShape3D).size)
-	elif p_shape is SphereShape3D:
-		points.append(Vector3((p_shape as SphereShape3D).radius, 0.0, 0.0))
-	elif p_shape is CapsuleShape3D or p_shape is CylinderShape3D:
-		points.append(Vector3(p_shape.get(&"radius"), p_shape.get(&"height"), 0.0))
-	elif p_shape is ConvexPolygonShape3D:
-		points.append_array((p_shape as ConvexPolygonShape3D).points)
-	elif p_shape is ConcavePolygonShape3D:
-		points.append_array((p_shape as ConcavePolygonShape3D).get_faces())
-	elif p_shape is HeightMapShape3D:
-		for height: float in (p_shape as HeightMapShape3D).map_data:
-			points.append(Vector3(height, 0.0, 0.0))
-	var numbers: PackedInt32Array = []
-	for point: Vector3 in points:
-		for axis: int in 3:
-			numbers.append(roundi(clampf(point[axis], -1e5, 1e5) * _STEPS))
-	return numbers.to_byte_array()
+	var made: LevelFingerprint = LevelFingerprint.new(self)
+	made.advance_until(1 << 62)
+	return made.finish()

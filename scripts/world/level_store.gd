@@ -5,7 +5,7 @@ extends RefCounted
 ## Folder of the levels.
 const ROOT: String = "res://scenes/world"
 ## The level that a server has by default.
-const DEFAULT: String = "hall"
+const DEFAULT: String = "hangar"
 ## Longest name of a level, characters.
 const MAX_NAME: int = 40
 
@@ -51,6 +51,8 @@ static func instantiate(p_name: String) -> Level:
 	return null
 
 
-## Why there is no level of a name, for people.
-static func describe_missing(p_name: String) -> String:
-	return "there is no world '%s' here: %s" % [p_name.left(MAX_NAME), ", ".join(names())]
+## Why there is no level of a name, for people who have others besides.
+static func describe_missing(p_name: String, p_others: PackedStringArray = []) -> String:
+	var known: PackedStringArray = names() + p_others
+	var text: String = "there is no world '%s' here: %s" % [p_name.left(MAX_NAME), ", ".join(known)]
+	return text + Nearest.suggest(p_name, known)

@@ -14,6 +14,8 @@ const DIFFERS: Color = Color(1.0, 0.2, 0.2)
 
 ## Where a shape keeps its wire frame.
 const _WIRES: StringName = &"wires"
+## Most lines along a side of a map of heights.
+const _MAP_LINES: int = 125
 
 ## How much of the wire frames is seen: 0 to 1.
 var opacity: float = 1.0:
@@ -119,11 +121,37 @@ static func _make_wires(p_shape: Shape3D, p_transform: Transform3D) -> MeshInsta
 	var wires: MeshInstance3D = MeshInstance3D.new()
 	# Many bodies share a shape.
 	if not p_shape.has_meta(_WIRES):
-		p_shape.set_meta(_WIRES, _keep_lines(p_shape.get_debug_mesh()))
+		var map: HeightMapShape3D = p_shape as HeightMapShape3D
+		var lines: ArrayMesh = _lines_of(map) if map != null else null
+		p_shape.set_meta(_WIRES, lines if map != null else _keep_lines(p_shape.get_debug_mesh()))
 	wires.mesh = p_shape.get_meta(_WIRES)
 	wires.transform = p_transform
 	wires.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
 	return wires
+
+
+## Lines over a map of heights, few enough to be drawn: the engine's own are millions.
+static func _lines_of(p_map: HeightMapShape3D) -> ArrayMesh:
+	var columns: int = p_map.map_width
+	var rows: int = p_map.map_depth
+	var step: int = maxi(ceili(maxi(columns, rows) / float(_MAP_LINES)), 1)
+	var heights: PackedFloat32Array = p_map.map_data
+	var middle: Vector3 = Vector3(columns - 1, 0.0, rows - 1) / 2.0
+	var points: PackedVector3Array = []
+	for row: int in range(0, rows, step):
+		for column: int in range(0, columns, step):
+			var place: Vector3 = Vector3(column, heights[row * columns + column], row) - middle
+			for next: Vector2i in [Vector2i(column + step, row), Vector2i(column, row + step)]:
+				if next.x < columns and next.y < rows:
+					var height: float = heights[next.y * columns + next.x]
+					points.append(place)
+					points.append(Vector3(next.x, height, next.y) - middle)
+	var arrays: Array = []
+	arrays.resize(Mesh.ARRAY_MAX)
+	arrays[Mesh.ARRAY_VERTEX] = points
+	var lines: ArrayMesh = ArrayMesh.new()
+	lines.add_surface_from_arrays(Mesh.PRIMITIVE_LINES, arrays)
+	return lines
 
 
 ## The lines of a debug mesh, which fills its faces too.

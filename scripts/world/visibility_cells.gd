@@ -20,25 +20,72 @@ var counts: Vector3i = Vector3i.ZERO
 ## somewhere in the other. Cells are in the order x, then z, then y from slow to fast.
 var visible: PackedByteArray = PackedByteArray()
 
+var _world: Node3D = null
+var _bodies: Array[Node] = []
+var _next: int = 0
+var _box: AABB = AABB()
+var _layers: int = 0
+var _query: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.new()
+var _from: int = 0
+var _to: int = 0
+var _is_done: bool = false
+
 
 ## The cells of the static bodies below a node, or null if there are none. Needs the physics space
 ## to have been stepped since the bodies came.
 static func survey(p_world: Node3D) -> VisibilityCells:
-	var box: AABB = _bounds(p_world)
-	if box.size == Vector3.ZERO or box.get_longest_axis_size() > FARTHEST_M:
-		return null
+	var cells: VisibilityCells = begin(p_world)
+	cells.advance_until(1 << 62)
+	return cells if not cells.visible.is_empty() else null
+
+
+## The cells that were baked with a level, which are done at once; where none were, as
+## [method begin].
+static func begin_level(p_level: Level) -> VisibilityCells:
+	var bake: LevelBake = p_level.bake
+	if bake == null or bake.seen_cells.is_empty():
+		return begin(p_level)
 	var cells: VisibilityCells = VisibilityCells.new()
-	cells._divide(box)
-	cells._try_out(p_world.get_world_3d().direct_space_state, _static_layers(p_world))
+	cells._world = p_level
+	cells.origin = p_level.global_position + bake.cell_origin
+	cells.size = bake.cell_size
+	cells.counts = bake.cell_counts
+	cells.visible = bake.seen_cells
+	cells._is_done = true
 	return cells
+
+
+## Begins to look at the static bodies below a node; see [method advance_until].
+static func begin(p_world: Node3D) -> VisibilityCells:
+	var cells: VisibilityCells = VisibilityCells.new()
+	cells._world = p_world
+	cells._bodies = p_world.find_children("*", "StaticBody3D", true, false)
+	return cells
+
+
+## Goes on until a moment of [method Time.get_ticks_usec], by one body or one pair of cells at
+## least. Returns whether it is done; where there is nothing to see, [member visible] is empty then.
+func advance_until(p_usec: int) -> bool:
+	while not _is_done:
+		if not is_instance_valid(_world):
+			visible.clear()
+			_is_done = true
+		elif _next < _bodies.size():
+			if is_instance_valid(_bodies[_next]):
+				_add_body(_bodies[_next])
+			_next += 1
+		elif visible.is_empty():
+			_begin_pairs()
+		else:
+			_try_pair()
+		if Time.get_ticks_usec() >= p_usec:
+			break
+	return _is_done
 
 
 ## Share of the pairs that see each other.
 func openness() -> float:
-	var open: int = 0
-	for byte: int in visible:
-		open += byte
-	return float(open) / maxi(visible.size(), 1)
+	return float(visible.count(1)) / maxi(visible.size(), 1)
 
 
 func _divide(p_box: AABB) -> void:
@@ -51,17 +98,28 @@ func _divide(p_box: AABB) -> void:
 	origin = p_box.get_center() - Vector3(counts) * size / 2.0
 
 
-func _try_out(p_space: PhysicsDirectSpaceState3D, p_layers: int) -> void:
+func _begin_pairs() -> void:
+	_is_done = _box.size == Vector3.ZERO or _box.get_longest_axis_size() > FARTHEST_M
+	if _is_done:
+		return
+	_divide(_box)
 	var count: int = counts.x * counts.y * counts.z
 	visible.resize(count * count)
-	var query: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.new()
-	query.collision_mask = p_layers
-	query.hit_from_inside = false
-	for from: int in count:
-		for to: int in range(from, count):
-			if _sees(p_space, query, from, to):
-				visible[from * count + to] = 1
-				visible[to * count + from] = 1
+	_query.collision_mask = _layers
+	_query.hit_from_inside = false
+
+
+## Finds whether the next two cells see each other.
+func _try_pair() -> void:
+	var count: int = counts.x * counts.y * counts.z
+	if _sees(_world.get_world_3d().direct_space_state, _query, _from, _to):
+		visible[_from * count + _to] = 1
+		visible[_to * count + _from] = 1
+	_to += 1
+	if _to == count:
+		_from += 1
+		_to = _from
+		_is_done = _from == count
 
 
 func _sees(
@@ -96,20 +154,19 @@ func _cell_index(p_cell: int) -> Vector3i:
 	return Vector3i(rest / counts.z, y, rest % counts.z)
 
 
-static func _bounds(p_world: Node3D) -> AABB:
-	var box: AABB = AABB()
-	for body: Node in p_world.find_children("*", "StaticBody3D", true, false):
-		for child: Node in body.get_children(true):
-			var shape: CollisionShape3D = child as CollisionShape3D
-			if shape == null or shape.shape == null:
-				continue
-			var part: AABB = shape.global_transform * shape.shape.get_debug_mesh().get_aabb()
-			box = part if box.size == Vector3.ZERO else box.merge(part)
-	return box
+func _add_body(p_body: StaticBody3D) -> void:
+	_layers |= p_body.collision_layer
+	for child: Node in p_body.get_children(true):
+		var shape: CollisionShape3D = child as CollisionShape3D
+		if shape == null or shape.shape == null:
+			continue
+		var part: AABB = shape.global_transform * _bounds_of(shape.shape)
+		_box = part if _box.size == Vector3.ZERO else _box.merge(part)
 
 
-static func _static_layers(p_world: Node3D) -> int:
-	var layers: int = 0
-	for body: Node in p_world.find_children("*", "StaticBody3D", true, false):
-		layers |= (body as StaticBody3D).collision_layer
-	return layers
+## A mesh for a box would cost a hundred times as much.
+static func _bounds_of(p_shape: Shape3D) -> AABB:
+	var box: BoxShape3D = p_shape as BoxShape3D
+	if box != null:
+		return AABB(-box.size / 2.0, box.size)
+	return p_shape.get_debug_mesh().get_aabb()

@@ -3,7 +3,9 @@ extends SceneTree
 ##
 ## Through the scene that a client shows, from real snapshots of real motion, without a window: what
 ## the graphics card and its driver do is not in it. Options: --people=64, --crates=200 (half of
-## them at rest), --seconds=4, --bvh=FILE.
+## them at rest), --seconds=4, --bvh=FILE. Where it runs with a display (the engine itself, not
+## [code]./run bench[/code]), the bone palettes go to the renderer, and it is measured as well what
+## it draws of all these people, each avatar in turn.
 
 const Motion: GDScript = preload("smoothing/smoothing_motion.gd")
 const _CLIENT: PackedScene = preload("res://scenes/client/client.tscn")
@@ -11,6 +13,8 @@ const HZ: int = 60
 ## Goal for a person and frame, evaluated and posed, µs.
 const _GOAL_USEC: float = 40.0
 const _FIRST_PERSON: int = 1
+## Distance between people, m.
+const _SPACING_M: float = 1.2
 const _FIRST_CRATE: int = 1024
 ## A client's share, bit/s: enough for all.
 const _BITS: float = 1e9
@@ -57,7 +61,40 @@ func _measure() -> void:
 		name = "%d people, %d crates" % [_people, _crates]
 		_report.add(name, "a crate and frame", (all - people) / _crates, "us")
 	_report.add(name, "frame", all / 1000.0, "ms")
+	if DisplayServer.get_name() != "headless":
+		await _draw(_people)
 	quit(_report.finish())
+
+
+## What is drawn of so many people in front of a camera, from near and from far.
+func _draw(p_people: int) -> void:
+	_build(p_people, 0)
+	var camera: Camera3D = Camera3D.new()
+	root.add_child(camera)
+	for distance: float in [4.0, 18.0]:
+		var middle: Vector3 = Vector3(_SPACING_M * 3.5, 1.0, _SPACING_M * 3.5)
+		var from: Vector3 = Vector3(middle.x, 2.5, -distance)
+		camera.look_at_from_position(from, middle)
+		camera.make_current()
+		var times: Statistics = Statistics.new()
+		for frame: int in 24:
+			_play(p_people, 0)
+			_scene.update(_tick / float(HZ))
+			camera.make_current()
+			var begin: int = Time.get_ticks_usec()
+			await process_frame
+			if frame >= 4:
+				times.add(Time.get_ticks_usec() - begin)
+		var name: String = "%d people from %d m" % [p_people, roundi(distance)]
+		var kind: RenderingServer.RenderingInfo = (
+			RenderingServer.RENDERING_INFO_TOTAL_DRAW_CALLS_IN_FRAME
+		)
+		_report.add(name, "draw calls", RenderingServer.get_rendering_info(kind), "")
+		kind = RenderingServer.RENDERING_INFO_TOTAL_PRIMITIVES_IN_FRAME
+		_report.add(name, "triangles", RenderingServer.get_rendering_info(kind) / 1000.0, "k")
+		_report.add(name, "frame on screen", times.percentile(0.5) / 1000.0, "ms")
+	_scene.free()
+	_client.free()
 
 
 ## The median time of a frame of so many people and crates, µs.
@@ -121,7 +158,9 @@ func _play(p_people: int, p_crates: int) -> void:
 	_encoder.begin_tick(_tick)
 	for person: int in p_people:
 		var sample: int = (_tick * 4 + person * 37) % _motion.count
-		_encoder.put_person(_FIRST_PERSON + person, _motion.roots[sample], _motion.turns_of(sample))
+		var place: Vector3 = Vector3(person % 8, 0.0, person / 8) * _SPACING_M
+		var root_there: Vector3 = _motion.roots[sample] + place
+		_encoder.put_person(_FIRST_PERSON + person, root_there, _motion.turns_of(sample))
 	for crate: int in p_crates:
 		var at_rest: bool = crate % 2 == 0
 		var place: Vector3 = Vector3(crate, 0.0 if at_rest else fmod(_tick * 0.02, 5.0), 0.0)
@@ -151,7 +190,7 @@ func _row(p_id: int, p_type: EntityType, p_path: String) -> EntityRow:
 	var row: EntityRow = EntityRow.new()
 	row.id = p_id
 	row.type = p_type
-	row.path = p_path
+	row.path = p_path if p_path != "" else AvatarStore.NAMES[p_id % AvatarStore.NAMES.size()]
 	row.source = EntityRow.Source.LEVEL
 	row.values = p_type.spawn_schema().defaults()
 	row.skeleton = _motion.skeleton

@@ -1,8 +1,8 @@
 extends SceneTree
 ## What carries people, and what becomes of them when they are pushed or the ground is not level.
 ##
-## Options: --scene=stand|clip|push|ball|blocked|slopes|stairs|crates|wall|platforms (again for
-## more; default all), --root=grounded|soft|inertial|held|lowest_foot|contacts|pendulum|
+## Options: --scene=stand|clip|push|ball|blocked|slopes|stairs|crates|wall|doors|platforms (again
+## for more; default all), --root=grounded|soft|inertial|held|lowest_foot|contacts|pendulum|
 ## self_righting (default grounded), --bvh=FILE (of the scenes clip and blocked, again for more;
 ## default the clips in assets/motion), --obstacle=wall|corner|table|door (of blocked, again for
 ## more; default all), --hz=60, --set=PROPERTY=NUMBER (of Ragdoll, again for more), --trace (prints
@@ -19,7 +19,17 @@ const _ROOTS: Dictionary[String, RagdollMotor.RootMode] = {
 	"self_righting": RagdollMotor.ROOT_SELF_RIGHTING,
 }
 const _SCENES: Array[String] = [
-	"stand", "clip", "push", "ball", "blocked", "slopes", "stairs", "crates", "wall", "platforms"
+	"stand",
+	"clip",
+	"push",
+	"ball",
+	"blocked",
+	"slopes",
+	"stairs",
+	"crates",
+	"wall",
+	"doors",
+	"platforms"
 ]
 ## Of long clips so much is played, s; shorter ones tell nothing.
 const _MAX_S: float = 60.0

@@ -11,6 +11,8 @@ var _client: Node = null
 var _scene: ClientScene = null
 var _stream: SnapshotStream = null
 var _skeleton: PersonSkeleton = null
+## Name of the avatar of all people.
+var _avatar: String = ""
 var _random: RandomNumberGenerator = RandomNumberGenerator.new()
 
 
@@ -43,15 +45,13 @@ func test_props_and_people_are_where_the_snapshots_have_them() -> void:
 	equal(people.get_child_count(), 1)
 	var node: Ragdoll = people.get_child(0)
 	is_true(node.visible)
-	var skeleton: Skeleton3D = node.get_skeleton()
 	var order: int = node.get_limb_order()[Limbs.find(&"Head")]
 	var reset: Quaternion = node.profile.limbs[order].reset_orientation
 	var bone: PhysicalBone3D = node.get_simulator().get_node(^"Head")
-	var head: Transform3D = skeleton.get_bone_global_pose(skeleton.find_bone("Head"))
-	var shown: Transform3D = skeleton.global_transform * head * bone.body_offset
+	var shown: Transform3D = node.get_bone_transform(&"Head") * bone.body_offset
 	var turn: Quaternion = _stream.poses[ADA].orientation(Limbs.find(&"Head"))
 	almost_equal(shown.basis, Basis(turn * reset), 0.01)
-	var hips: Transform3D = skeleton.get_bone_global_pose(skeleton.find_bone("Hips"))
+	var hips: Transform3D = node.get_bone_transform(&"Hips")
 	var pelvis: PhysicalBone3D = node.get_simulator().get_node(^"Hips")
 	almost_equal((hips * pelvis.body_offset).origin, _stream.poses[ADA].root, 0.003)
 	var wires: PhysicsWorld = _scene.get_node(^"PhysicsWorld")
@@ -78,9 +78,8 @@ func test_the_own_body_is_where_it_is_told() -> void:
 		floats[limb * WorldReplica.FLOATS] += 2.0
 	_scene.update(_stream.tick / 60.0, {ADA: floats} as Dictionary[int, PackedFloat32Array])
 	var node: Ragdoll = _scene.get_node(^"People").get_child(0)
-	var hips: int = node.get_skeleton().find_bone("Hips")
 	var pelvis: PhysicalBone3D = node.get_simulator().get_node(^"Hips")
-	var place: Transform3D = node.get_skeleton().get_bone_global_pose(hips) * pelvis.body_offset
+	var place: Transform3D = node.get_bone_transform(&"Hips") * pelvis.body_offset
 	almost_equal(place.origin, _stream.poses[ADA].root + Vector3(2.0, 0.0, 0.0), 0.003)
 	equal([_scene.person_of(7), _scene.person_of(8)], [ADA, -1])
 
@@ -161,7 +160,7 @@ func test_a_level_that_is_not_here_is_said() -> void:
 	for name: String in ["atlantis", "../hall", "", "Hall"]:
 		_scene.replica.take(LevelMessage.encode(name, PackedByteArray()), 0.0)
 	equal(missing.size(), 4)
-	contains(missing[0], "no world 'atlantis' here: hall, yard")
+	contains(missing[0], "no world 'atlantis' here: %s" % ", ".join(LevelStore.names()))
 
 
 func test_a_level_that_is_another_is_said() -> void:
@@ -221,9 +220,9 @@ func test_names_are_over_heads_until_their_key_is_pressed() -> void:
 	var label: Label3D = names.get_child(0)
 	equal(label.text, "Ada")
 	is_true(label.is_visible_in_tree())
-	var skeleton: Skeleton3D = (_scene.get_node(^"People").get_child(0) as Ragdoll).get_skeleton()
-	var head: Vector3 = skeleton.get_bone_global_pose(skeleton.find_bone("Head")).origin
-	almost_equal(label.global_position, skeleton.to_global(head) + Vector3.UP * 0.45, 1e-3)
+	var ada: Ragdoll = _scene.get_node(^"People").get_child(0)
+	var head: Vector3 = ada.get_bone_transform(&"Head").origin
+	almost_equal(label.global_position, head + Vector3.UP * 0.45, 1e-3)
 	var event: InputEventKey = InputEventKey.new()
 	event.keycode = KEY_N
 	event.pressed = true
@@ -235,14 +234,12 @@ func test_names_are_over_heads_until_their_key_is_pressed() -> void:
 
 ## The visible arms and legs are as long as they are told, whatever the pose.
 func _check_shown(p_node: Ragdoll, p_lengths: PackedFloat32Array) -> void:
-	var skeleton: Skeleton3D = p_node.get_skeleton()
 	for limb: int in [4, 5, 7, 8, 10, 11, 13, 14]:
-		var from: int = skeleton.find_bone(Limbs.BONES[limb])
-		var to: int = skeleton.find_bone(Limbs.BONES[limb + 1])
-		var way: Vector3 = skeleton.get_bone_global_pose(to).origin
-		way -= skeleton.get_bone_global_pose(from).origin
+		var from: Transform3D = p_node.get_bone_transform(Limbs.BONES[limb])
+		var to: Transform3D = p_node.get_bone_transform(Limbs.BONES[limb + 1])
+		var way: Vector3 = to.origin - from.origin
 		almost_equal(way.length(), p_lengths[limb], 0.002, Limbs.BONES[limb])
-		almost_equal(skeleton.get_bone_global_pose(to).basis.get_scale(), Vector3.ONE, 1e-3)
+		almost_equal(to.basis.get_scale(), Vector3.ONE, 1e-3)
 
 
 ## Lets a new server tell of people and bodies often enough for them to be shown.
@@ -252,6 +249,49 @@ func _show(p_people: PackedInt32Array, p_bodies: PackedInt32Array) -> void:
 		paths.append("Props/Crate1")
 	_tell(p_people, paths)
 	_play(p_people, p_bodies)
+
+
+func test_people_are_shown_as_the_server_names_them() -> void:
+	for name: String in ["show", "", "civilian_woman", "../person", "x".repeat(1000)]:
+		_avatar = name
+		_show([ADA], [CRATE])
+		var node: Ragdoll = _scene.get_node(^"People").get_child(0)
+		is_true(node.visible)
+		var file: String = node.get_node(^"Avatar").scene_file_path.get_file()
+		equal(file.get_basename(), name if AvatarStore.NAMES.has(name) else "soldier")
+
+
+func test_people_are_shown_when_their_avatar_is_there() -> void:
+	_scene.avatars.waits = true
+	_avatar = "range_dummy"
+	_show([ADA, ADA + 1], [CRATE])
+	var people: Node = _scene.get_node(^"People")
+	# Another test may have loaded it.
+	var came_later: bool = people.get_child_count() == 0
+	if came_later:
+		_tell([ADA], ["Props/Crate1"])
+		while people.get_child_count() == 0:
+			await get_tree().process_frame
+			_play([ADA], [CRATE])
+		equal(people.get_child_count(), 1, "who has left does not come")
+		is_true((people.get_child(0) as Node3D).visible)
+	_scene.clear()
+	equal(people.get_child_count(), 0)
+
+
+func test_who_looks_out_of_eyes_does_not_see_that_head() -> void:
+	_show([ADA], [CRATE])
+	var camera: OrbitCamera = _scene.get_node(^"Camera")
+	for view: OrbitCamera.View in [OrbitCamera.View.EYES, OrbitCamera.View.BEHIND]:
+		camera.view = view
+		_play([ADA], [CRATE])
+		var ada: Node = _scene.get_node(^"People").get_child(0)
+		var head: MeshInstance3D = ada.find_children("HeadMesh", "", true, false)[0]
+		var is_hidden: bool = view == OrbitCamera.View.EYES
+		var shadow: bool = (
+			head.cast_shadow == GeometryInstance3D.SHADOW_CASTING_SETTING_SHADOWS_ONLY
+		)
+		equal(shadow, is_hidden, "its shadow only")
 
 
 ## Plays snapshots of people and bodies.
@@ -275,6 +315,7 @@ func _tell(p_people: PackedInt32Array, p_paths: PackedStringArray) -> void:
 		row.type = EntityType.person()
 		row.values = row.type.spawn_schema().defaults()
 		row.owner = 7
+		row.path = _avatar
 		row.person_name = "Ada"
 		row.skeleton = _skeleton
 		rows.append(row)

@@ -40,6 +40,9 @@ class Listener:
 	func change_level(p_name: String) -> int:
 		return _note(["level", p_name])
 
+	func set_fields(p_values: Dictionary[StringName, float]) -> int:
+		return _note(["fields", OrderMessage.write_fields(p_values)])
+
 	func _note(p_what: Array) -> int:
 		asked.append(p_what)
 		return asked.size()
@@ -76,6 +79,8 @@ func test_orders_go_to_whom_they_name() -> void:
 		["admit E", ["admit", 77]],
 		["refuse zoë not today", ["refuse", 78, "not today"]],
 		["level yard", ["level", "yard"]],
+		["time 18:30", ["fields", "time_of_day=18.5"]],
+		["wea dust 0.5", ["fields", "weather=2.0 weather_strength=0.5"]],
 		["  who  ", ["who"]],
 	]:
 		_control.asked.clear()
@@ -102,6 +107,9 @@ func test_what_makes_no_sense_is_answered_and_asks_nothing() -> void:
 		["calibrate Ada dance", "'dance' is no calibration: t_pose"],
 		["dance", "'dance' is no command: who, admit"],
 		["level", "which level?"],
+		["time", "which time? hours from 0 to 24"],
+		["time 25", "which time?"],
+		["weather snow", "which weather? clear, haze, dust, rain"],
 	]:
 		_said.clear()
 		_console.submit(row[0])
@@ -178,7 +186,7 @@ func test_completion() -> void:
 		["kick Adam", ["kick Adam Smith"]],
 		["admit ", ["admit Eve", "admit Zoë"]],
 		["calibrate Ada f", ["calibrate Ada full"]],
-		["level ha", ["level hall"]],
+		["level hal", ["level hall"]],
 		["nonsense A", []],
 		["who A", []],
 	]:

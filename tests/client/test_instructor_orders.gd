@@ -33,6 +33,10 @@ class Listener:
 		asked.append(["ban", p_session])
 		return asked.size()
 
+	func set_fields(p_values: Dictionary[StringName, float]) -> int:
+		asked.append(["fields", OrderMessage.write_fields(p_values)])
+		return asked.size()
+
 	func calibrate(p_session: int, p_index: int, p_pose: int) -> int:
 		asked.append(["calibrate", p_session, p_index, p_pose])
 		return asked.size()
@@ -48,6 +52,16 @@ func test_each_kind_of_calibration_can_be_ordered() -> void:
 		_order("calibrate-%s:Ada" % kind)
 		_tell([_row("Ada", TRAINEE, 7)])
 		equal(_control.asked, [["calibrate", 7, 0, ClientCalibration.KINDS[kind]]])
+
+
+func test_time_and_weather_are_ordered_once() -> void:
+	_order("time:18:30,weather:rain 0.5")
+	_tell([])
+	_tell([])
+	var rain: Array = ["fields", "weather=3.0 weather_strength=0.5"]
+	equal(_control.asked, [["fields", "time_of_day=18.5"], rain] as Array[Array])
+	contains(InstructorOrders.new("time:25").error, "hours from 0 to 24")
+	contains(InstructorOrders.new("weather:snow").error, "clear, haze, dust, rain")
 
 
 func test_only_trainees_who_are_here_are_calibrated() -> void:

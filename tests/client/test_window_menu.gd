@@ -47,6 +47,22 @@ func test_the_buttons_do_what_they_say() -> void:
 	equal(left.size(), 1)
 
 
+func test_the_quality_is_shown_and_chosen() -> void:
+	var chosen: Array[String] = []
+	_menu.quality_chosen.connect(func(name: String) -> void: chosen.append(name))
+	_menu.set_quality("high")
+	var button: Button = _menu.get_node(^"Menu/Quality")
+	equal(button.text, "Quality: high")
+	for name: String in Quality.NAMES:
+		button.pressed.emit()
+	equal(chosen.size(), Quality.NAMES.size())
+	equal(chosen[-1], "high", "all in turn")
+	chosen.sort()
+	var all: Array[String] = Quality.NAMES.duplicate()
+	all.sort()
+	equal(chosen, all)
+
+
 func test_only_keys_that_do_something_are_offered() -> void:
 	var watching: String = KeyGuide.describe(false, true)
 	var moving: String = KeyGuide.describe(true, true)

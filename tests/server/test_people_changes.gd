@@ -18,7 +18,7 @@ func before_each() -> void:
 	_changes = PeopleChanges.new(
 		SOLDIER,
 		_parent,
-		func(key: int) -> Transform3D:
+		func(key: int, _avatar: String) -> Transform3D:
 			return Transform3D(Basis.IDENTITY, Vector3(2.5 * key, 0.0, 0.0))
 	)
 	_changes.max_people = ROOM
@@ -100,6 +100,26 @@ func test_changing_for_ever_keeps_the_number_of_nodes() -> void:
 		if round_number == 2:
 			nodes = _nodes()
 	equal(_nodes(), nodes, "nodes")
+
+
+func test_everybody_gets_the_body_of_the_own_avatar() -> void:
+	_changes.prepare()
+	var cards: Array[PersonCard] = [_card(0), _card(1), _card(2), _card(3)]
+	cards[1].avatar = "civilian_woman"
+	cards[2].avatar = "../person"
+	cards[3].avatar = "show"
+	_changes.take_list(7, cards, "")
+	_run()
+	var shown: Array[String] = []
+	for index: int in cards.size():
+		var figure: Node = _bodies[PeopleChanges.key_of(7, index)].get_node(^"Avatar")
+		shown.append(figure.scene_file_path.get_file().get_basename())
+	equal(shown, ["soldier", "civilian_woman", "soldier", "show"])
+	cards[1] = _card(1)
+	cards[1].avatar = "raider"
+	_changes.take_list(7, cards, "")
+	_run()
+	equal(_made[-1], PeopleChanges.key_of(7, 1), "another avatar is another body")
 
 
 ## Ticks until all is done and tidied up.

@@ -34,6 +34,25 @@ func test_who_leaves_makes_room() -> void:
 	equal(_positions.take(3, null), Transform3D.IDENTITY)
 
 
+func test_sides_start_apart() -> void:
+	var points: Array[Transform3D] = [
+		_at(Vector3.ZERO), _at(Vector3(50.0, 0.0, 0.0)), _at(Vector3(0.0, 0.0, 50.0))
+	]
+	_positions.set_points(points, null, ["", "raider", "civilian_man"])
+	for who: int in 20:
+		var raider: Vector3 = _positions.take(3 * who, null, "raider").origin
+		var other: Vector3 = _positions.take(3 * who + 1, null, "soldier").origin
+		var civilian: Vector3 = _positions.take(3 * who + 2, null, "civilian_man").origin
+		is_true(raider.distance_to(Vector3(50.0, 0.0, 0.0)) < 25.0)
+		is_true(civilian.distance_to(Vector3(0.0, 0.0, 50.0)) < 25.0)
+		is_true(other.length() < 25.0)
+
+
+func test_a_side_without_room_starts_with_the_others() -> void:
+	_positions.set_points([_at(Vector3.ZERO)], null, ["raider"])
+	equal(_positions.take(1, null, "soldier").origin, Vector3.ZERO, "nobody is left out")
+
+
 func test_nobody_starts_in_behind_or_below_things() -> void:
 	_add_box(Vector3(0.0, -0.5, 0.0), Vector3(14.0, 1.0, 14.0))
 	# A wall to the right, a crate to the left, and the floor ends.

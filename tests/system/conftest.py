@@ -108,7 +108,10 @@ class World:
         self.processes: list[Process] = []
 
     def server(self, *options: str, name: str = "server", wait: bool = True) -> Process:
-        command = [str(SERVER_BINARY), "--headless", "--", f"--port={self.port}", *options]
+        # The small world that most tests are about, where none is named.
+        own = any(option.startswith(("--world", "--config")) for option in options)
+        world = [] if own else ["--world=hall"]
+        command = [str(SERVER_BINARY), "--headless", "--", f"--port={self.port}", *world, *options]
         process = self.start(name, command)
         if wait:
             process.await_text("listening on UDP port")

@@ -91,14 +91,14 @@ def test_an_instructor_changes_the_level(world: World) -> None:
     assert "is not the server's" not in world.processes[2].log()
     assert "ERROR" not in server.log()
     world.client("instructor", "--orders=world:atlantis", name="lost").await_text(
-        "there is no world 'atlantis' here: hall, yard"
+        "there is no world 'atlantis' here: "
     )
 
 
 def test_a_world_that_is_not_there(world: World) -> None:
     server = world.server("--world=../hall", wait=False)
     assert server.await_exit() == 2
-    assert "--world is one of hall, yard, found '../hall'" in server.log()
+    assert "there is no world '../hall' here: " in server.log()
 
 
 def test_the_servers_recording_survives_a_kill_and_is_replayed(world: World) -> None:

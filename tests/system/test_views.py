@@ -72,7 +72,7 @@ def is_wire_of_limb(red: int, green: int, blue: int) -> bool:
 
 
 def is_wood(red: int, green: int, blue: int) -> bool:
-    return red > 100 and red > green * 1.2 and green > blue * 1.2
+    return red > 80 and red > green * 1.08 and green > blue * 1.08
 
 
 def is_wire_of_hall(red: int, green: int, blue: int) -> bool:

@@ -34,12 +34,16 @@ def share(vertex: SkinVertex, *bones: str) -> float:
 
 
 def test_the_chin_strap_lies_before_the_chin(surfaces: dict[str, list[SkinVertex]]) -> None:
-    eyes = [vertex.position[1] for vertex in surfaces["Eyes"]]
+    eyes = [vertex.position[1] for vertex in surfaces["HeadMesh soldier_eyes"]]
     below = sum(eyes) / len(eyes) - 0.095
-    face = [v.position[2] for v in surfaces["Skin"] if below - 0.03 < v.position[1] < below]
+    face = [
+        v.position[2]
+        for v in surfaces["HeadMesh soldier_skin"]
+        if below - 0.03 < v.position[1] < below
+    ]
     strap = [
         vertex.position[2]
-        for vertex in surfaces["Kit"]
+        for vertex in surfaces["HeadMesh parts"]
         if share(vertex, "Head") > 0.99 and vertex.position[1] < below
         if abs(vertex.position[0]) < 0.01
     ]
@@ -60,7 +64,7 @@ def test_sleeves_and_trousers_end_in_a_straight_hem(
     right = v3.scale(right, 1 / v3.length(right))
     front = v3.cross(right, along)
     farthest = [0.0] * SECTORS
-    for vertex in surfaces["Uniform"]:
+    for vertex in surfaces["BodyMesh soldier_cloth"]:
         if share(vertex, bone, *ends) < 0.5:
             continue
         out = v3.subtract(vertex.position, head)
@@ -74,7 +78,7 @@ def test_sleeves_and_trousers_end_in_a_straight_hem(
 def test_boots_stand_on_heel_and_ball(side: str, surfaces: dict[str, list[SkinVertex]]) -> None:
     low = [
         (vertex.position[2], vertex.position[1])
-        for vertex in surfaces["Kit"]
+        for vertex in surfaces["BodyMesh parts"]
         if share(vertex, side + "Foot", side + "Toes") > 0.99 and vertex.position[1] < 0.01
     ]
     back, front = min(z for z, _ in low), max(z for z, _ in low)

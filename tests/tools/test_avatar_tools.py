@@ -26,7 +26,7 @@ LIMBS = {"Hips", "Spine", "Chest", "Head"} | {s + k for s in ("Left", "Right") f
 @pytest.fixture(scope="module")
 def geoms() -> dict[str, dict]:
     """The limb descriptions in the repository, by bone."""
-    tree = json.loads((AVATAR / "limb_shapes.json").read_text())
+    tree = json.loads((AVATAR / "shapes" / "soldier.json").read_text())
     return {geom["bone"]: geom for geom in tree["geoms"]}
 
 
@@ -84,7 +84,7 @@ def connected(a: dict, b: dict) -> bool:
 
 def test_description_names_the_sixteen_limbs(geoms: dict[str, dict]) -> None:
     assert set(geoms) == LIMBS
-    tree = json.loads((AVATAR / "limb_shapes.json").read_text())
+    tree = json.loads((AVATAR / "shapes" / "soldier.json").read_text())
     assert set(tree) == {"frame", "units", "source", "geoms"}
     assert "de Leva" in tree["source"]
     assert [g["bone"] for g in tree["geoms"] if g["parent_bone"] is None] == ["Hips"]
@@ -153,7 +153,7 @@ def test_repository_description_is_up_to_date(model: limb_shapes.SkinnedModel) -
     fitted = limb_shapes.fit_limb_shapes(model)
     limb_shapes.shrink_until_apart(fitted)
     tree = limb_shapes.describe(model, limb_shapes.both_sides(fitted))
-    assert tree == json.loads((AVATAR / "limb_shapes.json").read_text())
+    assert tree == json.loads((AVATAR / "shapes" / "soldier.json").read_text())
 
 
 def test_avatar_has_the_humanoid_skeleton(model: limb_shapes.SkinnedModel) -> None:

@@ -7,6 +7,7 @@ import pytest
 from toolchain.mirror import check
 
 SCRIPTS = ["scripts/net/link.gd", "scripts/net/session/session.gd", "scripts/core/log.gd"]
+SCRIPTS += ["addons/kit/dock.gd"]
 CLASSES = ["SuitHub"]
 
 
@@ -19,6 +20,7 @@ CLASSES = ["SuitHub"]
         "tests/mocap/test_suit_hub_threads.gd",
         "tests/net/link_pair.gd",
         "tests/framework/test_self.gd",
+        "tests/addons/kit/test_dock.gd",
     ],
 )
 def test_a_test_beside_its_script(test: str) -> None:

@@ -92,3 +92,18 @@ static func _body(p_shape: Shape3D) -> RigidBody3D:
 	shape.shape = p_shape
 	body.add_child(shape)
 	return body
+
+
+func test_a_large_map_of_heights_has_few_lines_on_its_ground() -> void:
+	var map: HeightMapShape3D = HeightMapShape3D.new()
+	map.map_width = 1001
+	map.map_depth = 1001
+	var heights: PackedFloat32Array = []
+	heights.resize(1001 * 1001)
+	heights.fill(3.0)
+	map.map_data = heights
+	var lines: ArrayMesh = PhysicsWorld._lines_of(map)
+	var points: PackedVector3Array = lines.surface_get_arrays(0)[Mesh.ARRAY_VERTEX]
+	is_true(points.size() > 20_000 and points.size() < 70_000, str(points.size()))
+	equal(lines.get_aabb().position, Vector3(-500.0, 3.0, -500.0))
+	is_true(lines.get_aabb().size.x > 980.0, str(lines.get_aabb()))

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import NoReturn
 
-from . import demo, help_texts, jolt, latency, load, options, package, suit, xbus
+from . import demo, help_texts, jolt, latency, level, load, options, package, suit, xbus
 from .console import Failure, say
 from .display import real_display
 from .godot import Godot
@@ -42,6 +42,7 @@ def main(arguments: list[str]) -> int:
         "bench": _bench,
         "latency": lambda rest: latency.main(normalise(rest)),
         "load": lambda rest: load.main(normalise(rest)),
+        "level": level.main,
         "package": package.main,
         "suit-emulator": suit.main,
         "options-doc": _options_doc,

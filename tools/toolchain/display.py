@@ -6,6 +6,7 @@ from __future__ import annotations
 import os
 import shutil
 import subprocess
+import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -49,11 +50,11 @@ def _drivers() -> dict[str, str]:
 
 
 @contextmanager
-def virtual_display() -> Iterator[dict[str, str]]:
+def virtual_display(size: str = SIZE) -> Iterator[dict[str, str]]:
     """Runs an X server without a screen; yields the environment for its clients."""
     command, folder = _xvfb()
     read_end, write_end = os.pipe()
-    flags = ["-displayfd", str(write_end), "-screen", "0", SIZE, "-nolisten", "tcp", "-noreset"]
+    flags = ["-displayfd", str(write_end), "-screen", "0", size, "-nolisten", "tcp", "-noreset"]
     server = subprocess.Popen(
         command + flags,
         cwd=folder,
@@ -72,7 +73,15 @@ def virtual_display() -> Iterator[dict[str, str]]:
             raise Failure(
                 "The virtual display (Xvfb) does not start: " + (said[-1] if said else "no reason")
             )
-        yield {**_drivers(), "DISPLAY": f":{number}", "WAYLAND_DISPLAY": "", "LP_NUM_THREADS": "1"}
+        with tempfile.TemporaryDirectory(prefix="dismount-shaders-") as shaders:
+            yield {
+                **_drivers(),
+                "DISPLAY": f":{number}",
+                "WAYLAND_DISPLAY": "",
+                "LP_NUM_THREADS": "1",
+                # Programs of several displays that share Mesa's cache have ended by SIGBUS in it.
+                "MESA_SHADER_CACHE_DIR": shaders,
+            }
     finally:
         server.terminate()
         try:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import subprocess
 from pathlib import Path
 
-from . import demo, latency, load, package, suit
+from . import demo, latency, level, load, package, suit
 from .console import Failure, tail
 from .godot import Godot
 from .paths import CLIPS, ROOT
@@ -35,6 +35,9 @@ Motion capture without a suit
   ./run mvn-sender          plays a motion file as MVN's network stream
   ./run xbus-decode FILE    what a recording of a suit's bus holds
   ./run bvh FILE            what a motion file holds
+
+Levels
+  ./run level pack NAME     makes a folder of a level that a server can offer its clients
 
 Measuring
   ./run latency             the delay from sample to display on this machine, stage by stage
@@ -111,6 +114,7 @@ def make(godot: Godot) -> dict[Path, str]:
         "editor": EDITOR,
         "export": EXPORT,
         "options-doc": OPTIONS_DOC,
+        "level": level.help_text(),
         "package": package.help_text(),
         "suit-emulator": suit.HELP,
         "mvn-sender": _mvn_sender(godot),

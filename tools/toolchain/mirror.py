@@ -23,7 +23,8 @@ def check(tests: Iterable[str], scripts: Iterable[str], classes: Iterable[str]) 
     beside: dict[str, list[str]] = {}
     for script in scripts:
         path = PurePosixPath(script)
-        beside.setdefault(str(path.parent).replace("scripts", "tests", 1), []).append(path.stem)
+        folder = "tests" / path.parent.relative_to("scripts" if path.parts[0] == "scripts" else "")
+        beside.setdefault(str(folder), []).append(path.stem)
     bound = [re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower() for name in classes]
     faults = []
     for test in tests:
@@ -41,7 +42,7 @@ def check(tests: Iterable[str], scripts: Iterable[str], classes: Iterable[str]) 
 def main() -> int:
     """Checks the repository; returns 1 if a test is named otherwise."""
     classes = [PurePosixPath(name).stem for name in tracked("gdextension/*/doc_classes/*.xml")]
-    faults = check(tracked("tests/*.gd"), tracked("scripts/*.gd"), classes)
+    faults = check(tracked("tests/*.gd"), tracked("scripts/*.gd", "addons/*.gd"), classes)
     print("\n".join(faults))
     return 1 if faults else 0
 

@@ -97,9 +97,10 @@ TEST(a_bad_table_hides_nothing) {
 TEST(the_largest_table) {
 	Interest interest;
 	const std::size_t most = std::size_t(Interest::MAX_CELLS);
-	CHECK(set(interest, { 1024, 1, 1 }, table(most, 0)));
-	CHECK(interest.cell({ 2046.0f, 1.0f, 11.0f }) == 1023);
-	CHECK(!set(interest, { 1025, 1, 1 }, table(most + 1, 0)));
+	const int count = Interest::MAX_CELLS;
+	CHECK(set(interest, { count, 1, 1 }, table(most, 0)));
+	CHECK(interest.cell({ 2.0f * float(count) - 2.0f, 1.0f, 11.0f }) == count - 1);
+	CHECK(!set(interest, { count + 1, 1, 1 }, table(most + 1, 0)));
 }
 
 TEST(weight_falls_with_the_distance) {

@@ -7,6 +7,9 @@ extends Node3D
 ## [method start] on the server. The bodies come from the [PhysicalBone3D]s of the scene, which a
 ## designer may edit; [RagdollBuilder] makes them. Frames: Godot's, metres, N, N·m, seconds.
 
+## Group of all people.
+const PEOPLE: StringName = &"people"
+
 ## What the body is made of.
 @export var profile: RagdollProfile:
 	set(value):
@@ -52,6 +55,9 @@ extends Node3D
 @warning_ignore("unused_private_class_variable")
 @export_tool_button("Make bodies", "PhysicalBone3D") var _make_button: Callable = make_bodies
 
+## On a client, where the skeleton's own bones rest: says where a bone is shown.
+## [code]func(bone: int) -> Transform3D[/code], in the world.
+var shown_bone: Callable = Callable()
 ## Drives the bodies; null until [method start].
 var motor: RagdollMotor = null
 
@@ -61,6 +67,10 @@ var _is_fitted: bool = false
 var _bones: Array[PhysicalBone3D] = []
 ## Bodies in the rest pose, in the profile's order, in model space, as far as they were found.
 var _rests: Array[Transform3D] = []
+
+
+func _init() -> void:
+	add_to_group(PEOPLE)
 
 
 func _get_configuration_warnings() -> PackedStringArray:
@@ -87,6 +97,18 @@ func _get_configuration_warnings() -> PackedStringArray:
 func get_skeleton() -> Skeleton3D:
 	var found: Array[Node] = find_children("*", "Skeleton3D", true, false)
 	return found[0] if not found.is_empty() else null
+
+
+## Where a bone is shown in the world, on a server and on a client. The identity where there is none
+## of that name.
+func get_bone_transform(p_bone: StringName) -> Transform3D:
+	var skeleton: Skeleton3D = get_skeleton()
+	var bone: int = skeleton.find_bone(p_bone) if skeleton != null else -1
+	if bone < 0:
+		return Transform3D.IDENTITY
+	if shown_bone.is_valid():
+		return shown_bone.call(bone)
+	return skeleton.global_transform * skeleton.get_bone_global_pose(bone)
 
 
 ## The simulator that holds the physical bones, or null.
@@ -253,7 +275,7 @@ func get_joints() -> PersonSkeleton:
 func push_sample(p_time_s: float, p_sample: PoseSample, p_root: Vector3) -> bool:
 	var rates: PackedFloat32Array = PackedFloat32Array()
 	if p_sample.details != null and p_sample.details.knows_all_rates():
-		rates = _own_rates(p_sample)
+		rates = LimbRates.of(p_sample, profile)
 	return motor.push_sample(p_time_s, p_sample.orientations, p_root, rates)
 
 
@@ -261,19 +283,6 @@ func push_sample(p_time_s: float, p_sample: PoseSample, p_root: Vector3) -> bool
 ## by one call of [method RagdollMotor.drive_all].
 func drive(p_time_s: float, p_delta_s: float) -> void:
 	motor.drive(p_time_s, p_delta_s)
-
-
-## A sample's rates in the axes of the profile's limbs.
-func _own_rates(p_sample: PoseSample) -> PackedFloat32Array:
-	var rates: PackedFloat32Array = PackedFloat32Array()
-	for limb: RagdollLimb in profile.limbs:
-		var slot: int = Limbs.BONES.find(limb.bone)
-		if slot < 0:
-			return PackedFloat32Array()
-		var turned: Quaternion = p_sample.orientation(slot) * limb.reset_orientation
-		var own: Vector3 = turned.inverse() * p_sample.details.rates[slot]
-		rates.append_array([own.x, own.y, own.z])
-	return rates
 
 
 func _can_fit() -> bool:

@@ -137,8 +137,13 @@ func _stretch(p_along: Vector3, p_factor: float) -> Basis:
 
 ## The skins are bound anew; at rest this moves each point as its bones' maps do.
 func _fit_skins() -> void:
+	# Meshes that share a skin go on sharing it, and the renderer's palette with it.
+	var fitted: Dictionary[Skin, Skin] = {}
 	for instance: MeshInstance3D in SkinnedSurface.find_meshes(_skeleton):
 		var skin: Skin = instance.skin
+		if fitted.has(skin):
+			instance.skin = fitted[skin]
+			continue
 		if skin == null:
 			skin = _skeleton.create_skin_from_rest_transforms()
 		else:
@@ -151,6 +156,7 @@ func _fit_skins() -> void:
 			if bone >= 0 and bone < _maps.size():
 				var map: Transform3D = Transform3D(_maps[bone], Vector3.ZERO)
 				skin.set_bind_pose(bind, map * skin.get_bind_pose(bind))
+		fitted[instance.skin] = skin
 		instance.skin = skin
 
 

@@ -2,7 +2,7 @@
 class_name RagdollProfileReader
 extends RefCounted
 ## Reads a [RagdollProfile] from a JSON file such as
-## [code]assets/avatar/limb_shapes.json[/code].
+## [code]assets/avatar/shapes/soldier.json[/code].
 ##
 ## The file holds a list [code]geoms[/code] of pills and boxes as the thesis's Lua file does
 ## (section 6.2). Errors name the file and the entry; nothing is half-loaded.

@@ -8,6 +8,10 @@ extends RefCounted
 ## above all of them for the hips; the upper half of the neck counts for the head. Meshes without
 ## bones and blend shapes are left out.
 
+## Meshes that say nothing of the body's shape: the figure as it is seen from afar, and what hangs
+## far off the body, as a robe.
+const _LEFT_OUT: Array[StringName] = [&"FarMesh", &"DrapeMesh"]
+
 ## Points of each limb in model space, m, in the order of [constant Limbs.BONES].
 var points: Array[PackedVector3Array] = []
 ## The area that each of these points stands for, m².
@@ -26,7 +30,8 @@ func _init(p_figure: RestSkeleton) -> void:
 		areas.append(PackedFloat32Array())
 	_assign_bones()
 	for instance: MeshInstance3D in find_meshes(p_figure.skeleton):
-		_add_instance(instance)
+		if not _LEFT_OUT.has(instance.name):
+			_add_instance(instance)
 
 
 ## The meshes that a skeleton moves: below it or beside it, up to the [Ragdoll].

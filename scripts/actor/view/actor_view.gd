@@ -3,20 +3,32 @@ extends RefCounted
 ## Shows a person on a client: puts the bones of the visible skeleton where the server's bodies are.
 ##
 ## Thesis section 6.3: a body's transform is that of the middle of a limb; the bone's follows from
-## the offset between the two. Between the limbs (neck, shoulders, fingers) bones keep their rest
-## pose, but the neck shares the turn of the head. [SkeletonPoser] does it.
+## the offset between the two. Between the limbs (neck, shoulders, fingers) bones keep their offset
+## to the limb above, but the neck shares the turn of the head. [SkeletonPoser] does it, and gives
+## the renderer the bone palette (6.4); the skeleton's own bones rest, unless something hangs on
+## them.
 
+## The mesh of head and headwear.
+const _HEAD_MESH: StringName = &"HeadMesh"
+## How the fingers are held until [method set_hands].
+const _AT_EASE: String = "relaxed"
+## From the hips to the farthest point of somebody who stretches an arm up, share of the height.
+const _REACH: float = 0.8
 ## The visible box follows when the hips are this far from its middle, m.
 const _SLACK: float = 0.25
 
 ## The scene that is shown.
 var node: Ragdoll = null
+## What poses it.
+var poser: SkeletonPoser = SkeletonPoser.new()
 ## Where its mesh is.
 var hull: BodyHull = null
 
 var _skeleton: Skeleton3D = null
-var _poser: SkeletonPoser = SkeletonPoser.new()
 var _meshes: Array[MeshInstance3D] = []
+## The meshes of the head, which its wearer does not see.
+var _heads: Array[MeshInstance3D] = []
+var _is_first_person: bool = false
 ## Maximum distance of the person's points from the hips, m.
 var _reach: float = 2.0
 var _middle: Vector3 = Vector3.INF
@@ -31,17 +43,23 @@ func _init(p_node: Ragdoll, p_joints: PersonSkeleton) -> void:
 	_skeleton = p_node.get_skeleton()
 	hull = BodyHull.new(_skeleton)
 	p_node.get_simulator().active = false
+	_meshes = SkinnedSurface.find_meshes(_skeleton)
+	for mesh: MeshInstance3D in _meshes:
+		if mesh.name == _HEAD_MESH:
+			_heads.append(mesh)
+	HandPose.apply(_skeleton, _AT_EASE)
 	if p_joints.is_sound():
 		_set_up_poser(p_joints)
-	_meshes = SkinnedSurface.find_meshes(_skeleton)
+		p_node.shown_bone = poser.get_bone_transform
 	_head = _skeleton.find_bone(&"Head")
 	_hips = _skeleton.find_bone(&"Hips")
-	_reach = 1.5 * RestSkeleton.new(_skeleton).height()
+	# No wider than need be: the engine takes the distance from this box for the level of detail.
+	_reach = _REACH * RestSkeleton.new(_skeleton).height()
 
 
 ## Applies a smoother's state of the person. Returns whether there is one.
 func pose(p_smoother: SnapshotSmoother, p_person: int) -> bool:
-	var is_known: bool = _poser.pose(_skeleton, p_smoother, p_person)
+	var is_known: bool = poser.pose(_skeleton, p_smoother, p_person)
 	if is_known:
 		_bound()
 	return is_known
@@ -49,7 +67,7 @@ func pose(p_smoother: SnapshotSmoother, p_person: int) -> bool:
 
 ## Applies floats as of [method SnapshotSmoother.person_transforms]. Returns whether they are valid.
 func pose_floats(p_floats: PackedFloat32Array) -> bool:
-	var is_pose: bool = _poser.pose_floats(_skeleton, p_floats)
+	var is_pose: bool = poser.pose_floats(_skeleton, p_floats)
 	if is_pose:
 		_bound()
 	return is_pose
@@ -57,14 +75,14 @@ func pose_floats(p_floats: PackedFloat32Array) -> bool:
 
 ## Where the hips were put last in the world, m.
 func hips() -> Vector3:
-	return _poser.get_root()
+	return poser.get_root()
 
 
 ## Where the head's joint was put last in the world, m.
 func head_joint() -> Vector3:
 	if _head < 0:
 		return hips()
-	return _skeleton.global_transform * _skeleton.get_bone_global_pose(_head).origin
+	return poser.get_bone_transform(_head).origin
 
 
 ## Where the head was put last in the world, its front towards +Z.
@@ -78,13 +96,40 @@ func heading() -> float:
 	return atan2(ahead.x, ahead.z)
 
 
+## Shows the body as its wearer sees it, without the head, whose shadow stays; or as all others do.
+func set_first_person(p_is_first_person: bool) -> void:
+	if _is_first_person == p_is_first_person:
+		return
+	_is_first_person = p_is_first_person
+	for mesh: MeshInstance3D in _heads:
+		mesh.cast_shadow = (
+			GeometryInstance3D.SHADOW_CASTING_SETTING_SHADOWS_ONLY
+			if p_is_first_person
+			else GeometryInstance3D.SHADOW_CASTING_SETTING_ON
+		)
+
+
+## Bends the fingers: a name of [HandPose], for both hands or one (0 left, 1 right). Returns whether
+## there is such a pose.
+func set_hands(p_pose: String, p_side: int = -1) -> bool:
+	var is_known: bool = HandPose.apply(_skeleton, p_pose, p_side)
+	if is_known:
+		poser.find_offsets(_skeleton)
+	return is_known
+
+
+## Puts the skeleton's own bones where they are shown, for who reads them there.
+func write_skeleton() -> void:
+	if not poser.is_driving_skeleton():
+		poser.write_skeleton(_skeleton)
+
+
 ## How a bone is turned in the world, from its rest.
 func _turn_of(p_bone: int) -> Basis:
 	if p_bone < 0:
 		return Basis.IDENTITY
 	var rest: Basis = _skeleton.get_bone_global_rest(p_bone).basis.orthonormalized()
-	var pose: Basis = _skeleton.global_basis * _skeleton.get_bone_global_pose(p_bone).basis
-	return pose.orthonormalized() * rest.inverse()
+	return poser.get_bone_transform(p_bone).basis.orthonormalized() * rest.inverse()
 
 
 func _set_up_poser(p_joints: PersonSkeleton) -> void:
@@ -98,9 +143,14 @@ func _set_up_poser(p_joints: PersonSkeleton) -> void:
 		offsets.append(body.body_offset if body != null else Transform3D.IDENTITY)
 		var reset: Quaternion = p_joints.reset_orientations[limb]
 		resets.append_array([reset.x, reset.y, reset.z, reset.w])
-	if not _poser.setup(_skeleton, bones, offsets, resets):
+	if not poser.setup(_skeleton, bones, offsets, resets):
 		Log.warning("actor", "the bones of %s are not those of a person" % node.name)
-	_poser.set_neck(_skeleton, _skeleton.find_bone(&"Neck"), Limbs.find(&"Head"))
+	poser.set_neck(_skeleton, _skeleton.find_bone(&"Neck"), Limbs.find(&"Head"))
+	for mesh: MeshInstance3D in _meshes:
+		if not poser.add_mesh(_skeleton, mesh):
+			poser.set_driving_skeleton(true)
+	if not _skeleton.find_children("*", "BoneAttachment3D", true, false).is_empty():
+		poser.set_driving_skeleton(true)
 
 
 ## Sets the visible box: the engine would use that of the rest pose at the node, and cull people who

@@ -9,11 +9,11 @@ extends RefCounted
 
 ## How thick the body is about the joint at which each limb begins, m, by index in [Limbs], at a
 ## height of the hips of [constant HIPS]: the pill's radius or half the box's depth in
-## [code]assets/avatar/limb_shapes.json[/code]. Feet have soles instead.
+## [code]assets/avatar/shapes/soldier.json[/code]. Feet have soles instead.
 const RADII: PackedFloat32Array = [
 	0.124,
 	0.131,
-	0.173,
+	0.170,
 	0.101,
 	0.075,
 	0.057,

@@ -21,6 +21,9 @@ enum Kind {
 	CALIBRATE,
 	## Load the level that the argument names.
 	LEVEL,
+	## Set fields of the world's own entity: the argument has them as [code]NAME=NUMBER[/code], with
+	## spaces between.
+	FIELDS,
 }
 
 ## Longest argument, characters.
@@ -36,7 +39,7 @@ var target: int = 0
 var index: int = 0
 ## Which calibration, one of those that clients know.
 var pose: int = 0
-## A reason, or the name of a level.
+## A reason, the name of a level, or fields.
 var argument: String = ""
 
 
@@ -51,6 +54,30 @@ func encode() -> PackedByteArray:
 	bytes.encode_u8(8, index)
 	bytes.encode_u8(9, pose)
 	return bytes + ByteReader.text_bytes(argument.left(MAX_ARGUMENT))
+
+
+## Fields with their values as an argument.
+static func write_fields(p_values: Dictionary[StringName, float]) -> String:
+	var parts: PackedStringArray = []
+	for name: StringName in p_values:
+		parts.append("%s=%s" % [name, String.num(p_values[name], 6)])
+	return " ".join(parts)
+
+
+## The fields of an argument; empty if it has none or something else.
+static func read_fields(p_argument: String) -> Dictionary[StringName, float]:
+	var values: Dictionary[StringName, float] = {}
+	for part: String in p_argument.split(" ", false):
+		var ends: PackedStringArray = part.split("=")
+		if ends.size() != 2 or ends[0] == "" or not _is_number(ends[1]):
+			return {}
+		values[StringName(ends[0])] = ends[1].to_float()
+	return values
+
+
+## Whether a text is a number without an exponent: the engine complains about large ones.
+static func _is_number(p_text: String) -> bool:
+	return p_text.length() < 16 and not p_text.containsn("e") and p_text.is_valid_float()
 
 
 ## The order in a packet, or null if it is invalid.

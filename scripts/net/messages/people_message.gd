@@ -3,7 +3,8 @@ extends RefCounted
 ## Whose motion a trainee's client sends, as bytes: reliably, at joining and whenever it changes.
 ##
 ## Little-endian: u8 message, u8 number of people, for each u8 index, f32 hip height (m), u8 number
-## of lengths (0 or all limbs), that many f32 (m, 0 unknown), name as u16 length and UTF-8.
+## of lengths (0 or all limbs), that many f32 (m, 0 unknown), name and name
+## of the avatar, each as u16 length and UTF-8.
 
 ## What is wrong with the packet that was decoded last, or an empty text.
 static var error: String = ""
@@ -18,6 +19,7 @@ static func encode(p_people: Array[PersonCard]) -> PackedByteArray:
 		bytes.append(card.lengths.size())
 		bytes.append_array(card.lengths.to_byte_array())
 		bytes.append_array(ByteReader.text_bytes(card.name.left(Protocol.MAX_NAME)))
+		bytes.append_array(ByteReader.text_bytes(card.avatar))
 	return bytes
 
 
@@ -44,6 +46,7 @@ static func _read(p_bytes: PackedByteArray, p_people: Array[PersonCard]) -> Stri
 		card.lengths = reader.read_floats(mini(reader.read_u8(), Limbs.COUNT + 1))
 		card.name = reader.read_text(4 * Protocol.MAX_NAME).left(Protocol.MAX_NAME)
 		card.name = card.name.strip_edges()
+		card.avatar = reader.read_text(PersonCard.MAX_AVATAR)
 		if reader.failed:
 			break
 		if taken.has(card.index):

@@ -48,6 +48,10 @@ enum Message {
 	CALL = 19,
 	## Server to client, reliable: see [RefusalMessage]. In parts.
 	REFUSAL = 20,
+	## Client to server, reliable: see [LevelRequestMessage].
+	LEVEL_REQUEST = 21,
+	## Server to client, reliable: see [LevelDataMessage].
+	LEVEL_DATA = 22,
 }
 
 ## Second byte of a [constant Message.CONTROL].

@@ -30,6 +30,13 @@ func pop() -> TransportEvent:
 	return packet
 
 
+## Takes all that wait.
+func take_all() -> Array[TransportEvent]:
+	var packets: Array[TransportEvent] = _packets.slice(_next)
+	clear()
+	return packets
+
+
 ## Whether one of somebody waits.
 func has_from(p_peer: int) -> bool:
 	for i: int in range(_next, _packets.size()):

@@ -32,6 +32,8 @@ var has_thread: bool = true
 var callbacks: TransportCallbacks = TransportCallbacks.new()
 ## The packets of spawners and synchronizers, on a server.
 var engine: EnginePackets = EnginePackets.new()
+## On a client: lets them wait for their level.
+var inbox: EngineInbox = null
 ## On a client: whether it has the nodes that the engine's own packets are about.
 var takes_engine: bool = true
 ## On a client: whether the server refuses it, so that trying again is useless; see [signal failed].
@@ -49,6 +51,10 @@ var _reasons: Dictionary[int, int] = {}
 var _events: Array[TransportEvent] = []
 var _next_event: int = 0
 var _waiting: PacketQueue = PacketQueue.new()
+
+
+func _init() -> void:
+	inbox = EngineInbox.new(_waiting)
 
 
 func _notification(p_what: int) -> void:
@@ -251,7 +257,8 @@ func _take_packet(p_event: TransportEvent) -> void:
 		and EnginePackets.is_one(p_event.bytes)
 	):
 		return
-	_waiting.push(p_event)
+	if not inbox.keeps(p_event):
+		_waiting.push(p_event)
 
 
 func _take(p_event: TransportEvent) -> void:

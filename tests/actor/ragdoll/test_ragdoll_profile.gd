@@ -2,7 +2,7 @@ extends TestCase
 ## What a ragdoll is made of: the file of the soldier, and errors that name file and entry.
 
 const SCENE: PackedScene = preload("res://scenes/actor/soldier.tscn")
-const SOLDIER: String = "res://assets/avatar/limb_shapes.json"
+const SOLDIER: String = "res://assets/avatar/shapes/soldier.json"
 const SAVED_TEXT: String = "user://test_profile.tres"
 const SAVED_BINARY: String = "user://test_profile.res"
 const SCRATCH: String = "user://test_limb_shapes.json"
@@ -29,7 +29,7 @@ func test_file_of_the_soldier() -> void:
 	is_null(profile.find(&"Tail"))
 	var hips: RagdollLimb = profile.find(&"Hips")
 	equal(hips.type, RagdollLimb.BOX)
-	almost_equal(hips.position, Vector3(0.0, 1.01664, 0.02147))
+	almost_equal(hips.position, Vector3(0.0, 1.01723, 0.02227))
 	var arm: RagdollLimb = profile.find(&"LeftUpperArm")
 	equal(arm.type, RagdollLimb.PILL)
 	almost_equal([arm.radius, arm.length], [0.0746, 0.25741])

@@ -5,7 +5,7 @@ const Stats: GDScript = preload("rest_samples.gd")
 const FastPhysics: GDScript = preload("fast_physics.gd")
 const Stage: GDScript = preload("stage.gd")
 const AVATAR: PackedScene = preload("res://assets/avatar/soldier.glb")
-const FILE: String = "res://assets/avatar/limb_shapes.json"
+const FILE: String = "res://assets/avatar/shapes/soldier.json"
 
 var _person: Ragdoll = null
 

@@ -95,6 +95,28 @@ func wall() -> void:
 	world.queue_free()
 
 
+## Walks through a doorway whose door is shut, stands half open towards the person, or away.
+func doors() -> void:
+	for ajar: float in [0.0, 40.0, -40.0]:
+		for right: bool in [false, true]:
+			var world: ContactWorld = _enter_world()
+			world.add_floor(0.0)
+			for side: float in [-1.0, 1.0]:
+				var place: Vector3 = Vector3(side * 2.075, 1.5, 3.0)
+				world.add_block(Vector3(3.0, 3.0, 0.35), Transform3D(Basis(), place))
+			var door: Door = Door.new()
+			door.ajar = ajar
+			door.right_hinge = right
+			door.size = Vector2(1.02, 2.1)
+			# Its front looks to who comes.
+			door.rotation.y = PI
+			door.position = Vector3(-0.51 if right else 0.51, 0.0, 3.0)
+			world.add_child(door)
+			var name: String = "door %d deg ajar, hinge %s" % [ajar, "right" if right else "left"]
+			await _walk(name, world, func(_z: float) -> float: return 0.0)
+			_report.add(name, "pushed open", door.angle(), "deg", BenchReport.Goal.AT_LEAST, 60.0)
+
+
 ## Stands and walks on what moves.
 func platforms() -> void:
 	for kind: String in GroundPlatform.KINDS:

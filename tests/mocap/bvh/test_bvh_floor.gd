@@ -2,7 +2,7 @@ extends TestCase
 ## The ground of a clip is where the body's surface is lowest, standing on soles, lying on the back.
 
 const People: GDScript = preload("res://tests/mocap/people_samples.gd")
-const SHAPES: String = "res://assets/avatar/limb_shapes.json"
+const SHAPES: String = "res://assets/avatar/shapes/soldier.json"
 
 
 func test_the_body_is_as_thick_as_the_ragdoll() -> void:

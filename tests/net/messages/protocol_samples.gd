@@ -23,6 +23,7 @@ static func _add_joining(r_made: Dictionary[String, PackedByteArray]) -> void:
 	r_made["challenge"] = challenge.encode()
 	var half: PersonCard = PersonCard.of("Ada", 0.95, 0)
 	var whole: PersonCard = PersonCard.of("", 0.875, 3)
+	half.avatar = "raider"
 	for limb: int in Limbs.COUNT:
 		whole.lengths.append(0.25 if limb % 2 == 0 else 0.0)
 	r_made["people"] = PeopleMessage.encode([half, whole] as Array[PersonCard])
@@ -36,6 +37,15 @@ static func _add_joining(r_made: Dictionary[String, PackedByteArray]) -> void:
 
 static func _add_world(r_made: Dictionary[String, PackedByteArray]) -> void:
 	r_made["level"] = LevelMessage.encode("yard", _count(8, 1))
+	var request: LevelRequestMessage = LevelRequestMessage.new()
+	request.number = 9
+	request.content_hash = _count(32, 0x60)
+	request.file = 2
+	request.offset = 65536
+	request.length = 65536
+	r_made["level-request"] = request.encode()
+	r_made["level-data"] = LevelDataMessage.encode(9, 65536, 200000, _count(4, 1))
+	r_made["level-refused"] = LevelDataMessage.refuse(9, "gone")
 	var table: EntityTable = EntityTable.new()
 	var door: EntityRow = EntityRow.new()
 	door.type = _door()

@@ -17,6 +17,7 @@ func test_round_trip() -> void:
 			equal(got[place].name, sent[place].name)
 			almost_equal(got[place].hip_height, sent[place].hip_height, 1e-6)
 			equal(got[place].lengths, sent[place].lengths)
+			equal(got[place].avatar, sent[place].avatar)
 
 
 func test_nobody_is_taken_for_a_person() -> void:
@@ -30,6 +31,19 @@ func test_nobody_is_taken_for_a_person() -> void:
 		_refuses([card], "LeftUpperArm" if is_finite(length) else "")
 	_refuses([_card(0), _card(3), _card(0)], "twice")
 	_refuses([_card(PersonCard.MAX_PEOPLE)], "at most")
+
+
+## Any short text is carried: what it means is for who shows it to decide.
+func test_names_of_avatars() -> void:
+	for name: String in ["", "soldier", "../../user/x", "Ünïcode", "x".repeat(32)]:
+		var card: PersonCard = _card(0)
+		card.avatar = name
+		var got: Array[PersonCard] = PeopleMessage.decode(PeopleMessage.encode([card]))
+		equal(got.size(), 1, name)
+		equal(got[0].avatar, name)
+	var long: PersonCard = _card(0)
+	long.avatar = "x".repeat(PersonCard.MAX_AVATAR + 1)
+	_refuses([long], "")
 
 
 func test_a_packet_cut_anywhere_is_refused() -> void:
@@ -60,6 +74,7 @@ func _card(p_index: int) -> PersonCard:
 	var card: PersonCard = PersonCard.new()
 	card.index = p_index
 	card.name = "Adä %d" % p_index
+	card.avatar = ["", "show", "nobody knows it"][p_index % 3]
 	card.hip_height = _random.randf_range(0.5, 1.2)
 	if p_index % 2 == 0:
 		for _limb: int in Limbs.COUNT:

@@ -100,6 +100,26 @@ func test_level() -> void:
 	_check_mixture()
 
 
+func test_level_request_and_data() -> void:
+	var asked: LevelRequestMessage = LevelRequestMessage.new()
+	asked.content_hash.resize(LevelRequestMessage.HASH_SIZE)
+	asked.length = 5000
+	var bytes: PackedByteArray = NetSamples.noise(_random, 900)
+	var answers: Array[PackedByteArray] = [
+		LevelDataMessage.encode(3, 10, 5000, bytes), LevelDataMessage.refuse(3, "it is gone")
+	]
+	for round: int in ROUNDS:
+		var request: LevelRequestMessage = LevelRequestMessage.decode(_hostile(asked.encode()))
+		if request != null:
+			_accepted += 1
+			if request.length < 1 or request.length > LevelRequestMessage.MAX_LENGTH:
+				fail("%d bytes" % request.length)
+		var answer: LevelDataMessage = LevelDataMessage.decode(_hostile(answers[round % 2]))
+		if answer != null and answer.data.size() > LevelDataMessage.ROOM:
+			fail("%d bytes" % answer.data.size())
+	_check_mixture()
+
+
 func test_join_request() -> void:
 	var sent: JoinRequest = JoinRequest.new()
 	sent.name = "Adä😀"

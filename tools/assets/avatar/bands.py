@@ -52,7 +52,8 @@ def drape_band(
     middle = np.repeat(outward, len(section), 0)
     points = np.stack(rows, 1)
     facing = np.where(np.arange(len(middle)) % len(section) == len(section) // 2, 1.0, 0.0)
-    return grid_mesh(points, weights, closed=True, outward=middle * facing[:, None])
+    outward = middle * facing[:, None]
+    return grid_mesh(points, weights, closed=True, outward=outward, along=0)
 
 
 def _rise(surface: Surface, points: Array, outward: Array) -> Array:

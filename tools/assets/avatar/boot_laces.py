@@ -9,8 +9,8 @@ from .bands import cord
 from .boot_upper import BootUpper
 from .curves import resample, unit
 from .kit import Kit
-from .kit_parts import BLACK, BOOT_BROWN, WeightRule, grid_mesh, nearest_weights
-from .quad_mesh import QuadMesh
+from .kit_parts import BLACK, WeightRule, grid_mesh, nearest_weights
+from .quad_mesh import Layer, QuadMesh
 
 Array = NDArray[np.float64]
 
@@ -28,16 +28,16 @@ def add_laces(kit: Kit, upper: BootUpper, leather: QuadMesh) -> None:
     """Lace one boot crosswise."""
     weights = nearest_weights(leather)
     for sign in (1, -1):
-        kit.add(_facing(upper, sign, weights), BOOT_BROWN * 0.8)
+        kit.add(_facing(upper, sign, weights), kit.palette.boots * 0.8, Layer.LEATHER)
     seats = _eyelet_rings(upper)
     for ring in seats:
         for sign in (1, -1):
-            kit.add(_eyelet(upper, ring, sign, weights), BLACK * 1.5)
+            kit.add(_eyelet(upper, ring, sign, weights), BLACK * 1.5, Layer.SMOOTH)
     for sign in (1, -1):
         for first, second in pairwise(seats):
-            kit.add(_crossing(upper, first, second, sign, weights), BLACK * 1.7)
+            kit.add(_crossing(upper, first, second, sign, weights), BLACK * 1.7, Layer.WEBBING)
     for ring in (seats[0], seats[-1]):
-        kit.add(_crossing(upper, ring, ring, 1, weights), BLACK * 1.7)
+        kit.add(_crossing(upper, ring, ring, 1, weights), BLACK * 1.7, Layer.WEBBING)
 
 
 def _angle(upper: BootUpper, ring: float, distance: float) -> float:

@@ -10,7 +10,7 @@ from .boot_upper import TOE_LENGTH, BootUpper
 from .curves import convex_hull, smooth_line
 from .kit import Kit
 from .kit_parts import BLACK, grid_mesh
-from .quad_mesh import QuadMesh
+from .quad_mesh import Layer, QuadMesh
 
 Array = NDArray[np.float64]
 Edge = Callable[[float], float]
@@ -47,7 +47,7 @@ def add_sole(kit: Kit, upper: BootUpper) -> QuadMesh:
     )
     outward = (points - points.mean(1, keepdims=True)).reshape(-1, 3)
     sole = grid_mesh(points, lambda p: _weights(kit, upper.side, p), closed=True, outward=outward)
-    kit.add(sole, BLACK)
+    kit.add(sole, BLACK, Layer.SMOOTH, 0.1)
     low = np.clip((0.012 - sole.vertices[:, 1]) / 0.006, 0, 1)
     sole.colours = BLACK * (1.8 - 0.9 * low)[:, None]
     return sole

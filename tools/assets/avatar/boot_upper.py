@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 
 from .curves import smooth_line, unit
 from .kit import Kit
-from .kit_parts import BOOT_BROWN, grid_mesh, nearest_weights
-from .quad_mesh import QuadMesh, neighbour_mean, unique_edges, vertex_normals
+from .kit_parts import grid_mesh, nearest_weights
+from .quad_mesh import Layer, QuadMesh, neighbour_mean, unique_edges, vertex_normals
 from .surface import Surface
 
 Array = NDArray[np.float64]
@@ -81,7 +81,7 @@ def add_upper(kit: Kit, both_feet: QuadMesh, side: str) -> BootUpper:
     centres = rows.mean(1, keepdims=True)
     outward = (rows - centres).reshape(-1, 3)
     leather = grid_mesh(rows, nearest_weights(foot), closed=True, outward=outward)
-    kit.add(leather, BOOT_BROWN)
+    kit.add(leather, kit.palette.boots, Layer.LEATHER)
     leather.colours = leather.colours * _shade().reshape(-1, 1)
     return upper
 

@@ -1,7 +1,7 @@
 """Solves the body for a wearer's measures, so that the avatar's limbs are as long as theirs.
 
 Run as `python3 -m avatar.fit --data FOLDER '{"height": 1.65, "upper_arm": 0.27, ...}'` in
-tools/assets; prints the parameters for `build_avatar --params`. Measures are distances in metres
+tools/assets; prints the "body" of a recipe. Measures are distances in metres
 between joint centres (a suit's calibration), not tape measures; what is left out stays as it is.
 """
 

@@ -12,6 +12,8 @@ from pathlib import Path
 from . import vector3 as v3
 from .vector3 import Quat, Vec3
 
+LEFT_OUT = ("FarMesh", "DrapeMesh")
+"""Meshes that say nothing of the body's shape: the far figure, and what hangs far off the body."""
 _GLB_MAGIC = 0x46546C67
 _COMPONENT_FORMATS = {5121: "B", 5123: "H", 5125: "I", 5126: "f"}
 _TYPE_WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
@@ -79,22 +81,22 @@ def read_skinned_model(path: Path) -> SkinnedModel:
     model = SkinnedModel(bones=_read_bones(glb, joints))
     joint_names = [glb.tree["nodes"][node]["name"] for node in joints]
     for mesh in glb.tree["meshes"]:
-        for primitive in mesh["primitives"]:
+        for primitive in mesh["primitives"] if mesh["name"] not in LEFT_OUT else []:
             model.vertices += _read_primitive(glb, primitive, joint_names)
     return model
 
 
 def read_surfaces(path: Path) -> dict[str, list[SkinVertex]]:
-    """Read the skinned vertices of each material of a .glb file, by the material's name."""
+    """Read the skinned vertices of each surface of a .glb file, by "mesh material"."""
     glb = _GlbFile(path)
     joints = glb.tree["skins"][0]["joints"]
     names = [glb.tree["nodes"][node]["name"] for node in joints]
-    primitives = [each for mesh in glb.tree["meshes"] for each in mesh["primitives"]]
-    materials = glb.tree["materials"]
-    return {
-        materials[each["material"]]["name"]: _read_primitive(glb, each, names)
-        for each in primitives
-    }
+    surfaces: dict[str, list[SkinVertex]] = {}
+    for mesh in glb.tree["meshes"]:
+        for each in mesh["primitives"]:
+            material = glb.tree["materials"][each["material"]]["name"]
+            surfaces[f"{mesh['name']} {material}"] = _read_primitive(glb, each, names)
+    return surfaces
 
 
 def _read_bones(glb: _GlbFile, joints: list[int]) -> dict[str, Bone]:

@@ -10,29 +10,31 @@ from numpy.typing import NDArray
 
 from .bake import linear_to_srgb
 from .blender import Matrix
-from .quad_mesh import QuadMesh
+from .quad_mesh import Joined, QuadMesh
 from .rig import Rig
-from .textures import Textures
 
 Array = NDArray[np.float64]
 
 _FLOAT, _UINT32, _UINT16, _UINT8 = 5126, 5125, 5123, 5121
 _ARRAY_BUFFER, _INDEX_BUFFER = 34962, 34963
-_LINEAR, _LINEAR_MIPMAPS, _REPEAT = 9729, 9987, 10497
 _GENERATOR = "Dismount avatar tools"
-_DARKEST = 0.3
-"""Brightness of a fully occluded vertex."""
 
 
 @dataclass
 class Surface:
     """One material's mesh."""
 
+    material: str
+    """Its resource is assets/avatar/materials/NAME.tres."""
+    joined: Joined
+
+
+@dataclass
+class Part:
+    """A node of the file: what is shown or hidden as a whole."""
+
     name: str
-    mesh: QuadMesh
-    normals: Array
-    shaded: bool = True
-    """Whether occlusion darkens the vertex colours."""
+    surfaces: list[Surface]
 
 
 class _Buffer:
@@ -108,79 +110,42 @@ def _split_seams(mesh: QuadMesh) -> tuple[NDArray, Array, NDArray]:
     return corner_vertices[first], corner_uvs[first], t
 
 
-def _primitive(surface: Surface, material: int, buffer: _Buffer) -> dict:
+def _primitive(surface: Surface, material: int, buffer: _Buffer, is_ours: bool) -> dict:
     """Write one surface."""
-    mesh = surface.mesh
+    mesh = surface.joined.mesh
     source, uvs, triangles = _split_seams(mesh)
     bones, weights = _strongest_four(mesh.weights[source])
     uvs = np.column_stack([uvs[:, 0], 1 - uvs[:, 1]])  # glTF's v points down
-    colours = mesh.colours[source]
-    if surface.shaded:
-        light = _DARKEST + (1 - _DARKEST) * mesh.occlusion[source]
-        colours = colours * light[:, None]
-    # sRGB, against the letter of glTF: see avatar_import.gd.
-    colours = linear_to_srgb(np.clip(colours, 0, 1))
-    rgba = np.column_stack([colours, np.ones(len(colours))])
+    # sRGB, against the letter of glTF: eight bits of linear light are too few in the dark.
+    colours, occlusion = mesh.colours[source], np.clip(mesh.occlusion[source], 0, 1)
+    if is_ours:
+        colours = linear_to_srgb(np.clip(colours, 0, 1))
+    else:
+        colours, occlusion = colours * (0.3 + 0.7 * occlusion[:, None]), np.ones(len(source))
+    rgba = np.column_stack([np.clip(colours, 0, 1), occlusion])
     add = buffer.add_array
     attributes = {
         "POSITION": add(mesh.vertices[source].astype("f4"), _FLOAT, "VEC3", bounds=True),
-        "NORMAL": add(surface.normals[source].astype("f4"), _FLOAT, "VEC3"),
+        "NORMAL": add(surface.joined.normals[source].astype("f4"), _FLOAT, "VEC3"),
         "TEXCOORD_0": add(uvs.astype("f4"), _FLOAT, "VEC2"),
-        "COLOR_0": add(rgba.astype("f4"), _FLOAT, "VEC4"),
+        "TEXCOORD_1": add(surface.joined.looks[source].astype("f4"), _FLOAT, "VEC2"),
+        "COLOR_0": add(np.round(rgba * 255).astype("u1"), _UINT8, "VEC4", normalized=True),
         "JOINTS_0": add(bones.astype("u1"), _UINT8, "VEC4"),
         "WEIGHTS_0": add(weights.astype("u2"), _UINT16, "VEC4", normalized=True),
     }
-    indices = add(triangles.astype("u4").reshape(-1), _UINT32, "SCALAR", _INDEX_BUFFER)
+    kind, width = (_UINT16, "u2") if len(source) < 65535 else (_UINT32, "u4")
+    indices = add(triangles.astype(width).reshape(-1), kind, "SCALAR", _INDEX_BUFFER)
     return {"attributes": attributes, "indices": indices, "material": material}
 
 
-class _Images:
-    """Adds images and textures to the file."""
-
-    def __init__(self, buffer: _Buffer) -> None:
-        self._buffer = buffer
-        self.images: list[dict] = []
-        self.textures: list[dict] = []
-
-    def add(self, content: bytes, kind: str = "image/jpeg") -> dict:
-        """Return the reference to a new texture."""
-        self.images.append({"bufferView": self._buffer.add_view(content), "mimeType": kind})
-        self.textures.append({"source": len(self.images) - 1, "sampler": 0})
-        return {"index": len(self.textures) - 1}
+def _material(name: str) -> dict:
+    """Describe a dull material, for importers that know nothing of ours."""
+    properties = {"metallicFactor": 0, "roughnessFactor": 0.9}
+    return {"name": name, "pbrMetallicRoughness": properties, "doubleSided": True}
 
 
-def _material(name: str, roughness: float, texture: dict | None = None) -> dict:
-    """Describe a non-metallic material."""
-    properties: dict = {"baseColorTexture": texture} if texture else {}
-    properties |= {"metallicFactor": 0, "roughnessFactor": roughness}
-    return {"name": name, "pbrMetallicRoughness": properties}
-
-
-def _materials(textures: Textures, images: _Images) -> list[dict]:
-    """Describe the materials, in the order of the surfaces."""
-    uniform = _material("Uniform", 0.92, images.add(textures.uniform))
-    uniform["normalTexture"] = {**images.add(textures.uniform_normals), "scale": 1.0}
-    uniform["doubleSided"] = True
-    skin = _material("Skin", 0.62, images.add(textures.skin))
-    kit = _material("Kit", 0.85, images.add(textures.weave, "image/png"))
-    kit["doubleSided"] = True
-    camouflaged = _material("KitCamo", 0.92, images.add(textures.camouflage))
-    camouflaged["doubleSided"] = True
-    lens = {
-        "name": "Lens",
-        "pbrMetallicRoughness": {
-            "baseColorFactor": [0.02, 0.02, 0.018, 0.82],
-            "metallicFactor": 0.2,
-            "roughnessFactor": 0.06,
-        },
-        "alphaMode": "BLEND",
-        "doubleSided": True,
-    }
-    return [uniform, skin, _material("Eyes", 0.12), kit, camouflaged, lens]
-
-
-def _nodes(rig: Rig) -> list[dict]:
-    """Write the bones (node index is bone index), then the mesh, then the root."""
+def _nodes(name: str, rig: Rig, parts: list[Part]) -> list[dict]:
+    """Write the bones (node index is bone index), then the meshes, then the root."""
     nodes = []
     for bone in rig.names:
         parent = rig.parents[bone]
@@ -195,17 +160,29 @@ def _nodes(rig: Rig) -> list[dict]:
         if children:
             node["children"] = children
         nodes.append(node)
-    nodes.append({"name": "Body", "mesh": 0, "skin": 0})
-    nodes.append({"name": "Soldier", "children": [0, len(rig.names)]})
+    first = len(nodes)
+    nodes += [{"name": part.name, "mesh": i, "skin": 0} for i, part in enumerate(parts)]
+    nodes.append({"name": name, "children": [0, *range(first, len(nodes))]})
     return nodes
 
 
-def export_avatar(path: Path, rig: Rig, surfaces: list[Surface], textures: Textures) -> None:
-    """Write the whole file; the surfaces are in the order of the materials."""
+def export_avatar(path: Path, name: str, rig: Rig, parts: list[Part], is_ours: bool = True) -> None:
+    """Write the whole file. Materials are names only: our importer puts ours in their place.
+
+    What is not for our importer has its vertex colours as glTF wants them, darkened by occlusion.
+    """
     buffer = _Buffer()
-    images = _Images(buffer)
-    primitives = [_primitive(surface, i, buffer) for i, surface in enumerate(surfaces)]
-    materials = _materials(textures, images)
+    materials = list(dict.fromkeys(s.material for part in parts for s in part.surfaces))
+    meshes = [
+        {
+            "name": part.name,
+            "primitives": [
+                _primitive(surface, materials.index(surface.material), buffer, is_ours)
+                for surface in part.surfaces
+            ],
+        }
+        for part in parts
+    ]
     inverse_binds = np.stack([np.linalg.inv(rig.rest[b]).T.reshape(-1) for b in rig.names])
     skin = {
         "joints": list(range(len(rig.names))),
@@ -213,25 +190,16 @@ def export_avatar(path: Path, rig: Rig, surfaces: list[Surface], textures: Textu
         "skeleton": 0,
         "name": "Skeleton",
     }
-    nodes = _nodes(rig)
-    sampler = {
-        "magFilter": _LINEAR,
-        "minFilter": _LINEAR_MIPMAPS,
-        "wrapS": _REPEAT,
-        "wrapT": _REPEAT,
-    }
+    nodes = _nodes(name, rig, parts)
     buffer.pad()
     tree = {
         "asset": {"version": "2.0", "generator": _GENERATOR},
         "scene": 0,
         "scenes": [{"nodes": [len(nodes) - 1]}],
         "nodes": nodes,
-        "meshes": [{"name": "Body", "primitives": primitives}],
+        "meshes": meshes,
         "skins": [skin],
-        "materials": materials,
-        "textures": images.textures,
-        "images": images.images,
-        "samplers": [sampler],
+        "materials": [_material(material) for material in materials],
         "bufferViews": buffer.views,
         "accessors": buffer.accessors,
         "buffers": [{"byteLength": len(buffer.data)}],

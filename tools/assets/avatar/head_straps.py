@@ -7,13 +7,12 @@ from .bands import BandShape, drape_band
 from .curves import convex_hull, resample, smooth_line, unit
 from .head_kit import HelmetFit, shell_point
 from .kit import Kit
-from .kit_parts import BLACK, RANGER_GREEN, BoxShape, WeightRule, rigid_weights, rounded_box
-from .quad_mesh import QuadMesh
+from .kit_parts import BLACK, BoxShape, WeightRule, rigid_weights, rounded_box
+from .quad_mesh import Layer, QuadMesh
 from .surface import Surface
 
 Array = NDArray[np.float64]
 
-_WEBBING = RANGER_GREEN * 0.55
 _JUNCTION = np.array([0.060, -0.090, -0.006])
 """Where the straps of a side meet, below the ear, from the helmet's centre."""
 _CHIN_HEIGHT = -0.116
@@ -32,7 +31,7 @@ def add_chin_strap(kit: Kit, fit: HelmetFit, head: QuadMesh) -> None:
     cup = np.exp(-((share / 0.27) ** 4))
     widths = _SIDE_HALF_WIDTH + (_CUP_HALF_WIDTH - _SIDE_HALF_WIDTH) * cup
     shape = BandShape(tuple(widths), 0.0035, lift=0.0015, columns=5)
-    kit.add(drape_band(skin, line, outward, shape, weights), _WEBBING)
+    kit.add(drape_band(skin, line, outward, shape, weights), kit.palette.main * 0.55, Layer.WEBBING)
     for end, sign in ((line[0], -1), (line[-1], 1)):
         for degrees in _ANCHORS:
             _add_side_strap(kit, fit, skin, end, np.radians(degrees) * sign)
@@ -77,7 +76,8 @@ def _add_side_strap(kit: Kit, fit: HelmetFit, skin: Surface, end: Array, azimuth
     outward = unit(line - (fit.centre + [0, -0.03, 0.0])) * 0.5 + sideways
     outward = unit(outward * [1, 0.2, 1])
     shape = BandShape(0.0075, 0.0022, lift=0.001)
-    kit.add(drape_band(skin, line, outward, shape, rigid_weights(kit.rig, Head=1)), _WEBBING)
+    band = drape_band(skin, line, outward, shape, rigid_weights(kit.rig, Head=1))
+    kit.add(band, kit.palette.main * 0.55, Layer.WEBBING)
 
 
 def _add_buckle(kit: Kit, skin: Surface, end: Array, weights: WeightRule) -> None:
@@ -86,4 +86,4 @@ def _add_buckle(kit: Kit, skin: Surface, end: Array, weights: WeightRule) -> Non
     up = unit(np.array([0, 1.0, 0.35]) - out * (np.array([0, 1.0, 0.35]) @ out))
     frame = np.stack([np.cross(up, out), up, out], 1)
     slider = BoxShape((0.012, 0.013, 0.0025), radius=0.002)
-    kit.add(rounded_box(end + out * 0.006, frame, slider, weights), BLACK * 1.2)
+    kit.add(rounded_box(end + out * 0.006, frame, slider, weights), BLACK * 1.2, Layer.SMOOTH)

@@ -42,6 +42,32 @@ _SLEEVE = np.array(
         (0.915, 0.940, 1.00, -0.0030),
     ]
 )
+# Trousers that fall over shoes.
+_WIDE_TROUSER = np.array(
+    [
+        (0.60, 0.600, 0.00, 0.000),
+        (0.66, 0.663, 0.25, 0.014),
+        (0.72, 0.727, 0.45, 0.016),
+        (0.76, 0.770, 0.65, 0.020),
+        (0.84, 0.855, 0.85, 0.022),
+        (0.90, 0.915, 1.00, 0.025),
+        (0.95, 0.955, 1.00, 0.026),
+        (0.965, 0.957, 1.00, 0.0245),
+        (0.99, 0.951, 1.00, 0.0235),
+    ]
+)
+_BARE_CUFF = np.array(
+    [
+        (0.72, 0.720, 0.00, 0.000),
+        (0.77, 0.780, 0.30, 0.002),
+        (0.82, 0.850, 0.65, 0.005),
+        (0.855, 0.895, 0.90, 0.0085),
+        (0.875, 0.925, 1.00, 0.0095),
+        (0.890, 0.950, 1.00, 0.0095),
+        (0.902, 0.953, 1.00, 0.0065),
+        (0.915, 0.940, 1.00, 0.0040),
+    ]
+)
 _BOOT_RADIUS_AT, _GLOVE_RADIUS_AT = 0.69, 0.93
 _LEATHER, _GLOVE = 0.0115, 0.0030
 """Thickness of boots and gloves over the surfaces that the radii are taken from."""
@@ -90,18 +116,21 @@ def _limb_profile(axis: _Axis, surface: Surface, along: float, added: float) -> 
     return RoundProfile(angles[known], radii[known] + added, 3)
 
 
-def finish_hems(uniform: QuadMesh, feet: QuadMesh, body: QuadMesh, rig: Rig) -> None:
+def finish_hems(uniform: QuadMesh, feet: QuadMesh, body: QuadMesh, rig: Rig, cut: str) -> None:
     """Lay the ends of trousers and sleeves into rings."""
     foot, skin = Surface(feet.vertices, feet.faces), Surface(body.vertices, body.faces)
     for side in SIDES:
         leg = rig.share(uniform.weights, (side + "LowerLeg", side + "Foot", side + "Toes")) > 0.5
         axis = _axis(rig, side + "LowerLeg", side + "Foot")
         boot = _limb_profile(axis, foot, _BOOT_RADIUS_AT, _LEATHER)
-        _lay(uniform, leg, axis, boot, _TROUSER, _GATHER)
+        is_wide = cut != "fatigues"
+        _lay(uniform, leg, axis, boot, _WIDE_TROUSER if is_wide else _TROUSER, _GATHER)
+        if cut == "polo":
+            continue
         arm = rig.share(uniform.weights, (side + "LowerArm", side + "Hand")) > 0.5
         axis = _axis(rig, side + "LowerArm", side + "Hand")
         glove = _limb_profile(axis, skin, _GLOVE_RADIUS_AT, _GLOVE)
-        _lay(uniform, arm, axis, glove, _SLEEVE, 0.0)
+        _lay(uniform, arm, axis, glove, _BARE_CUFF if is_wide else _SLEEVE, 0.0)
 
 
 def _lay(

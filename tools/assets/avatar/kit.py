@@ -4,7 +4,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .figure import Figure
-from .quad_mesh import QuadMesh
+from .quad_mesh import Layer, QuadMesh
+from .recipe import Palette
 from .rig import SIDES
 from .surface import Surface
 
@@ -14,11 +15,25 @@ _TORSO_BONES = ("Hips", "Spine", "Chest", "UpperChest", "LeftShoulder", "RightSh
 _ARM_BONES = ("LeftLowerArm", "LeftUpperArm", "RightUpperArm", "RightLowerArm")
 
 
+GLOSS = {
+    Layer.SMOOTH: 0.35,
+    Layer.CORDURA: 0.12,
+    Layer.WEBBING: 0.18,
+    Layer.LEATHER: 0.42,
+    Layer.WEAVE: 0.06,
+    Layer.SKIN: 0.35,
+    Layer.HAIR: 0.4,
+    Layer.GLOW: 0.5,
+}
+"""How polished each structure is, 0 to 1."""
+
+
 class Kit:
     """The parts so far, and what they hug."""
 
-    def __init__(self, figure: Figure, uniform: QuadMesh) -> None:
+    def __init__(self, figure: Figure, uniform: QuadMesh, palette: Palette) -> None:
         self.figure = figure
+        self.palette = palette
         self.rig = figure.rig
         self.uniform = uniform
         self.parts: list[QuadMesh] = []
@@ -27,9 +42,17 @@ class Kit:
             side: Surface(uniform.vertices, uniform.faces[self._leg_faces(side)]) for side in SIDES
         }
 
-    def add(self, part: QuadMesh, colour: ArrayLike) -> QuadMesh:
-        """Take up a part in one linear RGB colour."""
+    def add(
+        self,
+        part: QuadMesh,
+        colour: ArrayLike,
+        layer: Layer = Layer.CORDURA,
+        gloss: float | None = None,
+    ) -> QuadMesh:
+        """Take up a part in one linear RGB colour, with a fine structure."""
         part.set_colour(colour)
+        part.layer = layer
+        part.gloss = GLOSS[layer] if gloss is None else gloss
         self.parts.append(part)
         return part
 

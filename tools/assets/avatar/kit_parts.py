@@ -20,11 +20,11 @@ IntArray = NDArray[np.int64]
 WeightRule = Callable[[Array], Array]
 """Gives every point its row of skin weights."""
 
-COYOTE = np.array([0.26, 0.205, 0.13])
-RANGER_GREEN = np.array([0.118, 0.119, 0.072])
 BLACK = np.array([0.025, 0.025, 0.025])
-BOOT_BROWN = np.array([0.17, 0.125, 0.077])
-GLOVE_OLIVE = np.array([0.10, 0.092, 0.062])
+_LEAST_GAP = 0.0025
+"""Between a slab and what it lies on, metres; smoothing would let bumps through."""
+_STRAP_TILE = 0.025
+"""Length of webbing on one tile, metres."""
 
 
 def rigid_weights(rig: Rig, **shares: float) -> WeightRule:
@@ -78,15 +78,40 @@ def grid_faces(points: Array, closed: bool = False) -> tuple[Array, IntArray]:
     return points.reshape(-1, 3), np.stack(corners, -1).reshape(-1, 4)
 
 
+def strap_uvs(points: Array, along: int, closed: bool) -> Array:
+    """Return texture coordinates of each face's corners: u along a strap, v across it."""
+    rows, columns = points.shape[:2]
+    steps = np.linalg.norm(np.diff(points, axis=along), axis=2).mean(1 - along)
+    length = np.r_[0, np.cumsum(steps)] / _STRAP_TILE
+    count = columns + 1 if closed else columns
+    if along == 0:
+        u, v = np.meshgrid(length, np.linspace(0, 1, count), indexing="ij")
+    else:
+        v, u = np.meshgrid(np.linspace(0, 1, rows), length, indexing="ij")
+        if closed:
+            u, v = np.hstack([u, u[:, -1:] + 1]), np.hstack([v, v[:, :1]])
+    grid = np.stack([u, v], -1)
+    corners = [grid[:-1, :-1], grid[:-1, 1:], grid[1:, 1:], grid[1:, :-1]]
+    return np.stack(corners, 2).reshape(-1, 4, 2)
+
+
 def grid_mesh(
-    points: Array, weights: WeightRule, closed: bool = False, outward: ArrayLike | None = None
+    points: Array,
+    weights: WeightRule,
+    closed: bool = False,
+    outward: ArrayLike | None = None,
+    along: int | None = None,
 ) -> QuadMesh:
     """Make a mesh of a grid of points; it is flipped if its faces look against `outward`.
 
-    `outward` holds one direction per vertex (or None to leave the winding as it is).
+    `outward` holds one direction per vertex (or None to leave the winding as it is). A strap names
+    the axis of the grid that runs along it: 0 for the rows' order, 1 for the columns'.
     """
     vertices, faces = grid_faces(points, closed)
     mesh = QuadMesh(vertices, weights(vertices), faces)
+    if along is not None:
+        mesh.uvs = strap_uvs(points, along, closed)
+        mesh.is_mapped = True
     if outward is not None and (mesh.normals() * outward).sum() < 0:
         mesh.flip()
     return mesh
@@ -161,6 +186,10 @@ class SlabShape:
     """Smoothing steps over the surface's bumps."""
     outline: Callable[[Array, Array], Array] | None = None
     """Changes the angles, given angles and positions along: rounds the outline."""
+    is_sealed: bool = False
+    """Whether its rim is drawn down onto the surface, so that nobody sees under it."""
+    widest: Callable[[Array], Array] | None = None
+    """Largest distance from the axis, given angles."""
 
 
 def _smooth_radii(radii: Array, steps: int, closed: bool) -> Array:
@@ -219,11 +248,16 @@ def slab(limb: Limb, shape: SlabShape) -> tuple[QuadMesh, Panel]:
     found = limb.surface.radii(centres.reshape(-1, 3), directions.reshape(-1, 3))
     radii = found.reshape(angles.shape)
     radii = np.where(np.isnan(radii), np.nanmedian(radii), radii)
+    if shape.widest:
+        radii = np.minimum(radii, shape.widest(angles))
+    skin = radii
     radii = _smooth_radii(radii, shape.smoothing, closed) + shape.offset
+    radii = np.maximum(radii, skin + _LEAST_GAP)
     rim = _rim(*radii.shape, closed)
     beveled = radii + shape.thickness - np.where(rim, shape.bevel, 0)
     outer = centres + directions * beveled[..., None]
-    vertices, faces = _slab_faces(outer, centres + directions * radii[..., None], closed)
+    seat = np.where(rim, np.minimum(radii, skin - 0.004), radii) if shape.is_sealed else radii
+    vertices, faces = _slab_faces(outer, centres + directions * seat[..., None], closed)
     face_normals = vertex_normals(*grid_faces(outer, closed))
     mesh = QuadMesh(vertices, limb.weights(vertices), faces)
     if (face_normals * directions.reshape(-1, 3)).sum() < 0:

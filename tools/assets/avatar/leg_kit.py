@@ -6,7 +6,6 @@ from numpy.typing import NDArray
 from .kit import Kit
 from .kit_parts import (
     BLACK,
-    RANGER_GREEN,
     BoxShape,
     Limb,
     SlabShape,
@@ -15,6 +14,7 @@ from .kit_parts import (
     rounded_box,
     slab,
 )
+from .quad_mesh import Layer
 
 Array = NDArray[np.float64]
 
@@ -44,7 +44,7 @@ def add_knee_pad(kit: Kit, side: str) -> None:
         smoothing=8,
         outline=_rounded_outline,
     )
-    kit.add(slab(limb, pad)[0], RANGER_GREEN * 0.75)
+    kit.add(slab(limb, pad)[0], kit.palette.main * 0.75, Layer.LEATHER, 0.3)
     for middle in (0.2, 0.75):
         strap = SlabShape(
             angles=np.linspace(0, 2 * np.pi, 25),
@@ -54,11 +54,26 @@ def add_knee_pad(kit: Kit, side: str) -> None:
             bevel=0.002,
             smoothing=2,
         )
-        kit.add(slab(limb, strap)[0], RANGER_GREEN * 0.6)
+        kit.add(slab(limb, strap)[0], kit.palette.main * 0.6, Layer.WEBBING)
 
 
 def add_cargo_pocket(kit: Kit, side: str) -> None:
-    """Put a pocket of the uniform's cloth on the outer thigh; on the right a holster above it."""
+    """Put a pocket of the uniform's cloth on the outer thigh."""
+    seat, frame = _thigh(kit, side)
+    _, up, normal = frame.T
+    weights = rigid_weights(kit.rig, **{side + "UpperLeg": 1})
+    bag = BoxShape((0.075, 0.085, 0.016), radius=0.013, segments=(5, 5, 2), bend=4.5)
+    flap = BoxShape((0.078, 0.026, 0.010), radius=0.007, segments=(5, 2, 2), bend=4.5)
+    for centre, shape in (
+        (seat + normal * 0.001, bag),
+        (seat + normal * 0.012 + up * 0.07, flap),
+    ):
+        part = kit.add(rounded_box(centre, frame, shape, weights), (0.2, 0.2, 0.2), Layer.WEAVE)
+        part.camouflaged = True
+
+
+def _thigh(kit: Kit, side: str) -> tuple[Array, Array]:
+    """Return a point on the outer thigh and a frame there: columns right, up, outward."""
     hip, knee = kit.rig.heads[side + "UpperLeg"], kit.rig.heads[side + "LowerLeg"]
     middle = hip + (knee - hip) * 0.52
     outward = np.array([1 if side == "Left" else -1, 0, 0.15])
@@ -69,26 +84,20 @@ def add_cargo_pocket(kit: Kit, side: str) -> None:
     up = (hip - knee) / np.linalg.norm(hip - knee)
     normal = outward - up * (outward @ up)
     normal /= np.linalg.norm(normal)
-    frame = np.stack([np.cross(up, normal), up, normal], 1)
-    weights = rigid_weights(kit.rig, **{side + "UpperLeg": 1})
-    bag = BoxShape((0.075, 0.085, 0.016), radius=0.013, segments=(5, 5, 2), bend=4.5)
-    flap = BoxShape((0.078, 0.026, 0.010), radius=0.007, segments=(5, 2, 2), bend=4.5)
-    for centre, shape in (
-        (seat + normal * 0.001, bag),
-        (seat + normal * 0.012 + up * 0.07, flap),
-    ):
-        part = kit.add(rounded_box(centre, frame, shape, weights), (0.2, 0.2, 0.2))
-        part.camouflaged = True
-    if side == "Right":
-        _add_holster(kit, seat, frame)
+    return seat, np.stack([np.cross(up, normal), up, normal], 1)
 
 
-def _add_holster(kit: Kit, seat: Array, frame: Array) -> None:
+def add_holster(kit: Kit) -> None:
     """Hang a pistol in its holster outside the right thigh, below the belt."""
+    seat, frame = _thigh(kit, "Right")
     right, up, normal = frame.T
     weights = rigid_weights(kit.rig, RightUpperLeg=0.75, Hips=0.25)
     body = BoxShape((0.032, 0.085, 0.018), radius=0.012)
-    kit.add(rounded_box(seat + normal * 0.035 + up * 0.13, frame, body, weights), BLACK * 1.3)
+    kit.add(
+        rounded_box(seat + normal * 0.035 + up * 0.13, frame, body, weights),
+        BLACK * 1.3,
+        Layer.LEATHER,
+    )
     grip = BoxShape((0.02, 0.04, 0.014), radius=0.008)
     at = seat + normal * 0.04 + up * 0.225 - right * 0.012
-    kit.add(rounded_box(at, frame, grip, weights), BLACK)
+    kit.add(rounded_box(at, frame, grip, weights), BLACK, Layer.SMOOTH)

@@ -29,7 +29,7 @@ from .shapes import (
 from .vector3 import Quat, Vec3
 
 SOURCE = (
-    "Shapes: fitted to the skinned surface of assets/avatar/soldier.glb by dominant bone weight "
+    "Shapes: fitted to the skinned surface of the avatar of this name by dominant bone weight "
     "(tools/assets/avatar/limb_shapes.py). Masses: P. de Leva, Adjustments to "
     "Zatsiorsky-Seluyanov's segment inertia parameters, Journal of Biomechanics 29 (9), "
     "1223-1230, 1996, table 4, males; upper, middle and lower trunk taken as Chest, Spine and "

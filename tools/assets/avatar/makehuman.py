@@ -1,4 +1,4 @@
-"""Reads MakeHuman's base mesh and morph targets (CC0) and blends a male body.
+"""Reads MakeHuman's base mesh and morph targets (CC0) and blends a body.
 
 The data set works in decimetres, Y up, the figure faces +Z. The mesh holds the visible body
 first (`BODY_VERTEX_COUNT` vertices) and behind it helper geometry such as tights and eyes, which
@@ -20,10 +20,10 @@ BODY_VERTEX_COUNT = 13380
 """Vertices of the skin itself; those behind it are helpers."""
 _VERTEX_COUNT = 19158
 
-_AGE = "young"
-"""MakeHuman's anchor at 25 years; the only age used here."""
+_YOUNG, _OLD = 25.0, 90.0
+"""Ages of MakeHuman's two grown-up anchors, years."""
 _ORIGINS = {"caucasian": 0.7, "asian": 0.15, "african": 0.15}
-"""Blend of MakeHuman's three origin targets (its own names)."""
+"""Blend of MakeHuman's three origin targets (its own names), unless said otherwise."""
 
 
 @dataclass
@@ -46,19 +46,24 @@ class BodyParameters:
 
     height: float = 1.80
     """Bare stature in metres."""
+    female: float = 0.0
+    age: float = _YOUNG
+    """Years, 25 to 90."""
     muscle: float = 0.68
     weight: float = 0.52
     proportions: float = 0.75
     """0.5 is average, 1 MakeHuman's ideal proportions."""
+    origins: Mapping[str, float] | None = None
+    """Shares of MakeHuman's three origin targets; sum 1."""
     measures: Mapping[str, float] | None = None
     """Extra targets without their -incr/-decr ending, with a signed amount (keep within 1.5)."""
 
     @classmethod
-    def from_json(cls, text: str) -> "BodyParameters":
-        """Read {"height", "muscle", "weight", "extra": {target: amount}}, all optional."""
-        tree = json.loads(text)
-        measures = tree.pop("extra", {})
-        return cls(measures=measures, **tree)
+    def from_tree(cls, tree: Mapping) -> "BodyParameters":
+        """Read {"height", "female", "age", "muscle", "weight", "extra": {target: amount}}."""
+        rest = dict(tree)
+        measures = rest.pop("extra", {})
+        return cls(measures=measures, **rest)
 
 
 class MakeHumanData:
@@ -124,28 +129,38 @@ def signed_target(name: str, amount: float) -> tuple[str, float]:
     return name + ("-incr" if amount > 0 else "-decr"), abs(amount)
 
 
+def macro_shares(parameters: BodyParameters) -> dict[str, float]:
+    """Return the share of each of MakeHuman's people by sex and age: "male-young" and so on."""
+    years = min(max((parameters.age - _YOUNG) / (_OLD - _YOUNG), 0.0), 1.0)
+    sexes = {"male": 1 - parameters.female, "female": parameters.female}
+    ages = {"young": 1 - years, "old": years}
+    shares = {f"{sex}-{age}": a * b for sex, a in sexes.items() for age, b in ages.items()}
+    return {kind: share for kind, share in shares.items() if share > 0}
+
+
 def build_body(data: MakeHumanData, parameters: BodyParameters) -> BodyMesh:
     """Blend the morph targets; the result is in decimetres, at MakeHuman's own height."""
     body = data.read_base_mesh()
     vertices = body.vertices
-    for origin, share in _ORIGINS.items():
-        vertices += share * data.read_target(f"macrodetails/{origin}-male-{_AGE}")
     muscles = blend_three(parameters.muscle, ("minmuscle", "averagemuscle", "maxmuscle"))
     weights = blend_three(parameters.weight, ("minweight", "averageweight", "maxweight"))
     if parameters.proportions > 0.5:
         proportions = ("idealproportions", 2 * parameters.proportions - 1)
     else:
         proportions = ("uncommonproportions", 1 - 2 * parameters.proportions)
-    for muscle, muscle_share in muscles.items():
-        for weight, weight_share in weights.items():
-            share = muscle_share * weight_share
-            if not share:
-                continue
-            build = f"male-{_AGE}-{muscle}-{weight}"
-            vertices += share * data.read_target(f"macrodetails/universal-{build}")
-            target = f"macrodetails/proportions/{build}-{proportions[0]}"
-            if proportions[1] and data.has_target(target):
-                vertices += share * proportions[1] * data.read_target(target)
+    for kind, kind_share in macro_shares(parameters).items():
+        for origin, share in (parameters.origins or _ORIGINS).items():
+            vertices += kind_share * share * data.read_target(f"macrodetails/{origin}-{kind}")
+        for muscle, muscle_share in muscles.items():
+            for weight, weight_share in weights.items():
+                share = kind_share * muscle_share * weight_share
+                if not share:
+                    continue
+                build = f"{kind}-{muscle}-{weight}"
+                vertices += share * data.read_target(f"macrodetails/universal-{build}")
+                target = f"macrodetails/proportions/{build}-{proportions[0]}"
+                if proportions[1] and data.has_target(target):
+                    vertices += share * proportions[1] * data.read_target(target)
     for measure, amount in (parameters.measures or {}).items():
         target, share = signed_target(measure, amount)
         vertices += share * data.read_target(target)

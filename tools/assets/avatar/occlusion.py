@@ -36,6 +36,8 @@ def bake_occlusion(parts: Sequence[QuadMesh]) -> None:
     directions = _hemisphere(_RAYS)
     for part in parts:
         part.occlusion = _part_occlusion(part, everything, directions)
+        if part.is_open:
+            part.occlusion = np.maximum(part.occlusion, 0.6)
 
 
 def _part_occlusion(part: QuadMesh, surface: Surface, directions: Array) -> Array:

@@ -4,12 +4,27 @@ Triangles are quads whose last corner is repeated. Frame and units as in rig.py 
 """
 
 from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import IntEnum
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 Array = NDArray[np.float64]
 IntArray = NDArray[np.int64]
+
+
+class Layer(IntEnum):
+    """Pictures of fine structure, in the order of `details.py`."""
+
+    SMOOTH = 0
+    CORDURA = 1
+    WEBBING = 2
+    LEATHER = 3
+    WEAVE = 4
+    SKIN = 5
+    HAIR = 6
+    GLOW = 7
 
 
 class QuadMesh:
@@ -30,9 +45,19 @@ class QuadMesh:
         self.occlusion: Array = np.ones(len(self.vertices))
         """Share of open sky seen by each vertex."""
         self.camouflaged = False
-        """Whether the part is textured with the camouflage pattern instead of its colours."""
+        """Whether the part is textured with the cloth's pattern instead of its colours."""
         self.azimuthal = False
-        """Whether the camouflage is laid on from the pole (a dome has no seam then)."""
+        """Whether that is laid on from the pole (a dome has no seam then)."""
+        self.layer = Layer.SMOOTH
+        """Its fine structure."""
+        self.gloss = 0.15
+        """0 dull to 1 polished."""
+        self.is_mapped = False
+        """Whether its texture coordinates are final already."""
+        self.is_open = False
+        """Whether it is seen lit where the head hides it from others: the wearer's own view."""
+        self.is_loose = False
+        """Whether it hangs far off the body, as a robe does: no limb's shape is taken from it."""
 
     def set_colour(self, colour: ArrayLike) -> None:
         """Give every vertex the same linear RGB colour."""
@@ -41,6 +66,7 @@ class QuadMesh:
     def flip(self) -> None:
         """Turn every face inside out."""
         self.faces = self.faces[:, ::-1]
+        self.uvs = self.uvs[:, ::-1]
 
     def normals(self) -> Array:
         """Return unit vertex normals, weighted by face area."""
@@ -52,7 +78,14 @@ class QuadMesh:
         faces = inverse.reshape(-1, 4)
         part = QuadMesh(self.vertices[used], self.weights[used], faces, self.uvs[keep])
         part.colours = self.colours[used]
+        part.look_like(self)
         return part
+
+    def look_like(self, other: "QuadMesh") -> None:
+        """Take over how another mesh's surface looks."""
+        self.layer, self.gloss = other.layer, other.gloss
+        self.camouflaged, self.azimuthal = other.camouflaged, other.azimuthal
+        self.is_mapped, self.is_loose = other.is_mapped, other.is_loose
 
 
 def vertex_normals(vertices: Array, faces: IntArray) -> Array:
@@ -104,6 +137,7 @@ def subdivide(mesh: QuadMesh) -> QuadMesh:
     colour_start = 3 + mesh.weights.shape[1]
     result = QuadMesh(stacked[:, :3], stacked[:, 3:colour_start], new_faces, new_uvs)
     result.colours = stacked[:, colour_start:]
+    result.look_like(mesh)
     return result
 
 
@@ -159,8 +193,18 @@ def _split_quads(mesh: QuadMesh, corner_edges: IntArray, edge_count: int) -> tup
     return np.vstack(new_faces), np.vstack(new_uvs)
 
 
-def join(meshes: Sequence[QuadMesh]) -> tuple[QuadMesh, Array]:
-    """Put meshes into one; returns it with the normals that each part had on its own."""
+@dataclass
+class Joined:
+    """Several meshes as one, with what each of them had on its own. One row a vertex."""
+
+    mesh: QuadMesh
+    normals: Array
+    looks: Array
+    """Layer and gloss."""
+
+
+def join(meshes: Sequence[QuadMesh]) -> Joined:
+    """Put meshes into one."""
     starts = np.cumsum([0] + [len(mesh.vertices) for mesh in meshes])
     joined = QuadMesh(
         np.vstack([mesh.vertices for mesh in meshes]),
@@ -170,4 +214,5 @@ def join(meshes: Sequence[QuadMesh]) -> tuple[QuadMesh, Array]:
     )
     joined.colours = np.vstack([mesh.colours for mesh in meshes])
     joined.occlusion = np.concatenate([mesh.occlusion for mesh in meshes])
-    return joined, np.vstack([mesh.normals() for mesh in meshes])
+    looks = [np.tile([mesh.layer, mesh.gloss], (len(mesh.vertices), 1)) for mesh in meshes]
+    return Joined(joined, np.vstack([mesh.normals() for mesh in meshes]), np.vstack(looks))

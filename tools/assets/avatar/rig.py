@@ -101,6 +101,10 @@ class Rig:
         """Project points onto the lower leg of their side: 0 at the knee, 1 at the ankle."""
         return self.along_sides(points, "LowerLeg", "Foot")
 
+    def along_upper_arm(self, points: Array) -> Array:
+        """Project points onto the upper arm of their side: 0 at the shoulder, 1 at the elbow."""
+        return self.along_sides(points, "UpperArm", "LowerArm")
+
     def along_forearm(self, points: Array) -> Array:
         """Project points onto the forearm of their side: 0 at the elbow, 1 at the wrist."""
         return self.along_sides(points, "LowerArm", "Hand")

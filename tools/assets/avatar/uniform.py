@@ -6,13 +6,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .figure import Figure
-from .quad_mesh import QuadMesh, neighbour_mean, subdivide, unique_edges
+from .quad_mesh import Layer, QuadMesh, neighbour_mean, subdivide, unique_edges
 from .rig import SIDES, Rig
 
 Array = NDArray[np.float64]
 
 _PATTERN = "helper-tights"
 _DRAPE_STEPS = 14
+_TROUSERS_END = {"fatigues": 0.82, "shirt": 0.985, "polo": 0.985}
+"""Where trousers are cut off, 0 at the knee, 1 at the ankle."""
 
 
 @dataclass
@@ -27,14 +29,15 @@ class UniformCut:
     """The tights themselves: what the cloth must not sink into."""
 
 
-def cut_uniform(figure: Figure) -> UniformCut:
-    """Make the pieces; texture coordinates fill the unit square."""
+def cut_uniform(figure: Figure, cut: str) -> UniformCut:
+    """Make the pieces; texture coordinates fill the unit square. For cuts see recipe.CUTS."""
     rig = figure.rig
     pattern = figure.part(_PATTERN)
     low, high = pattern.uvs.reshape(-1, 2).min(0), pattern.uvs.reshape(-1, 2).max(0)
     pattern.uvs = (pattern.uvs - low) / (high - low) * 0.98 + 0.01
     tight_shell = subdivide(pattern)
-    _drape(pattern, rig)
+    if cut != "suit":
+        _drape(pattern, rig)
     loose_shell = subdivide(pattern)
 
     middles = loose_shell.vertices[loose_shell.faces].mean(1)
@@ -44,7 +47,14 @@ def cut_uniform(figure: Figure) -> UniformCut:
     on_arm = _limb_share(rig, weights, ("UpperArm", "LowerArm", "Hand")) > 0.5
     hand = on_arm & (rig.along_forearm(middles) > 1.02)
     collar = (middles[:, 1] > rig.heads["Neck"][1] + 0.055) & ~on_arm
-    uniform = loose_shell.subset(~(on_leg & (shin > 0.82)) & ~hand & ~collar)
+    if cut == "suit":
+        uniform = loose_shell.subset(~hand & ~collar)
+    else:
+        last = _TROUSERS_END[cut]
+        sleeve = on_arm & (rig.along_upper_arm(middles) > 0.62) if cut == "polo" else hand
+        uniform = loose_shell.subset(~(on_leg & (shin > last)) & ~hand & ~sleeve & ~collar)
+    uniform.layer = Layer.WEAVE if cut != "suit" else Layer.SMOOTH
+    uniform.gloss = 0.08 if cut != "suit" else 0.45
     boots = tight_shell.subset(on_leg & (shin > 0.64))
     return UniformCut(uniform, boots, subdivide(figure.part(_PATTERN)))
 

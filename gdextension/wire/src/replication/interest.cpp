@@ -21,7 +21,10 @@ bool Interest::set_cells(const Vec3 &p_origin, float p_size, const std::array<in
 	_origin = p_origin;
 	_size = p_size;
 	_counts = p_counts;
-	_visible.assign(p_visible, p_visible + p_table_size);
+	_visible.resize(p_table_size);
+	for (std::size_t pair = 0; pair < p_table_size; pair++) {
+		_visible[pair] = p_visible[pair] != 0;
+	}
 	return true;
 }
 
@@ -50,7 +53,7 @@ float Interest::weight(const Vec3 &p_from, const Vec3 &p_to) const {
 	const int from = cell(p_from);
 	const int to = cell(p_to);
 	const int count = _counts[0] * _counts[1] * _counts[2];
-	const bool hidden = from >= 0 && to >= 0 && _visible[std::size_t(from) * std::size_t(count) + std::size_t(to)] == 0;
+	const bool hidden = from >= 0 && to >= 0 && !_visible[std::size_t(from) * std::size_t(count) + std::size_t(to)];
 	return hidden ? HIDDEN : weight;
 }
 

@@ -13,7 +13,7 @@ namespace wire {
 class Interest {
 public:
 	/// Most cells: their table takes this squared in bits.
-	static constexpr int MAX_CELLS = 1024;
+	static constexpr int MAX_CELLS = 8192;
 	/// Distance (m) at which half as much is sent of something.
 	static constexpr float HALF_DISTANCE_M = 12.0f;
 	/// What is left of the weight of something that is out of sight, or far away.
@@ -33,7 +33,7 @@ private:
 	Vec3 _origin;
 	float _size = 0.0f;
 	std::array<int, 3> _counts{};
-	std::vector<uint8_t> _visible;
+	std::vector<bool> _visible;
 };
 
 } // namespace wire

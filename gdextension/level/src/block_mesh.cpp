@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+#include "block_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace level {
+
+namespace {
+
+constexpr float PI = 3.14159265358979f;
+constexpr Vec3 UP{ 0.0f, 1.0f, 0.0f };
+
+Vec3 unit(const Vec3 &p_vector) {
+	const float length = p_vector.length();
+	return length > 1e-12f ? p_vector * (1.0f / length) : UP;
+}
+
+bool holds(const std::vector<Opening> &p_holes, float p_x, float p_y) {
+	return std::any_of(p_holes.begin(), p_holes.end(), [&](const Opening &p_hole) {
+		return p_x > p_hole.x && p_x < p_hole.x + p_hole.width && p_y > p_hole.y && p_y < p_hole.y + p_hole.height;
+	});
+}
+
+float smooth_step(float p_low, float p_high, float p_value) {
+	const float t = std::clamp((p_value - p_low) / (p_high - p_low), 0.0f, 1.0f);
+	return t * t * (3.0f - 2.0f * t);
+}
+
+} // namespace
+
+void BlockMesh::set_dust(float p_amount, float p_ground_y) {
+	_dust_amount = p_amount;
+	_ground_y = p_ground_y;
+}
+
+float BlockMesh::edge_of(int p_layer) const {
+	return p_layer >= 0 && std::size_t(p_layer) < _edges.size() ? std::max(_edges[p_layer], 0.01f) : 1.0f;
+}
+
+/// Sand lies on what is flat, and is blown against the feet of walls.
+float BlockMesh::dust_at(const Vec3 &p_point, const Vec3 &p_normal) const {
+	const float height = p_point.y - _ground_y;
+	if (p_normal.y > 0.7f) {
+		return _dust_amount * (height > 0.5f ? 0.4f : 0.3f);
+	}
+	return _dust_amount * 0.75f * (1.0f - smooth_step(0.0f, 0.9f, height)) * (p_normal.y < -0.5f ? 0.0f : 1.0f);
+}
+
+int32_t BlockMesh::add(
+		const Vec3 &p_point, const Vec3 &p_normal, const Vec3 &p_tangent, float p_u, float p_v, const Style &p_style) {
+	_points.push_back(p_point);
+	_normals.push_back(p_normal);
+	_tangents.push_back(p_tangent);
+	_uvs.push_back({ p_u + _uv_shift[0], p_v + _uv_shift[1] });
+	_styles.push_back({ float(p_style.layer), float(p_style.tint) });
+	_dust.push_back(dust_at(p_point, p_normal));
+	return int32_t(_points.size()) - 1;
+}
+
+std::vector<float> BlockMesh::cuts(float p_length, const std::vector<Opening> &p_holes, bool p_across) const {
+	std::vector<float> marks{ 0.0f, p_length };
+	const auto mark = [&](float p_at) {
+		if (p_at > 0.02f && p_at < p_length - 0.02f) {
+			marks.push_back(p_at);
+		}
+	};
+	for (const Opening &hole : p_holes) {
+		const float from = p_across ? hole.x : hole.y;
+		const float to = from + (p_across ? hole.width : hole.height);
+		mark(from);
+		mark(to);
+		// Light changes most beside an opening.
+		mark(from - NEAR_OPENING_M);
+		mark(to + NEAR_OPENING_M);
+	}
+	std::sort(marks.begin(), marks.end());
+	std::vector<float> result{ 0.0f };
+	for (std::size_t index = 1; index < marks.size(); index++) {
+		const float gap = marks[index] - marks[index - 1];
+		if (gap < 0.001f) {
+			continue;
+		}
+		const int parts = std::max(1, int(std::ceil(gap / _finest)));
+		for (int part = 1; part <= parts; part++) {
+			result.push_back(marks[index - 1] + gap * float(part) / float(parts));
+		}
+	}
+	return result;
+}
+
+void BlockMesh::face(const Vec3 &p_corner, const Vec3 &p_right, const Vec3 &p_up, float p_width, float p_height,
+		const Style &p_style, const std::vector<Opening> &p_holes) {
+	if (!(p_width > 0.0f) || !(p_height > 0.0f)) {
+		return;
+	}
+	const std::vector<float> xs = cuts(p_width, p_holes, true);
+	const std::vector<float> ys = cuts(p_height, p_holes, false);
+	if (_points.size() + xs.size() * ys.size() > MAX_VERTICES) {
+		return;
+	}
+	const float edge = edge_of(p_style.layer);
+	const Vec3 right = _place.turn(p_right);
+	const Vec3 up = _place.turn(p_up);
+	const Vec3 normal = right.cross(up);
+	// Vertices that only holes touch are left out.
+	std::vector<int32_t> numbers(xs.size() * ys.size(), -1);
+	const auto number = [&](std::size_t p_column, std::size_t p_row) {
+		int32_t &found = numbers[p_row * xs.size() + p_column];
+		if (found < 0) {
+			const Vec3 point = _place.point(p_corner + p_right * xs[p_column] + p_up * ys[p_row]);
+			found = add(point, normal, right, point.dot(right) / edge, -point.dot(up) / edge, p_style);
+		}
+		return found;
+	};
+	for (std::size_t row = 0; row + 1 < ys.size(); row++) {
+		for (std::size_t column = 0; column + 1 < xs.size(); column++) {
+			if (holds(p_holes, (xs[column] + xs[column + 1]) * 0.5f, (ys[row] + ys[row + 1]) * 0.5f)) {
+				continue;
+			}
+			const int32_t a = number(column, row);
+			const int32_t b = number(column + 1, row);
+			const int32_t c = number(column, row + 1);
+			const int32_t d = number(column + 1, row + 1);
+			// Diagonals in turn, so that light does not smear one way.
+			if ((row + column) % 2 == 0) {
+				_indices.insert(_indices.end(), { a, c, b, b, c, d });
+			} else {
+				_indices.insert(_indices.end(), { a, c, d, a, d, b });
+			}
+		}
+	}
+}
+
+void BlockMesh::quad(const std::array<Vec3, 4> &p_corners, const Style &p_style) {
+	const Vec3 across = p_corners[1] - p_corners[0];
+	const Vec3 along = p_corners[3] - p_corners[0];
+	const Vec3 normal = _place.turn(unit(along.cross(across)));
+	const Vec3 right = _place.turn(unit(across));
+	const Vec3 up = normal.cross(right);
+	const float edge = edge_of(p_style.layer);
+	const int columns = std::max(1, int(std::ceil(across.length() / _finest)));
+	const int rows = std::max(1, int(std::ceil(along.length() / _finest)));
+	const auto first = int32_t(_points.size());
+	for (int row = 0; row <= rows; row++) {
+		const float t = float(row) / float(rows);
+		const Vec3 left = p_corners[0] + (p_corners[3] - p_corners[0]) * t;
+		const Vec3 end = p_corners[1] + (p_corners[2] - p_corners[1]) * t;
+		for (int column = 0; column <= columns; column++) {
+			const Vec3 point = _place.point(left + (end - left) * (float(column) / float(columns)));
+			add(point, normal, right, point.dot(right) / edge, -point.dot(up) / edge, p_style);
+		}
+	}
+	const int32_t width = columns + 1;
+	for (int32_t row = 0; row < rows; row++) {
+		for (int32_t column = 0; column < columns; column++) {
+			const int32_t a = first + row * width + column;
+			_indices.insert(_indices.end(), { a, a + 1, a + width, a + 1, a + width + 1, a + width });
+		}
+	}
+}
+
+void BlockMesh::triangle(const Vec3 &p_a, const Vec3 &p_b, const Vec3 &p_c, const Style &p_style) {
+	const Vec3 normal = _place.turn(unit((p_c - p_a).cross(p_b - p_a)));
+	const Vec3 right = _place.turn(unit(p_b - p_a));
+	const Vec3 up = normal.cross(right);
+	const float edge = edge_of(p_style.layer);
+	for (const Vec3 &corner : { p_a, p_b, p_c }) {
+		const Vec3 point = _place.point(corner);
+		_indices.push_back(add(point, normal, right, point.dot(right) / edge, -point.dot(up) / edge, p_style));
+	}
+}
+
+void BlockMesh::box(const Vec3 &p_from, const Vec3 &p_to, const Style &p_style, uint32_t p_without) {
+	const Vec3 low{ std::min(p_from.x, p_to.x), std::min(p_from.y, p_to.y), std::min(p_from.z, p_to.z) };
+	const Vec3 high{ std::max(p_from.x, p_to.x), std::max(p_from.y, p_to.y), std::max(p_from.z, p_to.z) };
+	const Vec3 size = high - low;
+	constexpr Vec3 X{ 1.0f, 0.0f, 0.0f };
+	constexpr Vec3 Z{ 0.0f, 0.0f, 1.0f };
+	if ((p_without & FACE_FRONT) == 0) {
+		face({ low.x, low.y, high.z }, X, UP, size.x, size.y, p_style);
+	}
+	if ((p_without & FACE_BACK) == 0) {
+		face({ high.x, low.y, low.z }, X * -1.0f, UP, size.x, size.y, p_style);
+	}
+	if ((p_without & FACE_RIGHT) == 0) {
+		face({ high.x, low.y, high.z }, Z * -1.0f, UP, size.z, size.y, p_style);
+	}
+	if ((p_without & FACE_LEFT) == 0) {
+		face({ low.x, low.y, low.z }, Z, UP, size.z, size.y, p_style);
+	}
+	if ((p_without & FACE_TOP) == 0) {
+		face({ low.x, high.y, high.z }, X, Z * -1.0f, size.x, size.z, p_style);
+	}
+	if ((p_without & FACE_BOTTOM) == 0) {
+		face({ low.x, low.y, low.z }, X, Z, size.x, size.z, p_style);
+	}
+}
+
+void BlockMesh::rod(const Vec3 &p_from, const Vec3 &p_to, float p_radius, float p_end_radius, const Style &p_style,
+		int p_sides, bool p_has_ends) {
+	const float length = (p_to - p_from).length();
+	const int sides = std::clamp(p_sides, 3, 64);
+	if (!(length > 1e-6f)) {
+		return;
+	}
+	const Vec3 way = (p_to - p_from) * (1.0f / length);
+	const Vec3 side = unit(way.cross(std::fabs(way.y) < 0.9f ? UP : Vec3{ 1.0f, 0.0f, 0.0f }));
+	const Vec3 other = way.cross(side);
+	const float edge = edge_of(p_style.layer);
+	const int rings = std::max(1, int(std::ceil(length / _finest)));
+	const auto first = int32_t(_points.size());
+	for (int ring = 0; ring <= rings; ring++) {
+		const float t = float(ring) / float(rings);
+		const float radius = p_radius + (p_end_radius - p_radius) * t;
+		for (int number = 0; number <= sides; number++) {
+			const float angle = 2.0f * PI * float(number) / float(sides);
+			const Vec3 out = side * std::cos(angle) + other * std::sin(angle);
+			const Vec3 normal = unit(out + way * ((p_radius - p_end_radius) / length));
+			add(_place.point(p_from + way * (length * t) + out * radius), _place.turn(normal), _place.turn(way),
+					length * t / edge, angle * p_radius / edge, p_style);
+		}
+	}
+	const int32_t width = sides + 1;
+	for (int32_t ring = 0; ring < rings; ring++) {
+		for (int32_t number = 0; number < sides; number++) {
+			const int32_t a = first + ring * width + number;
+			_indices.insert(_indices.end(), { a, a + width, a + 1, a + 1, a + width, a + width + 1 });
+		}
+	}
+	if (p_has_ends) {
+		cap(p_from, way * -1.0f, side, p_radius, p_style, sides);
+		cap(p_to, way, side, p_end_radius, p_style, sides);
+	}
+}
+
+void BlockMesh::cap(const Vec3 &p_middle, const Vec3 &p_way, const Vec3 &p_side, float p_radius, const Style &p_style,
+		int p_sides) {
+	if (!(p_radius > 1e-4f)) {
+		return;
+	}
+	const Vec3 other = p_way.cross(p_side);
+	const Vec3 normal = _place.turn(p_way);
+	const Vec3 tangent = _place.turn(p_side);
+	const float edge = edge_of(p_style.layer);
+	const int32_t middle = add(_place.point(p_middle), normal, tangent, 0.0f, 0.0f, p_style);
+	for (int number = 0; number <= p_sides; number++) {
+		const float angle = 2.0f * PI * float(number) / float(p_sides);
+		const Vec3 out = p_side * std::cos(angle) + other * std::sin(angle);
+		add(_place.point(p_middle + out * p_radius), normal, tangent, std::cos(angle) * p_radius / edge,
+				std::sin(angle) * p_radius / edge, p_style);
+		if (number > 0) {
+			_indices.insert(_indices.end(), { middle, middle + 1 + number, middle + number });
+		}
+	}
+}
+
+void BlockMesh::surface(const std::vector<Vec3> &p_points, const std::vector<Vec3> &p_normals,
+		const std::vector<std::array<float, 2>> &p_uvs, const std::vector<int32_t> &p_indices, const Style &p_style) {
+	const auto first = int32_t(_points.size());
+	const auto count = int32_t(p_points.size());
+	if (p_normals.size() != p_points.size() || p_uvs.size() != p_points.size() || p_indices.size() % 3 != 0 ||
+			_points.size() + p_points.size() > MAX_VERTICES ||
+			std::any_of(p_indices.begin(), p_indices.end(), [&](int32_t i) { return i < 0 || i >= count; })) {
+		return;
+	}
+	const float edge = edge_of(p_style.layer);
+	for (std::size_t index = 0; index < p_points.size(); index++) {
+		const Vec3 normal = unit(_place.turn(p_normals[index]));
+		const Vec3 tangent = unit(normal.cross(std::fabs(normal.y) < 0.9f ? UP : Vec3{ 1.0f, 0.0f, 0.0f }));
+		add(_place.point(p_points[index]), normal, tangent, p_uvs[index][0] / edge, p_uvs[index][1] / edge, p_style);
+	}
+	for (const int32_t index : p_indices) {
+		_indices.push_back(first + index);
+	}
+}
+
+void BlockMesh::solid(const Vec3 &p_from, const Vec3 &p_to) {
+	const Vec3 size{ std::fabs(p_to.x - p_from.x), std::fabs(p_to.y - p_from.y), std::fabs(p_to.z - p_from.z) };
+	Place place = _place;
+	place.origin = _place.point((p_from + p_to) * 0.5f);
+	_solids.push_back({ place, size });
+}
+
+} // namespace level

@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: MIT
+#include "visibility.hpp"
+#include "directions.hpp"
+#include "workers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace level {
+
+namespace {
+
+/// Rays that tell whether a point is inside something.
+constexpr std::array<Vec3, 4> PROBES{ Vec3{ 0.11f, 1.0f, 0.07f }, Vec3{ 1.0f, 0.13f, 0.05f },
+	Vec3{ -0.6f, 0.21f, 0.7f }, Vec3{ -0.3f, 0.17f, -0.9f } };
+
+/// The lowest bit of what a part is for a cell.
+constexpr uint8_t SEEN = 1;
+
+} // namespace
+
+int Visibility::sector_of(const Vec3 &p_way) {
+	const float turn = std::atan2(p_way.z, p_way.x) / 6.2831853f + 0.5f;
+	return std::clamp(int(turn * float(SECTORS)), 0, SECTORS - 1);
+}
+
+/// Numbers that are the same on every machine and whatever thread asks (xorshift).
+class Visibility::Dice {
+public:
+	explicit Dice(uint64_t p_seed) : _state(p_seed * 0x9E3779B97F4A7C15ULL + 0x2545F4914F6CDD1DULL) {}
+	/// From 0 to below 1.
+	float next() {
+		_state ^= _state << 13;
+		_state ^= _state >> 7;
+		_state ^= _state << 17;
+		return float(_state >> 40) * (1.0f / 16777216.0f);
+	}
+
+private:
+	uint64_t _state;
+};
+
+std::array<int, 3> CellGrid::index_of(std::size_t p_cell) const {
+	const auto y = int(p_cell % counts[1]);
+	const auto rest = int(p_cell / counts[1]);
+	return { rest / counts[2], y, rest % counts[2] };
+}
+
+std::size_t CellGrid::number_of(const std::array<int, 3> &p_index) const {
+	return (std::size_t(p_index[0]) * counts[2] + p_index[2]) * counts[1] + p_index[1];
+}
+
+bool CellGrid::has(const std::array<int, 3> &p_index) const {
+	for (int axis = 0; axis < 3; axis++) {
+		if (p_index[axis] < 0 || p_index[axis] >= counts[axis]) {
+			return false;
+		}
+	}
+	return true;
+}
+
+Visibility::Visibility(const RayScene &p_scene, const std::vector<Triangle> &p_triangles,
+		const std::vector<int32_t> &p_part_of, int p_parts, const CellGrid &p_grid) :
+		_scene(p_scene), _triangles(p_triangles), _part_of(p_part_of), _parts(p_parts), _grid(p_grid) {}
+
+void Visibility::gather_surfaces() {
+	std::vector<std::map<std::array<int, 3>, std::vector<uint32_t>>> cubes(_parts);
+	for (std::size_t index = 0; index < _triangles.size(); index++) {
+		const Triangle &triangle = _triangles[index];
+		const int32_t part = _part_of[index];
+		if (part < 0 || part >= _parts || !(triangle.normal().length() > 0.0f)) {
+			continue;
+		}
+		const Vec3 middle = (triangle.a + triangle.b + triangle.c) * (1.0f / (3.0f * cluster_m));
+		const std::array<int, 3> cube{ int(std::floor(middle.x)), int(std::floor(middle.y)),
+			int(std::floor(middle.z)) };
+		cubes[part][cube].push_back(uint32_t(index));
+	}
+	_clusters.clear();
+	_clusters_of.assign(_parts, {});
+	for (int part = 0; part < _parts; part++) {
+		for (auto &cube : cubes[part]) {
+			_clusters_of[part].push_back(_clusters.size());
+			_clusters.push_back({ part, std::move(cube.second) });
+		}
+	}
+}
+
+Vec3 Visibility::point_on(const std::vector<uint32_t> &p_cluster, Dice &r_dice, Vec3 &r_normal) const {
+	const auto number = std::size_t(r_dice.next() * float(p_cluster.size()));
+	const Triangle &triangle = _triangles[p_cluster[std::min(number, p_cluster.size() - 1)]];
+	float u = r_dice.next();
+	float v = r_dice.next();
+	if (u + v > 1.0f) {
+		u = 1.0f - u;
+		v = 1.0f - v;
+	}
+	r_normal = triangle.normal();
+	return triangle.a + (triangle.b - triangle.a) * u + (triangle.c - triangle.a) * v;
+}
+
+bool Visibility::is_inside(const Vec3 &p_point) const {
+	int backs = 0;
+	for (const Vec3 &way : PROBES) {
+		backs += _scene.closest(p_point, way, farthest).is_back ? 1 : 0;
+	}
+	return backs >= 3;
+}
+
+void Visibility::choose_eyes(std::size_t p_first, std::size_t p_last) {
+	for (std::size_t cell = p_first; cell < p_last; cell++) {
+		Dice dice(cell + 1);
+		const std::array<int, 3> index = _small.index_of(cell);
+		const Vec3 corner = _small.origin + Vec3{ float(index[0]), float(index[1]), float(index[2]) } * _small.size;
+		for (int tried = 0; tried < 2 * eyes && int(_eyes[cell].size()) < eyes; tried++) {
+			const Vec3 point = corner + Vec3{ dice.next(), dice.next(), dice.next() } * _small.size;
+			if (!is_inside(point)) {
+				_eyes[cell].push_back(point);
+			}
+		}
+	}
+}
+
+std::size_t Visibility::large_of(std::size_t p_small) const {
+	const std::array<int, 3> index = _small.index_of(p_small);
+	return _grid.number_of({ index[0] / divisions, index[1] / divisions, index[2] / divisions });
+}
+
+void Visibility::gather_points() {
+	_points.assign(_grid.cell_count(), {});
+	for (std::size_t small = 0; small < _small.cell_count(); small++) {
+		std::vector<Vec3> &here = _points[large_of(small)];
+		here.insert(here.end(), _eyes[small].begin(), _eyes[small].end());
+	}
+	for (std::size_t cell = 0; cell < _points.size(); cell++) {
+		_open[cell] = _points[cell].empty() ? 0 : 1;
+	}
+}
+
+/// Notes the cells that a ray crosses.
+void Visibility::note_crossed(std::size_t p_cell, const Vec3 &p_from, const Vec3 &p_to) {
+	const Vec3 way = p_to - p_from;
+	const int steps = int(way.length() / (0.5f * _grid.size)) + 1;
+	std::atomic<uint8_t> *row = &_cell_marks[p_cell * _grid.cell_count()];
+	for (int step = 0; step <= steps; step++) {
+		const Vec3 at = (p_from + way * (float(step) / float(steps)) - _grid.origin) * (1.0f / _grid.size);
+		const std::array<int, 3> index{ int(std::floor(at.x)), int(std::floor(at.y)), int(std::floor(at.z)) };
+		if (!_grid.has(index)) {
+			return;
+		}
+		row[_grid.number_of(index)].store(1, std::memory_order_relaxed);
+	}
+}
+
+/// Notes that a part, or its shadow, is seen from every small cell between two points.
+void Visibility::note_part(int p_part, uint8_t p_mark, const Vec3 &p_from, const Vec3 &p_to) {
+	const Vec3 way = p_to - p_from;
+	const int steps = int(way.length() / (0.4f * _small.size)) + 1;
+	for (int step = 0; step <= steps; step++) {
+		const Vec3 at = (p_from + way * (float(step) / float(steps)) - _small.origin) * (1.0f / _small.size);
+		const std::array<int, 3> index{ int(std::floor(at.x)), int(std::floor(at.y)), int(std::floor(at.z)) };
+		if (_small.has(index)) {
+			std::atomic<uint8_t> &marks = _part_marks[_small.number_of(index) * _parts + p_part];
+			if ((marks.load(std::memory_order_relaxed) & p_mark) == 0) {
+				marks.fetch_or(p_mark, std::memory_order_relaxed);
+			}
+		}
+	}
+}
+
+/// Notes what stands between a point that is seen and the light, from one of the directions: its shadow is
+/// seen from everywhere between the eye and the point.
+void Visibility::note_shadow(const Vec3 &p_eye, const Vec3 &p_point, Dice &r_dice) {
+	if (light_ways.empty()) {
+		return;
+	}
+	// Beside the direction too: the sun goes on between them.
+	const Vec3 beside{ r_dice.next() - 0.5f, r_dice.next() - 0.5f, r_dice.next() - 0.5f };
+	const Vec3 about = light_ways[std::size_t(r_dice.next() * float(light_ways.size()))] + beside * 0.4f;
+	const Vec3 way = about * (1.0f / about.length());
+	// Only faces that look at the light are drawn as what throws shadows.
+	Vec3 from = p_point;
+	float left = farthest_shadow;
+	Hit hit = _scene.closest(from, way, left);
+	for (int step = 0; step < 4 && hit.triangle != Hit::NOTHING && !hit.is_back; step++) {
+		from = from + way * (hit.distance + 0.001f);
+		left -= hit.distance + 0.001f;
+		hit = left > 0.0f ? _scene.closest(from, way, left) : Hit();
+	}
+	if (hit.triangle != Hit::NOTHING && hit.is_back && _part_of[hit.triangle] >= 0) {
+		const Vec3 back = p_eye - p_point;
+		const float share = std::min(1.0f, farthest_shadow_seen / std::max(back.length(), 0.001f));
+		note_part(_part_of[hit.triangle], uint8_t(2 << sector_of(way)), p_point, p_point + back * share);
+	}
+}
+
+/// Looks from the small cells to all sides.
+void Visibility::look(std::size_t p_first, std::size_t p_last) {
+	const std::vector<Vec3> ways = sphere(shower);
+	for (std::size_t cell = p_first; cell < p_last; cell++) {
+		Dice dice(cell + 1'000'003);
+		const std::size_t large = large_of(cell);
+		for (const Vec3 &eye : _eyes[cell]) {
+			const float turn = 6.2831853f * dice.next();
+			const float cosine = std::cos(turn);
+			const float sine = std::sin(turn);
+			for (const Vec3 &each : ways) {
+				// More of them level, as that is where things are.
+				const float y = each.y * std::fabs(each.y);
+				const float flat = std::sqrt((1.0f - y * y) / std::max(1.0f - each.y * each.y, 1e-6f));
+				const Vec3 way{ (each.x * cosine - each.z * sine) * flat, y, (each.x * sine + each.z * cosine) * flat };
+				const Hit hit = _scene.closest(eye, way, farthest);
+				note_crossed(large, eye, eye + way * (hit.triangle != Hit::NOTHING ? hit.distance : farthest));
+				if (hit.triangle == Hit::NOTHING) {
+					continue;
+				}
+				const Vec3 point = eye + way * (hit.distance - 0.02f);
+				if (_part_of[hit.triangle] >= 0) {
+					note_part(_part_of[hit.triangle], SEEN, eye, point);
+				}
+				note_shadow(eye, point, dice);
+			}
+		}
+	}
+}
+
+/// Looks from parts to all sides.
+void Visibility::look_out(std::size_t p_first, std::size_t p_last) {
+	for (std::size_t number = p_first; number < p_last; number++) {
+		Dice dice(number + 3'000'017);
+		const Cluster &cluster = _clusters[number];
+		// Small parts are missed most easily.
+		const int rays = std::max(cluster_rays, part_rays / int(_clusters_of[cluster.part].size()));
+		for (int ray = 0; ray < rays; ray++) {
+			Vec3 normal;
+			const Vec3 point = point_on(cluster.triangles, dice, normal);
+			const float y = 2.0f * dice.next() - 1.0f;
+			// More of them level, as that is where eyes are.
+			const float height = y * std::fabs(y);
+			const float turn = 6.2831853f * dice.next();
+			const float flat = std::sqrt(1.0f - height * height);
+			Vec3 way{ std::cos(turn) * flat, height, std::sin(turn) * flat };
+			if (way.dot(normal) < 0.0f) {
+				way = way * -1.0f;
+			}
+			const Vec3 from = point + way * 0.005f;
+			const Hit hit = _scene.closest(from, way, farthest);
+			const float length = hit.triangle != Hit::NOTHING ? hit.distance : farthest;
+			note_part(cluster.part, SEEN, from, from + way * length);
+		}
+	}
+}
+
+/// Makes up for what the rays have missed: a small cell sees what those see that it has a side in common
+/// with and that it looks into.
+void Visibility::widen(std::size_t p_first, std::size_t p_last) {
+	for (std::size_t cell = p_first; cell < p_last; cell++) {
+		uint8_t *row = &_part_seen[cell * _parts];
+		for (int part = 0; part < _parts; part++) {
+			row[part] = _part_marks[cell * _parts + part];
+		}
+		const std::array<int, 3> index = _small.index_of(cell);
+		for (int side = 0; side < 6; side++) {
+			std::array<int, 3> other = index;
+			other[side / 2] += side % 2 == 0 ? -1 : 1;
+			if (!_small.has(other) || !looks_into(cell, _small.number_of(other))) {
+				continue;
+			}
+			const std::size_t neighbour = _small.number_of(other);
+			for (int part = 0; part < _parts; part++) {
+				row[part] |= _part_marks[neighbour * _parts + part];
+			}
+		}
+	}
+}
+
+bool Visibility::looks_into(std::size_t p_cell, std::size_t p_other) const {
+	for (const Vec3 &eye : _eyes[p_cell]) {
+		for (const Vec3 &target : _eyes[p_other]) {
+			if (!_scene.is_blocked(eye, target)) {
+				return true;
+			}
+		}
+	}
+	return false;
+}
+
+void Visibility::look_at_cells(std::size_t p_first, std::size_t p_last) {
+	const std::size_t count = _grid.cell_count();
+	for (std::size_t from = p_first; from < p_last; from++) {
+		Dice dice(from + 2'000'003);
+		for (std::size_t to = from + 1; to < count; to++) {
+			std::atomic<uint8_t> &seen = _cell_marks[from * count + to];
+			const std::vector<Vec3> &here = _points[from];
+			const std::vector<Vec3> &there = _points[to];
+			for (int tried = 0; tried < cell_tries && seen.load(std::memory_order_relaxed) == 0; tried++) {
+				if (here.empty() || there.empty()) {
+					break;
+				}
+				const Vec3 &eye = here[std::size_t(dice.next() * float(here.size()))];
+				const Vec3 &target = there[std::size_t(dice.next() * float(there.size()))];
+				seen.store(_scene.is_blocked(eye, target) ? 0 : 1, std::memory_order_relaxed);
+			}
+		}
+	}
+}
+
+/// Sums up what was found; sight between cells is mutual.
+void Visibility::finish() {
+	const std::size_t count = _grid.cell_count();
+	_cell_seen.assign(count * count, 0);
+	for (std::size_t from = 0; from < count; from++) {
+		_cell_seen[from * count + from] = 1;
+		for (std::size_t to = from + 1; to < count; to++) {
+			const uint8_t seen = _cell_marks[from * count + to] | _cell_marks[to * count + from];
+			_cell_seen[from * count + to] = seen;
+			_cell_seen[to * count + from] = seen;
+		}
+	}
+}
+
+void Visibility::survey() {
+	const std::size_t count = _grid.cell_count();
+	_small = _grid;
+	_small.size = _grid.size / float(divisions);
+	for (int &along : _small.counts) {
+		along *= divisions;
+	}
+	const std::size_t small_count = _small.cell_count();
+	_part_marks = Marks(small_count * _parts);
+	_part_seen.assign(small_count * _parts, 0);
+	_cell_marks = Marks(count * count);
+	_open.assign(count, 0);
+	_eyes.assign(small_count, {});
+	gather_surfaces();
+	const Workers workers(threads, _progress);
+	const auto share = [&](std::size_t p_count, float p_from, float p_to,
+							   void (Visibility::*p_work)(std::size_t, std::size_t)) {
+		workers.share_out(p_count, p_from, p_to,
+				[&](std::size_t p_first, std::size_t p_last) { (this->*p_work)(p_first, p_last); });
+	};
+	share(small_count, 0.0f, 0.05f, &Visibility::choose_eyes);
+	gather_points();
+	share(small_count, 0.05f, 0.6f, &Visibility::look);
+	share(_clusters.size(), 0.6f, 0.75f, &Visibility::look_out);
+	share(small_count, 0.75f, 0.9f, &Visibility::widen);
+	share(count, 0.9f, 0.98f, &Visibility::look_at_cells);
+	finish();
+	_progress = 1.0f;
+}
+
+} // namespace level

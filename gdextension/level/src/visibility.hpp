@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ray_scene.hpp"
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+namespace level {
+
+/// A grid of cubes. Cells are in the order x, then z, then y from slow to fast, as in snapshots'
+/// interest.
+struct CellGrid {
+	Vec3 origin;
+	/// Edge of a cell, m.
+	float size = 4.0f;
+	/// Cells along x, y and z.
+	std::array<int, 3> counts{ 0, 0, 0 };
+
+	std::size_t cell_count() const { return std::size_t(counts[0]) * counts[1] * counts[2]; }
+	std::array<int, 3> index_of(std::size_t p_cell) const;
+	std::size_t number_of(const std::array<int, 3> &p_index) const;
+	bool has(const std::array<int, 3> &p_index) const;
+};
+
+/// Which parts of a level, and which cells, can be seen from each cell: potentially visible sets
+/// (thesis section 4.2.2).
+///
+/// Rays start at points of cells and at points of parts. What a ray meets is seen from every cell that
+/// it has crossed: so each ray looks for dozens of cells. Sets of parts have smaller cells than sight
+/// between cells: a step to the side shows little that is new.
+class Visibility {
+public:
+	/// Sectors of the horizon from which light comes.
+	static constexpr int SECTORS = 7;
+
+	/// In which sector a direction towards a light lies, 0 to SECTORS - 1: sectors go from -X over -Z to +X
+	/// and back over +Z.
+	static int sector_of(const Vec3 &p_way);
+
+	/// Cells of the sets of parts along the edge of a cell.
+	int divisions = 2;
+	/// Points in each of these small cells from which is looked.
+	int eyes = 8;
+	/// Rays from each of them to all sides.
+	int shower = 160;
+	/// Edge of the cubes into which parts are divided, m; rays from each of these cubes to all sides, and
+	/// from each part at least.
+	float cluster_m = 3.0f;
+	int cluster_rays = 600;
+	int part_rays = 20000;
+	/// Rays to each cell from each.
+	int cell_tries = 4;
+	/// How far from what throws them shadows are looked for, and how far from the eye they are seen, m.
+	float farthest_shadow = 40.0f;
+	float farthest_shadow_seen = 64.0f;
+	/// How far anything is seen, m.
+	float farthest = 250.0f;
+	/// Directions towards the sun and the moon: what stands in their light is needed for its shadow.
+	std::vector<Vec3> light_ways;
+	/// Threads that work.
+	int threads = 2;
+
+	/// p_part_of has the part of each triangle of the scene; -1 for what only hides.
+	Visibility(const RayScene &p_scene, const std::vector<Triangle> &p_triangles, const std::vector<int32_t> &p_part_of,
+			int p_parts, const CellGrid &p_grid);
+	/// Works it out.
+	void survey();
+	/// The small cells: see divisions.
+	const CellGrid &small_cells() const { return _small; }
+	/// A byte for each small cell and part (part fastest): the lowest bit is set if some of the part is seen
+	/// from the cell; the others, one for each sector that the light may come from, if a shadow of it is.
+	const std::vector<uint8_t> &parts() const { return _part_seen; }
+	/// A byte for each pair of cells (from, to): 1 if some of the one is seen from the other.
+	const std::vector<uint8_t> &cells() const { return _cell_seen; }
+	/// A byte for each cell: 1 if there is air in it.
+	const std::vector<uint8_t> &open() const { return _open; }
+	/// Share of the work that is done, 0 to 1; may be read by another thread.
+	float progress() const { return _progress.load(std::memory_order_relaxed); }
+
+private:
+	class Dice;
+	/// Marks that several threads set and none takes away.
+	using Marks = std::vector<std::atomic<uint8_t>>;
+
+	void gather_surfaces();
+	void choose_eyes(std::size_t p_first, std::size_t p_last);
+	void look(std::size_t p_first, std::size_t p_last);
+	void look_out(std::size_t p_first, std::size_t p_last);
+	void look_at_cells(std::size_t p_first, std::size_t p_last);
+	void note_crossed(std::size_t p_cell, const Vec3 &p_from, const Vec3 &p_to);
+	void note_part(int p_part, uint8_t p_mark, const Vec3 &p_from, const Vec3 &p_to);
+	void note_shadow(const Vec3 &p_eye, const Vec3 &p_point, Dice &r_dice);
+	void gather_points();
+	void widen(std::size_t p_first, std::size_t p_last);
+	bool looks_into(std::size_t p_cell, std::size_t p_other) const;
+	std::size_t large_of(std::size_t p_small) const;
+	void finish();
+	Vec3 point_on(const std::vector<uint32_t> &p_cluster, Dice &r_dice, Vec3 &r_normal) const;
+	bool is_inside(const Vec3 &p_point) const;
+
+	const RayScene &_scene;
+	const std::vector<Triangle> &_triangles;
+	const std::vector<int32_t> &_part_of;
+	int _parts;
+	CellGrid _grid;
+	CellGrid _small;
+	/// Triangles of a cube of a part: a palm above a wall is a small share of its part.
+	struct Cluster {
+		int part = 0;
+		std::vector<uint32_t> triangles;
+	};
+	std::vector<Cluster> _clusters;
+	/// Numbers of the clusters of each part.
+	std::vector<std::vector<std::size_t>> _clusters_of;
+	/// Points in the air of each small cell.
+	std::vector<std::vector<Vec3>> _eyes;
+	/// The same of each cell.
+	std::vector<std::vector<Vec3>> _points;
+	Marks _part_marks;
+	Marks _cell_marks;
+	std::vector<uint8_t> _part_seen;
+	std::vector<uint8_t> _cell_seen;
+	std::vector<uint8_t> _open;
+	std::atomic<float> _progress{ 0.0f };
+};
+
+} // namespace level

@@ -1,0 +1,1 @@
+"""Surfaces of all worlds, made from noise."""

@@ -1,0 +1,7 @@
+# SPDX-License-Identifier: MIT
+"""Follows docs/tutorial.md in the real editor, by keyboard and mouse, and takes its pictures.
+
+    python -m tutorial [FOLDER]     (with the test tools' Python and PYTHONPATH=tools)
+
+`tests/system/test_level_kit.py` follows the same steps.
+"""
