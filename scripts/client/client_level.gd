@@ -87,6 +87,8 @@ func _load(p_reference: LevelReference) -> bool:
 			missing.emit("world '%s' is not here: %s" % [p_reference.name, folder.error])
 	if fresh == null:
 		return false
+	for sky: Sky in UntilDrawn.skies_of(fresh):
+		UntilDrawn.keep(sky)
 	if level != null:
 		# At once: a server may send many levels between two frames.
 		level.free()

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 from toolchain.display import virtual_display
-from toolchain.paths import CLIENT_BINARY, CLIPS, SERVER_BINARY
+from toolchain.paths import CLIENT_BINARY, CLIPS, ROOT, SERVER_BINARY
 from toolchain.processes import free_port
 
 SOFTWARE = ["--rendering-method", "gl_compatibility", "--audio-driver", "Dummy"]
@@ -184,3 +184,19 @@ def world(tmp_path: Path) -> Iterator[World]:
 def display() -> Iterator[dict[str, str]]:
     with virtual_display() as environment:
         yield environment
+
+
+def run_in_window(display: dict[str, str], script: str) -> str:
+    """What a script of this folder prints that the engine runs in a small window."""
+    command = [os.environ["DISMOUNT_GODOT"], "--path", str(ROOT), *SOFTWARE]
+    done = subprocess.run(
+        [*command, "--resolution", "320x180", "-s", f"res://tests/system/{script}"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        check=False,
+        timeout=WINDOW_LIMIT_S,
+        env={**os.environ, **display},
+    )
+    assert done.returncode == 0, done.stdout
+    return done.stdout

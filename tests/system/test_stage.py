@@ -4,13 +4,10 @@
 from __future__ import annotations
 
 import json
-import os
-import subprocess
 
 import pytest
-from toolchain.paths import ROOT
 
-from .conftest import SOFTWARE, WINDOW_LIMIT_S
+from .conftest import run_in_window
 
 MIN_PERSON = 300
 """Pixels of the screen that a person changes at least, of 356 x 200."""
@@ -19,18 +16,9 @@ MIN_PERSON = 300
 @pytest.fixture(scope="module")
 def seen(request: pytest.FixtureRequest) -> dict[str, int]:
     """What stage_screen.gd finds in a window."""
-    display = request.getfixturevalue("display")
-    command = [os.environ["DISMOUNT_GODOT"], "--path", str(ROOT), *SOFTWARE]
-    done = subprocess.run(
-        [*command, "--resolution", "320x180", "-s", "res://tests/system/stage_screen.gd"],
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=WINDOW_LIMIT_S,
-        env={**os.environ, **display},
-    )
-    lines = [line for line in done.stdout.splitlines() if line.startswith("{")]
-    assert lines, done.stdout + done.stderr
+    said = run_in_window(request.getfixturevalue("display"), "stage_screen.gd")
+    lines = [line for line in said.splitlines() if line.startswith("{")]
+    assert lines, said
     found: dict[str, int] = json.loads(lines[0])
     return found
 

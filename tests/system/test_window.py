@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Looks at the pixels of a window: texts that grow with it, a name over a person."""
+"""Looks at a window: texts that grow with it, a name over a person, what is left at its end."""
 
 from __future__ import annotations
 
-from .conftest import World
+from .conftest import World, run_in_window
 from .test_views import Pixel, read_png
 
 
@@ -45,3 +45,10 @@ def test_texts_grow_with_the_window_and_people_have_names(
     # The name: white above the middle, where there is no other text.
     middle = [row[700:1220] for row in large[130:540]]
     assert sum(is_name(pixel) for row in middle for pixel in row) > 40
+
+
+def test_levels_that_are_given_up_undrawn_leave_nothing(display: dict[str, str]) -> None:
+    said = run_in_window(display, "levels_given_up.gd")
+    assert "gave up all" in said
+    assert "ERROR" not in said
+    assert "leaked" not in said

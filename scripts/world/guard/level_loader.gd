@@ -63,6 +63,8 @@ class Job:
 
 	## The program's own scene, once the engine has loaded it.
 	var scene: PackedScene = null
+	## The skies that came with it.
+	var skies: Array[Sky] = []
 
 	## Reads the level, in a thread. It waits for nothing that the main thread has to do, so that
 	## the main thread may wait for it.
@@ -77,6 +79,7 @@ class Job:
 			level = folder.build()
 			fault = folder.error
 		if level != null:
+			skies = UntilDrawn.skies_of(level)
 			_read_ahead()
 			level.prepare()
 			assembly = LevelAssembly.take_apart(level)
@@ -248,6 +251,7 @@ func _look_at_job() -> void:
 			_start_thread()
 	elif not _thread.is_alive():
 		_thread.wait_to_finish()
+		UntilDrawn.keep(_job)
 		level = _job.level
 		fault = _job.fault
 		state = State.READ if level != null else State.FAILED
@@ -285,13 +289,14 @@ func _collect_abandoned() -> void:
 	var loading: ResourceLoader.ThreadLoadStatus = ResourceLoader.THREAD_LOAD_IN_PROGRESS
 	for index: int in range(_unclaimed.size() - 1, -1, -1):
 		if ResourceLoader.load_threaded_get_status(_unclaimed[index]) != loading:
-			ResourceLoader.load_threaded_get(_unclaimed[index])
+			UntilDrawn.keep(ResourceLoader.load_threaded_get(_unclaimed[index]))
 			_unclaimed.remove_at(index)
 
 
 static func _finish(p_pair: Array) -> void:
 	(p_pair[1] as Thread).wait_to_finish()
 	var job: Job = p_pair[0]
+	UntilDrawn.keep(job)
 	if job.level != null:
 		job.assembly.free_rest()
 		job.level.free()
