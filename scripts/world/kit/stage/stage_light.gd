@@ -12,6 +12,8 @@ extends KitBlock
 const _SHADER: String = "res://assets/shaders/beam.gdshader"
 const _SIDES: int = 24
 const _LENS_M: float = 0.1
+# How far before the origin its tube ends.
+const _TUBE_M: float = 0.2
 
 ## Colour of its light.
 @export var colour: Color = Color(1.0, 0.95, 0.86):
@@ -95,7 +97,7 @@ func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	var paint: int = Steelwork.PAINT
 	var black: int = SurfaceTints.Tint.BLACK
 	var iron: int = SurfaceTints.Tint.IRON
-	p_mesh.rod(Vector3(0, 0, 0.16), Vector3(0, 0, -0.2), 0.1, 0.12, paint, black, 14)
+	p_mesh.rod(Vector3(0, 0, 0.16), Vector3(0, 0, -_TUBE_M), 0.1, 0.12, paint, black, 14)
 	p_mesh.rod(Vector3(0, 0, 0.26), Vector3(0, 0, 0.16), 0.06, 0.1, paint, black, 14)
 	for ring: float in [-0.02, 0.06, 0.14]:
 		p_mesh.rod(Vector3(0, 0, ring), Vector3(0, 0, ring - 0.02), 0.125, 0.125, paint, iron, 14)
@@ -123,7 +125,7 @@ func rebuild() -> void:
 	shown.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
 	_head.add_child(shown)
 	if is_lighting:
-		_light = _make_light()
+		_light = make_light()
 		_head.add_child(_light)
 	set_process(swing > 0.0)
 	follow_quality()
@@ -151,6 +153,21 @@ func get_strength_now() -> float:
 	return strength * lerpf(by_day, 1.0, _lamps)
 
 
+## What lights, before the end of the tube: from within it, Compatibility shows the tube's own shadow
+## on all that is lit.
+func make_light() -> SpotLight3D:
+	var light: SpotLight3D = SpotLight3D.new()
+	light.position = Vector3.FORWARD * (_TUBE_M + 0.01)
+	light.spot_range = reach
+	light.spot_angle = angle
+	light.spot_angle_attenuation = 0.6
+	# Its lens keeps the light together.
+	light.spot_attenuation = 0.0
+	light.shadow_bias = 0.04
+	light.shadow_blur = 1.5
+	return light
+
+
 ## A cone that opens by an angle (rad) to a length (m) along -Z, and a lens at its beginning. UV.y
 ## is the share of the length, below 0 for the lens.
 static func make_beam(p_angle: float, p_length: float) -> ArrayMesh:
@@ -164,7 +181,7 @@ static func make_beam(p_angle: float, p_length: float) -> ArrayMesh:
 		var normal: Vector3 = (out * cos(p_angle) + Vector3.BACK * sin(p_angle)).normalized()
 		for end: int in 2:
 			points.append(
-				out * lerpf(_LENS_M, wide, end) + Vector3.FORWARD * (0.2 + p_length * end)
+				out * lerpf(_LENS_M, wide, end) + Vector3.FORWARD * (_TUBE_M + p_length * end)
 			)
 			normals.append(normal)
 			uvs.append(Vector2(float(side) / _SIDES, end))
@@ -174,7 +191,7 @@ static func make_beam(p_angle: float, p_length: float) -> ArrayMesh:
 	var first: int = points.size()
 	for side: int in _SIDES:
 		var out: Vector3 = Vector3.RIGHT.rotated(Vector3.FORWARD, TAU * side / _SIDES)
-		points.append(out * _LENS_M + Vector3.FORWARD * 0.205)
+		points.append(out * _LENS_M + Vector3.FORWARD * (_TUBE_M + 0.005))
 		normals.append(Vector3.FORWARD)
 		uvs.append(Vector2(0.0, -1.0))
 		if side > 1:
@@ -188,18 +205,6 @@ static func make_beam(p_angle: float, p_length: float) -> ArrayMesh:
 	var mesh: ArrayMesh = ArrayMesh.new()
 	mesh.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES, arrays)
 	return mesh
-
-
-func _make_light() -> SpotLight3D:
-	var light: SpotLight3D = SpotLight3D.new()
-	light.spot_range = reach
-	light.spot_angle = angle
-	light.spot_angle_attenuation = 0.6
-	# Its lens keeps the light together.
-	light.spot_attenuation = 0.0
-	light.shadow_bias = 0.04
-	light.shadow_blur = 1.5
-	return light
 
 
 func _apply() -> void:

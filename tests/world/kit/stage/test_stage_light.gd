@@ -29,3 +29,16 @@ func test_the_beam_opens_by_its_angle() -> void:
 	almost_equal(box.position.z, -10.2, 0.01)
 	almost_equal(box.size.x, 2.0 * 10.1, 0.2)
 	is_true(box.end.z < -0.1, "it begins behind its lens: %s" % box)
+
+
+func test_its_tube_throws_no_shadow_on_what_it_lights() -> void:
+	var light: StageLight = StageLight.new()
+	var mesh: BlockMesh = BlockMesh.new()
+	light.build(mesh, &"")
+	var lamp: SpotLight3D = light.make_light()
+	var front: float = INF
+	for point: Vector3 in mesh.get_points():
+		front = minf(front, point.z)
+	is_true(lamp.position.z < front, "the tube ends at %s, behind %s" % [front, lamp.position.z])
+	lamp.free()
+	light.free()
