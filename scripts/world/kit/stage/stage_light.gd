@@ -153,8 +153,8 @@ func get_strength_now() -> float:
 	return strength * lerpf(by_day, 1.0, _lamps)
 
 
-## What lights, before the end of the tube: from within it, Compatibility shows the tube's own shadow
-## on all that is lit.
+## What lights, before the end of the tube: in Compatibility the tube would throw its own shadow on
+## all that is lit.
 func make_light() -> SpotLight3D:
 	var light: SpotLight3D = SpotLight3D.new()
 	light.position = Vector3.FORWARD * (_TUBE_M + 0.01)
