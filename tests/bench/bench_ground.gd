@@ -1,12 +1,12 @@
 extends SceneTree
 ## What carries people, and what becomes of them when they are pushed or the ground is not level.
 ##
-## Options: --scene=stand|clip|push|ball|blocked|slopes|stairs|crates|wall|doors|platforms (again
-## for more; default all), --root=grounded|soft|inertial|held|lowest_foot|contacts|pendulum|
+## Options: --scene=stand|clip|push|ball|blocked|slopes|stairs|crates|wall|doors|platforms|
+## town (again for more; default all), --root=grounded|soft|inertial|held|lowest_foot|contacts|pendulum|
 ## self_righting (default grounded), --bvh=FILE (of the scenes clip and blocked, again for more;
 ## default the clips in assets/motion), --obstacle=wall|corner|table|door (of blocked, again for
 ## more; default all), --hz=60, --set=PROPERTY=NUMBER (of Ragdoll, again for more), --trace (prints
-## pushes and the deepest limbs as they go).
+## pushes and the deepest limbs as they go), --world=NAME (of the scene town).
 
 const _ROOTS: Dictionary[String, RagdollMotor.RootMode] = {
 	"grounded": RagdollMotor.ROOT_GROUNDED,
@@ -29,7 +29,8 @@ const _SCENES: Array[String] = [
 	"crates",
 	"wall",
 	"doors",
-	"platforms"
+	"platforms",
+	"town"
 ]
 ## Of long clips so much is played, s; shorter ones tell nothing.
 const _MAX_S: float = 60.0
@@ -52,7 +53,8 @@ func _initialize() -> void:
 			"hz": 60,
 			"set": "",
 			"trace": false,
-			"obstacle": ""
+			"obstacle": "",
+			"world": "town"
 		}
 	)
 	_run.call_deferred()
@@ -85,6 +87,8 @@ func _run() -> void:
 				await _ball()
 			"blocked":
 				await _blocked()
+			"town":
+				await _town()
 			_:
 				await walks.call(name)
 	quit(_report.finish())
@@ -176,6 +180,13 @@ func _blocked() -> void:
 			blocked.tell(_report, "%s, %s" % [kind, file.get_file()])
 			world.queue_free()
 			side += 1
+
+
+func _town() -> void:
+	var town: GroundTown = GroundTown.new(
+		self, _report, _arguments.value("hz"), _ROOTS[_arguments.value("root")], _soldier()
+	)
+	await town.run(_arguments.value("world"), _arguments.value("trace"))
 
 
 ## Somebody who plays a motion file, or null, which is noted.

@@ -34,6 +34,14 @@ static func lamp_place(p_plan: HousePlan, p_storey: int) -> Vector3:
 	return Vector3((left + right) / 2.0, y, -p_plan.depth * 0.32)
 
 
+## Where the middle of the inner doorway is, in the house's frame, m; 0 where there is one room only.
+static func doorway_middle(p_plan: HousePlan) -> float:
+	var living: Rect2 = living_rect(p_plan)
+	if living.size.y < 6.0 or living.size.x < 2.6:
+		return 0.0
+	return living.end.x - 0.3 - DOORWAY.x / 2.0
+
+
 ## Adds all rooms.
 func build() -> void:
 	_mesh.set_finest(0.7)
@@ -44,17 +52,18 @@ func build() -> void:
 		if _plan.has_stairs():
 			_add_stairs(storey)
 			_add_railing(storey)
-		HouseFurniture.new(_mesh, _plan, _living_rect(), storey).build()
+		HouseFurniture.new(_mesh, _plan, living_rect(_plan), storey).build()
 		_add_inner_wall(storey)
 	_mesh.set_finest(1.25)
 
 
-## The part of a storey where people live: left of the stairs.
-func _living_rect() -> Rect2:
-	if not _plan.has_stairs():
-		return _inner
-	var right: float = _plan.stairs_rect().position.x - THIN_M
-	return Rect2(_inner.position, Vector2(right - _inner.position.x, _inner.size.y))
+## The part of a storey where people live, seen from above: left of the stairs.
+static func living_rect(p_plan: HousePlan) -> Rect2:
+	var wall: float = HousePlan.WALL_M
+	var right: float = p_plan.width - wall
+	if p_plan.has_stairs():
+		right = p_plan.stairs_rect().position.x - THIN_M
+	return Rect2(wall, wall, right - wall, p_plan.depth - 2.0 * wall)
 
 
 func _add_floor(p_storey: int) -> void:
@@ -172,8 +181,8 @@ func _add_railing(p_storey: int) -> void:
 
 
 func _add_inner_wall(p_storey: int) -> void:
-	var living: Rect2 = _living_rect()
-	if living.size.y < 6.0 or living.size.x < 2.6:
+	var living: Rect2 = living_rect(_plan)
+	if doorway_middle(_plan) <= 0.0:
 		return
 	var z: float = -(living.position.y + living.size.y * 0.55)
 	var low: float = p_storey * HousePlan.STOREY_M
