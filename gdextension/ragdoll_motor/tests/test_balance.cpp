@@ -83,6 +83,21 @@ private:
 	float _top;
 };
 
+/// A tread ahead of a place along Z, level ground before it.
+class Tread : public ragdoll::FlatGround {
+public:
+	Tread(float p_from, float p_height) : _from(p_from), _height(p_height) {}
+	ragdoll::Footing find(const Vec3 &p_at, float /*p_above*/) const override {
+		ragdoll::Footing found;
+		found.height = p_at.z > _from ? _height : 0.0f;
+		return found;
+	}
+
+private:
+	float _from;
+	float _height;
+};
+
 /// A balance with its body and what it makes of the poses.
 struct Stand {
 	Rig rig{ limbs() };
@@ -179,6 +194,31 @@ TEST(a_foot_stands_on_the_ground_under_it) {
 	}
 	CHECK_NEAR(stand.sole(4), 0.15f, 0.01f);
 	CHECK_NEAR(stand.sole(7), 0.15f, 0.01f);
+}
+
+TEST(a_foot_whose_ball_is_over_a_step_stands_on_it) {
+	// Ankles are at z = 0, balls 0.15 m ahead: the whole foot comes onto the tread, or it would be in it.
+	for (const float from : { 0.1f, 0.2f }) {
+		Stand stand;
+		const Tread tread(from, 0.17f);
+		stand.under = &tread;
+		const RigState state = state_of(stand.rig, standing());
+		for (int i = 0; i < 120; i++) {
+			stand.step(state);
+		}
+		CHECK_NEAR(stand.sole(4), from < 0.15f ? 0.17f : 0.0f, 0.01f);
+	}
+}
+
+TEST(on_a_slope_a_foot_stands_under_its_ankle) {
+	Stand stand;
+	const Tread low(0.1f, 0.05f);
+	stand.under = &low;
+	const RigState state = state_of(stand.rig, standing());
+	for (int i = 0; i < 60; i++) {
+		stand.step(state);
+	}
+	CHECK_NEAR(stand.sole(4), 0.0f, 0.01f);
 }
 
 TEST(what_is_loose_and_high_is_kicked_aside) {

@@ -13,6 +13,8 @@ namespace {
 constexpr float SAME_POSITION = 0.015f; // Ground under a point that has moved less (m) is looked at no more.
 constexpr float LOOK_AGAIN_S = 0.1f; // And for so long.
 constexpr float AHEAD_S = 0.12f; // The ground is looked for where a foot will be.
+constexpr float BALL_SHARE = 0.8f; // Points of a foot that are so far from the ankle, of the furthest, are its ball.
+constexpr float STEEPEST = 0.7f; // Ground that rises more from ankle to ball is a step, less is a slope.
 constexpr float SETTLE_FROM_S = 0.3f; // Who has stood for so long stands ...
 constexpr float SETTLE_S = 0.4f; // ... more and more within this time.
 constexpr float MIN_GRAVITY = 0.1f; // For the capture point, m/s^2: without gravity there is none.
@@ -30,17 +32,36 @@ Balance::Balance(const Rig &p_rig, const std::vector<ContactPoint> &p_contacts) 
 	for (const Leg &leg : find_legs(p_rig, p_contacts)) {
 		Foot foot;
 		foot.limbs = leg;
+		foot.ball = find_ball(leg.foot);
 		_feet.push_back(foot);
 	}
 	_joints_now.resize(p_rig.size());
 	_joints_next.resize(p_rig.size());
 }
 
+Vec3 Balance::find_ball(int p_foot) const {
+	float reach = 0.0f;
+	for (const ContactPoint &contact : _contacts) {
+		reach = contact.limb == p_foot ? std::max(reach, contact.local.length()) : reach;
+	}
+	Vec3 sum;
+	float count = 0.0f;
+	for (const ContactPoint &contact : _contacts) {
+		if (contact.limb == p_foot && contact.local.length() > BALL_SHARE * reach) {
+			sum = sum + contact.local;
+			count += 1.0f;
+		}
+	}
+	return count > 0.0f ? sum * (1.0f / count) : sum;
+}
+
 void Balance::clear() {
 	for (Foot &foot : _feet) {
 		const Leg limbs = foot.limbs;
+		const Vec3 ball = foot.ball;
 		foot = Foot();
 		foot.limbs = limbs;
+		foot.ball = ball;
 	}
 	_recovery.clear();
 	_force = {};
@@ -218,6 +239,7 @@ void Balance::follow_ground(const BalanceInput &p_input, const Pose &p_now, Foot
 	}
 	const std::size_t limb = std::size_t(r_foot.limbs.foot);
 	Vec3 at = _joints_now[limb] + _offset + r_foot.offset + level(find_velocity(p_input, limb)) * AHEAD_S;
+	const Vec3 ball = level(p_now.orientations[limb].rotate(r_foot.ball));
 	// Wherever the motion is: the ground is under the body.
 	at.y = std::clamp(at.y, r_foot.shown.y - Ground::STEP, r_foot.shown.y + Ground::STEP);
 	r_foot.age_s += p_input.delta_s;
@@ -226,6 +248,12 @@ void Balance::follow_ground(const BalanceInput &p_input, const Pose &p_now, Foot
 		r_foot.looked = at;
 		r_foot.age_s = 0.0f;
 		r_foot.ground = p_input.ground->find(at, Ground::STEP);
+		// On stairs the ball of a foot comes onto the next tread, the heel stays behind it.
+		const Footing ahead = p_input.ground->find(at + ball, Ground::STEP);
+		if (!ahead.is_loose && ahead.height - r_foot.ground.height > STEEPEST * ball.length() &&
+				ahead.height - sole_height(p_now, r_foot) < _offset.y + Ground::STEP) {
+			r_foot.ground = ahead;
+		}
 	}
 	if (!std::isfinite(r_foot.ground.height)) {
 		return;
@@ -236,7 +264,11 @@ void Balance::follow_ground(const BalanceInput &p_input, const Pose &p_now, Foot
 	}
 	const float wanted = r_foot.is_up() ? std::max(_offset.y, needed) : needed;
 	const float limited = std::clamp(wanted, _offset.y - Ground::STEP, _offset.y + Ground::STEP);
-	r_foot.height = towards(r_foot.height, limited, settings.rise_speed * p_input.delta_s);
+	// A foot in the air hurries onto a step, or it would strike it.
+	const bool climbs = r_foot.is_up() && !r_foot.ground.is_loose;
+	const float higher = climbs ? std::max(limited - std::max(r_foot.height, _offset.y), 0.0f) : 0.0f;
+	const float speed = settings.rise_speed + settings.rise_faster * higher;
+	r_foot.height = towards(r_foot.height, limited, speed * p_input.delta_s);
 }
 
 void Balance::push(const Rig &p_rig, const BalanceInput &p_input) {

@@ -54,8 +54,10 @@ struct BalanceSettings {
 	float swing_speed = 0.6f;
 	/// How fast a foot in the air is put elsewhere than the motion has it, m/s.
 	float foot_speed = 1.5f;
-	/// How fast feet follow the ground's height, m/s.
+	/// How fast feet follow the ground's height, m/s, and how much faster those in the air for each metre that
+	/// what does not move is higher, 1/s: without it, who walks up stairs strikes the treads.
 	float rise_speed = 2.0f;
+	float rise_faster = 10.0f;
 	/// Loose things that are higher than this over where the body stands are kicked aside instead of stepped
 	/// onto, m: with 0.25 people climb heaps of crates to 0.56 m, with less they are stuck before more of them.
 	float loose_step = 0.12f;
@@ -146,6 +148,7 @@ public:
 private:
 	struct Foot {
 		Leg limbs;
+		Vec3 ball; // From the ankle, in the foot's frame, m.
 		Vec3 wanted; // Where the motion has the ankle, m.
 		Vec3 shown; // Where the body has it, m.
 		Vec3 offset; // How far it is put from where the motion has it at the body's place, horizontal, m.
@@ -179,6 +182,8 @@ private:
 		}
 	};
 
+	/// Where the ball of a foot is from its ankle, in the foot's frame, m.
+	Vec3 find_ball(int p_foot) const;
 	void carry(const Quat &p_turn);
 	void find_error(const Rig &p_rig, const BalanceInput &p_input, const Pose &p_now, const Pose &p_next);
 	void move_offset(const BalanceInput &p_input);
