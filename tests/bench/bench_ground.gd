@@ -2,11 +2,13 @@ extends SceneTree
 ## What carries people, and what becomes of them when they are pushed or the ground is not level.
 ##
 ## Options: --scene=stand|clip|push|ball|blocked|slopes|stairs|crates|wall|doors|platforms|
-## town (again for more; default all), --root=grounded|soft|inertial|held|lowest_foot|contacts|pendulum|
-## self_righting (default grounded), --bvh=FILE (of the scenes clip and blocked, again for more;
-## default the clips in assets/motion), --obstacle=wall|corner|table|door (of blocked, again for
+## town (again for more; default all),
+## --root=grounded|soft|inertial|held|lowest_foot|contacts|pendulum|self_righting (default grounded),
+## --bvh=FILE (of the scenes clip and blocked, again for more; default the clips in assets/motion),
+## --obstacle=wall|corner|table|door (of blocked, again for
 ## more; default all), --hz=60, --set=PROPERTY=NUMBER (of Ragdoll, again for more), --trace (prints
-## pushes and the deepest limbs as they go), --world=NAME (of the scene town).
+## pushes and the deepest limbs as they go), --world=NAME, --way=KIND (of the scene
+## town; KIND again for more; default all).
 
 const _ROOTS: Dictionary[String, RagdollMotor.RootMode] = {
 	"grounded": RagdollMotor.ROOT_GROUNDED,
@@ -54,7 +56,8 @@ func _initialize() -> void:
 			"set": "",
 			"trace": false,
 			"obstacle": "",
-			"world": "town"
+			"world": "town",
+			"way": ""
 		}
 	)
 	_run.call_deferred()
@@ -100,6 +103,9 @@ func _find_fault() -> String:
 	for name: String in _arguments.list("scene"):
 		if not name in _SCENES:
 			return "--scene is one of %s; found '%s'" % [", ".join(_SCENES), name]
+	for name: String in _arguments.list("way"):
+		if not name in TownWays.KINDS:
+			return "--way is one of %s; found '%s'" % [", ".join(TownWays.KINDS), name]
 	if not _ROOTS.has(_arguments.value("root")):
 		return "--root is one of %s" % ", ".join(_ROOTS.keys())
 	for name: String in _arguments.list("obstacle"):
@@ -186,7 +192,10 @@ func _town() -> void:
 	var town: GroundTown = GroundTown.new(
 		self, _report, _arguments.value("hz"), _ROOTS[_arguments.value("root")], _soldier()
 	)
-	await town.run(_arguments.value("world"), _arguments.value("trace"))
+	var kinds: PackedStringArray = _arguments.list("way")
+	for kind: String in TownWays.KINDS:
+		if kinds.is_empty() or kinds.has(kind):
+			await town.run(_arguments.value("world"), kind, _arguments.value("trace"))
 
 
 ## Somebody who plays a motion file, or null, which is noted.

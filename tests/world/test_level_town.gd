@@ -50,3 +50,29 @@ func test_people_start_on_the_ground_with_room_around() -> void:
 		almost_equal((space.intersect_ray(ray)["position"] as Vector3).y, at.y, 0.05, point.name)
 		query.transform.origin = at + Vector3.UP * 1.15
 		equal(space.intersect_shape(query).size(), 0, point.name)
+
+
+func test_no_wall_stands_in_a_house() -> void:
+	var outlines: Dictionary[String, Rect2] = {}
+	for node: Node in _level.find_children("*", "StaticBody3D", true, false):
+		if node is House:
+			var size: Vector2 = (node as House).size
+			outlines[node.name] = _seen_from_above(
+				node as House, AABB(Vector3(0.0, 0.0, -size.y), Vector3(size.x, 1.0, size.y))
+			)
+	for node: Node in _level.find_children("*", "StaticBody3D", true, false):
+		if node is not Wall:
+			continue
+		for child: Node in node.get_children(true):
+			var shape: CollisionShape3D = child as CollisionShape3D
+			if shape == null:
+				continue
+			var extent: Vector3 = (shape.shape as BoxShape3D).size
+			var wall: Rect2 = _seen_from_above(shape, AABB(extent * -0.5, extent))
+			for house: String in outlines:
+				is_false(wall.intersects(outlines[house].grow(-0.1)), "%s: %s" % [node.name, house])
+
+
+func _seen_from_above(p_node: Node3D, p_box: AABB) -> Rect2:
+	var box: AABB = p_node.global_transform * p_box
+	return Rect2(box.position.x, box.position.z, box.size.x, box.size.z)

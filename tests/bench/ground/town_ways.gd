@@ -6,7 +6,7 @@ extends RefCounted
 ## What the ways are called, in the order in which they are walked. The people of one kind are there
 ## at once; their ways do not meet.
 const KINDS: Array[String] = [
-	"front door", "back door", "flight of stairs", "landing above", "landing below", "rooms"
+	"front_door", "back_door", "stairs", "landing_above", "landing_below", "rooms"
 ]
 ## So far out of a door and so far into a room people walk, m.
 const OUT_M: float = 1.6
@@ -55,11 +55,11 @@ static func of_house(p_house: House) -> Array[Way]:
 	var front: float = _door_middle(plan, HousePlan.Facade.FRONT)
 	var outside: Vector3 = Vector3(front, 0.0, OUT_M)
 	var inside: Vector3 = Vector3(front, ground, -HousePlan.WALL_M - IN_M)
-	ways.append(_way(p_house, "front door", "", outside, inside))
+	ways.append(_way(p_house, "front_door", "", outside, inside))
 	var back: float = plan.width - _door_middle(plan, HousePlan.Facade.BACK)
 	inside = Vector3(back, ground, HousePlan.WALL_M + IN_M - plan.depth)
 	outside = Vector3(back, 0.0, -plan.depth - OUT_M)
-	ways.append(_way(p_house, "back door", "", inside, outside))
+	ways.append(_way(p_house, "back_door", "", inside, outside))
 	if plan.has_stairs():
 		for storey: int in plan.storeys:
 			ways.append_array(_of_storey(p_house, plan, storey))
@@ -77,9 +77,9 @@ static func _of_storey(p_house: House, p_plan: HousePlan, p_storey: int) -> Arra
 	var aside: Vector3 = Vector3.LEFT * (HousePlan.STAIRS_WIDTH_M / 2.0 + ASIDE_M)
 	var number: String = " to floor %d" % (p_storey + 1)
 	var ways: Array[Way] = [
-		_way(p_house, "flight of stairs", number, before, behind),
-		_way(p_house, "landing above", number, behind, behind + aside),
-		_way(p_house, "landing below", number, before + aside, before),
+		_way(p_house, "stairs", number, before, behind),
+		_way(p_house, "landing_above", number, behind, behind + aside),
+		_way(p_house, "landing_below", number, before + aside, before),
 	]
 	var door: float = HouseRooms.doorway_middle(p_plan)
 	if door > 0.0:
@@ -103,7 +103,7 @@ static func _way(
 ) -> Way:
 	var way: Way = Way.new()
 	way.kind = p_kind
-	way.name = "%s, %s%s" % [p_house.name, p_kind, p_name]
+	way.name = "%s, %s%s" % [p_house.name, p_kind.replace("_", " "), p_name]
 	var from: Vector3 = p_house.global_transform * p_from
 	way.end = p_house.global_transform * p_to
 	var along: Vector3 = Vector3(way.end.x - from.x, 0.0, way.end.z - from.z)

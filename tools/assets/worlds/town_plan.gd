@@ -11,6 +11,10 @@ const STREET: float = 4.7
 const CROSSINGS: Array[Vector2] = [Vector2(18.0, 25.0), Vector2(-22.0, -15.5)]
 ## The market square, x and z, m.
 const SQUARE: Rect2 = Rect2(-22.0, -15.5, 17.3, 19.0)
+## How deep yards are, at most and at least, and how wide the passage behind them, m.
+const YARD_M: float = 3.6
+const YARD_LEAST_M: float = 1.6
+const PASSAGE_M: float = 1.6
 ## Every so manyth house is entered.
 const ENTERED_EACH: int = 3
 
@@ -24,6 +28,9 @@ var crates: Array[Vector3] = []
 
 var _dice: RandomNumberGenerator = RandomNumberGenerator.new()
 var _root: Node3D = null
+# Houses by their outlines on the ground, and what is behind some of them.
+var _outlines: Array[Rect2] = []
+var _yards: Array[Callable] = []
 
 
 ## Makes everything; returns the root.
@@ -39,6 +46,8 @@ func lay_out() -> Node3D:
 	_row("EastBack", Vector3(25.0, 0.0, 55.0), Vector3.FORWARD, 110.0, Vector2(6.5, 8.6))
 	_row("WestOuter", Vector3(-29.6, 0.0, 52.0), Vector3.FORWARD, 104.0, Vector2(7.5, 10.0))
 	_row("EastOuter", Vector3(29.6, 0.0, -52.0), Vector3.BACK, 104.0, Vector2(7.5, 10.0))
+	for build: Callable in _yards:
+		build.call()
 	_landmarks()
 	_market()
 	_lamps_and_wires()
@@ -81,8 +90,9 @@ func _row(
 		var setback: float = [0.0, 0.0, 0.3, 0.6][_dice.randi_range(0, 3)]
 		var place: Vector3 = p_from + p_way * at - basis.z * setback
 		_add(house, "%s%d" % [p_name, number + 1], Transform3D(basis, place))
+		_outlines.append(_outline(house, house.size.y))
 		if house.entered and absf(p_from.x) < 6.0:
-			_courtyard(house, basis)
+			_plan_courtyard(house, basis)
 		number += 1
 		at += house.size.x
 		var gap: float = [0.0, 0.0, 0.0, 1.6, 2.4][_dice.randi_range(0, 4)]
@@ -99,6 +109,9 @@ func _house(
 	var wants: bool = (p_number + houses) % ENTERED_EACH == 0
 	if wants:
 		depth = maxf(depth, HousePlan.MIN_DEPTH_M + 0.2)
+		if absf(p_from.x) < 6.0:
+			# Leaves room for the yard behind it.
+			depth = HousePlan.MIN_DEPTH_M + 0.2
 		width = width if p_is_cut else maxf(width, 7.0)
 	var house: House = House.new()
 	house.size = Vector2(snappedf(width, 0.1), snappedf(depth, 0.1))
@@ -141,13 +154,40 @@ func _is_free(p_point: Vector3) -> bool:
 	return is_west and p_point.z > SQUARE.position.y and p_point.z < SQUARE.end.y
 
 
-## A yard behind a house, with a wall around it and a way out.
-func _courtyard(p_house: House, p_basis: Basis) -> void:
-	const DEEP: float = 3.6
+## A rectangle behind a house's front, seen from above: x, z.
+func _outline(p_house: House, p_deep: float, p_from: float = 0.0) -> Rect2:
+	var near: Vector3 = p_house.transform * Vector3(0.0, 0.0, -p_from)
+	var far: Vector3 = p_house.transform * Vector3(p_house.size.x, 0.0, -p_from - p_deep)
+	return Rect2(near.x, near.z, far.x - near.x, far.z - near.z).abs()
+
+
+## Chooses what is in the yard of a house. How deep it can be is known when all houses stand.
+func _plan_courtyard(p_house: House, p_basis: Basis) -> void:
+	var palm: Palm = null
+	if _dice.randf() < 0.6:
+		palm = Palm.new()
+		palm.height = snappedf(_dice.randf_range(4.5, 6.5), 0.1)
+		palm.variant = _dice.randi_range(1, 9999)
+		palm.rotation.y = _dice.randf() * TAU
+	_yards.append(_courtyard.bind(p_house, p_basis, palm))
+
+
+## A yard behind a house, with a wall around it and a way out. Behind it there is a passage, as the
+## houses there have back doors too.
+func _courtyard(p_house: House, p_basis: Basis, p_palm: Palm) -> void:
+	var deep: float = YARD_M
+	while (
+		deep >= YARD_LEAST_M and _is_built_on(_outline(p_house, deep + PASSAGE_M, p_house.size.y))
+	):
+		deep -= 0.1
+	if deep < YARD_LEAST_M:
+		print("%s has no yard: there is no room behind it" % p_house.name)
+		return
+	deep = snappedf(deep, 0.1)
 	var back: Vector3 = p_house.transform * Vector3(0.0, 0.0, -p_house.size.y)
 	var wall: Wall = _wall(Vector3(p_house.size.x, 2.2, 0.25), p_house.tint)
 	wall.openings = [Rect2(0.6, 0.0, 1.2, 2.05)]
-	var far: Vector3 = back + p_basis * Vector3(p_house.size.x, 0.0, -DEEP)
+	var far: Vector3 = back + p_basis * Vector3(p_house.size.x, 0.0, -deep)
 	var turned: Basis = p_basis * Basis(Vector3.UP, PI)
 	_add(wall, p_house.name + "Yard", Transform3D(turned, far))
 	for side: int in 2:
@@ -155,17 +195,20 @@ func _courtyard(p_house: House, p_basis: Basis) -> void:
 		var place: Transform3D = Transform3D(
 			p_basis * Basis(Vector3.UP, PI / 2.0), back + p_basis * Vector3(x, 0.0, 0.0)
 		)
-		var end: Wall = _wall(Vector3(DEEP, 2.2, 0.25), p_house.tint)
+		var end: Wall = _wall(Vector3(deep, 2.2, 0.25), p_house.tint)
 		_add(end, "%sYardSide%d" % [p_house.name, side + 1], place)
-	if _dice.randf() < 0.6:
-		var palm: Palm = Palm.new()
-		palm.height = snappedf(_dice.randf_range(4.5, 6.5), 0.1)
-		palm.variant = _dice.randi_range(1, 9999)
-		var middle: Vector3 = back + p_basis * Vector3(p_house.size.x * 0.6, 0.0, -DEEP * 0.6)
-		_add(palm, p_house.name + "Palm", _place(middle, _dice.randf() * TAU))
+	if p_palm != null:
+		var middle: Vector3 = back + p_basis * Vector3(p_house.size.x * 0.6, 0.0, -deep * 0.6)
+		_add(p_palm, p_house.name + "Palm", _place(middle, p_palm.rotation.y))
 	var barrels: Barrels = Barrels.new()
 	var corner: Vector3 = back + p_basis * Vector3(p_house.size.x - 1.2, 0.0, -1.2)
 	_add(barrels, p_house.name + "Barrels", Transform3D(p_basis, corner))
+
+
+func _is_built_on(p_rect: Rect2) -> bool:
+	return _outlines.any(
+		func(outline: Rect2) -> bool: return outline.grow(-0.05).intersects(p_rect)
+	)
 
 
 func _wall(p_size: Vector3, p_tint: SurfaceTints.Tint) -> Wall:

@@ -34,7 +34,7 @@ static func lamp_place(p_plan: HousePlan, p_storey: int) -> Vector3:
 	return Vector3((left + right) / 2.0, y, -p_plan.depth * 0.32)
 
 
-## Where the middle of the inner doorway is, in the house's frame, m; 0 where there is one room only.
+## Where the middle of the inner doorway is, in the house's frame, m; 0 where there is one room.
 static func doorway_middle(p_plan: HousePlan) -> float:
 	var living: Rect2 = living_rect(p_plan)
 	if living.size.y < 6.0 or living.size.x < 2.6:
