@@ -47,7 +47,16 @@ static func _building() -> Array:
 
 static func _street() -> Array:
 	var fixed: int = KitItem.Place.STATIC
+	var crossing: Dictionary = {
+		&"size": Vector2(6, 4), &"markings": Road.Markings.CROSSING, &"has_left_kerb": false
+	}
+	crossing[&"has_right_kerb"] = false
+	var track: Dictionary = {&"surface": Road.Surface.DIRT, &"markings": Road.Markings.NONE}
+	track.merge({&"has_left_kerb": false, &"has_right_kerb": false, &"size": Vector2(4, 8)})
 	return [
+		KitItem.new("Road", "street asphalt kerb way", _TOWN + "road.gd", fixed),
+		KitItem.new("Road crossing", "zebra street way", _TOWN + "road.gd", fixed, crossing),
+		KitItem.new("Dirt road", "track gravel way", _TOWN + "road.gd", fixed, track),
 		KitItem.new("Stall", "market", _TOWN + "stall.gd", fixed),
 		KitItem.new("Barrels", "drum", _TOWN + "barrels.gd", fixed),
 		KitItem.new("Sandbags", "cover", _TOWN + "sandbags.gd", fixed),
@@ -62,7 +71,7 @@ static func _hall() -> Array:
 	var fixed: int = KitItem.Place.STATIC
 	return [
 		KitItem.new("Ramp", "slope", _HALL + "ramp.gd", fixed),
-		KitItem.new("Ladder", "steps up", _HALL + "ladder.gd", fixed),
+		KitItem.new("Ladder", "rungs", _HALL + "ladder.gd", fixed),
 		KitItem.new("Container", "box goods", _HALL + "shipping_container.gd", fixed),
 		KitItem.new("Pallet rack", "shelf goods", _HALL + "pallet_rack.gd", fixed),
 		KitItem.new("Pallets", "goods", _HALL + "pallets.gd", fixed),

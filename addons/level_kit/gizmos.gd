@@ -46,6 +46,7 @@ func _has_gizmo(p_node: Node3D) -> bool:
 		or p_node is Wall
 		or p_node is House
 		or p_node is Stairs
+		or p_node is Road
 		or p_node is Wire
 		or p_node is TriggerZone
 		or p_node is WaypointPath
@@ -142,6 +143,8 @@ static func _rows(p_node: Node3D) -> Array[Handle]:
 		return _house_rows(p_node)
 	if p_node is Stairs:
 		return _stairs_rows(p_node)
+	if p_node is Road:
+		return _road_rows(p_node)
 	if p_node is TriggerZone:
 		return _zone_rows(p_node)
 	if p_node is WaypointPath:
@@ -263,6 +266,18 @@ static func _stairs_rows(p_stairs: Stairs) -> Array[Handle]:
 		_row(&"width", "width", side, Vector3.RIGHT, wide),
 		_row(&"steps", "steps", top, Vector3.UP, high),
 		_row(&"landing", "landing", back, Vector3.FORWARD, deep),
+	]
+
+
+## Its far end, and a side: the middle stays where it is.
+static func _road_rows(p_road: Road) -> Array[Handle]:
+	var size: Vector2 = p_road.size
+	var wide: Callable = func(along: float) -> Vector2: return Vector2(along * 2.0, size.y)
+	var long: Callable = func(along: float) -> Vector2: return Vector2(size.x, along)
+	var side: Vector3 = Vector3(size.x / 2.0, p_road.height, -size.y / 2.0)
+	return [
+		_row(&"size", "width", side, Vector3.RIGHT, wide),
+		_row(&"size", "length", Vector3(0.0, p_road.height, -size.y), Vector3.FORWARD, long),
 	]
 
 

@@ -34,6 +34,7 @@ static func _town() -> Array[KitClass]:
 	var size: PropertyRule = PropertyRule.vector3(0.05, 100.0)
 	return [
 		_block("Wall", Wall, {"size": size, "openings": openings}, 3000),
+		_block("Road", Road, _road(), 1000),
 		_block("Gate", Gate, {}, 50),
 		_block("Tower", Tower, {}, 50),
 		_block("Stall", Stall, {}, 200),
@@ -44,6 +45,11 @@ static func _town() -> Array[KitClass]:
 		_block("Sandbags", Sandbags, {}, 500),
 		_block("Rubble", Rubble, {}, 500),
 	]
+
+
+static func _road() -> Dictionary[String, PropertyRule]:
+	var gaps: PropertyRule = PropertyRule.points2(MAX_OPENINGS, FARTHEST_OPENING)
+	return {"size": PropertyRule.vector2(0.5, 200.0), "left_gaps": gaps, "right_gaps": gaps}
 
 
 static func _hall() -> Array[KitClass]:

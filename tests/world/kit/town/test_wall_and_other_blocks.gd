@@ -70,6 +70,7 @@ func _all() -> Array[KitBlock]:
 		Barrels.new(),
 		Gate.new(),
 		Palm.new(),
+		Road.new(),
 		Rubble.new(),
 		Sandbags.new(),
 		Stall.new(),
