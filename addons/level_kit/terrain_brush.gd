@@ -32,8 +32,8 @@ static func find_selected() -> Terrain:
 	return null
 
 
-## Gives ground without heights a flat file beside the level. Returns what is wrong, or an empty
-## text.
+## Gives ground without heights a flat file beside the level, and takes away the blocks whose top
+## would lie in it. Returns what is wrong, or an empty text.
 func make_flat(p_terrain: Terrain) -> String:
 	var root: Node = EditorInterface.get_edited_scene_root()
 	if root == null or root.scene_file_path == "":
@@ -47,8 +47,38 @@ func make_flat(p_terrain: Terrain) -> String:
 		_undo.create_action("Make flat ground", UndoRedo.MERGE_DISABLE, p_terrain)
 		_undo.add_do_property(p_terrain, &"height_file", path)
 		_undo.add_undo_property(p_terrain, &"height_file", p_terrain.height_file)
+		for block: Block in _find_covered(root as Level, p_terrain, field):
+			var parent: Node = block.get_parent()
+			_undo.add_do_method(parent, &"remove_child", block)
+			_undo.add_undo_method(parent, &"add_child", block, true)
+			_undo.add_undo_method(parent, &"move_child", block, block.get_index())
+			_undo.add_undo_property(block, &"owner", block.owner)
+			_undo.add_undo_reference(block)
 		_undo.commit_action()
 	return fault
+
+
+## Level blocks whose whole top would lie in flat ground: both would flicker.
+static func _find_covered(p_level: Level, p_terrain: Terrain, p_field: HeightField) -> Array[Block]:
+	var found: Array[Block] = []
+	if p_level == null or p_level.static_root == null:
+		return found
+	var size: Vector2 = p_field.size()
+	var flat: AABB = AABB(
+		p_terrain.global_position - Vector3(size.x / 2.0, FlickerCheck.NEAR_M, size.y / 2.0),
+		Vector3(size.x, 2.0 * FlickerCheck.NEAR_M, size.y)
+	)
+	for node: Node in p_level.static_root.find_children("*", "StaticBody3D", true, false):
+		var block: Block = node as Block
+		if block == null or block.owner != p_level:
+			continue
+		var half: Vector3 = block.size / 2.0
+		var top: AABB = AABB(
+			Vector3(-half.x, half.y, -half.z), Vector3(block.size.x, 0.0, block.size.z)
+		)
+		if flat.encloses(block.global_transform * top):
+			found.append(block)
+	return found
 
 
 ## What the 3D view is told before the editor itself. Returns whether the editor shall not get it.

@@ -20,6 +20,7 @@ func run() -> void:
 	faults.clear()
 	PlaceCheck.new(self).run()
 	BuildCheck.new(self).run()
+	FlickerCheck.new(self).run()
 	WalkCheck.new(self).run()
 	faults.sort_custom(func(a: LevelFault, b: LevelFault) -> bool: return a.severity > b.severity)
 

@@ -22,6 +22,7 @@ enum Kind {
 	NOT_BAKED,
 	UNREACHABLE,
 	CAMERA_IN_WALL,
+	FLICKERS,
 }
 
 ## What is wrong.

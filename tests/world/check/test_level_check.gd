@@ -30,6 +30,40 @@ func test_a_sound_level_has_no_fault() -> void:
 	await _expect([])
 
 
+func test_tops_that_lie_in_each_other() -> void:
+	var tiles: SurfaceLayers.Layer = SurfaceLayers.Layer.TILES
+	_add_block("Tile", Vector3(3.0, 0.0, 0.0), Vector3(1.0, 0.004, 1.0), tiles)
+	# Beside one another, far enough above, and alike: these are sound.
+	_add_block("Beside", Vector3(11.0, -0.5, 0.0), Vector3(2.0, 1.0, 2.0), tiles)
+	_add_block("Plate", Vector3(-3.0, 0.005, 0.0), Vector3(1.0, 0.01, 1.0), tiles)
+	_add_block("Alike", Vector3(-6.0, -0.1, 0.0), Vector3(1.0, 0.2, 1.0))
+	var across: Road = Road.new()
+	across.position = Vector3(-2.0, 0.0, 8.0)
+	across.rotation.y = PI / 2.0
+	_below(_level.static_root, across, "Across")
+	var along: Road = Road.new()
+	along.position = Vector3(-5.0, 0.002, 9.5)
+	along.has_left_kerb = false
+	_below(_level.static_root, along, "Along")
+	var kind: LevelFault.Kind = LevelFault.Kind.FLICKERS
+	await _expect(
+		[
+			[kind, "Static/Tile", "lies in that of 'Floor'"],
+			[kind, "Static/Along", "that of 'Across'"]
+		]
+	)
+
+
+func test_a_block_whose_top_lies_in_terrain() -> void:
+	var terrain: Terrain = Terrain.new()
+	terrain.has_hills = false
+	_below(_level.static_root, terrain, "Terrain")
+	terrain.set_field(HeightField.create(101, 101, 0.5))
+	await _expect([[LevelFault.Kind.FLICKERS, "Static/Floor", "lies in the ground of 'Terrain'"]])
+	_level.static_root.get_node(^"Floor").position.y -= 0.1
+	await _expect([])
+
+
 func test_no_spawn_point() -> void:
 	_level.get_spawn_points()[0].free()
 	await _expect([[LevelFault.Kind.NO_SPAWN_POINT, "", "add a SpawnPoint"]])
@@ -208,9 +242,15 @@ func _below(p_parent: Node, p_node: Node3D, p_name: String) -> Node3D:
 	return p_node
 
 
-func _add_block(p_name: String, p_at: Vector3, p_size: Vector3) -> void:
+func _add_block(
+	p_name: String,
+	p_at: Vector3,
+	p_size: Vector3,
+	p_surface: SurfaceLayers.Layer = SurfaceLayers.Layer.CONCRETE
+) -> void:
 	var block: Block = Block.new()
 	block.size = p_size
+	block.surface = p_surface
 	block.position = p_at
 	_below(_level.static_root, block, p_name)
 

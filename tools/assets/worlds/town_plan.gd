@@ -13,7 +13,7 @@ const CROSSINGS: Array[Vector2] = [Vector2(18.0, 25.0), Vector2(-22.0, -15.5)]
 const SQUARE: Rect2 = Rect2(-22.0, -15.5, 17.3, 19.0)
 ## How deep yards are, at most and at least, and how wide the passage behind them, m.
 const YARD_M: float = 3.6
-const YARD_LEAST_M: float = 1.6
+const YARD_MIN_M: float = 1.6
 const PASSAGE_M: float = 1.6
 ## Every so manyth house is entered.
 const ENTERED_EACH: int = 3
@@ -176,11 +176,9 @@ func _plan_courtyard(p_house: House, p_basis: Basis) -> void:
 ## houses there have back doors too.
 func _courtyard(p_house: House, p_basis: Basis, p_palm: Palm) -> void:
 	var deep: float = YARD_M
-	while (
-		deep >= YARD_LEAST_M and _is_built_on(_outline(p_house, deep + PASSAGE_M, p_house.size.y))
-	):
+	while deep >= YARD_MIN_M and _is_built_on(_outline(p_house, deep + PASSAGE_M, p_house.size.y)):
 		deep -= 0.1
-	if deep < YARD_LEAST_M:
+	if deep < YARD_MIN_M:
 		print("%s has no yard: there is no room behind it" % p_house.name)
 		return
 	deep = snappedf(deep, 0.1)
