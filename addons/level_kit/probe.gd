@@ -56,9 +56,8 @@ func _controls() -> Dictionary:
 		elif control is Button:
 			var is_shut: bool = (control as Button).disabled
 			var text: String = (control as Button).text
-			if control is OptionButton:
-				text = label
-			found[text] = {"rect": _numbers(_rect(control)), "is_shut": is_shut}
+			var key: String = label if control is OptionButton else text
+			found[key] = {"rect": _numbers(_rect(control)), "is_shut": is_shut, "text": text}
 		elif control is LineEdit:
 			var edit: LineEdit = control
 			var key: String = edit.placeholder_text if edit.placeholder_text == "Search" else label

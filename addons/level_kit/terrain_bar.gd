@@ -31,12 +31,14 @@ func configure(p_brush: RefCounted) -> void:
 
 
 func _ready() -> void:
+	add_child(_label("Brush"))
 	_kinds.add_item("No brush")
 	for row: Array in KINDS:
 		_kinds.add_item(row[0])
 	_kinds.item_selected.connect(func(_index: int) -> void: _choose())
 	_kinds.tooltip_text = "Pull over the ground in the 3D view. Ctrl+Z takes a pull back."
 	add_child(_kinds)
+	add_child(_label("Radius"))
 	_radius.min_value = 0.5
 	_radius.max_value = 60.0
 	_radius.step = 0.5
@@ -55,12 +57,18 @@ func _ready() -> void:
 func _update() -> void:
 	var terrain: Terrain = TerrainBrush.find_selected()
 	visible = terrain != null
-	_new.visible = terrain != null and terrain.field == null
-	_kinds.visible = not _new.visible
-	_radius.visible = not _new.visible
+	var is_new: bool = terrain != null and terrain.field == null
+	for control: Control in find_children("*", "Control", false, false):
+		control.visible = (control == _new) == is_new
 	if terrain == null and _kinds.selected > 0:
 		_kinds.select(0)
 		_choose()
+
+
+func _label(p_text: String) -> Label:
+	var label: Label = Label.new()
+	label.text = p_text
+	return label
 
 
 func _choose() -> void:

@@ -85,6 +85,15 @@ class Editor:
         self.screen.type(text)
         self.await_state(lambda s: s["controls"][field]["text"] == text, f"{text!r} in {field!r}")
 
+    def choose(self, field: str, text: str) -> None:
+        """Chooses an entry from a list that opens, by writing how it begins."""
+        self.click(field)
+        self.state()
+        time.sleep(0.5)  # The list opens.
+        self.screen.type(text.split()[0].lower())
+        self.screen.key("return")
+        self.await_state(lambda s: s["controls"][field]["text"] == text, f"{text!r} in {field!r}")
+
     def find(self, title: str) -> Point:
         """Looks for a thing by its title and says where its picture is."""
         self.write("Search", title.lower())
@@ -188,6 +197,10 @@ class Editor:
     def save(self) -> None:
         """Saves the level."""
         self.screen.key("ctrl", "s")
+
+    def redo(self) -> None:
+        """Makes it again."""
+        self.screen.key("ctrl", "shift", "z")
 
     def undo(self) -> None:
         """Takes the last change back."""

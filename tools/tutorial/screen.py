@@ -21,7 +21,13 @@ PAUSE_S = 0.05
 DRAG_STEPS = 8
 DRAG_S = 0.15
 
-KEYS = {"ctrl": "Control_L", "shift": "Shift_L", "delete": "Delete", "escape": "Escape"}
+KEYS = {
+    "ctrl": "Control_L",
+    "shift": "Shift_L",
+    "delete": "Delete",
+    "escape": "Escape",
+    "return": "Return",
+}
 
 
 class Screen:
