@@ -103,6 +103,7 @@ func rebuild() -> void:
 	_viewport.size = get_resolution()
 	_viewport.render_target_update_mode = SubViewport.UPDATE_DISABLED
 	_viewport.positional_shadow_atlas_size = _SHADOWS
+	_viewport.positional_shadow_atlas_16_bits = false
 	_viewport.gui_disable_input = true
 	add_child(_viewport, false, Node.INTERNAL_MODE_BACK)
 	_eye = Camera3D.new()
@@ -113,6 +114,7 @@ func rebuild() -> void:
 	_watch.layers = LAYER
 	add_child(_watch, false, Node.INTERNAL_MODE_BACK)
 	add_child(_make_screen(), false, Node.INTERNAL_MODE_BACK)
+	_be_due()
 	follow_quality()
 
 
@@ -130,6 +132,8 @@ func follow_quality() -> void:
 	_thrift = thrift
 	_viewport.size = get_resolution()
 	_viewport.positional_shadow_atlas_size = _SHADOWS if Quality.tier.shadow_pixels > 0 else 0
+	# Another size has taken the picture away.
+	take_picture()
 
 
 ## The picture as it was taken last; null on a server.
@@ -160,6 +164,12 @@ func take_picture() -> void:
 	_viewport.render_target_update_mode = SubViewport.UPDATE_ONCE
 	_frames = 0
 	_waited = 0.0
+
+
+## Lets it take a picture with the next frame that shows it.
+func _be_due() -> void:
+	_frames = every * _thrift
+	_waited = maxf(_waited, 1.0 / _MAX_RATE)
 
 
 ## Whether it is in a level, and not in the hand of somebody who places it.
