@@ -9,7 +9,8 @@ extends RefCounted
 ## Pieces in all.
 var count: int = 0
 
-# Where a piece belongs: parent, piece, index among the parent's children, owner.
+# Where a piece belongs: parent, piece, index among the parent's children, owner; index -1 for what
+# the parent adds itself.
 var _pieces: Array[Array] = []
 var _next: int = 0
 
@@ -32,10 +33,13 @@ func add_until(p_usec: int) -> bool:
 		var parent: Node = _pieces[_next][0]
 		var piece: Node = _pieces[_next][1]
 		var index: int = _pieces[_next][2]
-		parent.add_child(piece)
-		piece.owner = _pieces[_next][3]
-		if piece.get_index() != index:
-			parent.move_child(piece, index)
+		if index < 0:
+			parent.call(&"add_piece", piece)
+		else:
+			parent.add_child(piece)
+			piece.owner = _pieces[_next][3]
+			if piece.get_index() != index:
+				parent.move_child(piece, index)
 		_next += 1
 		if Time.get_ticks_usec() >= p_usec:
 			break
@@ -65,6 +69,10 @@ func _take_children(p_parent: Node) -> void:
 		# The engine warns of owners that are not above when a node is added.
 		child.owner = null
 		p_parent.remove_child(child)
+		# Some nodes give what takes the engine long to take in.
+		if child.has_method(&"take_pieces"):
+			for piece: Node in child.call(&"take_pieces") as Array[Node]:
+				_pieces.append([child, piece, -1, null])
 		if is_group(child):
 			_take_children(child)
 

@@ -12,6 +12,9 @@ extends StaticBody3D
 ## The heights have been read or changed.
 signal changed
 
+## Fewest and most cells along an edge of a shape. The engine makes a shape when it enters the
+## world, and nothing else goes on meanwhile: 70 ms for 1000 x 1000 cells.
+const SHAPE_CELLS: Vector2i = Vector2i(100, 250)
 ## Thickness and height of the walls at the edge, m.
 const WALL_M: Vector2 = Vector2(4.0, 60.0)
 
@@ -49,8 +52,9 @@ var field: HeightField = null
 ## Why there are no heights, or an empty text.
 var error: String = ""
 
-# What has been read before it is needed.
+# What has been read and made before it is needed.
 var _ahead: HeightFile = null
+var _shapes_ahead: Array[Node] = []
 var _made: Array[Node] = []
 var _shapes: Array[Node] = []
 # Lowest and highest point, m.
@@ -79,6 +83,19 @@ func _get_configuration_warnings() -> PackedStringArray:
 ## may do it: see [LevelLoader].
 func read_ahead() -> void:
 	_ahead = HeightFile.read(height_file) if height_file != "" else null
+
+
+## Makes the shapes that enter the tree one by one after this node, by [method add_piece]: see
+## [LevelAssembly]. A thread may do it, after [method read_ahead].
+func take_pieces() -> Array[Node]:
+	_shapes_ahead = _make_shapes(_ahead.field) if _ahead != null and _ahead.field != null else []
+	return _shapes_ahead
+
+
+## Adds one of [method take_pieces].
+func add_piece(p_piece: Node) -> void:
+	_shapes.append(p_piece)
+	add_child(p_piece, false, INTERNAL_MODE_FRONT)
 
 
 ## Reads the file again.
@@ -162,30 +179,39 @@ func _build_shapes() -> void:
 	_clear(_shapes)
 	if field == null:
 		return
-	for square: Rect2i in squares_of(Vector2i(field.columns - 1, field.rows - 1)):
-		var shape: HeightMapShape3D = HeightMapShape3D.new()
-		shape.map_width = square.size.x + 1
-		shape.map_depth = square.size.y + 1
-		shape.map_data = _heights_of(square)
-		var node: CollisionShape3D = CollisionShape3D.new()
-		node.shape = shape
-		node.scale = Vector3(field.cell_m, 1.0, field.cell_m)
-		var middle: Vector2 = Vector2(square.position) + Vector2(square.size) / 2.0
-		middle -= Vector2(field.columns - 1, field.rows - 1) / 2.0
-		node.position = Vector3(middle.x, 0.0, middle.y) * field.cell_m
-		_shapes.append(node)
-		add_child(node, false, INTERNAL_MODE_FRONT)
+	# Those that were made ahead come by themselves.
+	if _shapes_ahead.is_empty():
+		for shape: Node in _make_shapes(field):
+			add_piece(shape)
+	_shapes_ahead = []
 	if has_walls:
 		_build_walls()
 
 
-## Squares that fill a rectangle of cells.
+static func _make_shapes(p_field: HeightField) -> Array[Node]:
+	var shapes: Array[Node] = []
+	for square: Rect2i in squares_of(Vector2i(p_field.columns - 1, p_field.rows - 1)):
+		var shape: HeightMapShape3D = HeightMapShape3D.new()
+		shape.map_width = square.size.x + 1
+		shape.map_depth = square.size.y + 1
+		shape.map_data = _heights_of(p_field, square)
+		var node: CollisionShape3D = CollisionShape3D.new()
+		node.shape = shape
+		node.scale = Vector3(p_field.cell_m, 1.0, p_field.cell_m)
+		var middle: Vector2 = Vector2(square.position) + Vector2(square.size) / 2.0
+		middle -= Vector2(p_field.columns - 1, p_field.rows - 1) / 2.0
+		node.position = Vector3(middle.x, 0.0, middle.y) * p_field.cell_m
+		shapes.append(node)
+	return shapes
+
+
+## Squares that fill a rectangle of cells. Large ones are cut up where that leaves no rest.
 static func squares_of(p_cells: Vector2i) -> Array[Rect2i]:
 	var squares: Array[Rect2i] = []
 	var rest: Rect2i = Rect2i(Vector2i.ZERO, p_cells)
 	while rest.size.x > 0 and rest.size.y > 0:
 		var side: int = mini(rest.size.x, rest.size.y)
-		squares.append(Rect2i(rest.position, Vector2i(side, side)))
+		squares.append_array(_cut(Rect2i(rest.position, Vector2i(side, side))))
 		if rest.size.x > rest.size.y:
 			rest = Rect2i(rest.position + Vector2i(side, 0), rest.size - Vector2i(side, 0))
 		else:
@@ -193,13 +219,29 @@ static func squares_of(p_cells: Vector2i) -> Array[Rect2i]:
 	return squares
 
 
-func _heights_of(p_square: Rect2i) -> PackedFloat32Array:
-	if p_square.size == Vector2i(field.columns - 1, field.rows - 1):
-		return field.heights
+static func _cut(p_square: Rect2i) -> Array[Rect2i]:
+	var side: int = p_square.size.x
+	var parts: int = ceili(float(side) / SHAPE_CELLS.y)
+	while side % parts != 0:
+		parts += 1
+	var edge: int = side / parts
+	if edge < SHAPE_CELLS.x:
+		return [p_square]
+	var squares: Array[Rect2i] = []
+	for row: int in parts:
+		for column: int in parts:
+			var corner: Vector2i = p_square.position + Vector2i(column, row) * edge
+			squares.append(Rect2i(corner, Vector2i(edge, edge)))
+	return squares
+
+
+static func _heights_of(p_field: HeightField, p_square: Rect2i) -> PackedFloat32Array:
+	if p_square.size == Vector2i(p_field.columns - 1, p_field.rows - 1):
+		return p_field.heights
 	var heights: PackedFloat32Array = []
 	for row: int in range(p_square.position.y, p_square.end.y + 1):
-		var from: int = row * field.columns + p_square.position.x
-		heights.append_array(field.heights.slice(from, from + p_square.size.x + 1))
+		var from: int = row * p_field.columns + p_square.position.x
+		heights.append_array(p_field.heights.slice(from, from + p_square.size.x + 1))
 	return heights
 
 

@@ -49,12 +49,60 @@ func test_walls_keep_things_on_it() -> void:
 
 
 func test_squares_fill_any_rectangle() -> void:
-	for cells: Vector2i in [Vector2i(1000, 1000), Vector2i(100, 37), Vector2i(3, 8)]:
+	for cells: Vector2i in [
+		Vector2i(1000, 1000),
+		Vector2i(997, 997),
+		Vector2i(100, 37),
+		Vector2i(3, 8),
+		Vector2i(1500, 600)
+	]:
+		var squares: Array[Rect2i] = Terrain.squares_of(cells)
 		var area: int = 0
-		for square: Rect2i in Terrain.squares_of(cells):
+		for square: Rect2i in squares:
 			equal(square.size.x, square.size.y)
 			area += square.get_area()
+			for other: Rect2i in squares:
+				is_true(square == other or not square.intersects(other), "%s, %s" % [square, other])
 		equal(area, cells.x * cells.y)
+
+
+func test_large_shapes_are_cut_up() -> void:
+	for square: Rect2i in Terrain.squares_of(Vector2i(1000, 1000)):
+		equal(square.size.x, 250)
+	# What leaves a rest is not.
+	equal(Terrain.squares_of(Vector2i(997, 997)).size(), 1)
+
+
+func test_shapes_that_enter_later_are_the_same_ground() -> void:
+	_terrain = Terrain.new()
+	_terrain.height_file = "res://scenes/world/desert/desert.height"
+	_terrain.read_ahead()
+	var pieces: Array[Node] = _terrain.take_pieces()
+	is_true(pieces.size() > 1)
+	add_child(_terrain)
+	await physics_frames(2)
+	var places: Array[Vector3] = []
+	for index: int in 50:
+		places.append(Vector3(-240.0 + 9.7 * index, 0.0, 235.0 - 9.3 * index))
+	equal(places.filter(_is_ground).size(), 0, "before the pieces are there")
+	for piece: Node in pieces:
+		_terrain.add_piece(piece)
+	await physics_frames(2)
+	equal(places.filter(_is_ground).size(), places.size())
+	# Another file replaces them all.
+	_terrain.set_field(HeightField.create(101, 101, 0.5))
+	await physics_frames(2)
+	is_true(_is_ground(Vector3(1.0, 0.0, 1.0)))
+	is_false(_is_ground(Vector3(200.0, 0.0, 200.0)))
+
+
+func _is_ground(p_place: Vector3) -> bool:
+	var at: Vector3 = _terrain.position + p_place
+	var query: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.create(
+		at + Vector3.UP * 200.0, at + Vector3.DOWN * 200.0
+	)
+	var hit: Dictionary = _terrain.get_world_3d().direct_space_state.intersect_ray(query)
+	return not hit.is_empty() and absf(hit["position"].y - _terrain.height_at(at)) < 0.01
 
 
 func test_surfaces() -> void:
