@@ -160,6 +160,16 @@ PackedVector3Array BlockMesh::get_points() const {
 	return points;
 }
 
+PackedVector3Array BlockMesh::get_shadow() const {
+	PackedVector3Array corners;
+	corners.resize(int64_t(_core.shadow().size()));
+	Vector3 *to = corners.ptrw();
+	for (const level::Vec3 &corner : _core.shadow()) {
+		*to++ = from_core(corner);
+	}
+	return corners;
+}
+
 int64_t BlockMesh::get_solid_count() const {
 	return int64_t(_core.solids().size());
 }
@@ -257,6 +267,7 @@ void BlockMesh::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_vertex_count"), &BlockMesh::get_vertex_count);
 	ClassDB::bind_method(D_METHOD("get_triangle_count"), &BlockMesh::get_triangle_count);
 	ClassDB::bind_method(D_METHOD("get_points"), &BlockMesh::get_points);
+	ClassDB::bind_method(D_METHOD("get_shadow"), &BlockMesh::get_shadow);
 	ClassDB::bind_method(D_METHOD("get_solid_count"), &BlockMesh::get_solid_count);
 	ClassDB::bind_method(D_METHOD("get_solid_place", "index"), &BlockMesh::get_solid_place);
 	ClassDB::bind_method(D_METHOD("get_solid_size", "index"), &BlockMesh::get_solid_size);

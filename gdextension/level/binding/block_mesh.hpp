@@ -58,6 +58,7 @@ public:
 	int64_t get_vertex_count() const;
 	int64_t get_triangle_count() const;
 	PackedVector3Array get_points() const;
+	PackedVector3Array get_shadow() const;
 	int64_t get_solid_count() const;
 	Transform3D get_solid_place(int64_t p_index) const;
 	Vector3 get_solid_size(int64_t p_index) const;

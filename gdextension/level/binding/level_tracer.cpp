@@ -164,8 +164,7 @@ bool LevelTracer::is_blocked(const Vector3 &p_from, const Vector3 &p_to) const {
 	return _light.scene().is_blocked(to_core(p_from), to_core(p_to));
 }
 
-bool LevelTracer::survey(
-		const Vector3 &p_origin, double p_size, const Vector3i &p_counts, const PackedVector3Array &p_light_ways) {
+bool LevelTracer::survey(const Vector3 &p_origin, double p_size, const Vector3i &p_counts) {
 	const int64_t count = int64_t(p_counts.x) * p_counts.y * p_counts.z;
 	ERR_FAIL_COND_V_MSG(p_counts.x < 1 || p_counts.y < 1 || p_counts.z < 1 || count > MAX_CELLS || !(p_size > 0.0),
 			false, "The grid of cells has none, or too many.");
@@ -173,9 +172,6 @@ bool LevelTracer::survey(
 	_visibility =
 			std::make_unique<level::Visibility>(_light.scene(), _light.triangles(), _part_of, int(_parts.size()), grid);
 	_visibility->threads = _light.threads;
-	for (const Vector3 &way : p_light_ways) {
-		_visibility->light_ways.push_back(to_core(way.normalized()));
-	}
 	_visibility->survey();
 	return true;
 }
@@ -209,8 +205,7 @@ void LevelTracer::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_light", "part"), &LevelTracer::get_light);
 	ClassDB::bind_method(D_METHOD("make_grid", "origin", "spacing", "counts"), &LevelTracer::make_grid);
 	ClassDB::bind_method(D_METHOD("is_blocked", "from", "to"), &LevelTracer::is_blocked);
-	ClassDB::bind_method(D_METHOD("survey", "origin", "size", "counts", "light_ways"), &LevelTracer::survey,
-			DEFVAL(PackedVector3Array()));
+	ClassDB::bind_method(D_METHOD("survey", "origin", "size", "counts"), &LevelTracer::survey);
 	ClassDB::bind_method(D_METHOD("get_divisions"), &LevelTracer::get_divisions);
 	ClassDB::bind_method(D_METHOD("get_seen_parts"), &LevelTracer::get_seen_parts);
 	ClassDB::bind_method(D_METHOD("get_seen_cells"), &LevelTracer::get_seen_cells);

@@ -37,8 +37,7 @@ public:
 
 	/// Cells of the sets of parts along the edge of a cell.
 	int64_t get_divisions() const;
-	bool survey(
-			const Vector3 &p_origin, double p_size, const Vector3i &p_counts, const PackedVector3Array &p_light_ways);
+	bool survey(const Vector3 &p_origin, double p_size, const Vector3i &p_counts);
 	PackedByteArray get_seen_parts() const;
 	PackedByteArray get_seen_cells() const;
 	PackedByteArray get_open_cells() const;

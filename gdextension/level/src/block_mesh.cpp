@@ -10,6 +10,10 @@ namespace {
 
 constexpr float PI = 3.14159265358979f;
 constexpr Vec3 UP{ 0.0f, 1.0f, 0.0f };
+/// A side of a box throws no shadow if it is narrower than this, m, and a smaller part than this of the
+/// largest side.
+constexpr float NARROW_M = 0.12f;
+constexpr float NARROW_SHARE = 0.4f;
 
 Vec3 unit(const Vec3 &p_vector) {
 	const float length = p_vector.length();
@@ -20,6 +24,30 @@ bool holds(const std::vector<Opening> &p_holes, float p_x, float p_y) {
 	return std::any_of(p_holes.begin(), p_holes.end(), [&](const Opening &p_hole) {
 		return p_x > p_hole.x && p_x < p_hole.x + p_hole.width && p_y > p_hole.y && p_y < p_hole.y + p_hole.height;
 	});
+}
+
+/// Where holes begin and end along a face, and its own ends.
+std::vector<float> edges_of(float p_length, const std::vector<Opening> &p_holes, bool p_across, float p_beside) {
+	std::vector<float> marks{ 0.0f, p_length };
+	const auto mark = [&](float p_at) {
+		if (p_at > 0.02f && p_at < p_length - 0.02f) {
+			marks.push_back(p_at);
+		}
+	};
+	for (const Opening &hole : p_holes) {
+		const float from = p_across ? hole.x : hole.y;
+		const float to = from + (p_across ? hole.width : hole.height);
+		mark(from);
+		mark(to);
+		if (p_beside > 0.0f) {
+			mark(from - p_beside);
+			mark(to + p_beside);
+		}
+	}
+	std::sort(marks.begin(), marks.end());
+	const auto is_same = [](float p_a, float p_b) { return p_b - p_a < 0.001f; };
+	marks.erase(std::unique(marks.begin(), marks.end(), is_same), marks.end());
+	return marks;
 }
 
 float smooth_step(float p_low, float p_high, float p_value) {
@@ -59,28 +87,11 @@ int32_t BlockMesh::add(
 }
 
 std::vector<float> BlockMesh::cuts(float p_length, const std::vector<Opening> &p_holes, bool p_across) const {
-	std::vector<float> marks{ 0.0f, p_length };
-	const auto mark = [&](float p_at) {
-		if (p_at > 0.02f && p_at < p_length - 0.02f) {
-			marks.push_back(p_at);
-		}
-	};
-	for (const Opening &hole : p_holes) {
-		const float from = p_across ? hole.x : hole.y;
-		const float to = from + (p_across ? hole.width : hole.height);
-		mark(from);
-		mark(to);
-		// Light changes most beside an opening.
-		mark(from - NEAR_OPENING_M);
-		mark(to + NEAR_OPENING_M);
-	}
-	std::sort(marks.begin(), marks.end());
+	// Light changes most beside an opening.
+	const std::vector<float> marks = edges_of(p_length, p_holes, p_across, NEAR_OPENING_M);
 	std::vector<float> result{ 0.0f };
 	for (std::size_t index = 1; index < marks.size(); index++) {
 		const float gap = marks[index] - marks[index - 1];
-		if (gap < 0.001f) {
-			continue;
-		}
 		const int parts = std::max(1, int(std::ceil(gap / _finest)));
 		for (int part = 1; part <= parts; part++) {
 			result.push_back(marks[index - 1] + gap * float(part) / float(parts));
@@ -130,6 +141,49 @@ void BlockMesh::face(const Vec3 &p_corner, const Vec3 &p_right, const Vec3 &p_up
 			}
 		}
 	}
+	add_shadow(p_corner, p_right, p_up, p_width, p_height, p_holes);
+}
+
+void BlockMesh::add_shadow(const Vec3 &p_a, const Vec3 &p_b, const Vec3 &p_c) {
+	_shadow.insert(_shadow.end(), { p_a, p_b, p_c });
+}
+
+/// Strips from hole to hole, each as long as no hole ends it.
+void BlockMesh::add_shadow(const Vec3 &p_corner, const Vec3 &p_right, const Vec3 &p_up, float p_width, float p_height,
+		const std::vector<Opening> &p_holes) {
+	const std::vector<float> xs = edges_of(p_width, p_holes, true, 0.0f);
+	const std::vector<float> ys = edges_of(p_height, p_holes, false, 0.0f);
+	for (std::size_t column = 0; column + 1 < xs.size(); column++) {
+		const float middle = (xs[column] + xs[column + 1]) * 0.5f;
+		const auto is_hole = [&](std::size_t p_row) {
+			return holds(p_holes, middle, (ys[p_row] + ys[p_row + 1]) * 0.5f);
+		};
+		for (std::size_t row = 0; row + 1 < ys.size(); row++) {
+			if (is_hole(row)) {
+				continue;
+			}
+			const std::size_t first = row;
+			while (row + 2 < ys.size() && !is_hole(row + 1)) {
+				row++;
+			}
+			const auto corner = [&](float p_x, float p_y) {
+				return _place.point(p_corner + p_right * p_x + p_up * p_y);
+			};
+			const Vec3 a = corner(xs[column], ys[first]);
+			const Vec3 b = corner(xs[column + 1], ys[first]);
+			const Vec3 c = corner(xs[column], ys[row + 1]);
+			const Vec3 d = corner(xs[column + 1], ys[row + 1]);
+			add_shadow(a, c, b);
+			add_shadow(b, c, d);
+		}
+	}
+}
+
+/// The shadow of what has the indices from here on is that of its triangles.
+void BlockMesh::copy_shadow(std::size_t p_first_index) {
+	for (std::size_t index = p_first_index; index < _indices.size(); index++) {
+		_shadow.push_back(_points[std::size_t(_indices[index])]);
+	}
 }
 
 void BlockMesh::quad(const std::array<Vec3, 4> &p_corners, const Style &p_style) {
@@ -142,6 +196,7 @@ void BlockMesh::quad(const std::array<Vec3, 4> &p_corners, const Style &p_style)
 	const int columns = std::max(1, int(std::ceil(across.length() / _finest)));
 	const int rows = std::max(1, int(std::ceil(along.length() / _finest)));
 	const auto first = int32_t(_points.size());
+	const std::size_t first_index = _indices.size();
 	for (int row = 0; row <= rows; row++) {
 		const float t = float(row) / float(rows);
 		const Vec3 left = p_corners[0] + (p_corners[3] - p_corners[0]) * t;
@@ -158,6 +213,13 @@ void BlockMesh::quad(const std::array<Vec3, 4> &p_corners, const Style &p_style)
 			_indices.insert(_indices.end(), { a, a + 1, a + width, a + 1, a + width + 1, a + width });
 		}
 	}
+	const Vec3 diagonal = p_corners[2] - p_corners[0];
+	if (std::fabs(diagonal.dot(along.cross(across))) < 0.01f * across.length() * along.length()) {
+		add_shadow(_place.point(p_corners[0]), _place.point(p_corners[1]), _place.point(p_corners[3]));
+		add_shadow(_place.point(p_corners[1]), _place.point(p_corners[2]), _place.point(p_corners[3]));
+	} else {
+		copy_shadow(first_index);
+	}
 }
 
 void BlockMesh::triangle(const Vec3 &p_a, const Vec3 &p_b, const Vec3 &p_c, const Style &p_style) {
@@ -165,36 +227,38 @@ void BlockMesh::triangle(const Vec3 &p_a, const Vec3 &p_b, const Vec3 &p_c, cons
 	const Vec3 right = _place.turn(unit(p_b - p_a));
 	const Vec3 up = normal.cross(right);
 	const float edge = edge_of(p_style.layer);
+	const std::size_t first_index = _indices.size();
 	for (const Vec3 &corner : { p_a, p_b, p_c }) {
 		const Vec3 point = _place.point(corner);
 		_indices.push_back(add(point, normal, right, point.dot(right) / edge, -point.dot(up) / edge, p_style));
 	}
+	copy_shadow(first_index);
 }
 
+/// Narrow sides of boards and ends of bars throw no shadow that is seen: the other sides do.
 void BlockMesh::box(const Vec3 &p_from, const Vec3 &p_to, const Style &p_style, uint32_t p_without) {
 	const Vec3 low{ std::min(p_from.x, p_to.x), std::min(p_from.y, p_to.y), std::min(p_from.z, p_to.z) };
 	const Vec3 high{ std::max(p_from.x, p_to.x), std::max(p_from.y, p_to.y), std::max(p_from.z, p_to.z) };
 	const Vec3 size = high - low;
 	constexpr Vec3 X{ 1.0f, 0.0f, 0.0f };
 	constexpr Vec3 Z{ 0.0f, 0.0f, 1.0f };
-	if ((p_without & FACE_FRONT) == 0) {
-		face({ low.x, low.y, high.z }, X, UP, size.x, size.y, p_style);
-	}
-	if ((p_without & FACE_BACK) == 0) {
-		face({ high.x, low.y, low.z }, X * -1.0f, UP, size.x, size.y, p_style);
-	}
-	if ((p_without & FACE_RIGHT) == 0) {
-		face({ high.x, low.y, high.z }, Z * -1.0f, UP, size.z, size.y, p_style);
-	}
-	if ((p_without & FACE_LEFT) == 0) {
-		face({ low.x, low.y, low.z }, Z, UP, size.z, size.y, p_style);
-	}
-	if ((p_without & FACE_TOP) == 0) {
-		face({ low.x, high.y, high.z }, X, Z * -1.0f, size.x, size.z, p_style);
-	}
-	if ((p_without & FACE_BOTTOM) == 0) {
-		face({ low.x, low.y, low.z }, X, Z, size.x, size.z, p_style);
-	}
+	const float largest = std::max({ size.x * size.y, size.y * size.z, size.z * size.x });
+	const auto side = [&](FaceOfBox p_side, const Vec3 &p_corner, const Vec3 &p_right, const Vec3 &p_up, float p_width,
+							  float p_height) {
+		if ((p_without & p_side) == 0) {
+			const std::size_t before = _shadow.size();
+			face(p_corner, p_right, p_up, p_width, p_height, p_style);
+			if (std::min(p_width, p_height) < NARROW_M && p_width * p_height < NARROW_SHARE * largest) {
+				_shadow.resize(before);
+			}
+		}
+	};
+	side(FACE_FRONT, { low.x, low.y, high.z }, X, UP, size.x, size.y);
+	side(FACE_BACK, { high.x, low.y, low.z }, X * -1.0f, UP, size.x, size.y);
+	side(FACE_RIGHT, { high.x, low.y, high.z }, Z * -1.0f, UP, size.z, size.y);
+	side(FACE_LEFT, { low.x, low.y, low.z }, Z, UP, size.z, size.y);
+	side(FACE_TOP, { low.x, high.y, high.z }, X, Z * -1.0f, size.x, size.z);
+	side(FACE_BOTTOM, { low.x, low.y, low.z }, X, Z, size.x, size.z);
 }
 
 void BlockMesh::rod(const Vec3 &p_from, const Vec3 &p_to, float p_radius, float p_end_radius, const Style &p_style,
@@ -228,9 +292,18 @@ void BlockMesh::rod(const Vec3 &p_from, const Vec3 &p_to, float p_radius, float 
 			_indices.insert(_indices.end(), { a, a + width, a + 1, a + 1, a + width, a + width + 1 });
 		}
 	}
+	const std::size_t last_ring = std::size_t(first) + std::size_t(rings) * std::size_t(width);
+	for (int32_t number = 0; number < sides; number++) {
+		const std::size_t a = std::size_t(first) + std::size_t(number);
+		const std::size_t c = last_ring + std::size_t(number);
+		add_shadow(_points[a], _points[c], _points[a + 1]);
+		add_shadow(_points[a + 1], _points[c], _points[c + 1]);
+	}
 	if (p_has_ends) {
+		const std::size_t first_index = _indices.size();
 		cap(p_from, way * -1.0f, side, p_radius, p_style, sides);
 		cap(p_to, way, side, p_end_radius, p_style, sides);
+		copy_shadow(first_index);
 	}
 }
 
@@ -270,9 +343,11 @@ void BlockMesh::surface(const std::vector<Vec3> &p_points, const std::vector<Vec
 		const Vec3 tangent = unit(normal.cross(std::fabs(normal.y) < 0.9f ? UP : Vec3{ 1.0f, 0.0f, 0.0f }));
 		add(_place.point(p_points[index]), normal, tangent, p_uvs[index][0] / edge, p_uvs[index][1] / edge, p_style);
 	}
+	const std::size_t first_index = _indices.size();
 	for (const int32_t index : p_indices) {
 		_indices.push_back(first + index);
 	}
+	copy_shadow(first_index);
 }
 
 void BlockMesh::solid(const Vec3 &p_from, const Vec3 &p_to) {

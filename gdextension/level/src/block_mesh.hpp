@@ -101,6 +101,9 @@ public:
 	const std::vector<float> &dust() const { return _dust; }
 	const std::vector<int32_t> &indices() const { return _indices; }
 	const std::vector<SolidBox> &solids() const { return _solids; }
+	/// Triangles that throw the shadow of all faces, three corners each, in the order of the indices: shadows
+	/// need no light, so these are not divided.
+	const std::vector<Vec3> &shadow() const { return _shadow; }
 
 private:
 	float edge_of(int p_layer) const;
@@ -108,6 +111,10 @@ private:
 	int32_t add(const Vec3 &p_point, const Vec3 &p_normal, const Vec3 &p_tangent, float p_u, float p_v,
 			const Style &p_style);
 	std::vector<float> cuts(float p_length, const std::vector<Opening> &p_holes, bool p_across) const;
+	void add_shadow(const Vec3 &p_a, const Vec3 &p_b, const Vec3 &p_c);
+	void add_shadow(const Vec3 &p_corner, const Vec3 &p_right, const Vec3 &p_up, float p_width, float p_height,
+			const std::vector<Opening> &p_holes);
+	void copy_shadow(std::size_t p_first_index);
 	void cap(const Vec3 &p_middle, const Vec3 &p_way, const Vec3 &p_side, float p_radius, const Style &p_style,
 			int p_sides);
 
@@ -126,6 +133,7 @@ private:
 	std::vector<float> _dust;
 	std::vector<int32_t> _indices;
 	std::vector<SolidBox> _solids;
+	std::vector<Vec3> _shadow;
 };
 
 } // namespace level

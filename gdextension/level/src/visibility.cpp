@@ -16,15 +16,13 @@ namespace {
 constexpr std::array<Vec3, 4> PROBES{ Vec3{ 0.11f, 1.0f, 0.07f }, Vec3{ 1.0f, 0.13f, 0.05f },
 	Vec3{ -0.6f, 0.21f, 0.7f }, Vec3{ -0.3f, 0.17f, -0.9f } };
 
-/// The lowest bit of what a part is for a cell.
-constexpr uint8_t SEEN = 1;
+/// How far the ends of rays that follow another are from its own, in turn, m, and their beginnings.
+constexpr std::array<float, 3> ASIDE_M{ 0.3f, 0.8f, 2.0f };
+constexpr float NUDGE_M = 0.1f;
+/// What a ray meets of a part within cubes of this edge is the same find, m.
+constexpr float KNOWN_M = 4.0f;
 
 } // namespace
-
-int Visibility::sector_of(const Vec3 &p_way) {
-	const float turn = std::atan2(p_way.z, p_way.x) / 6.2831853f + 0.5f;
-	return std::clamp(int(turn * float(SECTORS)), 0, SECTORS - 1);
-}
 
 /// Numbers that are the same on every machine and whatever thread asks (xorshift).
 class Visibility::Dice {
@@ -37,6 +35,8 @@ public:
 		_state ^= _state << 17;
 		return float(_state >> 40) * (1.0f / 16777216.0f);
 	}
+	/// Each coordinate from -1 to below 1.
+	Vec3 aside() { return { 2.0f * next() - 1.0f, 2.0f * next() - 1.0f, 2.0f * next() - 1.0f }; }
 
 private:
 	uint64_t _state;
@@ -154,45 +154,56 @@ void Visibility::note_crossed(std::size_t p_cell, const Vec3 &p_from, const Vec3
 	}
 }
 
-/// Notes that a part, or its shadow, is seen from every small cell between two points.
-void Visibility::note_part(int p_part, uint8_t p_mark, const Vec3 &p_from, const Vec3 &p_to) {
+/// Notes that a part is seen from every small cell between two points.
+void Visibility::note_part(int p_part, const Vec3 &p_from, const Vec3 &p_to) {
 	const Vec3 way = p_to - p_from;
 	const int steps = int(way.length() / (0.4f * _small.size)) + 1;
 	for (int step = 0; step <= steps; step++) {
 		const Vec3 at = (p_from + way * (float(step) / float(steps)) - _small.origin) * (1.0f / _small.size);
 		const std::array<int, 3> index{ int(std::floor(at.x)), int(std::floor(at.y)), int(std::floor(at.z)) };
 		if (_small.has(index)) {
-			std::atomic<uint8_t> &marks = _part_marks[_small.number_of(index) * _parts + p_part];
-			if ((marks.load(std::memory_order_relaxed) & p_mark) == 0) {
-				marks.fetch_or(p_mark, std::memory_order_relaxed);
+			std::atomic<uint8_t> &mark = _part_marks[_small.number_of(index) * _parts + p_part];
+			if (mark.load(std::memory_order_relaxed) == 0) {
+				mark.store(1, std::memory_order_relaxed);
 			}
 		}
 	}
 }
 
-/// Notes what stands between a point that is seen and the light, from one of the directions: its shadow is
-/// seen from everywhere between the eye and the point.
-void Visibility::note_shadow(const Vec3 &p_eye, const Vec3 &p_point, Dice &r_dice) {
-	if (light_ways.empty()) {
+/// Traces a ray from an eye and notes the part that it meets; one that meets what none from this cell has met
+/// is kept, to be followed.
+void Visibility::look_along(const Vec3 &p_eye, const Vec3 &p_way, Finds &r_finds) {
+	const Hit hit = _scene.closest(p_eye, p_way, farthest);
+	r_finds.length = hit.triangle != Hit::NOTHING ? hit.distance : farthest;
+	if (hit.triangle == Hit::NOTHING || _part_of[hit.triangle] < 0) {
 		return;
 	}
-	// Beside the direction too: the sun goes on between them.
-	const Vec3 beside{ r_dice.next() - 0.5f, r_dice.next() - 0.5f, r_dice.next() - 0.5f };
-	const Vec3 about = light_ways[std::size_t(r_dice.next() * float(light_ways.size()))] + beside * 0.4f;
-	const Vec3 way = about * (1.0f / about.length());
-	// Only faces that look at the light are drawn as what throws shadows.
-	Vec3 from = p_point;
-	float left = farthest_shadow;
-	Hit hit = _scene.closest(from, way, left);
-	for (int step = 0; step < 4 && hit.triangle != Hit::NOTHING && !hit.is_back; step++) {
-		from = from + way * (hit.distance + 0.001f);
-		left -= hit.distance + 0.001f;
-		hit = left > 0.0f ? _scene.closest(from, way, left) : Hit();
+	const int part = _part_of[hit.triangle];
+	const Vec3 point = p_eye + p_way * (hit.distance - 0.02f);
+	note_part(part, p_eye, point);
+	const Vec3 cube = point * (1.0f / KNOWN_M);
+	const std::array<int, 4> key{ part, int(std::floor(cube.x)), int(std::floor(cube.y)), int(std::floor(cube.z)) };
+	if (r_finds.known.insert(key).second) {
+		r_finds.sights.push_back({ p_eye, point });
 	}
-	if (hit.triangle != Hit::NOTHING && hit.is_back && _part_of[hit.triangle] >= 0) {
-		const Vec3 back = p_eye - p_point;
-		const float share = std::min(1.0f, farthest_shadow_seen / std::max(back.length(), 0.001f));
-		note_part(_part_of[hit.triangle], uint8_t(2 << sector_of(way)), p_point, p_point + back * share);
+}
+
+/// Sends rays close to those that have found something new, and to those of them that do: so the edges of
+/// what is seen are searched (after Wonka et al., "Guided Visibility Sampling", 2006).
+void Visibility::follow(Finds &r_finds, Dice &r_dice) {
+	for (int left = most_followers; left > 0 && !r_finds.sights.empty();) {
+		const Sight sight = r_finds.sights.back();
+		r_finds.sights.pop_back();
+		for (int number = 0; number < followers; number++, left--) {
+			const float aside = ASIDE_M[std::size_t(number) % ASIDE_M.size()];
+			// Still in the same air, or nearly so.
+			const Vec3 from = sight.from + r_dice.aside() * NUDGE_M;
+			const Vec3 way = sight.to + r_dice.aside() * aside - from;
+			const float length = way.length();
+			if (length > 0.01f) {
+				look_along(from, way * (1.0f / length), r_finds);
+			}
+		}
 	}
 }
 
@@ -202,6 +213,7 @@ void Visibility::look(std::size_t p_first, std::size_t p_last) {
 	for (std::size_t cell = p_first; cell < p_last; cell++) {
 		Dice dice(cell + 1'000'003);
 		const std::size_t large = large_of(cell);
+		Finds finds;
 		for (const Vec3 &eye : _eyes[cell]) {
 			const float turn = 6.2831853f * dice.next();
 			const float cosine = std::cos(turn);
@@ -211,18 +223,11 @@ void Visibility::look(std::size_t p_first, std::size_t p_last) {
 				const float y = each.y * std::fabs(each.y);
 				const float flat = std::sqrt((1.0f - y * y) / std::max(1.0f - each.y * each.y, 1e-6f));
 				const Vec3 way{ (each.x * cosine - each.z * sine) * flat, y, (each.x * sine + each.z * cosine) * flat };
-				const Hit hit = _scene.closest(eye, way, farthest);
-				note_crossed(large, eye, eye + way * (hit.triangle != Hit::NOTHING ? hit.distance : farthest));
-				if (hit.triangle == Hit::NOTHING) {
-					continue;
-				}
-				const Vec3 point = eye + way * (hit.distance - 0.02f);
-				if (_part_of[hit.triangle] >= 0) {
-					note_part(_part_of[hit.triangle], SEEN, eye, point);
-				}
-				note_shadow(eye, point, dice);
+				look_along(eye, way, finds);
+				note_crossed(large, eye, eye + way * finds.length);
 			}
 		}
+		follow(finds, dice);
 	}
 }
 
@@ -248,7 +253,7 @@ void Visibility::look_out(std::size_t p_first, std::size_t p_last) {
 			const Vec3 from = point + way * 0.005f;
 			const Hit hit = _scene.closest(from, way, farthest);
 			const float length = hit.triangle != Hit::NOTHING ? hit.distance : farthest;
-			note_part(cluster.part, SEEN, from, from + way * length);
+			note_part(cluster.part, from, from + way * length);
 		}
 	}
 }

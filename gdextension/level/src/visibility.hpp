@@ -6,6 +6,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <set>
 #include <vector>
 
 namespace level {
@@ -33,13 +34,6 @@ struct CellGrid {
 /// between cells: a step to the side shows little that is new.
 class Visibility {
 public:
-	/// Sectors of the horizon from which light comes.
-	static constexpr int SECTORS = 7;
-
-	/// In which sector a direction towards a light lies, 0 to SECTORS - 1: sectors go from -X over -Z to +X
-	/// and back over +Z.
-	static int sector_of(const Vec3 &p_way);
-
 	/// Cells of the sets of parts along the edge of a cell.
 	int divisions = 2;
 	/// Points in each of these small cells from which is looked.
@@ -51,15 +45,14 @@ public:
 	float cluster_m = 3.0f;
 	int cluster_rays = 600;
 	int part_rays = 20000;
+	/// A ray that finds something new is followed by so many others close to it, and those that find more by
+	/// others again, so many at most for a small cell: what is seen through a gap is found whole.
+	int followers = 3;
+	int most_followers = 20000;
 	/// Rays to each cell from each.
 	int cell_tries = 4;
-	/// How far from what throws them shadows are looked for, and how far from the eye they are seen, m.
-	float farthest_shadow = 40.0f;
-	float farthest_shadow_seen = 64.0f;
 	/// How far anything is seen, m.
 	float farthest = 250.0f;
-	/// Directions towards the sun and the moon: what stands in their light is needed for its shadow.
-	std::vector<Vec3> light_ways;
 	/// Threads that work.
 	int threads = 2;
 
@@ -70,8 +63,7 @@ public:
 	void survey();
 	/// The small cells: see divisions.
 	const CellGrid &small_cells() const { return _small; }
-	/// A byte for each small cell and part (part fastest): the lowest bit is set if some of the part is seen
-	/// from the cell; the others, one for each sector that the light may come from, if a shadow of it is.
+	/// A byte for each small cell and part (part fastest): 1 if some of the part is seen from the cell.
 	const std::vector<uint8_t> &parts() const { return _part_seen; }
 	/// A byte for each pair of cells (from, to): 1 if some of the one is seen from the other.
 	const std::vector<uint8_t> &cells() const { return _cell_seen; }
@@ -82,6 +74,17 @@ public:
 
 private:
 	class Dice;
+	/// A ray that has found something: where it began and ended.
+	struct Sight {
+		Vec3 from;
+		Vec3 to;
+	};
+	/// What was found from a cell: parts in cubes of the world, rays to be followed, how far the last one went.
+	struct Finds {
+		std::set<std::array<int, 4>> known;
+		std::vector<Sight> sights;
+		float length = 0.0f;
+	};
 	/// Marks that several threads set and none takes away.
 	using Marks = std::vector<std::atomic<uint8_t>>;
 
@@ -91,8 +94,9 @@ private:
 	void look_out(std::size_t p_first, std::size_t p_last);
 	void look_at_cells(std::size_t p_first, std::size_t p_last);
 	void note_crossed(std::size_t p_cell, const Vec3 &p_from, const Vec3 &p_to);
-	void note_part(int p_part, uint8_t p_mark, const Vec3 &p_from, const Vec3 &p_to);
-	void note_shadow(const Vec3 &p_eye, const Vec3 &p_point, Dice &r_dice);
+	void note_part(int p_part, const Vec3 &p_from, const Vec3 &p_to);
+	void look_along(const Vec3 &p_eye, const Vec3 &p_way, Finds &r_finds);
+	void follow(Finds &r_finds, Dice &r_dice);
 	void gather_points();
 	void widen(std::size_t p_first, std::size_t p_last);
 	bool looks_into(std::size_t p_cell, std::size_t p_other) const;

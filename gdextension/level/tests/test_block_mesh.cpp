@@ -48,6 +48,33 @@ TEST(sides_that_are_never_seen_can_be_left_out) {
 	CHECK_NEAR(area(mesh), 2.0 * (2.0 + 3.0 + 6.0) - 3.0 - 6.0, 1e-4);
 }
 
+// What shadows are thrown by is the same surface, seen from the same side, in fewer triangles.
+TEST(the_shadow_is_that_of_the_faces) {
+	BlockMesh mesh;
+	mesh.set_place({ { Vec3{ 0.0f, 0.0f, -1.0f }, Vec3{ 0.0f, 1.0f, 0.0f }, Vec3{ 1.0f, 0.0f, 0.0f } },
+			{ 5.0f, 0.0f, 2.0f } });
+	mesh.face({}, { 1.0f, 0.0f, 0.0f }, { 0.0f, 1.0f, 0.0f }, 6.0f, 3.0f, {},
+			{ { 1.0f, 0.0f, 1.0f, 2.1f }, { 3.0f, 1.0f, 1.2f, 1.2f } });
+	mesh.quad({ Vec3{ 0.0f, 0.0f, 0.0f }, { 0.0f, 0.0f, 3.0f }, { 0.0f, 4.0f, 3.0f }, { 0.0f, 4.0f, 0.0f } }, {});
+	mesh.quad({ Vec3{ 0.0f, 3.0f, 0.0f }, { 4.0f, 3.5f, 0.0f }, { 4.0f, 3.0f, 4.0f }, { 0.0f, 3.5f, 4.0f } }, {});
+	mesh.rod({ 0.0f, 0.0f, 0.0f }, { 1.0f, 4.0f, 2.0f }, 0.5f, 0.2f, {}, 8, true);
+	mesh.triangle({}, { 0.0f, 0.0f, 1.0f }, { 0.0f, 1.0f, 0.0f }, {});
+	Vec3 faces;
+	for (const Triangle &triangle : boxes::triangles(mesh)) {
+		faces = faces + triangle.normal();
+	}
+	Vec3 shadow;
+	float shadow_area = 0.0f;
+	for (std::size_t index = 0; index < mesh.shadow().size(); index += 3) {
+		const Triangle triangle{ mesh.shadow()[index], mesh.shadow()[index + 1], mesh.shadow()[index + 2] };
+		shadow = shadow + triangle.normal();
+		shadow_area += triangle.normal().length() * 0.5f;
+	}
+	CHECK_NEAR(shadow_area, area(mesh), 0.002f * area(mesh));
+	CHECK_NEAR((shadow - faces).length(), 0.0, 1e-2);
+	CHECK(mesh.shadow().size() < mesh.indices().size() / 2);
+}
+
 TEST(openings_are_open) {
 	BlockMesh mesh;
 	mesh.face({}, { 1.0f, 0.0f, 0.0f }, { 0.0f, 1.0f, 0.0f }, 6.0f, 3.0f, {},

@@ -98,41 +98,29 @@ TEST(sight_is_mutual_and_the_same_with_any_number_of_threads) {
 	CHECK(mutual);
 }
 
-TEST(what_only_throws_a_shadow_is_marked) {
-	// A post behind a wall that hides it; over the wall it throws its shadow on the ground far before it.
-	BlockMesh ground;
-	ground.box({ -20.0f, -1.0f, -2.0f }, { 20.0f, 0.0f, 2.0f }, {});
-	BlockMesh walls;
-	walls.box({ 2.0f, 0.0f, -20.0f }, { 3.0f, 12.0f, 20.0f }, {});
-	BlockMesh post;
-	post.box({ 10.0f, 0.0f, -2.0f }, { 12.0f, 20.0f, 2.0f }, {});
-	std::vector<Triangle> triangles;
-	std::vector<int32_t> part_of;
-	int part = 0;
-	for (const BlockMesh *mesh : { &ground, &walls, &post }) {
-		for (const Triangle &triangle : boxes::triangles(*mesh)) {
+TEST(what_is_seen_through_a_slit_only_is_found) {
+	// A wall with a slit of 8 cm; each of ten posts behind it is a part.
+	BlockMesh wall;
+	wall.box({ 2.0f, -1.0f, -20.0f }, { 2.02f, 6.0f, -0.04f }, {});
+	wall.box({ 2.0f, -1.0f, 0.04f }, { 2.02f, 6.0f, 20.0f }, {});
+	std::vector<Triangle> triangles = boxes::triangles(wall);
+	std::vector<int32_t> part_of(triangles.size(), -1);
+	for (int part = 0; part < 10; part++) {
+		BlockMesh post;
+		const float z = 1.2f * (float(part) - 4.5f);
+		post.box({ 12.0f, 0.0f, z - 0.3f }, { 12.4f, 2.0f, z + 0.3f }, {});
+		for (const Triangle &triangle : boxes::triangles(post)) {
 			triangles.push_back(triangle);
 			part_of.push_back(part);
 		}
-		part++;
 	}
 	RayScene scene;
 	scene.build(triangles);
-	const CellGrid grid{ { -6.0f, 0.0f, -2.0f }, 2.0f, { 4, 1, 2 } };
-	Visibility visibility(scene, triangles, part_of, 3, grid);
+	Visibility visibility(scene, triangles, part_of, 10, { { -2.0f, 0.0f, -2.0f }, 4.0f, { 1, 1, 1 } });
 	visibility.survey();
-	const Vec3 eye{ -3.0f, 1.0f, -1.0f };
-	CHECK(bits(visibility, eye, 3, 0) == 1);
-	CHECK(bits(visibility, eye, 3, 2) == 0);
-	Visibility lit(scene, triangles, part_of, 3, grid);
-	const Vec3 way{ 0.8f, 0.6f, 0.0f };
-	lit.light_ways = { way };
-	lit.eyes = 40;
-	lit.survey();
-	CHECK((bits(lit, eye, 3, 2) & 1) == 0);
-	CHECK((bits(lit, eye, 3, 2) & (2 << Visibility::sector_of(way))) != 0);
-	// From the other side there is no light.
-	CHECK((bits(lit, eye, 3, 2) & (2 << Visibility::sector_of({ -0.8f, 0.6f, -0.1f }))) == 0);
+	for (int part = 0; part < 10; part++) {
+		CHECK(bits(visibility, { 1.0f, 1.0f, part < 5 ? 0.5f : -0.5f }, 10, part) == 1);
+	}
 }
 
 TEST(what_is_solid_through_and_through_has_no_air) {

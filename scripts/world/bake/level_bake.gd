@@ -14,14 +14,7 @@ enum Section { PARTS = 1, LIGHT, GRID, CELLS, SEEN_PARTS, SEEN_CELLS }
 ## What a file begins with.
 const MAGIC: String = "DSMTBAKE"
 ## Version of the format.
-const VERSION: int = 2
-## The version before: its sets know of shadows from anywhere only.
-const OLD_VERSION: int = 1
-## Bits of [member seen_parts]: the part is seen; its shadow is, of light from one of the sectors of
-## the horizon (see [method shadow_bit]).
-const SEEN: int = 1
-const SECTORS: int = 7
-const SHADOWS: int = 254
+const VERSION: int = 3
 ## Bytes of the light of a vertex: red, green and blue of the five sources.
 const LIGHT_SIZE: int = 15
 ## Bytes of a point of the grid of light.
@@ -52,8 +45,7 @@ var grid: PackedByteArray = []
 var cell_origin: Vector3 = Vector3.ZERO
 var cell_size: float = 4.0
 var cell_counts: Vector3i = Vector3i.ZERO
-## A byte for each small cell and part, parts fastest, of the bits [constant SEEN] and
-## [constant SHADOWS].
+## A byte for each small cell and part, parts fastest: 1 if some of the part is seen from the cell.
 var seen_parts: PackedByteArray = []
 ## Small cells along the edge of a cell: sets of parts have smaller cells than sight between cells.
 var divisions: int = 1
@@ -101,19 +93,10 @@ func describe() -> String:
 	text += "%d points in the air" % (grid.size() / POINT_SIZE)
 	if cells == 0 or seen_parts.is_empty():
 		return text
-	var seen: int = 0
-	for bits: int in seen_parts:
-		seen += bits & SEEN
-	var parts: float = 100.0 * seen / seen_parts.size()
+	var parts: float = 100.0 * seen_parts.count(1) / seen_parts.size()
 	var open: float = 100.0 * seen_cells.count(1) / seen_cells.size()
 	text += ", %d cells that see %.0f %% of the parts and " % [cells, parts]
 	return text + "%.0f %% of the cells" % open
-
-
-## The bit of [constant SHADOWS] for light from a direction.
-static func shadow_bit(p_way: Vector3) -> int:
-	var turn: float = atan2(p_way.z, p_way.x) / TAU + 0.5
-	return 2 << clampi(int(turn * SECTORS), 0, SECTORS - 1)
 
 
 ## Number of the cell in which a point of the level lies, or -1.
@@ -175,7 +158,7 @@ func read(p_bytes: PackedByteArray) -> String:
 	if p_bytes.size() < _HEAD or p_bytes.slice(0, 8) != MAGIC.to_ascii_buffer():
 		return "it is no baked level"
 	var version: int = p_bytes.decode_u32(8)
-	if version != VERSION and version != OLD_VERSION:
+	if version != VERSION:
 		return "it has version %d; this program reads %d" % [version, VERSION]
 	var body: PackedByteArray = p_bytes.slice(_HEAD)
 	if _sha256(body) != p_bytes.slice(12, _HEAD):
@@ -194,17 +177,7 @@ func read(p_bytes: PackedByteArray) -> String:
 			return "section %d cannot be unpacked" % body.decode_u32(at)
 		sections[body.decode_u32(at)] = bytes
 		at += 12 + packed
-	var why: String = _take(sections)
-	if version == OLD_VERSION:
-		_modernise()
-	return why
-
-
-## Before, 1 was for what is seen and 2 for what only its shadow is seen of, from wherever.
-func _modernise() -> void:
-	for index: int in seen_parts.size():
-		if seen_parts[index] != 0:
-			seen_parts[index] = SEEN | SHADOWS if seen_parts[index] == 1 else SHADOWS
+	return _take(sections)
 
 
 func _take(p_sections: Dictionary[int, PackedByteArray]) -> String:

@@ -35,8 +35,6 @@ var has_visibility: bool = true
 
 var _tracer: LevelTracer = LevelTracer.new()
 var _bounds: AABB = AABB()
-# Numbers of the parts that have to throw shadows where a part is seen.
-var _covers: Dictionary[int, PackedInt32Array] = {}
 # Where people stand lowest, m.
 var _floor: float = 0.0
 
@@ -53,9 +51,6 @@ func prepare(p_level: Node3D) -> void:
 		bake.counts.append(part.mesh.get_vertex_count())
 		for point: Vector3 in part.mesh.get_points():
 			_bounds = AABB(point, Vector3.ZERO) if _bounds == AABB() else _bounds.expand(point)
-	for index: int in parts.size():
-		for cover: SurfacePart in parts[index].covers:
-			_covers.get_or_add(index, PackedInt32Array()).append(parts.find(cover))
 	_add_ground(p_level)
 	for lamp: LampLight in SurfacePart.gather_lamps(p_level):
 		_tracer.add_lamp(lamp.position, lamp.colour, lamp.range_m, lamp.way, lamp.angle)
@@ -121,35 +116,10 @@ func _survey() -> void:
 		bake.cell_counts = Vector3i((box.size / bake.cell_size).ceil().max(Vector3.ONE))
 	bake.cell_origin = box.get_center() - Vector3(bake.cell_counts) * bake.cell_size / 2.0
 	bake.cell_origin.y = _floor
-	var ways: PackedVector3Array = _ways_of_light()
-	if _tracer.survey(bake.cell_origin, bake.cell_size, bake.cell_counts, ways):
+	if _tracer.survey(bake.cell_origin, bake.cell_size, bake.cell_counts):
 		bake.seen_parts = _tracer.get_seen_parts()
 		bake.divisions = _tracer.get_divisions()
-		_close_rooms()
 		bake.seen_cells = _tracer.get_seen_cells()
-
-
-## Few rays find what keeps the sun out of a room that is seen through a window: all of its house.
-func _close_rooms() -> void:
-	var count: int = bake.keys.size()
-	for first: int in range(0, bake.seen_parts.size(), count):
-		for index: int in _covers:
-			if bake.seen_parts[first + index] & LevelBake.SEEN != 0:
-				bake.seen_parts[first + index] |= LevelBake.SHADOWS
-				for cover: int in _covers[index]:
-					bake.seen_parts[first + cover] |= LevelBake.SHADOWS
-
-
-## Directions towards the sun or the moon at any hour, more of them than there are hours.
-static func _ways_of_light() -> PackedVector3Array:
-	const COUNT: int = 64
-	var ways: PackedVector3Array = []
-	for number: int in COUNT:
-		var y: float = 0.2 + 0.76 * (number + 0.5) / COUNT
-		var angle: float = TAU * fposmod(number * 0.61803398875, 1.0)
-		var flat: float = sqrt(1.0 - y * y)
-		ways.append(Vector3(cos(angle) * flat, y, sin(angle) * flat))
-	return ways
 
 
 ## The height of the lowest spawn point, or of what lies lowest where there is none.

@@ -1,11 +1,18 @@
 class_name LevelSurfaces
 extends Node3D
-## Shows the blocks of a level: one mesh for each part, with its baked light.
+## Shows the blocks of a level: one mesh for each part, with its baked light. Their shadows are thrown
+## by few large meshes: each split of the sun's shadow draws what throws it once more, and what
+## cannot be seen may still throw one that can.
+
+## Edge of the squares whose shadows are one mesh, m.
+const SHADOW_M: float = 32.0
 
 ## The parts, in the order of the bake.
 var parts: Array[SurfacePart] = []
 ## The mesh of each part.
 var shown: Array[MeshInstance3D] = []
+## The meshes that throw the shadows.
+var shadows: Array[MeshInstance3D] = []
 ## What was baked, or null where nothing that fits was.
 var bake: LevelBake = null
 ## Light in the air.
@@ -24,8 +31,10 @@ func assemble(p_level: Node3D, p_bake: LevelBake) -> void:
 		var light: PackedByteArray = bake.light_of(index) if bake != null else PackedByteArray()
 		instance.mesh = SurfaceMaterial.make_mesh(parts[index].mesh, light)
 		instance.name = "Part%d" % index
+		instance.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
 		add_child(instance)
 		shown.append(instance)
+	_add_shadows()
 	air = LevelAir.new()
 	air.bake = bake
 	add_child(air)
@@ -33,3 +42,25 @@ func assemble(p_level: Node3D, p_bake: LevelBake) -> void:
 		visibility = LevelVisibility.new()
 		visibility.surfaces = self
 		add_child(visibility)
+
+
+func _add_shadows() -> void:
+	var squares: Dictionary[Vector2i, PackedVector3Array] = {}
+	for index: int in parts.size():
+		var middle: Vector3 = shown[index].mesh.get_aabb().get_center() / SHADOW_M
+		var square: Vector2i = Vector2i(floori(middle.x), floori(middle.z))
+		var corners: PackedVector3Array = squares.get(square, PackedVector3Array())
+		corners.append_array(parts[index].mesh.get_shadow())
+		squares[square] = corners
+	for square: Vector2i in squares:
+		var arrays: Array = []
+		arrays.resize(Mesh.ARRAY_MAX)
+		arrays[Mesh.ARRAY_VERTEX] = squares[square]
+		var mesh: ArrayMesh = ArrayMesh.new()
+		mesh.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES, arrays)
+		var instance: MeshInstance3D = MeshInstance3D.new()
+		instance.name = "Shadow_%d_%d" % [square.x, square.y]
+		instance.mesh = mesh
+		instance.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_SHADOWS_ONLY
+		add_child(instance)
+		shadows.append(instance)

@@ -3,8 +3,7 @@ extends RefCounted
 ## A part of a level's surfaces: what is drawn, lit and hidden as one.
 
 ## Edge of the squares whose small blocks are one part, and whose roofs are, m.
-const SQUARE_M: float = 24.0
-const ROOFS_M: float = 32.0
+const SQUARE_M: float = 16.0
 ## Longest key that is read, characters.
 const MAX_KEY: int = 200
 
@@ -12,8 +11,6 @@ const MAX_KEY: int = 200
 var key: String = ""
 ## Its faces, in the level's frame.
 var mesh: BlockMesh = null
-## Parts without which the sun would shine into what is seen of this one.
-var covers: Array[SurfacePart] = []
 
 
 ## The parts of all blocks below a level's root, in the order of the tree.
@@ -24,13 +21,8 @@ static func gather(p_level: Node3D) -> Array[SurfacePart]:
 		if block == null or not block.is_merged() or not _is_shown(block, p_level):
 			continue
 		var place: Transform3D = place_of(block, p_level)
-		var own: Array[SurfacePart] = []
 		for name: StringName in block.get_parts():
 			var part: SurfacePart = _part_of(by_key, p_level, block, place.origin, name)
-			# Of a house, what is within comes last.
-			if own.size() > 1:
-				part.covers = own.duplicate()
-			own.append(part)
 			part.mesh.set_place(place)
 			block.build(part.mesh, name)
 	var parts: Array[SurfacePart] = []
@@ -82,8 +74,7 @@ static func _part_of(
 	if p_block.stands_alone() and p_name != KitBlock.ROOF:
 		key = "%s/%s" % [p_level.get_path_to(p_block), p_name]
 	else:
-		var edge: float = ROOFS_M if p_name == KitBlock.ROOF else SQUARE_M
-		var square: Vector3i = Vector3i((p_place / edge).floor())
+		var square: Vector3i = Vector3i((p_place / SQUARE_M).floor())
 		key = "square %d %d %s" % [square.x, square.z, p_name]
 	key = key.left(MAX_KEY)
 	if not p_by_key.has(key):

@@ -1,0 +1,126 @@
+extends TestCase
+## What is out of sight is not drawn, and neither is a shadow that falls on nothing that is.
+
+## Two cells side by side along X; each has a part, and neither sees the other.
+const CELL_M: float = 10.0
+
+var _level: Node3D = null
+var _surfaces: LevelSurfaces = null
+var _visibility: LevelVisibility = null
+var _sun: DirectionalLight3D = null
+
+
+func before_each() -> void:
+	_level = Node3D.new()
+	add_child(_level)
+	_sun = DirectionalLight3D.new()
+	_sun.shadow_enabled = true
+	_level.add_child(_sun)
+	_shine(Vector3.UP)
+	_surfaces = LevelSurfaces.new()
+	_surfaces.bake = _bake()
+	for cell: int in 2:
+		_surfaces.shown.append(
+			_box(Vector3(CELL_M * (cell + 0.5), 0.5, 5.0), Vector3(8.0, 1.0, 8.0))
+		)
+		_surfaces.shadows.append(
+			_box(Vector3(CELL_M * (cell + 0.5), 3.0, 5.0), Vector3(8.0, 6.0, 8.0))
+		)
+	_level.add_child(_surfaces)
+	_visibility = LevelVisibility.new()
+	_visibility.surfaces = _surfaces
+	_surfaces.add_child(_visibility)
+	_visibility.set_process(false)
+
+
+func after_each() -> void:
+	_level.free()
+
+
+func test_parts_are_shown_where_they_are_seen() -> void:
+	_visibility.look_from(_middle(0))
+	equal(_shown(_surfaces.shown), [true, false])
+	_visibility.look_from(_middle(1))
+	equal(_shown(_surfaces.shown), [false, true])
+	_visibility.look_from(Vector3(0.0, 500.0, 0.0))
+	equal(_shown(_surfaces.shown), [true, true], "where no cell is, all is shown")
+	_visibility.look_from(_middle(0))
+	_visibility.is_active = false
+	_visibility.look_from(_middle(0))
+	equal(_shown(_surfaces.shown), [true, true])
+
+
+func test_shadows_are_thrown_where_they_fall_on_what_is_drawn() -> void:
+	_visibility.look_from(_middle(0))
+	equal(_shown(_surfaces.shadows), [true, false], "from above they fall on their own place")
+	_shine(Vector3(1.0, 0.6, 0.0))
+	_visibility.look_from(_middle(0))
+	equal(_shown(_surfaces.shadows), [true, true], "the other stands between it and the sun")
+	_shine(Vector3(-1.0, 0.6, 0.0))
+	_visibility.look_from(_middle(0))
+	equal(_shown(_surfaces.shadows), [true, false])
+	_shine(Vector3(-1.0, 0.01, 0.0))
+	_visibility.look_from(_middle(0))
+	equal(_shown(_surfaces.shadows), [true, true], "a low sun throws them without end")
+
+
+func test_props_are_shown_where_their_cell_is_seen() -> void:
+	var near: Node3D = _prop(Vector3(3.0, 0.5, 5.0))
+	var far: Node3D = _prop(Vector3(17.0, 0.5, 5.0))
+	var between: Node3D = _prop(Vector3(10.3, 0.5, 5.0))
+	var outside: Node3D = _prop(Vector3(-50.0, 0.5, 5.0))
+	_visibility.look_from(_middle(0))
+	is_true(near.visible)
+	is_false(far.visible)
+	is_true(between.visible, "some of it is in the cell that is seen")
+	is_true(outside.visible, "nothing is known of where it is")
+	_visibility.look_from(_middle(1))
+	is_false(near.visible)
+	is_true(far.visible)
+
+
+func _bake() -> LevelBake:
+	var bake: LevelBake = LevelBake.new()
+	bake.cell_size = CELL_M
+	bake.cell_counts = Vector3i(2, 1, 1)
+	bake.seen_parts = PackedByteArray([1, 0, 0, 1])
+	bake.seen_cells = PackedByteArray([1, 0, 0, 1])
+	return bake
+
+
+func _middle(p_cell: int) -> Vector3:
+	return Vector3(CELL_M * (p_cell + 0.5), 1.7, 5.0)
+
+
+func _shine(p_towards: Vector3) -> void:
+	var up: Vector3 = Vector3.UP if absf(p_towards.y) < 0.9 else Vector3.RIGHT
+	_sun.basis = Basis.looking_at(-p_towards, up)
+
+
+func _box(p_at: Vector3, p_size: Vector3) -> MeshInstance3D:
+	var arrays: Array = BoxMesh.new().get_mesh_arrays()
+	var points: PackedVector3Array = arrays[Mesh.ARRAY_VERTEX]
+	for index: int in points.size():
+		points[index] = points[index] * p_size + p_at
+	arrays[Mesh.ARRAY_VERTEX] = points
+	var instance: MeshInstance3D = MeshInstance3D.new()
+	var mesh: ArrayMesh = ArrayMesh.new()
+	mesh.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES, arrays)
+	instance.mesh = mesh
+	_surfaces.add_child(instance)
+	return instance
+
+
+func _prop(p_at: Vector3) -> Node3D:
+	var prop: Node3D = Node3D.new()
+	prop.position = p_at
+	prop.add_to_group(KitBlock.PROPS_GROUP)
+	_level.add_child(prop)
+	return prop
+
+
+func _shown(p_meshes: Array[MeshInstance3D]) -> Array[bool]:
+	var shown: Array[bool] = []
+	for mesh: MeshInstance3D in p_meshes:
+		shown.append(mesh.visible)
+	return shown
