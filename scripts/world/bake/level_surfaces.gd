@@ -1,8 +1,8 @@
 class_name LevelSurfaces
 extends Node3D
-## Shows the blocks of a level: one mesh for each part, with its baked light. Their shadows are thrown
-## by few large meshes: each split of the sun's shadow draws what throws it once more, and what
-## cannot be seen may still throw one that can.
+## Shows the blocks of a level: one mesh for each part, with its baked light. Their shadows are
+## thrown by few large meshes: each split of the sun's shadow draws what throws it once more, and
+## what cannot be seen may still throw one that can.
 
 ## Edge of the squares whose shadows are one mesh, m.
 const SHADOW_M: float = 32.0
