@@ -97,14 +97,17 @@ func _add_base() -> void:
 		func(p_one: Rect2) -> bool: return p_one.position.y < base
 	)
 	for rect: Rect2 in solid_rects(Vector2(size.x, base), doors):
-		_mesh.box(
-			Vector3(rect.position.x, rect.position.y, -THICK - BASE_OUT),
-			Vector3(rect.end.x, rect.end.y, BASE_OUT),
-			SurfaceLayers.Layer.CONCRETE,
-			SurfaceTints.Tint.PLAIN,
-			BlockMesh.FACE_BOTTOM,
-			true
-		)
+		var from: Vector3 = Vector3(rect.position.x, rect.position.y, -THICK - BASE_OUT)
+		var to: Vector3 = Vector3(rect.end.x, rect.end.y, BASE_OUT)
+		_mesh.solid(from, to)
+		# In two halves: the ledge indoors would take light from the corners outdoors.
+		var concrete: int = SurfaceLayers.Layer.CONCRETE
+		var plain: int = SurfaceTints.Tint.PLAIN
+		var middle: float = -THICK / 2.0
+		var unseen: int = BlockMesh.FACE_BOTTOM | BlockMesh.FACE_FRONT
+		_mesh.box(from, Vector3(to.x, to.y, middle), concrete, plain, unseen)
+		unseen = BlockMesh.FACE_BOTTOM | BlockMesh.FACE_BACK
+		_mesh.box(Vector3(from.x, from.y, middle), to, concrete, plain, unseen)
 
 
 func _bar(p_rect: Rect2, p_near: float, p_far: float, p_tint: int) -> void:
