@@ -19,7 +19,7 @@ from tutorial.screen import Screen
 from tutorial.steps import LEVEL, Tutorial
 
 from .conftest import SOFTWARE, Process, World
-from .test_editor import complaints, copy, godot  # noqa: F401
+from .test_editor import call_git, complaints, copy, godot  # noqa: F401
 
 # In a busy machine's time; docs/measuring.md has what a quiet one takes.
 TRY_LIMIT_S = 240.0
@@ -94,6 +94,8 @@ def test_the_tutorial(copy: Path, godot: Godot, world: World, wide: dict[str, st
         check_placed(copy / "scenes" / "world" / LEVEL / f"{LEVEL}.tscn")
         assert (copy / "scenes" / "world" / LEVEL / f"{LEVEL}.bake").stat().st_size > 10_000
         assert complaints(process.log()) == []
+        # What a level uses is saved with it, in the editor's form: all of it has that form already.
+        assert call_git(copy, "status", "--porcelain").split() == ["??", f"scenes/world/{LEVEL}/"]
         check_trial(tutorial, process, copy)
     finally:
         screen.close()
