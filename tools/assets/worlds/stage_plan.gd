@@ -13,11 +13,7 @@ const TIER: Vector2 = Vector2(1.05, 0.26)
 const TIERS: int = 9
 ## Height of trusses, m.
 const HIGH: float = 7.3
-const WARM: Color = Color(1.0, 0.90, 0.76)
-const MAGENTA: Color = Color(1.0, 0.16, 0.55)
-const CYAN: Color = Color(0.16, 0.72, 1.0)
-const VIOLET: Color = Color(0.48, 0.22, 1.0)
-const AMBER: Color = Color(1.0, 0.58, 0.18)
+const Lights: GDScript = preload("res://tools/assets/worlds/stage_light_plan.gd")
 
 ## Where people start: performers first, then the audience.
 var starts: Array[Transform3D] = []
@@ -37,12 +33,12 @@ func lay_out() -> Node3D:
 	_podium()
 	_cloths()
 	_trusses()
-	_lights()
+	Lights.new(_put).hang(HIGH, PODIUM.y)
 	_screen()
 	_sound()
 	_seats()
 	_crew()
-	_house_lights()
+	Lights.new(_put).hang_house(HIGH)
 	_outside()
 	_people()
 	return _root
@@ -166,71 +162,6 @@ func _trusses() -> void:
 			_put(tower, Transform3D(up, Vector3(side * 7.97, 0.0, z)))
 
 
-func _light(p_at: Vector3, p_to: Vector3, p_colour: Color, p_strength: float) -> StageLight:
-	var light: StageLight = StageLight.new()
-	light.colour = p_colour
-	light.strength = p_strength
-	var away: Vector3 = (p_to - p_at).normalized()
-	var up: Vector3 = Vector3.UP if absf(away.y) < 0.98 else Vector3.FORWARD
-	_put(light, Transform3D(Basis.looking_at(away, up), p_at))
-	return light
-
-
-func _lights() -> void:
-	var low: float = HIGH - 0.5
-	# Two follow spots from the front, one of which throws shadows; colours from the sides, rims from
-	# behind, a wash on the backdrop.
-	var middle: Vector3 = Vector3(0.0, PODIUM.y + 1.0, -9.6)
-	var key: StageLight = _light(Vector3(-3.4, low, 0.5), middle, WARM, 4.0)
-	key.has_shadow = true
-	key.angle = 15.0
-	key.reach = 17.0
-	key.beam = 0.8
-	var fill: StageLight = _light(Vector3(4.2, low, 0.5), middle, Color(0.86, 0.9, 1.0), 1.4)
-	fill.angle = 17.0
-	fill.reach = 17.0
-	fill.beam = 0.5
-	for side: float in [-1.0, 1.0]:
-		var tint: Color = MAGENTA if side < 0.0 else CYAN
-		var across: StageLight = _light(
-			Vector3(side * 5.4, low, -9.1), Vector3(side * 0.4, PODIUM.y, -9.9), tint, 3.6
-		)
-		across.angle = 20.0
-		across.reach = 11.0
-		across.beam = 1.3
-		var rim: StageLight = _light(
-			Vector3(side * 2.5, low, -12.8),
-			Vector3(side * 1.4, PODIUM.y, -8.4),
-			VIOLET if side < 0.0 else AMBER,
-			3.6
-		)
-		rim.angle = 17.0
-		rim.reach = 10.0
-		rim.beam = 1.2
-	var wash: StageLight = _light(
-		Vector3(0.0, low, -9.6), Vector3(0.0, 3.2, -14.3), Color(1.0, 0.9, 0.86), 1.3
-	)
-	wash.angle = 50.0
-	wash.reach = 12.0
-	wash.beam = 0.0
-	_movers(low)
-
-
-## Beams over the heads of the audience, which light nothing.
-func _movers(p_low: float) -> void:
-	var tints: Array[Color] = [CYAN, VIOLET, MAGENTA, MAGENTA, VIOLET, CYAN]
-	for number: int in 6:
-		var x: float = lerpf(-6.6, 6.6, number / 5.0)
-		var to: Vector3 = Vector3(x * 1.9, 1.5, 5.5 - absf(x) * 0.3)
-		var beam: StageLight = _light(Vector3(x, p_low, -5.55), to, tints[number], 1.0)
-		beam.is_lighting = false
-		beam.angle = 4.0
-		beam.reach = 13.0
-		beam.beam = 1.4
-		beam.swing = 16.0
-		beam.period = 11.0 + number
-
-
 ## The screen over the stage, and the camera at the desk that films for it.
 func _screen() -> void:
 	var film: FilmCamera = FilmCamera.new()
@@ -344,23 +275,6 @@ func _crew() -> void:
 		var case: FlightCase = FlightCase.new()
 		case.size = row[1]
 		_add(case, row[0], row[2])
-
-
-## Lamps over the audience, which burn at dusk, and at the entrance.
-func _house_lights() -> void:
-	for z: float in [3.5, 8.5, 13.8]:
-		for x: float in [-6.5, 0.0, 6.5]:
-			_lamp(Vector3(x, HIGH + 0.9 - absf(x) * 0.02, z), 3.2)
-	for side: float in [-1.0, 1.0]:
-		_lamp(Vector3(side * 9.4, 4.6, -10.4), 1.2)
-
-
-func _lamp(p_at: Vector3, p_strength: float) -> void:
-	var lamp: CeilingLamp = CeilingLamp.new()
-	lamp.strength = p_strength
-	lamp.drop = 0.9
-	lamp.colour = Color(1.0, 0.93, 0.85)
-	_add(lamp, p_at)
 
 
 ## A forecourt and a fence around it.
