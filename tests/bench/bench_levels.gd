@@ -53,7 +53,7 @@ func _run() -> void:
 
 ## A level of so many blocks, as the editor saves it.
 func _large() -> PackedByteArray:
-	var parts: PackedStringArray = [HostileLevels.level()]
+	var parts: PackedStringArray = [LevelTexts.level()]
 	for index: int in _arguments.value("blocks"):
 		var at: Array = [index % 50 * 2.0, index / 50 * 3.0]
 		parts.append('[node name="Block%d" type="StaticBody3D" parent="Static"]' % index)

@@ -62,7 +62,7 @@ func test_a_level_of_ours_comes_over_several_frames_with_progress() -> void:
 
 
 func test_a_level_that_is_lacking_comes_from_the_server() -> void:
-	_offer(HostileLevels.level())
+	_offer(LevelTexts.level())
 	is_true(_arrival.keeps(_level("range@" + _hash())))
 	contains(_shown[0], "Downloading world 'range'")
 	await _until(LevelArrival.Wait.NOTHING)
@@ -78,7 +78,7 @@ func test_a_level_that_is_lacking_comes_from_the_server() -> void:
 
 func test_a_hostile_level_is_refused_and_the_client_waits_for_another() -> void:
 	HostileLevels.write_bait()
-	_offer(HostileLevels.level({"end": '[node name="T" type="Timer" parent="."]'}))
+	_offer(LevelTexts.level({"end": '[node name="T" type="Timer" parent="."]'}))
 	_arrival.keeps(_level("range@" + _hash()))
 	await _until(LevelArrival.Wait.ANOTHER)
 	contains(_shown[-1], "is refused: range.tscn, line ")
@@ -93,7 +93,7 @@ func test_a_hostile_level_is_refused_and_the_client_waits_for_another() -> void:
 
 
 func test_a_damaged_store_is_noticed_and_mended() -> void:
-	_offer(HostileLevels.level())
+	_offer(LevelTexts.level())
 	_arrival.keeps(_level("range@" + _hash()))
 	await _until(LevelArrival.Wait.NOTHING)
 	var file: String = _store.folder_of(_hash()).path_join("range.tscn")

@@ -207,7 +207,7 @@ func check() -> bool:
 ## Finds where the bodies are at rest, as [method check] finds them: who cannot wait calls it after
 ## that and after fitting, then [method get_joints] and [method start] need not look.
 func measure_rests() -> void:
-	_rests = _find_rests(_bones)
+	_rests = BodyRests.find(self, _bones)
 
 
 ## Ends the simulation: the joints and the motor go, the bodies rest where the skeleton has them.
@@ -253,21 +253,13 @@ func get_limb_order() -> PackedInt32Array:
 ## How the bodies hang together: what a client needs to place them by their orientations alone. Null
 ## where the profile does not have all limbs.
 func get_joints() -> PersonSkeleton:
-	var joints: PersonSkeleton = PersonSkeleton.new()
 	var order: PackedInt32Array = get_limb_order()
 	if order.has(-1):
 		return null
-	var limbs: Array[RagdollLimb] = profile.limbs
-	var rests: Array[Transform3D] = _rests if not _rests.is_empty() else _find_rests(_find_bones())
-	for slot: int in Limbs.COUNT:
-		var limb: RagdollLimb = limbs[order[slot]]
-		var inner: Vector3 = _joint_in(rests[order[slot]], limb, limb.anchor)
-		var outer: Vector3 = Vector3.ZERO
-		if slot > 0:
-			var parent: int = order[Limbs.PARENTS[slot]]
-			outer = _joint_in(rests[parent], limbs[parent], limb.anchor)
-		joints.add(outer, inner, limb.reset_orientation)
-	return joints
+	var rests: Array[Transform3D] = _rests
+	if rests.is_empty():
+		rests = BodyRests.find(self, _find_bones())
+	return BodyRests.joints_of(profile.limbs, order, rests)
 
 
 ## Takes a sample of the motion and returns whether it was usable. [param p_time_s] is in the
@@ -362,7 +354,9 @@ func _start_motor(p_bones: Array[PhysicalBone3D]) -> bool:
 	var centres: PackedVector3Array = []
 	var slots: PackedInt32Array = []
 	var limbs: Array[RagdollLimb] = profile.limbs
-	var rests: Array[Transform3D] = _rests if not _rests.is_empty() else _find_rests(p_bones)
+	var rests: Array[Transform3D] = (
+		_rests if not _rests.is_empty() else BodyRests.find(self, p_bones)
+	)
 	_rests = []
 	for i: int in p_bones.size():
 		centres.append((rests[i].origin - limbs[i].anchor) * rests[i].basis)
@@ -387,25 +381,3 @@ func _start_motor(p_bones: Array[PhysicalBone3D]) -> bool:
 	motor.set_actuation(actuation)
 	motor.set_group_strength(strength)
 	return true
-
-
-## The bodies in the rest pose, in the profile's order.
-func _find_rests(p_bones: Array[PhysicalBone3D]) -> Array[Transform3D]:
-	var figure: RestSkeleton = RestSkeleton.new(get_skeleton())
-	var rests: Array[Transform3D] = []
-	for i: int in p_bones.size():
-		rests.append(_body_at_rest(figure, p_bones[i], profile.limbs[i]))
-	return rests
-
-
-## A joint in a limb's frame: that of the body, with the world's axes in the reset pose.
-static func _joint_in(p_rest: Transform3D, p_limb: RagdollLimb, p_joint: Vector3) -> Vector3:
-	return p_limb.reset_orientation * (p_rest.affine_inverse() * p_joint)
-
-
-## A body in the rest pose, in model space. A designer may have moved it.
-static func _body_at_rest(
-	p_figure: RestSkeleton, p_bone: PhysicalBone3D, p_limb: RagdollLimb
-) -> Transform3D:
-	var rest: Transform3D = p_figure.scaled_rest(p_limb.bone)
-	return Transform3D(Basis(p_limb.rest_orientation), (rest * p_bone.body_offset).origin)

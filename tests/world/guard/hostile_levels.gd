@@ -5,71 +5,6 @@ extends RefCounted
 
 ## Folder of the marks.
 const MARKS: String = "user://hostile_marks"
-## A level that is sound: attacks are put into it.
-const SOUND: String = """[gd_scene load_steps=4 format=3 uid="uid://b1"]
-
-[ext_resource type="Script" uid="uid://b2" path="res://scripts/world/level.gd" id="level"]
-[ext_resource type="Script" path="res://scripts/world/kit/block.gd" id="block"]
-[ext_resource type="Script" path="res://scripts/world/spawn_point.gd" id="spawn"]
-[ext_resource type="PackedScene" path="res://scenes/world/props/crate.tscn" id="crate"]
-@files@
-[sub_resource type="StandardMaterial3D" id="stone"]
-albedo_color = Color(0.5, 0.4, 0.3, 1)
-@resources@
-[node name="Sound" type="Node3D" node_paths=PackedStringArray("static_root", "props_root")]
-script = ExtResource("level")
-title = "Sound"
-static_root = NodePath("Static")
-props_root = NodePath("Props")
-@root@
-[node name="Static" type="Node3D" parent="." unique_id=12345]
-
-[node name="Ground" type="StaticBody3D" parent="Static"]
-transform = Transform3D(1, 0, 0, 0, 1, 0, 0, 0, 1, 0, -0.25, 0)
-collision_layer = 1
-collision_mask = 0
-script = ExtResource("block")
-size = Vector3(40, 0.5, 40)
-material = SubResource("stone")
-metadata/_edit_lock_ = true
-@ground@
-[node name="Props" type="Node3D" parent="."]
-
-[node name="Crate" parent="Props" instance=ExtResource("crate")]
-transform = Transform3D(1, 0, 0, 0, 1, 0, 0, 0, 1, 2, 0.25, 0)
-@crate@
-[node name="Spawns" type="Node3D" parent="."]
-
-[node name="Spawn1" type="Marker3D" parent="Spawns"]
-script = ExtResource("spawn")
-@end@
-"""
-const _CODE: String = """@tool
-extends Node3D
-static var x: int = _s()
-static func _s() -> int:
-	FileAccess.open("user://hostile_marks/%s_static", FileAccess.WRITE)
-	return 1
-static func _static_init() -> void:
-	FileAccess.open("user://hostile_marks/%s_static_init", FileAccess.WRITE)
-func _init() -> void:
-	FileAccess.open("user://hostile_marks/%s_init", FileAccess.WRITE)
-func _ready() -> void:
-	FileAccess.open("user://hostile_marks/%s_ready", FileAccess.WRITE)
-"""
-
-
-## The text of a sound level with texts put at places, by the place's name.
-static func level(p_parts: Dictionary[String, String] = {}) -> String:
-	var text: String = SOUND
-	for place: String in ["files", "resources", "root", "ground", "crate", "end"]:
-		text = text.replace("@%s@" % place, p_parts.get(place, ""))
-	return text
-
-
-## A script that leaves marks named after it.
-static func code(p_name: String) -> String:
-	return _CODE.replace("%s", p_name)
 
 
 ## Each kind of attack: the bytes of its scene, and a part of what is to be said of it.
@@ -90,10 +25,10 @@ static func all() -> Dictionary[String, Array]:
 static func write_bait() -> void:
 	DirAccess.make_dir_recursive_absolute(MARKS)
 	var script: FileAccess = FileAccess.open("user://evil.gd", FileAccess.WRITE)
-	script.store_string(code("external"))
+	script.store_string(LevelTexts.code("external"))
 	script.close()
 	var scene: FileAccess = FileAccess.open("user://evil.tscn", FileAccess.WRITE)
-	scene.store_string(built_in("scene"))
+	scene.store_string(LevelTexts.built_in("scene"))
 	scene.close()
 
 
@@ -112,14 +47,6 @@ static func clean_up() -> void:
 			DirAccess.remove_absolute(file)
 
 
-## A scene with a script in it.
-static func built_in(p_name: String) -> String:
-	var source: String = code(p_name).replace("\\", "\\\\").replace('"', '\\"')
-	var text: String = '[gd_scene load_steps=2 format=3]\n\n[sub_resource type="GDScript" id="s"]\n'
-	text += 'script/source = "%s"\n\n' % source
-	return text + '[node name="Root" type="Node3D"]\nscript = SubResource("s")\n'
-
-
 static func _put(
 	r_found: Dictionary[String, Array],
 	p_name: String,
@@ -127,7 +54,7 @@ static func _put(
 	p_text: String,
 	p_why: String
 ) -> void:
-	r_found[p_name] = [level({p_place: "\n%s\n" % p_text}).to_utf8_buffer(), p_why]
+	r_found[p_name] = [LevelTexts.level({p_place: "\n%s\n" % p_text}).to_utf8_buffer(), p_why]
 
 
 static func _whole(
@@ -137,7 +64,7 @@ static func _whole(
 
 
 static func _add_scripts(r: Dictionary[String, Array]) -> void:
-	_whole(r, "script in the scene", built_in("built_in"), "it holds a GDScript")
+	_whole(r, "script in the scene", LevelTexts.built_in("built_in"), "it holds a GDScript")
 	var file: String = '[ext_resource type="Script" path="%s" id="evil"]'
 	var why: String = "none of the level kit's"
 	_put(r, "script of the user's folder", "files", file % "user://evil.gd", why)
@@ -314,7 +241,9 @@ static func _add_shapes(r: Dictionary[String, Array]) -> void:
 	_whole(
 		r,
 		"root of the kit's scenes",
-		level().replace('[node name="Sound" type="Node3D"', '[node name="Sound" type="Node"'),
+		LevelTexts.level().replace(
+			'[node name="Sound" type="Node3D"', '[node name="Sound" type="Node"'
+		),
 		"class Node, which"
 	)
 
@@ -382,11 +311,17 @@ static func _add_broken(r: Dictionary[String, Array]) -> void:
 	_whole(r, "no scene", "hello\n", "is no property")
 	r["binary scene"] = ["RSRC....".to_ascii_buffer(), "it is a binary scene"]
 	r["packed scene"] = ["RSCC....".to_ascii_buffer(), "it is a binary scene"]
-	r["zero bytes"] = [level().to_utf8_buffer() + PackedByteArray([0]), "no text in UTF-8"]
-	r["no UTF-8"] = [level().to_utf8_buffer() + PackedByteArray([0xC0, 0x80]), "no text in UTF-8"]
-	_whole(r, "cut off", level().get_slice('type="Node3D" parent', 0), "a tag is broken")
-	_whole(r, "another version", level().replace("format=3", "format=4"), "it has format 4")
-	_whole(r, "no version", level().replace(" format=3", ""), "it has format <null>")
+	r["zero bytes"] = [
+		LevelTexts.level().to_utf8_buffer() + PackedByteArray([0]), "no text in UTF-8"
+	]
+	r["no UTF-8"] = [
+		LevelTexts.level().to_utf8_buffer() + PackedByteArray([0xC0, 0x80]), "no text in UTF-8"
+	]
+	_whole(r, "cut off", LevelTexts.level().get_slice('type="Node3D" parent', 0), "a tag is broken")
+	_whole(
+		r, "another version", LevelTexts.level().replace("format=3", "format=4"), "it has format 4"
+	)
+	_whole(r, "no version", LevelTexts.level().replace(" format=3", ""), "it has format <null>")
 	_whole(r, "without a root", "[gd_scene format=3]\n", "it has no node")
 	_put(r, "text over lines", "root", 'world = "a\nb"', "goes over several lines")
 	_put(r, "dictionary", "root", 'world = {\n"a": 1\n}', "'{' is no value")

@@ -24,7 +24,7 @@ func _init(p_seed: int) -> void:
 	_random.seed = p_seed
 	_sources.append(FileAccess.get_file_as_bytes("res://scenes/world/hall/hall.tscn"))
 	for _more: int in 20:
-		_sources.append(HostileLevels.level().to_utf8_buffer())
+		_sources.append(LevelTexts.level().to_utf8_buffer())
 	var hostile: Dictionary[String, Array] = HostileLevels.all()
 	for kind: String in hostile:
 		var bytes: PackedByteArray = hostile[kind][0]

@@ -10,7 +10,7 @@ const ROOT: String = "user://sample_levels"
 static func make(p_name: String = "range", p_bytes: int = 0) -> String:
 	var source: String = ROOT.path_join("source/" + p_name)
 	DirAccess.make_dir_recursive_absolute(source)
-	store(source.path_join(p_name + ".tscn"), HostileLevels.level().to_utf8_buffer())
+	store(source.path_join(p_name + ".tscn"), LevelTexts.level().to_utf8_buffer())
 	if p_bytes > 0:
 		var bytes: PackedByteArray = []
 		bytes.resize(p_bytes)

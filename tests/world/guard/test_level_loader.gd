@@ -48,7 +48,7 @@ func test_a_folder_is_loaded_if_it_is_the_one_that_was_asked_for() -> void:
 
 
 func test_a_large_level_takes_many_ticks_and_progress_grows() -> void:
-	var text: PackedStringArray = [HostileLevels.level()]
+	var text: PackedStringArray = [LevelTexts.level()]
 	for index: int in 600:
 		var block: String = '[node name="B%d" type="StaticBody3D" parent="Static"]\n' % index
 		text.append(block + 'script = ExtResource("block")\nsize = Vector3(1, 2, 0.3)\n')

@@ -36,7 +36,7 @@ func test_hostile_levels_are_refused_by_line_and_reason_and_nothing_acts() -> vo
 
 
 func test_the_line_of_a_fault_is_named() -> void:
-	var text: String = HostileLevels.level({"ground": "process_mode = 3"})
+	var text: String = LevelTexts.level({"ground": "process_mode = 3"})
 	var line: int = text.left(text.find("process_mode")).count("\n") + 1
 	var reader: LevelReader = LevelReader.new()
 	is_null(reader.build(text.to_utf8_buffer(), "evil.tscn"))
@@ -50,13 +50,13 @@ func test_all_faults_are_named_if_that_is_wanted() -> void:
 	}
 	var reader: LevelReader = LevelReader.new()
 	reader.most_faults = 50
-	is_null(reader.build(HostileLevels.level(parts).to_utf8_buffer(), "evil.tscn"))
+	is_null(reader.build(LevelTexts.level(parts).to_utf8_buffer(), "evil.tscn"))
 	equal(reader.faults.size(), 3)
 	contains(reader.faults[2], "Timer")
 
 
 func test_a_sound_level_is_what_the_file_says() -> void:
-	var level: Level = _read(HostileLevels.level())
+	var level: Level = _read(LevelTexts.level())
 	equal(level._get_configuration_warnings(), PackedStringArray())
 	equal(level.title, "Sound")
 	equal(level.get_static_bodies().size(), 1)
@@ -85,7 +85,7 @@ func test_it_reads_what_the_engine_reads() -> void:
 
 
 func test_it_reads_what_the_editor_saves() -> void:
-	var level: Level = _read(HostileLevels.level())
+	var level: Level = _read(LevelTexts.level())
 	var lamp: OmniLight3D = OmniLight3D.new()
 	lamp.name = "Lämpchen"
 	lamp.light_energy = 3.5
@@ -135,7 +135,7 @@ func test_a_path_leads_into_an_instance_where_its_row_allows_it() -> void:
 		"root": 'world = NodePath("Sky/World")\n',
 		"end": '\n[node name="Sky" parent="." instance=ExtResource("sky")]\ntime_of_day = 18.5\n',
 	}
-	var level: Level = _read(HostileLevels.level(parts))
+	var level: Level = _read(LevelTexts.level(parts))
 	equal(level.world, level.get_node(^"Sky/World"))
 	equal(level.get_node(^"Sky").get(&"time_of_day"), 18.5)
 	level.free()
@@ -168,7 +168,7 @@ func _terrain(p_file: String) -> PackedByteArray:
 		"files": '\n[ext_resource type="Script" path="%s" id="t"]\n' % script,
 		"end": node + 'script = ExtResource("t")\nheight_file = "%s"\n' % p_file,
 	}
-	return HostileLevels.level(parts).to_utf8_buffer()
+	return LevelTexts.level(parts).to_utf8_buffer()
 
 
 func _read(p_text: String) -> Level:
