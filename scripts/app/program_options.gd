@@ -3,6 +3,12 @@ extends RefCounted
 ## Every option of the program. Checks, [code]--help[/code] and docs/options.md are made from these
 ## rows: a new option is a row here, and the code that reads it.
 
+# What is named here is compiled at each start of the program, with all that it names: constants of
+# whole programs (a server, a client) belong elsewhere.
+
+## Maximum of trainees, and of observers, of a load.
+const _MAX_LOAD: int = 500
+
 static var _levels: PackedStringArray = []
 
 
@@ -218,7 +224,7 @@ static func _server() -> Array[OptionRow]:
 			"root",
 			server,
 			"grounded",
-			Server.ROOTS.keys(),
+			RootModes.BY_NAME.keys(),
 			"how people's travel is found and followed"
 		),
 		OptionRow.number(
@@ -264,7 +270,12 @@ static func _display() -> Array[OptionRow]:
 			"method for the motion between updates (docs/smoothing.md)"
 		),
 		OptionRow.number(
-			"fps", showing, Client.HEADLESS_FPS, [1, 1000], "frames without a window", "per second"
+			"fps",
+			showing,
+			FramePacer.HEADLESS_FPS,
+			[1, 1000],
+			"frames without a window",
+			"per second"
 		),
 		OptionRow.number(
 			"level-store",
@@ -312,8 +323,6 @@ static func _run() -> Array[OptionRow]:
 		),
 		OptionRow.file("screenshot", showing, "save a picture (PNG) in high quality at the end"),
 		OptionRow.file("latency-csv", showing, "write the latency of each sample, stage by stage"),
-		OptionRow.number(
-			"trainees", load_only, 1, [0, LoadRun.MAX_CLIENTS], "clients that send motion"
-		),
-		OptionRow.number("observers", load_only, 1, [0, LoadRun.MAX_CLIENTS], "clients that watch"),
+		OptionRow.number("trainees", load_only, 1, [0, _MAX_LOAD], "clients that send motion"),
+		OptionRow.number("observers", load_only, 1, [0, _MAX_LOAD], "clients that watch"),
 	]

@@ -5,9 +5,6 @@ extends Node
 ## It never simulates: everything that moves is put where its [StateStream] says, by way of a
 ## [WorldReplica]; only a trainee's own body is shown as the trainee moves it.
 
-## Frames per second without a window by default: as those of a fast display.
-const HEADLESS_FPS: int = 144
-
 ## Frames that must have been shown before a picture is taken, and how long that is waited for, s.
 const _PICTURE_FRAMES: int = 8
 const _PICTURE_PATIENCE_S: float = 60.0

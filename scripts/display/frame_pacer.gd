@@ -8,6 +8,8 @@ extends RefCounted
 ## little faster or slower for a while, frames come to begin just after there is something new to
 ## show. With vertical synchronisation the screen decides.
 
+## Frames per second without a window by default: as those of a fast display.
+const HEADLESS_FPS: int = 144
 ## How long after there is something new a frame is to begin, s.
 const LEAD_S: float = 0.0015
 ## Errors within this are left alone, s.

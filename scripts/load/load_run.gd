@@ -18,8 +18,6 @@ enum Stage {
 	DONE,
 }
 
-## Maximum of trainees, and of observers.
-const MAX_CLIENTS: int = 500
 ## Rate of polling each client, as displays of 60 frames per second would, 1/s.
 const POLLS_PER_SECOND: float = 60.0
 ## Polls of all clients together, 1/s: with more of them each is polled less often.

@@ -6,18 +6,6 @@ extends Node
 ## A tick: process what has arrived, set the motors, let Jolt step; right after the step the new
 ## state is sent, in the same frame.
 
-## What --root can be: grounded people stand on their own feet; inertial finds travel from the
-## feet, as a suit without positions needs it.
-const ROOTS: Dictionary[String, RagdollMotor.RootMode] = {
-	"grounded": RagdollMotor.ROOT_GROUNDED,
-	"soft": RagdollMotor.ROOT_SOFT,
-	"held": RagdollMotor.ROOT_HELD,
-	"inertial": RagdollMotor.ROOT_INERTIAL,
-	"contacts": RagdollMotor.ROOT_CONTACTS,
-	"lowest_foot": RagdollMotor.ROOT_LOWEST_FOOT,
-	"pendulum": RagdollMotor.ROOT_PENDULUM,
-	"self_righting": RagdollMotor.ROOT_SELF_RIGHTING,
-}
 ## Maximum ticks per second: a snapshot has the rate in a byte.
 const _MAX_TICKS: int = 240
 ## Exit code for wrong options.
@@ -68,7 +56,7 @@ func _ready() -> void:
 	if _rate() > _MAX_TICKS:
 		_give_up(_EXIT_OPTIONS, "%d ticks/s are set, %d is the most" % [_rate(), _MAX_TICKS])
 		return
-	_people.root_mode = ROOTS[_options.text("root")]
+	_people.root_mode = RootModes.BY_NAME[_options.text("root")]
 	_stats = ServerStats.new(_rate())
 	if _open_link(_options.number("port")):
 		_open_world()

@@ -17,7 +17,7 @@ var progress: float = 0.0
 
 var _hashed: int = 0
 var _scene: PackedByteArray = PackedByteArray()
-var _reader: LevelReader = null
+var _reader: SceneReader = null
 
 
 func _init(p_path: String) -> void:
@@ -53,7 +53,7 @@ func build() -> Level:
 	progress = 0.0
 	if not verify():
 		return null
-	_reader = LevelReader.new()
+	_reader = SceneReader.make()
 	var level: Level = _reader.build(_scene, manifest.scene_file(), _paths())
 	error = _reader.refusal
 	if level != null:
@@ -66,7 +66,7 @@ func build() -> Level:
 
 ## How much of [method build] is done, 0 to 1: half of it is checking the files.
 func total_progress() -> float:
-	var reader: LevelReader = _reader
+	var reader: SceneReader = _reader
 	return 0.5 * progress + (0.5 * reader.progress if reader != null else 0.0)
 
 

@@ -1,5 +1,5 @@
 class_name LevelReader
-extends RefCounted
+extends SceneReader
 ## Builds a [Level] from a text scene that may come from anybody, without the engine's loader.
 ##
 ## ResourceLoader runs the static initialisers of every script in a scene before anything can be
@@ -19,15 +19,6 @@ const _SCALE_ERROR: float = 1e-3
 const _STRANGE_RESOURCE: String = "it holds a %s, which the level kit does not know"
 
 static var _early_checks: Array[Array] = _make_early_checks()
-
-## Why the level is refused: file, line and reason; empty if it is not.
-var refusal: String = ""
-## All that is wrong with it, if [member most_faults] is more than 1.
-var faults: PackedStringArray = []
-## It goes on reading until it has found so much.
-var most_faults: int = 1
-## How much is done, 0 to 1. Other threads may read it.
-var progress: float = 0.0
 
 var _file: String = ""
 var _line: int = 0
