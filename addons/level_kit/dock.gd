@@ -239,6 +239,9 @@ func _end_bake() -> void:
 
 func _try() -> void:
 	var level: Level = _find_level()
-	if level != null:
-		EditorInterface.save_scene()
-		_note.text = Trial.start(level.scene_file_path)
+	if level == null:
+		return
+	if level.scene_file_path != "":
+		# Without the picture of it, for which the whole editor is drawn several times.
+		EditorInterface.save_scene_as(level.scene_file_path, false)
+	_note.text = Trial.start(level.scene_file_path)

@@ -3,11 +3,12 @@
 
 Each world is flown through on a fixed path in a virtual display, drawn by the processor; in the
 town random views with and without sets are compared. Then, without a window: checking, baking,
-crates and throws; and in sessions of exported programs on 127.0.0.1: the tick with 8 people and 200
-crates, a client's start, a change of level. Heights of the desert are `bench terrain`, received
-levels `bench levels`, people on screen `bench display`. Options: --world=NAME (again for more),
---views=500, --throws=10000, --part=NAME (again for more: views, bake, physics, session; default
-all), --pictures=DIR (of views that differ, and of the tiers).
+crates and throws; in sessions of exported programs on 127.0.0.1: the tick with 8 people and 200
+crates, a client's start, a change of level; and Try level, clicked in the editor. Heights of the
+desert are `bench terrain`, received levels `bench levels`, people on screen `bench display`.
+Options: --world=NAME (again for more), --views=500, --throws=10000, --part=NAME (again for more:
+views, bake, physics, session, trial; default all), --pictures=DIR (of views that differ, and of the
+tiers).
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from __future__ import annotations
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -31,13 +33,16 @@ from toolchain.paths import CLIENT_BINARY, CLIPS, ROOT, SERVER_BINARY
 from toolchain.processes import Group, free_port
 from toolchain.project import prepare
 from toolchain.stats import Stats
+from toolchain.testing import python_tools
 
 SCRIPTS = "res://tests/bench/worlds/"
 SOFTWARE = ["--rendering-method", "gl_compatibility", "--audio-driver", "Dummy"]
-PARTS = ("views", "bake", "physics", "session")
+PARTS = ("views", "bake", "physics", "session", "trial")
 # The world that has goals, and to which a session changes.
 TOWN = "town"
 OTHER = "hangar"
+# A level of the kit that is made for the trial and goes again.
+YARD = "bench_yard"
 # Goals of issue 15.
 MAX_DRAWS_SHARE = 0.5
 MAX_PRIMITIVES_SHARE = 0.65
@@ -47,6 +52,7 @@ MAX_CELLS = 0.25
 MAX_TICK_MS = 0.6 * 1000.0 / 60.0
 MAX_START_S = 15.0
 MAX_CHANGE_S = 10.0
+MAX_TRIAL_S = 10.0
 MAX_CHECK_S = 2.0
 MAX_BAKE_S = 60.0
 MAX_LOAD_MS = 1500.0
@@ -128,6 +134,8 @@ def measure(arguments: list[str]) -> int:
             measure_tick(bench)
             with virtual_display() as environment:
                 measure_session(bench, environment)
+    if "trial" in bench.parts:
+        measure_trial(bench)
     return bench.stats.finish()
 
 
@@ -290,6 +298,22 @@ def measure_session(bench: Bench, environment: dict[str, str]) -> None:
     ticks = re.findall(r"\(([0-9.]+) ms of a tick at most\)", log)
     if ticks:
         add("session", "most of a tick for the change", float(ticks[-1]), "ms")
+
+
+def measure_trial(bench: Bench) -> None:
+    """Try level in the editor: from the click until server, trainee and observer have the level."""
+    folder = ROOT / "scenes" / "world" / YARD
+    tools = python_tools()
+    try:
+        bench.run(bench.command("--headless", "-s", SCRIPTS + "make_yard.gd", "--", YARD), {}, 60.0)
+        flags = ["--headless", "-s", "res://scripts/world/guard/level_tool.gd", "--", "bake", YARD]
+        bench.run(bench.command(*flags), {}, 300.0)
+        said = bench.run([str(tools / "python"), "-m", "tutorial.trial", YARD], {}, 600.0)
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+    found = json.loads(said.splitlines()[-1])
+    bench.stats.add("editor", "Try level, all there", found["seconds"], "s", at_most=MAX_TRIAL_S)
+    bench.stats.add("editor", "Try level, processor time of all", found["processor_s"], "s")
 
 
 def read_report(path: Path) -> dict[str, Any]:

@@ -143,11 +143,11 @@ class Tutorial:
         return time.monotonic() - begin
 
     @staticmethod
-    def is_on_level(log: str) -> bool:
+    def is_on_level(log: str, level: str = LEVEL) -> bool:
         """Whether a log has all three programs of a trial on the level."""
         has_server = "listening on UDP port" in log and "net: trainee '" in log
         # Both windows say so.
-        return has_server and log.count(f"client: world '{LEVEL}' is there") == 2
+        return has_server and log.count(f"client: world '{level}' is there") == 2
 
     def end_trial(self) -> None:
         """Takes a picture of the windows and shuts them: the server ends with the trainee's."""
