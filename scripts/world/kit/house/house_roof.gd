@@ -119,44 +119,19 @@ func _add_hut() -> void:
 	var front: float = -(stairs.position.y - HousePlan.LANDING_M)
 	var top: float = _y + HUT_M
 	# The way out is on the left of the landing.
-	var solid: bool = true
-	_mesh.box(
-		Vector3(left, _y, back),
-		Vector3(left + WALL, top, -stairs.position.y),
-		_plan.surface,
-		_plan.tint,
-		BlockMesh.FACE_BOTTOM,
-		solid
-	)
-	_mesh.box(
-		Vector3(right - WALL, _y, back),
-		Vector3(right, top, front + WALL),
-		_plan.surface,
-		_plan.tint,
-		BlockMesh.FACE_BOTTOM,
-		solid
-	)
-	_mesh.box(
-		Vector3(left, _y, back),
-		Vector3(right, top, back + WALL),
-		_plan.surface,
-		_plan.tint,
-		BlockMesh.FACE_BOTTOM,
-		solid
-	)
-	_mesh.box(
-		Vector3(left, _y, front),
-		Vector3(right, top, front + WALL),
-		_plan.surface,
-		_plan.tint,
-		BlockMesh.FACE_BOTTOM,
-		solid
-	)
+	_add_hut_wall(Vector3(left, _y, back), Vector3(left + WALL, top, -stairs.position.y))
+	_add_hut_wall(Vector3(right - WALL, _y, back), Vector3(right, top, front + WALL))
+	_add_hut_wall(Vector3(left, _y, back), Vector3(right, top, back + WALL))
+	_add_hut_wall(Vector3(left, _y, front), Vector3(right, top, front + WALL))
 	_mesh.box(
 		Vector3(left - 0.12, top, back - 0.12),
 		Vector3(right + 0.1, top + 0.14, front + WALL + 0.12),
 		STONE,
 		_plan.trim,
 		0,
-		solid
+		true
 	)
+
+
+func _add_hut_wall(p_from: Vector3, p_to: Vector3) -> void:
+	_mesh.box(p_from, p_to, _plan.surface, _plan.tint, BlockMesh.FACE_BOTTOM, true)

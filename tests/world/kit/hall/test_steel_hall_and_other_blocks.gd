@@ -6,28 +6,17 @@ extends TestCase
 func test_each_has_faces_and_is_solid() -> void:
 	for block: KitBlock in _all():
 		add_child(block)
-		var mesh: BlockMesh = _mesh_of(block)
+		var mesh: BlockMesh = KitChecks.mesh_of(block)
 		var name: String = block.get_script().get_global_name()
 		is_true(mesh.get_triangle_count() > 3, name)
-		for point: Vector3 in mesh.get_points():
-			if not point.is_finite() or point.length() > 60.0:
-				fail("%s has a point at %s" % [name, point])
-				break
+		KitChecks.check_sound(self, block, mesh)
 		equal(mesh.get_solid_count() > 0, not (block is FloorMarking or block is CeilingLamp), name)
-		equal(block._get_configuration_warnings(), PackedStringArray(), name)
 		equal(block.get_child_count(true), mesh.get_solid_count(), name)
 		block.free()
 
 
 func test_each_leaves_the_place_of_a_mesh_as_it_was() -> void:
-	var place: Transform3D = Transform3D(Basis(Vector3.UP, 0.7), Vector3(3.0, 1.0, -2.0))
-	for block: KitBlock in _all():
-		var mesh: BlockMesh = KitBlock.make_mesh(false)
-		mesh.set_place(place)
-		block.build(mesh, KitBlock.OUTSIDE)
-		almost_equal(mesh.get_place().origin, place.origin, 1e-4)
-		almost_equal(mesh.get_place().basis.x, place.basis.x, 1e-4)
-		block.free()
+	KitChecks.check_place(self, _all())
 
 
 func test_the_same_numbers_give_the_same_goods() -> void:
@@ -35,24 +24,13 @@ func test_the_same_numbers_give_the_same_goods() -> void:
 	for variant: int in [1, 1, 2, 3]:
 		var rack: PalletRack = PalletRack.new()
 		rack.variant = variant
-		sizes[hash(_mesh_of(rack).get_points())] = true
+		sizes[hash(KitChecks.mesh_of(rack).get_points())] = true
 		rack.free()
 	equal(sizes.size(), 3)
 
 
 func test_a_server_has_the_boxes_that_clients_see() -> void:
-	for block: KitBlock in _all():
-		var seen: BlockMesh = _mesh_of(block)
-		var solid: BlockMesh = KitBlock.make_mesh(true)
-		block.build(solid, KitBlock.OUTSIDE)
-		equal(solid.get_vertex_count(), 0)
-		equal(solid.get_solid_count(), seen.get_solid_count())
-		for index: int in solid.get_solid_count():
-			var place: Transform3D = seen.get_solid_place(index)
-			if not solid.get_solid_place(index).is_equal_approx(place):
-				fail("box %d of %s" % [index, block.get_script().get_global_name()])
-				break
-		block.free()
+	KitChecks.check_boxes(self, _all())
 
 
 func test_what_people_cannot_use_warns() -> void:
@@ -88,12 +66,6 @@ func test_a_lamp_shines_down_from_below_its_shade() -> void:
 	almost_equal(light.way, Vector3.DOWN, 1e-4)
 	is_true(light.angle < PI / 2.0, "it lights the ceiling above its shade")
 	lamp.free()
-
-
-func _mesh_of(p_block: KitBlock) -> BlockMesh:
-	var mesh: BlockMesh = KitBlock.make_mesh(false)
-	p_block.build(mesh, KitBlock.OUTSIDE)
-	return mesh
 
 
 func _all() -> Array[KitBlock]:

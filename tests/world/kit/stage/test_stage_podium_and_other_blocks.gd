@@ -6,46 +6,29 @@ extends TestCase
 func test_each_has_faces_that_are_sound() -> void:
 	for block: KitBlock in _all():
 		add_child(block)
-		var mesh: BlockMesh = _mesh_of(block)
+		var mesh: BlockMesh = KitChecks.mesh_of(block)
 		var name: String = block.get_script().get_global_name()
 		equal(mesh.get_triangle_count() > 3, not (block is Backdrop), name)
-		for point: Vector3 in mesh.get_points():
-			if not point.is_finite() or point.length() > 60.0:
-				fail("%s has a point at %s" % [name, point])
-				break
+		KitChecks.check_sound(self, block, mesh)
 		var is_solid: bool = not (
 			block is StageLight or (block is Loudspeakers and not block.is_standing)
 		)
 		equal(mesh.get_solid_count() > 0, is_solid, name)
-		equal(block._get_configuration_warnings(), PackedStringArray(), name)
 		block.free()
 
 
 func test_each_leaves_the_place_of_a_mesh_as_it_was() -> void:
-	var place: Transform3D = Transform3D(Basis(Vector3.UP, 0.7), Vector3(3.0, 1.0, -2.0))
-	for block: KitBlock in _all():
-		var mesh: BlockMesh = KitBlock.make_mesh(false)
-		mesh.set_place(place)
-		block.build(mesh, KitBlock.OUTSIDE)
-		almost_equal(mesh.get_place().origin, place.origin, 1e-4)
-		almost_equal(mesh.get_place().basis.x, place.basis.x, 1e-4)
-		block.free()
+	KitChecks.check_place(self, _all())
 
 
 func test_a_server_has_the_boxes_that_clients_see() -> void:
-	for block: KitBlock in _all():
-		var seen: BlockMesh = _mesh_of(block)
-		var solid: BlockMesh = KitBlock.make_mesh(true)
-		block.build(solid, KitBlock.OUTSIDE)
-		equal(solid.get_vertex_count(), 0)
-		equal(solid.get_solid_count(), seen.get_solid_count())
-		block.free()
+	KitChecks.check_boxes(self, _all())
 
 
 func test_a_podium_carries_at_its_height() -> void:
 	var podium: StagePodium = StagePodium.new()
 	podium.size = Vector3(4.0, 1.2, 3.0)
-	var mesh: BlockMesh = _mesh_of(podium)
+	var mesh: BlockMesh = KitChecks.mesh_of(podium)
 	almost_equal(mesh.get_solid_size(0), podium.size, 1e-4)
 	almost_equal(mesh.get_solid_place(0).origin, Vector3(0.0, 0.6, 0.0), 1e-4)
 	podium.free()
@@ -53,9 +36,9 @@ func test_a_podium_carries_at_its_height() -> void:
 
 func test_people_go_through_a_curtain_that_is_not_solid() -> void:
 	var curtain: Curtain = Curtain.new()
-	equal(_mesh_of(curtain).get_solid_count(), 1)
+	equal(KitChecks.mesh_of(curtain).get_solid_count(), 1)
 	curtain.is_solid = false
-	equal(_mesh_of(curtain).get_solid_count(), 0)
+	equal(KitChecks.mesh_of(curtain).get_solid_count(), 0)
 	curtain.free()
 
 
@@ -94,12 +77,6 @@ func test_values_out_of_range_are_taken_as_the_nearest() -> void:
 	podium.size = Vector3.ZERO
 	equal(podium.size, Vector3(1.0, 0.2, 1.0))
 	podium.free()
-
-
-func _mesh_of(p_block: KitBlock) -> BlockMesh:
-	var mesh: BlockMesh = KitBlock.make_mesh(false)
-	p_block.build(mesh, KitBlock.OUTSIDE)
-	return mesh
 
 
 func _all() -> Array[KitBlock]:

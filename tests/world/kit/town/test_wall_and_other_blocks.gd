@@ -5,16 +5,11 @@ extends TestCase
 func test_each_has_faces_and_is_solid() -> void:
 	for block: KitBlock in _all():
 		add_child(block)
-		var mesh: BlockMesh = KitBlock.make_mesh(false)
-		block.build(mesh, KitBlock.OUTSIDE)
+		var mesh: BlockMesh = KitChecks.mesh_of(block)
 		var name: String = block.get_script().get_global_name()
 		is_true(mesh.get_triangle_count() > 10, name)
-		for point: Vector3 in mesh.get_points():
-			if not point.is_finite() or point.length() > 60.0:
-				fail("%s has a point at %s" % [name, point])
-				break
+		KitChecks.check_sound(self, block, mesh)
 		equal(mesh.get_solid_count() > 0, block is not Wire, name)
-		equal(block._get_configuration_warnings(), PackedStringArray(), name)
 		equal(block.get_child_count(true), mesh.get_solid_count(), name)
 		block.free()
 
