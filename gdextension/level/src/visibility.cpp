@@ -150,7 +150,10 @@ void Visibility::note_crossed(std::size_t p_cell, const Vec3 &p_from, const Vec3
 		if (!_grid.has(index)) {
 			return;
 		}
-		row[_grid.number_of(index)].store(1, std::memory_order_relaxed);
+		std::atomic<uint8_t> &mark = row[_grid.number_of(index)];
+		if (mark.load(std::memory_order_relaxed) == 0) {
+			mark.store(1, std::memory_order_relaxed);
+		}
 	}
 }
 
@@ -162,7 +165,7 @@ void Visibility::note_part(int p_part, const Vec3 &p_from, const Vec3 &p_to) {
 		const Vec3 at = (p_from + way * (float(step) / float(steps)) - _small.origin) * (1.0f / _small.size);
 		const std::array<int, 3> index{ int(std::floor(at.x)), int(std::floor(at.y)), int(std::floor(at.z)) };
 		if (_small.has(index)) {
-			std::atomic<uint8_t> &mark = _part_marks[_small.number_of(index) * _parts + p_part];
+			std::atomic<uint8_t> &mark = _part_marks[p_part * _small.cell_count() + _small.number_of(index)];
 			if (mark.load(std::memory_order_relaxed) == 0) {
 				mark.store(1, std::memory_order_relaxed);
 			}
@@ -182,7 +185,10 @@ void Visibility::look_along(const Vec3 &p_eye, const Vec3 &p_way, Finds &r_finds
 	const Vec3 point = p_eye + p_way * (hit.distance - 0.02f);
 	note_part(part, p_eye, point);
 	const Vec3 cube = point * (1.0f / KNOWN_M);
-	const std::array<int, 4> key{ part, int(std::floor(cube.x)), int(std::floor(cube.y)), int(std::floor(cube.z)) };
+	// 16 bits for each: worlds are smaller than 2^15 cubes.
+	const auto part_of_key = [](int p_number) { return uint64_t(uint16_t(p_number)); };
+	const uint64_t key = part_of_key(part) << 48 | part_of_key(int(std::floor(cube.x))) << 32 |
+			part_of_key(int(std::floor(cube.y))) << 16 | part_of_key(int(std::floor(cube.z)));
 	if (r_finds.known.insert(key).second) {
 		r_finds.sights.push_back({ p_eye, point });
 	}
@@ -264,7 +270,7 @@ void Visibility::widen(std::size_t p_first, std::size_t p_last) {
 	for (std::size_t cell = p_first; cell < p_last; cell++) {
 		uint8_t *row = &_part_seen[cell * _parts];
 		for (int part = 0; part < _parts; part++) {
-			row[part] = _part_marks[cell * _parts + part];
+			row[part] = _part_marks[part * _small.cell_count() + cell];
 		}
 		const std::array<int, 3> index = _small.index_of(cell);
 		for (int side = 0; side < 6; side++) {
@@ -275,7 +281,7 @@ void Visibility::widen(std::size_t p_first, std::size_t p_last) {
 			}
 			const std::size_t neighbour = _small.number_of(other);
 			for (int part = 0; part < _parts; part++) {
-				row[part] |= _part_marks[neighbour * _parts + part];
+				row[part] |= _part_marks[part * _small.cell_count() + neighbour];
 			}
 		}
 	}

@@ -6,7 +6,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
-#include <set>
+#include <unordered_set>
 #include <vector>
 
 namespace level {
@@ -44,7 +44,7 @@ public:
 	/// from each part at least.
 	float cluster_m = 3.0f;
 	int cluster_rays = 600;
-	int part_rays = 20000;
+	int part_rays = 40000;
 	/// A ray that finds something new is followed by so many others close to it, and those that find more by
 	/// others again, so many at most for a small cell: what is seen through a gap is found whole.
 	int followers = 3;
@@ -81,7 +81,7 @@ private:
 	};
 	/// What was found from a cell: parts in cubes of the world, rays to be followed, how far the last one went.
 	struct Finds {
-		std::set<std::array<int, 4>> known;
+		std::unordered_set<uint64_t> known;
 		std::vector<Sight> sights;
 		float length = 0.0f;
 	};
@@ -123,6 +123,7 @@ private:
 	std::vector<std::vector<Vec3>> _eyes;
 	/// The same of each cell.
 	std::vector<std::vector<Vec3>> _points;
+	/// Of each part in turn a byte for each small cell: rays go through neighbouring cells.
 	Marks _part_marks;
 	Marks _cell_marks;
 	std::vector<uint8_t> _part_seen;
