@@ -124,9 +124,11 @@ func _add_door(p_frame: WallFrame, p_opening: HousePlan.Opening) -> void:
 		p_frame.bar(
 			Rect2(at.x - 0.14, rect.end.y, rect.size.x + 0.28, 0.2), -0.04, 0.06, STONE, _plan.trim
 		)
-	var size: Vector2 = rect.size - Vector2(0.12, 0.08)
 	if not _plan.is_entered:
-		p_frame.leaf(Vector3(at.x + 0.06, at.y, -0.2), size, 0.0, WOOD, _plan.paint)
+		# Without a gap: behind it is nothing but the sides of walls that are not seen.
+		var side: float = 0.0 if p_opening.kind == HousePlan.Kind.ARCH else 0.06
+		var size: Vector2 = rect.size - Vector2(2.0 * side, side)
+		p_frame.leaf(Vector3(at.x + side, at.y, -0.2), size, 0.0, WOOD, _plan.paint)
 
 
 ## Blocks of stone around an opening, and a keystone.
@@ -194,7 +196,7 @@ func _add_shop(p_frame: WallFrame, p_opening: HousePlan.Opening) -> void:
 	p_frame.border(rect, 0.1, -0.3, -0.2, false, SurfaceTints.Tint.TAN)
 	var shut: float = 0.45 + 0.4 * p_opening.chance
 	if not _plan.is_entered:
-		shut = rect.size.y - 0.15
+		shut = rect.size.y - 0.1
 	# Its shutter is rolled down a little.
 	p_frame.bar(
 		Rect2(at.x + 0.1, rect.end.y - 0.1 - shut, rect.size.x - 0.2, shut),

@@ -105,6 +105,24 @@ func test_a_house_that_is_not_entered_is_solid_and_costs_less() -> void:
 	equal(_house.get_parts(), [KitBlock.OUTSIDE, KitBlock.ROOF] as Array[StringName])
 
 
+func test_nobody_looks_through_a_house_that_is_not_entered() -> void:
+	for variant: int in 6:
+		_house = House.new()
+		_house.size = SIZES[variant % 3]
+		_house.storeys = 3
+		_house.variant = variant
+		_house.entered = false
+		var mesh: BlockMesh = KitBlock.make_mesh(false)
+		for part: StringName in _house.get_parts():
+			_house.build(mesh, part)
+		var tracer: LevelTracer = LevelTracer.new()
+		tracer.set_effort(4, 0, 1)
+		tracer.add_part(mesh)
+		tracer.bake()
+		equal(_gaps(tracer, _house.plan()), PackedStringArray(), "variant %d" % variant)
+		after_each()
+
+
 func test_the_same_numbers_give_the_same_house_and_others_another() -> void:
 	await _stand(SIZES[1], 2, 4)
 	var first: PackedVector3Array = _mesh().get_points()
@@ -136,6 +154,33 @@ func _mesh() -> BlockMesh:
 	for part: StringName in _house.get_parts():
 		_house.build(mesh, part)
 	return mesh
+
+
+## Where rays from outside get through what fills the openings.
+func _gaps(p_tracer: LevelTracer, p_plan: HousePlan) -> PackedStringArray:
+	# Two centimetres are a gap.
+	const ACROSS: int = 100
+	const UP: int = 160
+	var gaps: PackedStringArray = []
+	for storey: int in p_plan.openings.size():
+		for wall: int in p_plan.openings[storey].size():
+			var way: Vector3 = HousePlan.along(wall)
+			var corner: Vector3 = p_plan.corner_of(wall, HousePlan.STOREY_M * storey)
+			for opening: HousePlan.Opening in p_plan.openings[storey][wall]:
+				var through: int = 0
+				for step: int in ACROSS * UP:
+					var share: Vector2 = Vector2(step % ACROSS + 0.5, step / ACROSS + 0.5)
+					share /= Vector2(ACROSS, UP)
+					var at: Vector2 = opening.rect.position + opening.rect.size * share
+					var from: Vector3 = corner + way * at.x + Vector3.UP * at.y
+					var out: Vector3 = way.cross(Vector3.UP)
+					if not p_tracer.is_blocked(from + out * 0.5, from - out * 0.5):
+						through += 1
+				if through > 0:
+					gaps.append(
+						"storey %d, wall %d, %s: %d" % [storey, wall, opening.rect, through]
+					)
+	return gaps
 
 
 func _ray(p_from: Vector3, p_to: Vector3) -> Dictionary:
