@@ -11,7 +11,6 @@ const TURN_RAD: float = 0.01
 const ROOM_M: float = 1.0
 ## Light that is lower than this, as a sine, throws shadows without end.
 const LOWEST: float = 0.08
-const _UNKNOWN: int = -2
 
 ## Whose parts are shown. Set before it enters the tree.
 var surfaces: LevelSurfaces = null
@@ -19,9 +18,11 @@ var surfaces: LevelSurfaces = null
 var is_active: bool = true:
 	set(p_value):
 		is_active = p_value
-		_cell = _UNKNOWN
+		_is_known = false
 
-var _cell: int = _UNKNOWN
+## The small cells in which eyes are; empty where all is shown.
+var _cells: PackedInt32Array = []
+var _is_known: bool = false
 var _sun: DirectionalLight3D = null
 ## Towards the sun when shadows were looked at.
 var _way: Vector3 = Vector3.ZERO
@@ -42,34 +43,47 @@ func _process(p_delta: float) -> void:
 	var camera: Camera3D = get_viewport().get_camera_3d()
 	if camera == null:
 		return
-	look_from(surfaces.to_local(camera.global_position))
+	var eyes: PackedVector3Array = [surfaces.to_local(camera.global_position)]
+	for node: Node in get_tree().get_nodes_in_group(KitBlock.EYES_GROUP):
+		if surfaces.get_parent().is_ancestor_of(node):
+			eyes.append(surfaces.to_local((node as Camera3D).global_position))
+	look_from(eyes)
 	_until_props_s -= p_delta
 	if _until_props_s <= 0.0:
-		_show_props(surfaces.to_local(camera.global_position))
+		_show_props(eyes)
 
 
-## Shows what is seen from a point of the level. Where no cell is, all is shown.
-func look_from(p_point: Vector3) -> void:
+## Shows what is seen from any of some points of the level. Where no cell is, all is shown.
+func look_from(p_eyes: PackedVector3Array) -> void:
 	var bake: LevelBake = surfaces.bake
-	var cell: int = bake.small_cell_at(p_point) if bake != null and is_active else -1
+	var cells: PackedInt32Array = []
+	for eye: Vector3 in p_eyes if bake != null and is_active else PackedVector3Array():
+		cells.append(bake.small_cell_at(eye))
+	if cells.has(-1):
+		cells.clear()
 	var way: Vector3 = Vector3.UP
 	if is_instance_valid(_sun):
 		way = surfaces.global_basis.inverse() * _sun.global_basis.z
-	if cell == _cell and way.angle_to(_way) < TURN_RAD:
+	var is_same: bool = _is_known and cells == _cells
+	if is_same and way.angle_to(_way) < TURN_RAD:
 		return
 	_way = way
-	if cell != _cell:
-		_cell = cell
+	_cells = cells
+	_is_known = true
+	if not is_same:
 		var count: int = surfaces.shown.size()
 		for index: int in count:
-			surfaces.shown[index].visible = (cell < 0 or bake.seen_parts[cell * count + index] != 0)
-		_show_props(p_point)
+			var is_seen: bool = cells.is_empty()
+			for cell: int in cells:
+				is_seen = is_seen or bake.seen_parts[cell * count + index] != 0
+			surfaces.shown[index].visible = is_seen
+		_show_props(p_eyes)
 	_show_shadows()
 
 
 ## A shadow mesh is drawn if something that is drawn lies between it and where its shadow ends.
 func _show_shadows() -> void:
-	var is_all: bool = _cell < 0 or _has_terrain or _way.y < LOWEST
+	var is_all: bool = _cells.is_empty() or _has_terrain or _way.y < LOWEST
 	var receivers: Array[AABB] = []
 	for part: MeshInstance3D in surfaces.shown:
 		if not is_all and part.visible:
@@ -92,20 +106,25 @@ func _falls_on(p_caster: AABB, p_receivers: Array[AABB]) -> bool:
 
 ## Props are where the server has them, or swing on hinges: they are shown if a cell in which they
 ## are is seen, by the same sets by which the server sends them.
-func _show_props(p_point: Vector3) -> void:
+func _show_props(p_eyes: PackedVector3Array) -> void:
 	_until_props_s = PROPS_S
-	var bake: LevelBake = surfaces.bake
-	var from: int = bake.cell_at(p_point) if bake != null and _cell >= 0 else -1
-	var count: int = bake.cell_counts.x * bake.cell_counts.y * bake.cell_counts.z
 	for node: Node in get_tree().get_nodes_in_group(KitBlock.PROPS_GROUP):
 		var prop: Node3D = node as Node3D
-		if prop == null or not surfaces.get_parent().is_ancestor_of(prop):
-			continue
-		var is_seen: bool = from < 0
-		# A prop may be in several cells: corners of a cube around it are looked at.
-		for corner: int in 8 if not is_seen else 0:
-			var aside: Vector3 = Vector3(corner & 1, corner >> 1 & 1, corner >> 2 & 1)
-			var place: Vector3 = surfaces.to_local(prop.global_position)
-			var cell: int = bake.cell_at(place + (aside * 2.0 - Vector3(1.0, 0.5, 1.0)))
-			is_seen = is_seen or cell < 0 or bake.seen_cells[from * count + cell] != 0
-		prop.visible = is_seen
+		if prop != null and surfaces.get_parent().is_ancestor_of(prop):
+			prop.visible = _is_near_seen(p_eyes, surfaces.to_local(prop.global_position))
+
+
+## A prop may be in several cells: corners of a cube around it are looked at.
+func _is_near_seen(p_eyes: PackedVector3Array, p_place: Vector3) -> bool:
+	if _cells.is_empty():
+		return true
+	var bake: LevelBake = surfaces.bake
+	var count: int = bake.cell_counts.x * bake.cell_counts.y * bake.cell_counts.z
+	for corner: int in 8:
+		var aside: Vector3 = Vector3(corner & 1, corner >> 1 & 1, corner >> 2 & 1) * 2.0
+		var cell: int = bake.cell_at(p_place + aside - Vector3(1.0, 0.5, 1.0))
+		for eye: Vector3 in p_eyes:
+			var from: int = bake.cell_at(eye)
+			if cell < 0 or from < 0 or bake.seen_cells[from * count + cell] != 0:
+				return true
+	return false

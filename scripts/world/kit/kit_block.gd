@@ -14,6 +14,9 @@ const ROOF: StringName = &"roof"
 const LEVEL_GROUP: StringName = &"level"
 ## Group of the props, [RigidBody3D] nodes: each is an entity of its own.
 const PROPS_GROUP: StringName = &"props"
+## Group of the cameras of other viewports that show the level too, such as that of a screen in it:
+## what they see is not hidden.
+const EYES_GROUP: StringName = &"level_eyes"
 
 var _is_pending: bool = false
 

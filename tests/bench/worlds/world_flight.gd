@@ -44,7 +44,7 @@ func draw(p_has_sets: bool) -> void:
 	var visibility: LevelVisibility = level.surfaces.visibility
 	if visibility != null:
 		visibility.is_active = p_has_sets
-		visibility.look_from(level.to_local(camera.global_position))
+		visibility.look_from([level.to_local(camera.global_position)])
 	# The engine's numbers are those of the frame before.
 	await level.get_tree().process_frame
 	await RenderingServer.frame_post_draw

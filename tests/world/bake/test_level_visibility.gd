@@ -38,29 +38,31 @@ func after_each() -> void:
 
 
 func test_parts_are_shown_where_they_are_seen() -> void:
-	_visibility.look_from(_middle(0))
+	_visibility.look_from([_middle(0)])
 	equal(_shown(_surfaces.shown), [true, false])
-	_visibility.look_from(_middle(1))
+	_visibility.look_from([_middle(1)])
 	equal(_shown(_surfaces.shown), [false, true])
-	_visibility.look_from(Vector3(0.0, 500.0, 0.0))
+	_visibility.look_from([Vector3(0.0, 500.0, 0.0)])
 	equal(_shown(_surfaces.shown), [true, true], "where no cell is, all is shown")
-	_visibility.look_from(_middle(0))
+	_visibility.look_from([_middle(0), _middle(1)])
+	equal(_shown(_surfaces.shown), [true, true], "another camera sees the other part")
+	_visibility.look_from([_middle(0)])
 	_visibility.is_active = false
-	_visibility.look_from(_middle(0))
+	_visibility.look_from([_middle(0)])
 	equal(_shown(_surfaces.shown), [true, true])
 
 
 func test_shadows_are_thrown_where_they_fall_on_what_is_drawn() -> void:
-	_visibility.look_from(_middle(0))
+	_visibility.look_from([_middle(0)])
 	equal(_shown(_surfaces.shadows), [true, false], "from above they fall on their own place")
 	_shine(Vector3(1.0, 0.6, 0.0))
-	_visibility.look_from(_middle(0))
+	_visibility.look_from([_middle(0)])
 	equal(_shown(_surfaces.shadows), [true, true], "the other stands between it and the sun")
 	_shine(Vector3(-1.0, 0.6, 0.0))
-	_visibility.look_from(_middle(0))
+	_visibility.look_from([_middle(0)])
 	equal(_shown(_surfaces.shadows), [true, false])
 	_shine(Vector3(-1.0, 0.01, 0.0))
-	_visibility.look_from(_middle(0))
+	_visibility.look_from([_middle(0)])
 	equal(_shown(_surfaces.shadows), [true, true], "a low sun throws them without end")
 
 
@@ -69,12 +71,12 @@ func test_props_are_shown_where_their_cell_is_seen() -> void:
 	var far: Node3D = _prop(Vector3(17.0, 0.5, 5.0))
 	var between: Node3D = _prop(Vector3(10.3, 0.5, 5.0))
 	var outside: Node3D = _prop(Vector3(-50.0, 0.5, 5.0))
-	_visibility.look_from(_middle(0))
+	_visibility.look_from([_middle(0)])
 	is_true(near.visible)
 	is_false(far.visible)
 	is_true(between.visible, "some of it is in the cell that is seen")
 	is_true(outside.visible, "nothing is known of where it is")
-	_visibility.look_from(_middle(1))
+	_visibility.look_from([_middle(1)])
 	is_false(near.visible)
 	is_true(far.visible)
 

@@ -107,6 +107,7 @@ func rebuild() -> void:
 	_viewport.gui_disable_input = true
 	add_child(_viewport, false, Node.INTERNAL_MODE_BACK)
 	_eye = Camera3D.new()
+	_eye.add_to_group(KitBlock.EYES_GROUP)
 	_eye.cull_mask = 0xfffff & ~LAYER
 	_viewport.add_child(_eye)
 	_watch = VisibleOnScreenNotifier3D.new()
