@@ -41,6 +41,8 @@ func assemble(p_level: Node3D, p_bake: LevelBake) -> void:
 	if bake != null and not bake.seen_parts.is_empty():
 		visibility = LevelVisibility.new()
 		visibility.surfaces = self
+		# Now, as the loader takes a level apart before it enters the tree.
+		visibility.sun = LevelVisibility.find_sun(p_level)
 		add_child(visibility)
 
 

@@ -4,8 +4,8 @@ extends Node
 ## 4.2.2): parts and props that are out of sight are not drawn, and shadows only where they can fall
 ## on what is drawn.
 
-## How long what props show is kept, s: they move.
-const PROPS_S: float = 0.25
+## How often props are looked at, s: they move.
+const PROPS_S: float = 0.1
 ## A turn of the light by more than this is looked at, rad, and the room for it, m.
 const TURN_RAD: float = 0.01
 const ROOM_M: float = 1.0
@@ -14,6 +14,9 @@ const LOWEST: float = 0.08
 
 ## Whose parts are shown. Set before it enters the tree.
 var surfaces: LevelSurfaces = null
+## The sun; null where shadows are thrown by anything else too, or fall on anything that is no part
+## of the surfaces, such as terrain: then all are thrown.
+var sun: DirectionalLight3D = null
 ## Whether anything is hidden; for comparison.
 var is_active: bool = true:
 	set(p_value):
@@ -23,20 +26,39 @@ var is_active: bool = true:
 ## The small cells in which eyes are; empty where all is shown.
 var _cells: PackedInt32Array = []
 var _is_known: bool = false
-var _sun: DirectionalLight3D = null
 ## Towards the sun when shadows were looked at.
 var _way: Vector3 = Vector3.ZERO
-## Ground that is no part of the surfaces takes shadows wherever it is.
-var _has_terrain: bool = false
+var _props: PropVisibility = null
 var _until_props_s: float = 0.0
 
 
+## The light by whose direction shadows may be left out, of a level that need not be in the tree.
+static func find_sun(p_level: Node3D) -> DirectionalLight3D:
+	var suns: Array[Node] = p_level.find_children("*", "DirectionalLight3D", true, false)
+	for node: Node in p_level.find_children("*", "Node3D", true, false):
+		var block: KitBlock = node as KitBlock
+		if (
+			node is Terrain
+			or node is StageLight
+			or (node is Light3D and not suns.has(node) and (node as Light3D).shadow_enabled)
+			or (block != null and not block.is_merged())
+			or (node is GeometryInstance3D and node.owner != null and not _is_prop(node, p_level))
+		):
+			return null
+	return suns[0] as DirectionalLight3D if suns.size() == 1 else null
+
+
+static func _is_prop(p_node: Node, p_level: Node3D) -> bool:
+	var node: Node = p_node
+	while node != null and node != p_level:
+		if node.is_in_group(KitBlock.PROPS_GROUP):
+			return true
+		node = node.get_parent()
+	return false
+
+
 func _ready() -> void:
-	for node: Node in surfaces.get_parent().find_children("*", "Node3D", true, false):
-		if node is DirectionalLight3D and (node as DirectionalLight3D).shadow_enabled:
-			_sun = node as DirectionalLight3D
-		elif node is Terrain:
-			_has_terrain = true
+	_props = PropVisibility.new(surfaces.get_parent() as Node3D)
 
 
 func _process(p_delta: float) -> void:
@@ -50,7 +72,7 @@ func _process(p_delta: float) -> void:
 	look_from(eyes)
 	_until_props_s -= p_delta
 	if _until_props_s <= 0.0:
-		_show_props(eyes)
+		_look_at_props(eyes, false)
 
 
 ## Shows what is seen from any of some points of the level. Where no cell is, all is shown.
@@ -62,8 +84,8 @@ func look_from(p_eyes: PackedVector3Array) -> void:
 	if cells.has(-1):
 		cells.clear()
 	var way: Vector3 = Vector3.UP
-	if is_instance_valid(_sun):
-		way = surfaces.global_basis.inverse() * _sun.global_basis.z
+	if is_instance_valid(sun):
+		way = surfaces.global_basis.inverse() * sun.global_basis.z
 	var is_same: bool = _is_known and cells == _cells
 	if is_same and way.angle_to(_way) < TURN_RAD:
 		return
@@ -77,13 +99,13 @@ func look_from(p_eyes: PackedVector3Array) -> void:
 			for cell: int in cells:
 				is_seen = is_seen or bake.seen_parts[cell * count + index] != 0
 			surfaces.shown[index].visible = is_seen
-		_show_props(p_eyes)
+		_look_at_props(p_eyes, true)
 	_show_shadows()
 
 
 ## A shadow mesh is drawn if something that is drawn lies between it and where its shadow ends.
 func _show_shadows() -> void:
-	var is_all: bool = _cells.is_empty() or _has_terrain or _way.y < LOWEST
+	var is_all: bool = _cells.is_empty() or not is_instance_valid(sun) or _way.y < LOWEST
 	var receivers: Array[AABB] = []
 	for part: MeshInstance3D in surfaces.shown:
 		if not is_all and part.visible:
@@ -104,27 +126,10 @@ func _falls_on(p_caster: AABB, p_receivers: Array[AABB]) -> bool:
 	return false
 
 
-## Props are where the server has them, or swing on hinges: they are shown if a cell in which they
-## are is seen, by the same sets by which the server sends them.
-func _show_props(p_eyes: PackedVector3Array) -> void:
+func _look_at_props(p_eyes: PackedVector3Array, p_is_other: bool) -> void:
 	_until_props_s = PROPS_S
-	for node: Node in get_tree().get_nodes_in_group(KitBlock.PROPS_GROUP):
-		var prop: Node3D = node as Node3D
-		if prop != null and surfaces.get_parent().is_ancestor_of(prop):
-			prop.visible = _is_near_seen(p_eyes, surfaces.to_local(prop.global_position))
-
-
-## A prop may be in several cells: corners of a cube around it are looked at.
-func _is_near_seen(p_eyes: PackedVector3Array, p_place: Vector3) -> bool:
-	if _cells.is_empty():
-		return true
-	var bake: LevelBake = surfaces.bake
-	var count: int = bake.cell_counts.x * bake.cell_counts.y * bake.cell_counts.z
-	for corner: int in 8:
-		var aside: Vector3 = Vector3(corner & 1, corner >> 1 & 1, corner >> 2 & 1) * 2.0
-		var cell: int = bake.cell_at(p_place + aside - Vector3(1.0, 0.5, 1.0))
-		for eye: Vector3 in p_eyes:
-			var from: int = bake.cell_at(eye)
-			if cell < 0 or from < 0 or bake.seen_cells[from * count + cell] != 0:
-				return true
-	return false
+	if p_is_other:
+		_props.tidy()
+	_props.look(
+		surfaces.bake, p_eyes if not _cells.is_empty() else PackedVector3Array(), p_is_other
+	)

@@ -14,7 +14,6 @@ func before_each() -> void:
 	_level = Node3D.new()
 	add_child(_level)
 	_sun = DirectionalLight3D.new()
-	_sun.shadow_enabled = true
 	_level.add_child(_sun)
 	_shine(Vector3.UP)
 	_surfaces = LevelSurfaces.new()
@@ -29,6 +28,7 @@ func before_each() -> void:
 	_level.add_child(_surfaces)
 	_visibility = LevelVisibility.new()
 	_visibility.surfaces = _surfaces
+	_visibility.sun = LevelVisibility.find_sun(_level)
 	_surfaces.add_child(_visibility)
 	_visibility.set_process(false)
 
@@ -66,10 +66,38 @@ func test_shadows_are_thrown_where_they_fall_on_what_is_drawn() -> void:
 	equal(_shown(_surfaces.shadows), [true, true], "a low sun throws them without end")
 
 
+func test_shadows_that_may_fall_on_anything_are_all_thrown() -> void:
+	equal(LevelVisibility.find_sun(_level), _sun)
+	var spot: SpotLight3D = SpotLight3D.new()
+	spot.shadow_enabled = true
+	for other: Node3D in [Terrain.new(), spot, DirectionalLight3D.new(), StageLight.new()]:
+		_level.add_child(other)
+		equal(LevelVisibility.find_sun(_level), null, other.get_class())
+		other.free()
+	_visibility.sun = null
+	_visibility.look_from([_middle(0)])
+	equal(_shown(_surfaces.shadows), [true, true])
+
+
+func test_props_that_somebody_has_hidden_stay_hidden() -> void:
+	var prop: Node3D = _prop(Vector3(3.0, 0.5, 5.0))
+	prop.visible = false
+	_visibility.look_from([_middle(0)])
+	is_false(prop.visible)
+	_visibility.look_from([_middle(1)])
+	_visibility.look_from([_middle(0)])
+	is_false(prop.visible)
+	prop.visible = true
+	_visibility.look_from([_middle(1)])
+	_visibility.is_active = false
+	_visibility.look_from([_middle(1)])
+	is_true(prop.visible)
+
+
 func test_props_are_shown_where_their_cell_is_seen() -> void:
 	var near: Node3D = _prop(Vector3(3.0, 0.5, 5.0))
 	var far: Node3D = _prop(Vector3(17.0, 0.5, 5.0))
-	var between: Node3D = _prop(Vector3(10.3, 0.5, 5.0))
+	var between: Node3D = _prop(Vector3(10.8, 0.5, 5.0))
 	var outside: Node3D = _prop(Vector3(-50.0, 0.5, 5.0))
 	_visibility.look_from([_middle(0)])
 	is_true(near.visible)

@@ -1,0 +1,99 @@
+class_name PropVisibility
+extends RefCounted
+## Hides the props of a level that no eye can see, by the sets by which the server sends them, and
+## shows them again: none that somebody else has hidden.
+
+## Room around a prop, m: for its shadow, and for how far it moves until it is looked at again.
+const ROOM_M: float = 1.0
+## A prop that has moved by less than this is where it was, m.
+const MOVED_M: float = 0.2
+
+
+## A prop that was looked at.
+class Known:
+	## What is drawn of it, in its own frame.
+	var box: AABB = AABB()
+	## Where it was.
+	var place: Vector3 = Vector3.INF
+	## Whether it is hidden by this class.
+	var is_hidden: bool = false
+
+
+var _level: Node3D = null
+var _known: Dictionary[Node3D, Known] = {}
+
+
+## Takes the level whose props are meant.
+func _init(p_level: Node3D) -> void:
+	_level = p_level
+
+
+## Looks at all props after eyes have come to other cells, else at those that have moved. The eyes
+## are in the level's frame; without any, all props are shown.
+func look(p_bake: LevelBake, p_eyes: PackedVector3Array, p_is_other: bool) -> void:
+	for node: Node in _level.get_tree().get_nodes_in_group(KitBlock.PROPS_GROUP):
+		var prop: Node3D = node as Node3D
+		if prop == null or not _level.is_ancestor_of(prop):
+			continue
+		var known: Known = _known.get(prop)
+		if known == null:
+			known = Known.new()
+			known.box = _box_of(prop)
+			_known[prop] = known
+		var place: Vector3 = prop.global_position
+		if not p_is_other and place.distance_squared_to(known.place) < MOVED_M * MOVED_M:
+			continue
+		known.place = place
+		var to_level: Transform3D = _level.global_transform.affine_inverse() * prop.global_transform
+		_show(prop, known, _is_seen(p_bake, p_eyes, (to_level * known.box).grow(ROOM_M)))
+
+
+## Forgets props that are gone.
+func tidy() -> void:
+	for prop: Variant in _known.keys():
+		if not is_instance_valid(prop):
+			_known.erase(prop)
+
+
+static func _show(p_prop: Node3D, p_known: Known, p_is_seen: bool) -> void:
+	if p_is_seen and p_known.is_hidden:
+		p_prop.visible = true
+		p_known.is_hidden = false
+	elif not p_is_seen and p_prop.visible:
+		p_prop.visible = false
+		p_known.is_hidden = true
+
+
+static func _is_seen(p_bake: LevelBake, p_eyes: PackedVector3Array, p_box: AABB) -> bool:
+	if p_eyes.is_empty():
+		return true
+	var count: int = p_bake.cell_counts.x * p_bake.cell_counts.y * p_bake.cell_counts.z
+	var low: Vector3i = Vector3i(((p_box.position - p_bake.cell_origin) / p_bake.cell_size).floor())
+	var high: Vector3i = Vector3i(((p_box.end - p_bake.cell_origin) / p_bake.cell_size).floor())
+	# Below the floors nobody looks; of what else is outside of the cells nothing is known.
+	low.y = maxi(low.y, 0)
+	if low.clamp(Vector3i.ZERO, p_bake.cell_counts - Vector3i.ONE) != low:
+		return true
+	if high.clamp(Vector3i.ZERO, p_bake.cell_counts - Vector3i.ONE) != high:
+		return true
+	for eye: Vector3 in p_eyes:
+		var from: int = p_bake.cell_at(eye)
+		if from < 0:
+			return true
+		for x: int in range(low.x, high.x + 1):
+			for z: int in range(low.z, high.z + 1):
+				for y: int in range(low.y, high.y + 1):
+					var cell: int = (x * p_bake.cell_counts.z + z) * p_bake.cell_counts.y + y
+					if p_bake.seen_cells[from * count + cell] != 0:
+						return true
+	return false
+
+
+## What is drawn of a prop, in its own frame.
+static func _box_of(p_prop: Node3D) -> AABB:
+	var box: AABB = AABB()
+	for node: Node in p_prop.find_children("*", "VisualInstance3D", true, false):
+		var shown: VisualInstance3D = node as VisualInstance3D
+		var to_prop: Transform3D = p_prop.global_transform.affine_inverse() * shown.global_transform
+		box = box.merge(to_prop * shown.get_aabb())
+	return box
