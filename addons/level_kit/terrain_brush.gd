@@ -52,7 +52,11 @@ func make_flat(p_terrain: Terrain) -> String:
 			_undo.add_do_method(parent, &"remove_child", block)
 			_undo.add_undo_method(parent, &"add_child", block, true)
 			_undo.add_undo_method(parent, &"move_child", block, block.get_index())
+			# What leaves the tree loses its owner, and would not be saved any more.
 			_undo.add_undo_property(block, &"owner", block.owner)
+			for below: Node in block.find_children("*", "", true, true):
+				if below.owner == block.owner:
+					_undo.add_undo_property(below, &"owner", below.owner)
 			_undo.add_undo_reference(block)
 		_undo.commit_action()
 	return fault

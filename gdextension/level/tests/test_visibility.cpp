@@ -50,7 +50,7 @@ struct Rooms {
 };
 
 /// What a part is for the small cell in which a place lies.
-uint8_t bits(const Visibility &p_visibility, const Vec3 &p_place, int p_parts, int p_part) {
+uint8_t seen(const Visibility &p_visibility, const Vec3 &p_place, int p_parts, int p_part) {
 	const CellGrid &small = p_visibility.small_cells();
 	const Vec3 at = (p_place - small.origin) * (1.0f / small.size);
 	const std::size_t cell = small.number_of({ int(at.x), int(at.y), int(at.z) });
@@ -68,8 +68,8 @@ TEST(rooms_see_through_doors_and_not_through_walls) {
 	const Vec3 in_first{ -5.0f, 1.5f, -0.4f };
 	const Vec3 in_last{ 13.0f, 1.5f, 0.4f };
 	for (int part = 0; part < 4; part++) {
-		CHECK(bits(visibility, in_first, 4, part) == (part < 2 ? 1 : 0));
-		CHECK(bits(visibility, in_last, 4, part) == (part < 2 ? 0 : 1));
+		CHECK(seen(visibility, in_first, 4, part) == (part < 2 ? 1 : 0));
+		CHECK(seen(visibility, in_last, 4, part) == (part < 2 ? 0 : 1));
 	}
 	const std::size_t count = rooms.grid.cell_count();
 	CHECK(visibility.cells()[first * count + first] == 1);
@@ -119,7 +119,7 @@ TEST(what_is_seen_through_a_slit_only_is_found) {
 	Visibility visibility(scene, triangles, part_of, 10, { { -2.0f, 0.0f, -2.0f }, 4.0f, { 1, 1, 1 } });
 	visibility.survey();
 	for (int part = 0; part < 10; part++) {
-		CHECK(bits(visibility, { 1.0f, 1.0f, part < 5 ? 0.5f : -0.5f }, 10, part) == 1);
+		CHECK(seen(visibility, { 1.0f, 1.0f, part < 5 ? 0.5f : -0.5f }, 10, part) == 1);
 	}
 }
 

@@ -20,8 +20,8 @@ class Top:
 	## Its corners, seen from above.
 	var corners: PackedVector2Array = []
 	var box: Rect2 = Rect2()
-	## What it looks like: surface, tint.
-	var look: Vector2i = Vector2i.ZERO
+	## What it looks like: where two that look alike lie in each other, nothing flickers.
+	var look: Array = []
 
 
 var _check: LevelCheck = null
@@ -67,13 +67,14 @@ static func _top_of(p_body: StaticBody3D) -> Top:
 		var size: Vector3 = (p_body as Block).size
 		area = Rect2(-size.x / 2.0, -size.z / 2.0, size.x, size.z)
 		height = size.y / 2.0
-		top.look = Vector2i((p_body as Block).surface, (p_body as Block).tint)
+		var block: Block = p_body as Block
+		top.look = [block.surface, block.tint, block.material]
 	else:
 		var road: Road = p_body as Road
 		area = Rect2(-road.size.x / 2.0, -road.size.y, road.size.x, road.size.y)
 		height = road.height
 		# Markings never lie alike.
-		top.look = Vector2i(-1, road.get_index())
+		top.look = [road.get_instance_id()]
 	top.node = p_body
 	for corner: Vector2 in [Vector2(0, 0), Vector2(1, 0), Vector2(1, 1), Vector2(0, 1)]:
 		var at: Vector2 = area.position + area.size * corner

@@ -44,12 +44,18 @@ func test_tops_that_lie_in_each_other() -> void:
 	var along: Road = Road.new()
 	along.position = Vector3(-5.0, 0.002, 9.5)
 	along.has_left_kerb = false
-	_below(_level.static_root, along, "Along")
+	# In a group, where it has the same number among its siblings as the other may have.
+	var group: Node3D = Node3D.new()
+	_below(_level.static_root, group, "Group")
+	for number: int in across.get_index():
+		_below(group, Node3D.new(), "Empty%d" % number)
+	_below(group, along, "Along")
+	equal(along.get_index(), across.get_index())
 	var kind: LevelFault.Kind = LevelFault.Kind.FLICKERS
 	await _expect(
 		[
 			[kind, "Static/Tile", "lies in that of 'Floor'"],
-			[kind, "Static/Along", "that of 'Across'"]
+			[kind, "Static/Group/Along", "that of 'Across'"]
 		]
 	)
 
