@@ -92,8 +92,13 @@ def lay_path(editor: Editor) -> None:
         ("a new point", (3.0, 0.0, -11.0), 3),
         ("a new point", (-1.0, 0.0, -12.0), 4),
     ):
+        before = points(editor.state())
         pull(editor, title, to)
-        editor.await_state(lambda s, n=count: len(points(s)) == n, f"{count} points")
+        # All handles move with a point: only then the next one can be taken where it is.
+        editor.await_state(
+            lambda s, n=count, old=before: len(points(s)) == n and points(s) != old,
+            f"{count} points, others than before",
+        )
     editor.undo()
     editor.await_state(lambda s: len(points(s)) == 3, "ctrl+z takes the last one back")
 
