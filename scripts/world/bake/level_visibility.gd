@@ -86,13 +86,13 @@ func look_from(p_eyes: PackedVector3Array) -> void:
 	var way: Vector3 = Vector3.UP
 	if is_instance_valid(sun):
 		way = surfaces.global_basis.inverse() * sun.global_basis.z
-	var is_same: bool = _is_known and cells == _cells
-	if is_same and way.angle_to(_way) < TURN_RAD:
+	var stays: bool = _is_known and cells == _cells
+	if stays and way.angle_to(_way) < TURN_RAD:
 		return
 	_way = way
 	_cells = cells
 	_is_known = true
-	if not is_same:
+	if not stays:
 		var count: int = surfaces.shown.size()
 		for index: int in count:
 			var is_seen: bool = cells.is_empty()
