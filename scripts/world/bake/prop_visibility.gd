@@ -20,7 +20,8 @@ class Known:
 
 
 var _level: Node3D = null
-var _known: Dictionary[Node3D, Known] = {}
+## By the instance ids of the props: these outlive them.
+var _known: Dictionary[int, Known] = {}
 
 
 ## Takes the level whose props are meant.
@@ -35,11 +36,11 @@ func look(p_bake: LevelBake, p_eyes: PackedVector3Array, p_is_other: bool) -> vo
 		var prop: Node3D = node as Node3D
 		if prop == null or not _level.is_ancestor_of(prop):
 			continue
-		var known: Known = _known.get(prop)
+		var known: Known = _known.get(prop.get_instance_id())
 		if known == null:
 			known = Known.new()
 			known.box = _box_of(prop)
-			_known[prop] = known
+			_known[prop.get_instance_id()] = known
 		var place: Vector3 = prop.global_position
 		if not p_is_other and place.distance_squared_to(known.place) < MOVED_M * MOVED_M:
 			continue
@@ -50,9 +51,9 @@ func look(p_bake: LevelBake, p_eyes: PackedVector3Array, p_is_other: bool) -> vo
 
 ## Forgets props that are gone.
 func tidy() -> void:
-	for prop: Variant in _known.keys():
-		if not is_instance_valid(prop):
-			_known.erase(prop)
+	for id: int in _known.keys():
+		if not is_instance_id_valid(id):
+			_known.erase(id)
 
 
 static func _show(p_prop: Node3D, p_known: Known, p_is_seen: bool) -> void:

@@ -94,6 +94,19 @@ func test_props_that_somebody_has_hidden_stay_hidden() -> void:
 	is_true(prop.visible)
 
 
+func test_props_may_go_and_come() -> void:
+	_prop(Vector3(3.0, 0.5, 5.0)).free()
+	var first: Node3D = _prop(Vector3(3.0, 0.5, 5.0))
+	_visibility.look_from([_middle(1)])
+	is_false(first.visible)
+	first.free()
+	var second: Node3D = _prop(Vector3(3.0, 0.5, 5.0))
+	_visibility.look_from([_middle(0)])
+	is_true(second.visible)
+	_visibility.look_from([_middle(1)])
+	is_false(second.visible)
+
+
 func test_props_are_shown_where_their_cell_is_seen() -> void:
 	var near: Node3D = _prop(Vector3(3.0, 0.5, 5.0))
 	var far: Node3D = _prop(Vector3(17.0, 0.5, 5.0))
