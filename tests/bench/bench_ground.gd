@@ -10,16 +10,6 @@ extends SceneTree
 ## deepest limbs as they go), --world=NAME, --way=KIND (of the scene town; KIND again for more;
 ## default all).
 
-const _ROOTS: Dictionary[String, RagdollMotor.RootMode] = {
-	"grounded": RagdollMotor.ROOT_GROUNDED,
-	"soft": RagdollMotor.ROOT_SOFT,
-	"inertial": RagdollMotor.ROOT_INERTIAL,
-	"held": RagdollMotor.ROOT_HELD,
-	"lowest_foot": RagdollMotor.ROOT_LOWEST_FOOT,
-	"contacts": RagdollMotor.ROOT_CONTACTS,
-	"pendulum": RagdollMotor.ROOT_PENDULUM,
-	"self_righting": RagdollMotor.ROOT_SELF_RIGHTING,
-}
 const _SCENES: Array[String] = [
 	"stand",
 	"clip",
@@ -73,7 +63,11 @@ func _run() -> void:
 	_report = BenchReport.new("ground", _arguments.value("json"))
 	var scenes: PackedStringArray = _arguments.list("scene")
 	var walks: GroundWalks = GroundWalks.new(
-		self, _report, _arguments.value("hz"), _ROOTS[_arguments.value("root")], _soldier()
+		self,
+		_report,
+		_arguments.value("hz"),
+		RootModes.BY_NAME[_arguments.value("root")],
+		_soldier()
 	)
 	for name: String in _SCENES:
 		if not scenes.is_empty() and not scenes.has(name):
@@ -106,8 +100,8 @@ func _find_fault() -> String:
 	for name: String in _arguments.list("way"):
 		if not name in TownWays.KINDS:
 			return "--way is one of %s; found '%s'" % [", ".join(TownWays.KINDS), name]
-	if not _ROOTS.has(_arguments.value("root")):
-		return "--root is one of %s" % ", ".join(_ROOTS.keys())
+	if not RootModes.BY_NAME.has(_arguments.value("root")):
+		return "--root is one of %s" % ", ".join(RootModes.BY_NAME.keys())
 	for name: String in _arguments.list("obstacle"):
 		if not name in GroundObstacles.KINDS:
 			return "--obstacle is one of %s" % ", ".join(GroundObstacles.KINDS)
@@ -122,7 +116,7 @@ func _find_fault() -> String:
 
 func _begin(p_performer: ContactPerformer) -> GroundRun:
 	var run: GroundRun = GroundRun.new(self, _arguments.value("hz"))
-	run.person = p_performer.enter(run.world, _ROOTS[_arguments.value("root")])
+	run.person = p_performer.enter(run.world, RootModes.BY_NAME[_arguments.value("root")])
 	return run
 
 
@@ -180,7 +174,9 @@ func _blocked() -> void:
 		for kind: String in GroundObstacles.KINDS if kinds.is_empty() else kinds:
 			var world: ContactWorld = ContactWorld.new(_arguments.value("hz"))
 			root.add_child(world)
-			var person: ContactPerson = performer.enter(world, _ROOTS[_arguments.value("root")])
+			var person: ContactPerson = performer.enter(
+				world, RootModes.BY_NAME[_arguments.value("root")]
+			)
 			var blocked: GroundBlocked = GroundBlocked.new(_arguments.value("trace"))
 			await blocked.run(world, person, performer, kind, side)
 			blocked.tell(_report, "%s, %s" % [kind, file.get_file()])
@@ -190,7 +186,11 @@ func _blocked() -> void:
 
 func _town() -> void:
 	var town: GroundTown = GroundTown.new(
-		self, _report, _arguments.value("hz"), _ROOTS[_arguments.value("root")], _soldier()
+		self,
+		_report,
+		_arguments.value("hz"),
+		RootModes.BY_NAME[_arguments.value("root")],
+		_soldier()
 	)
 	var kinds: PackedStringArray = _arguments.list("way")
 	for kind: String in TownWays.KINDS:
