@@ -17,7 +17,7 @@ from .conftest import SOFTWARE, World
 
 # Enough for the editor to load a scene, draw it and see which textures it uses in 3D; fewer leave
 # threads of it at work when it ends.
-FRAMES = 2500
+FRAMES = 4000
 HALL = "res://scenes/world/hall/hall.tscn"
 # What a virtual display without Vulkan and V-Sync says of itself, and the bindings' own project,
 # which is none of this one.
