@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "drivetrain.hpp"
+#include "track_belt.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/defs.hpp>
@@ -11,6 +12,7 @@ namespace {
 
 void initialize(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
+		GDREGISTER_CLASS(TrackBelt);
 		GDREGISTER_CLASS(VehicleDrivetrain);
 	}
 }
