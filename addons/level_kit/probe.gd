@@ -58,6 +58,8 @@ func _controls() -> Dictionary:
 			var text: String = (control as Button).text
 			var key: String = label if control is OptionButton else text
 			found[key] = {"rect": _numbers(_rect(control)), "is_shut": is_shut, "text": text}
+			if control is OptionButton:
+				found[key]["marked"] = _marked((control as OptionButton).get_popup())
 		elif control is LineEdit:
 			var edit: LineEdit = control
 			var key: String = edit.placeholder_text if edit.placeholder_text == "Search" else label
@@ -67,6 +69,15 @@ func _controls() -> Dictionary:
 	for bar: ProgressBar in _dock.find_children("*", "ProgressBar", true, false):
 		found["progress"] = {"rect": _numbers(_rect(bar)), "is_shown": bar.is_visible_in_tree()}
 	return found
+
+
+## The entry of an open list that the return key would take; an empty text for none, null while the
+## list is shut.
+func _marked(p_list: PopupMenu) -> Variant:
+	if not p_list.visible:
+		return null
+	var index: int = p_list.get_focused_item()
+	return p_list.get_item_text(index) if index >= 0 else ""
 
 
 ## Entries of the dock's lists, as far as they are in sight.

@@ -11,13 +11,25 @@ const BONES: Array[StringName] = [&"Head", &"Chest", &"Spine", &"Hips"]
 ## Height of the bar above the head.
 @export_range(0.0, 2.0, 0.05, "suffix:m") var height: float = 0.35
 
+## Whether it shows a bar: not where nobody sees it, such as on a server, which makes no meshes or
+## textures while it loads a level (see [RenderLock]).
+var has_label: bool = not RenderLock.is_needed()
+
 var _bodies: Array[RID] = []
+var _label: Label3D = null
 
 @onready var _entity: Entity = $"../Entity"
-@onready var _label: Label3D = $Label
 
 
 func _ready() -> void:
+	if has_label:
+		_label = Label3D.new()
+		_label.billboard = BaseMaterial3D.BILLBOARD_ENABLED
+		_label.no_depth_test = true
+		_label.pixel_size = 0.004
+		_label.font_size = 48
+		_label.outline_size = 12
+		add_child(_label)
 	_entity.started.connect(_on_started)
 	_entity.field_changed.connect(_on_field_changed)
 
@@ -59,7 +71,7 @@ func _take_blow(p_impulse: float) -> void:
 
 
 func _on_field_changed(p_field: StringName, p_value: float) -> void:
-	if p_field == &"health":
+	if p_field == &"health" and _label != null:
 		_label.text = "%.0f %%" % p_value
 		_label.modulate = Color.RED.lerp(Color.GREEN, p_value / 100.0)
 		_label.visible = p_value < 100.0

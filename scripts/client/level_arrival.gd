@@ -54,6 +54,8 @@ func _init(p_scene: ClientScene, p_store: ReceivedLevels, p_send: Callable) -> v
 	_scene = p_scene
 	_store = p_store
 	download = LevelDownload.new(p_send, p_store)
+	# Without a window no picture stops, and people's avatars may come at any time.
+	_loader.has_thread = not RenderLock.is_needed()
 
 
 ## Takes a message about the state of the world. Returns whether it has been kept for later, or is

@@ -3,7 +3,7 @@ extends RefCounted
 ## The one logger: lines with time, level and tag on standard output, errors on standard error.
 ##
 ## Lines that an outsider can provoke go through [method limited]: one per key in a while, with the
-## number of those left out, so that nobody can flood the log.
+## number of those left out, so that nobody can flood the log. Threads may use it.
 
 ## Minimum seconds between two lines of one key of [method limited].
 const LIMIT_S: float = 5.0
@@ -21,6 +21,7 @@ const LEVELS: PackedStringArray = ["info", "warning", "error"]
 ## [code]func(line: String) -> void[/code]. Errors still go to standard error.
 static var sink: Callable = Callable()
 
+static var _mutex: Mutex = Mutex.new()
 static var _level: int = 0
 static var _file: FileAccess = null
 static var _last_usec: Dictionary[String, int] = {}
@@ -64,30 +65,46 @@ static func warning(p_tag: String, p_text: String) -> void:
 ## Something that ends the work.
 static func error(p_tag: String, p_text: String) -> void:
 	var line: String = _line("ERROR", p_tag, p_text)
+	_mutex.lock()
 	_store(line)
+	_mutex.unlock()
 	printerr(line)
 
 
 ## A warning that is repeated at most every [constant LIMIT_S] seconds for the same key.
 static func limited(p_tag: String, p_key: String, p_text: String) -> void:
-	var key: String = p_tag + " " + p_key
+	_mutex.lock()
+	var left_out: int = _admit(p_tag + " " + p_key)
+	_mutex.unlock()
+	if left_out >= 0:
+		warning(p_tag, p_text + (" (and %d more like it)" % left_out if left_out > 0 else ""))
+
+
+## How many lines of a key were left out before the one that may be written now; -1 if it may not.
+static func _admit(p_key: String) -> int:
 	var now: int = Time.get_ticks_usec()
-	if _last_usec.has(key) and now - _last_usec[key] < int(LIMIT_S * 1e6):
-		_left_out[key] = _left_out.get(key, 0) + 1
-		return
+	if _last_usec.has(p_key) and now - _last_usec[p_key] < int(LIMIT_S * 1e6):
+		_left_out[p_key] = _left_out.get(p_key, 0) + 1
+		return -1
 	if _last_usec.size() >= MAX_KEYS:
 		var oldest: String = _last_usec.keys()[0]
 		_last_usec.erase(oldest)
 		_left_out.erase(oldest)
-	var count: int = _left_out.get(key, 0)
-	_last_usec.erase(key)
-	_last_usec[key] = now
-	_left_out[key] = 0
-	warning(p_tag, p_text + (" (and %d more like it)" % count if count > 0 else ""))
+	var count: int = _left_out.get(p_key, 0)
+	_last_usec.erase(p_key)
+	_last_usec[p_key] = now
+	_left_out[p_key] = 0
+	return count
 
 
 ## Nobody can fill the disk by something that makes a line each time, such as joining and leaving.
 static func _write(p_level: String, p_tag: String, p_text: String) -> void:
+	_mutex.lock()
+	_write_alone(p_level, p_tag, p_text)
+	_mutex.unlock()
+
+
+static func _write_alone(p_level: String, p_tag: String, p_text: String) -> void:
 	var now: int = Time.get_ticks_usec()
 	_room += (now - _room_usec) / 1e6 * CHARACTERS_PER_SECOND
 	_room = minf(_room, MAX_CHARACTERS)

@@ -95,7 +95,7 @@ func advance() -> void:
 		budget.do(&"free", _workshop.tidy)
 	while not _due.is_empty():
 		var kind: StringName = _next_kind()
-		if kind != &"" and not budget.allows(kind):
+		if kind != &"" and not (budget.allows(kind) and _workshop.is_ready()):
 			break
 		_do_next(kind)
 	while _due.is_empty() and _workshop.waste_count() > 0 and budget.allows(&"free"):

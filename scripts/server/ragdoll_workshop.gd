@@ -67,6 +67,16 @@ func next_kind() -> StringName:
 	return _parts[0][0] if not _parts.is_empty() else &""
 
 
+## Whether the next part can be done without waiting for a level that is being loaded.
+func is_ready() -> bool:
+	if next_kind() != &"make":
+		return true
+	var is_free: bool = RenderLock.try_hold()
+	if is_free:
+		RenderLock.release()
+	return is_free
+
+
 ## Does the next part.
 func advance() -> void:
 	var part: Array = _parts.pop_front()
@@ -107,9 +117,11 @@ func tidy() -> void:
 
 ## Makes one for the stock. Returns whether it was not full.
 func restock() -> bool:
-	if _stock.size() >= STOCK:
+	# A level that is being loaded is soon there.
+	if _stock.size() >= STOCK or not RenderLock.try_hold():
 		return false
 	_stock.push_front(_scene.instantiate() as Ragdoll)
+	RenderLock.release()
 	return true
 
 
@@ -128,7 +140,9 @@ func close() -> void:
 
 
 func _make(p_scene: PackedScene) -> void:
+	RenderLock.hold()
 	_stock.append(p_scene.instantiate() as Ragdoll)
+	RenderLock.release()
 
 
 func _take(p_root_mode: RagdollMotor.RootMode) -> void:

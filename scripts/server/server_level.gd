@@ -184,7 +184,9 @@ func add_instance(
 	p_path: String, p_transform: Transform3D, p_tick: int, p_owner: int = 0
 ) -> Entity:
 	var scene: PackedScene = level.find_spawnable(p_path)
+	RenderLock.hold()
 	var node: Node = scene.instantiate() if scene != null else null
+	RenderLock.release()
 	var entity: Entity = Entity.find_in(node)
 	if entity == null or entity.type == null:
 		Log.warning("server", "%s is not spawnable here, or holds no Entity with a type" % p_path)

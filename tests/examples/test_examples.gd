@@ -63,9 +63,10 @@ func test_a_bell_rings() -> void:
 
 func test_a_thrown_crate_lowers_health() -> void:
 	var scene: Node = HEALTH.instantiate()
+	var person: Ragdoll = scene.get_node(^"Thing")
+	person.get_node(^"Health").set(&"has_label", true)
 	add_child(scene)
 	await process_frames(2)
-	var person: Ragdoll = scene.get_node(^"Thing")
 	var entity: Entity = person.get_node(^"Entity")
 	equal(entity.get_value(&"health"), 100.0)
 	is_true(person.start())
@@ -75,7 +76,7 @@ func test_a_thrown_crate_lowers_health() -> void:
 	crate.linear_velocity = Vector3(0.0, 0.0, -12.0)
 	scene.add_child(crate)
 	await _until(func() -> bool: return entity.get_value(&"health") < 100.0)
-	is_true((person.get_node(^"Health/Label") as Label3D).visible)
+	is_true((person.get_node(^"Health").get_child(0) as Label3D).visible)
 	scene.free()
 
 

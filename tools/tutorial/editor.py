@@ -86,13 +86,22 @@ class Editor:
         self.await_state(lambda s: s["controls"][field]["text"] == text, f"{text!r} in {field!r}")
 
     def choose(self, field: str, text: str) -> None:
-        """Chooses an entry from a list that opens, by writing how it begins."""
+        """Chooses an entry from a list that opens, by the arrow keys."""
         self.click(field)
-        self.state()
-        time.sleep(0.5)  # The list opens.
-        self.screen.type(text.split()[0].lower())
+        self.await_state(lambda s: self._marked(s, field) is not None, f"the list of {field!r}")
+        passed: list[str] = []
+        while (marked := self._marked(self.state(), field)) != text:
+            # A whole round over all entries, and it was not among them.
+            assert passed.count(marked) < 2, f"{field!r} has no entry {text!r}: {passed}"
+            passed.append(marked)
+            self.screen.key("down")
+            self.await_state(lambda s, old=marked: self._marked(s, field) != old, "another entry")
         self.screen.key("return")
         self.await_state(lambda s: s["controls"][field]["text"] == text, f"{text!r} in {field!r}")
+
+    @staticmethod
+    def _marked(state: State, field: str) -> str | None:
+        return state["controls"][field]["marked"]
 
     def find(self, title: str) -> Point:
         """Looks for a thing by its title and says where its picture is."""

@@ -27,6 +27,7 @@ KEYS = {
     "delete": "Delete",
     "escape": "Escape",
     "return": "Return",
+    "down": "Down",
 }
 
 

@@ -32,6 +32,9 @@ var level: Level = null
 var fingerprint: PackedByteArray = PackedByteArray()
 ## Why it cannot be loaded, or an empty text.
 var fault: String = ""
+## Whether a thread reads. If not, all is read at once: for programs without a window whose main
+## thread makes meshes or textures at any time. See [RenderLock].
+var has_thread: bool = true
 
 var _job: Job = null
 var _thread: Thread = null
@@ -69,6 +72,11 @@ class Job:
 	## Reads the level, in a thread. It waits for nothing that the main thread has to do, so that
 	## the main thread may wait for it.
 	func run() -> void:
+		RenderLock.hold()
+		_read()
+		RenderLock.release()
+
+	func _read() -> void:
 		if folder == null:
 			_make_own()
 		elif not folder.open():
@@ -94,7 +102,7 @@ class Job:
 		if folder != null:
 			return folder.total_progress()
 		var share: Array = [1.0]
-		if scene == null:
+		if scene == null and not RenderLock.is_needed():
 			ResourceLoader.load_threaded_get_status(scene_path, share)
 		return share[0]
 
@@ -105,6 +113,8 @@ class Job:
 				node.call(&"read_ahead")
 
 	func _make_own() -> void:
+		if scene == null:
+			scene = ResourceLoader.load(scene_path, "PackedScene") as PackedScene
 		var node: Node = scene.instantiate() if scene != null else null
 		level = node as Level
 		if level == null:
@@ -117,8 +127,12 @@ class Job:
 func begin_own(p_name: String) -> void:
 	var job: Job = Job.new()
 	job.scene_path = LevelStore.path_of(p_name)
-	ResourceLoader.load_threaded_request(job.scene_path, "PackedScene")
 	_begin(p_name, job)
+	if RenderLock.is_needed():
+		# The engine's own threads do not know of the lock.
+		_start_thread()
+	else:
+		ResourceLoader.load_threaded_request(job.scene_path, "PackedScene")
 
 
 ## Begins with a level in a folder; its manifest is to have this hash, or any if it is empty.
@@ -240,6 +254,10 @@ func _begin(p_name: String, p_job: Job) -> void:
 
 
 func _start_thread() -> void:
+	if not has_thread:
+		_job.run()
+		_take_job()
+		return
 	_thread = Thread.new()
 	_thread.start(_job.run, Thread.PRIORITY_LOW)
 
@@ -251,10 +269,14 @@ func _look_at_job() -> void:
 			_start_thread()
 	elif not _thread.is_alive():
 		_thread.wait_to_finish()
-		UntilDrawn.keep(_job)
-		level = _job.level
-		fault = _job.fault
-		state = State.READ if level != null else State.FAILED
+		_take_job()
+
+
+func _take_job() -> void:
+	UntilDrawn.keep(_job)
+	level = _job.level
+	fault = _job.fault
+	state = State.READ if level != null else State.FAILED
 
 
 ## Frees nodes until a moment. Returns whether all are gone.

@@ -30,6 +30,29 @@ func test_a_level_of_ours_is_the_same_as_at_once() -> void:
 		_loader.level.free()
 
 
+func test_nobody_makes_meshes_while_a_thread_loads() -> void:
+	# This thread has the lock, so that the other one waits: the engine may crash otherwise.
+	RenderLock.hold()
+	_loader.begin_own("hall")
+	for _frame: int in 20:
+		_loader.advance()
+		await get_tree().process_frame
+	equal(_loader.state, LevelLoader.State.READING, "it waits for who has the lock")
+	RenderLock.release()
+	equal(await _load(), LevelLoader.State.DONE)
+	is_true(RenderLock.try_hold(), "it has given the lock back")
+	RenderLock.release()
+	_loader.level.free()
+
+
+func test_without_a_thread_all_is_read_at_once() -> void:
+	_loader.has_thread = false
+	_loader.begin_own("hall")
+	equal(_loader.state, LevelLoader.State.READ)
+	equal(await _load(), LevelLoader.State.DONE)
+	_loader.level.free()
+
+
 func test_a_folder_is_loaded_if_it_is_the_one_that_was_asked_for() -> void:
 	var path: String = SampleFolder.make("range", 100)
 	_loader.begin_folder("range", path)
