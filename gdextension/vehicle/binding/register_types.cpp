@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "drivetrain.hpp"
+#include "ray_running_gear.hpp"
+#include "sphere_running_gear.hpp"
 #include "track_belt.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
@@ -13,7 +15,11 @@ namespace {
 void initialize(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
 		GDREGISTER_CLASS(TrackBelt);
+		GDREGISTER_CLASS(VehicleWheel);
 		GDREGISTER_CLASS(VehicleDrivetrain);
+		GDREGISTER_ABSTRACT_CLASS(RunningGear);
+		GDREGISTER_CLASS(SphereRunningGear);
+		GDREGISTER_CLASS(RayRunningGear);
 	}
 }
 

@@ -46,7 +46,8 @@ float Engine::idle_share() const {
 float Engine::fuel(float p_throttle, float p_delta) {
 	float wanted = 0.0f;
 	if (_is_running) {
-		const float idle = (settings.idle_rpm - _rpm) / (settings.idle_rpm * IDLE_BAND) + idle_share();
+		const bool idles = settings.idle_rpm > 0.0f; // Electric motors do not.
+		const float idle = !idles ? 0.0f : (settings.idle_rpm - _rpm) / (settings.idle_rpm * IDLE_BAND) + idle_share();
 		const float most = (settings.max_rpm - _rpm) / (settings.max_rpm * MAX_BAND) + 1.0f;
 		wanted = std::clamp(std::min(std::max(p_throttle, idle), most), 0.0f, 1.0f);
 	}
@@ -60,16 +61,17 @@ float Engine::shaft_torque() const {
 
 float Engine::step(float p_throttle, float p_load, float p_load_slope, float p_delta) {
 	fuel(p_throttle, p_delta);
-	const float torque = shaft_torque();
-	const float change = (torque - p_load) * p_delta / (settings.inertia + p_load_slope * p_delta);
+	_torque = shaft_torque();
+	const float change = (_torque - p_load) * p_delta / (settings.inertia + p_load_slope * p_delta);
 	_rpm = std::max(0.0f, _rpm + change / RAD_S_PER_RPM);
-	return torque;
+	return _torque;
 }
 
 float Engine::step_locked(float p_throttle, float p_rpm, float p_delta) {
 	fuel(p_throttle, p_delta);
 	_rpm = std::max(0.0f, p_rpm);
-	return shaft_torque();
+	_torque = shaft_torque();
+	return _torque;
 }
 
 void Engine::set_running(bool p_running) {

@@ -43,6 +43,8 @@ public:
 	float rpm() const { return _rpm; }
 	/// Share of the full torque that is called for now, 0 to 1.
 	float load() const { return _load; }
+	/// Torque at the shaft before the load, N m.
+	float torque() const { return _torque; }
 	void set_running(bool p_running);
 	bool is_running() const { return _is_running; }
 	/// At idle speed, without load.
@@ -55,6 +57,7 @@ private:
 
 	float _rpm = 0.0f;
 	float _load = 0.0f;
+	float _torque = 0.0f;
 	bool _is_running = true;
 };
 

@@ -1,0 +1,35 @@
+class_name VehicleInput
+extends RefCounted
+## What the driver of a vehicle does. What is not a number counts as nothing.
+
+## Which way the driver wants to go.
+enum Selector {
+	## Forward or back as the throttle says, once the vehicle stands.
+	AUTOMATIC,
+	## F: forward; a throttle below zero brakes.
+	FORWARD,
+	## N: the engine drives nothing.
+	NEUTRAL,
+	## R: back; a throttle below zero brakes.
+	REVERSE,
+}
+
+## Accelerator, -1 to 1. Below zero it brakes, and with the automatic selector it drives back.
+var throttle: float = 0.0
+## Steering, -1 (right) to 1 (left).
+var steer: float = 0.0
+## Service brake, 0 to 1.
+var brake: float = 0.0
+## Parking brake, 0 to 1.
+var handbrake: float = 0.0
+## Which way to go.
+var gear: Selector = Selector.AUTOMATIC
+
+
+## Lets go of everything.
+func clear() -> void:
+	throttle = 0.0
+	steer = 0.0
+	brake = 0.0
+	handbrake = 0.0
+	gear = Selector.AUTOMATIC
