@@ -285,6 +285,23 @@ static func _display() -> Array[OptionRow]:
 			"room for levels that servers have sent",
 			"MB"
 		),
+		(
+			OptionRow
+			. text(
+				"platform", clients, "motion platform to send cues to while you sit in a vehicle"
+			)
+			. shown_as(PlatformAddress.FORM)
+		),
+		OptionRow.choice(
+			"platform-kind",
+			clients,
+			MotionPlatform.PRESETS[0],
+			MotionPlatform.PRESETS,
+			"what the motion platform can do (docs/motion-platform.md)"
+		),
+		OptionRow.number(
+			"platform-rate", clients, 200, [100, 250], "cues for the platform", "per second"
+		),
 		OptionRow.text(
 			"use", clients, "use the Interactable at or below a node of this name, once it is there"
 		),

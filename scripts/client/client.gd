@@ -120,6 +120,7 @@ func _apply_options() -> String:
 	fault = made.error if fault == "" else fault
 	_stream = made.stream
 	_connect_stream()
+	fault = _open_platform() if fault == "" else fault
 	if fault == "" and Roles.can(Roles.find(_role), Roles.Capability.SEND_MOTION):
 		fault = _mocap.open(_options, made.live.link)
 		made.live.joined.connect(_mocap.people.begin)
@@ -139,6 +140,14 @@ func _apply_options() -> String:
 		made.live.connecting.connect(_shared.reconnect)
 		_await_levels(made.live.link)
 	return fault
+
+
+func _open_platform() -> String:
+	if _options.text("platform") == "":
+		return ""
+	var platform: ClientPlatform = ClientPlatform.new()
+	add_child(platform)
+	return platform.open(_options)
 
 
 ## Levels of a server are loaded over several frames, and got from it where they are not here.

@@ -2,8 +2,8 @@ extends SceneTree
 ## How far the washout filter is from its formulas and the published table; what a step costs.
 ##
 ## Options: --rounds=5 (medians of the cost). Formulas: greatest difference as a part of the
-## greatest value, of a step of 2 m/s² and of sines of 0.1 to 5 Hz after 60 s. Table: a car brakes with
-## 3 m/s² for 4 s, scale 0.5, damping 1, third pole 0.25 rad/s (docs/motion-platform.md).
+## greatest value, of a step of 2 m/s² and of sines of 0.1 to 5 Hz after 60 s. Table: a car brakes
+## with 3 m/s² for 4 s, scale 0.5, damping 1, third pole 0.25 rad/s (docs/motion-platform.md).
 
 const _STEP_S: float = 1.0 / 250.0
 const _AT_REST: Vector3 = Vector3(0.0, 9.81, 0.0)

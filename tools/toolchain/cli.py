@@ -12,7 +12,19 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import NoReturn
 
-from . import demo, help_texts, jolt, latency, level, load, options, package, suit, xbus
+from . import (
+    demo,
+    help_texts,
+    jolt,
+    latency,
+    level,
+    load,
+    options,
+    package,
+    platform_watch,
+    suit,
+    xbus,
+)
 from .console import Failure, say
 from .display import real_display
 from .godot import Godot
@@ -25,7 +37,7 @@ FLAGS = ("--no-goals",)
 FILES = ("bvh", "file", "report")
 # Whose options are all in their help; the roles' are checked by the program itself.
 CHECKED = ("bvh", "editor", "export", "mvn-sender", "options-doc", "package", "suit-emulator")
-CHECKED += ("xbus-decode",)
+CHECKED += ("platform-watch", "xbus-decode")
 # What a trainee moves by who names no source of motion.
 CLIP = CLIPS / "01_01.bvh"
 
@@ -44,6 +56,7 @@ def main(arguments: list[str]) -> int:
         "load": lambda rest: load.main(normalise(rest)),
         "level": level.main,
         "package": package.main,
+        "platform-watch": lambda rest: platform_watch.main(normalise(rest)),
         "suit-emulator": suit.main,
         "options-doc": _options_doc,
     }

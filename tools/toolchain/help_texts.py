@@ -10,7 +10,7 @@ from __future__ import annotations
 import subprocess
 from pathlib import Path
 
-from . import demo, latency, level, load, package, suit
+from . import demo, latency, level, load, package, platform_watch, suit
 from .console import Failure, tail
 from .godot import Godot
 from .paths import CLIPS, ROOT
@@ -35,6 +35,9 @@ Motion capture without a suit
   ./run mvn-sender          plays a motion file as MVN's network stream
   ./run xbus-decode FILE    what a recording of a suit's bus holds
   ./run bvh FILE            what a motion file holds
+
+Vehicles
+  ./run platform-watch      shows what a motion platform would be sent
 
 Levels
   ./run level pack NAME     makes a folder of a level that a server can offer its clients
@@ -116,6 +119,7 @@ def make(godot: Godot) -> dict[Path, str]:
         "options-doc": OPTIONS_DOC,
         "level": level.help_text(),
         "package": package.help_text(),
+        "platform-watch": platform_watch.HELP,
         "suit-emulator": suit.HELP,
         "mvn-sender": _mvn_sender(godot),
         "xbus-decode": _xbus_decode(),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "motion_cueing.hpp"
+#include "platform_sender.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/defs.hpp>
@@ -12,6 +13,7 @@ namespace {
 void initialize(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
 		GDREGISTER_CLASS(MotionCueing);
+		GDREGISTER_CLASS(PlatformSender);
 	}
 }
 

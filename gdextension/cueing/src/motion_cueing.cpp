@@ -36,10 +36,10 @@ double MotionCueing::gain() const {
 	return _progress * _progress * (3.0 - 2.0 * _progress);
 }
 
-const Pose &MotionCueing::step(const Motion *p_motion, double p_seconds) {
+const Pose &MotionCueing::step(const Motion *p_motion, double p_seconds, double p_age) {
 	_without_news += p_seconds;
 	if (p_motion != nullptr && p_motion->is_finite()) {
-		_without_news = 0.0;
+		_without_news = p_age;
 		// On the way to neutral the old motion goes on: its end would be felt as a jolt.
 		if (!_is_teleporting && !_is_paused) {
 			_motion = *p_motion;

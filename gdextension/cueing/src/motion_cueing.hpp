@@ -33,9 +33,9 @@ public:
 	void set_paused(bool p_is_paused) { _is_paused = p_is_paused; }
 	/// The vehicle was put elsewhere: to neutral and back, instead of a jolt.
 	void teleport();
-	/// One step. Without a motion, or with one that is no number, the last one goes on until the dead man's time is
-	/// over.
-	const Pose &step(const Motion *p_motion, double p_seconds);
+	/// One step. p_age is how long ago the vehicle was last heard of, s. Without a motion, or with one that is no
+	/// number, the last one goes on until the dead man's time is over.
+	const Pose &step(const Motion *p_motion, double p_seconds, double p_age = 0.0);
 	const Pose &pose() const { return _pose; }
 	/// How far the platform takes part, 0 (neutral) to 1.
 	double gain() const;
