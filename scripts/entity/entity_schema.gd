@@ -19,6 +19,9 @@ const MAX_FIELDS: int = 32
 ## Of an event: whether it is sent reliably. Unreliable ones are repeated a few times, arrive
 ## sooner, and may get lost on a bad network. Not used for a command.
 @export var is_reliable: bool = true
+## Of a command: the field with the session that alone may send it, as [member Seat.occupant_field]
+## is; empty: whoever the type says. Only the server knows it.
+@export var seat: StringName = &""
 
 
 ## A command or event, for types that are made by a script.

@@ -137,6 +137,8 @@ func find_fault() -> String:
 				return "type '%s': %s" % [name, schema.find_fault()]
 			if names.has(schema.name):
 				return "type '%s' has '%s' twice" % [name, schema.name]
+			if schema.seat != &"" and find_field(schema.seat) < 0:
+				return "type '%s': '%s' needs the field '%s'" % [name, schema.name, schema.seat]
 			names[schema.name] = true
 	return ""
 

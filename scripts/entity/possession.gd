@@ -1,11 +1,18 @@
 class_name Possession
 extends RefCounted
-## Which session may command which entities: on the server. An entity has at most one possessor.
+## Which session may command which entities, and who sits where: on the server. An entity has at most
+## one possessor, a session at most one seat.
 
 ## An entity has another possessor now; 0 is nobody.
 signal changed(p_entity: int, p_session: int)
 
+## A session takes at most one seat in so many ticks, as each moves its people.
+const SEAT_TICKS: int = 15
+
 var _possessors: Dictionary[int, int] = {}
+var _seats: Dictionary[int, Seat] = {}
+# Ticks in which sessions took a seat.
+var _sat_ticks: Dictionary[int, int] = {}
 
 
 ## Lets a session possess an entity. Returns false if another one does.
@@ -42,3 +49,41 @@ func entities_of(p_session: int) -> PackedInt32Array:
 		if _possessors[entity] == p_session:
 			found.append(entity)
 	return found
+
+
+## The seat of a session; null none.
+func seat_of(p_session: int) -> Seat:
+	# A level that goes takes its seats along.
+	var seat: Variant = _seats.get(p_session)
+	return seat as Seat if is_instance_valid(seat) else null
+
+
+## Notes where a session sits from now on; null nowhere.
+func sit(p_session: int, p_seat: Seat) -> void:
+	if p_seat == null:
+		_seats.erase(p_session)
+	else:
+		_seats[p_session] = p_seat
+		_sat_ticks[p_session] = Engine.get_physics_frames()
+
+
+## Whether a session may take a seat already.
+func may_sit(p_session: int) -> bool:
+	var since: int = Engine.get_physics_frames() - _sat_ticks.get(p_session, -SEAT_TICKS)
+	return since >= SEAT_TICKS
+
+
+## Forgets an entity that is gone, with its seats.
+func forget_entity(p_entity: int) -> void:
+	release(p_entity)
+	for session: int in _seats.keys():
+		var seat: Seat = seat_of(session)
+		if seat == null or seat.entity.id == p_entity:
+			_seats.erase(session)
+
+
+## Forgets a session that is gone.
+func forget(p_session: int) -> void:
+	release_all(p_session)
+	_seats.erase(p_session)
+	_sat_ticks.erase(p_session)

@@ -2,11 +2,13 @@
 @icon("res://scenes/entity/icons/seat.svg")
 class_name Seat
 extends Interactable
-## A seat for one in something that moves: whoever takes it possesses the entity, and his people
-## are carried along in the entity's frame.
+## A seat for one in something that moves: whoever takes the first one possesses the entity, and the
+## occupant's people are carried along in the entity's frame.
 ##
 ## The entity's type needs the field [member occupant_field] (see [method add_to]) and the commands
-## [constant TAKE] and [constant LEAVE].
+## [constant TAKE] and [constant LEAVE]. An entity with several seats gives each an [member index], a
+## field of its own and [constant TAKE] a value, the index; commands that belong to one of them name
+## its field in [member EntitySchema.seat]. A session sits once: taking a seat leaves the one before.
 
 ## Somebody has taken or left the seat; 0 is nobody. On every machine.
 signal occupied(p_session: int)
@@ -18,6 +20,8 @@ const LEAVE: StringName = &"leave_seat"
 ## Highest number of a session that a seat's field can hold.
 const MAX_SESSION: int = 1 << 16
 
+## Which of the entity's seats it is. The first one, 0, possesses the entity.
+@export_range(0, 31) var index: int = 0
 ## The field with the session of who sits here.
 @export var occupant_field: StringName = &"occupant"
 ## Whether the occupant's people are carried along. If not, they stay where they are, and the
@@ -57,7 +61,10 @@ func get_prompt() -> String:
 
 
 func interact() -> void:
-	entity.send_command(LEAVE if is_mine() else TAKE)
+	if is_mine():
+		entity.send_command(LEAVE)
+	else:
+		entity.send_command(TAKE, [index])
 
 
 ## Whether this client's session sits here.
@@ -75,20 +82,39 @@ func vacate() -> void:
 	var session: int = occupant()
 	if session == 0:
 		return
-	entity.get_host().possession().release(entity.id)
-	entity.get_host().detach(session)
+	var host: EntityHost = entity.get_host()
+	if index == 0:
+		host.possession().release(entity.id)
+	host.possession().sit(session, null)
+	host.detach(session)
 	entity.set_value(occupant_field, 0)
 
 
-func _on_commanded(p_session: int, p_command: StringName, _values: PackedFloat32Array) -> void:
+## Seats a session that leaves its former seat for it: on the server. Returns whether it could.
+func take(p_session: int) -> bool:
 	var possession: Possession = entity.get_host().possession()
-	# One seat for each session: taking another one leaves the first.
-	var is_free: bool = occupant() == 0 and possession.entities_of(p_session).is_empty()
-	if p_command == TAKE and is_free:
-		if possession.take(p_session, entity.id):
-			entity.set_value(occupant_field, p_session)
-			if carries_people:
-				entity.get_host().attach(p_session, entity.id, _transform_in_body())
+	var former: Seat = possession.seat_of(p_session)
+	if occupant() != 0 or not possession.may_sit(p_session):
+		return false
+	if index == 0 and not possession.take(p_session, entity.id):
+		return false
+	if former != null:
+		former.vacate()
+	possession.sit(p_session, self)
+	entity.set_value(occupant_field, p_session)
+	if carries_people:
+		entity.get_host().attach(p_session, entity.id, transform_in_body())
+	return true
+
+
+## Where the seat is in the frame of the entity's body, m.
+func transform_in_body() -> Transform3D:
+	return entity.get_body().global_transform.affine_inverse() * global_transform
+
+
+func _on_commanded(p_session: int, p_command: StringName, p_values: PackedFloat32Array) -> void:
+	if p_command == TAKE and (p_values.is_empty() or int(p_values[0]) == index):
+		take(p_session)
 	elif p_command == LEAVE and occupant() == p_session:
 		vacate()
 
@@ -96,7 +122,3 @@ func _on_commanded(p_session: int, p_command: StringName, _values: PackedFloat32
 func _on_field_changed(p_field: StringName, p_value: float) -> void:
 	if p_field == occupant_field:
 		occupied.emit(int(p_value))
-
-
-func _transform_in_body() -> Transform3D:
-	return entity.get_body().global_transform.affine_inverse() * global_transform

@@ -84,12 +84,10 @@ func add_session(p_session: int) -> void:
 func remove_session(p_session: int) -> void:
 	_queues.erase(p_session)
 	_refusals.erase(p_session)
-	# The occupant of a seat possesses it.
-	for id: int in _possession.entities_of(p_session):
-		for seat: Seat in seats_of(_nodes[id]):
-			if seat.occupant() == p_session:
-				seat.vacate()
-	_possession.release_all(p_session)
+	var seat: Seat = _possession.seat_of(p_session)
+	if seat != null:
+		seat.vacate()
+	_possession.forget(p_session)
 
 
 ## Commands of a session that were refused.
@@ -104,16 +102,6 @@ func forget_waiting() -> void:
 	_unreliable.clear()
 	for session: int in _queues:
 		_queues[session].forget_waiting()
-
-
-## The seats of an entity.
-static func seats_of(p_entity: Entity) -> Array[Seat]:
-	var found: Array[Seat] = []
-	var root: Node = p_entity.get_body() if p_entity.get_body() != null else p_entity.get_parent()
-	for node: Node in root.find_children("*", "Marker3D", true, false):
-		if node is Seat and (node as Seat).entity == p_entity:
-			found.append(node)
-	return found
 
 
 func is_authority() -> bool:
@@ -198,7 +186,7 @@ func detach(p_session: int) -> void:
 
 func _on_despawned(p_row: EntityRow) -> void:
 	_nodes.erase(p_row.id)
-	_possession.release(p_row.id)
+	_possession.forget_entity(p_row.id)
 
 
 func _on_commands(p_session: Session, p_bytes: PackedByteArray, _arrival_usec: int) -> String:
@@ -240,6 +228,11 @@ func _find_fault(
 		return "there is no entity %d that takes commands" % p_command.entity
 	if p_command.command >= p_row.type.commands.size():
 		return "%s has no command %d" % [p_row.describe(), p_command.command]
+	# The node's type, not the row's: what is only the server's business is not sent.
+	var seat: StringName = p_node.type.commands[p_command.command].seat
+	if seat != &"":
+		var is_occupant: bool = int(p_node.get_value(seat)) == p_session
+		return "" if is_occupant else "the session does not sit in the %s's seat" % seat
 	match p_row.type.commanded_by:
 		EntityType.CommandedBy.NOBODY:
 			return "nobody commands %s" % p_row.describe()

@@ -88,6 +88,21 @@ func test_only_who_sits_there_steers() -> void:
 	equal(node.get_value(&"occupant"), 2.0)
 
 
+func test_a_command_of_a_seat_is_taken_from_its_occupant_only() -> void:
+	var table: EntityRow = _find("turntable")
+	var node: Entity = _level.level.get_node(^"Props/Turntable/Disc/Entity")
+	var type: EntityType = node.type.duplicate(true)
+	type.commands[type.find_command(&"steer")].seat = &"occupant"
+	type.commanded_by = EntityType.CommandedBy.ANYBODY
+	node.type = type
+	_command(2, table, "steer", [1.0])
+	_command(1, table, "take_seat")
+	_command(1, table, "steer", [1.0])
+	_command(2, table, "steer", [-1.0])
+	_advance()
+	equal([_entities.refused_commands(1), _entities.refused_commands(2)], [0, 2])
+
+
 func test_forged_commands_are_refused_and_counted() -> void:
 	var door: EntityRow = _find("door")
 	for forged: Array in [[9999, 0], [0, 0], [1024, 0], [door.id, 7], [door.id, 255]]:

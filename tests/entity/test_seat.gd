@@ -1,0 +1,99 @@
+extends TestCase
+## Seats: several in one entity, one for each session, and who may command what from which.
+
+const FIELDS: Array[StringName] = [&"driver", &"gunner"]
+
+var _scene: Node3D = null
+var _entity: Entity = null
+var _seats: Array[Seat] = []
+
+
+func before_each() -> void:
+	_scene = Node3D.new()
+	var body: AnimatableBody3D = AnimatableBody3D.new()
+	_scene.add_child(body)
+	_entity = Entity.new()
+	_entity.type = _make_type()
+	body.add_child(_entity)
+	_seats.clear()
+	for index: int in FIELDS.size():
+		var seat: Seat = Seat.new()
+		seat.entity = _entity
+		seat.index = index
+		seat.occupant_field = FIELDS[index]
+		body.add_child(seat)
+		_seats.append(seat)
+	_scene.add_child(LocalSession.new())
+	add_child(_scene)
+
+
+func after_each() -> void:
+	_scene.free()
+
+
+func test_a_seat_is_taken_by_its_index() -> void:
+	_seats[1].interact()
+	equal([_seats[0].occupant(), _seats[1].occupant()], [0, LocalSession.SESSION])
+	is_false(_seats[0].is_mine())
+	equal(_possession().possessor_of(_entity.id), 0, "only the first seat possesses the entity")
+
+
+func test_taking_a_seat_leaves_the_one_before() -> void:
+	_seats[1].interact()
+	await physics_frames(Possession.SEAT_TICKS)
+	_seats[0].interact()
+	equal([_seats[0].occupant(), _seats[1].occupant()], [LocalSession.SESSION, 0])
+	equal(_possession().possessor_of(_entity.id), LocalSession.SESSION)
+	_seats[0].interact()
+	equal(_seats[0].occupant(), 0)
+	equal(_possession().possessor_of(_entity.id), 0)
+
+
+func test_a_seat_that_is_taken_stays_taken() -> void:
+	is_true(_seats[0].take(7))
+	is_false(_seats[0].take(8))
+	equal(_seats[0].occupant(), 7)
+	equal(_possession().seat_of(8), null)
+
+
+func test_who_changes_seats_all_the_time_waits() -> void:
+	var taken: int = 0
+	for turn: int in 1000:
+		taken += 1 if _seats[turn % 2].take(7) else 0
+	equal(taken, 1, "all in one tick")
+	await physics_frames(Possession.SEAT_TICKS)
+	is_true(_seats[1].take(7))
+
+
+func test_a_session_that_is_gone_sits_nowhere() -> void:
+	_seats[0].take(7)
+	_possession().forget_entity(_entity.id)
+	equal(_possession().seat_of(7), null)
+	equal(_possession().possessor_of(_entity.id), 0)
+
+
+func test_a_command_of_a_seat_needs_its_field() -> void:
+	var type: EntityType = _make_type()
+	equal(type.find_fault(), "")
+	type.commands[-1].seat = &"loader"
+	contains(type.find_fault(), "needs the field 'loader'")
+
+
+func _possession() -> Possession:
+	return _entity.get_host().possession()
+
+
+static func _make_type() -> EntityType:
+	var type: EntityType = EntityType.new()
+	type.name = &"carriage"
+	type.body = EntityType.Body.RIGID
+	type.commanded_by = EntityType.CommandedBy.ANYBODY
+	for field: StringName in FIELDS:
+		type.fields.append(EntityField.create_count(field, Seat.MAX_SESSION))
+	type.commands = [
+		EntitySchema.create(Seat.TAKE, [EntityField.create_count(&"seat", 31)]),
+		EntitySchema.create(Seat.LEAVE),
+		EntitySchema.create(&"aim"),
+	]
+	type.commands[2].seat = &"gunner"
+	return type
