@@ -1,7 +1,7 @@
 class_name Possession
 extends RefCounted
-## Which session may command which entities, and who sits where: on the server. An entity has at most
-## one possessor, a session at most one seat.
+## Which session may command which entities, and who sits where: on the server. An entity has at
+## most one possessor, a session at most one seat.
 
 ## An entity has another possessor now; 0 is nobody.
 signal changed(p_entity: int, p_session: int)

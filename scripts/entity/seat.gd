@@ -2,13 +2,14 @@
 @icon("res://scenes/entity/icons/seat.svg")
 class_name Seat
 extends Interactable
-## A seat for one in something that moves: whoever takes the first one possesses the entity, and the
-## occupant's people are carried along in the entity's frame.
+## A seat for one in something that moves: whoever takes the first one possesses the entity, and
+## the occupant's people are carried along in the entity's frame.
 ##
 ## The entity's type needs the field [member occupant_field] (see [method add_to]) and the commands
-## [constant TAKE] and [constant LEAVE]. An entity with several seats gives each an [member index], a
-## field of its own and [constant TAKE] a value, the index; commands that belong to one of them name
-## its field in [member EntitySchema.seat]. A session sits once: taking a seat leaves the one before.
+## [constant TAKE] and [constant LEAVE]. An entity with several seats gives each an [member index],
+## a field of its own and [constant TAKE] a value, the index; commands that belong to one of them
+## name its field in [member EntitySchema.seat]. A session sits once: taking a seat leaves the one
+## before.
 
 ## Somebody has taken or left the seat; 0 is nobody. On every machine.
 signal occupied(p_session: int)
