@@ -30,6 +30,15 @@ bool has_changed(float p_old, float p_new, float p_scale) {
 	return std::abs(p_old - p_new) > CHANGE * std::max(std::abs(p_old), p_scale);
 }
 
+/// How steep what a sphere touches is against the hull, 0 to 1.
+float steepness(const PhysicsDirectBodyState3D *p_state, const Vector3 &p_up) {
+	float found = 0.0f;
+	for (int i = 0; i < int(p_state->get_contact_count()); i++) {
+		found = std::max(found, 1.0f - std::max(0.0f, p_state->get_contact_local_normal(i).dot(p_up)));
+	}
+	return found;
+}
+
 } // namespace
 
 SphereRunningGear::~SphereRunningGear() {
@@ -140,6 +149,7 @@ void SphereRunningGear::read(float /*p_delta*/) {
 		wheel.speed = -(state->get_angular_velocity() - _turning).dot(right) * wheel.radius;
 		_motors[i].load = wheel.load;
 		_motors[i].speed = wheel.speed;
+		_motors[i].wall = steepness(state, up);
 	}
 	if (torn) {
 		put();

@@ -9,7 +9,7 @@ namespace vehicle {
 namespace {
 
 /// Share of the vehicle's mass that the steering's gain is made for: a track that has lost the ground weighs less.
-constexpr float GAIN_SHARE = 0.05f;
+constexpr float GAIN_SHARE = 0.08f;
 /// Below such a difference (m/s) that nobody wants, steering lets the tracks be.
 constexpr float STEER_DEAD = 1e-3f;
 
@@ -27,7 +27,7 @@ float TrackSteering::step(
 	if (std::abs(_difference) < STEER_DEAD && std::abs(p_speed) < 0.2f) {
 		_sum *= std::max(0.0f, 1.0f - p_delta / settings.response); // At rest nothing keeps the tracks apart.
 	}
-	_sum = std::clamp(_sum + 0.6f * error * gain * p_delta / settings.response, -most, most);
+	_sum = std::clamp(_sum + 0.3f * error * gain * p_delta / settings.response, -most, most);
 	return std::clamp(error * gain + _sum, -most, most);
 }
 

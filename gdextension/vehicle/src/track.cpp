@@ -10,8 +10,10 @@ namespace {
 
 /// A sphere may run ahead of its track by so much, m/s: more would be a track that has come apart.
 constexpr float AHEAD = 0.6f;
-/// Share of the load that every sphere counts with, so that a track in the air turns as well.
-constexpr float FLOOR_SHARE = 0.02f;
+/// Share of the mean load that a sphere counts with beside its own: in the air, so that it turns with its track,
+/// and at a wall, which it climbs although it loads no spring.
+constexpr float FLOOR_SHARE = 0.1f;
+constexpr float WALL_SHARE = 3.0f;
 constexpr float RESTS = 0.05f; ///< m/s.
 
 } // namespace
@@ -36,8 +38,14 @@ void share_track(std::vector<SphereMotor> &r_spheres, std::size_t p_first, std::
 	for (std::size_t i = p_first; i < p_first + p_count; i++) {
 		loads += std::max(0.0f, r_spheres[i].load);
 	}
-	const float floor = FLOOR_SHARE * std::max(loads, 1.0f);
-	loads += floor * float(p_count);
+	const float mean = std::max(loads, 1.0f) / float(p_count);
+	const auto weight = [mean](const SphereMotor &p_sphere) {
+		return std::max(0.0f, p_sphere.load) + mean * (FLOOR_SHARE + WALL_SHARE * p_sphere.wall);
+	};
+	float weights = 0.0f;
+	for (std::size_t i = p_first; i < p_first + p_count; i++) {
+		weights += weight(r_spheres[i]);
+	}
 	// What is left of drive against brake, and which way it turns the track.
 	const bool is_held = std::abs(p_drive) <= p_brake;
 	const float moving = speed > RESTS ? 1.0f : (speed < -RESTS ? -1.0f : 0.0f);
@@ -53,7 +61,7 @@ void share_track(std::vector<SphereMotor> &r_spheres, std::size_t p_first, std::
 	}
 	for (std::size_t i = p_first; i < p_first + p_count; i++) {
 		SphereMotor &sphere = r_spheres[i];
-		const float share = (std::max(0.0f, sphere.load) + floor) / loads;
+		const float share = weight(sphere) / weights;
 		sphere.target = target;
 		// Enough to stay with the track where the ground does not see to it.
 		const float apart = std::abs(sphere.speed - speed);

@@ -10,6 +10,7 @@ namespace vehicle {
 struct SphereMotor {
 	float load = 0.0f; ///< Of the spring, N: given.
 	float speed = 0.0f; ///< At the rim, over the hull, m/s: given.
+	float wall = 0.0f; ///< How steep what it touches is, 0 (or nothing) to 1 (upright): given.
 	float target = 0.0f; ///< At the rim, m/s.
 	float force = 0.0f; ///< At the rim at most, N.
 };

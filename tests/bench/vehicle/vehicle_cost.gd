@@ -1,0 +1,49 @@
+class_name VehicleCost
+extends RefCounted
+## What vehicles cost a server: time of a tick for each, while they drive in circles.
+
+const WARM_UP: int = 120
+const TICKS: int = 600
+## Most of a tick that one tank may take, ms, and how many must run in real time.
+const ONE_MS: float = 0.3
+const AT_ONCE: Dictionary[String, int] = {"spheres": 10, "rays": 50}
+
+
+static func run(
+	p_tree: SceneTree,
+	p_report: BenchReport,
+	p_preset: String,
+	p_gear: String,
+	p_kind: VehicleParameters.GearKind
+) -> void:
+	var empty: float = await _time(p_tree, p_preset, p_kind, 0)
+	var name: String = "%s, %s" % [p_preset, p_gear]
+	var one: float = await _time(p_tree, p_preset, p_kind, 1) - empty
+	p_report.add(name, "1 costs a tick", one, "ms", BenchReport.Goal.AT_MOST, ONE_MS)
+	var count: int = AT_ONCE[p_gear]
+	var many: float = await _time(p_tree, p_preset, p_kind, count)
+	var metric: String = "%d at once, a tick" % count
+	p_report.add(name, metric, many, "ms", BenchReport.Goal.AT_MOST, 1000.0 / 60.0)
+	p_report.add(name, "each of them", (many - empty) / count, "ms")
+
+
+## Time of a tick, ms.
+static func _time(
+	p_tree: SceneTree, p_preset: String, p_kind: VehicleParameters.GearKind, p_count: int
+) -> float:
+	var ground: VehicleGround = VehicleGround.new(p_tree.root)
+	ground.add_floor()
+	for index: int in p_count:
+		var at: Vector3 = Vector3(30.0 * (index % 8), 0.05, 30.0 * (index / 8))
+		var vehicle: Vehicle = ground.add_vehicle(p_preset, p_kind, Transform3D(Basis.IDENTITY, at))
+		vehicle.input.throttle = 0.4
+		vehicle.input.steer = 0.6
+	for _tick: int in WARM_UP:
+		await p_tree.physics_frame
+	var from: int = Time.get_ticks_usec()
+	for _tick: int in TICKS:
+		await p_tree.physics_frame
+	var spent: float = 0.001 * (Time.get_ticks_usec() - from) / TICKS
+	ground.free_all()
+	await p_tree.physics_frame
+	return spent
