@@ -3,6 +3,7 @@
 #include "ray_running_gear.hpp"
 #include "sphere_running_gear.hpp"
 #include "track_belt.hpp"
+#include "turret_drive.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/defs.hpp>
@@ -15,6 +16,7 @@ namespace {
 void initialize(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
 		GDREGISTER_CLASS(TrackBelt);
+		GDREGISTER_CLASS(TurretDrive);
 		GDREGISTER_CLASS(VehicleWheel);
 		GDREGISTER_CLASS(VehicleDrivetrain);
 		GDREGISTER_ABSTRACT_CLASS(RunningGear);
