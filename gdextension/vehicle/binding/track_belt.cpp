@@ -8,13 +8,13 @@ namespace godot {
 namespace {
 
 /// More links than any vehicle has.
-constexpr int64_t MOST_LINKS = 400;
+constexpr int64_t MAX_LINKS = 400;
 
 } // namespace
 
 bool TrackBelt::configure(
 		const PackedVector3Array &p_wheels, int64_t p_first_sagging, int64_t p_links, double p_pitch, double p_x) {
-	ERR_FAIL_COND_V_MSG(p_links < 0 || p_links > MOST_LINKS, false, "A track has at most 400 links.");
+	ERR_FAIL_COND_V_MSG(p_links < 0 || p_links > MAX_LINKS, false, "A track has at most 400 links.");
 	ERR_FAIL_COND_V_MSG(!(p_pitch > 0.0), false, "The pitch of a track is more than 0 m.");
 	vehicle::BeltSettings settings;
 	for (const Vector3 &wheel : p_wheels) {
@@ -26,7 +26,7 @@ bool TrackBelt::configure(
 	bool is_laid = _belt.configure(settings);
 	if (is_laid && p_links == 0) { // As many as it takes.
 		const double needed = double(_belt.tight_length()) / p_pitch;
-		is_laid = needed < double(MOST_LINKS);
+		is_laid = needed < double(MAX_LINKS);
 		settings.links = is_laid ? size_t(needed) + 1 : 3;
 		is_laid = is_laid && _belt.configure(settings);
 	}

@@ -1,0 +1,110 @@
+class_name VehicleView
+extends Node3D
+## What is seen of a vehicle: its model, moved by the vehicle's [member state] and by where its body
+## is, and by nothing else. It lies below the vehicle's body and costs no bytes on the wire.
+##
+## The model looks along -Z, its origin is on the ground in the vehicle's middle.
+
+## From this distance on a track is a strip and wheels don't follow the ground, m.
+const FAR_M: float = 40.0
+## The same where little is drawn.
+const _FAR_LOW_M: float = 12.0
+
+## Node with the model.
+@export var model: Node3D = null
+## Measures of the tracks; empty for vehicles without.
+@export var tracks: TrackLayout = null
+## The engine's greatest speed, 1/min.
+@export_range(500.0, 9000.0, 50.0, "suffix:1/min") var most_rpm: float = 2600.0
+
+## What is shown. Who simulates or receives the vehicle sets it.
+var state: VehicleState = VehicleState.new()
+## The tracks: left, right; empty for vehicles without.
+var sides: Array[TrackView] = []
+## Turret, gun, hatches.
+var turret: TurretView = TurretView.new()
+## The flaps of the exhausts.
+var exhaust: ExhaustView = ExhaustView.new()
+## Where its wheels stand: left from rear to front, then right.
+var ground: GroundProbe = GroundProbe.new()
+
+var _far_m: float = FAR_M
+var _is_far: bool = false
+
+
+func _ready() -> void:
+	turret.configure(model)
+	exhaust.configure(model, most_rpm)
+	if tracks != null:
+		_make_tracks()
+	add_to_group(Quality.FOLLOWERS)
+	follow_quality()
+
+
+func _process(p_delta: float) -> void:
+	var camera: Camera3D = get_viewport().get_camera_3d()
+	var away: float = 0.0
+	if camera != null:
+		away = camera.global_position.distance_to(global_position)
+	advance(p_delta, away)
+
+
+## Moves everything on by a time, s, for an eye at a distance, m.
+func advance(p_delta: float, p_away: float) -> void:
+	_set_far(p_away > _far_m)
+	if _is_far:
+		ground.rest()
+	elif is_inside_tree():
+		ground.advance(get_world_3d().direct_space_state, global_transform, p_delta)
+	turret.advance(state, p_delta)
+	exhaust.advance(state, p_delta)
+	for side: int in sides.size():
+		var speed: float = state.left_speed if side == 0 else state.right_speed
+		sides[side].advance(speed, p_delta, _lifts_of(side))
+
+
+## The gun fires: the barrel recoils.
+func show_shot() -> void:
+	turret.show_shot()
+
+
+## Shows as much as the tier of quality says: see [Quality].
+func follow_quality() -> void:
+	_far_m = _FAR_LOW_M if Quality.tier.name == "low" else FAR_M
+
+
+## A node of the model by name, such as [code]CommanderHatchMiddle[/code]; null without.
+func find_part(p_name: String) -> Node3D:
+	return model.find_child(p_name, true, false) as Node3D
+
+
+func _set_far(p_is_far: bool) -> void:
+	if p_is_far == _is_far:
+		return
+	_is_far = p_is_far
+	for side: TrackView in sides:
+		side.show_strip(p_is_far)
+
+
+func _lifts_of(p_side: int) -> PackedFloat32Array:
+	var count: int = sides[p_side].feet.size()
+	return ground.lifts.slice(p_side * count, (p_side + 1) * count)
+
+
+func _make_tracks() -> void:
+	var hull: Node3D = find_part("Hull")
+	var feet: PackedVector3Array = []
+	for side: int in 2:
+		var track: TrackView = TrackView.new()
+		track.configure(model, hull, side, tracks)
+		sides.append(track)
+		feet.append_array(track.feet)
+	find_part("TrackLink").queue_free()
+	ground.configure(feet, _find_body())
+
+
+func _find_body() -> CollisionObject3D:
+	var node: Node = get_parent()
+	while node != null and not node is CollisionObject3D:
+		node = node.get_parent()
+	return node as CollisionObject3D

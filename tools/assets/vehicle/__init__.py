@@ -1,0 +1,1 @@
+"""Vehicles by script: see README.md."""
