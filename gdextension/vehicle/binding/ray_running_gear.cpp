@@ -72,6 +72,14 @@ bool RayRunningGear::make() {
 			_rims[side].mass = 1.0f;
 		}
 	}
+	// All wheels turn about a point beside the ones that are not steered.
+	float unsteered = 0.0f;
+	_axle = 0.0f;
+	for (const Wheel &wheel : _wheels) {
+		_axle += wheel.is_steered ? 0.0f : wheel.position.z;
+		unsteered += wheel.is_steered ? 0.0f : 1.0f;
+	}
+	_axle = unsteered > 0.0f ? _axle / unsteered : 0.0f;
 	_query.instantiate();
 	TypedArray<RID> own;
 	own.push_back(_body);
@@ -191,7 +199,7 @@ void RayRunningGear::read(float /*p_delta*/) {
 	int counts[2] = { 0, 0 };
 	for (std::size_t i = 0; i < _wheels.size(); i++) {
 		Wheel &wheel = _wheels[i];
-		wheel.angle = wheel.is_steered ? core.wheels.angle_at(-wheel.position.z, wheel.position.x) : 0.0f;
+		wheel.angle = wheel.is_steered ? core.wheels.angle_at(_axle - wheel.position.z, wheel.position.x) : 0.0f;
 		if (space != nullptr) {
 			cast(i, space);
 		}

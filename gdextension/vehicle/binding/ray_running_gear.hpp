@@ -45,6 +45,7 @@ private:
 	std::vector<Contact> _contacts;
 	std::vector<vehicle::Patch> _patches;
 	std::vector<vehicle::Rim> _rims; // One for each side of a tracked vehicle, one for each wheel of another.
+	float _axle = 0.0f; // Where the wheels are that are not steered, along the hull's z.
 	Ref<PhysicsRayQueryParameters3D> _query;
 };
 

@@ -85,6 +85,7 @@ void RunningGear::step(double p_delta) {
 	const float delta = float(p_delta);
 	const Vector3 ahead = -_frame.basis.get_column(2);
 	_motion.speed = velocity_at(_frame.origin).dot(ahead);
+	_motion.turning = _turning.dot(_frame.basis.get_column(1));
 	_motion.uphill = _drivetrain->get_core().settings.mass * GRAVITY * ahead.y;
 	read(delta);
 	_drivetrain->step(_motion, delta);

@@ -117,8 +117,8 @@ void Drivetrain::split(const DriverInput &p_input, const DriveMotion &p_motion, 
 	// A part of the power is kept back, with which the engine can still speed up.
 	const float power =
 			POWER_SHARE * engine.full_torque(engine.rpm()) * engine.rpm() * RAD_S_PER_RPM * gearbox.settings.efficiency;
-	const float turning = tracks.step(
-			_is_holding ? 0.0f : steer, p_motion.speed, p_motion.left, p_motion.right, settings.mass, power, p_delta);
+	const float turning = tracks.step(_is_holding ? 0.0f : steer, p_motion.speed, p_motion.left, p_motion.right,
+			p_motion.turning, settings.mass, power, p_delta);
 	if (_is_holding || !engine.is_running()) {
 		tracks.reset();
 		return;

@@ -32,6 +32,7 @@ struct DriveMotion {
 	float speed = 0.0f; ///< Of the hull, forward, m/s.
 	float left = 0.0f; ///< Of the left track or wheels at the rim, m/s.
 	float right = 0.0f; ///< Of the right ones, m/s.
+	float turning = 0.0f; ///< About the hull's upward axis, rad/s, to the left positive.
 	float uphill = 0.0f; ///< What gravity holds back, N: above zero where the vehicle looks uphill.
 };
 

@@ -10,16 +10,21 @@ namespace {
 
 /// Share of the vehicle's mass that the steering's gain is made for: a track that has lost the ground weighs less.
 constexpr float GAIN_SHARE = 0.08f;
+constexpr float STRAIGHT = 0.02f;
 /// Below such a difference (m/s) that nobody wants, steering lets the tracks be.
 constexpr float STEER_DEAD = 1e-3f;
 
 } // namespace
 
-float TrackSteering::step(
-		float p_steer, float p_speed, float p_left, float p_right, float p_mass, float p_power, float p_delta) {
+float TrackSteering::step(float p_steer, float p_speed, float p_left, float p_right, float p_turning, float p_mass,
+		float p_power, float p_delta) {
 	const float fastest = settings.most_sideways * settings.tread / std::max(std::abs(p_speed), 0.1f);
 	const float wanted = p_steer * std::min(2.0f * settings.pivot_speed, fastest);
-	_difference += (wanted - _difference) * std::min(1.0f, p_delta / settings.response);
+	// Tracks slip unevenly: a driver who wants to go straight on steers against it.
+	const float against = std::abs(p_steer) < STRAIGHT && std::abs(p_speed) > 1.0f
+			? -settings.straightness * p_turning * settings.tread
+			: 0.0f;
+	_difference += (wanted + against - _difference) * std::min(1.0f, p_delta / settings.response);
 	const float error = 0.5f * (_difference - (p_right - p_left));
 	const float gain = GAIN_SHARE * p_mass / p_delta;
 	const float apart = std::max(std::abs(p_right - p_left), 0.1f);

@@ -11,6 +11,7 @@ struct TrackSteeringSettings {
 	float most_sideways = 3.5f; ///< Acceleration to the side that the driver is given at most, m/s^2.
 	float force = 250e3f; ///< Of either track from steering at most, N.
 	float response = 0.25f; ///< The time constant of the hydrostatic motor, s.
+	float straightness = 3.0f; ///< How much a turn that nobody wants is steered against.
 };
 
 /// Forces that steering adds to the two tracks.
@@ -19,9 +20,11 @@ public:
 	TrackSteeringSettings settings;
 
 	/// One step. p_steer is -1 (right) to 1 (left); p_speed the vehicle's, p_left and p_right the tracks' (m/s,
-	/// forward positive), p_mass the vehicle's (kg), p_power what the engine can give (W).
+	/// forward positive), p_mass the vehicle's (kg), p_turning the hull's
+	/// rate (rad/s), p_power what the engine can give (W).
 	/// Returns the force on the right track (N); the left one gets its opposite.
-	float step(float p_steer, float p_speed, float p_left, float p_right, float p_mass, float p_power, float p_delta);
+	float step(float p_steer, float p_speed, float p_left, float p_right, float p_turning, float p_mass, float p_power,
+			float p_delta);
 	/// Difference of speed between the right and the left track that it is after now, m/s.
 	float difference() const { return _difference; }
 	void reset();

@@ -25,7 +25,7 @@ struct OnRails {
 
 	void run(const vehicle::DriverInput &p_input, float p_seconds) {
 		for (int i = 0; i < int(p_seconds / STEP); i++) {
-			const vehicle::SideForces &forces = tank.step(p_input, { speed, speed, speed, slope_force }, STEP);
+			const vehicle::SideForces &forces = tank.step(p_input, { speed, speed, speed, 0.0f, slope_force }, STEP);
 			const float brake = forces.left_brake + forces.right_brake + forces.left_parking + forces.right_parking;
 			const float drive = forces.left + forces.right - slope_force;
 			const float free = speed + drive * STEP / tank.settings.mass;

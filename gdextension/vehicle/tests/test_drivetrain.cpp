@@ -92,7 +92,7 @@ TEST(steering_on_the_spot_does_not_stall_the_engine) {
 	float right = 0.0f;
 	for (int i = 0; i < 600; i++) {
 		const SideForces &forces =
-				tank.step({ 0.0f, 1.0f, 0.0f, 0.0f, Selector::AUTOMATIC }, { 0.0f, left, right, 0.0f }, STEP);
+				tank.step({ 0.0f, 1.0f, 0.0f, 0.0f, Selector::AUTOMATIC }, { 0.0f, left, right, 0.0f, 0.0f }, STEP);
 		// Each track has 25 t to move and 140 kN of friction against it.
 		right += std::max(-0.5f, (forces.right - 140e3f) * STEP / 25e3f);
 		right = std::max(0.0f, right);

@@ -41,7 +41,7 @@ TEST(tracks_are_brought_to_the_difference_that_is_wanted) {
 	float left = 0.0f;
 	float right = 0.0f;
 	for (int i = 0; i < 300; i++) {
-		const float force = steering.step(1.0f, 0.0f, left, right, 55e3f, 1e6f, STEP);
+		const float force = steering.step(1.0f, 0.0f, left, right, 0.0f, 55e3f, 1e6f, STEP);
 		right += force * STEP / 25e3f;
 		left -= force * STEP / 25e3f;
 	}
@@ -54,9 +54,18 @@ TEST(the_power_of_the_engine_limits_steering) {
 	steering.settings = { 2.8f, 1.0f, 3.5f, 260e3f, 0.25f };
 	float force = 0.0f;
 	for (int i = 0; i < 300; i++) {
-		force = steering.step(1.0f, 0.0f, -0.5f, 0.5f, 55e3f, 50e3f, STEP);
+		force = steering.step(1.0f, 0.0f, -0.5f, 0.5f, 0.0f, 55e3f, 50e3f, STEP);
 	}
 	CHECK_NEAR(force, 50e3f, 1.0f);
+}
+
+TEST(a_turn_that_nobody_wants_is_steered_against) {
+	TrackSteering steering;
+	steering.settings = { 2.8f, 1.0f, 3.5f, 260e3f, 0.25f };
+	for (int i = 0; i < 60; i++) {
+		steering.step(0.0f, 10.0f, 10.0f, 10.0f, 0.05f, 55e3f, 1e6f, STEP);
+	}
+	CHECK(steering.difference() < -0.1f);
 }
 
 TEST_MAIN()

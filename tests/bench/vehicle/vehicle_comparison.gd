@@ -18,9 +18,11 @@ static func run(
 		var turn: Vector2 = await courses.turn_on_the_spot()
 		p_report.add(name, "off its place after a turn on the spot", turn.y, "m")
 	p_report.add(name, "radius of a full turn at 3 m/s", await courses.turning_radius(3.0), "m")
-	p_report.add(name, "radius of a full turn at 8 m/s", await courses.turning_radius(8.0), "m")
 	var slip: float = await courses.slip_along(0.3)
 	p_report.add(name, "slip over 40 m along a slope of 30 %", slip, "m")
+	if p_preset == "scootmobile":
+		return  # Too slow for what follows.
+	p_report.add(name, "radius of a full turn at 8 m/s", await courses.turning_radius(8.0), "m")
 	var ride: Vector2 = await courses.ride(30.0 / 3.6)
 	p_report.add(name, "driver's acceleration over 0.3 m bumps at 30 km/h", ride.x, "m/s^2 RMS")
 	p_report.add(name, "largest pitch there", ride.y, "deg")

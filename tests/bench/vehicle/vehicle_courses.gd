@@ -80,7 +80,8 @@ func turning_radius(p_speed: float) -> float:
 	vehicle.input.steer = 1.0
 	for _tick: int in int(12.0 * HZ):
 		var speed: float = VehicleGround.speed_of(vehicle)
-		vehicle.input.throttle = clampf(0.4 + (p_speed - speed), 0.05, 1.0)
+		vehicle.input.throttle = clampf(0.1 + p_speed - speed, 0.0, 1.0)
+		vehicle.input.brake = clampf(0.3 * (speed - p_speed - 0.2), 0.0, 1.0)
 		await _tree.physics_frame
 	var rate: float = maxf(absf(vehicle.angular_velocity.y), 1e-3)
 	var radius: float = vehicle.linear_velocity.length() / rate

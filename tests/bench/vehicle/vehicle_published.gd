@@ -17,19 +17,11 @@ const _PUBLISHED: Dictionary[String, Dictionary] = {
 		"trench": 2.7,
 		"braking from 60 km/h": 27.8,
 	},
-	# M113A2.
-	"carrier":
-	{
-		"top speed": 66.0,
-		"0 to 32 km/h": 9.0,
-		"slope": 60.0,
-		"side slope": 30.0,
-		"step": 0.61,
-		"trench": 1.68,
-	},
-	# HMMWV M1025.
-	"truck": {"top speed": 113.0, "0 to 48 km/h": 8.0, "slope": 60.0, "side slope": 40.0},
-	# A scooter of class C2: 15 km/h.
+	# M113A3.
+	"carrier": {"top speed": 66.0, "slope": 60.0, "side slope": 30.0, "step": 0.61, "trench": 1.68},
+	# HMMWV M998.
+	"truck": {"top speed": 112.0, "slope": 60.0, "side slope": 40.0},
+	# A mobility scooter of class C2.
 	"scootmobile": {"top speed": 15.0, "slope": 18.0},
 }
 

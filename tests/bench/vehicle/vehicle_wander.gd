@@ -190,11 +190,18 @@ func _build() -> void:
 		for node: Node in level.find_children("*", "Terrain", true, false):
 			_terrain = node
 		_starts.clear()
-		for point: Node3D in level.get_spawn_points():
+		for point: Node3D in level.get_spawn_points() if _terrain != null else _roads(level):
 			_starts.append(point.global_position + Vector3(0.0, 0.3, 0.0))
+		if _terrain == null:
+			# The world beyond the town's edge.
+			_ground.add_floor().position.y -= 0.1
 	_vehicle = _ground.add_vehicle(_preset, _kind, _place())
 	for _tick: int in 60:
 		await _tree.physics_frame
+
+
+func _roads(p_level: Level) -> Array[Node]:
+	return p_level.find_children("Road*", "StaticBody3D", true, false)
 
 
 ## One of the places where people start, above the ground.
