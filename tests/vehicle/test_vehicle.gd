@@ -121,6 +121,20 @@ func test_a_frozen_vehicle_has_no_wheels() -> void:
 	equal(tank.wheel_bodies().size(), 10)
 
 
+func test_a_vehicle_that_has_gone_to_sleep_wakes_for_its_driver() -> void:
+	_ground.add_floor()
+	var tank: Vehicle = _ground.add_vehicle("tank", VehicleParameters.GearKind.SPHERES)
+	for _second: int in 20:
+		await _ground.run(1.0)
+		if tank.sleeping:
+			break
+	is_true(tank.sleeping)
+	is_true(tank.state.rpm > 500.0, "the engine idles on")
+	tank.input.throttle = 1.0
+	await _ground.run(2.0)
+	is_true(VehicleGround.speed_of(tank) > 1.0)
+
+
 func test_wheels_go_with_a_vehicle_that_is_moved() -> void:
 	_ground.add_floor()
 	var tank: Vehicle = _ground.add_vehicle("tank", VehicleParameters.GearKind.SPHERES)

@@ -87,8 +87,16 @@ void RunningGear::step(double p_delta) {
 	_motion.speed = velocity_at(_frame.origin).dot(ahead);
 	_motion.turning = _turning.dot(_frame.basis.get_column(1));
 	_motion.uphill = _drivetrain->get_core().settings.mass * GRAVITY * ahead.y;
-	read(delta);
-	_drivetrain->step(_motion, delta);
+	if (state->is_sleeping()) {
+		// A vehicle that stands costs no more than its engine, until somebody drives it or runs into it.
+		_drivetrain->step(_motion, delta);
+		if (_drivetrain->get_core().is_at_rest()) {
+			return;
+		}
+	} else {
+		read(delta);
+		_drivetrain->step(_motion, delta);
+	}
 	drive(delta);
 	if (_drag_area > 0.0f) {
 		const Vector3 force = _velocity * (-0.5f * AIR_DENSITY * _drag_area * _velocity.length());

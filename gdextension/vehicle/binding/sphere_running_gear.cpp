@@ -14,7 +14,7 @@ namespace {
 
 constexpr int CONTACTS = 4;
 /// Motors are written to when what they are to do has changed by such a share: each time wakes the bodies up.
-constexpr float CHANGE = 0.01f;
+constexpr float CHANGE = 0.03f;
 /// A sphere that is so far from its slider (m) has been left behind.
 constexpr float TORN = 0.8f;
 /// The spin about the vertical that friction under a real track would stop, as a share of that across.
@@ -181,7 +181,7 @@ void SphereRunningGear::drive(float p_delta) {
 }
 
 void SphereRunningGear::write(const Wheel &p_wheel, Sphere &r_sphere, float p_target, float p_force, float p_across) {
-	const float scale = 0.02f * p_wheel.stiffness * std::max(p_wheel.sag, 0.05f);
+	const float scale = 0.2f * p_wheel.stiffness * std::max(p_wheel.sag, 0.05f);
 	if (has_changed(r_sphere.target, p_target, 0.01f)) {
 		r_sphere.target = p_target;
 		server()->generic_6dof_joint_set_param(r_sphere.motor, Vector3::AXIS_X,
