@@ -69,6 +69,11 @@ func set_gear_kind(p_kind: VehicleParameters.GearKind) -> void:
 	fault = ""
 
 
+## The running gear that it has now, or will get.
+func gear_kind() -> VehicleParameters.GearKind:
+	return _gear_kind if _is_kind_chosen or parameters == null else parameters.gear_kind
+
+
 ## Takes the wheels away, until the next step makes new ones.
 func release() -> void:
 	if _gear != null:
@@ -149,7 +154,7 @@ func _begin() -> bool:
 		return false
 	fault = "it has no parameters"
 	if parameters != null:
-		_gear_kind = _gear_kind if _is_kind_chosen else parameters.gear_kind
+		_gear_kind = gear_kind()
 		fault = parameters.find_fault(_gear_kind)
 	if fault != "":
 		Log.error("vehicle", "%s stays where it is: %s" % [get_path(), fault])
