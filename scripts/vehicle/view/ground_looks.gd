@@ -11,7 +11,7 @@ const _DUST: Dictionary[StringName, float] = {
 }
 ## Colour of the dust, linear, where it is not the sand's.
 const _COLOURS: Dictionary[StringName, Color] = {
-	&"sand": Color(0.60, 0.43, 0.24),
+	&"sand": Color(0.68, 0.51, 0.31),
 	&"dirt": Color(0.42, 0.28, 0.16),
 	&"gravel": Color(0.40, 0.32, 0.22),
 	&"rock": Color(0.36, 0.25, 0.16),
@@ -31,7 +31,7 @@ static func dust_of(p_key: StringName) -> float:
 
 ## Colour of the dust of a kind of ground, linear.
 static func colour_of(p_key: StringName) -> Color:
-	return _COLOURS.get(p_key, Color(0.60, 0.43, 0.24))
+	return _COLOURS.get(p_key, Color(0.68, 0.51, 0.31))
 
 
 ## How deep the prints are that stay in a kind of ground, 0 for none.

@@ -14,6 +14,8 @@ const _FAR_LOW_M: float = 12.0
 @export var model: Node3D = null
 ## Measures of the tracks; empty for vehicles without.
 @export var tracks: TrackLayout = null
+## Where it burns when it is knocked out; empty: the model's origin.
+@export var fire_spot: Node3D = null
 ## The engine's greatest speed, 1/min.
 @export_range(500.0, 9000.0, 50.0, "suffix:1/min") var most_rpm: float = 2600.0
 
@@ -27,6 +29,8 @@ var turret: TurretView = TurretView.new()
 var exhaust: ExhaustView = ExhaustView.new()
 ## Where its wheels stand: left from rear to front, then right.
 var ground: GroundProbe = GroundProbe.new()
+## Dust, fumes, prints, antennas, lamps, damage.
+var effects: VehicleEffects = VehicleEffects.new()
 
 var _far_m: float = FAR_M
 var _is_far: bool = false
@@ -37,6 +41,7 @@ func _ready() -> void:
 	exhaust.configure(model, most_rpm)
 	if tracks != null:
 		_make_tracks()
+		effects.configure(self, tracks.width, tracks.pitch)
 	add_to_group(Quality.FOLLOWERS)
 	follow_quality()
 
@@ -61,6 +66,8 @@ func advance(p_delta: float, p_away: float) -> void:
 	for side: int in sides.size():
 		var speed: float = state.left_speed if side == 0 else state.right_speed
 		sides[side].advance(speed, p_delta, _lifts_of(side))
+	if is_inside_tree():
+		effects.advance(p_delta, p_away)
 
 
 ## The gun fires: the barrel recoils.
@@ -71,6 +78,11 @@ func show_shot() -> void:
 ## Shows as much as the tier of quality says: see [Quality].
 func follow_quality() -> void:
 	_far_m = _FAR_LOW_M if Quality.tier.name == "low" else FAR_M
+
+
+## How far a side's track or wheels have run (0 left, 1 right), m.
+func way_of(p_side: int) -> float:
+	return sides[p_side].way
 
 
 ## A node of the model by name, such as [code]CommanderHatchMiddle[/code]; null without.

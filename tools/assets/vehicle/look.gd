@@ -13,6 +13,7 @@ extends SceneTree
 const _STEP: float = 1.0 / 30.0
 
 var _vehicle: Node3D = null
+var _camera: Camera3D = null
 
 
 func _initialize() -> void:
@@ -26,11 +27,11 @@ func _take() -> void:
 	var scene: String = "res://scenes/world/%s/%s.tscn" % [world, world]
 	root.add_child((load(scene) as PackedScene).instantiate())
 	await process_frame
-	var camera: Camera3D = Camera3D.new()
-	camera.fov = float(_option("fov", "50"))
-	camera.far = 2500.0
-	root.add_child(camera)
-	camera.make_current()
+	_camera = Camera3D.new()
+	_camera.fov = float(_option("fov", "50"))
+	_camera.far = 2500.0
+	root.add_child(_camera)
+	_camera.make_current()
 	await physics_frame
 	await physics_frame
 	var sky: WorldSky = root.find_children("*", "WorldSky", true, false)[0]
@@ -41,10 +42,7 @@ func _take() -> void:
 	await _drive()
 	var eyes: PackedStringArray = _option("eyes", "-5,2.2,-6>0,1,0").split(";", false)
 	for number: int in eyes.size():
-		var ends: PackedStringArray = eyes[number].split(">")
-		camera.look_at_from_position(
-			_vehicle.to_global(_point(ends[0])), _vehicle.to_global(_point(ends[1]))
-		)
+		_look_from(eyes[number])
 		for _frame: int in 4:
 			await RenderingServer.frame_post_draw
 		var name: String = (
@@ -77,13 +75,28 @@ func _place() -> void:
 	root.add_child(_vehicle)
 	_vehicle.rotation.y = deg_to_rad(float(_option("turn", "0")))
 	var at: PackedFloat64Array = _option("at", "0,0").split_floats(",")
-	_vehicle.position = _on_ground(Vector3(at[0], 0.0, at[1]))
+	_stand(Vector3(at[0], 0.0, at[1]))
 	if not _vehicle is VehicleView:
 		return
 	for setting: String in _option("set", "").split(",", false):
 		var state: VehicleState = (_vehicle as VehicleView).state
 		var value: Variant = str_to_var(setting.get_slice(":", 1))
 		state.set(setting.get_slice(":", 0), value)
+
+
+## Stands on the ground as a vehicle of 5 m length and 2.8 m track does.
+func _stand(p_place: Vector3) -> void:
+	var ahead: Vector3 = -_vehicle.basis.z
+	ahead = Vector3(ahead.x, 0.0, ahead.z).normalized()
+	var aside: Vector3 = ahead.cross(Vector3.UP)
+	var front: Vector3 = _on_ground(p_place + ahead * 2.5)
+	var rear: Vector3 = _on_ground(p_place - ahead * 2.5)
+	var right: Vector3 = _on_ground(p_place + aside * 1.4)
+	var left: Vector3 = _on_ground(p_place - aside * 1.4)
+	var way: Vector3 = (front - rear).normalized()
+	var up: Vector3 = (right - left).normalized().cross(way).normalized()
+	_vehicle.basis = Basis.looking_at(way, up)
+	_vehicle.position = (front + rear + left + right) / 4.0
 
 
 func _on_ground(p_place: Vector3) -> Vector3:
@@ -100,8 +113,17 @@ func _drive() -> void:
 		if speed != 0.0 and _vehicle is VehicleView:
 			(_vehicle as VehicleView).state.left_speed = speed
 			(_vehicle as VehicleView).state.right_speed = speed
-			_vehicle.position = _on_ground(_vehicle.position - _vehicle.basis.z * speed * _STEP)
+			_stand(_vehicle.position - _vehicle.basis.z * speed * _STEP)
+		# Particles move only where they are seen.
+		_look_from(_option("eyes", "-5,2.2,-6>0,1,0").get_slice(";", 0))
 		await process_frame
+
+
+func _look_from(p_eye: String) -> void:
+	var ends: PackedStringArray = p_eye.split(">")
+	_camera.look_at_from_position(
+		_vehicle.to_global(_point(ends[0])), _vehicle.to_global(_point(ends[1]))
+	)
 
 
 func _point(p_text: String) -> Vector3:

@@ -1,0 +1,57 @@
+class_name FumesView
+extends RefCounted
+## Diesel fumes from the exhausts: more and faster with the revolutions, darker with the load.
+
+## Colour of the fumes of an idle engine and of one that is pulled hard, linear.
+const _PALE: Color = Color(0.26, 0.26, 0.28)
+const _DARK: Color = Color(0.035, 0.033, 0.032)
+## How long a sudden load smokes before the turbocharger has caught up, s.
+const _LAG_S: float = 0.9
+
+## Share of the most fumes, 0 to 1, and how dark they are, 0 to 1.
+var amount: float = 0.0
+var darkness: float = 0.0
+
+var _puffs: Array[GPUParticles3D] = []
+var _load: float = 0.0
+
+
+## Adds a stream of fumes at an exhaust.
+func add(p_exhaust: Node3D, p_puffs: GPUParticles3D) -> void:
+	p_exhaust.add_child(p_puffs)
+	_puffs.append(p_puffs)
+
+
+## Follows the engine.
+func advance(p_state: VehicleState, p_most_rpm: float, p_delta: float) -> void:
+	var speed: float = clampf(p_state.rpm / p_most_rpm, 0.0, 1.0)
+	# The share of the load that has come so lately that air is missing.
+	_load = lerpf(_load, p_state.load, 1.0 - exp(-p_delta / _LAG_S))
+	var sudden: float = maxf(p_state.load - _load, 0.0)
+	amount = 0.0
+	if p_state.engine_on:
+		amount = clampf(0.12 + 0.45 * speed + 0.55 * sudden + 0.2 * p_state.load, 0.0, 1.0)
+	darkness = clampf(0.15 + 0.35 * p_state.load + 1.1 * sudden, 0.0, 1.0)
+	_show(speed)
+
+
+## Nobody sees them.
+func stop() -> void:
+	amount = 0.0
+	_show(0.0)
+
+
+func _show(p_speed: float) -> void:
+	var smokes: bool = amount > 0.02
+	var color: Color = _PALE.lerp(_DARK, darkness)
+	color.a = snappedf(lerpf(0.10, 0.75, darkness * darkness), 0.02)
+	for puffs: GPUParticles3D in _puffs:
+		if puffs.emitting != smokes:
+			puffs.emitting = smokes
+		if not smokes:
+			continue
+		puffs.amount_ratio = clampf(amount * Quality.tier.weather, 0.05, 1.0)
+		puffs.speed_scale = lerpf(0.8, 1.7, p_speed)
+		var motion: ParticleProcessMaterial = puffs.process_material as ParticleProcessMaterial
+		if absf(motion.color.a - color.a) > 0.015:
+			motion.color = color
