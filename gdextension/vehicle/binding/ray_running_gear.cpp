@@ -23,6 +23,10 @@ constexpr float STOP = 8.0f;
 constexpr float MAX_LOAD = 8.0f;
 /// Rays at the rim begin and end at such a share of the radius from the middle.
 constexpr float SPREAD = 0.85f;
+/// Rays begin so many radii above the highest place of the wheel's middle: from inside a step they would not see it.
+constexpr float ABOVE = 2.0f;
+/// Ground that leans so far against the hull (cosine) is the face of a step.
+constexpr float EDGE = 0.7f;
 constexpr float GRAVITY = 9.81f;
 
 Server *server() {
@@ -133,7 +137,7 @@ void RayRunningGear::cast(std::size_t p_wheel, PhysicsDirectSpaceState3D *p_spac
 	static const Keys keys;
 	Wheel &wheel = _wheels[p_wheel];
 	_contacts[p_wheel].ground.is_there = false;
-	const float top = wheel.travel_up + 0.5f * wheel.radius;
+	const float top = wheel.travel_up + ABOVE * wheel.radius;
 	const Vector3 up = _frame.basis.get_column(1);
 	float best = -wheel.travel_down;
 	float chosen = 0.0f;
@@ -163,8 +167,10 @@ void RayRunningGear::cast(std::size_t p_wheel, PhysicsDirectSpaceState3D *p_spac
 		return;
 	}
 	meet(p_wheel, hit);
-	if (chosen != 0.0f) {
-		// A wheel touches an edge with its rim: the force goes through its middle.
+	const bool is_edge = _contacts[p_wheel].ground.normal.dot(up) < EDGE;
+	if (chosen != 0.0f || is_edge) {
+		// A wheel touches an edge with its rim: the force goes through its middle. A ray that meets the face of a
+		// step would push the vehicle back.
 		const Vector3 middle = _frame.xform(wheel.position + Vector3(0.0f, best, 0.0f));
 		_contacts[p_wheel].ground.normal = (middle - _contacts[p_wheel].ground.point).normalized();
 	}

@@ -152,8 +152,10 @@ func takes_step(p_height: float) -> bool:
 	vehicle.input.throttle = 0.35
 	await _until(func() -> bool: return vehicle.position.z < -3.0, 10.0)
 	vehicle.input.throttle = 1.0
-	await _until(func() -> bool: return vehicle.position.z < -16.0, 20.0)
-	var is_up: bool = vehicle.position.y > p_height - 0.3 and vehicle.global_basis.y.y > 0.9
+	var time: float = await _until(func() -> bool: return vehicle.position.z < -16.0, 20.0)
+	var is_up: bool = (
+		is_finite(time) and vehicle.position.y > p_height - 0.3 and vehicle.global_basis.y.y > 0.9
+	)
 	_end()
 	return is_up
 
