@@ -302,6 +302,13 @@ static func _display() -> Array[OptionRow]:
 		OptionRow.number(
 			"platform-rate", clients, 200, [100, 250], "cues for the platform", "per second"
 		),
+		(
+			OptionRow
+			. flag(
+				"force-feedback", clients, "rumble and a wheel's forces while you sit in a vehicle"
+			)
+			. or_default(1)
+		),
 		OptionRow.text(
 			"use", clients, "use the Interactable at or below a node of this name, once it is there"
 		),

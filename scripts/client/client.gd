@@ -120,7 +120,8 @@ func _apply_options() -> String:
 	fault = made.error if fault == "" else fault
 	_stream = made.stream
 	_connect_stream()
-	fault = _open_platform() if fault == "" else fault
+	if fault == "" and _role != ClientStreams.REPLAY:
+		fault = _open_cues()
 	if fault == "" and Roles.can(Roles.find(_role), Roles.Capability.SEND_MOTION):
 		fault = _mocap.open(_options, made.live.link)
 		made.live.joined.connect(_mocap.people.begin)
@@ -142,12 +143,10 @@ func _apply_options() -> String:
 	return fault
 
 
-func _open_platform() -> String:
-	if _options.text("platform") == "":
-		return ""
-	var platform: ClientPlatform = ClientPlatform.new()
-	add_child(platform)
-	return platform.open(_options)
+func _open_cues() -> String:
+	var cues: ClientCues = ClientCues.new()
+	add_child(cues)
+	return cues.open(_options)
 
 
 ## Levels of a server are loaded over several frames, and got from it where they are not here.

@@ -8,7 +8,7 @@ extends SceneTree
 const _STEP_S: float = 1.0 / 250.0
 const _AT_REST: Vector3 = Vector3(0.0, 9.81, 0.0)
 const _SINES_HZ: PackedFloat64Array = [0.1, 0.2, 0.5, 1.0, 2.0, 5.0]
-const _COST_STEPS: int = 100_000
+const _COST_CALLS: int = 50_000
 # Frequency in rad/s: travel m, speed m/s, tilt degrees, share felt in the first 0.3 s, %.
 const _PUBLISHED: Dictionary[float, Vector4] = {
 	2.5: Vector4(0.174, 0.23, 8.8, 51.0),
@@ -142,15 +142,116 @@ func _come_to_rest(p_report: BenchReport) -> void:
 
 
 func _time_steps(p_report: BenchReport, p_rounds: int) -> void:
-	var times: Statistics = Statistics.new()
 	var cueing: MotionCueing = _filter(4.0)
 	var force: Vector3 = _AT_REST + Vector3(1.0, 2.0, 3.0)
-	for _round: int in p_rounds:
-		var begin: int = Time.get_ticks_usec()
-		for _step: int in _COST_STEPS:
-			cueing.step(force, force, _STEP_S)
-		times.add(float(Time.get_ticks_usec() - begin) / _COST_STEPS)
-	p_report.add("all", "a step, called from a script", times.percentile(0.5), "us")
+	var motion: SeatMotion = SeatMotion.new()
+	for number: int in 60:
+		motion.push_state(number / 60.0, Transform3D(Basis.IDENTITY, Vector3(number, 0.0, 0.0)))
+	# To this machine, where nobody listens.
+	var sender: PlatformSender = PlatformSender.new()
+	var fault: String = sender.open("127.0.0.1", 9, PlatformSender.FORMAT_OWN, 250.0, cueing)
+	if fault != "":
+		p_report.leave_out("sender", fault)
+	var wheel: ForceWheel = ForceWheel.new()
+	wheel.open("")
+	var calls: Dictionary[String, Callable] = {
+		"filter, a step": func(_number: int) -> void: cueing.step(force, force, _STEP_S),
+		"motion of a seat, an estimate": func(_number: int) -> void: motion.estimate(0.93),
+		"sender, a state in":
+		func(number: int) -> void: sender.push_state(number / 60.0, Transform3D.IDENTITY, number),
+		"wheel, forces in":
+		## How far the washout filter is from its formulas and the published table; what a step costs.
+		##
+		## Options: --rounds=5 (medians of the cost). Formulas: greatest difference as a part of the
+		## greatest value, of a step of 2 m/s² and of sines of 0.1 to 5 Hz after 60 s. Table: a car brakes
+		## with 3 m/s² for 4 s, scale 0.5, damping 1, third pole 0.25 rad/s (docs/motion-platform.md).
+		# Frequency in rad/s: travel m, speed m/s, tilt degrees, share felt in the first 0.3 s, %.
+		# A jump between two samples counts as one in the middle.
+		# s / ((s + 4)² (s + 0.25)) x 0.5, and s / (s + 1)² x 0.5, at s = i turn.
+		# To this machine, where nobody listens.
+		## How far the washout filter is from its formulas and the published table; what a step costs.
+		##
+		## Options: --rounds=5 (medians of the cost). Formulas: greatest difference as a part of the
+		## greatest value, of a step of 2 m/s² and of sines of 0.1 to 5 Hz after 60 s. Table: a car brakes
+		## with 3 m/s² for 4 s, scale 0.5, damping 1, third pole 0.25 rad/s (docs/motion-platform.md).
+		# Frequency in rad/s: travel m, speed m/s, tilt degrees, share felt in the first 0.3 s, %.
+		# A jump between two samples counts as one in the middle.
+		# s / ((s + 4)² (s + 0.25)) x 0.5, and s / (s + 1)² x 0.5, at s = i turn.
+		# To this machine, where nobody listens.
+		## How far the washout filter is from its formulas and the published table; what a step costs.
+		##
+		## Options: --rounds=5 (medians of the cost). Formulas: greatest difference as a part of the
+		## greatest value, of a step of 2 m/s² and of sines of 0.1 to 5 Hz after 60 s. Table: a car brakes
+		## with 3 m/s² for 4 s, scale 0.5, damping 1, third pole 0.25 rad/s (docs/motion-platform.md).
+		# Frequency in rad/s: travel m, speed m/s, tilt degrees, share felt in the first 0.3 s, %.
+		# A jump between two samples counts as one in the middle.
+		# s / ((s + 4)² (s + 0.25)) x 0.5, and s / (s + 1)² x 0.5, at s = i turn.
+		# To this machine, where nobody listens.
+		func(_number: int) -> void:
+## How far the washout filter is from its formulas and the published table; what a step costs.
+##
+## Options: --rounds=5 (medians of the cost). Formulas: greatest difference as a part of the
+## greatest value, of a step of 2 m/s² and of sines of 0.1 to 5 Hz after 60 s. Table: a car brakes
+## with 3 m/s² for 4 s, scale 0.5, damping 1, third pole 0.25 rad/s (docs/motion-platform.md).
+
+# Frequency in rad/s: travel m, speed m/s, tilt degrees, share felt in the first 0.3 s, %.
+
+			# A jump between two samples counts as one in the middle.
+
+			# s / ((s + 4)² (s + 0.25)) x 0.5, and s / (s + 1)² x 0.5, at s = i turn.
+
+			# To this machine, where nobody listens.
+
+			## How far the washout filter is from its formulas and the published table; what a step costs.
+			##
+			## Options: --rounds=5 (medians of the cost). Formulas: greatest difference as a part of the
+			## greatest value, of a step of 2 m/s² and of sines of 0.1 to 5 Hz after 60 s. Table: a car brakes
+			## with 3 m/s² for 4 s, scale 0.5, damping 1, third pole 0.25 rad/s (docs/motion-platform.md).
+			# Frequency in rad/s: travel m, speed m/s, tilt degrees, share felt in the first 0.3 s, %.
+			# A jump between two samples counts as one in the middle.
+			# s / ((s + 4)² (s + 0.25)) x 0.5, and s / (s + 1)² x 0.5, at s = i turn.
+			# To this machine, where nobody listens.
+
+## How far the washout filter is from its formulas and the published table; what a step costs.
+##
+## Options: --rounds=5 (medians of the cost). Formulas: greatest difference as a part of the
+## greatest value, of a step of 2 m/s² and of sines of 0.1 to 5 Hz after 60 s. Table: a car brakes
+## with 3 m/s² for 4 s, scale 0.5, damping 1, third pole 0.25 rad/s (docs/motion-platform.md).
+
+# Frequency in rad/s: travel m, speed m/s, tilt degrees, share felt in the first 0.3 s, %.
+
+			# A jump between two samples counts as one in the middle.
+
+			# s / ((s + 4)² (s + 0.25)) x 0.5, and s / (s + 1)² x 0.5, at s = i turn.
+
+			# To this machine, where nobody listens.
+
+## How far the washout filter is from its formulas and the published table; what a step costs.
+##
+## Options: --rounds=5 (medians of the cost). Formulas: greatest difference as a part of the
+## greatest value, of a step of 2 m/s² and of sines of 0.1 to 5 Hz after 60 s. Table: a car brakes
+## with 3 m/s² for 4 s, scale 0.5, damping 1, third pole 0.25 rad/s (docs/motion-platform.md).
+
+# Frequency in rad/s: travel m, speed m/s, tilt degrees, share felt in the first 0.3 s, %.
+
+			# A jump between two samples counts as one in the middle.
+
+			# s / ((s + 4)² (s + 0.25)) x 0.5, and s / (s + 1)² x 0.5, at s = i turn.
+
+			# To this machine, where nobody listens.
+
+			wheel.set_spring(0.5, 0.0, 0.0)
+			wheel.apply(),
+	}
+	for name: String in calls:
+		var times: Statistics = Statistics.new()
+		for _round: int in p_rounds:
+			var begin: int = Time.get_ticks_usec()
+			for number: int in _COST_CALLS:
+				calls[name].call(number)
+			times.add(float(Time.get_ticks_usec() - begin) / _COST_CALLS)
+		p_report.add("cost, from a script", name, times.percentile(0.5), "us")
+	p_report.add("sender, 250 Hz", "latest datagram", sender.get_latest() * 1000.0, "ms")
 
 
 func _filter(p_frequency: float) -> MotionCueing:

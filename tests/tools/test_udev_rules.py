@@ -80,3 +80,18 @@ def test_programs_are_exported_with_the_rules(
     for target in targets.values():
         shipped = target.parent / "60-dismount-suits.rules"
         assert shipped.read_bytes() == project.UDEV_RULES.read_bytes()
+
+
+def test_wheels_are_let_in_as_the_program_says() -> None:
+    rules = ROOT / "gdextension" / "cueing" / "udev" / "60-dismount-wheels.rules"
+    lines = [line for line in rules.read_text(encoding="utf-8").splitlines() if line[:1] not in "#"]
+    [lets_in] = [line for line in lines if "uaccess" in line]
+    pairs = re.findall(r'([\w{}/]+)(==|!=|\+=|=)"([^"]*)"', lets_in)
+    found = {(key, operator): value for key, operator, value in pairs}
+    assert found["ENV{ID_INPUT_JOYSTICK}", "=="] == "1"
+    assert found["ATTRS{capabilities/ff}", "!="] == "0"
+    assert (found["GROUP", "="], found["MODE", "="]) == ("input", "0660")
+    source = ROOT / "gdextension" / "cueing" / "src" / "evdev" / "force_device.cpp"
+    assert rules.name in source.read_text(encoding="utf-8")
+    assert "docs/motion-platform.md" in source.read_text(encoding="utf-8")
+    assert rules.name in (ROOT / "docs" / "motion-platform.md").read_text(encoding="utf-8")

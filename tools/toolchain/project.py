@@ -28,6 +28,7 @@ EXPORTED = [
 SETTINGS = ["project.godot", "export_presets.cfg"]
 # What lets users at suits on USB; it lies beside the programs that ask for it.
 UDEV_RULES = ROOT / "gdextension" / "xbus" / "udev" / "60-dismount-suits.rules"
+WHEEL_RULES = ROOT / "gdextension" / "cueing" / "udev" / "60-dismount-wheels.rules"
 PRESETS = {"Linux Dedicated Server": SERVER_BINARY, "Linux Client": CLIENT_BINARY}
 
 
@@ -150,8 +151,9 @@ def export_all(godot: Godot) -> None:
 
 
 def ship_rules(folder: Path) -> None:
-    """Puts the udev rules for suits into the folder of a program."""
-    shutil.copyfile(UDEV_RULES, folder / UDEV_RULES.name)
+    """Puts the udev rules for suits and wheels into the folder of a program."""
+    for rules in (UDEV_RULES, WHEEL_RULES):
+        shutil.copyfile(rules, folder / rules.name)
 
 
 def _export(godot: Godot, preset: str, target: Path) -> None:

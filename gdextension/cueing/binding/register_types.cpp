@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "force_wheel.hpp"
 #include "motion_cueing.hpp"
 #include "platform_sender.hpp"
+#include "seat_motion.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/defs.hpp>
@@ -12,8 +14,10 @@ namespace {
 
 void initialize(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
+		GDREGISTER_CLASS(ForceWheel);
 		GDREGISTER_CLASS(MotionCueing);
 		GDREGISTER_CLASS(PlatformSender);
+		GDREGISTER_CLASS(SeatMotion);
 	}
 }
 
