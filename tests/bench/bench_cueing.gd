@@ -97,11 +97,12 @@ func _compare_table(p_report: BenchReport) -> void:
 		for number: int in 4000:
 			exact = maxf(exact, 1.5 * _step_position(number * 0.001, frequency, 0.25))
 		p_report.add(case, "travel by the formula", exact, "m")
+		p_report.add(case, "most that is missing until tilt is there", found[4], "m/s²")
 
 
 func _brake(p_frequency: float) -> PackedFloat64Array:
 	var cueing: MotionCueing = _filter(p_frequency)
-	var found: PackedFloat64Array = [0.0, 0.0, 0.0, 0.0]
+	var found: PackedFloat64Array = [0.0, 0.0, 0.0, 0.0, 0.0]
 	var early: int = 0
 	for number: int in roundi(12.0 / _STEP_S):
 		var time: float = number * _STEP_S
@@ -112,9 +113,12 @@ func _brake(p_frequency: float) -> PackedFloat64Array:
 		found[0] = maxf(found[0], absf(cueing.get_filtered_position().z))
 		found[1] = maxf(found[1], absf(cueing.get_filtered_velocity().z))
 		found[2] = maxf(found[2], absf(rad_to_deg(tilt)))
+		var felt: float = cueing.get_filtered_acceleration().z - 9.81 * sin(tilt)
 		if number > 0 and time <= 0.3:
-			found[3] += (cueing.get_filtered_acceleration().z - 9.81 * sin(tilt)) / 1.5 * 100.0
+			found[3] += felt / 1.5 * 100.0
 			early += 1
+		if brakes:
+			found[4] = maxf(found[4], 1.5 - felt)
 	found[3] /= early
 	return found
 
@@ -142,106 +146,22 @@ func _come_to_rest(p_report: BenchReport) -> void:
 
 
 func _time_steps(p_report: BenchReport, p_rounds: int) -> void:
-	var cueing: MotionCueing = _filter(4.0)
-	var force: Vector3 = _AT_REST + Vector3(1.0, 2.0, 3.0)
 	var motion: SeatMotion = SeatMotion.new()
 	for number: int in 60:
 		motion.push_state(number / 60.0, Transform3D(Basis.IDENTITY, Vector3(number, 0.0, 0.0)))
-	# To this machine, where nobody listens.
+	var cueing: MotionCueing = _filter(4.0)
 	var sender: PlatformSender = PlatformSender.new()
+	# To this machine, where nobody listens.
 	var fault: String = sender.open("127.0.0.1", 9, PlatformSender.FORMAT_OWN, 250.0, cueing)
 	if fault != "":
 		p_report.leave_out("sender", fault)
 	var wheel: ForceWheel = ForceWheel.new()
 	wheel.open("")
 	var calls: Dictionary[String, Callable] = {
-		"filter, a step": func(_number: int) -> void: cueing.step(force, force, _STEP_S),
-		"motion of a seat, an estimate": func(_number: int) -> void: motion.estimate(0.93),
-		"sender, a state in":
-		func(number: int) -> void: sender.push_state(number / 60.0, Transform3D.IDENTITY, number),
-		"wheel, forces in":
-		## How far the washout filter is from its formulas and the published table; what a step costs.
-		##
-		## Options: --rounds=5 (medians of the cost). Formulas: greatest difference as a part of the
-		## greatest value, of a step of 2 m/s² and of sines of 0.1 to 5 Hz after 60 s. Table: a car brakes
-		## with 3 m/s² for 4 s, scale 0.5, damping 1, third pole 0.25 rad/s (docs/motion-platform.md).
-		# Frequency in rad/s: travel m, speed m/s, tilt degrees, share felt in the first 0.3 s, %.
-		# A jump between two samples counts as one in the middle.
-		# s / ((s + 4)² (s + 0.25)) x 0.5, and s / (s + 1)² x 0.5, at s = i turn.
-		# To this machine, where nobody listens.
-		## How far the washout filter is from its formulas and the published table; what a step costs.
-		##
-		## Options: --rounds=5 (medians of the cost). Formulas: greatest difference as a part of the
-		## greatest value, of a step of 2 m/s² and of sines of 0.1 to 5 Hz after 60 s. Table: a car brakes
-		## with 3 m/s² for 4 s, scale 0.5, damping 1, third pole 0.25 rad/s (docs/motion-platform.md).
-		# Frequency in rad/s: travel m, speed m/s, tilt degrees, share felt in the first 0.3 s, %.
-		# A jump between two samples counts as one in the middle.
-		# s / ((s + 4)² (s + 0.25)) x 0.5, and s / (s + 1)² x 0.5, at s = i turn.
-		# To this machine, where nobody listens.
-		## How far the washout filter is from its formulas and the published table; what a step costs.
-		##
-		## Options: --rounds=5 (medians of the cost). Formulas: greatest difference as a part of the
-		## greatest value, of a step of 2 m/s² and of sines of 0.1 to 5 Hz after 60 s. Table: a car brakes
-		## with 3 m/s² for 4 s, scale 0.5, damping 1, third pole 0.25 rad/s (docs/motion-platform.md).
-		# Frequency in rad/s: travel m, speed m/s, tilt degrees, share felt in the first 0.3 s, %.
-		# A jump between two samples counts as one in the middle.
-		# s / ((s + 4)² (s + 0.25)) x 0.5, and s / (s + 1)² x 0.5, at s = i turn.
-		# To this machine, where nobody listens.
-		func(_number: int) -> void:
-## How far the washout filter is from its formulas and the published table; what a step costs.
-##
-## Options: --rounds=5 (medians of the cost). Formulas: greatest difference as a part of the
-## greatest value, of a step of 2 m/s² and of sines of 0.1 to 5 Hz after 60 s. Table: a car brakes
-## with 3 m/s² for 4 s, scale 0.5, damping 1, third pole 0.25 rad/s (docs/motion-platform.md).
-
-# Frequency in rad/s: travel m, speed m/s, tilt degrees, share felt in the first 0.3 s, %.
-
-			# A jump between two samples counts as one in the middle.
-
-			# s / ((s + 4)² (s + 0.25)) x 0.5, and s / (s + 1)² x 0.5, at s = i turn.
-
-			# To this machine, where nobody listens.
-
-			## How far the washout filter is from its formulas and the published table; what a step costs.
-			##
-			## Options: --rounds=5 (medians of the cost). Formulas: greatest difference as a part of the
-			## greatest value, of a step of 2 m/s² and of sines of 0.1 to 5 Hz after 60 s. Table: a car brakes
-			## with 3 m/s² for 4 s, scale 0.5, damping 1, third pole 0.25 rad/s (docs/motion-platform.md).
-			# Frequency in rad/s: travel m, speed m/s, tilt degrees, share felt in the first 0.3 s, %.
-			# A jump between two samples counts as one in the middle.
-			# s / ((s + 4)² (s + 0.25)) x 0.5, and s / (s + 1)² x 0.5, at s = i turn.
-			# To this machine, where nobody listens.
-
-## How far the washout filter is from its formulas and the published table; what a step costs.
-##
-## Options: --rounds=5 (medians of the cost). Formulas: greatest difference as a part of the
-## greatest value, of a step of 2 m/s² and of sines of 0.1 to 5 Hz after 60 s. Table: a car brakes
-## with 3 m/s² for 4 s, scale 0.5, damping 1, third pole 0.25 rad/s (docs/motion-platform.md).
-
-# Frequency in rad/s: travel m, speed m/s, tilt degrees, share felt in the first 0.3 s, %.
-
-			# A jump between two samples counts as one in the middle.
-
-			# s / ((s + 4)² (s + 0.25)) x 0.5, and s / (s + 1)² x 0.5, at s = i turn.
-
-			# To this machine, where nobody listens.
-
-## How far the washout filter is from its formulas and the published table; what a step costs.
-##
-## Options: --rounds=5 (medians of the cost). Formulas: greatest difference as a part of the
-## greatest value, of a step of 2 m/s² and of sines of 0.1 to 5 Hz after 60 s. Table: a car brakes
-## with 3 m/s² for 4 s, scale 0.5, damping 1, third pole 0.25 rad/s (docs/motion-platform.md).
-
-# Frequency in rad/s: travel m, speed m/s, tilt degrees, share felt in the first 0.3 s, %.
-
-			# A jump between two samples counts as one in the middle.
-
-			# s / ((s + 4)² (s + 0.25)) x 0.5, and s / (s + 1)² x 0.5, at s = i turn.
-
-			# To this machine, where nobody listens.
-
-			wheel.set_spring(0.5, 0.0, 0.0)
-			wheel.apply(),
+		"filter, a step": _step.bind(cueing),
+		"motion of a seat, an estimate": _estimate.bind(motion),
+		"sender, a state in": _push.bind(sender),
+		"wheel, forces in": _steer.bind(wheel),
 	}
 	for name: String in calls:
 		var times: Statistics = Statistics.new()
@@ -252,6 +172,23 @@ func _time_steps(p_report: BenchReport, p_rounds: int) -> void:
 			times.add(float(Time.get_ticks_usec() - begin) / _COST_CALLS)
 		p_report.add("cost, from a script", name, times.percentile(0.5), "us")
 	p_report.add("sender, 250 Hz", "latest datagram", sender.get_latest() * 1000.0, "ms")
+
+
+static func _step(_number: int, p_cueing: MotionCueing) -> void:
+	p_cueing.step(_AT_REST, Vector3.ONE, _STEP_S)
+
+
+static func _estimate(_number: int, p_motion: SeatMotion) -> void:
+	p_motion.estimate(0.93)
+
+
+static func _push(p_number: int, p_sender: PlatformSender) -> void:
+	p_sender.push_state(p_number / 60.0, Transform3D.IDENTITY, p_number)
+
+
+static func _steer(_number: int, p_wheel: ForceWheel) -> void:
+	p_wheel.set_spring(0.5, 0.0, 0.0)
+	p_wheel.apply()
 
 
 func _filter(p_frequency: float) -> MotionCueing:

@@ -63,7 +63,8 @@ Motion pushed(double p_right, double p_back) {
 }
 
 void run(MotionCueing &r_cueing, const Motion *p_motion, double p_seconds, Watch *r_watch = nullptr) {
-	for (int i = 0; i < int(p_seconds / STEP_S + 0.5); i++) {
+	const auto steps = std::lround(p_seconds / STEP_S);
+	for (long i = 0; i < steps; i++) {
 		r_cueing.step(p_motion, STEP_S);
 		if (r_watch != nullptr) {
 			r_watch->look(STEP_S);

@@ -90,7 +90,7 @@ std::vector<int> find_numbers() {
 	}
 	for (const dirent *entry = readdir(folder); entry != nullptr; entry = readdir(folder)) {
 		if (std::strncmp(entry->d_name, "event", 5) == 0) {
-			numbers.push_back(std::atoi(entry->d_name + 5));
+			numbers.push_back(int(std::strtol(entry->d_name + 5, nullptr, 10)));
 		}
 	}
 	closedir(folder);
@@ -209,7 +209,7 @@ bool ForceDevice::apply_one(ForceKind p_kind, const WheelForces &p_forces) {
 		return true;
 	}
 	const ff_effect effect = make_effect(p_kind, p_forces, slot.is_uploaded ? slot.effect.id : -1);
-	const bool is_same = slot.is_uploaded && std::memcmp(&effect, &slot.effect, sizeof(effect)) == 0;
+	const bool is_same = slot.is_uploaded && effect_bytes(effect) == effect_bytes(slot.effect);
 	if (!is_same && !upload(p_kind, effect)) {
 		return false;
 	}

@@ -76,7 +76,7 @@ bool ForceDriver::find_device(ForceDevice &r_device, std::string &r_trouble) con
 		if (r_device.is_open()) {
 			return true;
 		}
-		r_trouble = info.name + ": " + r_trouble;
+		r_trouble.insert(0, info.name + ": ");
 	}
 	return false;
 }

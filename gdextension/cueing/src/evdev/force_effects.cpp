@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 
 namespace cueing {
 
@@ -67,7 +68,8 @@ const char *force_name(ForceKind p_kind) {
 }
 
 ff_effect make_effect(ForceKind p_kind, const WheelForces &p_forces, int p_id) {
-	ff_effect effect{};
+	ff_effect effect;
+	std::memset(&effect, 0, sizeof(effect));
 	effect.type = uint16_t(force_bit(p_kind));
 	effect.id = int16_t(p_id);
 	effect.direction = SIDEWAYS;
@@ -89,6 +91,12 @@ ff_effect make_effect(ForceKind p_kind, const WheelForces &p_forces, int p_id) {
 			break;
 	}
 	return effect;
+}
+
+std::array<uint8_t, sizeof(ff_effect)> effect_bytes(const ff_effect &p_effect) {
+	std::array<uint8_t, sizeof(ff_effect)> bytes{};
+	std::memcpy(bytes.data(), &p_effect, sizeof(p_effect));
+	return bytes;
 }
 
 bool is_idle(ForceKind p_kind, const WheelForces &p_forces) {

@@ -104,19 +104,19 @@ TEST(effects_are_uploaded_byte_by_byte_and_played) {
 	constant.id = 0;
 	constant.direction = 0xC000;
 	constant.u.constant.level = -16384;
-	CHECK(std::memcmp(&sent[0], &constant, sizeof(constant)) == 0);
+	CHECK(effect_bytes(sent[0]) == effect_bytes(constant));
 	ff_effect spring{};
 	spring.type = 0x53;
 	spring.id = 1;
 	spring.direction = 0xC000;
 	spring.u.condition[0] = { 65535, 65535, 8192, 8192, 6554, 0 };
-	CHECK(std::memcmp(&sent[1], &spring, sizeof(spring)) == 0);
+	CHECK(effect_bytes(sent[1]) == effect_bytes(spring));
 	ff_effect damper{};
 	damper.type = 0x55;
 	damper.id = 2;
 	damper.direction = 0xC000;
 	damper.u.condition[0] = { 65535, 65535, 32767, 32767, 0, 0 };
-	CHECK(std::memcmp(&sent[2], &damper, sizeof(damper)) == 0);
+	CHECK(effect_bytes(sent[2]) == effect_bytes(damper));
 	ff_effect periodic{};
 	periodic.type = 0x51;
 	periodic.id = 3;
@@ -124,7 +124,7 @@ TEST(effects_are_uploaded_byte_by_byte_and_played) {
 	periodic.u.periodic.waveform = 0x5a;
 	periodic.u.periodic.period = 40;
 	periodic.u.periodic.magnitude = 16384;
-	CHECK(std::memcmp(&sent[3], &periodic, sizeof(periodic)) == 0);
+	CHECK(effect_bytes(sent[3]) == effect_bytes(periodic));
 
 	const std::vector<input_event> events = wheel.events();
 	const int expected[][2] = { { 0x61, 0 }, { 0x60, 32768 }, { 0, 1 }, { 1, 1 }, { 2, 1 }, { 3, 1 } };
