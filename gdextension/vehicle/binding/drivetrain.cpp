@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "drivetrain.hpp"
 
+#include <utility>
+
 namespace godot {
 
 void VehicleDrivetrain::set_vehicle(
@@ -26,7 +28,7 @@ void VehicleDrivetrain::set_engine(const PackedVector2Array &p_curve, double p_i
 	settings.inertia = float(p_inertia);
 	settings.friction = float(p_friction);
 	settings.response = float(p_response);
-	_core.engine.settings = settings;
+	_core.engine.settings = std::move(settings);
 	_core.engine.reset();
 }
 

@@ -27,6 +27,8 @@ constexpr float SPREAD = 0.85f;
 constexpr float ABOVE = 2.0f;
 /// Ground that leans so far against the hull (cosine) is the face of a step.
 constexpr float EDGE = 0.7f;
+/// Loose things are not pushed with a greater acceleration than this, m/s^2.
+constexpr float MAX_PUSH = 40.0f;
 constexpr float GRAVITY = 9.81f;
 
 Server *server() {
@@ -130,6 +132,7 @@ void RayRunningGear::meet(std::size_t p_wheel, const Dictionary &p_hit) {
 		contact.ground.velocity =
 				state->get_linear_velocity() + state->get_angular_velocity().cross(contact.ground.point - centre);
 		contact.body = server()->body_get_mode(body) == Server::BODY_MODE_KINEMATIC ? RID() : body;
+		contact.mass = float(server()->body_get_param(body, Server::BODY_PARAM_MASS));
 	}
 }
 
@@ -264,7 +267,10 @@ void RayRunningGear::push(std::size_t p_wheel) {
 	server()->body_apply_force(_body, force, contact.ground.point - _frame.origin);
 	if (contact.body.is_valid()) {
 		const Transform3D frame = server()->body_get_state(contact.body, Server::BODY_STATE_TRANSFORM);
-		server()->body_apply_force(contact.body, -force, contact.ground.point - frame.origin);
+		// What is light lies between wheel and ground, which carries it: it would be shot away within a step.
+		const float most = contact.mass * MAX_PUSH;
+		const float share = std::min(1.0f, most / std::max(force.length(), 1.0f));
+		server()->body_apply_force(contact.body, force * -share, contact.ground.point - frame.origin);
 	}
 }
 

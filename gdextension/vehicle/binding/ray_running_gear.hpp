@@ -32,6 +32,7 @@ private:
 	struct Contact {
 		Ground ground;
 		RID body; // Where it can be pushed.
+		float mass = 0.0f; // Of that body, kg.
 		Vector3 ahead; // Axes in the plane of the ground.
 		Vector3 aside;
 	};

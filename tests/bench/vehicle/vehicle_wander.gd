@@ -144,7 +144,7 @@ static func _tell(
 	p_report.add(p_case, "fastest turn", p_totals["spin"], "rad/s", at_most, 8.0)
 	p_report.add(p_case, "ticks inside the ground", p_totals["inside"], "", at_most, 0.0)
 	p_report.add(p_case, "states that are not finite", p_totals["lost"], "", at_most, 0.0)
-	p_report.add(p_case, "put upright", p_totals["uprights"], "")
+	p_report.add(p_case, "put upright or freed", p_totals["uprights"], "")
 	p_report.add(p_case, "seeds with another hash the second time", p_others, "", at_most, 0.0)
 
 
