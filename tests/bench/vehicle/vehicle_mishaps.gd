@@ -24,7 +24,7 @@ static func run(
 	}
 	for way: String in falls:
 		await _fall(
-			p_tree, p_report, "%s: falls 6 m %s" % [name, way], p_preset, p_kind, falls[way]
+			p_tree, p_report, "%s: falls 10 m %s" % [name, way], p_preset, p_kind, falls[way]
 		)
 	await _ram(p_tree, p_report, name + ": two ram at 10 m/s each", p_preset, p_kind)
 	await _run_over(p_tree, p_report, name + ": drives through crates", p_preset, p_kind)
@@ -48,7 +48,7 @@ static func _fall(
 	var ground: VehicleGround = VehicleGround.new(p_tree.root)
 	ground.add_floor()
 	var vehicle: Vehicle = ground.add_vehicle(
-		p_preset, p_kind, Transform3D(p_turned, Vector3(0.0, 6.0 + 4.0, 0.0))
+		p_preset, p_kind, Transform3D(p_turned, Vector3(0.0, 10.0, 0.0))
 	)
 	var fastest: float = 0.0
 	var lowest: float = INF
