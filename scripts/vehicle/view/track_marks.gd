@@ -1,7 +1,7 @@
 class_name TrackMarks
 extends RefCounted
-## Prints that stay in soft ground behind a vehicle and fade: one draw, a fixed number of pieces, the
-## oldest of which give way.
+## Prints that stay in soft ground behind a vehicle and fade: one draw, a fixed number of pieces, of
+## which the oldest give way.
 
 ## Pieces of both sides together, and the length of one, m.
 const PIECES: int = 320
