@@ -25,9 +25,7 @@ var _views: Array[VehicleView] = []
 
 
 func _initialize() -> void:
-	_arguments = BenchArguments.parse(
-		OS.get_cmdline_user_args(), {"vehicles": 10, "frames": 600}
-	)
+	_arguments = BenchArguments.parse(OS.get_cmdline_user_args(), {"vehicles": 10, "frames": 600})
 	var count: int = _arguments.value("vehicles")
 	if _arguments.error == "" and (count < 1 or count > 100):
 		_arguments.error = "vehicles are 1 to 100"

@@ -11,6 +11,8 @@ const _SLIP_SHARE: float = 0.7
 ## How often it looks what the ground is made of, s.
 const _LOOK_S: float = 0.2
 
+## Share of a tank's dust that such a vehicle throws up, 0 to 1.
+var share: float = 1.0
 ## Share of the most dust, 0 to 1, that is thrown up now.
 var amount: float = 0.0
 ## Key of the ground under the rearmost wheel that touches it.
@@ -51,7 +53,8 @@ func advance(
 			_until_look = _LOOK_S
 			surface = p_probe.surface_of(rear if p_track >= 0.0 else front)
 		var speed: float = absf(p_track) + absf(p_track - p_ground) * _SLIP_SHARE
-		amount = GroundLooks.dust_of(surface) * clampf((speed - _SLOW) / (_FAST - _SLOW), 0.0, 1.0)
+		var pace: float = clampf((speed - _SLOW) / (_FAST - _SLOW), 0.0, 1.0)
+		amount = GroundLooks.dust_of(surface) * pace * share
 		if amount > 0.0:
 			_place(p_probe.points[rear], p_probe.points[front], p_vehicle, p_track)
 	_show()

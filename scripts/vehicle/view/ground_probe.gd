@@ -6,11 +6,11 @@ extends RefCounted
 
 ## How far above the wheel's lowest point at rest a ray begins, m: higher than any bump it can take.
 const _ABOVE_M: float = 0.6
-## Most that a wheel goes up, and down, from rest, m.
-const TRAVEL_M: Vector2 = Vector2(0.16, 0.12)
 ## How fast a wheel follows the ground, m/s: an edge in the ground is no jump of the wheel.
 const _FOLLOW: float = 2.5
 
+## Most that a wheel goes up (x), and down (y), from rest, m.
+var travel_m: Vector2 = Vector2(0.16, 0.14)
 ## How far each wheel is lifted from rest, m.
 var lifts: PackedFloat32Array = []
 ## Whether each wheel touches the ground: 1 or 0.
@@ -45,14 +45,14 @@ func advance(p_space: PhysicsDirectSpaceState3D, p_vehicle: Transform3D, p_delta
 	for wheel: int in _feet.size():
 		var foot: Vector3 = p_vehicle * _feet[wheel]
 		_query.from = foot + up * _ABOVE_M
-		_query.to = foot - up * TRAVEL_M.y
+		_query.to = foot - up * travel_m.y
 		var hit: Dictionary = p_space.intersect_ray(_query)
-		var lift: float = -TRAVEL_M.y
+		var lift: float = -travel_m.y
 		touching[wheel] = 0 if hit.is_empty() else 1
 		if not hit.is_empty():
 			points[wheel] = hit["position"]
 			_colliders[wheel] = hit["collider"]
-			lift = clampf(up.dot(points[wheel] - foot), -TRAVEL_M.y, TRAVEL_M.x)
+			lift = clampf(up.dot(points[wheel] - foot), -travel_m.y, travel_m.x)
 		lifts[wheel] = move_toward(lifts[wheel], lift, step)
 
 

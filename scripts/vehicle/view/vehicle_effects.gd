@@ -38,6 +38,7 @@ func configure(p_view: VehicleView, p_width: float, p_pitch: float) -> void:
 	var count: int = p_view.ground.lifts.size() / 2
 	for side: int in 2:
 		var one: DustView = DustView.new()
+		one.share = p_view.dust_share
 		one.configure(p_view, _DUST.instantiate() as GPUParticles3D, side * count, count)
 		dust.append(one)
 	for name: String in ["ExhaustLeft", "ExhaustRight"]:

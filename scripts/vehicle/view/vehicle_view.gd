@@ -9,11 +9,19 @@ extends Node3D
 const FAR_M: float = 40.0
 ## The same where little is drawn.
 const _FAR_LOW_M: float = 12.0
+## Turns of the steering wheel for one of the wheels.
+const STEERING_RATIO: float = 12.0
 
 ## Node with the model.
 @export var model: Node3D = null
 ## Measures of the tracks; empty for vehicles without.
 @export var tracks: TrackLayout = null
+## Width of the tyres of vehicles without tracks, m.
+@export_range(0.02, 1.0, 0.01, "suffix:m") var tyre_width: float = 0.28
+## Most that a wheel goes up (x), and down (y), from rest, m.
+@export_custom(PROPERTY_HINT_NONE, "suffix:m") var travel: Vector2 = Vector2(0.16, 0.14)
+## Share of a tank's dust that it throws up.
+@export_range(0.0, 1.0, 0.01) var dust_share: float = 1.0
 ## Where it burns when it is knocked out; empty: the model's origin.
 @export var fire_spot: Node3D = null
 ## The engine's greatest speed, 1/min.
@@ -23,6 +31,8 @@ const _FAR_LOW_M: float = 12.0
 var state: VehicleState = VehicleState.new()
 ## The tracks: left, right; empty for vehicles without.
 var sides: Array[TrackView] = []
+## The wheels of vehicles without tracks: left, right.
+var wheels: Array[WheelView] = []
 ## Turret, gun, hatches.
 var turret: TurretView = TurretView.new()
 ## The flaps of the exhausts.
@@ -33,15 +43,22 @@ var ground: GroundProbe = GroundProbe.new()
 var effects: VehicleEffects = VehicleEffects.new()
 
 var _far_m: float = FAR_M
+var _steering: Node3D = null
+var _steering_rest: Basis = Basis.IDENTITY
+var _handlebar: Node3D = null
 var _is_far: bool = false
 
 
 func _ready() -> void:
 	turret.configure(model)
 	exhaust.configure(model, most_rpm)
+	ground.travel_m = travel
 	if tracks != null:
 		_make_tracks()
 		effects.configure(self, tracks.width, tracks.pitch)
+	else:
+		_make_wheels()
+		effects.configure(self, tyre_width, 0.0)
 	add_to_group(Quality.FOLLOWERS)
 	follow_quality()
 
@@ -66,6 +83,8 @@ func advance(p_delta: float, p_away: float) -> void:
 	for side: int in sides.size():
 		var speed: float = state.left_speed if side == 0 else state.right_speed
 		sides[side].advance(speed, p_delta, _lifts_of(side))
+	if not wheels.is_empty():
+		_advance_wheels(p_delta)
 	if is_inside_tree():
 		effects.advance(p_delta, p_away)
 
@@ -82,7 +101,7 @@ func follow_quality() -> void:
 
 ## How far a side's track or wheels have run (0 left, 1 right), m.
 func way_of(p_side: int) -> float:
-	return sides[p_side].way
+	return sides[p_side].way if tracks != null else wheels[p_side].way
 
 
 ## A node of the model by name, such as [code]CommanderHatchMiddle[/code]; null without.
@@ -99,7 +118,7 @@ func _set_far(p_is_far: bool) -> void:
 
 
 func _lifts_of(p_side: int) -> PackedFloat32Array:
-	var count: int = sides[p_side].feet.size()
+	var count: int = ground.lifts.size() / 2
 	return ground.lifts.slice(p_side * count, (p_side + 1) * count)
 
 
@@ -113,6 +132,30 @@ func _make_tracks() -> void:
 		feet.append_array(track.feet)
 	find_part("TrackLink").queue_free()
 	ground.configure(feet, _find_body())
+
+
+func _make_wheels() -> void:
+	var feet: PackedVector3Array = []
+	for side: int in 2:
+		var side_wheels: WheelView = WheelView.new()
+		side_wheels.configure(model, side)
+		wheels.append(side_wheels)
+		feet.append_array(side_wheels.feet)
+	ground.configure(feet, _find_body())
+	_handlebar = find_part("Handlebar")
+	_steering = find_part("SteeringWheel")
+	if _steering != null:
+		_steering_rest = _steering.basis
+
+
+func _advance_wheels(p_delta: float) -> void:
+	for side: int in 2:
+		var speed: float = state.left_speed if side == 0 else state.right_speed
+		wheels[side].advance(speed, p_delta, _lifts_of(side), state.steer)
+	if _handlebar != null:
+		_handlebar.rotation.y = state.steer
+	if _steering != null:
+		_steering.basis = _steering_rest * Basis(Vector3.BACK, state.steer * STEERING_RATIO)
 
 
 func _find_body() -> CollisionObject3D:

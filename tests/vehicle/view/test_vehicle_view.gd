@@ -102,7 +102,7 @@ func test_wheels_hang_where_no_ground_is() -> void:
 	_run(0.5)
 	for wheel: int in _view.ground.lifts.size():
 		equal(_view.ground.touching[wheel], 0)
-		almost_equal(_view.ground.lifts[wheel], -GroundProbe.TRAVEL_M.y, 0.001)
+		almost_equal(_view.ground.lifts[wheel], -_view.travel.y, 0.001)
 
 
 func test_a_person_has_room_in_the_hatch() -> void:

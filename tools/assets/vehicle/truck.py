@@ -4,7 +4,7 @@ import math
 
 from . import parts, shapes
 
-TEXTURE = 1024
+TEXTURE = 1536
 WHEEL_RADIUS, WHEEL_X, AXLE_Y = 0.47, 0.91, 1.65
 
 
@@ -30,10 +30,17 @@ def hull(m):
     for s in (-1, 1):
         shapes.box(dark, s * 0.36, s * 0.46, -2.2, 2.2, 0.52, 0.66)
     for y in (-AXLE_Y, AXLE_Y):
-        shapes.lathe(dark, [(-0.8, 0), (-0.8, 0.07), (-0.2, 0.07), (0, 0.16), (0.2, 0.07), (0.8, 0.07), (0.8, 0)], (0, y, 0.5), (1, 0, 0), 14)
+        shapes.lathe(
+            dark,
+            [(-0.8, 0), (-0.8, 0.07), (-0.2, 0.07), (0, 0.16), (0.2, 0.07), (0.8, 0.07), (0.8, 0)],
+            (0, y, 0.5),
+            (1, 0, 0),
+            14,
+        )
     shapes.rod(dark, (0.95, -0.2, 0.46), (0.95, -1.1, 0.46), 0.05, 10)
     body = parts.add("Hull", dark, m["Dark"], smooth_deg=35)
     paint = parts.new()
+
     # The side's outline with the wheels' arches cut out, as one profile each.
     def arch(middle, low, sign):
         made = []
@@ -44,16 +51,28 @@ def hull(m):
 
     low = 0.56
     outline = [(-2.28, low), *arch(-AXLE_Y, low, 1), *arch(AXLE_Y, low, 1), (2.30, low + 0.12)]
-    outline += [(2.34, 0.86), (2.26, 1.10), (0.86, 1.20), (0.80, 1.16), (-0.95, 1.16), (-0.95, 1.26), (-2.30, 1.26)]
+    outline += [
+        (2.34, 0.86),
+        (2.26, 1.10),
+        (0.86, 1.20),
+        (0.80, 1.16),
+        (-0.95, 1.16),
+        (-0.95, 1.26),
+        (-2.30, 1.26),
+    ]
     for s in (-1, 1):
         shapes.prism(paint, outline, s * 0.66, s * 1.05)
-    shapes.prism(paint, [(0.82, 0.80), (2.30, 0.70), (2.34, 0.90), (2.26, 1.12), (0.82, 1.22)], -0.67, 0.67)
+    shapes.prism(
+        paint, [(0.82, 0.80), (2.30, 0.70), (2.34, 0.90), (2.26, 1.12), (0.82, 1.22)], -0.67, 0.67
+    )
     shapes.box(paint, -0.67, 0.67, -2.28, 0.82, 0.62, 0.72)
     part = parts.add("Body", paint, m["Paint"], body, bevel=0.025)
     del part
     steel, grille = parts.new(), parts.new()
     for k in range(9):  # The bonnet's louvres.
-        shapes.turned_box(grille, (0, 1.20 + k * 0.08, 1.175 - k * 0.0055), (0.62, 0.05, 0.012), 0, 20)
+        shapes.turned_box(
+            grille, (0, 1.20 + k * 0.08, 1.175 - k * 0.0055), (0.62, 0.05, 0.012), 0, 20
+        )
     for s in (-1, 1):
         shapes.box(steel, s * 0.48, s * 0.56, 2.02, 2.14, 1.12, 1.17)
         shapes.handle(steel, (s * 0.55, 0.95, 1.21), (s * 0.55, 1.10, 1.20), (0, 0, 0.03), 0.007)
@@ -69,9 +88,23 @@ def cab(m, body):
     roof = [(0.36, 1.80), (0.30, 1.85), (-0.92, 1.85), (-1.00, 1.80), (-1.00, 1.76), (0.40, 1.76)]
     shapes.prism(paint, roof, -0.90, 0.90)
     for s in (-1, 1):
-        for (y0, z0), (y1, z1) in (((0.82, 1.16), (0.36, 1.80)), ((-0.10, 1.16), (-0.12, 1.80)), ((-0.98, 1.16), (-0.97, 1.80))):
-            ring = [(s * 0.99, y0 - 0.04, z0), (s * 1.03, y0 - 0.04, z0), (s * 1.03, y0 + 0.04, z0), (s * 0.99, y0 + 0.04, z0)]
-            top = [(s * 0.86, y1 - 0.035, z1), (s * 0.90, y1 - 0.035, z1), (s * 0.90, y1 + 0.035, z1), (s * 0.86, y1 + 0.035, z1)]
+        for (y0, z0), (y1, z1) in (
+            ((0.82, 1.16), (0.36, 1.80)),
+            ((-0.10, 1.16), (-0.12, 1.80)),
+            ((-0.98, 1.16), (-0.97, 1.80)),
+        ):
+            ring = [
+                (s * 0.99, y0 - 0.04, z0),
+                (s * 1.03, y0 - 0.04, z0),
+                (s * 1.03, y0 + 0.04, z0),
+                (s * 0.99, y0 + 0.04, z0),
+            ]
+            top = [
+                (s * 0.86, y1 - 0.035, z1),
+                (s * 0.90, y1 - 0.035, z1),
+                (s * 0.90, y1 + 0.035, z1),
+                (s * 0.86, y1 + 0.035, z1),
+            ]
             shapes.loft(paint, [ring, top])
         for y0, y1 in ((-0.08, 0.74), (-0.92, -0.14)):  # Doors and their panes.
             shapes.box(paint, s * 1.045, s * 1.075, y0, y1, 0.70, 1.18)
@@ -83,11 +116,19 @@ def cab(m, body):
             pane += [(s * 0.89, y1 - 0.09 - slope, 1.75), (s * 0.89, y0 + 0.03, 1.75)]
             inner = [(x - s * 0.01, y, z) for x, y, z in pane]
             shapes.loft(glass, [pane, inner])
-        shapes.tube(steel, [(s * 1.03, 0.62, 1.24), (s * 1.22, 0.66, 1.30), (s * 1.22, 0.66, 1.38)], 0.012)
+        shapes.tube(
+            steel, [(s * 1.03, 0.62, 1.24), (s * 1.22, 0.66, 1.30), (s * 1.22, 0.66, 1.38)], 0.012
+        )
         shapes.turned_box(paint, (s * 1.22, 0.66, 1.42), (0.14, 0.04, 0.22))
     pane = [(-0.96, 0.80, 1.21), (0.96, 0.80, 1.21), (0.84, 0.39, 1.76), (-0.84, 0.39, 1.76)]
     shapes.loft(glass, [pane, [(x, y - 0.012, z - 0.008) for x, y, z in pane]])
-    shapes.loft(paint, [[(-0.03, 0.81, 1.2), (0.03, 0.81, 1.2), (0.03, 0.78, 1.2), (-0.03, 0.78, 1.2)], [(-0.03, 0.40, 1.77), (0.03, 0.40, 1.77), (0.03, 0.37, 1.77), (-0.03, 0.37, 1.77)]])
+    shapes.loft(
+        paint,
+        [
+            [(-0.03, 0.81, 1.2), (0.03, 0.81, 1.2), (0.03, 0.78, 1.2), (-0.03, 0.78, 1.2)],
+            [(-0.03, 0.40, 1.77), (0.03, 0.40, 1.77), (0.03, 0.37, 1.77), (-0.03, 0.37, 1.77)],
+        ],
+    )
     for s in (-1, 1):
         shapes.rod(dark, (s * 0.5, 0.815, 1.215), (s * 0.18, 0.60, 1.51), 0.008, 6)
         for y in (0.0, -0.78):
@@ -130,15 +171,31 @@ def bed(m, body):
         for y in (-1.10, -1.30, -1.50, -1.70, -1.90, -2.10):
             shapes.rod(steel, (s * 1.048, y, 1.20), (s * 1.065, y, 1.20), 0.012, 6)
         shapes.box(paint, s * 0.55, s * 0.72, -2.52, -2.36, 0.78, 1.22)
-    profile = [(-0.13, 0.22), (-0.13, 0.40), (-0.10, 0.46), (0.10, 0.46), (0.13, 0.40), (0.13, 0.22), (-0.13, 0.22)]
+    profile = [
+        (-0.13, 0.22),
+        (-0.13, 0.40),
+        (-0.10, 0.46),
+        (0.10, 0.46),
+        (0.13, 0.40),
+        (0.13, 0.22),
+        (-0.13, 0.22),
+    ]
     shapes.lathe(rubber, profile, (0.0, -2.48, 1.06), (0, 1, 0), 26)
-    shapes.lathe(paint, [(-0.05, 0), (-0.05, 0.23), (0.06, 0.23), (0.06, 0)], (0.0, -2.48, 1.06), (0, 1, 0), 20)
+    shapes.lathe(
+        paint,
+        [(-0.05, 0), (-0.05, 0.23), (0.06, 0.23), (0.06, 0)],
+        (0.0, -2.48, 1.06),
+        (0, 1, 0),
+        20,
+    )
     parts.add("BedCanvas", canvas, m["Canvas"], body, bevel=0.02)
     parts.add("BedPaint", paint, m["Paint"], body, bevel=0.012)
     parts.add("BedSteel", steel, m["Steel"], body)
     parts.add("SpareWheel", rubber, m["Rubber"], body)
     for s in (-1, 1):
-        parts.text(f"Number{s}", "58", m["Stencil"], body, (s * 1.077, 0.35, 0.93), 0.22, (90, 0, s * 90))
+        parts.text(
+            f"Number{s}", "58", m["Stencil"], body, (s * 1.077, 0.35, 0.93), 0.22, (90, 0, s * 90)
+        )
 
 
 def ends(m, body):
@@ -149,11 +206,25 @@ def ends(m, body):
         x = -0.49 + k * 0.14
         shapes.box(paint, x - 0.022, x + 0.022, 2.335, 2.36, 0.77, 1.05)
     for s in (-1, 1):
-        shapes.lathe(paint, [(0, 0.105), (0.05, 0.105), (0.05, 0.09), (0.02, 0.088)], (s * 0.74, 2.31, 0.96), (0, 1, 0), 20)
-        shapes.lathe(lens, [(0.02, 0.09), (0.04, 0.05), (0.045, 0)], (s * 0.74, 2.31, 0.96), (0, 1, 0), 20)
-        shapes.lathe(lens, [(0.0, 0.04), (0.03, 0.03), (0.035, 0)], (s * 0.93, 2.32, 0.92), (0, 1, 0), 14)
-        shapes.lathe(red, [(0, 0.05), (0.012, 0.045), (0.018, 0)], (s * 0.90, -2.30, 0.98), (0, -1, 0), 16)
-        shapes.lathe(red, [(0, 0.035), (0.010, 0.03), (0.015, 0)], (s * 0.90, -2.30, 0.86), (0, -1, 0), 14)
+        shapes.lathe(
+            paint,
+            [(0, 0.105), (0.05, 0.105), (0.05, 0.09), (0.02, 0.088)],
+            (s * 0.74, 2.31, 0.96),
+            (0, 1, 0),
+            20,
+        )
+        shapes.lathe(
+            lens, [(0.02, 0.09), (0.04, 0.05), (0.045, 0)], (s * 0.74, 2.31, 0.96), (0, 1, 0), 20
+        )
+        shapes.lathe(
+            lens, [(0.0, 0.04), (0.03, 0.03), (0.035, 0)], (s * 0.93, 2.32, 0.92), (0, 1, 0), 14
+        )
+        shapes.lathe(
+            red, [(0, 0.05), (0.012, 0.045), (0.018, 0)], (s * 0.90, -2.30, 0.98), (0, -1, 0), 16
+        )
+        shapes.lathe(
+            red, [(0, 0.035), (0.010, 0.03), (0.015, 0)], (s * 0.90, -2.30, 0.86), (0, -1, 0), 14
+        )
         shapes.eye(steel, (s * 0.42, 2.50, 0.66), (1, 0, 0), 0.055, 0.016)
         shapes.box(paint, s * 0.36, s * 0.46, 2.2, 2.42, 0.56, 0.68)
         shapes.box(paint, s * 0.36, s * 0.46, -2.42, -2.2, 0.56, 0.68)
@@ -174,7 +245,13 @@ def wheels(m, body):
     r, w = WHEEL_RADIUS, 0.15
     tyre = parts.new()
     profile = [(-w + 0.02, r * 0.56), (-w, r * 0.72), (-w, r * 0.90), (-w + 0.03, r * 0.97), (0, r)]
-    profile += [(w - 0.03, r * 0.97), (w, r * 0.90), (w, r * 0.72), (w - 0.02, r * 0.56), (0, r * 0.5)]
+    profile += [
+        (w - 0.03, r * 0.97),
+        (w, r * 0.90),
+        (w, r * 0.72),
+        (w - 0.02, r * 0.56),
+        (0, r * 0.5),
+    ]
     shapes.lathe(tyre, [*profile, profile[0]], direction=(1, 0, 0), steps=32)
     for k in range(24):  # Lugs, one side after the other.
         a = 2 * math.pi * k / 24
@@ -184,14 +261,20 @@ def wheels(m, body):
     wheel = parts.add("Wheel_L1", tyre, m["Rubber"], body, smooth_deg=45)
     disc = parts.new()
     face = w - 0.05
-    dish = [(-0.08, 0), (-0.08, r * 0.55), (w - 0.02, r * 0.57), (w - 0.02, r * 0.50), (face - 0.05, r * 0.44)]
+    dish = [
+        (-0.08, 0),
+        (-0.08, r * 0.55),
+        (w - 0.02, r * 0.57),
+        (w - 0.02, r * 0.50),
+        (face - 0.05, r * 0.44),
+    ]
     dish += [(face - 0.05, r * 0.24), (face, r * 0.20), (face + 0.03, r * 0.16), (face + 0.03, 0)]
     shapes.lathe(disc, dish, direction=(1, 0, 0), steps=26)
     shapes.bolt_circle(disc, (w - 0.022, 0, 0), (1, 0, 0), r * 0.535, 16, 0.010)
     shapes.bolt_circle(disc, (face - 0.052, 0, 0), (1, 0, 0), r * 0.33, 8, 0.016, 0.016)
     parts.add("Wheel_L1Disc", disc, m["Plain"], wheel, smooth_deg=32)
-    wheel.location = (-WHEEL_X, -AXLE_Y, r)
+    wheel.location = (-WHEEL_X, AXLE_Y, r)
     wheel.rotation_euler[2] = math.pi
-    parts.copy(wheel, "Wheel_L2", body, (-WHEEL_X, AXLE_Y, r), 180)
-    parts.copy(wheel, "Wheel_R1", body, (WHEEL_X, -AXLE_Y, r))
-    parts.copy(wheel, "Wheel_R2", body, (WHEEL_X, AXLE_Y, r))
+    parts.copy(wheel, "Wheel_L2", body, (-WHEEL_X, -AXLE_Y, r), 180)
+    parts.copy(wheel, "Wheel_R1", body, (WHEEL_X, AXLE_Y, r))
+    parts.copy(wheel, "Wheel_R2", body, (WHEEL_X, -AXLE_Y, r))
