@@ -22,6 +22,9 @@ const MAX_FIELDS: int = 32
 ## Of a command: the field with the session that alone may send it, as [member Seat.occupant_field]
 ## is; empty: whoever the type says. Only the server knows it.
 @export var seat: StringName = &""
+## Of a command: the [enum Roles.Capability] that its sender's role needs besides; 0 none. Only the
+## server knows it.
+@export_flags("Send motion", "Command", "Direct", "Moderate", "Review") var capability: int = 0
 
 
 ## A command or event, for types that are made by a script.

@@ -229,7 +229,11 @@ func _find_fault(
 	if p_command.command >= p_row.type.commands.size():
 		return "%s has no command %d" % [p_row.describe(), p_command.command]
 	# The node's type, not the row's: what is only the server's business is not sent.
-	var seat: StringName = p_node.type.commands[p_command.command].seat
+	var wanted: EntitySchema = p_node.type.commands[p_command.command]
+	var session: Session = _link.session(p_session)
+	if wanted.capability != 0 and (session == null or not session.can(wanted.capability)):
+		return "'%s' is not for its role" % wanted.name
+	var seat: StringName = wanted.seat
 	if seat != &"":
 		var is_occupant: bool = int(p_node.get_value(seat)) == p_session
 		return "" if is_occupant else "the session does not sit in the %s's seat" % seat
