@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "drivetrain.hpp"
 #include "ray_running_gear.hpp"
+#include "shell_flight.hpp"
 #include "sphere_running_gear.hpp"
 #include "track_belt.hpp"
 #include "turret_drive.hpp"
@@ -15,6 +16,7 @@ namespace {
 
 void initialize(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
+		GDREGISTER_CLASS(ShellFlight);
 		GDREGISTER_CLASS(TrackBelt);
 		GDREGISTER_CLASS(TurretDrive);
 		GDREGISTER_CLASS(VehicleWheel);
