@@ -312,6 +312,11 @@ static func _display() -> Array[OptionRow]:
 		OptionRow.text(
 			"use", clients, "use the Interactable at or below a node of this name, once it is there"
 		),
+		OptionRow.text(
+			"drive",
+			clients,
+			"drive by a list instead of keys: THROTTLE:STEERING:BRAKE:SECONDS, with commas between"
+		),
 		(
 			OptionRow
 			. text(

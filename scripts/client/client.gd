@@ -32,6 +32,7 @@ var _stop: StopSignal = StopSignal.new()
 var _pacer: FramePacer = null
 var _fade: PhysicsFade = PhysicsFade.new()
 var _clock: FrameClock = FrameClock.of_window()
+var _seat: ClientSeat = ClientSeat.new()
 
 
 ## Takes over the options. Call it before the node enters the tree.
@@ -96,6 +97,8 @@ func _notification(p_what: int) -> void:
 
 
 func _exit_tree() -> void:
+	if not _seat.is_inside_tree():
+		_seat.free()
 	_mocap.close()
 	if _arrival != null:
 		_arrival.close()
@@ -121,7 +124,8 @@ func _apply_options() -> String:
 	_stream = made.stream
 	_connect_stream()
 	if fault == "" and _role != ClientStreams.REPLAY:
-		fault = _open_cues()
+		add_child(_seat)
+		fault = _seat.open(_scene, _hud, _options)
 	if fault == "" and Roles.can(Roles.find(_role), Roles.Capability.SEND_MOTION):
 		fault = _mocap.open(_options, made.live.link)
 		made.live.joined.connect(_mocap.people.begin)
@@ -141,12 +145,6 @@ func _apply_options() -> String:
 		made.live.connecting.connect(_shared.reconnect)
 		_await_levels(made.live.link)
 	return fault
-
-
-func _open_cues() -> String:
-	var cues: ClientCues = ClientCues.new()
-	add_child(cues)
-	return cues.open(_options)
 
 
 ## Levels of a server are loaded over several frames, and got from it where they are not here.

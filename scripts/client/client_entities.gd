@@ -94,12 +94,16 @@ func session() -> int:
 	return _stream.session() if _stream != null else 0
 
 
-func carry(_limb: Node3D, _entity: int) -> void:
+func carry(_limb: Node3D, _entity: int, _holds: bool) -> void:
 	push_error("Only the server carries people.")
 
 
 func put_down(_limb: Node3D, _entity: int) -> void:
 	push_error("Only the server carries people.")
+
+
+func refuse(_session: int, _why: String) -> void:
+	push_error("Only the server refuses.")
 
 
 func find_by_body(_body: Node3D) -> int:
@@ -116,7 +120,7 @@ func possession() -> Possession:
 	return null
 
 
-func attach(_session: int, _entity: int, _seat: Transform3D) -> void:
+func attach(_session: int, _entity: int, _seat: Seat) -> void:
 	push_error("Only the server attaches.")
 
 

@@ -91,6 +91,11 @@ func next_camera() -> void:
 		happening_told.emit("Back to people")
 
 
+## Looks from where a camera is, such as that of a seat; null: back to the followed person.
+func look_through(p_camera: Camera3D) -> void:
+	_camera.fixed = p_camera
+
+
 ## Looks at the followed person from elsewhere: around, from behind, out of the eyes.
 func change_view() -> void:
 	if _camera.fixed != null:

@@ -74,6 +74,11 @@ var _centre: Vector3 = Vector3(0.0, 1.0, 0.0)
 var _heading: float = 0.0
 
 
+func _init() -> void:
+	# After everything that it watches or looks through has been moved.
+	process_priority = 10
+
+
 func _process(p_delta: float) -> void:
 	var turn: Vector2 = Vector2.ZERO
 	if takes_keys:

@@ -33,3 +33,17 @@ func clear() -> void:
 	brake = 0.0
 	handbrake = 0.0
 	gear = Selector.AUTOMATIC
+
+
+## As a list: throttle, steering, brake, parking brake, gear.
+func to_values() -> PackedFloat32Array:
+	return [throttle, steer, brake, handbrake, gear]
+
+
+## Takes such a list.
+func take_values(p_values: PackedFloat32Array) -> void:
+	throttle = p_values[0]
+	steer = p_values[1]
+	brake = p_values[2]
+	handbrake = p_values[3]
+	gear = roundi(p_values[4]) as Selector

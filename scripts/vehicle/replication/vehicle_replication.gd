@@ -161,12 +161,7 @@ func _on_commanded(_session: int, p_command: StringName, p_values: PackedFloat32
 
 
 func _drive(p_values: PackedFloat32Array) -> void:
-	var input: VehicleInput = vehicle.input
-	input.throttle = p_values[0]
-	input.steer = p_values[1]
-	input.brake = p_values[2]
-	input.handbrake = p_values[3]
-	input.gear = roundi(p_values[4]) as VehicleInput.Selector
+	vehicle.input.take_values(p_values)
 	_silent_s = 0.0
 
 

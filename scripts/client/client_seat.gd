@@ -1,0 +1,41 @@
+class_name ClientSeat
+extends Node
+## What this client's user does and sees in the seat of a vehicle: controls, views, instruments, and
+## what hands and motion platform feel.
+
+var _controls: SeatControls = SeatControls.new()
+var _cues: ClientCues = ClientCues.new()
+var _script: DriveScript = null
+
+
+func _init() -> void:
+	add_child(_cues)
+	add_child(_controls)
+
+
+func _physics_process(p_delta: float) -> void:
+	_cues.get_forces().wheel_position = -_controls.reader.steer
+	if _script != null and _controls.vehicle != null:
+		_script.advance(p_delta)
+
+
+## Begins as the options say. Returns what is wrong, or an empty text.
+func open(p_scene: ClientScene, p_hud: Hud, p_options: Options) -> String:
+	var drive: String = p_options.text("drive")
+	if drive != "":
+		_script = DriveScript.parse(drive)
+		if _script.error != "":
+			return _script.error
+		_controls.reader = _script
+	_controls.view_changed.connect(p_scene.look_through)
+	_controls.told.connect(p_hud.show_news)
+	if DisplayServer.get_name() != "headless":
+		var hud: VehicleHud = preload("res://scenes/vehicle/controls/vehicle_hud.tscn").instantiate()
+		add_child(hud)
+		hud.follow(_controls)
+	return _cues.open(p_options)
+
+
+## What the user does in the seat.
+func get_controls() -> SeatControls:
+	return _controls

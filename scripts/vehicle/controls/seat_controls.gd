@@ -1,0 +1,249 @@
+class_name SeatControls
+extends Node
+## Lets this machine's user drive, aim and shoot from the seat of a vehicle that the session has
+## taken, by keys, mouse, gamepad, wheel and pedals, and look out of it.
+##
+## It finds the seat by itself. Commands go to the vehicle's entity; the server decides.
+
+## Another view is looked through from now on; null: none, as nobody sits any more.
+signal view_changed(p_view: SeatView)
+## What the screen should tell for a while.
+signal told(p_text: String)
+## Another seat, or none (null).
+signal seat_changed(p_seat: Seat)
+
+## A driver's commands are repeated so often, s, that the server knows that somebody is there.
+const REPEAT_S: float = 0.1
+## How far a drag turns the view or the aim, rad for each pixel at magnification 1.
+const MOUSE: float = 0.003
+## Shares of the greatest rate that a gunner's hand asks for, for a turn of the mouse in rad/s.
+const MOUSE_AIM: float = 1.4
+const _LOOK_S: float = 0.1
+
+## What driver's hands and feet do.
+var reader: DriveReader = DriveReader.new()
+## What the driver does now, as it was sent last.
+var input: VehicleInput = VehicleInput.new()
+## The seat, or null.
+var seat: Seat = null
+## The vehicle that it is in, or null.
+var vehicle: Vehicle = null
+## The view that is looked through, or null.
+var view: SeatView = null
+
+var _entity: Entity = null
+var _looked_s: float = 0.0
+var _sent: PackedFloat32Array = []
+var _sent_aim: Vector2 = Vector2.ZERO
+var _sent_s: float = 0.0
+var _mouse: Vector2 = Vector2.ZERO
+var _ammunition: int = 0
+
+
+func _process(p_delta: float) -> void:
+	_looked_s += p_delta
+	if _looked_s >= _LOOK_S or not is_instance_valid(seat):
+		_looked_s = 0.0
+		var found: Seat = find_seat(get_tree())
+		if found != seat or not is_instance_valid(vehicle):
+			_take(found)
+
+
+func _physics_process(p_delta: float) -> void:
+	if not is_instance_valid(vehicle) or not is_instance_valid(seat) or not seat.is_mine():
+		return
+	_sent_s += p_delta
+	if has_command(&"drive"):
+		reader.read(input, p_delta)
+		_send_drive()
+	if has_command(&"aim"):
+		_send_aim(p_delta)
+
+
+func _unhandled_input(p_event: InputEvent) -> void:
+	if not is_instance_valid(vehicle) or not is_instance_valid(seat):
+		return
+	var is_taken: bool = true
+	if p_event is InputEventMouseMotion:
+		is_taken = _take_motion(p_event as InputEventMouseMotion)
+	elif p_event.is_action_pressed(&"change_view"):
+		change_view()
+	elif p_event.is_action_pressed(&"next_seat"):
+		change_seat()
+	elif p_event.is_action_pressed(&"next_magnification") and view != null:
+		view.change_magnification()
+	else:
+		is_taken = _take_key(p_event)
+	if is_taken:
+		get_viewport().set_input_as_handled()
+
+
+## The seat that this machine's session has taken in a vehicle, or null.
+static func find_seat(p_tree: SceneTree) -> Seat:
+	for node: Node in p_tree.get_nodes_in_group(Interactable.GROUP):
+		var found: Seat = node as Seat
+		if found != null and found.entity != null and found.is_mine():
+			return found if vehicle_of(found) != null else null
+	return null
+
+
+## The vehicle that a node is part of, or null.
+static func vehicle_of(p_node: Node) -> Vehicle:
+	var node: Node = p_node
+	while node != null and not node is Vehicle:
+		node = node.get_parent()
+	return node as Vehicle
+
+
+## Whether the seat that is taken may give a command.
+func has_command(p_name: StringName) -> bool:
+	var index: int = _entity.type.find_command(p_name)
+	if index < 0:
+		return false
+	# Which seat a command belongs to is the server's business; the scene has it here too.
+	var wanted: StringName = _entity.type.commands[index].seat
+	return wanted == &"" or wanted == seat.occupant_field
+
+
+## The next view of the seat.
+func change_view() -> void:
+	var views: Array[SeatView] = views_of(seat)
+	if views.is_empty():
+		return
+	_look_through(views[(views.find(view) + 1) % views.size()])
+	told.emit(view.get_title())
+
+
+## The next seat of the vehicle that is free.
+func change_seat() -> void:
+	var seats: Array[Seat] = []
+	for node: Node in vehicle.find_children("*", "", true, false):
+		if node is Seat:
+			seats.append(node)
+	seats.sort_custom(func(a: Seat, b: Seat) -> bool: return a.index < b.index)
+	var at: int = seats.find(seat)
+	for offset: int in range(1, seats.size()):
+		var next: Seat = seats[(at + offset) % seats.size()]
+		if next.occupant() == 0:
+			next.interact()
+			return
+	told.emit("No other seat is free")
+
+
+## The views of a seat: its own, then those of all seats of its vehicle.
+static func views_of(p_seat: Seat) -> Array[SeatView]:
+	var own: Array[SeatView] = []
+	var shared: Array[SeatView] = []
+	var within: Vehicle = vehicle_of(p_seat)
+	for node: Node in p_seat.get_tree().get_nodes_in_group(SeatView.GROUP):
+		var each: SeatView = node as SeatView
+		if each.seat == p_seat:
+			own.append(each)
+		elif each.seat == null and within.is_ancestor_of(each):
+			shared.append(each)
+	return own + shared
+
+
+## Turns the aim by the mouse, or the view where there is nothing to aim.
+func _take_motion(p_event: InputEventMouseMotion) -> bool:
+	var is_held: bool = p_event.button_mask & (MOUSE_BUTTON_MASK_LEFT | MOUSE_BUTTON_MASK_RIGHT) != 0
+	if not is_held or view == null:
+		return false
+	var by: Vector2 = -p_event.relative * MOUSE / view.magnification()
+	if view.kind == SeatView.Kind.SIGHT:
+		_mouse += by
+	else:
+		view.turn(by)
+	return true
+
+
+func _take_key(p_event: InputEvent) -> bool:
+	var state: VehicleState = vehicle.state
+	if p_event.is_action_pressed(&"drive_gear"):
+		reader.change_gear()
+		told.emit("Gear: %s" % VehicleInput.Selector.find_key(reader.gear).to_lower())
+	elif p_event.is_action_pressed(&"drive_engine"):
+		_order(&"engine", [0.0 if state.engine_on else 1.0])
+	elif p_event.is_action_pressed(&"drive_lamps"):
+		_order(&"lamps", [0.0 if state.lamps else 1.0])
+	elif p_event.is_action_pressed(&"toggle_hatch"):
+		_order(&"open_hatch", [0.0 if state.hatch > 0.5 else 1.0])
+		_order(&"open_loader_hatch", [0.0 if state.loader_hatch > 0.5 else 1.0])
+	elif p_event.is_action_pressed(&"toggle_stabiliser"):
+		_order(&"stabilise", [0.0 if _is_stabilised() else 1.0])
+	elif p_event.is_action_pressed(&"next_ammunition"):
+		_change_ammunition()
+	elif p_event.is_action_pressed(&"fire"):
+		_order(&"fire", [])
+	elif p_event.is_action(&"fire_coax") and not p_event.is_echo():
+		_order(&"fire_coax", [1.0 if p_event.is_action_pressed(&"fire_coax") else 0.0])
+	else:
+		return false
+	return true
+
+
+func _is_stabilised() -> bool:
+	return _entity.type.find_field(&"stabilised") < 0 or _entity.get_value(&"stabilised") > 0.5
+
+
+func _change_ammunition() -> void:
+	if _entity.type.find_field(&"ammunition") < 0:
+		return
+	var field: EntityField = _entity.type.fields[_entity.type.find_field(&"ammunition")]
+	var kinds: int = int(field.max_value) + 1
+	_ammunition = (int(_entity.get_value(&"ammunition")) + 1) % kinds
+	_order(&"load", [_ammunition])
+
+
+## Sends a command if the seat that is taken has it.
+func _order(p_command: StringName, p_values: PackedFloat32Array) -> void:
+	if has_command(p_command):
+		_entity.send_command(p_command, p_values)
+
+
+func _send_drive() -> void:
+	var values: PackedFloat32Array = input.to_values()
+	if values != _sent or _sent_s >= REPEAT_S:
+		_sent = values
+		_sent_s = 0.0
+		_entity.send_command(&"drive", values)
+
+
+## Keys and sticks ask for a rate; the mouse for a way, which becomes the rate that goes it at once.
+func _send_aim(p_delta: float) -> void:
+	var aim: Vector2 = Vector2(
+		Input.get_axis(&"aim_right", &"aim_left"), Input.get_axis(&"aim_down", &"aim_up")
+	)
+	if view != null and view.kind == SeatView.Kind.SIGHT:
+		# What is magnified is aimed at more finely.
+		aim = aim * aim.abs() / sqrt(view.magnification())
+	aim += _mouse / p_delta * MOUSE_AIM
+	_mouse = Vector2.ZERO
+	aim = aim.clampf(-1.0, 1.0)
+	if aim != _sent_aim:
+		_sent_aim = aim
+		_entity.send_command(&"aim", [aim.x, aim.y])
+
+
+func _take(p_seat: Seat) -> void:
+	seat = p_seat
+	vehicle = null if seat == null else vehicle_of(seat)
+	_entity = null if seat == null else seat.entity
+	reader.clear()
+	_sent = []
+	_sent_aim = Vector2.ZERO
+	_mouse = Vector2.ZERO
+	var views: Array[SeatView] = []
+	if seat != null:
+		views = views_of(seat)
+	_look_through(views[0] if not views.is_empty() else null)
+	seat_changed.emit(seat)
+
+
+func _look_through(p_view: SeatView) -> void:
+	if is_instance_valid(view):
+		view.set_active(false)
+	view = p_view
+	if view != null:
+		view.set_active(true)
+	view_changed.emit(view)
