@@ -7,21 +7,36 @@ extends Area3D
 ## Only the server carries, and everybody sees it: a person's pose is simulated, sent and shown in
 ## the frame of the body, so that nobody slides on it. Set the collision mask to the layer of
 ## people.
+##
+## With [member holds] the motion goes exactly with the body: nobody slides on it. Without, friction
+## alone carries, and who cannot hold on is thrown off: on vehicles.
 
 ## The bone whose body counts as standing here.
 const BONE: StringName = &"Hips"
+## So many ticks apart it looks for people who are here and not carried: who has left a seat.
+const _PERIOD_TICKS: int = 12
 
 ## The entity whose body carries.
 @export var entity: Entity:
 	set(p_value):
 		entity = p_value
 		update_configuration_warnings()
+## Whether people go exactly with the body.
+@export var holds: bool = true
 
 
 func _ready() -> void:
 	if not Engine.is_editor_hint():
 		body_entered.connect(_on_body_entered)
 		body_exited.connect(_on_body_exited)
+
+
+func _physics_process(_delta: float) -> void:
+	if Engine.is_editor_hint() or Engine.get_physics_frames() % _PERIOD_TICKS != 0:
+		return
+	if entity != null and entity.is_authority():
+		for body: Node3D in get_overlapping_bodies():
+			_on_body_entered(body)
 
 
 func _get_configuration_warnings() -> PackedStringArray:
@@ -32,7 +47,7 @@ func _get_configuration_warnings() -> PackedStringArray:
 
 func _on_body_entered(p_body: Node3D) -> void:
 	if _is_meant(p_body):
-		entity.get_host().carry(p_body, entity.id)
+		entity.get_host().carry(p_body, entity.id, holds)
 
 
 func _on_body_exited(p_body: Node3D) -> void:

@@ -20,19 +20,23 @@ extends RefCounted
 ## Who possesses what, on the server; null on a client.
 @abstract func possession() -> Possession
 
-## Carries the people of a session in the frame of an entity's body from now on, on the server;
-## [param p_seat] is where they sit in it. See [Seat].
-@abstract func attach(p_session: int, p_entity: int, p_seat: Transform3D) -> void
+## Carries the people of a session in a seat of an entity from now on, on the server.
+@abstract func attach(p_session: int, p_entity: int, p_seat: Seat) -> void
 
 ## Ends what [method attach] began.
 @abstract func detach(p_session: int) -> void
 
 ## Carries a person in the frame of an entity's body from now on, as the person stands there, on the
-## server; [param p_limb] is one of the person's bodies. See [CarryArea].
-@abstract func carry(p_limb: Node3D, p_entity: int) -> void
+## server; [param p_limb] is one of the person's bodies. With [param p_holds] the motion goes with the
+## body, otherwise as far as feet or back hold on it. See [CarryArea].
+@abstract func carry(p_limb: Node3D, p_entity: int, p_holds: bool) -> void
 
 ## Puts a person whom the entity carries back on the ground, on the server.
 @abstract func put_down(p_limb: Node3D, p_entity: int) -> void
+
+## Tells a session, and the instructors, that what it commanded cannot be done now, and why; on the
+## server.
+@abstract func refuse(p_session: int, p_why: String) -> void
 
 ## Number of the entity to whose body a node belongs, on the server; -1 if it is part of none.
 @abstract func find_by_body(p_body: Node3D) -> int

@@ -37,17 +37,20 @@ class Host:
 	func possession() -> Possession:
 		return possessed
 
-	func attach(_session: int, _entity: int, _seat: Transform3D) -> void:
+	func attach(_session: int, _entity: int, _seat: Seat) -> void:
 		pass
 
 	func detach(_session: int) -> void:
 		pass
 
-	func carry(_limb: Node3D, _entity: int) -> void:
+	func carry(_limb: Node3D, _entity: int, _holds: bool) -> void:
 		pass
 
 	func put_down(_limb: Node3D, _entity: int) -> void:
 		pass
+
+	func refuse(_session: int, p_why: String) -> void:
+		Log.info("entity", p_why)
 
 	func find_by_body(p_body: Node3D) -> int:
 		for id: int in nodes:

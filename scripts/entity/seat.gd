@@ -10,6 +10,10 @@ extends Interactable
 ## a field of its own and [constant TAKE] a value, the index; commands that belong to one of them
 ## name its field in [member EntitySchema.seat]. A session sits once: taking a seat leaves the one
 ## before.
+##
+## A seat may move in its body, as below a turret: who sits there goes with it. The occupant faces
+## the seat's +Z. Scripts of special seats override [method hold], [method frame_in_body] and the
+## ways in and out.
 
 ## Somebody has taken or left the seat; 0 is nobody. On every machine.
 signal occupied(p_session: int)
@@ -104,20 +108,62 @@ func take(p_session: int) -> bool:
 	possession.sit(p_session, self)
 	entity.set_value(occupant_field, p_session)
 	if carries_people:
-		entity.get_host().attach(p_session, entity.id, transform_in_body())
+		entity.get_host().attach(p_session, entity.id, self)
 	return true
 
 
-## Where the seat is in the frame of the entity's body, m.
-func transform_in_body() -> Transform3D:
-	return entity.get_body().global_transform.affine_inverse() * global_transform
+## Where the seat is in the frame of the entity's body, m, turned as the occupant is to face: +Z.
+func frame_in_body() -> Transform3D:
+	# Node by node: the body's own transform in the tree may be a tick old, its parts' are not.
+	var frame: Transform3D = transform
+	var node: Node3D = get_parent_node_3d()
+	while node != null and node != entity.get_body():
+		frame = node.transform * frame
+		node = node.get_parent_node_3d()
+	return frame.orthonormalized()
+
+
+## How the occupant's body is held; null: it is not, only its motion goes with the seat.
+func hold() -> SeatHold:
+	return null
+
+
+## Points of the way of somebody's feet (m, in the body's frame) from a place to [method mouth];
+## empty: at once.
+func way_in(_from: Vector3) -> PackedVector3Array:
+	return PackedVector3Array()
+
+
+## The way back from [method mouth]: to a place that is free. [param p_is_free] takes a point in the
+## body's frame. Empty: the occupant stays where the seat is.
+func way_out(_is_free: Callable) -> PackedVector3Array:
+	return PackedVector3Array()
+
+
+## Where feet come to before they go down into the seat, m, in the body's frame.
+func mouth() -> Vector3:
+	return frame_in_body().origin
+
+
+## Bodies besides the entity's that whoever climbs must not push, such as wheels.
+func neighbours() -> Array[RID]:
+	return []
+
+
+## Why the occupant cannot leave now, for people; empty: it can be left.
+func find_hindrance() -> String:
+	return ""
 
 
 func _on_commanded(p_session: int, p_command: StringName, p_values: PackedFloat32Array) -> void:
 	if p_command == TAKE and (p_values.is_empty() or int(p_values[0]) == index):
 		take(p_session)
 	elif p_command == LEAVE and occupant() == p_session:
-		vacate()
+		var hindrance: String = find_hindrance()
+		if hindrance == "":
+			vacate()
+		else:
+			entity.get_host().refuse(p_session, hindrance)
 
 
 func _on_field_changed(p_field: StringName, p_value: float) -> void:

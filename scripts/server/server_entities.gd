@@ -143,21 +143,33 @@ func session() -> int:
 	return 0
 
 
-func carry(p_limb: Node3D, p_entity: int) -> void:
+func carry(p_limb: Node3D, p_entity: int, p_holds: bool) -> void:
 	var node: Entity = _nodes.get(p_entity)
 	var person: ServerPerson = _people.find_by_limb(p_limb)
-	if node != null and node.get_body() != null and person != null and person.carrier == null:
+	if node == null or node.get_body() == null or person == null or person.carrier != null:
+		return
+	if p_holds:
 		var frame: Transform3D = person.ragdoll.motor.get_frame()
 		var to_body: Transform3D = node.get_body().global_transform.affine_inverse()
 		_people.attach_person(person, p_entity, node.get_body(), to_body * frame)
+	else:
+		_people.let_ride(person, p_entity, node.get_body())
 
 
 func put_down(p_limb: Node3D, p_entity: int) -> void:
 	var node: Entity = _nodes.get(p_entity)
 	var person: ServerPerson = _people.find_by_limb(p_limb)
+	if person == null or node == null or person.carrier != node.get_body():
+		return
 	# An occupant whose seat leaves the area stays in it.
-	if person != null and node != null and person.carrier == node.get_body():
+	if person.sitting == null:
 		_people.detach_person(person)
+
+
+func refuse(p_session: int, p_why: String) -> void:
+	var session: Session = _link.session(p_session)
+	if session != null:
+		command_refused.emit(p_session, "%s: %s" % [session.describe(), p_why])
 
 
 func find_by_body(p_body: Node3D) -> int:
@@ -174,7 +186,7 @@ func possession() -> Possession:
 	return _possession
 
 
-func attach(p_session: int, p_entity: int, p_seat: Transform3D) -> void:
+func attach(p_session: int, p_entity: int, p_seat: Seat) -> void:
 	var node: Entity = _nodes.get(p_entity)
 	if node != null and node.get_body() != null:
 		_people.attach(p_session, p_entity, node.get_body(), p_seat)

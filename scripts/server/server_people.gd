@@ -36,6 +36,8 @@ var _avatars: PackedStringArray = PackedStringArray()
 ## Ticks until the bodies of a new level are in the physics space; 0: they are.
 var _settling: int = 0
 var _plain_type: EntityType = EntityType.person()
+## What somebody needs who stands up somewhere.
+var _standing_room: CapsuleShape3D = CapsuleShape3D.new()
 
 
 ## Sets the table of entities and the maximum of people.
@@ -48,6 +50,8 @@ func setup(p_table: EntityTable, p_max_people: int = PeopleChanges.DEFAULT_MAX) 
 	changes.root_mode = root_mode
 	changes.made.connect(_on_made)
 	changes.left.connect(_remove)
+	_standing_room.radius = 0.28
+	_standing_room.height = 1.5
 
 
 func _exit_tree() -> void:
@@ -121,6 +125,7 @@ func _remove(p_key: int) -> void:
 	_gone.resize(mini(_gone.size(), _REMEMBERED))
 	_table.despawn(person.id)
 	# Before its limbs leave the areas that carry people.
+	person.let_go()
 	_people.erase(p_key)
 	_positions.release(p_key)
 	changes.discard(person.ragdoll)
@@ -195,8 +200,7 @@ func describe(p_row: RosterRow) -> void:
 ## Removes everybody from the table: the level goes.
 func leave() -> void:
 	for person: ServerPerson in _people.values():
-		person.carrier = null
-		person.carrier_id = -1
+		person.let_go()
 		_table.despawn(person.id)
 
 
@@ -221,15 +225,29 @@ func _stand_up() -> void:
 			person_attached.emit(_people[key], -1)
 
 
-## Has a body carry all people of a session: their own frame is where [param p_seat] is in the
-## body's, with the first one's hips above it.
-func attach(p_session: int, p_entity: int, p_carrier: PhysicsBody3D, p_seat: Transform3D) -> void:
+## Has a seat of an entity carry the people of a session: the first of them, if the seat holds
+## bodies, or all.
+func attach(p_session: int, p_entity: int, p_carrier: PhysicsBody3D, p_seat: Seat) -> void:
 	for person: ServerPerson in _of_session(p_session):
-		var at: Vector3 = person.origin
-		if person.newest != null:
-			at += person.newest.root * person.scale
-		at.y = 0.0
-		attach_person(person, p_entity, p_carrier, p_seat.translated_local(-at))
+		seat_person(person, p_entity, p_carrier, p_seat)
+		if person.sitting.hold != null:
+			break
+
+
+## Has a seat carry one person.
+func seat_person(
+	p_person: ServerPerson, p_entity: int, p_carrier: PhysicsBody3D, p_seat: Seat
+) -> void:
+	var is_inside: bool = p_person.sitting != null and p_person.carrier == p_carrier
+	p_person.let_go()
+	p_person.sitting = PersonSeat.new(p_person, p_seat, p_carrier, is_inside)
+	attach_person(p_person, p_entity, p_carrier, Transform3D.IDENTITY)
+
+
+## Notes that one person stands or lies on a body that may move: friction alone carries.
+func let_ride(p_person: ServerPerson, p_entity: int, p_carrier: PhysicsBody3D) -> void:
+	p_person.rides = true
+	attach_person(p_person, p_entity, p_carrier, Transform3D.IDENTITY)
 
 
 ## Has a body carry one person, whose own frame is in the body's from now on.
@@ -250,22 +268,69 @@ func find_by_limb(p_limb: Node3D) -> ServerPerson:
 	return null
 
 
-## Puts the people of a session back on their own feet, where they are.
+## Puts the people of a session back on their own feet: where they are, or where a seat's way out
+## leads.
 func detach(p_session: int) -> void:
 	for person: ServerPerson in _of_session(p_session):
-		detach_person(person)
+		var sits: bool = person.sitting != null and is_instance_valid(person.carrier)
+		if person.carrier == null or person.rides:
+			continue
+		if not sits or not person.sitting.leave(_is_free.bind(person.carrier)):
+			detach_person(person)
 
 
 ## Puts one person back on the ground's frame, where it is.
 func detach_person(p_person: ServerPerson) -> void:
 	if p_person.carrier == null:
 		return
-	var frame: Transform3D = p_person.carrier.global_transform * p_person.seat
-	p_person.carrier = null
-	p_person.carrier_id = -1
+	var motor: RagdollMotor = p_person.ragdoll.motor
+	var frame: Transform3D = motor.get_frame()
+	if not p_person.rides and p_person.sitting == null:
+		frame = p_person.carrier.global_transform * p_person.seat
+	elif p_person.sitting != null and p_person.sitting.hold != null:
+		frame = _upright(p_person, frame)
+	var was_moved: bool = not p_person.rides
+	p_person.let_go()
 	# The frame stays turned as it is, so that getting off turns nobody.
-	p_person.ragdoll.motor.set_frame(frame)
+	if was_moved:
+		motor.set_frame(frame)
 	person_attached.emit(p_person, -1)
+
+
+## A frame as it is on the ground: upright, and so that the hips stay where the motion has them.
+func _upright(p_person: ServerPerson, p_frame: Transform3D) -> Transform3D:
+	var root: Vector3 = p_person.origin
+	if p_person.newest != null:
+		root += p_person.newest.root * p_person.scale
+	var feet: Vector3 = p_frame * Vector3(root.x, 0.0, root.z)
+	var ray: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.create(
+		feet + Vector3.UP, feet + Vector3.DOWN * 2.0, PhysicsLayers.STATIC | PhysicsLayers.PROPS
+	)
+	var hit: Dictionary = get_world_3d().direct_space_state.intersect_ray(ray)
+	if not hit.is_empty():
+		feet.y = (hit["position"] as Vector3).y
+	var turn: Basis = Basis(Vector3.UP, p_frame.basis.get_euler().y)
+	return Transform3D(turn, feet - turn * Vector3(root.x, p_person.origin.y, root.z))
+
+
+## Whether somebody could stand at a place in a body's frame: there is ground, and nothing above it.
+func _is_free(p_place: Vector3, p_body: PhysicsBody3D) -> bool:
+	var space: PhysicsDirectSpaceState3D = get_world_3d().direct_space_state
+	var at: Vector3 = p_body.global_transform * p_place
+	var mask: int = PhysicsLayers.STATIC | PhysicsLayers.PROPS
+	var ray: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.create(
+		at + Vector3.UP, at + Vector3.DOWN * 2.0, mask, [p_body.get_rid()]
+	)
+	var hit: Dictionary = space.intersect_ray(ray)
+	if hit.is_empty():
+		return false
+	var query: PhysicsShapeQueryParameters3D = PhysicsShapeQueryParameters3D.new()
+	query.shape = _standing_room
+	query.collision_mask = mask
+	query.exclude = [p_body.get_rid()]
+	var feet: Vector3 = hit["position"]
+	query.transform = Transform3D(Basis.IDENTITY, feet + Vector3.UP * 1.15)
+	return space.intersect_shape(query, 1).is_empty()
 
 
 func _enter(p_person: ServerPerson) -> void:
@@ -292,10 +357,11 @@ func _carry(p_delta_s: float) -> void:
 	for person: ServerPerson in _people.values():
 		if person.carrier != null and is_instance_valid(person.carrier):
 			person.follow_carrier(p_delta_s)
+			if person.sitting != null and person.sitting.phase == PersonSeat.Phase.GONE:
+				detach_person(person)
 		elif person.carrier_id >= 0:
 			# What carried it was freed: its frame stays where it was last.
-			person.carrier = null
-			person.carrier_id = -1
+			person.let_go()
 			person_attached.emit(person, -1)
 
 

@@ -36,6 +36,11 @@ var carrier: PhysicsBody3D = null
 var carrier_id: int = -1
 ## See [member carrier].
 var seat: Transform3D = Transform3D.IDENTITY
+## Whether the carrier is only what the person stands or lies on: friction carries, the frame is that
+## of the wire alone.
+var rides: bool = false
+## The seat that the person takes, sits in or leaves, or null.
+var sitting: PersonSeat = null
 ## Scales the wearer's travel to the body's build.
 var scale: float = 1.0
 ## Samples that were too old.
@@ -58,7 +63,8 @@ func stand_at(p_start: Transform3D) -> void:
 func push_sample(p_sample: PoseSample, p_now_s: float) -> void:
 	var sample_s: float = p_sample.time_usec / 1e6
 	var root: Vector3 = p_sample.root * scale + origin
-	if ragdoll.push_sample(sample_s, p_sample, root):
+	var driving: PoseSample = p_sample if sitting == null else sitting.fit(p_sample)
+	if ragdoll.push_sample(sample_s, driving, root):
 		newest = p_sample
 		refused_in_a_row = 0
 		clock.arrived(sample_s, p_now_s)
@@ -76,11 +82,29 @@ func push_sample(p_sample: PoseSample, p_now_s: float) -> void:
 
 ## Moves the own frame to where the carrier will be after a step of this length, s.
 func follow_carrier(p_delta_s: float) -> void:
+	if rides:
+		return
+	if sitting != null:
+		seat = sitting.advance(p_delta_s)
+		sitting.pull(p_delta_s)
 	var state: PhysicsDirectBodyState3D = PhysicsServer3D.body_get_direct_state(carrier.get_rid())
 	var next: Transform3D = carrier.global_transform
 	if state != null:
-		next = _moved(state.transform, state.linear_velocity, state.angular_velocity, p_delta_s)
+		# The engine's velocity is that of the centre of mass.
+		var moves: Vector3 = state.linear_velocity
+		moves -= state.angular_velocity.cross(state.center_of_mass)
+		next = _moved(state.transform, moves, state.angular_velocity, p_delta_s)
 	ragdoll.motor.set_frame(next * seat)
+
+
+## Ends all that carries the person, wherever that leaves it.
+func let_go() -> void:
+	if sitting != null:
+		sitting.release()
+	sitting = null
+	carrier = null
+	carrier_id = -1
+	rides = false
 
 
 ## Gives an encoder the sample that moved the person in a tick that ended at a time, µs.

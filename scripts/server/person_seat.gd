@@ -1,0 +1,342 @@
+class_name PersonSeat
+extends RefCounted
+## Somebody in a [Seat]: the way in, the frame that goes with the seat, the hold of the hips, and the
+## way out.
+##
+## Places are in the frame of the seat's body, m.
+
+enum Phase {
+	## On the way in.
+	COMING,
+	## In the seat.
+	SITTING,
+	## On the way out.
+	LEAVING,
+	## Outside.
+	GONE,
+}
+
+## How long a way takes at most, s, and how fast feet go along it, m/s.
+const WAY_S: float = 2.0
+const WAY_SPEED: float = 2.5
+## Who is not there after so much more time, s, is put there.
+const PATIENCE_S: float = 1.0
+## Hips that are within this of their place have come, m.
+const ARRIVED_M: float = 0.08
+## Nobody climbs from further away than this, m: who sits down from there is there at once.
+const FURTHEST_M: float = 12.0
+## Force on somebody who climbs, and on hips that have left the room that they have, N.
+const FORCE: float = 6000.0
+const STRONG_FORCE: float = 20000.0
+## How far hips may be outside of their room until then, m.
+const SLACK_M: float = 0.03
+## How long the hips take to follow the motion's, s.
+const SMOOTH_S: float = 0.03
+## A seat that turns by more than this in a step (rad) has been put so.
+const _JUMP: float = 0.2
+
+## What the phase is.
+var phase: Phase = Phase.COMING
+## The seat; may have been freed.
+var seat: Seat = null
+## How it holds; null: not at all.
+var hold: SeatHold = null
+
+var _body: PhysicsBody3D = null
+var _person: ServerPerson = null
+var _joint: SeatJoint = null
+var _neighbours: Array[RID] = []
+## The person's own frame in that of the seat.
+var _offset: Transform3D = Transform3D.IDENTITY
+var _seat_before: Transform3D = Transform3D.IDENTITY
+## Points of the feet on the way; the seat's own follow.
+var _way: PackedVector3Array = []
+var _from: Transform3D = Transform3D.IDENTITY
+var _time_s: float = 0.0
+var _duration_s: float = 0.0
+var _target: Vector3 = Vector3.ZERO
+## The person's own frame at the end of the last step, and the motion's hips there, smoothed.
+var _frame: Transform3D = Transform3D.IDENTITY
+var _hips: Vector3 = Vector3.ZERO
+var _lengths: Vector3 = Vector3.ZERO
+var _exempt: Array[int] = []
+var _before: Dictionary[StringName, float] = {}
+
+
+## Somebody takes a seat of a body. [param p_is_inside]: out of another seat of it.
+func _init(p_person: ServerPerson, p_seat: Seat, p_body: PhysicsBody3D, p_is_inside: bool) -> void:
+	_person = p_person
+	seat = p_seat
+	hold = p_seat.hold()
+	_body = p_body
+	_seat_before = p_seat.frame_in_body()
+	if hold == null:
+		_offset = Transform3D(Basis.IDENTITY, -_level(_root()))
+		phase = Phase.SITTING
+		return
+	_lengths = SeatedPose.lengths_of(p_person.ragdoll.profile)
+	_begin_hold()
+	var here: Vector3 = _joint.place()
+	_from = _body_transform().affine_inverse() * p_person.ragdoll.motor.get_frame()
+	var feet: Vector3 = here - _seat_before.basis.y * _root().y
+	var is_far: bool = here.distance_to(_seat_before.origin) > FURTHEST_M
+	if not p_is_inside and not is_far:
+		_way = p_seat.way_in(feet)
+	_target = here
+	_hips = _root()
+	_frame = _from
+	_way.insert(0, feet)
+	_duration_s = _duration_of(_path())
+	_meet(p_person, [])
+	if is_far or p_seat.way_in(feet).is_empty():
+		_time_s = _duration_s
+		_sit()
+		put()
+
+
+## Begins the way out. Returns false where there is none: who sat there is out at once.
+func leave(p_is_free: Callable) -> bool:
+	if hold == null or phase == Phase.GONE or not is_instance_valid(seat):
+		return false
+	if phase == Phase.LEAVING:
+		return true
+	_way = seat.way_out(p_is_free)
+	if _way.is_empty():
+		return false
+	phase = Phase.LEAVING
+	_enclose(false)
+	_from = _frame
+	_way.insert(0, _from * _level(_root()))
+	_time_s = 0.0
+	_duration_s = _duration_of(_path())
+	_meet(_person, [])
+	return true
+
+
+## The person's own frame in that of the body at the end of the next step, of a length, s.
+func advance(p_delta_s: float) -> Transform3D:
+	var now: Transform3D = _seat_before
+	if is_instance_valid(seat):
+		now = seat.frame_in_body()
+	var next: Transform3D = now * (_seat_before.affine_inverse() * now)
+	if now.basis.get_rotation_quaternion().angle_to(_seat_before.basis.get_rotation_quaternion()) > _JUMP:
+		next = now
+	_seat_before = now
+	_time_s += p_delta_s
+	_frame = (next * _offset).orthonormalized() if phase == Phase.SITTING else _climb(next)
+	return _frame
+
+
+## Pulls the hips for the next step, after [method advance].
+func pull(p_delta_s: float) -> void:
+	if _joint == null:
+		return
+	var from: Vector3 = _target
+	# Samples come unevenly.
+	_hips = _hips.lerp(_root(), 1.0 - exp(-p_delta_s / SMOOTH_S))
+	_target = _frame * _hips
+	var up: float = FORCE
+	var side: float = FORCE
+	var down: float = FORCE
+	if phase == Phase.SITTING:
+		_target = _clamped(_target)
+		up = hold.support_force
+		side = hold.side_force
+		down = hold.down_force
+		var place: Vector3 = _joint.place()
+		if _clamped(place).distance_to(place) > SLACK_M:
+			up = STRONG_FORCE
+			side = STRONG_FORCE
+			down = STRONG_FORCE
+	_joint.pull(from, _target, side, up, down, p_delta_s)
+	if phase == Phase.COMING and _time_s >= _duration_s:
+		_arrive()
+	elif phase == Phase.LEAVING and _time_s >= _duration_s:
+		phase = Phase.GONE
+
+
+## A sample as it drives the body in this seat.
+func fit(p_sample: PoseSample) -> PoseSample:
+	if hold == null or phase != Phase.SITTING:
+		return p_sample
+	var frame: Transform3D = _seat_before
+	var height: float = (frame.affine_inverse() * _target).y
+	return SeatedPose.fit(p_sample, hold, height, _lengths)
+
+
+## Where the hips are in the seat's frame, m.
+func hips_in_seat() -> Vector3:
+	return _seat_before.affine_inverse() * _joint.place() if _joint != null else Vector3.ZERO
+
+
+## Ends it: before person or body go.
+func release() -> void:
+	phase = Phase.GONE
+	if _joint == null:
+		return
+	_joint.release()
+	_joint = null
+	if is_instance_valid(_body) and _body.tree_exiting.is_connected(release):
+		_body.tree_exiting.disconnect(release)
+	if _person.ragdoll == null or _person.ragdoll.motor == null:
+		return
+	_meet(_person, range(_person.ragdoll.get_bodies().size()))
+	_enclose(false)
+	var motor: RagdollMotor = _person.ragdoll.motor
+	motor.root_mode = int(_before[&"root_mode"]) as RagdollMotor.RootMode
+	motor.root_force = _before[&"root_force"]
+
+
+## Puts the body into its place at once.
+func put() -> void:
+	var motor: RagdollMotor = _person.ragdoll.motor
+	if _person.newest == null:
+		return
+	_frame = _seat_before * _offset
+	_hips = _root()
+	motor.set_frame(_body_transform() * _frame)
+	motor.snap_to(_person.moment_s)
+	_target = _clamped(_joint.place())
+
+
+func _begin_hold() -> void:
+	var motor: RagdollMotor = _person.ragdoll.motor
+	_before = {&"root_mode": float(motor.root_mode), &"root_force": motor.root_force}
+	# The joint to the seat holds the hips, not one to the world; that keeps them upright.
+	motor.root_mode = RagdollMotor.ROOT_SOFT
+	motor.root_force = 0.0
+	_joint = SeatJoint.new(_body.get_rid(), _person.ragdoll)
+	_body.tree_exiting.connect(release)
+	_neighbours = seat.neighbours()
+
+
+## The way is done: the hold begins where the hips are near enough.
+func _arrive() -> void:
+	var wanted: Vector3 = _clamped(_target)
+	if _joint.place().distance_to(wanted) < ARRIVED_M:
+		_sit()
+	elif _time_s > _duration_s + PATIENCE_S:
+		_sit()
+		put()
+
+
+func _sit() -> void:
+	var root: Vector3 = _root()
+	var turn: Basis = _facing()
+	phase = Phase.SITTING
+	var middle: Vector3 = Vector3(root.x, 0.0 if _stands() else root.y, root.z)
+	_offset = Transform3D(turn, turn * -middle)
+	_meet(_person, _limbs_that_meet())
+	_enclose(hold.is_enclosed)
+
+
+## The frame on a way, before the seat's one at the step's end.
+func _climb(p_seat: Transform3D) -> Transform3D:
+	var path: PackedVector3Array = _path()
+	var share: float = clampf(_time_s / maxf(_duration_s, 0.01), 0.0, 1.0)
+	share = smoothstep(0.0, 1.0, share)
+	var feet: Vector3 = _along(path, share * _length(path))
+	var to: Basis = p_seat.basis * _facing()
+	var turn: Basis = _from.basis.orthonormalized().slerp(to, share)
+	if phase == Phase.LEAVING:
+		turn = _from.basis.orthonormalized()
+	return Transform3D(turn, feet - turn * _level(_root()))
+
+
+## The points of the feet, with those that move with the seat.
+func _path() -> PackedVector3Array:
+	var path: PackedVector3Array = _way.duplicate()
+	if phase == Phase.COMING and is_instance_valid(seat):
+		if _way.size() > 1:
+			path.append(seat.mouth())
+		var down: float = 0.0 if _stands() else _root().y
+		path.append(_seat_before.origin - _seat_before.basis.y * down)
+	return path
+
+
+## Where the nearest place is that the hips may have.
+func _clamped(p_place: Vector3) -> Vector3:
+	var at: Vector3 = _seat_before.affine_inverse() * p_place
+	var across: Vector2 = Vector2(at.x, at.z).limit_length(hold.room)
+	at = Vector3(across.x, clampf(at.y, hold.lowest, hold.highest), across.y)
+	return _seat_before * at
+
+
+func _stands() -> bool:
+	return hold.legs != SeatHold.Legs.SITTING
+
+
+## Turns the wearer so that whoever sits down looks ahead, whichever way that is in reality.
+func _facing() -> Basis:
+	if _person.newest == null:
+		return Basis.IDENTITY
+	var facing: Quaternion = SeatedPose.facing_of(_person.newest.orientation(Limbs.HIPS))
+	return Basis(facing.inverse())
+
+
+## Where the motion has the hips in the person's own frame, m.
+func _root() -> Vector3:
+	if _person.newest == null:
+		return _person.origin + Vector3.UP * _person.ragdoll.get_hip_height()
+	return _person.newest.root * _person.scale + _person.origin
+
+
+func _level(p_root: Vector3) -> Vector3:
+	return Vector3(p_root.x, 0.0, p_root.z)
+
+
+func _body_transform() -> Transform3D:
+	return PhysicsServer3D.body_get_direct_state(_body.get_rid()).transform
+
+
+func _limbs_that_meet() -> Array[int]:
+	var limbs: Array[int] = []
+	if not hold.meets_vehicle:
+		return limbs
+	var order: PackedInt32Array = _person.ragdoll.get_limb_order()
+	for limb: int in range(Limbs.SPINE, Limbs.LEFT_UPPER_LEG):
+		if order[limb] >= 0:
+			limbs.append(order[limb])
+	return limbs
+
+
+## Has only these limbs collide with the body and its neighbours.
+func _meet(p_person: ServerPerson, p_limbs: Array) -> void:
+	var others: Array[RID] = _neighbours.duplicate()
+	if is_instance_valid(_body):
+		others.append(_body.get_rid())
+	var bodies: Array[RID] = p_person.ragdoll.get_bodies()
+	for limb: int in bodies.size():
+		for other: RID in others:
+			if p_limbs.has(limb):
+				PhysicsServer3D.body_remove_collision_exception(bodies[limb], other)
+			else:
+				PhysicsServer3D.body_add_collision_exception(bodies[limb], other)
+
+
+## Who is inside meets nothing.
+func _enclose(p_is_inside: bool) -> void:
+	for body: RID in _person.ragdoll.get_bodies():
+		PhysicsServer3D.body_set_collision_layer(body, 0 if p_is_inside else PhysicsLayers.PEOPLE)
+		PhysicsServer3D.body_set_collision_mask(body, 0 if p_is_inside else PhysicsLayers.ALL)
+
+
+func _duration_of(p_path: PackedVector3Array) -> float:
+	return clampf(_length(p_path) / WAY_SPEED, 0.3, WAY_S)
+
+
+static func _length(p_path: PackedVector3Array) -> float:
+	var length: float = 0.0
+	for point: int in range(1, p_path.size()):
+		length += p_path[point].distance_to(p_path[point - 1])
+	return length
+
+
+static func _along(p_path: PackedVector3Array, p_way: float) -> Vector3:
+	var left: float = p_way
+	for point: int in range(1, p_path.size()):
+		var step: float = p_path[point].distance_to(p_path[point - 1])
+		if left <= step:
+			return p_path[point - 1].lerp(p_path[point], left / maxf(step, 1e-6))
+		left -= step
+	return p_path[p_path.size() - 1]
