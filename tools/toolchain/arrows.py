@@ -18,6 +18,8 @@ from .paths import ROOT
 
 ORDER = Path(__file__).with_name("arrows.txt")
 FEATURES = "features"
+# Levels put together what features offer: they may have vehicles, which know the world.
+LEVELS = "levels"
 OWN = "."
 
 _TOKEN = re.compile(
@@ -128,6 +130,8 @@ def _inner(folder: str) -> str:
 def folder_of(path: str) -> str:
     """The folder below scripts/ or scenes/ that a file counts as: scenes do as their feature."""
     parts = PurePosixPath(path).parts
+    if parts[:2] == ("scenes", "world") and parts[-1] == f"{parts[2]}.tscn":
+        return LEVELS
     if parts[0] == "scenes":
         return parts[1]
     return "/".join(parts[1:-1])

@@ -33,6 +33,13 @@ const SUNS: Array[Vector3] = [
 ]
 ## Distance of the points of the ground that throws back light, m.
 const GROUND_M: float = 4.0
+## Where vehicles stand: x and z, m.
+const VEHICLES: Dictionary[String, Vector2] = {
+	"tank": Vector2(26.0, 10.0),
+	"carrier": Vector2(20.0, 15.0),
+	"truck": Vector2(34.0, 16.0),
+	"scootmobile": Vector2(27.0, 2.5),
+}
 
 var _layout: Dictionary = {}
 var _field: HeightField = null
@@ -51,6 +58,7 @@ func _initialize() -> void:
 	_bake()
 	_add_spawns()
 	_add_props()
+	_add_vehicles()
 	_add_lamps()
 	var is_saved: bool = Scenes.save(_level, FOLDER + "desert.tscn")
 	print("desert: %d parts, %d vertices" % [_parts.names.size(), _parts.count()])
@@ -231,6 +239,18 @@ func _add_props() -> void:
 		var prop: RigidBody3D = crate.instantiate()
 		prop.position = _ground(place.x, place.y) + Vector3.UP * 0.27
 		_add(_level.props_root, prop, "Crate%d" % (_level.props_root.get_child_count() + 1))
+
+
+## Vehicles to drive, beside where people start, looking east.
+func _add_vehicles() -> void:
+	for name: String in VEHICLES:
+		var scene: PackedScene = load("res://scenes/vehicle/%s/%s.tscn" % [name, name])
+		var vehicle: Node3D = scene.instantiate()
+		var at: Vector2 = VEHICLES[name]
+		vehicle.transform = Transform3D(
+			Basis(Vector3.UP, -PI / 2.0), _ground(at.x, at.y) + Vector3.UP * 0.1
+		)
+		_add(_level.props_root, vehicle, name.capitalize())
 
 
 func _save_material() -> void:
