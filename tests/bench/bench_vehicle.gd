@@ -3,11 +3,13 @@ extends SceneTree
 ## random driving.
 ##
 ## Options: --preset=tank|carrier|truck|scootmobile (default tank), --gear=spheres|rays (default
-## both where the preset has both), --scene=published|compare|cost|mishaps|random (again for more;
-## default all), --seeds=3, --minutes=1 (of random, for each seed; 20 and 10 are the goal's),
-## --world=NAME (of random: desert, town or crates; default one after the other).
+## both where the preset has both), --scene=published|compare|cost|mishaps|hatch|stabiliser|random (again
+## for more; default all), --seeds=3, --minutes=1 (of random, for each seed; 20 and 10 are the
+## goal's; of hatch and stabiliser, for each case; 5 are the goal's), --world=NAME (of random: desert, town or crates; default one after the other).
 
-const _SCENES: Array[String] = ["published", "compare", "cost", "mishaps", "random"]
+const _SCENES: Array[String] = [
+	"published", "compare", "cost", "mishaps", "hatch", "stabiliser", "random"
+]
 const _KINDS: Dictionary[String, VehicleParameters.GearKind] = {
 	"spheres": VehicleParameters.GearKind.SPHERES,
 	"rays": VehicleParameters.GearKind.RAYS,
@@ -65,6 +67,12 @@ func _run() -> void:
 			"mishaps":
 				for gear: String in _gears():
 					await VehicleMishaps.run(self, _report, _preset(), gear, _KINDS[gear])
+			"hatch":
+				for gear: String in _gears_of_tank():
+					await VehicleHatch.run(self, _report, gear, _KINDS[gear], _minutes())
+			"stabiliser":
+				for gear: String in _gears_of_tank():
+					await VehicleStabiliser.run(self, _report, gear, _KINDS[gear], _minutes())
 			"random":
 				for gear: String in _gears():
 					_run_random(gear)
@@ -73,6 +81,15 @@ func _run() -> void:
 
 func _preset() -> String:
 	return _arguments.value("preset")
+
+
+func _minutes() -> float:
+	return _arguments.value("minutes")
+
+
+## The running gears that are meant, of scenes about the tank's turret.
+func _gears_of_tank() -> PackedStringArray:
+	return _gears() if _preset() == "tank" else PackedStringArray()
 
 
 ## The running gears that are meant: those that the preset has.

@@ -10,11 +10,11 @@ const END_M: float = 500.0
 const PIECE_M: float = 0.25
 
 
-## The road from behind the origin on along -Z.
-static func create() -> StaticBody3D:
+## The road from behind the origin on along -Z, up to a distance, m.
+static func create(p_end_m: float = END_M) -> StaticBody3D:
 	var faces: PackedVector3Array = PackedVector3Array()
 	var from: float = 20.0
-	while from > -END_M:
+	while from > -p_end_m:
 		var to: float = from - PIECE_M
 		var a: Vector3 = Vector3(-HALF_WIDTH_M, height_at(from), from)
 		var b: Vector3 = Vector3(HALF_WIDTH_M, height_at(from), from)

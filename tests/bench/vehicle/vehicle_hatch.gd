@@ -1,0 +1,160 @@
+class_name VehicleHatch
+extends RefCounted
+## The suited trainee in the commander's hatch: over level ground, over bumps, with the gun firing
+## and the turret turning; in and out a hundred times; and people on the deck.
+
+const CLIPS: Array[String] = ["", "01_01", "Boxing_Toes", "01_03"]
+## What a case drives over and does besides.
+const CASES: Array[String] = ["level", "bumps", "bumps, turret turns, a shot every 10 s"]
+const SPEED: float = 30.0 / 3.6
+const SETTLE_TICKS: int = 240
+## How far hips may be from the middle of a hatch of 0.31 m: what is left beside them.
+const MOST_ACROSS_M: float = 0.15
+const MOST_UP_M: float = 1.15
+const DEEPEST_M: float = 0.02
+const UPPER_DEG: float = 3.0
+const RECOIL_NS: float = 25e3
+const SHOT_TICKS: int = 600
+
+const _AT_MOST: BenchReport.Goal = BenchReport.Goal.AT_MOST
+const _AT_LEAST: BenchReport.Goal = BenchReport.Goal.AT_LEAST
+
+
+static func run(
+	p_tree: SceneTree,
+	p_report: BenchReport,
+	p_gear: String,
+	p_kind: VehicleParameters.GearKind,
+	p_minutes: float
+) -> void:
+	for case: String in CASES:
+		for clip: String in CLIPS:
+			var ride: VehicleHatch = VehicleHatch.new(p_tree, p_kind, case != "level", p_minutes)
+			await ride._ride(p_report, p_gear, case, clip)
+	await VehicleHatch.new(p_tree, p_kind, false, p_minutes)._change(p_report, p_gear)
+	await VehicleHatchDeck.run(p_tree, p_report, p_gear, p_kind)
+
+
+var _tree: SceneTree = null
+var _ground: VehicleGround = null
+var _vehicle: Vehicle = null
+var _turret: VehicleTurret = null
+var _seat: VehicleSeat = null
+var _rider: HatchRider = null
+var _minutes: float = 1.0
+var _tick: int = 0
+
+
+func _init(
+	p_tree: SceneTree, p_kind: VehicleParameters.GearKind, p_has_bumps: bool, p_minutes: float
+) -> void:
+	_tree = p_tree
+	_minutes = p_minutes
+	_ground = VehicleGround.new(p_tree.root)
+	if p_has_bumps:
+		_ground.view.add_child(VehicleBumps.create(VehicleBumps.END_M + SPEED * 60.0 * p_minutes))
+	else:
+		_ground.add_box(Vector3(6000, 2, 6000), Transform3D(Basis.IDENTITY, Vector3.DOWN))
+	_vehicle = _ground.add_vehicle("tank", p_kind, Transform3D(Basis.IDENTITY, Vector3.UP * 0.02))
+	_turret = _vehicle.get_node(^"Turret")
+	_seat = _vehicle.get_node(^"Turret/CommanderSeat")
+	var beside: Transform3D = Transform3D(Basis.IDENTITY, Vector3(-2.6, 0.0, -2.4))
+	_rider = HatchRider.new(_ground, _vehicle, beside)
+
+
+func _step() -> void:
+	_rider.drive()
+	await _tree.physics_frame
+	_rider.measure()
+	_tick += 1
+
+
+func _enter() -> void:
+	_rider.people.attach(HatchRider.SESSION, 1024, _vehicle, _seat)
+
+
+func _is_in() -> bool:
+	var sitting: PersonSeat = _rider.person.sitting
+	return sitting != null and sitting.phase == PersonSeat.Phase.SITTING
+
+
+func _ride(p_report: BenchReport, p_gear: String, p_case: String, p_clip: String) -> void:
+	for _number: int in 60:
+		await _step()
+	_enter()
+	for _number: int in SETTLE_TICKS:
+		await _step()
+	if p_clip != "":
+		_rider.play("res://assets/motion/%s.bvh" % p_clip)
+	var is_full: bool = p_case == CASES[2]
+	for _number: int in SETTLE_TICKS:
+		_drive()
+		await _step()
+	for number: int in roundi(_minutes * 3600.0):
+		_drive()
+		if is_full:
+			_turret.aim = Vector2(1.0, 0.0)
+			if number % SHOT_TICKS == 0:
+				_shoot()
+		await _step()
+		_rider.note()
+	_report_ride(p_report, p_gear, p_case, "stands" if p_clip == "" else p_clip)
+	_ground.free_all()
+	await _tree.physics_frame
+
+
+func _drive() -> void:
+	_vehicle.input.throttle = clampf(0.15 + 0.5 * (SPEED - VehicleGround.speed_of(_vehicle)), 0.0, 1.0)
+	var aside: float = _vehicle.position.x
+	_vehicle.input.steer = clampf(0.05 * aside + 0.6 * -_vehicle.global_basis.z.x, -0.5, 0.5)
+
+
+func _shoot() -> void:
+	var muzzle: Node3D = _turret.get_node(^"Gun/Muzzle")
+	_vehicle.apply_recoil(muzzle.global_basis.z * RECOIL_NS, muzzle.global_position)
+
+
+func _report_ride(p_report: BenchReport, p_gear: String, p_case: String, p_clip: String) -> void:
+	var name: String = "hatch, %s, %s: %s" % [p_gear, p_case, p_clip]
+	var kind: BenchReport.Goal = _AT_MOST if p_case == "level" else BenchReport.Goal.NONE
+	p_report.add(name, "upper body off its motion, mean", _rider.mean_deg(), "deg", kind, UPPER_DEG)
+	p_report.add(name, "worst of any limb", _rider.worst_deg, "deg")
+	p_report.add(name, "hips off the middle", _rider.hips_across, "m", _AT_MOST, MOST_ACROSS_M)
+	p_report.add(name, "hips above the soles", _rider.hips_highest, "m", _AT_MOST, MOST_UP_M)
+	p_report.add(name, "lowest hips", _rider.hips_lowest, "m", _AT_LEAST, 0.25)
+	p_report.add(name, "limb in steel", _rider.deepest, "m", _AT_MOST, DEEPEST_M)
+	p_report.add(name, "fastest limb", _rider.fastest, "m/s", _AT_MOST, 25.0)
+	var is_seated: bool = _is_in()
+	p_report.add(name, "still in the hatch", 1.0 if is_seated else 0.0, "", _AT_LEAST, 1.0)
+	p_report.add(name, "way", -_vehicle.position.z, "m")
+
+
+## In and out again a hundred times.
+func _change(p_report: BenchReport, p_gear: String) -> void:
+	var stuck: int = 0
+	var slowest: int = 0
+	for number: int in 100:
+		_enter()
+		var ticks: int = 0
+		while not _is_in() and ticks < 400:
+			await _step()
+			ticks += 1
+		stuck += 0 if _is_in() else 1
+		slowest = maxi(slowest, ticks)
+		_rider.people.detach(HatchRider.SESSION)
+		ticks = 0
+		while _rider.person.carrier != null and ticks < 400:
+			await _step()
+			ticks += 1
+		stuck += 0 if _rider.person.carrier == null else 1
+		slowest = maxi(slowest, ticks)
+		for _number: int in 30:
+			await _step()
+		var local: Vector3 = _vehicle.to_local(_rider.hips())
+		var is_beside: bool = absf(local.x) > 1.9 or absf(local.z) > 3.6
+		stuck += 0 if is_beside and local.y < 1.3 and local.y > 0.6 else 1
+	var name: String = "hatch, %s: in and out 100 times" % p_gear
+	p_report.add(name, "stuck", stuck, "", _AT_MOST, 0.0)
+	p_report.add(name, "longest way", slowest / 60.0, "s", _AT_MOST, 3.5)
+	_ground.free_all()
+	await _tree.physics_frame
