@@ -32,6 +32,10 @@ const STRONG_FORCE: float = 20000.0
 const SLACK_M: float = 0.03
 ## How long the hips take to follow the motion's, s.
 const SMOOTH_S: float = 0.03
+## How long it takes until somebody who has moved is in the middle again, s.
+const CENTRE_S: float = 2.0
+## Hips rise or sink by no more than this from one sample to the next, m.
+const FASTEST_M: float = 0.1
 ## A seat that turns by more than this in a step (rad) has been put so.
 const _JUMP: float = 0.2
 
@@ -55,11 +59,16 @@ var _from: Transform3D = Transform3D.IDENTITY
 var _time_s: float = 0.0
 var _duration_s: float = 0.0
 var _target: Vector3 = Vector3.ZERO
-## The person's own frame at the end of the last step, and the motion's hips there, smoothed.
+## The person's own frame at the end of the last step, and the hips in it, as they are to be and
+## smoothed.
 var _frame: Transform3D = Transform3D.IDENTITY
+var _place: Vector3 = Vector3.ZERO
 var _hips: Vector3 = Vector3.ZERO
+## What the wearer's own place is when the hips are in the middle of their room.
+var _middle: Vector3 = Vector3.ZERO
+## Height of the hips above the person's own floor that is the seat's, of who sits, m.
+var _seat_height: float = 0.0
 var _lengths: Vector3 = Vector3.ZERO
-var _exempt: Array[int] = []
 var _before: Dictionary[StringName, float] = {}
 
 
@@ -71,27 +80,34 @@ func _init(p_person: ServerPerson, p_seat: Seat, p_body: PhysicsBody3D, p_is_ins
 	_body = p_body
 	_seat_before = p_seat.frame_in_body()
 	if hold == null:
-		_offset = Transform3D(Basis.IDENTITY, -_level(_root()))
+		var root: Vector3 = _root()
+		_offset = Transform3D(Basis.IDENTITY, -Vector3(root.x, 0.0, root.z))
 		phase = Phase.SITTING
 		return
 	_lengths = SeatedPose.lengths_of(p_person.ragdoll.profile)
 	_begin_hold()
-	var here: Vector3 = _joint.place()
+	_place = Vector3(0.0, _root().y, 0.0)
+	_hips = _place
+	_target = _joint.place()
 	_from = _body_transform().affine_inverse() * p_person.ragdoll.motor.get_frame()
-	var feet: Vector3 = here - _seat_before.basis.y * _root().y
-	var is_far: bool = here.distance_to(_seat_before.origin) > FURTHEST_M
-	if not p_is_inside and not is_far:
-		_way = p_seat.way_in(feet)
-	_target = here
-	_hips = _root()
+	_from.basis = _from.basis.orthonormalized()
+	var feet: Vector3 = _target - _seat_before.basis.y * _place.y
+	_from.origin = feet
 	_frame = _from
-	_way.insert(0, feet)
-	_duration_s = _duration_of(_path())
-	_meet(p_person, [])
-	if is_far or p_seat.way_in(feet).is_empty():
-		_time_s = _duration_s
+	# The motion goes on in another frame: of the one before nothing must remain.
+	p_person.ragdoll.motor.clear_motion()
+	var is_far: bool = _target.distance_to(_seat_before.origin) > FURTHEST_M
+	var way: PackedVector3Array = p_seat.way_in(feet)
+	if is_far or way.is_empty():
 		_sit()
-		put()
+		_frame = _seat_before * _offset
+		_target = _frame * _place
+		return
+	_way.append(feet)
+	if not p_is_inside:
+		_way.append_array(way)
+	_duration_s = _duration_of(_path())
+	_meet([])
 
 
 ## Begins the way out. Returns false where there is none: who sat there is out at once.
@@ -100,16 +116,17 @@ func leave(p_is_free: Callable) -> bool:
 		return false
 	if phase == Phase.LEAVING:
 		return true
-	_way = seat.way_out(p_is_free)
-	if _way.is_empty():
+	var way: PackedVector3Array = seat.way_out(p_is_free)
+	if way.is_empty():
 		return false
 	phase = Phase.LEAVING
 	_enclose(false)
+	_meet([])
 	_from = _frame
-	_way.insert(0, _from * _level(_root()))
+	_way = PackedVector3Array([_frame.origin])
+	_way.append_array(way)
 	_time_s = 0.0
-	_duration_s = _duration_of(_path())
-	_meet(_person, [])
+	_duration_s = _duration_of(_way)
 	return true
 
 
@@ -133,35 +150,52 @@ func pull(p_delta_s: float) -> void:
 		return
 	var from: Vector3 = _target
 	# Samples come unevenly.
-	_hips = _hips.lerp(_root(), 1.0 - exp(-p_delta_s / SMOOTH_S))
+	_hips = _hips.lerp(_place, 1.0 - exp(-p_delta_s / SMOOTH_S))
 	_target = _frame * _hips
-	var up: float = FORCE
-	var side: float = FORCE
-	var down: float = FORCE
 	if phase == Phase.SITTING:
-		_target = _clamped(_target)
-		up = hold.support_force
-		side = hold.side_force
-		down = hold.down_force
+		_centre(p_delta_s)
 		var place: Vector3 = _joint.place()
-		if _clamped(place).distance_to(place) > SLACK_M:
-			up = STRONG_FORCE
-			side = STRONG_FORCE
-			down = STRONG_FORCE
-	_joint.pull(from, _target, side, up, down, p_delta_s)
+		var is_out: bool = _clamped(place).distance_to(place) > SLACK_M
+		var side: float = STRONG_FORCE if is_out else hold.side_force
+		var up: float = STRONG_FORCE if is_out else hold.support_force
+		var down: float = STRONG_FORCE if is_out else hold.down_force
+		_joint.pull(from, _target, side, up, down, p_delta_s)
+		return
+	_joint.pull(from, _target, FORCE, FORCE, FORCE, p_delta_s)
 	if phase == Phase.COMING and _time_s >= _duration_s:
 		_arrive()
 	elif phase == Phase.LEAVING and _time_s >= _duration_s:
 		phase = Phase.GONE
 
 
+## Takes the wearer's place in the person's own frame, m; returns that of the body in it. There is no
+## room to walk: at the edge of the room the middle gives in.
+func place_of(p_root: Vector3) -> Vector3:
+	if hold == null or phase == Phase.GONE:
+		return p_root
+	if phase != Phase.SITTING:
+		_place = Vector3(0.0, p_root.y, 0.0)
+		return _place
+	var off: Vector3 = p_root - _middle
+	var across: Vector2 = Vector2(off.x, off.z)
+	var kept: Vector2 = across.limit_length(hold.room)
+	_middle += Vector3(across.x - kept.x, 0.0, across.y - kept.y)
+	var height: float = clampf(p_root.y, hold.lowest, hold.highest)
+	if not _stands():
+		var rise: float = clampf(off.y, hold.lowest, hold.highest)
+		_middle.y += off.y - rise
+		height = _seat_height + rise
+	# A wearer whose tracking jumps is nowhere else.
+	height = clampf(height, _place.y - FASTEST_M, _place.y + FASTEST_M)
+	_place = Vector3(kept.x, height, kept.y)
+	return _place
+
+
 ## A sample as it drives the body in this seat.
 func fit(p_sample: PoseSample) -> PoseSample:
 	if hold == null or phase != Phase.SITTING:
 		return p_sample
-	var frame: Transform3D = _seat_before
-	var height: float = (frame.affine_inverse() * _target).y
-	return SeatedPose.fit(p_sample, hold, height, _lengths)
+	return SeatedPose.fit(p_sample, hold, _place.y, _lengths)
 
 
 ## Where the hips are in the seat's frame, m.
@@ -180,23 +214,11 @@ func release() -> void:
 		_body.tree_exiting.disconnect(release)
 	if _person.ragdoll == null or _person.ragdoll.motor == null:
 		return
-	_meet(_person, range(_person.ragdoll.get_bodies().size()))
+	_meet(range(_person.ragdoll.get_bodies().size()))
 	_enclose(false)
 	var motor: RagdollMotor = _person.ragdoll.motor
 	motor.root_mode = int(_before[&"root_mode"]) as RagdollMotor.RootMode
 	motor.root_force = _before[&"root_force"]
-
-
-## Puts the body into its place at once.
-func put() -> void:
-	var motor: RagdollMotor = _person.ragdoll.motor
-	if _person.newest == null:
-		return
-	_frame = _seat_before * _offset
-	_hips = _root()
-	motor.set_frame(_body_transform() * _frame)
-	motor.snap_to(_person.moment_s)
-	_target = _clamped(_joint.place())
 
 
 func _begin_hold() -> void:
@@ -212,21 +234,20 @@ func _begin_hold() -> void:
 
 ## The way is done: the hold begins where the hips are near enough.
 func _arrive() -> void:
-	var wanted: Vector3 = _clamped(_target)
-	if _joint.place().distance_to(wanted) < ARRIVED_M:
+	if _joint.place().distance_to(_target) < ARRIVED_M:
 		_sit()
 	elif _time_s > _duration_s + PATIENCE_S:
 		_sit()
-		put()
+		# Something holds the body back: it is put there with the next sample.
+		_person.ragdoll.motor.clear_motion()
 
 
 func _sit() -> void:
-	var root: Vector3 = _root()
-	var turn: Basis = _facing()
 	phase = Phase.SITTING
-	var middle: Vector3 = Vector3(root.x, 0.0 if _stands() else root.y, root.z)
-	_offset = Transform3D(turn, turn * -middle)
-	_meet(_person, _limbs_that_meet())
+	_middle = _root()
+	_seat_height = 0.0 if _stands() else _place.y
+	_offset = Transform3D(_facing(), Vector3.DOWN * _seat_height)
+	_meet(_limbs_that_meet())
 	_enclose(hold.is_enclosed)
 
 
@@ -240,7 +261,7 @@ func _climb(p_seat: Transform3D) -> Transform3D:
 	var turn: Basis = _from.basis.orthonormalized().slerp(to, share)
 	if phase == Phase.LEAVING:
 		turn = _from.basis.orthonormalized()
-	return Transform3D(turn, feet - turn * _level(_root()))
+	return Transform3D(turn, feet)
 
 
 ## The points of the feet, with those that move with the seat.
@@ -249,9 +270,16 @@ func _path() -> PackedVector3Array:
 	if phase == Phase.COMING and is_instance_valid(seat):
 		if _way.size() > 1:
 			path.append(seat.mouth())
-		var down: float = 0.0 if _stands() else _root().y
+		var down: float = 0.0 if _stands() else _place.y
 		path.append(_seat_before.origin - _seat_before.basis.y * down)
 	return path
+
+
+## Who stands at the edge comes to the middle by and by.
+func _centre(p_delta_s: float) -> void:
+	var to: Vector3 = _root() - _middle
+	to.y = 0.0 if _stands() else to.y
+	_middle += to.limit_length(1.0) * (1.0 - exp(-p_delta_s / CENTRE_S))
 
 
 ## Where the nearest place is that the hips may have.
@@ -281,10 +309,6 @@ func _root() -> Vector3:
 	return _person.newest.root * _person.scale + _person.origin
 
 
-func _level(p_root: Vector3) -> Vector3:
-	return Vector3(p_root.x, 0.0, p_root.z)
-
-
 func _body_transform() -> Transform3D:
 	return PhysicsServer3D.body_get_direct_state(_body.get_rid()).transform
 
@@ -301,11 +325,11 @@ func _limbs_that_meet() -> Array[int]:
 
 
 ## Has only these limbs collide with the body and its neighbours.
-func _meet(p_person: ServerPerson, p_limbs: Array) -> void:
+func _meet(p_limbs: Array) -> void:
 	var others: Array[RID] = _neighbours.duplicate()
 	if is_instance_valid(_body):
 		others.append(_body.get_rid())
-	var bodies: Array[RID] = p_person.ragdoll.get_bodies()
+	var bodies: Array[RID] = _person.ragdoll.get_bodies()
 	for limb: int in bodies.size():
 		for other: RID in others:
 			if p_limbs.has(limb):

@@ -289,6 +289,7 @@ func detach_person(p_person: ServerPerson) -> void:
 		frame = p_person.carrier.global_transform * p_person.seat
 	elif p_person.sitting != null and p_person.sitting.hold != null:
 		frame = _upright(p_person, frame)
+		motor.clear_motion()
 	var was_moved: bool = not p_person.rides
 	p_person.let_go()
 	# The frame stays turned as it is, so that getting off turns nobody.
@@ -302,7 +303,8 @@ func _upright(p_person: ServerPerson, p_frame: Transform3D) -> Transform3D:
 	var root: Vector3 = p_person.origin
 	if p_person.newest != null:
 		root += p_person.newest.root * p_person.scale
-	var feet: Vector3 = p_frame * Vector3(root.x, 0.0, root.z)
+	# In a seat the own frame's origin is below the hips.
+	var feet: Vector3 = p_frame.origin
 	var ray: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.create(
 		feet + Vector3.UP, feet + Vector3.DOWN * 2.0, PhysicsLayers.STATIC | PhysicsLayers.PROPS
 	)

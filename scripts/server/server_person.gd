@@ -63,7 +63,10 @@ func stand_at(p_start: Transform3D) -> void:
 func push_sample(p_sample: PoseSample, p_now_s: float) -> void:
 	var sample_s: float = p_sample.time_usec / 1e6
 	var root: Vector3 = p_sample.root * scale + origin
-	var driving: PoseSample = p_sample if sitting == null else sitting.fit(p_sample)
+	var driving: PoseSample = p_sample
+	if sitting != null:
+		root = sitting.place_of(root)
+		driving = sitting.fit(p_sample)
 	if ragdoll.push_sample(sample_s, driving, root):
 		newest = p_sample
 		refused_in_a_row = 0
