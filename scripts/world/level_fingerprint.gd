@@ -74,19 +74,31 @@ func _path_of(p_node: Node) -> PackedByteArray:
 	return str(_level.get_path_to(p_node)).to_utf8_buffer()
 
 
+## The shapes of a body in any order: those of large terrain come later in some programs.
 func _hash_body(p_body: PhysicsBody3D) -> void:
 	var to_level: Transform3D = _level.global_transform.affine_inverse()
+	var digests: PackedStringArray = []
 	for child: Node in p_body.get_children(true):
 		var shape: CollisionShape3D = child as CollisionShape3D
 		if shape == null or shape.shape == null or shape.disabled:
 			continue
-		_context.update(shape.shape.get_class().to_ascii_buffer())
-		# What is large comes from a file, which is the same on all machines to the last bit.
-		if shape.shape is HeightMapShape3D:
-			_context.update((shape.shape as HeightMapShape3D).map_data.to_byte_array())
-		elif shape.shape is ConcavePolygonShape3D:
-			_context.update((shape.shape as ConcavePolygonShape3D).get_faces().to_byte_array())
-		_context.update(_numbers_of(to_level * shape.global_transform, shape.shape))
+		digests.append(_digest_of(to_level * shape.global_transform, shape.shape).hex_encode())
+	digests.sort()
+	for digest: String in digests:
+		_context.update(digest.to_ascii_buffer())
+
+
+static func _digest_of(p_transform: Transform3D, p_shape: Shape3D) -> PackedByteArray:
+	var context: HashingContext = HashingContext.new()
+	context.start(HashingContext.HASH_SHA256)
+	context.update(p_shape.get_class().to_ascii_buffer())
+	# What is large comes from a file, which is the same on all machines to the last bit.
+	if p_shape is HeightMapShape3D:
+		context.update((p_shape as HeightMapShape3D).map_data.to_byte_array())
+	elif p_shape is ConcavePolygonShape3D:
+		context.update((p_shape as ConcavePolygonShape3D).get_faces().to_byte_array())
+	context.update(_numbers_of(p_transform, p_shape))
+	return context.finish()
 
 
 static func _numbers_of(p_transform: Transform3D, p_shape: Shape3D) -> PackedByteArray:

@@ -34,6 +34,15 @@ func test_a_fingerprint_is_the_same_again_and_another_for_other_shapes() -> void
 	equal(prints.size(), 1 + changes.size())
 
 
+func test_the_order_of_shapes_does_not_count() -> void:
+	var plain: PackedByteArray = _fingerprint(func(_level: Level) -> void: pass)
+	var other: Callable = func(level: Level) -> void:
+		for body: PhysicsBody3D in level.get_static_bodies():
+			for shape: Node in body.find_children("*", "CollisionShape3D", false, false):
+				body.move_child(shape, 0)
+	equal(_fingerprint(other), plain)
+
+
 func test_what_is_only_seen_does_not_count() -> void:
 	var plain: PackedByteArray = _fingerprint(func(_level: Level) -> void: pass)
 	var dark: Callable = func(level: Level) -> void: level.get_node(^"Sun").free()
