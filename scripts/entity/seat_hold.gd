@@ -33,3 +33,8 @@ var side_force: float = 3000.0
 var meets_vehicle: bool = false
 ## Whether nothing else can touch the person either.
 var is_enclosed: bool = false
+## Height of the roof above the seat's origin, and the radius of the hatch in it, m: arms stay above
+## the one or within the other. A radius of 0: there is no roof.
+var rim: float = 0.0
+## See [member rim].
+var hatch_radius: float = 0.0

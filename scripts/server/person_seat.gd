@@ -69,6 +69,7 @@ var _middle: Vector3 = Vector3.ZERO
 ## Height of the hips above the person's own floor that is the seat's, of who sits, m.
 var _seat_height: float = 0.0
 var _lengths: Vector3 = Vector3.ZERO
+var _room: HatchRoom = null
 var _before: Dictionary[StringName, float] = {}
 
 
@@ -85,6 +86,7 @@ func _init(p_person: ServerPerson, p_seat: Seat, p_body: PhysicsBody3D, p_is_ins
 		phase = Phase.SITTING
 		return
 	_lengths = SeatedPose.lengths_of(p_person.ragdoll.profile)
+	_room = HatchRoom.new(p_person.ragdoll.profile)
 	_begin_hold()
 	_place = Vector3(0.0, _root().y, 0.0)
 	_hips = _place
@@ -195,7 +197,10 @@ func place_of(p_root: Vector3) -> Vector3:
 func fit(p_sample: PoseSample) -> PoseSample:
 	if hold == null or phase != Phase.SITTING:
 		return p_sample
-	return SeatedPose.fit(p_sample, hold, _place.y, _lengths)
+	var fitted: PoseSample = SeatedPose.fit(p_sample, hold, _place.y, _lengths)
+	if hold.hatch_radius > 0.0:
+		_room.fit(fitted, _place, hold.rim, hold.hatch_radius)
+	return fitted
 
 
 ## Where the hips are in the seat's frame, m.

@@ -34,6 +34,9 @@ const _SITTING_HIPS: float = 0.9
 ## How high above the seat feet come to before they go down into it: the height of the roof.
 @export_range(0.0, 3.0, 0.01, "suffix:m") var rim: float = 0.0
 
+## Radius of the hatch in which somebody stands.
+@export_range(0.0, 1.0, 0.01, "suffix:m") var hatch_radius: float = 0.31
+
 @export_group("Hold")
 ## How far the hips of somebody who stands may be from the middle of the hatch.
 @export_range(0.0, 0.5, 0.01, "suffix:m") var room: float = 0.1
@@ -82,6 +85,8 @@ func hold() -> SeatHold:
 		made.lowest = lowest_hips
 		made.highest = highest_hips
 		made.meets_vehicle = not is_enclosed
+		made.rim = rim
+		made.hatch_radius = 0.0 if is_enclosed else hatch_radius
 	else:
 		made.legs = SeatHold.Legs.SITTING
 		made.room = SEATED_ROOM

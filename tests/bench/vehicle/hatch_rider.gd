@@ -15,8 +15,9 @@ var people: ServerPeople = null
 ## Mean and largest angle between the upper body and its motion, and how often measured.
 var error_sum_deg: float = 0.0
 var error_count: int = 0
-## The same by clip or phase: reset with [method forget].
 var worst_deg: float = 0.0
+## Angle between the upper body and what the wearer's limbs did in truth.
+var raw_sum_deg: float = 0.0
 ## Largest distance of the hips from the middle of the seat, m, lowest and highest above it.
 var hips_across: float = 0.0
 var hips_lowest: float = INF
@@ -31,6 +32,7 @@ var _source: BvhSource = null
 var _pose: PoseSample = null
 var _tick: int = 0
 var _order: PackedInt32Array = []
+var _errors: PackedFloat32Array = []
 var _query: PhysicsShapeQueryParameters3D = PhysicsShapeQueryParameters3D.new()
 
 
@@ -72,6 +74,8 @@ func drive() -> void:
 	_tick += 1
 	people.push_sample(SESSION, sample, now_s)
 	people.drive(now_s, 1.0 / 60.0)
+	# Now, as the state that is compared is that of the beginning of the step.
+	_errors = person.ragdoll.motor.get_limb_errors()
 
 
 ## After a step.
@@ -81,9 +85,9 @@ func measure() -> void:
 
 ## Notes what the last step did.
 func note() -> void:
-	var errors: PackedFloat32Array = person.ragdoll.motor.get_limb_errors()
+	_note_truth()
 	for limb: int in UPPER:
-		var error: float = rad_to_deg(errors[_order[limb]])
+		var error: float = rad_to_deg(_errors[_order[limb]])
 		error_sum_deg += error
 		error_count += 1
 		worst_deg = maxf(worst_deg, error)
@@ -95,6 +99,11 @@ func note() -> void:
 	_note_depth()
 
 
+## Mean angle of the upper body to what the wearer did, whether or not there was room, degrees.
+func raw_deg() -> float:
+	return raw_sum_deg / maxi(error_count, 1)
+
+
 ## Mean angle of the upper body to its motion, degrees.
 func mean_deg() -> float:
 	return error_sum_deg / maxi(error_count, 1)
@@ -103,6 +112,7 @@ func mean_deg() -> float:
 ## Forgets what was measured.
 func forget() -> void:
 	error_sum_deg = 0.0
+	raw_sum_deg = 0.0
 	error_count = 0
 	worst_deg = 0.0
 	hips_across = 0.0
@@ -132,6 +142,22 @@ func _sample() -> PoseSample:
 	return sample
 
 
+## Against the sample as it came, in the frame of the seat.
+func _note_truth() -> void:
+	if person.newest == null:
+		return
+	var frame: Quaternion = person.ragdoll.motor.get_frame().basis.get_rotation_quaternion()
+	var limbs: Array[RagdollLimb] = person.ragdoll.profile.limbs
+	for limb: int in UPPER:
+		var index: int = _order[limb]
+		var state: Transform3D = PhysicsServer3D.body_get_state(
+			person.ragdoll.get_bodies()[index], PhysicsServer3D.BODY_STATE_TRANSFORM
+		)
+		var wanted: Quaternion = frame * person.newest.orientation(limb)
+		wanted = wanted * limbs[index].reset_orientation
+		raw_sum_deg += rad_to_deg(wanted.angle_to(state.basis.get_rotation_quaternion()))
+
+
 func _note_depth() -> void:
 	var space: PhysicsDirectSpaceState3D = _vehicle.get_world_3d().direct_space_state
 	var bodies: Array[RID] = person.ragdoll.get_bodies()
@@ -146,6 +172,7 @@ func _note_depth() -> void:
 		_query.transform = at * PhysicsServer3D.body_get_shape_transform(body, 0)
 		var points: PackedVector3Array = space.collide_shape(_query, 8)
 		for pair: int in range(0, points.size(), 2):
-			deepest = maxf(deepest, points[pair].distance_to(points[pair + 1]))
+			var depth: float = points[pair].distance_to(points[pair + 1])
+			deepest = maxf(deepest, depth)
 		var state: PhysicsDirectBodyState3D = PhysicsServer3D.body_get_direct_state(body)
 		fastest = maxf(fastest, (state.linear_velocity - _vehicle.linear_velocity).length())

@@ -1,0 +1,144 @@
+class_name HatchRoom
+extends RefCounted
+## Keeps the upper body of somebody who stands in a hatch out of the steel around it.
+##
+## What the wearer's arm does below the rim, beside the hatch, the body's does on the roof; whoever
+## ducks folds the arms and bends no further than the well is wide. Without it, joints press limbs
+## into the roof as hard as they can, and arms that swing are caught.
+
+## How high elbows, wrists and fingers stay above the roof, m.
+const CLEARANCE_M: float = 0.08
+## From the middle of the hatch so much less than its radius there is room for arms, m; at the
+## second one there is none.
+const _FREE_M: float = 0.15
+const _FULL_M: float = 0.04
+## From the wrist to the finger tips, m.
+const _HAND_M: float = 0.18
+## Half the depth of a trunk, m.
+const _TRUNK_M: float = 0.16
+## An arm is not turned higher than this, as the sine of its elevation.
+const _STEEPEST: float = 0.95
+## Shoulders so far below the rim have their arms inside; those so far above have them free, m.
+const _DUCKED_M: float = 0.15
+const _FREED_M: float = 0.2
+## Elevation of lower arms that are folded, rad.
+const _FOLDED: float = 1.15
+const _SIDES: Array[int] = [Limbs.LEFT_UPPER_ARM, Limbs.RIGHT_UPPER_ARM]
+## Trunk and head.
+const _TRUNK: Array[int] = [Limbs.HIPS, Limbs.SPINE, Limbs.CHEST, Limbs.HEAD]
+
+## From the joint of each limb's parent to its own, in the reset pose, m.
+var _offsets: PackedVector3Array = PackedVector3Array()
+
+
+func _init(p_profile: RagdollProfile) -> void:
+	_offsets.resize(Limbs.COUNT)
+	for limb: int in Limbs.COUNT:
+		var index: int = p_profile.find_index(Limbs.BONES[limb])
+		var parent: int = p_profile.get_parent_index(index) if index >= 0 else -1
+		if parent < 0:
+			continue
+		var own: RagdollLimb = p_profile.limbs[index]
+		var above: RagdollLimb = p_profile.limbs[parent]
+		var turn: Quaternion = above.reset_orientation * above.rest_orientation.inverse()
+		_offsets[limb] = turn * (own.anchor - above.anchor)
+
+
+## Changes a sample of somebody who stands on the seat: [param p_hips] is where the hips are above
+## its middle, m, [param p_rim] the roof's height and [param p_radius] the hatch's radius, m.
+func fit(p_sample: PoseSample, p_hips: Vector3, p_rim: float, p_radius: float) -> void:
+	_straighten(p_sample, p_hips, p_rim, p_radius)
+	var chest: Vector3 = _chest(p_sample, p_hips)
+	for upper: int in _SIDES:
+		var shoulder: Vector3 = chest + p_sample.orientation(Limbs.CHEST) * _offsets[upper]
+		var folded: float = 1.0 - smoothstep(p_rim - _DUCKED_M, p_rim + _FREED_M, shoulder.y)
+		if folded > 0.0:
+			_fold(p_sample, upper, folded)
+		var part: float = smoothstep(p_rim - _DUCKED_M, p_rim, shoulder.y)
+		if part > 0.0:
+			_lift(p_sample, upper, shoulder, Vector3(p_rim + CLEARANCE_M, p_radius, part))
+
+
+func _chest(p_sample: PoseSample, p_hips: Vector3) -> Vector3:
+	var spine: Vector3 = p_hips + p_sample.orientation(Limbs.HIPS) * _offsets[Limbs.SPINE]
+	return spine + p_sample.orientation(Limbs.SPINE) * _offsets[Limbs.CHEST]
+
+
+## Hips below the rim leave the trunk so much room to lean as there is beside it at the rim.
+func _straighten(p_sample: PoseSample, p_hips: Vector3, p_rim: float, p_radius: float) -> void:
+	var head: Vector3 = _chest(p_sample, p_hips)
+	head += p_sample.orientation(Limbs.CHEST) * _offsets[Limbs.HEAD]
+	var trunk: Vector3 = head - p_hips
+	var below: float = p_rim - p_hips.y
+	if trunk.length() < 0.1 or below <= 0.0:
+		return
+	var room: float = maxf(p_radius - _TRUNK_M, 0.05)
+	var most: float = maxf(atan2(room, below), asin(minf(room / trunk.length(), 1.0)))
+	var leans: float = trunk.angle_to(Vector3.UP)
+	var axis: Vector3 = trunk.cross(Vector3.UP)
+	if leans <= most or axis.length() < 0.001:
+		return
+	var turn: Quaternion = Quaternion(axis.normalized(), leans - most)
+	for limb: int in _TRUNK:
+		p_sample.set_orientation(limb, turn * p_sample.orientation(limb))
+	for limb: int in range(Limbs.LEFT_UPPER_ARM, Limbs.LEFT_UPPER_LEG):
+		p_sample.set_orientation(limb, turn * p_sample.orientation(limb))
+
+
+## Turns an arm, by a share, to where it needs no room: it hangs, the lower arm is in front of it.
+func _fold(p_sample: PoseSample, p_upper: int, p_share: float) -> void:
+	var along: Vector3 = Limbs.RESET_DIRECTIONS[p_upper]
+	var facing: Quaternion = SeatedPose.facing_of(p_sample.orientation(Limbs.CHEST))
+	var down: Vector3 = Vector3(0.2 * along.x, -1.0, 0.1).normalized()
+	var hangs: Quaternion = facing * Quaternion(along, down)
+	var ahead: Vector3 = Vector3(-0.3 * along.x * cos(_FOLDED), sin(_FOLDED), cos(_FOLDED))
+	var bent: Quaternion = facing * Quaternion(along, ahead.normalized())
+	p_sample.set_orientation(p_upper, p_sample.orientation(p_upper).slerp(hangs, p_share))
+	for limb: int in [p_upper + 1, p_upper + 2]:
+		p_sample.set_orientation(limb, p_sample.orientation(limb).slerp(bent, p_share))
+
+
+## [param p_roof]: height that must be reached, radius of the hatch, share of it all.
+func _lift(p_sample: PoseSample, p_upper: int, p_shoulder: Vector3, p_roof: Vector3) -> void:
+	var lower: int = p_upper + 1
+	var hand: int = p_upper + 2
+	var elbow_way: Vector3 = p_sample.orientation(p_upper) * _offsets[lower]
+	var wrist_way: Vector3 = p_sample.orientation(lower) * _offsets[hand]
+	var tip_way: Vector3 = p_sample.orientation(hand) * Limbs.RESET_DIRECTIONS[p_upper] * _HAND_M
+	var wrist: Vector3 = p_shoulder + elbow_way + wrist_way
+	# Whatever is outside of the hatch takes the elbow along: the arm leads over the rim.
+	var outside: float = maxf(_share(wrist, p_roof), _share(wrist + tip_way, p_roof))
+	var elbow: Vector3 = p_shoulder + elbow_way
+	var share: float = maxf(outside, _share(elbow, p_roof))
+	var turn: Quaternion = _raise(elbow_way, elbow, share, p_roof.x)
+	p_sample.set_orientation(p_upper, turn * p_sample.orientation(p_upper))
+	elbow = p_shoulder + turn * elbow_way
+	wrist = elbow + wrist_way
+	turn = _raise(wrist_way, wrist, maxf(outside, _share(wrist, p_roof)), p_roof.x)
+	p_sample.set_orientation(lower, turn * p_sample.orientation(lower))
+	tip_way = turn * tip_way
+	var tip: Vector3 = elbow + turn * wrist_way + tip_way
+	turn = _raise(tip_way, tip, _share(tip, p_roof), p_roof.x) * turn
+	p_sample.set_orientation(hand, turn * p_sample.orientation(hand))
+
+
+## How much a point is where the roof is, 0 to 1.
+static func _share(p_point: Vector3, p_roof: Vector3) -> float:
+	var across: float = Vector2(p_point.x, p_point.z).length()
+	return p_roof.z * smoothstep(p_roof.y - _FREE_M, p_roof.y - _FULL_M, across)
+
+
+## The turn that raises the end of a limb to a height, by a share.
+static func _raise(p_way: Vector3, p_end: Vector3, p_share: float, p_height: float) -> Quaternion:
+	var lift: float = (p_height - p_end.y) * p_share
+	var length: float = p_way.length()
+	if lift <= 0.0 or length < 0.01:
+		return Quaternion.IDENTITY
+	var from: Vector3 = p_way / length
+	var up: float = minf(from.y + lift / length, maxf(_STEEPEST, from.y))
+	var across: Vector3 = Vector3(from.x, 0.0, from.z)
+	if across.length() < 0.01:
+		return Quaternion.IDENTITY
+	var to: Vector3 = across.normalized() * sqrt(1.0 - up * up)
+	to.y = up
+	return Quaternion(from, to.normalized())
