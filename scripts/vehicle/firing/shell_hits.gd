@@ -1,0 +1,122 @@
+class_name ShellHits
+extends RefCounted
+## What a hit and a blast do to bodies and people: impulses at the place, within what is plausible.
+
+## A light thing is not made faster than this by one hit, m/s: a real shell goes through it.
+const MOST_GAIN: float = 12.0
+## Nor made to turn faster than this, rad/s.
+const MOST_SPIN: float = 15.0
+## A limb is not made faster than this by one hit, m/s.
+const MOST_LIMB_GAIN: float = 10.0
+## Impulse from which on a person cannot stay standing, N s.
+const _FELLING: float = 80.0
+## What the hit limb's group has left of its strength, and how long until all is back (s): for a
+## bullet, and for what fells.
+const _FLINCH: Vector2 = Vector2(0.1, 0.7)
+const _FELLED: Vector2 = Vector2(0.02, 2.0)
+## Mass for the area of things whose shape nobody asks, kg/m^3.
+const _DENSITY: float = 500.0
+## Nearer than this a blast gives no more, m.
+const _NEAREST: float = 0.5
+## Most bodies and limbs that a blast pushes.
+const _MOST_BODIES: int = 256
+
+
+## Pushes what is there at a point, in N s and m of the world. What does not move does nothing.
+static func push(p_body: Object, p_impulse: Vector3, p_point: Vector3) -> void:
+	if not is_instance_valid(p_body) or not (p_impulse.is_finite() and p_point.is_finite()):
+		return
+	if p_body is PhysicalBone3D:
+		push_limb(p_body as PhysicalBone3D, p_impulse, p_point)
+	elif p_body is RigidBody3D:
+		push_thing(p_body as RigidBody3D, p_impulse, p_point)
+
+
+## Pushes a rigid body, which gains neither too much speed nor too much spin.
+static func push_thing(p_body: RigidBody3D, p_impulse: Vector3, p_point: Vector3) -> void:
+	var state: PhysicsDirectBodyState3D = PhysicsServer3D.body_get_direct_state(p_body.get_rid())
+	if p_body.freeze or state == null or p_impulse.is_zero_approx():
+		return
+	# The offset of the middle is in the world's axes.
+	var arm: Vector3 = p_point - state.transform.origin - state.center_of_mass
+	var gain: float = p_impulse.length() * state.inverse_mass
+	var spin: float = (state.inverse_inertia_tensor * arm.cross(p_impulse)).length()
+	var share: float = minf(1.0, minf(MOST_GAIN / maxf(gain, 1e-6), MOST_SPIN / maxf(spin, 1e-6)))
+	p_body.apply_impulse(p_impulse * share, p_point - p_body.global_position)
+
+
+## Hits a person's limb: the person flinches, or falls.
+static func push_limb(p_limb: PhysicalBone3D, p_impulse: Vector3, p_point: Vector3) -> void:
+	var motor: RagdollMotor = motor_of(p_limb)
+	if motor == null:
+		return
+	var mass: float = PhysicsServer3D.body_get_param(
+		p_limb.get_rid(), PhysicsServer3D.BODY_PARAM_MASS
+	)
+	var given: Vector3 = p_impulse.limit_length(MOST_LIMB_GAIN * mass)
+	var way: Vector2 = _FLINCH if p_impulse.length() < _FELLING else _FELLED
+	motor.hit(given, p_point, way.x, way.y)
+
+
+## What moves a person, of whom a limb is known; null where nobody does.
+static func motor_of(p_limb: Node) -> RagdollMotor:
+	var node: Node = p_limb.get_parent()
+	for _level: int in 4:
+		if node == null:
+			return null
+		for child: Node in node.get_children():
+			if child is RagdollMotor:
+				return child
+		node = node.get_parent()
+	return null
+
+
+## Bursts at a place: pushes all that it sees, less with distance, and pierces thin vehicles.
+static func burst(
+	p_space: PhysicsDirectSpaceState3D, p_place: Vector3, p_ammunition: Ammunition
+) -> void:
+	var sphere: SphereShape3D = SphereShape3D.new()
+	sphere.radius = p_ammunition.blast_radius
+	var query: PhysicsShapeQueryParameters3D = PhysicsShapeQueryParameters3D.new()
+	query.shape = sphere
+	query.transform.origin = p_place
+	query.collision_mask = PhysicsLayers.PEOPLE | PhysicsLayers.PROPS
+	var pushed: Dictionary[Object, bool] = {}
+	for found: Dictionary in p_space.intersect_shape(query, _MOST_BODIES):
+		var body: CollisionObject3D = found["collider"] as CollisionObject3D
+		if body == null or pushed.has(body):
+			continue
+		pushed[body] = true
+		_burst_on(p_space, p_place, p_ammunition, body)
+
+
+static func _burst_on(
+	p_space: PhysicsDirectSpaceState3D,
+	p_place: Vector3,
+	p_ammunition: Ammunition,
+	p_body: CollisionObject3D
+) -> void:
+	var state: PhysicsDirectBodyState3D = PhysicsServer3D.body_get_direct_state(p_body.get_rid())
+	if state == null:
+		return
+	var middle: Vector3 = state.transform.origin + state.center_of_mass
+	# Who stands behind a wall or a crate is spared; a limb does not shield the next.
+	var ray: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.create(
+		p_place, middle, PhysicsLayers.STATIC | PhysicsLayers.PROPS
+	)
+	var between: Dictionary = p_space.intersect_ray(ray)
+	if not between.is_empty() and between["collider"] != p_body:
+		return
+	var point: Vector3 = between["position"] if not between.is_empty() else middle
+	var away: float = p_place.distance_to(point)
+	var share: float = 1.0 - away / p_ammunition.blast_radius
+	var ahead: Vector3 = (middle - p_place).normalized()
+	if share <= 0.0 or not ahead.is_normalized():
+		return
+	var area: float = pow(1.0 / maxf(state.inverse_mass, 1e-6) / _DENSITY, 2.0 / 3.0)
+	var impulse: float = p_ammunition.blast_impulse * area * share / maxf(away, _NEAREST)
+	push(p_body, ahead * impulse, point)
+	if p_body is Vehicle and share > 0.5:
+		var armour: VehicleArmour = VehicleArmour.find_in(p_body)
+		if armour != null:
+			armour.take_fragments(p_ammunition, ahead, point)

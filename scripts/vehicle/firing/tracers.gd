@@ -1,0 +1,105 @@
+class_name Tracers
+extends RefCounted
+## Shells and bullets that are seen in flight: each client flies them itself, from what left the
+## muzzle.
+
+## Most of them at once.
+const MOST: int = 48
+## How long the streak of one is: what it flies in this time, s.
+const STREAK_S: float = 0.02
+const _COLOUR: Color = Color(1.0, 0.45, 0.15)
+## Width of a streak for its calibre, and least of all, m.
+const _WIDTH: float = 1.2
+const _THIN_M: float = 0.03
+## They widen with distance, so that they are seen from afar: m for a metre.
+const _WIDEN: float = 0.0011
+## A hit so near to a tracer's way ends it, m.
+const _NEAR_M: float = 3.0
+
+var _shells: Array[Shell] = []
+var _streaks: MultiMesh = MultiMesh.new()
+
+
+## Adds what is drawn below [param p_parent].
+func configure(p_parent: Node3D) -> void:
+	var material: StandardMaterial3D = StandardMaterial3D.new()
+	material.shading_mode = BaseMaterial3D.SHADING_MODE_UNSHADED
+	material.blend_mode = BaseMaterial3D.BLEND_MODE_ADD
+	material.albedo_color = _COLOUR * 2.5
+	material.disable_fog = true
+	var box: BoxMesh = BoxMesh.new()
+	box.size = Vector3.ONE
+	box.material = material
+	_streaks.transform_format = MultiMesh.TRANSFORM_3D
+	_streaks.mesh = box
+	_streaks.instance_count = MOST
+	_streaks.visible_instance_count = 0
+	var shown: MultiMeshInstance3D = MultiMeshInstance3D.new()
+	shown.multimesh = _streaks
+	shown.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
+	shown.top_level = true
+	shown.custom_aabb = AABB(Vector3.ONE * -1e4, Vector3.ONE * 2e4)
+	p_parent.add_child(shown)
+
+
+## One leaves a muzzle.
+func add(p_ammunition: Ammunition, p_place: Vector3, p_velocity: Vector3) -> void:
+	var flight: ShellFlight = p_ammunition.make_flight()
+	if flight == null or not flight.launch(p_place, p_velocity) or _shells.size() >= MOST:
+		return
+	var shell: Shell = Shell.new()
+	shell.ammunition = p_ammunition
+	shell.flight = flight
+	shell.from = p_place
+	_shells.append(shell)
+
+
+## All fly on by a time, s, seen from a place; [param p_space] tells bullets what they meet, as
+## nobody else does.
+func advance(p_delta: float, p_eye: Vector3, p_space: PhysicsDirectSpaceState3D) -> void:
+	var left: Array[Shell] = []
+	for shell: Shell in _shells:
+		shell.flight.advance(p_delta)
+		var place: Vector3 = shell.flight.get_position()
+		var is_stopped: bool = false
+		if shell.ammunition.kind == Ammunition.Kind.BULLET:
+			var query: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.create(
+				shell.from, place, PhysicsLayers.ALL
+			)
+			is_stopped = shell.from != place and not p_space.intersect_ray(query).is_empty()
+		shell.from = place
+		if not is_stopped and shell.flight.get_age() < Shells.LIFE_S and place.y > Shells.LOWEST_M:
+			left.append(shell)
+	_shells = left
+	_streaks.visible_instance_count = _shells.size()
+	for index: int in _shells.size():
+		_streaks.set_instance_transform(index, _streak_of(_shells[index], p_eye))
+
+
+## What was fired hits at a place: it is not seen any more.
+func end(p_ammunition: Ammunition, p_place: Vector3) -> void:
+	for shell: Shell in _shells:
+		if shell.ammunition != p_ammunition:
+			continue
+		var ahead: Vector3 = shell.flight.get_velocity().normalized()
+		var to: Vector3 = p_place - shell.flight.get_position()
+		# It may have flown a part of a frame further, or lag by as much.
+		if to.slide(ahead).length() < _NEAR_M:
+			_shells.erase(shell)
+			return
+
+
+## How many are in the air.
+func count() -> int:
+	return _shells.size()
+
+
+func _streak_of(p_shell: Shell, p_eye: Vector3) -> Transform3D:
+	var velocity: Vector3 = p_shell.flight.get_velocity()
+	var way: float = minf(STREAK_S, p_shell.flight.get_age()) * velocity.length()
+	var place: Vector3 = p_shell.from
+	var width: float = maxf(p_shell.ammunition.calibre * _WIDTH, _THIN_M)
+	width += p_eye.distance_to(place) * _WIDEN
+	var axes: Basis = ImpactMarks.upward(velocity.normalized())
+	var at: Transform3D = Transform3D(axes, place - velocity.normalized() * way * 0.5)
+	return at.scaled_local(Vector3(width, maxf(way, width), width))

@@ -1,0 +1,175 @@
+@tool
+@icon("res://scenes/vehicle/icons/armour.svg")
+class_name VehicleArmour
+extends Node
+## What a [Vehicle] can bear: how thick it is on which side, and what becomes of it when something
+## gets through.
+##
+## Only the server decides. Who is knocked out has no engine, no brakes to release and no gun, until
+## somebody sends [constant REPAIR].
+
+## The vehicle has another [enum VehicleState.Damage] now: on the server.
+signal damaged(p_damage: VehicleState.Damage)
+
+## Command that makes it whole again.
+const REPAIR: StringName = &"repair"
+## What gets through so much more than it had to knocks out at once.
+const OVERMATCH: float = 1.3
+## A shell that does not get through breaks something from this share of the needed strength on.
+const SHAKEN: float = 0.7
+## At flatter angles armour is no thicker: a share of the way through, the cosine.
+const _FLATTEST: float = 0.25
+
+## The vehicle.
+@export var vehicle: Vehicle = null:
+	set(p_value):
+		vehicle = p_value
+		update_configuration_warnings()
+## Its entity.
+@export var entity: Entity = null:
+	set(p_value):
+		entity = p_value
+		update_configuration_warnings()
+## Its turret, if it has one.
+@export var turret: VehicleTurret = null
+
+@export_group("Steel")
+## Of the hull's front, mm of rolled steel, as all of these.
+@export_range(0.0, 2000.0, 1.0, "suffix:mm") var front: float = 10.0
+## Of its sides, mm.
+@export_range(0.0, 2000.0, 1.0, "suffix:mm") var side: float = 10.0
+## Of its rear, mm.
+@export_range(0.0, 2000.0, 1.0, "suffix:mm") var rear: float = 10.0
+## Of roof and floor, mm.
+@export_range(0.0, 2000.0, 1.0, "suffix:mm") var top: float = 10.0
+## What is higher than this belongs to the turret and turns with it, m above the ground; 0: nothing.
+@export_range(0.0, 5.0, 0.05, "suffix:m") var turret_height: float = 0.0
+
+@export_group("Bullets")
+## Energy of bullets that got through, until it is damaged (x) and knocked out (y), kJ.
+@export_custom(PROPERTY_HINT_NONE, "suffix:kJ") var toughness: Vector2 = Vector2(30.0, 90.0)
+
+var _bullet_energy: float = 0.0
+
+
+func _ready() -> void:
+	if not Engine.is_editor_hint() and entity != null:
+		entity.commanded.connect(_on_commanded)
+
+
+func _physics_process(_delta: float) -> void:
+	if not Engine.is_editor_hint() and entity != null and entity.is_authority():
+		_keep_dead()
+
+
+func _get_configuration_warnings() -> PackedStringArray:
+	if vehicle == null:
+		return ["It protects a Vehicle: choose one in the inspector."]
+	if entity == null:
+		return ["It needs the Entity of the vehicle: choose one in the inspector."]
+	return []
+
+
+## The armour of a vehicle, or null.
+static func find_in(p_vehicle: Node) -> VehicleArmour:
+	for child: Node in p_vehicle.get_children():
+		if child is VehicleArmour:
+			return child
+	return null
+
+
+## A hit at a place, in the world: velocity of the shell (m/s), where it hit and the surface's
+## normal there. Changes the vehicle's damage. Returns how much of what it needed the shell had.
+func take_hit(
+	p_ammunition: Ammunition, p_velocity: Vector3, p_place: Vector3, p_normal: Vector3
+) -> float:
+	if not (p_velocity.is_finite() and p_place.is_finite() and p_normal.is_finite()):
+		return 0.0
+	var speed: float = p_velocity.length()
+	var steel: float = steel_at(p_place, p_normal)
+	var slant: float = clampf(-p_velocity.normalized().dot(p_normal), _FLATTEST, 1.0)
+	var share: float = p_ammunition.penetration_at(speed) * slant / maxf(steel, 0.1)
+	if p_ammunition.kind == Ammunition.Kind.BULLET:
+		if share >= 1.0:
+			_take_bullet(p_ammunition.mass * speed * speed / 2000.0)
+	elif share >= OVERMATCH:
+		_set_damage(VehicleState.Damage.KNOCKED_OUT)
+	elif share >= 1.0:
+		_worsen()
+	elif share >= SHAKEN and vehicle.state.damage == VehicleState.Damage.WHOLE:
+		_set_damage(VehicleState.Damage.DAMAGED)
+	return share
+
+
+## Fragments of a shell that burst near, which fly in a direction: they pierce what is thin.
+func take_fragments(p_ammunition: Ammunition, p_direction: Vector3, p_place: Vector3) -> void:
+	if p_ammunition.fragment_penetration >= steel_at(p_place, -p_direction):
+		_worsen()
+
+
+## Steel at a place of the outside (m) whose normal is known, both in the world; mm.
+func steel_at(p_place: Vector3, p_normal: Vector3) -> float:
+	var normal: Vector3 = vehicle.global_basis.inverse() * p_normal
+	if turret_height > 0.0 and vehicle.to_local(p_place).y > turret_height:
+		normal = normal.rotated(Vector3.UP, -vehicle.state.turret_yaw)
+	var across: Vector3 = normal.abs()
+	if across.y > across.x and across.y > across.z and across.y > 0.75:
+		return top
+	if across.x > across.z:
+		return side
+	return front if normal.z < 0.0 else rear
+
+
+## Makes it whole: on the server.
+func repair() -> void:
+	_bullet_energy = 0.0
+	if vehicle.state.damage == VehicleState.Damage.WHOLE:
+		return
+	var was_dead: bool = vehicle.state.damage == VehicleState.Damage.KNOCKED_OUT
+	_set_damage(VehicleState.Damage.WHOLE)
+	vehicle.input.clear()
+	if was_dead:
+		vehicle.set_engine_on(vehicle.starts_running)
+		if turret != null:
+			turret.set_stabilised(turret.starts_stabilised)
+
+
+func _take_bullet(p_energy: float) -> void:
+	_bullet_energy += p_energy
+	if _bullet_energy >= toughness.y:
+		_set_damage(VehicleState.Damage.KNOCKED_OUT)
+	elif _bullet_energy >= toughness.x and vehicle.state.damage == VehicleState.Damage.WHOLE:
+		_set_damage(VehicleState.Damage.DAMAGED)
+
+
+func _worsen() -> void:
+	var is_whole: bool = vehicle.state.damage == VehicleState.Damage.WHOLE
+	_set_damage(VehicleState.Damage.DAMAGED if is_whole else VehicleState.Damage.KNOCKED_OUT)
+
+
+func _set_damage(p_damage: VehicleState.Damage) -> void:
+	if vehicle.state.damage != p_damage:
+		vehicle.state.damage = p_damage
+		_keep_dead()
+		damaged.emit(p_damage)
+
+
+## Whatever its crew asks for, a vehicle that is knocked out does nothing.
+func _keep_dead() -> void:
+	if vehicle.state.damage != VehicleState.Damage.KNOCKED_OUT:
+		return
+	if vehicle.state.engine_on:
+		vehicle.set_engine_on(false)
+	vehicle.input.clear()
+	vehicle.input.brake = 1.0
+	if turret != null:
+		turret.aim = Vector2.ZERO
+		if turret.is_stabilised():
+			turret.set_stabilised(false)
+
+
+func _on_commanded(_session: int, p_command: StringName, _values: PackedFloat32Array) -> void:
+	if p_command == REPAIR:
+		repair()
+	else:
+		_keep_dead()
