@@ -18,12 +18,15 @@ const _FELLED: Vector2 = Vector2(0.02, 2.0)
 const _DENSITY: float = 500.0
 ## Nearer than this a blast gives no more, m.
 const _NEAREST: float = 0.5
+## A limb is at most so many nodes below its person.
+const _LEVELS: int = 8
 ## Most bodies and limbs that a blast pushes.
 const _MOST_BODIES: int = 256
 
 
-## Pushes what is there at a point, in N s and m of the world. What does not move does nothing.
-static func push(p_body: Object, p_impulse: Vector3, p_point: Vector3) -> void:
+## Pushes what is there at a point, in N s and m of the world. What does not move, or is freed, does
+## nothing.
+static func push(p_body: Variant, p_impulse: Vector3, p_point: Vector3) -> void:
 	if not is_instance_valid(p_body) or not (p_impulse.is_finite() and p_point.is_finite()):
 		return
 	if p_body is PhysicalBone3D:
@@ -61,7 +64,7 @@ static func push_limb(p_limb: PhysicalBone3D, p_impulse: Vector3, p_point: Vecto
 ## What moves a person, of whom a limb is known; null where nobody does.
 static func motor_of(p_limb: Node) -> RagdollMotor:
 	var node: Node = p_limb.get_parent()
-	for _level: int in 4:
+	for _level: int in _LEVELS:
 		if node == null:
 			return null
 		for child: Node in node.get_children():

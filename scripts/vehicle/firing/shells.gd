@@ -35,6 +35,8 @@ const BULLET_IMPACT: StringName = &"bullet_impact"
 ## After so long a shell is forgotten, s, or so far below the level's origin, m.
 const LIFE_S: float = 10.0
 const LOWEST_M: float = -400.0
+## Nothing is fired faster, m/s: the event could not carry it.
+const MAX_SPEED: float = 2600.0
 ## Most shells of a vehicle in the air: what comes first hits first.
 const MOST_FLYING: int = 256
 ## Most impacts of bullets that are sent in a tick.
@@ -129,7 +131,9 @@ func launch(
 ) -> bool:
 	var is_finite: bool = p_breech.is_finite() and p_muzzle.is_finite() and p_velocity.is_finite()
 	var kind: int = kinds.find(p_ammunition)
-	if kind < 0 or not is_finite or _flying.size() >= MOST_FLYING:
+	if kind < 0 or not is_finite or p_velocity.length() > MAX_SPEED:
+		return false
+	if _flying.size() >= MOST_FLYING:
 		return false
 	var values: PackedFloat32Array = _quantized(kind, p_muzzle, p_velocity)
 	var flight: ShellFlight = p_ammunition.make_flight()
@@ -174,7 +178,7 @@ func _strike(p_shell: Shell, p_hit: Dictionary, p_space: PhysicsDirectSpaceState
 	var velocity: Vector3 = p_shell.flight.get_velocity()
 	var place: Vector3 = p_hit["position"]
 	var normal: Vector3 = p_hit["normal"]
-	var collider: Object = p_hit["collider"]
+	var collider: Variant = p_hit["collider"]
 	var what: Struck = Struck.GROUND
 	var surface: StringName = ContactMaterial.NO_KEY
 	# What was freed in this tick is still in the space.
@@ -183,7 +187,9 @@ func _strike(p_shell: Shell, p_hit: Dictionary, p_space: PhysicsDirectSpaceState
 		surface = _surface_of(collider, place, what)
 		var impulse: float = ammunition.mass * ammunition.impulse_factor
 		ShellHits.push(collider, velocity * impulse, place)
-		var armour: VehicleArmour = VehicleArmour.find_in(collider) if collider is Vehicle else null
+		var armour: VehicleArmour = null
+		if what == Struck.VEHICLE:
+			armour = VehicleArmour.find_in(collider as Node)
 		if armour != null:
 			armour.take_hit(ammunition, velocity, place, normal)
 	if ammunition.blast_radius > 0.0:
