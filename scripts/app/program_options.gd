@@ -309,6 +309,13 @@ static func _display() -> Array[OptionRow]:
 			)
 			. or_default(1)
 		),
+		(
+			OptionRow
+			. flag(
+				"prediction", clients, "show the vehicle that you drive where it will be, at once"
+			)
+			. or_default(1)
+		),
 		OptionRow.text(
 			"use", clients, "use the Interactable at or below a node of this name, once it is there"
 		),

@@ -142,6 +142,8 @@ func _apply_options() -> String:
 		made.live.link.told.connect(_on_told)
 		_shared = SharedClient.new(made.live.link, Roles.find(_role) as Roles.Role)
 		_scene.get_level().shared = _shared.api
+		if _options.is_on("prediction"):
+			_seat.predict(made.live, _scene.replica)
 		made.live.connecting.connect(_shared.reconnect)
 		_await_levels(made.live.link)
 	return fault
@@ -214,6 +216,7 @@ func _update_scene() -> void:
 		own.clear()
 	elif people != null and own.has(people.first_actor):
 		_stats.own_shown(people.shown_moment_usec(now))
+	_seat.apply_prediction()
 	_scene.update(_stream.frame_s(now), own)
 	var headless: bool = DisplayServer.get_name() == "headless"
 	if FramePacer.is_free():
@@ -296,6 +299,7 @@ func _make_report() -> Dictionary:
 	var report: Dictionary = _stats.report(_role, traffic, people)
 	if _arrival != null:
 		report["level"] = _arrival.report()
+	report["driving"] = _seat.report()
 	return report
 
 

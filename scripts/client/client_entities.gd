@@ -72,14 +72,14 @@ func send_event(_entity: int, _event: int, _values: PackedFloat32Array) -> void:
 	push_error("Only the server sends events.")
 
 
-func send_command(p_entity: int, p_command: int, p_values: PackedFloat32Array) -> void:
+func send_command(p_entity: int, p_command: int, p_values: PackedFloat32Array, p_tick: int) -> void:
 	var row: EntityRow = _replica.table.find(p_entity)
 	if row == null or _stream == null:
 		return
 	var command: EntityCommand = EntityCommand.new()
 	command.number = _next_command
 	_next_command = (_next_command + 1) & 0xFFFF
-	command.tick = maxi(int(_replica.shown_tick()), 0)
+	command.tick = p_tick if p_tick >= 0 else maxi(int(_replica.shown_tick()), 0)
 	command.entity = p_entity
 	command.command = p_command
 	command.bytes = row.type.commands[p_command].encode(p_values)

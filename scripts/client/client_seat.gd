@@ -6,11 +6,13 @@ extends Node
 var _controls: SeatControls = SeatControls.new()
 var _cues: ClientCues = ClientCues.new()
 var _script: DriveScript = null
+var _prediction: DriverPrediction = DriverPrediction.new()
 
 
 func _init() -> void:
 	add_child(_cues)
 	add_child(_controls)
+	add_child(_prediction)
 
 
 func _physics_process(p_delta: float) -> void:
@@ -30,10 +32,32 @@ func open(p_scene: ClientScene, p_hud: Hud, p_options: Options) -> String:
 	_controls.view_changed.connect(p_scene.look_through)
 	_controls.told.connect(p_hud.show_news)
 	if DisplayServer.get_name() != "headless":
-		var hud: VehicleHud = preload("res://scenes/vehicle/controls/vehicle_hud.tscn").instantiate()
+		var hud: VehicleHud = (
+			preload("res://scenes/vehicle/controls/vehicle_hud.tscn").instantiate()
+		)
 		add_child(hud)
 		hud.follow(_controls)
 	return _cues.open(p_options)
+
+
+## Has the vehicle obey the driver at once, on a connection to a server.
+func predict(p_stream: LiveStream, p_replica: WorldReplica) -> void:
+	_prediction.follow(
+		_controls,
+		p_replica,
+		p_stream.now_s,
+		func() -> int: return p_stream.link.clock.round_trip_usec
+	)
+
+
+## Has the replica show what is predicted. Call it before the replica is evaluated.
+func apply_prediction() -> void:
+	_prediction.apply()
+
+
+## What is predicted, for a report.
+func report() -> Dictionary:
+	return _prediction.report()
 
 
 ## What the user does in the seat.

@@ -8,6 +8,8 @@ signal level_named(p_name: String, p_fingerprint: PackedByteArray)
 ## A snapshot with this mark has come. [member LatencyMark.arrival_usec] is of the stream's clock,
 ## all other times of the server's.
 signal marked(p_mark: LatencyMark)
+## A snapshot of a tick has been taken: [member decoder] has what it brought.
+signal snapshot_taken(p_tick: int)
 
 ## Floats of a limb in [method SnapshotSmoother.person_transforms]: position, quaternion.
 const FLOATS: int = 7
@@ -41,10 +43,12 @@ var newest_tick: int = -1
 var outcome: SnapshotDecoder.Outcome = SnapshotDecoder.OK
 ## Reads the snapshots: what the last datagram of use had, and which command the server has applied.
 var decoder: SnapshotDecoder = SnapshotDecoder.new()
+## Makes motion smooth: which tick of the server it is, and which bodies are shown where this client
+## has predicted them.
+var smoother: SnapshotSmoother = SnapshotSmoother.new()
 ## Whether the server shall mark every snapshot, for measuring delays.
 var wants_marks: bool = false
 
-var _smoother: SnapshotSmoother = SnapshotSmoother.new()
 var _acked_usec: int = 0
 var _error_deg: float = 0.0
 ## Whether this server has sent its table: without it snapshots make no sense.
@@ -63,7 +67,7 @@ func _init() -> void:
 
 ## Sets how motion is made smooth, by a name of [constant SMOOTHING].
 func set_smoothing(p_name: String) -> void:
-	_smoother.method = SMOOTHING[p_name]
+	smoother.method = SMOOTHING[p_name]
 
 
 ## Whether the server has sent which entities there are.
@@ -99,6 +103,7 @@ func _take_snapshot(p_bytes: PackedByteArray, p_arrival_s: float) -> bool:
 	if tick > newest_tick or tick < newest_tick - STALE:
 		newest_tick = tick
 	_take_motion(p_arrival_s)
+	snapshot_taken.emit(tick)
 	var mark: LatencyMark = _take_mark()
 	if mark != null:
 		mark.arrival_usec = roundi(p_arrival_s * 1e6)
@@ -108,7 +113,7 @@ func _take_snapshot(p_bytes: PackedByteArray, p_arrival_s: float) -> bool:
 
 ## Takes the state of the snapshot that was decoded last.
 func _take_motion(p_arrival_s: float) -> void:
-	_smoother.take(decoder, p_arrival_s)
+	smoother.take(decoder, p_arrival_s)
 	for entity: int in decoder.get_changed_entities():
 		_active[entity] = decoder.get_tick()
 
@@ -119,7 +124,7 @@ func _decode_table(p_bytes: PackedByteArray) -> EntityTableMessage:
 
 func _set_skeleton(p_row: EntityRow) -> void:
 	var joints: PersonSkeleton = p_row.skeleton
-	_smoother.set_skeleton(p_row.id, joints.parents, joints.joints_in_parent, joints.joints_in_limb)
+	smoother.set_skeleton(p_row.id, joints.parents, joints.joints_in_parent, joints.joints_in_limb)
 
 
 ## Takes changes of the entity table; null is none.
@@ -154,7 +159,7 @@ func clear() -> void:
 	table.clear()
 	# Another server may have other types.
 	_configure(_error_deg)
-	_smoother.clear()
+	smoother.clear()
 	events.clear()
 	_active.clear()
 	newest_tick = -1
@@ -163,18 +168,18 @@ func clear() -> void:
 
 ## Works out where everything is at a time of the stream's clock, s.
 func evaluate(p_now_s: float) -> void:
-	_smoother.evaluate(p_now_s)
+	smoother.evaluate(p_now_s)
 
 
 ## The server's tick that is shown, with its fraction, or -1.
 func shown_tick() -> float:
-	return _smoother.get_shown_tick()
+	return smoother.get_shown_tick()
 
 
 ## The tick of people's motion that is shown, with its fraction, or -1: [method shown_tick], but
 ## beyond the newest update only as far as motion is carried on.
 func motion_tick() -> float:
-	return _smoother.get_motion_tick()
+	return smoother.get_motion_tick()
 
 
 ## The server's ticks per second, or 0 while that is not known.
@@ -184,24 +189,24 @@ func tick_rate() -> float:
 
 ## How far what is shown is behind the quickest arrivals, s.
 func delay() -> float:
-	return _smoother.get_delay()
+	return smoother.get_delay()
 
 
 ## Whether something is known of a person's pose.
 func has_person(p_person: int) -> bool:
-	return _smoother.has_person(p_person)
+	return smoother.has_person(p_person)
 
 
 ## Where a person's limbs are, seven floats each; as received last if [param p_newest].
 func person_floats(p_person: int, p_newest: bool = false) -> PackedFloat32Array:
 	if p_newest:
-		return _smoother.newest_person_transforms(p_person)
-	return _smoother.person_transforms(p_person)
+		return smoother.newest_person_transforms(p_person)
+	return smoother.person_transforms(p_person)
 
 
 ## Poses the visible body of a person. Returns whether something is known of its pose.
 func pose(p_view: ActorView, p_person: int) -> bool:
-	return p_view.pose(_smoother, p_person)
+	return p_view.pose(smoother, p_person)
 
 
 ## Transforms of a person's bodies, by limb, of such floats.
@@ -233,19 +238,19 @@ func ground_heading(p_person: int) -> float:
 
 ## Whether something is known of where a rigid body is.
 func has_body(p_id: int) -> bool:
-	return _smoother.has_body(p_id)
+	return smoother.has_body(p_id)
 
 
 ## Where a rigid body is; as received last if [param p_newest].
 func body_transform(p_id: int, p_newest: bool = false) -> Transform3D:
 	if p_newest:
-		return _smoother.newest_body_transform(p_id)
-	return _smoother.body_transform(p_id)
+		return smoother.newest_body_transform(p_id)
+	return smoother.body_transform(p_id)
 
 
 ## Rigid bodies that are not where they were at the last [method evaluate].
 func moved_bodies() -> PackedInt32Array:
-	return _smoother.get_moved_bodies()
+	return smoother.get_moved_bodies()
 
 
 ## Entities whose fields may have other values than in the last frame.
@@ -259,7 +264,7 @@ func active_entities() -> PackedInt32Array:
 
 ## The value of a field at the moment that is shown.
 func field(p_entity: int, p_field: int) -> float:
-	return _smoother.field(p_entity, p_field)
+	return smoother.field(p_entity, p_field)
 
 
 func _take_level(p_level: LevelMessage) -> bool:
@@ -286,7 +291,7 @@ func _on_spawned(p_row: EntityRow) -> void:
 func _on_despawned(p_row: EntityRow) -> void:
 	decoder.remove_entity(p_row.id)
 	_active.erase(p_row.id)
-	_smoother.forget_entity(p_row.id)
+	smoother.forget_entity(p_row.id)
 
 
 ## The mark of the datagram that was taken last, in times of the server's clock; null if it had

@@ -130,13 +130,16 @@ func send_event(p_event: StringName, p_values: PackedFloat32Array = []) -> void:
 	happened.emit(p_event, p_values)
 
 
-## Asks the server for something, in the name of this client's session.
-func send_command(p_command: StringName, p_values: PackedFloat32Array = []) -> void:
+## Asks the server for something, in the name of this client's session: at a tick of the server, or
+## (-1) at the one that is displayed.
+func send_command(
+	p_command: StringName, p_values: PackedFloat32Array = [], p_tick: int = -1
+) -> void:
 	var index: int = type.find_command(p_command)
 	if index < 0 or _host == null:
 		push_error("%s has no command '%s', or is in no session." % [type.name, p_command])
 		return
-	_host.send_command(id, index, p_values)
+	_host.send_command(id, index, p_values, p_tick)
 
 
 ## Takes the value to display from now on: the program calls it on clients.

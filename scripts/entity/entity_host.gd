@@ -14,8 +14,9 @@ extends RefCounted
 ## Sends an event, on the server. See [method Entity.send_event].
 @abstract func send_event(p_entity: int, p_event: int, p_values: PackedFloat32Array) -> void
 
-## Sends a command, on a client. See [method Entity.send_command].
-@abstract func send_command(p_entity: int, p_command: int, p_values: PackedFloat32Array) -> void
+## Sends a command for a tick, on a client. See [method Entity.send_command].
+@abstract
+func send_command(p_entity: int, p_command: int, p_values: PackedFloat32Array, p_at: int) -> void
 
 ## Who possesses what, on the server; null on a client.
 @abstract func possession() -> Possession
@@ -27,8 +28,8 @@ extends RefCounted
 @abstract func detach(p_session: int) -> void
 
 ## Carries a person in the frame of an entity's body from now on, as the person stands there, on the
-## server; [param p_limb] is one of the person's bodies. With [param p_holds] the motion goes with the
-## body, otherwise as far as feet or back hold on it. See [CarryArea].
+## server; [param p_limb] is one of the person's bodies. With [param p_holds] the motion goes with
+## the body, otherwise as far as feet or back hold on it. See [CarryArea].
 @abstract func carry(p_limb: Node3D, p_entity: int, p_holds: bool) -> void
 
 ## Puts a person whom the entity carries back on the ground, on the server.

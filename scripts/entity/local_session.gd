@@ -31,7 +31,9 @@ class Host:
 	func send_event(_entity: int, _event: int, _values: PackedFloat32Array) -> void:
 		pass
 
-	func send_command(p_entity: int, p_command: int, p_values: PackedFloat32Array) -> void:
+	func send_command(
+		p_entity: int, p_command: int, p_values: PackedFloat32Array, _tick_wanted: int
+	) -> void:
 		nodes[p_entity].take_command(SESSION, p_command, p_values)
 
 	func possession() -> Possession:

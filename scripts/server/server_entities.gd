@@ -135,7 +135,9 @@ func send_event(p_entity: int, p_event: int, p_values: PackedFloat32Array) -> vo
 		_unreliable.append(event)
 
 
-func send_command(_entity: int, _command: int, _values: PackedFloat32Array, _tick_wanted: int) -> void:
+func send_command(
+	_entity: int, _command: int, _values: PackedFloat32Array, _tick_wanted: int
+) -> void:
 	push_error("The server does not command: it sets what is true.")
 
 

@@ -126,6 +126,35 @@ func teleport(p_transform: Transform3D) -> void:
 		_gear.place()
 
 
+## Moves the vehicle with its wheels a little (in the world) without stopping it, and changes its
+## velocity (m/s) and angular velocity (rad/s): for who knows better where it is.
+func shift(p_by: Transform3D, p_velocity: Vector3, p_spin: Vector3) -> void:
+	if not (p_by.is_finite() and p_velocity.is_finite() and p_spin.is_finite()):
+		return
+	for body: RID in [get_rid()] + wheel_bodies():
+		var state: PhysicsDirectBodyState3D = PhysicsServer3D.body_get_direct_state(body)
+		state.transform = (p_by * state.transform).orthonormalized()
+		state.linear_velocity = p_by.basis * state.linear_velocity + p_velocity
+		if body == get_rid():
+			state.angular_velocity += p_spin
+
+
+## Has the vehicle move at a velocity (m/s) and angular velocity (rad/s, both in the world), its
+## wheels rolling along.
+func set_motion(p_velocity: Vector3, p_spin: Vector3) -> void:
+	if not (p_velocity.is_finite() and p_spin.is_finite()):
+		return
+	linear_velocity = p_velocity
+	angular_velocity = p_spin
+	var bodies: Array[RID] = wheel_bodies()
+	var ahead: float = -p_velocity.dot(global_basis.z)
+	for index: int in bodies.size():
+		var radius: float = parameters.wheels_of(_gear_kind)[index].radius
+		var state: PhysicsDirectBodyState3D = PhysicsServer3D.body_get_direct_state(bodies[index])
+		state.linear_velocity = p_velocity + p_spin.cross(state.transform.origin - global_position)
+		state.angular_velocity = p_spin - global_basis.x * ahead / radius
+
+
 ## Height of the centre of mass above the ground when the vehicle stands, m.
 func centre_height() -> float:
 	return parameters.centre_of_mass.y if parameters != null else 0.0

@@ -3,12 +3,22 @@ extends SceneTree
 ## random driving.
 ##
 ## Options: --preset=tank|carrier|truck|scootmobile (default tank), --gear=spheres|rays (default
-## both where the preset has both), --scene=published|compare|cost|mishaps|hatch|stabiliser|random (again
-## for more; default all), --seeds=3, --minutes=1 (of random, for each seed; 20 and 10 are the
-## goal's; of hatch and stabiliser, for each case; 5 are the goal's), --world=NAME (of random: desert, town or crates; default one after the other).
+## both where the preset has both), --scene=published|compare|cost|mishaps|hatch|stabiliser|
+## firing|prediction|random
+## (again for more; default all), --seeds=3, --minutes=1 (of random, for each seed; 20 and 10 are the
+## goal's; of hatch and stabiliser, for each case; 5 are the goal's), --world=NAME (of random:
+## desert, town or crates; default one after the other).
 
 const _SCENES: Array[String] = [
-	"published", "compare", "cost", "mishaps", "hatch", "stabiliser", "random"
+	"published",
+	"compare",
+	"cost",
+	"mishaps",
+	"hatch",
+	"stabiliser",
+	"firing",
+	"prediction",
+	"random",
 ]
 const _KINDS: Dictionary[String, VehicleParameters.GearKind] = {
 	"spheres": VehicleParameters.GearKind.SPHERES,
@@ -73,6 +83,12 @@ func _run() -> void:
 			"stabiliser":
 				for gear: String in _gears_of_tank():
 					await VehicleStabiliser.run(self, _report, gear, _KINDS[gear], _minutes())
+			"prediction":
+				for gear: String in _gears():
+					await VehiclePrediction.run(self, _report, _preset(), gear, _KINDS[gear])
+			"firing":
+				if _preset() == "tank":
+					await VehicleFiring.run(self, _report)
 			"random":
 				for gear: String in _gears():
 					_run_random(gear)

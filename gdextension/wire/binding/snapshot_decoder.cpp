@@ -202,15 +202,37 @@ Vector3 SnapshotDecoder::get_root(int64_t p_person) const {
 	return update == nullptr ? Vector3() : from_core(update->pose.root);
 }
 
-Transform3D SnapshotDecoder::get_body_transform(int64_t p_body) const {
+const wire::BodyUpdate *SnapshotDecoder::_find_body(int64_t p_body) const {
 	if (_core != nullptr) {
 		for (const wire::BodyUpdate &update : _core->bodies()) {
 			if (int64_t(update.id) == p_body) {
-				return Transform3D(Basis(from_core(update.orientation)), from_core(update.position));
+				return &update;
 			}
 		}
 	}
-	return Transform3D();
+	return nullptr;
+}
+
+bool SnapshotDecoder::has_body(int64_t p_body) const {
+	return _find_body(p_body) != nullptr;
+}
+
+Transform3D SnapshotDecoder::get_body_transform(int64_t p_body) const {
+	const wire::BodyUpdate *found = _find_body(p_body);
+	if (found == nullptr) {
+		return Transform3D();
+	}
+	return Transform3D(Basis(from_core(found->orientation)), from_core(found->position));
+}
+
+Vector3 SnapshotDecoder::get_body_velocity(int64_t p_body) const {
+	const wire::BodyUpdate *found = _find_body(p_body);
+	return found != nullptr ? from_core(found->velocity) : Vector3();
+}
+
+Vector3 SnapshotDecoder::get_body_spin(int64_t p_body) const {
+	const wire::BodyUpdate *found = _find_body(p_body);
+	return found != nullptr ? from_core(found->spin) : Vector3();
 }
 
 void SnapshotDecoder::clear() {
@@ -246,6 +268,9 @@ void SnapshotDecoder::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_orientations", "person"), &SnapshotDecoder::get_orientations);
 	ClassDB::bind_method(D_METHOD("get_root", "person"), &SnapshotDecoder::get_root);
 	ClassDB::bind_method(D_METHOD("get_body_transform", "body"), &SnapshotDecoder::get_body_transform);
+	ClassDB::bind_method(D_METHOD("has_body", "body"), &SnapshotDecoder::has_body);
+	ClassDB::bind_method(D_METHOD("get_body_velocity", "body"), &SnapshotDecoder::get_body_velocity);
+	ClassDB::bind_method(D_METHOD("get_body_spin", "body"), &SnapshotDecoder::get_body_spin);
 	ClassDB::bind_method(D_METHOD("clear"), &SnapshotDecoder::clear);
 	BIND_ENUM_CONSTANT(OK);
 	BIND_ENUM_CONSTANT(BROKEN);

@@ -51,7 +51,10 @@ public:
 	PackedInt32Array get_bodies() const;
 	PackedFloat32Array get_orientations(int64_t p_person) const;
 	Vector3 get_root(int64_t p_person) const;
+	bool has_body(int64_t p_body) const;
 	Transform3D get_body_transform(int64_t p_body) const;
+	Vector3 get_body_velocity(int64_t p_body) const;
+	Vector3 get_body_spin(int64_t p_body) const;
 	void clear();
 
 	/// The core, or null before configure().
@@ -61,6 +64,8 @@ protected:
 	static void _bind_methods();
 
 private:
+	const wire::BodyUpdate *_find_body(int64_t p_body) const;
+
 	const wire::PersonUpdate *_find_person(int64_t p_person) const;
 
 	std::unique_ptr<wire::SnapshotDecoder> _core;

@@ -165,6 +165,18 @@ Transform3D SnapshotSmoother::newest_body_transform(int64_t p_body) const {
 	return is_id(p_body) && _smoother.newest(uint16_t(p_body), transform) ? to_transform(transform) : Transform3D();
 }
 
+bool SnapshotSmoother::predict_body(int64_t p_body, const Transform3D &p_transform) {
+	return is_id(p_body) &&
+			_smoother.predict_body(
+					uint16_t(p_body), { to_core(p_transform.origin), to_core(p_transform.basis.orthonormalized()) });
+}
+
+void SnapshotSmoother::forget_prediction(int64_t p_body) {
+	if (is_id(p_body)) {
+		_smoother.forget_prediction(uint16_t(p_body));
+	}
+}
+
 PackedInt32Array SnapshotSmoother::get_moved_bodies() const {
 	const std::vector<uint16_t> &moved = _smoother.moved_bodies();
 	PackedInt32Array result;
@@ -196,6 +208,8 @@ void SnapshotSmoother::_bind_methods() {
 			&SnapshotSmoother::push_person);
 	ClassDB::bind_method(D_METHOD("push_body", "body", "tick", "arrival_s", "transform", "velocity", "spin", "at_rest"),
 			&SnapshotSmoother::push_body);
+	ClassDB::bind_method(D_METHOD("predict_body", "body", "transform"), &SnapshotSmoother::predict_body);
+	ClassDB::bind_method(D_METHOD("forget_prediction", "body"), &SnapshotSmoother::forget_prediction);
 	ClassDB::bind_method(D_METHOD("set_types", "decoder"), &SnapshotSmoother::set_types);
 	ClassDB::bind_method(D_METHOD("field", "entity", "field"), &SnapshotSmoother::field);
 	ClassDB::bind_method(D_METHOD("newest_field", "entity", "field"), &SnapshotSmoother::newest_field);

@@ -56,6 +56,8 @@ public:
 	PackedFloat32Array newest_person_transforms(int64_t p_person) const;
 	Transform3D body_transform(int64_t p_body) const;
 	Transform3D newest_body_transform(int64_t p_body) const;
+	bool predict_body(int64_t p_body, const Transform3D &p_transform);
+	void forget_prediction(int64_t p_body);
 	PackedInt32Array get_moved_bodies() const;
 
 	double field(int64_t p_entity, int64_t p_field) const;

@@ -138,6 +138,32 @@ TEST(who_is_carried_by_something_unknown_waits) {
 	CHECK_NEAR((person.pose.root - smoother.person(PERSON)->pose.root).length(), 0.0, 0.2);
 }
 
+TEST(who_is_carried_by_a_predicted_body_is_shown_on_it) {
+	Smoother smoother;
+	smoother.set_skeleton(PERSON, arm());
+	const BodyTransform ahead{ { 30.0f, 2.0f, -4.0f }, kinematics::exp({ 0.0f, 0.6f, 0.0f }) };
+	CHECK(!smoother.predict_body(PLATFORM, ahead));
+	for (uint32_t tick = 100; tick < 160; tick++) {
+		smoother.push(platform(double(tick) / 60.0, tick), double(tick) / 60.0);
+		PersonUpdate update;
+		update.tick = tick;
+		update.id = PERSON;
+		update.frame = PLATFORM;
+		update.pose = on_platform(double(tick) / 60.0);
+		smoother.push(update, double(tick) / 60.0);
+	}
+	CHECK(smoother.predict_body(PLATFORM, ahead));
+	CHECK(!smoother.predict_body(PLATFORM, { { NAN, 0.0f, 0.0f }, Quat() }));
+	smoother.evaluate(159.0 / 60.0);
+	CHECK((smoother.body(PLATFORM)->position - ahead.position).length() < 1e-4f);
+	const Vec3 local = ahead.orientation.inverse().rotate(smoother.person(PERSON)->pose.root - ahead.position);
+	CHECK((local - on_platform(0.0).root).length() < 1e-3f);
+	CHECK(smoother.moved_bodies().size() == 1);
+	smoother.forget_prediction(PLATFORM);
+	smoother.evaluate(160.0 / 60.0);
+	CHECK((smoother.body(PLATFORM)->position - ahead.position).length() > 10.0f);
+}
+
 TEST(fields_move_as_their_kind_says) {
 	EntityTypes types;
 	const uint8_t kinds[3] = { 0, 1, 2 };

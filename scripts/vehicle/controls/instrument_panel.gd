@@ -9,11 +9,11 @@ const _WARN: Color = Color(1.0, 0.55, 0.2)
 const _HULL: Color = Color(0.6, 0.64, 0.55)
 const _DAMAGE: Array[String] = ["", "DAMAGED", "KNOCKED OUT"]
 ## Revolutions at the end of the bar where nothing is known of the engine, 1/min.
-const _MOST_RPM: float = 2800.0
+const _MAX_RPM: float = 2800.0
 const _PAD: float = 14.0
 
 ## The engine's greatest speed, 1/min.
-var most_rpm: float = _MOST_RPM
+var most_rpm: float = _MAX_RPM
 
 var _state: VehicleState = null
 var _selector: VehicleInput.Selector = VehicleInput.Selector.AUTOMATIC

@@ -30,6 +30,8 @@ var seat: Seat = null
 var vehicle: Vehicle = null
 ## The view that is looked through, or null.
 var view: SeatView = null
+## The server's tick that a driver's commands are meant for; -1: the one that is displayed.
+var command_tick: int = -1
 
 var _entity: Entity = null
 var _looked_s: float = 0.0
@@ -146,7 +148,9 @@ static func views_of(p_seat: Seat) -> Array[SeatView]:
 
 ## Turns the aim by the mouse, or the view where there is nothing to aim.
 func _take_motion(p_event: InputEventMouseMotion) -> bool:
-	var is_held: bool = p_event.button_mask & (MOUSE_BUTTON_MASK_LEFT | MOUSE_BUTTON_MASK_RIGHT) != 0
+	var is_held: bool = (
+		p_event.button_mask & (MOUSE_BUTTON_MASK_LEFT | MOUSE_BUTTON_MASK_RIGHT) != 0
+	)
 	if not is_held or view == null:
 		return false
 	var by: Vector2 = -p_event.relative * MOUSE / view.magnification()
@@ -206,7 +210,7 @@ func _send_drive() -> void:
 	if values != _sent or _sent_s >= REPEAT_S:
 		_sent = values
 		_sent_s = 0.0
-		_entity.send_command(&"drive", values)
+		_entity.send_command(&"drive", values, command_tick)
 
 
 ## Keys and sticks ask for a rate; the mouse for a way, which becomes the rate that goes it at once.

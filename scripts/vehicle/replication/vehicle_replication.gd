@@ -80,9 +80,7 @@ func _physics_process(p_delta: float) -> void:
 		return
 	var state: VehicleState = vehicle.state
 	state.hatch = move_toward(state.hatch, _hatch_wanted, HATCH_RATE * p_delta)
-	state.loader_hatch = move_toward(
-		state.loader_hatch, _loader_hatch_wanted, HATCH_RATE * p_delta
-	)
+	state.loader_hatch = move_toward(state.loader_hatch, _loader_hatch_wanted, HATCH_RATE * p_delta)
 	_silent_s += p_delta
 	if _silent_s > DEAD_MAN_S and driver_seat != null and driver_seat.occupant() != 0:
 		_let_go()

@@ -193,7 +193,10 @@ void Smoother::evaluate(double p_now_s) {
 	for (auto &[id, entry] : _bodies) {
 		if (!entry->track.is_empty()) {
 			entry->track.evaluate({ _shown_time, p_now_s, _method });
-			const BodyTransform shown{ entry->track.get_shown().position, entry->track.get_shown().turns[0] };
+			BodyTransform shown{ entry->track.get_shown().position, entry->track.get_shown().turns[0] };
+			if (entry->is_predicted) {
+				shown = entry->predicted;
+			}
 			if (!entry->is_shown || !is_same(shown, entry->shown)) {
 				_moved_bodies.push_back(id);
 			}
@@ -218,6 +221,23 @@ void Smoother::_evaluate_person(PersonEntry &r_entry, double p_now_s) {
 		const Frame<kinematics::MAX_LIMBS> &frame = r_entry.track.get_shown();
 		_pose_person(r_entry.skeleton, r_entry.frame == 0 ? frame : carried(carrier, frame, count), r_entry.shown);
 		r_entry.is_shown = true;
+	}
+}
+
+bool Smoother::predict_body(uint16_t p_id, const BodyTransform &p_transform) {
+	const auto found = _bodies.find(p_id);
+	if (found == _bodies.end() || !is_position(p_transform.position) || !is_turn(p_transform.orientation)) {
+		return false;
+	}
+	found->second->predicted = { p_transform.position, p_transform.orientation.normalized() };
+	found->second->is_predicted = true;
+	return true;
+}
+
+void Smoother::forget_prediction(uint16_t p_id) {
+	const auto found = _bodies.find(p_id);
+	if (found != _bodies.end()) {
+		found->second->is_predicted = false;
 	}
 }
 

@@ -60,6 +60,13 @@ public:
 	/// Works out where everything is at a time of the client's clock, s.
 	void evaluate(double p_now_s);
 
+	/// Shows a body somewhere else than its updates say, until forget_prediction(): where this client has worked out
+	/// that it will be. Who is carried by it is shown there too. False, and nothing, for a body without updates or a
+	/// place that is none.
+	bool predict_body(uint16_t p_id, const BodyTransform &p_transform);
+	/// Shows a body as its updates say again.
+	void forget_prediction(uint16_t p_id);
+
 	/// The tick that is shown, with its fraction; -1 before the first update.
 	double shown_tick() const { return _is_playing ? _shown_time * _clock.tick_rate : -1.0; }
 	/// The tick of the motion of people that is shown, with its fraction: shown_tick(), but beyond the newest update
@@ -105,7 +112,9 @@ private:
 	struct BodyEntry {
 		BodyTrack track{ 1, true };
 		BodyTransform shown;
+		BodyTransform predicted;
 		bool is_shown = false;
+		bool is_predicted = false;
 	};
 
 	bool _carrier_at(uint16_t p_frame, double p_time, Frame<1> &r_carrier) const;
