@@ -14,15 +14,13 @@ const _FREE_M: float = 0.15
 const _FULL_M: float = 0.04
 ## From the wrist to the finger tips, m.
 const _HAND_M: float = 0.18
-## Half the depth of a trunk, m.
-const _TRUNK_M: float = 0.16
+## Half the depth of a trunk at the rim, and of shoulders that are below it, m.
+const _TRUNK_M: float = 0.18
+const _SHOULDERS_M: float = 0.29
 ## An arm is not turned higher than this, as the sine of its elevation.
 const _STEEPEST: float = 0.95
-## Shoulders so far below the rim have their arms inside; those so far above have them free, m.
-const _DUCKED_M: float = 0.15
-const _FREED_M: float = 0.2
 ## Elevation of lower arms that are folded, rad.
-const _FOLDED: float = 1.15
+const _FOLDED: float = 1.35
 const _SIDES: Array[int] = [Limbs.LEFT_UPPER_ARM, Limbs.RIGHT_UPPER_ARM]
 ## Trunk and head.
 const _TRUNK: Array[int] = [Limbs.HIPS, Limbs.SPINE, Limbs.CHEST, Limbs.HEAD]
@@ -45,18 +43,19 @@ func _init(p_profile: RagdollProfile) -> void:
 
 
 ## Changes a sample of somebody who stands on the seat: [param p_hips] is where the hips are above
-## its middle, m, [param p_rim] the roof's height and [param p_radius] the hatch's radius, m.
-func fit(p_sample: PoseSample, p_hips: Vector3, p_rim: float, p_radius: float) -> void:
-	_straighten(p_sample, p_hips, p_rim, p_radius)
+## its middle, m, [param p_rim] the roof's height and [param p_radius] the hatch's radius, m;
+## [param p_folded] says how far the arms are folded, 0 to 1.
+func fit(
+	p_sample: PoseSample, p_hips: Vector3, p_rim: float, p_radius: float, p_folded: float
+) -> void:
+	_straighten(p_sample, p_hips, p_rim, p_radius, p_folded)
 	var chest: Vector3 = _chest(p_sample, p_hips)
 	for upper: int in _SIDES:
 		var shoulder: Vector3 = chest + p_sample.orientation(Limbs.CHEST) * _offsets[upper]
-		var folded: float = 1.0 - smoothstep(p_rim - _DUCKED_M, p_rim + _FREED_M, shoulder.y)
-		if folded > 0.0:
-			_fold(p_sample, upper, folded)
-		var part: float = smoothstep(p_rim - _DUCKED_M, p_rim, shoulder.y)
-		if part > 0.0:
-			_lift(p_sample, upper, shoulder, Vector3(p_rim + CLEARANCE_M, p_radius, part))
+		if p_folded < 1.0:
+			_lift(p_sample, upper, shoulder, Vector3(p_rim + CLEARANCE_M, p_radius, 1.0))
+		if p_folded > 0.0:
+			_fold(p_sample, upper, smoothstep(0.0, 1.0, p_folded))
 
 
 func _chest(p_sample: PoseSample, p_hips: Vector3) -> Vector3:
@@ -64,16 +63,20 @@ func _chest(p_sample: PoseSample, p_hips: Vector3) -> Vector3:
 	return spine + p_sample.orientation(Limbs.SPINE) * _offsets[Limbs.CHEST]
 
 
-## Hips below the rim leave the trunk so much room to lean as there is beside it at the rim.
-func _straighten(p_sample: PoseSample, p_hips: Vector3, p_rim: float, p_radius: float) -> void:
+## Hips below the rim leave the trunk so much room to lean as there is beside it at the rim; whoever
+## ducks takes the shoulders through it.
+func _straighten(
+	p_sample: PoseSample, p_hips: Vector3, p_rim: float, p_radius: float, p_folded: float
+) -> void:
 	var head: Vector3 = _chest(p_sample, p_hips)
 	head += p_sample.orientation(Limbs.CHEST) * _offsets[Limbs.HEAD]
 	var trunk: Vector3 = head - p_hips
 	var below: float = p_rim - p_hips.y
-	if trunk.length() < 0.1 or below <= 0.0:
+	if trunk.length() < 0.1 or (below <= 0.0 and p_folded <= 0.0):
 		return
-	var room: float = maxf(p_radius - _TRUNK_M, 0.05)
-	var most: float = maxf(atan2(room, below), asin(minf(room / trunk.length(), 1.0)))
+	var most: float = atan2(maxf(p_radius - _TRUNK_M, 0.05), maxf(below, 0.0))
+	var inside: float = maxf(p_radius - _SHOULDERS_M, 0.02)
+	most = lerpf(most, asin(minf(inside / trunk.length(), 1.0)), p_folded)
 	var leans: float = trunk.angle_to(Vector3.UP)
 	var axis: Vector3 = trunk.cross(Vector3.UP)
 	if leans <= most or axis.length() < 0.001:
@@ -89,7 +92,7 @@ func _straighten(p_sample: PoseSample, p_hips: Vector3, p_rim: float, p_radius: 
 func _fold(p_sample: PoseSample, p_upper: int, p_share: float) -> void:
 	var along: Vector3 = Limbs.RESET_DIRECTIONS[p_upper]
 	var facing: Quaternion = SeatedPose.facing_of(p_sample.orientation(Limbs.CHEST))
-	var down: Vector3 = Vector3(0.2 * along.x, -1.0, 0.1).normalized()
+	var down: Vector3 = Vector3(0.05 * along.x, -1.0, 0.0).normalized()
 	var hangs: Quaternion = facing * Quaternion(along, down)
 	var ahead: Vector3 = Vector3(-0.3 * along.x * cos(_FOLDED), sin(_FOLDED), cos(_FOLDED))
 	var bent: Quaternion = facing * Quaternion(along, ahead.normalized())

@@ -36,6 +36,13 @@ const SMOOTH_S: float = 0.03
 const CENTRE_S: float = 2.0
 ## Hips rise or sink by no more than this from one sample to the next, m.
 const FASTEST_M: float = 0.1
+const SINKS_M: float = 0.025
+## Hips that are to be so far below the rim (m) mean that the wearer ducks; those of who comes up
+## again, that the arms are free. It takes so long to fold them, s.
+const DOWN_M: float = 0.25
+const UP_M: float = 0.15
+const FOLD_S: float = 0.4
+const FOLDED: float = 1.3
 ## A seat that turns by more than this in a step (rad) has been put so.
 const _JUMP: float = 0.2
 
@@ -68,6 +75,9 @@ var _hips: Vector3 = Vector3.ZERO
 var _middle: Vector3 = Vector3.ZERO
 ## Height of the hips above the person's own floor that is the seat's, of who sits, m.
 var _seat_height: float = 0.0
+## How far the arms are folded, 0 to 1, and whether nothing of the body meets the vehicle.
+var _folded: float = 0.0
+var _is_ducked: bool = false
 var _lengths: Vector3 = Vector3.ZERO
 var _room: HatchRoom = null
 var _before: Dictionary[StringName, float] = {}
@@ -156,6 +166,7 @@ func pull(p_delta_s: float) -> void:
 	_target = _frame * _hips
 	if phase == Phase.SITTING:
 		_centre(p_delta_s)
+		_duck(p_delta_s)
 		var place: Vector3 = _joint.place()
 		var is_out: bool = _clamped(place).distance_to(place) > SLACK_M
 		var side: float = STRONG_FORCE if is_out else hold.side_force
@@ -180,17 +191,29 @@ func place_of(p_root: Vector3) -> Vector3:
 		return _place
 	var off: Vector3 = p_root - _middle
 	var across: Vector2 = Vector2(off.x, off.z)
-	var kept: Vector2 = across.limit_length(hold.room)
+	var kept: Vector2 = across.limit_length(_room_at(_place.y))
 	_middle += Vector3(across.x - kept.x, 0.0, across.y - kept.y)
-	var height: float = clampf(p_root.y, hold.lowest, hold.highest)
+	var lowest: float = hold.lowest
+	if hold.hatch_radius > 0.0 and not _is_ducked:
+		lowest = maxf(lowest, minf(hold.rim - UP_M, _place.y))
+	var height: float = clampf(p_root.y, lowest, hold.highest)
 	if not _stands():
 		var rise: float = clampf(off.y, hold.lowest, hold.highest)
 		_middle.y += off.y - rise
 		height = _seat_height + rise
-	# A wearer whose tracking jumps is nowhere else.
-	height = clampf(height, _place.y - FASTEST_M, _place.y + FASTEST_M)
+	# A wearer whose tracking jumps is nowhere else; nobody falls into a well.
+	var sinks: float = SINKS_M if hold.hatch_radius > 0.0 and _place.y < hold.rim else FASTEST_M
+	height = clampf(height, _place.y - sinks, _place.y + FASTEST_M)
 	_place = Vector3(kept.x, height, kept.y)
 	return _place
+
+
+## How far from the middle hips of a height may be, m: shoulders fill a well.
+func _room_at(p_height: float) -> float:
+	if hold.hatch_radius <= 0.0:
+		return hold.room
+	var below: float = smoothstep(0.0, DOWN_M, hold.rim - p_height)
+	return lerpf(hold.room, minf(hold.room, 0.02), below)
 
 
 ## A sample as it drives the body in this seat.
@@ -199,7 +222,7 @@ func fit(p_sample: PoseSample) -> PoseSample:
 		return p_sample
 	var fitted: PoseSample = SeatedPose.fit(p_sample, hold, _place.y, _lengths)
 	if hold.hatch_radius > 0.0:
-		_room.fit(fitted, _place, hold.rim, hold.hatch_radius)
+		_room.fit(fitted, _place, hold.rim, hold.hatch_radius, minf(_folded, 1.0))
 	return fitted
 
 
@@ -285,6 +308,20 @@ func _centre(p_delta_s: float) -> void:
 	var to: Vector3 = _root() - _middle
 	to.y = 0.0 if _stands() else to.y
 	_middle += to.limit_length(1.0) * (1.0 - exp(-p_delta_s / CENTRE_S))
+
+
+## Whoever goes down into a well folds the arms first: limbs that are above the rim would be caught
+## there. Folded up, nothing meets the vehicle.
+func _duck(p_delta_s: float) -> void:
+	if hold.hatch_radius <= 0.0:
+		return
+	var below: float = hold.rim - minf(_root().y, _place.y + UP_M)
+	var ducks: bool = below > (UP_M if _folded > 0.0 else DOWN_M)
+	# A little more than all: until the arms have come.
+	_folded = move_toward(_folded, FOLDED if ducks else 0.0, p_delta_s / FOLD_S)
+	if (_folded >= FOLDED) != _is_ducked:
+		_is_ducked = not _is_ducked
+		_meet([] if _is_ducked else _limbs_that_meet())
 
 
 ## Where the nearest place is that the hips may have.
