@@ -35,8 +35,8 @@ bool ShellFlight::_take(const vehicle::Drag &p_drag) {
 
 void ShellFlight::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_drag", "drag_coefficient", "calibre", "mass"), &ShellFlight::set_drag);
-	ClassDB::bind_method(D_METHOD("set_ballistic_coefficient", "pounds_per_square_inch"),
-			&ShellFlight::set_ballistic_coefficient);
+	ClassDB::bind_method(
+			D_METHOD("set_ballistic_coefficient", "pounds_per_square_inch"), &ShellFlight::set_ballistic_coefficient);
 	ClassDB::bind_method(D_METHOD("launch", "position", "velocity", "gravity"), &ShellFlight::launch, DEFVAL(9.81));
 	ClassDB::bind_method(D_METHOD("advance", "delta"), &ShellFlight::advance);
 	ClassDB::bind_method(D_METHOD("get_position"), &ShellFlight::get_position);

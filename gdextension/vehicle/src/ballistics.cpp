@@ -81,8 +81,8 @@ constexpr std::array<DragPoint, 53> G7{ {
 } // namespace
 
 double g7_drag(double p_mach) {
-	const auto *const after = std::upper_bound(
-			G7.begin(), G7.end(), p_mach, [](double p_value, const DragPoint &p_point) { return p_value < p_point.mach; });
+	const auto *const after = std::upper_bound(G7.begin(), G7.end(), p_mach,
+			[](double p_value, const DragPoint &p_point) { return p_value < p_point.mach; });
 	if (after == G7.begin()) {
 		return G7.front().drag;
 	}

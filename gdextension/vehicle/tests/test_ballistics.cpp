@@ -105,11 +105,13 @@ TEST(a_rifle_bullet_flies_as_published) {
 	CHECK_NEAR(far.speed(), 439.0, 8.0);
 	CHECK_NEAR(far.age(), 0.99, 0.015);
 	CHECK_NEAR(-far.position().y, 3.9, 0.12);
-	// At 1000 m it has just become slower than sound: 310 m/s, 2.1 s and 15.3 m of drop within some per cent.
+	// Between 850 and 900 m it becomes slower than sound, as is commonly said of it; no table to 1000 m could be
+	// opened, so the bounds there are wide: about 300 m/s, 2.1 s and 16 m.
 	const ShellFlight end = fly(838.0, drag, 1000.0);
-	CHECK(end.speed() > 280.0 && end.speed() < 340.0);
-	CHECK_NEAR(end.age(), 2.07, 0.1);
-	CHECK_NEAR(-end.position().y, 15.3, 1.2);
+	CHECK(fly(838.0, drag, 750.0).speed() > 340.3);
+	CHECK(end.speed() > 280.0 && end.speed() < 330.0);
+	CHECK_NEAR(end.age(), 2.1, 0.15);
+	CHECK_NEAR(-end.position().y, 16.0, 1.5);
 }
 
 TEST(tank_rounds_fly_as_published) {
@@ -133,7 +135,8 @@ TEST(the_standard_drag_is_continuous_and_known) {
 	CHECK_NEAR(g7_drag(2.0), 0.2980, 1e-4);
 	CHECK_NEAR(g7_drag(-1.0), 0.1198, 1e-4);
 	CHECK_NEAR(g7_drag(9.0), 0.1618, 1e-4);
-	for (double mach = 0.0; mach < 5.0; mach += 0.001) {
+	for (int i = 0; i < 5000; i++) {
+		const double mach = 0.001 * i;
 		CHECK(std::abs(g7_drag(mach + 0.001) - g7_drag(mach)) < 0.005);
 	}
 }

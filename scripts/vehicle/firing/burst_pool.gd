@@ -24,9 +24,7 @@ func play(p_at: Transform3D, p_size: float = 1.0, p_colour: Color = Color.TRANSP
 	var motion: ParticleProcessMaterial = burst.process_material as ParticleProcessMaterial
 	if not burst.has_meta(&"scale"):
 		burst.set_meta(&"scale", Vector2(motion.scale_min, motion.scale_max))
-		burst.set_meta(
-			&"speed", Vector2(motion.initial_velocity_min, motion.initial_velocity_max)
-		)
+		burst.set_meta(&"speed", Vector2(motion.initial_velocity_min, motion.initial_velocity_max))
 	var scale: Vector2 = burst.get_meta(&"scale")
 	var speed: Vector2 = burst.get_meta(&"speed")
 	motion.scale_min = scale.x * p_size

@@ -3,7 +3,7 @@ extends Node3D
 ## What is seen of a vehicle's shots: the barrel recoils, flash and smoke at the muzzle, dust below
 ## it, tracers, and what flies up where something is hit. It costs no bytes beside the events.
 
-const _EFFECTS: String = "res://scenes/vehicle/firing/effects/%s.tscn"
+const _EFFECTS: String = "res://scenes/vehicle/firing/effects/"
 ## How many of each effect there are.
 const _COUNTS: Dictionary[StringName, int] = {
 	&"muzzle_flash": 3,
@@ -60,7 +60,7 @@ static func create(p_shells: Shells) -> FiringView:
 
 func _ready() -> void:
 	for effect: StringName in _COUNTS:
-		_pools[effect] = BurstPool.new(self, load(_EFFECTS % effect), _COUNTS[effect])
+		_pools[effect] = BurstPool.new(self, load(_EFFECTS + effect + ".tscn"), _COUNTS[effect])
 	tracers.configure(self)
 	marks.configure(self)
 	_flash.light_color = Color(1.0, 0.72, 0.4)

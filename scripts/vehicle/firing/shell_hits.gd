@@ -3,11 +3,11 @@ extends RefCounted
 ## What a hit and a blast do to bodies and people: impulses at the place, within what is plausible.
 
 ## A light thing is not made faster than this by one hit, m/s: a real shell goes through it.
-const MOST_GAIN: float = 12.0
+const MAX_GAIN: float = 12.0
 ## Nor made to turn faster than this, rad/s.
-const MOST_SPIN: float = 15.0
+const MAX_SPIN: float = 15.0
 ## A limb is not made faster than this by one hit, m/s.
-const MOST_LIMB_GAIN: float = 10.0
+const MAX_LIMB_GAIN: float = 10.0
 ## Impulse from which on a person cannot stay standing, N s.
 const _FELLING: float = 80.0
 ## What the hit limb's group has left of its strength, and how long until all is back (s): for a
@@ -21,7 +21,7 @@ const _NEAREST: float = 0.5
 ## A limb is at most so many nodes below its person.
 const _LEVELS: int = 8
 ## Most bodies and limbs that a blast pushes.
-const _MOST_BODIES: int = 256
+const _MAX_BODIES: int = 256
 
 
 ## Pushes what is there at a point, in N s and m of the world. What does not move, or is freed, does
@@ -44,7 +44,7 @@ static func push_thing(p_body: RigidBody3D, p_impulse: Vector3, p_point: Vector3
 	var arm: Vector3 = p_point - state.transform.origin - state.center_of_mass
 	var gain: float = p_impulse.length() * state.inverse_mass
 	var spin: float = (state.inverse_inertia_tensor * arm.cross(p_impulse)).length()
-	var share: float = minf(1.0, minf(MOST_GAIN / maxf(gain, 1e-6), MOST_SPIN / maxf(spin, 1e-6)))
+	var share: float = minf(1.0, minf(MAX_GAIN / maxf(gain, 1e-6), MAX_SPIN / maxf(spin, 1e-6)))
 	p_body.apply_impulse(p_impulse * share, p_point - p_body.global_position)
 
 
@@ -56,7 +56,7 @@ static func push_limb(p_limb: PhysicalBone3D, p_impulse: Vector3, p_point: Vecto
 	var mass: float = PhysicsServer3D.body_get_param(
 		p_limb.get_rid(), PhysicsServer3D.BODY_PARAM_MASS
 	)
-	var given: Vector3 = p_impulse.limit_length(MOST_LIMB_GAIN * mass)
+	var given: Vector3 = p_impulse.limit_length(MAX_LIMB_GAIN * mass)
 	var way: Vector2 = _FLINCH if p_impulse.length() < _FELLING else _FELLED
 	motor.hit(given, p_point, way.x, way.y)
 
@@ -85,7 +85,7 @@ static func burst(
 	query.transform.origin = p_place
 	query.collision_mask = PhysicsLayers.PEOPLE | PhysicsLayers.PROPS
 	var pushed: Dictionary[Object, bool] = {}
-	for found: Dictionary in p_space.intersect_shape(query, _MOST_BODIES):
+	for found: Dictionary in p_space.intersect_shape(query, _MAX_BODIES):
 		var body: CollisionObject3D = found["collider"] as CollisionObject3D
 		if body == null or pushed.has(body):
 			continue

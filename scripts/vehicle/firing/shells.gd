@@ -38,9 +38,9 @@ const LOWEST_M: float = -400.0
 ## Nothing is fired faster, m/s: the event could not carry it.
 const MAX_SPEED: float = 2600.0
 ## Most shells of a vehicle in the air: what comes first hits first.
-const MOST_FLYING: int = 256
+const MAX_FLYING: int = 256
 ## Most impacts of bullets that are sent in a tick.
-const MOST_BULLET_IMPACTS: int = 3
+const MAX_BULLET_IMPACTS: int = 3
 ## Surfaces by their number on the wire. Append only; the first stands for what is not here.
 const SURFACES: Array[StringName] = [
 	&"stone",
@@ -133,7 +133,7 @@ func launch(
 	var kind: int = kinds.find(p_ammunition)
 	if kind < 0 or not is_finite or p_velocity.length() > MAX_SPEED:
 		return false
-	if _flying.size() >= MOST_FLYING:
+	if _flying.size() >= MAX_FLYING:
 		return false
 	var values: PackedFloat32Array = _quantized(kind, p_muzzle, p_velocity)
 	var flight: ShellFlight = p_ammunition.make_flight()
@@ -208,7 +208,7 @@ func _tell_impact(
 	if p_ammunition.kind == Ammunition.Kind.BULLET:
 		event = BULLET_IMPACT
 		_bullet_impacts += 1
-		if _bullet_impacts > MOST_BULLET_IMPACTS:
+		if _bullet_impacts > MAX_BULLET_IMPACTS:
 			return
 	var angles: Vector2 = angles_of(p_normal)
 	_tell(

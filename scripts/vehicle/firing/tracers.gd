@@ -4,7 +4,7 @@ extends RefCounted
 ## muzzle.
 
 ## Most of them at once.
-const MOST: int = 48
+const MAX_SHOWN: int = 48
 ## How long the streak of one is: what it flies in this time, s.
 const STREAK_S: float = 0.02
 const _COLOUR: Color = Color(1.0, 0.45, 0.15)
@@ -32,7 +32,7 @@ func configure(p_parent: Node3D) -> void:
 	box.material = material
 	_streaks.transform_format = MultiMesh.TRANSFORM_3D
 	_streaks.mesh = box
-	_streaks.instance_count = MOST
+	_streaks.instance_count = MAX_SHOWN
 	_streaks.visible_instance_count = 0
 	var shown: MultiMeshInstance3D = MultiMeshInstance3D.new()
 	shown.multimesh = _streaks
@@ -45,7 +45,7 @@ func configure(p_parent: Node3D) -> void:
 ## One leaves a muzzle.
 func add(p_ammunition: Ammunition, p_place: Vector3, p_velocity: Vector3) -> void:
 	var flight: ShellFlight = p_ammunition.make_flight()
-	if flight == null or not flight.launch(p_place, p_velocity) or _shells.size() >= MOST:
+	if flight == null or not flight.launch(p_place, p_velocity) or _shells.size() >= MAX_SHOWN:
 		return
 	var shell: Shell = Shell.new()
 	shell.ammunition = p_ammunition

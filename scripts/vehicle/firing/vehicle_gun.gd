@@ -7,7 +7,7 @@ extends Marker3D
 ## On the server it takes the commands of its seat, loads, fires through [Shells] and kicks the
 ## hull. What everybody may know of it are fields of the entity. A machine gun ([member
 ## is_automatic]) fires while its trigger is held: it lets go when its seat is left, and after
-## [constant LONGEST_BURST_S] unless it is commanded again, as a client may vanish with a finger on
+## [constant MAX_BURST_S] unless it is commanded again, as a client may vanish with a finger on
 ## it.
 
 ## A round leaves the muzzle (m and m/s, world): on every machine, on a client when it is seen. The
@@ -17,9 +17,9 @@ signal fired(p_ammunition: Ammunition, p_position: Vector3, p_velocity: Vector3)
 ## How long the kick of a large gun lasts: its barrel recoils meanwhile, s.
 const KICK_S: float = 0.05
 ## The longest burst for one command, s.
-const LONGEST_BURST_S: float = 5.0
+const MAX_BURST_S: float = 5.0
 ## Most rounds that a machine gun makes up for in a tick.
-const _MOST_IN_TICK: int = 4
+const _MAX_IN_TICK: int = 4
 
 ## The vehicle that it kicks.
 @export var vehicle: Vehicle = null:
@@ -172,7 +172,7 @@ func load_kind(p_kind: int) -> bool:
 
 ## Presses or releases the trigger of a machine gun: on the server.
 func hold_trigger(p_is_held: bool) -> void:
-	_held_s = LONGEST_BURST_S if p_is_held and is_automatic else 0.0
+	_held_s = MAX_BURST_S if p_is_held and is_automatic else 0.0
 
 
 func _fire_on(p_delta: float) -> void:
@@ -193,7 +193,7 @@ func _fire_on(p_delta: float) -> void:
 func _rounds_due(p_delta: float) -> int:
 	var due: int = 0
 	_until_round -= p_delta
-	while _until_round <= 0.0 and due < _MOST_IN_TICK:
+	while _until_round <= 0.0 and due < _MAX_IN_TICK:
 		_until_round += 60.0 / rate
 		due += 1
 	_until_round = maxf(_until_round, 0.0)

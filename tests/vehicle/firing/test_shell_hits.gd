@@ -24,7 +24,7 @@ func test_a_crate_that_is_hit_flies_off_and_not_too_fast() -> void:
 		await _range.ground.run(1.0 / 60.0)
 		fastest = maxf(fastest, crate.linear_velocity.length())
 	equal(_range.hits[0][2], &"wood")
-	is_true(fastest > 3.0 and fastest < ShellHits.MOST_GAIN + 1.0, "%.1f m/s" % fastest)
+	is_true(fastest > 3.0 and fastest < ShellHits.MAX_GAIN + 1.0, "%.1f m/s" % fastest)
 	is_true(crate.global_position.z < -41.0, str(crate.global_position))
 
 
@@ -53,7 +53,7 @@ func test_a_blast_pushes_what_it_sees_and_spares_what_is_behind_a_wall() -> void
 	await _range.ground.run(2.0 / 60.0)
 	is_true(seen.linear_velocity.x > 0.5, str(seen.linear_velocity))
 	is_true(near.linear_velocity.length() > seen.linear_velocity.length())
-	is_true(near.linear_velocity.length() < ShellHits.MOST_GAIN + 1.0)
+	is_true(near.linear_velocity.length() < ShellHits.MAX_GAIN + 1.0)
 	almost_equal(hidden.linear_velocity, Vector3.ZERO, 0.05)
 
 

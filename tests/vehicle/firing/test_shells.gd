@@ -131,7 +131,7 @@ func test_only_some_impacts_of_bullets_are_sent() -> void:
 		var from: Vector3 = Vector3(0.2 * number, 2.0, -20.0)
 		is_true(_range.shells.launch(ball, from, from, Vector3.DOWN * 800.0))
 	await _range.ground.run(0.1)
-	equal(sent[0], Shells.MOST_BULLET_IMPACTS)
+	equal(sent[0], Shells.MAX_BULLET_IMPACTS)
 	equal(_range.shells.flying().size(), 0)
 	var type: EntityType = _range.entity.type
 	is_true(not type.events[type.find_event(Shells.BULLET_IMPACT)].is_reliable)
@@ -142,4 +142,4 @@ func test_the_air_is_never_too_full() -> void:
 	var from: Vector3 = Vector3(0.0, 2.0, -20.0)
 	for _number: int in 1000:
 		_range.shells.launch(ball, from, from, Vector3.UP * 800.0)
-	equal(_range.shells.flying().size(), Shells.MOST_FLYING)
+	equal(_range.shells.flying().size(), Shells.MAX_FLYING)

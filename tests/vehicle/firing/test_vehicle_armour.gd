@@ -38,9 +38,7 @@ func test_flat_hits_and_slow_ones_get_through_less() -> void:
 	var place: Vector3 = _range.tank.to_global(Vector3(1.7, 1.0, 0.0))
 	var straight: float = _range.armour.take_hit(dart, Vector3.LEFT * 1650.0, place, Vector3.RIGHT)
 	var slanted: Vector3 = Vector3(-0.5, 0.0, -sqrt(0.75)) * 1650.0
-	almost_equal(
-		_range.armour.take_hit(dart, slanted, place, Vector3.RIGHT), straight * 0.5, 0.01
-	)
+	almost_equal(_range.armour.take_hit(dart, slanted, place, Vector3.RIGHT), straight * 0.5, 0.01)
 	almost_equal(_range.armour.take_hit(dart, Vector3(NAN, 0, 0), place, Vector3.RIGHT), 0.0, 0.0)
 
 
@@ -94,7 +92,9 @@ func test_bullets_wear_down_a_truck_and_not_a_tank() -> void:
 	_range.ground.view.add_child(truck)
 	var armour: VehicleArmour = VehicleArmour.find_in(truck)
 	for shot: int in 40:
-		armour.take_hit(ball, Vector3.LEFT * 800.0, truck.to_global(Vector3(1, 1, 0)), Vector3.RIGHT)
+		armour.take_hit(
+			ball, Vector3.LEFT * 800.0, truck.to_global(Vector3(1, 1, 0)), Vector3.RIGHT
+		)
 		_hit(Vector3(1.7, 1.2, 0.0), Vector3.LEFT * 800.0, Vector3.RIGHT, ball)
 		if shot == 6:
 			equal(truck.state.damage, VehicleState.Damage.DAMAGED)

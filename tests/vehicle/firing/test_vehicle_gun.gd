@@ -16,8 +16,7 @@ func after_each() -> void:
 func test_a_gun_fires_once_and_loads_for_six_seconds() -> void:
 	var shots: Array[Vector3] = []
 	_range.gun.fired.connect(
-		func(_kind: Ammunition, _at: Vector3, p_velocity: Vector3) -> void:
-			shots.append(p_velocity)
+		func(_kind: Ammunition, _at: Vector3, p_velocity: Vector3) -> void: shots.append(p_velocity)
 	)
 	_range.command(&"fire")
 	equal(shots.size(), 1)
@@ -113,7 +112,7 @@ func test_a_trigger_that_nobody_releases_is_let_go() -> void:
 	await _range.ground.run(0.5)
 	_range.gun.seat.take(LocalSession.SESSION)
 	_range.command(&"fire_coax", [1.0])
-	await _range.ground.run(VehicleGun.LONGEST_BURST_S - 0.5)
+	await _range.ground.run(VehicleGun.MAX_BURST_S - 0.5)
 	equal(_range.entity.get_value(&"coax_firing"), 1.0)
 	await _range.ground.run(1.0)
 	equal(_range.entity.get_value(&"coax_firing"), 0.0, "no command for too long")
