@@ -25,9 +25,11 @@ const PATIENCE_S: float = 1.0
 const ARRIVED_M: float = 0.08
 ## Nobody climbs from further away than this, m: who sits down from there is there at once.
 const FURTHEST_M: float = 12.0
-## Force on somebody who climbs, and on hips that have left the room that they have, N.
+## Force that moves somebody who climbs, N: of the person's own feet and hands, the vehicle does not
+## feel it.
 const FORCE: float = 6000.0
-const STRONG_FORCE: float = 20000.0
+## How many times the forces of a seat act on hips that have left the room that they have.
+const STRONG: float = 5.0
 ## How far hips may be outside of their room until then, m.
 const SLACK_M: float = 0.03
 ## How long the hips take to follow the motion's, s.
@@ -97,10 +99,10 @@ func _init(p_person: ServerPerson, p_seat: Seat, p_body: PhysicsBody3D, p_is_ins
 		return
 	_lengths = SeatedPose.lengths_of(p_person.ragdoll.profile)
 	_room = HatchRoom.new(p_person.ragdoll.profile)
-	_begin_hold()
+	_begin()
 	_place = Vector3(0.0, _root().y, 0.0)
 	_hips = _place
-	_target = _joint.place()
+	_target = _hips_place()
 	_from = _body_transform().affine_inverse() * p_person.ragdoll.motor.get_frame()
 	_from.basis = _from.basis.orthonormalized()
 	var feet: Vector3 = _target - _seat_before.basis.y * _place.y
@@ -132,6 +134,7 @@ func leave(p_is_free: Callable) -> bool:
 	if way.is_empty():
 		return false
 	phase = Phase.LEAVING
+	_end_hold()
 	_enclose(false)
 	_meet([])
 	_from = _frame
@@ -158,27 +161,24 @@ func advance(p_delta_s: float) -> Transform3D:
 
 ## Pulls the hips for the next step, after [method advance].
 func pull(p_delta_s: float) -> void:
-	if _joint == null:
+	if hold == null:
 		return
 	var from: Vector3 = _target
 	# Samples come unevenly.
 	_hips = _hips.lerp(_place, 1.0 - exp(-p_delta_s / SMOOTH_S))
 	_target = _frame * _hips
-	if phase == Phase.SITTING:
-		_centre(p_delta_s)
-		_duck(p_delta_s)
-		var place: Vector3 = _joint.place()
-		var is_out: bool = _clamped(place).distance_to(place) > SLACK_M
-		var side: float = STRONG_FORCE if is_out else hold.side_force
-		var up: float = STRONG_FORCE if is_out else hold.support_force
-		var down: float = STRONG_FORCE if is_out else hold.down_force
-		_joint.pull(from, _target, side, up, down, p_delta_s)
-		return
-	_joint.pull(from, _target, FORCE, FORCE, FORCE, p_delta_s)
 	if phase == Phase.COMING and _time_s >= _duration_s:
 		_arrive()
 	elif phase == Phase.LEAVING and _time_s >= _duration_s:
 		phase = Phase.GONE
+	if _joint == null:
+		return
+	_centre(p_delta_s)
+	_duck(p_delta_s)
+	var place: Vector3 = _joint.place()
+	var more: float = STRONG if _clamped(place).distance_to(place) > SLACK_M else 1.0
+	var up: float = hold.support_force * more
+	_joint.pull(from, _target, hold.side_force * more, up, hold.down_force * more, p_delta_s)
 
 
 ## Takes the wearer's place in the person's own frame, m; returns that of the body in it. There is no
@@ -213,7 +213,7 @@ func _room_at(p_height: float) -> float:
 	if hold.hatch_radius <= 0.0:
 		return hold.room
 	var below: float = smoothstep(0.0, DOWN_M, hold.rim - p_height)
-	return lerpf(hold.room, minf(hold.room, 0.02), below)
+	return lerpf(hold.room, minf(hold.room, 0.02), maxf(below, minf(_folded, 1.0)))
 
 
 ## A sample as it drives the body in this seat.
@@ -228,41 +228,52 @@ func fit(p_sample: PoseSample) -> PoseSample:
 
 ## Where the hips are in the seat's frame, m.
 func hips_in_seat() -> Vector3:
-	return _seat_before.affine_inverse() * _joint.place() if _joint != null else Vector3.ZERO
+	return _seat_before.affine_inverse() * _hips_place()
 
 
 ## Ends it: before person or body go.
 func release() -> void:
 	phase = Phase.GONE
-	if _joint == null:
+	if _before.is_empty():
 		return
-	_joint.release()
-	_joint = null
+	_end_hold()
 	if is_instance_valid(_body) and _body.tree_exiting.is_connected(release):
 		_body.tree_exiting.disconnect(release)
-	if _person.ragdoll == null or _person.ragdoll.motor == null:
-		return
-	_meet(range(_person.ragdoll.get_bodies().size()))
-	_enclose(false)
-	var motor: RagdollMotor = _person.ragdoll.motor
-	motor.root_mode = int(_before[&"root_mode"]) as RagdollMotor.RootMode
-	motor.root_force = _before[&"root_force"]
+	if _person.ragdoll != null and _person.ragdoll.motor != null:
+		_meet(range(_person.ragdoll.get_bodies().size()))
+		_enclose(false)
+		_person.ragdoll.motor.root_mode = int(_before[&"root_mode"]) as RagdollMotor.RootMode
+		_person.ragdoll.motor.root_force = _before[&"root_force"]
+	_before.clear()
 
 
-func _begin_hold() -> void:
+## On the way the motion's own hold of the hips moves the body.
+func _begin() -> void:
 	var motor: RagdollMotor = _person.ragdoll.motor
 	_before = {&"root_mode": float(motor.root_mode), &"root_force": motor.root_force}
-	# The joint to the seat holds the hips, not one to the world; that keeps them upright.
 	motor.root_mode = RagdollMotor.ROOT_SOFT
-	motor.root_force = 0.0
-	_joint = SeatJoint.new(_body.get_rid(), _person.ragdoll)
+	motor.root_force = FORCE
 	_body.tree_exiting.connect(release)
 	_neighbours = seat.neighbours()
 
 
+## In the seat a joint to the vehicle holds the hips, not one to the world; that keeps them upright.
+func _begin_hold() -> void:
+	_person.ragdoll.motor.root_force = 0.0
+	_joint = SeatJoint.new(_body.get_rid(), _person.ragdoll)
+
+
+func _end_hold() -> void:
+	if _joint != null:
+		_joint.release()
+	_joint = null
+	if _person.ragdoll != null and _person.ragdoll.motor != null:
+		_person.ragdoll.motor.root_force = FORCE
+
+
 ## The way is done: the hold begins where the hips are near enough.
 func _arrive() -> void:
-	if _joint.place().distance_to(_target) < ARRIVED_M:
+	if _hips_place().distance_to(_target) < ARRIVED_M:
 		_sit()
 	elif _time_s > _duration_s + PATIENCE_S:
 		_sit()
@@ -277,6 +288,7 @@ func _sit() -> void:
 	_offset = Transform3D(_facing(), Vector3.DOWN * _seat_height)
 	_meet(_limbs_that_meet())
 	_enclose(hold.is_enclosed)
+	_begin_hold()
 
 
 ## The frame on a way, before the seat's one at the step's end.
@@ -349,6 +361,15 @@ func _root() -> Vector3:
 	if _person.newest == null:
 		return _person.origin + Vector3.UP * _person.ragdoll.get_hip_height()
 	return _person.newest.root * _person.scale + _person.origin
+
+
+## Where the hips are.
+func _hips_place() -> Vector3:
+	var hips: Transform3D = PhysicsServer3D.body_get_state(
+		_person.ragdoll.get_bodies()[0], PhysicsServer3D.BODY_STATE_TRANSFORM
+	)
+	var joint: Vector3 = hips * SeatJoint.joint_of(_person.ragdoll.profile.limbs[0])
+	return _body_transform().affine_inverse() * joint
 
 
 func _body_transform() -> Transform3D:

@@ -24,8 +24,7 @@ var _forces: Vector3 = Vector3.ZERO
 func _init(p_body: RID, p_ragdoll: Ragdoll) -> void:
 	_body = p_body
 	_hips = p_ragdoll.get_bodies()[0]
-	var limb: RagdollLimb = p_ragdoll.profile.limbs[0]
-	_offset = limb.rest_orientation.inverse() * (limb.anchor - limb.position)
+	_offset = joint_of(p_ragdoll.profile.limbs[0])
 	_joint = PhysicsServer3D.joint_create()
 	PhysicsServer3D.joint_make_generic_6dof(
 		_joint,
@@ -38,6 +37,11 @@ func _init(p_body: RID, p_ragdoll: Ragdoll) -> void:
 		PhysicsServer3D.generic_6dof_joint_set_flag(
 			_joint, axis, PhysicsServer3D.G6DOF_JOINT_FLAG_ENABLE_LINEAR_MOTOR, true
 		)
+
+
+## Where a limb's joint is in the frame of its body, m.
+static func joint_of(p_limb: RagdollLimb) -> Vector3:
+	return p_limb.rest_orientation.inverse() * (p_limb.anchor - p_limb.position)
 
 
 ## Frees the joint: before either body.
