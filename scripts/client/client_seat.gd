@@ -5,7 +5,6 @@ extends Node
 
 var _controls: SeatControls = SeatControls.new()
 var _cues: ClientCues = ClientCues.new()
-var _script: DriveScript = null
 var _prediction: DriverPrediction = DriverPrediction.new()
 
 
@@ -15,20 +14,17 @@ func _init() -> void:
 	add_child(_prediction)
 
 
-func _physics_process(p_delta: float) -> void:
-	_cues.get_forces().wheel_position = -_controls.reader.steer
-	if _script != null and _controls.vehicle != null:
-		_script.advance(p_delta)
+func _physics_process(_delta: float) -> void:
+	_cues.get_forces().wheel_position = -_controls.input.steer
 
 
 ## Begins as the options say. Returns what is wrong, or an empty text.
 func open(p_scene: ClientScene, p_hud: Hud, p_options: Options) -> String:
 	var drive: String = p_options.text("drive")
 	if drive != "":
-		_script = DriveScript.parse(drive)
-		if _script.error != "":
-			return _script.error
-		_controls.reader = _script
+		_controls.list = DriveScript.parse(drive)
+		if _controls.list.error != "":
+			return _controls.list.error
 	_controls.view_changed.connect(p_scene.look_through)
 	_controls.told.connect(p_hud.show_news)
 	if DisplayServer.get_name() != "headless":

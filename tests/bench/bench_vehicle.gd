@@ -4,10 +4,9 @@ extends SceneTree
 ##
 ## Options: --preset=tank|carrier|truck|scootmobile (default tank), --gear=spheres|rays (default
 ## both where the preset has both), --scene=published|compare|cost|mishaps|hatch|stabiliser|
-## firing|prediction|random
-## (again for more; default all), --seeds=3, --minutes=1 (of random, for each seed; 20 and 10 are the
-## goal's; of hatch and stabiliser, for each case; 5 are the goal's), --world=NAME (of random:
-## desert, town or crates; default one after the other).
+## firing|prediction|wire|random (again for more; default all), --seeds=3, --minutes=1 (of
+## random, for each seed; 20 and 10 are the goal's; of hatch and stabiliser, for each case; 5 are
+## the goal's), --world=NAME (of random: desert, town or crates; default one after the other).
 
 const _SCENES: Array[String] = [
 	"published",
@@ -18,6 +17,7 @@ const _SCENES: Array[String] = [
 	"stabiliser",
 	"firing",
 	"prediction",
+	"wire",
 	"random",
 ]
 const _KINDS: Dictionary[String, VehicleParameters.GearKind] = {
@@ -83,6 +83,9 @@ func _run() -> void:
 			"stabiliser":
 				for gear: String in _gears_of_tank():
 					await VehicleStabiliser.run(self, _report, gear, _KINDS[gear], _minutes())
+			"wire":
+				for gear: String in _gears():
+					await VehicleWire.run(self, _report, _preset(), gear, _KINDS[gear])
 			"prediction":
 				for gear: String in _gears():
 					await VehiclePrediction.run(self, _report, _preset(), gear, _KINDS[gear])

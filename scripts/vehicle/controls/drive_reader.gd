@@ -9,7 +9,7 @@ extends RefCounted
 const KEY_STEER_RATE: float = 2.5
 const KEY_RETURN_RATE: float = 5.0
 
-## How wheels and pedals are calibrated.
+## How wheels and pedals are calibrated; null: none are used.
 var settings: ControlSettings = null
 ## Where the steering is, -1 (right) to 1 (left).
 var steer: float = 0.0
@@ -17,7 +17,7 @@ var steer: float = 0.0
 var gear: VehicleInput.Selector = VehicleInput.Selector.AUTOMATIC
 
 
-func _init(p_settings: ControlSettings = ControlSettings.new()) -> void:
+func _init(p_settings: ControlSettings = null) -> void:
 	settings = p_settings
 
 
@@ -39,8 +39,9 @@ func read(p_input: VehicleInput, p_delta: float) -> void:
 	p_input.handbrake = Input.get_action_strength(&"drive_handbrake")
 	p_input.gear = gear
 	_steer_towards(Input.get_axis(&"steer_right", &"steer_left"), p_delta)
-	for device: int in Input.get_connected_joypads():
-		_read_device(device, p_input)
+	if settings != null:
+		for device: int in Input.get_connected_joypads():
+			_read_device(device, p_input)
 	p_input.steer = steer
 
 

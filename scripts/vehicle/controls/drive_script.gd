@@ -1,5 +1,5 @@
 class_name DriveScript
-extends DriveReader
+extends RefCounted
 ## Drives by a list instead of by hand: for clients without a user, and for tests.
 
 ## Why the list is invalid, or an empty text.
@@ -13,7 +13,7 @@ var _elapsed_s: float = 0.0
 ## Reads a list such as [code]1:0:0:5,0:0.5:0:3,0:0:1:2[/code]: of each part throttle (-1 to 1),
 ## steering (-1 right to 1 left), brake (0 to 1) and for how long (s). The last part lasts.
 static func parse(p_text: String) -> DriveScript:
-	var made: DriveScript = DriveScript.new(null)
+	var made: DriveScript = DriveScript.new()
 	for part: String in p_text.split(",", false):
 		var numbers: PackedFloat32Array = []
 		for word: String in part.strip_edges().split(":"):
@@ -38,12 +38,13 @@ func advance(p_delta: float) -> void:
 	_elapsed_s += p_delta
 
 
-func clear() -> void:
-	super()
+## Begins again.
+func restart() -> void:
 	_elapsed_s = 0.0
 
 
-func read(p_input: VehicleInput, _delta: float) -> void:
+## Reads what is due now into an input.
+func read(p_input: VehicleInput) -> void:
 	var left: float = _elapsed_s
 	var now: PackedFloat32Array = _parts[-1]
 	for part: PackedFloat32Array in _parts:
@@ -55,5 +56,3 @@ func read(p_input: VehicleInput, _delta: float) -> void:
 	p_input.steer = now[1]
 	p_input.brake = now[2]
 	p_input.handbrake = 0.0
-	p_input.gear = gear
-	steer = now[1]

@@ -21,7 +21,9 @@ const MOUSE_AIM: float = 1.4
 const _LOOK_S: float = 0.1
 
 ## What driver's hands and feet do.
-var reader: DriveReader = DriveReader.new()
+var reader: DriveReader = DriveReader.new(ControlSettings.new())
+## A list that drives instead of hands and feet; null: none.
+var list: DriveScript = null
 ## What the driver does now, as it was sent last.
 var input: VehicleInput = VehicleInput.new()
 ## The seat, or null.
@@ -56,7 +58,11 @@ func _physics_process(p_delta: float) -> void:
 		return
 	_sent_s += p_delta
 	if has_command(&"drive"):
-		reader.read(input, p_delta)
+		if list != null:
+			list.advance(p_delta)
+			list.read(input)
+		else:
+			reader.read(input, p_delta)
 		_send_drive()
 	if has_command(&"aim"):
 		_send_aim(p_delta)
@@ -234,6 +240,8 @@ func _take(p_seat: Seat) -> void:
 	vehicle = null if seat == null else vehicle_of(seat)
 	_entity = null if seat == null else seat.entity
 	reader.clear()
+	if list != null:
+		list.restart()
 	_sent = []
 	_sent_aim = Vector2.ZERO
 	_mouse = Vector2.ZERO
