@@ -135,7 +135,8 @@ func _apply_options() -> String:
 				_wearer.calibrate(index, kind, number, _stream.now_s())
 		)
 	if fault == "" and Roles.can(Roles.find(_role), Roles.Capability.MODERATE):
-		_desk = InstructorDesk.new(made.live.link, _options.text("orders"))
+		var things: ThingOrders = ThingOrders.new(_scene.replica, _scene.entities)
+		_desk = InstructorDesk.new(made.live.link, _options.text("orders"), things)
 		_desk.quit_wanted.connect(_leave.bind(0))
 		fault = _desk.error
 	if fault == "" and made.live != null:

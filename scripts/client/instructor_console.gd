@@ -27,6 +27,8 @@ const COMMANDS: Dictionary[String, Array] = {
 	"level": ["NAME", "load another level"],
 	"time": ["HOURS", "set the time of day: 18.5, 18:30, dawn, noon, dusk, night"],
 	"weather": ["KIND [STRENGTH]", "set the weather: clear, haze, dust, rain; 0 to 1"],
+	"upright": ["THING|*", "put a vehicle on its wheels or tracks again"],
+	"repair": ["THING|*", "make a vehicle whole again"],
 	"help": ["", "these commands"],
 	"quit": ["", "leave the session"],
 }
@@ -34,6 +36,7 @@ const COMMANDS: Dictionary[String, Array] = {
 const _ABOUT_WAITING: PackedStringArray = ["admit", "refuse"]
 
 var _control: InstructorControl = null
+var _things: ThingOrders = null
 ## The orders without an answer, by number: whom they are about, since when, s, and whether it is
 ## the list of who is here that is wanted; and whether it was mentioned.
 var _open: Dictionary[int, Array] = {}
@@ -44,8 +47,9 @@ var _retried: PackedStringArray = []
 var _now_s: float = 0.0
 
 
-func _init(p_control: InstructorControl) -> void:
+func _init(p_control: InstructorControl, p_things: ThingOrders = null) -> void:
 	_control = p_control
+	_things = p_things if p_things != null else ThingOrders.new(null, null)
 	_control.answered.connect(_on_answered)
 	_control.roster_changed.connect(_on_roster_changed)
 
@@ -93,6 +97,8 @@ func submit(p_line: String) -> void:
 			_note("who", _control.ask_who(), true)
 		"level":
 			_change_level(rest)
+		"upright", "repair":
+			said.emit(_things.give(found[0], rest))
 		"time", "weather":
 			_change_conditions(found[0], rest)
 		_:
@@ -118,6 +124,8 @@ func completions(p_line: String) -> PackedStringArray:
 		names = PackedStringArray(WorldConditions.TIMES.keys())
 	elif command[0] == "weather":
 		names = WorldConditions.WEATHERS
+	elif ThingOrders.COMMANDS.has(command[0]):
+		names = _things.names(command[0])
 	elif _usage(command[0]) != "":
 		for row: RosterRow in _candidates(command[0]):
 			names.append(row.name)

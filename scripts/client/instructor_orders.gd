@@ -3,7 +3,8 @@ extends RefCounted
 ## What an instructor without a keyboard does: orders such as [code]admit:*,kick:Bob[/code] or
 ## [code]calibrate-full:Ada[/code], each carried out when somebody of that name is there to whom it
 ## applies, and [code]world:yard[/code],
-## [code]time:18:30[/code] or [code]weather:rain 0.5[/code], carried out at once.
+## [code]time:18:30[/code] or [code]weather:rain 0.5[/code], carried out at once;
+## [code]upright:Tank[/code] or [code]repair:*[/code], once there is such a thing.
 
 ## What can be ordered, and the state in which somebody must be for it.
 const STATES: Dictionary[String, RosterRow.State] = {
@@ -25,13 +26,16 @@ var error: String = ""
 
 var _orders: Array[PackedStringArray] = []
 var _control: InstructorControl = null
+var _things: ThingOrders = null
 
 
 func _init(p_text: String = "") -> void:
 	for part: String in p_text.split(",", false):
 		var order: PackedStringArray = part.strip_edges().split(":", true, 1)
 		if order.size() != 2 or not _is_known(order[0]):
-			var others: Array = [CALIBRATE + "KIND", WORLD] + Array(CONDITIONS)
+			var others: Array = (
+				[CALIBRATE + "KIND", WORLD] + Array(CONDITIONS) + ThingOrders.COMMANDS.keys()
+			)
 			var known: String = ", ".join(STATES.keys() + others)
 			error = "an order is one of %s, a colon and a name or *, found '%s'" % [known, part]
 			return
@@ -47,11 +51,21 @@ func is_empty() -> bool:
 	return _orders.is_empty()
 
 
-## Gives the orders through a control.
-func attach(p_control: InstructorControl) -> void:
+## Gives the orders through a control, those about things of the level through [param p_things].
+func attach(p_control: InstructorControl, p_things: ThingOrders = null) -> void:
 	_control = p_control
+	_things = p_things
 	_control.roster_changed.connect(_on_roster_changed)
 	_control.answered.connect(func(answer: AnswerMessage) -> void: Log.info("client", answer.text))
+
+
+## Gives those about things of the level, once there are any. Call it in every frame.
+func advance() -> void:
+	for order: PackedStringArray in _orders.duplicate():
+		var is_due: bool = _things != null and ThingOrders.COMMANDS.has(order[0])
+		if is_due and not _things.names(order[0]).is_empty():
+			_orders.erase(order)
+			Log.info("client", _things.give(order[0], order[1]))
 
 
 func _on_roster_changed() -> void:
@@ -59,6 +73,8 @@ func _on_roster_changed() -> void:
 		if order[0] == WORLD:
 			_orders.erase(order)
 			_control.change_level(order[1])
+			continue
+		if ThingOrders.COMMANDS.has(order[0]):
 			continue
 		if CONDITIONS.has(order[0]):
 			_orders.erase(order)
@@ -74,6 +90,7 @@ func _on_roster_changed() -> void:
 func _is_known(p_order: String) -> bool:
 	return (
 		p_order == WORLD
+		or ThingOrders.COMMANDS.has(p_order)
 		or CONDITIONS.has(p_order)
 		or STATES.has(p_order)
 		or _calibration(p_order) >= 0
