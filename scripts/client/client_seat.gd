@@ -3,6 +3,9 @@ extends Node
 ## What this client's user does and sees in the seat of a vehicle: controls, views, instruments, and
 ## what hands and motion platform feel.
 
+## A gun's recoil is over in so long, s.
+const KICK_S: float = 0.06
+
 var _controls: SeatControls = SeatControls.new()
 var _cues: ClientCues = ClientCues.new()
 var _prediction: DriverPrediction = DriverPrediction.new()
@@ -27,6 +30,7 @@ func open(p_scene: ClientScene, p_hud: Hud, p_options: Options) -> String:
 			return _controls.list.error
 	_controls.view_changed.connect(p_scene.look_through)
 	_controls.told.connect(p_hud.show_news)
+	_controls.seat_changed.connect(_on_seat_changed)
 	if DisplayServer.get_name() != "headless":
 		var hud: VehicleHud = (
 			preload("res://scenes/vehicle/controls/vehicle_hud.tscn").instantiate()
@@ -34,6 +38,26 @@ func open(p_scene: ClientScene, p_hud: Hud, p_options: Options) -> String:
 		add_child(hud)
 		hud.follow(_controls)
 	return _cues.open(p_options)
+
+
+## Hands feel the guns of the vehicle: no position shows such a jolt.
+func _on_seat_changed(p_seat: Seat) -> void:
+	if p_seat == null:
+		return
+	for node: Node in _controls.vehicle.find_children("*", "Node3D", true, false):
+		var gun: VehicleGun = node as VehicleGun
+		if gun != null and not gun.fired.is_connected(_on_fired):
+			gun.fired.connect(_on_fired.bind(gun))
+
+
+func _on_fired(
+	p_ammunition: Ammunition, _position: Vector3, p_velocity: Vector3, p_gun: VehicleGun
+) -> void:
+	if not is_instance_valid(_controls.seat) or _controls.vehicle != p_gun.vehicle:
+		return
+	var mass: float = p_gun.vehicle.parameters.mass
+	var jolt: Vector3 = -p_velocity.normalized() * p_ammunition.recoil() / mass / KICK_S
+	_cues.get_forces().kick(_controls.seat.global_basis.inverse() * jolt)
 
 
 ## Has the vehicle obey the driver at once, on a connection to a server.

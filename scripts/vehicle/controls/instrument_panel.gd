@@ -15,6 +15,9 @@ const _PAD: float = 14.0
 ## The engine's greatest speed, 1/min.
 var most_rpm: float = _MAX_RPM
 
+## The gun whose rounds are shown; null: none.
+var gun: VehicleGun = null
+
 var _state: VehicleState = null
 var _selector: VehicleInput.Selector = VehicleInput.Selector.AUTOMATIC
 
@@ -30,6 +33,9 @@ func _draw() -> void:
 	_write(font, Vector2(_PAD, 70.0), describe_gear(_state, _selector), 17, _TEXT)
 	_draw_revolutions(font)
 	_draw_rose(Vector2(size.x - 44.0, 46.0), 32.0)
+	if is_instance_valid(gun):
+		var colour: Color = _TEXT if gun.loaded >= 1.0 else _WARN
+		_write(font, Vector2(_PAD + 64.0, 108.0), describe_gun(gun), 13, colour)
 	var words: String = describe_condition(_state)
 	if words != "":
 		var colour: Color = _WARN if _state.damage > 0 or not _state.engine_on else _DIM
@@ -51,6 +57,14 @@ static func describe_gear(p_state: VehicleState, p_selector: VehicleInput.Select
 	if p_state.gear < 0:
 		return "Gear R%d" % -p_state.gear
 	return "Gear %s%d" % [chosen, p_state.gear]
+
+
+## What is in a gun and how many rounds are left, for people.
+static func describe_gun(p_gun: VehicleGun) -> String:
+	var kind: Ammunition = p_gun.ammunition[p_gun.chosen]
+	if p_gun.loaded < 1.0:
+		return "%s %d %%" % [kind.title, floori(p_gun.loaded * 100.0)]
+	return "%s  %d" % [kind.title, p_gun.rounds()]
 
 
 ## What else a crew should know, for people.

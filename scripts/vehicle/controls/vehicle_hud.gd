@@ -48,6 +48,17 @@ static func measure_range(p_view: SeatView) -> float:
 	return 0.0 if hit.is_empty() else from.distance_to(hit["position"])
 
 
+## The gun that a crew loads, if the seat fires one; else null.
+static func find_gun(p_controls: SeatControls) -> VehicleGun:
+	if not is_instance_valid(p_controls.vehicle) or p_controls.seat == null:
+		return null
+	for node: Node in p_controls.vehicle.find_children("*", "Node3D", true, false):
+		var gun: VehicleGun = node as VehicleGun
+		if gun != null and gun.seat == p_controls.seat and not gun.is_automatic:
+			return gun
+	return null
+
+
 ## The keys of a seat, for the line at the bottom.
 static func describe_keys(p_controls: SeatControls) -> String:
 	var parts: PackedStringArray = []
@@ -76,6 +87,7 @@ static func describe_keys(p_controls: SeatControls) -> String:
 func _on_seat_changed(p_seat: Seat) -> void:
 	visible = p_seat != null
 	_frame.show_view(_controls.view)
+	_instruments.gun = find_gun(_controls)
 	if p_seat != null:
 		_keys.text = describe_keys(_controls)
 
