@@ -126,6 +126,7 @@ func _apply_options() -> String:
 	if fault == "" and _role != ClientStreams.REPLAY:
 		add_child(_seat)
 		fault = _seat.open(_scene, _hud, _options)
+		_controls.wheel_wanted.connect(_seat.show_wheel_panel)
 	if fault == "" and Roles.can(Roles.find(_role), Roles.Capability.SEND_MOTION):
 		fault = _mocap.open(_options, made.live.link)
 		made.live.joined.connect(_mocap.people.begin)

@@ -8,6 +8,8 @@ const KICK_S: float = 0.06
 
 var _controls: SeatControls = SeatControls.new()
 var _cues: ClientCues = ClientCues.new()
+## Where wheel and pedals are calibrated; null without a window.
+var _panel: AxisPanel = null
 var _prediction: DriverPrediction = DriverPrediction.new()
 
 
@@ -37,6 +39,8 @@ func open(p_scene: ClientScene, p_hud: Hud, p_options: Options) -> String:
 		)
 		add_child(hud)
 		hud.follow(_controls)
+		_panel = preload("res://scenes/vehicle/controls/axis_panel.tscn").instantiate()
+		add_child(_panel)
 	return _cues.open(p_options)
 
 
@@ -58,6 +62,12 @@ func _on_fired(
 	var mass: float = p_gun.vehicle.parameters.mass
 	var jolt: Vector3 = -p_velocity.normalized() * p_ammunition.recoil() / mass / KICK_S
 	_cues.get_forces().kick(_controls.seat.global_basis.inverse() * jolt)
+
+
+## Opens where a wheel and pedals are calibrated.
+func show_wheel_panel() -> void:
+	if _panel != null:
+		_panel.show_panel(_controls.reader.settings)
 
 
 ## Has the vehicle obey the driver at once, on a connection to a server.

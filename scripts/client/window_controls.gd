@@ -3,6 +3,9 @@ extends Node
 ## What a user does to the window of a client, besides taking part: whom the camera follows and from
 ## where, the menu, the keys.
 
+## The user wants to calibrate a wheel and pedals.
+signal wheel_wanted
+
 const _NEXT: StringName = &"next_person"
 const _VIEW: StringName = &"change_view"
 const _CAMERA: StringName = &"next_camera"
@@ -23,6 +26,7 @@ func set_up(p_role: String, p_options: Options) -> void:
 	_moves = Roles.can(role, Roles.Capability.SEND_MOTION)
 	_menu.set_keys(KeyGuide.describe(_moves, Roles.can(role, Roles.Capability.COMMAND)))
 	_menu.leave_wanted.connect(get_tree().quit.bind(0))
+	_menu.wheel_wanted.connect(wheel_wanted.emit)
 	if DisplayServer.get_name() == "headless":
 		return
 	WindowFrame.follow(get_window())

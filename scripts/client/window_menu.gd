@@ -1,12 +1,15 @@
 class_name WindowMenu
 extends CanvasLayer
-## What Esc leads to: go on, see the keys, choose the quality, fill the screen, leave. F1 shows the
+## What Esc leads to: go on, see the keys, choose the quality, calibrate a wheel,
+## fill the screen, leave. F1 shows the
 ## keys at once.
 
 ## The user wants to end the program.
 signal leave_wanted
 ## The user wants another tier of quality, one of [constant Quality.NAMES].
 signal quality_chosen(p_name: String)
+## The user wants to calibrate a wheel and pedals.
+signal wheel_wanted
 
 const _SHOW_KEYS: StringName = &"show_keys"
 const _FULL_SCREEN: StringName = &"toggle_full_screen"
@@ -17,6 +20,7 @@ const _MENU: StringName = &"ui_cancel"
 @export var _keys: Button
 @export var _full_screen: Button
 @export var _quality: Button
+@export var _wheel: Button
 @export var _leave: Button
 @export var _list: Label
 @export var _names: Label
@@ -32,6 +36,7 @@ func _ready() -> void:
 	_full_screen.pressed.connect(_toggle_full_screen)
 	_leave.pressed.connect(leave_wanted.emit)
 	_quality.pressed.connect(_choose_next_quality)
+	_wheel.pressed.connect(_on_wheel_pressed)
 	_menu.visible = false
 	_guide.visible = false
 
@@ -87,6 +92,11 @@ func _show_menu(p_shows: bool) -> void:
 	_menu.visible = p_shows
 	if p_shows:
 		_continue.grab_focus()
+
+
+func _on_wheel_pressed() -> void:
+	_show_menu(false)
+	wheel_wanted.emit()
 
 
 func _show_keys() -> void:

@@ -21,7 +21,7 @@ const INSTRUCTIONS: Dictionary[Kind, String] = {
 }
 
 ## What is watched.
-var control: Kind = Kind.STEER
+var kind: Kind = Kind.STEER
 ## Name of the device whose axis goes farthest; empty before anything has moved.
 var device: String = ""
 
@@ -50,8 +50,8 @@ class Way:
 
 
 ## Begins with a control.
-func begin(p_control: Kind) -> void:
-	control = p_control
+func begin(p_kind: Kind) -> void:
+	kind = p_kind
 	device = ""
 	_watched.clear()
 
@@ -82,7 +82,7 @@ func result() -> AxisCalibration:
 	var made: AxisCalibration = AxisCalibration.new()
 	made.axis = found.axis
 	var begins_high: bool = found.towards > 0.0
-	if control == Kind.STEER:
+	if kind == Kind.STEER:
 		# A wheel may have been turned when it began: the middle is where it was left.
 		made.rest = found.now
 		made.high = found.highest if begins_high else found.lowest
