@@ -44,7 +44,7 @@ const SINKS_M: float = 0.025
 const DOWN_M: float = 0.25
 const UP_M: float = 0.15
 const FOLD_S: float = 0.4
-const FOLDED: float = 1.3
+const FOLDED: float = 1.7
 ## A seat that turns by more than this in a step (rad) has been put so.
 const _JUMP: float = 0.2
 

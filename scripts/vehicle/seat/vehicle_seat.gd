@@ -43,7 +43,7 @@ const _SITTING_HIPS: float = 0.9
 ## How low somebody who stands can duck: height of the hips above the soles.
 @export_range(0.1, 1.5, 0.01, "suffix:m") var lowest_hips: float = 0.3
 ## And how high the hips can be.
-@export_range(0.3, 1.5, 0.01, "suffix:m") var highest_hips: float = 1.12
+@export_range(0.3, 1.5, 0.01, "suffix:m") var highest_hips: float = 1.08
 ## Greatest force that carries the person.
 @export_range(0.0, 20000.0, 10.0, "suffix:N") var support_force: float = 4000.0
 ## Greatest force by which somebody holds on so as not to fly up.

@@ -104,7 +104,9 @@ func _ride(p_report: BenchReport, p_gear: String, p_case: String, p_clip: String
 
 
 func _drive() -> void:
-	_vehicle.input.throttle = clampf(0.15 + 0.5 * (SPEED - VehicleGround.speed_of(_vehicle)), 0.0, 1.0)
+	_vehicle.input.throttle = clampf(
+		0.15 + 0.5 * (SPEED - VehicleGround.speed_of(_vehicle)), 0.0, 1.0
+	)
 	var aside: float = _vehicle.position.x
 	_vehicle.input.steer = clampf(0.05 * aside + 0.6 * -_vehicle.global_basis.z.x, -0.5, 0.5)
 

@@ -37,7 +37,9 @@ static func _ride(
 		worst = maxf(worst, from.distance_to(vehicle.to_local(rider.hips())))
 	var name: String = "deck, %s: %s while it drives gently" % [p_gear, p_way]
 	var is_on: bool = vehicle.to_local(rider.hips()).y > 1.6
-	p_report.add(name, "is on it after a minute", 1.0 if is_on else 0.0, "", BenchReport.Goal.AT_LEAST, 1.0)
+	p_report.add(
+		name, "is on it after a minute", 1.0 if is_on else 0.0, "", BenchReport.Goal.AT_LEAST, 1.0
+	)
 	p_report.add(name, "moves on it", worst, "m")
 	p_report.add(name, "way", vehicle.position.length(), "m")
 	ground.free_all()

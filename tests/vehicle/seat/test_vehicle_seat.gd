@@ -92,7 +92,9 @@ func test_a_motion_that_jumps_throws_nobody_out() -> void:
 	var pose: PoseSample = PoseSample.new()
 	for limb: int in Limbs.COUNT:
 		pose.set_orientation(limb, Quaternion.IDENTITY)
-	for place: Vector3 in [Vector3(9.0, 1.0, 0.0), Vector3(-4.0, 3.0, 7.0), Vector3(0.0, -5.0, 0.0)]:
+	for place: Vector3 in [
+		Vector3(9.0, 1.0, 0.0), Vector3(-4.0, 3.0, 7.0), Vector3(0.0, -5.0, 0.0)
+	]:
 		pose.root = place
 		_rider.hold(pose)
 		for _tick: int in 40:
