@@ -10,7 +10,7 @@ extends Node3D
 ## it shows what the vehicle's state says.
 
 ## Turrets do not move shapes for less than this, rad: the body is built anew each time.
-const _SHAPE_STEP: float = 0.005
+const _SHAPE_STEP: float = 0.02
 
 ## What is raised and lowered: its origin is where the gun turns, its -Z where it points.
 @export var gun: Node3D = null:
