@@ -14,6 +14,7 @@ const _PICTURE_PATIENCE_S: float = 60.0
 @export var _mocap: MocapSetup
 @export var _interaction: Interaction
 @export var _controls: WindowControls
+@export var _seat: ClientSeat
 
 var _role: String = ""
 var _options: Options = null
@@ -32,7 +33,6 @@ var _stop: StopSignal = StopSignal.new()
 var _pacer: FramePacer = null
 var _fade: PhysicsFade = PhysicsFade.new()
 var _clock: FrameClock = FrameClock.of_window()
-var _seat: ClientSeat = ClientSeat.new()
 
 
 ## Takes over the options. Call it before the node enters the tree.
@@ -97,8 +97,6 @@ func _notification(p_what: int) -> void:
 
 
 func _exit_tree() -> void:
-	if not _seat.is_inside_tree():
-		_seat.free()
 	_mocap.close()
 	if _arrival != null:
 		_arrival.close()
@@ -124,7 +122,6 @@ func _apply_options() -> String:
 	_stream = made.stream
 	_connect_stream()
 	if fault == "" and _role != ClientStreams.REPLAY:
-		add_child(_seat)
 		fault = _seat.open(_scene, _hud, _options)
 		_controls.wheel_wanted.connect(_seat.show_wheel_panel)
 	if fault == "" and Roles.can(Roles.find(_role), Roles.Capability.SEND_MOTION):

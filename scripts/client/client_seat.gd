@@ -6,14 +6,17 @@ extends Node
 ## A gun's recoil is over in so long, s.
 const KICK_S: float = 0.06
 
-var _controls: SeatControls = SeatControls.new()
-var _cues: ClientCues = ClientCues.new()
+var _controls: SeatControls = null
+var _cues: ClientCues = null
 ## Where wheel and pedals are calibrated; null without a window.
 var _panel: AxisPanel = null
-var _prediction: DriverPrediction = DriverPrediction.new()
+var _prediction: DriverPrediction = null
 
 
-func _init() -> void:
+func _ready() -> void:
+	_controls = SeatControls.new()
+	_cues = ClientCues.new()
+	_prediction = DriverPrediction.new()
 	add_child(_cues)
 	add_child(_controls)
 	add_child(_prediction)
