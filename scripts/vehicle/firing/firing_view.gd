@@ -61,7 +61,7 @@ static func create(p_shells: Shells) -> FiringView:
 func _ready() -> void:
 	for effect: StringName in _COUNTS:
 		_pools[effect] = BurstPool.new(self, load(_EFFECTS + effect + ".tscn"), _COUNTS[effect])
-	tracers.configure(self)
+	tracers.configure(self, _shells.vehicle)
 	marks.configure(self)
 	_flash.light_color = Color(1.0, 0.72, 0.4)
 	_flash.omni_range = 14.0

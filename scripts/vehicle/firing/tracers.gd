@@ -18,10 +18,13 @@ const _NEAR_M: float = 3.0
 
 var _shells: Array[Shell] = []
 var _streaks: MultiMesh = MultiMesh.new()
+var _query: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.new()
 
 
-## Adds what is drawn below [param p_parent].
-func configure(p_parent: Node3D) -> void:
+## Adds what is drawn below [param p_parent], for shots from a body that they do not meet.
+func configure(p_parent: Node3D, p_body: CollisionObject3D) -> void:
+	_query.collision_mask = PhysicsLayers.ALL
+	_query.exclude = [p_body.get_rid()]
 	var material: StandardMaterial3D = StandardMaterial3D.new()
 	material.shading_mode = BaseMaterial3D.SHADING_MODE_UNSHADED
 	material.blend_mode = BaseMaterial3D.BLEND_MODE_ADD
@@ -63,10 +66,9 @@ func advance(p_delta: float, p_eye: Vector3, p_space: PhysicsDirectSpaceState3D)
 		var place: Vector3 = shell.flight.get_position()
 		var is_stopped: bool = false
 		if shell.ammunition.kind == Ammunition.Kind.BULLET:
-			var query: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.create(
-				shell.from, place, PhysicsLayers.ALL
-			)
-			is_stopped = shell.from != place and not p_space.intersect_ray(query).is_empty()
+			_query.from = shell.from
+			_query.to = place
+			is_stopped = shell.from != place and not p_space.intersect_ray(_query).is_empty()
 		shell.from = place
 		if not is_stopped and shell.flight.get_age() < Shells.LIFE_S and place.y > Shells.LOWEST_M:
 			left.append(shell)
@@ -76,8 +78,11 @@ func advance(p_delta: float, p_eye: Vector3, p_space: PhysicsDirectSpaceState3D)
 		_streaks.set_instance_transform(index, _streak_of(_shells[index], p_eye))
 
 
-## What was fired hits at a place: it is not seen any more.
+## What was fired hits at a place: it is not seen any more. Bullets, of which many are on one way,
+## end by themselves.
 func end(p_ammunition: Ammunition, p_place: Vector3) -> void:
+	if p_ammunition.kind == Ammunition.Kind.BULLET:
+		return
 	for shell: Shell in _shells:
 		if shell.ammunition != p_ammunition:
 			continue
