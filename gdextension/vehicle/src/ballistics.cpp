@@ -20,8 +20,8 @@ struct DragPoint {
 	double drag;
 };
 
-/// The G7 standard drag function as the US Army's Ballistic Research Laboratory had it and all ballistic tables
-/// have it since (R. McCoy, Modern Exterior Ballistics; JBM, mcg7.txt).
+/// The G7 standard drag function, as ballistic programs share it (mcg7.txt of JBM Ballistics), at fewer Mach numbers
+/// where it is nearly straight.
 constexpr std::array<DragPoint, 53> G7{ {
 		{ 0.0, 0.1198 },
 		{ 0.1, 0.1196 },

@@ -10,7 +10,8 @@ const _MANY: int = 100
 const _TICKS: int = 120
 ## Most that a flight in ticks may be off the same in steps of 1 ms after 2 s, mm.
 const _MAX_ERROR_MM: float = 10.0
-## How far the hull of a tank pitches for a shot of the gun, deg, as films of such tanks show it.
+## How far the hull of a tank of 55 t is to pitch for a shot of the gun, deg: what was asked for, not
+## a measurement of a real one.
 const _PITCH_DEG: Vector2 = Vector2(1.0, 2.0)
 
 
