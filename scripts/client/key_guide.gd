@@ -40,7 +40,7 @@ static func describe(p_moves: bool, p_uses: bool) -> String:
 	for action: StringName in found:
 		lines.append("%s\t%s" % [InputKeys.name_of(action), found[action]])
 	if p_uses:
-		lines.append("A, D\tsteer, in a seat")
+		lines.append("W, S, A, D\tdrive, in a vehicle; the bottom of the screen has its keys")
 	lines.append(_MOUSE)
 	return "\n".join(lines)
 
