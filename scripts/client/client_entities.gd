@@ -102,10 +102,6 @@ func put_down(_limb: Node3D, _entity: int) -> void:
 	push_error("Only the server carries people.")
 
 
-func refuse(_session: int, _why: String) -> void:
-	push_error("Only the server refuses.")
-
-
 func find_by_body(_body: Node3D) -> int:
 	push_error("Only the server knows whose body it is.")
 	return -1

@@ -35,10 +35,6 @@ func send_command(p_entity: int, p_command: int, p_values: PackedFloat32Array, p
 ## Puts a person whom the entity carries back on the ground, on the server.
 @abstract func put_down(p_limb: Node3D, p_entity: int) -> void
 
-## Tells a session, and the instructors, that what it commanded cannot be done now, and why; on the
-## server.
-@abstract func refuse(p_session: int, p_why: String) -> void
-
 ## Number of the entity to whose body a node belongs, on the server; -1 if it is part of none.
 @abstract func find_by_body(p_body: Node3D) -> int
 

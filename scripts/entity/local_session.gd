@@ -51,9 +51,6 @@ class Host:
 	func put_down(_limb: Node3D, _entity: int) -> void:
 		pass
 
-	func refuse(_session: int, p_why: String) -> void:
-		Log.info("entity", p_why)
-
 	func find_by_body(p_body: Node3D) -> int:
 		for id: int in nodes:
 			if nodes[id].get_body() == p_body:

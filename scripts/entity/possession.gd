@@ -5,6 +5,8 @@ extends RefCounted
 
 ## An entity has another possessor now; 0 is nobody.
 signal changed(p_entity: int, p_session: int)
+## What a session has commanded cannot be done now, and why.
+signal refused(p_session: int, p_why: String)
 
 ## A session takes at most one seat in so many ticks, as each moves its people.
 const SEAT_TICKS: int = 15

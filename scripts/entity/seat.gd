@@ -163,7 +163,7 @@ func _on_commanded(p_session: int, p_command: StringName, p_values: PackedFloat3
 		if hindrance == "":
 			vacate()
 		else:
-			entity.get_host().refuse(p_session, hindrance)
+			entity.get_host().possession().refused.emit(p_session, hindrance)
 
 
 func _on_field_changed(p_field: StringName, p_value: float) -> void:

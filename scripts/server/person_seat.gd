@@ -1,7 +1,7 @@
 class_name PersonSeat
 extends RefCounted
-## Somebody in a [Seat]: the way in, the frame that goes with the seat, the hold of the hips, and the
-## way out.
+## Somebody in a [Seat]: the way in, the frame that goes with the seat, the hold of the hips, and
+## the way out.
 ##
 ## Places are in the frame of the seat's body, m.
 
@@ -34,17 +34,6 @@ const STRONG: float = 5.0
 const SLACK_M: float = 0.03
 ## How long the hips take to follow the motion's, s.
 const SMOOTH_S: float = 0.03
-## How long it takes until somebody who has moved is in the middle again, s.
-const CENTRE_S: float = 2.0
-## Hips rise or sink by no more than this from one sample to the next, m.
-const FASTEST_M: float = 0.1
-const SINKS_M: float = 0.025
-## Hips that are to be so far below the rim (m) mean that the wearer ducks; those of who comes up
-## again, that the arms are free. It takes so long to fold them, s.
-const DOWN_M: float = 0.25
-const UP_M: float = 0.15
-const FOLD_S: float = 0.4
-const FOLDED: float = 1.7
 ## A seat that turns by more than this in a step (rad) has been put so.
 const _JUMP: float = 0.2
 
@@ -68,18 +57,10 @@ var _from: Transform3D = Transform3D.IDENTITY
 var _time_s: float = 0.0
 var _duration_s: float = 0.0
 var _target: Vector3 = Vector3.ZERO
-## The person's own frame at the end of the last step, and the hips in it, as they are to be and
-## smoothed.
+## The person's own frame at the end of the last step, and the hips in it, smoothed.
 var _frame: Transform3D = Transform3D.IDENTITY
-var _place: Vector3 = Vector3.ZERO
 var _hips: Vector3 = Vector3.ZERO
-## What the wearer's own place is when the hips are in the middle of their room.
-var _middle: Vector3 = Vector3.ZERO
-## Height of the hips above the person's own floor that is the seat's, of who sits, m.
-var _seat_height: float = 0.0
-## How far the arms are folded, 0 to 1, and whether nothing of the body meets the vehicle.
-var _folded: float = 0.0
-var _is_ducked: bool = false
+var _place: SeatPlace = null
 var _lengths: Vector3 = Vector3.ZERO
 var _room: HatchRoom = null
 var _before: Dictionary[StringName, float] = {}
@@ -100,12 +81,12 @@ func _init(p_person: ServerPerson, p_seat: Seat, p_body: PhysicsBody3D, p_is_ins
 	_lengths = SeatedPose.lengths_of(p_person.ragdoll.profile)
 	_room = HatchRoom.new(p_person.ragdoll.profile)
 	_begin()
-	_place = Vector3(0.0, _root().y, 0.0)
-	_hips = _place
+	_place = SeatPlace.new(hold, _root().y)
+	_hips = _place.place
 	_target = _hips_place()
 	_from = _body_transform().affine_inverse() * p_person.ragdoll.motor.get_frame()
 	_from.basis = _from.basis.orthonormalized()
-	var feet: Vector3 = _target - _seat_before.basis.y * _place.y
+	var feet: Vector3 = _target - _seat_before.basis.y * _hips.y
 	_from.origin = feet
 	_frame = _from
 	# The motion goes on in another frame: of the one before nothing must remain.
@@ -115,7 +96,7 @@ func _init(p_person: ServerPerson, p_seat: Seat, p_body: PhysicsBody3D, p_is_ins
 	if is_far or way.is_empty():
 		_sit()
 		_frame = _seat_before * _offset
-		_target = _frame * _place
+		_target = _frame * _hips
 		return
 	_way.append(feet)
 	if not p_is_inside:
@@ -134,6 +115,7 @@ func leave(p_is_free: Callable) -> bool:
 	if way.is_empty():
 		return false
 	phase = Phase.LEAVING
+	_place.leave()
 	_end_hold()
 	_enclose(false)
 	_meet([])
@@ -151,7 +133,8 @@ func advance(p_delta_s: float) -> Transform3D:
 	if is_instance_valid(seat):
 		now = seat.frame_in_body()
 	var next: Transform3D = now * (_seat_before.affine_inverse() * now)
-	if now.basis.get_rotation_quaternion().angle_to(_seat_before.basis.get_rotation_quaternion()) > _JUMP:
+	var turn: Basis = _seat_before.basis.inverse() * now.basis
+	if turn.get_rotation_quaternion().get_angle() > _JUMP:
 		next = now
 	_seat_before = now
 	_time_s += p_delta_s
@@ -165,7 +148,7 @@ func pull(p_delta_s: float) -> void:
 		return
 	var from: Vector3 = _target
 	# Samples come unevenly.
-	_hips = _hips.lerp(_place, 1.0 - exp(-p_delta_s / SMOOTH_S))
+	_hips = _hips.lerp(_place.place, 1.0 - exp(-p_delta_s / SMOOTH_S))
 	_target = _frame * _hips
 	if phase == Phase.COMING and _time_s >= _duration_s:
 		_arrive()
@@ -173,56 +156,27 @@ func pull(p_delta_s: float) -> void:
 		phase = Phase.GONE
 	if _joint == null:
 		return
-	_centre(p_delta_s)
-	_duck(p_delta_s)
-	var place: Vector3 = _joint.place()
-	var more: float = STRONG if _clamped(place).distance_to(place) > SLACK_M else 1.0
+	if _place.advance(_root(), p_delta_s):
+		_meet([] if _place.is_ducked else _limbs_that_meet())
+	var at: Vector3 = hips_in_seat()
+	# A chair's own origin is where the hips are, as is that of the room that they have.
+	var more: float = STRONG if _place.nearest(at).distance_to(at) > SLACK_M else 1.0
 	var up: float = hold.support_force * more
 	_joint.pull(from, _target, hold.side_force * more, up, hold.down_force * more, p_delta_s)
 
 
-## Takes the wearer's place in the person's own frame, m; returns that of the body in it. There is no
-## room to walk: at the edge of the room the middle gives in.
+## Takes the wearer's place in the person's own frame, m; returns that of the body in it.
 func place_of(p_root: Vector3) -> Vector3:
-	if hold == null or phase == Phase.GONE:
-		return p_root
-	if phase != Phase.SITTING:
-		_place = Vector3(0.0, p_root.y, 0.0)
-		return _place
-	var off: Vector3 = p_root - _middle
-	var across: Vector2 = Vector2(off.x, off.z)
-	var kept: Vector2 = across.limit_length(_room_at(_place.y))
-	_middle += Vector3(across.x - kept.x, 0.0, across.y - kept.y)
-	var lowest: float = hold.lowest
-	if hold.hatch_radius > 0.0 and not _is_ducked:
-		lowest = maxf(lowest, minf(hold.rim - UP_M, _place.y))
-	var height: float = clampf(p_root.y, lowest, hold.highest)
-	if not _stands():
-		var rise: float = clampf(off.y, hold.lowest, hold.highest)
-		_middle.y += off.y - rise
-		height = _seat_height + rise
-	# A wearer whose tracking jumps is nowhere else; nobody falls into a well.
-	var sinks: float = SINKS_M if hold.hatch_radius > 0.0 and _place.y < hold.rim else FASTEST_M
-	height = clampf(height, _place.y - sinks, _place.y + FASTEST_M)
-	_place = Vector3(kept.x, height, kept.y)
-	return _place
-
-
-## How far from the middle hips of a height may be, m: shoulders fill a well.
-func _room_at(p_height: float) -> float:
-	if hold.hatch_radius <= 0.0:
-		return hold.room
-	var below: float = smoothstep(0.0, DOWN_M, hold.rim - p_height)
-	return lerpf(hold.room, minf(hold.room, 0.02), maxf(below, minf(_folded, 1.0)))
+	return p_root if hold == null or phase == Phase.GONE else _place.put(p_root)
 
 
 ## A sample as it drives the body in this seat.
 func fit(p_sample: PoseSample) -> PoseSample:
 	if hold == null or phase != Phase.SITTING:
 		return p_sample
-	var fitted: PoseSample = SeatedPose.fit(p_sample, hold, _place.y, _lengths)
+	var fitted: PoseSample = SeatedPose.fit(p_sample, hold, _place.place.y, _lengths)
 	if hold.hatch_radius > 0.0:
-		_room.fit(fitted, _place, hold.rim, hold.hatch_radius, minf(_folded, 1.0))
+		_room.fit(fitted, _place.place, hold.rim, hold.hatch_radius, _place.folded())
 	return fitted
 
 
@@ -283,9 +237,7 @@ func _arrive() -> void:
 
 func _sit() -> void:
 	phase = Phase.SITTING
-	_middle = _root()
-	_seat_height = 0.0 if _stands() else _place.y
-	_offset = Transform3D(_facing(), Vector3.DOWN * _seat_height)
+	_offset = Transform3D(_facing(), Vector3.DOWN * _place.sit(_root()))
 	_meet(_limbs_that_meet())
 	_enclose(hold.is_enclosed)
 	_begin_hold()
@@ -310,42 +262,9 @@ func _path() -> PackedVector3Array:
 	if phase == Phase.COMING and is_instance_valid(seat):
 		if _way.size() > 1:
 			path.append(seat.mouth())
-		var down: float = 0.0 if _stands() else _place.y
+		var down: float = 0.0 if _place.stands() else _place.place.y
 		path.append(_seat_before.origin - _seat_before.basis.y * down)
 	return path
-
-
-## Who stands at the edge comes to the middle by and by.
-func _centre(p_delta_s: float) -> void:
-	var to: Vector3 = _root() - _middle
-	to.y = 0.0 if _stands() else to.y
-	_middle += to.limit_length(1.0) * (1.0 - exp(-p_delta_s / CENTRE_S))
-
-
-## Whoever goes down into a well folds the arms first: limbs that are above the rim would be caught
-## there. Folded up, nothing meets the vehicle.
-func _duck(p_delta_s: float) -> void:
-	if hold.hatch_radius <= 0.0:
-		return
-	var below: float = hold.rim - minf(_root().y, _place.y + UP_M)
-	var ducks: bool = below > (UP_M if _folded > 0.0 else DOWN_M)
-	# A little more than all: until the arms have come.
-	_folded = move_toward(_folded, FOLDED if ducks else 0.0, p_delta_s / FOLD_S)
-	if (_folded >= FOLDED) != _is_ducked:
-		_is_ducked = not _is_ducked
-		_meet([] if _is_ducked else _limbs_that_meet())
-
-
-## Where the nearest place is that the hips may have.
-func _clamped(p_place: Vector3) -> Vector3:
-	var at: Vector3 = _seat_before.affine_inverse() * p_place
-	var across: Vector2 = Vector2(at.x, at.z).limit_length(hold.room)
-	at = Vector3(across.x, clampf(at.y, hold.lowest, hold.highest), across.y)
-	return _seat_before * at
-
-
-func _stands() -> bool:
-	return hold.legs != SeatHold.Legs.SITTING
 
 
 ## Turns the wearer so that whoever sits down looks ahead, whichever way that is in reality.

@@ -27,11 +27,7 @@ func _init(p_body: RID, p_ragdoll: Ragdoll) -> void:
 	_offset = joint_of(p_ragdoll.profile.limbs[0])
 	_joint = PhysicsServer3D.joint_create()
 	PhysicsServer3D.joint_make_generic_6dof(
-		_joint,
-		_body,
-		Transform3D.IDENTITY,
-		_hips,
-		Transform3D(Basis.IDENTITY, _offset)
+		_joint, _body, Transform3D.IDENTITY, _hips, Transform3D(Basis.IDENTITY, _offset)
 	)
 	for axis: Vector3.Axis in _AXES:
 		PhysicsServer3D.generic_6dof_joint_set_flag(
@@ -57,8 +53,9 @@ func place() -> Vector3:
 	return _state(_body).transform.affine_inverse() * (hips * _offset)
 
 
-## Pulls the hips for a step of a length, s: they are to be at a place at its begin and at another at
-## its end. [param p_up] holds while they are carried, [param p_down] while they are held down, N.
+## Pulls the hips for a step of a length, s: they are to be at a place at its begin and at another
+## at its end. [param p_up] holds while they are carried, [param p_down] while they are held down,
+## N.
 func pull(
 	p_from: Vector3, p_to: Vector3, p_side: float, p_up: float, p_down: float, p_delta_s: float
 ) -> void:
@@ -74,10 +71,7 @@ func pull(
 	_set_forces(Vector3(p_side, p_up if velocity.y > falls else p_down, p_side))
 	for axis: Vector3.Axis in _AXES:
 		PhysicsServer3D.generic_6dof_joint_set_param(
-			_joint,
-			axis,
-			PhysicsServer3D.G6DOF_JOINT_LINEAR_MOTOR_TARGET_VELOCITY,
-			velocity[axis]
+			_joint, axis, PhysicsServer3D.G6DOF_JOINT_LINEAR_MOTOR_TARGET_VELOCITY, velocity[axis]
 		)
 
 
@@ -95,10 +89,7 @@ func _set_forces(p_forces: Vector3) -> void:
 	for axis: Vector3.Axis in _AXES:
 		if p_forces[axis] != _forces[axis]:
 			PhysicsServer3D.generic_6dof_joint_set_param(
-				_joint,
-				axis,
-				PhysicsServer3D.G6DOF_JOINT_LINEAR_MOTOR_FORCE_LIMIT,
-				p_forces[axis]
+				_joint, axis, PhysicsServer3D.G6DOF_JOINT_LINEAR_MOTOR_FORCE_LIMIT, p_forces[axis]
 			)
 	_forces = p_forces
 

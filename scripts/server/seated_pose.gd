@@ -13,8 +13,8 @@ const _ELBOW: float = 1.1
 const _STRAIGHT: float = 0.995
 
 
-## A copy of a sample with the limbs that a hold says. [param p_height] is how high the hips are above
-## the soles, m; [param p_lengths] are those of [method lengths_of].
+## A copy of a sample with the limbs that a hold says. [param p_height] is how high the hips are
+## above the soles, m; [param p_lengths] are those of [method lengths_of].
 static func fit(
 	p_sample: PoseSample, p_hold: SeatHold, p_height: float, p_lengths: Vector3
 ) -> PoseSample:

@@ -35,6 +35,7 @@ func _init(
 	_people = p_people
 	_encoder = p_encoder
 	_table.despawned.connect(_on_despawned)
+	_possession.refused.connect(_on_refused)
 	_link.handle(
 		Protocol.Message.COMMAND, MessageHandlers.Path.FAST, _on_commands, Roles.Capability.COMMAND
 	)
@@ -155,7 +156,7 @@ func carry(p_limb: Node3D, p_entity: int, p_holds: bool) -> void:
 		var to_body: Transform3D = node.get_body().global_transform.affine_inverse()
 		_people.attach_person(person, p_entity, node.get_body(), to_body * frame)
 	else:
-		_people.let_ride(person, p_entity, node.get_body())
+		_people.attach_person(person, p_entity, node.get_body(), Transform3D.IDENTITY, true)
 
 
 func put_down(p_limb: Node3D, p_entity: int) -> void:
@@ -166,12 +167,6 @@ func put_down(p_limb: Node3D, p_entity: int) -> void:
 	# An occupant whose seat leaves the area stays in it.
 	if person.sitting == null:
 		_people.detach_person(person)
-
-
-func refuse(p_session: int, p_why: String) -> void:
-	var session: Session = _link.session(p_session)
-	if session != null:
-		command_refused.emit(p_session, "%s: %s" % [session.describe(), p_why])
 
 
 func find_by_body(p_body: Node3D) -> int:
@@ -196,6 +191,13 @@ func attach(p_session: int, p_entity: int, p_seat: Seat) -> void:
 
 func detach(p_session: int) -> void:
 	_people.detach(p_session)
+
+
+func _on_refused(p_session: int, p_why: String) -> void:
+	var session: Session = _link.session(p_session)
+	if session != null:
+		_link.complain(session, "seat", p_why)
+		command_refused.emit(p_session, "%s: %s" % [session.describe(), p_why])
 
 
 func _on_despawned(p_row: EntityRow) -> void:

@@ -229,31 +229,21 @@ func _stand_up() -> void:
 ## bodies, or all.
 func attach(p_session: int, p_entity: int, p_carrier: PhysicsBody3D, p_seat: Seat) -> void:
 	for person: ServerPerson in _of_session(p_session):
-		seat_person(person, p_entity, p_carrier, p_seat)
+		_seat(person, p_entity, p_carrier, p_seat)
 		if person.sitting.hold != null:
 			break
 
 
-## Has a seat carry one person.
-func seat_person(
-	p_person: ServerPerson, p_entity: int, p_carrier: PhysicsBody3D, p_seat: Seat
-) -> void:
-	var is_inside: bool = p_person.sitting != null and p_person.carrier == p_carrier
-	p_person.let_go()
-	p_person.sitting = PersonSeat.new(p_person, p_seat, p_carrier, is_inside)
-	attach_person(p_person, p_entity, p_carrier, Transform3D.IDENTITY)
-
-
-## Notes that one person stands or lies on a body that may move: friction alone carries.
-func let_ride(p_person: ServerPerson, p_entity: int, p_carrier: PhysicsBody3D) -> void:
-	p_person.rides = true
-	attach_person(p_person, p_entity, p_carrier, Transform3D.IDENTITY)
-
-
-## Has a body carry one person, whose own frame is in the body's from now on.
+## Has a body carry one person, whose own frame is in the body's from now on. With
+## [param p_rides] it does not: friction alone carries who stands or lies there.
 func attach_person(
-	p_person: ServerPerson, p_entity: int, p_carrier: PhysicsBody3D, p_frame: Transform3D
+	p_person: ServerPerson,
+	p_entity: int,
+	p_carrier: PhysicsBody3D,
+	p_frame: Transform3D,
+	p_rides: bool = false
 ) -> void:
+	p_person.rides = p_rides
 	p_person.carrier = p_carrier
 	p_person.carrier_id = p_entity
 	p_person.seat = p_frame
@@ -296,6 +286,13 @@ func detach_person(p_person: ServerPerson) -> void:
 	if was_moved:
 		motor.set_frame(frame)
 	person_attached.emit(p_person, -1)
+
+
+func _seat(p_person: ServerPerson, p_entity: int, p_carrier: PhysicsBody3D, p_seat: Seat) -> void:
+	var is_inside: bool = p_person.sitting != null and p_person.carrier == p_carrier
+	p_person.let_go()
+	p_person.sitting = PersonSeat.new(p_person, p_seat, p_carrier, is_inside)
+	attach_person(p_person, p_entity, p_carrier, Transform3D.IDENTITY)
 
 
 ## A frame as it is on the ground: upright, and so that the hips stay where the motion has them.

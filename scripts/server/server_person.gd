@@ -36,8 +36,8 @@ var carrier: PhysicsBody3D = null
 var carrier_id: int = -1
 ## See [member carrier].
 var seat: Transform3D = Transform3D.IDENTITY
-## Whether the carrier is only what the person stands or lies on: friction carries, the frame is that
-## of the wire alone.
+## Whether the carrier is only what the person stands or lies on: friction carries, the frame is
+## that of the wire alone.
 var rides: bool = false
 ## The seat that the person takes, sits in or leaves, or null.
 var sitting: PersonSeat = null

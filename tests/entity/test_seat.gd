@@ -8,6 +8,16 @@ var _entity: Entity = null
 var _seats: Array[Seat] = []
 
 
+## A seat that says why nobody can leave it.
+class StuckSeat:
+	extends Seat
+
+	var hindrance: String = "the door is shut"
+
+	func find_hindrance() -> String:
+		return hindrance
+
+
 func before_each() -> void:
 	_scene = Node3D.new()
 	var body: AnimatableBody3D = AnimatableBody3D.new()
@@ -63,6 +73,34 @@ func test_who_changes_seats_all_the_time_waits() -> void:
 	equal(taken, 1, "all in one tick")
 	await physics_frames(Possession.SEAT_TICKS)
 	is_true(_seats[1].take(7))
+
+
+func test_a_seat_that_cannot_be_left_now_is_kept() -> void:
+	_seats[0].free()
+	var refusals: Array[String] = []
+	_possession().refused.connect(func(_session: int, why: String) -> void: refusals.append(why))
+	var stuck: StuckSeat = StuckSeat.new()
+	stuck.entity = _entity
+	stuck.index = 2
+	stuck.occupant_field = FIELDS[0]
+	_entity.get_body().add_child(stuck)
+	is_true(stuck.take(LocalSession.SESSION))
+	stuck.interact()
+	equal(stuck.occupant(), LocalSession.SESSION)
+	equal(refusals, ["the door is shut"] as Array[String])
+	stuck.hindrance = ""
+	stuck.interact()
+	equal(stuck.occupant(), 0)
+
+
+func test_a_seat_below_what_turns_is_where_that_has_it() -> void:
+	var arm: Node3D = Node3D.new()
+	_entity.get_body().add_child(arm)
+	_seats[0].reparent(arm, false)
+	_seats[0].position = Vector3(1.0, 2.0, 0.0)
+	arm.rotation.y = PI / 2.0
+	_entity.get_body().position = Vector3(50.0, 0.0, 0.0)
+	almost_equal(_seats[0].frame_in_body().origin, Vector3(0.0, 2.0, -1.0), 1e-5)
 
 
 func test_a_session_that_is_gone_sits_nowhere() -> void:

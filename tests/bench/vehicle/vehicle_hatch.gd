@@ -19,22 +19,6 @@ const SHOT_TICKS: int = 600
 const _AT_MOST: BenchReport.Goal = BenchReport.Goal.AT_MOST
 const _AT_LEAST: BenchReport.Goal = BenchReport.Goal.AT_LEAST
 
-
-static func run(
-	p_tree: SceneTree,
-	p_report: BenchReport,
-	p_gear: String,
-	p_kind: VehicleParameters.GearKind,
-	p_minutes: float
-) -> void:
-	for case: String in CASES:
-		for clip: String in CLIPS:
-			var ride: VehicleHatch = VehicleHatch.new(p_tree, p_kind, case != "level", p_minutes)
-			await ride._ride(p_report, p_gear, case, clip)
-	await VehicleHatch.new(p_tree, p_kind, false, p_minutes)._change(p_report, p_gear)
-	await VehicleHatchDeck.run(p_tree, p_report, p_gear, p_kind)
-
-
 var _tree: SceneTree = null
 var _ground: VehicleGround = null
 var _vehicle: Vehicle = null
@@ -60,6 +44,21 @@ func _init(
 	_seat = _vehicle.get_node(^"Turret/CommanderSeat")
 	var beside: Transform3D = Transform3D(Basis.IDENTITY, Vector3(-2.6, 0.0, -2.4))
 	_rider = HatchRider.new(_ground, _vehicle, beside)
+
+
+static func run(
+	p_tree: SceneTree,
+	p_report: BenchReport,
+	p_gear: String,
+	p_kind: VehicleParameters.GearKind,
+	p_minutes: float
+) -> void:
+	for case: String in CASES:
+		for clip: String in CLIPS:
+			var ride: VehicleHatch = VehicleHatch.new(p_tree, p_kind, case != "level", p_minutes)
+			await ride._ride(p_report, p_gear, case, clip)
+	await VehicleHatch.new(p_tree, p_kind, false, p_minutes)._change(p_report, p_gear)
+	await VehicleHatchDeck.run(p_tree, p_report, p_gear, p_kind)
 
 
 func _step() -> void:

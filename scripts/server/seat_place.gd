@@ -1,0 +1,124 @@
+class_name SeatPlace
+extends RefCounted
+## Where in a seat the hips of its occupant are to be, by what the wearer does: there is no room to
+## walk, and whoever goes down into a well folds the arms first.
+##
+## Places are in the person's own frame, whose origin is below the middle of the seat, m.
+
+## How long it takes until somebody who has moved is in the middle again, s.
+const CENTRE_S: float = 2.0
+## Hips rise or sink by no more than this from one sample to the next; into a well by no more than
+## the other, m.
+const FASTEST_M: float = 0.1
+const SINKS_M: float = 0.025
+## Hips that are to be so far below the rim (m) mean that the wearer ducks; those of who comes up
+## again, that the arms are free.
+const DOWN_M: float = 0.25
+const UP_M: float = 0.15
+## It takes so long to fold the arms, s; so many times as long until they have come, too.
+const FOLD_S: float = 0.4
+const FOLDED: float = 1.7
+## How far hips may be from the middle of a well, m: shoulders fill it.
+const WELL_M: float = 0.02
+
+## Where the hips are to be.
+var place: Vector3 = Vector3.ZERO
+## Whether the arms are folded and the hips may go down into the well.
+var is_ducked: bool = false
+
+var _hold: SeatHold = null
+## What the wearer's own place is when the hips are in the middle of their room.
+var _middle: Vector3 = Vector3.ZERO
+## Height of the chair's hips, m.
+var _chair: float = 0.0
+## How far the arms are folded; 1 is all the way.
+var _folded: float = 0.0
+var _is_seated: bool = false
+
+
+func _init(p_hold: SeatHold, p_height: float) -> void:
+	_hold = p_hold
+	place = Vector3(0.0, p_height, 0.0)
+
+
+## The occupant is in the seat from now on; the wearer is at a place. Returns how high the hips of
+## somebody who sits are above the frame's origin; 0 of who stands.
+func sit(p_root: Vector3) -> float:
+	_is_seated = true
+	_middle = p_root
+	_chair = 0.0 if stands() else place.y
+	return _chair
+
+
+## The occupant is on the way out.
+func leave() -> void:
+	_is_seated = false
+
+
+## Whether the occupant stands.
+func stands() -> bool:
+	return _hold.legs != SeatHold.Legs.SITTING
+
+
+## How far the arms are folded, 0 to 1.
+func folded() -> float:
+	return minf(_folded, 1.0)
+
+
+## Takes the wearer's place. Returns that of the body.
+func put(p_root: Vector3) -> Vector3:
+	if not _is_seated:
+		place = Vector3(0.0, p_root.y, 0.0)
+		return place
+	var off: Vector3 = p_root - _middle
+	var across: Vector2 = Vector2(off.x, off.z)
+	var kept: Vector2 = across.limit_length(_room())
+	_middle += Vector3(across.x - kept.x, 0.0, across.y - kept.y)
+	var height: float = clampf(p_root.y, _lowest(), _hold.highest)
+	if not stands():
+		var rise: float = clampf(off.y, _hold.lowest, _hold.highest)
+		_middle.y += off.y - rise
+		height = _chair + rise
+	# A wearer whose tracking jumps is nowhere else; nobody falls into a well.
+	var sinks: float = SINKS_M if _has_well() and place.y < _hold.rim else FASTEST_M
+	place = Vector3(kept.x, clampf(height, place.y - sinks, place.y + FASTEST_M), kept.y)
+	return place
+
+
+## Goes on by a time, s, with the wearer at a place. Returns whether [member is_ducked] has changed.
+func advance(p_root: Vector3, p_delta_s: float) -> bool:
+	var to: Vector3 = p_root - _middle
+	to.y = 0.0 if stands() else to.y
+	_middle += to.limit_length(1.0) * (1.0 - exp(-p_delta_s / CENTRE_S))
+	if not _has_well():
+		return false
+	var below: float = _hold.rim - minf(p_root.y, place.y + UP_M)
+	var ducks: bool = below > (UP_M if _folded > 0.0 else DOWN_M)
+	_folded = move_toward(_folded, FOLDED if ducks else 0.0, p_delta_s / FOLD_S)
+	var was_ducked: bool = is_ducked
+	is_ducked = _folded >= FOLDED
+	return is_ducked != was_ducked
+
+
+## The nearest place in the seat's frame that hips may have.
+func nearest(p_at: Vector3) -> Vector3:
+	var across: Vector2 = Vector2(p_at.x, p_at.z).limit_length(_hold.room)
+	return Vector3(across.x, clampf(p_at.y, _hold.lowest, _hold.highest), across.y)
+
+
+func _has_well() -> bool:
+	return _hold.hatch_radius > 0.0
+
+
+func _lowest() -> float:
+	if _has_well() and not is_ducked:
+		return maxf(_hold.lowest, minf(_hold.rim - UP_M, place.y))
+	return _hold.lowest
+
+
+## How far the hips may be from the middle, m.
+func _room() -> float:
+	if not _has_well():
+		return _hold.room
+	var below: float = smoothstep(0.0, DOWN_M, _hold.rim - place.y)
+	return lerpf(_hold.room, minf(_hold.room, WELL_M), maxf(below, folded()))
