@@ -8,7 +8,7 @@ const MAX_GAIN: float = 12.0
 const MAX_SPIN: float = 15.0
 ## A limb is not made faster than this by one hit, m/s.
 const MAX_LIMB_GAIN: float = 10.0
-## Impulse from which on a person cannot stay standing, N s.
+## Impulse from which on a person cannot stay standing, N s; of a burst, what all limbs get.
 const _FELLING: float = 80.0
 ## What the hit limb's group has left of its strength, and how long until all is back (s): for a
 ## bullet, and for what fells.
@@ -49,7 +49,10 @@ static func push_thing(p_body: RigidBody3D, p_impulse: Vector3, p_point: Vector3
 
 
 ## Hits a person's limb: the person flinches, or falls.
-static func push_limb(p_limb: PhysicalBone3D, p_impulse: Vector3, p_point: Vector3) -> void:
+## [param p_together] is what the whole person gets, N s, where that is more.
+static func push_limb(
+	p_limb: PhysicalBone3D, p_impulse: Vector3, p_point: Vector3, p_together: float = 0.0
+) -> void:
 	var motor: RagdollMotor = motor_of(p_limb)
 	if motor == null:
 		return
@@ -57,7 +60,8 @@ static func push_limb(p_limb: PhysicalBone3D, p_impulse: Vector3, p_point: Vecto
 		p_limb.get_rid(), PhysicsServer3D.BODY_PARAM_MASS
 	)
 	var given: Vector3 = p_impulse.limit_length(MAX_LIMB_GAIN * mass)
-	var way: Vector2 = _FLINCH if p_impulse.length() < _FELLING else _FELLED
+	var weight: float = maxf(p_impulse.length(), p_together)
+	var way: Vector2 = _FLINCH if weight < _FELLING else _FELLED
 	motor.hit(given, p_point, way.x, way.y)
 
 
@@ -85,23 +89,55 @@ static func burst(
 	query.transform.origin = p_place
 	query.collision_mask = PhysicsLayers.PEOPLE | PhysicsLayers.PROPS
 	var pushed: Dictionary[Object, bool] = {}
+	var people: Dictionary[RagdollMotor, Array] = {}
 	for found: Dictionary in p_space.intersect_shape(query, _MAX_BODIES):
 		var body: CollisionObject3D = found["collider"] as CollisionObject3D
 		if body == null or pushed.has(body):
 			continue
 		pushed[body] = true
-		_burst_on(p_space, p_place, p_ammunition, body)
+		var given: Array[Vector3] = _find_push(p_space, p_place, p_ammunition, body)
+		var motor: RagdollMotor = motor_of(body) if body is PhysicalBone3D else null
+		if given.is_empty():
+			continue
+		if motor == null:
+			push(body, given[0], given[1])
+			_pierce(body, given, p_ammunition, p_place)
+		else:
+			people.get_or_add(motor, []).append([body, given[0], given[1]])
+	for motor: RagdollMotor in people:
+		_push_person(people[motor])
 
 
-static func _burst_on(
+## Limbs of one person, each with its impulse and place.
+static func _push_person(p_limbs: Array) -> void:
+	var together: float = 0.0
+	for limb: Array in p_limbs:
+		together += (limb[1] as Vector3).length()
+	for limb: Array in p_limbs:
+		push_limb(limb[0], limb[1], limb[2], together)
+
+
+static func _pierce(
+	p_body: Object, p_given: Array[Vector3], p_ammunition: Ammunition, p_place: Vector3
+) -> void:
+	var is_near: bool = p_place.distance_to(p_given[1]) < 0.5 * p_ammunition.blast_radius
+	var armour: VehicleArmour = null
+	if p_body is Vehicle and is_near:
+		armour = VehicleArmour.find_in(p_body as Vehicle)
+	if armour != null:
+		armour.take_fragments(p_ammunition, p_given[0].normalized(), p_given[1])
+
+
+## Impulse and place of what a burst gives to a body; empty where it does not reach it.
+static func _find_push(
 	p_space: PhysicsDirectSpaceState3D,
 	p_place: Vector3,
 	p_ammunition: Ammunition,
 	p_body: CollisionObject3D
-) -> void:
+) -> Array[Vector3]:
 	var state: PhysicsDirectBodyState3D = PhysicsServer3D.body_get_direct_state(p_body.get_rid())
 	if state == null:
-		return
+		return []
 	var middle: Vector3 = state.transform.origin + state.center_of_mass
 	# Who stands behind a wall or a crate is spared; a limb does not shield the next.
 	var ray: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.create(
@@ -109,17 +145,13 @@ static func _burst_on(
 	)
 	var between: Dictionary = p_space.intersect_ray(ray)
 	if not between.is_empty() and between["collider"] != p_body:
-		return
+		return []
 	var point: Vector3 = between["position"] if not between.is_empty() else middle
 	var away: float = p_place.distance_to(point)
 	var share: float = 1.0 - away / p_ammunition.blast_radius
 	var ahead: Vector3 = (middle - p_place).normalized()
 	if share <= 0.0 or not ahead.is_normalized():
-		return
+		return []
 	var area: float = pow(1.0 / maxf(state.inverse_mass, 1e-6) / _DENSITY, 2.0 / 3.0)
 	var impulse: float = p_ammunition.blast_impulse * area * share / maxf(away, _NEAREST)
-	push(p_body, ahead * impulse, point)
-	if p_body is Vehicle and share > 0.5:
-		var armour: VehicleArmour = VehicleArmour.find_in(p_body)
-		if armour != null:
-			armour.take_fragments(p_ammunition, ahead, point)
+	return [ahead * impulse, point]
