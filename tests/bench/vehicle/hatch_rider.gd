@@ -8,6 +8,9 @@ const START_USEC: int = 1780000000000000
 ## Limbs above the legs without the hips: the upper body.
 const UPPER: Array[int] = [1, 2, 3, 4, 5, 6, 7, 8, 9]
 
+## A limb that the seat turns by less than this is as the wearer has it, degrees.
+const SAME_DEG: float = 1.0
+
 ## The body.
 var person: ServerPerson = null
 ## Server side of people.
@@ -18,6 +21,9 @@ var error_count: int = 0
 var worst_deg: float = 0.0
 ## Angle between the upper body and what the wearer's limbs did in truth.
 var raw_sum_deg: float = 0.0
+## The same of the limbs that the hatch left as the wearer had them, and how many these were.
+var free_sum_deg: float = 0.0
+var free_count: int = 0
 ## Largest distance of the hips from the middle of the seat, m, lowest and highest above it.
 var hips_across: float = 0.0
 var hips_lowest: float = INF
@@ -104,6 +110,16 @@ func raw_deg() -> float:
 	return raw_sum_deg / maxi(error_count, 1)
 
 
+## The same of limbs for which the hatch had room, degrees.
+func free_deg() -> float:
+	return free_sum_deg / maxi(free_count, 1)
+
+
+## The part of all limbs for which it had, in percent.
+func free_share() -> float:
+	return 100.0 * free_count / maxi(error_count, 1)
+
+
 ## Mean angle of the upper body to its motion, degrees.
 func mean_deg() -> float:
 	return error_sum_deg / maxi(error_count, 1)
@@ -113,6 +129,8 @@ func mean_deg() -> float:
 func forget() -> void:
 	error_sum_deg = 0.0
 	raw_sum_deg = 0.0
+	free_sum_deg = 0.0
+	free_count = 0
 	error_count = 0
 	worst_deg = 0.0
 	hips_across = 0.0
@@ -148,6 +166,9 @@ func _note_truth() -> void:
 		return
 	var frame: Quaternion = person.ragdoll.motor.get_frame().basis.get_rotation_quaternion()
 	var limbs: Array[RagdollLimb] = person.ragdoll.profile.limbs
+	var fitted: PoseSample = person.newest
+	if person.sitting != null:
+		fitted = person.sitting.fit(person.newest)
 	for limb: int in UPPER:
 		var index: int = _order[limb]
 		var state: Transform3D = PhysicsServer3D.body_get_state(
@@ -155,7 +176,12 @@ func _note_truth() -> void:
 		)
 		var wanted: Quaternion = frame * person.newest.orientation(limb)
 		wanted = wanted * limbs[index].reset_orientation
-		raw_sum_deg += rad_to_deg(wanted.angle_to(state.basis.get_rotation_quaternion()))
+		var off: float = rad_to_deg(wanted.angle_to(state.basis.get_rotation_quaternion()))
+		raw_sum_deg += off
+		var turned: float = fitted.orientation(limb).angle_to(person.newest.orientation(limb))
+		if rad_to_deg(turned) < SAME_DEG:
+			free_sum_deg += off
+			free_count += 1
 
 
 func _note_depth() -> void:

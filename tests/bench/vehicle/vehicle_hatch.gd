@@ -121,8 +121,12 @@ func _report_ride(p_report: BenchReport, p_gear: String, p_case: String, p_clip:
 		p_report.leave_out(name, "nothing was measured")
 		return
 	var kind: BenchReport.Goal = _AT_MOST if p_case == "level" else BenchReport.Goal.NONE
-	p_report.add(name, "upper body off its motion, mean", _rider.mean_deg(), "deg", kind, UPPER_DEG)
-	p_report.add(name, "off what the wearer does, mean", _rider.raw_deg(), "deg")
+	var fitted: String = "upper body off its motion as the hatch has room for it, mean"
+	p_report.add(name, fitted, _rider.mean_deg(), "deg", kind, UPPER_DEG)
+	var free: String = "limbs that have room, off what the wearer does, mean"
+	p_report.add(name, free, _rider.free_deg(), "deg", kind, UPPER_DEG)
+	p_report.add(name, "limbs that have room", _rider.free_share(), "%")
+	p_report.add(name, "all limbs, off what the wearer does, mean", _rider.raw_deg(), "deg")
 	p_report.add(name, "worst of any limb", _rider.worst_deg, "deg")
 	p_report.add(name, "hips off the middle", _rider.hips_across, "m", _AT_MOST, MOST_ACROSS_M)
 	p_report.add(name, "hips above the soles", _rider.hips_highest, "m", _AT_MOST, MOST_UP_M)
