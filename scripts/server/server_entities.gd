@@ -35,6 +35,7 @@ func _init(
 	_people = p_people
 	_encoder = p_encoder
 	_table.despawned.connect(_on_despawned)
+	_people.person_added.connect(_on_person_added)
 	_possession.refused.connect(_on_refused)
 	_link.handle(
 		Protocol.Message.COMMAND, MessageHandlers.Path.FAST, _on_commands, Roles.Capability.COMMAND
@@ -198,6 +199,13 @@ func _on_refused(p_session: int, p_why: String) -> void:
 	if session != null:
 		_link.complain(session, "seat", p_why)
 		command_refused.emit(p_session, "%s: %s" % [session.describe(), p_why])
+
+
+## A session may have taken a seat before its people had bodies.
+func _on_person_added(p_person: ServerPerson) -> void:
+	var seat: Seat = _possession.seat_of(p_person.session)
+	if seat != null and seat.carries_people:
+		attach(p_person.session, seat.entity.id, seat)
 
 
 func _on_despawned(p_row: EntityRow) -> void:

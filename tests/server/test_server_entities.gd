@@ -137,6 +137,16 @@ func test_a_person_who_stands_on_a_turntable_is_carried_along() -> void:
 	is_true(_hips(person).distance_to(centre + Vector3(1.5, 1.0, 0.0)) > 0.5)
 
 
+func test_who_gets_a_body_after_taking_a_seat_sits_in_it() -> void:
+	_command(2, _find("turntable"), "take_seat")
+	_advance()
+	_people.enter([Transform3D(Basis.IDENTITY, Vector3(5.0, 0.0, 5.0))])
+	_people.set_people(2, [PersonCard.of("Ada", 1.0115)], "Ada")
+	_people.settle()
+	var disc: Node = _level.level.get_node(^"Props/Turntable/Disc")
+	equal(_people.list()[0].carrier, disc)
+
+
 func test_a_scene_that_is_added_is_an_entity() -> void:
 	var place: Transform3D = Transform3D(Basis.IDENTITY, Vector3(3.0, 0.0, 3.0))
 	var added: Entity = _level.add_instance("res://examples/01_door/door.tscn", place, 7, 1)

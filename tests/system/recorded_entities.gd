@@ -2,8 +2,7 @@ extends SceneTree
 ## What became of the entities in a recording: [code]--recording=FILE[/code].
 ##
 ## Prints JSON: level (names, in order), entities by path or name: type, owner, fields (for each the
-## list of different values, in order), events (names with their ticks), carriers (of a person: the
-## entities that carried it, in order).
+## list of different values, in order), events (names with their ticks).
 
 var _replica: WorldReplica = WorldReplica.new()
 var _found: Dictionary[String, Dictionary] = {}
@@ -40,7 +39,6 @@ func _on_spawned(p_row: EntityRow) -> void:
 		"owner": p_row.owner,
 		"fields": fields,
 		"events": [],
-		"carriers": [],
 	}
 
 

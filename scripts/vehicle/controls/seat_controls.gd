@@ -14,6 +14,8 @@ signal seat_changed(p_seat: Seat)
 
 ## A driver's commands are repeated so often, s, that the server knows that somebody is there.
 const REPEAT_S: float = 0.1
+## A held trigger is told again so often, s: the server lets go of one of which it hears nothing.
+const TRIGGER_S: float = 1.0
 ## How far a drag turns the view or the aim, rad for each pixel at magnification 1.
 const MOUSE: float = 0.003
 ## Shares of the greatest rate that a gunner's hand asks for, for a turn of the mouse in rad/s.
@@ -42,6 +44,7 @@ var _sent_aim: Vector2 = Vector2.ZERO
 var _sent_s: float = 0.0
 var _mouse: Vector2 = Vector2.ZERO
 var _ammunition: int = 0
+var _trigger_s: float = 0.0
 
 
 func _process(p_delta: float) -> void:
@@ -66,6 +69,10 @@ func _physics_process(p_delta: float) -> void:
 		_send_drive()
 	if has_command(&"aim"):
 		_send_aim(p_delta)
+	_trigger_s += p_delta
+	if _trigger_s > TRIGGER_S and Input.is_action_pressed(&"fire_coax"):
+		_trigger_s = 0.0
+		_order(&"fire_coax", [1.0])
 
 
 func _unhandled_input(p_event: InputEvent) -> void:
