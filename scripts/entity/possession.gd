@@ -11,6 +11,10 @@ signal refused(p_session: int, p_why: String)
 ## A session takes at most one seat in so many ticks, as each moves its people.
 const SEAT_TICKS: int = 15
 
+## Whether a session has people with bodies, who cannot get out of everything:
+## [code]func(session: int) -> bool[/code].
+var has_people: Callable = func(_session: int) -> bool: return false
+
 var _possessors: Dictionary[int, int] = {}
 var _seats: Dictionary[int, Seat] = {}
 # Ticks in which sessions took a seat.

@@ -150,7 +150,7 @@ func neighbours() -> Array[RID]:
 	return []
 
 
-## Why the occupant cannot leave now, for people; empty: it can be left.
+## Why an occupant with a body cannot leave now, for people; empty: it can be left.
 func find_hindrance() -> String:
 	return ""
 
@@ -159,7 +159,8 @@ func _on_commanded(p_session: int, p_command: StringName, p_values: PackedFloat3
 	if p_command == TAKE and (p_values.is_empty() or int(p_values[0]) == index):
 		take(p_session)
 	elif p_command == LEAVE and occupant() == p_session:
-		var hindrance: String = find_hindrance()
+		var has_people: bool = entity.get_host().possession().has_people.call(p_session)
+		var hindrance: String = find_hindrance() if has_people else ""
 		if hindrance == "":
 			vacate()
 		else:

@@ -85,12 +85,13 @@ func test_a_seat_that_cannot_be_left_now_is_kept() -> void:
 	stuck.occupant_field = FIELDS[0]
 	_entity.get_body().add_child(stuck)
 	is_true(stuck.take(LocalSession.SESSION))
+	_possession().has_people = func(_session: int) -> bool: return true
 	stuck.interact()
 	equal(stuck.occupant(), LocalSession.SESSION)
 	equal(refusals, ["the door is shut"] as Array[String])
-	stuck.hindrance = ""
+	_possession().has_people = func(_session: int) -> bool: return false
 	stuck.interact()
-	equal(stuck.occupant(), 0)
+	equal(stuck.occupant(), 0, "who has no body leaves at any time")
 
 
 func test_a_seat_below_what_turns_is_where_that_has_it() -> void:
