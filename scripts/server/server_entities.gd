@@ -36,7 +36,8 @@ func _init(
 	_encoder = p_encoder
 	_table.despawned.connect(_on_despawned)
 	_people.person_added.connect(_on_person_added)
-	_possession.has_people = _people.has_people_of
+	_possession.has_people = func(session: int) -> bool:
+		return _people.list().any(func(each: ServerPerson) -> bool: return each.session == session)
 	_possession.refused.connect(_on_refused)
 	_link.handle(
 		Protocol.Message.COMMAND, MessageHandlers.Path.FAST, _on_commands, Roles.Capability.COMMAND

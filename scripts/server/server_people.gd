@@ -252,11 +252,6 @@ func attach_person(
 	person_attached.emit(p_person, p_entity)
 
 
-## Whether a session has people with bodies.
-func has_people_of(p_session: int) -> bool:
-	return not _of_session(p_session).is_empty()
-
-
 ## The person whose limb a node is, or null.
 func find_by_limb(p_limb: Node3D) -> ServerPerson:
 	for person: ServerPerson in _people.values():
