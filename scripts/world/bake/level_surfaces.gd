@@ -13,6 +13,8 @@ var parts: Array[SurfacePart] = []
 var shown: Array[MeshInstance3D] = []
 ## The meshes that throw the shadows.
 var shadows: Array[MeshInstance3D] = []
+## Which of them are needed: it knows the parts, and the mesh that throws the shadow of each.
+var reach: ShadowReach = ShadowReach.new()
 ## What was baked, or null where nothing that fits was.
 var bake: LevelBake = null
 ## Light in the air.
@@ -49,11 +51,16 @@ func assemble(p_level: Node3D, p_bake: LevelBake) -> void:
 func _add_shadows() -> void:
 	var squares: Dictionary[Vector2i, PackedVector3Array] = {}
 	for index: int in parts.size():
+		var thrown: PackedVector3Array = parts[index].mesh.get_shadow()
+		if thrown.is_empty():
+			reach.add_part(parts[index].mesh, -1)
+			continue
 		var middle: Vector3 = shown[index].mesh.get_aabb().get_center() / SHADOW_M
 		var square: Vector2i = Vector2i(floori(middle.x), floori(middle.z))
 		var corners: PackedVector3Array = squares.get(square, PackedVector3Array())
-		corners.append_array(parts[index].mesh.get_shadow())
+		corners.append_array(thrown)
 		squares[square] = corners
+		reach.add_part(parts[index].mesh, squares.keys().find(square))
 	for square: Vector2i in squares:
 		var arrays: Array = []
 		arrays.resize(Mesh.ARRAY_MAX)
