@@ -74,10 +74,10 @@ func _process(p_delta: float) -> void:
 	for node: Node in get_tree().get_nodes_in_group(KitBlock.EYES_GROUP):
 		if surfaces.get_parent().is_ancestor_of(node):
 			eyes.append(surfaces.to_local((node as Camera3D).global_position))
-	look_from(eyes, camera if eyes.size() == 1 else null)
 	_until_props_s -= p_delta
 	if _until_props_s <= 0.0:
 		_look_at_props(eyes, false)
+	look_from(eyes, camera if eyes.size() == 1 else null)
 
 
 ## Shows what is seen from any of some points of the level. Where no cell is, all is shown. Of the
@@ -137,10 +137,17 @@ func _show_shadows(p_is_other: bool, p_bounds: PackedVector4Array) -> void:
 		if has_turned:
 			_way = way
 			surfaces.reach.set_light(way)
-	if not (p_is_other or has_turned or is_all != _has_all_shadows or p_bounds != _bounds):
+	var is_same: bool = is_all == _has_all_shadows and p_bounds == _bounds
+	if is_same and not (p_is_other or has_turned):
 		return
 	_has_all_shadows = is_all
 	_bounds = p_bounds
+	_props.look_at_shadows(
+		surfaces.reach,
+		PackedVector4Array() if is_all else p_bounds,
+		_way,
+		surfaces.bake.cell_origin.y if surfaces.bake != null else 0.0
+	)
 	var needed: PackedByteArray = []
 	if not is_all:
 		needed = surfaces.reach.look(_seen, p_bounds)
