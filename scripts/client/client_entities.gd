@@ -107,6 +107,11 @@ func find_by_body(_body: Node3D) -> int:
 	return -1
 
 
+func owner_of(p_entity: int) -> int:
+	var row: EntityRow = _replica.table.find(p_entity)
+	return row.owner if row != null else 0
+
+
 func name_of(p_entity: int) -> String:
 	var row: EntityRow = _replica.table.find(p_entity)
 	return row.title() if row != null else ""

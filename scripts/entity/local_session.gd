@@ -55,6 +55,9 @@ class Host:
 				return id
 		return -1
 
+	func owner_of(_entity: int) -> int:
+		return session()
+
 	func name_of(p_entity: int) -> String:
 		var entity: Entity = nodes.get(p_entity)
 		return String(entity.get_parent().name) if entity != null else ""

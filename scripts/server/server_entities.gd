@@ -165,6 +165,11 @@ func find_by_body(p_body: Node3D) -> int:
 	return person.id if person != null else int(p_body.get_meta(_NUMBER, -1))
 
 
+func owner_of(p_entity: int) -> int:
+	var row: EntityRow = _table.find(p_entity)
+	return row.owner if row != null else 0
+
+
 func name_of(p_entity: int) -> String:
 	var row: EntityRow = _table.find(p_entity)
 	return row.title() if row != null else ""

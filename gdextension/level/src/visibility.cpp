@@ -21,6 +21,8 @@ constexpr std::array<float, 3> ASIDE_M{ 0.3f, 0.8f, 2.0f };
 constexpr float NUDGE_M = 0.1f;
 /// What a ray meets of a part within cubes of this edge is the same find, m.
 constexpr float KNOWN_M = 4.0f;
+/// Where a floor is no further below, somebody may stand, m.
+constexpr float STANDING_M = 2.2f;
 
 } // namespace
 
@@ -109,15 +111,21 @@ bool Visibility::is_inside(const Vec3 &p_point) const {
 	return backs >= 3;
 }
 
+bool Visibility::has_floor(const Vec3 &p_point) const {
+	return _scene.closest(p_point, { 0.0f, -1.0f, 0.0f }, STANDING_M).triangle != Hit::NOTHING;
+}
+
 void Visibility::choose_eyes(std::size_t p_first, std::size_t p_last) {
 	for (std::size_t cell = p_first; cell < p_last; cell++) {
 		Dice dice(cell + 1);
 		const std::array<int, 3> index = _small.index_of(cell);
 		const Vec3 corner = _small.origin + Vec3{ float(index[0]), float(index[1]), float(index[2]) } * _small.size;
-		for (int tried = 0; tried < 2 * eyes && int(_eyes[cell].size()) < eyes; tried++) {
+		bool is_aloft = true;
+		for (int tried = 0; tried < 2 * eyes && int(_eyes[cell].size()) < (is_aloft ? eyes_aloft : eyes); tried++) {
 			const Vec3 point = corner + Vec3{ dice.next(), dice.next(), dice.next() } * _small.size;
 			if (!is_inside(point)) {
 				_eyes[cell].push_back(point);
+				is_aloft = is_aloft && !has_floor(point);
 			}
 		}
 	}
@@ -264,6 +272,53 @@ void Visibility::look_out(std::size_t p_first, std::size_t p_last) {
 	}
 }
 
+/// Looks again for what only neighbours have seen.
+void Visibility::confirm(std::size_t p_first, std::size_t p_last) {
+	const std::size_t count = _small.cell_count();
+	for (std::size_t cell = p_first; cell < p_last; cell++) {
+		Dice dice(cell + 4'000'037);
+		const std::array<int, 3> index = _small.index_of(cell);
+		for (int part = 0; part < _parts && !_eyes[cell].empty(); part++) {
+			const uint8_t *known = &_known[part * count];
+			bool is_near = false;
+			for (int side = 0; side < 6 && known[cell] == 0 && !is_near; side++) {
+				std::array<int, 3> other = index;
+				other[side / 2] += side % 2 == 0 ? -1 : 1;
+				is_near = _small.has(other) && known[_small.number_of(other)] != 0;
+			}
+			if (is_near) {
+				confirm_part(cell, part, dice);
+			}
+		}
+	}
+}
+
+void Visibility::confirm_part(std::size_t p_cell, int p_part, Dice &r_dice) {
+	const std::vector<Vec3> &eyes_here = _eyes[p_cell];
+	const std::vector<std::size_t> &clusters = _clusters_of[p_part];
+	const auto choose = [&r_dice](std::size_t p_count) { return std::size_t(r_dice.next() * float(p_count)); };
+	for (int tried = 0; tried < confirming && !clusters.empty(); tried++) {
+		// The higher of two, as it is what is high that is seen over others.
+		const Vec3 &one = eyes_here[choose(eyes_here.size())];
+		const Vec3 &two = eyes_here[choose(eyes_here.size())];
+		const Vec3 &eye = one.y > two.y ? one : two;
+		Vec3 normal;
+		Vec3 target = point_on(_clusters[clusters[choose(clusters.size())]].triangles, r_dice, normal);
+		const Vec3 second = point_on(_clusters[clusters[choose(clusters.size())]].triangles, r_dice, normal);
+		target = second.y > target.y ? second : target;
+		const Vec3 way = target - eye;
+		const float length = way.length();
+		if (!(length > 0.01f)) {
+			continue;
+		}
+		const Hit hit = _scene.closest(eye, way * (1.0f / length), std::min(farthest, length + 0.05f));
+		if (hit.triangle != Hit::NOTHING && _part_of[hit.triangle] == p_part) {
+			note_part(p_part, eye, target);
+			return;
+		}
+	}
+}
+
 /// Makes up for what the rays have missed: a small cell sees what those see that it has a side in common
 /// with and that it looks into.
 void Visibility::widen(std::size_t p_first, std::size_t p_last) {
@@ -273,9 +328,10 @@ void Visibility::widen(std::size_t p_first, std::size_t p_last) {
 			row[part] = _part_marks[part * _small.cell_count() + cell];
 		}
 		const std::array<int, 3> index = _small.index_of(cell);
-		for (int side = 0; side < 6; side++) {
+		for (int side = 0; side < 4; side++) {
 			std::array<int, 3> other = index;
-			other[side / 2] += side % 2 == 0 ? -1 : 1;
+			// Not up and down: from above the eyes' height one looks over much.
+			other[side < 2 ? 0 : 2] += side % 2 == 0 ? -1 : 1;
 			if (!_small.has(other) || !looks_into(cell, _small.number_of(other))) {
 				continue;
 			}
@@ -356,7 +412,13 @@ void Visibility::survey() {
 	gather_points();
 	share(small_count, 0.05f, 0.6f, &Visibility::look);
 	share(_clusters.size(), 0.6f, 0.75f, &Visibility::look_out);
-	share(small_count, 0.75f, 0.9f, &Visibility::widen);
+	for (int round = 0; round < rounds; round++) {
+		_known.resize(_part_marks.size());
+		std::transform(_part_marks.begin(), _part_marks.end(), _known.begin(),
+				[](const std::atomic<uint8_t> &p_mark) { return p_mark.load(std::memory_order_relaxed); });
+		share(small_count, 0.75f, 0.85f, &Visibility::confirm);
+	}
+	share(small_count, 0.85f, 0.9f, &Visibility::widen);
 	share(count, 0.9f, 0.98f, &Visibility::look_at_cells);
 	finish();
 	_progress = 1.0f;
