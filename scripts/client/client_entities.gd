@@ -40,6 +40,7 @@ func bind(p_row: EntityRow, p_node: Entity) -> void:
 		Log.limited("client", "type", "%s is of another type at the server" % p_row.describe())
 		p_node.type = p_row.type
 	_nodes[p_row.id] = p_node
+	p_node.owner_session = p_row.owner
 	p_node.start(self, p_row.id, p_row.values)
 
 
@@ -105,11 +106,6 @@ func put_down(_limb: Node3D, _entity: int) -> void:
 func find_by_body(_body: Node3D) -> int:
 	push_error("Only the server knows whose body it is.")
 	return -1
-
-
-func owner_of(p_entity: int) -> int:
-	var row: EntityRow = _replica.table.find(p_entity)
-	return row.owner if row != null else 0
 
 
 func name_of(p_entity: int) -> String:

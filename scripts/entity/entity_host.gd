@@ -37,8 +37,5 @@ extends RefCounted
 ## Number of the entity to whose body a node belongs, on the server; -1 if it is part of none.
 @abstract func find_by_body(p_body: Node3D) -> int
 
-## The session to which an entity belongs, such as a person; 0 none.
-@abstract func owner_of(p_entity: int) -> int
-
 ## What people call an entity: a person's name, or that of the node; empty if there is none.
 @abstract func name_of(p_entity: int) -> String

@@ -55,9 +55,6 @@ class Host:
 				return id
 		return -1
 
-	func owner_of(_entity: int) -> int:
-		return session()
-
 	func name_of(p_entity: int) -> String:
 		var entity: Entity = nodes.get(p_entity)
 		return String(entity.get_parent().name) if entity != null else ""
@@ -71,4 +68,5 @@ func _ready() -> void:
 		if entity != null and entity.type != null:
 			var id: int = EntityTable.FIRST_OTHER + _host.nodes.size()
 			_host.nodes[id] = entity
+			entity.owner_session = _host.session()
 			entity.start(_host, id, entity.type.spawn_schema().defaults())

@@ -43,6 +43,7 @@ func _init(
 ## Registers the node of a row's entity.
 func bind(p_row: EntityRow, p_node: Entity) -> void:
 	_nodes[p_row.id] = p_node
+	p_node.owner_session = p_row.owner
 	p_node.start(self, p_row.id, p_row.values)
 
 
@@ -163,11 +164,6 @@ func put_down(p_limb: Node3D, p_entity: int) -> void:
 func find_by_body(p_body: Node3D) -> int:
 	var person: ServerPerson = _people.find_by_limb(p_body)
 	return person.id if person != null else int(p_body.get_meta(_NUMBER, -1))
-
-
-func owner_of(p_entity: int) -> int:
-	var row: EntityRow = _table.find(p_entity)
-	return row.owner if row != null else 0
 
 
 func name_of(p_entity: int) -> String:

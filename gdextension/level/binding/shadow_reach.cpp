@@ -26,10 +26,10 @@ PackedByteArray to_bytes(const std::vector<uint8_t> &p_bytes) {
 
 } // namespace
 
-void ShadowReach::add_part(const Ref<BlockMesh> &p_mesh) {
+void ShadowReach::add_part(const Ref<BlockMesh> &p_mesh, bool p_is_within) {
 	ERR_FAIL_COND_MSG(p_mesh.is_null(), "A part without a mesh.");
 	const level::BlockMesh &mesh = p_mesh->core();
-	_core.add_part(mesh.points(), mesh.indices(), mesh.shadow());
+	_core.add_part(mesh.points(), mesh.indices(), mesh.shadow(), p_is_within);
 }
 
 void ShadowReach::gather() {
@@ -58,8 +58,7 @@ void ShadowReach::set_light(const Vector3 &p_way) {
 }
 
 PackedByteArray ShadowReach::look(const PackedByteArray &p_seen, const PackedVector4Array &p_bounds) const {
-	return to_bytes(
-			_core.look(std::vector<uint8_t>(p_seen.ptr(), p_seen.ptr() + p_seen.size()), to_bounds(p_bounds)));
+	return to_bytes(_core.look(std::vector<uint8_t>(p_seen.ptr(), p_seen.ptr() + p_seen.size()), to_bounds(p_bounds)));
 }
 
 PackedByteArray ShadowReach::find_inside(
@@ -73,7 +72,7 @@ PackedByteArray ShadowReach::find_inside(
 }
 
 void ShadowReach::_bind_methods() {
-	ClassDB::bind_method(D_METHOD("add_part", "mesh"), &ShadowReach::add_part);
+	ClassDB::bind_method(D_METHOD("add_part", "mesh", "is_within"), &ShadowReach::add_part, DEFVAL(false));
 	ClassDB::bind_method(D_METHOD("gather"), &ShadowReach::gather);
 	ClassDB::bind_method(D_METHOD("get_caster_count"), &ShadowReach::get_caster_count);
 	ClassDB::bind_method(D_METHOD("get_caster", "number"), &ShadowReach::get_caster);

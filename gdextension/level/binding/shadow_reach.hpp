@@ -14,7 +14,7 @@ class ShadowReach : public RefCounted {
 	GDCLASS(ShadowReach, RefCounted)
 
 public:
-	void add_part(const Ref<BlockMesh> &p_mesh);
+	void add_part(const Ref<BlockMesh> &p_mesh, bool p_is_within);
 	void gather();
 	int64_t get_caster_count() const;
 	PackedVector3Array get_caster(int64_t p_number) const;

@@ -62,7 +62,7 @@ ShadowReach::Key ShadowReach::key_of(const Triangle &p_triangle) const {
 }
 
 void ShadowReach::add_part(const std::vector<Vec3> &p_points, const std::vector<int32_t> &p_indices,
-		const std::vector<Vec3> &p_shadow) {
+		const std::vector<Vec3> &p_shadow, bool p_is_within) {
 	std::map<Key, Cube> cubes;
 	for (std::size_t index = 0; index + 2 < p_indices.size(); index += 3) {
 		const Triangle triangle{ p_points[p_indices[index]], p_points[p_indices[index + 1]],
@@ -74,13 +74,15 @@ void ShadowReach::add_part(const std::vector<Vec3> &p_points, const std::vector<
 	}
 	for (auto &[key, cube] : cubes) {
 		cube.number = _parts;
+		cube.is_within = p_is_within;
 		_cubes.push_back(cube);
 	}
 	_parts++;
 	for (std::size_t index = 0; index + 2 < p_shadow.size(); index += 3) {
 		const Triangle triangle{ p_shadow[index], p_shadow[index + 1], p_shadow[index + 2] };
 		const Vec3 middle = (triangle[0] + triangle[1] + triangle[2]) * (1.0f / (3.0f * square_m));
-		Square &square = _squares[{ int(std::floor(middle.x)), int(std::floor(middle.z)) }];
+		Square &square = _squares[{ int(std::floor(middle.x)), int(std::floor(middle.z)), int(p_is_within) }];
+		square.is_within = p_is_within;
 		square.corners.insert(square.corners.end(), triangle.begin(), triangle.end());
 		add_throwing(square, triangle, 0);
 	}
@@ -114,11 +116,13 @@ void ShadowReach::gather() {
 	for (auto square = _squares.begin(); square != _squares.end();) {
 		auto nearest = _squares.end();
 		int least = 0;
-		for (auto other = _squares.begin(); other != _squares.end() && square->second.corners.size() < 3 * few; other++) {
+		for (auto other = _squares.begin(); other != _squares.end() && square->second.corners.size() < 3 * few;
+				other++) {
 			const int x = other->first[0] - square->first[0];
 			const int z = other->first[1] - square->first[1];
 			const int apart = x * x + z * z;
-			if (other->second.corners.size() >= 3 * few && (nearest == _squares.end() || apart < least)) {
+			if (other->second.is_within == square->second.is_within && other->second.corners.size() >= 3 * few &&
+					(nearest == _squares.end() || apart < least)) {
 				nearest = other;
 				least = apart;
 			}
@@ -201,6 +205,9 @@ void ShadowReach::set_light(const Vec3 &p_way) {
 		uint64_t *bits = &_shading[number * _words];
 		squares.visit(lit.low, lit.high, [&](const std::vector<std::size_t> &p_square) {
 			for (const std::size_t other : p_square) {
+				if (_casters[throwing[other].second].is_within && !_cubes[number].is_within) {
+					continue;
+				}
 				const Outline &by = throwing[other].first;
 				if (by.high[2] >= lit.low[2] && by.low[0] <= lit.high[0] && by.high[0] >= lit.low[0] &&
 						by.low[1] <= lit.high[1] && by.high[1] >= lit.low[1]) {
@@ -233,8 +240,7 @@ std::vector<uint8_t> ShadowReach::inside(
 	return found;
 }
 
-std::vector<uint8_t> ShadowReach::look(
-		const std::vector<uint8_t> &p_seen, const std::vector<Bound> &p_bounds) const {
+std::vector<uint8_t> ShadowReach::look(const std::vector<uint8_t> &p_seen, const std::vector<Bound> &p_bounds) const {
 	std::vector<uint8_t> needed(_casters.size(), _shading.empty() ? 1 : 0);
 	std::vector<uint64_t> sum(_words, 0);
 	for (std::size_t number = 0; number < _cubes.size() && !_shading.empty(); number++) {

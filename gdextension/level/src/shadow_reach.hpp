@@ -32,9 +32,10 @@ public:
 	float beside_m = 0.5f;
 	float above_m = 2.5f;
 
-	/// Adds a part: what is drawn of it, and the triangles that throw its shadow, three corners each.
+	/// Adds a part: what is drawn of it, and the triangles that throw its shadow, three corners each. What is
+	/// within a house throws its shadow on what is within only, by meshes of its own.
 	void add_part(const std::vector<Vec3> &p_points, const std::vector<int32_t> &p_indices,
-			const std::vector<Vec3> &p_shadow);
+			const std::vector<Vec3> &p_shadow, bool p_is_within = false);
 	/// Makes the meshes that throw the shadows of all parts.
 	void gather();
 	/// Says where the light comes from: a vector towards it.
@@ -55,12 +56,14 @@ private:
 		Vec3 low{ 1e30f, 1e30f, 1e30f };
 		Vec3 high{ -1e30f, -1e30f, -1e30f };
 		int number = 0;
+		bool is_within = false;
 		void include(const Vec3 &p_point);
 	};
 	using Key = std::array<int, 3>;
 	struct Square {
 		std::vector<Vec3> corners;
 		std::map<Key, Cube> cubes;
+		bool is_within = false;
 	};
 	using Triangle = std::array<Vec3, 3>;
 	/// A cube as the light sees it: across, up, and towards the light.
@@ -78,7 +81,8 @@ private:
 
 	std::vector<Cube> _cubes;
 	int _parts = 0;
-	std::map<std::array<int, 2>, Square> _squares;
+	/// By x, z and whether it is within.
+	std::map<Key, Square> _squares;
 	std::vector<Square> _casters;
 	/// Of each cube a bit for each caster, in words: those that can shade it.
 	std::size_t _words = 0;

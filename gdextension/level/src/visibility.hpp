@@ -37,10 +37,10 @@ public:
 	/// Cells of the sets of parts along the edge of a cell.
 	int divisions = 2;
 	/// Points in each of these small cells from which is looked, where somebody can stand and elsewhere.
-	int eyes = 9;
-	int eyes_aloft = 5;
+	int eyes = 8;
+	int eyes_aloft = 4;
 	/// Rays from each of them to all sides.
-	int shower = 160;
+	int shower = 130;
 	/// Edge of the cubes into which parts are divided, m; rays from each of these cubes to all sides, and
 	/// from each part at least.
 	float cluster_m = 3.0f;

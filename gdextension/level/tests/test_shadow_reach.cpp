@@ -114,6 +114,20 @@ TEST(squares_with_few_triangles_are_part_of_the_nearest) {
 	CHECK(reach.look({ 0, 0, 0, 0, 1 }, {}) == (Bytes{ 0, 1 }));
 }
 
+TEST(what_is_within_shades_only_what_is_within) {
+	ShadowReach reach;
+	reach.few = 0;
+	const std::vector<Vec3> table{ { 1.0f, 1.0f, 1.0f }, { 3.0f, 1.0f, 1.0f }, { 3.0f, 1.0f, 3.0f } };
+	add_square(reach, { 2.0f, 0.0f, 2.0f }, false);
+	reach.add_part(table, { 0, 1, 2 }, table, true);
+	add_square(reach, { 2.0f, 9.0f, 2.0f }, true);
+	reach.gather();
+	CHECK(reach.caster_count() == 2);
+	reach.set_light({ 0.0f, 1.0f, 0.0f });
+	CHECK(reach.look({ 1, 0, 0 }, {}) == (Bytes{ 1, 0 }));
+	CHECK(reach.look({ 0, 1, 0 }, {}) == (Bytes{ 1, 1 }));
+}
+
 TEST(large_triangles_shade_only_what_lies_below_them) {
 	ShadowReach reach;
 	reach.few = 0;

@@ -108,7 +108,7 @@ func _on_field_changed(p_field: StringName, p_value: float) -> void:
 
 func _on_commanded(p_session: int, p_command: StringName, _values: PackedFloat32Array) -> void:
 	# Anybody may send it, but only for the own people.
-	if p_command == COMMAND and _entity.get_host().owner_of(_entity.id) == p_session:
+	if p_command == COMMAND and _entity.owner_session == p_session:
 		switch(not is_lit())
 
 
@@ -164,9 +164,7 @@ func _make() -> void:
 
 
 ## A piece of the tube around the beam, at a place along it.
-func _add_tube(
-	p_long: float, p_radius: float, p_at: float, p_colour: Color, p_glow: float
-) -> void:
+func _add_tube(p_long: float, p_radius: float, p_at: float, p_colour: Color, p_glow: float) -> void:
 	var mesh: CylinderMesh = CylinderMesh.new()
 	mesh.top_radius = p_radius
 	mesh.bottom_radius = p_radius

@@ -47,7 +47,7 @@ func assemble(p_level: Node3D, p_bake: LevelBake) -> void:
 
 func _add_shadows() -> void:
 	for part: SurfacePart in parts:
-		reach.add_part(part.mesh)
+		reach.add_part(part.mesh, part.key.ends_with("/" + House.INSIDE))
 	reach.gather()
 	for number: int in reach.get_caster_count():
 		var arrays: Array = []

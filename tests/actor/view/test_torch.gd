@@ -1,5 +1,5 @@
 extends TestCase
-## A torch is switched by whose hand it is in, shines where the hand is, and costs nothing while off.
+## A torch is switched by whose hand it is in, shines where the hand is, costs nothing while off.
 
 const PERSON: PackedScene = preload("res://scenes/actor/person.tscn")
 
