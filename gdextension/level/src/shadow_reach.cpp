@@ -10,7 +10,7 @@ namespace level {
 namespace {
 
 /// Most squares along an edge of the light's picture into which cubes are sorted.
-constexpr int MOST_SQUARES = 128;
+constexpr int MAX_SQUARES = 128;
 /// How often a triangle is halved at most.
 constexpr int DEEPEST = 12;
 
@@ -20,7 +20,7 @@ public:
 	Squares(float p_low_x, float p_low_y, float p_high_x, float p_high_y, float p_edge) :
 			_low_x(p_low_x),
 			_low_y(p_low_y),
-			_edge(std::max({ p_edge, (p_high_x - p_low_x) / MOST_SQUARES, (p_high_y - p_low_y) / MOST_SQUARES })),
+			_edge(std::max({ p_edge, (p_high_x - p_low_x) / MAX_SQUARES, (p_high_y - p_low_y) / MAX_SQUARES })),
 			_columns(int((p_high_x - p_low_x) / _edge) + 1),
 			_rows(int((p_high_y - p_low_y) / _edge) + 1),
 			_numbers(std::size_t(_columns) * _rows) {}

@@ -15,7 +15,7 @@ const FIELD: StringName = &"torch"
 const COMMAND: StringName = &"switch_torch"
 ## So many torches light at most, those nearest to the camera: each costs a pass over what it
 ## lights. The others only glow.
-const MOST_LIGHTS: int = 4
+const MAX_LIGHTS: int = 4
 
 ## Group of those that are lit.
 const _LIT: StringName = &"lit_torches"
@@ -93,7 +93,7 @@ static func _choose_lights(p_torches: Array[Node], p_camera: Camera3D) -> void:
 			)
 	)
 	for place: int in p_torches.size():
-		(p_torches[place] as Torch)._light.visible = place < MOST_LIGHTS
+		(p_torches[place] as Torch)._light.visible = place < MAX_LIGHTS
 
 
 func _on_started() -> void:

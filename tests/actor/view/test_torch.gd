@@ -60,7 +60,7 @@ func test_it_is_in_the_hand_and_lights_ahead() -> void:
 
 func test_only_the_nearest_light() -> void:
 	var torches: Array[Torch] = []
-	for number: int in Torch.MOST_LIGHTS + 2:
+	for number: int in Torch.MAX_LIGHTS + 2:
 		torches.append(_add_torch(Vector3(0.0, 0.0, -3.0 * number)))
 	var camera: Camera3D = Camera3D.new()
 	_stage.add_child(camera)
@@ -70,7 +70,7 @@ func test_only_the_nearest_light() -> void:
 		torch.switch(true)
 	await process_frames(2)
 	for number: int in torches.size():
-		equal(_light_of(torches[number]).visible, number < Torch.MOST_LIGHTS, str(number))
+		equal(_light_of(torches[number]).visible, number < Torch.MAX_LIGHTS, str(number))
 
 
 func _start() -> void:
