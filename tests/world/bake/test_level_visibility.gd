@@ -3,7 +3,7 @@ extends TestCase
 
 ## Two cells side by side along X; each has a part, which is a square of shadows too, and neither
 ## sees the other.
-const CELL_M: float = 32.0
+const CELL_M: float = 24.0
 
 var _level: Node3D = null
 var _surfaces: LevelSurfaces = null
@@ -22,7 +22,7 @@ func before_each() -> void:
 	for cell: int in 2:
 		var from: Vector3 = Vector3(CELL_M * cell + 2.0, 0.0, 2.0)
 		var mesh: BlockMesh = KitBlock.make_mesh(false)
-		mesh.box(from, from + Vector3(28.0, 6.0, 28.0), 0, 0)
+		mesh.box(from, from + Vector3(20.0, 6.0, 20.0), 0, 0)
 		_surfaces.shown.append(_add_instance())
 		_surfaces.shadows.append(_add_instance())
 		_surfaces.reach.add_part(mesh)
@@ -77,9 +77,9 @@ func test_shadows_that_the_camera_does_not_see_are_not_thrown() -> void:
 	_sun.directional_shadow_max_distance = 60.0
 	var crate: MeshInstance3D = MeshInstance3D.new()
 	crate.mesh = BoxMesh.new()
-	var prop: Node3D = _prop(Vector3(58.0, 0.5, 16.0))
+	var prop: Node3D = _prop(Vector3(40.0, 0.5, 12.0))
 	prop.add_child(crate)
-	var eye: Vector3 = Vector3(33.0, 3.0, 16.0)
+	var eye: Vector3 = Vector3(25.0, 3.0, 12.0)
 	camera.look_at_from_position(eye, eye + Vector3.RIGHT)
 	_visibility.look_from([eye], camera)
 	equal(_shown(_surfaces.shadows), [false, true])
@@ -136,8 +136,8 @@ func test_props_may_go_and_come() -> void:
 
 func test_props_are_shown_where_their_cell_is_seen() -> void:
 	var near: Node3D = _prop(Vector3(3.0, 0.5, 5.0))
-	var far: Node3D = _prop(Vector3(49.0, 0.5, 5.0))
-	var between: Node3D = _prop(Vector3(32.8, 0.5, 5.0))
+	var far: Node3D = _prop(Vector3(41.0, 0.5, 5.0))
+	var between: Node3D = _prop(Vector3(24.8, 0.5, 5.0))
 	var outside: Node3D = _prop(Vector3(-50.0, 0.5, 5.0))
 	_visibility.look_from([_middle(0)])
 	is_true(near.visible)
