@@ -234,6 +234,7 @@ bool ShadowReach::is_inside(const Vec3 &p_low, const Vec3 &p_high, const std::ve
 std::vector<uint8_t> ShadowReach::inside(
 		const std::vector<std::array<Vec3, 2>> &p_boxes, const std::vector<Bound> &p_bounds) {
 	std::vector<uint8_t> found;
+	found.reserve(p_boxes.size());
 	for (const std::array<Vec3, 2> &box : p_boxes) {
 		found.push_back(is_inside(box[0], box[1], p_bounds) ? 1 : 0);
 	}
