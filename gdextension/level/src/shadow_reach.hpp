@@ -25,7 +25,7 @@ public:
 
 	/// Edges of the cubes and of the squares, m, and of so few triangles a square is part of another. Before
 	/// the first part.
-	float cube_m = 3.0f;
+	float cube_m = 2.5f;
 	float square_m = 24.0f;
 	std::size_t few = 300;
 	/// How far beside and above what is drawn something may stand on which shadows fall, m.
