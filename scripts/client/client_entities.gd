@@ -40,6 +40,7 @@ func bind(p_row: EntityRow, p_node: Entity) -> void:
 		Log.limited("client", "type", "%s is of another type at the server" % p_row.describe())
 		p_node.type = p_row.type
 	_nodes[p_row.id] = p_node
+	p_node.owner_session = p_row.owner
 	p_node.start(self, p_row.id, p_row.values)
 
 

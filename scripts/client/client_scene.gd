@@ -70,6 +70,14 @@ func follow_next() -> void:
 	_followed.choose_next(_actors)
 
 
+## Asks the server to switch the torch of the own person, if there is one.
+func switch_torch() -> void:
+	if _actors.has(_followed.own):
+		var torch: Torch = _actors[_followed.own].node.get_node_or_null(^"Torch") as Torch
+		if torch != null:
+			torch.ask()
+
+
 ## Lets the camera follow who is seen at a point of the window, if anybody is.
 func follow_at(p_point: Vector2) -> void:
 	var from: Vector3 = _camera.project_ray_origin(p_point)

@@ -13,6 +13,7 @@ const _EVERYBODY: Dictionary[StringName, String] = {
 }
 const _VIEW: StringName = &"change_view"
 const _CAMERA: StringName = &"next_camera"
+const _TORCH: StringName = &"switch_torch"
 const _USE: StringName = &"interact"
 const _MOUSE: String = "Drag, arrows\tturn the camera\nWheel\tcome nearer: at last to the face"
 
@@ -29,6 +30,7 @@ static func actions(p_moves: bool, p_uses: bool) -> Dictionary[StringName, Strin
 		found[_USE] = "use what is looked at"
 	if p_moves:
 		found[MocapSetup.ACTION] = "motion capture"
+		found[_TORCH] = "torch in the right hand"
 	found.merge(_EVERYBODY)
 	return found
 

@@ -9,6 +9,7 @@ signal wheel_wanted
 const _NEXT: StringName = &"next_person"
 const _VIEW: StringName = &"change_view"
 const _CAMERA: StringName = &"next_camera"
+const _TORCH: StringName = &"switch_torch"
 ## A click moves the mouse by less than this, pixels; a drag turns the camera.
 const _CLICK_PIXELS: float = 6.0
 
@@ -82,6 +83,8 @@ func _unhandled_input(p_event: InputEvent) -> void:
 		_scene.change_view()
 	elif p_event.is_action_pressed(_CAMERA):
 		_scene.next_camera()
+	elif p_event.is_action_pressed(_TORCH) and _moves:
+		_scene.switch_torch()
 	else:
 		_take_click(p_event as InputEventMouseButton)
 		return

@@ -36,6 +36,8 @@ const GROUP: StringName = &"entities"
 
 ## Number of the entity in the session, or -1 before it has started.
 var id: int = -1
+## Session that it belongs to, as a person does; 0 none.
+var owner_session: int = 0
 
 var _host: EntityHost = null
 var _values: PackedFloat32Array = PackedFloat32Array()

@@ -70,4 +70,5 @@ func _ready() -> void:
 		if entity != null and entity.type != null:
 			var id: int = EntityTable.FIRST_OTHER + _host.nodes.size()
 			_host.nodes[id] = entity
+			entity.owner_session = _host.session()
 			entity.start(_host, id, entity.type.spawn_schema().defaults())

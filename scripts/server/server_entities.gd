@@ -47,6 +47,7 @@ func _init(
 ## Registers the node of a row's entity.
 func bind(p_row: EntityRow, p_node: Entity) -> void:
 	_nodes[p_row.id] = p_node
+	p_node.owner_session = p_row.owner
 	p_node.start(self, p_row.id, p_row.values)
 
 

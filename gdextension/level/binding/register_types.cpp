@@ -2,6 +2,7 @@
 #include "block_mesh.hpp"
 #include "level_tracer.hpp"
 #include "light_grid.hpp"
+#include "shadow_reach.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/defs.hpp>
@@ -16,6 +17,7 @@ void initialize(ModuleInitializationLevel p_level) {
 		GDREGISTER_CLASS(BlockMesh);
 		GDREGISTER_CLASS(LevelTracer);
 		GDREGISTER_CLASS(LightGrid);
+		GDREGISTER_CLASS(ShadowReach);
 	}
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "visibility.hpp"
 #include "directions.hpp"
+#include "visibility_dice.hpp"
 #include "workers.hpp"
 
 #include <algorithm>
@@ -21,26 +22,10 @@ constexpr std::array<float, 3> ASIDE_M{ 0.3f, 0.8f, 2.0f };
 constexpr float NUDGE_M = 0.1f;
 /// What a ray meets of a part within cubes of this edge is the same find, m.
 constexpr float KNOWN_M = 4.0f;
+/// Where a floor is no further below, somebody may stand, m.
+constexpr float STANDING_M = 2.2f;
 
 } // namespace
-
-/// Numbers that are the same on every machine and whatever thread asks (xorshift).
-class Visibility::Dice {
-public:
-	explicit Dice(uint64_t p_seed) : _state(p_seed * 0x9E3779B97F4A7C15ULL + 0x2545F4914F6CDD1DULL) {}
-	/// From 0 to below 1.
-	float next() {
-		_state ^= _state << 13;
-		_state ^= _state >> 7;
-		_state ^= _state << 17;
-		return float(_state >> 40) * (1.0f / 16777216.0f);
-	}
-	/// Each coordinate from -1 to below 1.
-	Vec3 aside() { return { 2.0f * next() - 1.0f, 2.0f * next() - 1.0f, 2.0f * next() - 1.0f }; }
-
-private:
-	uint64_t _state;
-};
 
 std::array<int, 3> CellGrid::index_of(std::size_t p_cell) const {
 	const auto y = int(p_cell % counts[1]);
@@ -109,15 +94,21 @@ bool Visibility::is_inside(const Vec3 &p_point) const {
 	return backs >= 3;
 }
 
+bool Visibility::has_floor(const Vec3 &p_point) const {
+	return _scene.closest(p_point, { 0.0f, -1.0f, 0.0f }, STANDING_M).triangle != Hit::NOTHING;
+}
+
 void Visibility::choose_eyes(std::size_t p_first, std::size_t p_last) {
 	for (std::size_t cell = p_first; cell < p_last; cell++) {
 		Dice dice(cell + 1);
 		const std::array<int, 3> index = _small.index_of(cell);
 		const Vec3 corner = _small.origin + Vec3{ float(index[0]), float(index[1]), float(index[2]) } * _small.size;
-		for (int tried = 0; tried < 2 * eyes && int(_eyes[cell].size()) < eyes; tried++) {
+		bool is_aloft = true;
+		for (int tried = 0; tried < 2 * eyes && int(_eyes[cell].size()) < (is_aloft ? eyes_aloft : eyes); tried++) {
 			const Vec3 point = corner + Vec3{ dice.next(), dice.next(), dice.next() } * _small.size;
 			if (!is_inside(point)) {
 				_eyes[cell].push_back(point);
+				is_aloft = is_aloft && !has_floor(point);
 			}
 		}
 	}
@@ -264,40 +255,6 @@ void Visibility::look_out(std::size_t p_first, std::size_t p_last) {
 	}
 }
 
-/// Makes up for what the rays have missed: a small cell sees what those see that it has a side in common
-/// with and that it looks into.
-void Visibility::widen(std::size_t p_first, std::size_t p_last) {
-	for (std::size_t cell = p_first; cell < p_last; cell++) {
-		uint8_t *row = &_part_seen[cell * _parts];
-		for (int part = 0; part < _parts; part++) {
-			row[part] = _part_marks[part * _small.cell_count() + cell];
-		}
-		const std::array<int, 3> index = _small.index_of(cell);
-		for (int side = 0; side < 6; side++) {
-			std::array<int, 3> other = index;
-			other[side / 2] += side % 2 == 0 ? -1 : 1;
-			if (!_small.has(other) || !looks_into(cell, _small.number_of(other))) {
-				continue;
-			}
-			const std::size_t neighbour = _small.number_of(other);
-			for (int part = 0; part < _parts; part++) {
-				row[part] |= _part_marks[part * _small.cell_count() + neighbour];
-			}
-		}
-	}
-}
-
-bool Visibility::looks_into(std::size_t p_cell, std::size_t p_other) const {
-	for (const Vec3 &eye : _eyes[p_cell]) {
-		for (const Vec3 &target : _eyes[p_other]) {
-			if (!_scene.is_blocked(eye, target)) {
-				return true;
-			}
-		}
-	}
-	return false;
-}
-
 void Visibility::look_at_cells(std::size_t p_first, std::size_t p_last) {
 	const std::size_t count = _grid.cell_count();
 	for (std::size_t from = p_first; from < p_last; from++) {
@@ -356,7 +313,13 @@ void Visibility::survey() {
 	gather_points();
 	share(small_count, 0.05f, 0.6f, &Visibility::look);
 	share(_clusters.size(), 0.6f, 0.75f, &Visibility::look_out);
-	share(small_count, 0.75f, 0.9f, &Visibility::widen);
+	for (int round = 0; round < rounds; round++) {
+		_known.resize(_part_marks.size());
+		std::transform(_part_marks.begin(), _part_marks.end(), _known.begin(),
+				[](const std::atomic<uint8_t> &p_mark) { return p_mark.load(std::memory_order_relaxed); });
+		share(small_count, 0.75f, 0.85f, &Visibility::confirm);
+	}
+	share(small_count, 0.85f, 0.9f, &Visibility::widen);
 	share(count, 0.9f, 0.98f, &Visibility::look_at_cells);
 	finish();
 	_progress = 1.0f;

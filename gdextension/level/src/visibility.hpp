@@ -36,10 +36,11 @@ class Visibility {
 public:
 	/// Cells of the sets of parts along the edge of a cell.
 	int divisions = 2;
-	/// Points in each of these small cells from which is looked.
+	/// Points in each of these small cells from which is looked, where somebody can stand and elsewhere.
 	int eyes = 8;
+	int eyes_aloft = 4;
 	/// Rays from each of them to all sides.
-	int shower = 160;
+	int shower = 130;
 	/// Edge of the cubes into which parts are divided, m; rays from each of these cubes to all sides, and
 	/// from each part at least.
 	float cluster_m = 3.0f;
@@ -49,6 +50,10 @@ public:
 	/// others again, so many at most for a small cell: what is seen through a gap is found whole.
 	int followers = 3;
 	int most_followers = 20000;
+	/// Rays to a part that a neighbouring cell sees and this one has not yet seen, and how often that is
+	/// done: what is just above a skyline is found so.
+	int confirming = 40;
+	int rounds = 2;
 	/// Rays to each cell from each.
 	int cell_tries = 4;
 	/// How far anything is seen, m.
@@ -98,6 +103,9 @@ private:
 	void look_along(const Vec3 &p_eye, const Vec3 &p_way, Finds &r_finds);
 	void follow(Finds &r_finds, Dice &r_dice);
 	void gather_points();
+	bool has_floor(const Vec3 &p_point) const;
+	void confirm(std::size_t p_first, std::size_t p_last);
+	void confirm_part(std::size_t p_cell, int p_part, Dice &r_dice);
 	void widen(std::size_t p_first, std::size_t p_last);
 	bool looks_into(std::size_t p_cell, std::size_t p_other) const;
 	std::size_t large_of(std::size_t p_small) const;
@@ -125,6 +133,8 @@ private:
 	std::vector<std::vector<Vec3>> _points;
 	/// Of each part in turn a byte for each small cell: rays go through neighbouring cells.
 	Marks _part_marks;
+	/// The same before what is being confirmed: the outcome is that of any order of the threads.
+	std::vector<uint8_t> _known;
 	Marks _cell_marks;
 	std::vector<uint8_t> _part_seen;
 	std::vector<uint8_t> _cell_seen;

@@ -12,6 +12,9 @@ extends RefCounted
 const _HEAD_MESH: StringName = &"HeadMesh"
 ## How the fingers are held until [method set_hands].
 const _AT_EASE: String = "relaxed"
+## How they hold something, and the side of the hand that does.
+const _IN_HAND: String = "grip"
+const _RIGHT: int = 1
 ## From the hips to the farthest point of somebody who stretches an arm up, share of the height.
 const _REACH: float = 0.8
 ## The visible box follows when the hips are this far from its middle, m.
@@ -51,6 +54,10 @@ func _init(p_node: Ragdoll, p_joints: PersonSkeleton) -> void:
 	if p_joints.is_sound():
 		_set_up_poser(p_joints)
 		p_node.shown_bone = poser.get_bone_transform
+	for child: Node in p_node.get_children():
+		var torch: Torch = child as Torch
+		if torch != null:
+			torch.held.connect(_hold)
 	_head = _skeleton.find_bone(&"Head")
 	_hips = _skeleton.find_bone(&"Hips")
 	# No wider than need be: the engine takes the distance from this box for the level of detail.
@@ -116,6 +123,11 @@ func set_hands(p_pose: String, p_side: int = -1) -> bool:
 	if is_known:
 		poser.find_offsets(_skeleton)
 	return is_known
+
+
+## Closes the right hand around something, or opens it.
+func _hold(p_is_held: bool) -> void:
+	set_hands(_IN_HAND if p_is_held else _AT_EASE, _RIGHT)
 
 
 ## Puts the skeleton's own bones where they are shown, for who reads them there.

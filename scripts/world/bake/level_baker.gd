@@ -18,7 +18,7 @@ const CELL_M: float = 4.0
 ## Height above the lowest floor up to which eyes are looked from, m: higher ones see all.
 const EYES_M: float = 12.0
 ## How far below the lowest spawn point floors are, m.
-const SUNK_M: float = 0.4
+const SUNK_M: float = 0.05
 ## How high above and how far beside the blocks there is light in the air, m.
 const AIR_M: Vector3 = Vector3(3.0, 3.0, 3.0)
 

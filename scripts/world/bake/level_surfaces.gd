@@ -4,15 +4,14 @@ extends Node3D
 ## thrown by few large meshes: each split of the sun's shadow draws what throws it once more, and
 ## what cannot be seen may still throw one that can.
 
-## Edge of the squares whose shadows are one mesh, m.
-const SHADOW_M: float = 32.0
-
 ## The parts, in the order of the bake.
 var parts: Array[SurfacePart] = []
 ## The mesh of each part.
 var shown: Array[MeshInstance3D] = []
 ## The meshes that throw the shadows.
 var shadows: Array[MeshInstance3D] = []
+## Which of them are needed.
+var reach: ShadowReach = ShadowReach.new()
 ## What was baked, or null where nothing that fits was.
 var bake: LevelBake = null
 ## Light in the air.
@@ -47,21 +46,17 @@ func assemble(p_level: Node3D, p_bake: LevelBake) -> void:
 
 
 func _add_shadows() -> void:
-	var squares: Dictionary[Vector2i, PackedVector3Array] = {}
-	for index: int in parts.size():
-		var middle: Vector3 = shown[index].mesh.get_aabb().get_center() / SHADOW_M
-		var square: Vector2i = Vector2i(floori(middle.x), floori(middle.z))
-		var corners: PackedVector3Array = squares.get(square, PackedVector3Array())
-		corners.append_array(parts[index].mesh.get_shadow())
-		squares[square] = corners
-	for square: Vector2i in squares:
+	for part: SurfacePart in parts:
+		reach.add_part(part.mesh, part.key.ends_with("/" + House.INSIDE))
+	reach.gather()
+	for number: int in reach.get_caster_count():
 		var arrays: Array = []
 		arrays.resize(Mesh.ARRAY_MAX)
-		arrays[Mesh.ARRAY_VERTEX] = squares[square]
+		arrays[Mesh.ARRAY_VERTEX] = reach.get_caster(number)
 		var mesh: ArrayMesh = ArrayMesh.new()
 		mesh.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES, arrays)
 		var instance: MeshInstance3D = MeshInstance3D.new()
-		instance.name = "Shadow_%d_%d" % [square.x, square.y]
+		instance.name = "Shadow%d" % number
 		instance.mesh = mesh
 		instance.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_SHADOWS_ONLY
 		add_child(instance)

@@ -6,9 +6,8 @@ extends Node
 
 ## How often props are looked at, s: they move.
 const PROPS_S: float = 0.1
-## A turn of the light by more than this is looked at, rad, and the room for it, m.
+## A turn of the light by more than this is looked at, rad.
 const TURN_RAD: float = 0.01
-const ROOM_M: float = 1.0
 ## Light that is lower than this, as a sine, throws shadows without end.
 const LOWEST: float = 0.08
 
@@ -26,8 +25,12 @@ var is_active: bool = true:
 ## The small cells in which eyes are; empty where all is shown.
 var _cells: PackedInt32Array = []
 var _is_known: bool = false
-## Towards the sun when shadows were looked at.
+## A byte for each part: 1 if it is shown.
+var _seen: PackedByteArray = []
+## When shadows were looked at: towards the sun, what the camera saw, whether all were thrown.
 var _way: Vector3 = Vector3.ZERO
+var _bounds: PackedVector4Array = []
+var _has_all_shadows: bool = false
 var _props: PropVisibility = null
 var _until_props_s: float = 0.0
 
@@ -58,6 +61,8 @@ static func _is_prop(p_node: Node, p_level: Node3D) -> bool:
 
 
 func _ready() -> void:
+	# After those that move cameras.
+	process_priority = 100
 	_props = PropVisibility.new(surfaces.get_parent() as Node3D)
 
 
@@ -69,61 +74,85 @@ func _process(p_delta: float) -> void:
 	for node: Node in get_tree().get_nodes_in_group(KitBlock.EYES_GROUP):
 		if surfaces.get_parent().is_ancestor_of(node):
 			eyes.append(surfaces.to_local((node as Camera3D).global_position))
-	look_from(eyes)
 	_until_props_s -= p_delta
 	if _until_props_s <= 0.0:
 		_look_at_props(eyes, false)
+	look_from(eyes, camera if eyes.size() == 1 else null)
 
 
-## Shows what is seen from any of some points of the level. Where no cell is, all is shown.
-func look_from(p_eyes: PackedVector3Array) -> void:
+## Shows what is seen from any of some points of the level. Where no cell is, all is shown. Of the
+## shadows only those that fall on what a camera sees, if all eyes are that of one camera.
+func look_from(p_eyes: PackedVector3Array, p_camera: Camera3D = null) -> void:
 	var bake: LevelBake = surfaces.bake
 	var cells: PackedInt32Array = []
 	for eye: Vector3 in p_eyes if bake != null and is_active else PackedVector3Array():
 		cells.append(bake.small_cell_at(eye))
 	if cells.has(-1):
 		cells.clear()
-	var way: Vector3 = Vector3.UP
-	if is_instance_valid(sun):
-		way = surfaces.global_basis.inverse() * sun.global_basis.z
 	var stays: bool = _is_known and cells == _cells
-	if stays and way.angle_to(_way) < TURN_RAD:
-		return
-	_way = way
 	_cells = cells
 	_is_known = true
 	if not stays:
-		var count: int = surfaces.shown.size()
-		for index: int in count:
-			var is_seen: bool = cells.is_empty()
-			for cell: int in cells:
-				is_seen = is_seen or bake.seen_parts[cell * count + index] != 0
-			surfaces.shown[index].visible = is_seen
+		_show_parts()
 		_look_at_props(p_eyes, true)
-	_show_shadows()
+	_show_shadows(not stays, _bounds_of(p_camera))
 
 
-## A shadow mesh is drawn if something that is drawn lies between it and where its shadow ends.
-func _show_shadows() -> void:
-	var is_all: bool = _cells.is_empty() or not is_instance_valid(sun) or _way.y < LOWEST
-	var receivers: Array[AABB] = []
-	for part: MeshInstance3D in surfaces.shown:
-		if not is_all and part.visible:
-			receivers.append(part.mesh.get_aabb().grow(ROOM_M))
-	for shadow: MeshInstance3D in surfaces.shadows:
-		shadow.visible = is_all or _falls_on(shadow.mesh.get_aabb(), receivers)
+func _show_parts() -> void:
+	var count: int = surfaces.shown.size()
+	_seen.resize(count)
+	for index: int in count:
+		var is_seen: bool = _cells.is_empty()
+		for cell: int in _cells:
+			is_seen = is_seen or surfaces.bake.seen_parts[cell * count + index] != 0
+		surfaces.shown[index].visible = is_seen
+		_seen[index] = 1 if is_seen else 0
 
 
-func _falls_on(p_caster: AABB, p_receivers: Array[AABB]) -> bool:
-	for receiver: AABB in p_receivers:
-		var rises: float = p_caster.end.y - receiver.position.y
-		if rises <= 0.0:
-			continue
-		var towards: AABB = receiver
-		towards.position += _way * (rises / _way.y)
-		if receiver.merge(towards).intersects(p_caster):
-			return true
-	return false
+## The planes between which a camera sees things on which shadows fall, in the level's frame, with
+## normals that point outwards; none without a camera.
+func _bounds_of(p_camera: Camera3D) -> PackedVector4Array:
+	var bounds: PackedVector4Array = []
+	if p_camera == null or not is_instance_valid(sun):
+		return bounds
+	var planes: Array[Plane] = p_camera.get_frustum()
+	var ahead: Vector3 = -p_camera.global_basis.z.normalized()
+	var farthest: float = sun.directional_shadow_max_distance
+	planes.append(Plane(ahead, p_camera.global_position + ahead * farthest))
+	var to_level: Transform3D = surfaces.global_transform.affine_inverse()
+	for plane: Plane in planes:
+		var moved: Plane = to_level * plane
+		bounds.append(Vector4(moved.normal.x, moved.normal.y, moved.normal.z, moved.d))
+	return bounds
+
+
+## A shadow mesh is drawn if its shadow can fall on something that is drawn.
+func _show_shadows(p_is_other: bool, p_bounds: PackedVector4Array) -> void:
+	var is_all: bool = _cells.is_empty() or not is_instance_valid(sun)
+	var has_turned: bool = false
+	if not is_all:
+		var way: Vector3 = surfaces.global_basis.inverse() * sun.global_basis.z
+		is_all = way.y < LOWEST
+		has_turned = not is_all and (_way == Vector3.ZERO or way.angle_to(_way) > TURN_RAD)
+		if has_turned:
+			_way = way
+			surfaces.reach.set_light(way)
+	var is_same: bool = is_all == _has_all_shadows and p_bounds == _bounds
+	if is_same and not (p_is_other or has_turned):
+		return
+	_has_all_shadows = is_all
+	_bounds = p_bounds
+	_props.look_at_shadows(
+		surfaces.reach,
+		PackedVector4Array() if is_all else p_bounds,
+		_way,
+		surfaces.bake.cell_origin.y if surfaces.bake != null else 0.0
+	)
+	var needed: PackedByteArray = []
+	if not is_all:
+		needed = surfaces.reach.look(_seen, p_bounds)
+	for index: int in surfaces.shadows.size():
+		surfaces.shadows[index].visible = is_all or needed[index] != 0
 
 
 func _look_at_props(p_eyes: PackedVector3Array, p_is_other: bool) -> void:

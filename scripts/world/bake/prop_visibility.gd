@@ -13,10 +13,16 @@ const MOVED_M: float = 0.2
 class Known:
 	## What is drawn of it, in its own frame.
 	var box: AABB = AABB()
+	## The same in the level's frame.
+	var at: AABB = AABB()
 	## Where it was.
 	var place: Vector3 = Vector3.INF
 	## Whether it is hidden by this class.
 	var is_hidden: bool = false
+	## What is drawn of it and throws shadows.
+	var throwing: Array[GeometryInstance3D] = []
+	## Whether its shadow is thrown.
+	var throws: bool = true
 
 
 var _level: Node3D = null
@@ -40,13 +46,57 @@ func look(p_bake: LevelBake, p_eyes: PackedVector3Array, p_is_other: bool) -> vo
 		if known == null:
 			known = Known.new()
 			known.box = _box_of(prop)
+			_find_throwing(prop, known)
 			_known[prop.get_instance_id()] = known
 		var place: Vector3 = prop.global_position
 		if not p_is_other and place.distance_squared_to(known.place) < MOVED_M * MOVED_M:
 			continue
 		known.place = place
 		var to_level: Transform3D = _level.global_transform.affine_inverse() * prop.global_transform
-		_show(prop, known, _is_seen(p_bake, p_eyes, (to_level * known.box).grow(ROOM_M)))
+		known.at = to_level * known.box
+		_show(prop, known, _is_seen(p_bake, p_eyes, known.at.grow(ROOM_M)))
+
+
+## Lets only those throw shadows whose shadow may reach what a camera sees: see
+## [method ShadowReach.find_inside]. Without bounds all throw them. The sun's light comes from
+## [param p_way], and ends at [param p_floor], a height.
+func look_at_shadows(
+	p_reach: ShadowReach, p_bounds: PackedVector4Array, p_way: Vector3, p_floor: float
+) -> void:
+	var corners: PackedVector3Array = []
+	for known: Known in _known.values():
+		var box: AABB = known.at
+		if not p_bounds.is_empty():
+			var shadow: AABB = box
+			shadow.position -= p_way * (maxf(box.end.y - p_floor, 0.0) / p_way.y)
+			box = box.merge(shadow)
+		corners.append(box.position)
+		corners.append(box.end)
+	var is_inside: PackedByteArray = p_reach.find_inside(corners, p_bounds)
+	var number: int = 0
+	for known: Known in _known.values():
+		_throw(known, is_inside[number] != 0)
+		number += 1
+
+
+static func _find_throwing(p_prop: Node3D, p_known: Known) -> void:
+	for node: Node in p_prop.find_children("*", "GeometryInstance3D", true, false):
+		var shown: GeometryInstance3D = node as GeometryInstance3D
+		if shown.cast_shadow == GeometryInstance3D.SHADOW_CASTING_SETTING_ON:
+			p_known.throwing.append(shown)
+
+
+static func _throw(p_known: Known, p_throws: bool) -> void:
+	if p_known.throws == p_throws:
+		return
+	p_known.throws = p_throws
+	for shown: Variant in p_known.throwing:
+		if is_instance_valid(shown):
+			(shown as GeometryInstance3D).cast_shadow = (
+				GeometryInstance3D.SHADOW_CASTING_SETTING_ON
+				if p_throws
+				else GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
+			)
 
 
 ## Forgets props that are gone.

@@ -2,7 +2,7 @@
 class_name RoofProbe
 extends RefCounted
 ## Heights of what is highest at places around the eye, found by few rays a tick, for rain that does
-## not fall through roofs.
+## not fall through roofs, and dust that does not swirl in rooms.
 ##
 ## The places are a square grid of the whole world that repeats after [constant EDGE_M]: who walks
 ## on keeps what he has seen.

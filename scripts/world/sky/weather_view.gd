@@ -22,14 +22,15 @@ var _roofs: RoofProbe = RoofProbe.new()
 func _ready() -> void:
 	_rain = _make(DROPS, rain_shader, Vector2(-1.0, 0.0))
 	_dust = _make(PIECES, dust_shader, Vector2(-1.0, -1.0))
-	_material(_rain).set_shader_parameter(&"roofs", _roofs.texture)
-	_material(_rain).set_shader_parameter(&"roofs_edge_m", RoofProbe.EDGE_M)
+	for shown: MeshInstance3D in [_rain, _dust]:
+		_material(shown).set_shader_parameter(&"roofs", _roofs.texture)
+		_material(shown).set_shader_parameter(&"roofs_edge_m", RoofProbe.EDGE_M)
 	_material(_dust).set_shader_parameter(&"clouds", clouds)
 
 
 func _physics_process(_p_delta: float) -> void:
 	var camera: Camera3D = get_viewport().get_camera_3d()
-	if _rain.visible and camera != null:
+	if (_rain.visible or _dust.visible) and camera != null:
 		_roofs.advance(get_world_3d().direct_space_state, camera.global_position)
 
 
@@ -37,7 +38,7 @@ func _physics_process(_p_delta: float) -> void:
 func show_state(p_state: SkyState) -> void:
 	_rain.visible = p_state.rain > 0.01
 	_dust.visible = p_state.dust > 0.01
-	set_physics_process(_rain.visible)
+	set_physics_process(_rain.visible or _dust.visible)
 	var air: Color = p_state.horizon
 	_set_look(_rain, p_state.rain, air.lerp(Color(0.5, 0.55, 0.6), 0.08) * 1.15, 0.30)
 	_set_look(_dust, p_state.dust, air * 1.04, 0.34)

@@ -1,8 +1,9 @@
 extends TestCase
 ## What is out of sight is not drawn, and neither is a shadow that falls on nothing that is.
 
-## Two cells side by side along X; each has a part, and neither sees the other.
-const CELL_M: float = 10.0
+## Two cells side by side along X; each has a part, which is a square of shadows too, and neither
+## sees the other.
+const CELL_M: float = 24.0
 
 var _level: Node3D = null
 var _surfaces: LevelSurfaces = null
@@ -19,12 +20,14 @@ func before_each() -> void:
 	_surfaces = LevelSurfaces.new()
 	_surfaces.bake = _bake()
 	for cell: int in 2:
-		_surfaces.shown.append(
-			_box(Vector3(CELL_M * (cell + 0.5), 0.5, 5.0), Vector3(8.0, 1.0, 8.0))
-		)
-		_surfaces.shadows.append(
-			_box(Vector3(CELL_M * (cell + 0.5), 3.0, 5.0), Vector3(8.0, 6.0, 8.0))
-		)
+		var from: Vector3 = Vector3(CELL_M * cell + 2.0, 0.0, 2.0)
+		var mesh: BlockMesh = KitBlock.make_mesh(false)
+		mesh.box(from, from + Vector3(20.0, 6.0, 20.0), 0, 0)
+		_surfaces.shown.append(_add_instance())
+		_surfaces.shadows.append(_add_instance())
+		_surfaces.reach.add_part(mesh)
+	_surfaces.reach.gather()
+	equal(_surfaces.reach.get_caster_count(), 2)
 	_level.add_child(_surfaces)
 	_visibility = LevelVisibility.new()
 	_visibility.surfaces = _surfaces
@@ -58,12 +61,36 @@ func test_shadows_are_thrown_where_they_fall_on_what_is_drawn() -> void:
 	_shine(Vector3(1.0, 0.6, 0.0))
 	_visibility.look_from([_middle(0)])
 	equal(_shown(_surfaces.shadows), [true, true], "the other stands between it and the sun")
-	_shine(Vector3(-1.0, 0.6, 0.0))
+	_shine(Vector3(-1.0, 0.3, 0.0))
 	_visibility.look_from([_middle(0)])
 	equal(_shown(_surfaces.shadows), [true, false])
 	_shine(Vector3(-1.0, 0.01, 0.0))
 	_visibility.look_from([_middle(0)])
 	equal(_shown(_surfaces.shadows), [true, true], "a low sun throws them without end")
+
+
+func test_shadows_that_the_camera_does_not_see_are_not_thrown() -> void:
+	var camera: Camera3D = Camera3D.new()
+	_level.add_child(camera)
+	_surfaces.bake.seen_parts = PackedByteArray([1, 1, 1, 1])
+	_surfaces.bake.seen_cells = PackedByteArray([1, 1, 1, 1])
+	_sun.directional_shadow_max_distance = 60.0
+	var crate: MeshInstance3D = MeshInstance3D.new()
+	crate.mesh = BoxMesh.new()
+	var prop: Node3D = _prop(Vector3(40.0, 0.5, 12.0))
+	prop.add_child(crate)
+	var eye: Vector3 = Vector3(25.0, 3.0, 12.0)
+	camera.look_at_from_position(eye, eye + Vector3.RIGHT)
+	_visibility.look_from([eye], camera)
+	equal(_shown(_surfaces.shadows), [false, true])
+	equal(crate.cast_shadow, GeometryInstance3D.SHADOW_CASTING_SETTING_ON)
+	camera.look_at_from_position(eye, eye + Vector3.LEFT)
+	_visibility.look_from([eye], camera)
+	equal(_shown(_surfaces.shadows), [true, false])
+	equal(crate.cast_shadow, GeometryInstance3D.SHADOW_CASTING_SETTING_OFF)
+	_visibility.look_from([eye])
+	equal(_shown(_surfaces.shadows), [true, true], "no camera, no bounds")
+	equal(crate.cast_shadow, GeometryInstance3D.SHADOW_CASTING_SETTING_ON)
 
 
 func test_shadows_that_may_fall_on_anything_are_all_thrown() -> void:
@@ -109,8 +136,8 @@ func test_props_may_go_and_come() -> void:
 
 func test_props_are_shown_where_their_cell_is_seen() -> void:
 	var near: Node3D = _prop(Vector3(3.0, 0.5, 5.0))
-	var far: Node3D = _prop(Vector3(17.0, 0.5, 5.0))
-	var between: Node3D = _prop(Vector3(10.8, 0.5, 5.0))
+	var far: Node3D = _prop(Vector3(41.0, 0.5, 5.0))
+	var between: Node3D = _prop(Vector3(24.8, 0.5, 5.0))
 	var outside: Node3D = _prop(Vector3(-50.0, 0.5, 5.0))
 	_visibility.look_from([_middle(0)])
 	is_true(near.visible)
@@ -140,16 +167,8 @@ func _shine(p_towards: Vector3) -> void:
 	_sun.basis = Basis.looking_at(-p_towards, up)
 
 
-func _box(p_at: Vector3, p_size: Vector3) -> MeshInstance3D:
-	var arrays: Array = BoxMesh.new().get_mesh_arrays()
-	var points: PackedVector3Array = arrays[Mesh.ARRAY_VERTEX]
-	for index: int in points.size():
-		points[index] = points[index] * p_size + p_at
-	arrays[Mesh.ARRAY_VERTEX] = points
+func _add_instance() -> MeshInstance3D:
 	var instance: MeshInstance3D = MeshInstance3D.new()
-	var mesh: ArrayMesh = ArrayMesh.new()
-	mesh.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES, arrays)
-	instance.mesh = mesh
 	_surfaces.add_child(instance)
 	return instance
 
