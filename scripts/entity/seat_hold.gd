@@ -38,3 +38,5 @@ var is_enclosed: bool = false
 var rim: float = 0.0
 ## See [member rim].
 var hatch_radius: float = 0.0
+## How high what stands around the hatch is above the roof, m: arms stay above that, too.
+var cupola: float = 0.0

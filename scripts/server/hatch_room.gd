@@ -43,17 +43,16 @@ func _init(p_profile: RagdollProfile) -> void:
 
 
 ## Changes a sample of somebody who stands on the seat: [param p_hips] is where the hips are above
-## its middle, m, [param p_rim] the roof's height and [param p_radius] the hatch's radius, m;
-## [param p_folded] says how far the arms are folded, 0 to 1.
-func fit(
-	p_sample: PoseSample, p_hips: Vector3, p_rim: float, p_radius: float, p_folded: float
-) -> void:
-	_straighten(p_sample, p_hips, p_rim, p_radius, p_folded)
+## its middle, m; [param p_folded] says how far the arms are folded, 0 to 1.
+func fit(p_sample: PoseSample, p_hips: Vector3, p_hold: SeatHold, p_folded: float) -> void:
+	_straighten(p_sample, p_hips, p_hold.rim, p_hold.hatch_radius, p_folded)
+	var height: float = p_hold.rim + p_hold.cupola + CLEARANCE_M
+	var roof: Vector3 = Vector3(height, p_hold.hatch_radius, 1.0)
 	var chest: Vector3 = _chest(p_sample, p_hips)
 	for upper: int in _SIDES:
 		var shoulder: Vector3 = chest + p_sample.orientation(Limbs.CHEST) * _offsets[upper]
 		if p_folded < 1.0:
-			_lift(p_sample, upper, shoulder, Vector3(p_rim + CLEARANCE_M, p_radius, 1.0))
+			_lift(p_sample, upper, shoulder, roof)
 		if p_folded > 0.0:
 			_fold(p_sample, upper, smoothstep(0.0, 1.0, p_folded))
 

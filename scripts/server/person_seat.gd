@@ -176,7 +176,7 @@ func fit(p_sample: PoseSample) -> PoseSample:
 		return p_sample
 	var fitted: PoseSample = SeatedPose.fit(p_sample, hold, _place.place.y, _lengths)
 	if hold.hatch_radius > 0.0:
-		_room.fit(fitted, _place.place, hold.rim, hold.hatch_radius, _place.folded())
+		_room.fit(fitted, _place.place, hold, _place.folded())
 	return fitted
 
 

@@ -163,14 +163,18 @@ func test_arms_beside_a_hatch_are_on_the_roof() -> void:
 	var person: ServerPerson = _people.list()[0]
 	var room: HatchRoom = HatchRoom.new(person.ragdoll.profile)
 	var sample: PoseSample = Stage.arms_pose(60.0, 60.0)
-	room.fit(sample, Vector3(0.0, HIPS, 0.0), 1.2, 0.31, 0.0)
+	var hold: SeatHold = SeatHold.new()
+	hold.hatch_radius = 0.31
+	hold.rim = 1.2
+	room.fit(sample, Vector3(0.0, HIPS, 0.0), hold, 0.0)
 	var raised: Vector3 = sample.orientation(Limbs.LEFT_UPPER_ARM) * Vector3.RIGHT
 	var before: Vector3 = (
 		Stage.arms_pose(60.0, 60.0).orientation(Limbs.LEFT_UPPER_ARM) * Vector3.RIGHT
 	)
 	is_true(raised.y > before.y + 0.1, "%s, %s" % [raised, before])
 	var free: PoseSample = Stage.arms_pose(-30.0, -30.0)
-	room.fit(free, Vector3(0.0, HIPS, 0.0), 1.0, 0.31, 0.0)
+	hold.rim = 1.0
+	room.fit(free, Vector3(0.0, HIPS, 0.0), hold, 0.0)
 	var kept: Quaternion = Stage.arms_pose(-30.0, -30.0).orientation(Limbs.LEFT_UPPER_ARM)
 	is_true(free.orientation(Limbs.LEFT_UPPER_ARM).angle_to(kept) < 0.001)
 

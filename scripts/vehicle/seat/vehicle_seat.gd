@@ -36,6 +36,8 @@ const _SITTING_HIPS: float = 0.9
 
 ## Radius of the hatch in which somebody stands.
 @export_range(0.0, 1.0, 0.01, "suffix:m") var hatch_radius: float = 0.31
+## How high what stands around that hatch is above the roof: periscopes, a ring.
+@export_range(0.0, 0.5, 0.01, "suffix:m") var cupola: float = 0.0
 
 @export_group("Hold")
 ## How far the hips of somebody who stands may be from the middle of the hatch.
@@ -86,6 +88,7 @@ func hold() -> SeatHold:
 		made.highest = highest_hips
 		made.meets_vehicle = not is_enclosed
 		made.rim = rim
+		made.cupola = cupola
 		made.hatch_radius = 0.0 if is_enclosed else hatch_radius
 	else:
 		made.legs = SeatHold.Legs.SITTING
