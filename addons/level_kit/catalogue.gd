@@ -8,12 +8,13 @@ const _TOWN: String = "res://scripts/world/kit/town/"
 const _PROPS: String = "res://scenes/world/props/"
 const _HALL: String = "res://scripts/world/kit/hall/"
 const _STAGE: String = "res://scripts/world/kit/stage/"
+const _VEHICLES: String = "res://scenes/vehicle/"
 const _WORLD: String = "res://scripts/world/"
 
 
 ## All of it, in the order in which it is shown.
 static func items() -> Array:
-	return _building() + _street() + _hall() + _stage() + _moving() + _marks()
+	return _building() + _street() + _hall() + _stage() + _moving() + _vehicles() + _marks()
 
 
 static func _building() -> Array:
@@ -110,6 +111,21 @@ static func _moving() -> Array:
 		KitItem.new("Door", "hinge swing push", _KIT + "door.gd", moves),
 		KitItem.new("Sliding door", "entity button", "res://examples/01_door/door.tscn", moves),
 		KitItem.new("Turntable", "entity", "res://examples/02_turntable/turntable.tscn", moves),
+	]
+
+
+static func _vehicles() -> Array:
+	var moves: int = KitItem.Place.PROPS
+	var tank: String = _VEHICLES + "tank/tank.tscn"
+	var carrier: String = _VEHICLES + "carrier/carrier.tscn"
+	var scoot: String = _VEHICLES + "scootmobile/scootmobile.tscn"
+	return [
+		KitItem.new("Battle tank", "vehicle tracks gun drive", tank, moves, {}, 0.1),
+		KitItem.new("Carrier", "vehicle tracks drive", carrier, moves, {}, 0.1),
+		KitItem.new(
+			"Truck", "vehicle car wheels drive", _VEHICLES + "truck/truck.tscn", moves, {}, 0.1
+		),
+		KitItem.new("Scootmobile", "vehicle scooter wheels drive", scoot, moves, {}, 0.05),
 	]
 
 

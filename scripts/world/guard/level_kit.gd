@@ -26,6 +26,11 @@ const ASSET_TYPES: PackedStringArray = [
 const ASSET_ENDINGS: PackedStringArray = ["png", "jpg", "webp", "exr", "obj", "res", "tres"]
 ## Groups that a node of a level may be in.
 const GROUPS: PackedStringArray = ["props"]
+## Where the vehicles are, and which a level may have: of each so many at most, with so many bodies.
+const VEHICLE_FOLDER: String = "res://scenes/vehicle"
+const VEHICLES: PackedStringArray = ["tank", "carrier", "truck", "scootmobile"]
+const MAX_VEHICLES: int = 20
+const VEHICLE_BODIES: int = 12
 ## Physics bodies of a level.
 const MAX_BODIES: int = 8000
 
@@ -34,7 +39,12 @@ static var _rows: Dictionary[String, KitClass] = {}
 
 static func _static_init() -> void:
 	for rows: Array[KitClass] in [
-		_kit_nodes(), _scenes(), KitBlocks.rows(), KitMarks.rows(), EngineClasses.rows()
+		_kit_nodes(),
+		_scenes(),
+		_vehicles(),
+		KitBlocks.rows(),
+		KitMarks.rows(),
+		EngineClasses.rows()
 	]:
 		for row: KitClass in rows:
 			_add(row)
@@ -195,6 +205,14 @@ static func _scenes() -> Array[KitClass]:
 		KitClass.scene("res://examples/01_door/door.tscn", {}).at_most(500),
 		KitClass.scene("res://examples/02_turntable/turntable.tscn", {}).at_most(100),
 	]
+
+
+static func _vehicles() -> Array[KitClass]:
+	var rows: Array[KitClass] = []
+	for name: String in VEHICLES:
+		var path: String = VEHICLE_FOLDER.path_join(name).path_join(name + ".tscn")
+		rows.append(KitClass.scene(path, {}).with_bodies(VEHICLE_BODIES).at_most(MAX_VEHICLES))
+	return rows
 
 
 static func _crate(p_path: String) -> KitClass:
