@@ -9,6 +9,11 @@ extends SceneTree
 const FOLDER: String = "res://scenes/world/town"
 const Scenes: GDScript = preload("res://tools/assets/worlds/world_scenes.gd")
 const Plan: GDScript = preload("res://tools/assets/worlds/town_plan.gd")
+## Vehicles to drive, at the gate and behind it, m.
+const VEHICLES: Dictionary[String, Vector3] = {
+	"truck": Vector3(3.5, 0.1, 54.0),
+	"scootmobile": Vector3(-3.4, 0.05, 37.0),
+}
 
 
 func _initialize() -> void:
@@ -52,6 +57,11 @@ func _level(p_blocks: PackedScene, p_plan: RefCounted) -> Level:
 		prop.name = "Crate%d" % (level.props_root.get_child_count() + 1)
 		prop.position = place
 		level.props_root.add_child(prop)
+	for name: String in VEHICLES:
+		var path: String = "res://scenes/vehicle/%s/%s.tscn" % [name, name]
+		var vehicle: Node3D = (load(path) as PackedScene).instantiate()
+		vehicle.position = VEHICLES[name]
+		level.props_root.add_child(vehicle)
 	var sky: Node = (load("res://scenes/world/sky/world_sky.tscn") as PackedScene).instantiate()
 	level.add_child(sky)
 	level.world = sky.get_node(^"World")
