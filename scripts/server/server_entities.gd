@@ -36,8 +36,9 @@ func _init(
 	_encoder = p_encoder
 	_table.despawned.connect(_on_despawned)
 	_people.person_added.connect(_on_person_added)
+	# Not by our own member: possession would hold us, as we hold it.
 	_possession.has_people = func(session: int) -> bool:
-		return _people.list().any(func(each: ServerPerson) -> bool: return each.session == session)
+		return p_people.list().any(func(each: ServerPerson) -> bool: return each.session == session)
 	_possession.refused.connect(_on_refused)
 	_link.handle(
 		Protocol.Message.COMMAND, MessageHandlers.Path.FAST, _on_commands, Roles.Capability.COMMAND

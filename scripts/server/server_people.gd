@@ -57,6 +57,9 @@ func setup(p_table: EntityTable, p_max_people: int = PeopleChanges.DEFAULT_MAX) 
 func _exit_tree() -> void:
 	if changes != null:
 		changes.close()
+	# A person and a seat hold each other.
+	for person: ServerPerson in _people.values():
+		person.let_go()
 
 
 ## Gives a session the bodies of these people, and takes away those whom it no longer lists: as
