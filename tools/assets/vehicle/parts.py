@@ -17,10 +17,21 @@ def new():
     return bmesh.new()
 
 
-def add(name, bm, material, parent=None, bevel=0.0, segments=1, smooth_deg=40, at=(0, 0, 0)):
+def add(
+    name,
+    bm,
+    material,
+    parent=None,
+    bevel=0.0,
+    segments=1,
+    smooth_deg=40,
+    at=(0, 0, 0),
+    is_open=False,
+):
     """Makes an object of a bmesh. Bevels are what makes edges catch the light."""
     mesh = bpy.data.meshes.new(name)
-    bmesh.ops.recalc_face_normals(bm, faces=bm.faces)
+    if not is_open:
+        bmesh.ops.recalc_face_normals(bm, faces=bm.faces)
     bm.to_mesh(mesh)
     bm.free()
     mesh.materials.append(material)

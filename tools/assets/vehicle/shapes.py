@@ -49,6 +49,15 @@ def loft(bm, rings, closed_ends=True):
         bm.faces.new(made[-1])
 
 
+def pane(bm, points, outward):
+    """A pane of glass that is seen from one side only: whoever sits behind it looks through."""
+    corners = [Vector(p) for p in points]
+    normal = (corners[1] - corners[0]).cross(corners[2] - corners[0])
+    if normal.dot(Vector(outward)) < 0:
+        corners.reverse()
+    bm.faces.new([bm.verts.new(corner) for corner in corners])
+
+
 def turned_frame(direction):
     """Two directions across one."""
     along = Vector(direction).normalized()

@@ -114,14 +114,13 @@ def cab(m, body):
             slope = 0.40 if y1 > 0 else 0.0
             pane = [(s * 1.005, y0 + 0.03, 1.20), (s * 1.005, y1 - 0.05, 1.20)]
             pane += [(s * 0.89, y1 - 0.09 - slope, 1.75), (s * 0.89, y0 + 0.03, 1.75)]
-            inner = [(x - s * 0.01, y, z) for x, y, z in pane]
-            shapes.loft(glass, [pane, inner])
+            shapes.pane(glass, pane, (s, 0, 0))
         shapes.tube(
             steel, [(s * 1.03, 0.62, 1.24), (s * 1.22, 0.66, 1.30), (s * 1.22, 0.66, 1.38)], 0.012
         )
         shapes.turned_box(paint, (s * 1.22, 0.66, 1.42), (0.14, 0.04, 0.22))
     pane = [(-0.96, 0.80, 1.21), (0.96, 0.80, 1.21), (0.84, 0.39, 1.76), (-0.84, 0.39, 1.76)]
-    shapes.loft(glass, [pane, [(x, y - 0.012, z - 0.008) for x, y, z in pane]])
+    shapes.pane(glass, pane, (0, 1, 0))
     shapes.loft(
         paint,
         [
@@ -137,7 +136,7 @@ def cab(m, body):
     shapes.box(dark, -0.95, 0.95, 0.55, 0.80, 0.95, 1.20)
     shapes.box(paint, -0.28, 0.28, -1.0, 0.6, 0.72, 1.06)
     parts.add("CabPaint", paint, m["Paint"], body, bevel=0.010)
-    parts.add("CabGlass", glass, m["Glass"], body)
+    parts.add("CabGlass", glass, m["Glass"], body, is_open=True)
     parts.add("CabSteel", steel, m["Steel"], body, smooth_deg=32)
     parts.add("CabSeats", canvas, m["Canvas"], body, bevel=0.03)
     parts.add("CabDark", dark, m["Dark"], body, bevel=0.008)
