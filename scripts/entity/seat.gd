@@ -99,7 +99,10 @@ func vacate() -> void:
 func take(p_session: int) -> bool:
 	var possession: Possession = entity.get_host().possession()
 	var former: Seat = possession.seat_of(p_session)
-	if occupant() != 0 or not possession.may_sit(p_session):
+	if occupant() != 0:
+		return false
+	if not possession.may_sit(p_session):
+		possession.refused.emit(p_session, "takes seats faster than people can")
 		return false
 	if index == 0 and not possession.take(p_session, entity.id):
 		return false

@@ -223,8 +223,15 @@ func _on_commands(p_session: Session, p_bytes: PackedByteArray, _arrival_usec: i
 		return "commands that are none"
 	var queue: CommandQueue = _queues.get(p_session.id)
 	if queue != null:
+		var refused: int = queue.refused
 		for command: EntityCommand in commands:
 			queue.push(command, _tick)
+		if queue.refused > refused:
+			_link.complain(
+				p_session,
+				"commands",
+				"sends more than %d commands a second" % CommandQueue.MAX_PER_SECOND
+			)
 	return ""
 
 

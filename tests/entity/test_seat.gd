@@ -67,10 +67,13 @@ func test_a_seat_that_is_taken_stays_taken() -> void:
 
 
 func test_who_changes_seats_all_the_time_waits() -> void:
+	var refusals: Array[String] = []
+	_possession().refused.connect(func(_session: int, why: String) -> void: refusals.append(why))
 	var taken: int = 0
 	for turn: int in 1000:
 		taken += 1 if _seats[turn % 2].take(7) else 0
 	equal(taken, 1, "all in one tick")
+	contains(refusals[-1], "takes seats faster")
 	await physics_frames(Possession.SEAT_TICKS)
 	is_true(_seats[1].take(7))
 

@@ -12,7 +12,8 @@ signal told(p_text: String)
 ## Another seat, or none (null).
 signal seat_changed(p_seat: Seat)
 
-## A driver's commands are repeated so often, s, that the server knows that somebody is there.
+## Commands of a driver and of a gunner who aims are repeated so often, s, that the server knows
+## that somebody is there.
 const REPEAT_S: float = 0.1
 ## A held trigger is told again so often, s: the server lets go of one of which it hears nothing.
 const TRIGGER_S: float = 1.0
@@ -41,6 +42,7 @@ var _entity: Entity = null
 var _looked_s: float = 0.0
 var _sent: PackedFloat32Array = []
 var _sent_aim: Vector2 = Vector2.ZERO
+var _aimed_s: float = 0.0
 var _sent_s: float = 0.0
 var _mouse: Vector2 = Vector2.ZERO
 var _ammunition: int = 0
@@ -237,8 +239,10 @@ func _send_aim(p_delta: float) -> void:
 	aim += _mouse / p_delta * MOUSE_AIM
 	_mouse = Vector2.ZERO
 	aim = aim.clampf(-1.0, 1.0)
-	if aim != _sent_aim:
+	_aimed_s += p_delta
+	if aim != _sent_aim or (aim != Vector2.ZERO and _aimed_s > REPEAT_S):
 		_sent_aim = aim
+		_aimed_s = 0.0
 		_entity.send_command(&"aim", [aim.x, aim.y])
 
 

@@ -23,7 +23,7 @@ const NUMBERS: Array[StringName] = [
 ]
 ## The same that are whole numbers: 0 and 1 are no and yes.
 const COUNTS: Array[StringName] = [&"gear", &"lamps", &"damage", &"engine_on"]
-## A driver of whom nothing has come for so long has let go of everything, s.
+## A driver, or a gunner who aims, of whom nothing has come for so long has let go of everything, s.
 const DEAD_MAN_S: float = 0.5
 ## How fast hatches open and shut, 1/s.
 const HATCH_RATE: float = 1.0 / 0.7
@@ -54,6 +54,7 @@ var _sent: Dictionary[StringName, float] = {}
 var _hatch_wanted: float = 0.0
 var _loader_hatch_wanted: float = 0.0
 var _silent_s: float = 0.0
+var _aim_silent_s: float = 0.0
 
 
 func _ready() -> void:
@@ -84,6 +85,9 @@ func _physics_process(p_delta: float) -> void:
 	_silent_s += p_delta
 	if _silent_s > DEAD_MAN_S and driver_seat != null and driver_seat.occupant() != 0:
 		_let_go()
+	_aim_silent_s += p_delta
+	if _aim_silent_s > DEAD_MAN_S and _has_gunner():
+		turret.aim = Vector2.ZERO
 	for name: StringName in _sent:
 		var value: float = float(state.get(name))
 		if value != _sent[name]:
@@ -147,6 +151,7 @@ func _on_commanded(_session: int, p_command: StringName, p_values: PackedFloat32
 		&"aim":
 			if turret != null:
 				turret.aim = Vector2(p_values[0], p_values[1])
+				_aim_silent_s = 0.0
 		&"stabilise":
 			if turret != null:
 				turret.set_stabilised(p_values[0] > 0.5)
@@ -177,6 +182,10 @@ func _on_gunner_changed(_session: int) -> void:
 func _let_go() -> void:
 	vehicle.input.clear()
 	vehicle.input.brake = 1.0 if driver_seat.occupant() != 0 else 0.0
+
+
+func _has_gunner() -> bool:
+	return turret != null and gunner_seat != null and gunner_seat.occupant() != 0
 
 
 func _show_in_editor() -> void:

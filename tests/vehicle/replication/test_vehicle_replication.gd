@@ -53,6 +53,22 @@ func test_fields_say_what_the_vehicle_does() -> void:
 	equal(entity.get_value(&"engine_on"), 0.0)
 
 
+func test_a_gunner_who_falls_silent_lets_go_of_the_aim() -> void:
+	var tank: Vehicle = await _start("tank")
+	var entity: Entity = Entity.find_in(tank)
+	var turret: VehicleTurret = tank.get_node(^"Turret")
+	is_true((tank.get_node(^"Turret/GunnerSeat") as Seat).take(LocalSession.SESSION))
+	for _repeat: int in 10:
+		entity.take_command(1, entity.type.find_command(&"aim"), [1.0, 0.0])
+		await _ground.run(0.1)
+	equal(turret.aim, Vector2(1.0, 0.0))
+	await _ground.run(1.0)
+	equal(turret.aim, Vector2.ZERO)
+	var before: float = turret.rotation.y
+	await _ground.run(1.0)
+	almost_equal(turret.rotation.y, before, 1e-3)
+
+
 func test_a_tank_on_its_back_is_put_upright_by_command() -> void:
 	var tank: Vehicle = await _start("tank")
 	var entity: Entity = Entity.find_in(tank)
