@@ -75,7 +75,8 @@ func _init(p_person: ServerPerson, p_seat: Seat, p_body: PhysicsBody3D, p_is_ins
 	_seat_before = p_seat.frame_in_body()
 	if hold == null:
 		var root: Vector3 = _root()
-		_offset = Transform3D(Basis.IDENTITY, -Vector3(root.x, 0.0, root.z))
+		var below: Vector3 = Vector3(root.x, p_person.origin.y, root.z)
+		_offset = Transform3D(Basis.IDENTITY, -below)
 		phase = Phase.SITTING
 		return
 	_lengths = SeatedPose.lengths_of(p_person.ragdoll.profile)
@@ -167,7 +168,9 @@ func pull(p_delta_s: float) -> void:
 
 ## Takes the wearer's place in the person's own frame, m; returns that of the body in it.
 func place_of(p_root: Vector3) -> Vector3:
-	return p_root if hold == null or phase == Phase.GONE else _place.put(p_root)
+	if hold == null or phase == Phase.GONE:
+		return p_root
+	return _place.put(p_root - Vector3.UP * _person.origin.y)
 
 
 ## A sample as it drives the body in this seat.
@@ -275,11 +278,12 @@ func _facing() -> Basis:
 	return Basis(facing.inverse())
 
 
-## Where the motion has the hips in the person's own frame, m.
+## Where the motion has the hips in the person's own frame, m, above the wearer's floor.
 func _root() -> Vector3:
+	var start: Vector3 = Vector3(_person.origin.x, 0.0, _person.origin.z)
 	if _person.newest == null:
-		return _person.origin + Vector3.UP * _person.ragdoll.get_hip_height()
-	return _person.newest.root * _person.scale + _person.origin
+		return start + Vector3.UP * _person.ragdoll.get_hip_height()
+	return _person.newest.root * _person.scale + start
 
 
 ## Where the hips are.

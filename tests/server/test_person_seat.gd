@@ -94,6 +94,21 @@ func test_the_way_in_and_out_ends() -> void:
 	almost_equal(_hips(0), Vector3(0.0, HIPS, 3.0), 0.1)
 
 
+func test_people_who_started_on_high_ground_sit_as_high_as_others() -> void:
+	var start: Transform3D = Transform3D(Basis(Vector3.UP, 1.0), Vector3(2.0, -4.0, 1.0))
+	_carrier.position.y = -4.0
+	for seat: Seat in [_add(HoldingSeat.new()), _add(Seat.new())] as Array[Seat]:
+		_people.enter([start])
+		await _wait(20)
+		_people.attach(7, 1024, _carrier, seat)
+		await _wait(150)
+		# Two who are in one place push each other aside.
+		almost_equal(_hips(0).y, HIPS - 4.0, 0.06)
+		_people.detach(7)
+		await _wait(150)
+		is_null(_people.list()[0].sitting)
+
+
 func test_who_takes_and_leaves_in_every_tick_gets_stuck_nowhere() -> void:
 	var seat: Seat = _add(HoldingSeat.new())
 	await _wait(20)
