@@ -171,6 +171,9 @@ func _connect_stream() -> void:
 	_scene.entities.use(_stream)
 	_scene.level_noted.connect(_hud.show_note)
 	_scene.happening_told.connect(_hud.show_news)
+	# What has been recorded takes no commands.
+	if _role == ClientStreams.REPLAY:
+		_interaction.process_mode = Node.PROCESS_MODE_DISABLED
 	_interaction.prompt_changed.connect(_hud.show_prompt)
 	_interaction.use_by_name(_options.text("use"))
 	_scene.level_missing.connect(

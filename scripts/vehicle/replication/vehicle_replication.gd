@@ -22,9 +22,11 @@ const NUMBERS: Array[StringName] = [
 	&"brake",
 ]
 ## The same that are whole numbers: 0 and 1 are no and yes.
-const COUNTS: Array[StringName] = [&"gear", &"lamps", &"damage", &"engine_on"]
+const COUNTS: Array[StringName] = [&"gear", &"lamps", &"damage", &"engine_on", &"stabilised"]
 ## A driver, or a gunner who aims, of whom nothing has come for so long has let go of everything, s.
 const DEAD_MAN_S: float = 0.5
+## Commands that open and shut hatches: of the commander and of the loader.
+const HATCHES: Array[StringName] = [&"open_hatch", &"open_loader_hatch"]
 ## How fast hatches open and shut, 1/s.
 const HATCH_RATE: float = 1.0 / 0.7
 
@@ -124,6 +126,7 @@ func _on_started() -> void:
 
 func _on_field_changed(p_field: StringName, p_value: float) -> void:
 	if entity.is_authority():
+		_open_for(p_field, p_value)
 		return
 	var state: VehicleState = vehicle.state
 	match p_field:
@@ -135,12 +138,14 @@ func _on_field_changed(p_field: StringName, p_value: float) -> void:
 			state.lamps = p_value > 0.5
 		&"engine_on":
 			state.engine_on = p_value > 0.5
+		&"stabilised":
+			state.stabilised = p_value > 0.5
 		_:
 			if NUMBERS.has(p_field):
 				state.set(p_field, p_value)
 
 
-func _on_commanded(_session: int, p_command: StringName, p_values: PackedFloat32Array) -> void:
+func _on_commanded(p_session: int, p_command: StringName, p_values: PackedFloat32Array) -> void:
 	match p_command:
 		&"drive":
 			_drive(p_values)
@@ -155,10 +160,8 @@ func _on_commanded(_session: int, p_command: StringName, p_values: PackedFloat32
 		&"stabilise":
 			if turret != null:
 				turret.set_stabilised(p_values[0] > 0.5)
-		&"open_hatch":
-			_hatch_wanted = roundf(p_values[0])
-		&"open_loader_hatch":
-			_loader_hatch_wanted = roundf(p_values[0])
+		&"open_hatch", &"open_loader_hatch":
+			_open(p_session, p_command, p_values[0] > 0.5)
 		&"upright":
 			vehicle.reset_upright()
 
@@ -182,6 +185,24 @@ func _on_gunner_changed(_session: int) -> void:
 func _let_go() -> void:
 	vehicle.input.clear()
 	vehicle.input.brake = 1.0 if driver_seat.occupant() != 0 else 0.0
+
+
+## Opens a hatch for whoever takes its seat: nobody stands in a shut one.
+func _open_for(p_field: StringName, p_session: float) -> void:
+	for name: StringName in HATCHES:
+		var index: int = entity.type.find_command(name)
+		if p_session != 0.0 and index >= 0 and entity.type.commands[index].seat == p_field:
+			_open(int(p_session), name, true)
+
+
+func _open(p_session: int, p_command: StringName, p_is_open: bool) -> void:
+	var possession: Possession = entity.get_host().possession()
+	if not p_is_open and possession.has_people.call(p_session):
+		possession.refused.emit(p_session, "cannot shut the hatch that its own body stands in")
+	elif p_command == HATCHES[0]:
+		_hatch_wanted = float(p_is_open)
+	else:
+		_loader_hatch_wanted = float(p_is_open)
 
 
 func _has_gunner() -> bool:

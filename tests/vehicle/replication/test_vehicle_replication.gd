@@ -53,6 +53,28 @@ func test_fields_say_what_the_vehicle_does() -> void:
 	equal(entity.get_value(&"engine_on"), 0.0)
 
 
+func test_a_hatch_opens_for_whoever_takes_its_seat_and_shuts_on_nobody() -> void:
+	var tank: Vehicle = await _start("tank")
+	var entity: Entity = Entity.find_in(tank)
+	is_true((tank.get_node(^"Turret/CommanderSeat") as Seat).take(LocalSession.SESSION))
+	await _ground.run(1.0)
+	equal([tank.state.hatch, tank.state.loader_hatch], [1.0, 0.0])
+	var refusals: Array[String] = []
+	var possession: Possession = entity.get_host().possession()
+	possession.refused.connect(func(_session: int, why: String) -> void: refusals.append(why))
+	possession.has_people = func(_session: int) -> bool: return true
+	var shut: int = entity.type.find_command(&"open_hatch")
+	entity.take_command(LocalSession.SESSION, shut, [0.0])
+	await _ground.run(1.0)
+	equal(tank.state.hatch, 1.0)
+	contains(refusals[0], "cannot shut the hatch")
+	# A session without a body may.
+	possession.has_people = func(_session: int) -> bool: return false
+	entity.take_command(LocalSession.SESSION, shut, [0.0])
+	await _ground.run(1.0)
+	equal(tank.state.hatch, 0.0)
+
+
 func test_a_gunner_who_falls_silent_lets_go_of_the_aim() -> void:
 	var tank: Vehicle = await _start("tank")
 	var entity: Entity = Entity.find_in(tank)
