@@ -74,6 +74,8 @@ static func describe_condition(p_state: VehicleState) -> String:
 		words.append(_DAMAGE[p_state.damage])
 	if not p_state.engine_on:
 		words.append("engine off")
+	if not p_state.stabilised:
+		words.append("stabiliser off")
 	if p_state.lamps:
 		words.append("lamps")
 	if p_state.hatch > 0.5:

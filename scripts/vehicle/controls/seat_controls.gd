@@ -189,7 +189,7 @@ func _take_key(p_event: InputEvent) -> bool:
 		_order(&"open_hatch", [0.0 if state.hatch > 0.5 else 1.0])
 		_order(&"open_loader_hatch", [0.0 if state.loader_hatch > 0.5 else 1.0])
 	elif p_event.is_action_pressed(&"toggle_stabiliser"):
-		_order(&"stabilise", [0.0 if _is_stabilised() else 1.0])
+		_order(&"stabilise", [0.0 if state.stabilised else 1.0])
 	elif p_event.is_action_pressed(&"next_ammunition"):
 		_change_ammunition()
 	elif p_event.is_action_pressed(&"fire"):
@@ -199,10 +199,6 @@ func _take_key(p_event: InputEvent) -> bool:
 	else:
 		return false
 	return true
-
-
-func _is_stabilised() -> bool:
-	return _entity.type.find_field(&"stabilised") < 0 or _entity.get_value(&"stabilised") > 0.5
 
 
 func _change_ammunition() -> void:

@@ -82,6 +82,7 @@ func _physics_process(p_delta: float) -> void:
 	)
 	_vehicle.state.turret_yaw = _drive.get_yaw()
 	_vehicle.state.gun_pitch = _drive.get_pitch()
+	_vehicle.state.stabilised = _drive.is_stabilised()
 	_show(_drive.get_yaw(), _drive.get_pitch())
 
 

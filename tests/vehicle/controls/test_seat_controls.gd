@@ -73,6 +73,17 @@ func test_q_goes_to_the_next_free_seat_and_v_to_its_views() -> void:
 	)
 
 
+func test_the_stabiliser_goes_off_and_on_again() -> void:
+	await _take(^"Turret/GunnerSeat")
+	for expected: bool in [false, true]:
+		var press: InputEventAction = InputEventAction.new()
+		press.action = &"toggle_stabiliser"
+		press.pressed = true
+		_controls._unhandled_input(press)
+		await physics_frames(3)
+		equal(_tank.state.stabilised, expected)
+
+
 func test_a_driver_of_whom_nothing_comes_lets_go() -> void:
 	await _take(^"DriverSeat")
 	_controls.set_physics_process(false)
