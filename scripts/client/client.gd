@@ -122,7 +122,8 @@ func _apply_options() -> String:
 	_stream = made.stream
 	_connect_stream()
 	if fault == "" and _role != ClientStreams.REPLAY:
-		fault = _seat.open(_scene, _hud, _options)
+		var has_body: bool = Roles.can(Roles.find(_role), Roles.Capability.SEND_MOTION)
+		fault = _seat.open(_scene, _hud, _options, has_body)
 		_controls.wheel_wanted.connect(_seat.show_wheel_panel)
 	if fault == "" and Roles.can(Roles.find(_role), Roles.Capability.SEND_MOTION):
 		fault = _mocap.open(_options, made.live.link)

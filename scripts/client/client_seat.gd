@@ -26,13 +26,15 @@ func _physics_process(_delta: float) -> void:
 	_cues.get_forces().wheel_position = -_controls.input.steer
 
 
-## Begins as the options say. Returns what is wrong, or an empty text.
-func open(p_scene: ClientScene, p_hud: Hud, p_options: Options) -> String:
+## Begins as the options say; [param p_has_body]: for a user with a body of his own. Returns what is
+## wrong, or an empty text.
+func open(p_scene: ClientScene, p_hud: Hud, p_options: Options, p_has_body: bool) -> String:
 	var drive: String = p_options.text("drive")
 	if drive != "":
 		_controls.list = DriveScript.parse(drive)
 		if _controls.list.error != "":
 			return _controls.list.error
+	_controls.has_body = p_has_body
 	_controls.view_changed.connect(p_scene.look_through)
 	_controls.told.connect(p_hud.show_news)
 	_controls.seat_changed.connect(_on_seat_changed)

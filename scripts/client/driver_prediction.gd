@@ -62,6 +62,8 @@ func _process(p_delta: float) -> void:
 
 
 func _physics_process(_delta: float) -> void:
+	if not is_instance_valid(_controls) or not is_instance_valid(_controls.vehicle):
+		_end()
 	if predicted == null and not _begin():
 		return
 	var wanted: float = _wanted_tick()

@@ -25,6 +25,8 @@ const _LOOK_S: float = 0.1
 
 ## What driver's hands and feet do.
 var reader: DriveReader = DriveReader.new(ControlSettings.new())
+## Whether the user has a body of his own in the world, whose eyes come first.
+var has_body: bool = false
 ## A list that drives instead of hands and feet; null: none.
 var list: DriveScript = null
 ## What the driver does now, as it was sent last.
@@ -39,6 +41,8 @@ var view: SeatView = null
 var command_tick: int = -1
 
 var _entity: Entity = null
+## Whether a seat was taken, even if it has been freed since.
+var _sits: bool = false
 var _looked_s: float = 0.0
 var _sent: PackedFloat32Array = []
 var _sent_aim: Vector2 = Vector2.ZERO
@@ -51,10 +55,11 @@ var _trigger_s: float = 0.0
 
 func _process(p_delta: float) -> void:
 	_looked_s += p_delta
-	if _looked_s >= _LOOK_S or not is_instance_valid(seat):
+	var is_lost: bool = _sits and not (is_instance_valid(seat) and is_instance_valid(vehicle))
+	if _looked_s >= _LOOK_S or is_lost:
 		_looked_s = 0.0
 		var found: Seat = find_seat(get_tree())
-		if found != seat or not is_instance_valid(vehicle):
+		if is_lost or found != seat:
 			_take(found)
 
 
@@ -125,10 +130,13 @@ func has_command(p_name: StringName) -> bool:
 ## The next view of the seat.
 func change_view() -> void:
 	var views: Array[SeatView] = views_of(seat)
+	if has_body:
+		# Between the last and the first one: the own body's view.
+		views.append(null)
 	if views.is_empty():
 		return
 	_look_through(views[(views.find(view) + 1) % views.size()])
-	told.emit(view.get_title())
+	told.emit(view.get_title() if view != null else "Your own view")
 
 
 ## The next seat of the vehicle that is free.
@@ -244,6 +252,7 @@ func _send_aim(p_delta: float) -> void:
 
 func _take(p_seat: Seat) -> void:
 	seat = p_seat
+	_sits = seat != null
 	vehicle = null if seat == null else vehicle_of(seat)
 	_entity = null if seat == null else seat.entity
 	reader.clear()
@@ -255,7 +264,7 @@ func _take(p_seat: Seat) -> void:
 	var views: Array[SeatView] = []
 	if seat != null:
 		views = views_of(seat)
-	_look_through(views[0] if not views.is_empty() else null)
+	_look_through(views[0] if not views.is_empty() and not has_body else null)
 	seat_changed.emit(seat)
 
 

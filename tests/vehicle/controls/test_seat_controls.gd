@@ -84,6 +84,19 @@ func test_the_stabiliser_goes_off_and_on_again() -> void:
 		equal(_tank.state.stabilised, expected)
 
 
+func test_whoever_has_a_body_looks_out_of_it_first() -> void:
+	_controls.has_body = true
+	await _take(^"Turret/CommanderSeat")
+	is_null(_controls.view)
+	_controls.change_view()
+	equal(_controls.view.kind, SeatView.Kind.OPEN)
+	_controls.change_view()
+	_controls.change_view()
+	equal(_controls.view.kind, SeatView.Kind.CHASE)
+	_controls.change_view()
+	is_null(_controls.view)
+
+
 func test_a_driver_of_whom_nothing_comes_lets_go() -> void:
 	await _take(^"DriverSeat")
 	_controls.set_physics_process(false)
@@ -92,6 +105,16 @@ func test_a_driver_of_whom_nothing_comes_lets_go() -> void:
 	equal(_tank.input.throttle, 1.0)
 	await physics_frames(30)
 	equal([_tank.input.throttle, _tank.input.brake], [0.0, 1.0])
+
+
+func test_who_sits_nowhere_changes_no_view() -> void:
+	var views: Array[SeatView] = []
+	_controls.view_changed.connect(func(view: SeatView) -> void: views.append(view))
+	await process_frames(30)
+	equal(views, [] as Array[SeatView])
+	await _take(^"DriverSeat")
+	await process_frames(30)
+	equal(views.size(), 1)
 
 
 func test_a_tank_that_goes_leaves_the_controls_without_one() -> void:
