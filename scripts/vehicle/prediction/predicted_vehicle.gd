@@ -51,6 +51,7 @@ static func create(p_vehicle: Vehicle, p_input: VehicleInput) -> PredictedVehicl
 	for child: Node in made.ghost.get_children():
 		if not child is CollisionShape3D:
 			child.free()
+	made.ghost.parameters = p_vehicle.parameters
 	made.ghost.input = p_input
 	made.ghost.freeze = false
 	made.ghost.can_sleep = false
@@ -115,6 +116,8 @@ func correct(p_tick: int, p_place: Transform3D, p_speed: Vector3, p_spin: Vector
 	var was: Transform3D = _places[p_tick]
 	var moved: Vector3 = p_place.origin - was.origin
 	var turned: Quaternion = Quaternion(p_place.basis) * Quaternion(was.basis).inverse()
+	# Of the two quaternions of a turn, the one that goes the short way.
+	turned = -turned if turned.w < 0.0 else turned
 	error_m = moved.length()
 	if error_m > MAX_ERROR_M or turned.get_angle() > MAX_ERROR_RAD:
 		restarts += 1

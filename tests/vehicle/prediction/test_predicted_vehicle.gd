@@ -68,6 +68,18 @@ func test_a_vehicle_that_was_put_elsewhere_begins_anew() -> void:
 	almost_equal(_predicted.get_shown(0.0).origin, _truth.position, 0.1)
 
 
+func test_a_turn_is_small_wherever_the_vehicle_looks_to() -> void:
+	for heading: int in range(-180, 180, 10):
+		var was: Basis = Basis(Vector3.UP, deg_to_rad(heading - 0.1))
+		var place: Basis = Basis(Vector3.UP, deg_to_rad(heading + 0.1))
+		_predicted.restart(Transform3D(was, Vector3.UP), Vector3.ZERO, Vector3.ZERO, heading + 200)
+		_predicted.begin_step(heading + 201)
+		_predicted.correct(
+			heading + 200, Transform3D(place, Vector3.UP), Vector3.ZERO, Vector3.ZERO
+		)
+	equal(_predicted.restarts, 0)
+
+
 func test_news_of_ticks_that_nobody_remembers_are_not_compared() -> void:
 	await _advance(10)
 	is_false(_predicted.correct(99999, Transform3D.IDENTITY, Vector3.ZERO, Vector3.ZERO))
