@@ -318,9 +318,9 @@ func _meet(p_limbs: Array) -> void:
 	var bodies: Array[RID] = _person.ragdoll.get_bodies()
 	for limb: int in bodies.size():
 		for other: RID in others:
-			if p_limbs.has(limb):
-				PhysicsServer3D.body_remove_collision_exception(bodies[limb], other)
-			else:
+			# The engine keeps an exception as often as it was added.
+			PhysicsServer3D.body_remove_collision_exception(bodies[limb], other)
+			if not p_limbs.has(limb):
 				PhysicsServer3D.body_add_collision_exception(bodies[limb], other)
 
 

@@ -232,8 +232,9 @@ func _stand_up() -> void:
 ## bodies, or all.
 func attach(p_session: int, p_entity: int, p_carrier: PhysicsBody3D, p_seat: Seat) -> void:
 	for person: ServerPerson in _of_session(p_session):
-		# Some sit already when others of the session come.
-		if person.sitting == null or person.sitting.seat != p_seat:
+		# Some sit already when others of the session come; some are still on the way out.
+		var sits: bool = person.sitting != null and person.sitting.seat == p_seat
+		if not sits or person.sitting.phase >= PersonSeat.Phase.LEAVING:
 			_seat(person, p_entity, p_carrier, p_seat)
 		if person.sitting.hold != null:
 			break

@@ -124,6 +124,31 @@ func test_who_takes_and_leaves_in_every_tick_gets_stuck_nowhere() -> void:
 	is_true(_hips(0).is_finite())
 
 
+func test_who_sits_down_again_on_the_way_out_sits() -> void:
+	var seat: Seat = _add(HoldingSeat.new())
+	await _wait(20)
+	_people.attach(7, 1024, _carrier, seat)
+	await _wait(150)
+	_people.detach(7)
+	await _wait(20)
+	_people.attach(7, 1024, _carrier, seat)
+	await _wait(150)
+	equal(_people.list()[0].sitting.phase, PersonSeat.Phase.SITTING)
+	almost_equal(_hips(0), Vector3(0.0, HIPS, 0.0), 0.06)
+
+
+func test_who_has_left_meets_the_vehicle_again() -> void:
+	var seat: Seat = _add(HoldingSeat.new())
+	await _wait(20)
+	_people.attach(7, 1024, _carrier, seat)
+	await _wait(150)
+	_people.detach(7)
+	await _wait(150)
+	is_null(_people.list()[0].sitting)
+	for bone: PhysicalBone3D in _people.list()[0].ragdoll.find_children("*", "PhysicalBone3D"):
+		is_false(bone.get_collision_exceptions().has(_carrier), str(bone.name))
+
+
 func test_a_seat_that_is_freed_with_its_body_lets_go() -> void:
 	var seat: Seat = _add(HoldingSeat.new())
 	await _wait(20)
