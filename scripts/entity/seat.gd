@@ -104,6 +104,8 @@ func take(p_session: int) -> bool:
 	if not possession.may_sit(p_session):
 		possession.refused.emit(p_session, "takes seats faster than people can")
 		return false
+	if former != null and former.entity != entity and not former._lets_go(p_session):
+		return false
 	if index == 0 and not possession.take(p_session, entity.id):
 		return false
 	if former != null:
@@ -162,12 +164,18 @@ func _on_commanded(p_session: int, p_command: StringName, p_values: PackedFloat3
 	if p_command == TAKE and (p_values.is_empty() or int(p_values[0]) == index):
 		take(p_session)
 	elif p_command == LEAVE and occupant() == p_session:
-		var has_people: bool = entity.get_host().possession().has_people.call(p_session)
-		var hindrance: String = find_hindrance() if has_people else ""
-		if hindrance == "":
+		if _lets_go(p_session):
 			vacate()
-		else:
-			entity.get_host().possession().refused.emit(p_session, hindrance)
+
+
+## Whether a session can leave now; where it cannot, it is told why.
+func _lets_go(p_session: int) -> bool:
+	var possession: Possession = entity.get_host().possession()
+	var has_people: bool = possession.has_people.call(p_session)
+	var hindrance: String = find_hindrance() if has_people else ""
+	if hindrance != "":
+		possession.refused.emit(p_session, hindrance)
+	return hindrance == ""
 
 
 func _on_field_changed(p_field: StringName, p_value: float) -> void:

@@ -92,6 +92,9 @@ func test_a_seat_that_cannot_be_left_now_is_kept() -> void:
 	stuck.interact()
 	equal(stuck.occupant(), LocalSession.SESSION)
 	equal(refusals, ["the door is shut"] as Array[String])
+	await physics_frames(Possession.SEAT_TICKS)
+	is_false(_add_other().take(LocalSession.SESSION), "nor for a seat elsewhere")
+	equal(stuck.occupant(), LocalSession.SESSION)
 	_possession().has_people = func(_session: int) -> bool: return false
 	stuck.interact()
 	equal(stuck.occupant(), 0, "who has no body leaves at any time")
@@ -119,6 +122,21 @@ func test_a_command_of_a_seat_needs_its_field() -> void:
 	equal(type.find_fault(), "")
 	type.commands[-1].seat = &"loader"
 	contains(type.find_fault(), "needs the field 'loader'")
+
+
+## A seat of another entity of the same session.
+func _add_other() -> Seat:
+	var body: AnimatableBody3D = AnimatableBody3D.new()
+	var entity: Entity = Entity.new()
+	entity.type = _make_type()
+	body.add_child(entity)
+	var seat: Seat = Seat.new()
+	seat.entity = entity
+	seat.occupant_field = FIELDS[0]
+	body.add_child(seat)
+	_scene.add_child(body)
+	entity.start(_entity.get_host(), _entity.id + 1, entity.type.spawn_schema().defaults())
+	return seat
 
 
 func _possession() -> Possession:
