@@ -32,6 +32,8 @@ enum Struck {
 const FIRED: StringName = &"fired"
 const IMPACT: StringName = &"impact"
 const BULLET_IMPACT: StringName = &"bullet_impact"
+## How many values each has.
+const _VALUES: Dictionary[StringName, int] = {FIRED: 7, IMPACT: 8, BULLET_IMPACT: 8}
 ## After so long a shell is forgotten, s, or so far below the level's origin, m.
 const LIFE_S: float = 10.0
 const LOWEST_M: float = -400.0
@@ -232,11 +234,11 @@ func _tell(p_event: StringName, p_values: PackedFloat32Array) -> void:
 
 
 func _on_happened(p_event: StringName, p_values: PackedFloat32Array) -> void:
-	if not p_event in [FIRED, IMPACT, BULLET_IMPACT]:
+	# A server of another version may have other values and other rounds.
+	if not _VALUES.has(p_event) or p_values.size() < _VALUES[p_event]:
 		return
-	# A server of another version may have other rounds.
 	var kind: int = int(p_values[0])
-	if kind >= kinds.size():
+	if kind < 0 or kind >= kinds.size():
 		return
 	if p_event != FIRED:
 		var surface: StringName = SURFACES[clampi(int(p_values[6]), 0, SURFACES.size() - 1)]

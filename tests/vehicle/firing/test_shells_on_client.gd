@@ -61,6 +61,11 @@ func test_a_shot_is_shown_and_flown_by_nobody_here() -> void:
 	var sand: int = Shells.number_of(&"sand")
 	_happen(Shells.IMPACT, [1.0, 5.0, 0.0, -90.0, 0.0, PI / 2.0, sand, Shells.Struck.GROUND])
 	equal(hits, [&"sand"] as Array[StringName])
+	# Of a server with another type.
+	_entity.happened.emit(Shells.FIRED, [-1.0, 0.0, 2.0, -7.0, 0.0, 0.0, 1140.0])
+	_entity.happened.emit(Shells.FIRED, [1.0])
+	_entity.happened.emit(Shells.IMPACT, [99.0, 0.0, 2.0, -7.0, 0.0, 0.0, 1.0, 0.0])
+	equal([shots.size(), hits.size()], [2, 1])
 
 
 func test_a_machine_gun_is_shown_while_its_field_says_so() -> void:
