@@ -33,6 +33,8 @@ var _bounds: PackedVector4Array = []
 var _has_all_shadows: bool = false
 var _props: PropVisibility = null
 var _until_props_s: float = 0.0
+## Whether props have moved since shadows were looked at.
+var _have_props_moved: bool = false
 
 
 ## The light by whose direction shadows may be left out, of a level that need not be in the tree.
@@ -138,8 +140,9 @@ func _show_shadows(p_is_other: bool, p_bounds: PackedVector4Array) -> void:
 			_way = way
 			surfaces.reach.set_light(way)
 	var is_same: bool = is_all == _has_all_shadows and p_bounds == _bounds
-	if is_same and not (p_is_other or has_turned):
+	if is_same and not (p_is_other or has_turned or _have_props_moved):
 		return
+	_have_props_moved = false
 	_has_all_shadows = is_all
 	_bounds = p_bounds
 	_props.look_at_shadows(
@@ -159,6 +162,6 @@ func _look_at_props(p_eyes: PackedVector3Array, p_is_other: bool) -> void:
 	_until_props_s = PROPS_S
 	if p_is_other:
 		_props.tidy()
-	_props.look(
-		surfaces.bake, p_eyes if not _cells.is_empty() else PackedVector3Array(), p_is_other
-	)
+	var eyes: PackedVector3Array = p_eyes if not _cells.is_empty() else PackedVector3Array()
+	if _props.look(surfaces.bake, eyes, p_is_other):
+		_have_props_moved = true

@@ -36,8 +36,9 @@ func _init(p_level: Node3D) -> void:
 
 
 ## Looks at all props after eyes have come to other cells, else at those that have moved. The eyes
-## are in the level's frame; without any, all props are shown.
-func look(p_bake: LevelBake, p_eyes: PackedVector3Array, p_is_other: bool) -> void:
+## are in the level's frame; without any, all props are shown. Returns whether any was looked at.
+func look(p_bake: LevelBake, p_eyes: PackedVector3Array, p_is_other: bool) -> bool:
+	var has_looked: bool = false
 	for node: Node in _level.get_tree().get_nodes_in_group(KitBlock.PROPS_GROUP):
 		var prop: Node3D = node as Node3D
 		if prop == null or not _level.is_ancestor_of(prop):
@@ -51,10 +52,12 @@ func look(p_bake: LevelBake, p_eyes: PackedVector3Array, p_is_other: bool) -> vo
 		var place: Vector3 = prop.global_position
 		if not p_is_other and place.distance_squared_to(known.place) < MOVED_M * MOVED_M:
 			continue
+		has_looked = true
 		known.place = place
 		var to_level: Transform3D = _level.global_transform.affine_inverse() * prop.global_transform
 		known.at = to_level * known.box
 		_show(prop, known, _is_seen(p_bake, p_eyes, known.at.grow(ROOM_M)))
+	return has_looked
 
 
 ## Lets only those throw shadows whose shadow may reach what a camera sees: see

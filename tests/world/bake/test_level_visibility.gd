@@ -93,6 +93,26 @@ func test_shadows_that_the_camera_does_not_see_are_not_thrown() -> void:
 	equal(crate.cast_shadow, GeometryInstance3D.SHADOW_CASTING_SETTING_ON)
 
 
+func test_a_prop_that_comes_into_a_picture_that_stays_throws_its_shadow() -> void:
+	var camera: Camera3D = Camera3D.new()
+	_level.add_child(camera)
+	_surfaces.bake.seen_parts = PackedByteArray([1, 1, 1, 1])
+	_surfaces.bake.seen_cells = PackedByteArray([1, 1, 1, 1])
+	_sun.directional_shadow_max_distance = 60.0
+	var crate: MeshInstance3D = MeshInstance3D.new()
+	crate.mesh = BoxMesh.new()
+	var prop: Node3D = _prop(Vector3(10.0, 0.5, 12.0))
+	prop.add_child(crate)
+	var eye: Vector3 = Vector3(25.0, 3.0, 12.0)
+	camera.look_at_from_position(eye, eye + Vector3.RIGHT)
+	camera.make_current()
+	_visibility._process(1.0)
+	equal(crate.cast_shadow, GeometryInstance3D.SHADOW_CASTING_SETTING_OFF)
+	prop.position.x = 40.0
+	_visibility._process(1.0)
+	equal(crate.cast_shadow, GeometryInstance3D.SHADOW_CASTING_SETTING_ON)
+
+
 func test_shadows_that_may_fall_on_anything_are_all_thrown() -> void:
 	equal(LevelVisibility.find_sun(_level), _sun)
 	var spot: SpotLight3D = SpotLight3D.new()
