@@ -45,7 +45,7 @@ func before_each() -> void:
 	await _until(func() -> bool: return _driver.knows(TANK) and _hostile.knows(TANK))
 	_driver.command(TANK, Seat.TAKE, [0.0])
 	await _until(func() -> bool: return _occupant(&"occupant") == _driver.session())
-	await _run(120, _drive)
+	await _run(300, _drive)
 	is_true(absf(_tank.state.left_speed) > DRIVING, "%.1f m/s" % _tank.state.left_speed)
 
 
