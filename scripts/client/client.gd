@@ -80,6 +80,7 @@ func _process(p_delta: float) -> void:
 	if _arrival != null:
 		_arrival.advance(p_delta, _take)
 	_acknowledge()
+	_seat.set_menu_open(_controls.is_menu_open())
 	_scene.fade_physics(_fade, _stream.now_s() - _begin_s)
 	_update_scene()
 	_show_status()

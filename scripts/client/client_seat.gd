@@ -90,11 +90,11 @@ func apply_prediction() -> void:
 	_prediction.apply()
 
 
+## Says whether keys are meant for the window's menu.
+func set_menu_open(p_is_open: bool) -> void:
+	_controls.hands_off = p_is_open or (_panel != null and _panel.visible)
+
+
 ## What is predicted, for a report.
 func report() -> Dictionary:
 	return _prediction.report()
-
-
-## What the user does in the seat.
-func get_controls() -> SeatControls:
-	return _controls

@@ -11,6 +11,8 @@ const MAX_DRIFT: float = 1.5
 const MIN_FPS: float = 20.0
 ## A vehicle whose tracks run slower than this together is at rest, m/s.
 const _REST_SPEED: float = 0.1
+## Without news of the server for so many ticks nobody knows where the vehicle is.
+const MAX_AGE_TICKS: int = 90
 ## So long it waits before it tries again, s.
 const _PATIENCE_S: float = 2.0
 
@@ -64,6 +66,8 @@ func _process(p_delta: float) -> void:
 func _physics_process(_delta: float) -> void:
 	if not is_instance_valid(_controls) or not is_instance_valid(_controls.vehicle):
 		_end()
+	elif predicted != null and _is_stale():
+		_end()
 	if predicted == null and not _begin():
 		return
 	var wanted: float = _wanted_tick()
@@ -104,7 +108,7 @@ func _begin() -> bool:
 		and _controls.seat.is_mine()
 		and _controls.has_command(&"drive")
 	)
-	if not is_driving or _slow_s > 0.0:
+	if not is_driving or _slow_s > 0.0 or _is_stale():
 		return false
 	_entity = _controls.seat.entity.id
 	if not _replica.has_body(_entity) or _replica.tick_rate() <= 0.0:
@@ -119,6 +123,11 @@ func _begin() -> bool:
 	add_child(predicted)
 	predicted.tick = roundi(_wanted_tick()) - 1
 	return true
+
+
+## Whether nothing has come from the server for a while.
+func _is_stale() -> bool:
+	return _wanted_tick() - _replica.newest_tick > MAX_AGE_TICKS
 
 
 func _end() -> void:

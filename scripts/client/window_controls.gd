@@ -71,6 +71,11 @@ func _on_quality_chosen(p_name: String) -> void:
 	Quality.use(Quality.find(p_name), get_viewport())
 
 
+## Whether the menu is open, which keys are meant for then.
+func is_menu_open() -> bool:
+	return _menu.is_open()
+
+
 ## The keys, for the line at the bottom.
 func hint() -> String:
 	return KeyGuide.hint(_moves)

@@ -93,7 +93,10 @@ static func _choose_lights(p_torches: Array[Node], p_camera: Camera3D) -> void:
 			)
 	)
 	for place: int in p_torches.size():
-		(p_torches[place] as Torch)._light.visible = place < MAX_LIGHTS
+		var light: SpotLight3D = (p_torches[place] as Torch)._light
+		light.visible = place < MAX_LIGHTS
+		# The others shine through walls: each shadow is drawn anew in every frame.
+		light.shadow_enabled = place == 0
 
 
 func _on_started() -> void:

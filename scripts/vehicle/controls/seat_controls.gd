@@ -27,6 +27,8 @@ const _LOOK_S: float = 0.1
 var reader: DriveReader = DriveReader.new(ControlSettings.new())
 ## Whether the user has a body of his own in the world, whose eyes come first.
 var has_body: bool = false
+## Whether keys and sticks are meant for something else now, such as a menu.
+var hands_off: bool = false
 ## A list that drives instead of hands and feet; null: none.
 var list: DriveScript = null
 ## What the driver does now, as it was sent last.
@@ -71,13 +73,15 @@ func _physics_process(p_delta: float) -> void:
 		if list != null:
 			list.advance(p_delta)
 			list.read(input)
+		elif hands_off:
+			input.clear()
 		else:
 			reader.read(input, p_delta)
 		_send_drive()
 	if has_command(&"aim"):
 		_send_aim(p_delta)
 	_trigger_s += p_delta
-	if _trigger_s > TRIGGER_S and Input.is_action_pressed(&"fire_coax"):
+	if _trigger_s > TRIGGER_S and Input.is_action_pressed(&"fire_coax") and not hands_off:
 		_trigger_s = 0.0
 		_order(&"fire_coax", [1.0])
 
@@ -240,6 +244,8 @@ func _send_aim(p_delta: float) -> void:
 	if view != null and view.kind == SeatView.Kind.SIGHT:
 		# What is magnified is aimed at more finely.
 		aim = aim * aim.abs() / sqrt(view.magnification())
+	if hands_off:
+		aim = Vector2.ZERO
 	aim += _mouse / p_delta * MOUSE_AIM
 	_mouse = Vector2.ZERO
 	aim = aim.clampf(-1.0, 1.0)

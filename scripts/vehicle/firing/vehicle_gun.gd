@@ -283,6 +283,9 @@ func _on_field_changed(p_field: StringName, p_value: float) -> void:
 			loaded = p_value
 		ammunition_field:
 			chosen = clampi(roundi(p_value), 0, maxi(ammunition.size() - 1, 0))
+			# Of as many rounds of another kind there is no news.
+			if rounds_field != &"" and entity.type.find_field(rounds_field) >= 0:
+				_on_field_changed(rounds_field, entity.get_value(rounds_field))
 		rounds_field:
 			if chosen < left.size():
 				left[chosen] = roundi(p_value)
