@@ -81,6 +81,8 @@ def virtual_display(size: str = SIZE) -> Iterator[dict[str, str]]:
                 "LP_NUM_THREADS": "1",
                 # Programs of several displays that share Mesa's cache have ended by SIGBUS in it.
                 "MESA_SHADER_CACHE_DIR": shaders,
+                # The machine's Vulkan drivers may be of another Mesa, which cuts that cache short.
+                "VK_DRIVER_FILES": os.environ.get("VK_DRIVER_FILES", os.devnull),
             }
     finally:
         server.terminate()

@@ -131,9 +131,9 @@ func register(p_gun: VehicleGun) -> void:
 func launch(
 	p_ammunition: Ammunition, p_breech: Vector3, p_muzzle: Vector3, p_velocity: Vector3
 ) -> bool:
-	var is_finite: bool = p_breech.is_finite() and p_muzzle.is_finite() and p_velocity.is_finite()
+	var is_sound: bool = p_breech.is_finite() and p_muzzle.is_finite() and p_velocity.is_finite()
 	var kind: int = kinds.find(p_ammunition)
-	if kind < 0 or not is_finite or p_velocity.length() > MAX_SPEED:
+	if kind < 0 or not is_sound or p_velocity.length() > MAX_SPEED:
 		return false
 	if _flying.size() >= MAX_FLYING:
 		return false

@@ -139,8 +139,8 @@ func _show_shadows(p_is_other: bool, p_bounds: PackedVector4Array) -> void:
 		if has_turned:
 			_way = way
 			surfaces.reach.set_light(way)
-	var is_same: bool = is_all == _has_all_shadows and p_bounds == _bounds
-	if is_same and not (p_is_other or has_turned or _have_props_moved):
+	var is_unchanged: bool = is_all == _has_all_shadows and p_bounds == _bounds
+	if is_unchanged and not (p_is_other or has_turned or _have_props_moved):
 		return
 	_have_props_moved = false
 	_has_all_shadows = is_all

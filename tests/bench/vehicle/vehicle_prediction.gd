@@ -92,8 +92,8 @@ func _begin(p_preset: String, p_kind: VehicleParameters.GearKind) -> void:
 	_predicted.tick = LEAD_TICKS
 
 
-## Full throttle from rest. Returns the ticks until the server's vehicle moves after it was told, the
-## shown one after the input, and the server's in the news after the input.
+## Full throttle from rest. Returns the ticks until the server's vehicle moves after it was told,
+## the shown one after the input, and the server's in the news after the input.
 func _start_up() -> Array[int]:
 	for _step: int in 60:
 		await _advance()
