@@ -55,12 +55,8 @@ func _take(p_seat: Seat) -> void:
 	_seat = p_seat
 	_platform.seat = p_seat
 	_forces.seat = p_seat
-	_forces.state = null
-	var node: Node = p_seat
-	while node != null and _forces.state == null:
-		var vehicle: Vehicle = node as Vehicle
-		_forces.state = vehicle.state if vehicle != null else null
-		node = node.get_parent()
+	var vehicle: Vehicle = Vehicle.find_above(p_seat)
+	_forces.state = vehicle.state if vehicle != null else null
 
 
 func _find_seat() -> Seat:

@@ -61,6 +61,14 @@ func _get_configuration_warnings() -> PackedStringArray:
 	return [] if found == "" else ["Its parameters make no sense: %s." % found]
 
 
+## The vehicle that a node is or stands below, or null.
+static func find_above(p_node: Node) -> Vehicle:
+	var node: Node = p_node
+	while node != null and not node is Vehicle:
+		node = node.get_parent()
+	return node as Vehicle
+
+
 ## Chooses another running gear than the parameters name. The vehicle gets new wheels.
 func set_gear_kind(p_kind: VehicleParameters.GearKind) -> void:
 	_gear_kind = p_kind

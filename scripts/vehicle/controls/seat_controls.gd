@@ -109,16 +109,8 @@ static func find_seat(p_tree: SceneTree) -> Seat:
 	for node: Node in p_tree.get_nodes_in_group(Interactable.GROUP):
 		var found: Seat = node as Seat
 		if found != null and found.entity != null and found.is_mine():
-			return found if vehicle_of(found) != null else null
+			return found if Vehicle.find_above(found) != null else null
 	return null
-
-
-## The vehicle that a node is part of, or null.
-static func vehicle_of(p_node: Node) -> Vehicle:
-	var node: Node = p_node
-	while node != null and not node is Vehicle:
-		node = node.get_parent()
-	return node as Vehicle
 
 
 ## Whether the seat that is taken may give a command.
@@ -163,7 +155,7 @@ func change_seat() -> void:
 static func views_of(p_seat: Seat) -> Array[SeatView]:
 	var own: Array[SeatView] = []
 	var shared: Array[SeatView] = []
-	var within: Vehicle = vehicle_of(p_seat)
+	var within: Vehicle = Vehicle.find_above(p_seat)
 	for node: Node in p_seat.get_tree().get_nodes_in_group(SeatView.GROUP):
 		var each: SeatView = node as SeatView
 		if each.seat == p_seat:
@@ -259,7 +251,7 @@ func _send_aim(p_delta: float) -> void:
 func _take(p_seat: Seat) -> void:
 	seat = p_seat
 	_sits = seat != null
-	vehicle = null if seat == null else vehicle_of(seat)
+	vehicle = null if seat == null else Vehicle.find_above(seat)
 	_entity = null if seat == null else seat.entity
 	reader.clear()
 	if list != null:

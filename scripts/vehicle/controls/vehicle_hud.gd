@@ -39,7 +39,7 @@ func follow(p_controls: SeatControls) -> void:
 
 ## How far it is to what a view looks at, m; 0 where nothing is near enough.
 static func measure_range(p_view: SeatView) -> float:
-	var vehicle: Vehicle = SeatControls.vehicle_of(p_view)
+	var vehicle: Vehicle = Vehicle.find_above(p_view)
 	var from: Vector3 = p_view.global_position
 	var ray: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.create(
 		from, from - p_view.global_basis.z * MAX_RANGE_M, PhysicsLayers.ALL, [vehicle.get_rid()]

@@ -105,14 +105,6 @@ func _get_configuration_warnings() -> PackedStringArray:
 	return []
 
 
-## The first of its kind in a branch, or null.
-static func find_in(p_branch: Node) -> VehicleReplication:
-	for child: Node in p_branch.get_children():
-		if child is VehicleReplication:
-			return child
-	return null
-
-
 func _on_started() -> void:
 	_sent.clear()
 	for name: StringName in NUMBERS + COUNTS:

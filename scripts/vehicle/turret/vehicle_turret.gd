@@ -57,10 +57,7 @@ func _ready() -> void:
 	_rest = transform
 	for shape: CollisionShape3D in shapes:
 		_rests.append(shape.transform)
-	var node: Node = get_parent()
-	while node != null and not node is Vehicle:
-		node = node.get_parent()
-	_vehicle = node as Vehicle
+	_vehicle = Vehicle.find_above(self)
 	if not _configure():
 		Log.error("vehicle", "%s keeps ahead: its rates or limits make no sense" % get_path())
 
@@ -90,10 +87,7 @@ func _get_configuration_warnings() -> PackedStringArray:
 	var warnings: PackedStringArray = []
 	if gun == null:
 		warnings.append("It needs the node that is raised and lowered: choose one for 'Gun'.")
-	var node: Node = get_parent()
-	while node != null and not node is Vehicle:
-		node = node.get_parent()
-	if node == null:
+	if Vehicle.find_above(self) == null:
 		warnings.append("It turns on a Vehicle: put it below one.")
 	if not (pitch_min < pitch_max):
 		warnings.append("'Pitch Min' must be below 'Pitch Max'.")

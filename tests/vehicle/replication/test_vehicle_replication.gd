@@ -20,7 +20,7 @@ func test_every_preset_has_what_it_needs() -> void:
 		var vehicle: Vehicle = VehicleGround.create(preset)
 		var entity: Entity = Entity.find_in(vehicle)
 		equal(entity.type.find_fault(), "", preset)
-		var replication: VehicleReplication = VehicleReplication.find_in(vehicle)
+		var replication: VehicleReplication = vehicle.get_node(^"Replication")
 		equal(replication._get_configuration_warnings(), PackedStringArray(), preset)
 		is_true(ResourceLoader.exists(replication.view_scene), replication.view_scene)
 		var indices: Array[int] = []

@@ -70,15 +70,9 @@ func test_shadows_are_thrown_where_they_fall_on_what_is_drawn() -> void:
 
 
 func test_shadows_that_the_camera_does_not_see_are_not_thrown() -> void:
-	var camera: Camera3D = Camera3D.new()
-	_level.add_child(camera)
-	_surfaces.bake.seen_parts = PackedByteArray([1, 1, 1, 1])
-	_surfaces.bake.seen_cells = PackedByteArray([1, 1, 1, 1])
-	_sun.directional_shadow_max_distance = 60.0
-	var crate: MeshInstance3D = MeshInstance3D.new()
-	crate.mesh = BoxMesh.new()
+	var camera: Camera3D = _open_camera()
 	var prop: Node3D = _prop(Vector3(40.0, 0.5, 12.0))
-	prop.add_child(crate)
+	var crate: MeshInstance3D = _add_crate(prop)
 	var eye: Vector3 = Vector3(25.0, 3.0, 12.0)
 	camera.look_at_from_position(eye, eye + Vector3.RIGHT)
 	_visibility.look_from([eye], camera)
@@ -94,15 +88,9 @@ func test_shadows_that_the_camera_does_not_see_are_not_thrown() -> void:
 
 
 func test_a_prop_that_comes_into_a_picture_that_stays_throws_its_shadow() -> void:
-	var camera: Camera3D = Camera3D.new()
-	_level.add_child(camera)
-	_surfaces.bake.seen_parts = PackedByteArray([1, 1, 1, 1])
-	_surfaces.bake.seen_cells = PackedByteArray([1, 1, 1, 1])
-	_sun.directional_shadow_max_distance = 60.0
-	var crate: MeshInstance3D = MeshInstance3D.new()
-	crate.mesh = BoxMesh.new()
+	var camera: Camera3D = _open_camera()
 	var prop: Node3D = _prop(Vector3(10.0, 0.5, 12.0))
-	prop.add_child(crate)
+	var crate: MeshInstance3D = _add_crate(prop)
 	var eye: Vector3 = Vector3(25.0, 3.0, 12.0)
 	camera.look_at_from_position(eye, eye + Vector3.RIGHT)
 	camera.make_current()
@@ -206,3 +194,20 @@ func _shown(p_meshes: Array[MeshInstance3D]) -> Array[bool]:
 	for mesh: MeshInstance3D in p_meshes:
 		shown.append(mesh.visible)
 	return shown
+
+
+## A camera in a level in which every cell sees every part, with short shadows.
+func _open_camera() -> Camera3D:
+	var camera: Camera3D = Camera3D.new()
+	_level.add_child(camera)
+	_surfaces.bake.seen_parts = PackedByteArray([1, 1, 1, 1])
+	_surfaces.bake.seen_cells = PackedByteArray([1, 1, 1, 1])
+	_sun.directional_shadow_max_distance = 60.0
+	return camera
+
+
+func _add_crate(p_prop: Node3D) -> MeshInstance3D:
+	var crate: MeshInstance3D = MeshInstance3D.new()
+	crate.mesh = BoxMesh.new()
+	p_prop.add_child(crate)
+	return crate
