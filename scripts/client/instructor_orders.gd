@@ -34,7 +34,7 @@ func _init(p_text: String = "") -> void:
 		var order: PackedStringArray = part.strip_edges().split(":", true, 1)
 		if order.size() != 2 or not _is_known(order[0]):
 			var others: Array = (
-				[CALIBRATE + "KIND", WORLD] + Array(CONDITIONS) + ThingOrders.COMMANDS.keys()
+				[CALIBRATE + "KIND", WORLD] + Array(CONDITIONS) + Array(ThingOrders.COMMANDS)
 			)
 			var known: String = ", ".join(STATES.keys() + others)
 			error = "an order is one of %s, a colon and a name or *, found '%s'" % [known, part]

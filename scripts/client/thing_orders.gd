@@ -3,11 +3,8 @@ extends RefCounted
 ## What an instructor has done with things of the level, by their names: a vehicle put upright,
 ## repaired. Each is a command of the thing's entity, which the server takes from instructors only.
 
-## The orders, which are commands of entities, and what they do.
-const COMMANDS: Dictionary[String, String] = {
-	"upright": "put a vehicle on its wheels or tracks again",
-	"repair": "make a vehicle whole again",
-}
+## The orders, which are commands of entities: [InstructorConsole] says what each does.
+const COMMANDS: PackedStringArray = ["upright", "repair"]
 
 var _replica: WorldReplica = null
 var _entities: ClientEntities = null
