@@ -97,12 +97,14 @@ func test_the_way_in_and_out_ends() -> void:
 func test_people_who_started_on_high_ground_sit_as_high_as_others() -> void:
 	var start: Transform3D = Transform3D(Basis(Vector3.UP, 1.0), Vector3(2.0, -4.0, 1.0))
 	_carrier.position.y = -4.0
+	# Two who are in one place push each other aside.
+	_people.set_people(7, [PersonCard.of("Ada", HIPS)], "Ada")
+	_people.settle()
 	for seat: Seat in [_add(HoldingSeat.new()), _add(Seat.new())] as Array[Seat]:
 		_people.enter([start])
 		await _wait(20)
 		_people.attach(7, 1024, _carrier, seat)
 		await _wait(150)
-		# Two who are in one place push each other aside.
 		almost_equal(_hips(0).y, HIPS - 4.0, 0.06)
 		_people.detach(7)
 		await _wait(150)
