@@ -34,6 +34,11 @@ static func set_wetness(p_wetness: float) -> void:
 	RenderingServer.global_shader_parameter_set(&"light_wetness", clampf(p_wetness, 0.0, 1.0))
 
 
+## Sets where the light of sun or moon comes from: a unit vector towards it, in the world.
+static func set_direction(p_towards: Vector3) -> void:
+	RenderingServer.global_shader_parameter_set(&"light_direction", p_towards)
+
+
 ## Sets the share of light that the air takes, per m.
 static func set_fog(p_density: float) -> void:
 	RenderingServer.global_shader_parameter_set(&"light_fog", p_density)

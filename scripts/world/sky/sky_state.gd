@@ -69,6 +69,9 @@ const _SKY_GAIN: float = 1.75
 ## Share of the sun's light that open ground throws back upwards.
 const _BOUNCE: float = 1.0
 
+## Wind of a sandstorm, m/s.
+const _STORM: Vector3 = Vector3(7.0, 0.0, 2.5)
+
 ## Towards the sun, and towards the moon.
 var sun: Vector3 = Vector3.UP
 var moon: Vector3 = Vector3.DOWN
@@ -130,6 +133,11 @@ static func at(
 static func direction_at(p_hours: float, p_height: float) -> Vector3:
 	var turn: float = (p_hours - 12.0) / 12.0 * PI
 	return Vector3(-sin(turn), cos(turn) * sin(p_height), cos(turn) * cos(p_height))
+
+
+## The wind, m/s, in the world: a breeze, more in rain, a storm in flying dust.
+func wind() -> Vector3:
+	return Vector3(0.9, 0.0, 0.4).lerp(Vector3(1.8, 0.0, 0.8), rain).lerp(_STORM, dust)
 
 
 func _set_clear_sky() -> void:

@@ -252,6 +252,8 @@ func _apply_light() -> void:
 	]
 	WorldLight.set_strengths(strengths)
 	WorldLight.set_wetness(state.wetness)
+	WorldLight.set_direction(state.light)
+	RenderingServer.global_shader_parameter_set(&"wind", state.wind())
 
 
 func _apply_air() -> void:
