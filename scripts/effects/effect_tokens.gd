@@ -1,0 +1,84 @@
+class_name EffectTokens
+extends RefCounted
+## The words and signs of an effect's code, without comments, each with where it stands.
+
+## Code beyond this is not looked at: [member too_many] is true.
+const MAX_TOKENS: int = 6000
+
+const _COMMENT: String = "//[^\\n]*|/\\*[\\s\\S]*?(?:\\*/|$)"
+const _TOKEN: String = (
+	"[A-Za-z_]\\w*|\\d[\\w.]*|\\.\\d\\w*|<<=|>>=|\\+\\+|--|<<|>>|&&|\\|\\||[<>=!+\\-*/%&|^]=|\\S"
+)
+
+static var _comments: RegEx = RegEx.create_from_string(_COMMENT)
+static var _tokens: RegEx = RegEx.create_from_string(_TOKEN)
+
+var words: PackedStringArray = []
+var too_many: bool = false
+## The text with comments blanked out: every character keeps its place.
+var bare: String = ""
+
+var _starts: PackedInt32Array = []
+
+
+func _init(p_text: String) -> void:
+	bare = _without_comments(p_text)
+	for found: RegExMatch in _tokens.search_all(bare):
+		if words.size() == MAX_TOKENS:
+			too_many = true
+			break
+		words.append(found.get_string())
+		_starts.append(found.get_start())
+
+
+func size() -> int:
+	return words.size()
+
+
+## The token at an index, or an empty text beyond the ends.
+func at(p_index: int) -> String:
+	return words[p_index] if p_index >= 0 and p_index < words.size() else ""
+
+
+## Where a token begins in the text.
+func start(p_index: int) -> int:
+	return _starts[p_index]
+
+
+## The line of a token, from 1.
+func line(p_index: int) -> int:
+	return bare.count("\n", 0, _starts[p_index]) + 1 if _starts[p_index] > 0 else 1
+
+
+## The index of the bracket that closes the one at [param p_open]; -1 if none does.
+func closing(p_open: int) -> int:
+	var depth: int = 0
+	for i: int in range(p_open, words.size()):
+		match words[i]:
+			"(", "[", "{":
+				depth += 1
+			")", "]", "}":
+				depth -= 1
+				if depth == 0:
+					return i
+	return -1
+
+
+## Whether a token is a name or a keyword.
+func is_word(p_index: int) -> bool:
+	var token: String = at(p_index)
+	return token != "" and token.is_valid_ascii_identifier()
+
+
+static func _without_comments(p_text: String) -> String:
+	var parts: PackedStringArray = []
+	var from: int = 0
+	for found: RegExMatch in _comments.search_all(p_text):
+		parts.append(p_text.substr(from, found.get_start() - from))
+		var lines: PackedStringArray = found.get_string().split("\n")
+		for i: int in lines.size():
+			lines[i] = " ".repeat(lines[i].length())
+		parts.append("\n".join(lines))
+		from = found.get_end()
+	parts.append(p_text.substr(from))
+	return "".join(parts)
