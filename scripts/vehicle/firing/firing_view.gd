@@ -114,7 +114,7 @@ func _raise_dust(p_muzzle: Vector3) -> void:
 	if hit.is_empty():
 		return
 	var place: Vector3 = hit["position"]
-	var surface: StringName = GroundProbe.surface_at(hit["collider"], place)
+	var surface: StringName = StringName(ContactMaterial.at(hit["collider"], place).key)
 	var share: float = GroundLooks.dust_of(surface)
 	if share > 0.05:
 		var normal: Vector3 = hit["normal"]

@@ -301,5 +301,5 @@ static func _surface_of(p_collider: Object, p_place: Vector3, p_what: Struck) ->
 		Struck.VEHICLE:
 			return &"metal"
 		Struck.PERSON:
-			return &"person"
-	return GroundProbe.surface_at(p_collider, p_place)
+			return ContactMaterial.PERSON
+	return StringName(ContactMaterial.at(p_collider, p_place).key)

@@ -67,15 +67,4 @@ func surface_of(p_wheel: int) -> StringName:
 	var collider: Object = _colliders[p_wheel] if touching[p_wheel] == 1 else null
 	if not is_instance_valid(collider):
 		return ContactMaterial.NO_KEY
-	return surface_at(collider, points[p_wheel])
-
-
-## What a body of the level is made of at a place.
-static func surface_at(p_collider: Object, p_place: Vector3) -> StringName:
-	if p_collider is Terrain:
-		return (p_collider as Terrain).surface_at(p_place)
-	if p_collider is Block:
-		return SurfaceLayers.key_of((p_collider as Block).surface)
-	if p_collider is PhysicsBody3D:
-		return ContactMaterial.key_of(p_collider as PhysicsBody3D)
-	return ContactMaterial.NO_KEY
+	return StringName(ContactMaterial.at(collider, points[p_wheel]).key)

@@ -27,6 +27,10 @@ extends KitBlock
 		rebuild()
 
 
+func contact_key() -> StringName:
+	return SurfaceLayers.key_of(surface)
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	p_mesh.box(size * -0.5, size * 0.5, surface, tint, 0, true)
 

@@ -47,6 +47,11 @@ func get_parts() -> Array[StringName]:
 	return [OUTSIDE]
 
 
+## Key of the [ContactMaterial] of its solid boxes: how it rubs, sounds and raises dust.
+func contact_key() -> StringName:
+	return ContactMaterial.NO_KEY
+
+
 ## Whether the block is large enough to be hidden and lit apart from its neighbours.
 func stands_alone() -> bool:
 	return false
@@ -80,6 +85,9 @@ func rebuild() -> void:
 	_is_pending = false
 	if not is_inside_tree():
 		return
+	# The editor would save it in every scene.
+	if not Engine.is_editor_hint() and _has_kit_material():
+		physics_material_override = ContactMaterial.named(contact_key())
 	_remove_made()
 	var mesh: BlockMesh = make_mesh(not _shows_itself())
 	for part: StringName in get_parts():
@@ -100,6 +108,10 @@ static func make_mesh(p_solids_only: bool) -> BlockMesh:
 	mesh.set_solids_only(p_solids_only)
 	mesh.set_dust(0.0, 0.0)
 	return mesh
+
+
+func _has_kit_material() -> bool:
+	return physics_material_override == null or physics_material_override is ContactMaterial
 
 
 func _shows_itself() -> bool:

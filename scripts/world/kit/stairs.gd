@@ -46,6 +46,10 @@ extends KitBlock
 		rebuild()
 
 
+func contact_key() -> StringName:
+	return SurfaceLayers.key_of(surface)
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	for box: AABB in _boxes():
 		p_mesh.box(box.position, box.end, surface, tint, 0, true)

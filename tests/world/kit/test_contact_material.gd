@@ -1,5 +1,5 @@
 extends TestCase
-## What things are made of: keys of sounds and dust.
+## What things are made of: friction, dust and sounds by a key.
 
 
 func test_the_kits_materials_have_the_key_of_their_name() -> void:
@@ -8,6 +8,15 @@ func test_the_kits_materials_have_the_key_of_their_name() -> void:
 		equal(material.key, file.get_basename())
 		is_true(material.friction > 0.0)
 	is_null(ContactMaterial.find(&"../../x"))
+	equal(ContactMaterial.named(&"../../x").key, String(ContactMaterial.NO_KEY))
+
+
+func test_every_surface_has_a_material() -> void:
+	for layer: int in SurfaceLayers.KEY.size():
+		var key: StringName = SurfaceLayers.key_of(layer)
+		equal(ContactMaterial.named(key).key, String(key))
+	for key: StringName in HeightField.KEYS:
+		equal(ContactMaterial.named(key).key, String(key))
 
 
 func test_bodies_say_what_they_are_made_of() -> void:
@@ -23,3 +32,23 @@ func test_bodies_say_what_they_are_made_of() -> void:
 	var bare: StaticBody3D = StaticBody3D.new()
 	equal(ContactMaterial.key_of(bare), ContactMaterial.NO_KEY)
 	bare.free()
+
+
+func test_a_block_rubs_as_its_surface_does() -> void:
+	var block: Block = Block.new()
+	block.surface = SurfaceLayers.Layer.STEEL
+	add_child(block)
+	equal(ContactMaterial.at(block, Vector3.ZERO).key, "metal")
+	equal(block.physics_material_override, ContactMaterial.find(&"metal"))
+	block.surface = SurfaceLayers.Layer.SAND
+	equal(block.physics_material_override, ContactMaterial.find(&"sand"))
+	almost_equal(ContactMaterial.at(block, Vector3.ZERO).dust, 1.0, 1e-6)
+
+
+func test_a_designers_own_material_stays() -> void:
+	var block: Block = Block.new()
+	var ice: PhysicsMaterial = PhysicsMaterial.new()
+	ice.friction = 0.05
+	block.physics_material_override = ice
+	add_child(block)
+	equal(block.physics_material_override, ice)

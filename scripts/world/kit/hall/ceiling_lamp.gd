@@ -26,6 +26,10 @@ extends KitBlock
 		queue_rebuild()
 
 
+func contact_key() -> StringName:
+	return &"metal"
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	var paint: int = Steelwork.PAINT
 	var iron: int = SurfaceTints.Tint.BLACK

@@ -38,6 +38,10 @@ const _UP_M: float = 0.004
 		queue_rebuild()
 
 
+func contact_key() -> StringName:
+	return &"concrete"
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	var half: Vector2 = size / 2.0
 	match shape:

@@ -62,6 +62,10 @@ func _get_configuration_warnings() -> PackedStringArray:
 	return warnings
 
 
+func contact_key() -> StringName:
+	return &"metal"
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	var deck: Vector3 = Vector3(size.x, size.y, 0.0)
 	p_mesh.box(

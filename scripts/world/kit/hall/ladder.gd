@@ -27,6 +27,10 @@ const _HALF: float = 0.23
 		queue_rebuild()
 
 
+func contact_key() -> StringName:
+	return &"metal"
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	var paint: int = Steelwork.PAINT
 	var top: float = height + 1.0

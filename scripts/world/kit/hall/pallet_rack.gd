@@ -35,6 +35,10 @@ const _DEEP_M: float = 1.1
 		queue_rebuild()
 
 
+func contact_key() -> StringName:
+	return &"metal"
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	var dice: RandomNumberGenerator = RandomNumberGenerator.new()
 	dice.seed = variant

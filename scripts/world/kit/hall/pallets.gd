@@ -21,6 +21,10 @@ extends KitBlock
 		queue_rebuild()
 
 
+func contact_key() -> StringName:
+	return &"wood"
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	var dice: RandomNumberGenerator = RandomNumberGenerator.new()
 	dice.seed = variant

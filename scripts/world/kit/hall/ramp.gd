@@ -35,6 +35,10 @@ func _get_configuration_warnings() -> PackedStringArray:
 	return warnings
 
 
+func contact_key() -> StringName:
+	return SurfaceLayers.key_of(surface)
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	const THICK: float = 0.3
 	var half: float = size.x / 2.0

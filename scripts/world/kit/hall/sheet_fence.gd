@@ -23,6 +23,10 @@ const _POSTS_M: float = 2.5
 		queue_rebuild()
 
 
+func contact_key() -> StringName:
+	return &"metal"
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	var iron: int = SurfaceTints.Tint.IRON
 	p_mesh.set_dust(0.7, p_mesh.get_place().origin.y)

@@ -22,6 +22,10 @@ const _POST: float = 0.16
 		queue_rebuild()
 
 
+func contact_key() -> StringName:
+	return &"metal"
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	var half: Vector3 = SIZE / 2.0
 	_add_walls(p_mesh, half)

@@ -93,6 +93,10 @@ func stands_alone() -> bool:
 	return true
 
 
+func contact_key() -> StringName:
+	return &"concrete"
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	_add_floor(p_mesh)
 	var place: Transform3D = p_mesh.get_place()

@@ -50,6 +50,10 @@ func _get_configuration_warnings() -> PackedStringArray:
 	return warnings
 
 
+func contact_key() -> StringName:
+	return &"metal"
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	var half: float = width / 2.0
 	var top: Vector3 = Vector3(0.0, rise * steps, -going * steps)

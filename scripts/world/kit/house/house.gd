@@ -121,6 +121,10 @@ func get_lamps() -> Array[LampLight]:
 	return lamps
 
 
+func contact_key() -> StringName:
+	return &"plaster"
+
+
 func build(p_mesh: BlockMesh, p_part: StringName) -> void:
 	var made: HousePlan = plan()
 	var base: Transform3D = p_mesh.get_place()

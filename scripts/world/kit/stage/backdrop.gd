@@ -43,6 +43,10 @@ func _get_configuration_warnings() -> PackedStringArray:
 	return warnings
 
 
+func contact_key() -> StringName:
+	return &"cloth"
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	var half: float = maxf(depth, 0.03)
 	p_mesh.solid(Vector3(-size.x / 2.0, 0.0, -half), Vector3(size.x / 2.0, size.y, half))

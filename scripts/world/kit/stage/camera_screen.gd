@@ -76,6 +76,10 @@ func _process(p_delta: float) -> void:
 	take_picture()
 
 
+func contact_key() -> StringName:
+	return &"metal"
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	var half: Vector2 = size / 2.0
 	var rim: Vector2 = half + Vector2.ONE * _FRAME_M

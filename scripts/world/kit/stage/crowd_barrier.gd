@@ -20,6 +20,10 @@ const _HIGH_M: float = 1.2
 		queue_rebuild()
 
 
+func contact_key() -> StringName:
+	return &"metal"
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	var panels: int = maxi(1, roundi(length / _PANEL_M))
 	var wide: float = length / panels

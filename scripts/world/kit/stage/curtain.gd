@@ -37,6 +37,10 @@ extends KitBlock
 		queue_rebuild()
 
 
+func contact_key() -> StringName:
+	return SurfaceLayers.key_of(surface)
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	Drapery.new(size, fold, depth).build(p_mesh, surface, tint)
 	if is_solid:

@@ -20,6 +20,10 @@ const _EDGE_M: float = 0.03
 		queue_rebuild()
 
 
+func contact_key() -> StringName:
+	return &"wood"
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	var half: Vector3 = size / 2.0
 	var low: Vector3 = Vector3(-half.x, _WHEEL_M, -half.z)

@@ -23,6 +23,10 @@ const _BOX: Vector3 = Vector3(1.1, 0.34, 0.55)
 		queue_rebuild()
 
 
+func contact_key() -> StringName:
+	return &"wood"
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	var place: Transform3D = p_mesh.get_place()
 	var hinge: Transform3D = Transform3D.IDENTITY

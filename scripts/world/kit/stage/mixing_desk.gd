@@ -15,6 +15,10 @@ const _HIGH_M: float = 0.76
 		queue_rebuild()
 
 
+func contact_key() -> StringName:
+	return &"metal"
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	var half: float = width / 2.0
 	var black: int = SurfaceTints.Tint.BLACK

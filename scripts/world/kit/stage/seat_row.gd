@@ -22,6 +22,10 @@ extends KitBlock
 		queue_rebuild()
 
 
+func contact_key() -> StringName:
+	return &"wood"
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	var place: Transform3D = p_mesh.get_place()
 	for seat: int in count:

@@ -93,6 +93,10 @@ func _process(p_delta: float) -> void:
 		_head.rotation = Vector3(cos(turn) * wide * 0.4, sin(turn) * wide, 0.0)
 
 
+func contact_key() -> StringName:
+	return &"metal"
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	var paint: int = Steelwork.PAINT
 	var black: int = SurfaceTints.Tint.BLACK

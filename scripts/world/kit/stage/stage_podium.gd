@@ -30,6 +30,10 @@ func stands_alone() -> bool:
 	return true
 
 
+func contact_key() -> StringName:
+	return &"wood"
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	var half: Vector3 = Vector3(size.x / 2.0, 0.0, size.z / 2.0)
 	p_mesh.solid(-half, half + Vector3.UP * size.y)

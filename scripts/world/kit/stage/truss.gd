@@ -25,6 +25,10 @@ const _BRACE_M: float = 0.012
 		queue_rebuild()
 
 
+func contact_key() -> StringName:
+	return &"metal"
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	var half: float = edge / 2.0
 	var corners: Array[Vector3] = [

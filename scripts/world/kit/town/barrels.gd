@@ -19,6 +19,10 @@ const _RADIUS: float = 0.29
 		rebuild()
 
 
+func contact_key() -> StringName:
+	return &"metal"
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	for number: int in count:
 		var z: float = -0.62 * (number / 3) - 0.05 * (number % 2)

@@ -30,6 +30,10 @@ func stands_alone() -> bool:
 	return true
 
 
+func contact_key() -> StringName:
+	return &"plaster"
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	var plaster: int = SurfaceLayers.Layer.PLASTER
 	var stone: int = SurfaceLayers.Layer.CONCRETE

@@ -25,6 +25,10 @@ const _PARTS: int = 7
 		rebuild()
 
 
+func contact_key() -> StringName:
+	return &"wood"
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	var bark: int = SurfaceLayers.Layer.BARK
 	var last: Vector3 = Vector3.ZERO

@@ -95,6 +95,10 @@ func _get_configuration_warnings() -> PackedStringArray:
 	return warnings
 
 
+func contact_key() -> StringName:
+	return SurfaceLayers.key_of(_LAYERS[surface])
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	var half: float = size.x / 2.0
 	p_mesh.box(

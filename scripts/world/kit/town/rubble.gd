@@ -21,6 +21,10 @@ extends KitBlock
 		rebuild()
 
 
+func contact_key() -> StringName:
+	return SurfaceLayers.key_of(surface)
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	var dice: RandomNumberGenerator = RandomNumberGenerator.new()
 	dice.seed = seed_of_place()

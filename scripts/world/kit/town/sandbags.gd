@@ -19,6 +19,10 @@ const _INSET: Vector3 = Vector3(0.025, 0.0, 0.035)
 		rebuild()
 
 
+func contact_key() -> StringName:
+	return &"cloth"
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	var dice: RandomNumberGenerator = RandomNumberGenerator.new()
 	dice.seed = seed_of_place()

@@ -28,6 +28,10 @@ const _FRUIT: Array[int] = [
 		rebuild()
 
 
+func contact_key() -> StringName:
+	return &"wood"
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	var wood: int = SurfaceLayers.Layer.WOOD
 	var plain: int = SurfaceTints.Tint.PLAIN

@@ -21,6 +21,10 @@ extends KitBlock
 		rebuild()
 
 
+func contact_key() -> StringName:
+	return &"metal"
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	var wood: int = SurfaceLayers.Layer.WOOD
 	var steel: int = SurfaceLayers.Layer.STEEL

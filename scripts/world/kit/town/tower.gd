@@ -25,6 +25,10 @@ func stands_alone() -> bool:
 	return true
 
 
+func contact_key() -> StringName:
+	return &"plaster"
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	var pale: int = SurfaceLayers.Layer.PLASTER_PALE
 	var corner: Vector3 = Vector3(_HALF, height, _HALF)

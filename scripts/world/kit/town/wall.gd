@@ -57,6 +57,10 @@ func _get_configuration_warnings() -> PackedStringArray:
 	return warnings
 
 
+func contact_key() -> StringName:
+	return SurfaceLayers.key_of(surface)
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	p_mesh.set_dust(sand, p_mesh.get_place().origin.y)
 	if ruin > 0.0:

@@ -30,6 +30,10 @@ const _TINTS: Array[int] = [
 		rebuild()
 
 
+func contact_key() -> StringName:
+	return &"metal"
+
+
 func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 	var steel: int = SurfaceLayers.Layer.STEEL
 	var black: int = SurfaceTints.Tint.BLACK
