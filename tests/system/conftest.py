@@ -93,6 +93,14 @@ class Process:
         self.process.terminate()
         return self.await_exit()
 
+    def describe(self) -> str:
+        """How it is and what it has said last, for whoever looks for the reason of a failure."""
+        code = self.process.poll()
+        state = f"ended with {code}" if code is not None else "runs"
+        waits = [] if code is not None else thread_states(self.process.pid)
+        last = self.log().splitlines()[-40:]
+        return "\n".join([f"--- {self.log_file.name}: {state}", *waits, *last])
+
     def kill(self) -> None:
         if self.process.poll() is None:
             self.process.kill()
@@ -170,7 +178,25 @@ class World:
 
     def close(self) -> None:
         for process in self.processes:
+            # pytest shows it where a test has failed.
+            print(process.describe())
             process.kill()
+
+
+def thread_states(pid: int) -> list[str]:
+    """What each thread of a process does: whether it runs, or in which call it waits."""
+    lines = []
+    for task in sorted(Path(f"/proc/{pid}/task").glob("*")):
+        try:
+            # The state comes after the name, which may itself have brackets.
+            rest = (task / "stat").read_text().rpartition(")")[2].split()
+            name = (task / "comm").read_text().strip()
+            waits = (task / "wchan").read_text().strip()
+        except OSError:
+            continue  # It has just ended.
+        ticks = int(rest[11]) + int(rest[12])
+        lines.append(f"    thread {task.name} {name}: {rest[0]} in '{waits}', {ticks} ticks")
+    return lines
 
 
 @pytest.fixture
