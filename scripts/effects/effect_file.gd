@@ -15,21 +15,31 @@ const MAX_NAME: int = 40
 const MAX_PROBLEMS: int = 20
 ## A uniform of every effect: if the compiler does not list it, it has not understood the code.
 const MARK: String = "effect_compiled"
-## Stands on the line of [code]shader_type[/code], so that the compiler counts lines as the file
-## does.
-const HELPERS: String = (
-	"uniform float effect_compiled; global uniform vec3 wind; "
-	+ "uint effect_hash(uint x) { x ^= x >> 16u; x *= 0x7feb352du; x ^= x >> 15u; "
-	+ "x *= 0x846ca68bu; return x ^ (x >> 16u); } "
-	+ "float rnd(inout uint s) { s = effect_hash(s + 0x9e3779b9u); "
-	+ "return float(s >> 8u) / 16777216.0; } "
-	+ "float rnd_range(inout uint s, float a, float b) { return mix(a, b, rnd(s)); } "
-	+ "vec3 rnd_sphere(inout uint s) { float z = rnd(s) * 2.0 - 1.0; "
-	+ "float a = rnd(s) * 6.2831853; float r = sqrt(max(1.0 - z * z, 0.0)); "
-	+ "return vec3(r * cos(a), r * sin(a), z); } "
-	+ "mat4 at(vec3 p, float size) { return mat4(vec4(size, 0.0, 0.0, 0.0), "
-	+ "vec4(0.0, size, 0.0, 0.0), vec4(0.0, 0.0, size, 0.0), vec4(p, 1.0)); } "
-)
+## What the code may use, and what it stands for. It is put onto the line of
+## [code]shader_type[/code], so that the compiler counts lines as the file does, and only what is
+## used is: less to compile.
+const HELPERS: Dictionary[String, String] = {
+	"wind": "global uniform vec3 wind; ",
+	"rnd":
+	(
+		"uint effect_hash(uint x) { x ^= x >> 16u; x *= 0x7feb352du; x ^= x >> 15u; "
+		+ "x *= 0x846ca68bu; return x ^ (x >> 16u); } "
+		+ "float rnd(inout uint s) { s = effect_hash(s + 0x9e3779b9u); "
+		+ "return float(s >> 8u) / 16777216.0; } "
+	),
+	"rnd_range": "float rnd_range(inout uint s, float a, float b) { return mix(a, b, rnd(s)); } ",
+	"rnd_sphere":
+	(
+		"vec3 rnd_sphere(inout uint s) { float z = rnd(s) * 2.0 - 1.0; "
+		+ "float a = rnd(s) * 6.2831853; float r = sqrt(max(1.0 - z * z, 0.0)); "
+		+ "return vec3(r * cos(a), r * sin(a), z); } "
+	),
+	"at":
+	(
+		"mat4 at(vec3 p, float size) { return mat4(vec4(size, 0.0, 0.0, 0.0), "
+		+ "vec4(0.0, size, 0.0, 0.0), vec4(0.0, 0.0, size, 0.0), vec4(p, 1.0)); } "
+	),
+}
 
 static var _colours: RegEx = RegEx.create_from_string("(:\\s*)?\\bsource_color\\b(\\s*,)?")
 static var _name: RegEx = RegEx.create_from_string("^[a-z][a-z0-9_]{0,39}$")
@@ -100,7 +110,7 @@ func code() -> String:
 	if found == null:
 		return text
 	var end: int = found.get_end()
-	return text.left(end) + " " + HELPERS + settings.helpers() + _without_hints(text.substr(end))
+	return text.left(end) + _helpers() + _without_hints(text.substr(end))
 
 
 ## The first problem as "line 3: ..."; empty if there is none.
@@ -125,6 +135,15 @@ static func _without_hints(p_code: String) -> String:
 func _add(p_problem: EffectProblem) -> void:
 	if problems.size() < MAX_PROBLEMS:
 		problems.append(p_problem)
+
+
+func _helpers() -> String:
+	var helpers: String = " uniform float %s; " % MARK
+	for name: String in HELPERS:
+		# "rnd" is part of every name that uses it; so is start_speed's.
+		if text.contains(name) or (name == "rnd" and text.contains("start_speed")):
+			helpers += HELPERS[name]
+	return helpers + settings.helpers(text)
 
 
 func _read() -> void:

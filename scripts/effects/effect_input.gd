@@ -2,7 +2,8 @@ class_name EffectInput
 extends RefCounted
 ## A number that the emitter of an effect sets while it runs, such as the revolutions of an engine.
 ##
-## In the file: [code]// @input NAME FROM TO DEFAULT what it is[/code]. The code reads it by its name.
+## In the file: [code]// @input NAME FROM TO DEFAULT what it is[/code]. The code reads it by its
+## name.
 
 ## The name in the code.
 var name: String = ""

@@ -47,7 +47,11 @@ var error: String = ""
 
 
 static func number(
-	p_name: String, p_default: float, p_minimum: float, p_maximum: float, p_suffix: String,
+	p_name: String,
+	p_default: float,
+	p_minimum: float,
+	p_maximum: float,
+	p_suffix: String,
 	p_meaning: String
 ) -> EffectKey:
 	var key: EffectKey = _make(p_name, Kind.NUMBER, p_default, p_meaning)
@@ -65,8 +69,12 @@ static func whole(
 
 ## Several numbers; [param p_count] says how many, at least and at most.
 static func numbers(
-	p_name: String, p_default: PackedFloat64Array, p_bounds: Vector2, p_suffix: String,
-	p_count: Vector2i, p_meaning: String
+	p_name: String,
+	p_default: PackedFloat64Array,
+	p_bounds: Vector2,
+	p_suffix: String,
+	p_count: Vector2i,
+	p_meaning: String
 ) -> EffectKey:
 	var key: EffectKey = _make(p_name, Kind.NUMBERS, p_default, p_meaning)
 	key._bound(p_bounds.x, p_bounds.y, p_suffix)
@@ -192,8 +200,10 @@ func _read_number(p_word: String) -> Variant:
 	# Not the other way round: what is no number at all fails every comparison.
 	if not (value >= minimum and value <= maximum):
 		return _fail(
-			"'%s' lies between %s and %s%s, not at %s."
-			% [name, _text(minimum), _text(maximum), _unit(), p_word.left(20)]
+			(
+				"'%s' lies between %s and %s%s, not at %s."
+				% [name, _text(minimum), _text(maximum), _unit(), p_word.left(20)]
+			)
 		)
 	if kind != Kind.WHOLE:
 		return value

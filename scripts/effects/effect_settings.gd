@@ -78,22 +78,29 @@ func draws_like(p_other: EffectSettings) -> bool:
 	return true
 
 
-## What the settings give to the code, on one line.
-func helpers() -> String:
+## What the settings give to the code that uses it, on one line.
+func helpers(p_code: String) -> String:
 	var text: String = ""
 	for input: EffectInput in inputs:
 		text += input.declaration()
-	text += (
-		"float start_speed(inout uint s) { return mix(%f, %f, rnd(s)); } " % [speed[0], speed[1]]
-		+ "vec3 gravity() { return vec3(0.0, %f, 0.0); } " % (-9.81 * weight)
-	)
-	var sizes: PackedStringArray = []
-	for step: float in size:
-		sizes.append("%f" % step)
-	var colours: PackedStringArray = []
-	for step: Color in colour:
-		colours.append("vec4(%f, %f, %f, %f)" % [step.r, step.g, step.b, step.a])
-	return text + _over_life("float size", sizes) + _over_life("vec4 colour", colours)
+	if p_code.contains("start_speed"):
+		text += (
+			"float start_speed(inout uint s) { return mix(%f, %f, rnd(s)); } "
+			% [speed[0], speed[1]]
+		)
+	if p_code.contains("gravity"):
+		text += "vec3 gravity() { return vec3(0.0, %f, 0.0); } " % (-9.81 * weight)
+	if p_code.contains("size_over_life"):
+		var steps: PackedStringArray = []
+		for step: float in size:
+			steps.append("%f" % step)
+		text += _over_life("float size", steps)
+	if p_code.contains("colour_over_life"):
+		var steps: PackedStringArray = []
+		for step: Color in colour:
+			steps.append("vec4(%f, %f, %f, %f)" % [step.r, step.g, step.b, step.a])
+		text += _over_life("vec4 colour", steps)
+	return text
 
 
 ## A function that goes through values that are evenly spread over the life, without a loop.
@@ -119,14 +126,22 @@ static func _motion_keys() -> Array[EffectKey]:
 		EffectKey.whole("count", 200, 1, MAX_COUNT, "how many particles there are at once"),
 		EffectKey.number("life", 1.0, 0.02, 60.0, "s", "how long a particle lives"),
 		EffectKey.numbers(
-			"speed", [0.0, 0.0], Vector2(-1000, 1000), "m/s", Vector2i(2, 2),
+			"speed",
+			[0.0, 0.0],
+			Vector2(-1000, 1000),
+			"m/s",
+			Vector2i(2, 2),
 			"lowest and highest speed at birth: start_speed(s)"
 		),
 		EffectKey.number(
 			"weight", 0.0, -20.0, 20.0, "", "1 falls like a stone, 0 floats, -1 rises: gravity()"
 		),
 		EffectKey.numbers(
-			"size", [1.0], Vector2(0, 100), "m", steps,
+			"size",
+			[1.0],
+			Vector2(0, 100),
+			"m",
+			steps,
 			"sizes from birth to death: size_over_life(age)"
 		),
 		EffectKey.colours(
@@ -147,19 +162,26 @@ static func _look_keys() -> Array[EffectKey]:
 	return [
 		EffectKey.choice("texture", TEXTURES, "the picture of a particle"),
 		EffectKey.choice(
-			"blend", ["alpha", "add", "fire"], "alpha hides what is behind, add shines, fire does both"
+			"blend",
+			["alpha", "add", "fire"],
+			"alpha hides what is behind, add shines, fire does both"
 		),
 		EffectKey.choice(
 			"topology", ["quad", "triangle"], "triangle is cheaper where particles are tiny"
 		),
 		EffectKey.choice(
-			"facing", ["viewer", "velocity", "none"],
+			"facing",
+			["viewer", "velocity", "none"],
 			"viewer turns to the camera, velocity is a streak, none is as TRANSFORM says"
 		),
 		EffectKey.choice("light", ["none", "sun"], "sun lights it by the sun and the sky"),
 		EffectKey.number("soft", 0.0, 0.0, 10.0, "m", "fades this close in front of what is solid"),
 		EffectKey.numbers(
-			"fade", [0.0, 0.0], Vector2(0, 10000), "m", Vector2i(2, 2),
+			"fade",
+			[0.0, 0.0],
+			Vector2(0, 10000),
+			"m",
+			Vector2i(2, 2),
 			"distances at which it begins to fade and is gone"
 		),
 		EffectKey.number("glow", 1.0, 0.0, 20.0, "", "how much brighter than its colour it shines"),

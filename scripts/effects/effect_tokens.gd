@@ -5,30 +5,57 @@ extends RefCounted
 ## Code beyond this is not looked at: [member too_many] is true.
 const MAX_TOKENS: int = 6000
 
+## Tokens that say how code is built; the others are only counted.
+const MARKS: Dictionary[String, bool] = {
+	"(": true,
+	")": true,
+	"[": true,
+	"]": true,
+	"{": true,
+	"}": true,
+	";": true,
+	"#": true,
+	"@": true,
+	"for": true,
+	"while": true,
+	"do": true,
+	"else": true,
+	"const": true,
+	"struct": true,
+	"out": true,
+	"inout": true,
+}
+
 const _COMMENT: String = "//[^\\n]*|/\\*[\\s\\S]*?(?:\\*/|$)"
 const _TOKEN: String = (
-	"[A-Za-z_]\\w*|\\d[\\w.]*|\\.\\d\\w*|<<=|>>=|\\+\\+|--|<<|>>|&&|\\|\\||[<>=!+\\-*/%&|^]=|\\S"
+	"[A-Za-z_]\\w*|\\d[\\w.]*|\\.\\d\\w*|<<=|>>=|\\+\\+|--|<<|>>|&&|\\|\\|"
+	+ "|[<>=!+\\-*/%&|^]=|\\S"
 )
 
 static var _comments: RegEx = RegEx.create_from_string(_COMMENT)
 static var _tokens: RegEx = RegEx.create_from_string(_TOKEN)
 
 var words: PackedStringArray = []
+## Indices of those of [constant MARKS].
+var marks: PackedInt32Array = []
 var too_many: bool = false
 ## The text with comments blanked out: every character keeps its place.
 var bare: String = ""
 
-var _starts: PackedInt32Array = []
+var _found: Array[RegExMatch] = []
 
 
 func _init(p_text: String) -> void:
 	bare = _without_comments(p_text)
-	for found: RegExMatch in _tokens.search_all(bare):
-		if words.size() == MAX_TOKENS:
-			too_many = true
-			break
-		words.append(found.get_string())
-		_starts.append(found.get_start())
+	_found = _tokens.search_all(bare)
+	too_many = _found.size() > MAX_TOKENS
+	if too_many:
+		_found.resize(MAX_TOKENS)
+	for found: RegExMatch in _found:
+		var word: String = found.get_string()
+		if MARKS.has(word):
+			marks.append(words.size())
+		words.append(word)
 
 
 func size() -> int:
@@ -40,14 +67,11 @@ func at(p_index: int) -> String:
 	return words[p_index] if p_index >= 0 and p_index < words.size() else ""
 
 
-## Where a token begins in the text.
-func start(p_index: int) -> int:
-	return _starts[p_index]
-
-
 ## The line of a token, from 1.
 func line(p_index: int) -> int:
-	return bare.count("\n", 0, _starts[p_index]) + 1 if _starts[p_index] > 0 else 1
+	if p_index < 0 or p_index >= _found.size():
+		return 1
+	return bare.left(_found[p_index].get_start()).count("\n") + 1
 
 
 ## The index of the bracket that closes the one at [param p_open]; -1 if none does.

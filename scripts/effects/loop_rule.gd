@@ -58,7 +58,7 @@ static func _is_whole(p_token: String) -> bool:
 
 func _check() -> void:
 	var has_loop: bool = false
-	for i: int in _tokens.size():
+	for i: int in _tokens.marks:
 		match _tokens.words[i]:
 			"#", "@":
 				_problem(i, "'%s' is not allowed outside of comments." % _tokens.at(i))
@@ -129,14 +129,16 @@ func _is_changed(p_index: int) -> bool:
 
 ## A function that may write into its argument could change a counter.
 func _check_arguments() -> void:
-	for i: int in _tokens.size():
-		if not ["inout", "out"].has(_tokens.words[i]):
+	for i: int in _tokens.marks:
+		if _tokens.words[i] != "inout" and _tokens.words[i] != "out":
 			continue
 		var type: int = i + 1
 		while ["lowp", "mediump", "highp"].has(_tokens.at(type)):
 			type += 1
 		if _tokens.at(type) == "int":
-			_problem(i, "A file with loops has no '%s int': it could change a counter." % _tokens.at(i))
+			_problem(
+				i, "A file with loops has no '%s int': it could change a counter." % _tokens.at(i)
+			)
 
 
 func _note_constants(p_const: int) -> void:
