@@ -39,15 +39,16 @@ static func of(p_node: Node) -> EffectPlayer:
 		node = node.get_parent()
 	if stage == null:
 		return null
-	var found: EffectPlayer = stage.get_node_or_null(NodePath(_NAME)) as EffectPlayer
-	if found == null:
-		found = EffectPlayer.new()
-		found.name = _NAME
-		# A parent that is just being set up takes no children at once.
-		if stage.is_node_ready():
-			stage.add_child(found)
-		else:
-			stage.add_child.call_deferred(found)
+	if stage.has_meta(_NAME) and is_instance_valid(stage.get_meta(_NAME)):
+		return stage.get_meta(_NAME) as EffectPlayer
+	var found: EffectPlayer = EffectPlayer.new()
+	found.name = _NAME
+	stage.set_meta(_NAME, found)
+	# A parent that is just being set up takes no children at once.
+	if stage.is_node_ready():
+		stage.add_child(found)
+	else:
+		stage.add_child.call_deferred(found)
 	return found
 
 

@@ -54,6 +54,8 @@ var _shadowing: Array[DirectionalLight3D] = []
 
 func _enter_tree() -> void:
 	add_to_group(KitBlock.LEVEL_GROUP)
+	# Effects that are played in it end with it.
+	add_to_group(EffectPlayer.STAGES)
 
 
 func _ready() -> void:

@@ -3,16 +3,19 @@ extends Node3D
 ## What is seen of a vehicle's shots: the barrel recoils, flash and smoke at the muzzle, dust below
 ## it, tracers, and what flies up where something is hit. It costs no bytes beside the events.
 
-const _EFFECTS: String = "res://scenes/vehicle/firing/effects/"
-## How many of each effect there are.
-const _COUNTS: Dictionary[StringName, int] = {
-	&"muzzle_flash": 3,
-	&"muzzle_smoke": 2,
-	&"muzzle_dust": 2,
-	&"impact_dust": 6,
-	&"impact_sparks": 5,
-	&"blast": 2,
-	&"blast_smoke": 2,
+## How many of each effect are made beforehand, for all vehicles of a level.
+const _COUNTS: Dictionary[String, int] = {
+	"muzzle_flash": 6,
+	"muzzle_smoke": 3,
+	"muzzle_dust": 3,
+	"impact": 10,
+	"impact_metal": 6,
+	"impact_wood": 4,
+	"impact_soft": 4,
+	"impact_glass": 2,
+	"sparks": 6,
+	"debris": 3,
+	"explosion": 3,
 }
 ## Every so many rounds of a machine gun shine.
 const _TRACER_EVERY: int = 5
@@ -25,19 +28,16 @@ const _DUST_HEIGHT_M: float = 4.0
 const _AWAY_M: float = 1500.0
 ## Size of a bullet's burst beside a shell's, and of the flash of a machine gun.
 const _BULLET_SIZE: float = 0.3
+const _BULLET_FLASH: float = 0.15
+## What bursts so far, m, looks as the effect was made.
+const _BLAST_M: float = 12.0
 ## Width of marks, m: of a bullet, of a dart, of what bursts.
 const _MARKS_M: Array[float] = [0.9, 5.0, 0.14]
-## Surfaces that give sparks, and those that give no dust.
-const _SPARKING: Array[StringName] = [&"metal", &"stone", &"rock", &"concrete", &"asphalt"]
-const _DUST_COLOURS: Dictionary[StringName, Color] = {
-	&"plaster": Color(0.62, 0.52, 0.38),
-	&"concrete": Color(0.42, 0.40, 0.36),
-	&"stone": Color(0.42, 0.38, 0.32),
-	&"asphalt": Color(0.25, 0.23, 0.2),
-	&"brick": Color(0.42, 0.24, 0.14),
-	&"wood": Color(0.34, 0.22, 0.11),
-	&"metal": Color(0.2, 0.19, 0.18),
-	&"person": Color(0.3, 0.25, 0.2),
+## So far below an impact the ground is looked for, on which pieces of it bounce, m.
+const _GROUND_M: float = 20.0
+## Materials whose impacts have no effect of their own, and whose they take instead.
+const _LIKE: Dictionary[String, String] = {
+	"person": "soft", "cloth": "soft", "leaf": "soft", "rubber": "soft"
 }
 
 ## Tracers in the air.
@@ -46,21 +46,32 @@ var tracers: Tracers = Tracers.new()
 var marks: ImpactMarks = ImpactMarks.new()
 
 var _shells: Shells = null
-var _pools: Dictionary[StringName, BurstPool] = {}
+var _player: EffectPlayer = null
 var _flash: OmniLight3D = OmniLight3D.new()
 var _rounds: int = 0
+## How long it stays after the vehicle is gone, s; below 0: the vehicle is there.
+var _left_s: float = -1.0
 
 
-## One for the guns of a vehicle; it is to be added below the vehicle.
+## One for the guns of a vehicle. It belongs into the vehicle's world but not below the vehicle:
+## see [method begin].
 static func create(p_shells: Shells) -> FiringView:
 	var view: FiringView = FiringView.new()
 	view._shells = p_shells
 	return view
 
 
+## Adds one where effects are played in the vehicle's world: what has been fired is still seen when
+## the vehicle is gone.
+static func begin(p_shells: Shells) -> void:
+	if p_shells.is_inside_tree():
+		EffectPlayer.of(p_shells.vehicle).add_child(create(p_shells))
+
+
 func _ready() -> void:
-	for effect: StringName in _COUNTS:
-		_pools[effect] = BurstPool.new(self, load(_EFFECTS + effect + ".tscn"), _COUNTS[effect])
+	_player = EffectPlayer.of(self)
+	for effect: String in _COUNTS:
+		_player.prepare(effect, _COUNTS[effect])
 	tracers.configure(self, _shells.vehicle)
 	marks.configure(self)
 	_flash.light_color = Color(1.0, 0.72, 0.4)
@@ -72,6 +83,7 @@ func _ready() -> void:
 	for gun: VehicleGun in _shells.guns:
 		gun.fired.connect(_on_fired.bind(gun))
 	_shells.struck.connect(_on_struck)
+	_shells.tree_exiting.connect(_on_vehicle_gone)
 
 
 func _process(p_delta: float) -> void:
@@ -80,6 +92,10 @@ func _process(p_delta: float) -> void:
 	if _flash.visible:
 		_flash.light_energy *= exp(-_FLASH_FADE * p_delta)
 		_flash.visible = _flash.light_energy > 0.05
+	if _left_s >= 0.0:
+		_left_s -= p_delta
+		if _left_s < 0.0:
+			queue_free()
 
 
 func _on_fired(
@@ -96,12 +112,12 @@ func _on_fired(
 			view.show_shot()
 	if _eye().distance_to(muzzle.origin) > _AWAY_M:
 		return
-	_pools[&"muzzle_flash"].play(muzzle, _BULLET_SIZE if is_bullet else 1.0)
+	_player.play("muzzle_flash", muzzle, _BULLET_FLASH if is_bullet else 1.0)
 	_flash.global_position = muzzle.origin - muzzle.basis.z
 	_flash.light_energy = _FLASH_ENERGY * (_BULLET_SIZE if is_bullet else 1.0)
 	_flash.visible = true
 	if not is_bullet:
-		_pools[&"muzzle_smoke"].play(muzzle)
+		_player.play("muzzle_smoke", muzzle)
 		_raise_dust(muzzle.origin)
 
 
@@ -114,15 +130,16 @@ func _raise_dust(p_muzzle: Vector3) -> void:
 	if hit.is_empty():
 		return
 	var place: Vector3 = hit["position"]
-	var surface: StringName = StringName(ContactMaterial.at(hit["collider"], place).key)
-	var share: float = GroundLooks.dust_of(surface)
-	if share > 0.05:
-		var normal: Vector3 = hit["normal"]
-		var colour: Color = GroundLooks.colour_of(surface)
-		colour.a = lerpf(0.3, 1.0, share)
-		_pools[&"muzzle_dust"].play(
-			Transform3D(ImpactMarks.upward(normal), place + normal * 0.2), 1.0, colour
-		)
+	var ground: ContactMaterial = ContactMaterial.at(hit["collider"], place)
+	if ground.dust <= 0.05:
+		return
+	var normal: Vector3 = hit["normal"]
+	_player.play(
+		"muzzle_dust",
+		Transform3D(ImpactMarks.upward(normal), place + normal * 0.2),
+		1.0,
+		{&"earth": ground.dust_color, &"amount": lerpf(0.3, 1.0, ground.dust)}
+	)
 
 
 func _on_struck(
@@ -134,20 +151,47 @@ func _on_struck(
 	var is_bullet: bool = p_ammunition.kind == Ammunition.Kind.BULLET
 	var size: float = _BULLET_SIZE if is_bullet else 1.3
 	var at: Transform3D = Transform3D(ImpactMarks.upward(p_normal), p_place)
-	var colour: Color = _DUST_COLOURS.get(p_surface, GroundLooks.colour_of(p_surface))
-	_pools[&"impact_dust"].play(at, size, colour)
-	if p_surface in _SPARKING:
-		_pools[&"impact_sparks"].play(at, size)
+	_show_impact(at, size, ContactMaterial.named(p_surface), not is_bullet)
 	if p_ammunition.blast_radius > 0.0:
-		var large: float = p_ammunition.blast_radius / 12.0
-		_pools[&"blast"].play(at, large)
-		_pools[&"blast_smoke"].play(at, large)
+		_player.play("explosion", at, p_ammunition.blast_radius / _BLAST_M)
 		_flash.global_position = p_place + p_normal
 		_flash.light_energy = _FLASH_ENERGY
 		_flash.visible = true
 	# What moves takes no mark along.
 	if p_surface != &"person" and _is_level(p_place, p_normal):
 		marks.make(p_place, p_normal, _MARKS_M[p_ammunition.kind])
+
+
+## What flies up where something is hit, by what that is made of.
+func _show_impact(
+	p_at: Transform3D, p_size: float, p_material: ContactMaterial, p_has_debris: bool
+) -> void:
+	var effect: String = "impact_" + _LIKE.get(p_material.key, p_material.key)
+	if not EffectLibrary.shared().has(effect):
+		effect = "impact"
+	var inputs: Dictionary[StringName, Variant] = {
+		&"tint": p_material.dust_color, &"ground": _ground_below(p_at)
+	}
+	_player.play(effect, p_at, p_size, inputs)
+	if p_material.sparks > 0.0:
+		_player.play("sparks", p_at, p_size * p_material.sparks, inputs)
+	if p_has_debris:
+		_player.play("debris", p_at, p_size, inputs)
+
+
+## Height of the ground below an impact, m.
+func _ground_below(p_at: Transform3D) -> float:
+	var from: Vector3 = p_at.origin + p_at.basis.y * 0.2
+	var query: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.create(
+		from, from + Vector3.DOWN * _GROUND_M, PhysicsLayers.STATIC
+	)
+	var hit: Dictionary = get_world_3d().direct_space_state.intersect_ray(query)
+	return (hit["position"] as Vector3).y if not hit.is_empty() else p_at.origin.y - _GROUND_M
+
+
+## The marks stay until they have faded.
+func _on_vehicle_gone() -> void:
+	_left_s = ImpactMarks.LASTING_S if marks.made > 0 else Shells.LIFE_S
 
 
 func _is_level(p_place: Vector3, p_normal: Vector3) -> bool:
@@ -158,7 +202,7 @@ func _is_level(p_place: Vector3, p_normal: Vector3) -> bool:
 
 
 func _find_view() -> VehicleView:
-	for child: Node in get_parent().get_children():
+	for child: Node in _shells.vehicle.get_children():
 		if child is VehicleView:
 			return child
 	return null

@@ -91,7 +91,7 @@ func _ready() -> void:
 	_query.hit_from_inside = false
 	entity.happened.connect(_on_happened)
 	if DisplayServer.get_name() != "headless":
-		vehicle.add_child.call_deferred(FiringView.create(self))
+		FiringView.begin.call_deferred(self)
 
 
 func _physics_process(p_delta: float) -> void:

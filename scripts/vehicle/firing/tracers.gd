@@ -7,7 +7,6 @@ extends RefCounted
 const MAX_SHOWN: int = 48
 ## How long the streak of one is: what it flies in this time, s.
 const STREAK_S: float = 0.02
-const _COLOUR: Color = Color(1.0, 0.45, 0.15)
 ## Width of a streak for its calibre, and least of all, m.
 const _WIDTH: float = 1.2
 const _THIN_M: float = 0.03
@@ -17,7 +16,7 @@ const _WIDEN: float = 0.0011
 const _NEAR_M: float = 3.0
 
 var _shells: Array[Shell] = []
-var _streaks: MultiMesh = MultiMesh.new()
+var _shown: LayeredEffect = null
 var _query: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.new()
 
 
@@ -25,24 +24,10 @@ var _query: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.new()
 func configure(p_parent: Node3D, p_body: CollisionObject3D) -> void:
 	_query.collision_mask = PhysicsLayers.ALL
 	_query.exclude = [p_body.get_rid()]
-	var material: StandardMaterial3D = StandardMaterial3D.new()
-	material.shading_mode = BaseMaterial3D.SHADING_MODE_UNSHADED
-	material.blend_mode = BaseMaterial3D.BLEND_MODE_ADD
-	material.albedo_color = _COLOUR * 2.5
-	material.disable_fog = true
-	var box: BoxMesh = BoxMesh.new()
-	box.size = Vector3.ONE
-	box.material = material
-	_streaks.transform_format = MultiMesh.TRANSFORM_3D
-	_streaks.mesh = box
-	_streaks.instance_count = MAX_SHOWN
-	_streaks.visible_instance_count = 0
-	var shown: MultiMeshInstance3D = MultiMeshInstance3D.new()
-	shown.multimesh = _streaks
-	shown.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
-	shown.top_level = true
-	shown.custom_aabb = AABB(Vector3.ONE * -1e4, Vector3.ONE * 2e4)
-	p_parent.add_child(shown)
+	_shown = LayeredEffect.make("tracer")
+	_shown.top_level = true
+	_shown.visible = false
+	p_parent.add_child(_shown)
 
 
 ## One leaves a muzzle.
@@ -73,9 +58,7 @@ func advance(p_delta: float, p_eye: Vector3, p_space: PhysicsDirectSpaceState3D)
 		if not is_stopped and shell.flight.get_age() < Shells.LIFE_S and place.y > Shells.LOWEST_M:
 			left.append(shell)
 	_shells = left
-	_streaks.visible_instance_count = _shells.size()
-	for index: int in _shells.size():
-		_streaks.set_instance_transform(index, _streak_of(_shells[index], p_eye))
+	_show(p_eye)
 
 
 ## What was fired hits at a place: it is not seen any more. Bullets, of which many are on one way,
@@ -99,12 +82,25 @@ func count() -> int:
 	return _shells.size()
 
 
-func _streak_of(p_shell: Shell, p_eye: Vector3) -> Transform3D:
-	var velocity: Vector3 = p_shell.flight.get_velocity()
-	var way: float = minf(STREAK_S, p_shell.flight.get_age()) * velocity.length()
-	var place: Vector3 = p_shell.from
-	var width: float = maxf(p_shell.ammunition.calibre * _WIDTH, _THIN_M)
-	width += p_eye.distance_to(place) * _WIDEN
-	var axes: Basis = ImpactMarks.upward(velocity.normalized())
-	var at: Transform3D = Transform3D(axes, place - velocity.normalized() * way * 0.5)
-	return at.scaled_local(Vector3(width, maxf(way, width), width))
+## The effect is where the eye is: it is drawn wherever its bounds are seen.
+func _show(p_eye: Vector3) -> void:
+	var was_shown: bool = _shown.visible
+	_shown.visible = not _shells.is_empty()
+	if not (_shown.visible or was_shown):
+		return
+	_shown.global_position = p_eye
+	var heads: PackedVector4Array = []
+	var headings: PackedVector4Array = []
+	heads.resize(MAX_SHOWN)
+	headings.resize(MAX_SHOWN)
+	for index: int in _shells.size():
+		var shell: Shell = _shells[index]
+		var velocity: Vector3 = shell.flight.get_velocity()
+		var ahead: Vector3 = velocity.normalized()
+		var way: float = minf(STREAK_S, shell.flight.get_age()) * velocity.length()
+		var width: float = maxf(shell.ammunition.calibre * _WIDTH, _THIN_M)
+		width += p_eye.distance_to(shell.from) * _WIDEN
+		heads[index] = Vector4(shell.from.x, shell.from.y, shell.from.z, maxf(way, width))
+		headings[index] = Vector4(ahead.x, ahead.y, ahead.z, width)
+	_shown.set_input(&"heads", heads)
+	_shown.set_input(&"headings", headings)

@@ -2,8 +2,11 @@ class_name DamageView
 extends RefCounted
 ## A vehicle that is hit smokes and is scorched; one that is knocked out burns.
 
-const _SMOKE: PackedScene = preload("res://scenes/vehicle/effects/smoke.tscn")
-const _FIRE: PackedScene = preload("res://scenes/vehicle/effects/fire.tscn")
+## Colour of its smoke, sRGB, and how much that hides.
+const _SOOT: Color = Color(0.20, 0.19, 0.185)
+const _THICKNESS: float = 0.85
+## Size of its flames: 1 is 1 m wide.
+const _FLAMES: float = 1.5
 ## How burnt the paint is at each state.
 const SCORCH: Array[float] = [0.0, 0.42, 1.0]
 ## How fast it burns, 1/s.
@@ -16,8 +19,8 @@ var _model: Node3D = null
 var _at: Node3D = null
 var _level: int = 0
 var _looks: Array[ShaderMaterial] = []
-var _smoke: GPUParticles3D = null
-var _fire: GPUParticles3D = null
+var _smoke: LayeredEffect = null
+var _fire: LayeredEffect = null
 var _glow: OmniLight3D = null
 var _seconds: float = 0.0
 
@@ -58,10 +61,11 @@ func _set_level(p_level: int) -> void:
 	if _looks.is_empty():
 		_take_looks()
 	if _smoke == null:
-		_smoke = _SMOKE.instantiate()
-		_at.add_child(_smoke)
-		_fire = _FIRE.instantiate()
-		_at.add_child(_fire)
+		_smoke = _add("smoke")
+		_smoke.set_input(&"tint", _SOOT)
+		_smoke.set_input(&"thickness", _THICKNESS)
+		_fire = _add("fire")
+		_fire.set_input(&"scale", _FLAMES)
 		_glow = OmniLight3D.new()
 		_glow.light_color = Color(1.0, 0.5, 0.16)
 		_glow.light_specular = 0.0
@@ -69,12 +73,18 @@ func _set_level(p_level: int) -> void:
 		_glow.position.y = 1.0
 		_at.add_child(_glow)
 	_smoke.emitting = p_level > 0
-	_smoke.amount_ratio = 0.35 if p_level == 1 else 1.0
+	_smoke.share = 0.35 if p_level == 1 else 1.0
 	_fire.emitting = p_level > 1
 	_glow.visible = p_level > 1
 	scorch = minf(scorch, SCORCH[p_level])
 	for look: ShaderMaterial in _looks:
 		look.set_shader_parameter(&"scorch", scorch)
+
+
+func _add(p_effect: String) -> LayeredEffect:
+	var added: LayeredEffect = LayeredEffect.make(p_effect, false)
+	_at.add_child(added)
+	return added
 
 
 ## Materials of its own for what is burnt: other vehicles share the model's.

@@ -18,20 +18,18 @@ var amount: float = 0.0
 ## Key of the ground under the rearmost wheel that touches it.
 var surface: StringName = ContactMaterial.NO_KEY
 
-var _puffs: GPUParticles3D = null
-var _motion: ParticleProcessMaterial = null
+var _puffs: LayeredEffect = null
 var _first: int = 0
 var _count: int = 0
 var _until_look: float = 0.0
 
 
-## Adds [param p_puffs] below [param p_parent] for the wheels from [param p_first] on.
-func configure(p_parent: Node3D, p_puffs: GPUParticles3D, p_first: int, p_count: int) -> void:
-	_puffs = p_puffs
-	_motion = p_puffs.process_material as ParticleProcessMaterial
+## Adds the effect below [param p_parent] for the wheels from [param p_first] on.
+func configure(p_parent: Node3D, p_first: int, p_count: int) -> void:
+	_puffs = LayeredEffect.make("track_dust", false)
 	_first = p_first
 	_count = p_count
-	p_parent.add_child(p_puffs)
+	p_parent.add_child(_puffs)
 
 
 ## Follows the wheels. [param p_track] is the speed of the track, [param p_ground] that of the
@@ -54,9 +52,10 @@ func advance(
 			surface = p_probe.surface_of(rear if p_track >= 0.0 else front)
 		var speed: float = absf(p_track) + absf(p_track - p_ground) * _SLIP_SHARE
 		var pace: float = clampf((speed - _SLOW) / (_FAST - _SLOW), 0.0, 1.0)
-		amount = GroundLooks.dust_of(surface) * pace * share
+		amount = ContactMaterial.named(surface).dust * pace * share
 		if amount > 0.0:
 			_place(p_probe.points[rear], p_probe.points[front], p_vehicle, p_track)
+			_puffs.set_input(&"speed", speed)
 	_show()
 
 
@@ -73,16 +72,11 @@ func _place(p_rear: Vector3, p_front: Vector3, p_vehicle: Transform3D, p_track: 
 	_puffs.global_transform = Transform3D(
 		Basis.looking_at(ahead, p_vehicle.basis.y), middle + p_vehicle.basis.y * 0.15
 	)
-	_motion.emission_box_extents.z = maxf(p_rear.distance_to(p_front) * 0.6, 0.2)
+	_puffs.set_input(&"reach", maxf(p_rear.distance_to(p_front) * 1.2, 0.4))
 
 
 func _show() -> void:
-	var is_dusty: bool = amount > 0.02
-	if _puffs.emitting != is_dusty:
-		_puffs.emitting = is_dusty
-	if is_dusty:
-		_puffs.amount_ratio = clampf(amount * Quality.tier.weather, 0.05, 1.0)
-		var color: Color = GroundLooks.colour_of(surface)
-		color.a = lerpf(0.55, 1.0, amount)
-		if not _motion.color.is_equal_approx(color):
-			_motion.color = color
+	_puffs.emitting = amount > 0.02
+	if _puffs.emitting:
+		_puffs.share = maxf(amount, 0.05)
+		_puffs.set_input(&"earth", ContactMaterial.named(surface).dust_color)

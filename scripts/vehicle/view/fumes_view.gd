@@ -2,9 +2,6 @@ class_name FumesView
 extends RefCounted
 ## Diesel fumes from the exhausts: more and faster with the revolutions, darker with the load.
 
-## Colour of the fumes of an idle engine and of one that is pulled hard, linear.
-const _PALE: Color = Color(0.26, 0.26, 0.28)
-const _DARK: Color = Color(0.035, 0.033, 0.032)
 ## How long a sudden load smokes before the turbocharger has caught up, s.
 const _LAG_S: float = 0.9
 
@@ -12,14 +9,15 @@ const _LAG_S: float = 0.9
 var amount: float = 0.0
 var darkness: float = 0.0
 
-var _puffs: Array[GPUParticles3D] = []
+var _puffs: Array[LayeredEffect] = []
 var _load: float = 0.0
 
 
 ## Adds a stream of fumes at an exhaust.
-func add(p_exhaust: Node3D, p_puffs: GPUParticles3D) -> void:
-	p_exhaust.add_child(p_puffs)
-	_puffs.append(p_puffs)
+func add(p_exhaust: Node3D) -> void:
+	var puffs: LayeredEffect = LayeredEffect.make("diesel_fumes", false)
+	p_exhaust.add_child(puffs)
+	_puffs.append(puffs)
 
 
 ## Follows the engine.
@@ -42,16 +40,9 @@ func stop() -> void:
 
 
 func _show(p_speed: float) -> void:
-	var smokes: bool = amount > 0.02
-	var color: Color = _PALE.lerp(_DARK, darkness)
-	color.a = snappedf(lerpf(0.10, 0.75, darkness * darkness), 0.02)
-	for puffs: GPUParticles3D in _puffs:
-		if puffs.emitting != smokes:
-			puffs.emitting = smokes
-		if not smokes:
-			continue
-		puffs.amount_ratio = clampf(amount * Quality.tier.weather, 0.05, 1.0)
-		puffs.speed_scale = lerpf(0.8, 1.7, p_speed)
-		var motion: ParticleProcessMaterial = puffs.process_material as ParticleProcessMaterial
-		if absf(motion.color.a - color.a) > 0.015:
-			motion.color = color
+	for puffs: LayeredEffect in _puffs:
+		puffs.emitting = amount > 0.02
+		if puffs.emitting:
+			puffs.share = maxf(amount, 0.05)
+			puffs.set_input(&"revs", p_speed)
+			puffs.set_input(&"load", darkness)

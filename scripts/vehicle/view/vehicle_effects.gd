@@ -2,8 +2,6 @@ class_name VehicleEffects
 extends RefCounted
 ## What surrounds a vehicle: dust, fumes, prints in the ground, swaying antennas, lamps, damage.
 
-const _DUST: PackedScene = preload("res://scenes/vehicle/effects/dust.tscn")
-const _FUMES: PackedScene = preload("res://scenes/vehicle/effects/fumes.tscn")
 ## From this distance on there is no dust, no fumes and no new print, m.
 const _AWAY_M: float = 150.0
 ## How slowly speed and acceleration are told from positions, s.
@@ -39,12 +37,12 @@ func configure(p_view: VehicleView, p_width: float, p_pitch: float) -> void:
 	for side: int in 2:
 		var one: DustView = DustView.new()
 		one.share = p_view.dust_share
-		one.configure(p_view, _DUST.instantiate() as GPUParticles3D, side * count, count)
+		one.configure(p_view, side * count, count)
 		dust.append(one)
 	for name: String in ["ExhaustLeft", "ExhaustRight"]:
 		var exhaust: Node3D = p_view.find_part(name)
 		if exhaust != null:
-			fumes.add(exhaust, _FUMES.instantiate() as GPUParticles3D)
+			fumes.add(exhaust)
 	marks.configure(p_view, p_width, p_pitch)
 	antennas.configure(p_view.model)
 	lamps.configure(p_view.model)
@@ -89,7 +87,7 @@ func _press(p_side: int, p_speed: float) -> void:
 	var wheel: int = p_side * count + (0 if p_speed > 0.0 else count - 1)
 	var depth: float = 0.0
 	if _view.ground.touching[wheel] == 1:
-		depth = GroundLooks.print_of(dust[p_side].surface)
+		depth = ContactMaterial.named(dust[p_side].surface).print_depth
 	marks.press(
 		p_side, _view.ground.points[wheel], _view.global_basis.y, _view.way_of(p_side), depth
 	)

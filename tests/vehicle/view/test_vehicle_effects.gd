@@ -48,11 +48,17 @@ func test_a_track_that_spins_in_place_throws_up_dust() -> void:
 	is_true(_dust(0) > 0.3, "%.2f" % _dust(0))
 
 
-func test_colours_differ_by_ground() -> void:
-	is_true(GroundLooks.colour_of(&"sand") != GroundLooks.colour_of(&"dirt"))
-	almost_equal(GroundLooks.dust_of(&"concrete"), 0.0, 1e-6)
-	almost_equal(GroundLooks.dust_of(&"asphalt"), 0.0, 1e-6)
-	almost_equal(GroundLooks.print_of(&"rock"), 0.0, 1e-6)
+func test_dust_has_the_colour_of_its_ground() -> void:
+	await _make_on(SurfaceLayers.Layer.SAND)
+	_drive(9.0, 1.0)
+	for node: Node in _view.find_children("*", "LayeredEffect", true, false):
+		var shown: LayeredEffect = node as LayeredEffect
+		if shown.effect != "track_dust":
+			continue
+		var motion: ShaderMaterial = shown.parts[0].process_material as ShaderMaterial
+		var sand: Color = ContactMaterial.named(&"sand").dust_color
+		almost_equal(motion.get_shader_parameter(&"earth"), Vector3(sand.r, sand.g, sand.b), 1e-4)
+		almost_equal(motion.get_shader_parameter(&"speed"), 9.0, 0.5)
 
 
 func test_prints_stay_behind_in_sand_and_their_number_is_bounded() -> void:
