@@ -63,6 +63,8 @@ static func draws_by_processor() -> bool:
 ## Uses a tier from now on, in a window and everything that it shows.
 static func use(p_tier: QualityTier, p_window: Viewport) -> void:
 	tier = p_tier
+	EffectBudget.share = tier.particles
+	EffectBudget.screens = tier.overdraw
 	p_window.scaling_3d_scale = tier.render_scale
 	p_window.msaa_3d = tier.msaa
 	p_window.anisotropic_filtering_level = tier.anisotropy

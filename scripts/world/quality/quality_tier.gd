@@ -21,8 +21,10 @@ var shadow_filter: RenderingServer.ShadowQuality = RenderingServer.SHADOW_QUALIT
 var shadow_reach: float = 1.0
 ## Share of the stones and bushes, and of the distance from which they are seen.
 var scatter: float = 1.0
-## Share of the drops of rain and the pieces of dust.
-var weather: float = 1.0
+## Share of the particles of all effects: [member EffectBudget.share].
+var particles: float = 1.0
+## How many times all particles may fill the picture: [member EffectBudget.screens].
+var overdraw: float = 6.0
 ## Most pixels along an edge of a picture, where a processor draws.
 var texture_pixels: int = 1024
 
@@ -36,7 +38,8 @@ static func low() -> QualityTier:
 	tier.lod_pixels = 4.0
 	tier.shadow_pixels = 0
 	tier.scatter = 0.4
-	tier.weather = 0.5
+	tier.particles = 0.5
+	tier.overdraw = 2.0
 	tier.texture_pixels = 512
 	return tier
 
@@ -52,6 +55,8 @@ static func medium() -> QualityTier:
 	tier.shadow_filter = RenderingServer.SHADOW_QUALITY_HARD
 	tier.shadow_reach = 0.7
 	tier.scatter = 0.7
+	tier.particles = 0.75
+	tier.overdraw = 4.0
 	return tier
 
 
@@ -69,6 +74,7 @@ static func ultra() -> QualityTier:
 	tier.msaa = Viewport.MSAA_4X
 	tier.anisotropy = Viewport.ANISOTROPY_16X
 	tier.lod_pixels = 0.5
+	tier.overdraw = 10.0
 	tier.shadow_pixels = 8192
 	tier.shadow_filter = RenderingServer.SHADOW_QUALITY_SOFT_MEDIUM
 	return tier
