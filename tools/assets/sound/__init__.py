@@ -1,0 +1,1 @@
+"""All sounds of Dismount, made from their physics: no recording is needed or used."""
