@@ -9,6 +9,7 @@ const _PROPS: String = "res://scenes/world/props/"
 const _HALL: String = "res://scripts/world/kit/hall/"
 const _STAGE: String = "res://scripts/world/kit/stage/"
 const _VEHICLES: String = "res://scenes/vehicle/"
+const _EMITTER: String = "res://scripts/effects/effect_emitter.gd"
 const _WORLD: String = "res://scripts/world/"
 
 
@@ -138,4 +139,5 @@ static func _marks() -> Array:
 		KitItem.new("Waypoint path", "points way route", _WORLD + "waypoint_path.gd", root),
 		KitItem.new("Observer view", "camera", _WORLD + "observer_camera.gd", root, {}, 2.5),
 		KitItem.new("World lamp", "light torch", _WORLD + "sky/world_lamp.gd", root, {}, 2.2),
+		KitItem.new("Effect", "particles smoke fire dust emitter", _EMITTER, root),
 	]

@@ -9,7 +9,6 @@ var _parent: Node3D = null
 var _ready: Array[LayeredEffect] = []
 ## When each will be over, s.
 var _ends: PackedFloat64Array = []
-var _next: int = 0
 
 
 ## One of an effect, below a node.
@@ -50,14 +49,14 @@ func farthest() -> float:
 func play(p_at: Transform3D, p_inputs: Dictionary[StringName, Variant], p_now: float) -> void:
 	if _ready.is_empty():
 		return
-	var played: LayeredEffect = _ready[_next]
+	var chosen: int = _oldest()
+	var played: LayeredEffect = _ready[chosen]
 	played.global_transform = p_at
 	for input: StringName in p_inputs:
 		played.set_input(input, p_inputs[input])
 	played.visible = true
 	played.play()
-	_ends[_next] = p_now + played.longest_life()
-	_next = (_next + 1) % _ready.size()
+	_ends[chosen] = p_now + played.longest_life()
 
 
 ## Hides what is over, so that it costs nothing, at a time, s.
@@ -65,3 +64,12 @@ func advance(p_now: float) -> void:
 	for index: int in _ready.size():
 		if _ready[index].visible and _ends[index] <= p_now:
 			_ready[index].visible = false
+
+
+## The one that is over, or will be first.
+func _oldest() -> int:
+	var oldest: int = 0
+	for index: int in range(1, _ends.size()):
+		if _ends[index] < _ends[oldest]:
+			oldest = index
+	return oldest

@@ -64,12 +64,16 @@ func show_file(p_file: EffectFile) -> void:
 
 
 ## Sets an input or another uniform of the file: a number, a vector, a colour (sRGB, as it is
-## picked) or a texture.
+## picked) or a texture. Inputs that the file declares stay within their bounds.
 func set_input(p_name: StringName, p_value: Variant) -> void:
 	var value: Variant = p_value
 	if p_value is Color:
 		var colour: Color = p_value
 		value = Vector3(colour.r, colour.g, colour.b)
+	elif p_value is float and layer != null:
+		for input: EffectInput in layer.file.settings.inputs:
+			if input.name == p_name:
+				value = input.clamped(p_value)
 	_motion.set_shader_parameter(p_name, value)
 
 

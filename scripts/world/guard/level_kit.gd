@@ -175,6 +175,22 @@ static func _kit_nodes() -> Array[KitClass]:
 			)
 			. at_most(256)
 		),
+		(
+			KitClass
+			. scripted(
+				"EffectEmitter",
+				"Node3D",
+				_path(EffectEmitter),
+				{
+					"effect": PropertyRule.text(EffectFile.MAX_NAME),
+					"amount": PropertyRule.number(0.0, 1.0),
+					"entity": PropertyRule.node(["Entity"]),
+					"inputs": PropertyRule.text(EffectEmitter.MAX_INPUTS_TEXT),
+					"plays_at": PropertyRule.text(),
+				}
+			)
+			. at_most(100)
+		),
 	]
 
 
