@@ -3,6 +3,9 @@ extends EntityHost
 ## The client's side of all entities: gives them the values and events to display, and sends
 ## their commands.
 
+## Something strikes something, or scrapes along it, in the tick that is displayed now.
+signal struck(p_impact: Impact)
+
 ## Period of resending a command that is not acknowledged, and for how long, s.
 const _RESEND_S: float = 0.05
 const _GIVE_UP_S: float = 3.0
@@ -58,6 +61,8 @@ func advance() -> void:
 				node.take_value(index, _replica.field(id, index))
 	for event: EntityEvent in _replica.events.take(_replica.shown_tick()):
 		_play(event)
+	for impact: Impact in _replica.impacts.take(_replica.shown_tick()):
+		struck.emit(impact)
 	_repeat()
 
 

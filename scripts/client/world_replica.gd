@@ -37,6 +37,8 @@ var datagrams: int = 0
 var table: EntityTable = EntityTable.new()
 ## Events that wait for their moment.
 var events: EventQueue = EventQueue.new()
+## What is to be heard of contacts, until its moment.
+var impacts: ImpactQueue = ImpactQueue.new()
 ## The newest tick that has come, or -1.
 var newest_tick: int = -1
 ## What became of the datagram that was taken last.
@@ -89,6 +91,9 @@ func take(p_bytes: PackedByteArray, p_arrival_s: float) -> bool:
 		Protocol.Message.EVENTS:
 			for event: EntityEvent in EventMessage.decode(p_bytes):
 				events.push(event)
+			return true
+		Protocol.Message.IMPACTS:
+			impacts.push(ImpactMessage.decode(p_bytes))
 			return true
 	return false
 
@@ -161,6 +166,7 @@ func clear() -> void:
 	_configure(_error_deg)
 	smoother.clear()
 	events.clear()
+	impacts.clear()
 	_active.clear()
 	newest_tick = -1
 	_has_table = false

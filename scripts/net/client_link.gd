@@ -277,6 +277,7 @@ func _add_handlers() -> void:
 	for kind: int in [Protocol.Message.TABLE, Protocol.Message.LEVEL]:
 		_handlers.add(kind, reliable, _on_state)
 	_handlers.add(Protocol.Message.EVENTS, MessageHandlers.Path.ANY, _on_state)
+	_handlers.add(Protocol.Message.IMPACTS, fast, _on_state)
 	_handlers.add(Protocol.Message.CLOCK, fast, _on_clock)
 	_handlers.add(Protocol.Message.CONTROL, reliable, _on_control)
 

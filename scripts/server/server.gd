@@ -24,6 +24,7 @@ var _options: Options = null
 var _link: ServerLink = ServerLink.new()
 var _sending: Replication = null
 var _entities: ServerEntities = null
+var _impacts: ServerImpacts = null
 var _report: ReportFile = null
 var _stats: ServerStats = null
 var _status: StatusEndpoint = StatusEndpoint.new()
@@ -34,6 +35,7 @@ var _control: SessionControl = null
 var _conditions: ServerConditions = null
 var _shared: SharedServer = null
 var _offers: LevelOffers = null
+var _effects: ServerEffects = null
 var _tick: int = 0
 var _sent_tick: int = 0
 var _network_usec: int = 0
@@ -71,8 +73,10 @@ func _open_world() -> void:
 	_people.setup(_level.table, _options.number("max-people"))
 	_sending = Replication.new(_link, _level, _people, _rate(), bits, error)
 	_entities = ServerEntities.new(_link, _level.table, _people, _sending.encoder)
+	_impacts = ServerImpacts.new(_level, _people)
 	_offers = LevelOffers.new(_link, _level)
 	_offers.bits_per_second = _options.number("level-bandwidth") * 1000.0
+	_effects = ServerEffects.new(_link, _options.file("effects"))
 	_entities.command_refused.connect(
 		func(session: int, what: String) -> void: _control.tell_instructors(session, what)
 	)
@@ -90,6 +94,7 @@ func _open_world() -> void:
 	var fault: String = _sending.record_to(_options.file("record"))
 	_level.share = LevelShare.new(_options.file("levels"))
 	fault = _level.share.find_fault() if fault == "" else fault
+	fault = _effects.find_fault() if fault == "" else fault
 	_conditions = ServerConditions.new(_level, _options.text("time"), _options.text("weather"))
 	fault = _conditions.error if fault == "" else fault
 	fault = _level.load_level(_options.text("world")) if fault == "" else fault
@@ -171,6 +176,7 @@ func _physics_process(p_delta: float) -> void:
 	_take_lists(begin / 1e6)
 	_level.advance(_tick)
 	_offers.advance(p_delta)
+	_effects.advance(p_delta)
 	_sending.advance_survey()
 	if not _level.is_between:
 		_people.advance()
@@ -213,6 +219,7 @@ func _exit_tree() -> void:
 	_status.close()
 	if _offers != null:
 		_offers.close()
+		_effects.close()
 	if _sending != null:
 		_sending.close()
 	# The bodies are out of the tree already: nobody needs to know who leaves now.
@@ -239,7 +246,9 @@ func _send_tick() -> void:
 	if not _level.is_between:
 		_people.measure()
 		begin = ThreadClock.get_usec()
-		_sending.send(_tick, now, _entities.take_messages())
+		var messages: Array[PackedByteArray] = _entities.take_messages()
+		messages.append(_impacts.take_message(_tick, 1.0 / _rate()))
+		_sending.send(_tick, now, messages)
 	_stats.networked(_network_usec + ThreadClock.get_usec() - begin)
 	_network_usec = 0
 	_stats.send_time.add((Time.get_ticks_usec() - now) / 1e6)
@@ -371,6 +380,7 @@ func _make_report() -> Dictionary:
 	report["status_requests"] = _status.counts
 	report["level"] = _level.report()
 	report["level"].merge(_offers.report())
+	report["effects"] = _effects.report()
 	return report
 
 

@@ -52,6 +52,10 @@ enum Message {
 	LEVEL_REQUEST = 21,
 	## Server to client, reliable: see [LevelDataMessage].
 	LEVEL_DATA = 22,
+	## Server to client, and instructor to server, reliable: see [EffectMessage].
+	EFFECT = 23,
+	## Server to client, fast path: see [ImpactMessage].
+	IMPACTS = 24,
 }
 
 ## Second byte of a [constant Message.CONTROL].
@@ -68,7 +72,7 @@ enum Notice {
 ## A first byte of this or above is [constant Message.MOTION] too: it holds a part of its number.
 const BASED_MOTION: int = 128
 ## Raised with every change of what is sent; a server refuses other versions.
-const VERSION: int = 5
+const VERSION: int = 6
 ## First bytes of a challenge and of a join request.
 const HELLO: String = "DSMT"
 ## UDP port of a server by default.

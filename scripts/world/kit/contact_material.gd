@@ -14,6 +14,25 @@ const FOLDER: String = "res://assets/world/contacts/"
 const NO_KEY: StringName = &"stone"
 ## The key of people.
 const PERSON: StringName = &"person"
+## All keys of the kit, by their numbers on the wire: new ones come last.
+const KEYS: Array[StringName] = [
+	&"stone",
+	&"asphalt",
+	&"brick",
+	&"cloth",
+	&"concrete",
+	&"dirt",
+	&"glass",
+	&"gravel",
+	&"leaf",
+	&"metal",
+	&"person",
+	&"plaster",
+	&"rock",
+	&"rubber",
+	&"sand",
+	&"wood",
+]
 
 static var _found: Dictionary[StringName, ContactMaterial] = {}
 
@@ -75,6 +94,16 @@ static func named(p_key: StringName) -> ContactMaterial:
 	return material if material != null else find(NO_KEY)
 
 
+## The number of a key; of one that the kit does not have, that of [constant NO_KEY].
+static func number_of(p_key: StringName) -> int:
+	return maxi(KEYS.find(p_key), 0)
+
+
+## The kit's material of a number; of one that is none, that of [constant NO_KEY].
+static func numbered(p_number: int) -> ContactMaterial:
+	return named(KEYS[p_number] if p_number >= 0 and p_number < KEYS.size() else NO_KEY)
+
+
 ## The key of what a body is made of.
 static func key_of(p_body: PhysicsBody3D) -> StringName:
 	var material: PhysicsMaterial = null
@@ -94,4 +123,5 @@ static func at(p_collider: Object, p_place: Vector3) -> ContactMaterial:
 		return named((p_collider as Terrain).surface_at(p_place))
 	if p_collider is KitBlock:
 		return named((p_collider as KitBlock).contact_key())
-	return named(key_of(p_collider as PhysicsBody3D))
+	var body: PhysicsBody3D = p_collider as PhysicsBody3D
+	return named(key_of(body) if body != null else NO_KEY)

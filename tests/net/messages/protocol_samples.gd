@@ -68,6 +68,13 @@ static func _add_world(r_made: Dictionary[String, PackedByteArray]) -> void:
 	event.entity = door.id
 	event.event = 0
 	r_made["events"] = EventMessage.encode([event] as Array[EntityEvent])
+	var impact: Impact = Impact.new()
+	impact.entity = 1030
+	impact.place = Vector3(1.5, 0.0, -2.0)
+	impact.impulse = 10.24
+	impact.material = 15
+	impact.other_material = 4
+	r_made["impacts"] = ImpactMessage.encode(1200, [impact] as Array[Impact])
 
 
 static func _add_snapshots(r_made: Dictionary[String, PackedByteArray]) -> void:
