@@ -50,8 +50,11 @@ func test_a_crate_that_falls_strikes_the_ground() -> void:
 
 func test_a_crate_that_is_pushed_scrapes() -> void:
 	var crate: RigidBody3D = _crate()
-	crate.linear_velocity = Vector3(2.0, 0.0, 0.0)
-	var heard: Array[Impact] = await _run(40)
+	crate.position = Vector3(4.0, 0.26, 4.0)
+	var heard: Array[Impact] = []
+	for _push: int in 10:
+		crate.linear_velocity = Vector3(2.0, 0.0, 0.0)
+		heard.append_array(await _run(3))
 	var scrapes: Array[Impact] = heard.filter(
 		func(impact: Impact) -> bool: return impact.slip > 0.0
 	)

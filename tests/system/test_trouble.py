@@ -18,7 +18,7 @@ def test_a_wrong_version_is_refused(world: World) -> None:
     server = world.server()
     client = world.client("observer", "--protocol=999")
     assert client.await_exit() == 3
-    assert "protocol version 999, the server 5" in client.log()
+    assert "protocol version 999, the server 6" in client.log()
     server.await_text("protocol version 999")
     assert server.log().count("protocol version 999") == 1
     assert server.process.poll() is None
