@@ -1,0 +1,52 @@
+class_name SoundVoice
+extends RefCounted
+## Something that sounds: one of [SoundVoices]. Who starts a loop keeps it, sets [member gain_db] and
+## [member pitch], and calls [method stop].
+
+## What it plays.
+var cue: SoundCue = null
+## Where it is, m, if it follows nothing.
+var place: Vector3 = Vector3.ZERO
+## What it follows; null: nothing.
+var follow: Node3D = null
+## Place in the frame of what it follows, m.
+var offset: Vector3 = Vector3.ZERO
+## How much louder it is than its cue, dB.
+var gain_db: float = 0.0
+## Its pitch, 1 as made.
+var pitch: float = 1.0
+## How many dB it counts for more than others when voices are few.
+var priority_db: float = 0.0
+## Level at the listener as last worked out, dB over full scale.
+var level_db: float = -INF
+## Whether a wall is between it and the listener.
+var is_blocked: bool = false
+## Whether it is in a room.
+var is_in_room: bool = false
+## The renderer's number of it, or -1 while it is not heard.
+var slot: int = -1
+## When it is over, s of the clock of [SoundVoices]; INF for loops.
+var end_s: float = INF
+## Whether it is over.
+var is_over: bool = false
+## Distance from the listener as last worked out, m.
+var distance: float = 0.0
+## How fast it goes away from the listener, m/s.
+var recession: float = 0.0
+
+
+## Ends it; it fades within a few milliseconds.
+func stop() -> void:
+	is_over = true
+
+
+## Where it is now, m.
+func position() -> Vector3:
+	if follow != null and is_instance_valid(follow) and follow.is_inside_tree():
+		place = follow.global_transform * offset
+	return place
+
+
+## What it counts when voices are few, dB.
+func score() -> float:
+	return level_db + priority_db + cue.priority_db
