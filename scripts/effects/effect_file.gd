@@ -41,8 +41,15 @@ const HELPERS: Dictionary[String, String] = {
 	),
 }
 
+## Begins start(): a share of the particles is left out where there is no room for all of them. The
+## engine leaves that to the code. A file that reads AMOUNT_RATIO does it itself.
+const _LEAVE_OUT: String = (
+	" if (fract(float(INDEX) * 0.618034 + 0.001) >= AMOUNT_RATIO) { ACTIVE = false; } "
+)
+
 static var _colours: RegEx = RegEx.create_from_string("(:\\s*)?\\bsource_color\\b(\\s*,)?")
 static var _name: RegEx = RegEx.create_from_string("^[a-z][a-z0-9_]{0,39}$")
+static var _start: RegEx = RegEx.create_from_string("\\bvoid\\s+start\\s*\\(\\s*\\)\\s*\\{")
 static var _type: RegEx = RegEx.create_from_string("\\bshader_type\\s+particles\\s*;")
 
 ## The whole file.
@@ -110,7 +117,17 @@ func code() -> String:
 	if found == null:
 		return text
 	var end: int = found.get_end()
-	return text.left(end) + _helpers() + _without_hints(text.substr(end))
+	var start: RegExMatch = _start.search(_tokens.bare, end)
+	if start == null or _tokens.words.has("AMOUNT_RATIO"):
+		return text.left(end) + _helpers() + _without_hints(text.substr(end))
+	var body: int = start.get_end()
+	return (
+		text.left(end)
+		+ _helpers()
+		+ _without_hints(text.substr(end, body - end))
+		+ _LEAVE_OUT
+		+ _without_hints(text.substr(body))
+	)
 
 
 ## The first problem as "line 3: ..."; empty if there is none.

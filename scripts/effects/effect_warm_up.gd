@@ -1,39 +1,49 @@
 class_name EffectWarmUp
 extends SubViewport
-## Draws every effect once in a small picture that nobody sees, while a client loads: what a shader
-## takes to be compiled (up to 0.1 s each) would else freeze the picture at the first shot.
+## Draws every effect in a small picture that nobody sees, while a client loads: what a shader takes
+## to be compiled (up to 0.1 s each) would else freeze the picture at the first shot.
+##
+## It must be in the world where effects are shown: with other air and other lights the engine
+## compiles other variants. So it draws them far below that world, without lamps and beside some.
 
 ## All effects have been drawn.
 signal finished
 
 ## How long each is drawn, frames: the first makes its particles, the second draws them.
-const FRAMES: int = 3
-## Files that are drawn in a frame.
+const FRAMES: int = 2
+## Files that are drawn at once.
 const AT_ONCE: int = 2
 const _EDGE: int = 32
+## Where: no level reaches so deep, m.
+const _PLACE: Vector3 = Vector3(0.0, -2000.0, 0.0)
+## Kinds of light: none, an omni lamp, an omni lamp and a spot light.
+const _ROUNDS: int = 3
 
 var _waiting: Array[EffectLayer] = []
 var _shown: Array[ParticleEffect] = []
 var _left: int = 0
+var _round: int = 0
+var _omni: OmniLight3D = OmniLight3D.new()
+var _spot: SpotLight3D = SpotLight3D.new()
 
 
 func _ready() -> void:
 	size = Vector2i.ONE * _EDGE
-	own_world_3d = true
-	# What compiles depends on these too.
+	# What is compiled depends on these too.
 	var window: Window = get_window()
 	if window != null:
 		msaa_3d = window.msaa_3d
 		use_hdr_2d = window.use_hdr_2d
 	render_target_update_mode = SubViewport.UPDATE_ALWAYS
 	var camera: Camera3D = Camera3D.new()
-	camera.position = Vector3(0.0, 0.5, 3.0)
+	camera.position = _PLACE + Vector3(0.0, 0.5, 3.0)
 	add_child(camera)
-	var library: EffectLibrary = EffectLibrary.shared()
-	for name: String in library.files():
-		_waiting.append(library.find(name))
-	if DisplayServer.get_name() == "headless":
-		_waiting.clear()
+	for light: Light3D in [_omni, _spot]:
+		light.position = _PLACE + Vector3(0.0, 0.5, 2.0)
+		light.visible = false
+		add_child(light)
+	if DisplayServer.get_name() != "headless":
+		_begin_round()
 
 
 func _process(_p_delta: float) -> void:
@@ -43,6 +53,9 @@ func _process(_p_delta: float) -> void:
 	for shown: ParticleEffect in _shown:
 		shown.queue_free()
 	_shown.clear()
+	if _waiting.is_empty() and _round < _ROUNDS - 1 and DisplayServer.get_name() != "headless":
+		_round += 1
+		_begin_round()
 	if _waiting.is_empty():
 		finished.emit()
 		queue_free()
@@ -52,15 +65,25 @@ func _process(_p_delta: float) -> void:
 	_left = FRAMES
 
 
-## Whether there is something left to draw.
-func is_busy() -> bool:
-	return not (_waiting.is_empty() and _shown.is_empty())
+## All files at first; then one of each shader that draws some.
+func _begin_round() -> void:
+	_omni.visible = _round > 0
+	_spot.visible = _round > 1
+	var library: EffectLibrary = EffectLibrary.shared()
+	var drawn: Dictionary[Shader, bool] = {}
+	for name: String in library.files():
+		var layer: EffectLayer = library.find(name)
+		if _round == 0 or not drawn.has(layer.material.shader):
+			_waiting.append(layer)
+		drawn[layer.material.shader] = true
 
 
 func _show(p_layer: EffectLayer) -> void:
 	var shown: ParticleEffect = ParticleEffect.new()
 	shown.show_layer(p_layer)
+	shown.visibility_range_end = 0.0
 	shown.amount = mini(shown.amount, 8)
+	shown.position = _PLACE
 	add_child(shown)
 	shown.restart()
 	_shown.append(shown)

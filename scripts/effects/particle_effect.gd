@@ -5,8 +5,11 @@ extends GPUParticles3D
 
 ## Group of all that are in the tree, for [EffectBudget].
 const GROUP: StringName = &"particle_effects"
-## Steps of the particles in a second: pictures between two steps are interpolated.
-const STEPS_PER_SECOND: int = 60
+## Steps of the particles in a second: pictures between two steps are interpolated. What lives less
+## than [constant SHORT_S], or is a streak, needs more of them.
+const STEPS_PER_SECOND: int = 30
+const MANY_STEPS_PER_SECOND: int = 60
+const SHORT_S: float = 1.0
 ## A burst keeps as many particles at least, whatever the budget.
 const MIN_BURST: int = 5
 
@@ -42,7 +45,8 @@ func show_layer(p_layer: EffectLayer) -> void:
 	explosiveness = settings.burst
 	one_shot = settings.once
 	preprocess = settings.preprocess
-	fixed_fps = STEPS_PER_SECOND
+	var is_quick: bool = settings.life < SHORT_S or settings.facing == "velocity"
+	fixed_fps = MANY_STEPS_PER_SECOND if is_quick else STEPS_PER_SECOND
 	interpolate = true
 	draw_order = _order_of(settings)
 	var reach: Vector3 = Vector3.ONE * settings.bounds
