@@ -157,6 +157,11 @@ static func _server() -> Array[OptionRow]:
 			. file("levels", server, "folder of levels that clients may get from this server")
 			. shown_as("FOLDER")
 		),
+		(
+			OptionRow
+			. file("effects", server, "folder of effects; what changes in it goes to all clients")
+			. shown_as("FOLDER")
+		),
 		OptionRow.text(
 			"time", server, "time of day at the start, hours; by default the level's own"
 		),

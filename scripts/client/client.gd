@@ -26,6 +26,7 @@ var _desk: InstructorDesk = null
 var _wearer: WearerReports = null
 var _shared: SharedClient = null
 var _arrival: LevelArrival = null
+var _effects: EffectUpdates = null
 var _begin_s: float = 0.0
 var _exit_code: int = 0
 var _stats: ClientStats = ClientStats.new()
@@ -147,6 +148,7 @@ func _apply_options() -> String:
 			_seat.predict(made.live, _scene.replica)
 		made.live.connecting.connect(_shared.reconnect)
 		_await_levels(made.live.link)
+		_effects = EffectUpdates.new(made.live.link)
 	return fault
 
 

@@ -27,6 +27,7 @@ const COMMANDS: Dictionary[String, Array] = {
 	"level": ["NAME", "load another level"],
 	"time": ["HOURS", "set the time of day: 18.5, 18:30, dawn, noon, dusk, night"],
 	"weather": ["KIND [STRENGTH]", "set the weather: clear, haze, dust, rain; 0 to 1"],
+	"effect": ["FILE", "show the effect of a .gdshader file at all clients"],
 	"upright": ["THING|*", "put a vehicle on its wheels or tracks again"],
 	"repair": ["THING|*", "make a vehicle whole again"],
 	"help": ["", "these commands"],
@@ -97,6 +98,8 @@ func submit(p_line: String) -> void:
 			_note("who", _control.ask_who(), true)
 		"level":
 			_change_level(rest)
+		"effect":
+			_send_effect(rest)
 		"upright", "repair":
 			said.emit(_things.give(found[0], rest))
 		"time", "weather":
@@ -145,6 +148,21 @@ func _change_level(p_name: String) -> void:
 		said.emit("which level? %s" % ", ".join(LevelStore.names()))
 		return
 	_note("level '%s'" % p_name, _control.change_level(p_name))
+
+
+## A file of the user's folder, or the name of a shipped effect.
+func _send_effect(p_file: String) -> void:
+	var path: String = Options.full_path(p_file)
+	if EffectFile.is_name(p_file):
+		path = EffectFile.path_of(p_file)
+	var name: String = path.get_file().get_basename()
+	var file: EffectFile = EffectFile.open(path)
+	if not EffectFile.is_name(name):
+		said.emit("which effect? effect smoke.gdshader, with small letters, digits and _")
+	elif not file.problems.is_empty():
+		said.emit("%s: %s" % [path.get_file(), file.first_problem()])
+	else:
+		_note("effect '%s'" % name, _control.send_effect(name, file.text))
 
 
 func _change_conditions(p_what: String, p_rest: String) -> void:

@@ -66,6 +66,20 @@ func set_fields(p_values: Dictionary[StringName, float]) -> int:
 	return _give(OrderMessage.Kind.FIELDS, 0, OrderMessage.write_fields(p_values))
 
 
+## Sends the file of an effect, for all clients; 0 if it is too large, too.
+func send_effect(p_name: String, p_text: String) -> int:
+	if not _link.is_joined():
+		return 0
+	var number: int = _number % 0xFFFF + 1
+	var parts: Array[PackedByteArray] = EffectMessage.split(number, p_name, p_text.to_utf8_buffer())
+	for part: PackedByteArray in parts:
+		_link.send_reliably(part)
+	if parts.is_empty():
+		return 0
+	_number = number
+	return _number
+
+
 func _give(
 	p_kind: OrderMessage.Kind,
 	p_target: int = 0,
