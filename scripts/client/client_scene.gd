@@ -34,6 +34,7 @@ var _followed: FollowedPerson = FollowedPerson.new()
 var _aimed: bool = false
 ## Out of whose eyes the camera looks, or -1.
 var _eyes: int = -1
+var _has_warmed_up: bool = false
 
 
 func _ready() -> void:
@@ -207,6 +208,9 @@ func _on_level_changed(p_level: Level, p_differs: bool) -> void:
 	_views.static_world = p_level.static_root
 	_views.refresh()
 	_camera.fixed = null
+	if not _has_warmed_up:
+		_has_warmed_up = true
+		_level.add_child(EffectWarmUp.new())
 	_physics.set_level(p_level, p_differs)
 	var text: String = "This machine's world '%s' is not the server's."
 	level_noted.emit(text % _level.level_name if p_differs else "")
