@@ -1,3 +1,4 @@
+@tool
 class_name CodeCost
 extends RefCounted
 ## How much work an effect's code is, counted before anything runs: tokens, with what loops repeat

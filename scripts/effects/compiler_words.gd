@@ -1,3 +1,4 @@
+@tool
 class_name CompilerWords
 extends RefCounted
 ## Says in plain words what the compiler of the shading language says in its own.

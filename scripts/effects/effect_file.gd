@@ -1,3 +1,4 @@
+@tool
 class_name EffectFile
 extends RefCounted
 ## One particle effect as one text: a Godot particle shader whose [code]// @key value[/code] lines
@@ -128,6 +129,11 @@ func code() -> String:
 		+ _LEAVE_OUT
 		+ _without_hints(text.substr(body))
 	)
+
+
+## Whether there are loops in the code.
+func has_loops() -> bool:
+	return _tokens != null and _tokens.words.has("for")
 
 
 ## The first problem as "line 3: ..."; empty if there is none.

@@ -1,3 +1,4 @@
+@tool
 class_name EffectHeader
 extends RefCounted
 ## Reads the [code]// @key value[/code] lines of an effect's file into [EffectSettings].

@@ -1,3 +1,4 @@
+@tool
 class_name EffectInput
 extends RefCounted
 ## A number that the emitter of an effect sets while it runs, such as the revolutions of an engine.

@@ -1,3 +1,4 @@
+@tool
 class_name EffectKey
 extends RefCounted
 ## What one setting of an effect's header may be: [code]// @NAME VALUE[/code].

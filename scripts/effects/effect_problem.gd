@@ -1,3 +1,4 @@
+@tool
 class_name EffectProblem
 extends RefCounted
 ## One thing that is wrong in the file of an effect: on which line, and what to do about it.

@@ -1,3 +1,4 @@
+@tool
 class_name EffectSettings
 extends RefCounted
 ## What the header of an effect's file says: one value a setting, the defaults for the rest.

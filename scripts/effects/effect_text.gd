@@ -1,3 +1,4 @@
+@tool
 class_name EffectText
 extends RefCounted
 ## Bytes that came from a file or over the network as text. The engine's own decoder writes every

@@ -1,3 +1,4 @@
+@tool
 class_name EffectTokens
 extends RefCounted
 ## The words and signs of an effect's code, without comments, each with where it stands.

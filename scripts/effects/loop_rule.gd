@@ -1,3 +1,4 @@
+@tool
 class_name LoopRule
 extends RefCounted
 ## Lets only those loops through whose end is certain: an endless one hangs the graphics driver.

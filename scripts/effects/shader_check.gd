@@ -1,3 +1,4 @@
+@tool
 class_name ShaderCheck
 extends RefCounted
 ## Compiles the text of an effect beside what is shown, headless too, and says what is wrong with it

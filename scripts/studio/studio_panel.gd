@@ -1,0 +1,174 @@
+@tool
+class_name StudioPanel
+extends Control
+## Sliders and pickers of an effect, made from its header, its inputs and its uniforms. What is moved
+## changes the text itself, except for inputs: those belong to the emitter.
+
+## A slider or picker has changed the text.
+signal text_wanted(p_text: String)
+## An input of the emitter has changed.
+signal input_wanted(p_name: StringName, p_value: Variant)
+
+const ROW: float = 26.0
+const LABEL: float = 104.0
+const NUMBER: float = 62.0
+
+var _file: EffectFile = null
+var _rows: Dictionary[String, StudioRow] = {}
+var _content: Control = Control.new()
+var _bar: VScrollBar = VScrollBar.new()
+
+
+func _init() -> void:
+	clip_contents = true
+	add_child(_content)
+	add_child(_bar)
+	_bar.value_changed.connect(func(value: float) -> void: _content.position.y = -value)
+	resized.connect(_lay_out)
+
+
+func _gui_input(p_event: InputEvent) -> void:
+	var button: InputEventMouseButton = p_event as InputEventMouseButton
+	if button != null and button.pressed:
+		if button.button_index == MOUSE_BUTTON_WHEEL_DOWN:
+			_bar.value += ROW
+		elif button.button_index == MOUSE_BUTTON_WHEEL_UP:
+			_bar.value -= ROW
+
+
+## Shows what a file without problems has. Rows that are already there keep their place.
+func show_file(p_file: EffectFile, p_uniforms: Array) -> void:
+	_file = p_file
+	var wanted: Dictionary[String, bool] = {}
+	for input: EffectInput in p_file.settings.inputs:
+		_show_input(input, wanted)
+	for uniform: Dictionary in p_uniforms:
+		_show_uniform(uniform, wanted)
+	for name: String in EffectSettings.keys():
+		_show_setting(EffectSettings.keys()[name], wanted)
+	for name: String in _rows.keys():
+		if not wanted.has(name):
+			_rows[name].queue_free()
+			_rows.erase(name)
+	_lay_out()
+
+
+## The row of a setting ("@life"), input or uniform, for tests; null if there is none.
+func row(p_name: String) -> StudioRow:
+	return _rows.get(p_name)
+
+
+func _row(p_name: String, p_wanted: Dictionary[String, bool]) -> StudioRow:
+	p_wanted[p_name] = true
+	if not _rows.has(p_name):
+		var made: StudioRow = StudioRow.new()
+		_rows[p_name] = made
+		_content.add_child(made)
+	return _rows[p_name]
+
+
+func _show_input(p_input: EffectInput, p_wanted: Dictionary[String, bool]) -> void:
+	var is_new: bool = not _rows.has(p_input.name)
+	var shown: StudioRow = _row(p_input.name, p_wanted)
+	shown.describe("emitter: " + p_input.name, p_input.meaning)
+	shown.show_number(p_input.minimum, p_input.maximum, 0.0)
+	if is_new:
+		shown.set_number(p_input.default)
+		shown.number_changed.connect(
+			func(value: float) -> void: input_wanted.emit(StringName(p_input.name), value)
+		)
+
+
+func _show_uniform(p_uniform: Dictionary, p_wanted: Dictionary[String, bool]) -> void:
+	var name: String = p_uniform["name"]
+	if name == EffectFile.MARK or p_wanted.has(name):
+		return
+	if p_uniform["type"] == TYPE_FLOAT:
+		var is_new: bool = not _rows.has(name)
+		var ends: PackedStringArray = String(p_uniform["hint_string"]).split(",")
+		var shown: StudioRow = _row(name, p_wanted)
+		shown.describe(name, "a value of the code")
+		var has_range: bool = p_uniform["hint"] == PROPERTY_HINT_RANGE and ends.size() >= 2
+		var highest: float = ends[1].to_float() if has_range else 10.0
+		shown.show_number(ends[0].to_float() if has_range else 0.0, highest, 0.0)
+		shown.set_number(p_uniform.get("value", 0.0))
+		if is_new:
+			shown.number_changed.connect(_on_uniform_number.bind(name))
+	elif p_uniform["type"] == TYPE_VECTOR3 or p_uniform["type"] == TYPE_COLOR:
+		var is_new: bool = not _rows.has(name)
+		var shown: StudioRow = _row(name, p_wanted)
+		shown.describe(name, "a colour or direction of the code")
+		var value: Variant = p_uniform.get("value", Vector3.ONE)
+		var vector: Vector3 = value if value is Vector3 else Vector3.ONE
+		shown.show_colours([Color(vector.x, vector.y, vector.z)], false)
+		if is_new:
+			shown.colours_changed.connect(_on_uniform_colour.bind(name))
+
+
+func _show_setting(p_key: EffectKey, p_wanted: Dictionary[String, bool]) -> void:
+	var name: String = "@" + p_key.name
+	var is_new: bool = not _rows.has(name)
+	var value: Variant = _file.settings.get(p_key.name)
+	if p_key.kind == EffectKey.Kind.TEXT or p_key.kind == EffectKey.Kind.NAME:
+		return
+	var shown: StudioRow = _row(name, p_wanted)
+	shown.describe(name, "%s%s" % [p_key.meaning, ", " + p_key.suffix if p_key.suffix else ""])
+	match p_key.kind:
+		EffectKey.Kind.NUMBER, EffectKey.Kind.WHOLE:
+			shown.show_number(
+				p_key.minimum, p_key.maximum, 1.0 if p_key.kind == EffectKey.Kind.WHOLE else 0.0
+			)
+			shown.set_number(value)
+		EffectKey.Kind.YES_NO:
+			shown.show_choices(["no", "yes"], "yes" if value else "no")
+		EffectKey.Kind.CHOICE:
+			shown.show_choices(p_key.choices, value)
+		EffectKey.Kind.NUMBERS:
+			shown.show_numbers(value)
+		EffectKey.Kind.COLOURS:
+			shown.show_colours(value, true)
+	if is_new:
+		shown.number_changed.connect(
+			func(number: float) -> void: _change(p_key.name, HeaderEdit.number(number))
+		)
+		shown.text_changed.connect(func(text: String) -> void: _change(p_key.name, text))
+		shown.colours_changed.connect(
+			func(colours: PackedColorArray) -> void: _change(p_key.name, StudioRow.html(colours))
+		)
+
+
+func _change(p_name: String, p_value: String) -> void:
+	text_wanted.emit(HeaderEdit.set_setting(_file.text, p_name, p_value))
+
+
+func _on_uniform_number(p_value: float, p_name: String) -> void:
+	var number: String = HeaderEdit.code_number(p_value)
+	text_wanted.emit(HeaderEdit.set_default(_file.text, p_name, number))
+
+
+func _on_uniform_colour(p_colours: PackedColorArray, p_name: String) -> void:
+	var parts: PackedStringArray = []
+	for part: float in [p_colours[0].r, p_colours[0].g, p_colours[0].b]:
+		parts.append(HeaderEdit.code_number(part))
+	var value: String = "vec3(%s)" % ", ".join(parts)
+	text_wanted.emit(HeaderEdit.set_default(_file.text, p_name, value))
+
+
+func _lay_out() -> void:
+	var columns: int = 2 if size.x > 520.0 else 1
+	var width: float = (size.x - 12.0) / columns
+	var per_column: int = ceili(float(_rows.size()) / columns)
+	var index: int = 0
+	for name: String in _rows:
+		var column: int = index / maxi(per_column, 1)
+		_rows[name].position = Vector2(column * width, (index - column * per_column) * ROW)
+		_rows[name].size = Vector2(width - 8.0, ROW - 2.0)
+		index += 1
+	var height: float = per_column * ROW
+	_content.size = Vector2(size.x - 12.0, height)
+	_bar.position = Vector2(size.x - 10.0, 0.0)
+	_bar.size = Vector2(10.0, size.y)
+	_bar.max_value = height
+	_bar.page = size.y
+	_bar.visible = height > size.y
+	_content.position.y = -_bar.value
