@@ -9,6 +9,11 @@ extends SpatialRenderer
 const SPARE: int = 12
 ## Frames after which a voice that fades is silent.
 const _FADE_FRAMES: int = 2
+## The engine leaves its filter for distance out only where that takes everything above its cutoff
+## (a gain of exactly 0): this halves what voices cost. At 0 dB and above the filter does nothing.
+const _NO_FILTER_DB: float = -1e6
+## Just below 0 dB the filter would take something: such levels are 0 dB.
+const _ALMOST_FULL_DB: float = -0.02
 
 var _players: Array[AudioStreamPlayer3D] = []
 var _free: PackedInt32Array = []
@@ -25,8 +30,7 @@ func _init(p_capacity: int = 48) -> void:
 		var player: AudioStreamPlayer3D = AudioStreamPlayer3D.new()
 		# Level, range and Doppler are worked out by SoundVoices, for all renderers alike.
 		player.attenuation_model = AudioStreamPlayer3D.ATTENUATION_DISABLED
-		player.attenuation_filter_cutoff_hz = 20500.0
-		player.attenuation_filter_db = 0.0
+		player.attenuation_filter_db = _NO_FILTER_DB
 		player.max_db = 6.0
 		player.area_mask = 0
 		player.panning_strength = 1.6
@@ -62,8 +66,12 @@ func update(
 	p_slot: int, p_place: Vector3, p_level_db: float, p_pitch: float, p_bus: StringName
 ) -> void:
 	var player: AudioStreamPlayer3D = _players[p_slot]
-	player.position = p_place
-	player.volume_db = p_level_db
+	# Each set costs more than the comparison.
+	if not player.position.is_equal_approx(p_place):
+		player.position = p_place
+	var level: float = 0.0 if p_level_db > _ALMOST_FULL_DB and p_level_db < 0.0 else p_level_db
+	if absf(player.volume_db - level) > 0.01:
+		player.volume_db = level
 	if absf(player.pitch_scale - p_pitch) > 1e-3:
 		player.pitch_scale = p_pitch
 	if player.bus != p_bus:

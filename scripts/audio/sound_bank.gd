@@ -10,30 +10,30 @@ const FOLDER: String = "res://assets/sound/"
 const MAX_TAKES: int = 8
 ## Beginnings of names, each with level at 1 m (dB over full scale), range (m), spread of the pitch,
 ## priority (dB). The longest that fits counts.
-const _ROWS: Dictionary[String, PackedFloat32Array] = {
-	"": [-12.0, 40.0, 0.05, 0.0],
-	"machine_gun_near": [26.0, 450.0, 0.02, 3.0],
-	"machine_gun_far": [28.0, 1500.0, 0.03, 3.0],
-	"cannon_near": [38.0, 700.0, 0.02, 9.0],
-	"cannon_far": [42.0, 4000.0, 0.03, 9.0],
-	"explosion_near": [38.0, 700.0, 0.04, 9.0],
-	"explosion_far": [42.0, 4000.0, 0.05, 9.0],
-	"bullet_crack": [18.0, 250.0, 0.04, 6.0],
-	"ricochet": [2.0, 150.0, 0.12, 0.0],
-	"gun_loaded": [-2.0, 30.0, 0.02, 3.0],
-	"impact": [0.0, 120.0, 0.06, 0.0],
-	"scrape": [-6.0, 50.0, 0.0, -3.0],
-	"step": [-12.0, 45.0, 0.05, 0.0],
-	"cloth": [-34.0, 10.0, 0.08, -6.0],
-	"gear": [-26.0, 18.0, 0.08, -6.0],
-	"door": [-8.0, 40.0, 0.06, 0.0],
-	"hatch": [2.0, 80.0, 0.03, 0.0],
-	"engine": [14.0, 700.0, 0.0, 3.0],
-	"tracks": [12.0, 400.0, 0.0, 0.0],
-	"tyres": [-2.0, 120.0, 0.0, 0.0],
-	"motor": [-10.0, 50.0, 0.0, 0.0],
-	"turret": [0.0, 80.0, 0.0, 0.0],
-	"fire": [4.0, 120.0, 0.0, 0.0],
+const _ROWS: Dictionary[String, Vector4] = {
+	"": Vector4(-12.0, 40.0, 0.05, 0.0),
+	"machine_gun_near": Vector4(26.0, 450.0, 0.02, 3.0),
+	"machine_gun_far": Vector4(28.0, 1500.0, 0.03, 3.0),
+	"cannon_near": Vector4(38.0, 700.0, 0.02, 9.0),
+	"cannon_far": Vector4(42.0, 4000.0, 0.03, 9.0),
+	"explosion_near": Vector4(38.0, 700.0, 0.04, 9.0),
+	"explosion_far": Vector4(42.0, 4000.0, 0.05, 9.0),
+	"bullet_crack": Vector4(18.0, 250.0, 0.04, 6.0),
+	"ricochet": Vector4(2.0, 150.0, 0.12, 0.0),
+	"gun_loaded": Vector4(-2.0, 30.0, 0.02, 3.0),
+	"impact": Vector4(0.0, 120.0, 0.06, 0.0),
+	"scrape": Vector4(-6.0, 50.0, 0.0, -3.0),
+	"step": Vector4(-12.0, 45.0, 0.05, 0.0),
+	"cloth": Vector4(-34.0, 10.0, 0.08, -6.0),
+	"gear": Vector4(-26.0, 18.0, 0.08, -6.0),
+	"door": Vector4(-8.0, 40.0, 0.06, 0.0),
+	"hatch": Vector4(2.0, 80.0, 0.03, 0.0),
+	"engine": Vector4(14.0, 700.0, 0.0, 3.0),
+	"tracks": Vector4(12.0, 400.0, 0.0, 0.0),
+	"tyres": Vector4(-2.0, 120.0, 0.0, 0.0),
+	"motor": Vector4(-10.0, 50.0, 0.0, 0.0),
+	"turret": Vector4(0.0, 80.0, 0.0, 0.0),
+	"fire": Vector4(4.0, 120.0, 0.0, 0.0),
 }
 ## What captions say of sounds whose names begin so.
 const _CAPTIONS: Dictionary[String, String] = {
@@ -72,11 +72,11 @@ static func _load(p_name: StringName) -> SoundCue:
 	if cue.takes.is_empty():
 		Log.limited("audio", "cue", "there is no sound '%s' in %s" % [p_name, FOLDER])
 		return null
-	var row: PackedFloat32Array = _ROWS[_longest(_ROWS.keys(), p_name)]
-	cue.level_db = row[0]
-	cue.range_m = row[1]
-	cue.pitch_spread = row[2]
-	cue.priority_db = row[3]
+	var row: Vector4 = _ROWS[_longest(_ROWS.keys(), p_name)]
+	cue.level_db = row.x
+	cue.range_m = row.y
+	cue.pitch_spread = row.z
+	cue.priority_db = row.w
 	cue.caption = _CAPTIONS.get(_longest(_CAPTIONS.keys(), p_name), "")
 	for take: AudioStream in cue.takes:
 		cue.length_s = maxf(cue.length_s, take.get_length())

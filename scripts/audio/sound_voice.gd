@@ -34,6 +34,13 @@ var distance: float = 0.0
 ## How fast it goes away from the listener, m/s.
 var recession: float = 0.0
 
+## Since when its place has not been looked at, s, and in which frames it is.
+var since_s: float = 0.0
+var phase: int = 0
+
+var _last_gain_db: float = INF
+var _last_pitch: float = INF
+
 
 ## Ends it; it fades within a few milliseconds.
 func stop() -> void:
@@ -45,6 +52,15 @@ func position() -> Vector3:
 	if follow != null and is_instance_valid(follow) and follow.is_inside_tree():
 		place = follow.global_transform * offset
 	return place
+
+
+## Whether gain or pitch have changed since the last call, so that one hears it.
+func has_changed() -> bool:
+	if absf(gain_db - _last_gain_db) < 0.1 and absf(pitch - _last_pitch) < 0.0005:
+		return false
+	_last_gain_db = gain_db
+	_last_pitch = pitch
+	return true
 
 
 ## What it counts when voices are few, dB.

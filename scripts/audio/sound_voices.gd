@@ -11,7 +11,7 @@ signal captioned(p_text: String, p_place: Vector3, p_level_db: float)
 
 ## The group by which [method find] finds it.
 const GROUP: StringName = &"sound_voices"
-## Voices at once.
+## Voices at once, unless it is told otherwise.
 const MAX_VOICES: int = 48
 ## Sounds that wait for their moment: more are refused.
 const MAX_WAITING: int = 256
@@ -28,8 +28,8 @@ const AIR_DB: float = 0.6
 ## Rays a frame that look for walls, and how far from its source one may be met, m.
 const _WALL_RAYS: int = 2
 const _NEAR_SOURCE_M: float = 0.35
-## One-shots are looked at again after so many frames.
-const _STILL_FRAMES: int = 6
+## Voices whose gain and pitch stay are looked at again after so many frames.
+const _STILL_FRAMES: int = 4
 ## How slowly the speed towards the listener is followed, s; faster than this is a teleport, m/s.
 const _DOPPLER_S: float = 0.06
 const _MAX_RECESSION: float = 120.0
@@ -38,6 +38,8 @@ const _ROOF_M: float = 20.0
 ## What makes voices heard. Set another one to change how.
 var renderer: SpatialRenderer = null:
 	set = set_renderer
+## Voices at once, of this client.
+var max_voices: int = MAX_VOICES
 ## Who listens; null: the camera of the viewport.
 var listener: Node3D = null
 ## How the surroundings of the listener reverberate.
@@ -177,6 +179,7 @@ func start_loop(
 	voice.follow = p_follow
 	voice.offset = p_offset
 	voice.gain_db = -INF
+	voice.phase = _voices.size()
 	voice.position()
 	voice.distance = ear().distance_to(voice.place)
 	_voices.append(voice)
@@ -240,6 +243,7 @@ func _begin(p_voice: SoundVoice) -> bool:
 	_find_roof(p_voice)
 	if not p_voice.cue.is_loop():
 		p_voice.end_s = _clock_s + p_voice.cue.length_s / maxf(p_voice.pitch, 0.1) + 0.1
+	p_voice.phase = _voices.size()
 	_voices.append(p_voice)
 	return _sound(p_voice)
 
@@ -253,7 +257,13 @@ func _sound(p_voice: SoundVoice) -> bool:
 		return false
 	begun += 1
 	peak = maxi(peak, renderer.sounding())
+	var level: float = p_voice.level_db
+	if p_voice.cue.is_loop():
+		# It comes in without a click; the next frame sets its level.
+		p_voice.level_db = SILENT_DB
+		p_voice.phase = posmod(1 - _frame, _STILL_FRAMES)
 	_render(p_voice)
+	p_voice.level_db = level
 	renderer.start(p_voice.slot)
 	if p_voice.cue.caption != "":
 		captioned.emit(p_voice.cue.caption, p_voice.place, p_voice.level_db)
@@ -262,7 +272,7 @@ func _sound(p_voice: SoundVoice) -> bool:
 
 ## Makes sure that one more voice can sound: the lowest ends where it counts less.
 func _make_room(p_voice: SoundVoice) -> bool:
-	if renderer.sounding() < mini(MAX_VOICES, renderer.capacity):
+	if renderer.sounding() < mini(max_voices, renderer.capacity):
 		return true
 	var lowest: SoundVoice = null
 	for voice: SoundVoice in _voices:
@@ -285,16 +295,15 @@ func _advance(p_voice: SoundVoice, p_delta: float) -> void:
 		p_voice.is_over = true
 	if p_voice.is_over:
 		return
+	p_voice.since_s += p_delta
 	var is_loop: bool = p_voice.end_s == INF
-	if not is_loop and p_voice.follow == null and (_frame + p_voice.slot) % _STILL_FRAMES != 0:
+	if not (is_loop and p_voice.has_changed()) and (_frame + p_voice.phase) % _STILL_FRAMES != 0:
 		return
 	var before: float = p_voice.distance
 	p_voice.distance = _ear.distance_to(p_voice.position())
-	if is_loop and p_delta > 0.0:
-		var speed: float = (p_voice.distance - before) / p_delta
-		if absf(speed) < _MAX_RECESSION:
-			var share: float = 1.0 - exp(-p_delta / _DOPPLER_S)
-			p_voice.recession = lerpf(p_voice.recession, speed, share)
+	if is_loop and p_voice.since_s > 0.0:
+		_follow_speed(p_voice, (p_voice.distance - before) / p_voice.since_s)
+	p_voice.since_s = 0.0
 	_weigh(p_voice)
 	if p_voice.slot >= 0:
 		if is_loop and p_voice.level_db < SILENT_DB - 3.0:
@@ -304,6 +313,13 @@ func _advance(p_voice: SoundVoice, p_delta: float) -> void:
 			_render(p_voice)
 	elif p_voice.level_db > SILENT_DB and _make_room(p_voice):
 		_sound(p_voice)
+
+
+## Follows how fast a voice goes away, m/s: a teleport is none.
+func _follow_speed(p_voice: SoundVoice, p_speed: float) -> void:
+	if absf(p_speed) < _MAX_RECESSION:
+		var share: float = 1.0 - exp(-p_voice.since_s / _DOPPLER_S)
+		p_voice.recession = lerpf(p_voice.recession, p_speed, share)
 
 
 ## Works out how loud a voice is at the listener.

@@ -25,7 +25,7 @@ CRUMBS = {
 # What has no modes: grains a second, lowest and highest frequency (Hz), time (s), size, and how
 # loud thud and grains are.
 LOOSE = {
-    "sand": (2600, 900, 9000, 0.16, 0.7, 0.9, 0.42),
+    "sand": (2600, 900, 9000, 0.12, 0.7, 0.9, 0.30),
     "gravel": (900, 1200, 9500, 0.26, 1.6, 0.55, 0.7),
     "dirt": (700, 400, 4200, 0.12, 0.9, 0.9, 0.3),
 }

@@ -17,7 +17,7 @@ from .waves import (
 )
 
 # Pipe and block of an engine: frequencies, widths (Hz) and strengths of the exhaust's resonances.
-PIPE = ((46, 9, 1.0), (97, 14, 0.8), (168, 22, 0.5), (290, 40, 0.35))
+PIPE = ((46, 12, 0.6), (97, 16, 0.8), (168, 22, 0.5), (290, 40, 0.35))
 # Length of a link, m.
 LINK_M = 0.16
 
@@ -30,8 +30,8 @@ def firings(rpm: float, cylinders: int, seconds: float, seed: int) -> tuple[np.n
     random = rng(seed)
     fires, knocks = np.zeros(count), np.zeros(count)
     # No two cylinders are alike.
-    gain = 1 + (0.22 if cylinders > 8 else 0.10) * random.standard_normal(cylinders)
-    shift = 0.012 * random.standard_normal(cylinders)
+    gain = 1 + 0.10 * random.standard_normal(cylinders)
+    shift = 0.009 * random.standard_normal(cylinders)
     for number in range(cycles):
         for one in range(cylinders):
             at = (number + (one + shift[one]) / cylinders) * cycle * RATE

@@ -55,8 +55,8 @@ def finish(name: str, x: np.ndarray) -> tuple[np.ndarray, int]:
     is_loop = name.endswith("_loop")
     if is_loop:
         x = x - x.mean()
-        # The ear must find no seam: the loop begins where it moves least.
-        x = np.roll(x, -int(np.argmin(np.abs(x - np.roll(x, 1)))))
+        # It begins where it is near nothing and hardly moves: neither seam nor start are heard.
+        x = np.roll(x, -int(np.argmin(np.abs(x) + np.abs(np.roll(x, 1)))))
     else:
         last = np.flatnonzero(np.abs(x) > QUIET * np.abs(x).max())[-1]
         x = x[: last + samples(0.02)]
