@@ -162,11 +162,18 @@ static func _suggestion(p_word: String, p_file: EffectFile) -> String:
 	# Any single letter is as near to any other.
 	if p_word.length() < 3:
 		return ""
-	var names: PackedStringArray = NAMES.duplicate()
+	var known: Dictionary[String, bool] = {}
+	for name: String in NAMES:
+		known[name] = true
 	for found: RegExMatch in _words.search_all(p_file.text.left(20000)):
-		var word: String = found.get_string()
-		if word != p_word and not names.has(word):
-			names.append(word)
+		known[found.get_string()] = true
+	known.erase(p_word)
+	# Comparing takes its time, in which somebody types: only those that begin alike are compared.
+	var names: PackedStringArray = []
+	for name: String in known:
+		var differs: int = absi(name.length() - p_word.length())
+		if differs <= maxi(p_word.length() / 3, 1) and name[0].to_lower() == p_word[0].to_lower():
+			names.append(name)
 	var near: String = Nearest.find(p_word, names)
 	return "" if near == "" else " Did you mean '%s'?" % near
 

@@ -58,7 +58,8 @@ func _try(p_number: int, p_text: String) -> void:
 	_busy = true
 	var begin: int = Time.get_ticks_usec()
 	var effect_file: EffectFile = EffectFile.read(p_text)
-	if effect_file.problems.is_empty():
+	# Whatever it is: what must not be drawn at all does not come here.
+	if effect_file.code() != "":
 		OS.low_processor_usage_mode = false
 		_view.render_target_update_mode = SubViewport.UPDATE_ALWAYS
 		_effect.show_file(effect_file)

@@ -125,6 +125,10 @@ func open_effect(p_name: String) -> void:
 	code.tag_saved_version()
 	preview.compare(null)
 	_check()
+	var saved: EffectFile = EffectFile.read(file.saved)
+	if not problems.is_empty() and ShaderCheck.problems(saved).is_empty():
+		# What was not saved the last time may be broken.
+		_show(saved)
 
 
 ## Does what a button or key stands for: see [constant StudioBar.BUTTONS].

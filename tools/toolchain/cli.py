@@ -22,6 +22,7 @@ from . import (
     options,
     package,
     platform_watch,
+    studio,
     suit,
     xbus,
 )
@@ -57,6 +58,7 @@ def main(arguments: list[str]) -> int:
         "level": level.main,
         "package": package.main,
         "platform-watch": lambda rest: platform_watch.main(normalise(rest)),
+        "studio": studio.main,
         "suit-emulator": suit.main,
         "options-doc": _options_doc,
     }

@@ -10,7 +10,7 @@ from __future__ import annotations
 import subprocess
 from pathlib import Path
 
-from . import demo, latency, level, load, package, platform_watch, suit
+from . import demo, latency, level, load, package, platform_watch, studio, suit
 from .console import Failure, tail
 from .godot import Godot
 from .paths import CLIPS, ROOT
@@ -41,6 +41,9 @@ Vehicles
 
 Levels
   ./run level pack NAME     makes a folder of a level that a server can offer its clients
+
+Effects
+  ./run studio [NAME]       the studio for particle effects: text and picture side by side
 
 Measuring
   ./run latency             the delay from sample to display on this machine, stage by stage
@@ -120,6 +123,7 @@ def make(godot: Godot) -> dict[Path, str]:
         "level": level.help_text(),
         "package": package.help_text(),
         "platform-watch": platform_watch.HELP,
+        "studio": studio.HELP,
         "suit-emulator": suit.HELP,
         "mvn-sender": _mvn_sender(godot),
         "xbus-decode": _xbus_decode(),
