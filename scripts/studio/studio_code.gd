@@ -115,7 +115,9 @@ func _complete() -> void:
 
 
 func _complete_setting() -> void:
-	var words: PackedStringArray = get_line(get_caret_line()).strip_edges().substr(4).split(" ", false)
+	var words: PackedStringArray = get_line(get_caret_line()).strip_edges().substr(4).split(
+		" ", false
+	)
 	var key: EffectKey = EffectSettings.keys().get(words[0]) if not words.is_empty() else null
 	if key != null and not key.choices.is_empty():
 		for choice: String in key.choices:

@@ -47,8 +47,10 @@ func note_frame() -> bool:
 func describe() -> String:
 	var empty: float = _median(0)
 	return (
-		"a frame takes %.1f ms without it, %.1f ms more with it (GPU path), %.1f ms more with as many "
-		% [empty, _median(1) - empty, _median(2) - empty]
+		(
+			"a frame takes %.1f ms without it, %.1f ms more with it (GPU path), %.1f ms more with as many "
+			% [empty, _median(1) - empty, _median(2) - empty]
+		)
 		+ "CPU particles"
 	)
 

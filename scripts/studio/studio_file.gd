@@ -22,6 +22,8 @@ var error: String = ""
 ## Names of the effects in the folder.
 func names() -> PackedStringArray:
 	var found: PackedStringArray = []
+	if not DirAccess.dir_exists_absolute(folder):
+		return found
 	for file: String in DirAccess.get_files_at(folder):
 		if file.get_extension() == EffectFile.EXTENSION:
 			found.append(file.get_basename())

@@ -95,7 +95,9 @@ func show_choices(p_choices: PackedStringArray, p_chosen: String) -> void:
 func show_numbers(p_values: PackedFloat64Array) -> void:
 	if _edit == null:
 		_add_edit()
-		_edit.text_submitted.connect(func(text: String) -> void: text_changed.emit(text.strip_edges()))
+		_edit.text_submitted.connect(
+			func(text: String) -> void: text_changed.emit(text.strip_edges())
+		)
 	var parts: PackedStringArray = []
 	for value: float in p_values:
 		parts.append(HeaderEdit.number(value))

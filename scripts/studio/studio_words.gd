@@ -8,8 +8,11 @@ const BUILT_IN: Dictionary[String, String] = {
 	"TRANSFORM": "where the particle is, its turn and size: TRANSFORM[3].xyz is its position, m",
 	"VELOCITY": "how fast it moves, m/s; the engine moves it by this",
 	"COLOR": "its colour and opacity, 0 to 1",
-	"CUSTOM": "four numbers of your own; x: turn (radians), y: age 0 to 1 (frame of the texture), "
-	+ "z: heat of blend fire",
+	"CUSTOM":
+	(
+		"four numbers of your own; x: turn (radians), y: age 0 to 1 (frame of the texture), "
+		+ "z: heat of blend fire"
+	),
 	"ACTIVE": "false: the particle is gone",
 	"DELTA": "time since the last step, s",
 	"LIFETIME": "@life, s",
@@ -85,7 +88,8 @@ const TYPES: Dictionary[String, String] = {
 const KEYWORDS: Dictionary[String, String] = {
 	"shader_type": "the first line: shader_type particles;",
 	"particles": "what kind of shader it is",
-	"uniform": "a value that a slider or the emitter sets: uniform float a : hint_range(0, 1) = 0.5;",
+	"uniform":
+	"a value that a slider or the emitter sets: uniform float a : hint_range(0, 1) = 0.5;",
 	"hint_range": "hint_range(from, to): the ends of a slider",
 	"source_color": "makes a vec3 a colour that can be picked",
 	"const": "a value that never changes",

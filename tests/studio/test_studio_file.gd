@@ -1,0 +1,84 @@
+extends TestCase
+## Nothing that somebody typed is lost.
+
+const FOLDER: String = "user://test_studio"
+
+var _file: StudioFile = null
+
+
+func before_each() -> void:
+	_clean_up()
+	DirAccess.make_dir_recursive_absolute(FOLDER)
+	_file = _open()
+
+
+func after_each() -> void:
+	_clean_up()
+
+
+func test_what_is_saved_is_there() -> void:
+	is_true(_file.save("one"))
+	equal(FileAccess.get_file_as_string(_file.path()), "one")
+	equal(_open().saved, "one")
+	equal(_file.names(), PackedStringArray(["test_studio"]))
+
+
+func test_an_unsaved_text_comes_back() -> void:
+	_file.save("one")
+	_file.keep("two")
+	var again: StudioFile = _open()
+	equal(again.open("test_studio"), "two")
+	equal([again.saved, again.is_changed("two")], ["one", true])
+	contains(again.error, "not saved the last time")
+	again.save("two")
+	equal(_open().open("test_studio"), "two")
+	equal(_open().error, "")
+
+
+func test_what_somebody_else_has_put_there_is_kept() -> void:
+	_file.save("one")
+	var other: FileAccess = FileAccess.open(_file.path(), FileAccess.WRITE)
+	other.store_string("theirs")
+	other.close()
+	is_true(_file.save("mine"))
+	contains(_file.error, "somebody else")
+	equal(FileAccess.get_file_as_string(_file.path()), "mine")
+	is_true(_backups().any(func(text: String) -> bool: return text == "theirs"))
+
+
+func test_a_folder_that_cannot_be_written_changes_nothing() -> void:
+	_file.folder = "user://no/such/folder"
+	is_false(_file.save("one"))
+	contains(_file.error, "cannot be written")
+
+
+func test_a_bad_name_is_not_saved() -> void:
+	_file.name = "../evil"
+	is_false(_file.save("one"))
+	contains(_file.error, "small letters")
+
+
+func _open() -> StudioFile:
+	var file: StudioFile = StudioFile.new()
+	file.folder = FOLDER
+	file.open("test_studio")
+	return file
+
+
+func _backups() -> Array[String]:
+	var texts: Array[String] = []
+	for name: String in DirAccess.get_files_at(StudioFile.KEPT):
+		if name.begins_with("test_studio.") and name.ends_with(".backup"):
+			texts.append(FileAccess.get_file_as_string(StudioFile.KEPT.path_join(name)))
+	return texts
+
+
+func _clean_up() -> void:
+	for folder: String in [FOLDER, StudioFile.KEPT]:
+		if not DirAccess.dir_exists_absolute(folder):
+			continue
+		for name: String in DirAccess.get_files_at(folder):
+			if name.begins_with("test_studio"):
+				DirAccess.remove_absolute(folder.path_join(name))
+	if DirAccess.dir_exists_absolute(FOLDER):
+		DirAccess.remove_absolute(FOLDER)
