@@ -264,6 +264,17 @@ static func _display() -> Array[OptionRow]:
 			Quality.NAMES,
 			"how much is drawn; by default what fits the machine, or what was chosen in the menu"
 		),
+		OptionRow.choice(
+			"sound",
+			showing,
+			"auto",
+			ClientSound.MODES,
+			"whether the client makes sound; auto: where it has a window (docs/sound.md)"
+		),
+		OptionRow.text("volume", showing, "how loud all is, instead of the menu's, %").shown_as(
+			"0-100"
+		),
+		OptionRow.flag("captions", showing, "show captions of sounds, whatever the menu says"),
 		OptionRow.text("camera", showing, "camera at the start, degrees and m").shown_as(
 			"AZIMUTH,ELEVATION,DISTANCE"
 		),

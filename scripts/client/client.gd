@@ -15,6 +15,7 @@ const _PICTURE_PATIENCE_S: float = 60.0
 @export var _interaction: Interaction
 @export var _controls: WindowControls
 @export var _seat: ClientSeat
+@export var _sound: ClientSound
 
 var _role: String = ""
 var _options: Options = null
@@ -123,6 +124,7 @@ func _apply_options() -> String:
 	fault = made.error if fault == "" else fault
 	_stream = made.stream
 	_connect_stream()
+	_sound.open(_scene, _options, _controls.settings(), _controls.sound_menu())
 	if fault == "" and _role != ClientStreams.REPLAY:
 		var has_body: bool = Roles.can(Roles.find(_role), Roles.Capability.SEND_MOTION)
 		fault = _seat.open(_scene, _hud, _options, has_body)
@@ -276,6 +278,7 @@ func _on_ended(p_exit_code: int, p_why: String) -> void:
 func _on_told(p_text: String) -> void:
 	Log.warning("client", p_text)
 	_hud.show_note(p_text)
+	_sound.click_radio()
 
 
 func _on_frame_drawn() -> void:
@@ -306,6 +309,7 @@ func _make_report() -> Dictionary:
 	if _arrival != null:
 		report["level"] = _arrival.report()
 	report["driving"] = _seat.report()
+	report["sound"] = _sound.report()
 	return report
 
 

@@ -168,6 +168,16 @@ func viewpoint() -> Vector3:
 	return _camera.global_position
 
 
+## The people who are displayed, by their numbers.
+func people() -> Dictionary[int, ActorView]:
+	return _actors
+
+
+## Where the camera is and looks.
+func viewpoint_transform() -> Transform3D:
+	return _camera.global_transform
+
+
 ## The level and what moves in it.
 func get_level() -> ClientLevel:
 	return _level

@@ -4,6 +4,9 @@ extends RefCounted
 
 ## The file.
 const PATH: String = "user://settings.cfg"
+const _SOUND: String = "sound"
+## What of sound is on before a user has chosen.
+const _SOUND_ON: Dictionary[StringName, bool] = {&"limiter": true}
 const _DISPLAY: String = "display"
 const _QUALITY: String = "quality"
 ## The device for which the program has chosen; empty where a person has.
@@ -39,9 +42,38 @@ func choose_quality(p_name: String) -> void:
 	_keep_quality(p_name, "")
 
 
+## How loud a bus of [constant SoundBuses.SETTABLE] is, 0 to 1.
+func volume(p_bus: StringName) -> float:
+	var kept: Variant = _file.get_value(_SOUND, p_bus.to_lower(), 1.0)
+	if not (kept is float or kept is int) or not is_finite(kept):
+		return 1.0
+	return clampf(kept, 0.0, 1.0)
+
+
+## Keeps how loud a bus is, 0 to 1.
+func choose_volume(p_bus: StringName, p_share: float) -> void:
+	_file.set_value(_SOUND, p_bus.to_lower(), clampf(p_share, 0.0, 1.0))
+	_save()
+
+
+## Whether one of [constant SoundMenu.SWITCHES] is on.
+func is_sound_on(p_name: StringName) -> bool:
+	return _file.get_value(_SOUND, p_name, _SOUND_ON.get(p_name, false)) == true
+
+
+## Keeps whether it is on.
+func choose_sound(p_name: StringName, p_is_on: bool) -> void:
+	_file.set_value(_SOUND, p_name, p_is_on)
+	_save()
+
+
 func _keep_quality(p_name: String, p_chosen_for: String) -> void:
 	_file.set_value(_DISPLAY, _QUALITY, p_name)
 	_file.set_value(_DISPLAY, _CHOSEN_FOR, p_chosen_for)
+	_save()
+
+
+func _save() -> void:
 	var error: Error = _file.save(_path)
 	if error != OK:
 		Log.warning("client", "%s cannot be written: %s" % [_path, error_string(error)])

@@ -76,6 +76,16 @@ func is_menu_open() -> bool:
 	return _menu.is_open()
 
 
+## What the user has chosen; null without a window.
+func settings() -> UserSettings:
+	return _settings
+
+
+## Where the sound is set.
+func sound_menu() -> SoundMenu:
+	return _menu.sound_menu
+
+
 ## The keys, for the line at the bottom.
 func hint() -> String:
 	return KeyGuide.hint(_moves)

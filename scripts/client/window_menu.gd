@@ -1,8 +1,7 @@
 class_name WindowMenu
 extends CanvasLayer
-## What Esc leads to: go on, see the keys, choose the quality, calibrate a wheel,
-## fill the screen, leave. F1 shows the
-## keys at once.
+## What Esc leads to: go on, see the keys, choose the quality, set the sound, calibrate a
+## wheel, fill the screen, leave. F1 shows the keys at once.
 
 ## The user wants to end the program.
 signal leave_wanted
@@ -20,11 +19,15 @@ const _MENU: StringName = &"ui_cancel"
 @export var _keys: Button
 @export var _full_screen: Button
 @export var _quality: Button
+@export var _sound: Button
 @export var _wheel: Button
 @export var _leave: Button
 @export var _list: Label
 @export var _names: Label
 @export var _guide: Control
+
+## Where the sound is set.
+var sound_menu: SoundMenu = SoundMenu.new()
 
 ## Place of the tier of quality among its names.
 var _tier: int = 0
@@ -37,8 +40,12 @@ func _ready() -> void:
 	_leave.pressed.connect(leave_wanted.emit)
 	_quality.pressed.connect(_choose_next_quality)
 	_wheel.pressed.connect(_on_wheel_pressed)
+	_sound.pressed.connect(_on_sound_pressed)
 	_menu.visible = false
 	_guide.visible = false
+	sound_menu.add_theme_stylebox_override("panel", _menu.get_theme_stylebox("panel"))
+	sound_menu.closed.connect(_show_menu.bind(true))
+	add_child(sound_menu)
 
 
 ## Sets the keys that do something here, as of [method KeyGuide.describe].
@@ -65,7 +72,7 @@ func _choose_next_quality() -> void:
 
 ## Whether the menu is open.
 func is_open() -> bool:
-	return _menu.visible
+	return _menu.visible or sound_menu.visible
 
 
 ## Whether the list of keys is open.
@@ -97,6 +104,11 @@ func _show_menu(p_shows: bool) -> void:
 func _on_wheel_pressed() -> void:
 	_show_menu(false)
 	wheel_wanted.emit()
+
+
+func _on_sound_pressed() -> void:
+	_show_menu(false)
+	sound_menu.open()
 
 
 func _show_keys() -> void:

@@ -97,6 +97,16 @@ func head() -> Transform3D:
 	return Transform3D(_turn_of(_head), head_joint())
 
 
+## Where the feet (left, right) were put last in the world, m; empty where it has none.
+func feet() -> PackedVector3Array:
+	return _places_of([&"LeftFoot", &"RightFoot"])
+
+
+## The same of the hands.
+func hands() -> PackedVector3Array:
+	return _places_of([&"LeftHand", &"RightHand"])
+
+
 ## Where the hips face: angle about the vertical, 0 towards +Z.
 func heading() -> float:
 	var ahead: Vector3 = _turn_of(_hips) * Vector3.BACK
@@ -134,6 +144,16 @@ func _hold(p_is_held: bool) -> void:
 func write_skeleton() -> void:
 	if not poser.is_driving_skeleton():
 		poser.write_skeleton(_skeleton)
+
+
+func _places_of(p_bones: Array[StringName]) -> PackedVector3Array:
+	var places: PackedVector3Array = []
+	for name: StringName in p_bones:
+		var bone: int = _skeleton.find_bone(name)
+		if bone < 0:
+			return []
+		places.append(poser.get_bone_transform(bone).origin)
+	return places
 
 
 ## How a bone is turned in the world, from its rest.

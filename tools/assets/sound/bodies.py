@@ -90,7 +90,7 @@ def _loose(kind: str, seed: int) -> np.ndarray:
     """The ground gives way: a thud and its grains."""
     rate, low, high, time, size, thud_gain, gain = LOOSE[kind]
     x = silence(0.45)
-    thud = band(noise(0.1, seed), 50, 350) * decay(0.1, 0.07)
+    thud = band(noise(0.1, seed), 50, 350) * decay(0.1, 0.055)
     put(x, attack(norm(thud), 0.002), 0, thud_gain)
     part = grains(seed + 1, 0.4, rate, low, high, time, size)
     put(x, attack(norm(part), 0.004), 0.003, gain)
