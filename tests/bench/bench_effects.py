@@ -74,7 +74,7 @@ class Bench:
                 )
         self.parts = self.parts or list(PARTS)
         self.stats = Stats("effects", "--json" in arguments)
-        self.godot: Godot = prepare()
+        self.godot: Godot = prepare(export=False)
 
     def command(self, *flags: str) -> list[str]:
         """The engine on the sources."""

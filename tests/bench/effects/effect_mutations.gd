@@ -5,7 +5,7 @@ extends SceneTree
 const Stage: GDScript = preload("effect_stage.gd")
 const EFFECTS: PackedStringArray = ["smoke", "fire", "sparks", "explosion_debris"]
 ## So many texts that were accepted are drawn: each may be compiled anew, which takes long.
-const DRAW_EVERY: int = 20
+const DRAW_EVERY: int = 3
 const _DEFAULTS: Dictionary = {"count": 10000, "seed": 1}
 const _WORDS: PackedStringArray = [
 	"for (;;) { }", "while (true) { }", "@count 2000000000", "// @count 99999", "// @texture none",
