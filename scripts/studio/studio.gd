@@ -4,8 +4,8 @@ extends Control
 ## The effects studio: the code of an effect on the left, the effect on the right, renewed at every
 ## key press. The thesis calls it Subatomic Studio (9.2).
 ##
-## What is broken is named at its line, and what was shown before goes on. A text with loops is first
-## tried in a process of its own ([EffectSandbox]).
+## What is broken is named at its line, and what was shown before goes on. A text with loops is
+## first tried in a process of its own ([EffectSandbox]).
 
 ## Height of the bars, and the least of the panes, px.
 const BAR: float = 30.0

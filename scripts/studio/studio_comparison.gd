@@ -1,8 +1,8 @@
 @tool
 class_name StudioComparison
 extends RefCounted
-## Measures what an effect costs: the time of a frame with nothing, with the effect, and with as many
-## particles on the engine's CPU path ([CpuStandIn]), one after the other.
+## Measures what an effect costs: the time of a frame with nothing, with the effect, and with as
+## many particles on the engine's CPU path ([CpuStandIn]), one after the other.
 
 ## Frames of each, and those before it that do not count.
 const FRAMES: int = 40

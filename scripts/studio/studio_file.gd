@@ -1,8 +1,8 @@
 @tool
 class_name StudioFile
 extends RefCounted
-## The file of the effect that the studio edits. Nothing that somebody typed is lost: a save replaces
-## the file in one step and keeps what was there, and what is not saved is kept too.
+## The file of the effect that the studio edits. Nothing that somebody typed is lost: a save
+## replaces the file in one step and keeps what was there, and what is not saved is kept too.
 
 ## Where unsaved texts and what was replaced are kept.
 const KEPT: String = "user://studio"

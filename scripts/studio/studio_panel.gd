@@ -1,8 +1,8 @@
 @tool
 class_name StudioPanel
 extends Control
-## Sliders and pickers of an effect, made from its header, its inputs and its uniforms. What is moved
-## changes the text itself, except for inputs: those belong to the emitter.
+## Sliders and pickers of an effect, made from its header, its inputs and its uniforms. What is
+## moved changes the text itself, except for inputs: those belong to the emitter.
 
 ## A slider or picker has changed the text.
 signal text_wanted(p_text: String)
