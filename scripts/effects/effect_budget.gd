@@ -6,15 +6,15 @@ extends RefCounted
 ## Not the number of particles costs time but how much of the picture they cover, again and again.
 ## Where all together cover too much, each gets fewer of its particles, those far away first.
 
-## Share of the particles of all effects: [code]Quality[/code] sets it.
-static var share: float = 1.0
-## How many times all particles together may fill the picture.
-static var screens: float = 4.0
-
 ## Of what is beyond this distance, half the particles are drawn, m.
 const HALF_M: float = 120.0
 ## The least share that is left to an effect for all others.
 const MIN_ROOM: float = 0.12
+
+## Share of the particles of all effects: [code]Quality[/code] sets it.
+static var share: float = 1.0
+## How many times all particles together may fill the picture.
+static var screens: float = 4.0
 
 
 ## Gives each effect of a world its room, seen by a camera.

@@ -28,7 +28,7 @@ const MAX_INPUTS_TEXT: int = 400
 		entity = p_value
 		update_configuration_warnings()
 ## What the effect's inputs are, a line for each: [code]revs = rpm * 0.0004[/code] follows a field,
-## [code]scale = 1.5[/code] is a number, and [code]amount = burning[/code] is the share of particles.
+## [code]scale = 1.5[/code] is a number, [code]amount = burning[/code] the share of particles.
 @export_multiline var inputs: String = "":
 	set(p_value):
 		inputs = p_value.left(MAX_INPUTS_TEXT)

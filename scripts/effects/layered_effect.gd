@@ -1,8 +1,8 @@
 @tool
 class_name LayeredEffect
 extends Node3D
-## Shows an effect of the [EffectLibrary] with all its layers, and goes over to its newest text while
-## it runs.
+## Shows an effect of the [EffectLibrary] with all its layers, and goes over to its newest text
+## while it runs.
 
 ## Name of the effect, such as [code]smoke[/code]; one that is not known shows nothing.
 var effect: String = "":

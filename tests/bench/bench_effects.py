@@ -167,9 +167,9 @@ def add_costs(stats: Stats, renderer: str, rows: list[dict[str, Any]]) -> None:
 HEAD = [
     "# What effects cost",
     "",
-    "Written by `./run bench effects --write`: processor time of all threads in a frame, ms, above an",
-    "empty scene, with software rendering, 640x360, at 60 steps a second. A graphics card does most of",
-    "it elsewhere: there it is the order that tells.",
+    "Written by `./run bench effects --write`: processor time of all threads in a frame, ms, above",
+    "an empty scene, drawn by the processor, 640x360, at 60 steps a second. Where a graphics card",
+    "does most of it, the order still tells.",
     "",
 ]
 
@@ -181,7 +181,7 @@ def tier_table(rows: list[dict[str, Any]]) -> list[str]:
         text = f"{max(row['ms'], 0.0):.1f} ({row['particles']})"
         found.setdefault(row["effect"], {})[row["tier"]] = text
     lines = [
-        "Every effect from 8 m, as if it began anew all the time; the number of particles in brackets.",
+        "Every effect from 8 m, as if it went on all the time; in brackets the number of particles.",
         "",
         "| effect | low | medium | high |",
         "|---|---|---|---|",
@@ -198,7 +198,7 @@ def count_table(rows: list[dict[str, Any]]) -> list[str]:
         found.setdefault(row["effect"], {})[row["particles"]] = max(row["ms"], 0.0)
     counts = sorted({count for by_count in found.values() for count in by_count})
     lines = [
-        "The first file of each with so many particles, from 90 m: numbers count, not what they cover.",
+        "The first file of each with so many particles, from 90 m: there numbers count, not areas.",
         "",
         "| effect | " + " | ".join(f"{count:,}" for count in counts) + " |",
         "|---" * (len(counts) + 1) + "|",

@@ -35,9 +35,12 @@ func test_every_shipped_file_compiles_and_says_what_it_is() -> void:
 
 func test_what_the_thesis_and_the_issue_name_is_shipped() -> void:
 	var wanted: PackedStringArray = (
-		"diesel_fumes track_dust muzzle_flash tracer smoke fire explosion sparks debris impact "
-		+ "impact_wood impact_metal impact_glass impact_soft rain sandstorm breath fountain"
-	).split(" ")
+		(
+			"diesel_fumes track_dust muzzle_flash tracer smoke fire explosion sparks debris impact "
+			+ "impact_wood impact_metal impact_glass impact_soft rain sandstorm breath fountain"
+		)
+		. split(" ")
+	)
 	for name: String in wanted:
 		is_true(_library.has(name), name)
 	equal(_library.layers("explosion").size(), 4)

@@ -1,6 +1,6 @@
 extends SceneTree
-## Gives a running session of effects mutated texts, thousands of them; a JSON object at the end, for
-## bench_effects.py. Options: --count=10000, --seed=1.
+## Gives a running session of effects mutated texts, thousands of them; a JSON object at the end,
+## for bench_effects.py. Options: --count=10000, --seed=1.
 
 const Stage: GDScript = preload("effect_stage.gd")
 const EFFECTS: PackedStringArray = ["smoke", "fire", "sparks", "explosion_debris"]
@@ -8,10 +8,34 @@ const EFFECTS: PackedStringArray = ["smoke", "fire", "sparks", "explosion_debris
 const DRAW_EVERY: int = 3
 const _DEFAULTS: Dictionary = {"count": 10000, "seed": 1}
 const _WORDS: PackedStringArray = [
-	"for (;;) { }", "while (true) { }", "@count 2000000000", "// @count 99999", "// @texture none",
-	"int i[999999999];", "process();", "#include", "}", "{", ";", "TRANSFORM", "0.0 / 0.0", "1e38",
-	"-1e38", "for (int i = 0; i < 4096; i++) { }", "// @life 0", "// @burst nan", "uniform float x;",
-	"discard;", "ACTIVE = false;", "vec4(1.0)", "/*", "*/", "\t", "é", "void start() { }", "return;",
+	"for (;;) { }",
+	"while (true) { }",
+	"@count 2000000000",
+	"// @count 99999",
+	"// @texture none",
+	"int i[999999999];",
+	"process();",
+	"#include",
+	"}",
+	"{",
+	";",
+	"TRANSFORM",
+	"0.0 / 0.0",
+	"1e38",
+	"-1e38",
+	"for (int i = 0; i < 4096; i++) { }",
+	"// @life 0",
+	"// @burst nan",
+	"uniform float x;",
+	"discard;",
+	"ACTIVE = false;",
+	"vec4(1.0)",
+	"/*",
+	"*/",
+	"\t",
+	"é",
+	"void start() { }",
+	"return;",
 ]
 
 var _chance: RandomNumberGenerator = RandomNumberGenerator.new()
