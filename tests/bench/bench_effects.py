@@ -181,7 +181,7 @@ def tier_table(rows: list[dict[str, Any]]) -> list[str]:
         text = f"{max(row['ms'], 0.0):.1f} ({row['particles']})"
         found.setdefault(row["effect"], {})[row["tier"]] = text
     lines = [
-        "Every effect from 8 m, as if it went on all the time; in brackets the number of particles.",
+        "Every effect from 8 m, as if it went on for ever; in brackets the number of particles.",
         "",
         "| effect | low | medium | high |",
         "|---|---|---|---|",
