@@ -80,3 +80,47 @@ func test_axes_face_the_way_that_is_asked_for() -> void:
 		var axes: Basis = ImpactMarks.upward(way)
 		almost_equal(axes.y, way, 1e-5)
 		almost_equal(axes.determinant(), 1.0, 1e-5)
+
+
+func test_what_was_fired_is_seen_when_the_vehicle_is_gone() -> void:
+	_view.free()
+	FiringView.begin(_range.shells)
+	var player: EffectPlayer = EffectPlayer.of(_range.tank)
+	is_false(_range.tank.is_ancestor_of(player))
+	var view: FiringView = null
+	for child: Node in player.get_children():
+		view = child as FiringView if child is FiringView else view
+	_range.command(&"fire")
+	_range.shells.struck.emit(
+		Vector3(5.0, 0.0, -20.0), Vector3.UP, &"sand", _range.gun.ammunition[0]
+	)
+	equal(view.tracers.count(), 1)
+	equal(player.playing("muzzle_flash"), 1)
+	equal(player.playing("impact"), 1)
+	_range.tank.free()
+	await process_frames(3)
+	is_true(is_instance_valid(view), "marks and tracers are still there")
+	equal(view.marks.made, 1)
+	equal(player.playing("impact"), 1)
+	view._process(ImpactMarks.LASTING_S + 1.0)
+	await process_frames(2)
+	is_false(is_instance_valid(view), "and go when they have faded")
+
+
+func test_each_material_has_its_impact() -> void:
+	var player: EffectPlayer = EffectPlayer.of(_view)
+	var dart: Ammunition = _range.gun.ammunition[0]
+	var cases: Dictionary[StringName, String] = {
+		&"wood": "impact_wood",
+		&"metal": "impact_metal",
+		&"glass": "impact_glass",
+		&"person": "impact_soft",
+		&"sand": "impact",
+		&"unheard_of": "impact",
+	}
+	for surface: StringName in cases:
+		var before: int = player.playing(cases[surface])
+		_range.shells.struck.emit(Vector3(5.0, 0.0, -20.0), Vector3.UP, surface, dart)
+		is_true(player.playing(cases[surface]) > before, surface)
+	is_true(player.playing("sparks") >= 1)
+	is_true(player.playing("debris") >= 1)
