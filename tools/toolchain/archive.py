@@ -197,7 +197,7 @@ def _write_licences(folder: Path, files: Iterable[Path]) -> None:
     documents = [Path("/usr/share/doc")]
     documents += sorted(cache().glob("*/root/usr/share/doc"))
     packages = _packages_of({file.resolve().name for file in files})
-    for package in sorted({*packages, "godot", "libusb-1.0-0", "libsodium23"}):
+    for package in sorted({*packages, "godot", "libusb-1.0-0", "libsodium23", "libmysofa1"}):
         for place in documents:
             text = place / package / "copyright"
             if text.is_file():

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""libusb and libsodium to build against and to ship, umockdev for the suit emulator. No root.
+"""libusb, libsodium and libmysofa to build against and to ship, umockdev for the suit emulator.
 
-What the machine has installed is taken. Otherwise Debian's packages are unpacked into a private
-folder: of the host's own release where there is one, else of the oldest that serves, because our
-extension is loaded by the host's programs as well as by the private, newer Godot.
+No root. What the machine has installed is taken. Otherwise Debian's packages are unpacked into a
+private folder: of the host's own release where there is one, else of the oldest that serves, because
+our extension is loaded by the host's programs as well as by the private, newer Godot.
 """
 
 from __future__ import annotations
@@ -17,15 +17,25 @@ from .apt import KEYRING, SUITE, AptError, apt_command, apt_run, mirrors
 from .console import Failure, say, step, tail
 from .paths import cache, lock, make_folder, need_space
 
-LAYOUT = 3  # Raised when the way the folder is made changes: older folders are then made anew.
+LAYOUT = 4  # Raised when the way the folder is made changes: older folders are then made anew.
 OLDER_SUITES = ["bookworm", "trixie"]
 # With all that they need at run time, except for the C library: that is the host's.
-RUN_PACKAGES = ["libusb-1.0-0", "libsodium23", "libumockdev0", "umockdev"]
+RUN_PACKAGES = ["libusb-1.0-0", "libsodium23", "libmysofa1", "libumockdev0", "umockdev"]
 BASE_PACKAGES = ("libc6_", "libgcc-s1_", "gcc-")
 # Headers and links alone: what else these packages want would be a compiler.
-BUILD_PACKAGES = ["libusb-1.0-0-dev", "libsodium-dev", "libumockdev-dev", "libglib2.0-dev"]
+BUILD_PACKAGES = [
+    "libusb-1.0-0-dev",
+    "libsodium-dev",
+    "libmysofa-dev",
+    "libumockdev-dev",
+    "libglib2.0-dev",
+]
 LIBRARIES = Path("usr/lib/x86_64-linux-gnu")
-NEEDED = {"libusb-1.0": "libusb-1.0-0-dev", "libsodium": "libsodium-dev"}
+NEEDED = {
+    "libusb-1.0": "libusb-1.0-0-dev",
+    "libsodium": "libsodium-dev",
+    "libmysofa": "libmysofa-dev",
+}
 INSTALL = (
     "sudo sh -c 'apt-get update && apt-get install -y --no-install-recommends "
     f"{' '.join(NEEDED.values())}'"
@@ -38,14 +48,16 @@ class Libraries:
 
     libusb: Path | None
     libsodium: Path | None
+    libmysofa: Path | None
     umockdev: Path | None
     has_umockdev: bool
 
     def options(self) -> list[str]:
-        """Options for CMake (gdextension/cmake/dismount_{libusb,libsodium,umockdev}.cmake)."""
+        """Options for CMake: see gdextension/cmake/dismount_lib*.cmake and dismount_umockdev.cmake."""
         return [
             f"-DDISMOUNT_LIBUSB_ROOT={self.libusb or ''}",
             f"-DDISMOUNT_LIBSODIUM_ROOT={self.libsodium or ''}",
+            f"-DDISMOUNT_LIBMYSOFA_ROOT={self.libmysofa or ''}",
             f"-DDISMOUNT_UMOCKDEV={'ON' if self.has_umockdev else 'OFF'}",
             f"-DDISMOUNT_UMOCKDEV_ROOT={self.umockdev or ''}",
         ]
@@ -62,7 +74,7 @@ def find() -> Libraries:
             if not all(own[name] for name in NEEDED):
                 raise
             say(f"[ -- ] there will be no suit emulator: {str(failure).splitlines()[0]}")
-            return Libraries(None, None, None, False)
+            return Libraries(None, None, None, None, False)
     places = [None if own[name] else root for name in own]
     return Libraries(*places, has_umockdev=True)
 
@@ -94,8 +106,8 @@ def ensure() -> Path:
     if missing or not KEYRING.exists():
         what = ", ".join(missing) or str(KEYRING)
         raise Failure(
-            f"libusb 1.0 or libsodium is not installed and cannot be fetched without {what}: "
-            "install both with their headers (libusb-1.0-0-dev and libsodium-dev, or as your "
+            f"libusb 1.0, libsodium or libmysofa is not installed and cannot be fetched without "
+            f"{what}: install all with their headers ({', '.join(NEEDED.values())}, or as your "
             "system names them)."
         )
     make_folder(cache())
@@ -116,7 +128,7 @@ def _make(work: Path) -> None:
         for site in sites:
             apt = apt_command(work, site, "deb", suite)
             try:
-                with step(f"download libraries from Debian {suite} (about 9 MB)"):
+                with step(f"download libraries from Debian {suite} (about 11 MB)"):
                     apt_run([*apt, "update"])
                     archives = _download(apt, work)
             except AptError as error:
@@ -126,8 +138,8 @@ def _make(work: Path) -> None:
             _unpack(archives, work)
             return
     raise Failure(
-        f"libusb 1.0 or libsodium is not installed and cannot be had from Debian's mirrors "
-        f"({failure}): install them with '{INSTALL}', or set DISMOUNT_DEBIAN_MIRROR to a Debian "
+        "libusb 1.0, libsodium or libmysofa is not installed and cannot be had from Debian's "
+        f"mirrors ({failure}): install them with '{INSTALL}', or set DISMOUNT_DEBIAN_MIRROR to a Debian "
         "mirror."
     )
 

@@ -42,6 +42,9 @@ class Api:
         }
         self.opaque_types = [name for name in self.builtins if name not in MATH_TYPES]
         self.sizes = _sizes(dump)
+        self.native_structures: dict[str, str] = {
+            entry["name"]: entry["format"] for entry in dump.get("native_structures", [])
+        }
         self._all_classes = {entry["name"]: entry for entry in dump["classes"]}
         self.classes = self._with_parents([*CORE_CLASSES, *enabled_classes])
         self._variant_types = {

@@ -50,6 +50,7 @@ class ClassWriter:
         self._methods: list[Json] = []
         self._mentioned: set[str] = set()
         self._included: set[str] = set()
+        self.structures: set[str] = set()
         self._has_ref_default = False
 
     def write(self) -> None:
@@ -68,11 +69,17 @@ class ClassWriter:
             except UnsupportedType:
                 self.skipped += 1
                 continue
-            self._note_classes([*[p.type for p in parameters], result])
+            used = [*[p.type for p in parameters], result]
+            if not method["is_virtual"] and any(cpp.kind is Kind.POINTER for cpp in used):
+                self.skipped += 1
+                continue
+            self._note_classes(used)
             self._add_method(method, parameters, result)
 
     def _note_classes(self, used: list[CppType]) -> None:
         for cpp in used:
+            if cpp.structure:
+                self.structures.add(cpp.structure)
             if cpp.engine_class in ("", self.name):
                 continue
             # An enum needs its class; a pointer or Ref only a declaration of it.
@@ -160,6 +167,7 @@ class ClassWriter:
             includes.append("variant/typed_array.hpp")
         if self.parent != "Wrapped":
             includes.append(f"classes/{snake_case(self.parent)}.hpp")
+        includes += [f"classes/{snake_case(used)}.hpp" for used in sorted(self.structures)]
         forward = sorted(self._mentioned - self._included - {self.parent})
         inherited = f"\t\t{self.parent}::register_virtuals<Class, Base>();"
         return [
@@ -226,16 +234,28 @@ class ClassWriter:
         ]
 
 
+def structure_lines(name: str, format: str) -> list[str]:
+    """The header of a native structure."""
+    fields = [f"\t{field.strip()} = 0;" for field in format.split(";") if field.strip()]
+    head = ["#include <cstdint>", "", "namespace godot {", ""]
+    return [*head, f"struct {name} {{", *fields, "};", "", "} // namespace godot"]
+
+
 def generate(api: Api, types: TypeMap, output: Output) -> tuple[int, int]:
     """Writes all classes; returns how many methods were written and skipped."""
     written = 0
     skipped = 0
+    structures: set[str] = set()
     for name in api.classes:
         writer = ClassWriter(api, types, name)
         writer.write()
+        structures |= writer.structures
         file = snake_case(name)
         output.add_header(f"classes/{file}.hpp", writer.header_lines())
         output.add(f"src/classes/{file}.cpp", writer.source_lines())
         written += len(api.classes[name].get("methods", [])) - writer.skipped
         skipped += writer.skipped
+    for name in sorted(structures):
+        lines = structure_lines(name, api.native_structures[name])
+        output.add_header(f"classes/{snake_case(name)}.hpp", lines)
     return written, skipped

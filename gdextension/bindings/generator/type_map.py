@@ -24,6 +24,15 @@ _INT_METADATA = {
 }
 
 
+_NUMBERS = {"float", "double", "int", *_INT_METADATA.values()}
+
+
+def is_plain(structure: str) -> bool:
+    """Whether a native structure, as the dump writes it, has numbers alone."""
+    fields = [field.split() for field in structure.split(";") if field.strip()]
+    return bool(fields) and all(len(field) == 2 and field[0] in _NUMBERS for field in fields)
+
+
 class Kind(Enum):
     """Families of types that cross into the engine in the same way."""
 
@@ -34,6 +43,7 @@ class Kind(Enum):
     VALUE = auto()
     OBJECT = auto()
     REF = auto()
+    POINTER = auto()  # To plain memory; virtuals alone have such parameters here.
 
 
 @dataclass(frozen=True)
@@ -43,6 +53,7 @@ class CppType:
     kind: Kind
     spelling: str
     engine_class: str = ""  # The engine class that it mentions, if any.
+    structure: str = ""  # The native structure that it points to, if any.
 
     def parameter(self, name: str) -> str:
         """Declares a parameter."""
@@ -126,6 +137,8 @@ class TypeMap:
             if self._api.is_ref_counted(name):
                 return CppType(Kind.REF, f"Ref<{name}>", name)
             return CppType(Kind.OBJECT, f"{name} *", name)
+        if name.endswith("*"):
+            return self._pointer(name)
         raise UnsupportedType(name)
 
     def result(self, method: Json) -> CppType:
@@ -147,6 +160,17 @@ class TypeMap:
             )
             for entry in method.get("arguments", [])
         ]
+
+    def _pointer(self, name: str) -> CppType:
+        """A pointer to memory or to a native structure of numbers."""
+        target = name.removesuffix("*").strip()
+        spelling = f"{target} *"
+        plain = target.removeprefix("const ").strip()
+        if plain == "void":
+            return CppType(Kind.POINTER, spelling)
+        if is_plain(self._api.native_structures.get(plain, "")):
+            return CppType(Kind.POINTER, spelling, structure=plain)
+        raise UnsupportedType(name)
 
     def _enum(self, name: str) -> CppType:
         prefix, _, qualified = name.partition("::")

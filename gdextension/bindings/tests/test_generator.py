@@ -41,6 +41,8 @@ def fake_dump() -> dict:
         method("pick", arguments=arguments, return_value={"type": "Thing"}),
         method("other", arguments=[{"name": "other", "type": "Elsewhere"}]),
         method("_made", is_virtual=True),
+        method("_mix", arguments=[{"name": "to", "type": "Frame*"}], is_virtual=True),
+        method("mix", arguments=[{"name": "to", "type": "Frame*"}]),
     ]
     return {
         "header": {
@@ -49,6 +51,10 @@ def fake_dump() -> dict:
             "version_patch": 3,
             "version_full_name": "Godot 4.6.3",
         },
+        "native_structures": [
+            {"name": "Frame", "format": "float left;float right"},
+            {"name": "Mixed", "format": "float left;String name"},
+        ],
         "builtin_class_sizes": [
             {"build_configuration": "float_32", "sizes": [{"name": "String", "size": 4}]},
             {"build_configuration": "float_64", "sizes": [{"name": "String", "size": 8}]},
@@ -149,13 +155,15 @@ def test_old_and_double_precision_engines_are_refused():
         ("typedarray::int", None, "TypedArray<int64_t>"),
         ("Thing", None, "Thing *"),
         ("Shared", None, "Ref<Shared>"),
+        ("const void*", None, "const void *"),
+        ("Frame*", None, "Frame *"),
     ],
 )
 def test_types(api, name, meta, spelling):
     assert TypeMap(api).find(name, meta).spelling == spelling
 
 
-@pytest.mark.parametrize("name", ["Elsewhere", "enum::Elsewhere.Kind", "const void*"])
+@pytest.mark.parametrize("name", ["Elsewhere", "enum::Elsewhere.Kind", "Elsewhere*", "Mixed*"])
 def test_what_is_outside_the_profile_is_unsupported(api, name):
     with pytest.raises(UnsupportedType):
         TypeMap(api).find(name)
@@ -203,9 +211,17 @@ def test_a_class(api):
     assert "virtual void _made();" in header
     assert 'add_virtual<Class>("_made", &Class::_made)' in header
     assert "other" not in header
-    assert writer.skipped == 1
+    assert "virtual void _mix(Frame *p_to);" in header
+    assert "#include <godot_cpp/classes/frame.hpp>" in header
+    assert " mix(" not in header, "pointers are for virtuals alone"
+    assert writer.skipped == 2
     assert '{ "count", 7, nullptr }' in source
     assert '"_made", 7' not in source
+
+
+def test_a_native_structure():
+    text = "\n".join(classes.structure_lines("Frame", "float left;float right"))
+    assert "struct Frame {\n\tfloat left = 0;\n\tfloat right = 0;\n};" in text
 
 
 def test_interface_functions():

@@ -18,7 +18,8 @@ constexpr int MEMORY_STEPS = 120;
 constexpr float STRONGER = 2.0f;
 
 bool is_sound(const Touch &p_touch) {
-	return std::isfinite(p_touch.impulse) && std::isfinite(p_touch.slip) && p_touch.impulse > 0.0f && p_touch.mass > 0.0f;
+	return std::isfinite(p_touch.impulse) && std::isfinite(p_touch.slip) && p_touch.impulse > 0.0f &&
+			p_touch.mass > 0.0f;
 }
 
 } // namespace

@@ -39,7 +39,8 @@ struct Impact {
 /// now. What rests, rolls or is carried is none. Within 50 ms a pair has one, unless another is much stronger.
 class ImpactDetector {
 public:
-	static constexpr float MIN_SPEED = 0.35f; ///< Least change of speed of an impact, m/s: more than gravity's in a step.
+	static constexpr float MIN_SPEED =
+			0.35f; ///< Least change of speed of an impact, m/s: more than gravity's in a step.
 	static constexpr float MIN_SLIP = 0.25f; ///< Least speed of a scrape, m/s.
 	static constexpr int APART_STEPS = 6; ///< Bodies that have not touched for so long meet anew.
 	static constexpr int MERGED_STEPS = 3; ///< Impacts of a pair within this are one.

@@ -131,6 +131,12 @@ struct TypeInfo<T *, std::enable_if_t<std::is_base_of_v<Wrapped, T>>> {
 	}
 };
 
+/// Pointers to memory and to native structures cross as they are, in virtuals alone.
+template <class T>
+struct TypeInfo<T *, std::enable_if_t<std::is_void_v<T> || (std::is_class_v<T> && !std::is_base_of_v<Wrapped, T>)>> {
+	static T *from_pointer(const void *p_value) { return *static_cast<T *const *>(p_value); }
+};
+
 /// References cross in the engine's own holder.
 template <class T>
 struct TypeInfo<Ref<T>> : TypeInfo<T *> {
