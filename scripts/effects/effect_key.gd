@@ -162,7 +162,7 @@ static func _make(p_name: String, p_kind: Kind, p_default: Variant, p_meaning: S
 
 ## A number as short as it can be written.
 static func _text(p_value: Variant) -> String:
-	return String.num(float(p_value), 4)
+	return String.num(float(p_value), 4).trim_suffix(".0")
 
 
 func _bound(p_minimum: float, p_maximum: float, p_suffix: String) -> void:

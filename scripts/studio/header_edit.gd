@@ -38,7 +38,7 @@ static func set_default(p_text: String, p_name: String, p_value: String) -> Stri
 
 ## A number as the header has it.
 static func number(p_value: float) -> String:
-	return String.num(p_value, 3)
+	return String.num(p_value, 3).trim_suffix(".0")
 
 
 ## A number as the code has it: with a point.

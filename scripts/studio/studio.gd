@@ -43,6 +43,7 @@ var _message: Label = Label.new()
 var _help: TextEdit = TextEdit.new()
 var _session: StudioSession = StudioSession.new()
 var _film: FilmFile = null
+var _film_begin_ms: int = 0
 var _candidate: EffectFile = null
 var _keep_s: float = 0.0
 var _notice: String = ""
@@ -60,6 +61,13 @@ func _ready() -> void:
 	_help.editable = false
 	_help.text = StudioWords.everything()
 	_help.visible = false
+	_help.wrap_mode = TextEdit.LINE_WRAPPING_BOUNDARY
+	_help.add_theme_color_override("font_readonly_color", Color(0.9, 0.92, 0.95))
+	_help.add_theme_font_size_override("font_size", 13)
+	var opaque: StyleBoxFlat = StyleBoxFlat.new()
+	opaque.bg_color = Color(0.1, 0.12, 0.16)
+	opaque.set_content_margin_all(8.0)
+	_help.add_theme_stylebox_override("read_only", opaque)
 	for label: Label in [_message, _status]:
 		label.clip_text = true
 		label.add_theme_font_size_override("font_size", 13)
@@ -295,6 +303,7 @@ func _begin_film() -> void:
 	var size: Vector2i = preview.view.size - preview.view.size % 2
 	var path: String = "%s/%s.avi" % [_pictures(), file.name]
 	var error: String = _film.open(path, size, FILM_RATE)
+	_film_begin_ms = Time.get_ticks_msec()
 	_notice = "filming %s" % path if error == "" else error
 	if error != "":
 		_film = null
@@ -316,7 +325,12 @@ func _on_frame_drawn() -> void:
 		_measure = null
 	if _film == null:
 		return
-	_film.add(preview.view.get_texture().get_image())
+	# As many as the time asks for: on a slow machine some of them are the same.
+	var due: int = int((Time.get_ticks_msec() - _film_begin_ms) / 1000.0 * FILM_RATE) + 1
+	if _film.frames() < due:
+		var picture: Image = preview.view.get_texture().get_image()
+		while _film.frames() < mini(due, int(FILM_RATE * FILM_S)):
+			_film.add(picture)
 	if _film.frames() >= FILM_RATE * FILM_S:
 		_film.close()
 		_film = null
