@@ -2,8 +2,8 @@
 """libusb, libsodium and libmysofa to build against and to ship, umockdev for the suit emulator.
 
 No root. What the machine has installed is taken. Otherwise Debian's packages are unpacked into a
-private folder: of the host's own release where there is one, else of the oldest that serves, because
-our extension is loaded by the host's programs as well as by the private, newer Godot.
+private folder: of the host's own release where there is one, else of the oldest that serves, as our
+extension is loaded by the host's programs as well as by the private, newer Godot.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ class Libraries:
     has_umockdev: bool
 
     def options(self) -> list[str]:
-        """Options for CMake: see gdextension/cmake/dismount_lib*.cmake and dismount_umockdev.cmake."""
+        """Options for CMake: see gdextension/cmake/dismount_{lib*,umockdev}.cmake."""
         return [
             f"-DDISMOUNT_LIBUSB_ROOT={self.libusb or ''}",
             f"-DDISMOUNT_LIBSODIUM_ROOT={self.libsodium or ''}",
@@ -139,8 +139,8 @@ def _make(work: Path) -> None:
             return
     raise Failure(
         "libusb 1.0, libsodium or libmysofa is not installed and cannot be had from Debian's "
-        f"mirrors ({failure}): install them with '{INSTALL}', or set DISMOUNT_DEBIAN_MIRROR to a Debian "
-        "mirror."
+        f"mirrors ({failure}): install them with '{INSTALL}', or set DISMOUNT_DEBIAN_MIRROR to a "
+        "Debian mirror."
     )
 
 
