@@ -106,7 +106,7 @@ func _apply_settings(p_options: Options) -> void:
 	for bus: StringName in SoundBuses.SETTABLE:
 		_menu.show_volume(bus, SoundBuses.volume(bus))
 	for name: StringName in SoundMenu.SWITCHES:
-		_menu.show_switch(name, _settings.is_sound_on(name), _is_possible(name))
+		_menu.show_switch(name, _settings.is_sound_on(name))
 	_menu.volume_changed.connect(_on_volume_changed)
 	_menu.switched.connect(_on_switched)
 
@@ -118,18 +118,19 @@ func _switch(p_name: StringName, p_is_on: bool) -> void:
 		&"captions":
 			_shows_captions = p_is_on
 		&"binaural":
-			_use_headphones(p_is_on and _is_possible(p_name))
+			_use_headphones(p_is_on)
 
 
-## Whether something can be switched on this machine.
-func _is_possible(p_name: StringName) -> bool:
-	return p_name != &"binaural" or ClassDB.class_exists(&"BinauralRenderer")
-
-
-## The renderer of voices for headphones, where the program has one, or that for loudspeakers.
+## Lets voices be heard by headphones, or by loudspeakers.
 func _use_headphones(p_are_on: bool) -> void:
-	var is_panned: bool = voices.renderer is PannedRenderer
-	if not p_are_on and not is_panned:
+	if not p_are_on:
+		if voices.renderer is not PannedRenderer:
+			voices.renderer = PannedRenderer.new(SoundVoices.MAX_VOICES)
+		return
+	var ears: BinauralRenderer = BinauralRenderer.new(SoundVoices.MAX_VOICES)
+	voices.renderer = ears
+	if ears.error != "":
+		Log.warning("client", "no binaural sound: %s" % ears.error)
 		voices.renderer = PannedRenderer.new(SoundVoices.MAX_VOICES)
 
 

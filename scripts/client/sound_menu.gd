@@ -83,10 +83,9 @@ func show_volume(p_bus: StringName, p_share: float) -> void:
 	_sliders[p_bus].set_value_no_signal(p_share * 100.0)
 
 
-## Shows whether something is on, and whether it can be switched here.
-func show_switch(p_name: StringName, p_is_on: bool, p_is_possible: bool = true) -> void:
+## Shows whether something is on.
+func show_switch(p_name: StringName, p_is_on: bool) -> void:
 	_checks[p_name].set_pressed_no_signal(p_is_on)
-	_checks[p_name].disabled = not p_is_possible
 
 
 func _on_toggled(p_is_on: bool, p_name: StringName) -> void:
