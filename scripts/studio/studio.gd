@@ -11,8 +11,8 @@ extends Control
 const BAR: float = 30.0
 const STATUS: float = 44.0
 const GAP: float = 4.0
-## Below this width the panel of sliders is left out, px.
-const NARROW: float = 800.0
+## The smallest studio that has room for the sliders, px.
+const WITH_PANEL: Vector2 = Vector2(600.0, 480.0)
 ## Time between two times that an unsaved text is kept, s.
 const KEEP_S: float = 2.0
 const FILM_RATE: int = 30
@@ -52,6 +52,9 @@ var _measure: StudioComparison = null
 
 func _ready() -> void:
 	set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT)
+	# In the editor it stands in a container.
+	size_flags_vertical = Control.SIZE_EXPAND_FILL
+	size_flags_horizontal = Control.SIZE_EXPAND_FILL
 	var back: ColorRect = ColorRect.new()
 	back.color = Color(0.13, 0.14, 0.17)
 	back.set_anchors_preset(Control.PRESET_FULL_RECT)
@@ -369,7 +372,7 @@ func _lay_out() -> void:
 	_help.size = code.size
 	var right: Vector2 = Vector2(middle + GAP, top)
 	var room: Vector2 = Vector2(size.x - middle - 2.0 * GAP, bottom - top)
-	panel.visible = size.x >= NARROW
+	panel.visible = size.x >= WITH_PANEL.x and size.y >= WITH_PANEL.y
 	var share: float = 0.6 if panel.visible else 1.0
 	preview.position = right
 	preview.size = Vector2(room.x, room.y * share)

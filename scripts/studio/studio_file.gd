@@ -122,4 +122,6 @@ func _write(p_path: String, p_text: String) -> bool:
 
 
 func _kept_path() -> String:
-	return "%s/%s.unsaved" % [KEPT, name]
+	# Effects of one name may be in several folders.
+	var where: String = ProjectSettings.globalize_path(folder).md5_text().left(8)
+	return "%s/%s.%s.unsaved" % [KEPT, name, where]
