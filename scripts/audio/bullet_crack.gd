@@ -34,10 +34,6 @@ static func of_shot(
 	var angle: float = asin(SoundVoices.SOUND_SPEED / speed)
 	var from_m: float = along - crack.beside_m * tan(angle)
 	crack.place = p_muzzle + ahead * from_m
-	crack.delay_s = (
-		from_m / speed + p_ear.distance_to(crack.place) / SoundVoices.SOUND_SPEED
-	)
-	crack.is_heard = (
-		from_m > MIN_AHEAD_M and from_m < p_reach_m and crack.beside_m < MAX_BESIDE_M
-	)
+	crack.delay_s = (from_m / speed + p_ear.distance_to(crack.place) / SoundVoices.SOUND_SPEED)
+	crack.is_heard = (from_m > MIN_AHEAD_M and from_m < p_reach_m and crack.beside_m < MAX_BESIDE_M)
 	return crack

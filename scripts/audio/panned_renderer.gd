@@ -44,15 +44,15 @@ func _process(_delta: float) -> void:
 	_frame += 1
 	for slot: int in _fading.keys():
 		if _frame - _fading[slot] > _FADE_FRAMES:
-			_players[slot].stop()
-			_players[slot].stream = null
-			_fading.erase(slot)
-			_free.append(slot)
+			_end_fade(slot)
 
 
 func begin(p_stream: AudioStream, p_bus: StringName, p_from_s: float) -> int:
-	if _free.is_empty() or _sounding >= capacity:
+	if _sounding >= capacity:
 		return -1
+	if _free.is_empty():
+		# All that fade would need another moment: the first of them is cut.
+		_end_fade(_fading.keys()[0])
 	var slot: int = _free[_free.size() - 1]
 	_free.resize(_free.size() - 1)
 	_players[slot].stream = p_stream
@@ -91,3 +91,10 @@ func release(p_slot: int) -> void:
 
 func sounding() -> int:
 	return _sounding
+
+
+func _end_fade(p_slot: int) -> void:
+	_players[p_slot].stop()
+	_players[p_slot].stream = null
+	_fading.erase(p_slot)
+	_free.append(p_slot)

@@ -44,7 +44,7 @@ const _CAPTIONS: Dictionary[String, String] = {
 	"ricochet": "Ricochet",
 	"engine12_7": "Engine",
 	"engine6_7": "Engine",
-	"tracks_2": "Tracks",
+	"tracks_22": "Tracks",
 	"door_shut": "Door",
 	"hatch": "Hatch",
 	"fire": "Fire",

@@ -7,8 +7,11 @@ extends RefCounted
 var cue: SoundCue = null
 ## Where it is, m, if it follows nothing.
 var place: Vector3 = Vector3.ZERO
-## What it follows; null: nothing.
-var follow: Node3D = null
+## What it follows; null: nothing. It ends with it.
+var follow: Node3D = null:
+	set(p_value):
+		follow = p_value
+		_follows = p_value != null
 ## Place in the frame of what it follows, m.
 var offset: Vector3 = Vector3.ZERO
 ## How much louder it is than its cue, dB.
@@ -38,6 +41,7 @@ var recession: float = 0.0
 var since_s: float = 0.0
 var phase: int = 0
 
+var _follows: bool = false
 var _last_gain_db: float = INF
 var _last_pitch: float = INF
 
@@ -45,6 +49,11 @@ var _last_pitch: float = INF
 ## Ends it; it fades within a few milliseconds.
 func stop() -> void:
 	is_over = true
+
+
+## Whether what it follows is gone: what is freed is no longer told from null.
+func is_abandoned() -> bool:
+	return _follows and not is_instance_valid(follow)
 
 
 ## Where it is now, m.

@@ -196,6 +196,13 @@ func stop_all() -> void:
 	_merged.clear()
 
 
+## Ends all that ends by itself.
+func stop_all_but_loops() -> void:
+	for voice: SoundVoice in _voices:
+		voice.is_over = voice.is_over or voice.end_s < INF
+	_drop_ended()
+
+
 ## How many voices are heard.
 func heard() -> int:
 	return renderer.sounding() if renderer != null else 0
@@ -291,7 +298,7 @@ func _make_room(p_voice: SoundVoice) -> bool:
 func _advance(p_voice: SoundVoice, p_delta: float) -> void:
 	if p_voice.end_s <= _clock_s:
 		p_voice.is_over = true
-	if p_voice.follow != null and not is_instance_valid(p_voice.follow):
+	if p_voice.is_abandoned():
 		p_voice.is_over = true
 	if p_voice.is_over:
 		return

@@ -14,9 +14,7 @@ func begin(_stream: AudioStream, _bus: StringName, _from_s: float) -> int:
 
 
 ## Sets where a voice is (m), its level (dB over full scale), pitch and bus.
-func update(
-	_slot: int, _place: Vector3, _level_db: float, _pitch: float, _bus: StringName
-) -> void:
+func update(_slot: int, _place: Vector3, _level_db: float, _pitch: float, _bus: StringName) -> void:
 	pass
 
 

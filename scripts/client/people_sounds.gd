@@ -87,9 +87,7 @@ static func _speed_of(p_from: Vector3, p_to: Vector3, p_delta: float) -> float:
 
 
 ## Cloth where a hand moves fast beside the hips.
-func _rub(
-	p_walker: Walker, p_hips: Vector3, p_hands: PackedVector3Array, p_delta: float
-) -> void:
+func _rub(p_walker: Walker, p_hips: Vector3, p_hands: PackedVector3Array, p_delta: float) -> void:
 	p_walker.cloth_s += p_delta
 	for side: int in mini(p_hands.size(), 2):
 		var arm: Vector3 = p_hands[side] - p_hips

@@ -8,15 +8,11 @@ extends SceneTree
 const Files: GDScript = preload("sound/sound_files.gd")
 const Mix: GDScript = preload("sound/sound_mix.gd")
 const Scene: GDScript = preload("sound/sound_scene.gd")
-const _PARTS: PackedStringArray = [
-	"files", "levels", "walls", "engine", "delay", "voices", "scene"
-]
+const _PARTS: PackedStringArray = ["files", "levels", "walls", "engine", "delay", "voices", "scene"]
 
 
 func _initialize() -> void:
-	var arguments: BenchArguments = BenchArguments.parse(
-		OS.get_cmdline_user_args(), {"part": ""}
-	)
+	var arguments: BenchArguments = BenchArguments.parse(OS.get_cmdline_user_args(), {"part": ""})
 	var part: String = arguments.value("part")
 	if arguments.error == "" and part != "" and not _PARTS.has(part):
 		arguments.error = "--part is one of %s" % ", ".join(_PARTS)

@@ -26,8 +26,8 @@ enum Running {
 ## Revolutions and speeds (m/s) of the loops, and how their files name them.
 const RPMS: PackedFloat32Array = [700.0, 1200.0, 1800.0, 2600.0]
 const _RPM_NAMES: PackedStringArray = ["700", "1200", "1800", "2600"]
-const SPEEDS: PackedFloat32Array = [2.0, 3.6, 6.4, 11.4]
-const _SPEED_NAMES: PackedStringArray = ["20", "36", "64", "114"]
+const SPEEDS: PackedFloat32Array = [2.2, 3.4, 5.2, 8.0, 12.3]
+const _SPEED_NAMES: PackedStringArray = ["22", "34", "52", "80", "123"]
 ## Farther than this from the listener nothing but guns is worked out, m.
 const AWAY_M: float = 700.0
 ## Speed at which tyres sound as made, m/s, and revolutions of an electric motor, 1/min.
@@ -46,8 +46,8 @@ const _FOLLOW_S: float = 0.08
 	set(p_value):
 		vehicle = p_value
 		update_configuration_warnings()
-## What flies its rounds; empty for vehicles without guns.
-@export var shells: Shells = null
+## One of its guns, which leads to the shots of all; empty for vehicles without.
+@export var gun: VehicleGun = null
 ## What drives it.
 @export var engine: Drive = Drive.DIESEL_12
 ## What it rolls on.
@@ -100,11 +100,12 @@ func _get_configuration_warnings() -> PackedStringArray:
 ## Begins on such voices.
 func start(p_voices: SoundVoices) -> void:
 	stop()
+	set_process(true)
 	_voices = p_voices
 	_yaw = vehicle.state.turret_yaw
 	_hatches = Vector2(vehicle.state.hatch, vehicle.state.loader_hatch)
-	if shells != null:
-		_firing = FiringSound.new(p_voices, shells)
+	if gun != null and gun.shells != null:
+		_firing = FiringSound.new(p_voices, gun.shells)
 	if engine == Drive.ELECTRIC:
 		_motor = p_voices.start_loop(&"motor_loop", vehicle, exhaust)
 	else:
@@ -126,6 +127,7 @@ func start(p_voices: SoundVoices) -> void:
 
 ## Ends all.
 func stop() -> void:
+	set_process(false)
 	for loops: BlendedLoops in [_engine, _load] + _sides:
 		if loops != null:
 			loops.stop()

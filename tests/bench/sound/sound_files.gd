@@ -59,9 +59,7 @@ static func _measure_impact(p_report: BenchReport, p_material: String) -> void:
 	p_report.add(
 		case, "90 % of the energy, least", least, "ms", _LEAST, middle * (1.0 - _DECAY_SHARE)
 	)
-	p_report.add(
-		case, "90 % of the energy, most", most, "ms", _MOST, middle * (1.0 + _DECAY_SHARE)
-	)
+	p_report.add(case, "90 % of the energy, most", most, "ms", _MOST, middle * (1.0 + _DECAY_SHARE))
 
 
 static func _measure_line(p_report: BenchReport, p_name: String, p_hz: float) -> void:
@@ -95,5 +93,6 @@ static func _measure_seams(p_report: BenchReport) -> void:
 		if share > worst:
 			worst = share
 			name = loop
-	p_report.add("%d loops" % count, "seam beside the largest step, worst (%s)" % name, worst, "",
-		_MOST, 1.0)
+	p_report.add(
+		"%d loops" % count, "seam beside the largest step, worst (%s)" % name, worst, "", _MOST, 1.0
+	)

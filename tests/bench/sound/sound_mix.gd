@@ -71,9 +71,7 @@ func measure_walls() -> void:
 	var less: float = (
 		Figures.level_above_db(open, 1000.0, _rate) - Figures.level_above_db(shut, 1000.0, _rate)
 	)
-	_report.add(
-		"wall", "less above 1 kHz", less, "dB", BenchReport.Goal.AT_LEAST, _GOAL_WALL_DB
-	)
+	_report.add("wall", "less above 1 kHz", less, "dB", BenchReport.Goal.AT_LEAST, _GOAL_WALL_DB)
 	_end()
 
 
@@ -151,8 +149,14 @@ func measure_delay() -> void:
 					break
 		took.append(found)
 	took.sort()
-	_report.add("impact to captured sound", "median", took[took.size() / 2], "ms",
-		BenchReport.Goal.AT_MOST, _GOAL_DELAY_MS)
+	_report.add(
+		"impact to captured sound",
+		"median",
+		took[took.size() / 2],
+		"ms",
+		BenchReport.Goal.AT_MOST,
+		_GOAL_DELAY_MS
+	)
 	_report.add("impact to captured sound", "longest", took[took.size() - 1], "ms")
 	_end()
 

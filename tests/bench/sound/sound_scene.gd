@@ -36,8 +36,9 @@ func measure_voices() -> void:
 	await _tree.create_timer(1.0).timeout
 	var used: float = await _busy_ms()
 	_report.add("64 voices", "heard", _voices.heard(), "")
-	_report.add("64 voices", "processor time a second", used - without, "ms", _MOST,
-		_GOAL_VOICES_MS)
+	_report.add(
+		"64 voices", "processor time a second", used - without, "ms", _MOST, _GOAL_VOICES_MS
+	)
 	_end()
 
 
@@ -79,13 +80,29 @@ func measure_scene() -> void:
 		peak = maxf(peak, MixCapture.peak_db(mix.take()))
 	mix.stop()
 	_report.add("20 guns, 3 tanks, 200 impacts/s", "peak", peak, "dBFS", _MOST, _GOAL_PEAK_DB)
-	_report.add("20 guns, 3 tanks, 200 impacts/s", "voices at once", heard, "", _MOST,
-		SoundVoices.MAX_VOICES)
-	_report.add("20 guns, 3 tanks, 200 impacts/s", "main thread a frame", took / frames, "ms",
-		_MOST, _GOAL_FRAME_MS)
+	_report.add(
+		"20 guns, 3 tanks, 200 impacts/s",
+		"voices at once",
+		heard,
+		"",
+		_MOST,
+		SoundVoices.MAX_VOICES
+	)
+	_report.add(
+		"20 guns, 3 tanks, 200 impacts/s",
+		"main thread a frame",
+		took / frames,
+		"ms",
+		_MOST,
+		_GOAL_FRAME_MS
+	)
 	_report.add("20 guns, 3 tanks, 200 impacts/s", "begun a second", _voices.begun / _SECONDS, "")
-	_report.add("20 guns, 3 tanks, 200 impacts/s", "ended for others a second",
-		_voices.stolen / _SECONDS, "")
+	_report.add(
+		"20 guns, 3 tanks, 200 impacts/s",
+		"ended for others a second",
+		_voices.stolen / _SECONDS,
+		""
+	)
 	for tank: VehicleSound in tanks:
 		tank.stop()
 	_end()
@@ -101,10 +118,9 @@ func _make_tanks() -> Array[VehicleSound]:
 		_add(vehicle)
 		var sound: VehicleSound = VehicleSound.new()
 		sound.vehicle = vehicle
-		sound.set_process(false)
 		_add(sound)
-		sound.set_process(false)
 		sound.start(_voices)
+		sound.set_process(false)
 		tanks.append(sound)
 	return tanks
 
@@ -123,7 +139,11 @@ func _hit(p_impacts: ImpactSounds) -> void:
 	var place: Vector3 = Vector3(randf_range(-15, 15), 0.0, randf_range(-15, 15))
 	var kinds: Array[StringName] = [&"wood", &"metal", &"concrete", &"sand"]
 	p_impacts.play_impact(
-		kinds[randi() % 4], kinds[randi() % 4], place, pow(10.0, randf_range(-0.5, 2.5)), randi() % 90
+		kinds[randi() % 4],
+		kinds[randi() % 4],
+		place,
+		pow(10.0, randf_range(-0.5, 2.5)),
+		randi() % 90
 	)
 
 

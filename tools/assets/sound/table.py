@@ -25,7 +25,7 @@ SCRAPES = ("cloth", "concrete", "metal", "rubber", "sand", "wood")
 # Revolutions (1/min) and speeds (m/s) of the loops. Neighbours are so near to one another that the
 # pitch stays within 0.75 and 1.35: scripts/audio/loop_blend.gd.
 RPMS = (700, 1200, 1800, 2600)
-SPEEDS = (2.0, 3.6, 6.4, 11.4)
+SPEEDS = (2.2, 3.4, 5.2, 8.0, 12.3)
 # Peak, dB below full scale: of what is not in here -1, of loops -3.
 PEAKS = {
     "machine_gun_near": -0.3,
