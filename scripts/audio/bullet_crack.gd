@@ -1,7 +1,7 @@
 class_name BulletCrack
 extends RefCounted
-## When and from where the shock wave of a bullet reaches an ear: only those beside its path hear it,
-## before the muzzle.
+## When and from where the shock wave of a bullet reaches an ear: only those beside its path hear
+## it, before the muzzle.
 
 ## Farther from the path it is not heard, m.
 const MAX_BESIDE_M: float = 150.0

@@ -1,7 +1,7 @@
 class_name SoundVoice
 extends RefCounted
-## Something that sounds: one of [SoundVoices]. Who starts a loop keeps it, sets [member gain_db] and
-## [member pitch], and calls [method stop].
+## Something that sounds: one of [SoundVoices]. Who starts a loop keeps it, sets [member gain_db]
+## and [member pitch], and calls [method stop].
 
 ## What it plays.
 var cue: SoundCue = null

@@ -3,8 +3,8 @@ extends Node3D
 ## All sounds of the world at one client, within a budget of voices.
 ##
 ## What is loudest at the listener is heard; when voices are few the lowest ends. Who is behind a
-## wall is muffled, rooms reverberate, what moves changes its pitch. Whatever makes sound finds it by
-## [method find], and makes none where there is none: servers have no such node.
+## wall is muffled, rooms reverberate, what moves changes its pitch. Whatever makes sound finds it
+## by [method find], and makes none where there is none: servers have no such node.
 
 ## A sound whose cue has a caption has begun: what it is, where (m), and how loud (dB).
 signal captioned(p_text: String, p_place: Vector3, p_level_db: float)
@@ -120,8 +120,8 @@ func ear() -> Vector3:
 	return camera.global_position if camera != null else Vector3.ZERO
 
 
-## Plays a sound at a place (m), louder by a gain (dB), after a delay (s). Returns its voice, or null
-## where it is refused: unknown, too quiet, or below all that is heard.
+## Plays a sound at a place (m), louder by a gain (dB), after a delay (s). Returns its voice, or
+## null where it is refused: unknown, too quiet, or below all that is heard.
 func play(
 	p_name: StringName,
 	p_place: Vector3,

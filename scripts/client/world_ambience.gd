@@ -1,7 +1,7 @@
 class_name WorldAmbience
 extends Node
-## What is heard all around: wind, rain, flying sand, the night, a quiet room; by world, weather, time
-## of day and whether there is a roof above.
+## What is heard all around: wind, rain, flying sand, the night, a quiet room; by world, weather,
+## time of day and whether there is a roof above.
 
 ## How slowly it changes, s.
 const FOLLOW_S: float = 1.2

@@ -1,6 +1,6 @@
 extends RefCounted
-## What the mix holds, captured from the Master bus behind the limiter. Headless programs mix in real
-## time, so that captures take as long as they are.
+## What the mix holds, captured from the Master bus behind the limiter. Headless programs mix in
+## real time, so that captures take as long as they are.
 
 var _effect: AudioEffectCapture = AudioEffectCapture.new()
 

@@ -134,8 +134,8 @@ func _sweep(p_engine: BlendedLoops) -> void:
 func measure_delay() -> void:
 	_begin()
 	var took: PackedFloat64Array = []
-	for round_: int in 12:
-		await _tree.create_timer(0.8 + 0.013 * round_).timeout
+	for attempt: int in 12:
+		await _tree.create_timer(0.8 + 0.013 * attempt).timeout
 		await _tree.physics_frame
 		_mix.clear()
 		var begin: int = Time.get_ticks_usec()
