@@ -61,6 +61,10 @@ static func code_of(p_settings: EffectSettings) -> String:
 		defines.append("PUFF")
 	if p_settings.light == "sun":
 		defines.append("LIT")
+	elif p_settings.texture != _PUFF and p_settings.blend != "fire":
+		defines.append("SIMPLE")
+	if not GRIDS.has(p_settings.texture):
+		defines.append("ONE_PICTURE")
 	if p_settings.soft > 0.0:
 		defines.append("SOFT")
 	if p_settings.topology == "triangle":
