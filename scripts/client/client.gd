@@ -308,6 +308,8 @@ func _make_report() -> Dictionary:
 	var report: Dictionary = _stats.report(_role, traffic, people)
 	if _arrival != null:
 		report["level"] = _arrival.report()
+	if _effects != null:
+		report["effects"] = _effects.report()
 	report["driving"] = _seat.report()
 	report["sound"] = _sound.report()
 	return report

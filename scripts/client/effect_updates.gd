@@ -16,6 +16,11 @@ func _init(p_link: ClientLink) -> void:
 	p_link.handle(Protocol.Message.EFFECT, MessageHandlers.Path.RELIABLE, _on_part)
 
 
+## What it has done so far, for a report.
+func report() -> Dictionary:
+	return {"taken": taken, "refused": refused}
+
+
 func _on_part(p_bytes: PackedByteArray, _arrival_usec: int) -> bool:
 	var message: EffectMessage = EffectMessage.decode(p_bytes)
 	if message == null:

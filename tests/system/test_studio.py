@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: MIT
+"""The effects studio in a window, driven by keys and mouse, and effects that change meanwhile."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from toolchain.display import virtual_display
+from toolchain.godot import Godot
+from toolchain.paths import ROOT
+from tutorial.screen import Screen
+
+from .conftest import SOFTWARE, Process, World
+from .test_editor import godot  # noqa: F401
+
+# One particle that fills the picture, of a colour that one key changes: the last digit typed.
+SQUARE = """shader_type particles;
+// @effect Square
+// @count 1
+// @life 60
+// @size 60
+// @bounds 50
+void start() { TRANSFORM = at(vec3(0.0, 1.0, 0.0), 60.0); }
+void process() {
+	COLOR = vec4(0.9, 0.1, 0.1, 1.0);
+}
+"""
+SCENE = "res://scenes/studio/studio.tscn"
+LIMIT_S = 120.0
+# The middle of the picture, in a window of 1280x720.
+MIDDLE = (900, 200)
+# A line of the code beside no text, and where "Save" and "Send" are.
+LINE_END = (560, 90)
+
+
+@pytest.fixture
+def wide() -> Iterator[dict[str, str]]:
+    with virtual_display() as environment:
+        yield environment
+
+
+def until(holds: Callable[[], bool], what: str) -> None:
+    end = time.monotonic() + LIMIT_S
+    while not holds():
+        assert time.monotonic() < end, f"{what} did not come in {LIMIT_S} s"
+        time.sleep(0.1)
+
+
+class Studio:
+    """The studio in a window that fills a display."""
+
+    def __init__(self, world: World, godot: Godot, display: dict[str, str], folder: Path) -> None:  # noqa: F811
+        command = [str(godot.program), *SOFTWARE, "--resolution", "1280x720", "--path", str(ROOT)]
+        command += [SCENE, "--", f"--effects={folder}", "--effect=square"]
+        self.process = world.start("studio", command, display, reports=False)
+        self.screen = Screen(display["DISPLAY"])
+        until(lambda: self.is_red(), "the picture")
+
+    def colour(self) -> np.ndarray:
+        """The colour in the middle of the picture."""
+        return self.screen.picture()[MIDDLE[1], MIDDLE[0]].astype(int)
+
+    def is_red(self) -> bool:
+        red, green, blue = self.colour()[:3]
+        return bool(red > 180 and green < 90 and blue < 90)
+
+    def is_purple(self) -> bool:
+        red, green, blue = self.colour()[:3]
+        return bool(red > 180 and green < 90 and blue > 180)
+
+    def press(self, *keys: str) -> None:
+        self.screen.key(*keys)
+        time.sleep(0.3)
+
+    def line_is_marked(self) -> bool:
+        """Whether a line of the code has the colour of a problem."""
+        picture = self.screen.picture()[40:680, 400:570].astype(int)
+        reddish = (picture[:, :, 0] > picture[:, :, 1] + 25) & (picture[:, :, 0] < 140)
+        return bool(reddish.sum() > 1000)
+
+
+def start_line_of_colour(studio: Studio) -> None:
+    """Puts the caret behind the last component of the colour but one."""
+    studio.screen.click(*LINE_END)
+    studio.press("Control_L", "End")
+    for _ in range(2):
+        studio.press("Up")
+    studio.press("End")
+    for _ in range(len(", 1.0);")):
+        studio.press("Left")
+
+
+def test_keys_change_the_picture(
+    world: World,
+    godot: Godot,  # noqa: F811
+    wide: dict[str, str],
+    tmp_path: Path,
+) -> None:
+    folder = tmp_path / "effects"
+    folder.mkdir()
+    file = folder / "square.gdshader"
+    file.write_text(SQUARE, encoding="utf-8")
+    studio = Studio(world, godot, wide, folder)
+    start_line_of_colour(studio)
+    studio.press("BackSpace")
+    studio.screen.type("9")
+    until(studio.is_purple, "the new colour")
+    # A mistake: the picture goes on, the line is marked.
+    studio.screen.type("x")
+    until(studio.line_is_marked, "the mark of the mistake")
+    assert studio.is_purple()
+    studio.press("BackSpace")
+    until(lambda: not studio.line_is_marked(), "the end of the mark")
+    # An endless loop, typed in: it is never shown, and the studio goes on.
+    studio.press("End")
+    studio.screen.type(" while (true) {")
+    until(studio.line_is_marked, "the mark of the loop")
+    studio.press("Control_L", "s")
+    until(lambda: "while" in file.read_text(encoding="utf-8"), "the saved text")
+    assert studio.is_purple()
+    assert "0.9, 1.0);" in file.read_text(encoding="utf-8")
+    assert not list(folder.glob("*.tmp"))
+    assert studio.process.process.poll() is None
+    studio.screen.close()
+
+
+def start_session(world: World, godot: Godot, folder: Path) -> tuple[Process, Process]:  # noqa: F811
+    """A server that watches a folder, and an observer, both from the sources."""
+    engine = [str(godot.program), "--headless", "--path", str(ROOT), "--"]
+    port = f"--port={world.port}"
+    server = world.start(
+        "server", [*engine, "--role=server", port, "--world=hall", f"--effects={folder}"]
+    )
+    server.await_text("listening on UDP port")
+    observer = world.start("observer", [*engine, "--role=observer", port])
+    server.await_text("joined")
+    return server, observer
+
+
+def test_a_saved_file_is_seen_and_a_broken_one_is_not(
+    world: World,
+    godot: Godot,  # noqa: F811
+    tmp_path: Path,
+) -> None:
+    folder = tmp_path / "effects"
+    folder.mkdir()
+    server, observer = start_session(world, godot, folder)
+    file = folder / "square.gdshader"
+    file.write_text(SQUARE, encoding="utf-8")
+    observer.await_report(lambda report: report["effects"]["taken"] == 1)
+    for number in range(20):
+        file.write_text(SQUARE.replace("@life 60", f"@life {'x' * (number + 1)}"))
+        time.sleep(0.1)
+    server.await_text("not taken over: line 4")
+    file.write_text(SQUARE.replace("@life 60", "@life 30"), encoding="utf-8")
+    observer.await_report(lambda report: report["effects"]["taken"] == 2)
+    assert observer.report()["effects"]["refused"] == 0
+    assert server.log().count("not taken over") < 5
+
+
+def test_the_studio_sends_to_a_session(
+    world: World,
+    godot: Godot,  # noqa: F811
+    wide: dict[str, str],
+    tmp_path: Path,
+) -> None:
+    folder = tmp_path / "effects"
+    folder.mkdir()
+    (folder / "square.gdshader").write_text(SQUARE, encoding="utf-8")
+    other = tmp_path / "other"
+    other.mkdir()
+    server, observer = start_session(world, godot, other)
+    studio = Studio(world, godot, wide, folder)
+    address, send = (715, 15), (801, 15)
+    studio.screen.click(*address)
+    studio.press("Control_L", "a")
+    studio.screen.type(f"127.0.0.1:{world.port}")
+    studio.screen.click(*send)
+    server.await_text("'square' goes to all clients")
+    observer.await_report(lambda report: report["effects"]["taken"] == 1)
+    studio.screen.close()
