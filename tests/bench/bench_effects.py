@@ -157,8 +157,8 @@ def add_costs(stats: Stats, renderer: str, rows: list[dict[str, Any]]) -> None:
     stats.add(renderer, "first shot beyond median frame", beyond, "ms", at_most=MAX_SHOT_MS)
     for row in rows:
         if row["what"] == "simple":
-            most = MAX_TRIANGLES_MS if row["topology"] == "triangle" and goal else None
-            stats.add(renderer, f"20,000 x {row['topology']}, CPU", row["ms"], "ms", at_most=most)
+            most = MAX_TRIANGLES_MS if row["name"] == "triangle" and goal else None
+            stats.add(renderer, f"20,000 x {row['name']}, CPU", row["ms"], "ms", at_most=most)
         elif row["what"] == "tier":
             case = f"{row['effect']}, {row['tier']}, {row['particles']}"
             stats.add(renderer, f"{case}, CPU", row["ms"], "ms")
