@@ -43,6 +43,9 @@ class Listener:
 	func set_fields(p_values: Dictionary[StringName, float]) -> int:
 		return _note(["fields", OrderMessage.write_fields(p_values)])
 
+	func send_effect(p_name: String, p_text: String) -> int:
+		return _note(["effect", p_name, p_text.length()])
+
 	func _note(p_what: Array) -> int:
 		asked.append(p_what)
 		return asked.size()
@@ -225,3 +228,14 @@ func _row(
 	row.peer = p_peer
 	row.state = p_state
 	return row
+
+
+func test_an_effect_is_read_before_it_is_sent() -> void:
+	_console.submit("effect fountain")
+	var text: String = FileAccess.get_file_as_string(EffectFile.path_of("fountain"))
+	equal(_control.asked, [["effect", "fountain", text.length()]])
+	_console.submit("effect /no/such/smoke.gdshader")
+	contains(_said[-1], "cannot be read")
+	_console.submit("effect ../Bad")
+	contains(_said[-1], "which effect?")
+	equal(_control.asked.size(), 1)
