@@ -27,7 +27,7 @@ const _MENU: StringName = &"ui_cancel"
 @export var _guide: Control
 
 ## Where the sound is set.
-var sound_menu: SoundMenu = SoundMenu.new()
+var sound_menu: SoundMenu = null
 
 ## Place of the tier of quality among its names.
 var _tier: int = 0
@@ -43,6 +43,7 @@ func _ready() -> void:
 	_sound.pressed.connect(_on_sound_pressed)
 	_menu.visible = false
 	_guide.visible = false
+	sound_menu = SoundMenu.new()
 	sound_menu.add_theme_stylebox_override("panel", _menu.get_theme_stylebox("panel"))
 	sound_menu.closed.connect(_show_menu.bind(true))
 	add_child(sound_menu)
