@@ -282,6 +282,7 @@ func _make_new() -> void:
 	var text: String = code.text
 	open_effect("effect_%d" % number)
 	code.replace_text(text)
+	_bar.show_names(names, file.name)
 	_notice = "a copy named effect_%d: Ctrl+S saves it" % number
 
 
@@ -356,6 +357,8 @@ func _show_status() -> void:
 	if preview.effect.layer != null:
 		parts.append("%d particles" % preview.effect.amount)
 		parts.append("fills the picture %.1f times" % preview.effect.screens(preview.camera()))
+	if preview.paused:
+		parts.append("paused")
 	parts.append("not saved" if file.is_changed(code.text) else "saved")
 	_status.text = "   ".join(parts)
 

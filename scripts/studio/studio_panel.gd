@@ -10,8 +10,13 @@ signal text_wanted(p_text: String)
 signal input_wanted(p_name: StringName, p_value: Variant)
 
 const ROW: float = 26.0
-const LABEL: float = 104.0
-const NUMBER: float = 62.0
+## What the sliders of some settings go to, where the bounds are far from what is usual. A number
+## beyond it can be typed.
+const USUAL: Dictionary[String, Vector2] = {
+	"weight": Vector2(-2.0, 3.0),
+	"soft": Vector2(0.0, 3.0),
+	"glow": Vector2(0.0, 8.0),
+}
 
 var _file: EffectFile = null
 var _rows: Dictionary[String, StudioRow] = {}
@@ -115,9 +120,11 @@ func _show_setting(p_key: EffectKey, p_wanted: Dictionary[String, bool]) -> void
 	shown.describe(name, "%s%s" % [p_key.meaning, ", " + p_key.suffix if p_key.suffix else ""])
 	match p_key.kind:
 		EffectKey.Kind.NUMBER, EffectKey.Kind.WHOLE:
-			shown.show_number(
-				p_key.minimum, p_key.maximum, 1.0 if p_key.kind == EffectKey.Kind.WHOLE else 0.0
-			)
+			var ends: Vector2 = USUAL.get(p_key.name, Vector2(p_key.minimum, p_key.maximum))
+			var lowest: float = minf(ends.x, value)
+			var step: float = 1.0 if p_key.kind == EffectKey.Kind.WHOLE else 0.0
+			shown.show_number(lowest, maxf(ends.y, value), step)
+			shown.limits = Vector2(p_key.minimum, p_key.maximum)
 			shown.set_number(value)
 		EffectKey.Kind.YES_NO:
 			shown.show_choices(["no", "yes"], "yes" if value else "no")

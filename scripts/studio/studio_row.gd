@@ -14,6 +14,9 @@ const LABEL: float = 118.0
 const NUMBER: float = 58.0
 const SWATCH: float = 30.0
 
+## What can be typed beside a slider; it may be more than the slider reaches.
+var limits: Vector2 = Vector2.ZERO
+
 var _label: Label = Label.new()
 var _slider: HSlider = null
 var _edit: LineEdit = null
@@ -163,7 +166,10 @@ func _on_slid(p_value: float) -> void:
 
 func _on_number_typed(p_text: String) -> void:
 	if p_text.is_valid_float():
-		number_changed.emit(clampf(p_text.to_float(), _slider.min_value, _slider.max_value))
+		var ends: Vector2 = limits
+		if ends == Vector2.ZERO:
+			ends = Vector2(_slider.min_value, _slider.max_value)
+		number_changed.emit(clampf(p_text.to_float(), ends.x, ends.y))
 
 
 func _lay_out() -> void:
