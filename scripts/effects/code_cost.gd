@@ -8,8 +8,9 @@ extends RefCounted
 const MAX_WORK: int = 100000
 ## Work of all particles in a frame, tokens. Measured with software rendering: about 1 ns a token.
 const MAX_TOTAL: int = 60000000
-## What a driver has to compile, with every called function written out, tokens.
-const MAX_WRITTEN_OUT: int = 12000
+## What a driver has to compile, with every called function written out, tokens. Measured where the
+## processor draws: up to 0.25 ms a token, and the picture stands still meanwhile.
+const MAX_WRITTEN_OUT: int = 3500
 ## Brackets in brackets: compilers call themselves for each.
 const MAX_DEPTH: int = 40
 ## Tokens between two of ; { and }: a long chain of signs is as deep as it is long.
@@ -194,7 +195,10 @@ func _measure_body(p_name: String, p_from: int, p_to: int) -> void:
 					return
 				total += rounds * _work.get(called, HELPER_WORK)
 				written += _written_out.get(called, HELPER_WORK)
-		if total > MAX_WORK or written > MAX_WRITTEN_OUT:
+		if written > MAX_WRITTEN_OUT:
+			_problem(i, "'%s' is too long, with all that it calls." % p_name)
+			return
+		if total > MAX_WORK:
 			_problem(i, "'%s' is too much work for each particle: %d steps." % [p_name, total])
 			return
 	# Of functions with one name the dearest counts.

@@ -4,7 +4,7 @@ extends RefCounted
 ## The words and signs of an effect's code, without comments, each with where it stands.
 
 ## Code beyond this is not looked at: [member too_many] is true.
-const MAX_TOKENS: int = 6000
+const MAX_TOKENS: int = 3000
 
 ## Tokens that say how code is built; the others are only counted.
 const MARKS: Dictionary[String, bool] = {
