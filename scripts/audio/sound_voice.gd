@@ -20,6 +20,8 @@ var gain_db: float = 0.0
 var pitch: float = 1.0
 ## How many dB it counts for more than others when voices are few.
 var priority_db: float = 0.0
+## What it counts when voices are few, as last worked out, dB.
+var rank_db: float = -INF
 ## Level at the listener as last worked out, dB over full scale.
 var level_db: float = -INF
 ## Whether a wall is between it and the listener.
@@ -37,9 +39,9 @@ var distance: float = 0.0
 ## How fast it goes away from the listener, m/s.
 var recession: float = 0.0
 
-## Since when its place has not been looked at, s, and in which frames it is.
+## Since when its place has not been looked at, s, and after how many frames it is again.
 var since_s: float = 0.0
-var phase: int = 0
+var wait_frames: int = 0
 
 var _follows: bool = false
 var _last_gain_db: float = INF
@@ -70,8 +72,3 @@ func has_changed() -> bool:
 	_last_gain_db = gain_db
 	_last_pitch = pitch
 	return true
-
-
-## What it counts when voices are few, dB.
-func score() -> float:
-	return level_db + priority_db + cue.priority_db

@@ -25,15 +25,16 @@ const MERGE_S: float = 0.05
 const WALL_DB: float = 8.0
 ## What air takes of far sounds beyond 100 m, dB in 100 m.
 const AIR_DB: float = 0.6
-## Rays a frame that look for walls, and how far from its source one may be met, m.
+## Rays a frame that look for walls.
 const _WALL_RAYS: int = 2
-const _NEAR_SOURCE_M: float = 0.35
-## Voices whose gain and pitch stay are looked at again after so many frames.
-const _STILL_FRAMES: int = 4
+## Voices whose gain and pitch stay are looked at again after so many frames: those that move more
+## than a share of their distance meanwhile sooner.
+const _STILL_FRAMES: int = 8
+const _MOVING_FRAMES: int = 2
+const _MOVING_SHARE: float = 0.01
 ## How slowly the speed towards the listener is followed, s; faster than this is a teleport, m/s.
 const _DOPPLER_S: float = 0.06
 const _MAX_RECESSION: float = 120.0
-const _ROOF_M: float = 20.0
 
 ## What makes voices heard. Set another one to change how.
 var renderer: SpatialRenderer = null:
@@ -42,10 +43,8 @@ var renderer: SpatialRenderer = null:
 var max_voices: int = MAX_VOICES
 ## Who listens; null: the camera of the viewport.
 var listener: Node3D = null
-## How the surroundings of the listener reverberate.
-var room: RoomProbe = RoomProbe.new()
-## The same where a source was heard last in a room that the listener is not in.
-var source_room: RoomProbe = RoomProbe.new()
+## What is between listener and sources, and how rooms reverberate.
+var surroundings: SoundSurroundings = SoundSurroundings.new()
 ## What has been begun, refused and ended for others since the start.
 var begun: int = 0
 var refused: int = 0
@@ -59,14 +58,13 @@ var _waiting_s: PackedFloat64Array = []
 var _merged: Dictionary[int, SoundVoice] = {}
 var _merged_s: Dictionary[int, float] = {}
 var _clock_s: float = 0.0
-var _frame: int = 0
 var _next_wall: int = 0
+## What the lowest voice counts, as found in this frame, dB.
+var _lowest_db: float = -INF
 var _ear: Vector3 = Vector3.ZERO
-var _query: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.new()
 
 
 func _init() -> void:
-	_query.collision_mask = PhysicsLayers.STATIC
 	add_to_group(GROUP)
 
 
@@ -78,7 +76,7 @@ func _ready() -> void:
 
 func _process(p_delta: float) -> void:
 	_clock_s += p_delta
-	_frame += 1
+	_lowest_db = -INF
 	_ear = ear()
 	_begin_due()
 	_look_around()
@@ -94,12 +92,6 @@ func _exit_tree() -> void:
 ## The one in the tree of a node; null where there is none.
 static func find(p_node: Node) -> SoundVoices:
 	return p_node.get_tree().get_first_node_in_group(GROUP) as SoundVoices
-
-
-## What a surface swallows: see [member RoomProbe.absorption_of].
-func set_absorption(p_of: Callable) -> void:
-	room.absorption_of = p_of
-	source_room.absorption_of = p_of
 
 
 ## Takes another renderer; what sounds now goes on in it from its beginning.
@@ -179,7 +171,7 @@ func start_loop(
 	voice.follow = p_follow
 	voice.offset = p_offset
 	voice.gain_db = -INF
-	voice.phase = _voices.size()
+	voice.wait_frames = _voices.size() % _STILL_FRAMES
 	voice.position()
 	voice.distance = ear().distance_to(voice.place)
 	_voices.append(voice)
@@ -213,18 +205,6 @@ func travel_s(p_place: Vector3) -> float:
 	return ear().distance_to(p_place) / SOUND_SPEED
 
 
-## Where the listener and the source are, and whether a wall is between: one ray.
-func is_walled(p_place: Vector3) -> bool:
-	var from: Vector3 = ear()
-	var way: Vector3 = p_place - from
-	if way.length() < _NEAR_SOURCE_M * 2.0:
-		return false
-	_query.from = from
-	# The surface that is struck is no wall between.
-	_query.to = p_place - way.normalized() * _NEAR_SOURCE_M
-	return not get_world_3d().direct_space_state.intersect_ray(_query).is_empty()
-
-
 func _begin_due() -> void:
 	for index: int in range(_waiting.size() - 1, -1, -1):
 		if _waiting_s[index] <= _clock_s:
@@ -242,15 +222,16 @@ func _begin(p_voice: SoundVoice) -> bool:
 	if p_voice.level_db < SILENT_DB or not _make_room(p_voice):
 		refused += 1
 		return false
-	p_voice.is_blocked = is_walled(p_voice.place)
+	var space: PhysicsDirectSpaceState3D = get_world_3d().direct_space_state
+	p_voice.is_blocked = surroundings.is_walled(space, _ear, p_voice.place)
 	_weigh(p_voice)
 	if p_voice.level_db < SILENT_DB:
 		refused += 1
 		return false
-	_find_roof(p_voice)
+	p_voice.is_in_room = surroundings.is_in_other_room(space, p_voice.place)
 	if not p_voice.cue.is_loop():
 		p_voice.end_s = _clock_s + p_voice.cue.length_s / maxf(p_voice.pitch, 0.1) + 0.1
-	p_voice.phase = _voices.size()
+	p_voice.wait_frames = _voices.size() % _STILL_FRAMES
 	_voices.append(p_voice)
 	return _sound(p_voice)
 
@@ -268,7 +249,7 @@ func _sound(p_voice: SoundVoice) -> bool:
 	if p_voice.cue.is_loop():
 		# It comes in without a click; the next frame sets its level.
 		p_voice.level_db = SILENT_DB
-		p_voice.phase = posmod(1 - _frame, _STILL_FRAMES)
+		p_voice.wait_frames = 0
 	_render(p_voice)
 	p_voice.level_db = level
 	renderer.start(p_voice.slot)
@@ -281,11 +262,19 @@ func _sound(p_voice: SoundVoice) -> bool:
 func _make_room(p_voice: SoundVoice) -> bool:
 	if renderer.sounding() < mini(max_voices, renderer.capacity):
 		return true
+	# Within a frame the lowest only rises: what is below it needs no search.
+	if p_voice.rank_db <= _lowest_db:
+		return false
 	var lowest: SoundVoice = null
+	var least: float = INF
 	for voice: SoundVoice in _voices:
-		if voice.slot >= 0 and (lowest == null or voice.score() < lowest.score()):
+		if voice.rank_db < least and voice.slot >= 0:
 			lowest = voice
-	if lowest == null or lowest.score() >= p_voice.score():
+			least = voice.rank_db
+	if lowest == null:
+		return false
+	_lowest_db = least
+	if least >= p_voice.rank_db:
 		return false
 	stolen += 1
 	renderer.release(lowest.slot)
@@ -303,11 +292,16 @@ func _advance(p_voice: SoundVoice, p_delta: float) -> void:
 	if p_voice.is_over:
 		return
 	p_voice.since_s += p_delta
+	p_voice.wait_frames -= 1
 	var is_loop: bool = p_voice.end_s == INF
-	if not (is_loop and p_voice.has_changed()) and (_frame + p_voice.phase) % _STILL_FRAMES != 0:
+	if p_voice.wait_frames > 0 and not (is_loop and p_voice.has_changed()):
 		return
 	var before: float = p_voice.distance
+	var place: Vector3 = p_voice.place
 	p_voice.distance = _ear.distance_to(p_voice.position())
+	var moved: float = absf(p_voice.distance - before) + place.distance_to(p_voice.place)
+	var is_moving: bool = moved > _MOVING_SHARE * p_voice.distance
+	p_voice.wait_frames = _MOVING_FRAMES if is_moving else _STILL_FRAMES
 	if is_loop and p_voice.since_s > 0.0:
 		_follow_speed(p_voice, (p_voice.distance - before) / p_voice.since_s)
 	p_voice.since_s = 0.0
@@ -335,6 +329,7 @@ func _weigh(p_voice: SoundVoice) -> void:
 	if p_voice.is_blocked:
 		level -= WALL_DB
 	p_voice.level_db = level - maxf(p_voice.distance - 100.0, 0.0) * AIR_DB * 0.01
+	p_voice.rank_db = p_voice.level_db + p_voice.priority_db + p_voice.cue.priority_db
 
 
 func _render(p_voice: SoundVoice) -> void:
@@ -351,7 +346,7 @@ func _render(p_voice: SoundVoice) -> void:
 func _bus_of(p_voice: SoundVoice) -> StringName:
 	if p_voice.is_blocked:
 		return SoundBuses.MUFFLED
-	if p_voice.is_in_room and not room.is_room():
+	if p_voice.is_in_room and not surroundings.room.is_room():
 		return SoundBuses.SOURCE_ROOM
 	return SoundBuses.ROOM
 
@@ -359,32 +354,16 @@ func _bus_of(p_voice: SoundVoice) -> StringName:
 ## A few rays a frame: how the room is, and who is behind a wall.
 func _look_around() -> void:
 	var space: PhysicsDirectSpaceState3D = get_world_3d().direct_space_state
-	room.look(space, _ear)
-	if _frame % 8 == 0:
-		SoundBuses.set_room(SoundBuses.ROOM, room)
+	surroundings.advance(space, _ear)
 	for _ray: int in mini(_WALL_RAYS, _voices.size()):
 		_next_wall = (_next_wall + 1) % _voices.size()
 		var voice: SoundVoice = _voices[_next_wall]
 		if voice.slot >= 0:
-			voice.is_blocked = is_walled(voice.position())
-
-
-## Whether a source is below a roof that the listener is not below.
-func _find_roof(p_voice: SoundVoice) -> void:
-	if room.is_room():
-		return
-	var space: PhysicsDirectSpaceState3D = get_world_3d().direct_space_state
-	_query.from = p_voice.place + Vector3.UP * 0.2
-	_query.to = p_voice.place + Vector3.UP * _ROOF_M
-	if space.intersect_ray(_query).is_empty():
-		return
-	source_room.look(space, p_voice.place + Vector3.UP * 0.2, 12)
-	p_voice.is_in_room = source_room.is_room()
-	if p_voice.is_in_room:
-		SoundBuses.set_room(SoundBuses.SOURCE_ROOM, source_room)
+			voice.is_blocked = surroundings.is_walled(space, _ear, voice.position())
 
 
 func _drop_ended() -> void:
+	_lowest_db = -INF
 	for index: int in range(_voices.size() - 1, -1, -1):
 		var voice: SoundVoice = _voices[index]
 		if voice.is_over:

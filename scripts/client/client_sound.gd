@@ -37,7 +37,9 @@ func _process(p_delta: float) -> void:
 	_people.advance(_scene.people(), _scene.followed(), p_delta)
 	_doors.advance(p_delta)
 	var sky: SkyState = _sky.state if is_instance_valid(_sky) else null
-	_ambience.advance(_scene.get_level().level_name, sky, voices.room.enclosure, p_delta)
+	_ambience.advance(
+		_scene.get_level().level_name, sky, voices.surroundings.room.enclosure, p_delta
+	)
 
 
 ## Begins as options and settings say; [param p_menu] shows and changes them.
@@ -52,7 +54,7 @@ func open(
 	_settings = p_settings if p_settings != null else UserSettings.new()
 	_menu = p_menu
 	voices = SoundVoices.new()
-	voices.set_absorption(_absorption_of)
+	voices.surroundings.set_absorption(_absorption_of)
 	add_child(voices)
 	_impacts = ImpactSounds.new(voices)
 	_people = PeopleSounds.new(voices)
