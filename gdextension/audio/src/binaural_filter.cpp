@@ -11,15 +11,30 @@ namespace {
 
 /// Frames that are worked out together, so that each tap is loaded once for all of them.
 constexpr std::size_t GROUP = 16;
-/// Numbers in a register.
-constexpr std::size_t LANES = 4;
 
-using Lanes = float __attribute__((vector_size(LANES * sizeof(float))));
+/// As many numbers as a register of the plainest processors holds.
+using Lanes = float __attribute__((vector_size(4 * sizeof(float))));
+constexpr std::size_t LANES = sizeof(Lanes) / sizeof(float);
 
-Lanes load(const float *p_from) {
-	Lanes lanes;
-	std::memcpy(&lanes, p_from, sizeof(lanes));
-	return lanes;
+/// Convolves a group of frames; the newest frame of the first one is given.
+void convolve(const std::array<float, TAPS> &p_taps, const float *p_newest, std::array<float, GROUP> &r_group) {
+	Lanes sums[GROUP / LANES] = {};
+	for (std::size_t j = 0; j < TAPS; j++) {
+		for (std::size_t k = 0; k < GROUP / LANES; k++) {
+			Lanes heard;
+			std::memcpy(&heard, p_newest - j + k * LANES, sizeof(heard));
+			sums[k] += p_taps[j] * heard;
+		}
+	}
+	std::memcpy(r_group.data(), sums, sizeof(sums));
+}
+
+/// A filter on its way to another one.
+void blend(const std::array<float, TAPS> &p_from, const std::array<float, TAPS> &p_to, float p_share,
+		std::array<float, TAPS> &r_taps) {
+	for (std::size_t i = 0; i < TAPS; i++) {
+		r_taps[i] = p_from[i] + (p_to[i] - p_from[i]) * p_share;
+	}
 }
 
 } // namespace
@@ -52,41 +67,28 @@ void BinauralFilter::process(const float *p_mono, float *r_both, std::size_t p_f
 		// One value that is no number would be heard for ever in whatever comes behind.
 		_heard[TAPS - 1 + i] = std::isfinite(p_mono[i]) ? p_mono[i] : 0.0f;
 	}
-	_convolve(_ears.left, p_frames, _left);
-	_convolve(_ears.right, p_frames, _right);
-	if (_turns) {
-		_convolve(_next.left, p_frames, _next_left);
-		_convolve(_next.right, p_frames, _next_right);
-		for (std::size_t i = 0; i < p_frames; i++) {
-			const float share = float(i + 1) / float(p_frames);
-			_left[i] += (_next_left[i] - _left[i]) * share;
-			_right[i] += (_next_right[i] - _right[i]) * share;
+	Ears now = _ears;
+	std::array<float, GROUP> left;
+	std::array<float, GROUP> right;
+	for (std::size_t i = 0; i < p_frames; i += GROUP) {
+		if (_turns) {
+			const float share = std::min(1.0f, float(i + GROUP) / float(p_frames));
+			blend(_ears.left, _next.left, share, now.left);
+			blend(_ears.right, _next.right, share, now.right);
 		}
+		convolve(now.left, &_heard[TAPS - 1 + i], left);
+		convolve(now.right, &_heard[TAPS - 1 + i], right);
+		for (std::size_t k = 0; k < std::min(GROUP, p_frames - i); k++) {
+			r_both[2 * (i + k)] = left[k];
+			r_both[2 * (i + k) + 1] = right[k];
+		}
+	}
+	if (_turns) {
 		_ears = _next;
 		_turns = false;
 	}
-	for (std::size_t i = 0; i < p_frames; i++) {
-		r_both[2 * i] = _left[i];
-		r_both[2 * i + 1] = _right[i];
-	}
 	std::copy_n(_heard.begin() + std::ptrdiff_t(p_frames), TAPS - 1, _heard.begin());
 	_heard.resize(TAPS - 1);
-}
-
-void BinauralFilter::_convolve(const std::array<float, TAPS> &p_taps, std::size_t p_frames, std::vector<float> &r_ear) {
-	r_ear.resize(p_frames + GROUP);
-	for (std::size_t i = 0; i < p_frames; i += GROUP) {
-		Lanes sums[GROUP / LANES] = {};
-		const float *newest = &_heard[TAPS - 1 + i];
-		for (std::size_t j = 0; j < TAPS; j++) {
-			const float tap = p_taps[j];
-			const Lanes taps = { tap, tap, tap, tap };
-			for (std::size_t k = 0; k < GROUP / LANES; k++) {
-				sums[k] += taps * load(newest - j + k * LANES);
-			}
-		}
-		std::memcpy(&r_ear[i], sums, sizeof(sums));
-	}
 }
 
 } // namespace audio

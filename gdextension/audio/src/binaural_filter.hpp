@@ -8,7 +8,7 @@
 namespace audio {
 
 /// One voice at the ears: a mono signal through both ears' filters. Its direction changes without a click: over the
-/// frames of the next call the old filters fade into the new ones.
+/// frames of the next call, sixteen at a time, the old filters become the new ones.
 class BinauralFilter {
 public:
 	/// Hears from another direction from now on.
@@ -19,18 +19,12 @@ public:
 	void clear();
 
 private:
-	void _convolve(const std::array<float, TAPS> &p_taps, std::size_t p_frames, std::vector<float> &r_ear);
-
 	Ears _ears;
 	Ears _next;
 	bool _has_ears = false;
 	bool _turns = false;
 	/// The last TAPS - 1 frames, and behind them those that are processed now.
 	std::vector<float> _heard = std::vector<float>(TAPS - 1, 0.0f);
-	std::vector<float> _left;
-	std::vector<float> _right;
-	std::vector<float> _next_left;
-	std::vector<float> _next_right;
 };
 
 } // namespace audio
