@@ -58,7 +58,8 @@ func choose_volume(p_bus: StringName, p_share: float) -> void:
 
 ## Whether one of [constant SoundMenu.SWITCHES] is on.
 func is_sound_on(p_name: StringName) -> bool:
-	return _file.get_value(_SOUND, p_name, _SOUND_ON.get(p_name, false)) == true
+	var kept: Variant = _file.get_value(_SOUND, p_name, null)
+	return kept if kept is bool else _SOUND_ON.get(p_name, false)
 
 
 ## Keeps whether it is on.
