@@ -58,7 +58,7 @@ func choose_volume(p_bus: StringName, p_share: float) -> void:
 
 ## Whether one of [constant SoundMenu.SWITCHES] is on.
 func is_sound_on(p_name: StringName) -> bool:
-	var kept: Variant = _file.get_value(_SOUND, p_name, null)
+	var kept: Variant = _file.get_value(_SOUND, p_name, "")
 	return kept if kept is bool else _SOUND_ON.get(p_name, false)
 
 
