@@ -11,7 +11,7 @@ const FAR_M: float = 90.0
 const PLAIN: String = """shader_type particles;
 // @topology %s
 // @blend add
-// @life 0.6
+// @life 2
 // @weight 1
 // @size 0.2
 // @speed 2 9
