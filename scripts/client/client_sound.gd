@@ -11,6 +11,8 @@ const MODES: PackedStringArray = ["auto", "on", "off"]
 const _STEP_IMPULSE: float = 80.0
 ## Numbers of people are below this.
 const _FIRST_THING: int = 1024
+## How loud the tick of news and of the menu is, dB.
+const _TICK_DB: float = -18.0
 
 ## The voices; null where sound is off.
 var voices: SoundVoices = null
@@ -26,6 +28,7 @@ var _doors: DoorSounds = null
 var _ambience: WorldAmbience = null
 var _captions: SoundCaptions = SoundCaptions.new()
 var _radio: AudioStreamPlayer = null
+var _tick: AudioStreamPlayer = null
 var _sky: WorldSky = null
 var _shows_captions: bool = false
 
@@ -66,6 +69,12 @@ func open(
 	_radio = AudioStreamPlayer.new()
 	_radio.bus = SoundBuses.VOICES
 	add_child(_radio)
+	_tick = AudioStreamPlayer.new()
+	_tick.bus = SoundBuses.INTERFACE
+	_tick.volume_db = _TICK_DB
+	_tick.stream = SoundBank.find(&"radio_begin").pick()
+	add_child(_tick)
+	_scene.happening_told.connect(_on_told)
 	voices.captioned.connect(_on_captioned)
 	_captions.shown.connect(lines.show_caption)
 	_scene.entities.struck.connect(_on_struck)
@@ -139,11 +148,17 @@ func _use_headphones(p_are_on: bool) -> void:
 func _on_volume_changed(p_bus: StringName, p_share: float) -> void:
 	SoundBuses.set_volume(p_bus, p_share)
 	_settings.choose_volume(p_bus, p_share)
+	_tick.play()
 
 
 func _on_switched(p_name: StringName, p_is_on: bool) -> void:
 	_switch(p_name, p_is_on)
 	_settings.choose_sound(p_name, p_is_on)
+
+
+## News on the screen are heard as well.
+func _on_told(_text: String) -> void:
+	_tick.play()
 
 
 func _on_captioned(p_text: String, p_place: Vector3, p_level_db: float) -> void:

@@ -38,6 +38,8 @@ const _TURRET_RATE: float = 0.5
 const _TURRET_MIN: float = 0.02
 ## A hatch moves faster than this, 1/s.
 const _HATCH_RATE: float = 0.2
+## How often it looks whether there is anything to play on, s.
+const _SEARCH_S: float = 0.5
 ## How slowly the ear follows revolutions and load, s: the engine has no jumps.
 const _FOLLOW_S: float = 0.08
 
@@ -71,6 +73,8 @@ var _effort: float = 0.0
 var _yaw: float = 0.0
 var _turret_rate: float = 0.0
 var _hatches: Vector2 = Vector2.ZERO
+var _until_search_s: float = 0.0
+var _loaded: float = 1.0
 var _hatch_moves: PackedByteArray = [0, 0]
 
 
@@ -80,6 +84,10 @@ func _ready() -> void:
 
 func _process(p_delta: float) -> void:
 	if _voices == null:
+		_until_search_s -= p_delta
+		if _until_search_s > 0.0:
+			return
+		_until_search_s = _SEARCH_S
 		var found: SoundVoices = SoundVoices.find(self)
 		if found == null:
 			return
@@ -158,6 +166,7 @@ func advance(p_delta: float) -> void:
 	_advance_running(state)
 	_advance_turret(state, p_delta)
 	_advance_hatches(state, p_delta)
+	_advance_gun()
 	var burns: bool = state.damage == VehicleState.Damage.KNOCKED_OUT
 	_set_gain(_fire, 0.0 if burns else -100.0)
 
@@ -206,6 +215,15 @@ func _advance_turret(p_state: VehicleState, p_delta: float) -> void:
 	_set_gain(_turret, gain_db + linear_to_db(clampf(share, 0.01, 1.2)))
 	if _turret != null:
 		_turret.pitch = clampf(0.75 + 0.25 * share, 0.75, 1.35)
+
+
+## A gun that has been loaded: its breech closes.
+func _advance_gun() -> void:
+	if gun == null:
+		return
+	if gun.loaded >= 1.0 and _loaded < 1.0:
+		_voices.play(&"gun_loaded", gun.global_position + gun.global_basis.z * gun.barrel_length)
+	_loaded = gun.loaded
 
 
 ## A lid that comes to rest falls into place.

@@ -84,3 +84,15 @@ func test_the_vehicles_of_the_program_have_it() -> void:
 		not_null(sound, name)
 		equal(Array(sound._get_configuration_warnings()), [], name)
 		scene.free()
+
+
+func test_a_gun_that_is_loaded_is_heard() -> void:
+	var gun: VehicleGun = VehicleGun.new()
+	_vehicle.add_child(gun)
+	_sound.gun = gun
+	gun.loaded = 0.4
+	await process_frames(3)
+	var before: int = _voices.begun
+	gun.loaded = 1.0
+	await process_frames(3)
+	equal(_voices.begun, before + 1)
