@@ -9,6 +9,7 @@ var _parent: Node3D = null
 var _ready: Array[LayeredEffect] = []
 ## When each will be over, s.
 var _ends: PackedFloat64Array = []
+var _plays: int = 0
 
 
 ## One of an effect, below a node.
@@ -56,7 +57,9 @@ func play(p_at: Transform3D, p_inputs: Dictionary[StringName, Variant], p_now: f
 		played.set_input(input, p_inputs[input])
 	played.visible = true
 	played.play()
-	_ends[chosen] = p_now + played.longest_life()
+	# Of those that begin in one frame the first counts as the oldest.
+	_plays += 1
+	_ends[chosen] = p_now + played.longest_life() + (_plays % 1000) * 1e-6
 
 
 ## Hides what is over, so that it costs nothing, at a time, s.
