@@ -44,7 +44,9 @@ const HELPERS: Dictionary[String, String] = {
 
 ## Begins start(): a share of the particles is left out where there is no room for all of them. The
 ## engine leaves that to the code. A file that reads AMOUNT_RATIO does it itself.
-const _LEAVE_OUT: String = " if (fract(float(INDEX) * 0.618034 + 0.001) >= AMOUNT_RATIO) { ACTIVE = false; } "
+const _LEAVE_OUT: String = (
+	" if (fract(float(INDEX) * 0.618034 + 0.001) >= AMOUNT_RATIO) " + "{ ACTIVE = false; } "
+)
 
 static var _colours: RegEx = RegEx.create_from_string("(:\\s*)?\\bsource_color\\b(\\s*,)?")
 static var _name: RegEx = RegEx.create_from_string("^[a-z][a-z0-9_]{0,39}$")

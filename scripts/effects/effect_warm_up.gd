@@ -20,12 +20,16 @@ const _SIZE: Vector2i = Vector2i(44, 28)
 const _PLACE: Vector3 = Vector3(0.0, -2000.0, 0.0)
 ## Kinds of light: none, and a lamp, such as the flash of a gun.
 const _ROUNDS: int = 2
+const _FAINT_RANGE_M: float = 60.0
 
 var _waiting: Array[EffectLayer] = []
 var _shown: Array[ParticleEffect] = []
 var _left: int = 0
 var _round: int = 0
 var _lamp: OmniLight3D = null
+## The same beside the user's eye, too faint to be seen: the first flash of a gun lights the level,
+## whose surfaces are compiled anew for it.
+var _faint_lamp: OmniLight3D = null
 
 
 func _ready() -> void:
@@ -43,6 +47,11 @@ func _ready() -> void:
 	_lamp.position = _PLACE + Vector3(0.0, 0.5, 2.0)
 	_lamp.visible = false
 	add_child(_lamp)
+	_faint_lamp = OmniLight3D.new()
+	_faint_lamp.light_energy = 0.001
+	_faint_lamp.omni_range = _FAINT_RANGE_M
+	_faint_lamp.visible = false
+	add_child(_faint_lamp)
 	if DisplayServer.get_name() != "headless":
 		_begin_round()
 
@@ -69,6 +78,10 @@ func _process(_p_delta: float) -> void:
 ## All files at first; then one of each shader that draws some.
 func _begin_round() -> void:
 	_lamp.visible = _round > 0
+	var camera: Camera3D = get_parent().get_viewport().get_camera_3d()
+	if _round > 0 and camera != null:
+		_faint_lamp.global_position = camera.global_position
+		_faint_lamp.visible = true
 	var library: EffectLibrary = EffectLibrary.shared()
 	var drawn: Dictionary[Shader, bool] = {}
 	for name: String in library.files():
