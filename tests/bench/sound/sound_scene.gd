@@ -37,7 +37,12 @@ func measure_voices() -> void:
 	var used: float = await _busy_ms()
 	_report.add("64 voices", "heard", _voices.heard(), "")
 	_report.add(
-		"64 voices", "processor time a second", used - without, "ms", _MOST, _GOAL_VOICES_MS
+		"64 voices",
+		"processor time a second, median of 5",
+		used - without,
+		"ms",
+		_MOST,
+		_GOAL_VOICES_MS
 	)
 	_end()
 
@@ -156,12 +161,17 @@ func _fire(p_frame: int) -> void:
 			ShotSounds.play_crack(_voices, place, Vector3(0.0, 0.0, 820.0), 900.0)
 
 
-## Processor time of the process in a second, ms, of all its threads.
+## Processor time of the process in a second, ms, of all its threads: the median of some
+## spells, as other programs on the same cores disturb it.
 func _busy_ms() -> float:
-	var before: float = _process_ms()
-	var begin: int = Time.get_ticks_usec()
-	await _tree.create_timer(3.0).timeout
-	return (_process_ms() - before) / ((Time.get_ticks_usec() - begin) / 1e6)
+	var spells: PackedFloat64Array = []
+	for _spell: int in 5:
+		var before: float = _process_ms()
+		var begin: int = Time.get_ticks_usec()
+		await _tree.create_timer(1.5).timeout
+		spells.append((_process_ms() - before) / ((Time.get_ticks_usec() - begin) / 1e6))
+	spells.sort()
+	return spells[spells.size() / 2]
 
 
 static func _process_ms() -> float:
