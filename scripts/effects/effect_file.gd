@@ -180,6 +180,7 @@ func _read() -> void:
 	if not _tokens.too_many:
 		for problem: EffectProblem in LoopRule.check(_tokens):
 			_add(problem)
+		_check_numbers()
 	var cost: CodeCost = CodeCost.measure(_tokens)
 	work = cost.work
 	if problems.is_empty() and cost.problems.is_empty() and work == 0:
@@ -187,3 +188,16 @@ func _read() -> void:
 	cost.check_count(settings.count, settings.preprocess)
 	for problem: EffectProblem in cost.problems:
 		_add(problem)
+
+
+## Of numbers that a float cannot hold the engine makes code that no driver compiles.
+func _check_numbers() -> void:
+	for i: int in _tokens.size():
+		var word: String = _tokens.words[i].to_lower()
+		if not "0123456789.".contains(word[0]) or word.begins_with("0x"):
+			continue
+		var exponent: String = word.get_slice("e", 1) if word.contains("e") else "0"
+		if exponent == "" and _tokens.at(i + 1) == "+":
+			exponent = _tokens.at(i + 2)
+		if word.get_slice("e", 0).length() > 30 or exponent.trim_suffix("f").to_int() > 30:
+			_add(EffectProblem.new(_tokens.line(i), "This number is too large."))

@@ -82,6 +82,9 @@ func test_a_broken_text_changes_nothing() -> void:
 		text.replace("@texture  puff", "@texture  nothing"),
 		text.replace("float age", "for (;;) { } float age"),
 		text.replace("CUSTOM.w *", "CUSTOM.w **"),
+		text.replace("0.92 *", "1e39 *"),
+		text.replace("0.92 *", "1e+99 *"),
+		text.replace("0.92 *", "9".repeat(60) + ".0 *"),
 	]:
 		var problems: Array[EffectProblem] = _library.set_text("smoke", broken, true)
 		is_true(problems.size() > 0, "accepted: %s" % broken.left(60))
