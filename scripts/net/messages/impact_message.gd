@@ -11,7 +11,7 @@ const MAX_COUNT: int = 16
 ## Bytes of the message without its impacts, and of each.
 const HEAD_BYTES: int = 6
 const IMPACT_BYTES: int = 17
-## Impulse of the first step, N·s, and steps until it has doubled: up to 23 kN·s.
+## Impulse of the first step, N·s, and steps until it has doubled: up to 24.9 kN·s.
 const MIN_IMPULSE: float = 0.01
 const STEPS_PER_OCTAVE: float = 12.0
 ## Step of the slip, m/s: up to 16 m/s.
