@@ -13,8 +13,6 @@ signal captioned(p_text: String, p_place: Vector3, p_level_db: float)
 const GROUP: StringName = &"sound_voices"
 ## Voices at once, unless it is told otherwise.
 const MAX_VOICES: int = 48
-## Sounds that wait for their moment: more are refused.
-const MAX_WAITING: int = 256
 ## What is quieter at the listener is not begun, dB.
 const SILENT_DB: float = -60.0
 ## Speed of sound, m/s.
@@ -35,6 +33,8 @@ const _MOVING_SHARE: float = 0.01
 ## How slowly the speed towards the listener is followed, s; faster than this is a teleport, m/s.
 const _DOPPLER_S: float = 0.06
 const _MAX_RECESSION: float = 120.0
+## Pairs that are remembered before old ones are forgotten.
+const _MAX_MERGED: int = 256
 
 ## What makes voices heard. Set another one to change how.
 var renderer: SpatialRenderer = null:
@@ -53,8 +53,7 @@ var stolen: int = 0
 var peak: int = 0
 
 var _voices: Array[SoundVoice] = []
-var _waiting: Array[SoundVoice] = []
-var _waiting_s: PackedFloat64Array = []
+var _waiting: WaitingSounds = WaitingSounds.new()
 var _merged: Dictionary[int, SoundVoice] = {}
 var _merged_s: Dictionary[int, float] = {}
 var _clock_s: float = 0.0
@@ -78,7 +77,8 @@ func _process(p_delta: float) -> void:
 	_clock_s += p_delta
 	_lowest_db = -INF
 	_ear = ear()
-	_begin_due()
+	for voice: SoundVoice in _waiting.take_due(_clock_s):
+		_begin(voice)
 	_look_around()
 	for voice: SoundVoice in _voices:
 		_advance(voice, p_delta)
@@ -113,7 +113,8 @@ func ear() -> Vector3:
 
 
 ## Plays a sound at a place (m), louder by a gain (dB), after a delay (s). Returns its voice, or
-## null where it is refused: unknown, too quiet, or below all that is heard.
+## null where it is refused: unknown, too quiet, or below all that is heard. Whether one that waits
+## is too quiet or counts less than the others that wait is told by where the listener is now.
 func play(
 	p_name: StringName,
 	p_place: Vector3,
@@ -129,14 +130,8 @@ func play(
 	voice.place = p_place
 	voice.gain_db = p_gain_db
 	voice.pitch = p_pitch * (1.0 + randf_range(-cue.pitch_spread, cue.pitch_spread))
-	if p_delay_s > 0.0:
-		if _waiting.size() >= MAX_WAITING:
-			refused += 1
-			return null
-		_waiting.append(voice)
-		_waiting_s.append(_clock_s + p_delay_s)
-		return voice
-	return voice if _begin(voice) else null
+	var is_kept: bool = _keep(voice, p_delay_s) if p_delay_s > 0.0 else _begin(voice)
+	return voice if is_kept else null
 
 
 ## Plays a sound as [method play] does, but once for each pair in [constant MERGE_S]: the loudest
@@ -153,7 +148,7 @@ func play_merged(
 	if voice != null:
 		_merged[p_pair] = voice
 		_merged_s[p_pair] = _clock_s
-		if _merged.size() > MAX_WAITING:
+		if _merged.size() > _MAX_MERGED:
 			_forget_merged()
 	return voice
 
@@ -184,15 +179,7 @@ func stop_all() -> void:
 		voice.is_over = true
 	_drop_ended()
 	_waiting.clear()
-	_waiting_s.clear()
 	_merged.clear()
-
-
-## Ends all that ends by itself.
-func stop_all_but_loops() -> void:
-	for voice: SoundVoice in _voices:
-		voice.is_over = voice.is_over or voice.end_s < INF
-	_drop_ended()
 
 
 ## How many voices are heard.
@@ -205,14 +192,16 @@ func travel_s(p_place: Vector3) -> float:
 	return ear().distance_to(p_place) / SOUND_SPEED
 
 
-func _begin_due() -> void:
-	for index: int in range(_waiting.size() - 1, -1, -1):
-		if _waiting_s[index] <= _clock_s:
-			var voice: SoundVoice = _waiting[index]
-			_waiting.remove_at(index)
-			_waiting_s.remove_at(index)
-			if not voice.is_over:
-				_begin(voice)
+## Lets a voice wait, s: what is too quiet even without a wall need not.
+func _keep(p_voice: SoundVoice, p_delay_s: float) -> bool:
+	p_voice.distance = ear().distance_to(p_voice.place)
+	_weigh(p_voice)
+	if p_voice.level_db < SILENT_DB:
+		refused += 1
+		return false
+	var dropped: SoundVoice = _waiting.add(p_voice, _clock_s + p_delay_s)
+	refused += 1 if dropped != null else 0
+	return dropped != p_voice
 
 
 func _begin(p_voice: SoundVoice) -> bool:
@@ -228,7 +217,6 @@ func _begin(p_voice: SoundVoice) -> bool:
 	if p_voice.level_db < SILENT_DB:
 		refused += 1
 		return false
-	p_voice.is_in_room = surroundings.is_in_other_room(space, p_voice.place)
 	if not p_voice.cue.is_loop():
 		p_voice.end_s = _clock_s + p_voice.cue.length_s / maxf(p_voice.pitch, 0.1) + 0.1
 	p_voice.wait_frames = _voices.size() % _STILL_FRAMES
@@ -238,6 +226,11 @@ func _begin(p_voice: SoundVoice) -> bool:
 
 ## Gives a voice to the renderer.
 func _sound(p_voice: SoundVoice) -> bool:
+	var space: PhysicsDirectSpaceState3D = get_world_3d().direct_space_state
+	if p_voice.cue.is_loop():
+		# Others have been looked at before they were let in.
+		p_voice.is_blocked = surroundings.is_walled(space, _ear, p_voice.place)
+	p_voice.is_in_room = surroundings.is_in_other_room(space, p_voice.place)
 	var bus: StringName = _bus_of(p_voice)
 	p_voice.slot = renderer.begin(p_voice.cue.pick(), bus, 0.0)
 	if p_voice.slot < 0:

@@ -55,10 +55,13 @@ func test_a_loop_that_gives_way_comes_back() -> void:
 	loop.gain_db = 0.0
 	await process_frames(8)
 	is_true(loop.slot >= 0)
+	var others: Array[SoundVoice] = []
 	for number: int in 60:
-		_voices.play(&"impact_metal", Vector3(0.0, 0.0, -2.0))
+		others.append(_voices.play(&"impact_metal", Vector3(0.0, 0.0, -2.0)))
 	equal(loop.slot, -1)
-	_voices.stop_all_but_loops()
+	for voice: SoundVoice in others:
+		if voice != null:
+			voice.stop()
 	await process_frames(12)
 	is_true(loop.slot >= 0, "it is heard again when there is room")
 
@@ -78,6 +81,40 @@ func test_a_delayed_sound_waits() -> void:
 	equal(_voices.begun, 0)
 	await process_frames(8)
 	equal(_voices.begun, 1)
+
+
+func test_a_delayed_sound_that_would_not_be_heard_does_not_wait() -> void:
+	is_null(_voices.play(&"impact_wood", Vector3(900.0, 0.0, 0.0), 0.0, 1.0, 0.25), "out of range")
+	is_null(_voices.play(&"impact_wood", Vector3(0.0, 0.0, -3.0), -80.0, 1.0, 0.25), "too quiet")
+	equal(_voices.refused, 2)
+
+
+func test_the_least_of_those_that_wait_makes_room() -> void:
+	var waiting: Array[SoundVoice] = []
+	for number: int in WaitingSounds.MAX_WAITING:
+		var gain: float = -30.0 + number * 0.01
+		waiting.append(_voices.play(&"impact_wood", Vector3(0.0, 0.0, -3.0), gain, 1.0, 0.25))
+	equal(_voices.refused, 0)
+	not_null(_voices.play(&"impact_wood", Vector3(0.0, 0.0, -3.0), 0.0, 1.0, 0.25))
+	is_true(waiting[0].is_over, "the first is the quietest")
+	is_false(waiting[1].is_over)
+	is_null(_voices.play(&"impact_wood", Vector3(0.0, 0.0, -3.0), -30.0, 1.0, 0.25))
+	equal(_voices.refused, 2)
+
+
+func test_a_loop_behind_a_wall_begins_muffled() -> void:
+	var wall: StaticBody3D = _make_wall(Vector3(0.0, 0.0, -3.0))
+	await physics_frames(3)
+	var loop: SoundVoice = _voices.start_loop(&"rain_loop", null)
+	loop.place = Vector3(0.0, 0.0, -6.0)
+	loop.gain_db = 12.0
+	var was_open: bool = false
+	for _frame: int in 12:
+		await process_frames(1)
+		was_open = was_open or (loop.slot >= 0 and not loop.is_blocked)
+	is_true(loop.slot >= 0)
+	is_false(was_open, "it is muffled from its first frame on")
+	wall.free()
 
 
 func test_levels_follow_their_law_in_the_mix() -> void:
