@@ -10,9 +10,13 @@ const MAX_IMPULSE: float = 2000.0
 ## harder one.
 const _UNIT_DB: float = -14.0
 const _SECOND_DB: float = -5.0
-## Most scrapes at once, and how long one goes on without news, s.
+## Most scrapes at once.
 const MAX_SCRAPES: int = 12
-const _SCRAPE_S: float = 0.12
+## How long one goes on without news, s: they come each 0.1 s, and one may be lost. From when on it
+## fades meanwhile, s, and how fast, dB/s.
+const SCRAPE_S: float = 0.32
+const _FADE_FROM_S: float = 0.22
+const _FADE_DB_S: float = 300.0
 ## Rubbing at this speed (m/s) and force (N) is as loud as its sound.
 const _SCRAPE_SPEED: float = 1.0
 const _SCRAPE_FORCE: float = 200.0
@@ -107,11 +111,15 @@ func set_scrape(
 	_silent_s[p_pair] = 0.0
 
 
-## Lets scrapes end of which there is no news. Call it each frame, with the time since the last, s.
+## Lets scrapes fade and end of which there is no news. Call it each frame, with the time since
+## the last, s.
 func advance(p_delta: float) -> void:
 	for pair: int in _scrapes.keys():
 		_silent_s[pair] += p_delta
-		if _silent_s[pair] > _SCRAPE_S:
+		if _silent_s[pair] > _FADE_FROM_S:
+			# The next news set it anew.
+			_scrapes[pair].gain_db -= _FADE_DB_S * p_delta
+		if _silent_s[pair] > SCRAPE_S:
 			_scrapes[pair].stop()
 			_scrapes.erase(pair)
 			_silent_s.erase(pair)

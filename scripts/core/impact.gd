@@ -22,6 +22,7 @@ var material: int = 0
 var other_material: int = 0
 
 
-## Whether it is a scrape, which lasts until no further one comes for a tenth of a second.
+## Whether it is a scrape: of one that lasts there is news each tenth of a second. A datagram may
+## be lost, so that clients let it fade when there was none for longer.
 func is_scrape() -> bool:
 	return slip > 0.0

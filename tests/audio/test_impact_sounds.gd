@@ -53,11 +53,22 @@ func test_a_scrape_ends_without_news() -> void:
 		await process_frames(1)
 	equal(_impacts.scrape_count(), 1)
 	equal(_voices.heard(), 1)
-	for frame: int in 10:
+	for frame: int in ceili(ImpactSounds.SCRAPE_S * 60.0) + 2:
 		_impacts.advance(1.0 / 60.0)
 		await process_frames(1)
 	equal(_impacts.scrape_count(), 0)
 	equal(_voices.heard(), 0)
+
+
+func test_a_scrape_goes_on_from_news_to_news() -> void:
+	# The server tells of it each 6 ticks; one datagram in three is lost.
+	for frame: int in 72:
+		if frame % 6 == 0 and frame % 18 != 6:
+			_impacts.set_scrape(5, &"metal", &"concrete", Vector3(0.0, 0.0, -2.0), 1.0, 200.0)
+		_impacts.advance(1.0 / 60.0)
+		await process_frames(1)
+		equal(_impacts.scrape_count(), 1)
+	equal(_voices.begun, 1, "it is one sound all the time")
 
 
 func test_hundreds_of_scrapes_are_few() -> void:
