@@ -30,7 +30,8 @@ var _captions: SoundCaptions = SoundCaptions.new()
 var _radio: AudioStreamPlayer = null
 var _tick: AudioStreamPlayer = null
 var _sky: WorldSky = null
-var _shows_captions: bool = false
+## Which of [constant SoundMenu.SWITCHES] are on, whatever has been chosen.
+var _are_on: Dictionary[StringName, bool] = {}
 
 
 func _process(p_delta: float) -> void:
@@ -116,44 +117,43 @@ func _apply_settings(p_options: Options) -> void:
 		return
 	for bus: StringName in SoundBuses.SETTABLE:
 		_menu.show_volume(bus, SoundBuses.volume(bus))
-	for name: StringName in SoundMenu.SWITCHES:
-		_menu.show_switch(name, _settings.is_sound_on(name))
 	_menu.volume_changed.connect(_on_volume_changed)
+	_menu.volume_settled.connect(_settings.choose_volume)
 	_menu.switched.connect(_on_switched)
 
 
+## Switches something; the menu shows what has come of it.
 func _switch(p_name: StringName, p_is_on: bool) -> void:
-	match p_name:
-		&"limiter":
-			SoundBuses.set_limited(p_is_on)
-		&"captions":
-			_shows_captions = p_is_on
-		&"binaural":
-			_use_headphones(p_is_on)
+	_are_on[p_name] = p_is_on
+	if p_name == &"limiter":
+		SoundBuses.set_limited(p_is_on)
+	elif p_name == &"binaural":
+		_are_on[p_name] = _use_headphones(p_is_on)
+	if _menu != null:
+		_menu.show_switch(p_name, _are_on[p_name])
 
 
-## Lets voices be heard by headphones, or by loudspeakers.
-func _use_headphones(p_are_on: bool) -> void:
-	if not p_are_on:
-		if voices.renderer is not PannedRenderer:
-			voices.renderer = PannedRenderer.new(SoundVoices.MAX_VOICES)
-		return
-	var ears: BinauralRenderer = BinauralRenderer.new(SoundVoices.MAX_VOICES)
-	voices.renderer = ears
-	if ears.error != "":
+## Lets voices be heard by headphones, or by loudspeakers. Returns whether it is by headphones.
+func _use_headphones(p_are_on: bool) -> bool:
+	if p_are_on:
+		var ears: BinauralRenderer = BinauralRenderer.new(SoundVoices.MAX_VOICES)
+		voices.renderer = ears
+		if ears.error == "":
+			return true
 		Log.warning("client", "no binaural sound: %s" % ears.error)
+	if voices.renderer is not PannedRenderer:
 		voices.renderer = PannedRenderer.new(SoundVoices.MAX_VOICES)
+	return false
 
 
 func _on_volume_changed(p_bus: StringName, p_share: float) -> void:
 	SoundBuses.set_volume(p_bus, p_share)
-	_settings.choose_volume(p_bus, p_share)
 	_tick.play()
 
 
 func _on_switched(p_name: StringName, p_is_on: bool) -> void:
 	_switch(p_name, p_is_on)
-	_settings.choose_sound(p_name, p_is_on)
+	_settings.choose_sound(p_name, _are_on[p_name])
 
 
 ## News on the screen are heard as well.
@@ -162,7 +162,7 @@ func _on_told(_text: String) -> void:
 
 
 func _on_captioned(p_text: String, p_place: Vector3, p_level_db: float) -> void:
-	if _shows_captions:
+	if _are_on.get(&"captions", false):
 		_captions.take(p_text, p_place, p_level_db, _scene.viewpoint_transform())
 
 

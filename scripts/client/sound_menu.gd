@@ -6,6 +6,8 @@ extends Panel
 
 ## The user has changed a volume: its bus, and 0 to 1.
 signal volume_changed(p_bus: StringName, p_share: float)
+## A volume that the user has changed stays: the slider is let go, or the menu closed.
+signal volume_settled(p_bus: StringName, p_share: float)
 ## The user has switched one of [constant SWITCHES].
 signal switched(p_name: StringName, p_is_on: bool)
 ## The user is done.
@@ -30,6 +32,8 @@ const _ROW: float = 44.0
 var _sliders: Dictionary[StringName, HSlider] = {}
 var _checks: Dictionary[StringName, CheckButton] = {}
 var _done: Button = null
+## Buses whose volume has changed and is not settled.
+var _unsettled: Dictionary[StringName, bool] = {}
 
 
 func _ready() -> void:
@@ -60,6 +64,10 @@ func _ready() -> void:
 	visible = false
 
 
+func _exit_tree() -> void:
+	_settle_all()
+
+
 func _unhandled_input(p_event: InputEvent) -> void:
 	if visible and p_event.is_action_pressed(&"ui_cancel"):
 		close()
@@ -75,6 +83,7 @@ func open() -> void:
 ## Closes it.
 func close() -> void:
 	visible = false
+	_settle_all()
 	closed.emit()
 
 
@@ -93,7 +102,23 @@ func _on_toggled(p_is_on: bool, p_name: StringName) -> void:
 
 
 func _on_moved(p_value: float, p_bus: StringName) -> void:
+	_unsettled[p_bus] = true
 	volume_changed.emit(p_bus, p_value / 100.0)
+
+
+func _on_let_go(_has_changed: bool, p_bus: StringName) -> void:
+	_settle(p_bus)
+
+
+## Keys and the wheel move a slider without letting it go.
+func _settle_all() -> void:
+	for bus: StringName in _unsettled.keys():
+		_settle(bus)
+
+
+func _settle(p_bus: StringName) -> void:
+	if _unsettled.erase(p_bus):
+		volume_settled.emit(p_bus, _sliders[p_bus].value / 100.0)
 
 
 func _add_label(p_text: String, p_y: float) -> Label:
@@ -111,6 +136,7 @@ func _add_slider(p_bus: StringName, p_y: float) -> HSlider:
 	slider.tooltip_text = "Volume of: %s" % _TITLES[p_bus]
 	_place(slider, _LEFT + 136.0, p_y + 4.0, _WIDTH - 2.0 * _LEFT - 136.0, 24.0)
 	slider.value_changed.connect(_on_moved.bind(p_bus))
+	slider.drag_ended.connect(_on_let_go.bind(p_bus))
 	return slider
 
 

@@ -29,6 +29,25 @@ func test_sliders_and_switches_say_what_has_changed() -> void:
 	menu.free()
 
 
+func test_a_volume_settles_when_the_slider_is_let_go_or_the_menu_closed() -> void:
+	var menu: SoundMenu = SoundMenu.new()
+	add_child(menu)
+	menu.volume_settled.connect(_on_changed)
+	menu.open()
+	var sliders: Array[Node] = menu.find_children("*", "HSlider", true, false)
+	var first: HSlider = sliders[0] as HSlider
+	for value: float in [80.0, 60.0, 40.0]:
+		first.value = value
+	equal(_changes, [], "nothing is kept at a step")
+	first.drag_ended.emit(true)
+	equal(_changes, [[&"Master", 0.4]])
+	(sliders[1] as HSlider).value = 20.0
+	menu.close()
+	equal(_changes, [[&"Master", 0.4], [SoundBuses.WORLD, 0.2]], "by keys: on closing")
+	menu.free()
+	equal(_changes.size(), 2)
+
+
 func test_choices_are_kept() -> void:
 	var settings: UserSettings = UserSettings.new(PATH)
 	equal(settings.volume(&"World"), 1.0)
