@@ -2,7 +2,8 @@ extends TestCase
 ## What two ears hear of a voice, measured in the captured mix.
 
 const Capture: GDScript = preload("res://tests/bench/sound/mix_capture.gd")
-const RATE: int = 48000
+const TwoEars: GDScript = preload("res://tests/bench/sound/two_ears.gd")
+const RATE: int = TwoEars.RATE
 
 var _ears: BinauralRenderer = null
 var _listener: Node3D = null
@@ -26,9 +27,9 @@ func after_each() -> void:
 
 func test_a_voice_on_the_right_is_louder_and_earlier_on_the_right() -> void:
 	var heard: PackedVector2Array = await _hear(Vector3(3.0, 0.0, 0.0))
-	var balance: float = _balance_db(heard)
+	var balance: float = TwoEars.balance_db(heard)
 	is_true(balance > 4.0, "%.1f dB" % balance)
-	var lag_ms: float = _lag(heard) * 1000.0 / RATE
+	var lag_ms: float = TwoEars.lag(heard) * 1000.0 / RATE
 	# Of the measured head: 0.71 ms at 90 degrees.
 	almost_equal(lag_ms, 0.71, 0.1)
 
@@ -36,12 +37,12 @@ func test_a_voice_on_the_right_is_louder_and_earlier_on_the_right() -> void:
 func test_it_stays_where_it_is_when_the_head_turns() -> void:
 	_listener.rotate_y(-PI / 2.0)
 	var heard: PackedVector2Array = await _hear(Vector3(3.0, 0.0, 0.0))
-	almost_equal(_balance_db(heard), 0.0, 1.5, "it is ahead now")
-	almost_equal(_lag(heard), 0.0, 2.0)
+	almost_equal(TwoEars.balance_db(heard), 0.0, 1.5, "it is ahead now")
+	almost_equal(TwoEars.lag(heard), 0.0, 2.0)
 
 
 func test_no_more_voices_than_it_has_and_each_is_given_back() -> void:
-	var noise: AudioStreamWAV = _noise()
+	var noise: AudioStreamWAV = TwoEars.noise()
 	for _round: int in 5:
 		var slots: Array[int] = []
 		for _voice: int in 3:
@@ -65,7 +66,7 @@ func test_a_second_renderer_uses_the_same_buses() -> void:
 
 ## What is heard of noise at a place, for a quarter of a second.
 func _hear(p_place: Vector3) -> PackedVector2Array:
-	var slot: int = _ears.begin(_noise(), SoundBuses.ROOM, 0.0)
+	var slot: int = _ears.begin(TwoEars.noise(), SoundBuses.ROOM, 0.0)
 	_ears.update(slot, p_place, -6.0, 1.0, SoundBuses.ROOM)
 	_ears.start(slot)
 	_capture.clear()
@@ -80,42 +81,3 @@ func _hear(p_place: Vector3) -> PackedVector2Array:
 	_ears.release(slot)
 	is_true(Capture.level_db(heard) > -60.0, "it is heard")
 	return heard
-
-
-func _noise() -> AudioStreamWAV:
-	var dice: RandomNumberGenerator = RandomNumberGenerator.new()
-	dice.seed = 3
-	var bytes: PackedByteArray = []
-	bytes.resize(RATE * 2)
-	for frame: int in RATE:
-		bytes.encode_s16(frame * 2, dice.randi_range(-8000, 8000))
-	var noise: AudioStreamWAV = AudioStreamWAV.new()
-	noise.format = AudioStreamWAV.FORMAT_16_BITS
-	noise.mix_rate = RATE
-	noise.data = bytes
-	noise.loop_mode = AudioStreamWAV.LOOP_FORWARD
-	noise.loop_end = RATE
-	return noise
-
-
-## By how much the right ear's sound is louder, dB.
-func _balance_db(p_heard: PackedVector2Array) -> float:
-	var sums: Vector2 = Vector2.ZERO
-	for frame: Vector2 in p_heard:
-		sums += frame * frame
-	return 10.0 * log(sums.y / maxf(sums.x, 1e-12)) / log(10.0)
-
-
-## By how many frames the left ear hears later.
-func _lag(p_heard: PackedVector2Array) -> int:
-	var from: int = maxi(p_heard.size() - 6000, 80)
-	var best: float = -INF
-	var found: int = 0
-	for lag: int in range(-60, 61):
-		var sum: float = 0.0
-		for index: int in range(from, mini(from + 4000, p_heard.size() - 60)):
-			sum += p_heard[index].y * p_heard[index + lag].x
-		if sum > best:
-			best = sum
-			found = lag
-	return found

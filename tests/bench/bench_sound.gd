@@ -2,13 +2,16 @@ extends SceneTree
 ## What the sounds of the world are like and what they cost: figures of each synthesised sound, and
 ## of the mix, captured: levels, walls, engines, voices, a full scene.
 ##
-## Options: --part=files, levels, walls, engine, delay, voices or scene; all without. It needs no
-## display and no sound card: the engine's silent driver mixes in real time.
+## Options: --part=files, levels, walls, engine, delay, voices, scene or binaural; all without. It
+## needs no display and no sound card: the engine's silent driver mixes in real time.
 
 const Files: GDScript = preload("sound/sound_files.gd")
 const Mix: GDScript = preload("sound/sound_mix.gd")
 const Scene: GDScript = preload("sound/sound_scene.gd")
-const _PARTS: PackedStringArray = ["files", "levels", "walls", "engine", "delay", "voices", "scene"]
+const Binaural: GDScript = preload("sound/sound_binaural.gd")
+const _PARTS: PackedStringArray = [
+	"files", "levels", "walls", "engine", "delay", "voices", "scene", "binaural"
+]
 
 
 func _initialize() -> void:
@@ -35,4 +38,7 @@ func _run(p_part: String, p_report: BenchReport) -> void:
 	for part: String in ["voices", "scene"]:
 		if p_part in ["", part]:
 			await scene.call("measure_" + part)
+	if p_part in ["", "binaural"]:
+		var binaural: RefCounted = Binaural.new(self, p_report)
+		await binaural.measure_binaural()
 	quit(p_report.finish())
