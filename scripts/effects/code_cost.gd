@@ -26,6 +26,8 @@ const _OPENING: Dictionary[String, String] = {"(": ")", "[": "]", "{": "}"}
 const _CLOSING: Dictionary[String, String] = {")": "(", "]": "[", "}": "{"}
 
 var problems: Array[EffectProblem] = []
+## Whether brackets fit together and nothing is too deep or too long: else nothing else is looked at.
+var is_well_formed: bool = false
 ## Of a particle in a frame: the larger of start() and process(), tokens.
 var work: int = 0
 
@@ -49,7 +51,8 @@ static func measure(p_tokens: EffectTokens) -> CodeCost:
 		)
 		return cost
 	cost._check_shape()
-	if cost.problems.is_empty():
+	cost.is_well_formed = cost.problems.is_empty()
+	if cost.is_well_formed:
 		cost._find_functions()
 		cost._measure()
 	return cost

@@ -177,11 +177,12 @@ func _read() -> void:
 		_add(problem)
 	if _type.search(_tokens.bare) == null:
 		_add(EffectProblem.new(1, "An effect begins with 'shader_type particles;'."))
-	if not _tokens.too_many:
+	var cost: CodeCost = CodeCost.measure(_tokens)
+	# What is not built as code is not searched for loops: in brackets without end that takes long.
+	if cost.is_well_formed:
 		for problem: EffectProblem in LoopRule.check(_tokens):
 			_add(problem)
 		_check_numbers()
-	var cost: CodeCost = CodeCost.measure(_tokens)
 	work = cost.work
 	if problems.is_empty() and cost.problems.is_empty() and work == 0:
 		_add(EffectProblem.new(1, "There is no 'void process() { }', which moves the particles."))
@@ -193,6 +194,8 @@ func _read() -> void:
 ## Of numbers that a float cannot hold the engine makes code that no driver compiles.
 func _check_numbers() -> void:
 	for i: int in _tokens.size():
+		if problems.size() >= MAX_PROBLEMS:
+			return
 		var word: String = _tokens.words[i].to_lower()
 		if not "0123456789.".contains(word[0]) or word.begins_with("0x"):
 			continue

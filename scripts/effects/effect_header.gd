@@ -19,6 +19,8 @@ func _init(p_settings: EffectSettings) -> void:
 func read(p_text: String) -> void:
 	var lines: PackedStringArray = p_text.split("\n")
 	for i: int in lines.size():
+		if problems.size() >= EffectFile.MAX_PROBLEMS:
+			break
 		var line: String = lines[i].strip_edges()
 		if line.begins_with(MARK):
 			_read_line(i + 1, line.substr(MARK.length()))
@@ -44,8 +46,8 @@ func _read_line(p_number: int, p_line: String) -> void:
 		return
 	_lines[name] = p_number
 	var value: Variant = key.read(words.slice(1))
-	if value == null:
-		_problem(p_number, key.error)
+	if value is EffectProblem:
+		_problem(p_number, (value as EffectProblem).text)
 	else:
 		_settings.set(name, value)
 
@@ -53,7 +55,10 @@ func _read_line(p_number: int, p_line: String) -> void:
 func _unknown(p_name: String) -> String:
 	var names: Array = EffectSettings.keys().keys()
 	names.append("input")
-	var near: String = Nearest.find(p_name, PackedStringArray(names))
+	# Comparing words takes long: a file of nothing but wrong names must not wait for all of them.
+	var near: String = ""
+	if problems.is_empty():
+		near = Nearest.find(p_name, PackedStringArray(names))
 	if near != "":
 		return "There is no setting '%s'. Did you mean '%s'?" % [p_name.left(40), near]
 	return "There is no setting '%s'. There are: %s." % [p_name.left(40), ", ".join(names)]

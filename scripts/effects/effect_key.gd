@@ -43,8 +43,6 @@ var choices: PackedStringArray = []
 var suffix: String = ""
 ## What the setting does, for people.
 var meaning: String = ""
-## Why the last [method read] failed, for people; empty if it did not.
-var error: String = ""
 
 
 static func number(
@@ -106,10 +104,9 @@ static func words(p_name: String, p_is_name: bool, p_meaning: String) -> EffectK
 	return _make(p_name, Kind.NAME if p_is_name else Kind.TEXT, "", p_meaning)
 
 
-## The value that the words after the setting's name say; null if they say none, and then
-## [member error] says why.
+## The value that the words after the setting's name say, or an [EffectProblem] without a line that
+## says why they say none. Keys are shared between threads: nothing of a reading stays in them.
 func read(p_words: PackedStringArray) -> Variant:
-	error = ""
 	if p_words.is_empty():
 		return _fail("'%s' needs a value: %s." % [name, meaning])
 	if kind != Kind.TEXT and p_words.size() > most:
@@ -171,9 +168,8 @@ func _bound(p_minimum: float, p_maximum: float, p_suffix: String) -> void:
 	suffix = p_suffix
 
 
-func _fail(p_text: String) -> Variant:
-	error = p_text
-	return null
+func _fail(p_text: String) -> EffectProblem:
+	return EffectProblem.new(0, p_text)
 
 
 func _choices_and(p_word: String) -> Array:
@@ -223,8 +219,8 @@ func _read_numbers(p_words: PackedStringArray) -> Variant:
 	var values: PackedFloat64Array = []
 	for word: String in p_words:
 		var value: Variant = _read_number(word)
-		if value == null:
-			return null
+		if value is EffectProblem:
+			return value
 		values.append(value)
 	return values
 

@@ -44,6 +44,8 @@ var too_many: bool = false
 var bare: String = ""
 
 var _found: Array[RegExMatch] = []
+## The index of the bracket that closes each one that is closed.
+var _closing: Dictionary[int, int] = {}
 
 
 func _init(p_text: String) -> void:
@@ -57,6 +59,7 @@ func _init(p_text: String) -> void:
 		if MARKS.has(word):
 			marks.append(words.size())
 		words.append(word)
+	_pair_brackets()
 
 
 func size() -> int:
@@ -77,22 +80,26 @@ func line(p_index: int) -> int:
 
 ## The index of the bracket that closes the one at [param p_open]; -1 if none does.
 func closing(p_open: int) -> int:
-	var depth: int = 0
-	for i: int in range(p_open, words.size()):
-		match words[i]:
-			"(", "[", "{":
-				depth += 1
-			")", "]", "}":
-				depth -= 1
-				if depth == 0:
-					return i
-	return -1
+	return _closing.get(p_open, -1)
 
 
 ## Whether a token is a name or a keyword.
 func is_word(p_index: int) -> bool:
 	var token: String = at(p_index)
 	return token != "" and token.is_valid_ascii_identifier()
+
+
+## All in one pass: a text of nothing but brackets must not be searched for each of them.
+func _pair_brackets() -> void:
+	var open: PackedInt32Array = []
+	for i: int in marks:
+		match words[i]:
+			"(", "[", "{":
+				open.append(i)
+			")", "]", "}":
+				if not open.is_empty():
+					_closing[open[-1]] = i
+					open.remove_at(open.size() - 1)
 
 
 static func _without_comments(p_text: String) -> String:

@@ -60,6 +60,8 @@ static func _is_whole(p_token: String) -> bool:
 func _check() -> void:
 	var has_loop: bool = false
 	for i: int in _tokens.marks:
+		if _has_enough():
+			return
 		match _tokens.words[i]:
 			"#", "@":
 				_problem(i, "'%s' is not allowed outside of comments." % _tokens.at(i))
@@ -78,6 +80,11 @@ func _check() -> void:
 				_check_struct(i)
 	if has_loop:
 		_check_arguments()
+
+
+## Whether more problems would not be told anyway.
+func _has_enough() -> bool:
+	return problems.size() >= EffectFile.MAX_PROBLEMS
 
 
 func _problem(p_index: int, p_text: String) -> void:
@@ -131,6 +138,8 @@ func _is_changed(p_index: int) -> bool:
 ## A function that may write into its argument could change a counter.
 func _check_arguments() -> void:
 	for i: int in _tokens.marks:
+		if _has_enough():
+			return
 		if _tokens.words[i] != "inout" and _tokens.words[i] != "out":
 			continue
 		var type: int = i + 1
@@ -143,8 +152,9 @@ func _check_arguments() -> void:
 
 
 func _note_constants(p_const: int) -> void:
-	var i: int = p_const
-	while i < _tokens.size() and not [";", ")", "{"].has(_tokens.words[i]):
+	var i: int = p_const + 1
+	# The next const is noted by itself: the text is gone through once, however many there are.
+	while i < _tokens.size() and not [";", ")", "{", "const"].has(_tokens.words[i]):
 		if _tokens.at(i + 1) == "=":
 			_constants[_tokens.words[i]] = true
 		i += 1
