@@ -69,6 +69,7 @@ TEST(what_slides_scrapes_ten_times_a_second) {
 TEST(the_strongest_are_kept) {
 	ImpactDetector detector;
 	std::vector<Touch> touches;
+	touches.reserve(100);
 	for (std::uint64_t i = 0; i < 100; i++) {
 		touches.push_back(touch(10.0f + float(i), 0.0f, 100 + i));
 	}
