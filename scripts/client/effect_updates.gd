@@ -13,12 +13,19 @@ var _parts: EffectParts = EffectParts.new()
 
 
 func _init(p_link: ClientLink) -> void:
+	p_link.joined.connect(_on_joined)
 	p_link.handle(Protocol.Message.EFFECT, MessageHandlers.Path.RELIABLE, _on_part)
 
 
 ## What it has done so far, for a report.
 func report() -> Dictionary:
 	return {"taken": taken, "refused": refused}
+
+
+## The effects of the last session are not those of this one. Who comes back gets them again.
+func _on_joined() -> void:
+	_parts = EffectParts.new()
+	EffectLibrary.shared().reset()
 
 
 func _on_part(p_bytes: PackedByteArray, _arrival_usec: int) -> bool:
@@ -34,7 +41,7 @@ func _take(p_name: String, p_bytes: PackedByteArray) -> void:
 	var file: EffectFile = EffectFile.from_bytes(p_bytes)
 	var problems: Array[EffectProblem] = file.problems
 	if problems.is_empty():
-		problems = EffectLibrary.shared().set_text(p_name, file.text, true)
+		problems = EffectLibrary.shared().set_file(p_name, file, true)
 	if problems.is_empty():
 		taken += 1
 		return

@@ -93,6 +93,11 @@ func edited() -> Dictionary[String, String]:
 ## Shows another text of a file from now on, or adds a file. Returns what is wrong with it; then
 ## everything stays as it was. [param p_quietly]: see [method ShaderCheck.problems].
 func set_text(p_name: String, p_text: String, p_quietly: bool = false) -> Array[EffectProblem]:
+	return set_file(p_name, EffectFile.read(p_text), p_quietly)
+
+
+## The same with a text that has been read already.
+func set_file(p_name: String, p_file: EffectFile, p_quietly: bool = false) -> Array[EffectProblem]:
 	var fault: String = ""
 	if not EffectFile.is_name(p_name):
 		fault = "'%s' is no name: small letters, digits and _." % p_name.left(40)
@@ -100,13 +105,12 @@ func set_text(p_name: String, p_text: String, p_quietly: bool = false) -> Array[
 		fault = "There are already %d effects." % MAX_FILES
 	if fault != "":
 		return [EffectProblem.new(1, fault)]
-	if text_of(p_name) == p_text and p_text != "":
+	if text_of(p_name) == p_file.text and p_file.text != "":
 		return []
-	var file: EffectFile = EffectFile.read(p_text)
-	var problems: Array[EffectProblem] = ShaderCheck.problems(file, p_quietly)
+	var problems: Array[EffectProblem] = ShaderCheck.problems(p_file, p_quietly)
 	if problems.is_empty():
-		_edited[p_name] = p_text
-		_take(p_name, file)
+		_edited[p_name] = p_file.text
+		_take(p_name, p_file)
 	return problems
 
 

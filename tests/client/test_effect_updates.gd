@@ -38,6 +38,17 @@ func test_a_broken_one_changes_nothing() -> void:
 	equal(EffectLibrary.shared().text_of("test_fountain"), EffectTexts.GOOD)
 
 
+func test_a_new_session_begins_with_the_shipped_effects() -> void:
+	var shipped: String = EffectLibrary.shared().text_of("smoke")
+	for name: String in ["test_fountain", "smoke"]:
+		equal(EffectLibrary.shared().set_text(name, EffectTexts.GOOD).size(), 0)
+	var link: ClientLink = ClientLink.new()
+	_updates = EffectUpdates.new(link)
+	link.joined.emit()
+	is_false(EffectLibrary.shared().has("test_fountain"))
+	equal(EffectLibrary.shared().text_of("smoke"), shipped)
+
+
 func _send(p_name: String, p_text: String) -> void:
 	for message: PackedByteArray in EffectMessage.split(1, p_name, p_text.to_utf8_buffer()):
 		_pair.server.send_whole(_pair.server.session_ids()[0], message)
