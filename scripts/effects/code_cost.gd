@@ -26,7 +26,7 @@ const _OPENING: Dictionary[String, String] = {"(": ")", "[": "]", "{": "}"}
 const _CLOSING: Dictionary[String, String] = {")": "(", "]": "[", "}": "{"}
 
 var problems: Array[EffectProblem] = []
-## Whether brackets fit together and nothing is too deep or too long: else nothing else is looked at.
+## Whether brackets fit together and nothing is too deep or too long; else only that is said.
 var is_well_formed: bool = false
 ## Of a particle in a frame: the larger of start() and process(), tokens.
 var work: int = 0

@@ -35,7 +35,8 @@ const MAX_INPUTS_TEXT: int = 400
 		_bindings = EffectBinding.read(inputs)
 		_refresh()
 		update_configuration_warnings()
-## The event at which the effect is played once; empty: it is shown all the time.
+## The event at which the effect is played once; empty: it is shown all the time. An effect without
+## [code]@once[/code] goes on for the life of a particle.
 @export var plays_at: String = "":
 	set(p_value):
 		plays_at = p_value
@@ -43,14 +44,24 @@ const MAX_INPUTS_TEXT: int = 400
 
 var _bindings: Array[EffectBinding] = []
 var _shown: LayeredEffect = null
+## So long an effect without [code]@once[/code] goes on, s.
+var _left_s: float = 0.0
 ## The share that [constant EffectBinding.AMOUNT] says.
 var _bound_amount: float = 1.0
 
 
 func _ready() -> void:
+	set_process(false)
 	if Engine.is_editor_hint() or DisplayServer.get_name() == "headless":
 		return
 	show_effect()
+
+
+func _process(p_delta: float) -> void:
+	_left_s -= p_delta
+	if _left_s <= 0.0:
+		set_process(false)
+		_apply_amount()
 
 
 func _validate_property(p_property: Dictionary) -> void:
@@ -72,6 +83,9 @@ func _get_configuration_warnings() -> PackedStringArray:
 			warnings.append_array(_warn_of("field", binding.field))
 	if plays_at != "":
 		warnings.append_array(_warn_of("event", StringName(plays_at)))
+		if names.has(effect) and not _ends_by_itself():
+			var text: String = "'%s' does not end by itself: choose an effect with '@once yes'."
+			warnings.append(text % effect)
 	return warnings
 
 
@@ -87,6 +101,12 @@ func show_effect() -> void:
 		entity.field_changed.connect(_on_field_changed)
 		entity.happened.connect(_on_happened)
 	_refresh()
+
+
+func _ends_by_itself() -> bool:
+	return EffectLibrary.shared().layers(effect).any(
+		func(layer: EffectLayer) -> bool: return layer.file.settings.once
+	)
 
 
 func _warn_of(p_what: String, p_name: StringName) -> PackedStringArray:
@@ -126,7 +146,7 @@ func _set_input(p_input: StringName, p_value: float) -> void:
 
 func _apply_amount() -> void:
 	_shown.share = amount * _bound_amount
-	_shown.emitting = plays_at == "" and _shown.share > 0.0
+	_shown.emitting = (plays_at == "" or _left_s > 0.0) and _shown.share > 0.0
 
 
 func _on_field_changed(p_field: StringName, p_value: float) -> void:
@@ -137,5 +157,12 @@ func _on_field_changed(p_field: StringName, p_value: float) -> void:
 
 
 func _on_happened(p_event: StringName, _p_values: PackedFloat32Array) -> void:
-	if plays_at != "" and p_event == StringName(plays_at):
-		_shown.play()
+	if plays_at == "" or p_event != StringName(plays_at):
+		return
+	_shown.play()
+	if _ends_by_itself():
+		return
+	for part: ParticleEffect in _shown.parts:
+		_left_s = maxf(_left_s, part.lifetime)
+	set_process(_left_s > 0.0)
+	_apply_amount()

@@ -60,6 +60,22 @@ func test_it_plays_at_an_event() -> void:
 	is_true(part.emitting)
 
 
+func test_what_does_not_end_by_itself_is_played_for_its_life() -> void:
+	_emitter.effect = "fountain"
+	_emitter.plays_at = "bang"
+	_warns("@once yes")
+	await _start()
+	var part: ParticleEffect = _shown().parts[0]
+	is_false(part.emitting)
+	_entity.happened.emit(&"bang", PackedFloat32Array())
+	_emitter.amount = 0.5
+	is_true(part.emitting)
+	_emitter._process(part.lifetime * 0.5)
+	is_true(part.emitting)
+	_emitter._process(part.lifetime)
+	is_false(part.emitting)
+
+
 func test_without_an_entity_it_is_always_there() -> void:
 	_emitter.entity = null
 	_emitter.effect = "fountain"
