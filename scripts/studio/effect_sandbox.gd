@@ -63,6 +63,11 @@ func is_ready() -> bool:
 	return _is_ready
 
 
+## Whether there is a process, be it that it still starts: then texts wait for it.
+func is_there() -> bool:
+	return _pid > 0
+
+
 ## Begins to try a text; an older one that waits is forgotten.
 func try_text(p_text: String) -> void:
 	_number += 1
@@ -100,6 +105,8 @@ func poll() -> Verdict:
 		return Verdict.WAITING
 	_waits = false
 	_kill()
+	# It may not have come to it yet: the next process must not find it.
+	_remove("request")
 	_starts = 0
 	start()
 	return Verdict.TOO_SLOW

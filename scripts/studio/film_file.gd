@@ -7,6 +7,9 @@ extends RefCounted
 const MAX_FRAMES: int = 1800
 const QUALITY: float = 0.9
 
+## Where it is.
+var path: String = ""
+
 var _file: FileAccess = null
 var _size: Vector2i = Vector2i.ZERO
 var _rate: int = 30
@@ -21,6 +24,7 @@ func open(p_path: String, p_size: Vector2i, p_rate: int) -> String:
 	_file = FileAccess.open(p_path, FileAccess.WRITE)
 	if _file == null:
 		return "%s cannot be written: %s" % [p_path, error_string(FileAccess.get_open_error())]
+	path = p_path
 	_size = p_size
 	_rate = p_rate
 	_index.clear()

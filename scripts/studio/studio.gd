@@ -101,6 +101,9 @@ func _exit_tree() -> void:
 	file.keep(code.text)
 	sandbox.close()
 	_session.close()
+	if _film != null:
+		_film.close()
+		_film = null
 	if RenderingServer.frame_post_draw.is_connected(_on_frame_drawn):
 		RenderingServer.frame_post_draw.disconnect(_on_frame_drawn)
 
@@ -132,6 +135,7 @@ func open_effect(p_name: String) -> void:
 	var text: String = file.open(p_name)
 	_notice = file.error
 	code.text = text
+	code.editable = not file.is_foreign
 	code.clear_undo_history()
 	code.tag_saved_version()
 	preview.compare(null)
@@ -164,7 +168,7 @@ func do(p_what: String) -> void:
 		"film":
 			_begin_film()
 		"measure":
-			_measure = StudioComparison.new(preview)
+			_begin_measure()
 		"send":
 			_session.address = _bar.address()
 			_session.send(file.name, code.text)
@@ -177,7 +181,14 @@ func do(p_what: String) -> void:
 func _connect_parts() -> void:
 	code.text_changed.connect(_on_typed)
 	code.help_changed.connect(func(text: String) -> void: _notice = text)
-	panel.text_wanted.connect(_on_text_wanted)
+	panel.setting_wanted.connect(
+		func(name: String, value: String) -> void:
+			code.replace_text(HeaderEdit.set_setting(code.text, name, value))
+	)
+	panel.default_wanted.connect(
+		func(name: String, value: String) -> void:
+			code.replace_text(HeaderEdit.set_default(code.text, name, value))
+	)
 	panel.input_wanted.connect(preview.effect.set_input)
 	_session.told.connect(func(text: String) -> void: _notice = text)
 	_bar.asked.connect(do)
@@ -205,10 +216,6 @@ func _on_typed() -> void:
 	_check()
 
 
-func _on_text_wanted(p_text: String) -> void:
-	code.replace_text(p_text)
-
-
 ## Checks the text and shows it, if nothing is wrong with it.
 func _check() -> void:
 	var begin: int = Time.get_ticks_usec()
@@ -219,7 +226,7 @@ func _check() -> void:
 	_candidate = null
 	if not problems.is_empty():
 		return
-	if read.has_loops() and sandbox.is_ready():
+	if read.has_loops() and sandbox.is_there():
 		_candidate = read
 		sandbox.try_text(read.text)
 	else:
@@ -275,14 +282,13 @@ func _save() -> void:
 
 
 func _make_new() -> void:
-	var names: PackedStringArray = file.names()
 	var number: int = 1
-	while names.has("effect_%d" % number):
+	while file.is_taken("effect_%d" % number):
 		number += 1
 	var text: String = code.text
 	open_effect("effect_%d" % number)
 	code.replace_text(text)
-	_bar.show_names(names, file.name)
+	_bar.show_names(file.names(), file.name)
 	_notice = "a copy named effect_%d: Ctrl+S saves it" % number
 
 
@@ -297,15 +303,17 @@ func _compare() -> void:
 
 
 func _take_picture() -> void:
-	var path: String = "%s/%s.png" % [_pictures(), file.name]
+	var path: String = StudioFile.next_picture(file.name, "png")
 	var error: Error = preview.view.get_texture().get_image().save_png(path)
 	_notice = "picture: %s" % path if error == OK else "no picture: %s" % error_string(error)
 
 
 func _begin_film() -> void:
+	if _is_busy():
+		return
 	_film = FilmFile.new()
 	var size: Vector2i = preview.view.size - preview.view.size % 2
-	var path: String = "%s/%s.avi" % [_pictures(), file.name]
+	var path: String = StudioFile.next_picture(file.name, "avi")
 	var error: String = _film.open(path, size, FILM_RATE)
 	_film_begin_ms = Time.get_ticks_msec()
 	_notice = "filming %s" % path if error == "" else error
@@ -313,13 +321,16 @@ func _begin_film() -> void:
 		_film = null
 
 
-## Where pictures and films go.
-static func _pictures() -> String:
-	var folder: String = OS.get_environment("DISMOUNT_OUT")
-	if folder == "":
-		folder = ProjectSettings.globalize_path("user://studio")
-	DirAccess.make_dir_recursive_absolute(folder)
-	return folder
+func _begin_measure() -> void:
+	if not _is_busy():
+		_measure = StudioComparison.new(preview)
+
+
+## Whether something is filmed or measured: one at a time, as measuring hides the effect.
+func _is_busy() -> bool:
+	if _film != null or _measure != null:
+		_notice = "not yet: %s still runs" % ("the film" if _film != null else "measuring")
+	return _film != null or _measure != null
 
 
 func _on_frame_drawn() -> void:
@@ -337,8 +348,8 @@ func _on_frame_drawn() -> void:
 			_film.add(picture)
 	if _film.frames() >= FILM_RATE * FILM_S:
 		_film.close()
+		_notice = "the film is there: %s" % _film.path
 		_film = null
-		_notice = "the film is there: %s" % _pictures()
 
 
 func _show_status() -> void:

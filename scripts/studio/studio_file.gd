@@ -17,6 +17,11 @@ var name: String = ""
 var saved: String = ""
 ## What the last call has to say; empty if all went well.
 var error: String = ""
+## Whether the file is no text: then it is neither shown nor saved over.
+var is_foreign: bool = false
+
+## The file as it was read or written last.
+var _saved_bytes: PackedByteArray = []
 
 
 ## Names of the effects in the folder.
@@ -40,7 +45,13 @@ func path() -> String:
 func open(p_name: String) -> String:
 	error = ""
 	name = p_name
-	saved = FileAccess.get_file_as_string(path()) if FileAccess.file_exists(path()) else ""
+	_saved_bytes = FileAccess.get_file_as_bytes(path()) if FileAccess.file_exists(path()) else []
+	var read: EffectText = EffectText.new(_saved_bytes)
+	saved = read.text
+	is_foreign = read.failed
+	if is_foreign:
+		error = "%s is no text in UTF-8: it stays as it is" % path()
+		return ""
 	var kept: String = _kept_path()
 	if FileAccess.file_exists(kept):
 		var text: String = FileAccess.get_file_as_string(kept)
@@ -50,6 +61,11 @@ func open(p_name: String) -> String:
 	return saved
 
 
+## Whether there is an effect of this name, in the folder or not saved yet.
+func is_taken(p_name: String) -> bool:
+	return p_name == name or names().has(p_name) or FileAccess.file_exists(_kept_path(p_name))
+
+
 ## Whether a text differs from the file.
 func is_changed(p_text: String) -> bool:
 	return p_text != saved
@@ -57,7 +73,7 @@ func is_changed(p_text: String) -> bool:
 
 ## Keeps a text that is not saved, so that a crash loses nothing.
 func keep(p_text: String) -> void:
-	if name == "":
+	if name == "" or is_foreign:
 		return
 	if not is_changed(p_text):
 		if FileAccess.file_exists(_kept_path()):
@@ -73,26 +89,46 @@ func save(p_text: String) -> bool:
 	if not EffectFile.is_name(name):
 		error = "an effect's name has small letters, digits and _, not '%s'" % name
 		return false
-	_back_up(p_text)
-	if not _write(path(), p_text):
+	if is_foreign:
+		error = "%s is no text in UTF-8: it stays as it is" % path()
+		return false
+	if not _back_up(p_text.to_utf8_buffer()) or not _write(path(), p_text):
 		return false
 	saved = p_text
+	_saved_bytes = p_text.to_utf8_buffer()
 	keep(p_text)
 	return true
 
 
-## Keeps what is in the file now, also what somebody else has put there.
-func _back_up(p_text: String) -> void:
+## Keeps what is in the file now byte by byte, also what somebody else has put there. Returns
+## whether it is safe.
+func _back_up(p_new: PackedByteArray) -> bool:
 	if not FileAccess.file_exists(path()):
-		return
-	var there: String = FileAccess.get_file_as_string(path())
-	if there == p_text:
-		return
-	if there != saved:
-		error = "somebody else has changed the file: their text is in %s" % KEPT
+		return true
+	var there: PackedByteArray = FileAccess.get_file_as_bytes(path())
+	if there == p_new:
+		return true
 	DirAccess.make_dir_recursive_absolute(KEPT)
+	var failed: Error = DirAccess.copy_absolute(path(), _backup_path())
+	if failed != OK:
+		error = "not saved, as %s cannot be kept: %s" % [path(), error_string(failed)]
+		return false
+	if there != _saved_bytes:
+		error = "somebody else has changed the file: their text is in %s" % KEPT
+	_forget_old_backups()
+	return true
+
+
+## A path that no backup has yet: several may be of one second.
+func _backup_path() -> String:
 	var time: String = Time.get_datetime_string_from_system().replace(":", "-")
-	_write("%s/%s.%s.backup" % [KEPT, name, time], there)
+	var number: int = 0
+	while FileAccess.file_exists("%s/%s.%s.%03d.backup" % [KEPT, name, time, number]):
+		number += 1
+	return "%s/%s.%s.%03d.backup" % [KEPT, name, time, number]
+
+
+func _forget_old_backups() -> void:
 	var old: PackedStringArray = []
 	for file: String in DirAccess.get_files_at(KEPT):
 		if file.begins_with(name + ".") and file.ends_with(".backup"):
@@ -121,7 +157,21 @@ func _write(p_path: String, p_text: String) -> bool:
 	return failed == OK
 
 
-func _kept_path() -> String:
+func _kept_path(p_name: String = name) -> String:
 	# Effects of one name may be in several folders.
 	var where: String = ProjectSettings.globalize_path(folder).md5_text().left(8)
-	return "%s/%s.%s.unsaved" % [KEPT, name, where]
+	return "%s/%s.%s.unsaved" % [KEPT, p_name, where]
+
+
+## A path in the folder of pictures and films that nothing has yet.
+static func next_picture(p_name: String, p_extension: String) -> String:
+	var to: String = OS.get_environment("DISMOUNT_OUT")
+	if to == "":
+		to = ProjectSettings.globalize_path(KEPT)
+	DirAccess.make_dir_recursive_absolute(to)
+	var path: String = "%s/%s.%s" % [to, p_name, p_extension]
+	var number: int = 2
+	while FileAccess.file_exists(path):
+		path = "%s/%s_%d.%s" % [to, p_name, number, p_extension]
+		number += 1
+	return path

@@ -4,8 +4,10 @@ extends Control
 ## Sliders and pickers of an effect, made from its header, its inputs and its uniforms. What is
 ## moved changes the text itself, except for inputs: those belong to the emitter.
 
-## A slider or picker has changed the text.
-signal text_wanted(p_text: String)
+## A slider or picker has changed a setting of the header: what stands behind its name now.
+signal setting_wanted(p_name: String, p_value: String)
+## A slider or picker has changed the default of a uniform.
+signal default_wanted(p_name: String, p_value: String)
 ## An input of the emitter has changed.
 signal input_wanted(p_name: StringName, p_value: Variant)
 
@@ -136,29 +138,26 @@ func _show_setting(p_key: EffectKey, p_wanted: Dictionary[String, bool]) -> void
 			shown.show_colours(value, true)
 	if is_new:
 		shown.number_changed.connect(
-			func(number: float) -> void: _change(p_key.name, HeaderEdit.number(number))
+			func(number: float) -> void: setting_wanted.emit(p_key.name, HeaderEdit.number(number))
 		)
-		shown.text_changed.connect(func(text: String) -> void: _change(p_key.name, text))
+		shown.text_changed.connect(
+			func(text: String) -> void: setting_wanted.emit(p_key.name, text)
+		)
 		shown.colours_changed.connect(
-			func(colours: PackedColorArray) -> void: _change(p_key.name, StudioRow.html(colours))
+			func(colours: PackedColorArray) -> void:
+				setting_wanted.emit(p_key.name, StudioRow.html(colours))
 		)
-
-
-func _change(p_name: String, p_value: String) -> void:
-	text_wanted.emit(HeaderEdit.set_setting(_file.text, p_name, p_value))
 
 
 func _on_uniform_number(p_value: float, p_name: String) -> void:
-	var number: String = HeaderEdit.code_number(p_value)
-	text_wanted.emit(HeaderEdit.set_default(_file.text, p_name, number))
+	default_wanted.emit(p_name, HeaderEdit.code_number(p_value))
 
 
 func _on_uniform_colour(p_colours: PackedColorArray, p_name: String) -> void:
 	var parts: PackedStringArray = []
 	for part: float in [p_colours[0].r, p_colours[0].g, p_colours[0].b]:
 		parts.append(HeaderEdit.code_number(part))
-	var value: String = "vec3(%s)" % ", ".join(parts)
-	text_wanted.emit(HeaderEdit.set_default(_file.text, p_name, value))
+	default_wanted.emit(p_name, "vec3(%s)" % ", ".join(parts))
 
 
 func _lay_out() -> void:

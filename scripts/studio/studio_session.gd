@@ -12,12 +12,16 @@ var address: String = "127.0.0.1:%d" % Protocol.DEFAULT_PORT
 var password: String = OS.get_environment("DISMOUNT_PASSWORD")
 
 var _link: ClientLink = null
+## Server of [member _link].
+var _joined_address: String = ""
 var _control: InstructorControl = null
 var _waiting: PackedStringArray = []
 
 
-## Sends an effect; joins the session first, if that has not happened yet.
+## Sends an effect; joins the session at [member address] first, if that has not happened yet.
 func send(p_name: String, p_text: String) -> void:
+	if _link != null and _joined_address != address:
+		close()
 	_waiting = [p_name, p_text]
 	if _link == null:
 		_join()
@@ -45,6 +49,7 @@ func _join() -> void:
 	var request: JoinRequest = JoinRequest.new()
 	request.role = Roles.Role.INSTRUCTOR
 	request.name = "Studio"
+	_joined_address = address
 	_link = ClientLink.new()
 	_link.joined.connect(_send)
 	_link.refused.connect(_on_ended)
