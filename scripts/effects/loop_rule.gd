@@ -154,7 +154,10 @@ func _check_arguments() -> void:
 func _note_constants(p_const: int) -> void:
 	var i: int = p_const + 1
 	# The next const is noted by itself: the text is gone through once, however many there are.
-	while i < _tokens.size() and not [";", ")", "{", "const"].has(_tokens.words[i]):
+	while i < _tokens.size() and not [";", "const"].has(_tokens.words[i]):
+		if _tokens.words[i] == "{" and _tokens.at(i - 1) == ")":
+			# It was an argument, and here begins the function.
+			return
 		if _tokens.at(i + 1) == "=":
 			_constants[_tokens.words[i]] = true
 		i += 1

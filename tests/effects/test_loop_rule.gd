@@ -37,6 +37,8 @@ const CASES: Array[Array] = [
 	["float a[0x7ffff];", 5],
 	["const int N = 5000; float a[N];", 5],
 	["const int N = 50; float a[N * N];", 5],
+	["const int A = int(1), N = 5000; float a[N];", 5],
+	["const int A[1] = {1}, N = 5000; float a[N];", 5],
 	["float a[50 * 50 * 50];", 5],
 	["float a[2], b[-(-90000)];", 5],
 ]
