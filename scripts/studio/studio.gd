@@ -143,7 +143,7 @@ func open_effect(p_name: String) -> void:
 	var saved: EffectFile = EffectFile.read(file.saved)
 	if not problems.is_empty() and ShaderCheck.problems(saved).is_empty():
 		# What was not saved the last time may be broken.
-		_show(saved)
+		_try(saved)
 
 
 ## Does what a button or key stands for: see [constant StudioBar.BUTTONS].
@@ -168,7 +168,8 @@ func do(p_what: String) -> void:
 		"film":
 			_begin_film()
 		"measure":
-			_begin_measure()
+			if shown != null and not _is_busy():
+				_measure = StudioComparison.new(preview)
 		"send":
 			_session.address = _bar.address()
 			_session.send(file.name, code.text)
@@ -224,13 +225,17 @@ func _check() -> void:
 	meter.check_ms = (Time.get_ticks_usec() - begin) / 1000.0
 	code.show_problems(problems)
 	_candidate = null
-	if not problems.is_empty():
-		return
-	if read.has_loops() and sandbox.is_there():
-		_candidate = read
-		sandbox.try_text(read.text)
+	if problems.is_empty():
+		_try(read)
+
+
+## Shows a file without problems; one with loops only after the other process has drawn it.
+func _try(p_file: EffectFile) -> void:
+	if p_file.has_loops() and sandbox.is_there():
+		_candidate = p_file
+		sandbox.try_text(p_file.text)
 	else:
-		_show(read)
+		_show(p_file)
 
 
 func _poll_sandbox() -> void:
@@ -319,11 +324,6 @@ func _begin_film() -> void:
 	_notice = "filming %s" % path if error == "" else error
 	if error != "":
 		_film = null
-
-
-func _begin_measure() -> void:
-	if not _is_busy():
-		_measure = StudioComparison.new(preview)
 
 
 ## Whether something is filmed or measured: one at a time, as measuring hides the effect.
