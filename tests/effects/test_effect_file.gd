@@ -131,7 +131,8 @@ func test_ten_thousand_broken_texts_end_at_once() -> void:
 		var file: EffectFile = EffectFile.from_bytes(text.to_utf8_buffer())
 		good += int(ShaderCheck.problems(file, true).is_empty())
 		slowest = maxi(slowest, Time.get_ticks_usec() - before)
-	is_true(slowest < 1000000, "slowest check %d us" % slowest)
+	# Beside other programs one may lose the processor for seconds: what hangs takes for ever.
+	is_true(slowest < 10000000, "slowest check %d us" % slowest)
 	is_true(good > 100 and good < 9000, "%d of 10000 are good" % good)
 
 
