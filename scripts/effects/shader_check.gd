@@ -15,7 +15,7 @@ static func problems(p_file: EffectFile, p_quietly: bool = false) -> Array[Effec
 		return found
 	var shader: Shader = Shader.new()
 	var errors: CompilerErrors = CompilerErrors.new()
-	var prints: bool = Engine.print_to_stdout
+	var was_printing: bool = Engine.print_to_stdout
 	var prints_errors: bool = Engine.print_error_messages
 	Engine.print_to_stdout = false
 	Engine.print_error_messages = prints_errors and not p_quietly
@@ -24,7 +24,7 @@ static func problems(p_file: EffectFile, p_quietly: bool = false) -> Array[Effec
 	var compiled: bool = _is_compiled(shader)
 	OS.remove_logger(errors)
 	Engine.print_error_messages = prints_errors
-	Engine.print_to_stdout = prints
+	Engine.print_to_stdout = was_printing
 	if compiled:
 		return found
 	for problem: EffectProblem in errors.found:
