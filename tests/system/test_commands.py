@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import socket
 import subprocess
 from pathlib import Path
@@ -148,10 +149,12 @@ def test_the_main_job_without_a_display() -> None:
     film = (OUT / "observer.avi").read_bytes()
     assert film[:4] == b"RIFF"
     assert film[8:12] == b"AVI "
-    frames = film.split(b"\xff\xd8\xff")[1:]
+    # The film has sound, whose bytes may look like the head of a picture: only chunks of it count.
+    heads = re.finditer(rb"00d[bc](.{4})\xff\xd8\xff", film, re.DOTALL)
+    frames = [int.from_bytes(head.group(1), "little") for head in heads]
     assert len(frames) > 60
     # An empty hall is a smooth picture: it takes 24 kB.
-    assert min(len(frame) for frame in frames) > 40000
+    assert min(frames) > 40000
     assert "software rendering" in done.stdout
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
         probe.bind(("0.0.0.0", port))
