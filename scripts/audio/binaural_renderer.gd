@@ -9,11 +9,6 @@ extends SpatialRenderer
 const HEAD: String = "res://assets/sound/head/mit_kemar.sofa"
 ## Buses of voices are named by it and a number.
 const BUS_PREFIX: String = "Ears "
-## Frames after which a voice that fades is silent.
-const _FADE_FRAMES: int = 2
-## Level that makes a mono voice as loud as the engine's panning makes it, dB: a head's filters
-## have their power over both ears.
-const _LEVEL_DB: float = 0.0
 
 ## Who listens; null: the camera of the viewport.
 var listener: Node3D = null
@@ -23,13 +18,7 @@ var error: String = ""
 var _players: Array[AudioStreamPlayer] = []
 var _effects: Array[BinauralEffect] = []
 var _places: PackedVector3Array = []
-var _begin_s: PackedFloat32Array = []
 var _buses: Array[StringName] = []
-## Slots in use, and those that fade with the frame in which they began to.
-var _used: Dictionary[int, bool] = {}
-var _fading: Dictionary[int, int] = {}
-var _free: PackedInt32Array = []
-var _frame: int = 0
 
 
 func _init(p_capacity: int = 32) -> void:
@@ -43,42 +32,23 @@ func _ready() -> void:
 		error = "%s: %s" % [HEAD, error]
 		capacity = 0
 		return
-	# Some more than can sound are there for those that fade.
-	for index: int in capacity + PannedRenderer.SPARE:
+	for index: int in capacity + SPARE:
 		_add_slot(index, head)
 
 
-func _process(_delta: float) -> void:
-	_frame += 1
-	for slot: int in _fading.keys():
-		if _frame - _fading[slot] > _FADE_FRAMES:
-			_players[slot].stop()
-			_players[slot].stream = null
-			_fading.erase(slot)
-			_free.append(slot)
+func _process(p_delta: float) -> void:
+	super(p_delta)
 	# The head turns even where the voices stay.
 	var ears: Transform3D = _ears()
 	for slot: int in _used:
 		_turn(slot, ears)
 
 
-func begin(p_stream: AudioStream, p_bus: StringName, p_from_s: float) -> int:
-	if _free.is_empty() or _used.size() >= capacity:
-		return -1
-	var slot: int = _free[_free.size() - 1]
-	_free.resize(_free.size() - 1)
-	_players[slot].stream = p_stream
-	_begin_s[slot] = p_from_s
-	_used[slot] = true
-	_send(slot, p_bus)
-	return slot
-
-
 func update(
 	p_slot: int, p_place: Vector3, p_level_db: float, p_pitch: float, p_bus: StringName
 ) -> void:
 	_places[p_slot] = p_place
-	_players[p_slot].volume_db = minf(p_level_db, 6.0) + _LEVEL_DB
+	_players[p_slot].volume_db = minf(p_level_db, 6.0)
 	if absf(_players[p_slot].pitch_scale - p_pitch) > 1e-3:
 		_players[p_slot].pitch_scale = p_pitch
 	_send(p_slot, p_bus)
@@ -86,17 +56,21 @@ func update(
 
 func start(p_slot: int) -> void:
 	_turn(p_slot, _ears())
-	_players[p_slot].play(_begin_s[p_slot])
+	_players[p_slot].play(_used[p_slot])
 
 
-func release(p_slot: int) -> void:
-	_players[p_slot].volume_db = -80.0
-	_fading[p_slot] = _frame
-	_used.erase(p_slot)
+func _load(p_slot: int, p_stream: AudioStream, p_bus: StringName) -> void:
+	_players[p_slot].stream = p_stream
+	_send(p_slot, p_bus)
 
 
-func sounding() -> int:
-	return _used.size()
+func _mute(p_slot: int) -> void:
+	_players[p_slot].volume_db = FADED_DB
+
+
+func _clear(p_slot: int) -> void:
+	_players[p_slot].stop()
+	_players[p_slot].stream = null
 
 
 func _add_slot(p_index: int, p_head: BinauralHead) -> void:
@@ -115,7 +89,6 @@ func _add_slot(p_index: int, p_head: BinauralHead) -> void:
 	_players.append(player)
 	_effects.append(effect)
 	_places.append(Vector3.ZERO)
-	_begin_s.append(0.0)
 	_buses.append(&"")
 	_free.append(p_index)
 

@@ -1,14 +1,7 @@
 class_name PannedRenderer
 extends SpatialRenderer
 ## Makes voices heard by the engine's panning: for loudspeakers.
-##
-## All players are made at the start. Some more than can sound are there for those that fade: the
-## mixer brings a level to nothing within one of its steps of 512 frames (11 ms).
 
-## Players for voices that fade.
-const SPARE: int = 12
-## Frames after which a voice that fades is silent.
-const _FADE_FRAMES: int = 2
 ## The engine leaves its filter for distance out only where that takes everything above its cutoff
 ## (a gain of exactly 0): this halves what voices cost. At 0 dB and above the filter does nothing.
 const _NO_FILTER_DB: float = -1e6
@@ -16,12 +9,6 @@ const _NO_FILTER_DB: float = -1e6
 const _ALMOST_FULL_DB: float = -0.02
 
 var _players: Array[AudioStreamPlayer3D] = []
-var _free: PackedInt32Array = []
-var _begin_s: Dictionary[int, float] = {}
-## Players that fade, and the frame in which they began to.
-var _fading: Dictionary[int, int] = {}
-var _frame: int = 0
-var _sounding: int = 0
 
 
 func _init(p_capacity: int = 48) -> void:
@@ -38,28 +25,6 @@ func _init(p_capacity: int = 48) -> void:
 		add_child(player)
 		_players.append(player)
 		_free.append(index)
-
-
-func _process(_delta: float) -> void:
-	_frame += 1
-	for slot: int in _fading.keys():
-		if _frame - _fading[slot] > _FADE_FRAMES:
-			_end_fade(slot)
-
-
-func begin(p_stream: AudioStream, p_bus: StringName, p_from_s: float) -> int:
-	if _sounding >= capacity:
-		return -1
-	if _free.is_empty():
-		# All that fade would need another moment: the first of them is cut.
-		_end_fade(_fading.keys()[0])
-	var slot: int = _free[_free.size() - 1]
-	_free.resize(_free.size() - 1)
-	_players[slot].stream = p_stream
-	_players[slot].bus = p_bus
-	_begin_s[slot] = p_from_s
-	_sounding += 1
-	return slot
 
 
 func update(
@@ -79,22 +44,18 @@ func update(
 
 
 func start(p_slot: int) -> void:
-	_players[p_slot].play(_begin_s[p_slot])
+	_players[p_slot].play(_used[p_slot])
 
 
-func release(p_slot: int) -> void:
-	_players[p_slot].volume_db = -80.0
-	_fading[p_slot] = _frame
-	_begin_s.erase(p_slot)
-	_sounding -= 1
+func _load(p_slot: int, p_stream: AudioStream, p_bus: StringName) -> void:
+	_players[p_slot].stream = p_stream
+	_players[p_slot].bus = p_bus
 
 
-func sounding() -> int:
-	return _sounding
+func _mute(p_slot: int) -> void:
+	_players[p_slot].volume_db = FADED_DB
 
 
-func _end_fade(p_slot: int) -> void:
+func _clear(p_slot: int) -> void:
 	_players[p_slot].stop()
 	_players[p_slot].stream = null
-	_fading.erase(p_slot)
-	_free.append(p_slot)
