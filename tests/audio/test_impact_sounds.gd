@@ -1,27 +1,17 @@
-extends TestCase
+extends "sound_case.gd"
 ## Impacts and scrapes by material and strength.
 
-var _voices: SoundVoices = null
 var _impacts: ImpactSounds = null
 
 
 func before_each() -> void:
-	_voices = SoundVoices.new()
-	add_child(_voices)
-	_voices.listener = _voices
+	await super()
 	_impacts = ImpactSounds.new(_voices)
-	await process_frames(1)
 
 
 func after_each() -> void:
-	_voices.stop_all()
-	await process_frames(4)
-	# The mixer, which runs in real time, lets go of what has stopped.
-	OS.delay_msec(120)
-	await process_frames(2)
 	_impacts = null
-	_voices.free()
-	SoundBank.clear()
+	await super()
 
 
 func test_every_material_of_the_kit_has_sounds() -> void:

@@ -1,33 +1,24 @@
-extends TestCase
+extends "sound_case.gd"
 ## Which voices are heard, and how loud they are in the captured mix.
 
 const MixCapture: GDScript = preload("res://tests/bench/sound/mix_capture.gd")
 const Figures: GDScript = preload("res://tests/bench/sound/sound_figures.gd")
 
-var _voices: SoundVoices = null
 var _ear: Node3D = null
 var _capture: RefCounted = MixCapture.new()
 
 
 func before_each() -> void:
+	await super()
 	_ear = Camera3D.new()
 	add_child(_ear)
-	_voices = SoundVoices.new()
-	add_child(_voices)
 	_voices.listener = _ear
 	_capture.start()
-	await process_frames(2)
 
 
 func after_each() -> void:
-	_voices.stop_all()
 	_capture.stop()
-	await process_frames(4)
-	# The mixer, which runs in real time, lets go of what has stopped.
-	OS.delay_msec(120)
-	await process_frames(2)
-	_voices.free()
-	SoundBank.clear()
+	await super()
 
 
 func test_what_is_too_far_or_not_there_is_refused() -> void:
@@ -53,7 +44,7 @@ func test_voices_stay_within_the_budget_and_the_loudest_is_heard() -> void:
 func test_a_loop_that_gives_way_comes_back() -> void:
 	var loop: SoundVoice = _voices.start_loop(&"turret_loop", _ear, Vector3(0.0, 0.0, -30.0))
 	loop.gain_db = 0.0
-	await _frames(8)
+	await run_frames(8)
 	is_true(loop.slot >= 0)
 	var others: Array[SoundVoice] = []
 	for number: int in 60:
@@ -62,7 +53,7 @@ func test_a_loop_that_gives_way_comes_back() -> void:
 	for voice: SoundVoice in others:
 		if voice != null:
 			voice.stop()
-	await _frames(12)
+	await run_frames(12)
 	is_true(loop.slot >= 0, "it is heard again when there is room")
 
 
@@ -70,16 +61,16 @@ func test_what_a_pair_does_at_once_is_one_sound() -> void:
 	for number: int in 20:
 		_voices.play_merged(7, &"impact_wood", Vector3(0.0, 0.0, -3.0), -20.0 + number)
 	equal(_voices.begun, 1)
-	await _frames(6)
+	await run_frames(6)
 	_voices.play_merged(7, &"impact_wood", Vector3(0.0, 0.0, -3.0), 0.0)
 	equal(_voices.begun, 2, "after 50 ms it is another one")
 
 
 func test_a_delayed_sound_waits() -> void:
 	_voices.play(&"impact_wood", Vector3(0.0, 0.0, -3.0), 0.0, 1.0, 0.25)
-	await _frames(12)
+	await run_frames(12)
 	equal(_voices.begun, 0)
-	await _frames(8)
+	await run_frames(8)
 	equal(_voices.begun, 1)
 
 
@@ -110,7 +101,7 @@ func test_a_loop_behind_a_wall_begins_muffled() -> void:
 	loop.gain_db = 12.0
 	var was_open: bool = false
 	for _frame: int in 12:
-		await _frames(1)
+		await run_frames(1)
 		was_open = was_open or (loop.slot >= 0 and not loop.is_blocked)
 	is_true(loop.slot >= 0)
 	is_false(was_open, "it is muffled from its first frame on")
@@ -168,10 +159,10 @@ func test_what_comes_nearer_sounds_higher() -> void:
 	loop.gain_db = 20.0
 	for frame: int in 60:
 		source.position.z += 30.0 / 60.0
-		await _frames(1)
+		await run_frames(1)
 	almost_equal(loop.recession, -30.0, 3.0)
 	source.free()
-	await _frames(5)
+	await run_frames(5)
 	is_true(loop.is_over, "it ends with what it follows")
 
 
@@ -191,14 +182,5 @@ func _make_wall(p_at: Vector3) -> StaticBody3D:
 func _wait(p_seconds: float) -> void:
 	var end: int = Time.get_ticks_msec() + roundi(p_seconds * 1000.0)
 	while Time.get_ticks_msec() < end:
-		await _frames(1)
+		await run_frames(1)
 		OS.delay_msec(4)
-
-
-## Runs so many frames of a sixtieth of a second: the machine's own may be of any length.
-func _frames(p_count: int) -> void:
-	_voices.set_process(false)
-	for _frame: int in p_count:
-		_voices._process(1.0 / 60.0)
-		await process_frames(1)
-	_voices.set_process(true)

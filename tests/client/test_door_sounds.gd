@@ -1,18 +1,15 @@
-extends TestCase
+extends "res://tests/audio/sound_case.gd"
 ## Doors creak and fall shut as they are displayed.
 
 const STEP_S: float = 1.0 / 60.0
 
-var _voices: SoundVoices = null
 var _level: Level = null
 var _door: Door = null
 var _sounds: DoorSounds = null
 
 
 func before_each() -> void:
-	_voices = SoundVoices.new()
-	add_child(_voices)
-	_voices.listener = _voices
+	await super()
 	_level = (load("res://scenes/world/yard/yard.tscn") as PackedScene).instantiate()
 	_door = Door.new()
 	_door.position = Vector3(0.0, 0.0, -3.0)
@@ -26,14 +23,8 @@ func before_each() -> void:
 
 func after_each() -> void:
 	_sounds = null
-	_voices.stop_all()
-	await process_frames(4)
-	# The mixer, which runs in real time, lets go of what has stopped.
-	OS.delay_msec(120)
-	await process_frames(2)
-	_voices.free()
+	await super()
 	_level.free()
-	SoundBank.clear()
 
 
 func test_a_door_that_stands_is_silent() -> void:

@@ -1,6 +1,7 @@
 extends RefCounted
 ## Ground, light and a camera in a window, where effects are measured and their colours compared.
 
+const ProcessTime: GDScript = preload("res://tests/bench/process_time.gd")
 ## Frames before a measurement: particles come out, shaders are compiled.
 const SETTLE: int = 8
 
@@ -57,9 +58,9 @@ func look(p_away: float) -> void:
 ## Processor time of all threads of the mean frame, ms: it holds on a loaded machine too.
 func frame_ms(p_frames: int) -> float:
 	await frames(SETTLE)
-	var before: float = cpu_ms()
+	var before: float = ProcessTime.used_ms()
 	await frames(p_frames)
-	return (cpu_ms() - before) / p_frames
+	return (ProcessTime.used_ms() - before) / p_frames
 
 
 ## Lets some frames be drawn.
@@ -79,15 +80,3 @@ func picture() -> Image:
 func _free_sky() -> void:
 	if _sky != null:
 		_sky.free()
-
-
-## Processor time of all threads so far, ms.
-static func cpu_ms() -> float:
-	var sum: float = 0.0
-	for thread: String in DirAccess.get_directories_at("/proc/self/task"):
-		var file: FileAccess = FileAccess.open(
-			"/proc/self/task/%s/schedstat" % thread, FileAccess.READ
-		)
-		if file != null:
-			sum += file.get_line().get_slice(" ", 0).to_float()
-	return sum / 1e6

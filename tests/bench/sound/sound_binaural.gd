@@ -1,8 +1,8 @@
-extends RefCounted
+extends "sound_part.gd"
 ## What sound for headphones costs beyond that for loudspeakers, and what the ears hear of it.
 
 const MixCapture: GDScript = preload("mix_capture.gd")
-const ProcessTime: GDScript = preload("process_time.gd")
+const ProcessTime: GDScript = preload("res://tests/bench/process_time.gd")
 const TwoEars: GDScript = preload("two_ears.gd")
 const _MOST: BenchReport.Goal = BenchReport.Goal.AT_MOST
 const _VOICES: int = 24
@@ -14,16 +14,8 @@ const _LAG_SHARE: float = 0.1
 ## How fast voices move around the listener, rad in a frame.
 const _TURN: float = 0.01
 
-var _tree: SceneTree = null
-var _report: BenchReport = null
-var _nodes: Array[Node] = []
 ## What carries the voices that move.
 var _carousel: Node3D = null
-
-
-func _init(p_tree: SceneTree, p_report: BenchReport) -> void:
-	_tree = p_tree
-	_report = p_report
 
 
 ## Both; what it leaves, buses, would disturb other parts: it comes last.
@@ -34,12 +26,8 @@ func measure_binaural() -> void:
 
 ## The same loops through both renderers, one half of them moving around the listener.
 func _measure_cost() -> void:
-	var voices: SoundVoices = SoundVoices.new()
-	var camera: Camera3D = Camera3D.new()
-	_add(camera)
-	_add(voices)
-	voices.listener = camera
-	voices.renderer = PannedRenderer.new(_VOICES)
+	_begin()
+	_voices.renderer = PannedRenderer.new(_VOICES)
 	_carousel = Node3D.new()
 	_add(_carousel)
 	for number: int in _VOICES:
@@ -49,12 +37,12 @@ func _measure_cost() -> void:
 			_carousel.add_child(place)
 		else:
 			_add(place)
-		voices.start_loop(&"rain_loop", place).gain_db = 0.0
+		_voices.start_loop(&"rain_loop", place).gain_db = 0.0
 	_tree.process_frame.connect(_turn)
 	await _tree.create_timer(1.0).timeout
 	var panned: float = await ProcessTime.busy_ms(_tree)
 	var ears: BinauralRenderer = BinauralRenderer.new(_VOICES)
-	voices.renderer = ears
+	_voices.renderer = ears
 	await _tree.create_timer(1.0).timeout
 	var binaural: float = await ProcessTime.busy_ms(_tree)
 	_tree.process_frame.disconnect(_turn)
@@ -63,16 +51,17 @@ func _measure_cost() -> void:
 	var case: String = "%d voices for headphones" % _VOICES
 	var each: float = (binaural - panned) / _VOICES
 	var metric: String = "processor time a second of one, beyond loudspeakers"
-	_report.add(case, "heard", voices.heard(), "", BenchReport.Goal.AT_LEAST, _VOICES)
+	_report.add(case, "heard", _voices.heard(), "", BenchReport.Goal.AT_LEAST, _VOICES)
 	_report.add(case, metric, each, "ms", _MOST, _GOAL_VOICE_MS)
 	_report.add(case, "processor time a second of all, loudspeakers", panned, "ms")
-	voices.stop_all()
+	_voices.stop_all()
 	await _tree.create_timer(0.2).timeout
 	_end()
 
 
 ## Noise on the right, as the mix has it for both ears.
 func _measure_cues() -> void:
+	_begin()
 	var mix: RefCounted = MixCapture.new()
 	mix.start()
 	var ears: BinauralRenderer = BinauralRenderer.new(1)
@@ -109,14 +98,3 @@ func _measure_cues() -> void:
 
 func _turn() -> void:
 	_carousel.rotate_y(_TURN)
-
-
-func _end() -> void:
-	for node: Node in _nodes:
-		node.queue_free()
-	_nodes.clear()
-
-
-func _add(p_node: Node) -> void:
-	_tree.root.add_child(p_node)
-	_nodes.append(p_node)

@@ -1,4 +1,4 @@
-extends RefCounted
+extends "sound_part.gd"
 ## Levels, walls, engines and delays, measured in the captured mix.
 
 const Figures: GDScript = preload("sound_figures.gd")
@@ -9,18 +9,8 @@ const _GOAL_LINE: float = 1.0
 ## A physics tick, a block of the silent driver (4,096 frames), and the frame that notices, ms.
 const _GOAL_DELAY_MS: float = 1000.0 / 60.0 + 4096.0 / 48.0
 
-var _tree: SceneTree = null
-var _report: BenchReport = null
 var _mix: RefCounted = MixCapture.new()
-var _voices: SoundVoices = null
 var _rate: float = AudioServer.get_mix_rate()
-var _camera: Camera3D = null
-var _nodes: Array[Node] = []
-
-
-func _init(p_tree: SceneTree, p_report: BenchReport) -> void:
-	_tree = p_tree
-	_report = p_report
 
 
 ## The level of a steady source at 1, 10 and 100 m beside its law.
@@ -175,21 +165,9 @@ static func _steady(p_cue: SoundCue) -> SoundCue:
 
 func _begin() -> void:
 	_mix.start()
-	_voices = SoundVoices.new()
-	_camera = Camera3D.new()
-	_add(_camera)
-	_add(_voices)
-	_voices.listener = _camera
+	super()
 
 
 func _end() -> void:
-	_voices.stop_all()
 	_mix.stop()
-	for node: Node in _nodes:
-		node.queue_free()
-	_nodes.clear()
-
-
-func _add(p_node: Node) -> void:
-	_tree.root.add_child(p_node)
-	_nodes.append(p_node)
+	super()

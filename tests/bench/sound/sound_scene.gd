@@ -1,8 +1,8 @@
-extends RefCounted
+extends "sound_part.gd"
 ## What voices cost, and a full scene: 20 guns, 3 tanks, 200 impacts a second.
 
 const MixCapture: GDScript = preload("mix_capture.gd")
-const ProcessTime: GDScript = preload("process_time.gd")
+const ProcessTime: GDScript = preload("res://tests/bench/process_time.gd")
 const _MOST: BenchReport.Goal = BenchReport.Goal.AT_MOST
 const _GOAL_VOICES_MS: float = 70.0
 const _GOAL_PEAK_DB: float = -1.0
@@ -12,17 +12,8 @@ const _SECONDS: float = 6.0
 const _INSIDE: Vector3 = Vector3(0.0, 1.7, 0.0)
 const _OUTSIDE: Vector3 = Vector3(0.0, 1.7, 26.0)
 
-var _tree: SceneTree = null
-var _report: BenchReport = null
-var _voices: SoundVoices = null
-var _nodes: Array[Node] = []
 ## Impacts that are due, with the part of the next one.
 var _impact_debt: float = 0.0
-
-
-func _init(p_tree: SceneTree, p_report: BenchReport) -> void:
-	_tree = p_tree
-	_report = p_report
 
 
 ## 64 voices that go on: processor time of the whole process in a second, beyond that without.
@@ -191,23 +182,3 @@ func _fire(p_frame: int) -> void:
 			var place: Vector3 = Vector3(sin(gun) * 60.0, 0.0, cos(gun * 1.7) * 80.0)
 			ShotSounds.play_blast(_voices, "machine_gun", place)
 			ShotSounds.play_crack(_voices, place, Vector3(0.0, 0.0, 820.0), 900.0)
-
-
-func _begin() -> void:
-	_voices = SoundVoices.new()
-	var camera: Camera3D = Camera3D.new()
-	_add(camera)
-	_add(_voices)
-	_voices.listener = camera
-
-
-func _end() -> void:
-	_voices.stop_all()
-	for node: Node in _nodes:
-		node.queue_free()
-	_nodes.clear()
-
-
-func _add(p_node: Node) -> void:
-	_tree.root.add_child(p_node)
-	_nodes.append(p_node)

@@ -1,15 +1,12 @@
-extends TestCase
+extends "res://tests/audio/sound_case.gd"
 ## What is heard of a vehicle follows its state.
 
-var _voices: SoundVoices = null
 var _vehicle: Vehicle = null
 var _sound: VehicleSound = null
 
 
 func before_each() -> void:
-	_voices = SoundVoices.new()
-	add_child(_voices)
-	_voices.listener = _voices
+	await super()
 	_vehicle = Vehicle.new()
 	_vehicle.freeze = true
 	_vehicle.process_mode = Node.PROCESS_MODE_DISABLED
@@ -24,54 +21,52 @@ func before_each() -> void:
 func after_each() -> void:
 	_sound.free()
 	_vehicle.free()
-	_voices.stop_all()
-	await process_frames(4)
-	# The mixer, which runs in real time, lets go of what has stopped.
-	OS.delay_msec(120)
-	await process_frames(2)
-	_voices.free()
-	SoundBank.clear()
+	await super()
+
+
+func others() -> Array[Node]:
+	return [_sound]
 
 
 func test_a_vehicle_at_rest_is_silent() -> void:
-	await _frames(20)
+	await run_frames(20)
 	equal(_voices.heard(), 0)
 
 
 func test_the_engine_is_heard_at_its_revolutions() -> void:
 	_vehicle.state.engine_on = true
 	_vehicle.state.rpm = 1500.0
-	await _frames(60)
+	await run_frames(60)
 	is_true(_voices.heard() >= 2)
 	almost_equal(_sound.heard_rpm(), 1500.0, 5.0)
 	_vehicle.state.engine_on = false
-	await _frames(60)
+	await run_frames(60)
 	equal(_voices.heard(), 0)
 
 
 func test_tracks_and_turret_are_heard_while_they_move() -> void:
 	_vehicle.state.left_speed = 5.0
 	_vehicle.state.right_speed = 5.0
-	await _frames(20)
+	await run_frames(20)
 	var rolling: int = _voices.heard()
 	is_true(rolling >= 2, "%d voices" % rolling)
 	for frame: int in 30:
 		_vehicle.state.turret_yaw += 0.01
-		await _frames(1)
+		await run_frames(1)
 	equal(_voices.heard(), rolling + 1)
 	_vehicle.state.left_speed = 0.0
 	_vehicle.state.right_speed = 0.0
-	await _frames(60)
+	await run_frames(60)
 	equal(_voices.heard(), 0)
 
 
 func test_it_ends_with_its_vehicle() -> void:
 	_vehicle.state.engine_on = true
 	_vehicle.state.rpm = 1000.0
-	await _frames(30)
+	await run_frames(30)
 	is_true(_voices.heard() > 0)
 	_sound.stop()
-	await _frames(4)
+	await run_frames(4)
 	equal(_voices.heard(), 0)
 
 
@@ -91,20 +86,8 @@ func test_a_gun_that_is_loaded_is_heard() -> void:
 	_vehicle.add_child(gun)
 	_sound.gun = gun
 	gun.loaded = 0.4
-	await _frames(3)
+	await run_frames(3)
 	var before: int = _voices.begun
 	gun.loaded = 1.0
-	await _frames(3)
+	await run_frames(3)
 	equal(_voices.begun, before + 1)
-
-
-## Runs so many frames of a sixtieth of a second: the machine's own may be of any length.
-func _frames(p_count: int) -> void:
-	_sound.set_process(false)
-	_voices.set_process(false)
-	for _frame: int in p_count:
-		_sound._process(1.0 / 60.0)
-		_voices._process(1.0 / 60.0)
-		await process_frames(1)
-	_sound.set_process(true)
-	_voices.set_process(true)
