@@ -9,8 +9,6 @@ const MODES: PackedStringArray = ["auto", "on", "off"]
 ## People who strike the ground more weakly than this make steps, which are heard by their poses,
 ## N s.
 const _STEP_IMPULSE: float = 80.0
-## Numbers of people are below this.
-const _FIRST_THING: int = 1024
 ## How loud the tick of news and of the menu is, dB.
 const _TICK_DB: float = -18.0
 
@@ -177,7 +175,7 @@ func _on_level_changed(p_level: Level, _differs: bool) -> void:
 
 
 func _on_struck(p_impact: Impact) -> void:
-	var is_person: bool = p_impact.entity < _FIRST_THING
+	var is_person: bool = p_impact.entity < EntityTable.FIRST_OTHER
 	if is_person and p_impact.other == Impact.NO_ENTITY and p_impact.impulse < _STEP_IMPULSE:
 		return
 	var first: StringName = StringName(ContactMaterial.numbered(p_impact.material).sound)

@@ -123,10 +123,7 @@ func _on_fired(
 
 ## A ring of dust where the blast of the muzzle meets soft ground.
 func _raise_dust(p_muzzle: Vector3) -> void:
-	var query: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.create(
-		p_muzzle, p_muzzle + Vector3.DOWN * _DUST_HEIGHT_M, PhysicsLayers.STATIC
-	)
-	var hit: Dictionary = get_world_3d().direct_space_state.intersect_ray(query)
+	var hit: Dictionary = _cast(p_muzzle, p_muzzle + Vector3.DOWN * _DUST_HEIGHT_M)
 	if hit.is_empty():
 		return
 	var place: Vector3 = hit["position"]
@@ -158,7 +155,7 @@ func _on_struck(
 		_flash.light_energy = _FLASH_ENERGY
 		_flash.visible = true
 	# What moves takes no mark along.
-	if p_surface != &"person" and _is_level(p_place, p_normal):
+	if p_surface != ContactMaterial.PERSON and _is_level(p_place, p_normal):
 		marks.make(p_place, p_normal, _MARKS_M[p_ammunition.kind])
 
 
@@ -182,10 +179,7 @@ func _show_impact(
 ## Height of the ground below an impact, m.
 func _ground_below(p_at: Transform3D) -> float:
 	var from: Vector3 = p_at.origin + p_at.basis.y * 0.2
-	var query: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.create(
-		from, from + Vector3.DOWN * _GROUND_M, PhysicsLayers.STATIC
-	)
-	var hit: Dictionary = get_world_3d().direct_space_state.intersect_ray(query)
+	var hit: Dictionary = _cast(from, from + Vector3.DOWN * _GROUND_M)
 	return (hit["position"] as Vector3).y if not hit.is_empty() else p_at.origin.y - _GROUND_M
 
 
@@ -195,10 +189,15 @@ func _on_vehicle_gone() -> void:
 
 
 func _is_level(p_place: Vector3, p_normal: Vector3) -> bool:
+	return not _cast(p_place + p_normal * 0.1, p_place - p_normal * 0.2).is_empty()
+
+
+## What a ray meets of what never moves.
+func _cast(p_from: Vector3, p_to: Vector3) -> Dictionary:
 	var query: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.create(
-		p_place + p_normal * 0.1, p_place - p_normal * 0.2, PhysicsLayers.STATIC
+		p_from, p_to, PhysicsLayers.STATIC
 	)
-	return not get_world_3d().direct_space_state.intersect_ray(query).is_empty()
+	return get_world_3d().direct_space_state.intersect_ray(query)
 
 
 func _find_view() -> VehicleView:
