@@ -29,8 +29,9 @@ static func spread(p_effects: Array[ParticleEffect], p_camera: Camera3D) -> void
 	var part: float = minf(1.0, screens / maxf(total, 0.001))
 	for index: int in p_effects.size():
 		var room: float = maxf(wanted[index] * part, minf(MIN_ROOM, share))
-		# Every change costs a call to the renderer.
-		if absf(room - p_effects[index].room) > 0.04 or room == 1.0:
+		var before: float = p_effects[index].room
+		# Every change costs a call to the renderer; but nothing stays a little below all.
+		if absf(room - before) > 0.04 or (room == 1.0 and before < 1.0):
 			p_effects[index].room = room
 
 
