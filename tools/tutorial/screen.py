@@ -88,13 +88,19 @@ class Screen:
             self.press(button)
             self.release(button)
 
-    def drag(self, begin: tuple[float, float], end: tuple[float, float], button: int = 1) -> None:
-        """Pulls something from one place to another."""
+    def drag(
+        self,
+        begin: tuple[float, float],
+        end: tuple[float, float],
+        button: int = 1,
+        steps: int = DRAG_STEPS,
+    ) -> None:
+        """Pulls something from one place to another; the more steps, the slower."""
         self.move(*begin)
         time.sleep(DRAG_S)
         self.press(button)
-        for step in range(1, DRAG_STEPS + 1):
-            share = step / DRAG_STEPS
+        for step in range(1, steps + 1):
+            share = step / steps
             self.move(*(a + (b - a) * share for a, b in zip(begin, end, strict=True)))
             time.sleep(DRAG_S)
         self.move(end[0] + 1, end[1])
