@@ -216,6 +216,7 @@ func _acknowledge() -> void:
 func _update_scene() -> void:
 	var own: Dictionary[int, PackedFloat32Array] = {}
 	var begin: int = Time.get_ticks_usec()
+	_stats.times.begin(begin)
 	var now: int = _clock.begin(begin)
 	var people: ClientPeople = _mocap.people
 	if people != null and _scene.replica.is_ready():
@@ -230,6 +231,7 @@ func _update_scene() -> void:
 	if FramePacer.is_free():
 		Engine.max_fps = _pacer.limit_for(_scene.replica.shown_tick(), _scene.replica.tick_rate())
 	_stats.frame(_scene.replica, _stream.server_usec(begin), headless)
+	_stats.times.placed(Time.get_ticks_usec())
 
 
 func _on_received(p_bytes: PackedByteArray, p_time_s: float) -> void:
@@ -284,6 +286,7 @@ func _on_told(p_text: String) -> void:
 func _on_frame_drawn() -> void:
 	var now: int = Time.get_ticks_usec()
 	_clock.drawn(now)
+	_stats.times.drawn(now)
 	if _stream != null:
 		_stats.drawn(_stream.server_usec(now))
 
@@ -295,7 +298,7 @@ func _show_status() -> void:
 		if _mocap.people != null:
 			_hud.show_tether(_scene.describe_tether(_mocap.people.first_actor))
 		if _role != ClientStreams.REPLAY:
-			_hud.show_screen(ScreenDelay.describe())
+			_hud.show_screen(ScreenDelay.describe() + "; " + _stats.times.describe())
 	if _report.is_due():
 		_report.write(_make_report())
 

@@ -10,6 +10,9 @@ var probe: LatencyProbe = LatencyProbe.new()
 ## The delay from a wearer's motion to the display of the own body, in local feedback.
 var own: LatencyHistogram = LatencyHistogram.new()
 
+## Where the time of frames goes.
+var times: FrameTimes = FrameTimes.new()
+
 ## Frames that have shown a world.
 var shown_frames: int = 0
 ## How far the display is behind the quickest arrivals, s.
@@ -48,6 +51,12 @@ func drawn(p_server_usec: int) -> void:
 ## machine's Unix time.
 func own_shown(p_moment_usec: int) -> void:
 	_own_moment_usec = p_moment_usec
+
+
+## How old people's motion is when the light of a frame is seen, ms: measured until the frame is
+## drawn, and what the screen adds is estimated ([ScreenDelay]).
+func motion_to_photon_ms() -> float:
+	return probe.frames.recent_ms + ScreenDelay.of_window_ms()
 
 
 ## Seconds since the start.
@@ -102,6 +111,9 @@ func report(
 		"latency_ms_p99": probe.total.percentile(0.99),
 		"latency": probe.stats(),
 		"frame_age": probe.frames.ages.stats(),
+		"frame_times": times.stats(),
+		# Of the motion of people who are shown, as far as it can be estimated.
+		"motion_to_photon_ms": motion_to_photon_ms(),
 		"own_latency": own.stats(),
 		"sent_bytes_per_second": p_traffic.sent_per_second(),
 		"received_bytes_per_second": p_traffic.received_per_second(),

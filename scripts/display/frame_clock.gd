@@ -7,7 +7,8 @@ extends RefCounted
 ## trembles. The beat is found from when frames begin, by a filter that follows phase and period.
 ## Where nothing paces the frames evenly (no vertical synchronisation, a machine that is too slow),
 ## the beat is when they begin. To it comes what drawing takes: motion is that of when the frame is
-## there, not of when work on it began.
+## there, not of when work on it began. So a slow renderer shows the world as late as a quick one, as
+## far as motion can be carried on.
 
 ## How much of an error of the phase is corrected with each frame; the period takes the share that
 ## makes both settle without overshoot.
@@ -23,9 +24,9 @@ const NOISE_GAIN: float = 0.02
 ## After so many periods without a frame the beat is looked for anew.
 const MAX_MISSED: int = 30
 ## What drawing takes beyond this is not made up for, µs: guesses so far ahead would be worse.
-const MAX_DRAWING_USEC: float = 4000.0
-## How quickly the mean of what drawing takes follows.
-const DRAWING_GAIN: float = 0.05
+const MAX_DRAWING_USEC: int = 100000
+## What drawing takes is the median of so many frames: one that had to load something does not count.
+const DRAWN_FRAMES: int = 9
 
 var _nominal_usec: float = 0.0
 var _period_usec: float = 0.0
@@ -33,7 +34,8 @@ var _time_usec: float = -INF
 var _noise: float = 0.0
 var _last_usec: int = 0
 var _begun_usec: int = 0
-var _drawing_usec: float = 0.0
+var _drawing_usec: int = 0
+var _drawn_usec: PackedInt64Array = []
 
 
 ## Takes the rate at which a screen paces the frames, 1/s; 0 or below where nothing does.
@@ -52,21 +54,31 @@ static func of_window() -> FrameClock:
 	return FrameClock.new(DisplayServer.screen_get_refresh_rate())
 
 
-## The time of the frame that begins at a time, both µs of one clock. It never goes back.
-func begin(p_now_usec: int) -> int:
+## The time of the frame that begins at a time, both µs of one clock. It never goes back. Where
+## somebody knows when the frame will be seen, such as a headset's runtime, it is for
+## [param p_due_usec] instead.
+func begin(p_now_usec: int, p_due_usec: int = 0) -> int:
 	_begun_usec = p_now_usec
+	if p_due_usec > p_now_usec:
+		_last_usec = maxi(mini(p_due_usec, p_now_usec + MAX_DRAWING_USEC), _last_usec)
+		return _last_usec
 	var beat: float = p_now_usec
 	if _nominal_usec > 0.0:
 		_follow(p_now_usec)
 		if _noise < MAX_NOISE:
 			beat = _time_usec
-	_last_usec = maxi(roundi(beat + minf(_drawing_usec, MAX_DRAWING_USEC)), _last_usec)
+	_last_usec = maxi(roundi(beat) + _drawing_usec, _last_usec)
 	return _last_usec
 
 
 ## Notes when the frame that began last was drawn, µs.
 func drawn(p_now_usec: int) -> void:
-	_drawing_usec = lerpf(_drawing_usec, p_now_usec - _begun_usec, DRAWING_GAIN)
+	_drawn_usec.append(clampi(p_now_usec - _begun_usec, 0, MAX_DRAWING_USEC))
+	if _drawn_usec.size() > DRAWN_FRAMES:
+		_drawn_usec.remove_at(0)
+	var sorted: PackedInt64Array = _drawn_usec.duplicate()
+	sorted.sort()
+	_drawing_usec = sorted[sorted.size() / 2]
 
 
 func _follow(p_now_usec: int) -> void:

@@ -55,7 +55,7 @@ func test_time_never_goes_back() -> void:
 		var time: int = clock.begin(now)
 		clock.drawn(now + _random.randi_range(0, 20000))
 		is_true(time >= before)
-		is_true(absi(time - now) < 20000, "frame %d: %d µs off" % [frame, time - now])
+		is_true(absi(time - now) < 40000, "frame %d: %d µs off" % [frame, time - now])
 		before = time
 
 
@@ -70,14 +70,25 @@ func test_after_a_pause_the_beat_is_found_anew() -> void:
 
 
 func test_what_drawing_takes_is_made_up_for_within_bounds() -> void:
-	for takes: int in [0, 2000, 30000]:
+	for takes: int in [0, 2000, 30000, 66000, 400000]:
 		var clock: FrameClock = FrameClock.new()
 		var now: int = 0
-		for _frame: int in 300:
-			now += 50000
+		for frame: int in 300:
+			now += 500000
 			clock.begin(now)
-			clock.drawn(now + takes)
-		almost_equal(clock.begin(now + 50000) - now - 50000, minf(takes, 4000), 1.0)
+			# Now and then one has to load something.
+			clock.drawn(now + takes + (700000 if frame % 7 == 6 else 0))
+		var next: int = now + 500000
+		equal(clock.begin(next) - next, mini(takes, FrameClock.MAX_DRAWING_USEC))
+
+
+func test_who_knows_when_a_frame_is_seen_decides() -> void:
+	var clock: FrameClock = FrameClock.new(90.0)
+	equal(clock.begin(1000000, 1022000), 1022000)
+	# A runtime that answers nothing, or nonsense.
+	equal(clock.begin(1100000, 0), 1100000)
+	equal(clock.begin(1200000, 5000000), 1200000 + FrameClock.MAX_DRAWING_USEC)
+	is_true(clock.begin(1210000, 1215000) >= 1200000 + FrameClock.MAX_DRAWING_USEC)
 
 
 ## How far from the beat frames begin, and how far from it the clock has them: standard deviations,

@@ -27,6 +27,15 @@ static func estimate_ms(
 	return refreshes * 1000.0 / (p_rate if p_rate > 0.0 else USUAL_RATE)
 
 
+## The delay of this program's window, ms; 0 without a window.
+static func of_window_ms() -> float:
+	if DisplayServer.get_name() == "headless":
+		return 0.0
+	var screen: int = DisplayServer.window_get_current_screen()
+	var rate: float = DisplayServer.screen_get_refresh_rate(screen)
+	return estimate_ms(rate, DisplayServer.window_get_vsync_mode(), queued_frames())
+
+
 ## The delay of this program's window, in words.
 static func describe() -> String:
 	var rate: float = DisplayServer.screen_get_refresh_rate(
