@@ -11,6 +11,7 @@ from __future__ import annotations
 import shutil
 import subprocess
 from pathlib import Path
+from typing import ClassVar
 
 from .apt import KEYRING, SUITE, AptError, apt_command, apt_run, mirrors
 from .console import Failure, step, tail
@@ -22,6 +23,7 @@ DISPLAY_PACKAGES = ["xvfb", "x11-xkb-utils", "xkb-data", "libgl1-mesa-dri", "lib
 DISPLAY_PACKAGES += ["libegl1", "libegl-mesa0"]
 PROGRAMS = ["godot", "godot-template-release", "godot-template-debug", "Xvfb", "xkbcomp"]
 LIBRARIES = Path("usr/lib/x86_64-linux-gnu")
+LOADER = "ld-linux-x86-64.so.2"
 
 
 def require_debian() -> None:
@@ -43,8 +45,17 @@ def require_debian() -> None:
 class Prefix:
     """The private folder: `bin/` holds what is to be started, `root/` what was unpacked."""
 
+    name = f"prefix-{SUITE}-{LAYOUT}"
+    packages: ClassVar[list[str]] = GODOT_PACKAGES + DISPLAY_PACKAGES
+    programs: ClassVar[list[str]] = PROGRAMS
+    what = "Godot"
+    download_mb = 180
+    unpacked_mb = 1800
+    absent = "No Godot >= 4.6 was found"
+    remedy = "put a Godot 4.6 in $GODOT"
+
     def __init__(self) -> None:
-        self.folder = cache() / f"prefix-{SUITE}-{LAYOUT}"
+        self.folder = cache() / self.name
         self.bin = self.folder / "bin"
         self.root = self.folder / "root"
 
@@ -59,10 +70,10 @@ class Prefix:
             return
         require_debian()
         make_folder(cache())
-        with lock(cache() / "prefix.lock", "setting up Godot"):
+        with lock(cache() / "prefix.lock", f"setting up {self.what}"):
             if self.folder.exists():
                 return
-            need_space(cache(), 1800, "the private Godot")
+            need_space(cache(), self.unpacked_mb, f"the private {self.what}")
             work = self.folder.with_name(self.folder.name + ".part")
             shutil.rmtree(work, ignore_errors=True)
             archives = self._download(work)
@@ -73,24 +84,24 @@ class Prefix:
         sites = mirrors()
         if not sites:
             raise Failure(
-                "No Godot >= 4.6 was found, and apt names no mirror to fetch it from: set "
-                "DISMOUNT_DEBIAN_MIRROR to a Debian mirror's address, or $GODOT to a Godot 4.6."
+                f"{self.absent}, and apt names no mirror to fetch it from: set "
+                f"DISMOUNT_DEBIAN_MIRROR to a Debian mirror's address, or {self.remedy}."
             )
-        packages = GODOT_PACKAGES + DISPLAY_PACKAGES
         failure = ""
         for site in sites:
             apt = apt_command(work, site, "deb")
             try:
-                with step(f"download Godot from Debian {SUITE} (about 180 MB)"):
+                about = f"(about {self.download_mb} MB)"
+                with step(f"download {self.what} from Debian {SUITE} {about}"):
                     apt_run([*apt, "update"])
                     download = [*apt, "-y", "--no-install-recommends", "--download-only"]
-                    apt_run([*download, "install", *packages])
-                return self._chosen(apt, packages)
+                    apt_run([*download, "install", *self.packages])
+                return self._chosen(apt, self.packages)
             except AptError as error:
                 failure = str(error)
         raise Failure(
             f"Debian {SUITE}'s packages can't be had from {', '.join(sites)}: check the network, "
-            "set DISMOUNT_DEBIAN_MIRROR to another Debian mirror, or put a Godot 4.6 in $GODOT.\n"
+            f"set DISMOUNT_DEBIAN_MIRROR to another Debian mirror, or {self.remedy}.\n"
             + tail(failure, 4)
         )
 
@@ -126,19 +137,34 @@ class Prefix:
         """Points programs at the libraries where they will be once the folder has its name."""
         here = work / "root" / LIBRARIES
         there = self.root / LIBRARIES
-        rpath = f"{there}:{there}/pulseaudio"
-        loader = here / "ld-linux-x86-64.so.2"
-        edit = [str(loader), "--library-path", str(here), str(work / "root/usr/bin/patchelf")]
+        rpath = self._search_path(there)
+        edit = self._editor(work)
         for library in [*here.glob("*.so*"), *here.glob("pulseaudio/*.so")]:
             # A library with a path of its own hides the program's path from what it needs.
             if not library.is_symlink() and self._output([*edit, "--print-rpath", str(library)]):
                 subprocess.run([*edit, "--force-rpath", "--set-rpath", rpath, library], check=True)
         make_folder(work / "bin")
-        for name in PROGRAMS:
+        for name in self.programs:
             program = work / "bin" / name
             shutil.move(work / "root/usr/bin" / name, program)
-            own = ["--set-interpreter", str(there / loader.name), "--force-rpath"]
+            own = ["--set-interpreter", str(there / LOADER), "--force-rpath"]
             subprocess.run([*edit, *own, "--set-rpath", rpath, str(program)], check=True)
+        self._finish(work)
+
+    @staticmethod
+    def _editor(work: Path) -> list[str]:
+        """Patchelf, started through the folder's own loader."""
+        here = work / "root" / LIBRARIES
+        loader = [str(here / LOADER), "--library-path", str(here)]
+        return [*loader, str(work / "root/usr/bin/patchelf")]
+
+    @staticmethod
+    def _search_path(there: Path) -> str:
+        """Where programs look for libraries."""
+        return f"{there}:{there}/pulseaudio"
+
+    def _finish(self, work: Path) -> None:
+        """What this folder's own programs need besides."""
         self._localise_xvfb(work / "bin" / "Xvfb")
 
     @staticmethod
