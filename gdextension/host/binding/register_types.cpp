@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "private_file.hpp"
+#include "runtime_probe.hpp"
 #include "stall_guard.hpp"
 #include "stop_signal.hpp"
 #include "terminal.hpp"
@@ -16,6 +17,7 @@ namespace {
 void initialize(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
 		GDREGISTER_CLASS(PrivateFile);
+		GDREGISTER_CLASS(RuntimeProbe);
 		GDREGISTER_CLASS(StallGuard);
 		GDREGISTER_CLASS(StopSignal);
 		GDREGISTER_CLASS(Terminal);

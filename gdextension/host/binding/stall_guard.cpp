@@ -35,6 +35,10 @@ void StallGuard::beat() {
 	_guard.beat();
 }
 
+void StallGuard::hold() {
+	_guard.hold();
+}
+
 void StallGuard::stop() {
 	_guard.stop();
 }
@@ -48,6 +52,7 @@ Error StallGuard::replace(const PackedStringArray &p_command) {
 void StallGuard::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("start", "patience_s", "command"), &StallGuard::start);
 	ClassDB::bind_method(D_METHOD("beat"), &StallGuard::beat);
+	ClassDB::bind_method(D_METHOD("hold"), &StallGuard::hold);
 	ClassDB::bind_method(D_METHOD("stop"), &StallGuard::stop);
 	ClassDB::bind_static_method(get_class_static(), D_METHOD("replace", "command"), &StallGuard::replace);
 }

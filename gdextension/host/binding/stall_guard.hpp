@@ -23,6 +23,7 @@ public:
 
 	bool start(double p_patience_s, const PackedStringArray &p_command);
 	void beat();
+	void hold();
 	void stop();
 	static Error replace(const PackedStringArray &p_command);
 

@@ -13,6 +13,7 @@ class ThreadClock : public RefCounted {
 
 public:
 	static int64_t get_usec();
+	static int64_t get_monotonic_usec();
 
 protected:
 	static void _bind_methods();

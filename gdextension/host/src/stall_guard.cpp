@@ -83,6 +83,11 @@ bool StallGuard::start(std::chrono::milliseconds p_patience, std::function<void(
 
 void StallGuard::beat() {
 	_beats.fetch_add(1, std::memory_order_relaxed);
+	_is_held.store(false, std::memory_order_relaxed);
+}
+
+void StallGuard::hold() {
+	_is_held.store(true, std::memory_order_relaxed);
 }
 
 void StallGuard::stop() {
@@ -108,7 +113,8 @@ void StallGuard::watch() {
 	while (!_is_ending) {
 		_wake.wait_for(lock, _patience / LOOKS, [this] { return _is_ending; });
 		const uint64_t now = _beats.load(std::memory_order_relaxed);
-		quiet = now == seen ? quiet + 1 : 0;
+		const bool is_held = _is_held.load(std::memory_order_relaxed);
+		quiet = now == seen && !is_held ? quiet + 1 : 0;
 		seen = now;
 		if (!_is_ending && quiet >= LOOKS) {
 			_is_ending = true;

@@ -30,8 +30,10 @@ public:
 	/// Begins to watch: where no beat has come for the patience, the guard calls once, in its own
 	/// thread. False if it watches already.
 	bool start(std::chrono::milliseconds p_patience, std::function<void()> p_stalled);
-	/// The main loop lives.
+	/// The main loop lives, and is watched from here on.
 	void beat();
+	/// What comes now may take as long as it likes, until the next beat.
+	void hold();
 	/// Ends to watch. The thread has ended after this, unless it is that thread which calls.
 	void stop();
 	bool is_watching() const { return _thread.joinable(); }
@@ -45,6 +47,7 @@ private:
 	std::function<void()> _stalled;
 	std::chrono::milliseconds _patience{ 0 };
 	std::atomic<uint64_t> _beats{ 0 };
+	std::atomic<bool> _is_held{ false };
 	bool _is_ending = false;
 };
 

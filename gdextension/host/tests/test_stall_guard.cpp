@@ -86,6 +86,16 @@ TEST(a_loop_that_beats_is_left_alone) {
 	CHECK(!guard.is_watching());
 }
 
+TEST(work_that_may_take_long_is_no_stall) {
+	StallGuard guard;
+	std::atomic<int> calls{ 0 };
+	guard.hold();
+	guard.start(8ms, [&calls] { ++calls; });
+	std::this_thread::sleep_for(100ms);
+	CHECK(calls == 0);
+	guard.stop();
+}
+
 TEST(a_loop_that_stands_still_is_reported_once) {
 	StallGuard guard;
 	std::atomic<int> calls{ 0 };
