@@ -1,0 +1,166 @@
+class_name XrBodySource
+extends MotionSource
+## The motion of somebody who wears a headset and holds controllers (or whose hands are tracked),
+## with or without trackers on the body, and without a suit.
+##
+## The main thread hands over an [XrFrame] in every frame; any one thread samples. The wearer's
+## height is taken from the eyes' unless it is given: the highest place at which they were for
+## [constant TALL_S].
+
+## For so long eyes have to be at a height, s.
+const TALL_S: float = 0.4
+## Heights that are believed, m.
+const MIN_HEIGHT: float = 1.2
+const MAX_HEIGHT: float = 2.2
+## A height that differs by less is the same one, m.
+const _SAME_M: float = 0.02
+
+## Whether the wearer sits on a chair.
+var is_seated: bool = false
+
+var _frames: XrFrames = XrFrames.new()
+var _frame: XrFrame = XrFrame.new()
+var _size: BodySize = null
+var _body: XrBody = null
+var _is_given: bool = false
+var _is_measured: bool = false
+var _tall_s: float = 0.0
+var _tall_m: float = 0.0
+var _last_usec: int = 0
+var _recentred: int = 0
+var _mutex: Mutex = Mutex.new()
+var _learns_pins: bool = false
+var _prop: Transform3D = Transform3D.IDENTITY
+var _has_prop: bool = false
+var _times: int = 0
+
+
+## Takes the wearer's height, m; 0: it is measured.
+func _init(p_height: float = 0.0) -> void:
+	_size = BodySize.new()
+	if p_height > 0.0:
+		error = _size.set_height(p_height)
+		_is_given = error == ""
+	_body = XrBody.new(_size)
+
+
+## Takes what the devices say now, in the main thread.
+func push(p_frame: XrFrame) -> void:
+	_frames.push(p_frame)
+	_mutex.lock()
+	_has_prop = p_frame.has_pins[XrFrame.Pin.HANDHELD] != 0
+	if _has_prop:
+		_prop = p_frame.pins[XrFrame.Pin.HANDHELD]
+	_mutex.unlock()
+
+
+## The tracking space was moved.
+func recentre() -> void:
+	_frames.recentre()
+
+
+## The wearer stands upright: how trackers sit on the body is learned anew.
+func learn_pins() -> void:
+	_mutex.lock()
+	_learns_pins = true
+	_mutex.unlock()
+
+
+## Whether a tracker sits on a prop, such as a weapon.
+func has_prop() -> bool:
+	_mutex.lock()
+	var has: bool = _has_prop
+	_mutex.unlock()
+	return has
+
+
+## The last pose of the prop's tracker, in the tracking space.
+func prop_pose() -> Transform3D:
+	_mutex.lock()
+	var pose: Transform3D = _prop
+	_mutex.unlock()
+	return pose
+
+
+## How often the wearer's size was found anew: who sent it sends it again.
+func measured_times() -> int:
+	_mutex.lock()
+	var times: int = _times
+	_mutex.unlock()
+	return times
+
+
+func get_hip_height() -> float:
+	return get_body().length(&"hip_height")
+
+
+func get_limb_lengths() -> PackedFloat32Array:
+	return get_body().limb_lengths()
+
+
+func get_body() -> BodySize:
+	_mutex.lock()
+	var size: BodySize = _size
+	_mutex.unlock()
+	return size
+
+
+func describe() -> String:
+	return "a headset and what is held, %.2f m tall" % get_body().height
+
+
+func _read(p_time_usec: int) -> PoseSample:
+	_frames.read(p_time_usec, _frame)
+	_frame.time_usec = p_time_usec
+	if not _frame.has_place:
+		error = "the headset is not tracked: put it on, and look at where its cameras see the room"
+		return null
+	error = ""
+	_mutex.lock()
+	var learns: bool = _learns_pins
+	_learns_pins = false
+	_mutex.unlock()
+	if learns:
+		_body.pins.restart()
+	var step_s: float = (p_time_usec - _last_usec) / 1e6
+	var times: int = _frames.recentred()
+	if times != _recentred or step_s <= 0.0 or step_s > 0.5:
+		_recentred = times
+		_body.restart()
+		step_s = 0.0
+	_last_usec = p_time_usec
+	_measure(step_s)
+	_body.is_seated = is_seated
+	var pose: PoseSample = _body.solve(_frame, step_s)
+	if not _frame.fingers.is_empty():
+		pose.details = MotionDetails.new()
+		pose.details.joints = _frame.fingers
+	return pose
+
+
+## Finds the height of somebody who stands.
+func _measure(p_step_s: float) -> void:
+	if _is_given or is_seated:
+		return
+	var eyes: float = _frame.head.origin.y
+	var tall: float = clampf(eyes / HeadFusion.EYE_HEIGHT, MIN_HEIGHT, MAX_HEIGHT)
+	if not _is_measured:
+		_is_measured = true
+		_take_height(tall)
+		return
+	# Only who looks about level has the eyes where they are highest; a jump is too short.
+	var is_taller: bool = tall > _size.height + _SAME_M
+	_tall_s = _tall_s + p_step_s if is_taller else 0.0
+	_tall_m = minf(_tall_m, tall) if _tall_s > p_step_s else tall
+	if _tall_s > TALL_S:
+		_tall_s = 0.0
+		_take_height(_tall_m)
+
+
+func _take_height(p_height: float) -> void:
+	var size: BodySize = BodySize.of_height(p_height)
+	_mutex.lock()
+	_size = size
+	_times += 1
+	_mutex.unlock()
+	_body.set_size(size)
