@@ -60,7 +60,7 @@ class Bench:
     def script(
         self, name: str, options: list[str], environment: dict[str, str], size: str = "640x360"
     ) -> list[dict[str, Any]]:
-        """Runs a script of this folder in a window drawn by the processor; returns what it found."""
+        """Runs a script of this folder in a window; returns what it found."""
         flags = [*SOFTWARE, "--resolution", size, "-s", SCRIPTS + name, "--", *options]
         said = self.run(self.command(*flags), environment, 900.0)
         return [json.loads(line) for line in said.splitlines() if line.startswith("{")]
