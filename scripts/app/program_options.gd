@@ -19,7 +19,7 @@ static func parse(p_arguments: PackedStringArray, p_role: String = "") -> Option
 
 ## All options, grouped by topic.
 static func rows() -> Array[OptionRow]:
-	return _connection() + _motion() + _server() + _display() + _run()
+	return _connection() + _motion() + _server() + _display() + DisplayOptions.rows() + _run()
 
 
 ## Looked for once: a folder is read for them.
@@ -276,7 +276,7 @@ static func _display() -> Array[OptionRow]:
 		),
 		OptionRow.flag("captions", showing, "show captions of sounds, whatever the menu says"),
 		OptionRow.text("camera", showing, "camera at the start, degrees and m").shown_as(
-			"AZIMUTH,ELEVATION,DISTANCE"
+			"AZIMUTH,ELEVATION,DISTANCE|around|behind|eyes"
 		),
 		OptionRow.choice(
 			"smoothing",

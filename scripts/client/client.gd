@@ -16,6 +16,7 @@ const _PICTURE_PATIENCE_S: float = 60.0
 @export var _controls: WindowControls
 @export var _seat: ClientSeat
 @export var _sound: ClientSound
+@export var _display: ClientDisplay
 
 var _role: String = ""
 var _options: Options = null
@@ -34,7 +35,7 @@ var _stats: ClientStats = ClientStats.new()
 var _stop: StopSignal = StopSignal.new()
 var _pacer: FramePacer = null
 var _fade: PhysicsFade = PhysicsFade.new()
-var _clock: FrameClock = FrameClock.of_window()
+var _clock: FrameClock = null
 
 
 ## Takes over the options. Call it before the node enters the tree.
@@ -57,6 +58,8 @@ func _ready() -> void:
 	_hud.show_probe(_stats.probe)
 	_controls.set_up(_role, _options)
 	_scene.avatars.keep(_options.text("avatar"))
+	_display.open(_options)
+	_clock = FrameClock.of_window()
 	var fault: String = _apply_options()
 	if fault != "":
 		_quit(StateStream.EXIT_OPTIONS, fault)
@@ -72,6 +75,7 @@ func _ready() -> void:
 func _process(p_delta: float) -> void:
 	if _exit_code != 0:
 		return
+	_display.await_frame()
 	if _mocap.people != null:
 		_mocap.advance(_stream.now_s())
 		_wearer.advance(_stream.now_s())
@@ -217,7 +221,7 @@ func _update_scene() -> void:
 	var own: Dictionary[int, PackedFloat32Array] = {}
 	var begin: int = Time.get_ticks_usec()
 	_stats.times.begin(begin)
-	var now: int = _clock.begin(begin)
+	var now: int = _clock.begin(begin, _display.due_usec())
 	var people: ClientPeople = _mocap.people
 	if people != null and _scene.replica.is_ready():
 		own = people.evaluate(now, _scene.replica)
@@ -232,6 +236,7 @@ func _update_scene() -> void:
 		Engine.max_fps = _pacer.limit_for(_scene.replica.shown_tick(), _scene.replica.tick_rate())
 	_stats.frame(_scene.replica, _stream.server_usec(begin), headless)
 	_stats.times.placed(Time.get_ticks_usec())
+	_display.placed()
 
 
 func _on_received(p_bytes: PackedByteArray, p_time_s: float) -> void:
@@ -315,6 +320,7 @@ func _make_report() -> Dictionary:
 		report["effects"] = _effects.report()
 	report["driving"] = _seat.report()
 	report["sound"] = _sound.report()
+	report["display"] = _display.report()
 	return report
 
 

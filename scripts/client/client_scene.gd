@@ -140,12 +140,18 @@ func clear() -> void:
 
 ## Applies the state at a time of the stream, s. The bodies of the client's own people are taken
 ## from these floats, by person: see [method WorldReplica.person_floats].
-func update(p_now_s: float, p_own: Dictionary[int, PackedFloat32Array] = {}) -> void:
+## A tick of the server at or above 0 is shown instead of the time's.
+func update(
+	p_now_s: float, p_own: Dictionary[int, PackedFloat32Array] = {}, p_tick: float = -1.0
+) -> void:
 	for row: EntityRow in avatars.take_ready():
 		_add_person(row)
 	if not replica.is_ready() or replica.newest_tick < 0:
 		return
-	replica.evaluate(p_now_s)
+	if p_tick >= 0.0:
+		replica.show_tick(p_tick, p_now_s)
+	else:
+		replica.evaluate(p_now_s)
 	_level.move_bodies(replica)
 	for actor: int in _actors:
 		if replica.has_person(actor):
@@ -173,9 +179,9 @@ func people() -> Dictionary[int, ActorView]:
 	return _actors
 
 
-## Where the camera is and looks.
-func viewpoint_transform() -> Transform3D:
-	return _camera.global_transform
+## The camera of the window.
+func camera() -> OrbitCamera:
+	return _camera
 
 
 ## The level and what moves in it.
@@ -320,6 +326,7 @@ func _aim() -> void:
 	_camera.has_head = actor >= 0
 	_keep_camera_out()
 	var looks_out: bool = _camera.view == OrbitCamera.View.EYES and _camera.fixed == null
+	_camera.is_steady = actor != _followed.own
 	_look_out_of(actor if looks_out else -1)
 	_names.choose(_camera.global_position, actor if looks_out else -1)
 	if actor < 0:

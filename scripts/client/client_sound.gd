@@ -161,7 +161,7 @@ func _on_told(_text: String) -> void:
 
 func _on_captioned(p_text: String, p_place: Vector3, p_level_db: float) -> void:
 	if _are_on.get(&"captions", false):
-		_captions.take(p_text, p_place, p_level_db, _scene.viewpoint_transform())
+		_captions.take(p_text, p_place, p_level_db, _scene.camera().global_transform)
 
 
 func _on_level_changed(p_level: Level, _differs: bool) -> void:

@@ -8,6 +8,10 @@ const _EVERYBODY: Dictionary[StringName, String] = {
 	&"toggle_names": "names over people",
 	&"toggle_latency": "delays",
 	&"toggle_full_screen": "full screen",
+	&"swap_eyes": "swap the eyes, in stereo",
+	&"test_picture": "test pictures, on walls",
+	&"recentre": "recentre the headset",
+	&"enter_headset": "back into the headset",
 	&"show_keys": "these keys",
 	&"ui_cancel": "menu",
 }

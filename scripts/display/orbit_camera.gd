@@ -42,6 +42,9 @@ const _EYES: Vector3 = Vector3(0.0, 0.085, 0.125)
 @export_range(0.1, 50.0, 0.1) var follow_speed: float = 6.0
 ## Whether arrow keys turn it.
 @export var takes_keys: bool = true
+## Whether it is calm when it looks out of somebody's eyes, as spectators want it. Wearers see
+## their own eyes' view as it is.
+@export var is_steady: bool = false
 ## What it does not pass: it comes closer where one of these would stand between it and its target.
 @export_flags_3d_physics var obstacles: int = 0
 
@@ -70,6 +73,7 @@ var fixed: Camera3D = null:
 			snap()
 
 var _own_fov: float = fov
+var _steady: SteadyEye = SteadyEye.new()
 var _centre: Vector3 = Vector3(0.0, 1.0, 0.0)
 var _heading: float = 0.0
 
@@ -95,7 +99,7 @@ func _process(p_delta: float) -> void:
 		global_transform = fixed.global_transform.orthonormalized()
 		return
 	if view == View.EYES and has_head:
-		_look_out()
+		_look_out(p_delta)
 		return
 	near = _NEAR_M
 	var around: float = azimuth + (_heading + PI if view == View.BEHIND else 0.0)
@@ -120,12 +124,12 @@ func _find_centre() -> Vector3:
 	return (head * _FACE).lerp(target, smoothstep(_FACE_M, _BODY_M, distance))
 
 
-func _look_out() -> void:
+func _look_out(p_delta: float) -> void:
 	near = _NEAR_EYES_M
 	var turn: Basis = head.basis.orthonormalized()
-	global_position = head.origin + turn * _EYES
 	# A camera looks along -Z, a face along +Z.
-	global_basis = turn * Basis(Vector3.UP, PI)
+	var eyes: Transform3D = Transform3D(turn * Basis(Vector3.UP, PI), head.origin + turn * _EYES)
+	global_transform = _steady.advance(eyes, p_delta) if is_steady else eyes
 
 
 func _unhandled_input(p_event: InputEvent) -> void:
@@ -184,19 +188,25 @@ func _is_in_body(p_point: Vector3) -> bool:
 
 ## Jumps to the target at once.
 func snap() -> void:
+	_steady.restart()
 	_centre = _find_centre()
 	_heading = heading
 
 
-## Sets azimuth, elevation (degrees) and distance (m) from a text such as "35,12,4"; returns why it
-## cannot, or an empty text.
+## Sets azimuth, elevation (degrees) and distance (m) from a text such as "35,12,4", or one of the
+## views: "around", "behind", "eyes". Returns why it cannot, or an empty text.
 func set_from_text(p_text: String) -> String:
+	if View.has(p_text.to_upper()) and p_text == p_text.to_lower():
+		view = View[p_text.to_upper()]
+		snap()
+		return ""
 	var parts: PackedStringArray = p_text.split(",")
 	var numbers: bool = parts.size() == 3
 	for part: String in parts:
 		numbers = numbers and part.is_valid_float() and is_finite(part.to_float())
 	if not numbers:
-		return "a camera is azimuth,elevation,distance, found '%s'" % p_text
+		var form: String = "a camera is azimuth,elevation,distance, or around, behind or eyes"
+		return "%s, found '%s'" % [form, p_text]
 	azimuth = deg_to_rad(parts[0].to_float())
 	elevation = deg_to_rad(clampf(parts[1].to_float(), -80.0, 85.0))
 	distance = clampf(parts[2].to_float(), _MIN_DISTANCE_M, 50.0)

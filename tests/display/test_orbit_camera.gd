@@ -37,10 +37,15 @@ func test_looks_at_its_target_from_the_right_place() -> void:
 func test_text_that_is_no_camera() -> void:
 	for text: String in ["", "1,2", "1,2,3,4", "a,b,c", "1,2,", ",,", "35;12;4"]:
 		var before: Array = [_camera.azimuth, _camera.elevation, _camera.distance]
-		contains(
-			_camera.set_from_text(text), "a camera is azimuth,elevation,distance, found '%s'" % text
-		)
+		contains(_camera.set_from_text(text), "or around, behind or eyes, found '%s'" % text)
 		equal([_camera.azimuth, _camera.elevation, _camera.distance], before, text)
+
+
+func test_a_view_by_its_name() -> void:
+	equal(_camera.set_from_text("eyes"), "")
+	equal(_camera.view, OrbitCamera.View.EYES)
+	equal(_camera.set_from_text("behind"), "")
+	equal(_camera.view, OrbitCamera.View.BEHIND)
 
 
 func test_text_beyond_the_limits() -> void:

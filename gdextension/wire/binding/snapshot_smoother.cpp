@@ -216,6 +216,7 @@ void SnapshotSmoother::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("forget_entity", "entity"), &SnapshotSmoother::forget_entity);
 	ClassDB::bind_method(D_METHOD("take", "decoder", "arrival_s"), &SnapshotSmoother::take);
 	ClassDB::bind_method(D_METHOD("evaluate", "now_s"), &SnapshotSmoother::evaluate);
+	ClassDB::bind_method(D_METHOD("show_tick", "tick", "now_s"), &SnapshotSmoother::show_tick);
 	ClassDB::bind_method(D_METHOD("get_shown_tick"), &SnapshotSmoother::get_shown_tick);
 	ClassDB::bind_method(D_METHOD("get_motion_tick"), &SnapshotSmoother::get_motion_tick);
 	ClassDB::bind_method(D_METHOD("get_delay"), &SnapshotSmoother::get_delay);

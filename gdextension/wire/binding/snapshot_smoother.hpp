@@ -45,6 +45,7 @@ public:
 	void take(const Ref<SnapshotDecoder> &p_decoder, double p_arrival_s);
 
 	void evaluate(double p_now_s) { _smoother.evaluate(p_now_s); }
+	bool show_tick(double p_tick, double p_now_s) { return _smoother.show_tick(p_tick, p_now_s); }
 	double get_shown_tick() const { return _smoother.shown_tick(); }
 	double get_motion_tick() const { return _smoother.motion_tick(); }
 	double get_delay() const { return _smoother.delay(); }

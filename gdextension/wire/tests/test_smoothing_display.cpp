@@ -139,4 +139,27 @@ TEST(something_sudden_is_seen_soon_and_not_beyond_itself) {
 	}
 }
 
+TEST(displays_of_a_station_show_the_same_at_the_same_tick) {
+	Smoother first;
+	Smoother second;
+	first.set_skeleton(0, arm());
+	second.set_skeleton(0, arm());
+	for (uint32_t tick = 0; tick < 120; tick++) {
+		// The second one's datagrams come late.
+		first.push(swinging(tick), tick / 60.0 + 0.001);
+		second.push(swinging(tick), tick / 60.0 + 0.021);
+	}
+	for (double now = 2.0; now < 2.1; now += 0.004) {
+		first.evaluate(now);
+		CHECK(second.show_tick(first.shown_tick(), now + 0.02));
+		CHECK(second.shown_tick() == first.shown_tick());
+	}
+	CHECK(!second.show_tick(-1.0, 2.2));
+	CHECK(!second.show_tick(NAN, 2.2));
+	CHECK(!second.show_tick(1e18, 2.2));
+	CHECK(second.shown_tick() == first.shown_tick());
+	Smoother unborn;
+	CHECK(!unborn.show_tick(5.0, 1.0));
+}
+
 TEST_MAIN()

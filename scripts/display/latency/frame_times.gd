@@ -44,9 +44,7 @@ func drawn(p_now_usec: int) -> void:
 
 ## The medians in words.
 func describe() -> String:
-	var parts: Array = [
-		waiting.percentile(0.5), scene.percentile(0.5), drawing.percentile(0.5)
-	]
+	var parts: Array = [waiting.percentile(0.5), scene.percentile(0.5), drawing.percentile(0.5)]
 	return "a frame waits %.0f ms, is set up in %.0f ms and drawn in %.0f ms" % parts
 
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace wire {
 
@@ -186,10 +187,26 @@ double Smoother::_motion_time() const {
 
 void Smoother::evaluate(double p_now_s) {
 	_moved_bodies.clear();
-	if (!_clock.is_known() || !std::isfinite(p_now_s)) {
-		return;
+	if (_clock.is_known() && std::isfinite(p_now_s)) {
+		_play(p_now_s);
+		_show(p_now_s);
 	}
-	_play(p_now_s);
+}
+
+bool Smoother::show_tick(double p_tick, double p_now_s) {
+	_moved_bodies.clear();
+	if (!_clock.is_known() || !std::isfinite(p_now_s) || !(p_tick >= 0.0 && p_tick <= double(UINT32_MAX))) {
+		return false;
+	}
+	_shown_time = p_tick / _clock.tick_rate;
+	_shown_behind = std::max(_clock.lately_now(p_now_s) - _shown_time, 0.0);
+	_shown_at = p_now_s;
+	_is_playing = true;
+	_show(p_now_s);
+	return true;
+}
+
+void Smoother::_show(double p_now_s) {
 	for (auto &[id, entry] : _bodies) {
 		if (!entry->track.is_empty()) {
 			entry->track.evaluate({ _shown_time, p_now_s, _method });

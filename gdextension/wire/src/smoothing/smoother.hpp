@@ -60,6 +60,10 @@ public:
 	/// Works out where everything is at a time of the client's clock, s.
 	void evaluate(double p_now_s);
 
+	/// Works out where everything is at a tick of the server (with its fraction) that somebody else has chosen, such as
+	/// the first display of a station, at a time of the client's clock, s. False, and nothing, for a tick that is none.
+	bool show_tick(double p_tick, double p_now_s);
+
 	/// Shows a body somewhere else than its updates say, until forget_prediction(): where this client has worked out
 	/// that it will be. Who is carried by it is shown there too. False, and nothing, for a body without updates or a
 	/// place that is none.
@@ -125,6 +129,7 @@ private:
 	double _wanted_time(double p_now_s);
 	double _motion_time() const;
 	void _play(double p_now_s);
+	void _show(double p_now_s);
 	void _forget_updates();
 	static void _pose_person(
 			const kinematics::Skeleton &p_skeleton, const Frame<kinematics::MAX_LIMBS> &p_frame, Person &r_person);

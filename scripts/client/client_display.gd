@@ -1,0 +1,141 @@
+class_name ClientDisplay
+extends Node
+## How a client shows the world: in its window, to both eyes, on walls, or in a headset.
+##
+## The window always works: where another display cannot be, or is lost, the user is told why, and
+## sees the world in the window.
+
+## Kinds of adapters that draw with the processor: nothing is gained by waiting for a screen.
+const _SOFTWARE: PackedStringArray = ["llvmpipe", "softpipe", "swiftshader", "lavapipe"]
+
+@export var _scene: ClientScene
+@export var _hud: Hud
+
+## The display, or null: the window.
+var mode: DisplayMode = null
+
+var _late: LateStart = null
+var _period_usec: int = 0
+var _begun_usec: int = 0
+
+
+## Begins to show the world as the options ask.
+func open(p_options: Options) -> void:
+	if DisplayServer.get_name() == "headless":
+		return
+	_set_vsync(p_options.text("vsync"))
+	if p_options.is_on("late-frames"):
+		_expect_frames()
+	var fault: String = _make(p_options)
+	if fault == "" and mode != null:
+		_begin(mode)
+		fault = mode.open()
+	if fault != "":
+		_fall_back(fault)
+	elif mode != null:
+		_late = null
+
+
+## Waits until it is time to begin the frame. Call it first.
+func await_frame() -> void:
+	if _late == null:
+		return
+	var wait: int = _late.wait_usec(Time.get_ticks_usec(), _period_usec)
+	if wait > 0:
+		OS.delay_usec(wait)
+	_begun_usec = Time.get_ticks_usec()
+
+
+## Everything is where the frame shows it.
+func placed() -> void:
+	if _late == null:
+		return
+	var window: RID = get_viewport().get_viewport_rid()
+	var drawing_ms: float = (
+		RenderingServer.get_frame_setup_time_cpu()
+		+ RenderingServer.viewport_get_measured_render_time_cpu(window)
+		+ RenderingServer.viewport_get_measured_render_time_gpu(window)
+	)
+	_late.worked(Time.get_ticks_usec() - _begun_usec + roundi(drawing_ms * 1000.0))
+
+
+## When the frame that begins now will be seen, µs; 0: as the window's [FrameClock] says.
+func due_usec() -> int:
+	return mode.due_usec() if mode != null else 0
+
+
+## Stats for a report.
+func report() -> Dictionary:
+	return mode.report() if mode != null else {"display": DisplayNames.WINDOW}
+
+
+func _exit_tree() -> void:
+	if mode != null:
+		mode.close()
+
+
+func _unhandled_input(p_event: InputEvent) -> void:
+	var stereo: StereoDisplay = mode as StereoDisplay
+	if stereo != null and p_event.is_action_pressed(&"swap_eyes"):
+		stereo.swap()
+		get_viewport().set_input_as_handled()
+
+
+## Makes the display that is asked for. Returns what is wrong, or an empty text.
+func _make(p_options: Options) -> String:
+	var name: String = p_options.text("display")
+	if not DisplayNames.STEREO.has(name):
+		return ""
+	var stereo: StereoDisplay = StereoDisplay.new()
+	var fault: String = stereo.set_up(
+		name, p_options.seconds("eye-distance"), p_options.seconds("convergence")
+	)
+	if fault != "":
+		stereo.free()
+		return fault
+	stereo.swap_eyes = p_options.is_on("swap-eyes")
+	mode = stereo
+	return ""
+
+
+func _begin(p_mode: DisplayMode) -> void:
+	p_mode.name = "Mode"
+	p_mode.camera = _scene.camera()
+	p_mode.told.connect(_on_told)
+	p_mode.failed.connect(_fall_back)
+	add_child(p_mode)
+
+
+func _on_told(p_text: String) -> void:
+	Log.info("display", p_text)
+	_hud.show_news(p_text)
+
+
+func _fall_back(p_why: String) -> void:
+	Log.warning("display", p_why)
+	_hud.show_note(
+		"%s. You see the world in this window." % (p_why.left(1).to_upper() + p_why.substr(1))
+	)
+	if mode != null:
+		mode.close()
+		mode.queue_free()
+		mode = null
+
+
+static func _set_vsync(p_wanted: String) -> void:
+	var adapter: String = RenderingServer.get_video_adapter_name().to_lower()
+	var is_software: bool = Array(_SOFTWARE).any(adapter.contains)
+	if p_wanted == "off" or (p_wanted == "auto" and is_software):
+		DisplayServer.window_set_vsync_mode(DisplayServer.VSYNC_DISABLED)
+	elif p_wanted == "on":
+		DisplayServer.window_set_vsync_mode(DisplayServer.VSYNC_ENABLED)
+
+
+## Lets frames begin late, where the screen paces them.
+func _expect_frames() -> void:
+	var rate: float = DisplayServer.screen_get_refresh_rate()
+	if DisplayServer.window_get_vsync_mode() != DisplayServer.VSYNC_ENABLED or rate <= 0.0:
+		return
+	_late = LateStart.new()
+	_period_usec = roundi(1e6 / rate)
+	RenderingServer.viewport_set_measure_render_time(get_viewport().get_viewport_rid(), true)
