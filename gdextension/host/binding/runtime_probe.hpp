@@ -38,4 +38,4 @@ private:
 
 } // namespace godot
 
-VARIANT_ENUM_CAST(RuntimeProbe::Answer);
+VARIANT_ENUM_CAST(godot::RuntimeProbe::Answer);

@@ -1,0 +1,44 @@
+class_name HmdView
+extends SubViewport
+## What the wearer's two eyes see: a viewport of its own, so that the window outlives the headset.
+
+## The tracking space; its transform is where that space is in the world.
+var origin: XROrigin3D = XROrigin3D.new()
+## The head.
+var head: XRCamera3D = XRCamera3D.new()
+## Darkens the edges while the wearer is moved.
+var vignette: Vignette = Vignette.new()
+
+var _hands: Array[XRController3D] = []
+
+
+func _init() -> void:
+	use_xr = true
+	own_world_3d = false
+	audio_listener_enable_3d = false
+	gui_disable_input = true
+	# The size is the runtime's; this is what it has before.
+	size = Vector2i(64, 64)
+	render_target_update_mode = SubViewport.UPDATE_ALWAYS
+	origin.add_child(head)
+	head.near = 0.05
+	head.add_child(vignette)
+	for tracker: StringName in [&"left_hand", &"right_hand"]:
+		var hand: XRController3D = XRController3D.new()
+		hand.tracker = tracker
+		hand.pose = &"aim"
+		_hands.append(hand)
+		origin.add_child(hand)
+	add_child(origin)
+
+
+## The left (0) or right (1) hand: where it points.
+func hand(p_hand: int) -> XRController3D:
+	return _hands[p_hand]
+
+
+## Draws as a step of [constant RateKeeper.STEPS] says.
+func set_quality(p_row: Dictionary) -> void:
+	scaling_3d_scale = p_row["scale"]
+	msaa_3d = p_row["msaa"]
+	positional_shadow_atlas_size = 2048 if p_row["shadows"] else 0

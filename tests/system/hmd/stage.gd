@@ -1,0 +1,50 @@
+extends Node3D
+## A small world with a headset in it, for tests of the headset: told by lines on the standard
+## output, and by a line in a file that a test writes.
+
+var _display: HmdDisplay = HmdDisplay.new()
+var _camera: Camera3D = Camera3D.new()
+var _frames: int = 0
+
+
+func _ready() -> void:
+	add_child(_camera)
+	_camera.position = Vector3(0.0, 1.6, 2.0)
+	var light: DirectionalLight3D = DirectionalLight3D.new()
+	light.rotation = Vector3(-1.0, 0.5, 0.0)
+	add_child(light)
+	for i: int in 5:
+		var box: MeshInstance3D = MeshInstance3D.new()
+		box.mesh = BoxMesh.new()
+		box.position = Vector3(-4.0 + 2.0 * i, 0.5, -3.0 - i)
+		add_child(box)
+	_display.camera = _camera
+	_display.told.connect(func(text: String) -> void: print("TOLD ", text))
+	_display.pressed.connect(func(a: StringName, h: int) -> void: print("PRESSED ", a, " ", h))
+	var mirror: String = OS.get_environment("MIRROR")
+	_display.set_mirror(int(mirror) as HmdDisplay.Mirror)
+	add_child(_display)
+	var fault: String = _display.open()
+	print("OPEN ", fault, " pid ", OS.get_process_id())
+
+
+func _process(_delta: float) -> void:
+	_frames += 1
+	_display.place_room(Transform3D(Basis.IDENTITY, Vector3.ZERO))
+	if _frames % 20 == 0:
+		print(
+			(
+				"FRAME %d worn %s head %s due %d hz %.1f missed %d"
+				% [
+					_frames,
+					_display.is_worn(),
+					_display.head_in_world().origin,
+					_display.due_usec() - Time.get_ticks_usec(),
+					_display.report()["rate_hz"],
+					_display.report()["missed"],
+				]
+			)
+		)
+	if _frames == 60 and OS.has_environment("SHOT"):
+		await RenderingServer.frame_post_draw
+		get_viewport().get_texture().get_image().save_png(OS.get_environment("SHOT"))
