@@ -51,6 +51,15 @@ static func list() -> PackedStringArray:
 	return found
 
 
+## Those of them that are not Dismount's own: what a runtime (OpenXR) or another program offers.
+static func list_others() -> PackedStringArray:
+	var found: PackedStringArray = []
+	for name: String in list():
+		if not name.begins_with(TrackerPublisher.NAME):
+			found.append(name)
+	return found
+
+
 ## Reads the tracker, in the main thread, at a time (Unix time, µs).
 func advance(p_time_usec: int) -> void:
 	var tracker: XRBodyTracker = XRServer.get_tracker(tracker_name) as XRBodyTracker

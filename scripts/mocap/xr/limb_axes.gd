@@ -2,12 +2,19 @@ class_name LimbAxes
 extends RefCounted
 ## Rotations of limbs from the reset pose, from where their joints are.
 
+## Range of a left hip and knee, rad, about the axes of the reset pose.
+const _HIP_MIN: Vector3 = Vector3(-2.2, -1.1, -0.9)
+const _HIP_MAX: Vector3 = Vector3(0.95, 1.1, 1.4)
+const _KNEE_MIN: Vector3 = Vector3(-0.2, -0.9, -0.5)
+const _KNEE_MAX: Vector3 = Vector3(2.58, 0.9, 0.5)
 ## Range of a wrist, rad: about the axes of the reset pose, of a left hand.
 const _WRIST_MIN: Vector3 = Vector3(-0.9, -0.8, -1.3)
 const _WRIST_MAX: Vector3 = Vector3(0.9, 0.8, 1.3)
 ## Part of a hand's turn about the forearm that the forearm takes, and its most, rad.
 const _TWIST_SHARE: float = 0.7
 const _TWIST_MAX: float = 1.2
+## And its most with a folded elbow: more would not look like the same joint.
+const _FOLDED_TWIST_MAX: float = 0.6
 
 
 ## Sets upper arm, forearm and hand of a side (0 left, 1 right) of a pose: shoulder, elbow and wrist
@@ -33,7 +40,8 @@ static func set_arm(
 	var lower: Quaternion = _basis(fore * out, TwoBone.across(up, fore))
 	var turn: Quaternion = lower.inverse() * p_hand
 	var twist: float = 2.0 * atan2(turn.x, turn.w)
-	twist = clampf(wrapf(twist, -PI, PI) * _TWIST_SHARE, -_TWIST_MAX, _TWIST_MAX)
+	var most: float = lerpf(_TWIST_MAX, _FOLDED_TWIST_MAX, upper.angle_to(fore) / PI)
+	twist = clampf(wrapf(twist, -PI, PI) * _TWIST_SHARE, -most, most)
 	lower = lower * Quaternion(Vector3.RIGHT, twist)
 	var limb: int = Limbs.LEFT_UPPER_ARM + 3 * p_side
 	r_pose.set_orientation(limb, arm)
@@ -62,6 +70,23 @@ static func set_leg(
 	var side: Vector3 = TwoBone.across(hinge, thigh)
 	r_pose.set_orientation(limb, _leg(thigh, side))
 	r_pose.set_orientation(limb + 1, _leg(shank, TwoBone.across(side, shank)))
+
+
+## Turns a leg back into the range of its joints, where the foot is where no foot can be.
+static func spare_leg(r_pose: PoseSample, p_side: int) -> void:
+	var limb: int = Limbs.LEFT_UPPER_LEG + 3 * p_side
+	var mirror: Vector3 = Vector3(1.0, 1.0 - 2.0 * p_side, 1.0 - 2.0 * p_side)
+	var hips: Quaternion = r_pose.orientation(Limbs.HIPS)
+	var thigh: Quaternion = r_pose.orientation(limb)
+	var shank: Quaternion = r_pose.orientation(limb + 1)
+	var bend: Vector3 = Rotations.vector(hips.inverse() * thigh) * mirror
+	var knee: Vector3 = Rotations.vector(thigh.inverse() * shank) * mirror
+	if bend == bend.clamp(_HIP_MIN, _HIP_MAX) and knee == knee.clamp(_KNEE_MIN, _KNEE_MAX):
+		return
+	thigh = hips * Rotations.from_vector(bend.clamp(_HIP_MIN, _HIP_MAX) * mirror)
+	shank = thigh * Rotations.from_vector(knee.clamp(_KNEE_MIN, _KNEE_MAX) * mirror)
+	r_pose.set_orientation(limb, thigh.normalized())
+	r_pose.set_orientation(limb + 1, shank.normalized())
 
 
 ## A hand that a wrist can bear.

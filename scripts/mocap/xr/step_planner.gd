@@ -1,7 +1,7 @@
 class_name StepPlanner
 extends RefCounted
-## Where the feet of somebody stand of whom only the hips' way is known: planted until the weight has
-## moved, then one step at a time, never across the other foot, never sliding.
+## Where the feet of somebody stand of whom only the hips' way is known: planted until the weight
+## has moved, then one step at a time, never across the other foot, never sliding.
 ##
 ## Frame: the wearer's, metres; a yaw of 0 faces +Z. Places are on the ground below the ankles.
 
@@ -21,6 +21,8 @@ const QUICK_STEP_S: float = 0.26
 const LIFT_M: float = 0.07
 ## Feet are at least so far from each other across, m.
 const APART_M: float = 0.13
+## Feet in the air come below the hips in this time, s.
+const HANG_S: float = 0.25
 ## Toes point outwards, rad.
 const TOE_OUT: float = deg_to_rad(6.0)
 
@@ -82,10 +84,13 @@ func advance(p_hips: Vector3, p_yaw: float, p_velocity: Vector3, p_step_s: float
 		_begin(p_hips, p_yaw, velocity, p_step_s)
 
 
-## Carries the feet along without steps: in a jump.
-func carry(p_way: Vector3) -> void:
+## Lets the feet hang below the hips: in a jump, on a ladder.
+func hang(p_hips: Vector3, p_yaw: float, p_velocity: Vector3, p_step_s: float) -> void:
 	for side: int in 2:
-		places[side] += Vector3(p_way.x, 0.0, p_way.z)
+		places[side] += Vector3(p_velocity.x, 0.0, p_velocity.z) * p_step_s
+		var part: float = 1.0 - exp(-p_step_s / HANG_S)
+		places[side] = places[side].lerp(home(side, p_hips, p_yaw), part)
+		yaws[side] = lerp_angle(yaws[side], p_yaw + _out(side) * TOE_OUT, part)
 		parts[side] = 1.0
 		lifts[side] = 0.0
 

@@ -6,6 +6,8 @@ extends RefCounted
 ## Part of the whole length beyond which a limb is not stretched: a straight elbow or knee would
 ## flip.
 const STRETCH: float = 0.998
+## Angle between the two limbs when they are folded up, rad.
+const FOLDED: float = deg_to_rad(27.0)
 
 
 ## Where the middle joint is if the ends are there, m; [param p_pole] points to the side to which it
@@ -22,7 +24,9 @@ static func middle(
 
 ## The distance from end to end that two limbs can have, the nearest to one that is wanted, m.
 static func reach(p_wanted: float, p_upper: float, p_lower: float) -> float:
-	var least: float = absf(p_upper - p_lower) + 0.02
+	var least: float = sqrt(
+		p_upper * p_upper + p_lower * p_lower - 2.0 * p_upper * p_lower * cos(FOLDED)
+	)
 	return clampf(p_wanted, least, maxf((p_upper + p_lower) * STRETCH, least))
 
 

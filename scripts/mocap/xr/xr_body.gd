@@ -25,6 +25,11 @@ const CROUCH_LEAN: float = 0.42
 const HANGING: Vector3 = Vector3(0.155, -0.31, 0.045)
 ## Shares of the lean: hips, spine, chest.
 const SHARES: Vector3 = Vector3(0.75, 1.0, 1.1)
+## Height of the hips' middle of somebody who lies, m.
+const LYING_M: float = 0.12
+## Range of an ankle, rad, about the axes of the reset pose.
+const ANKLE_MIN: Vector3 = Vector3(-0.7, -0.8, -0.5)
+const ANKLE_MAX: Vector3 = Vector3(0.9, 0.8, 0.5)
 ## A head that is more than this above its standing height is in the air, m.
 const JUMP_M: float = 0.04
 
@@ -140,9 +145,7 @@ func _turn(p_frame: XrFrame, p_looks: float, p_step_s: float) -> void:
 	_yaw = p_looks - clampf(angle_difference(_yaw, p_looks), -most, most)
 
 
-func _set_trunk(
-	r_pose: PoseSample, p_frame: XrFrame, p_head: Quaternion, p_step_s: float
-) -> void:
+func _set_trunk(r_pose: PoseSample, p_frame: XrFrame, p_head: Quaternion, p_step_s: float) -> void:
 	var wanted: Vector2 = _wanted_lean(p_head)
 	_lean += (wanted - _lean) * (_part(p_step_s, LEAN_S) if p_step_s > 0.0 else 1.0)
 	var facing: Quaternion = Rotations.yaw(_yaw)
@@ -174,6 +177,12 @@ func _wanted_lean(p_head: Quaternion) -> Vector2:
 	# Who looks down while the head comes down bends; who looks ahead crouches.
 	var looks_down: float = clampf(-(p_head * Vector3.BACK).y, 0.0, 1.0)
 	var least: float = most * (CROUCH_LEAN + 0.25 * looks_down)
+	# Hips are not below the floor: who lies has the trunk level.
+	var low: float = acos(clampf((_base.y - LYING_M) / _trunk_m, 0.0, 1.0))
+	if low > most * 0.8 and (p_head * Vector3.BACK).y > 0.5:
+		return Vector2(-low, 0.0)
+	least = maxf(least, low)
+	most = maxf(most, low)
 	if is_seated:
 		return Vector2(clampf(lean, -0.2, 0.9), 0.0)
 	var side: float = signf(level.x) * maxf(absf(level.x) - FREE_LEAN_M, 0.0)
@@ -228,6 +237,8 @@ func _set_arm(r_pose: PoseSample, p_frame: XrFrame, p_side: int, p_step_s: float
 	pole = pins.pole(p_frame, XrFrame.Pin.LEFT_ELBOW + p_side, shoulder, wrist, pole)
 	# Elbows swing over, they do not flip.
 	_poles[p_side] = _poles[p_side].slerp(pole, _part(p_step_s, 0.06) if p_step_s > 0.0 else 1.0)
+	var reached: float = TwoBone.reach(shoulder.distance_to(wrist), lengths.x, lengths.y)
+	wrist = shoulder + TwoBone.direction(shoulder, wrist) * reached
 	var elbow: Vector3 = TwoBone.middle(shoulder, wrist, lengths.x, lengths.y, _poles[p_side])
 	LimbAxes.set_arm(r_pose, p_side, shoulder, elbow, wrist, _poles[p_side], hand)
 
@@ -250,11 +261,21 @@ func _set_legs(r_pose: PoseSample, p_frame: XrFrame) -> void:
 	_legs_usec = p_frame.time_usec
 	var up: float = maxf(r_pose.root.y - _joints[Limbs.HIPS].y - JUMP_M, 0.0)
 	if up > 0.03 and not is_seated:
-		steps.carry(_velocity * step_s)
+		steps.hang(_base, _yaw, _velocity, step_s)
 	elif not is_seated:
-		steps.advance(r_pose.root, _yaw, _velocity, step_s)
+		# Feet stand below the weight: who leans has the hips behind it and the head before it.
+		var weight: Vector3 = r_pose.root.lerp(_base, 0.5)
+		steps.advance(weight + _stretched(r_pose), _yaw, _velocity, step_s)
 	for side: int in 2:
 		_set_leg(r_pose, p_frame, side, up)
+
+
+## How far the feet of somebody who lies are from below the hips: in line with the trunk.
+func _stretched(p_pose: PoseSample) -> Vector3:
+	var up: Vector3 = p_pose.orientation(Limbs.HIPS) * Vector3.UP
+	var stand: float = _joints[Limbs.HIPS].y
+	var lies: float = smoothstep(0.5, 0.2, p_pose.root.y / stand) * smoothstep(0.5, 0.9, 1.0 - up.y)
+	return Vector3(-up.x, 0.0, -up.z) * stand * 0.9 * lies
 
 
 func _set_leg(r_pose: PoseSample, p_frame: XrFrame, p_side: int, p_up: float) -> void:
@@ -277,18 +298,50 @@ func _set_leg(r_pose: PoseSample, p_frame: XrFrame, p_side: int, p_up: float) ->
 		var lifted: Transform3D = _lift_heel(Transform3D(Basis(foot), ankle), hip, lengths, limb)
 		foot = lifted.basis.get_rotation_quaternion()
 		ankle = lifted.origin
-	var front: Vector3 = foot * Vector3(0.0, 0.0, 0.6) + r_pose.orientation(0) * Vector3.BACK
-	front = pins.pole(p_frame, XrFrame.Pin.LEFT_KNEE + p_side, hip, ankle, front)
-	var knee: Vector3 = TwoBone.middle(hip, ankle, lengths.x, lengths.y, front)
-	LimbAxes.set_leg(r_pose, p_side, hip, knee, ankle, front)
+	for _round: int in 3:
+		_bend_leg(r_pose, p_frame, p_side, hip, Transform3D(Basis(foot), ankle), lengths)
+		var shank: Quaternion = r_pose.orientation(limb + 1)
+		var bend: Vector3 = Rotations.vector(shank.inverse() * foot)
+		if bend == bend.clamp(ANKLE_MIN, ANKLE_MAX) or pins.knows_foot(p_frame, p_side):
+			break
+		# What the ankle does not bend lifts the heel, too: the ball stays.
+		var turned: Quaternion = shank * Rotations.from_vector(bend.clamp(ANKLE_MIN, ANKLE_MAX))
+		ankle += foot * _ball(limb) - turned * _ball(limb)
+		foot = turned
 	r_pose.set_orientation(limb + 2, foot)
+
+
+func _bend_leg(
+	r_pose: PoseSample,
+	p_frame: XrFrame,
+	p_side: int,
+	p_hip: Vector3,
+	p_foot: Transform3D,
+	p_lengths: Vector2
+) -> void:
+	var along: Vector3 = TwoBone.direction(p_hip, p_foot.origin)
+	var reached: float = TwoBone.reach(p_hip.distance_to(p_foot.origin), p_lengths.x, p_lengths.y)
+	var ankle: Vector3 = p_hip + along * reached
+	# Knees point where the hips do once these are turned in line with the leg.
+	var hips: Quaternion = r_pose.orientation(Limbs.HIPS)
+	var front: Vector3 = TwoBone.turn_between(hips * Vector3.DOWN, along) * (hips * Vector3.BACK)
+	front += p_foot.basis.z * 0.5
+	front = pins.pole(p_frame, XrFrame.Pin.LEFT_KNEE + p_side, p_hip, ankle, front)
+	var knee: Vector3 = TwoBone.middle(p_hip, ankle, p_lengths.x, p_lengths.y, front)
+	LimbAxes.set_leg(r_pose, p_side, p_hip, knee, ankle, front)
+	LimbAxes.spare_leg(r_pose, p_side)
+
+
+## From the ankle to the ball of the foot, m.
+func _ball(p_limb: int) -> Vector3:
+	return Vector3(0.0, -_joints[p_limb + 2].y, _size.length(&"foot_length") * 0.7)
 
 
 func _lift_heel(
 	p_foot: Transform3D, p_hip: Vector3, p_lengths: Vector2, p_limb: int
 ) -> Transform3D:
 	var most: float = (p_lengths.x + p_lengths.y) * TwoBone.STRETCH
-	var ball: Vector3 = Vector3(0.0, -_joints[p_limb + 2].y, _size.length(&"foot_length") * 0.7)
+	var ball: Vector3 = _ball(p_limb)
 	var found: Transform3D = p_foot
 	var low: float = 0.0
 	var high: float = deg_to_rad(60.0)

@@ -81,6 +81,20 @@ func blend(p_from: XrFrame, p_to: XrFrame, p_part: float) -> void:
 			pins[pin] = p_from.pins[pin].interpolate_with(p_to.pins[pin], p_part)
 
 
+## Goes into another frame of the same size, in which this one lies somewhere.
+func move(p_into: Transform3D) -> void:
+	head = p_into * head
+	for hand: int in 2:
+		hands[hand] = p_into * hands[hand]
+	for pin: int in PINS:
+		pins[pin] = p_into * pins[pin]
+	var turn: Quaternion = p_into.basis.get_rotation_quaternion()
+	var turned: Dictionary[int, Quaternion] = {}
+	for joint: int in fingers:
+		turned[joint] = turn * fingers[joint]
+	fingers = turned
+
+
 ## Nothing is tracked any more.
 func lose_all() -> void:
 	has_head = false

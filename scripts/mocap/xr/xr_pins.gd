@@ -24,7 +24,9 @@ func restart() -> void:
 
 
 ## Learns those that were not seen before, on somebody who stands as a pose says.
-func learn(p_frame: XrFrame, p_pose: PoseSample, p_yaw: float, p_joints: PackedVector3Array) -> void:
+func learn(
+	p_frame: XrFrame, p_pose: PoseSample, p_yaw: float, p_joints: PackedVector3Array
+) -> void:
 	var facing: Quaternion = Rotations.yaw(p_yaw)
 	if _is_new(p_frame, XrFrame.Pin.WAIST):
 		var hips: Transform3D = Transform3D(Basis(facing), p_pose.root)

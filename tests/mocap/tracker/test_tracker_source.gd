@@ -168,6 +168,20 @@ func test_missing_and_broken_trackers() -> void:
 
 
 ## A skeleton with the bones of the humanoid profile, and those that the modifier would miss.
+func test_body_trackers_of_any_name_are_found_and_are_sources() -> void:
+	var other: TrackerPublisher = TrackerPublisher.new(_clip.get_body(), &"/user/body_tracker/fb")
+	var own: TrackerPublisher = TrackerPublisher.new(_clip.get_body())
+	other.publish(_clip.pose_at(1.0))
+	is_true(TrackerSource.list_others().has("/user/body_tracker/fb"))
+	is_false(TrackerSource.list_others().has(String(TrackerPublisher.NAME)))
+	var source: TrackerSource = TrackerSource.new(&"/user/body_tracker/fb")
+	source.advance(5)
+	var limb: Quaternion = _clip.pose_at(1.0).orientation(4)
+	is_true(Rotations.between_deg(source.sample(5).orientation(4), limb) < 0.01)
+	other.retire()
+	own.retire()
+
+
 func _humanoid() -> Skeleton3D:
 	var skeleton: Skeleton3D = Skeleton3D.new()
 	var profile: SkeletonProfileHumanoid = SkeletonProfileHumanoid.new()
