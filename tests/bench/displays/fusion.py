@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: MIT
+"""The wearer's body in a headset: a suit that drifts, and a body of headset and hands alone.
+
+In simulated time: a heading that is 30 deg wrong while standing, 10 minutes at 3 deg/min, what is
+seen of the correction, the way from the seen hand to the controller, the cost of a sample
+(fusion_bench.gd); what headset and hands alone make of recorded people (xr_body_bench.gd). Both
+run alone, too, with options for clip, seed, drift, noise, sizes and rate:
+
+    godot --headless --path . -s tests/bench/displays/fusion_bench.gd -- --bvh=FILE --drift=6
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+
+from toolchain.console import Failure, tail
+from toolchain.stats import GOALS_MISSED
+
+from displays import SCRIPTS, Bench
+
+PART = "fusion"
+PROGRAMS = ("fusion_bench.gd", "xr_body_bench.gd")
+
+
+def measure(bench: Bench) -> None:
+    """Adds the figures of all clips."""
+    for program in PROGRAMS:
+        done = subprocess.run(
+            bench.command("--headless", "-s", SCRIPTS + program, "--", "--json"),
+            capture_output=True,
+            text=True,
+            timeout=1800.0,
+            check=False,
+            env={**os.environ, **bench.godot.environment()},
+        )
+        # A goal that is missed is a result: it is judged again here.
+        if done.returncode not in (0, GOALS_MISSED):
+            said = tail(done.stdout + done.stderr, 20)
+            raise Failure(f"{program} ended with {done.returncode}:\n{said}")
+        for line in done.stdout.splitlines():
+            if line.startswith("{"):
+                row = json.loads(line)
+                figure = (row["case"], row["metric"], row["value"], row["unit"])
+                bench.stats.add(*figure, at_most=row["goal"])
