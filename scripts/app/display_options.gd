@@ -64,14 +64,20 @@ static func _walls(p_showing: PackedStringArray) -> Array[OptionRow]:
 
 
 static func _headset(p_showing: PackedStringArray) -> Array[OptionRow]:
-	var moving: PackedStringArray = ProgramRoles.moving()
 	var sources: PackedStringArray = ["both", "hmd", "suit"]
 	return [
 		OptionRow.choice(
-			"head-orientation", moving, "both", sources, "what turns the head of your body"
+			"head-orientation", p_showing, "both", sources, "what turns the head of your body"
 		),
 		OptionRow.choice(
-			"head-position", moving, "both", sources, "what places your body in the room"
+			"head-position", p_showing, "both", sources, "what places your body in the room"
+		),
+		OptionRow.choice(
+			"mirror",
+			p_showing,
+			"steady",
+			["steady", "eye", "none"],
+			"what the window shows while a headset is worn: a calm view, the left eye's, or nothing"
 		),
 		OptionRow.flag("seated", p_showing, "you sit: the headset's height does not count"),
 		OptionRow.number(

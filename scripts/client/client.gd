@@ -76,6 +76,7 @@ func _process(p_delta: float) -> void:
 	if _exit_code != 0:
 		return
 	_display.await_frame()
+	_display.read_devices(_seat)
 	if _mocap.people != null:
 		_mocap.advance(_stream.now_s())
 		_wearer.advance(_stream.now_s())
@@ -134,6 +135,7 @@ func _apply_options() -> String:
 		fault = _seat.open(_scene, _hud, _options, has_body)
 		_controls.wheel_wanted.connect(_seat.show_wheel_panel)
 	if fault == "" and Roles.can(Roles.find(_role), Roles.Capability.SEND_MOTION):
+		_mocap.headset = _display.headset
 		fault = _mocap.open(_options, made.live.link)
 		made.live.joined.connect(_mocap.people.begin)
 		_wearer = WearerReports.new(made.live.link, _mocap)
@@ -230,7 +232,9 @@ func _update_scene() -> void:
 	elif people != null and own.has(people.first_actor):
 		_stats.own_shown(people.shown_moment_usec(now))
 	_seat.apply_prediction()
+	_scene.wears_headset = _display.is_worn()
 	_scene.update(_stream.frame_s(now), own)
+	_display.place_wearer(people, own, get_process_delta_time())
 	var headless: bool = DisplayServer.get_name() == "headless"
 	if FramePacer.is_free():
 		Engine.max_fps = _pacer.limit_for(_scene.replica.shown_tick(), _scene.replica.tick_rate())

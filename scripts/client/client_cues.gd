@@ -51,6 +51,13 @@ func get_forces() -> ForceFeedback:
 	return _forces
 
 
+## Tells a frame the pose of the motion platform now: what is commanded to it.
+func tell_platform(p_frame: PlatformFrame) -> void:
+	var sender: PlatformSender = _platform.get_sender()
+	if is_instance_valid(_seat) and _platform.platform != null:
+		p_frame.push_cue(Time.get_ticks_usec(), sender.get_position(), sender.get_attitude())
+
+
 func _take(p_seat: Seat) -> void:
 	_seat = p_seat
 	_platform.seat = p_seat

@@ -13,6 +13,8 @@ const _SOFTWARE: PackedStringArray = ["llvmpipe", "softpipe", "swiftshader", "la
 
 ## The display, or null: the window.
 var mode: DisplayMode = null
+## What a headset needs besides; null without one.
+var headset: ClientHeadset = null
 
 var _late: LateStart = null
 var _period_usec: int = 0
@@ -34,6 +36,8 @@ func open(p_options: Options) -> void:
 		_fall_back(fault)
 	elif mode != null:
 		_late = null
+		if headset != null:
+			headset.begin()
 
 
 ## Waits until it is time to begin the frame. Call it first.
@@ -64,9 +68,37 @@ func due_usec() -> int:
 	return mode.due_usec() if mode != null else 0
 
 
+## Whether the user looks out of a headset.
+func is_worn() -> bool:
+	return headset != null and headset.display.is_worn()
+
+
+## Shows what the wearer's devices say in the frame that begins: before samples are taken.
+func read_devices(p_seat: ClientSeat) -> void:
+	if headset != null:
+		p_seat.tell_platform(headset.platform)
+		var now: int = Time.get_ticks_usec()
+		var due: int = maxi(due_usec(), now)
+		headset.read(due, due + MotionSender.unix_ahead())
+
+
+## Puts a wearer into the world, of which everything is where this frame (of a length, s) shows it.
+func place_wearer(
+	p_people: ClientPeople, p_own: Dictionary[int, PackedFloat32Array], p_step_s: float
+) -> void:
+	if not is_worn():
+		return
+	if p_people == null or not p_people.place_headset(headset, _scene.replica, p_own):
+		headset.follow_camera(_scene.camera().global_transform)
+	headset.place(maxi(due_usec(), Time.get_ticks_usec()), p_step_s)
+
+
 ## Stats for a report.
 func report() -> Dictionary:
-	return mode.report() if mode != null else {"display": DisplayNames.WINDOW}
+	var found: Dictionary = mode.report() if mode != null else {"display": DisplayNames.WINDOW}
+	if headset != null:
+		found["headset"] = headset.report()
+	return found
 
 
 func _exit_tree() -> void:
@@ -75,6 +107,14 @@ func _exit_tree() -> void:
 
 
 func _unhandled_input(p_event: InputEvent) -> void:
+	if headset != null and p_event.is_action_pressed(&"recentre"):
+		headset.display.recentre()
+		get_viewport().set_input_as_handled()
+	elif headset != null and p_event.is_action_pressed(&"enter_headset"):
+		var fault: String = headset.display.enter()
+		if fault != "":
+			_on_told("No headset: %s." % fault)
+		get_viewport().set_input_as_handled()
 	var stereo: StereoDisplay = mode as StereoDisplay
 	if stereo != null and p_event.is_action_pressed(&"swap_eyes"):
 		stereo.swap()
@@ -84,6 +124,14 @@ func _unhandled_input(p_event: InputEvent) -> void:
 ## Makes the display that is asked for. Returns what is wrong, or an empty text.
 func _make(p_options: Options) -> String:
 	var name: String = p_options.text("display")
+	if name == DisplayNames.HMD:
+		var hmd: HmdDisplay = HmdDisplay.new()
+		hmd.set_mirror(HmdDisplay.Mirror[p_options.text("mirror").to_upper()])
+		mode = hmd
+		headset = ClientHeadset.new()
+		headset.name = "Headset"
+		add_child(headset)
+		headset.open(hmd, p_options)
 	if not DisplayNames.STEREO.has(name):
 		return ""
 	var stereo: StereoDisplay = StereoDisplay.new()
@@ -113,6 +161,9 @@ func _on_told(p_text: String) -> void:
 
 func _fall_back(p_why: String) -> void:
 	Log.warning("display", p_why)
+	if headset != null:
+		headset.queue_free()
+		headset = null
 	_hud.show_note(
 		"%s. You see the world in this window." % (p_why.left(1).to_upper() + p_why.substr(1))
 	)

@@ -106,6 +106,18 @@ func evaluate(p_now_usec: int, p_truth: PackedFloat32Array, p_tick: int) -> Pack
 	return _body.evaluate(p_now_usec / 1e6, p_now_usec + MotionSender.unix_ahead())
 
 
+## Where the wearer's own frame lies in the world, of the body's floats and its heading, rad. Takes
+## a body that is carried as it sits: NAN for the heading.
+func frame_in_world(p_floats: PackedFloat32Array, p_heading: float) -> Transform3D:
+	if not _has_body or newest == null or p_floats.size() < 7:
+		return Transform3D.IDENTITY
+	var heading: float = p_heading
+	if is_nan(heading):
+		var shown: Quaternion = Quaternion(p_floats[3], p_floats[4], p_floats[5], p_floats[6])
+		heading = _yaw(shown) - _yaw(newest.orientation(Limbs.ROOT))
+	return _body.frame_in_world(newest, p_floats, heading)
+
+
 ## Says how far the person's own frame is turned about the vertical in the world, rad; with NAN it
 ## stays as it is.
 func turn(p_heading: float) -> void:
@@ -120,3 +132,9 @@ func shown_moment_usec(p_now_usec: int) -> int:
 ## Stats for a report.
 func stats() -> Dictionary:
 	return _sender.stats(_index)
+
+
+## Where something that faces +Z at rest faces: rad about the vertical.
+static func _yaw(p_turn: Quaternion) -> float:
+	var ahead: Vector3 = p_turn * Vector3.BACK
+	return atan2(ahead.x, ahead.z)

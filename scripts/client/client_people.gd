@@ -146,6 +146,30 @@ func evaluate(p_now_usec: int, p_replica: WorldReplica) -> Dictionary[int, Packe
 	return bodies
 
 
+## Where the first one's own frame lies in the world, of what is shown of that body (see
+## [method evaluate]); false where nothing is known of it yet.
+func place_headset(
+	p_headset: ClientHeadset, p_replica: WorldReplica, p_own: Dictionary[int, PackedFloat32Array]
+) -> bool:
+	if first_actor < 0 or not p_replica.has_person(first_actor):
+		return false
+	var floats: PackedFloat32Array = p_own.get(first_actor, PackedFloat32Array())
+	if floats.is_empty():
+		floats = p_replica.person_floats(first_actor)
+	for motion: ClientMotion in _motions:
+		if motion.actor == first_actor and motion.newest != null:
+			var carrier: int = p_replica.decoder.get_frame(first_actor)
+			var lies: Transform3D = Transform3D.IDENTITY
+			if carrier >= 0 and p_replica.has_body(carrier):
+				lies = p_replica.body_transform(carrier)
+			var frame: Transform3D = motion.frame_in_world(
+				floats, p_replica.ground_heading(first_actor)
+			)
+			p_headset.follow_body(first_actor, frame, carrier, lies)
+			return true
+	return false
+
+
 ## Which moment of the first one's motion is shown at a local time: µs of Unix time.
 func shown_moment_usec(p_now_usec: int) -> int:
 	return _motions[0].shown_moment_usec(p_now_usec) if not _motions.is_empty() else 0

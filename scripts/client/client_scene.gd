@@ -26,6 +26,8 @@ const _CAMERA_NEAR_M: float = 4.0
 var replica: WorldReplica = WorldReplica.new()
 ## Fields, commands and events of what is there.
 var entities: ClientEntities = ClientEntities.new(replica)
+## Whether the user looks out of the own eyes, in a headset.
+var wears_headset: bool = false
 ## Avatars on their way.
 var avatars: AvatarArrival = AvatarArrival.new()
 
@@ -149,7 +151,7 @@ func update(
 	if not replica.is_ready() or replica.newest_tick < 0:
 		return
 	if p_tick >= 0.0:
-		replica.show_tick(p_tick, p_now_s)
+		replica.smoother.show_tick(p_tick, p_now_s)
 	else:
 		replica.evaluate(p_now_s)
 	_level.move_bodies(replica)
@@ -325,6 +327,9 @@ func _aim() -> void:
 	var actor: int = followed()
 	_camera.has_head = actor >= 0
 	_keep_camera_out()
+	if wears_headset and _followed.own >= 0:
+		_camera.view = OrbitCamera.View.EYES
+		actor = _followed.own
 	var looks_out: bool = _camera.view == OrbitCamera.View.EYES and _camera.fixed == null
 	_camera.is_steady = actor != _followed.own
 	_look_out_of(actor if looks_out else -1)

@@ -90,6 +90,11 @@ func apply_prediction() -> void:
 	_prediction.apply()
 
 
+## Tells a frame where the motion platform is that the user sits on.
+func tell_platform(p_frame: PlatformFrame) -> void:
+	_cues.tell_platform(p_frame)
+
+
 ## Says whether keys are meant for the window's menu.
 func set_menu_open(p_is_open: bool) -> void:
 	_controls.hands_off = p_is_open or (_panel != null and _panel.visible)

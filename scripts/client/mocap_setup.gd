@@ -15,8 +15,12 @@ const _PERIOD_S: float = 0.25
 var inputs: MotionInputs = MotionInputs.new()
 ## The people whose motion is sent; null before [method open].
 var people: ClientPeople = null
+## The headset of the first of them, or null.
+var headset: ClientHeadset = null
 
 var _listed_s: float = 0.0
+# What is sent of a source where that is not the source itself: it is fitted to a headset.
+var _fitted: Dictionary[MotionSource, MotionSource] = {}
 # Made when it is opened for the first time: most clients never do.
 var _panel: DevicePanel = null
 
@@ -33,8 +37,10 @@ func _exit_tree() -> void:
 ## Opens all sources. Returns what is wrong, or an empty text.
 func open(p_options: Options, p_link: ClientLink) -> String:
 	people = ClientPeople.new(p_link, p_options)
-	inputs.appeared.connect(people.add)
-	inputs.vanished.connect(people.remove)
+	inputs.appeared.connect(_on_appeared)
+	inputs.vanished.connect(_on_vanished)
+	if headset != null and headset.display.is_worn():
+		inputs.make_default = headset.make_body
 	var fault: String = inputs.open(p_options)
 	if fault == "" and p_options.is_on("panel"):
 		_show_panel(true)
@@ -69,6 +75,8 @@ func calibrate(p_index: int, p_kind: int, p_now_s: float, p_answer: Callable = C
 		if p_answer.is_valid():
 			p_answer.call(false, "has no person %d, or no calibration %d" % [p_index, p_kind])
 		return
+	if source is FusedSource:
+		source = (source as FusedSource).source
 	inputs.calibrate(source, p_kind as CalibrationGuide.Kind, p_now_s, p_answer)
 
 
@@ -99,4 +107,17 @@ func _show_panel(p_shows: bool) -> void:
 
 func _on_profile_changed(p_suit: int) -> void:
 	if p_suit < inputs.wearers.size():
-		people.measure(inputs.wearers[p_suit])
+		var source: MotionSource = inputs.wearers[p_suit]
+		people.measure(_fitted.get(source, source))
+
+
+func _on_appeared(p_source: MotionSource, p_name: String) -> void:
+	if headset != null and headset.fused == null and headset.body == null:
+		_fitted[p_source] = headset.fit(p_source)
+	people.add(_fitted.get(p_source, p_source), p_name)
+
+
+func _on_vanished(p_source: MotionSource) -> void:
+	people.remove(_fitted.get(p_source, p_source))
+	if _fitted.erase(p_source):
+		headset.fused = null

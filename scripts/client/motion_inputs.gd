@@ -19,6 +19,8 @@ var usb: UsbSuitFeed = null
 var mvn: MvnStream = null
 ## Guides calibrations that are asked for.
 var calibration: ClientCalibration = ClientCalibration.new()
+## Makes a motion source where the options name none: [code]func() -> MotionSource[/code], if valid.
+var make_default: Callable = Callable()
 ## Those who wear sensors.
 var wearers: Array[SuitSource] = []
 
@@ -56,6 +58,9 @@ func open(p_options: Options) -> String:
 	if fault == "" and p_options.text("tracker") != "":
 		_tracker = TrackerSource.new(p_options.text("tracker"))
 		appeared.emit(_tracker, "")
+	if fault == "" and not _has_any() and make_default.is_valid():
+		_has_files = true
+		appeared.emit(make_default.call(), "")
 	if fault == "" and not _has_any():
 		fault = _open_files("default-bvh")
 	if fault == "" and not _has_any():

@@ -177,12 +177,6 @@ func evaluate(p_now_s: float) -> void:
 	smoother.evaluate(p_now_s)
 
 
-## Works out where everything is at a tick of the server that the first display of this client's
-## station has chosen, at a time of the stream's clock, s.
-func show_tick(p_tick: float, p_now_s: float) -> void:
-	smoother.show_tick(p_tick, p_now_s)
-
-
 ## The server's tick that is shown, with its fraction, or -1.
 func shown_tick() -> float:
 	return smoother.get_shown_tick()

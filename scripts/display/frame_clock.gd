@@ -7,8 +7,8 @@ extends RefCounted
 ## trembles. The beat is found from when frames begin, by a filter that follows phase and period.
 ## Where nothing paces the frames evenly (no vertical synchronisation, a machine that is too slow),
 ## the beat is when they begin. To it comes what drawing takes: motion is that of when the frame is
-## there, not of when work on it began. So a slow renderer shows the world as late as a quick one, as
-## far as motion can be carried on.
+## there, not of when work on it began. So a slow renderer shows the world as late as a quick one,
+## as far as motion can be carried on.
 
 ## How much of an error of the phase is corrected with each frame; the period takes the share that
 ## makes both settle without overshoot.

@@ -54,6 +54,16 @@ func evaluate(p_now_s: float, p_wearer_usec: int) -> PackedFloat32Array:
 	return _feedback.transforms()
 
 
+## Where the wearer's own frame lies in the world when the body is shown by these floats (see
+## [method evaluate]) and is turned in it by a heading, rad.
+func frame_in_world(
+	p_sample: PoseSample, p_floats: PackedFloat32Array, p_heading: float
+) -> Transform3D:
+	var turn: Basis = Basis(Vector3.UP, p_heading)
+	var root: Vector3 = _skeleton.root_of(p_sample, p_sample.root * _scale)
+	return Transform3D(turn, Vector3(p_floats[0], p_floats[1], p_floats[2]) - turn * root)
+
+
 ## Which of the wearer's moments [method show] shows at a time of the wearer's clock, µs.
 func shown_moment_usec(p_wearer_usec: int) -> int:
 	var newest: int = roundi(_feedback.newest_moment() * 1e6)

@@ -1,0 +1,201 @@
+class_name ClientHeadset
+extends Node
+## Puts the wearer of a headset into the session: the devices move the own body, the room lies where
+## that body is, and buttons do what keys do.
+##
+## The wearer's own frame, in which samples are, is the recentred tracking space, turned so that who
+## looks ahead in the room faces +Z, as people do. The view is the headset's alone.
+
+## What buttons of the right and the left hand do: input actions.
+const ACTIONS: Array[Dictionary] = [
+	{
+		&"trigger_click": &"interact",
+		&"ax_button": &"change_view",
+		&"by_button": &"next_person",
+		&"menu_button": &"ui_cancel",
+		&"grip_click": &"switch_torch",
+	},
+	{
+		&"trigger_click": &"fire",
+		&"grip_click": &"interact",
+		&"ax_button": &"interact",
+		&"by_button": &"next_ammunition",
+		&"primary_click": &"switch_torch",
+		&"menu_button": &"ui_cancel",
+	},
+]
+## What gestures of a tracked hand do: gesture, and the action of a button.
+const GESTURES: Dictionary[HandGestures.Gesture, StringName] = {
+	HandGestures.Gesture.PINCH: &"trigger_click",
+	HandGestures.Gesture.FIST: &"grip_click",
+	HandGestures.Gesture.THUMB_UP: &"menu_button",
+}
+## Eyes of somebody without a body are so high above the ground, m.
+const _EYES_M: float = 1.65
+## People look along +Z, headsets along -Z.
+const _AHEAD: Transform3D = Transform3D(Basis(Vector3.LEFT, Vector3.UP, Vector3.FORWARD))
+
+## The display.
+var display: HmdDisplay = null
+## The platform that the wearer sits on, which may not move the view.
+var platform: PlatformFrame = PlatformFrame.new()
+## The suit's motion, fitted to the headset; null without a suit.
+var fused: FusedSource = null
+## The body of somebody without a suit; null with one.
+var body: XrBodySource = null
+
+var _devices: XrDevices = XrDevices.new()
+var _gestures: Array[HandGestures] = [HandGestures.new(), HandGestures.new()]
+var _has_vignette: bool = true
+var _room: RoomFrame = RoomFrame.new()
+var _orientation: HeadFusion.Source = HeadFusion.Source.BOTH
+var _position: HeadFusion.Source = HeadFusion.Source.BOTH
+var _wanted: Transform3D = Transform3D.IDENTITY
+var _carrier: int = -1
+var _carrier_frame: Transform3D = Transform3D.IDENTITY
+var _has_begun: bool = false
+var _actor: int = -1
+var _tier: int = -1
+
+
+## Takes over the display and what the options say of head and body.
+func open(p_display: HmdDisplay, p_options: Options) -> void:
+	display = p_display
+	_orientation = HeadFusion.SOURCES[p_options.text("head-orientation")]
+	_position = HeadFusion.SOURCES[p_options.text("head-position")]
+	_has_vignette = p_options.is_on("vignette")
+	display.snap_turn.angle = deg_to_rad(p_options.number("snap-turn"))
+	display.recentring.is_seated = p_options.is_on("seated")
+	display.pressed.connect(_on_button.bind(true))
+	display.released.connect(_on_button.bind(false))
+	display.recentred.connect(_on_recentred)
+	display.quality_wanted.connect(_on_quality_wanted)
+	for hand: int in 2:
+		_gestures[hand].began.connect(_on_gesture.bind(hand, true))
+		_gestures[hand].ended.connect(_on_gesture.bind(hand, false))
+
+
+## The display shows the world.
+func begin() -> void:
+	if display.is_worn() and not _has_vignette:
+		display.view().vignette.strength = 0.0
+
+
+## The motion of a wearer's suit, fitted to the headset.
+func fit(p_source: MotionSource) -> MotionSource:
+	if fused != null or body != null:
+		return p_source
+	fused = FusedSource.new(p_source)
+	fused.fusion.orientation = _orientation
+	fused.fusion.position = _position
+	return fused
+
+
+## The motion of somebody who has no suit.
+func make_body() -> MotionSource:
+	body = XrBodySource.new()
+	body.is_seated = display.recentring.is_seated
+	return body
+
+
+## Reads the devices for a frame that will be seen at a time, µs of [method Time.get_ticks_usec]
+## and of Unix time. Call it before samples are taken.
+func read(p_due_usec: int, p_unix_usec: int) -> void:
+	if not display.is_worn():
+		return
+	var frame: XrFrame = _devices.read(p_unix_usec)
+	for hand: int in 2:
+		var tracker: XRHandTracker = XRServer.get_tracker(XrDevices.HANDS[hand]) as XRHandTracker
+		_gestures[hand].advance(tracker, get_process_delta_time())
+	if not frame.has_head:
+		return
+	if not _has_begun and frame.has_place:
+		_has_begun = true
+		display.recentre()
+	frame.move(_AHEAD * _in_room(p_due_usec))
+	if fused != null:
+		fused.push(frame)
+	if body != null:
+		body.push(frame)
+
+
+## Puts the wearer's room into the world for a frame of a length, s.
+func place(p_due_usec: int, p_step_s: float) -> void:
+	var wearer: Transform3D = _room.advance(_wanted, p_step_s, _carrier, _carrier_frame)
+	# The display puts its own recentring between the room and the tracking space.
+	var recentring: Transform3D = display.recentring.transform()
+	var room: Transform3D = wearer * _AHEAD * _in_room(p_due_usec) * recentring.affine_inverse()
+	display.place_room(room)
+
+
+## The own body is somewhere: the wearer's own frame in the world, and what carries the wearer: its
+## number (-1: nothing) and where it is.
+func follow_body(
+	p_actor: int, p_frame: Transform3D, p_carrier: int, p_carrier_frame: Transform3D
+) -> void:
+	if p_actor != _actor:
+		_actor = p_actor
+		_room.restart()
+	_wanted = p_frame
+	_carrier = p_carrier
+	_carrier_frame = p_carrier_frame
+
+
+## Somebody without a body stands where a camera is, m, and faces where it looks.
+func follow_camera(p_camera: Transform3D) -> void:
+	if _actor >= 0:
+		_actor = -1
+		_room.restart()
+	_carrier = -1
+	_carrier_frame = Transform3D.IDENTITY
+	var turn: Basis = Basis(Vector3.UP, Recentring.heading_of(p_camera.basis)) * _AHEAD.basis
+	_wanted = Transform3D(turn, p_camera.origin - Vector3(0.0, _EYES_M, 0.0))
+
+
+## Where the head is in the wearer's own frame.
+func head_in_frame() -> Transform3D:
+	return _AHEAD * _in_room(0) * _devices.frame.head
+
+
+## Stats for a report.
+func report() -> Dictionary:
+	var found: Dictionary = {"suit": fused != null, "body": body != null}
+	if fused != null:
+		found["heading_correction_deg"] = rad_to_deg(fused.correction())
+	return found
+
+
+## From the tracking space to the room: recentred, and without what a motion platform moves.
+func _in_room(p_due_usec: int) -> Transform3D:
+	var still: Transform3D = platform.without_platform(Transform3D.IDENTITY, p_due_usec)
+	return display.recentring.transform() * still
+
+
+func _on_recentred() -> void:
+	if fused != null:
+		fused.recentre()
+	if body != null:
+		body.recentre()
+		body.is_seated = display.recentring.is_seated
+
+
+func _on_button(p_name: StringName, p_hand: int, p_is_pressed: bool) -> void:
+	var action: StringName = ACTIONS[p_hand].get(p_name, &"")
+	if action == &"":
+		return
+	var event: InputEventAction = InputEventAction.new()
+	event.action = action
+	event.pressed = p_is_pressed
+	Input.parse_input_event(event)
+
+
+func _on_gesture(p_gesture: HandGestures.Gesture, p_hand: int, p_begins: bool) -> void:
+	if GESTURES.has(p_gesture):
+		_on_button(GESTURES[p_gesture], p_hand, p_begins)
+
+
+## Draws a lower tier of quality, or the user's own again.
+func _on_quality_wanted(p_step: int) -> void:
+	if _tier < 0:
+		_tier = maxi(Quality.NAMES.find(Quality.tier.name), 0)
+	Quality.use(Quality.find(Quality.NAMES[maxi(_tier - p_step, 0)]), get_viewport())
