@@ -34,6 +34,7 @@ var _hud: HudPicture = null
 var _hud_places: Array[TextureRect] = []
 var _canvas: Node2D = null
 var _second: EyeWindow = null
+var _is_passing_on: bool = false
 var _kept: Dictionary[StringName, Variant] = {}
 
 
@@ -145,19 +146,23 @@ func _process(_delta: float) -> void:
 		_views[at].look_beside(camera, side * eye_distance, convergence)
 
 
-## A window may show menus where they are seen, not where they are laid out: points follow.
+## Menus are seen in parts of the window, not where they are laid out: what points at them follows.
 func _input(p_event: InputEvent) -> void:
 	var mouse: InputEventMouse = p_event as InputEventMouse
-	if mouse == null or _window == null:
-		return
 	var cut: Vector2 = StereoMode.parts(_kind)
-	if cut == Vector2.ONE:
+	if mouse == null or _window == null or _is_passing_on or cut == Vector2.ONE:
 		return
-	var room: Vector2 = _window.get_visible_rect().size
-	mouse.position = (mouse.position * cut).posmodv(room)
-	var motion: InputEventMouseMotion = p_event as InputEventMouseMotion
+	# A new one: what is below the pointer was found before anybody was asked.
+	var moved: InputEventMouse = mouse.duplicate()
+	moved.position = (mouse.position * cut).posmodv(_window.get_visible_rect().size)
+	moved.global_position = moved.position
+	var motion: InputEventMouseMotion = moved as InputEventMouseMotion
 	if motion != null:
 		motion.relative *= cut
+	_is_passing_on = true
+	_window.push_input(moved, true)
+	_is_passing_on = false
+	_window.set_input_as_handled()
 
 
 ## The window draws no world of its own, and its pixels are not scaled.

@@ -3,8 +3,9 @@
 
 from __future__ import annotations
 
-from displays import Bench
 from toolchain.display import virtual_display
+
+from displays import Bench
 
 PART = "stereo"
 MODES = ("side-by-side", "anaglyph", "rows", "columns")

@@ -1,0 +1,51 @@
+class_name StationClock
+extends RefCounted
+## Which tick another display of the station shows at a moment of the own clock: pure, of its
+## messages and when they came.
+##
+## The quickest of the last messages tells how the clocks differ, so what the network delays now and
+## then moves nothing. From the newest message on, ticks go on with their rate.
+
+## Messages of which the quickest counts.
+const _WINDOW: int = 64
+## So long the other one's ticks go on without a message, µs; then they stand, and at last nothing
+## is known any more.
+const CARRY_USEC: int = 250_000
+const FORGET_USEC: int = 3_000_000
+
+## The newest message; null: none.
+var newest: StationMessage = null
+
+var _delays: PackedInt64Array = []
+var _arrival_usec: int = 0
+
+
+## Takes a message that came at a time of the own clock, µs. Older ones than the newest count for
+## nothing.
+func take(p_message: StationMessage, p_arrival_usec: int) -> void:
+	var is_new: bool = newest == null or newest.sender != p_message.sender
+	if is_new:
+		_delays.clear()
+	elif p_message.sequence <= newest.sequence:
+		return
+	newest = p_message
+	_arrival_usec = p_arrival_usec
+	_delays.append(p_arrival_usec - p_message.sent_usec)
+	if _delays.size() > _WINDOW:
+		_delays.remove_at(0)
+
+
+## Whether the other one has been heard of lately.
+func is_known(p_now_usec: int) -> bool:
+	return newest != null and p_now_usec - _arrival_usec < FORGET_USEC
+
+
+## The tick that the other one shows at a moment of the own clock, µs; NAN if nothing is known.
+func tick_at(p_at_usec: int, p_now_usec: int) -> float:
+	if not is_known(p_now_usec):
+		return NAN
+	var least: int = _delays[0]
+	for delay: int in _delays:
+		least = mini(least, delay)
+	var since: int = p_at_usec - least - newest.at_usec
+	return newest.tick + clampi(since, -CARRY_USEC, CARRY_USEC) * 1e-6 * newest.rate

@@ -1,0 +1,229 @@
+class_name WallDisplay
+extends DisplayMode
+## Shows the world on the screens of a station: several monitors around a seat, projectors on a
+## curved screen, the walls of a CAVE. Each screen is a window through which the world is seen from
+## the viewer's eyes, fixed or tracked.
+##
+## The station stands where the client's camera is: what the layout calls the eye's first place is
+## the camera's, and straight ahead is the camera's heading; the horizon stays level, but for a
+## cabin ([member WallLayout.tilts]). One process shows all screens, or each has a client of its own
+## ([member WallLayout.is_split]), kept in step by [StationSync]. The first window keeps texts and
+## menus. The engine has no genlock: displays of several machines show the same moment, but not in
+## the same refresh of their panels. Sunlight needs its simple shadows in views so oblique
+## ([constant DirectionalLight3D.SHADOW_ORTHOGONAL]).
+
+var layout: WallLayout = null
+
+var _panes: Array[WallPane] = []
+var _kept: Dictionary[StringName, Variant] = {}
+var _window: Window = null
+var _eye: Vector3 = Vector3.ZERO
+var _right: Vector3 = Vector3.RIGHT
+var _is_eye_lost: bool = false
+var _test: TestPicture.Kind = TestPicture.Kind.NONE
+var _sync: StationSync = null
+var _lost_tracker_s: float = 0.0
+
+
+## Reads a layout; [param p_screens] are the names of the screens of this client, all if it is
+## empty. Returns what is wrong, or an empty text.
+func set_up(p_path: String, p_screens: String = "") -> String:
+	layout = WallLayout.read(p_path)
+	var fault: String = layout.describe_faults()
+	if fault != "":
+		return fault
+	var first: String = layout.screens[0].name
+	fault = layout.keep_only(p_screens)
+	if fault != "":
+		return fault
+	if layout.sync_host != "" and layout.is_split:
+		_sync = StationSync.new(layout.fingerprint, layout.screens[0].name == first)
+	_eye = layout.eye
+	return ""
+
+
+func open() -> String:
+	if layout == null:
+		return "walls need a layout: name it with --layout=FILE"
+	if DisplayServer.get_name() == "headless":
+		return "walls need a display: start without --headless"
+	if camera == null or not camera.is_inside_tree():
+		return "walls need a camera of the client"
+	var wrong: PackedStringArray = layout.place_on(Monitors.of_this_machine())
+	if not wrong.is_empty():
+		return "\n".join(wrong)
+	if _sync != null:
+		var fault: String = _sync.open(layout.sync_host, layout.sync_port)
+		if fault != "":
+			return fault
+	_window = camera.get_window()
+	_keep_window()
+	for screen: WallScreen in layout.screens:
+		var pane: WallPane = WallPane.new()
+		add_child(pane)
+		pane.open(screen, _window if _panes.is_empty() else _add_window(screen))
+		_panes.append(pane)
+	return ""
+
+
+func close() -> void:
+	if _sync != null:
+		_sync.close()
+	if _window == null:
+		return
+	for child: Node in get_children():
+		remove_child(child)
+		child.queue_free()
+	_panes.clear()
+	for property: StringName in _kept:
+		_window.set(property, _kept[property])
+	_kept.clear()
+	_window = null
+
+
+## Puts the eyes to a place of the station, m, the right one along an axis. Where one is no number
+## or behind a screen, the last good one stays, and the user is told once.
+func set_eye(p_eye: Vector3, p_right: Vector3 = Vector3.RIGHT) -> void:
+	var fault: String = layout.find_eye_fault(p_eye)
+	if fault == "" and (not p_right.is_finite() or p_right.length() < 0.1):
+		fault = "the eyes have no direction"
+	if fault == "":
+		_eye = p_eye
+		_right = p_right.normalized()
+		if _is_eye_lost:
+			_is_eye_lost = false
+			told.emit("The viewer's eyes are tracked again")
+	elif not _is_eye_lost:
+		_is_eye_lost = true
+		told.emit(fault.left(1).to_upper() + fault.substr(1) + ": the last good place is kept")
+
+
+## Where the eyes are, in the station's frame, m.
+func eye() -> Vector3:
+	return _eye
+
+
+## Where the station is in the world.
+func station() -> Transform3D:
+	var from: Transform3D = camera.get_camera_transform()
+	if _sync != null and _sync.follows():
+		return _sync.mount(from)
+	return mount_at(from, layout.eye, layout.tilts)
+
+
+## Where a station is in the world that has its eyes' first place at a camera.
+static func mount_at(p_camera: Transform3D, p_eye: Vector3, p_tilts: bool) -> Transform3D:
+	var turn: Basis = p_camera.basis.orthonormalized()
+	if not p_tilts:
+		var ahead: Vector3 = -turn.z
+		# Straight up or down, the top of the picture is ahead.
+		if Vector2(ahead.x, ahead.z).length() < 0.01:
+			ahead = turn.y * -signf(ahead.y)
+		turn = Basis(Vector3.UP, atan2(-ahead.x, -ahead.z))
+	return Transform3D(turn, p_camera.origin - turn * p_eye)
+
+
+## The tick that all displays of the station show at a moment, where this client by itself would
+## show [param p_tick] of so many a second. [param p_at_usec] is of Time.get_ticks_usec().
+func agree(p_tick: float, p_at_usec: int, p_rate: float) -> float:
+	if _sync == null or camera == null or p_tick < 0.0:
+		return p_tick
+	var pose: Transform3D = mount_at(camera.get_camera_transform(), layout.eye, layout.tilts)
+	return _sync.agree(p_tick, p_at_usec, p_rate, pose)
+
+
+## Shows a test picture on all screens: a number of [enum TestPicture.Kind]; 0: the world.
+func show_test_picture(p_index: int) -> void:
+	_test = posmod(p_index, TestPicture.Kind.size()) as TestPicture.Kind
+	for pane: WallPane in _panes:
+		pane.show_test(_test)
+	told.emit("On the walls: " + TestPicture.TITLES[_test])
+
+
+## Shows the next test picture, and after the last one the world.
+func next_test_picture() -> void:
+	show_test_picture(_test + 1)
+
+
+## Gives each eye the other one's picture.
+func swap() -> void:
+	for pane: WallPane in _panes:
+		pane.swap()
+	told.emit("The eyes are swapped")
+
+
+func report() -> Dictionary:
+	var names: PackedStringArray = []
+	for pane: WallPane in _panes:
+		names.append(pane.screen.name)
+	var found: Dictionary = {"display": "wall", "screens": names, "eye": [_eye.x, _eye.y, _eye.z]}
+	if _sync != null:
+		found["sync"] = _sync.report()
+	return found
+
+
+func _exit_tree() -> void:
+	close()
+
+
+func _process(_delta: float) -> void:
+	if _window == null or camera == null or not camera.is_inside_tree():
+		return
+	if layout.track != WallLayout.FIXED and layout.track != WallLayout.HEAD:
+		_follow_tracker()
+	var mount: Transform3D = station()
+	for pane: WallPane in _panes:
+		pane.follow(camera, mount, _eye, _right, layout.eye_distance)
+
+
+## A tracker of XRServer stands for the viewer's head, in the station's frame.
+func _follow_tracker() -> void:
+	var tracker: XRPositionalTracker = XRServer.get_tracker(layout.track) as XRPositionalTracker
+	var pose: XRPose = tracker.get_pose(&"default") if tracker != null else null
+	var now_s: float = Time.get_ticks_msec() * 1e-3
+	if pose != null and pose.has_tracking_data:
+		_lost_tracker_s = -1.0
+		set_eye(pose.transform.origin, pose.transform.basis.x)
+	elif _lost_tracker_s >= 0.0 and now_s - _lost_tracker_s > 5.0:
+		_lost_tracker_s = INF
+		told.emit("No tracker '%s' tells where the eyes are: check its source" % layout.track)
+	elif _lost_tracker_s <= 0.0:
+		_lost_tracker_s = now_s
+
+
+func _keep_window() -> void:
+	for property: StringName in [
+		&"mode", &"borderless", &"size", &"position", &"disable_3d", &"content_scale_mode"
+	]:
+		_kept[property] = _window.get(property)
+	_window.mode = Window.MODE_WINDOWED
+	_window.borderless = true
+	_window.position = layout.screens[0].position
+	_window.size = layout.screens[0].size
+	_window.disable_3d = true
+	_window.content_scale_mode = Window.CONTENT_SCALE_MODE_DISABLED
+
+
+func _add_window(p_screen: WallScreen) -> Window:
+	var window: Window = Window.new()
+	window.visible = false
+	window.force_native = true
+	window.borderless = true
+	window.disable_3d = true
+	window.title = "%s - %s" % [_window.title, p_screen.name]
+	window.initial_position = Window.WINDOW_INITIAL_POSITION_ABSOLUTE
+	window.position = p_screen.position
+	window.size = p_screen.size
+	window.close_requested.connect(
+		func() -> void: failed.emit("The window of the screen %s was closed" % p_screen.name)
+	)
+	window.window_input.connect(_pass_on)
+	add_child(window)
+	window.show()
+	return window
+
+
+## Keys that are pressed in any of the windows are the client's.
+func _pass_on(p_event: InputEvent) -> void:
+	if p_event is InputEventKey and _window != null:
+		_window.push_input(p_event)
