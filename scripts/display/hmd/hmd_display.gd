@@ -3,9 +3,9 @@ extends DisplayMode
 ## Shows the world in a head-mounted display, by OpenXR; the window goes on beside it.
 ##
 ## The view is the headset's pose, unfiltered and undelayed; whoever wears it is put into the world
-## by [method place_room]. If the runtime ends, the window goes on in this process; if it stalls, the
-## program starts again in this process as a plain window. Both ask for the headset until it is back
-## (see [HmdReturn]).
+## by [method place_room]. If the runtime ends, the window goes on in this process; if it stalls,
+## the program starts again in this process as a plain window. Both ask for the headset until it is
+## back (see [HmdReturn]).
 
 ## A button of a hand (0 left, 1 right) was pressed: the name of an action of the action map, such
 ## as trigger_click, grip_click, ax_button, by_button, menu_button, primary_click.
@@ -25,8 +25,8 @@ signal returned
 enum Mirror {
 	## The world from a smoothed camera at the wearer's head: one more view to draw.
 	STEADY,
-	## The picture of the left eye: costs next to nothing.
-	EYE,
+	## The same at half the resolution.
+	REDUCED,
 	## Only what lies over the world, such as the menu.
 	NONE,
 }
@@ -35,6 +35,8 @@ enum Mirror {
 const PATIENCE_S: float = 5.0
 ## Frames before the guard watches, at first and after a long one: pipelines are still compiled.
 const _WARM_FRAMES: int = 30
+## Resolution of the window where it is reduced, a share in each direction.
+const _REDUCED: float = 0.5
 ## Work of scripts that takes longer than this was the loading of something, µs.
 const _LONG_USEC: int = 1_000_000
 
@@ -191,12 +193,14 @@ func report() -> Dictionary:
 		"due_exact": _runtime != null and _runtime.is_exact(),
 		"lost": _why_lost,
 		"waits": _is_waiting,
+		"guarded": _view != null and _warm_frames > _WARM_FRAMES,
 	}
 
 
 func _begin() -> void:
 	_view = HmdView.new()
 	add_child(_view)
+	_view.set_quality(RateKeeper.STEPS[keeper.step])
 	for i: int in 2:
 		var hand: XRController3D = _view.hand(i)
 		hand.button_pressed.connect(_on_pressed.bind(i))
@@ -293,27 +297,23 @@ func _leave_view() -> void:
 	if _spectator != null:
 		_spectator.queue_free()
 		_spectator = null
-	RenderingServer.viewport_attach_to_screen(_view.get_viewport_rid(), Rect2(), -1)
 	_view.queue_free()
 	_view = null
-	get_viewport().disable_3d = false
+	var window: Window = get_window()
+	window.disable_3d = false
+	window.scaling_3d_scale = 1.0
 	if is_instance_valid(camera):
 		camera.make_current()
 
 
 func _show_mirror() -> void:
 	var window: Window = get_window()
-	window.disable_3d = _mirror != Mirror.STEADY
-	if _mirror == Mirror.STEADY and _spectator == null:
+	window.disable_3d = _mirror == Mirror.NONE
+	window.scaling_3d_scale = _REDUCED if _mirror == Mirror.REDUCED else 1.0
+	if _spectator == null:
 		_spectator = SteadyCamera.new()
 		add_child(_spectator)
 		_spectator.make_current()
-	elif _mirror != Mirror.STEADY and _spectator != null:
-		_spectator.queue_free()
-		_spectator = null
-	var area: Rect2 = Rect2(Vector2.ZERO, window.size) if _mirror == Mirror.EYE else Rect2()
-	var screen: int = DisplayServer.MAIN_WINDOW_ID if _mirror == Mirror.EYE else -1
-	RenderingServer.viewport_attach_to_screen(_view.get_viewport_rid(), area, screen)
 
 
 func _cut() -> void:

@@ -21,16 +21,14 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from types import TracebackType
 
-from toolchain.processes import free_port
-from toolchain.xr_prefix import XrPrefix
+from .processes import free_port
+from .xr_prefix import XrPrefix
 
 Vector = tuple[float, float, float]
 Quaternion = tuple[float, float, float, float]
 
 START_LIMIT_S = 60.0
 UPRIGHT: Quaternion = (0.0, 0.0, 0.0, 1.0)
-# What the runtime and the engine call the two eyes' pictures in a null compositor.
-EYE_SIZE = (320, 240)
 
 _MAGIC = b"mndrmt3\0"
 _PACKET_BYTES = 376
@@ -152,6 +150,8 @@ class Monado:
         )
         log.close()
         self._connect()
+        # Programs come by another way, which opens later.
+        self._await_socket()
         self.send()
 
     def send(self) -> None:
@@ -188,6 +188,10 @@ class Monado:
         """What the service has said."""
         return (self.folder / "service.log").read_text(encoding="utf-8", errors="replace")
 
+    def hand_over(self) -> None:
+        """Lets another program move the headset: one at a time is connected."""
+        self._disconnect()
+
     def _signal(self, number: signal.Signals) -> None:
         if self.process is not None and self.process.poll() is None:
             self.process.send_signal(number)
@@ -202,6 +206,17 @@ class Monado:
                 self._remote = socket.create_connection(("127.0.0.1", self.port), 5.0)
             except OSError:
                 time.sleep(0.1)
+
+    def _await_socket(self) -> None:
+        end = time.monotonic() + START_LIMIT_S
+        while True:
+            with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as client:
+                try:
+                    client.connect(str(self.folder / "run" / "monado_comp_ipc"))
+                    return
+                except OSError:
+                    assert time.monotonic() < end, f"Monado takes no programs:\n{self.log()}"
+                    time.sleep(0.05)
 
     def _disconnect(self) -> None:
         if self._remote is not None:
