@@ -35,3 +35,4 @@ func _process(_delta: float) -> void:
 		var guarded: String = "guarded" if report["guarded"] else "unguarded"
 		print("FRAME %d worn %s, %s" % [_frames, report["worn"], guarded])
 		print("HEAD %s" % _display.head_in_world().origin)
+		print("HAND %s" % _display.controller_pose(1).origin)

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: MIT
+"""The headset: what eyes see of commanded poses, and a runtime that is lost, at Monado's."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+
+import pytest
+from toolchain.godot import Godot
+from toolchain.headset import Stage, compare_eyes, lose_and_return
+from toolchain.monado import Monado
+
+from .test_editor import godot  # noqa: F401
+
+
+@pytest.fixture
+def monado(display: dict[str, str]) -> Iterator[Monado]:
+    with Monado(display) as runtime:
+        yield runtime
+
+
+def test_both_eyes_see_what_the_head_looks_at(godot: Godot, monado: Monado) -> None:  # noqa: F811
+    found = compare_eyes(godot, monado)
+    assert found["size"] == [320, 240]
+    assert found["error_px"] <= 0.5, found
+    # Without the pose that it is compared with, the same comparison fails.
+    assert found["withheld_px"] > 5.0, found
+    assert found["lag_frames"] <= 1, found
+
+
+def test_a_killed_and_a_stalled_runtime_leave_a_window(
+    godot: Godot,  # noqa: F811
+    monado: Monado,
+) -> None:
+    with Stage(godot, monado.environment()) as stage:
+        for is_stalled in (False, True):
+            lose_and_return(stage, monado, is_stalled)
+        said = stage.log()
+    assert "The headset's runtime has ended: the window goes on." in said
+    assert "The headset's runtime stalled: the window goes on." in said
+    assert said.count("The headset is back") == 2
+
+
+def test_without_a_runtime_the_window_says_why(
+    godot: Godot,  # noqa: F811
+    monado: Monado,
+) -> None:
+    where = monado.environment()
+    cases = {
+        "is not there: install an OpenXR runtime": {"XR_RUNTIME_JSON": "/nonexistent.json"},
+        "does not answer within": {},
+        "does not run: start it": {},
+    }
+    for text, other in cases.items():
+        if text.startswith("does not answer"):
+            monado.stall()
+        elif text.startswith("does not run"):
+            monado.resume()
+            monado.kill()
+        with Stage(godot, {**where, **other}) as stage:
+            stage.await_text(text)
+            stage.await_text("worn false")
+
+
+def test_without_vulkan_or_a_screen_the_program_says_so(
+    godot: Godot,  # noqa: F811
+    monado: Monado,
+) -> None:
+    where = {**monado.environment(), "VK_DRIVER_FILES": os.devnull}
+    with Stage(godot, where) as stage:
+        stage.await_text("a headset needs Vulkan")
+        stage.await_text("worn false")
+    with Stage(godot, monado.environment(), "--headless") as stage:
+        stage.await_text("start without --headless")
+
+
+def test_buttons_and_hands_reach_the_program(
+    godot: Godot,  # noqa: F811
+    monado: Monado,
+) -> None:
+    with Stage(godot, monado.environment()) as stage:
+        stage.await_text("worn true")
+        mark = stage.mark()
+        monado.wearer.right.trigger = 1.0
+        monado.wearer.right.pressed = {"trigger_click", "a_click"}
+        monado.wearer.left.pressed = {"system_click"}
+        monado.wearer.position = (0.25, 1.75, -0.5)
+        monado.wearer.right.position = (0.5, 1.25, -0.75)
+        monado.send()
+        for action in ("trigger_click 1", "ax_button 1", "menu_button 0"):
+            stage.await_text(f"PRESSED {action}", mark)
+        stage.await_text("HEAD (0.25, 1.75, -0.5)", mark)
+        stage.await_text("HAND (0.5, 1.25, -0.75)", mark)
