@@ -24,6 +24,7 @@ from . import (
     platform_watch,
     studio,
     suit,
+    wall,
     xbus,
 )
 from .console import Failure, say
@@ -60,6 +61,7 @@ def main(arguments: list[str]) -> int:
         "platform-watch": lambda rest: platform_watch.main(normalise(rest)),
         "studio": studio.main,
         "suit-emulator": suit.main,
+        "wall": wall.main,
         "options-doc": _options_doc,
     }
     if not arguments or arguments[0].startswith("-"):

@@ -10,7 +10,7 @@ from __future__ import annotations
 import subprocess
 from pathlib import Path
 
-from . import demo, latency, level, load, package, platform_watch, studio, suit
+from . import demo, latency, level, load, package, platform_watch, studio, suit, wall
 from .console import Failure, tail
 from .godot import Godot
 from .paths import CLIPS, ROOT
@@ -29,6 +29,9 @@ MAIN = """Dismount: people in motion-capture suits move through physics.
 
 Roles (./run ROLE --help lists the options of one; all are in docs/options.md)
 {roles}
+
+Displays
+  ./run wall --layout=FILE  a session on several screens: monitors, projectors, a CAVE
 
 Motion capture without a suit
   ./run suit-emulator [-- COMMAND]  a suit on USB that is not there, for the program behind --
@@ -125,6 +128,7 @@ def make(godot: Godot) -> dict[Path, str]:
         "platform-watch": platform_watch.HELP,
         "studio": studio.HELP,
         "suit-emulator": suit.HELP,
+        "wall": wall.HELP,
         "mvn-sender": _mvn_sender(godot),
         "xbus-decode": _xbus_decode(),
     }
