@@ -79,7 +79,7 @@ def lose_and_return(stage: Stage, monado: Monado, is_stalled: bool) -> tuple[flo
     Returns how long it took until the window went on, and from then to the headset, s.
     """
     stage.await_text("worn true", stage.mark())
-    stage.await_text("guarded", stage.mark())
+    stage.await_text(", guarded", stage.mark())
     process = stage.process.pid
     mark = stage.mark()
     begin = time.monotonic()

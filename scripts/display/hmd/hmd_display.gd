@@ -33,7 +33,8 @@ enum Mirror {
 
 ## The runtime has not answered for this long: it has stalled, s.
 const PATIENCE_S: float = 5.0
-## Frames before the guard watches, at first and after a long one: pipelines are still compiled.
+## The same while pipelines are still compiled, s: for the first frames, and after a long one.
+const _COLD_PATIENCE_S: float = 40.0
 const _WARM_FRAMES: int = 30
 ## Resolution of the window where it is reduced, a share in each direction.
 const _REDUCED: float = 0.5
@@ -193,7 +194,7 @@ func report() -> Dictionary:
 		"due_exact": _runtime != null and _runtime.is_exact(),
 		"lost": _why_lost,
 		"waits": _is_waiting,
-		"guarded": _view != null and _warm_frames > _WARM_FRAMES,
+		"guarded": _view != null and _warm_frames >= _WARM_FRAMES,
 	}
 
 
@@ -244,9 +245,17 @@ func _show_frame(p_delta: float) -> void:
 func _beat(p_now: int) -> void:
 	if _begin_usec != 0 and p_now - _begin_usec > _LONG_USEC:
 		_warm_frames = 0
+		_set_patience(_COLD_PATIENCE_S)
 	_warm_frames += 1
-	if _warm_frames > _WARM_FRAMES:
-		_guard.beat()
+	if _warm_frames == _WARM_FRAMES:
+		_set_patience(PATIENCE_S)
+	_guard.beat()
+
+
+func _set_patience(p_patience_s: float) -> void:
+	_guard.stop()
+	_guard.hold()
+	_guard.start(p_patience_s, HmdCommand.of_this_process().with_window())
 
 
 func _on_frame_begun() -> void:
@@ -256,11 +265,11 @@ func _on_frame_begun() -> void:
 
 func _begin_guard() -> void:
 	_guard = StallGuard.new()
-	_guard.hold()
+	_warm_frames = 0
 	# The guard's thread touches nothing of the engine: what the next process should know is laid
 	# out now.
 	OS.set_environment(HmdCommand.LOST, "The headset's runtime stalled: the window goes on.")
-	_guard.start(PATIENCE_S, HmdCommand.of_this_process().with_window())
+	_set_patience(_COLD_PATIENCE_S)
 	get_tree().process_frame.connect(_on_frame_begun)
 
 
