@@ -28,6 +28,8 @@ const SOURCES: Dictionary[String, Source] = {
 const STEEP: float = deg_to_rad(60.0)
 ## A head turns so far on its chest, rad; then neck and chest go along.
 const NECK_RANGE: float = deg_to_rad(75.0)
+## Time constant of the heading of a suit that does not measure the head, s.
+const CHEST_FILTER_S: float = 60.0
 ## Longest step between samples, s: after a longer break all is taken at once.
 const MAX_STEP_S: float = 1.0
 ## Height of the eyes, part of the wearer's own.
@@ -77,14 +79,13 @@ var _has_hips: bool = false
 
 ## Takes the wearer's size.
 func _init(p_size: BodySize = BodySize.new()) -> void:
-	set_figure(p_size.joints(), p_size.height * EYE_HEIGHT)
+	set_figure(ShownFigure.of_size(p_size))
 
 
-## Takes the joints of the body that is shown: where each limb begins in the reset pose, m, in the
-## wearer's own size, and the height of its eyes. With them hands and feet are seen where they are.
-func set_figure(p_joints: PackedVector3Array, p_eye_height: float) -> void:
-	_joints = p_joints.duplicate()
-	var pivot: float = p_eye_height + HeadMount.USUAL_LEVER.y
+## Takes the body that is shown.
+func set_figure(p_figure: ShownFigure) -> void:
+	_joints = p_figure.joints
+	var pivot: float = p_figure.eye_height + HeadMount.USUAL_LEVER.y
 	_neck_m = clampf(pivot - _joints[Limbs.HEAD].y, 0.0, 0.15)
 	_lengths.x = _joints[Limbs.LEFT_UPPER_ARM].distance_to(_joints[Limbs.LEFT_LOWER_ARM])
 	_lengths.y = _joints[Limbs.LEFT_LOWER_ARM].distance_to(_joints[Limbs.LEFT_HAND])
@@ -151,8 +152,11 @@ func _correct_heading(p_sample: PoseSample, p_frame: XrFrame, p_head: Quaternion
 	if p_frame.has_head and absf((p_head * Vector3.BACK).y) < sin(STEEP):
 		var limb: Quaternion = mount.head_of(p_head)
 		if orientation == Source.BOTH and _knows_head(p_sample):
+			heading.filter_s = HeadingCorrection.FILTER_S
 			measured = Rotations.yaw_of(limb * p_sample.orientation(Limbs.HEAD).inverse())
 		else:
+			# A head looks where the chest does only on the whole.
+			heading.filter_s = CHEST_FILTER_S
 			var chest: Quaternion = p_sample.orientation(Limbs.CHEST)
 			measured = angle_difference(Rotations.facing_of(chest), Rotations.facing_of(limb))
 		if finds_mount and not mount.is_solved and p_frame.has_place:
@@ -192,16 +196,17 @@ func _turn_body(p_sample: PoseSample) -> void:
 	_raw_root = p_sample.root
 	_travel += Rotations.yaw(angle) * Vector3(step.x, 0.0, step.z)
 	p_sample.root = Vector3(_travel.x, p_sample.root.y, _travel.z)
-	if angle == 0.0:
-		return
 	var turn: Quaternion = Rotations.yaw(angle)
-	for limb: int in Limbs.COUNT:
-		p_sample.set_orientation(limb, turn * p_sample.orientation(limb))
 	if p_sample.details != null:
 		p_sample.details = _turned_details(p_sample.details, turn)
+	if angle == 0.0:
+		return
+	for limb: int in Limbs.COUNT:
+		p_sample.set_orientation(limb, turn * p_sample.orientation(limb))
 
 
-## Details of a turned body. They are new: a source may still use its own.
+## Details of a turned body, without places, which change. They are new: a source may still use its
+## own.
 static func _turned_details(p_details: MotionDetails, p_turn: Quaternion) -> MotionDetails:
 	var turned: MotionDetails = MotionDetails.new()
 	turned.counter = p_details.counter
@@ -257,7 +262,11 @@ func _set_place(p_sample: PoseSample, p_frame: XrFrame, p_head: Quaternion) -> v
 		wanted = mount.pivot_of(p_head, p_frame.head.origin) - _chain(p_sample)
 		if hips_known:
 			_learn_hips(p_sample, p_frame, wanted)
-	elif hips_known and _has_hips:
+	elif hips_known:
+		if not _has_hips:
+			# Never seen together with a headset's place: the tracker is as high as the hips.
+			var pin: Vector3 = p_frame.pins[XrFrame.Pin.WAIST].origin
+			_learn_hips(p_sample, p_frame, Vector3(pin.x, from_suit.y, pin.z))
 		wanted = p_frame.pins[XrFrame.Pin.WAIST] * _hips.origin
 		is_placed = true
 	if is_placed:

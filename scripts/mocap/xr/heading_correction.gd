@@ -7,7 +7,7 @@ extends RefCounted
 ## correction: so the correction's own motion is not delayed by the filter, does not overshoot, and
 ## an error of 30 degrees is gone in the time that the rate allows.
 
-## Time constant of the angle's filter, s.
+## Usual time constant of the angle's filter, s.
 const FILTER_S: float = 10.0
 ## Greatest rate of the correction while the wearer stands, rad/s.
 const STANDING_RATE: float = deg_to_rad(0.5)
@@ -24,6 +24,9 @@ const _RATE_CHANGE: float = deg_to_rad(4.0)
 ## Time constant in which the last of an error goes, s.
 const _EASE_S: float = 0.5
 
+## Time constant of the angle's filter, s. Longer where the angle is no measure of a moment, but
+## only right on the whole.
+var filter_s: float = FILTER_S
 ## The correction, rad about +Y.
 var angle: float = 0.0
 
@@ -65,7 +68,7 @@ func advance(p_measured: float, p_step_s: float) -> void:
 			_wanted = p_measured
 			angle = p_measured
 		# At first a mean of what there is, so that the first sample's noise does not last.
-		var part: float = p_step_s / (minf(_seen_s, FILTER_S) + p_step_s) if p_step_s > 0.0 else 0.0
+		var part: float = p_step_s / (minf(_seen_s, filter_s) + p_step_s) if p_step_s > 0.0 else 0.0
 		_wanted = wrapf(_wanted + angle_difference(_wanted, p_measured) * part, -PI, PI)
 		_seen_s += maxf(p_step_s, 1e-6)
 	if _seen_s <= 0.0:

@@ -69,9 +69,13 @@ func _init(p_size: BodySize) -> void:
 ## Changes the wearer's size.
 func set_size(p_size: BodySize) -> void:
 	_size = p_size
-	_joints = p_size.joints()
-	var eyes: float = p_size.height * HeadFusion.EYE_HEIGHT
-	_neck_m = maxf(eyes + HeadMount.USUAL_LEVER.y - _joints[Limbs.HEAD].y, 0.0)
+	set_figure(ShownFigure.of_size(p_size))
+
+
+## Takes the body that is shown.
+func set_figure(p_figure: ShownFigure) -> void:
+	_joints = p_figure.joints
+	_neck_m = maxf(p_figure.eye_height + HeadMount.USUAL_LEVER.y - _joints[Limbs.HEAD].y, 0.0)
 	_trunk_m = _joints[Limbs.HEAD].y - _joints[Limbs.HIPS].y
 	if steps == null:
 		steps = StepPlanner.new(_joints[Limbs.LEFT_UPPER_LEG].x)

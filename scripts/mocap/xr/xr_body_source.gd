@@ -30,6 +30,7 @@ var _last_usec: int = 0
 var _recentred: int = 0
 var _mutex: Mutex = Mutex.new()
 var _learns_pins: bool = false
+var _shown: ShownFigure = null
 var _prop: Transform3D = Transform3D.IDENTITY
 var _has_prop: bool = false
 var _times: int = 0
@@ -57,6 +58,18 @@ func push(p_frame: XrFrame) -> void:
 ## The tracking space was moved.
 func recentre() -> void:
 	_frames.recentre()
+
+
+## Takes the body that the wearer is shown as, and the height of its hips, m. Returns why not, or an
+## empty text.
+func show_on(p_skeleton: PersonSkeleton, p_hips: float) -> String:
+	var figure: ShownFigure = ShownFigure.of_skeleton(p_skeleton, p_hips, get_hip_height())
+	if figure == null:
+		return "the body that is shown has no joints of a person"
+	_mutex.lock()
+	_shown = figure
+	_mutex.unlock()
+	return ""
 
 
 ## The wearer stands upright: how trackers sit on the body is learned anew.
@@ -119,7 +132,11 @@ func _read(p_time_usec: int) -> PoseSample:
 	_mutex.lock()
 	var learns: bool = _learns_pins
 	_learns_pins = false
+	var shown: ShownFigure = _shown
+	_shown = null
 	_mutex.unlock()
+	if shown != null:
+		_body.set_figure(shown)
 	if learns:
 		_body.pins.restart()
 	var step_s: float = (p_time_usec - _last_usec) / 1e6

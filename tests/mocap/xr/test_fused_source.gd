@@ -40,6 +40,24 @@ func test_samples_fit_the_headset_at_their_own_moment() -> void:
 	almost_equal(source.correction(), 1.0, 0.05)
 
 
+func test_a_source_keeps_its_own_pose() -> void:
+	# A suit blends from its last pose into another calibration.
+	var suit: SceneSuit = SceneSuit.new()
+	suit.scene = Scene.new("01_01.bvh")
+	suit.scene.heading = 1.0
+	var source: FusedSource = FusedSource.new(suit)
+	suit.scene.advance()
+	suit.scene.suit.details = MotionDetails.new()
+	suit.scene.suit.details.joints[XRBodyTracker.JOINT_NECK] = Quaternion.IDENTITY
+	var before: PackedFloat32Array = suit.scene.suit.orientations.duplicate()
+	source.push(suit.scene.frame)
+	var sample: PoseSample = source.sample(suit.scene.now_usec())
+	not_equal(sample.orientations, before)
+	equal(suit.scene.suit.orientations, before)
+	equal(suit.scene.suit.details.joints[XRBodyTracker.JOINT_NECK], Quaternion.IDENTITY)
+	not_equal(sample.details.joints[XRBodyTracker.JOINT_NECK], Quaternion.IDENTITY)
+
+
 func test_it_runs_in_a_sampler() -> void:
 	var clip: BvhSource = BvhSource.new()
 	clip.open("res://assets/motion/01_01.bvh")

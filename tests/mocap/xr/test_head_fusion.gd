@@ -138,6 +138,38 @@ func test_a_place_from_the_suit_turns_about_the_wearer() -> void:
 	almost_equal(_scene.suit.root, place, 1e-4, "only turned")
 
 
+func test_a_tracker_at_the_waist_gives_the_place_without_a_headset() -> void:
+	for seen_before: bool in [false, true]:
+		_begin("01_01.bvh")
+		_scene.travels = false
+		var worn: Transform3D = Transform3D(Basis(Vector3.RIGHT, 0.5), Vector3(0, 0.03, 0.0))
+		for step: int in 600:
+			_scene.advance()
+			var hips: Basis = Basis(_scene.truth.orientation(0))
+			_scene.frame.pins[XrFrame.Pin.WAIST] = Transform3D(hips, _scene.truth.root) * worn
+			_scene.frame.has_pins[XrFrame.Pin.WAIST] = 1
+			_scene.frame.has_place = seen_before and step < 120
+			_fusion.apply(_scene.suit, _scene.frame)
+			if step > 300:
+				var off: float = _scene.suit.root.distance_to(_scene.truth.root)
+				is_true(off < 0.08, "the hips are %f m off at %d" % [off, step])
+
+
+func test_a_look_to_the_side_does_not_turn_a_suit_without_a_head() -> void:
+	_begin("01_01.bvh")
+	_fusion.orientation = HeadFusion.Source.HMD
+	_scene.pace = 0.0
+	_run(30.0)
+	var before: float = _fusion.correction()
+	for step: int in 60 * 5:
+		_scene.advance()
+		_scene.frame.head.basis = (
+			Basis(Vector3.UP, minf(step * 0.03, 1.0)) * _scene.frame.head.basis
+		)
+		_fusion.apply(_scene.suit, _scene.frame)
+	is_true(absf(angle_difference(before, _fusion.correction())) < deg_to_rad(5.0))
+
+
 func test_a_head_turned_beyond_the_neck_takes_the_chest_along() -> void:
 	_begin("01_01.bvh")
 	_scene.pace = 0.0
