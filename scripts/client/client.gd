@@ -233,7 +233,7 @@ func _update_scene() -> void:
 		_stats.own_shown(people.shown_moment_usec(now))
 	_seat.apply_prediction()
 	_scene.wears_headset = _display.is_worn()
-	_scene.update(_stream.frame_s(now), own)
+	_scene.update(_stream.frame_s(now), own, _display.agreement(now))
 	_display.place_wearer(people, own, get_process_delta_time())
 	var headless: bool = DisplayServer.get_name() == "headless"
 	if FramePacer.is_free():
@@ -289,6 +289,7 @@ func _on_ended(p_exit_code: int, p_why: String) -> void:
 func _on_told(p_text: String) -> void:
 	Log.warning("client", p_text)
 	_hud.show_note(p_text)
+	_display.tell(p_text)
 	_sound.click_radio()
 
 

@@ -17,6 +17,9 @@ var mode: DisplayMode = null
 var headset: ClientHeadset = null
 
 var _late: LateStart = null
+# Where the walls of a wearer's own station are, and its camera.
+var _room: RoomFrame = RoomFrame.new()
+var _station: Camera3D = null
 var _period_usec: int = 0
 var _begun_usec: int = 0
 
@@ -86,11 +89,35 @@ func read_devices(p_seat: ClientSeat) -> void:
 func place_wearer(
 	p_people: ClientPeople, p_own: Dictionary[int, PackedFloat32Array], p_step_s: float
 ) -> void:
-	if not is_worn():
+	var wall: WallDisplay = mode as WallDisplay
+	var tracks_head: bool = wall != null and wall.layout.track == WallLayout.HEAD
+	if not (is_worn() or tracks_head):
 		return
-	if p_people == null or not p_people.place_headset(headset, _scene.replica, p_own):
+	var place: WearerPlace = null
+	if p_people != null:
+		place = p_people.find_wearer(_scene.replica, p_own)
+	if tracks_head:
+		_place_station(wall, place, p_step_s)
+		return
+	if place != null:
+		headset.follow_body(place)
+	else:
 		headset.follow_camera(_scene.camera().global_transform)
 	headset.place(maxi(due_usec(), Time.get_ticks_usec()), p_step_s)
+
+
+## Which tick of the server this display shows at a time, µs, so that all of its station show the
+## same one; not valid where there is no station.
+func agreement(p_at_usec: int) -> Callable:
+	if not mode is WallDisplay:
+		return Callable()
+	return _agree.bind(p_at_usec)
+
+
+## What the user should know, also who sees no window.
+func tell(p_text: String) -> void:
+	if headset != null:
+		headset.tell(p_text)
 
 
 ## Stats for a report.
@@ -115,10 +142,43 @@ func _unhandled_input(p_event: InputEvent) -> void:
 		if fault != "":
 			_on_told("No headset: %s." % fault)
 		get_viewport().set_input_as_handled()
-	var stereo: StereoDisplay = mode as StereoDisplay
-	if stereo != null and p_event.is_action_pressed(&"swap_eyes"):
-		stereo.swap()
+	elif mode is StereoDisplay and p_event.is_action_pressed(&"swap_eyes"):
+		(mode as StereoDisplay).swap()
 		get_viewport().set_input_as_handled()
+	elif mode is WallDisplay:
+		_take_wall_key(mode as WallDisplay, p_event)
+
+
+func _take_wall_key(p_wall: WallDisplay, p_event: InputEvent) -> void:
+	if p_event.is_action_pressed(&"swap_eyes"):
+		p_wall.swap()
+	elif p_event.is_action_pressed(&"test_picture"):
+		p_wall.next_test_picture()
+	else:
+		return
+	get_viewport().set_input_as_handled()
+
+
+func _agree(p_tick: float, p_at_usec: int) -> float:
+	return (mode as WallDisplay).agree(p_tick, p_at_usec, _scene.replica.tick_rate())
+
+
+## A station whose eyes are those of its wearer: the walls are the wearer's real room.
+func _place_station(p_wall: WallDisplay, p_place: WearerPlace, p_step_s: float) -> void:
+	if p_place == null or not _scene.people().has(p_place.actor):
+		return
+	var room: Transform3D = (
+		_room.advance(p_place.frame, p_step_s, p_place.carrier, p_place.carrier_frame)
+		* ClientHeadset.AHEAD
+	)
+	if _station == null:
+		_station = Camera3D.new()
+		add_child(_station)
+		p_wall.camera = _station
+	_station.global_transform = room.translated_local(p_wall.layout.eye)
+	var head: Transform3D = _scene.people()[p_place.actor].head()
+	var eyes: Transform3D = room.affine_inverse() * head
+	p_wall.set_eye(eyes * OrbitCamera.EYES, -eyes.basis.x)
 
 
 ## Makes the display that is asked for. Returns what is wrong, or an empty text.
@@ -132,6 +192,10 @@ func _make(p_options: Options) -> String:
 		headset.name = "Headset"
 		add_child(headset)
 		headset.open(hmd, p_options)
+	if name == DisplayNames.WALL:
+		var wall: WallDisplay = WallDisplay.new()
+		mode = wall
+		return wall.set_up(p_options.file("layout"), p_options.text("screens"))
 	if not DisplayNames.STEREO.has(name):
 		return ""
 	var stereo: StereoDisplay = StereoDisplay.new()
@@ -157,6 +221,7 @@ func _begin(p_mode: DisplayMode) -> void:
 func _on_told(p_text: String) -> void:
 	Log.info("display", p_text)
 	_hud.show_news(p_text)
+	tell(p_text)
 
 
 func _fall_back(p_why: String) -> void:

@@ -24,16 +24,21 @@ const ACTIONS: Array[Dictionary] = [
 		&"menu_button": &"ui_cancel",
 	},
 ]
+## The action that opens the menu.
+const MENU: StringName = &"ui_cancel"
 ## What gestures of a tracked hand do: gesture, and the action of a button.
 const GESTURES: Dictionary[HandGestures.Gesture, StringName] = {
 	HandGestures.Gesture.PINCH: &"trigger_click",
 	HandGestures.Gesture.FIST: &"grip_click",
 	HandGestures.Gesture.THUMB_UP: &"menu_button",
 }
+## How strongly the edge of the view darkens, and by how much a push of the stick turns at first.
+const VIGNETTE: float = 0.5
+const SNAP: float = deg_to_rad(30.0)
 ## Eyes of somebody without a body are so high above the ground, m.
 const _EYES_M: float = 1.65
 ## People look along +Z, headsets along -Z.
-const _AHEAD: Transform3D = Transform3D(Basis(Vector3.LEFT, Vector3.UP, Vector3.FORWARD))
+const AHEAD: Transform3D = Transform3D(Basis(Vector3.LEFT, Vector3.UP, Vector3.FORWARD))
 
 ## The display.
 var display: HmdDisplay = null
@@ -56,6 +61,9 @@ var _carrier_frame: Transform3D = Transform3D.IDENTITY
 var _has_begun: bool = false
 var _actor: int = -1
 var _tier: int = -1
+var _menu: HmdMenu = null
+var _list: HeadsetMenu = null
+var _notice: HeadsetNotice = null
 
 
 ## Takes over the display and what the options say of head and body.
@@ -75,10 +83,38 @@ func open(p_display: HmdDisplay, p_options: Options) -> void:
 		_gestures[hand].ended.connect(_on_gesture.bind(hand, false))
 
 
-## The display shows the world.
+## The display shows the world: puts menu and notices into the view.
 func begin() -> void:
-	if display.is_worn() and not _has_vignette:
-		display.view().vignette.strength = 0.0
+	if not display.is_worn():
+		return
+	var view: HmdView = display.view()
+	view.vignette.strength = VIGNETTE if _has_vignette else 0.0
+	_menu = HmdMenu.new()
+	view.origin.add_child(_menu)
+	_menu.use_layer(view.origin)
+	_notice = HeadsetNotice.new()
+	view.head.add_child(_notice)
+
+
+## Shows the wearer a text for a while.
+func tell(p_text: String) -> void:
+	if is_instance_valid(_notice):
+		_notice.tell(p_text)
+
+
+## Opens or closes the menu in front of the wearer.
+func toggle_menu() -> void:
+	if not is_instance_valid(_menu):
+		return
+	if _menu.is_open():
+		_menu.close()
+		return
+	if _list == null:
+		_list = HeadsetMenu.new()
+		_list.chosen.connect(_on_chosen)
+	var strength: float = display.view().vignette.strength
+	_list.describe(display.recentring.is_seated, strength > 0.0, display.snap_turn.angle > 0.0)
+	_menu.open(_list, display.view().head.transform)
 
 
 ## The motion of a wearer's suit, fitted to the headset.
@@ -112,7 +148,7 @@ func read(p_due_usec: int, p_unix_usec: int) -> void:
 	if not _has_begun and frame.has_place:
 		_has_begun = true
 		display.recentre()
-	frame.move(_AHEAD * _in_room(p_due_usec))
+	frame.move(AHEAD * _in_room(p_due_usec))
 	if fused != null:
 		fused.push(frame)
 	if body != null:
@@ -124,21 +160,33 @@ func place(p_due_usec: int, p_step_s: float) -> void:
 	var wearer: Transform3D = _room.advance(_wanted, p_step_s, _carrier, _carrier_frame)
 	# The display puts its own recentring between the room and the tracking space.
 	var recentring: Transform3D = display.recentring.transform()
-	var room: Transform3D = wearer * _AHEAD * _in_room(p_due_usec) * recentring.affine_inverse()
+	var room: Transform3D = wearer * AHEAD * _in_room(p_due_usec) * recentring.affine_inverse()
 	display.place_room(room)
+	if is_instance_valid(_menu) and _menu.is_open():
+		var hands: Array[Transform3D] = []
+		var triggers: PackedFloat32Array = []
+		for hand: int in 2:
+			hands.append(display.controller_pose(hand))
+			var trigger: float = display.view().hand(hand).get_float(&"trigger")
+			triggers.append(maxf(trigger, _gestures[hand].pinch))
+		_menu.point(hands, triggers)
 
 
-## The own body is somewhere: the wearer's own frame in the world, and what carries the wearer: its
-## number (-1: nothing) and where it is.
-func follow_body(
-	p_actor: int, p_frame: Transform3D, p_carrier: int, p_carrier_frame: Transform3D
-) -> void:
-	if p_actor != _actor:
-		_actor = p_actor
+func _exit_tree() -> void:
+	if _list != null:
+		if is_instance_valid(_menu):
+			_menu.close()
+		_list.free()
+
+
+## The own body is somewhere.
+func follow_body(p_place: WearerPlace) -> void:
+	if p_place.actor != _actor:
+		_actor = p_place.actor
 		_room.restart()
-	_wanted = p_frame
-	_carrier = p_carrier
-	_carrier_frame = p_carrier_frame
+	_wanted = p_place.frame
+	_carrier = p_place.carrier
+	_carrier_frame = p_place.carrier_frame
 
 
 ## Somebody without a body stands where a camera is, m, and faces where it looks.
@@ -148,13 +196,8 @@ func follow_camera(p_camera: Transform3D) -> void:
 		_room.restart()
 	_carrier = -1
 	_carrier_frame = Transform3D.IDENTITY
-	var turn: Basis = Basis(Vector3.UP, Recentring.heading_of(p_camera.basis)) * _AHEAD.basis
+	var turn: Basis = Basis(Vector3.UP, Recentring.heading_of(p_camera.basis)) * AHEAD.basis
 	_wanted = Transform3D(turn, p_camera.origin - Vector3(0.0, _EYES_M, 0.0))
-
-
-## Where the head is in the wearer's own frame.
-func head_in_frame() -> Transform3D:
-	return _AHEAD * _in_room(0) * _devices.frame.head
 
 
 ## Stats for a report.
@@ -181,7 +224,12 @@ func _on_recentred() -> void:
 
 func _on_button(p_name: StringName, p_hand: int, p_is_pressed: bool) -> void:
 	var action: StringName = ACTIONS[p_hand].get(p_name, &"")
-	if action == &"":
+	if action == MENU:
+		if p_is_pressed:
+			toggle_menu()
+		return
+	# While the menu is open the triggers are its own.
+	if action == &"" or (p_is_pressed and is_instance_valid(_menu) and _menu.is_open()):
 		return
 	var event: InputEventAction = InputEventAction.new()
 	event.action = action
@@ -199,3 +247,24 @@ func _on_quality_wanted(p_step: int) -> void:
 	if _tier < 0:
 		_tier = maxi(Quality.NAMES.find(Quality.tier.name), 0)
 	Quality.use(Quality.find(Quality.NAMES[maxi(_tier - p_step, 0)]), get_viewport())
+
+
+func _on_chosen(p_entry: HeadsetMenu.Entry) -> void:
+	var vignette: Vignette = display.view().vignette
+	match p_entry:
+		HeadsetMenu.Entry.RECENTRE:
+			display.recentre()
+		HeadsetMenu.Entry.SEATED:
+			display.set_seated(not display.recentring.is_seated)
+		HeadsetMenu.Entry.VIGNETTE:
+			vignette.strength = VIGNETTE if vignette.strength == 0.0 else 0.0
+		HeadsetMenu.Entry.SNAP_TURN:
+			display.snap_turn.angle = SNAP if display.snap_turn.angle == 0.0 else 0.0
+		HeadsetMenu.Entry.LEAVE:
+			get_tree().quit(0)
+	if p_entry in [HeadsetMenu.Entry.CONTINUE, HeadsetMenu.Entry.RECENTRE]:
+		_menu.close()
+	else:
+		_list.describe(
+			display.recentring.is_seated, vignette.strength > 0.0, display.snap_turn.angle > 0.0
+		)

@@ -146,28 +146,27 @@ func evaluate(p_now_usec: int, p_replica: WorldReplica) -> Dictionary[int, Packe
 	return bodies
 
 
-## Where the first one's own frame lies in the world, of what is shown of that body (see
-## [method evaluate]); false where nothing is known of it yet.
-func place_headset(
-	p_headset: ClientHeadset, p_replica: WorldReplica, p_own: Dictionary[int, PackedFloat32Array]
-) -> bool:
+## Where the first one is, of what is shown of that body (see [method evaluate]); null where nothing
+## is known of it yet.
+func find_wearer(
+	p_replica: WorldReplica, p_own: Dictionary[int, PackedFloat32Array]
+) -> WearerPlace:
 	if first_actor < 0 or not p_replica.has_person(first_actor):
-		return false
+		return null
 	var floats: PackedFloat32Array = p_own.get(first_actor, PackedFloat32Array())
 	if floats.is_empty():
 		floats = p_replica.person_floats(first_actor)
 	for motion: ClientMotion in _motions:
 		if motion.actor == first_actor and motion.newest != null:
-			var carrier: int = p_replica.decoder.get_frame(first_actor)
-			var lies: Transform3D = Transform3D.IDENTITY
-			if carrier >= 0 and p_replica.has_body(carrier):
-				lies = p_replica.body_transform(carrier)
-			var frame: Transform3D = motion.frame_in_world(
-				floats, p_replica.ground_heading(first_actor)
-			)
-			p_headset.follow_body(first_actor, frame, carrier, lies)
-			return true
-	return false
+			var place: WearerPlace = WearerPlace.new()
+			place.actor = first_actor
+			place.carrier = p_replica.decoder.get_frame(first_actor)
+			if place.carrier >= 0 and p_replica.has_body(place.carrier):
+				place.carrier_frame = p_replica.body_transform(place.carrier)
+			var heading: float = p_replica.ground_heading(first_actor)
+			place.frame = motion.frame_in_world(floats, heading)
+			return place
+	return null
 
 
 ## Which moment of the first one's motion is shown at a local time: µs of Unix time.

@@ -142,18 +142,20 @@ func clear() -> void:
 
 ## Applies the state at a time of the stream, s. The bodies of the client's own people are taken
 ## from these floats, by person: see [method WorldReplica.person_floats].
-## A tick of the server at or above 0 is shown instead of the time's.
+## A valid [param p_agreement] says which tick of the server is shown instead of the one that fits
+## the time: [code]func(tick: float) -> float[/code].
 func update(
-	p_now_s: float, p_own: Dictionary[int, PackedFloat32Array] = {}, p_tick: float = -1.0
+	p_now_s: float,
+	p_own: Dictionary[int, PackedFloat32Array] = {},
+	p_agreement: Callable = Callable()
 ) -> void:
 	for row: EntityRow in avatars.take_ready():
 		_add_person(row)
 	if not replica.is_ready() or replica.newest_tick < 0:
 		return
-	if p_tick >= 0.0:
-		replica.smoother.show_tick(p_tick, p_now_s)
-	else:
-		replica.evaluate(p_now_s)
+	replica.evaluate(p_now_s)
+	if p_agreement.is_valid() and replica.shown_tick() >= 0.0:
+		replica.smoother.show_tick(p_agreement.call(replica.shown_tick()), p_now_s)
 	_level.move_bodies(replica)
 	for actor: int in _actors:
 		if replica.has_person(actor):

@@ -25,7 +25,7 @@ const NOISE_GAIN: float = 0.02
 const MAX_MISSED: int = 30
 ## What drawing takes beyond this is not made up for, µs: guesses so far ahead would be worse.
 const MAX_DRAWING_USEC: int = 100000
-## What drawing takes is the median of so many frames: one that had to load something does not count.
+## What drawing takes is the median of so many frames: one that had to load something is left out.
 const DRAWN_FRAMES: int = 9
 
 var _nominal_usec: float = 0.0

@@ -30,7 +30,7 @@ const _STEPS: int = 40
 ## From the head's joint to the middle of the head, in the head's frame, m.
 const _FACE: Vector3 = Vector3(0.0, 0.1, 0.0)
 ## From the head's joint to between the eyes, in the head's frame, m. The own head is not drawn.
-const _EYES: Vector3 = Vector3(0.0, 0.085, 0.125)
+const EYES: Vector3 = Vector3(0.0, 0.085, 0.125)
 
 ## Where it looks from: angle about the vertical, 0 from +Z.
 @export_range(-180.0, 180.0, 0.1, "radians_as_degrees") var azimuth: float = deg_to_rad(35.0)
@@ -128,7 +128,7 @@ func _look_out(p_delta: float) -> void:
 	near = _NEAR_EYES_M
 	var turn: Basis = head.basis.orthonormalized()
 	# A camera looks along -Z, a face along +Z.
-	var eyes: Transform3D = Transform3D(turn * Basis(Vector3.UP, PI), head.origin + turn * _EYES)
+	var eyes: Transform3D = Transform3D(turn * Basis(Vector3.UP, PI), head.origin + turn * EYES)
 	global_transform = _steady.advance(eyes, p_delta) if is_steady else eyes
 
 
