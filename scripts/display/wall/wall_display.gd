@@ -220,6 +220,8 @@ func _add_window(p_screen: WallScreen) -> Window:
 	window.window_input.connect(_pass_on)
 	add_child(window)
 	window.show()
+	# At first the engine keeps a window within one monitor, but a screen may be several.
+	window.position = p_screen.position
 	return window
 
 

@@ -7,8 +7,8 @@ extends SceneTree
 
 ## The light of two projectors may be compared there where both pictures are, and beyond.
 const GAMMA: float = 2.2
-## Samples of the wall along each axis.
-const COLUMNS: int = 600
+## Samples of the wall along each axis: of its shape.
+const COLUMNS: int = 560
 const ROWS: int = 200
 
 var _scene: WallScene = null
@@ -35,7 +35,7 @@ func _run() -> void:
 		return
 	await WallScene.draw(4)
 	await process_frame
-	var panel: Image = DisplayServer.screen_get_image_rect(_whole_desktop())
+	var panel: Image = _desktop()
 	var wide: EyeView = EyeView.new()
 	root.add_child(wide)
 	wide.follow(_scene.camera)
@@ -56,12 +56,19 @@ func _option(p_name: String) -> String:
 	return ""
 
 
-func _whole_desktop() -> Rect2i:
+## What all monitors show.
+func _desktop() -> Image:
 	var whole: Rect2i = Rect2i()
 	for screen: int in DisplayServer.get_screen_count():
 		var at: Vector2i = DisplayServer.screen_get_position(screen)
 		whole = whole.merge(Rect2i(at, DisplayServer.screen_get_size(screen)))
-	return whole
+	var image: Image = Image.create(whole.size.x, whole.size.y, false, Image.FORMAT_RGBA8)
+	for screen: int in DisplayServer.get_screen_count():
+		var part: Image = DisplayServer.screen_get_image(screen)
+		part.convert(Image.FORMAT_RGBA8)
+		var at: Vector2i = DisplayServer.screen_get_position(screen)
+		image.blit_rect(part, Rect2i(Vector2i.ZERO, part.get_size()), at)
+	return image
 
 
 ## The picture of a rectangle of the station, with so many pixels.
