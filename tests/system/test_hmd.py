@@ -9,7 +9,7 @@ from collections.abc import Iterator
 import pytest
 from toolchain.godot import Godot
 from toolchain.headset import Stage, compare_eyes, lose_and_return
-from toolchain.monado import Monado
+from toolchain.monado import Hand, Monado
 
 from .test_editor import godot  # noqa: F401
 
@@ -92,3 +92,13 @@ def test_buttons_and_hands_reach_the_program(
             stage.await_text(f"PRESSED {action}", mark)
         stage.await_text("HEAD (0.25, 1.75, -0.5)", mark)
         stage.await_text("HAND (0.5, 1.25, -0.75)", mark)
+        # A ray from the hand presses what it points at; the menu is half an arm ahead.
+        monado.wearer.right = Hand(position=(0.0, 1.5, -0.2), trigger=0.0)
+        monado.send()
+        stage.await_text("HAND (0.0, 1.5, -0.2)", mark)
+        monado.wearer.right.trigger = 1.0
+        monado.send()
+        stage.await_text("TRIGGER 1.0", mark)
+        monado.wearer.right.trigger = 0.0
+        monado.send()
+        stage.await_text("MENU pressed", mark)

@@ -120,7 +120,10 @@ def compare_eyes(godot: Godot, monado: Monado) -> dict:
     )
     for line in done.stdout.splitlines():
         if line.startswith("JSON "):
-            return json.loads(line.removeprefix("JSON "))
+            found = json.loads(line.removeprefix("JSON "))
+            if "fault" in found:
+                raise Failure(f"The headset does not open: {found['fault']}")
+            return found
     raise Failure("The eyes' pictures were not compared:\n" + tail(done.stdout + done.stderr, 30))
 
 

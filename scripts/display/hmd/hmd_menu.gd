@@ -69,6 +69,9 @@ func open(p_control: Control, p_head: Transform3D) -> void:
 	p_control.set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT)
 	face(p_head)
 	visible = true
+	if _layer != null:
+		_layer.transform = transform
+		_layer.visible = true
 	opened.emit(true)
 
 
@@ -77,6 +80,8 @@ func close() -> void:
 	_release()
 	for child: Node in _picture.get_children():
 		_picture.remove_child(child)
+	if _layer != null:
+		_layer.visible = false
 	if visible:
 		visible = false
 		opened.emit(false)
@@ -87,21 +92,23 @@ func is_open() -> bool:
 	return visible
 
 
-## Uses a layer of the runtime's, where it has such: the board stays as what rays hit.
-func use_layer() -> bool:
-	if _layer == null:
-		_layer = OpenXRCompositionLayerQuad.new()
-		_layer.quad_size = SIZE_M
-		_layer.layer_viewport = _picture
-		_layer.alpha_blend = true
-		_layer.sort_order = 1
-		add_child(_layer)
-	# Without the runtime's support the engine shows a board of its own in the layer's place.
-	_board.visible = not _layer.is_natively_supported()
-	if _board.visible:
+## Uses a layer of the runtime's where it has such; the board then only takes the rays. Returns
+## whether it does. Takes the origin of the tracking space, this node's parent.
+func use_layer(p_origin: XROrigin3D) -> bool:
+	_layer = OpenXRCompositionLayerQuad.new()
+	_layer.quad_size = SIZE_M
+	_layer.alpha_blend = true
+	_layer.sort_order = 1
+	_layer.visible = false
+	# The engine takes it only directly below the origin.
+	p_origin.add_child(_layer)
+	if not _layer.is_natively_supported():
 		_layer.queue_free()
 		_layer = null
-	return _layer != null
+		return false
+	_layer.layer_viewport = _picture
+	_board.visible = false
+	return true
 
 
 ## Comes before the eyes, upright. Takes the head in the space of this node's parent.

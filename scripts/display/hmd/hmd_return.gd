@@ -3,9 +3,10 @@ extends RefCounted
 ## The way into the headset, and back into it: asks the runtime now and then, and starts the program
 ## again with the headset as soon as one can be had.
 
-## How often a runtime that was lost is asked, s, and how long an answer may take, s.
+## How often a runtime that was lost is asked, s, and how long an answer may take, s: it comes
+## within 50 ms, but on a machine that is busy elsewhere.
 const _PERIOD_S: float = 2.0
-const PATIENCE_S: float = 3.0
+const PATIENCE_S: float = 8.0
 
 ## What the last answer was, one of [enum RuntimeProbe.Answer].
 var answer: RuntimeProbe.Answer = RuntimeProbe.NONE

@@ -24,7 +24,16 @@ func _ready() -> void:
 	_display.set_mirror(int(mirror) as HmdDisplay.Mirror)
 	add_child(_display)
 	var fault: String = _display.open()
+	if _display.is_worn():
+		_open_menu()
 	print("OPEN ", fault, " pid ", OS.get_process_id())
+
+
+func _open_menu() -> void:
+	var button: Button = Button.new()
+	button.text = "Press"
+	button.pressed.connect(func() -> void: print("MENU pressed"))
+	_display.view().menu.open(button, Transform3D(Basis.IDENTITY, Vector3(0.0, 1.6, 0.0)))
 
 
 func _process(_delta: float) -> void:
@@ -36,3 +45,5 @@ func _process(_delta: float) -> void:
 		print("FRAME %d worn %s, %s" % [_frames, report["worn"], guarded])
 		print("HEAD %s" % _display.head_in_world().origin)
 		print("HAND %s" % _display.controller_pose(1).origin)
+		if _display.is_worn():
+			print("TRIGGER %.1f" % _display.view().hand(1).get_float(&"trigger"))
