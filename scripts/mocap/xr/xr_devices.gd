@@ -75,7 +75,7 @@ func _read_head() -> void:
 
 func _read_controller(p_side: int) -> void:
 	var pose: XRPose = _pose_of(CONTROLLERS[p_side], _PALM_POSES)
-	if pose == null or not pose.transform.is_finite():
+	if pose == null or not XrFrame.is_pose(pose.transform):
 		return
 	var hand: Quaternion = hand_of_grip(p_side, pose.transform.basis)
 	frame.hands[p_side] = Transform3D(Basis(hand), pose.transform * _WRIST)
@@ -87,7 +87,7 @@ func _read_hand(p_side: int, r_fingers: Dictionary[int, Quaternion]) -> bool:
 	if tracker == null or not tracker.has_tracking_data:
 		return false
 	var wrist: Transform3D = tracker.get_hand_joint_transform(XRHandTracker.HAND_JOINT_WRIST)
-	if not _is_valid(tracker, XRHandTracker.HAND_JOINT_WRIST) or not wrist.is_finite():
+	if not _is_valid(tracker, XRHandTracker.HAND_JOINT_WRIST) or not XrFrame.is_pose(wrist):
 		return false
 	var bone: StringName = &"LeftHand" if p_side == 0 else &"RightHand"
 	frame.hands[p_side] = Transform3D(Basis(_turn(wrist, bone)), wrist.origin)
@@ -102,7 +102,8 @@ func _read_hand(p_side: int, r_fingers: Dictionary[int, Quaternion]) -> bool:
 			var pose: Transform3D = tracker.get_hand_joint_transform(
 				there as XRHandTracker.HandJoint
 			)
-			r_fingers[joint] = _turn(pose, FingerJoints.bone_of(joint))
+			if XrFrame.is_pose(pose):
+				r_fingers[joint] = _turn(pose, FingerJoints.bone_of(joint))
 	return true
 
 

@@ -105,12 +105,12 @@ func lose_all() -> void:
 
 ## Takes out what is no number or no rotation: a runtime may say anything.
 func drop_faults() -> void:
-	has_head = has_head and _is_pose(head)
+	has_head = has_head and is_pose(head)
 	has_place = has_place and has_head
 	for hand: int in 2:
-		has_hands[hand] = 1 if has_hands[hand] != 0 and _is_pose(hands[hand]) else 0
+		has_hands[hand] = 1 if has_hands[hand] != 0 and is_pose(hands[hand]) else 0
 	for pin: int in PINS:
-		has_pins[pin] = 1 if has_pins[pin] != 0 and _is_pose(pins[pin]) else 0
+		has_pins[pin] = 1 if has_pins[pin] != 0 and is_pose(pins[pin]) else 0
 
 
 ## The rotation of the head's limb from the reset pose: somebody who looks along the headset's -Z.
@@ -118,7 +118,8 @@ func head_turn() -> Quaternion:
 	return head.basis.get_rotation_quaternion() * Quaternion(Vector3.UP, PI)
 
 
-static func _is_pose(p_pose: Transform3D) -> bool:
+## Whether this is a pose at all: numbers, no scale, within a kilometre.
+static func is_pose(p_pose: Transform3D) -> bool:
 	if not p_pose.is_finite() or p_pose.origin.length_squared() > 1e6:
 		return false
 	return absf(p_pose.basis.determinant() - 1.0) < 0.1

@@ -69,6 +69,26 @@ func test_a_tracked_hand_is_used_before_a_controller_and_has_fingers() -> void:
 	equal(frame.fingers.size(), 0)
 
 
+func test_nonsense_of_a_runtime_is_not_tracked() -> void:
+	for wrong: Transform3D in [
+		Transform3D(Basis.IDENTITY, Vector3(NAN, 0, 0)),
+		Transform3D(Basis.from_scale(Vector3.ZERO), Vector3.ZERO),
+		Transform3D(Basis(Vector3(NAN, 0, 0), Vector3.UP, Vector3.BACK), Vector3.ZERO),
+	]:
+		_add(&"head", XRServer.TRACKER_HEAD, &"default", wrong)
+		_add(&"left_hand", XRServer.TRACKER_CONTROLLER, &"grip", wrong)
+		_add(StringName(XrDevices.PINS[0]), XRServer.TRACKER_CONTROLLER, &"default", wrong)
+		var frame: XrFrame = _devices.read(1)
+		frame.move(Transform3D(Basis(Vector3.UP, PI), Vector3.ZERO))
+		is_false(frame.has_head or frame.has_place, str(wrong))
+		equal(frame.has_hands[0] + frame.has_pins[0], 0)
+		var source: XrBodySource = XrBodySource.new()
+		source.push(frame)
+		is_null(source.sample(1))
+		after_each()
+		_trackers.clear()
+
+
 func _add(
 	p_name: StringName, p_type: XRServer.TrackerType, p_pose: StringName, p_at: Transform3D
 ) -> void:

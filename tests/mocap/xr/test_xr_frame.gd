@@ -44,6 +44,22 @@ func test_between_two_moments() -> void:
 	equal(between.has_hands, PackedByteArray([1, 0]))
 
 
+func test_another_frame_of_the_same_size() -> void:
+	var frame: XrFrame = _frame()
+	frame.fingers = {XRBodyTracker.JOINT_LEFT_INDEX_FINGER_TIP: Quaternion.IDENTITY}
+	frame.hands[0].origin = Vector3(0.3, 1.0, -0.4)
+	frame.pins[XrFrame.Pin.WAIST].origin = Vector3(0.0, 1.0, 0.1)
+	var fingers: Dictionary[int, Quaternion] = frame.fingers
+	var into: Transform3D = Transform3D(Basis(Vector3.UP, PI), Vector3(1, 0, 0))
+	frame.move(into)
+	almost_equal(frame.head.origin, Vector3(1, 1.6, 0), 1e-5)
+	almost_equal(frame.head_turn() * Vector3.BACK, Vector3.BACK, 1e-5, "ahead is +Z then")
+	almost_equal(frame.hands[0].origin, Vector3(0.7, 1.0, 0.4), 1e-5)
+	almost_equal(frame.pins[XrFrame.Pin.WAIST].origin, Vector3(1, 1, -0.1), 1e-5)
+	almost_equal(frame.fingers.values()[0], Quaternion(Vector3.UP, PI), 1e-5)
+	almost_equal(fingers.values()[0], Quaternion.IDENTITY, 1e-5, "those of others stay")
+
+
 func _frame() -> XrFrame:
 	var frame: XrFrame = XrFrame.new()
 	frame.time_usec = 1_000_000
