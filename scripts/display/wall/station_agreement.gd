@@ -8,7 +8,7 @@ extends RefCounted
 ## It waits for others by no more than this, s.
 const MAX_WAIT_S: float = 0.25
 ## How quickly it waits longer, and how slowly less, as shares per message.
-const _LONGER: float = 0.2
+const _LONGER: float = 0.05
 const _SHORTER: float = 0.01
 
 ## Whether this display leads.
