@@ -187,6 +187,8 @@ func _connect_stream() -> void:
 	if _role == ClientStreams.REPLAY:
 		_interaction.process_mode = Node.PROCESS_MODE_DISABLED
 	_interaction.prompt_changed.connect(_hud.show_prompt)
+	if _display.is_worn():
+		_interaction.aim = _display.headset.aim
 	_interaction.use_by_name(_options.text("use"))
 	_scene.level_missing.connect(
 		func(why: String) -> void: _on_ended(StateStream.EXIT_REFUSED, why)

@@ -56,6 +56,7 @@ var _room: RoomFrame = RoomFrame.new()
 var _orientation: HeadFusion.Source = HeadFusion.Source.BOTH
 var _position: HeadFusion.Source = HeadFusion.Source.BOTH
 var _wanted: Transform3D = Transform3D.IDENTITY
+var _wearer: Transform3D = Transform3D.IDENTITY
 var _carrier: int = -1
 var _carrier_frame: Transform3D = Transform3D.IDENTITY
 var _has_begun: bool = false
@@ -94,6 +95,17 @@ func begin() -> void:
 	_menu.use_layer(view.origin)
 	_notice = HeadsetNotice.new()
 	view.head.add_child(_notice)
+
+
+## Where the wearer points in the world, along -Z: with the prop that has a tracker of its own, such
+## as a weapon, else with the right hand, and with the head where neither is tracked.
+func aim() -> Transform3D:
+	var frame: XrFrame = _devices.frame
+	if frame.has_pins[XrFrame.Pin.HANDHELD] != 0:
+		return _wearer * frame.pins[XrFrame.Pin.HANDHELD]
+	if frame.has_hands[1] != 0:
+		return display.controller_pose(1)
+	return display.head_in_world()
 
 
 ## Shows the wearer a text for a while.
@@ -157,10 +169,10 @@ func read(p_due_usec: int, p_unix_usec: int) -> void:
 
 ## Puts the wearer's room into the world for a frame of a length, s.
 func place(p_due_usec: int, p_step_s: float) -> void:
-	var wearer: Transform3D = _room.advance(_wanted, p_step_s, _carrier, _carrier_frame)
+	_wearer = _room.advance(_wanted, p_step_s, _carrier, _carrier_frame)
 	# The display puts its own recentring between the room and the tracking space.
 	var recentring: Transform3D = display.recentring.transform()
-	var room: Transform3D = wearer * AHEAD * _in_room(p_due_usec) * recentring.affine_inverse()
+	var room: Transform3D = _wearer * AHEAD * _in_room(p_due_usec) * recentring.affine_inverse()
 	display.place_room(room)
 	if is_instance_valid(_menu) and _menu.is_open():
 		var hands: Array[Transform3D] = []
@@ -220,6 +232,8 @@ func _on_recentred() -> void:
 	if body != null:
 		body.recentre()
 		body.is_seated = display.recentring.is_seated
+		# Who recentres stands upright and looks ahead.
+		body.learn_pins()
 
 
 func _on_button(p_name: StringName, p_hand: int, p_is_pressed: bool) -> void:

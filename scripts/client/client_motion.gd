@@ -50,6 +50,14 @@ func stop() -> void:
 func embody(p_actor: int, p_joints: PersonSkeleton, p_hips: float, p_rate: float) -> void:
 	actor = p_actor
 	_body.setup(p_joints, p_hips / source.get_hip_height(), p_rate)
+	# Who is fitted to a headset is fitted to the body that is shown.
+	var fault: String = ""
+	if source is FusedSource:
+		fault = (source as FusedSource).show_on(p_joints, p_hips)
+	elif source is XrBodySource:
+		fault = (source as XrBodySource).show_on(p_joints, p_hips)
+	if fault != "":
+		Log.warning("client", "hands may miss what they hold: " + fault)
 	_body.clear()
 	_has_body = true
 	_truth_tick = -1

@@ -8,6 +8,10 @@ signal prompt_changed(p_text: String)
 ## Input action that uses what is looked at.
 const ACTION: StringName = &"interact"
 
+## Where the user points instead of with the camera: [code]func() -> Transform3D[/code] (-Z ahead),
+## if valid, such as the hand that holds a controller.
+var aim: Callable = Callable()
+
 var _prompt: String = ""
 var _named: String = ""
 
@@ -52,6 +56,9 @@ func find() -> Interactable:
 		var seat: Seat = node as Seat
 		if seat != null and seat.entity != null and seat.is_mine():
 			return seat
+	if aim.is_valid():
+		var from: Transform3D = aim.call()
+		return Interactable.find(get_tree(), from.origin, -from.basis.z.normalized())
 	var camera: Camera3D = get_viewport().get_camera_3d()
 	if camera == null:
 		return null
