@@ -92,7 +92,7 @@ def test_buttons_and_hands_reach_the_program(
             stage.await_text(f"PRESSED {action}", mark)
         stage.await_text("HEAD (0.25, 1.75, -0.5)", mark)
         stage.await_text("HAND (0.5, 1.25, -0.75)", mark)
-        # A ray from the hand presses what it points at; the menu is half an arm ahead.
+        # A ray from the hand presses what it points at; the menu is at arm's length.
         monado.wearer.right = Hand(position=(0.0, 1.5, -0.2), trigger=0.0)
         monado.send()
         stage.await_text("HAND (0.0, 1.5, -0.2)", mark)

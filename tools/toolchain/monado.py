@@ -206,6 +206,10 @@ class Monado:
                 self._remote = socket.create_connection(("127.0.0.1", self.port), 5.0)
             except OSError:
                 time.sleep(0.1)
+        # It tells where it begins and where it is; whoever leaves before ends it by SIGPIPE.
+        left = 2 * _PACKET_BYTES
+        while left > 0:
+            left -= len(self._remote.recv(left)) or left
 
     def _await_socket(self) -> None:
         end = time.monotonic() + START_LIMIT_S

@@ -149,7 +149,7 @@ func controller_pose(p_hand: int) -> Transform3D:
 	return _view.hand(p_hand).global_transform if _view != null else Transform3D.IDENTITY
 
 
-## The view's own node, with its menu and vignette; null without a headset.
+## The view's own node, for what belongs into it; null without a headset.
 func view() -> HmdView:
 	return _view
 
@@ -202,7 +202,6 @@ func _begin() -> void:
 	_view = HmdView.new()
 	add_child(_view)
 	_view.set_quality(RateKeeper.STEPS[keeper.step])
-	_view.menu.use_layer(_view.origin)
 	for i: int in 2:
 		var hand: XRController3D = _view.hand(i)
 		hand.button_pressed.connect(_on_pressed.bind(i))
@@ -232,7 +231,6 @@ func _show_frame(p_delta: float) -> void:
 		recentring.turn(turn, _view.head.transform)
 		_cut()
 	_view.origin.transform = tracking_in_world()
-	_view.point()
 	var moved: Transform3D = _last_room.affine_inverse() * _room
 	var turned: float = Recentring.heading_of(moved.basis)
 	_last_room = _room
@@ -308,8 +306,6 @@ func _leave_view() -> void:
 	if _spectator != null:
 		_spectator.queue_free()
 		_spectator = null
-	# What it shows belongs to others.
-	_view.menu.close()
 	_view.queue_free()
 	_view = null
 	var window: Window = get_window()

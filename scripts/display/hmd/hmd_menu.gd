@@ -33,7 +33,7 @@ var _was_on: bool = false
 func _init() -> void:
 	_picture.size = SIZE_PX
 	_picture.transparent_bg = true
-	_picture.render_target_update_mode = SubViewport.UPDATE_ALWAYS
+	_picture.render_target_update_mode = SubViewport.UPDATE_DISABLED
 	_picture.disable_3d = true
 	add_child(_picture)
 	var quad: QuadMesh = QuadMesh.new()
@@ -69,6 +69,7 @@ func open(p_control: Control, p_head: Transform3D) -> void:
 	p_control.set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT)
 	face(p_head)
 	visible = true
+	_picture.render_target_update_mode = SubViewport.UPDATE_ALWAYS
 	if _layer != null:
 		_layer.transform = transform
 		_layer.visible = true
@@ -78,6 +79,7 @@ func open(p_control: Control, p_head: Transform3D) -> void:
 ## Hides it and takes the control out of it.
 func close() -> void:
 	_release()
+	_picture.render_target_update_mode = SubViewport.UPDATE_DISABLED
 	for child: Node in _picture.get_children():
 		_picture.remove_child(child)
 	if _layer != null:

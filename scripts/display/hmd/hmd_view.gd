@@ -8,8 +8,6 @@ var origin: XROrigin3D = XROrigin3D.new()
 var head: XRCamera3D = XRCamera3D.new()
 ## Darkens the edges while the wearer is moved.
 var vignette: Vignette = Vignette.new()
-## The menu before the wearer.
-var menu: HmdMenu = HmdMenu.new()
 
 var _hands: Array[XRController3D] = []
 
@@ -31,18 +29,7 @@ func _init() -> void:
 		hand.pose = &"aim"
 		_hands.append(hand)
 		origin.add_child(hand)
-	origin.add_child(menu)
 	add_child(origin)
-
-
-## Lets the hands point at the menu.
-func point() -> void:
-	var hands: Array[Transform3D] = []
-	var triggers: PackedFloat32Array = []
-	for hand: XRController3D in _hands:
-		hands.append(hand.global_transform)
-		triggers.append(hand.get_float(&"trigger"))
-	menu.point(hands, triggers)
 
 
 ## The left (0) or right (1) hand: where it points.

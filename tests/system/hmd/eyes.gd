@@ -111,8 +111,6 @@ func _compare(p_head: Transform3D) -> float:
 		var clip: Vector4 = lens * Vector4(at.x, at.y, at.z, 1.0)
 		var seen: Vector2 = Vector2(1.0 + clip.x / clip.w, 1.0 - clip.y / clip.w) * 0.5 * size
 		var off: float = seen.distance_to(_reader.found[view])
-		if OS.has_environment("SHOW"):
-			print("view ", view, " seen ", seen, " found ", _reader.found[view])
 		worst = maxf(worst, off if is_finite(off) else 1000.0)
 	return worst
 

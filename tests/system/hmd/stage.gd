@@ -3,6 +3,7 @@ extends Node3D
 
 var _display: HmdDisplay = HmdDisplay.new()
 var _camera: Camera3D = Camera3D.new()
+var _menu: HmdMenu = null
 var _frames: int = 0
 
 
@@ -33,12 +34,17 @@ func _open_menu() -> void:
 	var button: Button = Button.new()
 	button.text = "Press"
 	button.pressed.connect(func() -> void: print("MENU pressed"))
-	_display.view().menu.open(button, Transform3D(Basis.IDENTITY, Vector3(0.0, 1.6, 0.0)))
+	_menu = HmdMenu.new()
+	_display.view().origin.add_child(_menu)
+	print("LAYER ", _menu.use_layer(_display.view().origin))
+	_menu.open(button, Transform3D(Basis.IDENTITY, Vector3(0.0, 1.6, 0.0)))
 
 
 func _process(_delta: float) -> void:
 	_frames += 1
 	_display.place_room(Transform3D.IDENTITY)
+	if _display.is_worn():
+		_menu.point([_display.controller_pose(1)], [_trigger()])
 	if _frames % 10 == 0:
 		var report: Dictionary = _display.report()
 		var guarded: String = "guarded" if report["guarded"] else "unguarded"
@@ -46,4 +52,8 @@ func _process(_delta: float) -> void:
 		print("HEAD %s" % _display.head_in_world().origin)
 		print("HAND %s" % _display.controller_pose(1).origin)
 		if _display.is_worn():
-			print("TRIGGER %.1f" % _display.view().hand(1).get_float(&"trigger"))
+			print("TRIGGER %.1f" % _trigger())
+
+
+func _trigger() -> float:
+	return _display.view().hand(1).get_float(&"trigger")
