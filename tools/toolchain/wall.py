@@ -53,9 +53,9 @@ def main(arguments: list[str]) -> int:
     layout = user_path(values["layout"])
     if not layout.is_file():
         raise Failure(f"There is no layout {layout}: name one with --layout=FILE.", 2)
+    found = check(prepare(export=True), layout)
     if not real_display():
         raise Failure("A wall needs a display: start it in a desktop session.")
-    found = check(prepare(export=True), layout)
     commands = clients(found, layout, role, values.get("screens", ""), given)
     with tempfile.TemporaryDirectory(prefix="dismount-") as folder:
         return run(commands, Path(folder))
