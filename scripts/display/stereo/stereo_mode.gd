@@ -67,11 +67,6 @@ static func is_squeezed(p_kind: Kind) -> bool:
 	return p_kind == Kind.SIDE_BY_SIDE or p_kind == Kind.TOP_BOTTOM
 
 
-## Whether the eyes differ by pixels of the panel: such a picture may not be scaled.
-static func is_interlaced(p_kind: Kind) -> bool:
-	return p_kind in [Kind.ROWS, Kind.COLUMNS, Kind.CHECKERBOARD]
-
-
 ## How an [EyePicture] mixes the eyes.
 static func mix(p_kind: Kind) -> EyePicture.Mix:
 	match p_kind:

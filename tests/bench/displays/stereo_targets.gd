@@ -2,7 +2,8 @@ extends SceneTree
 ## What both eyes see of a small square at known depths, as the panel shows it: a JSON line for each
 ## way of stereo, depth and place of the window.
 ##
-## Options: --modes=NAME,...; --origins=X:Y,... of the window on its panel.
+## Options: --modes=NAME,...; --origins=X:Y,... of the window on its panel; --scale=FACTOR of its
+## texts, which is none of the pictures'.
 
 const EYES_M: float = 0.065
 const CONVERGENCE_M: float = 3.0
@@ -28,6 +29,7 @@ func _initialize() -> void:
 
 func _run() -> void:
 	_build()
+	root.content_scale_factor = _option("scale", "1").to_float()
 	for mode: String in _option("modes", "side-by-side").split(","):
 		for origin: String in _option("origins", "0:0").split(","):
 			var parts: PackedStringArray = origin.split(":")

@@ -2,7 +2,8 @@ extends SceneTree
 ## Walls, as the panels show them, against one wide picture of the same world: a JSON line a case.
 ##
 ## Cases: "cave": three walls at right angles, stitched. "monitors": three in a row on monitors of
-## their own. "seam": two projectors that overlap, warped and blended, their light added. Options:
+## their own. "seam": two projectors that overlap, warped and blended, their light added. "white":
+## likewise of a white test picture, where all should be white. Options:
 ## --case=NAME, --layout=FILE, --pictures=FOLDER.
 
 ## The light of two projectors may be compared there where both pictures are, and beyond.
@@ -10,6 +11,7 @@ const GAMMA: float = 2.2
 ## Samples of the wall along each axis: of its shape.
 const COLUMNS: int = 560
 const ROWS: int = 200
+const EDGE: int = 2
 
 var _scene: WallScene = null
 var _display: WallDisplay = null
@@ -33,6 +35,8 @@ func _run() -> void:
 		printerr(fault)
 		quit(2)
 		return
+	if _option("case") == "white":
+		_display.show_test_picture(TestPicture.Kind.WHITE)
 	await WallScene.draw(4)
 	await process_frame
 	var panel: Image = _desktop()
@@ -44,7 +48,7 @@ func _run() -> void:
 			await _compare_cave(panel, wide)
 		"monitors":
 			await _compare_row(panel, wide)
-		"seam":
+		"seam", "white":
 			await _compare_seam(panel, wide)
 	quit()
 
@@ -182,6 +186,8 @@ func _compare_seam(p_panel: Image, p_wide: EyeView) -> void:
 	var wide: Image = await _picture_of(
 		p_wide, low, right, screens[0].top_left, Vector2i(COLUMNS, ROWS) * 2
 	)
+	if _option("case") == "white":
+		wide.fill(Color.WHITE)
 	var sums: Vector2 = Vector2.ZERO
 	var counts: Vector2 = Vector2.ZERO
 	var most: float = 0.0
@@ -205,7 +211,9 @@ func _compare_seam(p_panel: Image, p_wide: EyeView) -> void:
 			var place: int = 1 if covering > 1 else 0
 			sums[place] += difference
 			counts[place] += 1.0
-			most = maxf(most, difference) if place == 1 else most
+			# At a picture's upper and lower edge half a pixel is none of it.
+			if place == 1 and y > EDGE and y < ROWS - EDGE:
+				most = maxf(most, difference)
 	var found: Dictionary = {"seam": sums.y / counts.y * 255.0, "most": most * 255.0}
 	found["beside"] = sums.x / counts.x * 255.0
 	_say(found)

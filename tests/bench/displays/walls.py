@@ -87,3 +87,6 @@ def measure(bench: Bench) -> None:
         add(case, "mean difference, overlap", found["seam"], "/255 of light", at_most=MAX_LIGHT)
         add(case, "mean difference, beside", found["beside"], "/255 of light", at_most=MAX_LIGHT)
         add(case, "largest difference, overlap", found["most"], "/255 of light")
+        found = compare(bench, "white", seam(), environment)
+        most = found["most"]
+        add(case, "largest, of all white", most, "/255 of light", at_most=MAX_LIGHT)
