@@ -96,6 +96,7 @@ def test_buttons_and_hands_reach_the_program(
         monado.wearer.right = Hand(position=(0.0, 1.5, -0.2), trigger=0.0)
         monado.send()
         stage.await_text("HAND (0.0, 1.5, -0.2)", mark)
+        mark = stage.mark()
         monado.wearer.right.trigger = 1.0
         monado.send()
         stage.await_text("TRIGGER 1.0", mark)
