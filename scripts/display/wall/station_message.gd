@@ -6,7 +6,8 @@ extends RefCounted
 ## Little-endian: u32 magic, u8 version, u8 kind, u32 fingerprint of the layout, u32 sender (a
 ## random number), u32 sequence, u64 time of sending and u64 time at which the tick is shown (µs of
 ## the sender's clock), f64 tick, f32 ticks per second, the station in the world: 3 f32 (m) and 4
-## f32 (quaternion). Nothing secures it: it is for a station's own network.
+## f32 (quaternion), the eyes in the station: 3 f32 (m), and the axis to the right one: 3 f32.
+## Nothing secures it: it is for a station's own network.
 
 ## Who speaks.
 enum Kind {
@@ -18,7 +19,7 @@ enum Kind {
 
 const MAGIC: int = 0x54534D44
 const VERSION: int = 1
-const SIZE: int = 74
+const SIZE: int = 98
 ## Most ticks per second that are believed, and the largest tick.
 const _MAX_RATE: float = 1000.0
 const _MAX_TICK: float = 1e12
@@ -33,6 +34,8 @@ var at_usec: int = 0
 var tick: float = 0.0
 var rate: float = 0.0
 var mount: Transform3D = Transform3D.IDENTITY
+var eye: Vector3 = Vector3.ZERO
+var right: Vector3 = Vector3.RIGHT
 
 
 ## The bytes of it.
@@ -53,6 +56,7 @@ func encode() -> PackedByteArray:
 	var values: PackedFloat32Array = [
 		mount.origin.x, mount.origin.y, mount.origin.z, turn.x, turn.y, turn.z, turn.w
 	]
+	values.append_array([eye.x, eye.y, eye.z, right.x, right.y, right.z])
 	for at: int in values.size():
 		bytes.encode_float(46 + 4 * at, values[at])
 	return bytes
@@ -73,9 +77,9 @@ static func decode(p_bytes: PackedByteArray) -> StationMessage:
 	found.at_usec = p_bytes.decode_u64(26)
 	found.tick = p_bytes.decode_double(34)
 	found.rate = p_bytes.decode_float(42)
-	var place: Vector3 = Vector3(
-		p_bytes.decode_float(46), p_bytes.decode_float(50), p_bytes.decode_float(54)
-	)
+	var place: Vector3 = _vector(p_bytes, 46)
+	found.eye = _vector(p_bytes, 74)
+	found.right = _vector(p_bytes, 86)
 	var turn: Quaternion = Quaternion(
 		p_bytes.decode_float(58),
 		p_bytes.decode_float(62),
@@ -84,10 +88,18 @@ static func decode(p_bytes: PackedByteArray) -> StationMessage:
 	)
 	if not place.is_finite() or place.length() > _MAX_M or not turn.is_finite():
 		return null
+	if not found.eye.is_finite() or not found.right.is_finite():
+		return null
 	if absf(turn.length() - 1.0) > 0.01 or not _is_time(found):
 		return null
 	found.mount = Transform3D(Basis(turn.normalized()), place)
 	return found
+
+
+static func _vector(p_bytes: PackedByteArray, p_at: int) -> Vector3:
+	return Vector3(
+		p_bytes.decode_float(p_at), p_bytes.decode_float(p_at + 4), p_bytes.decode_float(p_at + 8)
+	)
 
 
 static func _is_time(p_found: StationMessage) -> bool:

@@ -23,6 +23,9 @@ var _refused: int = 0
 ## Where others are, by their number: address, port, time of the last message.
 var _peers: Dictionary[int, Array] = {}
 var _shown: float = -1.0
+var _mount: Transform3D = Transform3D.IDENTITY
+var _eye: Vector3 = Vector3.ZERO
+var _right: Vector3 = Vector3.RIGHT
 
 
 ## Takes the fingerprint of the layout, and whether this is the first client.
@@ -58,14 +61,20 @@ func follows() -> bool:
 	return _agreement.leader_message() != null
 
 
-## Where the first client has the station; the other transform while it has not been heard.
-func mount(p_else: Transform3D) -> Transform3D:
-	var message: StationMessage = _agreement.leader_message()
-	return p_else if message == null else message.mount
+## What the first client said last: where the station is, and its viewer's eyes; null: nothing.
+func leader_message() -> StationMessage:
+	return _agreement.leader_message()
+
+
+## Says where the station is in the world, and the eyes in the station, m.
+func place(p_mount: Transform3D, p_eye: Vector3, p_right: Vector3) -> void:
+	_mount = p_mount
+	_eye = p_eye
+	_right = p_right
 
 
 ## Hears and tells; see [method WallDisplay.agree].
-func agree(p_tick: float, p_at_usec: int, p_rate: float, p_mount: Transform3D) -> float:
+func agree(p_tick: float, p_at_usec: int, p_rate: float) -> float:
 	_read()
 	var now: int = Time.get_ticks_usec()
 	_shown = _agreement.agree(p_tick, p_at_usec, p_rate, now)
@@ -79,7 +88,9 @@ func agree(p_tick: float, p_at_usec: int, p_rate: float, p_mount: Transform3D) -
 	message.at_usec = p_at_usec
 	message.tick = _shown if _agreement.leads else p_tick
 	message.rate = p_rate
-	message.mount = p_mount
+	message.mount = _mount
+	message.eye = _eye
+	message.right = _right
 	_send(message.encode(), now)
 	return _shown
 

@@ -107,7 +107,7 @@ func eye() -> Vector3:
 func station() -> Transform3D:
 	var from: Transform3D = camera.get_camera_transform()
 	if _sync != null and _sync.follows():
-		return _sync.mount(from)
+		return _sync.leader_message().mount
 	return mount_at(from, layout.eye, layout.tilts)
 
 
@@ -129,7 +129,8 @@ func agree(p_tick: float, p_at_usec: int, p_rate: float) -> float:
 	if _sync == null or camera == null or p_tick < 0.0:
 		return p_tick
 	var pose: Transform3D = mount_at(camera.get_camera_transform(), layout.eye, layout.tilts)
-	return _sync.agree(p_tick, p_at_usec, p_rate, pose)
+	_sync.place(pose, _eye, _right)
+	return _sync.agree(p_tick, p_at_usec, p_rate)
 
 
 ## Shows a test picture on all screens: a number of [enum TestPicture.Kind]; 0: the world.
@@ -169,7 +170,10 @@ func _exit_tree() -> void:
 func _process(_delta: float) -> void:
 	if _window == null or camera == null or not camera.is_inside_tree():
 		return
-	if layout.track != WallLayout.FIXED and layout.track != WallLayout.HEAD:
+	if _sync != null and _sync.follows():
+		# The viewer is the first client's.
+		set_eye(_sync.leader_message().eye, _sync.leader_message().right)
+	elif layout.track != WallLayout.FIXED and layout.track != WallLayout.HEAD:
 		_follow_tracker()
 	var mount: Transform3D = station()
 	for pane: WallPane in _panes:

@@ -33,7 +33,7 @@ func _process(_delta: float) -> bool:
 	# another delay on each machine, and wanders a little with what its network does.
 	var late_s: float = (_number("behind") + WANDER_MS * sin(now + float(_leads))) * 1e-3
 	var own: float = (fmod(now, 86400.0) - late_s) * RATE
-	var tick: float = _sync.agree(own, Time.get_ticks_usec(), RATE, Transform3D.IDENTITY)
+	var tick: float = _sync.agree(own, Time.get_ticks_usec(), RATE)
 	_moments.append(now * 1e6)
 	_ticks.append(tick)
 	if now < _end_s:

@@ -13,6 +13,8 @@ func _message() -> StationMessage:
 	message.tick = 12345.625
 	message.rate = 60.0
 	message.mount = Transform3D(Basis(Vector3.UP, 1.2), Vector3(3.0, 0.0, -8.5))
+	message.eye = Vector3(0.1, 1.6, -0.2)
+	message.right = Vector3(0.0, 0.0, 1.0)
 	return message
 
 
@@ -24,6 +26,8 @@ func test_there_and_back() -> void:
 	equal([got.sender, got.sequence], [77, 5])
 	equal([got.sent_usec, got.at_usec], [1_000_000, 1_016_000])
 	equal(got.tick, 12345.625)
+	almost_equal(got.eye, sent.eye, 1e-6)
+	almost_equal(got.right, sent.right, 1e-6)
 	almost_equal(got.mount.origin, sent.mount.origin, 1e-5)
 	almost_equal(got.mount.basis.x, sent.mount.basis.x, 1e-5)
 
@@ -37,7 +41,7 @@ func test_what_is_no_message() -> void:
 		var bytes: PackedByteArray = good.duplicate()
 		bytes[change[0]] = change[1]
 		is_null(StationMessage.decode(bytes), str(change))
-	for place: int in [42, 46, 58]:
+	for place: int in [42, 46, 58, 74, 94]:
 		var bytes: PackedByteArray = good.duplicate()
 		bytes.encode_float(place, NAN)
 		is_null(StationMessage.decode(bytes), "NaN at %d" % place)

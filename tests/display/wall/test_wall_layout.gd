@@ -108,3 +108,9 @@ func test_noise_is_no_layout_and_no_crash() -> void:
 			bytes[noise.randi_range(0, bytes.size() - 1)] = noise.randi_range(1, 126)
 		for screen: WallScreen in WallLayout.parse(bytes, "noise").screens:
 			is_true(screen.bottom_left.is_finite())
+
+
+func test_the_example_is_sound() -> void:
+	var layout: WallLayout = WallLayout.read("res://scenes/display/wall/cave.cfg")
+	equal(layout.describe_faults(), "")
+	equal(layout.screens.size(), 4)
