@@ -48,7 +48,9 @@ func agree(p_tick: float, p_at_usec: int, p_rate: float, p_now_usec: int) -> flo
 		return _forward(p_tick if is_nan(tick) else tick, p_rate)
 	var slack: float = 0.0
 	for clock: StationClock in _others.values():
-		slack = maxf(slack, p_tick - clock.tick_at(p_at_usec, p_now_usec))
+		# Nobody waits for a display that has stopped.
+		if clock.is_fresh(p_now_usec):
+			slack = maxf(slack, p_tick - clock.tick_at(p_at_usec, p_now_usec))
 	slack = minf(slack, MAX_WAIT_S * p_rate)
 	wait = lerpf(wait, slack, _LONGER if slack > wait else _SHORTER)
 	return _forward(p_tick - wait, p_rate)

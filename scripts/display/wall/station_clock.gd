@@ -40,6 +40,11 @@ func is_known(p_now_usec: int) -> bool:
 	return newest != null and p_now_usec - _arrival_usec < FORGET_USEC
 
 
+## Whether the other one still speaks, so that others may wait for it.
+func is_fresh(p_now_usec: int) -> bool:
+	return newest != null and p_now_usec - _arrival_usec < CARRY_USEC
+
+
 ## The tick that the other one shows at a moment of the own clock, µs; NAN if nothing is known.
 func tick_at(p_at_usec: int, p_now_usec: int) -> float:
 	if not is_known(p_now_usec):

@@ -9,8 +9,11 @@ extends RefCounted
 ## is not heard. Only what is shown is agreed on: the moment at which a panel's refresh begins is
 ## not, because the engine has no genlock.
 
-## Most datagrams that are read in a frame.
-const _MAX_READS: int = 256
+## Most datagrams that wait for a frame.
+const _MAX_WAITING: int = 256
+## How often the socket is looked at, µs. A frame would be too seldom: displays whose frames keep
+## step would find one another late by always the same part of a frame.
+const _LOOK_USEC: int = 1_000
 
 var _agreement: StationAgreement = null
 var _fingerprint: int = 0
@@ -23,6 +26,11 @@ var _refused: int = 0
 ## Where others are, by their number: address, port, time of the last message.
 var _peers: Dictionary[int, Array] = {}
 var _shown: float = -1.0
+var _ear: Thread = Thread.new()
+var _mutex: Mutex = Mutex.new()
+var _is_open: bool = false
+## What was heard since the last frame: bytes, address, port, time of arrival (µs) in turn.
+var _heard: Array = []
 var _mount: Transform3D = Transform3D.IDENTITY
 var _eye: Vector3 = Vector3.ZERO
 var _right: Vector3 = Vector3.RIGHT
@@ -46,6 +54,8 @@ func open(p_host: String, p_port: int) -> String:
 		error = _socket.bind(0, "127.0.0.1" if p_host.begins_with("127.") else "*")
 		_socket.set_dest_address(p_host, p_port)
 	if error == OK:
+		_is_open = true
+		_ear.start(_listen)
 		return ""
 	var text: String = "the station cannot listen at %s:%d (%s): it is the first client's own"
 	return text % [p_host, p_port, error_string(error)] + " address; is another station running?"
@@ -53,6 +63,11 @@ func open(p_host: String, p_port: int) -> String:
 
 ## Ends.
 func close() -> void:
+	_mutex.lock()
+	_is_open = false
+	_mutex.unlock()
+	if _ear.is_started():
+		_ear.wait_to_finish()
 	_socket.close()
 
 
@@ -119,23 +134,43 @@ func _send(p_bytes: PackedByteArray, p_now_usec: int) -> void:
 
 
 func _read() -> void:
-	for _packet: int in _MAX_READS:
-		if _socket.get_available_packet_count() == 0:
+	_mutex.lock()
+	var heard: Array = _heard
+	_heard = []
+	_mutex.unlock()
+	for at: int in range(0, heard.size(), 4):
+		_take(heard[at], heard[at + 1], heard[at + 2], heard[at + 3])
+
+
+func _take(p_bytes: PackedByteArray, p_from: String, p_port: int, p_arrival_usec: int) -> void:
+	var message: StationMessage = StationMessage.decode(p_bytes)
+	if message == null or message.fingerprint != _fingerprint or message.sender == _id:
+		_refused += 1
+	elif not _agreement.leads and (p_from != _host or p_port != _port):
+		_refused += 1
+	elif _agreement.leads and not _may_speak(message.sender, p_from, p_port):
+		_refused += 1
+	else:
+		_peers[message.sender] = [p_from, p_port, p_arrival_usec]
+		_agreement.take(message, p_arrival_usec)
+
+
+## A thread's own: only it reads the socket.
+func _listen() -> void:
+	while true:
+		_mutex.lock()
+		var goes_on: bool = _is_open
+		_mutex.unlock()
+		if not goes_on:
 			return
-		var bytes: PackedByteArray = _socket.get_packet()
-		var now: int = Time.get_ticks_usec()
-		var from: String = _socket.get_packet_ip()
-		var port: int = _socket.get_packet_port()
-		var message: StationMessage = StationMessage.decode(bytes)
-		if message == null or message.fingerprint != _fingerprint or message.sender == _id:
-			_refused += 1
-		elif not _agreement.leads and (from != _host or port != _port):
-			_refused += 1
-		elif _agreement.leads and not _may_speak(message.sender, from, port):
-			_refused += 1
-		else:
-			_peers[message.sender] = [from, port, now]
-			_agreement.take(message, now)
+		while _socket.get_available_packet_count() > 0:
+			var bytes: PackedByteArray = _socket.get_packet()
+			var from: Array = [_socket.get_packet_ip(), _socket.get_packet_port()]
+			_mutex.lock()
+			if _heard.size() < 4 * _MAX_WAITING:
+				_heard.append_array([bytes, from[0], from[1], Time.get_ticks_usec()])
+			_mutex.unlock()
+		OS.delay_usec(_LOOK_USEC)
 
 
 ## A number stays with the address that it came from first; there are so many at most.

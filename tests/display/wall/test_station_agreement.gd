@@ -84,3 +84,15 @@ func test_a_follower_does_not_hear_another_follower() -> void:
 	follower.take(message, 0)
 	is_null(follower.leader_message())
 	equal(follower.agree(100.0, 0, RATE, 0), 100.0)
+
+
+func test_nobody_waits_for_a_display_that_has_stopped() -> void:
+	var leader: StationAgreement = StationAgreement.new(true)
+	var message: StationMessage = StationMessage.new()
+	message.kind = StationMessage.Kind.WANT
+	message.rate = RATE
+	message.tick = 100.0
+	leader.take(message, 0)
+	for frame: int in range(0, 1000, 16):
+		leader.agree(100.0 + frame * 0.06, frame * 1000, RATE, frame * 1000)
+	is_true(leader.wait < 0.5, "waits %.2f ticks" % leader.wait)
