@@ -221,7 +221,10 @@ func _begin() -> void:
 func _show_frame(p_delta: float) -> void:
 	var now: int = Time.get_ticks_usec()
 	_runtime.note_frame(now)
-	if _watch.has_ended(_runtime.predicted_ns(), _runtime.rate_hz(), now):
+	# Its clock stands still as well while nobody wears it.
+	if not _runtime.is_running():
+		_watch.restart(now)
+	elif _watch.has_ended(_runtime.predicted_ns(), _runtime.told_rate_hz(), now):
 		_lose("The headset's runtime has ended: the window goes on.")
 		return
 	var rate: float = _runtime.rate_hz()

@@ -4,6 +4,8 @@ extends RefCounted
 
 ## Refreshes that a runtime wakes a program ahead of what it shows, where its clock is not ours.
 const _LEAD_FRAMES: float = 2.0
+## A rate for runtimes that have told none yet, Hz.
+const _USUAL_HZ: float = 90.0
 ## A clock that differs by less than this is the system's own, µs.
 const _SAME_CLOCK_USEC: int = 1_000_000
 ## Frames of which the earliest is looked for.
@@ -15,6 +17,8 @@ var interface: OpenXRInterface = null
 var _api: OpenXRAPIExtension = null
 var _is_same_clock: bool = false
 var _ahead_usec: int = 0
+var _predicted_ns: int = 0
+var _shortest_ns: int = 0
 var _window: PackedInt64Array = []
 
 
@@ -34,9 +38,23 @@ func predicted_ns() -> int:
 	return _api.get_predicted_display_time()
 
 
-## The rate of the headset, Hz; 0 where the runtime does not say.
-func rate_hz() -> float:
+## The rate that the runtime says, Hz; 0 where it does not, or is no more.
+func told_rate_hz() -> float:
 	return interface.get_display_refresh_rate()
+
+
+## The rate of the headset, Hz: as the runtime says, else the shortest step of its clock; 0 before
+## the first frames.
+func rate_hz() -> float:
+	var told: float = told_rate_hz()
+	if told > 0.0 or _shortest_ns == 0:
+		return told
+	return 1e9 / _shortest_ns
+
+
+## Whether the runtime wants pictures: not while nobody wears the headset.
+func is_running() -> bool:
+	return _api.is_running()
 
 
 ## Notes a frame: its predicted time against now, µs of [method Time.get_ticks_usec].
@@ -44,6 +62,11 @@ func note_frame(p_now_usec: int) -> void:
 	var predicted: int = predicted_ns() / 1000
 	if predicted == 0:
 		return
+	var step_ns: int = predicted_ns() - _predicted_ns
+	_predicted_ns += step_ns
+	# No headset shows more than 1000 pictures a second.
+	if step_ns > 1_000_000 and (_shortest_ns == 0 or step_ns < _shortest_ns):
+		_shortest_ns = step_ns
 	var own_usec: int = ThreadClock.get_monotonic_usec()
 	_is_same_clock = absi(predicted - own_usec) < _SAME_CLOCK_USEC
 	var ahead: int = predicted - (own_usec if _is_same_clock else p_now_usec)
@@ -65,7 +88,8 @@ func due_usec(p_now_usec: int) -> int:
 	var earliest: int = _window[0]
 	for ahead: int in _window:
 		earliest = maxi(earliest, ahead)
-	var lead: float = _LEAD_FRAMES * 1e6 / maxf(rate_hz(), 60.0)
+	var rate: float = rate_hz()
+	var lead: float = _LEAD_FRAMES * 1e6 / (rate if rate > 0.0 else _USUAL_HZ)
 	return p_now_usec + maxi(0, _ahead_usec - earliest + roundi(lead))
 
 
