@@ -30,7 +30,8 @@ void mark_files() {
 		return;
 	}
 	for (const dirent *entry = readdir(folder); entry != nullptr; entry = readdir(folder)) {
-		const int descriptor = std::atoi(entry->d_name);
+		// Names that are no numbers, "." and "..", become 0.
+		const int descriptor = static_cast<int>(std::strtol(entry->d_name, nullptr, 10));
 		if (descriptor > STDERR_FILENO) {
 			const int flags = fcntl(descriptor, F_GETFD);
 			if (flags >= 0) {
