@@ -9,6 +9,7 @@ namespace {
 
 std::vector<std::string> to_command(const PackedStringArray &p_command) {
 	std::vector<std::string> command;
+	command.reserve(static_cast<size_t>(p_command.size()));
 	for (int64_t i = 0; i < p_command.size(); ++i) {
 		command.emplace_back(p_command[i].utf8().get_data());
 	}
