@@ -72,12 +72,24 @@ static func _headset(p_showing: PackedStringArray) -> Array[OptionRow]:
 		OptionRow.choice(
 			"head-position", p_showing, "both", sources, "what places your body in the room"
 		),
-		OptionRow.choice(
-			"mirror",
-			p_showing,
-			"steady",
-			["steady", "eye", "none"],
-			"what the window shows while a headset is worn: a calm view, the left eye's, or nothing"
+		(
+			OptionRow
+			. choice(
+				"mirror",
+				p_showing,
+				"steady",
+				["steady", "reduced", "none"],
+				"what the window shows of a headset: a calm view, the same at half resolution, or nothing"
+			)
+		),
+		(
+			OptionRow
+			. text(
+				"marker",
+				p_showing,
+				"where the level has the marker that hangs on the real wall: m, heading in degrees"
+			)
+			. shown_as("X,Y,Z,HEADING[,NAME]")
 		),
 		OptionRow.flag("seated", p_showing, "you sit: the headset's height does not count"),
 		OptionRow.number(

@@ -238,7 +238,7 @@ func _update_scene() -> void:
 	_scene.update(_stream.frame_s(now), own, _display.agreement(now))
 	_display.place_wearer(people, own, get_process_delta_time())
 	var headless: bool = DisplayServer.get_name() == "headless"
-	if FramePacer.is_free():
+	if FramePacer.is_free() and not _display.is_worn():
 		Engine.max_fps = _pacer.limit_for(_scene.replica.shown_tick(), _scene.replica.tick_rate())
 	_stats.frame(_scene.replica, _stream.server_usec(begin), headless)
 	_stats.times.placed(Time.get_ticks_usec())

@@ -191,7 +191,7 @@ func _make(p_options: Options) -> String:
 		headset = ClientHeadset.new()
 		headset.name = "Headset"
 		add_child(headset)
-		headset.open(hmd, p_options)
+		return headset.open(hmd, p_options)
 	if name == DisplayNames.WALL:
 		var wall: WallDisplay = WallDisplay.new()
 		mode = wall

@@ -6,7 +6,7 @@ extends Node
 ## The wearer's own frame, in which samples are, is the recentred tracking space, turned so that who
 ## looks ahead in the room faces +Z, as people do. The view is the headset's alone.
 
-## What buttons of the right and the left hand do: input actions.
+## What buttons of the left and the right hand do: input actions.
 const ACTIONS: Array[Dictionary] = [
 	{
 		&"trigger_click": &"interact",
@@ -62,13 +62,15 @@ var _carrier_frame: Transform3D = Transform3D.IDENTITY
 var _has_begun: bool = false
 var _actor: int = -1
 var _tier: int = -1
+var _marker: MarkerAlignment = null
 var _menu: HmdMenu = null
 var _list: HeadsetMenu = null
 var _notice: HeadsetNotice = null
 
 
-## Takes over the display and what the options say of head and body.
-func open(p_display: HmdDisplay, p_options: Options) -> void:
+## Takes over the display and what the options say of head and body. Returns what is wrong, or an
+## empty text.
+func open(p_display: HmdDisplay, p_options: Options) -> String:
 	display = p_display
 	_orientation = HeadFusion.SOURCES[p_options.text("head-orientation")]
 	_position = HeadFusion.SOURCES[p_options.text("head-position")]
@@ -82,6 +84,7 @@ func open(p_display: HmdDisplay, p_options: Options) -> void:
 	for hand: int in 2:
 		_gestures[hand].began.connect(_on_gesture.bind(hand, true))
 		_gestures[hand].ended.connect(_on_gesture.bind(hand, false))
+	return _set_marker(p_options.text("marker"))
 
 
 ## The display shows the world: puts menu and notices into the view.
@@ -89,7 +92,6 @@ func begin() -> void:
 	if not display.is_worn():
 		return
 	var view: HmdView = display.view()
-	view.vignette.strength = VIGNETTE if _has_vignette else 0.0
 	_menu = HmdMenu.new()
 	view.origin.add_child(_menu)
 	_menu.use_layer(view.origin)
@@ -124,8 +126,7 @@ func toggle_menu() -> void:
 	if _list == null:
 		_list = HeadsetMenu.new()
 		_list.chosen.connect(_on_chosen)
-	var strength: float = display.view().vignette.strength
-	_list.describe(display.recentring.is_seated, strength > 0.0, display.snap_turn.angle > 0.0)
+	_describe_settings()
 	_menu.open(_list, display.view().head.transform)
 
 
@@ -170,6 +171,15 @@ func read(p_due_usec: int, p_unix_usec: int) -> void:
 ## Puts the wearer's room into the world for a frame of a length, s.
 func place(p_due_usec: int, p_step_s: float) -> void:
 	_wearer = _room.advance(_wanted, p_step_s, _carrier, _carrier_frame)
+	if display.is_worn():
+		# A cabin around the wearer is enough of a rest frame.
+		var wanted: float = VIGNETTE if _has_vignette and _carrier < 0 else 0.0
+		display.view().vignette.strength = wanted
+	if _marker != null:
+		_marker.look()
+		if _actor < 0 and _marker.is_certain():
+			display.place_room(_marker.room() * display.recentring.transform().affine_inverse())
+			return
 	# The display puts its own recentring between the room and the tracking space.
 	var recentring: Transform3D = display.recentring.transform()
 	var room: Transform3D = _wearer * AHEAD * _in_room(p_due_usec) * recentring.affine_inverse()
@@ -264,14 +274,13 @@ func _on_quality_wanted(p_step: int) -> void:
 
 
 func _on_chosen(p_entry: HeadsetMenu.Entry) -> void:
-	var vignette: Vignette = display.view().vignette
 	match p_entry:
 		HeadsetMenu.Entry.RECENTRE:
 			display.recentre()
 		HeadsetMenu.Entry.SEATED:
 			display.set_seated(not display.recentring.is_seated)
 		HeadsetMenu.Entry.VIGNETTE:
-			vignette.strength = VIGNETTE if vignette.strength == 0.0 else 0.0
+			_has_vignette = not _has_vignette
 		HeadsetMenu.Entry.SNAP_TURN:
 			display.snap_turn.angle = SNAP if display.snap_turn.angle == 0.0 else 0.0
 		HeadsetMenu.Entry.LEAVE:
@@ -279,6 +288,28 @@ func _on_chosen(p_entry: HeadsetMenu.Entry) -> void:
 	if p_entry in [HeadsetMenu.Entry.CONTINUE, HeadsetMenu.Entry.RECENTRE]:
 		_menu.close()
 	else:
-		_list.describe(
-			display.recentring.is_seated, vignette.strength > 0.0, display.snap_turn.angle > 0.0
-		)
+		_describe_settings()
+
+
+func _describe_settings() -> void:
+	_list.describe(display.recentring.is_seated, _has_vignette, display.snap_turn.angle > 0.0)
+
+
+## Takes where the level has a marker, from a text such as "1.5,1.6,-4,90,door". Returns what is
+## wrong, or an empty text. Somebody without a body is put into the world by it; a body is where the
+## server has it.
+func _set_marker(p_text: String) -> String:
+	if p_text == "":
+		return ""
+	var parts: PackedStringArray = p_text.split(",")
+	var are_numbers: bool = parts.size() in [4, 5]
+	for part: String in parts.slice(0, 4):
+		are_numbers = are_numbers and part.is_valid_float() and is_finite(part.to_float())
+	if not are_numbers:
+		return "--marker is X,Y,Z,HEADING or X,Y,Z,HEADING,NAME, found '%s'" % p_text.left(60)
+	_marker = MarkerAlignment.new()
+	_marker.marker = parts[4] if parts.size() == 5 else ""
+	var turn: Basis = Basis(Vector3.UP, deg_to_rad(parts[3].to_float()))
+	var place: Vector3 = Vector3(parts[0].to_float(), parts[1].to_float(), parts[2].to_float())
+	_marker.in_world = Transform3D(turn, place)
+	return ""

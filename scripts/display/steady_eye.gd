@@ -3,7 +3,7 @@ extends RefCounted
 ## Follows somebody's eyes as a calm camera: spectators do not get sick of every shake of a head.
 ##
 ## Turns and moves are followed with a delay that is the shorter the further behind it is, so that
-## quick looks are followed quickly, and small shakes hardly at all. It rolls less than the head.
+## quick looks are followed quickly, and small shakes hardly at all. The horizon stays level.
 
 ## How slowly small moves are followed, s.
 const CALM_S: float = 0.25
@@ -12,8 +12,6 @@ const MAX_ANGLE: float = 0.25
 const MAX_DISTANCE_M: float = 0.12
 ## A jump of more than this is a new place, m.
 const JUMP_M: float = 1.0
-## How much of the head's roll is kept.
-const ROLL: float = 0.3
 
 var _is_known: bool = false
 var _place: Vector3 = Vector3.ZERO
@@ -53,5 +51,4 @@ static func _without_roll(p_turn: Basis) -> Quaternion:
 	# Straight up or down there is no roll to take away.
 	if absf(ahead.y) > 0.97:
 		return p_turn.get_rotation_quaternion()
-	var level: Quaternion = Basis.looking_at(ahead).get_rotation_quaternion()
-	return level.slerp(p_turn.get_rotation_quaternion(), ROLL)
+	return Basis.looking_at(ahead).get_rotation_quaternion()

@@ -93,6 +93,13 @@ func test_buttons_are_the_actions_of_keys() -> void:
 	is_false(Input.is_action_pressed(&"fire"))
 
 
+func test_a_marker_is_four_numbers_and_a_name() -> void:
+	for text: String in ["1,2,3", "a,b,c,d", "1,2,3,nan", "1,2,3,4,5,6", ",,,"]:
+		var options: Options = ProgramOptions.parse(["--marker=" + text])
+		contains(_headset._set_marker(options.text("marker")), text)
+	equal(_headset._set_marker("1.5,1.6,-4,90,door"), "")
+
+
 func test_a_suit_is_fitted_once_and_others_are_left_alone() -> void:
 	var first: MotionSource = MotionSource.new()
 	var second: MotionSource = MotionSource.new()

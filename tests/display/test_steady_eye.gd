@@ -30,11 +30,11 @@ func test_quick_looks_are_followed() -> void:
 	is_true(behind < deg_to_rad(3.0), "%.1f degrees are left" % rad_to_deg(behind))
 
 
-func test_it_rolls_less_than_the_head_and_survives_a_look_straight_down() -> void:
+func test_it_does_not_roll_and_survives_a_look_straight_down() -> void:
 	var eye: SteadyEye = SteadyEye.new()
 	var rolled: Basis = Basis(Vector3.BACK, deg_to_rad(30.0))
 	var shown: Transform3D = eye.advance(Transform3D(rolled), STEP_S)
-	almost_equal(rad_to_deg(shown.basis.get_euler().z), 9.0, 0.5)
+	almost_equal(rad_to_deg(shown.basis.get_euler().z), 0.0, 0.01)
 	for pitch: float in [-PI / 2.0, -1.5, 1.5, PI / 2.0]:
 		is_true(eye.advance(Transform3D(Basis(Vector3.RIGHT, pitch)), STEP_S).is_finite())
 

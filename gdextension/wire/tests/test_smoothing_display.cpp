@@ -151,6 +151,14 @@ TEST(displays_of_a_station_show_the_same_at_the_same_tick) {
 	}
 	for (double now = 2.0; now < 2.1; now += 0.004) {
 		first.evaluate(now);
+		second.evaluate(now + 0.02);
+		const double own = second.shown_tick();
+		CHECK(second.show_tick(first.shown_tick() - 3.0, now + 0.02));
+		CHECK(std::fabs(second.shown_tick() - first.shown_tick() + 3.0) < 1e-9);
+		CHECK(second.show_tick(first.shown_tick(), now + 0.02));
+		// What others choose does not move what this one would show by itself.
+		second.evaluate(now + 0.02);
+		CHECK(std::fabs(second.shown_tick() - own) < 1e-6);
 		CHECK(second.show_tick(first.shown_tick(), now + 0.02));
 		CHECK(second.shown_tick() == first.shown_tick());
 	}

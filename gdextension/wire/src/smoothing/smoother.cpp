@@ -156,13 +156,14 @@ double Smoother::_wanted_time(double p_now_s) {
 void Smoother::_play(double p_now_s) {
 	const double wanted = _wanted_time(p_now_s);
 	const double step = p_now_s - _shown_at;
-	const double error = wanted - (_shown_time + step);
+	const double error = wanted - (_played_time + step);
 	if (!_is_playing || step < 0.0 || std::fabs(error) > JUMP_S) {
-		_shown_time = wanted;
+		_played_time = wanted;
 	} else {
 		// Never back, however much too far ahead it is.
-		_shown_time += std::max(step + error * (1.0 - std::exp(-CORRECTION * step)), 0.0);
+		_played_time += std::max(step + error * (1.0 - std::exp(-CORRECTION * step)), 0.0);
 	}
+	_shown_time = _played_time;
 	_shown_behind = std::max(_clock.lately_now(p_now_s) - _shown_time, 0.0);
 	_shown_at = p_now_s;
 	_is_playing = true;
@@ -195,13 +196,11 @@ void Smoother::evaluate(double p_now_s) {
 
 bool Smoother::show_tick(double p_tick, double p_now_s) {
 	_moved_bodies.clear();
-	if (!_clock.is_known() || !std::isfinite(p_now_s) || !(p_tick >= 0.0 && p_tick <= double(UINT32_MAX))) {
+	if (!_is_playing || !std::isfinite(p_now_s) || !(p_tick >= 0.0 && p_tick <= double(UINT32_MAX))) {
 		return false;
 	}
 	_shown_time = p_tick / _clock.tick_rate;
 	_shown_behind = std::max(_clock.lately_now(p_now_s) - _shown_time, 0.0);
-	_shown_at = p_now_s;
-	_is_playing = true;
 	_show(p_now_s);
 	return true;
 }

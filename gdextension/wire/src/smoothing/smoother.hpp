@@ -61,7 +61,8 @@ public:
 	void evaluate(double p_now_s);
 
 	/// Works out where everything is at a tick of the server (with its fraction) that somebody else has chosen, such as
-	/// the first display of a station, at a time of the client's clock, s. False, and nothing, for a tick that is none.
+	/// the first display of a station, after evaluate() at the same time of the client's clock, s. False, and nothing, for
+	/// a tick that is none.
 	bool show_tick(double p_tick, double p_now_s);
 
 	/// Shows a body somewhere else than its updates say, until forget_prediction(): where this client has worked out
@@ -141,7 +142,8 @@ private:
 	std::unordered_map<uint16_t, std::unique_ptr<FieldEntry>> _fields;
 	std::vector<uint16_t> _moved_bodies;
 	bool _is_playing = false;
-	double _shown_time = 0.0; // In the server's clock, s.
+	double _played_time = 0.0; // What this client by itself would show, in the server's clock, s.
+	double _shown_time = 0.0; // What it shows.
 	double _shown_at = 0.0; // In the client's.
 	double _shown_behind = 0.0;
 	double _behind = 0.0;
