@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: MIT
+"""From a sample to its display in a window that the processor draws: waiting apart from drawing.
+
+A server, a trainee who moves by a clip, and an observer's window of a virtual display, at 15, 30
+and 60 frames a second and as fast as this machine draws. Display share: from the arrival of the
+snapshot to the frame that shows it, in frames of that rate. Age: how old the motion is that a frame
+shows when it is drawn. `./run bench latency --display=NAME` has the same of other displays.
+"""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+from statistics import mean
+
+from toolchain.latency import Window, observe, read_delays
+from toolchain.paths import CLIPS
+from toolchain.processes import free_port
+from toolchain.project import prepare
+
+from displays import Bench
+
+PART = "pacing"
+SECONDS = 30
+# Shaders are compiled in the first ones.
+WARM_UP_S = 12.0
+# Frames a second that are asked for (0: as many as there are), and the size of the window.
+CASES = ((15, "640x360"), (30, "320x180"), (60, "160x90"), (0, "640x360"), (0, "1280x720"))
+# A goal of issue 18.
+MAX_SHARE = 1.5
+
+
+def measure(bench: Bench) -> None:
+    """Adds the figures of each rate."""
+    prepare(export=True)
+    add = bench.stats.add
+    for fps, size in CASES:
+        case = f"window {size}, {fps or 'free'} fps"
+        report, delays, rate = watch(fps, size)
+        frame_ms = 1000.0 / (min(fps, rate) if fps else rate)
+        add(case, "frames", rate, "1/s")
+        add(case, "display share", mean(delays) / frame_ms, "frames", at_most=MAX_SHARE)
+        add(case, "age, p50", report["frame_age"]["p50_ms"], "ms", at_most=frame_ms)
+        for name, part in report.get("frame_times", {}).items():
+            add(case, name, part["p50_ms"], "ms")
+
+
+def watch(fps: int, size: str) -> tuple[dict, list[float], float]:
+    """What an observer reports of a session; see read_delays()."""
+    with tempfile.TemporaryDirectory(prefix="dismount-") as folder:
+        file = Path(folder) / "latency.csv"
+        window = Window("window", size)
+        trainee = [f"--bvh={CLIPS / '01_01.bvh'}"]
+        report = observe(free_port(), SECONDS, fps, file, window, trainee, [])["observer"]
+        return report, *read_delays(file, WARM_UP_S)
