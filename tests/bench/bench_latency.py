@@ -46,6 +46,9 @@ WINDOW_SECONDS = 40
 WARM_UP_S = 20.0
 WARM_UP_SHARE = 0.5
 MAX_SHARE = 1.5
+# A renderer at its limit takes 1.5 frames: a sample waits for half of one, and one is drawn. The
+# goal is for rates that are reached, to this share.
+HELD_SHARE = 0.95
 
 
 def measure(arguments: list[str]) -> int:
@@ -84,7 +87,11 @@ def measure_display(stats: Stats, options: list[str]) -> None:
     case = f"{settings.window.display}, {settings.fps} fps"
     frame_ms = 1000.0 / min(settings.fps, rate)
     stats.add(case, "frames", rate, "1/s")
-    stats.add(case, "display share", mean(delays) / frame_ms, "frames", at_most=MAX_SHARE)
+    holds = rate >= HELD_SHARE * settings.fps
+    if not holds:
+        print(f"latency: {case}: only {rate:.1f} are drawn here: no goal", file=sys.stderr)
+    share = mean(delays) / frame_ms
+    stats.add(case, "display share", share, "frames", at_most=MAX_SHARE if holds else None)
     stats.add(case, "display share, p50", median(delays) / frame_ms, "frames")
     for name in ("mean", "sd", "p50", "p95"):
         stats.add(case, f"age, {name}", observer["frame_age"][f"{name}_ms"], "ms")
