@@ -149,7 +149,8 @@ TEST(displays_of_a_station_show_the_same_at_the_same_tick) {
 		first.push(swinging(tick), tick / 60.0 + 0.001);
 		second.push(swinging(tick), tick / 60.0 + 0.021);
 	}
-	for (double now = 2.0; now < 2.1; now += 0.004) {
+	for (int frame = 0; frame < 25; frame++) {
+		const double now = 2.0 + 0.004 * frame;
 		first.evaluate(now);
 		second.evaluate(now + 0.02);
 		const double own = second.shown_tick();

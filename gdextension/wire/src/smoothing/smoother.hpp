@@ -61,8 +61,8 @@ public:
 	void evaluate(double p_now_s);
 
 	/// Works out where everything is at a tick of the server (with its fraction) that somebody else has chosen, such as
-	/// the first display of a station, after evaluate() at the same time of the client's clock, s. False, and nothing, for
-	/// a tick that is none.
+	/// the first display of a station, after evaluate() at the same time of the client's clock, s. False, and nothing,
+	/// for a tick that is none.
 	bool show_tick(double p_tick, double p_now_s);
 
 	/// Shows a body somewhere else than its updates say, until forget_prediction(): where this client has worked out
