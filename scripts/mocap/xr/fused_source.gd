@@ -24,6 +24,8 @@ var _size_in: int = 0
 var _mutex: Mutex = Mutex.new()
 var _correction: float = 0.0
 var _shown: ShownFigure = null
+var _turned: float = 0.0
+var _is_reset: bool = false
 
 
 func _init(p_source: MotionSource) -> void:
@@ -40,6 +42,18 @@ func push(p_frame: XrFrame) -> void:
 
 ## The tracking space was moved (the runtime recentred): the body goes along at once.
 func recentre() -> void:
+	_mutex.lock()
+	_is_reset = true
+	_mutex.unlock()
+	_frames.recentre()
+
+
+## The tracking space was turned by an angle about +Y, rad, as by a step of a thumbstick: the body
+## goes along, and what was learnt of the suit stays.
+func turn(p_angle: float) -> void:
+	_mutex.lock()
+	_turned += p_angle
+	_mutex.unlock()
 	_frames.recentre()
 
 
@@ -93,7 +107,7 @@ func _read(p_time_usec: int) -> PoseSample:
 	var times: int = _frames.recentred()
 	if times != _recentred:
 		_recentred = times
-		fusion.recentre()
+		_follow_space()
 	_note_size()
 	_frames.read(pose.time_usec, _frame)
 	fusion.apply(pose, _frame)
@@ -101,6 +115,19 @@ func _read(p_time_usec: int) -> PoseSample:
 	_correction = fusion.correction()
 	_mutex.unlock()
 	return pose
+
+
+func _follow_space() -> void:
+	_mutex.lock()
+	var is_reset: bool = _is_reset
+	var turned: float = _turned
+	_is_reset = false
+	_turned = 0.0
+	_mutex.unlock()
+	if is_reset:
+		fusion.recentre()
+	else:
+		fusion.turn(turned)
 
 
 ## Uses the body that is shown, if one was said, else the wearer's own size: a suit may be measured

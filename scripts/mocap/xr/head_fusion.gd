@@ -94,6 +94,16 @@ func set_figure(p_figure: ShownFigure) -> void:
 ## The tracking space or the suit's heading was reset: the next sample is taken at once.
 func recentre() -> void:
 	heading.restart()
+	_restart_place()
+
+
+## The tracking space was turned by an angle about +Y, rad: what is known of the suit stays known.
+func turn(p_angle: float) -> void:
+	heading.turn(p_angle)
+	_restart_place()
+
+
+func _restart_place() -> void:
 	_steady.restart()
 	_soft.clear()
 	_had_place = false

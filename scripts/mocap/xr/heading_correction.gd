@@ -44,14 +44,15 @@ func restart() -> void:
 	_rate = 0.0
 
 
+## The tracking space was turned by an angle about +Y, rad: the correction turns with it.
+func turn(p_angle: float) -> void:
+	_wanted = wrapf(_wanted + p_angle, -PI, PI)
+	angle = wrapf(angle + p_angle, -PI, PI)
+
+
 ## Whether there is a correction.
 func is_known() -> bool:
 	return _seen_s > 0.0
-
-
-## How far the correction is from what it should be, as far as is known, rad.
-func remaining() -> float:
-	return angle_difference(angle, _wanted)
 
 
 ## The wearer's speed (m/s) and rate of turn (rad/s), as the headset measures them.

@@ -35,8 +35,6 @@ const JUMP_M: float = 0.04
 
 ## Whether the wearer sits on a chair.
 var is_seated: bool = false
-## Height of the chair, m.
-var seat_height: float = 0.45
 ## Where the eyes are on the head.
 var mount: HeadMount = HeadMount.new()
 ## The feet.

@@ -31,8 +31,6 @@ var _recentred: int = 0
 var _mutex: Mutex = Mutex.new()
 var _learns_pins: bool = false
 var _shown: ShownFigure = null
-var _prop: Transform3D = Transform3D.IDENTITY
-var _has_prop: bool = false
 var _times: int = 0
 
 
@@ -48,11 +46,6 @@ func _init(p_height: float = 0.0) -> void:
 ## Takes what the devices say now, in the main thread.
 func push(p_frame: XrFrame) -> void:
 	_frames.push(p_frame)
-	_mutex.lock()
-	_has_prop = p_frame.has_pins[XrFrame.Pin.HANDHELD] != 0
-	if _has_prop:
-		_prop = p_frame.pins[XrFrame.Pin.HANDHELD]
-	_mutex.unlock()
 
 
 ## The tracking space was moved.
@@ -77,22 +70,6 @@ func learn_pins() -> void:
 	_mutex.lock()
 	_learns_pins = true
 	_mutex.unlock()
-
-
-## Whether a tracker sits on a prop, such as a weapon.
-func has_prop() -> bool:
-	_mutex.lock()
-	var has: bool = _has_prop
-	_mutex.unlock()
-	return has
-
-
-## The last pose of the prop's tracker, in the tracking space.
-func prop_pose() -> Transform3D:
-	_mutex.lock()
-	var pose: Transform3D = _prop
-	_mutex.unlock()
-	return pose
 
 
 ## How often the wearer's size was found anew: who sent it sends it again.
