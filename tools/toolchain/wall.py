@@ -53,7 +53,7 @@ def main(arguments: list[str]) -> int:
     layout = user_path(values["layout"])
     if not layout.is_file():
         raise Failure(f"There is no layout {layout}: name one with --layout=FILE.", 2)
-    found = check(prepare(export=True), layout)
+    found = check(prepare(export=True), layout, values.get("screens", ""))
     if not real_display():
         raise Failure("A wall needs a display: start it in a desktop session.")
     commands = clients(found, layout, role, values.get("screens", ""), given)
@@ -61,11 +61,12 @@ def main(arguments: list[str]) -> int:
         return run(commands, Path(folder))
 
 
-def check(godot: Godot, layout: Path) -> dict:
-    """What a layout holds; a Failure says what is wrong with it."""
+def check(godot: Godot, layout: Path, screens: str = "") -> dict:
+    """What a layout holds; a Failure says what is wrong with it, or with its screens that are to be
+    on this machine."""
     command = [str(godot.program), "--headless", "--no-header", "--path", str(ROOT)]
     done = subprocess.run(
-        [*command, "-s", CHECK, "--", str(layout)],
+        [*command, "-s", CHECK, "--", str(layout), *([screens] if screens else [])],
         env={**os.environ, **godot.environment()},
         stdin=subprocess.DEVNULL,
         capture_output=True,

@@ -40,6 +40,8 @@ const _MAX_M: float = 1000.0
 
 ## The line that says where the eye is.
 var eye_line: int = 1
+## The line that says how displays keep in step; 0: none.
+var sync_line: int = 0
 
 var _layout: WallLayout = null
 var _folder: String = ""
@@ -47,6 +49,7 @@ var _screen: WallScreen = null
 var _known: PackedStringArray = []
 var _given: Dictionary[String, int] = {}
 var _line: int = 0
+var _station_line: int = 0
 
 
 ## Takes where to put what is read, and the folder of the file.
@@ -79,6 +82,10 @@ func _take_heading(p_text: String) -> void:
 	var heading: String = p_text.trim_prefix("[").trim_suffix("]").strip_edges()
 	_known = _STATION
 	if heading == "station" and p_text.ends_with("]"):
+		if _station_line > 0:
+			var text: String = "there are two [station], see line %d: put all of it below one"
+			_refuse(text % _station_line)
+		_station_line = _line
 		return
 	_known = _SCREEN
 	_screen = WallScreen.new()
@@ -147,6 +154,7 @@ func _take_station(p_name: String, p_value: String) -> String:
 				return "is one or each"
 			_layout.is_split = p_value == "each"
 		"sync":
+			sync_line = _line
 			return _take_sync(p_value)
 	return ""
 

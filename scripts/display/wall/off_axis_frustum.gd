@@ -29,9 +29,9 @@ static func through(
 	return found
 
 
-## Lets a camera see exactly what is behind the rectangle from here. Its picture may be wider or
-## higher than the rectangle is, by factors: then there is so much more around the middle.
-func aim(p_camera: Camera3D, p_near_m: float, p_far_m: float, p_taller: float = 1.0) -> void:
+## Lets a camera see exactly what is behind the rectangle from here, from one distance to another,
+## m. The picture's height is the rectangle's; a wider picture shows more at both sides.
+func aim(p_camera: Camera3D, p_near_m: float, p_far_m: float) -> void:
 	var scale: float = p_near_m / distance
 	p_camera.keep_aspect = Camera3D.KEEP_HEIGHT
-	p_camera.set_frustum(extent.y * p_taller * scale, shift * scale, p_near_m, p_far_m)
+	p_camera.set_frustum(extent.y * scale, shift * scale, p_near_m, p_far_m)

@@ -16,6 +16,9 @@ var leads: bool = false
 ## By how many ticks the leader waits for the others.
 var wait: float = 0.0
 
+## Where the leader has the station, by the ticks that it shows.
+var track: StationTrack = StationTrack.new()
+
 var _others: Dictionary[int, StationClock] = {}
 var _shown: float = -INF
 
@@ -35,6 +38,8 @@ func take(p_message: StationMessage, p_arrival_usec: int) -> void:
 			return
 		_others[key] = StationClock.new()
 	_others[key].take(p_message, p_arrival_usec)
+	if not leads and _others[key].newest == p_message:
+		track.take(p_message)
 
 
 ## The tick that is shown at a moment, where this display by itself would show another; µs, µs.
@@ -42,6 +47,7 @@ func agree(p_tick: float, p_at_usec: int, p_rate: float, p_now_usec: int) -> flo
 	for key: int in _others.keys():
 		if not _others[key].is_known(p_now_usec):
 			_others.erase(key)
+			track.clear()
 	if not leads:
 		var tick: float = _others[0].tick_at(p_at_usec, p_now_usec) if _others.has(0) else NAN
 		# Alone, each goes on by itself.

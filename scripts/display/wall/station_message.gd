@@ -17,24 +17,38 @@ enum Kind {
 	WANT,
 }
 
+## The first bytes of each: "DMST".
 const MAGIC: int = 0x54534D44
+## Of this form.
 const VERSION: int = 1
+## Bytes of a message.
 const SIZE: int = 98
 ## Most ticks per second that are believed, and the largest tick.
 const _MAX_RATE: float = 1000.0
 const _MAX_TICK: float = 1e12
 const _MAX_M: float = 1e6
 
+## Who speaks.
 var kind: Kind = Kind.LEAD
+## Of the layout's bytes: displays of another layout are not heard.
 var fingerprint: int = 0
+## The speaker's random number.
 var sender: int = 0
+## Counts the speaker's messages.
 var sequence: int = 0
+## When it was sent, µs of the speaker's clock.
 var sent_usec: int = 0
+## When the tick is shown, µs of the speaker's clock.
 var at_usec: int = 0
+## The tick of the server that is shown, or wanted.
 var tick: float = 0.0
+## Ticks per second.
 var rate: float = 0.0
+## The station in the world at that tick, m.
 var mount: Transform3D = Transform3D.IDENTITY
+## Between the viewer's eyes, in the station's frame, m.
 var eye: Vector3 = Vector3.ZERO
+## The axis from the left eye to the right one, in the station's frame.
 var right: Vector3 = Vector3.RIGHT
 
 

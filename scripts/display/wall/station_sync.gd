@@ -31,9 +31,8 @@ var _mutex: Mutex = Mutex.new()
 var _is_open: bool = false
 ## What was heard since the last frame: bytes, address, port, time of arrival (µs) in turn.
 var _heard: Array = []
-var _mount: Transform3D = Transform3D.IDENTITY
-var _eye: Vector3 = Vector3.ZERO
-var _right: Vector3 = Vector3.RIGHT
+# What is agreed on for this frame, until it has been told; null: nothing.
+var _message: StationMessage = null
 
 
 ## Takes the fingerprint of the layout, and whether this is the first client.
@@ -76,38 +75,41 @@ func follows() -> bool:
 	return _agreement.leader_message() != null
 
 
-## What the first client said last: where the station is, and its viewer's eyes; null: nothing.
-func leader_message() -> StationMessage:
-	return _agreement.leader_message()
+## Where the first client has the station, and its viewer's eyes, at the tick that is shown here;
+## null: nothing is known.
+func leader_place() -> StationMessage:
+	return _agreement.track.at(_shown)
 
 
-## Says where the station is in the world, and the eyes in the station, m.
-func place(p_mount: Transform3D, p_eye: Vector3, p_right: Vector3) -> void:
-	_mount = p_mount
-	_eye = p_eye
-	_right = p_right
-
-
-## Hears and tells; see [method WallDisplay.agree].
+## Hears the others; see [method WallDisplay.agree]. They are told by [method tell].
 func agree(p_tick: float, p_at_usec: int, p_rate: float) -> float:
 	_read()
-	var now: int = Time.get_ticks_usec()
-	_shown = _agreement.agree(p_tick, p_at_usec, p_rate, now)
+	_shown = _agreement.agree(p_tick, p_at_usec, p_rate, Time.get_ticks_usec())
 	var message: StationMessage = StationMessage.new()
 	message.kind = StationMessage.Kind.LEAD if _agreement.leads else StationMessage.Kind.WANT
 	message.fingerprint = _fingerprint
 	message.sender = _id
 	message.sequence = _sequence
 	_sequence += 1
-	message.sent_usec = now
 	message.at_usec = p_at_usec
 	message.tick = _shown if _agreement.leads else p_tick
 	message.rate = p_rate
-	message.mount = _mount
-	message.eye = _eye
-	message.right = _right
-	_send(message.encode(), now)
+	_message = message
 	return _shown
+
+
+## Tells the others what has been agreed on for this frame, and where the station is in the world
+## and the eyes in the station, m, at that tick. Call it when everything is in its place.
+func tell(p_mount: Transform3D, p_eye: Vector3, p_right: Vector3) -> void:
+	if _message == null:
+		return
+	var now: int = Time.get_ticks_usec()
+	_message.sent_usec = now
+	_message.mount = p_mount
+	_message.eye = p_eye
+	_message.right = p_right
+	_send(_message.encode(), now)
+	_message = null
 
 
 ## Stats.

@@ -9,10 +9,22 @@ extends DisplayMode
 ## cabin ([member WallLayout.tilts]). One process shows all screens, or each has a client of its own
 ## ([member WallLayout.is_split]), kept in step by [StationSync]. The first window keeps texts and
 ## menus. The engine has no genlock: displays of several machines show the same moment, but not in
-## the same refresh of their panels. Sunlight needs its simple shadows in views so oblique
-## ([constant DirectionalLight3D.SHADOW_ORTHOGONAL]).
+## the same refresh of their panels. While walls are shown, suns have their simple shadows
+## ([ObliqueSuns]).
 
+const _NO_LAYOUT: String = (
+	"walls need a layout of their screens: name it with --layout=FILE, such as"
+	+ " examples/stations/seat.cfg"
+)
+
+## The station; null before [method set_up].
 var layout: WallLayout = null
+## Whether each eye gets the other one's picture, on all screens.
+var swap_eyes: bool = false:
+	set(p_value):
+		swap_eyes = p_value
+		for pane: WallPane in _panes:
+			pane.swap_eyes = p_value
 
 var _panes: Array[WallPane] = []
 var _kept: Dictionary[StringName, Variant] = {}
@@ -22,12 +34,15 @@ var _right: Vector3 = Vector3.RIGHT
 var _is_eye_lost: bool = false
 var _test: TestPicture.Kind = TestPicture.Kind.NONE
 var _sync: StationSync = null
+var _suns: ObliqueSuns = ObliqueSuns.new()
 var _lost_tracker_s: float = 0.0
 
 
 ## Reads a layout; [param p_screens] are the names of the screens of this client, all if it is
 ## empty. Returns what is wrong, or an empty text.
 func set_up(p_path: String, p_screens: String = "") -> String:
+	if p_path == "":
+		return _NO_LAYOUT
 	layout = WallLayout.read(p_path)
 	var fault: String = layout.describe_faults()
 	if fault != "":
@@ -37,14 +52,17 @@ func set_up(p_path: String, p_screens: String = "") -> String:
 	if fault != "":
 		return fault
 	if layout.sync_host != "" and layout.is_split:
-		_sync = StationSync.new(layout.fingerprint, layout.screens[0].name == first)
+		var leads: bool = layout.screens.any(
+			func(screen: WallScreen) -> bool: return screen.name == first
+		)
+		_sync = StationSync.new(layout.fingerprint, leads)
 	_eye = layout.eye
 	return ""
 
 
 func open() -> String:
 	if layout == null:
-		return "walls need a layout: name it with --layout=FILE"
+		return _NO_LAYOUT
 	if DisplayServer.get_name() == "headless":
 		return "walls need a display: start without --headless"
 	if camera == null or not camera.is_inside_tree():
@@ -62,13 +80,16 @@ func open() -> String:
 		var pane: WallPane = WallPane.new()
 		add_child(pane)
 		pane.open(screen, _window if _panes.is_empty() else _add_window(screen))
+		pane.swap_eyes = swap_eyes
 		_panes.append(pane)
+	_suns.begin(get_tree())
 	return ""
 
 
 func close() -> void:
 	if _sync != null:
 		_sync.close()
+	_suns.end()
 	if _window == null:
 		return
 	for child: Node in get_children():
@@ -107,7 +128,7 @@ func eye() -> Vector3:
 func station() -> Transform3D:
 	var from: Transform3D = camera.get_camera_transform()
 	if _sync != null and _sync.follows():
-		return _sync.leader_message().mount
+		return _sync.leader_place().mount
 	return mount_at(from, layout.eye, layout.tilts)
 
 
@@ -126,10 +147,8 @@ static func mount_at(p_camera: Transform3D, p_eye: Vector3, p_tilts: bool) -> Tr
 ## The tick that all displays of the station show at a moment, where this client by itself would
 ## show [param p_tick] of so many a second. [param p_at_usec] is of Time.get_ticks_usec().
 func agree(p_tick: float, p_at_usec: int, p_rate: float) -> float:
-	if _sync == null or camera == null or p_tick < 0.0:
+	if _sync == null or p_tick < 0.0:
 		return p_tick
-	var pose: Transform3D = mount_at(camera.get_camera_transform(), layout.eye, layout.tilts)
-	_sync.place(pose, _eye, _right)
 	return _sync.agree(p_tick, p_at_usec, p_rate)
 
 
@@ -148,9 +167,8 @@ func next_test_picture() -> void:
 
 ## Gives each eye the other one's picture.
 func swap() -> void:
-	for pane: WallPane in _panes:
-		pane.swap()
-	told.emit("The eyes are swapped")
+	swap_eyes = not swap_eyes
+	told.emit("The eyes are swapped" if swap_eyes else "The eyes are as they were")
 
 
 func report() -> Dictionary:
@@ -172,27 +190,53 @@ func _process(_delta: float) -> void:
 		return
 	if _sync != null and _sync.follows():
 		# The viewer is the first client's.
-		set_eye(_sync.leader_message().eye, _sync.leader_message().right)
+		var leader: StationMessage = _sync.leader_place()
+		set_eye(leader.eye, leader.right)
 	elif layout.track != WallLayout.FIXED and layout.track != WallLayout.HEAD:
 		_follow_tracker()
 	var mount: Transform3D = station()
+	if _sync != null:
+		# Only now the camera is where it is at the tick that was agreed on.
+		_sync.tell(mount, _eye, _right)
 	for pane: WallPane in _panes:
 		pane.follow(camera, mount, _eye, _right, layout.eye_distance)
 
 
 ## A tracker of XRServer stands for the viewer's head, in the station's frame.
 func _follow_tracker() -> void:
-	var tracker: XRPositionalTracker = XRServer.get_tracker(layout.track) as XRPositionalTracker
-	var pose: XRPose = tracker.get_pose(&"default") if tracker != null else null
+	var eyes: Variant = _tracked_eyes(XRServer.get_tracker(layout.track))
 	var now_s: float = Time.get_ticks_msec() * 1e-3
-	if pose != null and pose.has_tracking_data:
+	if eyes != null:
 		_lost_tracker_s = -1.0
-		set_eye(pose.transform.origin, pose.transform.basis.x)
+		set_eye((eyes as Transform3D).origin, (eyes as Transform3D).basis.x)
 	elif _lost_tracker_s >= 0.0 and now_s - _lost_tracker_s > 5.0:
 		_lost_tracker_s = INF
 		told.emit("No tracker '%s' tells where the eyes are: check its source" % layout.track)
 	elif _lost_tracker_s <= 0.0:
 		_lost_tracker_s = now_s
+
+
+## Between the eyes, x to the right, in the station's frame; null: not tracked.
+static func _tracked_eyes(p_tracker: XRTracker) -> Variant:
+	var body: XRBodyTracker = p_tracker as XRBodyTracker
+	if body != null:
+		# Its pose is the root's: on the floor, or at the hips.
+		var flags: int = body.get_joint_flags(XRBodyTracker.JOINT_HEAD)
+		var needed: int = (
+			XRBodyTracker.JOINT_FLAG_POSITION_VALID | XRBodyTracker.JOINT_FLAG_ORIENTATION_VALID
+		)
+		if not body.has_tracking_data or flags & needed != needed:
+			return null
+		var head: Transform3D = body.get_joint_transform(XRBodyTracker.JOINT_HEAD)
+		if not head.is_finite() or is_zero_approx(head.basis.determinant()):
+			return null
+		head.basis = head.basis.orthonormalized()
+		head.basis *= Basis(HumanoidAxes.of_limb(Limbs.HEAD).inverse())
+		# Its front is +Z; the eyes look along -Z.
+		return head * Transform3D(Basis(Vector3.UP, PI), OrbitCamera.EYES)
+	var tracker: XRPositionalTracker = p_tracker as XRPositionalTracker
+	var pose: XRPose = tracker.get_pose(&"default") if tracker != null else null
+	return pose.transform if pose != null and pose.has_tracking_data else null
 
 
 func _keep_window() -> void:

@@ -35,12 +35,14 @@ var tilts: bool = false
 var is_split: bool = false
 ## Where the first client listens to the others, or empty.
 var sync_host: String = ""
+## The port of that address, UDP.
 var sync_port: int = 0
 ## Differs between layouts: displays of a station have the same one.
 var fingerprint: int = 0
 
 var _path: String = ""
 var _eye_line: int = 1
+var _sync_line: int = 0
 
 
 ## Reads and checks a file.
@@ -65,6 +67,7 @@ static func parse(p_bytes: PackedByteArray, p_path: String) -> WallLayout:
 	var reader: LayoutReader = LayoutReader.new(found, p_path.get_base_dir())
 	reader.take(p_bytes.get_string_from_utf8())
 	found._eye_line = reader.eye_line
+	found._sync_line = reader.sync_line
 	found._check()
 	return found
 
@@ -88,6 +91,8 @@ func keep_only(p_names: String) -> String:
 		return ""
 	var kept: Array[WallScreen] = []
 	for name: String in p_names.split(","):
+		if kept.any(func(screen: WallScreen) -> bool: return screen.name == name.strip_edges()):
+			continue
 		var known: PackedStringArray = []
 		var before: int = kept.size()
 		for screen: WallScreen in screens:
@@ -116,7 +121,19 @@ func place_on(p_monitors: Monitors) -> PackedStringArray:
 			continue
 		screen.position = found.position
 		screen.size = found.size
-	return wrong + _find_shared_pixels()
+	return wrong + find_shared_pixels()
+
+
+## Which screens, all of one desktop, are at the same place of it: a line each.
+func find_shared_pixels() -> PackedStringArray:
+	var wrong: PackedStringArray = []
+	for at: int in screens.size():
+		for other: int in at:
+			if screens[at].shares_pixels_with(screens[other]):
+				var parts: Array = [_path, screens[at].line, screens[at].name, screens[other].name]
+				var text: String = "%s:%d: screens %s and %s share pixels of the desktop: give"
+				wrong.append(text % parts + " each a monitor or a place of its own")
+	return wrong
 
 
 ## What is wrong with an eye, in the station's frame, for the screens; or an empty text.
@@ -148,7 +165,13 @@ func _check() -> void:
 		refuse(_eye_line, text % eye + "right corners if it is mirrored")
 	if is_split and sync_host == "":
 		refuse(1, "clients of their own keep in step by sync = HOST:PORT of the first one")
-	faults.append_array(_find_shared_pixels())
+	if not is_split and _sync_line > 0:
+		refuse(
+			_sync_line, "sync is for clients = each: one client is in step by itself; leave it out"
+		)
+	# Screens with clients of their own may be on other machines.
+	if not is_split:
+		faults.append_array(find_shared_pixels())
 
 
 func _find_fault(p_screen: WallScreen) -> String:
@@ -178,15 +201,3 @@ func _find_fault(p_screen: WallScreen) -> String:
 	if p_screen.mode == StereoMode.Kind.WINDOWS:
 		return "a window for each eye is two screens with the same corners, left and right"
 	return ""
-
-
-func _find_shared_pixels() -> PackedStringArray:
-	var wrong: PackedStringArray = []
-	for at: int in screens.size():
-		for other: int in at:
-			var here: Rect2i = Rect2i(screens[at].position, screens[at].size)
-			if here.intersects(Rect2i(screens[other].position, screens[other].size)):
-				var parts: Array = [_path, screens[at].line, screens[at].name, screens[other].name]
-				var text: String = "%s:%d: screens %s and %s share pixels of the desktop: give"
-				wrong.append(text % parts + " each a monitor or a place of its own")
-	return wrong

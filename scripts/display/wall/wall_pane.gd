@@ -8,8 +8,16 @@ const _LAYER: int = -128
 ## An eye is not nearer to its screen, m.
 const _NEAREST_M: float = 0.01
 
+## The screen that it shows; null before [method open].
 var screen: WallScreen = null
+## The window in which it shows the screen.
 var window: Window = null
+## Whether each eye gets the other one's picture than the layout says.
+var swap_eyes: bool = false:
+	set(p_value):
+		swap_eyes = p_value
+		if not _views.is_empty():
+			_connect_pictures()
 
 var _views: Array[EyeView] = []
 var _pictures: Array[EyePicture] = []
@@ -17,7 +25,6 @@ var _canvas: Node2D = Node2D.new()
 var _layer: CanvasLayer = CanvasLayer.new()
 var _test: TestPicture = null
 var _drawn_size: Vector2i = Vector2i.ZERO
-var _is_swapped: bool = false
 
 
 ## Shows a screen in a window.
@@ -55,6 +62,9 @@ func follow(
 	var eyes: PackedInt32Array = StereoMode.eyes(screen.mode)
 	for at: int in eyes.size():
 		var side: float = 0.0 if eyes[at] < 0 else eyes[at] - 0.5
+		# A screen of one eye is swapped by being the other one's.
+		if eyes.size() == 1 and _is_swapped():
+			side = -side
 		var eye: Vector3 = p_eye + p_right * side * p_apart_m
 		var frustum: OffAxisFrustum = screen.seen_from(eye)
 		frustum.distance = maxf(frustum.distance, _NEAREST_M)
@@ -62,12 +72,6 @@ func follow(
 		var camera: Camera3D = _views[at].camera
 		camera.global_transform = p_station * Transform3D(frustum.basis, eye)
 		frustum.aim(camera, p_viewer.near, p_viewer.far)
-
-
-## Gives each eye the other one's picture.
-func swap() -> void:
-	_is_swapped = not _is_swapped
-	_connect_pictures()
 
 
 ## Shows a test picture, or the world again.
@@ -89,10 +93,14 @@ func show_test(p_kind: TestPicture.Kind) -> void:
 	_connect_pictures()
 
 
+func _is_swapped() -> bool:
+	return screen.swap_eyes != swap_eyes
+
+
 func _connect_pictures() -> void:
 	var left: Texture2D = _views[0].get_texture()
 	var right: Texture2D = _views[-1].get_texture()
-	if screen.swap_eyes != _is_swapped:
+	if _is_swapped():
 		var other: Texture2D = left
 		left = right
 		right = other

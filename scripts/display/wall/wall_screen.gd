@@ -9,20 +9,25 @@ const EDGES: Array[String] = ["left", "right", "top", "bottom"]
 var name: String = ""
 ## The line of the layout file where it begins.
 var line: int = 0
-## Corners in the station's frame, m: x to the right, y up from the floor, -z ahead.
+## Lower left corner, in the station's frame, m: x to the right, y up from the floor, -z ahead.
 var bottom_left: Vector3 = Vector3.ZERO
+## Lower right corner, as the viewer sees it.
 var bottom_right: Vector3 = Vector3.ZERO
+## Upper left corner.
 var top_left: Vector3 = Vector3.ZERO
-## The fourth corner, only to be checked; infinite where the file does not have it. And its line.
+## The fourth corner, only to be checked; infinite where the file does not have it.
 var top_right: Vector3 = Vector3.INF
+## The line that has it.
 var top_right_line: int = 0
 ## The number or the name of its monitor; empty where [member size] says where its window is.
 var monitor: String = ""
-## Its window on the desktop, pixels.
+## Where its window is on the desktop, pixels.
 var position: Vector2i = Vector2i.ZERO
+## How large its window is, pixels.
 var size: Vector2i = Vector2i.ZERO
 ## How it shows both eyes.
 var mode: StereoMode.Kind = StereoMode.Kind.MONO
+## Whether each eye gets the other one's picture.
 var swap_eyes: bool = false
 ## Where the picture's corners are in the window (0..1, y downwards): top left, top right, bottom
 ## right, bottom left. Empty: it fills the window.
@@ -35,6 +40,13 @@ var blend: Vector4 = Vector4.ZERO
 var gamma: float = 2.2
 ## The value (0..1) that is as bright as black is in an overlap, but where only this projector is.
 var black_level: float = 0.0
+
+
+## Whether its window covers a part of another one's, as far as the layout says where both are.
+func shares_pixels_with(p_other: WallScreen) -> bool:
+	if monitor != "" and monitor == p_other.monitor:
+		return true
+	return Rect2i(position, size).intersects(Rect2i(p_other.position, p_other.size))
 
 
 ## Its rectangle as an eye sees it, in the station's frame.

@@ -14,7 +14,9 @@ const _FIELDS: int = 5
 
 ## What is wrong: "FILE:LINE: ...", or empty.
 var error: String = ""
+## Nodes of a row.
 var columns: int = 0
+## Rows of nodes.
 var rows: int = 0
 
 var _x: PackedFloat32Array = []

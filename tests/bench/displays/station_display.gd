@@ -34,6 +34,7 @@ func _process(_delta: float) -> bool:
 	var late_s: float = (_number("behind") + WANDER_MS * sin(now + float(_leads))) * 1e-3
 	var own: float = (fmod(now, 86400.0) - late_s) * RATE
 	var tick: float = _sync.agree(own, Time.get_ticks_usec(), RATE)
+	_sync.tell(Transform3D.IDENTITY, Vector3.ZERO, Vector3.RIGHT)
 	_moments.append(now * 1e6)
 	_ticks.append(tick)
 	if now < _end_s:

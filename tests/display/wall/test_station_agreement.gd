@@ -8,7 +8,8 @@ const APART_USEC: int = 5_000_000
 
 ## Two displays whose snapshots come through networks of their own: frames of two lengths, datagrams
 ## between them that take up to so long, s, and are lost now and then. Returns by how many ticks
-## what they show differs at most, whether time went back, and by how many ticks the leader waits.
+## what they show differs at most, whether time went back, by how many ticks the leader waits, and
+## how far apart the station stands in the world at the same tick, m: it drives through a curve.
 func _play(p_jitter_s: float, p_behind_ticks: float) -> Array:
 	var noise: RandomNumberGenerator = RandomNumberGenerator.new()
 	noise.seed = 3
@@ -21,6 +22,7 @@ func _play(p_jitter_s: float, p_behind_ticks: float) -> Array:
 	var waiting: Array[Array] = []
 	var most: float = 0.0
 	var went_back: bool = false
+	var most_m: float = 0.0
 	for now: int in range(0, 20_000_000, 1_000):
 		for letter: Array in waiting.duplicate():
 			if letter[0] <= now:
@@ -36,6 +38,9 @@ func _play(p_jitter_s: float, p_behind_ticks: float) -> Array:
 			went_back = went_back or tick < shown[side]
 			shown[side] = tick
 			shown_at[side] = now
+			if side == 1 and now > 2_000_000:
+				var place: Vector3 = sides[1].track.at(tick).mount.origin
+				most_m = maxf(most_m, place.distance_to(_drive(tick).origin))
 			if noise.randf() > 0.05:
 				var message: StationMessage = StationMessage.new()
 				message.kind = side as StationMessage.Kind
@@ -45,6 +50,7 @@ func _play(p_jitter_s: float, p_behind_ticks: float) -> Array:
 				message.at_usec = clock
 				message.tick = tick if side == 0 else own
 				message.rate = RATE
+				message.mount = _drive(tick)
 				var late: int = 200 + int(noise.randf() * p_jitter_s * 1e6)
 				waiting.append([now + late, 1 - side, message])
 		if now > 2_000_000:
@@ -52,19 +58,27 @@ func _play(p_jitter_s: float, p_behind_ticks: float) -> Array:
 			var here: float = shown[0] + (now - shown_at[0]) * 1e-6 * RATE
 			var there: float = shown[1] + (now - shown_at[1]) * 1e-6 * RATE
 			most = maxf(most, absf(here - there))
-	return [most, went_back, sides[0].wait]
+	return [most, went_back, sides[0].wait, most_m]
+
+
+## A station on a vehicle at 20 m/s in a curve of 60 m radius, 2 m beside its middle.
+func _drive(p_tick: float) -> Transform3D:
+	var angle: float = 20.0 / 60.0 * (p_tick - 1000.0) / RATE
+	return Transform3D(Basis(Vector3.UP, angle), Vector3.ZERO).translated_local(Vector3(62, 1, 0))
 
 
 func test_never_more_than_a_tick_apart_under_jitter() -> void:
 	var found: Array = _play(0.020, 0.0)
 	is_true(found[0] < 1.0, "apart by %.3f ticks" % found[0])
 	is_false(found[1], "time went back")
+	is_true(found[3] < 0.02, "the station is apart by %.4f m" % found[3])
 
 
 func test_the_leader_waits_for_a_display_that_gets_its_snapshots_later() -> void:
 	var found: Array = _play(0.020, 3.0)
 	is_true(found[0] < 1.0, "apart by %.3f ticks" % found[0])
 	is_false(found[1], "time went back")
+	is_true(found[3] < 0.02, "the station is apart by %.4f m" % found[3])
 	is_true(found[2] > 2.0 and found[2] < 5.0, "waits %.2f ticks" % found[2])
 
 

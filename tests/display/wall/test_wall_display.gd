@@ -53,3 +53,33 @@ func test_the_station_keeps_its_horizon_and_takes_the_heading() -> void:
 func test_without_a_display_it_says_what_to_do() -> void:
 	contains(_display.open(), "start without --headless")
 	contains(_display.set_up("/nowhere.cfg"), "cannot be read")
+	contains(_display.set_up(""), "name it with --layout=FILE")
+
+
+func test_the_eyes_of_a_tracked_body_are_in_its_head() -> void:
+	var tracker: XRBodyTracker = XRBodyTracker.new()
+	tracker.name = &"/test/wall_body"
+	XRServer.add_tracker(tracker)
+	_display.layout.track = "/test/wall_body"
+	_display._follow_tracker()
+	almost_equal(_display.eye(), Vector3.ZERO, 1e-6)
+	# Somebody at the middle of the floor who looks to the right, -z being ahead.
+	var hips: Transform3D = Transform3D(Basis(Vector3.UP, PI * 0.5), Vector3(0.0, 0.95, 0.0))
+	var head: Transform3D = Transform3D(hips.basis, Vector3(0.05, 1.6, 0.1))
+	tracker.set_pose(
+		&"default", hips, Vector3.ZERO, Vector3.ZERO, XRPose.XR_TRACKING_CONFIDENCE_HIGH
+	)
+	tracker.has_tracking_data = true
+	tracker.set_joint_transform(XRBodyTracker.JOINT_HEAD, head)
+	tracker.set_joint_flags(
+		XRBodyTracker.JOINT_HEAD,
+		XRBodyTracker.JOINT_FLAG_POSITION_VALID | XRBodyTracker.JOINT_FLAG_ORIENTATION_VALID
+	)
+	_display._follow_tracker()
+	almost_equal(_display.eye(), Vector3(0.175, 1.685, 0.1), 1e-3)
+	almost_equal(_display._right, Vector3(0.0, 0.0, 1.0), 1e-4)
+	tracker.set_joint_flags(XRBodyTracker.JOINT_HEAD, 0 as XRBodyTracker.JointFlags)
+	tracker.set_joint_transform(XRBodyTracker.JOINT_HEAD, hips)
+	_display._follow_tracker()
+	almost_equal(_display.eye(), Vector3(0.175, 1.685, 0.1), 1e-3)
+	XRServer.remove_tracker(tracker)

@@ -92,6 +92,35 @@ func test_absent_monitors_and_shared_pixels() -> void:
 	contains(_read(_FRONT + "[screen other]" + second).describe_faults(), "share pixels")
 
 
+func test_screens_of_several_machines_may_be_at_the_same_place() -> void:
+	var second: String = _FRONT.get_slice("[screen front]", 1)
+	var split: String = _FRONT.replace(
+		"[station]", "[station]\nclients = each\nsync = 10.0.0.1:7790"
+	)
+	var text: String = split + "[screen other]" + second
+	var layout: WallLayout = _read(text)
+	equal(layout.describe_faults(), "")
+	var monitors: Monitors = Monitors.new()
+	monitors.places = [Rect2i(0, 0, 1280, 800)]
+	contains("\n".join(layout.place_on(monitors)), "share pixels")
+	equal(layout.keep_only("other, other"), "")
+	equal(layout.place_on(monitors).size(), 0)
+	# Likewise where each machine has its monitor 0.
+	text = text.replace("position = 100 0\nsize = 600 500", "monitor = 0")
+	layout = _read(text)
+	equal(layout.describe_faults(), "")
+	contains("\n".join(layout.find_shared_pixels()), "screens other and front share pixels")
+	equal(layout.keep_only("front"), "")
+	equal(layout.place_on(monitors).size(), 0)
+
+
+func test_what_would_be_ignored_is_refused() -> void:
+	var twice: String = _read(_FRONT + "[station]\neye = 0 1 0\n").describe_faults()
+	contains(twice, "cave.cfg:15: there are two [station], see line 2")
+	var alone: String = _changed("[station]", "[station]\nsync = 127.0.0.1:7790")
+	contains(alone, "cave.cfg:3: sync is for clients = each")
+
+
 func test_only_some_screens() -> void:
 	var layout: WallLayout = _read(_FRONT)
 	contains(layout.keep_only("frnt"), "did you mean front")
@@ -114,3 +143,14 @@ func test_the_example_is_sound() -> void:
 	var layout: WallLayout = WallLayout.read("res://scenes/display/wall/cave.cfg")
 	equal(layout.describe_faults(), "")
 	equal(layout.screens.size(), 4)
+
+
+func test_the_examples_of_stations_are_sound() -> void:
+	var names: PackedStringArray = DirAccess.get_files_at("res://examples/stations")
+	var screens: Dictionary[String, int] = {}
+	for name: String in names:
+		if name.get_extension() == "cfg":
+			var layout: WallLayout = WallLayout.read("res://examples/stations".path_join(name))
+			equal(layout.describe_faults(), "")
+			screens[name] = layout.screens.size()
+	equal(screens, {"cave.cfg": 4, "projectors.cfg": 2, "seat.cfg": 3} as Dictionary[String, int])
