@@ -58,6 +58,8 @@ func _ready() -> void:
 	_hud.show_probe(_stats.probe)
 	_controls.set_up(_role, _options)
 	_scene.avatars.keep(_options.text("avatar"))
+	_display.leaving.connect(_on_leaving)
+	_display.leave_wanted.connect(_leave.bind(0))
 	_display.open(_options)
 	_clock = FrameClock.of_window()
 	var fault: String = _apply_options()
@@ -200,12 +202,26 @@ func _connect_stream() -> void:
 func _open_files() -> String:
 	if _options.file("record") != "":
 		_recorder = StateRecorder.new()
-		var fault: String = _recorder.open(_options.file("record"))
+		var fault: String = _recorder.open(_display.fresh_file(_options.file("record")))
 		if fault != "":
 			return fault
 	if _options.file("latency-csv") != "":
-		return _stats.probe.write_to(_options.file("latency-csv"))
+		return _stats.probe.write_to(_display.fresh_file(_options.file("latency-csv")))
 	return ""
+
+
+## The program is about to start again, with a headset: everything that is open ends in order.
+func _on_leaving() -> void:
+	if _report != null and _stream != null:
+		_report.write(_make_report())
+	if _recorder != null:
+		_recorder.close()
+	_stats.probe.close()
+	_mocap.close()
+	if _shared != null:
+		_shared.api.close()
+	if _stream != null:
+		_stream.close()
 
 
 func _acknowledge() -> void:
@@ -234,7 +250,8 @@ func _update_scene() -> void:
 	elif people != null and own.has(people.first_actor):
 		_stats.own_shown(people.shown_moment_usec(now))
 	_seat.apply_prediction()
-	_scene.wears_headset = _display.is_worn()
+	_scene.sees_by_own_eyes = _display.is_own_view()
+	_sound.hear_at(_display.head())
 	_scene.update(_stream.frame_s(now), own, _display.agreement(now))
 	_display.place_wearer(people, own, get_process_delta_time())
 	var headless: bool = DisplayServer.get_name() == "headless"

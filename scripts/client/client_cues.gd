@@ -54,7 +54,8 @@ func get_forces() -> ForceFeedback:
 ## Tells a frame the pose of the motion platform now: what is commanded to it.
 func tell_platform(p_frame: PlatformFrame) -> void:
 	var sender: PlatformSender = _platform.get_sender()
-	if is_instance_valid(_seat) and _platform.platform != null:
+	# Without a seat the platform goes back to its middle, and is moved on the way.
+	if _platform.platform != null:
 		p_frame.push_cue(Time.get_ticks_usec(), sender.get_position(), sender.get_attitude())
 
 

@@ -5,6 +5,11 @@ extends Node
 ## The window always works: where another display cannot be, or is lost, the user is told why, and
 ## sees the world in the window.
 
+## The program is about to start again in this process, with a headset.
+signal leaving
+## The user wants to leave the session.
+signal leave_wanted
+
 ## Kinds of adapters that draw with the processor: nothing is gained by waiting for a screen.
 const _SOFTWARE: PackedStringArray = ["llvmpipe", "softpipe", "swiftshader", "lavapipe"]
 
@@ -16,6 +21,7 @@ var mode: DisplayMode = null
 ## What a headset needs besides; null without one.
 var headset: ClientHeadset = null
 
+var _is_restarted: bool = false
 var _late: LateStart = null
 # Where the walls of a wearer's own station are, and its camera.
 var _room: RoomFrame = RoomFrame.new()
@@ -26,7 +32,16 @@ var _begun_usec: int = 0
 
 ## Begins to show the world as the options ask.
 func open(p_options: Options) -> void:
+	# The display takes these out of the environment.
+	_is_restarted = (
+		OS.get_environment(HmdCommand.TRIED) + OS.get_environment(HmdCommand.LOST) != ""
+	)
 	if DisplayServer.get_name() == "headless":
+		if p_options.text("display") != DisplayNames.WINDOW:
+			Log.warning(
+				"display",
+				"--display=%s needs a window: start without --headless" % p_options.text("display")
+			)
 		return
 	_set_vsync(p_options.text("vsync"))
 	if p_options.is_on("late-frames"):
@@ -76,6 +91,27 @@ func is_worn() -> bool:
 	return headset != null and headset.display.is_worn()
 
 
+## The head in a headset; null without one.
+func head() -> Node3D:
+	return headset.display.view().head if is_worn() else null
+
+
+## Whether the user looks out of the eyes of the own body.
+func is_own_view() -> bool:
+	return is_worn() or _tracks_head()
+
+
+## The name of a file to write: what this session recorded before the program started again for a
+## headset, or without one, is not written over.
+func fresh_file(p_path: String) -> String:
+	var path: String = p_path
+	var number: int = 2
+	while _is_restarted and FileAccess.file_exists(path):
+		path = "%s-%d.%s" % [p_path.get_basename(), number, p_path.get_extension()]
+		number += 1
+	return path
+
+
 ## Shows what the wearer's devices say in the frame that begins: before samples are taken.
 func read_devices(p_seat: ClientSeat) -> void:
 	if headset != null:
@@ -89,15 +125,13 @@ func read_devices(p_seat: ClientSeat) -> void:
 func place_wearer(
 	p_people: ClientPeople, p_own: Dictionary[int, PackedFloat32Array], p_step_s: float
 ) -> void:
-	var wall: WallDisplay = mode as WallDisplay
-	var tracks_head: bool = wall != null and wall.layout.track == WallLayout.HEAD
-	if not (is_worn() or tracks_head):
+	if not is_own_view():
 		return
 	var place: WearerPlace = null
 	if p_people != null:
 		place = p_people.find_wearer(_scene.replica, p_own)
-	if tracks_head:
-		_place_station(wall, place, p_step_s)
+	if _tracks_head():
+		_place_station(mode as WallDisplay, place, p_step_s)
 		return
 	if place != null:
 		headset.follow_body(place)
@@ -166,6 +200,9 @@ func _agree(p_tick: float, p_at_usec: int) -> float:
 ## A station whose eyes are those of its wearer: the walls are the wearer's real room.
 func _place_station(p_wall: WallDisplay, p_place: WearerPlace, p_step_s: float) -> void:
 	if p_place == null or not _scene.people().has(p_place.actor):
+		# Until there is a body again the walls show what the window would.
+		p_wall.camera = _scene.camera()
+		_room.restart()
 		return
 	var room: Transform3D = (
 		_room.advance(p_place.frame, p_step_s, p_place.carrier, p_place.carrier_frame)
@@ -174,7 +211,9 @@ func _place_station(p_wall: WallDisplay, p_place: WearerPlace, p_step_s: float) 
 	if _station == null:
 		_station = Camera3D.new()
 		add_child(_station)
-		p_wall.camera = _station
+	p_wall.camera = _station
+	for property: StringName in [&"near", &"far", &"cull_mask", &"environment", &"attributes"]:
+		_station.set(property, _scene.camera().get(property))
 	_station.global_transform = room.translated_local(p_wall.layout.eye)
 	var head: Transform3D = _scene.people()[p_place.actor].head()
 	var eyes: Transform3D = room.affine_inverse() * head
@@ -191,6 +230,8 @@ func _make(p_options: Options) -> String:
 		headset = ClientHeadset.new()
 		headset.name = "Headset"
 		add_child(headset)
+		headset.leave_wanted.connect(leave_wanted.emit)
+		hmd.leaving.connect(leaving.emit)
 		return headset.open(hmd, p_options)
 	if name == DisplayNames.WALL:
 		var wall: WallDisplay = WallDisplay.new()
@@ -208,6 +249,11 @@ func _make(p_options: Options) -> String:
 	stereo.swap_eyes = p_options.is_on("swap-eyes")
 	mode = stereo
 	return ""
+
+
+func _tracks_head() -> bool:
+	var wall: WallDisplay = mode as WallDisplay
+	return wall != null and wall.layout.track == WallLayout.HEAD
 
 
 func _begin(p_mode: DisplayMode) -> void:

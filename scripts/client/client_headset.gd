@@ -6,6 +6,11 @@ extends Node
 ## The wearer's own frame, in which samples are, is the recentred tracking space, turned so that who
 ## looks ahead in the room faces +Z, as people do. The view is the headset's alone.
 
+## The wearer wants to leave the session.
+signal leave_wanted
+
+## People look along +Z, headsets along -Z: from the room to the wearer's own frame.
+const AHEAD: Transform3D = Transform3D(Basis(Vector3.LEFT, Vector3.UP, Vector3.FORWARD))
 ## What buttons of the left and the right hand do: input actions.
 const ACTIONS: Array[Dictionary] = [
 	{
@@ -37,8 +42,8 @@ const VIGNETTE: float = 0.5
 const SNAP: float = deg_to_rad(30.0)
 ## Eyes of somebody without a body are so high above the ground, m.
 const _EYES_M: float = 1.65
-## People look along +Z, headsets along -Z.
-const AHEAD: Transform3D = Transform3D(Basis(Vector3.LEFT, Vector3.UP, Vector3.FORWARD))
+## Where is kept how the headset sits on the head.
+const _MOUNT_FILE: String = "user://headset_mount.json"
 
 ## The display.
 var display: HmdDisplay = null
@@ -62,6 +67,7 @@ var _carrier_frame: Transform3D = Transform3D.IDENTITY
 var _has_begun: bool = false
 var _actor: int = -1
 var _tier: int = -1
+var _snap: float = SNAP
 var _marker: MarkerAlignment = null
 var _menu: HmdMenu = null
 var _list: HeadsetMenu = null
@@ -80,6 +86,8 @@ func open(p_display: HmdDisplay, p_options: Options) -> String:
 	display.pressed.connect(_on_button.bind(true))
 	display.released.connect(_on_button.bind(false))
 	display.recentred.connect(_on_recentred)
+	display.turned.connect(_on_turned)
+	_snap = display.snap_turn.angle if display.snap_turn.angle > 0.0 else SNAP
 	display.quality_wanted.connect(_on_quality_wanted)
 	for hand: int in 2:
 		_gestures[hand].began.connect(_on_gesture.bind(hand, true))
@@ -102,6 +110,8 @@ func begin() -> void:
 ## Where the wearer points in the world, along -Z: with the prop that has a tracker of its own, such
 ## as a weapon, else with the right hand, and with the head where neither is tracked.
 func aim() -> Transform3D:
+	if not display.is_worn():
+		return display.camera.global_transform
 	var frame: XrFrame = _devices.frame
 	if frame.has_pins[XrFrame.Pin.HANDHELD] != 0:
 		return _wearer * frame.pins[XrFrame.Pin.HANDHELD]
@@ -137,6 +147,7 @@ func fit(p_source: MotionSource) -> MotionSource:
 	fused = FusedSource.new(p_source)
 	fused.fusion.orientation = _orientation
 	fused.fusion.position = _position
+	_read_mount(fused.fusion.mount)
 	return fused
 
 
@@ -155,7 +166,10 @@ func read(p_due_usec: int, p_unix_usec: int) -> void:
 	var frame: XrFrame = _devices.read(p_unix_usec)
 	for hand: int in 2:
 		var tracker: XRHandTracker = XRServer.get_tracker(XrDevices.HANDS[hand]) as XRHandTracker
-		_gestures[hand].advance(tracker, get_process_delta_time())
+		# Fingers that are guessed from a controller make no gestures: its buttons do.
+		var source: int = XRHandTracker.HAND_TRACKING_SOURCE_CONTROLLER
+		var is_seen: bool = tracker != null and tracker.hand_tracking_source != source
+		_gestures[hand].advance(tracker if is_seen else null, get_process_delta_time())
 	if not frame.has_head:
 		return
 	if not _has_begun and frame.has_place:
@@ -175,30 +189,11 @@ func place(p_due_usec: int, p_step_s: float) -> void:
 		# A cabin around the wearer is enough of a rest frame.
 		var wanted: float = VIGNETTE if _has_vignette and _carrier < 0 else 0.0
 		display.view().vignette.strength = wanted
-	if _marker != null:
-		_marker.look()
-		if _actor < 0 and _marker.is_certain():
-			display.place_room(_marker.room() * display.recentring.transform().affine_inverse())
-			return
 	# The display puts its own recentring between the room and the tracking space.
-	var recentring: Transform3D = display.recentring.transform()
-	var room: Transform3D = _wearer * AHEAD * _in_room(p_due_usec) * recentring.affine_inverse()
-	display.place_room(room)
+	var space: Transform3D = display.recentring.transform().affine_inverse()
+	display.place_room(_tracking_in_world(p_due_usec) * space)
 	if is_instance_valid(_menu) and _menu.is_open():
-		var hands: Array[Transform3D] = []
-		var triggers: PackedFloat32Array = []
-		for hand: int in 2:
-			hands.append(display.controller_pose(hand))
-			var trigger: float = display.view().hand(hand).get_float(&"trigger")
-			triggers.append(maxf(trigger, _gestures[hand].pinch))
-		_menu.point(hands, triggers)
-
-
-func _exit_tree() -> void:
-	if _list != null:
-		if is_instance_valid(_menu):
-			_menu.close()
-		_list.free()
+		_point_at_menu()
 
 
 ## The own body is somewhere.
@@ -230,6 +225,38 @@ func report() -> Dictionary:
 	return found
 
 
+func _exit_tree() -> void:
+	if fused != null and fused.fusion.mount.is_solved:
+		_write_mount(fused.fusion.mount)
+	if _list != null:
+		if is_instance_valid(_menu):
+			_menu.close()
+		_list.free()
+
+
+## Where the tracking space lies in the world: as the own body says, or a marker on the real wall
+## for somebody who has none.
+func _tracking_in_world(p_due_usec: int) -> Transform3D:
+	if _marker != null:
+		_marker.look()
+		if _actor < 0 and _marker.is_certain():
+			return _marker.room()
+	return _wearer * AHEAD * _in_room(p_due_usec)
+
+
+func _point_at_menu() -> void:
+	var hands: Array[Transform3D] = []
+	var triggers: PackedFloat32Array = []
+	for hand: int in 2:
+		var controller: XRController3D = display.view().hand(hand)
+		hands.append(display.controller_pose(hand))
+		# Some controllers have a button only.
+		var click: float = 1.0 if controller.is_button_pressed(&"trigger_click") else 0.0
+		var trigger: float = maxf(controller.get_float(&"trigger"), click)
+		triggers.append(maxf(trigger, _gestures[hand].pinch))
+	_menu.point(hands, triggers)
+
+
 ## From the tracking space to the room: recentred, and without what a motion platform moves.
 func _in_room(p_due_usec: int) -> Transform3D:
 	var still: Transform3D = platform.without_platform(Transform3D.IDENTITY, p_due_usec)
@@ -244,6 +271,14 @@ func _on_recentred() -> void:
 		body.is_seated = display.recentring.is_seated
 		# Who recentres stands upright and looks ahead.
 		body.learn_pins()
+
+
+## The body turns with its wearer.
+func _on_turned(p_angle: float) -> void:
+	if fused != null:
+		fused.turn(p_angle)
+	if body != null:
+		body.recentre()
 
 
 func _on_button(p_name: StringName, p_hand: int, p_is_pressed: bool) -> void:
@@ -282,9 +317,9 @@ func _on_chosen(p_entry: HeadsetMenu.Entry) -> void:
 		HeadsetMenu.Entry.VIGNETTE:
 			_has_vignette = not _has_vignette
 		HeadsetMenu.Entry.SNAP_TURN:
-			display.snap_turn.angle = SNAP if display.snap_turn.angle == 0.0 else 0.0
+			display.snap_turn.angle = _snap if display.snap_turn.angle == 0.0 else 0.0
 		HeadsetMenu.Entry.LEAVE:
-			get_tree().quit(0)
+			leave_wanted.emit()
 	if p_entry in [HeadsetMenu.Entry.CONTINUE, HeadsetMenu.Entry.RECENTRE]:
 		_menu.close()
 	else:
@@ -313,3 +348,21 @@ func _set_marker(p_text: String) -> String:
 	var place: Vector3 = Vector3(parts[0].to_float(), parts[1].to_float(), parts[2].to_float())
 	_marker.in_world = Transform3D(turn, place)
 	return ""
+
+
+## How the headset sits is found from nods and turns, and kept.
+static func _read_mount(p_mount: HeadMount) -> void:
+	if not FileAccess.file_exists(_MOUNT_FILE):
+		return
+	var kept: Variant = JSON.parse_string(FileAccess.get_file_as_string(_MOUNT_FILE))
+	var fault: String = "it is no JSON object"
+	if kept is Dictionary:
+		fault = p_mount.read_dictionary(kept)
+	if fault != "":
+		Log.warning("headset", "%s is not used: %s" % [_MOUNT_FILE, fault])
+
+
+static func _write_mount(p_mount: HeadMount) -> void:
+	var file: FileAccess = FileAccess.open(_MOUNT_FILE, FileAccess.WRITE)
+	if file != null:
+		file.store_string(JSON.stringify(p_mount.to_dictionary()))

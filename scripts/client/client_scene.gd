@@ -26,8 +26,8 @@ const _CAMERA_NEAR_M: float = 4.0
 var replica: WorldReplica = WorldReplica.new()
 ## Fields, commands and events of what is there.
 var entities: ClientEntities = ClientEntities.new(replica)
-## Whether the user looks out of the own eyes, in a headset.
-var wears_headset: bool = false
+## Whether the user looks out of the own eyes: in a headset, or on walls that follow the own head.
+var sees_by_own_eyes: bool = false
 ## Avatars on their way.
 var avatars: AvatarArrival = AvatarArrival.new()
 
@@ -329,12 +329,14 @@ func _aim() -> void:
 	var actor: int = followed()
 	_camera.has_head = actor >= 0
 	_keep_camera_out()
-	if wears_headset and _followed.own >= 0:
+	var is_own: bool = sees_by_own_eyes and _followed.own >= 0
+	if is_own:
 		_camera.view = OrbitCamera.View.EYES
 		actor = _followed.own
 	var looks_out: bool = _camera.view == OrbitCamera.View.EYES and _camera.fixed == null
 	_camera.is_steady = actor != _followed.own
-	_look_out_of(actor if looks_out else -1)
+	# Whatever the window's camera shows, such as the view of a seat.
+	_look_out_of(actor if looks_out or is_own else -1)
 	_names.choose(_camera.global_position, actor if looks_out else -1)
 	if actor < 0:
 		return

@@ -81,6 +81,16 @@ func open(
 	_apply_settings(p_options)
 
 
+## Lets a node be the ears, such as the head in a headset; null: the camera of the window.
+func hear_at(p_ears: Node3D) -> void:
+	if voices == null or voices.listener == p_ears:
+		return
+	voices.listener = p_ears
+	var binaural: BinauralRenderer = voices.renderer as BinauralRenderer
+	if binaural != null:
+		binaural.listener = p_ears
+
+
 ## Somebody speaks by radio: the key is pressed, then let go.
 func click_radio(p_is_begin: bool = true) -> void:
 	if _radio == null:

@@ -172,6 +172,7 @@ def observe(
     window: Window | None,
     trainee: list[str],
     observer: list[str],
+    world: str = "",
 ) -> dict[str, dict]:
     """Runs a session whose observer has a window, or none; returns the clients' reports."""
     require_port(port)
@@ -182,6 +183,7 @@ def observe(
         work = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="dismount-")))
         group = stack.enter_context(Group(work, screen))
         server = [str(SERVER_BINARY), "--headless", "--", "--role=server", *common]
+        server += [f"--world={world}"] if world else []
         group.start("server", server)
         group.await_text("server", "listening on UDP port", 30)
         rate = [f"--fps={fps}"] if window is None else []
