@@ -153,7 +153,12 @@ RuntimeProbe::Answer RuntimeProbe::poll() {
 		return _answer;
 	}
 	int status = 0;
-	if (waitpid(_child, &status, WNOHANG) == _child) {
+	const pid_t ended = waitpid(_child, &status, WNOHANG);
+	if (ended == -1) {
+		// Somebody else has taken what it answered, and its number may be another's by now.
+		_child = -1;
+		_answer = Answer::NO_SERVICE;
+	} else if (ended == _child) {
 		_child = -1;
 		// What crashes it would crash us as well.
 		_answer = WIFEXITED(status) ? static_cast<Answer>(WEXITSTATUS(status)) : Answer::NO_SERVICE;

@@ -3,6 +3,7 @@
 #include "runtime_probe.hpp"
 
 #include <chrono>
+#include <csignal>
 #include <thread>
 
 using host::RuntimeProbe;
@@ -44,6 +45,17 @@ TEST(one_without_an_answer_is_given_up) {
 	CHECK(probe.start("libc.so.6", -1ms));
 	const Answer answer = probe.poll();
 	CHECK(answer == Answer::STALLED || answer == Answer::NO_LIBRARY);
+	CHECK(probe.start("libc.so.6", 60s));
+	CHECK(await(probe) == Answer::NO_LIBRARY);
+}
+
+TEST(an_answer_that_somebody_else_has_taken_is_none) {
+	// The system forgets children at once.
+	const auto before = std::signal(SIGCHLD, SIG_IGN);
+	RuntimeProbe probe;
+	CHECK(probe.start("libc.so.6", 60s));
+	CHECK(await(probe) == Answer::NO_SERVICE);
+	std::signal(SIGCHLD, before);
 	CHECK(probe.start("libc.so.6", 60s));
 	CHECK(await(probe) == Answer::NO_LIBRARY);
 }

@@ -3,16 +3,26 @@ extends RefCounted
 ## The command that starts this program again, with the headset or without it.
 ##
 ## The engine begins with OpenXR at its start or never: whoever enters a headset starts again in the
-## same process. What a user has given stays as it is, folders too.
+## same process. What a user has given stays as it is, folders too; only a headset has its own
+## renderer, and the user's comes back with the window.
 
 ## Set in the process that was started again for the headset: it doesn't try a second time.
 const TRIED: String = "DISMOUNT_HMD_TRIED"
 ## Set in the process that was started again without it: why.
 const LOST: String = "DISMOUNT_HMD_LOST"
+## Set in the process that was started again for the headset: the renderer that the user had asked
+## for.
+const RENDERER: String = "DISMOUNT_HMD_RENDERER"
 ## Flags of the engine that we give ourselves, with the number of values that follow each.
-const _OURS: Dictionary[String, int] = {"--xr-mode": 1, "--rendering-method": 1}
+const _OURS: Dictionary[String, int] = {"--xr-mode": 1, _METHOD: 1}
+const _METHOD: String = "--rendering-method"
+## Pictures of two layers cost least on it.
+const _HEADSETS: String = "mobile"
 ## Flags of the engine that name a file or folder.
 const _PATHS: PackedStringArray = ["--path", "--main-pack", "--log-file"]
+
+## The renderer that the user asks for; empty where the user leaves that to us.
+var renderer: String = ""
 
 var _program: String = ""
 var _engine: PackedStringArray = []
@@ -32,7 +42,10 @@ static func of_this_process() -> HmdCommand:
 			parts.append(bytes.slice(0, end).get_string_from_utf8())
 			bytes = bytes.slice(end + 1)
 	var folder: String = OS.get_environment("PWD")
-	return of(OS.get_executable_path(), parts.slice(1), folder)
+	var command: HmdCommand = of(OS.get_executable_path(), parts.slice(1), folder)
+	if OS.has_environment(RENDERER):
+		command.renderer = OS.get_environment(RENDERER)
+	return command
 
 
 ## A command: the program, its arguments, and the folder in which relative paths begin.
@@ -46,6 +59,8 @@ static func of(p_program: String, p_arguments: PackedStringArray, p_folder: Stri
 	while i < end:
 		var part: String = p_arguments[i]
 		if _OURS.has(part):
+			if part == _METHOD and i + 1 < end:
+				command.renderer = p_arguments[i + 1]
 			i += 1 + _OURS[part]
 			continue
 		command._engine.append(part)
@@ -56,14 +71,19 @@ static func of(p_program: String, p_arguments: PackedStringArray, p_folder: Stri
 	return command
 
 
+## Whether the program is still where it was started from.
+func is_there() -> bool:
+	return FileAccess.file_exists(_program)
+
+
 ## With OpenXR, on the renderer whose pictures have two layers at the least cost.
 func with_headset() -> PackedStringArray:
-	return _made(["--xr-mode", "on", "--rendering-method", "mobile"])
+	return _made(["--xr-mode", "on", _METHOD, _HEADSETS])
 
 
-## Without OpenXR: a plain window.
+## Without OpenXR: a plain window, on the user's own renderer.
 func with_window() -> PackedStringArray:
-	return _made(["--xr-mode", "off", "--rendering-method", "mobile"])
+	return _made(["--xr-mode", "off", _METHOD, renderer if renderer != "" else _HEADSETS])
 
 
 func _made(p_ours: PackedStringArray) -> PackedStringArray:

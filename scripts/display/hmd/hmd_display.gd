@@ -5,21 +5,25 @@ extends DisplayMode
 ## The view is the headset's pose, unfiltered and undelayed; whoever wears it is put into the world
 ## by [method place_room]. If the runtime ends, the window goes on in this process; if it stalls,
 ## the program starts again in this process as a plain window. Both ask for the headset until it is
-## back (see [HmdReturn]).
+## back, and so does who starts without one (see [HmdReturn]).
 
 ## A button of a hand (0 left, 1 right) was pressed: the name of an action of the action map, such
 ## as trigger_click, grip_click, ax_button, by_button, menu_button, primary_click.
 signal pressed(p_action: StringName, p_hand: int)
 ## A button was released.
 signal released(p_action: StringName, p_hand: int)
-## The wearer's place and heading have been set anew or turned: what is learnt of them may be kept.
+## The wearer's place and heading have been set anew: who recentres stands upright and looks ahead.
 signal recentred
+## The wearer has turned by a step: an angle about +Y through the head, rad, left is positive.
+signal turned(p_angle: float)
 ## Draw less (a higher detail step, 0 to 3): see [constant RateKeeper.STEPS].
 signal quality_wanted(p_step: int)
 ## The headset was lost: only the window goes on.
 signal lost
 ## The headset can be had again: [method enter] goes back into it.
 signal returned
+## The program starts again in this process, with the headset: end in order what has to be.
+signal leaving
 
 ## What the window shows while the headset is worn.
 enum Mirror {
@@ -31,15 +35,17 @@ enum Mirror {
 	NONE,
 }
 
-## The runtime has not answered for this long: it has stalled, s.
-const PATIENCE_S: float = 5.0
-## The same while pipelines are still compiled, s: for the first frames, and after a long one.
-const _COLD_PATIENCE_S: float = 40.0
-const _WARM_FRAMES: int = 30
 ## Resolution of the window where it is reduced, a share in each direction.
 const _REDUCED: float = 0.5
-## Work of scripts that takes longer than this was the loading of something, µs.
-const _LONG_USEC: int = 1_000_000
+## Why a headset that is there shows nothing.
+const _NO_VULKAN: String = (
+	"a headset needs Vulkan, which this machine does not have: install the graphics card's"
+	+ " Vulkan driver (Debian: mesa-vulkan-drivers)"
+)
+const _REFUSED: String = (
+	"the OpenXR runtime has a headset, but would not draw with this graphics card: look for"
+	+ " OpenXR in the lines above, and that the headset is plugged into the same card"
+)
 
 ## Goes back into the headset by itself once it can be had again.
 var returns_by_itself: bool = true
@@ -57,26 +63,32 @@ var _spectator: SteadyCamera = null
 var _room: Transform3D = Transform3D.IDENTITY
 var _last_room: Transform3D = Transform3D.IDENTITY
 var _watch: RuntimeWatch = RuntimeWatch.new()
-var _guard: StallGuard = null
+var _guard: RuntimeGuard = null
+var _window: KeptWindow = KeptWindow.new()
 var _way_back: HmdReturn = HmdReturn.new(HmdCommand.of_this_process())
 var _is_waiting: bool = false
+# Somebody has asked to go into it, and is told of a fault.
+var _is_asked: bool = false
+# That it is back has been told.
+var _is_told: bool = false
+# It is there but would not take us: only who asks tries again, until it was away.
+var _is_refused: bool = false
 var _why_lost: String = ""
-var _begin_usec: int = 0
-var _warm_frames: int = 0
+# The frame in which a seated wearer is recentred; 0: none.
+var _recentre_frame: int = 0
 var _suns: SunShadows = SunShadows.new()
+
+
+func _init() -> void:
+	super()
+	_way_back.leaving.connect(leaving.emit)
 
 
 func _process(p_delta: float) -> void:
 	if _view != null:
 		_show_frame(p_delta)
 	elif _is_waiting and _way_back.advance(p_delta):
-		_is_waiting = false
-		returned.emit()
-		if returns_by_itself:
-			told.emit("The headset is back: going into it.")
-			enter()
-		else:
-			told.emit("The headset is back: choose it in the menu to go into it.")
+		_take_answer()
 
 
 func _exit_tree() -> void:
@@ -84,9 +96,10 @@ func _exit_tree() -> void:
 
 
 ## See [method DisplayMode.open]. In a process without OpenXR it does not return where the headset
-## can be had: the program starts again with it.
+## can be had: the program starts again with it. Where it cannot be had yet, the window waits for
+## it, as after a loss.
 func open() -> String:
-	var lost_why: String = OS.get_environment(HmdCommand.LOST)
+	var why: String = OS.get_environment(HmdCommand.LOST)
 	var has_tried: bool = OS.get_environment(HmdCommand.TRIED) != ""
 	OS.unset_environment(HmdCommand.LOST)
 	OS.unset_environment(HmdCommand.TRIED)
@@ -96,13 +109,15 @@ func open() -> String:
 		return ""
 	if DisplayServer.get_name() == "headless":
 		return "a headset needs a screen beside it: start without --headless"
-	if lost_why != "":
-		_await_return.call_deferred(lost_why)
-		return ""
-	if has_tried:
-		return _describe_failure()
-	var fault: String = _way_back.ask()
-	return fault if fault != "" else _way_back.enter()
+	var drawn_by: String = RenderingServer.get_current_rendering_method()
+	if has_tried and not drawn_by in ["mobile", "forward_plus"]:
+		return _NO_VULKAN
+	if why == "":
+		why = "No headset: %s." % _find_headset(has_tried)
+	_is_waiting = true
+	# Whoever opens it then knows that it is open.
+	_await_return.call_deferred(why)
+	return ""
 
 
 ## Leaves the headset; the window shows what the client's camera sees.
@@ -118,12 +133,14 @@ func is_worn() -> bool:
 
 
 ## Goes into the headset, such as by a key after it was lost. Returns why it cannot be, or an empty
-## text while the program starts again.
+## text: then the program starts again as soon as the runtime has answered, or [signal told] says
+## what it answered.
 func enter() -> String:
 	if _view != null:
 		return ""
-	var fault: String = _way_back.ask()
-	return fault if fault != "" else _way_back.enter()
+	_is_waiting = true
+	_is_asked = _way_back.begin()
+	return "" if _is_asked else _way_back.fault
 
 
 ## Where the wearer's tracking space lies in the world: call it each frame.
@@ -144,6 +161,11 @@ func head_in_world() -> Transform3D:
 	return _view.head.global_transform if _view != null else Transform3D.IDENTITY
 
 
+## The head, such as for who hears by its ears; null without a headset.
+func head() -> Node3D:
+	return _view.head if _view != null else null
+
+
 ## Where a hand (0 left, 1 right) points in the world: -Z ahead. The identity without a headset.
 func controller_pose(p_hand: int) -> Transform3D:
 	return _view.hand(p_hand).global_transform if _view != null else Transform3D.IDENTITY
@@ -161,6 +183,7 @@ func recentre() -> void:
 	recentring.recentre(_view.head.transform)
 	place_room(_room)
 	_cut()
+	recentred.emit()
 
 
 ## Sits in a chair or stands.
@@ -178,7 +201,7 @@ func set_mirror(p_mirror: Mirror) -> void:
 
 ## See [method DisplayMode.due_usec].
 func due_usec() -> int:
-	return _runtime.due_usec(Time.get_ticks_usec()) if _view != null else 0
+	return _runtime.due_usec() if _view != null else 0
 
 
 ## See [method DisplayMode.report].
@@ -194,7 +217,7 @@ func report() -> Dictionary:
 		"due_exact": _runtime != null and _runtime.is_exact(),
 		"lost": _why_lost,
 		"waits": _is_waiting,
-		"guarded": _view != null and _warm_frames >= _WARM_FRAMES,
+		"guarded": _guard != null and _guard.is_warm(),
 	}
 
 
@@ -209,18 +232,17 @@ func _begin() -> void:
 	if not keeper.stepped.is_connected(_on_stepped):
 		keeper.stepped.connect(_on_stepped)
 	_runtime.interface.pose_recentered.connect(_on_pose_recentred)
-	# The headset's rate is the pace; waiting for the screen as well would halve it.
-	DisplayServer.window_set_vsync_mode(DisplayServer.VSYNC_DISABLED)
-	Engine.max_fps = 0
+	_window.take(get_window())
 	_show_mirror()
 	_watch.restart(Time.get_ticks_usec())
-	_begin_guard()
+	_guard = RuntimeGuard.new()
+	_guard.begin()
+	get_tree().process_frame.connect(_on_frame_begun)
 	told.emit("The headset shows the world (%s)." % _runtime.describe())
 
 
 func _show_frame(p_delta: float) -> void:
 	var now: int = Time.get_ticks_usec()
-	_runtime.note_frame(now)
 	# Its clock stands still as well while nobody wears it.
 	if not _runtime.is_running():
 		_watch.restart(now)
@@ -233,56 +255,70 @@ func _show_frame(p_delta: float) -> void:
 	if turn != 0.0:
 		recentring.turn(turn, _view.head.transform)
 		_cut()
+		turned.emit(turn)
+	if _recentre_frame > 0 and Engine.get_process_frames() >= _recentre_frame:
+		_recentre_frame = 0
+		recentre()
 	_view.origin.transform = tracking_in_world()
 	var moved: Transform3D = _last_room.affine_inverse() * _room
-	var turned: float = Recentring.heading_of(moved.basis)
+	var moved_turn: float = Recentring.heading_of(moved.basis)
 	_last_room = _room
 	if p_delta > 0.0:
-		_view.vignette.advance(moved.origin.length() / p_delta, turned / p_delta, p_delta)
+		_view.vignette.advance(moved.origin.length() / p_delta, moved_turn / p_delta, p_delta)
 	if _spectator != null:
 		_spectator.follow(head_in_world(), p_delta)
-	_beat(now)
-
-
-## The client's own work is done: from here to the next frame only engine and runtime can wait.
-func _beat(p_now: int) -> void:
-	if _begin_usec != 0 and p_now - _begin_usec > _LONG_USEC:
-		_warm_frames = 0
-		_set_patience(_COLD_PATIENCE_S)
-	_warm_frames += 1
-	if _warm_frames == _WARM_FRAMES:
-		_set_patience(PATIENCE_S)
+	_window.hold()
 	_guard.beat()
 
 
-func _set_patience(p_patience_s: float) -> void:
-	_guard.stop()
-	_guard.hold()
-	_guard.start(p_patience_s, HmdCommand.of_this_process().with_window())
-
-
+## The runtime has said by now when the frame will be seen.
 func _on_frame_begun() -> void:
-	_begin_usec = Time.get_ticks_usec()
+	_runtime.note_frame()
 	_guard.hold()
-
-
-func _begin_guard() -> void:
-	_guard = StallGuard.new()
-	_warm_frames = 0
-	# The guard's thread touches nothing of the engine: what the next process should know is laid
-	# out now.
-	OS.set_environment(HmdCommand.LOST, "The headset's runtime stalled: the window goes on.")
-	_set_patience(_COLD_PATIENCE_S)
-	get_tree().process_frame.connect(_on_frame_begun)
 
 
 func _end_guard() -> void:
 	if _guard == null:
 		return
-	_guard.stop()
+	_guard.end()
 	_guard = null
-	OS.unset_environment(HmdCommand.LOST)
 	get_tree().process_frame.disconnect(_on_frame_begun)
+
+
+## Looks for a headset at the start, and goes into it. Returns why there is none.
+func _find_headset(p_has_tried: bool) -> String:
+	var fault: String = _way_back.ask()
+	if fault != "":
+		return fault
+	# It is there and does not take us: coming back by itself would go on for ever.
+	_is_refused = true
+	_is_told = true
+	return _REFUSED if p_has_tried else _way_back.enter()
+
+
+## The runtime has answered a window that waits.
+func _take_answer() -> void:
+	if not _way_back.is_ready():
+		_is_told = false
+		_is_refused = false
+		if _is_asked:
+			_is_asked = false
+			told.emit("No headset: %s." % _way_back.fault)
+		return
+	var was_told: bool = _is_told
+	_is_told = true
+	if not was_told:
+		returned.emit()
+	if not _is_asked and (_is_refused or not returns_by_itself):
+		if not was_told:
+			told.emit("The headset is back: choose it in the menu to go into it.")
+		return
+	told.emit("The headset is back: going into it.")
+	_is_asked = false
+	var fault: String = _way_back.enter()
+	_is_refused = true
+	Log.warning("headset", fault)
+	told.emit("No headset: %s." % fault)
 
 
 func _lose(p_why: String) -> void:
@@ -290,15 +326,17 @@ func _lose(p_why: String) -> void:
 	_leave_view()
 	# The engine would ask what is no longer there in each frame, and log it.
 	XRServer.remove_interface(_runtime.interface)
+	quality_wanted.emit(0)
+	_is_waiting = true
 	_await_return(p_why)
 	lost.emit()
 
 
 func _await_return(p_why: String) -> void:
 	_why_lost = p_why
-	_is_waiting = true
 	Log.warning("headset", p_why)
-	told.emit(p_why + " It is entered again when the runtime is back.")
+	var then: String = " It is entered when the runtime has it." if not _is_refused else ""
+	told.emit(p_why + then)
 
 
 func _leave_view() -> void:
@@ -311,17 +349,15 @@ func _leave_view() -> void:
 		_spectator = null
 	_view.queue_free()
 	_view = null
-	var window: Window = get_window()
-	window.disable_3d = false
-	window.scaling_3d_scale = 1.0
+	_window.give_back()
 	if is_instance_valid(camera):
 		camera.make_current()
 
 
 func _show_mirror() -> void:
-	var window: Window = get_window()
-	window.disable_3d = _mirror == Mirror.NONE
-	window.scaling_3d_scale = _REDUCED if _mirror == Mirror.REDUCED else 1.0
+	get_window().disable_3d = _mirror == Mirror.NONE
+	_window.share = _REDUCED if _mirror == Mirror.REDUCED else 1.0
+	_window.hold()
 	if _spectator == null:
 		_spectator = SteadyCamera.new()
 		add_child(_spectator)
@@ -332,13 +368,17 @@ func _cut() -> void:
 	_last_room = _room
 	if _spectator != null:
 		_spectator.cut()
-	recentred.emit()
 
 
 func _on_pose_recentred() -> void:
 	# The runtime has moved its own space: ours on top of that would turn twice.
 	recentring.clear()
 	_cut()
+	if recentring.is_seated:
+		# The eyes come to their height again, once the head is seen in the new space.
+		_recentre_frame = Engine.get_process_frames() + 1
+	else:
+		recentred.emit()
 
 
 func _on_pressed(p_action: String, p_hand: int) -> void:
@@ -355,16 +395,3 @@ func _on_stepped(p_step: int) -> void:
 	quality_wanted.emit(row["detail"])
 	var text: String = "The picture is drawn %s to hold %d Hz."
 	told.emit(text % [keeper.describe(), roundi(_runtime.rate_hz())])
-
-
-## Why a process that was started for the headset has none.
-func _describe_failure() -> String:
-	if not RenderingServer.get_current_rendering_method() in ["mobile", "forward_plus"]:
-		return (
-			"a headset needs Vulkan, which this machine does not have: install the graphics card's"
-			+ " Vulkan driver (Debian: mesa-vulkan-drivers)"
-		)
-	return (
-		"the OpenXR runtime has a headset, but would not draw with this graphics card: look for"
-		+ " OpenXR in the lines above, and that the headset is plugged into the same card"
-	)

@@ -25,6 +25,27 @@ func test_flags_of_an_earlier_start_are_replaced() -> void:
 	is_true(again.has("off") and not again.has("on"))
 
 
+func test_a_window_has_the_users_own_renderer() -> void:
+	var arguments: PackedStringArray = ["--rendering-method", "gl_compatibility"]
+	var command: HmdCommand = HmdCommand.of("/g", arguments, "/")
+	equal(command.renderer, "gl_compatibility")
+	is_true(command.with_window().has("gl_compatibility"))
+	var plain: HmdCommand = HmdCommand.of("/g", [], "/")
+	equal(plain.renderer, "")
+	is_true(plain.with_window().has("mobile"))
+
+
+func test_the_process_with_the_headset_knows_the_users_renderer() -> void:
+	OS.set_environment(HmdCommand.RENDERER, "forward_plus")
+	is_true(HmdCommand.of_this_process().with_window().has("forward_plus"))
+	OS.unset_environment(HmdCommand.RENDERER)
+
+
+func test_a_program_that_is_gone_is_not_started() -> void:
+	is_false(HmdCommand.of("/nonexistent/game", [], "/").is_there())
+	is_true(HmdCommand.of_this_process().is_there())
+
+
 func test_relative_folders_are_those_of_the_user() -> void:
 	var arguments: PackedStringArray = ["--path", "../project", "scene.tscn"]
 	var made: PackedStringArray = HmdCommand.of("/g", arguments, "/home/me/x").with_window()
