@@ -173,9 +173,11 @@ func swap() -> void:
 
 func report() -> Dictionary:
 	var names: PackedStringArray = []
-	for pane: WallPane in _panes:
-		names.append(pane.screen.name)
+	# Also of a station that has been closed, as when the program ends.
+	for screen: WallScreen in layout.screens:
+		names.append(screen.name)
 	var found: Dictionary = {"display": "wall", "screens": names, "eye": [_eye.x, _eye.y, _eye.z]}
+	found["swap_eyes"] = swap_eyes
 	if _sync != null:
 		found["sync"] = _sync.report()
 	return found

@@ -50,6 +50,11 @@ func test_the_station_keeps_its_horizon_and_takes_the_heading() -> void:
 	almost_equal(cabin.basis.y, camera.basis.y, 1e-5)
 
 
+func test_a_report_names_the_screens_also_of_a_closed_station() -> void:
+	_display.close()
+	equal(_display.report()["screens"], PackedStringArray(["s"]))
+
+
 func test_without_a_display_it_says_what_to_do() -> void:
 	contains(_display.open(), "start without --headless")
 	contains(_display.set_up("/nowhere.cfg"), "cannot be read")
