@@ -63,6 +63,23 @@ def test_without_a_runtime_the_window_says_why(
             stage.await_text("worn false")
 
 
+def test_a_headset_that_comes_later_is_entered(
+    godot: Godot,  # noqa: F811
+    monado: Monado,
+) -> None:
+    monado.kill()
+    with Stage(godot, monado.environment()) as stage:
+        stage.await_text("worn false")
+        process = stage.process.pid
+        assert "No headset: the OpenXR runtime of" in stage.log()
+        mark = stage.mark()
+        monado.start()
+        said = stage.await_text("worn true", mark)
+        assert "The headset is back: going into it." in said
+        assert "TOLD The headset shows the world" in said
+        assert stage.process.pid == process
+
+
 def test_without_vulkan_or_a_screen_the_program_says_so(
     godot: Godot,  # noqa: F811
     monado: Monado,
