@@ -84,6 +84,11 @@ def test_a_wall_with_a_bad_layout_says_where_and_how(tmp_path: Path) -> None:
     done = run("wall", f"--layout={layout}")
     assert done.returncode == 2, done.stderr
     assert f"{layout}:1: screen front: its corners are in a line" in done.stderr
+    text = "[station]\nclients = each\nsync = 127.0.0.1:7790\n" + text
+    layout.write_text(text + HALF.format(name="other", left=1.0, right=2.0, monitor=0))
+    done = run("wall", f"--layout={layout}")
+    assert done.returncode == 2, done.stderr
+    assert "screens other and front share pixels of the desktop" in done.stderr
     done = run("wall", "--layout=nowhere.cfg")
     assert done.returncode == 2
     assert "There is no layout" in done.stderr
