@@ -11,6 +11,7 @@ extends RefCounted
 var interface: OpenXRInterface = null
 
 var _api: OpenXRAPIExtension = null
+var _told_hz: float = 0.0
 var _forecast: DisplayForecast = DisplayForecast.new()
 
 
@@ -30,9 +31,9 @@ func predicted_ns() -> int:
 	return _api.get_predicted_display_time()
 
 
-## The rate that the runtime says, Hz; 0 where it does not, or is no more.
+## The rate that the runtime says in this frame, Hz; 0 where it does not, or is no more.
 func told_rate_hz() -> float:
-	return interface.get_display_refresh_rate()
+	return _told_hz
 
 
 ## The rate of the headset, Hz: as the runtime says, else the shortest step of its clock; 0 before
@@ -49,8 +50,9 @@ func is_running() -> bool:
 
 ## A frame begins: notes when the runtime will show it.
 func note_frame() -> void:
+	_told_hz = interface.get_display_refresh_rate()
 	var now: int = Time.get_ticks_usec()
-	_forecast.note(predicted_ns(), ThreadClock.get_monotonic_usec(), now, told_rate_hz())
+	_forecast.note(predicted_ns(), ThreadClock.get_monotonic_usec(), now, _told_hz)
 
 
 ## When this frame will be seen, µs of [method Time.get_ticks_usec]; 0 where it is not known: see
