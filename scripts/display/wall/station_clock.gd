@@ -8,9 +8,9 @@ extends RefCounted
 
 ## Messages of which the quickest counts.
 const _WINDOW: int = 64
-## So long the other one's ticks go on without a message, µs; then they stand, and at last nothing
-## is known any more.
+## So long the other one's ticks go on without a message, µs; then they stand.
 const CARRY_USEC: int = 250_000
+## After so long without a message nothing is known any more, µs.
 const FORGET_USEC: int = 3_000_000
 
 ## The newest message; null: none.

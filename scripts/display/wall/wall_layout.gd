@@ -7,12 +7,15 @@ extends RefCounted
 ## the station's frame: x to the right, y up, -z ahead, from a point of the floor. See
 ## [LayoutReader] for all names. Pure: it knows nothing of monitors that are there.
 
-## Whom the eyes follow, besides names of trackers.
+## The eyes stay where they are.
 const FIXED: String = "fixed"
+## They are those of the own person.
 const HEAD: String = "head"
 ## Nearer than this an eye is as good as on a wall, m.
 const MIN_DISTANCE_M: float = 0.05
+## Most screens of a station.
 const MAX_SCREENS: int = 16
+## Most bytes of a layout file.
 const MAX_BYTES: int = 1 << 20
 ## Corners may be off a rectangle by so much of its size.
 const _OFF: float = 1e-3
@@ -21,6 +24,7 @@ const _SMALL_M: float = 0.01
 
 ## What is wrong, a line each: "FILE:LINE: ...". Empty: the layout can be shown.
 var faults: PackedStringArray = []
+## In the order of the file, or those of this client in the order in which they were asked for.
 var screens: Array[WallScreen] = []
 ## Where the eyes are, or are until they are tracked, m.
 var eye: Vector3 = Vector3(0.0, 1.7, 0.0)
