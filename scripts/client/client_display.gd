@@ -56,6 +56,7 @@ func open(p_options: Options) -> void:
 		_late = null
 		if headset != null:
 			headset.begin()
+			_show_waiting()
 
 
 ## Waits until it is time to begin the frame. Call it first.
@@ -93,7 +94,7 @@ func is_worn() -> bool:
 
 ## The head in a headset; null without one.
 func head() -> Node3D:
-	return headset.display.view().head if is_worn() else null
+	return headset.display.head() if headset != null else null
 
 
 ## Whether the user looks out of the eyes of the own body.
@@ -232,9 +233,11 @@ func _make(p_options: Options) -> String:
 		add_child(headset)
 		headset.leave_wanted.connect(leave_wanted.emit)
 		hmd.leaving.connect(leaving.emit)
+		hmd.lost.connect(_show_waiting)
 		return headset.open(hmd, p_options)
 	if name == DisplayNames.WALL:
 		var wall: WallDisplay = WallDisplay.new()
+		wall.swap_eyes = p_options.is_on("swap-eyes")
 		mode = wall
 		return wall.set_up(p_options.file("layout"), p_options.text("screens"))
 	if not DisplayNames.STEREO.has(name):
@@ -268,6 +271,12 @@ func _on_told(p_text: String) -> void:
 	Log.info("display", p_text)
 	_hud.show_news(p_text)
 	tell(p_text)
+
+
+## The window says for as long as it is so that there is no headset, and why.
+func _show_waiting() -> void:
+	if not is_worn():
+		_hud.show_note(headset.display.report()["lost"])
 
 
 func _fall_back(p_why: String) -> void:

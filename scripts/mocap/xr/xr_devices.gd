@@ -18,7 +18,8 @@ const PINS: PackedStringArray = [
 	"/user/vive_tracker_htcx/role/right_elbow",
 	"/user/vive_tracker_htcx/role/left_shoulder",
 	"/user/vive_tracker_htcx/role/right_shoulder",
-	"/user/vive_tracker_htcx/role/handheld_object",
+	# Runtimes refuse a map with the role of a handheld object: a prop has one that nobody else uses.
+	"/user/vive_tracker_htcx/role/keyboard",
 ]
 ## Names of the headset, the controllers and the tracked hands.
 const HEAD: StringName = &"head"
