@@ -44,7 +44,8 @@ class TestSheet:
 	extends Control
 	## What is drawn.
 
-	const _CELLS: int = 16
+	const _LEFT: HorizontalAlignment = HORIZONTAL_ALIGNMENT_LEFT
+const _CELLS: int = 16
 	const _STEPS: int = 11
 	const _DARK: Color = Color(0.1, 0.1, 0.12)
 
@@ -79,11 +80,11 @@ class TestSheet:
 				draw_rect(Rect2(at.floor(), Vector2(1.0, high)), Color.WHITE)
 				draw_rect(Rect2(at.floor(), Vector2(cell, 1.0)), Color.WHITE)
 				var place: Vector2 = at + Vector2(4.0, text + 2.0)
-				draw_string(font, place, "%d.%d" % [row, column], 0, -1.0, text, Color.YELLOW)
+				draw_string(font, place, "%d.%d" % [row, column], _LEFT, -1.0, text, Color.YELLOW)
 		var radius: float = minf(size.x, size.y) * 0.5 - 1.0
 		draw_arc(size * 0.5, radius, 0.0, TAU, 180, Color.CYAN, 2.0)
 		draw_arc(size * 0.5, radius * 0.5, 0.0, TAU, 120, Color.CYAN, 2.0)
-		draw_string(font, size * 0.5, screen.name, 0, -1.0, text * 2, Color.WHITE)
+		draw_string(font, size * 0.5, screen.name, _LEFT, -1.0, text * 2, Color.WHITE)
 		for edge: Rect2 in [
 			Rect2(0.0, 0.0, size.x, 1.0),
 			Rect2(0.0, size.y - 1.0, size.x, 1.0),

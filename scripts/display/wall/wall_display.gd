@@ -238,7 +238,9 @@ static func _tracked_eyes(p_tracker: XRTracker) -> Variant:
 		return head * Transform3D(Basis(Vector3.UP, PI), OrbitCamera.EYES)
 	var tracker: XRPositionalTracker = p_tracker as XRPositionalTracker
 	var pose: XRPose = tracker.get_pose(&"default") if tracker != null else null
-	return pose.transform if pose != null and pose.has_tracking_data else null
+	if pose == null or not pose.has_tracking_data:
+		return null
+	return pose.transform
 
 
 func _keep_window() -> void:

@@ -61,9 +61,9 @@ func clear() -> void:
 ## Solves it from the moments. Returns what is wrong and how to mend it, or an empty text; then
 ## nothing has changed.
 func solve() -> String:
-	var range: Vector2 = _ranges()
-	if range.x < MIN_NOD or range.y < MIN_TURN:
-		var parts: Array = [rad_to_deg(range.x), rad_to_deg(range.y)]
+	var reached: Vector2 = _ranges()
+	if reached.x < MIN_NOD or reached.y < MIN_TURN:
+		var parts: Array = [rad_to_deg(reached.x), rad_to_deg(reached.y)]
 		parts.append_array([rad_to_deg(MIN_NOD), rad_to_deg(MIN_TURN)])
 		return (
 			"the head nodded %.0f and turned %.0f degrees: nod by %.0f and look to both sides (%.0f)"
