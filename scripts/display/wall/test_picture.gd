@@ -45,7 +45,7 @@ class TestSheet:
 	## What is drawn.
 
 	const _LEFT: HorizontalAlignment = HORIZONTAL_ALIGNMENT_LEFT
-const _CELLS: int = 16
+	const _CELLS: int = 16
 	const _STEPS: int = 11
 	const _DARK: Color = Color(0.1, 0.1, 0.12)
 
