@@ -51,11 +51,8 @@ func embody(p_actor: int, p_joints: PersonSkeleton, p_hips: float, p_rate: float
 	actor = p_actor
 	_body.setup(p_joints, p_hips / source.get_hip_height(), p_rate)
 	# Who is fitted to a headset is fitted to the body that is shown.
-	var fault: String = ""
-	if source is FusedSource:
-		fault = (source as FusedSource).show_on(p_joints, p_hips)
-	elif source is XrBodySource:
-		fault = (source as XrBodySource).show_on(p_joints, p_hips)
+	var worn: XrSource = source as XrSource
+	var fault: String = worn.show_on(p_joints, p_hips) if worn != null else ""
 	if fault != "":
 		Log.warning("client", "hands may miss what they hold: " + fault)
 	_body.clear()

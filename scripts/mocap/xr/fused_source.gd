@@ -1,8 +1,6 @@
 class_name FusedSource
-extends MotionSource
+extends XrSource
 ## Another source's motion, fitted to the headset and the controllers of its wearer.
-##
-## The main thread hands over an [XrFrame] in every frame; any one thread samples.
 
 # The wearer's size is looked at once in so many samples; joints that differ by less are the same,
 # m.
@@ -15,15 +13,10 @@ var fusion: HeadFusion = null
 ## The source that is fitted.
 var source: MotionSource = null
 
-var _frames: XrFrames = XrFrames.new()
-var _frame: XrFrame = XrFrame.new()
-var _recentred: int = 0
 var _own: ShownFigure = null
 var _size_in: int = 0
 # Shared between threads and guarded.
-var _mutex: Mutex = Mutex.new()
 var _correction: float = 0.0
-var _shown: ShownFigure = null
 var _turned: float = 0.0
 var _is_reset: bool = false
 
@@ -35,17 +28,12 @@ func _init(p_source: MotionSource) -> void:
 	fusion = HeadFusion.new(p_source.get_body())
 
 
-## Takes what the devices say now, in the main thread.
-func push(p_frame: XrFrame) -> void:
-	_frames.push(p_frame)
-
-
 ## The tracking space was moved (the runtime recentred): the body goes along at once.
 func recentre() -> void:
 	_mutex.lock()
 	_is_reset = true
 	_mutex.unlock()
-	_frames.recentre()
+	super()
 
 
 ## The tracking space was turned by an angle about +Y, rad, as by a step of a thumbstick: the body
@@ -54,19 +42,7 @@ func turn(p_angle: float) -> void:
 	_mutex.lock()
 	_turned += p_angle
 	_mutex.unlock()
-	_frames.recentre()
-
-
-## Takes the body that the wearer is shown as, and the height of its hips, m. Returns why not, or an
-## empty text.
-func show_on(p_skeleton: PersonSkeleton, p_hips: float) -> String:
-	var figure: ShownFigure = ShownFigure.of_skeleton(p_skeleton, p_hips, get_hip_height())
-	if figure == null:
-		return "the body that is shown has no joints of a person"
-	_mutex.lock()
-	_shown = figure
-	_mutex.unlock()
-	return ""
+	super.recentre()
 
 
 ## How far the body is turned against the suit, rad.
@@ -104,13 +80,10 @@ func _read(p_time_usec: int) -> PoseSample:
 	pose.orientations = raw.orientations.duplicate()
 	pose.root = raw.root
 	pose.details = raw.details
-	var times: int = _frames.recentred()
-	if times != _recentred:
-		_recentred = times
+	if _was_moved():
 		_follow_space()
 	_note_size()
-	_frames.read(pose.time_usec, _frame)
-	fusion.apply(pose, _frame)
+	fusion.apply(pose, _read_frame(pose.time_usec))
 	_mutex.lock()
 	_correction = fusion.correction()
 	_mutex.unlock()
@@ -133,10 +106,7 @@ func _follow_space() -> void:
 ## Uses the body that is shown, if one was said, else the wearer's own size: a suit may be measured
 ## meanwhile.
 func _note_size() -> void:
-	_mutex.lock()
-	var shown: ShownFigure = _shown
-	_shown = null
-	_mutex.unlock()
+	var shown: ShownFigure = _take_shown()
 	_size_in -= 1
 	if shown != null:
 		fusion.set_figure(shown)

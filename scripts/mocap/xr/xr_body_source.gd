@@ -1,11 +1,10 @@
 class_name XrBodySource
-extends MotionSource
+extends XrSource
 ## The motion of somebody who wears a headset and holds controllers (or whose hands are tracked),
 ## with or without trackers on the body, and without a suit.
 ##
-## The main thread hands over an [XrFrame] in every frame; any one thread samples. The wearer's
-## height is taken from the eyes' unless it is given: the highest place at which they were for
-## [constant TALL_S].
+## The wearer's height is taken from the eyes' unless it is given: the highest place at which they
+## were for [constant TALL_S].
 
 ## For so long eyes have to be at a height, s.
 const TALL_S: float = 0.4
@@ -18,8 +17,6 @@ const _SAME_M: float = 0.02
 ## Whether the wearer sits on a chair.
 var is_seated: bool = false
 
-var _frames: XrFrames = XrFrames.new()
-var _frame: XrFrame = XrFrame.new()
 var _size: BodySize = null
 var _body: XrBody = null
 var _is_given: bool = false
@@ -27,10 +24,8 @@ var _is_measured: bool = false
 var _tall_s: float = 0.0
 var _tall_m: float = 0.0
 var _last_usec: int = 0
-var _recentred: int = 0
-var _mutex: Mutex = Mutex.new()
+# Shared between threads and guarded.
 var _learns_pins: bool = false
-var _shown: ShownFigure = null
 var _times: int = 0
 
 
@@ -41,28 +36,6 @@ func _init(p_height: float = 0.0) -> void:
 		error = _size.set_height(p_height)
 		_is_given = error == ""
 	_body = XrBody.new(_size)
-
-
-## Takes what the devices say now, in the main thread.
-func push(p_frame: XrFrame) -> void:
-	_frames.push(p_frame)
-
-
-## The tracking space was moved.
-func recentre() -> void:
-	_frames.recentre()
-
-
-## Takes the body that the wearer is shown as, and the height of its hips, m. Returns why not, or an
-## empty text.
-func show_on(p_skeleton: PersonSkeleton, p_hips: float) -> String:
-	var figure: ShownFigure = ShownFigure.of_skeleton(p_skeleton, p_hips, get_hip_height())
-	if figure == null:
-		return "the body that is shown has no joints of a person"
-	_mutex.lock()
-	_shown = figure
-	_mutex.unlock()
-	return ""
 
 
 ## The wearer stands upright: how trackers sit on the body is learned anew.
@@ -100,8 +73,7 @@ func describe() -> String:
 
 
 func _read(p_time_usec: int) -> PoseSample:
-	_frames.read(p_time_usec, _frame)
-	_frame.time_usec = p_time_usec
+	_read_frame(p_time_usec).time_usec = p_time_usec
 	if not _frame.has_place:
 		error = "the headset is not tracked: put it on, and look at where its cameras see the room"
 		return null
@@ -109,17 +81,16 @@ func _read(p_time_usec: int) -> PoseSample:
 	_mutex.lock()
 	var learns: bool = _learns_pins
 	_learns_pins = false
-	var shown: ShownFigure = _shown
-	_shown = null
 	_mutex.unlock()
+	var shown: ShownFigure = _take_shown()
 	if shown != null:
 		_body.set_figure(shown)
 	if learns:
 		_body.pins.restart()
 	var step_s: float = (p_time_usec - _last_usec) / 1e6
-	var times: int = _frames.recentred()
-	if times != _recentred or step_s <= 0.0 or step_s > 0.5:
-		_recentred = times
+	# Asked in any case: it counts from the last time.
+	var was_moved: bool = _was_moved()
+	if was_moved or step_s <= 0.0 or step_s > 0.5:
 		_body.restart()
 		step_s = 0.0
 	_last_usec = p_time_usec
