@@ -10,9 +10,6 @@ signal leaving
 ## The user wants to leave the session.
 signal leave_wanted
 
-## Kinds of adapters that draw with the processor: nothing is gained by waiting for a screen.
-const _SOFTWARE: PackedStringArray = ["llvmpipe", "softpipe", "swiftshader", "lavapipe"]
-
 @export var _scene: ClientScene
 @export var _hud: Hud
 
@@ -240,7 +237,7 @@ func _make(p_options: Options) -> String:
 		wall.swap_eyes = p_options.is_on("swap-eyes")
 		mode = wall
 		return wall.set_up(p_options.file("layout"), p_options.text("screens"))
-	if not DisplayNames.STEREO.has(name):
+	if not DisplayNames.stereo().has(name):
 		return ""
 	var stereo: StereoDisplay = StereoDisplay.new()
 	var fault: String = stereo.set_up(
@@ -294,9 +291,8 @@ func _fall_back(p_why: String) -> void:
 
 
 static func _set_vsync(p_wanted: String) -> void:
-	var adapter: String = RenderingServer.get_video_adapter_name().to_lower()
-	var is_software: bool = Array(_SOFTWARE).any(adapter.contains)
-	if p_wanted == "off" or (p_wanted == "auto" and is_software):
+	# Nothing is gained by waiting for a screen where the processor draws.
+	if p_wanted == "off" or (p_wanted == "auto" and Quality.draws_by_processor()):
 		DisplayServer.window_set_vsync_mode(DisplayServer.VSYNC_DISABLED)
 	elif p_wanted == "on":
 		DisplayServer.window_set_vsync_mode(DisplayServer.VSYNC_ENABLED)

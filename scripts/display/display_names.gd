@@ -9,8 +9,9 @@ const WINDOW: String = "window"
 const HMD: String = "hmd"
 ## The screens of a layout file.
 const WALL: String = "wall"
-## Both eyes without a headset: the ways of [StereoMode].
-const STEREO: Array[String] = [
+## How a picture is for two eyes, in the order of [enum StereoMode.Kind].
+const EYES: Array[String] = [
+	"mono",
 	"side-by-side",
 	"side-by-side-full",
 	"top-bottom",
@@ -25,6 +26,11 @@ const STEREO: Array[String] = [
 ]
 
 
+## Both eyes without a headset.
+static func stereo() -> PackedStringArray:
+	return EYES.slice(1)
+
+
 ## All of them.
 static func all() -> PackedStringArray:
-	return PackedStringArray([WINDOW, HMD, WALL] + STEREO)
+	return PackedStringArray([WINDOW, HMD, WALL]) + stereo()

@@ -31,20 +31,7 @@ enum Kind {
 }
 
 ## What options and layout files call them.
-const NAMES: Array[String] = [
-	"mono",
-	"side-by-side",
-	"side-by-side-full",
-	"top-bottom",
-	"top-bottom-full",
-	"anaglyph",
-	"rows",
-	"columns",
-	"checkerboard",
-	"windows",
-	"left",
-	"right",
-]
+const NAMES: Array[String] = DisplayNames.EYES
 
 
 ## The way of a name, or -1.
