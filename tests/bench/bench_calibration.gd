@@ -1,155 +1,76 @@
 extends SceneTree
-## What calibration, filling and body trackers make of a clip that is worn as sensors, and what it
-## costs.
+## How good calibrations are, of wearers who are not perfect, and what is made of them.
 ##
-## Options: --bvh=FILE (again for more; default the clips in assets/motion), --rounds=5 (random
-## mountings, norths and facings a kind), --noise=0 (deg), --seed=1. An error of the calibrated
-## limbs is against the clip's own; filled limbs are told apart.
+## Options: --only=PART (again for more; default all): clips (perfect wearers, filling, trackers),
+## norths (sensors whose norths are apart), poses (poses held badly), dressing (sensors put on
+## anywhere), drift. --bvh=FILE (again for more; default the clips in assets/motion),
+## --rounds=5 (wearers a case), --seed=1, --noise=0 (deg, of clips; others have 0.5 unless given),
+## --norths=0,10,20,40,60 (deg), --poses=0,3,10 (deg), --efforts=0.3 (part by which movements are
+## larger or smaller), --soft=3 (deg of soft tissue), --orders=20 (orders of dressing a case).
 
-const Wearer: GDScript = preload("res://tests/mocap/calibration/wearer.gd")
-const _EXACT_DEG: float = 0.05
-const _TRACKER_DEG: float = 0.01
-const _REDO_S: float = 10.0
-const _POSES: int = 60
-const _TRACKER: StringName = &"/bench/body_tracker"
+const _PARTS: Array[String] = ["clips"]
 
 var _arguments: BenchArguments = null
-var _report: BenchReport = null
-var _random: RandomNumberGenerator = RandomNumberGenerator.new()
 
 
 func _initialize() -> void:
-	_arguments = BenchArguments.parse(
-		OS.get_cmdline_user_args(), {"bvh": "", "rounds": 5, "noise": 0.0, "seed": 1}
+	_arguments = (
+		BenchArguments
+		. parse(
+			OS.get_cmdline_user_args(),
+			{
+				"only": "",
+				"bvh": "",
+				"rounds": 5,
+				"noise": 0.0,
+				"seed": 1,
+				"norths": "0,10,20,40,60",
+				"poses": "0,3,10",
+				"efforts": 0.3,
+				"soft": 3.0,
+				"orders": 20,
+			}
+		)
 	)
-	var fault: String = _arguments.error
-	if fault == "" and (_arguments.value("rounds") < 1 or _arguments.value("rounds") > 1000):
-		fault = "--rounds is between 1 and 1000, found %d" % _arguments.value("rounds")
-	if fault == "" and not (_arguments.value("noise") >= 0.0 and _arguments.value("noise") < 45.0):
-		fault = "--noise is between 0 and 45 deg, found %s" % _arguments.value("noise")
-	_random.seed = _arguments.value("seed")
-	_report = BenchReport.new("calibration", _arguments.value("json"))
+	var fault: String = _find_fault()
 	if fault != "":
 		printerr(fault)
 		quit(2)
 		return
-	for file: String in BenchArguments.clips(_arguments):
-		var source: BvhSource = _report.open_clip(file)
-		if source != null:
-			_run_clip(source)
-	for kind: CalibrationGuide.Kind in CalibrationGuide.Kind.values():
-		var goal: BenchReport.Goal = BenchReport.Goal.AT_MOST
-		if kind == CalibrationGuide.Kind.FULL or kind == CalibrationGuide.Kind.FIT_CHECK:
-			goal = BenchReport.Goal.NONE
-		var seconds: float = CalibrationGuide.duration_s(kind)
-		_report.add(CalibrationGuide.NAMES[kind], "duration", seconds, "s", goal, _REDO_S)
-	quit(_report.finish())
+	var report: BenchReport = BenchReport.new("calibration", _arguments.value("json"))
+	for name: String in _wanted():
+		var path: String = "res://tests/bench/calibration/%s.gd" % name
+		var script: GDScript = load(path)
+		var part: Object = script.new()
+		part.arguments = _arguments
+		part.report = report
+		part.measure()
+	quit(report.finish())
 
 
-func _run_clip(p_source: BvhSource) -> void:
-	var poses: Array[PoseSample] = []
-	for at: int in _POSES:
-		poses.append(p_source.pose_at(at * p_source.rig.clip.duration() / _POSES))
-	var name: String = p_source.rig.clip.source_name
-	for kind: CalibrationGuide.Kind in [
-		CalibrationGuide.Kind.T_POSE,
-		CalibrationGuide.Kind.N_POSE,
-		CalibrationGuide.Kind.T_TO_N,
-		CalibrationGuide.Kind.FULL
-	]:
-		_run_kind(name, kind, poses)
-	_run_tracker(name, p_source, poses)
-	_run_fill(name, p_source, poses)
-	_run_suit(name, p_source)
+func _wanted() -> PackedStringArray:
+	var wanted: PackedStringArray = _arguments.list("only")
+	if not wanted.is_empty():
+		return wanted
+	for name: String in _PARTS:
+		wanted.append(name)
+	return wanted
 
 
-func _run_kind(p_clip: String, p_kind: CalibrationGuide.Kind, p_poses: Array[PoseSample]) -> void:
-	var worst: float = 0.0
-	for _round: int in _arguments.value("rounds"):
-		var wearer: Wearer = Wearer.new()
-		wearer.random = _random
-		wearer.feed.random = _random
-		wearer.feed.noise_deg = _arguments.value("noise")
-		wearer.motion.facing = _random.randf_range(-PI, PI)
-		var norths: float = NAN if p_kind == CalibrationGuide.Kind.FULL else 0.0
-		wearer.wear(PackedInt32Array(range(BodyMounts.COUNT)), norths)
-		if p_kind < CalibrationGuide.Kind.T_TO_N:
-			wearer.process.options.facing = CalibrationOptions.Facing.HEADING
-			wearer.process.options.heading_deg = -rad_to_deg(wearer.motion.facing)
-		var result: CalibrationResult = wearer.calibrate(p_kind)
-		wearer.feed.noise_deg = 0.0
-		var off: float = wearer.worst_deg(result.calibration, p_poses, wearer.motion.facing)
-		worst = maxf(worst, off)
-	var goal: BenchReport.Goal = BenchReport.Goal.AT_MOST
-	if _arguments.value("noise") > 0.0:
-		goal = BenchReport.Goal.NONE
-	var parts: Array = [p_clip, CalibrationGuide.NAMES[p_kind]]
-	_report.add("%s, %s" % parts, "worst limb", worst, "deg", goal, _EXACT_DEG)
-
-
-func _run_tracker(p_clip: String, p_source: BvhSource, p_poses: Array[PoseSample]) -> void:
-	var publisher: TrackerPublisher = TrackerPublisher.new(p_source.get_body(), _TRACKER)
-	var back: TrackerSource = TrackerSource.new(_TRACKER)
-	var worst: float = 0.0
-	var begin: int = Time.get_ticks_usec()
-	var spent: int = 0
-	for pose: PoseSample in p_poses:
-		begin = Time.get_ticks_usec()
-		publisher.publish(pose)
-		spent += Time.get_ticks_usec() - begin
-		back.advance(begin)
-		var again: PoseSample = back.sample(begin)
-		for limb: int in Limbs.COUNT:
-			var off: float = Rotations.between_deg(again.orientation(limb), pose.orientation(limb))
-			worst = maxf(worst, off)
-	publisher.retire()
-	var case_name: String = p_clip + ", body tracker"
-	var at_most: BenchReport.Goal = BenchReport.Goal.AT_MOST
-	_report.add(case_name, "there and back", worst, "deg", at_most, _TRACKER_DEG)
-	_report.add(case_name, "publish", float(spent) / p_poses.size(), "us")
-
-
-func _run_fill(p_clip: String, p_source: BvhSource, p_poses: Array[PoseSample]) -> void:
-	var body: BodySize = p_source.get_body()
-	var bases: PackedVector3Array = body.joints()
-	var tails: PackedVector3Array = body.tails()
-	for count: int in [6, 10, 13, 17]:
-		var filler: LimbFiller = LimbFiller.new()
-		var off: Statistics = Statistics.new()
-		for pose: PoseSample in p_poses:
-			filler.clear()
-			for mount: int in SensorMap.layout(count):
-				filler.set_mount(mount, pose.orientation(BodyMounts.LIMBS[mount]))
-			filler.fill()
-			for limb: int in Limbs.COUNT:
-				if filler.measured[limb] == 0:
-					var along: Vector3 = tails[limb] - bases[limb]
-					var got: Vector3 = filler.limbs[limb] * along
-					off.add(rad_to_deg(got.angle_to(pose.orientation(limb) * along)))
-		_report.add("%s, %d sensors" % [p_clip, count], "filled limbs, mean", off.mean(), "deg")
-
-
-func _run_suit(p_clip: String, p_source: BvhSource) -> void:
-	var wearer: Wearer = Wearer.new()
-	wearer.random = _random
-	wearer.wear(PackedInt32Array(range(BodyMounts.COUNT)))
-	var result: CalibrationResult = wearer.calibrate(CalibrationGuide.Kind.FULL)
-	var suit: SuitSource = SuitSource.new(wearer.feed)
-	suit.set_calibration(result.calibration)
-	var sampled: Statistics = Statistics.new()
-	var advanced: Statistics = Statistics.new()
-	for at: int in 2000:
-		wearer.feed.measure(p_source.pose_at(at / 100.0), wearer.now_usec)
-		var begin: int = Time.get_ticks_usec()
-		suit.sample(wearer.now_usec)
-		var between: int = Time.get_ticks_usec()
-		suit.advance(wearer.now_usec / 1e6)
-		sampled.add(between - begin)
-		advanced.add(Time.get_ticks_usec() - between)
-		wearer.now_usec += 10000
-	var case_name: String = p_clip + ", suit of 17"
-	_report.add(case_name, "sample p50", sampled.percentile(0.5), "us")
-	_report.add(case_name, "sample p99", sampled.percentile(0.99), "us")
-	_report.add(case_name, "advance p50", advanced.percentile(0.5), "us")
-	_report.add(case_name, "advance p99", advanced.percentile(0.99), "us")
-	_report.add(case_name, "false alarms", suit.watch.messages().size(), "")
+func _find_fault() -> String:
+	if _arguments.error != "":
+		return _arguments.error
+	if _arguments.value("rounds") < 1 or _arguments.value("rounds") > 1000:
+		return "--rounds is between 1 and 1000, found %d" % _arguments.value("rounds")
+	if _arguments.value("orders") < 1 or _arguments.value("orders") > 1000:
+		return "--orders is between 1 and 1000, found %d" % _arguments.value("orders")
+	if not (_arguments.value("noise") >= 0.0 and _arguments.value("noise") < 45.0):
+		return "--noise is between 0 and 45 deg, found %s" % _arguments.value("noise")
+	if not (_arguments.value("soft") >= 0.0 and _arguments.value("soft") < 45.0):
+		return "--soft is between 0 and 45 deg, found %s" % _arguments.value("soft")
+	if not (_arguments.value("efforts") >= 0.0 and _arguments.value("efforts") < 0.9):
+		return "--efforts is between 0 and 0.9, found %s" % _arguments.value("efforts")
+	for name: String in _arguments.list("only"):
+		if not _PARTS.has(name):
+			return "--only is one of %s, found '%s'" % [", ".join(_PARTS), name]
+	return ""
