@@ -4,7 +4,9 @@ extends RefCounted
 ## avatar with an [XRBodyModifier3D] can wear it. For the main thread.
 ##
 ## Joints are in the tracking space, metres, with the axes of Godot's humanoid bones. The root is on
-## the ground below the hips and faces where they do.
+## the ground below the hips; its -Z points where they face, as in Godot's own plugins (OpenXR, VMC,
+## Rokoko). What is not known of a person has no flags; a joint that was known and is not any more
+## loses them.
 
 ## The tracker's name by default; further people get a number behind it.
 const NAME: StringName = &"/dismount/body_tracker"
@@ -19,6 +21,11 @@ const _VALID: int = (
 const _FILLED: int = (
 	XRBodyTracker.JOINT_FLAG_ORIENTATION_VALID | XRBodyTracker.JOINT_FLAG_POSITION_VALID
 )
+# One joint of each hand that has flags as soon as any finger of it is known.
+const _THUMBS: Array[XRBodyTracker.Joint] = [
+	XRBodyTracker.JOINT_LEFT_THUMB_PHALANX_PROXIMAL,
+	XRBodyTracker.JOINT_RIGHT_THUMB_PHALANX_PROXIMAL,
+]
 
 ## The tracker.
 var tracker: XRBodyTracker = XRBodyTracker.new()
@@ -35,6 +42,9 @@ func _init(p_size: BodySize, p_name: StringName = NAME, p_title: String = "") ->
 	tracker.has_tracking_data = false
 	var flags: int = XRBodyTracker.BODY_FLAG_UPPER_BODY_SUPPORTED
 	tracker.body_flags = flags | XRBodyTracker.BODY_FLAG_LOWER_BODY_SUPPORTED
+	# The engine leaves the flags of a new tracker's joints uninitialised.
+	for joint: int in XRBodyTracker.JOINT_MAX:
+		_clear_joint(joint as XRBodyTracker.Joint)
 	XRServer.add_tracker(tracker)
 	_is_added = true
 
@@ -56,7 +66,7 @@ func publish(p_pose: PoseSample) -> void:
 		_publish_fingers(hand, p_pose)
 	_set_joint(XRBodyTracker.JOINT_HEAD_TIP, 3, p_pose.orientation(3), p_pose)
 	_set_joint_position(XRBodyTracker.JOINT_HEAD_TIP, _figure.tails[3])
-	var facing: Quaternion = Rotations.yaw(Rotations.yaw_of(p_pose.orientation(Limbs.ROOT)))
+	var facing: Quaternion = Rotations.yaw(Rotations.yaw_of(p_pose.orientation(Limbs.ROOT)) + PI)
 	var ground: Vector3 = Vector3(_figure.bases[0].x, 0.0, _figure.bases[0].z)
 	var root: Transform3D = Transform3D(Basis(facing), ground)
 	tracker.set_joint_transform(XRBodyTracker.JOINT_ROOT, root)
@@ -112,6 +122,9 @@ func _publish_fingers(p_hand: int, p_pose: PoseSample) -> void:
 		known = p_pose.details.joints
 	var joints: PackedInt32Array = FingerJoints.of_hand(p_hand)
 	if not Array(joints).any(func(joint: int) -> bool: return known.has(joint)):
+		for joint: int in joints:
+			_clear_joint(joint as XRBodyTracker.Joint)
+		_tell_of_hands()
 		return
 	var limb: int = 6 if p_hand == 0 else 9
 	var length: float = _figure.rest_base(limb).distance_to(_figure.rest_tail(limb))
@@ -127,7 +140,21 @@ func _publish_fingers(p_hand: int, p_pose: PoseSample) -> void:
 		var at: Transform3D = Transform3D(Basis(turn), positions[joint])
 		tracker.set_joint_transform(joint as XRBodyTracker.Joint, at)
 		tracker.set_joint_flags(joint as XRBodyTracker.Joint, _VALID)
-	tracker.body_flags |= XRBodyTracker.BODY_FLAG_HANDS_SUPPORTED
+	_tell_of_hands()
+
+
+## Says whether any finger is known.
+func _tell_of_hands() -> void:
+	var flags: int = tracker.body_flags & ~XRBodyTracker.BODY_FLAG_HANDS_SUPPORTED
+	for thumb: XRBodyTracker.Joint in _THUMBS:
+		if tracker.get_joint_flags(thumb) != 0:
+			flags |= XRBodyTracker.BODY_FLAG_HANDS_SUPPORTED
+	tracker.body_flags = flags
+
+
+func _clear_joint(p_joint: XRBodyTracker.Joint) -> void:
+	tracker.set_joint_transform(p_joint, Transform3D.IDENTITY)
+	tracker.set_joint_flags(p_joint, 0)
 
 
 func _set_joint(

@@ -28,6 +28,15 @@ const _JOINTS: Array[Array] = [
 	[XRBodyTracker.JOINT_RIGHT_FOOT],
 ]
 
+# The flags that there are. The engine leaves those of joints that a plugin never sets
+# uninitialised: whatever has other bits says nothing.
+const _FLAGS: int = (
+	XRBodyTracker.JOINT_FLAG_ORIENTATION_VALID
+	| XRBodyTracker.JOINT_FLAG_ORIENTATION_TRACKED
+	| XRBodyTracker.JOINT_FLAG_POSITION_VALID
+	| XRBodyTracker.JOINT_FLAG_POSITION_TRACKED
+)
+
 ## Name of the tracker, such as "/user/body_tracker".
 var tracker_name: StringName = &""
 
@@ -146,25 +155,47 @@ func _measure(p_tracker: XRBodyTracker) -> void:
 
 static func _turn(p_tracker: XRBodyTracker, p_joint: int) -> Quaternion:
 	var joint: XRBodyTracker.Joint = p_joint as XRBodyTracker.Joint
-	var bone: StringName = HumanoidAxes.OTHERS.get(p_joint, &"")
-	if FingerJoints.hand_of(p_joint) >= 0:
-		bone = FingerJoints.bone_of(p_joint)
-	elif bone == &"":
-		bone = Limbs.BONES[HumanoidAxes.JOINTS.find(joint)]
+	var axes: Quaternion = HumanoidAxes.of_bone(_bone(joint))
 	var turned: Basis = p_tracker.get_joint_transform(joint).basis
-	return (turned.get_rotation_quaternion() * HumanoidAxes.of_bone(bone).inverse()).normalized()
+	return (turned.get_rotation_quaternion() * axes.inverse()).normalized()
+
+
+## The humanoid bone of a joint.
+static func _bone(p_joint: XRBodyTracker.Joint) -> StringName:
+	if FingerJoints.hand_of(p_joint) >= 0:
+		return FingerJoints.bone_of(p_joint)
+	if HumanoidAxes.OTHERS.has(p_joint):
+		return HumanoidAxes.OTHERS[p_joint]
+	return Limbs.BONES[HumanoidAxes.JOINTS.find(p_joint)]
 
 
 static func _is_turned(p_tracker: XRBodyTracker, p_joint: int) -> bool:
 	var joint: XRBodyTracker.Joint = p_joint as XRBodyTracker.Joint
-	var flags: int = p_tracker.get_joint_flags(joint)
-	if flags & XRBodyTracker.JOINT_FLAG_ORIENTATION_VALID == 0:
+	if _flags(p_tracker, joint) & XRBodyTracker.JOINT_FLAG_ORIENTATION_VALID == 0:
 		return false
-	var turned: Basis = p_tracker.get_joint_transform(joint).basis
-	return turned.is_finite() and absf(turned.determinant()) > 1e-6
+	var at: Transform3D = p_tracker.get_joint_transform(joint)
+	if at == Transform3D.IDENTITY and not _can_be_identity(p_tracker, joint):
+		return false
+	return at.basis.is_finite() and absf(at.basis.determinant()) > 1e-6
+
+
+## Whether a joint with the transform that a new tracker has may have been set: bits that are left
+## over in memory can look like flags.
+static func _can_be_identity(p_tracker: XRBodyTracker, p_joint: XRBodyTracker.Joint) -> bool:
+	if p_joint == XRBodyTracker.JOINT_HIPS:
+		return true
+	if _flags(p_tracker, p_joint) & XRBodyTracker.JOINT_FLAG_POSITION_VALID != 0:
+		return false
+	return HumanoidAxes.of_bone(_bone(p_joint)).is_equal_approx(Quaternion.IDENTITY)
 
 
 static func _has_position(p_tracker: XRBodyTracker, p_joint: XRBodyTracker.Joint) -> bool:
-	var flags: int = p_tracker.get_joint_flags(p_joint)
 	var at: Vector3 = p_tracker.get_joint_transform(p_joint).origin
+	var flags: int = _flags(p_tracker, p_joint)
 	return flags & XRBodyTracker.JOINT_FLAG_POSITION_VALID != 0 and at.is_finite()
+
+
+## The flags of a joint; none where they are none that exist.
+static func _flags(p_tracker: XRBodyTracker, p_joint: XRBodyTracker.Joint) -> int:
+	var flags: int = p_tracker.get_joint_flags(p_joint)
+	return flags if flags & ~_FLAGS == 0 else 0

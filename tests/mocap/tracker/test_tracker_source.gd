@@ -123,6 +123,68 @@ func test_flags_and_names() -> void:
 	is_null(XRServer.get_tracker(NAME))
 
 
+func test_joints_that_nothing_is_known_of_have_no_flags() -> void:
+	_publisher.publish(_clip.pose_at(0.0))
+	var set_joints: int = 0
+	for joint: int in XRBodyTracker.JOINT_MAX:
+		var flags: int = _publisher.tracker.get_joint_flags(joint as XRBodyTracker.Joint)
+		is_true(flags == 0 or flags == 15, "joint %d has flags %x" % [joint, flags])
+		set_joints += 1 if flags == 15 else 0
+		if FingerJoints.hand_of(joint) >= 0:
+			equal(flags, 0)
+	equal(set_joints, Limbs.COUNT + HumanoidAxes.OTHERS.size() + 2, "root and top of the head too")
+
+
+func test_fingers_that_are_lost_lose_their_flags() -> void:
+	var pose: PoseSample = _clip.pose_at(0.0)
+	pose.details = MotionDetails.new()
+	for joint: int in FingerJoints.of_hand(1):
+		pose.details.joints[joint] = Quaternion.IDENTITY
+	_publisher.publish(pose)
+	var finger: XRBodyTracker.Joint = FingerJoints.of_hand(1)[3] as XRBodyTracker.Joint
+	var hands: XRBodyTracker.BodyFlags = XRBodyTracker.BODY_FLAG_HANDS_SUPPORTED
+	equal(int(_publisher.tracker.get_joint_flags(finger)), 15)
+	not_equal(_publisher.tracker.body_flags & hands, 0)
+	_publisher.publish(_clip.pose_at(0.1))
+	equal(int(_publisher.tracker.get_joint_flags(finger)), 0)
+	equal(_publisher.tracker.body_flags & hands, 0)
+
+
+func test_the_root_is_as_in_the_engine_s_plugins() -> void:
+	for heading: float in [0.0, 1.0, -2.5]:
+		var pose: PoseSample = PoseSample.new()
+		for limb: int in Limbs.COUNT:
+			pose.set_orientation(limb, Rotations.yaw(heading))
+		_publisher.publish(pose)
+		var hips: Transform3D = _publisher.tracker.get_joint_transform(XRBodyTracker.JOINT_HIPS)
+		# As OpenXR's and the VMC plugin form it from the hips.
+		var back: Vector3 = -hips.basis.x.cross(Vector3.UP)
+		var root: Transform3D = _publisher.tracker.get_joint_transform(XRBodyTracker.JOINT_ROOT)
+		almost_equal(root.basis.z, back, 1e-5)
+		almost_equal(-root.basis.z, Rotations.yaw(heading) * Vector3.BACK, 1e-5, "-Z is ahead")
+		almost_equal(root.basis.y, Vector3.UP, 1e-5)
+
+
+func test_flags_that_no_plugin_has_set_say_nothing() -> void:
+	var tracker: XRBodyTracker = _publisher.tracker
+	var clip_pose: PoseSample = _clip.pose_at(1.0)
+	_publisher.publish(clip_pose)
+	# As memory happens to be: any bits, or some that look like flags under the engine's identity.
+	for hand: int in 2:
+		for joint: int in FingerJoints.of_hand(hand):
+			var bits: int = 0x5557 if joint % 2 == 0 else 3
+			tracker.set_joint_flags(joint as XRBodyTracker.Joint, bits)
+	tracker.set_joint_flags(XRBodyTracker.JOINT_LEFT_HAND, 0x7FFF00000001)
+	var source: TrackerSource = TrackerSource.new(NAME)
+	source.advance(1)
+	var pose: PoseSample = source.sample(1)
+	for joint: int in pose.details.joints:
+		is_true(FingerJoints.hand_of(joint) < 0, "finger %d was never set" % joint)
+	equal(pose.details.measured[6], 0, "the hand follows its forearm")
+	var fore: Quaternion = clip_pose.orientation(5)
+	is_true(Rotations.between_deg(pose.orientation(6), fore) < 0.01)
+
+
 func test_filled_limbs_are_not_called_tracked() -> void:
 	var pose: PoseSample = _clip.pose_at(0.0)
 	pose.details = MotionDetails.new()
@@ -167,7 +229,6 @@ func test_missing_and_broken_trackers() -> void:
 	equal("" if pose == null else pose.find_fault(), "")
 
 
-## A skeleton with the bones of the humanoid profile, and those that the modifier would miss.
 func test_body_trackers_of_any_name_are_found_and_are_sources() -> void:
 	var other: TrackerPublisher = TrackerPublisher.new(_clip.get_body(), &"/user/body_tracker/fb")
 	var own: TrackerPublisher = TrackerPublisher.new(_clip.get_body())
@@ -182,6 +243,7 @@ func test_body_trackers_of_any_name_are_found_and_are_sources() -> void:
 	own.retire()
 
 
+## A skeleton with the bones of the humanoid profile, and those that the modifier would miss.
 func _humanoid() -> Skeleton3D:
 	var skeleton: Skeleton3D = Skeleton3D.new()
 	var profile: SkeletonProfileHumanoid = SkeletonProfileHumanoid.new()
