@@ -4,7 +4,8 @@
 //
 //     suit_stream [--seconds=N] [--rate=HZ] [--trace=FILE] [--frames=N] [--record=FILE]
 //
-// The trace has a line for each frame: device, sample counter of the device, when the frame was handed over (µs
+// It ends after so many seconds, or as soon as every tracker has been received so many times (--frames). The
+// trace has a line for each frame: device, sample counter of the device, when the frame was handed over (µs
 // of CLOCK_MONOTONIC), trackers. The recording has all raw bytes (docs/recordings.md). The last line of the
 // output is a JSON object with the stats.
 #include "clock/clock.hpp"
@@ -128,6 +129,23 @@ void print_report(const std::vector<usb::DeviceReport> &p_reports, uint64_t p_fr
 	std::printf("]}\n");
 }
 
+/// Whether every tracker of every device has been received so often.
+bool has_enough(const std::vector<usb::DeviceReport> &p_reports, uint64_t p_frames) {
+	bool is_any = false;
+	for (const usb::DeviceReport &report : p_reports) {
+		for (const xbus::TrackerReport &tracker : report.session.trackers) {
+			if (tracker.samples.received < p_frames) {
+				return false;
+			}
+			is_any = true;
+		}
+		if (report.session.trackers.empty() && report.fault.empty()) {
+			return false; // It is still being set up.
+		}
+	}
+	return is_any && p_frames > 0;
+}
+
 } // namespace
 
 int main(int p_count, char **p_values) {
@@ -168,8 +186,7 @@ int main(int p_count, char **p_values) {
 		print_messages(hub);
 		reports = hub.report();
 		const double passed = double(clocks::now_usec() - begin) / 1e6;
-		const bool enough = arguments.frames > 0 && tracer.frames >= arguments.frames;
-		if (enough || (arguments.seconds > 0.0 && passed >= arguments.seconds)) {
+		if (has_enough(reports, arguments.frames) || (arguments.seconds > 0.0 && passed >= arguments.seconds)) {
 			break;
 		}
 	}
