@@ -35,11 +35,6 @@ const OFFSETS: Array[Vector3] = [
 	Vector3(0.0, -0.42, 0.0),
 ]
 
-## Mounts that are no limb of their own, and the joints under which a pose may have them.
-const _BLADES: Dictionary[int, int] = {
-	3: XRBodyTracker.JOINT_LEFT_SHOULDER, 7: XRBodyTracker.JOINT_RIGHT_SHOULDER
-}
-
 ## Frames a second.
 var rate_hz: float = 100.0
 ## What the wearer does before the clip.
@@ -103,20 +98,13 @@ func pose_at(p_time_s: float) -> PoseSample:
 func _append(p_pose: PoseSample, r_values: PackedFloat32Array) -> void:
 	var joints: PackedVector3Array = PackedVector3Array()
 	for mount: int in BodyMounts.COUNT:
-		var rotation: Quaternion = _rotation(p_pose, mount)
+		var rotation: Quaternion = WornSensorFeed.limb_rotation(p_pose, mount)
 		var parent: int = BodyMounts.PARENTS[mount]
 		var joint: Vector3 = p_pose.root
 		if parent >= 0:
-			joint = joints[parent] + _rotation(p_pose, parent) * OFFSETS[mount]
+			joint = joints[parent] + WornSensorFeed.limb_rotation(p_pose, parent) * OFFSETS[mount]
 		joints.append(joint)
 		# Godot's x, y, z are Xsens' y, z, x.
 		var numbers: Array[float] = [rotation.w, rotation.z, rotation.x, rotation.y]
 		numbers.append_array([joint.z, joint.x, joint.y])
 		r_values.append_array(PackedFloat32Array(numbers))
-
-
-static func _rotation(p_pose: PoseSample, p_mount: int) -> Quaternion:
-	var limb: Quaternion = p_pose.orientation(BodyMounts.LIMBS[p_mount])
-	if p_pose.details != null and _BLADES.has(p_mount):
-		return p_pose.details.joints.get(_BLADES[p_mount], limb)
-	return limb

@@ -10,6 +10,32 @@ extends SensorFeed
 const MAX_WAITING: int = 512
 ## Gravity, m/s².
 const GRAVITY: float = 9.81
+## Maximum of what a sensor can measure, m/s².
+const CLIPPED: float = 160.0
+## The earth's magnetic field where the wearer is: north is +Z, in units of its own strength.
+const FIELD: Vector3 = Vector3(0.0, -0.906, 0.423)
+## Where on its mount a sensor sits, m, from the mount's joint in the reset pose.
+const SITS: Array[Vector3] = [
+	Vector3(0.0, 0.06, -0.1),
+	Vector3(0.0, 0.12, 0.1),
+	Vector3(0.0, 0.16, -0.1),
+	Vector3(0.08, 0.05, -0.06),
+	Vector3(0.15, 0.04, 0.0),
+	Vector3(0.2, 0.03, 0.0),
+	Vector3(0.06, 0.02, 0.0),
+	Vector3(-0.08, 0.05, -0.06),
+	Vector3(-0.15, 0.04, 0.0),
+	Vector3(-0.2, 0.03, 0.0),
+	Vector3(-0.06, 0.02, 0.0),
+	Vector3(0.07, -0.2, 0.03),
+	Vector3(0.03, -0.18, 0.05),
+	Vector3(0.0, -0.03, 0.1),
+	Vector3(-0.07, -0.2, 0.03),
+	Vector3(-0.03, -0.18, 0.05),
+	Vector3(0.0, -0.03, 0.1),
+]
+## Rate of turn at which soft tissue lags by a quarter of what it yields at most, rad/s.
+const TISSUE_RATE: float = 5.0
 ## Mounts that are no limb, and the joints under which a pose may have them.
 const BLADES: Dictionary[int, int] = {
 	3: XRBodyTracker.JOINT_LEFT_SHOULDER, 7: XRBodyTracker.JOINT_RIGHT_SHOULDER
@@ -19,6 +45,17 @@ const BLADES: Dictionary[int, int] = {
 var noise_deg: float = 0.0
 ## How fast the heading of each sensor drifts, degrees per second, by sensor; empty: not at all.
 var drifts_deg: PackedFloat32Array = PackedFloat32Array()
+## How fast the drift itself sways, as a part of it, and in which time, s: sensor by sensor at
+## another moment.
+var drift_sway: float = 0.0
+var drift_sway_s: float = 240.0
+## How far a sensor turns on its limb when the limb is level instead of upright, degrees, and by a
+## part of that when it is swung: about an axis of its own for each sensor, always the same way.
+var soft_tissue_deg: float = 0.0
+## Whether sensors say what their magnetometers measure.
+var has_magnetics: bool = false
+## What iron nearby adds to the field at a sensor, by sensor's number, as [constant FIELD].
+var disturbances: Dictionary[int, Vector3] = {}
 ## Silent sensors, by number.
 var silent: PackedInt32Array = PackedInt32Array()
 ## Draws the noise.
@@ -28,8 +65,14 @@ var _ids: PackedStringArray = PackedStringArray()
 var _mounts: PackedInt32Array = PackedInt32Array()
 var _mountings: Array[Quaternion] = []
 var _headings: PackedFloat32Array = PackedFloat32Array()
+# Of each sensor: how it is turned, without its norths and noise, where it was, how fast it was.
 var _before: Array[Quaternion] = []
+var _places: PackedVector3Array = PackedVector3Array()
+var _speeds: PackedVector3Array = PackedVector3Array()
+# Of each sensor: how the limb's tilt turns it, a column for each of two axes, unit vectors.
+var _tissues: Array[PackedVector3Array] = []
 var _before_usec: int = -1
+var _joints: PackedVector3Array = PackedVector3Array()
 var _begin_usec: int = -1
 var _counter: int = 0
 var _rate_hz: float = 0.0
@@ -52,6 +95,8 @@ func add_sensor(
 	_mountings.append(p_mounting.normalized())
 	_headings.append(p_heading)
 	_before.append(Quaternion.IDENTITY)
+	_places.append(Vector3.ZERO)
+	_speeds.append(Vector3.ZERO)
 	revision += 1
 	_mutex.unlock()
 	return number
@@ -73,19 +118,14 @@ func measure(p_pose: PoseSample, p_time_usec: int) -> void:
 	var passed: float = (p_time_usec - _begin_usec) / 1e6
 	var step: float = (p_time_usec - _before_usec) / 1e6 if _before_usec >= 0 else 0.0
 	var frame: SensorFrame = SensorFrame.new()
-	frame.resize(_ids.size(), true, true)
+	frame.resize(_ids.size(), true, true, has_magnetics)
 	frame.time_usec = p_time_usec
 	frame.counter = _counter
 	_counter = (_counter + 1) & 0xFFFF
+	_place_joints(p_pose)
 	for sensor: int in _ids.size():
-		if silent.has(sensor):
-			continue
-		var turned: Quaternion = _orientation(sensor, p_pose, passed)
-		if step > 0.0:
-			frame.rates[sensor] = Rotations.vector(_before[sensor].inverse() * turned) / step
-		frame.accelerations[sensor] = turned.inverse() * Vector3(0.0, GRAVITY, 0.0)
-		frame.set_orientation(sensor, turned)
-		_before[sensor] = turned
+		if not silent.has(sensor):
+			_measure_sensor(sensor, p_pose, passed, step, frame)
 	_before_usec = p_time_usec
 	_rate_hz = 1.0 / step if step > 0.0 else 0.0
 	_waiting.append(frame)
@@ -122,16 +162,77 @@ func describe() -> String:
 	return "%d made-up sensors" % _ids.size()
 
 
-func _orientation(p_sensor: int, p_pose: PoseSample, p_passed_s: float) -> Quaternion:
-	var heading: float = _headings[p_sensor]
-	if p_sensor < drifts_deg.size():
-		heading += deg_to_rad(drifts_deg[p_sensor]) * p_passed_s
-	var mount: int = _mounts[p_sensor]
-	var limb: Quaternion = p_pose.orientation(BodyMounts.LIMBS[mount])
-	if BLADES.has(mount) and p_pose.details != null:
-		limb = p_pose.details.joints.get(BLADES[mount], limb)
-	var turned: Quaternion = Rotations.yaw(heading) * limb * _mountings[p_sensor]
+func _measure_sensor(
+	p_sensor: int, p_pose: PoseSample, p_passed_s: float, p_step_s: float, r_frame: SensorFrame
+) -> void:
+	var limb: Quaternion = limb_rotation(p_pose, _mounts[p_sensor])
+	var place: Vector3 = _joints[_mounts[p_sensor]] + limb * SITS[_mounts[p_sensor]]
+	var turned: Quaternion = limb * _tissue(p_sensor, limb, p_step_s) * _mountings[p_sensor]
+	var pull: Vector3 = Vector3(0.0, GRAVITY, 0.0)
+	if p_step_s > 0.0:
+		var speed: Vector3 = (place - _places[p_sensor]) / p_step_s
+		if not _speeds[p_sensor].is_zero_approx():
+			pull += (speed - _speeds[p_sensor]) / p_step_s
+		_speeds[p_sensor] = speed
+		var rate: Vector3 = Rotations.vector(_before[p_sensor].inverse() * turned) / p_step_s
+		r_frame.rates[p_sensor] = rate
+	r_frame.accelerations[p_sensor] = turned.inverse() * pull.limit_length(CLIPPED)
+	if has_magnetics:
+		var field: Vector3 = FIELD + disturbances.get(p_sensor, Vector3.ZERO)
+		r_frame.magnetics[p_sensor] = turned.inverse() * field
+	_places[p_sensor] = place
+	_before[p_sensor] = turned
+	turned = Rotations.yaw(heading(p_sensor, p_passed_s)) * turned
 	if noise_deg > 0.0:
 		var off: Vector3 = Vector3(random.randfn(), random.randfn(), random.randfn())
 		turned = turned * Rotations.from_vector(off * deg_to_rad(noise_deg))
-	return turned.normalized()
+	r_frame.set_orientation(p_sensor, turned.normalized())
+
+
+## Which way a sensor's north is turned after so many seconds, rad.
+func heading(p_sensor: int, p_passed_s: float) -> float:
+	var drifted_s: float = p_passed_s
+	if drift_sway != 0.0:
+		var angle: float = TAU * p_passed_s / drift_sway_s
+		var swayed: float = cos(p_sensor * 2.4) - cos(angle + p_sensor * 2.4)
+		drifted_s += drift_sway * drift_sway_s / TAU * swayed
+	var drift_deg: float = drifts_deg[p_sensor] if p_sensor < drifts_deg.size() else 0.0
+	return _headings[p_sensor] + deg_to_rad(drift_deg) * drifted_s
+
+
+## The rotation of a mount of [BodyMounts] in a pose.
+static func limb_rotation(p_pose: PoseSample, p_mount: int) -> Quaternion:
+	var limb: Quaternion = p_pose.orientation(BodyMounts.LIMBS[p_mount])
+	if p_pose.details != null and BLADES.has(p_mount):
+		return p_pose.details.joints.get(BLADES[p_mount], limb)
+	return limb
+
+
+## Where the joints of all mounts are, from the root.
+func _place_joints(p_pose: PoseSample) -> void:
+	_joints.resize(BodyMounts.COUNT)
+	for mount: int in BodyMounts.COUNT:
+		var parent: int = BodyMounts.PARENTS[mount]
+		_joints[mount] = p_pose.root
+		if parent >= 0:
+			var above: Quaternion = limb_rotation(p_pose, parent)
+			_joints[mount] = _joints[parent] + above * SuitMotion.OFFSETS[mount]
+
+
+## How the soft tissue under a sensor has given way: as its limb is tilted and swung.
+func _tissue(p_sensor: int, p_limb: Quaternion, p_step_s: float) -> Quaternion:
+	if soft_tissue_deg <= 0.0:
+		return Quaternion.IDENTITY
+	while _tissues.size() < _ids.size():
+		var axes: PackedVector3Array = []
+		for _axis: int in 3:
+			var any: Vector3 = Vector3(random.randfn(), random.randfn(), random.randfn())
+			axes.append(any.normalized())
+		_tissues.append(axes)
+	var upright: Vector3 = p_limb.inverse() * Vector3.UP
+	var turned: Vector3 = _tissues[p_sensor][0] * upright.x + _tissues[p_sensor][1] * upright.z
+	if p_step_s > 0.0:
+		var before: Quaternion = _before[p_sensor] * _mountings[p_sensor].inverse()
+		var swung: float = Rotations.between(before, p_limb) / p_step_s / TISSUE_RATE
+		turned += _tissues[p_sensor][2] * minf(swung, 1.0) * 0.25
+	return Rotations.from_vector(turned * deg_to_rad(soft_tissue_deg))

@@ -8,6 +8,8 @@ extends RefCounted
 var time_usec: int = 0
 ## The device's own count of its samples, or -1 where it has none.
 var counter: int = -1
+## Time between two samples of the slowest device that is in it, s; 0 where that is not known.
+var period_s: float = 0.0
 ## 4 floats (x, y, z, w) a sensor: from the sensor's axes to its own global frame, Y up,
 ## +Z its north. Undefined where [member present] is 0.
 var orientations: PackedFloat32Array = PackedFloat32Array()
@@ -18,6 +20,9 @@ var rates: PackedVector3Array = PackedVector3Array()
 ## Accelerations in the sensors' axes with gravity (a sensor at rest has 9.81 upwards), m/s²; empty
 ## if they are not known.
 var accelerations: PackedVector3Array = PackedVector3Array()
+## The magnetic field in the sensors' axes, in any unit in which the earth's is about 1; empty if it
+## is not known.
+var magnetics: PackedVector3Array = PackedVector3Array()
 
 
 ## How many sensors it can hold.
@@ -26,13 +31,17 @@ func count() -> int:
 
 
 ## Makes room for this many sensors, all without readings.
-func resize(p_count: int, p_rates: bool = false, p_accelerations: bool = false) -> void:
+func resize(
+	p_count: int, p_rates: bool = false, p_accelerations: bool = false, p_magnetics: bool = false
+) -> void:
 	orientations.resize(p_count * 4)
 	present.resize(p_count)
 	if p_rates:
 		rates.resize(p_count)
 	if p_accelerations:
 		accelerations.resize(p_count)
+	if p_magnetics:
+		magnetics.resize(p_count)
 
 
 ## The orientation of one sensor.
@@ -62,6 +71,8 @@ func find_fault() -> String:
 		return "%d rates for %d sensors" % [rates.size(), sensors]
 	if not accelerations.is_empty() and accelerations.size() != sensors:
 		return "%d accelerations for %d sensors" % [accelerations.size(), sensors]
+	if not magnetics.is_empty() and magnetics.size() != sensors:
+		return "%d magnetic fields for %d sensors" % [magnetics.size(), sensors]
 	for sensor: int in sensors:
 		var norm: float = orientation(sensor).length()
 		# Written so that NaN fails too.
