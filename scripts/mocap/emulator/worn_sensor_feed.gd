@@ -65,7 +65,8 @@ var _ids: PackedStringArray = PackedStringArray()
 var _mounts: PackedInt32Array = PackedInt32Array()
 var _mountings: Array[Quaternion] = []
 var _headings: PackedFloat32Array = PackedFloat32Array()
-# Of each sensor: how it is turned, without its norths and noise, where it was, how fast it was.
+# Of each sensor: its limb, how it was turned without its north and noise, where, how fast it was.
+var _limbs: Array[Quaternion] = []
 var _before: Array[Quaternion] = []
 var _places: PackedVector3Array = PackedVector3Array()
 var _speeds: PackedVector3Array = PackedVector3Array()
@@ -94,6 +95,7 @@ func add_sensor(
 	_mounts.append(p_mount)
 	_mountings.append(p_mounting.normalized())
 	_headings.append(p_heading)
+	_limbs.append(Quaternion.IDENTITY)
 	_before.append(Quaternion.IDENTITY)
 	_places.append(Vector3.ZERO)
 	_speeds.append(Vector3.ZERO)
@@ -232,7 +234,7 @@ func _tissue(p_sensor: int, p_limb: Quaternion, p_step_s: float) -> Quaternion:
 	var upright: Vector3 = p_limb.inverse() * Vector3.UP
 	var turned: Vector3 = _tissues[p_sensor][0] * upright.x + _tissues[p_sensor][1] * upright.z
 	if p_step_s > 0.0:
-		var before: Quaternion = _before[p_sensor] * _mountings[p_sensor].inverse()
-		var swung: float = Rotations.between(before, p_limb) / p_step_s / TISSUE_RATE
+		var swung: float = Rotations.between(_limbs[p_sensor], p_limb) / p_step_s / TISSUE_RATE
 		turned += _tissues[p_sensor][2] * minf(swung, 1.0) * 0.25
+	_limbs[p_sensor] = p_limb
 	return Rotations.from_vector(turned * deg_to_rad(soft_tissue_deg))
