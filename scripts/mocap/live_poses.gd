@@ -18,11 +18,15 @@ const _USUAL_PERIOD_S: float = 0.01
 const _MAX_PERIOD_S: float = 0.1
 
 var _poses: Array[PoseSample] = []
+# Of the newest pose, as its source knows it; 0 where it does not.
+var _period_s: float = 0.0
 var _returned_usec: int = 0
 
 
-## Takes a pose that was measured at its [member PoseSample.time_usec].
-func push(p_pose: PoseSample) -> void:
+## Takes a pose that was measured at its [member PoseSample.time_usec]. A source in which several
+## devices take turns says with [param p_period_s] how long the slowest of them takes.
+func push(p_pose: PoseSample, p_period_s: float = 0.0) -> void:
+	_period_s = p_period_s
 	if not _poses.is_empty() and p_pose.time_usec <= _poses[_poses.size() - 1].time_usec:
 		_poses.clear()  # A clock that was set, or another recording.
 	_poses.append(p_pose)
@@ -37,6 +41,8 @@ func clear() -> void:
 
 ## Time between two poses, s.
 func period_s() -> float:
+	if _period_s > 0.0:
+		return minf(_period_s, _MAX_PERIOD_S)
 	if _poses.size() < 2:
 		return _USUAL_PERIOD_S
 	var span: float = (_poses[_poses.size() - 1].time_usec - _poses[0].time_usec) / 1e6

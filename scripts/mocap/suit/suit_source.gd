@@ -188,7 +188,7 @@ func _read(p_time_usec: int) -> PoseSample:
 	for frame: SensorFrame in frames.slice(-LivePoses.MAX_POSES):
 		var pose: PoseSample = table.pose(frame)
 		if pose != null:
-			_poses.push(pose)
+			_poses.push(pose, frame.period_s)
 	_last = _pass_over(_poses.at(p_time_usec), p_time_usec)
 	return _last
 

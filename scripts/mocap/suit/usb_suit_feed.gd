@@ -3,12 +3,8 @@ extends SensorFeed
 ## The suit that is plugged in: all trackers of all masters on this machine's USB ports.
 ##
 ## Trackers keep their index in the list by their device ids, also when a master is plugged out
-## and in again. Masters measure each in its own time: a frame is one of the leading master's (the
-## one with the most trackers), and the others' orientations are carried on to its time by the turn
-## between their last two.
+## and in again. Masters measure each in its own time: [DeviceJoin] makes frames of all.
 
-## Maximum time over which an orientation is extrapolated, s.
-const MAX_AHEAD_S: float = 0.03
 ## Time without samples after which a tracker counts as silent, s.
 const SILENT_S: float = 0.5
 
@@ -29,9 +25,7 @@ var _sensors: Array[SensorInfo] = []
 var _indices: Dictionary[String, int] = {}
 ## For each device its number, and the indices of its trackers in the list.
 var _trackers: Dictionary[int, PackedInt32Array] = {}
-var _leader: int = -1
-## The newest two frames of each device that does not lead.
-var _followers: Dictionary[int, Array] = {}
+var _join: DeviceJoin = DeviceJoin.new()
 
 
 ## Looks for suits and sets them to measure so many times a second. [member error] says why it
@@ -62,7 +56,7 @@ func advance() -> void:
 	devices = found
 	for device: SuitDevice in found:
 		_take_device(device)
-	_choose_leader()
+	_forget_absent()
 	_mutex.unlock()
 
 
@@ -76,19 +70,11 @@ func list_sensors() -> Array[SensorInfo]:
 
 
 func take_frames() -> Array[SensorFrame]:
-	var frames: Array[SensorFrame] = []
 	_mutex.lock()
 	for number: int in _trackers:
-		if number == _leader:
-			continue
 		for raw: SuitFrame in _hub.take_frames(number):
-			_remember(number, _convert(number, raw))
-	if _leader >= 0:
-		for raw: SuitFrame in _hub.take_frames(_leader):
-			var frame: SensorFrame = _convert(_leader, raw)
-			for number: int in _followers:
-				_carry_on(number, frame)
-			frames.append(frame)
+			_join.push(number, _convert(number, raw))
+	var frames: Array[SensorFrame] = _join.take()
 	_mutex.unlock()
 	return frames
 
@@ -183,31 +169,15 @@ func _describe(p_sensor: SensorInfo, p_tracker: SuitTracker, p_device: SuitDevic
 		p_sensor.state = SensorInfo.State.SILENT
 
 
-func _choose_leader() -> void:
-	var most: int = 0
-	_leader = -1
-	for device: SuitDevice in devices:
-		var count: int = device.get_trackers().size()
-		if count > most and device.is_measuring() and _is_heard(device):
-			most = count
-			_leader = device.get_number()
-	# Those that are gone are forgotten; their trackers stay in the list, silent.
+## Forgets devices that are gone; their trackers stay in the list, silent.
+func _forget_absent() -> void:
 	var here: Array = devices.map(func(device: SuitDevice) -> int: return device.get_number())
 	for number: int in _trackers.keys():
 		if not here.has(number):
 			for index: int in _trackers[number]:
 				_sensors[index].state = SensorInfo.State.SILENT
 			_trackers.erase(number)
-			_followers.erase(number)
-	_followers.erase(_leader)
-
-
-## Whether something has come of a device lately: one that is silent can't lead.
-static func _is_heard(p_device: SuitDevice) -> bool:
-	for tracker: SuitTracker in p_device.get_trackers():
-		if tracker.get_age_s() >= 0.0 and tracker.get_age_s() < SILENT_S:
-			return true
-	return false
+			_join.forget(number)
 
 
 func _convert(p_number: int, p_raw: SuitFrame) -> SensorFrame:
@@ -233,32 +203,3 @@ func _convert(p_number: int, p_raw: SuitFrame) -> SensorFrame:
 		if not accelerations.is_empty():
 			frame.accelerations[indices[tracker]] = accelerations[tracker]
 	return frame
-
-
-func _remember(p_number: int, p_frame: SensorFrame) -> void:
-	var last: Array = _followers.get_or_add(p_number, [])
-	last.append(p_frame)
-	if last.size() > 2:
-		last.pop_front()
-
-
-## Puts what a device said last into a frame of the leader, as of the leader's time.
-func _carry_on(p_number: int, p_frame: SensorFrame) -> void:
-	var last: Array = _followers[p_number]
-	var newest: SensorFrame = last[last.size() - 1]
-	var ahead: float = (p_frame.time_usec - newest.time_usec) / 1e6
-	if absf(ahead) > SILENT_S:
-		return
-	var before: SensorFrame = last[0]
-	var step: float = (newest.time_usec - before.time_usec) / 1e6
-	ahead = clampf(ahead, -MAX_AHEAD_S, MAX_AHEAD_S)
-	for index: int in mini(newest.count(), p_frame.count()):
-		if newest.present[index] == 0 or p_frame.present[index] != 0:
-			continue
-		var turn: Quaternion = newest.orientation(index)
-		if step > 0.0 and index < before.count() and before.present[index] != 0:
-			var turned: Vector3 = Rotations.vector(turn * before.orientation(index).inverse())
-			turn = Rotations.from_vector(turned * (ahead / step)) * turn
-		p_frame.set_orientation(index, turn.normalized())
-		if not p_frame.rates.is_empty() and index < newest.rates.size():
-			p_frame.rates[index] = newest.rates[index]
