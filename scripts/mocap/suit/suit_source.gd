@@ -28,6 +28,8 @@ var newest_frame: SensorFrame = null
 var newest_pose: PoseSample = null
 ## Finds sensors that are exchanged or sit wrongly.
 var watch: WearWatch = WearWatch.new()
+## Takes drift off the sensors' headings.
+var headings: HeadingKeeper = HeadingKeeper.new()
 
 # The frames as the result would turn them into poses.
 var _trial: SuitTable = null
@@ -61,27 +63,25 @@ func get_profile() -> PersonProfile:
 	return profile
 
 
-## Sets who wears it: mounts, size and calibration are used from the next sample on.
+## Sets who wears it: mounts, size and calibration are used from the next sample on. Headings have
+## not drifted yet.
 func set_profile(p_profile: PersonProfile) -> void:
-	_mutex.lock()
-	_profile = p_profile
-	_revision = -1
-	_mutex.unlock()
-	watch.clear()
+	_use(p_profile)
+	headings.clear()
 
 
 ## Sets the mounts of the sensors. The calibration of those that moved is void.
 func set_map(p_map: SensorMap) -> void:
 	var changed: PersonProfile = _copy_profile()
 	changed.map = p_map
-	set_profile(changed)
+	_use(changed)
 
 
 ## Sets the wearer's size.
 func set_body(p_size: BodySize) -> void:
 	var changed: PersonProfile = _copy_profile()
 	changed.size = p_size
-	set_profile(changed)
+	_use(changed)
 
 
 ## Sets the wearer's name.
@@ -137,6 +137,7 @@ func advance(p_now_s: float) -> void:
 	_mutex.unlock()
 	for frame: SensorFrame in frames:
 		process.add_frame(frame)
+		headings.add(frame, table)
 		if not process.is_running():
 			watch.add(frame, table)
 		newest_frame = frame
@@ -170,6 +171,14 @@ func get_limb_lengths() -> PackedFloat32Array:
 
 func describe() -> String:
 	return "%s, worn by %s" % [feed.describe(), get_profile().name]
+
+
+func _use(p_profile: PersonProfile) -> void:
+	_mutex.lock()
+	_profile = p_profile
+	_revision = -1
+	_mutex.unlock()
+	watch.clear()
 
 
 func _read(p_time_usec: int) -> PoseSample:

@@ -11,7 +11,10 @@ var mounts: PackedInt32Array = PackedInt32Array()
 var is_calibrated: bool = false
 ## The pose in which it was calibrated.
 var reset_pose: ResetPose.Kind = ResetPose.Kind.T
+## The calibration, or null.
+var calibration: Calibration = null
 
+var _entries: Array[Calibration.Entry] = []
 var _left: Array[Quaternion] = []
 var _right: Array[Quaternion] = []
 var _standing: StandingHeight = null
@@ -26,11 +29,13 @@ var _filler: LimbFiller = LimbFiller.new()
 ## Prepares for sensors and who wears them.
 func setup(p_sensors: Array[SensorInfo], p_profile: PersonProfile) -> void:
 	mounts = p_profile.map.of_sensors(p_sensors)
-	is_calibrated = p_profile.calibration != null
+	calibration = p_profile.calibration
+	is_calibrated = calibration != null
 	if is_calibrated:
-		reset_pose = p_profile.calibration.pose
+		reset_pose = calibration.pose
 	_standing = StandingHeight.new(p_profile.size)
 	var count: int = p_sensors.size()
+	_entries.resize(count)
 	_left.resize(count)
 	_right.resize(count)
 	_is_known.resize(count)
@@ -38,13 +43,26 @@ func setup(p_sensors: Array[SensorInfo], p_profile: PersonProfile) -> void:
 	_last_usec.resize(count)
 	for sensor: int in count:
 		_last_usec[sensor] = -1
-		var entry: Calibration.Entry = null
 		if is_calibrated:
-			entry = p_profile.calibration.entry_for(p_sensors[sensor].id, mounts[sensor])
-		if entry != null:
+			_entries[sensor] = calibration.entry_for(p_sensors[sensor].id, mounts[sensor])
+		if _entries[sensor] != null:
 			_is_known[sensor] = 1
-			_left[sensor] = Rotations.yaw(-entry.heading)
-			_right[sensor] = entry.mounting.inverse()
+			_left[sensor] = Rotations.yaw(-_entries[sensor].heading)
+			_right[sensor] = _entries[sensor].mounting.inverse()
+
+
+## The calibration of a sensor; null if it has none where it is worn.
+func entry(p_sensor: int) -> Calibration.Entry:
+	return _entries[p_sensor]
+
+
+## Takes so much off the heading of each sensor, rad, beyond the calibration.
+func correct(p_drifts: PackedFloat64Array) -> void:
+	_mutex.lock()
+	for sensor: int in mini(p_drifts.size(), _entries.size()):
+		if _is_known[sensor] != 0:
+			_left[sensor] = Rotations.yaw(-_entries[sensor].heading - p_drifts[sensor])
+	_mutex.unlock()
 
 
 ## Takes the sensors' orientations of a frame.

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "heading_drift.hpp"
+
+#include <convert.hpp>
+
+#include <cmath>
+
+namespace godot {
+
+namespace {
+
+constexpr int64_t MOST_SENSORS = 256;
+
+bool is_mount(int64_t p_mount) {
+	return p_mount >= 0 && p_mount < heading::MOUNTS;
+}
+
+} // namespace
+
+void HeadingDrift::reset() {
+	_estimator.reset();
+	_sensors.clear();
+}
+
+void HeadingDrift::set_sensor(int64_t p_sensor, int64_t p_mount, double p_heading, const Quaternion &p_mounting) {
+	ERR_FAIL_COND_MSG(p_sensor < 0 || p_sensor >= MOST_SENSORS, "A sensor's number is between 0 and 255.");
+	ERR_FAIL_COND_MSG(!is_mount(p_mount), "A mount is between 0 and 16.");
+	if (std::size_t(p_sensor) >= _sensors.size()) {
+		_sensors.resize(std::size_t(p_sensor) + 1);
+	}
+	Sensor &sensor = _sensors[std::size_t(p_sensor)];
+	sensor.mount = int(p_mount);
+	sensor.left = kinematics::exp({ 0.0f, float(-p_heading), 0.0f });
+	sensor.right = to_core(p_mounting).inverse();
+}
+
+void HeadingDrift::add(
+		int64_t p_time_usec, const PackedByteArray &p_present, const PackedFloat32Array &p_orientations) {
+	ERR_FAIL_COND_MSG(p_orientations.size() != p_present.size() * 4, "Each sensor has an orientation of 4 numbers.");
+	heading::DriftEstimator::Sample sample;
+	sample.time = double(p_time_usec) * 1e-6;
+	const uint8_t *present = p_present.ptr();
+	const float *numbers = p_orientations.ptr();
+	for (std::size_t i = 0; i < _sensors.size() && int64_t(i) < p_present.size(); i++) {
+		const Sensor &sensor = _sensors[i];
+		if (sensor.mount < 0 || present[i] == 0) {
+			continue;
+		}
+		const kinematics::Quat said{ numbers[i * 4], numbers[i * 4 + 1], numbers[i * 4 + 2], numbers[i * 4 + 3] };
+		const kinematics::Quat limb = sensor.left * said * sensor.right;
+		if (!limb.is_finite() || limb.dot(limb) < 0.25f) {
+			continue;
+		}
+		sample.present[std::size_t(sensor.mount)] = true;
+		sample.rotations[std::size_t(sensor.mount)] = limb.normalized();
+	}
+	_estimator.add(sample);
+}
+
+double HeadingDrift::get_correction(int64_t p_mount) const {
+	return is_mount(p_mount) ? _estimator.correction(int(p_mount)) : 0.0;
+}
+
+double HeadingDrift::get_drift(int64_t p_mount) const {
+	return is_mount(p_mount) ? _estimator.state().drift(int(p_mount)) : 0.0;
+}
+
+double HeadingDrift::get_rate(int64_t p_mount) const {
+	return is_mount(p_mount) ? _estimator.state().rate(int(p_mount)) : 0.0;
+}
+
+double HeadingDrift::get_drift_deviation(int64_t p_mount) const {
+	return is_mount(p_mount) ? _estimator.state().drift_deviation(int(p_mount)) : 0.0;
+}
+
+double HeadingDrift::get_rate_deviation(int64_t p_mount) const {
+	return is_mount(p_mount) ? _estimator.state().rate_deviation(int(p_mount)) : 0.0;
+}
+
+void HeadingDrift::set_drift(int64_t p_mount, double p_drift) {
+	ERR_FAIL_COND_MSG(!is_mount(p_mount), "A mount is between 0 and 16.");
+	ERR_FAIL_COND_MSG(!std::isfinite(p_drift), "A drift is a number, rad.");
+	_estimator.set_drift(int(p_mount), p_drift);
+}
+
+void HeadingDrift::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("reset"), &HeadingDrift::reset);
+	ClassDB::bind_method(
+			D_METHOD("set_sensor", "sensor", "mount", "heading", "mounting"), &HeadingDrift::set_sensor);
+	ClassDB::bind_method(D_METHOD("add", "time_usec", "present", "orientations"), &HeadingDrift::add);
+	ClassDB::bind_method(D_METHOD("get_correction", "mount"), &HeadingDrift::get_correction);
+	ClassDB::bind_method(D_METHOD("get_drift", "mount"), &HeadingDrift::get_drift);
+	ClassDB::bind_method(D_METHOD("get_rate", "mount"), &HeadingDrift::get_rate);
+	ClassDB::bind_method(D_METHOD("get_drift_deviation", "mount"), &HeadingDrift::get_drift_deviation);
+	ClassDB::bind_method(D_METHOD("get_rate_deviation", "mount"), &HeadingDrift::get_rate_deviation);
+	ClassDB::bind_method(D_METHOD("set_drift", "mount", "drift"), &HeadingDrift::set_drift);
+}
+
+} // namespace godot

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <drift_estimator.hpp>
+
+#include <godot_cpp/classes/ref_counted.hpp>
+#include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/variant/packed_byte_array.hpp>
+#include <godot_cpp/variant/packed_float32_array.hpp>
+#include <godot_cpp/variant/packed_int32_array.hpp>
+#include <godot_cpp/variant/packed_vector3_array.hpp>
+#include <godot_cpp/variant/quaternion.hpp>
+
+#include <vector>
+
+namespace godot {
+
+/// Finds how far headings of worn sensors have drifted. Documented in doc_classes/HeadingDrift.xml.
+class HeadingDrift : public RefCounted {
+	GDCLASS(HeadingDrift, RefCounted)
+
+public:
+	void reset();
+	void set_sensor(int64_t p_sensor, int64_t p_mount, double p_heading, const Quaternion &p_mounting);
+	void add(int64_t p_time_usec, const PackedByteArray &p_present, const PackedFloat32Array &p_orientations);
+	double get_correction(int64_t p_mount) const;
+	double get_drift(int64_t p_mount) const;
+	double get_rate(int64_t p_mount) const;
+	double get_drift_deviation(int64_t p_mount) const;
+	double get_rate_deviation(int64_t p_mount) const;
+	void set_drift(int64_t p_mount, double p_drift);
+
+protected:
+	static void _bind_methods();
+
+private:
+	struct Sensor {
+		int mount = -1;
+		kinematics::Quat left;
+		kinematics::Quat right;
+	};
+
+	heading::DriftEstimator _estimator;
+	std::vector<Sensor> _sensors;
+};
+
+} // namespace godot

@@ -1,0 +1,169 @@
+extends "part.gd"
+## How far headings of sensors that drift are off after a while, and what is said of it meanwhile.
+
+const DailyMotion: GDScript = preload("res://tests/bench/calibration/daily_motion.gd")
+## What is done, in these cases.
+const CASES: Dictionary[String, PackedStringArray] = {
+	"clip": ["clip"],
+	"stand": ["stand"],
+	"work": ["work"],
+	"mixed": DailyMotion.ALL,
+	"twisted": ["twisted"],
+	"rifle": ["rifle"],
+}
+const _RATE_HZ: float = 25.0
+const _BEGIN_USEC: int = 1700000000000000
+
+var _clips: Array[Array] = []
+
+
+## What became of a run.
+class Outcome:
+	## Mean error of all mounts at the end, degrees; and modulo a common turn of all.
+	var off_deg: float = 0.0
+	var shape_deg: float = 0.0
+	## The same of the common turn.
+	var common_deg: float = 0.0
+	## What it would be if nothing were corrected.
+	var raw_deg: float = 0.0
+	## Frames after which something was said to be wrong.
+	var alarms: int = 0
+	## The largest error of a mount at any time, degrees.
+	var worst_deg: float = 0.0
+	## What was said.
+	var said: Dictionary[String, int] = {}
+
+
+func measure() -> void:
+	for file: String in BenchArguments.clips(arguments):
+		var source: BvhSource = report.open_clip(file)
+		if source != null:
+			_clips.append(DailyMotion.keep(source))
+	for rate: float in numbers("rates"):
+		for name: String in CASES:
+			var wanted: PackedStringArray = arguments.list("motions")
+			if wanted.is_empty() or wanted.has(name):
+				_run_case(name, rate)
+
+
+func _run_case(p_name: String, p_rate: float) -> void:
+	var off: Statistics = Statistics.new()
+	var shape: Statistics = Statistics.new()
+	var common: Statistics = Statistics.new()
+	var raw: Statistics = Statistics.new()
+	var alarms: int = 0
+	var said: Dictionary[String, int] = {}
+	for run: int in arguments.value("runs"):
+		var outcome: Outcome = _run(p_name, p_rate, run)
+		off.add(outcome.off_deg)
+		shape.add(outcome.shape_deg)
+		common.add(absf(outcome.common_deg))
+		raw.add(outcome.raw_deg)
+		alarms += 1 if outcome.alarms > 0 else 0
+		for text: String in outcome.said:
+			said[text] = said.get(text, 0) + outcome.said[text]
+	var case_name: String = "%s, %s deg/min" % [p_name, String.num(p_rate, 2)]
+	var at_most: BenchReport.Goal = BenchReport.Goal.AT_MOST
+	var goal: float = 3.0 if p_rate > 1.5 else 2.5
+	report.add(case_name, "uncorrected", raw.mean(), "deg")
+	if p_rate == 0.0:
+		goal = raw.mean() + 0.3
+	report.add(case_name, "mean of limbs", off.mean(), "deg", at_most, goal)
+	report.add(case_name, "worst run", off.percentile(1.0), "deg")
+	report.add(case_name, "modulo the whole body", shape.mean(), "deg")
+	report.add(case_name, "whole body", common.mean(), "deg")
+	report.add(case_name, "runs with false alarms", alarms, "", at_most, 0.0)
+	for text: String in said:
+		print("  ", said[text], " x ", text)
+
+
+func _run(p_name: String, p_rate: float, p_run: int) -> Outcome:
+	var random: RandomNumberGenerator = generator(p_run)
+	var feed: WornSensorFeed = WornSensorFeed.new()
+	feed.random = random
+	feed.noise_deg = 0.3
+	feed.drift_sway = random.randf_range(0.0, 0.3)
+	var map: SensorMap = SensorMap.new()
+	var calibration: Calibration = Calibration.new()
+	for mount: int in BodyMounts.COUNT:
+		var mounting: Quaternion = Rotations.from_vector(
+			Vector3(random.randfn(), random.randfn(), random.randfn())
+		)
+		var heading: float = random.randf_range(-PI, PI)
+		var id: String = BodyMounts.NAMES[mount]
+		feed.add_sensor(mount, mounting, heading, id)
+		var rate: float = p_rate * (1.0 if random.randf() < 0.5 else random.randf())
+		feed.drifts_deg.append(rate / 60.0 * (1.0 if random.randf() < 0.5 else -1.0))
+		map.assign(id, mount)
+		var entry: Calibration.Entry = Calibration.Entry.new()
+		entry.mount = mount
+		entry.heading = heading
+		entry.mounting = mounting
+		calibration.entries[id] = entry
+	var suit: SuitSource = SuitSource.new(feed)
+	suit.set_map(map)
+	suit.set_calibration(calibration)
+	return _wear(suit, feed, DailyMotion.new(random, _clips_of(random), CASES[p_name]))
+
+
+## All clips, in any order.
+func _clips_of(p_random: RandomNumberGenerator) -> Array[Array]:
+	var clips: Array[Array] = _clips.duplicate()
+	var first: int = p_random.randi() % maxi(clips.size(), 1)
+	for _step: int in first:
+		clips.append(clips.pop_front())
+	return clips
+
+
+func _wear(p_suit: SuitSource, p_feed: WornSensorFeed, p_motion: DailyMotion) -> Outcome:
+	var outcome: Outcome = Outcome.new()
+	var frames: int = roundi(arguments.value("minutes") * 60.0 * _RATE_HZ)
+	var off: Statistics = Statistics.new()
+	var shape: Statistics = Statistics.new()
+	var common: Statistics = Statistics.new()
+	var raw: Statistics = Statistics.new()
+	for at: int in frames:
+		var time_s: float = at / _RATE_HZ
+		var pose: PoseSample = p_motion.pose_at(time_s)
+		p_feed.measure(pose, _BEGIN_USEC + roundi(time_s * 1e6))
+		p_suit.advance(time_s)
+		if at % 25 == 0:
+			for text: String in p_suit.watch.messages():
+				outcome.alarms += 1
+				outcome.said[text] = outcome.said.get(text, 0) + 1
+		# The last 20 s count.
+		if at > frames - 500 and at % 10 == 0:
+			_compare(p_suit, p_feed, pose, time_s, [off, shape, common, raw])
+	outcome.off_deg = off.mean()
+	outcome.shape_deg = shape.mean()
+	outcome.common_deg = common.mean()
+	outcome.raw_deg = raw.mean()
+	return outcome
+
+
+func _compare(
+	p_suit: SuitSource,
+	p_feed: WornSensorFeed,
+	p_pose: PoseSample,
+	p_time_s: float,
+	r_sums: Array[Statistics]
+) -> void:
+	var taken: PackedFloat64Array = p_suit.headings.corrections()
+	var offs: PackedFloat64Array = []
+	var sum: float = 0.0
+	for sensor: int in BodyMounts.COUNT:
+		var drift: float = p_feed.heading(sensor, p_time_s) - p_feed.heading(sensor, 0.0)
+		var off: float = rad_to_deg(drift - taken[sensor])
+		offs.append(off)
+		sum += off
+		r_sums[3].add(absf(rad_to_deg(drift)))
+	for off: float in offs:
+		r_sums[0].add(absf(off))
+		r_sums[1].add(absf(off - sum / offs.size()))
+	r_sums[2].add(sum / offs.size())
+	if OS.has_environment("DRIFT_DEBUG") and p_time_s > arguments.value("minutes") * 60.0 - 0.5:
+		var line: String = ""
+		for sensor: int in BodyMounts.COUNT:
+			line += "%.1f " % offs[sensor]
+		print(line)
+	assert(p_pose != null)
