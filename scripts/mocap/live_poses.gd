@@ -17,6 +17,10 @@ const MAX_POSES: int = 16
 const _USUAL_PERIOD_S: float = 0.01
 const _MAX_PERIOD_S: float = 0.1
 
+## How much further back than one period poses are asked for, s: more where the path from the
+## source is worse than usual.
+var margin_s: float = MARGIN_S
+
 var _poses: Array[PoseSample] = []
 # Of the newest pose, as its source knows it; 0 where it does not.
 var _period_s: float = 0.0
@@ -54,7 +58,7 @@ func period_s() -> float:
 func at(p_time_usec: int) -> PoseSample:
 	if _poses.is_empty():
 		return null
-	var wanted: int = p_time_usec - roundi((period_s() + MARGIN_S) * 1e6)
+	var wanted: int = p_time_usec - roundi((period_s() + margin_s) * 1e6)
 	var newest: PoseSample = _poses[_poses.size() - 1]
 	if _poses.size() < 2:
 		wanted = newest.time_usec

@@ -1,0 +1,236 @@
+class_name PoseStream
+extends RefCounted
+## A network stream of poses: what a [StreamReader] reads from a [StreamPort], as people who come
+## and go. Poses are read in the port's thread, as soon as they come.
+
+## Somebody's motion has begun to come.
+signal appeared(p_source: MotionSource, p_name: String)
+## A person's motion has stopped.
+signal vanished(p_source: MotionSource)
+
+## Somebody is there from so many samples on: a stray datagram is nobody.
+const MIN_SAMPLES: int = 2
+## Somebody of whom nothing came for so long is gone, s.
+const GONE_S: float = 3.0
+## Maximum of people, of all senders together.
+const MAX_PEOPLE: int = 8
+## Maximum of senders of whom something is known.
+const MAX_SENDERS: int = 32
+## Period of checking who is there, s.
+const LOOK_S: float = 0.1
+
+## What receives.
+var port: StreamPort = StreamPort.new()
+## Those who are there, by sender and number; changed by [method advance] only.
+var people: Dictionary[String, StreamPerson] = {}
+
+# Held while the reader works.
+var _reading: Mutex = Mutex.new()
+var _reader: StreamReader = null
+var _looked_s: float = -INF
+# Shared between threads and guarded.
+var _mutex: Mutex = Mutex.new()
+var _heard: Dictionary[String, StreamPerson] = {}
+var _refused: Dictionary[String, int] = {}
+var _why: Dictionary[String, String] = {}
+var _crowd: int = 0
+var _details: Dictionary[String, PackedStringArray] = {}
+
+
+func _init(p_reader: StreamReader) -> void:
+	_reader = p_reader
+
+
+## What the protocol is called.
+func title() -> String:
+	return _reader.title()
+
+
+## Opens a UDP port, with a multicast group if one is given. Returns why it can't, or an empty text.
+func open(p_port: int, p_group: String = "") -> String:
+	var fault: String = port.open_udp(p_port, take, p_group)
+	if fault != "":
+		return "%s: %s" % [title(), fault]
+	Log.info("mocap", "receives %s on %s" % [title(), port.describe()])
+	return ""
+
+
+## Connects to the TCP port of a sender.
+func open_tcp(p_host: String, p_port: int) -> void:
+	port.open_tcp(p_host, p_port, take)
+	Log.info("mocap", "receives %s from %s" % [title(), port.describe()])
+
+
+## Closes it; everybody vanishes.
+func close() -> void:
+	port.close()
+	_mutex.lock()
+	_heard.clear()
+	_mutex.unlock()
+	look(Time.get_unix_time_from_system())
+
+
+## Takes a datagram (or a piece of a TCP stream) of a sender that came at a time, µs of Unix time:
+## in the port's thread, or from a recording while the port is closed.
+func take(p_bytes: PackedByteArray, p_sender: String, p_usec: int) -> void:
+	_reading.lock()
+	_reader.fault = ""
+	var samples: Array[StreamSample] = _reader.read(p_bytes, p_sender)
+	var fault: String = _reader.fault
+	var known: PackedStringArray = [_reader.detail(p_sender), _reader.trouble(p_sender)]
+	_reading.unlock()
+	for sample: StreamSample in samples:
+		var person: StreamPerson = _person(sample, p_sender)
+		if person != null:
+			var wrong: String = person.take(sample, p_usec)
+			fault = wrong if fault == "" else fault
+	if fault != "":
+		_refuse(p_sender, fault)
+	_mutex.lock()
+	if _details.has(p_sender) or _details.size() < MAX_SENDERS:
+		_details[p_sender] = known
+	_mutex.unlock()
+
+
+## Goes on, in the main thread, each frame.
+func advance() -> void:
+	var now_s: float = Time.get_unix_time_from_system()
+	if absf(now_s - _looked_s) < LOOK_S:
+		return
+	_looked_s = now_s
+	_reading.lock()
+	var parcels: Array[StreamPort.Parcel] = _reader.talk(roundi(now_s * 1e6))
+	_reading.unlock()
+	for parcel: StreamPort.Parcel in parcels:
+		port.send(parcel.bytes, parcel.address, parcel.port)
+	look(now_s)
+
+
+## What is wrong with the stream, for the screen; empty if nothing is.
+func trouble() -> String:
+	var texts: PackedStringArray = []
+	_mutex.lock()
+	for sender: String in _details:
+		if _details[sender][1] != "":
+			texts.append("%s: %s" % [title(), _details[sender][1]])
+	if people.is_empty() and not _why.is_empty():
+		var sender: String = _why.keys()[0]
+		texts.append("%s: %s sends what can't be used: %s" % [title(), sender, _why[sender]])
+	_mutex.unlock()
+	return "\n".join(texts)
+
+
+## One line for people.
+func describe() -> String:
+	if not port.is_open():
+		return "%s is not open" % title()
+	if people.is_empty():
+		return "no %s on %s yet" % [title(), port.describe()]
+	return "%d people of %s on %s" % [people.size(), title(), port.describe()]
+
+
+## For the panel: the port, and everybody in the stream; see [constant DeviceList.KEYS].
+func list_devices() -> Array[Dictionary]:
+	var stats: Dictionary = port.stats()
+	_mutex.lock()
+	var refused: int = 0
+	for sender: String in _refused:
+		refused += _refused[sender]
+	var notes: PackedStringArray = []
+	if refused > 0:
+		notes.append("%d bad datagrams" % refused)
+	if stats["left_out"] > 0:
+		notes.append("%d of a flood left out" % stats["left_out"])
+	if _crowd > 0:
+		notes.append("more than %d people" % MAX_PEOPLE)
+	var why: String = "" if _why.is_empty() or not people.is_empty() else str(_why.values()[0])
+	_mutex.unlock()
+	var rows: Array[Dictionary] = [
+		{
+			"name": "%s (%s)" % [title(), port.describe()],
+			"state": "waits" if people.is_empty() else "receives",
+			"detail": ", ".join(notes),
+			"advice": why,
+		}
+	]
+	for key: String in people:
+		rows.append(_row(people[key]))
+	return rows
+
+
+## Finds who has come and who is gone, at a time, s of Unix time; [method advance] does it.
+func look(p_now_s: float) -> void:
+	var fresh: Dictionary[String, StreamPerson] = {}
+	_mutex.lock()
+	for key: String in _heard.keys():
+		var stats: Dictionary = _heard[key].stats()
+		if p_now_s - stats["usec"] / 1e6 > GONE_S:
+			_heard.erase(key)
+		elif stats["samples"] >= MIN_SAMPLES:
+			fresh[key] = _heard[key]
+	_mutex.unlock()
+	for key: String in people.keys():
+		if fresh.get(key) != people[key]:
+			var gone: StreamPerson = people[key]
+			people.erase(key)
+			Log.info("mocap", "%s: %s at %s has gone" % [title(), gone.name, gone.sender])
+			vanished.emit(gone)
+	for key: String in fresh:
+		if not people.has(key):
+			people[key] = fresh[key]
+			Log.info(
+				"mocap", "%s: %s at %s has come" % [title(), fresh[key].name, fresh[key].sender]
+			)
+			appeared.emit(fresh[key], fresh[key].name)
+
+
+func _row(p_person: StreamPerson) -> Dictionary:
+	var stats: Dictionary = p_person.stats()
+	var notes: PackedStringArray = ["%.0f Hz" % stats["rate_hz"]]
+	if stats["lost"] > 0:
+		var share: float = 100.0 * stats["lost"] / maxi(stats["lost"] + stats["samples"], 1)
+		notes.append("%d lost (%.1f %%)" % [stats["lost"], share])
+	for key: String in ["twice", "faulty"]:
+		if stats[key] > 0:
+			notes.append("%d %s" % [stats[key], key])
+	var age_s: float = Time.get_unix_time_from_system() - stats["usec"] / 1e6
+	if age_s > 0.5:
+		notes.append("last %.1f s ago" % age_s)
+	_mutex.lock()
+	var known: PackedStringArray = _details.get(p_person.sender, PackedStringArray(["", ""]))
+	_mutex.unlock()
+	if known[0] != "":
+		notes.append(known[0])
+	var who: String = p_person.name if p_person.name != "" else "no name"
+	return {
+		"name": "%s: %s (%s)" % [title(), who, p_person.sender],
+		"state": "streams" if age_s <= 0.5 else "silent",
+		"detail": ", ".join(notes),
+		"advice": known[1],
+	}
+
+
+func _person(p_sample: StreamSample, p_sender: String) -> StreamPerson:
+	var key: String = p_sender + " " + p_sample.person
+	_mutex.lock()
+	var person: StreamPerson = _heard.get(key)
+	if person == null and _heard.size() < MAX_PEOPLE:
+		person = StreamPerson.new(title(), p_sender, p_sample.name)
+		_heard[key] = person
+	elif person == null:
+		_crowd += 1
+	_mutex.unlock()
+	if person == null:
+		Log.limited(
+			"mocap", "crowd " + title(), "%s: more than %d people, not used" % [title(), MAX_PEOPLE]
+		)
+	return person
+
+
+func _refuse(p_sender: String, p_why: String) -> void:
+	Log.limited("mocap", title() + p_sender, "%s from %s: %s" % [title(), p_sender, p_why])
+	_mutex.lock()
+	if _refused.has(p_sender) or _refused.size() < MAX_SENDERS:
+		_refused[p_sender] = _refused.get(p_sender, 0) + 1
+		_why[p_sender] = p_why
+	_mutex.unlock()

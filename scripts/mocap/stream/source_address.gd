@@ -1,0 +1,132 @@
+class_name SourceAddress
+extends RefCounted
+## Where a motion source is: what [code]--source=KIND[:ADDRESS][/code] says.
+
+## What follows the kind.
+enum Form {
+	## Nothing.
+	BARE,
+	## A UDP port, or nothing.
+	PORT,
+	## A UDP port, or a TCP address "tcp:HOST:PORT", or nothing.
+	PORT_OR_TCP,
+	## A host, or nothing.
+	HOST,
+	## A name.
+	NAME,
+	## Paths of files, with commas between.
+	FILES,
+}
+
+## How the forms are written, for people.
+const FORMS: Dictionary[Form, String] = {
+	Form.BARE: "",
+	Form.PORT: "[:PORT]",
+	Form.PORT_OR_TCP: "[:PORT|:tcp:HOST:PORT]",
+	Form.HOST: "[:HOST]",
+	Form.NAME: ":NAME",
+	Form.FILES: ":FILE",
+}
+## The kinds and what follows each.
+const KINDS: Dictionary[String, Form] = {
+	"xbus": Form.BARE,
+	"mvn": Form.PORT,
+	"tracker": Form.NAME,
+	"bvh": Form.FILES,
+	"vmc": Form.PORT,
+	"slime": Form.PORT,
+	"rokoko": Form.PORT,
+	"axis": Form.PORT_OR_TCP,
+	"mocopi": Form.PORT,
+	"natnet": Form.HOST,
+	"webcam": Form.PORT,
+	"xr": Form.BARE,
+}
+## The usual ports.
+const PORTS: Dictionary[String, int] = {
+	"mvn": 9763,
+	"vmc": 39539,
+	"slime": 6969,
+	"rokoko": 14043,
+	"axis": 7012,
+	"mocopi": 12351,
+	"natnet": 1511,
+	"webcam": 14050,
+}
+
+## One of [constant KINDS].
+var kind: String = ""
+## The UDP port, or with [member host] of "tcp:" the TCP port.
+var port: int = 0
+## The host, or an empty text.
+var host: String = ""
+## Whether it is a TCP connection to [member host].
+var is_tcp: bool = false
+## The name of a tracker, or paths of files.
+var text: String = ""
+## What is wrong with it, or an empty text.
+var fault: String = ""
+
+
+## Reads one source, such as "vmc:39539" or "axis:tcp:10.0.0.5:7001".
+static func parse(p_text: String) -> SourceAddress:
+	var found: SourceAddress = SourceAddress.new()
+	var colon: int = p_text.find(":")
+	found.kind = p_text.left(colon) if colon >= 0 else p_text
+	var rest: String = p_text.substr(colon + 1) if colon >= 0 else ""
+	if not KINDS.has(found.kind):
+		var known: PackedStringArray = PackedStringArray(KINDS.keys())
+		var near: String = Nearest.suggest(found.kind, known)
+		var parts: Array = [", ".join(describe_kinds()), found.kind.left(40), near]
+		found.fault = "a source is one of %s, found '%s'%s" % parts
+		return found
+	found.port = PORTS.get(found.kind, 0)
+	found._read(rest, colon >= 0)
+	if found.fault != "":
+		found.fault += "; sources are %s" % ", ".join(describe_kinds())
+	return found
+
+
+## All kinds as they are written: "vmc[:PORT]".
+static func describe_kinds() -> PackedStringArray:
+	var kinds: PackedStringArray = []
+	for name: String in KINDS:
+		kinds.append(name + FORMS[KINDS[name]])
+	return kinds
+
+
+func _read(p_rest: String, p_is_given: bool) -> void:
+	var written: String = kind + FORMS[KINDS[kind]]
+	match KINDS[kind]:
+		Form.BARE:
+			if p_is_given:
+				fault = "nothing follows '%s', found '%s'" % [written, p_rest.left(40)]
+		Form.NAME, Form.FILES:
+			text = p_rest
+			if p_rest == "":
+				fault = "write %s" % written
+		Form.HOST:
+			host = p_rest
+			var is_bad: bool = p_rest.contains(":") or p_rest.contains("/") or p_rest.contains(" ")
+			if (p_is_given and p_rest == "") or is_bad:
+				fault = "write %s, found '%s'" % [written, p_rest.left(40)]
+		_:
+			_read_port(p_rest, p_is_given, written)
+
+
+func _read_port(p_rest: String, p_is_given: bool, p_written: String) -> void:
+	var number: String = p_rest
+	if KINDS[kind] == Form.PORT_OR_TCP and p_rest.begins_with("tcp:"):
+		is_tcp = true
+		host = p_rest.get_slice(":", 1)
+		number = p_rest.get_slice(":", 2)
+		if host == "" or p_rest.get_slice_count(":") != 3:
+			fault = "write %s, found '%s'" % [p_written, p_rest.left(40)]
+			return
+	if not p_is_given:
+		return
+	var is_number: bool = number.is_valid_int() and number.length() < 6
+	if not is_number or number.to_int() < 1 or number.to_int() > 65535:
+		fault = "a port is 1 to 65535: write %s, found '%s'" % [p_written, number.left(40)]
+		return
+	port = number.to_int()

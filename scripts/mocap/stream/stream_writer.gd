@@ -1,0 +1,15 @@
+class_name StreamWriter
+extends RefCounted
+## Writes somebody's poses as a protocol's own programs do: in place of such a program. Each
+## protocol derives from it.
+
+
+## What is to be sent for a pose that was taken at [member PoseSample.time_usec]: datagrams, or
+## pieces of a TCP stream, in their order.
+func write(_p_pose: PoseSample) -> Array[PackedByteArray]:
+	return []
+
+
+## What is to be sent back for a datagram that came from the receiver.
+func answer(_p_bytes: PackedByteArray) -> Array[PackedByteArray]:
+	return []

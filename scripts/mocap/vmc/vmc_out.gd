@@ -1,0 +1,55 @@
+class_name VmcOut
+extends RefCounted
+## Sends the poses of this client's people to programs that receive the VMC protocol: the first
+## one's to a port, the next one's to the port behind it, as that protocol has one person a port.
+
+## The usual port.
+const DEFAULT_PORT: int = 39539
+
+## Whom to send to: an IPv4 address, and the first one's port.
+var address: String = ""
+var port: int = 0
+
+var _peer: PacketPeerUDP = PacketPeerUDP.new()
+var _writers: Dictionary[int, VmcWriter] = {}
+
+
+## Takes HOST:PORT, HOST or a port alone, which is of this machine. Returns what is wrong, or an
+## empty text.
+func open(p_text: String) -> String:
+	var host: String = p_text
+	var number: String = str(DEFAULT_PORT)
+	if p_text.is_valid_int():
+		host = "127.0.0.1"
+		number = p_text
+	elif p_text.contains(":"):
+		host = p_text.get_slice(":", 0)
+		number = p_text.get_slice(":", 1)
+	var is_number: bool = number.is_valid_int() and number.length() < 6
+	if not is_number or number.to_int() < 1 or number.to_int() > 65535 or p_text.count(":") > 1:
+		return "--vmc-out is HOST:PORT, such as 127.0.0.1:39539, found '%s'" % p_text.left(60)
+	port = number.to_int()
+	address = host
+	if not host.is_valid_ip_address():
+		address = IP.resolve_hostname(host, IP.TYPE_IPV4)
+	if address == "":
+		return "--vmc-out: the host '%s' can't be found" % host.left(60)
+	_peer.set_broadcast_enabled(true)
+	Log.info("mocap", "sends poses as VMC to %s:%d" % [address, port])
+	return ""
+
+
+## Sends a pose of one of the people, who has a size.
+func send(p_person: int, p_pose: PoseSample, p_size: BodySize) -> void:
+	if port + p_person > 65535:
+		return
+	if not _writers.has(p_person):
+		_writers[p_person] = VmcWriter.new(p_size)
+	_peer.set_dest_address(address, port + p_person)
+	for datagram: PackedByteArray in _writers[p_person].write(p_pose):
+		_peer.put_packet(datagram)
+
+
+## The size of one of the people has changed, or another one has come.
+func forget(p_person: int) -> void:
+	_writers.erase(p_person)

@@ -1,0 +1,357 @@
+class_name VmcReader
+extends StreamReader
+## Reads the VMC protocol (https://protocol.vmc.info, Marionette's side): OSC messages in Unity's
+## left-handed frame, metres, with each bone's rotation from the VRM's T-pose and its place, both on
+## the bone above it. A rotation of VRM 1's own bones (not normalised) cannot be read without the
+## model: senders have to normalise them, as VRM 0 does.
+##
+## A frame comes in one datagram or in many. It is whole when all bones of the frame before have
+## come, or else when the next one begins; bones of it that got lost are put between their
+## neighbours.
+
+## Unity's names of bones that differ from Godot's.
+const _OTHER_NAMES: Dictionary[String, String] = {
+	"LeftThumbProximal": "LeftThumbMetacarpal",
+	"LeftThumbIntermediate": "LeftThumbProximal",
+	"RightThumbProximal": "RightThumbMetacarpal",
+	"RightThumbIntermediate": "RightThumbProximal",
+}
+## Senders whose bones are kept.
+const _MAX_SENDERS: int = 16
+## Devices of a sender that are named.
+const _MAX_DEVICES: int = 8
+## A lower leg is longer than that, m: else a stream has no places.
+const _MIN_LEG: float = 0.1
+
+## Where the sender's time is not known.
+const _UNKNOWN: int = -1
+## A sender whose time goes back by more has begun anew, µs.
+const _RESTART_USEC: int = 1000000
+## So many frames in a row that are alike and have no time of their own count as one that came
+## twice.
+const _SAME: int = 2
+## Frames that may wait for their bones.
+const _MAX_OPEN: int = 6
+
+static var _joints: Dictionary[String, int] = _find_joints()
+## All joints, those nearer to the hips first.
+static var _order: PackedInt32Array = _find_order()
+
+var _osc: Osc = Osc.new()
+var _actors: Dictionary[String, Actor] = {}
+
+
+## The bones of one moment.
+class Frame:
+	## The sender's time, µs, or -1.
+	var usec: int = -1
+	## Where it is among others: its time, or a count where the sender does not say one.
+	var key: int = 0
+	## Rotation and place of each bone on the one above it, in Godot's frame, by joint.
+	var bones: Dictionary[int, Transform3D] = {}
+
+
+## What has come of one sender.
+class Actor:
+	## The bones of the last frame that is done, its key, and its time, µs.
+	var bones: Dictionary[int, Transform3D] = {}
+	var key: int = -1
+	var usec: int = -1
+	## Frames that are not done, oldest first.
+	var frames: Array[Frame] = []
+	## How many bones a whole frame has.
+	var count: int = 0
+	## Frames in a row that were as the one before.
+	var same_frames: int = 0
+	## The model in the world.
+	var root: Transform3D = Transform3D.IDENTITY
+	## The sender's time, µs.
+	var now_usec: int = -1
+	## Whether a model is loaded and calibrated, as far as the sender says.
+	var is_loaded: bool = true
+	var is_calibrated: bool = true
+	## Serials of headset, controllers and trackers.
+	var devices: Dictionary[String, bool] = {}
+	var builder: PoseBuilder = PoseBuilder.new()
+
+
+func title() -> String:
+	return "VMC"
+
+
+func read(p_bytes: PackedByteArray, p_sender: String) -> Array[StreamSample]:
+	var samples: Array[StreamSample] = []
+	var messages: Array[Array] = _osc.read(p_bytes)
+	fault = _osc.fault
+	if not _actors.has(p_sender):
+		if messages.is_empty():
+			return samples
+		if _actors.size() >= _MAX_SENDERS:
+			_actors.erase(_actors.keys()[0])
+		_actors[p_sender] = Actor.new()
+	var actor: Actor = _actors[p_sender]
+	var coming: Dictionary[int, Transform3D] = {}
+	var usec: int = -1
+	for message: Array in messages:
+		if message[0] == "/VMC/Ext/Bone/Pos":
+			_take_bone(message, coming)
+		elif message[0] == "/VMC/Ext/T":
+			usec = _time_of(message)
+		else:
+			_take(actor, message)
+	if usec >= 0:
+		actor.now_usec = usec
+	if not coming.is_empty():
+		_put(actor, coming, usec)
+		_settle(actor, samples)
+	return samples
+
+
+func detail(p_sender: String) -> String:
+	var actor: Actor = _actors.get(p_sender)
+	if actor == null or actor.devices.is_empty():
+		return ""
+	return "devices " + " ".join(actor.devices.keys())
+
+
+func trouble(p_sender: String) -> String:
+	var actor: Actor = _actors.get(p_sender)
+	if actor == null:
+		return ""
+	if not actor.is_loaded:
+		return "the sender has loaded no model: load one there"
+	return "" if actor.is_calibrated else "the sender is not calibrated: calibrate there"
+
+
+## The joint of a bone's name in Unity, or -1.
+static func joint_of(p_name: String) -> int:
+	return _joints.get(p_name, -1)
+
+
+## Unity's name of a joint, or an empty text.
+static func name_of(p_joint: int) -> String:
+	var found: Variant = _joints.find_key(p_joint)
+	return "" if found == null else str(found)
+
+
+static func _find_joints() -> Dictionary[String, int]:
+	var found: Dictionary[String, int] = {}
+	for limb: int in Limbs.COUNT:
+		found[str(Limbs.BONES[limb])] = HumanoidAxes.JOINTS[limb]
+	for joint: int in HumanoidAxes.OTHERS:
+		found[str(HumanoidAxes.OTHERS[joint])] = joint
+	for hand: int in 2:
+		for joint: int in FingerJoints.of_hand(hand):
+			var bone: String = str(FingerJoints.bone_of(joint))
+			var other: Variant = _OTHER_NAMES.find_key(bone)
+			found[bone if other == null else str(other)] = joint
+	return found
+
+
+static func _find_order() -> PackedInt32Array:
+	var order: PackedInt32Array = PackedInt32Array(PoseBuilder.PARENTS.keys())
+	for hand: int in 2:
+		order.append_array(FingerJoints.of_hand(hand))
+	return order
+
+
+func _take_bone(p_message: Array, r_bones: Dictionary[int, Transform3D]) -> void:
+	var joint: int = joint_of(str(p_message[1])) if p_message.size() > 1 else -1
+	if joint >= 0 and _is_place(p_message):
+		r_bones[joint] = _place_of(p_message)
+
+
+static func _time_of(p_message: Array) -> int:
+	if p_message.size() < 2 or not p_message[1] is float or not is_finite(p_message[1]):
+		return -1
+	return roundi(clampf(p_message[1], 0.0, 1e9) * 1e6)
+
+
+func _take(r_actor: Actor, p_message: Array) -> void:
+	match p_message[0]:
+		"/VMC/Ext/Root/Pos":
+			if _is_place(p_message):
+				r_actor.root = _root_of(p_message)
+		"/VMC/Ext/OK":
+			if p_message.size() > 1 and p_message[1] is int:
+				r_actor.is_loaded = p_message[1] != 0
+				# 3 is calibrated; before version 2.5 it was not said.
+				var is_said: bool = p_message.size() > 2 and p_message[2] is int
+				r_actor.is_calibrated = not is_said or p_message[2] == 3
+		"/VMC/Ext/Hmd/Pos", "/VMC/Ext/Con/Pos", "/VMC/Ext/Tra/Pos":
+			if p_message.size() > 1 and p_message[1] is String:
+				if r_actor.devices.size() < _MAX_DEVICES:
+					r_actor.devices[ByteReader.clean(p_message[1]).left(24)] = true
+
+
+## Whether a message has a name, a place and a rotation.
+func _is_place(p_message: Array) -> bool:
+	if p_message.size() < 9 or not p_message[1] is String:
+		fault = "%s has too few arguments" % p_message[0]
+		return false
+	for at: int in range(2, 9):
+		if not p_message[at] is float or not is_finite(p_message[at]):
+			fault = "%s has an argument that is no finite number" % p_message[0]
+			return false
+	var turn: Vector4 = Vector4(p_message[5], p_message[6], p_message[7], p_message[8])
+	if absf(turn.length() - 1.0) > 0.1:
+		fault = "%s has a rotation of length %.2f" % [p_message[0], turn.length()]
+		return false
+	return true
+
+
+static func _place_of(p_message: Array) -> Transform3D:
+	var frame: SourceFrames.Frame = SourceFrames.Frame.MVN_UNITY
+	var turn: Quaternion = SourceFrames.rotation(
+		p_message[8], p_message[5], p_message[6], p_message[7], frame
+	)
+	var place: Vector3 = Vector3(p_message[2], p_message[3], p_message[4])
+	return Transform3D(Basis(turn.normalized()), SourceFrames.position(place, frame))
+
+
+## From version 2.1 the root says too by how much the model is larger than the wearer, and how far
+## off: EVMC4U divides by that scale, and so does this.
+static func _root_of(p_message: Array) -> Transform3D:
+	var root: Transform3D = _place_of(p_message)
+	if p_message.size() < 15:
+		return root
+	for at: int in range(9, 15):
+		if not p_message[at] is float or not is_finite(p_message[at]):
+			return root
+	var scale: Vector3 = Vector3(p_message[9], p_message[10], p_message[11])
+	if scale.x < 0.1 or scale.y < 0.1 or scale.z < 0.1 or scale.length() > 20.0:
+		return root
+	var offset: Vector3 = SourceFrames.position(
+		Vector3(p_message[12], p_message[13], p_message[14]), SourceFrames.Frame.MVN_UNITY
+	)
+	root.origin = (root.origin - offset) / scale
+	root.basis = root.basis.scaled_local(Vector3.ONE / scale)
+	return root
+
+
+## Whether all bones are in others, the same.
+static func _is_contained(
+	p_bones: Dictionary[int, Transform3D], p_others: Dictionary[int, Transform3D]
+) -> bool:
+	for joint: int in p_bones:
+		if not p_others.has(joint) or p_others[joint] != p_bones[joint]:
+			return false
+	return true
+
+
+## Whether some of the bones are in both.
+static func _meet(
+	p_bones: Dictionary[int, Transform3D], p_others: Dictionary[int, Transform3D]
+) -> bool:
+	for joint: int in p_bones:
+		if p_others.has(joint):
+			return true
+	return false
+
+
+## Puts bones into the frame of a time, µs, or into the newest one where no time came with them.
+func _put(r_actor: Actor, p_bones: Dictionary[int, Transform3D], p_usec: int) -> void:
+	if p_usec >= 0 and p_usec < r_actor.key - _RESTART_USEC:
+		r_actor.frames.clear()
+		r_actor.key = -1
+		r_actor.usec = -1
+	if p_usec >= 0:
+		if p_usec > r_actor.key:
+			_frame_at(r_actor, p_usec).bones.merge(p_bones, true)
+		return
+	var newest: Frame = r_actor.frames[-1] if not r_actor.frames.is_empty() else null
+	if newest != null and _is_contained(p_bones, newest.bones):
+		return
+	if newest == null or _meet(p_bones, newest.bones):
+		var key: int = (newest.key if newest != null else r_actor.key) + 1
+		var last: int = newest.usec if newest != null else r_actor.usec
+		newest = _frame_at(r_actor, key)
+		newest.usec = r_actor.now_usec if r_actor.now_usec > last else _UNKNOWN
+	newest.bones.merge(p_bones, true)
+
+
+## The frame of a key, a new one if there is none yet.
+static func _frame_at(r_actor: Actor, p_key: int) -> Frame:
+	var at: int = r_actor.frames.size()
+	while at > 0 and r_actor.frames[at - 1].key >= p_key:
+		at -= 1
+		if r_actor.frames[at].key == p_key:
+			return r_actor.frames[at]
+	var frame: Frame = Frame.new()
+	frame.key = p_key
+	frame.usec = p_key
+	r_actor.frames.insert(at, frame)
+	return frame
+
+
+## Gives out what is whole and all before it, or the oldest where too much has waited.
+func _settle(r_actor: Actor, r_samples: Array[StreamSample]) -> void:
+	var frames: Array[Frame] = r_actor.frames
+	if r_actor.count == 0:
+		if frames.size() < 2:
+			return
+		r_actor.count = frames[0].bones.size()
+	var newest: int = frames.size() - 1
+	while newest >= 0 and frames[newest].bones.size() < r_actor.count:
+		newest -= 1
+	if newest < 0 and frames.size() > _MAX_OPEN:
+		# Much loss, or another model with fewer bones.
+		newest = 0
+		r_actor.count = 1
+		for frame: Frame in frames:
+			r_actor.count = maxi(r_actor.count, frame.bones.size())
+	for _number: int in newest + 1:
+		_finish(r_actor, r_samples)
+
+
+## The oldest frame is done: bones that it lacks were between those before and those that came
+## since.
+func _finish(r_actor: Actor, r_samples: Array[StreamSample]) -> void:
+	var frame: Frame = r_actor.frames[0]
+	r_actor.frames.remove_at(0)
+	r_actor.count = maxi(r_actor.count, frame.bones.size())
+	var repeats: bool = _is_contained(frame.bones, r_actor.bones)
+	for joint: int in r_actor.bones:
+		if not frame.bones.has(joint):
+			frame.bones[joint] = _between(r_actor, joint, frame.key)
+	r_actor.bones = frame.bones
+	r_actor.key = frame.key
+	r_actor.usec = maxi(r_actor.usec, frame.usec)
+	r_actor.same_frames = r_actor.same_frames + 1 if repeats else 0
+	if frame.usec == _UNKNOWN and r_actor.same_frames > 0 and r_actor.same_frames <= _SAME:
+		return
+	r_actor.same_frames = 0
+	_emit(r_actor, frame.usec, r_samples)
+
+
+static func _between(p_actor: Actor, p_joint: int, p_key: int) -> Transform3D:
+	var before: Transform3D = p_actor.bones[p_joint]
+	for later: Frame in p_actor.frames:
+		if later.bones.has(p_joint):
+			var part: float = float(p_key - p_actor.key) / maxi(later.key - p_actor.key, 1)
+			return before.interpolate_with(later.bones[p_joint], part)
+	return before
+
+
+func _emit(r_actor: Actor, p_usec: int, r_samples: Array[StreamSample]) -> void:
+	var builder: PoseBuilder = r_actor.builder
+	builder.clear()
+	var hips: int = XRBodyTracker.JOINT_HIPS
+	if r_actor.bones.has(hips):
+		var place: Transform3D = r_actor.root * r_actor.bones[hips]
+		builder.set_local(hips, place.basis.get_rotation_quaternion(), place.origin)
+	var size: Vector3 = r_actor.root.basis.get_scale()
+	for bone: int in _order:
+		if bone != hips and r_actor.bones.has(bone):
+			var local: Transform3D = r_actor.bones[bone]
+			var turn: Quaternion = local.basis.get_rotation_quaternion()
+			builder.set_local(bone, turn, local.origin * size)
+	var shank: Transform3D = r_actor.bones.get(
+		XRBodyTracker.JOINT_LEFT_LOWER_LEG, Transform3D.IDENTITY
+	)
+	var sample: StreamSample = StreamSample.new()
+	sample.pose = builder.build(shank.origin.length() > _MIN_LEG)
+	if sample.pose == null:
+		return
+	sample.source_usec = p_usec
+	r_samples.append(sample)
