@@ -11,6 +11,8 @@ extends RefCounted
 const SPAN_USEC: int = 1000000
 ## After so long without a sample everything begins anew; no sample waits so long on its way, µs.
 const GAP_USEC: int = 500000
+## Counts and arrivals that are looked at at once.
+const MAX_WINDOW: int = 2048
 ## Two samples are at least so far apart, µs.
 const STEP_USEC: int = 100
 
@@ -26,8 +28,10 @@ var _before: int = 0
 var _counter: int = -1
 var _counted: float = 0.0
 var _period_usec: float = 0.0
-var _span_counter: int = -1
-var _span_arrival: int = 0
+# Counts and arrivals since the period was looked at, and the quickest of the first time.
+var _window: PackedInt64Array = PackedInt64Array()
+var _first: PackedInt64Array = PackedInt64Array()
+var _look_usec: int = 0
 
 
 ## The time of a sample, µs of Unix time, that arrived at one: later than the last one's, and not
@@ -61,22 +65,23 @@ func at_count(p_counter: int, p_arrival_usec: int) -> int:
 	if _counter < 0 or steps < 0 or p_arrival_usec - _last_arrival > GAP_USEC:
 		_counted = 0.0
 		_period_usec = 0.0
-		_span_counter = -1
+		_window.clear()
+		_first.clear()
 		_is_known = false
 	else:
 		_counted += steps * _period_usec
 	_counter = p_counter
-	var span: int = p_arrival_usec - _span_arrival
-	if _span_counter < 0:
-		_span_counter = p_counter
-		_span_arrival = p_arrival_usec
-	elif span >= SPAN_USEC:
-		var measured: float = float(span) / maxi(p_counter - _span_counter, 1)
-		_period_usec = measured if _period_usec <= 0.0 else lerpf(_period_usec, measured, 0.3)
-		_span_counter = p_counter
-		_span_arrival = p_arrival_usec
+	if _window.is_empty() and _first.is_empty():
+		_look_usec = p_arrival_usec + SPAN_USEC
+	if _window.size() < MAX_WINDOW:
+		_window.append_array([p_counter, p_arrival_usec])
+	if p_arrival_usec >= _look_usec:
+		_look_usec = p_arrival_usec + SPAN_USEC
+		_measure_period()
 	if _period_usec <= 0.0:
 		return at_arrival(p_arrival_usec)
+	# The count was compared with time while the period was measured.
+	_runs = _runs or not _is_known
 	return at(roundi(_counted), p_arrival_usec)
 
 
@@ -87,9 +92,29 @@ func at_arrival(p_arrival_usec: int) -> int:
 	return _last_time
 
 
+## The time between two counts: between the quickest samples of the first and of the last span, for
+## those that waited on their way say nothing of it.
+func _measure_period() -> void:
+	var last: int = _window.size() - 2
+	if _period_usec <= 0.0:
+		_period_usec = float(_window[last + 1] - _window[1]) / maxi(_window[last] - _window[0], 1)
+	var best: int = 0
+	var least: float = INF
+	for at: int in range(0, _window.size(), 2):
+		var late: float = _window[at + 1] - _window[1] - (_window[at] - _window[0]) * _period_usec
+		if late < least:
+			least = late
+			best = at
+	var quickest: PackedInt64Array = _window.slice(best, best + 2)
+	_window.clear()
+	if _first.is_empty():
+		_first = quickest
+	elif quickest[0] > _first[0]:
+		_period_usec = float(quickest[1] - _first[1]) / (quickest[0] - _first[0])
+
+
 func _begin(p_code_usec: int, p_arrival_usec: int) -> void:
-	# What ran before a gap runs after it.
-	_runs = _is_known and _runs
+	# What ran before a gap runs after it, as far as is known.
 	_is_known = true
 	_began_code = p_code_usec
 	_began_arrival = p_arrival_usec

@@ -61,6 +61,27 @@ func run(
 	return person
 
 
+## Gives a reader datagrams with wrong bytes, and cut ones, and checks that what comes out is poses.
+## Returns what does not hold, or an empty text.
+static func fuzz(
+	p_reader: StreamReader, p_datagrams: Array[PackedByteArray], p_rounds: int, p_seed: int = 1
+) -> String:
+	var random: RandomNumberGenerator = RandomNumberGenerator.new()
+	random.seed = p_seed
+	for number: int in p_rounds:
+		var bytes: PackedByteArray = p_datagrams[number % p_datagrams.size()].duplicate()
+		for _byte: int in random.randi_range(0, 6):
+			bytes[random.randi() % bytes.size()] = random.randi() & 0xFF
+		if random.randf() < 0.5:
+			bytes = bytes.slice(0, random.randi_range(0, bytes.size()))
+		for sample: StreamSample in p_reader.read(bytes, SENDER):
+			if sample.pose == null or sample.pose.orientations.size() != 4 * Limbs.COUNT:
+				return "round %d: a sample without a pose" % number
+			if sample.pose.find_fault() != "":
+				return "round %d: %s" % [number, sample.pose.find_fault()]
+	return ""
+
+
 ## The greatest difference of any limb, degrees.
 func worst_deg() -> float:
 	var greatest: float = 0.0

@@ -1,0 +1,181 @@
+class_name LandmarkPose
+extends RefCounted
+## Rotations of limbs from points on the body: each limb points along its bone (aim), and is turned
+## about itself as the hinge of its elbow or knee has it (pole). A straight limb shows no hinge: it
+## keeps the one that it had last, carried along with the limb.
+
+## Points as MediaPipe numbers them; of pairs the left one, the right one has the next number.
+const NOSE: int = 0
+const EAR: int = 7
+const SHOULDER: int = 11
+const ELBOW: int = 13
+const WRIST: int = 15
+const PINKY: int = 17
+const INDEX: int = 19
+const HIP: int = 23
+const KNEE: int = 25
+const ANKLE: int = 27
+const HEEL: int = 29
+const TOE: int = 31
+## Points that are seen less are not used, 0 to 1.
+const MIN_VISIBILITY: float = 0.5
+## A joint that bends by less shows no hinge, rad; from twice that on it is believed fully.
+const STRAIGHT: float = deg_to_rad(8.0)
+## How far the nose is below the ears, seen from the side, for a head that is level, rad.
+const NOSE_PITCH: float = deg_to_rad(14.0)
+
+var _filler: LimbFiller = LimbFiller.new()
+var _standing: StandingHeight = StandingHeight.new(BodySize.new())
+var _places: PackedVector3Array = PackedVector3Array()
+var _seen: PackedFloat32Array = PackedFloat32Array()
+# The last rotation of each mount, for what cannot be seen now.
+var _last: Dictionary[int, Quaternion] = {}
+
+
+## The pose of points (m, Godot's frame) and how well each is seen; null without hips and shoulders.
+func make(p_places: PackedVector3Array, p_seen: PackedFloat32Array) -> PoseSample:
+	_places = p_places
+	_seen = p_seen
+	_filler.clear()
+	if not _sees([HIP, HIP + 1, SHOULDER, SHOULDER + 1]):
+		return null
+	var hips: Vector3 = (_places[HIP] + _places[HIP + 1]) / 2.0
+	var neck: Vector3 = (_places[SHOULDER] + _places[SHOULDER + 1]) / 2.0
+	var up: Vector3 = neck - hips
+	_set_mount(BodyMounts.PELVIS, _frame(_places[HIP] - _places[HIP + 1], up))
+	_set_mount(BodyMounts.STERNUM, _frame(_places[SHOULDER] - _places[SHOULDER + 1], up))
+	if _filler.known[BodyMounts.PELVIS] == 0 or _filler.known[BodyMounts.STERNUM] == 0:
+		return null
+	_make_head()
+	for side: int in 2:
+		_make_arm(side)
+		_make_leg(side)
+	_filler.fill()
+	var pose: PoseSample = PoseSample.new()
+	for limb: int in Limbs.COUNT:
+		pose.set_orientation(limb, _filler.limbs[limb])
+	pose.details = MotionDetails.new()
+	pose.details.measured = _filler.measured.duplicate()
+	pose.root = Vector3(0.0, _standing.of(pose), 0.0)
+	return pose
+
+
+func _make_head() -> void:
+	if not _sees([EAR, EAR + 1, NOSE]):
+		return
+	var left: Vector3 = _places[EAR] - _places[EAR + 1]
+	var ahead: Vector3 = _places[NOSE] - (_places[EAR] + _places[EAR + 1]) / 2.0
+	# Turned up by as much as noses are below ears.
+	ahead = ahead.rotated(left.normalized(), -NOSE_PITCH) if left.length() > 1e-4 else ahead
+	_set_mount(BodyMounts.HEAD, _frame(left, ahead.cross(left)))
+
+
+func _make_arm(p_side: int) -> void:
+	var mirror: float = 1.0 - 2.0 * p_side
+	var upper: int = BodyMounts.LEFT_UPPER_ARM + 4 * p_side
+	if not _sees([SHOULDER + p_side, ELBOW + p_side]):
+		return
+	var first: Vector3 = _places[ELBOW + p_side] - _places[SHOULDER + p_side]
+	if not _sees([WRIST + p_side]):
+		_set_mount(upper, _carried(upper, Vector3.RIGHT * mirror, first))
+		return
+	var second: Vector3 = _places[WRIST + p_side] - _places[ELBOW + p_side]
+	# An elbow bends a stretched arm forward: about -Y on the left.
+	var axis: Vector3 = first.cross(second) * -mirror
+	_hinge(upper, Vector3.RIGHT * mirror, Vector3.UP, [first, second], axis)
+	var hand: int = upper + 2
+	if _sees([PINKY + p_side, INDEX + p_side]):
+		var knuckles: Vector3 = (_places[PINKY + p_side] + _places[INDEX + p_side]) / 2.0
+		var along: Vector3 = (knuckles - _places[WRIST + p_side]) * mirror
+		# Palms are down in the reset pose, the index finger ahead.
+		var ahead: Vector3 = _places[INDEX + p_side] - _places[PINKY + p_side]
+		_set_mount(hand, _frame(along, ahead.cross(along)))
+
+
+func _make_leg(p_side: int) -> void:
+	var thigh: int = BodyMounts.LEFT_THIGH + 3 * p_side
+	if not _sees([HIP + p_side, KNEE + p_side]):
+		return
+	var first: Vector3 = _places[KNEE + p_side] - _places[HIP + p_side]
+	if not _sees([ANKLE + p_side]):
+		_set_mount(thigh, _carried(thigh, Vector3.DOWN, first))
+		return
+	var second: Vector3 = _places[ANKLE + p_side] - _places[KNEE + p_side]
+	# A knee bends a shank back: about X.
+	_hinge(thigh, Vector3.DOWN, Vector3.RIGHT, [first, second], first.cross(second))
+	if _sees([HEEL + p_side, TOE + p_side]) and _filler.known[thigh + 1] != 0:
+		var ahead: Vector3 = _places[TOE + p_side] - _places[HEEL + p_side]
+		var left: Vector3 = _filler.rotations[thigh + 1] * Vector3.RIGHT
+		left -= ahead * (left.dot(ahead) / maxf(ahead.length_squared(), 1e-9))
+		_set_mount(thigh + 2, _frame(left, ahead.cross(left)))
+
+
+## Sets two limbs that a hinge joins: both are turned about themselves so that their axis is the
+## hinge's. The nearer to straight they are, the more they keep the turn that they had.
+func _hinge(
+	p_mount: int, p_rest: Vector3, p_axis: Vector3, p_along: Array[Vector3], p_hinge: Vector3
+) -> void:
+	var size: float = p_along[0].length() * p_along[1].length()
+	if size < 1e-6:
+		return
+	var bend: float = asin(clampf(p_hinge.length() / size, 0.0, 1.0))
+	if p_along[0].dot(p_along[1]) < 0.0:
+		bend = PI - bend
+	var trust: float = clampf(bend / STRAIGHT - 1.0, 0.0, 1.0)
+	for part: int in 2:
+		var kept: Quaternion = _carried(p_mount + part, p_rest, p_along[part])
+		var turn: Quaternion = kept
+		if trust > 0.0:
+			var seen: Quaternion = _aim(p_rest, p_axis, p_along[part], p_hinge)
+			turn = kept.slerp(seen, trust).normalized()
+		_set_mount(p_mount + part, turn)
+
+
+## The last rotation of a mount, turned the shortest way so that it points along; for the first time
+## that of what it hangs on.
+func _carried(p_mount: int, p_rest: Vector3, p_along: Vector3) -> Quaternion:
+	var above: int = BodyMounts.PARENTS[p_mount]
+	while above >= 0 and _filler.known[above] == 0:
+		above = BodyMounts.PARENTS[above]
+	var start: Quaternion = _filler.rotations[above] if above >= 0 else Quaternion.IDENTITY
+	start = _last.get(p_mount, start)
+	var from: Vector3 = start * p_rest
+	var to: Vector3 = p_along.normalized()
+	if to.length() < 0.5 or from.dot(to) < -0.9999:
+		return start
+	return (Quaternion(from, to) * start).normalized()
+
+
+## The rotation that takes one direction to another exactly, and an axis across as near to the hinge
+## as that allows.
+static func _aim(
+	p_rest: Vector3, p_axis: Vector3, p_along: Vector3, p_hinge: Vector3
+) -> Quaternion:
+	var along: Vector3 = p_along.normalized()
+	var across: Vector3 = (p_hinge - along * p_hinge.dot(along)).normalized()
+	var rest: Basis = Basis(p_rest, p_axis, p_rest.cross(p_axis))
+	var now: Basis = Basis(along, across, along.cross(across))
+	return (now * rest.transposed()).get_rotation_quaternion()
+
+
+## The rotation whose X is exactly the left and whose Y is as near to up as that allows.
+static func _frame(p_left: Vector3, p_up: Vector3) -> Quaternion:
+	var left: Vector3 = p_left.normalized()
+	var ahead: Vector3 = left.cross(p_up).normalized()
+	if left.length() < 0.5 or ahead.length() < 0.5:
+		return Quaternion(0.0, 0.0, 0.0, 0.0)
+	return Basis(left, ahead.cross(left), ahead).get_rotation_quaternion()
+
+
+func _set_mount(p_mount: int, p_turn: Quaternion) -> void:
+	if p_turn.length_squared() < 0.5:
+		return
+	_last[p_mount] = p_turn
+	_filler.set_mount(p_mount, p_turn)
+
+
+func _sees(p_points: PackedInt32Array) -> bool:
+	for point: int in p_points:
+		if _seen[point] < MIN_VISIBILITY:
+			return false
+	return true
