@@ -11,17 +11,41 @@ namespace {
 /// Turns about the vertical of limbs that hang upside down are not defined; below this part of a
 /// quaternion they are not used.
 constexpr double LEAST_TWIST = 0.3;
-/// A foot that turns more slowly than this stands, rad/s.
+/// A foot that turns more slowly than this stands, rad/s; and what noise may be in a step, rad.
 constexpr double STANDS = degrees(12.0);
+constexpr double STANDS_NOISE = degrees(1.5);
 /// A time without samples after which everything begins anew, s.
 constexpr double GAP_S = 1.0;
 /// A mean that is off by more than so many standard deviations is no drift.
-constexpr double STRANGE = 4.0;
+constexpr double STRANGE = 3.0;
 /// And after so many of those the posture is another one.
 constexpr int STRANGE_BLOCKS = 2;
-/// How fast the spread of an edge is learnt, a block, and the least that it can be, rad².
+/// A block with a larger spread is no posture that is held, rad.
+constexpr double HELD_SPREAD = degrees(1.5);
+/// Whoever turns so far the same way from block to block, and again, turns on purpose, rad.
+constexpr double TURNS = degrees(1.0);
+/// What is expected at first of means of blocks and of windows, rad².
+constexpr double NEW_VARIANCE = degrees(1.0) * degrees(1.0);
+constexpr double LIKE_WITHIN = 1.0;
+/// Where a window has a larger spread its mean says nothing, rad.
+constexpr double HABIT_SPREAD = degrees(50.0);
+/// Whoever turns in a block by a larger spread faces no way; ways that differ by less are the same;
+/// how far somebody is off it at first, rad², how fast that is learnt, and after how many
+/// blocks somebody who stays so is another witness.
+constexpr double FRONT_SPREAD = degrees(6.0);
+constexpr double SAME_FRONT = degrees(15.0);
+constexpr double FRONT_VARIANCE = degrees(8.0) * degrees(8.0);
+constexpr double LEARN_FRONT = 0.1;
+constexpr int FRONT_WITNESS = 15;
+/// Rates of drift, squared, in variances of what they would seem to be if there were none: below the
+/// first nothing is corrected, above the second everything (after Efron and Morris 1973).
+constexpr double DOUBTED = 0.35;
+constexpr double TRUSTED = 0.7;
+/// How fast both are learnt, a block or a window, and the least that they can be, rad².
 constexpr double LEARN = 0.06;
+constexpr double LEARN_HABIT = 0.1;
 constexpr double LEAST_VARIANCE = degrees(0.2) * degrees(0.2);
+constexpr double LEAST_HABIT = degrees(1.0) * degrees(1.0);
 
 double wrapped(double p_angle) {
 	return std::remainder(p_angle, 2.0 * PI);
@@ -34,6 +58,22 @@ double twist_of(const kinematics::Quat &p_rotation, double &r_defined) {
 }
 
 } // namespace
+
+void DriftEstimator::Mean::add(double p_angle, double p_weight) {
+	cosines += p_weight * std::cos(p_angle);
+	sines += p_weight * std::sin(p_angle);
+	weights += p_weight;
+	count++;
+}
+
+double DriftEstimator::Mean::angle() const {
+	return std::atan2(sines, cosines);
+}
+
+double DriftEstimator::Mean::spread() const {
+	const double agree = std::hypot(sines, cosines) / std::max(weights, 1e-9);
+	return std::sqrt(-2.0 * std::log(std::clamp(agree, 1e-9, 1.0)));
+}
 
 void DriftEstimator::reset() {
 	*this = DriftEstimator();
@@ -79,6 +119,7 @@ void DriftEstimator::add(const Sample &p_sample) {
 
 void DriftEstimator::_collect(const Sample &p_sample) {
 	_block_samples++;
+	_window_samples++;
 	std::array<double, MOUNTS> turns{};
 	std::array<double, MOUNTS> defined{};
 	for (std::size_t mount = 0; mount < MOUNTS; mount++) {
@@ -96,11 +137,9 @@ void DriftEstimator::_collect(const Sample &p_sample) {
 		const double weight = above >= 0 ? defined[at] * defined[std::size_t(above)] : defined[at];
 		const double angle = turns[at] - (above >= 0 ? turns[std::size_t(above)] : 0.0);
 		// Edge 0 is the room; whoever wears no pelvis has another root, which is then in its place.
-		Mean &mean = _edges[above >= 0 ? at : std::size_t(ROOM)].mean;
-		mean.cosines += weight * std::cos(angle);
-		mean.sines += weight * std::sin(angle);
-		mean.weights += weight;
-		mean.count++;
+		Edge &edge = _edges[above >= 0 ? at : std::size_t(ROOM)];
+		edge.block.add(angle, weight);
+		edge.window.add(angle, weight);
 	}
 }
 
@@ -112,65 +151,181 @@ void DriftEstimator::_add_foot(int p_edge, int p_foot, const Sample &p_sample, d
 		return;
 	}
 	const float turned = kinematics::angle_between(_last.rotations[at], p_sample.rotations[at]);
-	edge.is_still = edge.is_still && turned < STANDS * p_step;
+	edge.is_still = edge.is_still && turned < STANDS * p_step + STANDS_NOISE;
 	double defined = 0.0;
 	const double angle = twist_of(p_sample.rotations[at], defined);
-	edge.mean.cosines += std::cos(angle);
-	edge.mean.sines += std::sin(angle);
-	edge.mean.weights += 1.0;
-	edge.mean.count++;
+	edge.block.add(angle, 1.0);
 }
 
 void DriftEstimator::_end_block(double p_step) {
 	_state.predict(p_step);
 	for (int edge = 0; edge < EDGES; edge++) {
-		const Edge &seen = _edges[std::size_t(edge)];
-		const bool is_plant = edge >= MOUNTS;
-		if (is_plant && !seen.is_still) {
-			_state.forget_posture(edge);
-		} else if (seen.mean.count * 2 > _block_samples && seen.mean.weights > 0.0) {
-			_take(edge);
+		Edge &seen = _edges[std::size_t(edge)];
+		const bool is_still = edge >= MOUNTS ? seen.is_still : seen.block.spread() < HELD_SPREAD;
+		if (!is_still) {
+			seen.held = 0;
+			seen.still = 0;
+		} else if (seen.block.count * 2 > _block_samples && seen.block.weights > 0.0) {
+			// Neither the first block after a movement counts nor the last one before: parts of
+			// the movement may be in them.
+			if (seen.still >= 2) {
+				_take_held(edge, seen.waiting);
+			}
+			seen.still++;
+			seen.waiting = seen.block.angle();
 		}
-		_edges[std::size_t(edge)].mean = Mean();
-		_edges[std::size_t(edge)].is_still = true;
+		if (edge < MOUNTS && seen.block.weights > 0.0) {
+			seen.blocks.add(seen.block.angle(), 1.0);
+		}
+		if (edge == ROOM && seen.block.weights > 0.0 && seen.block.spread() < FRONT_SPREAD) {
+			_take_front();
+		}
+		seen.block = Mean();
+		seen.is_still = true;
 	}
+	_doubt();
 	_block_samples = 0;
+	if (++_blocks % WINDOW_BLOCKS == 0) {
+		_end_window();
+	}
 }
 
-void DriftEstimator::_take(int p_edge) {
-	Edge &edge = _edges[std::size_t(p_edge)];
-	int mount = p_edge;
-	int other = -1;
-	if (p_edge == ROOM) {
-		while (mount < MOUNTS - 1 && !(_worn[std::size_t(mount)] && _above(mount) < 0)) {
-			mount++;
+void DriftEstimator::_end_window() {
+	for (int edge = 1; edge < MOUNTS; edge++) {
+		Edge &seen = _edges[std::size_t(edge)];
+		if (seen.window.count * 2 > _window_samples && seen.window.weights > 0.0) {
+			_take_habit(edge);
 		}
-	} else if (p_edge < MOUNTS) {
-		other = _above(mount);
-	} else {
-		mount = p_edge == LEFT_PLANT ? LEFT_FOOT : RIGHT_FOOT;
+		seen.window = Mean();
+		seen.blocks = Mean();
 	}
-	const double expected = _state.expected(mount, other, p_edge);
-	const double known = _state.variance(mount, other, p_edge);
-	const double off = wrapped(std::atan2(edge.mean.sines, edge.mean.cosines) - expected);
-	const bool is_new = known > degrees(60.0) * degrees(60.0);
-	double variance = p_edge >= MOUNTS ? LEAST_VARIANCE : edge.variance;
-	if (!is_new && off * off > STRANGE * STRANGE * (known + variance)) {
+	_window_samples = 0;
+}
+
+int DriftEstimator::_root() const {
+	int root = 0;
+	while (root < MOUNTS - 1 && !(_worn[std::size_t(root)] && _above(root) < 0)) {
+		root++;
+	}
+	return root;
+}
+
+Angle DriftEstimator::_angle(int p_edge) const {
+	Angle angle{ p_edge, -1, p_edge, false };
+	if (p_edge == ROOM) {
+		angle.mount = _root();
+	} else if (p_edge < MOUNTS) {
+		angle.other = _above(p_edge);
+	} else {
+		angle.mount = p_edge == LEFT_PLANT ? LEFT_FOOT : RIGHT_FOOT;
+	}
+	return angle;
+}
+
+void DriftEstimator::_take_held(int p_edge, double p_seen) {
+	Edge &edge = _edges[std::size_t(p_edge)];
+	const Angle angle = _angle(p_edge);
+	const double expected = _state.expected(angle);
+	const double known = _state.variance(angle);
+	const double off = wrapped(p_seen - expected);
+	const double change = edge.held > 0 ? wrapped(p_seen - edge.last) : 0.0;
+	if (std::min(std::abs(change), std::abs(edge.change)) > TURNS && change * edge.change > 0.0) {
+		edge.held = 0;
+	}
+	edge.last = p_seen;
+	edge.change = change;
+	if (edge.held > 0 && off * off > STRANGE * STRANGE * (known + edge.held_variance)) {
 		edge.strange++;
 		if (edge.strange < STRANGE_BLOCKS) {
 			return;
 		}
-		_state.forget_posture(p_edge);
-		edge.variance = std::min(edge.variance * 1.5, degrees(40.0) * degrees(40.0));
-	} else if (!is_new) {
-		const double seen = std::clamp(off * off - known, LEAST_VARIANCE, 9.0 * edge.variance);
-		edge.variance += LEARN * (seen - edge.variance);
-		// Beyond two standard deviations an observation counts less (Huber 1964).
-		const double far = std::abs(off) / (2.0 * std::sqrt(known + variance));
-		variance *= std::max(far, 1.0);
+		edge.held = 0;
 	}
 	edge.strange = 0;
-	_state.observe(mount, other, p_edge, expected + off, variance);
+	edge.held++;
+	if (edge.held == 1) {
+		edge.held_variance = NEW_VARIANCE;
+		_state.begin(angle, expected + off, edge.held_variance);
+		return;
+	}
+	const double seen = std::clamp(off * off - known, LEAST_VARIANCE, 9.0 * edge.held_variance);
+	edge.held_variance += std::max(LEARN, 0.5 / edge.held) * (seen - edge.held_variance);
+	_state.observe(angle, expected + off, edge.held_variance);
+}
+
+void DriftEstimator::_take_habit(int p_edge) {
+	Edge &edge = _edges[std::size_t(p_edge)];
+	if (edge.window.spread() > HABIT_SPREAD) {
+		return;
+	}
+	Angle angle = _angle(p_edge);
+	angle.is_habit = true;
+	const double expected = _state.expected(angle);
+	const double known = _state.variance(angle);
+	const double off = wrapped(edge.window.angle() - expected);
+	edge.windows++;
+	if (edge.windows == 1) {
+		const double within = edge.blocks.spread();
+		edge.habit_variance = std::max(LEAST_HABIT, LIKE_WITHIN * within * within);
+		_state.begin(angle, expected + off, edge.habit_variance);
+		return;
+	}
+	const double learn = std::max(LEARN_HABIT, 1.0 / (edge.windows + 2));
+	edge.habit_variance += learn * (std::max(off * off - known, LEAST_HABIT) - edge.habit_variance);
+	edge.habit_persistence += learn * (off * edge.last_off - edge.habit_persistence);
+	edge.last_off = off;
+	// Windows that are off alike are not so many witnesses (an autoregressive process of first order).
+	const double alike = std::clamp(edge.habit_persistence / edge.habit_variance, 0.0, 0.85);
+	const double variance = edge.habit_variance * (1.0 + alike) / (1.0 - alike);
+	if (off * off <= STRANGE * STRANGE * (known + variance)) {
+		_state.observe(angle, expected + off, variance);
+	}
+}
+
+void DriftEstimator::_take_front() {
+	const double seen = _edges[ROOM].block.angle();
+	Angle angle = _angle(ROOM);
+	angle.is_habit = true;
+	int oldest = 0;
+	int nearest = -1;
+	double least = SAME_FRONT;
+	for (int i = 0; i < FRONTS; i++) {
+		oldest = _fronts[std::size_t(i)] < _fronts[std::size_t(oldest)] ? i : oldest;
+		angle.front = i;
+		const double off = std::abs(wrapped(seen - _state.expected(angle)));
+		if (_fronts[std::size_t(i)] > 0 && off < least) {
+			least = off;
+			nearest = i;
+		}
+	}
+	angle.front = nearest < 0 ? oldest : nearest;
+	const double expected = _state.expected(angle);
+	const double off = wrapped(seen - expected);
+	_faced = nearest == _front ? _faced + 1 : 0;
+	_front = angle.front;
+	_fronts[std::size_t(_front)] = _blocks + 1;
+	if (nearest < 0) {
+		_front_variance = _front_variance == 0.0 ? FRONT_VARIANCE : _front_variance;
+		_state.begin(angle, expected + off, _front_variance);
+	} else if (_faced % FRONT_WITNESS == 1) {
+		const double beyond = off * off - _state.variance(angle);
+		_front_variance += LEARN_FRONT * (std::max(beyond, LEAST_HABIT) - _front_variance);
+		_state.observe(angle, expected + off, _front_variance);
+	}
+}
+
+void DriftEstimator::_doubt() {
+	double rates = 0.0;
+	double noise = 0.0;
+	for (int mount = 0; mount < MOUNTS; mount++) {
+		if (_worn[std::size_t(mount)]) {
+			const double deviation = _state.rate_deviation(mount);
+			rates += _state.rate(mount) * _state.rate(mount);
+			noise += deviation * deviation;
+		}
+	}
+	const double ratio = noise > 0.0 ? rates / noise : 0.0;
+	_trust = std::clamp((ratio - DOUBTED) / (TRUSTED - DOUBTED), 0.0, 1.0);
 }
 
 void DriftEstimator::_correct(double p_step) {
@@ -178,7 +333,7 @@ void DriftEstimator::_correct(double p_step) {
 		double &correction = _corrections[std::size_t(mount)];
 		// Between two blocks the drift goes on.
 		const double ahead = (_last.time - _block_begin) * _state.rate(mount);
-		const double off = _state.drift(mount) + ahead - correction;
+		const double off = _trust * (_state.drift(mount) + ahead) - correction;
 		correction += std::clamp(off, -FASTEST * p_step, FASTEST * p_step);
 	}
 }

@@ -24,6 +24,8 @@ public:
 	static constexpr double SAMPLE_S = 0.05;
 	/// Span of a mean, s.
 	static constexpr double BLOCK_S = 2.0;
+	/// Span of a habit's mean, in blocks.
+	static constexpr int WINDOW_BLOCKS = 8;
 	/// Fastest correction, rad/s.
 	static constexpr double FASTEST = degrees(0.5);
 
@@ -53,11 +55,34 @@ private:
 		double sines = 0.0;
 		double weights = 0.0;
 		int count = 0;
+
+		void add(double p_angle, double p_weight);
+		double angle() const;
+		/// The standard deviation of the angles, rad.
+		double spread() const;
 	};
 	/// What is known of an edge.
 	struct Edge {
-		Mean mean;
-		double variance = degrees(4.0) * degrees(4.0);
+		/// Of the block, and of the window.
+		Mean block;
+		Mean window;
+		/// Of the means of its blocks in the window.
+		Mean blocks;
+		/// How far means of blocks are off while the angle is held, and those of windows, rad².
+		double held_variance = 0.0;
+		double habit_variance = 0.0;
+		/// How much a window's is that of the one before, rad²; and that one, rad.
+		double habit_persistence = 0.0;
+		double last_off = 0.0;
+		/// Blocks since the angle is held; windows that have been seen.
+		int held = 0;
+		int windows = 0;
+		/// The mean of the last block while the angle is held, and its change, rad.
+		double last = 0.0;
+		/// The mean of the block before, which counts once the next one is still too, rad.
+		double waiting = 0.0;
+		int still = 0;
+		double change = 0.0;
 		int strange = 0;
 		bool is_still = true;
 	};
@@ -65,18 +90,34 @@ private:
 	void _collect(const Sample &p_sample);
 	void _add_foot(int p_edge, int p_foot, const Sample &p_sample, double p_step);
 	void _end_block(double p_step);
-	void _take(int p_edge);
+	void _end_window();
+	void _take_held(int p_edge, double p_seen);
+	void _take_habit(int p_edge);
+	void _take_front();
+	Angle _angle(int p_edge) const;
 	void _correct(double p_step);
+	void _doubt();
 	int _above(int p_mount) const;
+	int _root() const;
 
 	DriftState _state;
 	std::array<Edge, EDGES> _edges{};
+	/// The block in which somebody faced each way last; 0: never.
+	std::array<int, FRONTS> _fronts{};
+	double _front_variance = 0.0;
+	/// The way that is faced now, and for how many blocks.
+	int _front = -1;
+	int _faced = 0;
 	std::array<double, MOUNTS> _corrections{};
+	/// How much of what is believed is corrected, 0 to 1.
+	double _trust = 0.0;
 	std::array<bool, MOUNTS> _worn{};
 	Sample _last;
 	bool _has_last = false;
 	double _block_begin = 0.0;
 	int _block_samples = 0;
+	int _window_samples = 0;
+	int _blocks = 0;
 };
 
 } // namespace heading

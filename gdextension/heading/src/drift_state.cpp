@@ -8,9 +8,6 @@ namespace heading {
 
 namespace {
 
-/// What an unknown posture may be, rad².
-constexpr double ANY = degrees(120.0) * degrees(120.0);
-
 double squared(double p_value) {
 	return p_value * p_value;
 }
@@ -23,7 +20,7 @@ void DriftState::reset() {
 		column.fill(0.0);
 	}
 	for (int i = 0; i < SIZE; i++) {
-		double variance = ANY;
+		double variance = squared(_belief.any);
 		if (i < MOUNTS) {
 			variance = squared(_belief.calibrated);
 		} else if (i < 2 * MOUNTS) {
@@ -49,30 +46,35 @@ void DriftState::predict(double p_step) {
 		double &rate = _p[MOUNTS + i][MOUNTS + i];
 		rate = std::min(rate + squared(_belief.rate_change) * p_step, squared(_belief.rate));
 	}
-	for (int edge = 0; edge < EDGES; edge++) {
-		double wander = _belief.joint;
-		if (edge == ROOM) {
-			wander = _belief.room;
-		} else if (edge >= MOUNTS) {
+	for (int i = HELD; i < SIZE; i++) {
+		double wander = i == HELD + ROOM ? _belief.room : _belief.held;
+		if (i >= HABITS) {
+			wander = _belief.habit;
+		} else if (i >= HELD + LEFT_PLANT) {
 			wander = _belief.plant;
 		}
-		const auto at = std::size_t(2 * MOUNTS + edge);
-		_p[at][at] = std::min(_p[at][at] + squared(wander) * p_step, 2.0 * ANY);
+		double &variance = _p[std::size_t(i)][std::size_t(i)];
+		variance = std::min(variance + squared(wander) * p_step, squared(2.0 * _belief.any));
 	}
 }
 
-DriftState::Row DriftState::_row(int p_mount, int p_other, int p_edge) {
+int DriftState::_state(const Angle &p_angle) {
+	if (!p_angle.is_habit) {
+		return HELD + p_angle.edge;
+	}
+	return p_angle.front == 0 ? HABITS + p_angle.edge : HABITS + MOUNTS - 1 + p_angle.front;
+}
+
+DriftState::Row DriftState::_row(const Angle &p_angle) {
 	Row row;
 	const auto add = [&row](int p_state, double p_factor) {
 		row.terms[std::size_t(row.count++)] = { p_state, p_factor };
 	};
-	add(p_mount, 1.0);
-	if (p_other >= 0) {
-		add(p_other, -1.0);
+	add(p_angle.mount, 1.0);
+	if (p_angle.other >= 0) {
+		add(p_angle.other, -1.0);
 	}
-	if (p_edge >= 0) {
-		add(2 * MOUNTS + p_edge, 1.0);
-	}
+	add(_state(p_angle), 1.0);
 	return row;
 }
 
@@ -97,20 +99,20 @@ double DriftState::_deviation(int p_state) const {
 	return std::sqrt(std::max(_p[std::size_t(p_state)][std::size_t(p_state)], 0.0));
 }
 
-double DriftState::expected(int p_mount, int p_other, int p_edge) const {
-	return _dot(_row(p_mount, p_other, p_edge), _x);
+double DriftState::expected(const Angle &p_angle) const {
+	return _dot(_row(p_angle), _x);
 }
 
-double DriftState::variance(int p_mount, int p_other, int p_edge) const {
-	const Row row = _row(p_mount, p_other, p_edge);
+double DriftState::variance(const Angle &p_angle) const {
+	const Row row = _row(p_angle);
 	return std::max(_dot(row, _times(row)), 0.0);
 }
 
-void DriftState::observe(int p_mount, int p_other, int p_edge, double p_angle, double p_variance) {
-	const Row row = _row(p_mount, p_other, p_edge);
+void DriftState::observe(const Angle &p_angle, double p_seen, double p_variance) {
+	const Row row = _row(p_angle);
 	const Column times = _times(row);
 	const double sum = _dot(row, times) + p_variance;
-	const double off = (p_angle - _dot(row, _x)) / sum;
+	const double off = (p_seen - _dot(row, _x)) / sum;
 	for (std::size_t i = 0; i < SIZE; i++) {
 		_x[i] += times[i] * off;
 		const double gain = times[i] / sum;
@@ -129,8 +131,12 @@ void DriftState::_isolate(int p_state, double p_variance) {
 	_p[at][at] = p_variance;
 }
 
-void DriftState::forget_posture(int p_edge) {
-	_isolate(2 * MOUNTS + p_edge, ANY);
+void DriftState::begin(const Angle &p_angle, double p_seen, double p_variance) {
+	const int state = _state(p_angle);
+	_isolate(state, squared(_belief.any));
+	// Nothing is to be learnt from it about drifts.
+	_x[std::size_t(state)] += p_seen - expected(p_angle);
+	observe(p_angle, p_seen, p_variance);
 }
 
 void DriftState::set_drift(int p_mount, double p_drift, double p_deviation) {

@@ -14,10 +14,23 @@ constexpr int ROOM = 0;
 constexpr int LEFT_PLANT = MOUNTS;
 constexpr int RIGHT_PLANT = MOUNTS + 1;
 constexpr int EDGES = MOUNTS + 2;
+/// Ways that somebody faces again and again.
+constexpr int FRONTS = 8;
+
+/// An angle that is observed: the drift of a mount less that of another (-1: the room), plus an
+/// angle of an edge: the one at which it is held now, or the one that it has on the whole.
+struct Angle {
+	int mount = 0;
+	int other = -1;
+	int edge = 0;
+	bool is_habit = false;
+	/// Which front, for a habit of the body in the room.
+	int front = 0;
+};
 
 /// A linear filter of all that is not known about headings (Kalman 1960): of each mount the drift
-/// that it has and the rate at which it grows, of each edge the angle at which its posture holds it.
-/// Angles in rad, times in s.
+/// that it has and the rate at which it grows; of each edge the angle at which it is held now, and
+/// the one that it has on the whole. Angles in rad, times in s.
 class DriftState {
 public:
 	/// Standard deviations of what is believed, rad and s.
@@ -28,11 +41,14 @@ public:
 		double rate_change = degrees(1.0) / 60.0 / 17.0;
 		/// Of a heading right after a calibration, rad.
 		double calibrated = degrees(0.3);
-		/// By how much the posture of a joint, the body in the room, a planted foot wander in a
-		/// second, rad.
-		double joint = degrees(0.14);
-		double room = degrees(0.14);
-		double plant = degrees(0.04);
+		/// Of an angle that nobody has seen yet.
+		double any = degrees(60.0);
+		/// By how much the angle of a joint that is held, of the body in the room, of a foot that
+		/// stands, and habits wander in a second.
+		double held = degrees(0.03);
+		double room = degrees(0.1);
+		double plant = degrees(0.03);
+		double habit = degrees(0.03);
 	};
 
 	DriftState() { reset(); }
@@ -49,19 +65,20 @@ public:
 	double drift_deviation(int p_mount) const { return _deviation(p_mount); }
 	double rate_deviation(int p_mount) const { return _deviation(MOUNTS + p_mount); }
 
-	/// What an observation would be, and the variance of that. An observation is of the drift of a
-	/// mount less that of another (-1: the room), plus the posture of an edge (-1: none).
-	double expected(int p_mount, int p_other, int p_edge) const;
-	double variance(int p_mount, int p_other, int p_edge) const;
+	/// What an observation would be, and the variance of that.
+	double expected(const Angle &p_angle) const;
+	double variance(const Angle &p_angle) const;
 	/// Takes an observation, rad, with its variance.
-	void observe(int p_mount, int p_other, int p_edge, double p_angle, double p_variance);
-	/// The posture of an edge has changed to nobody knows what.
-	void forget_posture(int p_edge);
+	void observe(const Angle &p_angle, double p_seen, double p_variance);
+	/// The angle of an edge is another one now: whatever it was, it becomes what is seen, rad.
+	void begin(const Angle &p_angle, double p_seen, double p_variance);
 	/// The drift of a mount is known, rad; its rate stays.
 	void set_drift(int p_mount, double p_drift, double p_deviation);
 
 private:
-	static constexpr int SIZE = 2 * MOUNTS + EDGES;
+	static constexpr int HELD = 2 * MOUNTS;
+	static constexpr int HABITS = HELD + EDGES;
+	static constexpr int SIZE = HABITS + MOUNTS + FRONTS - 1;
 	using Column = std::array<double, SIZE>;
 	/// A row of an observation: which states, and with which sign.
 	struct Term {
@@ -73,7 +90,8 @@ private:
 		int count = 0;
 	};
 
-	static Row _row(int p_mount, int p_other, int p_edge);
+	static int _state(const Angle &p_angle);
+	static Row _row(const Angle &p_angle);
 	double _deviation(int p_state) const;
 	double _dot(const Row &p_row, const Column &p_column) const;
 	Column _times(const Row &p_row) const;

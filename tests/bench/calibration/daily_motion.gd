@@ -167,6 +167,6 @@ func _wanted(p_mount: int, p_time_s: float) -> Quaternion:
 	var parent: int = BodyMounts.PARENTS[p_mount]
 	# Feet that stand do not sway: the ankle takes what the leg does.
 	if p_mount == BodyMounts.LEFT_FOOT or p_mount == BodyMounts.RIGHT_FOOT:
-		var heading: float = _front + deg_to_rad(_bends[p_mount].y + _bends[0].y)
-		return Rotations.yaw(heading)
+		var heading_deg: float = _bends[0].y + _bends[p_mount - 2].y + _bends[p_mount].y
+		return Rotations.yaw(_front + deg_to_rad(heading_deg))
 	return (Rotations.yaw(_front) if parent < 0 else _now[parent]) * bent
