@@ -6,7 +6,7 @@ dismount_add_core_library(xbus_mvn SOURCES
 	src/mvn/encoder.cpp
 	LIBRARIES xbus_bus
 )
-foreach(test datagram collector stream_clock)
+foreach(test datagram collector)
 	dismount_add_core_test(mvn_${test} SOURCES tests/mvn/test_${test}.cpp LIBRARIES xbus_mvn)
 endforeach()
 # Hostile datagrams, as many as asked for: mvn_fuzz EXECUTIONS [SEED].

@@ -15,6 +15,7 @@ from .godot import Godot
 from .paths import CLIENT_BINARY, ROOT, SERVER_BINARY
 from .processes import Group, require_port
 
+SAMPLE = "res://tests/bench/suit/sample_suit.gd"
 COMPARE = "res://tests/bench/suit/compare_recording.gd"
 # A calibration of the kind "full", with time to spare.
 CALIBRATION_S = 60.0
@@ -118,6 +119,32 @@ class SuitSession:
         self._group.await_exit(name, seconds + 60)
         if not recording.exists():
             raise Failure(f"The observer recorded nothing:\n{tail(self._group.log(name))}")
+
+
+def sample(
+    godot: Godot, bvh: Path, options: list[str], masters: int, seconds: float, folder: Path
+) -> dict:
+    """How far the samples of an emulated suit are from a motion file: sample_suit.gd."""
+    folder.mkdir()
+    pipe = folder / "commands"
+    os.mkfifo(pipe)
+    commands = os.open(pipe, os.O_RDWR)
+    own = [f"--bvh={bvh}", "--hold", f"--commands={pipe}", *options]
+    command = [str(godot.program), "--headless", "--no-header", "--path", str(ROOT), "-s", SAMPLE]
+    command += ["--", f"--bvh={bvh}", f"--masters={masters}", f"--seconds={seconds}"]
+    try:
+        with Group(folder, godot.environment()) as group:
+            group.start("suit", [str(suit.PROGRAM), *suit.complete(godot, own), "--", *command])
+            group.await_text("suit", "ready", 60)
+            os.write(commands, b"go\n")
+            group.await_exit("suit", CALIBRATION_S + seconds + 60)
+            found = [line for line in group.log("suit").splitlines() if line.startswith("{")]
+            if not found:
+                raise Failure("The suit was not sampled:\n" + tail(group.log("suit")))
+    finally:
+        os.close(commands)
+    result: dict = json.loads(found[0])
+    return result
 
 
 def compare(

@@ -163,10 +163,11 @@ TypedArray<Dictionary> MvnReceiver::take_type(int64_t p_character, mvn::Type p_t
 		return samples;
 	}
 	const std::lock_guard<std::mutex> lock(_mutex);
-	mvn::StreamClock &clock = _clocks[{ p_character, int(p_type) }];
+	clocks::SourceClock &clock = _clocks[{ p_character, int(p_type) }];
 	for (const mvn::ReceivedSample &sample : _receiver.take_samples(int(p_character), p_type)) {
 		Dictionary entry = mvn_to_dictionary(sample.content);
-		entry["time_usec"] = to_unix(clock.timestamp(sample.content.header.time_code_ms, sample.arrival_usec));
+		entry["time_usec"] =
+				to_unix(clock.timestamp(int64_t(sample.content.header.time_code_ms) * 1000, sample.arrival_usec));
 		entry["arrival_usec"] = to_unix(sample.arrival_usec);
 		samples.push_back(entry);
 	}

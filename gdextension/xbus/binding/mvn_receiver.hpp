@@ -3,7 +3,7 @@
 
 #include "raw_recorder.hpp"
 
-#include <mvn/stream_clock.hpp>
+#include <clock/source_clock.hpp>
 #include <recording/taps.hpp>
 #include <udp/receiver.hpp>
 
@@ -57,7 +57,7 @@ private:
 	/// The time of the newest datagram that was put in, µs; 0 where they come from a port.
 	std::atomic<uint64_t> _put_usec{ 0 };
 	/// Of each character and type; threads may ask for different people at once.
-	std::map<std::pair<int64_t, int>, mvn::StreamClock> _clocks;
+	std::map<std::pair<int64_t, int>, clocks::SourceClock> _clocks;
 	std::mutex _mutex;
 };
 

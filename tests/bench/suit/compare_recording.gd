@@ -8,9 +8,7 @@ extends SceneTree
 ## Prints JSON: mean and p95 of the limbs that a suit of 17 trackers measures, offset_s, limbs (mean
 ## of each), quartiles (the lower one of each limb), count.
 
-## Step of the coarse search, s, and how many snapshots it looks at.
-const COARSE_S: float = 0.1
-const LOOKS: int = 40
+const ClipMatch: GDScript = preload("res://tests/bench/suit/clip_match.gd")
 ## Step of the search for the moment of a single pose, s, and how many poses are looked at.
 const SLACK_STEP_S: float = 0.02
 const SLACK_LOOKS: int = 60
@@ -18,9 +16,7 @@ const SLACK_LOOKS: int = 60
 const FILLED: int = 1
 
 var _replica: WorldReplica = WorldReplica.new()
-var _times: PackedFloat64Array = PackedFloat64Array()
-var _poses: Array[Array] = []
-var _clip: BvhSource = BvhSource.new()
+var _match: ClipMatch = ClipMatch.new()
 var _from: float = 0.0
 var _until: float = 0.0
 var _slack_s: float = 0.0
@@ -31,9 +27,9 @@ func _init() -> void:
 	for argument: String in OS.get_cmdline_user_args():
 		var parts: PackedStringArray = argument.trim_prefix("--").split("=", true, 1)
 		options[parts[0]] = parts[1] if parts.size() > 1 else ""
-	_clip.open(options.get("bvh", ""))
+	_match.clip.open(options.get("bvh", ""))
 	var player: RecordedStream = RecordedStream.of_file(options.get("recording", ""))
-	var fault: String = _clip.error
+	var fault: String = _match.clip.error
 	if fault == "":
 		fault = player.open()
 	if fault != "":
@@ -46,11 +42,14 @@ func _init() -> void:
 	player.restarted.connect(_replica.clear)
 	player.received.connect(_take)
 	player.play_all()
-	if _poses.is_empty():
+	if _match.poses.is_empty():
 		printerr("nobody is in the recording at that time")
 		quit(1)
 		return
-	_print(_best_offset())
+	for limb: int in Limbs.COUNT:
+		if limb != FILLED:
+			_match.limbs.append(limb)
+	_print(_match.best_offset())
 	quit()
 
 
@@ -59,62 +58,22 @@ func _take(p_bytes: PackedByteArray, p_time_s: float) -> void:
 		return
 	var people: PackedInt32Array = _replica.decoder.get_people()
 	var time: float = p_time_s if _slack_s > 0.0 else _replica.decoder.get_tick() / 60.0
-	if people.is_empty() or (not _times.is_empty() and time <= _times[_times.size() - 1]):
+	if people.is_empty() or (not _match.times.is_empty() and time <= _match.times[_match.times.size() - 1]):
 		return
 	var floats: PackedFloat32Array = _replica.person_floats(people[0], true)
 	var turns: Array[Quaternion] = []
 	for limb: int in Limbs.COUNT:
 		var at: int = limb * WorldReplica.FLOATS + 3
 		turns.append(Quaternion(floats[at], floats[at + 1], floats[at + 2], floats[at + 3]))
-	_times.append(time)
-	_poses.append(turns)
-
-
-func _best_offset() -> float:
-	var best: float = 0.0
-	var least: float = INF
-	for step: int in ceili(_clip.get_period() / COARSE_S):
-		var error: float = _mean_error(step * COARSE_S, maxi(_poses.size() / LOOKS, 1))
-		if error < least:
-			least = error
-			best = step * COARSE_S
-	var span: float = COARSE_S
-	while span > 0.0004:
-		for candidate: float in [best - span / 2.0, best + span / 2.0]:
-			var error: float = _mean_error(candidate, maxi(_poses.size() / (LOOKS * 4), 1))
-			if error < least:
-				least = error
-				best = candidate
-		span /= 2.0
-	return best
-
-
-func _mean_error(p_offset_s: float, p_every: int) -> float:
-	var sum: float = 0.0
-	var count: int = 0
-	for at: int in range(0, _poses.size(), p_every):
-		var errors: PackedFloat64Array = _errors(at, p_offset_s)
-		for limb: int in Limbs.COUNT:
-			if limb != FILLED:
-				sum += errors[limb]
-				count += 1
-	return sum / count
-
-
-func _errors(p_at: int, p_offset_s: float) -> PackedFloat64Array:
-	var truth: PoseSample = _clip.pose_at(_times[p_at] - _times[0] + p_offset_s)
-	var errors: PackedFloat64Array = []
-	for limb: int in Limbs.COUNT:
-		var found: Quaternion = _poses[p_at][limb]
-		errors.append(Rotations.between_deg(found.normalized(), truth.orientation(limb)))
-	return errors
+	_match.times.append(time)
+	_match.poses.append(turns)
 
 
 ## The errors at the moment, within the slack, at which they are least.
 func _least_errors(p_at: int, p_offset_s: float) -> PackedFloat64Array:
-	var best: PackedFloat64Array = _errors(p_at, p_offset_s)
+	var best: PackedFloat64Array = _match.errors(p_at, p_offset_s)
 	for step: int in range(-floori(_slack_s / SLACK_STEP_S), floori(_slack_s / SLACK_STEP_S) + 1):
-		var errors: PackedFloat64Array = _errors(p_at, p_offset_s + step * SLACK_STEP_S)
+		var errors: PackedFloat64Array = _match.errors(p_at, p_offset_s + step * SLACK_STEP_S)
 		if _sum(errors) < _sum(best):
 			best = errors
 	return best
@@ -135,9 +94,9 @@ func _print(p_offset_s: float) -> void:
 	for _limb: int in Limbs.COUNT:
 		of_limbs.append(Statistics.new())
 	var count: int = 0
-	var every: int = maxi(_poses.size() / SLACK_LOOKS, 1) if _slack_s > 0.0 else 1
-	for at: int in range(0, _poses.size(), every):
-		var moment: float = _times[at] - _times[0] + p_offset_s
+	var every: int = maxi(_match.poses.size() / SLACK_LOOKS, 1) if _slack_s > 0.0 else 1
+	for at: int in range(0, _match.poses.size(), every):
+		var moment: float = _match.times[at] - _match.times[0] + p_offset_s
 		if moment < _from or moment > _until:
 			continue
 		count += 1

@@ -19,7 +19,8 @@ std::array<float, 3> narrow(const Sample::Vector &p_vector) {
 } // namespace
 
 void SuitStream::restart(double p_rate_hz) {
-	_timeline.reset(1e6 / std::max(p_rate_hz, 0.1));
+	_period_usec = 1e6 / std::max(p_rate_hz, 0.1);
+	_clock.reset();
 	_has_last = false;
 }
 
@@ -40,7 +41,7 @@ void SuitStream::take(const StreamCheck &p_check, uint64_t p_now_usec, SuitFrame
 	}
 	r_frame.counter = p_check.sample_count() > 0 ? count_on(p_check.sample(0)) : _counter;
 	r_frame.arrival_usec = p_now_usec;
-	r_frame.time_usec = _timeline.timestamp(r_frame.counter, p_now_usec);
+	r_frame.time_usec = _clock.timestamp(int64_t(double(r_frame.counter) * _period_usec), p_now_usec);
 }
 
 TrackerFlow SuitStream::flow(int p_tracker, uint64_t p_now_usec) const {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "bus/stream_check.hpp"
+#include "clock/source_clock.hpp"
 #include "session/line_budget.hpp"
-#include "session/sample_timeline.hpp"
 #include "session/suit_frame.hpp"
 
 #include <array>
@@ -44,7 +44,9 @@ private:
 	void meter(int p_tracker, uint64_t p_now_usec);
 	static void read(const Sample &p_sample, TrackerReading &r_reading);
 
-	SampleTimeline _timeline;
+	/// The counters times the period that was asked for.
+	clocks::SourceClock _clock{ true };
+	double _period_usec = 10000.0;
 	std::array<Meter, MAX_TRACKERS> _meters{};
 	uint64_t _counter = 0;
 	uint32_t _last = 0;

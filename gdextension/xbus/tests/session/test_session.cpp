@@ -2,7 +2,6 @@
 // Sessions with emulated suits: from any state to measuring, and back there after whatever happens.
 #include "bus/bytes.hpp"
 #include "bus/encoder.hpp"
-#include "session/sample_timeline.hpp"
 #include "suit_rig.hpp"
 
 #include "check.hpp"
@@ -324,35 +323,6 @@ TEST(a_stop_leaves_the_suit_at_rest) {
 	rig.run(1.0);
 	CHECK(rig.session->is_stopped());
 	CHECK(rig.suit->devices()[0].device->state() == emulator::XbusDevice::State::CONFIG);
-}
-
-TEST(a_device_that_measures_at_another_rate_is_believed) {
-	for (const uint64_t period : { 8000U, 16667U, 20000U }) {
-		xbus::SampleTimeline timeline;
-		timeline.reset(10000.0);
-		for (uint64_t counter = 1; counter * period < 20000000; ++counter) {
-			const uint64_t arrival = 5000000 + counter * period + (counter % 3) * 300;
-			const uint64_t stamped = timeline.timestamp(counter, arrival);
-			if (counter * period > 3000000) {
-				CHECK(stamped <= arrival && arrival - stamped < 5000);
-			}
-		}
-	}
-}
-
-TEST(a_hold_up_in_transit_is_no_other_rate) {
-	xbus::SampleTimeline timeline;
-	timeline.reset(10000.0);
-	for (uint64_t counter = 1; counter < 3000; ++counter) {
-		// Every half second all wait for a quarter of it.
-		const uint64_t sampled = 5000000 + counter * 10000;
-		const uint64_t phase = sampled % 500000;
-		const uint64_t arrival = phase < 120000 ? sampled - phase + 120000 : sampled;
-		const uint64_t stamped = timeline.timestamp(counter, arrival);
-		if (counter > 100) {
-			CHECK(stamped + 5000 > sampled && stamped < sampled + 5000);
-		}
-	}
 }
 
 TEST_MAIN()
