@@ -11,10 +11,18 @@ const KINDS: Dictionary[String, CalibrationGuide.Kind] = {
 	"full": CalibrationGuide.Kind.FULL,
 	"quick": CalibrationGuide.Kind.QUICK,
 }
+## What instructors may ask for: those, and (6) the headings alone, see [method reset_heading].
+const HEADING: int = 6
+const ORDERS: Dictionary[String, int] = {
+	"t_pose": CalibrationGuide.Kind.T_POSE,
+	"n_pose": CalibrationGuide.Kind.N_POSE,
+	"t_to_n": CalibrationGuide.Kind.T_TO_N,
+	"full": CalibrationGuide.Kind.FULL,
+	"quick": CalibrationGuide.Kind.QUICK,
+	"heading": HEADING,
+}
 ## How long the outcome is shown, s.
 const _SHOWN_S: float = 6.0
-## A worse score is not accepted: it means a movement of 6 degrees.
-const _MIN_SCORE: float = 0.4
 const _MAX_ADVICE: int = 3
 
 var _source: SuitSource = null
@@ -47,6 +55,19 @@ func start(
 		_source.calibrated.connect(_on_calibrated, CONNECT_ONE_SHOT)
 		Log.info("mocap", "calibrating (%s)" % CalibrationGuide.NAMES[p_kind])
 	return fault
+
+
+## Sets the headings of a wearer's sensors anew, at once, while the wearer stands and looks ahead. The
+## outcome goes to [code]func(accepted: bool, text: String)[/code] too.
+func reset_heading(p_source: SuitSource, p_now_s: float, p_answer: Callable = Callable()) -> void:
+	var fault: String = "another calibration is going on"
+	if not p_source.process.is_running():
+		fault = p_source.reset_heading()
+	var outcome: String = "Headings reset" if fault == "" else "Headings not reset: " + fault
+	say(outcome, p_now_s)
+	Log.info("mocap", outcome)
+	if p_answer.is_valid():
+		p_answer.call(fault == "", outcome)
 
 
 ## Drops the calibration of a wearer who has gone.
@@ -84,8 +105,8 @@ func _on_calibrated(p_result: CalibrationResult) -> void:
 	_source = null
 	var advice: String = "; ".join(p_result.advice.slice(0, _MAX_ADVICE))
 	var fault: String = p_result.error
-	if fault == "" and (p_result.score() < _MIN_SCORE or not p_result.swaps.is_empty()):
-		fault = advice
+	if fault == "" and not p_result.is_acceptable():
+		fault = advice if advice != "" else p_result.describe()
 	if fault != "":
 		source.refuse_calibration()
 		say("Not calibrated:\n" + fault.replace("; ", "\n"), _now_s)

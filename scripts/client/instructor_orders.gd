@@ -13,7 +13,7 @@ const STATES: Dictionary[String, RosterRow.State] = {
 	"kick": RosterRow.State.HERE,
 	"ban": RosterRow.State.HERE,
 }
-## Prefix of an order that has a trainee calibrated; one of [constant ClientCalibration.KINDS]
+## Prefix of an order that has a trainee calibrated; one of [constant ClientCalibration.ORDERS]
 ## follows.
 const CALIBRATE: String = "calibrate-"
 ## The order that loads another level.
@@ -123,6 +123,6 @@ func _give(p_order: String, p_row: RosterRow) -> void:
 ## The kind of calibration that an order asks for, or -1.
 static func _calibration(p_order: String) -> int:
 	var kind: String = p_order.trim_prefix(CALIBRATE)
-	if not p_order.begins_with(CALIBRATE) or not ClientCalibration.KINDS.has(kind):
+	if not p_order.begins_with(CALIBRATE) or not ClientCalibration.ORDERS.has(kind):
 		return -1
-	return ClientCalibration.KINDS[kind]
+	return ClientCalibration.ORDERS[kind]

@@ -5,6 +5,8 @@ extends CanvasLayer
 
 ## Input action that opens and closes the panel.
 const ACTION: StringName = &"toggle_devices"
+## Input action that sets the headings of all suits anew.
+const HEADING_ACTION: StringName = &"reset_heading"
 ## Period of updating the list of devices, s.
 const _PERIOD_S: float = 0.25
 
@@ -19,6 +21,8 @@ var people: ClientPeople = null
 var headset: ClientHeadset = null
 
 var _listed_s: float = 0.0
+# The time of the last frame, s.
+var _now_s: float = 0.0
 # What is sent of a source where that is not the source itself: it is fitted to a headset.
 var _fitted: Dictionary[MotionSource, MotionSource] = {}
 # Made when it is opened for the first time: most clients never do.
@@ -49,6 +53,7 @@ func open(p_options: Options, p_link: ClientLink) -> String:
 
 ## Goes on; call it in every frame with the time, s.
 func advance(p_now_s: float) -> void:
+	_now_s = p_now_s
 	inputs.advance(p_now_s)
 	people.take_samples()
 	if is_panel_open() and p_now_s > _listed_s + _PERIOD_S:
@@ -70,13 +75,16 @@ func is_panel_open() -> bool:
 ## [code]func(accepted: bool, text: String)[/code].
 func calibrate(p_index: int, p_kind: int, p_now_s: float, p_answer: Callable = Callable()) -> void:
 	var source: MotionSource = people.source_of(p_index) if people != null else null
-	if source == null or not ClientCalibration.KINDS.values().has(p_kind):
+	if source == null or not ClientCalibration.ORDERS.values().has(p_kind):
 		Log.limited("mocap", "asked", "no calibration %d of person %d" % [p_kind, p_index])
 		if p_answer.is_valid():
 			p_answer.call(false, "has no person %d, or no calibration %d" % [p_index, p_kind])
 		return
 	if source is FusedSource:
 		source = (source as FusedSource).source
+	if p_kind == ClientCalibration.HEADING and source is SuitSource:
+		inputs.calibration.reset_heading(source as SuitSource, p_now_s, p_answer)
+		return
 	inputs.calibrate(source, p_kind as CalibrationGuide.Kind, p_now_s, p_answer)
 
 
@@ -90,6 +98,10 @@ func close() -> void:
 func _unhandled_key_input(p_event: InputEvent) -> void:
 	if people != null and p_event.is_action_pressed(ACTION):
 		_show_panel(not is_panel_open())
+		get_viewport().set_input_as_handled()
+	elif people != null and p_event.is_action_pressed(HEADING_ACTION):
+		for suit: SuitSource in inputs.wearers:
+			inputs.calibration.reset_heading(suit, _now_s)
 		get_viewport().set_input_as_handled()
 
 

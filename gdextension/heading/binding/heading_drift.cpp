@@ -35,12 +35,14 @@ void HeadingDrift::set_sensor(int64_t p_sensor, int64_t p_mount, double p_headin
 }
 
 void HeadingDrift::add(
-		int64_t p_time_usec, const PackedByteArray &p_present, const PackedFloat32Array &p_orientations) {
+		int64_t p_time_usec, const PackedByteArray &p_present, const PackedFloat32Array &p_orientations,
+		const PackedVector3Array &p_magnetics) {
 	ERR_FAIL_COND_MSG(p_orientations.size() != p_present.size() * 4, "Each sensor has an orientation of 4 numbers.");
 	heading::DriftEstimator::Sample sample;
 	sample.time = double(p_time_usec) * 1e-6;
 	const uint8_t *present = p_present.ptr();
 	const float *numbers = p_orientations.ptr();
+	const Vector3 *fields = p_magnetics.size() == p_present.size() ? p_magnetics.ptr() : nullptr;
 	for (std::size_t i = 0; i < _sensors.size() && int64_t(i) < p_present.size(); i++) {
 		const Sensor &sensor = _sensors[i];
 		if (sensor.mount < 0 || present[i] == 0) {
@@ -53,6 +55,9 @@ void HeadingDrift::add(
 		}
 		sample.present[std::size_t(sensor.mount)] = true;
 		sample.rotations[std::size_t(sensor.mount)] = limb.normalized();
+		if (fields != nullptr) {
+			sample.fields[std::size_t(sensor.mount)] = (sensor.left * said).rotate(to_core(fields[i]));
+		}
 	}
 	_estimator.add(sample);
 }
@@ -77,23 +82,52 @@ double HeadingDrift::get_rate_deviation(int64_t p_mount) const {
 	return is_mount(p_mount) ? _estimator.state().rate_deviation(int(p_mount)) : 0.0;
 }
 
-void HeadingDrift::set_drift(int64_t p_mount, double p_drift) {
-	ERR_FAIL_COND_MSG(!is_mount(p_mount), "A mount is between 0 and 16.");
-	ERR_FAIL_COND_MSG(!std::isfinite(p_drift), "A drift is a number, rad.");
-	_estimator.set_drift(int(p_mount), p_drift);
+double HeadingDrift::get_trust() const {
+	return _estimator.trust();
+}
+
+bool HeadingDrift::is_field_known(int64_t p_mount) const {
+	return is_mount(p_mount) && _estimator.field(int(p_mount)).is_known();
+}
+
+bool HeadingDrift::is_field_good(int64_t p_mount) const {
+	return is_mount(p_mount) && _estimator.field(int(p_mount)).is_good();
+}
+
+double HeadingDrift::get_field_strength(int64_t p_mount) const {
+	return is_mount(p_mount) ? _estimator.field(int(p_mount)).strength() : 1.0;
+}
+
+double HeadingDrift::get_field_dip(int64_t p_mount) const {
+	return is_mount(p_mount) ? _estimator.field(int(p_mount)).dip() : 0.0;
+}
+
+void HeadingDrift::restart(const PackedFloat64Array &p_drifts) {
+	ERR_FAIL_COND_MSG(p_drifts.size() != heading::MOUNTS, "There is a drift for each of 17 mounts.");
+	std::array<double, heading::MOUNTS> drifts{};
+	for (std::size_t i = 0; i < drifts.size(); i++) {
+		ERR_FAIL_COND_MSG(!std::isfinite(p_drifts[int64_t(i)]), "A drift is a number, rad.");
+		drifts[i] = p_drifts[int64_t(i)];
+	}
+	_estimator.restart(drifts);
 }
 
 void HeadingDrift::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("reset"), &HeadingDrift::reset);
 	ClassDB::bind_method(
 			D_METHOD("set_sensor", "sensor", "mount", "heading", "mounting"), &HeadingDrift::set_sensor);
-	ClassDB::bind_method(D_METHOD("add", "time_usec", "present", "orientations"), &HeadingDrift::add);
+	ClassDB::bind_method(D_METHOD("add", "time_usec", "present", "orientations", "magnetics"), &HeadingDrift::add);
 	ClassDB::bind_method(D_METHOD("get_correction", "mount"), &HeadingDrift::get_correction);
 	ClassDB::bind_method(D_METHOD("get_drift", "mount"), &HeadingDrift::get_drift);
 	ClassDB::bind_method(D_METHOD("get_rate", "mount"), &HeadingDrift::get_rate);
 	ClassDB::bind_method(D_METHOD("get_drift_deviation", "mount"), &HeadingDrift::get_drift_deviation);
 	ClassDB::bind_method(D_METHOD("get_rate_deviation", "mount"), &HeadingDrift::get_rate_deviation);
-	ClassDB::bind_method(D_METHOD("set_drift", "mount", "drift"), &HeadingDrift::set_drift);
+	ClassDB::bind_method(D_METHOD("get_trust"), &HeadingDrift::get_trust);
+	ClassDB::bind_method(D_METHOD("is_field_known", "mount"), &HeadingDrift::is_field_known);
+	ClassDB::bind_method(D_METHOD("is_field_good", "mount"), &HeadingDrift::is_field_good);
+	ClassDB::bind_method(D_METHOD("get_field_strength", "mount"), &HeadingDrift::get_field_strength);
+	ClassDB::bind_method(D_METHOD("get_field_dip", "mount"), &HeadingDrift::get_field_dip);
+	ClassDB::bind_method(D_METHOD("restart", "drifts"), &HeadingDrift::restart);
 }
 
 } // namespace godot

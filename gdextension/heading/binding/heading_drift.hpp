@@ -7,7 +7,7 @@
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/variant/packed_byte_array.hpp>
 #include <godot_cpp/variant/packed_float32_array.hpp>
-#include <godot_cpp/variant/packed_int32_array.hpp>
+#include <godot_cpp/variant/packed_float64_array.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 #include <godot_cpp/variant/quaternion.hpp>
 
@@ -22,13 +22,19 @@ class HeadingDrift : public RefCounted {
 public:
 	void reset();
 	void set_sensor(int64_t p_sensor, int64_t p_mount, double p_heading, const Quaternion &p_mounting);
-	void add(int64_t p_time_usec, const PackedByteArray &p_present, const PackedFloat32Array &p_orientations);
+	void add(int64_t p_time_usec, const PackedByteArray &p_present, const PackedFloat32Array &p_orientations,
+			const PackedVector3Array &p_magnetics);
 	double get_correction(int64_t p_mount) const;
 	double get_drift(int64_t p_mount) const;
 	double get_rate(int64_t p_mount) const;
 	double get_drift_deviation(int64_t p_mount) const;
 	double get_rate_deviation(int64_t p_mount) const;
-	void set_drift(int64_t p_mount, double p_drift);
+	double get_trust() const;
+	bool is_field_known(int64_t p_mount) const;
+	bool is_field_good(int64_t p_mount) const;
+	double get_field_strength(int64_t p_mount) const;
+	double get_field_dip(int64_t p_mount) const;
+	void restart(const PackedFloat64Array &p_drifts);
 
 protected:
 	static void _bind_methods();

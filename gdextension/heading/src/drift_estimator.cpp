@@ -39,8 +39,10 @@ constexpr double LEARN_FRONT = 0.1;
 constexpr int FRONT_WITNESS = 15;
 /// Rates of drift, squared, in variances of what they would seem to be if there were none: below the
 /// first nothing is corrected, above the second everything (after Efron and Morris 1973).
-constexpr double DOUBTED = 0.35;
-constexpr double TRUSTED = 0.7;
+constexpr double DOUBTED = 0.45;
+constexpr double TRUSTED = 0.9;
+/// What a magnetic north that looks good may be off, rad²: for minutes by the same.
+constexpr double NORTH_VARIANCE = degrees(12.0) * degrees(12.0);
 /// How fast both are learnt, a block or a window, and the least that they can be, rad².
 constexpr double LEARN = 0.06;
 constexpr double LEARN_HABIT = 0.1;
@@ -79,9 +81,17 @@ void DriftEstimator::reset() {
 	*this = DriftEstimator();
 }
 
-void DriftEstimator::set_drift(int p_mount, double p_drift) {
-	_state.set_drift(p_mount, p_drift, degrees(0.5));
-	_corrections[std::size_t(p_mount)] = p_drift;
+void DriftEstimator::restart(const std::array<double, MOUNTS> &p_drifts) {
+	DriftState state = _state;
+	state.restart();
+	const double trust = _trust;
+	const std::array<MagneticField, MOUNTS> fields = _fields;
+	*this = DriftEstimator();
+	_state = state;
+	_trust = trust;
+	_fields = fields;
+	_known = p_drifts;
+	_corrections = p_drifts;
 }
 
 int DriftEstimator::_above(int p_mount) const {
@@ -126,6 +136,7 @@ void DriftEstimator::_collect(const Sample &p_sample) {
 		_worn[mount] = _worn[mount] || p_sample.present[mount];
 		if (p_sample.present[mount]) {
 			turns[mount] = twist_of(p_sample.rotations[mount], defined[mount]);
+			_fields[mount].add(p_sample.fields[mount], SAMPLE_S);
 		}
 	}
 	for (int mount = 0; mount < MOUNTS; mount++) {
@@ -183,6 +194,7 @@ void DriftEstimator::_end_block(double p_step) {
 		seen.block = Mean();
 		seen.is_still = true;
 	}
+	_take_fields();
 	_doubt();
 	_block_samples = 0;
 	if (++_blocks % WINDOW_BLOCKS == 0) {
@@ -314,6 +326,15 @@ void DriftEstimator::_take_front() {
 	}
 }
 
+void DriftEstimator::_take_fields() {
+	for (int mount = 0; mount < MOUNTS; mount++) {
+		const MagneticField &seen = _fields[std::size_t(mount)];
+		if (seen.is_good()) {
+			_state.observe_drift(mount, seen.turned() - _known[std::size_t(mount)], NORTH_VARIANCE);
+		}
+	}
+}
+
 void DriftEstimator::_doubt() {
 	double rates = 0.0;
 	double noise = 0.0;
@@ -333,7 +354,8 @@ void DriftEstimator::_correct(double p_step) {
 		double &correction = _corrections[std::size_t(mount)];
 		// Between two blocks the drift goes on.
 		const double ahead = (_last.time - _block_begin) * _state.rate(mount);
-		const double off = _trust * (_state.drift(mount) + ahead) - correction;
+		const double wanted = _known[std::size_t(mount)] + _trust * (_state.drift(mount) + ahead);
+		const double off = wanted - correction;
 		correction += std::clamp(off, -FASTEST * p_step, FASTEST * p_step);
 	}
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "drift_state.hpp"
+#include "magnetic_field.hpp"
 
 #include <quaternion.hpp>
 
@@ -34,6 +35,8 @@ public:
 		double time = 0.0;
 		std::array<bool, MOUNTS> present{};
 		std::array<kinematics::Quat, MOUNTS> rotations{};
+		/// The magnetic field in the world's axes, turned like the rotations; zero if not known.
+		std::array<kinematics::Vec3, MOUNTS> fields{};
 	};
 
 	/// As right after a calibration.
@@ -45,8 +48,12 @@ public:
 	double correction(int p_mount) const { return _corrections[std::size_t(p_mount)]; }
 	/// The drift that is believed, rad, its rate, rad/s, and their standard deviations.
 	const DriftState &state() const { return _state; }
-	/// The drift of a mount is known, rad: it is taken off at once.
-	void set_drift(int p_mount, double p_drift);
+	/// How much of the belief is corrected, 0 to 1: none where there seems to be no drift at all.
+	double trust() const { return _trust; }
+	/// The magnetic field at a mount.
+	const MagneticField &field(int p_mount) const { return _fields[std::size_t(p_mount)]; }
+	/// The drifts of all mounts are known now, rad: they are taken off at once.
+	void restart(const std::array<double, MOUNTS> &p_drifts);
 
 private:
 	/// A mean of angles that grows.
@@ -95,6 +102,7 @@ private:
 	void _take_habit(int p_edge);
 	void _take_front();
 	Angle _angle(int p_edge) const;
+	void _take_fields();
 	void _correct(double p_step);
 	void _doubt();
 	int _above(int p_mount) const;
@@ -108,6 +116,9 @@ private:
 	/// The way that is faced now, and for how many blocks.
 	int _front = -1;
 	int _faced = 0;
+	std::array<MagneticField, MOUNTS> _fields{};
+	/// What was known to be drifted at the last restart, and what is taken off now, rad.
+	std::array<double, MOUNTS> _known{};
 	std::array<double, MOUNTS> _corrections{};
 	/// How much of what is believed is corrected, 0 to 1.
 	double _trust = 0.0;

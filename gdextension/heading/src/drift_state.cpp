@@ -109,10 +109,20 @@ double DriftState::variance(const Angle &p_angle) const {
 }
 
 void DriftState::observe(const Angle &p_angle, double p_seen, double p_variance) {
-	const Row row = _row(p_angle);
-	const Column times = _times(row);
-	const double sum = _dot(row, times) + p_variance;
-	const double off = (p_seen - _dot(row, _x)) / sum;
+	_take(_row(p_angle), p_seen, p_variance);
+}
+
+void DriftState::observe_drift(int p_mount, double p_seen, double p_variance) {
+	Row row;
+	row.terms[0] = { p_mount, 1.0 };
+	row.count = 1;
+	_take(row, p_seen, p_variance);
+}
+
+void DriftState::_take(const Row &p_row, double p_seen, double p_variance) {
+	const Column times = _times(p_row);
+	const double sum = _dot(p_row, times) + p_variance;
+	const double off = (p_seen - _dot(p_row, _x)) / sum;
 	for (std::size_t i = 0; i < SIZE; i++) {
 		_x[i] += times[i] * off;
 		const double gain = times[i] / sum;
@@ -139,9 +149,17 @@ void DriftState::begin(const Angle &p_angle, double p_seen, double p_variance) {
 	observe(p_angle, p_seen, p_variance);
 }
 
-void DriftState::set_drift(int p_mount, double p_drift, double p_deviation) {
-	_x[std::size_t(p_mount)] = p_drift;
-	_isolate(p_mount, squared(p_deviation));
+void DriftState::restart() {
+	const Column x = _x;
+	std::array<double, MOUNTS> variances{};
+	for (std::size_t i = 0; i < MOUNTS; i++) {
+		variances[i] = _p[MOUNTS + i][MOUNTS + i];
+	}
+	reset();
+	for (std::size_t i = 0; i < MOUNTS; i++) {
+		_x[MOUNTS + i] = x[MOUNTS + i];
+		_p[MOUNTS + i][MOUNTS + i] = variances[i];
+	}
 }
 
 } // namespace heading

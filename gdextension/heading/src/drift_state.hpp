@@ -72,8 +72,10 @@ public:
 	void observe(const Angle &p_angle, double p_seen, double p_variance);
 	/// The angle of an edge is another one now: whatever it was, it becomes what is seen, rad.
 	void begin(const Angle &p_angle, double p_seen, double p_variance);
-	/// The drift of a mount is known, rad; its rate stays.
-	void set_drift(int p_mount, double p_drift, double p_deviation);
+	/// Takes an observation of a mount's drift alone, rad, with its variance.
+	void observe_drift(int p_mount, double p_seen, double p_variance);
+	/// Nothing has drifted as of now, but what drifts goes on.
+	void restart();
 
 private:
 	static constexpr int HELD = 2 * MOUNTS;
@@ -95,6 +97,7 @@ private:
 	double _deviation(int p_state) const;
 	double _dot(const Row &p_row, const Column &p_column) const;
 	Column _times(const Row &p_row) const;
+	void _take(const Row &p_row, double p_seen, double p_variance);
 	void _isolate(int p_state, double p_variance);
 
 	Belief _belief;

@@ -30,6 +30,8 @@ var newest_pose: PoseSample = null
 var watch: WearWatch = WearWatch.new()
 ## Takes drift off the sensors' headings.
 var headings: HeadingKeeper = HeadingKeeper.new()
+## The magnetic field at each sensor.
+var magnetics: MagneticWatch = MagneticWatch.new(headings.drift)
 
 # The frames as the result would turn them into poses.
 var _trial: SuitTable = null
@@ -44,6 +46,8 @@ var _mutex: Mutex = Mutex.new()
 var _profile: PersonProfile = PersonProfile.new()
 var _table: SuitTable = SuitTable.new()
 var _revision: int = -1
+# What is taken off the sensors' headings, rad.
+var _corrections: PackedFloat64Array = PackedFloat64Array()
 var _unread: Array[SensorFrame] = []
 var _recent: Array[SensorFrame] = []
 var _faulty: int = 0
@@ -66,6 +70,7 @@ func get_profile() -> PersonProfile:
 ## Sets who wears it: mounts, size and calibration are used from the next sample on. Headings have
 ## not drifted yet.
 func set_profile(p_profile: PersonProfile) -> void:
+	_correct(PackedFloat64Array())
 	_use(p_profile)
 	headings.clear()
 
@@ -111,7 +116,22 @@ func start_calibration(p_kind: CalibrationGuide.Kind, p_now_s: float) -> String:
 	var sensors: Array[SensorInfo] = feed.list_sensors()
 	var profile: PersonProfile = _profile_for(sensors)
 	var mounts: PackedInt32Array = profile.map.of_sensors(sensors)
-	return process.start(p_kind, sensors, mounts, profile.calibration, p_now_s)
+	var old: Calibration = headings.corrected(profile.calibration)
+	return process.start(p_kind, sensors, mounts, old, p_now_s)
+
+
+## Sets all headings anew while the wearer stands upright and looks ahead: mountings stay, nothing
+## else has to be held. Returns why it cannot, or an empty text.
+func reset_heading() -> String:
+	_mutex.lock()
+	var table: SuitTable = _table
+	_mutex.unlock()
+	var fault: String = headings.reset_ahead(newest_frame, table)
+	if fault == "":
+		_correct(headings.corrections())
+		# Another table: the body is blended into it.
+		_use(get_profile())
+	return fault
 
 
 ## Accepts the result of the calibration, if there is one.
@@ -142,6 +162,7 @@ func advance(p_now_s: float) -> void:
 			watch.add(frame, table)
 		newest_frame = frame
 	if not frames.is_empty():
+		_correct(headings.corrections())
 		newest_pose = _table_to_show(table).pose(frames[frames.size() - 1])
 	var ran: bool = process.is_running()
 	process.advance(p_now_s)
@@ -171,6 +192,12 @@ func get_limb_lengths() -> PackedFloat32Array:
 
 func describe() -> String:
 	return "%s, worn by %s" % [feed.describe(), get_profile().name]
+
+
+func _correct(p_drifts: PackedFloat64Array) -> void:
+	_mutex.lock()
+	_corrections = p_drifts
+	_mutex.unlock()
 
 
 func _use(p_profile: PersonProfile) -> void:
@@ -224,6 +251,7 @@ func _pump() -> void:
 		_profile = _profile_for(sensors)
 		_table = SuitTable.new()
 		_table.setup(sensors, _profile)
+		_table.correct(_corrections)
 	for frame: SensorFrame in feed.take_frames():
 		if frame.find_fault() != "":
 			_faulty += 1

@@ -16,8 +16,8 @@ const TURNS_DEG: float = 60.0
 ## What is done by whoever does all.
 const ALL: PackedStringArray = ["clip", "stand", "work", "sit", "still", "twisted", "rifle"]
 
-## How each joint is bent in a posture: rotation vectors in the frame of the mount above, degrees, by
-## mount.
+## How each joint is bent in a posture, by mount: rotation vectors in the frame of the mount above,
+## degrees.
 const _POSTURES: Dictionary[String, Dictionary] = {
 	"stand": {4: Vector3(0, 0, -80), 8: Vector3(0, 0, 80)},
 	"still": {4: Vector3(0, 0, -80), 8: Vector3(0, 0, 80)},
@@ -149,7 +149,8 @@ func _choose(p_time_s: float) -> void:
 	_bends.resize(BodyMounts.COUNT)
 	for mount: int in BodyMounts.COUNT:
 		var off: Vector3 = Vector3(_random.randfn(), _random.randfn(), _random.randfn())
-		_bends[mount] = _POSTURES.get(_name, {}).get(mount, Vector3.ZERO) + off * HABIT_DEG
+		_bends[mount] = _POSTURES.get(_name, {}).get(mount, Vector3.ZERO)
+		_bends[mount] += off * HABIT_DEG * _freedom(mount)
 
 
 func _wanted(p_mount: int, p_time_s: float) -> Quaternion:
@@ -163,6 +164,7 @@ func _wanted(p_mount: int, p_time_s: float) -> Quaternion:
 	for axis: int in 3:
 		var wave: Vector2 = _waves[p_mount * 3 + axis]
 		swayed[axis] = sin(TAU * wave.x * p_time_s + wave.y) * sway_deg
+	swayed *= _freedom(p_mount)
 	var bent: Quaternion = Rotations.from_vector((_bends[p_mount] + swayed) * (PI / 180.0))
 	var parent: int = BodyMounts.PARENTS[p_mount]
 	# Feet that stand do not sway: the ankle takes what the leg does.
@@ -170,3 +172,9 @@ func _wanted(p_mount: int, p_time_s: float) -> Quaternion:
 		var heading_deg: float = _bends[0].y + _bends[p_mount - 2].y + _bends[p_mount].y
 		return Rotations.yaw(_front + deg_to_rad(heading_deg))
 	return (Rotations.yaw(_front) if parent < 0 else _now[parent]) * bent
+
+
+## About which axes a joint moves: knees and ankles are hinges.
+static func _freedom(p_mount: int) -> Vector3:
+	var is_hinge: bool = p_mount > BodyMounts.RIGHT_HAND and p_mount % 3 != 2
+	return Vector3.RIGHT if is_hinge else Vector3.ONE
