@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "front/session.hpp"
 
+#include "clock/thread_priority.hpp"
+
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
@@ -16,7 +18,6 @@
 #include <poll.h>
 #include <sys/eventfd.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/signalfd.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -29,9 +30,6 @@ Usec monotonic() {
 	clock_gettime(CLOCK_MONOTONIC, &now);
 	return Usec(now.tv_sec) * SECOND + now.tv_nsec / 1000;
 }
-
-/// As "nice" counts: lower comes first.
-constexpr int HARDWARE_PRIORITY = -15;
 
 sigset_t watched() {
 	sigset_t set;
@@ -54,7 +52,8 @@ void pass_log(const gchar *p_domain, GLogLevelFlags p_level, const gchar *p_mess
 void prepare_threads() {
 	const sigset_t set = watched();
 	pthread_sigmask(SIG_BLOCK, &set, nullptr);
-	(void)setpriority(PRIO_PROCESS, 0, HARDWARE_PRIORITY);
+	// What is emulated does not share a processor with the programs that it is read by.
+	(void)clocks::prefer_this_thread(true);
 	g_log_set_default_handler(pass_log, nullptr);
 }
 
@@ -169,7 +168,7 @@ bool Session::_start_program() {
 			prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE);
 			prctl(PR_CAPBSET_DROP, CAP_DAC_READ_SEARCH);
 		}
-		(void)setpriority(PRIO_PROCESS, 0, 0);
+		clocks::prefer_nobody();
 		// The emulator reads commands from its own.
 		const int nothing = open("/dev/null", O_RDONLY);
 		dup2(nothing, STDIN_FILENO);

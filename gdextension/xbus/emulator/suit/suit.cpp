@@ -140,7 +140,8 @@ std::string Suit::_make(const std::string &p_kind, std::vector<Tracker> p_tracke
 	if (p_trackers.size() > MAX_TRACKERS) {
 		return "a master has at most " + std::to_string(MAX_TRACKERS) + " sensors: use --devices=two-masters";
 	}
-	auto device = std::make_unique<Master>(MASTER_ID + number, std::move(p_trackers), _stream, seed);
+	auto device = std::make_unique<Master>(
+			(_options.master_id != 0 ? _options.master_id : MASTER_ID) + number, std::move(p_trackers), _stream, seed);
 	device->set_bus_power(_options.has_bus_power);
 	device->set_battery(unsigned(_options.battery));
 	device->set_dead(std::size_t(_options.dead));
@@ -157,6 +158,7 @@ void Suit::_add(std::unique_ptr<XbusDevice> p_device, const std::string &p_kind,
 	made.device->set_first_counter(uint16_t(_options.first_counter));
 	made.device->faults.errors = _options.errors;
 	made.device->faults.error_every = _options.error_every;
+	made.device->faults.answer_delay = Usec(_options.answer_delay_ms) * 1000;
 	made.device->faults.is_mute = _options.is_mute;
 	made.device->set_log([this, index](Usec p_now, const std::string &p_text) { _log(p_now, index, p_text); });
 	made.device->set_on_measuring([this](Usec p_now) {

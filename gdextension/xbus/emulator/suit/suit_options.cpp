@@ -88,6 +88,7 @@ bool SuitOptions::_set_number(const std::string &p_name, const std::string &p_va
 		{ "unplug-at", nullptr, &unplug_at_s, 0, 1e6 },
 		{ "plug-at", nullptr, &plug_at_s, 0, 1e6 },
 		{ "error-every", &error_every, nullptr, 1, 1e6 },
+		{ "answer-delay", &answer_delay_ms, nullptr, 0, 5000 },
 		{ "battery", &battery, nullptr, 0, 255 },
 		{ "dead", &dead, nullptr, 1, 40 },
 		{ "first-counter", &first_counter, nullptr, 0, 65535 },
@@ -143,6 +144,8 @@ std::string SuitOptions::_set_special(const std::string &p_name, const std::stri
 		lie = int(second);
 	} else if (p_name == "bus-power" && (p_value == "on" || p_value == "off")) {
 		has_bus_power = p_value == "on";
+	} else if (p_name == "master-id" && parse_number("0x" + p_value, first) && first > 0.0 && first < 4294967296.0) {
+		master_id = uint32_t(first);
 	} else if (p_name == "errors") {
 		for (const std::string &one : split(p_value, ',')) {
 			const std::vector<std::string> parts = split(one, ':');

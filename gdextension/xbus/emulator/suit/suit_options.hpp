@@ -42,6 +42,10 @@ struct SuitOptions {
 	/// Numbers of messages and the error that answers them.
 	std::map<uint8_t, uint8_t> errors;
 	int error_every = 0;
+	/// How much later than a real device it answers, ms.
+	int answer_delay_ms = 0;
+	/// The device id of the first master, 0: that of an Xbus Master.
+	uint32_t master_id = 0;
 	bool is_mute = false;
 	bool has_bus_power = true;
 	int battery = 230;

@@ -3,6 +3,7 @@
 
 #include "bus/bytes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -136,6 +137,17 @@ bool XbusDevice::change_baud(const Frame &p_frame, Usec p_now) {
 }
 
 void XbusDevice::receive(const uint8_t *p_bytes, std::size_t p_size, Usec p_now) {
+	if (faults.answer_delay > 0) {
+		Chunk chunk;
+		chunk.time = p_now + faults.answer_delay;
+		chunk.bytes.assign(p_bytes, p_bytes + p_size);
+		_heard.push_back(std::move(chunk));
+	} else {
+		_read(p_bytes, p_size, p_now);
+	}
+}
+
+void XbusDevice::_read(const uint8_t *p_bytes, std::size_t p_size, Usec p_now) {
 	const auto take = [this, p_now](const Frame &p_frame) { _take(p_frame, p_now); };
 	if (p_now - _last_received > RECEIVE_TIME) {
 		_framer.finish([](const Frame & /*p_frame*/) {});
@@ -253,6 +265,11 @@ void XbusDevice::_sample(Usec p_now) {
 }
 
 Usec XbusDevice::next_event() const {
+	const Usec own = _next_own();
+	return _heard.empty() ? own : std::min(own, _heard.front().time);
+}
+
+Usec XbusDevice::_next_own() const {
 	if (_state != State::MEASUREMENT) {
 		return _deadline;
 	}
@@ -261,7 +278,11 @@ Usec XbusDevice::next_event() const {
 
 void XbusDevice::advance(Usec p_now) {
 	for (Usec time = next_event(); time <= p_now; time = next_event()) {
-		if (_state == State::MEASUREMENT) {
+		if (!_heard.empty() && _heard.front().time <= time) {
+			const Chunk chunk = std::move(_heard.front());
+			_heard.pop_front();
+			_read(chunk.bytes.data(), chunk.bytes.size(), time);
+		} else if (_state == State::MEASUREMENT) {
 			_sample(time);
 		} else if (_state == State::REBOOT) {
 			power(true, time);

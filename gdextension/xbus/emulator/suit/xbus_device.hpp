@@ -7,6 +7,7 @@
 #include "cable/serial_line.hpp"
 #include "suit/tracker.hpp"
 
+#include <deque>
 #include <functional>
 #include <initializer_list>
 #include <map>
@@ -27,6 +28,8 @@ struct DeviceFaults {
 	bool is_frozen = false;
 	/// Messages that are answered with an error of this code.
 	std::map<uint8_t, uint8_t> errors;
+	/// It takes notice of what it is told so much later.
+	Usec answer_delay = 0;
 	/// An Error message of this code after every so many samples.
 	int error_every = 0;
 	uint8_t error_code = 0x29;
@@ -116,7 +119,9 @@ protected:
 	unsigned _error_mode = 2;
 
 private:
+	void _read(const uint8_t *p_bytes, std::size_t p_size, Usec p_now);
 	void _take(const xbus::Frame &p_frame, Usec p_now);
+	Usec _next_own() const;
 	void _take_common(const xbus::Frame &p_frame, Usec p_now);
 	void _go_to_config(Usec p_now);
 	void _go_to_measurement(Usec p_now, bool p_is_asked);
@@ -139,6 +144,8 @@ private:
 	Usec _last_received = 0;
 	uint16_t _counter = 0;
 	uint64_t _samples = 0;
+	/// What it is to take notice of later.
+	std::deque<Chunk> _heard;
 };
 
 } // namespace emulator

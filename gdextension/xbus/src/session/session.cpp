@@ -15,6 +15,12 @@ constexpr uint8_t FAST_BAUD_CODE = 0x00;
 /// A master that is reset is back after about 750 ms.
 constexpr uint64_t REBOOT_USEC = 1000000;
 constexpr uint64_t PAUSE_USEC = 500000;
+/// The likeliest speeds are given more time: a converter or a radio link may hold answers up for long.
+constexpr std::size_t LIKELY_BAUDS = 2;
+constexpr int LIKELY_TRIES = 5;
+/// A device whose answers take so long is asked for several things at once, µs.
+constexpr uint64_t SLOW_USEC = 250000;
+constexpr uint64_t LONGEST_DELAY_USEC = 1000000;
 
 bool is_data(Message p_message) {
 	return p_message == Message::MT_DATA || p_message == Message::MT_DATA2;
@@ -114,6 +120,11 @@ Session::Patience Session::patience(Step p_step) {
 void Session::go_to(Step p_step) {
 	_step = p_step;
 	_waits = false;
+	// A slow device is not asked for what is merely good to know.
+	const bool is_needed = p_step == Step::SKIP_FACTOR || !patience(p_step).is_optional;
+	if (_delay_usec > SLOW_USEC && !is_needed && pass_over()) {
+		return;
+	}
 	switch (p_step) {
 		case Step::STOPPED:
 		case Step::UNSUPPORTED:
@@ -202,19 +213,62 @@ Session::Step Session::step_after(Step p_step) const {
 }
 
 bool Session::speaks_mtdata2() const {
-	return _kind == DeviceKind::MTI_10 || _kind == DeviceKind::MTI_100 || _kind == DeviceKind::UNKNOWN;
+	const bool is_unknown_tracker = _kind == DeviceKind::UNKNOWN && !_is_unknown_master;
+	return _kind == DeviceKind::MTI_10 || _kind == DeviceKind::MTI_100 || is_unknown_tracker;
+}
+
+int Session::tries(Step p_step) const {
+	const bool is_likely = p_step == Step::GO_TO_CONFIG && (!_options.has_baud || _baud_at < LIKELY_BAUDS);
+	return is_likely ? LIKELY_TRIES : patience(p_step).tries;
 }
 
 void Session::ask(const Request &p_request) {
 	_request = p_request;
 	_tries = 0;
+	_asked_usec = _now_usec;
+	if (_ahead > 0) {
+		--_ahead; // It was sent before.
+		_waits = true;
+		++_tries;
+		_deadline_usec = _now_usec + limit_usec();
+		return;
+	}
 	send_request();
+	if (_delay_usec > SLOW_USEC && _step == Step::OUTPUT_MODE) {
+		send_ahead();
+	}
+}
+
+/// Sends all requests of the trackers' set-up at once, so that their answers are waited for once.
+void Session::send_ahead() {
+	const Step step = _step;
+	const int tracker = _tracker;
+	const int count = 2 * _tracker_count - _tracker;
+	for (_ahead = 0; _ahead < count; ++_ahead) {
+		_step = after_trackers(_step);
+		const Request request = request_for(_step);
+		_host.send(request.bytes.data(), request.size);
+	}
+	_step = step;
+	_tracker = tracker;
+}
+
+uint64_t Session::limit_usec() const {
+	return std::max(patience(_step).limit_usec, _delay_usec * 2);
+}
+
+/// Notes how long the answer took that came just now.
+void Session::note_delay() {
+	// The first question of all may have been asked before the device was there.
+	if (_step != Step::GO_TO_CONFIG) {
+		_delay_usec = std::max(_delay_usec, std::min(_now_usec - _asked_usec, LONGEST_DELAY_USEC));
+	}
 }
 
 void Session::send_request() {
 	_waits = true;
 	++_tries;
-	_deadline_usec = _now_usec + patience(_step).limit_usec;
+	_deadline_usec = _now_usec + limit_usec();
 	_host.send(_request.bytes.data(), _request.size);
 }
 
@@ -237,7 +291,8 @@ void Session::advance(uint64_t p_now_usec) {
 		_baud = FAST_BAUD;
 		_host.set_baud(_baud);
 		pause(0);
-	} else if (_tries < patience(_step).tries) {
+	} else if (_tries < tries(_step)) {
+		_ahead = 0;
 		send_request();
 	} else {
 		fail_step();
@@ -297,6 +352,13 @@ void Session::pause(uint64_t p_usec) {
 void Session::start_over(const char *p_why) {
 	log(Severity::WARNING, "%s: bringing it up anew", p_why);
 	++_restarts;
+	_ahead = 0;
+	if (_kind == DeviceKind::UNKNOWN && _in_vain % 2 == 0) {
+		_is_unknown_master = !_is_unknown_master;
+		++_in_vain;
+		pause(0);
+		return;
+	}
 	// What does not help the first time may take its time.
 	pause(PAUSE_USEC << std::min(_in_vain, 4U));
 	++_in_vain;
@@ -337,6 +399,7 @@ void Session::take(const Frame &p_frame) {
 		go_to(Step::DEVICE_ID);
 	} else if (_waits && p_frame.message == _request.reply() && is_answering(p_frame.bus_id)) {
 		_has_answered = true;
+		note_delay();
 		take_answer(p_frame);
 	} else if (_step == Step::MEASURE && _tries > 1 && is_data(p_frame.message)) {
 		// It measures already: the answer was lost.
@@ -351,7 +414,8 @@ bool Session::is_answering(uint8_t p_bus_id) const {
 }
 
 void Session::wake_up() {
-	if (_step == Step::STOP || is_stopped()) {
+	// After a change of speed it is answered at the new one, when that is set.
+	if (_step == Step::STOP || _step == Step::REBOOT || is_stopped()) {
 		return;
 	}
 	const Request answer = host::wake_up_ack();

@@ -68,6 +68,8 @@ struct SessionReport {
 	uint64_t errors = 0;
 	/// How often it was brought up anew.
 	uint64_t restarts = 0;
+	/// Part of the samples that was lost in the last seconds, 0 to 1.
+	double lost_share = 0.0;
 	/// What is wrong now, or an empty text.
 	std::string problem;
 	std::vector<TrackerReport> trackers;
@@ -147,6 +149,7 @@ private:
 	};
 
 	static Patience patience(Step p_step);
+	int tries(Step p_step) const;
 	static Request output_configuration(double p_rate_hz);
 	void go_to(Step p_step);
 	void ask(const Request &p_request);
@@ -182,7 +185,15 @@ private:
 	void ask_resets();
 	bool lower_demands(uint8_t p_code);
 	void log(Severity p_severity, const char *p_format, ...) __attribute__((format(printf, 3, 4)));
-	bool is_master() const { return _kind == DeviceKind::XBUS_MASTER; }
+	/// A kind that is not known is tried as both, in turn.
+	bool is_master() const {
+		return _kind == DeviceKind::XBUS_MASTER || (_kind == DeviceKind::UNKNOWN && _is_unknown_master);
+	}
+	void send_ahead();
+	void note_delay();
+	void note_damage();
+	/// How long the present step's answer is waited for, µs.
+	uint64_t limit_usec() const;
 	bool speaks_mtdata2() const;
 	uint8_t bus_id_of(int p_tracker) const { return is_master() ? uint8_t(p_tracker + 1) : MASTER; }
 
@@ -199,6 +210,11 @@ private:
 	int _tries = 0;
 	uint64_t _now_usec = 0;
 	uint64_t _deadline_usec = 0;
+	/// When the present request was first sent, and how long answers have taken at most, µs.
+	uint64_t _asked_usec = 0;
+	uint64_t _delay_usec = 0;
+	/// Requests that were sent before their turn: their answers are on the way.
+	int _ahead = 0;
 
 	DeviceKind _kind = DeviceKind::UNKNOWN;
 	uint32_t _device_id = 0;
@@ -207,6 +223,7 @@ private:
 	int _tracker = 0;
 	int _bus_failures = 0;
 	bool _has_powered = false;
+	bool _is_unknown_master = false;
 
 	std::size_t _baud_at = 0;
 	uint32_t _baud = 0;
@@ -221,6 +238,13 @@ private:
 	uint64_t _refused = 0;
 	uint64_t _reported_refused = 0;
 	uint64_t _bytes_usec = 0;
+	/// Of the span over which damage on the line is judged: when it began, what had come and was lost by then.
+	uint64_t _judged_usec = 0;
+	uint64_t _judged_received = 0;
+	uint64_t _judged_lost = 0;
+	uint64_t _judged_bad_bytes = 0;
+	double _lost_share = 0.0;
+	bool _is_damaged = false;
 	bool _is_silent = false;
 	bool _has_answered = false;
 	int _resets_left = 0;

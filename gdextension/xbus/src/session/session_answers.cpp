@@ -65,9 +65,9 @@ void Session::take_device_id(const Frame &p_frame) {
 		case DeviceKind::BODY_PACK:
 		case DeviceKind::MTW2_MTX2:
 			log(Severity::WARNING,
-					"%08X is an %s: its protocol and the filter that makes its orientations are not public. Let MVN "
+					"%08X is %s %s: its protocol and the filter that makes its orientations are not public. Let MVN "
 					"run with it and send its motion here (network streamer, UDP port 9763; here --mvn)",
-					_device_id, device_kind_name(_kind));
+					_device_id, _kind == DeviceKind::BODY_PACK ? "a" : "an", device_kind_name(_kind));
 			go_to(Step::UNSUPPORTED);
 			return;
 		default:
@@ -100,6 +100,7 @@ void Session::take_bus(const Frame &p_frame) {
 /// Asks for as much as the line carries; a slow line is made faster once, else the rate goes down.
 void Session::choose_outputs() {
 	_tracker = 0;
+	_ahead = 0;
 	if (speaks_mtdata2()) {
 		go_to(Step::OUTPUT_CONFIGURATION);
 		return;

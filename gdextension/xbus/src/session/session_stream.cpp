@@ -14,6 +14,9 @@ constexpr uint64_t SILENT_USEC = 1000000;
 constexpr double SILENT_PERIODS = 20.0;
 constexpr uint64_t BATTERY_USEC = 30000000;
 constexpr uint64_t RESET_LIMIT_USEC = 300000;
+/// Damage on the line is judged over so long, and told from so much on.
+constexpr uint64_t JUDGE_USEC = 5000000;
+constexpr double MUCH_LOST = 0.01;
 
 } // namespace
 
@@ -33,6 +36,7 @@ void Session::begin_measuring() {
 	}
 	// A false length must not hold back what comes behind it.
 	_framer.set_longest(std::max<std::size_t>(_check.data_size(), Configuration::MAX_BYTES));
+	_judged_usec = 0;
 	_refused = _reported_refused = _check.statistics().wrong_sizes;
 	log(Severity::INFO, "%s %08X measures: %d tracker%s at %.0f Hz", device_kind_name(_kind), _device_id,
 			_tracker_count, _tracker_count == 1 ? "" : "s", rate_hz());
@@ -55,6 +59,7 @@ void Session::take_data() {
 
 void Session::look_after_stream() {
 	note_refusals();
+	note_damage();
 	const auto patience_usec = uint64_t(std::max(double(SILENT_USEC), SILENT_PERIODS * 1e6 / rate_hz()));
 	if (_now_usec > _heard_usec + patience_usec) {
 		_is_silent = true;
@@ -81,6 +86,41 @@ void Session::note_refusals() {
 				"sends samples of another length than its settings make (%zu bytes): they are counted and dropped",
 				expected_size());
 	}
+}
+
+/// Tells of a line that damages bytes, by the part of the samples that is lost.
+void Session::note_damage() {
+	if (_judged_usec != 0 && _now_usec < _judged_usec + JUDGE_USEC) {
+		return;
+	}
+	uint64_t received = 0;
+	uint64_t lost = 0;
+	for (int tracker = 0; tracker < _tracker_count; ++tracker) {
+		received += _check.device(bus_id_of(tracker)).received;
+		lost += _check.device(bus_id_of(tracker)).lost;
+	}
+	const uint64_t bad_bytes = _framer.statistics().skipped_bytes;
+	if (_judged_usec != 0) {
+		const double came = double(received - _judged_received);
+		const double missed = double(lost - _judged_lost);
+		_lost_share = came + missed > 0.0 ? missed / (came + missed) : 0.0;
+		if (_lost_share > MUCH_LOST && bad_bytes > _judged_bad_bytes) {
+			log(Severity::WARNING,
+					"%.0f %% of its samples are lost, for the line damages bytes: look at plug and cable",
+					100.0 * _lost_share);
+		} else if (_lost_share > MUCH_LOST) {
+			log(Severity::WARNING,
+					"%.0f %% of its samples are lost: is this machine too busy, or a radio link too weak?",
+					100.0 * _lost_share);
+		} else if (_is_damaged) {
+			_problem.fill(0);
+		}
+		_is_damaged = _lost_share > MUCH_LOST;
+	}
+	_judged_usec = _now_usec;
+	_judged_received = received;
+	_judged_lost = lost;
+	_judged_bad_bytes = bad_bytes;
 }
 
 MasterFormat Session::master_format() const {
@@ -143,6 +183,7 @@ void Session::report(uint64_t p_now_usec, SessionReport &r_report) const {
 	r_report.stream = _check.statistics();
 	r_report.errors = _errors;
 	r_report.restarts = _restarts;
+	r_report.lost_share = _lost_share;
 	r_report.problem = _problem.data();
 	r_report.trackers.resize(std::size_t(_tracker_count));
 	for (int tracker = 0; tracker < _tracker_count; ++tracker) {

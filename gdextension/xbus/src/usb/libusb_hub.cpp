@@ -2,6 +2,7 @@
 #include "usb/libusb_device.hpp"
 
 #include "clock/clock.hpp"
+#include "clock/thread_priority.hpp"
 
 #include <algorithm>
 
@@ -135,6 +136,7 @@ int LIBUSB_CALL LibusbHub::on_hotplug(
 }
 
 void LibusbHub::run() {
+	say(xbus::Severity::INFO, clocks::priority_text(clocks::prefer_this_thread()));
 	while (!_stops) {
 		timeval wait{ 0, WAIT_USEC };
 		libusb_handle_events_timeout_completed(_context.get(), &wait, nullptr);
