@@ -17,6 +17,17 @@ constexpr uint32_t MAX_STEP = 2000;
 /// Without a sample for so long a counter may begin anew anywhere, µs.
 constexpr uint64_t ANEW_USEC = 500000;
 constexpr uint64_t METER_USEC = 1000000;
+/// Partial samples that wait at most.
+constexpr std::size_t MAX_PARTIAL = 8;
+
+/// FNV-1a.
+uint64_t hash_of(const uint8_t *p_bytes, std::size_t p_size) {
+	uint64_t hash = 0xCBF29CE484222325U;
+	for (std::size_t at = 0; at < p_size; ++at) {
+		hash = (hash ^ p_bytes[at]) * 0x100000001B3U;
+	}
+	return hash;
+}
 
 } // namespace
 
@@ -55,16 +66,17 @@ Outcome Collector::refuse(Fault p_fault) {
 
 Outcome Collector::add(Character &p_character, const uint8_t *p_payload, std::size_t p_size, uint64_t p_now_usec) {
 	Slot &slot = p_character.slots[std::size_t(_header.type)];
+	const uint64_t hash = hash_of(p_payload, p_size);
 	// A counter that goes back when nothing has come for a while belongs to a sender that began anew.
 	if (slot.has_whole && slot.newest_whole - _header.sample < MAX_LATE && p_now_usec < slot.whole_usec + ANEW_USEC) {
-		++p_character.statistics.late;
-		return Outcome::LATE;
+		return count_late(p_character, slot, hash);
 	}
 	Pending &pending = pending_of(p_character, slot);
 	const Outcome stored = store_part(pending, p_payload, p_size);
 	if (stored == Outcome::LATE) {
-		++p_character.statistics.late;
+		return count_late(p_character, slot, hash);
 	}
+	print_of(slot, _header) = { _header.sample, _header.part, hash, true };
 	if (stored != Outcome::PART || !is_complete(pending)) {
 		return stored;
 	}
@@ -76,8 +88,7 @@ Outcome Collector::add(Character &p_character, const uint8_t *p_payload, std::si
 	for (Pending &other : slot.pending) {
 		// Older ones would come too late now.
 		if (other.is_begun && _header.sample - other.sample < MAX_LATE) {
-			other.is_begun = false;
-			++p_character.statistics.incomplete;
+			give_up(p_character, slot, other);
 		}
 	}
 	slot.has_whole = true;
@@ -90,7 +101,7 @@ Outcome Collector::add(Character &p_character, const uint8_t *p_payload, std::si
 }
 
 /// Where the parts of the present sample are kept; a new one replaces the oldest.
-Collector::Pending &Collector::pending_of(Character &p_character, Slot &p_slot) const {
+Collector::Pending &Collector::pending_of(Character &p_character, Slot &p_slot) {
 	Pending *slot = &p_slot.pending[0];
 	for (Pending &pending : p_slot.pending) {
 		if (pending.is_begun && pending.sample == _header.sample) {
@@ -100,12 +111,65 @@ Collector::Pending &Collector::pending_of(Character &p_character, Slot &p_slot) 
 			slot = &pending;
 		}
 	}
-	p_character.statistics.incomplete += slot->is_begun ? 1U : 0U;
+	if (slot->is_begun) {
+		give_up(p_character, p_slot, *slot);
+	}
 	slot->is_begun = true;
 	slot->sample = _header.sample;
 	slot->part_count = 0;
 	slot->bytes = 0;
 	return *slot;
+}
+
+Collector::Print &Collector::print_of(Slot &p_slot, const Header &p_header) {
+	return p_slot.prints[(p_header.sample * 5U + p_header.part) % p_slot.prints.size()];
+}
+
+Outcome Collector::count_late(Character &p_character, const Slot &p_slot, uint64_t p_hash) {
+	++p_character.statistics.late;
+	const Print &print = p_slot.prints[(_header.sample * 5U + _header.part) % p_slot.prints.size()];
+	const bool is_same_datagram = print.is_known && print.sample == _header.sample && print.part == _header.part;
+	p_character.statistics.conflicting += is_same_datagram && print.hash != p_hash ? 1U : 0U;
+	return Outcome::LATE;
+}
+
+/// A part of this sample will not come any more: of a pose the body may have come all the same.
+void Collector::give_up(Character &p_character, Slot &p_slot, Pending &p_pending) {
+	p_pending.is_begun = false;
+	++p_character.statistics.incomplete;
+	std::sort(p_pending.parts.begin(), p_pending.parts.begin() + std::ptrdiff_t(p_pending.part_count),
+			[](const Part &p_a, const Part &p_b) { return p_a.header.part < p_b.header.part; });
+	std::size_t whole = 0;
+	while (whole < p_pending.part_count && std::size_t(p_pending.parts[whole].header.part) == whole) {
+		++whole;
+	}
+	const bool is_late = p_slot.has_whole && p_slot.newest_whole - p_pending.sample < MAX_LATE;
+	if (whole == 0 || is_late || !is_motion(p_pending.parts[0].header.type)) {
+		return;
+	}
+	const std::size_t all = p_pending.part_count;
+	p_pending.part_count = whole;
+	Content content;
+	const bool is_read = read_parts(p_pending, content) == Fault::NONE;
+	p_pending.part_count = all;
+	const std::size_t body = content.header.body_segments != 0 ? content.header.body_segments : BODY_SEGMENTS;
+	if (!is_read || content.poses.size() < body || _partial.size() >= MAX_PARTIAL) {
+		return;
+	}
+	// Props and fingers count only where all of them are there.
+	content.poses.resize(body);
+	content.header.props = content.header.fingers = 0;
+	p_slot.has_whole = true;
+	p_slot.newest_whole = p_pending.sample;
+	p_slot.whole_usec = p_character.statistics.newest_usec;
+	++p_character.statistics.partial;
+	_partial.push_back(std::move(content));
+}
+
+std::vector<Content> Collector::take_partial() {
+	std::vector<Content> partial;
+	partial.swap(_partial);
+	return partial;
 }
 
 Outcome Collector::store_part(Pending &p_pending, const uint8_t *p_payload, std::size_t p_size) {

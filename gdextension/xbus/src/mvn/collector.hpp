@@ -22,10 +22,13 @@ struct CharacterStatistics {
 	/// Samples of the pose that the counter counted and that never came. A sender may leave samples out: what is
 	/// left out regularly does not count.
 	uint64_t lost = 0;
-	/// Samples of which a part never came.
+	/// Samples of which a part never came, and those of them of which the body could be used all the same.
 	uint64_t incomplete = 0;
+	uint64_t partial = 0;
 	/// Datagrams that came twice, or after newer ones.
 	uint64_t late = 0;
+	/// Those of them that hold something else than what came under their numbers before: of another person.
+	uint64_t conflicting = 0;
 	/// Datagrams of this character from somebody else than its sender.
 	uint64_t foreign = 0;
 	/// How often the counter of the pose began anew.
@@ -50,6 +53,10 @@ class Collector {
 public:
 	/// Takes a datagram that came from a sender (any number that distinguishes senders) at a time, µs.
 	Outcome take(const uint8_t *p_bytes, std::size_t p_size, uint64_t p_sender, uint64_t p_now_usec);
+
+	/// Samples whose last parts never came, as far as they are whole: a body without its fingers. They are older
+	/// than what `take` has just returned. Takes them.
+	std::vector<Content> take_partial();
 
 	/// What the last whole sample holds; valid until the next `take`.
 	const Content &content() const { return *_content; }
@@ -79,6 +86,13 @@ private:
 		std::vector<Part> parts;
 		std::size_t part_count = 0;
 	};
+	/// What a datagram was about, to tell one that comes twice from one of another person.
+	struct Print {
+		uint32_t sample = 0;
+		uint8_t part = 0;
+		uint64_t hash = 0;
+		bool is_known = false;
+	};
 	/// The samples of one type. The network may let a datagram overtake those of the sample before.
 	struct Slot {
 		std::array<Pending, 2> pending;
@@ -86,6 +100,7 @@ private:
 		uint32_t newest_whole = 0;
 		uint64_t whole_usec = 0;
 		Content content;
+		std::array<Print, 64> prints;
 	};
 	struct Character {
 		uint64_t sender = 0;
@@ -103,7 +118,10 @@ private:
 
 	Outcome refuse(Fault p_fault);
 	Outcome add(Character &p_character, const uint8_t *p_payload, std::size_t p_size, uint64_t p_now_usec);
-	Pending &pending_of(Character &p_character, Slot &p_slot) const;
+	Pending &pending_of(Character &p_character, Slot &p_slot);
+	Outcome count_late(Character &p_character, const Slot &p_slot, uint64_t p_hash);
+	void give_up(Character &p_character, Slot &p_slot, Pending &p_pending);
+	static Print &print_of(Slot &p_slot, const Header &p_header);
 	Outcome store_part(Pending &p_pending, const uint8_t *p_payload, std::size_t p_size);
 	static bool is_complete(const Pending &p_pending);
 	Fault read_parts(Pending &p_pending, Content &r_content) const;
@@ -113,6 +131,7 @@ private:
 	std::map<int, Character> _characters;
 	Header _header;
 	const Content *_content = nullptr;
+	std::vector<Content> _partial;
 	Fault _fault = Fault::NONE;
 	std::array<uint64_t, FAULTS> _refused{};
 	uint64_t _datagrams = 0;

@@ -130,35 +130,37 @@ void Receiver::take_locked(
 	_now_usec = p_now_usec;
 	const uint64_t sender = std::hash<std::string>{}(p_sender);
 	const Outcome outcome = _collector.take(p_bytes, p_size, sender, p_now_usec);
+	for (const Content &partial : _collector.take_partial()) {
+		keep(partial, p_sender, p_now_usec);
+	}
 	if (outcome == Outcome::SAMPLE) {
-		keep(p_sender, p_now_usec);
+		keep(_collector.content(), p_sender, p_now_usec);
 	} else if (outcome != Outcome::PART && outcome != Outcome::LATE) {
 		complain(p_sender, outcome);
 	}
 }
 
-void Receiver::keep(const std::string &p_sender, uint64_t p_now_usec) {
-	const Content &content = _collector.content();
-	const auto [found, is_new] = _characters.try_emplace(content.header.character);
+void Receiver::keep(const Content &p_content, const std::string &p_sender, uint64_t p_now_usec) {
+	const auto [found, is_new] = _characters.try_emplace(p_content.header.character);
 	Character &character = found->second;
 	character.sender = p_sender;
-	character.types |= 1U << unsigned(content.header.type);
+	character.types |= 1U << unsigned(p_content.header.type);
 	if (is_new) {
 		say("new " + std::to_string(found->first),
 				"character " + std::to_string(found->first) + " comes from " + p_sender, true);
 	}
-	if (content.header.type == Type::META) {
-		character.name = tag(content, "name");
+	if (p_content.header.type == Type::META) {
+		character.name = tag(p_content, "name");
 	} else {
-		character.header = content.header;
+		character.header = p_content.header;
 	}
-	ReceivedSample &newest = character.newest[content.header.type];
-	newest.content = content;
+	ReceivedSample &newest = character.newest[p_content.header.type];
+	newest.content = p_content;
 	newest.arrival_usec = p_now_usec;
-	if (!is_motion(content.header.type)) {
+	if (!is_motion(p_content.header.type)) {
 		return;
 	}
-	std::deque<ReceivedSample> &waiting = character.waiting[content.header.type];
+	std::deque<ReceivedSample> &waiting = character.waiting[p_content.header.type];
 	waiting.push_back(newest);
 	if (waiting.size() > MAX_WAITING) {
 		waiting.pop_front();
@@ -221,13 +223,14 @@ void Receiver::judge(int p_number, Character &p_character, const CharacterStatis
 		noted = CharacterStatistics(); // Another sender took its number over.
 	}
 	const uint64_t samples = p_statistics.samples - noted.samples;
-	const uint64_t late = p_statistics.late - noted.late;
-	const bool comes_twice = late * 2 > samples || p_statistics.jumps - noted.jumps > 5;
+	// A datagram that the network brings twice is the same both times, one of another person is not.
+	const uint64_t conflicting = p_statistics.conflicting - noted.conflicting;
+	const bool comes_twice = conflicting * 4 > samples || p_statistics.jumps - noted.jumps > 5;
 	if (samples > 10 && comes_twice) {
 		p_character.trouble = "character " + std::to_string(p_number) +
 				" comes twice in each sample: two people have one number in MVN; give one of them another";
 		say("twice " + std::to_string(p_number), p_character.trouble);
-	} else if (samples > 10 && late == 0 && p_statistics.foreign == noted.foreign) {
+	} else if (samples > 10 && conflicting == 0 && p_statistics.foreign == noted.foreign) {
 		p_character.trouble.clear();
 	}
 	noted = p_statistics;

@@ -90,7 +90,7 @@ private:
 
 	void run();
 	void take_locked(const std::string &p_sender, const uint8_t *p_bytes, std::size_t p_size, uint64_t p_now_usec);
-	void keep(const std::string &p_sender, uint64_t p_now_usec);
+	void keep(const Content &p_content, const std::string &p_sender, uint64_t p_now_usec);
 	void complain(const std::string &p_sender, Outcome p_outcome);
 	void look_after(uint64_t p_now_usec);
 	void judge(int p_number, Character &p_character, const CharacterStatistics &p_statistics);

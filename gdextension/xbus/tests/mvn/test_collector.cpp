@@ -86,6 +86,56 @@ TEST(a_sample_that_lacks_a_part_is_counted_and_stops_nothing) {
 	CHECK(collector.statistics(0).lost == 10);
 }
 
+TEST(a_body_is_kept_when_only_fingers_are_lost) {
+	Source source(14);
+	Collector collector;
+	uint64_t now = 0;
+	std::vector<uint32_t> got;
+	for (uint32_t sample = 0; sample < 100; ++sample) {
+		const Content content = source.content(Type::POSE, sample, true);
+		const std::vector<Bytes> datagrams = encode(content, 1400);
+		CHECK(datagrams.size() == 2);
+		for (std::size_t part = 0; part < datagrams.size(); ++part) {
+			// For a while no fingers come at all, then now and then.
+			if (part == 1 && (sample < 40 || sample % 10 == 5)) {
+				continue;
+			}
+			const bool is_whole = give(collector, datagrams[part], now += 1000) == Outcome::SAMPLE;
+			for (const Content &partial : collector.take_partial()) {
+				CHECK(partial.poses.size() == std::size_t(BODY_SEGMENTS));
+				CHECK(partial.header.fingers == 0 && partial.header.props == 0);
+				got.push_back(partial.header.sample);
+			}
+			if (is_whole) {
+				got.push_back(collector.content().header.sample);
+				CHECK(same(collector.content(), content));
+			}
+		}
+	}
+	CHECK(std::is_sorted(got.begin(), got.end()));
+	CHECK(got.size() == 100);
+	CHECK(collector.statistics(0).partial == 46);
+}
+
+TEST(a_datagram_that_comes_twice_is_no_second_person) {
+	Source source(15);
+	Collector collector;
+	uint64_t now = 0;
+	for (uint32_t sample = 0; sample < 50; ++sample) {
+		for (const Bytes &datagram : encode(source.content(Type::POSE, sample, true), 300)) {
+			give(collector, datagram, now += 100);
+			give(collector, datagram, now += 100);
+		}
+	}
+	CHECK(collector.statistics(0).late > 300);
+	CHECK(collector.statistics(0).conflicting == 0);
+	for (uint32_t sample = 50; sample < 100; ++sample) {
+		give(collector, pose(source, sample), now += 10000);
+		give(collector, pose(source, sample), now += 100);
+	}
+	CHECK(collector.statistics(0).conflicting == 50);
+}
+
 TEST(loss_is_counted_against_the_senders_own_step) {
 	for (const uint32_t step : { 1U, 2U, 4U }) {
 		Source source(5);
