@@ -38,6 +38,7 @@ add_executable(xbus_decode
 	tools/decode/report_json.cpp
 	tools/decode/report_text.cpp
 	tools/decode/sample_json.cpp
+	tools/decode/status_bytes.cpp
 )
 target_link_libraries(xbus_decode PRIVATE xbus_recording)
 target_compile_options(xbus_decode PRIVATE -Wall -Wextra)

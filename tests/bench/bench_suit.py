@@ -2,12 +2,12 @@
 """An emulated suit through the real libusb: delay of a sample, and what becomes of a motion.
 
 Delay: from the moment at which the last byte of a sample is handed over by the chip (and, as a
-figure without a goal, at which it lies in the chip) to the callback of the suit's thread. Samples: a
-clip, worn in a suit with trackers at any angle and with norths that differ by up to 30 degrees,
-calibrated as guided: how far what the suit's source gives is from the clip itself, all limbs (of the
-spine, which has no tracker, what 17 trackers tell of it; how far that is from the clip's is told on
-its own), with one master and with two that measure each in its own time. Motion: the same behind
-physics and network at an observer, against the same clip sent directly.
+figure without a goal, at which it lies in the chip) to the callback of the suit's thread. Samples:
+a clip, worn in a suit with trackers at any angle and with norths that differ by up to 30 degrees,
+calibrated as guided: how far what the suit's source gives is from the clip itself, all limbs (of
+the spine, which has no tracker, what 17 trackers tell of it; how far that is from the clip's is
+told on its own), with one master and with two that measure each in its own time. Motion: the same
+behind physics and network at an observer, against the same clip sent directly.
 Options: --seconds=20 (of each part), --sensors=15 (delay), --rate=100, --bvh=FILE,
 --only=delay|samples|motion, --port=7777 (a free one by default).
 """

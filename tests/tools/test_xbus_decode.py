@@ -224,3 +224,36 @@ def test_bad_options_are_named(option: str) -> None:
     done = decode(RECORDINGS / "1" / "output.bin", option)
     assert done.returncode == 2
     assert done.stderr.startswith("xbus-decode: ")
+
+
+@pytest.mark.parametrize("size", [64, 512])
+@pytest.mark.parametrize("status", [b"\x01\x60", b"\x31\x60", b"\x32\x00"])
+def test_a_capture_of_an_ftdi_chip_has_its_status_bytes_taken_out(
+    tmp_path: Path, size: int, status: bytes
+) -> None:
+    rng = random.Random(9)
+    sent = [suit_data(rng, i, 10) for i in range(200)]
+    stream = configuration(10, 4, 0) + b"".join(data for data, _ in sent)
+    packets = []
+    while stream:
+        # A packet is full, or as long as what had come by the end of the latency period.
+        count = rng.choice([size - 2, rng.randrange(0, size - 1)])
+        packets.append(status + stream[:count])
+        stream = stream[count:]
+    file = tmp_path / "usb.bin"
+    file.write_bytes(b"".join(packets))
+    found = report(file)
+    assert found["kind"] == "ftdi"
+    assert found["frames"] >= 195
+    done = decode(file)
+    assert "a capture with the status bytes of an FTDI chip, which are left out" in done.stdout
+
+
+def test_a_plain_stream_loses_nothing(tmp_path: Path) -> None:
+    rng = random.Random(10)
+    stream = configuration(10, 4, 0) + b"".join(suit_data(rng, i, 10)[0] for i in range(300))
+    file = tmp_path / "plain.bin"
+    file.write_bytes(stream)
+    found = report(file)
+    assert found["kind"] == "raw"
+    assert found["frames"] == 301

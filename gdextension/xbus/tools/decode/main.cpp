@@ -13,8 +13,9 @@ namespace {
 constexpr const char *HELP =
 		"xbus-decode FILE [--json] [options]\n"
 		"\n"
-		"Says what a recording of an Xbus holds: raw bytes as they came, hexadecimal text, or a recording\n"
-		"of Dismount's (of the bus that said the most).\n"
+		"Says what a recording of an Xbus holds: raw bytes as they came (also with the status bytes of an\n"
+		"FTDI chip left in), hexadecimal text, or a recording of Dismount's (of the bus that said the\n"
+		"most).\n"
 		"\n"
 		"  --json            everything, each message decoded, as one JSON object (docs/xbus.md)\n"
 		"  --mode=N          output mode of MTData, if no message in the recording has it\n"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "recording.hpp"
 
+#include "status_bytes.hpp"
+
 #include "recording/bus_replay.hpp"
 
 #include <algorithm>
@@ -89,6 +91,9 @@ bool read_recording(const std::string &p_name, Recording &r_recording, std::stri
 	if (read_hex(r_recording.bytes, bytes)) {
 		r_recording.bytes = std::move(bytes);
 		r_recording.kind = "hex";
+	}
+	if (strip_status_bytes(r_recording.bytes)) {
+		r_recording.kind = "ftdi";
 	}
 	return true;
 }

@@ -9,7 +9,8 @@
 struct Recording {
 	std::string name;
 	std::vector<uint8_t> bytes;
-	/// "raw", "hex", or "recording" for one of Dismount's own (docs/recordings.md).
+	/// "raw", "hex", "ftdi" for packets of an FTDI chip whose status bytes were left in (they are taken out), or
+	/// "recording" for one of Dismount's own (docs/recordings.md).
 	const char *kind = "raw";
 };
 

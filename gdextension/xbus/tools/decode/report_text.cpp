@@ -2,6 +2,7 @@
 #include "report.hpp"
 
 #include <cinttypes>
+#include <cstring>
 
 using namespace xbus;
 
@@ -51,6 +52,9 @@ void write_text_report(const Recording &p_recording, const Analysis &p_analysis,
 	const FramerStatistics &framing = p_analysis.framing;
 	std::fprintf(p_file, "%s: %" PRIu64 " bytes (%s), %" PRIu64 " messages, %" PRIu64 " malformed bytes\n",
 			p_recording.name.c_str(), framing.bytes, p_recording.kind, framing.frames, framing.skipped_bytes);
+	if (std::strcmp(p_recording.kind, "ftdi") == 0) {
+		std::fprintf(p_file, "  a capture with the status bytes of an FTDI chip, which are left out\n");
+	}
 	if (framing.skipped_bytes > 0) {
 		std::fprintf(p_file,
 				"  in %" PRIu64 " stretches: %" PRIu64 " bad checksums, %" PRIu64 " lengths and %" PRIu64
