@@ -19,7 +19,18 @@ static func parse(p_arguments: PackedStringArray, p_role: String = "") -> Option
 
 ## All options, grouped by topic.
 static func rows() -> Array[OptionRow]:
-	return _connection() + _motion() + _server() + _display() + DisplayOptions.rows() + _run()
+	var moving: PackedStringArray = ProgramRoles.moving()
+	var with_load: PackedStringArray = moving + PackedStringArray([ProgramRoles.LOAD])
+	var sources: Array[OptionRow] = SourceOptions.rows(moving, with_load)
+	return (
+		_connection()
+		+ sources
+		+ _motion(moving, with_load)
+		+ _server()
+		+ _display()
+		+ DisplayOptions.rows()
+		+ _run()
+	)
 
 
 ## Looked for once: a folder is read for them.
@@ -84,33 +95,14 @@ static func _connection() -> Array[OptionRow]:
 	]
 
 
-static func _motion() -> Array[OptionRow]:
-	var moving: PackedStringArray = ProgramRoles.moving()
-	var with_load: PackedStringArray = moving + PackedStringArray([ProgramRoles.LOAD])
+static func _motion(
+	p_moving: PackedStringArray, p_with_load: PackedStringArray
+) -> Array[OptionRow]:
 	return [
-		OptionRow.files("bvh", with_load, "motion files, played in a loop, one person each"),
-		OptionRow.decimal(
-			"bvh-from", moving, 0.0, [0.0, 1e6], "moment of the motion files to begin at", "s"
-		),
-		OptionRow.file(
-			"default-bvh", moving, "motion file if no source is given; ./run gives one of ours"
-		),
-		OptionRow.flag("xbus", moving, "motion from the suit on this machine's USB ports"),
-		OptionRow.number("suit-rate", moving, 100, [10, 512], "samples of the suit", "per second"),
-		(
-			OptionRow
-			. number("mvn", moving, 0, [0, 65535], "UDP port for MVN's network stream; 0: none")
-			. or_bare("9763")
-		),
-		OptionRow.text(
-			"tracker", moving, "body tracker of another plugin, such as /user/body_tracker"
-		),
-		OptionRow.file("suit-record", moving, "record every byte of suits and of MVN in this file"),
-		OptionRow.file("suit-play", moving, "motion from a file of --suit-record, in a loop"),
-		OptionRow.text("person", moving, "who wears the suit: name of size and calibration"),
+		OptionRow.text("person", p_moving, "who wears the suit: name of size and calibration"),
 		OptionRow.choice(
 			"avatar",
-			moving,
+			p_moving,
 			"",
 			AvatarStore.NAMES,
 			(
@@ -119,23 +111,23 @@ static func _motion() -> Array[OptionRow]:
 			)
 		),
 		OptionRow.choice(
-			"calibrate", moving, "", ClientCalibration.KINDS.keys(), "calibrate at the start"
+			"calibrate", p_moving, "", ClientCalibration.KINDS.keys(), "calibrate at the start"
 		),
-		OptionRow.flag("panel", moving, "open the device panel at the start (key M)"),
-		OptionRow.text("unit", with_load, "unit of the motion file; guessed by default").shown_as(
+		OptionRow.flag("panel", p_moving, "open the device panel at the start (key M)"),
+		OptionRow.text("unit", p_with_load, "unit of the motion file; guessed by default").shown_as(
 			"|".join(BvhOptions.UNITS.keys()) + "|METRES"
 		),
 		OptionRow.choice(
 			"up",
-			with_load,
+			p_with_load,
 			"",
 			BvhOptions.AXES.keys(),
 			"up axis of the motion file; guessed by default"
 		),
-		OptionRow.number("rate", with_load, 60, [1, 240], "samples to send", "per second"),
+		OptionRow.number("rate", p_with_load, 60, [1, 240], "samples to send", "per second"),
 		OptionRow.choice(
 			"feedback",
-			moving,
+			p_moving,
 			"local",
 			["local", "server"],
 			"your own body: shown at once, or as the server simulates it"

@@ -1,7 +1,9 @@
 class_name MotionInputs
 extends RefCounted
-## The motion sources that a client's options ask for: files, the suit on USB, MVN's stream, body
-## trackers of other plugins, recordings of suits.
+## The motion sources that a client's options ask for: what --source names (files, the suit on USB,
+## network streams, body trackers of other plugins, a headset; --bvh, --xbus, --mvn and --tracker
+## are short for some), and recordings of suits. Sources have numbers from 1 on, in their order;
+## --fuse completes the first by others, limb by limb ([LimbFusion]).
 
 ## A person's motion is available now.
 signal appeared(p_source: MotionSource, p_name: String)
@@ -17,6 +19,12 @@ const _ABSENT_S: float = 2.0
 var usb: UsbSuitFeed = null
 ## MVN's stream, live or of a recording, or null.
 var mvn: MvnStream = null
+## The other network streams.
+var streams: MotionStreams = MotionStreams.new()
+## Who is one of the people, and who completes the first one, limb by limb.
+var people: PeopleFusion = PeopleFusion.new()
+## Sends everybody's poses to other programs, or null.
+var vmc_out: VmcOut = null
 ## Guides calibrations that are asked for.
 var calibration: ClientCalibration = ClientCalibration.new()
 ## Makes a motion source where the options name none: [code]func() -> MotionSource[/code], if valid.
@@ -35,37 +43,66 @@ var _has_files: bool = false
 var _recorder: RawRecorder = null
 var _recorder_fault: String = ""
 var _playback: RawPlayback = null
-var _tracker: TrackerSource = null
+var _trackers: Array[TrackerSource] = []
 var _by_feed: Dictionary[SensorFeed, SuitSource] = {}
+# The sources; their numbers count from 1.
+var _addresses: Array[SourceAddress] = []
 
 
 ## Opens all. Returns what is wrong, or an empty text.
 func open(p_options: Options) -> String:
 	_options = p_options
 	_begins_with = p_options.text("calibrate")
+	people.appeared.connect(appeared.emit)
+	people.vanished.connect(vanished.emit)
+	streams.appeared.connect(people.appear)
+	streams.vanished.connect(people.vanish)
 	var fault: String = _open_recorder()
-	if fault == "":
-		fault = _open_files("bvh")
+	if fault == "" and p_options.text("vmc-out") != "":
+		vmc_out = VmcOut.new()
+		fault = vmc_out.open(p_options.text("vmc-out"))
 	if fault == "":
 		fault = _open_playback()
-	if fault == "" and p_options.is_on("xbus"):
-		fault = _open_usb()
-	if fault == "" and p_options.number("mvn") != 0:
-		mvn = MvnStream.new()
-		mvn.receiver.set_recorder(_recorder)
-		_follow(mvn)
-		fault = mvn.open(p_options.number("mvn"))
-	if fault == "" and p_options.text("tracker") != "":
-		_tracker = TrackerSource.new(p_options.text("tracker"))
-		appeared.emit(_tracker, "")
+	if fault == "":
+		_addresses = _find_addresses()
+		people.count = _addresses.size()
+		fault = people.read(p_options.text("fuse"))
+	for number: int in _addresses.size():
+		if fault == "":
+			fault = _open_source(_addresses[number], number + 1)
 	if fault == "" and not _has_any() and make_default.is_valid():
 		_has_files = true
-		appeared.emit(make_default.call(), "")
+		people.appear(make_default.call(), "", 1)
 	if fault == "" and not _has_any():
-		fault = _open_files("default-bvh")
+		fault = _open_files(p_options.files("default-bvh"), 1)
 	if fault == "" and not _has_any():
-		return "a trainee needs a motion source: --bvh=FILE, --xbus, --mvn, --tracker or --suit-play"
+		var short: String = "--bvh=FILE, --xbus, --mvn, --tracker or --suit-play"
+		var kinds: String = ", ".join(SourceAddress.describe_kinds())
+		return "a trainee needs a motion source: %s, or --source=KIND: %s" % [short, kinds]
 	return fault
+
+
+## Opens one more source while the client runs, such as "vmc:39539". Returns why it can't, or an
+## empty text.
+func open_source(p_text: String) -> String:
+	var address: SourceAddress = SourceAddress.parse(p_text)
+	if address.fault != "":
+		return address.fault
+	_addresses.append(address)
+	var fault: String = _open_source(address, _addresses.size())
+	if fault != "":
+		_addresses.pop_back()
+	people.count = _addresses.size()
+	return fault
+
+
+## The sources for the panel: "number", "name", and "person", somebody's name where one is there.
+func list_sources() -> Array[Dictionary]:
+	var rows: Array[Dictionary] = []
+	for number: int in range(1, _addresses.size() + 1):
+		var name: String = _addresses[number - 1].kind
+		rows.append({"number": number, "name": name, "person": people.find_person(number)})
+	return rows
 
 
 ## Goes on; call it each frame with the time, s.
@@ -76,8 +113,9 @@ func advance(p_now_s: float) -> void:
 		usb.advance()
 	if mvn != null and (_playback == null or _playback.stream != mvn):
 		mvn.advance()
-	if _tracker != null:
-		_tracker.advance(roundi(Time.get_unix_time_from_system() * 1e6))
+	for tracker: TrackerSource in _trackers:
+		tracker.advance(roundi(Time.get_unix_time_from_system() * 1e6))
+	streams.advance()
 	for wearer: SuitSource in wearers:
 		wearer.advance(p_now_s)
 	_notice_absence(p_now_s)
@@ -96,8 +134,11 @@ func calibrate(
 	p_answer: Callable = Callable()
 ) -> void:
 	var fault: String = "this motion comes calibrated"
-	if p_source is SuitSource:
-		fault = calibration.start(p_source, p_kind, p_now_s, p_answer)
+	var source: MotionSource = p_source
+	if source is LimbFusion:
+		source = (source as LimbFusion).first()
+	if source is SuitSource:
+		fault = calibration.start(source, p_kind, p_now_s, p_answer)
 	if fault != "":
 		if p_answer.is_valid():
 			p_answer.call(false, "not calibrated: " + fault)
@@ -112,9 +153,10 @@ func list_devices() -> Array[Dictionary]:
 		rows.append_array(usb.list_devices())
 	if mvn != null:
 		rows.append_array(mvn.list_devices())
-	if _tracker != null:
-		var row: Dictionary = {"name": _tracker.describe(), "state": "", "detail": ""}
-		row["advice"] = _tracker.error
+	rows.append_array(streams.list_devices())
+	for tracker: TrackerSource in _trackers:
+		var row: Dictionary = {"name": tracker.describe(), "state": "", "detail": ""}
+		row["advice"] = tracker.error
 		rows.append(row)
 	return rows
 
@@ -122,7 +164,7 @@ func list_devices() -> Array[Dictionary]:
 ## What is worn, for an instructor: the suit, whether it is calibrated and what is wrong with it.
 func describe() -> String:
 	if wearers.is_empty():
-		return mvn.describe() if mvn != null else ""
+		return mvn.describe() if mvn != null else streams.describe()
 	var parts: PackedStringArray = [wearers[0].feed.describe()]
 	parts.append("calibrated" if wearers[0].is_calibrated() else "not calibrated")
 	if usb != null and usb.trouble() != "":
@@ -144,8 +186,10 @@ func guide(p_now_s: float) -> String:
 		text = mvn.trouble()
 		if text == "" and mvn.people.is_empty() and mvn.trackers.is_empty():
 			text = mvn.describe()
-	if text == "" and _tracker != null:
-		text = _tracker.error
+	if text == "":
+		text = streams.trouble()
+	for tracker: TrackerSource in _trackers:
+		text = tracker.error if text == "" else text
 	if text == "" and not wearers.is_empty() and not wearers[0].is_calibrated():
 		text = "Not calibrated yet" if wearers[0].newest_frame != null else wearers[0].describe()
 	return text
@@ -159,6 +203,7 @@ func close() -> void:
 		usb.close()
 	if mvn != null:
 		mvn.close()
+	streams.close()
 	if _recorder != null:
 		_recorder.close()
 
@@ -172,12 +217,14 @@ func _notice_absence(p_now_s: float) -> void:
 	_has_noticed = true
 	if usb != null and usb.devices.is_empty():
 		Log.info("suit", "no suit on USB yet: plug it in and switch it on")
-	if _tracker != null and _tracker.error != "":
-		Log.warning("mocap", _tracker.error)
+	for tracker: TrackerSource in _trackers:
+		if tracker.error != "":
+			Log.warning("mocap", tracker.error)
 
 
 func _has_any() -> bool:
-	return _has_files or usb != null or mvn != null or _tracker != null
+	var has_device: bool = usb != null or mvn != null or not _trackers.is_empty()
+	return _has_files or has_device or streams.has_any()
 
 
 ## A disk that is full must not cost a session unseen.
@@ -208,10 +255,61 @@ func _open_recorder() -> String:
 	return _recorder.open(path)
 
 
-func _open_files(p_option: String) -> String:
-	var paths: PackedStringArray = _options.files(p_option)
-	_has_files = not paths.is_empty()
-	for path: String in paths:
+## The sources that the options name, the short forms first.
+func _find_addresses() -> Array[SourceAddress]:
+	var found: Array[SourceAddress] = []
+	if _options.text("bvh") != "":
+		found.append(SourceAddress.parse("bvh:" + _options.text("bvh")))
+	if _options.is_on("xbus"):
+		found.append(SourceAddress.parse("xbus"))
+	if _options.number("mvn") != 0:
+		found.append(SourceAddress.parse("mvn:%d" % _options.number("mvn")))
+	if _options.text("tracker") != "":
+		found.append(SourceAddress.parse("tracker:" + _options.text("tracker")))
+	found.append_array(SourceAddress.parse_list(_options.text("source")))
+	return found
+
+
+func _open_source(p_address: SourceAddress, p_number: int) -> String:
+	if p_address.fault != "":
+		return "--source: " + p_address.fault
+	match p_address.kind:
+		"bvh":
+			return _open_files(_paths_of(p_address.text), p_number)
+		"xbus":
+			return _open_usb(p_number)
+		"mvn":
+			return _open_mvn(p_address.port, p_number)
+		"tracker":
+			_trackers.append(TrackerSource.new(p_address.text))
+			people.appear(_trackers[-1], "", p_number)
+			return ""
+		"xr":
+			if not make_default.is_valid():
+				return "--source=xr: no headset is worn: start with --display=hmd"
+			_has_files = true
+			people.appear(make_default.call(), "", p_number)
+			return ""
+	var before: SlimeFeed = streams.slime
+	var fault: String = streams.open(p_address, p_number)
+	if fault == "" and streams.slime != before:
+		_wear(streams.slime, _options.text("person") if wearers.is_empty() else "", p_number)
+	return fault
+
+
+## Paths of files as full ones; a file whose own name has commas is one file.
+static func _paths_of(p_text: String) -> PackedStringArray:
+	if FileAccess.file_exists(Options.full_path(p_text)):
+		return [Options.full_path(p_text)]
+	var paths: PackedStringArray = []
+	for part: String in p_text.split(",", false):
+		paths.append(Options.full_path(part))
+	return paths
+
+
+func _open_files(p_paths: PackedStringArray, p_number: int) -> String:
+	_has_files = _has_files or not p_paths.is_empty()
+	for path: String in p_paths:
 		var source: BvhSource = BvhSource.new()
 		source.start_s = _options.seconds("bvh-from")
 		source.open(path, _options.text("unit"), _options.text("up"))
@@ -221,7 +319,8 @@ func _open_files(p_option: String) -> String:
 		for note: String in source.notes:
 			Log.info("mocap", note)
 		# Of several people each has the name of a file, one alone the client's.
-		appeared.emit(source, path.get_file().get_basename() if paths.size() > 1 else "")
+		var name: String = path.get_file().get_basename() if p_paths.size() > 1 else ""
+		people.appear(source, name, p_number)
 	return ""
 
 
@@ -236,33 +335,42 @@ func _open_playback() -> String:
 	Log.info("mocap", _playback.describe())
 	if _playback.suit != null:
 		usb = _playback.suit
-		_wear(usb, _options.text("person"))
+		_wear(usb, _options.text("person"), 0)
 	if _playback.stream != null:
 		mvn = _playback.stream
-		_follow(mvn)
+		_follow(mvn, 0)
 	return ""
 
 
-func _open_usb() -> String:
+func _open_usb(p_number: int) -> String:
 	if usb != null:
 		return "either --xbus or a recording of a suit, not both"
 	usb = UsbSuitFeed.new()
 	usb.record_to(_recorder)
 	usb.open(_options.number("suit-rate"))
 	if usb.error == "":
-		_wear(usb, _options.text("person"))
+		_wear(usb, _options.text("person"), p_number)
 	return usb.error
 
 
-func _follow(p_stream: MvnStream) -> void:
-	p_stream.appeared.connect(appeared.emit)
-	p_stream.vanished.connect(vanished.emit)
-	p_stream.trackers_appeared.connect(_wear)
+func _open_mvn(p_port: int, p_number: int) -> String:
+	if mvn != null:
+		return "MVN's stream is named twice, or a recording has one too"
+	mvn = MvnStream.new()
+	mvn.receiver.set_recorder(_recorder)
+	_follow(mvn, p_number)
+	return mvn.open(p_port)
+
+
+func _follow(p_stream: MvnStream, p_number: int) -> void:
+	p_stream.appeared.connect(people.appear.bind(p_number))
+	p_stream.vanished.connect(people.vanish)
+	p_stream.trackers_appeared.connect(_wear.bind(p_number))
 	p_stream.trackers_vanished.connect(_take_off)
 
 
 ## Somebody wears sensors; the data kept under that person's name are loaded.
-func _wear(p_feed: SensorFeed, p_name: String) -> void:
+func _wear(p_feed: SensorFeed, p_name: String, p_number: int) -> void:
 	var wearer: SuitSource = SuitSource.new(p_feed)
 	if p_name != "" and PersonProfile.find_name_fault(p_name) == "":
 		var profile: PersonProfile = _store.read(p_name)
@@ -282,7 +390,7 @@ func _wear(p_feed: SensorFeed, p_name: String) -> void:
 		wearer.set_profile(other)
 	_by_feed[p_feed] = wearer
 	wearers.append(wearer)
-	appeared.emit(wearer, p_name)
+	people.appear(wearer, p_name, p_number)
 
 
 func _take_off(p_feed: SensorFeed) -> void:
@@ -291,4 +399,4 @@ func _take_off(p_feed: SensorFeed) -> void:
 		_by_feed.erase(p_feed)
 		wearers.erase(wearer)
 		calibration.forget(wearer)
-		vanished.emit(wearer)
+		people.vanish(wearer)

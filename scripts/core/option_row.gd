@@ -59,6 +59,8 @@ var meaning: String = ""
 var bare: String = ""
 ## What stands for a value in help and errors, such as "AZIMUTH,ELEVATION,DISTANCE".
 var form: String = ""
+## Whether it may be given again: values are put together with commas between.
+var is_repeatable: bool = false
 
 
 ## An option that is any text, with a maximum length; 0 for no limit.
@@ -156,6 +158,12 @@ func or_default(p_default: Variant) -> OptionRow:
 ## The same row, with what the option is where it is given without a value.
 func or_bare(p_bare: String) -> OptionRow:
 	bare = p_bare
+	return self
+
+
+## The same row, for an option that may be given again.
+func or_more() -> OptionRow:
+	is_repeatable = true
 	return self
 
 

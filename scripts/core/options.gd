@@ -152,6 +152,8 @@ func _suggest(p_name: String) -> String:
 
 
 func _read(p_arguments: PackedStringArray) -> void:
+	# Of options that may be given again: those that were.
+	var given: Dictionary[String, bool] = {}
 	var i: int = 0
 	while i < p_arguments.size():
 		var argument: String = p_arguments[i]
@@ -175,7 +177,10 @@ func _read(p_arguments: PackedStringArray) -> void:
 		elif not _takes(row):
 			refuse("--%s is for %s, not for %s" % [row.name, ", ".join(row.roles), role])
 		else:
-			_set_option(row, parts[1], "--" + row.name)
+			var before: String = str(_values[row.name]) + "," if given.has(row.name) else ""
+			if row.is_repeatable:
+				given[row.name] = true
+			_set_option(row, before + parts[1], "--" + row.name)
 
 
 func _set_option(p_row: OptionRow, p_value: String, p_source: String) -> void:

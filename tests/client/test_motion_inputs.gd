@@ -25,7 +25,7 @@ func after_each() -> void:
 
 func test_without_a_source_the_options_are_named() -> void:
 	var fault: String = _open([])
-	for option: String in ["--bvh", "--xbus", "--mvn", "--tracker", "--suit-play"]:
+	for option: String in ["--bvh", "--xbus", "--mvn", "--tracker", "--suit-play", "--source"]:
 		contains(fault, option)
 
 
@@ -69,6 +69,60 @@ func test_a_port_for_mvn_that_is_in_use() -> void:
 	equal(_open(["--mvn=%d" % port]), "", "free again")
 	contains(_inputs.guide(0.0), "no MVN on UDP port %d" % port)
 	equal(_inputs.list_devices().size(), 1)
+
+
+func test_one_option_names_all_kinds_of_sources() -> void:
+	equal(_open(["--source=bvh:" + CLIP, "--source=tracker:/user/nobody,bvh:" + BOXER]), "")
+	equal(_appeared.size(), 3)
+	is_true(_appeared[0][0] is BvhSource and _appeared[1][0] is TrackerSource)
+	equal(_inputs.list_sources().size(), 3)
+	equal(_inputs.list_sources()[1]["name"], "tracker")
+
+
+func test_a_source_that_is_none_is_told_with_all_kinds() -> void:
+	for text: String in ["vcm", "vmc:0", "axis:tcp:", "natnet:", "tracker", "xbus:3"]:
+		var fault: String = _open(["--source=" + text])
+		for kind: String in SourceAddress.KINDS:
+			contains(fault, kind, text)
+		_again()
+	contains(_open(["--source=xr"]), "no headset")
+
+
+func test_a_stream_s_port_in_use_is_told_and_a_free_one_waited_at() -> void:
+	var other: PacketPeerUDP = PacketPeerUDP.new()
+	equal(other.bind(0, "0.0.0.0"), OK)
+	var port: int = other.get_local_port()
+	contains(_open(["--source=vmc:%d" % port]), str(port))
+	other.close()
+	_again()
+	equal(_open(["--source=vmc:%d" % port]), "")
+	contains(_inputs.guide(0.0), "no VMC on UDP port %d" % port)
+	equal(_inputs.list_devices().size(), 1)
+	equal(_inputs.open_source("bvh:" + CLIP), "", "more while it runs")
+	equal(_appeared.size(), 1)
+	contains(_inputs.open_source("bvh:/no/such.bvh"), "such.bvh")
+	equal(_inputs.list_sources().size(), 2)
+
+
+func test_limbs_of_another_source_complete_the_first() -> void:
+	equal(_open(["--source=bvh:%s" % CLIP, "--source=bvh:%s" % BOXER, "--fuse=arms:2"]), "")
+	equal(_appeared.size(), 1, "one body of two sources")
+	var fused: LimbFusion = _appeared[0][0]
+	equal(fused.choice(LimbFusion.Group.ARMS), 2)
+	not_null(fused.sample(1_700_000_000_000_000))
+	equal(_inputs.people.choose(LimbFusion.Group.HEAD, 2), "")
+	equal(fused.choice(LimbFusion.Group.HEAD), 2)
+	_again()
+	contains(_open(["--source=bvh:" + CLIP, "--fuse=feet:2"]), "source 2")
+	_again()
+	contains(_open(["--source=bvh:" + CLIP, "--fuse=tail:1"]), "fingers")
+
+
+func test_poses_are_sent_to_other_programs() -> void:
+	contains(_open(["--bvh=" + CLIP, "--vmc-out=nowhere:0"]), "--vmc-out")
+	_again()
+	equal(_open(["--bvh=" + CLIP, "--vmc-out"]), "")
+	equal([_inputs.vmc_out.address, _inputs.vmc_out.port], ["127.0.0.1", 39539])
 
 
 func test_a_tracker_that_is_not_there_is_told_and_waited_for() -> void:

@@ -39,7 +39,7 @@ FLAGS = ("--no-goals",)
 FILES = ("bvh", "file", "report")
 # Whose options are all in their help; the roles' are checked by the program itself.
 CHECKED = ("bvh", "editor", "export", "mvn-sender", "options-doc", "package", "suit-emulator")
-CHECKED += ("platform-watch", "xbus-decode")
+CHECKED += ("motion-sender", "platform-watch", "xbus-decode")
 # What a trainee moves by who names no source of motion.
 CLIP = CLIPS / "01_01.bvh"
 
@@ -51,6 +51,7 @@ def main(arguments: list[str]) -> int:
         "editor": _editor,
         "export": _export,
         "bvh": _bvh,
+        "motion-sender": _motion_sender,
         "mvn-sender": _mvn_sender,
         "xbus-decode": xbus.decode,
         "bench": _bench,
@@ -172,6 +173,12 @@ def _bvh(arguments: list[str]) -> int:
     return _script(
         godot, [], "res://scripts/mocap/bvh/bvh_info.gd", [str(user_path(files[0])), *given]
     )
+
+
+def _motion_sender(arguments: list[str]) -> int:
+    given = normalise(arguments)
+    godot = prepare(export=False)
+    return _script(godot, [], "res://scripts/mocap/emulator/motion_sender.gd", given)
 
 
 def _mvn_sender(arguments: list[str]) -> int:

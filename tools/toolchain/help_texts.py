@@ -36,6 +36,7 @@ Displays
 Motion capture without a suit
   ./run suit-emulator [-- COMMAND]  a suit on USB that is not there, for the program behind --
   ./run mvn-sender          plays a motion file as MVN's network stream
+  ./run motion-sender       plays it as VMC, SlimeVR, Rokoko, Axis Studio, mocopi, NatNet, a webcam
   ./run xbus-decode FILE    what a recording of a suit's bus holds
   ./run bvh FILE            what a motion file holds
 
@@ -129,7 +130,8 @@ def make(godot: Godot) -> dict[Path, str]:
         "studio": studio.HELP,
         "suit-emulator": suit.HELP,
         "wall": wall.HELP,
-        "mvn-sender": _mvn_sender(godot),
+        "motion-sender": _sender(godot, "motion-sender", "emulator/motion_sender.gd"),
+        "mvn-sender": _sender(godot, "mvn-sender", "mvn/mvn_sender.gd"),
         "xbus-decode": _xbus_decode(),
     }
     files = {FOLDER / f"{name}.txt": text for name, text in texts.items()}
@@ -162,12 +164,12 @@ def _roles(godot: Godot) -> tuple[dict[str, str], str]:
     return texts, "\n".join(lines)
 
 
-def _mvn_sender(godot: Godot) -> str:
-    script = "res://scripts/mocap/mvn/mvn_sender.gd"
-    arguments = ["--no-header", "--path", str(ROOT), "-s", script, "--", "--help"]
-    code, text = godot.call(arguments, 120)
+def _sender(godot: Godot, name: str, script: str) -> str:
+    """The help of a program that plays motion files in place of somebody's suit."""
+    arguments = ["--no-header", "--path", str(ROOT), "-s", f"res://scripts/mocap/{script}"]
+    code, text = godot.call([*arguments, "--", "--help"], 120)
     if code != 0 or not text.startswith("usage"):
-        raise Failure(f"mvn-sender prints no help (exit {code}):\n{tail(text)}")
+        raise Failure(f"{name} prints no help (exit {code}):\n{tail(text)}")
     return text.removeprefix("usage: ")
 
 

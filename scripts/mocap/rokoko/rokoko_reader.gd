@@ -81,13 +81,13 @@ const MAX_TEXT: int = 1 << 20
 const _HALF: float = 0.7071067811865476
 const _MAX_ACTORS: int = 8
 
-static var _rests: Dictionary[String, Quaternion] = {}
-
+# By bone, what turns its rotation in the T-pose back.
+var _rests: Dictionary[String, Quaternion] = {}
 var _json: StreamJson = StreamJson.new()
 var _builder: PoseBuilder = PoseBuilder.new()
 
 
-static func _static_init() -> void:
+func _init() -> void:
 	for bone: String in REST:
 		_rests[bone] = _in_godot(REST[bone]).inverse()
 	for finger: String in FINGERS:

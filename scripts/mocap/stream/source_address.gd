@@ -87,6 +87,22 @@ static func parse(p_text: String) -> SourceAddress:
 	return found
 
 
+## Reads several sources with commas between, of which files may have commas too.
+static func parse_list(p_text: String) -> Array[SourceAddress]:
+	var texts: PackedStringArray = []
+	for part: String in p_text.split(",", false):
+		var kind: String = part.get_slice(":", 0)
+		var is_more: bool = not texts.is_empty() and texts[-1].begins_with("bvh:")
+		if is_more and not KINDS.has(kind):
+			texts[-1] += "," + part
+		else:
+			texts.append(part)
+	var found: Array[SourceAddress] = []
+	for text: String in texts:
+		found.append(parse(text))
+	return found
+
+
 ## All kinds as they are written: "vmc[:PORT]".
 static func describe_kinds() -> PackedStringArray:
 	var kinds: PackedStringArray = []

@@ -33,9 +33,12 @@ const _SAME: int = 2
 ## Frames that may wait for their bones.
 const _MAX_OPEN: int = 6
 
-static var _joints: Dictionary[String, int] = _find_joints()
-## All joints, those nearer to the hips first.
-static var _order: PackedInt32Array = _find_order()
+static var _joints: Dictionary[String, int] = {}
+static var _names: Dictionary[int, String] = {}
+static var _mutex: Mutex = Mutex.new()
+
+# All joints, those nearer to the hips first.
+var _order: PackedInt32Array = _find_order()
 
 var _osc: Osc = Osc.new()
 var _actors: Dictionary[String, Actor] = {}
@@ -125,13 +128,23 @@ func trouble(p_sender: String) -> String:
 
 ## The joint of a bone's name in Unity, or -1.
 static func joint_of(p_name: String) -> int:
+	_fill()
 	return _joints.get(p_name, -1)
 
 
 ## Unity's name of a joint, or an empty text.
 static func name_of(p_joint: int) -> String:
-	var found: Variant = _joints.find_key(p_joint)
-	return "" if found == null else str(found)
+	_fill()
+	return _names.get(p_joint, "")
+
+
+static func _fill() -> void:
+	_mutex.lock()
+	if _joints.is_empty():
+		_joints = _find_joints()
+		for name: String in _joints:
+			_names[_joints[name]] = name
+	_mutex.unlock()
 
 
 static func _find_joints() -> Dictionary[String, int]:

@@ -28,3 +28,12 @@ func test_what_is_wrong_is_told_with_all_kinds() -> void:
 		for kind: String in SourceAddress.KINDS:
 			contains(fault, kind, "'%s'" % text)
 	contains(SourceAddress.parse("vcm").fault, "did you mean vmc")
+
+
+func test_several_sources_in_one_text() -> void:
+	var found: Array[SourceAddress] = SourceAddress.parse_list("vmc:1,bvh:a.bvh,b.bvh,slime,x")
+	equal(
+		found.map(func(one: SourceAddress) -> String: return one.kind), ["vmc", "bvh", "slime", "x"]
+	)
+	equal(found[1].text, "a.bvh,b.bvh")
+	not_equal(found[3].fault, "")

@@ -1,0 +1,135 @@
+class_name MotionStreams
+extends RefCounted
+## The network streams that the sources of a client are: opened by what [code]--source[/code] says,
+## each a [PoseStream] or a [SensorFeed].
+
+## Somebody's motion has begun to come; by the number that its source was opened with.
+signal appeared(p_source: MotionSource, p_name: String, p_number: int)
+## A person's motion has stopped.
+signal vanished(p_source: MotionSource)
+
+## Streams of poses, in the order in which they were opened.
+var poses: Array[PoseStream] = []
+## SlimeVR's trackers, or null.
+var slime: SlimeFeed = null
+
+
+## What reads a kind's datagrams; null for kinds that are no stream of poses.
+static func reader_of(p_kind: String) -> StreamReader:
+	match p_kind:
+		"vmc":
+			return VmcReader.new()
+		"rokoko":
+			return RokokoReader.new()
+		"axis":
+			return AxisReader.new()
+		"mocopi":
+			return MocopiReader.new()
+		"natnet":
+			return NatnetReader.new()
+		"webcam":
+			return WebcamReader.new()
+	return null
+
+
+## Opens a source, under a number. Returns why it can't, or an empty text.
+func open(p_address: SourceAddress, p_number: int) -> String:
+	if p_address.kind == "slime":
+		return _open_slime(p_address)
+	var reader: StreamReader = reader_of(p_address.kind)
+	if reader == null:
+		return "'%s' is no network stream" % p_address.kind
+	var group: String = ""
+	if reader is NatnetReader:
+		group = NatnetReader.GROUP
+		var host: String = p_address.host
+		if host != "" and not host.is_valid_ip_address():
+			host = IP.resolve_hostname(host, IP.TYPE_IPV4)
+			if host == "":
+				return "NatNet: the host '%s' can't be found" % p_address.host.left(60)
+		(reader as NatnetReader).host = host
+	elif reader is AxisReader:
+		(reader as AxisReader).is_tcp = p_address.is_tcp
+	var stream: PoseStream = PoseStream.new(reader)
+	stream.appeared.connect(appeared.emit.bind(p_number))
+	stream.vanished.connect(vanished.emit)
+	poses.append(stream)
+	if p_address.is_tcp:
+		stream.open_tcp(p_address.host, p_address.port)
+		return ""
+	return stream.open(p_address.port, group)
+
+
+## Goes on, in the main thread, each frame.
+func advance() -> void:
+	for stream: PoseStream in poses:
+		stream.advance()
+	if slime != null:
+		slime.advance()
+
+
+## Whether any stream is open.
+func has_any() -> bool:
+	return not poses.is_empty() or slime != null
+
+
+## For the panel, see [constant DeviceList.KEYS].
+func list_devices() -> Array[Dictionary]:
+	var rows: Array[Dictionary] = []
+	for stream: PoseStream in poses:
+		rows.append_array(stream.list_devices())
+	if slime != null:
+		rows.append_array(slime.list_devices())
+	return rows
+
+
+## What is wrong, or what is waited for, for the wearer; empty if all is well.
+func trouble() -> String:
+	var texts: PackedStringArray = []
+	for stream: PoseStream in poses:
+		var text: String = stream.trouble()
+		if text == "" and stream.people.is_empty():
+			text = stream.describe()
+		if text != "":
+			texts.append(text)
+	if slime != null:
+		var text: String = slime.trouble()
+		if text == "" and slime.list_sensors().is_empty():
+			text = slime.describe()
+		if text != "":
+			texts.append(text)
+	return "\n".join(texts)
+
+
+## One line for people.
+func describe() -> String:
+	var texts: PackedStringArray = []
+	for stream: PoseStream in poses:
+		texts.append(stream.describe())
+	return ", ".join(texts)
+
+
+## UDP ports that are open.
+func list_ports() -> PackedInt32Array:
+	var ports: PackedInt32Array = []
+	for stream: PoseStream in poses:
+		ports.append(stream.port.get_port())
+	if slime != null:
+		ports.append(slime.get_port())
+	return ports
+
+
+## Closes all.
+func close() -> void:
+	for stream: PoseStream in poses:
+		stream.close()
+	if slime != null:
+		slime.close()
+
+
+func _open_slime(p_address: SourceAddress) -> String:
+	if slime != null:
+		return "SlimeVR trackers have one port: name slime once"
+	slime = SlimeFeed.new()
+	slime.open(p_address.port)
+	return slime.error

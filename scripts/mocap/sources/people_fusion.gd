@@ -1,0 +1,101 @@
+class_name PeopleFusion
+extends RefCounted
+## Who of all sources is one of the people, and who completes the first source's person limb by limb
+## ([LimbFusion]). Sources have numbers from 1 on.
+
+## Somebody is one of the people now.
+signal appeared(p_source: MotionSource, p_name: String)
+## Somebody is one no more.
+signal vanished(p_source: MotionSource)
+
+## The first source's person, completed by others; null while nobody is.
+var fusion: LimbFusion = null
+## How many sources there are.
+var count: int = 0
+
+# Which source gives a group of limbs, those that complete the first one's person, and all who are
+# there: source, name, number.
+var _choices: Dictionary[LimbFusion.Group, int] = {}
+var _completing: Dictionary[int, MotionSource] = {}
+var _present: Array[Array] = []
+
+
+## Reads choices such as "feet:2,head:3" for the sources that there are. Returns what is wrong, or
+## an empty text.
+func read(p_text: String) -> String:
+	var fault: String = LimbFusion.parse(p_text, _choices)
+	if fault != "":
+		return "--fuse is " + fault
+	for number: int in _choices.values():
+		if number > count:
+			return "--fuse names source %d, and there are %d" % [number, count]
+	return ""
+
+
+## Lets a source of a number give a group of limbs of the first one's person; 1 gives it back.
+## Returns why it can't, or an empty text.
+func choose(p_group: LimbFusion.Group, p_number: int) -> String:
+	if p_number < 1 or p_number > count:
+		return "there is no source %d, only 1 to %d" % [p_number, count]
+	_choices[p_group] = p_number
+	if fusion != null:
+		fusion.choose(p_group, p_number)
+	if fusion == null or (p_number > 1 and not _completing.has(p_number)):
+		# Everybody comes anew, as the choices have it.
+		var present: Array[Array] = _present.duplicate()
+		for row: Array in present:
+			vanish(row[0])
+		for row: Array in present:
+			appear(row[0], row[1], row[2])
+	return ""
+
+
+## Which source gives a group.
+func choice(p_group: LimbFusion.Group) -> int:
+	return _choices.get(p_group, 1)
+
+
+## Somebody of the source of a number: the name, or what the source says of itself; empty if nobody
+## is there.
+func find_person(p_number: int) -> String:
+	for row: Array in _present:
+		if row[2] == p_number:
+			return row[1] if row[1] != "" else (row[0] as MotionSource).describe()
+	return ""
+
+
+## Somebody of the source of a number has come.
+func appear(p_source: MotionSource, p_name: String, p_number: int) -> void:
+	_present.append([p_source, p_name, p_number])
+	var completes: bool = p_number > 1 and _choices.values().has(p_number)
+	if completes and not _completing.has(p_number):
+		_completing[p_number] = p_source
+		if fusion != null:
+			fusion.set_source(p_number, p_source)
+		return
+	var others: Array[int] = _choices.values().filter(func(number: int) -> bool: return number > 1)
+	if p_number != 1 or fusion != null or others.is_empty():
+		appeared.emit(p_source, p_name)
+		return
+	fusion = LimbFusion.new(p_source)
+	for group: LimbFusion.Group in _choices:
+		fusion.choose(group, _choices[group])
+	for number: int in _completing:
+		fusion.set_source(number, _completing[number])
+	appeared.emit(fusion, p_name)
+
+
+## Somebody has gone.
+func vanish(p_source: MotionSource) -> void:
+	_present = _present.filter(func(row: Array) -> bool: return row[0] != p_source)
+	var number: Variant = _completing.find_key(p_source)
+	if number != null:
+		_completing.erase(number)
+		if fusion != null:
+			fusion.set_source(number, null)
+	elif fusion != null and fusion.first() == p_source:
+		var gone: LimbFusion = fusion
+		fusion = null
+		vanished.emit(gone)
+	else:
+		vanished.emit(p_source)

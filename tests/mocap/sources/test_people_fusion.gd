@@ -1,0 +1,60 @@
+extends TestCase
+## Who of several sources is one of the people, and who completes the first.
+
+var _fusion: PeopleFusion = null
+var _came: Array[MotionSource] = []
+var _gone: Array[MotionSource] = []
+
+
+func before_each() -> void:
+	_came.clear()
+	_gone.clear()
+	_fusion = PeopleFusion.new()
+	_fusion.count = 3
+	_fusion.appeared.connect(func(one: MotionSource, _name: String) -> void: _came.append(one))
+	_fusion.vanished.connect(_gone.append)
+
+
+func test_without_choices_everybody_is_one_of_the_people() -> void:
+	var sources: Array[MotionSource] = [MotionSource.new(), MotionSource.new()]
+	for number: int in 2:
+		_fusion.appear(sources[number], "", number + 1)
+	equal(_came, sources)
+	_fusion.vanish(sources[0])
+	equal(_gone.size(), 1)
+
+
+func test_a_completing_source_may_come_first_and_go_first() -> void:
+	equal(_fusion.read("feet:2"), "")
+	var suit: MotionSource = MotionSource.new()
+	var feet: MotionSource = MotionSource.new()
+	var third: MotionSource = MotionSource.new()
+	_fusion.appear(feet, "", 2)
+	equal(_came.size(), 0)
+	_fusion.appear(suit, "Eve", 1)
+	_fusion.appear(third, "", 3)
+	equal(_came.size(), 2)
+	equal(_fusion.fusion.first(), suit)
+	equal(_fusion.fusion.list_sources(), PackedInt32Array([2]))
+	equal(_fusion.find_person(1), "Eve")
+	_fusion.vanish(feet)
+	equal(_fusion.fusion.list_sources().size(), 0)
+	_fusion.vanish(suit)
+	equal(_gone.size(), 1)
+	is_null(_fusion.fusion)
+
+
+func test_a_choice_at_the_panel_joins_and_is_taken_back() -> void:
+	var suit: MotionSource = MotionSource.new()
+	var head: MotionSource = MotionSource.new()
+	_fusion.appear(suit, "", 1)
+	_fusion.appear(head, "", 2)
+	equal(_fusion.choose(LimbFusion.Group.HEAD, 2), "")
+	not_null(_fusion.fusion)
+	equal(_gone.size(), 2, "both come anew")
+	equal(_came.size(), 3)
+	equal(_fusion.fusion.list_sources(), PackedInt32Array([2]))
+	equal(_fusion.choose(LimbFusion.Group.HEAD, 1), "")
+	equal(_fusion.choice(LimbFusion.Group.HEAD), 1)
+	contains(_fusion.choose(LimbFusion.Group.HEAD, 4), "1 to 3")
+	contains(_fusion.read("head:4"), "source 4")
