@@ -8,6 +8,7 @@ static func rows(p_moving: PackedStringArray, p_with_load: PackedStringArray) ->
 	var kinds: String = ", ".join(SourceAddress.describe_kinds())
 	var groups: String = ", ".join(LimbFusion.NAMES)
 	return [
+		OptionRow.files("bvh", p_with_load, "motion files, played in a loop, one person each"),
 		(
 			OptionRow
 			. text(
@@ -33,7 +34,6 @@ static func rows(p_moving: PackedStringArray, p_with_load: PackedStringArray) ->
 			. or_bare("127.0.0.1:39539")
 			. shown_as("HOST:PORT")
 		),
-		OptionRow.files("bvh", p_with_load, "motion files, played in a loop, one person each"),
 		OptionRow.decimal(
 			"bvh-from", p_moving, 0.0, [0.0, 1e6], "moment of the motion files to begin at", "s"
 		),

@@ -125,9 +125,8 @@ func row(p_now_usec: int) -> Dictionary:
 	for sensor: SlimeSensor in sensors.values():
 		rate = maxf(rate, sensor.info.rate_hz)
 		trouble = sensor.info.trouble if trouble == "" else trouble
-		var states: PackedStringArray = ["no magnetometer", "magnetometer off", "magnetometer on"]
-		var state: String = states[sensor.magnetometer + 1]
-		if not magnetometers.has(state):
+		var state: String = SlimeSensor.MAGNETOMETERS[sensor.magnetometer]
+		if state != "" and not magnetometers.has(state):
 			magnetometers.append(state)
 	notes.append("%.0f Hz" % rate)
 	notes.append_array(magnetometers)
@@ -258,7 +257,12 @@ func _read_sensor(p_size: int) -> void:
 		_buffer.get_u8()
 		# The lowest bit: a magnetometer is used; the next one: there is one.
 		var settings: int = _buffer.get_u16()
-		sensor.magnetometer = (settings & 1) if settings & 3 != 0 else -1
+		sensor.magnetometer = SlimeSensor.Magnetometer.NONE
+		if settings & 3 != 0:
+			var is_used: bool = settings & 1 != 0
+			sensor.magnetometer = (
+				SlimeSensor.Magnetometer.ON if is_used else SlimeSensor.Magnetometer.OFF
+			)
 	if p_size >= 7:
 		_buffer.get_u8()
 		var place: int = _buffer.get_u8()

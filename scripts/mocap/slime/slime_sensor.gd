@@ -3,6 +3,22 @@ extends RefCounted
 ## One sensor of a SlimeVR tracker: what is known of it, and its last readings, to be asked for at
 ## any moment.
 
+## What may be known of a magnetometer.
+enum Magnetometer {
+	## The tracker has not said.
+	UNKNOWN,
+	## There is none.
+	NONE,
+	## It is not used.
+	OFF,
+	## It is used.
+	ON,
+}
+
+## The same for people; empty for what is not known.
+const MAGNETOMETERS: PackedStringArray = [
+	"", "no magnetometer", "magnetometer off", "magnetometer on"
+]
 ## Readings that are kept.
 const MAX_READINGS: int = 32
 ## A sensor that is silent for longer is not in a frame, µs.
@@ -12,8 +28,8 @@ const _RATE_USEC: int = 1000000
 
 ## What is known of it, for the panel.
 var info: SensorInfo = SensorInfo.new()
-## Whether a magnetometer is used; -1 where there is none or it is not said, else 0 or 1.
-var magnetometer: int = -1
+## What is known of its magnetometer.
+var magnetometer: Magnetometer = Magnetometer.UNKNOWN
 ## When the newest reading came, µs of Unix time.
 var heard_usec: int = 0
 

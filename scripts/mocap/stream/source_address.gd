@@ -22,7 +22,7 @@ enum Form {
 const FORMS: Dictionary[Form, String] = {
 	Form.BARE: "",
 	Form.PORT: "[:PORT]",
-	Form.PORT_OR_TCP: "[:PORT|:tcp:HOST:PORT]",
+	Form.PORT_OR_TCP: "[:[tcp:HOST:]PORT]",
 	Form.HOST: "[:HOST]",
 	Form.NAME: ":NAME",
 	Form.FILES: ":FILE",

@@ -107,20 +107,28 @@ func _read_message() -> void:
 		fault = "more than %d OSC messages in a datagram" % MAX_MESSAGES
 		return
 	var found: Array = [_text()]
-	var tags: String = _text()
-	if fault == "" and (not tags.begins_with(",") or tags.length() > MAX_ARGUMENTS):
+	# Types are read as bytes: a letter of a text would be a text of its own each.
+	var tag: int = _buffer.get_position()
+	var count: int = _bytes.find(0, tag) - tag
+	if fault == "":
+		_text()
+	if fault == "" and (_bytes[tag] != 0x2C or count > MAX_ARGUMENTS):
 		fault = "'%s' has no types of OSC arguments" % ByteReader.clean(str(found[0])).left(40)
-	for at: int in range(1, tags.length()):
+	for at: int in range(tag + 1, tag + count):
 		if fault != "":
 			return
-		found.append(_argument(tags[at]))
+		# Most are numbers.
+		if _bytes[at] == 0x66 and _buffer.get_position() + 4 <= _end:
+			found.append(_buffer.get_float())
+		else:
+			found.append(_argument(_bytes[at]))
 	if fault == "":
 		_messages.append(found)
 
 
-func _argument(p_tag: String) -> Variant:
+func _argument(p_tag: int) -> Variant:
 	var found: Variant = null
-	match p_tag:
+	match char(p_tag):
 		"f":
 			found = _buffer.get_float() if _has(4) else 0.0
 		"i":
@@ -134,13 +142,13 @@ func _argument(p_tag: String) -> Variant:
 		"b":
 			found = _raw()
 		"T", "F":
-			found = p_tag == "T"
+			found = p_tag == 0x54
 		"N":
 			found = null
 		"I":
 			found = INF
 		_:
-			fault = "there is no type '%s' of OSC arguments" % ByteReader.clean(p_tag)
+			fault = "there is no type 0x%02X of OSC arguments" % p_tag
 	return found
 
 
@@ -159,19 +167,9 @@ func _text() -> String:
 		fault = "a text in an OSC message has no end"
 		return ""
 	_buffer.seek(next)
-	var text: PackedByteArray = _bytes.slice(begin, end)
-	# Names are ASCII; the engine reports an error for UTF-8 that is none.
-	for byte: int in text:
-		if byte >= 0x80:
-			return _decode(text)
-	return text.get_string_from_ascii()
-
-
-static func _decode(p_text: PackedByteArray) -> String:
-	var sized: PackedByteArray = [0, 0]
-	sized.encode_u16(0, mini(p_text.size(), 0xFFFF))
-	sized.append_array(p_text)
-	return ByteReader.new(sized).read_text(0xFFFF)
+	# Byte by byte: all names that are used are ASCII, and the engine reports an error for UTF-8
+	# that is none.
+	return _bytes.slice(begin, end).get_string_from_ascii()
 
 
 func _raw() -> PackedByteArray:
