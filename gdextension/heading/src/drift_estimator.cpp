@@ -34,13 +34,13 @@ constexpr double HABIT_SPREAD = degrees(50.0);
 /// blocks somebody who stays so is another witness.
 constexpr double FRONT_SPREAD = degrees(6.0);
 constexpr double SAME_FRONT = degrees(15.0);
-constexpr double FRONT_VARIANCE = degrees(8.0) * degrees(8.0);
+constexpr double FRONT_VARIANCE = degrees(5.0) * degrees(5.0);
 constexpr double LEARN_FRONT = 0.1;
 constexpr int FRONT_WITNESS = 15;
-/// Rates of drift, squared, in variances of what they would seem to be if there were none: below the
-/// first nothing is corrected, above the second everything (after Efron and Morris 1973).
-constexpr double DOUBTED = 0.45;
-constexpr double TRUSTED = 0.9;
+/// The mean of rates of drift, squared, in variances of what they would seem to be if there were
+/// none: below the first nothing is corrected, above the second everything (after Efron and Morris 1973).
+constexpr double DOUBTED = 0.4;
+constexpr double TRUSTED = 0.8;
 /// What a magnetic north that looks good may be off, rad²: for minutes by the same.
 constexpr double NORTH_VARIANCE = degrees(12.0) * degrees(12.0);
 /// How fast both are learnt, a block or a window, and the least that they can be, rad².
@@ -337,15 +337,15 @@ void DriftEstimator::_take_fields() {
 
 void DriftEstimator::_doubt() {
 	double rates = 0.0;
-	double noise = 0.0;
+	int worn = 0;
 	for (int mount = 0; mount < MOUNTS; mount++) {
 		if (_worn[std::size_t(mount)]) {
 			const double deviation = _state.rate_deviation(mount);
-			rates += _state.rate(mount) * _state.rate(mount);
-			noise += deviation * deviation;
+			rates += _state.rate(mount) * _state.rate(mount) / (deviation * deviation);
+			worn++;
 		}
 	}
-	const double ratio = noise > 0.0 ? rates / noise : 0.0;
+	const double ratio = worn > 0 ? rates / worn : 0.0;
 	_trust = std::clamp((ratio - DOUBTED) / (TRUSTED - DOUBTED), 0.0, 1.0);
 }
 

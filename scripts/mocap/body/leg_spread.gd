@@ -29,7 +29,35 @@ const EXPLAINS: float = 0.7
 
 var _most: int = 100
 # For each pair of mounts, by smaller * 32 + larger: turns about the two axes that are no hinge.
-var _turns: Dictionary[int, PackedVector2Array] = {}
+var _turns: Dictionary[int, Turns] = {}
+
+
+## The turns of a pair of mounts.
+class Turns:
+	## The newest ones, rad, in a ring.
+	var ring: PackedVector2Array = PackedVector2Array()
+	## Where the next one goes.
+	var next: int = 0
+	## Their sum, and that of their squared lengths.
+	var sum: Vector2 = Vector2.ZERO
+	var squares: float = 0.0
+
+	## Adds one; beyond a number the oldest goes.
+	func add(p_turn: Vector2, p_most: int) -> void:
+		if ring.size() < p_most:
+			ring.append(p_turn)
+		else:
+			sum -= ring[next]
+			squares -= ring[next].length_squared()
+			ring[next] = p_turn
+			next = (next + 1) % p_most
+		sum += p_turn
+		squares += p_turn.length_squared()
+
+	## How far they are from their mean, rad.
+	func spread() -> float:
+		var mean: Vector2 = sum / ring.size()
+		return sqrt(maxf(squares / ring.size() - mean.length_squared(), 0.0))
 
 
 func _init(p_most: int) -> void:
@@ -50,11 +78,9 @@ func add(p_pose: Array) -> void:
 			var above: Quaternion = p_pose[first]
 			var turn: Vector3 = Rotations.vector(above.inverse() * p_pose[second])
 			var key: int = first * 32 + second
-			var turns: PackedVector2Array = _turns.get(key, PackedVector2Array())
-			turns.append(Vector2(turn.y, turn.z))
-			if turns.size() > _most:
-				turns.remove_at(0)
-			_turns[key] = turns
+			if not _turns.has(key):
+				_turns[key] = Turns.new()
+			_turns[key].add(Vector2(turn.y, turn.z), _most)
 
 
 ## Sum of the spreads of the joints if two mounts are exchanged (zero: as they are), degrees; NaN
@@ -104,13 +130,4 @@ static func _after(p_mount: int, p_exchange: Vector2i) -> int:
 
 
 func _spread_deg(p_key: int) -> float:
-	if not _turns.has(p_key):
-		return NAN
-	var turns: PackedVector2Array = _turns[p_key]
-	var mean: Vector2 = Vector2.ZERO
-	for turn: Vector2 in turns:
-		mean += turn / turns.size()
-	var sum: float = 0.0
-	for turn: Vector2 in turns:
-		sum += (turn - mean).length_squared() / turns.size()
-	return rad_to_deg(sqrt(sum))
+	return rad_to_deg(_turns[p_key].spread()) if _turns.has(p_key) else NAN

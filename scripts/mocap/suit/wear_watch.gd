@@ -3,16 +3,20 @@ extends RefCounted
 ## Notices from anybody's motion that sensors are exchanged or have slipped, because joints go
 ## where no joint goes; and names them.
 ##
-## It judges the last [constant WINDOW_S] seconds: where joints go ([JointRange]), and whether
-## knees and ankles are hinges ([LegSpread]). What bends no joint wrongly it cannot see: exchanges
-## of whole arms or legs, of a hand with its forearm, or within the trunk. A fit check finds those
-## ([FitCheck]).
+## It judges the last [constant WINDOW_S] seconds: where joints go ([JointRange]); and the last
+## [constant LEGS_S]: whether knees and ankles are hinges ([LegSpread]). What bends no joint wrongly
+## it cannot see: exchanges of whole arms or legs, of a hand with its forearm, or within the trunk. A
+## fit check finds those ([FitCheck]).
 
 ## Something was noticed, or is over.
 signal changed
 
 ## Span that is judged, s.
 const WINDOW_S: float = 20.0
+## Span over which legs are judged, s.
+const LEGS_S: float = 60.0
+## What is noticed must be so for so long before it is said, in conclusions, one a second.
+const LASTS: int = 8
 ## Poses a second that are kept.
 const RATE_HZ: float = 5.0
 ## Nothing is said before so many poses.
@@ -70,7 +74,11 @@ var _last_usec: int = -1
 ## (NaN if it is not known), rad.
 var _rows: Array[PackedFloat32Array] = []
 var _since: int = 0
-var _legs: LegSpread = LegSpread.new(roundi(WINDOW_S * RATE_HZ))
+# What was noticed last, and how often in a row.
+var _found: Array[Vector2i] = []
+var _loose: PackedInt32Array = PackedInt32Array()
+var _lasts: int = 0
+var _legs: LegSpread = LegSpread.new(roundi(LEGS_S * RATE_HZ))
 # The pose in which the sensors were calibrated.
 var _reset: ResetPose.Kind = ResetPose.Kind.T
 
@@ -80,6 +88,7 @@ func clear() -> void:
 	_rows.clear()
 	_legs.clear()
 	_last_usec = -1
+	_lasts = 0
 	if not swaps.is_empty() or not slipped.is_empty():
 		swaps = []
 		slipped = PackedInt32Array()
@@ -182,7 +191,11 @@ func _conclude() -> void:
 	var loose: PackedInt32Array = []
 	if found.is_empty():
 		loose = _find_slipped()
-	if found != swaps or loose != slipped:
+	_lasts = _lasts + 1 if found == _found and loose == _loose else 1
+	_found = found
+	_loose = loose
+	var is_over: bool = found.is_empty() and loose.is_empty()
+	if (found != swaps or loose != slipped) and (_lasts >= LASTS or is_over):
 		swaps = found
 		slipped = loose
 		changed.emit()
