@@ -39,12 +39,12 @@ func open(p_text: String) -> String:
 	return ""
 
 
-## Sends a pose of one of the people, who has a size.
-func send(p_person: int, p_pose: PoseSample, p_size: BodySize) -> void:
+## Sends a pose of one of the people, who has the size that the source knows.
+func send(p_person: int, p_pose: PoseSample, p_source: MotionSource) -> void:
 	if port + p_person > 65535:
 		return
 	if not _writers.has(p_person):
-		_writers[p_person] = VmcWriter.new(p_size)
+		_writers[p_person] = VmcWriter.new(p_source.get_body())
 	_peer.set_dest_address(address, port + p_person)
 	for datagram: PackedByteArray in _writers[p_person].write(p_pose):
 		_peer.put_packet(datagram)

@@ -9,13 +9,6 @@ extends StreamReader
 ## come, or else when the next one begins; bones of it that got lost are put between their
 ## neighbours.
 
-## Unity's names of bones that differ from Godot's.
-const _OTHER_NAMES: Dictionary[String, String] = {
-	"LeftThumbProximal": "LeftThumbMetacarpal",
-	"LeftThumbIntermediate": "LeftThumbProximal",
-	"RightThumbProximal": "RightThumbMetacarpal",
-	"RightThumbIntermediate": "RightThumbProximal",
-}
 ## Senders whose bones are kept.
 const _MAX_SENDERS: int = 16
 ## Devices of a sender that are named.
@@ -33,13 +26,8 @@ const _SAME: int = 2
 ## Frames that may wait for their bones.
 const _MAX_OPEN: int = 6
 
-static var _joints: Dictionary[String, int] = {}
-static var _names: Dictionary[int, String] = {}
-static var _mutex: Mutex = Mutex.new()
-
 # All joints, those nearer to the hips first.
 var _order: PackedInt32Array = _find_order()
-
 var _osc: Osc = Osc.new()
 var _actors: Dictionary[String, Actor] = {}
 
@@ -126,41 +114,6 @@ func trouble(p_sender: String) -> String:
 	return "" if actor.is_calibrated else "the sender is not calibrated: calibrate there"
 
 
-## The joint of a bone's name in Unity, or -1.
-static func joint_of(p_name: String) -> int:
-	_fill()
-	return _joints.get(p_name, -1)
-
-
-## Unity's name of a joint, or an empty text.
-static func name_of(p_joint: int) -> String:
-	_fill()
-	return _names.get(p_joint, "")
-
-
-static func _fill() -> void:
-	_mutex.lock()
-	if _joints.is_empty():
-		_joints = _find_joints()
-		for name: String in _joints:
-			_names[_joints[name]] = name
-	_mutex.unlock()
-
-
-static func _find_joints() -> Dictionary[String, int]:
-	var found: Dictionary[String, int] = {}
-	for limb: int in Limbs.COUNT:
-		found[str(Limbs.BONES[limb])] = HumanoidAxes.JOINTS[limb]
-	for joint: int in HumanoidAxes.OTHERS:
-		found[str(HumanoidAxes.OTHERS[joint])] = joint
-	for hand: int in 2:
-		for joint: int in FingerJoints.of_hand(hand):
-			var bone: String = str(FingerJoints.bone_of(joint))
-			var other: Variant = _OTHER_NAMES.find_key(bone)
-			found[bone if other == null else str(other)] = joint
-	return found
-
-
 static func _find_order() -> PackedInt32Array:
 	var order: PackedInt32Array = PackedInt32Array(PoseBuilder.PARENTS.keys())
 	for hand: int in 2:
@@ -169,7 +122,7 @@ static func _find_order() -> PackedInt32Array:
 
 
 func _take_bone(p_message: Array, r_bones: Dictionary[int, Transform3D]) -> void:
-	var joint: int = joint_of(str(p_message[1])) if p_message.size() > 1 else -1
+	var joint: int = UnityBones.joint_of(str(p_message[1])) if p_message.size() > 1 else -1
 	if joint >= 0 and _is_place(p_message):
 		r_bones[joint] = _place_of(p_message)
 

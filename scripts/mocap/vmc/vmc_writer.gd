@@ -49,7 +49,7 @@ func _bones(p_pose: PoseSample) -> Array[PackedByteArray]:
 		if above >= 0:
 			turn = turns[above].inverse() * turn
 			offset = _rest(joint) - _rest(above)
-		bones.append(_place("/VMC/Ext/Bone/Pos", VmcReader.name_of(joint), turn, offset))
+		bones.append(_place("/VMC/Ext/Bone/Pos", UnityBones.name_of(joint), turn, offset))
 	return bones
 
 

@@ -27,7 +27,7 @@ func test_two_people_go_to_two_ports() -> void:
 		for step: int in 2:
 			var pose: PoseSample = clip.pose_at(1.0 + person + step)
 			pose.time_usec = step * 1000000
-			out.send(person, pose, clip.get_body())
+			out.send(person, pose, clip)
 		for _frame: int in PATIENCE:
 			while peers[person].get_available_packet_count() > 0:
 				samples.append_array(reader.read(peers[person].get_packet(), "x"))
