@@ -12,6 +12,8 @@ signal vanished(p_source: MotionSource)
 const MIN_SAMPLES: int = 2
 ## Somebody of whom nothing came for so long is gone, s.
 const GONE_S: float = 3.0
+## What a sender did wrong is told for so long after its last datagram, s.
+const FORGOTTEN_S: float = 10.0
 ## Maximum of people, of all senders together.
 const MAX_PEOPLE: int = 8
 ## Maximum of senders of whom something is known.
@@ -31,9 +33,12 @@ var _looked_s: float = -INF
 # Shared between threads and guarded.
 var _mutex: Mutex = Mutex.new()
 var _heard: Dictionary[String, StreamPerson] = {}
-var _refused: Dictionary[String, int] = {}
-var _why: Dictionary[String, String] = {}
+var _refused: int = 0
 var _crowd: int = 0
+# Of each sender of late: when it said something, why it can't be used, what is known of it and what
+# is wrong with it.
+var _spoken_usec: Dictionary[String, int] = {}
+var _why: Dictionary[String, String] = {}
 var _details: Dictionary[String, PackedStringArray] = {}
 
 
@@ -87,7 +92,8 @@ func take(p_bytes: PackedByteArray, p_sender: String, p_usec: int) -> void:
 	if fault != "":
 		_refuse(p_sender, fault)
 	_mutex.lock()
-	if _details.has(p_sender) or _details.size() < MAX_SENDERS:
+	if _spoken_usec.has(p_sender) or _spoken_usec.size() < MAX_SENDERS:
+		_spoken_usec[p_sender] = p_usec
 		_details[p_sender] = known
 	_mutex.unlock()
 
@@ -133,12 +139,9 @@ func describe() -> String:
 func list_devices() -> Array[Dictionary]:
 	var stats: Dictionary = port.stats()
 	_mutex.lock()
-	var refused: int = 0
-	for sender: String in _refused:
-		refused += _refused[sender]
 	var notes: PackedStringArray = []
-	if refused > 0:
-		notes.append("%d bad datagrams" % refused)
+	if _refused > 0:
+		notes.append("%d bad datagrams" % _refused)
 	if stats["left_out"] > 0:
 		notes.append("%d of a flood left out" % stats["left_out"])
 	if _crowd > 0:
@@ -162,6 +165,11 @@ func list_devices() -> Array[Dictionary]:
 func look(p_now_s: float) -> void:
 	var fresh: Dictionary[String, StreamPerson] = {}
 	_mutex.lock()
+	for sender: String in _spoken_usec.keys():
+		if p_now_s - _spoken_usec[sender] / 1e6 > FORGOTTEN_S:
+			_spoken_usec.erase(sender)
+			_details.erase(sender)
+			_why.erase(sender)
 	for key: String in _heard.keys():
 		var stats: Dictionary = _heard[key].stats()
 		if p_now_s - stats["usec"] / 1e6 > GONE_S:
@@ -230,7 +238,7 @@ func _person(p_sample: StreamSample, p_sender: String) -> StreamPerson:
 func _refuse(p_sender: String, p_why: String) -> void:
 	Log.limited("mocap", title() + p_sender, "%s from %s: %s" % [title(), p_sender, p_why])
 	_mutex.lock()
-	if _refused.has(p_sender) or _refused.size() < MAX_SENDERS:
-		_refused[p_sender] = _refused.get(p_sender, 0) + 1
+	_refused += 1
+	if _spoken_usec.has(p_sender) or _spoken_usec.size() < MAX_SENDERS:
 		_why[p_sender] = p_why
 	_mutex.unlock()

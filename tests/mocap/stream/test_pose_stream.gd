@@ -70,3 +70,5 @@ func test_rubbish_is_counted_and_told() -> void:
 	contains(_stream.trouble(), "OSC")
 	contains(_stream.list_devices()[0]["detail"], "1 bad")
 	equal(_came.size(), 0)
+	_stream.look(Time.get_unix_time_from_system() + 60.0)
+	equal(_stream.trouble(), "", "forgotten after a while")
