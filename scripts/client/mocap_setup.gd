@@ -27,6 +27,13 @@ var _now_s: float = 0.0
 var _fitted: Dictionary[MotionSource, MotionSource] = {}
 # Made when it is opened for the first time: most clients never do.
 var _panel: DevicePanel = null
+var _cues: GuideCues = GuideCues.new()
+# Whose calibration is heard.
+var _guided: SuitSource = null
+
+
+func _ready() -> void:
+	add_child(_cues)
 
 
 func _exit_tree() -> void:
@@ -56,9 +63,19 @@ func advance(p_now_s: float) -> void:
 	_now_s = p_now_s
 	inputs.advance(p_now_s)
 	people.take_samples()
+	_let_guide_be_heard()
 	if is_panel_open() and p_now_s > _listed_s + _PERIOD_S:
 		_listed_s = p_now_s
 		_panel.show_devices(inputs.list_devices())
+
+
+func _let_guide_be_heard() -> void:
+	if _guided == null or _guided.process.phase == CalibrationProcess.Phase.IDLE:
+		for wearer: SuitSource in inputs.wearers:
+			if wearer.process.phase != CalibrationProcess.Phase.IDLE:
+				_guided = wearer
+	if _guided != null:
+		_cues.follow(_guided.process)
 
 
 ## What the wearer is to see at a time, s, while the panel does not show it.

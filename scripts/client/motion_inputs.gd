@@ -191,7 +191,11 @@ func guide(p_now_s: float) -> String:
 	for tracker: TrackerSource in _trackers:
 		text = tracker.error if text == "" else text
 	if text == "" and not wearers.is_empty() and not wearers[0].is_calibrated():
-		text = "Not calibrated yet" if wearers[0].newest_frame != null else wearers[0].describe()
+		text = wearers[0].describe()
+		if wearers[0].newest_frame != null:
+			var keys: Array = [InputKeys.name_of(&"toggle_devices")]
+			keys.append(InputKeys.name_of(&"calibrate_full"))
+			text = "Not calibrated yet: press %s, then %s, and follow the figure" % keys
 	return text
 
 

@@ -14,6 +14,8 @@ static func name_of(p_action: StringName) -> String:
 	for event: InputEvent in InputMap.action_get_events(p_action):
 		var key: InputEventKey = event as InputEventKey
 		if key != null:
-			var code: Key = key.keycode if key.keycode != KEY_NONE else key.physical_keycode
+			var code: Key = key.get_keycode_with_modifiers()
+			if key.keycode == KEY_NONE:
+				code = key.get_physical_keycode_with_modifiers()
 			return "Esc" if code == KEY_ESCAPE else OS.get_keycode_string(code)
 	return ""

@@ -1,6 +1,6 @@
 class_name CalibrationOptions
 extends RefCounted
-## How a calibration finds the wearer's facing, and which sensors share a north.
+## How a calibration is begun, finds the wearer's facing, and which sensors share a north.
 
 ## How the wearer's facing is known.
 enum Facing {
@@ -22,6 +22,8 @@ enum Align {
 	EACH,
 }
 
+## Names for people, by [enum Align].
+const ALIGN_NAMES: PackedStringArray = ["as movements show", "one for all", "each its own"]
 ## Names for people, by [enum Facing].
 const FACING_NAMES: PackedStringArray = ["from the arms' movement", "north", "compass heading"]
 
@@ -31,6 +33,8 @@ var facing: Facing = Facing.MOVEMENT
 var heading_deg: float = 0.0
 ## Which north the sensors have.
 var align: Align = Align.AUTO
+## Time to get ready for the first pose, s; who is alone needs some to walk there.
+var ready_s: float = CalibrationGuide.COUNTDOWN_S
 ## The pose that becomes the reference where both were held.
 var pose: ResetPose.Kind = ResetPose.Kind.T
 

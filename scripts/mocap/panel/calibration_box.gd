@@ -10,6 +10,16 @@ signal accept_wanted
 signal cancel_wanted
 ## Sensors of two mounts are to be exchanged.
 signal exchange_wanted(p_mounts: Vector2i)
+## All sensors are to be put where they seem to be: a mount for each, as in
+## [member CalibrationResult.assignment].
+signal assignment_wanted(p_mounts: PackedInt32Array)
+## The last change of where sensors are worn is to be taken back.
+signal undo_wanted
+## The changes of where sensors are worn are to be kept.
+signal keep_wanted
+
+## Time to get ready for somebody who is alone, s.
+const ALONE_S: float = 8.0
 
 ## Input actions of the kinds, by [enum CalibrationGuide.Kind].
 const ACTIONS: Array[StringName] = [
@@ -23,6 +33,8 @@ const ACTIONS: Array[StringName] = [
 
 @export var _kinds: Container
 @export var _facing: OptionButton
+@export var _align: OptionButton
+@export var _alone: CheckBox
 @export var _heading: SpinBox
 @export var _pose: OptionButton
 @export var _instruction: Label
@@ -31,9 +43,12 @@ const ACTIONS: Array[StringName] = [
 @export var _accept: Button
 @export var _again: Button
 @export var _exchange: Button
+@export var _undo: Button
 
 var _kind: CalibrationGuide.Kind = CalibrationGuide.Kind.T_POSE
 var _swap: Vector2i = Vector2i.ZERO
+var _assignment: PackedInt32Array = PackedInt32Array()
+var _has_changes: bool = false
 var _shown: String = ""
 
 
@@ -50,9 +65,15 @@ func _ready() -> void:
 		_pose.add_item(name + "-pose")
 	_accept.text = InputKeys.label("Accept", &"accept_calibration")
 	_again.text = InputKeys.label("Again", &"repeat_calibration")
-	_accept.pressed.connect(accept_wanted.emit)
+	_accept.pressed.connect(_press_accept)
 	_again.pressed.connect(_press_again)
-	_exchange.pressed.connect(func() -> void: exchange_wanted.emit(_swap))
+	_exchange.pressed.connect(_press_exchange)
+	_undo.text = InputKeys.label("Undo", &"undo_mounts")
+	_undo.pressed.connect(undo_wanted.emit)
+	for name: String in CalibrationOptions.ALIGN_NAMES:
+		_align.add_item(name)
+	_alone.text = "Alone: shake a hand to start"
+	_alone.tooltip_text = "Every calibration leaves %d s to get ready" % roundi(ALONE_S)
 	_facing.item_selected.connect(func(_at: int) -> void: _show_heading())
 	_show_heading()
 	show_idle("")
@@ -69,6 +90,9 @@ func options() -> CalibrationOptions:
 	var wanted: CalibrationOptions = CalibrationOptions.new()
 	wanted.facing = maxi(_facing.selected, 0) as CalibrationOptions.Facing
 	wanted.heading_deg = _heading.value
+	wanted.align = maxi(_align.selected, 0) as CalibrationOptions.Align
+	if _alone.button_pressed:
+		wanted.ready_s = ALONE_S
 	wanted.pose = maxi(_pose.selected, 0) as ResetPose.Kind
 	return wanted
 
@@ -80,11 +104,13 @@ func take_input(p_event: InputEvent, p_process: CalibrationProcess) -> bool:
 			start(kind as CalibrationGuide.Kind)
 			return true
 	if p_event.is_action_pressed(&"accept_calibration") and _accept.visible:
-		accept_wanted.emit()
+		_press_accept()
+	elif p_event.is_action_pressed(&"undo_mounts") and _undo.visible:
+		undo_wanted.emit()
 	elif p_event.is_action_pressed(&"repeat_calibration") and _again.visible:
 		_press_again()
 	elif p_event.is_action_pressed(&"exchange_sensors") and _exchange.visible:
-		exchange_wanted.emit(_swap)
+		_press_exchange()
 	elif p_event.is_action_pressed(&"ui_cancel") and _is_running(p_process):
 		cancel_wanted.emit()
 	else:
@@ -125,6 +151,16 @@ func offer_exchange(p_mounts: Vector2i) -> void:
 		_exchange.text = InputKeys.label("Exchange %s and %s" % parts, &"exchange_sensors")
 
 
+## Whether the wearer is alone: starts by a gesture, and needs time to get ready.
+func is_alone() -> bool:
+	return _alone.button_pressed
+
+
+## Shows whether changes of where sensors are worn wait to be kept.
+func show_changes(p_has_changes: bool) -> void:
+	_has_changes = p_has_changes
+
+
 func _is_running(p_process: CalibrationProcess) -> bool:
 	return p_process != null and p_process.phase != CalibrationProcess.Phase.IDLE
 
@@ -134,8 +170,8 @@ func _show_result(p_result: CalibrationResult) -> void:
 	if p_result.error != "":
 		_instruction.text = "It did not work: %s." % p_result.error
 	elif p_result.is_good():
-		var parts: Array = [roundi(p_result.score() * 100.0)]
-		_instruction.text = "Good, %d %%." % parts
+		var parts: Array = [p_result.word().capitalize(), roundi(p_result.error_deg)]
+		_instruction.text = "%s: limbs are off by about %d°." % parts
 		if is_check:
 			_instruction.text = "All sensors are where they should be."
 	else:
@@ -146,9 +182,10 @@ func _show_result(p_result: CalibrationResult) -> void:
 		if not worst.is_empty():
 			lines.append("movement: " + ", ".join(worst))
 	_show_advice("\n".join(lines))
-	var swap: Vector2i = Vector2i.ZERO if p_result.swaps.is_empty() else p_result.swaps[0]
-	_show_buttons(true, swap)
+	_show_buttons(true, Vector2i.ZERO)
 	_accept.visible = p_result.error == "" and not is_check
+	if p_result.error == "" and p_result.is_reassigned():
+		_offer_assignment(p_result)
 
 
 ## The mounts that moved most, for people.
@@ -166,9 +203,40 @@ static func _worst(p_result: CalibrationResult) -> PackedStringArray:
 
 
 func _show_buttons(p_done: bool, p_swap: Vector2i) -> void:
-	_accept.visible = p_done
+	_accept.visible = p_done or _has_changes
+	_accept.text = InputKeys.label("Accept" if p_done else "Keep changes", &"accept_calibration")
 	_again.visible = p_done
+	_undo.visible = _has_changes
 	offer_exchange(p_swap)
+
+
+## Offers to put all sensors where they seem to be, at once.
+func _offer_assignment(p_result: CalibrationResult) -> void:
+	var exchanges: Array[Vector2i] = p_result.exchanges()
+	if exchanges.size() == 1:
+		offer_exchange(exchanges[0])
+		return
+	var moved: int = 0
+	for sensor: int in p_result.assignment.size():
+		moved += 1 if p_result.assignment[sensor] != p_result.present[sensor] else 0
+	_assignment = p_result.assignment
+	_exchange.visible = true
+	_exchange.text = InputKeys.label("Put %d sensors where they are" % moved, &"exchange_sensors")
+
+
+func _press_exchange() -> void:
+	if _swap != Vector2i.ZERO:
+		exchange_wanted.emit(_swap)
+	else:
+		assignment_wanted.emit(_assignment)
+
+
+## Accepts the result, or, where there is none, the changes of where sensors are worn.
+func _press_accept() -> void:
+	if _again.visible:
+		accept_wanted.emit()
+	else:
+		keep_wanted.emit()
 
 
 func _show_advice(p_text: String) -> void:

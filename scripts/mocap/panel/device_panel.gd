@@ -12,6 +12,8 @@ signal profile_changed(p_suit: int)
 
 ## Period of updating the stats, s.
 const PERIOD_S: float = 0.2
+## How long somebody who is alone can read a result before it is accepted or dropped, s.
+const READ_S: float = 6.0
 
 ## Where people's data are kept.
 @export_dir var folder: String = CalibrationStore.FOLDER
@@ -36,6 +38,12 @@ var _at: int = 0
 var _store: CalibrationStore = null
 var _boxes_view: SensorBoxesView = null
 var _figure_view: StickFigureView = null
+var _guide: GuideView = GuideView.new()
+var _draft: MapDraft = MapDraft.new()
+var _gesture: ShakeGesture = ShakeGesture.new()
+var _seen_frame: SensorFrame = null
+# When the present result is accepted or dropped, s; negative while there is none.
+var _decided_s: float = -1.0
 var _stats_due_s: float = 0.0
 var _fault: String = ""
 
@@ -46,12 +54,16 @@ func _ready() -> void:
 	_figure_view = StickFigureView.new()
 	_raw.stage.add_child(_boxes_view)
 	_calibrated.stage.add_child(_figure_view)
-	_figure_view.visible = false
+	_guide.set_anchors_preset(Control.PRESET_FULL_RECT)
+	add_child(_guide)
 	_close.pressed.connect(close_wanted.emit)
 	_box.start_wanted.connect(start_calibration)
 	_box.accept_wanted.connect(_accept)
 	_box.cancel_wanted.connect(func() -> void: suit().refuse_calibration())
 	_box.exchange_wanted.connect(_exchange)
+	_box.assignment_wanted.connect(_assign)
+	_box.undo_wanted.connect(_undo)
+	_box.keep_wanted.connect(_keep_changes)
 	_sensors.mount_chosen.connect(_move_sensor)
 	_person.name_entered.connect(_rename)
 	_person.person_chosen.connect(_take_person)
@@ -88,6 +100,7 @@ func suit() -> SuitSource:
 func choose_suit(p_at: int) -> void:
 	_at = clampi(p_at, 0, maxi(_suits.size() - 1, 0))
 	_fault = ""
+	_gesture.clear()
 	_refresh()
 
 
@@ -109,18 +122,57 @@ func _process(_delta: float) -> void:
 			each.advance(_now_s())
 	if not is_visible_in_tree() or suit() == null:
 		return
-	var newest: SensorFrame = suit().newest_frame
-	if newest != null:
-		_boxes_view.show_frame(newest, _mounts(), suit().get_body())
-	_figure_view.visible = suit().newest_pose != null
-	if suit().newest_pose != null:
-		_figure_view.show_pose(suit().newest_pose, suit().get_body(), _trouble())
+	_draft.follow(suit())
+	_show_views()
+	_box.show_changes(_draft.is_changed())
 	_box.show_process(suit().process, suit().watch.messages())
+	_guide.ends = _decide_alone() if _box.is_alone() else ""
+	_guide.show_process(suit().process)
 	if suit().process.phase == CalibrationProcess.Phase.IDLE and not suit().watch.swaps.is_empty():
 		_box.offer_exchange(suit().watch.swaps[0])
 	if _now_s() >= _stats_due_s:
 		_stats_due_s = _now_s() + PERIOD_S
 		_show_stats()
+
+
+## Nobody is at the keys: a result that is good enough is accepted by itself, after it could be
+## read. Returns what becomes of it, for people.
+func _decide_alone() -> String:
+	var result: CalibrationResult = suit().process.result
+	if suit().process.phase != CalibrationProcess.Phase.DONE or result == null:
+		_decided_s = -1.0
+		return ""
+	if _decided_s < 0.0:
+		_decided_s = _now_s() + READ_S
+	var accepts: bool = result.calibration != null and result.is_acceptable()
+	if _now_s() >= _decided_s:
+		if accepts:
+			_accept()
+		else:
+			suit().refuse_calibration()
+	return "Accepted" if accepts else "Shake a hand to try again"
+
+
+func _show_views() -> void:
+	var newest: SensorFrame = suit().newest_frame
+	if newest != null:
+		_boxes_view.show_frame(newest, _mounts(), suit().get_body())
+	if suit().newest_pose != null:
+		_figure_view.show_pose(suit().newest_pose, suit().get_body(), _trouble())
+	else:
+		# Nobody knows yet how the wearer stands: a neutral figure.
+		var neutral: PoseSample = GuideMovements.pose(
+			CalibrationGuide.countdown(ResetPose.Kind.N), 0.0
+		)
+		neutral.root = Vector3(0.0, suit().get_hip_height(), 0.0)
+		neutral.details = MotionDetails.new()
+		neutral.details.measured.resize(Limbs.COUNT)
+		_figure_view.show_pose(neutral, suit().get_body(), PackedInt32Array())
+	var is_idle: bool = suit().process.phase == CalibrationProcess.Phase.IDLE
+	if newest != null and newest != _seen_frame and _box.is_alone() and is_idle:
+		_seen_frame = newest
+		if _gesture.add(newest):
+			start_calibration(CalibrationGuide.Kind.FULL)
 
 
 func _input(p_event: InputEvent) -> void:
@@ -155,11 +207,7 @@ func _refresh() -> void:
 
 
 func _show_stats() -> void:
-	var sensors: Array[SensorInfo] = suit().feed.list_sensors()
-	var mounts: PackedInt32Array = suit().get_profile().map.of_sensors(sensors)
-	var process: CalibrationProcess = suit().process
-	var holds: bool = process.phase == CalibrationProcess.Phase.HOLD
-	_sensors.show_sensors(sensors, mounts, process.live_deg, holds)
+	_sensors.show_suit(suit())
 	_show_status()
 
 
@@ -171,7 +219,8 @@ func _show_status() -> void:
 	elif suit().feed.error != "":
 		_status.text = suit().feed.error
 	elif not suit().is_calibrated():
-		_status.text = "not calibrated yet"
+		var key: String = InputKeys.name_of(&"calibrate_full")
+		_status.text = "Not calibrated yet: press %s and follow the figure" % key
 	else:
 		var made: float = suit().get_profile().calibration.made_s
 		var minutes: int = int((Time.get_unix_time_from_system() - made) / 60.0)
@@ -199,18 +248,36 @@ func _accept() -> void:
 
 
 func _exchange(p_mounts: Vector2i) -> void:
-	var map: SensorMap = suit().get_profile().map.duplicate()
-	map.exchange(p_mounts.x, p_mounts.y)
-	suit().set_map(map)
+	_draft.exchange(p_mounts)
 	suit().refuse_calibration()
-	_fault = "exchanged: calibrate again"
-	_keep()
+	_tell_of_changes("exchanged")
+
+
+func _assign(p_mounts: PackedInt32Array) -> void:
+	_draft.assign(p_mounts)
+	suit().refuse_calibration()
+	_tell_of_changes("all moved")
 
 
 func _move_sensor(p_sensor: String, p_mount: int) -> void:
-	var map: SensorMap = suit().get_profile().map.duplicate()
-	map.assign(p_sensor, p_mount)
-	suit().set_map(map)
+	_draft.move(p_sensor, p_mount)
+	_tell_of_changes("moved")
+
+
+func _undo() -> void:
+	if _draft.undo():
+		_fault = "undone"
+		_refresh()
+
+
+## Changes are tried at once, and kept with the next calibration that is accepted, or by a key.
+func _tell_of_changes(p_what: String) -> void:
+	_fault = "%s: calibrate again" % p_what
+	_refresh()
+
+
+func _keep_changes() -> void:
+	_fault = ""
 	_keep()
 
 
@@ -276,6 +343,7 @@ func _show_sheet(p_shows: bool) -> void:
 
 ## Keeps the person's data, and logs it.
 func _keep() -> void:
+	_draft.accept()
 	if not _store.write(suit().get_profile()):
 		_fault = _store.error
 	profile_changed.emit(_at)

@@ -5,6 +5,8 @@ extends SubViewportContainer
 
 ## How far away the camera is, m.
 const DISTANCE_M: float = 3.5
+## How much the camera sees across the shorter side, degrees: arms that are stretched out too.
+const FOV_DEG: float = 40.0
 ## What the camera looks at, m.
 const TARGET: Vector3 = Vector3(0.0, 0.93, 0.0)
 
@@ -12,6 +14,7 @@ const TARGET: Vector3 = Vector3(0.0, 0.93, 0.0)
 var stage: Node3D = Node3D.new()
 
 var _viewport: SubViewport = SubViewport.new()
+var _camera: Camera3D = Camera3D.new()
 
 
 func _init() -> void:
@@ -23,16 +26,21 @@ func _init() -> void:
 	_viewport.render_target_update_mode = SubViewport.UPDATE_WHEN_VISIBLE
 	add_child(_viewport)
 	_viewport.add_child(stage)
-	var camera: Camera3D = Camera3D.new()
-	camera.fov = 40.0
-	camera.position = TARGET + Vector3(0.7, 0.25, DISTANCE_M)
-	camera.basis = Basis.looking_at(TARGET - camera.position)
-	_viewport.add_child(camera)
+	_camera.fov = FOV_DEG
+	_camera.position = TARGET + Vector3(0.7, 0.25, DISTANCE_M)
+	_camera.basis = Basis.looking_at(TARGET - _camera.position)
+	_viewport.add_child(_camera)
+	resized.connect(_fit)
 	var light: DirectionalLight3D = DirectionalLight3D.new()
 	light.basis = Basis.looking_at(Vector3(-0.4, -1.0, -0.7))
 	_viewport.add_child(light)
 	_viewport.add_child(_make_surroundings())
 	_viewport.add_child(_make_floor())
+
+
+func _fit() -> void:
+	var is_narrow: bool = size.x < size.y
+	_camera.keep_aspect = Camera3D.KEEP_WIDTH if is_narrow else Camera3D.KEEP_HEIGHT
 
 
 static func _make_surroundings() -> WorldEnvironment:

@@ -7,23 +7,33 @@ signal mount_chosen(p_sensor: String, p_mount: int)
 
 ## Titles of the columns.
 const TITLES: PackedStringArray = [
-	"Mount", "Sensor", "Where", "State", "Rate", "Loss", "Age", "Batt.", "Moves"
+	"Worn at", "Sensor", "Where", "State", "Quality", "Drift", "Field", "Moves"
 ]
-## Colour of what is wrong.
+## Colours of what is wrong, and of what is good.
 const WARN: Color = Color(1.0, 0.7, 0.25)
+const BAD: Color = Color(1.0, 0.45, 0.35)
+const GOOD: Color = Color(0.5, 0.88, 0.55)
 
-const _WIDTHS: PackedInt32Array = [126, 82, 104, 74, 52, 50, 48, 48, 54]
-## A silence that is coloured, s.
+const _WIDTHS: PackedInt32Array = [122, 84, 104, 100, 78, 78, 76, 62]
+## A silence that is told, s.
 const _OLD_S: float = 0.3
 const _LOSSY: float = 0.02
 const _LOW: float = 0.15
 const _MOVES_DEG: float = 3.0
+## Drift that is corrected and yet worth a look, degrees a minute.
+const _DRIFTS_DEG_MIN: float = 3.0
 const _PLAIN: Color = Color(0.87, 0.89, 0.92)
+const _QUALITIES: Dictionary[String, Color] = {"good": GOOD, "fair": WARN}
+const _FIELDS: Dictionary[MagneticWatch.Verdict, Color] = {
+	MagneticWatch.Verdict.UNKNOWN: _PLAIN,
+	MagneticWatch.Verdict.GOOD: GOOD,
+	MagneticWatch.Verdict.DISTURBED: BAD,
+}
 
 var _rows: Dictionary[String, TreeItem] = {}
 var _menu: PopupMenu = PopupMenu.new()
 var _asked: String = ""
-var _holds: bool = false
+var _mounts: Dictionary[String, int] = {}
 
 
 func _init() -> void:
@@ -35,7 +45,7 @@ func _init() -> void:
 		set_column_title(column, TITLES[column])
 		set_column_title_alignment(column, HORIZONTAL_ALIGNMENT_LEFT)
 		set_column_custom_minimum_width(column, _WIDTHS[column])
-		set_column_expand(column, column < 3)
+		set_column_expand(column, column == 2)
 		set_column_clip_content(column, true)
 	add_theme_constant_override("v_separation", 4)
 	add_theme_constant_override("inner_item_margin_top", 0)
@@ -44,34 +54,32 @@ func _init() -> void:
 	add_theme_font_size_override("title_button_font_size", 13)
 	item_activated.connect(ask_mount)
 	for mount: int in BodyMounts.COUNT:
-		_menu.add_item(BodyMounts.title(mount), mount)
-	_menu.add_item("not worn", BodyMounts.COUNT)
+		_menu.add_radio_check_item(BodyMounts.title(mount), mount)
+	_menu.add_radio_check_item("not worn", BodyMounts.COUNT)
 	_menu.id_pressed.connect(_choose)
 	add_child(_menu)
 
 
-## Shows sensors, with the mount of each (-1: none) and how far each moved of late, degrees; which
-## is wrong while [param p_holds] still.
-func show_sensors(
-	p_sensors: Array[SensorInfo],
-	p_mounts: PackedInt32Array,
-	p_moves: PackedFloat32Array,
-	p_holds: bool
-) -> void:
-	_holds = p_holds
-	var order: Array = range(p_sensors.size())
+## Shows the sensors of a suit, by where they are worn.
+func show_suit(p_suit: SuitSource) -> void:
+	var sensors: Array[SensorInfo] = p_suit.feed.list_sensors()
+	var mounts: PackedInt32Array = p_suit.get_profile().map.of_sensors(sensors)
+	var order: Array = range(sensors.size())
 	var ranks: PackedInt32Array = []
-	for at: int in p_sensors.size():
-		ranks.append((p_mounts[at] if p_mounts[at] >= 0 else 99) * 1000 + at)
+	for at: int in sensors.size():
+		ranks.append((mounts[at] if mounts[at] >= 0 else 99) * 1000 + at)
 	order.sort_custom(func(a: int, b: int) -> bool: return ranks[a] < ranks[b])
 	var wanted: PackedStringArray = []
 	for at: int in order:
-		wanted.append(p_sensors[at].id)
+		wanted.append(sensors[at].id)
 	if wanted != PackedStringArray(_rows.keys()):
 		_make_rows(wanted)
-	for at: int in p_sensors.size():
-		var moves: float = p_moves[at] if at < p_moves.size() else 0.0
-		_show(_rows[p_sensors[at].id], p_sensors[at], p_mounts[at], moves)
+	for at: int in sensors.size():
+		var row: TreeItem = _rows[sensors[at].id]
+		_mounts[sensors[at].id] = mounts[at]
+		_show_sensor(row, sensors[at], mounts[at])
+		_show_health(row, p_suit, mounts[at])
+		_show_movement(row, p_suit.process, at)
 
 
 ## The sensor of the selected row, or an empty text.
@@ -88,7 +96,11 @@ func ask_mount() -> void:
 	var row: Rect2 = get_item_area_rect(get_selected())
 	_menu.reset_size()
 	_menu.popup(Rect2i(get_screen_position() + row.position + Vector2(20.0, 0.0), Vector2i.ZERO))
-	_menu.set_focused_item(0)
+	# Where it is now.
+	var mount: int = _mounts.get(_asked, -1)
+	for item: int in _menu.item_count:
+		_menu.set_item_checked(item, item == (mount if mount >= 0 else BodyMounts.COUNT))
+	_menu.set_focused_item(mount if mount >= 0 else BodyMounts.COUNT)
 
 
 func _choose(p_mount: int) -> void:
@@ -110,25 +122,77 @@ func _make_rows(p_ids: PackedStringArray) -> void:
 			row.select(0)
 
 
-func _show(p_row: TreeItem, p_info: SensorInfo, p_mount: int, p_moves: float) -> void:
-	var is_on: bool = p_info.state == SensorInfo.State.MEASURING
-	_cell(p_row, 0, BodyMounts.title(p_mount) if p_mount >= 0 else "not worn", p_mount < 0)
-	_cell(p_row, 1, p_info.id, false)
-	_cell(p_row, 2, p_info.where, false)
-	_cell(p_row, 3, p_info.state_name(), not is_on)
+func _show_sensor(p_row: TreeItem, p_info: SensorInfo, p_mount: int) -> void:
+	var title: String = BodyMounts.title(p_mount) if p_mount >= 0 else "not worn"
+	_cell(p_row, 0, title, _PLAIN if p_mount >= 0 else WARN)
+	_cell(p_row, 1, p_info.id, _PLAIN)
+	# Of which kind the device is, its own list says.
+	var ends: PackedStringArray = p_info.where.split(" / ")
+	ends[0] = ends[0].get_slice(" ", ends[0].get_slice_count(" ") - 1)
+	_cell(p_row, 2, " / ".join(ends))
+	p_row.set_tooltip_text(2, p_info.where)
+	_cell(p_row, 3, state_text(p_info), _PLAIN if _is_well(p_info) else WARN)
 	p_row.set_tooltip_text(3, p_info.trouble)
-	_cell(p_row, 4, "%.0f Hz" % p_info.rate_hz if p_info.rate_hz > 0.0 else "-", false)
-	_cell(p_row, 5, "%.1f %%" % (p_info.loss * 100.0), p_info.loss > _LOSSY)
-	_cell(p_row, 6, age_text(p_info.age_s), p_info.age_s > _OLD_S)
-	var battery: String = "%.0f %%" % (p_info.battery * 100.0) if p_info.battery >= 0.0 else "-"
-	_cell(p_row, 7, battery, p_info.battery >= 0.0 and p_info.battery < _LOW)
-	_cell(p_row, 8, "%.1f°" % p_moves, _holds and p_moves > _MOVES_DEG)
 
 
-static func _cell(p_row: TreeItem, p_column: int, p_text: String, p_warns: bool) -> void:
+## What a sensor does, for people: that something is wrong, or how often it measures.
+static func state_text(p_info: SensorInfo) -> String:
+	if p_info.state != SensorInfo.State.MEASURING or p_info.age_s > _OLD_S:
+		var since: String = " %s" % age_text(p_info.age_s) if is_finite(p_info.age_s) else ""
+		return p_info.state_name() + since
+	if p_info.loss > _LOSSY:
+		return "loses %.0f %%" % (p_info.loss * 100.0)
+	if p_info.battery >= 0.0 and p_info.battery < _LOW:
+		return "battery %.0f %%" % (p_info.battery * 100.0)
+	return "%.0f Hz" % p_info.rate_hz if p_info.rate_hz > 0.0 else p_info.state_name()
+
+
+static func _is_well(p_info: SensorInfo) -> bool:
+	var is_fresh: bool = p_info.state == SensorInfo.State.MEASURING and p_info.age_s <= _OLD_S
+	var is_full: bool = p_info.battery < 0.0 or p_info.battery >= _LOW
+	return is_fresh and is_full and p_info.loss <= _LOSSY
+
+
+func _show_health(p_row: TreeItem, p_suit: SuitSource, p_mount: int) -> void:
+	var result: CalibrationResult = p_suit.process.result
+	if result == null or result.calibration == null:
+		result = p_suit.quality
+	var place: CalibrationResult.PlaceQuality = null
+	if result != null and p_mount >= 0:
+		place = result.find(p_mount)
+	if place == null or place.sensor != p_row.get_metadata(0):
+		_cell(p_row, 4, "–")
+	else:
+		var grade: String = place.grade()
+		var is_graded: bool = ["good", "fair", "poor"].has(grade)
+		var text: String = "%s %.0f°" % [grade, place.error_deg] if is_graded else grade
+		_cell(p_row, 4, text, _QUALITIES.get(grade, BAD))
+	if p_mount < 0 or not p_suit.is_calibrated():
+		_cell(p_row, 5, "–")
+		_cell(p_row, 6, "–")
+		return
+	var drift: float = absf(p_suit.headings.rate_deg_min(p_mount))
+	var is_steady: bool = drift < HeadingKeeper.STEADY_DEG_MIN
+	var color: Color = GOOD if is_steady else WARN if drift > _DRIFTS_DEG_MIN else _PLAIN
+	_cell(p_row, 5, "steady" if is_steady else "%.1f°/min" % drift, color)
+	p_row.set_tooltip_text(5, p_suit.headings.describe(p_mount))
+	var field: MagneticWatch.Verdict = p_suit.magnetics.judge(p_mount)
+	_cell(p_row, 6, p_suit.magnetics.word(p_mount), _FIELDS[field])
+	p_row.set_tooltip_text(6, p_suit.magnetics.describe(p_mount))
+
+
+func _show_movement(p_row: TreeItem, p_process: CalibrationProcess, p_sensor: int) -> void:
+	var moves: float = 0.0
+	if p_sensor < p_process.live_deg.size():
+		moves = p_process.live_deg[p_sensor]
+	var is_too_much: bool = p_process.phase == CalibrationProcess.Phase.HOLD and moves > _MOVES_DEG
+	_cell(p_row, 7, "%.1f°" % moves, WARN if is_too_much else _PLAIN)
+
+
+static func _cell(p_row: TreeItem, p_column: int, p_text: String, p_color: Color = _PLAIN) -> void:
 	if p_row.get_text(p_column) != p_text:
 		p_row.set_text(p_column, p_text)
-	p_row.set_custom_color(p_column, WARN if p_warns else _PLAIN)
+	p_row.set_custom_color(p_column, p_color)
 
 
 ## An age for people, s.
