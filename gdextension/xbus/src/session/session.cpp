@@ -20,7 +20,7 @@ constexpr std::size_t LIKELY_BAUDS = 2;
 constexpr int LIKELY_TRIES = 5;
 /// A device whose answers take so long is asked for several things at once, µs.
 constexpr uint64_t SLOW_USEC = 250000;
-constexpr uint64_t LONGEST_DELAY_USEC = 1000000;
+constexpr uint64_t MAX_DELAY_USEC = 1000000;
 
 bool is_data(Message p_message) {
 	return p_message == Message::MT_DATA || p_message == Message::MT_DATA2;
@@ -261,7 +261,7 @@ uint64_t Session::limit_usec() const {
 void Session::note_delay() {
 	// The first question of all may have been asked before the device was there.
 	if (_step != Step::GO_TO_CONFIG) {
-		_delay_usec = std::max(_delay_usec, std::min(_now_usec - _asked_usec, LONGEST_DELAY_USEC));
+		_delay_usec = std::max(_delay_usec, std::min(_now_usec - _asked_usec, MAX_DELAY_USEC));
 	}
 }
 

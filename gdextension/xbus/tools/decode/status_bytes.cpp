@@ -41,7 +41,7 @@ std::vector<uint8_t> without(const std::vector<uint8_t> &p_bytes, uint8_t p_mode
 
 bool strip_status_bytes(std::vector<uint8_t> &r_bytes) {
 	// A packet has 64 or 512 bytes at most: there are at least so many pairs.
-	constexpr std::size_t LONGEST_PACKET = 512;
+	constexpr std::size_t MAX_PACKET = 512;
 	std::array<std::size_t, 256> counts{};
 	for (std::size_t at = 0; at + 1 < r_bytes.size(); ++at) {
 		// The low bits of the first say how fast the chip's USB is.
@@ -51,7 +51,7 @@ bool strip_status_bytes(std::vector<uint8_t> &r_bytes) {
 	std::size_t best = bytes_of_messages(r_bytes);
 	std::vector<uint8_t> found;
 	for (std::size_t modem = 0; modem < counts.size(); ++modem) {
-		if (counts[modem] < 2 || counts[modem] * LONGEST_PACKET < r_bytes.size()) {
+		if (counts[modem] < 2 || counts[modem] * MAX_PACKET < r_bytes.size()) {
 			continue;
 		}
 		std::vector<uint8_t> rest = without(r_bytes, uint8_t(modem));
