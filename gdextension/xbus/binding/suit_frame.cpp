@@ -50,6 +50,7 @@ Ref<SuitFrame> SuitFrame::make(const xbus::SuitFrame &p_frame, int64_t p_unix_ah
 	frame->_rates = vectors_of(p_frame, &xbus::TrackerReading::rate, &xbus::TrackerReading::has_rate);
 	frame->_accelerations =
 			vectors_of(p_frame, &xbus::TrackerReading::acceleration, &xbus::TrackerReading::has_acceleration);
+	frame->_magnetics = vectors_of(p_frame, &xbus::TrackerReading::magnetic, &xbus::TrackerReading::has_magnetic);
 	return frame;
 }
 
@@ -62,6 +63,7 @@ void SuitFrame::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_orientations"), &SuitFrame::get_orientations);
 	ClassDB::bind_method(D_METHOD("get_rates"), &SuitFrame::get_rates);
 	ClassDB::bind_method(D_METHOD("get_accelerations"), &SuitFrame::get_accelerations);
+	ClassDB::bind_method(D_METHOD("get_magnetics"), &SuitFrame::get_magnetics);
 	BIND_ENUM_CONSTANT(AXES_EAST_NORTH_UP);
 	BIND_ENUM_CONSTANT(AXES_NORTH_EAST_DOWN);
 	BIND_ENUM_CONSTANT(AXES_NORTH_WEST_UP);

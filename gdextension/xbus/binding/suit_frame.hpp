@@ -39,6 +39,7 @@ public:
 	PackedFloat32Array get_orientations() const { return _orientations; }
 	PackedVector3Array get_rates() const { return _rates; }
 	PackedVector3Array get_accelerations() const { return _accelerations; }
+	PackedVector3Array get_magnetics() const { return _magnetics; }
 
 protected:
 	static void _bind_methods();
@@ -52,6 +53,7 @@ private:
 	PackedFloat32Array _orientations;
 	PackedVector3Array _rates;
 	PackedVector3Array _accelerations;
+	PackedVector3Array _magnetics;
 };
 
 } // namespace godot

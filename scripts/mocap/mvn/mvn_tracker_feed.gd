@@ -71,8 +71,14 @@ func _convert(p_sample: Dictionary) -> SensorFrame:
 	var turns: PackedFloat32Array = SourceFrames.rotations(p_sample["orientations"])
 	var rates: PackedVector3Array = SourceFrames.sensor_vectors(p_sample["rates"])
 	var accelerations: PackedVector3Array = SourceFrames.sensor_vectors(p_sample["accelerations"])
+	var magnetics: PackedVector3Array = SourceFrames.sensor_vectors(p_sample["magnetic_fields"])
 	var frame: SensorFrame = SensorFrame.new()
-	frame.resize(_sensors.size(), not rates.is_empty(), not accelerations.is_empty())
+	frame.resize(
+		_sensors.size(),
+		not rates.is_empty(),
+		not accelerations.is_empty(),
+		not magnetics.is_empty()
+	)
 	frame.time_usec = p_sample["time_usec"]
 	frame.counter = p_sample["sample"]
 	var now: int = Time.get_ticks_usec()
@@ -88,6 +94,8 @@ func _convert(p_sample: Dictionary) -> SensorFrame:
 			frame.rates[position] = rates[item]
 		if not accelerations.is_empty():
 			frame.accelerations[position] = accelerations[item]
+		if not magnetics.is_empty():
+			frame.magnetics[position] = magnetics[item]
 	return frame
 
 

@@ -186,9 +186,15 @@ func _convert(p_number: int, p_raw: SuitFrame) -> SensorFrame:
 	)
 	var rates: PackedVector3Array = SourceFrames.sensor_vectors(p_raw.get_rates())
 	var accelerations: PackedVector3Array = SourceFrames.sensor_vectors(p_raw.get_accelerations())
+	var magnetics: PackedVector3Array = SourceFrames.sensor_vectors(p_raw.get_magnetics())
 	var present: PackedByteArray = p_raw.get_present()
 	var frame: SensorFrame = SensorFrame.new()
-	frame.resize(_sensors.size(), not rates.is_empty(), not accelerations.is_empty())
+	frame.resize(
+		_sensors.size(),
+		not rates.is_empty(),
+		not accelerations.is_empty(),
+		not magnetics.is_empty()
+	)
 	frame.time_usec = p_raw.get_time_usec()
 	frame.counter = p_raw.get_counter()
 	var indices: PackedInt32Array = _trackers[p_number]
@@ -202,4 +208,6 @@ func _convert(p_number: int, p_raw: SuitFrame) -> SensorFrame:
 			frame.rates[indices[tracker]] = rates[tracker]
 		if not accelerations.is_empty():
 			frame.accelerations[indices[tracker]] = accelerations[tracker]
+		if not magnetics.is_empty():
+			frame.magnetics[indices[tracker]] = magnetics[tracker]
 	return frame

@@ -5,8 +5,8 @@ extends RefCounted
 ##
 ## It judges the last [constant WINDOW_S] seconds: where joints go ([JointRange]); and the last
 ## [constant LEGS_S]: whether knees and ankles are hinges ([LegSpread]). What bends no joint wrongly
-## it cannot see: exchanges of whole arms or legs, of a hand with its forearm, or within the trunk. A
-## fit check finds those ([FitCheck]).
+## it cannot see: exchanges of whole arms or legs, of a hand with its forearm, or within the trunk.
+## A fit check finds those ([FitCheck]).
 
 ## Something was noticed, or is over.
 signal changed

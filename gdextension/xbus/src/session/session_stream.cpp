@@ -139,12 +139,14 @@ std::size_t Session::expected_size() const {
 Request Session::output_configuration(double p_rate_hz) {
 	constexpr uint16_t ALWAYS = 0xFFFF;
 	const auto rate = uint16_t(std::clamp(p_rate_hz + 0.5, 1.0, 400.0));
-	const std::array<OutputRequest, 6> outputs = { {
+	const std::array<OutputRequest, 7> outputs = { {
 			{ item::PACKET_COUNTER, ALWAYS },
 			{ item::SAMPLE_TIME_FINE, ALWAYS },
 			{ item::QUATERNION, rate },
 			{ item::RATE_OF_TURN, rate },
 			{ item::ACCELERATION, rate },
+			// No magnetometer measures faster.
+			{ item::MAGNETIC_FIELD, std::min<uint16_t>(rate, 100) },
 			{ item::STATUS_WORD, ALWAYS },
 	} };
 	return host::set_output_configuration(outputs.data(), outputs.size());

@@ -19,9 +19,12 @@ struct TrackerReading {
 	std::array<float, 3> rate{};
 	/// Acceleration with gravity, m/s2.
 	std::array<float, 3> acceleration{};
+	/// The magnetic field, 1 being the earth's where the tracker was calibrated.
+	std::array<float, 3> magnetic{};
 	bool has_orientation = false;
 	bool has_rate = false;
 	bool has_acceleration = false;
+	bool has_magnetic = false;
 };
 
 /// One sample of all trackers of a master.

@@ -26,7 +26,7 @@ void SuitStream::restart(double p_rate_hz) {
 
 void SuitStream::take(const StreamCheck &p_check, uint64_t p_now_usec, SuitFrame &r_frame) {
 	for (TrackerReading &reading : r_frame.trackers) {
-		reading.has_orientation = reading.has_rate = reading.has_acceleration = false;
+		reading.has_orientation = reading.has_rate = reading.has_acceleration = reading.has_magnetic = false;
 	}
 	r_frame.tracker_count = 0;
 	for (std::size_t index = 0; index < p_check.sample_count(); ++index) {
@@ -97,6 +97,10 @@ void SuitStream::read(const Sample &p_sample, TrackerReading &r_reading) {
 	r_reading.has_acceleration = p_sample.has(Field::ACCELERATION);
 	if (r_reading.has_acceleration) {
 		r_reading.acceleration = narrow(p_sample.acceleration);
+	}
+	r_reading.has_magnetic = p_sample.has(Field::MAGNETIC_FIELD);
+	if (r_reading.has_magnetic) {
+		r_reading.magnetic = narrow(p_sample.magnetic_field);
 	}
 }
 

@@ -76,7 +76,7 @@ private:
 		std::vector<uint8_t> data = { uint8_t(_counter >> 8U), uint8_t(_counter) };
 		++_counter;
 		for (int tracker = 0; tracker < 2; ++tracker) {
-			data.resize(data.size() + 24);
+			data.resize(data.size() + 36);
 			data.insert(data.end(), { 0x3F, 0x80, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 });
 		}
 		say_later(xbus::MASTER, xbus::Message::MT_DATA, data, 0);
