@@ -80,6 +80,7 @@ func close() -> void:
 func take(p_bytes: PackedByteArray, p_sender: String, p_usec: int) -> void:
 	_reading.lock()
 	_reader.fault = ""
+	_reader.now_usec = p_usec
 	var samples: Array[StreamSample] = _reader.read(p_bytes, p_sender)
 	var fault: String = _reader.fault
 	var known: PackedStringArray = [_reader.detail(p_sender), _reader.trouble(p_sender)]
@@ -87,7 +88,8 @@ func take(p_bytes: PackedByteArray, p_sender: String, p_usec: int) -> void:
 	for sample: StreamSample in samples:
 		var person: StreamPerson = _person(sample, p_sender)
 		if person != null:
-			var wrong: String = person.take(sample, p_usec)
+			var arrival: int = sample.arrival_usec if sample.arrival_usec > 0 else p_usec
+			var wrong: String = person.take(sample, arrival)
 			fault = wrong if fault == "" else fault
 	if fault != "":
 		_refuse(p_sender, fault)

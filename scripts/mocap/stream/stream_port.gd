@@ -9,6 +9,8 @@ extends RefCounted
 
 ## The thread looks for something new after so long, µs: arrivals are known as exactly as that.
 const POLL_USEC: int = 1000
+## After a second in which nothing came it looks less often, µs: waiting costs nearly nothing.
+const IDLE_USEC: int = 10000
 ## More in a second are not looked at, so that a flood costs no more than a core's small part.
 const MAX_PER_SECOND: int = 12000
 ## Room for what comes while the thread has no processor, bytes.
@@ -29,6 +31,7 @@ var _again_usec: int = 0
 var _thread: Thread = null
 var _second: int = 0
 var _in_second: int = 0
+var _busy_usec: int = 0
 # Shared between threads and guarded.
 var _mutex: Mutex = Mutex.new()
 var _stops: bool = false
@@ -161,7 +164,8 @@ func _run() -> void:
 			_receive()
 		else:
 			_read_on()
-		OS.delay_usec(POLL_USEC)
+		var is_idle: bool = Time.get_ticks_usec() - _busy_usec > 1000000
+		OS.delay_usec(IDLE_USEC if is_idle else POLL_USEC)
 
 
 func _receive() -> void:
@@ -181,6 +185,7 @@ func _is_admitted() -> bool:
 		_second = second
 		_in_second = 0
 	_in_second += 1
+	_busy_usec = Time.get_ticks_usec()
 	var is_admitted: bool = _in_second <= MAX_PER_SECOND
 	_mutex.lock()
 	_received += 1

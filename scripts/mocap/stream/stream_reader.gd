@@ -7,6 +7,8 @@ extends RefCounted
 
 ## Why the last datagram could not be used, as a sentence for people; empty if it could.
 var fault: String = ""
+## When that came which is read now, µs of Unix time.
+var now_usec: int = 0
 
 
 ## What the protocol is called, for people.

@@ -14,3 +14,5 @@ var source_usec: int = -1
 var counter: int = -1
 ## Height of the person's hips, m; 0 where the stream does not say.
 var hip_height: float = 0.0
+## When it arrived, µs of Unix time, where that was before what the reader reads now; else 0.
+var arrival_usec: int = 0

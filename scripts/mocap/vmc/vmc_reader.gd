@@ -20,11 +20,9 @@ const _MIN_LEG: float = 0.1
 const _UNKNOWN: int = -1
 ## A sender whose time goes back by more has begun anew, µs.
 const _RESTART_USEC: int = 1000000
-## So many frames in a row that are alike and have no time of their own count as one that came
-## twice.
-const _SAME: int = 2
-## Frames that may wait for their bones.
+## Frames that may wait for their bones, and how many in a row may lack some.
 const _MAX_OPEN: int = 6
+const _MAX_SHORT: int = 60
 
 # All joints, those nearer to the hips first.
 var _order: PackedInt32Array = _find_order()
@@ -38,26 +36,28 @@ class Frame:
 	var usec: int = -1
 	## Where it is among others: its time, or a count where the sender does not say one.
 	var key: int = 0
+	## When its newest bone arrived, µs of Unix time.
+	var arrival_usec: int = 0
 	## Rotation and place of each bone on the one above it, in Godot's frame, by joint.
 	var bones: Dictionary[int, Transform3D] = {}
 
 
 ## What has come of one sender.
 class Actor:
-	## The bones of the last frame that is done, its key, and its time, µs.
+	## The bones of the last frame that is done, and its key.
 	var bones: Dictionary[int, Transform3D] = {}
 	var key: int = -1
-	var usec: int = -1
 	## Frames that are not done, oldest first.
 	var frames: Array[Frame] = []
-	## How many bones a whole frame has.
+	## How many bones a whole frame has, and frames in a row that were given out with fewer.
 	var count: int = 0
-	## Frames in a row that were as the one before.
-	var same_frames: int = 0
+	var short_frames: int = 0
+	## Bones that moved from the frame before to the last one, and those of them that have come
+	## again as they were.
+	var moving: Dictionary[int, bool] = {}
+	var repeated: Dictionary[int, bool] = {}
 	## The model in the world.
 	var root: Transform3D = Transform3D.IDENTITY
-	## The sender's time, µs.
-	var now_usec: int = -1
 	## Whether a model is loaded and calibrated, as far as the sender says.
 	var is_loaded: bool = true
 	var is_calibrated: bool = true
@@ -90,8 +90,6 @@ func read(p_bytes: PackedByteArray, p_sender: String) -> Array[StreamSample]:
 			usec = _time_of(message)
 		else:
 			_take(actor, message)
-	if usec >= 0:
-		actor.now_usec = usec
 	if not coming.is_empty():
 		_put(actor, coming, usec)
 		_settle(actor, samples)
@@ -220,20 +218,38 @@ func _put(r_actor: Actor, p_bones: Dictionary[int, Transform3D], p_usec: int) ->
 	if p_usec >= 0 and p_usec < r_actor.key - _RESTART_USEC:
 		r_actor.frames.clear()
 		r_actor.key = -1
-		r_actor.usec = -1
 	if p_usec >= 0:
 		if p_usec > r_actor.key:
-			_frame_at(r_actor, p_usec).bones.merge(p_bones, true)
+			var frame: Frame = _frame_at(r_actor, p_usec)
+			frame.bones.merge(p_bones, true)
+			frame.arrival_usec = now_usec
 		return
 	var newest: Frame = r_actor.frames[-1] if not r_actor.frames.is_empty() else null
-	if newest != null and _is_contained(p_bones, newest.bones):
+	var bones: Dictionary[int, Transform3D] = _without_repeats(r_actor, p_bones)
+	if bones.is_empty() or (newest != null and _is_contained(bones, newest.bones)):
 		return
-	if newest == null or _meet(p_bones, newest.bones):
+	if newest == null or _meet(bones, newest.bones):
 		var key: int = (newest.key if newest != null else r_actor.key) + 1
-		var last: int = newest.usec if newest != null else r_actor.usec
 		newest = _frame_at(r_actor, key)
-		newest.usec = r_actor.now_usec if r_actor.now_usec > last else _UNKNOWN
-	newest.bones.merge(p_bones, true)
+		# A time in a datagram of its own may be the next frame's, or may have got lost.
+		newest.usec = _UNKNOWN
+	newest.bones.merge(bones, true)
+	newest.arrival_usec = now_usec
+
+
+## Bones less those that came twice: such a bone is as in the frame before, though it was moving.
+## One that comes a second time like that does not move any more.
+static func _without_repeats(
+	r_actor: Actor, p_bones: Dictionary[int, Transform3D]
+) -> Dictionary[int, Transform3D]:
+	var bones: Dictionary[int, Transform3D] = {}
+	for joint: int in p_bones:
+		var repeats: bool = r_actor.moving.has(joint) and r_actor.bones[joint] == p_bones[joint]
+		if repeats and not r_actor.repeated.has(joint):
+			r_actor.repeated[joint] = true
+		else:
+			bones[joint] = p_bones[joint]
+	return bones
 
 
 ## The frame of a key, a new one if there is none yet.
@@ -260,12 +276,15 @@ func _settle(r_actor: Actor, r_samples: Array[StreamSample]) -> void:
 	var newest: int = frames.size() - 1
 	while newest >= 0 and frames[newest].bones.size() < r_actor.count:
 		newest -= 1
+	r_actor.short_frames = 0 if newest >= 0 else r_actor.short_frames
 	if newest < 0 and frames.size() > _MAX_OPEN:
-		# Much loss, or another model with fewer bones.
+		# Much loss, or for long another model with fewer bones.
 		newest = 0
-		r_actor.count = 1
-		for frame: Frame in frames:
-			r_actor.count = maxi(r_actor.count, frame.bones.size())
+		r_actor.short_frames += 1
+		if r_actor.short_frames > _MAX_SHORT:
+			r_actor.count = 1
+			for frame: Frame in frames:
+				r_actor.count = maxi(r_actor.count, frame.bones.size())
 	for _number: int in newest + 1:
 		_finish(r_actor, r_samples)
 
@@ -276,18 +295,17 @@ func _finish(r_actor: Actor, r_samples: Array[StreamSample]) -> void:
 	var frame: Frame = r_actor.frames[0]
 	r_actor.frames.remove_at(0)
 	r_actor.count = maxi(r_actor.count, frame.bones.size())
-	var repeats: bool = _is_contained(frame.bones, r_actor.bones)
 	for joint: int in r_actor.bones:
 		if not frame.bones.has(joint):
 			frame.bones[joint] = _between(r_actor, joint, frame.key)
+	r_actor.moving.clear()
+	r_actor.repeated.clear()
+	for joint: int in frame.bones:
+		if not r_actor.bones.has(joint) or r_actor.bones[joint] != frame.bones[joint]:
+			r_actor.moving[joint] = true
 	r_actor.bones = frame.bones
 	r_actor.key = frame.key
-	r_actor.usec = maxi(r_actor.usec, frame.usec)
-	r_actor.same_frames = r_actor.same_frames + 1 if repeats else 0
-	if frame.usec == _UNKNOWN and r_actor.same_frames > 0 and r_actor.same_frames <= _SAME:
-		return
-	r_actor.same_frames = 0
-	_emit(r_actor, frame.usec, r_samples)
+	_emit(r_actor, frame, r_samples)
 
 
 static func _between(p_actor: Actor, p_joint: int, p_key: int) -> Transform3D:
@@ -299,7 +317,7 @@ static func _between(p_actor: Actor, p_joint: int, p_key: int) -> Transform3D:
 	return before
 
 
-func _emit(r_actor: Actor, p_usec: int, r_samples: Array[StreamSample]) -> void:
+func _emit(r_actor: Actor, p_frame: Frame, r_samples: Array[StreamSample]) -> void:
 	var builder: PoseBuilder = r_actor.builder
 	builder.clear()
 	var hips: int = XRBodyTracker.JOINT_HIPS
@@ -319,5 +337,6 @@ func _emit(r_actor: Actor, p_usec: int, r_samples: Array[StreamSample]) -> void:
 	sample.pose = builder.build(shank.origin.length() > _MIN_LEG)
 	if sample.pose == null:
 		return
-	sample.source_usec = p_usec
+	sample.source_usec = p_frame.usec
+	sample.arrival_usec = p_frame.arrival_usec
 	r_samples.append(sample)

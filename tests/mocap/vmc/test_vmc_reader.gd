@@ -85,6 +85,35 @@ func test_messages_that_come_alone_are_frames_too() -> void:
 	is_true(worst < 0.01, "%f deg" % worst)
 
 
+func test_messages_that_come_alone_are_joined_though_some_get_lost() -> void:
+	var clip: BvhSource = _clip()
+	var writer: VmcWriter = VmcWriter.new(clip.get_body())
+	var stream: PoseStream = PoseStream.new(VmcReader.new())
+	var osc: Osc = Osc.new()
+	var random: RandomNumberGenerator = RandomNumberGenerator.new()
+	random.seed = 6
+	var errors: Statistics = Statistics.new()
+	for number: int in 480:
+		var usec: int = LossyLine.BEGIN_USEC + number * 4167
+		var pose: PoseSample = clip.pose_at(number / 240.0)
+		pose.time_usec = usec
+		for datagram: PackedByteArray in writer.write(pose):
+			for message: Array in osc.read(datagram):
+				if random.randf() >= 0.05:
+					var alone: PackedByteArray = Osc.message(message[0], message.slice(1))
+					stream.take(alone, SENDER, usec)
+		stream.look(usec / 1e6)
+		for person: StreamPerson in stream.people.values():
+			var came: PoseSample = person.sample(usec)
+			if came == null or number < 60:
+				continue
+			var truth: PoseSample = clip.pose_at((came.time_usec - LossyLine.BEGIN_USEC) / 1e6)
+			for limb: int in Limbs.COUNT:
+				errors.add(Rotations.between_deg(came.orientation(limb), truth.orientation(limb)))
+	is_true(errors.count() > 3000)
+	is_true(errors.mean() < 0.5, "mean %f deg" % errors.mean())
+
+
 func test_what_is_no_bone_is_told_and_left_out() -> void:
 	var reader: VmcReader = VmcReader.new()
 	var cases: Dictionary[String, Array] = {
