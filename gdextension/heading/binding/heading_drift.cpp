@@ -9,7 +9,7 @@ namespace godot {
 
 namespace {
 
-constexpr int64_t MOST_SENSORS = 256;
+constexpr int64_t MAX_SENSORS = 256;
 
 bool is_mount(int64_t p_mount) {
 	return p_mount >= 0 && p_mount < heading::MOUNTS;
@@ -23,7 +23,7 @@ void HeadingDrift::reset() {
 }
 
 void HeadingDrift::set_sensor(int64_t p_sensor, int64_t p_mount, double p_heading, const Quaternion &p_mounting) {
-	ERR_FAIL_COND_MSG(p_sensor < 0 || p_sensor >= MOST_SENSORS, "A sensor's number is between 0 and 255.");
+	ERR_FAIL_COND_MSG(p_sensor < 0 || p_sensor >= MAX_SENSORS, "A sensor's number is between 0 and 255.");
 	ERR_FAIL_COND_MSG(!is_mount(p_mount), "A mount is between 0 and 16.");
 	if (std::size_t(p_sensor) >= _sensors.size()) {
 		_sensors.resize(std::size_t(p_sensor) + 1);
@@ -34,8 +34,7 @@ void HeadingDrift::set_sensor(int64_t p_sensor, int64_t p_mount, double p_headin
 	sensor.right = to_core(p_mounting).inverse();
 }
 
-void HeadingDrift::add(
-		int64_t p_time_usec, const PackedByteArray &p_present, const PackedFloat32Array &p_orientations,
+void HeadingDrift::add(int64_t p_time_usec, const PackedByteArray &p_present, const PackedFloat32Array &p_orientations,
 		const PackedVector3Array &p_magnetics) {
 	ERR_FAIL_COND_MSG(p_orientations.size() != p_present.size() * 4, "Each sensor has an orientation of 4 numbers.");
 	heading::DriftEstimator::Sample sample;
@@ -114,8 +113,7 @@ void HeadingDrift::restart(const PackedFloat64Array &p_drifts) {
 
 void HeadingDrift::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("reset"), &HeadingDrift::reset);
-	ClassDB::bind_method(
-			D_METHOD("set_sensor", "sensor", "mount", "heading", "mounting"), &HeadingDrift::set_sensor);
+	ClassDB::bind_method(D_METHOD("set_sensor", "sensor", "mount", "heading", "mounting"), &HeadingDrift::set_sensor);
 	ClassDB::bind_method(D_METHOD("add", "time_usec", "present", "orientations", "magnetics"), &HeadingDrift::add);
 	ClassDB::bind_method(D_METHOD("get_correction", "mount"), &HeadingDrift::get_correction);
 	ClassDB::bind_method(D_METHOD("get_drift", "mount"), &HeadingDrift::get_drift);

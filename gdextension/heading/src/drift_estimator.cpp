@@ -10,7 +10,7 @@ namespace {
 
 /// Turns about the vertical of limbs that hang upside down are not defined; below this part of a
 /// quaternion they are not used.
-constexpr double LEAST_TWIST = 0.3;
+constexpr double MIN_TWIST = 0.3;
 /// A foot that turns more slowly than this stands, rad/s; and what noise may be in a step, rad.
 constexpr double STANDS = degrees(12.0);
 constexpr double STANDS_NOISE = degrees(1.5);
@@ -46,8 +46,8 @@ constexpr double NORTH_VARIANCE = degrees(12.0) * degrees(12.0);
 /// How fast both are learnt, a block or a window, and the least that they can be, rad².
 constexpr double LEARN = 0.06;
 constexpr double LEARN_HABIT = 0.1;
-constexpr double LEAST_VARIANCE = degrees(0.2) * degrees(0.2);
-constexpr double LEAST_HABIT = degrees(1.0) * degrees(1.0);
+constexpr double MIN_VARIANCE = degrees(0.2) * degrees(0.2);
+constexpr double MIN_HABIT = degrees(1.0) * degrees(1.0);
 
 double wrapped(double p_angle) {
 	return std::remainder(p_angle, 2.0 * PI);
@@ -142,7 +142,7 @@ void DriftEstimator::_collect(const Sample &p_sample) {
 	for (int mount = 0; mount < MOUNTS; mount++) {
 		const auto at = std::size_t(mount);
 		const int above = _above(mount);
-		if (defined[at] < LEAST_TWIST || (above >= 0 && defined[std::size_t(above)] < LEAST_TWIST)) {
+		if (defined[at] < MIN_TWIST || (above >= 0 && defined[std::size_t(above)] < MIN_TWIST)) {
 			continue;
 		}
 		const double weight = above >= 0 ? defined[at] * defined[std::size_t(above)] : defined[at];
@@ -260,7 +260,7 @@ void DriftEstimator::_take_held(int p_edge, double p_seen) {
 		_state.begin(angle, expected + off, edge.held_variance);
 		return;
 	}
-	const double seen = std::clamp(off * off - known, LEAST_VARIANCE, 9.0 * edge.held_variance);
+	const double seen = std::clamp(off * off - known, MIN_VARIANCE, 9.0 * edge.held_variance);
 	edge.held_variance += std::max(LEARN, 0.5 / edge.held) * (seen - edge.held_variance);
 	_state.observe(angle, expected + off, edge.held_variance);
 }
@@ -278,12 +278,12 @@ void DriftEstimator::_take_habit(int p_edge) {
 	edge.windows++;
 	if (edge.windows == 1) {
 		const double within = edge.blocks.spread();
-		edge.habit_variance = std::max(LEAST_HABIT, LIKE_WITHIN * within * within);
+		edge.habit_variance = std::max(MIN_HABIT, LIKE_WITHIN * within * within);
 		_state.begin(angle, expected + off, edge.habit_variance);
 		return;
 	}
 	const double learn = std::max(LEARN_HABIT, 1.0 / (edge.windows + 2));
-	edge.habit_variance += learn * (std::max(off * off - known, LEAST_HABIT) - edge.habit_variance);
+	edge.habit_variance += learn * (std::max(off * off - known, MIN_HABIT) - edge.habit_variance);
 	edge.habit_persistence += learn * (off * edge.last_off - edge.habit_persistence);
 	edge.last_off = off;
 	// Windows that are off alike are not so many witnesses (an autoregressive process of first order).
@@ -321,7 +321,7 @@ void DriftEstimator::_take_front() {
 		_state.begin(angle, expected + off, _front_variance);
 	} else if (_faced % FRONT_WITNESS == 1) {
 		const double beyond = off * off - _state.variance(angle);
-		_front_variance += LEARN_FRONT * (std::max(beyond, LEAST_HABIT) - _front_variance);
+		_front_variance += LEARN_FRONT * (std::max(beyond, MIN_HABIT) - _front_variance);
 		_state.observe(angle, expected + off, _front_variance);
 	}
 }

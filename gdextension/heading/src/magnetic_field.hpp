@@ -48,9 +48,7 @@ public:
 	/// Whether there is a reference, and something to hold against it.
 	bool is_known() const { return _is_known; }
 	/// Whether strength and dip are those of the reference.
-	bool is_good() const {
-		return _is_known && std::abs(strength() - 1.0) < STRENGTH && std::abs(dip()) < DIP;
-	}
+	bool is_good() const { return _is_known && std::abs(strength() - 1.0) < STRENGTH && std::abs(dip()) < DIP; }
 	/// Strength, in reference strengths.
 	double strength() const { return _is_known ? _strength * _count / _strengths : 1.0; }
 	/// How much steeper it is than the reference, rad.

@@ -63,10 +63,10 @@ func corrected(p_calibration: Calibration) -> Calibration:
 ## parallel. Arms that hang or are held out to the sides are set too, others keep their angle to the
 ## chest. Mountings stay. Returns why it cannot, or an empty text.
 func reset_ahead(p_frame: SensorFrame, p_table: SuitTable) -> String:
-	if not p_table.is_calibrated:
-		return "the suit is not calibrated yet"
 	if p_frame == null:
 		return "the suit says nothing"
+	if not p_table.is_calibrated:
+		return "the suit is not calibrated yet"
 	var turns: PackedFloat64Array = []
 	for mount: int in BodyMounts.COUNT:
 		turns.append(NAN)

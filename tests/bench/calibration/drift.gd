@@ -22,14 +22,12 @@ class Outcome:
 	## Mean error of all mounts at the end, degrees; and modulo a common turn of all.
 	var off_deg: float = 0.0
 	var shape_deg: float = 0.0
-	## The same of the common turn.
+	## That turn.
 	var common_deg: float = 0.0
 	## What it would be if nothing were corrected.
 	var raw_deg: float = 0.0
-	## Frames after which something was said to be wrong.
+	## Seconds in which something was said to be wrong.
 	var alarms: int = 0
-	## The largest error of a mount at any time, degrees.
-	var worst_deg: float = 0.0
 	## What was said.
 	var said: Dictionary[String, int] = {}
 
@@ -74,7 +72,7 @@ func _run_case(p_name: String, p_rate: float) -> void:
 	report.add(case_name, "whole body", common.mean(), "deg")
 	report.add(case_name, "runs with false alarms", alarms, "", at_most, 0.0)
 	for text: String in said:
-		print("  ", said[text], " x ", text)
+		report.add(case_name, "false: " + text, said[text], "s")
 
 
 func _run(p_name: String, p_rate: float, p_run: int) -> Outcome:
@@ -133,7 +131,7 @@ func _wear(p_suit: SuitSource, p_feed: WornSensorFeed, p_motion: DailyMotion) ->
 				outcome.said[text] = outcome.said.get(text, 0) + 1
 		# The last 20 s count.
 		if at > frames - 500 and at % 10 == 0:
-			_compare(p_suit, p_feed, pose, time_s, [off, shape, common, raw])
+			_compare(p_suit, p_feed, time_s, [off, shape, common, raw])
 	outcome.off_deg = off.mean()
 	outcome.shape_deg = shape.mean()
 	outcome.common_deg = common.mean()
@@ -142,11 +140,7 @@ func _wear(p_suit: SuitSource, p_feed: WornSensorFeed, p_motion: DailyMotion) ->
 
 
 func _compare(
-	p_suit: SuitSource,
-	p_feed: WornSensorFeed,
-	p_pose: PoseSample,
-	p_time_s: float,
-	r_sums: Array[Statistics]
+	p_suit: SuitSource, p_feed: WornSensorFeed, p_time_s: float, r_sums: Array[Statistics]
 ) -> void:
 	var taken: PackedFloat64Array = p_suit.headings.corrections()
 	var offs: PackedFloat64Array = []
@@ -161,9 +155,3 @@ func _compare(
 		r_sums[0].add(absf(off))
 		r_sums[1].add(absf(off - sum / offs.size()))
 	r_sums[2].add(sum / offs.size())
-	if OS.has_environment("DRIFT_DEBUG") and p_time_s > arguments.value("minutes") * 60.0 - 0.5:
-		var line: String = ""
-		for sensor: int in BodyMounts.COUNT:
-			line += "%.1f " % offs[sensor]
-		print(line)
-	assert(p_pose != null)
