@@ -28,6 +28,7 @@ var _fitted: Dictionary[MotionSource, MotionSource] = {}
 # Made when it is opened for the first time: most clients never do.
 var _panel: DevicePanel = null
 var _cues: GuideCues = GuideCues.new()
+var _discovery: SourceDiscovery = SourceDiscovery.new()
 # Whose calibration is heard.
 var _guided: SuitSource = null
 
@@ -67,6 +68,39 @@ func advance(p_now_s: float) -> void:
 	if is_panel_open() and p_now_s > _listed_s + _PERIOD_S:
 		_listed_s = p_now_s
 		_panel.show_devices(inputs.list_devices())
+		_show_sources()
+
+
+func _listen(p_is_wanted: bool) -> void:
+	if not p_is_wanted:
+		_discovery.stop()
+	elif not _discovery.is_listening():
+		var own: PackedInt32Array = inputs.streams.list_ports()
+		if inputs.mvn != null:
+			own.append(inputs.mvn.receiver.get_port())
+		_discovery.start(own)
+
+
+func _show_sources() -> void:
+	if not _discovery.is_listening():
+		return
+	_discovery.advance(_now_s)
+	_panel.sources().show_heard(_discovery.list(_now_s))
+	var choices: PackedInt32Array = []
+	for group: LimbFusion.Group in LimbFusion.Group.values():
+		choices.append(inputs.people.choice(group))
+	_panel.sources().show_groups(LimbFusion.NAMES, choices, inputs.list_sources())
+
+
+## Takes a source that was heard: its port is free again before.
+func _open_source(p_source: String) -> void:
+	_discovery.stop()
+	_panel.sources().show_fault(inputs.open_source(p_source))
+	_listen(true)
+
+
+func _choose_group(p_group: int, p_number: int) -> void:
+	_panel.sources().show_fault(inputs.people.choose(p_group as LimbFusion.Group, p_number))
 
 
 func _let_guide_be_heard() -> void:
@@ -107,6 +141,7 @@ func calibrate(p_index: int, p_kind: int, p_now_s: float, p_answer: Callable = C
 
 ## Closes all devices.
 func close() -> void:
+	_discovery.stop()
 	if people != null:
 		people.stop()
 	inputs.close()
@@ -127,6 +162,9 @@ func _show_panel(p_shows: bool) -> void:
 		_panel = panel_scene.instantiate()
 		_panel.close_wanted.connect(_show_panel.bind(false))
 		_panel.profile_changed.connect(_on_profile_changed)
+		_panel.sources().listening_wanted.connect(_listen)
+		_panel.sources().source_wanted.connect(_open_source)
+		_panel.sources().group_chosen.connect(_choose_group)
 		add_child(_panel)
 	_panel.visible = p_shows
 	_listed_s = 0.0

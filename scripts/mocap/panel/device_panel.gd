@@ -27,6 +27,8 @@ const READ_S: float = 6.0
 @export var _calibrated: PreviewView
 @export var _box: CalibrationBox
 @export var _sheet: BodySheet
+@export var _sources: SourceSheet
+@export var _sources_button: Button
 @export var _status: Label
 @export var _close: Button
 
@@ -73,6 +75,9 @@ func _ready() -> void:
 	_sheet.measured.connect(_measure)
 	_sheet.close_wanted.connect(_show_sheet.bind(false))
 	_sheet.visible = false
+	_sources_button.text = InputKeys.label("Sources", &"toggle_source_sheet")
+	_sources_button.pressed.connect(_show_sources.bind(true))
+	_sources.close_wanted.connect(_show_sources.bind(false))
 	show_devices([])
 	_refresh()
 
@@ -89,6 +94,11 @@ func show_suits(p_suits: Array[SuitSource]) -> void:
 ## Shows devices: dictionaries with [constant DeviceList.KEYS] and perhaps "advice".
 func show_devices(p_devices: Array[Dictionary]) -> void:
 	_devices.show_devices(p_devices)
+
+
+## The sheet of sources: who sends what, and who gives which limbs.
+func sources() -> SourceSheet:
+	return _sources
 
 
 ## The suit that is shown, or null.
@@ -182,6 +192,10 @@ func _input(p_event: InputEvent) -> void:
 	var cancels: bool = p_event.is_action_pressed(&"ui_cancel")
 	if cancels and _sheet.visible:
 		_show_sheet(false)
+	elif cancels and _sources.visible:
+		_show_sources(false)
+	elif p_event.is_action_pressed(&"toggle_source_sheet"):
+		_show_sources(not _sources.visible)
 	elif p_event.is_action_pressed(&"toggle_body_sheet"):
 		_show_sheet(not _sheet.visible)
 	elif not _box.take_input(p_event, process):
@@ -333,10 +347,21 @@ func _measure(p_name: StringName, p_metres: float) -> void:
 
 func _show_sheet(p_shows: bool) -> void:
 	_sheet.visible = p_shows and suit() != null
+	_sources.visible = false
 	_fault = ""
 	_refresh()
 	if _sheet.visible:
 		_sheet.focus_first()
+	else:
+		_sensors.grab_focus()
+
+
+func _show_sources(p_shows: bool) -> void:
+	_sources.visible = p_shows
+	_sources.show_fault("")
+	if p_shows:
+		_sheet.visible = false
+		_sources.focus_first()
 	else:
 		_sensors.grab_focus()
 
