@@ -56,6 +56,7 @@ func _ready() -> void:
 	_figure_view = StickFigureView.new()
 	_raw.stage.add_child(_boxes_view)
 	_calibrated.stage.add_child(_figure_view)
+	_figure_view.visible = false
 	_guide.set_anchors_preset(Control.PRESET_FULL_RECT)
 	add_child(_guide)
 	_close.pressed.connect(close_wanted.emit)
@@ -130,6 +131,7 @@ func _process(_delta: float) -> void:
 	if drives:
 		for each: SuitSource in _suits:
 			each.advance(_now_s())
+	_figure_view.visible = suit() != null
 	if not is_visible_in_tree() or suit() == null:
 		return
 	_draft.follow(suit())
