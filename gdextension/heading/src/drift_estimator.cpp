@@ -34,7 +34,7 @@ constexpr double HABIT_SPREAD = degrees(50.0);
 /// blocks somebody who stays so is another witness.
 constexpr double FRONT_SPREAD = degrees(6.0);
 constexpr double SAME_FRONT = degrees(15.0);
-constexpr double FRONT_VARIANCE = degrees(5.0) * degrees(5.0);
+constexpr double FRONT_VARIANCE = degrees(4.0) * degrees(4.0);
 constexpr double LEARN_FRONT = 0.1;
 constexpr int FRONT_WITNESS = 15;
 /// The mean of rates of drift, squared, in variances of what they would seem to be if there were

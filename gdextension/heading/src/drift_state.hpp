@@ -36,7 +36,7 @@ public:
 	/// Standard deviations of what is believed, rad and s.
 	struct Belief {
 		/// Of the rates of a drift when nothing has been seen, rad/s.
-		double rate = degrees(4.0) / 60.0;
+		double rate = degrees(4.5) / 60.0;
 		/// By how much a rate changes in a second, rad/s.
 		double rate_change = degrees(1.0) / 60.0 / 17.0;
 		/// Of a heading right after a calibration, rad.
@@ -46,7 +46,7 @@ public:
 		/// By how much the angle of a joint that is held, of the body in the room, of a foot that
 		/// stands, and habits wander in a second.
 		double held = degrees(0.03);
-		double room = degrees(0.1);
+		double room = degrees(0.05);
 		double plant = degrees(0.03);
 		double habit = degrees(0.03);
 	};
