@@ -14,6 +14,8 @@ const _SIZE_STEP_M: float = 0.01
 
 ## Number of the first of them whose body is shown as the wearer's own, or -1.
 var first_actor: int = -1
+## Sends poses to other programs by the VMC protocol, or null.
+var vmc_out: VmcOut = null
 
 var _link: ClientLink = null
 var _rate: float = 60.0
@@ -75,6 +77,8 @@ func take_samples() -> void:
 		motion.take_samples()
 		if motion.newest != before:
 			_publishers[motion].publish(motion.newest)
+			if vmc_out != null:
+				vmc_out.send(motion.card.index, motion.newest, motion.source)
 		elif motion.newest != null and _age_s(motion.newest) > _STALE_S:
 			_publishers[motion].pause()
 	var now: float = Time.get_ticks_usec() / 1e6
@@ -202,6 +206,8 @@ func _look_at_sizes() -> void:
 
 
 func _publish_anew(p_motion: ClientMotion) -> void:
+	if vmc_out != null:
+		vmc_out.forget(p_motion.card.index)
 	if _publishers.has(p_motion):
 		_publishers[p_motion].retire()
 	var tracker: StringName = TrackerPublisher.name_for(p_motion.card.index)

@@ -16,7 +16,7 @@ const _TONES: Dictionary[StringName, Vector2] = {
 	&"bad": Vector2(220.0, 0.6),
 }
 
-var _player: AudioStreamPlayer = AudioStreamPlayer.new()
+var _player: AudioStreamPlayer = null
 var _streams: Dictionary[StringName, AudioStreamWAV] = {}
 var _phase: CalibrationProcess.Phase = CalibrationProcess.Phase.IDLE
 var _step: CalibrationGuide.Step = null
@@ -24,6 +24,7 @@ var _counted: int = 0
 
 
 func _ready() -> void:
+	_player = AudioStreamPlayer.new()
 	_player.bus = SoundBuses.INTERFACE
 	add_child(_player)
 	for tone: StringName in _TONES:

@@ -27,13 +27,14 @@ var _now_s: float = 0.0
 var _fitted: Dictionary[MotionSource, MotionSource] = {}
 # Made when it is opened for the first time: most clients never do.
 var _panel: DevicePanel = null
-var _cues: GuideCues = GuideCues.new()
+var _cues: GuideCues = null
 var _discovery: SourceDiscovery = SourceDiscovery.new()
 # Whose calibration is heard.
 var _guided: SuitSource = null
 
 
 func _ready() -> void:
+	_cues = GuideCues.new()
 	add_child(_cues)
 
 
@@ -54,6 +55,7 @@ func open(p_options: Options, p_link: ClientLink) -> String:
 	if headset != null and headset.display.is_worn():
 		inputs.make_default = headset.make_body
 	var fault: String = inputs.open(p_options)
+	people.vmc_out = inputs.vmc_out
 	if fault == "" and p_options.is_on("panel"):
 		_show_panel(true)
 	return fault

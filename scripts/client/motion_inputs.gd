@@ -64,7 +64,7 @@ func open(p_options: Options) -> String:
 	if fault == "":
 		fault = _open_playback()
 	if fault == "":
-		_addresses = _find_addresses()
+		_addresses = SourceAddress.of_options(p_options)
 		people.count = _addresses.size()
 		fault = people.read(p_options.text("fuse"))
 	for number: int in _addresses.size():
@@ -259,27 +259,12 @@ func _open_recorder() -> String:
 	return _recorder.open(path)
 
 
-## The sources that the options name, the short forms first.
-func _find_addresses() -> Array[SourceAddress]:
-	var found: Array[SourceAddress] = []
-	if _options.text("bvh") != "":
-		found.append(SourceAddress.parse("bvh:" + _options.text("bvh")))
-	if _options.is_on("xbus"):
-		found.append(SourceAddress.parse("xbus"))
-	if _options.number("mvn") != 0:
-		found.append(SourceAddress.parse("mvn:%d" % _options.number("mvn")))
-	if _options.text("tracker") != "":
-		found.append(SourceAddress.parse("tracker:" + _options.text("tracker")))
-	found.append_array(SourceAddress.parse_list(_options.text("source")))
-	return found
-
-
 func _open_source(p_address: SourceAddress, p_number: int) -> String:
 	if p_address.fault != "":
 		return "--source: " + p_address.fault
 	match p_address.kind:
 		"bvh":
-			return _open_files(_paths_of(p_address.text), p_number)
+			return _open_files(p_address.paths(), p_number)
 		"xbus":
 			return _open_usb(p_number)
 		"mvn":
@@ -299,16 +284,6 @@ func _open_source(p_address: SourceAddress, p_number: int) -> String:
 	if fault == "" and streams.slime != before:
 		_wear(streams.slime, _options.text("person") if wearers.is_empty() else "", p_number)
 	return fault
-
-
-## Paths of files as full ones; a file whose own name has commas is one file.
-static func _paths_of(p_text: String) -> PackedStringArray:
-	if FileAccess.file_exists(Options.full_path(p_text)):
-		return [Options.full_path(p_text)]
-	var paths: PackedStringArray = []
-	for part: String in p_text.split(",", false):
-		paths.append(Options.full_path(part))
-	return paths
 
 
 func _open_files(p_paths: PackedStringArray, p_number: int) -> String:

@@ -6,7 +6,7 @@ extends Tree
 const KEYS: PackedStringArray = ["name", "state", "detail"]
 const _TITLES: PackedStringArray = ["Device", "State", "Details"]
 const _WIDTHS: PackedInt32Array = [190, 110, 200]
-const _NONE: String = "No device yet: plug in the suit, or start MVN's network streamer."
+const _NONE: String = "No device yet: plug in a suit, or look at Sources."
 
 var _shown: Array[Dictionary] = []
 var _is_filled: bool = false

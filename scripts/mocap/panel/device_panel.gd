@@ -40,7 +40,7 @@ var _at: int = 0
 var _store: CalibrationStore = null
 var _boxes_view: SensorBoxesView = null
 var _figure_view: StickFigureView = null
-var _guide: GuideView = GuideView.new()
+var _guide: GuideView = null
 var _draft: MapDraft = MapDraft.new()
 var _gesture: ShakeGesture = ShakeGesture.new()
 var _seen_frame: SensorFrame = null
@@ -57,6 +57,7 @@ func _ready() -> void:
 	_raw.stage.add_child(_boxes_view)
 	_calibrated.stage.add_child(_figure_view)
 	_figure_view.visible = false
+	_guide = GuideView.new()
 	_guide.set_anchors_preset(Control.PRESET_FULL_RECT)
 	add_child(_guide)
 	_close.pressed.connect(close_wanted.emit)

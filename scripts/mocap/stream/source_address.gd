@@ -103,6 +103,31 @@ static func parse_list(p_text: String) -> Array[SourceAddress]:
 	return found
 
 
+## The sources that options name, the short forms (--bvh, --xbus, --mvn, --tracker) first.
+static func of_options(p_options: Options) -> Array[SourceAddress]:
+	var found: Array[SourceAddress] = []
+	if p_options.text("bvh") != "":
+		found.append(parse("bvh:" + p_options.text("bvh")))
+	if p_options.is_on("xbus"):
+		found.append(parse("xbus"))
+	if p_options.number("mvn") != 0:
+		found.append(parse("mvn:%d" % p_options.number("mvn")))
+	if p_options.text("tracker") != "":
+		found.append(parse("tracker:" + p_options.text("tracker")))
+	found.append_array(parse_list(p_options.text("source")))
+	return found
+
+
+## Full paths of the files that it names; a file whose own name has commas is one file.
+func paths() -> PackedStringArray:
+	if FileAccess.file_exists(Options.full_path(text)):
+		return [Options.full_path(text)]
+	var found: PackedStringArray = []
+	for part: String in text.split(",", false):
+		found.append(Options.full_path(part))
+	return found
+
+
 ## All kinds as they are written: "vmc[:PORT]".
 static func describe_kinds() -> PackedStringArray:
 	var kinds: PackedStringArray = []
