@@ -6,9 +6,11 @@ extends SceneTree
 ## anywhere), drift. --bvh=FILE (again for more; default the clips in assets/motion),
 ## --rounds=5 (wearers a case), --seed=1, --noise=0 (deg, of clips; others have 0.5 unless given),
 ## --norths=0,10,20,40,60 (deg), --poses=0,3,10 (deg), --efforts=0.3 (part by which movements are
-## larger or smaller), --soft=3 (deg of soft tissue), --orders=20 (orders of dressing a case).
+## larger or smaller), --soft=3 (deg of soft tissue), --orders=20 (orders of dressing a case),
+## of drift: --runs=6 (wearers a case), --minutes=10, --rates=0,1,3,5 (deg/min a sensor),
+## --motions=NAME (again for more; default all): clip, stand, work, mixed, twisted, rifle.
 
-const _PARTS: Array[String] = ["clips"]
+const _PARTS: Array[String] = ["clips", "norths", "poses", "forecast", "dressing", "drift"]
 
 var _arguments: BenchArguments = null
 
@@ -29,6 +31,11 @@ func _initialize() -> void:
 				"efforts": 0.3,
 				"soft": 3.0,
 				"orders": 20,
+				"details": false,
+				"runs": 6,
+				"minutes": 10.0,
+				"rates": "0,1,3,5",
+				"motions": "",
 			}
 		)
 	)

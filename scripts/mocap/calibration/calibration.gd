@@ -24,6 +24,8 @@ class Entry:
 	var mount: int = -1
 	## Heading H, rad about the vertical.
 	var heading: float = 0.0
+	## How far the heading is off, rad (standard deviation), NAN if that is not known.
+	var heading_error: float = NAN
 	## Mounting M: from the sensor's axes to the limb's.
 	var mounting: Quaternion = Quaternion.IDENTITY
 
@@ -32,14 +34,20 @@ class Entry:
 		return Rotations.yaw(-heading) * p_said * mounting.inverse()
 
 
-## Sets the mounting of a sensor from its orientation in a pose; its heading must be known.
-func set_sensor(
-	p_id: String, p_mount: int, p_heading: float, p_said: Quaternion, p_pose: Quaternion
+## Sets what is known of a sensor: its mount of [BodyMounts], heading (rad), mounting, and how far
+## the heading is off (rad).
+func set_entry(
+	p_id: String,
+	p_mount: int,
+	p_heading: float,
+	p_mounting: Quaternion,
+	p_heading_error: float = NAN
 ) -> void:
 	var entry: Entry = Entry.new()
 	entry.mount = p_mount
 	entry.heading = p_heading
-	entry.mounting = ((Rotations.yaw(p_heading) * p_pose).inverse() * p_said).normalized()
+	entry.mounting = p_mounting.normalized()
+	entry.heading_error = p_heading_error
 	entries[p_id] = entry
 
 

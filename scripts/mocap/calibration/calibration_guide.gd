@@ -10,7 +10,8 @@ enum Kind {
 	N_POSE,
 	## T-pose, arms down, N-pose: the arms show which way the wearer faces.
 	T_TO_N,
-	## As T_TO_N, then a bow, a squat and rising on the toes: aligns the headings of all sensors.
+	## As T_TO_N, then a bow, a squat, a reach and rising on the toes, and both poses once more: finds
+	## each sensor's own north, and evens out how exactly poses are held.
 	FULL,
 	## Hold the reset pose for a second, now: sets heading and pose anew, keeping what is known.
 	QUICK,
@@ -65,14 +66,14 @@ static func steps(
 		Kind.QUICK:
 			found.append(_hold(p_pose, QUICK_S))
 		Kind.FIT_CHECK:
-			found.append(_countdown(ResetPose.Kind.N))
+			found.append(countdown(ResetPose.Kind.N))
 			for movement: GuideMovements.Movement in GuideMovements.informative(p_mounts):
 				found.append(_move(movement, CHECK_S))
 		Kind.N_POSE:
-			found.append(_countdown(ResetPose.Kind.N))
+			found.append(countdown(ResetPose.Kind.N))
 			found.append(_hold(ResetPose.Kind.N, HOLD_S))
 		_:
-			found.append(_countdown(ResetPose.Kind.T))
+			found.append(countdown(ResetPose.Kind.T))
 			found.append(_hold(ResetPose.Kind.T, HOLD_S))
 	if p_kind == Kind.T_TO_N or p_kind == Kind.FULL:
 		found.append(_move(GuideMovements.Movement.ARMS, ARMS_S))
@@ -80,7 +81,11 @@ static func steps(
 	if p_kind == Kind.FULL:
 		found.append(_move(GuideMovements.Movement.BOW, MOVE_S))
 		found.append(_move(GuideMovements.Movement.SQUAT, MOVE_S))
+		found.append(_move(GuideMovements.Movement.REACH, MOVE_S))
 		found.append(_move(GuideMovements.Movement.RISE, MOVE_S))
+		found.append(_hold(ResetPose.Kind.N, HOLD_S))
+		found.append(_move(GuideMovements.Movement.ARMS_UP, ARMS_S))
+		found.append(_hold(ResetPose.Kind.T, HOLD_S))
 	return found
 
 
@@ -94,7 +99,8 @@ static func duration_s(
 	return sum
 
 
-static func _countdown(p_pose: ResetPose.Kind) -> Step:
+## Time to get ready for a pose.
+static func countdown(p_pose: ResetPose.Kind) -> Step:
 	var step: Step = _hold(p_pose, COUNTDOWN_S)
 	step.is_countdown = true
 	return step

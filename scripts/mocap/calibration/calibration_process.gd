@@ -68,6 +68,10 @@ func start(
 	_solver.options = options
 	_solver.old = p_old
 	_steps = CalibrationGuide.steps(p_kind, options.pose, _worn(p_mounts))
+	if options.ready_s > CalibrationGuide.COUNTDOWN_S and not _steps[0].is_countdown:
+		_steps.push_front(CalibrationGuide.countdown(_steps[0].pose))
+	if _steps[0].is_countdown:
+		_steps[0].duration_s = options.ready_s
 	_step = -1
 	_ends_s = p_now_s
 	_next_step()
@@ -93,6 +97,18 @@ func instruction() -> String:
 	return ""
 
 
+## The present step, or null.
+func current_step() -> CalibrationGuide.Step:
+	return _steps[_step] if is_running() else null
+
+
+## How much of the present step has passed, 0 to 1.
+func step_part() -> float:
+	if not is_running():
+		return 1.0
+	return clampf(1.0 - seconds_left / maxf(_steps[_step].duration_s, 1e-3), 0.0, 1.0)
+
+
 ## Progress, 0 to 1.
 func progress() -> float:
 	if not is_running():
@@ -113,7 +129,7 @@ func add_frame(p_frame: SensorFrame) -> void:
 		return
 	var step: CalibrationGuide.Step = _steps[_step]
 	if phase == Phase.HOLD:
-		_solver.holds[step.pose].add(p_frame)
+		_solver.holds[-1].add(p_frame)
 	elif phase == Phase.MOVE:
 		_solver.axes[step.movement].add(p_frame)
 
@@ -144,7 +160,7 @@ func _next_step() -> void:
 		_solver.axes[step.movement] = MotionAxis.new()
 		_set_phase(Phase.MOVE)
 	else:
-		_solver.holds[step.pose] = PoseHold.new()
+		_solver.holds.append(PoseHold.new(step.pose))
 		_set_phase(Phase.HOLD)
 
 

@@ -1,113 +1,225 @@
 class_name FitCheck
 extends RefCounted
-## Finds sensors that are not where they should be, from how far each turned in which movement.
+## Finds on which mount each sensor is worn, from how far it turned in which movement: all at once,
+## however they were put on.
 ##
-## It needs no calibration and no common north: only angles count. Each movement of
-## [GuideMovements] turns some mounts much and others hardly; two sensors look exchanged if what
-## they did fits much better when they are.
+## It needs no calibration and no common north: only how far a sensor turned counts. Each movement
+## of [GuideMovements] turns some mounts much and others hardly; the mounts are given to the sensors
+## so that all of them together fit best ([BestAssignment]). How large each movement was made is
+## found on the way, from those that did it.
 
-## Usual deviation of people from a movement: degrees, and share of the movement.
-const SPREAD_DEG: float = 5.0
-const SPREAD_PART: float = 0.3
+## Usual deviation of people from a movement: degrees, and share of the movement. The first share is
+## for as long as nobody knows how large the movement was made.
+const SPREAD_DEG: float = 4.0
+const SPREAD_PART: float = 0.14
+const FIRST_PART: float = 0.3
 ## Nobody stands quite still, degrees.
-const STILL_DEG: float = 6.0
+const STILL_DEG: float = 3.0
 ## Maximum that one movement counts: somebody may get one wrong.
-const MAX: float = 6.0
-## Minimum by which an exchange must fit better.
-const BETTER: float = 2.0
-## Mounts that do nothing of what they should fit by less than this.
-const ODD: float = 8.0
+const WORST: float = 8.0
+## A sensor that does what no mount does is not worn: it fits as one that lies still, with this
+## against it.
+const UNWORN: float = 9.0
+## By so much an assignment must fit better than the present one.
+const BETTER: float = 0.5
+## A sensor that is less sure is named, as a probability.
+const SURE: float = 0.9
+## Smallest and largest part of a movement that people make of it.
+const MIN_EFFORT: float = 0.5
+const MAX_EFFORT: float = 1.6
+## What [method MotionAxis.swing] is of a turn that is made and taken back.
+const SWING: float = 0.85
+## Rounds of finding how large movements were made.
+const ROUNDS: int = 3
+
+var _mounts: PackedInt32Array = PackedInt32Array()
+var _axes: Dictionary[GuideMovements.Movement, MotionAxis] = {}
+var _better: float = BETTER
+# Sensors that were heard, and mounts that are worn.
+var _sensors: PackedInt32Array = PackedInt32Array()
+var _places: PackedInt32Array = PackedInt32Array()
+var _efforts: Dictionary[GuideMovements.Movement, float] = {}
+var _costs: PackedFloat64Array = PackedFloat64Array()
 
 
-## The result of the movements: swaps and advice.
+## Takes the present mount of each sensor (-1: none), the movements, and by how much an assignment
+## must fit better than the present one.
+func _init(
+	p_mounts: PackedInt32Array,
+	p_axes: Dictionary[GuideMovements.Movement, MotionAxis],
+	p_better: float = BETTER
+) -> void:
+	_mounts = p_mounts
+	_axes = p_axes
+	_better = p_better
+	for sensor: int in p_mounts.size():
+		if _was_heard(sensor):
+			_sensors.append(sensor)
+			if p_mounts[sensor] >= 0:
+				_places.append(p_mounts[sensor])
+
+
+## The result of the movements: the mount of each sensor, and advice.
 static func judge(
 	p_sensors: Array[SensorInfo],
 	p_mounts: PackedInt32Array,
 	p_axes: Dictionary[GuideMovements.Movement, MotionAxis]
 ) -> CalibrationResult:
 	var result: CalibrationResult = CalibrationResult.new()
+	var check: FitCheck = FitCheck.new(p_mounts, p_axes)
 	for sensor: int in p_sensors.size():
 		if p_mounts[sensor] < 0:
 			continue
 		var quality: CalibrationResult.PlaceQuality = CalibrationResult.PlaceQuality.new()
 		quality.mount = p_mounts[sensor]
 		quality.sensor = p_sensors[sensor].id
-		quality.is_missing = not _was_heard(sensor, p_axes)
+		quality.is_missing = not check._was_heard(sensor)
 		result.mounts.append(quality)
-	result.judge()
-	result.swaps = find_swaps(p_mounts, p_axes)
-	var named: PackedInt32Array = []
-	for swap: Vector2i in result.swaps:
-		result.advice.insert(0, describe(swap))
-		named.append_array([swap.x, swap.y])
+	result.present = p_mounts
+	result.assignment = check.assign()
+	result.confidences = check.confidences(result.assignment)
+	result.advice = advice(result)
 	for sensor: int in p_mounts.size():
-		var mount: int = p_mounts[sensor]
-		if mount >= 0 and not named.has(mount) and _was_heard(sensor, p_axes):
-			var misfit: float = _misfit(sensor, mount, p_axes)
-			if misfit > ODD:
-				var title: String = BodyMounts.title(mount)
-				result.advice.append("%s did not move as asked: is its sensor there?" % title)
+		var is_lost: bool = p_mounts[sensor] >= 0 and result.assignment[sensor] < 0
+		if is_lost and not result.assignment.has(p_mounts[sensor]):
+			var title: String = BodyMounts.title(p_mounts[sensor])
+			result.advice.append("%s did not move as asked: is its sensor there?" % title)
+		elif result.assignment[sensor] >= 0 and result.confidences[sensor] < SURE:
+			var title: String = BodyMounts.title(result.assignment[sensor])
+			result.advice.append("it is not sure that %s is there: check again" % title)
+	result.judge()
 	return result
 
 
-## The advice on an exchange.
+## The advice on sensors that are worn elsewhere: exchanges of two by name, everything else as a
+## list.
+static func advice(p_result: CalibrationResult) -> PackedStringArray:
+	var found: PackedStringArray = []
+	var moved: PackedStringArray = []
+	for sensor: int in p_result.present.size():
+		var now: int = p_result.present[sensor]
+		var wanted: int = p_result.assignment[sensor]
+		if now == wanted or wanted < 0:
+			continue
+		var there: int = p_result.present.find(wanted)
+		if there >= 0 and p_result.assignment[there] == now:
+			if now < wanted:
+				found.append(describe(Vector2i(now, wanted)))
+		elif now >= 0:
+			moved.append("%s (was %s)" % [BodyMounts.title(wanted), BodyMounts.title(now)])
+		else:
+			moved.append("%s (was not worn)" % BodyMounts.title(wanted))
+	if not moved.is_empty():
+		found.append("sensors are worn elsewhere: " + ", ".join(moved))
+	return found
+
+
+## The advice on an exchange of two mounts.
 static func describe(p_swap: Vector2i) -> String:
 	var names: Array = [BodyMounts.title(p_swap.x), BodyMounts.title(p_swap.y)]
 	return "%s and %s look swapped" % names
 
 
-## Pairs of mounts whose sensors did what the other one should, and fit better by so much when they
-## are exchanged; those that are surest first, and each mount in one at most.
-static func find_swaps(
-	p_mounts: PackedInt32Array,
-	p_axes: Dictionary[GuideMovements.Movement, MotionAxis],
-	p_better: float = BETTER
-) -> Array[Vector2i]:
-	var gains: Array[Vector3] = []
-	for first: int in p_mounts.size():
-		for second: int in first:
-			if p_mounts[first] < 0 or p_mounts[second] < 0:
-				continue
-			if not (_was_heard(first, p_axes) and _was_heard(second, p_axes)):
-				continue
-			var now: float = _misfit(first, p_mounts[first], p_axes)
-			now += _misfit(second, p_mounts[second], p_axes)
-			# Movements that turn both mounts alike weigh the same before and after.
-			var other: float = _misfit(first, p_mounts[second], p_axes)
-			other += _misfit(second, p_mounts[first], p_axes)
-			if now - other > p_better:
-				gains.append(Vector3(now - other, p_mounts[second], p_mounts[first]))
-	gains.sort_custom(func(a: Vector3, b: Vector3) -> bool: return a.x > b.x)
-	var swaps: Array[Vector2i] = []
-	var taken: PackedInt32Array = []
-	for gain: Vector3 in gains:
-		var pair: Vector2i = Vector2i(
-			mini(int(gain.y), int(gain.z)), maxi(int(gain.y), int(gain.z))
-		)
-		if not taken.has(pair.x) and not taken.has(pair.y):
-			swaps.append(pair)
-			taken.append_array([pair.x, pair.y])
-	return swaps
+## The mount of each sensor that fits best, -1 for those that do what no mount does. Sensors that
+## were not heard keep theirs.
+func assign() -> PackedInt32Array:
+	var found: PackedInt32Array = _mounts.duplicate()
+	if _sensors.is_empty():
+		return found
+	var columns: PackedInt32Array = PackedInt32Array()
+	for pass_number: int in ROUNDS:
+		_fill_costs(FIRST_PART if pass_number == 0 else SPREAD_PART)
+		columns = BestAssignment.find(_costs, _sensors.size(), _columns())
+		_learn_efforts(columns)
+	for at: int in _sensors.size():
+		found[_sensors[at]] = _places[columns[at]] if columns[at] < _places.size() else -1
+	return found
 
 
-static func _was_heard(
-	p_sensor: int, p_axes: Dictionary[GuideMovements.Movement, MotionAxis]
-) -> bool:
-	for movement: GuideMovements.Movement in p_axes:
-		if p_axes[movement].was_heard(p_sensor):
+## How sure an assignment of [method assign] is, for each sensor, 0 to 1: how much worse everything
+## would fit if that sensor were elsewhere (the costs are half squares of normal deviations).
+func confidences(p_assignment: PackedInt32Array) -> PackedFloat32Array:
+	var found: PackedFloat32Array = PackedFloat32Array()
+	found.resize(p_assignment.size())
+	var best: PackedInt32Array = BestAssignment.find(_costs, _sensors.size(), _columns())
+	var total: float = _total(best)
+	for at: int in _sensors.size():
+		var cell: int = at * _columns() + best[at]
+		var cost: float = _costs[cell]
+		_costs[cell] = 1e6
+		if best[at] >= _places.size():
+			for column: int in range(_places.size(), _columns()):
+				_costs[at * _columns() + column] += 1e6
+		var other: float = _total(BestAssignment.find(_costs, _sensors.size(), _columns()))
+		if best[at] >= _places.size():
+			for column: int in range(_places.size(), _columns()):
+				_costs[at * _columns() + column] -= 1e6
+		_costs[cell] = cost
+		found[_sensors[at]] = 1.0 / (1.0 + exp(-(other - total)))
+	return found
+
+
+func _columns() -> int:
+	return _places.size() + _sensors.size()
+
+
+func _total(p_columns: PackedInt32Array) -> float:
+	var sum: float = 0.0
+	for at: int in p_columns.size():
+		sum += _costs[at * _columns() + p_columns[at]]
+	return sum
+
+
+## The cost of each sensor on each mount, and of not being worn.
+func _fill_costs(p_part: float) -> void:
+	_costs.resize(_sensors.size() * _columns())
+	for at: int in _sensors.size():
+		var row: int = at * _columns()
+		for place: int in _places.size():
+			_costs[row + place] = _misfit(_sensors[at], _places[place], p_part)
+			if _mounts[_sensors[at]] != _places[place]:
+				_costs[row + place] += _better / 2.0
+		var unworn: float = _misfit(_sensors[at], -1, p_part) + UNWORN
+		for column: int in range(_places.size(), _columns()):
+			_costs[row + column] = unworn
+
+
+## How large movements were made, by those who made them.
+func _learn_efforts(p_columns: PackedInt32Array) -> void:
+	for movement: GuideMovements.Movement in _axes:
+		var products: float = 0.0
+		var squares: float = 0.0
+		for at: int in _sensors.size():
+			if p_columns[at] >= _places.size():
+				continue
+			var wanted: float = _wanted_deg(movement, _places[p_columns[at]])
+			products += wanted * rad_to_deg(_axes[movement].swing(_sensors[at]))
+			squares += wanted * wanted
+		# As asked, as long as hardly anybody shows it.
+		var prior: float = 15.0 ** 2
+		var effort: float = (products + prior) / (squares + prior)
+		_efforts[movement] = clampf(effort, MIN_EFFORT, MAX_EFFORT)
+
+
+func _was_heard(p_sensor: int) -> bool:
+	for movement: GuideMovements.Movement in _axes:
+		if _axes[movement].was_heard(p_sensor):
 			return true
 	return false
 
 
-## How badly a sensor's turns fit those of a mount: 0 is as asked.
-static func _misfit(
-	p_sensor: int, p_mount: int, p_axes: Dictionary[GuideMovements.Movement, MotionAxis]
-) -> float:
+static func _wanted_deg(p_movement: GuideMovements.Movement, p_mount: int) -> float:
+	var part: float = 1.0 if GuideMovements.is_passage(p_movement) else SWING
+	return part * GuideMovements.turn_deg(p_movement, p_mount).length() if p_mount >= 0 else 0.0
+
+
+## How badly a sensor's turns fit those of a mount, or of one that lies still (-1): 0 is as asked.
+func _misfit(p_sensor: int, p_mount: int, p_part: float) -> float:
 	var sum: float = 0.0
-	for movement: GuideMovements.Movement in p_axes:
-		var wanted: float = GuideMovements.turn_deg(movement, p_mount).length()
-		var got: float = rad_to_deg(p_axes[movement].turn(p_sensor))
+	for movement: GuideMovements.Movement in _axes:
+		var wanted: float = _wanted_deg(movement, p_mount) * _efforts.get(movement, 1.0)
+		var got: float = rad_to_deg(_axes[movement].swing(p_sensor))
 		var off: float = maxf(absf(got - wanted) - STILL_DEG, 0.0)
-		off /= SPREAD_DEG + SPREAD_PART * wanted
-		sum += minf(off * off, MAX)
+		off /= SPREAD_DEG + p_part * wanted
+		sum += minf(off * off / 2.0, WORST)
 	return sum

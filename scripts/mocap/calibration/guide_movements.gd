@@ -2,7 +2,7 @@ class_name GuideMovements
 extends RefCounted
 ## The movements that a wearer is asked to make, and how they turn each mount of the body.
 
-## Movements. All but ARMS start and end in the N-pose.
+## Movements. All but ARMS and ARMS_UP start and end in the N-pose.
 enum Movement {
 	## None: a pose is held.
 	NONE,
@@ -12,6 +12,10 @@ enum Movement {
 	BOW,
 	## Down and up again, heels on the floor.
 	SQUAT,
+	## Both arms, straight, up to the front and down again.
+	REACH,
+	## From N to T, both arms.
+	ARMS_UP,
 	## On the toes and down again.
 	RISE,
 	## The left elbow, up to the front and down again.
@@ -50,6 +54,8 @@ const TEXTS: PackedStringArray = [
 	"Bring both arms down to your thighs, straight, palms turning in.",
 	"Bow forward with a straight back, then come up again.",
 	"Squat halfway with the knees ahead, heels down, then come up again.",
+	"Raise both arms straight to the front, thumbs up, then lower them.",
+	"Raise both arms straight out to the sides again, palms down.",
 	"Rise on your toes, then come down again.",
 	"Bend the left elbow to the front, then straighten it.",
 	"Bend the right elbow to the front, then straighten it.",
@@ -69,7 +75,7 @@ const TEXTS: PackedStringArray = [
 
 ## How far mounts are turned in the middle of a movement: mounts of [BodyMounts] and rotation
 ## vectors in degrees, for somebody who faces +Z, of the left side. The right side mirrors it.
-## ARMS is [method ResetPose.rotation].
+## ARMS and ARMS_UP are [method ResetPose.rotation].
 const _TURNS: Dictionary[Movement, Dictionary] = {
 	Movement.BOW:
 	{
@@ -81,6 +87,15 @@ const _TURNS: Dictionary[Movement, Dictionary] = {
 	},
 	Movement.SQUAT:
 	{11: Vector3(-60, 0, 0), 12: Vector3(35, 0, 0), 14: Vector3(-60, 0, 0), 15: Vector3(35, 0, 0)},
+	Movement.REACH:
+	{
+		4: Vector3(-80, 0, 0),
+		5: Vector3(-80, 0, 0),
+		6: Vector3(-80, 0, 0),
+		8: Vector3(-80, 0, 0),
+		9: Vector3(-80, 0, 0),
+		10: Vector3(-80, 0, 0)
+	},
 	Movement.RISE: {13: Vector3(30, 0, 0), 16: Vector3(30, 0, 0)},
 	Movement.LEFT_ELBOW: {5: Vector3(-90, 0, 0), 6: Vector3(-90, 0, 0)},
 	Movement.LEFT_ARM:
@@ -120,14 +135,43 @@ const _MIRRORS: Dictionary[Movement, Movement] = {
 ## How a movement turns a mount out of its pose in its middle: a rotation vector, degrees, for
 ## somebody who faces +Z.
 static func turn_deg(p_movement: Movement, p_mount: int) -> Vector3:
-	if p_movement == Movement.ARMS:
-		var down: Quaternion = ResetPose.rotation(ResetPose.Kind.N, p_mount)
-		return Rotations.vector(down) * (180.0 / PI)
+	if p_movement == Movement.ARMS or p_movement == Movement.ARMS_UP:
+		var down: Vector3 = Rotations.vector(ResetPose.rotation(ResetPose.Kind.N, p_mount))
+		return down * (180.0 / PI if p_movement == Movement.ARMS else -180.0 / PI)
 	if _MIRRORS.has(p_movement):
 		var left: Vector3 = turn_deg(_MIRRORS[p_movement], BodyMounts.MIRRORS[p_mount])
 		return Vector3(left.x, -left.y, -left.z)
 	var turns: Dictionary = _TURNS.get(p_movement, {})
 	return turns.get(p_mount, Vector3.ZERO)
+
+
+## Where a mount is at a part (0 to 1) of a step of a guide: its rotation from the reset pose, for
+## somebody who faces +Z. People do not move at once, and stand before the end.
+static func rotation(p_step: CalibrationGuide.Step, p_part: float, p_mount: int) -> Quaternion:
+	var stands: Quaternion = ResetPose.rotation(p_step.pose, p_mount)
+	var turn: Vector3 = turn_deg(p_step.movement, p_mount) * (PI / 180.0)
+	if turn == Vector3.ZERO:
+		return stands
+	var eased: float = smoothstep(0.2, 0.8, p_part)
+	if not is_passage(p_step.movement):
+		eased = sin(PI * eased)
+	return Rotations.from_vector(turn * eased) * stands
+
+
+## The whole pose, facing +Z, its root at the origin.
+static func pose(p_step: CalibrationGuide.Step, p_part: float) -> PoseSample:
+	var found: PoseSample = PoseSample.new()
+	for mount: int in BodyMounts.COUNT:
+		if mount != BodyMounts.LEFT_SHOULDER and mount != BodyMounts.RIGHT_SHOULDER:
+			found.set_orientation(BodyMounts.LIMBS[mount], rotation(p_step, p_part, mount))
+	var spine: Quaternion = found.orientation(Limbs.HIPS)
+	found.set_orientation(Limbs.SPINE, spine.slerp(found.orientation(Limbs.CHEST), 0.5))
+	return found
+
+
+## Whether a movement goes from pose to pose and not back.
+static func is_passage(p_movement: Movement) -> bool:
+	return p_movement == Movement.ARMS or p_movement == Movement.ARMS_UP
 
 
 ## The axis about which a movement turns a mount, level and of length 1, for somebody who faces +Z;
@@ -142,7 +186,7 @@ static func axis(p_movement: Movement, p_mount: int) -> Vector3:
 static func informative(p_mounts: PackedInt32Array) -> Array[Movement]:
 	var found: Array[Movement] = []
 	for movement: Movement in Movement.values():
-		if movement <= Movement.SQUAT:
+		if movement <= Movement.ARMS_UP:
 			continue
 		for mount: int in p_mounts:
 			# The turn of the chest is for pelvis and sternum: it moves much besides.

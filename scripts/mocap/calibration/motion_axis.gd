@@ -4,16 +4,16 @@ extends RefCounted
 ##
 ## Movements of a calibration turn a limb out of a pose and back about one known, horizontal axis of
 ## the body: then the axis shows which way the sensor's global frame is turned about the vertical.
-## Only horizontal axes count, since a heading that drifts adds a turn about the vertical.
 
-## Frames whose mean is where a movement starts from.
+## Frames whose mean is where a movement starts from, or where it ends.
 const START_FRAMES: int = 8
-## Turns out of the first pose by less than this show nothing, rad.
-const MIN_TURN: float = 0.15
 
 var _first: Array[Quaternion] = []
+# Of each sensor the last frames, in a ring.
+var _last: Array[Quaternion] = []
 var _heard: PackedInt32Array = PackedInt32Array()
 var _sums: PackedVector3Array = PackedVector3Array()
+var _cubes: PackedVector3Array = PackedVector3Array()
 var _lengths: PackedFloat32Array = PackedFloat32Array()
 var _most: PackedFloat32Array = PackedFloat32Array()
 
@@ -25,6 +25,7 @@ func add(p_frame: SensorFrame) -> void:
 		if p_frame.present[sensor] == 0:
 			continue
 		var turned: Quaternion = p_frame.orientation(sensor).normalized()
+		_last[sensor * START_FRAMES + _heard[sensor] % START_FRAMES] = turned
 		_heard[sensor] += 1
 		if _heard[sensor] == 1:
 			_first[sensor] = turned
@@ -44,33 +45,53 @@ func turn(p_sensor: int) -> float:
 	return _most[p_sensor] if p_sensor < _most.size() else 0.0
 
 
-## The axis in the sensor's global frame, horizontal and of length 1; zero if it hardly turned.
-func axis(p_sensor: int) -> Vector3:
-	if p_sensor >= _sums.size():
-		return Vector3.ZERO
-	return Vector3(_sums[p_sensor].x, 0.0, _sums[p_sensor].z).normalized()
-
-
-## How much it was a turn about one horizontal axis, 0 to 1.
-func purity(p_sensor: int) -> float:
+## How far a sensor turned about one axis, rad: as far as most of the movement went. Swaying to and
+## fro is none.
+func swing(p_sensor: int) -> float:
 	if p_sensor >= _sums.size() or _lengths[p_sensor] <= 0.0:
 		return 0.0
-	return Vector2(_sums[p_sensor].x, _sums[p_sensor].z).length() / _lengths[p_sensor]
+	return _cubes[p_sensor].length() / _lengths[p_sensor]
+
+
+## What a sensor said before it turned.
+func start(p_sensor: int) -> Quaternion:
+	return _first[p_sensor]
+
+
+## What a sensor said in the end.
+func end(p_sensor: int) -> Quaternion:
+	var count: int = mini(_heard[p_sensor], START_FRAMES)
+	return Rotations.mean(_last.slice(p_sensor * START_FRAMES, p_sensor * START_FRAMES + count))
+
+
+## The axis in the sensor's global frame, of length 1; zero if it hardly turned.
+func axis(p_sensor: int) -> Vector3:
+	return _sums[p_sensor].normalized() if p_sensor < _sums.size() else Vector3.ZERO
+
+
+## How much the axis changed during the movement, rad: the standard deviation of its direction.
+func scatter(p_sensor: int) -> float:
+	if p_sensor >= _sums.size() or _lengths[p_sensor] <= 0.0:
+		return PI / 2.0
+	return acos(clampf(_sums[p_sensor].length() / _lengths[p_sensor], 0.0, 1.0))
 
 
 func _add_turn(p_sensor: int, p_turn: Vector3) -> void:
 	var angle: float = p_turn.length()
 	_most[p_sensor] = maxf(_most[p_sensor], angle)
-	if angle > MIN_TURN:
-		# Far out the axis is known best: weight by the square of the angle.
-		_sums[p_sensor] += p_turn * angle
-		_lengths[p_sensor] += angle * angle
+	# Far out the axis is known best: weight by the square of the angle.
+	_sums[p_sensor] += p_turn * angle
+	_cubes[p_sensor] += p_turn * angle * angle
+	_lengths[p_sensor] += angle * angle
 
 
 func _grow(p_count: int) -> void:
 	while _first.size() < p_count:
 		_first.append(Quaternion.IDENTITY)
+		for _frame: int in START_FRAMES:
+			_last.append(Quaternion.IDENTITY)
 		_heard.append(0)
 		_sums.append(Vector3.ZERO)
+		_cubes.append(Vector3.ZERO)
 		_lengths.append(0.0)
 		_most.append(0.0)

@@ -11,10 +11,17 @@ const ROBUST_RAD: float = 0.03
 ## Maximum of samples kept of each sensor; beyond it every second one is dropped.
 const MAX_SAMPLES: int = 600
 
+## The pose that was held.
+var pose: ResetPose.Kind = ResetPose.Kind.T
+
 var _samples: Array[Array] = []
 var _frames: int = 0
 var _step: int = 1
 var _means: Dictionary[int, Quaternion] = {}
+
+
+func _init(p_pose: ResetPose.Kind) -> void:
+	pose = p_pose
 
 
 ## Takes a frame.

@@ -59,6 +59,8 @@ static func write(p_profile: PersonProfile) -> String:
 				"heading_rad": entry.heading,
 				"mounting_xyzw": [turn.x, turn.y, turn.z, turn.w],
 			}
+			if not is_nan(entry.heading_error):
+				sensors[id]["heading_error_rad"] = entry.heading_error
 		data["calibration"] = {
 			"kind": CalibrationGuide.NAMES[p_profile.calibration.kind],
 			"pose": ResetPose.NAMES[p_profile.calibration.pose],
@@ -119,6 +121,9 @@ func _read_calibration(p_data: Dictionary) -> Calibration:
 		var entry: Calibration.Entry = Calibration.Entry.new()
 		entry.mount = _mount(data, "place", field + ".place")
 		entry.heading = _number(data, "heading_rad", field + ".heading_rad", -1e3, 1e3)
+		if data.has("heading_error_rad"):
+			var name: String = field + ".heading_error_rad"
+			entry.heading_error = _number(data, "heading_error_rad", name, 0.0, 10.0)
 		entry.mounting = _rotation(data, field + ".mounting_xyzw")
 		if error != "":
 			return null

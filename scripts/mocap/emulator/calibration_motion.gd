@@ -17,10 +17,23 @@ var pose_kind: ResetPose.Kind = ResetPose.Kind.T
 var mounts: PackedInt32Array = PackedInt32Array(range(BodyMounts.COUNT))
 ## How far both arms point ahead in the T-pose instead of to the side, degrees.
 var ahead_deg: float = 0.0
+## Movements of which more or less is made than of the others: 1 is as asked.
+var efforts: Dictionary[GuideMovements.Movement, float] = {}
+## By how much the axes of movements are turned from where they should be.
+var askew: Dictionary[GuideMovements.Movement, Quaternion] = {}
 ## How far mounts are off in every pose, by mount of [BodyMounts].
 var faults: Dictionary[int, Quaternion] = {}
+## How far mounts are off in each hold and in the movements after it: for each hold of the guide, in
+## its order, by mount.
+var hold_faults: Array[Dictionary] = []
+## Whether a mount that is off in a pose also moves about an axis that is off, as hinges of the limb
+## itself do. Otherwise movements are about the axes of who does all as asked.
+var is_hinged: bool = false
 ## How far mounts sway during everything, degrees to either side, by mount.
 var sways_deg: Dictionary[int, float] = {}
+
+## How much longer than usual the time to get ready is, s.
+var lead_s: float = 0.0
 
 var _start_usec: int = -1
 
@@ -37,11 +50,14 @@ func _read(p_time_usec: int) -> PoseSample:
 
 ## The pose after so many seconds; behind the last step the last pose stays.
 func pose_at(p_time_s: float) -> PoseSample:
-	var time: float = p_time_s
+	var time: float = maxf(p_time_s - lead_s, 0.0)
 	var at: CalibrationGuide.Step = null
 	var part: float = 1.0
+	var holds: int = -1
 	for step: CalibrationGuide.Step in CalibrationGuide.steps(kind, pose_kind, mounts):
 		at = step
+		if step.movement == GuideMovements.Movement.NONE and not step.is_countdown:
+			holds += 1
 		part = clampf(time / step.duration_s, 0.0, 1.0)
 		if time < step.duration_s:
 			break
@@ -50,7 +66,7 @@ func pose_at(p_time_s: float) -> PoseSample:
 	pose.root = Vector3(0.0, get_hip_height(), 0.0)
 	pose.details = MotionDetails.new()
 	for mount: int in BodyMounts.COUNT:
-		var turned: Quaternion = Rotations.yaw(facing) * _rotation(at, part, mount)
+		var turned: Quaternion = Rotations.yaw(facing) * _rotation(at, part, mount, maxi(holds, 0))
 		turned *= faults.get(mount, Quaternion.IDENTITY)
 		if sways_deg.has(mount):
 			var sway: float = sin(TAU * _SWAY_HZ * p_time_s) * deg_to_rad(sways_deg[mount])
@@ -64,21 +80,38 @@ func pose_at(p_time_s: float) -> PoseSample:
 	return pose
 
 
-func _rotation(p_step: CalibrationGuide.Step, p_part: float, p_mount: int) -> Quaternion:
-	var pose: Quaternion = ResetPose.rotation(p_step.pose, p_mount)
+func _rotation(
+	p_step: CalibrationGuide.Step, p_part: float, p_mount: int, p_hold: int
+) -> Quaternion:
+	var asked: Quaternion = ResetPose.rotation(p_step.pose, p_mount)
 	var stretched: Quaternion = Quaternion.IDENTITY
 	if ResetPose.hangs(p_mount):
 		stretched = Rotations.yaw(deg_to_rad(-ahead_deg) * BodyMounts.side(p_mount))
+	var fault: Quaternion = _fault(p_hold, p_mount)
+	var down: Quaternion = ResetPose.rotation(ResetPose.Kind.N, p_mount)
+	# People do not move at once, and stand before the end.
+	var eased: float = smoothstep(0.2, 0.8, p_part)
+	var part: float = efforts.get(p_step.movement, effort)
+	if GuideMovements.is_passage(p_step.movement):
+		down = stretched.slerp(down, part)
+		var next: Quaternion = _fault(p_hold + 1, p_mount)
+		if p_step.movement == GuideMovements.Movement.ARMS_UP:
+			return (down * fault).slerp(stretched * next, eased)
+		return (stretched * fault).slerp(down * next, eased)
+	var pose: Quaternion = stretched
 	if p_step.pose == ResetPose.Kind.N:
-		pose = stretched.slerp(pose, minf(effort, 1.0))
-	elif p_step.movement == GuideMovements.Movement.NONE:
-		pose = stretched
+		pose = stretched.slerp(down, minf(effort, 1.0))
+	pose *= fault
 	var turn: Vector3 = GuideMovements.turn_deg(p_step.movement, p_mount) * (PI / 180.0)
 	if turn == Vector3.ZERO:
 		return pose
-	# People do not move at once, and stand before the end.
-	var eased: float = smoothstep(0.2, 0.8, p_part)
-	if p_step.movement == GuideMovements.Movement.ARMS:
-		return stretched.slerp(ResetPose.rotation(ResetPose.Kind.N, p_mount), eased * effort)
-	eased = sin(PI * eased)
-	return Rotations.from_vector(turn * eased * effort) * pose
+	turn = askew.get(p_step.movement, Quaternion.IDENTITY) * turn
+	if is_hinged:
+		turn = asked * fault * asked.inverse() * turn
+	return Rotations.from_vector(turn * sin(PI * eased) * part) * pose
+
+
+func _fault(p_hold: int, p_mount: int) -> Quaternion:
+	if hold_faults.is_empty():
+		return Quaternion.IDENTITY
+	return hold_faults[mini(p_hold, hold_faults.size() - 1)].get(p_mount, Quaternion.IDENTITY)

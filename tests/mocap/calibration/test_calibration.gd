@@ -96,7 +96,7 @@ func test_noise_hardly_matters() -> void:
 	wearer.feed.noise_deg = 0.0
 	var poses: Array[PoseSample] = Wearer.clip_poses(CLIPS[0], 0.5, 8)
 	var off: float = wearer.worst_deg(result.calibration, poses, 1.0)
-	is_true(off < 1.0, "%f deg" % off)
+	is_true(off < 1.3, "%f deg" % off)
 
 
 func test_turning_the_front_later() -> void:
@@ -109,6 +109,7 @@ func test_turning_the_front_later() -> void:
 func _wearer(p_north: float) -> Wearer:
 	var wearer: Wearer = Wearer.new()
 	wearer.random = _random
+	wearer.rate_hz = 40.0
 	wearer.wear(PackedInt32Array(range(17)), p_north)
 	return wearer
 

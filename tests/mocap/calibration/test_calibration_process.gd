@@ -59,7 +59,7 @@ func test_cancelled_and_started_again() -> void:
 	equal(process.phase, CalibrationProcess.Phase.IDLE)
 	process.advance(100.0)
 	is_null(process.result)
-	not_null(wearer.calibrate(CalibrationGuide.Kind.T_POSE).calibration)
+	not_null(wearer.calibrate(CalibrationGuide.Kind.T_TO_N).calibration)
 	is_true(process.result.is_good(), ", ".join(process.result.advice))
 
 
@@ -91,9 +91,11 @@ func test_who_moves_is_named() -> void:
 func test_a_still_wearer_with_noisy_sensors_is_still() -> void:
 	var wearer: Wearer = _wearer(0.0)
 	wearer.feed.noise_deg = 1.0
-	var result: CalibrationResult = wearer.calibrate(CalibrationGuide.Kind.T_POSE)
+	var result: CalibrationResult = wearer.calibrate(CalibrationGuide.Kind.T_TO_N)
 	is_true(result.is_good(), ", ".join(result.advice))
-	is_true(result.score() > 0.8)
+	equal(result.word(), "good")
+	for quality: CalibrationResult.PlaceQuality in result.mounts:
+		is_true(quality.movement_deg < CalibrationResult.MOVED_DEG)
 
 
 func test_silent_sensors_are_named() -> void:
@@ -131,7 +133,8 @@ func test_arms_that_come_down_ahead_on_both_sides() -> void:
 	var result: CalibrationResult = wearer.calibrate(CalibrationGuide.Kind.T_TO_N)
 	var off: float = angle_difference(1.0, deg_to_rad(result.find(0).heading_deg))
 	almost_equal(rad_to_deg(off), 0.0, 1.0, "left and right cancel")
-	almost_equal(result.find(5).heading_deg, result.find(9).heading_deg, 1e-4)
+	# Arms that are off alike on both sides are taken for that, not for norths that are apart.
+	almost_equal(result.find(5).heading_deg, result.find(9).heading_deg, 6.0)
 	is_true(result.is_good(), ", ".join(result.advice))
 
 
@@ -162,7 +165,7 @@ func test_a_wearer_who_is_not_perfect() -> void:
 
 
 func test_drifting_headings_do_not_turn_the_axes() -> void:
-	for drift: float in [-1.0, 1.0]:
+	for drift: float in [-0.2, 0.2]:
 		var wearer: Wearer = _wearer(NAN)
 		for sensor: int in 17:
 			wearer.feed.drifts_deg.append(drift if sensor % 2 == 0 else -drift)
@@ -171,10 +174,9 @@ func test_drifting_headings_do_not_turn_the_axes() -> void:
 		var norths: PackedFloat32Array = wearer.feed._headings
 		for sensor: int in 17:
 			var quality: CalibrationResult.PlaceQuality = result.find(sensor)
-			var wanted: float = norths[sensor]
-			var off: float = angle_difference(deg_to_rad(quality.heading_deg), wanted)
-			# 20 s of drift by a degree per second.
-			is_true(absf(rad_to_deg(off)) < 22.0, "%d: %f deg" % [sensor, rad_to_deg(off)])
+			var off: float = angle_difference(deg_to_rad(quality.heading_deg), norths[sensor])
+			# 33 s of drift by a fifth of a degree per second.
+			is_true(absf(rad_to_deg(off)) < 6.6, "%d: %f deg" % [sensor, rad_to_deg(off)])
 
 
 func test_exchanged_sensors_are_named_by_any_calibration_with_movements() -> void:
@@ -189,7 +191,7 @@ func test_exchanged_sensors_are_named_by_any_calibration_with_movements() -> voi
 			wearer.mounts[swap.x] = swap.y
 			wearer.mounts[swap.y] = swap.x
 			var result: CalibrationResult = wearer.calibrate(kind)
-			equal(result.swaps, [swap] as Array[Vector2i])
+			equal(result.exchanges(), [swap] as Array[Vector2i])
 			equal(result.advice[0], FitCheck.describe(swap))
 			is_false(result.is_good())
 			var front: float = angle_difference(1.4, deg_to_rad(result.find(0).heading_deg))
@@ -202,7 +204,8 @@ func test_arms_exchanged_as_a_whole() -> void:
 		wearer.mounts[mount] = BodyMounts.MIRRORS[mount]
 		wearer.mounts[BodyMounts.MIRRORS[mount]] = mount
 	var result: CalibrationResult = wearer.calibrate(CalibrationGuide.Kind.FULL)
-	equal(result.swaps, [Vector2i(4, 8), Vector2i(5, 9), Vector2i(6, 10)] as Array[Vector2i])
+	var wanted: Array[Vector2i] = [Vector2i(4, 8), Vector2i(5, 9), Vector2i(6, 10)]
+	equal(result.exchanges(), wanted)
 
 
 func test_movement_is_shown_live() -> void:
@@ -229,5 +232,6 @@ func _wearer(p_north: float) -> Wearer:
 	var wearer: Wearer = Wearer.new()
 	wearer.random = _random
 	wearer.feed.random = _random
+	wearer.rate_hz = 40.0
 	wearer.wear(PackedInt32Array(range(17)), p_north)
 	return wearer

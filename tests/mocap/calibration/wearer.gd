@@ -16,6 +16,8 @@ var rate_hz: float = 100.0
 ## Place of each sensor.
 var mounts: PackedInt32Array = PackedInt32Array()
 var now_usec: int = BEGIN_USEC
+## Sensors that lie on a table, by number.
+var lie_about: PackedInt32Array = PackedInt32Array()
 
 
 ## Puts sensors on mounts, sitting anyhow; the norths all alike (rad), or any if NaN.
@@ -37,6 +39,8 @@ func calibrate(p_kind: CalibrationGuide.Kind) -> CalibrationResult:
 	while process.is_running():
 		feed.measure(motion.pose_at((now_usec - begin_usec) / 1e6), now_usec)
 		for frame: SensorFrame in feed.take_frames():
+			for sensor: int in lie_about:
+				frame.set_orientation(sensor, Quaternion.IDENTITY)
 			process.add_frame(frame)
 		now_usec += roundi(1e6 / rate_hz)
 		process.advance(now_usec / 1e6)
@@ -68,6 +72,17 @@ func worst_deg(p_calibration: Calibration, p_poses: Array[PoseSample], p_front: 
 			var wanted: Quaternion = Rotations.yaw(-p_front) * limb
 			worst = maxf(worst, Rotations.between_deg(got[sensor], wanted))
 	return worst
+
+
+## The mean of the same differences over sensors and poses, degrees.
+func mean_deg(p_calibration: Calibration, p_poses: Array[PoseSample], p_front: float) -> float:
+	var sum: float = 0.0
+	for pose: PoseSample in p_poses:
+		var got: Array[Quaternion] = rotations(p_calibration, pose)
+		for sensor: int in mounts.size():
+			var limb: Quaternion = pose.orientation(BodyMounts.LIMBS[mounts[sensor]])
+			sum += Rotations.between_deg(got[sensor], Rotations.yaw(-p_front) * limb)
+	return sum / (mounts.size() * p_poses.size())
 
 
 func any_axis() -> Vector3:
