@@ -26,6 +26,8 @@ var newest_frame: SensorFrame = null
 ## The newest pose that [method advance] saw, or null before calibration. While a result waits to
 ## be accepted, the pose as it would be with it.
 var newest_pose: PoseSample = null
+## What is known of how good the calibration in use is, or null if it was made in another session.
+var quality: CalibrationResult = null
 ## Finds sensors that are exchanged or sit wrongly.
 var watch: WearWatch = WearWatch.new()
 ## Takes drift off the sensors' headings.
@@ -137,6 +139,7 @@ func reset_heading() -> String:
 ## Accepts the result of the calibration, if there is one.
 func accept_calibration() -> void:
 	if process.result != null and process.result.error == "":
+		quality = process.result
 		set_calibration(process.result.calibration)
 	process.close()
 
