@@ -44,6 +44,15 @@ func follow(p_process: CalibrationProcess) -> void:
 		_play(&"count")
 
 
+## A calibration has ended with a result. One that is accepted at once is never seen by
+## [method follow].
+func conclude(p_result: CalibrationResult) -> void:
+	_phase = CalibrationProcess.Phase.DONE
+	_step = null
+	_play(&"good" if p_result.error == "" and p_result.word() != "poor" else &"bad")
+	_speak(spoken(p_result))
+
+
 ## What is said of a result.
 static func spoken(p_result: CalibrationResult) -> String:
 	if p_result.error != "":
@@ -62,8 +71,7 @@ func _change(p_process: CalibrationProcess) -> void:
 		CalibrationProcess.Phase.HOLD, CalibrationProcess.Phase.MOVE:
 			_play(&"begin")
 		CalibrationProcess.Phase.DONE:
-			_play(&"good" if p_process.result.error == "" else &"bad")
-			_speak(spoken(p_process.result))
+			conclude(p_process.result)
 		CalibrationProcess.Phase.COUNTDOWN:
 			_counted = 0
 		_:

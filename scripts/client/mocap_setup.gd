@@ -106,10 +106,14 @@ func _choose_group(p_group: int, p_number: int) -> void:
 
 
 func _let_guide_be_heard() -> void:
+	if not inputs.wearers.has(_guided):
+		_guided = null
 	if _guided == null or _guided.process.phase == CalibrationProcess.Phase.IDLE:
 		for wearer: SuitSource in inputs.wearers:
 			if wearer.process.phase != CalibrationProcess.Phase.IDLE:
 				_guided = wearer
+				if not wearer.calibrated.is_connected(_cues.conclude):
+					wearer.calibrated.connect(_cues.conclude)
 	if _guided != null:
 		_cues.follow(_guided.process)
 
@@ -135,6 +139,12 @@ func calibrate(p_index: int, p_kind: int, p_now_s: float, p_answer: Callable = C
 		return
 	if source is FusedSource:
 		source = (source as FusedSource).source
+	if source is LimbFusion:
+		source = (source as LimbFusion).first()
+	if p_kind == ClientCalibration.HEADING and source is not SuitSource:
+		if p_answer.is_valid():
+			p_answer.call(false, "wears no sensors whose headings could be reset")
+		return
 	if p_kind == ClientCalibration.HEADING and source is SuitSource:
 		inputs.calibration.reset_heading(source as SuitSource, p_now_s, p_answer)
 		return

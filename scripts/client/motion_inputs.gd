@@ -324,21 +324,25 @@ func _open_playback() -> String:
 func _open_usb(p_number: int) -> String:
 	if usb != null:
 		return "either --xbus or a recording of a suit, not both"
-	usb = UsbSuitFeed.new()
-	usb.record_to(_recorder)
-	usb.open(_options.number("suit-rate"))
-	if usb.error == "":
+	var feed: UsbSuitFeed = UsbSuitFeed.new()
+	feed.record_to(_recorder)
+	feed.open(_options.number("suit-rate"))
+	if feed.error == "":
+		usb = feed
 		_wear(usb, _options.text("person"), p_number)
-	return usb.error
+	return feed.error
 
 
 func _open_mvn(p_port: int, p_number: int) -> String:
 	if mvn != null:
 		return "MVN's stream is named twice, or a recording has one too"
-	mvn = MvnStream.new()
-	mvn.receiver.set_recorder(_recorder)
-	_follow(mvn, p_number)
-	return mvn.open(p_port)
+	var stream: MvnStream = MvnStream.new()
+	stream.receiver.set_recorder(_recorder)
+	var fault: String = stream.open(p_port)
+	if fault == "":
+		mvn = stream
+		_follow(mvn, p_number)
+	return fault
 
 
 func _follow(p_stream: MvnStream, p_number: int) -> void:

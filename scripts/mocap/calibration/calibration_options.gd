@@ -14,11 +14,12 @@ enum Facing {
 
 ## Which way the sensors' own norths point.
 enum Align {
-	## The movements show whether they agree; if not, as EACH.
+	## How far they are apart is estimated, and each sensor's own with it.
 	AUTO,
-	## All have the same north: one heading for all, the mean of those that the movements give.
+	## All have the same north, for certain: one heading for all.
 	COMMON,
-	## Each has its own, from its movement; a sensor that did not move takes its neighbour's.
+	## Nothing is known of them: each has what its movements tell, and a limb that did not move the
+	## common heading.
 	EACH,
 }
 

@@ -15,6 +15,16 @@ var map: SensorMap = SensorMap.new()
 var calibration: Calibration = null
 
 
+## Another one with the same data.
+func duplicate() -> PersonProfile:
+	var copy: PersonProfile = PersonProfile.new()
+	copy.name = name
+	copy.size = size
+	copy.map = map
+	copy.calibration = calibration
+	return copy
+
+
 ## Why a name is not allowed, or an empty text.
 static func find_name_fault(p_name: String) -> String:
 	if p_name.strip_edges() == "":

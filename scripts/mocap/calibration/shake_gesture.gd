@@ -57,7 +57,8 @@ func add(p_frame: SensorFrame) -> bool:
 	for sensor: int in rates.size():
 		if rates[sensor].length() > STILL:
 			_moved_s[sensor] = now_s
-		still += 1 if _moved_s[sensor] < now_s - STILL_S else 0
+		var is_still: bool = p_frame.present[sensor] != 0 and _moved_s[sensor] < now_s - STILL_S
+		still += 1 if is_still else 0
 		shaken = _note(sensor, rates[sensor], now_s) or shaken
 	if not shaken or still < STILL_PART * p_frame.present.count(1):
 		return false

@@ -100,6 +100,8 @@ func read_turn() -> Quaternion:
 
 ## A text that ends with a zero, at most so long; one of fixed length has that many bytes.
 func read_text(p_most: int, p_is_fixed: bool = false) -> String:
+	if fault != "":
+		return ""
 	var end: int = _bytes.find(0, _at)
 	if end < 0 or end - _at > p_most:
 		fault = "a text has no end within %d bytes" % p_most
@@ -115,6 +117,8 @@ static func skip_markers(r_bytes: NatnetBytes, p_version: int) -> void:
 	r_bytes.skip(count * 16)
 	if p_version >= 400:
 		for _marker: int in count:
+			if r_bytes.fault != "":
+				return
 			r_bytes.read_text(256)
 
 

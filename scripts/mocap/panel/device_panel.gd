@@ -133,6 +133,9 @@ func _process(_delta: float) -> void:
 		for each: SuitSource in _suits:
 			each.advance(_now_s())
 	_figure_view.visible = suit() != null
+	if suit() == null:
+		_guide.visible = false
+		_box.show_idle("")
 	if not is_visible_in_tree() or suit() == null:
 		return
 	_draft.follow(suit())
@@ -157,6 +160,8 @@ func _decide_alone() -> String:
 		return ""
 	if _decided_s < 0.0:
 		_decided_s = _now_s() + READ_S
+	if result.calibration == null and result.error == "":
+		return ""  # A fit check: what it found is applied by hand.
 	var accepts: bool = result.calibration != null and result.is_acceptable()
 	if _now_s() >= _decided_s:
 		if accepts:
@@ -310,7 +315,7 @@ func _rename(p_name: String) -> void:
 		_take_person(p_name)
 		return
 	suit().rename(p_name)
-	_keep()
+	_keep_measures()
 
 
 func _take_person(p_name: String) -> void:
@@ -331,7 +336,7 @@ func _set_height(p_metres: float) -> void:
 	_fault = size.set_height(p_metres)
 	if _fault == "":
 		suit().set_body(size)
-		_keep()
+		_keep_measures()
 	else:
 		_refresh()
 
@@ -343,7 +348,7 @@ func _measure(p_name: StringName, p_metres: float) -> void:
 	_fault = size.measure(p_name, p_metres)
 	if _fault == "":
 		suit().set_body(size)
-		_keep()
+		_keep_measures()
 	else:
 		_refresh()
 
@@ -369,10 +374,22 @@ func _show_sources(p_shows: bool) -> void:
 		_sensors.grab_focus()
 
 
-## Keeps the person's data, and logs it.
+## Keeps all of the person's data, with what was changed of where sensors are worn.
 func _keep() -> void:
 	_draft.accept()
-	if not _store.write(suit().get_profile()):
+	_write(suit().get_profile())
+
+
+## Keeps name and measures; sensors that were moved on trial are kept as they were.
+func _keep_measures() -> void:
+	_draft.follow(suit())
+	var profile: PersonProfile = suit().get_profile().duplicate()
+	profile.map = _draft.kept()
+	_write(profile)
+
+
+func _write(p_profile: PersonProfile) -> void:
+	if not _store.write(p_profile):
 		_fault = _store.error
 	profile_changed.emit(_at)
 	_refresh()

@@ -7,14 +7,27 @@ extends RefCounted
 const DEPTH: int = 64
 
 var _suit: SuitSource = null
-var _before: Array[PersonProfile] = []
+var _before: Array[SensorMap] = []
+# What else belongs to the wearer: another person or calibration, and the changes are history.
+var _name: String = ""
+var _calibration: Calibration = null
 
 
-## Whose sensors they are; the changes of somebody else are forgotten, not undone.
+## Whose sensors they are. The changes of somebody else, or from before a calibration, are
+## forgotten, not undone.
 func follow(p_suit: SuitSource) -> void:
-	if p_suit != _suit:
-		_suit = p_suit
+	var profile: PersonProfile = p_suit.get_profile()
+	var is_same: bool = p_suit == _suit and profile.name == _name
+	if not is_same or profile.calibration != _calibration:
 		_before.clear()
+	_suit = p_suit
+	_name = profile.name
+	_calibration = profile.calibration
+
+
+## The map before all changes; the present one where there are none.
+func kept() -> SensorMap:
+	return _before[0] if is_changed() else _suit.get_profile().map
 
 
 ## Whether something has not been accepted.
@@ -57,7 +70,7 @@ func assign(p_mounts: PackedInt32Array) -> void:
 func undo() -> bool:
 	if _before.is_empty():
 		return false
-	_suit.set_profile(_before.pop_back())
+	_suit.set_map(_before.pop_back())
 	return true
 
 
@@ -67,7 +80,7 @@ func accept() -> void:
 
 
 func _change() -> SensorMap:
-	_before.append(_suit.get_profile())
+	_before.append(_suit.get_profile().map)
 	if _before.size() > DEPTH:
-		_before.pop_front()
+		_before.remove_at(1)
 	return _suit.get_profile().map.duplicate()

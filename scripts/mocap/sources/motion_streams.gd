@@ -53,11 +53,14 @@ func open(p_address: SourceAddress, p_number: int) -> String:
 	var stream: PoseStream = PoseStream.new(reader)
 	stream.appeared.connect(appeared.emit.bind(p_number))
 	stream.vanished.connect(vanished.emit)
-	poses.append(stream)
+	var fault: String = ""
 	if p_address.is_tcp:
 		stream.open_tcp(p_address.host, p_address.port)
-		return ""
-	return stream.open(p_address.port, group)
+	else:
+		fault = stream.open(p_address.port, group)
+	if fault == "":
+		poses.append(stream)
+	return fault
 
 
 ## Goes on, in the main thread, each frame.
@@ -130,6 +133,8 @@ func close() -> void:
 func _open_slime(p_address: SourceAddress) -> String:
 	if slime != null:
 		return "SlimeVR trackers have one port: name slime once"
-	slime = SlimeFeed.new()
-	slime.open(p_address.port)
-	return slime.error
+	var feed: SlimeFeed = SlimeFeed.new()
+	feed.open(p_address.port)
+	if feed.error == "":
+		slime = feed
+	return feed.error

@@ -31,9 +31,14 @@ var _joined_usec: int = 0
 ## Takes a frame of one device: its own sensors only are present in it.
 func push(p_device: int, p_frame: SensorFrame) -> void:
 	var frames: Array = _frames.get_or_add(p_device, [])
-	if not frames.is_empty() and p_frame.time_usec <= frames[frames.size() - 1].time_usec:
-		frames.clear()  # A clock that was set, or a device that began anew.
-		_joined_usec = mini(_joined_usec, p_frame.time_usec - 1)
+	if not frames.is_empty():
+		var step: int = p_frame.time_usec - frames[frames.size() - 1].time_usec
+		if step <= 0:
+			# A clock that was set, or a device that began anew.
+			frames.clear()
+			_joined_usec = mini(_joined_usec, p_frame.time_usec - 1)
+		elif step > SILENT_S * 1e6:
+			frames.clear()  # Nothing lies between.
 	frames.append(p_frame)
 	_fresh.append(p_frame)
 	if frames.size() > _KEPT:

@@ -290,19 +290,10 @@ func _profile_for(p_sensors: Array[SensorInfo]) -> PersonProfile:
 		knows = knows or _profile.map.mounts.has(sensor.id) and not _profile.map.is_guessed
 	if knows:
 		return _profile
-	var found: PersonProfile = _copy(_profile)
+	var found: PersonProfile = _profile.duplicate()
 	found.map = SensorMap.guess(p_sensors)
 	return found
 
 
 func _copy_profile() -> PersonProfile:
-	return _copy(get_profile())
-
-
-static func _copy(p_profile: PersonProfile) -> PersonProfile:
-	var copy: PersonProfile = PersonProfile.new()
-	copy.name = p_profile.name
-	copy.size = p_profile.size
-	copy.map = p_profile.map
-	copy.calibration = p_profile.calibration
-	return copy
+	return get_profile().duplicate()
