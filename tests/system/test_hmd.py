@@ -39,7 +39,7 @@ def test_a_killed_and_a_stalled_runtime_leave_a_window(
         said = stage.log()
     assert "The headset's runtime has ended: the window goes on." in said
     assert "The headset's runtime stalled: the window goes on." in said
-    # A machine that is busy enough looks like a runtime that stalls: then it is left and found again.
+    # A machine that is busy enough looks like a runtime that stalls: it is left and found again.
     assert said.count("The headset is back") == said.count("the window goes on.") >= 2
 
 
