@@ -67,6 +67,7 @@ func advance(p_now_s: float) -> void:
 	inputs.advance(p_now_s)
 	people.take_samples()
 	_let_guide_be_heard()
+	_discovery.advance(p_now_s)
 	if is_panel_open() and p_now_s > _listed_s + _PERIOD_S:
 		_listed_s = p_now_s
 		_panel.show_devices(inputs.list_devices())
@@ -86,7 +87,6 @@ func _listen(p_is_wanted: bool) -> void:
 func _show_sources() -> void:
 	if not _discovery.is_listening():
 		return
-	_discovery.advance(_now_s)
 	_panel.sources().show_heard(_discovery.list(_now_s))
 	var choices: PackedInt32Array = []
 	for group: LimbFusion.Group in LimbFusion.Group.values():

@@ -60,6 +60,8 @@ const ASK_USEC: int = 1000000
 const _MAX_SKELETONS: int = 8
 const _MAX_BONES: int = 128
 const _MAX_SERVERS: int = 8
+## A server that was silent for so long is forgotten, µs.
+const _GONE_USEC: int = 10000000
 ## A bone's place on the one above it differs from its description by less, m.
 const _SAME_M: float = 0.02
 
@@ -81,6 +83,10 @@ class Motive:
 	var skeletons: Dictionary[int, Skeleton] = {}
 	var asked_usec: int = 0
 	var has_models: bool = false
+	## Whether a frame had a skeleton that no description is known of.
+	var lacks_some: bool = false
+	## When it was last heard, µs of Unix time.
+	var heard_usec: int = 0
 
 
 ## A skeleton of a server.
@@ -102,6 +108,8 @@ func read(p_bytes: PackedByteArray, p_sender: String) -> Array[StreamSample]:
 	if p_bytes.size() < 4:
 		return refuse("%d bytes are no message" % p_bytes.size())
 	var address: String = p_sender.get_slice(":", 0)
+	if host != "" and address != host:
+		return refuse("the server is %s, and this is not" % host)
 	var size: int = p_bytes.decode_u16(2)
 	if size > p_bytes.size() - 4:
 		return refuse("a message of %d bytes where %d came" % [size, p_bytes.size() - 4])
@@ -110,6 +118,7 @@ func read(p_bytes: PackedByteArray, p_sender: String) -> Array[StreamSample]:
 			return refuse("more than %d servers" % _MAX_SERVERS)
 		_servers[address] = Motive.new()
 	var server: Motive = _servers[address]
+	server.heard_usec = now_usec
 	_bytes.begin(p_bytes, 4)
 	match p_bytes.decode_u16(0):
 		SERVERINFO:
@@ -129,15 +138,20 @@ func talk(p_now_usec: int) -> Array[StreamPort.Parcel]:
 	var parcels: Array[StreamPort.Parcel] = []
 	if host != "" and not _servers.has(host):
 		_servers[host] = Motive.new()
-	for address: String in _servers:
+	for address: String in _servers.keys():
 		var server: Motive = _servers[address]
+		var silent_usec: int = p_now_usec - server.heard_usec
+		if address != host and server.heard_usec > 0 and silent_usec > _GONE_USEC:
+			_servers.erase(address)
+			continue
 		if p_now_usec - server.asked_usec < ASK_USEC:
 			continue
 		server.asked_usec = p_now_usec
 		var message: PackedByteArray = NatnetBytes.message(KEEPALIVE)
 		if server.version == 0:
 			message = NatnetBytes.message(CONNECT, "Ping")
-		elif not server.has_models:
+		elif not server.has_models or server.skeletons.is_empty() or server.lacks_some:
+			# Also again, where skeletons are made meanwhile.
 			message = NatnetBytes.message(REQUEST_MODELDEF)
 		parcels.append(StreamPort.Parcel.new(message, address, server.port))
 	return parcels
@@ -223,6 +237,7 @@ func _read_models(r_server: Motive) -> void:
 			return
 	r_server.skeletons = skeletons
 	r_server.has_models = true
+	r_server.lacks_some = false
 
 
 func _read_skeleton(p_version: int, r_skeletons: Dictionary[int, Skeleton]) -> void:
@@ -250,6 +265,7 @@ func _read_frame(p_server: Motive, r_samples: Array[StreamSample]) -> void:
 	var end: int = _bytes.position() + size
 	for _number: int in count:
 		var id: int = _bytes.read_u32()
+		p_server.lacks_some = p_server.lacks_some or not p_server.skeletons.has(id)
 		var sample: StreamSample = _read_bones(p_server.skeletons.get(id))
 		if _bytes.fault != "":
 			return

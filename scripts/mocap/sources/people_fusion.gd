@@ -37,10 +37,11 @@ func read(p_text: String) -> String:
 func choose(p_group: LimbFusion.Group, p_number: int) -> String:
 	if p_number < 1 or p_number > count:
 		return "there is no source %d, only 1 to %d" % [p_number, count]
+	var before: Dictionary[int, bool] = _completing_numbers()
 	_choices[p_group] = p_number
 	if fusion != null:
 		fusion.choose(p_group, p_number)
-	if fusion == null or (p_number > 1 and not _completing.has(p_number)):
+	if fusion == null or _completing_numbers() != before:
 		# Everybody comes anew, as the choices have it.
 		var present: Array[Array] = _present.duplicate()
 		for row: Array in present:
@@ -48,6 +49,15 @@ func choose(p_group: LimbFusion.Group, p_number: int) -> String:
 		for row: Array in present:
 			appear(row[0], row[1], row[2])
 	return ""
+
+
+## Numbers of the sources that complete the first one, in no order.
+func _completing_numbers() -> Dictionary[int, bool]:
+	var numbers: Dictionary[int, bool] = {}
+	for number: int in _choices.values():
+		if number > 1:
+			numbers[number] = true
+	return numbers
 
 
 ## Which source gives a group.
@@ -73,8 +83,7 @@ func appear(p_source: MotionSource, p_name: String, p_number: int) -> void:
 		if fusion != null:
 			fusion.set_source(p_number, p_source)
 		return
-	var others: Array[int] = _choices.values().filter(func(number: int) -> bool: return number > 1)
-	if p_number != 1 or fusion != null or others.is_empty():
+	if p_number != 1 or fusion != null or _completing_numbers().is_empty():
 		appeared.emit(p_source, p_name)
 		return
 	fusion = LimbFusion.new(p_source)

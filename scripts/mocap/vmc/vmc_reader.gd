@@ -56,6 +56,8 @@ class Actor:
 	## again as they were.
 	var moving: Dictionary[int, bool] = {}
 	var repeated: Dictionary[int, bool] = {}
+	## Whether the time that the sender says has come with different bones: then it says nothing.
+	var is_timeless: bool = false
 	## The model in the world.
 	var root: Transform3D = Transform3D.IDENTITY
 	## Whether a model is loaded and calibrated, as far as the sender says.
@@ -91,7 +93,8 @@ func read(p_bytes: PackedByteArray, p_sender: String) -> Array[StreamSample]:
 		else:
 			_take(actor, message)
 	if not coming.is_empty():
-		_put(actor, coming, usec)
+		actor.is_timeless = actor.is_timeless or _time_stands(actor, coming, usec)
+		_put(actor, coming, _UNKNOWN if actor.is_timeless else usec)
 		_settle(actor, samples)
 	return samples
 
@@ -209,6 +212,30 @@ static func _meet(
 ) -> bool:
 	for joint: int in p_bones:
 		if p_others.has(joint):
+			return true
+	return false
+
+
+## Whether bones come with a time with which others had come: it does not run, or too coarsely.
+static func _time_stands(
+	p_actor: Actor, p_bones: Dictionary[int, Transform3D], p_usec: int
+) -> bool:
+	if p_usec < 0:
+		return false
+	if p_usec == p_actor.key and _differ(p_bones, p_actor.bones):
+		return true
+	for frame: Frame in p_actor.frames:
+		if frame.key == p_usec and _differ(p_bones, frame.bones):
+			return true
+	return false
+
+
+## Whether a bone is in both, and not the same.
+static func _differ(
+	p_bones: Dictionary[int, Transform3D], p_others: Dictionary[int, Transform3D]
+) -> bool:
+	for joint: int in p_bones:
+		if p_others.has(joint) and p_others[joint] != p_bones[joint]:
 			return true
 	return false
 

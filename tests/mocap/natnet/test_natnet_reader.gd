@@ -63,6 +63,38 @@ func test_a_server_that_only_sends_is_asked() -> void:
 	equal(reader.read(writer.write(clip.pose_at(0.0))[0], "127.0.0.1:40000").size(), 1)
 
 
+func test_skeletons_that_are_made_later_are_asked_for() -> void:
+	var clip: BvhSource = _clip()
+	var writer: NatnetWriter = NatnetWriter.new(clip.get_body())
+	var reader: NatnetReader = NatnetReader.new()
+	reader.host = "127.0.0.1"
+	var empty: PackedByteArray = NatnetBytes.message(NatnetReader.MODELDEF)
+	empty.resize(8)
+	empty.encode_u16(2, 4)
+	for second: int in 3:
+		for parcel: StreamPort.Parcel in reader.talk(10_000_000 + second * 1_100_000):
+			if parcel.bytes.decode_u16(0) == NatnetReader.REQUEST_MODELDEF:
+				reader.read(empty, SERVER)
+			else:
+				for reply: PackedByteArray in writer.answer(parcel.bytes):
+					reader.read(reply, SERVER)
+	contains(reader.trouble(SERVER), "create one in Motive")
+	_introduce(reader, writer)
+	equal(reader.trouble(SERVER), "")
+	equal(reader.read(writer.write(clip.pose_at(0.0))[0], SERVER).size(), 1)
+
+
+func test_strangers_are_not_the_server_that_was_named() -> void:
+	var clip: BvhSource = _clip()
+	var writer: NatnetWriter = NatnetWriter.new(clip.get_body())
+	var reader: NatnetReader = NatnetReader.new()
+	reader.host = "127.0.0.1"
+	_introduce(reader, writer)
+	equal(reader.read(writer.write(clip.pose_at(0.0))[0], "10.9.8.7:1511").size(), 0)
+	contains(reader.fault, "the server is 127.0.0.1")
+	equal(reader.talk(60_000_000).size(), 1, "nobody else is asked")
+
+
 func test_names_of_three_conventions() -> void:
 	var names: Dictionary[String, int] = {
 		"Skeleton 1_LUArm": XRBodyTracker.JOINT_LEFT_UPPER_ARM,

@@ -56,5 +56,7 @@ func test_a_choice_at_the_panel_joins_and_is_taken_back() -> void:
 	equal(_fusion.fusion.list_sources(), PackedInt32Array([2]))
 	equal(_fusion.choose(LimbFusion.Group.HEAD, 1), "")
 	equal(_fusion.choice(LimbFusion.Group.HEAD), 1)
+	is_null(_fusion.fusion, "given back: it is somebody again")
+	equal(_came[-1], head)
 	contains(_fusion.choose(LimbFusion.Group.HEAD, 4), "1 to 3")
 	contains(_fusion.read("head:4"), "source 4")

@@ -57,6 +57,33 @@ func test_loss_and_duplicates_are_hardly_seen() -> void:
 	is_true(line.errors.percentile(0.95) < 0.1, "p95 %f deg" % line.errors.percentile(0.95))
 
 
+func test_a_time_that_stands_or_is_too_coarse_is_not_believed() -> void:
+	var clip: BvhSource = _clip()
+	# Stopped; Unix time in 32 bits, which has steps of 128 s; three days of uptime.
+	for shown: Callable in [
+		func(_at_s: float) -> float: return 0.0,
+		func(at_s: float) -> float: return snappedf(1.7e9 + at_s, 128.0),
+		func(at_s: float) -> float: return snappedf(260000.0 + at_s, 0.03125),
+	]:
+		var writer: VmcWriter = VmcWriter.new(clip.get_body())
+		var reader: VmcReader = VmcReader.new()
+		var osc: Osc = Osc.new()
+		var count: int = 0
+		for number: int in 200:
+			var pose: PoseSample = clip.pose_at(1.0 + number / 100.0)
+			pose.time_usec = number * 10000
+			var parts: Array[PackedByteArray] = []
+			for datagram: PackedByteArray in writer.write(pose):
+				for message: Array in osc.read(datagram):
+					var arguments: Array = message.slice(1)
+					if message[0] == "/VMC/Ext/T":
+						arguments = [shown.call(number / 100.0)]
+					parts.append(Osc.message(message[0], arguments))
+			count += reader.read(Osc.bundle(parts), SENDER).size()
+		equal(reader.fault, "")
+		is_true(count > 150, "%d of 200 frames" % count)
+
+
 func test_messages_that_come_alone_are_frames_too() -> void:
 	var clip: BvhSource = _clip()
 	var writer: VmcWriter = VmcWriter.new(clip.get_body())
