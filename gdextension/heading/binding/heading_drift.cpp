@@ -24,7 +24,7 @@ void HeadingDrift::reset() {
 
 void HeadingDrift::set_sensor(int64_t p_sensor, int64_t p_mount, double p_heading, const Quaternion &p_mounting) {
 	ERR_FAIL_COND_MSG(p_sensor < 0 || p_sensor >= MAX_SENSORS, "A sensor's number is between 0 and 255.");
-	ERR_FAIL_COND_MSG(!is_mount(p_mount), "A mount is between 0 and 16.");
+	ERR_FAIL_COND_MSG(p_mount != -1 && !is_mount(p_mount), "A mount is between 0 and 16, or -1 for none.");
 	if (std::size_t(p_sensor) >= _sensors.size()) {
 		_sensors.resize(std::size_t(p_sensor) + 1);
 	}

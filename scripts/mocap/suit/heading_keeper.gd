@@ -134,3 +134,6 @@ func _follow(p_table: SuitTable) -> void:
 		var entry: Calibration.Entry = p_table.entry(sensor)
 		if entry != null:
 			drift.set_sensor(sensor, _mounts[sensor], entry.heading, entry.mounting)
+		else:
+			# Moved, or taken off: it says nothing of a limb until it is calibrated anew.
+			drift.set_sensor(sensor, -1, 0.0, Quaternion.IDENTITY)

@@ -49,6 +49,22 @@ func test_who_does_not_drift_is_left_alone_however_twisted() -> void:
 	equal(_suit.headings.describe(BodyMounts.HEAD), "steady")
 
 
+func test_a_sensor_that_is_taken_off_says_nothing_of_its_limb_any_more() -> void:
+	_stand(30.0)
+	var map: SensorMap = _suit.get_profile().map.duplicate()
+	map.assign(BodyMounts.NAMES[BodyMounts.LEFT_FOREARM], -1)
+	_suit.set_map(map)
+	# It lies on a table and is turned there.
+	var drifts: PackedFloat32Array = []
+	drifts.resize(BodyMounts.COUNT)
+	drifts[BodyMounts.LEFT_FOREARM] = 1.0
+	_feed.drifts_deg = drifts
+	_stand(120.0)
+	for mount: int in [BodyMounts.LEFT_UPPER_ARM, BodyMounts.LEFT_HAND, BodyMounts.STERNUM]:
+		equal(_suit.headings.describe(mount), "steady")
+	equal(_suit.headings.drift.get_correction(BodyMounts.LEFT_FOREARM), 0.0)
+
+
 func test_headings_are_reset_at_once_and_mountings_stay() -> void:
 	_drift(30.0)
 	_stand(20.0)
