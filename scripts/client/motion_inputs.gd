@@ -65,16 +65,13 @@ func open(p_options: Options) -> String:
 		fault = _open_playback()
 	if fault == "":
 		_addresses = SourceAddress.of_options(p_options)
+		if _addresses.is_empty() and not _has_any():
+			_addresses = _find_default()
 		people.count = _addresses.size()
 		fault = people.read(p_options.text("fuse"))
 	for number: int in _addresses.size():
 		if fault == "":
 			fault = _open_source(_addresses[number], number + 1)
-	if fault == "" and not _has_any() and make_default.is_valid():
-		_has_files = true
-		people.appear(make_default.call(), "", 1)
-	if fault == "" and not _has_any():
-		fault = _open_files(p_options.files("default-bvh"), 1)
 	if fault == "" and not _has_any():
 		var short: String = "--bvh=FILE, --xbus, --mvn, --tracker or --suit-play"
 		var kinds: String = ", ".join(SourceAddress.describe_kinds())
@@ -88,12 +85,25 @@ func open_source(p_text: String) -> String:
 	var address: SourceAddress = SourceAddress.parse(p_text)
 	if address.fault != "":
 		return address.fault
+	for other: SourceAddress in _addresses:
+		if other.is_same(address):
+			return "'%s' is a source already" % p_text.left(80)
 	_addresses.append(address)
 	var fault: String = _open_source(address, _addresses.size())
 	if fault != "":
 		_addresses.pop_back()
 	people.count = _addresses.size()
 	return fault
+
+
+## What moves a person where nothing is named: a headset, or the default file.
+func _find_default() -> Array[SourceAddress]:
+	var found: Array[SourceAddress] = []
+	if make_default.is_valid():
+		found.append(SourceAddress.parse("xr"))
+	elif _options.text("default-bvh") != "":
+		found.append(SourceAddress.parse("bvh:" + _options.text("default-bvh")))
+	return found
 
 
 ## The sources for the panel: "number", "name", and "person", somebody's name where one is there.

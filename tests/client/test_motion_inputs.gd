@@ -150,3 +150,13 @@ func _open(p_arguments: PackedStringArray) -> String:
 func _again() -> void:
 	after_each()
 	before_each()
+
+
+func test_the_default_motion_is_the_first_source_and_others_come_after_it() -> void:
+	equal(_open(["--default-bvh=" + CLIP]), "")
+	equal(_inputs.list_sources().size(), 1)
+	equal(_inputs.open_source("bvh:" + BOXER), "")
+	equal(_inputs.list_sources().size(), 2)
+	equal(_inputs.people.choose(LimbFusion.Group.ARMS, 2), "")
+	not_null(_inputs.people.fusion, "the second completes the first")
+	contains(_inputs.open_source("bvh:" + BOXER), "is a source already")

@@ -23,6 +23,12 @@ const BACK_USEC: int = 15000
 const _MAX_FRAMES: int = 32
 ## A tracker that has said nothing but who it is may be forgotten after so long, µs.
 const _IDLE_USEC: int = 5000000
+## One that measured makes room for others where there is none, after so long, µs.
+const _LOST_USEC: int = 60000000
+## What was wrong is told for so long, µs.
+const _TOLD_USEC: int = 10000000
+## Sensors in the list at most, those of trackers that are gone too.
+const _MAX_SENSORS: int = 256
 const _HEADER: int = 12
 
 var _port: StreamPort = StreamPort.new()
@@ -34,6 +40,7 @@ var _by_sender: Dictionary[String, SlimeDevice] = {}
 var _sensors: Array[SlimeSensor] = []
 var _refused: int = 0
 var _why: String = ""
+var _why_usec: int = 0
 var _frame_usec: int = 0
 
 
@@ -144,7 +151,7 @@ func list_devices() -> Array[Dictionary]:
 			"name": "SlimeVR (%s)" % _port.describe(),
 			"state": "waits" if _devices.is_empty() else "receives",
 			"detail": "%d bad packets" % _refused if _refused > 0 else "",
-			"advice": _why if _devices.is_empty() else "",
+			"advice": _why if _devices.is_empty() and now - _why_usec < _TOLD_USEC else "",
 		}
 	]
 	for device: SlimeDevice in _devices.values():
@@ -181,6 +188,7 @@ func take(p_bytes: PackedByteArray, p_sender: String, p_usec: int) -> void:
 	if fault != "":
 		_refused += 1
 		_why = fault
+		_why_usec = roundi(Time.get_unix_time_from_system() * 1e6)
 	_mutex.unlock()
 	if fault != "":
 		Log.limited("mocap", "slime " + p_sender, "SlimeVR from %s: %s" % [p_sender, fault])
@@ -192,7 +200,8 @@ func _follow(p_device: SlimeDevice) -> void:
 		_port.send(answer, p_device.address, p_device.port)
 	p_device.answers.clear()
 	for sensor: SlimeSensor in p_device.fresh:
-		_sensors.append(sensor)
+		if _sensors.size() < _MAX_SENSORS:
+			_sensors.append(sensor)
 	if not p_device.fresh.is_empty() or p_device.is_moved:
 		revision += 1
 	p_device.fresh.clear()
@@ -240,11 +249,15 @@ func _introduce(p_bytes: PackedByteArray, p_sender: String, p_usec: int) -> Stri
 	return ""
 
 
-## Those that introduced themselves and never said more make room.
+## Those that introduced themselves and never said more make room, at last also those that were
+## silent for long; their sensors stay in the list.
 func _forget_idle(p_usec: int) -> void:
 	for id: String in _devices.keys():
 		var device: SlimeDevice = _devices[id]
-		if device.sensors.is_empty() and p_usec - device.heard_usec > _IDLE_USEC:
+		var silent_usec: int = p_usec - device.heard_usec
+		var is_full: bool = _devices.size() >= MAX_DEVICES
+		var limit_usec: int = _IDLE_USEC if device.sensors.is_empty() else _LOST_USEC
+		if silent_usec > limit_usec and (is_full or device.sensors.is_empty()):
 			_by_sender.erase("%s:%d" % [device.address, device.port])
 			_devices.erase(id)
 

@@ -118,6 +118,12 @@ static func of_options(p_options: Options) -> Array[SourceAddress]:
 	return found
 
 
+## Whether another one names the same source.
+func is_same(p_other: SourceAddress) -> bool:
+	var is_there: bool = host == p_other.host and port == p_other.port and text == p_other.text
+	return kind == p_other.kind and is_tcp == p_other.is_tcp and is_there
+
+
 ## Full paths of the files that it names; a file whose own name has commas is one file.
 func paths() -> PackedStringArray:
 	if FileAccess.file_exists(Options.full_path(text)):
