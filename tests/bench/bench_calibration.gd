@@ -2,7 +2,8 @@ extends SceneTree
 ## How good calibrations are, of wearers who are not perfect, and what is made of them.
 ##
 ## Options: --only=PART (again for more; default all): clips (perfect wearers, filling, trackers),
-## norths (sensors whose norths are apart), poses (poses held badly), dressing (sensors put on
+## norths (sensors whose norths are apart), poses (poses held badly), forecast (the error that is
+## told against the one that is there; --details=1 for each wearer), dressing (sensors put on
 ## anywhere), drift. --bvh=FILE (again for more; default the clips in assets/motion),
 ## --rounds=5 (wearers a case), --seed=1, --noise=0 (deg, of clips; others have 0.5 unless given),
 ## --norths=0,10,20,40,60 (deg), --poses=0,3,10 (deg), --efforts=0.3 (part by which movements are

@@ -96,7 +96,7 @@ Outcome Collector::add(Character &p_character, const uint8_t *p_payload, std::si
 	slot.whole_usec = p_now_usec;
 	_content = &slot.content;
 	++p_character.statistics.samples;
-	note_sample(p_character, p_now_usec);
+	note_sample(p_character, _header, p_now_usec);
 	return Outcome::SAMPLE;
 }
 
@@ -162,7 +162,9 @@ void Collector::give_up(Character &p_character, Slot &p_slot, Pending &p_pending
 	p_slot.has_whole = true;
 	p_slot.newest_whole = p_pending.sample;
 	p_slot.whole_usec = p_character.statistics.newest_usec;
+	++p_character.statistics.samples;
 	++p_character.statistics.partial;
+	note_sample(p_character, content.header, p_slot.whole_usec);
 	_partial.push_back(std::move(content));
 }
 
@@ -225,19 +227,19 @@ Fault Collector::read_parts(Pending &p_pending, Content &r_content) const {
 }
 
 /// Rate and loss are those of the type that comes most often: of one pose.
-void Collector::note_sample(Character &p_character, uint64_t p_now_usec) {
-	if (!is_motion(_header.type)) {
+void Collector::note_sample(Character &p_character, const Header &p_header, uint64_t p_now_usec) {
+	if (!is_motion(p_header.type)) {
 		return;
 	}
-	if (_header.type != p_character.leader && p_now_usec < p_character.leader_usec + METER_USEC &&
+	if (p_header.type != p_character.leader && p_now_usec < p_character.leader_usec + METER_USEC &&
 			p_character.leader_usec != 0) {
 		return;
 	}
-	p_character.has_last = p_character.has_last && _header.type == p_character.leader;
-	p_character.leader = _header.type;
+	p_character.has_last = p_character.has_last && p_header.type == p_character.leader;
+	p_character.leader = p_header.type;
 	p_character.leader_usec = p_now_usec;
 	if (p_character.has_last) {
-		const uint32_t gap = _header.sample - p_character.last_sample;
+		const uint32_t gap = p_header.sample - p_character.last_sample;
 		if (gap == 0 || gap > MAX_STEP) {
 			p_character.step = 0; // Begun anew.
 			++p_character.statistics.jumps;
@@ -247,7 +249,7 @@ void Collector::note_sample(Character &p_character, uint64_t p_now_usec) {
 			p_character.statistics.lost += gap / p_character.step - 1;
 		}
 	}
-	p_character.last_sample = _header.sample;
+	p_character.last_sample = p_header.sample;
 	p_character.has_last = true;
 	const uint64_t span = p_now_usec - p_character.metered_usec;
 	if (p_character.metered_usec == 0 || span > 3 * METER_USEC) {

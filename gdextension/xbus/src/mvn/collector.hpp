@@ -125,7 +125,7 @@ private:
 	Outcome store_part(Pending &p_pending, const uint8_t *p_payload, std::size_t p_size);
 	static bool is_complete(const Pending &p_pending);
 	Fault read_parts(Pending &p_pending, Content &r_content) const;
-	void note_sample(Character &p_character, uint64_t p_now_usec);
+	void note_sample(Character &p_character, const Header &p_header, uint64_t p_now_usec);
 	static void clear(Content &p_content);
 
 	std::map<int, Character> _characters;

@@ -72,6 +72,7 @@ TEST(a_sample_that_lacks_a_part_is_counted_and_stops_nothing) {
 	Collector collector;
 	uint64_t now = 0;
 	int whole = 0;
+	int partial = 0;
 	for (uint32_t sample = 0; sample < 100; ++sample) {
 		const std::vector<Bytes> datagrams = encode(source.content(Type::POSE, sample, true), 1400);
 		for (std::size_t part = 0; part < datagrams.size(); ++part) {
@@ -79,11 +80,13 @@ TEST(a_sample_that_lacks_a_part_is_counted_and_stops_nothing) {
 				continue;
 			}
 			whole += give(collector, datagrams[part], now += 1000) == Outcome::SAMPLE ? 1 : 0;
+			partial += int(collector.take_partial().size());
 		}
 	}
-	CHECK(whole == 90);
+	CHECK(whole == 90 && partial == 10);
 	CHECK(collector.statistics(0).incomplete == 10);
-	CHECK(collector.statistics(0).lost == 10);
+	// The bodies are there.
+	CHECK(collector.statistics(0).partial == 10 && collector.statistics(0).lost == 0);
 }
 
 TEST(a_body_is_kept_when_only_fingers_are_lost) {
@@ -115,6 +118,7 @@ TEST(a_body_is_kept_when_only_fingers_are_lost) {
 	CHECK(std::is_sorted(got.begin(), got.end()));
 	CHECK(got.size() == 100);
 	CHECK(collector.statistics(0).partial == 46);
+	CHECK(collector.statistics(0).samples == 100 && collector.statistics(0).lost == 0);
 }
 
 TEST(a_datagram_that_comes_twice_is_no_second_person) {
