@@ -57,8 +57,8 @@ func start(
 	return fault
 
 
-## Sets the headings of a wearer's sensors anew, at once, while the wearer stands and looks ahead. The
-## outcome goes to [code]func(accepted: bool, text: String)[/code] too.
+## Sets the headings of a wearer's sensors anew, at once, while the wearer stands and looks ahead.
+## The outcome goes to [code]func(accepted: bool, text: String)[/code] too.
 func reset_heading(p_source: SuitSource, p_now_s: float, p_answer: Callable = Callable()) -> void:
 	var fault: String = "another calibration is going on"
 	if not p_source.process.is_running():

@@ -58,7 +58,7 @@ func _take(p_bytes: PackedByteArray, p_time_s: float) -> void:
 		return
 	var people: PackedInt32Array = _replica.decoder.get_people()
 	var time: float = p_time_s if _slack_s > 0.0 else _replica.decoder.get_tick() / 60.0
-	if people.is_empty() or (not _match.times.is_empty() and time <= _match.times[_match.times.size() - 1]):
+	if people.is_empty() or (not _match.times.is_empty() and time <= _match.times[-1]):
 		return
 	var floats: PackedFloat32Array = _replica.person_floats(people[0], true)
 	var turns: Array[Quaternion] = []

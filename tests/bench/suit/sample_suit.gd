@@ -2,9 +2,9 @@ extends SceneTree
 ## Somebody in a suit on USB who calibrates and then plays a clip: how far the samples of the suit
 ## are from the clip, degrees, before anything of physics or of a network.
 ##
-## --bvh=FILE --seconds=S --masters=N. Says "ready" as soon as all masters measure, and begins a full
-## calibration then. Prints JSON: mean and p95 over all limbs, the spine as that which 17 sensors tell
-## of it; spine_deg is how far that is from the clip's own; count.
+## --bvh=FILE --seconds=S --masters=N. Says "ready" as soon as all masters measure, and begins a
+## full calibration then. Prints JSON: mean and p95 over all limbs, the spine as that which 17
+## sensors tell of it; spine_deg is how far that is from the clip's own; count.
 
 const ClipMatch: GDScript = preload("res://tests/bench/suit/clip_match.gd")
 ## Until the wearer has come from the calibration's pose into the clip, s.
