@@ -86,7 +86,7 @@ func open_source(p_text: String) -> String:
 	if address.fault != "":
 		return address.fault
 	for other: SourceAddress in _addresses:
-		if other.is_same(address):
+		if other.equals(address):
 			return "'%s' is a source already" % p_text.left(80)
 	_addresses.append(address)
 	var fault: String = _open_source(address, _addresses.size())

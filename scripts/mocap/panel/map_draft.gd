@@ -17,8 +17,8 @@ var _calibration: Calibration = null
 ## forgotten, not undone.
 func follow(p_suit: SuitSource) -> void:
 	var profile: PersonProfile = p_suit.get_profile()
-	var is_same: bool = p_suit == _suit and profile.name == _name
-	if not is_same or profile.calibration != _calibration:
+	var is_known: bool = p_suit == _suit and profile.name == _name
+	if not is_known or profile.calibration != _calibration:
 		_before.clear()
 	_suit = p_suit
 	_name = profile.name

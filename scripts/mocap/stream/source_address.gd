@@ -119,7 +119,7 @@ static func of_options(p_options: Options) -> Array[SourceAddress]:
 
 
 ## Whether another one names the same source.
-func is_same(p_other: SourceAddress) -> bool:
+func equals(p_other: SourceAddress) -> bool:
 	var is_there: bool = host == p_other.host and port == p_other.port and text == p_other.text
 	return kind == p_other.kind and is_tcp == p_other.is_tcp and is_there
 
