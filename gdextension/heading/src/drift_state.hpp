@@ -60,7 +60,7 @@ public:
 
 	/// The drift of a mount, rad, and its rate, rad/s.
 	double drift(int p_mount) const { return _x[std::size_t(p_mount)]; }
-	double rate(int p_mount) const { return _x[std::size_t(MOUNTS + p_mount)]; }
+	double rate(int p_mount) const { return _x[std::size_t(MOUNTS) + std::size_t(p_mount)]; }
 	/// Their standard deviations.
 	double drift_deviation(int p_mount) const { return _deviation(p_mount); }
 	double rate_deviation(int p_mount) const { return _deviation(MOUNTS + p_mount); }
