@@ -113,8 +113,11 @@ const _MAX_FRAMES: int = 64
 var is_tcp: bool = false
 
 var _waiting: Dictionary[String, PackedByteArray] = {}
-var _last_values: PackedFloat32Array = PackedFloat32Array()
+# The last values of each avatar of each sender.
+var _last_values: Dictionary[String, PackedFloat32Array] = {}
 var _counted: int = 0
+# Of the datagram that is read.
+var _sender: String = ""
 var _builder: PoseBuilder = PoseBuilder.new()
 var _turns: Array[Quaternion] = []
 var _places: PackedVector3Array = PackedVector3Array()
@@ -131,6 +134,7 @@ func title() -> String:
 
 func read(p_bytes: PackedByteArray, p_sender: String) -> Array[StreamSample]:
 	var samples: Array[StreamSample] = []
+	_sender = p_sender
 	var bytes: PackedByteArray = _waiting.get(p_sender, PackedByteArray())
 	bytes.append_array(p_bytes)
 	var at: int = 0
@@ -255,10 +259,13 @@ func _read_text(p_bytes: PackedByteArray, r_samples: Array[StreamSample]) -> voi
 	var needed: int = VALUES if with_places else FEW_VALUES
 	if values.size() == needed + REFERENCE:
 		values = values.slice(REFERENCE)
-	if values == _last_values:
-		# Text has no count: what is the same came twice.
+	# Text has no count: over UDP what is the same came twice. On a TCP stream nothing does.
+	var who: String = _sender + " " + words[0].left(8)
+	if not is_tcp and _last_values.get(who) == values:
 		return
-	_last_values = values
+	if _last_values.size() >= _MAX_SENDERS and not _last_values.has(who):
+		_last_values.clear()
+	_last_values[who] = values
 	var sample: StreamSample = _sample(values, with_places)
 	if sample != null:
 		# Nothing gets lost on a TCP stream, so frames can be counted here.

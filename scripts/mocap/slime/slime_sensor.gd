@@ -45,6 +45,11 @@ var _count_usec: int = 0
 func take_turn(p_turn: Quaternion, p_usec: int) -> void:
 	if not _turns.is_empty() and p_turn.dot(_turns[-1]) < 0.0:
 		p_turn = -p_turn
+	if not _times.is_empty() and p_usec < _times[-1] - MAX_READINGS * 1000:
+		# The clock was set back.
+		_times.clear()
+		_turns.clear()
+		_count_usec = 0
 	# Of several that a radio gave out at once each was measured at its own time.
 	_times.append(maxi(p_usec, _times[-1] + 1000 if not _times.is_empty() else 0))
 	_turns.append(p_turn)

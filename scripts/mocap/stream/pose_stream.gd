@@ -183,15 +183,16 @@ func look(p_now_s: float) -> void:
 		if fresh.get(key) != people[key]:
 			var gone: StreamPerson = people[key]
 			people.erase(key)
-			Log.info("mocap", "%s: %s at %s has gone" % [title(), gone.name, gone.sender])
+			Log.info("mocap", "%s: %s at %s has gone" % [title(), gone.get_name(), gone.sender])
 			vanished.emit(gone)
 	for key: String in fresh:
 		if not people.has(key):
 			people[key] = fresh[key]
 			Log.info(
-				"mocap", "%s: %s at %s has come" % [title(), fresh[key].name, fresh[key].sender]
+				"mocap",
+				"%s: %s at %s has come" % [title(), fresh[key].get_name(), fresh[key].sender]
 			)
-			appeared.emit(fresh[key], fresh[key].name)
+			appeared.emit(fresh[key], fresh[key].get_name())
 
 
 func _row(p_person: StreamPerson) -> Dictionary:
@@ -211,7 +212,9 @@ func _row(p_person: StreamPerson) -> Dictionary:
 	_mutex.unlock()
 	if known[0] != "":
 		notes.append(known[0])
-	var who: String = p_person.name if p_person.name != "" else "no name"
+	var who: String = p_person.get_name()
+	if who == "":
+		who = "no name"
 	return {
 		"name": "%s: %s (%s)" % [title(), who, p_person.sender],
 		"state": "streams" if age_s <= 0.5 else "silent",

@@ -22,8 +22,6 @@ const LEGS_M: Vector2 = Vector2(0.3, 1.6)
 
 ## Who sends it: "ADDRESS:PORT".
 var sender: String = ""
-## The person's name in the stream, or an empty text.
-var name: String = ""
 ## What the protocol is called.
 var title: String = ""
 
@@ -31,6 +29,7 @@ var title: String = ""
 var _mutex: Mutex = Mutex.new()
 var _time: StreamTime = StreamTime.new()
 var _poses: LivePoses = LivePoses.new()
+var _name: String = ""
 var _newest: PoseSample = null
 var _newest_usec: int = 0
 var _counter: int = -1
@@ -55,7 +54,15 @@ var _measured: int = 0
 func _init(p_title: String = "", p_sender: String = "", p_name: String = "") -> void:
 	title = p_title
 	sender = p_sender
-	name = p_name
+	_name = p_name
+
+
+## The person's name in the stream, or an empty text.
+func get_name() -> String:
+	_mutex.lock()
+	var found: String = _name
+	_mutex.unlock()
+	return found
 
 
 ## Takes a sample that arrived at a time, µs of Unix time. Returns why its pose is none, or an empty
@@ -122,7 +129,9 @@ func stats() -> Dictionary:
 
 
 func describe() -> String:
-	var who: String = name if name != "" else "somebody"
+	var who: String = get_name()
+	if who == "":
+		who = "somebody"
 	return "%s of %s at %s, %.0f Hz" % [who, title, sender, stats()["rate_hz"]]
 
 
@@ -165,7 +174,7 @@ func _keep(p_sample: StreamSample, p_arrival_usec: int) -> void:
 	if pose.details != null:
 		pose.details.counter = p_sample.counter
 	if p_sample.name != "":
-		name = p_sample.name
+		_name = p_sample.name
 	_samples += 1
 	_newest_usec = p_arrival_usec
 	_newest = pose

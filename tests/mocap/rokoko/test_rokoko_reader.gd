@@ -44,7 +44,7 @@ func test_a_clip_arrives_as_it_is_plain_and_packed() -> void:
 	is_true(line.worst_deg() < 0.01, "%f deg" % line.worst_deg())
 	is_true(line.worst_root < 0.001, "%f m" % line.worst_root)
 	almost_equal(person.get_hip_height(), clip.get_hip_height(), 0.001)
-	equal(person.name, "Dismount")
+	equal(person.get_name(), "Dismount")
 
 
 func test_loss_and_duplicates_are_hardly_seen() -> void:
