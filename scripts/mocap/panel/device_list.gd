@@ -5,7 +5,7 @@ extends Tree
 ## What of a device is shown: keys of its dictionary, all of them texts.
 const KEYS: PackedStringArray = ["name", "state", "detail"]
 const _TITLES: PackedStringArray = ["Device", "State", "Details"]
-const _WIDTHS: PackedInt32Array = [190, 110, 200]
+const _WIDTHS: PackedInt32Array = [256, 90, 200]
 const _NONE: String = "No device yet: plug in a suit, or look at Sources."
 
 var _shown: Array[Dictionary] = []

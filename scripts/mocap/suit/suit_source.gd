@@ -13,7 +13,7 @@ signal calibrated(p_result: CalibrationResult)
 ## A sensor that is silent for this long counts as not worn, and its limb is filled, s.
 const SILENT_S: float = 0.5
 ## Maximum of frames that wait for display and calibration; beyond it the oldest are dropped.
-const MAX_RECENT: int = 512
+const MAX_RECENT: int = 2048
 ## Time in which the body blends into another calibration, s.
 const PASSAGE_S: float = 0.5
 
@@ -158,7 +158,11 @@ func advance(p_now_s: float) -> void:
 	_recent = []
 	var table: SuitTable = _table
 	_mutex.unlock()
+	var ran: bool = process.is_running()
 	for frame: SensorFrame in frames:
+		# Frames may have waited while the program did something else: each belongs to the step
+		# that ran when it was measured.
+		process.advance(p_now_s - (frames[-1].time_usec - frame.time_usec) / 1e6)
 		process.add_frame(frame)
 		headings.add(frame, table)
 		if not process.is_running():
@@ -167,7 +171,6 @@ func advance(p_now_s: float) -> void:
 	if not frames.is_empty():
 		_correct(headings.corrections())
 		newest_pose = _table_to_show(table).pose(frames[frames.size() - 1])
-	var ran: bool = process.is_running()
 	process.advance(p_now_s)
 	if ran and process.phase == CalibrationProcess.Phase.DONE:
 		calibrated.emit(process.result)

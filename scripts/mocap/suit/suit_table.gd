@@ -88,13 +88,15 @@ func pose(p_frame: SensorFrame) -> PoseSample:
 	_filler.clear()
 	var spoke: int = 0
 	for sensor: int in _last.size():
-		var age: float = (p_frame.time_usec - _last_usec[sensor]) / 1e6
-		if _is_known[sensor] == 0 or _last_usec[sensor] < 0 or absf(age) > SuitSource.SILENT_S:
+		if _is_known[sensor] == 0:
 			continue
-		spoke += 1
 		var said: Quaternion = _last[sensor]
 		if sensor < p_frame.count() and p_frame.present[sensor] != 0:
+			# Also where newer frames have come while this one waited.
 			said = p_frame.orientation(sensor)
+		elif not _is_fresh(sensor, p_frame.time_usec):
+			continue
+		spoke += 1
 		var turned: Quaternion = (_left[sensor] * said * _right[sensor]).normalized()
 		_filler.set_mount(mounts[sensor], turned)
 	if spoke == 0:
@@ -109,6 +111,12 @@ func pose(p_frame: SensorFrame) -> PoseSample:
 	found.details = _details(p_frame)
 	_mutex.unlock()
 	return found
+
+
+## Whether a sensor was heard about a time, µs. The mutex is held.
+func _is_fresh(p_sensor: int, p_time_usec: int) -> bool:
+	var age_s: float = (p_time_usec - _last_usec[p_sensor]) / 1e6
+	return _last_usec[p_sensor] >= 0 and absf(age_s) <= SuitSource.SILENT_S
 
 
 func _details(p_frame: SensorFrame) -> MotionDetails:

@@ -52,6 +52,21 @@ func test_the_clip_comes_out_as_it_went_in() -> void:
 	equal(compared, 200 * 15)
 
 
+func test_a_program_that_stands_still_for_seconds_calibrates_as_well() -> void:
+	equal(_suit.start_calibration(CalibrationGuide.Kind.FULL, _now_usec / 1e6), "")
+	while _suit.process.is_running():
+		# Frames come evenly, but are looked at once in 1.7 s.
+		for _step: int in 34:
+			_now_usec += 50000
+			_feed.advance(_now_usec)
+		_suit.advance(_now_usec / 1e6)
+	var result: CalibrationResult = _suit.process.result
+	equal(result.error, "")
+	is_true(result.error_deg < 2.0, "%f deg" % result.error_deg)
+	for place: CalibrationResult.PlaceQuality in result.mounts:
+		is_true(place.movement_deg < 1.0, "%s moved" % BodyMounts.title(place.mount))
+
+
 func test_samples_have_the_time_of_their_measurement_and_come_once() -> void:
 	_calibrate()
 	_go(0.1)
