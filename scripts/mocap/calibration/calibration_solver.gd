@@ -102,6 +102,11 @@ func _find_exchanges() -> void:
 			found[fit.mount] = _first[fit.sensor]
 	var odd: PackedInt32Array = HeadingFinder.reversed(found)
 	_result.present = mounts
+	if _is_unsettled():
+		# Somebody who did something else tells nothing of where sensors are worn.
+		_result.assignment = mounts.duplicate()
+		_result.advice.append("the body moved while poses were held: follow the figure, once more")
+		return
 	_result.assignment = FitCheck.new(mounts, axes, MUCH_BETTER).assign()
 	for sensor: int in mounts.size():
 		if _result.assignment[sensor] < 0:
@@ -120,6 +125,17 @@ func _find_exchanges() -> void:
 			fit.turns.clear()
 			fit.holds = [fit.hold(_pose)]
 	_result.advice.append_array(FitCheck.advice(_result))
+
+
+## Whether a good part of the body moved while poses were held.
+func _is_unsettled() -> bool:
+	var moved: int = 0
+	for fit: SensorFit in _fits:
+		for hold: SensorFit.Hold in fit.holds:
+			if hold.movement > deg_to_rad(CalibrationResult.MOVED_DEG * 3.0):
+				moved += 1
+				break
+	return moved * 3 > _fits.size()
 
 
 ## Notes that the sensors of two mounts are exchanged, if nothing else is known of them.

@@ -30,6 +30,18 @@ func test_one_sided_form_for_who_faces_north() -> void:
 				is_true(Rotations.between_deg(got[sensor], wanted) < EXACT_DEG)
 
 
+func test_who_does_something_else_is_not_told_that_sensors_are_elsewhere() -> void:
+	for late_s: float in [2.5, 5.0]:
+		var wearer: Wearer = _wearer(NAN)
+		# The wearer begins that much too late.
+		wearer.motion.lead_s = late_s
+		var result: CalibrationResult = wearer.calibrate(CalibrationGuide.Kind.FULL)
+		is_false(result.is_reassigned(), "%.1f s late" % late_s)
+		is_false(result.is_good())
+		var text: String = ", ".join(result.advice)
+		is_true(text.contains("follow the figure") or text.contains("in the other pose"), text)
+
+
 func test_facing_by_compass() -> void:
 	for round: int in 6:
 		var wearer: Wearer = _wearer(0.0)
