@@ -51,6 +51,8 @@ def delays(chip: str, options: dict[str, str], folder: Path) -> dict[str, list[f
     trace, callbacks = folder / f"{chip}.csv", folder / f"{chip}.txt"
     seconds, rate = options["seconds"], options["rate"]
     command = [str(suit.PROGRAM), f"--devices={chip}", f"--sensors={options['sensors']}"]
+    # The chip itself waits for nobody: what is measured is the program.
+    command.append("--real-time")
     command += [f"--trace={trace}", "--", str(STREAM), f"--seconds={seconds}"]
     command += [f"--trace={callbacks}", f"--rate={rate}"]
     done = subprocess.run(command, capture_output=True, text=True, timeout=300, check=False)

@@ -39,6 +39,7 @@ environment that a program in another terminal needs. docs/suit-emulator.md has 
   --unplug-at=S --plug-at=S   seconds after the start
   --errors=MM:CC,...    messages that are answered with an error, in hexadecimal
   --answer-delay=MS     notices requests so much later   --master-id=HEX  of an unknown kind
+  --real-time           waits for no processor: for measuring delays alone
   --error-every=N --mute --bus-power=off --battery=0..255 --dead=K --lie=K:BYTES
   --first-counter=N --forbidden --seconds=S
   --trace=FILE          when each sample was taken, on the chip, handed over (us, CLOCK_MONOTONIC)

@@ -18,6 +18,7 @@
 #include <poll.h>
 #include <sys/eventfd.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/signalfd.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -40,6 +41,9 @@ sigset_t watched() {
 	return set;
 }
 
+/// As "nice" counts: lower comes first.
+constexpr int HARDWARE_PRIORITY = -15;
+
 /// umockdev finds it remarkable that a program was killed.
 void pass_log(const gchar *p_domain, GLogLevelFlags p_level, const gchar *p_message, gpointer p_data) {
 	if (p_message == nullptr || std::strstr(p_message, "Destroying IoctlClient") == nullptr) {
@@ -52,8 +56,7 @@ void pass_log(const gchar *p_domain, GLogLevelFlags p_level, const gchar *p_mess
 void prepare_threads() {
 	const sigset_t set = watched();
 	pthread_sigmask(SIG_BLOCK, &set, nullptr);
-	// What is emulated does not share a processor with the programs that it is read by.
-	(void)clocks::prefer_this_thread(true);
+	(void)setpriority(PRIO_PROCESS, 0, HARDWARE_PRIORITY);
 	g_log_set_default_handler(pass_log, nullptr);
 }
 

@@ -2,6 +2,8 @@
 // A suit behind umockdev: programs that it starts, or that have its environment, find its USB devices.
 #include "front/session.hpp"
 
+#include "clock/thread_priority.hpp"
+
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -37,6 +39,9 @@ int main(int p_count, char **p_arguments) {
 		const std::string fault = options.parse({ p_arguments + 1, p_arguments + p_count });
 		if (!fault.empty()) {
 			return refuse(fault);
+		}
+		if (options.is_real_time) {
+			(void)clocks::prefer_this_thread(true);
 		}
 		emulator::MotionStream stream = emulator::MotionStream::still(std::size_t(options.sensors));
 		if (!options.stream.empty()) {

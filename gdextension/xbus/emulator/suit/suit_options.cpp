@@ -54,7 +54,7 @@ std::string SuitOptions::parse(const std::vector<std::string> &p_arguments) {
 
 std::string SuitOptions::_set(const std::string &p_name, const std::string &p_value) {
 	const std::pair<const char *, bool *> flags[] = { { "instant", &is_paced }, { "aligned", &is_aligned },
-		{ "mute", &is_mute }, { "hold", &is_held }, { "forbidden", &is_forbidden } };
+		{ "mute", &is_mute }, { "hold", &is_held }, { "forbidden", &is_forbidden }, { "real-time", &is_real_time } };
 	for (const auto &[name, flag] : flags) {
 		if (p_name == name) {
 			*flag = p_name != "instant";

@@ -47,6 +47,9 @@ struct SuitOptions {
 	/// The device id of the first master, 0: that of an Xbus Master.
 	uint32_t master_id = 0;
 	bool is_mute = false;
+	/// As hardware does, it never waits for a processor that others use: for measuring delays alone, for it takes
+	/// one and more of them for itself.
+	bool is_real_time = false;
 	bool has_bus_power = true;
 	int battery = 230;
 	int dead = 0;
