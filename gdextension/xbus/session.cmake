@@ -3,6 +3,7 @@
 dismount_add_core_library(xbus_session SOURCES
 	src/session/session.cpp
 	src/session/session_answers.cpp
+	src/session/session_requests.cpp
 	src/session/session_stream.cpp
 	src/session/suit_stream.cpp
 	LIBRARIES xbus_bus

@@ -11,13 +11,7 @@ var has_reference: bool = false
 var avatar: int = 0
 var name: String = "chr00"
 
-var _figure: BodySegments = null
 var _counter: int = 0
-
-
-## For somebody of a size.
-func _init(p_size: BodySize = BodySize.new()) -> void:
-	_figure = BodySegments.new(p_size)
 
 
 func write(p_pose: PoseSample) -> Array[PackedByteArray]:

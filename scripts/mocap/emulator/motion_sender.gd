@@ -73,18 +73,8 @@ func _initialize() -> void:
 
 
 func _read_options() -> String:
-	for argument: String in OS.get_cmdline_user_args():
-		var name: String = argument.get_slice("=", 0).trim_prefix("--")
-		if not argument.begins_with("--") or not argument.contains("=") or not DEFAULTS.has(name):
-			return "unknown option or no value: '%s'; see ./run motion-sender --help" % argument
-		_options[name] = argument.substr(argument.find("=") + 1)
-	for name: String in RANGES:
-		var text: String = _options[name]
-		var value: float = text.to_float()
-		var is_right: bool = value >= RANGES[name].x and value <= RANGES[name].y
-		if not text.is_valid_float() or not is_right:
-			return "--%s is %d to %d, found '%s'" % [name, RANGES[name].x, RANGES[name].y, text]
-	return _read_receiver()
+	var fault: String = SenderArguments.read(_options, RANGES, [], "motion-sender")
+	return fault if fault != "" else _read_receiver()
 
 
 func _read_receiver() -> String:
@@ -96,14 +86,12 @@ func _read_receiver() -> String:
 	if parts.size() == 2 and parts[1].is_valid_int():
 		parts = [_kind, _address, parts[1]]
 	if parts.size() >= 2:
-		_address = parts[1]
-		if not _address.is_valid_ip_address():
-			_address = IP.resolve_hostname(parts[1], IP.TYPE_IPV4)
+		_address = SourceAddress.resolve(parts[1])
 		if _address == "":
 			return "the host '%s' can't be found" % parts[1]
 	if parts.size() == 3:
-		_port = parts[2].to_int() if parts[2].is_valid_int() else 0
-		if _port < 1 or _port > 65535:
+		_port = SourceAddress.port_of(parts[2])
+		if _port == 0:
 			return "a port is 1 to 65535, found '%s'" % parts[2]
 	return ""
 

@@ -7,16 +7,14 @@ extends StreamWriter
 const PORT: int = 12351
 const _REST_USEC: int = 1000000
 
-var _figure: BodySegments = null
 var _rest: PackedVector3Array = PackedVector3Array()
 var _counter: int = 0
 var _rest_usec: int = -1
 var _began_usec: int = -1
 
 
-## For somebody of a size.
 func _init(p_size: BodySize = BodySize.new()) -> void:
-	_figure = BodySegments.new(p_size)
+	super(p_size)
 	_rest.resize(MocopiReader.BONES)
 	for bone: int in MocopiReader.BONES:
 		_rest[bone] = _place_at_rest(bone)

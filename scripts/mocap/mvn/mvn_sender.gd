@@ -73,17 +73,9 @@ func _initialize() -> void:
 
 
 func _read_options() -> String:
-	for argument: String in OS.get_cmdline_user_args():
-		var name: String = argument.get_slice("=", 0).trim_prefix("--")
-		if not argument.begins_with("--") or not argument.contains("=") or not DEFAULTS.has(name):
-			return "unknown option or no value: '%s'; see ./run mvn-sender --help" % argument
-		_options[name] = argument.substr(argument.find("=") + 1)
-	for name: String in RANGES:
-		var text: String = _options[name]
-		var value: float = text.to_float()
-		var is_number: bool = text.is_valid_int() or (not WHOLE.has(name) and text.is_valid_float())
-		if not is_number or not (value >= RANGES[name].x and value <= RANGES[name].y):
-			return "--%s is %d to %d, found '%s'" % [name, RANGES[name].x, RANGES[name].y, text]
+	var fault: String = SenderArguments.read(_options, RANGES, WHOLE, "mvn-sender")
+	if fault != "":
+		return fault
 	for text: String in _options["types"].split(",", false):
 		if not text.is_valid_int() or not MvnWriter.TYPES.has(text.to_int()):
 			return "there is no type '%s' to send; see ./run mvn-sender --help" % text
@@ -116,9 +108,7 @@ func _open() -> String:
 			writer.name += " %d" % (number + 1)
 		_people.append(source)
 		_writers.append(writer)
-	var address: String = _options["host"]
-	if not address.is_valid_ip_address():
-		address = IP.resolve_hostname(address, IP.TYPE_IPV4)
+	var address: String = SourceAddress.resolve(_options["host"])
 	if address == "" or _peer.set_dest_address(address, _number("port")) != OK:
 		return "the host '%s' can't be found" % _options["host"]
 	var parts: Array = [address, _number("port"), _people.size(), _options["rate"]]

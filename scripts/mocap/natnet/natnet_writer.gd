@@ -36,14 +36,8 @@ var is_local: bool = true
 var skeleton: int = 1
 var name: String = "Dismount"
 
-var _figure: BodySegments = null
 var _counter: int = 0
 var _began_usec: int = -1
-
-
-## For somebody of a size.
-func _init(p_size: BodySize = BodySize.new()) -> void:
-	_figure = BodySegments.new(p_size)
 
 
 func answer(p_bytes: PackedByteArray) -> Array[PackedByteArray]:

@@ -43,8 +43,8 @@ func open(p_address: SourceAddress, p_number: int) -> String:
 	if reader is NatnetReader:
 		group = NatnetReader.GROUP
 		var host: String = p_address.host
-		if host != "" and not host.is_valid_ip_address():
-			host = IP.resolve_hostname(host, IP.TYPE_IPV4)
+		if host != "":
+			host = SourceAddress.resolve(host)
 			if host == "":
 				return "NatNet: the host '%s' can't be found" % p_address.host.left(60)
 		(reader as NatnetReader).host = host

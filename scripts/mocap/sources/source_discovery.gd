@@ -119,8 +119,7 @@ func _listen(p_kind: String, p_port: int) -> void:
 	if listener.peer.bind(p_port, "0.0.0.0", StreamPort.ROOM) != OK:
 		listener.fault = "another program has UDP port %d" % p_port
 	elif p_kind == "natnet":
-		for network: Dictionary in IP.get_local_interfaces():
-			listener.peer.join_multicast_group(NatnetReader.GROUP, network["name"])
+		StreamPort.join_group(listener.peer, NatnetReader.GROUP)
 	_listeners.append(listener)
 
 

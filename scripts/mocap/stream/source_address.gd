@@ -142,6 +142,18 @@ static func describe_kinds() -> PackedStringArray:
 	return kinds
 
 
+## The IPv4 address of a host, or an empty text where there is none of that name.
+static func resolve(p_host: String) -> String:
+	return p_host if p_host.is_valid_ip_address() else IP.resolve_hostname(p_host, IP.TYPE_IPV4)
+
+
+## A port from text, 0 where it is none.
+static func port_of(p_text: String) -> int:
+	var is_number: bool = p_text.is_valid_int() and p_text.length() < 6
+	var number: int = p_text.to_int() if is_number else 0
+	return number if number >= 1 and number <= 65535 else 0
+
+
 func _read(p_rest: String, p_is_given: bool) -> void:
 	var written: String = kind + FORMS[KINDS[kind]]
 	match KINDS[kind]:
@@ -172,8 +184,8 @@ func _read_port(p_rest: String, p_is_given: bool, p_written: String) -> void:
 			return
 	if not p_is_given:
 		return
-	var is_number: bool = number.is_valid_int() and number.length() < 6
-	if not is_number or number.to_int() < 1 or number.to_int() > 65535:
+	var given: int = port_of(number)
+	if given == 0:
 		fault = "a port is 1 to 65535: write %s, found '%s'" % [p_written, number.left(40)]
 		return
-	port = number.to_int()
+	port = given

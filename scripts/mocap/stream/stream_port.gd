@@ -69,11 +69,16 @@ func open_udp(p_port: int, p_take: Callable, p_group: String = "") -> String:
 			return "UDP port %d is in use by another program, or not allowed" % p_port
 		return "UDP port %d can't be opened: %s" % [p_port, error_string(failure)]
 	if p_group != "":
-		for network: Dictionary in IP.get_local_interfaces():
-			# Fails where a network has no multicast; others may have.
-			_udp.join_multicast_group(p_group, network["name"])
+		join_group(_udp, p_group)
 	_begin(p_take)
 	return ""
+
+
+## Joins a multicast group on all networks.
+static func join_group(p_peer: PacketPeerUDP, p_group: String) -> void:
+	for network: Dictionary in IP.get_local_interfaces():
+		# Fails where a network has no multicast; others may have.
+		p_peer.join_multicast_group(p_group, network["name"])
 
 
 ## Connects to a server's TCP port, now or whenever it is there.
@@ -210,8 +215,6 @@ func _read_on() -> void:
 	elif status != StreamPeerTCP.STATUS_CONNECTING and Time.get_ticks_usec() > _again_usec:
 		_again_usec = Time.get_ticks_usec() + AGAIN_USEC
 		_tcp.disconnect_from_host()
-		var address: String = _host
-		if not address.is_valid_ip_address():
-			address = IP.resolve_hostname(_host, IP.TYPE_IPV4)
+		var address: String = SourceAddress.resolve(_host)
 		if address != "":
 			_tcp.connect_to_host(address, _tcp_port)

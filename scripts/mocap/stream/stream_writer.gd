@@ -3,6 +3,16 @@ extends RefCounted
 ## Writes somebody's poses as a protocol's own programs do: in place of such a program. Each
 ## protocol derives from it.
 
+# Whose poses they are.
+var _size: BodySize = null
+var _figure: BodySegments = null
+
+
+## For somebody of a size.
+func _init(p_size: BodySize = BodySize.new()) -> void:
+	_size = p_size
+	_figure = BodySegments.new(p_size)
+
 
 ## What is to be sent for a pose that was taken at [member PoseSample.time_usec]: datagrams, or
 ## pieces of a TCP stream, in their order.

@@ -25,13 +25,10 @@ func open(p_text: String) -> String:
 	elif p_text.contains(":"):
 		host = p_text.get_slice(":", 0)
 		number = p_text.get_slice(":", 1)
-	var is_number: bool = number.is_valid_int() and number.length() < 6
-	if not is_number or number.to_int() < 1 or number.to_int() > 65535 or p_text.count(":") > 1:
+	port = SourceAddress.port_of(number)
+	if port == 0 or p_text.count(":") > 1:
 		return "--vmc-out is HOST:PORT, such as 127.0.0.1:39539, found '%s'" % p_text.left(60)
-	port = number.to_int()
-	address = host
-	if not host.is_valid_ip_address():
-		address = IP.resolve_hostname(host, IP.TYPE_IPV4)
+	address = SourceAddress.resolve(host)
 	if address == "":
 		return "--vmc-out: the host '%s' can't be found" % host.left(60)
 	_peer.set_broadcast_enabled(true)

@@ -6,15 +6,7 @@ extends StreamWriter
 ## Bones of one bundle: so that a datagram is not cut on its way.
 const BONES_PER_BUNDLE: int = 12
 
-var _size: BodySize = null
-var _figure: BodySegments = null
 var _began_usec: int = -1
-
-
-## For somebody of a size.
-func _init(p_size: BodySize = BodySize.new()) -> void:
-	_size = p_size
-	_figure = BodySegments.new(p_size)
 
 
 func write(p_pose: PoseSample) -> Array[PackedByteArray]:

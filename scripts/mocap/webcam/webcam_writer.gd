@@ -5,15 +5,7 @@ extends StreamWriter
 ## The person's name.
 var name: String = "Dismount"
 
-var _figure: BodySegments = null
-var _size: BodySize = null
 var _began_usec: int = -1
-
-
-## For somebody of a size.
-func _init(p_size: BodySize = BodySize.new()) -> void:
-	_size = p_size
-	_figure = BodySegments.new(p_size)
 
 
 func write(p_pose: PoseSample) -> Array[PackedByteArray]:

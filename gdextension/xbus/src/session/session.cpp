@@ -11,16 +11,9 @@ namespace {
 
 /// Speeds at which a master may be found, the likeliest first, bit/s.
 constexpr std::array<uint32_t, 7> BAUDS = { 460800, 115200, 921600, 230400, 57600, 38400, 19200 };
-constexpr uint8_t FAST_BAUD_CODE = 0x00;
 /// A master that is reset is back after about 750 ms.
 constexpr uint64_t REBOOT_USEC = 1000000;
 constexpr uint64_t PAUSE_USEC = 500000;
-/// The likeliest speeds are given more time: a converter or a radio link may hold answers up for long.
-constexpr std::size_t LIKELY_BAUDS = 2;
-constexpr int LIKELY_TRIES = 5;
-/// A device whose answers take so long is asked for several things at once, µs.
-constexpr uint64_t SLOW_USEC = 250000;
-constexpr uint64_t MAX_DELAY_USEC = 1000000;
 
 bool is_data(Message p_message) {
 	return p_message == Message::MT_DATA || p_message == Message::MT_DATA2;
@@ -95,28 +88,6 @@ SessionState Session::state() const {
 	}
 }
 
-Session::Patience Session::patience(Step p_step) {
-	switch (p_step) {
-		case Step::GO_TO_CONFIG:
-		case Step::STOP:
-			return { 150000, 3, false };
-		case Step::INIT_BUS:
-			return { 3000000, 2, false };
-		case Step::CONFIGURATION:
-			return { 800000, 2, true };
-		case Step::BATTERY:
-		case Step::DATA_LENGTH:
-		case Step::SKIP_FACTOR:
-			return { 250000, 2, true };
-		case Step::SET_BAUD:
-			return { 500000, 2, false };
-		case Step::MEASURE:
-			return { 1000000, 3, false };
-		default:
-			return { 500000, 3, false };
-	}
-}
-
 void Session::go_to(Step p_step) {
 	_step = p_step;
 	_waits = false;
@@ -141,40 +112,6 @@ void Session::go_to(Step p_step) {
 			return;
 		default:
 			ask(request_for(p_step));
-	}
-}
-
-Request Session::request_for(Step p_step) const {
-	const uint8_t bus_id = bus_id_of(_tracker);
-	switch (p_step) {
-		case Step::DEVICE_ID:
-			return host::request_device_id();
-		case Step::INIT_BUS:
-			return host::init_bus();
-		case Step::BUS_POWER:
-			return host::set_bus_power(true);
-		case Step::CONFIGURATION:
-			return host::request_configuration();
-		case Step::SET_BAUD:
-			return host::set_baud_rate(FAST_BAUD_CODE);
-		case Step::OUTPUT_MODE:
-			return host::set_output_mode(_outputs.mode, bus_id);
-		case Step::OUTPUT_SETTINGS:
-			return host::set_output_settings(_outputs.settings, bus_id);
-		case Step::PERIOD:
-			return host::set_period(_outputs.period);
-		case Step::SKIP_FACTOR:
-			return host::set_skip_factor(0, MASTER);
-		case Step::DATA_LENGTH:
-			return host::request_data_length();
-		case Step::OUTPUT_CONFIGURATION:
-			return output_configuration(_options.rate_hz);
-		case Step::BATTERY:
-			return host::request_battery_level();
-		case Step::MEASURE:
-			return host::go_to_measurement();
-		default:
-			return host::go_to_config();
 	}
 }
 
@@ -215,61 +152,6 @@ Session::Step Session::step_after(Step p_step) const {
 bool Session::speaks_mtdata2() const {
 	const bool is_unknown_tracker = _kind == DeviceKind::UNKNOWN && !_is_unknown_master;
 	return _kind == DeviceKind::MTI_10 || _kind == DeviceKind::MTI_100 || is_unknown_tracker;
-}
-
-int Session::tries(Step p_step) const {
-	const bool is_likely = p_step == Step::GO_TO_CONFIG && (!_options.has_baud || _baud_at < LIKELY_BAUDS);
-	return is_likely ? LIKELY_TRIES : patience(p_step).tries;
-}
-
-void Session::ask(const Request &p_request) {
-	_request = p_request;
-	_tries = 0;
-	_asked_usec = _now_usec;
-	if (_ahead > 0) {
-		--_ahead; // It was sent before.
-		_waits = true;
-		++_tries;
-		_deadline_usec = _now_usec + limit_usec();
-		return;
-	}
-	send_request();
-	if (_delay_usec > SLOW_USEC && _step == Step::OUTPUT_MODE) {
-		send_ahead();
-	}
-}
-
-/// Sends all requests of the trackers' set-up at once, so that their answers are waited for once.
-void Session::send_ahead() {
-	const Step step = _step;
-	const int tracker = _tracker;
-	const int count = 2 * _tracker_count - _tracker;
-	for (_ahead = 0; _ahead < count; ++_ahead) {
-		_step = after_trackers(_step);
-		const Request request = request_for(_step);
-		_host.send(request.bytes.data(), request.size);
-	}
-	_step = step;
-	_tracker = tracker;
-}
-
-uint64_t Session::limit_usec() const {
-	return std::max(patience(_step).limit_usec, _delay_usec * 2);
-}
-
-/// Notes how long the answer took that came just now.
-void Session::note_delay() {
-	// The first question of all may have been asked before the device was there.
-	if (_step != Step::GO_TO_CONFIG) {
-		_delay_usec = std::max(_delay_usec, std::min(_now_usec - _asked_usec, MAX_DELAY_USEC));
-	}
-}
-
-void Session::send_request() {
-	_waits = true;
-	++_tries;
-	_deadline_usec = _now_usec + limit_usec();
-	_host.send(_request.bytes.data(), _request.size);
 }
 
 void Session::advance(uint64_t p_now_usec) {

@@ -148,6 +148,9 @@ private:
 		bool is_optional;
 	};
 
+	/// A device whose answers take so long is asked for several things at once, and for no more than is needed, µs.
+	static constexpr uint64_t SLOW_USEC = 250000;
+
 	static Patience patience(Step p_step);
 	int tries(Step p_step) const;
 	static Request output_configuration(double p_rate_hz);
