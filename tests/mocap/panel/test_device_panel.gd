@@ -165,31 +165,6 @@ func test_somebody_alone_starts_by_a_gesture_and_reads_the_result() -> void:
 	is_false(_guide().visible)
 
 
-func test_every_step_can_be_read_from_afar() -> void:
-	for kind: CalibrationGuide.Kind in [
-		CalibrationGuide.Kind.FULL, CalibrationGuide.Kind.FIT_CHECK
-	]:
-		_panel.start_calibration(kind)
-		while _suit.process.is_running():
-			await process_frames(1)
-			var guide: GuideView = _guide()
-			contains(guide.text(), _suit.process.instruction())
-			for label: Node in guide.get_children():
-				if label is Label:
-					var words: Label = label
-					var height: float = words.get_theme_font_size(&"font_size")
-					is_true(height >= 36.0, "%d px of 720: '%s'" % [height, words.text])
-					var seen: int = words.get_visible_line_count()
-					equal(seen, words.get_line_count(), words.text)
-			_check_layout(guide)
-			await _go(_suit.process.seconds_left)
-		_suit.refuse_calibration()
-
-
-func _guide() -> GuideView:
-	return _panel.get_child(_panel.get_child_count() - 1)
-
-
 func test_exchanged_sensors_are_offered_and_exchanged() -> void:
 	await _go(0.1)
 	var map: SensorMap = _suit.get_profile().map.duplicate()
@@ -370,6 +345,10 @@ func _sensors() -> SensorTable:
 
 func _instruction() -> Label:
 	return _panel.get_node("Margin/Rows/Middle/Right/Calibration/Margin/Rows/Instruction")
+
+
+func _guide() -> GuideView:
+	return _panel.get_child(_panel.get_child_count() - 1)
 
 
 func _advice() -> String:
