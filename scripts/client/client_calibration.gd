@@ -11,16 +11,8 @@ const KINDS: Dictionary[String, CalibrationGuide.Kind] = {
 	"full": CalibrationGuide.Kind.FULL,
 	"quick": CalibrationGuide.Kind.QUICK,
 }
-## What instructors may ask for: those, and (6) the headings alone, see [method reset_heading].
+## What [method orders] gives for the headings alone, see [method reset_heading].
 const HEADING: int = 6
-const ORDERS: Dictionary[String, int] = {
-	"t_pose": CalibrationGuide.Kind.T_POSE,
-	"n_pose": CalibrationGuide.Kind.N_POSE,
-	"t_to_n": CalibrationGuide.Kind.T_TO_N,
-	"full": CalibrationGuide.Kind.FULL,
-	"quick": CalibrationGuide.Kind.QUICK,
-	"heading": HEADING,
-}
 ## How long the outcome is shown, s.
 const _SHOWN_S: float = 6.0
 const _MAX_ADVICE: int = 3
@@ -33,6 +25,14 @@ var _outcome: String = ""
 var _until_s: float = 0.0
 # The time of the last call, s.
 var _now_s: float = 0.0
+
+
+## What instructors may ask for by name: all of [constant KINDS], and [constant HEADING].
+static func orders() -> Dictionary[String, int]:
+	var found: Dictionary[String, int] = {}
+	found.assign(KINDS)
+	found["heading"] = HEADING
+	return found
 
 
 ## Begins one at a time, s. Returns why it cannot, or an empty text; then the outcome goes to

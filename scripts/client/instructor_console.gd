@@ -137,7 +137,7 @@ func completions(p_line: String) -> PackedStringArray:
 		whole.append(p_line.left(space + 1) + name)
 	if command[0] == "calibrate" and whole.is_empty() and begun.contains(" "):
 		var cut: int = p_line.rfind(" ") + 1
-		var kinds: Array = ClientCalibration.ORDERS.keys()
+		var kinds: Array = ClientCalibration.orders().keys()
 		for kind: String in _begin_with(kinds, p_line.substr(cut).to_lower()):
 			whole.append(p_line.left(cut) + kind)
 	return whole
@@ -209,11 +209,11 @@ func _give(p_command: String, p_row: RosterRow, p_argument: String) -> void:
 			_note(p_row.name, _control.ban(p_row.session, p_argument))
 		"calibrate":
 			var kind: String = p_argument if p_argument != "" else USUAL_CALIBRATION
-			if not ClientCalibration.ORDERS.has(kind):
-				var known: String = ", ".join(ClientCalibration.ORDERS.keys())
+			if not ClientCalibration.orders().has(kind):
+				var known: String = ", ".join(ClientCalibration.orders().keys())
 				said.emit("'%s' is no calibration: %s" % [kind, known])
 				return
-			var pose: int = ClientCalibration.ORDERS[kind]
+			var pose: int = ClientCalibration.orders()[kind]
 			_note(p_row.name, _control.calibrate(p_row.session, 0, pose))
 
 

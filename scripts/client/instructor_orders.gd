@@ -13,8 +13,8 @@ const STATES: Dictionary[String, RosterRow.State] = {
 	"kick": RosterRow.State.HERE,
 	"ban": RosterRow.State.HERE,
 }
-## Prefix of an order that has a trainee calibrated; one of [constant ClientCalibration.ORDERS]
-## follows.
+## Prefix of an order that has a trainee calibrated; a name of
+## [method ClientCalibration.orders] follows.
 const CALIBRATE: String = "calibrate-"
 ## The order that loads another level.
 const WORLD: String = "world"
@@ -123,6 +123,4 @@ func _give(p_order: String, p_row: RosterRow) -> void:
 ## The kind of calibration that an order asks for, or -1.
 static func _calibration(p_order: String) -> int:
 	var kind: String = p_order.trim_prefix(CALIBRATE)
-	if not p_order.begins_with(CALIBRATE) or not ClientCalibration.ORDERS.has(kind):
-		return -1
-	return ClientCalibration.ORDERS[kind]
+	return ClientCalibration.orders().get(kind, -1) if p_order.begins_with(CALIBRATE) else -1

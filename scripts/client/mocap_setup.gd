@@ -132,7 +132,7 @@ func is_panel_open() -> bool:
 ## [code]func(accepted: bool, text: String)[/code].
 func calibrate(p_index: int, p_kind: int, p_now_s: float, p_answer: Callable = Callable()) -> void:
 	var source: MotionSource = people.source_of(p_index) if people != null else null
-	if source == null or not ClientCalibration.ORDERS.values().has(p_kind):
+	if source == null or not ClientCalibration.orders().values().has(p_kind):
 		Log.limited("mocap", "asked", "no calibration %d of person %d" % [p_kind, p_index])
 		if p_answer.is_valid():
 			p_answer.call(false, "has no person %d, or no calibration %d" % [p_index, p_kind])

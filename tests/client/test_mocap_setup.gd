@@ -123,12 +123,12 @@ func test_headings_are_reset_by_order() -> void:
 	var answers: Array[String] = []
 	var answer: Callable = func(accepted: bool, text: String) -> void:
 		answers.append("%s: %s" % [accepted, text])
-	_desk.calibrate(1, ClientCalibration.ORDERS["heading"], 1.0, answer)
+	_desk.calibrate(1, ClientCalibration.orders()["heading"], 1.0, answer)
 	suit.set_calibration(calibration)
 	feed.measure(CalibrationMotion.new().pose_at(0.0), 1000000)
 	suit.advance(1.0)
 	almost_equal(Rotations.yaw_of(suit.newest_pose.orientation(0)), 0.3, 0.01)
-	_desk.calibrate(1, ClientCalibration.ORDERS["heading"], 1.0, answer)
+	_desk.calibrate(1, ClientCalibration.orders()["heading"], 1.0, answer)
 	feed.measure(CalibrationMotion.new().pose_at(0.0), 1050000)
 	suit.advance(1.1)
 	almost_equal(Rotations.yaw_of(suit.newest_pose.orientation(0)), 0.0, 0.01)
