@@ -234,7 +234,6 @@ void Session::pause(uint64_t p_usec) {
 void Session::start_over(const char *p_why) {
 	log(Severity::WARNING, "%s: bringing it up anew", p_why);
 	++_restarts;
-	_ahead = 0;
 	if (_kind == DeviceKind::UNKNOWN && _in_vain % 2 == 0) {
 		_is_unknown_master = !_is_unknown_master;
 		++_in_vain;

@@ -192,7 +192,9 @@ private:
 	bool is_master() const {
 		return _kind == DeviceKind::XBUS_MASTER || (_kind == DeviceKind::UNKNOWN && _is_unknown_master);
 	}
+	static bool is_sent_ahead(Step p_step);
 	void send_ahead();
+	void await_answer();
 	void note_delay();
 	void note_damage();
 	/// How long the present step's answer is waited for, µs.
@@ -247,7 +249,6 @@ private:
 	uint64_t _judged_lost = 0;
 	uint64_t _judged_bad_bytes = 0;
 	double _lost_share = 0.0;
-	bool _is_damaged = false;
 	bool _is_silent = false;
 	bool _has_answered = false;
 	int _resets_left = 0;

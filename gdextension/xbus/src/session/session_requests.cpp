@@ -81,17 +81,23 @@ void Session::ask(const Request &p_request) {
 	_request = p_request;
 	_tries = 0;
 	_asked_usec = _now_usec;
+	if (!is_sent_ahead(_step)) {
+		_ahead = 0;
+	}
 	if (_ahead > 0) {
 		--_ahead; // It was sent before.
-		_waits = true;
-		++_tries;
-		_deadline_usec = _now_usec + limit_usec();
+		await_answer();
 		return;
 	}
 	send_request();
 	if (_delay_usec > SLOW_USEC && _step == Step::OUTPUT_MODE) {
 		send_ahead();
 	}
+}
+
+/// Whether `send_ahead` may have sent a step's request: whatever else is asked ends the set-up of the trackers.
+bool Session::is_sent_ahead(Step p_step) {
+	return p_step == Step::OUTPUT_MODE || p_step == Step::OUTPUT_SETTINGS || p_step == Step::PERIOD;
 }
 
 /// Sends all requests of the trackers' set-up at once, so that their answers are waited for once.
@@ -120,10 +126,14 @@ void Session::note_delay() {
 	}
 }
 
-void Session::send_request() {
+void Session::await_answer() {
 	_waits = true;
 	++_tries;
 	_deadline_usec = _now_usec + limit_usec();
+}
+
+void Session::send_request() {
+	await_answer();
 	_host.send(_request.bytes.data(), _request.size);
 }
 

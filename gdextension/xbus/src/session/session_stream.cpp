@@ -103,6 +103,7 @@ void Session::note_damage() {
 	if (_judged_usec != 0) {
 		const double came = double(received - _judged_received);
 		const double missed = double(lost - _judged_lost);
+		const bool lost_much = _lost_share > MUCH_LOST;
 		_lost_share = came + missed > 0.0 ? missed / (came + missed) : 0.0;
 		if (_lost_share > MUCH_LOST && bad_bytes > _judged_bad_bytes) {
 			log(Severity::WARNING,
@@ -112,10 +113,9 @@ void Session::note_damage() {
 			log(Severity::WARNING,
 					"%.0f %% of its samples are lost: is this machine too busy, or a radio link too weak?",
 					100.0 * _lost_share);
-		} else if (_is_damaged) {
+		} else if (lost_much) {
 			_problem.fill(0);
 		}
-		_is_damaged = _lost_share > MUCH_LOST;
 	}
 	_judged_usec = _now_usec;
 	_judged_received = received;

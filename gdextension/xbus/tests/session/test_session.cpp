@@ -24,6 +24,8 @@ public:
 	bool answers_for_trackers = false;
 	bool is_mute_at_start = false;
 	uint64_t frames = 0;
+	/// What it was asked.
+	std::vector<xbus::Message> asked;
 
 	bool send(const uint8_t *p_bytes, std::size_t p_size) override {
 		_asked.feed(p_bytes, p_size, [this](const xbus::Frame &p_frame) { answer(p_frame); });
@@ -47,6 +49,7 @@ public:
 			}
 			session.advance(_now);
 		}
+		session.stop(_now);
 	}
 
 private:
@@ -59,6 +62,7 @@ private:
 	void answer(const xbus::Frame &p_frame) {
 		using xbus::Message;
 		std::vector<uint8_t> data;
+		asked.push_back(p_frame.message);
 		_measures = p_frame.message == Message::GO_TO_MEASUREMENT;
 		if (p_frame.message == Message::REQ_DEVICE_ID) {
 			data = { 0x00, 0x10, 0x00, 0x01 };
@@ -106,6 +110,15 @@ TEST(a_master_with_ways_of_its_own_is_brought_up) {
 	quiet.is_mute_at_start = true;
 	quiet.run(6.0);
 	CHECK(quiet.frames > 100);
+}
+
+TEST(a_slow_master_is_told_at_once_to_stop_whenever_that_is) {
+	for (int tenths = 10; tenths < 60; ++tenths) {
+		OddMaster master;
+		master.delay_usec = 400000;
+		master.run(tenths / 10.0);
+		CHECK(master.asked.back() == xbus::Message::GO_TO_CONFIG);
+	}
 }
 
 TEST(a_whole_suit_that_answers_late_is_up_soon) {
