@@ -39,6 +39,9 @@ void HeadingDrift::add(int64_t p_time_usec, const PackedByteArray &p_present, co
 	ERR_FAIL_COND_MSG(p_orientations.size() != p_present.size() * 4, "Each sensor has an orientation of 4 numbers.");
 	heading::DriftEstimator::Sample sample;
 	sample.time = double(p_time_usec) * 1e-6;
+	if (!_estimator.wants(sample.time)) {
+		return;
+	}
 	const uint8_t *present = p_present.ptr();
 	const float *numbers = p_orientations.ptr();
 	const Vector3 *fields = p_magnetics.size() == p_present.size() ? p_magnetics.ptr() : nullptr;
@@ -65,20 +68,8 @@ double HeadingDrift::get_correction(int64_t p_mount) const {
 	return is_mount(p_mount) ? _estimator.correction(int(p_mount)) : 0.0;
 }
 
-double HeadingDrift::get_drift(int64_t p_mount) const {
-	return is_mount(p_mount) ? _estimator.state().drift(int(p_mount)) : 0.0;
-}
-
 double HeadingDrift::get_rate(int64_t p_mount) const {
 	return is_mount(p_mount) ? _estimator.state().rate(int(p_mount)) : 0.0;
-}
-
-double HeadingDrift::get_drift_deviation(int64_t p_mount) const {
-	return is_mount(p_mount) ? _estimator.state().drift_deviation(int(p_mount)) : 0.0;
-}
-
-double HeadingDrift::get_rate_deviation(int64_t p_mount) const {
-	return is_mount(p_mount) ? _estimator.state().rate_deviation(int(p_mount)) : 0.0;
 }
 
 double HeadingDrift::get_trust() const {
@@ -116,10 +107,7 @@ void HeadingDrift::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_sensor", "sensor", "mount", "heading", "mounting"), &HeadingDrift::set_sensor);
 	ClassDB::bind_method(D_METHOD("add", "time_usec", "present", "orientations", "magnetics"), &HeadingDrift::add);
 	ClassDB::bind_method(D_METHOD("get_correction", "mount"), &HeadingDrift::get_correction);
-	ClassDB::bind_method(D_METHOD("get_drift", "mount"), &HeadingDrift::get_drift);
 	ClassDB::bind_method(D_METHOD("get_rate", "mount"), &HeadingDrift::get_rate);
-	ClassDB::bind_method(D_METHOD("get_drift_deviation", "mount"), &HeadingDrift::get_drift_deviation);
-	ClassDB::bind_method(D_METHOD("get_rate_deviation", "mount"), &HeadingDrift::get_rate_deviation);
 	ClassDB::bind_method(D_METHOD("get_trust"), &HeadingDrift::get_trust);
 	ClassDB::bind_method(D_METHOD("is_field_known", "mount"), &HeadingDrift::is_field_known);
 	ClassDB::bind_method(D_METHOD("is_field_good", "mount"), &HeadingDrift::is_field_good);

@@ -25,10 +25,7 @@ public:
 	void add(int64_t p_time_usec, const PackedByteArray &p_present, const PackedFloat32Array &p_orientations,
 			const PackedVector3Array &p_magnetics);
 	double get_correction(int64_t p_mount) const;
-	double get_drift(int64_t p_mount) const;
 	double get_rate(int64_t p_mount) const;
-	double get_drift_deviation(int64_t p_mount) const;
-	double get_rate_deviation(int64_t p_mount) const;
 	double get_trust() const;
 	bool is_field_known(int64_t p_mount) const;
 	bool is_field_good(int64_t p_mount) const;

@@ -7,7 +7,6 @@ namespace heading {
 
 /// Where sensors are worn, in the order of the project's BodyMounts.
 constexpr int MOUNTS = 17;
-constexpr int PELVIS = 0;
 constexpr int LEFT_FOOT = 13;
 constexpr int RIGHT_FOOT = 16;
 

@@ -26,7 +26,6 @@ constexpr double HELD_SPREAD = degrees(1.5);
 constexpr double TURNS = degrees(1.0);
 /// What is expected at first of means of blocks and of windows, rad².
 constexpr double NEW_VARIANCE = degrees(1.0) * degrees(1.0);
-constexpr double LIKE_WITHIN = 1.0;
 /// Where a window has a larger spread its mean says nothing, rad.
 constexpr double HABIT_SPREAD = degrees(50.0);
 /// Whoever turns in a block by a larger spread faces no way; ways that differ by less are the same;
@@ -102,11 +101,16 @@ int DriftEstimator::_above(int p_mount) const {
 	return above;
 }
 
+bool DriftEstimator::wants(double p_time) const {
+	const double step = p_time - _last.time;
+	return !(_has_last && step >= 0.0 && step < SAMPLE_S * 0.99);
+}
+
 void DriftEstimator::add(const Sample &p_sample) {
-	const double step = p_sample.time - _last.time;
-	if (_has_last && step >= 0.0 && step < SAMPLE_S * 0.99) {
+	if (!wants(p_sample.time)) {
 		return;
 	}
+	const double step = p_sample.time - _last.time;
 	const bool follows = _has_last && step > 0.0 && step < GAP_S;
 	if (follows) {
 		for (int side = 0; side < 2; side++) {
@@ -278,7 +282,7 @@ void DriftEstimator::_take_habit(int p_edge) {
 	edge.windows++;
 	if (edge.windows == 1) {
 		const double within = edge.blocks.spread();
-		edge.habit_variance = std::max(MIN_HABIT, LIKE_WITHIN * within * within);
+		edge.habit_variance = std::max(MIN_HABIT, within * within);
 		_state.begin(angle, expected + off, edge.habit_variance);
 		return;
 	}

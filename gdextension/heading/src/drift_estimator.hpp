@@ -41,7 +41,9 @@ public:
 
 	/// As right after a calibration.
 	void reset();
-	/// Takes a sample; those that come sooner than SAMPLE_S after the last are left out.
+	/// Whether a sample of such a time, s, is looked at: those that come sooner than SAMPLE_S after the last are not.
+	bool wants(double p_time) const;
+	/// Takes a sample, if it wants that.
 	void add(const Sample &p_sample);
 
 	/// What is to be taken off the heading of a mount now, rad: it moves smoothly.

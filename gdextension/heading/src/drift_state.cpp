@@ -8,6 +8,21 @@ namespace heading {
 
 namespace {
 
+/// The standard deviation of the rates of a drift when nothing has been seen, rad/s.
+constexpr double RATE = degrees(4.5) / 60.0;
+/// By how much a rate changes in a second, rad/s.
+constexpr double RATE_CHANGE = degrees(1.0) / 60.0 / 17.0;
+/// Of a heading right after a calibration, rad.
+constexpr double CALIBRATED = degrees(0.3);
+/// Of an angle that nobody has seen yet, rad.
+constexpr double ANY = degrees(60.0);
+/// By how much the angle of a joint that is held, of the body in the room, of a foot that stands, and
+/// habits wander in a second, rad.
+constexpr double HELD_WANDER = degrees(0.03);
+constexpr double ROOM_WANDER = degrees(0.05);
+constexpr double PLANT_WANDER = degrees(0.03);
+constexpr double HABIT_WANDER = degrees(0.03);
+
 double squared(double p_value) {
 	return p_value * p_value;
 }
@@ -20,11 +35,11 @@ void DriftState::reset() {
 		column.fill(0.0);
 	}
 	for (int i = 0; i < SIZE; i++) {
-		double variance = squared(_belief.any);
+		double variance = squared(ANY);
 		if (i < MOUNTS) {
-			variance = squared(_belief.calibrated);
+			variance = squared(CALIBRATED);
 		} else if (i < 2 * MOUNTS) {
-			variance = squared(_belief.rate);
+			variance = squared(RATE);
 		}
 		_p[std::size_t(i)][std::size_t(i)] = variance;
 	}
@@ -44,17 +59,17 @@ void DriftState::predict(double p_step) {
 	}
 	for (std::size_t i = 0; i < MOUNTS; i++) {
 		double &rate = _p[MOUNTS + i][MOUNTS + i];
-		rate = std::min(rate + squared(_belief.rate_change) * p_step, squared(_belief.rate));
+		rate = std::min(rate + squared(RATE_CHANGE) * p_step, squared(RATE));
 	}
 	for (int i = HELD; i < SIZE; i++) {
-		double wander = i == HELD + ROOM ? _belief.room : _belief.held;
+		double wander = i == HELD + ROOM ? ROOM_WANDER : HELD_WANDER;
 		if (i >= HABITS) {
-			wander = _belief.habit;
+			wander = HABIT_WANDER;
 		} else if (i >= HELD + LEFT_PLANT) {
-			wander = _belief.plant;
+			wander = PLANT_WANDER;
 		}
 		double &variance = _p[std::size_t(i)][std::size_t(i)];
-		variance = std::min(variance + squared(wander) * p_step, squared(2.0 * _belief.any));
+		variance = std::min(variance + squared(wander) * p_step, squared(2.0 * ANY));
 	}
 }
 
@@ -143,7 +158,7 @@ void DriftState::_isolate(int p_state, double p_variance) {
 
 void DriftState::begin(const Angle &p_angle, double p_seen, double p_variance) {
 	const int state = _state(p_angle);
-	_isolate(state, squared(_belief.any));
+	_isolate(state, squared(ANY));
 	// Nothing is to be learnt from it about drifts.
 	_x[std::size_t(state)] += p_seen - expected(p_angle);
 	observe(p_angle, p_seen, p_variance);

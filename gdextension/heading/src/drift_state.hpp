@@ -5,15 +5,13 @@
 
 #include <array>
 #include <cstddef>
-#include <initializer_list>
 
 namespace heading {
 
 /// What is observed of headings: a joint (by the mount below it), the body in the room, planted feet.
 constexpr int ROOM = 0;
 constexpr int LEFT_PLANT = MOUNTS;
-constexpr int RIGHT_PLANT = MOUNTS + 1;
-constexpr int EDGES = MOUNTS + 2;
+constexpr int EDGES = LEFT_PLANT + 2;
 /// Ways that somebody faces again and again.
 constexpr int FRONTS = 8;
 
@@ -33,24 +31,6 @@ struct Angle {
 /// the one that it has on the whole. Angles in rad, times in s.
 class DriftState {
 public:
-	/// Standard deviations of what is believed, rad and s.
-	struct Belief {
-		/// Of the rates of a drift when nothing has been seen, rad/s.
-		double rate = degrees(4.5) / 60.0;
-		/// By how much a rate changes in a second, rad/s.
-		double rate_change = degrees(1.0) / 60.0 / 17.0;
-		/// Of a heading right after a calibration, rad.
-		double calibrated = degrees(0.3);
-		/// Of an angle that nobody has seen yet.
-		double any = degrees(60.0);
-		/// By how much the angle of a joint that is held, of the body in the room, of a foot that
-		/// stands, and habits wander in a second.
-		double held = degrees(0.03);
-		double room = degrees(0.05);
-		double plant = degrees(0.03);
-		double habit = degrees(0.03);
-	};
-
 	DriftState() { reset(); }
 
 	/// As right after a calibration: no drift, nothing known of postures.
@@ -61,8 +41,7 @@ public:
 	/// The drift of a mount, rad, and its rate, rad/s.
 	double drift(int p_mount) const { return _x[std::size_t(p_mount)]; }
 	double rate(int p_mount) const { return _x[std::size_t(MOUNTS) + std::size_t(p_mount)]; }
-	/// Their standard deviations.
-	double drift_deviation(int p_mount) const { return _deviation(p_mount); }
+	/// The standard deviation of the rate, rad/s.
 	double rate_deviation(int p_mount) const { return _deviation(MOUNTS + p_mount); }
 
 	/// What an observation would be, and the variance of that.
@@ -100,7 +79,6 @@ private:
 	void _take(const Row &p_row, double p_seen, double p_variance);
 	void _isolate(int p_state, double p_variance);
 
-	Belief _belief;
 	Column _x{};
 	std::array<Column, SIZE> _p{};
 };

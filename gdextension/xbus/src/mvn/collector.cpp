@@ -2,6 +2,8 @@
 #include "mvn/collector.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <string_view>
 
 namespace mvn {
 
@@ -20,13 +22,9 @@ constexpr uint64_t METER_USEC = 1000000;
 /// Partial samples that wait at most.
 constexpr std::size_t MAX_PARTIAL = 8;
 
-/// FNV-1a.
 uint64_t hash_of(const uint8_t *p_bytes, std::size_t p_size) {
-	uint64_t hash = 0xCBF29CE484222325U;
-	for (std::size_t at = 0; at < p_size; ++at) {
-		hash = (hash ^ p_bytes[at]) * 0x100000001B3U;
-	}
-	return hash;
+	const auto *text = reinterpret_cast<const char *>(p_bytes);
+	return std::hash<std::string_view>()(std::string_view(text, p_size));
 }
 
 } // namespace
@@ -81,7 +79,8 @@ Outcome Collector::add(Character &p_character, const uint8_t *p_payload, std::si
 		return stored;
 	}
 	pending.is_begun = false;
-	const Fault fault = read_parts(pending, slot.content);
+	sort_parts(pending);
+	const Fault fault = read_parts(pending, pending.part_count, slot.content);
 	if (fault != Fault::NONE) {
 		return refuse(fault);
 	}
@@ -125,9 +124,9 @@ Collector::Print &Collector::print_of(Slot &p_slot, const Header &p_header) {
 	return p_slot.prints[(p_header.sample * 5U + p_header.part) % p_slot.prints.size()];
 }
 
-Outcome Collector::count_late(Character &p_character, const Slot &p_slot, uint64_t p_hash) {
+Outcome Collector::count_late(Character &p_character, Slot &p_slot, uint64_t p_hash) {
 	++p_character.statistics.late;
-	const Print &print = p_slot.prints[(_header.sample * 5U + _header.part) % p_slot.prints.size()];
+	const Print &print = print_of(p_slot, _header);
 	const bool is_same_datagram = print.is_known && print.sample == _header.sample && print.part == _header.part;
 	p_character.statistics.conflicting += is_same_datagram && print.hash != p_hash ? 1U : 0U;
 	return Outcome::LATE;
@@ -137,8 +136,7 @@ Outcome Collector::count_late(Character &p_character, const Slot &p_slot, uint64
 void Collector::give_up(Character &p_character, Slot &p_slot, Pending &p_pending) {
 	p_pending.is_begun = false;
 	++p_character.statistics.incomplete;
-	std::sort(p_pending.parts.begin(), p_pending.parts.begin() + std::ptrdiff_t(p_pending.part_count),
-			[](const Part &p_a, const Part &p_b) { return p_a.header.part < p_b.header.part; });
+	sort_parts(p_pending);
 	std::size_t whole = 0;
 	while (whole < p_pending.part_count && std::size_t(p_pending.parts[whole].header.part) == whole) {
 		++whole;
@@ -147,11 +145,8 @@ void Collector::give_up(Character &p_character, Slot &p_slot, Pending &p_pending
 	if (whole == 0 || is_late || !is_motion(p_pending.parts[0].header.type)) {
 		return;
 	}
-	const std::size_t all = p_pending.part_count;
-	p_pending.part_count = whole;
 	Content content;
-	const bool is_read = read_parts(p_pending, content) == Fault::NONE;
-	p_pending.part_count = all;
+	const bool is_read = read_parts(p_pending, whole, content) == Fault::NONE;
 	const std::size_t body = content.header.body_segments != 0 ? content.header.body_segments : BODY_SEGMENTS;
 	if (!is_read || content.poses.size() < body || _partial.size() >= MAX_PARTIAL) {
 		return;
@@ -210,13 +205,17 @@ bool Collector::is_complete(const Pending &p_pending) {
 	return false;
 }
 
-Fault Collector::read_parts(Pending &p_pending, Content &r_content) const {
+void Collector::sort_parts(Pending &p_pending) {
 	std::sort(p_pending.parts.begin(), p_pending.parts.begin() + std::ptrdiff_t(p_pending.part_count),
 			[](const Part &p_a, const Part &p_b) { return p_a.header.part < p_b.header.part; });
+}
+
+/// Reads the first parts, so many, of a sample whose parts are sorted.
+Fault Collector::read_parts(const Pending &p_pending, std::size_t p_count, Content &r_content) {
 	clear(r_content);
 	r_content.header = p_pending.parts[0].header;
 	r_content.header.is_last = true;
-	for (std::size_t at = 0; at < p_pending.part_count; ++at) {
+	for (std::size_t at = 0; at < p_count; ++at) {
 		const Part &part = p_pending.parts[at];
 		const Fault fault = read_payload(part.header, part.payload.data(), part.payload.size(), r_content);
 		if (fault != Fault::NONE) {

@@ -119,12 +119,13 @@ private:
 	Outcome refuse(Fault p_fault);
 	Outcome add(Character &p_character, const uint8_t *p_payload, std::size_t p_size, uint64_t p_now_usec);
 	Pending &pending_of(Character &p_character, Slot &p_slot);
-	Outcome count_late(Character &p_character, const Slot &p_slot, uint64_t p_hash);
+	Outcome count_late(Character &p_character, Slot &p_slot, uint64_t p_hash);
 	void give_up(Character &p_character, Slot &p_slot, Pending &p_pending);
 	static Print &print_of(Slot &p_slot, const Header &p_header);
 	Outcome store_part(Pending &p_pending, const uint8_t *p_payload, std::size_t p_size);
 	static bool is_complete(const Pending &p_pending);
-	Fault read_parts(Pending &p_pending, Content &r_content) const;
+	static void sort_parts(Pending &p_pending);
+	static Fault read_parts(const Pending &p_pending, std::size_t p_count, Content &r_content);
 	void note_sample(Character &p_character, const Header &p_header, uint64_t p_now_usec);
 	static void clear(Content &p_content);
 
