@@ -87,12 +87,9 @@ class SuitSession:
         name: str = "trainee",
     ) -> None:
         """An emulated suit, whose wearer stands still, and a program that finds it."""
+        own = [f"--bvh={bvh}", *options]
         pipe = self._folder / f"{name}.commands"
-        os.mkfifo(pipe)
-        self._pipes[name] = os.open(pipe, os.O_RDWR)
-        own = [f"--bvh={bvh}", "--hold", f"--commands={pipe}", *options]
-        program = [str(suit.PROGRAM), *suit.complete(godot, own), "--", *command]
-        self._group.start(name, program)
+        self._pipes[name] = _start_emulator(self._group, godot, own, command, pipe, name)
 
     def trainee(self, *options: str) -> list[str]:
         """The command of a trainee without a window."""
@@ -126,25 +123,18 @@ def sample(
 ) -> dict:
     """How far the samples of an emulated suit are from a motion file: sample_suit.gd."""
     folder.mkdir()
-    pipe = folder / "commands"
-    os.mkfifo(pipe)
-    commands = os.open(pipe, os.O_RDWR)
-    own = [f"--bvh={bvh}", "--hold", f"--commands={pipe}", *options]
+    own = [f"--bvh={bvh}", *options]
     command = [str(godot.program), "--headless", "--no-header", "--path", str(ROOT), "-s", SAMPLE]
     command += ["--", f"--bvh={bvh}", f"--masters={masters}", f"--seconds={seconds}"]
-    try:
-        with Group(folder, godot.environment()) as group:
-            group.start("suit", [str(suit.PROGRAM), *suit.complete(godot, own), "--", *command])
+    with Group(folder, godot.environment()) as group:
+        commands = _start_emulator(group, godot, own, command, folder / "commands", "suit")
+        try:
             group.await_text("suit", "ready", 60)
             os.write(commands, b"go\n")
             group.await_exit("suit", CALIBRATION_S + seconds + 60)
-            found = [line for line in group.log("suit").splitlines() if line.startswith("{")]
-            if not found:
-                raise Failure("The suit was not sampled:\n" + tail(group.log("suit")))
-    finally:
-        os.close(commands)
-    result: dict = json.loads(found[0])
-    return result
+        finally:
+            os.close(commands)
+        return _result(group.log("suit"), "The suit was not sampled")
 
 
 def compare(
@@ -162,8 +152,27 @@ def compare(
         timeout=300,
         check=False,
     )
-    found = [line for line in done.stdout.splitlines() if line.startswith("{")]
-    if done.returncode != 0 or not found:
-        raise Failure(f"The recording could not be compared:\n{tail(done.stdout + done.stderr)}")
+    failure = "The recording could not be compared"
+    if done.returncode != 0:
+        raise Failure(f"{failure}:\n{tail(done.stdout + done.stderr)}")
+    return _result(done.stdout, failure)
+
+
+def _start_emulator(
+    group: Group, godot: Godot, options: list[str], command: list[str], pipe: Path, name: str
+) -> int:
+    """An emulated suit, whose wearer stands still, and a program; the end that takes commands."""
+    os.mkfifo(pipe)
+    commands = os.open(pipe, os.O_RDWR)
+    own = [*options, "--hold", f"--commands={pipe}"]
+    group.start(name, [str(suit.PROGRAM), *suit.complete(godot, own), "--", *command])
+    return commands
+
+
+def _result(said: str, failure: str) -> dict:
+    """What a program found, a line of JSON among what it said."""
+    found = [line for line in said.splitlines() if line.startswith("{")]
+    if not found:
+        raise Failure(f"{failure}:\n{tail(said)}")
     result: dict = json.loads(found[0])
     return result
