@@ -27,8 +27,6 @@ func _ready() -> void:
 	_player = AudioStreamPlayer.new()
 	_player.bus = SoundBuses.INTERFACE
 	add_child(_player)
-	for tone: StringName in _TONES:
-		_streams[tone] = _make(_TONES[tone].x, _TONES[tone].y)
 
 
 ## Follows a calibration; call it in every frame.
@@ -80,6 +78,8 @@ func _change(p_process: CalibrationProcess) -> void:
 
 
 func _play(p_tone: StringName) -> void:
+	if not _streams.has(p_tone):
+		_streams[p_tone] = _make(_TONES[p_tone].x, _TONES[p_tone].y)
 	_player.stream = _streams[p_tone]
 	_player.play()
 

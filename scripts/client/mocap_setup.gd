@@ -141,14 +141,12 @@ func calibrate(p_index: int, p_kind: int, p_now_s: float, p_answer: Callable = C
 		source = (source as FusedSource).source
 	if source is LimbFusion:
 		source = (source as LimbFusion).first()
-	if p_kind == ClientCalibration.HEADING and source is not SuitSource:
-		if p_answer.is_valid():
-			p_answer.call(false, "wears no sensors whose headings could be reset")
-		return
-	if p_kind == ClientCalibration.HEADING and source is SuitSource:
+	if p_kind != ClientCalibration.HEADING:
+		inputs.calibrate(source, p_kind as CalibrationGuide.Kind, p_now_s, p_answer)
+	elif source is SuitSource:
 		inputs.calibration.reset_heading(source as SuitSource, p_now_s, p_answer)
-		return
-	inputs.calibrate(source, p_kind as CalibrationGuide.Kind, p_now_s, p_answer)
+	elif p_answer.is_valid():
+		p_answer.call(false, "wears no sensors whose headings could be reset")
 
 
 ## Closes all devices.

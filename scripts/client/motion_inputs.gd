@@ -144,11 +144,8 @@ func calibrate(
 	p_answer: Callable = Callable()
 ) -> void:
 	var fault: String = "this motion comes calibrated"
-	var source: MotionSource = p_source
-	if source is LimbFusion:
-		source = (source as LimbFusion).first()
-	if source is SuitSource:
-		fault = calibration.start(source, p_kind, p_now_s, p_answer)
+	if p_source is SuitSource:
+		fault = calibration.start(p_source as SuitSource, p_kind, p_now_s, p_answer)
 	if fault != "":
 		if p_answer.is_valid():
 			p_answer.call(false, "not calibrated: " + fault)

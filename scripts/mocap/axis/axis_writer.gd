@@ -75,18 +75,9 @@ static func _turn_of(p_bone: int, p_pose: PoseSample, p_turns: Array[Quaternion]
 ## Where a bone begins in the reset pose, m.
 func _rest(p_bone: int) -> Vector3:
 	var joint: int = AxisReader.joint_of(p_bone)
-	var limb: int = HumanoidAxes.JOINTS.find(joint)
-	if joint >= 0 and limb >= 0:
-		return _figure.rest_base(limb)
-	var top: Vector3 = _figure.rest_tail(Limbs.CHEST)
-	match p_bone:
-		9:
-			return _figure.rest_base(Limbs.CHEST).lerp(top, 0.5)
-		AxisReader.RIGHT_ARM:
-			return top.lerp(_figure.rest_base(Limbs.RIGHT_UPPER_ARM), 0.2)
-		AxisReader.LEFT_ARM:
-			return top.lerp(_figure.rest_base(Limbs.LEFT_UPPER_ARM), 0.2)
-		10, 11:
-			return top
+	if joint >= 0 and FingerJoints.hand_of(joint) < 0:
+		return _figure.rest_of(joint)
+	if p_bone < AxisReader.RIGHT_ARM:
+		return _figure.rest_tail(Limbs.CHEST)
 	var hand: int = Limbs.LEFT_HAND if p_bone > AxisReader.LEFT_ARM else Limbs.RIGHT_HAND
 	return _figure.rest_base(hand).lerp(_figure.rest_tail(hand), 0.5)

@@ -44,6 +44,27 @@ func rest_base(p_limb: int) -> Vector3:
 	return _rest_bases[p_limb]
 
 
+## Where a joint of the body is in the reset pose, m. Those that are no limb's hang between limbs;
+## fingers aren't known here.
+func rest_of(p_joint: int) -> Vector3:
+	var limb: int = HumanoidAxes.JOINTS.find(p_joint)
+	if limb >= 0:
+		return _rest_bases[limb]
+	var top: Vector3 = _rest_tails[Limbs.CHEST]
+	match p_joint:
+		XRBodyTracker.JOINT_UPPER_CHEST:
+			return _rest_bases[Limbs.CHEST].lerp(top, 0.5)
+		XRBodyTracker.JOINT_LEFT_SHOULDER:
+			return top.lerp(_rest_bases[Limbs.LEFT_UPPER_ARM], 0.2)
+		XRBodyTracker.JOINT_RIGHT_SHOULDER:
+			return top.lerp(_rest_bases[Limbs.RIGHT_UPPER_ARM], 0.2)
+		XRBodyTracker.JOINT_LEFT_TOES:
+			return _rest_tails[Limbs.LEFT_FOOT]
+		XRBodyTracker.JOINT_RIGHT_TOES:
+			return _rest_tails[Limbs.RIGHT_FOOT]
+	return top
+
+
 ## Where a limb ends in the reset pose, m.
 func rest_tail(p_limb: int) -> Vector3:
 	return _rest_tails[p_limb]

@@ -84,6 +84,16 @@ func fill() -> void:
 	limbs[Limbs.SPINE] = rotations[BodyMounts.PELVIS].slerp(rotations[BodyMounts.STERNUM], 0.5)
 
 
+## The pose of [member limbs], with [member measured] in its details; to be placed by the caller.
+func pose() -> PoseSample:
+	var found: PoseSample = PoseSample.new()
+	for limb: int in Limbs.COUNT:
+		found.set_orientation(limb, limbs[limb])
+	found.details = MotionDetails.new()
+	found.details.measured = measured.duplicate()
+	return found
+
+
 func _fill_trunk() -> void:
 	var pelvis: int = BodyMounts.PELVIS
 	var chest: int = BodyMounts.STERNUM

@@ -7,7 +7,6 @@ extends StreamReader
 
 ## Names of boxes, as numbers.
 const HEAD: int = 0x64616568
-const SNDF: int = 0x66646E73
 const SKDF: int = 0x66646B73
 const FRAM: int = 0x6D617266
 const FTYP: int = 0x70797466

@@ -33,10 +33,6 @@ func write(p_pose: PoseSample) -> Array[PackedByteArray]:
 
 ## Where a bone begins in the reset pose, m.
 func _place_at_rest(p_bone: int) -> Vector3:
-	var joint: int = MocopiReader.JOINTS[p_bone]
-	var limb: int = HumanoidAxes.JOINTS.find(joint)
-	if joint >= 0 and limb >= 0:
-		return _figure.rest_base(limb)
 	var chest: Vector3 = _figure.rest_base(Limbs.CHEST)
 	var top: Vector3 = _figure.rest_tail(Limbs.CHEST)
 	match p_bone:
@@ -46,15 +42,9 @@ func _place_at_rest(p_bone: int) -> Vector3:
 			return _figure.rest_base(Limbs.SPINE).lerp(chest, 0.5)
 		6, 7:
 			return chest.lerp(top, 0.3 * (p_bone - 5))
-		8, 9:
-			return top.lerp(_figure.rest_base(Limbs.HEAD), 0.5 * (p_bone - 8))
-		11:
-			return top.lerp(_figure.rest_base(Limbs.LEFT_UPPER_ARM), 0.2)
-		15:
-			return top.lerp(_figure.rest_base(Limbs.RIGHT_UPPER_ARM), 0.2)
-		22:
-			return _figure.rest_tail(Limbs.LEFT_FOOT)
-	return _figure.rest_tail(Limbs.RIGHT_FOOT)
+		9:
+			return top.lerp(_figure.rest_base(Limbs.HEAD), 0.5)
+	return _figure.rest_of(MocopiReader.JOINTS[p_bone])
 
 
 func _write_rest() -> PackedByteArray:

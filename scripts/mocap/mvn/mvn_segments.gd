@@ -114,15 +114,11 @@ static func _pose_of(
 		if mount >= 0 and p_present[segment] != 0:
 			filler.set_mount(mount, p_turns[segment])
 	filler.fill()
-	var found: PoseSample = PoseSample.new()
-	found.details = MotionDetails.new()
+	var found: PoseSample = filler.pose()
 	found.root = p_positions[0]
-	for limb: int in Limbs.COUNT:
-		found.set_orientation(limb, filler.limbs[limb])
-	if p_present[OF_LIMBS[1]] != 0:
-		found.set_orientation(1, p_turns[OF_LIMBS[1]])
-		filler.measured[1] = 1
-	found.details.measured = filler.measured.duplicate()
+	if p_present[OF_LIMBS[Limbs.SPINE]] != 0:
+		found.set_orientation(Limbs.SPINE, p_turns[OF_LIMBS[Limbs.SPINE]])
+		found.details.measured[Limbs.SPINE] = 1
 	for segment: int in OTHERS:
 		if p_present[segment] != 0:
 			found.details.joints[OTHERS[segment]] = p_turns[segment]

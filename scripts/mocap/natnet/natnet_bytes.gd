@@ -6,8 +6,6 @@ extends RefCounted
 ## Bytes of a rigid body in a frame, from version 3 on, and of a marker with a label.
 const BODY_BYTES: int = 38
 const LABELED_BYTES: int = 26
-## Bytes of a marker of an asset (version 4.1).
-const ASSET_MARKER_BYTES: int = 26
 const _MAX_COUNT: int = 65536
 
 ## Why the message can't be read, or an empty text.

@@ -16,9 +16,8 @@ const REQUEST_MODELDEF: int = 4
 const MODELDEF: int = 5
 const FRAME: int = 7
 const KEEPALIVE: int = 10
-## Ports of the server, and the multicast group of its data.
+## Port of the server, and the multicast group of its data.
 const COMMAND_PORT: int = 1510
-const DATA_PORT: int = 1511
 const GROUP: String = "239.255.42.99"
 ## Names of bones: Motive's own, FBX' and BVH's.
 const NAMES: Dictionary[String, int] = {

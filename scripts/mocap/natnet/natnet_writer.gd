@@ -143,20 +143,7 @@ static func _turn_of(p_bone: int, p_pose: PoseSample, p_turns: Array[Quaternion]
 
 ## Where a bone begins in the reset pose, m.
 func _rest(p_bone: int) -> Vector3:
-	var limb: int = HumanoidAxes.JOINTS.find(BONES[p_bone][2])
-	if limb >= 0:
-		return _figure.rest_base(limb)
-	var top: Vector3 = _figure.rest_tail(Limbs.CHEST)
-	match BONES[p_bone][0]:
-		"LShoulder":
-			return top.lerp(_figure.rest_base(Limbs.LEFT_UPPER_ARM), 0.2)
-		"RShoulder":
-			return top.lerp(_figure.rest_base(Limbs.RIGHT_UPPER_ARM), 0.2)
-		"LToe":
-			return _figure.rest_tail(Limbs.LEFT_FOOT)
-		"RToe":
-			return _figure.rest_tail(Limbs.RIGHT_FOOT)
-	return top
+	return _figure.rest_of(BONES[p_bone][2])
 
 
 func _put_part(r_out: StreamPeerBuffer, p_count: int, p_content: PackedByteArray) -> void:

@@ -124,18 +124,23 @@ func _show_figure(p_pose: PoseSample, p_trouble: PackedInt32Array) -> void:
 func _fit() -> void:
 	_stage.add_theme_font_size_override(&"font_size", maxi(roundi(size.y * _WORDS * 1.3), 8))
 	_seconds.add_theme_font_size_override(&"font_size", maxi(roundi(size.y * _SECONDS), 8))
-	_say(_words.text)
+	_fit_words()
 
 
-## Shows words as large as they fit.
 func _say(p_text: String) -> void:
-	_words.text = p_text
+	if _words.text != p_text:
+		_words.text = p_text
+		_fit_words()
+
+
+## Makes the words as large as they fit.
+func _fit_words() -> void:
 	var room: Vector2 = size * Vector2(0.52, 0.41)
 	var font: Font = _words.get_theme_font(&"font")
 	var letters: int = maxi(roundi(size.y * _WORDS), 8)
 	while letters > size.y * _SMALLEST:
 		var needed: Vector2 = font.get_multiline_string_size(
-			p_text, HORIZONTAL_ALIGNMENT_LEFT, room.x, letters
+			_words.text, HORIZONTAL_ALIGNMENT_LEFT, room.x, letters
 		)
 		# Between lines there is more than the font's own height.
 		if needed.y * 1.12 < room.y:

@@ -120,11 +120,9 @@ func loss() -> float:
 func row(p_now_usec: int) -> Dictionary:
 	var notes: PackedStringArray = ["%d sensors" % sensors.size()]
 	var rate: float = 0.0
-	var trouble: String = ""
 	var magnetometers: PackedStringArray = []
 	for sensor: SlimeSensor in sensors.values():
 		rate = maxf(rate, sensor.info.rate_hz)
-		trouble = sensor.info.trouble if trouble == "" else trouble
 		var state: String = SlimeSensor.MAGNETOMETERS[sensor.magnetometer]
 		if state != "" and not magnetometers.has(state):
 			magnetometers.append(state)
@@ -142,11 +140,24 @@ func row(p_now_usec: int) -> Dictionary:
 		notes.append("firmware " + firmware)
 	var is_silent: bool = p_now_usec - heard_usec > 1000000
 	return {
-		"name": "SlimeVR %s (%s)" % [id, address],
+		"name": title(),
 		"state": "silent" if is_silent else "streams",
 		"detail": ", ".join(notes),
-		"advice": trouble,
+		"advice": trouble(),
 	}
+
+
+## The tracker's name for people.
+func title() -> String:
+	return "SlimeVR %s (%s)" % [id, address]
+
+
+## What is wrong with the first of its sensors with which something is; empty if all is well.
+func trouble() -> String:
+	for sensor: SlimeSensor in sensors.values():
+		if sensor.info.trouble != "":
+			return sensor.info.trouble
+	return ""
 
 
 ## A packet of the server: its type, a number that nobody looks at, and what is in it.

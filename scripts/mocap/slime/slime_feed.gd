@@ -148,10 +148,10 @@ func list_devices() -> Array[Dictionary]:
 	_mutex.lock()
 	var rows: Array[Dictionary] = [
 		{
-			"name": "SlimeVR (%s)" % _port.describe(),
+			"name": _title(),
 			"state": "waits" if _devices.is_empty() else "receives",
 			"detail": "%d bad packets" % _refused if _refused > 0 else "",
-			"advice": _why if _devices.is_empty() and now - _why_usec < _TOLD_USEC else "",
+			"advice": _trouble_at_port(now),
 		}
 	]
 	for device: SlimeDevice in _devices.values():
@@ -163,10 +163,33 @@ func list_devices() -> Array[Dictionary]:
 ## What is wrong, for the screen; empty if nothing is.
 func trouble() -> String:
 	var texts: PackedStringArray = []
-	for row: Dictionary in list_devices():
-		if row["advice"] != "":
-			texts.append("%s: %s" % [row["name"], row["advice"]])
+	_mutex.lock()
+	var at_port: String = _trouble_at_port(roundi(Time.get_unix_time_from_system() * 1e6))
+	if at_port != "":
+		texts.append("%s: %s" % [_title(), at_port])
+	for device: SlimeDevice in _devices.values():
+		var text: String = device.trouble()
+		if text != "":
+			texts.append("%s: %s" % [device.title(), text])
+	_mutex.unlock()
 	return "\n".join(texts)
+
+
+## Whether any sensor has been heard of.
+func has_sensors() -> bool:
+	_mutex.lock()
+	var has_any: bool = not _sensors.is_empty()
+	_mutex.unlock()
+	return has_any
+
+
+func _title() -> String:
+	return "SlimeVR (%s)" % _port.describe()
+
+
+## Why nothing that came at the port was of use, not long before a time, µs. The mutex is held.
+func _trouble_at_port(p_now_usec: int) -> String:
+	return _why if _devices.is_empty() and p_now_usec - _why_usec < _TOLD_USEC else ""
 
 
 ## Takes a datagram of a tracker that came at a time, µs of Unix time.

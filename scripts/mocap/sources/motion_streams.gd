@@ -97,7 +97,7 @@ func trouble() -> String:
 			texts.append(text)
 	if slime != null:
 		var text: String = slime.trouble()
-		if text == "" and slime.list_sensors().is_empty():
+		if text == "" and not slime.has_sensors():
 			text = slime.describe()
 		if text != "":
 			texts.append(text)

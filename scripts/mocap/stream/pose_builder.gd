@@ -103,21 +103,6 @@ func set_local(p_joint: int, p_turn: Quaternion, p_offset: Vector3) -> void:
 	set_position(p_joint, _positions[above] + _turns[above] * p_offset)
 
 
-## Whether the rotation of a joint is set.
-func has(p_joint: int) -> bool:
-	return _has_turn[p_joint] != 0
-
-
-## The rotation of a joint in the world.
-func turn(p_joint: int) -> Quaternion:
-	return _turns[p_joint]
-
-
-## Where a joint is, m.
-func position(p_joint: int) -> Vector3:
-	return _positions[p_joint]
-
-
 ## The joint on which one hangs, -1 for the hips.
 static func parent_of(p_joint: int) -> int:
 	if FingerJoints.hand_of(p_joint) >= 0:
@@ -140,14 +125,10 @@ func build(p_knows_places: bool = true) -> PoseSample:
 	if count < _MIN_LIMBS:
 		return null
 	_filler.fill()
-	var pose: PoseSample = PoseSample.new()
-	for limb: int in Limbs.COUNT:
-		pose.set_orientation(limb, _filler.limbs[limb])
+	var pose: PoseSample = _filler.pose()
 	if _has_turn[XRBodyTracker.JOINT_SPINE] != 0:
 		pose.set_orientation(Limbs.SPINE, _turns[XRBodyTracker.JOINT_SPINE])
-		_filler.measured[Limbs.SPINE] = 1
-	pose.details = MotionDetails.new()
-	pose.details.measured = _filler.measured.duplicate()
+		pose.details.measured[Limbs.SPINE] = 1
 	for joint: int in XRBodyTracker.JOINT_MAX:
 		if _has_turn[joint] != 0 and not HumanoidAxes.JOINTS.has(joint):
 			pose.details.joints[joint] = _turns[joint]

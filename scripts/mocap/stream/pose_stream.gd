@@ -139,13 +139,13 @@ func describe() -> String:
 
 ## For the panel: the port, and everybody in the stream; see [constant DeviceList.KEYS].
 func list_devices() -> Array[Dictionary]:
-	var stats: Dictionary = port.stats()
+	var left_out: int = port.get_left_out()
 	_mutex.lock()
 	var notes: PackedStringArray = []
 	if _refused > 0:
 		notes.append("%d bad datagrams" % _refused)
-	if stats["left_out"] > 0:
-		notes.append("%d of a flood left out" % stats["left_out"])
+	if left_out > 0:
+		notes.append("%d of a flood left out" % left_out)
 	if _crowd > 0:
 		notes.append("more than %d people" % MAX_PEOPLE)
 	var why: String = "" if _why.is_empty() or not people.is_empty() else str(_why.values()[0])

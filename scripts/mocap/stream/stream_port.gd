@@ -36,9 +36,7 @@ var _busy_usec: int = 0
 var _mutex: Mutex = Mutex.new()
 var _stops: bool = false
 var _outgoing: Array[Parcel] = []
-var _received: int = 0
 var _left_out: int = 0
-var _is_connected: bool = false
 
 
 ## A datagram to send.
@@ -132,13 +130,10 @@ func send(p_bytes: PackedByteArray, p_address: String, p_port: int) -> void:
 	_mutex.unlock()
 
 
-## What came, what a flood left out, and whether a TCP connection stands: "received", "left_out",
-## "connected".
-func stats() -> Dictionary:
+## How many datagrams, or pieces of a TCP stream, a flood left out.
+func get_left_out() -> int:
 	_mutex.lock()
-	var result: Dictionary = {
-		"received": _received, "left_out": _left_out, "connected": _is_connected
-	}
+	var result: int = _left_out
 	_mutex.unlock()
 	return result
 
@@ -146,7 +141,6 @@ func stats() -> Dictionary:
 func _begin(p_take: Callable) -> void:
 	_take = p_take
 	_stops = false
-	_received = 0
 	_left_out = 0
 	_outgoing = []
 	_thread = Thread.new()
@@ -192,19 +186,16 @@ func _is_admitted() -> bool:
 	_in_second += 1
 	_busy_usec = Time.get_ticks_usec()
 	var is_admitted: bool = _in_second <= MAX_PER_SECOND
-	_mutex.lock()
-	_received += 1
-	_left_out += 0 if is_admitted else 1
-	_mutex.unlock()
+	if not is_admitted:
+		_mutex.lock()
+		_left_out += 1
+		_mutex.unlock()
 	return is_admitted
 
 
 func _read_on() -> void:
 	_tcp.poll()
 	var status: StreamPeerTCP.Status = _tcp.get_status()
-	_mutex.lock()
-	_is_connected = status == StreamPeerTCP.STATUS_CONNECTED
-	_mutex.unlock()
 	if status == StreamPeerTCP.STATUS_CONNECTED:
 		var size: int = mini(_tcp.get_available_bytes(), PIECE)
 		if size > 0:

@@ -18,7 +18,6 @@ var _entries: Array[Calibration.Entry] = []
 var _left: Array[Quaternion] = []
 var _right: Array[Quaternion] = []
 var _standing: StandingHeight = null
-var _is_known: PackedByteArray = PackedByteArray()
 # Written by one thread, read by others: guarded.
 var _mutex: Mutex = Mutex.new()
 var _last: Array[Quaternion] = []
@@ -38,7 +37,6 @@ func setup(p_sensors: Array[SensorInfo], p_profile: PersonProfile) -> void:
 	_entries.resize(count)
 	_left.resize(count)
 	_right.resize(count)
-	_is_known.resize(count)
 	_last.resize(count)
 	_last_usec.resize(count)
 	for sensor: int in count:
@@ -46,7 +44,6 @@ func setup(p_sensors: Array[SensorInfo], p_profile: PersonProfile) -> void:
 		if is_calibrated:
 			_entries[sensor] = calibration.entry_for(p_sensors[sensor].id, mounts[sensor])
 		if _entries[sensor] != null:
-			_is_known[sensor] = 1
 			_left[sensor] = Rotations.yaw(-_entries[sensor].heading)
 			_right[sensor] = _entries[sensor].mounting.inverse()
 
@@ -60,7 +57,7 @@ func entry(p_sensor: int) -> Calibration.Entry:
 func correct(p_drifts: PackedFloat64Array) -> void:
 	_mutex.lock()
 	for sensor: int in mini(p_drifts.size(), _entries.size()):
-		if _is_known[sensor] != 0:
+		if _entries[sensor] != null:
 			_left[sensor] = Rotations.yaw(-_entries[sensor].heading - p_drifts[sensor])
 	_mutex.unlock()
 
@@ -77,7 +74,7 @@ func remember(p_frame: SensorFrame) -> void:
 
 ## The rotation from the reset pose of the limb under a sensor; null if it is not calibrated.
 func rotation(p_sensor: int, p_said: Quaternion) -> Variant:
-	if p_sensor >= _is_known.size() or _is_known[p_sensor] == 0:
+	if p_sensor >= _entries.size() or _entries[p_sensor] == null:
 		return null
 	return (_left[p_sensor] * p_said * _right[p_sensor]).normalized()
 
@@ -88,7 +85,7 @@ func pose(p_frame: SensorFrame) -> PoseSample:
 	_filler.clear()
 	var spoke: int = 0
 	for sensor: int in _last.size():
-		if _is_known[sensor] == 0:
+		if _entries[sensor] == null:
 			continue
 		var said: Quaternion = _last[sensor]
 		if sensor < p_frame.count() and p_frame.present[sensor] != 0:
@@ -103,12 +100,10 @@ func pose(p_frame: SensorFrame) -> PoseSample:
 		_mutex.unlock()
 		return null
 	_filler.fill()
-	var found: PoseSample = PoseSample.new()
-	for limb: int in Limbs.COUNT:
-		found.set_orientation(limb, _filler.limbs[limb])
+	var found: PoseSample = _filler.pose()
 	found.time_usec = p_frame.time_usec
 	found.root = Vector3(0.0, _standing.of(found), 0.0)
-	found.details = _details(p_frame)
+	_add_details(p_frame, found.details)
 	_mutex.unlock()
 	return found
 
@@ -119,25 +114,22 @@ func _is_fresh(p_sensor: int, p_time_usec: int) -> bool:
 	return _last_usec[p_sensor] >= 0 and absf(age_s) <= SuitSource.SILENT_S
 
 
-func _details(p_frame: SensorFrame) -> MotionDetails:
-	var details: MotionDetails = MotionDetails.new()
-	details.counter = p_frame.counter
-	details.measured = _filler.measured.duplicate()
+func _add_details(p_frame: SensorFrame, r_details: MotionDetails) -> void:
+	r_details.counter = p_frame.counter
 	for blade: int in [3, 7]:
 		if _filler.known[blade] != 0:
 			var joint: int = XRBodyTracker.JOINT_LEFT_SHOULDER
 			if blade == 7:
 				joint = XRBodyTracker.JOINT_RIGHT_SHOULDER
-			details.joints[joint] = _filler.rotations[blade]
+			r_details.joints[joint] = _filler.rotations[blade]
 	if p_frame.rates.is_empty():
-		return details
-	details.rates.resize(Limbs.COUNT)
+		return
+	r_details.rates.resize(Limbs.COUNT)
 	for sensor: int in mini(p_frame.count(), mounts.size()):
 		var mount: int = mounts[sensor]
-		if mount < 0 or mount == 3 or mount == 7 or _is_known[sensor] == 0:
+		if mount < 0 or mount == 3 or mount == 7 or _entries[sensor] == null:
 			continue
 		var said: Quaternion = p_frame.orientation(sensor)
 		if p_frame.present[sensor] != 0:
 			var rate: Vector3 = _left[sensor] * (said * p_frame.rates[sensor])
-			details.rates[BodyMounts.LIMBS[mount]] = rate
-	return details
+			r_details.rates[BodyMounts.LIMBS[mount]] = rate

@@ -64,6 +64,7 @@ func publish(p_pose: PoseSample) -> void:
 		_publish_other(joint as XRBodyTracker.Joint, p_pose)
 	for hand: int in 2:
 		_publish_fingers(hand, p_pose)
+	_tell_of_hands()
 	_set_joint(XRBodyTracker.JOINT_HEAD_TIP, 3, p_pose.orientation(3), p_pose)
 	_set_joint_position(XRBodyTracker.JOINT_HEAD_TIP, _figure.tails[3])
 	var facing: Quaternion = Rotations.yaw(Rotations.yaw_of(p_pose.orientation(Limbs.ROOT)) + PI)
@@ -91,26 +92,18 @@ func retire() -> void:
 
 
 func _publish_other(p_joint: XRBodyTracker.Joint, p_pose: PoseSample) -> void:
-	var limb: int = 2
-	var turn: Quaternion = p_pose.orientation(2)
-	var rest: Vector3 = _figure.rest_tail(2)
-	match p_joint:
-		XRBodyTracker.JOINT_UPPER_CHEST:
-			rest = _figure.rest_base(2).lerp(rest, 0.5)
-		XRBodyTracker.JOINT_NECK:
-			turn = turn.slerp(p_pose.orientation(3), 0.5)
-		XRBodyTracker.JOINT_LEFT_SHOULDER:
-			rest = rest.lerp(_figure.rest_base(4), 0.2)
-		XRBodyTracker.JOINT_RIGHT_SHOULDER:
-			rest = rest.lerp(_figure.rest_base(7), 0.2)
-		XRBodyTracker.JOINT_LEFT_TOES, XRBodyTracker.JOINT_RIGHT_TOES:
-			limb = 12 if p_joint == XRBodyTracker.JOINT_LEFT_TOES else 15
-			turn = p_pose.orientation(limb)
-			rest = _figure.rest_tail(limb)
+	var limb: int = Limbs.CHEST
+	if p_joint == XRBodyTracker.JOINT_LEFT_TOES:
+		limb = Limbs.LEFT_FOOT
+	elif p_joint == XRBodyTracker.JOINT_RIGHT_TOES:
+		limb = Limbs.RIGHT_FOOT
+	var turn: Quaternion = p_pose.orientation(limb)
+	if p_joint == XRBodyTracker.JOINT_NECK:
+		turn = turn.slerp(p_pose.orientation(Limbs.HEAD), 0.5)
 	if p_pose.details != null:
 		turn = p_pose.details.joints.get(p_joint, turn)
 	var axes: Quaternion = HumanoidAxes.of_bone(HumanoidAxes.OTHERS[p_joint])
-	var position: Vector3 = _figure.attached(limb, rest, p_pose)
+	var position: Vector3 = _figure.attached(limb, _figure.rest_of(p_joint), p_pose)
 	tracker.set_joint_transform(p_joint, Transform3D(Basis(turn * axes), position))
 	tracker.set_joint_flags(p_joint, _VALID)
 
@@ -122,9 +115,9 @@ func _publish_fingers(p_hand: int, p_pose: PoseSample) -> void:
 		known = p_pose.details.joints
 	var joints: PackedInt32Array = FingerJoints.of_hand(p_hand)
 	if not Array(joints).any(func(joint: int) -> bool: return known.has(joint)):
-		for joint: int in joints:
-			_clear_joint(joint as XRBodyTracker.Joint)
-		_tell_of_hands()
+		if tracker.get_joint_flags(_THUMBS[p_hand]) != 0:
+			for joint: int in joints:
+				_clear_joint(joint as XRBodyTracker.Joint)
 		return
 	var limb: int = 6 if p_hand == 0 else 9
 	var length: float = _figure.rest_base(limb).distance_to(_figure.rest_tail(limb))
@@ -140,7 +133,6 @@ func _publish_fingers(p_hand: int, p_pose: PoseSample) -> void:
 		var at: Transform3D = Transform3D(Basis(turn), positions[joint])
 		tracker.set_joint_transform(joint as XRBodyTracker.Joint, at)
 		tracker.set_joint_flags(joint as XRBodyTracker.Joint, _VALID)
-	_tell_of_hands()
 
 
 ## Says whether any finger is known.

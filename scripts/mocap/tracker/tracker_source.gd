@@ -112,14 +112,10 @@ func _pose_of(p_tracker: XRBodyTracker) -> PoseSample:
 	if not _filler.known.has(1):
 		return null
 	_filler.fill()
-	var pose: PoseSample = PoseSample.new()
-	for limb: int in Limbs.COUNT:
-		pose.set_orientation(limb, _filler.limbs[limb])
+	var pose: PoseSample = _filler.pose()
 	if _is_turned(p_tracker, XRBodyTracker.JOINT_SPINE):
-		pose.set_orientation(1, _turn(p_tracker, XRBodyTracker.JOINT_SPINE))
-		_filler.measured[1] = 1
-	pose.details = MotionDetails.new()
-	pose.details.measured = _filler.measured.duplicate()
+		pose.set_orientation(Limbs.SPINE, _turn(p_tracker, XRBodyTracker.JOINT_SPINE))
+		pose.details.measured[Limbs.SPINE] = 1
 	for joint: int in HumanoidAxes.OTHERS:
 		if _is_turned(p_tracker, joint):
 			pose.details.joints[joint] = _turn(p_tracker, joint)

@@ -29,7 +29,6 @@ func write(p_pose: PoseSample) -> Array[PackedByteArray]:
 
 
 func _bones(p_pose: PoseSample) -> Array[PackedByteArray]:
-	_figure.solve(p_pose)
 	var turns: Dictionary[int, Quaternion] = _turns(p_pose)
 	var bones: Array[PackedByteArray] = []
 	for joint: int in turns:
@@ -69,26 +68,10 @@ func _turns(p_pose: PoseSample) -> Dictionary[int, Quaternion]:
 
 ## Where a joint is in the reset pose, m.
 func _rest(p_joint: int) -> Vector3:
-	var limb: int = HumanoidAxes.JOINTS.find(p_joint)
-	if limb >= 0:
-		return _figure.rest_base(limb)
-	var hand: int = FingerJoints.hand_of(p_joint)
-	if hand >= 0:
-		var above: int = FingerJoints.parent_of(p_joint)
-		return _rest(above) + FingerJoints.offset_of(p_joint, _size.length(&"hand"))
-	var top: Vector3 = _figure.rest_tail(Limbs.CHEST)
-	match p_joint:
-		XRBodyTracker.JOINT_UPPER_CHEST:
-			return _figure.rest_base(Limbs.CHEST).lerp(top, 0.5)
-		XRBodyTracker.JOINT_LEFT_SHOULDER:
-			return top.lerp(_figure.rest_base(Limbs.LEFT_UPPER_ARM), 0.2)
-		XRBodyTracker.JOINT_RIGHT_SHOULDER:
-			return top.lerp(_figure.rest_base(Limbs.RIGHT_UPPER_ARM), 0.2)
-		XRBodyTracker.JOINT_LEFT_TOES:
-			return _figure.rest_tail(Limbs.LEFT_FOOT)
-		XRBodyTracker.JOINT_RIGHT_TOES:
-			return _figure.rest_tail(Limbs.RIGHT_FOOT)
-	return top
+	if FingerJoints.hand_of(p_joint) < 0:
+		return _figure.rest_of(p_joint)
+	var above: int = FingerJoints.parent_of(p_joint)
+	return _rest(above) + FingerJoints.offset_of(p_joint, _size.length(&"hand"))
 
 
 static func _place(

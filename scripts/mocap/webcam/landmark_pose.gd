@@ -51,11 +51,7 @@ func make(p_places: PackedVector3Array, p_seen: PackedFloat32Array) -> PoseSampl
 		_make_arm(side)
 		_make_leg(side)
 	_filler.fill()
-	var pose: PoseSample = PoseSample.new()
-	for limb: int in Limbs.COUNT:
-		pose.set_orientation(limb, _filler.limbs[limb])
-	pose.details = MotionDetails.new()
-	pose.details.measured = _filler.measured.duplicate()
+	var pose: PoseSample = _filler.pose()
 	pose.root = Vector3(0.0, _standing.of(pose), 0.0)
 	return pose
 
