@@ -64,7 +64,7 @@ PACKAGES = {
     ),
     "xbus": Package(
         "wired Xsens suits and MVN's stream, as XRBodyTrackers too",
-        ("xbus",),
+        ("xbus", "heading"),
         (
             *("UsbSuitFeed", "SuitSource", "CalibrationStore", "TrackerPublisher"),
             *("MvnStream", "MvnSource", "RawPlayback"),
