@@ -87,7 +87,7 @@ func _listen(p_is_wanted: bool) -> void:
 func _show_sources() -> void:
 	if not _discovery.is_listening():
 		return
-	_panel.sources().show_heard(_discovery.list(_now_s))
+	_panel.sources().show_heard(_discovery.list())
 	var choices: PackedInt32Array = []
 	for group: LimbFusion.Group in LimbFusion.Group.values():
 		choices.append(inputs.people.choice(group))

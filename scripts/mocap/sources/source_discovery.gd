@@ -17,7 +17,9 @@ const PORTS: Dictionary[String, Array] = {
 ## Senders of one port that are told.
 const MAX_SENDERS: int = 8
 ## Datagrams of one port that are looked at in a frame.
-const MAX_DATAGRAMS: int = 64
+const MAX_DATAGRAMS: int = 512
+## Span over which it is counted how many datagrams come, s.
+const RATE_SPAN_S: float = 1.0
 ## Somebody who was silent for longer is told no more, s.
 const GONE_S: float = 3.0
 
@@ -38,10 +40,28 @@ class Listener:
 
 ## One sender.
 class Voice:
-	var datagrams: int = 0
 	var is_known: bool = false
-	var since_s: float = 0.0
 	var newest_s: float = 0.0
+	## Datagrams a second in the last whole span; negative before there was one.
+	var rate_hz: float = -1.0
+	## Datagrams of the span that began at a time, s.
+	var count: int = 0
+	var since_s: float = 0.0
+
+	## Goes on to a time, s: a span that is over tells the rate.
+	func advance(p_now_s: float) -> void:
+		var span: float = p_now_s - since_s
+		if span >= RATE_SPAN_S:
+			rate_hz = count / span
+			count = 0
+			since_s = p_now_s
+
+	## What is to be read of it.
+	func describe(p_sender: String) -> String:
+		var detail: String = "from " + p_sender
+		if rate_hz >= 0.0:
+			detail += ", %.0f datagrams/s" % rate_hz
+		return detail + ("" if is_known else ", not understood")
 
 
 ## Begins to listen. Ports that this program uses itself are left out.
@@ -77,11 +97,13 @@ func advance(p_now_s: float) -> void:
 		for sender: String in listener.heard.keys():
 			if p_now_s - listener.heard[sender].newest_s > GONE_S:
 				listener.heard.erase(sender)
+			else:
+				listener.heard[sender].advance(p_now_s)
 
 
 ## What was heard: for each sender what to give [code]--source[/code] ("source"), and "name",
 ## "state" and "detail" as in [constant DeviceList.KEYS]. Body trackers of other plugins come last.
-func list(p_now_s: float) -> Array[Dictionary]:
+func list() -> Array[Dictionary]:
 	var rows: Array[Dictionary] = []
 	for listener: Listener in _listeners:
 		var source: String = listener.kind
@@ -90,11 +112,7 @@ func list(p_now_s: float) -> Array[Dictionary]:
 		if listener.fault != "":
 			rows.append(_row(listener, "", "in use", listener.fault))
 		for sender: String in listener.heard:
-			var voice: Voice = listener.heard[sender]
-			var span: float = maxf(p_now_s - voice.since_s, 0.2)
-			var detail: String = "from %s, %.0f datagrams/s" % [sender, voice.datagrams / span]
-			if not voice.is_known:
-				detail += ", not understood"
+			var detail: String = listener.heard[sender].describe(sender)
 			var named: String = source
 			if listener.kind == "natnet":
 				named += ":" + sender
@@ -132,7 +150,7 @@ static func _note(
 		r_listener.heard[p_sender] = Voice.new()
 		r_listener.heard[p_sender].since_s = p_now_s
 	var voice: Voice = r_listener.heard[p_sender]
-	voice.datagrams += 1
+	voice.count += 1
 	voice.newest_s = p_now_s
 	if not voice.is_known:
 		voice.is_known = _knows(r_listener, p_bytes, p_sender)
