@@ -147,6 +147,7 @@ func advance(p_now_s: float) -> void:
 ## Forgets the result: it was accepted or refused.
 func close() -> void:
 	if phase == Phase.DONE:
+		result = null
 		_set_phase(Phase.IDLE)
 
 

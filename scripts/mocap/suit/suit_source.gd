@@ -70,8 +70,10 @@ func get_profile() -> PersonProfile:
 
 
 ## Sets who wears it: mounts, size and calibration are used from the next sample on. Headings have
-## not drifted yet.
+## not drifted yet. What was known of how good another calibration is does not count.
 func set_profile(p_profile: PersonProfile) -> void:
+	if quality != null and quality.calibration != p_profile.calibration:
+		quality = null
 	_correct(PackedFloat64Array())
 	_use(p_profile)
 	headings.clear()

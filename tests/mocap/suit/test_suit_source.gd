@@ -232,6 +232,22 @@ func test_who_wears_it() -> void:
 	equal(_suit.sample(_now_usec).details.measured[5], 0, "its calibration is void")
 
 
+func test_what_was_known_of_somebody_else_is_forgotten() -> void:
+	_calibrate()
+	var mine: PersonProfile = _suit.get_profile()
+	not_null(_suit.quality)
+	is_null(_suit.process.result, "nothing waits any more")
+	_suit.set_profile(mine.duplicate())
+	not_null(_suit.quality, "the same calibration is as good as before")
+	var other: PersonProfile = mine.duplicate()
+	other.name = "Anna"
+	other.calibration = Calibration.new()
+	_suit.set_profile(other)
+	is_null(_suit.quality, "nothing is known of Anna's")
+	_suit.set_profile(mine)
+	is_null(_suit.quality)
+
+
 func _calibrate() -> void:
 	equal(_suit.start_calibration(CalibrationGuide.Kind.FULL, _now_usec / 1e6), "")
 	var results: Array[CalibrationResult] = []
