@@ -6,27 +6,36 @@ dismount_add_core_library(xbus_bus SOURCES
 	src/bus/data_item.cpp
 	src/bus/encoder.cpp
 	src/bus/framer.cpp
-	src/bus/item_structs.cpp
-	src/bus/item_types.cpp
 	src/bus/message.cpp
 	src/bus/mt_data.cpp
-	src/bus/mt_data2.cpp
 	src/bus/number.cpp
 	src/bus/plausibility.cpp
-	src/bus/replies.cpp
 	src/bus/requests.cpp
 	src/bus/sample.cpp
 	src/bus/stream_check.cpp
 )
+# What the product does not need: all that devices can send, read and written. For the decoder, the emulated suit,
+# tests and benchmarks.
+dismount_add_core_library(xbus_device SOURCES
+	device/full_judge.cpp
+	device/full_mt_data.cpp
+	device/item_structs.cpp
+	device/item_types.cpp
+	device/items.cpp
+	device/number_writer.cpp
+	device/replies.cpp
+	LIBRARIES xbus_bus
+)
+target_include_directories(xbus_device PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 foreach(test configuration corruption examples framer golden mt_data mt_data2 stream_check)
-	dismount_add_core_test(xbus_${test} SOURCES tests/test_${test}.cpp LIBRARIES xbus_bus)
+	dismount_add_core_test(xbus_${test} SOURCES tests/test_${test}.cpp LIBRARIES xbus_device)
 endforeach()
 if(BUILD_TESTING)
 	target_include_directories(xbus_stream_check PRIVATE ${PROJECT_SOURCE_DIR}/testing)
 	target_compile_definitions(xbus_golden PRIVATE DISMOUNT_TEST_DATA="${PROJECT_SOURCE_DIR}/../tests/data")
 endif()
 # Hostile bytes, as many as asked for: xbus_fuzz EXECUTIONS [SEED].
-dismount_add_fuzzer(xbus_fuzz CORPUS bus SOURCES tests/fuzz_bus.cpp LIBRARIES xbus_bus)
+dismount_add_fuzzer(xbus_fuzz CORPUS bus SOURCES tests/fuzz_bus.cpp LIBRARIES xbus_device)
 # What a recording holds: ./run xbus-decode FILE.
 add_executable(xbus_decode
 	tools/decode/analysis.cpp
@@ -40,10 +49,10 @@ add_executable(xbus_decode
 	tools/decode/sample_json.cpp
 	tools/decode/status_bytes.cpp
 )
-target_link_libraries(xbus_decode PRIVATE xbus_recording)
+target_link_libraries(xbus_decode PRIVATE xbus_recording xbus_device)
 target_compile_options(xbus_decode PRIVATE -Wall -Wextra)
 # The figures of ./run bench xbus.
 add_executable(xbus_bench tools/bench_bus.cpp)
 target_include_directories(xbus_bench PRIVATE tests ${PROJECT_SOURCE_DIR}/testing)
-target_link_libraries(xbus_bench PRIVATE xbus_recording)
+target_link_libraries(xbus_bench PRIVATE xbus_recording xbus_device)
 target_compile_options(xbus_bench PRIVATE -Wall -Wextra)

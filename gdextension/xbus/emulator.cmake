@@ -15,7 +15,7 @@ dismount_add_core_library(xbus_emulator SOURCES
 	emulator/cable/serial_line.cpp
 	emulator/cable/usb_device.cpp
 	emulator/cable/usb_port.cpp
-	LIBRARIES xbus_bus kinematics
+	LIBRARIES xbus_device kinematics
 )
 target_include_directories(xbus_emulator PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/emulator)
 

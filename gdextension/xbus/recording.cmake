@@ -10,4 +10,4 @@ dismount_add_core_library(xbus_recording SOURCES
 )
 dismount_add_core_test(recording_recorder
 	SOURCES tests/recording/test_recorder.cpp LIBRARIES xbus_recording THREADS)
-dismount_add_core_test(recording_replay SOURCES tests/recording/test_replay.cpp LIBRARIES xbus_recording)
+dismount_add_core_test(recording_replay SOURCES tests/recording/test_replay.cpp LIBRARIES xbus_recording xbus_device)

@@ -31,7 +31,7 @@ PREFIXES = {"MOST": "MAX_", "LONGEST": "MAX_", "LEAST": "MIN_", "SHORTEST": "MIN
 
 # Where a word is somebody else's: files (a pattern), the word, whose it is.
 ALLOWED = (
-    ("gdextension/xbus/src/bus/*", "blob", "Xsens' data item RawBlob"),
+    ("gdextension/xbus/device/*", "blob", "Xsens' data item RawBlob"),
     ("gdextension/xbus/tools/decode/*", "visitor", "the design pattern"),
     ("gdextension/xbus/emulator/kernel/*", "guest", "the virtual machine's system"),
 )

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "bus/framer.hpp"
-#include "bus/replies.hpp"
 #include "bus/stream_check.hpp"
+#include "device/full_mt_data.hpp"
+#include "device/items.hpp"
+#include "device/replies.hpp"
 
 #include <array>
 #include <cmath>
@@ -81,8 +83,8 @@ inline void draw_time(std::mt19937 &r_random, UtcTime &r_utc) {
 }
 
 /// Values that a worn tracker could measure, in every field.
-inline Sample draw_sample(std::mt19937 &r_random) {
-	Sample sample;
+inline FullSample draw_sample(std::mt19937 &r_random) {
+	FullSample sample;
 	sample.quaternion = draw_quaternion(r_random);
 	sample.matrix = matrix_of(sample.quaternion);
 	draw(r_random, 89.0, sample.euler);
@@ -136,10 +138,10 @@ inline Stream suit_stream(
 	Stream stream;
 	stream.bytes.reserve(p_messages * (p_format.size() + 7));
 	stream.begins.reserve(p_messages);
-	std::vector<Sample> samples(p_format.count());
+	std::vector<FullSample> samples(p_format.count());
 	std::array<uint8_t, MAX_FRAME> frame;
 	for (std::size_t i = 0; i < p_messages; i++) {
-		for (Sample &sample : samples) {
+		for (FullSample &sample : samples) {
 			sample = draw_sample(random);
 		}
 		stream.add(
@@ -148,16 +150,16 @@ inline Stream suit_stream(
 	return stream;
 }
 
-/// The items of the MTi recordings.
-constexpr std::array<uint16_t, 9> IMU_ITEMS = { item::PACKET_COUNTER, item::SAMPLE_TIME_FINE, item::UTC_TIME,
-	item::QUATERNION, item::ACCELERATION, item::RATE_OF_TURN, item::DELTA_V, item::DELTA_Q, item::STATUS_WORD };
+/// The items that a tracker which stands alone is asked for.
+constexpr std::array<uint16_t, 7> IMU_ITEMS = { item::PACKET_COUNTER, item::SAMPLE_TIME_FINE, item::QUATERNION,
+	item::RATE_OF_TURN, item::ACCELERATION, item::MAGNETIC_FIELD, item::STATUS_WORD };
 
 inline Stream imu_stream(std::size_t p_messages, uint32_t p_seed) {
 	std::mt19937 random(p_seed);
 	Stream stream;
 	std::array<uint8_t, MAX_FRAME> frame;
 	for (std::size_t i = 0; i < p_messages; i++) {
-		Sample sample = draw_sample(random);
+		FullSample sample = draw_sample(random);
 		sample.counter = uint32_t(i);
 		sample.sample_time_fine = uint32_t(i * 100);
 		stream.add(

@@ -79,7 +79,7 @@ private:
 	void _seed_mt_data2(std::mt19937 &r_random) {
 		Bytes data(MAX_DATA);
 		for (std::size_t i = 0; i < 24; i++) {
-			Sample sample = draw_sample(r_random);
+			FullSample sample = draw_sample(r_random);
 			sample.gnss_satellites.count = uint8_t(i);
 			const uint16_t *first = ITEMS.data() + i % 12;
 			_keep(data.data(), write_mt_data2(first, 3 + i % 3, sample, data.data(), data.size()), _items);
@@ -88,11 +88,11 @@ private:
 	void _seed_mt_data(std::mt19937 &r_random) {
 		Bytes data(MAX_DATA);
 		for (std::size_t i = 0; i < 24; i++) {
-			const Sample sample = draw_sample(r_random);
+			const FullSample sample = draw_sample(r_random);
 			const OutputFormat format = { uint16_t(i % 3 == 0 ? 0x1000U : (0x083FU & ~(1U << (i % 6)))),
 				uint32_t((i % 4) << 8U | (i % 3) << 2U | 1U) };
 			_formats.push_back(format);
-			_keep(data.data(), format.write(sample, true, data.data()), _blocks_of_data);
+			_keep(data.data(), write_block(format, sample, true, data.data()), _blocks_of_data);
 		}
 	}
 	void _seed_configuration() {
@@ -137,7 +137,7 @@ private:
 		std::size_t sum = 0;
 		const bool whole = visit_items(bytes, size, [&](const Item &p_item) { sum += 3U + p_item.size; });
 		expect(whole == report.whole && sum <= size && (!whole || sum == size), "items do not add up");
-		expect(_sample.present == 0 || report.decoded > 0, "what is present was not decoded");
+		expect(_sample.is_empty() || report.decoded > 0, "what is present was not decoded");
 		taken += report.whole ? 1U : 0U;
 		std::array<double, 4> turned;
 		_sample.orientation(turned);
@@ -150,7 +150,7 @@ private:
 		if (_random.below(2) == 0) {
 			format = { uint16_t(_random()), uint32_t(_random()) };
 		}
-		const bool good = format.decode(bytes, size, _sample);
+		const bool good = decode_data(format, bytes, size, _sample);
 		expect(!good || format.size() == size, "a block of the wrong size was taken");
 		taken += good ? 1U : 0U;
 		format.decode_behind_master(bytes, size, _sample);
@@ -227,7 +227,7 @@ private:
 	std::vector<Bytes> _blocks_of_data;
 	std::vector<Bytes> _configurations;
 	std::vector<OutputFormat> _formats;
-	Sample _sample;
+	FullSample _sample;
 	Configuration _configuration;
 	MasterFormat _master;
 	std::unique_ptr<StreamCheck> _check = std::make_unique<StreamCheck>();

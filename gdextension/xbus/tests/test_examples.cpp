@@ -31,11 +31,11 @@ Frame frame_in(const Bytes &p_bytes) {
 }
 
 /// Decodes the MTData2 message and writes it again: the same bytes.
-Sample through(const char *p_hex, std::size_t p_items) {
+FullSample through(const char *p_hex, std::size_t p_items) {
 	const Bytes bytes = hex(p_hex);
 	const Frame frame = frame_in(bytes);
 	CHECK(frame.message == Message::MT_DATA2 && frame.bus_id == MASTER);
-	Sample sample;
+	FullSample sample;
 	const ItemReport report = decode_mt_data2(frame.data, frame.size, sample);
 	CHECK(report.is_clean() && report.decoded == p_items);
 	std::vector<uint16_t> ids;
@@ -131,15 +131,16 @@ TEST(calibrated_data_go_both_ways) {
 	const Bytes bytes = hex(CALIBRATED);
 	const Frame frame = frame_in(bytes);
 	const OutputFormat format = { output_mode::CALIBRATED, 0 };
-	Sample sample;
-	CHECK(format.decode(frame.data, frame.size, sample));
+	FullSample sample;
+	CHECK(decode_data(format, frame.data, frame.size, sample));
 	CHECK_NEAR(sample.acceleration[2], 9.81666, 1e-5);
 	CHECK(sample.has(Field::MAGNETIC_FIELD) && !sample.has(Field::COUNTER));
 	Bytes again(MAX_FRAME);
 	again.resize(device::write_mt_data(format, sample, MASTER, again.data()));
 	CHECK(again == bytes);
 	// One byte more or less is another format.
-	CHECK(!format.decode(frame.data, frame.size - 1, sample) && !format.decode(frame.data, frame.size + 1, sample));
+	CHECK(!decode_data(format, frame.data, frame.size - 1, sample) &&
+			!decode_data(format, frame.data, frame.size + 1, sample));
 }
 
 TEST(a_live_tracker_counts_at_the_end) {
@@ -150,7 +151,7 @@ TEST(a_live_tracker_counts_at_the_end) {
 		const Bytes bytes = hex(text);
 		const Frame frame = frame_in(bytes);
 		CHECK(check.take(frame) == StreamCheck::Verdict::DATA);
-		const Sample &sample = check.sample(0);
+		const FullSample sample(check.sample(0));
 		CHECK(sample.counter == (text == LIVE ? 0x4B33U : 0x4B34U));
 		CHECK_NEAR(norm_deviation(sample.quaternion), 0.0, 1e-6);
 		Bytes again(MAX_FRAME);
@@ -161,9 +162,10 @@ TEST(a_live_tracker_counts_at_the_end) {
 }
 
 TEST(items_go_both_ways) {
-	const Sample mti = through("FA FF 36 26 20 10 10 3E FC 23 42 3F 00 E0 28 BF 01 8F A7 3E FE EE B1 10 60 04 00 0A F8 "
-							   "4C E0 20 04 00 00 00 02 10 20 02 1B C5 D4",
-			4);
+	const FullSample mti =
+			through("FA FF 36 26 20 10 10 3E FC 23 42 3F 00 E0 28 BF 01 8F A7 3E FE EE B1 10 60 04 00 0A F8 "
+					"4C E0 20 04 00 00 00 02 10 20 02 1B C5 D4",
+					4);
 	CHECK(mti.counter == 0x1BC5 && mti.counter_bits == 16 && mti.sample_time_fine == 718924 && mti.status_word == 2);
 	CHECK_NEAR(norm_deviation(mti.quaternion), 0.0, 1e-6);
 	through("FA FF 36 4E 10 60 04 02 53 35 CB 20 10 10 3F 7F FA 66 BB 40 34 B8 3C 49 96 2D 3B 5A 1F 82 80 20 0C 39 FF "
@@ -175,12 +177,13 @@ TEST(items_go_both_ways) {
 			5);
 	through("FA FF 36 14 10 20 02 00 09 20 30 0C BF BC 67 E0 3E DF AE 81 40 A3 A9 DF A7", 2);
 	through("FA FF 36 16 10 60 04 09 3A 7C B7 20 30 0C BF 49 1A 52 BE C3 6A 10 C3 2E E2 EF 3E", 2);
-	const Sample hr = through("FA FF 36 0F 80 40 0C 3B 8B BC 00 BB E2 4F 00 3B 4E 4A 00 AF", 1);
-	CHECK(hr.has(Field::RATE_OF_TURN_HR) && !hr.has(Field::COUNTER));
-	const Sample live = through("FA FF 36 44 10 20 02 E6 86 10 60 04 00 57 51 26 20 10 10 3F 7F 1D DE BD A6 35 08 BC "
-								"8E 1B CD 3A B3 C0 88 40 20 0C 3E B6 FC 53 BF C6 F4 B9 41 17 26 91 80 20 0C BB B3 84 "
-								"00 3C 1F C8 BD BA 8D E7 8C E0 20 04 00 00 00 01 7A",
-			6);
+	const FullSample hr = through("FA FF 36 0F 80 40 0C 3B 8B BC 00 BB E2 4F 00 3B 4E 4A 00 AF", 1);
+	CHECK(hr.has(Further::RATE_OF_TURN_HR) && !hr.has(Field::COUNTER));
+	const FullSample live =
+			through("FA FF 36 44 10 20 02 E6 86 10 60 04 00 57 51 26 20 10 10 3F 7F 1D DE BD A6 35 08 BC "
+					"8E 1B CD 3A B3 C0 88 40 20 0C 3E B6 FC 53 BF C6 F4 B9 41 17 26 91 80 20 0C BB B3 84 "
+					"00 3C 1F C8 BD BA 8D E7 8C E0 20 04 00 00 00 01 7A",
+					6);
 	CHECK(live.axes == Axes::EAST_NORTH_UP && live.counter == 0xE686);
 	CHECK_NEAR(live.quaternion[0], 0.9965495, 1e-6);
 }

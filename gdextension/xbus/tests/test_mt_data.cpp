@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "bus_streams.hpp"
 
+#include "device/number_writer.hpp"
+
 #include "check.hpp"
 
 #include <cmath>
@@ -63,9 +65,9 @@ std::size_t length_in_manual(const OutputFormat &p_format) {
 	return size;
 }
 
-bool is_same(const Sample &p_found, const Sample &p_sent, NumberFormat p_format) {
-	const auto good = [&](Field p_field, bool p_good) { return !p_found.has(p_field) || p_good; };
-	return good(Field::TEMPERATURE,
+bool is_same(const FullSample &p_found, const FullSample &p_sent, NumberFormat p_format) {
+	const auto good = [&](auto p_field, bool p_good) { return !p_found.has(p_field) || p_good; };
+	return good(Further::TEMPERATURE,
 				   std::fabs(p_found.temperature - p_sent.temperature) <= step_of(p_format, p_sent.temperature)) &&
 			good(Field::ACCELERATION, near_all(p_found.acceleration, p_sent.acceleration, p_format)) &&
 			good(Field::RATE_OF_TURN, near_all(p_found.rate_of_turn, p_sent.rate_of_turn, p_format)) &&
@@ -73,42 +75,46 @@ bool is_same(const Sample &p_found, const Sample &p_sent, NumberFormat p_format)
 			good(Field::QUATERNION, near_all(p_found.quaternion, p_sent.quaternion, p_format)) &&
 			good(Field::EULER, near_all(p_found.euler, p_sent.euler, p_format)) &&
 			good(Field::MATRIX, near_all(p_found.matrix, p_sent.matrix, p_format)) &&
-			good(Field::POSITION, near_all(p_found.position, p_sent.position, p_format)) &&
-			good(Field::VELOCITY, near_all(p_found.velocity, p_sent.velocity, p_format)) &&
-			good(Field::ANALOG_IN_1, p_found.analog_in_1 == p_sent.analog_in_1) &&
-			good(Field::ANALOG_IN_2, p_found.analog_in_2 == p_sent.analog_in_2) &&
-			good(Field::STATUS_BYTE, p_found.status_byte == p_sent.status_byte) &&
+			good(Further::POSITION, near_all(p_found.position, p_sent.position, p_format)) &&
+			good(Further::VELOCITY, near_all(p_found.velocity, p_sent.velocity, p_format)) &&
+			good(Further::ANALOG_IN_1, p_found.analog_in_1 == p_sent.analog_in_1) &&
+			good(Further::ANALOG_IN_2, p_found.analog_in_2 == p_sent.analog_in_2) &&
+			good(Further::STATUS_BYTE, p_found.status_byte == p_sent.status_byte) &&
 			good(Field::COUNTER, p_found.counter == uint16_t(p_sent.counter)) &&
-			good(Field::UTC_TIME,
+			good(Further::UTC_TIME,
 					p_found.utc.nanoseconds == p_sent.utc.nanoseconds && p_found.utc.year == p_sent.utc.year &&
 							p_found.utc.second == p_sent.utc.second);
 }
 
 /// Fields that a format announces.
-uint64_t fields_of(const OutputFormat &p_format) {
-	Sample announced;
-	const auto set = [&](bool p_on, Field p_field) {
+FullSample fields_of(const OutputFormat &p_format) {
+	FullSample announced;
+	const auto set = [&](bool p_on, auto p_field) {
 		if (p_on) {
 			announced.set(p_field);
 		}
 	};
 	const auto on = [&](uint32_t p_bit) { return (p_format.mode & p_bit) != 0; };
 	const auto has = [&](uint32_t p_bit) { return (p_format.settings & p_bit) != 0; };
-	set(on(TEMPERATURE), Field::TEMPERATURE);
+	set(on(TEMPERATURE), Further::TEMPERATURE);
 	set(on(CALIBRATED) && !has(NO_ACCELERATION), Field::ACCELERATION);
 	set(on(CALIBRATED) && !has(NO_RATE_OF_TURN), Field::RATE_OF_TURN);
 	set(on(CALIBRATED) && !has(NO_MAGNETIC_FIELD), Field::MAGNETIC_FIELD);
 	const std::array<Field, 3> forms = { Field::QUATERNION, Field::EULER, Field::MATRIX };
 	set(on(ORIENTATION), forms[(p_format.settings & ORIENTATION_MASK) >> 2U]);
-	set(on(AUXILIARY) && !has(NO_ANALOG_1), Field::ANALOG_IN_1);
-	set(on(AUXILIARY) && !has(NO_ANALOG_2), Field::ANALOG_IN_2);
-	set(on(POSITION), Field::POSITION);
-	set(on(VELOCITY), Field::VELOCITY);
-	set(on(STATUS), Field::STATUS_BYTE);
-	set(on(GPS_PVT), Field::GPS_PVT);
+	set(on(AUXILIARY) && !has(NO_ANALOG_1), Further::ANALOG_IN_1);
+	set(on(AUXILIARY) && !has(NO_ANALOG_2), Further::ANALOG_IN_2);
+	set(on(POSITION), Further::POSITION);
+	set(on(VELOCITY), Further::VELOCITY);
+	set(on(STATUS), Further::STATUS_BYTE);
+	set(on(GPS_PVT), Further::GPS_PVT);
 	set(has(SAMPLE_COUNTER), Field::COUNTER);
-	set(has(UTC), Field::UTC_TIME);
-	return announced.present;
+	set(has(UTC), Further::UTC_TIME);
+	return announced;
+}
+
+bool is_all_there(const FullSample &p_found, const FullSample &p_announced) {
+	return p_found.present == p_announced.present && p_found.further_present == p_announced.further_present;
 }
 
 } // namespace
@@ -127,17 +133,18 @@ TEST(every_mode_and_setting_goes_both_ways) {
 			for (uint32_t form = 0; form < 3; form++) {
 				const uint32_t left_out = (random() & 7U) << 4U | (random() & 3U) << 10U | (random() & 3U);
 				const OutputFormat format = { uint16_t(mode), left_out | numbers << NUMBER_SHIFT | form << 2U };
-				const Sample sent = draw_sample(random);
-				const std::size_t size = format.write(sent, true, bytes.data());
-				Sample found;
+				const FullSample sent = draw_sample(random);
+				const std::size_t size = write_block(format, sent, true, bytes.data());
+				FullSample found;
 				const bool good = format.is_valid() && size == length_in_manual(format) && size == format.size() &&
-						(size == 0 || format.decode(bytes.data(), size, found)) &&
-						found.present == (size == 0 ? 0 : fields_of(format)) && is_same(found, sent, format.numbers());
+						(size == 0 || decode_data(format, bytes.data(), size, found)) &&
+						is_all_there(found, size == 0 ? FullSample() : fields_of(format)) &&
+						is_same(found, sent, format.numbers());
 				wrong += good ? 0U : 1U;
 				tried++;
 				// One byte more or less, and it is something else.
-				wrong += format.decode(bytes.data(), size + 1, found) ? 1U : 0U;
-				wrong += size > 0 && format.decode(bytes.data(), size - 1, found) ? 1U : 0U;
+				wrong += decode_data(format, bytes.data(), size + 1, found) ? 1U : 0U;
+				wrong += size > 0 && decode_data(format, bytes.data(), size - 1, found) ? 1U : 0U;
 			}
 		}
 	}
@@ -146,12 +153,12 @@ TEST(every_mode_and_setting_goes_both_ways) {
 
 TEST(raw_data_stand_alone) {
 	std::mt19937 random(2);
-	const Sample sent = draw_sample(random);
+	const FullSample sent = draw_sample(random);
 	const OutputFormat format = { RAW, SAMPLE_COUNTER };
 	Bytes bytes(64);
-	CHECK(format.write(sent, true, bytes.data()) == 22);
-	Sample found;
-	CHECK(format.decode(bytes.data(), 22, found));
+	CHECK(write_block(format, sent, true, bytes.data()) == 22);
+	FullSample found;
+	CHECK(decode_data(format, bytes.data(), 22, found));
 	CHECK(found.raw_acceleration == sent.raw_acceleration && found.raw_magnetic_field == sent.raw_magnetic_field);
 	CHECK(found.raw_rate_of_turn == sent.raw_rate_of_turn && found.raw_temperature == sent.raw_temperature);
 	CHECK(found.counter == uint16_t(sent.counter));
@@ -163,10 +170,10 @@ TEST(raw_data_stand_alone) {
 TEST(the_settings_decide_the_axes) {
 	const OutputFormat down = { ORIENTATION, NORTH_EAST_DOWN };
 	const Bytes bytes(16, 0);
-	Sample found;
-	CHECK(down.decode(bytes.data(), bytes.size(), found) && found.axes == Axes::NORTH_EAST_DOWN);
+	FullSample found;
+	CHECK(decode_data(down, bytes.data(), bytes.size(), found) && found.axes == Axes::NORTH_EAST_DOWN);
 	const OutputFormat up = { ORIENTATION, 0 };
-	CHECK(up.decode(bytes.data(), bytes.size(), found) && found.axes == Axes::NORTH_WEST_UP);
+	CHECK(decode_data(up, bytes.data(), bytes.size(), found) && found.axes == Axes::NORTH_WEST_UP);
 }
 
 TEST(a_master_counts_in_front) {
@@ -175,20 +182,20 @@ TEST(a_master_counts_in_front) {
 		// Trackers may be set to count: behind a master they do not.
 		const MasterFormat format = suit_format(trackers, ORIENTATION, SAMPLE_COUNTER);
 		CHECK(format.size() == 2 + 16 * trackers);
-		std::vector<Sample> sent(trackers);
-		for (Sample &sample : sent) {
+		std::vector<FullSample> sent(trackers);
+		for (FullSample &sample : sent) {
 			sample = draw_sample(random);
 		}
 		Bytes bytes(MAX_FRAME);
 		bytes.resize(device::write_mt_data(format, 0xABCD, sent.data(), bytes.data()));
 		CHECK((bytes[3] == EXTENDED) == (trackers >= 16));
-		std::vector<Sample> found(trackers);
+		std::vector<FullSample> found(trackers);
 		std::size_t seen = 0;
 		Framer framer;
 		framer.feed(bytes.data(), bytes.size(), [&](const Frame &p_frame) {
 			CHECK(read_u16(p_frame.data) == 0xABCD);
-			CHECK(format.decode(p_frame.data, p_frame.size, found.data()));
-			CHECK(!format.decode(p_frame.data, p_frame.size - 1, found.data()));
+			CHECK(decode_data(format, p_frame.data, p_frame.size, found.data()));
+			CHECK(!decode_data(format, p_frame.data, p_frame.size - 1, found.data()));
 			seen++;
 		});
 		CHECK(seen == 1);
@@ -205,11 +212,11 @@ TEST(trackers_of_a_master_may_differ) {
 	CHECK(format.add({ ORIENTATION, 0 }) && format.add({ CALIBRATED | ORIENTATION, 0x300U | MATRIX }));
 	CHECK(format.add({ TEMPERATURE, 0x200 }) && !format.add({ RAW | STATUS, 0 }));
 	CHECK(format.size() == 2 + 16 + 18 * 8 + 6);
-	const std::array<Sample, 3> sent = { draw_sample(random), draw_sample(random), draw_sample(random) };
+	const std::array<FullSample, 3> sent = { draw_sample(random), draw_sample(random), draw_sample(random) };
 	Bytes bytes(format.size());
-	CHECK(format.write(7, sent.data(), bytes.data()) == bytes.size());
-	std::array<Sample, 3> found;
-	CHECK(format.decode(bytes.data(), bytes.size(), found.data()));
+	CHECK(write_data(format, 7, sent.data(), bytes.data()) == bytes.size());
+	std::array<FullSample, 3> found;
+	CHECK(decode_data(format, bytes.data(), bytes.size(), found.data()));
 	CHECK(found[1].matrix == sent[1].matrix && found[1].acceleration == sent[1].acceleration);
 	CHECK_NEAR(found[2].temperature, sent[2].temperature, 1e-9);
 }

@@ -46,9 +46,9 @@ TEST(every_item_goes_both_ways_in_every_format) {
 			const std::size_t size = reals ? known.size / 4 * number : known.size;
 			const auto id = uint16_t(uint32_t(known.type) | low);
 			const Bytes bytes = draw_item(random, id, size);
-			Sample sample;
+			FullSample sample;
 			const ItemReport report = decode_mt_data2(bytes.data(), bytes.size(), sample);
-			CHECK(report.is_clean() && report.decoded == 1 && sample.present != 0);
+			CHECK(report.is_clean() && report.decoded == 1 && !sample.is_empty());
 			CHECK(!item_type(id).has_axes() || sample.axes == Axes(low >> 2U));
 			Bytes again(300);
 			again.resize(write_mt_data2(&id, 1, sample, again.data(), again.size()));
@@ -59,14 +59,14 @@ TEST(every_item_goes_both_ways_in_every_format) {
 			longer.push_back(0);
 			longer[2]++;
 			const ItemReport odd = decode_mt_data2(longer.data(), longer.size(), sample);
-			CHECK(odd.whole && odd.misfits == 1 && odd.decoded == 0 && sample.present == 0);
+			CHECK(odd.whole && odd.misfits == 1 && odd.decoded == 0 && sample.is_empty());
 		}
 	}
 }
 
 TEST(counters_come_in_three_sizes) {
 	const Bytes bytes = { 0x10, 0x90, 1, 0xF0 };
-	Sample sample;
+	FullSample sample;
 	CHECK(decode_mt_data2(bytes.data(), bytes.size(), sample).is_clean());
 	CHECK(sample.counter == 0xF0 && sample.counter_bits == 8);
 	const Bytes wide = { 0x10, 0xB0, 4, 0x80, 0, 0, 1 };
@@ -76,7 +76,7 @@ TEST(counters_come_in_three_sizes) {
 
 TEST(what_is_unknown_is_skipped_and_counted) {
 	const Bytes bytes = { 0x66, 0x60, 3, 1, 2, 3, 0x10, 0x20, 2, 0, 9, 0xA0, 0x80, 0 };
-	Sample sample;
+	FullSample sample;
 	const ItemReport report = decode_mt_data2(bytes.data(), bytes.size(), sample);
 	CHECK(report.whole && report.unknown == 1 && report.decoded == 2 && report.misfits == 0);
 	CHECK(sample.counter == 9 && sample.has(Field::COUNTER));
@@ -84,18 +84,31 @@ TEST(what_is_unknown_is_skipped_and_counted) {
 	CHECK(visit_items(bytes.data(), bytes.size(), [&](const Item &) { visited++; }) && visited == 3);
 }
 
+TEST(items_that_the_product_does_not_read_are_skipped_by_it) {
+	std::mt19937 random(4);
+	const FullSample sent = draw_sample(random);
+	const std::array<uint16_t, 3> ids = { item::FREE_ACCELERATION, item::QUATERNION, item::UTC_TIME };
+	Bytes bytes(100);
+	bytes.resize(write_mt_data2(ids.data(), ids.size(), sent, bytes.data(), bytes.size()));
+	Sample sample;
+	const ItemReport report = decode_mt_data2(bytes.data(), bytes.size(), sample);
+	CHECK(report.whole && report.unknown == 2 && report.decoded == 1);
+	CHECK(sample.has(Field::QUATERNION));
+	CHECK_NEAR(sample.quaternion[0], sent.quaternion[0], 1e-6);
+}
+
 TEST(items_fill_their_message_exactly) {
 	const Bytes bytes = { 0x10, 0x20, 2, 0, 9, 0x10 };
-	Sample sample;
+	FullSample sample;
 	CHECK(!decode_mt_data2(bytes.data(), 6, sample).whole && !decode_mt_data2(bytes.data(), 4, sample).whole);
 	CHECK(decode_mt_data2(bytes.data(), 5, sample).whole);
 	// Nothing at all is whole, and holds nothing.
-	CHECK(decode_mt_data2(bytes.data(), 0, sample).whole && sample.present == 0);
+	CHECK(decode_mt_data2(bytes.data(), 0, sample).whole && sample.is_empty());
 }
 
 TEST(satellites_are_as_many_as_they_say) {
 	Bytes bytes = { 0x70, 0x20, 16, 0, 0, 1, 0, 2, 0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8 };
-	Sample sample;
+	FullSample sample;
 	CHECK(decode_mt_data2(bytes.data(), bytes.size(), sample).is_clean());
 	CHECK(sample.gnss_satellites.itow == 256 && sample.gnss_satellites.count == 2);
 	CHECK(sample.gnss_satellites.satellites[1].number == 6 && sample.gnss_satellites.satellites[1].signal == 7);
@@ -105,7 +118,7 @@ TEST(satellites_are_as_many_as_they_say) {
 
 TEST(a_message_has_room_or_is_not_written) {
 	std::mt19937 random(2);
-	const Sample sample = draw_sample(random);
+	const FullSample sample = draw_sample(random);
 	Bytes bytes(31);
 	const std::array<uint16_t, 2> ids = { 0x4020, 0x2010 };
 	CHECK(write_mt_data2(ids.data(), 1, sample, bytes.data(), 15) == 15);
@@ -118,7 +131,7 @@ TEST(orientations_are_the_same_in_every_form) {
 	std::mt19937 random(3);
 	for (int i = 0; i < 500; i++) {
 		const std::array<double, 4> sent = draw_quaternion(random);
-		Sample sample;
+		FullSample sample;
 		sample.matrix = matrix_of(sent);
 		sample.set(Field::MATRIX);
 		std::array<double, 4> found{};
@@ -130,7 +143,7 @@ TEST(orientations_are_the_same_in_every_form) {
 		CHECK_NEAR(std::fabs(dot), 1.0, 1e-12);
 	}
 	// 90 degrees about Z turn X into Y: yaw, and the first column.
-	Sample sample;
+	FullSample sample;
 	sample.euler = { 0.0, 0.0, 90.0 };
 	sample.set(Field::EULER);
 	std::array<double, 4> found{};
@@ -138,7 +151,7 @@ TEST(orientations_are_the_same_in_every_form) {
 	const std::array<double, 9> matrix = matrix_of(found);
 	CHECK_NEAR(matrix[0], 0.0, 1e-12);
 	CHECK_NEAR(matrix[1], 1.0, 1e-12);
-	CHECK(!Sample().orientation(found));
+	CHECK(!FullSample().orientation(found));
 }
 
 TEST_MAIN()

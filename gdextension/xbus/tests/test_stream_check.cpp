@@ -17,14 +17,14 @@ using Verdict = StreamCheck::Verdict;
 class Suit {
 public:
 	Suit() : format(suit_format(4, output_mode::ORIENTATION)), _random(1) {
-		for (Sample &sample : samples) {
+		for (FullSample &sample : samples) {
 			sample = draw_sample(_random);
 		}
 		check->expect_master(format);
 	}
 
 	Verdict send(uint16_t p_counter) {
-		const std::size_t size = format.write(p_counter, samples.data(), _data.data());
+		const std::size_t size = write_data(format, p_counter, samples.data(), _data.data());
 		return check->take({ MASTER, Message::MT_DATA, _data.data(), size });
 	}
 	void send_good(std::size_t p_count) {
@@ -35,7 +35,7 @@ public:
 
 	MasterFormat format;
 	std::unique_ptr<StreamCheck> check = std::make_unique<StreamCheck>();
-	std::array<Sample, 4> samples;
+	std::array<FullSample, 4> samples;
 	uint16_t next = 0;
 
 private:
@@ -191,7 +191,7 @@ TEST(trackers_with_items_are_distinguished_by_their_bus_identifiers) {
 	Bytes data(MAX_DATA);
 	for (uint32_t i = 0; i < 60; i++) {
 		const auto bus_id = uint8_t(1 + i % 3);
-		Sample sample = draw_sample(random);
+		FullSample sample = draw_sample(random);
 		sample.counter = i / 3 + (bus_id == 2 && i > 30 ? 5 : 0);
 		const std::size_t size = write_mt_data2(IMU_ITEMS.data(), IMU_ITEMS.size(), sample, data.data(), data.size());
 		CHECK(check.take({ bus_id, Message::MT_DATA2, data.data(), size }) == Verdict::DATA);

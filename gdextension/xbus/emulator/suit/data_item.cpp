@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bus/bytes.hpp"
+#include "device/number_writer.hpp"
 #include "suit/stand_alone.hpp"
 
 #include <cmath>

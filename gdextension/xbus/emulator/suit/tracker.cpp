@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "suit/tracker.hpp"
 
+#include "device/number_writer.hpp"
+
 #include <cmath>
 #include <cstring>
 

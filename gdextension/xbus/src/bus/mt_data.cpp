@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bus/mt_data.hpp"
 
-#include "bus/item_structs.hpp"
-
 namespace xbus {
 
 namespace {
@@ -13,224 +11,81 @@ using namespace output_setting;
 constexpr uint32_t KNOWN_MODES =
 		TEMPERATURE | CALIBRATED | ORIENTATION | AUXILIARY | POSITION | VELOCITY | STATUS | GPS_PVT | RAW;
 
-/// The order of a block's parts, written once: `r_archive` measures, reads or writes them.
-template <class A>
-void go_through(const OutputFormat &p_format, bool p_with_time, A &r_archive) {
-	const auto on = [&](uint32_t p_bit) { return (p_format.mode & p_bit) != 0; };
-	const auto kept = [&](uint32_t p_bit) { return (p_format.settings & p_bit) == 0; };
-	if (on(RAW)) {
-		r_archive.raw();
+/// Of a part: numbers in the format that the settings name, and bytes that are the same in every format.
+struct PartLayout {
+	DataPart part;
+	Field field;
+	uint8_t numbers;
+	uint8_t bytes;
+};
+
+/// In the order of `DataPart`.
+constexpr PartLayout LAYOUTS[] = {
+	{ DataPart::RAW, Field::COUNT, 0, 20 },
+	{ DataPart::GPS_PVT, Field::COUNT, 0, 44 },
+	{ DataPart::TEMPERATURE, Field::COUNT, 1, 0 },
+	{ DataPart::ACCELERATION, Field::ACCELERATION, 3, 0 },
+	{ DataPart::RATE_OF_TURN, Field::RATE_OF_TURN, 3, 0 },
+	{ DataPart::MAGNETIC_FIELD, Field::MAGNETIC_FIELD, 3, 0 },
+	{ DataPart::QUATERNION, Field::QUATERNION, 4, 0 },
+	{ DataPart::EULER, Field::EULER, 3, 0 },
+	{ DataPart::MATRIX, Field::MATRIX, 9, 0 },
+	{ DataPart::ANALOG_1, Field::COUNT, 0, 2 },
+	{ DataPart::ANALOG_2, Field::COUNT, 0, 2 },
+	{ DataPart::POSITION, Field::COUNT, 3, 0 },
+	{ DataPart::VELOCITY, Field::COUNT, 3, 0 },
+	{ DataPart::STATUS, Field::COUNT, 0, 1 },
+	{ DataPart::COUNTER, Field::COUNTER, 0, 2 },
+	{ DataPart::UTC, Field::COUNT, 0, 12 },
+};
+
+constexpr bool is_in_order() {
+	std::size_t at = 0;
+	for (const PartLayout &layout : LAYOUTS) {
+		if (std::size_t(layout.part) != at++) {
+			return false;
+		}
 	}
-	if (on(GPS_PVT)) {
-		r_archive.gps_pvt();
-	}
-	if (on(TEMPERATURE)) {
-		r_archive.numbers(Field::TEMPERATURE);
-	}
-	if (on(CALIBRATED) && kept(NO_ACCELERATION)) {
-		r_archive.numbers(Field::ACCELERATION);
-	}
-	if (on(CALIBRATED) && kept(NO_RATE_OF_TURN)) {
-		r_archive.numbers(Field::RATE_OF_TURN);
-	}
-	if (on(CALIBRATED) && kept(NO_MAGNETIC_FIELD)) {
-		r_archive.numbers(Field::MAGNETIC_FIELD);
-	}
-	if (on(ORIENTATION)) {
-		const uint32_t form = p_format.settings & ORIENTATION_MASK;
-		r_archive.numbers(form == EULER ? Field::EULER : (form == MATRIX ? Field::MATRIX : Field::QUATERNION));
-	}
-	if (on(AUXILIARY) && kept(NO_ANALOG_1)) {
-		r_archive.u16(Field::ANALOG_IN_1);
-	}
-	if (on(AUXILIARY) && kept(NO_ANALOG_2)) {
-		r_archive.u16(Field::ANALOG_IN_2);
-	}
-	if (on(POSITION)) {
-		r_archive.numbers(Field::POSITION);
-	}
-	if (on(VELOCITY)) {
-		r_archive.numbers(Field::VELOCITY);
-	}
-	if (on(STATUS)) {
-		r_archive.status();
-	}
-	if (p_with_time && !kept(SAMPLE_COUNTER)) {
-		r_archive.u16(Field::COUNTER);
-	}
-	if (p_with_time && !kept(UTC)) {
-		r_archive.utc();
-	}
+	return true;
 }
 
-/// The numbers of a field.
-struct Numbers {
-	std::size_t count;
-	double *values;
-};
-
-Numbers numbers_of(Field p_field, Sample &r_sample) {
-	switch (p_field) {
-		case Field::TEMPERATURE:
-			return { 1, &r_sample.temperature };
-		case Field::ACCELERATION:
-			return { 3, r_sample.acceleration.data() };
-		case Field::RATE_OF_TURN:
-			return { 3, r_sample.rate_of_turn.data() };
-		case Field::MAGNETIC_FIELD:
-			return { 3, r_sample.magnetic_field.data() };
-		case Field::QUATERNION:
-			return { 4, r_sample.quaternion.data() };
-		case Field::EULER:
-			return { 3, r_sample.euler.data() };
-		case Field::MATRIX:
-			return { 9, r_sample.matrix.data() };
-		case Field::POSITION:
-			return { 3, r_sample.position.data() };
-		default:
-			return { 3, r_sample.velocity.data() };
-	}
-}
-
-class Measurer {
-public:
-	explicit Measurer(NumberFormat p_format) : _number(number_size(p_format)) {}
-
-	void raw() { size += 20; }
-	void gps_pvt() { size += GPS_PVT_SIZE; }
-	void numbers(Field p_field) {
-		size += _number *
-				(p_field == Field::TEMPERATURE				   ? 1
-								: p_field == Field::QUATERNION ? 4
-								: p_field == Field::MATRIX	   ? 9
-															   : 3);
-	}
-	void u16(Field) { size += 2; }
-	void status() { size += 1; }
-	void utc() { size += UTC_SIZE; }
-
-	std::size_t size = 0;
-
-private:
-	std::size_t _number;
-};
-
-class BlockReader {
-public:
-	BlockReader(NumberFormat p_format, const uint8_t *p_data, Sample &r_sample) :
-			_format(p_format), _at(p_data), _sample(r_sample) {}
-
-	void raw() {
-		for (std::array<uint16_t, 3> *vector :
-				{ &_sample.raw_acceleration, &_sample.raw_rate_of_turn, &_sample.raw_magnetic_field }) {
-			for (uint16_t &value : *vector) {
-				value = _next_u16();
-			}
-		}
-		_sample.raw_temperature = _next_u16();
-		_sample.set(Field::RAW_ACCELERATION);
-		_sample.set(Field::RAW_RATE_OF_TURN);
-		_sample.set(Field::RAW_MAGNETIC_FIELD);
-		_sample.set(Field::RAW_TEMPERATURE);
-	}
-	void gps_pvt() {
-		read_gps_pvt(_at, _sample.gps_pvt);
-		_at += GPS_PVT_SIZE;
-		_sample.set(Field::GPS_PVT);
-	}
-	void numbers(Field p_field) {
-		const Numbers found = numbers_of(p_field, _sample);
-		read_numbers(_format, _at, found.count, found.values);
-		_at += found.count * number_size(_format);
-		_sample.set(p_field);
-	}
-	void u16(Field p_field) {
-		const uint16_t value = _next_u16();
-		if (p_field == Field::COUNTER) {
-			_sample.counter = value;
-			_sample.counter_bits = 16;
-		} else {
-			(p_field == Field::ANALOG_IN_1 ? _sample.analog_in_1 : _sample.analog_in_2) = value;
-		}
-		_sample.set(p_field);
-	}
-	void status() {
-		_sample.status_byte = *_at++;
-		_sample.set(Field::STATUS_BYTE);
-	}
-	void utc() {
-		read_utc(_at, _sample.utc);
-		_at += UTC_SIZE;
-		_sample.set(Field::UTC_TIME);
-	}
-
-private:
-	uint16_t _next_u16() {
-		const uint16_t value = read_u16(_at);
-		_at += 2;
-		return value;
-	}
-
-	NumberFormat _format;
-	const uint8_t *_at;
-	Sample &_sample;
-};
-
-class BlockWriter {
-public:
-	BlockWriter(NumberFormat p_format, const Sample &p_sample, uint8_t *r_bytes) :
-			_format(p_format), _sample(p_sample), _at(r_bytes), _begin(r_bytes) {}
-
-	void raw() {
-		for (const std::array<uint16_t, 3> *vector :
-				{ &_sample.raw_acceleration, &_sample.raw_rate_of_turn, &_sample.raw_magnetic_field }) {
-			for (const uint16_t value : *vector) {
-				_put_u16(value);
-			}
-		}
-		_put_u16(_sample.raw_temperature);
-	}
-	void gps_pvt() { _at += write_gps_pvt(_sample.gps_pvt, _at); }
-	void numbers(Field p_field) {
-		// Only read from here.
-		const Numbers found = numbers_of(p_field, const_cast<Sample &>(_sample));
-		_at += write_numbers(_format, found.values, found.count, _at);
-	}
-	void u16(Field p_field) {
-		_put_u16(p_field == Field::COUNTER				? uint16_t(_sample.counter)
-						: p_field == Field::ANALOG_IN_1 ? _sample.analog_in_1
-														: _sample.analog_in_2);
-	}
-	void status() { *_at++ = _sample.status_byte; }
-	void utc() { _at += write_utc(_sample.utc, _at); }
-	std::size_t size() const { return std::size_t(_at - _begin); }
-
-private:
-	void _put_u16(uint16_t p_value) {
-		write_u16(p_value, _at);
-		_at += 2;
-	}
-
-	NumberFormat _format;
-	const Sample &_sample;
-	uint8_t *_at;
-	uint8_t *_begin;
-};
+static_assert(is_in_order());
 
 std::size_t measure(const OutputFormat &p_format, bool p_with_time) {
-	Measurer measurer(p_format.numbers());
-	go_through(p_format, p_with_time, measurer);
-	return measurer.size;
+	std::size_t size = 0;
+	visit_parts(p_format, p_with_time, [&](DataPart p_part) { size += part_size(p_part, p_format.numbers()); });
+	return size;
 }
 
 void decode_block(const OutputFormat &p_format, bool p_with_time, const uint8_t *p_data, Sample &r_sample) {
-	r_sample.present = 0;
+	r_sample.clear();
 	r_sample.axes = (p_format.settings & NORTH_EAST_DOWN) != 0 ? Axes::NORTH_EAST_DOWN : Axes::NORTH_WEST_UP;
-	BlockReader reader(p_format.numbers(), p_data, r_sample);
-	go_through(p_format, p_with_time, reader);
+	visit_parts(p_format, p_with_time, [&](DataPart p_part) {
+		const Field field = part_field(p_part);
+		if (field == Field::COUNTER) {
+			r_sample.counter = read_u16(p_data);
+			r_sample.counter_bits = 16;
+		} else if (field != Field::COUNT) {
+			const Numbers found = r_sample.numbers(field);
+			read_numbers(p_format.numbers(), p_data, found.count, found.values);
+		}
+		if (field != Field::COUNT) {
+			r_sample.set(field);
+		}
+		p_data += part_size(p_part, p_format.numbers());
+	});
 }
 
 } // namespace
+
+std::size_t part_size(DataPart p_part, NumberFormat p_numbers) {
+	const PartLayout &layout = LAYOUTS[std::size_t(p_part)];
+	return layout.numbers * number_size(p_numbers) + layout.bytes;
+}
+
+Field part_field(DataPart p_part) {
+	return LAYOUTS[std::size_t(p_part)].field;
+}
 
 bool OutputFormat::is_valid() const {
 	const uint32_t others = KNOWN_MODES & ~(RAW | GPS_PVT);
@@ -263,12 +118,6 @@ bool OutputFormat::decode_behind_master(const uint8_t *p_data, std::size_t p_siz
 	}
 	decode_block(*this, false, p_data, r_sample);
 	return true;
-}
-
-std::size_t OutputFormat::write(const Sample &p_sample, bool p_with_time, uint8_t *r_bytes) const {
-	BlockWriter writer(numbers(), p_sample, r_bytes);
-	go_through(*this, p_with_time, writer);
-	return writer.size();
 }
 
 void MasterFormat::clear() {
@@ -304,15 +153,6 @@ bool MasterFormat::decode(const uint8_t *p_data, std::size_t p_size, Sample *r_s
 		block += _sizes[i];
 	}
 	return true;
-}
-
-std::size_t MasterFormat::write(uint16_t p_counter, const Sample *p_samples, uint8_t *r_bytes) const {
-	write_u16(p_counter, r_bytes);
-	std::size_t at = HEAD;
-	for (std::size_t i = 0; i < _count; i++) {
-		at += _formats[i].write(p_samples[i], false, r_bytes + at);
-	}
-	return at;
 }
 
 } // namespace xbus

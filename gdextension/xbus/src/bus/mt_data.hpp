@@ -59,10 +59,66 @@ struct OutputFormat {
 	/// Decodes the block of one tracker, of exactly the size given; false if it is not.
 	bool decode(const uint8_t *p_data, std::size_t p_size, Sample &r_sample) const;
 	bool decode_behind_master(const uint8_t *p_data, std::size_t p_size, Sample &r_sample) const;
-
-	/// Writes the block of one tracker and returns its size; `with_time`: as one that stands alone.
-	std::size_t write(const Sample &p_sample, bool p_with_time, uint8_t *r_bytes) const;
 };
+
+/// What a tracker's block in MTData is made of.
+enum class DataPart : uint8_t {
+	RAW,
+	GPS_PVT,
+	TEMPERATURE,
+	ACCELERATION,
+	RATE_OF_TURN,
+	MAGNETIC_FIELD,
+	QUATERNION,
+	EULER,
+	MATRIX,
+	ANALOG_1,
+	ANALOG_2,
+	POSITION,
+	VELOCITY,
+	STATUS,
+	COUNTER,
+	UTC,
+};
+
+/// Bytes of a part.
+std::size_t part_size(DataPart p_part, NumberFormat p_numbers);
+
+/// Calls `p_visit(DataPart)` for each part of a tracker's block in their order; `p_with_time`: of one that stands
+/// alone. This is the only place that knows the order: it serves reading, writing and measuring.
+template <class V>
+void visit_parts(const OutputFormat &p_format, bool p_with_time, V &&p_visit) {
+	using namespace output_mode;
+	using namespace output_setting;
+	const auto visit_if = [&](bool p_is, DataPart p_part) {
+		if (p_is) {
+			p_visit(p_part);
+		}
+	};
+	const auto on = [&](uint32_t p_bit) { return (p_format.mode & p_bit) != 0; };
+	const auto has = [&](uint32_t p_bit) { return (p_format.settings & p_bit) != 0; };
+	const uint32_t form = p_format.settings & ORIENTATION_MASK;
+	visit_if(on(RAW), DataPart::RAW);
+	visit_if(on(GPS_PVT), DataPart::GPS_PVT);
+	visit_if(on(TEMPERATURE), DataPart::TEMPERATURE);
+	visit_if(on(CALIBRATED) && !has(NO_ACCELERATION), DataPart::ACCELERATION);
+	visit_if(on(CALIBRATED) && !has(NO_RATE_OF_TURN), DataPart::RATE_OF_TURN);
+	visit_if(on(CALIBRATED) && !has(NO_MAGNETIC_FIELD), DataPart::MAGNETIC_FIELD);
+	visit_if(on(ORIENTATION),
+			form == EULER			 ? DataPart::EULER
+					: form == MATRIX ? DataPart::MATRIX
+									 : DataPart::QUATERNION);
+	visit_if(on(AUXILIARY) && !has(NO_ANALOG_1), DataPart::ANALOG_1);
+	visit_if(on(AUXILIARY) && !has(NO_ANALOG_2), DataPart::ANALOG_2);
+	visit_if(on(POSITION), DataPart::POSITION);
+	visit_if(on(VELOCITY), DataPart::VELOCITY);
+	visit_if(on(STATUS), DataPart::STATUS);
+	visit_if(p_with_time && has(SAMPLE_COUNTER), DataPart::COUNTER);
+	visit_if(p_with_time && has(UTC), DataPart::UTC);
+}
+
+/// The field that a part fills; COUNT for one that is not read.
+Field part_field(DataPart p_part);
 
 /// What a master sends: a counter, then a block for each of its trackers in the order of their identifiers.
 class MasterFormat {
@@ -83,8 +139,6 @@ public:
 	/// Decodes a message into as many samples as there are trackers, their bus identifiers and counters
 	/// included; false if its size is not exactly right.
 	bool decode(const uint8_t *p_data, std::size_t p_size, Sample *r_samples) const;
-	/// Writes the data of a message and returns its size; there is room for size().
-	std::size_t write(uint16_t p_counter, const Sample *p_samples, uint8_t *r_bytes) const;
 
 private:
 	std::array<OutputFormat, MAX_DEVICES> _formats{};

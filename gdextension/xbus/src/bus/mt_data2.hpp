@@ -27,20 +27,27 @@ struct ItemReport {
 	/// Whether the items fill the message exactly; if not, the sample is worth nothing.
 	bool whole = false;
 	uint8_t decoded = 0;
-	/// Items of types that are not known: skipped.
+	/// Items of types that are not read: skipped.
 	uint8_t unknown = 0;
 	/// Items of known types with a length that they cannot have: skipped.
 	uint8_t misfits = 0;
 
 	bool is_clean() const { return whole && unknown == 0 && misfits == 0; }
+	void note(ItemFate p_fate) {
+		uint8_t &counter = p_fate == ItemFate::DECODED ? decoded : (p_fate == ItemFate::MISFIT ? misfits : unknown);
+		counter = counter < 0xFF ? uint8_t(counter + 1) : counter;
+	}
 };
 
-/// Decodes an MTData2 message. The sample's `present` begins anew; `bus_id` is left to the caller.
-ItemReport decode_mt_data2(const uint8_t *p_data, std::size_t p_size, Sample &r_sample);
-
-/// Writes the data of an MTData2 message with these items of the sample. Returns its size; 0 if there is no
-/// room or an identifier that a sample does not hold.
-std::size_t write_mt_data2(
-		const uint16_t *p_ids, std::size_t p_count, const Sample &p_sample, uint8_t *r_bytes, std::size_t p_room);
+/// Decodes an MTData2 message into a sample of any kind that `decode_item` takes. What is present begins anew;
+/// `bus_id` is left to the caller.
+template <class S>
+ItemReport decode_mt_data2(const uint8_t *p_data, std::size_t p_size, S &r_sample) {
+	ItemReport report;
+	r_sample.clear();
+	r_sample.axes = Axes::EAST_NORTH_UP;
+	report.whole = visit_items(p_data, p_size, [&](const Item &p_item) { report.note(decode_item(p_item, r_sample)); });
+	return report;
+}
 
 } // namespace xbus

@@ -22,8 +22,6 @@ constexpr std::size_t number_size(NumberFormat p_format) {
 	return p_format == NumberFormat::DOUBLE ? 8 : (p_format == NumberFormat::FIXED_16_32 ? 6 : 4);
 }
 
-const char *number_format_name(NumberFormat p_format);
-
 inline double read_float(const uint8_t *p_bytes) {
 	const uint32_t bits = read_u32(p_bytes);
 	float value = 0.0F;
@@ -48,9 +46,5 @@ inline double read_fixed_16_32(const uint8_t *p_bytes) {
 
 /// Reads so many numbers, exactly: a double holds every value of every format.
 void read_numbers(NumberFormat p_format, const uint8_t *p_bytes, std::size_t p_count, double *r_values);
-
-/// Writes so many numbers, rounded to the nearest and kept within what the format can hold (a fixed-point NaN
-/// is 0), and returns the bytes written.
-std::size_t write_numbers(NumberFormat p_format, const double *p_values, std::size_t p_count, uint8_t *r_bytes);
 
 } // namespace xbus

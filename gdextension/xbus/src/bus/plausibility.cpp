@@ -12,11 +12,6 @@ namespace {
 constexpr double MAX_ACCELERATION = 1000.0;
 constexpr double MAX_RATE = 100.0;
 constexpr double MAX_FIELD = 100.0;
-constexpr double MAX_TEMPERATURE = 200.0;
-constexpr double MAX_SPEED = 10000.0;
-constexpr double MAX_ALTITUDE = 1.0e6;
-constexpr double MAX_DISTANCE = 1.0e8;
-constexpr uint32_t MAX_PRESSURE = 200000;
 /// Rounding of an angle at its end, degrees.
 constexpr double ANGLE_SLACK = 0.01;
 
@@ -26,62 +21,19 @@ bool within(const std::array<double, N> &p_values, double p_most) {
 	return std::all_of(p_values.begin(), p_values.end(), [&](double p_value) { return std::fabs(p_value) <= p_most; });
 }
 
-bool within(double p_value, double p_most) {
-	return std::fabs(p_value) <= p_most;
-}
-
 bool is_euler(const Sample::Vector &p_degrees) {
-	return within(p_degrees[0], 180.0 + ANGLE_SLACK) && within(p_degrees[1], 90.0 + ANGLE_SLACK) &&
-			within(p_degrees[2], 180.0 + ANGLE_SLACK);
-}
-
-/// A device without a fix may send zeros: only what no clock shows is refused.
-bool is_time(const UtcTime &p_utc) {
-	return p_utc.nanoseconds < 1000000000U && p_utc.month <= 12 && p_utc.day <= 31 && p_utc.hour <= 23 &&
-			p_utc.minute <= 59 && p_utc.second <= 60;
-}
-
-bool is_pvt(const GnssPvt &p_pvt) {
-	UtcTime utc = p_pvt.utc;
-	utc.nanoseconds = 0;
-	return is_time(utc) && std::abs(int64_t(p_pvt.longitude)) <= 1800000000 &&
-			std::abs(int64_t(p_pvt.latitude)) <= 900000000;
-}
-
-bool is_motion_in_range(const Sample &p_sample) {
-	const auto good = [&](Field p_field, bool p_good) { return !p_sample.has(p_field) || p_good; };
-	return good(Field::EULER, is_euler(p_sample.euler)) &&
-			good(Field::ACCELERATION, within(p_sample.acceleration, MAX_ACCELERATION)) &&
-			good(Field::FREE_ACCELERATION, within(p_sample.free_acceleration, MAX_ACCELERATION)) &&
-			good(Field::ACCELERATION_HR, within(p_sample.acceleration_hr, MAX_ACCELERATION)) &&
-			good(Field::DELTA_V, within(p_sample.delta_v, MAX_ACCELERATION)) &&
-			good(Field::RATE_OF_TURN, within(p_sample.rate_of_turn, MAX_RATE)) &&
-			good(Field::RATE_OF_TURN_HR, within(p_sample.rate_of_turn_hr, MAX_RATE)) &&
-			good(Field::MAGNETIC_FIELD, within(p_sample.magnetic_field, MAX_FIELD)) &&
-			good(Field::MAGNETIC_FIELD_CORRECTED, within(p_sample.magnetic_field_corrected, MAX_FIELD));
-}
-
-bool is_position_in_range(const Sample &p_sample) {
-	const auto good = [&](Field p_field, bool p_good) { return !p_sample.has(p_field) || p_good; };
-	const auto &lat_lon = p_sample.lat_lon;
-	const auto &position = p_sample.position;
-	return good(Field::LAT_LON, within(lat_lon[0], 90.0) && within(lat_lon[1], 360.0)) &&
-			good(Field::POSITION,
-					within(position[0], 90.0) && within(position[1], 360.0) && within(position[2], MAX_ALTITUDE)) &&
-			good(Field::ALTITUDE_MSL, within(p_sample.altitude_msl, MAX_ALTITUDE)) &&
-			good(Field::ALTITUDE_ELLIPSOID, within(p_sample.altitude_ellipsoid, MAX_ALTITUDE)) &&
-			good(Field::POSITION_ECEF, within(p_sample.position_ecef, MAX_DISTANCE)) &&
-			good(Field::VELOCITY, within(p_sample.velocity, MAX_SPEED));
+	return std::fabs(p_degrees[0]) <= 180.0 + ANGLE_SLACK && std::fabs(p_degrees[1]) <= 90.0 + ANGLE_SLACK &&
+			std::fabs(p_degrees[2]) <= 180.0 + ANGLE_SLACK;
 }
 
 } // namespace
 
 bool is_in_range(const Sample &p_sample) {
 	const auto good = [&](Field p_field, bool p_good) { return !p_sample.has(p_field) || p_good; };
-	return is_motion_in_range(p_sample) && is_position_in_range(p_sample) &&
-			good(Field::TEMPERATURE, within(p_sample.temperature, MAX_TEMPERATURE)) &&
-			good(Field::PRESSURE, p_sample.pressure <= MAX_PRESSURE) && good(Field::UTC_TIME, is_time(p_sample.utc)) &&
-			good(Field::GNSS_PVT, is_pvt(p_sample.gnss_pvt));
+	return good(Field::EULER, is_euler(p_sample.euler)) &&
+			good(Field::ACCELERATION, within(p_sample.acceleration, MAX_ACCELERATION)) &&
+			good(Field::RATE_OF_TURN, within(p_sample.rate_of_turn, MAX_RATE)) &&
+			good(Field::MAGNETIC_FIELD, within(p_sample.magnetic_field, MAX_FIELD));
 }
 
 double norm_deviation(const std::array<double, 4> &p_quaternion) {
@@ -123,8 +75,7 @@ bool NormJudge::accept(double p_deviation) {
 SampleJudge::Verdict SampleJudge::judge(const Sample &p_sample) {
 	const bool good = is_in_range(p_sample) &&
 			(!p_sample.has(Field::QUATERNION) || _quaternion.accept(norm_deviation(p_sample.quaternion))) &&
-			(!p_sample.has(Field::MATRIX) || _matrix.accept(rotation_deviation(p_sample.matrix))) &&
-			(!p_sample.has(Field::DELTA_Q) || _delta_q.accept(norm_deviation(p_sample.delta_q)));
+			(!p_sample.has(Field::MATRIX) || _matrix.accept(rotation_deviation(p_sample.matrix)));
 	if (good) {
 		_refused = 0;
 		return Verdict::PLAUSIBLE;

@@ -61,7 +61,6 @@ private:
 
 	NormJudge _quaternion;
 	NormJudge _matrix;
-	NormJudge _delta_q;
 	int _refused = 0;
 };
 

@@ -51,18 +51,23 @@ std::array<double, 4> quaternion_of_matrix(const std::array<double, 9> &p_column
 
 } // namespace
 
-const char *axes_name(Axes p_axes) {
-	switch (p_axes) {
-		case Axes::EAST_NORTH_UP:
-			return "ENU";
-		case Axes::NORTH_EAST_DOWN:
-			return "NED";
-		case Axes::NORTH_WEST_UP:
-			return "NWU";
-		case Axes::UNKNOWN:
-			break;
+Numbers Sample::numbers(Field p_field) {
+	switch (p_field) {
+		case Field::QUATERNION:
+			return { quaternion.size(), quaternion.data() };
+		case Field::MATRIX:
+			return { matrix.size(), matrix.data() };
+		case Field::EULER:
+			return { euler.size(), euler.data() };
+		case Field::ACCELERATION:
+			return { acceleration.size(), acceleration.data() };
+		case Field::RATE_OF_TURN:
+			return { rate_of_turn.size(), rate_of_turn.data() };
+		case Field::MAGNETIC_FIELD:
+			return { magnetic_field.size(), magnetic_field.data() };
+		default:
+			return {};
 	}
-	return "unknown";
 }
 
 bool Sample::orientation(std::array<double, 4> &r_quaternion) const {

@@ -43,8 +43,8 @@ public:
 	}
 
 	void measure(uint16_t p_counter) {
-		std::vector<Sample> samples(_format.count());
-		for (Sample &sample : samples) {
+		std::vector<FullSample> samples(_format.count());
+		for (FullSample &sample : samples) {
 			sample = streams::draw_sample(_random);
 			orientations.push_back(sample.quaternion);
 		}

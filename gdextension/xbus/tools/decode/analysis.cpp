@@ -5,6 +5,8 @@
 #include "sample_fields.hpp"
 
 #include "bus/bytes.hpp"
+#include "device/full_judge.hpp"
+#include "device/items.hpp"
 
 #include <algorithm>
 #include <set>
@@ -118,8 +120,10 @@ private:
 			return _is_data_sensible(p_entry);
 		}
 		if (frame.message == Message::MT_DATA2) {
-			const bool odd = _look.count_of(message_shape(frame)) < 2;
-			return _check->take(frame, odd) != StreamCheck::Verdict::REFUSED;
+			FullSample sample;
+			const bool is_clean = decode_mt_data2(frame.data, frame.size, sample).is_clean();
+			const bool odd = !is_clean && _look.count_of(message_shape(frame)) < 2;
+			return _check->take(frame, odd) != StreamCheck::Verdict::REFUSED && _judges[frame.bus_id].accept(sample);
 		}
 		if (is_device_message(frame)) {
 			return true;
@@ -143,7 +147,17 @@ private:
 			}
 			_checked = p_entry.format;
 		}
-		return _data_check->take(p_entry.frame) != StreamCheck::Verdict::REFUSED;
+		return _data_check->take(p_entry.frame) != StreamCheck::Verdict::REFUSED && _is_rest_sensible(p_entry);
+	}
+	/// What is behind a master is judged for itself, tracker by tracker.
+	bool _is_rest_sensible(const Entry &p_entry) {
+		std::vector<FullSample> samples;
+		decode_frame(_book.formats()[std::size_t(p_entry.format)], p_entry.frame, samples);
+		bool is_sensible = true;
+		for (const FullSample &sample : samples) {
+			is_sensible = _data_judges[sample.bus_id].accept(sample) && is_sensible;
+		}
+		return is_sensible;
 	}
 
 	const FirstLook &_look;
@@ -152,6 +166,9 @@ private:
 	std::set<std::size_t> _guessed;
 	std::unique_ptr<StreamCheck> _check = std::make_unique<StreamCheck>();
 	std::unique_ptr<StreamCheck> _data_check = std::make_unique<StreamCheck>();
+	/// By bus identifier.
+	std::array<FurtherJudge, 256> _judges;
+	std::array<FurtherJudge, 256> _data_judges;
 	int _checked = -1;
 };
 
@@ -188,7 +205,7 @@ private:
 	std::map<std::string, Range> &_ranges;
 };
 
-void note_time(const Sample &p_sample, DeviceReport &r_device) {
+void note_time(const FullSample &p_sample, DeviceReport &r_device) {
 	if (!p_sample.has(Field::SAMPLE_TIME_FINE)) {
 		return;
 	}
@@ -208,14 +225,14 @@ void note_time(const Sample &p_sample, DeviceReport &r_device) {
 	r_device.last_time = p_sample.sample_time_fine;
 }
 
-void note_sample(const Sample &p_sample, Analysis &r_analysis) {
+void note_sample(const FullSample &p_sample, Analysis &r_analysis) {
 	DeviceReport &device = r_analysis.devices[p_sample.bus_id];
 	if (p_sample.has(Field::COUNTER)) {
 		device.counter.see(p_sample.counter, p_sample.counter_bits, device.statistics);
 	} else {
 		device.statistics.received++;
 	}
-	if (p_sample.has(Field::DEVICE_ID)) {
+	if (p_sample.has(Further::DEVICE_ID)) {
 		device.device_id = p_sample.device_id;
 	}
 	note_time(p_sample, device);
@@ -224,7 +241,7 @@ void note_sample(const Sample &p_sample, Analysis &r_analysis) {
 }
 
 void note_items(const Frame &p_frame, Analysis &r_analysis) {
-	Sample sample;
+	FullSample sample;
 	const ItemReport report = decode_mt_data2(p_frame.data, p_frame.size, sample);
 	r_analysis.unknown_items += report.unknown;
 	r_analysis.misfit_items += report.misfits;
@@ -278,9 +295,9 @@ void note_entry(const Entry &p_entry, Analysis &r_analysis) {
 		note_control(frame, r_analysis);
 		return;
 	}
-	const std::vector<Sample> samples = decode_samples(r_analysis, p_entry);
+	const std::vector<FullSample> samples = decode_samples(r_analysis, p_entry);
 	r_analysis.undecoded += samples.empty() ? 1U : 0U;
-	for (const Sample &sample : samples) {
+	for (const FullSample &sample : samples) {
 		note_sample(sample, r_analysis);
 		r_analysis.devices[sample.bus_id].statistics.implausible += p_entry.is_implausible ? 1U : 0U;
 	}
@@ -291,9 +308,9 @@ void note_entry(const Entry &p_entry, Analysis &r_analysis) {
 
 } // namespace
 
-std::vector<Sample> decode_samples(const Analysis &p_analysis, const Entry &p_entry) {
+std::vector<FullSample> decode_samples(const Analysis &p_analysis, const Entry &p_entry) {
 	const Frame &frame = p_entry.frame;
-	std::vector<Sample> samples(1);
+	std::vector<FullSample> samples(1);
 	if (frame.message == Message::MT_DATA2) {
 		const ItemReport report = decode_mt_data2(frame.data, frame.size, samples[0]);
 		samples[0].bus_id = frame.bus_id;
@@ -303,14 +320,7 @@ std::vector<Sample> decode_samples(const Analysis &p_analysis, const Entry &p_en
 	if (frame.message != Message::MT_DATA || p_entry.format < 0) {
 		return {};
 	}
-	const DataFormat &format = p_analysis.formats[std::size_t(p_entry.format)];
-	samples.resize(format.is_master ? format.trackers.count() : 1);
-	const bool good = format.is_master ? format.trackers.decode(frame.data, frame.size, samples.data())
-									   : format.tracker.decode(frame.data, frame.size, samples[0]);
-	if (!format.is_master) {
-		samples[0].bus_id = frame.bus_id;
-	}
-	samples.resize(good ? samples.size() : 0);
+	decode_frame(p_analysis.formats[std::size_t(p_entry.format)], frame, samples);
 	return samples;
 }
 

@@ -3,6 +3,7 @@
 
 #include "bus/framer.hpp"
 #include "bus/stream_check.hpp"
+#include "device/full_sample.hpp"
 #include "recording.hpp"
 
 #include <map>
@@ -82,4 +83,4 @@ struct Analysis {
 Analysis analyse(const Recording &p_recording, const FormatOptions &p_options);
 
 /// The samples of a data message; none if it cannot be decoded.
-std::vector<xbus::Sample> decode_samples(const Analysis &p_analysis, const Entry &p_entry);
+std::vector<xbus::FullSample> decode_samples(const Analysis &p_analysis, const Entry &p_entry);

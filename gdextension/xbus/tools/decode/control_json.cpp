@@ -3,7 +3,7 @@
 
 #include "bus/bytes.hpp"
 #include "bus/configuration.hpp"
-#include "bus/data_item.hpp"
+#include "device/items.hpp"
 
 #include <algorithm>
 #include <array>

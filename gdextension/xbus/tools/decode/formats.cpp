@@ -2,6 +2,7 @@
 #include "formats.hpp"
 
 #include "bus/bytes.hpp"
+#include "device/full_mt_data.hpp"
 
 using namespace xbus;
 
@@ -98,4 +99,15 @@ void FormatBook::_combine() {
 		format.tracker = _set[MASTER];
 		_formats.push_back(format);
 	}
+}
+
+bool decode_frame(const DataFormat &p_format, const Frame &p_frame, std::vector<FullSample> &r_samples) {
+	r_samples.resize(p_format.is_master ? p_format.trackers.count() : 1);
+	const bool good = p_format.is_master ? decode_data(p_format.trackers, p_frame.data, p_frame.size, r_samples.data())
+										 : decode_data(p_format.tracker, p_frame.data, p_frame.size, r_samples[0]);
+	if (!p_format.is_master) {
+		r_samples[0].bus_id = p_frame.bus_id;
+	}
+	r_samples.resize(good ? r_samples.size() : 0);
+	return good;
 }

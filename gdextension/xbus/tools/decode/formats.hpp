@@ -30,6 +30,9 @@ private:
 	std::size_t _trackers = 0;
 };
 
+/// Decodes an MTData message into the samples of its trackers; none, and false, if the format is not its own.
+bool decode_frame(const DataFormat &p_format, const xbus::Frame &p_frame, std::vector<xbus::FullSample> &r_samples);
+
 /// Which format makes sense of all these messages of one size, if just one does. `p_trackers`: behind the master,
 /// 0 if that is not known.
 std::optional<DataFormat> guess_format(const std::vector<xbus::Frame> &p_frames, std::size_t p_trackers);

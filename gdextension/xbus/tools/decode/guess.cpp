@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "formats.hpp"
 
-#include "bus/plausibility.hpp"
+#include "device/full_judge.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ constexpr std::array<uint16_t, 10> MODES = { output_mode::ORIENTATION, output_mo
 	output_mode::CALIBRATED | output_mode::ORIENTATION | output_mode::STATUS,
 	output_mode::ORIENTATION | output_mode::AUXILIARY, output_mode::CALIBRATED | output_mode::STATUS };
 
-bool is_sample_sensible(const Sample &p_sample) {
+bool is_sample_sensible(const FullSample &p_sample) {
 	if (!is_in_range(p_sample)) {
 		return false;
 	}
@@ -56,16 +56,14 @@ int evidence_of(const OutputFormat &p_format) {
 }
 
 /// Whether the message decodes into samples that make sense.
-bool is_sensible(const DataFormat &p_format, const Frame &p_frame, std::vector<Sample> &r_samples) {
-	const bool decoded = p_format.is_master ? p_format.trackers.decode(p_frame.data, p_frame.size, r_samples.data())
-											: p_format.tracker.decode(p_frame.data, p_frame.size, r_samples[0]);
-	const std::size_t count = p_format.is_master ? p_format.trackers.count() : 1;
-	return decoded && std::all_of(r_samples.begin(), r_samples.begin() + std::ptrdiff_t(count), is_sample_sensible);
+bool is_sensible(const DataFormat &p_format, const Frame &p_frame, std::vector<FullSample> &r_samples) {
+	return decode_frame(p_format, p_frame, r_samples) &&
+			std::all_of(r_samples.begin(), r_samples.end(), is_sample_sensible);
 }
 
 /// Whether nearly all messages make sense: on a bad line some are wrong.
 bool fits(const DataFormat &p_format, const std::vector<Frame> &p_frames) {
-	std::vector<Sample> samples(MAX_DEVICES);
+	std::vector<FullSample> samples;
 	const std::size_t tried = std::min(p_frames.size(), MAX_TRIED);
 	const std::size_t most_wrong = tried / 10;
 	std::size_t wrong = 0;
@@ -73,7 +71,7 @@ bool fits(const DataFormat &p_format, const std::vector<Frame> &p_frames) {
 	uint32_t last = 0;
 	for (std::size_t i = 0; i < tried; i++) {
 		wrong += is_sensible(p_format, p_frames[i], samples) ? 0U : 1U;
-		if (wrong > most_wrong) {
+		if (wrong > most_wrong || samples.empty()) {
 			return false;
 		}
 		astray += i == 0 || uint16_t(samples[0].counter - last - 1U) < MAX_MISSED ? 0U : 1U;

@@ -5,6 +5,7 @@
 #include "sample_json.hpp"
 
 #include "bus/bytes.hpp"
+#include "device/items.hpp"
 
 using namespace xbus;
 
@@ -92,7 +93,7 @@ void write_ranges(const std::map<std::string, Range> &p_ranges, JsonWriter &r_js
 	r_json.end_object();
 }
 
-void write_item_value(const ItemType &p_type, const Sample &p_sample, JsonWriter &r_json) {
+void write_item_value(const ItemType &p_type, const FullSample &p_sample, JsonWriter &r_json) {
 	r_json.key("value");
 	// Of all types only this one is several things at once.
 	const bool several = p_type.kind == ItemKind::RAW;
@@ -112,7 +113,7 @@ void write_items(const Frame &p_frame, JsonWriter &r_json) {
 	r_json.begin_list();
 	visit_items(p_frame.data, p_frame.size, [&](const Item &p_item) {
 		const ItemType &type = item_type(p_item.id);
-		Sample sample;
+		FullSample sample;
 		r_json.begin_object();
 		r_json.member("id", hex_id(p_item.id, 4));
 		r_json.key("name");
@@ -127,7 +128,7 @@ void write_items(const Frame &p_frame, JsonWriter &r_json) {
 		if (type.has_axes()) {
 			r_json.member("axes", axes_name(p_item.axes()));
 		}
-		if (decode_item(p_item, sample) && type.kind != ItemKind::OPAQUE) {
+		if (decode_item(p_item, sample) == ItemFate::DECODED && type.kind != ItemKind::OPAQUE) {
 			write_item_value(type, sample, r_json);
 		} else {
 			r_json.member("data", hex_data(p_item.data, p_item.size));
@@ -138,18 +139,18 @@ void write_items(const Frame &p_frame, JsonWriter &r_json) {
 }
 
 void write_samples(const Analysis &p_analysis, const Entry &p_entry, JsonWriter &r_json) {
-	const std::vector<Sample> samples = decode_samples(p_analysis, p_entry);
+	const std::vector<FullSample> samples = decode_samples(p_analysis, p_entry);
 	if (samples.empty()) {
 		r_json.member("data", hex_data(p_entry.frame.data, p_entry.frame.size));
 		return;
 	}
 	r_json.key("samples");
 	r_json.begin_list();
-	for (const Sample &sample : samples) {
+	for (const FullSample &sample : samples) {
 		r_json.begin_object();
 		r_json.member("bus_id", unsigned(sample.bus_id));
 		const bool turned = sample.has(Field::QUATERNION) || sample.has(Field::MATRIX) || sample.has(Field::EULER) ||
-				sample.has(Field::VELOCITY);
+				sample.has(Further::VELOCITY);
 		if (turned) {
 			r_json.member("axes", axes_name(sample.axes));
 		}

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "report.hpp"
 
+#include "device/items.hpp"
+
 #include <cinttypes>
 #include <cstring>
 

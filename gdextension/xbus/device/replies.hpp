@@ -3,6 +3,7 @@
 
 #include "bus/configuration.hpp"
 #include "bus/encoder.hpp"
+#include "device/full_sample.hpp"
 
 // Messages that devices send: for tests and the emulator. All return the bytes written, head included.
 
@@ -25,10 +26,11 @@ std::size_t write_firmware_revision(const std::array<uint8_t, 3> &p_revision, ui
 /// Padded with spaces to 20 characters.
 std::size_t write_product_code(const char *p_code, uint8_t p_bus_id, uint8_t *r_bytes);
 /// MTData of a master, and of a tracker that stands alone (its counter last).
-std::size_t write_mt_data(const MasterFormat &p_format, uint16_t p_counter, const Sample *p_samples, uint8_t *r_bytes);
-std::size_t write_mt_data(const OutputFormat &p_format, const Sample &p_sample, uint8_t p_bus_id, uint8_t *r_bytes);
+std::size_t write_mt_data(
+		const MasterFormat &p_format, uint16_t p_counter, const FullSample *p_samples, uint8_t *r_bytes);
+std::size_t write_mt_data(const OutputFormat &p_format, const FullSample &p_sample, uint8_t p_bus_id, uint8_t *r_bytes);
 /// 0 if it cannot be written.
 std::size_t write_mt_data2(
-		const uint16_t *p_ids, std::size_t p_count, const Sample &p_sample, uint8_t p_bus_id, uint8_t *r_bytes);
+		const uint16_t *p_ids, std::size_t p_count, const FullSample &p_sample, uint8_t p_bus_id, uint8_t *r_bytes);
 
 } // namespace xbus::device

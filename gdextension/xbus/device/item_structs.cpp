@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bus/item_structs.hpp"
+#include "device/item_structs.hpp"
 
 #include "bus/bytes.hpp"
 
@@ -267,6 +267,38 @@ std::size_t write_gps_pvt(const GpsPvt &p_pvt, uint8_t *r_bytes) {
 	Writer writer(r_bytes);
 	go_through_gps_pvt(writer, p_pvt);
 	return writer.size();
+}
+
+void read_raw_vector(const uint8_t *p_data, std::array<uint16_t, 3> &r_vector) {
+	for (std::size_t i = 0; i < r_vector.size(); i++) {
+		r_vector[i] = read_u16(p_data + i * 2);
+	}
+}
+
+void read_raw(const uint8_t *p_data, FullSample &r_sample) {
+	read_raw_vector(p_data, r_sample.raw_acceleration);
+	read_raw_vector(p_data + 6, r_sample.raw_rate_of_turn);
+	read_raw_vector(p_data + 12, r_sample.raw_magnetic_field);
+	r_sample.raw_temperature = read_u16(p_data + 18);
+	r_sample.set(Further::RAW_ACCELERATION);
+	r_sample.set(Further::RAW_RATE_OF_TURN);
+	r_sample.set(Further::RAW_MAGNETIC_FIELD);
+	r_sample.set(Further::RAW_TEMPERATURE);
+}
+
+std::size_t write_raw_vector(const std::array<uint16_t, 3> &p_vector, uint8_t *r_bytes) {
+	for (std::size_t i = 0; i < p_vector.size(); i++) {
+		write_u16(p_vector[i], r_bytes + i * 2);
+	}
+	return p_vector.size() * 2;
+}
+
+std::size_t write_raw(const FullSample &p_sample, uint8_t *r_bytes) {
+	write_raw_vector(p_sample.raw_acceleration, r_bytes);
+	write_raw_vector(p_sample.raw_rate_of_turn, r_bytes + 6);
+	write_raw_vector(p_sample.raw_magnetic_field, r_bytes + 12);
+	write_u16(p_sample.raw_temperature, r_bytes + 18);
+	return 20;
 }
 
 } // namespace xbus

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bus/sample.hpp"
+#include "device/full_sample.hpp"
 
 // Structures as they lie on the bus. Readers take bytes that are there; writers return what they wrote.
 
@@ -31,6 +31,12 @@ void read_awinda_snapshot(const uint8_t *p_data, Snapshot &r_snapshot);
 std::size_t write_awinda_snapshot(const Snapshot &p_snapshot, uint8_t *r_bytes);
 void read_full_snapshot(const uint8_t *p_data, Snapshot &r_snapshot);
 std::size_t write_full_snapshot(const Snapshot &p_snapshot, uint8_t *r_bytes);
+
+void read_raw_vector(const uint8_t *p_data, std::array<uint16_t, 3> &r_vector);
+std::size_t write_raw_vector(const std::array<uint16_t, 3> &p_vector, uint8_t *r_bytes);
+/// Accelerations, rates, magnetic field, temperature: ten numbers of 16 bits.
+void read_raw(const uint8_t *p_data, FullSample &r_sample);
+std::size_t write_raw(const FullSample &p_sample, uint8_t *r_bytes);
 
 void read_gps_pvt(const uint8_t *p_data, GpsPvt &r_pvt);
 std::size_t write_gps_pvt(const GpsPvt &p_pvt, uint8_t *r_bytes);

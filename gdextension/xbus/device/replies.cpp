@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "bus/replies.hpp"
+#include "device/replies.hpp"
 
 #include "bus/bytes.hpp"
-#include "bus/mt_data2.hpp"
+#include "device/full_mt_data.hpp"
+#include "device/items.hpp"
 
 namespace xbus::device {
 
@@ -71,21 +72,23 @@ std::size_t write_product_code(const char *p_code, uint8_t p_bus_id, uint8_t *r_
 	return write_frame(p_bus_id, Message::PRODUCT_CODE, data.data(), data.size(), r_bytes);
 }
 
-std::size_t write_mt_data(const MasterFormat &p_format, uint16_t p_counter, const Sample *p_samples, uint8_t *r_bytes) {
+std::size_t write_mt_data(
+		const MasterFormat &p_format, uint16_t p_counter, const FullSample *p_samples, uint8_t *r_bytes) {
 	// Written where the data of a long message begin; a short message's begin two bytes earlier.
 	const std::size_t head = frame_size(p_format.size()) - p_format.size() - 1;
-	const std::size_t size = p_format.write(p_counter, p_samples, r_bytes + head);
+	const std::size_t size = write_data(p_format, p_counter, p_samples, r_bytes + head);
 	return write_frame(MASTER, Message::MT_DATA, r_bytes + head, size, r_bytes);
 }
 
-std::size_t write_mt_data(const OutputFormat &p_format, const Sample &p_sample, uint8_t p_bus_id, uint8_t *r_bytes) {
+std::size_t write_mt_data(
+		const OutputFormat &p_format, const FullSample &p_sample, uint8_t p_bus_id, uint8_t *r_bytes) {
 	const std::size_t head = frame_size(p_format.size()) - p_format.size() - 1;
-	const std::size_t size = p_format.write(p_sample, true, r_bytes + head);
+	const std::size_t size = write_block(p_format, p_sample, true, r_bytes + head);
 	return write_frame(p_bus_id, Message::MT_DATA, r_bytes + head, size, r_bytes);
 }
 
 std::size_t write_mt_data2(
-		const uint16_t *p_ids, std::size_t p_count, const Sample &p_sample, uint8_t p_bus_id, uint8_t *r_bytes) {
+		const uint16_t *p_ids, std::size_t p_count, const FullSample &p_sample, uint8_t p_bus_id, uint8_t *r_bytes) {
 	std::array<uint8_t, MAX_DATA> data;
 	const std::size_t size = xbus::write_mt_data2(p_ids, p_count, p_sample, data.data(), data.size());
 	return size > 0 ? write_frame(p_bus_id, Message::MT_DATA2, data.data(), size, r_bytes) : 0;

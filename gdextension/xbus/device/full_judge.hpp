@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "bus/plausibility.hpp"
+#include "device/full_sample.hpp"
+
+namespace xbus {
+
+/// Whether every value that the sample holds is finite and within what a sensor on a person can measure.
+bool is_in_range(const FullSample &p_sample);
+
+/// Judges what `SampleJudge` does not look at: the further values of one device's samples.
+class FurtherJudge {
+public:
+	/// False for values that cannot be, unless the device sends such again and again: then it is sick, and its
+	/// messages are whole.
+	bool accept(const FullSample &p_sample);
+
+private:
+	/// Implausible samples in a row after which it is the device.
+	static constexpr int PATIENCE = 5;
+
+	NormJudge _delta_q;
+	int _refused = 0;
+};
+
+} // namespace xbus
