@@ -2,9 +2,9 @@
 # A suit that is not there: an Xbus Master with trackers behind USB chips, without any input or output
 # (xbus_emulator), and what lets programs find it: suit_emulator behind umockdev.
 dismount_add_core_library(xbus_emulator SOURCES
-	emulator/suit/data_item.cpp
 	emulator/suit/master.cpp
 	emulator/suit/motion_stream.cpp
+	emulator/suit/sample.cpp
 	emulator/suit/stand_alone.cpp
 	emulator/suit/suit.cpp
 	emulator/suit/suit_options.cpp

@@ -227,8 +227,7 @@ std::size_t write_item(uint16_t p_id, const FullSample &p_sample, uint8_t *r_byt
 
 std::size_t write_mt_data2(
 		const uint16_t *p_ids, std::size_t p_count, const FullSample &p_sample, uint8_t *r_bytes, std::size_t p_room) {
-	constexpr std::size_t MAX = 3 + 255;
-	std::array<uint8_t, MAX> bytes;
+	std::array<uint8_t, MAX_ITEM> bytes;
 	std::size_t at = 0;
 	for (std::size_t i = 0; i < p_count; i++) {
 		const std::size_t size = write_item(p_ids[i], p_sample, bytes.data());

@@ -106,8 +106,11 @@ const char *number_format_name(NumberFormat p_format);
 /// Decodes one item into the sample, whatever it is: also for `decode_mt_data2`.
 ItemFate decode_item(const Item &p_item, FullSample &r_sample);
 
+/// Bytes of the longest item, head included.
+constexpr std::size_t MAX_ITEM = 3 + 255;
+
 /// Appends the item as the sample holds it, head included, to the data of an MTData2 message. Returns the bytes
-/// written, 0 if the type is not one that a sample holds. `r_bytes` has room for 258 bytes.
+/// written, 0 if the type is not one that a sample holds. `r_bytes` has room for MAX_ITEM.
 std::size_t write_item(uint16_t p_id, const FullSample &p_sample, uint8_t *r_bytes);
 
 /// Writes the data of an MTData2 message with these items of the sample. Returns its size; 0 if there is no

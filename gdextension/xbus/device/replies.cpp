@@ -15,12 +15,6 @@ std::size_t write_u8_reply(Message p_message, uint8_t p_value, uint8_t p_bus_id,
 	return write_frame(p_bus_id, p_message, &p_value, 1, r_bytes);
 }
 
-std::size_t write_u16_reply(Message p_message, uint16_t p_value, uint8_t p_bus_id, uint8_t *r_bytes) {
-	std::array<uint8_t, 2> data;
-	write_u16(p_value, data.data());
-	return write_frame(p_bus_id, p_message, data.data(), data.size(), r_bytes);
-}
-
 std::size_t write_u32_reply(Message p_message, uint32_t p_value, uint8_t p_bus_id, uint8_t *r_bytes) {
 	std::array<uint8_t, 4> data;
 	write_u32(p_value, data.data());
@@ -63,13 +57,18 @@ std::size_t write_firmware_revision(const std::array<uint8_t, 3> &p_revision, ui
 	return write_frame(p_bus_id, Message::FIRMWARE_REVISION, p_revision.data(), p_revision.size(), r_bytes);
 }
 
-std::size_t write_product_code(const char *p_code, uint8_t p_bus_id, uint8_t *r_bytes) {
-	std::array<uint8_t, 20> data;
-	data.fill(' ');
-	for (std::size_t i = 0; i < data.size() && p_code[i] != '\0'; i++) {
-		data[i] = uint8_t(p_code[i]);
+std::array<uint8_t, 20> product_code(const char *p_code) {
+	std::array<uint8_t, 20> code;
+	code.fill(' ');
+	for (std::size_t i = 0; i < code.size() && p_code[i] != '\0'; i++) {
+		code[i] = uint8_t(p_code[i]);
 	}
-	return write_frame(p_bus_id, Message::PRODUCT_CODE, data.data(), data.size(), r_bytes);
+	return code;
+}
+
+std::size_t write_product_code(const char *p_code, uint8_t p_bus_id, uint8_t *r_bytes) {
+	const std::array<uint8_t, 20> code = product_code(p_code);
+	return write_frame(p_bus_id, Message::PRODUCT_CODE, code.data(), code.size(), r_bytes);
 }
 
 std::size_t write_mt_data(

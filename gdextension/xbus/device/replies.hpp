@@ -12,7 +12,6 @@ namespace xbus::device {
 /// An acknowledgement without data.
 std::size_t write_ack(Message p_request, uint8_t p_bus_id, uint8_t *r_bytes);
 std::size_t write_u8_reply(Message p_message, uint8_t p_value, uint8_t p_bus_id, uint8_t *r_bytes);
-std::size_t write_u16_reply(Message p_message, uint16_t p_value, uint8_t p_bus_id, uint8_t *r_bytes);
 std::size_t write_u32_reply(Message p_message, uint32_t p_value, uint8_t p_bus_id, uint8_t *r_bytes);
 std::size_t write_wake_up(uint8_t *r_bytes);
 std::size_t write_device_id(uint32_t p_device_id, uint8_t p_bus_id, uint8_t *r_bytes);
@@ -23,7 +22,8 @@ std::size_t write_error(uint8_t p_code, uint8_t *r_bytes);
 /// Names the tracker at fault.
 std::size_t write_error(uint8_t p_code, uint8_t p_bus_id, uint8_t *r_bytes);
 std::size_t write_firmware_revision(const std::array<uint8_t, 3> &p_revision, uint8_t p_bus_id, uint8_t *r_bytes);
-/// Padded with spaces to 20 characters.
+/// As a device says it: padded with spaces to 20 characters.
+std::array<uint8_t, 20> product_code(const char *p_code);
 std::size_t write_product_code(const char *p_code, uint8_t p_bus_id, uint8_t *r_bytes);
 /// MTData of a master, and of a tracker that stands alone (its counter last).
 std::size_t write_mt_data(

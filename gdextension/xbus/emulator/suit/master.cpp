@@ -2,8 +2,10 @@
 #include "suit/master.hpp"
 
 #include "bus/bytes.hpp"
+#include "bus/configuration.hpp"
+#include "device/replies.hpp"
 
-#include <cstring>
+#include <algorithm>
 
 namespace emulator {
 namespace {
@@ -18,36 +20,37 @@ constexpr uint8_t ERROR_NO_ANSWER = 0x1D;
 constexpr uint8_t ERROR_PARAMETER = 0x21;
 constexpr unsigned MIN_PERIOD = 225;
 constexpr unsigned MAX_PERIOD = 11520;
-constexpr uint16_t RAW = 0x4000;
 
 } // namespace
 
-void append_configuration_head(
-		Data &r_data, uint32_t p_device_id, unsigned p_period, unsigned p_skip, std::size_t p_count) {
-	append_u32(r_data, p_device_id);
-	append_u16(r_data, p_period);
-	append_u16(r_data, p_skip);
-	r_data.resize(r_data.size() + 8); // Of synchronisation: mode, skip, offset.
-	const char *date = "2007031512300000";
-	r_data.insert(r_data.end(), date, date + 16);
-	r_data.resize(r_data.size() + 64); // Reserved for host and client.
-	append_u16(r_data, unsigned(p_count));
-}
-
-void append_configuration_block(Data &r_data, const Tracker &p_tracker, std::size_t p_data_size) {
-	append_u32(r_data, p_tracker.device_id);
-	append_u16(r_data, unsigned(p_data_size));
-	append_u16(r_data, p_tracker.mode);
-	append_u32(r_data, p_tracker.settings);
-	append_u16(r_data, p_tracker.filter_scenario);
-	const uint8_t firmware_and_filter[] = { 2, 4, 6, 1, 2, 0 };
-	r_data.insert(r_data.end(), std::begin(firmware_and_filter), std::end(firmware_and_filter));
+Data configuration_of(uint32_t p_device_id, unsigned p_period, unsigned p_skip, const std::vector<Tracker> &p_trackers,
+		bool p_is_behind_master) {
+	xbus::Configuration configuration;
+	configuration.master_id = p_device_id;
+	configuration.period = uint16_t(p_period);
+	configuration.skip_factor = uint16_t(p_skip);
+	configuration.date = { '2', '0', '0', '7', '0', '3', '1', '5' };
+	configuration.time = { '1', '2', '3', '0', '0', '0', '0', '0' };
+	configuration.device_count = p_trackers.size();
+	std::transform(p_trackers.begin(), p_trackers.end(), configuration.devices.begin(),
+			[p_is_behind_master](const Tracker &p_tracker) {
+				xbus::DeviceConfiguration device;
+				device.device_id = p_tracker.device_id;
+				device.data_length = uint16_t(p_tracker.data_size(p_is_behind_master));
+				device.format = { p_tracker.mode, p_tracker.settings };
+				device.scenario = p_tracker.filter_scenario;
+				device.firmware = { 2, 4, 6 };
+				device.filter = { 1, 2, 0 };
+				return device;
+			});
+	Data data(xbus::Configuration::MAX_BYTES);
+	data.resize(configuration.write(data.data()));
+	return data;
 }
 
 Data product_code(const char *p_text) {
-	Data code(20, ' ');
-	std::memcpy(code.data(), p_text, std::min(std::strlen(p_text), code.size()));
-	return code;
+	const std::array<uint8_t, 20> code = xbus::device::product_code(p_text);
+	return { code.begin(), code.end() };
 }
 
 Master::Master(uint32_t p_device_id, std::vector<Tracker> p_trackers, MotionStream p_stream, uint64_t p_seed) :
@@ -79,7 +82,7 @@ uint8_t Master::start_measuring(uint8_t &r_bus_id) {
 }
 
 std::size_t Master::_data_size() const {
-	std::size_t total = 2;
+	std::size_t total = xbus::MasterFormat::HEAD;
 	for (const Tracker &tracker : _trackers) {
 		total += tracker.data_size(true);
 	}
@@ -88,7 +91,7 @@ std::size_t Master::_data_size() const {
 
 Data Master::sample(double p_motion_s, uint16_t p_counter) {
 	Data data;
-	data.reserve(2 + _trackers.size() * Tracker::LONGEST);
+	data.reserve(xbus::MasterFormat::HEAD + _trackers.size() * Tracker::LONGEST);
 	append_u16(data, p_counter);
 	for (const Tracker &tracker : _trackers) {
 		const std::size_t at = data.size();
@@ -101,12 +104,7 @@ Data Master::sample(double p_motion_s, uint16_t p_counter) {
 }
 
 Data Master::configuration() const {
-	Data data;
-	append_configuration_head(data, _device_id, _period, 0, _trackers.size());
-	for (const Tracker &tracker : _trackers) {
-		append_configuration_block(data, tracker, tracker.data_size(true));
-	}
-	return data;
+	return configuration_of(_device_id, _period, 0, _trackers, true);
 }
 
 XbusDevice::Answer Master::handle(const Frame &p_frame, Usec p_now) {
@@ -220,7 +218,8 @@ XbusDevice::Answer Master::_handle_value(const Frame &p_frame, Usec p_now) {
 
 XbusDevice::Answer Master::_set_mode(const Frame &p_frame, Tracker &r_tracker, Usec p_now) {
 	unsigned mode = r_tracker.mode;
-	if (p_frame.size == 2 && (xbus::read_u16(p_frame.data) & RAW) != 0 && xbus::read_u16(p_frame.data) != RAW) {
+	if (p_frame.size == 2 && (xbus::read_u16(p_frame.data) & xbus::output_mode::RAW) != 0 &&
+			xbus::read_u16(p_frame.data) != xbus::output_mode::RAW) {
 		reply_error(ERROR_PARAMETER, p_now, p_frame.bus_id);
 		return Answer::DONE;
 	}
@@ -261,8 +260,7 @@ XbusDevice::Answer Master::_handle_tracker(const Frame &p_frame, Usec p_now) {
 			append_u16(data, unsigned(tracker.data_size(true)));
 			break;
 		case Message::REQ_CONFIGURATION:
-			append_configuration_head(data, tracker.device_id, _period, 0, 1);
-			append_configuration_block(data, tracker, tracker.data_size(true));
+			data = configuration_of(tracker.device_id, _period, 0, { tracker }, true);
 			break;
 		case Message::REQ_FIRMWARE_REVISION:
 			data = { 2, 4, 6 };

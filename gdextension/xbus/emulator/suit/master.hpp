@@ -51,10 +51,9 @@ private:
 	std::size_t _dead = 0;
 };
 
-/// The block of Configuration for one tracker (20 bytes), and the part that comes before all blocks.
-void append_configuration_head(
-		Data &r_data, uint32_t p_device_id, unsigned p_period, unsigned p_skip, std::size_t p_count);
-void append_configuration_block(Data &r_data, const Tracker &p_tracker, std::size_t p_data_size);
+/// The data of a Configuration message.
+Data configuration_of(uint32_t p_device_id, unsigned p_period, unsigned p_skip, const std::vector<Tracker> &p_trackers,
+		bool p_is_behind_master);
 /// 20 letters.
 Data product_code(const char *p_text);
 

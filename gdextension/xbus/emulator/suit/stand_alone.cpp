@@ -65,10 +65,7 @@ Data StandAlone::sample(double p_motion_s, uint16_t p_counter) {
 }
 
 Data StandAlone::configuration() const {
-	Data data;
-	append_configuration_head(data, _device_id, _period, _skip, 1);
-	append_configuration_block(data, _tracker, _tracker.data_size(false));
-	return data;
+	return configuration_of(_device_id, _period, _skip, { _tracker }, false);
 }
 
 uint8_t StandAlone::start_measuring(uint8_t & /*r_bus_id*/) {
@@ -168,9 +165,7 @@ XbusDevice::Answer StandAlone::_choose_items(const Frame &p_frame, Usec p_now) {
 		_items.reserve(p_frame.size / 4);
 		for (std::size_t at = 0; at < p_frame.size; at += 4) {
 			const Item item = { xbus::read_u16(p_frame.data + at), xbus::read_u16(p_frame.data + at + 2) };
-			Data probe;
-			append_item(probe, item.identifier, {}, 0, 0.0);
-			if (!probe.empty() && item.rate > 0) {
+			if (offers_item(item.identifier) && item.rate > 0) {
 				_items.push_back(
 						{ item.identifier, std::min(item.rate, item.rate == ALWAYS ? ALWAYS : uint16_t(FASTEST)) });
 			}

@@ -1,29 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "suit/tracker.hpp"
 
-#include "device/number_writer.hpp"
+#include "device/full_mt_data.hpp"
 
 #include <cmath>
-#include <cstring>
 
 namespace emulator {
 namespace {
 
 using kinematics::Quat;
 using kinematics::Vec3;
-
-constexpr double GRAVITY = 9.81;
-constexpr double DEGREES = 57.29577951308232;
-
-// Bits of the output mode.
-constexpr uint16_t TEMPERATURE = 0x0001;
-constexpr uint16_t CALIBRATED = 0x0002;
-constexpr uint16_t ORIENTATION = 0x0004;
-constexpr uint16_t AUXILIARY = 0x0008;
-constexpr uint16_t POSITION = 0x0010;
-constexpr uint16_t VELOCITY = 0x0020;
-constexpr uint16_t STATUS = 0x0800;
-constexpr uint16_t RAW = 0x4000;
 
 std::array<double, 3> array_of(const Vec3 &p_vector) {
 	return { double(p_vector.x), double(p_vector.y), double(p_vector.z) };
@@ -37,25 +23,6 @@ Quat turn_about_up(double p_angle) {
 double heading_of(const Quat &p_orientation) {
 	const Vec3 along = p_orientation.rotate({ 1.0F, 0.0F, 0.0F });
 	return std::atan2(double(along.y), double(along.x));
-}
-
-std::array<double, 9> matrix_of(const Quat &p_rotation) {
-	const Vec3 x = p_rotation.rotate({ 1.0F, 0.0F, 0.0F });
-	const Vec3 y = p_rotation.rotate({ 0.0F, 1.0F, 0.0F });
-	const Vec3 z = p_rotation.rotate({ 0.0F, 0.0F, 1.0F });
-	// Row by row, the second index first to change: a, d, g, b, ... of the manual is what MTData holds.
-	return { x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z };
-}
-
-std::array<double, 3> euler_of(const Quat &p_rotation) {
-	const double x = p_rotation.x;
-	const double y = p_rotation.y;
-	const double z = p_rotation.z;
-	const double w = p_rotation.w;
-	const double sine = std::fmin(1.0, std::fmax(-1.0, 2.0 * (w * y - x * z)));
-	const double roll = std::atan2(2.0 * (w * x + y * z), 1.0 - 2.0 * (x * x + y * y));
-	const double yaw = std::atan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z));
-	return { roll * DEGREES, std::asin(sine) * DEGREES, yaw * DEGREES };
 }
 
 } // namespace
@@ -122,73 +89,28 @@ void Tracker::restart() {
 	_object = _stored_object;
 }
 
-std::size_t Tracker::_write_inertial(const Reading &p_reading, uint8_t *r_bytes) const {
-	std::size_t at = 0;
-	const std::array<double, 3> *parts[] = { &p_reading.acceleration, &p_reading.rate, &p_reading.magnetic };
-	for (unsigned i = 0; i < 3; i++) {
-		if ((settings >> (4U + i) & 1U) == 0) {
-			at += xbus::write_numbers(number_format(), parts[i]->data(), 3, r_bytes + at);
-		}
+xbus::OutputFormat Tracker::format() const {
+	using namespace xbus::output_mode;
+	using namespace xbus::output_setting;
+	xbus::OutputFormat format = { mode, settings };
+	if ((settings & ORIENTATION_MASK) == ORIENTATION_MASK) {
+		format.mode &= uint16_t(~ORIENTATION);
 	}
-	return at;
-}
-
-std::size_t Tracker::_write_orientation(const Reading &p_reading, uint8_t *r_bytes) const {
-	// North-east-down: half a turn about the north.
-	const Quat half = (settings >> 31U) != 0 ? Quat{ 1.0F, 0.0F, 0.0F, 0.0F } : Quat{};
-	const Quat turn = half * p_reading.orientation;
-	switch (settings >> 2U & 3U) {
-		case 0: {
-			const double values[] = { turn.w, turn.x, turn.y, turn.z };
-			return xbus::write_numbers(number_format(), values, 4, r_bytes);
-		}
-		case 1:
-			return xbus::write_numbers(number_format(), euler_of(turn).data(), 3, r_bytes);
-		case 2:
-			return xbus::write_numbers(number_format(), matrix_of(turn).data(), 9, r_bytes);
-		default:
-			return 0;
+	if ((mode & RAW) != 0) {
+		format.mode = uint16_t(RAW);
 	}
+	return format;
 }
 
 std::size_t Tracker::write_data(
 		const Reading &p_reading, bool p_is_behind_master, uint16_t p_counter, uint8_t *r_bytes) const {
-	std::size_t at = 0;
-	const auto zeros = [&](std::size_t p_count) {
-		std::memset(r_bytes + at, 0, p_count);
-		at += p_count;
-	};
-	if ((mode & RAW) != 0) {
-		zeros(20);
-	} else {
-		if ((mode & TEMPERATURE) != 0) {
-			at += xbus::write_numbers(number_format(), &p_reading.temperature, 1, r_bytes + at);
-		}
-		at += (mode & CALIBRATED) != 0 ? _write_inertial(p_reading, r_bytes + at) : 0;
-		at += (mode & ORIENTATION) != 0 ? _write_orientation(p_reading, r_bytes + at) : 0;
-		if ((mode & AUXILIARY) != 0) {
-			zeros(((settings & 0x400U) == 0 ? 2 : 0) + ((settings & 0x800U) == 0 ? 2 : 0));
-		}
-		const std::size_t three = 3 * xbus::number_size(number_format());
-		zeros((mode & POSITION) != 0 ? three : 0);
-		zeros((mode & VELOCITY) != 0 ? three : 0);
-		if ((mode & STATUS) != 0) {
-			r_bytes[at++] = 0x03;
-		}
-	}
-	if (!p_is_behind_master && (settings & 1U) != 0) {
-		xbus::write_u16(p_counter, r_bytes + at);
-		at += 2;
-	}
-	if (!p_is_behind_master && (settings & 2U) != 0) {
-		zeros(12);
-	}
-	return at;
+	const bool is_down = (settings & xbus::output_setting::NORTH_EAST_DOWN) != 0;
+	const xbus::Axes axes = is_down ? xbus::Axes::NORTH_EAST_DOWN : xbus::Axes::NORTH_WEST_UP;
+	return xbus::write_block(format(), sample_of(p_reading, axes, p_counter, 0.0), !p_is_behind_master, r_bytes);
 }
 
 std::size_t Tracker::data_size(bool p_is_behind_master) const {
-	std::array<uint8_t, LONGEST> bytes{};
-	return write_data({}, p_is_behind_master, 0, bytes.data());
+	return p_is_behind_master ? format().size_behind_master() : format().size();
 }
 
 } // namespace emulator

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bus/message.hpp"
-#include "bus/number.hpp"
+#include "bus/mt_data.hpp"
 #include "cable/random.hpp"
+#include "device/full_sample.hpp"
 #include "suit/motion_stream.hpp"
 
 #include <array>
 
 namespace emulator {
+
+/// m/s2.
+constexpr double GRAVITY = 9.81;
 
 /// How a sensor sits on its limb, and how good it is.
 struct Mounting {
@@ -36,6 +39,9 @@ struct Reading {
 	std::array<double, 3> magnetic{};
 	double temperature = 0.0;
 };
+
+/// The reading as a sample in these axes of the world, at so many seconds of the motion: all that a tracker sends.
+xbus::FullSample sample_of(const Reading &p_reading, xbus::Axes p_axes, uint16_t p_counter, double p_time_s);
 
 /// One MT: what it measures, how it is set, how it writes its part of MTData.
 class Tracker {
@@ -68,20 +74,17 @@ public:
 	/// Forgets the resets that were not stored.
 	void restart();
 
+	/// What its settings ask for of MTData, less what does not exist.
+	xbus::OutputFormat format() const;
 	/// Bytes of its part of MTData. Behind a master there is no counter of its own.
 	std::size_t data_size(bool p_is_behind_master) const;
-	/// Writes that part; `r_bytes` has room for LONGEST. Returns the bytes written, and nothing else if
-	/// the settings ask for what does not exist.
+	/// Writes that part; `r_bytes` has room for LONGEST. Returns the bytes written.
 	std::size_t write_data(
 			const Reading &p_reading, bool p_is_behind_master, uint16_t p_counter, uint8_t *r_bytes) const;
-	xbus::NumberFormat number_format() const { return xbus::NumberFormat(settings >> 8U & 3U); }
 
 	static constexpr std::size_t LONGEST = 512;
 
 private:
-	std::size_t _write_orientation(const Reading &p_reading, uint8_t *r_bytes) const;
-	std::size_t _write_inertial(const Reading &p_reading, uint8_t *r_bytes) const;
-
 	/// Turns the world's axes, and the sensor's: what ResetOrientation has made.
 	kinematics::Quat _world;
 	kinematics::Quat _object;
