@@ -85,13 +85,6 @@ TypedArray<SuitFrame> SuitHub::take_frames(int64_t p_device) {
 	return frames;
 }
 
-void SuitHub::reset_orientation(int64_t p_device, Reset p_method) {
-	ERR_FAIL_COND_MSG(p_method < RESET_STORE || p_method > RESET_ALIGN, "There is no such reset.");
-	if (_hub != nullptr) {
-		_hub->reset_orientation(int(p_device), xbus::ResetMethod(p_method));
-	}
-}
-
 void SuitHub::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("start", "rate_hz"), &SuitHub::start);
 	ClassDB::bind_method(D_METHOD("stop"), &SuitHub::stop);
@@ -101,12 +94,6 @@ void SuitHub::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_devices"), &SuitHub::get_devices);
 	ClassDB::bind_method(D_METHOD("take_messages"), &SuitHub::take_messages);
 	ClassDB::bind_method(D_METHOD("take_frames", "device"), &SuitHub::take_frames);
-	ClassDB::bind_method(D_METHOD("reset_orientation", "device", "method"), &SuitHub::reset_orientation);
-	BIND_ENUM_CONSTANT(RESET_STORE);
-	BIND_ENUM_CONSTANT(RESET_HEADING);
-	BIND_ENUM_CONSTANT(RESET_GLOBAL);
-	BIND_ENUM_CONSTANT(RESET_OBJECT);
-	BIND_ENUM_CONSTANT(RESET_ALIGN);
 }
 
 } // namespace godot

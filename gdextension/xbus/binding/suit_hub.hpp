@@ -12,7 +12,6 @@
 
 #include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/classes/ref_counted.hpp>
-#include <godot_cpp/core/binder_common.hpp>
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/variant/string.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
@@ -26,14 +25,6 @@ class SuitHub : public RefCounted {
 	GDCLASS(SuitHub, RefCounted)
 
 public:
-	enum Reset {
-		RESET_STORE,
-		RESET_HEADING,
-		RESET_GLOBAL,
-		RESET_OBJECT,
-		RESET_ALIGN,
-	};
-
 	String start(double p_rate_hz);
 	void stop();
 	bool is_running() const { return _hub != nullptr; }
@@ -42,7 +33,6 @@ public:
 	TypedArray<SuitDevice> get_devices() const;
 	TypedArray<SuitMessage> take_messages();
 	TypedArray<SuitFrame> take_frames(int64_t p_device);
-	void reset_orientation(int64_t p_device, Reset p_method);
 
 protected:
 	static void _bind_methods();
@@ -56,5 +46,3 @@ private:
 };
 
 } // namespace godot
-
-VARIANT_ENUM_CAST(SuitHub::Reset);

@@ -98,15 +98,9 @@ TEST(requests_say_what_they_ask) {
 	};
 	CHECK(data(host::set_bus_power(true)) == Bytes({ 0, 1 }) &&
 			host::set_bus_power(true).message() == Message::BUS_POWER);
-	CHECK(data(host::reset_orientation(host::OrientationReset::OBJECT, 3)) == Bytes({ 0, 3 }));
-	CHECK(host::reset_orientation(host::OrientationReset::OBJECT, 3).bus_id() == 3);
-	CHECK(data(host::set_skip_factor(0xFFFF, 1)) == Bytes({ 0xFF, 0xFF }));
-	CHECK(data(host::set_sync_mode(host::SyncMode::SLAVE)) == Bytes({ 0x20 }));
-	CHECK(data(host::set_heading(-1.0F, 2)) == Bytes({ 0xBF, 0x80, 0, 0 }));
-	CHECK(data(host::set_error_mode(host::ErrorMode::COUNT_AND_SEND)) == Bytes({ 0, 2 }));
-	const Request alignment = host::set_object_alignment({ 1, 0, 0, 0, 1, 0, 0, 0, 1 }, 4);
-	CHECK(alignment.size == 41 && data(alignment)[0] == 0x3F && alignment.reply() == Message::SET_OBJECT_ALIGNMENT_ACK);
-	CHECK(!host::switch_off().is_acknowledged() && host::init_bus().is_acknowledged());
+	CHECK(data(host::set_skip_factor(0xFFFF, 1)) == Bytes({ 0xFF, 0xFF }) && host::set_skip_factor(0, 3).bus_id() == 3);
+	CHECK(data(host::set_baud_rate(0x02)) == Bytes({ 0x02 }));
+	CHECK(data(host::set_output_settings(0x80000301, 2)) == Bytes({ 0x80, 0, 3, 1 }));
 	CHECK(host::request_battery_level().size == 5 && host::request_battery_level().reply() == Message::BATTERY_LEVEL);
 	// More outputs than there is room for: as many as there is.
 	const std::vector<OutputRequest> outputs(50, { 0x2010, 100 });

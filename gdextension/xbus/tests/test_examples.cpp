@@ -70,13 +70,13 @@ TEST(requests_are_as_in_the_manuals) {
 	CHECK(is_request(host::go_to_config(), "FA FF 30 00 D1"));
 	CHECK(is_request(host::go_to_measurement(), "FA FF 10 00 F1"));
 	CHECK(is_request(host::request_device_id(), "FA FF 00 00 01"));
-	CHECK(is_request(host::request_output_mode(MASTER), "FA FF D0 00 31"));
-	CHECK(is_request(host::request_data(1), "FA 01 34 00 CB"));
+	CHECK(is_request(host::request(Message::SET_OUTPUT_MODE), "FA FF D0 00 31"));
+	CHECK(is_request(host::request(Message::REQ_DATA, 1), "FA 01 34 00 CB"));
 	CHECK(is_request(host::init_bus(), "FA FF 02 00 FF"));
 	CHECK(is_request(host::wake_up_ack(), "FA FF 3F 00 C2"));
 	CHECK(is_request(host::reset(), "FA FF 40 00 C1"));
-	CHECK(is_request(host::request_product_code(), "FA FF 1C 00 E5"));
-	CHECK(is_request(host::request_firmware_revision(), "FA FF 12 00 EF"));
+	CHECK(is_request(host::request(Message::REQ_PRODUCT_CODE), "FA FF 1C 00 E5"));
+	CHECK(is_request(host::request(Message::REQ_FIRMWARE_REVISION), "FA FF 12 00 EF"));
 	CHECK(is_request(host::request_configuration(), "FA FF 0C 00 F5"));
 	CHECK(is_request(host::set_output_mode(6, 1), "FA 01 D0 02 00 06 27"));
 	CHECK(is_request(host::set_output_settings(0, 1), "FA 01 D2 04 00 00 00 00 29"));

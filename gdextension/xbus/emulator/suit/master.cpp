@@ -60,14 +60,10 @@ Master::Master(uint32_t p_device_id, std::vector<Tracker> p_trackers, MotionStre
 
 void Master::restart() {
 	_is_initialised = false;
-	for (Tracker &tracker : _trackers) {
-		tracker.restart();
-	}
 }
 
 bool Master::is_allowed_while_measuring(const Frame &p_frame) const {
-	return p_frame.message == Message::RESET_ORIENTATION ||
-			(p_frame.bus_id == xbus::MASTER && p_frame.message == Message::REQ_BATTERY_LEVEL);
+	return p_frame.bus_id == xbus::MASTER && p_frame.message == Message::REQ_BATTERY_LEVEL;
 }
 
 uint8_t Master::start_measuring(uint8_t &r_bus_id) {
@@ -228,19 +224,6 @@ XbusDevice::Answer Master::_set_mode(const Frame &p_frame, Tracker &r_tracker, U
 	return is_done ? Answer::DONE : Answer::UNKNOWN;
 }
 
-XbusDevice::Answer Master::_reset_orientation(const Frame &p_frame, Tracker &r_tracker, Usec p_now) {
-	if (p_frame.size != 2) {
-		return Answer::UNKNOWN;
-	}
-	const Reading reading = r_tracker.read(_stream, motion_time(p_now), _random);
-	if (!r_tracker.reset_orientation(xbus::read_u16(p_frame.data), reading.orientation)) {
-		reply_error(ERROR_PARAMETER, p_now, p_frame.bus_id);
-	} else {
-		reply(p_frame.bus_id, Message::RESET_ORIENTATION_ACK, {}, p_now);
-	}
-	return Answer::DONE;
-}
-
 XbusDevice::Answer Master::_handle_tracker(const Frame &p_frame, Usec p_now) {
 	if (!_is_initialised) {
 		reply_error(ERROR_BUS_NOT_READY, p_now);
@@ -272,13 +255,10 @@ XbusDevice::Answer Master::_handle_tracker(const Frame &p_frame, Usec p_now) {
 			return _set_mode(p_frame, tracker, p_now);
 		case Message::SET_OUTPUT_SETTINGS:
 			return exchange(p_frame, tracker.settings, 4, p_now) ? Answer::DONE : Answer::UNKNOWN;
-		case Message::RESET_ORIENTATION:
-			return _reset_orientation(p_frame, tracker, p_now);
 		case Message::SET_OBJECT_ALIGNMENT:
 			if (p_frame.size != 36) {
 				return Answer::UNKNOWN;
 			}
-			xbus::read_numbers(xbus::NumberFormat::FLOAT, p_frame.data, 9, tracker.object_alignment.data());
 			break;
 		case Message::HEADING:
 		case Message::LOCATION_ID:

@@ -35,7 +35,6 @@ private:
 	Answer _init_bus(Usec p_now);
 	Answer _set_period(const xbus::Frame &p_frame, Usec p_now);
 	Answer _set_mode(const xbus::Frame &p_frame, Tracker &r_tracker, Usec p_now);
-	Answer _reset_orientation(const xbus::Frame &p_frame, Tracker &r_tracker, Usec p_now);
 	std::size_t _data_size() const;
 
 	std::vector<Tracker> _trackers;

@@ -13,7 +13,6 @@ using xbus::Frame;
 using xbus::Message;
 
 constexpr uint8_t ERROR_PERIOD = 0x03;
-constexpr uint8_t ERROR_PARAMETER = 0x21;
 /// Fastest rate of any item, Hz.
 constexpr int FASTEST = 400;
 constexpr int64_t TICKS = 115200;
@@ -74,7 +73,7 @@ uint8_t StandAlone::start_measuring(uint8_t & /*r_bus_id*/) {
 }
 
 bool StandAlone::is_allowed_while_measuring(const Frame &p_frame) const {
-	return p_frame.message == Message::RESET_ORIENTATION || p_frame.message == Message::REQ_DATA;
+	return p_frame.message == Message::REQ_DATA;
 }
 
 XbusDevice::Answer StandAlone::handle(const Frame &p_frame, Usec p_now) {
@@ -113,8 +112,6 @@ XbusDevice::Answer StandAlone::handle(const Frame &p_frame, Usec p_now) {
 			return change_baud(p_frame, p_now) ? Answer::DONE : Answer::UNKNOWN;
 		case Message::SET_OUTPUT_CONFIGURATION:
 			return _choose_items(p_frame, p_now);
-		case Message::RESET_ORIENTATION:
-			return _reset_orientation(p_frame, p_now);
 		default:
 			return _handle_value(p_frame, p_now);
 	}
@@ -178,19 +175,6 @@ XbusDevice::Answer StandAlone::_choose_items(const Frame &p_frame, Usec p_now) {
 		append_u16(data, item.rate);
 	}
 	reply(xbus::MASTER, Message::SET_OUTPUT_CONFIGURATION_ACK, data, p_now);
-	return Answer::DONE;
-}
-
-XbusDevice::Answer StandAlone::_reset_orientation(const Frame &p_frame, Usec p_now) {
-	if (p_frame.size != 2) {
-		return Answer::UNKNOWN;
-	}
-	const Reading reading = _tracker.read(_stream, motion_time(p_now), _random);
-	if (_tracker.reset_orientation(xbus::read_u16(p_frame.data), reading.orientation)) {
-		reply(xbus::MASTER, Message::RESET_ORIENTATION_ACK, {}, p_now);
-	} else {
-		reply_error(ERROR_PARAMETER, p_now);
-	}
 	return Answer::DONE;
 }
 

@@ -32,13 +32,12 @@ protected:
 	}
 	bool measures_by_itself() const override { return true; }
 	Data configuration() const override;
-	void restart() override { _tracker.restart(); }
+	void restart() override {}
 	int64_t sample_ticks() const override;
 
 private:
 	Answer _handle_value(const xbus::Frame &p_frame, Usec p_now);
 	Answer _choose_items(const xbus::Frame &p_frame, Usec p_now);
-	Answer _reset_orientation(const xbus::Frame &p_frame, Usec p_now);
 	int _rate() const;
 
 	Tracker _tracker;

@@ -19,12 +19,6 @@ Quat turn_about_up(double p_angle) {
 	return { 0.0F, 0.0F, float(std::sin(p_angle / 2.0)), float(std::cos(p_angle / 2.0)) };
 }
 
-/// Where a sensor's X axis points to, seen from above, rad.
-double heading_of(const Quat &p_orientation) {
-	const Vec3 along = p_orientation.rotate({ 1.0F, 0.0F, 0.0F });
-	return std::atan2(double(along.y), double(along.x));
-}
-
 } // namespace
 
 Mounting Mounting::random(Random &r_random, double p_heading) {
@@ -46,47 +40,13 @@ Reading Tracker::read(const MotionStream &p_stream, double p_time_s, Random &r_r
 	const Vec3 push = motion.acceleration + Vec3{ 0.0F, 0.0F, float(GRAVITY) };
 	const Vec3 field = { 0.5F, 0.0F, -0.85F };
 	Reading reading;
-	const Quat own = (sensor * _object).inverse();
-	reading.orientation = (_world * sensor * _object).normalized();
+	const Quat own = sensor.inverse();
+	reading.orientation = sensor.normalized();
 	reading.acceleration = array_of(own.rotate(north.rotate(push)));
 	reading.magnetic = array_of(own.rotate(north.rotate(field)));
-	reading.rate = array_of((mounting.rotation * _object).inverse().rotate(motion.rate));
+	reading.rate = array_of(mounting.rotation.inverse().rotate(motion.rate));
 	reading.temperature = 31.5;
 	return reading;
-}
-
-bool Tracker::reset_orientation(uint16_t p_kind, const Quat &p_now) {
-	if (p_kind > uint16_t(Reset::ALIGN)) {
-		return false;
-	}
-	// `p_now` is what the tracker says with the present resets: they are taken out of it first.
-	const Quat sensor = _world.inverse() * p_now * _object.inverse();
-	const double heading = heading_of(sensor);
-	switch (Reset(p_kind)) {
-		case Reset::STORE:
-			_stored_world = _world;
-			_stored_object = _object;
-			return true;
-		case Reset::HEADING:
-			_world = turn_about_up(-heading_of(sensor * _object));
-			return true;
-		case Reset::GLOBAL:
-			_world = (sensor * _object).inverse();
-			return true;
-		case Reset::OBJECT:
-			_object = sensor.inverse() * turn_about_up(heading);
-			return true;
-		case Reset::ALIGN:
-			_object = sensor.inverse() * turn_about_up(heading);
-			_world = turn_about_up(-heading);
-			return true;
-	}
-	return false;
-}
-
-void Tracker::restart() {
-	_world = _stored_world;
-	_object = _stored_object;
 }
 
 xbus::OutputFormat Tracker::format() const {

@@ -46,21 +46,11 @@ xbus::FullSample sample_of(const Reading &p_reading, xbus::Axes p_axes, uint16_t
 /// One MT: what it measures, how it is set, how it writes its part of MTData.
 class Tracker {
 public:
-	/// How an orientation is reset (ResetOrientation, A4).
-	enum class Reset : uint8_t {
-		STORE,
-		HEADING,
-		GLOBAL,
-		OBJECT,
-		ALIGN
-	};
-
 	uint32_t device_id = 0;
 	uint16_t mode = 0x0006;
 	/// Quaternions as floats with the sample counter: what the factory sets.
 	uint32_t settings = 0x00000001;
 	uint16_t skip_factor = 0;
-	std::array<double, 9> object_alignment{ 1, 0, 0, 0, 1, 0, 0, 0, 1 };
 	uint16_t filter_scenario = 0x0102;
 	Mounting mounting;
 	/// Which limb of the stream it sits on.
@@ -69,11 +59,6 @@ public:
 	int length_fault = 0;
 
 	Reading read(const MotionStream &p_stream, double p_time_s, Random &r_random) const;
-	/// Redefines the axes by how the sensor is now; false if there is no such reset.
-	bool reset_orientation(uint16_t p_kind, const kinematics::Quat &p_now);
-	/// Forgets the resets that were not stored.
-	void restart();
-
 	/// What its settings ask for of MTData, less what does not exist.
 	xbus::OutputFormat format() const;
 	/// Bytes of its part of MTData. Behind a master there is no counter of its own.
@@ -83,13 +68,6 @@ public:
 			const Reading &p_reading, bool p_is_behind_master, uint16_t p_counter, uint8_t *r_bytes) const;
 
 	static constexpr std::size_t LONGEST = 512;
-
-private:
-	/// Turns the world's axes, and the sensor's: what ResetOrientation has made.
-	kinematics::Quat _world;
-	kinematics::Quat _object;
-	kinematics::Quat _stored_world;
-	kinematics::Quat _stored_object;
 };
 
 } // namespace emulator

@@ -127,22 +127,6 @@ TEST(a_message_is_cut_short_by_the_way_back_to_config) {
 	CHECK(host.framer.statistics().skipped_bytes > skipped + 50);
 }
 
-TEST(an_object_reset_turns_the_tracker_upright) {
-	BenchHost host({ "--devices=native", "--sensors=2" });
-	host.bring_up();
-	CHECK(host.ask(1, Message::RESET_ORIENTATION, { 0, 4 }).message == Message::RESET_ORIENTATION_ACK);
-	CHECK(is_error(host.ask(1, Message::RESET_ORIENTATION, { 0, 9 }), 0x21));
-	host.read(SECOND / 10);
-	CHECK(host.received.back().message == Message::MT_DATA);
-	double quaternion[4];
-	xbus::read_numbers(xbus::NumberFormat::FLOAT, host.received.back().data.data() + 2 + 36, 4, quaternion);
-	CHECK_NEAR(std::fabs(quaternion[0]), 1.0, 1e-6);
-	// At rest it measures gravity along its own Z now.
-	double acceleration[3];
-	xbus::read_numbers(xbus::NumberFormat::FLOAT, host.received.back().data.data() + 2, 3, acceleration);
-	CHECK_NEAR(acceleration[2], 9.81, 1e-3);
-}
-
 TEST(a_reset_forgets_the_bus_and_takes_its_time) {
 	BenchHost host({ "--devices=native" });
 	host.bring_up();

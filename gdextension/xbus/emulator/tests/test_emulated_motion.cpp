@@ -110,31 +110,4 @@ TEST(a_sensor_says_its_mounting_and_its_north) {
 	}
 }
 
-TEST(resets_do_what_the_manual_says) {
-	const MotionStream stream = MotionStream::still(1);
-	Random random(3);
-	const auto heading = [](const Quat &p_turn) {
-		const Vec3 x = p_turn.rotate({ 1.0F, 0.0F, 0.0F });
-		return double(std::atan2(x.y, x.x));
-	};
-	for (uint64_t seed = 0; seed < 50; seed++) {
-		Random chance(seed);
-		Tracker tracker = tracker_with(Mounting::random(chance, 1.0));
-		const Quat before = tracker.read(stream, 0.0, random).orientation;
-		CHECK(tracker.reset_orientation(3, before));
-		const Quat object = tracker.read(stream, 0.0, random).orientation;
-		CHECK_NEAR(object.rotate({ 0.0F, 0.0F, 1.0F }).z, 1.0, 1e-4); // Upright,
-		CHECK_NEAR(heading(object), heading(before), 2e-3); // with the same heading.
-		CHECK(tracker.reset_orientation(1, object));
-		CHECK_NEAR(heading(tracker.read(stream, 0.0, random).orientation), 0.0, 1e-3);
-		// What was not stored is forgotten.
-		tracker.restart();
-		CHECK_NEAR(angle_between(tracker.read(stream, 0.0, random).orientation, before), 0.0, 2e-3);
-		CHECK(tracker.reset_orientation(4, before) && tracker.reset_orientation(0, before));
-		tracker.restart();
-		CHECK_NEAR(angle_between(tracker.read(stream, 0.0, random).orientation, {}), 0.0, 2e-3);
-		CHECK(!tracker.reset_orientation(5, before) && !tracker.reset_orientation(0x100, before));
-	}
-}
-
 TEST_MAIN()

@@ -20,8 +20,6 @@ enum class Severity : uint8_t {
 	ERROR
 };
 
-using ResetMethod = host::OrientationReset;
-
 /// Where a session is.
 enum class SessionState : uint8_t {
 	SEARCHING, ///< Nobody has answered yet.
@@ -107,8 +105,6 @@ public:
 	void take_bytes(const uint8_t *p_bytes, std::size_t p_size, uint64_t p_now_usec);
 	/// What time brings: asks again, notices silence. Call it every few milliseconds.
 	void advance(uint64_t p_now_usec);
-	/// Asks every tracker to take its present orientation anew, while it measures.
-	void reset_orientation(ResetMethod p_method);
 	/// Lets the device stop measuring.
 	void stop(uint64_t p_now_usec);
 	bool is_stopped() const { return _step == Step::STOPPED || _step == Step::UNSUPPORTED; }
@@ -185,7 +181,6 @@ private:
 	void choose_outputs();
 	void begin_measuring();
 	void look_after_stream();
-	void ask_resets();
 	bool lower_demands(uint8_t p_code);
 	void log(Severity p_severity, const char *p_format, ...) __attribute__((format(printf, 3, 4)));
 	/// A kind that is not known is tried as both, in turn.
@@ -251,8 +246,6 @@ private:
 	double _lost_share = 0.0;
 	bool _is_silent = false;
 	bool _has_answered = false;
-	int _resets_left = 0;
-	ResetMethod _reset_method{};
 	uint64_t _errors = 0;
 	uint64_t _restarts = 0;
 	/// Restarts without a sample in between.

@@ -45,9 +45,6 @@ void Session::take_answer(const Frame &p_frame) {
 		case Step::DATA_LENGTH:
 			take_data_length(p_frame);
 			return;
-		case Step::MEASURING:
-			ask_resets();
-			return;
 		default:
 			go_to(step_after(_step));
 	}
@@ -157,7 +154,7 @@ void Session::take_error(const Frame &p_frame) {
 	if (_step != Step::STOP && !is_stopped() && _step != Step::GO_TO_CONFIG) {
 		log(Severity::WARNING, "error %02X%s: %s", code, where, text != nullptr ? text : "unknown");
 	}
-	if (_waits && _step != Step::MEASURING) {
+	if (_waits) {
 		take_setup_error(code);
 	}
 }

@@ -13,7 +13,6 @@ namespace {
 constexpr uint64_t SILENT_USEC = 1000000;
 constexpr double SILENT_PERIODS = 20.0;
 constexpr uint64_t BATTERY_USEC = 30000000;
-constexpr uint64_t RESET_LIMIT_USEC = 300000;
 /// Damage on the line is judged over so long, and told from so much on.
 constexpr uint64_t JUDGE_USEC = 5000000;
 constexpr double MUCH_LOST = 0.01;
@@ -25,7 +24,6 @@ void Session::begin_measuring() {
 	_is_silent = false;
 	_heard_usec = _now_usec;
 	_battery_usec = _now_usec;
-	_resets_left = 0;
 	_check.restart();
 	_stream.restart(rate_hz());
 	if (is_master()) {
@@ -66,10 +64,7 @@ void Session::look_after_stream() {
 		start_over(_check.statistics().wrong_sizes > _refused ? "sends nothing that can be used" : "has fallen silent");
 		return;
 	}
-	if (_waits && _now_usec > _deadline_usec) {
-		ask_resets();
-	}
-	if (!_waits && _battery >= 0.0 && _now_usec > _battery_usec + BATTERY_USEC) {
+	if (_battery >= 0.0 && _now_usec > _battery_usec + BATTERY_USEC) {
 		_battery_usec = _now_usec;
 		const Request request = host::request_battery_level();
 		_host.send(request.bytes.data(), request.size);
@@ -150,28 +145,6 @@ Request Session::output_configuration(double p_rate_hz) {
 			{ item::STATUS_WORD, ALWAYS },
 	} };
 	return host::set_output_configuration(outputs.data(), outputs.size());
-}
-
-void Session::reset_orientation(ResetMethod p_method) {
-	if (_step != Step::MEASURING) {
-		log(Severity::WARNING, "does not measure: its trackers can't be reset now");
-		return;
-	}
-	_reset_method = p_method;
-	_resets_left = _tracker_count;
-	ask_resets();
-}
-
-/// Asks the next tracker, one after the other; who does not answer is passed over.
-void Session::ask_resets() {
-	_waits = false;
-	if (_resets_left <= 0) {
-		return;
-	}
-	_tracker = _tracker_count - _resets_left;
-	--_resets_left;
-	ask(host::reset_orientation(_reset_method, bus_id_of(_tracker)));
-	_deadline_usec = _now_usec + RESET_LIMIT_USEC;
 }
 
 void Session::report(uint64_t p_now_usec, SessionReport &r_report) const {

@@ -65,8 +65,6 @@ public:
 	virtual std::vector<HubMessage> take_messages() = 0;
 	/// The oldest frame of a device that was not taken yet; false if there is none. For one thread.
 	virtual bool take_frame(int p_device, xbus::SuitFrame &r_frame) = 0;
-	/// Asks all trackers of a device to take their present orientation as `p_method` says.
-	virtual void reset_orientation(int p_device, xbus::ResetMethod p_method) = 0;
 };
 
 } // namespace usb

@@ -120,13 +120,6 @@ bool LibusbHub::take_frame(int p_device, xbus::SuitFrame &r_frame) {
 	return true;
 }
 
-void LibusbHub::reset_orientation(int p_device, xbus::ResetMethod p_method) {
-	const std::lock_guard<std::mutex> lock(_mutex);
-	if (_commands.size() < MAX_MESSAGES) {
-		_commands.push_back({ p_device, p_method });
-	}
-}
-
 int LIBUSB_CALL LibusbHub::on_hotplug(
 		libusb_context * /*p_context*/, libusb_device *p_device, libusb_hotplug_event p_event, void *p_self) {
 	// Nothing may be opened within the event.
@@ -141,7 +134,6 @@ void LibusbHub::run() {
 		timeval wait{ 0, WAIT_USEC };
 		libusb_handle_events_timeout_completed(_context.get(), &wait, nullptr);
 		look_for_changes();
-		obey();
 		const uint64_t now = clocks::now_usec();
 		for (const std::unique_ptr<Device> &device : _devices) {
 			advance(*device, now);
@@ -305,21 +297,6 @@ void LibusbHub::open(Device &p_device, uint64_t p_now_usec) {
 		p_device.wanted_baud = 0;
 	}
 	p_device.port->start();
-}
-
-void LibusbHub::obey() {
-	std::vector<Command> commands;
-	{
-		const std::lock_guard<std::mutex> lock(_mutex);
-		commands.swap(_commands);
-	}
-	for (const Command &command : commands) {
-		for (const std::unique_ptr<Device> &device : _devices) {
-			if (device->report.number == command.device && device->session != nullptr) {
-				device->session->reset_orientation(command.method);
-			}
-		}
-	}
 }
 
 void LibusbHub::publish() {

@@ -30,14 +30,9 @@ public:
 	std::vector<DeviceReport> report() const override;
 	std::vector<HubMessage> take_messages() override;
 	bool take_frame(int p_device, xbus::SuitFrame &r_frame) override;
-	void reset_orientation(int p_device, xbus::ResetMethod p_method) override;
 
 private:
 	struct Device;
-	struct Command {
-		int device = 0;
-		xbus::ResetMethod method{};
-	};
 	struct Change {
 		libusb_device *device = nullptr;
 		bool has_come = false;
@@ -55,7 +50,6 @@ private:
 	void advance(Device &p_device, uint64_t p_now_usec);
 	void open(Device &p_device, uint64_t p_now_usec);
 	void give_up(Device &p_device, uint64_t p_now_usec);
-	void obey();
 	void publish();
 	void say(xbus::Severity p_severity, const std::string &p_text);
 	void close_all();
@@ -80,7 +74,6 @@ private:
 	std::vector<DeviceReport> _reports;
 	std::vector<Queue> _queues;
 	std::vector<HubMessage> _messages;
-	std::vector<Command> _commands;
 };
 
 } // namespace usb

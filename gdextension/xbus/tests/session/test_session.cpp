@@ -356,16 +356,6 @@ TEST(awinda_is_recognised_and_honestly_answered) {
 	CHECK(rig.has_said("MVN"));
 }
 
-TEST(all_trackers_take_an_object_reset) {
-	SuitRig rig(with({ "--devices=ftdi" }));
-	CHECK(rig.measures_within(3.0));
-	rig.session->reset_orientation(xbus::ResetMethod::OBJECT);
-	rig.run(3.0);
-	CHECK(rig.logged("ResetOrientation") == 15);
-	CHECK(rig.session->state() == SessionState::MEASURING);
-	CHECK(rig.report().restarts == 0);
-}
-
 TEST(a_stop_leaves_the_suit_at_rest) {
 	SuitRig rig(with({ "--devices=ftdi" }));
 	CHECK(rig.measures_within(3.0));
