@@ -31,7 +31,7 @@ static func rows(p_moving: PackedStringArray, p_with_load: PackedStringArray) ->
 		(
 			OptionRow
 			. text("vmc-out", p_moving, "send your people's poses by the VMC protocol")
-			. or_bare("127.0.0.1:39539")
+			. or_bare("127.0.0.1:%d" % SourceAddress.PORTS["vmc"])
 			. shown_as("HOST:PORT")
 		),
 		OptionRow.decimal(
@@ -47,7 +47,7 @@ static func rows(p_moving: PackedStringArray, p_with_load: PackedStringArray) ->
 		(
 			OptionRow
 			. number("mvn", p_moving, 0, [0, 65535], "UDP port for MVN's network stream; 0: none")
-			. or_bare("9763")
+			. or_bare(str(SourceAddress.PORTS["mvn"]))
 		),
 		OptionRow.text(
 			"tracker", p_moving, "body tracker of another plugin, such as /user/body_tracker"

@@ -51,8 +51,8 @@ def main(arguments: list[str]) -> int:
         "editor": _editor,
         "export": _export,
         "bvh": _bvh,
-        "motion-sender": _motion_sender,
-        "mvn-sender": _mvn_sender,
+        "motion-sender": functools.partial(_sender, "emulator/motion_sender.gd"),
+        "mvn-sender": functools.partial(_sender, "mvn/mvn_sender.gd"),
         "xbus-decode": xbus.decode,
         "bench": _bench,
         "latency": lambda rest: latency.main(normalise(rest)),
@@ -175,16 +175,10 @@ def _bvh(arguments: list[str]) -> int:
     )
 
 
-def _motion_sender(arguments: list[str]) -> int:
+def _sender(script: str, arguments: list[str]) -> int:
+    """Runs a program of scripts/mocap that sends motion."""
     given = normalise(arguments)
-    godot = prepare(export=False)
-    return _script(godot, [], "res://scripts/mocap/emulator/motion_sender.gd", given)
-
-
-def _mvn_sender(arguments: list[str]) -> int:
-    given = normalise(arguments)
-    godot = prepare(export=False)
-    return _script(godot, [], "res://scripts/mocap/mvn/mvn_sender.gd", given)
+    return _script(prepare(export=False), [], f"res://scripts/mocap/{script}", given)
 
 
 def benchmarks() -> dict[str, Path]:

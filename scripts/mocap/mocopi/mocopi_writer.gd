@@ -3,8 +3,6 @@ extends StreamWriter
 ## Writes somebody's poses as Sony's mocopi app does: see [MocopiReader]. How the bones lie at rest
 ## comes once a second.
 
-## The usual port.
-const PORT: int = 12351
 const _REST_USEC: int = 1000000
 
 var _rest: PackedVector3Array = PackedVector3Array()
@@ -114,7 +112,7 @@ static func _with_head(p_part: PackedByteArray) -> PackedByteArray:
 	var address: PackedByteArray = PackedByteArray()
 	address.resize(8)
 	var sender: PackedByteArray = _box("ipad", address)
-	sender.append_array(_box("rcvp", _u16(PORT)))
+	sender.append_array(_box("rcvp", _u16(SourceAddress.PORTS["mocopi"])))
 	datagram.append_array(_box("sndf", sender))
 	datagram.append_array(p_part)
 	return datagram

@@ -22,7 +22,7 @@ const USAGE: String = """usage: ./run mvn-sender --bvh FILE[,FILE...] [options]
 const DEFAULTS: Dictionary[String, String] = {
 	"bvh": "",
 	"host": "127.0.0.1",
-	"port": "9763",
+	"port": "%d" % SourceAddress.PORTS["mvn"],
 	"rate": "60",
 	"types": "02,12,13,23",
 	"characters": "1",

@@ -11,8 +11,6 @@ signal trackers_appeared(p_feed: MvnTrackerFeed, p_name: String)
 ## Those trackers have stopped.
 signal trackers_vanished(p_feed: MvnTrackerFeed)
 
-## MVN's own port.
-const DEFAULT_PORT: int = 9763
 ## Somebody whose name has not come after so long has none, s.
 const NAME_PATIENCE_S: float = 1.0
 ## Period of checking who is there, s.
@@ -36,7 +34,7 @@ var _looked_s: float = -INF
 
 
 ## Opens a UDP port of this machine; 0 takes any. Returns why it can't, or an empty text.
-func open(p_port: int = DEFAULT_PORT) -> String:
+func open(p_port: int) -> String:
 	var fault: String = receiver.open(p_port)
 	if fault == "":
 		Log.info("mvn", "receives MVN's stream on UDP port %d" % receiver.get_port())

@@ -7,8 +7,6 @@ extends SensorFeed
 ## A sensor's rotation is from its axes to a frame with Z up. Trackers measure each in its own time:
 ## a frame has all of them at one moment a little back.
 
-## The port on which trackers look for a server.
-const PORT: int = 6969
 ## What the server answers to a tracker that looks for it.
 const ANSWER: String = "Hey OVR =D 5"
 ## Trackers that are taken.
@@ -49,7 +47,7 @@ func _init() -> void:
 
 
 ## Opens the UDP port; 0 takes any that is free. [member error] says why it can't.
-func open(p_port: int = PORT) -> void:
+func open(p_port: int) -> void:
 	error = _port.open_udp(p_port, take)
 	if error != "":
 		error = "SlimeVR: " + error

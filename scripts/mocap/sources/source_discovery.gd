@@ -3,16 +3,10 @@ extends RefCounted
 ## What motion is being sent to this machine: listens on the usual ports of all protocols, only
 ## while it is asked to, and answers nobody.
 
-## The ports that are listened on, by kind.
-const PORTS: Dictionary[String, Array] = {
-	"mvn": [9763],
-	"vmc": [39539, 39540],
-	"slime": [6969],
-	"rokoko": [14043],
-	"axis": [7012, 7001, 7002, 7003, 7004],
-	"mocopi": [12351],
-	"natnet": [1511],
-	"webcam": [14050],
+## The ports that are listened on besides the usual one, by kind.
+const FURTHER_PORTS: Dictionary[String, Array] = {
+	"vmc": [39540],
+	"axis": [7001, 7002, 7003, 7004],
 }
 ## Senders of one port that are told.
 const MAX_SENDERS: int = 8
@@ -67,10 +61,17 @@ class Voice:
 ## Begins to listen. Ports that this program uses itself are left out.
 func start(p_own_ports: PackedInt32Array = PackedInt32Array()) -> void:
 	stop()
-	for kind: String in PORTS:
-		for port: int in PORTS[kind]:
+	for kind: String in SourceAddress.PORTS:
+		for port: int in ports_of(kind):
 			if not p_own_ports.has(port):
 				_listen(kind, port)
+
+
+## The ports of a kind that are listened on, the usual one first.
+static func ports_of(p_kind: String) -> PackedInt32Array:
+	var ports: PackedInt32Array = [SourceAddress.PORTS[p_kind]]
+	ports.append_array(PackedInt32Array(FURTHER_PORTS.get(p_kind, [])))
+	return ports
 
 
 ## Ends it: all ports are free again.

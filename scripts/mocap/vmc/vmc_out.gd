@@ -3,9 +3,6 @@ extends RefCounted
 ## Sends the poses of this client's people to programs that receive the VMC protocol: the first
 ## one's to a port, the next one's to the port behind it, as that protocol has one person a port.
 
-## The usual port.
-const DEFAULT_PORT: int = 39539
-
 ## Whom to send to: an IPv4 address, and the first one's port.
 var address: String = ""
 var port: int = 0
@@ -18,7 +15,8 @@ var _writers: Dictionary[int, VmcWriter] = {}
 ## empty text.
 func open(p_text: String) -> String:
 	var host: String = p_text
-	var number: String = str(DEFAULT_PORT)
+	var usual: String = str(SourceAddress.PORTS["vmc"])
+	var number: String = usual
 	if p_text.is_valid_int():
 		host = "127.0.0.1"
 		number = p_text
@@ -27,7 +25,7 @@ func open(p_text: String) -> String:
 		number = p_text.get_slice(":", 1)
 	port = SourceAddress.port_of(number)
 	if port == 0 or p_text.count(":") > 1:
-		return "--vmc-out is HOST:PORT, such as 127.0.0.1:39539, found '%s'" % p_text.left(60)
+		return "--vmc-out is HOST:PORT, such as 127.0.0.1:%s, found '%s'" % [usual, p_text.left(60)]
 	address = SourceAddress.resolve(host)
 	if address == "":
 		return "--vmc-out: the host '%s' can't be found" % host.left(60)

@@ -8,8 +8,8 @@ func test_what_is_sent_is_heard_and_named_as_an_option() -> void:
 	var discovery: SourceDiscovery = SourceDiscovery.new()
 	# All ports but two are somebody else's here, so that nothing on this machine disturbs.
 	var others: PackedInt32Array = []
-	for kind: String in SourceDiscovery.PORTS:
-		for port: int in SourceDiscovery.PORTS[kind]:
+	for kind: String in SourceAddress.PORTS:
+		for port: int in SourceDiscovery.ports_of(kind):
 			if port != 12351 and port != 39540:
 				others.append(port)
 	discovery.start(others)
