@@ -9,7 +9,8 @@ extends SceneTree
 ## --norths=0,10,20,40,60 (deg), --poses=0,3,10 (deg), --efforts=0.3 (part by which movements are
 ## larger or smaller), --soft=3 (deg of soft tissue), --orders=20 (orders of dressing a case),
 ## of drift: --runs=6 (wearers a case), --minutes=10, --rates=0,1,3,5 (deg/min a sensor),
-## --motions=NAME (again for more; default all): clip, stand, work, mixed, twisted, rifle.
+## --motions=NAME (again for more; default all): clip, stand, work, mixed, twisted, rifle,
+## --orientations (sensors say nothing but those).
 
 const _PARTS: Array[String] = ["clips", "norths", "poses", "forecast", "dressing", "drift"]
 
@@ -37,6 +38,7 @@ func _initialize() -> void:
 				"minutes": 10.0,
 				"rates": "0,1,3,5",
 				"motions": "",
+				"orientations": false,
 			}
 		)
 	)

@@ -34,16 +34,24 @@ void HeadingDrift::set_sensor(int64_t p_sensor, int64_t p_mount, double p_headin
 	sensor.right = to_core(p_mounting).inverse();
 }
 
+void HeadingDrift::set_joint(int64_t p_mount, const Vector3 &p_from_above, const Vector3 &p_from_own) {
+	ERR_FAIL_COND_MSG(!is_mount(p_mount) || p_mount == 0, "A mount that has a joint above it is between 1 and 16.");
+	ERR_FAIL_COND_MSG(!p_from_above.is_finite() || !p_from_own.is_finite(), "A joint is at a finite place, m.");
+	_estimator.set_levers(int(p_mount), { to_core(p_from_above), to_core(p_from_own) });
+}
+
 void HeadingDrift::add(int64_t p_time_usec, const PackedByteArray &p_present, const PackedFloat32Array &p_orientations,
-		const PackedVector3Array &p_magnetics) {
+		const PackedVector3Array &p_magnetics, const PackedVector3Array &p_accelerations) {
 	ERR_FAIL_COND_MSG(p_orientations.size() != p_present.size() * 4, "Each sensor has an orientation of 4 numbers.");
 	heading::DriftEstimator::Sample sample;
 	sample.time = double(p_time_usec) * 1e-6;
-	if (!_estimator.wants(sample.time)) {
+	const bool is_accelerated = p_accelerations.size() == p_present.size();
+	if (!_estimator.wants(sample.time) && !is_accelerated) {
 		return;
 	}
 	const uint8_t *present = p_present.ptr();
 	const float *numbers = p_orientations.ptr();
+	const Vector3 *accelerations = is_accelerated ? p_accelerations.ptr() : nullptr;
 	const Vector3 *fields = p_magnetics.size() == p_present.size() ? p_magnetics.ptr() : nullptr;
 	for (std::size_t i = 0; i < _sensors.size() && int64_t(i) < p_present.size(); i++) {
 		const Sensor &sensor = _sensors[i];
@@ -59,6 +67,9 @@ void HeadingDrift::add(int64_t p_time_usec, const PackedByteArray &p_present, co
 		sample.rotations[std::size_t(sensor.mount)] = limb.normalized();
 		if (fields != nullptr) {
 			sample.fields[std::size_t(sensor.mount)] = (sensor.left * said).rotate(to_core(fields[i]));
+		}
+		if (accelerations != nullptr && accelerations[i].is_finite()) {
+			sample.accelerations[std::size_t(sensor.mount)] = (sensor.left * said).rotate(to_core(accelerations[i]));
 		}
 	}
 	_estimator.add(sample);
@@ -105,7 +116,9 @@ void HeadingDrift::restart(const PackedFloat64Array &p_drifts) {
 void HeadingDrift::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("reset"), &HeadingDrift::reset);
 	ClassDB::bind_method(D_METHOD("set_sensor", "sensor", "mount", "heading", "mounting"), &HeadingDrift::set_sensor);
-	ClassDB::bind_method(D_METHOD("add", "time_usec", "present", "orientations", "magnetics"), &HeadingDrift::add);
+	ClassDB::bind_method(D_METHOD("set_joint", "mount", "from_above", "from_own"), &HeadingDrift::set_joint);
+	ClassDB::bind_method(
+			D_METHOD("add", "time_usec", "present", "orientations", "magnetics", "accelerations"), &HeadingDrift::add);
 	ClassDB::bind_method(D_METHOD("get_correction", "mount"), &HeadingDrift::get_correction);
 	ClassDB::bind_method(D_METHOD("get_rate", "mount"), &HeadingDrift::get_rate);
 	ClassDB::bind_method(D_METHOD("get_trust"), &HeadingDrift::get_trust);

@@ -22,8 +22,9 @@ class HeadingDrift : public RefCounted {
 public:
 	void reset();
 	void set_sensor(int64_t p_sensor, int64_t p_mount, double p_heading, const Quaternion &p_mounting);
+	void set_joint(int64_t p_mount, const Vector3 &p_from_above, const Vector3 &p_from_own);
 	void add(int64_t p_time_usec, const PackedByteArray &p_present, const PackedFloat32Array &p_orientations,
-			const PackedVector3Array &p_magnetics);
+			const PackedVector3Array &p_magnetics, const PackedVector3Array &p_accelerations);
 	double get_correction(int64_t p_mount) const;
 	double get_rate(int64_t p_mount) const;
 	double get_trust() const;

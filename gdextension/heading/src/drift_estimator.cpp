@@ -1,19 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "drift_estimator.hpp"
 
+#include "limb_heading.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace heading {
 
 namespace {
 
-/// Turns about the vertical of limbs that hang upside down are not defined; below this part of a
-/// quaternion they are not used.
-constexpr double MIN_TWIST = 0.3;
+/// Limbs that hang upside down point nowhere, nor do knees whose axis is upright; what is less defined
+/// than this is not used.
+constexpr double MIN_DEFINED = 0.3;
 /// A foot that turns more slowly than this stands, rad/s; and what noise may be in a step, rad.
 constexpr double STANDS = degrees(12.0);
 constexpr double STANDS_NOISE = degrees(1.5);
+/// By how much the variance of blocks of a joint that is held is more than what one tells of the next
+/// (they are off alike), and that of feet that stand less. Found with the benchmark.
+constexpr double HELD_ALIKE = 3.0;
+constexpr double PLANT_ALIKE = 0.4;
 /// A time without samples after which everything begins anew, s.
 constexpr double GAP_S = 1.0;
 /// A mean that is off by more than so many standard deviations is no drift.
@@ -38,8 +45,8 @@ constexpr double LEARN_FRONT = 0.1;
 constexpr int FRONT_WITNESS = 15;
 /// The mean of rates of drift, squared, in variances of what they would seem to be if there were
 /// none: below the first nothing is corrected, above the second everything (after Efron and Morris 1973).
-constexpr double DOUBTED = 0.4;
-constexpr double TRUSTED = 0.8;
+constexpr double DOUBTED = 0.8;
+constexpr double TRUSTED = 1.2;
 /// What a magnetic north that looks good may be off, rad²: for minutes by the same.
 constexpr double NORTH_VARIANCE = degrees(12.0) * degrees(12.0);
 /// How fast both are learnt, a block or a window, and the least that they can be, rad².
@@ -52,29 +59,7 @@ double wrapped(double p_angle) {
 	return std::remainder(p_angle, 2.0 * PI);
 }
 
-/// The turn about the vertical (twist), and how well it is defined, 0 to 1.
-double twist_of(const kinematics::Quat &p_rotation, double &r_defined) {
-	r_defined = std::hypot(double(p_rotation.y), double(p_rotation.w));
-	return 2.0 * std::atan2(double(p_rotation.y), double(p_rotation.w));
-}
-
 } // namespace
-
-void DriftEstimator::Mean::add(double p_angle, double p_weight) {
-	cosines += p_weight * std::cos(p_angle);
-	sines += p_weight * std::sin(p_angle);
-	weights += p_weight;
-	count++;
-}
-
-double DriftEstimator::Mean::angle() const {
-	return std::atan2(sines, cosines);
-}
-
-double DriftEstimator::Mean::spread() const {
-	const double agree = std::hypot(sines, cosines) / std::max(weights, 1e-9);
-	return std::sqrt(-2.0 * std::log(std::clamp(agree, 1e-9, 1.0)));
-}
 
 void DriftEstimator::reset() {
 	*this = DriftEstimator();
@@ -85,10 +70,13 @@ void DriftEstimator::restart(const std::array<double, MOUNTS> &p_drifts) {
 	state.restart();
 	const double trust = _trust;
 	const std::array<MagneticField, MOUNTS> fields = _fields;
+	JointMotion motion = _motion;
+	motion.clear();
 	*this = DriftEstimator();
 	_state = state;
 	_trust = trust;
 	_fields = fields;
+	_motion = std::move(motion);
 	_known = p_drifts;
 	_corrections = p_drifts;
 }
@@ -107,6 +95,8 @@ bool DriftEstimator::wants(double p_time) const {
 }
 
 void DriftEstimator::add(const Sample &p_sample) {
+	_motion.add({ p_sample.time, p_sample.present, p_sample.rotations, p_sample.accelerations });
+	_take_motion();
 	if (!wants(p_sample.time)) {
 		return;
 	}
@@ -134,23 +124,28 @@ void DriftEstimator::add(const Sample &p_sample) {
 void DriftEstimator::_collect(const Sample &p_sample) {
 	_block_samples++;
 	_window_samples++;
-	std::array<double, MOUNTS> turns{};
-	std::array<double, MOUNTS> defined{};
 	for (std::size_t mount = 0; mount < MOUNTS; mount++) {
 		_worn[mount] = _worn[mount] || p_sample.present[mount];
 		if (p_sample.present[mount]) {
-			turns[mount] = twist_of(p_sample.rotations[mount], defined[mount]);
 			_fields[mount].add(p_sample.fields[mount], SAMPLE_S);
 		}
 	}
 	for (int mount = 0; mount < MOUNTS; mount++) {
 		const auto at = std::size_t(mount);
 		const int above = _above(mount);
-		if (defined[at] < MIN_TWIST || (above >= 0 && defined[std::size_t(above)] < MIN_TWIST)) {
+		if (!p_sample.present[at] || (above >= 0 && !p_sample.present[std::size_t(above)])) {
 			continue;
 		}
-		const double weight = above >= 0 ? defined[at] * defined[std::size_t(above)] : defined[at];
-		const double angle = turns[at] - (above >= 0 ? turns[std::size_t(above)] : 0.0);
+		const bool is_hinge = (mount == LEFT_SHANK || mount == RIGHT_SHANK) && above == PARENTS[at];
+		const auto heading_of = is_hinge ? hinge_of : twist_of;
+		const LimbHeading own = heading_of(p_sample.rotations[at]);
+		const LimbHeading other =
+				above >= 0 ? heading_of(p_sample.rotations[std::size_t(above)]) : LimbHeading{ 0.0, 1.0 };
+		if (std::min(own.defined, other.defined) < MIN_DEFINED) {
+			continue;
+		}
+		const double weight = own.defined * other.defined;
+		const double angle = own.angle - other.angle;
 		// Edge 0 is the room; whoever wears no pelvis has another root, which is then in its place.
 		Edge &edge = _edges[above >= 0 ? at : std::size_t(ROOM)];
 		edge.block.add(angle, weight);
@@ -167,9 +162,7 @@ void DriftEstimator::_add_foot(int p_edge, int p_foot, const Sample &p_sample, d
 	}
 	const float turned = kinematics::angle_between(_last.rotations[at], p_sample.rotations[at]);
 	edge.is_still = edge.is_still && turned < STANDS * p_step + STANDS_NOISE;
-	double defined = 0.0;
-	const double angle = twist_of(p_sample.rotations[at], defined);
-	edge.block.add(angle, 1.0);
+	edge.block.add(twist_of(p_sample.rotations[at]).angle, 1.0);
 }
 
 void DriftEstimator::_end_block(double p_step) {
@@ -195,7 +188,7 @@ void DriftEstimator::_end_block(double p_step) {
 		if (edge == ROOM && seen.block.weights > 0.0 && seen.block.spread() < FRONT_SPREAD) {
 			_take_front();
 		}
-		seen.block = Mean();
+		seen.block = AngleMean();
 		seen.is_still = true;
 	}
 	_take_fields();
@@ -212,8 +205,8 @@ void DriftEstimator::_end_window() {
 		if (seen.window.count * 2 > _window_samples && seen.window.weights > 0.0) {
 			_take_habit(edge);
 		}
-		seen.window = Mean();
-		seen.blocks = Mean();
+		seen.window = AngleMean();
+		seen.blocks = AngleMean();
 	}
 	_window_samples = 0;
 }
@@ -266,7 +259,9 @@ void DriftEstimator::_take_held(int p_edge, double p_seen) {
 	}
 	const double seen = std::clamp(off * off - known, MIN_VARIANCE, 9.0 * edge.held_variance);
 	edge.held_variance += std::max(LEARN, 0.5 / edge.held) * (seen - edge.held_variance);
-	_state.observe(angle, expected + off, edge.held_variance);
+	double alike = p_edge == ROOM ? 1.0 : HELD_ALIKE;
+	alike = p_edge >= MOUNTS ? PLANT_ALIKE : alike;
+	_state.observe(angle, expected + off, alike * edge.held_variance);
 }
 
 void DriftEstimator::_take_habit(int p_edge) {
@@ -327,6 +322,37 @@ void DriftEstimator::_take_front() {
 		const double beyond = off * off - _state.variance(angle);
 		_front_variance += LEARN_FRONT * (std::max(beyond, MIN_HABIT) - _front_variance);
 		_state.observe(angle, expected + off, _front_variance);
+	}
+}
+
+void DriftEstimator::_take_motion() {
+	for (const JointMotion::Sight &sight : _motion.take()) {
+		const int above = PARENTS[std::size_t(sight.mount)];
+		const auto lever = [this, &sight](const kinematics::Vec3 &p_usual, int p_first) {
+			const kinematics::Vec3 off{ float(_state.lever(sight.mount, p_first)),
+				float(_state.lever(sight.mount, p_first + 1)), float(_state.lever(sight.mount, p_first + 2)) };
+			return p_usual + off;
+		};
+		const Levers &usual = _motion.levers(sight.mount);
+		double drifted = _state.drift(sight.mount) - _state.drift(above);
+		drifted += _known[std::size_t(sight.mount)] - _known[std::size_t(above)];
+		const kinematics::Quat turn = kinematics::exp({ 0.0f, float(drifted), 0.0f });
+		const kinematics::Vec3 expected = turn.rotate(sight.above.joint(lever(usual.above, 0)));
+		const kinematics::Vec3 seen = sight.own.joint(lever(usual.own, 3));
+		const kinematics::Vec3 off = seen - expected;
+		// How both level directions change with a turn about the vertical.
+		const kinematics::Vec3 middle = (seen + expected) * 0.5f;
+		Pull x{ sight.mount, above, middle.z, {} };
+		Pull z{ sight.mount, above, -middle.x, {} };
+		for (std::size_t axis = 0; axis < 3; axis++) {
+			const kinematics::Vec3 other = turn.rotate(sight.above.levers[axis]);
+			x.levers[axis] = other.x;
+			z.levers[axis] = other.z;
+			x.levers[axis + 3] = -sight.own.levers[axis].x;
+			z.levers[axis + 3] = -sight.own.levers[axis].z;
+		}
+		_state.observe(x, off.x, sight.variance);
+		_state.observe(z, off.z, sight.variance);
 	}
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "angle_mean.hpp"
 #include "drift_state.hpp"
+#include "joint_motion.hpp"
 #include "magnetic_field.hpp"
 
 #include <quaternion.hpp>
@@ -19,6 +21,9 @@ namespace heading {
 /// back to, and take another one at once. So means over BLOCK_S of the turn of each limb against
 /// its neighbour, of the body in the room, and of feet that stand still, are postures that stay
 /// where they are (or change by a leap) plus a drift that does not: DriftState tells them apart.
+///
+/// Where accelerations are known, joints that move tell the difference of both neighbours' drifts
+/// however anybody stands or sits: JointMotion.
 class DriftEstimator {
 public:
 	/// Samples that are looked at, s.
@@ -37,13 +42,18 @@ public:
 		std::array<kinematics::Quat, MOUNTS> rotations{};
 		/// The magnetic field in the world's axes, turned like the rotations; zero if not known.
 		std::array<kinematics::Vec3, MOUNTS> fields{};
+		/// Accelerations with gravity in the world's axes, turned like the rotations, m/s²; zero if not known.
+		std::array<kinematics::Vec3, MOUNTS> accelerations{};
 	};
 
-	/// As right after a calibration.
+	/// As right after a calibration, nothing known of joints.
 	void reset();
-	/// Whether a sample of such a time, s, is looked at: those that come sooner than SAMPLE_S after the last are not.
+	/// Says where the joint above a mount is.
+	void set_levers(int p_mount, const Levers &p_levers) { _motion.set_levers(p_mount, p_levers); }
+	/// Whether all of a sample of such a time, s, is looked at: of those that come sooner than SAMPLE_S
+	/// after the last only accelerations are.
 	bool wants(double p_time) const;
-	/// Takes a sample, if it wants that.
+	/// Takes a sample.
 	void add(const Sample &p_sample);
 
 	/// What is to be taken off the heading of a mount now, rad: it moves smoothly.
@@ -58,25 +68,13 @@ public:
 	void restart(const std::array<double, MOUNTS> &p_drifts);
 
 private:
-	/// A mean of angles that grows.
-	struct Mean {
-		double cosines = 0.0;
-		double sines = 0.0;
-		double weights = 0.0;
-		int count = 0;
-
-		void add(double p_angle, double p_weight);
-		double angle() const;
-		/// The standard deviation of the angles, rad.
-		double spread() const;
-	};
 	/// What is known of an edge.
 	struct Edge {
 		/// Of the block, and of the window.
-		Mean block;
-		Mean window;
+		AngleMean block;
+		AngleMean window;
 		/// Of the means of its blocks in the window.
-		Mean blocks;
+		AngleMean blocks;
 		/// How far means of blocks are off while the angle is held, and those of windows, rad².
 		double held_variance = 0.0;
 		double habit_variance = 0.0;
@@ -105,6 +103,7 @@ private:
 	void _take_front();
 	Angle _angle(int p_edge) const;
 	void _take_fields();
+	void _take_motion();
 	void _correct(double p_step);
 	void _doubt();
 	int _above(int p_mount) const;
@@ -119,6 +118,7 @@ private:
 	int _front = -1;
 	int _faced = 0;
 	std::array<MagneticField, MOUNTS> _fields{};
+	JointMotion _motion;
 	/// What was known to be drifted at the last restart, and what is taken off now, rad.
 	std::array<double, MOUNTS> _known{};
 	std::array<double, MOUNTS> _corrections{};

@@ -22,6 +22,10 @@ constexpr double HELD_WANDER = degrees(0.03);
 constexpr double ROOM_WANDER = degrees(0.05);
 constexpr double PLANT_WANDER = degrees(0.03);
 constexpr double HABIT_WANDER = degrees(0.03);
+/// Of a coordinate of a lever that nobody has seen yet, m: of sensors, and of joints in bodies.
+constexpr double LEVER = 0.05;
+/// Pulls that are off by more than so many standard deviations are none.
+constexpr double STRANGE = 3.0;
 
 double squared(double p_value) {
 	return p_value * p_value;
@@ -40,6 +44,8 @@ void DriftState::reset() {
 			variance = squared(CALIBRATED);
 		} else if (i < 2 * MOUNTS) {
 			variance = squared(RATE);
+		} else if (i >= LEVERS) {
+			variance = squared(LEVER);
 		}
 		_p[std::size_t(i)][std::size_t(i)] = variance;
 	}
@@ -61,7 +67,7 @@ void DriftState::predict(double p_step) {
 		double &rate = _p[MOUNTS + i][MOUNTS + i];
 		rate = std::min(rate + squared(RATE_CHANGE) * p_step, squared(RATE));
 	}
-	for (int i = HELD; i < SIZE; i++) {
+	for (int i = HELD; i < LEVERS; i++) {
 		double wander = i == HELD + ROOM ? ROOM_WANDER : HELD_WANDER;
 		if (i >= HABITS) {
 			wander = HABIT_WANDER;
@@ -82,14 +88,11 @@ int DriftState::_state(const Angle &p_angle) {
 
 DriftState::Row DriftState::_row(const Angle &p_angle) {
 	Row row;
-	const auto add = [&row](int p_state, double p_factor) {
-		row.terms[std::size_t(row.count++)] = { p_state, p_factor };
-	};
-	add(p_angle.mount, 1.0);
+	row.add(p_angle.mount, 1.0);
 	if (p_angle.other >= 0) {
-		add(p_angle.other, -1.0);
+		row.add(p_angle.other, -1.0);
 	}
-	add(_state(p_angle), 1.0);
+	row.add(_state(p_angle), 1.0);
 	return row;
 }
 
@@ -129,9 +132,21 @@ void DriftState::observe(const Angle &p_angle, double p_seen, double p_variance)
 
 void DriftState::observe_drift(int p_mount, double p_seen, double p_variance) {
 	Row row;
-	row.terms[0] = { p_mount, 1.0 };
-	row.count = 1;
+	row.add(p_mount, 1.0);
 	_take(row, p_seen, p_variance);
+}
+
+void DriftState::observe(const Pull &p_pull, double p_off, double p_variance) {
+	Row row;
+	row.add(p_pull.mount, p_pull.turn);
+	row.add(p_pull.other, -p_pull.turn);
+	for (int i = 0; i < int(p_pull.levers.size()); i++) {
+		row.add(_lever(p_pull.mount, i), p_pull.levers[std::size_t(i)]);
+	}
+	const double known = std::max(_dot(row, _times(row)), 0.0);
+	if (squared(p_off) < squared(STRANGE) * (known + p_variance)) {
+		_take(row, _dot(row, _x) + p_off, p_variance);
+	}
 }
 
 void DriftState::_take(const Row &p_row, double p_seen, double p_variance) {
@@ -166,14 +181,16 @@ void DriftState::begin(const Angle &p_angle, double p_seen, double p_variance) {
 
 void DriftState::restart() {
 	const Column x = _x;
-	std::array<double, MOUNTS> variances{};
-	for (std::size_t i = 0; i < MOUNTS; i++) {
-		variances[i] = _p[MOUNTS + i][MOUNTS + i];
+	Column variances{};
+	for (std::size_t i = 0; i < SIZE; i++) {
+		variances[i] = _p[i][i];
 	}
 	reset();
-	for (std::size_t i = 0; i < MOUNTS; i++) {
-		_x[MOUNTS + i] = x[MOUNTS + i];
-		_p[MOUNTS + i][MOUNTS + i] = variances[i];
+	for (std::size_t i = MOUNTS; i < SIZE; i++) {
+		if (i < HELD || i >= LEVERS) {
+			_x[i] = x[i];
+			_p[i][i] = variances[i];
+		}
 	}
 }
 

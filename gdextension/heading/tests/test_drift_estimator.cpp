@@ -38,6 +38,46 @@ DriftEstimator stand(double p_rate, double p_seconds, double p_turn = 0.0) {
 	return estimator;
 }
 
+/// Somebody whose upper arm and forearm are in another posture every few seconds and never the same
+/// for long, while the elbow is moved about; the forearm drifts by RATE. Levers are off by some cm.
+double off_of_a_forearm(bool p_is_accelerated, double p_seconds) {
+	constexpr int UPPER_ARM = 4;
+	constexpr int FOREARM = 5;
+	const Levers levers{ { 0.15f, -0.03f, 0.02f }, { -0.2f, -0.02f, 0.0f } };
+	const auto limb = [](int p_mount, double p_time) {
+		const double late = p_mount == FOREARM ? 0.7 : 0.0;
+		return kinematics::exp({ 0.4f * float(std::sin(3.0 * p_time + late)),
+				1.2f * float(std::sin(0.31 * p_time * (1.0 + late)) + std::sin(0.17 * p_time + late)),
+				0.4f * float(std::cos(3.7 * p_time + late)) });
+	};
+	const auto sensor = [&limb, &levers](int p_mount, double p_time) {
+		const kinematics::Vec3 elbow{ 0.1f * float(std::sin(4.0 * p_time)), 0.0f,
+			0.1f * float(std::sin(5.0 * p_time)) };
+		return elbow - limb(p_mount, p_time).rotate(p_mount == FOREARM ? levers.own : levers.above);
+	};
+	DriftEstimator estimator;
+	estimator.set_levers(FOREARM, { { 0.19f, 0.0f, 0.0f }, { -0.16f, 0.02f, 0.03f } });
+	for (int i = 0; i < int(p_seconds * 50.0); i++) {
+		const double time = i * 0.02;
+		DriftEstimator::Sample sample;
+		sample.time = 1000.0 + time;
+		for (const int mount : { UPPER_ARM, FOREARM }) {
+			const kinematics::Quat drift = yaw(mount == FOREARM ? RATE * time : 0.0);
+			sample.present[std::size_t(mount)] = true;
+			sample.rotations[std::size_t(mount)] = drift * limb(mount, time);
+			if (p_is_accelerated) {
+				const kinematics::Vec3 bent =
+						sensor(mount, time + 0.02) + sensor(mount, time - 0.02) - sensor(mount, time) * 2.0f;
+				sample.accelerations[std::size_t(mount)] =
+						drift.rotate(bent * 2500.0f + kinematics::Vec3{ 0.0f, 9.81f, 0.0f });
+			}
+		}
+		estimator.add(sample);
+	}
+	const double between = estimator.correction(FOREARM) - estimator.correction(UPPER_ARM);
+	return std::abs(between - RATE * p_seconds);
+}
+
 double worst(const DriftEstimator &p_estimator, double p_rate, double p_time) {
 	double most = 0.0;
 	for (int mount = 0; mount < MOUNTS; mount++) {
@@ -72,6 +112,11 @@ TEST(what_is_known_at_a_restart_is_taken_off_at_once) {
 	CHECK(estimator.correction(3) == 0.4);
 	CHECK(estimator.state().drift(3) == 0.0);
 	CHECK(estimator.state().rate(0) - estimator.state().rate(1) > RATE);
+}
+
+TEST(a_joint_that_moves_tells_the_drift_in_any_posture) {
+	CHECK(off_of_a_forearm(true, 240.0) < degrees(2.0));
+	CHECK(off_of_a_forearm(false, 240.0) > degrees(5.0));
 }
 
 TEST(samples_that_go_back_in_time_or_stop_do_no_harm) {

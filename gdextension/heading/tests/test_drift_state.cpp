@@ -41,4 +41,25 @@ TEST(another_posture_is_no_drift) {
 	CHECK(std::abs(state.drift(1)) < degrees(0.1));
 }
 
+TEST(pulls_tell_drifts_and_levers_apart) {
+	DriftState state;
+	double drift = 0.0;
+	const double lever = 0.04;
+	for (int i = 1; i <= 200; i++) {
+		state.predict(1.0);
+		drift += degrees(0.05);
+		// An acceleration that swings, and a limb that turns at another pace.
+		Pull pull{ 5, 4, std::sin(0.7 * i), {} };
+		pull.levers[3] = 3.0 * std::cos(1.9 * i);
+		const double expected = pull.turn * (state.drift(5) - state.drift(4)) + pull.levers[3] * state.lever(5, 3);
+		state.observe(pull, pull.turn * drift + pull.levers[3] * lever - expected, 0.01);
+	}
+	CHECK(std::abs(state.drift(5) - state.drift(4) - drift) < degrees(0.3));
+	CHECK(std::abs(state.lever(5, 3) - lever) < 0.002);
+	state.restart();
+	CHECK(state.drift(5) == 0.0 && std::abs(state.lever(5, 3) - lever) < 0.002);
+	state.observe(Pull{ 5, 4, 1.0, {} }, 1000.0, 0.01);
+	CHECK(state.drift(5) == 0.0);
+}
+
 TEST_MAIN()

@@ -52,6 +52,16 @@ var drift_sway_s: float = 240.0
 ## How far a sensor turns on its limb when the limb is level instead of upright, degrees, and by a
 ## part of that when it is swung: about an axis of its own for each sensor, always the same way.
 var soft_tissue_deg: float = 0.0
+## Where each sensor sits beside [constant SITS], m, by sensor; empty: there.
+var misplaced: PackedVector3Array = PackedVector3Array()
+## The size of the wearer, in sizes of [constant SuitMotion.OFFSETS].
+var size: float = 1.0
+## How far each acceleration is off at random, m/s² (standard deviation of each axis), and by how
+## much always, by sensor; empty: nothing.
+var acceleration_noise: float = 0.0
+var acceleration_biases: PackedVector3Array = PackedVector3Array()
+## Whether sensors say how they are accelerated, and at which rate they turn.
+var has_rates: bool = true
 ## Whether sensors say what their magnetometers measure.
 var has_magnetics: bool = false
 ## What iron nearby adds to the field at a sensor, by sensor's number, as [constant FIELD].
@@ -120,7 +130,7 @@ func measure(p_pose: PoseSample, p_time_usec: int) -> void:
 	var passed: float = (p_time_usec - _begin_usec) / 1e6
 	var step: float = (p_time_usec - _before_usec) / 1e6 if _before_usec >= 0 else 0.0
 	var frame: SensorFrame = SensorFrame.new()
-	frame.resize(_ids.size(), true, true, has_magnetics)
+	frame.resize(_ids.size(), has_rates, has_rates, has_magnetics)
 	frame.time_usec = p_time_usec
 	frame.counter = _counter
 	_counter = (_counter + 1) & 0xFFFF
@@ -168,7 +178,7 @@ func _measure_sensor(
 	p_sensor: int, p_pose: PoseSample, p_passed_s: float, p_step_s: float, r_frame: SensorFrame
 ) -> void:
 	var limb: Quaternion = limb_rotation(p_pose, _mounts[p_sensor])
-	var place: Vector3 = _joints[_mounts[p_sensor]] + limb * SITS[_mounts[p_sensor]]
+	var place: Vector3 = _joints[_mounts[p_sensor]] + limb * _sits(p_sensor)
 	var turned: Quaternion = limb * _tissue(p_sensor, limb, p_step_s) * _mountings[p_sensor]
 	var pull: Vector3 = Vector3(0.0, GRAVITY, 0.0)
 	if p_step_s > 0.0:
@@ -176,9 +186,12 @@ func _measure_sensor(
 		if not _speeds[p_sensor].is_zero_approx():
 			pull += (speed - _speeds[p_sensor]) / p_step_s
 		_speeds[p_sensor] = speed
-		var rate: Vector3 = Rotations.vector(_before[p_sensor].inverse() * turned) / p_step_s
-		r_frame.rates[p_sensor] = rate
-	r_frame.accelerations[p_sensor] = turned.inverse() * pull.limit_length(CLIPPED)
+		if has_rates:
+			var rate: Vector3 = Rotations.vector(_before[p_sensor].inverse() * turned) / p_step_s
+			r_frame.rates[p_sensor] = rate
+	if has_rates:
+		var felt: Vector3 = turned.inverse() * pull.limit_length(CLIPPED)
+		r_frame.accelerations[p_sensor] = felt + _wrong_acceleration(p_sensor)
 	if has_magnetics:
 		var field: Vector3 = FIELD + disturbances.get(p_sensor, Vector3.ZERO)
 		r_frame.magnetics[p_sensor] = turned.inverse() * field
@@ -218,7 +231,23 @@ func _place_joints(p_pose: PoseSample) -> void:
 		_joints[mount] = p_pose.root
 		if parent >= 0:
 			var above: Quaternion = limb_rotation(p_pose, parent)
-			_joints[mount] = _joints[parent] + above * SuitMotion.OFFSETS[mount]
+			_joints[mount] = _joints[parent] + above * SuitMotion.OFFSETS[mount] * size
+
+
+## Where a sensor sits on its mount, m, from the mount's joint in the reset pose.
+func _sits(p_sensor: int) -> Vector3:
+	var off: Vector3 = misplaced[p_sensor] if p_sensor < misplaced.size() else Vector3.ZERO
+	return SITS[_mounts[p_sensor]] * size + off
+
+
+## How far an acceleration is off, m/s², in the sensor's axes.
+func _wrong_acceleration(p_sensor: int) -> Vector3:
+	var off: Vector3 = Vector3.ZERO
+	if acceleration_noise > 0.0:
+		off = Vector3(random.randfn(), random.randfn(), random.randfn()) * acceleration_noise
+	if p_sensor < acceleration_biases.size():
+		off += acceleration_biases[p_sensor]
+	return off
 
 
 ## How the soft tissue under a sensor has given way: as its limb is tilted and swung.

@@ -16,12 +16,14 @@ var drift: HeadingDrift = HeadingDrift.new()
 
 var _calibration: Calibration = null
 var _mounts: PackedInt32Array = PackedInt32Array()
+var _size: BodySize = null
 
 
 ## Forgets all drift.
 func clear() -> void:
 	drift.reset()
 	_calibration = null
+	_size = null
 
 
 ## Takes a frame and corrects the table that turns it into poses.
@@ -30,7 +32,16 @@ func add(p_frame: SensorFrame, p_table: SuitTable) -> void:
 		return
 	if p_table.calibration != _calibration or p_table.mounts != _mounts:
 		_follow(p_table)
-	drift.add(p_frame.time_usec, p_frame.present, p_frame.orientations, p_frame.magnetics)
+	if p_table.size != _size:
+		_size = p_table.size
+		SensorPlaces.new(_size).set_joints(drift)
+	drift.add(
+		p_frame.time_usec,
+		p_frame.present,
+		p_frame.orientations,
+		p_frame.magnetics,
+		p_frame.accelerations
+	)
 	p_table.correct(corrections())
 
 
@@ -128,6 +139,7 @@ func _set_turns(p_turns: PackedFloat64Array) -> String:
 func _follow(p_table: SuitTable) -> void:
 	if p_table.calibration != _calibration:
 		drift.reset()
+		_size = null
 	_calibration = p_table.calibration
 	_mounts = p_table.mounts.duplicate()
 	for sensor: int in _mounts.size():

@@ -13,6 +13,8 @@ var is_calibrated: bool = false
 var reset_pose: ResetPose.Kind = ResetPose.Kind.T
 ## The calibration, or null.
 var calibration: Calibration = null
+## The wearer's size.
+var size: BodySize = BodySize.new()
 
 var _entries: Array[Calibration.Entry] = []
 var _left: Array[Quaternion] = []
@@ -29,6 +31,7 @@ var _filler: LimbFiller = LimbFiller.new()
 func setup(p_sensors: Array[SensorInfo], p_profile: PersonProfile) -> void:
 	mounts = p_profile.map.of_sensors(p_sensors)
 	calibration = p_profile.calibration
+	size = p_profile.size
 	is_calibrated = calibration != null
 	if is_calibrated:
 		reset_pose = calibration.pose

@@ -13,6 +13,8 @@ const LONGEST_S: float = 60.0
 const HABIT_DEG: float = 4.0
 ## How far somebody turns from time to time, degrees.
 const TURNS_DEG: float = 60.0
+## Height of the pelvis of who sits, m.
+const SEAT_M: float = 0.5
 ## What is done by whoever does all.
 const ALL: PackedStringArray = ["clip", "stand", "work", "sit", "still", "twisted", "rifle"]
 
@@ -89,6 +91,15 @@ var _bends: PackedVector3Array = PackedVector3Array()
 var _waves: PackedVector2Array = PackedVector2Array()
 var _left: Array[Quaternion] = []
 var _now: Array[Quaternion] = []
+# Since when the pose goes over into another one, s, and which poses of a clip
+# are the present one and the one that it began with.
+var _passes_s: float = 0.0
+var _at: int = -1
+var _first: int = 0
+# Where the pelvis is and was when that began; where the middle between both ankles stays, m.
+var _root: Vector3 = Vector3(0.0, 0.95, 0.0)
+var _left_root: Vector3 = _root
+var _feet: Vector3 = Vector3.ZERO
 
 
 ## [param p_clips] are clips, each an array of poses; [param p_choice] what is done.
@@ -117,9 +128,11 @@ static func keep(p_source: BvhSource) -> Array[PoseSample]:
 func pose_at(p_time_s: float) -> PoseSample:
 	if p_time_s >= _end_s:
 		_choose(p_time_s)
+	if _name == "clip":
+		_play(p_time_s)
 	for mount: int in BodyMounts.COUNT:
 		_now[mount] = _wanted(mount, p_time_s)
-	var part: float = smoothstep(_begin_s, _begin_s + PASSAGE_S, p_time_s)
+	var part: float = smoothstep(_passes_s, _passes_s + PASSAGE_S, p_time_s)
 	var pose: PoseSample = PoseSample.new()
 	pose.details = MotionDetails.new()
 	for mount: int in BodyMounts.COUNT:
@@ -132,12 +145,56 @@ func pose_at(p_time_s: float) -> PoseSample:
 		else:
 			pose.set_orientation(BodyMounts.LIMBS[mount], turned)
 	pose.set_orientation(1, pose.orientation(0).slerp(pose.orientation(2), 0.5))
-	pose.root = Vector3(0.0, 0.95, 0.0)
+	_root = _root_of(part)
+	pose.root = _root
 	return pose
 
 
-func _choose(p_time_s: float) -> void:
+## Where the pelvis is: as the clip moves it, or where feet that stand leave it; who sits does not
+## move it.
+func _root_of(p_part: float) -> Vector3:
+	if _name == "clip":
+		var poses: Array = _clips[_clip]
+		var begin: PoseSample = poses[_first]
+		var pose: PoseSample = poses[_at]
+		return _left_root + Rotations.yaw(_front) * (pose.root - begin.root) * p_part
+	if _name == "sit" or _name == "twisted":
+		var seat: Vector3 = _left_root
+		seat.y = SEAT_M
+		return _left_root.lerp(seat, p_part)
+	return _feet - _ankles()
+
+
+## The middle between both ankles, from the pelvis, m.
+func _ankles() -> Vector3:
+	var sum: Vector3 = Vector3.ZERO
+	for thigh: int in [BodyMounts.LEFT_THIGH, BodyMounts.RIGHT_THIGH]:
+		sum += _now[0] * SuitMotion.OFFSETS[thigh]
+		sum += _now[thigh] * SuitMotion.OFFSETS[thigh + 1]
+		sum += _now[thigh + 1] * SuitMotion.OFFSETS[thigh + 2]
+	return sum / 2.0
+
+
+## Goes on in a clip; where it begins again the pose goes over into its first one.
+func _play(p_time_s: float) -> void:
+	var poses: Array = _clips[_clip]
+	var at: int = roundi(p_time_s * RATE_HZ) % poses.size()
+	if _at < 0 or at < _at:
+		_leave(p_time_s)
+		_first = at
+	_at = at
+
+
+func _leave(p_time_s: float) -> void:
 	_left = _now.duplicate()
+	_left_root = _root
+	_feet = _root + _ankles()
+	_passes_s = p_time_s
+
+
+func _choose(p_time_s: float) -> void:
+	_leave(p_time_s)
+	_at = -1
 	_name = _choice[_random.randi() % _choice.size()]
 	_begin_s = p_time_s
 	_end_s = p_time_s + _random.randf_range(SHORTEST_S, LONGEST_S)
@@ -156,7 +213,7 @@ func _choose(p_time_s: float) -> void:
 func _wanted(p_mount: int, p_time_s: float) -> Quaternion:
 	if _name == "clip":
 		var poses: Array = _clips[_clip]
-		var pose: PoseSample = poses[roundi(p_time_s * RATE_HZ) % poses.size()]
+		var pose: PoseSample = poses[_at]
 		return Rotations.yaw(_front) * pose.orientation(BodyMounts.LIMBS[p_mount])
 	var sways: Vector2 = _SWAYS[_name]
 	var sway_deg: float = sways.y if BodyMounts.is_arm(p_mount) else sways.x

@@ -12,6 +12,12 @@ const CASES: Dictionary[String, PackedStringArray] = {
 	"rifle": ["rifle"],
 }
 const _RATE_HZ: float = 25.0
+## How far sensors sit beside their places, m, how far wearers' sizes are off, as a part, and what
+## accelerations are off, m/s²: always, and at random (standard deviations of each axis).
+const _MISPLACED_M: float = 0.025
+const _SIZE: float = 0.05
+const _ACCELERATION_BIAS: float = 0.05
+const _ACCELERATION_NOISE: float = 0.1
 const _BEGIN_USEC: int = 1700000000000000
 
 var _clips: Array[Array] = []
@@ -78,9 +84,9 @@ func _run_case(p_name: String, p_rate: float) -> void:
 func _run(p_name: String, p_rate: float, p_run: int) -> Outcome:
 	var random: RandomNumberGenerator = generator(p_run)
 	var feed: WornSensorFeed = WornSensorFeed.new()
-	feed.random = random
 	feed.noise_deg = 0.3
 	feed.drift_sway = random.randf_range(0.0, 0.3)
+	_sit(feed, p_run)
 	var map: SensorMap = SensorMap.new()
 	var calibration: Calibration = Calibration.new()
 	for mount: int in BodyMounts.COUNT:
@@ -102,6 +108,24 @@ func _run(p_name: String, p_rate: float, p_run: int) -> Outcome:
 	suit.set_map(map)
 	suit.set_calibration(calibration)
 	return _wear(suit, feed, DailyMotion.new(random, _clips_of(random), CASES[p_name]))
+
+
+## Sensors sit some centimetres beside where people are told to put them, on wearers of another size
+## than they said, and their accelerations are not right either.
+func _sit(p_feed: WornSensorFeed, p_run: int) -> void:
+	# Drawn apart: with or without accelerations the wearer is the same.
+	var random: RandomNumberGenerator = generator(-1 - p_run)
+	p_feed.random = random
+	p_feed.has_rates = not arguments.value("orientations")
+	p_feed.size = 1.0 + random.randfn() * _SIZE
+	p_feed.acceleration_noise = _ACCELERATION_NOISE
+	for _mount: int in BodyMounts.COUNT:
+		p_feed.misplaced.append(_any(random) * _MISPLACED_M)
+		p_feed.acceleration_biases.append(_any(random) * _ACCELERATION_BIAS)
+
+
+static func _any(p_random: RandomNumberGenerator) -> Vector3:
+	return Vector3(p_random.randfn(), p_random.randfn(), p_random.randfn())
 
 
 ## All clips, in any order.

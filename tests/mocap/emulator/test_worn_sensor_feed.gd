@@ -71,6 +71,27 @@ func test_a_forearm_that_turns_is_pulled_to_its_elbow() -> void:
 	is_true(hand.length() > pull.length(), "%s" % hand)
 
 
+func test_a_sensor_that_sits_farther_out_is_pulled_more() -> void:
+	var feed: WornSensorFeed = _worn()
+	feed.misplaced.resize(BodyMounts.COUNT)
+	feed.misplaced[BodyMounts.LEFT_FOREARM] = WornSensorFeed.SITS[BodyMounts.LEFT_FOREARM]
+	feed.acceleration_biases.resize(BodyMounts.COUNT)
+	feed.acceleration_biases[BodyMounts.HEAD] = Vector3(0.3, 0.0, 0.0)
+	for at: int in 50:
+		var pose: PoseSample = CalibrationMotion.new().pose_at(0.0)
+		pose.set_orientation(Limbs.LEFT_LOWER_ARM, Rotations.yaw(4.0 * at / 100.0))
+		feed.measure(pose, BEGIN_USEC + at * 10000)
+	var frame: SensorFrame = feed.take_frames()[40]
+	var pull: Vector3 = frame.accelerations[BodyMounts.LEFT_FOREARM]
+	var level: float = sqrt(pull.length_squared() - 9.81 * 9.81)
+	almost_equal(level, 16.0 * 2.0 * WornSensorFeed.SITS[BodyMounts.LEFT_FOREARM].x, 0.05)
+	var head: Vector3 = frame.accelerations[BodyMounts.HEAD]
+	almost_equal(head.length(), Vector3(0.3, 9.81, 0.0).length(), 0.3)
+	feed.has_rates = false
+	feed.measure(CalibrationMotion.new().pose_at(0.0), BEGIN_USEC + 500000)
+	is_true(feed.take_frames()[-1].accelerations.is_empty())
+
+
 func test_soft_tissue_yields_to_the_limb_alike_each_time() -> void:
 	var feed: WornSensorFeed = _worn()
 	feed.soft_tissue_deg = 6.0

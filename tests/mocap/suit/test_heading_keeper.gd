@@ -2,17 +2,18 @@ extends TestCase
 ## Headings of worn sensors that drift are corrected while people move, and at once on demand.
 
 const BEGIN_USEC: int = 1700000000000000
-const RATE_HZ: float = 12.5
 
 var _random: RandomNumberGenerator = RandomNumberGenerator.new()
 var _feed: WornSensorFeed = null
 var _suit: SuitSource = null
 var _now_s: float = 0.0
+var _rate_hz: float = 12.5
 
 
 func before_each() -> void:
 	_random.seed = 8
 	_now_s = 0.0
+	_rate_hz = 12.5
 	_feed = WornSensorFeed.new()
 	_feed.random = _random
 	var map: SensorMap = SensorMap.new()
@@ -108,6 +109,16 @@ func test_magnetometers_hold_the_headings_of_somebody_who_moves_anyhow() -> void
 	is_true(_mean_off_deg() < 2.5, "%f deg are left" % _mean_off_deg())
 
 
+func test_accelerations_hold_neighbours_together_whose_postures_never_stay() -> void:
+	_drift(5.0)
+	_rate_hz = 25.0
+	while _now_s < 150.0:
+		_measure(_restless(_now_s))
+	var raw: float = _apart_deg(PackedFloat64Array())
+	var left: float = _apart_deg(_suit.headings.corrections())
+	is_true(raw > 8.0 and left < 2.0, "%f of %f deg are left" % [left, raw])
+
+
 ## Lets each sensor drift by so much, one way or the other, degrees a minute.
 func _drift(p_deg_min: float) -> void:
 	for _sensor: int in BodyMounts.COUNT:
@@ -138,10 +149,21 @@ func _pose(p_time_s: float, p_twist_deg: float) -> PoseSample:
 	return pose
 
 
+## Somebody who swings to and fro about postures that change all the time.
+func _restless(p_time_s: float) -> PoseSample:
+	var pose: PoseSample = PoseSample.new()
+	for limb: int in Limbs.COUNT:
+		var at: float = p_time_s + limb * 1.7
+		var swung: Vector3 = Vector3(sin(at * 3.1), sin(at * 0.29) + sin(at * 0.17), cos(at * 3.7))
+		pose.set_orientation(limb, Rotations.from_vector(swung * Vector3(0.3, 0.9, 0.3)))
+	pose.root = Vector3(sin(p_time_s * 4.0), 0.0, sin(p_time_s * 5.0)) * 0.1
+	return pose
+
+
 func _measure(p_pose: PoseSample) -> void:
 	_feed.measure(p_pose, BEGIN_USEC + roundi(_now_s * 1e6))
 	_suit.advance(_now_s)
-	_now_s += 1.0 / RATE_HZ
+	_now_s += 1.0 / _rate_hz
 
 
 func _mean_off_deg() -> float:
@@ -149,6 +171,20 @@ func _mean_off_deg() -> float:
 	var sum: float = 0.0
 	for sensor: int in BodyMounts.COUNT:
 		sum += absf(_feed.heading(sensor, _now_s) - _feed.heading(sensor, 0.0) - taken[sensor])
+	return rad_to_deg(sum) / BodyMounts.COUNT
+
+
+## How far headings are off from what they are off in the mean, degrees, in the mean.
+func _apart_deg(p_taken: PackedFloat64Array) -> float:
+	var offs: PackedFloat64Array = []
+	var mean: float = 0.0
+	for sensor: int in BodyMounts.COUNT:
+		var taken: float = p_taken[sensor] if not p_taken.is_empty() else 0.0
+		offs.append(_feed.heading(sensor, _now_s) - _feed.heading(sensor, 0.0) - taken)
+		mean += offs[sensor] / BodyMounts.COUNT
+	var sum: float = 0.0
+	for off: float in offs:
+		sum += absf(off - mean)
 	return rad_to_deg(sum) / BodyMounts.COUNT
 
 

@@ -47,4 +47,10 @@ func _go(p_seconds: float) -> void:
 		_feed.measure(pose, BEGIN_USEC + _frames * 50000)
 		_frames += 1
 		for frame: SensorFrame in _feed.take_frames():
-			_drift.add(frame.time_usec, frame.present, frame.orientations, frame.magnetics)
+			_drift.add(
+				frame.time_usec,
+				frame.present,
+				frame.orientations,
+				frame.magnetics,
+				frame.accelerations
+			)
