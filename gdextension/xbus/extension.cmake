@@ -21,6 +21,7 @@ if(DISMOUNT_EXTENSIONS)
 			binding/raw_player.cpp
 			binding/raw_recorder.cpp
 			binding/register_types.cpp
+			binding/stream_time.cpp
 			binding/suit_device.cpp
 			binding/suit_frame.cpp
 			binding/suit_hub.cpp
@@ -37,6 +38,7 @@ if(DISMOUNT_EXTENSIONS)
 			doc_classes/MvnReceiver.xml
 			doc_classes/RawPlayer.xml
 			doc_classes/RawRecorder.xml
+			doc_classes/StreamTime.xml
 			doc_classes/SuitDevice.xml
 			doc_classes/SuitFrame.xml
 			doc_classes/SuitHub.xml

@@ -11,4 +11,6 @@ dismount_add_core_library(xbus_session SOURCES
 foreach(test no_session_allocation session)
 	dismount_add_core_test(xbus_test_${test} SOURCES tests/session/test_${test}.cpp LIBRARIES xbus_session xbus_emulator)
 endforeach()
-dismount_add_core_test(xbus_source_clock SOURCES tests/clock/test_source_clock.cpp LIBRARIES xbus_bus)
+foreach(test source_clock stream_time)
+	dismount_add_core_test(xbus_${test} SOURCES tests/clock/test_${test}.cpp LIBRARIES xbus_bus)
+endforeach()

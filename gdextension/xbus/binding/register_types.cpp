@@ -3,6 +3,7 @@
 #include "mvn_receiver.hpp"
 #include "raw_player.hpp"
 #include "raw_recorder.hpp"
+#include "stream_time.hpp"
 #include "suit_device.hpp"
 #include "suit_frame.hpp"
 #include "suit_hub.hpp"
@@ -28,6 +29,7 @@ void initialize(ModuleInitializationLevel p_level) {
 		GDREGISTER_CLASS(MvnEncoder);
 		GDREGISTER_CLASS(MvnReceiver);
 		GDREGISTER_CLASS(SuitHub);
+		GDREGISTER_CLASS(StreamTime);
 	}
 }
 

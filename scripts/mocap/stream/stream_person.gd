@@ -165,12 +165,7 @@ func _is_fresh(p_sample: StreamSample, p_arrival_usec: int) -> bool:
 
 func _keep(p_sample: StreamSample, p_arrival_usec: int) -> void:
 	var pose: PoseSample = p_sample.pose
-	if p_sample.source_usec >= 0:
-		pose.time_usec = _time.at(p_sample.source_usec, p_arrival_usec)
-	elif p_sample.counter >= 0:
-		pose.time_usec = _time.at_count(p_sample.counter, p_arrival_usec)
-	else:
-		pose.time_usec = _time.at_arrival(p_arrival_usec)
+	pose.time_usec = _time.at(p_sample.source_usec, p_sample.counter, p_arrival_usec)
 	if pose.details != null:
 		pose.details.counter = p_sample.counter
 	if p_sample.name != "":

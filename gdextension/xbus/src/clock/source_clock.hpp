@@ -20,11 +20,15 @@ namespace clocks {
 /// time does not run at all has the times of arrival.
 class SourceClock {
 public:
-	/// `p_is_trusted`: the source's time is believed at once, before it has been seen to run.
-	explicit SourceClock(bool p_is_trusted = false) : _is_trusted(p_is_trusted), _runs(p_is_trusted) {}
+	/// `p_is_trusted`: the source's time is believed at once, before it has been seen to run. `p_is_rough`: its rate
+	/// is only known to a hundredth or two.
+	explicit SourceClock(bool p_is_trusted = false, bool p_is_rough = false) :
+			_is_trusted(p_is_trusted), _is_rough(p_is_rough), _runs(p_is_trusted) {}
 
 	/// Begins anew: another stream.
-	void reset() { *this = SourceClock(_is_trusted); }
+	void reset() { *this = SourceClock(_is_trusted, _is_rough); }
+	/// Nothing came for a while: the clocks are compared anew. What ran before runs now, as far as is known.
+	void resume() { _is_known = false; }
 
 	/// The time of a sample that arrived now, µs, never later than its arrival.
 	uint64_t timestamp(int64_t p_source_usec, uint64_t p_arrival_usec) {
@@ -81,6 +85,8 @@ private:
 	/// Drift is not told from jitter in fewer spans; until then the newest few are all that counts.
 	static constexpr std::size_t DRIFT_SPANS = 12;
 	static constexpr std::size_t RECENT_SPANS = 4;
+	/// A rough rate is better measured as soon as can be: by so many spans that are over.
+	static constexpr std::size_t ROUGH_SPANS = 2;
 
 	void begin(int64_t p_source, int64_t p_arrival) {
 		_is_known = true;
@@ -151,10 +157,12 @@ private:
 
 	/// Draws the line below all quickest arrivals.
 	void draw() {
-		const bool is_nominal = _ratio == 1.0;
+		const bool is_nominal = _ratio == 1.0 && !_is_rough;
 		const double most = is_nominal ? MAX_DRIFT : MAX_RATE_ERROR;
-		const bool is_long = _count >= (is_nominal ? DRIFT_SPANS : RECENT_SPANS);
-		_slope = is_long ? std::clamp(hull_slope(), -most, most) : 0.0;
+		// A span that is not over has not had its quickest arrival yet.
+		const std::size_t spans = _is_rough ? _count - 1 : _count;
+		const bool is_long = spans >= (is_nominal ? DRIFT_SPANS : _is_rough ? ROUGH_SPANS : RECENT_SPANS);
+		_slope = is_long ? std::clamp(hull_slope(spans), -most, most) : 0.0;
 		std::size_t at = is_long || _count < RECENT_SPANS ? 0 : _count - RECENT_SPANS;
 		_offset = _quickest[at].delay - _slope * _quickest[at].passed;
 		for (++at; at < _count; ++at) {
@@ -162,14 +170,14 @@ private:
 		}
 	}
 
-	/// The slope of the hull's edge over the middle of the points.
-	double hull_slope() const {
+	/// The slope of the hull's edge over the middle of the first points.
+	double hull_slope(std::size_t p_count) const {
 		std::array<Point, KEPT> hull{};
 		std::size_t corners = 0;
 		double middle = 0.0;
-		for (std::size_t at = 0; at < _count; ++at) {
+		for (std::size_t at = 0; at < p_count; ++at) {
 			const Point &point = _quickest[at];
-			middle += point.passed / double(_count);
+			middle += point.passed / double(p_count);
 			while (corners >= 2 && is_above(hull[corners - 2], hull[corners - 1], point)) {
 				--corners;
 			}
@@ -191,6 +199,7 @@ private:
 	}
 
 	bool _is_trusted = false;
+	bool _is_rough = false;
 	bool _runs = false;
 	bool _is_known = false;
 	int64_t _last_source = 0;
