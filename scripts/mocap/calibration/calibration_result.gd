@@ -14,7 +14,7 @@ const TURNED_DEG: float = 12.0
 const GOOD_DEG: float = 4.0
 const FAIR_DEG: float = 8.0
 ## Calibrations that are worse are not taken where nobody is asked, degrees: in the mean of the
-## limbs, and of any limb.
+## limbs, and of any limb, without what norths add that nothing showed.
 const ACCEPTED_DEG: float = 15.0
 const ACCEPTED_LIMB_DEG: float = 20.0
 
@@ -122,12 +122,13 @@ func is_good() -> bool:
 	return true
 
 
-## Whether it can be taken where nobody is asked.
+## Whether it can be taken where nobody is asked. Norths that nothing showed do not count: the
+## wearer did as asked, and doing it again shows no more.
 func is_acceptable() -> bool:
 	for quality: PlaceQuality in mounts:
-		if quality.error_deg > ACCEPTED_LIMB_DEG:
+		if quality.error_deg - quality.unseen_deg > ACCEPTED_LIMB_DEG:
 			return false
-	return error == "" and not is_reassigned() and error_deg <= ACCEPTED_DEG
+	return error == "" and not is_reassigned() and error_deg - unseen_deg <= ACCEPTED_DEG
 
 
 ## Quality of a mount, or null.

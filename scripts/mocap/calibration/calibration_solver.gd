@@ -12,6 +12,8 @@ const MUCH_BETTER: float = 5.0
 ## Poses that disagree by more contradict each other: only the one that is the reference counts,
 ## rad.
 const CONTRADICTS_RAD: float = 0.8
+## Arms do not come down further ahead of the body than this, or behind it: norths differ then, rad.
+const AHEAD_RAD: float = 0.35
 ## Rounds of learning how exact the wearer is.
 const ROUNDS: int = 3
 ## How exact an earlier calibration's headings are at best, where nothing is said of it, and how
@@ -203,17 +205,22 @@ func _find_norths() -> void:
 	if is_old:
 		_suppose_old()
 	if not is_old or not _first.is_empty():
-		var spreads: PackedFloat64Array = NorthFinder.COMMON.duplicate()
-		if not is_auto:
-			spreads.fill(0.0)
-			var common: bool = options.align == CalibrationOptions.Align.COMMON
-			spreads[0 if common else spreads.size() - 1] = 1.0
 		var centres: PackedFloat64Array = []
 		centres.resize(_fits.size())
 		var blurs: PackedFloat64Array = centres.duplicate()
 		centres.fill(options.given_heading() if given else 0.0)
-		_norths.suppose(centres, blurs, spreads, not given)
+		_norths.suppose(centres, blurs, _usual_spreads(), not given)
 	_norths.find()
+
+
+## How far norths are apart before anything is measured: see [constant NorthFinder.COMMON].
+func _usual_spreads() -> PackedFloat64Array:
+	var spreads: PackedFloat64Array = NorthFinder.COMMON.duplicate()
+	if options.align != CalibrationOptions.Align.AUTO:
+		spreads.fill(0.0)
+		var common: bool = options.align == CalibrationOptions.Align.COMMON
+		spreads[0 if common else spreads.size() - 1] = 1.0
+	return spreads
 
 
 ## The variance, rad², of what arms that come down ahead of the body, or behind it, turn the
@@ -235,7 +242,7 @@ func _ahead_variance() -> float:
 			squares += out * out
 	var mean: float = sum / angles.size()
 	var spread: float = maxf(squares / angles.size() - mean * mean, 0.0) / (angles.size() - 1)
-	return maxf(mean * mean - 2.0 * spread, 0.0)
+	return clampf(mean * mean - 2.0 * spread, 0.0, AHEAD_RAD * AHEAD_RAD)
 
 
 ## That norths are still as they were in the earlier calibration.

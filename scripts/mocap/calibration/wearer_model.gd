@@ -9,7 +9,7 @@ extends RefCounted
 ## gamma prior of a normal variance; Gelman et al., Bayesian Data Analysis, section 2.6).
 
 ## How exactly people usually hold poses: arms and heads, and the rest, degrees about each axis.
-const USUAL_ARMS_DEG: float = 2.4
+const USUAL_ARMS_DEG: float = 2.0
 const USUAL_REST_DEG: float = 1.7
 ## How far movements are usually askew, degrees in each direction.
 const USUAL_ASKEW_DEG: float = 2.0

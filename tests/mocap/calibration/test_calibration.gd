@@ -75,6 +75,21 @@ func test_any_north_of_each_sensor() -> void:
 		is_true(result.find(BodyMounts.PELVIS).is_heading_measured)
 
 
+func test_norths_that_are_mirrored_are_no_arms_that_come_down_ahead() -> void:
+	var wearer: Wearer = Wearer.new()
+	wearer.random = _random
+	wearer.rate_hz = 40.0
+	for mount: int in 17:
+		wearer.mounts.append(mount)
+		var north: float = 0.5 + 1.2 * BodyMounts.side(mount)
+		wearer.feed.add_sensor(mount, wearer.any_rotation(), north)
+	var result: CalibrationResult = wearer.calibrate(CalibrationGuide.Kind.T_TO_N)
+	for mount: int in [4, 5, 6, 8, 9, 10]:
+		var found: float = deg_to_rad(result.find(mount).heading_deg)
+		var off: float = angle_difference(0.5 + 1.2 * BodyMounts.side(mount), found)
+		is_true(absf(off) < 0.25, "%s: %.0f deg" % [BodyMounts.title(mount), rad_to_deg(off)])
+
+
 func test_a_quick_reset_keeps_the_axes_and_takes_the_new_front() -> void:
 	for round: int in 6:
 		var wearer: Wearer = _wearer(NAN)

@@ -2,6 +2,7 @@ extends TestCase
 ## What a calibration says of its own error is what wearers then have, and what cannot be seen is
 ## said.
 
+const Fits: GDScript = preload("fits.gd")
 const Wearer: GDScript = preload("wearer.gd")
 
 var _random: RandomNumberGenerator = RandomNumberGenerator.new()
@@ -23,6 +24,7 @@ func test_a_pose_alone_is_not_called_good() -> void:
 	is_false(result.is_good())
 	not_equal(result.word(), "good")
 	is_true(result.unseen_deg > 3.0)
+	is_true(result.is_acceptable(), "the wearer can do no better in that pose")
 	contains(", ".join(result.advice), "nothing shows where each sensor's north is")
 	contains(", ".join(result.advice), "full")
 	# Who knows that they agree can say so.
@@ -59,6 +61,34 @@ func test_poses_that_disagree_are_not_called_good() -> void:
 	is_true(error > 6.0)
 	almost_equal(result.error_deg, error, 3.0)
 	not_equal(result.word(), "good")
+
+
+func test_a_wrong_heading_does_as_much_as_is_forecast() -> void:
+	var poses: Array[PoseSample] = []
+	var steps: Dictionary[String, float] = {
+		"01_01.bvh": 1.1, "01_03.bvh": 1.8, "Boxing_Toes.bvh": 1.5
+	}
+	for clip: String in steps:
+		poses.append_array(Wearer.clip_poses(clip, steps[clip], 20))
+	for pose: ResetPose.Kind in [ResetPose.Kind.T, ResetPose.Kind.N]:
+		for mount: int in [0, 2, 4, 5, 9, 11, 12, 16]:
+			var fit: SensorFit = Fits.on(mount)
+			var held: SensorFit.Hold = Fits.hold(fit, pose, Vector3.ZERO)
+			fit.heading = deg_to_rad(20.0)
+			fit.start_from(held)
+			var sum: float = 0.0
+			for sample: PoseSample in poses:
+				var limb: Quaternion = sample.orientation(BodyMounts.LIMBS[mount])
+				var got: Quaternion = Rotations.yaw(-fit.heading) * limb * fit.mounting.inverse()
+				sum += Rotations.between_deg(got, limb) / poses.size()
+			fit.solve(WearerModel.new())
+			fit.mounting_covariance.resize(9)
+			fit.mounting_covariance.fill(0.0)
+			var said: float = ErrorForecast.limb_deg(
+				fit, WearerModel.new(), [deg_to_rad(20.0)], [1.0]
+			)
+			# A normal error of that deviation is 0.8 of it in the mean.
+			almost_equal(said, 0.8 * sum, 0.25 * sum, BodyMounts.title(mount))
 
 
 func test_the_mean_length_of_normal_vectors() -> void:
