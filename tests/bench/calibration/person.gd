@@ -2,6 +2,7 @@ extends "res://tests/mocap/calibration/wearer.gd"
 ## Somebody who is not perfect: norths apart, poses held badly, soft tissue, movements that are
 ## larger, smaller and more askew than asked. All is drawn from [member random].
 
+const Knowing: GDScript = preload("knowing_solver.gd")
 const _NOISE_DEG: float = 0.5
 const _RATE_HZ: float = 25.0
 
@@ -9,6 +10,14 @@ const _RATE_HZ: float = 25.0
 var askew_deg: float = 2.0
 ## How far norths are spread, degrees.
 var norths_deg: float = 0.0
+## How far poses are off at most, degrees.
+var poses_deg: float = 0.0
+## Whether a pose that is held again is off anew.
+var is_anew: bool = false
+## Whether norths are spread normally.
+var is_normal: bool = false
+## Whether the solver is told how far poses, movements and norths usually are off for this person.
+var is_known: bool = false
 ## Which way the wearer faces in the frame that the sensors have in common, rad.
 var front: float = 0.0
 
@@ -22,6 +31,7 @@ func dress(p_mounts: PackedInt32Array, p_norths_deg: float, p_normal: bool) -> v
 	feed.noise_deg = _NOISE_DEG
 	motion.facing = random.randf_range(-PI, PI)
 	norths_deg = p_norths_deg
+	is_normal = p_normal
 	var common: float = random.randf_range(-PI, PI)
 	front = common + motion.facing
 	for mount: int in p_mounts:
@@ -32,6 +42,8 @@ func dress(p_mounts: PackedInt32Array, p_norths_deg: float, p_normal: bool) -> v
 ## Poses are off by up to so many degrees, each mount on its own, T and N apart; a pose that is held
 ## again is off as before, or anew.
 func hold_badly(p_deg: float, p_anew: bool) -> void:
+	poses_deg = p_deg
+	is_anew = p_anew
 	motion.hold_faults.clear()
 	for _hold: int in 4:
 		var faults: Dictionary = {}
@@ -71,6 +83,11 @@ func errors_deg(p_calibration: Calibration, p_poses: Array[PoseSample]) -> Packe
 	feed.noise_deg = noise
 	feed.soft_tissue_deg = soft
 	return sums
+
+
+func _on_started() -> void:
+	if is_known:
+		process._solver = Knowing.of(process._solver, self)
 
 
 ## The mean of numbers.
