@@ -14,7 +14,7 @@ from toolchain.paths import CLIPS, OUT, ROOT
 from toolchain.processes import free_port
 
 
-def run(*arguments: str, limit_s: float = 240.0, **environment: str) -> subprocess.CompletedProcess:
+def run(*arguments: str, limit_s: float = 600.0, **environment: str) -> subprocess.CompletedProcess:
     """Calls ./run from a folder elsewhere, without a display."""
     plain = {k: v for k, v in os.environ.items() if not k.startswith("DISMOUNT_")}
     plain.pop("DISPLAY", None)

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import random
 import socket
 import subprocess
 import time
@@ -12,6 +13,10 @@ from types import TracebackType
 
 from .console import Failure, tail
 from .paths import BUILD
+
+# Below what Linux gives out by itself (ip_local_port_range), above what services use.
+PORTS = range(20000, 32768)
+MAX_TRIES = 100
 
 
 def require_port(port: int) -> None:
@@ -27,11 +32,20 @@ def require_port(port: int) -> None:
 
 
 def free_port() -> int:
-    """A UDP port that nobody uses at the moment."""
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
-        probe.bind(("127.0.0.1", 0))
-        port: int = probe.getsockname()[1]
-        return port
+    """A UDP port that nobody uses at the moment.
+
+    It is none of those that the system gives out by itself: between this call and its use a client
+    could be given it.
+    """
+    for _ in range(MAX_TRIES):
+        port = random.choice(PORTS)
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+            try:
+                probe.bind(("0.0.0.0", port))
+            except OSError:
+                continue
+            return port
+    raise Failure(f"No UDP port from {PORTS.start} to {PORTS.stop - 1} is free.")
 
 
 class Group:
