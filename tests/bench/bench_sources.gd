@@ -118,11 +118,12 @@ func _measure_slime(p_clip: BvhSource, p_arguments: BenchArguments, p_report: Be
 		for frame: SensorFrame in feed.frames_until(usec + LossyLine.DELAY_USEC):
 			var at_s: float = (frame.time_usec - LossyLine.DELAY_USEC - LossyLine.BEGIN_USEC) / 1e6
 			var truth: PoseSample = p_clip.pose_at(at_s)
+			var sensors: Array[SensorInfo] = feed.list_sensors()
 			for sensor: int in frame.count():
 				if frame.present[sensor] != 0 and at_s > 2.0:
-					var turn: Quaternion = truth.orientation(
-						BodyMounts.LIMBS[writer.mounts[sensor]]
-					)
+					# They come in the order in which they were heard first.
+					var mount: int = writer.mounts[sensors[sensor].id.get_slice("-", 1).to_int()]
+					var turn: Quaternion = truth.orientation(BodyMounts.LIMBS[mount])
 					errors.add(Rotations.between_deg(frame.orientation(sensor), turn))
 	var cost: float = costs.percentile(0.5)
 	p_report.add("slime", "read 12 sensors", cost, "us")
