@@ -18,7 +18,8 @@ constexpr double MIN_DEFINED = 0.3;
 constexpr double STANDS = degrees(12.0);
 constexpr double STANDS_NOISE = degrees(1.5);
 /// By how much the variance of blocks of a joint that is held is more than what one tells of the next
-/// (they are off alike), and that of feet that stand less. Found with the benchmark.
+/// (they are off alike), where joints' accelerations tell more; and that of feet that stand less. Found
+/// with the benchmark.
 constexpr double HELD_ALIKE = 3.0;
 constexpr double PLANT_ALIKE = 0.4;
 /// A time without samples after which everything begins anew, s.
@@ -259,7 +260,7 @@ void DriftEstimator::_take_held(int p_edge, double p_seen) {
 	}
 	const double seen = std::clamp(off * off - known, MIN_VARIANCE, 9.0 * edge.held_variance);
 	edge.held_variance += std::max(LEARN, 0.5 / edge.held) * (seen - edge.held_variance);
-	double alike = p_edge == ROOM ? 1.0 : HELD_ALIKE;
+	double alike = p_edge == ROOM || !_moved ? 1.0 : HELD_ALIKE;
 	alike = p_edge >= MOUNTS ? PLANT_ALIKE : alike;
 	_state.observe(angle, expected + off, alike * edge.held_variance);
 }
@@ -327,6 +328,7 @@ void DriftEstimator::_take_front() {
 
 void DriftEstimator::_take_motion() {
 	for (const JointMotion::Sight &sight : _motion.take()) {
+		_moved = true;
 		const int above = PARENTS[std::size_t(sight.mount)];
 		const auto lever = [this, &sight](const kinematics::Vec3 &p_usual, int p_first) {
 			const kinematics::Vec3 off{ float(_state.lever(sight.mount, p_first)),

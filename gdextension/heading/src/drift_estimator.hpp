@@ -119,6 +119,8 @@ private:
 	int _faced = 0;
 	std::array<MagneticField, MOUNTS> _fields{};
 	JointMotion _motion;
+	/// Whether accelerations have told anything.
+	bool _moved = false;
 	/// What was known to be drifted at the last restart, and what is taken off now, rad.
 	std::array<double, MOUNTS> _known{};
 	std::array<double, MOUNTS> _corrections{};
