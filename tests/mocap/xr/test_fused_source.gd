@@ -70,17 +70,21 @@ func test_it_runs_in_a_sampler() -> void:
 	var frame: XrFrame = XrFrame.new()
 	frame.has_head = true
 	frame.has_place = true
-	while taken.size() < 20 and Time.get_ticks_msec() < end:
+	var is_there: bool = false
+	# A busy machine may let the sampler run for a while without frames of the headset.
+	while (taken.size() < 20 or not is_there) and Time.get_ticks_msec() < end:
 		frame.time_usec = roundi(Time.get_unix_time_from_system() * 1e6)
 		frame.head.origin = Vector3(5.0, 1.6, 2.0)
 		source.push(frame)
 		taken.append_array(sampler.take_samples(0))
+		if not taken.is_empty():
+			var root: Vector3 = taken[-1].root
+			is_there = Vector2(root.x - 5.0, root.z - 2.0).length() < 1.0
 		await get_tree().process_frame
 	sampler.stop()
 	is_true(taken.size() >= 20)
-	var last: PoseSample = taken[-1]
-	equal(last.find_fault(), "")
-	is_true(Vector2(last.root.x - 5.0, last.root.z - 2.0).length() < 1.0, str(last.root))
+	equal(taken[-1].find_fault(), "")
+	is_true(is_there, str(taken[-1].root))
 
 
 func test_without_motion_there_is_none() -> void:
