@@ -38,7 +38,7 @@ def test_other_words(line: str) -> None:
 
 
 def test_a_word_of_somebody_else() -> None:
-    assert list(check("gdextension/xbus/src/bus/items.cpp", ["RawBlob"])) == []
+    assert list(check("gdextension/xbus/device/items.cpp", ["RawBlob"])) == []
     assert len(list(check("gdextension/wire/src/items.cpp", ["RawBlob"]))) == 1
 
 
