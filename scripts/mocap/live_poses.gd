@@ -5,17 +5,12 @@ extends RefCounted
 ## A source measures in its own time, samples are taken in the server's: asked for the newest pose
 ## only, the server would sometimes get a fresh one and sometimes an old one, and would have to
 ## extrapolate. So it is asked for the pose of a moment a little more than one period back, which
-## lies between two that were measured. Where poses come late it is asked for one further back, for
-## as long as they do. For one thread.
+## lies between two that were measured. For one thread.
 
 ## How much further back than one period, s: the usual jitter of the path from the source.
 const MARGIN_S: float = 0.002
 ## A source that is late is extrapolated for so long, s; then there is no pose until it comes again.
 const MAX_AHEAD_S: float = 0.05
-## Where poses are late, at most so much further back, s; and how fast that ends once they are not,
-## s/s. A pose that is later than the first is not waited for.
-const MAX_LATE_S: float = 0.012
-const LATE_ENDS: float = 0.001
 ## Poses that are kept.
 const MAX_POSES: int = 16
 ## The period of a source of which only one pose is known, s.
@@ -27,9 +22,6 @@ const _MAX_PERIOD_S: float = 0.1
 var margin_s: float = MARGIN_S
 
 var _poses: Array[PoseSample] = []
-# How late poses come, s, and when that was looked at last.
-var _late_s: float = 0.0
-var _asked_usec: int = 0
 # Of the newest pose, as its source knows it; 0 where it does not.
 var _period_s: float = 0.0
 var _returned_usec: int = 0
@@ -66,10 +58,8 @@ func period_s() -> float:
 func at(p_time_usec: int) -> PoseSample:
 	if _poses.is_empty():
 		return null
-	var newest: PoseSample = _poses[_poses.size() - 1]
 	var wanted: int = p_time_usec - roundi((period_s() + margin_s) * 1e6)
-	_note_lateness((wanted - newest.time_usec) / 1e6, p_time_usec)
-	wanted -= roundi(_late_s * 1e6)
+	var newest: PoseSample = _poses[_poses.size() - 1]
 	if _poses.size() < 2:
 		wanted = newest.time_usec
 	wanted = mini(wanted, newest.time_usec + roundi(MAX_AHEAD_S * 1e6))
@@ -84,14 +74,6 @@ func at(p_time_usec: int) -> PoseSample:
 	var before: PoseSample = _poses[later - 1]
 	var span: float = _poses[later].time_usec - before.time_usec
 	return _between(before, _poses[later], (wanted - before.time_usec) / span)
-
-
-## Notes how much later than the newest pose the one was that was asked for, s.
-func _note_lateness(p_late_s: float, p_time_usec: int) -> void:
-	_late_s = maxf(_late_s - LATE_ENDS * maxf(p_time_usec - _asked_usec, 0.0) / 1e6, 0.0)
-	_asked_usec = p_time_usec
-	if p_late_s <= MAX_LATE_S:
-		_late_s = maxf(_late_s, p_late_s)
 
 
 static func _between(p_from: PoseSample, p_to: PoseSample, p_part: float) -> PoseSample:
