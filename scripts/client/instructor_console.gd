@@ -209,12 +209,11 @@ func _give(p_command: String, p_row: RosterRow, p_argument: String) -> void:
 			_note(p_row.name, _control.ban(p_row.session, p_argument))
 		"calibrate":
 			var kind: String = p_argument if p_argument != "" else USUAL_CALIBRATION
-			if not ClientCalibration.orders().has(kind):
-				var known: String = ", ".join(ClientCalibration.orders().keys())
-				said.emit("'%s' is no calibration: %s" % [kind, known])
+			var orders: Dictionary[String, int] = ClientCalibration.orders()
+			if not orders.has(kind):
+				said.emit("'%s' is no calibration: %s" % [kind, ", ".join(orders.keys())])
 				return
-			var pose: int = ClientCalibration.orders()[kind]
-			_note(p_row.name, _control.calibrate(p_row.session, 0, pose))
+			_note(p_row.name, _control.calibrate(p_row.session, 0, orders[kind]))
 
 
 func _note(p_about: String, p_number: int, p_is_list: bool = false) -> void:

@@ -21,14 +21,21 @@ MAX_TRIES = 100
 
 def require_port(port: int) -> None:
     """Gives up where a UDP port is in use."""
+    if not is_free(port):
+        raise Failure(
+            f"UDP port {port} is in use (another server?): end that program, or choose another "
+            f"port with --port={port + 1} or DISMOUNT_PORT={port + 1}."
+        )
+
+
+def is_free(port: int) -> bool:
+    """Whether nobody uses a UDP port at the moment."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
         try:
             probe.bind(("0.0.0.0", port))
-        except OSError as error:
-            raise Failure(
-                f"UDP port {port} is in use (another server?): end that program, or choose another "
-                f"port with --port={port + 1} or DISMOUNT_PORT={port + 1}."
-            ) from error
+        except OSError:
+            return False
+        return True
 
 
 def free_port() -> int:
@@ -39,11 +46,7 @@ def free_port() -> int:
     """
     for _ in range(MAX_TRIES):
         port = random.choice(PORTS)
-        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
-            try:
-                probe.bind(("0.0.0.0", port))
-            except OSError:
-                continue
+        if is_free(port):
             return port
     raise Failure(f"No UDP port from {PORTS.start} to {PORTS.stop - 1} is free.")
 

@@ -23,18 +23,15 @@ var _size: BodySize = null
 func clear() -> void:
 	drift.reset()
 	_calibration = null
-	_size = null
 
 
 ## Takes a frame and corrects the table that turns it into poses.
 func add(p_frame: SensorFrame, p_table: SuitTable) -> void:
 	if not p_table.is_calibrated:
 		return
-	if p_table.calibration != _calibration or p_table.mounts != _mounts:
+	var is_same: bool = p_table.calibration == _calibration and p_table.size == _size
+	if not is_same or p_table.mounts != _mounts:
 		_follow(p_table)
-	if p_table.size != _size:
-		_size = p_table.size
-		SensorPlaces.new(_size).set_joints(drift)
 	drift.add(
 		p_frame.time_usec,
 		p_frame.present,
@@ -139,8 +136,9 @@ func _set_turns(p_turns: PackedFloat64Array) -> String:
 func _follow(p_table: SuitTable) -> void:
 	if p_table.calibration != _calibration:
 		drift.reset()
-		_size = null
 	_calibration = p_table.calibration
+	_size = p_table.size
+	SensorPlaces.new(_size).set_joints(drift)
 	_mounts = p_table.mounts.duplicate()
 	for sensor: int in _mounts.size():
 		var entry: Calibration.Entry = p_table.entry(sensor)
