@@ -23,8 +23,6 @@ const MAGNETOMETERS: PackedStringArray = [
 const MAX_READINGS: int = 32
 ## A sensor that is silent for longer is not in a frame, µs.
 const SILENT_USEC: int = 500000
-## Time over which the rate is measured, µs.
-const _RATE_USEC: int = 1000000
 
 ## What is known of it, for the panel.
 var info: SensorInfo = SensorInfo.new()
@@ -37,8 +35,7 @@ var _times: PackedInt64Array = PackedInt64Array()
 var _turns: Array[Quaternion] = []
 var _acceleration: Vector3 = Vector3.ZERO
 var _has_acceleration: bool = false
-var _counted: int = 0
-var _count_usec: int = 0
+var _rate: SampleRate = SampleRate.new()
 
 
 ## Takes a rotation (in Godot's frame) that came at a time, µs of Unix time.
@@ -49,7 +46,7 @@ func take_turn(p_turn: Quaternion, p_usec: int) -> void:
 		# The clock was set back.
 		_times.clear()
 		_turns.clear()
-		_count_usec = 0
+		_rate.clear()
 	# Of several that a radio gave out at once each was measured at its own time.
 	_times.append(maxi(p_usec, _times[-1] + 1000 if not _times.is_empty() else 0))
 	_turns.append(p_turn)
@@ -58,11 +55,8 @@ func take_turn(p_turn: Quaternion, p_usec: int) -> void:
 		_turns.remove_at(0)
 	heard_usec = p_usec
 	info.state = SensorInfo.State.MEASURING
-	_counted += 1
-	if p_usec - _count_usec >= _RATE_USEC:
-		info.rate_hz = _counted * 1e6 / (p_usec - _count_usec) if _count_usec > 0 else 0.0
-		_counted = 0
-		_count_usec = p_usec
+	_rate.add(p_usec)
+	info.rate_hz = _rate.hz
 
 
 ## Takes an acceleration without gravity, m/s² in the sensor's axes (in Godot's frame).

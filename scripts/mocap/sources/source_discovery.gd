@@ -12,8 +12,6 @@ const FURTHER_PORTS: Dictionary[String, Array] = {
 const MAX_SENDERS: int = 8
 ## Datagrams of one port that are looked at in a frame.
 const MAX_DATAGRAMS: int = 512
-## Span over which it is counted how many datagrams come, s.
-const RATE_SPAN_S: float = 1.0
 ## Somebody who was silent for longer is told no more, s.
 const GONE_S: float = 3.0
 
@@ -36,25 +34,14 @@ class Listener:
 class Voice:
 	var is_known: bool = false
 	var newest_s: float = 0.0
-	## Datagrams a second in the last whole span; negative before there was one.
-	var rate_hz: float = -1.0
-	## Datagrams of the span that began at a time, s.
-	var count: int = 0
-	var since_s: float = 0.0
-
-	## Goes on to a time, s: a span that is over tells the rate.
-	func advance(p_now_s: float) -> void:
-		var span: float = p_now_s - since_s
-		if span >= RATE_SPAN_S:
-			rate_hz = count / span
-			count = 0
-			since_s = p_now_s
+	## Of its datagrams.
+	var rate: SampleRate = SampleRate.new()
 
 	## What is to be read of it.
 	func describe(p_sender: String) -> String:
 		var detail: String = "from " + p_sender
-		if rate_hz >= 0.0:
-			detail += ", %.0f datagrams/s" % rate_hz
+		if rate.is_known:
+			detail += ", %.0f datagrams/s" % rate.hz
 		return detail + ("" if is_known else ", not understood")
 
 
@@ -99,7 +86,7 @@ func advance(p_now_s: float) -> void:
 			if p_now_s - listener.heard[sender].newest_s > GONE_S:
 				listener.heard.erase(sender)
 			else:
-				listener.heard[sender].advance(p_now_s)
+				listener.heard[sender].rate.look(roundi(p_now_s * 1e6))
 
 
 ## What was heard: for each sender what to give [code]--source[/code] ("source"), and "name",
@@ -149,9 +136,8 @@ static func _note(
 		if r_listener.heard.size() >= MAX_SENDERS:
 			return
 		r_listener.heard[p_sender] = Voice.new()
-		r_listener.heard[p_sender].since_s = p_now_s
 	var voice: Voice = r_listener.heard[p_sender]
-	voice.count += 1
+	voice.rate.add(roundi(p_now_s * 1e6))
 	voice.newest_s = p_now_s
 	if not voice.is_known:
 		voice.is_known = _knows(r_listener, p_bytes, p_sender)

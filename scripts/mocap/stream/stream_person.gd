@@ -8,8 +8,6 @@ extends MotionSource
 const RESTART_USEC: int = 500000
 ## A sample that is so many counts behind the newest is no late one: the sender has begun anew.
 const RESTART_COUNTS: int = 600
-## Time over which the rate is measured, µs.
-const RATE_USEC: int = 1000000
 ## Time over which it is noted how old poses become, and the greatest age that is waited for, µs.
 const AGE_SPAN_USEC: int = 3000000
 const MAX_AGE_USEC: int = 45000
@@ -38,9 +36,7 @@ var _samples: int = 0
 var _lost: int = 0
 var _twice: int = 0
 var _faulty: int = 0
-var _rate_hz: float = 0.0
-var _rate_from_usec: int = 0
-var _rate_samples: int = 0
+var _rate: SampleRate = SampleRate.new()
 var _timed_usec: int = 0
 var _age_usec: int = 0
 var _age_before_usec: int = 0
@@ -121,7 +117,7 @@ func stats() -> Dictionary:
 		"lost": _lost,
 		"twice": _twice,
 		"faulty": _faulty,
-		"rate_hz": _rate_hz,
+		"rate_hz": _rate.hz,
 		"usec": _newest_usec,
 	}
 	_mutex.unlock()
@@ -177,11 +173,7 @@ func _keep(p_sample: StreamSample, p_arrival_usec: int) -> void:
 	_note_age(p_arrival_usec)
 	_timed_usec = pose.time_usec
 	_poses.push(pose)
-	if p_arrival_usec - _rate_from_usec >= RATE_USEC:
-		var span: float = (p_arrival_usec - _rate_from_usec) / 1e6
-		_rate_hz = (_samples - _rate_samples) / span if _rate_samples > 0 else 0.0
-		_rate_samples = _samples
-		_rate_from_usec = p_arrival_usec
+	_rate.add(p_arrival_usec)
 
 
 ## Notes how old the newest pose had become when this one came: poses are asked for so far back that
