@@ -1,32 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "device/full_judge.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <cstdlib>
 
 namespace xbus {
 
 namespace {
 
-// Beyond what any tracker of this kind measures: 180 m/s^2, 35 rad/s, a few units of magnetic field.
-constexpr double MAX_ACCELERATION = 1000.0;
-constexpr double MAX_RATE = 100.0;
-constexpr double MAX_FIELD = 100.0;
 constexpr double MAX_TEMPERATURE = 200.0;
 constexpr double MAX_SPEED = 10000.0;
 constexpr double MAX_ALTITUDE = 1.0e6;
 constexpr double MAX_DISTANCE = 1.0e8;
 constexpr uint32_t MAX_PRESSURE = 200000;
-
-/// False for what is not a number, too.
-bool within(double p_value, double p_most) {
-	return std::fabs(p_value) <= p_most;
-}
-
-template <std::size_t N>
-bool within(const std::array<double, N> &p_values, double p_most) {
-	return std::all_of(p_values.begin(), p_values.end(), [&](double p_value) { return within(p_value, p_most); });
-}
 
 /// A device without a fix may send zeros: only what no clock shows is refused.
 bool is_time(const UtcTime &p_utc) {
@@ -45,24 +30,25 @@ bool is_position_in_range(const FullSample &p_sample) {
 	const auto good = [&](Further p_field, bool p_good) { return !p_sample.has(p_field) || p_good; };
 	const auto &lat_lon = p_sample.lat_lon;
 	const auto &position = p_sample.position;
-	return good(Further::LAT_LON, within(lat_lon[0], 90.0) && within(lat_lon[1], 360.0)) &&
+	return good(Further::LAT_LON, is_within(lat_lon[0], 90.0) && is_within(lat_lon[1], 360.0)) &&
 			good(Further::POSITION,
-					within(position[0], 90.0) && within(position[1], 360.0) && within(position[2], MAX_ALTITUDE)) &&
-			good(Further::ALTITUDE_MSL, within(p_sample.altitude_msl, MAX_ALTITUDE)) &&
-			good(Further::ALTITUDE_ELLIPSOID, within(p_sample.altitude_ellipsoid, MAX_ALTITUDE)) &&
-			good(Further::POSITION_ECEF, within(p_sample.position_ecef, MAX_DISTANCE)) &&
-			good(Further::VELOCITY, within(p_sample.velocity, MAX_SPEED));
+					is_within(position[0], 90.0) && is_within(position[1], 360.0) &&
+							is_within(position[2], MAX_ALTITUDE)) &&
+			good(Further::ALTITUDE_MSL, is_within(p_sample.altitude_msl, MAX_ALTITUDE)) &&
+			good(Further::ALTITUDE_ELLIPSOID, is_within(p_sample.altitude_ellipsoid, MAX_ALTITUDE)) &&
+			good(Further::POSITION_ECEF, is_within(p_sample.position_ecef, MAX_DISTANCE)) &&
+			good(Further::VELOCITY, is_within(p_sample.velocity, MAX_SPEED));
 }
 
 bool is_further_in_range(const FullSample &p_sample) {
 	const auto good = [&](Further p_field, bool p_good) { return !p_sample.has(p_field) || p_good; };
 	return is_position_in_range(p_sample) &&
-			good(Further::FREE_ACCELERATION, within(p_sample.free_acceleration, MAX_ACCELERATION)) &&
-			good(Further::ACCELERATION_HR, within(p_sample.acceleration_hr, MAX_ACCELERATION)) &&
-			good(Further::DELTA_V, within(p_sample.delta_v, MAX_ACCELERATION)) &&
-			good(Further::RATE_OF_TURN_HR, within(p_sample.rate_of_turn_hr, MAX_RATE)) &&
-			good(Further::MAGNETIC_FIELD_CORRECTED, within(p_sample.magnetic_field_corrected, MAX_FIELD)) &&
-			good(Further::TEMPERATURE, within(p_sample.temperature, MAX_TEMPERATURE)) &&
+			good(Further::FREE_ACCELERATION, is_within(p_sample.free_acceleration, MAX_ACCELERATION)) &&
+			good(Further::ACCELERATION_HR, is_within(p_sample.acceleration_hr, MAX_ACCELERATION)) &&
+			good(Further::DELTA_V, is_within(p_sample.delta_v, MAX_ACCELERATION)) &&
+			good(Further::RATE_OF_TURN_HR, is_within(p_sample.rate_of_turn_hr, MAX_RATE)) &&
+			good(Further::MAGNETIC_FIELD_CORRECTED, is_within(p_sample.magnetic_field_corrected, MAX_FIELD)) &&
+			good(Further::TEMPERATURE, is_within(p_sample.temperature, MAX_TEMPERATURE)) &&
 			good(Further::PRESSURE, p_sample.pressure <= MAX_PRESSURE) &&
 			good(Further::UTC_TIME, is_time(p_sample.utc)) && good(Further::GNSS_PVT, is_pvt(p_sample.gnss_pvt));
 }
@@ -76,8 +62,7 @@ bool is_in_range(const FullSample &p_sample) {
 bool FurtherJudge::accept(const FullSample &p_sample) {
 	const bool good = is_further_in_range(p_sample) &&
 			(!p_sample.has(Further::DELTA_Q) || _delta_q.accept(norm_deviation(p_sample.delta_q)));
-	const bool is_sick = !good && _refused >= PATIENCE;
-	_refused = good ? 0 : std::min(_refused + 1, PATIENCE);
+	const bool is_sick = _nonsense.is_sick(good);
 	return good || is_sick;
 }
 

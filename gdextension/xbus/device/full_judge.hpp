@@ -17,11 +17,8 @@ public:
 	bool accept(const FullSample &p_sample);
 
 private:
-	/// Implausible samples in a row after which it is the device.
-	static constexpr int PATIENCE = 5;
-
 	NormJudge _delta_q;
-	int _refused = 0;
+	NonsenseJudge _nonsense;
 };
 
 } // namespace xbus

@@ -84,11 +84,9 @@ void write_part(DataPart p_part, NumberFormat p_format, const FullSample &p_samp
 		case DataPart::UTC:
 			write_utc(p_sample.utc, r_bytes);
 			break;
-		default: {
-			// Only read from here.
-			const Numbers found = const_cast<FullSample &>(p_sample).numbers(part_field(p_part));
-			write_numbers(p_format, found.values, found.count, r_bytes);
-		}
+		default:
+			write_field(p_format, p_sample, part_field(p_part), r_bytes);
+			break;
 	}
 }
 

@@ -7,12 +7,9 @@
 
 namespace xbus {
 
-constexpr std::size_t UTC_SIZE = 12;
 constexpr std::size_t GNSS_PVT_SIZE = 94;
 constexpr std::size_t AWINDA_SNAPSHOT_SIZE = 46;
 constexpr std::size_t FULL_SNAPSHOT_SIZE = 70;
-/// Pressure, its age, and 41 bytes from the receiver.
-constexpr std::size_t GPS_PVT_SIZE = 44;
 
 void read_utc(const uint8_t *p_data, UtcTime &r_utc);
 std::size_t write_utc(const UtcTime &p_utc, uint8_t *r_bytes);

@@ -105,10 +105,9 @@ void write_known_integer(uint32_t p_value, std::size_t p_size, uint8_t *r_bytes)
 std::size_t write_known(uint16_t p_id, const FullSample &p_sample, uint8_t *r_bytes) {
 	const Item item = { p_id };
 	const Field field = item_field(p_id);
-	// Only read from here.
-	const Numbers found = const_cast<FullSample &>(p_sample).numbers(field);
-	if (found.count > 0) {
-		return write_numbers(item.format(), found.values, found.count, r_bytes);
+	const std::size_t written = write_field(item.format(), p_sample, field, r_bytes);
+	if (written > 0) {
+		return written;
 	}
 	write_known_integer(field == Field::COUNTER		   ? p_sample.counter
 					: field == Field::SAMPLE_TIME_FINE ? p_sample.sample_time_fine

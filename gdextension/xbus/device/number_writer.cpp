@@ -63,4 +63,10 @@ std::size_t write_numbers(NumberFormat p_format, const double *p_values, std::si
 	return p_count * size;
 }
 
+std::size_t write_field(NumberFormat p_format, const Sample &p_sample, Field p_field, uint8_t *r_bytes) {
+	// Only read from here.
+	const Numbers found = const_cast<Sample &>(p_sample).numbers(p_field);
+	return write_numbers(p_format, found.values, found.count, r_bytes);
+}
+
 } // namespace xbus

@@ -87,12 +87,10 @@ bool offers_item(uint16_t p_identifier) {
 			(has_form || p_identifier == type.type);
 }
 
-void append_item(Data &r_data, uint16_t p_identifier, const Reading &p_reading, uint16_t p_counter, double p_time_s) {
-	const xbus::Axes axes = xbus::Item{ p_identifier }.axes();
+void append_item(Data &r_data, uint16_t p_identifier, const xbus::FullSample &p_sample) {
 	const std::size_t at = r_data.size();
 	r_data.resize(at + xbus::MAX_ITEM);
-	r_data.resize(
-			at + xbus::write_item(p_identifier, sample_of(p_reading, axes, p_counter, p_time_s), r_data.data() + at));
+	r_data.resize(at + xbus::write_item(p_identifier, p_sample, r_data.data() + at));
 }
 
 } // namespace emulator

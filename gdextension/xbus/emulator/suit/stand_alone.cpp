@@ -2,6 +2,7 @@
 #include "suit/stand_alone.hpp"
 
 #include "bus/bytes.hpp"
+#include "device/items.hpp"
 #include "suit/master.hpp"
 
 #include <algorithm>
@@ -54,11 +55,17 @@ Data StandAlone::sample(double p_motion_s, uint16_t p_counter) {
 		return data;
 	}
 	const int rate = _rate();
+	xbus::FullSample sample = sample_of(reading, xbus::Axes::EAST_NORTH_UP, p_counter, p_motion_s);
 	for (const Item &item : _items) {
 		const int every = item.rate == ALWAYS ? 1 : std::max(rate / std::max(int(item.rate), 1), 1);
-		if (p_counter % every == 0) {
-			append_item(data, item.identifier, reading, p_counter, p_motion_s);
+		if (p_counter % every != 0) {
+			continue;
 		}
+		const xbus::Axes axes = xbus::Item{ item.identifier }.axes();
+		if (axes != sample.axes && xbus::item_type(item.identifier).has_axes()) {
+			sample = sample_of(reading, axes, p_counter, p_motion_s);
+		}
+		append_item(data, item.identifier, sample);
 	}
 	return data;
 }

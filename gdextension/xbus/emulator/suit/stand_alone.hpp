@@ -50,6 +50,6 @@ private:
 /// Whether a tracker has this item, in this form.
 bool offers_item(uint16_t p_identifier);
 /// Writes one item of MTData2 that a tracker has, with identifier and length.
-void append_item(Data &r_data, uint16_t p_identifier, const Reading &p_reading, uint16_t p_counter, double p_time_s);
+void append_item(Data &r_data, uint16_t p_identifier, const xbus::FullSample &p_sample);
 
 } // namespace emulator

@@ -8,18 +8,8 @@ namespace xbus {
 
 namespace {
 
-// Beyond what any tracker of this kind measures: 180 m/s^2, 35 rad/s, a few units of magnetic field.
-constexpr double MAX_ACCELERATION = 1000.0;
-constexpr double MAX_RATE = 100.0;
-constexpr double MAX_FIELD = 100.0;
 /// Rounding of an angle at its end, degrees.
 constexpr double ANGLE_SLACK = 0.01;
-
-/// False for what is not a number, too.
-template <std::size_t N>
-bool within(const std::array<double, N> &p_values, double p_most) {
-	return std::all_of(p_values.begin(), p_values.end(), [&](double p_value) { return std::fabs(p_value) <= p_most; });
-}
 
 bool is_euler(const Sample::Vector &p_degrees) {
 	return std::fabs(p_degrees[0]) <= 180.0 + ANGLE_SLACK && std::fabs(p_degrees[1]) <= 90.0 + ANGLE_SLACK &&
@@ -31,9 +21,9 @@ bool is_euler(const Sample::Vector &p_degrees) {
 bool is_in_range(const Sample &p_sample) {
 	const auto good = [&](Field p_field, bool p_good) { return !p_sample.has(p_field) || p_good; };
 	return good(Field::EULER, is_euler(p_sample.euler)) &&
-			good(Field::ACCELERATION, within(p_sample.acceleration, MAX_ACCELERATION)) &&
-			good(Field::RATE_OF_TURN, within(p_sample.rate_of_turn, MAX_RATE)) &&
-			good(Field::MAGNETIC_FIELD, within(p_sample.magnetic_field, MAX_FIELD));
+			good(Field::ACCELERATION, is_within(p_sample.acceleration, MAX_ACCELERATION)) &&
+			good(Field::RATE_OF_TURN, is_within(p_sample.rate_of_turn, MAX_RATE)) &&
+			good(Field::MAGNETIC_FIELD, is_within(p_sample.magnetic_field, MAX_FIELD));
 }
 
 double norm_deviation(const std::array<double, 4> &p_quaternion) {
@@ -72,19 +62,18 @@ bool NormJudge::accept(double p_deviation) {
 	return true;
 }
 
+bool NonsenseJudge::is_sick(bool p_is_good) {
+	const bool is_sick = !p_is_good && _refused >= MAX;
+	_refused = p_is_good ? 0 : std::min(_refused + 1, MAX);
+	return is_sick;
+}
+
 SampleJudge::Verdict SampleJudge::judge(const Sample &p_sample) {
 	const bool good = is_in_range(p_sample) &&
 			(!p_sample.has(Field::QUATERNION) || _quaternion.accept(norm_deviation(p_sample.quaternion))) &&
 			(!p_sample.has(Field::MATRIX) || _matrix.accept(rotation_deviation(p_sample.matrix)));
-	if (good) {
-		_refused = 0;
-		return Verdict::PLAUSIBLE;
-	}
-	if (_refused < PATIENCE) {
-		_refused++;
-		return Verdict::IMPLAUSIBLE;
-	}
-	return Verdict::SICK;
+	const bool is_sick = _nonsense.is_sick(good);
+	return good ? Verdict::PLAUSIBLE : is_sick ? Verdict::SICK : Verdict::IMPLAUSIBLE;
 }
 
 } // namespace xbus

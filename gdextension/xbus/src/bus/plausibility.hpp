@@ -3,7 +3,25 @@
 
 #include "bus/sample.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace xbus {
+
+/// Beyond what any tracker of this kind measures: 180 m/s^2, 35 rad/s, a few units of magnetic field.
+constexpr double MAX_ACCELERATION = 1000.0;
+constexpr double MAX_RATE = 100.0;
+constexpr double MAX_FIELD = 100.0;
+
+/// Whether a number is that near to zero; false for what is not a number, too.
+inline bool is_within(double p_value, double p_most) {
+	return std::fabs(p_value) <= p_most;
+}
+
+template <std::size_t N>
+bool is_within(const std::array<double, N> &p_values, double p_most) {
+	return std::all_of(p_values.begin(), p_values.end(), [&](double p_value) { return is_within(p_value, p_most); });
+}
 
 /// Whether every value that the sample holds is finite and within what a sensor on a person can measure.
 /// Says nothing of how near to 1 the quaternions' lengths are: see NormJudge.
@@ -42,6 +60,20 @@ private:
 	int _refused = 0;
 };
 
+/// Judges whether nonsense is a corrupted message, or what the device itself sends.
+class NonsenseJudge {
+public:
+	/// Takes a verdict on its next sample. True if the sample is bad and so many before it were that the device
+	/// itself sends nonsense: then its messages are whole.
+	bool is_sick(bool p_is_good);
+
+private:
+	/// Bad samples in a row after which it is the device.
+	static constexpr int MAX = 5;
+
+	int _refused = 0;
+};
+
 /// Judges one device's samples.
 class SampleJudge {
 public:
@@ -56,12 +88,9 @@ public:
 	Verdict judge(const Sample &p_sample);
 
 private:
-	/// Implausible samples in a row after which it is the device.
-	static constexpr int PATIENCE = 5;
-
 	NormJudge _quaternion;
 	NormJudge _matrix;
-	int _refused = 0;
+	NonsenseJudge _nonsense;
 };
 
 } // namespace xbus
