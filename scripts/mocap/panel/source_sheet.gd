@@ -53,7 +53,9 @@ func show_heard(p_rows: Array[Dictionary]) -> void:
 	_heard.clear()
 	var root: TreeItem = _heard.create_item()
 	if p_rows.is_empty():
-		_heard.create_item(root).set_text(2, _NONE)
+		var none: TreeItem = _heard.create_item(root)
+		none.set_text(2, _NONE)
+		none.set_autowrap_mode(2, TextServer.AUTOWRAP_WORD_SMART)
 	for row: Dictionary in p_rows:
 		var item: TreeItem = _heard.create_item(root)
 		for column: int in KEYS.size():
