@@ -45,7 +45,9 @@ func path() -> String:
 func open(p_name: String) -> String:
 	error = ""
 	name = p_name
-	_saved_bytes = FileAccess.get_file_as_bytes(path()) if FileAccess.file_exists(path()) else []
+	_saved_bytes = []
+	if FileAccess.file_exists(path()):
+		_saved_bytes = FileAccess.get_file_as_bytes(path())
 	var read: EffectText = EffectText.new(_saved_bytes)
 	saved = read.text
 	is_foreign = read.failed

@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from . import options
+from . import options, script_warnings
 from .godot import Godot
 from .outcome import Outcome
 from .paths import BUILD, ROOT
@@ -92,6 +92,8 @@ def run_lint(godot: Godot, tools: Path) -> Outcome:
         for (name, _), text in zip(all_gates, found, strict=True):
             _count(outcome, name, text)
     _count(outcome, "options", options.fault(godot))
+    scripts = tracked("scripts/*.gd", "addons/*.gd", "examples/*.gd", "tools/*.gd")
+    _count(outcome, "script warnings", script_warnings.find(godot, scripts))
     _count(outcome, "clang-tidy", tidy(tools))
     return outcome
 

@@ -29,8 +29,8 @@ func clear() -> void:
 func add(p_frame: SensorFrame, p_table: SuitTable) -> void:
 	if not p_table.is_calibrated:
 		return
-	var is_same: bool = p_table.calibration == _calibration and p_table.size == _size
-	if not is_same or p_table.mounts != _mounts:
+	var is_followed: bool = p_table.calibration == _calibration and p_table.size == _size
+	if not is_followed or p_table.mounts != _mounts:
 		_follow(p_table)
 	drift.add(
 		p_frame.time_usec,

@@ -41,9 +41,9 @@ func run() -> void:
 func _look_at_body(p_body: PhysicsBody3D) -> void:
 	# Some blocks are only seen, such as wires; so is what is on no layer.
 	if p_body is not KitBlock and p_body.collision_layer != 0 and not _has_shape(p_body):
-		var text: String = "people and things go through it: add a CollisionShape3D, or switch off "
-		text += "its collision layers if it is only to be seen"
-		_check.add_fault(LevelFault.Kind.NO_COLLISION, p_body, text)
+		var advice: String = "people and things go through it: add a CollisionShape3D, or switch "
+		advice += "off its collision layers if it is only to be seen"
+		_check.add_fault(LevelFault.Kind.NO_COLLISION, p_body, advice)
 	if p_body.global_basis.get_scale().is_equal_approx(Vector3.ONE):
 		return
 	var cause: Node3D = p_body

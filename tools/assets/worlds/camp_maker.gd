@@ -51,9 +51,9 @@ func sandbags(p_line: PackedVector2Array, p_rows: int) -> void:
 		var count: int = maxi(roundi(from.distance_to(to) / 0.52), 1)
 		for row: int in p_rows:
 			for bag: int in count - row % 2:
-				var place: Vector2 = from + way * (0.52 * (bag + 0.5 + 0.5 * (row % 2)))
+				var spot: Vector2 = from + way * (0.52 * (bag + 0.5 + 0.5 * (row % 2)))
 				var turn: float = -way.angle() + _dice.randf_range(-0.10, 0.10)
-				_bag(Vector3(place.x, 0.09 + 0.165 * row, place.y), turn)
+				_bag(Vector3(spot.x, 0.09 + 0.165 * row, spot.y), turn)
 		var middle: Vector2 = (from + to) / 2.0
 		var place: Transform3D = _mesh.get_place()
 		var turned: Transform3D = Transform3D(

@@ -81,11 +81,11 @@ func _add_rocks() -> void:
 		place.y -= float(rock["height"]) * 0.18
 		var mesh: BlockMesh = _begin("Rock%d" % number, place, true)
 		mesh.set_dust(0.22, 0.0)
-		var seed: int = int(rock["seed"])
-		var tint: int = SolidMaker.Tint.PALE_ROCK if seed % 3 > 0 else SolidMaker.Tint.RED_ROCK
+		var rock_seed: int = int(rock["seed"])
+		var tint: int = SolidMaker.Tint.PALE_ROCK if rock_seed % 3 > 0 else SolidMaker.Tint.RED_ROCK
 		var maker: RockMaker = RockMaker.new()
-		maker.mesa(mesh, rock["radius"], rock["height"], seed, tint)
-		_add_boulders(maker, mesh, place, rock["radius"], seed, tint)
+		maker.mesa(mesh, rock["radius"], rock["height"], rock_seed, tint)
+		_add_boulders(maker, mesh, place, rock["radius"], rock_seed, tint)
 
 
 func _add_boulders(
