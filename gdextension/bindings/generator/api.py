@@ -43,10 +43,13 @@ class Api:
         self.opaque_types = [name for name in self.builtins if name not in MATH_TYPES]
         self.sizes = _sizes(dump)
         self.native_structures: dict[str, str] = {
-            entry["name"]: entry["format"] for entry in dump.get("native_structures", [])
+            entry["name"]: entry["format"]
+            for entry in dump.get("native_structures", [])
+            if entry["name"] in enabled_classes
         }
         self._all_classes = {entry["name"]: entry for entry in dump["classes"]}
-        self.classes = self._with_parents([*CORE_CLASSES, *enabled_classes])
+        classes = [name for name in enabled_classes if name not in self.native_structures]
+        self.classes = self._with_parents([*CORE_CLASSES, *classes])
         self._variant_types = {
             value["name"].removeprefix("TYPE_").replace("_", ""): value["name"][5:]
             for value in self.global_enum("Variant.Type")["values"]
@@ -113,7 +116,7 @@ def load_json(path: Path) -> Json:
 
 
 def enabled_classes(profile: Json) -> list[str]:
-    """The classes of a build profile in godot-cpp's format."""
+    """The classes and native structures of a build profile in godot-cpp's format."""
     names = profile.get("enabled_classes")
     if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
         raise GeneratorError('The build profile needs "enabled_classes": a list of class names.')

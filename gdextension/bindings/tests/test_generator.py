@@ -83,7 +83,7 @@ def fake_dump() -> dict:
 
 @pytest.fixture
 def api() -> Api:
-    return Api(fake_dump(), ["Thing", "Shared"])
+    return Api(fake_dump(), ["Thing", "Shared", "Frame"])
 
 
 @pytest.mark.parametrize(
@@ -217,6 +217,13 @@ def test_a_class(api):
     assert writer.skipped == 2
     assert '{ "count", 7, nullptr }' in source
     assert '"_made", 7' not in source
+
+
+def test_methods_of_structures_outside_the_profile_are_left_out():
+    api = Api(fake_dump(), ["Thing"])
+    writer = classes.ClassWriter(api, TypeMap(api), "Thing")
+    writer.write()
+    assert "_mix" not in "\n".join(writer.header_lines())
 
 
 def test_a_native_structure():
