@@ -114,7 +114,14 @@ def start(tmp_path: Path) -> Any:
 
 @pytest.mark.parametrize(
     ("kind", "trackers"),
-    [("ftdi", [6]), ("ftdi-fast", [6]), ("native", [6]), ("two-masters", [3, 3]), ("mti", [1])],
+    [
+        ("ftdi", [6]),
+        ("ftdi-fast", [6]),
+        ("native", [6]),
+        ("two-masters", [3, 3]),
+        ("two-native-masters", [3, 3]),
+        ("mti", [1]),
+    ],
 )
 def test_every_kind_of_device_streams(start: Start, kind: str, trackers: list[int]) -> None:
     emulated = start(f"--devices={kind}", "--sensors=6")

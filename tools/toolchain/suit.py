@@ -23,8 +23,8 @@ environment that a program in another terminal needs. docs/suit-emulator.md has 
 
   --bvh=FILE            the motion (default: a walk)
   --devices=LIST        ftdi (an Xbus Master on an FTDI chip), ftdi-fast (with large packets),
-                        native (on bulk endpoints), two-masters, mti, mti-ftdi (one tracker
-                        alone), awinda
+                        native (on bulk endpoints), two-masters, two-native-masters, mti,
+                        mti-ftdi (one tracker alone), awinda
   --sensors=N           how many trackers (default 17: the whole body)
   --limbs=A,B,...       where they sit: pelvis, sternum, head, left_shoulder, left_upper_arm, ...
   --aligned             trackers sit along the limbs' axes; otherwise at any angle (--seed=N)

@@ -73,7 +73,7 @@ class SuitSession:
         self.calibrate(godot, bvh, options)
         self.start_emulator(godot, bvh, options, self.trainee("--xbus"))
         self._group.await_text("trainee", "joined", 30)
-        masters = 2 if "--devices=two-masters" in options else 1
+        masters = 2 if any(option.startswith("--devices=two-") for option in options) else 1
         for master in range(masters):
             self._group.await_text("trainee", f"Xbus Master 0013050{master} measures", 30)
         self.command("clip")

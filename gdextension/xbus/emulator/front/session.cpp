@@ -86,9 +86,13 @@ Session::Session(const SuitOptions &p_options, MotionStream p_stream) :
 	const sigset_t set = watched();
 	_signals = signalfd(-1, &set, SFD_NONBLOCK | SFD_CLOEXEC);
 	_shared.now = monotonic;
-	_shared.wake = [this]() {
-		const uint64_t one = 1;
-		(void)!write(_wake, &one, sizeof(one));
+	_shared.wake_early = [this]() {
+		// Every ioctl comes here, and to wake a thread costs as much as to answer one.
+		if (_suit.next_event() < _wakes_at) {
+			const uint64_t one = 1;
+			(void)!write(_wake, &one, sizeof(one));
+			_wakes_at = 0;
+		}
 	};
 	if (!_options.log.empty()) {
 		_log_file.open(_options.log);
@@ -230,6 +234,7 @@ void Session::_sleep() {
 	{
 		const std::lock_guard lock(_shared.mutex);
 		next = std::min(next, _suit.next_event());
+		_wakes_at = next;
 	}
 	const Usec left = std::max<Usec>(next - monotonic(), 0);
 	const timespec timeout = { time_t(left / SECOND), long(left % SECOND) * 1000 };

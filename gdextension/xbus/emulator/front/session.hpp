@@ -50,6 +50,8 @@ private:
 	std::vector<std::unique_ptr<UsbfsNode>> _nodes;
 	Usec _begin = 0;
 	int _wake = -1;
+	/// When the main thread goes on by itself. Under the lock.
+	Usec _wakes_at = 0;
 	int _signals = -1;
 	int _commands = -1;
 	int _standard_input = 0;

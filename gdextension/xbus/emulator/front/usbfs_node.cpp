@@ -64,9 +64,9 @@ void UsbfsNode::plug(bool p_in) {
 		}
 		_port.plug(true, _shared.now());
 		_log("plugged");
+		_shared.wake_early();
 	}
 	_node->announce();
-	_shared.wake();
 }
 
 gboolean UsbfsNode::_on_ioctl(UMockdevIoctlBase * /*p_base*/, UMockdevIoctlClient *p_client, gpointer p_self) {
@@ -81,8 +81,8 @@ gboolean UsbfsNode::_on_ioctl(UMockdevIoctlBase * /*p_base*/, UMockdevIoctlClien
 		}
 		result = self->_dispatch(p_client, unsigned(umockdev_ioctl_client_get_request(p_client)));
 		self->collect();
+		self->_shared.wake_early();
 	}
-	self->_shared.wake();
 	if (result != LATER) {
 		umockdev_ioctl_client_complete(p_client, result < 0 ? -1 : result, result < 0 ? int(-result) : 0);
 	}

@@ -9,11 +9,11 @@
 
 namespace emulator {
 
-/// What every node and the main thread share: the lock over all devices, and a way to wake the main thread
-/// when there is something to do sooner than it thought. umockdev calls in a thread of its own.
+/// What every node and the main thread share: the lock over all devices, and a way to wake the main thread if there
+/// is something to do sooner than it thought, to be called under the lock. umockdev calls in a thread of its own.
 struct Shared {
 	std::mutex mutex;
-	std::function<void()> wake;
+	std::function<void()> wake_early;
 	std::function<Usec()> now;
 };
 

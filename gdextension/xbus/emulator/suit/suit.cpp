@@ -102,10 +102,11 @@ std::string Suit::_read_mountings(std::vector<Tracker> &r_trackers) const {
 
 std::string Suit::_make_all(std::vector<Tracker> p_trackers) {
 	for (const std::string &kind : split(_options.devices, ',')) {
-		if (kind == "two-masters") {
+		if (kind == "two-masters" || kind == "two-native-masters") {
+			const std::string chip = kind == "two-masters" ? "ftdi" : "native";
 			const auto half = p_trackers.begin() + ptrdiff_t((p_trackers.size() + 1) / 2);
-			std::string fault = _make("ftdi", { p_trackers.begin(), half });
-			fault = fault.empty() ? _make("ftdi", { half, p_trackers.end() }) : fault;
+			std::string fault = _make(chip, { p_trackers.begin(), half });
+			fault = fault.empty() ? _make(chip, { half, p_trackers.end() }) : fault;
 			if (!fault.empty()) {
 				return fault;
 			}
@@ -135,7 +136,7 @@ std::string Suit::_make(const std::string &p_kind, std::vector<Tracker> p_tracke
 	}
 	if (p_kind != "ftdi" && p_kind != "ftdi-fast" && p_kind != "native") {
 		return "there is no device '" + p_kind +
-				"': --devices takes ftdi, ftdi-fast, native, two-masters, mti, mti-ftdi, awinda";
+				"': --devices takes ftdi, ftdi-fast, native, two-masters, two-native-masters, mti, mti-ftdi, awinda";
 	}
 	if (p_trackers.size() > MAX_TRACKERS) {
 		return "a master has at most " + std::to_string(MAX_TRACKERS) + " sensors: use --devices=two-masters";

@@ -11,7 +11,8 @@ namespace emulator {
 
 /// What the emulator is asked for, by options as --name=value.
 struct SuitOptions {
-	/// ftdi, ftdi-fast, native, two-masters, mti, mti-ftdi, awinda; several with commas between.
+	/// ftdi, ftdi-fast, native, two-masters, two-native-masters, mti, mti-ftdi, awinda; several with commas
+	/// between.
 	std::string devices = "ftdi";
 	int sensors = 16;
 	/// Motion stream; without one all stand still.

@@ -194,7 +194,9 @@ TEST(options_say_what_is_wrong_with_them) {
 	for (const char *option : { "--devices=toaster", "--sensors=30", "--limbs=tail", "--lie=40:1" }) {
 		CHECK(!BenchHost({ option }, false).suit.error().empty());
 	}
-	CHECK(BenchHost({ "--devices=two-masters", "--sensors=30" }).suit.devices().size() == 2);
+	for (const char *kind : { "--devices=two-masters", "--devices=two-native-masters" }) {
+		CHECK(BenchHost({ kind, "--sensors=30" }).suit.devices().size() == 2);
+	}
 }
 
 TEST_MAIN()
