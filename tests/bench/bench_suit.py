@@ -2,12 +2,15 @@
 """An emulated suit through the real libusb: delay of a sample, and what becomes of a motion.
 
 Delay: from the moment at which the last byte of a sample is handed over by the chip (and, as a
-figure without a goal, at which it lies in the chip) to the callback of the suit's thread. Samples:
-a clip, worn in a suit with trackers at any angle and with norths that differ by up to 30 degrees,
-calibrated as guided: how far what the suit's source gives is from the clip itself, all limbs (of
-the spine, which has no tracker, what 17 trackers tell of it; how far that is from the clip's is
-told on its own), with one master and with two that measure each in its own time. Motion: the same
-behind physics and network at an observer, against the same clip sent directly.
+figure without a goal, at which it lies in the chip) to the callback of the suit's thread. Where a
+processor of a rented machine stands still for everybody, bytes are lost that the chip does not keep
+for so long (an FTDI's keeps 5 ms of them): the longest stop is told. Samples: a clip, worn in a
+suit with trackers at any angle and with norths that differ by up to 30 degrees, calibrated as
+guided: how far what the suit's source gives is from the clip itself, all limbs (of the spine, which
+has no tracker, what 17 trackers tell of it; how far that is from the clip's is told on its own),
+with one master and with two that measure each in its own time. Motion: the same behind physics and
+network at an observer, against the same clip sent directly.
+
 Options: --seconds=20 (of each part), --sensors=15 (delay), --rate=100, --bvh=FILE,
 --only=delay|samples|motion, --port=7777 (a free one by default).
 """
@@ -25,6 +28,7 @@ from toolchain.console import Failure, step, tail
 from toolchain.godot import Godot, find
 from toolchain.paths import CLIPS
 from toolchain.processes import free_port
+from toolchain.processor_stops import ProcessorStops
 from toolchain.project import EXTENSIONS
 from toolchain.stats import Stats
 from toolchain.suit_session import SuitSession, compare, sample
@@ -78,7 +82,7 @@ def delays(chip: str, options: dict[str, str], folder: Path) -> dict[str, list[f
 def measure_delays(options: dict[str, str], stats: Stats, folder: Path) -> None:
     """Adds the stats of all kinds of chip."""
     for chip in CHIPS:
-        with step(f"stream from an emulated suit ({chip})"):
+        with step(f"stream from an emulated suit ({chip})"), ProcessorStops() as stops:
             found = delays(chip, options, folder)
         case = f"{chip}, {options['sensors']} trackers at {options['rate']} Hz"
         handed = found["handed over"]
@@ -88,6 +92,8 @@ def measure_delays(options: dict[str, str], stats: Stats, folder: Path) -> None:
         stats.add(case, "in the chip to callback p99", percentile(found["chip"], 0.99), "ms")
         stats.add(case, "samples", len(handed), "")
         stats.add(case, "samples lost", len(found["lost"]), "", at_most=0)
+        if stops.longest_ms is not None:
+            stats.add(case, "a processor stood still", stops.longest_ms, "ms")
 
 
 def measure_samples(options: dict[str, str], stats: Stats, folder: Path) -> None:
@@ -95,8 +101,8 @@ def measure_samples(options: dict[str, str], stats: Stats, folder: Path) -> None
     godot = find()
     bvh, seconds = Path(options["bvh"]), float(options["seconds"])
     means = []
-    # Two of the same kind: an emulated FTDI chip hands over ten times as often, and two of them take
-    # so much of two processors that the program waits for one.
+    # Two of the same kind: an emulated FTDI chip hands over ten times as often, and two of them
+    # take so much of two processors that the program waits for one.
     for masters, devices in ((1, "native"), (2, "two-native-masters")):
         with step(f"sample {bvh.name} in a suit ({masters} masters)"):
             # As above: a real chip is held up by nobody.
