@@ -11,6 +11,10 @@ extends RefCounted
 const MARGIN_S: float = 0.002
 ## A source that is late is extrapolated for so long, s; then there is no pose until it comes again.
 const MAX_AHEAD_S: float = 0.05
+## It is extrapolated by two poses that are so far apart at least, s, and half a period: two that
+## came at once after a hold-up, their times close together, would make any motion a hundred times
+## faster.
+const MIN_SPAN_S: float = 0.008
 ## Poses that are kept.
 const MAX_POSES: int = 16
 ## The period of a source of which only one pose is known, s.
@@ -62,18 +66,36 @@ func at(p_time_usec: int) -> PoseSample:
 	var newest: PoseSample = _poses[_poses.size() - 1]
 	if _poses.size() < 2:
 		wanted = newest.time_usec
-	wanted = mini(wanted, newest.time_usec + roundi(MAX_AHEAD_S * 1e6))
+	var base: PoseSample = _base()
+	var ahead_usec: int = roundi(MAX_AHEAD_S * 1e6) if base != newest else 0
+	wanted = mini(wanted, newest.time_usec + ahead_usec)
 	if wanted <= _returned_usec and _returned_usec <= newest.time_usec + roundi(MAX_AHEAD_S * 1e6):
 		return null
 	_returned_usec = wanted
 	if _poses.size() < 2 or wanted <= _poses[0].time_usec:
 		return _between(_poses[0], _poses[0], 0.0)
+	if wanted > newest.time_usec:
+		return _at(wanted, base, newest)
 	var later: int = 1
-	while later < _poses.size() - 1 and _poses[later].time_usec < wanted:
+	while _poses[later].time_usec < wanted:
 		later += 1
-	var before: PoseSample = _poses[later - 1]
-	var span: float = _poses[later].time_usec - before.time_usec
-	return _between(before, _poses[later], (wanted - before.time_usec) / span)
+	return _at(wanted, _poses[later - 1], _poses[later])
+
+
+## The newest pose that is old enough to extrapolate from it through the newest one; the newest one
+## itself if there is none.
+func _base() -> PoseSample:
+	var newest: PoseSample = _poses[_poses.size() - 1]
+	var least_usec: float = maxf(MIN_SPAN_S, period_s() / 2.0) * 1e6
+	for at: int in range(_poses.size() - 2, -1, -1):
+		if newest.time_usec - _poses[at].time_usec >= least_usec:
+			return _poses[at]
+	return newest
+
+
+static func _at(p_time_usec: int, p_from: PoseSample, p_to: PoseSample) -> PoseSample:
+	var span: float = p_to.time_usec - p_from.time_usec
+	return _between(p_from, p_to, (p_time_usec - p_from.time_usec) / span)
 
 
 static func _between(p_from: PoseSample, p_to: PoseSample, p_part: float) -> PoseSample:

@@ -43,6 +43,30 @@ func test_a_late_source_is_guessed_on_for_a_while_only() -> void:
 	not_null(_poses.at(BEGIN_USEC + 2020000))
 
 
+func test_poses_that_come_at_once_after_a_hold_up_are_not_flung() -> void:
+	# Moments are those of arrival: the second pose was measured 16 ms after the first.
+	for tail_usec: int in [200, 3000]:
+		_poses.clear()
+		for number: int in 3:
+			_poses.push(_pose(BEGIN_USEC + number * 16667))
+		var squeezed: PoseSample = _pose(BEGIN_USEC + 3 * 16667)
+		squeezed.time_usec = BEGIN_USEC + 2 * 16667 + tail_usec
+		_poses.push(squeezed)
+		for step: int in 60:
+			var pose: PoseSample = _poses.at(squeezed.time_usec + step * 2000)
+			if pose != null:
+				var fault: String = "%s after %d ms" % [pose.root, step * 2]
+				is_true(pose.root.distance_to(squeezed.root) < 0.12, fault)
+	_poses.clear()
+	for number: int in 2:
+		var first: PoseSample = _pose(BEGIN_USEC + number * 16667)
+		first.time_usec = BEGIN_USEC + number * 200
+		_poses.push(first)
+	for step: int in 60:
+		var pose: PoseSample = _poses.at(BEGIN_USEC + step * 2000)
+		is_true(pose == null or pose.root.x < 0.02, "held: nothing tells how fast it is")
+
+
 func test_a_clock_that_was_set_back_does_not_end_it() -> void:
 	for number: int in 10:
 		_poses.push(_pose(BEGIN_USEC + number * 10000))

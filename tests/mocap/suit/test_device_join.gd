@@ -111,6 +111,26 @@ func test_a_device_that_goes_silent_stops_nobody() -> void:
 	equal(newest.present[1], 0, "silent for over half a second")
 
 
+func test_a_late_device_whose_last_frames_came_at_once_is_not_flung() -> void:
+	var join: DeviceJoin = DeviceJoin.new()
+	var worst: float = 0.0
+	for at: int in 60:
+		join.push(0, _frame([0], at * 0.01))
+		if at < 49:
+			join.push(1, _frame([1], at * 0.01 + 0.003))
+		elif at == 49:
+			var squeezed: SensorFrame = _frame([1], at * 0.01 + 0.003)
+			squeezed.time_usec -= PERIOD_USEC - 200
+			join.push(1, squeezed)
+		for frame: SensorFrame in join.take():
+			if at > 1 and frame.present[1] != 0:
+				var truth: Quaternion = (
+					_clip.pose_at((frame.time_usec - BEGIN_USEC) / 1e6).orientation(LIMBS[1])
+				)
+				worst = maxf(worst, Rotations.between_deg(frame.orientation(1), truth))
+	is_true(worst < 2.0, "%.1f deg off" % worst)
+
+
 func test_one_device_passes_unchanged() -> void:
 	var join: DeviceJoin = DeviceJoin.new()
 	for at: int in 20:
