@@ -66,7 +66,7 @@ def test_opening_the_editor_changes_no_file(
     command = [str(godot.program), *SOFTWARE, "--path", str(copy), "--editor", HALL]
     command += ["--quit-after", str(FRAMES)]
     editor = world.start("editor", command, display, reports=False)
-    assert editor.await_exit(300) == 0, editor.log()
+    assert editor.await_exit(600) == 0, editor.log()
     assert HALL in (copy / ".godot" / "editor" / "editor_layout.cfg").read_text(encoding="utf-8")
     assert complaints(editor.log()) == []
     assert call_git(copy, "status", "--porcelain") == ""

@@ -13,7 +13,7 @@ from typing import Any
 from .screen import Screen, write_png
 
 # A processor that draws, beside eight others that are busy, takes seconds for a frame.
-LIMIT_S = 240.0
+LIMIT_S = 600.0
 
 State = dict[str, Any]
 Point = tuple[float, float]
