@@ -57,6 +57,17 @@ func period_s() -> float:
 	return minf(span / (_poses.size() - 1), _MAX_PERIOD_S)
 
 
+## Which of poses or frames in the order of their time_usec, one a period, s, is the newest that is
+## old enough to extrapolate from it through the last one; the last one itself if none is.
+static func base_of(p_timed: Array, p_period_s: float) -> int:
+	var last: int = p_timed.size() - 1
+	var least_usec: float = maxf(MIN_SPAN_S, p_period_s / 2.0) * 1e6
+	for at: int in range(last - 1, -1, -1):
+		if p_timed[last].time_usec - p_timed[at].time_usec >= least_usec:
+			return at
+	return last
+
+
 ## The pose for a moment, µs of Unix time; its own time says of when it is. Null if there is none,
 ## or none newer than the last one returned.
 func at(p_time_usec: int) -> PoseSample:
@@ -66,10 +77,12 @@ func at(p_time_usec: int) -> PoseSample:
 	var newest: PoseSample = _poses[_poses.size() - 1]
 	if _poses.size() < 2:
 		wanted = newest.time_usec
-	var base: PoseSample = _base()
-	var ahead_usec: int = roundi(MAX_AHEAD_S * 1e6) if base != newest else 0
-	wanted = mini(wanted, newest.time_usec + ahead_usec)
-	if wanted <= _returned_usec and _returned_usec <= newest.time_usec + roundi(MAX_AHEAD_S * 1e6):
+	var base: PoseSample = newest
+	var limit_usec: int = newest.time_usec + roundi(MAX_AHEAD_S * 1e6)
+	if wanted > newest.time_usec:
+		base = _poses[base_of(_poses, period_s())]
+		wanted = mini(wanted, limit_usec) if base != newest else newest.time_usec
+	if wanted <= _returned_usec and _returned_usec <= limit_usec:
 		return null
 	_returned_usec = wanted
 	if _poses.size() < 2 or wanted <= _poses[0].time_usec:
@@ -80,17 +93,6 @@ func at(p_time_usec: int) -> PoseSample:
 	while _poses[later].time_usec < wanted:
 		later += 1
 	return _at(wanted, _poses[later - 1], _poses[later])
-
-
-## The newest pose that is old enough to extrapolate from it through the newest one; the newest one
-## itself if there is none.
-func _base() -> PoseSample:
-	var newest: PoseSample = _poses[_poses.size() - 1]
-	var least_usec: float = maxf(MIN_SPAN_S, period_s() / 2.0) * 1e6
-	for at: int in range(_poses.size() - 2, -1, -1):
-		if newest.time_usec - _poses[at].time_usec >= least_usec:
-			return _poses[at]
-	return newest
 
 
 static func _at(p_time_usec: int, p_from: PoseSample, p_to: PoseSample) -> PoseSample:

@@ -125,7 +125,7 @@ func _join(p_time_usec: int) -> SensorFrame:
 		var after: SensorFrame = frames[later]
 		var before: SensorFrame = frames[maxi(later - 1, 0)]
 		if after.time_usec < p_time_usec:
-			before = _base(device)
+			before = frames[LivePoses.base_of(frames, _period_usec(device) / 1e6)]
 		if p_time_usec - after.time_usec > SILENT_S * 1e6:
 			continue
 		_make_room(joined, after)
@@ -136,18 +136,6 @@ func _join(p_time_usec: int) -> SensorFrame:
 			# The count of the device with most sensors.
 			joined.counter = after.counter if after.time_usec <= p_time_usec else before.counter
 	return joined
-
-
-## The frame from which a device's newest one is extrapolated: old enough, as in [LivePoses], or the
-## newest one itself.
-func _base(p_device: int) -> SensorFrame:
-	var frames: Array = _frames[p_device]
-	var newest: SensorFrame = _newest(p_device)
-	var least_usec: float = maxf(LivePoses.MIN_SPAN_S * 1e6, _period_usec(p_device) / 2.0)
-	for at: int in range(frames.size() - 2, -1, -1):
-		if newest.time_usec - frames[at].time_usec >= least_usec:
-			return frames[at]
-	return newest
 
 
 static func _make_room(r_joined: SensorFrame, p_frame: SensorFrame) -> void:
