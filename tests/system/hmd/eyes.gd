@@ -31,6 +31,7 @@ func _ready() -> void:
 	add_child(camera)
 	_display.camera = camera
 	_display.set_mirror(HmdDisplay.Mirror.NONE)
+	_display.keeper = FullQuality.new()
 	add_child(_display)
 	var fault: String = _display.open()
 	if fault != "":
@@ -128,3 +129,11 @@ func _send(p_head: Transform3D) -> void:
 	for offset: int in [36, 84, 148, 268]:
 		packet.encode_float(offset, 1.0)
 	_remote.put_data(packet)
+
+
+## Compared is where things are seen: a busy machine must not make the pictures smaller meanwhile.
+class FullQuality:
+	extends RateKeeper
+
+	func add(_frame_s: float, _period_s: float, _longest_s: float = 1.0) -> void:
+		pass
