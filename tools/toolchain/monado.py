@@ -91,9 +91,14 @@ class Wearer:
 
 
 class Monado:
-    """The runtime's service, in folders and on a port of its own."""
+    """The runtime's service, in folders and on a port of its own.
 
-    def __init__(self, display: dict[str, str]) -> None:
+    Eyes see pictures of 320x240 at 20 Hz, which the processor draws; with `card_hz` pictures as
+    large as a headset's at that rate, which the machine's graphics card draws and puts together in
+    a window.
+    """
+
+    def __init__(self, display: dict[str, str], card_hz: int = 0) -> None:
         self.prefix = XrPrefix()
         self.prefix.ensure()
         # A socket's path is short: not in a test's own deep folder.
@@ -102,6 +107,15 @@ class Monado:
         self.wearer = Wearer()
         self.process: subprocess.Popen[bytes] | None = None
         self._display = display
+        self._vulkan = {"VK_DRIVER_FILES": str(self.prefix.driver)}
+        self._compositor = {"XRT_COMPOSITOR_NULL": "1"}
+        if card_hz > 0:
+            self._vulkan = {}
+            self._compositor = {
+                "XRT_COMPOSITOR_FORCE_XCB": "1",
+                "XRT_COMPOSITOR_DEFAULT_FRAMERATE": str(card_hz),
+                "XRT_COMPOSITOR_SCALE_PERCENTAGE": "200",
+            }
         self._remote: socket.socket | None = None
         config = self.folder / "config" / "monado" / "config_v0.json"
         config.parent.mkdir(parents=True)
@@ -123,12 +137,12 @@ class Monado:
         self.close()
 
     def environment(self) -> dict[str, str]:
-        """What a program needs to find this runtime, and a software Vulkan."""
+        """What a program needs to find this runtime, and the Vulkan that draws."""
         return {
             **self._display,
+            **self._vulkan,
             "XDG_RUNTIME_DIR": str(self.folder / "run"),
             "XR_RUNTIME_JSON": str(self.prefix.runtime),
-            "VK_DRIVER_FILES": str(self.prefix.driver),
         }
 
     def start(self) -> None:
@@ -137,7 +151,7 @@ class Monado:
         log = (self.folder / "service.log").open("ab")
         own = {
             "XDG_CONFIG_HOME": str(self.folder / "config"),
-            "XRT_COMPOSITOR_NULL": "1",
+            **self._compositor,
             "P_OVERRIDE_ACTIVE_CONFIG": "remote",
         }
         self.process = subprocess.Popen(

@@ -210,6 +210,7 @@ func report() -> Dictionary:
 		"worn": is_worn(),
 		"runtime": _runtime.describe() if _runtime != null else "",
 		"rate_hz": _runtime.rate_hz() if _view != null else 0.0,
+		"eye_size": _runtime.eye_size() if _view != null else [],
 		"frames": keeper.frames,
 		"missed": keeper.missed,
 		"missed_share": keeper.missed_share(),

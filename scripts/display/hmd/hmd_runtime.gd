@@ -43,6 +43,13 @@ func rate_hz() -> float:
 	return told if told > 0.0 else _forecast.rate_hz()
 
 
+## Width and height of each eye's picture as the runtime wants it, pixels: before any step of
+## [RateKeeper].
+func eye_size() -> Array[int]:
+	var size: Vector2 = interface.get_render_target_size()
+	return [roundi(size.x), roundi(size.y)]
+
+
 ## Whether the runtime wants pictures: not while nobody wears the headset.
 func is_running() -> bool:
 	return _api.is_running()
