@@ -54,6 +54,8 @@ func open(p_options: Options, p_link: ClientLink) -> String:
 	inputs.vanished.connect(_on_vanished)
 	if headset != null and headset.display.is_worn():
 		inputs.make_default = headset.make_body
+	elif p_options.text("display") == DisplayNames.HMD:
+		inputs.awaits_headset = DisplayServer.get_name() != "headless"
 	var fault: String = inputs.open(p_options)
 	people.vmc_out = inputs.vmc_out
 	if fault == "" and p_options.is_on("panel"):

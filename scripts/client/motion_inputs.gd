@@ -29,6 +29,8 @@ var vmc_out: VmcOut = null
 var calibration: ClientCalibration = ClientCalibration.new()
 ## Makes a motion source where the options name none: [code]func() -> MotionSource[/code], if valid.
 var make_default: Callable = Callable()
+## A headset will move the user's body, once it is there: until then nothing does instead.
+var awaits_headset: bool = false
 ## Those who wear sensors.
 var wearers: Array[SuitSource] = []
 
@@ -72,7 +74,7 @@ func open(p_options: Options) -> String:
 	for number: int in _addresses.size():
 		if fault == "":
 			fault = _open_source(_addresses[number], number + 1)
-	if fault == "" and not _has_any():
+	if fault == "" and not _has_any() and not awaits_headset:
 		var short: String = "--bvh=FILE, --xbus, --mvn, --tracker or --suit-play"
 		var kinds: String = ", ".join(SourceAddress.describe_kinds())
 		return "a trainee needs a motion source: %s, or --source=KIND: %s" % [short, kinds]
@@ -101,7 +103,7 @@ func _find_default() -> Array[SourceAddress]:
 	var found: Array[SourceAddress] = []
 	if make_default.is_valid():
 		found.append(SourceAddress.parse("xr"))
-	elif _options.text("default-bvh") != "":
+	elif not awaits_headset and _options.text("default-bvh") != "":
 		found.append(SourceAddress.parse("bvh:" + _options.text("default-bvh")))
 	return found
 
@@ -281,6 +283,8 @@ func _open_source(p_address: SourceAddress, p_number: int) -> String:
 			people.appear(_trackers[-1], "", p_number)
 			return ""
 		"xr":
+			if awaits_headset:
+				return ""
 			if not make_default.is_valid():
 				return "--source=xr: no headset is worn: start with --display=hmd"
 			_has_files = true

@@ -29,6 +29,18 @@ func test_without_a_source_the_options_are_named() -> void:
 		contains(fault, option)
 
 
+func test_nothing_moves_who_waits_for_a_headset() -> void:
+	for options: Array in [[], ["--default-bvh=" + CLIP], ["--source=xr"]]:
+		_again()
+		_inputs.awaits_headset = true
+		equal(_open(options), "", str(options))
+		equal(_appeared.size(), 0, str(options))
+	_again()
+	_inputs.awaits_headset = true
+	equal(_open(["--bvh=" + CLIP]), "")
+	equal(_appeared.size(), 1, "a motion that is asked for is there at once")
+
+
 func test_one_file_is_one_person_with_the_client_s_name() -> void:
 	equal(_open(["--bvh=" + CLIP]), "")
 	equal(_appeared.size(), 1)

@@ -151,10 +151,15 @@ func add(
 
 ## A client that has joined, on both sides.
 func join(p_role: Roles.Role, p_name: String = "Ada", p_password: String = "") -> End:
-	var before: int = joined.size()
 	var end: End = add(p_role, p_name, Protocol.VERSION, p_password)
-	until(func() -> bool: return end.joined == 1 and joined.size() == before + 1)
+	await_join(end)
 	return end
+
+
+## Polls everybody until a client has joined, on both sides. Who listens for what the server sends
+## at once begins before.
+func await_join(p_end: End) -> void:
+	until(func() -> bool: return p_end.joined == 1 and joined.has(p_end.link.session))
 
 
 ## Polls everybody until something holds, for so many seconds at most. Returns whether it holds.

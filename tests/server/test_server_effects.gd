@@ -130,7 +130,7 @@ func test_a_folder_that_is_not_there_is_named() -> void:
 
 
 func _join(p_role: Roles.Role, p_name: String) -> LinkPair.End:
-	var end: LinkPair.End = _pair.join(p_role, p_name)
+	var end: LinkPair.End = _pair.add(p_role, p_name)
 	var parts: EffectParts = EffectParts.new()
 	_got[end.link] = []
 	var texts: Array = _got[end.link]
@@ -142,6 +142,7 @@ func _join(p_role: Roles.Role, p_name: String) -> LinkPair.End:
 				texts.append(parts.bytes.get_string_from_utf8())
 			return true
 	)
+	_pair.await_join(end)
 	return end
 
 

@@ -5,7 +5,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from .conftest import World
+from toolchain.paths import CLIENT_BINARY
+
+from .conftest import SOFTWARE, WINDOW_LIMIT_S, World
 from .test_views import Pixel, read_png
 
 WALL = """[station]
@@ -72,6 +74,22 @@ def test_what_cannot_be_shown_is_said_and_the_window_goes_on(
         said = log_of(world, name)
         assert why in said, said
         assert len({pixel for row in rows[60:300] for pixel in row}) > 200, name
+
+
+def test_a_wearer_without_a_headset_sees_the_session(world: World, display: dict[str, str]) -> None:
+    world.server()
+    world.trainee().await_text("joined")
+    environment = {**display, "XR_RUNTIME_JSON": "/nonexistent.json"}
+    options = ["--role=trainee", "--display=hmd", f"--port={world.port}", "--quality=low"]
+    command = [str(CLIENT_BINARY), *SOFTWARE, "--resolution", "320x180", "--", *options]
+    wearer = world.start("wearer", command, environment)
+    # Nothing moves a body instead of the headset, and nothing keeps its wearer out.
+    seen = wearer.await_report(
+        lambda report: report["shown_frames"] > 4 and report["latency_count"] > 0, WINDOW_LIMIT_S
+    )
+    assert seen["people"] == []
+    assert "No headset: the OpenXR runtime" in wearer.log()
+    assert "needs a motion source" not in wearer.log()
 
 
 def log_of(world: World, name: str) -> str:

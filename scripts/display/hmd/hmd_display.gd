@@ -211,6 +211,7 @@ func report() -> Dictionary:
 		"runtime": _runtime.describe() if _runtime != null else "",
 		"rate_hz": _runtime.rate_hz() if _view != null else 0.0,
 		"eye_size": _runtime.eye_size() if _view != null else [],
+		"card_ms": 1000.0 * _view.drawing_s() if _view != null else 0.0,
 		"frames": keeper.frames,
 		"missed": keeper.missed,
 		"missed_share": keeper.missed_share(),
@@ -251,7 +252,8 @@ func _show_frame(p_delta: float) -> void:
 		_lose("The headset's runtime has ended: the window goes on.")
 		return
 	var rate: float = _runtime.rate_hz()
-	keeper.add(p_delta, 1.0 / rate if rate > 0.0 else 0.0)
+	var period: float = 1.0 / rate if rate > 0.0 else 0.0
+	keeper.add(p_delta, period, _view.drawing_s(), _view.has_compiled())
 	var turn: float = snap_turn.step(_view.hand(1).get_vector2(&"primary"))
 	if turn != 0.0:
 		recentring.turn(turn, _view.head.transform)

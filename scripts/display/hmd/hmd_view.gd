@@ -2,6 +2,13 @@ class_name HmdView
 extends SubViewport
 ## What the wearer's two eyes see: a viewport of its own, so that the window outlives the headset.
 
+## What is compiled while a frame waits.
+const _COMPILED: Array[RenderingServer.RenderingInfo] = [
+	RenderingServer.RENDERING_INFO_PIPELINE_COMPILATIONS_MESH,
+	RenderingServer.RENDERING_INFO_PIPELINE_COMPILATIONS_SURFACE,
+	RenderingServer.RENDERING_INFO_PIPELINE_COMPILATIONS_DRAW,
+]
+
 ## The tracking space; its transform is where that space is in the world.
 var origin: XROrigin3D = XROrigin3D.new()
 ## The head.
@@ -10,6 +17,7 @@ var head: XRCamera3D = XRCamera3D.new()
 var vignette: Vignette = Vignette.new()
 
 var _hands: Array[XRController3D] = []
+var _compiled: int = 0
 
 
 func _init() -> void:
@@ -20,6 +28,7 @@ func _init() -> void:
 	# The size is the runtime's; this is what it has before.
 	size = Vector2i(64, 64)
 	render_target_update_mode = SubViewport.UPDATE_ALWAYS
+	RenderingServer.viewport_set_measure_render_time(get_viewport_rid(), true)
 	origin.add_child(head)
 	head.near = 0.05
 	head.add_child(vignette)
@@ -35,6 +44,21 @@ func _init() -> void:
 ## The left (0) or right (1) hand: where it points.
 func hand(p_hand: int) -> XRController3D:
 	return _hands[p_hand]
+
+
+## How long the card took for both eyes' pictures of the last frame of which that is known, s; 0
+## where it does not tell.
+func drawing_s() -> float:
+	return RenderingServer.viewport_get_measured_render_time_gpu(get_viewport_rid()) / 1000.0
+
+
+## Whether a frame had to wait for programs of the card to be compiled since this was last asked.
+func has_compiled() -> bool:
+	var before: int = _compiled
+	_compiled = 0
+	for info: RenderingServer.RenderingInfo in _COMPILED:
+		_compiled += RenderingServer.get_rendering_info(info)
+	return _compiled != before
 
 
 ## Draws as a step of [constant RateKeeper.STEPS] says.

@@ -97,6 +97,7 @@ def add_rows(bench: Bench, case: str, begin: dict[str, Any], end: dict[str, Any]
     add(case, "refreshes without a new frame", 100.0 * share, "%", at_most=MAX_MISSED)
     add(case, "of the warm-up", 100.0 * before["missed_share"], "%")
     add(case, "step of quality at the end, 0 is the best", after["quality_step"], "")
+    add(case, "a picture's time on the card, of the last one", after["card_ms"], "ms")
     for part, times in end["frame_times"].items():
         add(case, f"{part}, p50", times["p50_ms"], "ms")
     add(case, "own body, age, p50", end["own_latency"]["p50_ms"], "ms")

@@ -50,6 +50,43 @@ func test_rare_spikes_and_pauses_change_nothing() -> void:
 	equal(_keeper.missed, 3 * 7, "a spike of four periods misses three refreshes")
 
 
+func test_one_frame_that_takes_nearly_a_second_changes_nothing() -> void:
+	# Such as when somebody joins: every three seconds, for a minute.
+	for i: int in 20:
+		_play(3.0, func(_step: int) -> int: return 1)
+		_keeper.add(0.9, _PERIOD_S)
+	equal(_keeper.step, 0)
+	equal(_keeper.missed, 20 * 80, "each misses 80 refreshes")
+
+
+func test_a_few_frames_a_second_are_a_slow_picture() -> void:
+	_play(30.0, func(_step: int) -> int: return 36)
+	equal(_keeper.step, RateKeeper.STEPS.size() - 1)
+
+
+func test_what_is_held_up_by_something_else_changes_nothing() -> void:
+	for i: int in 400:
+		_keeper.add(9.0 * _PERIOD_S, _PERIOD_S, 0.0, true)
+	equal(_keeper.step, 0)
+	equal(_keeper.missed, 400 * 8)
+
+
+func test_a_card_without_room_is_not_tried() -> void:
+	var changes: Array[int] = [0]
+	_keeper.stepped.connect(func(_step: int) -> void: changes[0] += 1)
+	_play(600.0, func(step: int) -> int: return 2 if step < 2 else 1, 0.9 * _PERIOD_S)
+	equal([_keeper.step, changes[0]], [2, 2])
+
+
+func test_a_card_with_room_draws_better_soon() -> void:
+	_play(10.0, func(step: int) -> int: return 2 if step < 3 else 1, 0.9 * _PERIOD_S)
+	equal(_keeper.step, 3)
+	_play(10.0, func(_step: int) -> int: return 1, 0.3 * _PERIOD_S)
+	is_true(_keeper.step < 3, str(_keeper.step))
+	_play(30.0, func(_step: int) -> int: return 1, 0.3 * _PERIOD_S)
+	equal(_keeper.step, 0)
+
+
 func test_the_last_step_is_the_last() -> void:
 	_play(60.0, func(_step: int) -> int: return 5)
 	equal(_keeper.step, RateKeeper.STEPS.size() - 1)
@@ -62,10 +99,11 @@ func test_times_that_are_none_are_left_out() -> void:
 	equal(_keeper.frames, 0)
 
 
-## Plays a time, s; a frame takes as many refreshes as a step of the quality needs.
-func _play(p_seconds: float, p_refreshes: Callable) -> void:
+## Plays a time, s; a frame takes as many refreshes as a step of the quality needs, and the card so
+## long, s.
+func _play(p_seconds: float, p_refreshes: Callable, p_card_s: float = 0.0) -> void:
 	var now: float = 0.0
 	while now < p_seconds:
 		var frame: float = _PERIOD_S * int(p_refreshes.call(_keeper.step))
-		_keeper.add(frame, _PERIOD_S)
+		_keeper.add(frame, _PERIOD_S, p_card_s)
 		now += frame

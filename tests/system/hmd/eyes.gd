@@ -135,5 +135,7 @@ func _send(p_head: Transform3D) -> void:
 class FullQuality:
 	extends RateKeeper
 
-	func add(_frame_s: float, _period_s: float, _longest_s: float = 1.0) -> void:
+	func add(
+		_frame_s: float, _period_s: float, _card_s: float = 0.0, _is_held_up: bool = false
+	) -> void:
 		pass
