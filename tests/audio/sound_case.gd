@@ -5,6 +5,10 @@ var _voices: SoundVoices = null
 
 
 ## The voices are in the tree and hear from where they stand.
+func goes_by_clock() -> bool:
+	return true
+
+
 func before_each() -> void:
 	_voices = SoundVoices.new()
 	add_child(_voices)

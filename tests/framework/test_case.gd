@@ -34,6 +34,12 @@ func time_limit() -> float:
 	return 0.0
 
 
+## Whether frames take as long as for a user, as something that the tests of this file wait for goes
+## by the clock: another thread, a socket, the mixer. Else they come as fast as they can.
+func goes_by_clock() -> bool:
+	return false
+
+
 ## Checks that [param p_value] is true.
 func is_true(p_value: bool, p_note: String = "") -> void:
 	_case_check(p_value, "expected true, got false", p_note)

@@ -18,6 +18,8 @@ const OWN_FILES: PackedStringArray = ["test_case.gd", "test_runner.gd"]
 const CLASS_CACHE: String = "res://.godot/global_script_class_cache.cfg"
 ## A test that blocks the main thread may take this many times its limit before the run is killed.
 const HANG_FACTOR: float = 2.0
+## A frame of a test that goes by the clock, µs.
+const FRAME_USEC: int = 16667
 
 var _paths: PackedStringArray = PackedStringArray()
 var _filter: String = ""
@@ -28,6 +30,9 @@ var _default_limit: float = 600.0
 var _trap: Logger = ErrorTrap.new()
 var _guard: RefCounted = HangGuard.new()
 var _results: Array[Dictionary] = []
+# Frames of the test that runs wait for the clock.
+var _is_paced: bool = false
+var _frame_usec: int = 0
 
 
 func _initialize() -> void:
@@ -41,6 +46,13 @@ func _initialize() -> void:
 	OS.add_logger(_trap)
 	_guard.call("start")
 	_run()
+
+
+func _process(_p_delta: float) -> bool:
+	if _is_paced:
+		OS.delay_usec(maxi(0, _frame_usec + FRAME_USEC - Time.get_ticks_usec()))
+		_frame_usec = Time.get_ticks_usec()
+	return false
 
 
 func _run() -> void:
@@ -167,6 +179,7 @@ func _run_test(p_path: String, p_script: GDScript, p_test: String) -> void:
 	_guard.call("begin", full_name, limit * HANG_FACTOR)
 	var nodes: int = _orphans() - 1
 	root.add_child(test)
+	_is_paced = test.goes_by_clock()
 	var started: int = Time.get_ticks_usec()
 	var in_time: bool = await _call_within("before_each", test, limit)
 	if in_time:
@@ -176,6 +189,7 @@ func _run_test(p_path: String, p_script: GDScript, p_test: String) -> void:
 	var faults: PackedStringArray = _faults_of(test)
 	if not in_time or seconds > limit:
 		faults.append("took longer than %s s" % limit)
+	_is_paced = false
 	var expected: PackedStringArray = test._case_expected_errors
 	var allowed: PackedStringArray = test._case_allowed_errors
 	test.free()

@@ -15,6 +15,11 @@ func test_passes_what_is_good() -> void:
 	contains(_output, "7 passed, 0 failed")
 
 
+func test_frames_of_who_goes_by_the_clock_take_their_time() -> void:
+	_run_on([FIXTURES + "clock.gd"])
+	equal(_exit_code, 0, _output)
+
+
 func test_fails_each_kind_of_fault() -> void:
 	_run_on([FIXTURES + "bad.gd"])
 	equal(_exit_code, 1)
@@ -132,7 +137,7 @@ func test_filters_and_writes_junit() -> void:
 
 func _run_on(p_arguments: Array[String]) -> void:
 	var command: PackedStringArray = [
-		"--headless", "--path", ProjectSettings.globalize_path("res://")
+		"--headless", "--fixed-fps", "60", "--path", ProjectSettings.globalize_path("res://")
 	]
 	command.append_array(["-s", RUNNER, "--"])
 	command.append_array(p_arguments)

@@ -24,6 +24,10 @@ var _refusals: Dictionary[String, int] = {}
 var _tick: int = 0
 
 
+func goes_by_clock() -> bool:
+	return true
+
+
 func time_limit() -> float:
 	return 300.0
 

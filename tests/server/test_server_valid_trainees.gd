@@ -57,6 +57,10 @@ var _port: int = 0
 var _tick: int = 0
 
 
+func goes_by_clock() -> bool:
+	return true
+
+
 func time_limit() -> float:
 	return 300.0
 

@@ -19,6 +19,10 @@ const ROTATION: String = (
 )
 
 
+func goes_by_clock() -> bool:
+	return true
+
+
 func test_a_tracker_is_answered_and_its_rotation_read() -> void:
 	var peer: PacketPeerUDP = PacketPeerUDP.new()
 	var feed: SlimeFeed = SlimeFeed.new()

@@ -10,6 +10,10 @@ var _came: Array[MotionSource] = []
 var _gone: Array[MotionSource] = []
 
 
+func goes_by_clock() -> bool:
+	return true
+
+
 func before_each() -> void:
 	_came.clear()
 	_gone.clear()

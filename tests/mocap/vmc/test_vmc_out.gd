@@ -5,6 +5,10 @@ const CLIP: String = "res://assets/motion/01_01.bvh"
 const PATIENCE: int = 600
 
 
+func goes_by_clock() -> bool:
+	return true
+
+
 func test_two_people_go_to_two_ports() -> void:
 	var first: PacketPeerUDP = PacketPeerUDP.new()
 	var second: PacketPeerUDP = PacketPeerUDP.new()

@@ -8,6 +8,10 @@ var _seat: Node3D = null
 var _output: PlatformOutput = null
 
 
+func goes_by_clock() -> bool:
+	return true
+
+
 func before_each() -> void:
 	_listener = PacketPeerUDP.new()
 	is_true(_listener.bind(0, "127.0.0.1") == OK, "a port")
