@@ -394,4 +394,7 @@ func _quit(p_code: int, p_why: String) -> void:
 func _leave(p_code: int) -> void:
 	if _shared != null:
 		_shared.api.close()
+	while _arrival != null and _arrival.is_reading():
+		set_process(false)
+		await get_tree().process_frame
 	get_tree().quit(p_code)

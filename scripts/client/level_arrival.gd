@@ -110,6 +110,11 @@ func report() -> Dictionary:
 	}
 
 
+## See [method LevelLoader.is_reading].
+func is_reading() -> bool:
+	return _loader.is_reading()
+
+
 ## Ends.
 func close() -> void:
 	download.cancel()

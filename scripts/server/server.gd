@@ -384,8 +384,12 @@ func _make_report() -> Dictionary:
 	return report
 
 
-## Ends the program with a code.
+## Ends the program with a code, as soon as no thread reads a level.
 func _leave(p_code: int) -> void:
 	if _shared != null:
 		_shared.api.close()
+	while _level.loader.is_reading():
+		set_physics_process(false)
+		set_process(false)
+		await get_tree().process_frame
 	get_tree().quit(p_code)

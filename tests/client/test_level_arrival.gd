@@ -14,6 +14,10 @@ var _taken: Array[PackedByteArray] = []
 var _requests: Array[PackedByteArray] = []
 
 
+func goes_by_clock() -> bool:
+	return true
+
+
 func before_each() -> void:
 	SampleFolder.clean_up()
 	_client = CLIENT.instantiate()

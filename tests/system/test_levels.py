@@ -164,3 +164,11 @@ def test_a_share_that_cannot_be_used_is_named(world: World, share: Path) -> None
         server = world.server(*options, name="wrong", wait=False)
         assert server.await_exit() == 2
         assert words in server.log()
+
+
+def test_a_server_ends_while_it_loads_a_level(world: World) -> None:
+    server = world.server()
+    world.client("instructor", "--orders=world:town", name="instructor")
+    server.await_text("loading world 'town'")
+    # A thread that loads waits for a frame: whoever waits for that thread instead hangs.
+    assert server.end() == 0, server.log()

@@ -69,8 +69,9 @@ class Job:
 	## The skies that came with it.
 	var skies: Array[Sky] = []
 
-	## Reads the level, in a thread. It waits for nothing that the main thread has to do, so that
-	## the main thread may wait for it.
+	## Reads the level, in a thread. The engine lets a thread that has loaded something wait for the
+	## main thread's next frame, which therefore must not wait for this: see
+	## [method LevelLoader.is_reading].
 	func run() -> void:
 		RenderLock.hold()
 		_read()
@@ -147,6 +148,15 @@ func begin_folder(p_name: String, p_path: String, p_hash: String = "") -> void:
 ## Whether a level is being loaded.
 func is_busy() -> bool:
 	return state == State.READING or state == State.READ or state == State.ENTERING
+
+
+## Whether threads read, also what has been given up. Who ends lets frames pass until they don't,
+## and then calls [method close]: it would wait for ever for a thread that waits for a frame.
+func is_reading() -> bool:
+	var threads: Array = _abandoned.map(func(pair: Array) -> Thread: return pair[1])
+	if state == State.READING and _thread != null:
+		threads.append(_thread)
+	return threads.any(func(thread: Thread) -> bool: return thread.is_alive())
 
 
 ## The folder of the level that was read; null for one of the program's own.
@@ -231,7 +241,7 @@ func cancel() -> void:
 	state = State.IDLE
 
 
-## Ends: waits for threads, and frees what nobody has taken over.
+## Ends: waits for threads (see [method is_reading]), and frees what nobody has taken over.
 func close() -> void:
 	cancel()
 	for pair: Array in _abandoned:

@@ -5,6 +5,10 @@ var _display: HmdDisplay = null
 var _told: PackedStringArray = []
 
 
+func goes_by_clock() -> bool:
+	return true
+
+
 func before_each() -> void:
 	_told = []
 	_display = HmdDisplay.new()

@@ -4,11 +4,17 @@ extends TestCase
 var _loader: LevelLoader = LevelLoader.new()
 
 
+func goes_by_clock() -> bool:
+	return true
+
+
 func before_each() -> void:
 	SampleFolder.clean_up()
 
 
 func after_each() -> void:
+	while _loader.is_reading():
+		await process_frames(1)
 	_loader.close()
 	SampleFolder.clean_up()
 
@@ -112,9 +118,23 @@ func test_what_is_given_up_leaves_nothing() -> void:
 		await process_frames(1)
 	_loader.enter(self)
 	_loader.advance()
+	while _loader.is_reading():
+		await process_frames(1)
 	_loader.close()
 	await process_frames(2)
 	equal(int(Performance.get_monitor(Performance.OBJECT_NODE_COUNT)), before)
+
+
+func test_who_ends_while_a_thread_reads_lets_frames_pass() -> void:
+	for is_given_up: bool in [false, true]:
+		_loader.begin_own("town")
+		if is_given_up:
+			_loader.cancel()
+		is_true(_loader.is_reading())
+		while _loader.is_reading():
+			await process_frames(1)
+		_loader.close()
+		is_false(_loader.is_reading())
 
 
 func _load() -> LevelLoader.State:
