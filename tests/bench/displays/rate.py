@@ -20,6 +20,7 @@ from typing import Any
 
 from toolchain.apt import AptError
 from toolchain.console import Failure, tail
+from toolchain.demo import SOFTWARE_RENDERERS
 from toolchain.display import real_display, virtual_display
 from toolchain.monado import Monado
 from toolchain.paths import CLIPS
@@ -36,7 +37,6 @@ START_LIMIT_S = 180.0
 # A goal of issue 18, %.
 MAX_MISSED = 1.0
 BY_PROCESSOR = ("VK_DRIVER_FILES", "LIBGL_ALWAYS_SOFTWARE")
-SOFTWARE = ("llvmpipe", "softpipe", "swiftshader")
 
 
 def measure(bench: Bench) -> None:
@@ -58,7 +58,7 @@ def measure(bench: Bench) -> None:
                 begin = session.move_for(WARM_UP_S)
                 end = session.move_for(float(os.environ.get("RATE_SECONDS", SECONDS)))
     card = str(end["renderer"])
-    if any(name in card.lower() for name in SOFTWARE):
+    if any(name in card.lower() for name in SOFTWARE_RENDERERS):
         bench.leave_out("rate on a card", f"{card} draws, which is the processor")
         return
     if end["display"]["frames"] == begin["display"]["frames"]:
