@@ -48,7 +48,6 @@ func _run_kind(p_clip: String, p_kind: CalibrationGuide.Kind, p_poses: Array[Pos
 	for _round: int in arguments.value("rounds"):
 		var wearer: Wearer = Wearer.new()
 		wearer.random = _random
-		wearer.feed.random = _random
 		wearer.feed.noise_deg = arguments.value("noise")
 		wearer.motion.facing = _random.randf_range(-PI, PI)
 		var norths: float = NAN if p_kind == CalibrationGuide.Kind.FULL else 0.0

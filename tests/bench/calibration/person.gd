@@ -27,7 +27,6 @@ var front: float = 0.0
 func dress(p_mounts: PackedInt32Array, p_norths_deg: float, p_normal: bool) -> void:
 	mounts = p_mounts
 	rate_hz = _RATE_HZ
-	feed.random = random
 	feed.noise_deg = _NOISE_DEG
 	motion.facing = random.randf_range(-PI, PI)
 	norths_deg = p_norths_deg

@@ -231,7 +231,6 @@ func test_a_new_sensor_takes_part_in_a_quick_reset() -> void:
 func _wearer(p_north: float) -> Wearer:
 	var wearer: Wearer = Wearer.new()
 	wearer.random = _random
-	wearer.feed.random = _random
 	wearer.rate_hz = 40.0
 	wearer.wear(PackedInt32Array(range(17)), p_north)
 	return wearer

@@ -104,7 +104,6 @@ func test_the_mean_length_of_normal_vectors() -> void:
 func _wearer(p_north: float) -> Wearer:
 	var wearer: Wearer = Wearer.new()
 	wearer.random = _random
-	wearer.feed.random = _random
 	wearer.rate_hz = 25.0
 	wearer.wear(PackedInt32Array(range(17)), p_north)
 	return wearer

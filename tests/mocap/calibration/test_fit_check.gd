@@ -113,7 +113,6 @@ func _shuffled(p_mounts: PackedInt32Array) -> PackedInt32Array:
 func _wearer(p_count: int, p_effort: float) -> Wearer:
 	var wearer: Wearer = Wearer.new()
 	wearer.random = _random
-	wearer.feed.random = _random
 	wearer.feed.noise_deg = 0.3
 	wearer.wear(SensorMap.layout(p_count))
 	wearer.rate_hz = 20.0

@@ -3,14 +3,21 @@ extends TestCase
 
 const BEGIN_USEC: int = 1700000000000000
 
+var _random: RandomNumberGenerator = RandomNumberGenerator.new()
+
+
+func before_each() -> void:
+	_random.seed = 4
+
 
 ## How often the gesture was noticed in a motion: [code]func(seconds) -> PoseSample[/code].
 func _noticed(p_motion: Callable, p_seconds: float) -> int:
 	var feed: WornSensorFeed = WornSensorFeed.new()
-	var random: RandomNumberGenerator = RandomNumberGenerator.new()
 	for mount: int in BodyMounts.COUNT:
-		var axis: Vector3 = Vector3(random.randfn(), random.randfn(), random.randfn()).normalized()
-		feed.add_sensor(mount, Quaternion(axis, random.randf() * PI), random.randf() * TAU)
+		var axis: Vector3 = (
+			Vector3(_random.randfn(), _random.randfn(), _random.randfn()).normalized()
+		)
+		feed.add_sensor(mount, Quaternion(axis, _random.randf() * PI), _random.randf() * TAU)
 	var gesture: ShakeGesture = ShakeGesture.new()
 	var count: int = 0
 	for at: int in roundi(p_seconds * 100.0):

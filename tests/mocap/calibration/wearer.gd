@@ -11,7 +11,11 @@ var motion: CalibrationMotion = CalibrationMotion.new()
 var process: CalibrationProcess = CalibrationProcess.new()
 ## The one in force.
 var calibration: Calibration = null
-var random: RandomNumberGenerator = RandomNumberGenerator.new()
+## Draws where the sensors sit, and their noise.
+var random: RandomNumberGenerator = feed.random:
+	set(p_random):
+		random = p_random
+		feed.random = p_random
 var rate_hz: float = 100.0
 ## Place of each sensor.
 var mounts: PackedInt32Array = PackedInt32Array()
