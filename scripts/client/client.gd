@@ -46,6 +46,7 @@ func configure(p_role: String, p_options: Options) -> void:
 
 func _ready() -> void:
 	ClientPhysics.begin()
+	get_tree().auto_accept_quit = false
 	if DisplayServer.get_name() == "headless":
 		Engine.max_fps = _options.number("fps")
 		# Else Godot makes 145 frames a second at most where nothing is drawn.
@@ -101,9 +102,8 @@ func _physics_process(_delta: float) -> void:
 
 
 func _notification(p_what: int) -> void:
-	# The window is being closed: the engine quits after this.
-	if p_what == NOTIFICATION_WM_CLOSE_REQUEST and _shared != null:
-		_shared.api.close()
+	if p_what == NOTIFICATION_WM_CLOSE_REQUEST:
+		_leave(_exit_code)
 
 
 func _exit_tree() -> void:
@@ -183,7 +183,7 @@ func _connect_stream() -> void:
 	_stream.status_changed.connect(_hud.show_message)
 	_stream.ended.connect(_on_ended)
 	_scene.entities.use(_stream)
-	_scene.level_noted.connect(_hud.show_note)
+	_scene.level_noted.connect(_hud.show_note.bind(&"level"))
 	_scene.happening_told.connect(_hud.show_news)
 	# What has been recorded takes no commands.
 	if _role == ClientStreams.REPLAY:
@@ -307,7 +307,7 @@ func _on_ended(p_exit_code: int, p_why: String) -> void:
 
 func _on_told(p_text: String) -> void:
 	Log.warning("client", p_text)
-	_hud.show_note(p_text)
+	_hud.show_note(p_text, &"told")
 	_display.tell(p_text)
 	_sound.click_radio()
 
@@ -383,18 +383,15 @@ func _quit(p_code: int, p_why: String) -> void:
 	_hud.show_message(p_why.left(1).to_upper() + p_why.substr(1) + ".")
 	var is_read: bool = p_code == StateStream.EXIT_REFUSED or p_code == StateStream.EXIT_OPTIONS
 	var stays: bool = is_read and DisplayServer.get_name() != "headless"
-	if stays and _options.seconds("duration") == 0.0:
-		get_tree().auto_accept_quit = false
-		get_window().close_requested.connect(_leave.bind(p_code))
-	else:
+	if not stays or _options.seconds("duration") > 0.0:
 		_leave(p_code)
 
 
-## Ends the program with a code.
+## Ends the program with a code, as soon as no thread reads a level.
 func _leave(p_code: int) -> void:
 	if _shared != null:
 		_shared.api.close()
-	while _arrival != null and _arrival.is_reading():
-		set_process(false)
-		await get_tree().process_frame
+	set_process(false)
+	if _arrival != null:
+		await _arrival.end_reading(get_tree())
 	get_tree().quit(p_code)

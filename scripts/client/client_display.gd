@@ -10,6 +10,9 @@ signal leaving
 ## The user wants to leave the session.
 signal leave_wanted
 
+## What its notes on the screen are about.
+const NOTES: StringName = &"display"
+
 @export var _scene: ClientScene
 @export var _hud: Hud
 
@@ -53,7 +56,6 @@ func open(p_options: Options) -> void:
 		_late = null
 		if headset != null:
 			headset.begin()
-			_show_waiting()
 
 
 ## Waits until it is time to begin the frame. Call it first.
@@ -272,8 +274,7 @@ func _on_told(p_text: String) -> void:
 
 ## The window says for as long as it is so that there is no headset, and why.
 func _show_waiting() -> void:
-	if not is_worn():
-		_hud.show_note(headset.display.report()["lost"])
+	_hud.show_note(headset.display.report()["lost"], NOTES)
 
 
 func _fall_back(p_why: String) -> void:
@@ -281,9 +282,8 @@ func _fall_back(p_why: String) -> void:
 	if headset != null:
 		headset.queue_free()
 		headset = null
-	_hud.show_note(
-		"%s. You see the world in this window." % (p_why.left(1).to_upper() + p_why.substr(1))
-	)
+	var text: String = p_why.left(1).to_upper() + p_why.substr(1)
+	_hud.show_note("%s. You see the world in this window." % text, NOTES)
 	if mode != null:
 		mode.close()
 		mode.queue_free()

@@ -19,6 +19,8 @@ const NEWS_LINES: int = 4
 @export var _latency: LatencyPanel
 
 var _lines: PackedStringArray = []
+# By topic.
+var _notes: Dictionary[StringName, String] = {}
 
 
 ## Shows the stats, and the worlds and keys.
@@ -44,10 +46,13 @@ func show_guide(p_text: String) -> void:
 	_guide.visible = p_text != ""
 
 
-## Shows a note below the stats until another one comes; none if the text is empty.
-func show_note(p_text: String) -> void:
-	_note.text = p_text
-	_note.visible = p_text != ""
+## Shows a note below the stats until another one of its topic comes; none if the text is empty.
+func show_note(p_text: String, p_topic: StringName) -> void:
+	_notes[p_topic] = p_text
+	if p_text == "":
+		_notes.erase(p_topic)
+	_note.text = "\n".join(_notes.values())
+	_note.visible = not _notes.is_empty()
 
 
 ## Shows what has happened, for a while.

@@ -110,9 +110,9 @@ func report() -> Dictionary:
 	}
 
 
-## See [method LevelLoader.is_reading].
-func is_reading() -> bool:
-	return _loader.is_reading()
+## See [method LevelLoader.end_reading].
+func end_reading(p_tree: SceneTree) -> void:
+	await _loader.end_reading(p_tree)
 
 
 ## Ends.

@@ -156,8 +156,6 @@ func _open_status(p_port: int) -> void:
 func _give_up(p_code: int, p_why: String) -> void:
 	Log.error("server", p_why)
 	_leave(p_code)
-	set_physics_process(false)
-	set_process(false)
 
 
 func _physics_process(p_delta: float) -> void:
@@ -388,8 +386,7 @@ func _make_report() -> Dictionary:
 func _leave(p_code: int) -> void:
 	if _shared != null:
 		_shared.api.close()
-	while _level.loader.is_reading():
-		set_physics_process(false)
-		set_process(false)
-		await get_tree().process_frame
+	set_physics_process(false)
+	set_process(false)
+	await _level.loader.end_reading(get_tree())
 	get_tree().quit(p_code)

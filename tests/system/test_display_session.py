@@ -76,11 +76,15 @@ def test_what_cannot_be_shown_is_said_and_the_window_goes_on(
         assert len({pixel for row in rows[60:300] for pixel in row}) > 200, name
 
 
-def test_a_wearer_without_a_headset_sees_the_session(world: World, display: dict[str, str]) -> None:
+def test_a_wearer_without_a_headset_sees_the_session_and_why(
+    world: World, display: dict[str, str], tmp_path: Path
+) -> None:
     world.server()
     world.trainee().await_text("joined")
     environment = {**display, "XR_RUNTIME_JSON": "/nonexistent.json"}
     options = ["--role=trainee", "--display=hmd", f"--port={world.port}", "--quality=low"]
+    picture = tmp_path / "wearer.png"
+    options.append(f"--screenshot={picture}")
     command = [str(CLIENT_BINARY), *SOFTWARE, "--resolution", "320x180", "--", *options]
     wearer = world.start("wearer", command, environment)
     # Nothing moves a body instead of the headset, and nothing keeps its wearer out.
@@ -90,6 +94,17 @@ def test_a_wearer_without_a_headset_sees_the_session(world: World, display: dict
     assert seen["people"] == []
     assert "No headset: the OpenXR runtime" in wearer.log()
     assert "needs a motion source" not in wearer.log()
+    # What the window says for as long as it waits: the news of it have gone by then.
+    wearer.await_report(lambda report: report["seconds"] > seen["seconds"] + 8.0, WINDOW_LIMIT_S)
+    wearer.end()
+    rows = read_png(picture)
+    assert sum(is_note(pixel) for row in rows[:90] for pixel in row) > 40
+
+
+def is_note(pixel: Pixel) -> bool:
+    """Notes are amber."""
+    red, green, blue = pixel
+    return red > 200 and 150 < green < 220 and 60 < blue < 130
 
 
 def log_of(world: World, name: str) -> str:

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from tutorial.screen import Screen
+
 from .conftest import World, run_in_window
 from .test_views import Pixel, read_png
 
@@ -52,3 +54,21 @@ def test_levels_that_are_given_up_undrawn_leave_nothing(display: dict[str, str])
     assert "gave up all" in said
     assert "ERROR" not in said
     assert "leaked" not in said
+
+
+def test_a_window_that_is_shut_while_it_loads_ends_in_order(
+    world: World, display: dict[str, str]
+) -> None:
+    screen = Screen(display["DISPLAY"])
+    world.server()
+    window = world.client("observer", "--quality=low", display=display)
+    window.await_report(lambda seen: seen["level"]["name"] == "hall")
+    world.client("instructor", "--orders=world:town", name="instructor")
+    window.await_report(lambda seen: seen["level"]["name"] == "town")
+    for shown in screen.windows():
+        screen.shut(shown)
+    screen.close()
+    assert window.await_exit() == 0
+    # The engine may say that a sound leaked which began in that moment, but nothing of a picture.
+    assert "GL ID" not in window.log()
+    assert "never freed" not in window.log()

@@ -36,6 +36,8 @@ class Screen:
 
     def __init__(self, name: str) -> None:
         self.display = Display(name)
+        # The engine asks for it at its start, and can't be told to shut where nobody has named it.
+        self.wish = self.display.intern_atom("WM_DELETE_WINDOW")
         self.root = self.display.screen().root
 
     def close(self) -> None:
@@ -57,8 +59,7 @@ class Screen:
     def shut(self, window: Window) -> None:
         """Asks a program to shut its window, as a click on its cross does."""
         kind = self.display.intern_atom("WM_PROTOCOLS")
-        wish = self.display.intern_atom("WM_DELETE_WINDOW")
-        data = (32, [wish, X.CurrentTime, 0, 0, 0])
+        data = (32, [self.wish, X.CurrentTime, 0, 0, 0])
         event = ClientMessage(window=window, client_type=kind, data=data)
         window.send_event(event, event_mask=0)
         self.display.sync()

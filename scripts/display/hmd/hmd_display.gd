@@ -18,7 +18,7 @@ signal recentred
 signal turned(p_angle: float)
 ## Draw less (a higher detail step, 0 to 3): see [constant RateKeeper.STEPS].
 signal quality_wanted(p_step: int)
-## The headset was lost: only the window goes on.
+## There is no headset, as it was lost or cannot be had yet: only the window goes on.
 signal lost
 ## The headset can be had again: [method enter] goes back into it.
 signal returned
@@ -332,7 +332,6 @@ func _lose(p_why: String) -> void:
 	quality_wanted.emit(0)
 	_is_waiting = true
 	_await_return(p_why)
-	lost.emit()
 
 
 func _await_return(p_why: String) -> void:
@@ -340,6 +339,7 @@ func _await_return(p_why: String) -> void:
 	Log.warning("headset", p_why)
 	var then: String = " It is entered when the runtime has it." if not _is_refused else ""
 	told.emit(p_why + then)
+	lost.emit()
 
 
 func _leave_view() -> void:

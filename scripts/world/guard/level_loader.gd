@@ -71,7 +71,7 @@ class Job:
 
 	## Reads the level, in a thread. The engine lets a thread that has loaded something wait for the
 	## main thread's next frame, which therefore must not wait for this: see
-	## [method LevelLoader.is_reading].
+	## [method LevelLoader.end_reading].
 	func run() -> void:
 		RenderLock.hold()
 		_read()
@@ -150,13 +150,16 @@ func is_busy() -> bool:
 	return state == State.READING or state == State.READ or state == State.ENTERING
 
 
-## Whether threads read, also what has been given up. Who ends lets frames pass until they don't,
-## and then calls [method close]: it would wait for ever for a thread that waits for a frame.
-func is_reading() -> bool:
-	var threads: Array = _abandoned.map(func(pair: Array) -> Thread: return pair[1])
-	if state == State.READING and _thread != null:
-		threads.append(_thread)
-	return threads.any(func(thread: Thread) -> bool: return thread.is_alive())
+## Gives up what is being read, and returns when no thread reads any more, in a frame that has yet
+## to be drawn (see [UntilDrawn]). Await it before [method close], which would wait for ever for a
+## thread that waits for a frame.
+func end_reading(p_tree: SceneTree) -> void:
+	if state == State.READING:
+		cancel()
+	_collect_abandoned()
+	while not (_abandoned.is_empty() and _unclaimed.is_empty()):
+		await p_tree.process_frame
+		_collect_abandoned()
 
 
 ## The folder of the level that was read; null for one of the program's own.
@@ -241,7 +244,7 @@ func cancel() -> void:
 	state = State.IDLE
 
 
-## Ends: waits for threads (see [method is_reading]), and frees what nobody has taken over.
+## Ends: waits for threads (see [method end_reading]), and frees what nobody has taken over.
 func close() -> void:
 	cancel()
 	for pair: Array in _abandoned:

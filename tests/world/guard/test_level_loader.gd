@@ -13,8 +13,7 @@ func before_each() -> void:
 
 
 func after_each() -> void:
-	while _loader.is_reading():
-		await process_frames(1)
+	await _loader.end_reading(get_tree())
 	_loader.close()
 	SampleFolder.clean_up()
 
@@ -118,8 +117,7 @@ func test_what_is_given_up_leaves_nothing() -> void:
 		await process_frames(1)
 	_loader.enter(self)
 	_loader.advance()
-	while _loader.is_reading():
-		await process_frames(1)
+	await _loader.end_reading(get_tree())
 	_loader.close()
 	await process_frames(2)
 	equal(int(Performance.get_monitor(Performance.OBJECT_NODE_COUNT)), before)
@@ -130,11 +128,9 @@ func test_who_ends_while_a_thread_reads_lets_frames_pass() -> void:
 		_loader.begin_own("town")
 		if is_given_up:
 			_loader.cancel()
-		is_true(_loader.is_reading())
-		while _loader.is_reading():
-			await process_frames(1)
+		await _loader.end_reading(get_tree())
+		is_false(_loader.is_busy())
 		_loader.close()
-		is_false(_loader.is_reading())
 
 
 func _load() -> LevelLoader.State:
