@@ -60,7 +60,8 @@ func _ready() -> void:
 	_controls.set_up(_role, _options)
 	_scene.avatars.keep(_options.text("avatar"))
 	_display.leaving.connect(_on_leaving)
-	_display.leave_wanted.connect(_leave.bind(0))
+	_controls.leave_wanted.connect(_leave)
+	_display.leave_wanted.connect(_leave)
 	_display.open(_options)
 	_clock = FrameClock.of_window()
 	var fault: String = _apply_options()
@@ -103,7 +104,7 @@ func _physics_process(_delta: float) -> void:
 
 func _notification(p_what: int) -> void:
 	if p_what == NOTIFICATION_WM_CLOSE_REQUEST:
-		_leave(_exit_code)
+		_leave()
 
 
 func _exit_tree() -> void:
@@ -290,6 +291,7 @@ func _on_spawned(p_row: EntityRow) -> void:
 
 
 func _on_restarted() -> void:
+	_hud.show_note("", &"told")
 	_scene.clear()
 	if _arrival != null:
 		_arrival.restart()
@@ -388,10 +390,11 @@ func _quit(p_code: int, p_why: String) -> void:
 
 
 ## Ends the program with a code, as soon as no thread reads a level.
-func _leave(p_code: int) -> void:
+func _leave(p_code: int = _exit_code) -> void:
 	if _shared != null:
 		_shared.api.close()
 	set_process(false)
+	_display.stay_away()
 	if _arrival != null:
 		await _arrival.end_reading(get_tree())
 	get_tree().quit(p_code)

@@ -154,6 +154,12 @@ func tell(p_text: String) -> void:
 		headset.tell(p_text)
 
 
+## The program ends: a headset that comes back by now is not gone into.
+func stay_away() -> void:
+	if headset != null:
+		headset.display.returns_by_itself = false
+
+
 ## Stats for a report.
 func report() -> Dictionary:
 	var found: Dictionary = mode.report() if mode != null else {"display": DisplayNames.WINDOW}

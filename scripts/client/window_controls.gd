@@ -5,6 +5,8 @@ extends Node
 
 ## The user wants to calibrate a wheel and pedals.
 signal wheel_wanted
+## The user wants to leave the session.
+signal leave_wanted
 
 const _NEXT: StringName = &"next_person"
 const _VIEW: StringName = &"change_view"
@@ -26,7 +28,7 @@ func set_up(p_role: String, p_options: Options) -> void:
 	var role: int = Roles.find(p_role)
 	_moves = Roles.can(role, Roles.Capability.SEND_MOTION)
 	_menu.set_keys(KeyGuide.describe(_moves, Roles.can(role, Roles.Capability.COMMAND)))
-	_menu.leave_wanted.connect(get_tree().quit.bind(0))
+	_menu.leave_wanted.connect(leave_wanted.emit)
 	_menu.wheel_wanted.connect(wheel_wanted.emit)
 	if DisplayServer.get_name() == "headless":
 		return

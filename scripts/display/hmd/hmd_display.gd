@@ -18,7 +18,7 @@ signal recentred
 signal turned(p_angle: float)
 ## Draw less (a higher detail step, 0 to 3): see [constant RateKeeper.STEPS].
 signal quality_wanted(p_step: int)
-## There is no headset, as it was lost or cannot be had yet: only the window goes on.
+## There is no headset, or none any more: only the window goes on. Again with each new answer.
 signal lost
 ## The headset can be had again: [method enter] goes back into it.
 signal returned
@@ -231,8 +231,7 @@ func _begin() -> void:
 		var hand: XRController3D = _view.hand(i)
 		hand.button_pressed.connect(_on_pressed.bind(i))
 		hand.button_released.connect(func(action: String) -> void: released.emit(action, i))
-	if not keeper.stepped.is_connected(_on_stepped):
-		keeper.stepped.connect(_on_stepped)
+	keeper.stepped.connect(_on_stepped)
 	_runtime.interface.pose_recentered.connect(_on_pose_recentred)
 	_window.take(get_window())
 	_show_mirror()
@@ -304,9 +303,11 @@ func _take_answer() -> void:
 	if not _way_back.is_ready():
 		_is_told = false
 		_is_refused = false
+		_why_lost = "No headset: %s." % _way_back.fault
 		if _is_asked:
 			_is_asked = false
-			told.emit("No headset: %s." % _way_back.fault)
+			told.emit(_why_lost)
+		lost.emit()
 		return
 	var was_told: bool = _is_told
 	_is_told = true
@@ -337,8 +338,7 @@ func _lose(p_why: String) -> void:
 func _await_return(p_why: String) -> void:
 	_why_lost = p_why
 	Log.warning("headset", p_why)
-	var then: String = " It is entered when the runtime has it." if not _is_refused else ""
-	told.emit(p_why + then)
+	told.emit(p_why + ("" if _is_refused else " It is entered when the runtime has it."))
 	lost.emit()
 
 

@@ -49,6 +49,7 @@ func test_who_asks_is_told_what_the_runtime_answers() -> void:
 	while _told.is_empty():
 		await get_tree().process_frame
 	is_true(_told[0].begins_with("No headset: libc.so.6"), _told[0])
+	equal(_display.report()["lost"], _told[0], "what a window goes on saying")
 	is_true(_display.report()["waits"])
 	# The same fault by itself is not told again.
 	for i: int in 10:
