@@ -10,8 +10,8 @@ signal leaving
 ## The user wants to leave the session.
 signal leave_wanted
 
-## What its notes on the screen are about.
-const NOTES: StringName = &"display"
+# What its notes on the screen are about.
+const _NOTES: StringName = &"display"
 
 @export var _scene: ClientScene
 @export var _hud: Hud
@@ -280,7 +280,7 @@ func _on_told(p_text: String) -> void:
 
 ## The window says for as long as it is so that there is no headset, and why.
 func _show_waiting() -> void:
-	_hud.show_note(headset.display.report()["lost"], NOTES)
+	_hud.show_note(headset.display.report()["lost"], _NOTES)
 
 
 func _fall_back(p_why: String) -> void:
@@ -289,7 +289,7 @@ func _fall_back(p_why: String) -> void:
 		headset.queue_free()
 		headset = null
 	var text: String = p_why.left(1).to_upper() + p_why.substr(1)
-	_hud.show_note("%s. You see the world in this window." % text, NOTES)
+	_hud.show_note("%s. You see the world in this window." % text, _NOTES)
 	if mode != null:
 		mode.close()
 		mode.queue_free()

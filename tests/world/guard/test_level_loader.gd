@@ -128,6 +128,7 @@ func test_who_ends_while_a_thread_reads_lets_frames_pass() -> void:
 		_loader.begin_own("town")
 		if is_given_up:
 			_loader.cancel()
+		equal(_loader.is_busy(), not is_given_up)
 		await _loader.end_reading(get_tree())
 		is_false(_loader.is_busy())
 		_loader.close()
