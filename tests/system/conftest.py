@@ -9,6 +9,7 @@ import subprocess
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 from toolchain.display import virtual_display
@@ -18,6 +19,8 @@ from toolchain.processes import free_port
 SOFTWARE = ["--rendering-method", "gl_compatibility", "--audio-driver", "Dummy"]
 SMALL = ["--resolution", "640x360"]
 WINDOW_LIMIT_S = 600.0
+# Frames a second of a client without a window: it takes in and sends less often, and costs a third.
+HEADLESS_FPS = 30
 
 
 class Process:
@@ -134,6 +137,8 @@ class World:
         cwd: Path | None = None,
     ) -> Process:
         flags = ["--headless"] if display is None else [*SOFTWARE, *SMALL]
+        if display is None and role != "replay" and not any("--fps=" in o for o in options):
+            options = (f"--fps={HEADLESS_FPS}", *options)
         is_named = role == "replay" or any(o.startswith("--port=") for o in options)
         port = [] if is_named else [f"--port={self.port}"]
         command = [str(CLIENT_BINARY), *flags, "--", f"--role={role}", *port, *options]
@@ -176,10 +181,12 @@ class World:
         self.processes.append(process)
         return process
 
+    def describe(self) -> str:
+        """How all processes are, for whoever looks for the reason of a failure."""
+        return "\n".join(process.describe() for process in self.processes)
+
     def close(self) -> None:
         for process in self.processes:
-            # pytest shows it where a test has failed.
-            print(process.describe())
             process.kill()
 
 
@@ -201,9 +208,28 @@ def thread_states(pid: int) -> list[str]:
 
 @pytest.fixture
 def world(tmp_path: Path) -> Iterator[World]:
+    """Processes of this test alone."""
     world = World(tmp_path)
     yield world
     world.close()
+
+
+@pytest.fixture(scope="module")
+def shared_world(tmp_path_factory: pytest.TempPathFactory) -> Iterator[World]:
+    """Processes that all tests of a file share: starting them anew takes longer than most tests."""
+    world = World(tmp_path_factory.mktemp("shared"))
+    yield world
+    world.close()
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(item: pytest.Item, call: pytest.CallInfo) -> Any:
+    """Adds to a failure how each process is and what it has said last."""
+    report = yield
+    if report.failed:
+        worlds = {one for one in item.funcargs.values() if isinstance(one, World)}
+        report.sections += [("processes", world.describe()) for world in worlds]
+    return report
 
 
 @pytest.fixture(scope="session")
