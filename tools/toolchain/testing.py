@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import hashlib
 import os
 import re
@@ -17,8 +16,8 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from . import libraries
 from .console import Failure, say, step, tail
+from .cpp_tests import run_ctest, run_sanitizers
 from .godot import Godot, find
 from .godot_cpp import checkout, run_godot_cpp
 from .lint import run_lint
@@ -120,68 +119,10 @@ def python_tools() -> Path:
     return folder / "bin"
 
 
-def _call(command: list[str], fault: str = TOOLS_FAULT) -> None:
+def _call(command: list[str]) -> None:
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode != 0:
-        raise Failure(fault + "\n" + tail(done.stderr or done.stdout, 5))
-
-
-def run_ctest(folder: Path, *options: str) -> Outcome:
-    """Runs the C++ unit tests of a build folder."""
-    command = ["ctest", "--test-dir", str(folder), "--output-on-failure"]
-    done = subprocess.run([*command, *options], stdout=subprocess.PIPE, text=True, check=False)
-    print(done.stdout)
-    match = re.search(r"(\d+)% tests passed, (\d+) tests? failed out of (\d+)", done.stdout)
-    if match is None:
-        return Outcome(0, 1, [f"{folder.name}: ctest ran no test"])
-    failed, count = int(match.group(2)), int(match.group(3))
-    return Outcome(count - failed, failed)
-
-
-@dataclasses.dataclass(frozen=True)
-class Sanitized:
-    """A build of the engine-free C++ with sanitizers, and which of its tests are run."""
-
-    folder: str
-    sanitizers: str
-    has_usb: bool  # With the test of the USB hub at an emulated suit.
-    target: str
-    ctest: tuple[str, ...] = ()
-
-
-SANITIZED = [
-    Sanitized("sanitized-memory", "address,undefined", False, "core_tests"),
-    # One at a time: an emulated suit keeps real time.
-    Sanitized("sanitized-threads", "thread", True, "thread_tests", ("-L", "threads")),
-]
-
-
-def run_sanitizers() -> Outcome:
-    """Builds and runs the C++ tests with each set of sanitizers; a finding fails its test."""
-    outcome = Outcome()
-    for build in SANITIZED:
-        folder = _build_sanitized(build)
-        jobs = () if build.ctest else ("-j", str(os.cpu_count() or 2))
-        outcome.add(run_ctest(folder, *build.ctest, *jobs))
-    return outcome
-
-
-def _build_sanitized(build: Sanitized) -> Path:
-    folder = BUILD / build.folder
-    found = dataclasses.replace(libraries.find(), has_umockdev=False)
-    command = ["cmake", "-S", str(ROOT / "gdextension"), "-B", str(folder)]
-    command += ["-G", "Ninja"] if shutil.which("ninja") else []
-    command += [f"-DDISMOUNT_SANITIZE={build.sanitizers}", "-DDISMOUNT_EXTENSIONS=OFF"]
-    command += [f"-DDISMOUNT_USB={'ON' if build.has_usb else 'OFF'}", *found.options()]
-    # umockdev is not of our making: what its threads do would be findings.
-    emulator = EXTENSIONS / "xbus" / "suit_emulator"
-    command += [f"-DDISMOUNT_SUIT_EMULATOR={emulator if emulator.exists() else ''}"]
-    fault = f"The C++ tests do not build with -fsanitize={build.sanitizers}."
-    with step(f"build the C++ tests with -fsanitize={build.sanitizers}"):
-        _call(command, fault)
-        jobs = str(os.cpu_count() or 2)
-        _call(["cmake", "--build", str(folder), "-j", jobs, "--target", build.target], fault)
-    return folder
+        raise Failure(TOOLS_FAULT + "\n" + tail(done.stderr or done.stdout, 5))
 
 
 def run_gdscript(godot: Godot, text: str) -> Outcome:
