@@ -12,6 +12,7 @@ import pytest
 from toolchain import (
     cli,
     demo,
+    gdscript_tests,
     godot,
     godot_cpp,
     help_texts,
@@ -140,8 +141,8 @@ WARNING: ObjectDB instances leaked at exit (run with --verbose for details).
 ERROR: 23 resources still in use at exit (run with --verbose for details).
 ERROR: Pages in use exist at exit in PagedAllocator: N7Variant5Pools12BucketMediumE
 """
-    assert len(testing.find_leaks(output)) == 3
-    assert testing.find_leaks("ok   test_what_is_left_at_exit\n7 passed, 0 failed") == []
+    assert len(gdscript_tests.find_leaks(output)) == 3
+    assert gdscript_tests.find_leaks("ok   test_what_is_left_at_exit\n7 passed, 0 failed") == []
 
 
 def test_a_port_in_use_is_a_sentence() -> None:
