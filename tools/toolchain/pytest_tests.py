@@ -53,8 +53,10 @@ def run_pytest(godot: Godot, tools: Path, text: str, chosen: list[str] | None = 
     pytest = [str(tools / "pytest"), "-p", "toolchain.schedule"]
     pytest += ["-o", f"cache_dir={BUILD / 'pytest-cache'}"]
     pytest += [*(TESTS if chosen is None else chosen), *(["-k", text] if text else [])]
-    workers = ["-n", str(os.cpu_count() or 2), f"--durations={SLOWEST}"]
-    first = _run([*pytest, *workers], environment)
+    is_whole = chosen is None and not text
+    # They take seconds to start, which a few tests are not worth.
+    workers = ["-n", str(os.cpu_count() or 2)] if is_whole else []
+    first = _run([*pytest, *workers, f"--durations={SLOWEST}"], environment)
     if first.fault:
         return Outcome(0, 1, [f"system: {first.fault}"])
     load = f"{os.getloadavg()[0]:.1f}"
@@ -63,7 +65,6 @@ def run_pytest(godot: Godot, tools: Path, text: str, chosen: list[str] | None = 
         say(f"=== system: {len(first.failed)} failed; they run once more, alone")
         again = _run([*pytest, *AGAIN], environment)
     # A part of the tests tells nothing of how often a test is flaky.
-    is_whole = chosen is None and not text
     return judge(first, again, load, Ledger(cache()) if is_whole else None)
 
 

@@ -15,6 +15,7 @@ from collections import defaultdict
 from pathlib import Path
 
 import pytest
+from xdist.remote import Producer
 from xdist.scheduler.loadscope import LoadScopeScheduling
 from xdist.workermanage import WorkerController
 
@@ -51,8 +52,8 @@ def group_of(item: pytest.Item) -> str:
 class LongestFirst(LoadScopeScheduling):
     """Gives each worker the longest group that it may run."""
 
-    def __init__(self, config: pytest.Config, groups_file: Path) -> None:
-        super().__init__(config)
+    def __init__(self, config: pytest.Config, log: Producer, groups_file: Path) -> None:
+        super().__init__(config, log)
         self._file = groups_file
         self._groups: dict[str, str] = {}
         self._serial: set[str] = set()
@@ -144,9 +145,9 @@ class WithWorkers:
         self._schedule._folder.mkdir(parents=True, exist_ok=True)
         node.workerinput[GROUPS] = str(self._schedule._groups_file)
 
-    def pytest_xdist_make_scheduler(self, config: pytest.Config) -> LongestFirst:
+    def pytest_xdist_make_scheduler(self, config: pytest.Config, log: Producer) -> LongestFirst:
         """The order is ours."""
-        return LongestFirst(config, self._schedule._groups_file)
+        return LongestFirst(config, log, self._schedule._groups_file)
 
 
 def pytest_configure(config: pytest.Config) -> None:
