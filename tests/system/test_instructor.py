@@ -123,9 +123,11 @@ def _await_rows(console: Console, names: list[str], *words: str) -> None:
     """Asks who is here until the rows of some have all words."""
     for _ in range(120):
         console.type("who\n")
-        table = console.await_text(names[-1]).replace("\x1b[K", "").splitlines()
-        rows = [line for line in table if line.split(" ")[0] in names]
-        if len(rows) == len(names) and all(word in row for word in words for row in rows):
+        # The head of the table: who is asked for may not be in it yet.
+        table = console.await_text("tracking").replace("\x1b[K", "").splitlines()
+        # Of several answers that have come, the newest row of each.
+        rows = {line.split(" ")[0]: line for line in table if line.split(" ")[0] in names}
+        if len(rows) == len(names) and all(w in row for w in words for row in rows.values()):
             return
         time.sleep(0.5)
     pytest.fail(f"no such rows:\n{console.shown}")

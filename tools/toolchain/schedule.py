@@ -19,6 +19,7 @@ from xdist.remote import Producer
 from xdist.scheduler.loadscope import LoadScopeScheduling
 from xdist.workermanage import WorkerController
 
+from .durations import keep_durations, read_durations
 from .paths import cache
 
 # What a test above is listed at the end, s.
@@ -27,19 +28,6 @@ LONG_S = 20.0
 UNKNOWN_S = 5.0
 GROUPS = "dismount_groups"
 SERIAL = "serial"
-
-
-def durations_file() -> Path:
-    """Where the times of tests are kept, by their names."""
-    return cache() / "durations.json"
-
-
-def read_durations() -> dict[str, float]:
-    """How long each test took last time, s."""
-    try:
-        return json.loads(durations_file().read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        return {}
 
 
 def group_of(item: pytest.Item) -> str:
@@ -125,10 +113,7 @@ class Schedule:
         if hasattr(self._config, "workerinput"):
             return
         self._groups_file.unlink(missing_ok=True)
-        known = {**read_durations(), **{name: round(s, 2) for name, s in self._seconds.items()}}
-        part = durations_file().with_suffix(f".{os.getpid()}")
-        part.write_text(json.dumps(known, indent=0), encoding="utf-8")
-        part.rename(durations_file())
+        keep_durations(self._seconds)
         long = {name: s for name, s in self._seconds.items() if s > LONG_S}
         for name, seconds in sorted(long.items(), key=lambda row: -row[1]):
             terminalreporter.write_line(f"longer than {LONG_S:.0f} s: {seconds:.0f} s {name}")
