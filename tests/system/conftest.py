@@ -144,28 +144,6 @@ class World:
         command = [str(CLIENT_BINARY), *flags, "--", f"--role={role}", *port, *options]
         return self.start(name or role, command, display, cwd)
 
-    def take_picture(
-        self, display: dict[str, str], file: Path, *options: str, name: str, size: str = "640x360"
-    ) -> Process:
-        """An observer's window, which has ended with a picture when it had shown people."""
-        flags = [*SOFTWARE, "--resolution", size]
-        own = ["--role=observer", f"--port={self.port}", f"--screenshot={file}", *options]
-        window = self.start(name, [str(CLIENT_BINARY), *flags, "--", *own], display)
-        # A processor that draws, and has much else to do, takes seconds for each frame.
-        shown = window.await_report(
-            lambda seen: seen["shown_frames"] > 4 and seen["latency_count"] > 0, WINDOW_LIMIT_S
-        )
-        # The camera is on its way to who is there: after 2 s it has come within 0.001 %.
-        window.await_report(
-            lambda seen: (
-                seen["seconds"] > shown["seconds"] + 2.0
-                and seen["shown_frames"] > shown["shown_frames"] + 4
-            ),
-            WINDOW_LIMIT_S,
-        )
-        assert window.end() == 0, window.log()
-        return window
-
     def trainee(self, *options: str, name: str = "trainee", clip: str = "01_01.bvh") -> Process:
         return self.client("trainee", f"--bvh={CLIPS / clip}", *options, name=name)
 
@@ -234,13 +212,13 @@ def pytest_runtest_makereport(item: pytest.Item, call: pytest.CallInfo) -> Any:
 
 @pytest.fixture(scope="session")
 def display() -> Iterator[dict[str, str]]:
-    with virtual_display() as environment:
+    with virtual_display(keeps_shaders=True) as environment:
         yield environment
 
 
-def run_in_window(display: dict[str, str], script: str) -> str:
+def run_in_window(display: dict[str, str], script: str, *flags: str) -> str:
     """What a script of this folder prints that the engine runs in a small window."""
-    command = [os.environ["DISMOUNT_GODOT"], "--path", str(ROOT), *SOFTWARE]
+    command = [os.environ["DISMOUNT_GODOT"], "--path", str(ROOT), *SOFTWARE, *flags]
     done = subprocess.run(
         [*command, "--resolution", "320x180", "-s", f"res://tests/system/{script}"],
         stdout=subprocess.PIPE,

@@ -3,7 +3,8 @@ extends SceneTree
 ## while nobody is there, when somebody comes, and when he moves.
 
 const PERSON: String = "res://scenes/actor/people/show.tscn"
-const SETTLE_FRAMES: int = 40
+## Two seconds of frames of fixed length: by then a camera has come to rest.
+const SETTLE_FRAMES: int = 20
 const DIFFERENCE: float = 0.08
 
 
@@ -12,6 +13,7 @@ func _initialize() -> void:
 
 
 func _look() -> void:
+	Quality.use(QualityTier.low(), root)
 	var level: Level = LevelStore.instantiate("stage")
 	root.add_child(level)
 	var camera: Camera3D = Camera3D.new()

@@ -14,6 +14,7 @@ import pytest
 from toolchain.suit_session import compare
 
 from .conftest import WINDOW_LIMIT_S, World
+from .pictures import Picture, read_png
 from .suits import (
     WALK,
     Suit,
@@ -26,7 +27,6 @@ from .suits import (
     take_over,
     turned,
 )
-from .test_views import Pixel, read_png
 
 pytestmark = needs_emulator
 
@@ -235,7 +235,7 @@ def test_the_panel_shows_the_sensors(
     assert lines_of_text(read_png(target)) >= 24
 
 
-def lines_of_text(picture: list[list[Pixel]]) -> int:
+def lines_of_text(picture: Picture) -> int:
     """How many lines of bright text the left half of a picture has."""
-    bright = [sum(1 for pixel in row[:640] if min(pixel) > 150) > 8 for row in picture]
-    return sum(1 for row in range(1, len(bright)) if bright[row] and not bright[row - 1])
+    bright = (picture[:, :640].min(axis=2) > 150).sum(axis=1) > 8
+    return int((bright[1:] & ~bright[:-1]).sum())

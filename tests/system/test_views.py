@@ -3,80 +3,41 @@
 
 from __future__ import annotations
 
-import struct
-import zlib
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
 from toolchain.paths import CLIPS
 
 from .conftest import World
+from .pictures import Picture, Window, channels, light, read_png
+
+pytestmark = pytest.mark.serial
 
 MIN_SHADOWED = 55.0
 """Of 255: median brightness of a back in the shade."""
-Pixel = tuple[int, int, int]
 
 
-def read_png(path: Path) -> list[list[Pixel]]:
-    """Rows of red, green, blue of an 8-bit RGB or RGBA picture."""
-    data = path.read_bytes()
-    assert data[:8] == b"\x89PNG\r\n\x1a\n"
-    at, packed, header = 8, b"", b""
-    while at < len(data):
-        (size,) = struct.unpack(">I", data[at : at + 4])
-        kind, body = data[at + 4 : at + 8], data[at + 8 : at + 8 + size]
-        header = body if kind == b"IHDR" else header
-        packed += body if kind == b"IDAT" else b""
-        at += 12 + size
-    width, height, depth, colour = struct.unpack(">IIBB", header[:10])
-    assert depth == 8
-    step = {2: 3, 6: 4}[colour]
-    raw, rows = zlib.decompress(packed), []
-    previous = bytearray(width * step)
-    for y in range(height):
-        start = y * (width * step + 1)
-        line = _unfilter(
-            raw[start], bytearray(raw[start + 1 : start + 1 + width * step]), previous, step
-        )
-        rows.append([tuple(line[x : x + 3]) for x in range(0, width * step, step)])
-        previous = line
-    return rows
-
-
-def _unfilter(kind: int, line: bytearray, above: bytearray, step: int) -> bytearray:
-    for i in range(len(line)):
-        left = line[i - step] if i >= step else 0
-        up = above[i]
-        corner = above[i - step] if i >= step else 0
-        if kind == 1:
-            line[i] = (line[i] + left) & 255
-        elif kind == 2:
-            line[i] = (line[i] + up) & 255
-        elif kind == 3:
-            line[i] = (line[i] + (left + up) // 2) & 255
-        elif kind == 4:
-            guess = left + up - corner
-            distances = abs(guess - left), abs(guess - up), abs(guess - corner)
-            line[i] = (line[i] + (left, up, corner)[distances.index(min(distances))]) & 255
-    return line
-
-
-def share(rows: list[list[Pixel]], wanted) -> float:
+def share(picture: Picture, wanted: Callable[[Picture], Picture]) -> float:
     """Share of the pixels that a test holds for, without the lines of text."""
-    inner = [pixel for row in rows[30:-40] for pixel in row]
-    return sum(1 for pixel in inner if wanted(*pixel)) / len(inner)
+    return float(wanted(picture[45:150]).mean())
 
 
-def is_wire_of_limb(red: int, green: int, blue: int) -> bool:
-    return green > 180 and red < 110 and blue < 150
+def wire_of_limb(picture: Picture) -> Picture:
+    red, green, blue = channels(picture)
+    return (green > 180) & (red < 110) & (blue < 150)
 
 
-def is_wood(red: int, green: int, blue: int) -> bool:
-    return red > 80 and red > green * 1.08 and green > blue * 1.08
+def wood(picture: Picture) -> Picture:
+    red, green, blue = channels(picture)
+    # The wires around crates are of a deeper colour.
+    return (red > 80) & (red > green * 1.08) & (green > blue * 1.08) & (blue > red * 0.4)
 
 
-def is_wire_of_hall(red: int, green: int, blue: int) -> bool:
-    return blue > 180 and red < 130 and blue > green + 40
+def wire_of_hall(picture: Picture) -> Picture:
+    red, green, blue = channels(picture)
+    return (blue > 180) & (red < 130) & (blue > green + 40)
 
 
 def still_clip(folder: Path) -> Path:
@@ -90,64 +51,70 @@ def still_clip(folder: Path) -> Path:
     return made
 
 
-@pytest.fixture
-def pictures(world: World, display: dict[str, str]):
-    """Takes a picture of some worlds; the trainee stands still, so that all show the same."""
-    world.server()
-    world.trainee(clip=str(still_clip(world.folder))).await_text("joined")
-
-    def take(views: str) -> list[list[Pixel]]:
-        target = world.folder / f"{views}.png"
-        options = [f"--views={views}", "--camera=30,25,7"]
-        world.take_picture(display, target, *options, name=f"observer-{views}")
-        return read_png(target)
-
-    return take
+@pytest.fixture(scope="module")
+def still(shared_world: World) -> World:
+    """Somebody stands still, so that all pictures show the same."""
+    shared_world.server()
+    clip = str(still_clip(shared_world.folder))
+    shared_world.trainee(clip=clip, name="still").await_text("joined")
+    return shared_world
 
 
-def test_the_three_worlds(pictures) -> None:
-    mesh = pictures("mesh")
-    static = pictures("static")
-    physics = pictures("physics")
-    both = pictures("mesh,static,physics")
+@pytest.fixture(scope="module")
+def window(still: World, display: dict[str, str]) -> Iterator[Window]:
+    """A window that shows the mesh world."""
+    window = Window(still, display, "--views=mesh", "--camera=30,25,7", "--quality=low")
+    window.await_people()
+    yield window
+    window.close()
+
+
+def test_the_three_worlds(window: Window) -> None:
+    mesh = window.picture()
+    window.press("1", "2")
+    static = window.picture()
+    window.press("2", "3")
+    physics = window.picture()
+    window.press("1", "2")
+    both = window.picture()
     # Wire frames of limbs and of the hall are in the physics world alone.
-    assert share(mesh, is_wire_of_limb) < 0.0002
-    assert share(static, is_wire_of_limb) < 0.0002
-    assert share(physics, is_wire_of_limb) > 0.001
-    assert share(both, is_wire_of_limb) > 0.0005
-    assert share(physics, is_wire_of_hall) > 0.002
-    assert share(mesh, is_wire_of_hall) < 0.0005
-    # Crates belong to the mesh world, not to the static one.
-    assert share(mesh, is_wood) > 0.005
-    assert share(static, is_wood) < 0.0005
-    # The pictures are of different moments: crates that are pushed show more or less of themselves.
-    assert share(physics, is_wood) < share(mesh, is_wood) * 0.75
+    assert share(mesh, wire_of_limb) < 0.0002
+    assert share(static, wire_of_limb) < 0.0002
+    assert share(physics, wire_of_limb) > 0.001
+    assert share(both, wire_of_limb) > 0.0005
+    assert share(physics, wire_of_hall) > 0.002
+    assert share(mesh, wire_of_hall) < 0.0005
+    # Crates belong to the mesh world alone.
+    assert share(mesh, wood) > 0.005
+    assert share(both, wood) > 0.005
+    assert share(static, wood) < 0.0005
+    # Of the edges of wires something is left.
+    assert share(physics, wood) < share(mesh, wood) * 0.75
 
 
-def test_the_picture_changes_while_the_person_moves(world: World, display: dict[str, str]) -> None:
-    world.server()
-    world.trainee().await_text("joined")
-    shots = []
-    for number in (1, 2):
-        target = world.folder / f"{number}.png"
-        world.take_picture(display, target, name=f"observer{number}")
-        shots.append(read_png(target))
-    pairs = [(a, b) for x, y in zip(*shots, strict=True) for a, b in zip(x, y, strict=True)]
-    changed = sum(1 for a, b in pairs if max(abs(p - q) for p, q in zip(a, b, strict=True)) > 40)
-    assert changed > 300
+def test_the_picture_changes_while_a_person_moves(window: Window, still: World) -> None:
+    still.trainee(name="walker").await_text("joined")
+    picture = window.picture()
+    # First the walker may come, then only move.
+    for _ in range(2):
+        picture = window.await_picture(lambda now, old=picture: is_changed(old, now), "a step")
 
 
-def test_the_shadowed_side_of_a_person_is_readable(world: World, display: dict[str, str]) -> None:
+def is_changed(before: Picture, now: Picture) -> bool:
+    return int((np.abs(now - before)[45:150].max(axis=2) > 40).sum()) > 75
+
+
+def test_the_shadowed_side_of_a_person_is_readable(still: World, display: dict[str, str]) -> None:
     """The sun shines from azimuth 35 degrees; the camera looks at the other side."""
-    world.server()
-    world.trainee().await_text("joined")
-    target = world.folder / "shadow.png"
-    options = ["--views=mesh,static", "--camera=215,5,2.2"]
-    world.take_picture(display, target, *options, name="observer")
-    rows = read_png(target)
-    # The hips are in the middle, 640x360: back, belt and thighs are around it.
-    body = [pixel for row in rows[120:240] for pixel in row[300:340]]
-    light = sorted(0.2126 * red + 0.7152 * green + 0.0722 * blue for red, green, blue in body)
-    assert light[len(light) // 2] > MIN_SHADOWED, light[len(light) // 2]
+    file = still.folder / "shadow.png"
+    options = ["--views=mesh,static", "--camera=215,5,2.2", f"--screenshot={file}"]
+    window = Window(still, display, *options, name="shadow", at=(400, 0))
+    window.await_people()
+    window.close()
+    picture = read_png(file)
+    assert picture.shape == (180, 320, 3)
+    # The hips are in the middle: back, belt and thighs are around it.
+    body = np.sort(light(picture[60:120, 150:170]).ravel())
+    assert body[len(body) // 2] > MIN_SHADOWED, body[len(body) // 2]
     # It has parts that differ: light does not wash out cloth, belt and pouches.
-    assert light[len(light) * 9 // 10] > 1.4 * light[len(light) // 10]
+    assert body[len(body) * 9 // 10] > 1.4 * body[len(body) // 10]

@@ -12,9 +12,12 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from .console import Failure
+from .paths import cache, lock
 from .prefix import LIBRARIES, Prefix
 
 SIZE = "1280x720x24"
+# Shaders that nobody uses any more gather: from here on they are compiled anew.
+MOST_SHADERS = 128 << 20
 
 
 def real_display() -> bool:
@@ -50,8 +53,36 @@ def _drivers() -> dict[str, str]:
 
 
 @contextmanager
-def virtual_display(size: str = SIZE) -> Iterator[dict[str, str]]:
-    """Runs an X server without a screen; yields the environment for its clients."""
+def _shaders(are_kept: bool) -> Iterator[str]:
+    """The folder where Mesa keeps what it has compiled, which takes as long as all else of a
+    window's start. What is kept for the next display is copied: programs of several displays that
+    share such a folder have ended by SIGBUS in it."""
+    kept = cache() / "shaders"
+    with tempfile.TemporaryDirectory(prefix="dismount-shaders-") as name:
+        if not are_kept:
+            yield name
+            return
+        with lock(cache() / "shaders.lock", "copying shaders"):
+            if 0 < _bytes_in(kept) < MOST_SHADERS:
+                shutil.copytree(kept, name, dirs_exist_ok=True)
+        yield name
+        with lock(cache() / "shaders.lock", "keeping shaders"):
+            if _bytes_in(Path(name)) > _bytes_in(kept) or _bytes_in(kept) > MOST_SHADERS:
+                part = kept.with_name("shaders.part")
+                shutil.rmtree(part, ignore_errors=True)
+                shutil.copytree(name, part)
+                shutil.rmtree(kept, ignore_errors=True)
+                part.rename(kept)
+
+
+def _bytes_in(folder: Path) -> int:
+    return sum(file.stat().st_size for file in folder.rglob("*") if file.is_file())
+
+
+@contextmanager
+def virtual_display(size: str = SIZE, keeps_shaders: bool = False) -> Iterator[dict[str, str]]:
+    """Runs an X server without a screen; yields the environment for its clients. Tests keep
+    compiled shaders; what measures or films begins without any."""
     command, folder = _xvfb()
     read_end, write_end = os.pipe()
     flags = ["-displayfd", str(write_end), "-screen", "0", size, "-nolisten", "tcp", "-noreset"]
@@ -73,13 +104,12 @@ def virtual_display(size: str = SIZE) -> Iterator[dict[str, str]]:
             raise Failure(
                 "The virtual display (Xvfb) does not start: " + (said[-1] if said else "no reason")
             )
-        with tempfile.TemporaryDirectory(prefix="dismount-shaders-") as shaders:
+        with _shaders(keeps_shaders) as shaders:
             yield {
                 **_drivers(),
                 "DISPLAY": f":{number}",
                 "WAYLAND_DISPLAY": "",
                 "LP_NUM_THREADS": "1",
-                # Programs of several displays that share Mesa's cache have ended by SIGBUS in it.
                 "MESA_SHADER_CACHE_DIR": shaders,
                 # The machine's Vulkan drivers may be of another Mesa, which cuts that cache short.
                 "VK_DRIVER_FILES": os.environ.get("VK_DRIVER_FILES", os.devnull),

@@ -53,6 +53,10 @@ class Screen:
         """Gives a window the whole display and the keyboard: nothing manages windows here."""
         size = self.root.get_geometry()
         window.configure(x=0, y=0, width=size.width, height=size.height)
+        self.give_keys(window)
+
+    def give_keys(self, window: Window) -> None:
+        """Lets a window have the keyboard."""
         window.set_input_focus(X.RevertToParent, X.CurrentTime)
         self.display.sync()
 
