@@ -60,6 +60,7 @@ class World:
         name: str = "",
         display: dict[str, str] | None = None,
         cwd: Path | None = None,
+        types: bool = False,
     ) -> Process:
         flags = ["--headless"] if display is None else [*SOFTWARE, *SMALL]
         if display is None and role != "replay" and not any("--fps=" in o for o in options):
@@ -67,7 +68,7 @@ class World:
         is_named = role == "replay" or any(o.startswith("--port=") for o in options)
         port = [] if is_named else [f"--port={self.port}"]
         command = [str(CLIENT_BINARY), *flags, "--", f"--role={role}", *port, *options]
-        return self.start(name or role, command, display, cwd)
+        return self.start(name or role, command, display, cwd, types=types)
 
     def take_picture(
         self, display: dict[str, str], file: Path, *options: str, name: str, size: str = "640x360"
@@ -94,6 +95,13 @@ class World:
     def trainee(self, *options: str, name: str = "trainee", clip: str = "01_01.bvh") -> Process:
         return self.client("trainee", f"--bvh={CLIPS / clip}", *options, name=name)
 
+    def instructor(self, *options: str, name: str = "instructor") -> Process:
+        """One that is there, and gives the orders that are typed."""
+        process = self.client("instructor", *options, name=name, types=True)
+        # Before its level is there, it does not know what is in it.
+        process.await_line("world '", "is there after")
+        return process
+
     def start(
         self,
         name: str,
@@ -101,11 +109,12 @@ class World:
         environment: dict[str, str] | None = None,
         cwd: Path | None = None,
         reports: bool = True,
+        types: bool = False,
     ) -> Process:
         # The log of one that had the name before is still of use.
         before = sum(1 for one in self.processes if one.log_file.stem.split("~")[0] == name)
         file = f"{name}~{before + 1}" if before else name
-        process = Process(file, command, self.folder, environment or {}, cwd, reports)
+        process = Process(file, command, self.folder, environment or {}, cwd, reports, types)
         self.processes.append(process)
         return process
 
@@ -176,7 +185,7 @@ class SharedWorld(World):
 
 
 class SharedWorlds:
-    """The shared world that tests of a file use at the moment: one that nobody uses costs time."""
+    """The shared world that a file's tests use at the moment: one that nobody uses takes time."""
 
     def __init__(self, factory: pytest.TempPathFactory) -> None:
         self._factory = factory

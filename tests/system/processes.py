@@ -38,6 +38,7 @@ class Process:
         environment: dict[str, str],
         cwd: Path | None = None,
         reports: bool = True,
+        types: bool = False,
     ) -> None:
         self.log_file = folder / f"{name}.log"
         self.report_file = folder / f"{name}.json"
@@ -57,7 +58,7 @@ class Process:
                     **environment,
                     "PWD": str(cwd or Path.cwd()),
                 },
-                stdin=subprocess.DEVNULL,
+                stdin=subprocess.PIPE if types else subprocess.DEVNULL,
                 stdout=log,
                 stderr=subprocess.STDOUT,
             )
@@ -69,6 +70,12 @@ class Process:
     def mark(self) -> None:
         """Forgets what it has said so far: another test begins."""
         self._mark = self.log_file.stat().st_size
+
+    def type(self, line: str) -> None:
+        """Writes a line to its input."""
+        assert self.process.stdin is not None
+        self.process.stdin.write(f"{line}\n".encode())
+        self.process.stdin.flush()
 
     def report(self) -> dict:
         """The newest report; the first one comes some time after the start."""
@@ -141,6 +148,8 @@ class Process:
         if self.process.poll() is None:
             self.process.kill()
         self.process.wait()
+        if self.process.stdin is not None:
+            self.process.stdin.close()
 
 
 def thread_states(pid: int) -> list[str]:
