@@ -164,7 +164,7 @@ class OwnClient:
             self.seal.take_reply(datagram[9:])
             self.numbers[0xFF] = 1
             self.write(self._connect())
-        elif kind == 0x45 and self.seal.reply is None:
+        elif kind == 0x45 and self.peer is None:
             self.is_refused = datagram[9] != 2
         elif kind == 0x47:
             plain = self.seal.open(datagram)
@@ -324,6 +324,12 @@ class Crowd:
         self.go_on_until(lambda: all(client.is_joined for client in joining))
 
     def close(self) -> None:
+        """All leave, as far as the server still listens."""
+        here = [client for client in self.clients if client.is_joined and not client.is_gone]
+        for client in here:
+            client.leave()
+        with suppress(AssertionError):
+            self.go_on_until(lambda: all(client.is_gone for client in here), 10.0)
         self._waiting.close()
         for client in self.clients:
             client.close()

@@ -14,9 +14,11 @@ from pathlib import Path
 import pytest
 from toolchain import suit
 from toolchain.godot import Godot
-from toolchain.paths import CLIENT_BINARY, CLIPS, ROOT
+from toolchain.paths import CLIENT_BINARY, CLIPS
 
 from .conftest import SOFTWARE, Process, World
+from .recordings import recorded as recorded
+from .recordings import turned as turned
 
 WALK = CLIPS / "01_01.bvh"
 CALIBRATION_S = 60.0
@@ -121,19 +123,3 @@ def profiles_in(folder: Path) -> list[Path]:
 def take_over(data: Path, world: World) -> None:
     """Gives a world's programs the user's folder of an earlier session."""
     shutil.copytree(data, world.folder / "DATA", dirs_exist_ok=True)
-
-
-def recorded(recording: Path) -> dict[str, list[dict]]:
-    """Who is in an observer's recording and how they move: see recorded_people.gd."""
-    arguments = ["--path", str(ROOT), "-s", "res://tests/system/recorded_people.gd"]
-    code, text = engine().call([*arguments, "--", f"--recording={recording}"], 120)
-    lines = [line for line in text.splitlines() if line.startswith("{")]
-    assert code == 0, text
-    assert lines, text
-    found: dict[str, list[dict]] = json.loads(lines[0])
-    return found
-
-
-def turned(entries: list[dict]) -> float:
-    """How far all limbs of a recorded person have turned altogether, degrees on average."""
-    return sum(entry["turned_deg"] for entry in entries)

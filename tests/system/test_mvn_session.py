@@ -13,7 +13,8 @@ from toolchain.paths import CLIPS, ROOT
 from toolchain.processes import free_port
 
 from .conftest import World
-from .suits import await_people, engine, recorded, turned
+from .recordings import recorded, turned
+from .suits import await_people, engine
 
 NAMES = {"Dismount 1", "Dismount 2", "Dismount 3"}
 
