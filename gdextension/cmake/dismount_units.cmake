@@ -23,7 +23,9 @@ function(dismount_add_sources p_target)
 		endif()
 	endforeach()
 	target_sources(${p_target} PRIVATE ${alone})
-	_dismount_unite(${p_target} "${together}")
+	if(together)
+		_dismount_unite(${p_target} "${together}")
+	endif()
 endfunction()
 
 # Equal shares, so that no processor is left with a large unit at the end.
@@ -41,9 +43,6 @@ function(_dismount_unite p_target p_sources)
 endfunction()
 
 function(_dismount_add_unit p_target p_number p_sources)
-	if(NOT p_sources)
-		return()
-	endif()
 	set(text "// Made by dismount_units.cmake.\n")
 	foreach(source ${p_sources})
 		# Found by -iquote: the text is the same in all clones.

@@ -6,14 +6,13 @@ from __future__ import annotations
 import dataclasses
 import os
 import re
-import shutil
 import subprocess
 from pathlib import Path
 
 from . import libraries
-from .console import Failure, step, tail
+from .cmake import BuildFolder
 from .outcome import Outcome
-from .paths import BUILD, ROOT
+from .paths import BUILD
 from .project import EXTENSIONS
 
 
@@ -60,24 +59,16 @@ def run_sanitizers() -> Outcome:
 
 
 def _build_sanitized(build: Sanitized) -> Path:
-    folder = BUILD / build.folder
-    found = dataclasses.replace(libraries.find(), has_umockdev=False)
-    command = ["cmake", "-S", str(ROOT / "gdextension"), "-B", str(folder)]
-    command += ["-G", "Ninja"] if shutil.which("ninja") else []
-    command += [f"-DDISMOUNT_SANITIZE={build.sanitizers}", "-DDISMOUNT_EXTENSIONS=OFF"]
-    command += [f"-DDISMOUNT_USB={'ON' if build.has_usb else 'OFF'}", *found.options()]
+    folder = BuildFolder(BUILD / build.folder, f"the C++ tests with -fsanitize={build.sanitizers}")
     # umockdev is not of our making: what its threads do would be findings.
     emulator = EXTENSIONS / "xbus" / "suit_emulator"
-    command += [f"-DDISMOUNT_SUIT_EMULATOR={emulator if emulator.exists() else ''}"]
-    fault = f"The C++ tests do not build with -fsanitize={build.sanitizers}."
-    with step(f"build the C++ tests with -fsanitize={build.sanitizers}"):
-        _tool(command, fault)
-        jobs = str(os.cpu_count() or 2)
-        _tool(["cmake", "--build", str(folder), "-j", jobs, "--target", build.target], fault)
-    return folder
-
-
-def _tool(command: list[str], fault: str) -> None:
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
-    if done.returncode != 0:
-        raise Failure(fault + "\n" + tail(done.stderr or done.stdout, 5))
+    options = {
+        **libraries.options(BuildFolder(EXTENSIONS, "").record()),
+        "DISMOUNT_UMOCKDEV": "OFF",
+        "DISMOUNT_SUIT_EMULATOR": str(emulator) if emulator.exists() else "",
+        "DISMOUNT_SANITIZE": build.sanitizers,
+        "DISMOUNT_EXTENSIONS": "OFF",
+        "DISMOUNT_USB": "ON" if build.has_usb else "OFF",
+    }
+    folder.make(options, [build.target], "")
+    return folder.folder

@@ -19,7 +19,7 @@ from .godot_cpp import checkout, run_godot_cpp
 from .lint import run_lint
 from .outcome import Outcome
 from .paths import ROOT, cache, lock, make_folder, user_path
-from .project import EXTENSIONS, prepare
+from .project import ALL, EXTENSIONS, prepare
 from .pytest_tests import run_pytest
 
 HELP = """./test [PART ...] [options]   sets up everything, then runs every test (or some parts)
@@ -71,7 +71,7 @@ def main(arguments: list[str]) -> int:
     if unknown:
         raise Failure(f"There is no '{unknown[0]}': see ./test --help.", 2)
     tools = python_tools()
-    godot = prepare(export=True)
+    godot = prepare(True, ALL)
     total = Outcome()
     for name in chosen or (FILTERED if text else WHOLE):
         total.add(_run_part(name, parts[name], godot, tools))
