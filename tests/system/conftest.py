@@ -63,7 +63,11 @@ class World:
         types: bool = False,
     ) -> Process:
         flags = ["--headless"] if display is None else [*SOFTWARE, *SMALL]
-        if display is None and role != "replay" and not any("--fps=" in o for o in options):
+        if (
+            display is None
+            and role not in ("replay", "load")
+            and not any("--fps=" in o for o in options)
+        ):
             options = (f"--fps={HEADLESS_FPS}", *options)
         is_named = role == "replay" or any(o.startswith("--port=") for o in options)
         port = [] if is_named else [f"--port={self.port}"]
@@ -152,6 +156,17 @@ class SharedWorld(World):
         self._lasting[0].await_report(lambda _report: self._who_is_here() == self._here)
         self.is_spent = False
 
+    def end(self) -> None:
+        """No more tests come."""
+        if self.is_spent:
+            return
+        for process in self._lasting:
+            process.mark()
+            process.process.terminate()
+        for process in self._lasting:
+            assert process.await_exit() == 0, process.log()
+            assert "ERROR" not in process.log(), process.log()
+
     def _who_is_here(self) -> list[str]:
         """Names of the sessions that are connected, as the server tells; it is the first."""
         rows = self._lasting[0].report()["sessions"]
@@ -179,9 +194,14 @@ class SharedWorlds:
         return self.world
 
     def close(self) -> None:
-        if self.world is not None:
-            self.world.close()
-        self.world = None
+        """Ends it: what lasted so long ends in order, too."""
+        if self.world is None:
+            return
+        world, self.world = self.world, None
+        try:
+            world.end()
+        finally:
+            world.close()
 
 
 def shared(begin: Callable[[World], Any]) -> Any:

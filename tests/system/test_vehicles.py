@@ -99,9 +99,3 @@ def test_a_tank_obeys_at_once_on_the_drivers_screen_and_others_see_who_rides(
     )
     assert driver.end() == 0
     comes(desert.file, lambda seen: tank(seen)["occupant"][-1] == 0)
-
-
-def test_a_list_to_drive_by_that_is_none_is_named(world: World) -> None:
-    client = world.client("observer", "--drive=1:2")
-    assert client.await_exit() == 2
-    assert "--drive is THROTTLE:STEERING:BRAKE:SECONDS" in client.log()
