@@ -18,7 +18,7 @@ import pytest
 from toolchain.paths import ROOT
 from toolchain.processes import free_port
 
-from .conftest import World
+from .conftest import World, shared
 
 PAGES = ["README.md", "docs/session-guide.md", "docs/suit-emulator.md"]
 LIMIT_S = 180.0
@@ -48,20 +48,28 @@ def blocks() -> list[tuple[str, list[str]]]:
     return found
 
 
+@shared
+def session(world: World) -> World:
+    """Where readers join."""
+    world.server()
+    return world
+
+
 def test_there_are_commands() -> None:
     assert sum(len(lines) for _, lines in blocks()) >= 12
 
 
 @pytest.mark.parametrize("block", blocks(), ids=lambda block: block[0])
-def test_commands_do_what_the_page_says(world: World, block: tuple[str, list[str]]) -> None:
-    folder = world.folder / "reader"
+def test_commands_do_what_the_page_says(
+    session: World, tmp_path: Path, block: tuple[str, list[str]]
+) -> None:
+    folder = tmp_path / "reader"
     folder.mkdir()
     # What a reader has who stands in the folder of Dismount.
     for name in ("run", "assets"):
         (folder / name).symlink_to(ROOT / name)
-    world.server()
     for line in block[1]:
-        call(folder, line.replace("SERVER", "127.0.0.1"), world)
+        call(folder, line.replace("SERVER", "127.0.0.1"), session)
 
 
 def call(folder: Path, line: str, world: World) -> None:
@@ -91,7 +99,7 @@ def call(folder: Path, line: str, world: World) -> None:
             said = log.read_text(encoding="utf-8", errors="replace")
             assert process.poll() is None, f"'{line}' ended with {process.returncode}:\n{said}"
             assert time.monotonic() < end, f"'{line}' is not ready:\n{said}"
-            time.sleep(0.1)
+            time.sleep(0.02)
         # A recording needs a moment to be one; a replay ends by itself.
         if command != "replay":
             time.sleep(0.5)
