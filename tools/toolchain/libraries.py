@@ -14,7 +14,7 @@ import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
-from .apt import KEYRING, SUITE, AptError, apt_command, apt_run, mirrors
+from .apt import KEYRING, SUITE, AptError, apt_command, apt_run, mirrors, unpack
 from .console import Failure, say, step, tail
 from .paths import cache, lock, make_folder, need_space
 
@@ -187,8 +187,7 @@ def _download(apt: list[str], work: Path) -> list[Path]:
 def _unpack(archives: list[Path], work: Path) -> None:
     with step(f"unpack {len(archives)} packages"):
         for archive in archives:
-            command = ["dpkg", "-x", str(archive), str(work / "root")]
-            done = subprocess.run(command, capture_output=True, text=True, check=False)
+            done = unpack(archive, work / "root")
             if done.returncode != 0:
                 raise Failure(f"{archive.name} could not be unpacked.\n{tail(done.stderr, 3)}")
         _gather(work / "root")

@@ -13,7 +13,7 @@ import subprocess
 from pathlib import Path
 from typing import ClassVar
 
-from .apt import KEYRING, SUITE, AptError, apt_command, apt_run, mirrors
+from .apt import KEYRING, SUITE, AptError, apt_command, apt_run, mirrors, unpack
 from .console import Failure, step, tail
 from .paths import cache, lock, make_folder, need_space
 
@@ -121,8 +121,7 @@ class Prefix:
     def _unpack(self, archives: list[Path], work: Path) -> None:
         with step(f"unpack {len(archives)} packages"):
             for archive in archives:
-                command = ["dpkg", "-x", str(archive), str(work / "root")]
-                done = subprocess.run(command, capture_output=True, text=True, check=False)
+                done = unpack(archive, work / "root")
                 if done.returncode != 0:
                     archive.unlink(missing_ok=True)
                     raise Failure(
