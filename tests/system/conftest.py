@@ -72,7 +72,9 @@ class World:
         is_named = role == "replay" or any(o.startswith("--port=") for o in options)
         port = [] if is_named else [f"--port={self.port}"]
         command = [str(CLIENT_BINARY), *flags, "--", f"--role={role}", *port, *options]
-        return self.start(name or role, command, display, cwd, types=types)
+        # What somebody who stays has got from the server is not the others'.
+        own_home = {"XDG_DATA_HOME": str(self.folder / f"{role}-data")} if types else {}
+        return self.start(name or role, command, {**own_home, **(display or {})}, cwd, types=types)
 
     def trainee(self, *options: str, name: str = "trainee", clip: str = "01_01.bvh") -> Process:
         return self.client("trainee", f"--bvh={CLIPS / clip}", *options, name=name)
@@ -117,8 +119,9 @@ class SharedWorld(World):
     for the next: after a failure, and where a test has spent it.
     """
 
-    def __init__(self, folder: Path, begin: Callable[[World], Any]) -> None:
-        super().__init__(folder)
+    def __init__(self, factory: pytest.TempPathFactory, begin: Callable[[World], Any]) -> None:
+        super().__init__(factory.getbasetemp())
+        self._factory = factory
         self._begin = begin
         self._lasting: list[Process] = []
         self._here: list[str] = []
@@ -130,7 +133,8 @@ class SharedWorld(World):
         """A test begins."""
         if self.is_spent:
             self._kill_all()
-            self.port = free_port()
+            self.folder, self.port = self._factory.mktemp("shared"), free_port()
+            self.processes.clear()
             self.begun = self._begin(self)
             self._lasting = self.processes.copy()
             self._here = self._who_is_here()
@@ -190,7 +194,7 @@ class SharedWorlds:
         if self.world is None or self._begin is not begin:
             self.close()
             self._begin = begin
-            self.world = SharedWorld(self._factory.mktemp("shared"), begin)
+            self.world = SharedWorld(self._factory, begin)
         return self.world
 
     def close(self) -> None:
