@@ -13,6 +13,7 @@ import pytest
 from toolchain.display import virtual_display
 from toolchain.paths import CLIENT_BINARY, CLIPS, ROOT, SERVER_BINARY
 from toolchain.processes import free_port
+from toolchain.schedule import started
 
 from .processes import LOOK_S, Process, ask
 
@@ -46,6 +47,7 @@ class World:
         ports = [
             o.partition("=")[2] for o in options if o.startswith(("--port=", "--status-port="))
         ]
+        started["servers"] += 1
         process = self.start(name, command)
         if wait:
             process.await_text("listening on UDP port")
@@ -72,6 +74,7 @@ class World:
         is_named = role == "replay" or any(o.startswith("--port=") for o in options)
         port = [] if is_named else [f"--port={self.port}"]
         command = [str(CLIENT_BINARY), *flags, "--", f"--role={role}", *port, *options]
+        started["clients" if display is None else "windows"] += 1
         # What somebody who stays has got from the server is not the others'.
         own_home = {"XDG_DATA_HOME": str(self.folder / f"{role}-data")} if types else {}
         return self.start(name or role, command, {**own_home, **(display or {})}, cwd, types=types)

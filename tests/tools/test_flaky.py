@@ -117,7 +117,7 @@ def test_what_failed_runs_again_alone(tmp_path: Path, monkeypatch: pytest.Monkey
     monkeypatch.setenv("TRIES", str(tmp_path / "tries"))
     monkeypatch.setenv("DISMOUNT_USER_CACHE", str(tmp_path / "user"))
     (tmp_path / "test_x.py").write_text(TESTS)
-    first = run(tmp_path, "-n", "2", "test_x.py")
+    first = run(tmp_path, "-n", "1", "test_x.py")
     assert first.passed == {"test_x::test_holds"}
     assert set(first.failed) == {
         f"test_x::test_{name}" for name in ("race", "broken", "without_set_up")

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections import defaultdict
+from collections import Counter, defaultdict
 from pathlib import Path
 
 import pytest
@@ -27,7 +27,12 @@ LONG_S = 20.0
 # What is assumed of a test that has not been run on this machine, s.
 UNKNOWN_S = 5.0
 GROUPS = "dismount_groups"
+COUNTS = "dismount_started"
 SERIAL = "serial"
+
+
+# How many processes of each kind tests have started: they are most of the time.
+started: Counter[str] = Counter()
 
 
 def group_of(item: pytest.Item) -> str:
@@ -107,6 +112,12 @@ class Schedule:
         """Adds up how long a test takes, with its set-up and its end."""
         self._seconds[report.nodeid] += report.duration
 
+    @pytest.hookimpl(tryfirst=True)
+    def pytest_sessionfinish(self) -> None:
+        """A worker tells what it has started."""
+        if hasattr(self._config, "workeroutput"):
+            self._config.workeroutput[COUNTS] = dict(started)
+
     @pytest.hookimpl(trylast=True)
     def pytest_terminal_summary(self, terminalreporter: pytest.TerminalReporter) -> None:
         """Keeps the times, and names the tests that take long."""
@@ -114,6 +125,9 @@ class Schedule:
             return
         self._groups_file.unlink(missing_ok=True)
         keep_durations(self._seconds)
+        if started:
+            counts = ", ".join(f"{count} {kind}" for kind, count in sorted(started.items()))
+            terminalreporter.write_line(f"started: {counts}")
         long = {name: s for name, s in self._seconds.items() if s > LONG_S}
         for name, seconds in sorted(long.items(), key=lambda row: -row[1]):
             terminalreporter.write_line(f"longer than {LONG_S:.0f} s: {seconds:.0f} s {name}")
@@ -129,6 +143,10 @@ class WithWorkers:
         """Tells a worker where the groups are wanted."""
         self._schedule._folder.mkdir(parents=True, exist_ok=True)
         node.workerinput[GROUPS] = str(self._schedule._groups_file)
+
+    def pytest_testnodedown(self, node: WorkerController) -> None:
+        """A worker has ended."""
+        started.update(getattr(node, "workeroutput", {}).get(COUNTS, {}))
 
     def pytest_xdist_make_scheduler(self, config: pytest.Config, log: Producer) -> LongestFirst:
         """The order is ours."""

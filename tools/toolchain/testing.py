@@ -9,6 +9,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from .console import Failure, say, step, tail
@@ -70,8 +71,11 @@ def main(arguments: list[str]) -> int:
     unknown += [option for option in options if not option.startswith("--filter=")]
     if unknown:
         raise Failure(f"There is no '{unknown[0]}': see ./test --help.", 2)
-    tools = python_tools()
-    godot = prepare(True, ALL)
+    with ThreadPoolExecutor() as pool:
+        # Meanwhile: it waits for the network most of the time.
+        fetched = pool.submit(python_tools)
+        godot = prepare(True, ALL)
+        tools = fetched.result()
     total = Outcome()
     for name in chosen or (FILTERED if text else WHOLE):
         total.add(_run_part(name, parts[name], godot, tools))
