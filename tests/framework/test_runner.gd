@@ -141,7 +141,9 @@ func _may_match(p_path: String) -> bool:
 		if line.begins_with('extends "'):
 			# What it inherits are its own tests too.
 			var base: String = words[1].replace('"', "")
-			if _may_match(base if base.is_absolute_path() else p_path.get_base_dir().path_join(base)):
+			if _may_match(
+				base if base.is_absolute_path() else p_path.get_base_dir().path_join(base)
+			):
 				return true
 		elif line.begins_with("func test_"):
 			if ("%s %s" % [_short(p_path), words[1].get_slice("(", 0)]).contains(_filter):
