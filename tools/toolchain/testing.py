@@ -31,7 +31,8 @@ HELP = """./test [PART ...] [options]   sets up everything, then runs every test
                         shellcheck
               cpp       C++ unit tests (ctest)
               sanitizers  the same with address and undefined-behaviour sanitizers, and those of
-                        several threads with the thread sanitizer
+                        several threads with the thread sanitizer; unless it is named, only if
+                        the C++ has changed since they passed on this machine
               gdscript  GDScript tests in headless Godot
               system    whole-process tests in pytest, with exported server and clients
   options     --filter=TEXT   only GDScript and system tests whose name has TEXT
@@ -60,7 +61,7 @@ def main(arguments: list[str]) -> int:
     parts: dict[str, Callable[[Godot, Path], Outcome]] = {
         "lint": run_lint,
         "cpp": lambda _godot, _tools: run_ctest(EXTENSIONS),
-        "sanitizers": lambda _godot, _tools: run_sanitizers(),
+        "sanitizers": lambda _godot, _tools: run_sanitizers(again="sanitizers" in chosen),
         "gdscript": lambda godot, _tools: run_gdscript(godot, text),
         "system": lambda godot, tools: run_pytest(godot, tools, text),
         "kernel": lambda godot, tools: run_pytest(godot, tools, text, ["tests/kernel"]),
