@@ -7,13 +7,16 @@ import dataclasses
 import os
 import re
 import subprocess
+import time
 from pathlib import Path
 
 from . import libraries
 from .cmake import BuildFolder
 from .outcome import Outcome
+from .passed import Passed, contents, digest
 from .paths import BUILD
 from .project import EXTENSIONS
+from .tracked import tracked
 
 
 def run_ctest(folder: Path, *options: str) -> Outcome:
@@ -48,14 +51,57 @@ SANITIZED = [
 ]
 
 
-def run_sanitizers() -> Outcome:
-    """Builds and runs the C++ tests with each set of sanitizers; a finding fails its test."""
+# All that these tests are made from and read.
+INPUTS = (
+    "gdextension/*.cpp",
+    "gdextension/*.hpp",
+    "gdextension/*.h",
+    "gdextension/*CMakeLists.txt",
+    "gdextension/*.cmake",
+    "gdextension/*/corpus/*",
+    "assets/sound/head/*",
+    "tests/data/xbus/*",
+    "tools/compile.sh",
+    "tools/toolchain/cpp_tests.py",
+)
+
+
+def run_sanitizers(again: bool) -> Outcome:
+    """Builds and runs the C++ tests with each set of sanitizers; a finding fails its test.
+
+    Only if they have not passed on this machine with the same sources, or `again`.
+    """
     outcome = Outcome()
+    passed = Passed("sanitizers", _inputs())
     for build in SANITIZED:
-        folder = _build_sanitized(build)
-        jobs = () if build.ctest else ("-j", str(os.cpu_count() or 2))
-        outcome.add(run_ctest(folder, *build.ctest, *jobs))
+        key = passed.key(str(build))
+        note = passed.find(key)
+        if note is not None and not again:
+            said = f"sanitizers ({build.sanitizers}): not run, unchanged since {note}"
+            print(said)
+            outcome.notes.append(said)
+            continue
+        found = _run_sanitized(build)
+        outcome.add(found)
+        if found.failed == 0 and found.passed > 0:
+            passed.add(key, f"{found.passed} tests passed on {time.strftime('%Y-%m-%d %H:%M')}")
+    passed.prune()
     return outcome
+
+
+def _run_sanitized(build: Sanitized) -> Outcome:
+    folder = _build_sanitized(build)
+    jobs = () if build.ctest else ("-j", str(os.cpu_count() or 2))
+    return run_ctest(folder, *build.ctest, *jobs)
+
+
+def _inputs() -> str:
+    """A hash over the sources, the compiler, and the libraries that the tests are linked to."""
+    compiler = subprocess.run(["c++", "--version"], capture_output=True, text=True, check=False)
+    record = BuildFolder(EXTENSIONS, "").record()
+    linked = sorted(Path(value) for name, value in record.items() if name.endswith("_LIBRARY"))
+    found = [file.read_bytes() for file in linked if file.is_file()]
+    return digest([contents(tracked(*INPUTS)), compiler.stdout, *found])
 
 
 def _build_sanitized(build: Sanitized) -> Path:

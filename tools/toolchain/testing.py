@@ -29,7 +29,8 @@ HELP = """./test [PART ...] [options]   sets up everything, then runs every test
                         shellcheck
               cpp       C++ unit tests (ctest)
               sanitizers  the same with address and undefined-behaviour sanitizers, and those of
-                        several threads with the thread sanitizer
+                        several threads with the thread sanitizer; unless it is named, only if
+                        the C++ has changed since they passed on this machine
               gdscript  GDScript tests in headless Godot
               system    whole-process tests in pytest, with exported server and clients
   options     --filter=TEXT   only tests whose name has TEXT; without a part: cpp, gdscript, system
@@ -59,7 +60,7 @@ def main(arguments: list[str]) -> int:
     parts: dict[str, Callable[[Godot, Path], Outcome]] = {
         "lint": run_lint,
         "cpp": lambda _godot, _tools: run_ctest(EXTENSIONS, *(("-R", text) if text else ())),
-        "sanitizers": lambda _godot, _tools: run_sanitizers(),
+        "sanitizers": lambda _godot, _tools: run_sanitizers(again="sanitizers" in chosen),
         "gdscript": lambda godot, _tools: run_gdscript(godot, text),
         "system": lambda godot, tools: run_pytest(godot, tools, text),
         "kernel": lambda godot, tools: run_pytest(godot, tools, text, ["tests/kernel"]),
