@@ -6,6 +6,7 @@ from __future__ import annotations
 import os
 import subprocess
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -192,13 +193,16 @@ class SharedWorlds:
         self._begin: Callable[[World], Any] | None = None
         self.world: SharedWorld | None = None
 
-    def of(self, begin: Callable[[World], Any]) -> SharedWorld:
-        """The world that begins so."""
+    @contextmanager
+    def visit(self, begin: Callable[[World], Any]) -> Iterator[Any]:
+        """Lets a test have the world that begins so, and what `begin` returned."""
         if self.world is None or self._begin is not begin:
             self.close()
             self._begin = begin
             self.world = SharedWorld(self._factory, begin)
-        return self.world
+        self.world.enter()
+        yield self.world.begun
+        self.world.leave()
 
     def close(self) -> None:
         """Ends it: what lasted so long ends in order, too."""
@@ -220,10 +224,8 @@ def shared(begin: Callable[[World], Any]) -> Any:
 
     @pytest.fixture
     def visited(shared_worlds: SharedWorlds) -> Iterator[Any]:
-        world = shared_worlds.of(begin)
-        world.enter()
-        yield world.begun
-        world.leave()
+        with shared_worlds.visit(begin) as begun:
+            yield begun
 
     return visited
 
