@@ -105,6 +105,11 @@ class OwnClient:
     def leave(self) -> None:
         self.send(b"\x03\x12" + self.token)
 
+    def disconnect(self) -> None:
+        """Ends ENet's connection: whoever has not joined has no other way to leave."""
+        if self.peer is not None and not self.is_gone:
+            self.write_commands(struct.pack(">BBHI", 0x40 | _DISCONNECT, 0xFF, 0, 0))
+
     def close(self) -> None:
         self.socket.close()
 
@@ -336,6 +341,7 @@ class Crowd:
                 break
         self._waiting.close()
         for client in self.clients:
+            client.disconnect()
             client.close()
 
     def __enter__(self) -> Crowd:
