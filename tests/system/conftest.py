@@ -12,6 +12,7 @@ from typing import Any
 
 import pytest
 from toolchain.display import virtual_display
+from toolchain.godot import Godot, find
 from toolchain.paths import CLIENT_BINARY, CLIPS, ROOT, SERVER_BINARY
 from toolchain.processes import free_port
 from toolchain.schedule import started
@@ -270,6 +271,11 @@ def pytest_runtest_makereport(item: pytest.Item, call: pytest.CallInfo) -> Any:
 def display() -> Iterator[dict[str, str]]:
     with virtual_display(keeps_shaders=True) as environment:
         yield environment
+
+
+@pytest.fixture(scope="session")
+def godot() -> Godot:
+    return find()
 
 
 def run_in_window(display: dict[str, str], script: str, *flags: str) -> str:

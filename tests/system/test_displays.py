@@ -17,7 +17,6 @@ from toolchain.screens import monitors
 
 from .conftest import SOFTWARE
 from .test_commands import run
-from .test_editor import godot  # noqa: F401
 
 SCRIPTS = "res://tests/bench/displays/"
 LIMIT_S = 600.0
@@ -51,7 +50,7 @@ def find(
 
 @pytest.mark.parametrize("mode", ["rows", "side-by-side"])
 def test_both_eyes_see_a_target_where_they_should(
-    godot: Godot,  # noqa: F811
+    godot: Godot,
     mode: str,
 ) -> None:
     """Of rows, also after the window has moved by one."""
@@ -64,7 +63,7 @@ def test_both_eyes_see_a_target_where_they_should(
         assert abs(row["got"] - row["wanted"]) <= 0.1, row
 
 
-def test_two_monitors_show_one_picture(godot: Godot, tmp_path: Path) -> None:  # noqa: F811
+def test_two_monitors_show_one_picture(godot: Godot, tmp_path: Path) -> None:
     layout = tmp_path / "row.cfg"
     text = "[station]\neye = 0.2 1.6 0\n"
     for number, left in enumerate((-1.0, 0.0)):

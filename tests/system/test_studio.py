@@ -15,7 +15,6 @@ from toolchain.paths import ROOT
 from tutorial.screen import Screen
 
 from .conftest import SOFTWARE, Process, World
-from .test_editor import godot  # noqa: F401
 
 # One particle that fills the picture, of a colour that one key changes: the last digit typed.
 SQUARE = """shader_type particles;
@@ -54,7 +53,7 @@ def until(holds: Callable[[], bool], what: str) -> None:
 class Studio:
     """The studio in a window that fills a display."""
 
-    def __init__(self, world: World, godot: Godot, display: dict[str, str], folder: Path) -> None:  # noqa: F811
+    def __init__(self, world: World, godot: Godot, display: dict[str, str], folder: Path) -> None:
         command = [str(godot.program), *SOFTWARE, "--resolution", "1280x720", "--path", str(ROOT)]
         command += [SCENE, "--", f"--effects={folder}", "--effect=square"]
         self.process = world.start("studio", command, display, reports=False)
@@ -105,7 +104,7 @@ def start_line_of_colour(studio: Studio) -> None:
 
 def test_keys_change_the_picture(
     world: World,
-    godot: Godot,  # noqa: F811
+    godot: Godot,
     wide: dict[str, str],
     tmp_path: Path,
 ) -> None:
@@ -137,7 +136,7 @@ def test_keys_change_the_picture(
     studio.screen.close()
 
 
-def start_session(world: World, godot: Godot, folder: Path) -> tuple[Process, Process]:  # noqa: F811
+def start_session(world: World, godot: Godot, folder: Path) -> tuple[Process, Process]:
     """A server that watches a folder, and an observer, both from the sources."""
     engine = [str(godot.program), "--headless", "--path", str(ROOT), "--"]
     port = f"--port={world.port}"
@@ -152,7 +151,7 @@ def start_session(world: World, godot: Godot, folder: Path) -> tuple[Process, Pr
 
 def test_a_saved_file_is_seen_and_a_broken_one_is_not(
     world: World,
-    godot: Godot,  # noqa: F811
+    godot: Godot,
     tmp_path: Path,
 ) -> None:
     folder = tmp_path / "effects"
@@ -173,7 +172,7 @@ def test_a_saved_file_is_seen_and_a_broken_one_is_not(
 
 def test_the_studio_sends_to_a_session(
     world: World,
-    godot: Godot,  # noqa: F811
+    godot: Godot,
     wide: dict[str, str],
     tmp_path: Path,
 ) -> None:
