@@ -35,6 +35,7 @@ WHEEL_RULES = ROOT / "gdextension" / "cueing" / "udev" / "60-dismount-wheels.rul
 RUN = ("extensions",)
 NATIVE = ("extensions", "programs")
 ALL = ("extensions", "programs", "all")
+WHAT = {"extensions": "the extensions", "programs": "native programs", "all": "the C++ tests"}
 PRESETS = {"Linux Dedicated Server": SERVER_BINARY, "Linux Client": CLIENT_BINARY}
 
 
@@ -101,16 +102,21 @@ def prepare(export: bool, targets: Sequence[str] = RUN) -> Godot:
             other.result()
     link_templates(godot)
     with lock(BUILD / "lock", "building this clone"):
-        build_extensions(godot, targets)
-        import_assets(godot)
-        if export:
-            export_all(godot)
+        build_extensions(godot, RUN)
+        with ThreadPoolExecutor() as pool:
+            # Importing and exporting leave a processor idle most of the time.
+            rest = pool.submit(build_extensions, godot, targets) if targets != RUN else None
+            import_assets(godot)
+            if export:
+                export_all(godot)
+            if rest is not None:
+                rest.result()
     return godot
 
 
 def build_extensions(godot: Godot, targets: Sequence[str]) -> None:
     """Compiles targets of the C++ modules; those that are up to date are not looked at."""
-    folder = BuildFolder(EXTENSIONS, "the extensions")
+    folder = BuildFolder(EXTENSIONS, WHAT[targets[-1]])
     record = folder.record()
     options = {
         "GODOT_API_DIR": _api_folder(godot, record),
