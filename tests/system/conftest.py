@@ -18,7 +18,6 @@ from toolchain.paths import CLIENT_BINARY, CLIPS, ROOT, SERVER_BINARY
 from toolchain.processes import free_port
 
 SOFTWARE = ["--rendering-method", "gl_compatibility", "--audio-driver", "Dummy"]
-SMALL = ["--resolution", "640x360"]
 WINDOW_LIMIT_S = 600.0
 # Frames a second of a client without a window: it takes in and sends less often, and costs a third.
 HEADLESS_FPS = 30
@@ -134,16 +133,14 @@ class World:
         role: str,
         *options: str,
         name: str = "",
-        display: dict[str, str] | None = None,
         cwd: Path | None = None,
     ) -> Process:
-        flags = ["--headless"] if display is None else [*SOFTWARE, *SMALL]
-        if display is None and role != "replay" and not any("--fps=" in o for o in options):
+        if role != "replay" and not any("--fps=" in o for o in options):
             options = (f"--fps={HEADLESS_FPS}", *options)
         is_named = role == "replay" or any(o.startswith("--port=") for o in options)
         port = [] if is_named else [f"--port={self.port}"]
-        command = [str(CLIENT_BINARY), *flags, "--", f"--role={role}", *port, *options]
-        return self.start(name or role, command, display, cwd)
+        command = [str(CLIENT_BINARY), "--headless", "--", f"--role={role}", *port, *options]
+        return self.start(name or role, command, cwd=cwd)
 
     def trainee(self, *options: str, name: str = "trainee", clip: str = "01_01.bvh") -> Process:
         return self.client("trainee", f"--bvh={CLIPS / clip}", *options, name=name)
