@@ -15,6 +15,11 @@ from .screen import Screen, write_png
 # A processor that draws, beside eight others that are busy, takes seconds for a frame.
 LIMIT_S = 600.0
 
+# What a turn of the wheel makes of the distance, what a pixel turns, rad, and how far is pulled.
+PER_TURN = 1.36
+PER_PIXEL = 0.004
+MOST_PULL = 180.0
+
 State = dict[str, Any]
 Point = tuple[float, float]
 Place = tuple[float, float, float]
@@ -163,15 +168,17 @@ class Editor:
         high, as the sine of the angle above the ground."""
         centre = middle(self.state()["view"]["rect"])
         self.screen.move(*centre)
-        while length(self.state()["view"]["origin"]) < distance:
-            self._turn_wheel(5)
-            time.sleep(0.5)  # The view glides.
+        while (missing := distance / length(self.state()["view"]["origin"])) > 1.0:
+            for _ in range(max(int(math.log(missing) / math.log(PER_TURN)), 1)):
+                self._turn_wheel(5)
+            self.await_rest()
         for _ in range(20):
-            missing = height - self.state()["view"]["axes"][2][1]
-            if abs(missing) < 0.03:
+            now = self.state()["view"]["axes"][2][1]
+            if abs(height - now) < 0.03:
                 self.await_rest()
                 return
-            pull = max(min(missing * 200.0, 120.0), -120.0)
+            pull = (math.asin(height) - math.asin(now)) / PER_PIXEL
+            pull = max(min(pull, MOST_PULL), -MOST_PULL)
             self.screen.drag(centre, (centre[0], centre[1] + pull), button=2)
         raise AssertionError(f"the view does not turn: {self.state()['view']}")
 
@@ -202,6 +209,17 @@ class Editor:
         state = self.await_state(lambda s: s["scene"]["handles"][handle], "handles")
         at = state["scene"]["handles"][handle]["at"]
         self.screen.drag(self.on_screen(at), self.on_screen(to))
+
+    def paint(self, begin: Place, end: Place, steps: int = 16) -> None:
+        """Pulls a brush, which works once a frame: each step waits for some frames."""
+        ends = self.on_screen(begin), self.on_screen(end)
+        self.screen.move(*ends[0])
+        self.screen.press()
+        for step in range(1, steps + 1):
+            share = step / steps
+            self.screen.move(*(a + (b - a) * share for a, b in zip(*ends, strict=True)))
+            self.state()
+        self.screen.release()
 
     def save(self) -> None:
         """Saves the level."""
