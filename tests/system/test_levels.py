@@ -11,6 +11,7 @@ from pathlib import Path
 from toolchain.paths import ROOT
 
 from .conftest import Process, World, shared
+from .own_client import TRAINEE, Crowd, OwnClient
 
 # Of a level's largest file, and the speed at which it is offered: two seconds of each download.
 SIZE = 1_000_000
@@ -130,27 +131,34 @@ def test_a_change_of_level_drops_nobody(offers: Range) -> None:
     make_level(offers.share, "broken", scene=broken)
     offers.change_to("hall")
     people = len(offers.server.report()["people"])
-    names = ["T0", "T1"]
-    trainees = [offers.world.trainee(f"--name={name}", name=name) for name in names]
-    for trainee in trainees:
+    trainee = offers.world.trainee("--name=T0")
+    with Crowd() as crowd:
+        # The other one only listens.
+        other = OwnClient(offers.world.port, TRAINEE, name="T1")
+        crowd.join([other])
         await_level(trainee, "hall")
-    offers.change_to("range")
-    for trainee in trainees:
+        offers.change_to("range")
         await_level(trainee, "range")
+        _refuse_levels(offers)
+        report = offers.server.report()
+        assert report["level"]["name"] == "range"
+        here = {row["name"] for row in report["sessions"] if row["state"] == "here"}
+        assert here == {"instructor", "T0", "T1"}
+        assert len(report["people"]) == people + 1
+        crowd.go_on()
+        assert not other.is_gone
+        for word in ("is lost", "is back", "thrown"):
+            assert word not in offers.server.log()
+    assert trainee.log().count("joined") == 1
+
+
+def _refuse_levels(offers: Range) -> None:
     for order, answer in {
         "broken": "world 'broken' is refused: broken.tscn, line",
         "atlantis": "there is no world 'atlantis' here: ",
     }.items():
         offers.instructor.type(f"level {order}")
         offers.instructor.await_text(answer)
-    report = offers.server.report()
-    assert report["level"]["name"] == "range"
-    assert {row["name"] for row in report["sessions"] if row["state"] == "here"} > set(names)
-    assert len(report["people"]) == people + 2
-    for word in ("is lost", "is back", "thrown"):
-        assert word not in offers.server.log()
-    for trainee in trainees:
-        assert trainee.log().count("joined") == 1
 
 
 def test_a_download_goes_on_when_the_server_is_back_and_it_ends_while_it_loads(
