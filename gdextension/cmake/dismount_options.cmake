@@ -27,6 +27,8 @@ set(CMAKE_CXX_FLAGS_RELEASE ${_release_flags} CACHE STRING "Flags of a release b
 set(CMAKE_CXX_STANDARD 17)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
+# Compiles through ccache where the environment names one.
+set(CMAKE_CXX_COMPILER_LAUNCHER ${PROJECT_SOURCE_DIR}/../tools/compile.sh)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
 if(DISMOUNT_SANITIZE AND DISMOUNT_EXTENSIONS)

@@ -1,16 +1,13 @@
 # SPDX-License-Identifier: MIT
-# The kinds of target a module is made of:
+# The kinds of target a module is made of, besides tests (dismount_tests.cmake):
 #
 #   dismount_add_core_library(<name> SOURCES <file>... [LIBRARIES <target>...])
 #       Static library that knows nothing of the engine.
-#   dismount_add_core_test(<name> SOURCES <file>... [LIBRARIES <target>...] [THREADS])
-#       Executable that ctest runs; it passes when it exits with 0. With THREADS it runs several threads: it has
-#       ctest's label "threads" and belongs to the target thread_tests, for the thread sanitizer.
-#   dismount_add_fuzzer(<name> CORPUS <folder> SOURCES <file>... [LIBRARIES <target>...])
-#       The same for a fuzzer: <name> EXECUTIONS [SEED]. It finds its seeds in tests/corpus/<folder>.
+#   dismount_add_program(<name> SOURCES <file>... [LIBRARIES <target>...])
+#       Executable without the engine; belongs to the target programs.
 #   dismount_add_extension(<name> SOURCES <file>... [LIBRARIES <target>...] [DOCS <file.xml>...])
 #       ${DISMOUNT_BIN_DIR}/lib<name>.linux.<architecture>.so, linked to godot::cpp, with its class
-#       documentation inside. Does nothing where the extensions are not built.
+#       documentation inside; belongs to the target extensions. Does nothing where the extensions are not built.
 include_guard()
 
 set(DISMOUNT_BIN_DIR ${CMAKE_CURRENT_SOURCE_DIR}/bin CACHE PATH "Folder for the built extensions")
@@ -26,10 +23,14 @@ function(_dismount_architecture p_out)
 	set(${p_out} ${architecture} PARENT_SCOPE)
 endfunction()
 
+# Error messages carry the file: they say it from the repository's root, wherever that is. ccache compiles by
+# relative paths.
+file(RELATIVE_PATH _relative ${PROJECT_BINARY_DIR} ${PROJECT_SOURCE_DIR})
+set(DISMOUNT_COMMON_OPTIONS -Wall -Wextra
+	-ffile-prefix-map=${PROJECT_SOURCE_DIR}=gdextension -ffile-prefix-map=${_relative}=gdextension)
+
 function(_dismount_common p_target)
-	# Error messages carry the file: say it from the repository's root, wherever that is.
-	target_compile_options(${p_target} PRIVATE
-		-Wall -Wextra -ffile-prefix-map=${PROJECT_SOURCE_DIR}=gdextension)
+	target_compile_options(${p_target} PRIVATE ${DISMOUNT_COMMON_OPTIONS})
 	set_target_properties(${p_target} PROPERTIES
 		CXX_VISIBILITY_PRESET hidden
 		VISIBILITY_INLINES_HIDDEN ON
@@ -45,18 +46,14 @@ function(_dismount_sanitize p_target)
 	endif()
 endfunction()
 
-# What is built to run the tests, and those of several threads alone.
-add_custom_target(core_tests)
-add_custom_target(thread_tests)
-# Sanitizers slow a test down several times.
-set(DISMOUNT_TEST_LIMIT_S 120)
-if(DISMOUNT_SANITIZE)
-	set(DISMOUNT_TEST_LIMIT_S 400)
-endif()
+# What the program itself needs; and what runs without the engine: the emulated suit, the decoder.
+add_custom_target(extensions)
+add_custom_target(programs)
 
 function(dismount_add_core_library p_name)
 	cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
-	add_library(${p_name} STATIC ${arg_SOURCES})
+	add_library(${p_name} STATIC)
+	dismount_add_sources(${p_name} ${arg_SOURCES})
 	target_include_directories(${p_name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/src)
 	target_link_libraries(${p_name} PUBLIC ${arg_LIBRARIES})
 	set_target_properties(${p_name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
@@ -64,40 +61,14 @@ function(dismount_add_core_library p_name)
 	_dismount_sanitize(${p_name})
 endfunction()
 
-function(dismount_add_core_test p_name)
-	cmake_parse_arguments(PARSE_ARGV 1 arg "THREADS" "" "SOURCES;LIBRARIES")
-	if(NOT BUILD_TESTING)
-		return()
-	endif()
-	add_executable(${p_name} ${arg_SOURCES})
-	# Assertions stay on in tests, and the shared check.hpp is found by its plain name.
-	target_compile_options(${p_name} PRIVATE -UNDEBUG)
-	target_include_directories(${p_name} PRIVATE ${PROJECT_SOURCE_DIR}/testing ${CMAKE_CURRENT_SOURCE_DIR}/tests)
+function(dismount_add_program p_name)
+	cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
+	add_executable(${p_name})
+	dismount_add_sources(${p_name} ${arg_SOURCES})
 	target_link_libraries(${p_name} PRIVATE ${arg_LIBRARIES})
 	_dismount_common(${p_name})
 	_dismount_sanitize(${p_name})
-	add_test(NAME ${p_name} COMMAND ${p_name})
-	set_tests_properties(${p_name} PROPERTIES TIMEOUT ${DISMOUNT_TEST_LIMIT_S})
-	add_dependencies(core_tests ${p_name})
-	if(arg_THREADS)
-		dismount_mark_threaded(${p_name} ${p_name})
-	endif()
-endfunction()
-
-function(dismount_add_fuzzer p_name)
-	cmake_parse_arguments(PARSE_ARGV 1 arg "" "CORPUS" "SOURCES;LIBRARIES")
-	if(NOT BUILD_TESTING)
-		return()
-	endif()
-	dismount_add_core_test(${p_name} SOURCES ${arg_SOURCES} LIBRARIES ${arg_LIBRARIES})
-	target_compile_definitions(${p_name} PRIVATE
-		DISMOUNT_CORPUS="${CMAKE_CURRENT_SOURCE_DIR}/tests/corpus/${arg_CORPUS}")
-endfunction()
-
-# Says of a test that it runs several threads, and what is built for it.
-function(dismount_mark_threaded p_test)
-	set_tests_properties(${p_test} PROPERTIES LABELS threads)
-	add_dependencies(thread_tests ${ARGN})
+	add_dependencies(programs ${p_name})
 endfunction()
 
 function(dismount_add_extension p_name)
@@ -106,7 +77,8 @@ function(dismount_add_extension p_name)
 		return()
 	endif()
 	_dismount_architecture(architecture)
-	add_library(${p_name} SHARED ${arg_SOURCES})
+	add_library(${p_name} SHARED)
+	dismount_add_sources(${p_name} ${arg_SOURCES})
 	target_link_libraries(${p_name} PRIVATE godot::cpp ${arg_LIBRARIES})
 	# Stripped in a release; a missing symbol is found here rather than by the engine.
 	target_link_options(${p_name} PRIVATE -Wl,--no-undefined $<$<CONFIG:Release>:-s>)
@@ -116,6 +88,7 @@ function(dismount_add_extension p_name)
 		LIBRARY_OUTPUT_DIRECTORY ${DISMOUNT_BIN_DIR}
 	)
 	_dismount_common(${p_name})
+	add_dependencies(extensions ${p_name})
 	if(arg_DOCS)
 		dismount_add_documentation(${p_name} ${arg_DOCS})
 	endif()

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <test_data.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -40,10 +42,11 @@ class Corpus {
 public:
 	using Bytes = std::vector<uint8_t>;
 
-	/// Files above `p_most` bytes are cut.
+	/// A folder of gdextension/. Files above `p_most` bytes are cut.
 	Corpus(const char *p_folder, std::size_t p_most) {
 		std::vector<std::filesystem::path> paths;
-		for (const auto &entry : std::filesystem::directory_iterator(p_folder)) {
+		const std::filesystem::path sources = test_data::SOURCES;
+		for (const auto &entry : std::filesystem::directory_iterator(sources / p_folder)) {
 			paths.push_back(entry.path());
 		}
 		std::sort(paths.begin(), paths.end());

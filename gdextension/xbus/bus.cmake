@@ -27,17 +27,15 @@ dismount_add_core_library(xbus_device SOURCES
 	LIBRARIES xbus_bus
 )
 target_include_directories(xbus_device PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
-foreach(test configuration corruption examples framer golden mt_data mt_data2 stream_check)
-	dismount_add_core_test(xbus_${test} SOURCES tests/test_${test}.cpp LIBRARIES xbus_device)
+foreach(test configuration corruption examples framer golden mt_data mt_data2)
+	dismount_add_core_test(xbus_${test} SOURCE tests/test_${test}.cpp LIBRARIES xbus_device)
 endforeach()
-if(BUILD_TESTING)
-	target_include_directories(xbus_stream_check PRIVATE ${PROJECT_SOURCE_DIR}/testing)
-	target_compile_definitions(xbus_golden PRIVATE DISMOUNT_TEST_DATA="${PROJECT_SOURCE_DIR}/../tests/data")
-endif()
+# Counts allocations: it replaces its program's operators.
+dismount_add_test_program(xbus_stream_check SOURCE tests/test_stream_check.cpp LIBRARIES xbus_device)
 # Hostile bytes, as many as asked for: xbus_fuzz EXECUTIONS [SEED].
-dismount_add_fuzzer(xbus_fuzz CORPUS bus SOURCES tests/fuzz_bus.cpp LIBRARIES xbus_device)
+dismount_add_fuzzer(xbus_fuzz CORPUS bus SOURCE tests/fuzz_bus.cpp LIBRARIES xbus_device)
 # What a recording holds: ./run xbus-decode FILE.
-add_executable(xbus_decode
+dismount_add_program(xbus_decode SOURCES
 	tools/decode/analysis.cpp
 	tools/decode/control_json.cpp
 	tools/decode/formats.cpp
@@ -48,11 +46,8 @@ add_executable(xbus_decode
 	tools/decode/report_text.cpp
 	tools/decode/sample_json.cpp
 	tools/decode/status_bytes.cpp
+	LIBRARIES xbus_recording xbus_device
 )
-target_link_libraries(xbus_decode PRIVATE xbus_recording xbus_device)
-target_compile_options(xbus_decode PRIVATE -Wall -Wextra)
 # The figures of ./run bench xbus.
-add_executable(xbus_bench tools/bench_bus.cpp)
+dismount_add_program(xbus_bench SOURCES tools/bench_bus.cpp LIBRARIES xbus_recording xbus_device)
 target_include_directories(xbus_bench PRIVATE tests ${PROJECT_SOURCE_DIR}/testing)
-target_link_libraries(xbus_bench PRIVATE xbus_recording xbus_device)
-target_compile_options(xbus_bench PRIVATE -Wall -Wextra)

@@ -21,15 +21,14 @@ target_include_directories(xbus_emulator PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/emul
 
 if(DISMOUNT_UMOCKDEV)
 	find_package(Threads REQUIRED)
-	add_executable(suit_emulator
+	dismount_add_program(suit_emulator SOURCES
 		emulator/front/device_node.cpp
 		emulator/front/session.cpp
 		emulator/front/suit_emulator.cpp
 		emulator/front/usbfs_interfaces.cpp
 		emulator/front/usbfs_node.cpp
+		LIBRARIES xbus_emulator umockdev::umockdev Threads::Threads ${CMAKE_DL_LIBS}
 	)
-	target_link_libraries(suit_emulator PRIVATE xbus_emulator umockdev::umockdev Threads::Threads ${CMAKE_DL_LIBS})
-	_dismount_common(suit_emulator)
 	# Preloaded before umockdev's library; the emulator looks for it beside itself.
 	add_library(suit_device_gate SHARED emulator/front/device_gate.cpp)
 	target_link_libraries(suit_device_gate PRIVATE ${CMAKE_DL_LIBS})
@@ -39,13 +38,12 @@ endif()
 
 # The same suit in a virtual machine, plugged into the kernel's own USB: ./test --kernel.
 if(DISMOUNT_USB)
-	add_executable(suit_kernel_init
+	dismount_add_program(suit_kernel_init SOURCES
 		emulator/front/usbip_server.cpp
 		emulator/kernel/guest.cpp
 		emulator/kernel/suit_kernel_init.cpp
+		LIBRARIES xbus_emulator Threads::Threads
 	)
-	target_link_libraries(suit_kernel_init PRIVATE xbus_emulator Threads::Threads)
-	_dismount_common(suit_kernel_init)
 endif()
 # The hub with its threads, at an emulated suit of several trackers that comes, streams and is given back.
 if(DISMOUNT_SUIT_EMULATOR AND DISMOUNT_USB AND BUILD_TESTING)
@@ -55,5 +53,5 @@ if(DISMOUNT_SUIT_EMULATOR AND DISMOUNT_USB AND BUILD_TESTING)
 	dismount_mark_threaded(xbus_hub_threads suit_stream)
 endif()
 foreach(test emulated_chips emulated_master emulated_motion)
-	dismount_add_core_test(xbus_${test} SOURCES emulator/tests/test_${test}.cpp LIBRARIES xbus_emulator)
+	dismount_add_core_test(xbus_${test} SOURCE emulator/tests/test_${test}.cpp LIBRARIES xbus_emulator)
 endforeach()

@@ -12,6 +12,7 @@ if(DISMOUNT_EXTENSIONS)
 	)
 	_dismount_common(xbus_usb_library)
 	dismount_ship_libusb(xbus_usb_library)
+	add_dependencies(extensions xbus_usb_library)
 
 	dismount_add_extension(xbus
 		SOURCES

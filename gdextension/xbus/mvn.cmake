@@ -7,7 +7,7 @@ dismount_add_core_library(xbus_mvn SOURCES
 	LIBRARIES xbus_bus
 )
 foreach(test datagram collector)
-	dismount_add_core_test(mvn_${test} SOURCES tests/mvn/test_${test}.cpp LIBRARIES xbus_mvn)
+	dismount_add_core_test(mvn_${test} SOURCE tests/mvn/test_${test}.cpp LIBRARIES xbus_mvn)
 endforeach()
 # Hostile datagrams, as many as asked for: mvn_fuzz EXECUTIONS [SEED].
-dismount_add_fuzzer(mvn_fuzz CORPUS mvn SOURCES tests/mvn/fuzz_datagrams.cpp LIBRARIES xbus_mvn)
+dismount_add_fuzzer(mvn_fuzz CORPUS mvn SOURCE tests/mvn/fuzz_datagrams.cpp LIBRARIES xbus_mvn)

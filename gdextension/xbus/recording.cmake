@@ -8,6 +8,7 @@ dismount_add_core_library(xbus_recording SOURCES
 	src/recording/taps.cpp
 	LIBRARIES xbus_session Threads::Threads
 )
-dismount_add_core_test(recording_recorder
-	SOURCES tests/recording/test_recorder.cpp LIBRARIES xbus_recording THREADS)
-dismount_add_core_test(recording_replay SOURCES tests/recording/test_replay.cpp LIBRARIES xbus_recording xbus_device)
+# Counts allocations: it replaces its program's operators.
+dismount_add_test_program(recording_recorder
+	SOURCE tests/recording/test_recorder.cpp LIBRARIES xbus_recording THREADS)
+dismount_add_core_test(recording_replay SOURCE tests/recording/test_replay.cpp LIBRARIES xbus_recording xbus_device)

@@ -8,9 +8,10 @@ dismount_add_core_library(xbus_session SOURCES
 	src/session/suit_stream.cpp
 	LIBRARIES xbus_bus
 )
-foreach(test no_session_allocation session)
-	dismount_add_core_test(xbus_test_${test} SOURCES tests/session/test_${test}.cpp LIBRARIES xbus_session xbus_emulator)
-endforeach()
+dismount_add_core_test(xbus_test_session SOURCE tests/session/test_session.cpp LIBRARIES xbus_session xbus_emulator)
+# Counts allocations: it replaces its program's operators.
+dismount_add_test_program(xbus_test_no_session_allocation
+	SOURCE tests/session/test_no_session_allocation.cpp LIBRARIES xbus_session xbus_emulator)
 foreach(test source_clock stream_time)
-	dismount_add_core_test(xbus_${test} SOURCES tests/clock/test_${test}.cpp LIBRARIES xbus_bus)
+	dismount_add_core_test(xbus_${test} SOURCE tests/clock/test_${test}.cpp LIBRARIES xbus_bus)
 endforeach()

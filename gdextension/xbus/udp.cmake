@@ -5,4 +5,4 @@ dismount_add_core_library(xbus_udp SOURCES
 	src/udp/receiver.cpp
 	LIBRARIES xbus_mvn Threads::Threads
 )
-dismount_add_core_test(mvn_receiver SOURCES tests/mvn/test_receiver.cpp LIBRARIES xbus_udp THREADS)
+dismount_add_core_test(mvn_receiver SOURCE tests/mvn/test_receiver.cpp LIBRARIES xbus_udp THREADS)

@@ -357,7 +357,15 @@ static func _run() -> Array[OptionRow]:
 		OptionRow.choice("log-level", all, "info", Log.LEVELS, "lines that are left out below it"),
 		OptionRow.choice("role", all, "", all, "role to start; by default server or observer"),
 		OptionRow.decimal("duration", all, 0.0, [0.0, 1e7], "end after this time; 0: never", "s"),
-		OptionRow.file("report", all, "write stats to this file (JSON) every second"),
+		OptionRow.file("report", all, "write stats to this file (JSON)"),
+		OptionRow.decimal(
+			"report-every",
+			recording,
+			ReportFile.PERIOD_S,
+			[0.02, 86400.0],
+			"time between two writings of --report",
+			"s"
+		),
 		OptionRow.file(
 			"record", recording, "record what this client receives, or everything at the server"
 		),

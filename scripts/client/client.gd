@@ -54,7 +54,7 @@ func _ready() -> void:
 	else:
 		RenderingServer.frame_post_draw.connect(_on_frame_drawn)
 	_pacer = FramePacer.new(Engine.max_fps if FramePacer.is_free() else 0)
-	_report = ReportFile.new(_options.file("report"))
+	_report = ReportFile.new(_options.file("report"), _options.seconds("report-every"))
 	_stop.watch()
 	_hud.show_probe(_stats.probe)
 	_controls.set_up(_role, _options)

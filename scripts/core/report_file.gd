@@ -2,20 +2,22 @@ class_name ReportFile
 extends RefCounted
 ## Stats of a session in a JSON file, written anew every second, so that a kill loses at most one.
 
-## Seconds between two writings.
+## Seconds between two writings, unless told otherwise.
 const PERIOD_S: float = 1.0
 
 var _path: String = ""
+var _period_usec: int = 0
 var _written_usec: int = 0
 
 
-func _init(p_path: String) -> void:
+func _init(p_path: String, p_period_s: float = PERIOD_S) -> void:
 	_path = p_path
+	_period_usec = int(p_period_s * 1e6)
 
 
 ## Whether it is time to write again. Always false without a path.
 func is_due() -> bool:
-	return _path != "" and Time.get_ticks_usec() - _written_usec > int(PERIOD_S * 1e6)
+	return _path != "" and Time.get_ticks_usec() - _written_usec > _period_usec
 
 
 ## Writes the stats; the file is replaced as a whole.

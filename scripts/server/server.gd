@@ -54,7 +54,7 @@ func stats() -> ServerStats:
 
 
 func _ready() -> void:
-	_report = ReportFile.new(_options.file("report"))
+	_report = ReportFile.new(_options.file("report"), _options.seconds("report-every"))
 	if _rate() > _MAX_TICKS:
 		_give_up(_EXIT_OPTIONS, "%d ticks/s are set, %d is the most" % [_rate(), _MAX_TICKS])
 		return

@@ -221,6 +221,7 @@ def measure_mutations(bench: Bench, environment: dict[str, str]) -> None:
     add(case, "crashes", 0.0, "", at_most=0.0)
     add(case, "refused, but replaced", row["replaced_wrongly"], "", at_most=0.0)
     add(case, "longest check", row["longest_ms"], "ms", at_most=MAX_HANG_MS)
+    add("hostile texts", "longest reading", row["hostile_ms"], "ms", at_most=MAX_HANG_MS)
     add(case, "longest frame after one", row["frame_ms"], "ms", at_most=MAX_HANG_MS)
     add(case, "lines of the log", lines, "", at_most=MAX_LINES)
 

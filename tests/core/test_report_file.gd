@@ -1,5 +1,5 @@
 extends TestCase
-## Reports are replaced whole, at most once a second, and never end the program.
+## Reports are replaced whole, no more often than they are told to, and never end the program.
 
 const PATH: String = "user://test_report.json"
 
@@ -25,6 +25,15 @@ func test_is_due_again_after_a_second() -> void:
 	report.write({})
 	report._written_usec -= int(ReportFile.PERIOD_S * 1e6)
 	OS.delay_msec(2)
+	is_true(report.is_due())
+
+
+func test_is_due_as_often_as_it_is_told() -> void:
+	var report: ReportFile = ReportFile.new(PATH, 20.0)
+	report.write({})
+	report._written_usec -= int(19.0 * 1e6)
+	is_false(report.is_due())
+	report._written_usec -= int(1.1 * 1e6)
 	is_true(report.is_due())
 
 

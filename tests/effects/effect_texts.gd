@@ -39,6 +39,34 @@ static func of(p_header: String, p_body: String) -> String:
 	return _FRAME % [p_header, p_body]
 
 
+## Texts whose brackets are too deep or whose statements are too long.
+static func deep() -> PackedStringArray:
+	return [
+		of("", "COLOR.r = %s1.0%s;" % ["(".repeat(20000), ")".repeat(20000)]),
+		of("", "COLOR.r = 1.0%s;" % "+1.0".repeat(5000)),
+		of("", "COLOR.r = %s1.0;" % "-".repeat(20000)),
+		of("", "{".repeat(2000) + "}".repeat(2000)),
+		of("", "if (true) { } else ".repeat(300) + "{ }"),
+		of("", "if (true) ".repeat(2000) + "{ }"),
+		of("", "COLOR.r = 1.0;".repeat(3000)),
+	]
+
+
+## Small texts that a careless reader takes seconds for.
+static func long() -> PackedStringArray:
+	return [
+		of("const ".repeat(2900), ""),
+		of("// @lifee 1\n".repeat(5000), ""),
+		of("// @\n".repeat(12000), ""),
+		of("// @inputx a 1 2 3\n".repeat(3000), ""),
+		of("[".repeat(2900), ""),
+		of("[".repeat(1400) + "]".repeat(1400), ""),
+		of("", "for (int i = 0; i < 8; i++) {".repeat(190)),
+		of("\n".repeat(55000) + "@;".repeat(1300), ""),
+		of("\n".repeat(55000) + "1e99;".repeat(1000), ""),
+	]
+
+
 ## [param p_text] with one to three random changes.
 static func mutate(p_text: String, p_random: RandomNumberGenerator) -> String:
 	var text: String = p_text

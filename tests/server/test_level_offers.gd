@@ -86,6 +86,11 @@ func test_more_requests_than_allowed_are_dropped() -> void:
 	is_true(_until(func() -> bool: return _offers.count() == 0))
 
 
+func test_a_share_that_is_not_there_is_named() -> void:
+	contains(LevelShare.new("/no/such").find_fault(), "there is no folder /no/such")
+	equal(LevelShare.new("").find_fault(), "")
+
+
 func test_a_level_of_the_program_is_not_sent() -> void:
 	equal(_level.load_level("hall"), "")
 	equal(_level.reference, "hall")

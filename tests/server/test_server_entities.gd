@@ -43,6 +43,8 @@ func after_each() -> void:
 func test_a_level_that_is_not_there_changes_nothing() -> void:
 	var rows: int = _level.table.rows.size()
 	contains(_level.load_level("atlantis"), "no world 'atlantis'")
+	contains(_level.load_level("hal"), "did you mean hall?")
+	contains(_level.load_level("../hall"), "no world '../hall'")
 	equal([_level.level_name, _level.table.rows.size()], ["yard", rows])
 
 

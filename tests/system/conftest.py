@@ -3,11 +3,10 @@
 
 from __future__ import annotations
 
-import json
 import os
 import subprocess
-import time
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +15,11 @@ from toolchain.display import virtual_display
 from toolchain.godot import Godot, find
 from toolchain.paths import CLIENT_BINARY, CLIPS, ROOT, SERVER_BINARY
 from toolchain.processes import free_port
+from toolchain.schedule import started
+
+from .processes import LOOK_S, Process, ask
+
+__all__ = ["LOOK_S", "Process", "World", "ask", "shared"]
 
 SOFTWARE = ["--rendering-method", "gl_compatibility", "--audio-driver", "Dummy"]
 WINDOW_LIMIT_S = 600.0
@@ -23,109 +27,33 @@ WINDOW_LIMIT_S = 600.0
 HEADLESS_FPS = 30
 
 
-class Process:
-    """A server or client with its log and its stats."""
-
-    def __init__(
-        self,
-        name: str,
-        command: list[str],
-        folder: Path,
-        environment: dict[str, str],
-        cwd: Path | None = None,
-        reports: bool = True,
-    ) -> None:
-        self.log_file = folder / f"{name}.log"
-        self.report_file = folder / f"{name}.json"
-        home = {f"XDG_{kind}_HOME": str(folder / kind) for kind in ("DATA", "CONFIG", "CACHE")}
-        plain = {k: v for k, v in os.environ.items() if not k.startswith("DISMOUNT_")}
-        with self.log_file.open("wb") as log:
-            self.process = subprocess.Popen(
-                [*command, *([f"--report={self.report_file}"] if reports else [])],
-                cwd=cwd,
-                env={**plain, **home, **environment, "PWD": str(cwd or Path.cwd())},
-                stdin=subprocess.DEVNULL,
-                stdout=log,
-                stderr=subprocess.STDOUT,
-            )
-
-    def log(self) -> str:
-        return self.log_file.read_text(encoding="utf-8", errors="replace")
-
-    def report(self) -> dict:
-        """The newest report; the first one comes some time after the start."""
-        return self.await_report(lambda _report: True)
-
-    def _read_report(self) -> dict:
-        return json.loads(self.report_file.read_text(encoding="utf-8"))
-
-    def await_report(self, holds: Callable[[dict], bool], limit_s: float = 120.0) -> dict:
-        """The report as soon as something holds of it."""
-        end = time.monotonic() + limit_s
-        while True:
-            try:
-                report = self._read_report()
-                if holds(report):
-                    return report
-            except (OSError, ValueError, LookupError):
-                report = {}  # Not written yet, or only in part.
-            assert time.monotonic() < end, f"it did not come in {limit_s} s: {report}"
-            assert self.process.poll() is None, f"it ended before:\n{self.log()}"
-            time.sleep(0.1)
-
-    def await_text(self, text: str, limit_s: float = 120.0, count: int = 1) -> None:
-        end = time.monotonic() + limit_s
-        while self.log().count(text) < count:
-            assert time.monotonic() < end, f"'{text}' did not come in {limit_s} s:\n{self.log()}"
-            assert self.process.poll() is None, f"it ended before '{text}':\n{self.log()}"
-            time.sleep(0.05)
-
-    def await_exit(self, limit_s: float = 120.0) -> int:
-        try:
-            return self.process.wait(limit_s)
-        except subprocess.TimeoutExpired:
-            pytest.fail(f"it does not end within {limit_s} s:\n{self.log()}")
-
-    def fresh_report(self) -> dict:
-        """A report that has just been written: one that lies there is up to a second old."""
-        stale = self.await_report(lambda _report: True)
-        return self.await_report(lambda report: report["seconds"] != stale["seconds"])
-
-    def end(self) -> int:
-        """Asks it to end; returns its exit code."""
-        self.process.terminate()
-        return self.await_exit()
-
-    def describe(self) -> str:
-        """How it is and what it has said last, for whoever looks for the reason of a failure."""
-        code = self.process.poll()
-        state = f"ended with {code}" if code is not None else "runs"
-        waits = [] if code is not None else thread_states(self.process.pid)
-        last = self.log().splitlines()[-40:]
-        return "\n".join([f"--- {self.log_file.name}: {state}", *waits, *last])
-
-    def kill(self) -> None:
-        if self.process.poll() is None:
-            self.process.kill()
-        self.process.wait()
-
-
 class World:
     """Starts processes that end with the test."""
+
+    # Those that are not closed yet.
+    all: list[World] = []
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self.port = free_port()
         self.processes: list[Process] = []
+        self.is_spent = False
+        World.all.append(self)
 
     def server(self, *options: str, name: str = "server", wait: bool = True) -> Process:
         # The small world that most tests are about, where none is named.
         own = any(option.startswith(("--world", "--config")) for option in options)
         world = [] if own else ["--world=hall"]
         command = [str(SERVER_BINARY), "--headless", "--", f"--port={self.port}", *world, *options]
+        ports = [
+            o.partition("=")[2] for o in options if o.startswith(("--port=", "--status-port="))
+        ]
+        started["servers"] += 1
         process = self.start(name, command)
         if wait:
             process.await_text("listening on UDP port")
+            if "there is no status" not in process.log():
+                process.status_port = int(ports[-1]) if ports else self.port
         return process
 
     def client(
@@ -134,16 +62,27 @@ class World:
         *options: str,
         name: str = "",
         cwd: Path | None = None,
+        types: bool = False,
     ) -> Process:
-        if role != "replay" and not any("--fps=" in o for o in options):
+        if role not in ("replay", "load") and not any("--fps=" in o for o in options):
             options = (f"--fps={HEADLESS_FPS}", *options)
         is_named = role == "replay" or any(o.startswith("--port=") for o in options)
         port = [] if is_named else [f"--port={self.port}"]
         command = [str(CLIENT_BINARY), "--headless", "--", f"--role={role}", *port, *options]
-        return self.start(name or role, command, cwd=cwd)
+        started["clients"] += 1
+        # What somebody who stays has got from the server is not the others'.
+        own_home = {"XDG_DATA_HOME": str(self.folder / f"{role}-data")} if types else {}
+        return self.start(name or role, command, own_home, cwd, types=types)
 
     def trainee(self, *options: str, name: str = "trainee", clip: str = "01_01.bvh") -> Process:
         return self.client("trainee", f"--bvh={CLIPS / clip}", *options, name=name)
+
+    def instructor(self, *options: str, name: str = "instructor") -> Process:
+        """One that is there, and gives the orders that are typed."""
+        process = self.client("instructor", *options, name=name, types=True)
+        # Before its level is there, it does not know what is in it.
+        process.await_line("world '", "is there after")
+        return process
 
     def start(
         self,
@@ -152,8 +91,12 @@ class World:
         environment: dict[str, str] | None = None,
         cwd: Path | None = None,
         reports: bool = True,
+        types: bool = False,
     ) -> Process:
-        process = Process(name, command, self.folder, environment or {}, cwd, reports)
+        # The log of one that had the name before is still of use.
+        before = sum(1 for one in self.processes if one.log_file.stem.split("~")[0] == name)
+        file = f"{name}~{before + 1}" if before else name
+        process = Process(file, command, self.folder, environment or {}, cwd, reports, types)
         self.processes.append(process)
         return process
 
@@ -162,24 +105,123 @@ class World:
         return "\n".join(process.describe() for process in self.processes)
 
     def close(self) -> None:
+        World.all.remove(self)
         for process in self.processes:
             process.kill()
 
 
-def thread_states(pid: int) -> list[str]:
-    """What each thread of a process does: whether it runs, or in which call it waits."""
-    lines = []
-    for task in sorted(Path(f"/proc/{pid}/task").glob("*")):
+class SharedWorld(World):
+    """Processes that last for several tests: starting them takes longer than most tests do.
+
+    What a test starts besides ends with it. What lasts is as the test found it, or is started anew
+    for the next: after a failure, and where a test has spent it.
+    """
+
+    def __init__(self, factory: pytest.TempPathFactory, begin: Callable[[World], Any]) -> None:
+        super().__init__(factory.getbasetemp())
+        self._factory = factory
+        self._begin = begin
+        self._lasting: list[Process] = []
+        self._here: list[str] = []
+        self.begun: Any = None
+        # Whether the next test can't have what is there.
+        self.is_spent = True
+
+    def enter(self) -> None:
+        """A test begins."""
+        if self.is_spent:
+            self._kill_all()
+            self.folder, self.port = self._factory.mktemp("shared"), free_port()
+            self.processes.clear()
+            self.begun = self._begin(self)
+            self._lasting = self.processes.copy()
+            self._here = self._who_is_here()
+            self.is_spent = False
+        for process in self._lasting:
+            process.mark()
+
+    def leave(self) -> None:
+        """A test ends: whom it has brought leave, and nothing has happened to the others."""
+        if self.is_spent:
+            return
+        self.is_spent = True
+        for process in self.processes:
+            name = process.log_file.name
+            if process in self._lasting:
+                assert process.process.poll() is None, f"{name} has ended:\n{process.log()}"
+                assert "ERROR" not in process.log(), f"{name}:\n{process.log()}"
+            elif process.process.poll() is None:
+                process.process.terminate()
+        for process in self.processes:
+            if process not in self._lasting:
+                process.await_exit()
+        self._lasting[0].await_report(lambda _report: self._who_is_here() == self._here)
+        self.is_spent = False
+
+    def end(self) -> None:
+        """No more tests come."""
+        if self.is_spent:
+            return
+        for process in self._lasting:
+            process.mark()
+            process.process.terminate()
+        for process in self._lasting:
+            assert process.await_exit() == 0, process.log()
+            assert "ERROR" not in process.log(), process.log()
+
+    def _who_is_here(self) -> list[str]:
+        """Names of the sessions that are connected, as the server tells; it is the first."""
+        rows = self._lasting[0].report()["sessions"]
+        return sorted(row["name"] for row in rows if row["state"] == "here")
+
+    def _kill_all(self) -> None:
+        for process in self.processes:
+            process.kill()
+
+
+class SharedWorlds:
+    """The shared world that a file's tests use at the moment: one that nobody uses takes time."""
+
+    def __init__(self, factory: pytest.TempPathFactory) -> None:
+        self._factory = factory
+        self._begin: Callable[[World], Any] | None = None
+        self.world: SharedWorld | None = None
+
+    @contextmanager
+    def visit(self, begin: Callable[[World], Any]) -> Iterator[Any]:
+        """Lets a test have the world that begins so, and what `begin` returned."""
+        if self.world is None or self._begin is not begin:
+            self.close()
+            self._begin = begin
+            self.world = SharedWorld(self._factory, begin)
+        self.world.enter()
+        yield self.world.begun
+        self.world.leave()
+
+    def close(self) -> None:
+        """Ends it: what lasted so long ends in order, too."""
+        if self.world is None:
+            return
+        world, self.world = self.world, None
         try:
-            # The state comes after the name, which may itself have brackets.
-            rest = (task / "stat").read_text().rpartition(")")[2].split()
-            name = (task / "comm").read_text().strip()
-            waits = (task / "wchan").read_text().strip()
-        except OSError:
-            continue  # It has just ended.
-        ticks = int(rest[11]) + int(rest[12])
-        lines.append(f"    thread {task.name} {name}: {rest[0]} in '{waits}', {ticks} ticks")
-    return lines
+            world.end()
+        finally:
+            world.close()
+
+
+def shared(begin: Callable[[World], Any]) -> Any:
+    """Makes a fixture of what `begin` returns, which starts a server, and clients that stay.
+
+    Tests of one file share it, one after the other: see SharedWorld. Tests that want the same stand
+    together, as another shared world ends it.
+    """
+
+    @pytest.fixture
+    def visited(shared_worlds: SharedWorlds) -> Iterator[Any]:
+        with shared_worlds.visit(begin) as begun:
+            yield begun
+
+    return visited
 
 
 @pytest.fixture
@@ -198,13 +240,23 @@ def shared_world(tmp_path_factory: pytest.TempPathFactory) -> Iterator[World]:
     world.close()
 
 
+@pytest.fixture(scope="module")
+def shared_worlds(tmp_path_factory: pytest.TempPathFactory) -> Iterator[SharedWorlds]:
+    """For the fixtures that `shared` makes."""
+    worlds = SharedWorlds(tmp_path_factory)
+    yield worlds
+    worlds.close()
+
+
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_makereport(item: pytest.Item, call: pytest.CallInfo) -> Any:
     """Adds to a failure how each process is and what it has said last."""
     report = yield
     if report.failed:
-        worlds = {one for one in item.funcargs.values() if isinstance(one, World)}
-        report.sections += [("processes", world.describe()) for world in worlds]
+        report.sections += [("processes", world.describe()) for world in World.all]
+        for world in World.all:
+            # Nobody knows what it has left behind.
+            world.is_spent = True
     return report
 
 

@@ -25,6 +25,7 @@ _SIZES = [0, 8, 48, 44, 8, 4, 6, 8, 24, 8, 12, 16, 24]
 _WANTS_ACK = 0x80
 _RESENT_S = 0.25
 _PING_S = 0.5
+_LEAVES = 5
 
 
 class OwnClient:
@@ -164,7 +165,7 @@ class OwnClient:
             self.seal.take_reply(datagram[9:])
             self.numbers[0xFF] = 1
             self.write(self._connect())
-        elif kind == 0x45 and self.seal.reply is None:
+        elif kind == 0x45 and self.peer is None:
             self.is_refused = datagram[9] != 2
         elif kind == 0x47:
             plain = self.seal.open(datagram)
@@ -324,6 +325,15 @@ class Crowd:
         self.go_on_until(lambda: all(client.is_joined for client in joining))
 
     def close(self) -> None:
+        """All leave, as far as the server still listens."""
+        here = [client for client in self.clients if client.is_joined and not client.is_gone]
+        # Again, as a server drops what comes from somebody who has sent too much.
+        for _try in range(_LEAVES):
+            for client in here:
+                client.leave()
+            with suppress(AssertionError):
+                self.go_on_until(lambda: all(client.is_gone for client in here), 1.0)
+                break
         self._waiting.close()
         for client in self.clients:
             client.close()

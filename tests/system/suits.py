@@ -19,6 +19,8 @@ from toolchain.godot import Godot
 from toolchain.paths import CLIENT_BINARY, CLIPS, ROOT
 
 from .conftest import HEADLESS_FPS, Process, World
+from .recordings import recorded as recorded
+from .recordings import turned as turned
 
 WALK = CLIPS / "01_01.bvh"
 CALIBRATION_S = 600.0
@@ -134,12 +136,6 @@ def profiles_in(folder: Path) -> list[Path]:
     return sorted(folder.rglob("calibrations/*.json"))
 
 
-def recorded(recording: Path) -> dict[str, list[dict]]:
-    """Who is in an observer's recording and how they move: see recorded_people.gd."""
-    found: dict[str, list[dict]] = _ask("recorded_people.gd", f"--recording={recording}")
-    return found
-
-
 def find_poses(recording: Path, name: str, moments_s: list[float]) -> list[dict]:
     """How near somebody comes to moments of the walk, in their order: see struck_poses.gd."""
     at = ",".join(str(moment) for moment in moments_s)
@@ -157,8 +153,3 @@ def _ask(script: str, *options: str) -> Any:
     assert code == 0, text
     assert lines, text
     return json.loads(lines[0])
-
-
-def turned(entries: list[dict]) -> float:
-    """How far all limbs of a recorded person have turned altogether, degrees on average."""
-    return sum(entry["turned_deg"] for entry in entries)

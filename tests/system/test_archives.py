@@ -34,7 +34,7 @@ def unpacked(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The folder that both archives lie in, unpacked."""
     folder = tmp_path_factory.mktemp("archives")
     folder.chmod(0o755)
-    packed = archive.write(archive.ARCHIVES["server"], folder / "packed", 1)
+    packed = archive.write(archive.ARCHIVES["server"], folder / "packed", 0)
     with tarfile.open(packed) as tar:
         tar.extractall(folder / "opt", filter="data")
     # Packing the larger one would take half a minute.

@@ -12,13 +12,12 @@ import shlex
 import signal
 import subprocess
 import time
-from pathlib import Path
 
 import pytest
 from toolchain.paths import ROOT
 from toolchain.processes import free_port
 
-from .conftest import World
+from .conftest import LOOK_S, World, shared
 
 PAGES = ["README.md", "docs/session-guide.md", "docs/suit-emulator.md"]
 LIMIT_S = 180.0
@@ -36,16 +35,83 @@ BLOCK = re.compile(r"^```(?:sh)?\n(.*?)^```", re.MULTILINE | re.DOTALL)
 
 
 def blocks() -> list[tuple[str, list[str]]]:
-    """The commands of each block of each page."""
-    found = []
+    """The commands of each block of each page, without those that stood before."""
+    found, known = [], set()
     for page in PAGES:
         text = (ROOT / page).read_text(encoding="utf-8")
         for number, block in enumerate(BLOCK.findall(text)):
             lines = [line.partition(" #")[0].strip() for line in block.splitlines()]
-            lines = [line for line in lines if line.startswith("./run ")]
+            lines = [line for line in lines if line.startswith("./run ") and line not in known]
+            known.update(lines)
             if lines:
                 found.append((f"{page} {number}", lines))
     return found
+
+
+class Reader:
+    """What a reader has who stands in the folder of Dismount, and a server elsewhere."""
+
+    def __init__(self, world: World) -> None:
+        self.folder = world.folder / "reader"
+        self.folder.mkdir()
+        for name in ("run", "assets"):
+            (self.folder / name).symlink_to(ROOT / name)
+        world.server()
+        self.port = world.port
+
+    def call(self, line: str) -> None:
+        """Types a line; waits until it is ready, and ends it."""
+        words = shlex.split(line.replace("SERVER", "127.0.0.1"))
+        command = words[1]
+        log = self.folder / "log.txt"
+        with log.open("wb") as output:
+            process = subprocess.Popen(
+                words,
+                cwd=self.folder,
+                env=self._environment(free_port() if command == "server" else self.port),
+                stdin=subprocess.PIPE,
+                stdout=output,
+                stderr=subprocess.STDOUT,
+            )
+
+        def said() -> str:
+            return log.read_text(encoding="utf-8", errors="replace")
+
+        try:
+            end = time.monotonic() + LIMIT_S
+            while READY[command] not in said() or not self._has_recorded(words):
+                assert process.poll() is None, (
+                    f"'{line}' ended with {process.returncode}:\n{said()}"
+                )
+                assert time.monotonic() < end, f"'{line}' is not ready:\n{said()}"
+                time.sleep(LOOK_S)
+            # A replay ends by itself.
+            if command != "replay":
+                process.send_signal(signal.SIGTERM)
+            code = process.wait(LIMIT_S)
+        finally:
+            process.kill()
+            process.wait()
+        assert code in (0, 130), f"'{line}' ended with {code}:\n{said()}"
+        assert "ERROR" not in said()
+
+    def _environment(self, port: int) -> dict[str, str]:
+        plain = {k: v for k, v in os.environ.items() if not k.startswith(("DISMOUNT_", "XDG_"))}
+        for name in ("DISPLAY", "WAYLAND_DISPLAY"):
+            plain.pop(name, None)
+        if "DISMOUNT_USER_CACHE" in os.environ:
+            plain["XDG_CACHE_HOME"] = os.environ["DISMOUNT_USER_CACHE"]
+        own = {"DISMOUNT_PORT": str(port), "XDG_DATA_HOME": str(self.folder / "data")}
+        return {**plain, **own}
+
+    def _has_recorded(self, words: list[str]) -> bool:
+        """Whether there is more than its beginning in a recording, if a command makes one."""
+        names = [word.partition("=")[2] for word in words if word.startswith("--record=")]
+        files = [self.folder / name for name in names]
+        return all(file.exists() and file.stat().st_size > 100 for file in files)
+
+
+reader = shared(Reader)
 
 
 def test_there_are_commands() -> None:
@@ -53,53 +119,6 @@ def test_there_are_commands() -> None:
 
 
 @pytest.mark.parametrize("block", blocks(), ids=lambda block: block[0])
-def test_commands_do_what_the_page_says(world: World, block: tuple[str, list[str]]) -> None:
-    folder = world.folder / "reader"
-    folder.mkdir()
-    # What a reader has who stands in the folder of Dismount.
-    for name in ("run", "assets"):
-        (folder / name).symlink_to(ROOT / name)
-    world.server()
+def test_commands_do_what_the_page_says(reader: Reader, block: tuple[str, list[str]]) -> None:
     for line in block[1]:
-        call(folder, line.replace("SERVER", "127.0.0.1"), world)
-
-
-def call(folder: Path, line: str, world: World) -> None:
-    """Types a line; waits until it is ready, and ends it."""
-    words = shlex.split(line)
-    command = words[1]
-    port = free_port() if command == "server" else world.port
-    environment = {k: v for k, v in os.environ.items() if not k.startswith(("DISMOUNT_", "XDG_"))}
-    for name in ("DISPLAY", "WAYLAND_DISPLAY"):
-        environment.pop(name, None)
-    environment |= {"DISMOUNT_PORT": str(port), "XDG_DATA_HOME": str(folder / "data")}
-    if "DISMOUNT_USER_CACHE" in os.environ:
-        environment["XDG_CACHE_HOME"] = os.environ["DISMOUNT_USER_CACHE"]
-    log = folder / "log.txt"
-    with log.open("wb") as output:
-        process = subprocess.Popen(
-            words,
-            cwd=folder,
-            env=environment,
-            stdin=subprocess.PIPE,
-            stdout=output,
-            stderr=subprocess.STDOUT,
-        )
-    try:
-        end = time.monotonic() + LIMIT_S
-        while READY[command] not in log.read_text(encoding="utf-8", errors="replace"):
-            said = log.read_text(encoding="utf-8", errors="replace")
-            assert process.poll() is None, f"'{line}' ended with {process.returncode}:\n{said}"
-            assert time.monotonic() < end, f"'{line}' is not ready:\n{said}"
-            time.sleep(0.1)
-        # A recording needs a moment to be one; a replay ends by itself.
-        if command != "replay":
-            time.sleep(0.5)
-            process.send_signal(signal.SIGTERM)
-        code = process.wait(LIMIT_S)
-    finally:
-        process.kill()
-        process.wait()
-    said = log.read_text(encoding="utf-8", errors="replace")
-    assert code in (0, 130), f"'{line}' ended with {code}:\n{said}"
-    assert "ERROR" not in said
+        reader.call(line)

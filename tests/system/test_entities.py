@@ -3,56 +3,29 @@
 
 from __future__ import annotations
 
-import json
-import os
-import subprocess
-import time
-from collections.abc import Callable
-from pathlib import Path
-from typing import Any
+from .conftest import World, shared
+from .recordings import comes, forget
 
-from toolchain.paths import ROOT
-
-from .conftest import World
-
-LIMIT_S = 120.0
 DOOR = "Props/Door/Entity"
 TURNTABLE = "Props/Turntable/Disc/Entity"
 
 
-def entities(recording: Path) -> dict[str, Any]:
-    """What a recording holds, see recorded_entities.gd."""
-    script = "res://tests/system/recorded_entities.gd"
-    command = [os.environ["DISMOUNT_GODOT"], "--headless", "--path", str(ROOT), "-s", script]
-    done = subprocess.run(
-        [*command, "--", f"--recording={recording}"],
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=120,
-    )
-    if "the recording is empty" in done.stderr:
-        return {}
-    assert done.returncode == 0, done.stderr
-    return json.loads(done.stdout.strip().splitlines()[-1])
+class Yard:
+    """A server that records, and an instructor."""
+
+    def __init__(self, world: World) -> None:
+        self.world = world
+        self.file = world.folder / "server.dsmt"
+        self.server = world.server("--world=yard", f"--record={self.file}")
+        self.instructor = world.instructor()
 
 
-def comes(recording: Path, holds: Callable[[dict[str, Any]], bool]) -> dict[str, Any]:
-    """Waits until a recording that is being written holds something."""
-    end = time.monotonic() + LIMIT_S
-    found: dict[str, Any] = {}
-    while time.monotonic() < end:
-        found = entities(recording) if recording.exists() else {}
-        if found.get("entities") and holds(found):
-            return found
-        time.sleep(0.2)
-    raise AssertionError(f"it does not come: {found}")
+yard = shared(Yard)
 
 
-def test_a_button_opens_a_door_for_everybody(world: World) -> None:
-    files = {name: world.folder / f"{name}.dsmt" for name in ("server", "observer", "late")}
-    world.server("--world=yard", f"--record={files['server']}")
-    world.client("observer", "--use=Door", f"--record={files['observer']}").await_text("joined")
+def test_a_button_opens_a_door_for_everybody(yard: Yard) -> None:
+    files = {name: yard.world.folder / f"{name}.dsmt" for name in ("server", "observer", "late")}
+    yard.world.client("observer", "--use=Door", f"--record={files['observer']}")
     for name in ("server", "observer"):
         is_open = comes(
             files[name], lambda seen: seen["entities"][DOOR]["fields"]["opening"][-1] == 1
@@ -61,72 +34,75 @@ def test_a_button_opens_a_door_for_everybody(world: World) -> None:
         assert values == sorted(values)
         assert len(values) > 20, "it slides"
         assert is_open["levels"] == ["yard"]
-    world.client("observer", f"--record={files['late']}", name="late").await_text("joined")
-    late = comes(files["late"], lambda seen: DOOR in seen["entities"])
+    yard.world.client("observer", f"--record={files['late']}", name="late").await_text("joined")
     late = comes(files["late"], lambda seen: seen["entities"][DOOR]["fields"]["opening"][-1] == 1)
     assert late["entities"][DOOR]["type"] == "door"
 
 
-def test_a_seat_is_taken_by_one_and_free_when_he_has_left(world: World) -> None:
-    file = world.folder / "server.dsmt"
-    world.server("--world=yard", f"--record={file}")
-    first = world.client("observer", "--use=Turntable", name="first")
-    comes(file, lambda seen: seen["entities"][TURNTABLE]["fields"]["occupant"] == [0, 1])
-    first.process.terminate()
-    assert first.await_exit() == 0
-    comes(file, lambda seen: seen["entities"][TURNTABLE]["fields"]["occupant"] == [0, 1, 0])
-    world.client("observer", "--use=Turntable", name="second")
-    comes(file, lambda seen: seen["entities"][TURNTABLE]["fields"]["occupant"] == [0, 1, 0, 2])
+def test_a_seat_is_taken_by_one_and_free_when_he_has_left(yard: Yard) -> None:
+    forget(yard.file)
+    first = yard.world.client("observer", "--use=Turntable", "--name=First", name="first")
+
+    def session_of(name: str) -> int:
+        rows = yard.server.report()["sessions"]
+        return next(row["session"] for row in rows if row["name"] == name)
+
+    def occupants(*sessions: int) -> None:
+        comes(
+            yard.file,
+            lambda seen: seen["entities"][TURNTABLE]["fields"]["occupant"] == [0, *sessions],
+        )
+
+    first.await_text("joined")
+    one = session_of("First")
+    occupants(one)
+    assert first.end() == 0
+    occupants(one, 0)
+    second = yard.world.client("observer", "--use=Turntable", "--name=Second", name="second")
+    second.await_text("joined")
+    occupants(one, 0, session_of("Second"))
 
 
-def test_an_instructor_changes_the_level(world: World) -> None:
-    file = world.folder / "observer.dsmt"
-    server = world.server()
-    world.trainee()
-    world.client("observer", f"--record={file}").await_text("joined")
+def test_calls_of_a_level_go_where_its_permissions_say(yard: Yard) -> None:
+    watcher = yard.world.client("observer", "--use=Bell", name="eve")
+    watcher.await_text("the call of 'ring' was refused: a role of observer may not call 'ring'")
+    yard.world.trainee("--name=Ada", "--use=Bell").await_text("bell: Ada rings")
+    for process in (watcher, yard.server):
+        process.await_text("bell: Ada rings")
+    # The level comes anew, with all that is shared in it.
+    yard.instructor.type("level yard")
+    yard.instructor.await_text("the world is now 'yard'")
+    yard.world.trainee("--name=Bob", "--use=Bell", name="bob").await_text("bell: Bob rings")
+    watcher.await_text("bell: Bob rings")
+    assert watcher.end() == 0
+    assert "ERROR" not in watcher.log()
+
+
+def test_an_instructor_changes_the_level(yard: Yard) -> None:
+    file = yard.world.folder / "changes.dsmt"
+    trainee = yard.world.trainee()
+    observer = yard.world.client("observer", f"--record={file}")
     comes(file, lambda seen: "trainee" in seen["entities"])
-    world.client("instructor", "--orders=world:yard").await_text("the world is now 'yard'")
+    yard.instructor.type("level hall")
+    yard.instructor.await_text("the world is now 'hall'")
+    comes(file, lambda seen: seen["levels"] == ["yard", "hall"])
+    forget(file)
+    yard.instructor.type("level yard")
+    yard.instructor.await_text("the world is now 'yard'")
     changed = comes(file, lambda seen: DOOR in seen["entities"] and "trainee" in seen["entities"])
     assert changed["levels"] == ["hall", "yard"]
-    assert "is not the server's" not in world.processes[2].log()
-    assert "ERROR" not in server.log()
-    world.client("instructor", "--orders=world:atlantis", name="lost").await_text(
-        "there is no world 'atlantis' here: "
-    )
+    for process in (trainee, observer):
+        assert "is not the server's" not in process.log()
+    yard.instructor.type("level atlantis")
+    yard.instructor.await_text("there is no world 'atlantis' here: ")
 
 
-def test_a_world_that_is_not_there(world: World) -> None:
-    server = world.server("--world=../hall", wait=False)
-    assert server.await_exit() == 2
-    assert "there is no world '../hall' here: " in server.log()
-
-
-def test_the_servers_recording_survives_a_kill_and_is_replayed(world: World) -> None:
-    file = world.folder / "server.dsmt"
-    server = world.server(f"--record={file}")
-    world.trainee()
-    comes(file, lambda seen: "trainee" in seen["entities"])
-    server.kill()
-    replay = world.client("replay", f"--file={file}")
+def test_the_servers_recording_survives_a_kill_and_is_replayed(yard: Yard) -> None:
+    yard.world.is_spent = True
+    yard.world.trainee()
+    people = comes(yard.file, lambda seen: len(seen["people"].get("trainee", [])) > 2)["people"]
+    yard.server.kill()
+    begin_s = people["trainee"][-2]["time_s"]
+    replay = yard.world.client("replay", f"--file={yard.file}", f"--from={begin_s}")
     assert replay.await_exit() == 0
     assert replay.report()["snapshots"] > 10
-
-
-def test_calls_of_a_level_go_where_its_permissions_say(world: World) -> None:
-    server = world.server("--world=yard")
-    world.client("observer", "--use=Bell", name="eve").await_text(
-        "the call of 'ring' was refused: a role of observer may not call 'ring'"
-    )
-    watcher = world.client("observer", name="watcher")
-    watcher.await_text("joined")
-    world.trainee("--name=Ada", "--use=Bell").await_text("bell: Ada rings")
-    watcher.await_text("bell: Ada rings")
-    assert "bell: Ada rings" in server.log() and "ERROR" not in server.log()
-    # The level comes anew, with all that is shared in it.
-    world.client("instructor", "--orders=world:yard").await_text("the world is now 'yard'")
-    world.trainee("--name=Bob", "--use=Bell", name="bob").await_text("bell: Bob rings")
-    watcher.await_text("bell: Bob rings")
-    for process in (watcher, server):
-        process.process.terminate()
-        assert process.await_exit() == 0
-        assert "ERROR" not in process.log()

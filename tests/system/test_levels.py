@@ -8,11 +8,13 @@ import json
 import random
 from pathlib import Path
 
-import pytest
 from toolchain.paths import ROOT
 
-from .conftest import Process, World
+from .conftest import Process, World, shared
 
+# Of a level's largest file, and the speed at which it is offered: two seconds of each download.
+SIZE = 1_000_000
+KBITS = 4000
 HALL = ROOT / "scenes" / "world" / "hall" / "hall.tscn"
 
 
@@ -35,11 +37,28 @@ def make_level(share: Path, name: str = "range", further_bytes: int = 0, scene: 
     return hashlib.sha256(content).hexdigest()
 
 
-def stored(world: World, digest: str) -> Path:
-    """Where the clients of a test keep a level."""
-    found = list((world.folder / "DATA").rglob(f"levels/{digest}"))
-    assert len(found) == 1, found
-    return found[0]
+class Range:
+    """A server that offers levels of its own, slowly, and an instructor."""
+
+    def __init__(self, world: World) -> None:
+        self.world = world
+        self.share = world.folder / "share"
+        self.share.mkdir()
+        self.options = [f"--levels={self.share}", f"--level-bandwidth={KBITS}"]
+        self.server = world.server(*self.options)
+        self.instructor = world.instructor()
+
+    def stored(self, digest: str) -> Path:
+        """Where the clients keep a level."""
+        found = list((self.world.folder / "DATA").rglob(f"levels/{digest}"))
+        assert len(found) == 1, found
+        return found[0]
+
+    def change_to(self, name: str) -> None:
+        """Lets the instructor change the level."""
+        self.instructor.mark()
+        self.instructor.type(f"level {name}")
+        self.instructor.await_text(f"the world is now '{name}'")
 
 
 def await_level(client: Process, name: str) -> dict:
@@ -49,126 +68,114 @@ def await_level(client: Process, name: str) -> dict:
     )["level"]
 
 
-@pytest.fixture
-def share(tmp_path: Path) -> Path:
-    return tmp_path / "share"
+offers = shared(Range)
 
 
-def test_a_client_gets_the_level_that_it_lacks_once(world: World, share: Path) -> None:
-    digest = make_level(share, further_bytes=3_000_000)
-    server = world.server(f"--levels={share}", "--world=range")
-    trainee = world.trainee()
-    level = await_level(trainee, "range")
-    assert level["downloaded_bytes"] > 3_000_000
+def test_a_client_gets_the_level_that_it_lacks_once_and_again_where_it_was_damaged(
+    offers: Range,
+) -> None:
+    digest = make_level(offers.share, "once", further_bytes=SIZE)
+    offers.change_to("once")
+    people = len(offers.server.report()["people"])
+    trainee = offers.world.trainee()
+    level = await_level(trainee, "once")
+    assert level["downloaded_bytes"] > SIZE
     assert "is not the server's" not in trainee.log()
-    assert (stored(world, digest) / "range.bake").stat().st_size == 3_000_000
+    file = offers.stored(digest) / "once.bake"
+    assert file.stat().st_size == SIZE
     # It has a body, and what it sends arrives.
-    server.await_report(lambda seen: len(seen["people"]) == 1)
-    trainee.end()
-    observer = world.client("observer")
-    assert await_level(observer, "range")["downloaded_bytes"] == 0
-    assert "ERROR" not in server.log() + trainee.log() + observer.log()
+    offers.server.await_report(lambda seen: len(seen["people"]) == people + 1)
+    assert trainee.end() == 0
+    observer = offers.world.client("observer")
+    assert await_level(observer, "once")["downloaded_bytes"] == 0
+    assert observer.end() == 0
+    content = bytearray(file.read_bytes())
+    content[SIZE // 2] ^= 1
+    file.write_bytes(content)
+    late = offers.world.client("observer", name="late")
+    late.await_text("the stored world 'once' is damaged (once.bake is not what level.json says")
+    assert await_level(late, "once")["downloaded_bytes"] > SIZE
+    assert "ERROR" not in trainee.log() + observer.log()
 
 
-def test_a_client_that_is_killed_halfway_goes_on_later(world: World, share: Path) -> None:
-    make_level(share, further_bytes=2_000_000)
-    world.server(f"--levels={share}", "--world=range", "--level-bandwidth=4000")
-    first = world.client("observer", name="first")
+def test_a_client_that_is_killed_halfway_goes_on_later(offers: Range) -> None:
+    make_level(offers.share, "half", further_bytes=SIZE)
+    offers.change_to("half")
+    first = offers.world.client("observer", name="first")
     first.await_report(lambda seen: 0.3 < seen["level"]["progress"] < 1.0)
     first.kill()
-    second = world.client("observer", name="second")
-    level = await_level(second, "range")
-    assert level["resumed_bytes"] > 400_000
-    assert level["downloaded_bytes"] < 2_000_000
+    second = offers.world.client("observer", name="second")
+    level = await_level(second, "half")
+    assert level["resumed_bytes"] > 0.2 * SIZE
+    assert level["downloaded_bytes"] < SIZE
 
 
-def test_a_download_goes_on_when_the_server_is_back(world: World, share: Path) -> None:
-    make_level(share, further_bytes=2_000_000)
-    options = (f"--levels={share}", "--world=range", "--level-bandwidth=4000")
-    server = world.server(*options)
-    client = world.client("observer")
-    client.await_report(lambda seen: 0.3 < seen["level"]["progress"] < 1.0)
-    server.kill()
-    world.server(*options, name="again")
-    assert await_level(client, "range")["resumed_bytes"] > 400_000
-
-
-def test_a_damaged_store_is_noticed(world: World, share: Path) -> None:
-    digest = make_level(share, further_bytes=100_000)
-    world.server(f"--levels={share}", "--world=range")
-    first = world.client("observer", name="first")
-    await_level(first, "range")
-    first.end()
-    file = stored(world, digest) / "range.bake"
-    content = bytearray(file.read_bytes())
-    content[50_000] ^= 1
-    file.write_bytes(content)
-    second = world.client("observer", name="second")
-    second.await_text("the stored world 'range' is damaged (range.bake is not what level.json says")
-    assert await_level(second, "range")["downloaded_bytes"] > 100_000
-
-
-def test_what_differs_from_its_hash_is_refused_and_the_client_stays(
-    world: World, share: Path
-) -> None:
-    make_level(share, further_bytes=100_000)
-    server = world.server(f"--levels={share}", "--world=range")
+def test_what_differs_from_its_hash_is_refused_and_the_client_stays(offers: Range) -> None:
+    make_level(offers.share, "other", further_bytes=100_000)
+    offers.change_to("other")
     # The server has read the level; what it sends from now on is something else.
-    (share / "range" / "range.bake").write_bytes(b"x" * 100_000)
-    client = world.client("observer")
-    client.await_text("range.bake is not what was offered: its SHA-256 differs")
+    (offers.share / "other" / "other.bake").write_bytes(b"x" * 100_000)
+    client = offers.world.client("observer")
+    client.await_text("other.bake is not what was offered: its SHA-256 differs")
     waiting = client.await_report(lambda seen: seen["level"]["waits_for"] == "another")
     assert waiting["level"]["loaded"] == 0
-    world.client("instructor", "--orders=world:hall")
+    offers.change_to("hall")
     await_level(client, "hall")
-    assert server.report()["clients"] >= 1
     assert client.log().count("joined") == 1
 
 
-def test_a_change_of_level_drops_nobody(world: World, share: Path) -> None:
-    make_level(share, further_bytes=500_000)
-    make_level(
-        share, "broken", scene=HALL.read_text(encoding="utf-8") + '\n[connection signal="x"]'
-    )
-    server = world.server(f"--levels={share}")
-    trainees = [world.trainee(f"--name=T{i}", name=f"trainee{i}") for i in range(2)]
+def test_a_change_of_level_drops_nobody(offers: Range) -> None:
+    make_level(offers.share, "range", further_bytes=100_000)
+    broken = HALL.read_text(encoding="utf-8") + '\n[connection signal="x"]'
+    make_level(offers.share, "broken", scene=broken)
+    offers.change_to("hall")
+    people = len(offers.server.report()["people"])
+    names = ["T0", "T1"]
+    trainees = [offers.world.trainee(f"--name={name}", name=name) for name in names]
     for trainee in trainees:
         await_level(trainee, "hall")
-    world.client("instructor", "--orders=world:range").await_text("the world is now 'range'")
+    offers.change_to("range")
     for trainee in trainees:
-        assert await_level(trainee, "range")["seconds"] < 10.0
+        await_level(trainee, "range")
     for order, answer in {
         "broken": "world 'broken' is refused: broken.tscn, line",
         "atlantis": "there is no world 'atlantis' here: ",
     }.items():
-        world.client("instructor", f"--orders=world:{order}", name=order).await_text(answer)
-    report = server.fresh_report()
+        offers.instructor.type(f"level {order}")
+        offers.instructor.await_text(answer)
+    report = offers.server.report()
     assert report["level"]["name"] == "range"
-    assert report["clients"] >= 2
-    assert len(report["people"]) == 2
+    assert {row["name"] for row in report["sessions"] if row["state"] == "here"} > set(names)
+    assert len(report["people"]) == people + 2
     for word in ("is lost", "is back", "thrown"):
-        assert word not in server.log()
+        assert word not in offers.server.log()
     for trainee in trainees:
         assert trainee.log().count("joined") == 1
 
 
-def test_a_share_that_cannot_be_used_is_named(world: World, share: Path) -> None:
-    make_level(share)
-    manifest = share / "range" / "level.json"
-    manifest.write_text(manifest.read_text().replace('"kit": 1', '"kit": 3'))
-    for options, words in {
-        (f"--levels={share}/none",): "there is no folder",
-        (f"--levels={share}", "--world=range"): "it needs level kit 3; this program has 1",
-        (f"--levels={share}", "--world=rang"): "did you mean range?",
-    }.items():
-        server = world.server(*options, name="wrong", wait=False)
-        assert server.await_exit() == 2
-        assert words in server.log()
-
-
-def test_a_server_ends_while_it_loads_a_level(world: World) -> None:
-    server = world.server()
-    world.client("instructor", "--orders=world:town", name="instructor")
+def test_a_download_goes_on_when_the_server_is_back_and_it_ends_while_it_loads(
+    offers: Range,
+) -> None:
+    offers.world.is_spent = True
+    make_level(offers.share, "back", further_bytes=SIZE)
+    offers.change_to("back")
+    client = offers.world.client("observer")
+    client.await_report(lambda seen: 0.3 < seen["level"]["progress"] < 1.0)
+    offers.server.kill()
+    server = offers.world.server(*offers.options, "--world=back", name="again")
+    assert await_level(client, "back")["resumed_bytes"] > 0.2 * SIZE
+    server.await_line("instructor 'instructor' (", "joined")
+    offers.instructor.type("level town")
     server.await_text("loading world 'town'")
     # A thread that loads waits for a frame: whoever waits for that thread instead hangs.
     assert server.end() == 0, server.log()
+
+
+def test_a_share_that_cannot_be_used_is_named(world: World) -> None:
+    share = world.folder / "share"
+    make_level(share)
+    manifest = share / "range" / "level.json"
+    manifest.write_text(manifest.read_text().replace('"kit": 1', '"kit": 3'))
+    server = world.server(f"--levels={share}", "--world=range", wait=False)
+    assert server.await_exit() == 2
+    assert "it needs level kit 3; this program has 1" in server.log()

@@ -3,90 +3,115 @@
 
 from __future__ import annotations
 
+import csv
+from pathlib import Path
+
 from toolchain.paths import CLIPS
 
-from .conftest import World
+from .conftest import World, shared
+from .own_client import Crowd, OwnClient
 
 
-def test_a_trainee_moves_and_an_observer_sees_it(world: World) -> None:
-    server = world.server()
-    trainee = world.trainee("--name=Ada")
-    trainee.await_text("joined")
-    observer = world.client("observer", f"--record={world.folder / 'session'}")
-    observer.await_report(lambda seen: seen["snapshots"] > 60 * 4 and seen["latency_count"] > 3)
-    stats = server.await_report(lambda told: told["people"][0]["count"] > 16 * 60 * 5)
-    for client in (observer, trainee):
-        client.process.terminate()
-        assert client.await_exit() == 0, client.log()
-    person = stats["people"][0]
-    assert person["name"] == "Ada"
-    assert person["mean_deg"] < 5.0
+class Session:
+    """A server and a trainee."""
+
+    def __init__(self, world: World) -> None:
+        self.world = world
+        self.server = world.server()
+        self.trainee = world.trainee("--name=Ada")
+        self.server.await_line("trainee 'Ada' (", "joined")
+
+    def await_steps(self, name: str, steps: int) -> dict:
+        """What the server says of a person whose body has made so many steps from now on."""
+
+        def of(told: dict) -> dict:
+            return {person["name"]: person for person in told["people"]}[name]
+
+        before = of(self.server.await_report(lambda told: bool(of(told))))["count"]
+        return of(self.server.await_report(lambda told: of(told)["count"] > before + 16 * steps))
+
+
+session = shared(Session)
+
+
+def test_a_trainee_moves_and_an_observer_sees_it(session: Session) -> None:
+    observer = session.world.client("observer")
+    observer.await_report(lambda seen: seen["snapshots"] > 60 and seen["latency_count"] > 0)
+    assert session.await_steps("Ada", 60)["mean_deg"] < 5.0
+    assert observer.end() == 0, observer.log()
     assert observer.report()["latency_ms_mean"] > 0.0
-    assert "trainee 'Ada'" in server.log()
-    assert "ERROR" not in server.log() + trainee.log() + observer.log()
+    assert "ERROR" not in observer.log()
 
 
-def test_two_trainees_have_two_bodies(world: World) -> None:
-    server = world.server()
-    first = world.trainee("--name=Ada", name="ada")
-    second = world.trainee("--name=Bob", name="bob", clip="Boxing_Toes.bvh")
-    first.await_text("joined")
-    second.await_text("joined")
-    stats = server.await_report(
-        lambda told: (
-            len(told["people"]) == 2 and all(person["count"] > 16 * 60 for person in told["people"])
+def test_two_trainees_have_two_bodies_and_who_leaves_is_followed_by_another(
+    session: Session,
+) -> None:
+    """Their files count from where the program was started."""
+    (session.world.folder / "box.bvh").write_bytes((CLIPS / "Boxing_Toes.bvh").read_bytes())
+    bodies = ["Ada"]
+    for name in ("Bob", "Cid"):
+        trainee = session.world.client(
+            "trainee", "--bvh=box.bvh", f"--name={name}", name=name, cwd=session.world.folder
+        )
+        session.await_steps(name, 30)
+        session.await_steps("Ada", 30)
+        # Those who have left are in the list too.
+        bodies.append(name)
+        people = session.server.report()["people"]
+        assert sorted(person["name"] for person in people) == bodies
+        trainee.await_report(lambda seen: seen["snapshots"] > 10)
+        assert trainee.end() == 0, trainee.log()
+        assert "ERROR" not in trainee.log()
+        session.server.await_line(f"'{name}' (", "left")
+
+
+def test_what_an_observer_has_written_survives_a_kill(session: Session) -> None:
+    """A recording, and the latency of each sample."""
+    recording = session.world.folder / "session"
+    file = session.world.folder / "latency.csv"
+    options = (f"--record={recording}", f"--latency-csv={file}", "--fps=60")
+    observer = session.world.client("observer", *options)
+    # The recording is on the disk after a second.
+    observer.await_report(
+        lambda seen: (
+            seen["snapshots"] > 60 and len(_rows(file)) > 60 and recording.stat().st_size > 10000
         )
     )
-    assert {person["name"] for person in stats["people"]} == {"Ada", "Bob"}
-
-
-def test_a_recording_can_be_played_and_survives_a_kill(world: World) -> None:
-    world.server()
-    trainee = world.trainee()
-    trainee.await_text("joined")
-    recording = world.folder / "session"
-    observer = world.client("observer", f"--record={recording}")
-    observer.await_text("joined")
-    observer.await_report(lambda seen: seen["snapshots"] > 60 * 3)
     observer.kill()
-    replay = world.client("replay", f"--file={recording}", name="replay")
+    rows = _rows(file)
+    assert list(rows[0])[:4] == ["person", "sample", "tick", "sampled_usec"]
+    samples = [int(row["sample"]) for row in rows]
+    assert len(set(samples)) == len(samples)
+    for row in rows[:-1]:
+        total = (int(row["displayed_usec"]) - int(row["sampled_usec"])) / 1000.0
+        assert abs(total - float(row["total_ms"])) < 0.01
+        # A starved observer shows what is old; a wrong clock would be off by years.
+        assert -5.0 < total < 60000.0
+    replay = session.world.client("replay", f"--file={recording}", name="replay")
     assert replay.await_exit() == 0, replay.log()
-    assert replay.report()["snapshots"] > 60
+    assert replay.report()["snapshots"] > 20
     assert "ERROR" not in replay.log()
 
 
-def test_a_person_leaves_and_another_comes(world: World) -> None:
-    server = world.server()
-    first = world.trainee(name="first")
-    first.await_report(lambda seen: seen["snapshots"] > 10)
-    assert first.end() == 0
-    server.await_text("left")
-    again = world.trainee(name="second")
-    again.await_report(lambda seen: seen["snapshots"] > 60)
-    assert again.end() == 0
-    assert "ERROR" not in server.log()
+def _rows(file: Path) -> list[dict[str, str]]:
+    with file.open(encoding="utf-8") as handle:
+        return list(csv.DictReader(handle))
 
 
-def test_the_server_is_full(world: World) -> None:
-    world.server("--max-clients=1")
-    world.client("observer", name="first").await_text("joined")
-    second = world.client("observer", name="second")
-    assert second.await_exit() == 3
-    assert "the server is full" in second.log()
+def test_a_wrong_version_is_refused(session: Session) -> None:
+    client = session.world.client("observer", "--protocol=999")
+    assert client.await_exit() == 3
+    assert "protocol version 999, the server 6" in client.log()
+    session.server.await_text("protocol version 999")
+    assert session.server.log().count("protocol version 999") == 1
 
 
-def test_files_count_from_where_the_program_was_started(world: World) -> None:
-    world.server()
-    (world.folder / "walk.bvh").write_bytes((CLIPS / "01_01.bvh").read_bytes())
-    trainee = world.client("trainee", "--bvh=walk.bvh", cwd=world.folder)
-    trainee.await_text("joined")
-    assert trainee.end() == 0, trainee.log()
-
-
-def test_a_killed_trainee_that_is_started_anew_has_its_body_again(world: World) -> None:
+def test_a_place_is_kept_for_who_was_killed_and_free_for_others_when_he_is_lost(
+    world: World,
+) -> None:
     server = world.server("--max-clients=1")
     first = world.trainee("--name=Ada")
-    server.await_report(lambda report: report["people"] and report["people"][0]["count"] > 0)
+    server.await_report(lambda report: report["people"][0]["count"] > 0)
     first.kill()
     again = world.trainee("--name=Ada", name="again")
     again.await_text("joined")
@@ -97,10 +122,20 @@ def test_a_killed_trainee_that_is_started_anew_has_its_body_again(world: World) 
     # Somebody else finds no room, until the place is that of a lost connection.
     other = world.client("observer", name="other")
     assert other.await_exit() == 3
+    assert "the server is full" in other.log()
     # On a slow machine the first connection was lost too, before its trainee came back.
     lost_before = server.log().count("is lost")
     again.kill()
     server.await_text("is lost", count=lost_before + 1)
-    late = world.client("observer", name="late")
-    late.await_text("joined")
-    assert "'Ada' (1) from 127.0.0.1 left" in server.log()
+    with Crowd() as crowd:
+        crowd.join([OwnClient(world.port, name="late")])
+        server.await_text("'Ada' (1) from 127.0.0.1 left")
+        refused = OwnClient(world.port, name="refused")
+        crowd.add(refused)
+        crowd.go_on_until(lambda: refused.is_refused)
+    # Whoever leaves makes room.
+    server.await_line("'late' (", "left")
+    with Crowd() as crowd:
+        crowd.join([OwnClient(world.port, name="last")])
+        server.await_report(lambda report: report["clients"] == 1)
+    assert "ERROR" not in server.log()

@@ -12,6 +12,7 @@ import pytest
 from toolchain import (
     cli,
     demo,
+    gdscript_tests,
     godot,
     godot_cpp,
     help_texts,
@@ -140,8 +141,8 @@ WARNING: ObjectDB instances leaked at exit (run with --verbose for details).
 ERROR: 23 resources still in use at exit (run with --verbose for details).
 ERROR: Pages in use exist at exit in PagedAllocator: N7Variant5Pools12BucketMediumE
 """
-    assert len(testing.find_leaks(output)) == 3
-    assert testing.find_leaks("ok   test_what_is_left_at_exit\n7 passed, 0 failed") == []
+    assert len(gdscript_tests.find_leaks(output)) == 3
+    assert gdscript_tests.find_leaks("ok   test_what_is_left_at_exit\n7 passed, 0 failed") == []
 
 
 def test_a_port_in_use_is_a_sentence() -> None:
@@ -185,6 +186,15 @@ def test_a_stamp_holds_for_the_same_inputs_only(
     stamp.set(first)
     assert stamp.holds(first)
     assert not stamp.holds(second)
+
+
+def test_a_step_says_why_it_is_done_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(project, "BUILD", tmp_path)
+    stamp = project.Stamp("test")
+    assert stamp.why("hash 4.6") == ""
+    stamp.set("hash 4.6")
+    assert stamp.why("other 4.6") == ": files have changed"
+    assert stamp.why("other 4.7") == ": the engine is 4.7 now"
 
 
 @pytest.mark.parametrize(("module", "name"), [(demo, "demo"), (latency, "latency"), (load, "load")])

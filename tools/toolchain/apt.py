@@ -34,8 +34,11 @@ def mirrors() -> list[str]:
     return list(dict.fromkeys(found))
 
 
-def apt_command(work: Path, site: str, kind: str, suite: str = SUITE) -> list[str]:
-    """apt-get for one mirror's packages ("deb") or sources ("deb-src"), its state in work/apt."""
+def apt_command(
+    work: Path, site: str, kind: str, suite: str = SUITE, store: str = "packages"
+) -> list[str]:
+    """apt-get for one mirror's packages ("deb") or sources ("deb-src"), its state in work/apt; what
+    it downloads lies in a folder of the cache that only one may use at a time."""
     state = work / "apt"
     for name in ("lists/partial", "etc"):
         make_folder(state / name)
@@ -44,7 +47,7 @@ def apt_command(work: Path, site: str, kind: str, suite: str = SUITE) -> list[st
         f"Types: {kind}\nURIs: {site}\nSuites: {suite}\nComponents: main\nSigned-By: {KEYRING}\n",
         encoding="utf-8",
     )
-    packages = make_folder(cache() / "packages" / "archives" / "partial").parents[1]
+    packages = make_folder(cache() / store / "archives" / "partial").parents[1]
     options = [
         "Dir::Etc::sourcelist=/dev/null",
         f"Dir::Etc::sourceparts={state}/etc",
@@ -58,6 +61,39 @@ def apt_command(work: Path, site: str, kind: str, suite: str = SUITE) -> list[st
         "Acquire::Retries=2",
     ]
     return ["apt-get", "-qq", *(part for option in options for part in ("-o", option))]
+
+
+def unpack(archive: Path, folder: Path) -> subprocess.CompletedProcess[str]:
+    """Unpacks a package, and keeps the names of its files for names_in."""
+    command = ["dpkg", "--vextract", str(archive), str(folder)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode == 0:
+        _keep_names(archive, done.stdout)
+    return done
+
+
+def names_in(archive: Path) -> frozenset[str]:
+    """Names of the files of a package."""
+    kept = _names_file(archive)
+    if not kept.exists():
+        # It takes as long as to unpack it.
+        command = ["dpkg-deb", "--contents", str(archive)]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        _keep_names(archive, done.stdout)
+    return frozenset(kept.read_text(encoding="utf-8").split("\n"))
+
+
+def _names_file(archive: Path) -> Path:
+    return cache() / "packages" / "names" / f"{archive.name}.txt"
+
+
+def _keep_names(archive: Path, listed: str) -> None:
+    kept = _names_file(archive)
+    make_folder(kept.parent)
+    names = sorted({line.rstrip("/").rsplit("/", 1)[-1] for line in listed.splitlines()})
+    part = kept.with_name(f"{kept.name}.{os.getpid()}")
+    part.write_text("\n".join(names), encoding="utf-8")
+    part.rename(kept)
 
 
 def apt_run(command: list[str], cwd: Path | None = None) -> None:

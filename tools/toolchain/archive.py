@@ -8,7 +8,6 @@ beside what it was started as.
 
 from __future__ import annotations
 
-import functools
 import json
 import re
 import shutil
@@ -19,6 +18,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
+from .apt import names_in
 from .console import Failure, step, tail
 from .paths import BUILD, CLIENT_BINARY, ROOT, SERVER_BINARY, cache, make_folder
 from .prefix import LIBRARIES, Prefix
@@ -205,21 +205,12 @@ def _write_licences(folder: Path, files: Iterable[Path]) -> None:
                 break
 
 
-@functools.cache
-def _names_in(archive: Path) -> frozenset[str]:
-    """Names of the files of a Debian package."""
-    listed = subprocess.run(
-        ["dpkg-deb", "-c", str(archive)], capture_output=True, text=True, check=False
-    )
-    return frozenset(line.rsplit("/", 1)[-1] for line in listed.stdout.splitlines())
-
-
 def _packages_of(names: set[str]) -> set[str]:
     """The Debian packages that have files of these names: of the archives, else of the machine."""
     found: set[str] = set()
     archives = sorted((cache() / "packages" / "archives").glob("*.deb"))
     for archive in archives if Prefix().folder.exists() else []:
-        if names & _names_in(archive):
+        if names & names_in(archive):
             found.add(archive.name.split("_")[0])
     if not archives and shutil.which("dpkg"):
         command = ["dpkg", "-S", *(f"*/{name}" for name in sorted(names))]

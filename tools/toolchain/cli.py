@@ -32,7 +32,7 @@ from .display import real_display
 from .godot import Godot
 from .nearest import check_options, suggest
 from .paths import CLIENT_BINARY, CLIPS, ROOT, SERVER_BINARY, user_path
-from .project import prepare
+from .project import NATIVE, prepare
 from .stats import GOALS_MISSED, LEFT_OUT
 
 FLAGS = ("--no-goals",)
@@ -135,7 +135,7 @@ def _role(role: str, arguments: list[str]) -> NoReturn:
 
 
 def _options_doc(_arguments: list[str]) -> int:
-    options.write(prepare(export=False))
+    options.write(prepare(False, NATIVE))
     print(options.DOCUMENT)
     print(help_texts.FOLDER)
     return 0
@@ -193,7 +193,7 @@ def benchmarks() -> dict[str, Path]:
 
 def _bench_python(script: Path, given: list[str]) -> int:
     """Runs a benchmark that drives whole processes: standard output is the script's alone."""
-    prepare(export=True)
+    prepare(True, NATIVE)
     path = {"PYTHONPATH": str(ROOT / "tools"), "PYTHONDONTWRITEBYTECODE": "1"}
     command = [sys.executable, str(script), *normalise(given)]
     return subprocess.run(
@@ -221,7 +221,7 @@ def _bench(arguments: list[str]) -> int:
 def _run_benchmark(name: str, script: Path, given: list[str]) -> int:
     if script.suffix == ".py":
         return _bench_python(script, given)
-    godot = prepare(export=False)
+    godot = prepare(False, NATIVE)
     given = normalise(given)
     rate = next((o.split("=")[1] for o in given if o.startswith("--hz=")), "60")
     flags = ["--fixed-fps", rate] if rate.isdigit() and rate != "0" else []

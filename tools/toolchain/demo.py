@@ -18,7 +18,7 @@ from .processes import Group, require_port
 from .project import prepare
 
 FILM_S = 5.0
-FILM_FPS = 30
+FILM_FPS = 24
 CLIP = CLIPS / "01_01.bvh"
 # Where our clip begins, s: so the crates fall 2.3 s, or 4.3 s, after the trainee has joined.
 CLIP_FROM_S = 4.0
@@ -31,6 +31,7 @@ PHYSICS_IN_FILM = "--physics-at=1.2,3.6"
 PHYSICS_IN_WINDOW = "--physics-at=3,9"
 SOFTWARE = ["--rendering-method", "gl_compatibility", "--audio-driver", "Dummy"]
 SMALL = ["--resolution", "640x360"]
+FILM_SIZE = ["--resolution", "960x540"]
 # Parts of the names by which OpenGL calls what draws without a graphics card.
 SOFTWARE_RENDERERS = ("llvmpipe", "softpipe", "swrast", "swiftshader")
 SLOW = """
@@ -41,7 +42,7 @@ draws 60 frames a second and more. ./run latency measures the delays without dra
 HELP = """Options of ./run itself, without a command
   --port=NUMBER             UDP port of the session, 1 to 65535 (7777)
   --bvh=FILE                the trainee's motion (assets/motion/01_01.bvh)
-  --seconds=S               length of the session without a display, 3 to 3600 (20)
+  --seconds=S               length of the session without a display, 3 to 3600 (12)
 """
 
 
@@ -52,7 +53,7 @@ class Settings:
         values = {
             "port": os.environ.get("DISMOUNT_PORT", "7777"),
             "bvh": os.environ.get("DISMOUNT_BVH", str(CLIP)),
-            "seconds": "20",
+            "seconds": "12",
         }
         for argument in arguments:
             name, _, value = argument.removeprefix("--").partition("=")
@@ -151,7 +152,9 @@ def _measure(settings: Settings, work: Path, environment: dict[str, str]) -> dic
             if group.exit_code(name) is not None:
                 raise Failure(f"The {name} ended too early:\n{group.log(name)[-2000:]}")
         stats = _read_reports(work)
-    with Group(work, environment) as group, step("film what the observer saw"):
+    # Nothing else runs: the film has all processors.
+    drawing = {**environment, "LP_NUM_THREADS": str(os.cpu_count() or 1)}
+    with Group(work, drawing) as group, step("film what the observer saw"):
         _film(group, recording, film_from)
     for product in ("observer.png", "observer.avi"):
         if not (OUT / product).is_file():
@@ -169,7 +172,7 @@ def _film(group: Group, recording: Path, from_s: float) -> None:
     # A processor draws it: one tier lower takes half the time.
     options.append("--quality=medium")
     options.append(f"--screenshot={OUT / 'observer.png'}")
-    group.start("film", [str(CLIENT_BINARY), *SOFTWARE, *film, "--", *options])
+    group.start("film", [str(CLIENT_BINARY), *SOFTWARE, *FILM_SIZE, *film, "--", *options])
     group.await_exit("film", 480)
 
 

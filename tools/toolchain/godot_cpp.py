@@ -3,15 +3,14 @@
 
 from __future__ import annotations
 
-import os
 import re
 import shutil
-import subprocess
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 from . import libraries
-from .console import Failure, step, tail
+from .cmake import BuildFolder
+from .console import Failure
 from .godot import Godot, dump_api
 from .outcome import Outcome
 from .paths import BUILD, ROOT, make_folder
@@ -46,8 +45,7 @@ def checkout(folder: Path) -> Path:
 
 def run_godot_cpp(godot: Godot, folder: Path) -> Outcome:
     """Builds all modules on the checkout, then counts our classes that the engine has of them."""
-    with step(f"build the extensions on {folder}"):
-        fault = _build(godot, folder)
+    fault = _build(godot, folder)
     if fault:
         print(fault, flush=True)
         return Outcome(0, 1, [f"godot-cpp: the extensions do not build on {folder}"])
@@ -62,20 +60,18 @@ def documented_classes() -> list[str]:
 
 def _build(godot: Godot, folder: Path) -> str:
     """Returns why it failed, or an empty text."""
-    generator = "Ninja" if shutil.which("ninja") else "Unix Makefiles"
-    configure = ["cmake", "-S", str(ROOT / "gdextension"), "-B", str(FOLDER), "-G", generator]
-    configure += [f"-DGODOT_API_DIR={dump_api(godot)}", f"-DGODOT_CPP_DIR={folder}"]
-    configure += [f"-DDISMOUNT_BIN_DIR={PROJECT}/gdextension/bin", "-DCMAKE_BUILD_TYPE=Release"]
-    build = ["cmake", "--build", str(FOLDER), "-j", str(os.cpu_count() or 2)]
-    for command in ([*configure, *libraries.find().options()], build):
-        done = subprocess.run(
-            command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False
-        )
-        if done.returncode != 0:
-            errors = [
-                line for line in done.stdout.splitlines() if re.search(r"\berror\b", line, re.I)
-            ]
-            return "\n".join(errors[:20]) + "\n" + tail(done.stdout)
+    build = BuildFolder(FOLDER, f"the extensions on {folder}")
+    options = {
+        "GODOT_API_DIR": str(dump_api(godot)),
+        "GODOT_CPP_DIR": str(folder),
+        "DISMOUNT_BIN_DIR": f"{PROJECT}/gdextension/bin",
+        "CMAKE_BUILD_TYPE": "Release",
+        **libraries.options(build.record()),
+    }
+    try:
+        build.make(options, ["all"], "")
+    except Failure as failure:
+        return str(failure)
     return ""
 
 

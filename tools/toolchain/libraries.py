@@ -8,12 +8,13 @@ extension is loaded by the host's programs as well as by the private, newer Godo
 
 from __future__ import annotations
 
+import re
 import shutil
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
-from .apt import KEYRING, SUITE, AptError, apt_command, apt_run, mirrors
+from .apt import KEYRING, SUITE, AptError, apt_command, apt_run, mirrors, unpack
 from .console import Failure, say, step, tail
 from .paths import cache, lock, make_folder, need_space
 
@@ -30,6 +31,8 @@ BUILD_PACKAGES = [
     "libumockdev-dev",
     "libglib2.0-dev",
 ]
+# What CMake found in those folders, in its record.
+_FOUND = re.compile(r"DISMOUNT_\w+_(LIBRARY|INCLUDE|CONFIG)$")
 LIBRARIES = Path("usr/lib/x86_64-linux-gnu")
 NEEDED = {
     "libusb-1.0": "libusb-1.0-0-dev",
@@ -52,15 +55,39 @@ class Libraries:
     umockdev: Path | None
     has_umockdev: bool
 
-    def options(self) -> list[str]:
+    def options(self) -> dict[str, str]:
         """Options for CMake: see gdextension/cmake/dismount_{lib*,umockdev}.cmake."""
-        return [
-            f"-DDISMOUNT_LIBUSB_ROOT={self.libusb or ''}",
-            f"-DDISMOUNT_LIBSODIUM_ROOT={self.libsodium or ''}",
-            f"-DDISMOUNT_LIBMYSOFA_ROOT={self.libmysofa or ''}",
-            f"-DDISMOUNT_UMOCKDEV={'ON' if self.has_umockdev else 'OFF'}",
-            f"-DDISMOUNT_UMOCKDEV_ROOT={self.umockdev or ''}",
-        ]
+        return {
+            "DISMOUNT_LIBUSB_ROOT": str(self.libusb or ""),
+            "DISMOUNT_LIBSODIUM_ROOT": str(self.libsodium or ""),
+            "DISMOUNT_LIBMYSOFA_ROOT": str(self.libmysofa or ""),
+            "DISMOUNT_UMOCKDEV": "ON" if self.has_umockdev else "OFF",
+            "DISMOUNT_UMOCKDEV_ROOT": str(self.umockdev or ""),
+        }
+
+
+def options(record: dict[str, str]) -> dict[str, str]:
+    """Options for CMake: those of its record while what it found is there, else what `find` says.
+
+    What else has been installed meanwhile is no reason to build anew.
+    """
+    names = Libraries(None, None, None, None, True).options()
+    if record.get("DISMOUNT_UMOCKDEV") == "ON" and names.keys() <= record.keys():
+        kept = {name: record[name] for name in names}
+        roots = {value for name, value in kept.items() if name.endswith("_ROOT")}
+        files = [value for name, value in record.items() if _FOUND.match(name)]
+        if all(_is_current(root) for root in roots) and all(Path(file).exists() for file in files):
+            return kept
+    return find().options()
+
+
+def _is_current(root: str) -> bool:
+    """Whether a folder like /usr is no private one that would be made otherwise now."""
+    return all(part == _name() for part in Path(root).parts if part.startswith("libraries-"))
+
+
+def _name() -> str:
+    return f"libraries-{suites()[0]}-{LAYOUT}"
 
 
 def find() -> Libraries:
@@ -99,7 +126,7 @@ def suites(release: Path = Path("/etc/os-release")) -> list[str]:
 
 def ensure() -> Path:
     """The private folder, made once for all clones; an interrupted attempt leaves nothing."""
-    folder = cache() / f"libraries-{suites()[0]}-{LAYOUT}"
+    folder = cache() / _name()
     if folder.exists():
         return folder
     missing = [tool for tool in ("apt-get", "dpkg") if shutil.which(tool) is None]
@@ -160,8 +187,7 @@ def _download(apt: list[str], work: Path) -> list[Path]:
 def _unpack(archives: list[Path], work: Path) -> None:
     with step(f"unpack {len(archives)} packages"):
         for archive in archives:
-            command = ["dpkg", "-x", str(archive), str(work / "root")]
-            done = subprocess.run(command, capture_output=True, text=True, check=False)
+            done = unpack(archive, work / "root")
             if done.returncode != 0:
                 raise Failure(f"{archive.name} could not be unpacked.\n{tail(done.stderr, 3)}")
         _gather(work / "root")

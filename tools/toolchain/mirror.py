@@ -12,7 +12,7 @@ import sys
 from collections.abc import Iterable
 from pathlib import PurePosixPath
 
-from .lint import tracked
+from .tracked import tracked
 
 # What tests are made with, and what runs whole scenes and programs.
 APART = ("tests/framework/", "tests/bench/", "tests/system/", "tests/examples/")

@@ -11,7 +11,7 @@ from pathlib import Path
 from .console import Failure, say, tail
 from .godot import Godot
 from .paths import BUILD, CLIPS, ROOT, make_folder, user_path
-from .project import EXTENSIONS, prepare
+from .project import EXTENSIONS, NATIVE, prepare
 
 HELP = """./run suit-emulator [options] [-- COMMAND ...]
 
@@ -66,7 +66,7 @@ def main(arguments: list[str]) -> int:
     """Runs the emulator; returns the exit code of its command."""
     own = arguments[: arguments.index("--")] if "--" in arguments else arguments
     command = arguments[len(own) :]
-    godot = prepare(export=False)
+    godot = prepare(False, NATIVE)
     return run(godot, own, command)
 
 

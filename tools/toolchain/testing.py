@@ -3,28 +3,25 @@
 
 from __future__ import annotations
 
-import dataclasses
 import hashlib
-import os
-import re
 import shutil
 import subprocess
 import sys
-import tempfile
 import time
-import xml.etree.ElementTree as ElementTree
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from . import libraries
 from .console import Failure, say, step, tail
+from .cpp_tests import run_ctest, run_sanitizers
+from .gdscript_tests import run_gdscript
 from .godot import Godot, find
 from .godot_cpp import checkout, run_godot_cpp
 from .lint import run_lint
 from .outcome import Outcome
-from .paths import BUILD, ROOT, cache, lock, make_folder, user_path
-from .project import EXTENSIONS, prepare
+from .paths import ROOT, cache, lock, make_folder, user_path
+from .project import ALL, EXTENSIONS, prepare
+from .pytest_tests import run_pytest
 
 HELP = """./test [PART ...] [options]   sets up everything, then runs every test (or some parts)
 
@@ -32,20 +29,22 @@ HELP = """./test [PART ...] [options]   sets up everything, then runs every test
                         shellcheck
               cpp       C++ unit tests (ctest)
               sanitizers  the same with address and undefined-behaviour sanitizers, and those of
-                        several threads with the thread sanitizer
+                        several threads with the thread sanitizer; unless it is named, only if
+                        the C++ has changed since they passed on this machine
               gdscript  GDScript tests in headless Godot
               system    whole-process tests in pytest, with exported server and clients
-  options     --filter=TEXT   only GDScript and system tests whose name has TEXT
+  options     --filter=TEXT   only tests whose name has TEXT; without a part: cpp, gdscript, system
               --kernel        only the test with the kernel's own USB drivers, in a virtual machine
                               (a minute; the first time it fetches a kernel and QEMU, 130 MB)
               --godot-cpp=DIR  only this: builds all extensions on a checkout of godot-cpp and loads
                               them (three minutes the first time)
 """
 
+# Without a part that is named.
+WHOLE = ("lint", "cpp", "sanitizers", "gdscript", "system")
+FILTERED = ("cpp", "gdscript", "system")
 REQUIREMENTS = ROOT / "tests" / "requirements.txt"
 TOOLS_FAULT = "The test tools can't be had: check the network, or PIP_INDEX_URL."
-# A test that hangs is ended by the runner itself; a busy machine takes five times as long.
-GDSCRIPT_LIMIT_S = 3600
 
 
 def main(arguments: list[str]) -> int:
@@ -60,8 +59,8 @@ def main(arguments: list[str]) -> int:
     kernel = "--kernel" in arguments
     parts: dict[str, Callable[[Godot, Path], Outcome]] = {
         "lint": run_lint,
-        "cpp": lambda _godot, _tools: run_ctest(EXTENSIONS),
-        "sanitizers": lambda _godot, _tools: run_sanitizers(),
+        "cpp": lambda _godot, _tools: run_ctest(EXTENSIONS, *(("-R", text) if text else ())),
+        "sanitizers": lambda _godot, _tools: run_sanitizers(again="sanitizers" in chosen),
         "gdscript": lambda godot, _tools: run_gdscript(godot, text),
         "system": lambda godot, tools: run_pytest(godot, tools, text),
         "kernel": lambda godot, tools: run_pytest(godot, tools, text, ["tests/kernel"]),
@@ -73,10 +72,13 @@ def main(arguments: list[str]) -> int:
     unknown += [option for option in options if not option.startswith("--filter=")]
     if unknown:
         raise Failure(f"There is no '{unknown[0]}': see ./test --help.", 2)
-    tools = python_tools()
-    godot = prepare(export=True)
+    with ThreadPoolExecutor() as pool:
+        # Meanwhile: it waits for the network most of the time.
+        fetched = pool.submit(python_tools)
+        godot = prepare(True, ALL)
+        tools = fetched.result()
     total = Outcome()
-    for name in chosen or [name for name in parts if name != "kernel"]:
+    for name in chosen or (FILTERED if text else WHOLE):
         total.add(_run_part(name, parts[name], godot, tools))
     return _report(total)
 
@@ -120,136 +122,7 @@ def python_tools() -> Path:
     return folder / "bin"
 
 
-def _call(command: list[str], fault: str = TOOLS_FAULT) -> None:
+def _call(command: list[str]) -> None:
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode != 0:
-        raise Failure(fault + "\n" + tail(done.stderr or done.stdout, 5))
-
-
-def run_ctest(folder: Path, *options: str) -> Outcome:
-    """Runs the C++ unit tests of a build folder."""
-    command = ["ctest", "--test-dir", str(folder), "--output-on-failure"]
-    done = subprocess.run([*command, *options], stdout=subprocess.PIPE, text=True, check=False)
-    print(done.stdout)
-    match = re.search(r"(\d+)% tests passed, (\d+) tests? failed out of (\d+)", done.stdout)
-    if match is None:
-        return Outcome(0, 1, [f"{folder.name}: ctest ran no test"])
-    failed, count = int(match.group(2)), int(match.group(3))
-    return Outcome(count - failed, failed)
-
-
-@dataclasses.dataclass(frozen=True)
-class Sanitized:
-    """A build of the engine-free C++ with sanitizers, and which of its tests are run."""
-
-    folder: str
-    sanitizers: str
-    has_usb: bool  # With the test of the USB hub at an emulated suit.
-    target: str
-    ctest: tuple[str, ...] = ()
-
-
-SANITIZED = [
-    Sanitized("sanitized-memory", "address,undefined", False, "core_tests"),
-    # One at a time: an emulated suit keeps real time.
-    Sanitized("sanitized-threads", "thread", True, "thread_tests", ("-L", "threads")),
-]
-
-
-def run_sanitizers() -> Outcome:
-    """Builds and runs the C++ tests with each set of sanitizers; a finding fails its test."""
-    outcome = Outcome()
-    for build in SANITIZED:
-        folder = _build_sanitized(build)
-        jobs = () if build.ctest else ("-j", str(os.cpu_count() or 2))
-        outcome.add(run_ctest(folder, *build.ctest, *jobs))
-    return outcome
-
-
-def _build_sanitized(build: Sanitized) -> Path:
-    folder = BUILD / build.folder
-    found = dataclasses.replace(libraries.find(), has_umockdev=False)
-    command = ["cmake", "-S", str(ROOT / "gdextension"), "-B", str(folder)]
-    command += ["-G", "Ninja"] if shutil.which("ninja") else []
-    command += [f"-DDISMOUNT_SANITIZE={build.sanitizers}", "-DDISMOUNT_EXTENSIONS=OFF"]
-    command += [f"-DDISMOUNT_USB={'ON' if build.has_usb else 'OFF'}", *found.options()]
-    # umockdev is not of our making: what its threads do would be findings.
-    emulator = EXTENSIONS / "xbus" / "suit_emulator"
-    command += [f"-DDISMOUNT_SUIT_EMULATOR={emulator if emulator.exists() else ''}"]
-    fault = f"The C++ tests do not build with -fsanitize={build.sanitizers}."
-    with step(f"build the C++ tests with -fsanitize={build.sanitizers}"):
-        _call(command, fault)
-        jobs = str(os.cpu_count() or 2)
-        _call(["cmake", "--build", str(folder), "-j", jobs, "--target", build.target], fault)
-    return folder
-
-
-def run_gdscript(godot: Godot, text: str) -> Outcome:
-    """Runs the GDScript tests, side by side; a hang ends after a while, and is named."""
-    # Frames come as fast as they can: nobody watches, and a simulated minute takes seconds.
-    arguments = ["--fixed-fps", "60", "--path", str(ROOT)]
-    arguments += ["-s", "res://tests/framework/test_runner.gd", "--"]
-    arguments += [f"--filter={text}"] if text else []
-    runners = os.cpu_count() or 2
-    with tempfile.TemporaryDirectory() as claims, ThreadPoolExecutor(runners) as pool:
-        command = [*arguments, f"--claims={claims}"]
-        outcome = Outcome()
-        for one in pool.map(lambda number: _run_gdscript(godot, command, number), range(runners)):
-            outcome.add(one)
-    return outcome if outcome.passed + outcome.failed > 0 else Outcome(0, 1)
-
-
-def _run_gdscript(godot: Godot, command: list[str], number: int) -> Outcome:
-    # Each has its own user://.
-    home = f"test-home-{number}"
-    code, output = godot.call(command, GDSCRIPT_LIMIT_S, home=home)
-    print(output)
-    match = re.search(r"^(\d+) passed, (\d+) failed", output, re.M)
-    if match is None:
-        return Outcome(0, 1, [f"gdscript: the runner did not finish (exit {code})"])
-    passed, failed = int(match.group(1)), int(match.group(2))
-    # Who is left without a file says so and fails.
-    if code != 0 and failed == 0 and passed > 0:
-        failed = 1
-    leaks = find_leaks(output)
-    return Outcome(passed, failed + len(leaks), [f"gdscript: {leak}" for leak in leaks])
-
-
-def find_leaks(output: str) -> list[str]:
-    """What the engine says at its end of what nobody has freed; --verbose has it name each."""
-    return re.findall(
-        r"^(?:WARNING|ERROR): (.*(?:leaked|in use|in use exist) at exit.*)", output, re.M
-    )
-
-
-SYSTEM_TESTS = ["tests", "gdextension/bindings/tests", "--ignore=tests/kernel"]
-
-
-def run_pytest(godot: Godot, tools: Path, text: str, chosen: list[str] | None = None) -> Outcome:
-    """Runs what is written for pytest: the tools' own tests, bindings, whole processes."""
-    report = BUILD / "pytest.xml"
-    report.unlink(missing_ok=True)
-    command = [str(tools / "pytest"), f"--junitxml={report}", "-p", "no:cacheprovider"]
-    # Most of their time processes wait for one another. A file's tests stay together.
-    command += ["-n", str((os.cpu_count() or 2) + 1), "--dist", "loadfile"]
-    command += SYSTEM_TESTS if chosen is None else chosen
-    command += ["-k", text] if text else []
-    environment = {
-        **godot.environment(),
-        "DISMOUNT_GODOT": str(godot.program),
-        "DISMOUNT_BUILD": str(EXTENSIONS),
-        "DISMOUNT_USER_CACHE": str(cache().parent),
-        "PYTHONPATH": str(ROOT / "tools"),
-        "PYTHONDONTWRITEBYTECODE": "1",
-    }
-    code = subprocess.run(command, cwd=ROOT, env=environment, check=False).returncode
-    if not report.exists():
-        return Outcome(0, 1, [f"system: pytest did not finish (exit {code})"])
-    suite = ElementTree.parse(report).getroot()[0]
-    failed = int(suite.get("failures", 0)) + int(suite.get("errors", 0))
-    skipped = int(suite.get("skipped", 0))
-    passed = int(suite.get("tests", 0)) - failed - skipped
-    if code not in (0, 1, 5) and failed == 0:
-        failed = 1
-    notes = [f"system: {skipped} skipped"] if skipped else []
-    return Outcome(passed, failed, notes)
+        raise Failure(TOOLS_FAULT + "\n" + tail(done.stderr or done.stdout, 5))

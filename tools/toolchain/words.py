@@ -12,8 +12,8 @@ import sys
 from collections.abc import Iterable, Iterator
 from pathlib import PurePosixPath
 
-from .lint import tracked
 from .paths import ROOT
+from .tracked import tracked
 
 # A word in the singular, and what the glossary has instead.
 INSTEAD = {

@@ -7,14 +7,14 @@ import subprocess
 from pathlib import Path
 
 from .paths import ROOT, user_path
-from .project import EXTENSIONS, prepare
+from .project import EXTENSIONS, NATIVE, prepare
 
 PROGRAMS = EXTENSIONS / "xbus"
 
 
 def decode(arguments: list[str]) -> int:
     """Runs xbus_decode; standard output is its alone."""
-    prepare(export=False)
+    prepare(False, NATIVE)
     paths = [a if a.startswith("-") else str(user_path(a)) for a in arguments]
     return subprocess.run([str(PROGRAMS / "xbus_decode"), *paths], check=False).returncode
 

@@ -8,6 +8,8 @@
 #include <limits>
 #include <vector>
 
+namespace test_binaural_filter {
+
 using namespace audio;
 
 namespace {
@@ -121,4 +123,4 @@ TEST(nothing_is_heard_before_a_direction_is_known_and_after_a_stop) {
 	}
 }
 
-TEST_MAIN()
+} // namespace test_binaural_filter

@@ -2,12 +2,16 @@
 #include <head.hpp>
 
 #include <check.hpp>
+#include <test_data.hpp>
 
 #include <cmath>
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <string>
 #include <vector>
+
+namespace test_head {
 
 using namespace audio;
 
@@ -17,7 +21,7 @@ constexpr float RATE = 48000.0f;
 constexpr double PI = 3.14159265358979;
 
 std::vector<char> read_file() {
-	std::ifstream file(HEAD_FILE, std::ios::binary);
+	std::ifstream file(std::string(test_data::SOURCES) + "/../assets/sound/head/mit_kemar.sofa", std::ios::binary);
 	return { std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
 }
 
@@ -130,4 +134,4 @@ TEST(files_that_are_no_head_are_refused) {
 	CHECK(head.open(good, RATE).empty());
 }
 
-TEST_MAIN()
+} // namespace test_head

@@ -53,6 +53,7 @@ class BuiltinWriter:
         self.templates: list[str] = []
         self._constructors: list[int] = []
         self._methods: list[Json] = []
+        self._tables = f"{snake_case(name)}_tables"
         self._operators: list[tuple[str, str]] = []
 
     def write(self) -> None:
@@ -95,7 +96,7 @@ class BuiltinWriter:
         if pointers:
             body.append(f"\tconst void *arguments[] = {{ {', '.join(pointers)} }};")
             arguments = "arguments"
-        body.append(f"\tconstructors[{slot}].function(opaque, {arguments});")
+        body.append(f"\t{self._tables}::constructors[{slot}].function(opaque, {arguments});")
         self.source += function(f"{self.name}::{head}", body)
 
     def _life_cycle(self) -> None:
@@ -112,7 +113,7 @@ class BuiltinWriter:
             "\t\treturn *this;",
             "\t}",
         ]
-        self.source += function(f"{name}::~{name}()", ["\tdestructor(opaque);"])
+        self.source += function(f"{name}::~{name}()", [f"\t{self._tables}::destructor(opaque);"])
         copy = [f"\t{name} copy(p_other);", "\tstd::swap(opaque, copy.opaque);", "\treturn *this;"]
         self.source += function(f"{name} &{name}::operator=(const {name} &p_other)", copy)
 
@@ -133,7 +134,7 @@ class BuiltinWriter:
             f"{result.spelling} {self.name}::{head}",
             [
                 f"\t{declaration}",
-                f"\toperators[{slot}].function(opaque, p_other.opaque, &result);",
+                f"\t{self._tables}::operators[{slot}].function(opaque, p_other.opaque, &result);",
                 f"\treturn {value};",
             ],
         )
@@ -148,7 +149,7 @@ class BuiltinWriter:
         name = identifier(entry["name"])
         const = " const" if entry["is_const"] else ""
         base = "nullptr" if entry["is_static"] else "const_cast<uint8_t *>(opaque)"
-        method = f"methods[m_{entry['name']}].function"
+        method = f"{self._tables}::methods[{self._tables}::m_{entry['name']}].function"
         if entry["is_vararg"]:
             self._vararg(entry, parameters, result.spelling, method)
             return
@@ -239,6 +240,8 @@ class BuiltinWriter:
             f"GDEXTENSION_VARIANT_TYPE_{self._variant_type(right)}, nullptr }},"
             for operator, right in self._operators
         ]
+        has_destructor = self._entry["has_destructor"]
+        destructor = f"&{self._tables}::destructor" if has_destructor else "nullptr"
         return [
             "#include <godot_cpp/classes/object.hpp>",
             "#include <godot_cpp/core/binding_tables.hpp>",
@@ -247,6 +250,9 @@ class BuiltinWriter:
             "#include <algorithm>",
             "",
             "namespace godot {",
+            "",
+            # Named, because several sources are compiled as one.
+            f"namespace {self._tables} {{",
             "",
             "namespace {",
             "",
@@ -263,12 +269,15 @@ class BuiltinWriter:
             "",
             "} // namespace",
             "",
+            f"}} // namespace {self._tables}",
+            "",
             *self.source,
             f"extern const internal::BuiltinTable {table_name(self.name)};",
             f"const internal::BuiltinTable {table_name(self.name)} = {{",
-            f'\t{self._type_enum}, "{self.name}", internal::span(constructors),',
-            "\tinternal::span(methods), internal::span(operators),",
-            f"\t{'&destructor' if self._entry['has_destructor'] else 'nullptr'},",
+            f'\t{self._type_enum}, "{self.name}", internal::span({self._tables}::constructors),',
+            f"\tinternal::span({self._tables}::methods),",
+            f"\tinternal::span({self._tables}::operators),",
+            f"\t{destructor},",
             "};",
             "",
             "} // namespace godot",

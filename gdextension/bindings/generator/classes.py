@@ -48,6 +48,7 @@ class ClassWriter:
         self._source: list[str] = []
         self._virtuals: list[str] = []
         self._methods: list[Json] = []
+        self._tables = f"{snake_case(name)}_tables"
         self._mentioned: set[str] = set()
         self._included: set[str] = set()
         self.structures: set[str] = set()
@@ -114,7 +115,7 @@ class ClassWriter:
             return
         static = "static " if method["is_static"] else ""
         owner = "nullptr" if method["is_static"] else "_owner"
-        bind = f"methods[m_{method['name']}]"
+        bind = self._bind(method)
         full_name = f"{self.name}::{name}"
         self._body.append(f"\t{static}{result.returning(name)}({declare_all(parameters)}){const};")
         self._source += function(
@@ -139,6 +140,10 @@ class ClassWriter:
             "\t\t}",
         ]
 
+    def _bind(self, method: Json) -> str:
+        """The engine's function that a method calls."""
+        return f"{self._tables}::methods[{self._tables}::m_{method['name']}]"
+
     def _add_vararg(
         self, name: str, method: Json, parameters: list[Parameter], result: CppType
     ) -> None:
@@ -148,7 +153,7 @@ class ClassWriter:
         self._body += vararg_template(head, parameters, f"{give}{name}_vararg(pointers, count);")
         inner = f"{name}_vararg(const void *const *p_arguments, int64_t p_count){const}"
         self._body.append(f"\t{result.spelling} {inner};")
-        call = f"methods[m_{method['name']}].call(_owner, p_arguments, p_count)"
+        call = f"{self._bind(method)}.call(_owner, p_arguments, p_count)"
         if result.kind is Kind.VOID:
             body = [f"\t{call};"]
         elif result.kind is Kind.INTEGER:
@@ -207,6 +212,9 @@ class ClassWriter:
             "",
             "namespace godot {",
             "",
+            # Named, because several sources are compiled as one.
+            f"namespace {self._tables} {{",
+            "",
             "namespace {",
             "",
             "enum Method : size_t {",
@@ -221,11 +229,13 @@ class ClassWriter:
             "",
             "} // namespace",
             "",
+            f"}} // namespace {self._tables}",
+            "",
             *self._source,
             "internal::EngineClass &" + f"{self.name}::engine_class() {{",
             "\tstatic internal::EngineClass instance = {",
             f'\t\t"{self.name}", internal::wrapper_callbacks<{self.name}>(), '
-            "{ methods, method_count },",
+            f"{{ {self._tables}::methods, {self._tables}::method_count }},",
             "\t};",
             "\treturn instance;",
             "}",

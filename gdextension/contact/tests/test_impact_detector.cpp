@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+namespace test_impact_detector {
+
 using namespace contact;
 
 namespace {
@@ -104,4 +106,4 @@ TEST(pairs_are_forgotten) {
 	CHECK(detector.pair_count() == 0);
 }
 
-TEST_MAIN()
+} // namespace test_impact_detector

@@ -18,7 +18,7 @@ constexpr double PULL = 0.03;
 constexpr double FAR = 0.25;
 /// A lost datagram must not hide a teleport, s.
 constexpr double TELEPORT_SHOWN = 0.25;
-constexpr double MAX_STEP = 0.25;
+constexpr double MAX_CLOCK_STEP = 0.25;
 
 } // namespace
 
@@ -80,7 +80,7 @@ const CueMessage &CueStream::step(double p_now) {
 		_last_step = p_now;
 		_has_begun = true;
 	}
-	const double seconds = std::clamp(p_now - _last_step, 0.0, MAX_STEP);
+	const double seconds = std::clamp(p_now - _last_step, 0.0, MAX_CLOCK_STEP);
 	_last_step = p_now;
 	follow_clock(seconds);
 	SeatMotion motion;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <random>
 
+namespace test_cue_stream {
+
 using namespace cueing;
 
 namespace {
@@ -143,4 +145,4 @@ TEST(a_pause_is_shown) {
 	CHECK_NEAR(drive.stream.message().gain, 1.0, 1e-9);
 }
 
-TEST_MAIN()
+} // namespace test_cue_stream

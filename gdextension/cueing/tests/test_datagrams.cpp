@@ -6,6 +6,8 @@
 #include <cstring>
 #include <string>
 
+namespace test_datagrams {
+
 using namespace cueing;
 
 namespace {
@@ -138,4 +140,4 @@ TEST(positions_beyond_outsims_room_stay_at_its_edge) {
 	CHECK(hex(bytes, 52, 8) == "ffffff7f01000080");
 }
 
-TEST_MAIN()
+} // namespace test_datagrams

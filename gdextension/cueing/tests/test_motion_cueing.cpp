@@ -7,6 +7,8 @@
 #include <limits>
 #include <random>
 
+namespace test_motion_cueing {
+
 using namespace cueing;
 
 namespace {
@@ -222,4 +224,4 @@ TEST(an_axis_that_is_not_there_stands_still) {
 	CHECK(cueing.pose().attitude[0] < -0.05);
 }
 
-TEST_MAIN()
+} // namespace test_motion_cueing

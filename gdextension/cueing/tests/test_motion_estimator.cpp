@@ -7,6 +7,8 @@
 #include <limits>
 #include <random>
 
+namespace test_motion_estimator {
+
 using namespace cueing;
 
 namespace {
@@ -145,4 +147,4 @@ TEST(old_double_and_broken_states_are_left_out) {
 	CHECK_NEAR(motion.felt.specific_force[0], -5.0, 0.1);
 }
 
-TEST_MAIN()
+} // namespace test_motion_estimator

@@ -12,6 +12,8 @@
 #include <sys/time.h>
 #include <unistd.h>
 
+namespace test_platform_sender {
+
 using namespace cueing;
 
 namespace {
@@ -122,4 +124,4 @@ TEST(options_without_sense_are_named) {
 	CHECK(sender.report().error.find("999.1.1.1") != std::string::npos);
 }
 
-TEST_MAIN()
+} // namespace test_platform_sender

@@ -7,6 +7,8 @@
 #include <complex>
 #include <functional>
 
+namespace test_washout_filter {
+
 using namespace cueing;
 
 namespace {
@@ -231,4 +233,4 @@ TEST(long_and_short_steps_agree) {
 	CHECK_NEAR(coarse.pose().attitude[0], fine.pose().attitude[0], 1e-7);
 }
 
-TEST_MAIN()
+} // namespace test_washout_filter

@@ -25,7 +25,7 @@ constexpr double HABIT_WANDER = degrees(0.03);
 /// Of a coordinate of a lever that nobody has seen yet, m: of sensors, and of joints in bodies.
 constexpr double LEVER = 0.05;
 /// Pulls that are off by more than so many standard deviations are none.
-constexpr double STRANGE = 3.0;
+constexpr double STRANGE_PULL = 3.0;
 
 double squared(double p_value) {
 	return p_value * p_value;
@@ -144,7 +144,7 @@ void DriftState::observe(const Pull &p_pull, double p_off, double p_variance) {
 		row.add(_lever(p_pull.mount, i), p_pull.levers[std::size_t(i)]);
 	}
 	const double known = std::max(_dot(row, _times(row)), 0.0);
-	if (squared(p_off) < squared(STRANGE) * (known + p_variance)) {
+	if (squared(p_off) < squared(STRANGE_PULL) * (known + p_variance)) {
 		_take(row, _dot(row, _x) + p_off, p_variance);
 	}
 }

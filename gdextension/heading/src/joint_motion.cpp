@@ -10,7 +10,7 @@ namespace {
 
 constexpr double GRAVITY = 9.81;
 /// A longer time between two moments is a gap, s.
-constexpr double GAP_S = 0.11;
+constexpr double MOMENT_GAP_S = 0.11;
 /// What an acceleration is off in the mean over a bump, m/s²: by its sensor, and by gravity, a hundredth
 /// of which a tilt that is off by half a degree makes level; and as a part of what is measured, by soft
 /// tissue.
@@ -21,8 +21,8 @@ constexpr double STRONGER = 1.5;
 /// Harder knocks than this shake sensors on their limbs, m/s².
 constexpr double KNOCK = 60.0;
 /// How fast it is learnt what an acceleration is always off, a bump, and from how much of it, m/s².
-constexpr float LEARN = 0.1f;
-constexpr float LEARN_FROM = 0.3f;
+constexpr float LEARN_BIAS = 0.1f;
+constexpr float LEARN_BIAS_FROM = 0.3f;
 /// An acceleration that is less was not measured, m/s².
 constexpr float MEASURED = 1e-3f;
 
@@ -54,7 +54,7 @@ std::vector<JointMotion::Sight> JointMotion::take() {
 
 void JointMotion::add(const Moment &p_moment) {
 	const double step = p_moment.time - _last;
-	if (!_has_last || step <= 0.0 || step > GAP_S) {
+	if (!_has_last || step <= 0.0 || step > MOMENT_GAP_S) {
 		_bumps[0].runs = false;
 		_bumps[1].runs = false;
 	}
@@ -120,7 +120,7 @@ void JointMotion::_end(Bump &r_bump) {
 		Sum &sum = r_bump.sums[mount];
 		if (sum.is_whole) {
 			sum.side.sensor = sum.side.sensor - _biases[mount];
-			_biases[mount] = _biases[mount] + sum.side.sensor.limited(LEARN_FROM) * LEARN;
+			_biases[mount] = _biases[mount] + sum.side.sensor.limited(LEARN_BIAS_FROM) * LEARN_BIAS;
 		}
 	}
 	for (int mount = 1; mount < MOUNTS; mount++) {

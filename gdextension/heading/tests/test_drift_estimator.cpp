@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+namespace test_drift_estimator {
+
 using namespace heading;
 
 namespace {
@@ -146,4 +148,4 @@ TEST(a_magnetic_field_is_held_against_its_reference) {
 	CHECK(field.is_known() && !field.is_good());
 }
 
-TEST_MAIN()
+} // namespace test_drift_estimator

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+namespace test_drift_state {
+
 using namespace heading;
 
 TEST(what_grows_evenly_is_drift) {
@@ -62,4 +64,4 @@ TEST(pulls_tell_drifts_and_levers_apart) {
 	CHECK(state.drift(5) == 0.0);
 }
 
-TEST_MAIN()
+} // namespace test_drift_state

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <functional>
 
+namespace test_joint_motion {
+
 using namespace heading;
 using kinematics::Quat;
 using kinematics::Vec3;
@@ -138,4 +140,4 @@ TEST(joints_that_nobody_set_are_not_looked_at) {
 	CHECK(motion.take().empty());
 }
 
-TEST_MAIN()
+} // namespace test_joint_motion

@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+namespace test_private_file {
+
 using host::PrivateFile;
 using Outcome = PrivateFile::Outcome;
 
@@ -117,4 +119,4 @@ TEST(links_folders_and_missing_folders_are_refused) {
 	CHECK(file.open(folder.path("none/a")) == Outcome::FAILED);
 }
 
-TEST_MAIN()
+} // namespace test_private_file

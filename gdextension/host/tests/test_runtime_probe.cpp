@@ -6,6 +6,8 @@
 #include <csignal>
 #include <thread>
 
+namespace test_runtime_probe {
+
 using host::RuntimeProbe;
 using Answer = RuntimeProbe::Answer;
 using namespace std::chrono_literals;
@@ -60,4 +62,4 @@ TEST(an_answer_that_somebody_else_has_taken_is_none) {
 	CHECK(await(probe) == Answer::NO_LIBRARY);
 }
 
-TEST_MAIN()
+} // namespace test_runtime_probe

@@ -16,6 +16,8 @@
 #include <thread>
 #include <vector>
 
+namespace test_stall_guard {
+
 using host::replace_program;
 using host::StallGuard;
 using namespace std::chrono_literals;
@@ -110,4 +112,4 @@ TEST(a_loop_that_stands_still_is_reported_once) {
 	CHECK(calls == 1);
 }
 
-TEST_MAIN()
+} // namespace test_stall_guard

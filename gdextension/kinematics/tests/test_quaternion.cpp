@@ -5,6 +5,8 @@
 
 #include <random>
 
+namespace test_quaternion {
+
 using namespace kinematics;
 
 namespace {
@@ -70,4 +72,4 @@ TEST(axes_make_the_rotation_that_makes_them) {
 	}
 }
 
-TEST_MAIN()
+} // namespace test_quaternion

@@ -2,6 +2,8 @@
 #include <check.hpp>
 #include <skeleton.hpp>
 
+namespace test_skeleton {
+
 using namespace kinematics;
 
 namespace {
@@ -58,4 +60,4 @@ TEST(a_skeleton_whose_parents_come_late_is_none) {
 	CHECK(!wrong.is_sound());
 }
 
-TEST_MAIN()
+} // namespace test_skeleton

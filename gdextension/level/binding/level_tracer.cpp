@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "level_tracer.hpp"
 
+#include "byte_array.hpp"
+
 #include <convert.hpp>
 #include <light_coding.hpp>
 #include <workers.hpp>
@@ -27,13 +29,6 @@ uint8_t *write_light(const level::Light &p_light, uint8_t *r_to) {
 		*r_to++ = level::encode_light(set.z);
 	}
 	return r_to;
-}
-
-PackedByteArray to_bytes(const std::vector<uint8_t> &p_bytes) {
-	PackedByteArray bytes;
-	bytes.resize(int64_t(p_bytes.size()));
-	std::copy(p_bytes.begin(), p_bytes.end(), bytes.ptrw());
-	return bytes;
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "shadow_reach.hpp"
 
+#include "byte_array.hpp"
+
 #include <convert.hpp>
 
 #include <algorithm>
@@ -15,13 +17,6 @@ std::vector<level::ShadowReach::Bound> to_bounds(const PackedVector4Array &p_bou
 		bounds.push_back({ { float(bound.x), float(bound.y), float(bound.z) }, float(bound.w) });
 	}
 	return bounds;
-}
-
-PackedByteArray to_bytes(const std::vector<uint8_t> &p_bytes) {
-	PackedByteArray bytes;
-	bytes.resize(int64_t(p_bytes.size()));
-	std::copy(p_bytes.begin(), p_bytes.end(), bytes.ptrw());
-	return bytes;
 }
 
 } // namespace

@@ -10,7 +10,7 @@ namespace level {
 namespace {
 
 /// Points inside walls take the light of the air beside them, so often at most.
-constexpr int FILL_ROUNDS = 3;
+constexpr int WALL_FILL_ROUNDS = 3;
 
 } // namespace
 
@@ -34,7 +34,7 @@ bool LightGrid::set_points(const uint8_t *p_bytes, std::size_t p_size, const std
 /// Between points the light is mixed: what is inside a wall must not darken the room beside it.
 void LightGrid::fill_solid() {
 	const std::array<std::size_t, 3> steps{ 1, std::size_t(_counts[0]), std::size_t(_counts[0]) * _counts[1] };
-	for (int round = 0; round < FILL_ROUNDS; round++) {
+	for (int round = 0; round < WALL_FILL_ROUNDS; round++) {
 		const std::vector<uint8_t> before = _bytes;
 		for (std::size_t point = 0; point < size(); point++) {
 			if (before[point * POINT_SIZE] != 0) {

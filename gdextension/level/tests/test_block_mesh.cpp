@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+namespace test_block_mesh {
+
 using namespace level;
 
 namespace {
@@ -140,4 +142,4 @@ TEST(solids_stand_where_the_block_stands) {
 	CHECK_NEAR(mesh.solids()[0].size.x, 4.0, 1e-5);
 }
 
-TEST_MAIN()
+} // namespace test_block_mesh

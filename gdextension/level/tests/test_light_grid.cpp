@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+namespace test_light_grid {
+
 using namespace level;
 
 namespace {
@@ -63,4 +65,4 @@ TEST(refuses_sizes_that_do_not_fit) {
 	CHECK_NEAR(grid.mean_at({}, only_sky()).x, 0.0, 0.0);
 }
 
-TEST_MAIN()
+} // namespace test_light_grid

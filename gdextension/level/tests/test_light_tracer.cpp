@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+namespace test_light_tracer {
+
 using namespace level;
 
 namespace {
@@ -133,4 +135,4 @@ TEST(corners_inside_a_wall_take_the_light_of_their_neighbours) {
 	CHECK(tracer.light(nearest(mesh, {}, { 0.0f, 1.0f, 0.0f }))[LIGHT_SKY].x > 0.6f);
 }
 
-TEST_MAIN()
+} // namespace test_light_tracer

@@ -7,6 +7,8 @@
 
 #include <random>
 
+namespace test_ray_scene {
+
 using namespace level;
 
 namespace {
@@ -98,4 +100,4 @@ TEST(leaves_out_what_is_no_triangle) {
 	CHECK(!scene.is_blocked({ 0.0f, 0.0f, 5.0f }, { 0.0f, 0.0f, -5.0f }));
 }
 
-TEST_MAIN()
+} // namespace test_ray_scene

@@ -3,6 +3,8 @@
 
 #include <check.hpp>
 
+namespace test_shadow_reach {
+
 using namespace level;
 
 namespace {
@@ -142,4 +144,4 @@ TEST(large_triangles_shade_only_what_lies_below_them) {
 	CHECK(reach.look({ 0, 0, 1 }, {}) == (Bytes{ 0 }));
 }
 
-TEST_MAIN()
+} // namespace test_shadow_reach

@@ -5,6 +5,8 @@
 
 #include <check.hpp>
 
+namespace test_visibility {
+
 using namespace level;
 
 namespace {
@@ -139,4 +141,4 @@ TEST(what_is_solid_through_and_through_has_no_air) {
 	CHECK(visibility.open()[3] == 0);
 }
 
-TEST_MAIN()
+} // namespace test_visibility

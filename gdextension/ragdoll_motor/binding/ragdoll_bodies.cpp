@@ -18,10 +18,6 @@ namespace {
 
 const Vector3::Axis AXES[3] = { Vector3::AXIS_X, Vector3::AXIS_Y, Vector3::AXIS_Z };
 
-PhysicsServer3D *server() {
-	return PhysicsServer3D::get_singleton();
-}
-
 /// Angles of rotations about X, then Y, then Z, each about the axes so far (the engine's order for the
 /// equilibrium of angular springs), rad.
 Vector3 euler_zyx(const ragdoll::Quat &p_rotation) {

@@ -16,6 +16,10 @@
 
 namespace godot {
 
+inline PhysicsServer3D *server() {
+	return PhysicsServer3D::get_singleton();
+}
+
 /// The bodies of a ragdoll in the physics engine, and the joints that this class makes for them.
 ///
 /// One 6DOF joint a limb, parent = A, limb = B; made from the leaves to the root, the joint to the

@@ -13,10 +13,6 @@ namespace {
 constexpr float PENDULUM_DEPTH = 5.0f; // Below the root's joint, m.
 constexpr float PENDULUM_MASS = 0.5f; // Of the body's own.
 
-PhysicsServer3D *server() {
-	return PhysicsServer3D::get_singleton();
-}
-
 } // namespace
 
 void RagdollBodies::free_assist() {

@@ -11,7 +11,7 @@ namespace {
 constexpr float TOUCHES = 0.1f; // What is so near to the ground (m) stands on it: a soft root may hover.
 constexpr float LESS = 0.04f; // A limb that is higher than the other one by this (m) carries nothing.
 constexpr float FURTHEST = 0.5f; // What moves further than this in a step (m) was put elsewhere.
-constexpr float LOOK_AGAIN_S = 0.05f; // What is below does not move: that is known for so long,
+constexpr float LOOK_BELOW_AGAIN_S = 0.05f; // What is below does not move: that is known for so long,
 constexpr float SAME_GROUND = 0.05f; // and for so far, m.
 constexpr float FLOAT_S = 0.5f; // How fast a body in the air is carried on less and less, s.
 
@@ -91,7 +91,7 @@ void Carrier::find_supports(const Rig &p_rig, const std::vector<ContactPoint> &p
 
 void Carrier::look(const Ground &p_ground, float p_delta_s, Support &r_support) {
 	r_support.age_s += p_delta_s;
-	const bool is_new = std::isnan(r_support.footing.height) || r_support.age_s > LOOK_AGAIN_S;
+	const bool is_new = std::isnan(r_support.footing.height) || r_support.age_s > LOOK_BELOW_AGAIN_S;
 	const float moved = level(r_support.at - r_support.looked).length();
 	if (is_new || r_support.footing.body != 0 || moved > SAME_GROUND) {
 		r_support.footing = p_ground.find(r_support.at, TOUCHES);

@@ -7,8 +7,6 @@ namespace ragdoll {
 
 namespace {
 
-constexpr float TAU = 6.28318531f;
-
 float chosen(float p_own, float p_general) {
 	return p_own > 0.0f ? p_own : p_general;
 }

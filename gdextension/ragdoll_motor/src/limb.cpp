@@ -9,7 +9,7 @@ namespace ragdoll {
 
 namespace {
 
-constexpr float FURTHEST = 100.0f; // m
+constexpr float FURTHEST_M = 100.0f;
 constexpr float THINNEST = 1e-3f; // m
 constexpr float MIN_FRACTION = 1e-5f;
 constexpr double LIGHTEST = 1.0;
@@ -149,8 +149,9 @@ std::string find_fault(const Limb &p_limb) {
 	if (!p_limb.position.is_finite() || !p_limb.anchor.is_finite()) {
 		return bone + " has a position that is not finite";
 	}
-	if (!(p_limb.position.length() < FURTHEST && p_limb.anchor.length() < FURTHEST)) {
-		return bone + format(" has a position or anchor further than %.0f m from the model's origin", double(FURTHEST));
+	if (!(p_limb.position.length() < FURTHEST_M && p_limb.anchor.length() < FURTHEST_M)) {
+		return bone +
+				format(" has a position or anchor further than %.0f m from the model's origin", double(FURTHEST_M));
 	}
 	const std::pair<const char *, const Quat *> rotations[3] = { { "orientation", &p_limb.orientation },
 		{ "rest_orientation", &p_limb.rest_orientation }, { "reset_orientation", &p_limb.reset_orientation } };

@@ -14,6 +14,7 @@ using kinematics::slerp;
 using kinematics::Vec3;
 
 constexpr float PI = 3.14159265f;
+constexpr float TAU = 6.28318531f;
 
 /// What of a vector lies in the level.
 inline Vec3 level(const Vec3 &p_vector) {

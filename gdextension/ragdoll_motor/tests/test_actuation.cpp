@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+namespace test_actuation {
+
 using namespace ragdoll;
 
 namespace {
@@ -108,4 +110,4 @@ TEST(is_saved_and_restored) {
 	CHECK(!copy.restore(cut));
 }
 
-TEST_MAIN()
+} // namespace test_actuation

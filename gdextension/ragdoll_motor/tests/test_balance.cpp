@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <vector>
 
+namespace test_balance {
+
 namespace {
 
 using ragdoll::Balance;
@@ -307,4 +309,4 @@ TEST(goes_on_the_same_from_a_saved_state) {
 	}
 }
 
-TEST_MAIN()
+} // namespace test_balance

@@ -6,6 +6,8 @@
 
 #include <random>
 
+namespace test_calm {
+
 using namespace ragdoll;
 
 namespace {
@@ -137,4 +139,4 @@ TEST(a_path_keeps_its_momentum_under_noise) {
 	CHECK(clean.ahead(0.1f).x == shaken.ahead(0.1f).x);
 }
 
-TEST_MAIN()
+} // namespace test_calm

@@ -5,6 +5,8 @@
 
 #include "check.hpp"
 
+namespace test_control {
+
 using namespace ragdoll;
 
 namespace {
@@ -256,4 +258,4 @@ TEST(controls_are_part_of_the_saved_state) {
 	CHECK(other.step(state, double(DELTA), DELTA).pushes[3].force.length() > 0.0f);
 }
 
-TEST_MAIN()
+} // namespace test_control

@@ -3,6 +3,8 @@
 
 #include "check.hpp"
 
+namespace test_controller {
+
 using namespace ragdoll;
 
 namespace {
@@ -258,4 +260,4 @@ TEST(composite_inertia_is_that_of_the_present_pose) {
 	}
 }
 
-TEST_MAIN()
+} // namespace test_controller

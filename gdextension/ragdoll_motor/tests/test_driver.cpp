@@ -3,6 +3,8 @@
 
 #include "check.hpp"
 
+namespace test_driver {
+
 using namespace ragdoll;
 
 namespace {
@@ -213,4 +215,4 @@ TEST(a_refused_state_leaves_the_frame_that_is_set) {
 	CHECK_NEAR(driver.get_frame_origin().x, 4.0, 0.0);
 }
 
-TEST_MAIN()
+} // namespace test_driver

@@ -4,6 +4,8 @@
 #include "check.hpp"
 #include "fixtures.hpp"
 
+namespace test_feed_forward {
+
 using namespace ragdoll;
 
 namespace {
@@ -157,4 +159,4 @@ TEST(limbs_are_scaled_by_what_they_carry) {
 	CHECK_NEAR(limbs[3].inertia.x, 1.2, 1e-6);
 }
 
-TEST_MAIN()
+} // namespace test_feed_forward

@@ -12,6 +12,8 @@
 #include <memory>
 #include <random>
 
+namespace test_gait {
+
 using namespace ragdoll;
 
 namespace {
@@ -345,4 +347,4 @@ TEST(standing_feet_are_held_by_bending_the_legs) {
 	}
 }
 
-TEST_MAIN()
+} // namespace test_gait

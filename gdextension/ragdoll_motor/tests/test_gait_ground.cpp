@@ -8,6 +8,8 @@
 
 #include <functional>
 
+namespace test_gait_ground {
+
 using namespace ragdoll;
 
 namespace {
@@ -341,4 +343,4 @@ TEST(a_pose_that_changed_while_nothing_came_moves_nobody) {
 	CHECK_NEAR(level(driver.get_root_target() - before).length(), 0.0, 0.03);
 }
 
-TEST_MAIN()
+} // namespace test_gait_ground

@@ -5,6 +5,8 @@
 
 #include <limits>
 
+namespace test_guard {
+
 using namespace ragdoll;
 
 namespace {
@@ -113,4 +115,4 @@ TEST(torques_speed_a_limb_up) {
 	CHECK_NEAR(meter.get_torques()[3], 0.0, 1e-3);
 }
 
-TEST_MAIN()
+} // namespace test_guard

@@ -5,6 +5,8 @@
 
 #include <limits>
 
+namespace test_limb {
+
 using namespace ragdoll;
 
 namespace {
@@ -180,4 +182,4 @@ TEST(faults_of_a_body_are_named) {
 	CHECK(find_fault(body, 80.0).size() < 300);
 }
 
-TEST_MAIN()
+} // namespace test_limb

@@ -3,6 +3,8 @@
 
 #include "check.hpp"
 
+namespace test_muscles {
+
 using namespace ragdoll;
 
 namespace {
@@ -107,4 +109,4 @@ TEST(a_torque_that_hardly_changes_stays_and_a_full_one_comes_at_once) {
 	CHECK_NEAR(torque_at(muscles, 0.0f, 60), WHOLE, 0.0);
 }
 
-TEST_MAIN()
+} // namespace test_muscles

@@ -6,6 +6,8 @@
 #include <limits>
 #include <random>
 
+namespace test_pose_stream {
+
 using namespace ragdoll;
 
 namespace {
@@ -280,4 +282,4 @@ TEST(noise_is_taken_out_where_asked_for) {
 	}
 }
 
-TEST_MAIN()
+} // namespace test_pose_stream

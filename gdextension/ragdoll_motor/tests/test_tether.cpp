@@ -8,6 +8,8 @@
 
 #include <functional>
 
+namespace test_tether {
+
 using namespace ragdoll;
 
 namespace {
@@ -163,4 +165,4 @@ TEST(who_leaves_a_platform_slows_down) {
 	CHECK_NEAR(carrier.get_past().apply({}).x, 0.03 * std::exp(-1.0), 1e-3);
 }
 
-TEST_MAIN()
+} // namespace test_tether

@@ -3,6 +3,8 @@
 
 #include "check.hpp"
 
+namespace test_tracking {
+
 using namespace ragdoll;
 
 namespace {
@@ -88,4 +90,4 @@ TEST(says_when_the_lag_is_beyond_the_search) {
 	CHECK_NEAR(TrackingMeter().lag(), 0.0, 0.0);
 }
 
-TEST_MAIN()
+} // namespace test_tracking

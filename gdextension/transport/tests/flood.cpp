@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // An attacker for the tests of whole processes:
 //
-//   transport_flood half-open <port> <handshakes a second> <seconds> <address>
+//   transport_flood half-open <port> <handshakes a second> <honest> <address> [password]
 //       Begins handshakes from many ports of an address of loopback and ends none. Beside it, from
-//       127.0.0.1, honest handshakes run to their end, one after the other.
+//       127.0.0.1, so many honest handshakes run to their end, one after the other.
 //   transport_flood forged <port> <datagrams> <address>
 //       Sends that many datagrams of all types that nobody who has the key has made.
 //
@@ -12,7 +12,6 @@
 #include "relay/client_relay.hpp"
 #include "relay/relay_socket.hpp"
 
-#include <algorithm>
 #include <arpa/inet.h>
 #include <atomic>
 #include <chrono>
@@ -31,10 +30,12 @@ using namespace transport;
 namespace {
 
 /// Protocol.VERSION.
-constexpr uint32_t VERSION = 5;
+constexpr uint32_t VERSION = 6;
 constexpr size_t PORTS = 800;
 /// Pauses between two honest handshakes, us.
 constexpr int64_t HONEST_USEC = 50000;
+/// After so long the honest ones count as kept out.
+constexpr int64_t PATIENCE_USEC = 120000000;
 
 /// A UDP socket that is connected to the server.
 class Port {
@@ -80,19 +81,20 @@ private:
 	int _socket = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
 };
 
-/// Handshakes like a real client's, timed until the server has shown that it has the key.
+/// Handshakes like a real client's, until the server has shown that it has the key.
 class Honest {
 public:
-	explicit Honest(uint16_t p_server) : _server(p_server) {}
+	Honest(uint16_t p_server, const std::string &p_password) :
+			_server(p_server), _password(p_password.begin(), p_password.end()) {}
 
 	void go_on(int64_t p_now_usec) {
 		if (!_relay && p_now_usec >= _next_usec) {
 			_port = std::make_unique<Port>("127.0.0.1", _server);
 			ClientRelay::Settings settings;
 			settings.version = VERSION;
+			settings.password = _password;
 			_relay = std::make_unique<ClientRelay>(
 					settings, [this](const View &p_bytes) { _port->write(p_bytes); }, [](const View &) {});
-			_began_usec = p_now_usec;
 		}
 		if (!_relay) {
 			return;
@@ -101,24 +103,26 @@ public:
 			_relay->take_outer(_bytes, p_now_usec);
 		}
 		if (_relay->look_after(p_now_usec) == INT64_MAX) {
-			took_usec.push_back(p_now_usec - _began_usec);
+			(_relay->state() == ClientRelay::State::OPEN ? opened : refused)++;
 			_relay.reset();
 			_next_usec = p_now_usec + HONEST_USEC;
 		}
 	}
 
-	std::vector<int64_t> took_usec;
+	std::atomic<uint64_t> opened{ 0 };
+	std::atomic<uint64_t> refused{ 0 };
 
 private:
 	uint16_t _server;
+	Bytes _password;
 	std::unique_ptr<Port> _port;
 	std::unique_ptr<ClientRelay> _relay;
 	Bytes _bytes;
-	int64_t _began_usec = 0;
 	int64_t _next_usec = 0;
 };
 
-int half_open(uint16_t p_server, double p_rate, double p_seconds, const std::string &p_address) {
+int half_open(uint16_t p_server, double p_rate, uint64_t p_honest, const std::string &p_address,
+		const std::string &p_password) {
 	std::vector<std::unique_ptr<Port>> ports;
 	ports.reserve(PORTS);
 	const int readable = epoll_create1(EPOLL_CLOEXEC);
@@ -133,7 +137,7 @@ int half_open(uint16_t p_server, double p_rate, double p_seconds, const std::str
 	start.version = VERSION;
 	start.share = cpace::share_of(cpace::sample_scalar(), cpace::generator({})).value_or(cpace::Share());
 	// By itself: the attack must not keep it from its own work.
-	Honest honest(p_server);
+	Honest honest(p_server, p_password);
 	std::atomic<bool> over{ false };
 	std::thread beside([&honest, &over] {
 		while (!over) {
@@ -146,7 +150,7 @@ int half_open(uint16_t p_server, double p_rate, double p_seconds, const std::str
 	uint64_t answered = 0;
 	Bytes bytes;
 	const int64_t begin = now_usec();
-	for (int64_t now = begin; double(now - begin) < p_seconds * 1e6; now = now_usec()) {
+	for (int64_t now = begin; honest.opened < p_honest && now < begin + PATIENCE_USEC; now = now_usec()) {
 		for (; double(begun) < double(now - begin) / 1e6 * p_rate; begun++) {
 			const uint64_t id = random();
 			std::memcpy(init.client.data(), &id, sizeof(id));
@@ -173,15 +177,11 @@ int half_open(uint16_t p_server, double p_rate, double p_seconds, const std::str
 	over = true;
 	beside.join();
 	close(readable);
-	std::sort(honest.took_usec.begin(), honest.took_usec.end());
-	const std::vector<int64_t> &took = honest.took_usec;
-	std::printf("{\"begun\": %llu, \"started\": %llu, \"answered\": %llu, \"honest\": %zu, \"median_ms\": %.1f, "
-				"\"longest_ms\": %.1f}\n",
+	std::printf("{\"begun\": %llu, \"started\": %llu, \"answered\": %llu, \"opened\": %llu, \"refused\": %llu}\n",
 			static_cast<unsigned long long>(begun), static_cast<unsigned long long>(started),
-			static_cast<unsigned long long>(answered), took.size(),
-			took.empty() ? -1.0 : double(took[took.size() / 2]) / 1000.0,
-			took.empty() ? -1.0 : double(took.back()) / 1000.0);
-	return took.empty() ? 1 : 0;
+			static_cast<unsigned long long>(answered), static_cast<unsigned long long>(honest.opened),
+			static_cast<unsigned long long>(honest.refused));
+	return honest.opened < p_honest ? 1 : 0;
 }
 
 int forged(uint16_t p_server, uint64_t p_count, const std::string &p_address) {
@@ -207,13 +207,13 @@ int forged(uint16_t p_server, uint64_t p_count, const std::string &p_address) {
 
 int main(int p_count, char **p_arguments) {
 	const std::vector<std::string> arguments(p_arguments + 1, p_arguments + p_count);
-	if (arguments.size() == 5 && arguments[0] == "half-open") {
-		return half_open(
-				uint16_t(std::stoi(arguments[1])), std::stod(arguments[2]), std::stod(arguments[3]), arguments[4]);
+	if ((arguments.size() == 5 || arguments.size() == 6) && arguments[0] == "half-open") {
+		return half_open(uint16_t(std::stoi(arguments[1])), std::stod(arguments[2]), std::stoull(arguments[3]),
+				arguments[4], arguments.size() == 6 ? arguments[5] : "");
 	}
 	if (arguments.size() == 4 && arguments[0] == "forged") {
 		return forged(uint16_t(std::stoi(arguments[1])), std::stoull(arguments[2]), arguments[3]);
 	}
-	std::fputs("transport_flood half-open PORT RATE SECONDS ADDRESS | forged PORT COUNT ADDRESS\n", stderr);
+	std::fputs("transport_flood half-open PORT RATE HONEST ADDRESS [PASSWORD] | forged PORT COUNT ADDRESS\n", stderr);
 	return 2;
 }

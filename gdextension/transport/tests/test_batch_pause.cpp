@@ -2,6 +2,8 @@
 #include "batch_pause.hpp"
 #include "check.hpp"
 
+namespace test_batch_pause {
+
 using transport::BatchPause;
 
 namespace {
@@ -35,4 +37,4 @@ TEST(a_main_thread_that_stands_still_gets_even_pauses) {
 	CHECK(BatchPause().usec(1000000) == 2 * BatchPause::SHORT_USEC);
 }
 
-TEST_MAIN()
+} // namespace test_batch_pause

@@ -5,6 +5,8 @@
 #include "hex.hpp"
 #include "sealing/cpace.hpp"
 
+namespace test_cpace {
+
 using namespace transport;
 
 namespace {
@@ -108,4 +110,4 @@ TEST(another_password_session_or_associated_data_makes_another_key) {
 	CHECK(!key_of(PASSWORD, PASSWORD, SESSION, ADB));
 }
 
-TEST_MAIN()
+} // namespace test_cpace

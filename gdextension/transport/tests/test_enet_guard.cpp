@@ -4,6 +4,8 @@
 
 #include <random>
 
+namespace test_enet_guard {
+
 using namespace wire;
 
 namespace {
@@ -222,4 +224,4 @@ TEST(no_sequence_of_commands_makes_the_count_wrong) {
 	}
 }
 
-TEST_MAIN()
+} // namespace test_enet_guard

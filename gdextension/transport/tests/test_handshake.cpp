@@ -4,6 +4,8 @@
 
 #include <random>
 
+namespace test_handshake {
+
 using namespace wire;
 using messages::Notice;
 
@@ -225,4 +227,4 @@ TEST(a_role_of_another_password_is_another_channel) {
 	CHECK(client.relay.notice() == int(Notice::WRONG_PASSWORD));
 }
 
-TEST_MAIN()
+} // namespace test_handshake

@@ -5,6 +5,8 @@
 
 #include <cstring>
 
+namespace test_network_table {
+
 using namespace transport;
 
 namespace {
@@ -57,4 +59,4 @@ TEST(a_guesser_is_not_forgotten_for_others_who_come_once) {
 	CHECK(tries.take(network(0), 2000000));
 }
 
-TEST_MAIN()
+} // namespace test_network_table

@@ -5,6 +5,8 @@
 #include "sealing/messages.hpp"
 #include "sealing/sealed_channel.hpp"
 
+namespace test_protocol_example {
+
 using namespace transport;
 
 namespace {
@@ -73,4 +75,4 @@ TEST(the_handshake_of_the_protocol) {
 	CHECK(equal(data, hex("4700000024dc79ffb4e18139a0d9e2bb76d23a58b81233de23")));
 }
 
-TEST_MAIN()
+} // namespace test_protocol_example

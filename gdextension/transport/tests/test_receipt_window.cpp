@@ -5,6 +5,8 @@
 #include <set>
 #include <vector>
 
+namespace test_receipt_window {
+
 using transport::ReceiptWindow;
 
 TEST(a_probe_follows_every_64_kib) {
@@ -58,4 +60,4 @@ TEST(the_window_has_an_end) {
 	CHECK(window.is_exceeded());
 }
 
-TEST_MAIN()
+} // namespace test_receipt_window

@@ -4,6 +4,8 @@
 
 #include <random>
 
+namespace test_relay_hostile {
+
 using namespace wire;
 
 TEST(a_million_blind_replayed_and_altered_datagrams_change_nothing) {
@@ -220,4 +222,4 @@ TEST(whatever_comes_does_no_harm) {
 	}
 }
 
-TEST_MAIN()
+} // namespace test_relay_hostile

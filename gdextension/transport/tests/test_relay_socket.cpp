@@ -9,6 +9,8 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+namespace test_relay_socket {
+
 using namespace transport;
 
 namespace {
@@ -177,4 +179,4 @@ TEST(a_port_in_use_is_an_error_and_a_client_hears_only_its_server) {
 	CHECK(taken.bytes.size() == 1 && equal(taken.bytes[0], hex("02")));
 }
 
-TEST_MAIN()
+} // namespace test_relay_socket

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <random>
 
+namespace test_sealed_channel {
+
 using namespace transport;
 
 namespace {
@@ -135,4 +137,4 @@ TEST(the_keys_are_different_and_always_the_same) {
 	CHECK(ChannelKeys::derive(secret).exporter != keys.exporter);
 }
 
-TEST_MAIN()
+} // namespace test_sealed_channel

@@ -11,6 +11,8 @@
 #include <thread>
 #include <unistd.h>
 
+namespace test_socket_wait {
+
 using transport::find_udp_socket;
 using transport::SocketWait;
 
@@ -159,4 +161,4 @@ TEST(only_the_one_socket_of_a_port_is_watched) {
 	CHECK(wait.take());
 }
 
-TEST_MAIN()
+} // namespace test_socket_wait

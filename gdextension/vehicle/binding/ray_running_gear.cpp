@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "ray_running_gear.hpp"
 
-#include <godot_cpp/classes/physics_server3d.hpp>
+#include "physics.hpp"
+
 #include <godot_cpp/variant/dictionary.hpp>
 
 #include <algorithm>
 #include <cmath>
 
 namespace godot {
-
-using Server = PhysicsServer3D;
 
 namespace {
 
@@ -29,11 +28,6 @@ constexpr float ABOVE = 2.0f;
 constexpr float EDGE = 0.7f;
 /// Loose things are not pushed with a greater acceleration than this, m/s^2.
 constexpr float MAX_PUSH = 40.0f;
-constexpr float GRAVITY = 9.81f;
-
-Server *server() {
-	return Server::get_singleton();
-}
 
 /// Offset of a ray from the wheel's middle, forward positive, as a share of the radius.
 float ray_offset(int p_ray, int p_count) {

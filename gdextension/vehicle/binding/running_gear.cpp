@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "running_gear.hpp"
 
-#include <convert.hpp>
+#include "physics.hpp"
 
-#include <godot_cpp/classes/physics_server3d.hpp>
+#include <convert.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,6 @@ namespace godot {
 
 namespace {
 
-constexpr float GRAVITY = 9.81f;
 constexpr float AIR_DENSITY = 1.2f; // kg/m^3
 
 } // namespace

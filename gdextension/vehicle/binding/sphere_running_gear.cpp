@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "sphere_running_gear.hpp"
 
-#include <godot_cpp/classes/physics_server3d.hpp>
+#include "physics.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace godot {
-
-using Server = PhysicsServer3D;
 
 namespace {
 
@@ -20,11 +18,7 @@ constexpr float TORN = 0.8f;
 /// The spin about the vertical that friction under a real track would stop, as a share of that across.
 constexpr float SPIN_SHARE = 0.2f;
 /// The springs' stops give way by so much before the load counts as endless, as a multiple of the static one.
-constexpr float MAX_LOAD = 12.0f;
-
-Server *server() {
-	return Server::get_singleton();
-}
+constexpr float ENDLESS_LOAD = 12.0f;
 
 bool has_changed(float p_old, float p_new, float p_scale) {
 	return std::abs(p_old - p_new) > CHANGE * std::max(std::abs(p_old), p_scale);
@@ -145,7 +139,7 @@ void SphereRunningGear::read(float /*p_delta*/) {
 		wheel.height = offset.y - wheel.position.y;
 		const float rate = (state->get_linear_velocity() - velocity_at(origin)).dot(up);
 		const float load = wheel.stiffness * (wheel.height + wheel.sag) + wheel.damping * rate;
-		wheel.load = std::clamp(load, 0.0f, MAX_LOAD * wheel.stiffness * std::max(wheel.sag, 0.05f));
+		wheel.load = std::clamp(load, 0.0f, ENDLESS_LOAD * wheel.stiffness * std::max(wheel.sag, 0.05f));
 		wheel.speed = -(state->get_angular_velocity() - _turning).dot(right) * wheel.radius;
 		_motors[i].load = wheel.load;
 		_motors[i].speed = wheel.speed;

@@ -8,7 +8,6 @@ namespace vehicle {
 
 namespace {
 
-constexpr float RAD_S_PER_RPM = 0.104719755f;
 constexpr float DEAD = 0.02f; ///< Pedals and stick below this are not touched.
 constexpr float STANDS = 0.4f; ///< Below this (m/s) it stands: it holds itself, and may change its direction.
 /// Who turns on the spot as fast as he can runs the engine at such a share of its range.

@@ -8,7 +8,6 @@ namespace vehicle {
 
 namespace {
 
-constexpr float RAD_S_PER_RPM = 0.104719755f;
 /// The governors work over such a share of the speed that they hold.
 constexpr float IDLE_BAND = 0.25f;
 constexpr float MAX_BAND = 0.05f;

@@ -5,6 +5,8 @@
 
 namespace vehicle {
 
+constexpr float RAD_S_PER_RPM = 0.104719755f;
+
 /// A point of an engine's torque curve at full load.
 struct TorquePoint {
 	float rpm = 0.0f; ///< 1/min.

@@ -11,12 +11,12 @@ namespace vehicle {
 
 namespace {
 
-constexpr float PI = 3.14159265f;
+constexpr float FULL_TURN = 2.0f * 3.14159265f;
 /// A gun that points straight up has no azimuth: the aim stays this far from there, rad.
 constexpr float MAX_ELEVATION = 1.45f;
 
 float wrapped(float p_angle) {
-	return std::remainder(p_angle, 2.0f * PI);
+	return std::remainder(p_angle, FULL_TURN);
 }
 
 Vec3 direction_of(float p_yaw, float p_pitch) {

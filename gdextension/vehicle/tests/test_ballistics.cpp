@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <limits>
 
+namespace test_ballistics {
+
 using namespace vehicle;
 
 namespace {
@@ -164,4 +166,4 @@ TEST(what_makes_no_sense_is_refused) {
 	CHECK_NEAR(shell.position().x, 0.0, 0.0);
 }
 
-TEST_MAIN()
+} // namespace test_ballistics

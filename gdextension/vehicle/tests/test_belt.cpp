@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+namespace test_belt {
+
 using namespace vehicle;
 
 namespace {
@@ -212,4 +214,4 @@ TEST(a_belt_is_laid_in_no_time) {
 	CHECK(links.size() > 80);
 }
 
-TEST_MAIN()
+} // namespace test_belt

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+namespace test_drivetrain {
+
 using namespace vehicle;
 
 TEST(it_speeds_up_through_its_gears) {
@@ -102,4 +104,4 @@ TEST(steering_on_the_spot_does_not_stall_the_engine) {
 	CHECK_NEAR(right - left, 2.0f * 0.97f, 0.1f);
 }
 
-TEST_MAIN()
+} // namespace test_drivetrain

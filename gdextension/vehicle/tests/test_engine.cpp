@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+namespace test_engine {
+
 using namespace vehicle;
 
 namespace {
@@ -73,4 +75,4 @@ TEST(an_engine_that_is_off_stops) {
 	CHECK_NEAR(engine.rpm(), engine.settings.idle_rpm, 1e-3);
 }
 
-TEST_MAIN()
+} // namespace test_engine

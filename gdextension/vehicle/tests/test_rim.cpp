@@ -8,6 +8,8 @@
 
 #include <cmath>
 
+namespace test_rim {
+
 using namespace vehicle;
 
 namespace {
@@ -116,4 +118,4 @@ TEST(a_sphere_in_the_air_does_not_count_for_the_speed_of_its_track) {
 	CHECK_NEAR(track_speed(spheres, 0, 2), 2.0f, 1e-3f);
 }
 
-TEST_MAIN()
+} // namespace test_rim

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+namespace test_steering {
+
 using namespace vehicle;
 
 TEST(wheels_of_an_axle_meet_in_one_point) {
@@ -68,4 +70,4 @@ TEST(a_turn_that_nobody_wants_is_steered_against) {
 	CHECK(steering.difference() < -0.1f);
 }
 
-TEST_MAIN()
+} // namespace test_steering

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+namespace test_turret {
+
 using namespace vehicle;
 using kinematics::Quat;
 using kinematics::Vec3;
@@ -106,4 +108,4 @@ TEST(what_is_not_finite_moves_nothing) {
 	CHECK_NEAR(drive.pitch(), 0.0f, 1e-6f);
 }
 
-TEST_MAIN()
+} // namespace test_turret

@@ -11,7 +11,7 @@ namespace godot {
 
 namespace {
 
-constexpr const char *UNCONFIGURED = "SnapshotDecoder: call configure() first.";
+constexpr const char *UNCONFIGURED_DECODER = "SnapshotDecoder: call configure() first.";
 
 } // namespace
 
@@ -25,12 +25,12 @@ bool SnapshotDecoder::configure(const PackedInt32Array &p_parents, double p_max_
 }
 
 SnapshotDecoder::Outcome SnapshotDecoder::decode(const PackedByteArray &p_bytes) {
-	ERR_FAIL_COND_V_MSG(_core == nullptr, BROKEN, UNCONFIGURED);
+	ERR_FAIL_COND_V_MSG(_core == nullptr, BROKEN, UNCONFIGURED_DECODER);
 	return Outcome(int(_core->decode(p_bytes.ptr(), std::size_t(p_bytes.size()))));
 }
 
 void SnapshotDecoder::keep_people(const PackedInt32Array &p_people) {
-	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED_DECODER);
 	std::vector<uint16_t> people;
 	people.reserve(std::size_t(p_people.size()));
 	for (int64_t i = 0; i < p_people.size(); i++) {
@@ -40,13 +40,13 @@ void SnapshotDecoder::keep_people(const PackedInt32Array &p_people) {
 }
 
 void SnapshotDecoder::set_wants_marks(bool p_wanted) {
-	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED_DECODER);
 	_core->want_marks(p_wanted);
 }
 
 PackedByteArray SnapshotDecoder::get_ack(const Vector3 &p_viewpoint) {
 	PackedByteArray result;
-	ERR_FAIL_COND_V_MSG(_core == nullptr, result, UNCONFIGURED);
+	ERR_FAIL_COND_V_MSG(_core == nullptr, result, UNCONFIGURED_DECODER);
 	wire::SnapshotDecoder::Ack bytes{};
 	const std::size_t size = _core->write_ack(to_core(p_viewpoint), bytes);
 	if (size > 0) {
@@ -58,18 +58,18 @@ PackedByteArray SnapshotDecoder::get_ack(const Vector3 &p_viewpoint) {
 
 bool SnapshotDecoder::define_type(int64_t p_type, const PackedByteArray &p_kinds, const PackedFloat32Array &p_mins,
 		const PackedFloat32Array &p_maxs, const PackedFloat32Array &p_resolutions) {
-	ERR_FAIL_COND_V_MSG(_core == nullptr, false, UNCONFIGURED);
+	ERR_FAIL_COND_V_MSG(_core == nullptr, false, UNCONFIGURED_DECODER);
 	return read_type(_core->types(), p_type, p_kinds, p_mins, p_maxs, p_resolutions);
 }
 
 bool SnapshotDecoder::add_entity(int64_t p_entity, int64_t p_type, const PackedFloat32Array &p_values) {
-	ERR_FAIL_COND_V_MSG(_core == nullptr, false, UNCONFIGURED);
+	ERR_FAIL_COND_V_MSG(_core == nullptr, false, UNCONFIGURED_DECODER);
 	return is_id(p_entity) && is_type(p_type) &&
 			_core->add_entity(uint16_t(p_entity), uint8_t(p_type), p_values.ptr(), std::size_t(p_values.size()));
 }
 
 void SnapshotDecoder::remove_entity(int64_t p_entity) {
-	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED_DECODER);
 	if (is_id(p_entity)) {
 		_core->remove_entity(uint16_t(p_entity));
 	}
@@ -80,7 +80,7 @@ bool SnapshotDecoder::has_entity(int64_t p_entity) const {
 }
 
 void SnapshotDecoder::set_table_version(int64_t p_version) {
-	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED_DECODER);
 	_core->set_table_version(uint32_t(p_version));
 }
 

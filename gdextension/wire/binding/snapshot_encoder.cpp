@@ -15,7 +15,7 @@ namespace godot {
 
 namespace {
 
-constexpr const char *UNCONFIGURED = "SnapshotEncoder: call configure() first.";
+constexpr const char *UNCONFIGURED_ENCODER = "SnapshotEncoder: call configure() first.";
 
 } // namespace
 
@@ -32,13 +32,13 @@ bool SnapshotEncoder::configure(const PackedInt32Array &p_parents, double p_max_
 
 bool SnapshotEncoder::define_type(int64_t p_type, const PackedByteArray &p_kinds, const PackedFloat32Array &p_mins,
 		const PackedFloat32Array &p_maxs, const PackedFloat32Array &p_resolutions) {
-	ERR_FAIL_COND_V_MSG(_core == nullptr, false, UNCONFIGURED);
+	ERR_FAIL_COND_V_MSG(_core == nullptr, false, UNCONFIGURED_ENCODER);
 	return read_type(_core->world().entities().types(), p_type, p_kinds, p_mins, p_maxs, p_resolutions);
 }
 
 bool SnapshotEncoder::add_entity(
 		int64_t p_entity, int64_t p_type, const PackedFloat32Array &p_values, int64_t p_table_version) {
-	ERR_FAIL_COND_V_MSG(_core == nullptr, false, UNCONFIGURED);
+	ERR_FAIL_COND_V_MSG(_core == nullptr, false, UNCONFIGURED_ENCODER);
 	if (!is_id(p_entity) || !is_type(p_type) || p_table_version < 0 || p_table_version >= int64_t(wire::NEVER)) {
 		return false;
 	}
@@ -48,7 +48,7 @@ bool SnapshotEncoder::add_entity(
 }
 
 void SnapshotEncoder::remove_entity(int64_t p_entity) {
-	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED_ENCODER);
 	if (is_id(p_entity)) {
 		remove_person(p_entity);
 		remove_body(p_entity);
@@ -57,13 +57,13 @@ void SnapshotEncoder::remove_entity(int64_t p_entity) {
 }
 
 bool SnapshotEncoder::set_field(int64_t p_entity, int64_t p_field, double p_value) {
-	ERR_FAIL_COND_V_MSG(_core == nullptr, false, UNCONFIGURED);
+	ERR_FAIL_COND_V_MSG(_core == nullptr, false, UNCONFIGURED_ENCODER);
 	return is_id(p_entity) && p_field >= 0 &&
 			_core->world().entities().set(uint16_t(p_entity), std::size_t(p_field), float(p_value));
 }
 
 double SnapshotEncoder::get_field(int64_t p_entity, int64_t p_field) const {
-	ERR_FAIL_COND_V_MSG(_core == nullptr, 0.0, UNCONFIGURED);
+	ERR_FAIL_COND_V_MSG(_core == nullptr, 0.0, UNCONFIGURED_ENCODER);
 	float value = 0.0f;
 	const bool is_there = is_id(p_entity) && p_field >= 0 &&
 			_core->world().entities().get(uint16_t(p_entity), std::size_t(p_field), value);
@@ -71,14 +71,14 @@ double SnapshotEncoder::get_field(int64_t p_entity, int64_t p_field) const {
 }
 
 void SnapshotEncoder::set_position(int64_t p_entity, const Vector3 &p_position) {
-	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED_ENCODER);
 	if (is_id(p_entity)) {
 		_core->world().entities().set_position(uint16_t(p_entity), to_core(p_position));
 	}
 }
 
 void SnapshotEncoder::set_frame(int64_t p_person, int64_t p_carrier) {
-	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED_ENCODER);
 	ERR_FAIL_COND_MSG(!is_id(p_person) || p_carrier < -1 || p_carrier == 0 || (p_carrier > 0 && !is_id(p_carrier)),
 			"SnapshotEncoder: a person is carried by an entity of 1 to 65535, or by none: -1.");
 	_core->world().set_frame(uint16_t(p_person), uint16_t(std::max<int64_t>(p_carrier, 0)));
@@ -86,7 +86,7 @@ void SnapshotEncoder::set_frame(int64_t p_person, int64_t p_carrier) {
 
 bool SnapshotEncoder::add_person(
 		int64_t p_person, const TypedArray<RID> &p_bodies, const PackedFloat32Array &p_reset_orientations) {
-	ERR_FAIL_COND_V_MSG(_core == nullptr, false, UNCONFIGURED);
+	ERR_FAIL_COND_V_MSG(_core == nullptr, false, UNCONFIGURED_ENCODER);
 	ERR_FAIL_COND_V_MSG(!is_id(p_person), false, "SnapshotEncoder: a person's number is 0 to 65535.");
 	ERR_FAIL_COND_V_MSG(p_bodies.size() != _core->world().shape().limb_count, false,
 			"SnapshotEncoder: a person has as many bodies as configure() has named parents.");
@@ -157,7 +157,7 @@ bool SnapshotEncoder::_read_pose(const Person &p_person, kinematics::PersonPose 
 }
 
 void SnapshotEncoder::capture(int64_t p_tick) {
-	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED_ENCODER);
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
 	_core->world().begin(uint32_t(p_tick));
 	// Whoever is carried is put after what carries.
@@ -186,12 +186,12 @@ void SnapshotEncoder::capture(int64_t p_tick) {
 }
 
 void SnapshotEncoder::begin_tick(int64_t p_tick) {
-	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED_ENCODER);
 	_core->world().begin(uint32_t(p_tick));
 }
 
 bool SnapshotEncoder::put_person(int64_t p_person, const Vector3 &p_root, const PackedFloat32Array &p_orientations) {
-	ERR_FAIL_COND_V_MSG(_core == nullptr, false, UNCONFIGURED);
+	ERR_FAIL_COND_V_MSG(_core == nullptr, false, UNCONFIGURED_ENCODER);
 	kinematics::PersonPose pose;
 	pose.root = to_core(p_root);
 	return is_id(p_person) && read_orientations(p_orientations, _core->world().shape().limb_count, pose) &&
@@ -200,7 +200,7 @@ bool SnapshotEncoder::put_person(int64_t p_person, const Vector3 &p_root, const 
 
 void SnapshotEncoder::put_body(int64_t p_body, const Transform3D &p_transform, const Vector3 &p_velocity,
 		const Vector3 &p_spin, bool p_at_rest) {
-	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED_ENCODER);
 	ERR_FAIL_COND_MSG(!is_id(p_body), "SnapshotEncoder: a body's number is 0 to 65535.");
 	wire::BodyUpdate update;
 	update.id = uint16_t(p_body);
@@ -213,18 +213,18 @@ void SnapshotEncoder::put_body(int64_t p_body, const Transform3D &p_transform, c
 }
 
 void SnapshotEncoder::end_tick() {
-	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED_ENCODER);
 	_core->world().end();
 }
 
 void SnapshotEncoder::set_datagram_overhead(int64_t p_bytes) {
-	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED_ENCODER);
 	ERR_FAIL_COND_MSG(p_bytes < 0 || p_bytes > 1000, "SnapshotEncoder: a datagram's overhead is 0 to 1000 bytes.");
 	_core->set_datagram_overhead(std::size_t(p_bytes));
 }
 
 void SnapshotEncoder::add_client(int64_t p_client, int64_t p_snapshots_per_second, double p_bits_per_second) {
-	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED_ENCODER);
 	_core->add_client(int(p_client), int(p_snapshots_per_second), p_bits_per_second);
 }
 
@@ -233,17 +233,17 @@ void SnapshotEncoder::set_bandwidth(int64_t p_client, double p_bits_per_second) 
 }
 
 void SnapshotEncoder::add_recorder(int64_t p_client) {
-	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED_ENCODER);
 	_core->add_recorder(int(p_client));
 }
 
 void SnapshotEncoder::remove_client(int64_t p_client) {
-	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED_ENCODER);
 	_core->remove_client(int(p_client));
 }
 
 void SnapshotEncoder::set_own_person(int64_t p_client, int64_t p_person) {
-	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED_ENCODER);
 	wire::ClientRecord *client = _core->client(int(p_client));
 	if (client != nullptr) {
 		client->own_person = int(p_person);
@@ -252,25 +252,25 @@ void SnapshotEncoder::set_own_person(int64_t p_client, int64_t p_person) {
 
 bool SnapshotEncoder::set_cells(
 		const Vector3 &p_origin, double p_size, const Vector3i &p_counts, const PackedByteArray &p_visible) {
-	ERR_FAIL_COND_V_MSG(_core == nullptr, false, UNCONFIGURED);
+	ERR_FAIL_COND_V_MSG(_core == nullptr, false, UNCONFIGURED_ENCODER);
 	return _core->interest().set_cells(to_core(p_origin), float(p_size), { p_counts.x, p_counts.y, p_counts.z },
 			p_visible.ptr(), std::size_t(p_visible.size()));
 }
 
 void SnapshotEncoder::set_command_ack(int64_t p_client, int64_t p_number) {
-	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED_ENCODER);
 	_core->set_command_ack(int(p_client), uint16_t(p_number));
 }
 
 void SnapshotEncoder::set_motion_ack(int64_t p_client, const PackedByteArray &p_bytes) {
-	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED_ENCODER);
 	ERR_FAIL_COND_MSG(p_bytes.size() != int64_t(wire::MOTION_ACK_BYTES),
 			"SnapshotEncoder: an acknowledgement of motion is what MotionDecoder.get_ack() gives.");
 	_core->set_motion_ack(int(p_client), p_bytes.ptr(), std::size_t(p_bytes.size()));
 }
 
 bool SnapshotEncoder::take_ack(int64_t p_client, const PackedByteArray &p_bytes) {
-	ERR_FAIL_COND_V_MSG(_core == nullptr, false, UNCONFIGURED);
+	ERR_FAIL_COND_V_MSG(_core == nullptr, false, UNCONFIGURED_ENCODER);
 	wire::ClientRecord *client = _core->client(int(p_client));
 	return client != nullptr &&
 			client->take_ack(p_bytes.ptr(), std::size_t(p_bytes.size()), _core->world().tick(),
@@ -279,7 +279,7 @@ bool SnapshotEncoder::take_ack(int64_t p_client, const PackedByteArray &p_bytes)
 
 void SnapshotEncoder::set_mark(
 		int64_t p_person, int64_t p_sample, int64_t p_simulated_usec, const PackedInt32Array &p_steps_usec) {
-	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED);
+	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED_ENCODER);
 	ERR_FAIL_COND_MSG(p_steps_usec.size() != 3 || !is_id(p_person), "SnapshotEncoder: a mark has three steps.");
 	wire::Mark mark;
 	mark.person = uint16_t(p_person);
@@ -294,7 +294,7 @@ void SnapshotEncoder::set_mark(
 
 TypedArray<PackedByteArray> SnapshotEncoder::encode(int64_t p_client, int64_t p_now_usec) {
 	TypedArray<PackedByteArray> result;
-	ERR_FAIL_COND_V_MSG(_core == nullptr, result, UNCONFIGURED);
+	ERR_FAIL_COND_V_MSG(_core == nullptr, result, UNCONFIGURED_ENCODER);
 	_datagrams.clear();
 	const std::size_t count = _core->encode(int(p_client), p_now_usec, _datagrams);
 	for (std::size_t i = 0; i < count; i++) {
@@ -309,7 +309,7 @@ TypedArray<PackedByteArray> SnapshotEncoder::encode(int64_t p_client, int64_t p_
 PackedInt32Array SnapshotEncoder::encode_each(
 		const PackedInt32Array &p_clients, int64_t p_now_usec, TypedArray<PackedByteArray> r_datagrams) {
 	PackedInt32Array receivers;
-	ERR_FAIL_COND_V_MSG(_core == nullptr, receivers, UNCONFIGURED);
+	ERR_FAIL_COND_V_MSG(_core == nullptr, receivers, UNCONFIGURED_ENCODER);
 	for (int64_t i = 0; i < p_clients.size(); i++) {
 		_datagrams.clear();
 		const std::size_t count = _core->encode(int(p_clients[i]), p_now_usec, _datagrams);
@@ -326,7 +326,7 @@ PackedInt32Array SnapshotEncoder::encode_each(
 
 Dictionary SnapshotEncoder::get_stats(int64_t p_client) {
 	Dictionary result;
-	ERR_FAIL_COND_V_MSG(_core == nullptr, result, UNCONFIGURED);
+	ERR_FAIL_COND_V_MSG(_core == nullptr, result, UNCONFIGURED_ENCODER);
 	const wire::ClientRecord *client = _core->client(int(p_client));
 	if (client == nullptr) {
 		return result;

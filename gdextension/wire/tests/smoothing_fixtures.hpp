@@ -40,17 +40,17 @@ inline PersonUpdate swinging(uint32_t p_tick, uint16_t p_id = 0) {
 	return update;
 }
 
-struct Datagram {
+struct Arrival {
 	double arrival;
 	uint32_t tick;
 };
 
 /// When every p_step-th tick arrives, in that order.
-inline std::vector<Datagram> network(
+inline std::vector<Arrival> network(
 		uint32_t p_first, uint32_t p_end, uint32_t p_step, double p_delay, double p_jitter, double p_loss) {
 	std::mt19937 random(7);
 	std::uniform_real_distribution<double> share(0.0, 1.0);
-	std::vector<Datagram> result;
+	std::vector<Arrival> result;
 	for (uint32_t tick = p_first; tick < p_end; tick += p_step) {
 		const double delay = p_delay + (2.0 * share(random) - 1.0) * p_jitter;
 		if (share(random) >= p_loss) {
@@ -58,7 +58,7 @@ inline std::vector<Datagram> network(
 		}
 	}
 	std::sort(result.begin(), result.end(),
-			[](const Datagram &p_a, const Datagram &p_b) { return p_a.arrival < p_b.arrival; });
+			[](const Arrival &p_a, const Arrival &p_b) { return p_a.arrival < p_b.arrival; });
 	return result;
 }
 

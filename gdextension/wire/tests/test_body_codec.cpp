@@ -7,6 +7,8 @@
 
 #include <limits>
 
+namespace test_body_codec {
+
 using namespace wire;
 
 namespace {
@@ -256,4 +258,4 @@ TEST(no_bytes_give_what_is_no_state) {
 	CHECK(bad == 0);
 }
 
-TEST_MAIN()
+} // namespace test_body_codec

@@ -4,6 +4,8 @@
 
 #include <check.hpp>
 
+namespace test_fields {
+
 using namespace wire;
 
 namespace {
@@ -299,4 +301,4 @@ TEST(forty_people_fit_in_few_datagrams) {
 	CHECK(scene.server.client(1)->stats.datagrams - before <= 60 * 2);
 }
 
-TEST_MAIN()
+} // namespace test_fields

@@ -5,6 +5,8 @@
 
 #include <limits>
 
+namespace test_interest {
+
 using namespace wire;
 
 namespace {
@@ -117,4 +119,4 @@ TEST(weight_falls_with_the_distance) {
 	CHECK(interest.weight({ INFINITE, 0.0f, 0.0f }, {}) == Interest::FAR);
 }
 
-TEST_MAIN()
+} // namespace test_interest

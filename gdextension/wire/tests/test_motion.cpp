@@ -10,6 +10,8 @@
 #include <deque>
 #include <vector>
 
+namespace test_motion {
+
 using namespace wire;
 
 namespace {
@@ -322,4 +324,4 @@ TEST(damaged_and_random_bytes_do_no_harm) {
 	CHECK(read > 100);
 }
 
-TEST_MAIN()
+} // namespace test_motion

@@ -7,6 +7,8 @@
 #include <array>
 #include <vector>
 
+namespace test_person_codec {
+
 using namespace wire;
 
 namespace {
@@ -235,4 +237,4 @@ TEST(no_parameter_lets_anything_be_divided_by_nothing) {
 	}
 }
 
-TEST_MAIN()
+} // namespace test_person_codec

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+namespace test_person_lattice {
+
 using namespace wire;
 
 namespace {
@@ -131,4 +133,4 @@ TEST(what_is_no_pose_is_refused_and_changes_nothing) {
 	CHECK(people::same(state, kept, 16));
 }
 
-TEST_MAIN()
+} // namespace test_person_lattice

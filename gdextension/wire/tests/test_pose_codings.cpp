@@ -10,6 +10,8 @@
 #include <limits>
 #include <vector>
 
+namespace test_pose_codings {
+
 using namespace wire;
 
 namespace {
@@ -137,4 +139,4 @@ TEST(a_root_of_less_than_nothing_is_guarded_against) {
 	CHECK_NEAR(found.w, 0.0, 1e-6);
 }
 
-TEST_MAIN()
+} // namespace test_pose_codings

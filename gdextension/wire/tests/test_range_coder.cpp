@@ -6,6 +6,8 @@
 #include <random>
 #include <vector>
 
+namespace test_range_coder {
+
 using namespace wire;
 
 namespace {
@@ -118,4 +120,4 @@ TEST(what_is_cut_off_is_noticed) {
 	CHECK(decoder.is_bad());
 }
 
-TEST_MAIN()
+} // namespace test_range_coder

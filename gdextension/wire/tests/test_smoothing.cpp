@@ -3,6 +3,8 @@
 
 #include <check.hpp>
 
+namespace test_smoothing {
+
 using namespace fixtures;
 
 namespace {
@@ -15,7 +17,7 @@ struct Watched {
 	bool is_finite = true;
 };
 
-Watched watch(SmoothingMethod p_method, const std::vector<Datagram> &p_datagrams, double p_begin, double p_end) {
+Watched watch(SmoothingMethod p_method, const std::vector<Arrival> &p_datagrams, double p_begin, double p_end) {
 	Smoother smoother;
 	smoother.set_method(p_method);
 	smoother.set_skeleton(0, arm());
@@ -73,7 +75,7 @@ float roughest(const Watched &p_watched) {
 } // namespace
 
 TEST(joints_never_gap_whatever_the_method_and_the_network) {
-	const std::vector<Datagram> bad = network(0, 600, 2, 0.06, 0.05, 0.2);
+	const std::vector<Arrival> bad = network(0, 600, 2, 0.06, 0.05, 0.2);
 	for (const SmoothingMethod method : ALL_METHODS) {
 		const Watched watched = watch(method, bad, 0.5, 10.0);
 		CHECK(watched.hand.size() > 500);
@@ -83,7 +85,7 @@ TEST(joints_never_gap_whatever_the_method_and_the_network) {
 }
 
 TEST(over_a_perfect_network_a_buffer_shows_the_truth_late) {
-	const std::vector<Datagram> perfect = network(0, 600, 1, 0.0, 0.0, 0.0);
+	const std::vector<Arrival> perfect = network(0, 600, 1, 0.0, 0.0, 0.0);
 	for (const SmoothingMethod method : { SmoothingMethod::LINEAR, SmoothingMethod::HERMITE }) {
 		const Watched watched = watch(method, perfect, 2.0, 10.0);
 		CHECK(error(watched, BUFFER_S) < 0.001);
@@ -91,7 +93,7 @@ TEST(over_a_perfect_network_a_buffer_shows_the_truth_late) {
 }
 
 TEST(the_default_stays_close_behind_and_does_not_jump) {
-	const std::vector<Datagram> usual = network(0, 1200, 2, 0.025, 0.01, 0.02);
+	const std::vector<Arrival> usual = network(0, 1200, 2, 0.025, 0.01, 0.02);
 	const Watched watched = watch(SmoothingMethod::ADAPTIVE_LOW_DELAY, usual, 2.0, 20.0);
 	const Watched raw = watch(SmoothingMethod::NONE, usual, 2.0, 20.0);
 	CHECK(error(watched, 0.042) < 0.02);
@@ -104,7 +106,7 @@ TEST(the_default_waits_longer_where_updates_vary_more) {
 	double before = 0.0;
 	for (const double jitter : { 0.0, 0.02, 0.06 }) {
 		smoother.clear();
-		for (const Datagram &datagram : network(0, 300, 1, 0.08, jitter, 0.0)) {
+		for (const Arrival &datagram : network(0, 300, 1, 0.08, jitter, 0.0)) {
 			smoother.push(swinging(datagram.tick), datagram.arrival);
 		}
 		smoother.evaluate(5.1);
@@ -139,7 +141,7 @@ TEST(the_delay_that_is_reported_is_that_of_what_is_shown_however_slow_the_server
 }
 
 TEST(the_thesis_and_the_error_offset_are_ahead_of_the_buffers) {
-	const std::vector<Datagram> usual = network(0, 1200, 2, 0.025, 0.01, 0.02);
+	const std::vector<Arrival> usual = network(0, 1200, 2, 0.025, 0.01, 0.02);
 	const double buffered = error(watch(SmoothingMethod::HERMITE, usual, 2.0, 20.0), 0.0);
 	for (const SmoothingMethod method : { SmoothingMethod::EXTRAPOLATE_LERP, SmoothingMethod::ERROR_OFFSET }) {
 		CHECK(error(watch(method, usual, 2.0, 20.0), 0.0) < 0.6 * buffered);
@@ -172,11 +174,11 @@ TEST(what_is_shown_never_goes_back_in_time) {
 	int back = 0;
 	std::size_t next = 0;
 	// The network becomes slower, then quicker again.
-	std::vector<Datagram> datagrams = network(0, 300, 1, 0.02, 0.005, 0.0);
-	for (const Datagram &datagram : network(300, 600, 1, 0.15, 0.05, 0.0)) {
+	std::vector<Arrival> datagrams = network(0, 300, 1, 0.02, 0.005, 0.0);
+	for (const Arrival &datagram : network(300, 600, 1, 0.15, 0.05, 0.0)) {
 		datagrams.push_back(datagram);
 	}
-	for (const Datagram &datagram : network(600, 900, 1, 0.02, 0.005, 0.0)) {
+	for (const Arrival &datagram : network(600, 900, 1, 0.02, 0.005, 0.0)) {
 		datagrams.push_back(datagram);
 	}
 	for (int frame = 60; frame < 900; frame++) {
@@ -239,4 +241,4 @@ TEST(bodies_at_rest_have_not_moved) {
 	CHECK(smoother.moved_bodies().empty());
 }
 
-TEST_MAIN()
+} // namespace test_smoothing

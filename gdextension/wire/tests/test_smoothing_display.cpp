@@ -4,6 +4,8 @@
 
 #include <check.hpp>
 
+namespace test_smoothing_display {
+
 using namespace fixtures;
 
 namespace {
@@ -18,7 +20,7 @@ struct Ages {
 
 // How old the motion is that each frame of a display shows; the client's clock runs faster than the server's by
 // p_drift, s per second.
-Ages watch(double p_rate, double p_drift, const std::vector<Datagram> &p_datagrams) {
+Ages watch(double p_rate, double p_drift, const std::vector<Arrival> &p_datagrams) {
 	Smoother smoother;
 	smoother.set_skeleton(0, arm());
 	std::size_t next = 0;
@@ -82,7 +84,7 @@ Step step_on(double p_rate, double p_phase) {
 } // namespace
 
 TEST(motion_is_as_old_at_every_frame_of_every_display) {
-	const std::vector<Datagram> lan = network(0, 1200, 1, 0.003, 0.001, 0.0);
+	const std::vector<Arrival> lan = network(0, 1200, 1, 0.003, 0.001, 0.0);
 	for (const double rate : RATES) {
 		const Ages ages = watch(rate, 0.0, lan);
 		CHECK(ages.mean > 0.002 && ages.mean < 0.008);
@@ -91,7 +93,7 @@ TEST(motion_is_as_old_at_every_frame_of_every_display) {
 }
 
 TEST(clocks_that_drift_and_datagrams_that_are_late_or_lost_leave_it_so) {
-	const std::vector<Datagram> worse = network(0, 1800, 1, 0.006, 0.004, 0.03);
+	const std::vector<Arrival> worse = network(0, 1800, 1, 0.006, 0.004, 0.03);
 	for (const double rate : RATES) {
 		for (const double drift : { -3e-4, 3e-4 }) {
 			const Ages ages = watch(rate, drift, worse);
@@ -103,8 +105,8 @@ TEST(clocks_that_drift_and_datagrams_that_are_late_or_lost_leave_it_so) {
 
 TEST(what_does_not_come_makes_motion_old) {
 	// One second is lost: the shown tick runs on, motion does not, and counts as what it is.
-	std::vector<Datagram> datagrams = network(0, 300, 1, 0.003, 0.0, 0.0);
-	const std::vector<Datagram> rest = network(360, 600, 1, 0.003, 0.0, 0.0);
+	std::vector<Arrival> datagrams = network(0, 300, 1, 0.003, 0.0, 0.0);
+	const std::vector<Arrival> rest = network(360, 600, 1, 0.003, 0.0, 0.0);
 	datagrams.insert(datagrams.end(), rest.begin(), rest.end());
 	const Ages ages = watch(59.0, 0.0, datagrams);
 	CHECK(ages.most > 0.9 && ages.most < 1.05);
@@ -171,4 +173,4 @@ TEST(displays_of_a_station_show_the_same_at_the_same_tick) {
 	CHECK(!unborn.show_tick(5.0, 1.0));
 }
 
-TEST_MAIN()
+} // namespace test_smoothing_display

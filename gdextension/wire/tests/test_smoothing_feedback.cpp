@@ -9,6 +9,8 @@
 #include <functional>
 #include <limits>
 
+namespace test_smoothing_feedback {
+
 using namespace fixtures;
 
 namespace {
@@ -220,4 +222,4 @@ TEST(what_is_broken_is_refused) {
 	CHECK(feedback.get_positions()[2].is_finite());
 }
 
-TEST_MAIN()
+} // namespace test_smoothing_feedback

@@ -4,6 +4,8 @@
 
 #include <check.hpp>
 
+namespace test_smoothing_frames {
+
 using namespace fixtures;
 
 namespace {
@@ -51,7 +53,7 @@ template <typename IsOn>
 Result watch(uint32_t p_step, double p_loss, IsOn p_is_on) {
 	Smoother smoother;
 	smoother.set_skeleton(PERSON, arm());
-	const std::vector<fixtures::Datagram> datagrams = network(100, 820, p_step, 0.05, 0.03, p_loss);
+	const std::vector<fixtures::Arrival> datagrams = network(100, 820, p_step, 0.05, 0.03, p_loss);
 	std::size_t next = 0;
 	Result result;
 	Vec3 before;
@@ -202,4 +204,4 @@ TEST(fields_move_as_their_kind_says) {
 	CHECK_NEAR(track.newest(1), 3.0, 1e-3);
 }
 
-TEST_MAIN()
+} // namespace test_smoothing_frames

@@ -3,6 +3,8 @@
 
 #include <check.hpp>
 
+namespace test_snapshots {
+
 using namespace wire;
 
 TEST(a_client_has_the_servers_states_to_the_last_digit) {
@@ -224,4 +226,4 @@ TEST(who_has_left_is_forgotten) {
 	CHECK(scene.clients[0].wrong == 0);
 }
 
-TEST_MAIN()
+} // namespace test_snapshots

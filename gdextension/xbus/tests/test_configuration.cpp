@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+namespace test_configuration {
+
 using namespace streams;
 
 namespace {
@@ -129,4 +131,4 @@ TEST(replies_can_be_framed) {
 	CHECK(framer.statistics().frames == 2 && framer.statistics().skipped_bytes == 0);
 }
 
-TEST_MAIN()
+} // namespace test_configuration

@@ -4,6 +4,8 @@
 
 #include "check.hpp"
 
+namespace test_corruption {
+
 using namespace streams;
 
 namespace {
@@ -49,4 +51,4 @@ TEST(a_tracker_with_items_survives) {
 	check_line(imu_stream(MESSAGES, 3), nullptr);
 }
 
-TEST_MAIN()
+} // namespace test_corruption

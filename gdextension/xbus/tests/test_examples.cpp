@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+namespace test_examples {
+
 using namespace streams;
 
 namespace {
@@ -188,4 +190,4 @@ TEST(items_go_both_ways) {
 	CHECK_NEAR(live.quaternion[0], 0.9965495, 1e-6);
 }
 
-TEST_MAIN()
+} // namespace test_examples

@@ -5,6 +5,8 @@
 
 #include <cstring>
 
+namespace test_framer {
+
 using namespace streams;
 
 namespace {
@@ -242,4 +244,4 @@ TEST(sums_are_sums) {
 	}
 }
 
-TEST_MAIN()
+} // namespace test_framer

@@ -3,10 +3,13 @@
 #include "bus_streams.hpp"
 
 #include "check.hpp"
+#include <test_data.hpp>
 
 #include <cinttypes>
 #include <fstream>
 #include <sstream>
+
+namespace test_golden {
 
 using namespace streams;
 
@@ -21,7 +24,7 @@ struct GoldenItem {
 using GoldenMessage = std::vector<GoldenItem>;
 
 std::string path_of(int p_set, const char *p_name) {
-	return std::string(DISMOUNT_TEST_DATA "/xbus/") + std::to_string(p_set) + "/" + p_name;
+	return std::string(test_data::SOURCES) + "/../tests/data/xbus/" + std::to_string(p_set) + "/" + p_name;
 }
 
 /// Messages are apart by an empty line; values are indented, after "X:" or the like if they have names.
@@ -231,4 +234,4 @@ TEST(output_configurations_are_exact) {
 	}
 }
 
-TEST_MAIN()
+} // namespace test_golden

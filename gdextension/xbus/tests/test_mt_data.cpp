@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+namespace test_mt_data {
+
 using namespace streams;
 
 namespace {
@@ -251,4 +253,4 @@ TEST(fixed_point_keeps_within_its_range) {
 	CHECK_NEAR(read_fixed_16_32(recorded.data()), 0.0461860522627830, 1e-15);
 }
 
-TEST_MAIN()
+} // namespace test_mt_data

@@ -3,6 +3,8 @@
 
 #include "check.hpp"
 
+namespace test_mt_data2 {
+
 using namespace streams;
 
 namespace {
@@ -154,4 +156,4 @@ TEST(orientations_are_the_same_in_every_form) {
 	CHECK(!FullSample().orientation(found));
 }
 
-TEST_MAIN()
+} // namespace test_mt_data2

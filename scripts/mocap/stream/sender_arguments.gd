@@ -3,16 +3,17 @@ extends RefCounted
 ## Reads the command line of a program that plays motion as a stream.
 
 
-## Puts --name=value of the command line into options that hold their defaults; numbers lie within
+## Puts --name=value of arguments into options that hold their defaults; numbers lie within
 ## [param p_ranges], those of [param p_whole] have no fraction. Returns what is wrong, or an empty
 ## text; [param p_command] is how ./run calls the program.
 static func read(
 	r_options: Dictionary[String, String],
 	p_ranges: Dictionary,
 	p_whole: PackedStringArray,
-	p_command: String
+	p_command: String,
+	p_arguments: PackedStringArray = OS.get_cmdline_user_args()
 ) -> String:
-	for argument: String in OS.get_cmdline_user_args():
+	for argument: String in p_arguments:
 		var name: String = argument.get_slice("=", 0).trim_prefix("--")
 		var is_given: bool = argument.begins_with("--") and argument.contains("=")
 		if not is_given or not r_options.has(name):

@@ -77,9 +77,15 @@ func _run() -> void:
 			longest_frame_usec = maxi(longest_frame_usec, Time.get_ticks_usec() - begin)
 	library.reset()
 	await stage.frames(5)
+	var hostile_usec: int = 0
+	for text: String in EffectTexts.deep() + EffectTexts.long():
+		var begin: int = Time.get_ticks_usec()
+		EffectFile.from_bytes(text.to_utf8_buffer())
+		hostile_usec = maxi(hostile_usec, Time.get_ticks_usec() - begin)
 	var row: Dictionary = {"what": "mutations", "count": arguments.value("count")}
 	row.merge({"accepted": accepted, "replaced_wrongly": replaced_wrongly})
 	row.merge({"longest_ms": longest_usec / 1000.0, "frame_ms": longest_frame_usec / 1000.0})
+	row["hostile_ms"] = hostile_usec / 1000.0
 	print(JSON.stringify(row))
 	quit()
 

@@ -209,15 +209,12 @@ func test_levels_of_ours() -> void:
 		var level: Level = LevelStore.instantiate(name)
 		add_child(level)
 		await physics_frames(2)
-		var begin: int = Time.get_ticks_msec()
 		var check: LevelCheck = LevelCheck.new(level)
 		check.run()
-		var seconds: float = (Time.get_ticks_msec() - begin) / 1000.0
 		for fault: LevelFault in check.faults:
 			var is_hint: bool = fault.severity == LevelFault.Severity.HINT
 			is_true(is_hint, "%s: %s" % [name, fault.describe()])
 			is_true(fault.kind != LevelFault.Kind.NOT_BAKED, "%s: %s" % [name, fault.text])
-		is_true(seconds < 20.0, "%s took %.1f s" % [name, seconds])
 		level.free()
 
 

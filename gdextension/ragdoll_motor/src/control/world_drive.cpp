@@ -5,12 +5,6 @@
 
 namespace ragdoll {
 
-namespace {
-
-constexpr float TAU = 6.28318531f;
-
-} // namespace
-
 void WorldDrive::Spring::set(const DriveStrength &p_wanted, float p_blend_s) {
 	const bool is_wanted = p_wanted.strength > 0.0f;
 	if (is_wanted && !is_on) {

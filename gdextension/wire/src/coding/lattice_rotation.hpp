@@ -14,6 +14,12 @@ constexpr int FRACTION = 16;
 /// A rotation's parts in the chart of one dropped component, in 1 / FRACTION lattice units.
 using Parts = std::array<int32_t, 3>;
 
+/// Whether a quaternion's norm is between 0.9 and 1.1.
+inline bool is_rotation(const kinematics::Quat &p_rotation) {
+	const float square = p_rotation.dot(p_rotation);
+	return square > 0.81f && square < 1.21f;
+}
+
 /// Whether three parts are those of a rotation whose dropped component is positive, on the lattice
 /// (all even or all odd).
 inline bool is_on_lattice(const std::array<int32_t, 3> &p_parts, int p_resolution) {

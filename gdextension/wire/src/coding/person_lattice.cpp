@@ -21,11 +21,6 @@ std::array<float, 4> to_array(const Quat &p_rotation) {
 	return { p_rotation.x, p_rotation.y, p_rotation.z, p_rotation.w };
 }
 
-bool is_rotation(const Quat &p_rotation) {
-	const float square = p_rotation.dot(p_rotation);
-	return square > 0.81f && square < 1.21f;
-}
-
 int find_chart(const std::array<float, 4> &p_values, const RotationCode *p_previous) {
 	if (p_previous != nullptr && std::fabs(p_values[p_previous->dropped % 4]) >= MIN_DROPPED) {
 		return p_previous->dropped % 4;

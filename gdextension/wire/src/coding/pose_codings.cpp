@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "coding/pose_codings.hpp"
 
+#include "coding/lattice_rotation.hpp"
+
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -33,11 +35,6 @@ const RowStarts &row_starts() {
 		return sums;
 	}();
 	return starts;
-}
-
-bool is_rotation(const Quat &p_rotation) {
-	const float square = p_rotation.dot(p_rotation);
-	return square > 0.81f && square < 1.21f;
 }
 
 void put(uint32_t p_word, uint8_t *r_bytes) {

@@ -6,6 +6,9 @@
 
 namespace wire {
 
+/// Urgency at which what is out of sight is sent after all.
+constexpr float HIDDEN_URGENCY = 0.75f;
+
 /// What a client is known to have of one person or body.
 struct Delivery {
 	uint32_t generation = 0;

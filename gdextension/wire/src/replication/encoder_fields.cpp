@@ -10,8 +10,6 @@ namespace wire {
 
 namespace {
 
-// Urgency at which something out of sight is sent after all.
-constexpr float HIDDEN_URGENCY = 0.75f;
 // Bytes that an entity's fields usually take at most, with the end of the coder.
 constexpr std::size_t FIELDS_MARGIN = 16;
 constexpr float FIELDS_SIZE_MEMORY = 0.02f;

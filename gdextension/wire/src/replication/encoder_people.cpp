@@ -8,13 +8,6 @@
 
 namespace wire {
 
-namespace {
-
-// Urgency at which somebody out of sight is sent after all.
-constexpr float HIDDEN_URGENCY = 0.75f;
-
-} // namespace
-
 void SnapshotEncoder::_collect_people(ClientRecord &p_client, bool p_jolts_only) {
 	_people_waiting.clear();
 	for (std::size_t i = 0; i < p_client.people.size(); i++) {

@@ -14,7 +14,7 @@ constexpr float PI = 3.14159265f;
 constexpr float SLACK = 0.009f; // rad
 constexpr float SLACK_TIME = 0.015f; // s
 // How fast deviations come and go (critically damped): 98 % within 0.13 s.
-constexpr float SPRING = 45.0f; // 1/s
+constexpr float FEEDBACK_SPRING = 45.0f; // 1/s
 // Without word from the server limbs are shown as the wearer has them, s.
 constexpr double SILENCE_S = 0.5;
 // A root that is further off than before by this has been put elsewhere, m.
@@ -156,11 +156,11 @@ void LocalFeedback::_note_turn(std::size_t p_limb, const Vec3 &p_deviation, floa
 
 /// Draws what is shown to what is wanted: a critically damped spring, solved exactly.
 void LocalFeedback::_filter(float p_step) {
-	const float left = std::exp(-SPRING * p_step);
+	const float left = std::exp(-FEEDBACK_SPRING * p_step);
 	LimbDelta off = mix(_shown, 1.0f, _wanted, -1.0f, _count);
-	const LimbDelta pull = mix(_speed, 1.0f, off, SPRING, _count);
+	const LimbDelta pull = mix(_speed, 1.0f, off, FEEDBACK_SPRING, _count);
 	off = mix(off, left, pull, left * p_step, _count);
-	_speed = mix(_speed, left, pull, -left * p_step * SPRING, _count);
+	_speed = mix(_speed, left, pull, -left * p_step * FEEDBACK_SPRING, _count);
 	_shown = mix(_wanted, 1.0f, off, 1.0f, _count);
 }
 

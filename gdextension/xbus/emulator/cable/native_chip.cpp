@@ -9,7 +9,7 @@ namespace {
 constexpr uint16_t XSENS = 0x2639;
 constexpr std::size_t PACKET = 64;
 /// Bytes that the chip keeps while nobody reads.
-constexpr std::size_t KEPT = 4096;
+constexpr std::size_t KEPT_BYTES = 4096;
 
 } // namespace
 
@@ -63,7 +63,7 @@ int NativeChip::read_packet(uint8_t p_endpoint, uint8_t *r_packet, Usec p_now, U
 void NativeChip::wait(Usec p_now, Usec p_since) {
 	_advance(p_now);
 	const std::size_t arrived = _line.arrived(p_now);
-	const std::size_t kept = _line.arrived(p_since) + KEPT;
+	const std::size_t kept = _line.arrived(p_since) + KEPT_BYTES;
 	if (arrived > kept) {
 		_line.drop(arrived - kept);
 	}

@@ -15,7 +15,6 @@ using xbus::Message;
 
 constexpr uint8_t ERROR_NO_BUS = 0x01;
 constexpr uint8_t ERROR_BUS_NOT_READY = 0x02;
-constexpr uint8_t ERROR_PERIOD = 0x03;
 constexpr uint8_t ERROR_NO_ANSWER = 0x1D;
 constexpr uint8_t ERROR_PARAMETER = 0x21;
 constexpr unsigned MIN_PERIOD = 225;

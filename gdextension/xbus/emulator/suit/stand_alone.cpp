@@ -13,10 +13,8 @@ namespace {
 using xbus::Frame;
 using xbus::Message;
 
-constexpr uint8_t ERROR_PERIOD = 0x03;
 /// Fastest rate of any item, Hz.
 constexpr int FASTEST = 400;
-constexpr int64_t TICKS = 115200;
 constexpr unsigned ON_REQUEST = 0xFFFF;
 
 } // namespace

@@ -19,7 +19,6 @@ constexpr Usec REBOOT_TIME = 3 * SECOND / 4;
 constexpr Usec RECEIVE_TIME = SECOND / 5;
 /// Bytes that a device keeps for a slow line.
 constexpr std::size_t BUFFER = 8192;
-constexpr int64_t TICKS = 115200;
 
 constexpr uint8_t ERROR_MESSAGE = 0x04;
 constexpr uint8_t ERROR_BAUD = 0x20;

@@ -14,6 +14,10 @@
 
 namespace emulator {
 
+/// Of the clock of samples, in a second.
+constexpr int64_t TICKS = 115200;
+constexpr uint8_t ERROR_PERIOD = 0x03;
+
 /// Bytes of a message's data.
 using Data = std::vector<uint8_t>;
 

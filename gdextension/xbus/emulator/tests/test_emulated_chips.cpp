@@ -5,6 +5,8 @@
 
 #include <cerrno>
 
+namespace test_emulated_chips {
+
 using emulator::FtdiChip;
 using emulator::SECOND;
 using emulator::Usec;
@@ -173,4 +175,4 @@ TEST(bytes_are_corrupted_as_often_as_ordered) {
 	CHECK(host.received.size() > 600 && host.received.size() < 1150);
 }
 
-TEST_MAIN()
+} // namespace test_emulated_chips

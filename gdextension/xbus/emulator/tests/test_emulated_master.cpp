@@ -4,6 +4,8 @@
 #include "bus/mt_data.hpp"
 #include "check.hpp"
 
+namespace test_emulated_master {
+
 using emulator::SECOND;
 using xbus::MASTER;
 using xbus::Message;
@@ -199,4 +201,4 @@ TEST(options_say_what_is_wrong_with_them) {
 	}
 }
 
-TEST_MAIN()
+} // namespace test_emulated_master

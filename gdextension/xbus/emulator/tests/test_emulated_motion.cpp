@@ -5,6 +5,8 @@
 
 #include <cstring>
 
+namespace test_emulated_motion {
+
 using emulator::MotionStream;
 using emulator::Mounting;
 using emulator::Random;
@@ -110,4 +112,4 @@ TEST(a_sensor_says_its_mounting_and_its_north) {
 	}
 }
 
-TEST_MAIN()
+} // namespace test_emulated_motion

@@ -8,6 +8,8 @@
 #include <functional>
 #include <random>
 
+namespace test_source_clock {
+
 using clocks::SourceClock;
 
 namespace {
@@ -179,4 +181,4 @@ TEST(datagrams_that_overtake_one_another_keep_their_times) {
 	}
 }
 
-TEST_MAIN()
+} // namespace test_source_clock

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <random>
 
+namespace test_stream_time {
+
 using clocks::StreamTime;
 
 namespace {
@@ -85,4 +87,4 @@ TEST(a_count_that_begins_anew_after_a_pause_is_followed) {
 	}
 }
 
-TEST_MAIN()
+} // namespace test_stream_time

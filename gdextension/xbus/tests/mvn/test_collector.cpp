@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+namespace test_collector {
+
 using namespace drawn;
 
 namespace {
@@ -274,4 +276,4 @@ TEST(endless_parts_take_bounded_memory) {
 	CHECK(refused > 30);
 }
 
-TEST_MAIN()
+} // namespace test_collector

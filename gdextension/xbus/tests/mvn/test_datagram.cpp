@@ -8,6 +8,8 @@
 
 #include <cstring>
 
+namespace test_datagram {
+
 using namespace drawn;
 
 namespace {
@@ -232,4 +234,4 @@ TEST(every_cut_of_a_datagram_is_refused_or_shorter_text) {
 	}
 }
 
-TEST_MAIN()
+} // namespace test_datagram

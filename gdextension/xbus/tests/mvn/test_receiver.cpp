@@ -14,6 +14,8 @@
 #include <chrono>
 #include <functional>
 
+namespace test_receiver {
+
 using namespace drawn;
 
 namespace {
@@ -188,4 +190,4 @@ TEST(who_is_silent_leaves) {
 	CHECK(receiver.take_news().empty() && receiver.take_messages().empty());
 }
 
-TEST_MAIN()
+} // namespace test_receiver

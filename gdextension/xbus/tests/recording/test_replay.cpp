@@ -7,6 +7,8 @@
 
 #include <check.hpp>
 
+namespace test_replay {
+
 using namespace recording;
 using namespace xbus;
 using streams::Bytes;
@@ -197,4 +199,4 @@ TEST(hostile_recordings_do_no_harm) {
 	CHECK(frames > 1000);
 }
 
-TEST_MAIN()
+} // namespace test_replay

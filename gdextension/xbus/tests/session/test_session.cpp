@@ -6,6 +6,8 @@
 
 #include "check.hpp"
 
+namespace test_session {
+
 namespace {
 
 using xbus::SessionState;
@@ -365,4 +367,4 @@ TEST(a_stop_leaves_the_suit_at_rest) {
 	CHECK(rig.suit->devices()[0].device->state() == emulator::XbusDevice::State::CONFIG);
 }
 
-TEST_MAIN()
+} // namespace test_session

@@ -8,6 +8,8 @@
 #include <random>
 #include <vector>
 
+namespace test_ftdi_protocol {
+
 TEST(divisors_are_those_of_the_kernels_driver) {
 	// What Linux 6.1 was seen to send: docs/suits.md, "The wire".
 	constexpr struct {
@@ -91,4 +93,4 @@ TEST(devices_are_distinguished_by_their_numbers) {
 	CHECK(usb::identify(0x1D6B, 0x0002).kind == DeviceLink::OTHER);
 }
 
-TEST_MAIN()
+} // namespace test_ftdi_protocol

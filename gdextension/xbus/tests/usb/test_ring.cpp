@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <thread>
 
+namespace test_ring {
+
 namespace {
 
 /// More than a word, so that a torn entry would show.
@@ -63,4 +65,5 @@ TEST(what_one_thread_writes_another_reads_whole_and_in_order) {
 	CHECK(is_sound);
 	CHECK(ring.front() == nullptr);
 }
-TEST_MAIN()
+
+} // namespace test_ring

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: MIT
+"""Tests that fail and then pass alone: what is noted, what is said, what fails a run."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from toolchain import pytest_tests
+from toolchain.flaky import RUNS, TOO_OFTEN, Ledger, Sighting
+from toolchain.pytest_tests import Result, judge, read_report
+
+NAME = "tests.system.test_x::test_race"
+TESTS = """
+import os, pathlib, pytest
+
+FILE = pathlib.Path(os.environ["TRIES"])
+
+
+def test_holds():
+    pass
+
+
+def test_race():
+    tries = len(FILE.read_text()) if FILE.exists() else 0
+    FILE.write_text("x" * (tries + 1))
+    assert tries > 0, "the first try loses"
+
+
+def test_broken():
+    assert False, "it never holds"
+
+
+@pytest.fixture
+def bad():
+    raise OSError("no set-up")
+
+
+def test_without_set_up(bad):
+    pass
+"""
+
+
+def note(ledger: Ledger, *tests: str) -> list[int]:
+    """Notes a run; returns how often each test has been flaky."""
+    sightings = [Sighting(test, "it said so") for test in tests]
+    return [one.count for one in ledger.note(sightings, "2026-01-01 00:00", "abc", "1.0")]
+
+
+def test_a_test_counts_over_the_last_runs_only(tmp_path: Path) -> None:
+    ledger = Ledger(tmp_path)
+    assert note(ledger, "a") == [1]
+    assert note(ledger, "a", "b") == [2, 1]
+    for _quiet in range(RUNS - 2):
+        assert note(ledger) == []
+    # The first run is out of sight, the second is not.
+    assert note(ledger, "a") == [2]
+    assert {row["test"] for row in ledger.rows()} == {"a", "b", ""}
+    logs = [Path(row["log"]) for row in ledger.rows() if row["test"]]
+    assert all("it said so" in log.read_text() for log in logs)
+
+
+def test_a_damaged_ledger_is_no_reason_to_fail(tmp_path: Path) -> None:
+    ledger = Ledger(tmp_path)
+    note(ledger, "a")
+    with ledger.file.open("a") as file:
+        file.write("nonsense\n,,\n")
+    assert note(ledger, "a") == [2]
+
+
+def test_a_flaky_test_fails_the_run_from_the_third_time_on(tmp_path: Path) -> None:
+    ledger = Ledger(tmp_path)
+    first = Result(passed={"other"}, failed={NAME: "lost a race"})
+    again = Result(passed={NAME})
+    for count in range(1, TOO_OFTEN + 1):
+        outcome = judge(first, again, "7.5", ledger)
+        is_last = count == TOO_OFTEN
+        assert (outcome.passed, outcome.failed) == ((1, 1) if is_last else (2, 0))
+        said = "\n".join(outcome.notes)
+        assert f"FLAKY {NAME}: {count} in the last {RUNS} runs" in said
+        assert "load 7.5" in said
+        assert "lost a race" in said
+
+
+def test_what_fails_again_or_does_not_run_again_fails(tmp_path: Path) -> None:
+    first = Result(passed={"other"}, failed={NAME: "broken"})
+    for again in (
+        None,
+        Result(failed={NAME: "broken"}),
+        Result(passed={"another"}),
+        Result(fault="pytest did not finish (exit 4)"),
+    ):
+        outcome = judge(first, again, "1.0", Ledger(tmp_path))
+        assert (outcome.passed, outcome.failed) == (1, 1)
+        assert not any("FLAKY" in note for note in outcome.notes)
+
+
+def run(folder: Path, *options: str) -> Result:
+    """Runs the tests of the folder by a pytest of its own."""
+    report = folder / "report.xml"
+    command = [sys.executable, "-m", "pytest", "-p", "toolchain.schedule", f"--junitxml={report}"]
+    command += ["-q", "-o", f"cache_dir={folder / 'cache'}", "--rootdir", str(folder), *options]
+    plain = {name: value for name, value in os.environ.items() if not name.startswith("PYTEST_")}
+    done = subprocess.run(
+        command, cwd=folder, env=plain, capture_output=True, text=True, check=False
+    )
+    assert report.exists(), done.stdout + done.stderr
+    result = read_report(report)
+    report.unlink()
+    return result
+
+
+def test_what_failed_runs_again_alone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("TRIES", str(tmp_path / "tries"))
+    monkeypatch.setenv("DISMOUNT_USER_CACHE", str(tmp_path / "user"))
+    (tmp_path / "test_x.py").write_text(TESTS)
+    first = run(tmp_path, "-n", "1", "test_x.py")
+    assert first.passed == {"test_x::test_holds"}
+    assert set(first.failed) == {
+        f"test_x::test_{name}" for name in ("race", "broken", "without_set_up")
+    }
+    assert "the first try loses" in first.failed["test_x::test_race"]
+    again = run(tmp_path, *pytest_tests.AGAIN, "test_x.py")
+    assert again.passed == {"test_x::test_race"}
+    assert set(again.failed) == {"test_x::test_broken", "test_x::test_without_set_up"}
+    outcome = judge(first, again, "1.0", Ledger(tmp_path))
+    assert (outcome.passed, outcome.failed) == (2, 2)
