@@ -274,6 +274,7 @@ def godot() -> Godot:
 def run_in_window(display: dict[str, str], script: str, *flags: str) -> str:
     """What a script of this folder prints that the engine runs in a small window."""
     command = [os.environ["DISMOUNT_GODOT"], "--path", str(ROOT), *SOFTWARE, *flags]
+    started["windows"] += 1
     done = subprocess.run(
         [*command, "--resolution", "320x180", "-s", f"res://tests/system/{script}"],
         stdout=subprocess.PIPE,

@@ -19,6 +19,14 @@ from .conftest import SOFTWARE, World
 # which is none of this one.
 KNOWN = ("VK_KHR_surface", "err != OK", "V-Sync", "Detected another project.godot")
 
+# Thirty frames a second are enough for a hand, and a third of the work.
+SETTINGS = """[gd_resource type="EditorSettings" format=3]
+
+[resource]
+interface/editor/low_processor_mode_sleep_usec = 33000
+interface/editor/unfocused_low_processor_mode_sleep_usec = 33000
+"""
+
 
 def complaints(log: str) -> list[str]:
     """What a log has of warnings and errors."""
@@ -55,6 +63,9 @@ class EditedProject:
     def __init__(self, world: World, godot: Godot, display: dict[str, str], scene: str) -> None:
         self.folder = world.folder / "project"
         copy_project(self.folder)
+        settings = world.folder / "CONFIG" / "godot" / "editor_settings-4.6.tres"
+        settings.parent.mkdir(parents=True)
+        settings.write_text(SETTINGS, encoding="utf-8")
         probe = world.folder / "probe.json"
         command = [str(godot.program), *SOFTWARE, "--single-window", "--path", str(self.folder)]
         environment = {**display, "DISMOUNT_KIT_PROBE": str(probe)}

@@ -4,12 +4,9 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
 
 from .conftest import World, run_in_window
 from .pictures import Picture, Window
-
-pytestmark = pytest.mark.serial
 
 
 def text_height(picture: Picture, width: int) -> int:

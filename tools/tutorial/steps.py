@@ -97,7 +97,7 @@ class Tutorial:
     def add_spawn_point(self) -> None:
         """Drags a spawn point and saves."""
         self.editor.drop("Spawn point", (0.0, 0.0, 6.0))
-        self._save()
+        self.editor.save()
 
     def find_fault(self) -> None:
         """Puts a crate into a wall, has it found, looks at it and deletes it."""
@@ -126,7 +126,7 @@ class Tutorial:
 
     def bake(self) -> None:
         """Has the light worked out."""
-        self._save()
+        self.editor.save()
         self.editor.click("Bake level")
         self.editor.await_state(
             lambda s: s["controls"]["note"]["text"].startswith(f"{LEVEL}.bake:"), "the light"
@@ -155,10 +155,6 @@ class Tutorial:
         self._take("trial")
         for window in self.editor.screen.windows()[1:]:
             self.editor.screen.shut(window)
-
-    def _save(self) -> None:
-        self.editor.save()
-        self.editor.state()
 
     def _take(self, name: str) -> None:
         if self.pictures is not None:
