@@ -81,6 +81,7 @@ def test_the_tutorial(project: EditedProject) -> None:
 
 
 def test_the_editor_ends_in_order_and_has_changed_levels_alone(project: EditedProject) -> None:
+    project.process.await_rest()
     before = len(project.process.log())
     for window in project.screen.windows():
         project.screen.shut(window)
