@@ -2,15 +2,12 @@
 extends Node
 ## Tells a program that plays a user where things are on the screen: see tools/tutorial.
 ##
-## It only looks. The plugin makes one where the environment names a file for it.
-
-## Frames between two looks.
-const FRAMES: int = 5
+## It only looks, when it is asked: by a number in a file beside the one that it tells in, which is
+## removed then. The plugin makes one where the environment names a file for it.
 
 var _dock: Control = null
 var _gizmos: EditorNode3DGizmoPlugin = null
 var _path: String = ""
-var _count: int = 0
 
 
 ## Takes over what it tells of.
@@ -21,11 +18,14 @@ func configure(p_path: String, p_dock: Control, p_gizmos: EditorNode3DGizmoPlugi
 
 
 func _process(_delta: float) -> void:
-	if Engine.get_process_frames() % FRAMES != 0:
+	var asked: String = _path + ".asked"
+	if not FileAccess.file_exists(asked):
 		return
-	_count += 1
+	var number: int = FileAccess.get_file_as_string(asked).to_int()
+	DirAccess.remove_absolute(asked)
 	var state: Dictionary = {
-		"count": _count,
+		"number": number,
+		"frame": Engine.get_process_frames(),
 		"is_scanning": EditorInterface.get_resource_filesystem().is_scanning(),
 		"dock": _dock.is_visible_in_tree(),
 		"controls": _controls(),
@@ -130,7 +130,13 @@ func _scene() -> Dictionary:
 		# What lies within a scene that was placed is no thing of its own.
 		if node.owner == root:
 			paths.append(root.get_path_to(node))
-	return {"path": root.scene_file_path, "nodes": paths, "selected": selected, "handles": handles}
+	return {
+		"path": root.scene_file_path,
+		"file": ProjectSettings.globalize_path(root.scene_file_path),
+		"nodes": paths,
+		"selected": selected,
+		"handles": handles,
+	}
 
 
 ## Dialogs that are open, with their buttons.

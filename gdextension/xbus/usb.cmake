@@ -8,6 +8,8 @@ if(DISMOUNT_USB)
 		LIBRARIES xbus_session libusb::libusb Threads::Threads
 	)
 	dismount_add_program(suit_stream SOURCES tools/suit_stream.cpp LIBRARIES xbus_usb xbus_recording)
+	# Whoever has a suit tries it first.
+	add_dependencies(extensions suit_stream)
 endif()
 # Hostile reads, as many as asked for: xbus_fuzz_ftdi EXECUTIONS [SEED].
 dismount_add_fuzzer(xbus_fuzz_ftdi CORPUS ftdi SOURCE tests/usb/fuzz_ftdi.cpp LIBRARIES xbus_bus)

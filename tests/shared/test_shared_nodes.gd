@@ -224,6 +224,7 @@ func _join(p_role: Roles.Role, p_name: String) -> Station:
 	side.end.request.name = p_name
 	side.shared = SharedClient.new(side.end.link, p_role)
 	_pair.ends.append(side.end)
+	var peers: int = _server.api.get_peers().size()
 	side.end.link.open("127.0.0.1", _pair.port, side.end.request)
 	side.shared.reconnect()
 	side.end.link.joined.connect(
@@ -235,6 +236,8 @@ func _join(p_role: Roles.Role, p_name: String) -> Station:
 			side.bell().rung.connect(side.rings.append)
 	)
 	is_true(_pair.until(func() -> bool: return side.end.joined == 1))
+	# Until then nothing is sent there.
+	is_true(_pair.until(func() -> bool: return _server.api.get_peers().size() > peers))
 	return side
 
 

@@ -12,6 +12,7 @@ from typing import Any
 
 import pytest
 from toolchain.display import virtual_display
+from toolchain.godot import Godot, find
 from toolchain.paths import CLIENT_BINARY, CLIPS, ROOT, SERVER_BINARY
 from toolchain.processes import free_port
 from toolchain.schedule import started
@@ -21,7 +22,6 @@ from .processes import LOOK_S, Process, ask
 __all__ = ["LOOK_S", "Process", "World", "ask", "shared"]
 
 SOFTWARE = ["--rendering-method", "gl_compatibility", "--audio-driver", "Dummy"]
-SMALL = ["--resolution", "640x360"]
 WINDOW_LIMIT_S = 600.0
 # Frames a second of a client without a window: it takes in and sends less often, and costs a third.
 HEADLESS_FPS = 30
@@ -61,24 +61,18 @@ class World:
         role: str,
         *options: str,
         name: str = "",
-        display: dict[str, str] | None = None,
         cwd: Path | None = None,
         types: bool = False,
     ) -> Process:
-        flags = ["--headless"] if display is None else [*SOFTWARE, *SMALL]
-        if (
-            display is None
-            and role not in ("replay", "load")
-            and not any("--fps=" in o for o in options)
-        ):
+        if role not in ("replay", "load") and not any("--fps=" in o for o in options):
             options = (f"--fps={HEADLESS_FPS}", *options)
         is_named = role == "replay" or any(o.startswith("--port=") for o in options)
         port = [] if is_named else [f"--port={self.port}"]
-        command = [str(CLIENT_BINARY), *flags, "--", f"--role={role}", *port, *options]
-        started["clients" if display is None else "windows"] += 1
+        command = [str(CLIENT_BINARY), "--headless", "--", f"--role={role}", *port, *options]
+        started["clients"] += 1
         # What somebody who stays has got from the server is not the others'.
         own_home = {"XDG_DATA_HOME": str(self.folder / f"{role}-data")} if types else {}
-        return self.start(name or role, command, {**own_home, **(display or {})}, cwd, types=types)
+        return self.start(name or role, command, own_home, cwd, types=types)
 
     def trainee(self, *options: str, name: str = "trainee", clip: str = "01_01.bvh") -> Process:
         return self.client("trainee", f"--bvh={CLIPS / clip}", *options, name=name)
@@ -272,9 +266,15 @@ def display() -> Iterator[dict[str, str]]:
         yield environment
 
 
+@pytest.fixture(scope="session")
+def godot() -> Godot:
+    return find()
+
+
 def run_in_window(display: dict[str, str], script: str, *flags: str) -> str:
     """What a script of this folder prints that the engine runs in a small window."""
     command = [os.environ["DISMOUNT_GODOT"], "--path", str(ROOT), *SOFTWARE, *flags]
+    started["windows"] += 1
     done = subprocess.run(
         [*command, "--resolution", "320x180", "-s", f"res://tests/system/{script}"],
         stdout=subprocess.PIPE,

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 from toolchain.paths import CLIENT_BINARY
+from toolchain.schedule import started
 from tutorial.screen import Screen
 from Xlib.xobject.drawable import Window as Drawable
 
@@ -54,6 +55,7 @@ class Window:
         size: tuple[int, int] = SMALL,
         at: tuple[int, int] = (0, 0),
     ) -> None:
+        started["windows"] += 1
         command = [str(CLIENT_BINARY), *SOFTWARE, "--resolution", f"{size[0]}x{size[1]}"]
         command += ["--max-fps", str(WINDOW_FPS), "--position", f"{at[0]},{at[1]}"]
         command += ["--", f"--port={world.port}"]

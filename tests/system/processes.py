@@ -17,6 +17,8 @@ import pytest
 # Seconds between two reports of a process, and between two looks at what may have come.
 REPORT_EVERY = "0.1"
 LOOK_S = 0.02
+# So many looks in a row, 0.2 s apart, tell that nothing goes on in the background.
+QUIET_LOOKS = 15
 
 
 def ask(port: int, path: str = "/") -> dict:
@@ -134,6 +136,25 @@ class Process:
         """Asks it to end; returns its exit code."""
         self.process.terminate()
         return self.await_exit()
+
+    def await_rest(self, limit_s: float = 300.0) -> None:
+        """Waits until the engine's threads for work in the background have none for a while.
+
+        An editor that ends meanwhile leaves what they work at.
+        """
+        end = time.monotonic() + limit_s
+        before, since = self._background(), 0
+        while since < QUIET_LOOKS:
+            assert time.monotonic() < end, f"it does not come to rest:\n{self.describe()}"
+            time.sleep(0.2)
+            now = self._background()
+            # One that waits for a processor is at work as well.
+            is_quiet = now == before and not any(": R in" in line for line in now)
+            since = since + 1 if is_quiet else 0
+            before = now
+
+    def _background(self) -> list[str]:
+        return [line for line in thread_states(self.process.pid) if "WorkerThread" in line]
 
     def describe(self) -> str:
         """How it is and what it has said last, for whoever looks for the reason of a failure."""

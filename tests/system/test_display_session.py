@@ -11,8 +11,6 @@ import pytest
 from .conftest import WINDOW_LIMIT_S, World
 from .pictures import Picture, Window, channels, colours
 
-pytestmark = pytest.mark.serial
-
 WALL = """[station]
 eye = 0 1.7 0
 

@@ -10,14 +10,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from toolchain.display import virtual_display
+from toolchain import wall
+from toolchain.console import Failure
 from toolchain.godot import Godot
 from toolchain.paths import ROOT
 from toolchain.screens import monitors
 
 from .conftest import SOFTWARE
 from .test_commands import run
-from .test_editor import godot  # noqa: F401
 
 SCRIPTS = "res://tests/bench/displays/"
 LIMIT_S = 600.0
@@ -49,35 +49,30 @@ def find(
     return [json.loads(line) for line in done.stdout.splitlines() if line.startswith("{")]
 
 
-@pytest.mark.parametrize("mode", ["rows", "side-by-side"])
-def test_both_eyes_see_a_target_where_they_should(
-    godot: Godot,  # noqa: F811
-    mode: str,
-) -> None:
+def test_both_eyes_see_a_target_where_they_should(godot: Godot, display: dict[str, str]) -> None:
     """Of rows, also after the window has moved by one."""
-    origins = "40:20,40:21" if mode == "rows" else "40:20"
-    with virtual_display() as display:
-        options = [f"--modes={mode}", f"--origins={origins}"]
-        rows = find(godot, "stereo_targets.gd", options, display)
-    assert len(rows) == 5 * (origins.count(",") + 1)
+    options = ["--modes=rows", "--origins=40:20,40:21"]
+    rows = find(godot, "stereo_targets.gd", options, display)
+    rows += find(godot, "stereo_targets.gd", ["--modes=side-by-side"], display)
+    assert len(rows) == 5 * 3
     for row in rows:
         assert abs(row["got"] - row["wanted"]) <= 0.1, row
 
 
-def test_two_monitors_show_one_picture(godot: Godot, tmp_path: Path) -> None:  # noqa: F811
+def test_two_monitors_show_one_picture(godot: Godot, tmp_path: Path) -> None:
     layout = tmp_path / "row.cfg"
     text = "[station]\neye = 0.2 1.6 0\n"
     for number, left in enumerate((-1.0, 0.0)):
         text += HALF.format(name=f"s{number}", left=left, right=left + 1.0, monitor=f"m{number}")
     layout.write_text(text)
-    with monitors([400, 400], 400) as display:
+    with monitors([400, 400], 400, keeps_shaders=True) as display:
         options = ["--case=monitors", f"--layout={layout}", "--pictures="]
         found = find(godot, "wall_pictures.gd", options, display)[-1]
     assert found["screens"] == 2
     assert found["mean"] <= 0.3
 
 
-def test_a_wall_with_a_bad_layout_says_where_and_how(tmp_path: Path) -> None:
+def test_a_wall_with_a_bad_layout_says_where_and_how(godot: Godot, tmp_path: Path) -> None:
     layout = tmp_path / "bad.cfg"
     text = HALF.format(name="front", left=-1.0, right=1.0, monitor=0)
     layout.write_text(text.replace("top-left = -1.0 2", "top-left = 3 1"))
@@ -86,10 +81,6 @@ def test_a_wall_with_a_bad_layout_says_where_and_how(tmp_path: Path) -> None:
     assert f"{layout}:1: screen front: its corners are in a line" in done.stderr
     text = "[station]\nclients = each\nsync = 127.0.0.1:7790\n" + text
     layout.write_text(text + HALF.format(name="other", left=1.0, right=2.0, monitor=0))
-    done = run("wall", f"--layout={layout}")
-    assert done.returncode == 2, done.stderr
-    assert "screens other and front share pixels of the desktop" in done.stderr
-    done = run("wall", "--layout=nowhere.cfg")
-    assert done.returncode == 2
-    assert "There is no layout" in done.stderr
-    assert run("wall").returncode == 2
+    with pytest.raises(Failure, match="screens other and front share pixels") as raised:
+        wall.check(godot, layout)
+    assert raised.value.code == 2

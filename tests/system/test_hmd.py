@@ -15,8 +15,6 @@ from toolchain.godot import Godot
 from toolchain.headset import Stage, compare_eyes, lose_and_return
 from toolchain.monado import Hand, Monado
 
-from .test_editor import godot  # noqa: F401
-
 pytestmark = pytest.mark.serial
 
 
@@ -26,7 +24,7 @@ def monado(display: dict[str, str]) -> Iterator[Monado]:
         yield runtime
 
 
-def test_both_eyes_see_what_the_head_looks_at(godot: Godot, monado: Monado) -> None:  # noqa: F811
+def test_both_eyes_see_what_the_head_looks_at(godot: Godot, monado: Monado) -> None:
     found = compare_eyes(godot, monado)
     assert found["size"] == [320, 240]
     assert found["error_px"] <= 0.5, found
@@ -43,7 +41,7 @@ def test_both_eyes_see_what_the_head_looks_at(godot: Godot, monado: Monado) -> N
     ],
 )
 def test_without_a_screen_or_a_runtime_the_program_says_so(
-    godot: Godot,  # noqa: F811
+    godot: Godot,
     monado: Monado,
     other: dict[str, str],
     flags: list[str],
@@ -55,7 +53,7 @@ def test_without_a_screen_or_a_runtime_the_program_says_so(
 
 
 def test_a_runtime_that_does_not_answer_leaves_a_window(
-    godot: Godot,  # noqa: F811
+    godot: Godot,
     monado: Monado,
 ) -> None:
     monado.stall()
@@ -66,7 +64,7 @@ def test_a_runtime_that_does_not_answer_leaves_a_window(
 
 
 @pytest.fixture(scope="module")
-def stage(godot: Godot, monado: Monado) -> Iterator[Stage]:  # noqa: F811
+def stage(godot: Godot, monado: Monado) -> Iterator[Stage]:
     """A window that began without a runtime."""
     monado.kill()
     with Stage(godot, monado.environment()) as started:

@@ -13,7 +13,7 @@ from toolchain.platform_watch import Cue, OutSim, decode
 
 from .conftest import World
 
-LIMIT_S = 120.0
+LIMIT_S = 600.0
 
 
 class Platform:
@@ -40,12 +40,16 @@ class Platform:
         return found
 
 
-def test_a_seat_moves_the_platform_and_who_leaves_brings_it_to_neutral(world: World) -> None:
+@pytest.fixture(scope="module")
+def yard(shared_world: World) -> World:
+    shared_world.server("--world=yard")
+    return shared_world
+
+
+def test_a_seat_moves_the_platform_and_who_leaves_brings_it_to_neutral(yard: World) -> None:
     platform = Platform()
-    world.server("--world=yard")
-    world.client(
-        "observer", "--use=Turntable", f"--platform={platform.address}", "--platform-rate=100"
-    )
+    options = [f"--platform={platform.address}", "--platform-rate=100", "--use=Turntable"]
+    client = yard.client("observer", *options)
     first = platform.take()
     assert first.position == (0.0, 0.0, 0.0)
     assert first.gain == 0.0
@@ -56,19 +60,21 @@ def test_a_seat_moves_the_platform_and_who_leaves_brings_it_to_neutral(world: Wo
     after = platform.take()
     assert after.sequence > seated.sequence
     assert after.tick >= seated.tick
+    assert client.end() == 0, client.log()
 
 
-def test_outsim_with_an_id(world: World) -> None:
+def test_outsim_with_an_id(yard: World) -> None:
     platform = Platform()
-    world.server("--world=yard")
-    world.client("observer", "--use=Turntable", f"--platform={platform.address}:outsim-7")
+    options = [f"--platform={platform.address}:outsim-7", "--use=Turntable"]
+    client = yard.client("observer", *options, name="outsim")
     found = platform.take()
     assert isinstance(found, OutSim)
     assert found.id == 7
     platform.comes(lambda packet: math.hypot(*packet.position) > 0.5)
+    assert client.end() == 0, client.log()
 
 
-def test_an_address_that_is_none_is_refused(world: World) -> None:
-    client = world.client("observer", "--platform=127.0.0.1:99999")
+def test_an_address_that_is_none_is_refused(yard: World) -> None:
+    client = yard.client("observer", "--platform=127.0.0.1:99999", name="refused")
     assert client.await_exit() == 2
     assert "1 to 65535" in client.log()

@@ -9,8 +9,6 @@ import pytest
 
 from .conftest import run_in_window
 
-pytestmark = pytest.mark.serial
-
 MIN_PERSON = 75
 """Pixels of the screen that a person changes at least, of 178 x 100."""
 

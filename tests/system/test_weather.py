@@ -3,12 +3,8 @@
 
 from __future__ import annotations
 
-import pytest
-
 from .conftest import World
 from .pictures import Picture, Window, channels
-
-pytestmark = pytest.mark.serial
 
 
 def brightness(picture: Picture) -> float:
@@ -25,18 +21,19 @@ def is_dusty(picture: Picture) -> bool:
 def test_night_falls_where_an_instructor_orders_it(world: World, display: dict[str, str]) -> None:
     server = world.server("--world=desert", "--time=12")
     world.trainee().await_text("joined")
-    world.client("instructor", "--orders=time:23:30", name="night")
+    instructor = world.instructor()
+    instructor.type("time 23:30")
     server.await_text("gave an order: the world has time_of_day=23.5")
     # Who joins now was not there when it was ordered.
     window = Window(world, display, "--quality=low", "--camera=35,0,4")
     window.await_people()
     night = brightness(window.picture())
-    world.client("instructor", "--orders=time:noon", name="day")
+    instructor.type("time noon")
     server.await_text("gave an order: the world has time_of_day=12.0")
     window.await_picture(
         lambda seen: night < 0.5 * brightness(seen) and not is_dusty(seen), "a clear day"
     )
-    world.client("instructor", "--orders=weather:dust", name="storm")
+    instructor.type("weather dust")
     server.await_text("gave an order: the world has weather=2.0 weather_strength=1.0")
     storm = window.await_picture(is_dusty, "the dust")
     assert brightness(storm) > 2.0 * night

@@ -4,12 +4,9 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
 
 from .conftest import World, run_in_window
 from .pictures import Picture, Window
-
-pytestmark = pytest.mark.serial
 
 
 def text_height(picture: Picture, width: int) -> int:
@@ -29,11 +26,14 @@ def test_texts_grow_with_the_window_and_people_have_names(
     small = text_height(window.picture(), 160)
     # Of which the display shows two thirds.
     window.resize(1920, 1080)
-    large = window.picture()
-    assert 1.25 < text_height(large, 240) / small < 1.8
+    large = window.await_picture(
+        lambda picture: 1.25 < text_height(picture, 240) / small < 1.8, "larger text"
+    )
+    assert large.shape[1] > 1000
     # The name: white before the wall, where nothing else is so bright.
-    wall = large[215:315, 700:1220]
-    assert (wall.min(axis=2) > 150).sum() > 40
+    window.await_picture(
+        lambda picture: (picture[215:315, 700:1220].min(axis=2) > 150).sum() > 40, "a name"
+    )
     window.close()
 
 

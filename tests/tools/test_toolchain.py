@@ -188,6 +188,15 @@ def test_a_stamp_holds_for_the_same_inputs_only(
     assert not stamp.holds(second)
 
 
+def test_a_step_says_why_it_is_done_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(project, "BUILD", tmp_path)
+    stamp = project.Stamp("test")
+    assert stamp.why("hash 4.6") == ""
+    stamp.set("hash 4.6")
+    assert stamp.why("other 4.6") == ": files have changed"
+    assert stamp.why("other 4.7") == ": the engine is 4.7 now"
+
+
 @pytest.mark.parametrize(("module", "name"), [(demo, "demo"), (latency, "latency"), (load, "load")])
 def test_help_names_the_options_that_there_are(module: ModuleType, name: str) -> None:
     for option in options_in(module.HELP):

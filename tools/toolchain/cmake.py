@@ -24,9 +24,8 @@ SOURCE = ROOT / "gdextension"
 # Entries of the record that are programs a build goes on with.
 PROGRAMS = ("CMAKE_MAKE_PROGRAM", "CMAKE_CXX_COMPILER", "_Python3_EXECUTABLE")
 WHY = {
-    "GODOT_API_DIR": "the engine's API has changed",
-    "GODOT_CPP_DIR": "GODOT_CPP_DIR has changed",
-    "DISMOUNT_UMOCKDEV": "there is another umockdev",
+    "GODOT_API_DIR": "the engine's API is another",
+    "DISMOUNT_SUIT_EMULATOR": "there is a suit emulator now",
 }
 
 
@@ -50,7 +49,8 @@ class BuildFolder:
         """Configures the folder if it has to be, and builds targets; `why` is for the second."""
         environment = compiler_cache.environment()
         with self._kept() as end:
-            self._configure(options, end, environment)
+            if self._configure(options, end, environment):
+                why = ""  # That was said.
             command = ["cmake", "--build", str(self.folder), "-j", str(os.cpu_count() or 2)]
             with step(f"build {self.what}{f': {why}' if why else ''}"):
                 run([*command, "--target", *targets], f"Building {self.what}", environment)
@@ -89,15 +89,15 @@ class BuildFolder:
             raise
         shutil.rmtree(aside, ignore_errors=True)
 
-    def _configure(self, options: dict[str, str], end: str, environment: dict[str, str]) -> None:
+    def _configure(self, options: dict[str, str], end: str, environment: dict[str, str]) -> bool:
         record = self.record()
         changed = [name for name, value in options.items() if record.get(name) != value]
         stands = any((self.folder / name).exists() for name in ("build.ninja", "Makefile"))
         if stands and not changed:
-            return
+            return False
         reason = end
         if stands:
-            reason = "; ".join(dict.fromkeys(WHY.get(n, f"{n} has changed") for n in changed))
+            reason = "; ".join(dict.fromkeys(_why(name) for name in changed))
         command = ["cmake", "-S", str(self._source), "-B", str(self.folder)]
         if "CMAKE_GENERATOR" not in record:
             command += ["-G", "Ninja" if shutil.which("ninja") else "Unix Makefiles"]
@@ -106,6 +106,13 @@ class BuildFolder:
         command += [f"-D{name}={value}" for name, value in options.items()]
         with step(f"configure {self.what}{f': {reason}' if reason else ''}"):
             run(command, f"Configuring {self.what}", environment)
+        return True
+
+
+def _why(option: str) -> str:
+    if option.startswith("DISMOUNT_") and option.endswith(("_ROOT", "_UMOCKDEV")):
+        return "libraries are elsewhere"
+    return WHY.get(option, f"{option} has changed")
 
 
 def run(command: list[str], what: str, environment: dict[str, str] | None = None) -> None:

@@ -28,6 +28,7 @@ class CompilerCache(Prefix):
     packages: ClassVar[list[str]] = ["ccache", "patchelf"]
     programs: ClassVar[list[str]] = ["ccache"]
     what = "ccache"
+    store = "ccache-packages"
     download_mb = 7
     unpacked_mb = 60
     absent = "There is no ccache"

@@ -8,8 +8,10 @@ programs through the loader instead breaks OS.get_executable_path() and every ex
 
 from __future__ import annotations
 
+import os
 import shutil
 import subprocess
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import ClassVar
 
@@ -26,22 +28,6 @@ LIBRARIES = Path("usr/lib/x86_64-linux-gnu")
 LOADER = "ld-linux-x86-64.so.2"
 
 
-def require_debian() -> None:
-    """Says what to install where the host has no apt and so cannot make the folder."""
-    missing = [tool for tool in ("apt-get", "dpkg") if shutil.which(tool) is None]
-    if missing:
-        raise Failure(
-            "No Godot >= 4.6 was found, and this system has no apt to fetch one: install Godot "
-            "4.6 and its export templates, and put it on PATH or in $GODOT."
-        )
-    if not KEYRING.exists():
-        raise Failure(
-            f"No Godot >= 4.6 was found, and {KEYRING} is missing, which checks the packages: "
-            "install it with 'sudo apt-get install debian-archive-keyring', or put Godot 4.6 in "
-            "$GODOT."
-        )
-
-
 class Prefix:
     """The private folder: `bin/` holds what is to be started, `root/` what was unpacked."""
 
@@ -49,10 +35,11 @@ class Prefix:
     packages: ClassVar[list[str]] = GODOT_PACKAGES + DISPLAY_PACKAGES
     programs: ClassVar[list[str]] = PROGRAMS
     what = "Godot"
+    store = "packages"  # Where it is downloaded to.
     download_mb = 180
     unpacked_mb = 1800
     absent = "No Godot >= 4.6 was found"
-    remedy = "put a Godot 4.6 in $GODOT"
+    remedy = "put a Godot 4.6 with its export templates on PATH or in $GODOT"
 
     def __init__(self) -> None:
         self.folder = cache() / self.name
@@ -68,9 +55,9 @@ class Prefix:
         """Makes the folder once for all clones; an interrupted attempt leaves nothing."""
         if self.folder.exists():
             return
-        require_debian()
+        self._require_debian()
         make_folder(cache())
-        with lock(cache() / "prefix.lock", f"setting up {self.what}"):
+        with lock(cache() / f"{self.store}.lock", f"setting up {self.what}"):
             if self.folder.exists():
                 return
             need_space(cache(), self.unpacked_mb, f"the private {self.what}")
@@ -79,6 +66,19 @@ class Prefix:
             archives = self._download(work)
             self._unpack(archives, work)
             work.rename(self.folder)
+
+    def _require_debian(self) -> None:
+        """Says what to do where the host has no apt and so cannot make the folder."""
+        missing = [tool for tool in ("apt-get", "dpkg") if shutil.which(tool) is None]
+        if missing:
+            raise Failure(
+                f"{self.absent}, and this system has no apt to fetch it with: {self.remedy}."
+            )
+        if not KEYRING.exists():
+            raise Failure(
+                f"{self.absent}, and {KEYRING} is missing, which checks the packages: install it "
+                f"with 'sudo apt-get install debian-archive-keyring', or {self.remedy}."
+            )
 
     def _download(self, work: Path) -> list[Path]:
         sites = mirrors()
@@ -89,7 +89,7 @@ class Prefix:
             )
         failure = ""
         for site in sites:
-            apt = apt_command(work, site, "deb")
+            apt = apt_command(work, site, "deb", store=self.store)
             try:
                 about = f"(about {self.download_mb} MB)"
                 with step(f"download {self.what} from Debian {SUITE} {about}"):
@@ -105,14 +105,13 @@ class Prefix:
             + tail(failure, 4)
         )
 
-    @staticmethod
-    def _chosen(apt: list[str], packages: list[str]) -> list[Path]:
+    def _chosen(self, apt: list[str], packages: list[str]) -> list[Path]:
         """The package files that this very installation needs, of all that are in the cache."""
         command = [*apt, "-y", "--no-install-recommends", "--print-uris", "install", *packages]
         fresh = ["-o", "Dir::Cache::archives=/nonexistent"]
         listed = subprocess.run(command + fresh, capture_output=True, text=True, check=False).stdout
         names = [line.split()[1] for line in listed.splitlines() if line.startswith("'")]
-        folder = cache() / "packages" / "archives"
+        folder = cache() / self.store / "archives"
         found = [folder / name for name in names if (folder / name).exists()]
         if not found:
             raise Failure(f"The downloaded packages are missing in {folder}: delete it and retry.")
@@ -120,17 +119,20 @@ class Prefix:
 
     def _unpack(self, archives: list[Path], work: Path) -> None:
         with step(f"unpack {len(archives)} packages"):
-            for archive in archives:
-                done = unpack(archive, work / "root")
-                if done.returncode != 0:
-                    archive.unlink(missing_ok=True)
-                    raise Failure(
-                        f"The package {archive.name} could not be unpacked and was removed from "
-                        "the cache (disk full, or a broken download?): start again.\n"
-                        + tail(done.stderr, 3)
-                    )
+            with ThreadPoolExecutor(os.cpu_count() or 2) as pool:
+                list(pool.map(lambda archive: self._extract(archive, work / "root"), archives))
             shutil.rmtree(work / "apt", ignore_errors=True)
             self._patch(work)
+
+    @staticmethod
+    def _extract(archive: Path, root: Path) -> None:
+        done = unpack(archive, root)
+        if done.returncode != 0:
+            archive.unlink(missing_ok=True)
+            raise Failure(
+                f"The package {archive.name} could not be unpacked and was removed from the cache "
+                "(disk full, or a broken download?): start again.\n" + tail(done.stderr, 3)
+            )
 
     def _patch(self, work: Path) -> None:
         """Points programs at the libraries where they will be once the folder has its name."""

@@ -7,9 +7,10 @@ import hashlib
 import os
 import shutil
 from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from . import libraries
+from . import compiler_cache, libraries
 from .cmake import BuildFolder
 from .console import Failure, step, tail
 from .godot import Godot, dump_api, find, link_templates
@@ -34,6 +35,7 @@ WHEEL_RULES = ROOT / "gdextension" / "cueing" / "udev" / "60-dismount-wheels.rul
 RUN = ("extensions",)
 NATIVE = ("extensions", "programs")
 ALL = ("extensions", "programs", "all")
+WHAT = {"extensions": "the extensions", "programs": "native programs", "all": "the C++ tests"}
 PRESETS = {"Linux Dedicated Server": SERVER_BINARY, "Linux Client": CLIENT_BINARY}
 
 
@@ -65,10 +67,25 @@ class Stamp:
         """Whether the step was done with exactly these inputs."""
         return self._file.exists() and self._file.read_text(encoding="utf-8") == value
 
+    def why(self, value: str) -> str:
+        """Why the step is done again, as its name goes on; empty if it is done for the first time.
+
+        Behind the hash of files a value has the engine's version.
+        """
+        if not self.exists():
+            return ""
+        engine = value.partition(" ")[2]
+        before = self._file.read_text(encoding="utf-8").partition(" ")[2]
+        return f": the engine is {engine} now" if before != engine else ": files have changed"
+
     def set(self, value: str) -> None:
         """Notes that the step was done."""
         make_folder(self._file.parent)
         self._file.write_text(value, encoding="utf-8")
+
+
+def _value(folders: list[str], godot: Godot) -> str:
+    return f"{fingerprint(folders, godot.full_version)} {godot.full_version}"
 
 
 def prepare(export: bool, targets: Sequence[str] = RUN) -> Godot:
@@ -76,19 +93,30 @@ def prepare(export: bool, targets: Sequence[str] = RUN) -> Godot:
     need_space(ROOT, 600, "the build")
     make_folder(BUILD)
     (BUILD / ".gdignore").touch()  # Keeps the editor from importing what we build.
-    godot = find()
+    with ThreadPoolExecutor() as pool:
+        # Beside the engine: they wait for the network most of the time.
+        is_new = not BuildFolder(EXTENSIONS, "").record()
+        others = [pool.submit(fetch) for fetch in (libraries.find, compiler_cache.find) if is_new]
+        godot = find()
+        for other in others:
+            other.result()
     link_templates(godot)
     with lock(BUILD / "lock", "building this clone"):
-        build_extensions(godot, targets)
-        import_assets(godot)
-        if export:
-            export_all(godot)
+        build_extensions(godot, RUN)
+        with ThreadPoolExecutor() as pool:
+            # Importing and exporting leave a processor idle most of the time.
+            rest = pool.submit(build_extensions, godot, targets) if targets != RUN else None
+            import_assets(godot)
+            if export:
+                export_all(godot)
+            if rest is not None:
+                rest.result()
     return godot
 
 
 def build_extensions(godot: Godot, targets: Sequence[str]) -> None:
     """Compiles targets of the C++ modules; those that are up to date are not looked at."""
-    folder = BuildFolder(EXTENSIONS, "the extensions")
+    folder = BuildFolder(EXTENSIONS, WHAT[targets[-1]])
     record = folder.record()
     options = {
         "GODOT_API_DIR": _api_folder(godot, record),
@@ -125,26 +153,26 @@ def list_extensions() -> None:
 def import_assets(godot: Godot) -> None:
     """Lets the editor import assets and register script classes."""
     stamp = Stamp("import")
-    value = fingerprint(IMPORTED, godot.full_version)
+    value = _value(IMPORTED, godot)
     if stamp.holds(value) and (ROOT / ".godot").exists():
         return
-    with step("import assets"):
+    with step("import assets" + stamp.why(value)):
         list_extensions()
         code, text = godot.call(["--path", str(ROOT), "--import"], 600)
         if code != 0 or "SCRIPT ERROR" in text:
             raise Failure(f"Importing failed (exit {code}):\n{tail(text, 30)}")
         # Importing may add .import and .uid files beside the sources.
-        stamp.set(fingerprint(IMPORTED, godot.full_version))
+        stamp.set(_value(IMPORTED, godot))
 
 
 def export_all(godot: Godot) -> None:
     """Exports the dedicated server and the client as release builds."""
-    value = fingerprint(EXPORTED, godot.full_version)
+    value = _value(EXPORTED, godot)
     for preset, target in PRESETS.items():
         stamp = Stamp("export-" + target.stem)
         if stamp.holds(value) and target.exists():
             continue
-        with step(f"export {preset}"):
+        with step(f"export {preset}" + stamp.why(value)):
             folder = target.parent.with_name(f"{target.parent.name}-{value[:12]}")
             shutil.rmtree(folder, ignore_errors=True)
             _export(godot, preset, make_folder(folder) / target.name)

@@ -46,11 +46,13 @@ def xrandr() -> str:
 
 
 @contextmanager
-def monitors(widths: list[int], height: int) -> Iterator[dict[str, str]]:
+def monitors(
+    widths: list[int], height: int, keeps_shaders: bool = False
+) -> Iterator[dict[str, str]]:
     """A virtual display of monitors beside one another, named m0, m1, ...; yields the environment
     for its clients."""
     program = xrandr()
-    with virtual_display(f"{sum(widths)}x{height}x24") as environment:
+    with virtual_display(f"{sum(widths)}x{height}x24", keeps_shaders) as environment:
         left = 0
         for number, width in enumerate(widths):
             millimetres = round(width / PER_MM), round(height / PER_MM)

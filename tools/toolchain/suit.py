@@ -90,7 +90,8 @@ def run(godot: Godot, options: list[str], command: list[str]) -> int:
 
 
 def complete(godot: Godot, options: list[str]) -> list[str]:
-    """The program's options: full paths, a motion stream instead of the BVH file, limbs."""
+    """The program's options: full paths, limbs, and the motion stream of the BVH file where none is
+    given."""
     values: dict[str, str | None] = {}
     for option in options:
         if not option.startswith("--"):
@@ -101,7 +102,8 @@ def complete(godot: Godot, options: list[str]) -> list[str]:
         if values.get(name):
             values[name] = str(user_path(str(values[name])))
     bvh = values.pop("bvh", None) or str(CLIPS / "01_01.bvh")
-    values["stream"] = str(motion_stream(godot, Path(bvh)))
+    if "stream" not in values:
+        values["stream"] = str(motion_stream(godot, Path(bvh)))
     values.setdefault("sensors", str(len(ORDER)))
     number = str(values["sensors"])
     if "limbs" not in values and number.isdigit() and 0 < int(number) <= len(MOUNTS):

@@ -3,5 +3,5 @@
 
     python -m tutorial [FOLDER]     (with the test tools' Python and PYTHONPATH=tools)
 
-`tests/system/test_level_kit.py` follows the same steps.
+`tests/system/test_editor.py` follows the same steps.
 """

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import math
 import time
@@ -14,6 +15,14 @@ from .screen import Screen, write_png
 
 # A processor that draws, beside eight others that are busy, takes seconds for a frame.
 LIMIT_S = 600.0
+
+# What a turn of the wheel makes of the distance, what a pixel turns, rad, and how far is pulled.
+PER_TURN = 1.36
+PER_PIXEL = 0.004
+MOST_PULL = 180.0
+
+# Between two looks while something is waited for: a look takes 20 ms of the editor's.
+LOOK_S = 0.05
 
 State = dict[str, Any]
 Point = tuple[float, float]
@@ -29,30 +38,37 @@ class Editor:
         self.screen = screen
         self.probe = probe
         self.is_alive = is_alive
+        self._number = 0
 
     def state(self) -> State:
         """What it shows now: a look that began after the call."""
-        begin = self._read().get("count", 0)
-        return self.await_state(lambda state: state["count"] >= begin + 2, "it looks again")
+        return self.await_state(lambda _state: True, "a look")
 
     def await_state(self, holds: Callable[[State], Any], what: str) -> State:
         """Waits until something holds of what it shows; returns that."""
         end = time.monotonic() + self.limit_s
-        state: State = {}
+        self._ask()
         while True:
-            try:
-                state = self._read()
-                if state and holds(state):
-                    return state
-            except (LookupError, TypeError):
-                pass  # Not there yet.
+            state = self._read()
+            # A look is not there yet, or not what it is about.
+            with contextlib.suppress(LookupError, TypeError):
+                if state["number"] == self._number:
+                    if holds(state):
+                        return state
+                    time.sleep(LOOK_S)
+                    self._ask()
             if time.monotonic() > end:
                 raise AssertionError(
                     f"in {self.limit_s:.0f} s not seen: {what}. {json.dumps(state)}"
                 )
             if not self.is_alive():
                 raise AssertionError(f"the editor has ended before: {what}")
-            time.sleep(0.05)
+            time.sleep(0.01)
+
+    def await_frames(self, count: int) -> None:
+        """Waits until it has shown so many more frames."""
+        begin = self.state()["frame"]
+        self.await_state(lambda s: s["frame"] >= begin + count, f"{count} frames")
 
     def await_start(self) -> None:
         """Waits for the window and the dock, and gives it the display and the keyboard."""
@@ -70,10 +86,17 @@ class Editor:
 
     def click(self, name: str) -> None:
         """Clicks a button or a field of the dock or of a dialog."""
-        state = self.await_state(
-            lambda s: not s["controls"][name].get("is_shut", False), f"{name!r} to click"
-        )
-        self.screen.click(*middle(state["controls"][name]["rect"]))
+        rect: list[float] = []
+
+        def rests(state: State) -> bool:
+            nonlocal rect
+            control, before = state["controls"][name], rect
+            rect = control["rect"]
+            return rect == before and not control.get("is_shut", False)
+
+        # What comes to the dock moves what is there.
+        self.await_state(rests, f"{name!r} to click")
+        self.screen.click(*middle(rect))
 
     def write(self, field: str, text: str) -> None:
         """Writes into a field in place of what is there."""
@@ -163,15 +186,17 @@ class Editor:
         high, as the sine of the angle above the ground."""
         centre = middle(self.state()["view"]["rect"])
         self.screen.move(*centre)
-        while length(self.state()["view"]["origin"]) < distance:
-            self._turn_wheel(5)
-            time.sleep(0.5)  # The view glides.
+        while (missing := distance / length(self.state()["view"]["origin"])) > 1.0:
+            for _ in range(max(int(math.log(missing) / math.log(PER_TURN)), 1)):
+                self._turn_wheel(5)
+            self.await_rest()
         for _ in range(20):
-            missing = height - self.state()["view"]["axes"][2][1]
-            if abs(missing) < 0.03:
+            now = self.state()["view"]["axes"][2][1]
+            if abs(height - now) < 0.03:
                 self.await_rest()
                 return
-            pull = max(min(missing * 200.0, 120.0), -120.0)
+            pull = (math.asin(height) - math.asin(now)) / PER_PIXEL
+            pull = max(min(pull, MOST_PULL), -MOST_PULL)
             self.screen.drag(centre, (centre[0], centre[1] + pull), button=2)
         raise AssertionError(f"the view does not turn: {self.state()['view']}")
 
@@ -203,9 +228,28 @@ class Editor:
         at = state["scene"]["handles"][handle]["at"]
         self.screen.drag(self.on_screen(at), self.on_screen(to))
 
+    def paint(self, begin: Place, end: Place, steps: int = 16) -> None:
+        """Pulls a brush, which works once a frame: each step waits for some frames."""
+        ends = self.on_screen(begin), self.on_screen(end)
+        self.screen.move(*ends[0])
+        self.screen.press()
+        for step in range(1, steps + 1):
+            share = step / steps
+            self.screen.move(*(a + (b - a) * share for a, b in zip(*ends, strict=True)))
+            self.await_frames(5)
+        self.screen.release()
+
     def save(self) -> None:
-        """Saves the level."""
+        """Saves the level, and waits until its file is another."""
+        file = Path(self.state()["scene"]["file"])
+        before = file.stat()
         self.screen.key("ctrl", "s")
+        self.await_state(
+            lambda _s: (
+                (file.stat().st_ino, file.stat().st_mtime_ns) != (before.st_ino, before.st_mtime_ns)
+            ),
+            "the saved level",
+        )
 
     def redo(self) -> None:
         """Makes it again."""
@@ -221,6 +265,14 @@ class Editor:
         time.sleep(0.6)
         file.parent.mkdir(parents=True, exist_ok=True)
         write_png(self.screen.picture(), file)
+
+    def _ask(self) -> None:
+        """Asks for a look."""
+        self._number += 1
+        fresh = self.probe.with_name(f"{self.probe.name}.new-asked")
+        fresh.write_text(str(self._number), encoding="ascii")
+        # As a whole or not at all: the editor reads it at once.
+        fresh.replace(self.probe.with_name(f"{self.probe.name}.asked"))
 
     def _read(self) -> State:
         try:

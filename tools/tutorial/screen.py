@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import struct
 import time
 import zlib
@@ -11,6 +12,7 @@ from pathlib import Path
 import numpy as np
 from Xlib import XK, X
 from Xlib.display import Display
+from Xlib.error import BadWindow
 from Xlib.ext import xtest
 from Xlib.protocol.event import ClientMessage
 from Xlib.xobject.drawable import Window
@@ -46,8 +48,13 @@ class Screen:
 
     def windows(self) -> list[Window]:
         """The windows that are shown."""
-        found = self.root.query_tree().children
-        return [one for one in found if one.get_attributes().map_state == X.IsViewable]
+        found = []
+        for one in self.root.query_tree().children:
+            # One that programs show at their start may be gone by now.
+            with contextlib.suppress(BadWindow):
+                if one.get_attributes().map_state == X.IsViewable:
+                    found.append(one)
+        return found
 
     def fill_with(self, window: Window) -> None:
         """Gives a window the whole display and the keyboard: nothing manages windows here."""

@@ -20,7 +20,7 @@ IN_WALL: Place = (8.0, 0.0, SOUTH + 0.2)
 class Tutorial:
     """One walk through the tutorial. Pictures are kept where somebody wants them."""
 
-    def __init__(self, editor: Editor, pictures: Path) -> None:
+    def __init__(self, editor: Editor, pictures: Path | None = None) -> None:
         self.editor = editor
         self.pictures = pictures
 
@@ -39,18 +39,18 @@ class Tutorial:
         ):
             step()
 
-    def make_level(self) -> None:
+    def make_level(self, name: str = LEVEL) -> None:
         """Makes a level by the dialog and looks at it from above."""
         editor = self.editor
         editor.click("New level")
         editor.await_state(lambda s: s["windows"][0]["title"] == "New level", "the dialog")
-        editor.write("Name of the folder", LEVEL)
+        editor.write("Name of the folder", name)
         editor.write("Title", "My range")
         self._take("new_level")
         state = editor.await_state(lambda s: not s["windows"][0]["is_shut"], "Create")
         left, top, width, height = state["windows"][0]["ok"]
         editor.screen.click(left + width / 2.0, top + height / 2.0)
-        editor.await_state(lambda s: s["scene"]["path"].endswith(f"/{LEVEL}.tscn"), "the level")
+        editor.await_state(lambda s: s["scene"]["path"].endswith(f"/{name}.tscn"), "the level")
         editor.await_state(lambda s: s["view"]["is_shown"], "the 3D view")
         editor.look_from(26.0, 0.93)
 
@@ -97,7 +97,7 @@ class Tutorial:
     def add_spawn_point(self) -> None:
         """Drags a spawn point and saves."""
         self.editor.drop("Spawn point", (0.0, 0.0, 6.0))
-        self._save()
+        self.editor.save()
 
     def find_fault(self) -> None:
         """Puts a crate into a wall, has it found, looks at it and deletes it."""
@@ -126,7 +126,7 @@ class Tutorial:
 
     def bake(self) -> None:
         """Has the light worked out."""
-        self._save()
+        self.editor.save()
         self.editor.click("Bake level")
         self.editor.await_state(
             lambda s: s["controls"]["note"]["text"].startswith(f"{LEVEL}.bake:"), "the light"
@@ -156,9 +156,6 @@ class Tutorial:
         for window in self.editor.screen.windows()[1:]:
             self.editor.screen.shut(window)
 
-    def _save(self) -> None:
-        self.editor.save()
-        self.editor.state()
-
     def _take(self, name: str) -> None:
-        self.editor.take_picture(self.pictures / f"{name}.png")
+        if self.pictures is not None:
+            self.editor.take_picture(self.pictures / f"{name}.png")

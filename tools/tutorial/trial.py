@@ -84,7 +84,7 @@ def measure(level: str) -> dict[str, float]:
             editor.await_start()
             editor.await_state(lambda s: s["scene"]["path"].endswith(scene), "the level")
             before = spent_s(mark)
-            seconds = Tutorial(editor, folder).start_trial(
+            seconds = Tutorial(editor).start_trial(
                 lambda: Tutorial.is_on_level(log.read_text(), level), LIMIT_S
             )
             return {"seconds": seconds, "processor_s": spent_s(mark) - before}
