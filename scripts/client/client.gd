@@ -384,12 +384,11 @@ func _quit(p_code: int, p_why: String) -> void:
 	Log.error("client", p_why)
 	_hud.show_message(p_why.left(1).to_upper() + p_why.substr(1) + ".")
 	var is_read: bool = p_code == StateStream.EXIT_REFUSED or p_code == StateStream.EXIT_OPTIONS
-	var stays: bool = is_read and DisplayServer.get_name() != "headless"
-	if not stays or _options.seconds("duration") > 0.0:
+	if not is_read or DisplayServer.get_name() == "headless" or _options.seconds("duration") > 0.0:
 		_leave(p_code)
 
 
-## Ends the program with a code, as soon as no thread reads a level.
+## Ends the program with a code, as soon as no thread reads a level and nothing is heard.
 func _leave(p_code: int = _exit_code) -> void:
 	if _shared != null:
 		_shared.api.close()
@@ -397,4 +396,5 @@ func _leave(p_code: int = _exit_code) -> void:
 	_display.stay_away()
 	if _arrival != null:
 		await _arrival.end_reading(get_tree())
+	await MixerRelease.release(self)
 	get_tree().quit(p_code)

@@ -17,11 +17,7 @@ func before_each() -> void:
 
 
 func after_each() -> void:
-	_voices.stop_all()
-	await process_frames(4)
-	# The mixer, which runs in real time, lets go of what has stopped.
-	OS.delay_msec(120)
-	await process_frames(2)
+	await MixerRelease.release(_voices)
 	_voices.free()
 	SoundBank.clear()
 

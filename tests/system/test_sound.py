@@ -48,10 +48,7 @@ def test_a_truck_that_drives_into_a_house_is_heard(world: World) -> None:
         found = [r for r in records(recording.read_bytes()) if r[:1] == bytes([IMPACTS])]
         return [message for message in found if message[6 + 15] == METAL]
 
-    for _try in range(120):
-        if crashes():
-            break
-        server.fresh_report()
+    server.await_report(lambda _report: crashes() != [])
     message = crashes()[0]
     assert len(message) == 6 + 17 * message[5]
     # Some tonnes at some metres a second.

@@ -8,7 +8,7 @@ import re
 import subprocess
 from pathlib import Path
 
-from .paths import cache, make_folder
+from .paths import cache, make_folder, write_whole
 
 SUITE = os.environ.get("DISMOUNT_DEBIAN_SUITE", "forky")
 KEYRING = Path("/usr/share/keyrings/debian-archive-keyring.gpg")
@@ -89,11 +89,8 @@ def _names_file(archive: Path) -> Path:
 
 def _keep_names(archive: Path, listed: str) -> None:
     kept = _names_file(archive)
-    make_folder(kept.parent)
     names = sorted({line.rstrip("/").rsplit("/", 1)[-1] for line in listed.splitlines()})
-    part = kept.with_name(f"{kept.name}.{os.getpid()}")
-    part.write_text("\n".join(names), encoding="utf-8")
-    part.rename(kept)
+    write_whole(kept, "\n".join(names))
 
 
 def apt_run(command: list[str], cwd: Path | None = None) -> None:

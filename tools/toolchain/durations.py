@@ -4,10 +4,9 @@
 from __future__ import annotations
 
 import json
-import os
 from pathlib import Path
 
-from .paths import cache, make_folder
+from .paths import cache, lock, write_whole
 
 
 def durations_file() -> Path:
@@ -25,8 +24,6 @@ def read_durations() -> dict[str, float]:
 
 def keep_durations(seconds: dict[str, float]) -> None:
     """Adds the times of a run."""
-    known = {**read_durations(), **{name: round(time, 2) for name, time in seconds.items()}}
-    make_folder(cache())
-    part = durations_file().with_suffix(f".{os.getpid()}")
-    part.write_text(json.dumps(known, indent=0), encoding="utf-8")
-    part.rename(durations_file())
+    with lock(cache() / "durations.lock", "the times of tests"):
+        known = {**read_durations(), **{name: round(time, 2) for name, time in seconds.items()}}
+        write_whole(durations_file(), json.dumps(known, indent=0))

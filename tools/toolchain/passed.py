@@ -13,7 +13,7 @@ from collections.abc import Iterable
 from contextlib import suppress
 from pathlib import Path
 
-from .paths import ROOT, cache, make_folder
+from .paths import ROOT, cache, write_whole
 
 REQUIREMENTS = ROOT / "tests" / "requirements.txt"
 OLD_S = 30 * 86400.0
@@ -44,10 +44,7 @@ class Passed:
 
     def add(self, key: str, note: str = "") -> None:
         """Marks a case; readers see all of the mark or nothing."""
-        mark = make_folder(self._folder) / key
-        part = mark.with_name(f"{key}.{os.getpid()}")
-        part.write_text(note, encoding="utf-8")
-        part.replace(mark)
+        write_whole(self._folder / key, note)
 
     def prune(self) -> None:
         """Removes marks that nobody has asked for in a month, and the oldest of too many."""

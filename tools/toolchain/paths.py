@@ -7,6 +7,7 @@ import errno
 import fcntl
 import os
 import shutil
+import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -41,6 +42,16 @@ def make_folder(folder: Path) -> Path:
     except OSError as error:
         raise Failure(f"Cannot make the folder {folder}: {error.strerror}.") from error
     return folder
+
+
+def write_whole(file: Path, text: str) -> None:
+    """Writes a file of which readers see all or nothing, whoever else writes it meanwhile."""
+    make_folder(file.parent)
+    with tempfile.NamedTemporaryFile(
+        "w", encoding="utf-8", dir=file.parent, prefix=f".{file.name}.", delete=False
+    ) as part:
+        part.write(text)
+    Path(part.name).replace(file)
 
 
 def need_space(folder: Path, megabytes: int, what: str) -> None:

@@ -20,7 +20,7 @@ from xdist.scheduler.loadscope import LoadScopeScheduling
 from xdist.workermanage import WorkerController
 
 from .durations import keep_durations, read_durations
-from .paths import cache
+from .paths import cache, write_whole
 
 # What a test above is listed at the end, s.
 LONG_S = 20.0
@@ -104,9 +104,7 @@ class Schedule:
             item.nodeid: (group_of(item), item.get_closest_marker(SERIAL) is not None)
             for item in session.items
         }
-        part = Path(f"{target}.part")
-        part.write_text(json.dumps(rows), encoding="utf-8")
-        part.rename(target)
+        write_whole(Path(target), json.dumps(rows))
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
         """Adds up how long a test takes, with its set-up and its end."""
