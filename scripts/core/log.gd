@@ -80,6 +80,16 @@ static func limited(p_tag: String, p_key: String, p_text: String) -> void:
 		warning(p_tag, p_text + (" (and %d more like it)" % left_out if left_out > 0 else ""))
 
 
+## Forgets what has been written and left out, as if nothing had been yet: tests begin so.
+static func forget() -> void:
+	_mutex.lock()
+	_last_usec.clear()
+	_left_out.clear()
+	_room = MAX_CHARACTERS
+	_lines_left_out = 0
+	_mutex.unlock()
+
+
 ## How many lines of a key were left out before the one that may be written now; -1 if it may not.
 static func _admit(p_key: String) -> int:
 	var now: int = Time.get_ticks_usec()

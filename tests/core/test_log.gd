@@ -15,8 +15,6 @@ var _trap: LineTrap = LineTrap.new()
 
 
 func before_each() -> void:
-	Log._room = Log.MAX_CHARACTERS
-	Log._lines_left_out = 0
 	OS.add_logger(_trap)
 
 

@@ -4,6 +4,9 @@ extends RefCounted
 const SnapshotStream: GDScript = preload("res://tests/wire/snapshot_stream.gd")
 ## How long a busy machine may take for what is certain to come, s.
 const PATIENCE_S: float = 60.0
+## Ports that the system gives to nobody by itself.
+const FIRST_PORT: int = 20000
+const LAST_PORT: int = 32767
 
 ## Who joined the server: session to join request.
 var joined: Dictionary[int, Dictionary] = {}
@@ -123,13 +126,18 @@ func listen(p_most_clients: int = 8) -> Error:
 	return server.listen(port, rules)
 
 
-## A UDP port that nobody uses at the moment.
+## A UDP port that nobody uses at the moment, and none of those that the system gives out by itself:
+## between this call and its use a client could be given it.
 static func free_port() -> int:
+	# Tests that run beside this one may have the same seed.
+	var chance: RandomNumberGenerator = RandomNumberGenerator.new()
+	chance.randomize()
 	var probe: PacketPeerUDP = PacketPeerUDP.new()
-	probe.bind(0, "127.0.0.1")
-	var free: int = probe.get_local_port()
+	var found: int = chance.randi_range(FIRST_PORT, LAST_PORT)
+	while probe.bind(found, "127.0.0.1") != OK:
+		found = chance.randi_range(FIRST_PORT, LAST_PORT)
 	probe.close()
-	return free
+	return found
 
 
 ## A client that begins to join.

@@ -6,12 +6,15 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 
 import pytest
 from toolchain import pytest_tests
 from toolchain.flaky import RUNS, TOO_OFTEN, Ledger, Sighting
-from toolchain.pytest_tests import Result, judge, read_report
+from toolchain.outcome import Outcome
+from toolchain.pytest_tests import read_report
+from toolchain.suites import MOST_AGAIN, Result, run_suites
 
 NAME = "tests.system.test_x::test_race"
 TESTS = """
@@ -71,31 +74,77 @@ def test_a_damaged_ledger_is_no_reason_to_fail(tmp_path: Path) -> None:
     assert note(ledger, "a") == [2]
 
 
+class Told:
+    """A suite that comes to what it is told."""
+
+    name = "told"
+
+    def __init__(self, first: Result, again: Result) -> None:
+        self._first = first
+        self._again = again
+        self.asked: list[str] = []
+
+    def run(self) -> Result:
+        """The first time."""
+        return self._first
+
+    def run_again(self, failed: Iterable[str]) -> Result:
+        """Alone."""
+        self.asked += failed
+        return self._again
+
+
+def judge(first: Result, again: Result, ledger: Ledger) -> Outcome:
+    """What a run comes to that has had these results."""
+    return run_suites([Told(first, again)], ledger)
+
+
 def test_a_flaky_test_fails_the_run_from_the_third_time_on(tmp_path: Path) -> None:
     ledger = Ledger(tmp_path)
     first = Result(passed={"other"}, failed={NAME: "lost a race"})
     again = Result(passed={NAME})
     for count in range(1, TOO_OFTEN + 1):
-        outcome = judge(first, again, "7.5", ledger)
+        outcome = judge(first, again, ledger)
         is_last = count == TOO_OFTEN
         assert (outcome.passed, outcome.failed) == ((1, 1) if is_last else (2, 0))
         said = "\n".join(outcome.notes)
         assert f"FLAKY {NAME}: {count} in the last {RUNS} runs" in said
-        assert "load 7.5" in said
+        assert "load " in said
         assert "lost a race" in said
 
 
 def test_what_fails_again_or_does_not_run_again_fails(tmp_path: Path) -> None:
     first = Result(passed={"other"}, failed={NAME: "broken"})
     for again in (
-        None,
         Result(failed={NAME: "broken"}),
         Result(passed={"another"}),
-        Result(fault="pytest did not finish (exit 4)"),
+        Result(faults=["pytest did not finish (exit 4)"]),
     ):
-        outcome = judge(first, again, "1.0", Ledger(tmp_path))
+        outcome = judge(first, again, Ledger(tmp_path))
         assert (outcome.passed, outcome.failed) == (1, 1)
         assert not any("FLAKY" in note for note in outcome.notes)
+
+
+def test_a_runner_that_does_not_finish_fails_the_run(tmp_path: Path) -> None:
+    outcome = judge(Result(passed={"other"}, faults=["exit 4"]), Result(), Ledger(tmp_path))
+    assert (outcome.passed, outcome.failed) == (1, 1)
+    assert outcome.notes == ["told: exit 4"]
+
+
+def test_what_is_broken_as_a_whole_does_not_run_again(tmp_path: Path) -> None:
+    failed = {f"test {number}": "broken" for number in range(MOST_AGAIN + 1)}
+    suite = Told(Result(failed=failed), Result(passed=set(failed)))
+    assert run_suites([suite], Ledger(tmp_path)).failed == MOST_AGAIN + 1
+    assert suite.asked == []
+
+
+def test_suites_that_run_together_are_one_run_of_the_ledger(tmp_path: Path) -> None:
+    suites = [Told(Result(failed={name: "late"}), Result(passed={name})) for name in "ab"]
+    ledger = Ledger(tmp_path)
+    outcome = run_suites([*suites], ledger)
+    assert (outcome.passed, outcome.failed) == (2, 0)
+    assert [suite.asked for suite in suites] == [["a"], ["b"]]
+    assert {row["run"] for row in ledger.rows()} == {"1"}
 
 
 def run(folder: Path, *options: str) -> Result:
@@ -126,5 +175,5 @@ def test_what_failed_runs_again_alone(tmp_path: Path, monkeypatch: pytest.Monkey
     again = run(tmp_path, *pytest_tests.AGAIN, "test_x.py")
     assert again.passed == {"test_x::test_race"}
     assert set(again.failed) == {"test_x::test_broken", "test_x::test_without_set_up"}
-    outcome = judge(first, again, "1.0", Ledger(tmp_path))
+    outcome = judge(first, again, Ledger(tmp_path))
     assert (outcome.passed, outcome.failed) == (2, 2)

@@ -145,6 +145,27 @@ ERROR: Pages in use exist at exit in PagedAllocator: N7Variant5Pools12BucketMedi
     assert gdscript_tests.find_leaks("ok   test_what_is_left_at_exit\n7 passed, 0 failed") == []
 
 
+def test_what_a_runner_prints_is_read() -> None:
+    output = """ok   core/test_a.gd  test_one  (3 ms)
+a line of the next
+FAIL core/test_a.gd  test_two  (1200 ms)
+     expected 1, got 0
+     and one more
+ok   core/test_b.gd  test_three  (7 ms)
+2 passed, 1 failed
+ERROR: 2 resources still in use at exit (run with --verbose for details).
+"""
+    result = gdscript_tests.read_output(output)
+    assert result.passed == {"core/test_a.gd test_one", "core/test_b.gd test_three"}
+    assert list(result.failed) == ["core/test_a.gd test_two"]
+    said = result.failed["core/test_a.gd test_two"]
+    assert said.splitlines()[0] == "a line of the next"
+    assert said.endswith("expected 1, got 0\n     and one more")
+    assert len(result.faults) == 1
+    times = gdscript_tests.read_times(output)
+    assert times == pytest.approx({"core/test_a.gd": 1.203, "core/test_b.gd": 0.007})
+
+
 def test_a_port_in_use_is_a_sentence() -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as occupant:
         occupant.bind(("0.0.0.0", 0))

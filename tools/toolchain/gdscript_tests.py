@@ -3,55 +3,100 @@
 
 from __future__ import annotations
 
-import os
 import re
 import tempfile
 from collections import defaultdict
+from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from itertools import takewhile
 
+from .console import say, tail
 from .durations import keep_durations, read_durations
 from .godot import Godot
-from .outcome import Outcome
 from .paths import ROOT
+from .suites import Result
 
 # A test that hangs is ended by the runner itself; a busy machine takes five times as long.
 LIMIT_S = 3600
 LONG_FILES = 40
+# A line of a test: whether it holds, its file, its name, and how long it took, ms.
+VERDICT = re.compile(r"^(ok  |FAIL) (\S+)  (\S+)  \((\d+) ms\)", re.M)
+# Lines before a test's verdict that are of use where it fails.
+SAID_BEFORE = 60
 
 
-def run_gdscript(godot: Godot, text: str) -> Outcome:
-    """Runs the GDScript tests, side by side; a hang ends after a while, and is named."""
-    # Frames come as fast as they can: nobody watches, and a simulated minute takes seconds.
-    arguments = ["--fixed-fps", "60", "--path", str(ROOT)]
-    arguments += ["-s", "res://tests/framework/test_runner.gd", "--"]
-    arguments += [f"--filter={text}"] if text else []
-    # Those begin first; the others follow, whatever has been claimed.
-    arguments += [f"tests/{file}" for file in _longest()] + ["tests"]
-    # Some tests wait for the clock: one more than there are processors.
-    runners = (os.cpu_count() or 2) + 1
-    with tempfile.TemporaryDirectory() as claims, ThreadPoolExecutor(runners) as pool:
-        command = [*arguments, f"--claims={claims}"]
-        outcome = Outcome()
-        for one in pool.map(lambda number: _run_gdscript(godot, command, number), range(runners)):
-            outcome.add(one)
-    return outcome if text or outcome.passed + outcome.failed > 0 else Outcome(0, 1)
+@dataclass
+class GDScriptSuite:
+    """The GDScript tests, shared by several runners."""
+
+    godot: Godot
+    text: str = ""
+    runners: int = 1
+    name: str = "gdscript"
+
+    def run(self) -> Result:
+        """Runs all, side by side; a hang ends after a while, and is named."""
+        arguments = [f"--filter={self.text}"] if self.text else []
+        # Those begin first; the others follow, whatever has been claimed.
+        arguments += [f"tests/{file}" for file in _longest()] + ["tests"]
+        with tempfile.TemporaryDirectory() as claims, ThreadPoolExecutor(self.runners) as pool:
+            options = [f"--claims={claims}", *arguments]
+            parts = list(pool.map(lambda one: self._run(options, one), range(self.runners)))
+        whole = Result()
+        for part in parts:
+            whole.passed |= part.passed
+            whole.failed.update(part.failed)
+            whole.faults += part.faults
+        if not (self.text or whole.passed or whole.failed or whole.faults):
+            whole.faults.append("no tests were found")
+        return whole
+
+    def run_again(self, failed: Iterable[str]) -> Result:
+        """Runs those, each in an engine of its own."""
+        whole = Result()
+        for name in failed:
+            part = self._run([f"--filter={name}", f"tests/{name.split()[0]}"], 0)
+            whole.passed |= part.passed & {name}
+            whole.failed.update(part.failed)
+            whole.faults += part.faults
+        return whole
+
+    def _run(self, options: list[str], number: int) -> Result:
+        # Frames come as fast as they can: nobody watches, and a simulated minute takes seconds.
+        command = ["--fixed-fps", "60", "--path", str(ROOT)]
+        command += ["-s", "res://tests/framework/test_runner.gd", "--", *options]
+        # Each has its own user://.
+        code, output = self.godot.call(command, LIMIT_S, home=f"test-home-{number}")
+        keep_durations(read_times(output))
+        result = read_output(output)
+        # Two thousand lines would hide the few that are of use.
+        say(output if self.text else "\n".join(result.failed.values()))
+        is_ended = re.search(r"^\d+ passed, \d+ failed", output, re.M) is not None
+        # Who is left without a file says so and fails.
+        if not is_ended or (code != 0 and result.passed and not result.failed):
+            result.faults.append(f"a runner did not finish (exit {code}):\n{tail(output)}")
+        return result
 
 
-def _run_gdscript(godot: Godot, command: list[str], number: int) -> Outcome:
-    # Each has its own user://.
-    home = f"test-home-{number}"
-    code, output = godot.call(command, LIMIT_S, home=home)
-    print(output)
-    match = re.search(r"^(\d+) passed, (\d+) failed", output, re.M)
-    if match is None:
-        return Outcome(0, 1, [f"gdscript: the runner did not finish (exit {code})"])
-    passed, failed = int(match.group(1)), int(match.group(2))
-    # Who is left without a file says so and fails.
-    if code != 0 and failed == 0 and passed > 0:
-        failed = 1
-    keep_durations(read_times(output))
-    leaks = find_leaks(output)
-    return Outcome(passed, failed + len(leaks), [f"gdscript: {leak}" for leak in leaks])
+def read_output(output: str) -> Result:
+    """What a runner has printed: its tests, what those that failed said, and leaks."""
+    result = Result(faults=find_leaks(output))
+    said: list[str] = []
+    lines = output.splitlines()
+    for at, line in enumerate(lines):
+        match = VERDICT.match(line)
+        if match is None:
+            said.append(line)
+            continue
+        name = f"{match[2]} {match[3]}"
+        if match[1] == "FAIL":
+            faults = takewhile(lambda text: text.startswith("     "), lines[at + 1 :])
+            result.failed[name] = "\n".join([*said[-SAID_BEFORE:], line, *faults])
+        else:
+            result.passed.add(name)
+        said = []
+    return result
 
 
 def _longest() -> list[str]:
@@ -64,8 +109,8 @@ def _longest() -> list[str]:
 def read_times(output: str) -> dict[str, float]:
     """How long each file took, s, by what a runner has printed."""
     seconds: dict[str, float] = defaultdict(float)
-    for file, milliseconds in re.findall(r"^(?:ok  |FAIL) (\S+)  \S+  \((\d+) ms\)", output, re.M):
-        seconds[file] += int(milliseconds) / 1000.0
+    for match in VERDICT.finditer(output):
+        seconds[match[2]] += int(match[4]) / 1000.0
     return seconds
 
 

@@ -4,24 +4,27 @@
 from __future__ import annotations
 
 import hashlib
+import os
 import shutil
 import subprocess
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from .console import Failure, say, step, tail
 from .cpp_tests import run_ctest, run_sanitizers
-from .gdscript_tests import run_gdscript
+from .flaky import Ledger
+from .gdscript_tests import GDScriptSuite
 from .godot import Godot, find
 from .godot_cpp import checkout, run_godot_cpp
 from .lint import run_lint
 from .outcome import Outcome
 from .paths import ROOT, cache, lock, make_folder, user_path
 from .project import ALL, EXTENSIONS, prepare
-from .pytest_tests import run_pytest
+from .pytest_tests import PytestSuite
+from .suites import Suite, run_suites
 
 HELP = """./test [PART ...] [options]   sets up everything, then runs every test (or some parts)
 
@@ -56,18 +59,9 @@ def main(arguments: list[str]) -> int:
     named = next((a.partition("=")[2] for a in arguments if a.startswith("--godot-cpp=")), "")
     if named:
         return _report(run_godot_cpp(find(), checkout(user_path(named))))
-    kernel = "--kernel" in arguments
-    parts: dict[str, Callable[[Godot, Path], Outcome]] = {
-        "lint": run_lint,
-        "cpp": lambda _godot, _tools: run_ctest(EXTENSIONS, *(("-R", text) if text else ())),
-        "sanitizers": lambda _godot, _tools: run_sanitizers(again="sanitizers" in chosen),
-        "gdscript": lambda godot, _tools: run_gdscript(godot, text),
-        "system": lambda godot, tools: run_pytest(godot, tools, text),
-        "kernel": lambda godot, tools: run_pytest(godot, tools, text, ["tests/kernel"]),
-    }
     chosen = [argument for argument in arguments if not argument.startswith("--")]
-    chosen += ["kernel"] if kernel else []
-    unknown = [name for name in chosen if name not in parts]
+    chosen += ["kernel"] if "--kernel" in arguments else []
+    unknown = [name for name in chosen if name not in (*WHOLE, "kernel")]
     options = [a for a in arguments if a.startswith("--") and a != "--kernel"]
     unknown += [option for option in options if not option.startswith("--filter=")]
     if unknown:
@@ -77,10 +71,36 @@ def main(arguments: list[str]) -> int:
         fetched = pool.submit(python_tools)
         godot = prepare(True, ALL)
         tools = fetched.result()
+    names = chosen or (FILTERED if text else WHOLE)
+    parts: dict[str, Callable[[], Outcome]] = {
+        "lint": lambda: run_lint(godot, tools),
+        "cpp": lambda: run_ctest(EXTENSIONS, *(("-R", text) if text else ())),
+        "sanitizers": lambda: run_sanitizers(again="sanitizers" in chosen),
+    }
     total = Outcome()
-    for name in chosen or (FILTERED if text else WHOLE):
-        total.add(_run_part(name, parts[name], godot, tools))
+    for name, part in parts.items():
+        if name in names:
+            total.add(_run_part(name, part))
+    suites = _suites(names, text, godot, tools)
+    # A part of the tests tells nothing of how often a test is flaky.
+    is_whole = "system" in names and not text
+    if suites:
+        total.add(run_suites(suites, Ledger(cache()) if is_whole else None))
     return _report(total)
+
+
+def _suites(names: Sequence[str], text: str, godot: Godot, tools: Path) -> list[Suite]:
+    processors = os.cpu_count() or 2
+    suites: list[Suite] = []
+    if "gdscript" in names:
+        # Some tests wait for the clock: one more than there are processors, where all are free.
+        runners = processors if "system" in names else processors + 1
+        suites.append(GDScriptSuite(godot, text, runners))
+    if "system" in names:
+        suites.append(PytestSuite(godot, tools, text))
+    if "kernel" in names:
+        suites.append(PytestSuite(godot, tools, text, ("tests/kernel",), "kernel"))
+    return suites
 
 
 def _report(total: Outcome) -> int:
@@ -90,12 +110,10 @@ def _report(total: Outcome) -> int:
     return 0 if total.failed == 0 and total.passed > 0 else 1
 
 
-def _run_part(
-    name: str, part: Callable[[Godot, Path], Outcome], godot: Godot, tools: Path
-) -> Outcome:
+def _run_part(name: str, part: Callable[[], Outcome]) -> Outcome:
     say(f"\n=== {name}")
     begin = time.monotonic()
-    outcome = part(godot, tools)
+    outcome = part()
     seconds = time.monotonic() - begin
     say(f"=== {name}: {outcome.passed} passed, {outcome.failed} failed ({seconds:.0f} s)")
     return outcome
