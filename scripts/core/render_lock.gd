@@ -16,7 +16,8 @@ static func is_needed() -> bool:
 	return DisplayServer.get_name() == "headless"
 
 
-## Takes the lock; waits for who has it.
+## Takes the lock; waits for who has it. For threads of their own only: a thread that loads now and
+## then waits for the main thread's next frame, and both would wait for ever.
 static func hold() -> void:
 	if is_needed():
 		_mutex.lock()

@@ -140,7 +140,10 @@ func close() -> void:
 
 
 func _make(p_scene: PackedScene) -> void:
-	RenderLock.hold()
+	if not RenderLock.try_hold():
+		# A level has begun to be loaded since is_ready() was asked.
+		_parts.push_front([&"make", _make.bind(p_scene)])
+		return
 	_stock.append(p_scene.instantiate() as Ragdoll)
 	RenderLock.release()
 

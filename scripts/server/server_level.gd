@@ -179,12 +179,14 @@ func message() -> PackedByteArray:
 
 
 ## Adds an instance of a scene to the running level. Its root, or a node below it, is an [Entity].
-## Returns the entity, or null if that is not possible.
+## Returns the entity, or null if that is not possible, as while another level is being loaded.
 func add_instance(
 	p_path: String, p_transform: Transform3D, p_tick: int, p_owner: int = 0
 ) -> Entity:
 	var scene: PackedScene = level.find_spawnable(p_path)
-	RenderLock.hold()
+	if not RenderLock.try_hold():
+		Log.warning("server", "%s is not added: a level is being loaded" % p_path)
+		return null
 	var node: Node = scene.instantiate() if scene != null else null
 	RenderLock.release()
 	var entity: Entity = Entity.find_in(node)

@@ -26,9 +26,13 @@ func test_nothing_is_made_while_another_thread_loads() -> void:
 	_has_lock.wait()
 	is_false(_workshop.restock(), "the stock waits")
 	is_false(_workshop.is_ready(), "who joins waits")
+	_workshop.advance()
+	equal(_workshop.next_kind(), &"make", "it is left for later, nobody waits")
 	_is_over.post()
 	_thread.wait_to_finish()
 	is_true(_workshop.is_ready())
+	_workshop.advance()
+	equal(_workshop.next_kind(), &"take")
 	is_true(_workshop.restock())
 
 

@@ -162,6 +162,24 @@ func test_a_scene_that_is_added_is_an_entity() -> void:
 	is_null(_level.add_instance("res://scenes/world/props/crate.tscn", place, 7))
 
 
+func test_nothing_is_added_while_a_level_is_loaded_and_nobody_waits() -> void:
+	var has_lock: Semaphore = Semaphore.new()
+	var is_over: Semaphore = Semaphore.new()
+	var thread: Thread = Thread.new()
+	thread.start(
+		func() -> void:
+			RenderLock.hold()
+			has_lock.post()
+			is_over.wait()
+			RenderLock.release()
+	)
+	has_lock.wait()
+	is_null(_level.add_instance("res://examples/01_door/door.tscn", Transform3D.IDENTITY, 7))
+	is_over.post()
+	thread.wait_to_finish()
+	not_null(_level.add_instance("res://examples/01_door/door.tscn", Transform3D.IDENTITY, 7))
+
+
 func _on_entity_added(p_row: EntityRow, p_node: Entity, _body: PhysicsBody3D) -> void:
 	if p_node != null:
 		_entities.bind(p_row, p_node)
