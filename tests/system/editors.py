@@ -19,12 +19,12 @@ from .conftest import SOFTWARE, World
 # which is none of this one.
 KNOWN = ("VK_KHR_surface", "err != OK", "V-Sync", "Detected another project.godot")
 
-# Thirty frames a second are enough for a hand, and a third of the work.
+# Twenty frames a second are enough for a hand, and a fifth of the work.
 SETTINGS = """[gd_resource type="EditorSettings" format=3]
 
 [resource]
-interface/editor/low_processor_mode_sleep_usec = 33000
-interface/editor/unfocused_low_processor_mode_sleep_usec = 33000
+interface/editor/low_processor_mode_sleep_usec = 50000
+interface/editor/unfocused_low_processor_mode_sleep_usec = 50000
 """
 
 

@@ -223,21 +223,33 @@ def test_half_open_handshakes_of_one_address_leave_the_passwords_of_others(guard
     assert guarded.counts()["handshakes_later"] > before, "that address has no tries left"
 
 
-def test_wrong_passwords_at_speed(guarded: Scene) -> None:
+def test_wrong_passwords(guarded: Scene) -> None:
     before = guarded.counts()["wrong_passwords"]
     with guarded.nobody_notices():
+        # Before it believes that its password is wrong, a client has tried it three times.
         wrong = guarded.world.client("observer", "--password=guess", name="wrong")
         assert wrong.await_exit() == 3
         assert "the password is wrong" in wrong.log()
         with Crowd() as crowd:
-            guessers = [OwnClient(guarded.world.port, password="guess") for _ in range(3)]
+            guessers = [OwnClient(guarded.world.port, password="guess") for _ in range(2)]
             crowd.add(*guessers)
             crowd.go_on_until(lambda: all(one.is_refused for one in guessers))
     made = guarded.server.report()
-    assert made["transport"]["wrong_passwords"] == before + 4
+    assert made["transport"]["wrong_passwords"] == before + 5
     everything = guarded.server.log() + guarded.trainee.log() + str(made)
     assert "sesame" not in everything
     assert "guess" not in everything
+
+
+def test_guesses_at_speed_from_many_ports_of_one_address(guarded: Scene) -> None:
+    before = guarded.counts()["wrong_passwords"]
+    with guarded.nobody_notices():
+        seen = flood("guess", guarded.world.port, 60, "127.0.0.3", "sesame")
+    assert seen["opened"] == 60, "honest clients from elsewhere join meanwhile"
+    assert 0 < seen["answered"] <= 5 + seen["seconds"]
+    assert guarded.counts()["wrong_passwords"] - before == seen["answered"], "each is counted"
+    lines = [line for line in guarded.server.log().splitlines() if "127.0.0.3" in line]
+    assert 0 < len(lines) <= 2 + seen["seconds"]
 
 
 def test_killed_and_frozen_clients_are_lost_and_come_back_into_their_bodies(guarded: Scene) -> None:

@@ -34,6 +34,7 @@ public:
 		NOTICE_OTHER_VERSION,
 		NOTICE_SERVER_IS_OPEN,
 		NOTICE_SERVER_SEALS,
+		NOTICE_ASKS_FOR_NO_PASSWORD,
 	};
 
 	void set_sealing(bool p_seals, int64_t p_version);

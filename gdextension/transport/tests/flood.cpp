@@ -4,6 +4,9 @@
 //   transport_flood half-open <port> <handshakes a second> <honest> <address> [password]
 //       Begins handshakes from many ports of an address of loopback and ends none. Beside it, from
 //       127.0.0.1, so many honest handshakes run to their end, one after the other.
+//   transport_flood guess <port> <honest> <address> <password>
+//       Guesses the password from many ports of an address, as fast as it is answered, and begins anew
+//       from the same port as soon as a guess is out. Beside it so many honest handshakes.
 //   transport_flood forged <port> <datagrams> <address>
 //       Sends that many datagrams of all types that nobody who has the key has made.
 //
@@ -32,6 +35,7 @@ namespace {
 /// Protocol.VERSION.
 constexpr uint32_t VERSION = 6;
 constexpr size_t PORTS = 800;
+constexpr size_t GUESSERS = 40;
 /// Pauses between two honest handshakes, us.
 constexpr int64_t HONEST_USEC = 50000;
 /// After so long the honest ones count as kept out.
@@ -121,6 +125,33 @@ private:
 	int64_t _next_usec = 0;
 };
 
+/// An honest client beside an attack, in a thread: the attack must not keep it from its own work.
+class Beside {
+public:
+	Beside(uint16_t p_server, const std::string &p_password) : _honest(p_server, p_password) {
+		_thread = std::thread([this] {
+			while (!_over) {
+				_honest.go_on(now_usec());
+				std::this_thread::sleep_for(std::chrono::microseconds(500));
+			}
+		});
+	}
+	~Beside() {
+		_over = true;
+		_thread.join();
+	}
+	Beside(const Beside &) = delete;
+	Beside &operator=(const Beside &) = delete;
+
+	uint64_t opened() const { return _honest.opened; }
+	uint64_t refused() const { return _honest.refused; }
+
+private:
+	Honest _honest;
+	std::atomic<bool> _over{ false };
+	std::thread _thread;
+};
+
 int half_open(uint16_t p_server, double p_rate, uint64_t p_honest, const std::string &p_address,
 		const std::string &p_password) {
 	std::vector<std::unique_ptr<Port>> ports;
@@ -136,21 +167,13 @@ int half_open(uint16_t p_server, double p_rate, uint64_t p_honest, const std::st
 	messages::Start start;
 	start.version = VERSION;
 	start.share = cpace::share_of(cpace::sample_scalar(), cpace::generator({})).value_or(cpace::Share());
-	// By itself: the attack must not keep it from its own work.
-	Honest honest(p_server, p_password);
-	std::atomic<bool> over{ false };
-	std::thread beside([&honest, &over] {
-		while (!over) {
-			honest.go_on(now_usec());
-			std::this_thread::sleep_for(std::chrono::microseconds(500));
-		}
-	});
+	Beside honest(p_server, p_password);
 	uint64_t begun = 0;
 	uint64_t started = 0;
 	uint64_t answered = 0;
 	Bytes bytes;
 	const int64_t begin = now_usec();
-	for (int64_t now = begin; honest.opened < p_honest && now < begin + PATIENCE_USEC; now = now_usec()) {
+	for (int64_t now = begin; honest.opened() < p_honest && now < begin + PATIENCE_USEC; now = now_usec()) {
 		for (; double(begun) < double(now - begin) / 1e6 * p_rate; begun++) {
 			const uint64_t id = random();
 			std::memcpy(init.client.data(), &id, sizeof(id));
@@ -174,14 +197,68 @@ int half_open(uint16_t p_server, double p_rate, uint64_t p_honest, const std::st
 		}
 		std::this_thread::sleep_for(std::chrono::microseconds(500));
 	}
-	over = true;
-	beside.join();
 	close(readable);
 	std::printf("{\"begun\": %llu, \"started\": %llu, \"answered\": %llu, \"opened\": %llu, \"refused\": %llu}\n",
 			static_cast<unsigned long long>(begun), static_cast<unsigned long long>(started),
-			static_cast<unsigned long long>(answered), static_cast<unsigned long long>(honest.opened),
-			static_cast<unsigned long long>(honest.refused));
-	return honest.opened < p_honest ? 1 : 0;
+			static_cast<unsigned long long>(answered), static_cast<unsigned long long>(honest.opened()),
+			static_cast<unsigned long long>(honest.refused()));
+	return honest.opened() < p_honest ? 1 : 0;
+}
+
+/// One guess after the other from one port.
+class Guesser {
+public:
+	Guesser(const std::string &p_address, uint16_t p_server) : _port(p_address, p_server) {}
+
+	/// Returns whether a guess has been answered.
+	bool go_on(int64_t p_now_usec, uint64_t p_number) {
+		if (!_relay) {
+			ClientRelay::Settings settings;
+			settings.version = VERSION;
+			const std::string password = "guess " + std::to_string(p_number);
+			settings.password = Bytes(password.begin(), password.end());
+			_relay = std::make_unique<ClientRelay>(
+					settings, [this](const View &p_bytes) { _port.write(p_bytes); }, [](const View &) {});
+		}
+		bool is_answered = false;
+		while (_port.read(_bytes)) {
+			is_answered = is_answered || (!_bytes.empty() && _bytes[0] == messages::REPLY);
+			// A reply lets the proof out at once.
+			_relay->take_outer(_bytes, p_now_usec);
+		}
+		_relay->look_after(p_now_usec);
+		if (is_answered) {
+			_relay.reset();
+		}
+		return is_answered;
+	}
+
+private:
+	Port _port;
+	std::unique_ptr<ClientRelay> _relay;
+	Bytes _bytes;
+};
+
+int guess(uint16_t p_server, uint64_t p_honest, const std::string &p_address, const std::string &p_password) {
+	std::vector<std::unique_ptr<Guesser>> guessers;
+	guessers.reserve(GUESSERS);
+	for (size_t i = 0; i < GUESSERS; i++) {
+		guessers.push_back(std::make_unique<Guesser>(p_address, p_server));
+	}
+	Beside honest(p_server, p_password);
+	uint64_t answered = 0;
+	const int64_t begin = now_usec();
+	int64_t now = begin;
+	for (; honest.opened() < p_honest && now < begin + PATIENCE_USEC; now = now_usec()) {
+		for (const std::unique_ptr<Guesser> &each : guessers) {
+			answered += each->go_on(now, answered) ? 1 : 0;
+		}
+		std::this_thread::sleep_for(std::chrono::microseconds(500));
+	}
+	std::printf("{\"answered\": %llu, \"seconds\": %.3f, \"opened\": %llu, \"refused\": %llu}\n",
+			static_cast<unsigned long long>(answered), double(now - begin) / 1e6,
+			static_cast<unsigned long long>(honest.opened()), static_cast<unsigned long long>(honest.refused()));
+	return honest.opened() < p_honest ? 1 : 0;
 }
 
 int forged(uint16_t p_server, uint64_t p_count, const std::string &p_address) {
@@ -211,9 +288,14 @@ int main(int p_count, char **p_arguments) {
 		return half_open(uint16_t(std::stoi(arguments[1])), std::stod(arguments[2]), std::stoull(arguments[3]),
 				arguments[4], arguments.size() == 6 ? arguments[5] : "");
 	}
+	if (arguments.size() == 5 && arguments[0] == "guess") {
+		return guess(uint16_t(std::stoi(arguments[1])), std::stoull(arguments[2]), arguments[3], arguments[4]);
+	}
 	if (arguments.size() == 4 && arguments[0] == "forged") {
 		return forged(uint16_t(std::stoi(arguments[1])), std::stoull(arguments[2]), arguments[3]);
 	}
-	std::fputs("transport_flood half-open PORT RATE HONEST ADDRESS [PASSWORD] | forged PORT COUNT ADDRESS\n", stderr);
+	std::fputs("transport_flood half-open PORT RATE HONEST ADDRESS [PASSWORD] | guess PORT HONEST ADDRESS PASSWORD |\n"
+			   "  forged PORT COUNT ADDRESS\n",
+			stderr);
 	return 2;
 }

@@ -134,8 +134,12 @@ func _take_challenge(p_bytes: PackedByteArray) -> void:
 	if challenge.error != "":
 		refused.emit(challenge.error)
 		return
-	_challenge = p_bytes
 	_locked = challenge.is_locked(_request.role)
+	if _password != "" and not _locked:
+		# What was given must be proved: the challenge is anybody's, and the token goes to its sender.
+		refused.emit(TransportSealing.ASKS_FOR_NO_PASSWORD)
+		return
+	_challenge = p_bytes
 	if _key.is_empty() or _key_salt != challenge.salt:
 		_key = PasswordKey.derive(_password, challenge.salt, challenge.rounds)
 		_key_salt = challenge.salt
@@ -153,8 +157,6 @@ func _take_welcome(p_reply: JoinReply) -> void:
 	if must_prove and not p_reply.is_proven(_key, _said):
 		refused.emit("the server does not know the password")
 		return
-	if _password != "" and not _locked:
-		Log.warning("net", "%s asks for no password: it may be another server" % _where)
 	_token = p_reply.token
 	if token_file != null:
 		token_file.keep(_token)

@@ -2,6 +2,11 @@ class_name TransportSealing
 extends RefCounted
 ## Whether the datagrams of a connection are sealed, and with which passwords.
 
+## Why a client that was given a password does not join a server that asks for none.
+const ASKS_FOR_NO_PASSWORD: String = (
+	"it asks for no password, so that it may be another server;"
+	+ " if it is the right one, come without a password"
+)
 ## Bytes that IP, UDP and ENet add to each datagram, and those that sealing adds.
 const _HEADER_BYTES: int = 40
 const _SEALING_BYTES: int = 20
@@ -78,4 +83,6 @@ func explain(p_socket: SealedSocket) -> String:
 			return "it does not seal connections: come with --sealing=0, if the network can be trusted"
 		SealedSocket.NOTICE_SERVER_SEALS:
 			return "it wants sealed connections: come without --sealing=0"
+		SealedSocket.NOTICE_ASKS_FOR_NO_PASSWORD:
+			return ASKS_FOR_NO_PASSWORD
 	return ""

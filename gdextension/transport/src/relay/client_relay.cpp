@@ -3,6 +3,7 @@
 
 #include "enet_reader.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <sodium.h>
 #include <utility>
@@ -23,6 +24,22 @@ constexpr int64_t SHORT_PAUSE_USEC = 20000;
 constexpr int64_t MAX_STEP_USEC = 2000000;
 /// How long to wait where the server says "later", us; about, so that not all come at once.
 constexpr uint32_t LATER_USEC = 300000;
+/// A handshake that is put off again and again begins anew: its cookie runs out, us.
+constexpr int64_t MAX_HANDSHAKE_USEC = 8000000;
+/// Cookies and replies that are tried in one handshake: all but one are forged.
+constexpr size_t MAX_EXCHANGES = 4;
+constexpr size_t MAX_CANDIDATES = 8;
+/// How long a cookie is tried before the next one, where several have come, us.
+constexpr int64_t TURN_USEC = 250000;
+/// START is sent again beside the proof so seldom: the reply that has come may be forged, us.
+constexpr int64_t AGAIN_USEC = 200000;
+/// Who is told why the handshake comes to nothing tries on for so long, twice as long each time: a
+/// server that is there needs one round trip to prove the contrary, us.
+constexpr int64_t HINT_USEC = 500000;
+/// Handshakes that end so before it is believed.
+constexpr int MAX_HINTED = 3;
+/// Without sealing: for how long nothing else but notices comes, us.
+constexpr int64_t UNSEALED_USEC = 2000000;
 
 } // namespace
 
@@ -46,6 +63,7 @@ void ClientRelay::take_outer(const View &p_bytes, int64_t p_now_usec) {
 		return;
 	}
 	if (!_settings.seals) {
+		_is_hinted = false;
 		_to_inner(p_bytes);
 		return;
 	}
@@ -83,93 +101,173 @@ int64_t ClientRelay::look_after(int64_t p_now_usec) {
 	if (_step == Step::DONE || _state == State::FAILED) {
 		return INT64_MAX;
 	}
-	if (_step_usec == 0 || p_now_usec - _step_usec > MAX_STEP_USEC) {
+	if (_begun_usec == 0 || is_over(p_now_usec)) {
+		if (is_hopeless()) {
+			_state = State::FAILED;
+			return INT64_MAX;
+		}
 		restart(p_now_usec);
 	}
+	if (_exchanges.size() > 1 && p_now_usec - _turn_usec > TURN_USEC) {
+		_turn_usec = p_now_usec;
+		_current = (_current + 1) % _exchanges.size();
+		_due_usec = p_now_usec;
+	}
 	if (p_now_usec >= _due_usec) {
-		send_due();
+		send_due(p_now_usec);
 		_due_usec = p_now_usec + (_step == Step::WANTS_COOKIE ? PAUSE_USEC : SHORT_PAUSE_USEC);
 	}
 	return _due_usec;
 }
 
+/// Whether this handshake has come to nothing.
+bool ClientRelay::is_over(int64_t p_now_usec) const {
+	const int64_t patience = _is_hinted ? HINT_USEC << std::min(_hinted, MAX_HINTED - 1) : MAX_STEP_USEC;
+	const int64_t since = _is_hinted ? _hinted_usec : _step_usec;
+	return p_now_usec - since > patience || p_now_usec - _begun_usec > MAX_HANDSHAKE_USEC;
+}
+
+/// Whether enough handshakes in a row have been told why they come to nothing. Who was in a session
+/// goes on: its server is there, or comes back.
+bool ClientRelay::is_hopeless() {
+	_hinted = _is_hinted ? _hinted + 1 : 0;
+	return _hinted >= MAX_HINTED && _settings.return_tag == messages::ReturnTag{};
+}
+
 void ClientRelay::restart(int64_t p_now_usec) {
-	_start = messages::Start();
-	_start.version = _settings.version;
-	_start.role = _settings.role;
-	_start.return_tag = _settings.return_tag;
-	randombytes_buf(_start.client.data(), _start.client.size());
+	randombytes_buf(_client.data(), _client.size());
+	_exchanges.clear();
+	_candidates.clear();
+	_current = 0;
 	_state = State::OPENING;
+	_is_hinted = false;
+	_begun_usec = p_now_usec;
+	_started_usec = 0;
 	go_on(Step::WANTS_COOKIE, p_now_usec);
 }
 
 void ClientRelay::go_on(Step p_step, int64_t p_now_usec) {
 	_step = p_step;
 	_step_usec = p_now_usec;
+	_turn_usec = p_now_usec;
 	_due_usec = p_now_usec;
 }
 
-void ClientRelay::send_due() {
+void ClientRelay::send_due(int64_t p_now_usec) {
 	if (_step == Step::WANTS_COOKIE) {
 		messages::Init init;
-		init.version = _start.version;
-		init.role = _start.role;
-		init.client = _start.client;
+		init.version = _settings.version;
+		init.role = _settings.role;
+		init.client = _client;
 		_to_outer(init.encode());
-	} else if (_step == Step::WANTS_REPLY) {
-		_to_outer(_start.encode());
-	} else if (_step == Step::WANTS_PROOF) {
+		return;
+	}
+	const Exchange &current = _exchanges[_current];
+	if (!current.is_answered || p_now_usec - _started_usec > AGAIN_USEC) {
+		_started_usec = p_now_usec;
+		_to_outer(current.start.encode());
+	}
+	for (Candidate &candidate : _candidates) {
 		// Empty: it says only that we have the key.
-		seal_out(View());
+		seal_first(candidate, View());
 	}
 }
 
 void ClientRelay::take_cookie(const View &p_bytes, int64_t p_now_usec) {
 	messages::CookieReply reply;
-	if (_step != Step::WANTS_COOKIE || !reply.decode(p_bytes) || reply.client != _start.client) {
+	if (_step == Step::DONE || _exchanges.size() >= MAX_EXCHANGES || !reply.decode(p_bytes) ||
+			reply.client != _client) {
 		return;
 	}
-	_locked = reply.locked;
-	_start.cookie = reply.cookie;
+	const auto has_cookie = [&reply](const Exchange &p_exchange) { return p_exchange.start.cookie == reply.cookie; };
+	if (std::any_of(_exchanges.begin(), _exchanges.end(), has_cookie)) {
+		return;
+	}
+	Exchange exchange;
+	exchange.start.version = _settings.version;
+	exchange.start.role = _settings.role;
+	exchange.start.return_tag = _settings.return_tag;
+	exchange.start.client = _client;
+	exchange.start.cookie = reply.cookie;
+	// A password that was given must be proved: the cookie is anybody's.
+	if (!reply.locked && !_settings.password.empty()) {
+		hint(ASKS_FOR_NO_PASSWORD, p_now_usec);
+	}
 	const Bytes channel = messages::channel_identifier();
-	const Bytes session = messages::session_identifier(_start.client, _start.cookie);
-	const View password = _locked ? View(_settings.password) : View();
-	_scalar = cpace::sample_scalar();
-	const auto share = cpace::share_of(_scalar, cpace::generator({ password, channel, session }));
+	const Bytes session = messages::session_identifier(_client, reply.cookie);
+	exchange.scalar = cpace::sample_scalar();
+	const auto share = cpace::share_of(exchange.scalar, cpace::generator({ _settings.password, channel, session }));
 	if (!share) {
 		return;
 	}
-	_start.share = *share;
-	go_on(Step::WANTS_REPLY, p_now_usec);
-	look_after(p_now_usec);
+	exchange.start.share = *share;
+	_exchanges.push_back(exchange);
+	if (_step == Step::WANTS_COOKIE) {
+		go_on(Step::WANTS_REPLY, p_now_usec);
+		look_after(p_now_usec);
+	}
 }
 
 void ClientRelay::take_reply(const View &p_bytes, int64_t p_now_usec) {
 	messages::Reply reply;
-	if (_step != Step::WANTS_REPLY || !reply.decode(p_bytes) || reply.client != _start.client) {
+	if (_step == Step::DONE || _exchanges.empty() || !reply.decode(p_bytes) || reply.client != _client) {
 		return;
 	}
-	const Bytes session = messages::session_identifier(_start.client, _start.cookie);
-	const Bytes associated = _start.associated();
-	const auto key =
-			cpace::session_key(_scalar, reply.share, session, { _start.share, associated }, { reply.share, View() });
+	const auto has_share = [&reply](const Candidate &p_candidate) { return p_candidate.share == reply.share; };
+	if (std::any_of(_candidates.begin(), _candidates.end(), has_share)) {
+		return;
+	}
+	Exchange &current = _exchanges[_current];
+	const messages::Start &start = current.start;
+	const Bytes session = messages::session_identifier(_client, start.cookie);
+	const Bytes associated = start.associated();
+	const auto key = cpace::session_key(
+			current.scalar, reply.share, session, { start.share, associated }, { reply.share, View() });
 	if (!key) {
 		return;
 	}
-	_keys = ChannelKeys::derive(*key);
-	_channel = SealedChannel(_keys.to_server, _keys.to_client);
+	if (_candidates.size() >= MAX_CANDIDATES) {
+		_candidates.erase(_candidates.begin() + randombytes_uniform(MAX_CANDIDATES));
+	}
+	current.is_answered = true;
+	Candidate candidate;
+	candidate.share = reply.share;
+	candidate.keys = ChannelKeys::derive(*key);
+	candidate.channel = SealedChannel(candidate.keys.to_server, candidate.keys.to_client);
+	_candidates.push_back(candidate);
 	_state = State::OPEN;
-	go_on(Step::WANTS_PROOF, p_now_usec);
-	look_after(p_now_usec);
+	if (!_last_inner.empty()) {
+		seal_first(_candidates.back(), _last_inner);
+	}
+	if (_step == Step::WANTS_REPLY) {
+		go_on(Step::WANTS_PROOF, p_now_usec);
+		look_after(p_now_usec);
+	} else {
+		seal_first(_candidates.back(), View());
+	}
 }
 
 void ClientRelay::take_data(const View &p_bytes) {
-	if (_state != State::OPEN || !_channel.open(p_bytes, messages::DATA_HEAD, _bytes)) {
+	if (_step != Step::DONE) {
+		const auto opens = [this, &p_bytes](Candidate &r_candidate) {
+			return r_candidate.channel.open(p_bytes, messages::DATA_HEAD, _bytes);
+		};
+		const auto proven = std::find_if(_candidates.begin(), _candidates.end(), opens);
+		if (proven == _candidates.end()) {
+			_not_opened++;
+			return;
+		}
+		_keys = proven->keys;
+		_channel = proven->channel;
+		_candidates.clear();
+		_exchanges.clear();
+		_last_inner.clear();
+		_step = Step::DONE;
+		_notice = 0;
+	} else if (!_channel.open(p_bytes, messages::DATA_HEAD, _bytes)) {
 		_not_opened++;
 		return;
 	}
-	_step = Step::DONE;
-	_notice = 0;
 	if (!_bytes.empty()) {
 		_to_inner(_bytes);
 	}
@@ -177,26 +275,52 @@ void ClientRelay::take_data(const View &p_bytes) {
 
 void ClientRelay::take_notice(const View &p_bytes, int64_t p_now_usec) {
 	messages::NoticeMessage notice;
-	const messages::ClientId &own = _settings.seals ? _start.client : _chosen;
+	const messages::ClientId &own = _settings.seals ? _client : _chosen;
 	// Who has opened something of the server's knows better.
 	if (!notice.decode(p_bytes) || notice.client != own || (_settings.seals && _step == Step::DONE)) {
 		return;
 	}
-	_notice = int(notice.what);
 	_server_version = notice.version;
-	if (notice.what == Notice::LATER) {
+	if (notice.what != Notice::LATER) {
+		hint(int(notice.what), p_now_usec);
+	} else {
+		_notice = int(Notice::LATER);
 		if (_step == Step::WANTS_REPLY) {
 			_step_usec = p_now_usec;
-			_due_usec = p_now_usec + LATER_USEC / 2 + randombytes_uniform(LATER_USEC);
+			// From the last START on: many notices put it off no longer than one does.
+			_due_usec = std::max(_due_usec, _started_usec + LATER_USEC / 2 + randombytes_uniform(LATER_USEC));
+			_due_usec = std::min(_due_usec, _started_usec + LATER_USEC * 3 / 2);
 		}
-	} else {
+	}
+}
+
+/// Why the handshake comes to nothing, as somebody says.
+void ClientRelay::hint(int p_what, int64_t p_now_usec) {
+	_notice = p_what;
+	if (!_is_hinted) {
+		_is_hinted = true;
+		_hinted_usec = p_now_usec;
+	} else if (!_settings.seals && p_now_usec - _hinted_usec > UNSEALED_USEC) {
+		// ENet went on asking, and a server that takes the connection answers something else.
 		_state = State::FAILED;
 	}
 }
 
 void ClientRelay::seal_out(const View &p_bytes) {
+	if (_step != Step::DONE) {
+		_last_inner.assign(p_bytes.data, p_bytes.data + p_bytes.size);
+		for (Candidate &candidate : _candidates) {
+			seal_first(candidate, p_bytes);
+		}
+		return;
+	}
 	static const Bytes data_head{ messages::DATA };
-	_channel.seal(_step == Step::DONE ? data_head : messages::first_head(_start.client), p_bytes, _bytes);
+	_channel.seal(data_head, p_bytes, _bytes);
+	_to_outer(_bytes);
+}
+
+void ClientRelay::seal_first(Candidate &r_candidate, const View &p_bytes) {
+	r_candidate.channel.seal(messages::first_head(_client), p_bytes, _bytes);
 	_to_outer(_bytes);
 }
 

@@ -5,10 +5,16 @@
 #include "../sealing/sealed_channel.hpp"
 
 #include <functional>
+#include <vector>
 
 namespace transport {
 
 /// A client's end between the network and ENet, the counterpart of ServerRelay.
+///
+/// Nothing is believed before the server has shown that it has the key, which takes the password where
+/// there is one: until then cookies, replies and notices may be forged by whoever sees the handshake.
+/// So each of them is tried beside the others, none ends the handshake, and a password that was given
+/// is used whatever a cookie says.
 class ClientRelay {
 public:
 	struct Settings {
@@ -24,9 +30,12 @@ public:
 		OPENING,
 		/// ENet may begin.
 		OPEN,
-		/// It will not get any further: failure() says why.
+		/// Several handshakes in a row came to nothing, and each time the server said why, or seemed to.
 		FAILED,
 	};
+
+	/// A notice that no server sends: the cookie says that the role needs no password, and we have one.
+	static constexpr int ASKS_FOR_NO_PASSWORD = 6;
 
 	/// Sends a datagram: to the server, or to ENet.
 	using Send = std::function<void(const View &)>;
@@ -42,11 +51,12 @@ public:
 	int64_t look_after(int64_t p_now_usec);
 
 	State state() const { return _state; }
-	/// What the server has said last, 0: nothing.
+	/// What the server has said last, 0: nothing. Anybody may have said it.
 	int notice() const { return _notice; }
 	uint32_t server_version() const { return _server_version; }
-	/// Whether the role needs a password, as the server says.
-	bool is_locked() const { return _locked; }
+	/// Whether the role needs a password: the server has proved it once the channel is open.
+	bool is_locked() const { return _step == Step::DONE && !_settings.password.empty(); }
+	/// Of the channel, once the server has shown that it has them.
 	const ChannelKeys &keys() const { return _keys; }
 	uint64_t not_opened() const { return _not_opened; }
 
@@ -58,31 +68,61 @@ private:
 		DONE
 	};
 
+	/// A key exchange for one of the cookies that have come.
+	struct Exchange {
+		messages::Start start;
+		cpace::Scalar scalar{};
+		/// Whether a reply has come for it.
+		bool is_answered = false;
+	};
+
+	/// A channel for one of the replies that have come.
+	struct Candidate {
+		cpace::Share share{};
+		ChannelKeys keys;
+		SealedChannel channel;
+	};
+
 	void restart(int64_t p_now_usec);
 	void go_on(Step p_step, int64_t p_now_usec);
-	void send_due();
+	void send_due(int64_t p_now_usec);
 	void take_cookie(const View &p_bytes, int64_t p_now_usec);
 	void take_reply(const View &p_bytes, int64_t p_now_usec);
 	void take_data(const View &p_bytes);
 	void take_notice(const View &p_bytes, int64_t p_now_usec);
+	void hint(int p_what, int64_t p_now_usec);
+	bool is_hopeless();
+	bool is_over(int64_t p_now_usec) const;
 	void seal_out(const View &p_bytes);
+	void seal_first(Candidate &r_candidate, const View &p_bytes);
 
 	Settings _settings;
 	Send _to_outer;
 	Send _to_inner;
 	State _state = State::OPENING;
 	Step _step = Step::WANTS_COOKIE;
-	messages::Start _start;
-	cpace::Scalar _scalar{};
-	bool _locked = false;
+	messages::ClientId _client{};
+	std::vector<Exchange> _exchanges;
+	/// The one whose START is sent: the others follow where it comes to nothing.
+	size_t _current = 0;
+	std::vector<Candidate> _candidates;
 	ChannelKeys _keys;
 	SealedChannel _channel;
 	messages::ClientId _chosen{};
 	int _notice = 0;
 	uint32_t _server_version = 0;
+	/// Whether this handshake has been told why it comes to nothing, and how many before it.
+	bool _is_hinted = false;
+	int _hinted = 0;
 	uint64_t _not_opened = 0;
+	int64_t _begun_usec = 0;
 	int64_t _step_usec = 0;
+	int64_t _turn_usec = 0;
+	int64_t _started_usec = 0;
 	int64_t _due_usec = 0;
+	int64_t _hinted_usec = 0;
+	/// What ENet has sent last before the channel was open.
+	Bytes _last_inner;
 	Bytes _bytes;
 };
 

@@ -12,15 +12,15 @@ namespace {
 
 constexpr std::array<uint8_t, 12> MAPPED{ { 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xFF, 0xFF } };
 
-bool is_v4(const std::array<uint8_t, 16> &p_address) {
-	return std::equal(MAPPED.begin(), MAPPED.end(), p_address.begin());
-}
-
 size_t hash_of(const void *p_bytes, size_t p_size) {
 	return std::hash<std::string_view>()({ static_cast<const char *>(p_bytes), p_size });
 }
 
 } // namespace
+
+bool is_v4(const std::array<uint8_t, 16> &p_address) {
+	return std::equal(MAPPED.begin(), MAPPED.end(), p_address.begin());
+}
 
 std::string Endpoint::address_text() const {
 	std::array<char, INET6_ADDRSTRLEN> text{};

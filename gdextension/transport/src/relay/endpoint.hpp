@@ -31,6 +31,8 @@ struct EndpointHash {
 /// What addresses are counted by: a whole IPv4 address, or the first half of an IPv6 one, as who has
 /// one of these has all.
 std::array<uint8_t, 16> network_of(const Endpoint &p_endpoint);
+/// Whether an address is an IPv4 one, in its IPv6 form.
+bool is_v4(const std::array<uint8_t, 16> &p_address);
 
 struct NetworkHash {
 	size_t operator()(const std::array<uint8_t, 16> &p_network) const;

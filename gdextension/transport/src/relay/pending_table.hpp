@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../sealing/messages.hpp"
+#include "../sealing/password_tries.hpp"
 #include "../sealing/sealed_channel.hpp"
 #include "endpoint.hpp"
 
@@ -20,9 +21,11 @@ struct Pending {
 	/// Made with the first datagram that asks for it.
 	std::optional<ChannelKeys> keys;
 	SealedChannel channel;
-	int failures = 0;
-	/// Whether it counts as a try of a password.
+	/// Whether something of it could not be opened.
+	bool has_failed = false;
+	/// Whether it counts as a try of a password, and what has been charged for it.
 	bool is_try = false;
+	PasswordTries::Try charged;
 	int64_t since_usec = 0;
 };
 

@@ -9,14 +9,9 @@ namespace {
 
 using messages::Notice;
 
-/// Tries of a password from one network: at once, and each second.
-constexpr double PASSWORD_BURST = 5.0;
-constexpr double PASSWORDS_PER_S = 0.5;
 /// Key exchanges, of which each costs 0.1 ms: of one network, and of all.
 constexpr double STARTS_PER_S = 1500.0;
 constexpr double ALL_STARTS_PER_S = 2000.0;
-/// A damaged datagram is no wrong password yet.
-constexpr int MAX_FAILURES = 2;
 
 } // namespace
 
@@ -24,7 +19,6 @@ ServerHandshake::ServerHandshake(uint32_t p_version, Passwords p_passwords, Rela
 		_version(p_version),
 		_passwords(std::move(p_passwords)),
 		_counts(r_counts),
-		_password_tries(PASSWORD_BURST, PASSWORDS_PER_S),
 		_starts(STARTS_PER_S),
 		_starts_of_all(ALL_STARTS_PER_S) {}
 
@@ -61,16 +55,14 @@ void ServerHandshake::take_start(const Endpoint &p_from, const View &p_bytes, in
 	const bool again =
 			pending != nullptr && pending->start.client == start.client && pending->start.share == start.share;
 	if (!again) {
-		const std::array<uint8_t, 16> network = network_of(p_from);
-		if (!_starts.admit(network, p_now_usec) || !_starts_of_all.admit({}, p_now_usec)) {
+		if (!_starts.admit(network_of(p_from), p_now_usec) || !_starts_of_all.admit({}, p_now_usec)) {
 			_counts.handshakes_dropped++;
 			return;
 		}
-		if (pending != nullptr && pending->is_try) {
-			_password_tries.give_back(network);
-		}
+		// Whoever begins anew has begun before: what was charged then stays charged.
 		const bool is_free = !is_locked(start.role) || _return_tags.take(start.return_tag, p_now_usec);
-		if (!is_free && !_password_tries.take(network, p_now_usec)) {
+		PasswordTries::Try charged;
+		if (!is_free && !_password_tries.take(p_from, p_now_usec, charged)) {
 			_counts.handshakes_later++;
 			_pending.remove(p_from);
 			refuse(p_from, start.client, Notice::LATER, r_sink);
@@ -78,6 +70,7 @@ void ServerHandshake::take_start(const Endpoint &p_from, const View &p_bytes, in
 		}
 		pending = &_pending.add(p_from);
 		pending->is_try = !is_free;
+		pending->charged = charged;
 		if (!begin(*pending, start, p_now_usec)) {
 			_pending.remove(p_from);
 			return;
@@ -133,22 +126,24 @@ bool ServerHandshake::open(Pending &r_pending, const View &p_bytes, Bytes &r_ope
 	return r_pending.channel.open(p_bytes, messages::FIRST_HEAD, r_opened);
 }
 
+/// A key exchange is one guess, however often its key turns out to be wrong; and somebody else may have
+/// forged this datagram, so that the right one may still come.
 void ServerHandshake::fail(Pending &r_pending, RelaySink &r_sink) {
 	_counts.not_opened++;
-	if (++r_pending.failures < MAX_FAILURES) {
+	if (r_pending.has_failed) {
 		return;
 	}
+	r_pending.has_failed = true;
 	if (is_locked(r_pending.start.role)) {
 		_counts.wrong_passwords++;
 		refuse(r_pending.from, r_pending.start.client, Notice::WRONG_PASSWORD, r_sink);
 	}
-	_pending.remove(Endpoint(r_pending.from));
 }
 
 void ServerHandshake::finish(const Endpoint &p_from) {
 	const Pending *pending = _pending.find(p_from);
 	if (pending != nullptr && pending->is_try) {
-		_password_tries.give_back(network_of(p_from));
+		_password_tries.give_back(p_from, pending->charged);
 	}
 	_pending.remove(p_from);
 }

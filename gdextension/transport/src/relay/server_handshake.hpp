@@ -3,8 +3,8 @@
 
 #include "../sealing/cookie_jar.hpp"
 #include "../sealing/fair_share.hpp"
+#include "../sealing/password_tries.hpp"
 #include "../sealing/return_tags.hpp"
-#include "../sealing/try_limiter.hpp"
 #include "pending_table.hpp"
 #include "relay_counts.hpp"
 #include "relay_sink.hpp"
@@ -65,7 +65,7 @@ private:
 	Passwords _passwords;
 	RelayCounts &_counts;
 	CookieJar _cookies;
-	TryLimiter _password_tries;
+	PasswordTries _password_tries;
 	FairShare _starts;
 	FairShare _starts_of_all;
 	PendingTable _pending;
