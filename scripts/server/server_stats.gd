@@ -136,7 +136,7 @@ func report(p_link: ServerLink, p_sending: Replication, p_people: ServerPeople) 
 		"people": p_people.stats(),
 		"max_people": p_people.changes.max_people,
 		"changes": p_people.changes.stats(),
-		"memory_bytes": OS.get_static_memory_usage(),
+		"memory_bytes": ProcessMemory.resident_bytes(),
 		"longest_tick_ms": gaps.percentile(1.0) * 1000.0,
 	}
 

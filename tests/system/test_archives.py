@@ -93,7 +93,11 @@ def test_what_is_beside_the_program(unpacked: Path) -> None:
         for file in folder.rglob("*"):
             if file.is_file() and file.suffix in ("", ".md", ".service", ".cfg"):
                 assert b"@NAME@" not in file.read_bytes()[:4000]
-    assert "config=/etc/dismount.cfg" in (server / "dismount.service").read_text(encoding="utf-8")
+    unit = (server / "dismount.service").read_text(encoding="utf-8")
+    # A user that systemd makes up may not read what only root may.
+    assert "DynamicUser=yes" in unit
+    assert "\nLoadCredential=dismount.cfg:/etc/dismount.cfg\n" in unit
+    assert "--config=${CREDENTIALS_DIRECTORY}/dismount.cfg" in unit
     assert not (client / "dismount.service").exists()
     # Its options are right, too.
     done = subprocess.run(

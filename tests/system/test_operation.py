@@ -63,6 +63,7 @@ def test_the_status_while_people_are_there(session: Session) -> None:
     assert told["role"] == "server"
     assert told["ticks"] > 60
     assert told["clients"] == 2
+    assert told["memory_bytes"] > 20_000_000
     assert told["is_slow"] == (told["speed"] < 0.95)
     assert [person["name"] for person in told["people"]] == ["Ada"]
     sessions = {row["name"]: row for row in told["sessions"]}
