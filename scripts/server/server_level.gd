@@ -46,6 +46,12 @@ var _prop_type: EntityType = _make_type(PROP_TYPE, EntityType.Body.RIGID)
 var _world_type: EntityType = _make_type(WORLD_TYPE, EntityType.Body.NONE)
 
 
+func _init() -> void:
+	# Without a window a thread that reads corrupts the heap now and then, whatever the main thread
+	# leaves undone meanwhile: the engine completes in its frames what the thread has begun.
+	loader.has_thread = not RenderLock.is_needed()
+
+
 ## Replaces the present level and all its entities by another, at once. Returns an empty text, or
 ## why it cannot; then nothing has changed.
 func load_level(p_name: String, p_tick: int = 0) -> String:
@@ -79,7 +85,8 @@ func load_level(p_name: String, p_tick: int = 0) -> String:
 ## Begins to replace the present level by another, while the ticks go on: see [method advance].
 ## Until it is read the present one stays. Returns why it cannot, or an empty text.
 func change_level(p_name: String) -> String:
-	if loader.is_busy() or loader.is_leaving() or is_between:
+	# What cannot be loaded is told in the next tick.
+	if loader.state != LevelLoader.State.IDLE or loader.is_leaving() or is_between:
 		return "world '%s' is being loaded" % loader.name
 	longest_usec = 0
 	var fault: String = _find_fault(p_name)
