@@ -85,6 +85,36 @@ TEST(a_forged_reply_does_not_take_the_place_of_the_true_one) {
 	CHECK(is_open(client) && net.server.links().half_open() == 1);
 }
 
+TEST(an_impostor_learns_of_few_guesses_of_a_clients_password) {
+	Net net(server_settings("secret"));
+	ClientRelay::Settings settings = client_settings("secret");
+	settings.return_tag.fill(7);
+	Client client(endpoint("192.0.2.1", 4000), settings);
+	size_t proofs = 0;
+	for (const int64_t end = net.now + 30 * SECOND; net.now < end; net.now += 10000) {
+		client.relay.look_after(net.now);
+		for (; !client.out.empty(); client.out.pop_front()) {
+			const Bytes &bytes = client.out.front();
+			const messages::ClientId id = seen_of(bytes);
+			if (bytes[0] == messages::INIT) {
+				messages::CookieReply cookie;
+				cookie.client = id;
+				client.relay.take_outer(cookie.encode(), net.now);
+				continue;
+			}
+			const size_t before = client.out.size();
+			messages::Reply reply;
+			reply.client = id;
+			reply.share = *cpace::share_of(
+					cpace::sample_scalar(), cpace::generator({ ascii("guess"), ascii("y"), ascii("z") }));
+			client.relay.take_outer(reply.encode(), net.now);
+			// A reply that is taken is answered at once.
+			proofs += client.out.size() > before ? 1 : 0;
+		}
+	}
+	CHECK(proofs >= 6 && proofs <= 6 + 15);
+}
+
 TEST(a_forged_cookie_is_tried_and_left_again) {
 	Net net(server_settings("secret"));
 	Client client(endpoint("192.0.2.1", 4000), client_settings("secret"));

@@ -29,6 +29,10 @@ constexpr int64_t MAX_HANDSHAKE_USEC = 8000000;
 /// Cookies and replies that are tried in one handshake: all but one are forged.
 constexpr size_t MAX_EXCHANGES = 4;
 constexpr size_t MAX_CANDIDATES = 8;
+/// Who has a password answers so many replies, at once and each second: whoever sent one learns from the
+/// answer whether he has guessed it.
+constexpr double ANSWER_BURST = 6.0;
+constexpr double ANSWERS_PER_S = 0.5;
 /// How long a cookie is tried before the next one, where several have come, us.
 constexpr int64_t TURN_USEC = 250000;
 /// START is sent again beside the proof so seldom: the reply that has come may be forged, us.
@@ -214,7 +218,7 @@ void ClientRelay::take_reply(const View &p_bytes, int64_t p_now_usec) {
 		return;
 	}
 	const auto has_share = [&reply](const Candidate &p_candidate) { return p_candidate.share == reply.share; };
-	if (std::any_of(_candidates.begin(), _candidates.end(), has_share)) {
+	if (std::any_of(_candidates.begin(), _candidates.end(), has_share) || !may_answer(p_now_usec)) {
 		return;
 	}
 	Exchange &current = _exchanges[_current];
@@ -245,6 +249,21 @@ void ClientRelay::take_reply(const View &p_bytes, int64_t p_now_usec) {
 	} else {
 		seal_first(_candidates.back(), View());
 	}
+}
+
+bool ClientRelay::may_answer(int64_t p_now_usec) {
+	if (_settings.password.empty()) {
+		return true;
+	}
+	const bool is_first = _answered_usec == INT64_MIN;
+	const double since_s = is_first ? 0.0 : double(p_now_usec - _answered_usec) / 1e6;
+	_answers = is_first ? ANSWER_BURST : std::min(_answers + since_s * ANSWERS_PER_S, ANSWER_BURST);
+	_answered_usec = p_now_usec;
+	if (_answers < 1.0) {
+		return false;
+	}
+	_answers -= 1.0;
+	return true;
 }
 
 void ClientRelay::take_data(const View &p_bytes) {

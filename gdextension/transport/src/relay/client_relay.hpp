@@ -92,6 +92,7 @@ private:
 	void take_notice(const View &p_bytes, int64_t p_now_usec);
 	void hint(int p_what, int64_t p_now_usec);
 	bool is_hopeless();
+	bool may_answer(int64_t p_now_usec);
 	bool is_over(int64_t p_now_usec) const;
 	void seal_out(const View &p_bytes);
 	void seal_first(Candidate &r_candidate, const View &p_bytes);
@@ -121,6 +122,9 @@ private:
 	int64_t _started_usec = 0;
 	int64_t _due_usec = 0;
 	int64_t _hinted_usec = 0;
+	/// Replies that may be answered now.
+	double _answers = 0.0;
+	int64_t _answered_usec = INT64_MIN;
 	/// What ENet has sent last before the channel was open.
 	Bytes _last_inner;
 	Bytes _bytes;
