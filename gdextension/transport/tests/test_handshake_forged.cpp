@@ -105,8 +105,9 @@ TEST(an_impostor_learns_of_few_guesses_of_a_clients_password) {
 			const size_t before = client.out.size();
 			messages::Reply reply;
 			reply.client = id;
-			reply.share = *cpace::share_of(
-					cpace::sample_scalar(), cpace::generator({ ascii("guess"), ascii("y"), ascii("z") }));
+			reply.share = cpace::share_of(
+					cpace::sample_scalar(), cpace::generator({ ascii("guess"), ascii("y"), ascii("z") }))
+								  .value_or(cpace::Share());
 			client.relay.take_outer(reply.encode(), net.now);
 			// A reply that is taken is answered at once.
 			proofs += client.out.size() > before ? 1 : 0;
