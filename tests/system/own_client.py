@@ -16,13 +16,15 @@ from contextlib import suppress
 from .own_seal import VERSION, Seal
 
 OBSERVER, TRAINEE, INSTRUCTOR = 0, 1, 2
-FAST = 2
 
 _ACK, _CONNECT, _VERIFY, _DISCONNECT, _PING = 1, 2, 3, 4, 5
 _RELIABLE, _UNRELIABLE, _FRAGMENT, _UNSEQUENCED = 6, 7, 8, 9
 # Bytes of each kind of ENet's commands, without what it carries.
 _SIZES = [0, 8, 48, 44, 8, 4, 6, 8, 24, 8, 12, 16, 24]
 _WANTS_ACK = 0x80
+# First bytes of what goes beside ENet: a part of something, the server's probe and its answer.
+_PART, _PROBE, _PROBED = 0x60, 0x62, 0x63
+_OPEN_FAST = b"\x4a"
 _RESENT_S = 0.25
 _PING_S = 0.5
 _LEAVES = 5
@@ -40,7 +42,7 @@ class OwnClient:
         password: str = "",
         name: str = "own",
         address: str = "127.0.0.1",
-        channels: int = 8,
+        channels: int = 7,
         joins: bool = True,
     ) -> None:
         self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
@@ -63,6 +65,7 @@ class OwnClient:
         self.keeps_packets = False
         self._come: dict[int, int] = defaultdict(int)
         self._early: dict[int, dict[int, bytes]] = defaultdict(dict)
+        self._parts: dict[int, dict[int, bytes]] = defaultdict(dict)
         self._asked = self._pinged = 0.0
         self._challenge = b"DSMT sealed" if sealed else b""
         self._cookie: bytes | None = None
@@ -97,7 +100,12 @@ class OwnClient:
             self.unacknowledged[channel, number] = (time.monotonic(), command)
             self.write_commands(command)
 
-    def send_fast(self, payload: bytes, channel: int = FAST) -> None:
+    def send_fast(self, payload: bytes) -> None:
+        """A message beside ENet."""
+        with suppress(OSError):
+            self.socket.send(self.seal.seal_fast(payload) if self.seal else _OPEN_FAST + payload)
+
+    def send_unsequenced(self, payload: bytes, channel: int) -> None:
         self.groups = self.groups + 1 & 0xFFFF
         head = struct.pack(">BBHHH", 0x40 | _UNSEQUENCED, channel, 0, self.groups, len(payload))
         self.write_commands(head + payload)
@@ -159,7 +167,10 @@ class OwnClient:
     def _take(self, datagram: bytes) -> None:
         self.datagrams += 1
         if self.seal is None:
-            self._take_enet(datagram)
+            if datagram[:1] == _OPEN_FAST:
+                self._take_fast(datagram[1:], len(datagram))
+            else:
+                self._take_enet(datagram)
             return
         kind = datagram[0]
         if kind == 0x42 and self._cookie is None:
@@ -172,10 +183,31 @@ class OwnClient:
             self.write(self._connect())
         elif kind == 0x45 and self.peer is None:
             self.is_refused = datagram[9] != 2
-        elif kind == 0x47:
-            plain = self.seal.open(datagram)
-            if plain:
+        elif (opened := self.seal.open(datagram)) is not None:
+            is_fast, plain = opened
+            if is_fast:
+                self._take_fast(plain, len(datagram))
+            elif plain:
                 self._take_enet(plain)
+
+    def _take_fast(self, message: bytes, size: int) -> None:
+        if not message:
+            return
+        if message[0] in (0, 2, 10):
+            self.snapshots += 1
+        elif message[0] == _PROBE:
+            self.send_fast(bytes([_PROBED]) + struct.pack("<H", size))
+        elif message[0] == _PART:
+            number, kind = struct.unpack_from("<HB", message, 1)
+            parts = self._parts[number]
+            parts[kind & 7] = message[4:]
+            if len(parts) == kind >> 3 & 7:
+                whole = b"".join(parts[index] for index in sorted(parts))
+                del self._parts[number]
+                if kind & 0x40:
+                    self._take_fast(whole, len(whole))
+                else:
+                    self._take_enet(whole)
 
     def _take_enet(self, datagram: bytes) -> None:
         sent = 0
@@ -222,10 +254,7 @@ class OwnClient:
                 self._take_reliable(channel, number, datagram[at : at + length])
                 at += length
             elif kind & 15 in (_UNRELIABLE, _UNSEQUENCED):
-                length = struct.unpack_from(">H", body, 2)[0]
-                if channel == FAST and length > 0 and datagram[at] in (0, 2, 10):
-                    self.snapshots += 1
-                at += length
+                at += struct.unpack_from(">H", body, 2)[0]
             elif kind & 15 == _FRAGMENT:
                 # Nothing of ours is so large; it only has to be counted.
                 length = struct.unpack_from(">H", body, 2)[0]

@@ -12,6 +12,12 @@ namespace {
 
 /// The loopback address that stands for a client's server.
 constexpr uint32_t SERVER_INNER = 0x7F000001;
+/// The number by which a client knows its server.
+constexpr int64_t SERVER_PEER = 1;
+/// After so much silence, and then so often, a client looks whether its network is another one, us.
+constexpr int64_t SILENT_USEC = 250000;
+/// What IPv4 and UDP add to a datagram, bytes.
+constexpr uint64_t IP_AND_UDP = 28;
 /// Datagrams that are read before ENet is served: all that ENet's socket holds, and no more.
 constexpr size_t READ_AT_ONCE = 64;
 constexpr size_t MAX_HANDED_IN = 128;
@@ -56,6 +62,7 @@ constexpr Count COUNTS[] = {
 	{ "handshakes_later", &transport::RelayCounts::handshakes_later },
 	{ "wrong_passwords", &transport::RelayCounts::wrong_passwords },
 	{ "half_open_evicted", &transport::RelayCounts::evicted },
+	{ "moved", &transport::RelayCounts::moved },
 };
 
 /// An IPv4 address as a number; false if it is none.
@@ -98,6 +105,26 @@ void SealedSocket::set_client(int64_t p_role, const String &p_password, const Pa
 	}
 }
 
+void SealedSocket::set_server_key(const PackedByteArray &p_seed) {
+	transport::ServerIdentity::Seed seed{};
+	ERR_FAIL_COND_MSG(!p_seed.is_empty() && size_t(p_seed.size()) != seed.size(), "A seed has 32 bytes.");
+	_settings.identity = transport::ServerIdentity();
+	if (!p_seed.is_empty()) {
+		std::copy_n(p_seed.ptr(), p_seed.size(), seed.begin());
+		_settings.identity = transport::ServerIdentity(seed);
+	}
+}
+
+void SealedSocket::set_known_key(const PackedByteArray &p_key) {
+	transport::ServerIdentity::PublicKey key{};
+	ERR_FAIL_COND_MSG(!p_key.is_empty() && size_t(p_key.size()) != key.size(), "A key has 32 bytes.");
+	_client_settings.known_key.reset();
+	if (!p_key.is_empty()) {
+		std::copy_n(p_key.ptr(), p_key.size(), key.begin());
+		_client_settings.known_key = key;
+	}
+}
+
 void SealedSocket::set_limits(int64_t p_max_packet, int64_t p_min_channels, int64_t p_slots) {
 	ERR_FAIL_COND_MSG(p_slots <= int64_t(transport::LinkTable::MAX_HALF_OPEN), "There are too few slots.");
 	_settings.limits.bounded = p_max_packet > 0;
@@ -126,7 +153,8 @@ Error SealedSocket::open_client(const String &p_address, int64_t p_port) {
 	if (failure == 0) {
 		_client = std::make_unique<transport::ClientRelay>(
 				_client_settings, [this](const transport::View &p_bytes) { to_outer(_server_at, p_bytes); },
-				[this](const transport::View &p_bytes) { to_inner(SERVER_INNER, p_bytes); });
+				[this](const transport::View &p_bytes) { to_inner(SERVER_INNER, p_bytes); },
+				[this](const transport::View &p_bytes) { to_program(SERVER_PEER, p_bytes); });
 	}
 	return failure == 0 ? OK : ERR_CANT_CREATE;
 }
@@ -142,6 +170,7 @@ void SealedSocket::close() {
 	_socket.close();
 	_server.reset();
 	_client.reset();
+	take_fast(0);
 }
 
 int64_t SealedSocket::get_port() const {
@@ -181,6 +210,23 @@ PackedByteArray SealedSocket::get_return_tag() const {
 	return sealed ? packed(_client->keys().return_tag) : PackedByteArray();
 }
 
+PackedByteArray SealedSocket::get_server_key() const {
+	if (_server) {
+		return packed(_settings.identity.key());
+	}
+	const bool sealed = _client && _client_settings.seals;
+	return sealed ? packed(_client->server_key()) : PackedByteArray();
+}
+
+int64_t SealedSocket::get_silent_usec() const {
+	const int64_t heard_usec = _client ? _client->heard_usec() : 0;
+	return heard_usec > 0 ? transport::now_usec() - heard_usec : 0;
+}
+
+int64_t SealedSocket::get_max_datagram() const {
+	return _client && _client->mtu().is_settled() ? int64_t(_client->mtu().limit()) : 0;
+}
+
 Dictionary SealedSocket::describe(const String &p_inner_address) {
 	Dictionary made;
 	uint32_t number = 0;
@@ -195,6 +241,43 @@ Dictionary SealedSocket::describe(const String &p_inner_address) {
 		made["exporter"] = _settings.seals ? packed(client.exporter) : PackedByteArray();
 	}
 	return made;
+}
+
+void SealedSocket::name(const String &p_inner_address, int64_t p_peer) {
+	uint32_t number = 0;
+	if (_server && parse_inner(p_inner_address, number)) {
+		_server->name(number, p_peer);
+	}
+}
+
+void SealedSocket::send_fast(int64_t p_peer, const PackedByteArray &p_bytes) {
+	const transport::View bytes(p_bytes.ptr(), size_t(p_bytes.size()));
+	if (_server) {
+		_server->send_fast(p_peer, bytes, *this);
+	} else if (_client) {
+		_client->send_fast(bytes);
+	}
+}
+
+void SealedSocket::send_fast_each(const PackedInt32Array &p_peers, const TypedArray<PackedByteArray> &p_datagrams) {
+	ERR_FAIL_COND_MSG(p_peers.size() != p_datagrams.size(), "Each datagram needs a peer.");
+	for (int64_t i = 0; i < p_peers.size(); i++) {
+		send_fast(p_peers[i], p_datagrams[i]);
+	}
+}
+
+TypedArray<FastPacket> SealedSocket::take_fast(int64_t p_ticks_usec) {
+	const TypedArray<FastPacket> taken = _fast;
+	if (!_arrived.empty()) {
+		// The engine's clock and ours do not count alike.
+		const int64_t offset_usec = p_ticks_usec - transport::now_usec();
+		for (FastPacket *packet : _arrived) {
+			packet->set_arrival_usec(packet->get_arrival_usec() + offset_usec);
+		}
+		_arrived.clear();
+		_fast = TypedArray<FastPacket>();
+	}
+	return taken;
 }
 
 void SealedSocket::admit(const String &p_inner_address) {
@@ -218,6 +301,10 @@ Dictionary SealedSocket::take_refusal() {
 
 Dictionary SealedSocket::stats() const {
 	Dictionary made;
+	made["sent_bytes"] = _sent_bytes;
+	made["received_bytes"] = _received_bytes;
+	made["sent_packets"] = _sent_datagrams;
+	made["received_packets"] = _received_datagrams;
 	if (_client) {
 		made["not_opened"] = _client->not_opened();
 	}
@@ -237,6 +324,8 @@ Dictionary SealedSocket::stats() const {
 int64_t SealedSocket::take_in(int64_t p_now_usec) {
 	_handed_in = 0;
 	const auto take = [this, p_now_usec](const transport::Endpoint &p_from, const transport::View &p_bytes) {
+		_received_bytes += p_bytes.size + IP_AND_UDP;
+		_received_datagrams++;
 		if (_server) {
 			_server->take_outer(p_from, p_bytes, p_now_usec, *this);
 		} else if (_client) {
@@ -253,6 +342,7 @@ int64_t SealedSocket::take_in(int64_t p_now_usec) {
 	}
 	int64_t due = p_now_usec + LOOK_USEC;
 	if (_client) {
+		follow_route(p_now_usec);
 		due = std::min(due, _client->look_after(p_now_usec));
 	} else if (_server && p_now_usec - _looked_usec > LOOK_USEC) {
 		_looked_usec = p_now_usec;
@@ -260,6 +350,14 @@ int64_t SealedSocket::take_in(int64_t p_now_usec) {
 	}
 	_socket.flush();
 	return due;
+}
+
+/// Whoever hears nothing may be in another network than before.
+void SealedSocket::follow_route(int64_t p_now_usec) {
+	if (get_silent_usec() > SILENT_USEC && p_now_usec - _looked_usec > SILENT_USEC) {
+		_looked_usec = p_now_usec;
+		_socket.follow_route(_server_at);
+	}
 }
 
 void SealedSocket::send_out(int64_t p_now_usec) {
@@ -277,6 +375,8 @@ void SealedSocket::send_out(int64_t p_now_usec) {
 }
 
 void SealedSocket::to_outer(const transport::Endpoint &p_to, const transport::View &p_bytes) {
+	_sent_bytes += p_bytes.size + IP_AND_UDP;
+	_sent_datagrams++;
 	_socket.write_outer(p_to, p_bytes);
 }
 
@@ -285,10 +385,26 @@ void SealedSocket::to_inner(uint32_t p_from, const transport::View &p_bytes) {
 	_socket.write_inner(p_from, p_bytes);
 }
 
+void SealedSocket::to_program(int64_t p_peer, const transport::View &p_bytes) {
+	PackedByteArray bytes;
+	bytes.resize(int64_t(p_bytes.size));
+	std::copy_n(p_bytes.data, p_bytes.size, bytes.ptrw());
+	Ref<FastPacket> packet;
+	packet.instantiate();
+	packet->set_arrival_usec(transport::now_usec());
+	packet->set_bytes(bytes);
+	packet->set_peer(p_peer);
+	_arrived.push_back(packet.ptr());
+	_fast.push_back(packet);
+	_handed_in++;
+}
+
 void SealedSocket::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_sealing", "seals", "version"), &SealedSocket::set_sealing);
 	ClassDB::bind_method(D_METHOD("set_passwords", "of_roles"), &SealedSocket::set_passwords);
 	ClassDB::bind_method(D_METHOD("set_client", "role", "password", "return_tag"), &SealedSocket::set_client);
+	ClassDB::bind_method(D_METHOD("set_server_key", "seed"), &SealedSocket::set_server_key);
+	ClassDB::bind_method(D_METHOD("set_known_key", "key"), &SealedSocket::set_known_key);
 	ClassDB::bind_method(D_METHOD("set_limits", "max_packet", "min_channels", "slots"), &SealedSocket::set_limits);
 	ClassDB::bind_method(D_METHOD("open_server", "address", "port"), &SealedSocket::open_server);
 	ClassDB::bind_method(D_METHOD("open_client", "address", "port"), &SealedSocket::open_client);
@@ -302,7 +418,14 @@ void SealedSocket::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("is_locked"), &SealedSocket::is_locked);
 	ClassDB::bind_method(D_METHOD("get_exporter"), &SealedSocket::get_exporter);
 	ClassDB::bind_method(D_METHOD("get_return_tag"), &SealedSocket::get_return_tag);
+	ClassDB::bind_method(D_METHOD("get_server_key"), &SealedSocket::get_server_key);
+	ClassDB::bind_method(D_METHOD("get_silent_usec"), &SealedSocket::get_silent_usec);
+	ClassDB::bind_method(D_METHOD("get_max_datagram"), &SealedSocket::get_max_datagram);
 	ClassDB::bind_method(D_METHOD("describe", "inner_address"), &SealedSocket::describe);
+	ClassDB::bind_method(D_METHOD("name", "inner_address", "peer"), &SealedSocket::name);
+	ClassDB::bind_method(D_METHOD("send_fast", "peer", "bytes"), &SealedSocket::send_fast);
+	ClassDB::bind_method(D_METHOD("send_fast_each", "peers", "datagrams"), &SealedSocket::send_fast_each);
+	ClassDB::bind_method(D_METHOD("take_fast", "ticks_usec"), &SealedSocket::take_fast);
 	ClassDB::bind_method(D_METHOD("admit", "inner_address"), &SealedSocket::admit);
 	ClassDB::bind_method(D_METHOD("take_refusal"), &SealedSocket::take_refusal);
 	ClassDB::bind_method(D_METHOD("stats"), &SealedSocket::stats);
@@ -318,6 +441,7 @@ void SealedSocket::_bind_methods() {
 	BIND_ENUM_CONSTANT(NOTICE_SERVER_IS_OPEN);
 	BIND_ENUM_CONSTANT(NOTICE_SERVER_SEALS);
 	BIND_ENUM_CONSTANT(NOTICE_ASKS_FOR_NO_PASSWORD);
+	BIND_ENUM_CONSTANT(NOTICE_OTHER_KEY);
 }
 
 } // namespace godot

@@ -4,6 +4,7 @@
 #include "../src/relay/client_relay.hpp"
 #include "../src/relay/relay_socket.hpp"
 #include "../src/relay/server_relay.hpp"
+#include "fast_packet.hpp"
 
 #include <godot_cpp/classes/e_net_connection.hpp>
 #include <godot_cpp/classes/ref.hpp>
@@ -12,7 +13,11 @@
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/packed_byte_array.hpp>
+#include <godot_cpp/variant/packed_int32_array.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+#include <vector>
 
 namespace godot {
 
@@ -35,11 +40,14 @@ public:
 		NOTICE_SERVER_IS_OPEN,
 		NOTICE_SERVER_SEALS,
 		NOTICE_ASKS_FOR_NO_PASSWORD,
+		NOTICE_OTHER_KEY,
 	};
 
 	void set_sealing(bool p_seals, int64_t p_version);
 	void set_passwords(const PackedStringArray &p_of_roles);
 	void set_client(int64_t p_role, const String &p_password, const PackedByteArray &p_return_tag);
+	void set_server_key(const PackedByteArray &p_seed);
+	void set_known_key(const PackedByteArray &p_key);
 	void set_limits(int64_t p_max_packet, int64_t p_min_channels, int64_t p_slots);
 	Error open_server(const String &p_address, int64_t p_port);
 	Error open_client(const String &p_address, int64_t p_port);
@@ -54,8 +62,15 @@ public:
 	bool is_locked() const;
 	PackedByteArray get_exporter() const;
 	PackedByteArray get_return_tag() const;
+	PackedByteArray get_server_key() const;
+	int64_t get_silent_usec() const;
+	int64_t get_max_datagram() const;
 	Dictionary describe(const String &p_inner_address);
+	void name(const String &p_inner_address, int64_t p_peer);
 	void admit(const String &p_inner_address);
+	void send_fast(int64_t p_peer, const PackedByteArray &p_bytes);
+	void send_fast_each(const PackedInt32Array &p_peers, const TypedArray<PackedByteArray> &p_datagrams);
+	TypedArray<FastPacket> take_fast(int64_t p_ticks_usec);
 	Dictionary take_refusal();
 	Dictionary stats() const;
 
@@ -64,6 +79,8 @@ public:
 	int64_t take_in(int64_t p_now_usec);
 	/// Hands the network what ENet has sent.
 	void send_out(int64_t p_now_usec);
+	/// Whether take_fast has something to take.
+	bool has_fast() const { return !_arrived.empty(); }
 	/// The descriptor to watch.
 	int descriptor() const { return _socket.outer(); }
 
@@ -73,6 +90,8 @@ protected:
 private:
 	void to_outer(const transport::Endpoint &p_to, const transport::View &p_bytes) override;
 	void to_inner(uint32_t p_from, const transport::View &p_bytes) override;
+	void to_program(int64_t p_peer, const transport::View &p_bytes) override;
+	void follow_route(int64_t p_now_usec);
 
 	transport::ServerRelay::Settings _settings;
 	transport::ClientRelay::Settings _client_settings;
@@ -83,6 +102,13 @@ private:
 	size_t _handed_in = 0;
 	uint64_t _refusals_taken = 0;
 	int64_t _looked_usec = 0;
+	TypedArray<FastPacket> _fast;
+	// The same again: an Array gives its elements away more slowly.
+	std::vector<FastPacket *> _arrived;
+	uint64_t _sent_bytes = 0;
+	uint64_t _sent_datagrams = 0;
+	uint64_t _received_bytes = 0;
+	uint64_t _received_datagrams = 0;
 };
 
 } // namespace godot

@@ -5,9 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <godot_cpp/classes/e_net_packet_peer.hpp>
 #include <thread>
-#include <utility>
 
 namespace godot {
 
@@ -31,12 +29,10 @@ Array event_of(ENetConnection::EventType p_type) {
 
 } // namespace
 
-void TransportPump::attach(
-		const Ref<ENetConnection> &p_host, const Ref<SealedSocket> &p_socket, int64_t p_fast_channel) {
+void TransportPump::attach(const Ref<ENetConnection> &p_host, const Ref<SealedSocket> &p_socket) {
 	ERR_FAIL_COND_MSG(p_host.is_null() || p_socket.is_null(), "A pump serves a host and its socket: found none.");
 	_host = p_host;
 	_socket = p_socket;
-	_fast_channel = p_fast_channel;
 	_wait.open(_socket->descriptor());
 }
 
@@ -44,7 +40,6 @@ void TransportPump::detach() {
 	_wait.close();
 	_host.unref();
 	_socket.unref();
-	take_fast(0);
 }
 
 Array TransportPump::serve(bool p_first, int64_t p_max_wait_usec) {
@@ -58,10 +53,6 @@ Array TransportPump::serve(bool p_first, int64_t p_max_wait_usec) {
 	if (p_first && _busy) {
 		expect();
 	}
-	while (keep_if_fast(event)) {
-		_left--;
-		event = next_event();
-	}
 	_left--;
 	return event;
 }
@@ -72,7 +63,7 @@ Array TransportPump::wait_for_event(int64_t p_max_wait_usec) {
 	const SealedSocket::State state = _socket->get_state();
 	int64_t due_usec = _socket->take_in(now);
 	Array event = _host->service(0);
-	while (is_none(event)) {
+	while (is_none(event) && !_socket->has_fast()) {
 		now = transport::now_usec();
 		_socket->send_out(now);
 		if (now >= until_usec || _wait.take() || _socket->get_state() != state) {
@@ -96,44 +87,9 @@ Array TransportPump::next_event() {
 /// next turn.
 void TransportPump::expect() {
 	const int64_t came = int64_t(_host->pop_statistic(ENetConnection::HOST_TOTAL_RECEIVED_PACKETS));
-	_received += came;
 	if (came > 0) {
 		_left = std::min(came, MAX_EVENTS);
 	}
-}
-
-bool TransportPump::keep_if_fast(const Array &p_event) {
-	if (int64_t(p_event[0]) != ENetConnection::EVENT_RECEIVE || int64_t(p_event[3]) != _fast_channel) {
-		return false;
-	}
-	// Every packet that an event announces must be taken, or the next event would get it.
-	const Ref<ENetPacketPeer> remote = p_event[1];
-	Ref<FastPacket> packet;
-	packet.instantiate();
-	packet->set_arrival_usec(transport::now_usec());
-	packet->set_bytes(remote->get_packet());
-	packet->set_peer(remote->get_meta(_id, 0));
-	_arrived.push_back(packet.ptr());
-	_fast.push_back(packet);
-	return true;
-}
-
-TypedArray<FastPacket> TransportPump::take_fast(int64_t p_ticks_usec) {
-	const TypedArray<FastPacket> taken = _fast;
-	if (!_arrived.empty()) {
-		// The engine's clock and ours do not count alike.
-		const int64_t offset_usec = p_ticks_usec - transport::now_usec();
-		for (FastPacket *packet : _arrived) {
-			packet->set_arrival_usec(packet->get_arrival_usec() + offset_usec);
-		}
-		_arrived.clear();
-		_fast = TypedArray<FastPacket>();
-	}
-	return taken;
-}
-
-int64_t TransportPump::take_received() {
-	return std::exchange(_received, 0);
 }
 
 void TransportPump::send_out() {
@@ -155,12 +111,10 @@ void TransportPump::pause() {
 }
 
 void TransportPump::_bind_methods() {
-	ClassDB::bind_method(D_METHOD("attach", "host", "socket", "fast_channel"), &TransportPump::attach);
+	ClassDB::bind_method(D_METHOD("attach", "host", "socket"), &TransportPump::attach);
 	ClassDB::bind_method(D_METHOD("detach"), &TransportPump::detach);
 	ClassDB::bind_method(D_METHOD("serve", "first", "max_wait_usec"), &TransportPump::serve);
 	ClassDB::bind_method(D_METHOD("set_busy", "busy"), &TransportPump::set_busy);
-	ClassDB::bind_method(D_METHOD("take_fast", "ticks_usec"), &TransportPump::take_fast);
-	ClassDB::bind_method(D_METHOD("take_received"), &TransportPump::take_received);
 	ClassDB::bind_method(D_METHOD("send_out"), &TransportPump::send_out);
 	ClassDB::bind_method(D_METHOD("wake"), &TransportPump::wake);
 	ClassDB::bind_method(D_METHOD("note_handed_over"), &TransportPump::note_handed_over);

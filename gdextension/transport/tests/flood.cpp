@@ -98,7 +98,8 @@ public:
 			settings.version = VERSION;
 			settings.password = _password;
 			_relay = std::make_unique<ClientRelay>(
-					settings, [this](const View &p_bytes) { _port->write(p_bytes); }, [](const View &) {});
+					settings, [this](const View &p_bytes) { _port->write(p_bytes); }, [](const View &) {},
+					[](const View &) {});
 		}
 		if (!_relay) {
 			return;
@@ -218,7 +219,8 @@ public:
 			const std::string password = "guess " + std::to_string(p_number);
 			settings.password = Bytes(password.begin(), password.end());
 			_relay = std::make_unique<ClientRelay>(
-					settings, [this](const View &p_bytes) { _port.write(p_bytes); }, [](const View &) {});
+					settings, [this](const View &p_bytes) { _port.write(p_bytes); }, [](const View &) {},
+					[](const View &) {});
 		}
 		bool is_answered = false;
 		while (_port.read(_bytes)) {

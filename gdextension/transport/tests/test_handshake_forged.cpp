@@ -26,7 +26,8 @@ messages::ClientId seen_of(const Bytes &p_sent) {
 int64_t join(Net &r_net, Client &r_client, const std::function<void(const messages::ClientId &)> &p_forge) {
 	const int64_t begin = r_net.now;
 	while (r_net.now < begin + 20 * SECOND) {
-		if (r_client.relay.look_after(r_net.now) == INT64_MAX) {
+		r_client.relay.look_after(r_net.now);
+		if (r_client.relay.heard_usec() > 0 || r_client.relay.state() == ClientRelay::State::FAILED) {
 			break;
 		}
 		while (!r_client.out.empty()) {

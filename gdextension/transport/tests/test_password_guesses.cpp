@@ -127,7 +127,7 @@ TEST(who_knows_the_password_comes_as_often_as_he_likes) {
 		Client client(endpoint("192.0.2.1", uint16_t(4000 + i)), client_settings("right"));
 		net.clients = { &client };
 		net.run(SECOND / 20);
-		CHECK(client.relay.look_after(net.now) == INT64_MAX);
+		CHECK(client.relay.heard_usec() > 0);
 	}
 	CHECK(net.server.counts().handshakes_later == 0);
 }

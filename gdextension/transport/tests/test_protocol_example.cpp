@@ -19,7 +19,7 @@ Bytes ascii(const std::string &p_text) {
 
 TEST(the_handshake_of_the_protocol) {
 	messages::Init init;
-	init.version = 5;
+	init.version = 7;
 	init.role = 1;
 	init.client = hex_array<8>("0102030405060708");
 	messages::CookieReply cookie;
@@ -52,27 +52,27 @@ TEST(the_handshake_of_the_protocol) {
 	Bytes first;
 	client.seal(messages::first_head(init.client), View(), first);
 	Bytes data;
-	server.seal(Bytes{ messages::DATA }, ascii("hello"), data);
+	server.seal(Content::ENET, ascii("hello"), data);
 	CHECK(equal(init.encode(),
-			hex("4144534d54050000000101020304050607080000000000000000000000000000000000000000000000000000"
-				"0000000000000000000000000000000000000000")));
+			hex("4144534d5407000000010102030405060708000000000000000000000000000000000000000000000000"
+				"00000000000000000000000000000000000000000000")));
 	CHECK(equal(cookie.encode(), hex("420102030405060708101112131415161718191a1b1c1d1e1f01")));
 	CHECK(equal(channel, hex("0f4469736d6f756e7420636c69656e740f4469736d6f756e7420736572766572")));
 	CHECK(equal(generator, hex("0676e5128ee95a8cb84e36d6d4b1743ef14ba2d6c4efcedfa70a2b536f07c55f")));
 	CHECK(equal(start.encode(),
-			hex("430102030405060708101112131415161718191a1b1c1d1e1f05000000010000000000000000000000000000"
-				"000046eb0599e8308fbcde4bdc5e7cae7b8fa0cf454bf03e1002daa94296ff81f16b")));
+			hex("430102030405060708101112131415161718191a1b1c1d1e1f0700000001000000000000000000000000"
+				"0000000046eb0599e8308fbcde4bdc5e7cae7b8fa0cf454bf03e1002daa94296ff81f16b")));
 	CHECK(equal(
 			reply.encode(), hex("4401020304050607089e1126c4197e5e6aa834f518bc1290fdca34728abd05d82467cfbd1cdfc9666b")));
 	CHECK(equal(key,
-			hex("dcddf80f036b4b255b5b662a021e6529ecaf3b519a4efd0593cc2f08a1fe00dde2a13d44e286ad71f5393f49"
-				"eaf185f51d1f41464c4cbd4e0e971d5563780b05")));
-	CHECK(equal(keys.to_server, hex("ce6c3bbf595a7e453dffb143d3ef376b9036a31becc7a381299039375a28c5ca")));
-	CHECK(equal(keys.to_client, hex("9a35a533a873f71b19610aa46f377e9e6fb3bb32dcc2c7d243bb810c631028f4")));
-	CHECK(equal(keys.exporter, hex("e1c0b457228e6509f6699a0c8e8f7690ea25e8aa051aa01c61bf83dd54349605")));
-	CHECK(equal(keys.return_tag, hex("73e4727eb521e83264b73f35937d7d05")));
-	CHECK(equal(first, hex("460102030405060708000000cd3185d928d7f916352f6f25d48f7ef9")));
-	CHECK(equal(data, hex("4700000024dc79ffb4e18139a0d9e2bb76d23a58b81233de23")));
+			hex("e7fde128295452bb14f713cb04b6b6f0eb0be5566a6236cb980914fca558c6b6ff1b8b86d72f5aac95a1"
+				"7e79b1e4b55adceb58d7c43c0c81e26411f732c6a5ce")));
+	CHECK(equal(keys.to_server, hex("f18395419e97830d39f471ce92a50a7d9a7da0deb763a703053efa219e801ac9")));
+	CHECK(equal(keys.to_client, hex("76153dcbd3c3e1a6be4ebe50706e19894899eb060acc6916c8076facbd38a35f")));
+	CHECK(equal(keys.exporter, hex("8e7283af21880aa9382b2c066a237635414fa2c1cab46a6a112af601762ac1a3")));
+	CHECK(equal(keys.return_tag, hex("b45a97872a7829ac1969c2979d99b335")));
+	CHECK(equal(first, hex("460102030405060708000000be8e065f00524dd021cb76e848dd7449")));
+	CHECK(equal(data, hex("8000ba113135cb3de7147cf6d31c4def9dae44841dab70")));
 }
 
 } // namespace test_protocol_example

@@ -12,7 +12,7 @@ using namespace transport;
 
 namespace {
 
-const Bytes HEAD{ 0x47 };
+const Bytes ONE{ 0x47 };
 
 Key key_of(uint8_t p_byte) {
 	Key made{};
@@ -27,8 +27,13 @@ struct Ends {
 
 Bytes sealed(SealedChannel &r_channel, const View &p_plain) {
 	Bytes made;
-	r_channel.seal(HEAD, p_plain, made);
+	r_channel.seal(Content::FAST, p_plain, made);
 	return made;
+}
+
+bool opens(SealedChannel &r_channel, const View &p_sealed, Bytes &r_opened) {
+	Content content = Content::ENET;
+	return r_channel.open(p_sealed, content, r_opened) && content == Content::FAST;
 }
 
 } // namespace
@@ -40,12 +45,12 @@ TEST(what_is_sealed_is_opened_at_the_other_end) {
 		const Bytes plain(size, uint8_t(size));
 		const Bytes datagram = sealed(ends.client, plain);
 		CHECK(datagram.size() == size + SealedChannel::OVERHEAD);
-		CHECK(ends.server.open(datagram, HEAD.size(), opened));
+		CHECK(opens(ends.server, datagram, opened));
 		CHECK(equal(opened, plain));
 	}
-	CHECK(SealedChannel::OVERHEAD <= 20);
+	CHECK(SealedChannel::OVERHEAD == 18);
 	// Nobody takes what he has sealed himself for the other end's.
-	CHECK(!ends.client.open(sealed(ends.client, HEAD), HEAD.size(), opened));
+	CHECK(!opens(ends.client, sealed(ends.client, ONE), opened));
 }
 
 TEST(every_altered_bit_is_noticed) {
@@ -55,12 +60,12 @@ TEST(every_altered_bit_is_noticed) {
 	for (size_t bit = 0; bit < good.size() * 8; bit++) {
 		Bytes bad = good;
 		bad[bit / 8] ^= uint8_t(1 << bit % 8);
-		CHECK(!ends.server.open(bad, HEAD.size(), opened));
+		CHECK(!opens(ends.server, bad, opened));
 	}
 	for (size_t size = 0; size < good.size(); size++) {
-		CHECK(!ends.server.open(View(good.data(), size), HEAD.size(), opened));
+		CHECK(!opens(ends.server, View(good.data(), size), opened));
 	}
-	CHECK(ends.server.open(good, HEAD.size(), opened));
+	CHECK(opens(ends.server, good, opened));
 }
 
 TEST(nothing_is_opened_twice_in_whatever_order_it_comes) {
@@ -77,12 +82,12 @@ TEST(nothing_is_opened_twice_in_whatever_order_it_comes) {
 	}
 	int good = 0;
 	for (const Bytes &datagram : datagrams) {
-		good += ends.server.open(datagram, HEAD.size(), opened) ? 1 : 0;
+		good += opens(ends.server, datagram, opened) ? 1 : 0;
 	}
 	CHECK(good == 5000);
 	int again = 0;
 	for (const Bytes &datagram : datagrams) {
-		again += ends.server.open(datagram, HEAD.size(), opened) ? 1 : 0;
+		again += opens(ends.server, datagram, opened) ? 1 : 0;
 	}
 	CHECK(again == 0);
 }
@@ -90,28 +95,58 @@ TEST(nothing_is_opened_twice_in_whatever_order_it_comes) {
 TEST(what_is_older_than_the_window_is_not_opened) {
 	Ends ends;
 	Bytes opened;
-	const Bytes first = sealed(ends.client, HEAD);
-	const Bytes second = sealed(ends.client, HEAD);
+	const Bytes first = sealed(ends.client, ONE);
+	const Bytes second = sealed(ends.client, ONE);
 	for (uint64_t i = 2; i < ReplayWindow::SIZE; i++) {
-		sealed(ends.client, HEAD);
+		sealed(ends.client, ONE);
 	}
-	CHECK(ends.server.open(sealed(ends.client, HEAD), HEAD.size(), opened));
-	CHECK(!ends.server.open(first, HEAD.size(), opened));
-	CHECK(ends.server.open(second, HEAD.size(), opened));
+	CHECK(opens(ends.server, sealed(ends.client, ONE), opened));
+	CHECK(!opens(ends.server, first, opened));
+	CHECK(opens(ends.server, second, opened));
 }
 
 TEST(whole_numbers_follow_from_their_low_bits) {
-	constexpr uint64_t SENT = 1 << 24;
-	constexpr uint64_t HALF = SENT / 2;
-	for (uint64_t expected : { uint64_t(0), HALF, SENT - 1, SENT, SENT + 5, 7 * SENT + HALF, uint64_t(1) << 40 }) {
-		for (int64_t distance :
-				{ int64_t(0), int64_t(1), int64_t(-1), int64_t(3000), int64_t(-3000), int64_t(HALF - 1) }) {
-			const uint64_t number = expected + uint64_t(distance);
-			if (distance >= 0 || expected >= uint64_t(-distance)) {
-				CHECK(SealedChannel::whole_number(expected, number % SENT) == number);
+	for (const int bits : { SealedChannel::NUMBER_BITS, SealedChannel::LONG_NUMBER_BITS }) {
+		const uint64_t sent = uint64_t(1) << bits;
+		const uint64_t half = sent / 2;
+		for (uint64_t expected : { uint64_t(0), half, sent - 1, sent, sent + 5, 7 * sent + half, uint64_t(1) << 40 }) {
+			for (int64_t distance :
+					{ int64_t(0), int64_t(1), int64_t(-1), int64_t(3000), int64_t(-3000), int64_t(half - 1) }) {
+				const uint64_t number = expected + uint64_t(distance);
+				if (distance >= 0 || expected >= uint64_t(-distance)) {
+					CHECK(SealedChannel::whole_number(expected, number % sent, bits) == number);
+				}
 			}
 		}
 	}
+}
+
+TEST(what_comes_after_a_long_gap_is_opened) {
+	Ends ends;
+	Bytes opened;
+	for (const int lost : { 1, 100, 8000 }) {
+		for (int round = 0; round < 20; round++) {
+			for (int i = 0; i < lost; i++) {
+				sealed(ends.client, ONE);
+			}
+			CHECK(opens(ends.server, sealed(ends.client, ONE), opened));
+		}
+	}
+}
+
+TEST(both_kinds_of_heads_count_in_the_same_numbers) {
+	Ends ends;
+	Bytes named;
+	Bytes opened;
+	const Bytes first = sealed(ends.client, ONE);
+	ends.client.seal(ONE, Bytes(3, 3), named);
+	const Bytes last = sealed(ends.client, ONE);
+	CHECK(opens(ends.server, last, opened) && opens(ends.server, first, opened));
+	CHECK(ends.server.open(named, ONE.size(), opened) && equal(opened, Bytes(3, 3)));
+	CHECK(!ends.server.open(named, ONE.size(), opened));
+	Content content = Content::FAST;
+	ends.client.seal(Content::ENET, ONE, named);
+	CHECK(ends.server.open(named, content, opened) && content == Content::ENET);
 }
 
 TEST(the_window_forgets_what_it_has_passed) {

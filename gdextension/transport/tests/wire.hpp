@@ -35,6 +35,8 @@ class Record : public RelaySink {
 public:
 	std::deque<Sent> outer;
 	std::deque<Inner> inner;
+	/// Messages beside ENet, by the name of their client.
+	std::deque<std::pair<int64_t, Bytes>> fast;
 	bool keeps = true;
 
 	void to_outer(const Endpoint &p_to, const View &p_bytes) override {
@@ -44,6 +46,9 @@ public:
 	}
 	void to_inner(uint32_t p_from, const View &p_bytes) override {
 		inner.push_back({ p_from, Bytes(p_bytes.data, p_bytes.data + p_bytes.size) });
+	}
+	void to_program(int64_t p_peer, const View &p_bytes) override {
+		fast.push_back({ p_peer, Bytes(p_bytes.data, p_bytes.data + p_bytes.size) });
 	}
 };
 
@@ -143,6 +148,7 @@ struct Client {
 	Endpoint at;
 	std::deque<Bytes> out;
 	std::deque<Bytes> inner;
+	std::deque<Bytes> fast;
 	ClientRelay relay;
 
 	explicit Client(const Endpoint &p_at, ClientRelay::Settings p_settings) :
@@ -150,17 +156,18 @@ struct Client {
 			relay(
 					std::move(p_settings),
 					[this](const View &p_bytes) { out.push_back(Bytes(p_bytes.data, p_bytes.data + p_bytes.size)); },
-					[this](const View &p_bytes) {
-						inner.push_back(Bytes(p_bytes.data, p_bytes.data + p_bytes.size));
-					}) {}
+					[this](const View &p_bytes) { inner.push_back(Bytes(p_bytes.data, p_bytes.data + p_bytes.size)); },
+					[this](const View &p_bytes) { fast.push_back(Bytes(p_bytes.data, p_bytes.data + p_bytes.size)); }) {
+	}
 };
 
-/// A server and the time.
+/// A server and the time. What is larger than the network carries, in either direction, is lost.
 struct Net {
 	ServerRelay server;
 	Record record;
 	int64_t now = 1000000;
 	std::vector<Client *> clients;
+	size_t mtu = SIZE_MAX;
 
 	explicit Net(ServerRelay::Settings p_settings) : server(std::move(p_settings)) {}
 
@@ -172,7 +179,9 @@ struct Net {
 				while (!client->out.empty()) {
 					const Bytes bytes = client->out.front();
 					client->out.pop_front();
-					server.take_outer(client->at, bytes, now, record);
+					if (bytes.size() <= mtu) {
+						server.take_outer(client->at, bytes, now, record);
+					}
 					more = true;
 				}
 			}
@@ -180,7 +189,7 @@ struct Net {
 				const Sent sent = record.outer.front();
 				record.outer.pop_front();
 				for (Client *client : clients) {
-					if (client->at == sent.to) {
+					if (client->at == sent.to && sent.bytes.size() <= mtu) {
 						client->relay.take_outer(sent.bytes, now);
 					}
 				}
@@ -201,8 +210,8 @@ struct Net {
 	}
 };
 
-/// Connects a client's ENet, as far as the relay can see.
-inline void connect_enet(Net &r_net, Client &r_client, uint16_t p_peer = 7) {
+/// Connects a client's ENet, as far as the relay can see. Returns where it stands for ENet.
+inline uint32_t connect_enet(Net &r_net, Client &r_client, uint16_t p_peer = 7) {
 	r_client.relay.take_inner(enet_connect());
 	r_net.exchange();
 	const uint32_t inner = r_net.record.inner.back().from;
@@ -210,6 +219,7 @@ inline void connect_enet(Net &r_net, Client &r_client, uint16_t p_peer = 7) {
 	r_net.exchange();
 	r_client.relay.take_inner(enet_acknowledge(p_peer, 0xFF, 1));
 	r_net.exchange();
+	return inner;
 }
 
 inline bool is_open(const Client &p_client) {

@@ -72,7 +72,7 @@ enum Notice {
 ## A first byte of this or above is [constant Message.MOTION] too: it holds a part of its number.
 const BASED_MOTION: int = 128
 ## Raised with every change of what is sent; a server refuses other versions.
-const VERSION: int = 6
+const VERSION: int = 7
 ## First bytes of a challenge and of a join request.
 const HELLO: String = "DSMT"
 ## UDP port of a server by default.

@@ -122,9 +122,7 @@ func send_fast(p_peer: int, p_bytes: PackedByteArray) -> bool:
 	return (
 		thread != null
 		and p_bytes.size() <= limits.max_datagram
-		and thread.send(
-			p_peer, TransportHost.FAST_CHANNEL, p_bytes, ENetPacketPeer.FLAG_UNSEQUENCED
-		)
+		and thread.send_fast(p_peer, p_bytes)
 	)
 
 

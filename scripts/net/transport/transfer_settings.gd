@@ -3,7 +3,7 @@ extends MultiplayerPeerExtension
 ## What the multiplayer API tells a peer before it sends: to whom, how, over which channel.
 
 ## Transfer channels that can be used beside 0.
-const MAX_TRANSFER_CHANNEL: int = TransportHost.CHANNELS - TransportHost.FAST_CHANNEL - 1
+const MAX_TRANSFER_CHANNEL: int = TransportHost.CHANNELS - TransportHost.UNRELIABLE_CHANNEL - 1
 
 var _target: int = 0
 var _channel: int = 0
@@ -50,7 +50,7 @@ func _set_refuse_new_connections(p_refuse: bool) -> void:
 ## The ENet channel of what is sent now.
 func _enet_channel() -> int:
 	if _channel > 0:
-		return TransportHost.FAST_CHANNEL + _channel
+		return TransportHost.UNRELIABLE_CHANNEL + _channel
 	return 0 if _mode == TRANSFER_MODE_RELIABLE else 1
 
 

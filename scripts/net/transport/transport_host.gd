@@ -3,22 +3,22 @@ extends RefCounted
 ## The connections of an ENet host and their traffic. Everything here belongs to
 ## the thread of [TransportThread].
 
-## ENet channels: two that the multiplayer API knows, the fast path, and five more for its transfer
-## channels.
-const CHANNELS: int = 8
-## ENet channel of the fast path.
-const FAST_CHANNEL: int = 2
+## ENet channels: two that the multiplayer API knows, and five more for its transfer channels.
+const CHANNELS: int = 7
+## The last of ENet's channels that is none of the API's transfer channels.
+const UNRELIABLE_CHANNEL: int = 1
 ## Maximum of connections that have not been admitted; beyond it the oldest is closed.
 const MAX_ARRIVING: int = 512
-## When a silent end is gone: ENet's limit (2 to the attempts), least and most ms. With less, a
-## fifth of the datagrams lost would end connections now and then.
+## When an end that answers nothing is gone: ENet's limit (2 to the attempts), least and most ms.
+## With less, a fifth of the datagrams lost would end connections now and then.
 const TIMEOUTS_MS: Array[int] = [64, 4000, 8000]
+## When a server of which nothing at all is heard is gone, ms: it says something twice a second.
+const SILENT_MS: int = 5500
 ## First bytes of a probe and of its receipt, both followed by 8 bytes: see [ReceiptWindow].
 const PROBE: PackedByteArray = [0xFF, 0x4D]
 ## See [constant PROBE].
 const RECEIPT: PackedByteArray = [0xFF, 0x52]
 
-const _FAST_FLAGS: int = ENetPacketPeer.FLAG_UNSEQUENCED
 const _WINDOW_USEC: int = 1000000
 const _LEAVING_USEC: int = 1000000
 
@@ -42,8 +42,6 @@ var _events: Array[TransportEvent] = []
 var _fast: Array[FastPacket] = []
 var _counts: Dictionary[String, int] = {}
 var _waiting_bytes: int = 0
-# Whether something was answered that is still to leave.
-var _answered: bool = false
 var _window_usec: int = 0
 # As stats() has them; never altered, as other threads read them.
 var _peers: Dictionary = {}
@@ -68,6 +66,7 @@ func _on_connect(p_remote: ENetPacketPeer, p_data: int) -> void:
 	if joined == null:
 		p_remote.peer_disconnect(DisconnectReason.THROWN_OUT)
 		return
+	_socket.name(p_remote.get_remote_address(), id)
 	var connection: TransportConnection = TransportConnection.new(
 		id, p_remote, Time.get_ticks_usec(), joined.key
 	)
@@ -127,7 +126,7 @@ func _on_receive(p_remote: ENetPacketPeer, p_channel: int) -> void:
 	_waiting_bytes += bytes.size()
 	var event: TransportEvent = TransportEvent.new(TransportEvent.Kind.PACKET, from.id)
 	event.bytes = bytes
-	event.channel = maxi(p_channel - FAST_CHANNEL, 0)
+	event.channel = maxi(p_channel - UNRELIABLE_CHANNEL, 0)
 	if flags & ENetPacketPeer.FLAG_RELIABLE:
 		event.mode = MultiplayerPeer.TRANSFER_MODE_RELIABLE
 	elif flags & ENetPacketPeer.FLAG_UNSEQUENCED:
@@ -158,8 +157,7 @@ func _receive_fast(p_from: TransportConnection, p_packet: FastPacket) -> void:
 	if bytes[0] == callbacks.instant_kind and callbacks.instant.is_valid():
 		var answer: PackedByteArray = callbacks.instant.call(bytes, p_packet.arrival_usec)
 		if not answer.is_empty():
-			p_from.remote.send(FAST_CHANNEL, answer, _FAST_FLAGS)
-			_answered = true
+			_socket.send_fast(p_from.id, answer)
 		return
 	if callbacks.watcher.is_valid():
 		callbacks.watcher.call(bytes)
@@ -224,10 +222,6 @@ func _keep_house(p_now_usec: int) -> void:
 	var refusal: Dictionary = _socket.take_refusal()
 	if not refusal.is_empty():
 		_trouble("refused", sealing.describe_refusal(refusal))
-	_count("sent_bytes", int(_host.pop_statistic(ENetConnection.HOST_TOTAL_SENT_DATA)))
-	_count("received_bytes", int(_host.pop_statistic(ENetConnection.HOST_TOTAL_RECEIVED_DATA)))
-	_count("sent_packets", int(_host.pop_statistic(ENetConnection.HOST_TOTAL_SENT_PACKETS)))
-	_count("received_packets", int(_host.pop_statistic(ENetConnection.HOST_TOTAL_RECEIVED_PACKETS)))
 	if p_now_usec - _window_usec > _WINDOW_USEC:
 		_window_usec = p_now_usec
 		for id: int in _connections:

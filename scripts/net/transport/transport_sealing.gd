@@ -7,9 +7,11 @@ const ASKS_FOR_NO_PASSWORD: String = (
 	"it asks for no password, so that it may be another server;"
 	+ " if it is the right one, come without a password"
 )
-## Bytes that IP, UDP and ENet add to each datagram, and those that sealing adds.
-const _HEADER_BYTES: int = 40
-const _SEALING_BYTES: int = 20
+## Bytes that IP and UDP add to each datagram, what says without sealing that it goes beside ENet, and
+## those that sealing adds.
+const _HEADER_BYTES: int = 28
+const _KIND_BYTES: int = 1
+const _SEALING_BYTES: int = 18
 
 ## Whether they are.
 var seals: bool = true
@@ -34,7 +36,7 @@ static func off() -> TransportSealing:
 
 ## Bytes that a datagram has on its way more than the message in it.
 func datagram_overhead() -> int:
-	return _HEADER_BYTES + (_SEALING_BYTES if seals else 0)
+	return _HEADER_BYTES + (_SEALING_BYTES if seals else _KIND_BYTES)
 
 
 ## Hands this to a socket that is not open yet.

@@ -100,10 +100,15 @@ func stop(p_reason: int) -> void:
 	_host = null
 
 
-## Sends something to one (an id), to all (0), or to all except one (minus its id).
+## Sends a packet through ENet to one (an id), to all (0), or to all except one (minus its id).
 func send(p_target: int, p_channel: int, p_bytes: PackedByteArray, p_flags: int) -> bool:
 	var must: bool = p_flags & ENetPacketPeer.FLAG_RELIABLE != 0
 	return _post([_order_send, [p_target, p_channel, p_bytes, p_flags]], must)
+
+
+## Sends a fast datagram to one (an id), to all (0), or to all except one (minus its id).
+func send_fast(p_target: int, p_bytes: PackedByteArray) -> bool:
+	return _post([_order_send_fast, [p_target, p_bytes]], false)
 
 
 ## Sends fast datagrams, each to the peer of the same index.
@@ -153,7 +158,7 @@ func _open() -> Error:
 	if error == OK:
 		error = _socket.tie(_host)
 	if error == OK and _server:
-		_pump.attach(_host, _socket, FAST_CHANNEL)
+		_pump.attach(_host, _socket)
 	return error
 
 
@@ -189,7 +194,6 @@ func _turn(p_waits: bool) -> void:
 		_recent_events = 0
 		_pump.set_busy(_busy)
 		_keep_house(now)
-		_count("received_packets", _pump.take_received())
 		_publish_stats()
 	if not _events.is_empty() or not _fast.is_empty():
 		mailbox.hand_over(_events, _fast)
@@ -225,15 +229,16 @@ func _note_taken(p_taken: int) -> void:
 			_connections[id].waiting = 0
 
 
-## Looks the server's name up, and begins the handshake.
+## Looks the server's name up, if it is no address, and begins the handshake.
 func _begin_client() -> void:
-	var ip: String = IP.resolve_hostname(_address, IP.TYPE_IPV4)
-	if ip == "":
-		ip = IP.resolve_hostname(_address, IP.TYPE_IPV6)
-	if ip == "" or _socket.open_client(ip, _port) != OK:
+	var opened: Error = _socket.open_client(_address, _port)
+	for kind: IP.Type in [IP.TYPE_IPV4, IP.TYPE_IPV6]:
+		if opened == ERR_CANT_RESOLVE:
+			opened = _socket.open_client(IP.resolve_hostname(_address, kind), _port)
+	if opened != OK:
 		_fail("%s:%d is no address that can be connected to" % [_address, _port])
 		return
-	_pump.attach(_host, _socket, FAST_CHANNEL)
+	_pump.attach(_host, _socket)
 
 
 ## ENet begins when the handshake is done; the server may refuse it in either.
@@ -257,14 +262,13 @@ func _serve(p_waits: bool) -> void:
 		due = mini(due, _beacon_usec)
 	var waits: bool = p_waits and not _busy
 	var wait_usec: int = maxi(due - Time.get_ticks_usec(), 0) if waits else 0
-	_answered = false
 	var first: bool = true
 	while true:
 		var event: Array = _pump.serve(first, wait_usec)
 		if first:
 			_note_taken(mailbox.taken())
 			first = false
-		_recent_events += _receive_all_fast(_pump.take_fast(Time.get_ticks_usec()))
+		_recent_events += _receive_all_fast(_socket.take_fast(Time.get_ticks_usec()))
 		match event[0]:
 			ENetConnection.EVENT_CONNECT:
 				_on_connect(event[1], event[2])
@@ -279,8 +283,6 @@ func _serve(p_waits: bool) -> void:
 				_errors_in_a_row = 0
 				break
 		_recent_events += 1
-	if _answered:
-		_host.flush()
 	_pump.send_out()
 
 
@@ -317,12 +319,14 @@ func _look_after_client(p_now_usec: int, p_gap_usec: int) -> void:
 	if p_gap_usec > TIMEOUTS_MS[1] * 1000:
 		# The server has given us up; waiting until we notice it would take as long again.
 		_fail("this machine stood still for %.1f s" % (p_gap_usec / 1e6))
+	elif _socket.get_silent_usec() > SILENT_MS * 1000:
+		_fail("nothing has come from the server for %.1f s" % (SILENT_MS / 1e3))
 	elif _waiting_bytes > _MAX_WAITING_BYTES:
 		_fail("%d bytes wait to be taken in" % _waiting_bytes)
 	elif callbacks.beacon.is_valid() and p_now_usec >= _beacon_usec:
 		_beacons += 1
 		_beacon_usec = p_now_usec + (callbacks.beacon_period.call(_beacons) as int)
-		_connections.values()[0].remote.send(FAST_CHANNEL, callbacks.beacon.call(), _FAST_FLAGS)
+		_socket.send_fast(MultiplayerPeer.TARGET_PEER_SERVER, callbacks.beacon.call())
 
 
 func _order_send(p_target: int, p_channel: int, p_bytes: PackedByteArray, p_flags: int) -> void:
@@ -337,12 +341,16 @@ func _order_send(p_target: int, p_channel: int, p_bytes: PackedByteArray, p_flag
 
 func _order_send_each(p_peers: PackedInt32Array, p_datagrams: Array[PackedByteArray]) -> void:
 	_pump.note_handed_over()
-	for i: int in p_peers.size():
-		var connection: TransportConnection = _connections.get(p_peers[i])
-		# Who has died is still here, but takes nothing: send() would report an error.
-		if connection != null and connection.remote.is_active():
-			if connection.stage != TransportConnection.Stage.LEAVING:
-				connection.remote.send(FAST_CHANNEL, p_datagrams[i], _FAST_FLAGS)
+	_socket.send_fast_each(p_peers, p_datagrams)
+
+
+func _order_send_fast(p_target: int, p_bytes: PackedByteArray) -> void:
+	if p_target > 0:
+		_socket.send_fast(p_target, p_bytes)
+		return
+	for id: int in _connections:
+		if id != -p_target:
+			_socket.send_fast(id, p_bytes)
 
 
 func _order_disconnect(p_id: int, p_now: bool, p_code: int) -> void:

@@ -44,11 +44,18 @@ constexpr int64_t HINT_USEC = 500000;
 constexpr int MAX_HINTED = 3;
 /// Without sealing: for how long nothing else but notices comes, us.
 constexpr int64_t UNSEALED_USEC = 2000000;
+/// How often a client says at most that it has moved, us: anybody can make it say so.
+constexpr int64_t MOVED_USEC = 10000;
 
 } // namespace
 
-ClientRelay::ClientRelay(Settings p_settings, Send p_to_outer, Send p_to_inner) :
-		_settings(std::move(p_settings)), _to_outer(std::move(p_to_outer)), _to_inner(std::move(p_to_inner)) {
+ClientRelay::ClientRelay(Settings p_settings, Send p_to_outer, Send p_to_inner, Send p_to_program) :
+		_settings(std::move(p_settings)),
+		_to_outer(std::move(p_to_outer)),
+		_to_inner(std::move(p_to_inner)),
+		_to_program(std::move(p_to_program)),
+		_send_content([this](Content p_content, const View &p_bytes) { send_content(p_content, p_bytes); }),
+		_carriage(_settings.seals ? SealedChannel::OVERHEAD : 1) {
 	if (sodium_init() < 0) {
 		std::abort();
 	}
@@ -68,7 +75,13 @@ void ClientRelay::take_outer(const View &p_bytes, int64_t p_now_usec) {
 	}
 	if (!_settings.seals) {
 		_is_hinted = false;
-		_to_inner(p_bytes);
+		_heard_usec = p_now_usec;
+		if (p_bytes.data[0] == messages::OPEN_FAST) {
+			_bytes.assign(p_bytes.data + 1, p_bytes.data + p_bytes.size);
+			take_content(Content::FAST, p_bytes.size, p_now_usec);
+		} else {
+			_to_inner(p_bytes);
+		}
 		return;
 	}
 	switch (p_bytes.data[0]) {
@@ -78,18 +91,23 @@ void ClientRelay::take_outer(const View &p_bytes, int64_t p_now_usec) {
 		case messages::REPLY:
 			take_reply(p_bytes, p_now_usec);
 			break;
-		case messages::DATA:
-			take_data(p_bytes);
+		case messages::UNKNOWN:
+			take_unknown(p_bytes, p_now_usec);
 			break;
 		default:
-			_not_opened++;
+			take_sealed(p_bytes, p_now_usec);
 	}
 }
 
 void ClientRelay::take_inner(const View &p_bytes) {
 	if (_settings.seals) {
-		if (_state == State::OPEN) {
-			seal_out(p_bytes);
+		if (_step == Step::DONE) {
+			_carriage.send(Content::ENET, p_bytes, _send_content);
+		} else if (_state == State::OPEN) {
+			_last_inner.assign(p_bytes.data, p_bytes.data + p_bytes.size);
+			for (Candidate &candidate : _candidates) {
+				seal_first(candidate, p_bytes);
+			}
 		}
 		return;
 	}
@@ -98,12 +116,26 @@ void ClientRelay::take_inner(const View &p_bytes) {
 	if (reader.peer() == EnetReader::NO_PEER && reader.next(command) && command.kind == EnetCommand::CONNECT) {
 		_chosen = command.chosen;
 	}
-	_to_outer(p_bytes);
+	_carriage.send(Content::ENET, p_bytes, _send_content);
+}
+
+void ClientRelay::send_fast(const View &p_bytes) {
+	if (_step == Step::DONE) {
+		_carriage.send(Content::FAST, p_bytes, _send_content);
+	}
 }
 
 int64_t ClientRelay::look_after(int64_t p_now_usec) {
-	if (_step == Step::DONE || _state == State::FAILED) {
+	if (_state == State::FAILED) {
 		return INT64_MAX;
+	}
+	if (_step == Step::DONE) {
+		// Without sealing there is somebody to answer once he has said something.
+		if (_heard_usec == 0) {
+			return INT64_MAX;
+		}
+		_carriage.look_after(p_now_usec, _send_content);
+		return _carriage.mtu().due_usec();
 	}
 	if (_begun_usec == 0 || is_over(p_now_usec)) {
 		if (is_hopeless()) {
@@ -135,7 +167,8 @@ bool ClientRelay::is_over(int64_t p_now_usec) const {
 /// goes on: its server is there, or comes back.
 bool ClientRelay::is_hopeless() {
 	_hinted = _is_hinted ? _hinted + 1 : 0;
-	return _hinted >= MAX_HINTED && _settings.return_tag == messages::ReturnTag{};
+	// Whoever has another key has proved it: the user is asked.
+	return _hinted >= MAX_HINTED && (_settings.return_tag == messages::ReturnTag{} || _notice == OTHER_KEY);
 }
 
 void ClientRelay::restart(int64_t p_now_usec) {
@@ -266,30 +299,68 @@ bool ClientRelay::may_answer(int64_t p_now_usec) {
 	return true;
 }
 
-void ClientRelay::take_data(const View &p_bytes) {
+void ClientRelay::take_sealed(const View &p_bytes, int64_t p_now_usec) {
+	Content content = Content::ENET;
 	if (_step != Step::DONE) {
-		const auto opens = [this, &p_bytes](Candidate &r_candidate) {
-			return r_candidate.channel.open(p_bytes, messages::DATA_HEAD, _bytes);
-		};
-		const auto proven = std::find_if(_candidates.begin(), _candidates.end(), opens);
-		if (proven == _candidates.end()) {
+		if (!find_proven(p_bytes, p_now_usec)) {
 			_not_opened++;
-			return;
 		}
-		_keys = proven->keys;
-		_channel = proven->channel;
-		_candidates.clear();
-		_exchanges.clear();
-		_last_inner.clear();
-		_step = Step::DONE;
-		_notice = 0;
-	} else if (!_channel.open(p_bytes, messages::DATA_HEAD, _bytes)) {
+		return;
+	}
+	if (!_channel.open(p_bytes, content, _bytes)) {
 		_not_opened++;
 		return;
 	}
-	if (!_bytes.empty()) {
-		_to_inner(_bytes);
+	_heard_usec = p_now_usec;
+	take_content(content, p_bytes.size, p_now_usec);
+}
+
+/// The first thing that counts is a server's proof of who it is: whether this is one.
+bool ClientRelay::find_proven(const View &p_bytes, int64_t p_now_usec) {
+	Content content = Content::ENET;
+	const auto opens = [&](Candidate &r_candidate) { return r_candidate.channel.open(p_bytes, content, _bytes); };
+	const auto candidate = std::find_if(_candidates.begin(), _candidates.end(), opens);
+	ServerIdentity::Proof proof;
+	if (candidate == _candidates.end() || content != Content::FAST || _bytes.empty() ||
+			_bytes[0] != Carriage::IDENTITY || !proof.decode(View(_bytes).from(1)) ||
+			!proof.is_of(candidate->keys.exporter)) {
+		return false;
 	}
+	_server_key = proof.key;
+	if (_settings.password.empty() && _settings.known_key && *_settings.known_key != proof.key) {
+		hint(OTHER_KEY, p_now_usec);
+		return true;
+	}
+	_keys = candidate->keys;
+	_channel = candidate->channel;
+	_candidates.clear();
+	_exchanges.clear();
+	_step = Step::DONE;
+	_notice = 0;
+	_heard_usec = p_now_usec;
+	_carriage.restart(p_now_usec);
+	_last_inner.clear();
+	return true;
+}
+
+/// What the server has sent is in _bytes.
+void ClientRelay::take_content(Content p_content, size_t p_size, int64_t p_now_usec) {
+	if (_carriage.take(p_content, _bytes, p_size, p_now_usec, _send_content)) {
+		(p_content == Content::ENET ? _to_inner : _to_program)(_bytes);
+	}
+}
+
+/// The server knows nobody at the address from which it has had something of ours: the address is another
+/// one than before. Where somebody else says so, nothing comes of it.
+void ClientRelay::take_unknown(const View &p_bytes, int64_t p_now_usec) {
+	messages::UnknownMessage unknown;
+	if (_step != Step::DONE || !unknown.decode(p_bytes) || p_now_usec - _moved_usec < MOVED_USEC ||
+			std::find(_echoes.begin(), _echoes.end(), unknown.echo) == _echoes.end()) {
+		return;
+	}
+	_moved_usec = p_now_usec;
+	_channel.seal(messages::moved_head(_client, unknown.cookie), View(), _sealed);
+	_to_outer(_sealed);
 }
 
 void ClientRelay::take_notice(const View &p_bytes, int64_t p_now_usec) {
@@ -325,22 +396,24 @@ void ClientRelay::hint(int p_what, int64_t p_now_usec) {
 	}
 }
 
-void ClientRelay::seal_out(const View &p_bytes) {
-	if (_step != Step::DONE) {
-		_last_inner.assign(p_bytes.data, p_bytes.data + p_bytes.size);
-		for (Candidate &candidate : _candidates) {
-			seal_first(candidate, p_bytes);
-		}
+void ClientRelay::send_content(Content p_content, const View &p_bytes) {
+	if (_settings.seals) {
+		_channel.seal(p_content, p_bytes, _sealed);
+		_echoes[_next_echo] = messages::echo_of(_sealed);
+		_next_echo = (_next_echo + 1) % _echoes.size();
+	} else if (p_content == Content::FAST) {
+		_sealed = { messages::OPEN_FAST };
+		append(_sealed, p_bytes);
+	} else {
+		_to_outer(p_bytes);
 		return;
 	}
-	static const Bytes data_head{ messages::DATA };
-	_channel.seal(data_head, p_bytes, _bytes);
-	_to_outer(_bytes);
+	_to_outer(_sealed);
 }
 
 void ClientRelay::seal_first(Candidate &r_candidate, const View &p_bytes) {
-	r_candidate.channel.seal(messages::first_head(_client), p_bytes, _bytes);
-	_to_outer(_bytes);
+	r_candidate.channel.seal(messages::first_head(_client), p_bytes, _sealed);
+	_to_outer(_sealed);
 }
 
 } // namespace transport

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "../sealing/messages.hpp"
-#include "../sealing/sealed_channel.hpp"
+#include "../sealing/server_identity.hpp"
+#include "carriage.hpp"
 
 #include <functional>
 #include <vector>
@@ -23,6 +24,8 @@ public:
 		uint8_t role = 0;
 		Bytes password;
 		messages::ReturnTag return_tag{};
+		/// The server that is meant, if it is known: asked of it where there is no password.
+		std::optional<ServerIdentity::PublicKey> known_key;
 	};
 
 	enum class State {
@@ -36,18 +39,22 @@ public:
 
 	/// A notice that no server sends: the cookie says that the role needs no password, and we have one.
 	static constexpr int ASKS_FOR_NO_PASSWORD = 6;
+	/// Another one: the server has proved another identity than the one that is known.
+	static constexpr int OTHER_KEY = 7;
 
 	/// Sends a datagram: to the server, or to ENet.
 	using Send = std::function<void(const View &)>;
 
-	ClientRelay(Settings p_settings, Send p_to_outer, Send p_to_inner);
+	/// What goes beside ENet is given to p_to_program.
+	ClientRelay(Settings p_settings, Send p_to_outer, Send p_to_inner, Send p_to_program);
 
 	/// A datagram has come from the server.
 	void take_outer(const View &p_bytes, int64_t p_now_usec);
 	/// ENet has sent a datagram.
 	void take_inner(const View &p_bytes);
-	/// Sends again what is due. Returns when it must be called again, us; nothing is due without
-	/// sealing and once the server has answered.
+	/// Sends a message beside ENet; nothing is sent before the channel is open.
+	void send_fast(const View &p_bytes);
+	/// Sends again what is due. Returns when it must be called again, us.
 	int64_t look_after(int64_t p_now_usec);
 
 	State state() const { return _state; }
@@ -58,6 +65,12 @@ public:
 	bool is_locked() const { return _step == Step::DONE && !_settings.password.empty(); }
 	/// Of the channel, once the server has shown that it has them.
 	const ChannelKeys &keys() const { return _keys; }
+	/// The server's own, as it has proved; where it is OTHER_KEY, the one that was shown.
+	const ServerIdentity::PublicKey &server_key() const { return _server_key; }
+	/// When something of the server's was opened last, us; 0: nothing yet.
+	int64_t heard_usec() const { return _heard_usec; }
+	/// What is known of the path.
+	const PathMtu &mtu() const { return _carriage.mtu(); }
 	uint64_t not_opened() const { return _not_opened; }
 
 private:
@@ -88,18 +101,23 @@ private:
 	void send_due(int64_t p_now_usec);
 	void take_cookie(const View &p_bytes, int64_t p_now_usec);
 	void take_reply(const View &p_bytes, int64_t p_now_usec);
-	void take_data(const View &p_bytes);
+	void take_sealed(const View &p_bytes, int64_t p_now_usec);
+	bool find_proven(const View &p_bytes, int64_t p_now_usec);
+	void take_content(Content p_content, size_t p_size, int64_t p_now_usec);
+	void take_unknown(const View &p_bytes, int64_t p_now_usec);
 	void take_notice(const View &p_bytes, int64_t p_now_usec);
 	void hint(int p_what, int64_t p_now_usec);
 	bool is_hopeless();
 	bool may_answer(int64_t p_now_usec);
 	bool is_over(int64_t p_now_usec) const;
-	void seal_out(const View &p_bytes);
+	void send_content(Content p_content, const View &p_bytes);
 	void seal_first(Candidate &r_candidate, const View &p_bytes);
 
 	Settings _settings;
 	Send _to_outer;
 	Send _to_inner;
+	Send _to_program;
+	Carriage::Send _send_content;
 	State _state = State::OPENING;
 	Step _step = Step::WANTS_COOKIE;
 	messages::ClientId _client{};
@@ -109,6 +127,8 @@ private:
 	std::vector<Candidate> _candidates;
 	ChannelKeys _keys;
 	SealedChannel _channel;
+	Carriage _carriage;
+	ServerIdentity::PublicKey _server_key{};
 	messages::ClientId _chosen{};
 	int _notice = 0;
 	uint32_t _server_version = 0;
@@ -122,12 +142,18 @@ private:
 	int64_t _started_usec = 0;
 	int64_t _due_usec = 0;
 	int64_t _hinted_usec = 0;
+	int64_t _heard_usec = 0;
+	/// The ends of what was sent last: somebody who has not seen it says nothing about it.
+	std::array<messages::Echo, 64> _echoes{};
+	size_t _next_echo = 0;
+	int64_t _moved_usec = 0;
 	/// Replies that may be answered now.
 	double _answers = 0.0;
 	int64_t _answered_usec = INT64_MIN;
 	/// What ENet has sent last before the channel was open.
 	Bytes _last_inner;
 	Bytes _bytes;
+	Bytes _sealed;
 };
 
 } // namespace transport

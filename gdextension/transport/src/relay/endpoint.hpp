@@ -18,9 +18,10 @@ struct Endpoint {
 		return address == p_other.address && scope == p_other.scope && port == p_other.port;
 	}
 
-	/// The address as people write it, without the port.
+	/// The address as people write it, without the port; a link's own with the link, as in fe80::1%eth0.
 	std::string address_text() const;
-	/// Reads an IPv4 or IPv6 address; false if it is none.
+	/// Reads an IPv4 or IPv6 address, with a link by name or number (RFC 4007, 11); false if it is none,
+	/// or there is no such link.
 	bool parse(const std::string &p_address, uint16_t p_port);
 };
 

@@ -28,7 +28,7 @@ EnetGuard::~EnetGuard() {
 	release(_held);
 }
 
-EnetGuard::Verdict EnetGuard::check(const View &p_datagram, bool p_silent) {
+EnetGuard::Verdict EnetGuard::check(const View &p_datagram) {
 	// Once to see that it is whole: nothing of a datagram counts that is dropped.
 	EnetReader reader(p_datagram);
 	EnetCommand command;
@@ -44,7 +44,7 @@ EnetGuard::Verdict EnetGuard::check(const View &p_datagram, bool p_silent) {
 		if (connects != (command.kind == EnetCommand::CONNECT)) {
 			return MALFORMED;
 		}
-		const Verdict verdict = connects ? check_connect(command, p_silent) : check_command(command);
+		const Verdict verdict = connects ? check_connect(command) : check_command(command);
 		if (verdict != PASS) {
 			return verdict;
 		}
@@ -53,7 +53,7 @@ EnetGuard::Verdict EnetGuard::check(const View &p_datagram, bool p_silent) {
 	return PASS;
 }
 
-EnetGuard::Verdict EnetGuard::check_connect(const EnetCommand &p_command, bool p_silent) {
+EnetGuard::Verdict EnetGuard::check_connect(const EnetCommand &p_command) {
 	if (p_command.channels > MAX_CHANNELS) {
 		return MALFORMED;
 	}
@@ -61,7 +61,7 @@ EnetGuard::Verdict EnetGuard::check_connect(const EnetCommand &p_command, bool p
 		return TOO_FEW_CHANNELS;
 	}
 	if (p_command.chosen != _chosen) {
-		if (_confirmed && !p_silent) {
+		if (_confirmed) {
 			return CONNECTED_ALREADY;
 		}
 		_chosen = p_command.chosen;

@@ -52,9 +52,8 @@ public:
 	EnetGuard(const EnetGuard &) = delete;
 	EnetGuard &operator=(const EnetGuard &) = delete;
 
-	/// Looks at a datagram for ENet. Nothing of one that does not pass must reach ENet. The peer may
-	/// begin anew where it was silent for so long that it is dead for ENet.
-	Verdict check(const View &p_datagram, bool p_silent);
+	/// Looks at a datagram for ENet. Nothing of one that does not pass must reach ENet.
+	Verdict check(const View &p_datagram);
 	/// Looks at a datagram of ENet's for this peer.
 	void note_sent(const View &p_datagram);
 	/// The peer is admitted. Before that it has channel 0 only, and little of it.
@@ -96,7 +95,7 @@ private:
 		uint16_t waiting_until = 0;
 	};
 
-	Verdict check_connect(const EnetCommand &p_command, bool p_silent);
+	Verdict check_connect(const EnetCommand &p_command);
 	Verdict check_command(const EnetCommand &p_command);
 	Verdict check_reliable(uint8_t p_channel, uint16_t p_first, uint16_t p_span, uint32_t p_size);
 	Verdict check_fragment(const EnetCommand &p_command);

@@ -21,6 +21,38 @@ Link *LinkTable::find_inner(uint32_t p_inner) {
 	return found != _by_inner.end() ? &*found->second : nullptr;
 }
 
+Link *LinkTable::find_client(const messages::ClientId &p_client) {
+	const auto found = _by_client.find(p_client);
+	return found != _by_client.end() ? find_inner(found->second) : nullptr;
+}
+
+Link *LinkTable::find_peer(int64_t p_peer) {
+	const auto found = _by_peer.find(p_peer);
+	return found != _by_peer.end() ? find_inner(found->second) : nullptr;
+}
+
+void LinkTable::set_client(Link &r_link, const messages::ClientId &p_client) {
+	r_link.client = p_client;
+	_by_client[p_client] = r_link.inner;
+}
+
+void LinkTable::set_peer(Link &r_link, int64_t p_peer) {
+	Link *before = find_peer(p_peer);
+	if (before != nullptr) {
+		before->peer = 0;
+	}
+	_by_peer.erase(r_link.peer);
+	r_link.peer = p_peer;
+	_by_peer[p_peer] = r_link.inner;
+}
+
+void LinkTable::move(Link &r_link, const Endpoint &p_outer) {
+	const Place place = _by_inner[r_link.inner];
+	_by_outer.erase(r_link.outer);
+	r_link.outer = p_outer;
+	_by_outer[p_outer] = place;
+}
+
 Link *LinkTable::add(const Endpoint &p_outer, const EnetLimits &p_limits) {
 	if (_confirmed.size() >= _max_confirmed || _half_open.size() >= MAX_HALF_OPEN || _by_outer.count(p_outer) > 0) {
 		return nullptr;
@@ -43,6 +75,15 @@ void LinkTable::remove(const Link &p_link) {
 	std::list<Link> &list = p_link.is_confirmed ? _confirmed : _half_open;
 	_by_inner.erase(p_link.inner);
 	_by_outer.erase(p_link.outer);
+	// Another one may have the same by now.
+	const auto client = _by_client.find(p_link.client);
+	if (client != _by_client.end() && client->second == p_link.inner) {
+		_by_client.erase(client);
+	}
+	const auto peer = _by_peer.find(p_link.peer);
+	if (peer != _by_peer.end() && peer->second == p_link.inner) {
+		_by_peer.erase(peer);
+	}
 	list.erase(place);
 }
 

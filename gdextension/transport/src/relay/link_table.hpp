@@ -3,10 +3,12 @@
 
 #include "../sealing/messages.hpp"
 #include "../sealing/sealed_channel.hpp"
+#include "carriage.hpp"
 #include "endpoint.hpp"
 #include "enet_guard.hpp"
 
 #include <list>
+#include <map>
 #include <unordered_map>
 
 namespace transport {
@@ -22,14 +24,19 @@ struct Link {
 	uint8_t role = 0;
 	ChannelKeys keys;
 	SealedChannel channel;
+	Carriage carriage;
+	/// What the server shows of its identity.
+	Bytes identity;
 	EnetGuard guard;
+	/// By which the rest of the program knows it; 0: it doesn't yet.
+	int64_t peer = 0;
 	int64_t since_usec = 0;
 	int64_t heard_usec = 0;
 	bool is_confirmed = false;
 };
 
-/// All clients of a server, by both of their addresses. Those with whom ENet has no connection yet
-/// are bounded by themselves: the oldest of them make room.
+/// All clients of a server, by both of their addresses, by their ids, and by the rest of the program's. Those with whom
+/// ENet has no connection yet are bounded by themselves: the oldest of them make room.
 class LinkTable {
 public:
 	static constexpr size_t MAX_HALF_OPEN = 1024;
@@ -39,9 +46,17 @@ public:
 
 	Link *find(const Endpoint &p_outer);
 	Link *find_inner(uint32_t p_inner);
+	Link *find_client(const messages::ClientId &p_client);
+	Link *find_peer(int64_t p_peer);
 	/// Null if there are too many.
 	Link *add(const Endpoint &p_outer, const EnetLimits &p_limits);
 	void remove(const Link &p_link);
+	/// Says what a handshake has found out, once.
+	void set_client(Link &r_link, const messages::ClientId &p_client);
+	/// The rest of the program knows it by this from now on, and no other.
+	void set_peer(Link &r_link, int64_t p_peer);
+	/// It has another address now, which nobody else has.
+	void move(Link &r_link, const Endpoint &p_outer);
 	/// ENet has a connection with it, or has none any more.
 	void confirm(Link &r_link, bool p_confirmed);
 	/// The oldest without a connection, if there are too many, else null.
@@ -70,6 +85,8 @@ private:
 	std::list<Link> _confirmed;
 	std::unordered_map<Endpoint, Place, EndpointHash> _by_outer;
 	std::unordered_map<uint32_t, Place> _by_inner;
+	std::map<messages::ClientId, uint32_t> _by_client;
+	std::unordered_map<int64_t, uint32_t> _by_peer;
 	const size_t _max_confirmed;
 	uint32_t _next_inner = 0;
 };

@@ -23,6 +23,7 @@ struct RelayCounts {
 	uint64_t handshakes_later = 0; ///< Too many tries of a password from its network.
 	uint64_t wrong_passwords = 0;
 	uint64_t evicted = 0; ///< Half-open connections that made room.
+	uint64_t moved = 0; ///< Connections that went on from another address.
 };
 
 } // namespace transport

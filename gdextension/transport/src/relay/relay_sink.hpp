@@ -14,6 +14,8 @@ public:
 	virtual void to_outer(const Endpoint &p_to, const View &p_bytes) = 0;
 	/// To ENet, from a loopback address that stands for the other end, as a number.
 	virtual void to_inner(uint32_t p_from, const View &p_bytes) = 0;
+	/// A message beside ENet, from a client that was named: see ServerRelay::name.
+	virtual void to_program(int64_t p_peer, const View &p_bytes) = 0;
 };
 
 } // namespace transport

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <fcntl.h>
 #include <linux/filter.h>
 #include <linux/sock_diag.h>
 #include <netinet/in.h>
@@ -73,10 +74,41 @@ int open_udp(int p_family) {
 		for (const int option : { SO_RCVBUF, SO_SNDBUF }) {
 			setsockopt(made, SOL_SOCKET, option, &BUFFER_BYTES, sizeof(BUFFER_BYTES));
 		}
+		// Never cut: many networks drop the pieces. What fits is found out, see PathMtu.
+		const int whole = IP_PMTUDISC_PROBE;
+		setsockopt(made, IPPROTO_IP, IP_MTU_DISCOVER, &whole, sizeof(whole));
 		if (p_family == AF_INET6) {
 			const int off = 0;
 			setsockopt(made, IPPROTO_IPV6, IPV6_V6ONLY, &off, sizeof(off));
+			setsockopt(made, IPPROTO_IPV6, IPV6_MTU_DISCOVER, &whole, sizeof(whole));
 		}
+	}
+	return made;
+}
+
+/// A socket that hears one address only, the kernel drops what others send; -1 and errno if there is none.
+int open_connected(const Endpoint &p_to) {
+	const bool v6 = !is_v4(p_to.address);
+	const int made = open_udp(v6 ? AF_INET6 : AF_INET);
+	sockaddr_storage address{};
+	const socklen_t size = write_address(p_to, v6, address);
+	if (made >= 0 && connect(made, reinterpret_cast<const sockaddr *>(&address), size) != 0) {
+		const int error = errno;
+		::close(made);
+		errno = error;
+		return -1;
+	}
+	return made;
+}
+
+/// The local address of a socket, without its port.
+Endpoint address_of(int p_socket) {
+	sockaddr_storage at{};
+	socklen_t size = sizeof(at);
+	Endpoint made;
+	if (getsockname(p_socket, reinterpret_cast<sockaddr *>(&at), &size) == 0) {
+		made = read_address(at);
+		made.port = 0;
 	}
 	return made;
 }
@@ -197,17 +229,19 @@ int RelaySocket::open_server(const std::string &p_address, uint16_t p_port) {
 
 int RelaySocket::open_client(const Endpoint &p_server) {
 	close(_outer);
-	const bool mapped = p_server.address[10] == 0xFF && p_server.address[11] == 0xFF && p_server.address[0] == 0;
-	_outer_v6 = !mapped;
-	_outer = open_udp(_outer_v6 ? AF_INET6 : AF_INET);
-	sockaddr_storage address{};
-	const socklen_t size = write_address(p_server, _outer_v6, address);
-	// Connected: the kernel drops what others send.
-	if (_outer < 0 || connect(_outer, reinterpret_cast<const sockaddr *>(&address), size) != 0) {
-		return errno;
-	}
-	_connected = true;
-	return 0;
+	_outer_v6 = !is_v4(p_server.address);
+	_outer = open_connected(p_server);
+	_connected = _outer >= 0;
+	return _connected ? 0 : errno;
+}
+
+bool RelaySocket::follow_route(const Endpoint &p_server) {
+	int fresh = open_connected(p_server);
+	const bool is_other = fresh >= 0 && !(address_of(fresh) == address_of(_outer));
+	// The descriptor stays, as others watch it.
+	const bool has_followed = is_other && dup3(fresh, _outer, O_CLOEXEC) == _outer;
+	close(fresh);
+	return has_followed;
 }
 
 bool RelaySocket::tie(int p_enet, uint16_t p_enet_port) {

@@ -28,6 +28,10 @@ public:
 	/// Opens both; "*" for all addresses. Returns an errno, 0: it worked.
 	int open_server(const std::string &p_address, uint16_t p_port);
 	int open_client(const Endpoint &p_server);
+	/// Opens a client's outer socket again, under the same descriptor, where the way to the server begins
+	/// at another address of this machine than when it was opened: another network has taken the place of
+	/// the one before. Returns whether it has.
+	bool follow_route(const Endpoint &p_server);
 	/// Ties the inner socket and ENet's, of that descriptor, to each other. False if it cannot be.
 	bool tie(int p_enet, uint16_t p_enet_port);
 	void close();

@@ -12,6 +12,9 @@ using messages::Notice;
 /// Key exchanges, of which each costs 0.1 ms: of one network, and of all.
 constexpr double STARTS_PER_S = 1500.0;
 constexpr double ALL_STARTS_PER_S = 2000.0;
+/// Answers to those who send from where nobody is known: of one network, and of all.
+constexpr double STRANGERS_PER_S = 200.0;
+constexpr double ALL_STRANGERS_PER_S = 2000.0;
 
 } // namespace
 
@@ -20,7 +23,16 @@ ServerHandshake::ServerHandshake(uint32_t p_version, Passwords p_passwords, Rela
 		_passwords(std::move(p_passwords)),
 		_counts(r_counts),
 		_starts(STARTS_PER_S),
-		_starts_of_all(ALL_STARTS_PER_S) {}
+		_starts_of_all(ALL_STARTS_PER_S),
+		_strangers(STRANGERS_PER_S),
+		_all_strangers(ALL_STRANGERS_PER_S) {}
+
+void ServerHandshake::set_passwords(const Passwords &p_passwords) {
+	if (p_passwords != _passwords) {
+		_passwords = p_passwords;
+		_return_tags.clear();
+	}
+}
 
 void ServerHandshake::take_init(const Endpoint &p_from, const View &p_bytes, int64_t p_now_usec, RelaySink &r_sink) {
 	messages::Init init;
@@ -60,7 +72,7 @@ void ServerHandshake::take_start(const Endpoint &p_from, const View &p_bytes, in
 			return;
 		}
 		// Whoever begins anew has begun before: what was charged then stays charged.
-		const bool is_free = !is_locked(start.role) || _return_tags.take(start.return_tag, p_now_usec);
+		const bool is_free = !is_locked(start.role) || _return_tags.take(start.return_tag, start.role, p_now_usec);
 		PasswordTries::Try charged;
 		if (!is_free && !_password_tries.take(p_from, p_now_usec, charged)) {
 			_counts.handshakes_later++;
@@ -148,6 +160,17 @@ void ServerHandshake::finish(const Endpoint &p_from) {
 	_pending.remove(p_from);
 }
 
+void ServerHandshake::take_stranger(
+		const Endpoint &p_from, const View &p_bytes, int64_t p_now_usec, RelaySink &r_sink) {
+	if (!_strangers.admit(network_of(p_from), p_now_usec) || !_all_strangers.admit({}, p_now_usec)) {
+		return;
+	}
+	messages::UnknownMessage answer;
+	answer.echo = messages::echo_of(p_bytes);
+	answer.cookie = _cookies.make(p_from, p_now_usec);
+	r_sink.to_outer(p_from, answer.encode());
+}
+
 void ServerHandshake::refuse(
 		const Endpoint &p_to, const messages::ClientId &p_client, Notice p_what, RelaySink &r_sink) {
 	messages::NoticeMessage notice;
@@ -162,7 +185,7 @@ void ServerHandshake::refuse(
 
 void ServerHandshake::note_connected(uint8_t p_role, const messages::ReturnTag &p_tag) {
 	if (is_locked(p_role)) {
-		_return_tags.add(p_tag);
+		_return_tags.add(p_tag, p_role);
 	}
 }
 

@@ -32,7 +32,7 @@ public:
 	ServerHandshake(uint32_t p_version, Passwords p_passwords, RelayCounts &r_counts);
 
 	/// Other passwords, by role, from the next key exchange on.
-	void set_passwords(const Passwords &p_passwords) { _passwords = p_passwords; }
+	void set_passwords(const Passwords &p_passwords);
 	/// A client asks for a cookie.
 	void take_init(const Endpoint &p_from, const View &p_bytes, int64_t p_now_usec, RelaySink &r_sink);
 	/// A client begins a key exchange.
@@ -42,6 +42,12 @@ public:
 	const Pending *take_first(const Endpoint &p_from, const View &p_bytes, RelaySink &r_sink, Bytes &r_opened);
 	/// A handshake is complete.
 	void finish(const Endpoint &p_from);
+	/// Somebody sends from an address where nobody is known: he may be a client that has moved.
+	void take_stranger(const Endpoint &p_from, const View &p_bytes, int64_t p_now_usec, RelaySink &r_sink);
+	/// Whether who says that he has moved to an address receives what is sent there.
+	bool is_at(const Endpoint &p_from, const messages::AddressCookie &p_cookie, int64_t p_now_usec) const {
+		return _cookies.is_valid(p_from, p_cookie, p_now_usec);
+	}
 	/// Tells a client why it is not let in.
 	void refuse(const Endpoint &p_to, const messages::ClientId &p_client, messages::Notice p_what, RelaySink &r_sink);
 
@@ -68,6 +74,8 @@ private:
 	PasswordTries _password_tries;
 	FairShare _starts;
 	FairShare _starts_of_all;
+	FairShare _strangers;
+	FairShare _all_strangers;
 	PendingTable _pending;
 	ReturnTags _return_tags;
 	Refusal _last_refusal;

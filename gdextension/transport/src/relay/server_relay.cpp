@@ -11,10 +11,10 @@ using messages::Notice;
 
 /// How long a link may be without a connection of ENet's.
 constexpr int64_t HALF_OPEN_USEC = 5000000;
-/// After so long ENet has given a silent peer up.
-constexpr int64_t SILENT_USEC = 8500000;
-/// How long a link with a connection may be silent.
-constexpr int64_t IDLE_USEC = 15000000;
+/// How long a link with a connection may be silent: its client says something twice a second.
+constexpr int64_t SILENT_USEC = 5500000;
+/// Where this server has stood still for longer, its clients may have been loud meanwhile.
+constexpr int64_t STOOD_STILL_USEC = 1000000;
 
 } // namespace
 
@@ -38,9 +38,6 @@ void ServerRelay::take_outer(const Endpoint &p_from, const View &p_bytes, int64_
 		return;
 	}
 	switch (p_bytes.data[0]) {
-		case messages::DATA:
-			take_data(p_from, p_bytes, messages::DATA_HEAD, p_now_usec, r_sink);
-			break;
 		case messages::INIT:
 			_handshake.take_init(p_from, p_bytes, p_now_usec, r_sink);
 			break;
@@ -50,8 +47,11 @@ void ServerRelay::take_outer(const Endpoint &p_from, const View &p_bytes, int64_
 		case messages::FIRST:
 			take_first(p_from, p_bytes, p_now_usec, r_sink);
 			break;
+		case messages::MOVED:
+			take_moved(p_from, p_bytes, p_now_usec, r_sink);
+			break;
 		default:
-			refuse_open(p_from, p_bytes, r_sink);
+			take_sealed(p_from, p_bytes, p_now_usec, r_sink);
 	}
 }
 
@@ -63,9 +63,16 @@ void ServerRelay::take_first(const Endpoint &p_from, const View &p_bytes, int64_
 	const auto client = read_array<8>(p_bytes.data + 1);
 	Link *link = _links.find(p_from);
 	if (link != nullptr && link->client == client) {
-		// Empty again: what told it that it has the key has been lost.
-		if (take_data(p_from, p_bytes, messages::FIRST_HEAD, p_now_usec, r_sink) && _opened.empty()) {
+		if (!link->channel.open(p_bytes, messages::FIRST_HEAD, _opened)) {
+			_counts.not_opened++;
+			return;
+		}
+		_counts.opened++;
+		if (_opened.empty()) {
+			// Again: what told it that it has the key has been lost.
 			prove(*link, r_sink);
+		} else {
+			hand_in(*link, _opened, p_now_usec, r_sink);
 		}
 		return;
 	}
@@ -81,41 +88,99 @@ void ServerRelay::take_first(const Endpoint &p_from, const View &p_bytes, int64_
 	}
 }
 
+/// A client goes on from another address. It has shown by the cookie that it receives what is sent there,
+/// and by the seal that it is the one: so nobody is sent anything that he does not want, and nobody takes
+/// a connection away.
+void ServerRelay::take_moved(const Endpoint &p_from, const View &p_bytes, int64_t p_now_usec, RelaySink &r_sink) {
+	if (p_bytes.size < messages::MOVED_HEAD ||
+			!_handshake.is_at(p_from, read_array<12>(p_bytes.data + 9), p_now_usec)) {
+		_counts.bad_cookies++;
+		return;
+	}
+	Link *link = _links.find_client(read_array<8>(p_bytes.data + 1));
+	if (link == nullptr || !link->channel.open(p_bytes, messages::MOVED_HEAD, _opened)) {
+		_counts.not_opened++;
+		return;
+	}
+	_counts.opened++;
+	if (!(link->outer == p_from)) {
+		Link *other = _links.find(p_from);
+		if (other != nullptr) {
+			end(*other, p_now_usec, r_sink);
+		}
+		_counts.moved++;
+		_links.move(*link, p_from);
+		link->carriage.restart(p_now_usec);
+	}
+	link->heard_usec = p_now_usec;
+	prove(*link, r_sink);
+}
+
+void ServerRelay::take_sealed(const Endpoint &p_from, const View &p_bytes, int64_t p_now_usec, RelaySink &r_sink) {
+	Link *link = _links.find(p_from);
+	if (link == nullptr) {
+		_counts.stray++;
+		if (!refuse_open(p_from, p_bytes, r_sink) && SealedChannel::is_sealed(p_bytes) && _links.confirmed() > 0) {
+			_handshake.take_stranger(p_from, p_bytes, p_now_usec, r_sink);
+		}
+		return;
+	}
+	Content content = Content::ENET;
+	if (!link->channel.open(p_bytes, content, _opened)) {
+		_counts.not_opened++;
+		return;
+	}
+	_counts.opened++;
+	link->heard_usec = p_now_usec;
+	take_content(*link, content, p_bytes.size, p_now_usec, r_sink);
+}
+
+/// What a client has sent is in _opened.
+void ServerRelay::take_content(Link &r_link, Content p_content, size_t p_size, int64_t p_now_usec, RelaySink &r_sink) {
+	if (!r_link.carriage.take(p_content, _opened, p_size, p_now_usec, sender(r_link, r_sink))) {
+		return;
+	}
+	if (p_content == Content::ENET) {
+		hand_in(r_link, _opened, p_now_usec, r_sink);
+	} else if (r_link.peer != 0) {
+		r_sink.to_program(r_link.peer, _opened);
+	}
+}
+
 void ServerRelay::establish(const Pending &p_pending, int64_t p_now_usec, RelaySink &r_sink) {
 	Link *link = make_link(p_pending.from, p_now_usec, r_sink);
 	if (link == nullptr) {
 		return;
 	}
-	link->client = p_pending.start.client;
+	_links.set_client(*link, p_pending.start.client);
 	link->role = p_pending.start.role;
 	link->keys = p_pending.keys.value_or(ChannelKeys());
 	link->channel = p_pending.channel;
+	link->identity = { Carriage::IDENTITY };
+	append(link->identity, _settings.identity.prove(link->keys.exporter).encode());
 	prove(*link, r_sink);
 }
 
-/// Nothing but this tells a client that it has the key, until ENet answers.
+/// Tells a client that it has the key, and whose server this is.
 void ServerRelay::prove(Link &r_link, RelaySink &r_sink) {
-	r_link.channel.seal(Bytes{ messages::DATA }, View(), _sealed);
+	r_link.channel.seal(Content::FAST, r_link.identity, _sealed);
 	r_sink.to_outer(r_link.outer, _sealed);
 }
 
-/// Returns whether it could be opened.
-bool ServerRelay::take_data(
-		const Endpoint &p_from, const View &p_bytes, size_t p_head, int64_t p_now_usec, RelaySink &r_sink) {
-	Link *link = _links.find(p_from);
-	if (link == nullptr) {
-		_counts.stray++;
-		return false;
-	}
-	if (!link->channel.open(p_bytes, p_head, _opened)) {
-		_counts.not_opened++;
-		return false;
-	}
-	_counts.opened++;
-	if (!_opened.empty()) {
-		hand_in(*link, _opened, p_now_usec, r_sink);
-	}
-	return true;
+Carriage::Send ServerRelay::sender(Link &r_link, RelaySink &r_sink) {
+	return [this, &r_link, &r_sink](Content p_content, const View &p_bytes) {
+		if (_settings.seals) {
+			r_link.channel.seal(p_content, p_bytes, _sealed);
+			_counts.sealed++;
+			r_sink.to_outer(r_link.outer, _sealed);
+		} else if (p_content == Content::ENET) {
+			r_sink.to_outer(r_link.outer, p_bytes);
+		} else {
+			_sealed = { messages::OPEN_FAST };
+			append(_sealed, p_bytes);
+			r_sink.to_outer(r_link.outer, _sealed);
+		}
+	};
 }
 
 /// Without sealing: what ENet says goes through as it is.
@@ -126,6 +191,15 @@ void ServerRelay::take_open(const Endpoint &p_from, const View &p_bytes, int64_t
 		return;
 	}
 	Link *link = _links.find(p_from);
+	if (p_bytes.data[0] == messages::OPEN_FAST) {
+		if (link == nullptr) {
+			_counts.stray++;
+			return;
+		}
+		_opened.assign(p_bytes.data + 1, p_bytes.data + p_bytes.size);
+		take_content(*link, Content::FAST, p_bytes.size, p_now_usec, r_sink);
+		return;
+	}
 	EnetReader reader(p_bytes);
 	EnetCommand command;
 	const bool connects =
@@ -143,18 +217,19 @@ void ServerRelay::take_open(const Endpoint &p_from, const View &p_bytes, int64_t
 	}
 }
 
-void ServerRelay::refuse_open(const Endpoint &p_from, const View &p_bytes, RelaySink &r_sink) {
-	_counts.stray++;
+/// Whether it is somebody who does not seal.
+bool ServerRelay::refuse_open(const Endpoint &p_from, const View &p_bytes, RelaySink &r_sink) {
 	EnetReader reader(p_bytes);
 	EnetCommand command;
-	if (reader.peer() == EnetReader::NO_PEER && reader.next(command) && command.kind == EnetCommand::CONNECT) {
-		_handshake.refuse(p_from, command.chosen, Notice::SERVER_SEALS, r_sink);
+	if (reader.peer() != EnetReader::NO_PEER || !reader.next(command) || command.kind != EnetCommand::CONNECT) {
+		return false;
 	}
+	_handshake.refuse(p_from, command.chosen, Notice::SERVER_SEALS, r_sink);
+	return true;
 }
 
 void ServerRelay::hand_in(Link &r_link, const View &p_bytes, int64_t p_now_usec, RelaySink &r_sink) {
-	const bool silent = p_now_usec - r_link.heard_usec > SILENT_USEC;
-	const EnetGuard::Verdict verdict = r_link.guard.check(p_bytes, silent);
+	const EnetGuard::Verdict verdict = r_link.guard.check(p_bytes);
 	if (verdict != EnetGuard::PASS) {
 		count(verdict);
 		// Somebody whom ENet will never answer needs no slot.
@@ -201,6 +276,7 @@ Link *ServerRelay::make_link(const Endpoint &p_from, int64_t p_now_usec, RelaySi
 	Link *link = _links.add(p_from, _settings.limits);
 	if (link != nullptr) {
 		link->since_usec = p_now_usec;
+		link->carriage = Carriage(_settings.seals ? SealedChannel::OVERHEAD : 1);
 	}
 	return link;
 }
@@ -224,14 +300,21 @@ void ServerRelay::take_inner(uint32_t p_to, const View &p_bytes, int64_t p_now_u
 		link->since_usec = p_now_usec;
 		_links.confirm(*link, false);
 	}
-	if (!_settings.seals) {
-		r_sink.to_outer(link->outer, p_bytes);
-		return;
+	link->carriage.send(Content::ENET, p_bytes, sender(*link, r_sink));
+}
+
+void ServerRelay::name(uint32_t p_inner, int64_t p_peer) {
+	Link *link = _links.find_inner(p_inner);
+	if (link != nullptr) {
+		_links.set_peer(*link, p_peer);
 	}
-	static const Bytes head{ messages::DATA };
-	link->channel.seal(head, p_bytes, _sealed);
-	_counts.sealed++;
-	r_sink.to_outer(link->outer, _sealed);
+}
+
+void ServerRelay::send_fast(int64_t p_peer, const View &p_bytes, RelaySink &r_sink) {
+	Link *link = _links.find_peer(p_peer);
+	if (link != nullptr) {
+		link->carriage.send(Content::FAST, p_bytes, sender(*link, r_sink));
+	}
 }
 
 /// ENet answers a CONNECT of somebody who has made room meanwhile: its slot becomes free.
@@ -247,11 +330,19 @@ void ServerRelay::end_orphan(uint32_t p_to, const View &p_bytes, RelaySink &r_si
 
 void ServerRelay::look_after(int64_t p_now_usec, RelaySink &r_sink) {
 	_handshake.look_after(p_now_usec);
+	const int64_t stood_still_usec = _looked_usec > 0 ? p_now_usec - _looked_usec : 0;
+	_looked_usec = p_now_usec;
 	std::vector<uint32_t> over;
-	_links.for_each([&over, p_now_usec](const Link &p_link) {
-		const int64_t since = p_link.is_confirmed ? p_link.heard_usec + IDLE_USEC : p_link.since_usec + HALF_OPEN_USEC;
+	_links.for_each([&](Link &r_link) {
+		if (stood_still_usec > STOOD_STILL_USEC) {
+			r_link.heard_usec += stood_still_usec;
+		}
+		const int64_t since =
+				r_link.is_confirmed ? r_link.heard_usec + SILENT_USEC : r_link.since_usec + HALF_OPEN_USEC;
 		if (p_now_usec > since) {
-			over.push_back(p_link.inner);
+			over.push_back(r_link.inner);
+		} else if (r_link.is_confirmed) {
+			r_link.carriage.look_after(p_now_usec, sender(r_link, r_sink));
 		}
 	});
 	for (const uint32_t inner : over) {

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "../sealing/server_identity.hpp"
 #include "link_table.hpp"
 #include "server_handshake.hpp"
 
 namespace transport {
 
-/// A server's end between the network and ENet: opens and seals datagrams after a ServerHandshake, and
-/// lets nothing through to ENet that ENet cannot bear. Works on bytes; sockets are RelaySocket's.
+/// A server's end between the network, ENet and what goes beside ENet: opens and seals datagrams after a
+/// ServerHandshake, and lets nothing through to ENet that ENet cannot bear. Works on bytes; sockets are RelaySocket's.
 class ServerRelay {
 public:
 	struct Settings {
 		bool seals = true;
 		uint32_t version = 0;
 		ServerHandshake::Passwords passwords;
+		ServerIdentity identity;
 		EnetLimits limits;
 		/// Clients that ENet has a connection with.
 		size_t max_confirmed = 3000;
@@ -37,6 +39,10 @@ public:
 	void take_outer(const Endpoint &p_from, const View &p_bytes, int64_t p_now_usec, RelaySink &r_sink);
 	/// ENet has sent a datagram to one of its clients.
 	void take_inner(uint32_t p_to, const View &p_bytes, int64_t p_now_usec, RelaySink &r_sink);
+	/// The client that stands behind a loopback address is known to the rest of the program by p_peer.
+	void name(uint32_t p_inner, int64_t p_peer);
+	/// Sends a message beside ENet to one that has a name; others get none.
+	void send_fast(int64_t p_peer, const View &p_bytes, RelaySink &r_sink);
 	/// Ends what has waited too long. Call it a few times a second.
 	void look_after(int64_t p_now_usec, RelaySink &r_sink);
 	/// A client by the loopback address that stands for it; false if there is none.
@@ -53,19 +59,23 @@ private:
 	void take_first(const Endpoint &p_from, const View &p_bytes, int64_t p_now_usec, RelaySink &r_sink);
 	void establish(const Pending &p_pending, int64_t p_now_usec, RelaySink &r_sink);
 	void prove(Link &r_link, RelaySink &r_sink);
-	bool take_data(const Endpoint &p_from, const View &p_bytes, size_t p_head, int64_t p_now_usec, RelaySink &r_sink);
+	void take_moved(const Endpoint &p_from, const View &p_bytes, int64_t p_now_usec, RelaySink &r_sink);
+	void take_sealed(const Endpoint &p_from, const View &p_bytes, int64_t p_now_usec, RelaySink &r_sink);
+	void take_content(Link &r_link, Content p_content, size_t p_size, int64_t p_now_usec, RelaySink &r_sink);
 	void take_open(const Endpoint &p_from, const View &p_bytes, int64_t p_now_usec, RelaySink &r_sink);
-	void refuse_open(const Endpoint &p_from, const View &p_bytes, RelaySink &r_sink);
+	bool refuse_open(const Endpoint &p_from, const View &p_bytes, RelaySink &r_sink);
 	void hand_in(Link &r_link, const View &p_bytes, int64_t p_now_usec, RelaySink &r_sink);
 	void count(EnetGuard::Verdict p_verdict);
 	Link *make_link(const Endpoint &p_from, int64_t p_now_usec, RelaySink &r_sink);
 	void end(Link &r_link, int64_t p_now_usec, RelaySink &r_sink);
+	Carriage::Send sender(Link &r_link, RelaySink &r_sink);
 	void end_orphan(uint32_t p_to, const View &p_bytes, RelaySink &r_sink);
 
 	Settings _settings;
 	LinkTable _links;
 	RelayCounts _counts;
 	ServerHandshake _handshake;
+	int64_t _looked_usec = 0;
 	Bytes _opened;
 	Bytes _sealed;
 };

@@ -6,6 +6,13 @@
 
 namespace transport {
 
+namespace {
+
+/// Of what the cookies of addresses are made: of no role that a client can have.
+const messages::Init FOR_ADDRESS{ 0, 0xFF, {} };
+
+} // namespace
+
 CookieJar::CookieJar() {
 	// Chooses what suits the processor; any number of times, from any thread.
 	if (sodium_init() < 0) {
@@ -45,6 +52,20 @@ messages::Cookie CookieJar::of_period(const Endpoint &p_client, const messages::
 	messages::Cookie made{};
 	crypto_generichash(made.data(), made.size(), text.data(), text.size(), _key.data(), _key.size());
 	return made;
+}
+
+messages::AddressCookie CookieJar::make(const Endpoint &p_client, int64_t p_now_usec) const {
+	return read_array<12>(of_period(p_client, FOR_ADDRESS, p_now_usec / PERIOD_USEC).data());
+}
+
+bool CookieJar::is_valid(const Endpoint &p_client, const messages::AddressCookie &p_cookie, int64_t p_now_usec) const {
+	for (const int64_t period : { p_now_usec / PERIOD_USEC, p_now_usec / PERIOD_USEC - 1 }) {
+		const messages::Cookie expected = of_period(p_client, FOR_ADDRESS, period);
+		if (sodium_memcmp(expected.data(), p_cookie.data(), p_cookie.size()) == 0) {
+			return true;
+		}
+	}
+	return false;
 }
 
 } // namespace transport

@@ -16,6 +16,9 @@ public:
 	CookieJar();
 	messages::Cookie make(const Endpoint &p_client, const messages::Init &p_init, int64_t p_now_usec) const;
 	bool is_valid(const Endpoint &p_client, const messages::Start &p_start, int64_t p_now_usec) const;
+	/// The same for an address from which somebody wants to go on.
+	messages::AddressCookie make(const Endpoint &p_client, int64_t p_now_usec) const;
+	bool is_valid(const Endpoint &p_client, const messages::AddressCookie &p_cookie, int64_t p_now_usec) const;
 
 private:
 	messages::Cookie of_period(const Endpoint &p_client, const messages::Init &p_init, int64_t p_period) const;

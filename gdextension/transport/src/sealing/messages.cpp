@@ -10,6 +10,7 @@ constexpr size_t COOKIE_SIZE = 26;
 constexpr size_t START_SIZE = 78;
 constexpr size_t REPLY_SIZE = 41;
 constexpr size_t NOTICE_SIZE = 14;
+constexpr size_t UNKNOWN_SIZE = 17;
 
 Bytes begin(Type p_type, const ClientId &p_client) {
 	Bytes made{ p_type };
@@ -125,6 +126,22 @@ bool NoticeMessage::decode(const View &p_bytes) {
 	return what >= Notice::WRONG_PASSWORD && what <= Notice::SERVER_SEALS;
 }
 
+Bytes UnknownMessage::encode() const {
+	Bytes made{ UNKNOWN };
+	append(made, echo);
+	append(made, cookie);
+	return made;
+}
+
+bool UnknownMessage::decode(const View &p_bytes) {
+	if (!is(p_bytes, UNKNOWN, UNKNOWN_SIZE)) {
+		return false;
+	}
+	echo = read_array<4>(p_bytes.data + 1);
+	cookie = read_array<12>(p_bytes.data + 5);
+	return true;
+}
+
 Bytes channel_identifier() {
 	Bytes made;
 	append_text(made, "Dismount client");
@@ -140,6 +157,16 @@ Bytes session_identifier(const ClientId &p_client, const Cookie &p_cookie) {
 
 Bytes first_head(const ClientId &p_client) {
 	return begin(FIRST, p_client);
+}
+
+Bytes moved_head(const ClientId &p_client, const AddressCookie &p_cookie) {
+	Bytes made = begin(MOVED, p_client);
+	append(made, p_cookie);
+	return made;
+}
+
+Echo echo_of(const View &p_datagram) {
+	return read_array<4>(p_datagram.data + p_datagram.size - 4);
 }
 
 } // namespace transport::messages

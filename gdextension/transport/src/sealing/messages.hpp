@@ -11,6 +11,7 @@ namespace transport {
 namespace messages {
 
 /// First byte. ENet's datagrams have bit 6 only if they are compressed, which nobody here does.
+/// Sealed datagrams without a head of their own have bit 7, see SealedChannel.
 enum Type : uint8_t {
 	INIT = 0x41,
 	COOKIE = 0x42,
@@ -19,8 +20,12 @@ enum Type : uint8_t {
 	NOTICE = 0x45,
 	/// Sealed, with the client's number: until the server's first one has come.
 	FIRST = 0x46,
-	/// Sealed.
-	DATA = 0x47,
+	/// A server's answer to a sealed datagram from an address where it knows nobody.
+	UNKNOWN = 0x48,
+	/// Sealed, with the client's number: its address is another one now.
+	MOVED = 0x49,
+	/// Without sealing: a message beside ENet.
+	OPEN_FAST = 0x4A,
 };
 
 /// What a NOTICE says.
@@ -39,11 +44,15 @@ enum class Notice : uint8_t {
 constexpr int ROLES = 3;
 constexpr size_t INIT_SIZE = 64;
 constexpr size_t FIRST_HEAD = 9;
-constexpr size_t DATA_HEAD = 1;
+constexpr size_t MOVED_HEAD = 21;
 
 /// A client chooses it by chance; who does not know it cannot forge a notice.
 using ClientId = std::array<uint8_t, 8>;
 using Cookie = std::array<uint8_t, 16>;
+/// Shows that whoever sends it receives what is sent to his address.
+using AddressCookie = std::array<uint8_t, 12>;
+/// The last bytes of a datagram: shows that whoever sends them has seen it.
+using Echo = std::array<uint8_t, 4>;
 /// Lets a client that was here try its password at once; zeros: none.
 using ReturnTag = std::array<uint8_t, 16>;
 
@@ -98,12 +107,24 @@ struct NoticeMessage {
 	bool decode(const View &p_bytes);
 };
 
+struct UnknownMessage {
+	Echo echo{};
+	AddressCookie cookie{};
+
+	Bytes encode() const;
+	bool decode(const View &p_bytes);
+};
+
 /// Identifier of the key exchange's channel: who takes part, the initiator first.
 Bytes channel_identifier();
 /// Identifier of a key exchange's session.
 Bytes session_identifier(const ClientId &p_client, const Cookie &p_cookie);
 /// The head of a FIRST.
 Bytes first_head(const ClientId &p_client);
+/// The head of a MOVED.
+Bytes moved_head(const ClientId &p_client, const AddressCookie &p_cookie);
+/// The last bytes of a datagram that has as many.
+Echo echo_of(const View &p_datagram);
 
 } // namespace messages
 

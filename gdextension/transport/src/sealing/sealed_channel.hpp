@@ -21,30 +21,54 @@ struct ChannelKeys {
 	static ChannelKeys derive(const std::array<uint8_t, 64> &p_session_key);
 };
 
+/// What a sealed datagram holds.
+enum class Content : uint8_t {
+	/// A datagram of ENet's.
+	ENET = 0,
+	/// A message beside ENet, see carriage.hpp.
+	FAST = 1,
+};
+
 /// Seals datagrams and opens those of the other end: ChaCha20-Poly1305 (RFC 8439), the nonce is the
 /// datagram's number, the header is authenticated along. What was altered, forged or came before is
 /// not opened and changes nothing.
+///
+/// Numbers have 64 bits. Of each some low bits are sent, and the rest follows from the newest that has
+/// come, as in QUIC (RFC 9000, 17.1): 14 bits in two bytes, of which the first has bit 7 and says what
+/// the datagram holds by bit 6; or 24 bits behind a head of its own.
 class SealedChannel {
 public:
-	/// Bytes of a number as it is sent; the rest follows from the newest that has come.
-	static constexpr size_t NUMBER_SIZE = 3;
+	static constexpr size_t HEAD_SIZE = 2;
 	static constexpr size_t TAG_SIZE = 16;
 	/// What sealing adds to a datagram, bytes.
-	static constexpr size_t OVERHEAD = 1 + NUMBER_SIZE + TAG_SIZE;
+	static constexpr size_t OVERHEAD = HEAD_SIZE + TAG_SIZE;
+	/// Low bits of a number that are sent: seconds of the fastest sender, beyond which the other end
+	/// counts as lost anyhow.
+	static constexpr int NUMBER_BITS = 14;
+	/// The same behind a head of its own.
+	static constexpr int LONG_NUMBER_BITS = 24;
 
 	SealedChannel() = default;
 	SealedChannel(const Key &p_sending, const Key &p_receiving) : _sending(p_sending), _receiving(p_receiving) {}
 
-	/// The number with these low bits that is nearest to the one that is expected.
-	static uint64_t whole_number(uint64_t p_expected, uint64_t p_low);
+	/// Whether a datagram begins as seal() begins it.
+	static bool is_sealed(const View &p_datagram) { return p_datagram.size >= OVERHEAD && p_datagram.data[0] >= 0x80; }
+	/// The number with so many low bits that is nearest to the one that is expected.
+	static uint64_t whole_number(uint64_t p_expected, uint64_t p_low, int p_bits);
 
-	/// Makes r_sealed a head, a number, what is sealed and its tag.
+	/// Makes r_sealed the head, what is sealed and its tag.
+	void seal(Content p_content, const View &p_plain, Bytes &r_sealed);
+	/// The same with a head of its own before the number.
 	void seal(const View &p_head, const View &p_plain, Bytes &r_sealed);
-	/// Opens what seal() of the other end has made with a head of this size. False if it is not
-	/// genuine or has come before.
+	/// Opens what seal() of the other end has made. False if it is not genuine or has come before.
+	bool open(const View &p_sealed, Content &r_content, Bytes &r_plain);
+	/// The same with a head of its own, of this size.
 	bool open(const View &p_sealed, size_t p_head_size, Bytes &r_plain);
 
 private:
+	void encrypt(size_t p_head_size, const View &p_plain, Bytes &r_sealed);
+	bool decrypt(const View &p_sealed, size_t p_head_size, uint64_t p_number, Bytes &r_plain);
+
 	Key _sending{};
 	Key _receiving{};
 	uint64_t _next_number = 0;
