@@ -95,7 +95,7 @@ def _rows(file: Path) -> list[dict[str, str]]:
 def test_a_wrong_version_is_refused(session: Session) -> None:
     client = session.world.client("observer", "--protocol=999")
     assert client.await_exit() == 3
-    assert "protocol version 999, the server 6" in client.log()
+    assert "protocol version 999, the server 7" in client.log()
     session.server.await_text("protocol version 999")
     assert session.server.log().count("protocol version 999") == 1
 
