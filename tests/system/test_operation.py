@@ -13,10 +13,10 @@ from pathlib import Path
 
 import pytest
 from toolchain.processes import free_port
+from toolchain.udp_relay import Relay
 
 from .conftest import World, ask, shared
 from .own_client import Crowd, OwnClient
-from .relay import Relay
 
 PASSWORDS = ["--password=sesame", "--instructor-password=mellon"]
 # Bytes that pass for a snapshot of one person: 40 kbit/s, if 30 come a second.

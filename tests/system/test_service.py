@@ -7,10 +7,10 @@ import signal
 from collections.abc import Callable
 
 from toolchain.paths import CLIPS
+from toolchain.udp_relay import Relay
 
 from .conftest import World, shared
 from .own_client import Crowd, OwnClient
-from .relay import Relay
 
 BANDWIDTH_KBIT = 64
 

@@ -430,6 +430,7 @@ void SealedSocket::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("take_refusal"), &SealedSocket::take_refusal);
 	ClassDB::bind_method(D_METHOD("stats"), &SealedSocket::stats);
 
+	BIND_CONSTANT(WIDE_DATAGRAM);
 	BIND_ENUM_CONSTANT(STATE_CLOSED);
 	BIND_ENUM_CONSTANT(STATE_OPENING);
 	BIND_ENUM_CONSTANT(STATE_OPEN);

@@ -43,6 +43,9 @@ public:
 		NOTICE_OTHER_KEY,
 	};
 
+	/// Bytes of a datagram that fits into what the Internet asks of every network (IPv6: 1280).
+	static constexpr int WIDE_DATAGRAM = 1232;
+
 	void set_sealing(bool p_seals, int64_t p_version);
 	void set_passwords(const PackedStringArray &p_of_roles);
 	void set_client(int64_t p_role, const String &p_password, const PackedByteArray &p_return_tag);

@@ -46,6 +46,7 @@ var _housekept_usec: int = 0
 var _housekeeping_usec: int = _CLIENT_HOUSEKEEPING_USEC
 var _recent_events: int = 0
 var _busy: bool = false
+var _narrow: int = 0
 var _beacons: int = 0
 var _beacon_usec: int = 0
 var _reason: int = 0
@@ -190,6 +191,7 @@ func _turn(p_waits: bool) -> void:
 	_served_usec = now
 	if now - _housekept_usec > _housekeeping_usec:
 		_housekept_usec = now
+		_note_path()
 		_busy = _recent_events > _BUSY_EVENTS
 		_recent_events = 0
 		_pump.set_busy(_busy)
@@ -284,6 +286,21 @@ func _serve(p_waits: bool) -> void:
 				break
 		_recent_events += 1
 	_pump.send_out()
+
+
+## A network that carries only small datagrams works, but costs more: the user may know one that is
+## wider.
+func _note_path() -> void:
+	var most: int = _socket.get_max_datagram()
+	if most > 0 and most < SealedSocket.WIDE_DATAGRAM and most != _narrow:
+		_trouble(
+			"path",
+			(
+				"the network carries no datagrams of more than about %d bytes (a VPN or tunnel?):"
+				+ " all is sent in smaller ones, which takes more of it"
+			) % most
+		)
+	_narrow = most
 
 
 ## The socket lets nothing through that makes an error: a host that makes them is broken.
