@@ -104,6 +104,7 @@ func open(p_host: String, p_port: int, p_request: JoinRequest, p_password: Strin
 	_peer.sealing = _handshake.sealing()
 	_fast.attach(_peer)
 	_peer.failed.connect(_on_failed)
+	_peer.troubled.connect(_on_troubled)
 	_api = SceneMultiplayer.new()
 	_api.root_path = ^"/root"
 	_api.server_relay = false
@@ -222,6 +223,10 @@ func close() -> void:
 		_peer = null
 		peer.close_with(DisconnectReason.LEFT)
 		_api.multiplayer_peer = null
+
+
+func _on_troubled(_peer_number: int, _key: String, p_what: String) -> void:
+	told.emit(p_what)
 
 
 func _on_failed(p_why: String) -> void:
