@@ -174,7 +174,8 @@ class OwnClient:
             self.is_refused = datagram[9] != 2
         elif kind == 0x47:
             plain = self.seal.open(datagram)
-            if plain:
+            # The server's key and its proof are no datagram of ENet's.
+            if plain and len(plain) != 96:
                 self._take_enet(plain)
 
     def _take_enet(self, datagram: bytes) -> None:
