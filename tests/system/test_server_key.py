@@ -6,6 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from .conftest import Process, World
+from .pictures import Window
 
 REFUSED = 3
 WRONG_OPTIONS = 2
@@ -96,3 +97,18 @@ def test_a_damaged_key_is_an_error_and_stays(world: World) -> None:
     assert server.await_exit() == WRONG_OPTIONS, server.log()
     assert f"the server's key {file} is damaged" in server.log()
     assert file.read_text(encoding="utf-8") == "nonsense\n"
+
+
+def test_somebody_at_a_window_is_asked(world: World, display: dict[str, str]) -> None:
+    server = world.server()
+    join(world)
+    assert server.end() == 0
+    server = world.server(f"--server-key={world.folder / 'other.key'}")
+    window = Window(world, display, "--quality=low", size=(1280, 720), name="asked")
+    window.process.await_line("shows another key than the last time")
+    assert "joined" not in server.log()
+    # To leave is what Return does by itself.
+    window.press_at_once("Right", "Return")
+    server.await_line("observer 'observer' (", "joined")
+    window.process.await_line("the new key of", fingerprint(server))
+    window.close()
