@@ -70,11 +70,15 @@ static func _connection() -> Array[OptionRow]:
 			)
 			. or_default(1)
 		),
-		OptionRow.text(
-			"server-fingerprint",
-			joining,
-			"the fingerprint that the server's key must have; by default the key of the last time"
-		).shown_as("SHA256:..."),
+		(
+			OptionRow
+			. text(
+				"server-fingerprint",
+				joining,
+				"fingerprint that the server's key must have; by default as the last time"
+			)
+			. shown_as("SHA256:...")
+		),
 		OptionRow.flag(
 			"trust-new-key",
 			joining,

@@ -27,7 +27,7 @@ var port: int = Protocol.DEFAULT_PORT
 var password: String = ""
 ## Seconds without a server after which it gives up; 0 never.
 var patience_s: float = 0.0
-## Whether somebody can be asked whether a changed key is to be trusted; otherwise it ends the stream.
+## Whether somebody can be asked if a changed key is to be trusted; otherwise it ends the stream.
 var asks: bool = false
 
 var _retry_at_s: float = INF

@@ -3,7 +3,7 @@ extends RefCounted
 ## The servers that this user's clients have joined and the key of each, in a file: a line for each
 ## server with its address, its public key and the day on which that was remembered.
 ##
-## Clients that run at the same time change it one after the other, each with what stands in it then.
+## Clients that run at the same time change it one after the other, each with what it has then.
 ## Lines that make no sense are named and left as they are.
 
 ## Where it is.
@@ -146,7 +146,9 @@ func _write() -> void:
 	var done: Error = OK if file != null else FileAccess.get_open_error()
 	if file != null:
 		# With whom somebody trains is nobody else's business.
-		FileAccess.set_unix_permissions(fresh, FileAccess.UNIX_READ_OWNER | FileAccess.UNIX_WRITE_OWNER)
+		FileAccess.set_unix_permissions(
+			fresh, FileAccess.UNIX_READ_OWNER | FileAccess.UNIX_WRITE_OWNER
+		)
 		file.store_buffer(bytes)
 		file.flush()
 		done = file.get_error()

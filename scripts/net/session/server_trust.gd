@@ -1,7 +1,7 @@
 class_name ServerTrust
 extends RefCounted
 ## Decides which key a client takes of the server that it joins: the one that it has seen there
-## before, and on the first use any. A password proves more than a key, which is then only remembered.
+## before, and on the first use any. A password proves more than a key, which is only remembered.
 ##
 ## A connection that is lost and made again finds the same key, too. Several clients of one program
 ## can share one.

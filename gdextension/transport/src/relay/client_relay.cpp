@@ -305,8 +305,8 @@ void ClientRelay::take_data(const View &p_bytes, int64_t p_now_usec) {
 		return;
 	}
 	// The proof, which came twice, is not ENet's.
-	const bool is_proof = _bytes.size() == Identity::PROOF_SIZE &&
-			std::equal(_server_key.begin(), _server_key.end(), _bytes.begin());
+	bool is_proof = _bytes.size() == Identity::PROOF_SIZE;
+	is_proof = is_proof && std::equal(_server_key.begin(), _server_key.end(), _bytes.begin());
 	if (!_bytes.empty() && !is_proof) {
 		_to_inner(_bytes);
 	}
