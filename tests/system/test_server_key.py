@@ -112,3 +112,4 @@ def test_somebody_at_a_window_is_asked(world: World, display: dict[str, str]) ->
     server.await_line("observer 'observer' (", "joined")
     window.process.await_line("the new key of", fingerprint(server))
     window.close()
+    assert "ERROR" not in window.process.log()
