@@ -137,6 +137,7 @@ func _on_refused(p_why: String) -> void:
 	else:
 		Log.warning("client", p_why)
 		_is_asking = true
+		status_changed.emit("")
 		key_changed.emit(other)
 
 
