@@ -174,8 +174,7 @@ class OwnClient:
             self.is_refused = datagram[9] != 2
         elif kind == 0x47:
             plain = self.seal.open(datagram)
-            # The server's key and its proof are no datagram of ENet's.
-            if plain and len(plain) != 96:
+            if plain:
                 self._take_enet(plain)
 
     def _take_enet(self, datagram: bytes) -> None:

@@ -98,23 +98,6 @@ void SealedSocket::set_client(int64_t p_role, const String &p_password, const Pa
 	}
 }
 
-void SealedSocket::set_server_key(const PackedByteArray &p_seed) {
-	ERR_FAIL_COND_MSG(p_seed.size() != 0 && p_seed.size() != 32, "A server's seed has 32 bytes.");
-	transport::Key seed{};
-	std::copy_n(p_seed.ptr(), p_seed.size(), seed.begin());
-	_settings.identity = p_seed.is_empty() ? transport::Identity() : transport::Identity(seed);
-}
-
-void SealedSocket::set_known_key(const PackedByteArray &p_key) {
-	ERR_FAIL_COND_MSG(p_key.size() != 0 && p_key.size() != 32, "A server's key has 32 bytes.");
-	_client_settings.known_key.reset();
-	if (!p_key.is_empty()) {
-		transport::Key key{};
-		std::copy_n(p_key.ptr(), p_key.size(), key.begin());
-		_client_settings.known_key = key;
-	}
-}
-
 void SealedSocket::set_limits(int64_t p_max_packet, int64_t p_min_channels, int64_t p_slots) {
 	ERR_FAIL_COND_MSG(p_slots <= int64_t(transport::LinkTable::MAX_HALF_OPEN), "There are too few slots.");
 	_settings.limits.bounded = p_max_packet > 0;
@@ -196,13 +179,6 @@ PackedByteArray SealedSocket::get_exporter() const {
 PackedByteArray SealedSocket::get_return_tag() const {
 	const bool sealed = _client && _client_settings.seals;
 	return sealed ? packed(_client->keys().return_tag) : PackedByteArray();
-}
-
-PackedByteArray SealedSocket::get_server_key() const {
-	if (!_client) {
-		return packed(_settings.identity.public_key());
-	}
-	return _client->server_key() != transport::Key{} ? packed(_client->server_key()) : PackedByteArray();
 }
 
 Dictionary SealedSocket::describe(const String &p_inner_address) {
@@ -313,8 +289,6 @@ void SealedSocket::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_sealing", "seals", "version"), &SealedSocket::set_sealing);
 	ClassDB::bind_method(D_METHOD("set_passwords", "of_roles"), &SealedSocket::set_passwords);
 	ClassDB::bind_method(D_METHOD("set_client", "role", "password", "return_tag"), &SealedSocket::set_client);
-	ClassDB::bind_method(D_METHOD("set_server_key", "seed"), &SealedSocket::set_server_key);
-	ClassDB::bind_method(D_METHOD("set_known_key", "key"), &SealedSocket::set_known_key);
 	ClassDB::bind_method(D_METHOD("set_limits", "max_packet", "min_channels", "slots"), &SealedSocket::set_limits);
 	ClassDB::bind_method(D_METHOD("open_server", "address", "port"), &SealedSocket::open_server);
 	ClassDB::bind_method(D_METHOD("open_client", "address", "port"), &SealedSocket::open_client);
@@ -328,7 +302,6 @@ void SealedSocket::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("is_locked"), &SealedSocket::is_locked);
 	ClassDB::bind_method(D_METHOD("get_exporter"), &SealedSocket::get_exporter);
 	ClassDB::bind_method(D_METHOD("get_return_tag"), &SealedSocket::get_return_tag);
-	ClassDB::bind_method(D_METHOD("get_server_key"), &SealedSocket::get_server_key);
 	ClassDB::bind_method(D_METHOD("describe", "inner_address"), &SealedSocket::describe);
 	ClassDB::bind_method(D_METHOD("admit", "inner_address"), &SealedSocket::admit);
 	ClassDB::bind_method(D_METHOD("take_refusal"), &SealedSocket::take_refusal);
@@ -345,7 +318,6 @@ void SealedSocket::_bind_methods() {
 	BIND_ENUM_CONSTANT(NOTICE_SERVER_IS_OPEN);
 	BIND_ENUM_CONSTANT(NOTICE_SERVER_SEALS);
 	BIND_ENUM_CONSTANT(NOTICE_ASKS_FOR_NO_PASSWORD);
-	BIND_ENUM_CONSTANT(NOTICE_OTHER_KEY);
 }
 
 } // namespace godot

@@ -35,14 +35,11 @@ public:
 		NOTICE_SERVER_IS_OPEN,
 		NOTICE_SERVER_SEALS,
 		NOTICE_ASKS_FOR_NO_PASSWORD,
-		NOTICE_OTHER_KEY,
 	};
 
 	void set_sealing(bool p_seals, int64_t p_version);
 	void set_passwords(const PackedStringArray &p_of_roles);
 	void set_client(int64_t p_role, const String &p_password, const PackedByteArray &p_return_tag);
-	void set_server_key(const PackedByteArray &p_seed);
-	void set_known_key(const PackedByteArray &p_key);
 	void set_limits(int64_t p_max_packet, int64_t p_min_channels, int64_t p_slots);
 	Error open_server(const String &p_address, int64_t p_port);
 	Error open_client(const String &p_address, int64_t p_port);
@@ -57,7 +54,6 @@ public:
 	bool is_locked() const;
 	PackedByteArray get_exporter() const;
 	PackedByteArray get_return_tag() const;
-	PackedByteArray get_server_key() const;
 	Dictionary describe(const String &p_inner_address);
 	void admit(const String &p_inner_address);
 	Dictionary take_refusal();

@@ -79,7 +79,7 @@ void ClientRelay::take_outer(const View &p_bytes, int64_t p_now_usec) {
 			take_reply(p_bytes, p_now_usec);
 			break;
 		case messages::DATA:
-			take_data(p_bytes, p_now_usec);
+			take_data(p_bytes);
 			break;
 		default:
 			_not_opened++;
@@ -132,11 +132,10 @@ bool ClientRelay::is_over(int64_t p_now_usec) const {
 }
 
 /// Whether enough handshakes in a row have been told why they come to nothing. Who was in a session
-/// goes on: its server is there, or comes back. Who has shown another key may be another server.
+/// goes on: its server is there, or comes back.
 bool ClientRelay::is_hopeless() {
 	_hinted = _is_hinted ? _hinted + 1 : 0;
-	const bool goes_on = _settings.return_tag != messages::ReturnTag{} && _notice != OTHER_KEY;
-	return _hinted >= MAX_HINTED && !goes_on;
+	return _hinted >= MAX_HINTED && _settings.return_tag == messages::ReturnTag{};
 }
 
 void ClientRelay::restart(int64_t p_now_usec) {
@@ -267,12 +266,7 @@ bool ClientRelay::may_answer(int64_t p_now_usec) {
 	return true;
 }
 
-/// A password proves more.
-bool ClientRelay::is_known(const Key &p_key) const {
-	return !_settings.known_key || !_settings.password.empty() || p_key == *_settings.known_key;
-}
-
-void ClientRelay::take_data(const View &p_bytes, int64_t p_now_usec) {
+void ClientRelay::take_data(const View &p_bytes) {
 	if (_step != Step::DONE) {
 		const auto opens = [this, &p_bytes](Candidate &r_candidate) {
 			return r_candidate.channel.open(p_bytes, messages::DATA_HEAD, _bytes);
@@ -282,17 +276,6 @@ void ClientRelay::take_data(const View &p_bytes, int64_t p_now_usec) {
 			_not_opened++;
 			return;
 		}
-		Key key{};
-		if (!Identity::check(_bytes, proven->keys.exporter, key)) {
-			// It comes again.
-			return;
-		}
-		_server_key = key;
-		if (!is_known(key)) {
-			hint(OTHER_KEY, p_now_usec);
-			return;
-		}
-		_bytes.clear();
 		_keys = proven->keys;
 		_channel = proven->channel;
 		_candidates.clear();
@@ -304,10 +287,7 @@ void ClientRelay::take_data(const View &p_bytes, int64_t p_now_usec) {
 		_not_opened++;
 		return;
 	}
-	// The proof, which came twice, is not ENet's.
-	bool is_proof = _bytes.size() == Identity::PROOF_SIZE;
-	is_proof = is_proof && std::equal(_server_key.begin(), _server_key.end(), _bytes.begin());
-	if (!_bytes.empty() && !is_proof) {
+	if (!_bytes.empty()) {
 		_to_inner(_bytes);
 	}
 }

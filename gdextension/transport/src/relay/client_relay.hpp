@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../sealing/identity.hpp"
 #include "../sealing/messages.hpp"
 #include "../sealing/sealed_channel.hpp"
 
 #include <functional>
-#include <optional>
 #include <vector>
 
 namespace transport {
@@ -25,8 +23,6 @@ public:
 		uint8_t role = 0;
 		Bytes password;
 		messages::ReturnTag return_tag{};
-		/// The server's, if it is known: without a password it must be proved.
-		std::optional<Key> known_key;
 	};
 
 	enum class State {
@@ -40,8 +36,6 @@ public:
 
 	/// A notice that no server sends: the cookie says that the role needs no password, and we have one.
 	static constexpr int ASKS_FOR_NO_PASSWORD = 6;
-	/// Another one: whoever is there has proved another key than the one that is known.
-	static constexpr int OTHER_KEY = 7;
 
 	/// Sends a datagram: to the server, or to ENet.
 	using Send = std::function<void(const View &)>;
@@ -64,8 +58,6 @@ public:
 	bool is_locked() const { return _step == Step::DONE && !_settings.password.empty(); }
 	/// Of the channel, once the server has shown that it has them.
 	const ChannelKeys &keys() const { return _keys; }
-	/// The server's public key, once the channel is open; after OTHER_KEY the one that was shown.
-	const Key &server_key() const { return _server_key; }
 	uint64_t not_opened() const { return _not_opened; }
 
 private:
@@ -96,8 +88,7 @@ private:
 	void send_due(int64_t p_now_usec);
 	void take_cookie(const View &p_bytes, int64_t p_now_usec);
 	void take_reply(const View &p_bytes, int64_t p_now_usec);
-	void take_data(const View &p_bytes, int64_t p_now_usec);
-	bool is_known(const Key &p_key) const;
+	void take_data(const View &p_bytes);
 	void take_notice(const View &p_bytes, int64_t p_now_usec);
 	void hint(int p_what, int64_t p_now_usec);
 	bool is_hopeless();
@@ -117,7 +108,6 @@ private:
 	size_t _current = 0;
 	std::vector<Candidate> _candidates;
 	ChannelKeys _keys;
-	Key _server_key{};
 	SealedChannel _channel;
 	messages::ClientId _chosen{};
 	int _notice = 0;

@@ -93,9 +93,9 @@ void ServerRelay::establish(const Pending &p_pending, int64_t p_now_usec, RelayS
 	prove(*link, r_sink);
 }
 
-/// Tells a client that it has the key, and who it is.
+/// Nothing but this tells a client that it has the key, until ENet answers.
 void ServerRelay::prove(Link &r_link, RelaySink &r_sink) {
-	r_link.channel.seal(Bytes{ messages::DATA }, _settings.identity.prove(r_link.keys.exporter), _sealed);
+	r_link.channel.seal(Bytes{ messages::DATA }, View(), _sealed);
 	r_sink.to_outer(r_link.outer, _sealed);
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../sealing/identity.hpp"
 #include "link_table.hpp"
 #include "server_handshake.hpp"
 
@@ -15,7 +14,6 @@ public:
 		bool seals = true;
 		uint32_t version = 0;
 		ServerHandshake::Passwords passwords;
-		Identity identity;
 		EnetLimits limits;
 		/// Clients that ENet has a connection with.
 		size_t max_confirmed = 3000;
