@@ -70,6 +70,20 @@ static func _connection() -> Array[OptionRow]:
 			)
 			. or_default(1)
 		),
+		(
+			OptionRow
+			. text(
+				"server-fingerprint",
+				joining,
+				"fingerprint that the server's key must have; by default as the last time"
+			)
+			. shown_as("SHA256:...")
+		),
+		OptionRow.flag(
+			"trust-new-key",
+			joining,
+			"trust the server's key though it is another than the last time, and remember it"
+		),
 		OptionRow.number(
 			"snapshot-rate",
 			joining,
@@ -200,6 +214,11 @@ static func _server() -> Array[OptionRow]:
 			0,
 			[0, 4000],
 			"maximum of clients from one address; 0: any number"
+		),
+		OptionRow.file(
+			"server-key",
+			server,
+			"file of the key by which clients know the server again; made if there is none"
 		),
 		OptionRow.text("instructor-password", server, "password of instructors, if theirs differs"),
 		OptionRow.flag("waiting-room", server, "everybody waits until an instructor admits them"),

@@ -153,6 +153,7 @@ func _apply_options() -> String:
 		fault = _desk.error
 	if fault == "" and made.live != null:
 		made.live.link.told.connect(_on_told)
+		_controls.ask_about_keys(made.live, _options)
 		_shared = SharedClient.new(made.live.link, Roles.find(_role) as Roles.Role)
 		_scene.get_level().shared = _shared.api
 		if _options.is_on("prediction"):

@@ -37,4 +37,6 @@ func _set_up(p_role: String, p_options: Options) -> void:
 	var where: String = "%s:%d" % [live.host, live.port]
 	var whose: JoinRequest = live.request
 	live.link.token_file = SessionTokenFile.claim(where, whose.role, whose.name)
+	live.link.trust = ServerTrust.of_options(p_options)
+	error = live.link.trust.find_fault()
 	live.link.seals = p_options.is_on("sealing")

@@ -17,6 +17,7 @@ const _CLICK_PIXELS: float = 6.0
 
 @export var _scene: ClientScene
 @export var _menu: WindowMenu
+@export var _key_dialog: ServerKeyDialog
 
 var _moves: bool = false
 var _settings: UserSettings = null
@@ -40,6 +41,15 @@ func set_up(p_role: String, p_options: Options) -> void:
 		where = "%s:%d" % [p_options.text("host"), p_options.number("port")]
 		name = p_options.text("name")
 	get_window().title = WindowFrame.title(p_role, name, where)
+
+
+## Asks the user where a server shows another key than the last time, if somebody is at the window.
+func ask_about_keys(p_live: LiveStream, p_options: Options) -> void:
+	var is_shown: bool = DisplayServer.get_name() != "headless"
+	p_live.asks = is_shown and p_options.seconds("duration") == 0.0
+	p_live.key_changed.connect(_key_dialog.ask)
+	_key_dialog.trusted.connect(p_live.trust_key)
+	_key_dialog.leave_wanted.connect(leave_wanted.emit)
 
 
 ## Uses the tier of quality that an option names, or else that of the user's settings.
@@ -75,7 +85,7 @@ func _on_quality_chosen(p_name: String) -> void:
 
 ## Whether the menu is open, which keys are meant for then.
 func is_menu_open() -> bool:
-	return _menu.is_open()
+	return _menu.is_open() or _key_dialog.is_open()
 
 
 ## What the user has chosen; null without a window.

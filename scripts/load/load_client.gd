@@ -69,6 +69,11 @@ func look_from(p_position: Vector3) -> void:
 	_viewpoint = p_position
 
 
+## Sets what knows the server by its key; all clients of a program can have the same.
+func trust_by(p_trust: ServerTrust) -> void:
+	_link.trust = p_trust
+
+
 ## Begins to connect.
 func open() -> void:
 	_retry_usec = 0
@@ -169,7 +174,7 @@ func _on_joined() -> void:
 
 
 func _on_refused(p_why: String) -> void:
-	refusal = p_why
+	refusal = p_why if _link.other_key != null else "the server refused us: %s" % p_why
 
 
 func _on_lost(p_why: String) -> void:

@@ -101,8 +101,7 @@ func _poll_due() -> bool:
 		if _next < _opened:
 			_clients[_next].poll()
 		if _clients[_next].refusal != "":
-			var why: String = _clients[_next].refusal
-			_give_up(StateStream.EXIT_REFUSED, "the server refused us: %s" % why)
+			_give_up(StateStream.EXIT_REFUSED, _clients[_next].refusal)
 			return false
 	# Who joins goes through many round trips, and would take a turn for each.
 	for client: LoadClient in _joining:
@@ -122,6 +121,9 @@ func _make_clients() -> String:
 	var total: int = trainees + _options.number("observers")
 	if total == 0:
 		return "there are no clients: ask for --trainees or --observers"
+	var trust: ServerTrust = ServerTrust.of_options(_options)
+	if trust.find_fault() != "":
+		return trust.find_fault()
 	var first: BvhSource = BvhSource.new()
 	if trainees > 0:
 		if _options.file("bvh") == "":
@@ -134,6 +136,7 @@ func _make_clients() -> String:
 		var number: int = i if is_trainee else i - trainees
 		var who: String = "trainee %d" if is_trainee else "observer %d"
 		var client: LoadClient = LoadClient.new(who % number, _options, _agreement, _tables)
+		client.trust_by(trust)
 		var angle: float = TAU * i / total
 		client.look_from(Vector3(4.0 * sin(angle), 1.6, 4.0 * cos(angle)))
 		if is_trainee:

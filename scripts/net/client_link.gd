@@ -62,6 +62,17 @@ var token_file: SessionTokenFile:
 	set(p_file):
 		_handshake.token_file = p_file
 
+## Knows the server by its key.
+var trust: ServerTrust:
+	get:
+		return _handshake.trust
+	set(p_trust):
+		_handshake.trust = p_trust
+## The key for whose sake we were refused by ourselves, after [signal refused]; else null.
+var other_key: OtherServerKey:
+	get:
+		return _handshake.trust.other
+
 var _api: SceneMultiplayer = null
 var _peer: ThreadedPeer = null
 var _handshake: ClientHandshake = ClientHandshake.new()
@@ -89,7 +100,7 @@ func _init() -> void:
 func open(p_host: String, p_port: int, p_request: JoinRequest, p_password: String = "") -> void:
 	close()
 	_where = "%s:%d" % [p_host, p_port]
-	_handshake.prepare(_where, p_request, p_password)
+	_handshake.prepare(KnownServers.address(p_host, p_port), p_request, p_password)
 	_began_usec = Time.get_ticks_usec()
 	_state = State.CONNECTING
 	_why = ""
@@ -230,7 +241,9 @@ func _on_troubled(_peer_number: int, _key: String, p_what: String) -> void:
 
 
 func _on_failed(p_why: String) -> void:
-	if _peer.is_refused:
+	if not _peer.shown_key.is_empty():
+		_give_up(_handshake.explain_other_key(_peer.shown_key))
+	elif _peer.is_refused:
 		_give_up(p_why)
 	else:
 		_why = p_why

@@ -6,6 +6,9 @@ extends StateStream
 signal joined
 ## A connection is being made: [method ClientLink.api] is another one from now on.
 signal connecting
+## The server shows another key than before, and somebody is there who can be asked: see [member
+## asks]. Nothing goes on until [method trust_key].
+signal key_changed(p_other: OtherServerKey)
 
 ## Seconds between two attempts to reach a server.
 const _RETRY_S: float = 2.0
@@ -24,10 +27,13 @@ var port: int = Protocol.DEFAULT_PORT
 var password: String = ""
 ## Seconds without a server after which it gives up; 0 never.
 var patience_s: float = 0.0
+## Whether somebody can be asked if a changed key is to be trusted; otherwise it ends the stream.
+var asks: bool = false
 
 var _retry_at_s: float = INF
 var _alone_since_s: float = 0.0
 var _was_joined: bool = false
+var _is_asking: bool = false
 
 
 func open() -> String:
@@ -43,6 +49,8 @@ func open() -> String:
 
 
 func advance(_delta_s: float) -> void:
+	if _is_asking:
+		return
 	link.poll()
 	var now: float = now_s()
 	if not link.is_joined() and now > _retry_at_s:
@@ -50,6 +58,14 @@ func advance(_delta_s: float) -> void:
 	if not link.is_joined() and patience_s > 0.0 and now - _alone_since_s > patience_s:
 		var where: Array = [host, port, patience_s]
 		ended.emit(EXIT_NO_SERVER, "no server at %s:%d for %.0f s" % where)
+
+
+## The user trusts the key that the server has shown: joins it.
+func trust_key(p_other: OtherServerKey) -> void:
+	link.trust.trust(p_other)
+	_is_asking = false
+	_alone_since_s = now_s()
+	_connect()
 
 
 func now_s() -> float:
@@ -113,7 +129,16 @@ func _on_lost(p_why: String) -> void:
 
 
 func _on_refused(p_why: String) -> void:
-	ended.emit(EXIT_REFUSED, "the server refused us: %s" % p_why)
+	var other: OtherServerKey = link.other_key
+	if other == null:
+		ended.emit(EXIT_REFUSED, "the server refused us: %s" % p_why)
+	elif not asks or other.is_pinned:
+		ended.emit(EXIT_REFUSED, p_why)
+	else:
+		Log.warning("client", p_why)
+		_is_asking = true
+		status_changed.emit("")
+		key_changed.emit(other)
 
 
 func _on_waiting(p_position: int) -> void:

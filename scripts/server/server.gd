@@ -117,10 +117,18 @@ func _open_link(p_port: int) -> bool:
 	if rules.bans.error != "":
 		_give_up(_EXIT_OPTIONS, rules.bans.error)
 		return false
+	if rules.seals:
+		var key: ServerKeyFile = ServerKeyFile.open(_options.file("server-key"))
+		if key.error != "":
+			_give_up(_EXIT_OPTIONS, key.error)
+			return false
+		rules.server_key = key.key_seed
 	if _link.listen(p_port, rules) != OK:
 		_give_up(1, "UDP port %d is in use: choose another with --port" % p_port)
 		return false
 	Log.info("net", rules.sealing().describe())
+	if rules.seals:
+		Log.info("net", "the server's key is %s" % rules.fingerprint())
 	_reload = ServerReload.new(_options, rules)
 	_control = SessionControl.new(_link)
 	_control.level_requested.connect(_change_level)

@@ -130,6 +130,7 @@ func report(p_link: ServerLink, p_sending: Replication, p_people: ServerPeople) 
 		"sent_bytes_per_second": p_link.traffic.sent_per_second(),
 		"received_bytes_per_second": p_link.traffic.received_per_second(),
 		"sealing": p_link.rules.seals,
+		"server_key": p_link.rules.fingerprint(),
 		"transport": p_link.stats(),
 		"refused": p_link.refused,
 		"sessions": _sessions(p_link, p_sending, p_link.stats().get("peers", {})),

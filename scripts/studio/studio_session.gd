@@ -51,6 +51,7 @@ func _join() -> void:
 	request.name = "Studio"
 	_joined_address = address
 	_link = ClientLink.new()
+	_link.trust.servers = KnownServers.new()
 	_link.joined.connect(_send)
 	_link.refused.connect(_on_ended)
 	_link.lost.connect(_on_ended)

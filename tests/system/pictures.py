@@ -85,10 +85,14 @@ class Window:
 
     def press(self, *names: str) -> None:
         """Presses keys, one after the other, and waits until what they change is shown."""
+        self.press_at_once(*names)
+        self.await_frames()
+
+    def press_at_once(self, *names: str) -> None:
+        """Presses keys, and waits for nothing: there may be no world yet."""
         self.screen.give_keys(self._find())
         for name in names:
             self.screen.key(name)
-        self.await_frames()
 
     def resize(self, width: int, height: int) -> None:
         """Gives it another size, which may be larger than the display."""

@@ -18,6 +18,8 @@ signal put_off(p_why: String)
 var seals: bool = true
 ## Keeps the session's token over a crash of the program; null keeps it in memory only.
 var token_file: SessionTokenFile = null
+## Knows the server by its key.
+var trust: ServerTrust = ServerTrust.new()
 
 var _api: SceneMultiplayer = null
 var _peer: ThreadedPeer = null
@@ -53,7 +55,7 @@ func prepare(p_where: String, p_request: JoinRequest, p_password: String) -> voi
 	_request.token = _token
 
 
-## How the connection is to be sealed.
+## How the connection is to be sealed, and which key the server has to prove.
 func sealing() -> TransportSealing:
 	var made: TransportSealing = TransportSealing.new()
 	made.seals = seals
@@ -61,6 +63,7 @@ func sealing() -> TransportSealing:
 	made.role = _request.role
 	made.password = _password
 	made.return_tag = _return_tag
+	made.known_key = trust.expect(_where)
 	return made
 
 
@@ -79,9 +82,16 @@ func detach() -> void:
 	_peer = null
 
 
+## The server has shown another key than the expected one: says so, and what is to be done.
+func explain_other_key(p_shown: PackedByteArray) -> String:
+	trust.refuse(_where, p_shown)
+	return trust.other.describe()
+
+
 ## How well the connection is protected, for the log.
 func describe_security() -> String:
-	var made: TransportSealing = sealing()
+	var made: TransportSealing = TransportSealing.new()
+	made.seals = seals
 	made.password = _password if _locked else ""
 	return made.describe()
 
@@ -102,6 +112,10 @@ func forget_session() -> void:
 func _on_authenticating(_peer_id: int) -> void:
 	var joined: TransportEvent = _peer.sealed_join() if _peer != null else null
 	if joined == null:
+		return
+	# Before anything is said: what follows is for this server alone.
+	if not trust.take(_where, joined.server_key, _password != ""):
+		refused.emit(trust.other.describe())
 		return
 	_key = joined.exporter
 	_key_salt = PackedByteArray()

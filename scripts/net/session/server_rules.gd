@@ -16,6 +16,8 @@ var waiting_room: bool = false
 var bans: BanList = BanList.new()
 ## Whether connections are sealed.
 var seals: bool = true
+## What the server's key pair is made from; see [ServerKeyFile]. By default good for this run.
+var server_key: PackedByteArray = Crypto.new().generate_random_bytes(KeyFingerprint.KEY_SIZE)
 ## Name of the level that a client needs.
 var level_name: String = ""
 ## Fingerprint of the level at the server, [constant Protocol.FINGERPRINT_SIZE] bytes.
@@ -40,11 +42,17 @@ func key_of(p_role: Roles.Role) -> PackedByteArray:
 	return _keys[secret]
 
 
+## Fingerprint of the server's key; empty without sealing.
+func fingerprint() -> String:
+	return KeyFingerprint.of(ServerKeyFile.public_key_of(server_key)) if seals else ""
+
+
 ## How connections are sealed.
 func sealing() -> TransportSealing:
 	var made: TransportSealing = TransportSealing.new()
 	made.seals = seals
 	made.version = Protocol.VERSION
+	made.server_key = server_key
 	for role: Roles.Role in Roles.Role.values():
 		made.passwords.append(password_of(role))
 	return made

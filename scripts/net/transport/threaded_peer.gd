@@ -38,6 +38,8 @@ var inbox: EngineInbox = null
 var takes_engine: bool = true
 ## On a client: whether the server refuses it, so that trying again is useless; see [signal failed].
 var is_refused: bool = false
+## On a client that failed: the key that the server has shown instead of the known one, or nothing.
+var shown_key: PackedByteArray = PackedByteArray()
 
 var _thread: TransportThread = null
 var _unique_id: int = 0
@@ -281,6 +283,7 @@ func _take(p_event: TransportEvent) -> void:
 		TransportEvent.Kind.FAILED:
 			_status = CONNECTION_DISCONNECTED
 			is_refused = p_event.final
+			shown_key = p_event.server_key
 			failed.emit(p_event.text)
 
 

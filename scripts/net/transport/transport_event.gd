@@ -43,6 +43,10 @@ var role: int = 0
 var locked: bool = false
 ## Of [constant Kind.JOINED] on a client: see [member TransportSealing.return_tag].
 var return_tag: PackedByteArray = PackedByteArray()
+## Of [constant Kind.JOINED] on a client: the public key that the server has proved; empty without
+## sealing. Of [constant Kind.FAILED]: the one that was shown instead of
+## [member TransportSealing.known_key], or nothing.
+var server_key: PackedByteArray = PackedByteArray()
 ## Of [constant Kind.FAILED]: whether trying again is useless.
 var final: bool = false
 

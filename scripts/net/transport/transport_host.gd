@@ -84,6 +84,7 @@ func _describe(p_id: int, p_remote: ENetPacketPeer) -> TransportEvent:
 		joined.exporter = _socket.get_exporter()
 		joined.locked = _socket.is_locked()
 		joined.return_tag = _socket.get_return_tag()
+		joined.server_key = _socket.get_server_key() if sealing.seals else PackedByteArray()
 		return joined
 	var who: Dictionary = _socket.describe(p_remote.get_remote_address())
 	if who.is_empty():

@@ -19,6 +19,11 @@ var seals: bool = true
 var version: int = 0
 ## On a server: the password of each role, by number; empty where it needs none.
 var passwords: PackedStringArray = PackedStringArray()
+## On a server: what its key pair is made from, 32 bytes; nothing: a fresh one for each socket.
+var server_key: PackedByteArray = PackedByteArray()
+## On a client: the public key that a server has to prove where there is no password, 32 bytes;
+## nothing: any will do.
+var known_key: PackedByteArray = PackedByteArray()
 ## On a client: the role that it asks for.
 var role: int = 0
 ## On a client: its password.
@@ -43,7 +48,9 @@ func datagram_overhead() -> int:
 func set_up(p_socket: SealedSocket) -> void:
 	p_socket.set_sealing(seals, version)
 	p_socket.set_passwords(passwords)
+	p_socket.set_server_key(server_key)
 	p_socket.set_client(role, password, return_tag)
+	p_socket.set_known_key(known_key)
 
 
 ## A line for the log.
@@ -52,7 +59,7 @@ func describe() -> String:
 		return "the connection is not sealed: use a trusted network or a VPN"
 	if password != "" or Array(passwords).any(func(text: String) -> bool: return text != ""):
 		return "the connection is sealed, and both ends prove that they know the password"
-	return "the connection is sealed, but without a password nobody proves who it is"
+	return "the connection is sealed; without a password only the server proves its key"
 
 
 ## Why a server has not let a client in, for its log; from [method SealedSocket.take_refusal].
@@ -87,4 +94,6 @@ func explain(p_socket: SealedSocket) -> String:
 			return "it wants sealed connections: come without --sealing=0"
 		SealedSocket.NOTICE_ASKS_FOR_NO_PASSWORD:
 			return ASKS_FOR_NO_PASSWORD
+		SealedSocket.NOTICE_OTHER_KEY:
+			return "it shows another key than the last time"
 	return ""

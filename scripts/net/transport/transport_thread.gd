@@ -248,6 +248,8 @@ func _go_on_connecting() -> void:
 	match _socket.get_state():
 		SealedSocket.STATE_FAILED:
 			_fail(sealing.explain(_socket), true)
+			if _socket.get_notice() == SealedSocket.NOTICE_OTHER_KEY:
+				_events[-1].server_key = _socket.get_server_key()
 		SealedSocket.STATE_OPEN:
 			if not _began:
 				_began = true
