@@ -11,6 +11,18 @@ signal connecting
 const _RETRY_S: float = 2.0
 ## Seconds until the first one after a working connection was lost.
 const _SOON_S: float = 0.3
+## What we wait for, for our user and for the log; the place in the queue follows.
+const _WAITS: Dictionary[JoinReply.Wait, PackedStringArray] = {
+	JoinReply.Wait.INSTRUCTOR:
+	["Waiting for an instructor, position %d ...", "waiting for an instructor, position %d"],
+	JoinReply.Wait.ROOM:
+	["The server is full.\nWaiting for room, position %d ...", "waiting for room, position %d"],
+	JoinReply.Wait.SHARE:
+	[
+		"No more clients of your address may be here.\nWaiting for room, position %d ...",
+		"waiting for room among the clients of this address, position %d"
+	],
+}
 
 ## The connection.
 var link: ClientLink = ClientLink.new()
@@ -47,6 +59,8 @@ func advance(_delta_s: float) -> void:
 	var now: float = now_s()
 	if not link.is_joined() and now > _retry_at_s:
 		_connect()
+	if link.is_waiting():
+		_alone_since_s = now
 	if not link.is_joined() and patience_s > 0.0 and now - _alone_since_s > patience_s:
 		var where: Array = [host, port, patience_s]
 		ended.emit(EXIT_NO_SERVER, "no server at %s:%d for %.0f s" % where)
@@ -106,8 +120,9 @@ func _on_lost(p_why: String) -> void:
 	status_changed.emit("%s.\nTrying again ..." % sentence)
 	# After a working connection the first attempt comes soon.
 	_retry_at_s = now_s() + (_SOON_S if _was_joined else _RETRY_S)
-	if _was_joined:
+	if _was_joined or link.was_put_off:
 		_alone_since_s = now_s()
+	if _was_joined:
 		restarted.emit()
 	_was_joined = false
 
@@ -116,10 +131,9 @@ func _on_refused(p_why: String) -> void:
 	ended.emit(EXIT_REFUSED, "the server refused us: %s" % p_why)
 
 
-func _on_waiting(p_position: int) -> void:
-	status_changed.emit("Waiting for an instructor, position %d ..." % p_position)
-	Log.limited("client", "waiting", "waiting for an instructor, position %d" % p_position)
-	_alone_since_s = now_s()
+func _on_waiting(p_position: int, p_for: JoinReply.Wait) -> void:
+	status_changed.emit(_WAITS[p_for][0] % p_position)
+	Log.limited("client", "waiting %d" % p_for, _WAITS[p_for][1] % p_position)
 
 
 func _on_state(p_bytes: PackedByteArray, p_arrival_usec: int) -> void:

@@ -85,7 +85,7 @@ class Session:
         self._group = group
         self._godot = environment
         self.port = free_port()
-        options = [f"--port={self.port}", "--max-clients=200"]
+        options = [f"--port={self.port}", "--max-clients=200", "--max-per-address=0"]
         group.start("server", [str(server), "--headless", "--", "--role=server", *options])
         mark = "status at http://127.0.0.1:"
         group.await_text("server", mark, 30)
