@@ -11,18 +11,17 @@ signal connecting
 const _RETRY_S: float = 2.0
 ## Seconds until the first one after a working connection was lost.
 const _SOON_S: float = 0.3
-## What we wait for, for our user and for the log; the place in the queue follows.
-const _WAITS: Dictionary[JoinReply.Wait, PackedStringArray] = {
-	JoinReply.Wait.INSTRUCTOR:
-	["Waiting for an instructor, position %d ...", "waiting for an instructor, position %d"],
-	JoinReply.Wait.ROOM:
-	["The server is full.\nWaiting for room, position %d ...", "waiting for room, position %d"],
-	JoinReply.Wait.SHARE:
-	[
-		"No more clients of your address may be here.\nWaiting for room, position %d ...",
-		"waiting for room among the clients of this address, position %d"
-	],
-}
+## What we wait for, by [enum JoinReply.Wait], for our user and for the log; our place follows.
+const _STATUS: Array[String] = [
+	"Waiting for an instructor, position %d ...",
+	"The server is full.\nWaiting for room, position %d ...",
+	"No more clients of your address may be here.\nWaiting for room, position %d ...",
+]
+const _LINES: Array[String] = [
+	"waiting for an instructor, position %d",
+	"waiting for room, position %d",
+	"waiting for room among the clients of this address, position %d",
+]
 
 ## The connection.
 var link: ClientLink = ClientLink.new()
@@ -132,8 +131,8 @@ func _on_refused(p_why: String) -> void:
 
 
 func _on_waiting(p_position: int, p_for: JoinReply.Wait) -> void:
-	status_changed.emit(_WAITS[p_for][0] % p_position)
-	Log.limited("client", "waiting %d" % p_for, _WAITS[p_for][1] % p_position)
+	status_changed.emit(_STATUS[p_for] % p_position)
+	Log.limited("client", "waiting %d" % p_for, _LINES[p_for] % p_position)
 
 
 func _on_state(p_bytes: PackedByteArray, p_arrival_usec: int) -> void:
