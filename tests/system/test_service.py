@@ -22,7 +22,7 @@ class Service:
         self.world = world
         self.config = world.folder / "server.cfg"
         self.log = world.folder / "dismount.log"
-        self.settings = {"password": "old", "log-file": self.log, **settings}
+        self.settings = {"password": "old", "log-file": self.log, "max-per-address": 0, **settings}
         self.write()
         self.server = world.server(f"--config={self.config}", "--world=hall")
 
