@@ -55,6 +55,7 @@ var _replica: LoadReplica = LoadReplica.new(SharedTables.new())
 var _writer: SampleWriter = SampleWriter.new()
 var _acks: Array[PackedByteArray] = []
 var _orders: HostileOrders = HostileOrders.new(_link, _random)
+var _is_lost: bool = false
 var _sample: int = 0
 var _command: int = 0
 ## The present round: what is done how often, and until when.
@@ -69,6 +70,8 @@ func _init(p_port: int, p_seed: int, p_role: Roles.Role = Roles.Role.TRAINEE) ->
 	_random.seed = p_seed
 	_request.role = p_role
 	_link.joined.connect(_on_joined)
+	_link.lost.connect(_on_lost)
+	_link.refused.connect(_on_lost)
 	_link.set_motion_ack_taker(_writer.take_ack)
 	_link.state_received.connect(_on_state)
 	_open()
@@ -77,6 +80,9 @@ func _init(p_port: int, p_seed: int, p_role: Roles.Role = Roles.Role.TRAINEE) ->
 ## Does what is due at a time, s.
 func advance(p_now_s: float) -> void:
 	_link.poll()
+	if _is_lost:
+		_is_lost = false
+		_open()
 	if not _link.is_joined():
 		return
 	var ack: PackedByteArray = _replica.acknowledgement(Time.get_ticks_usec(), Vector3.ZERO)
@@ -119,6 +125,11 @@ func _on_state(p_bytes: PackedByteArray, p_arrival_usec: int) -> void:
 	_replica.take(p_bytes, p_arrival_usec / 1e6)
 
 
+## Thrown out, as for a flood: it comes back.
+func _on_lost(_why: String) -> void:
+	_is_lost = true
+
+
 func _on_joined() -> void:
 	joins += 1
 	_replica.clear()
@@ -141,8 +152,8 @@ func _choose(p_now_s: float) -> void:
 	_rates[&"burst"] = 2
 	_rates[&"orders"] = 2
 	_rates[&"level"] = 20
-	# As many as a second's limit of bytes takes.
-	_rates[&"effect"] = 10
+	# As many as a second's limit of packets takes, if all are large.
+	_rates[&"effect"] = mini(_rates.get(&"effect", 1), 10)
 
 
 func _do(p_trick: StringName) -> void:
