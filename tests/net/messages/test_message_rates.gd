@@ -52,4 +52,4 @@ func test_a_session_that_has_ended_is_forgotten() -> void:
 
 
 static func _number(p_number: float) -> String:
-	return String.num(p_number, 1).trim_suffix(".0")
+	return String.num(p_number, 2).trim_suffix(".0")
