@@ -211,9 +211,9 @@ static func _server() -> Array[OptionRow]:
 		OptionRow.number(
 			"max-per-address",
 			server,
-			0,
-			[0, 4000],
-			"maximum of clients from one address; 0: any number"
+			ServerRules.QUARTER,
+			[ServerRules.QUARTER, 4000],
+			"maximum of clients from one address; -1: a quarter of --max-clients, 4 at least; 0: any"
 		),
 		OptionRow.file(
 			"server-key",

@@ -227,8 +227,9 @@ func _note(p_about: String, p_number: int, p_is_list: bool = false) -> void:
 func _candidates(p_command: String) -> Array[RosterRow]:
 	var found: Array[RosterRow] = []
 	for row: RosterRow in _control.roster:
-		var waits: bool = row.state == RosterRow.State.WAITING
-		var fits: bool = waits == _ABOUT_WAITING.has(p_command)
+		var fits: bool = (row.session == 0) == _ABOUT_WAITING.has(p_command)
+		if p_command == "admit":
+			fits = row.state == RosterRow.State.WAITING
 		if p_command == "calibrate":
 			fits = row.can(Roles.Capability.SEND_MOTION)
 		if fits:

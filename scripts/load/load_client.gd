@@ -50,6 +50,7 @@ func _init(
 	_link.joined.connect(_on_joined)
 	_link.lost.connect(_on_lost)
 	_link.refused.connect(_on_refused)
+	_link.waiting.connect(_on_waiting)
 	_link.state_received.connect(_on_state)
 	replica.marked.connect(_on_marked)
 
@@ -175,6 +176,11 @@ func _on_joined() -> void:
 
 func _on_refused(p_why: String) -> void:
 	refusal = p_why if _link.other_key != null else "the server refused us: %s" % p_why
+
+
+func _on_waiting(p_position: int, p_for: JoinReply.Wait) -> void:
+	var what: String = "an instructor" if p_for == JoinReply.Wait.INSTRUCTOR else "room"
+	Log.limited("load", name, "%s waits for %s, position %d" % [name, what, p_position])
 
 
 func _on_lost(p_why: String) -> void:

@@ -8,8 +8,8 @@ extends RefCounted
 
 ## The server has admitted us.
 signal joined
-## An instructor will decide; our position among those who wait, from 1.
-signal waiting(p_position: int)
+## We wait; our position among those who wait for the same, from 1.
+signal waiting(p_position: int, p_for: JoinReply.Wait)
 ## The server refuses us, and says why. Trying again is useless.
 signal refused(p_why: String)
 ## The server does not answer, is gone, or cannot admit us now; trying again may help.
@@ -29,7 +29,7 @@ enum State {
 	CLOSED,
 	## The server has not admitted us yet.
 	CONNECTING,
-	## An instructor has not admitted us yet.
+	## We wait for an instructor, or for room.
 	WAITING,
 	## The server has admitted us.
 	JOINED,
@@ -50,6 +50,8 @@ var seals: bool:
 		return _handshake.seals
 	set(p_seals):
 		_handshake.seals = p_seals
+## Whether the server has asked us to come later, in the connection before.
+var was_put_off: bool = false
 ## Whether a thread serves the connection; see [member ThreadedPeer.has_thread].
 var has_thread: bool = true
 ## Whether there is a level whose shared nodes take what the server's spawners and synchronizers
@@ -105,6 +107,7 @@ func open(p_host: String, p_port: int, p_request: JoinRequest, p_password: Strin
 	_state = State.CONNECTING
 	_why = ""
 	_over = false
+	was_put_off = false
 	_refusal = ""
 	clock.clear()
 	_parts = MessageParts.new()
@@ -133,6 +136,11 @@ func open(p_host: String, p_port: int, p_request: JoinRequest, p_password: Strin
 ## Whether the server has admitted us.
 func is_joined() -> bool:
 	return _state == State.JOINED
+
+
+## Whether we wait for an instructor, or for room.
+func is_waiting() -> bool:
+	return _state == State.WAITING
 
 
 ## The multiplayer API; another one after each [method open].
@@ -267,9 +275,9 @@ func _no_answer() -> String:
 	return excuse if excuse != "" else "no server answers at %s" % _where
 
 
-func _on_waiting(p_position: int) -> void:
+func _on_waiting(p_position: int, p_for: JoinReply.Wait) -> void:
 	_state = State.WAITING
-	waiting.emit(p_position)
+	waiting.emit(p_position, p_for)
 
 
 func _on_welcome(p_reply: JoinReply) -> void:
@@ -368,6 +376,7 @@ func _come_later(p_why: String) -> void:
 	if not _over:
 		_handshake.detach()
 		_over = true
+		was_put_off = true
 		_why = p_why
 
 

@@ -14,6 +14,17 @@ signal key_changed(p_other: OtherServerKey)
 const _RETRY_S: float = 2.0
 ## Seconds until the first one after a working connection was lost.
 const _SOON_S: float = 0.3
+## What we wait for, by [enum JoinReply.Wait], for our user and for the log; our place follows.
+const _STATUS: Array[String] = [
+	"Waiting for an instructor, position %d ...",
+	"The server is full.\nWaiting for room, position %d ...",
+	"No more clients of your address may be here.\nWaiting for room, position %d ...",
+]
+const _LINES: Array[String] = [
+	"waiting for an instructor, position %d",
+	"waiting for room, position %d",
+	"waiting for room among the clients of this address, position %d",
+]
 
 ## The connection.
 var link: ClientLink = ClientLink.new()
@@ -55,6 +66,8 @@ func advance(_delta_s: float) -> void:
 	var now: float = now_s()
 	if not link.is_joined() and now > _retry_at_s:
 		_connect()
+	if link.is_waiting():
+		_alone_since_s = now
 	if not link.is_joined() and patience_s > 0.0 and now - _alone_since_s > patience_s:
 		var where: Array = [host, port, patience_s]
 		ended.emit(EXIT_NO_SERVER, "no server at %s:%d for %.0f s" % where)
@@ -122,8 +135,9 @@ func _on_lost(p_why: String) -> void:
 	status_changed.emit("%s.\nTrying again ..." % sentence)
 	# After a working connection the first attempt comes soon.
 	_retry_at_s = now_s() + (_SOON_S if _was_joined else _RETRY_S)
-	if _was_joined:
+	if _was_joined or link.was_put_off:
 		_alone_since_s = now_s()
+	if _was_joined:
 		restarted.emit()
 	_was_joined = false
 
@@ -141,10 +155,9 @@ func _on_refused(p_why: String) -> void:
 		key_changed.emit(other)
 
 
-func _on_waiting(p_position: int) -> void:
-	status_changed.emit("Waiting for an instructor, position %d ..." % p_position)
-	Log.limited("client", "waiting", "waiting for an instructor, position %d" % p_position)
-	_alone_since_s = now_s()
+func _on_waiting(p_position: int, p_for: JoinReply.Wait) -> void:
+	status_changed.emit(_STATUS[p_for] % p_position)
+	Log.limited("client", "waiting %d" % p_for, _LINES[p_for] % p_position)
 
 
 func _on_state(p_bytes: PackedByteArray, p_arrival_usec: int) -> void:

@@ -27,9 +27,6 @@ signal stats_received(p_session: int, p_stats: Dictionary)
 ## Who is here, lost or waiting has changed; see [method roster].
 signal roster_changed
 
-## Datagrams of motion that a client may send per second; more are dropped.
-const MAX_POSES: int = 600
-
 ## Time between two checks for overdue sessions and peers, µs.
 const _LOOK_USEC: int = 100000
 
@@ -41,6 +38,11 @@ var rules: ServerRules = ServerRules.new()
 var refused: Dictionary[String, int]:
 	get:
 		return _inbox.refused
+
+## How often sessions may send what.
+var rates: MessageRates:
+	get:
+		return _inbox.rates
 
 var _api: SceneMultiplayer = null
 var _peer: ThreadedPeer = null
@@ -66,7 +68,7 @@ func listen(p_port: int, p_rules: ServerRules) -> Error:
 	_peer.guard = TransportGuard.new()
 	_peer.limits.max_datagram = Protocol.MAX_DATAGRAM
 	_peer.limits.max_clients = maxi(TransportLimits.MIN_CLIENTS, rules.max_clients)
-	_peer.limits.max_fast = {Protocol.Message.MOTION: MAX_POSES}
+	_peer.limits.max_fast = {Protocol.Message.MOTION: MessageRates.MOTIONS}
 	_peer.limits.high_from = Protocol.BASED_MOTION
 	_peer.limits.high_kind = Protocol.Message.MOTION
 	_peer.sealing = rules.sealing()
@@ -220,6 +222,11 @@ func admit(p_peer: int) -> String:
 	return _handshake.admit(p_peer)
 
 
+## The place of a peer among those who wait for room, from 1; 0 if it does not.
+func place_of(p_peer: int) -> int:
+	return _handshake.place_of(p_peer)
+
+
 ## Refuses a waiting peer, by its id. Returns why not, or an empty text.
 func refuse(p_peer: int, p_why: String) -> String:
 	return _handshake.refuse(p_peer, p_why)
@@ -292,6 +299,7 @@ func _end(p_session: Session) -> void:
 	_sessions.close(p_session)
 	_paced.forget(p_session.id)
 	_inbox.forget(p_session)
+	rates.forget(p_session.id)
 	if p_session.was_here:
 		Log.info("net", "%s left" % p_session.describe())
 		client_left.emit(p_session.id)

@@ -3,8 +3,9 @@ extends RefCounted
 ## Carries out what instructors order, on a server: see [OrderMessage]. Each order is answered, by
 ## name and outcome. [InstructorControl] is the counterpart.
 
-## An instructor asks for another level; the callable gets the reason why not, or an empty text.
-signal level_requested(p_name: String, p_answer: Callable)
+## An instructor asks for another level; the callable gets what becomes of it:
+## [code]func(outcome: AnswerMessage.Outcome, text: String) -> void[/code].
+signal level_requested(p_name: String, p_reply: Callable)
 ## An instructor sets fields of the world's own entity; the callable gets the reason why not, or an
 ## empty text.
 signal fields_requested(p_values: Dictionary[StringName, float], p_answer: Callable)
@@ -13,8 +14,6 @@ signal fields_requested(p_values: Dictionary[StringName, float], p_answer: Calla
 const NOTICE_S: float = 5.0
 ## Seconds between two lists of who is here, for those that change it often.
 const ROSTER_S: float = 0.25
-## Orders of an instructor in a second; more are refused.
-const MAX_ORDERS: int = 20
 ## Calibrations that are going on at one time.
 const MAX_CALIBRATIONS: int = 256
 
@@ -27,8 +26,6 @@ var _calibrations: Dictionary[int, Calibrating] = {}
 var _next_number: int = 1
 var _is_roster_due: bool = false
 var _roster_s: float = 0.0
-var _second_s: float = 0.0
-var _orders: Dictionary[int, int] = {}
 
 
 ## A calibration that an instructor has asked for.
@@ -36,8 +33,9 @@ class Calibrating:
 	## Session of the instructor, and the number of its order.
 	var instructor: int = 0
 	var order: int = 0
-	## Session of the trainee, and its name.
+	## Session of the trainee, which of its people, and its name.
 	var session: int = 0
+	var index: int = 0
 	var name: String = ""
 
 
@@ -57,9 +55,6 @@ func _init(p_link: ServerLink) -> void:
 ## Sends instructors who is here, if that has changed. Call it once a tick.
 func advance() -> void:
 	var now: float = Time.get_ticks_usec() / 1e6
-	if now - _second_s > 1.0:
-		_second_s = now
-		_orders.clear()
 	if _is_roster_due and now - _roster_s > ROSTER_S:
 		_is_roster_due = false
 		_roster_s = now
@@ -84,10 +79,7 @@ func _on_order(p_caller: Session, p_bytes: PackedByteArray, _arrival_usec: int) 
 		return "an order that is none"
 	if not p_caller.can(_needed(order.kind)):
 		return "an order that its role may not give"
-	_orders[p_caller.id] = _orders.get(p_caller.id, 0) + 1
-	if _orders[p_caller.id] > MAX_ORDERS:
-		if _orders[p_caller.id] == MAX_ORDERS + 1:
-			_answer(p_caller, order, "more than %d orders in a second" % MAX_ORDERS, "")
+	if not _may_now(p_caller, order):
 		return ""
 	match order.kind:
 		OrderMessage.Kind.WHO:
@@ -99,11 +91,10 @@ func _on_order(p_caller: Session, p_bytes: PackedByteArray, _arrival_usec: int) 
 		OrderMessage.Kind.CALIBRATE:
 			_calibrate(p_caller, order)
 		OrderMessage.Kind.LEVEL:
-			var asked: String = order.argument.left(Protocol.MAX_LEVEL_NAME)
 			level_requested.emit(
-				asked,
-				func(fault: String) -> void:
-					_answer(p_caller, order, fault, "the world is now '%s'" % asked)
+				order.argument.left(Protocol.MAX_LEVEL_NAME),
+				func(outcome: AnswerMessage.Outcome, text: String) -> void:
+					_reply(p_caller, order.number, outcome, text)
 			)
 		OrderMessage.Kind.FIELDS:
 			var values: Dictionary[StringName, float] = OrderMessage.read_fields(order.argument)
@@ -113,6 +104,27 @@ func _on_order(p_caller: Session, p_bytes: PackedByteArray, _arrival_usec: int) 
 					_answer(p_caller, order, fault, "the world has %s" % order.argument)
 			)
 	return ""
+
+
+## Whether an order does not come too soon; if it does, its sender is told.
+func _may_now(p_caller: Session, p_order: OrderMessage) -> bool:
+	var now: float = Time.get_ticks_usec() / 1e6
+	var what: StringName = MessageRates.OF_ORDERS[p_order.kind]
+	var may: bool = false
+	if p_order.kind == OrderMessage.Kind.LEVEL:
+		# Which of them are carried out, and when, is for those to say who change levels.
+		may = _link.rates.take_of_session(what, p_caller.id, now)
+	else:
+		may = _link.rates.take(what, p_caller.id, now)
+	if not may:
+		_link.complain(p_caller, "haste", "gives orders too soon after one another")
+		if _link.rates.take(&"refusals", p_caller.id, now):
+			var text: String = MessageRates.describe(what)
+			var bytes: PackedByteArray = AnswerMessage.encode(
+				p_order.number, AnswerMessage.Outcome.FAILED, text
+			)
+			_link.send_reliably([p_caller.id], bytes)
+	return may
 
 
 func _needed(p_kind: OrderMessage.Kind) -> Roles.Capability:
@@ -127,10 +139,15 @@ func _needed(p_kind: OrderMessage.Kind) -> Roles.Capability:
 func _decide(p_caller: Session, p_order: OrderMessage) -> void:
 	var name: String = "nobody"
 	for row: RosterRow in _link.roster():
-		if row.state == RosterRow.State.WAITING and row.peer == p_order.target:
+		if row.session == 0 and row.peer == p_order.target:
 			name = row.name
 	if p_order.kind == OrderMessage.Kind.ADMIT:
-		_answer(p_caller, p_order, _link.admit(p_order.target), "%s: admitted" % name, name)
+		var fault: String = _link.admit(p_order.target)
+		var place: int = _link.place_of(p_order.target)
+		var done: String = "%s: admitted" % name
+		if place > 0:
+			done += ", and waits for room at place %d" % place
+		_answer(p_caller, p_order, fault, done, name)
 		return
 	var why: String = "refused by %s" % _sign(p_caller, p_order.argument)
 	_answer(p_caller, p_order, _link.refuse(p_order.target, why), "%s: sent away" % name, name)
@@ -156,23 +173,34 @@ func _dismiss(p_caller: Session, p_order: OrderMessage) -> void:
 func _calibrate(p_caller: Session, p_order: OrderMessage) -> void:
 	var session: Session = _link.session(p_order.target)
 	var name: String = session.name if session != null else ""
-	if _calibrations.size() >= MAX_CALIBRATIONS:
-		_answer(p_caller, p_order, "too many calibrations are going on", "", name)
-		return
-	var number: int = _next_number
 	var fault: String = _find_calibration_fault(session, p_order)
+	if fault == "":
+		_replace_calibration(session.id, p_order.index)
+		if _calibrations.size() >= MAX_CALIBRATIONS:
+			fault = "too many calibrations are going on"
 	if fault != "":
 		_answer(p_caller, p_order, fault, "", name)
 		return
+	var number: int = _next_number
 	_link.send_reliably([session.id], NoticeMessage.calibrate(p_order.index, p_order.pose, number))
 	_next_number = _next_number % 0xFFFF + 1
 	var calibrating: Calibrating = Calibrating.new()
 	calibrating.instructor = p_caller.id
 	calibrating.order = p_order.number
 	calibrating.session = session.id
+	calibrating.index = p_order.index
 	calibrating.name = name
 	_calibrations[number] = calibrating
 	_reply(p_caller, p_order.number, AnswerMessage.Outcome.BEGUN, "%s: calibrating" % name)
+
+
+## One person has one calibration at a time: whoever never answers must not use them all up.
+func _replace_calibration(p_session: int, p_index: int) -> void:
+	for number: int in _calibrations.keys():
+		var asked: Calibrating = _calibrations[number]
+		if asked.session == p_session and asked.index == p_index:
+			_calibrations.erase(number)
+			_conclude(asked, false, "another calibration was asked for")
 
 
 ## Which poses there are the client knows.
@@ -215,7 +243,6 @@ func _on_roster_changed() -> void:
 
 func _on_left(p_session: int) -> void:
 	_noticed_s.erase(p_session)
-	_orders.erase(p_session)
 	for number: int in _calibrations.keys():
 		if _calibrations[number].session == p_session:
 			_conclude(_calibrations[number], false, "left during the calibration")

@@ -124,7 +124,8 @@ func _on_request(p_session: Session, p_bytes: PackedByteArray, _arrival_usec: in
 		return "a request for a level that is none"
 	var folder: LevelFolder = _level.folder
 	if folder == null or folder.manifest.content_hash() != request.content_hash.hex_encode():
-		_refuse(p_session.id, request, "the server's world is another one now")
+		if _link.rates.take(&"refusals", p_session.id, Time.get_ticks_usec() / 1e6):
+			_refuse(p_session.id, request, "the server's world is another one now")
 		return ""
 	var pieces: Array = _waiting.get_or_add(p_session.id, [])
 	if pieces.size() >= MAX_WAITING:

@@ -4,7 +4,7 @@ extends RefCounted
 ## that is the last one. The first counts at once.
 
 ## Time from a list that counts to the next one, s.
-const PERIOD_S: float = 2.0
+const PERIOD_S: float = MessageRates.PEOPLE_PERIOD_S
 
 var _applied_s: Dictionary[int, float] = {}
 var _waiting: Dictionary[int, Array] = {}

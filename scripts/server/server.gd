@@ -36,6 +36,7 @@ var _conditions: ServerConditions = null
 var _shared: SharedServer = null
 var _offers: LevelOffers = null
 var _effects: ServerEffects = null
+var _level_orders: LevelOrders = null
 var _tick: int = 0
 var _sent_tick: int = 0
 var _network_usec: int = 0
@@ -77,6 +78,7 @@ func _open_world() -> void:
 	_offers = LevelOffers.new(_link, _level)
 	_offers.bits_per_second = _options.number("level-bandwidth") * 1000.0
 	_effects = ServerEffects.new(_link, _options.file("effects"))
+	_level_orders = LevelOrders.new(_level, _link.rates)
 	_entities.command_refused.connect(
 		func(session: int, what: String) -> void: _control.tell_instructors(session, what)
 	)
@@ -180,6 +182,7 @@ func _physics_process(p_delta: float) -> void:
 	_tick += 1
 	_people.tick = _tick
 	_take_lists(begin / 1e6)
+	_level_orders.advance(begin / 1e6)
 	_level.advance(_tick)
 	_offers.advance(p_delta)
 	_effects.advance(p_delta)
@@ -272,23 +275,8 @@ func _report_speed() -> void:
 	Log.warning("server", text % parts + "the machine is too slow for it")
 
 
-## Loads another level while the session runs, and answers when it is there or cannot come.
-func _change_level(p_name: String, p_answer: Callable) -> void:
-	var fault: String = _level.change_level(p_name)
-	if fault != "":
-		p_answer.call(fault)
-		return
-	Log.info("server", "loading world '%s'" % p_name)
-	var begin: int = Time.get_ticks_msec()
-	_level.change_ended.connect(
-		func(why: String) -> void:
-			var seconds: float = (Time.get_ticks_msec() - begin) / 1000.0
-			var parts: Array = [p_name, seconds, _level.longest_usec / 1000.0]
-			var text: String = "world '%s' is there after %.1f s (%.1f ms of a tick at most)"
-			Log.info("server", text % parts if why == "" else why)
-			p_answer.call(why),
-		CONNECT_ONE_SHOT
-	)
+func _change_level(p_name: String, p_reply: Callable) -> void:
+	_level_orders.ask(p_name, p_reply, Time.get_ticks_usec() / 1e6)
 
 
 func _change_fields(p_values: Dictionary[StringName, float], p_answer: Callable) -> void:

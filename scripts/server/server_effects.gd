@@ -7,8 +7,6 @@ extends RefCounted
 ## sent it, and everything stays as it was. Who comes later gets the newest, and who is behind gets
 ## the newest only.
 
-## Texts of an instructor in a second; more are refused.
-const MAX_PER_SECOND: int = 4
 ## Effects that have been changed in a session.
 const MAX_EFFECTS: int = 128
 ## Texts that wait for their check.
@@ -31,8 +29,6 @@ var _texts: Dictionary[String, PackedByteArray] = {}
 var _versions: Dictionary[String, int] = {}
 var _readers: Dictionary[int, Reader] = {}
 var _incoming: Dictionary[int, EffectParts] = {}
-var _counts: Dictionary[int, int] = {}
-var _second_s: float = 0.0
 var _quiet_s: float = 0.0
 var _checks: Array[Check] = []
 var _number: int = 0
@@ -81,11 +77,7 @@ func find_fault() -> String:
 
 ## Looks for changes and sends what a tick has room for. Call it once a tick.
 func advance(p_delta_s: float) -> void:
-	_second_s += p_delta_s
 	_quiet_s -= p_delta_s
-	if _second_s > 1.0:
-		_second_s = 0.0
-		_counts.clear()
 	var changed: Dictionary[String, PackedByteArray] = _folder.advance(p_delta_s)
 	for name: String in changed:
 		if EffectFile.is_name(name):
@@ -131,10 +123,11 @@ func _on_part(p_session: Session, p_bytes: PackedByteArray, _arrival_usec: int) 
 	if not parts.take(message):
 		return ""
 	_incoming.erase(p_session.id)
-	_counts[p_session.id] = _counts.get(p_session.id, 0) + 1
-	if _counts[p_session.id] > MAX_PER_SECOND:
-		if _counts[p_session.id] == MAX_PER_SECOND + 1:
-			var what: String = "more than %d effects in a second" % MAX_PER_SECOND
+	var now: float = Time.get_ticks_usec() / 1e6
+	if not _link.rates.take(&"effect", p_session.id, now):
+		_link.complain(p_session, "haste", "sends effects too soon after one another")
+		if _link.rates.take(&"refusals", p_session.id, now):
+			var what: String = MessageRates.describe(&"effect")
 			_answer(p_session.id, message.number, message.name, what)
 		return ""
 	if _checks.size() >= MAX_WAITING:

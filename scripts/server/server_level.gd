@@ -86,7 +86,7 @@ func load_level(p_name: String, p_tick: int = 0) -> String:
 ## Until it is read the present one stays. Returns why it cannot, or an empty text.
 func change_level(p_name: String) -> String:
 	# What cannot be loaded is told in the next tick.
-	if loader.state != LevelLoader.State.IDLE or loader.is_leaving() or is_between:
+	if is_changing():
 		return "world '%s' is being loaded" % loader.name
 	longest_usec = 0
 	var fault: String = _find_fault(p_name)
@@ -97,9 +97,14 @@ func change_level(p_name: String) -> String:
 	return fault
 
 
+## Whether a change is going on: another one can't begin.
+func is_changing() -> bool:
+	return loader.state != LevelLoader.State.IDLE or loader.is_leaving() or is_between
+
+
 ## Does a part of what [method change_level] has begun. Call it once a tick, before all else.
 func advance(p_tick: int) -> void:
-	if loader.state == LevelLoader.State.IDLE and not (loader.is_leaving() or is_between):
+	if not is_changing():
 		return
 	var begin_usec: int = ThreadClock.get_usec()
 	_go_on(p_tick)

@@ -3,9 +3,6 @@ extends RefCounted
 ## A server's end of the calls of [SharedNodes]: checks what clients call, sends what the server
 ## calls.
 
-## Refusals that a client is sent in a second.
-const MAX_REFUSALS: int = 20
-
 ## The API of the level's shared nodes.
 var api: SharedApi = SharedApi.new()
 
@@ -13,7 +10,6 @@ var _link: ServerLink = null
 var _second_usec: int = 0
 ## Calls in this second: session and method to number.
 var _calls: Dictionary[String, int] = {}
-var _refusals: Dictionary[int, int] = {}
 
 
 func _init(p_link: ServerLink) -> void:
@@ -49,7 +45,6 @@ func _on_call(p_session: Session, p_bytes: PackedByteArray, p_arrival_usec: int)
 	if p_arrival_usec - _second_usec > 1000000:
 		_second_usec = p_arrival_usec
 		_calls.clear()
-		_refusals.clear()
 	var root: SharedNodes = api.root()
 	var why: String = "this level has no shared nodes"
 	if root != null:
@@ -77,7 +72,6 @@ func _find_haste(p_permission: CallPermission, p_session: Session) -> String:
 
 
 func _refuse(p_session: Session, p_call: CallMessage, p_why: String) -> void:
-	_refusals[p_session.id] = _refusals.get(p_session.id, 0) + 1
-	if _refusals[p_session.id] <= MAX_REFUSALS:
+	if _link.rates.take(&"refusals", p_session.id, Time.get_ticks_usec() / 1e6):
 		_link.send_reliably([p_session.id], RefusalMessage.encode(p_call.number, p_why))
 	_link.complain(p_session, "call", "called '%s': %s" % [p_call.method, p_why])

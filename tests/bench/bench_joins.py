@@ -3,8 +3,10 @@
 
 While two observers and a trainee watch: 80 people (10 clients with 8) join at once; 50 clients
 come and go, each staying for a second; one client sends lists of 8 people of other sizes 60 times
-a second; and to 32 people one joins after the other. Options: --case=NAME (again for more),
---seconds=8 (of each), --server=FILE (another build's, to compare).
+a second; to 32 people one joins after the other; a hostile observer, trainee or instructor sends
+valid messages of every kind that its role may send, as fast as it may, chosen by a seed; and an
+instructor asks for another level 20 times a second. Options: --case=NAME (again for more),
+--seconds=8 (of each), --seed=1 (of hostile clients), --server=FILE (another build's, to compare).
 """
 
 from __future__ import annotations
@@ -56,6 +58,7 @@ class Case:
     goal_gap: bool = False
     # An honest client with as many people comes first.
     compares: bool = False
+    role: str = "trainee"
 
 
 CASES = {
@@ -63,7 +66,11 @@ CASES = {
     "50 clients churn": Case("churn", 50, 1),
     "lists at 60 Hz": Case("lists", 1, 8),
     "joins at 32 people": Case("single", 6, 1, present=4, goal_gap=True),
+    # A trainee.
     "a hostile client": Case("hostile", 0, 8, compares=True),
+    "a hostile observer": Case("hostile", 0, 0, role="observer"),
+    "a hostile instructor": Case("hostile", 0, 0, role="instructor"),
+    "levels at 20/s": Case("levels", 0, 0, role="instructor"),
 }
 
 
@@ -85,7 +92,7 @@ class Session:
         self._group = group
         self._godot = environment
         self.port = free_port()
-        options = [f"--port={self.port}", "--max-clients=200"]
+        options = [f"--port={self.port}", "--max-clients=200", "--max-per-address=0"]
         group.start("server", [str(server), "--headless", "--", "--role=server", *options])
         mark = "status at http://127.0.0.1:"
         group.await_text("server", mark, 30)
@@ -94,11 +101,18 @@ class Session:
         self.crowd("trainee", "join", 1, 1)
 
     def crowd(
-        self, name: str, plan: str, clients: int, people: int, begin: str = "", seed: int = 1
+        self,
+        name: str,
+        plan: str,
+        clients: int,
+        people: int,
+        begin: str = "",
+        seed: int = 1,
+        role: str = "trainee",
     ) -> None:
         """Starts clients, who wait for a file if one is named."""
         options = [f"--plan={plan}", f"--port={self.port}", f"--clients={clients}"]
-        options += [f"--begin={begin}", f"--seed={seed}"]
+        options += [f"--begin={begin}", f"--seed={seed}", f"--role={role}"]
         options += [f"--people={people}", f"--seconds={LONG_S}"]
         self._group.start(name, [*self._godot, "--", *options])
 
@@ -178,12 +192,13 @@ def run_case(stats: Stats, name: str, seconds: float, seed: int, server: Path) -
         for pair in range(PAIRS if case.compares else 1):
             honest = _watch_honest(session, group, case, f"honest {pair}") if case.compares else {}
             begin = Path(folder) / f"begin{pair}"
-            session.crowd(
-                f"crowd {pair}", case.plan, case.clients, case.people, str(begin), seed + pair
-            )
+            crowd = (case.plan, case.clients, case.people, str(begin), seed + pair, case.role)
+            session.crowd(f"crowd {pair}", *crowd)
             least_s = RECENT_TICKS / 60.0 if case.compares else 0.0
             pairs.append((honest, _watch_crowd(session, group, pair, begin, max(seconds, least_s))))
     _add(stats, name, case, pairs[0][1])
+    if case.clients == 0:
+        _add_attack(stats, name, seed, pairs)
     if case.compares:
         _add_cost(stats, name, pairs)
 
@@ -241,6 +256,18 @@ def _add(stats: Stats, name: str, case: Case, seen: Seen) -> None:
     stats.add(name, "log", log, "B/s", at_most=MAX_LOG_BYTES)
 
 
+def _add_attack(
+    stats: Stats, name: str, seed: int, pairs: list[tuple[dict[str, float], Seen]]
+) -> None:
+    """What was sent, and what the server holds because of it."""
+    looks = [seen for _, seen in pairs]
+    stats.add(name, "first seed", seed, "")
+    stats.add(name, "messages of the crowd", sum(seen.crowd[-1]["sent"] for seen in looks), "")
+    most = max(max(seen.after["rss_kb"], seen.later["rss_kb"]) for seen in looks)
+    held = (most - looks[0].before["rss_kb"]) / 1024.0
+    stats.add(name, "memory that it took", held, "MiB", at_most=MAX_HELD_MIB)
+
+
 def _add_cost(stats: Stats, name: str, pairs: list[tuple[dict[str, float], Seen]]) -> None:
     """Medians of the pairs: the machine is not always as fast."""
     for part in ("p50", "p99"):
@@ -252,10 +279,6 @@ def _add_cost(stats: Stats, name: str, pairs: list[tuple[dict[str, float], Seen]
         stats.add(name, text, median(costs), "ms", at_most=MAX_COST_MS)
         stats.add(name, f"the same, least of {PAIRS}", min(costs), "ms")
         stats.add(name, f"the same, most of {PAIRS}", max(costs), "ms")
-    looks = [seen for _, seen in pairs]
-    most = max(max(seen.after["rss_kb"], seen.later["rss_kb"]) for seen in looks)
-    held = (most - looks[0].before["rss_kb"]) / 1024.0
-    stats.add(name, "memory that it took", held, "MiB", at_most=MAX_HELD_MIB)
 
 
 if __name__ == "__main__":

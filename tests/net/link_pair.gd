@@ -32,6 +32,11 @@ var on_poll: Callable = Callable()
 var ends: Array[End] = []
 
 
+func _init() -> void:
+	# All come from one address.
+	rules.max_per_address = 0
+
+
 ## A client's end with what it heard.
 class End:
 	var link: ClientLink = ClientLink.new()
@@ -40,6 +45,7 @@ class End:
 	var refusal: String = ""
 	var loss: String = ""
 	var places: Array[int] = []
+	var waits_for: JoinReply.Wait = JoinReply.Wait.INSTRUCTOR
 	## Ticks of the snapshots that made sense.
 	var snapshots: Array[int] = []
 	## Bodies that snapshots told of.
@@ -78,8 +84,9 @@ class End:
 	func _on_lost(p_why: String) -> void:
 		loss = p_why
 
-	func _on_waiting(p_place: int) -> void:
+	func _on_waiting(p_place: int, p_for: JoinReply.Wait) -> void:
 		places.append(p_place)
+		waits_for = p_for
 
 	func _on_state(p_bytes: PackedByteArray, _p_arrival_usec: int) -> void:
 		if p_bytes[0] == Protocol.Message.TABLE:

@@ -81,7 +81,7 @@ func test_too_many_poses_are_dropped() -> void:
 	var taken: int = _pair.poses.get(bad_peer, []).size()
 	var seconds: float = (Time.get_ticks_usec() - began) / 1e6
 	# One second may have begun before, one may not be over.
-	var allowed: float = ServerLink.MAX_POSES * (seconds + 2.0)
+	var allowed: float = MessageRates.MOTIONS * (seconds + 2.0)
 	is_true(taken > 10 and taken <= allowed, "%d poses taken in %.1f s" % [taken, seconds])
 
 

@@ -109,20 +109,59 @@ func test_the_roster_has_what_an_instructor_needs() -> void:
 	equal(row.round_trip_ms, -1.0, "not known")
 
 
-func test_too_many_orders_are_refused_and_harm_nobody() -> void:
+func test_orders_that_come_too_soon_are_answered_and_harm_nobody() -> void:
 	var control: InstructorControl = _instructor()
-	for _order: int in 200:
+	for round: int in 400:
 		control.kick(999, "")
+		if round % 40 == 0:
+			_pair.poll()
 	var is_told: Callable = func() -> bool:
-		return _answers.any(
-			func(one: AnswerMessage) -> bool: return one.text.contains("orders in a second")
-		)
+		return _answers.any(func(one: AnswerMessage) -> bool: return one.text.contains("too soon"))
 	is_true(_pair.until(is_told))
-	is_true(_answers.size() <= 2 * (SessionControl.MAX_ORDERS + 1))
-	_pair.run(1.1)
+	is_true(_pair.until(func() -> bool: return _pair.server.refused.get("haste", 0) > 100))
+	is_true(control._link.is_joined())
 	_answers.clear()
-	control.kick(999, "")
-	is_true(_pair.until(func() -> bool: return _answers.size() == 1))
+	# Another kind has a limit of its own, and so has another instructor.
+	control.calibrate(999, 0, 0)
+	var other: InstructorControl = _instructor()
+	var number: int = other.kick(998, "")
+	var is_answered: Callable = func() -> bool:
+		var texts: Array = _answers.map(func(one: AnswerMessage) -> String: return one.text)
+		return texts.has("there is no session 998") and texts.has("is no trainee that is here")
+	is_true(_pair.until(is_answered), "%d" % number)
+
+
+func test_one_person_has_one_calibration_at_a_time() -> void:
+	var control: InstructorControl = _instructor()
+	var ada: LinkPair.End = _trainee("Ada")
+	for _again: int in 3:
+		control.calibrate(ada.link.session, 0, 0)
+	is_true(_pair.until(func() -> bool: return _asked.size() == 3))
+	equal(_control._calibrations.size(), 1, "whoever never answers uses up one")
+	var replaced: Array = _answers.filter(
+		func(one: AnswerMessage) -> bool: return one.text.contains("another calibration")
+	)
+	equal(replaced.size(), 2)
+
+
+func test_who_waits_for_room_is_admitted_once() -> void:
+	_pair.rules.waiting_room = true
+	_pair.rules.max_clients = 1
+	var control: InstructorControl = _instructor()
+	var ada: LinkPair.End = _pair.add(TRAINEE, "Ada")
+	is_true(_pair.until(func() -> bool: return ada.places == [1] and control.roster.size() == 2))
+	equal(control.roster[1].state_name(), "waiting")
+	control.admit(control.roster[1].peer)
+	is_true(_pair.until(func() -> bool: return not _answers.is_empty()))
+	equal(_answers[0].text, "Ada: admitted, and waits for room at place 1")
+	is_true(_pair.until(func() -> bool: return ada.waits_for == JoinReply.Wait.ROOM))
+	is_true(_pair.until(func() -> bool: return control.roster[1].state_name() == "queued"))
+	control.admit(control.roster[1].peer)
+	is_true(_pair.until(func() -> bool: return _answers.size() == 2))
+	equal(_answers[1].text, "Ada: waits for room already, at place 1")
+	equal([ada.refusal, ada.loss, ada.joined], ["", "", 0])
+	_pair.rules.max_clients = 2
+	_pair.await_join(ada)
 
 
 func test_noise_in_place_of_orders_and_answers() -> void:

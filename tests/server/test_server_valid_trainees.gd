@@ -6,7 +6,7 @@ extends TestCase
 ## a moment before: how busy the machine is does not matter. The seed of a failed run is in the
 ## output: set it as DISMOUNT_FUZZ_SEED.
 
-const HostileTrainee: GDScript = preload("hostile_trainee.gd")
+const HostileClient: GDScript = preload("hostile_client.gd")
 const JoinClient: GDScript = preload("res://tests/bench/joins/join_client.gd")
 const LinkPair: GDScript = preload("res://tests/net/link_pair.gd")
 
@@ -101,7 +101,7 @@ func test_no_sequence_of_valid_messages_costs_the_others_much() -> void:
 	var trap: ServerLog = ServerLog.new()
 	OS.add_logger(trap)
 	var began_s: float = _now_s()
-	var fuzzer: HostileTrainee = HostileTrainee.new(_port, number)
+	var fuzzer: HostileClient = HostileClient.new(_port, number)
 	var seen: int = _watcher.snapshots
 	var made: Array[int] = [0]
 	_people.person_added.connect(func(_person: ServerPerson) -> void: made[0] += 1)

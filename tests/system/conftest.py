@@ -44,6 +44,9 @@ class World:
         # The small world that most tests are about, where none is named.
         own = any(option.startswith(("--world", "--config")) for option in options)
         world = [] if own else ["--world=hall"]
+        if not any(option.startswith(("--max-per-address", "--config")) for option in options):
+            # All clients of a test come from one address.
+            options = ("--max-per-address=0", *options)
         command = [str(SERVER_BINARY), "--headless", "--", f"--port={self.port}", *world, *options]
         ports = [
             o.partition("=")[2] for o in options if o.startswith(("--port=", "--status-port="))

@@ -57,6 +57,8 @@ class OwnClient:
         self.header = 0xFFF
         self.token = b""
         self.is_joined = self.is_refused = self.is_gone = False
+        self.position = 0  # Among those who wait, from 1.
+        self.waits_for = 0
         self.numbers: dict[int, int] = defaultdict(int)  # Of reliable commands, by channel.
         self.groups = 0
         self.unacknowledged: dict[tuple[int, int], tuple[float, bytes]] = {}
@@ -293,6 +295,8 @@ class OwnClient:
                 self.send(b"\x07\x00" + self.join_request())
         elif said[0] == 0:
             self.token = said[5:21]
+        elif said[0] == 2:
+            self.position, self.waits_for = struct.unpack_from("<HB", said, 1)
         elif said[0] in (1, 3):
             self.is_refused = True
 

@@ -88,6 +88,8 @@ def test_the_role_itself_checks_what_it_is_asked_for(world: World) -> None:
     assert "--bvh=FILE" in still.log()
     world.server("--max-clients=1")
     clip = f"--bvh={CLIPS / '01_01.bvh'}"
-    refused = world.client("load", "--trainees=1", "--observers=1", clip, name="refused")
+    refused = world.client("load", "--password=none", "--trainees=1", clip, name="refused")
     assert refused.await_exit() == 3
     assert "the server refused us" in refused.log()
+    waits = world.client("load", "--trainees=1", "--observers=1", clip, name="waits")
+    waits.await_text("waits for room, position 1")

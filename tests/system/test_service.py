@@ -22,7 +22,7 @@ class Service:
         self.world = world
         self.config = world.folder / "server.cfg"
         self.log = world.folder / "dismount.log"
-        self.settings = {"password": "old", "log-file": self.log, **settings}
+        self.settings = {"password": "old", "log-file": self.log, "max-per-address": 0, **settings}
         self.write()
         self.server = world.server(f"--config={self.config}", "--world=hall")
 
@@ -59,11 +59,6 @@ def _join(crowd: Crowd, client: OwnClient) -> None:
     crowd.go_on_until(lambda: client.is_joined)
 
 
-def _refuse(crowd: Crowd, client: OwnClient) -> None:
-    crowd.add(client)
-    crowd.go_on_until(lambda: client.is_refused)
-
-
 def _says(crowd: Crowd, service: Service, text: str) -> None:
     crowd.go_on_until(lambda: text in service.server.log())
 
@@ -74,13 +69,15 @@ def test_sighup_rereads_the_configuration_and_reopens_the_log(service: Service) 
         _join(crowd, stays)
         service.change(max_clients=1)
         _says(crowd, service, "changed: max-clients 1")
-        _refuse(crowd, service.newcomer("second"))
+        second = service.newcomer("second")
+        crowd.add(second)
+        crowd.go_on_until(lambda: second.position == 1)
         moved = service.log.with_suffix(".1")
         service.log.rename(moved)
         service.change(max_clients=2, max_people=5, pose_error=1)
         _says(crowd, service, "changed: max-clients 2, max-people 5")
         _says(crowd, service, "these take effect with the next start: pose-error")
-        _join(crowd, service.newcomer("third"))
+        crowd.go_on_until(lambda: second.is_joined)
         assert "listening on UDP port" in moved.read_text(encoding="utf-8")
         assert "changed: max-clients 2" in service.log.read_text(encoding="utf-8")
         assert "changed: max-clients 2" not in moved.read_text(encoding="utf-8")
@@ -100,7 +97,9 @@ def test_sighup_changes_the_password(service: Service) -> None:
         _join(crowd, stays)
         service.change(password="fresh")
         _says(crowd, service, "changed: password")
-        _refuse(crowd, service.newcomer("second", "old"))
+        guesser = service.newcomer("second", "old")
+        crowd.add(guesser)
+        crowd.go_on_until(lambda: guesser.is_refused)
         _join(crowd, service.newcomer("third"))
         assert not stays.is_gone
     assert "fresh" not in service.server.log()

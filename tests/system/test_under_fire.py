@@ -35,6 +35,8 @@ PASSWORD = "--password=sesame"
 RAW = pytest.mark.skipif(not may_send_raw(), reason="only root may send from any port")
 # Datagrams of an attack that the server must have counted.
 MANY = 400
+# Clients of one address that a server takes by default.
+SHARE = 8
 # Snapshots that the observer gets meanwhile, and steps that the trainee's body makes.
 SNAPSHOTS = 60
 STEPS = 30
@@ -132,6 +134,38 @@ def test_half_open_handshakes_keep_nobody_out(world: World) -> None:
     assert counts["handshakes_dropped"] > 0
     assert "lost" not in server.log()
     assert "ERROR" not in server.log()
+
+
+def test_one_machine_does_not_fill_a_server(world: World) -> None:
+    """It gets its share, and some of its clients wait; whoever comes from elsewhere is in."""
+    world.server("--max-per-address=-1")
+    with Crowd() as crowd:
+        many = [OwnClient(world.port, name=f"many {number}") for number in range(60)]
+        crowd.add(*many)
+        crowd.go_on_until(
+            lambda: all(one.is_joined or one.position or one.is_refused for one in many)
+        )
+        crowd.go_on_until(lambda: sum(one.is_joined for one in many) == SHARE)
+        waiting = [one for one in many if one.position and not one.is_refused]
+        assert sorted(one.position for one in waiting) == [*range(1, SHARE + 1)]
+        assert all(one.waits_for == 2 for one in waiting)
+        crowd.join([OwnClient(world.port, address="127.0.0.2", name="elsewhere")])
+        # A client of ours from the same address does not give up.
+        late = world.client("observer", name="late")
+        crowd.go_on_until(lambda: "too many wait here already; trying again" in late.log())
+        # Who waits comes in, in order, when somebody leaves or is gone.
+        first, second = (next(one for one in waiting if one.position == at) for at in (1, 2))
+        second.disconnect()
+        next(one for one in many if one.is_joined).leave()
+        crowd.go_on_until(lambda: first.is_joined and min(one.position for one in waiting) == 1)
+        crowd.go_on_until(lambda: late.process.poll() is None and "position" in late.log())
+        for one in many:
+            if one.is_joined:
+                one.leave()
+            else:
+                one.disconnect()
+        crowd.go_on_until(lambda: "joined" in late.log())
+    assert late.end() == 0
 
 
 def test_a_client_that_seals_is_told_that_the_server_does_not(unsealed: Scene) -> None:

@@ -180,7 +180,9 @@ def run_session(settings: Settings) -> Measured:
 
 
 def _start_server(group: Group, settings: Settings) -> int:
+    # All come from one address.
     options = [f"--port={settings.port}", f"--max-clients={settings.clients}"]
+    options += ["--max-per-address=0"]
     options += settings.server_options
     group.start("server", [str(SERVER_BINARY), "--headless", "--", "--role=server", *options])
     group.await_text("server", "listening on UDP port", 30)

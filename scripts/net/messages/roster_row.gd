@@ -10,6 +10,8 @@ enum State {
 	HERE,
 	## Its connection is lost; its session is kept for a while.
 	LOST,
+	## It waits for room.
+	QUEUED,
 }
 
 ## Names of the states, for people and for the status.
@@ -17,6 +19,7 @@ const STATE_NAMES: Dictionary[State, String] = {
 	State.WAITING: "waiting",
 	State.HERE: "here",
 	State.LOST: "lost",
+	State.QUEUED: "queued",
 }
 
 ## Number of its session; 0 while it waits.

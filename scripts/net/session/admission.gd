@@ -10,42 +10,23 @@ enum Verdict {
 	WELCOME,
 	## It was refused, see [member PendingPeer.why].
 	REFUSED,
-	## An instructor decides.
+	## An instructor decides, or room has to come: see [WaitingLine].
 	WAIT,
 }
 
 ## Seconds that a client has for its join request, and for confirming the reply.
 const REQUEST_S: float = 3.0
-## Clients that may wait for an instructor.
-const MAX_WAITING: int = 64
+## A lost session makes room for others who wait not before so many seconds after the loss.
+const RETURN_S: float = 10.0
+
+## Those who waited and must not any longer, as the line is full: the caller refuses them.
+var pushed: Array[PendingPeer] = []
 
 var _rules: ServerRules = null
 var _sessions: SessionTable = null
 var _logins: LoginRateLimiter = LoginRateLimiter.new()
 var _pending: Dictionary[int, PendingPeer] = {}
-
-
-## A connection that has not been admitted yet.
-class PendingPeer:
-	var peer: int = 0
-	var address: String = ""
-	var since_usec: int = 0
-	var challenge: PackedByteArray = PackedByteArray()
-	## Key of the proofs, which only this client and the server have; empty without sealing.
-	var key: PackedByteArray = PackedByteArray()
-	## The role that a sealed connection was made for.
-	var sealed_role: int = 0
-	var request: JoinRequest = null
-	var session: Session = null
-	## The connection that the session had until now; 0 if none.
-	var replaced_peer: int = 0
-	## The lost session that ends to make room for this one, or null.
-	var displaced: Session = null
-	var why: String = ""
-	## Whether trying later may help.
-	var later: bool = false
-	var waits: bool = false
-	var refused: bool = false
+var _line: WaitingLine = WaitingLine.new()
 
 
 func _init(p_rules: ServerRules, p_sessions: SessionTable) -> void:
@@ -55,10 +36,7 @@ func _init(p_rules: ServerRules, p_sessions: SessionTable) -> void:
 
 ## A peer has connected; returns the challenge, which it must be sent.
 func arrive(p_peer: int, p_address: String, p_now_usec: int) -> PackedByteArray:
-	var pending: PendingPeer = PendingPeer.new()
-	pending.peer = p_peer
-	pending.address = p_address
-	pending.since_usec = p_now_usec
+	var pending: PendingPeer = PendingPeer.new(p_peer, p_address, p_now_usec)
 	pending.challenge = _rules.challenge().encode()
 	_pending[p_peer] = pending
 	return pending.challenge
@@ -83,7 +61,9 @@ func find(p_peer: int) -> PendingPeer:
 
 ## A peer was admitted or has gone.
 func forget(p_peer: int) -> void:
-	_pending.erase(p_peer)
+	if _pending.has(p_peer):
+		_line.remove(_pending[p_peer])
+		_pending.erase(p_peer)
 
 
 ## Decides on a join request.
@@ -112,44 +92,45 @@ func judge(p_peer: int, p_bytes: PackedByteArray, p_now_usec: int) -> Verdict:
 	return _judge_room(pending, p_now_usec)
 
 
-## Whether there is room for one more. A full server has it where a connection is lost:
-## [member PendingPeer.displaced] is the session that is to end then.
-func has_room(p_pending: PendingPeer) -> bool:
-	if _sessions.all().size() < _rules.max_clients:
-		return true
-	p_pending.displaced = _sessions.longest_lost()
-	return p_pending.displaced != null
-
-
-## Admits a waiting peer.
-func admit(p_pending: PendingPeer, p_now_usec: int) -> void:
-	p_pending.waits = false
-	p_pending.since_usec = p_now_usec
-	p_pending.session = _sessions.open(p_pending.request, p_pending.peer, p_pending.address)
-
-
-## Refuses a waiting peer.
-func refuse(p_pending: PendingPeer, p_why: String, p_now_usec: int) -> void:
-	_refuse(p_pending, p_why, false)
-	p_pending.since_usec = p_now_usec
-
-
-## Those who wait for an instructor, in the order in which they came.
+## Those who wait, in the order in which they came.
 func waiting() -> Array[PendingPeer]:
-	var all: Array[PendingPeer] = _pending.values()
-	return all.filter(func(pending: PendingPeer) -> bool: return pending.waits)
+	return _line.all()
+
+
+## Their places, from 1.
+func places() -> Dictionary[PendingPeer, int]:
+	return _line.places()
+
+
+## An instructor admits somebody who waits for that: in at once where there is room, and into the
+## line of those who wait for room otherwise. Returns whether he is in.
+func let_in(p_pending: PendingPeer, p_now_usec: int) -> bool:
+	if _may_enter(p_pending, p_now_usec):
+		_admit(p_pending, p_now_usec)
+		return true
+	_line.move_back(p_pending)
+	return false
+
+
+## Admits the first of those who wait for room who has it now; null if there is none.
+func let_next_in(p_now_usec: int) -> PendingPeer:
+	var next: PendingPeer = _next_who_may(p_now_usec)
+	if next != null:
+		_admit(next, p_now_usec)
+	return next
+
+
+## Refuses a peer.
+func refuse(p_pending: PendingPeer, p_why: String, p_later: bool, p_now_usec: int) -> void:
+	_refuse(p_pending, p_why, p_later)
+	p_pending.since_usec = p_now_usec
 
 
 ## Those who wait, for an instructor; see [method ServerLink.roster].
 func rows() -> Array[RosterRow]:
 	var list: Array[RosterRow] = []
 	for pending: PendingPeer in waiting():
-		var row: RosterRow = RosterRow.new()
-		row.peer = pending.peer
-		row.name = pending.request.name
-		row.role = pending.request.role
-		row.address = pending.address
-		list.append(row)
+		list.append(pending.row())
 	return list
 
 
@@ -181,41 +162,83 @@ func _judge_password(p_pending: PendingPeer, p_known: bool, p_now_usec: int) -> 
 		return Verdict.WELCOME
 	# Whoever knows a session's token does not guess: an attacker from the same address must not
 	# keep those out who come back.
-	if not p_known and not _logins.may_guess(p_pending.address, p_now_usec):
+	if not p_known and not _logins.take(p_pending.address, p_now_usec / 1e6):
 		return _refuse(p_pending, "too many wrong passwords came from your address", true)
 	if p_pending.request.is_proven(p_pending.challenge, _rules.key_of(role)):
+		if not p_known:
+			_logins.give_back(p_pending.address)
 		return Verdict.WELCOME
-	_logins.note_wrong(p_pending.address, p_now_usec)
 	return _refuse(p_pending, "the password is wrong", false)
 
 
 func _judge_room(p_pending: PendingPeer, p_now_usec: int) -> Verdict:
-	var role: Roles.Role = p_pending.request.role
-	var moderates: bool = Roles.can(role, Roles.Capability.MODERATE)
-	var rows: Array[PendingPeer] = waiting()
-	if not has_room(p_pending):
-		return _refuse(p_pending, "the server is full (%d clients)" % _rules.max_clients, false)
-	var mine: int = _sessions.count_at(p_pending.address)
-	for pending: PendingPeer in rows:
-		mine += 1 if pending.address == p_pending.address else 0
-	if _rules.max_per_address > 0 and mine >= _rules.max_per_address:
-		p_pending.displaced = _sessions.longest_lost(p_pending.address)
-		if p_pending.displaced == null:
-			var most: int = _rules.max_per_address
-			return _refuse(p_pending, "%d clients of your address are here already" % most, false)
+	var moderates: bool = Roles.can(p_pending.request.role, Roles.Capability.MODERATE)
 	if _rules.waiting_room and not moderates:
-		if rows.size() >= MAX_WAITING:
-			return _refuse(p_pending, "the waiting room is full", true)
-		p_pending.waits = true
-		p_pending.displaced = null
-		return Verdict.WAIT
-	admit(p_pending, p_now_usec)
-	return Verdict.WELCOME
+		p_pending.waits_for = JoinReply.Wait.INSTRUCTOR
+	elif _may_enter(p_pending, p_now_usec):
+		_admit(p_pending, p_now_usec)
+		return Verdict.WELCOME
+	p_pending.displaced = null
+	if not _line.add(p_pending, _rules.share_of_address(), pushed):
+		return _refuse(p_pending, "too many wait here already", true)
+	return Verdict.WAIT
+
+
+## Whether there is room for somebody, and nobody who waits has it before him. Says what he waits for
+## if not.
+func _may_enter(p_pending: PendingPeer, p_now_usec: int) -> bool:
+	var lost: Array[Session] = _sessions.lost_for(RETURN_S, p_now_usec)
+	if not _has_room(p_pending, lost):
+		return false
+	if _next_who_may(p_now_usec) == null:
+		return true
+	p_pending.waits_for = JoinReply.Wait.ROOM
+	return false
+
+
+func _next_who_may(p_now_usec: int) -> PendingPeer:
+	if _line.all().is_empty():
+		return null
+	var lost: Array[Session] = _sessions.lost_for(RETURN_S, p_now_usec)
+	for pending: PendingPeer in _line.all():
+		if pending.waits_for != JoinReply.Wait.INSTRUCTOR and _has_room(pending, lost):
+			return pending
+	return null
+
+
+## Whether there is room for one more. Where there is none, a lost session may end for him:
+## [member PendingPeer.displaced]. Sets what he waits for if not.
+func _has_room(p_pending: PendingPeer, p_lost: Array[Session]) -> bool:
+	var most: int = _rules.share_of_address()
+	var of_network: int = _sessions.count_at(p_pending.network)
+	var of_site: int = _sessions.count_at_site(p_pending.site)
+	p_pending.displaced = null
+	if most > 0 and (of_network >= most or of_site >= ServerRules.SITE_SHARES * most):
+		for session: Session in p_lost:
+			var is_own: bool = session.network == p_pending.network
+			if is_own or (of_network < most and session.site == p_pending.site):
+				p_pending.displaced = session
+				return true
+		p_pending.waits_for = JoinReply.Wait.SHARE
+		return false
+	if _sessions.count() < _rules.max_clients:
+		return true
+	if not p_lost.is_empty():
+		p_pending.displaced = p_lost[0]
+		return true
+	p_pending.waits_for = JoinReply.Wait.ROOM
+	return false
+
+
+func _admit(p_pending: PendingPeer, p_now_usec: int) -> void:
+	_line.remove(p_pending)
+	p_pending.since_usec = p_now_usec
+	p_pending.session = _sessions.open(p_pending.request, p_pending.peer, p_pending.address)
 
 
 func _refuse(p_pending: PendingPeer, p_why: String, p_later: bool) -> Verdict:
+	_line.remove(p_pending)
 	p_pending.refused = true
-	p_pending.waits = false
 	p_pending.why = p_why
 	p_pending.later = p_later
 	return Verdict.REFUSED

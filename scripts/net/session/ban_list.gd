@@ -1,12 +1,13 @@
 class_name BanList
 extends RefCounted
-## Banned addresses, kept in a file: a JSON list of texts.
+## Banned addresses, kept in a file: a JSON list of texts. An IPv6 address stands for its /64.
 
 ## Why the file cannot be used, or an empty text.
 var error: String = ""
 
 var _path: String = ""
 var _addresses: Dictionary[String, bool] = {}
+var _networks: Dictionary[String, bool] = {}
 
 
 ## Reads a file; a missing one is created with the first ban. Entries that are no addresses are
@@ -30,12 +31,12 @@ static func open(p_path: String) -> BanList:
 
 ## Whether an address is banned.
 func has(p_address: String) -> bool:
-	return _addresses.has(p_address)
+	return _networks.has(AddressNetwork.of(p_address))
 
 
 ## Bans an address and keeps it. Returns why it cannot be kept, or an empty text.
 func add(p_address: String) -> String:
-	_addresses[p_address] = true
+	_take(p_address)
 	if _path == "":
 		return ""
 	var file: FileAccess = FileAccess.open(_path + ".part", FileAccess.WRITE)
@@ -48,11 +49,16 @@ func add(p_address: String) -> String:
 	)
 
 
+func _take(p_address: String) -> void:
+	_addresses[p_address] = true
+	_networks[AddressNetwork.of(p_address)] = true
+
+
 func _read(p_entries: Array, p_text: String) -> void:
 	var lines: PackedStringArray = p_text.split("\n")
 	for entry: Variant in p_entries:
 		if entry is String and (entry as String).is_valid_ip_address():
-			_addresses[entry] = true
+			_take(entry)
 			continue
 		var shown: String = JSON.stringify(entry)
 		var number: int = 1

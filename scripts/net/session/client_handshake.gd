@@ -7,8 +7,8 @@ extends RefCounted
 
 ## The server has admitted us, and has proven the password if there is one.
 signal welcomed(p_reply: JoinReply)
-## An instructor will decide; our position among those who wait, from 1.
-signal waiting(p_position: int)
+## We wait; our position among those who wait for the same, from 1.
+signal waiting(p_position: int, p_for: JoinReply.Wait)
 ## The server will not admit us, however often we ask.
 signal refused(p_why: String)
 ## The server cannot admit us now.
@@ -136,7 +136,7 @@ func _on_message(p_peer: int, p_bytes: PackedByteArray) -> void:
 		JoinReply.Kind.WELCOME:
 			_take_welcome(reply)
 		JoinReply.Kind.WAIT:
-			waiting.emit(reply.position)
+			waiting.emit(reply.position, reply.waits_for)
 		JoinReply.Kind.LATER:
 			put_off.emit(reply.why)
 		_:

@@ -4,7 +4,7 @@ extends RefCounted
 ##
 ## Little-endian: u8 [enum Kind]; a welcome: u32 session, 16 bytes token, text
 ## name of the level, 8 bytes its fingerprint, 32 bytes proof; a refusal:
-## text why; waiting: u16 position.
+## text why; waiting: u16 position, u8 [enum Wait].
 
 ## The kind of answer.
 enum Kind {
@@ -12,10 +12,20 @@ enum Kind {
 	WELCOME,
 	## The client is refused, and trying again is useless.
 	REFUSED,
-	## An instructor will decide.
+	## It waits: another answer follows.
 	WAIT,
 	## The client is refused now; trying later may help.
 	LATER,
+}
+
+## What a client waits for.
+enum Wait {
+	## An instructor, who decides.
+	INSTRUCTOR,
+	## Room at a server that is full.
+	ROOM,
+	## Room among the clients of its own address.
+	SHARE,
 }
 
 ## Longest reason, characters.
@@ -29,8 +39,10 @@ var why: String = ""
 var session: int = 0
 ## Lets the client come back into its session.
 var token: PackedByteArray = PackedByteArray()
-## Position among those who wait for an instructor, from 1.
+## Position among those who wait, from 1.
 var position: int = 0
+## What the client waits for.
+var waits_for: Wait = Wait.INSTRUCTOR
 ## Name of the server's level.
 var level_name: String = ""
 ## Fingerprint of the level at the server.
@@ -61,8 +73,8 @@ static func refusal(p_why: String, p_later: bool) -> PackedByteArray:
 
 
 ## The position among those who wait, from 1.
-static func wait(p_position: int) -> PackedByteArray:
-	var bytes: PackedByteArray = [Kind.WAIT, 0, 0]
+static func wait(p_position: int, p_for: Wait = Wait.INSTRUCTOR) -> PackedByteArray:
+	var bytes: PackedByteArray = [Kind.WAIT, 0, 0, p_for]
 	bytes.encode_u16(1, mini(p_position, 65535))
 	return bytes
 
@@ -84,6 +96,7 @@ static func decode(p_bytes: PackedByteArray) -> JoinReply:
 			reply.why = reader.read_text(4 * MAX_WHY)
 		Kind.WAIT:
 			reply.position = reader.read_u16()
+			reply.waits_for = mini(reader.read_u8(), Wait.SHARE) as Wait
 	var silent: bool = reply.why == "" and (said == Kind.REFUSED or said == Kind.LATER)
 	if not reader.is_complete() or said >= Kind.size() or silent:
 		reply.why = "it replys in a form that is not Dismount's"

@@ -1,35 +1,68 @@
 class_name LoginRateLimiter
 extends RefCounted
-## Limits wrong passwords from an address: a few at once, then one at a time, rarely.
+## How often passwords may be tried where connections are not sealed, as [code]PasswordTries[/code]
+## of the sealed ones: a try is charged when it begins and given back by success alone.
+##
+## It is charged to its address (IPv6: its /64), to the addresses around it (IPv4: /24, IPv6: /48),
+## and to all. Those of whom no try has failed lately share a budget of their own: guessers use up
+## that of the others, and keep no newcomer out for long.
 
-## Maximum of wrong passwords at once.
+## Tries of an address at once.
 const BURST: int = 5
 ## Seconds after which one more is allowed.
 const PER_GUESS_S: float = 2.0
-## Addresses that are remembered; the oldest go.
-const MAX_ADDRESSES: int = 4096
+## Tries that were not given back are forgotten after so long, s.
+const REMEMBERED_S: float = 3600.0
+## Networks whose failures are remembered; the oldest go.
+const MAX_NETWORKS: int = 4096
 
-var _left: Dictionary[String, float] = {}
-var _seen_usec: Dictionary[String, int] = {}
-
-
-## Whether an address may guess at a time, µs.
-func may_guess(p_address: String, p_now_usec: int) -> bool:
-	return _refresh(p_address, p_now_usec) >= 1.0
-
-
-## Takes note of a wrong password.
-func note_wrong(p_address: String, p_now_usec: int) -> void:
-	_left[p_address] = maxf(_refresh(p_address, p_now_usec) - 1.0, 0.0)
-	_seen_usec[p_address] = p_now_usec
-	if _left.size() > MAX_ADDRESSES:
-		var oldest: String = _left.keys()[0]
-		_left.erase(oldest)
-		_seen_usec.erase(oldest)
+var _of_network: Allowance = Allowance.new(BURST, 1.0 / PER_GUESS_S)
+var _around: Allowance = Allowance.new(8.0, 1.2)
+var _newcomers: Allowance = Allowance.new(16.0, 6.0)
+var _others: Allowance = Allowance.new(4.0, 1.5)
+## Tries of a network that were not given back, and when the last one was.
+var _open: Dictionary[String, int] = {}
+var _seen_s: Dictionary[String, float] = {}
+var _was_newcomer: bool = false
 
 
-func _refresh(p_address: String, p_now_usec: int) -> float:
-	if not _left.has(p_address):
-		return BURST
-	var since_s: float = (p_now_usec - _seen_usec[p_address]) / 1e6
-	return minf(_left[p_address] + since_s / PER_GUESS_S, BURST)
+## Charges a try at a time, s, if each budget has one left.
+func take(p_address: String, p_now_s: float) -> bool:
+	var network: String = AddressNetwork.of(p_address)
+	var around: String = AddressNetwork.around(p_address)
+	if p_now_s - _seen_s.get(network, -INF) > REMEMBERED_S:
+		_open.erase(network)
+	_was_newcomer = _open.get(network, 0) <= 0
+	var all: Allowance = _newcomers if _was_newcomer else _others
+	var has_left: bool = _of_network.has(network, p_now_s) and _around.has(around, p_now_s)
+	if not has_left or not all.take(0, p_now_s):
+		return false
+	_of_network.take(network, p_now_s)
+	_around.take(around, p_now_s)
+	if not _seen_s.has(network) and _seen_s.size() >= MAX_NETWORKS:
+		_make_room(p_now_s)
+	_open[network] = _open.get(network, 0) + 1
+	_seen_s[network] = p_now_s
+	return true
+
+
+## The try that was taken last, of this address, was the right password.
+func give_back(p_address: String) -> void:
+	var network: String = AddressNetwork.of(p_address)
+	_of_network.give_back(network)
+	_around.give_back(AddressNetwork.around(p_address))
+	(_newcomers if _was_newcomer else _others).give_back(0)
+	_open[network] = maxi(_open.get(network, 0) - 1, 0)
+
+
+func _make_room(p_now_s: float) -> void:
+	for network: String in _seen_s.keys():
+		if _open.get(network, 0) <= 0 or p_now_s - _seen_s[network] > REMEMBERED_S:
+			_forget(network)
+	if _seen_s.size() >= MAX_NETWORKS:
+		_forget(_seen_s.keys()[0])
+
+
+func _forget(p_network: String) -> void:
+	_seen_s.erase(p_network)
+	_open.erase(p_network)

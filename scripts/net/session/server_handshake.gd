@@ -26,14 +26,14 @@ func _init(
 	_rules = p_rules
 	_sessions = p_sessions
 	_admission = Admission.new(p_rules, p_sessions)
-	# Admission has its own time limit: the API would disconnect those who wait for an instructor.
+	# Admission has its own time limit: the API would disconnect those who wait.
 	_api.auth_timeout = 0.0
 	_api.auth_callback = _on_join_request
 	_api.peer_authenticating.connect(_on_arriving)
 	_api.peer_authentication_failed.connect(_on_turned_away)
 
 
-## Those who wait for an instructor, as rows of [method ServerLink.roster].
+## Those who wait, as rows of [method ServerLink.roster].
 func rows() -> Array[RosterRow]:
 	return _admission.rows()
 
@@ -43,36 +43,51 @@ func forget(p_peer: int) -> void:
 	_admission.forget(p_peer)
 
 
-## Disconnects those who take too long, at a time of [method Time.get_ticks_usec].
+## Disconnects those who take too long, and lets those in who have room now, at a time of
+## [method Time.get_ticks_usec].
 func look_after(p_now_usec: int) -> void:
 	for peer: int in _admission.overdue(p_now_usec):
 		_admission.forget(peer)
 		_on_turned_away(peer)
 		if _api.get_authenticating_peers().has(peer):
 			_api.disconnect_peer(peer)
+	var next: PendingPeer = _admission.let_next_in(p_now_usec)
+	while next != null:
+		_welcome(next)
+		changed.emit()
+		next = _admission.let_next_in(p_now_usec)
+	_send_positions()
 
 
-## Admits a waiting peer, by its id. Returns why not, or an empty text.
+## Admits somebody who waits for an instructor, by the id of the peer. Returns why not, or an empty
+## text. Where there is no room, he waits for that from now on: see [method place_of].
 func admit(p_peer: int) -> String:
-	var pending: Admission.PendingPeer = _admission.find(p_peer)
+	var pending: PendingPeer = _admission.find(p_peer)
 	if pending == null or not pending.waits:
 		return "nobody waits under the number %d" % p_peer
-	if not _admission.has_room(pending):
-		return "the server is full (%d clients)" % _rules.max_clients
-	_admission.admit(pending, Time.get_ticks_usec())
-	_welcome(pending)
-	_send_positions()
+	if pending.waits_for != JoinReply.Wait.INSTRUCTOR:
+		return "waits for room already, at place %d" % place_of(p_peer)
+	if _admission.let_in(pending, Time.get_ticks_usec()):
+		_welcome(pending)
+	changed.emit()
 	return ""
+
+
+## The place of a peer among those who wait for room, from 1; 0 if it does not.
+func place_of(p_peer: int) -> int:
+	var pending: PendingPeer = _admission.find(p_peer)
+	if pending == null or pending.waits_for == JoinReply.Wait.INSTRUCTOR:
+		return 0
+	return _admission.places().get(pending, 0)
 
 
 ## Refuses a waiting peer, by its id. Returns why not, or an empty text.
 func refuse(p_peer: int, p_why: String) -> String:
-	var pending: Admission.PendingPeer = _admission.find(p_peer)
+	var pending: PendingPeer = _admission.find(p_peer)
 	if pending == null or not pending.waits:
 		return "nobody waits under the number %d" % p_peer
-	_admission.refuse(pending, p_why, Time.get_ticks_usec())
-	_api.send_auth(p_peer, JoinReply.refusal(p_why, false))
-	_send_positions()
+	_send_away(pending, p_why, false)
+	changed.emit()
 	return ""
 
 
@@ -89,7 +104,7 @@ func _on_arriving(p_peer: int) -> void:
 func _on_join_request(p_peer: int, p_bytes: PackedByteArray) -> void:
 	var now: int = Time.get_ticks_usec()
 	var verdict: Admission.Verdict = _admission.judge(p_peer, p_bytes, now)
-	var pending: Admission.PendingPeer = _admission.find(p_peer)
+	var pending: PendingPeer = _admission.find(p_peer)
 	match verdict:
 		Admission.Verdict.WELCOME:
 			if pending.replaced_peer != 0:
@@ -102,13 +117,10 @@ func _on_join_request(p_peer: int, p_bytes: PackedByteArray) -> void:
 			pending.since_usec = now
 			_api.send_auth(p_peer, JoinReply.refusal(pending.why, pending.later))
 		Admission.Verdict.WAIT:
-			var parts: Array = [pending.request.name, pending.address, p_peer]
-			Log.info("net", "'%s' from %s waits to be admitted (%d)" % parts)
-			_peer.keep(p_peer)
-			_send_positions()
+			_begin_to_wait(pending)
 
 
-func _welcome(p_pending: Admission.PendingPeer) -> void:
+func _welcome(p_pending: PendingPeer) -> void:
 	if p_pending.displaced != null:
 		displaced.emit(p_pending.displaced)
 	var session: Session = p_pending.session
@@ -122,22 +134,49 @@ func _welcome(p_pending: Admission.PendingPeer) -> void:
 	_api.complete_auth(p_pending.peer)
 
 
+func _begin_to_wait(p_pending: PendingPeer) -> void:
+	var parts: Array = [p_pending.request.name, p_pending.address, p_pending.peer]
+	if p_pending.waits_for == JoinReply.Wait.INSTRUCTOR:
+		Log.info("net", "'%s' from %s waits to be admitted (%d)" % parts)
+	else:
+		Log.limited("net", "waits for room", "'%s' from %s waits for room (%d)" % parts)
+	for pushed: PendingPeer in _admission.pushed:
+		_send_away(pushed, "too many wait here already", true)
+	_admission.pushed.clear()
+	_peer.keep(p_pending.peer)
+	_send_position(p_pending, _admission.places()[p_pending])
+	changed.emit()
+
+
+func _send_away(p_pending: PendingPeer, p_why: String, p_later: bool) -> void:
+	_admission.refuse(p_pending, p_why, p_later, Time.get_ticks_usec())
+	_api.send_auth(p_pending.peer, JoinReply.refusal(p_why, p_later))
+
+
 ## A peer left before it was admitted.
 func _on_turned_away(p_peer: int) -> void:
-	var pending: Admission.PendingPeer = _admission.find(p_peer)
+	var pending: PendingPeer = _admission.find(p_peer)
+	var waited: bool = pending != null and pending.waits
 	_admission.forget(p_peer)
 	var session: Session = _sessions.of_peer(p_peer)
 	if session != null and session.was_here:
 		_sessions.detach(session, Time.get_ticks_usec())
 	elif session != null:
 		_sessions.close(session)
-	if pending != null and pending.waits:
-		_send_positions()
+	if waited:
+		changed.emit()
 
 
+## Tells those who wait what has changed for them.
 func _send_positions() -> void:
-	var position: int = 0
-	for pending: Admission.PendingPeer in _admission.waiting():
-		position += 1
-		_api.send_auth(pending.peer, JoinReply.wait(position))
-	changed.emit()
+	var places: Dictionary[PendingPeer, int] = _admission.places()
+	for pending: PendingPeer in places:
+		_send_position(pending, places[pending])
+
+
+func _send_position(p_pending: PendingPeer, p_position: int) -> void:
+	if p_pending.told_position == p_position and p_pending.told_for == p_pending.waits_for:
+		return
+	p_pending.told_position = p_position
+	p_pending.told_for = p_pending.waits_for
+	_api.send_auth(p_pending.peer, JoinReply.wait(p_position, p_pending.waits_for))

@@ -2,10 +2,17 @@ class_name ServerRules
 extends RefCounted
 ## Whom a server admits, and how.
 
+## [member max_per_address]: a quarter of [member max_clients], but [constant MIN_SHARE] at least.
+const QUARTER: int = -1
+## Clients of one address that every server takes, if it takes as many at all.
+const MIN_SHARE: int = 4
+## Shares that all addresses of a site have together: see [method AddressNetwork.site_of].
+const SITE_SHARES: int = 2
+
 ## Maximum of clients.
 var max_clients: int = Protocol.DEFAULT_MAX_CLIENTS
-## Maximum of clients from one address; 0 for no limit.
-var max_per_address: int = 0
+## Maximum of clients from one address, those included whose connection is lost; 0 for no limit.
+var max_per_address: int = QUARTER
 ## Password of all roles; empty if there is none.
 var password: String = ""
 ## Password of instructors; empty if it is the others'.
@@ -25,6 +32,13 @@ var level_fingerprint: PackedByteArray = PackedByteArray()
 
 var _salt: PackedByteArray = Crypto.new().generate_random_bytes(16)
 var _keys: Dictionary[String, PackedByteArray] = {}
+
+
+## Maximum of clients from one address, as a number; 0 for no limit.
+func share_of_address() -> int:
+	if max_per_address != QUARTER:
+		return max_per_address
+	return maxi(ceili(max_clients / 4.0), MIN_SHARE)
 
 
 ## The password of a role; empty if it needs none.

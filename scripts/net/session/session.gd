@@ -12,6 +12,10 @@ var name: String = ""
 var rate: int = 0
 ## IP address of the client.
 var address: String = ""
+## What it counts as: see [method AddressNetwork.of].
+var network: String = ""
+## The network of its site: see [method AddressNetwork.site_of].
+var site: String = ""
 ## Lets the client come back.
 var token: PackedByteArray = PackedByteArray()
 ## The peer's id; 0 while the connection is lost.

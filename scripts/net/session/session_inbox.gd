@@ -20,6 +20,8 @@ const MAX_RELIABLE: int = 512
 var dropped: int = 0
 ## What was not taken in, since the start: how often, by the key of its complaint.
 var refused: Dictionary[String, int] = {}
+## How often sessions may send what.
+var rates: MessageRates = MessageRates.new()
 
 var _handlers: MessageHandlers = MessageHandlers.new()
 var _turns: Dictionary[Session, Turn] = {}
@@ -123,6 +125,11 @@ func _hand_over(
 		var what: String = Protocol.Message.find_key(kind)
 		complain(p_session, "role", "sent %s, which its role may not" % what)
 		return
+	if MessageRates.OF_MESSAGES.has(kind):
+		var what: StringName = MessageRates.OF_MESSAGES[kind]
+		if not rates.take(what, p_session.id, Time.get_ticks_usec() / 1e6):
+			complain(p_session, "rate", "sends more than is taken of kind '%s'" % what)
+			return
 	var fault: String = entry.handler.call(p_session, p_bytes, p_arrival_usec)
 	if fault != "":
 		complain(p_session, "message %d" % kind, "sent " + fault)

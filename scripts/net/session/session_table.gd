@@ -11,6 +11,9 @@ const MAX_ID: int = 65535
 var _sessions: Dictionary[int, Session] = {}
 var _by_peer: Dictionary[int, Session] = {}
 var _next_id: int = 1
+## Numbers of sessions of each network, and of each site.
+var _at_network: Dictionary[String, int] = {}
+var _at_site: Dictionary[String, int] = {}
 
 
 ## A new session.
@@ -31,9 +34,13 @@ func open(p_request: JoinRequest, p_peer: int, p_address: String) -> Session:
 
 ## Ties a session to a connection.
 func attach(p_session: Session, p_request: JoinRequest, p_peer: int, p_address: String) -> void:
+	_count(p_session, -1)
 	p_session.rate = p_request.rate
 	p_session.peer = p_peer
 	p_session.address = p_address
+	p_session.network = AddressNetwork.of(p_address)
+	p_session.site = AddressNetwork.site_of(p_address)
+	_count(p_session, 1)
 	p_session.is_here = false
 	_by_peer[p_peer] = p_session
 
@@ -48,8 +55,9 @@ func detach(p_session: Session, p_now_usec: int) -> void:
 
 ## Ends a session.
 func close(p_session: Session) -> void:
+	if _sessions.erase(p_session.id):
+		_count(p_session, -1)
 	_by_peer.erase(p_session.peer)
-	_sessions.erase(p_session.id)
 	p_session.peer = 0
 	p_session.is_here = false
 
@@ -94,23 +102,30 @@ func overdue(p_now_usec: int) -> Array[Session]:
 	)
 
 
-## The session whose connection was lost first, of an address or of all (an empty text), or null.
-func longest_lost(p_address: String = "") -> Session:
-	var found: Session = null
-	for session: Session in all():
-		var asked: bool = p_address == "" or session.address == p_address
-		if session.peer == 0 and asked:
-			if found == null or session.lost_usec < found.lost_usec:
-				found = session
-	return found
-
-
-## Number of sessions from an address.
-func count_at(p_address: String) -> int:
-	var count: int = 0
+## Those whose connection was lost so many seconds ago or more, the first one first.
+func lost_for(p_seconds: float, p_now_usec: int) -> Array[Session]:
+	var until_usec: int = p_now_usec - int(p_seconds * 1e6)
+	var lost: Array[Session] = []
 	for id: int in _sessions:
-		count += 1 if _sessions[id].address == p_address else 0
-	return count
+		if _sessions[id].peer == 0 and _sessions[id].lost_usec <= until_usec:
+			lost.append(_sessions[id])
+	lost.sort_custom(func(a: Session, b: Session) -> bool: return a.lost_usec < b.lost_usec)
+	return lost
+
+
+## Number of all, those included whose connection is lost.
+func count() -> int:
+	return _sessions.size()
+
+
+## Number of sessions from a network.
+func count_at(p_network: String) -> int:
+	return _at_network.get(p_network, 0)
+
+
+## Number of sessions from a site.
+func count_at_site(p_site: String) -> int:
+	return _at_site.get(p_site, 0)
 
 
 ## All, for an instructor; see [method ServerLink.roster].
@@ -128,6 +143,19 @@ func rows() -> Array[RosterRow]:
 		row.state = RosterRow.State.HERE if session.is_here else RosterRow.State.LOST
 		list.append(row)
 	return list
+
+
+func _count(p_session: Session, p_change: int) -> void:
+	if p_session.network == "":
+		return
+	_add(_at_network, p_session.network, p_change)
+	_add(_at_site, p_session.site, p_change)
+
+
+static func _add(r_counts: Dictionary[String, int], p_key: String, p_change: int) -> void:
+	r_counts[p_key] = r_counts.get(p_key, 0) + p_change
+	if r_counts[p_key] <= 0:
+		r_counts.erase(p_key)
 
 
 ## A name that no other session has: on screen and in orders people are told apart by it.

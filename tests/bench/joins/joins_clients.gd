@@ -4,16 +4,17 @@ extends SceneTree
 ## It prints a line of JSON a second. --plan=join: all join at once and stay. --plan=churn: each
 ## joins, stays for a second, leaves, and so on. --plan=lists: they send lists of people of other
 ## sizes 60 times a second. --plan=single: they join one after the other, a second apart.
-## --plan=hostile: one sends all sorts of valid messages, by the seed --seed. With --begin=FILE all
+## --plan=hostile: one of --role=NAME sends all sorts of valid messages, by the seed --seed.
+## --plan=levels: an instructor asks for another level 20 times a second. With --begin=FILE all
 ## wait until that file is there.
 
 const JoinClient: GDScript = preload("join_client.gd")
-const HostileTrainee: GDScript = preload("res://tests/server/hostile_trainee.gd")
+const HostileClient: GDScript = preload("res://tests/server/hostile_client.gd")
 const STAY_S: float = 1.0
 
 var _arguments: BenchArguments = null
 var _clients: Array[JoinClient] = []
-var _hostile: HostileTrainee = null
+var _hostile: HostileClient = null
 var _since_usec: Dictionary[JoinClient, int] = {}
 var _began_usec: int = 0
 var _next: int = 0
@@ -36,6 +37,7 @@ func _initialize() -> void:
 				"seconds": 10.0,
 				"begin": "",
 				"seed": 1,
+				"role": "trainee",
 			}
 		)
 	)
@@ -66,7 +68,7 @@ func _process(_p_delta: float) -> bool:
 				_open_next(now)
 		"churn":
 			_churn(now)
-		"hostile":
+		"hostile", "levels":
 			_trouble(now)
 		_:
 			while _next < _clients.size():
@@ -115,8 +117,17 @@ func _churn(p_now_usec: int) -> void:
 
 func _trouble(p_now_usec: int) -> void:
 	if _hostile == null:
-		_hostile = HostileTrainee.new(_arguments.value("port"), _arguments.value("seed"))
+		_hostile = HostileClient.new(_arguments.value("port"), _arguments.value("seed"), _role())
+		if _arguments.value("plan") == "levels":
+			_hostile.only = [&"level"]
 	_hostile.advance(p_now_usec / 1e6)
+
+
+func _role() -> Roles.Role:
+	for role: Roles.Role in Roles.Role.values():
+		if Roles.name_of(role) == _arguments.value("role"):
+			return role
+	return Roles.Role.TRAINEE
 
 
 func _send_other_list() -> void:
@@ -145,5 +156,6 @@ func _tell() -> void:
 		client.gap_s = 0.0
 	if _hostile != null:
 		row["joins"] = _hostile.joins
+		row["sent"] = _hostile.messages()
 	row["frame_ms"] = 1000.0 / maxf(Engine.get_frames_per_second(), 1.0)
 	print(JSON.stringify(row))

@@ -111,18 +111,6 @@ func test_guessing_is_slowed_down_and_keeps_nobody_out_who_comes_back() -> void:
 	is_true(_pair.until(func() -> bool: return _pair.returned == _pair.joined.keys()))
 
 
-func test_guess_limit() -> void:
-	var limit: LoginRateLimiter = LoginRateLimiter.new()
-	for _guess: int in LoginRateLimiter.BURST:
-		is_true(limit.may_guess("a", 0))
-		limit.note_wrong("a", 0)
-	is_false(limit.may_guess("a", 1900000))
-	is_true(limit.may_guess("b", 0), "another address")
-	is_true(limit.may_guess("a", 2000000))
-	limit.note_wrong("a", 2000000)
-	is_false(limit.may_guess("a", 2100000))
-
-
 func test_a_lost_client_comes_back_into_its_session() -> void:
 	_pair.listen(2)
 	var end: LinkPair.End = _pair.join(TRAINEE)
@@ -182,16 +170,6 @@ func test_a_place_is_kept_for_a_minute_only() -> void:
 	is_true(_pair.until(func() -> bool: return _pair.left.size() == 1))
 	end.link.open("127.0.0.1", _pair.port, end.request)
 	is_true(_pair.until(func() -> bool: return _pair.joined.size() == 2), "as somebody new")
-
-
-func test_limit_per_address() -> void:
-	_pair.rules.max_per_address = 2
-	_pair.listen()
-	_pair.join(TRAINEE)
-	_pair.join(OBSERVER)
-	var third: LinkPair.End = _pair.add(OBSERVER)
-	is_true(_pair.until(func() -> bool: return third.refusal != ""))
-	contains(third.refusal, "2 clients of your address")
 
 
 func test_an_instructor_admits_and_refuses() -> void:

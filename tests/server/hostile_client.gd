@@ -1,19 +1,51 @@
 extends RefCounted
-## A trainee who sends nothing but valid messages, and of those the worst: lists of all sizes, poses
-## that no body can have, bursts of them, old acknowledgements, commands, stats; who leaves and
-## comes back.
+## A client of any role that sends nothing but valid messages, and of those the worst: a trainee lists
+## of all sizes, poses that no body can have, bursts of them; an instructor orders of every kind; all
+## of them old acknowledgements, commands, stats, calls, and requests for levels. It leaves and comes
+## back.
 
 const RATES: Array[int] = [1, 10, 60, 144]
-const TRICKS: Array[StringName] = [
-	&"list", &"motion", &"burst", &"ack", &"stats", &"command", &"rejoin"
-]
+## What each role does.
+const TRICKS: Dictionary[Roles.Role, Array] = {
+	Roles.Role.OBSERVER: [&"ack", &"stats", &"command", &"call", &"request", &"rejoin"],
+	Roles.Role.TRAINEE:
+	[
+		&"list",
+		&"motion",
+		&"burst",
+		&"ack",
+		&"stats",
+		&"command",
+		&"wearer",
+		&"call",
+		&"request",
+		&"rejoin"
+	],
+	Roles.Role.INSTRUCTOR:
+	[
+		&"level",
+		&"fields",
+		&"order",
+		&"effect",
+		&"orders",
+		&"ack",
+		&"stats",
+		&"command",
+		&"call",
+		&"request",
+		&"rejoin"
+	],
+}
 ## Messages of a burst.
 const BURST: int = 100
+const HostileOrders: GDScript = preload("hostile_orders.gd")
 
 ## How often it has done what.
 var done: Dictionary[StringName, int] = {}
 ## How often it has joined.
 var joins: int = 0
+## The only tricks that it does, at any time; empty: those of its role, in rounds.
+var only: Array[StringName] = []
 
 var _random: RandomNumberGenerator = RandomNumberGenerator.new()
 var _port: int = 0
@@ -22,6 +54,8 @@ var _request: JoinRequest = JoinRequest.new()
 var _replica: LoadReplica = LoadReplica.new(SharedTables.new())
 var _writer: SampleWriter = SampleWriter.new()
 var _acks: Array[PackedByteArray] = []
+var _orders: HostileOrders = HostileOrders.new(_link, _random)
+var _is_lost: bool = false
 var _sample: int = 0
 var _command: int = 0
 ## The present round: what is done how often, and until when.
@@ -31,11 +65,13 @@ var _rates: Dictionary[StringName, int] = {}
 var _round_s: float = 0.0
 
 
-func _init(p_port: int, p_seed: int) -> void:
+func _init(p_port: int, p_seed: int, p_role: Roles.Role = Roles.Role.TRAINEE) -> void:
 	_port = p_port
 	_random.seed = p_seed
-	_request.role = Roles.Role.TRAINEE
+	_request.role = p_role
 	_link.joined.connect(_on_joined)
+	_link.lost.connect(_on_lost)
+	_link.refused.connect(_on_lost)
 	_link.set_motion_ack_taker(_writer.take_ack)
 	_link.state_received.connect(_on_state)
 	_open()
@@ -44,6 +80,9 @@ func _init(p_port: int, p_seed: int) -> void:
 ## Does what is due at a time, s.
 func advance(p_now_s: float) -> void:
 	_link.poll()
+	if _is_lost:
+		_is_lost = false
+		_open()
 	if not _link.is_joined():
 		return
 	var ack: PackedByteArray = _replica.acknowledgement(Time.get_ticks_usec(), Vector3.ZERO)
@@ -62,6 +101,15 @@ func advance(p_now_s: float) -> void:
 			_do(trick)
 
 
+## Messages that it has sent.
+func messages() -> int:
+	var sum: int = 0
+	for trick: StringName in done:
+		var many: int = BURST if trick == &"burst" or trick == &"orders" else 1
+		sum += done[trick] * many * (2 if trick == &"burst" else 1)
+	return sum
+
+
 ## Leaves.
 func leave() -> void:
 	_link.leave()
@@ -77,6 +125,11 @@ func _on_state(p_bytes: PackedByteArray, p_arrival_usec: int) -> void:
 	_replica.take(p_bytes, p_arrival_usec / 1e6)
 
 
+## Thrown out, as for a flood: it comes back.
+func _on_lost(_why: String) -> void:
+	_is_lost = true
+
+
 func _on_joined() -> void:
 	joins += 1
 	_replica.clear()
@@ -87,14 +140,20 @@ func _on_joined() -> void:
 func _choose(p_now_s: float) -> void:
 	_round_s = p_now_s + _random.randf_range(0.2, 0.8)
 	_tricks.clear()
-	for trick: StringName in TRICKS:
+	for trick: StringName in TRICKS[_request.role]:
 		var is_chosen: bool = _random.randf() < (0.15 if trick == &"rejoin" else 0.6)
+		if not only.is_empty():
+			is_chosen = only.has(trick)
 		if is_chosen:
 			_tricks.append(trick)
 			_due[trick] = p_now_s
 			_rates[trick] = RATES[_random.randi_range(0, RATES.size() - 1)]
 	_rates[&"rejoin"] = 4
 	_rates[&"burst"] = 2
+	_rates[&"orders"] = 2
+	_rates[&"level"] = 20
+	# As many as a second's limit of packets takes, if all are large.
+	_rates[&"effect"] = mini(_rates.get(&"effect", 1), 10)
 
 
 func _do(p_trick: StringName) -> void:
@@ -114,6 +173,23 @@ func _do(p_trick: StringName) -> void:
 			_link.send_fast(StatsMessage.encode(_random.randf() * 1e4, 1e4, 1e4, 240.0))
 		&"command":
 			_send_command()
+		&"orders":
+			for _number: int in BURST:
+				_orders.send_order()
+		&"level":
+			_orders.send_level()
+		&"fields":
+			_orders.send_fields()
+		&"order":
+			_orders.send_order()
+		&"effect":
+			_orders.send_effect()
+		&"wearer":
+			_orders.send_wearer()
+		&"call":
+			_orders.send_call()
+		&"request":
+			_orders.send_request()
 		&"rejoin":
 			if _random.randf() < 0.5:
 				_link.leave()
