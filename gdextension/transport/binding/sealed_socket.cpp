@@ -211,11 +211,10 @@ PackedByteArray SealedSocket::get_return_tag() const {
 }
 
 PackedByteArray SealedSocket::get_server_key() const {
-	if (_server) {
+	if (!_client) {
 		return packed(_settings.identity.key());
 	}
-	const bool sealed = _client && _client_settings.seals;
-	return sealed ? packed(_client->server_key()) : PackedByteArray();
+	return _client_settings.seals ? packed(_client->server_key()) : PackedByteArray();
 }
 
 int64_t SealedSocket::get_silent_usec() const {
