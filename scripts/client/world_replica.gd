@@ -23,7 +23,7 @@ const SMOOTHING: Dictionary[String, SnapshotSmoother.Method] = {
 	"adaptive_low_delay": SnapshotSmoother.ADAPTIVE_LOW_DELAY,
 }
 ## Acknowledgements are at least so far apart, µs, unless more datagrams came than one speaks of.
-const ACK_PERIOD_USEC: int = 105000
+const ACK_PERIOD_USEC: int = 112000
 ## An acknowledgement speaks of one datagram more than that.
 const MAX_UNACKNOWLEDGED: int = 32
 ## The decoder takes nothing that is so many ticks older than the newest, unless that was wrong.

@@ -28,6 +28,8 @@ class Relay(threading.Thread):
         self.to_server = 0
         self.datagrams_to_client = 0
         self.datagrams_to_server = 0
+        # Of those to the client, the ones that belong to an open connection.
+        self.sealed_to_client = 0
         # Bytes of the largest packet that passes, with headers; others are lost without a word.
         self.mtu = 65535
         # Of all datagrams, the part that is lost.
@@ -95,6 +97,7 @@ class Relay(threading.Thread):
                 self.near.sendto(data, self._client)
                 self.to_client += len(data) + HEADERS
                 self.datagrams_to_client += 1
+                self.sealed_to_client += data[0] >= 0x80
         except OSError:
             return  # Lost, as on a network.
 

@@ -4,8 +4,8 @@ extends RefCounted
 
 const MovingWorld: GDScript = preload("moving_world.gd")
 const CLIENT: int = 1
-## Bytes that UDP, IP and ENet add to each datagram.
-const TRANSPORT_BYTES: int = 40
+## Bytes that IP, UDP and sealing add to each datagram.
+const TRANSPORT_BYTES: int = 46
 
 ## Stats of the case.
 var bits: int = 0

@@ -11,7 +11,7 @@ using messages::Notice;
 
 /// How long a link may be without a connection of ENet's.
 constexpr int64_t HALF_OPEN_USEC = 5000000;
-/// How long a link with a connection may be silent: its client says something twice a second.
+/// How long a link with a connection may be silent: its client says something every 1.5 s.
 constexpr int64_t SILENT_USEC = 5500000;
 /// Where this server has stood still for longer, its clients may have been loud meanwhile.
 constexpr int64_t STOOD_STILL_USEC = 1000000;
