@@ -15,7 +15,7 @@ const ROWS: Dictionary[StringName, Array] = {
 	&"ban": [32, 2.0, 64, 4.0],
 	&"calibrate": [64, 4.0, 64, 8.0],
 	# Those that are carried out: all together one in twenty seconds, the last that was asked for.
-	&"level": [8, 2.0, 2, 0.05],
+	&"level": [8, 2.0, 3, 0.05],
 	&"fields": [8, 4.0, 16, 8.0],
 	&"effect": [4, 1.0, 8, 2.0],
 	# Answers that something came too soon, and refusals of calls and of pieces of levels.
