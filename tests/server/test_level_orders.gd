@@ -12,9 +12,10 @@ class FakeLevel:
 	var begun: PackedStringArray = []
 	var is_busy: bool = false
 
+	func find_fault(p_name: String) -> String:
+		return "there is no world 'nowhere'" if p_name == "nowhere" else ""
+
 	func change_level(p_name: String) -> String:
-		if p_name == "nowhere":
-			return "there is no world 'nowhere'"
 		begun.append(p_name)
 		is_busy = true
 		return ""

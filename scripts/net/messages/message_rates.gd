@@ -96,9 +96,10 @@ func forget(p_session: int) -> void:
 ## Says how often something may be, for somebody for whom it was too soon.
 static func describe(p_what: StringName) -> String:
 	var row: Array = ROWS[p_what]
-	var text: String = "too soon: '%s' at most %d times at once and %s a second" % [
-		p_what, row[0], String.num(row[1], 2)
-	]
+	var text: String = (
+		"too soon: '%s' at most %d times at once and %s a second"
+		% [p_what, row[0], String.num(row[1], 2)]
+	)
 	if row[2] > 0:
 		text += ", of all instructors %d and %s" % [row[2], String.num(row[3], 2)]
 	return text
