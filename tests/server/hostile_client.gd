@@ -17,7 +17,6 @@ const TRICKS: Dictionary[Roles.Role, Array] = {
 		&"stats",
 		&"command",
 		&"wearer",
-		&"call",
 		&"request",
 		&"rejoin"
 	],
