@@ -208,12 +208,15 @@ static func _server() -> Array[OptionRow]:
 				"maximum of people who have a body, of all clients together"
 			)
 		),
-		OptionRow.number(
-			"max-per-address",
-			server,
-			ServerRules.QUARTER,
-			[ServerRules.QUARTER, 4000],
-			"maximum of clients from one address; -1: a quarter of --max-clients, 4 at least; 0: any"
+		(
+			OptionRow
+			. number(
+				"max-per-address",
+				server,
+				ServerRules.QUARTER,
+				[ServerRules.QUARTER, 4000],
+				"maximum of clients from one address; -1: a quarter of --max-clients, 4 at least; 0: any"
+			)
 		),
 		OptionRow.file(
 			"server-key",

@@ -191,7 +191,7 @@ func handle(
 	_inbox.handle(p_kind, p_path, p_handler, p_capability)
 
 
-## Counts and logs what a client did wrong; [param p_key] limits how often it is logged.
+## See [method SessionInbox.complain].
 func complain(p_about: Session, p_key: String, p_what: String) -> void:
 	_inbox.complain(p_about, p_key, p_what)
 

@@ -31,9 +31,14 @@ func _init(p_level: ServerLevel, p_rates: MessageRates) -> void:
 ## An instructor asks for a level at a time, s.
 ## [code]func(outcome: AnswerMessage.Outcome, text: String) -> void[/code] gets the answers.
 func ask(p_name: String, p_reply: Callable, p_now_s: float) -> void:
+	var fault: String = _level.find_fault(p_name)
+	if fault != "":
+		p_reply.call(AnswerMessage.Outcome.FAILED, fault)
+		return
 	if _asked != null:
 		_asked.reply.call(
-			AnswerMessage.Outcome.FAILED, "world '%s': '%s' was asked for after it" % [_asked.name, p_name]
+			AnswerMessage.Outcome.FAILED,
+			"world '%s': '%s' was asked for after it" % [_asked.name, p_name]
 		)
 		_asked = null
 	if _loading == p_name:

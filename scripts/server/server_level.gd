@@ -55,7 +55,7 @@ func _init() -> void:
 ## Replaces the present level and all its entities by another, at once. Returns an empty text, or
 ## why it cannot; then nothing has changed.
 func load_level(p_name: String, p_tick: int = 0) -> String:
-	var fault: String = _find_fault(p_name)
+	var fault: String = find_fault(p_name)
 	var fresh: Level = null
 	var from: LevelFolder = null
 	if fault == "" and share.has(p_name):
@@ -89,7 +89,7 @@ func change_level(p_name: String) -> String:
 	if is_changing():
 		return "world '%s' is being loaded" % loader.name
 	longest_usec = 0
-	var fault: String = _find_fault(p_name)
+	var fault: String = find_fault(p_name)
 	if fault == "" and share.has(p_name):
 		loader.begin_folder(p_name, share.folder_of(p_name))
 	elif fault == "":
@@ -142,7 +142,7 @@ func _exit_tree() -> void:
 
 
 ## Why there can be no level of a name, or an empty text.
-func _find_fault(p_name: String) -> String:
+func find_fault(p_name: String) -> String:
 	if share.has(p_name) or LevelStore.has(p_name):
 		return ""
 	return LevelStore.describe_missing(p_name, share.names())

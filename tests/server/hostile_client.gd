@@ -1,8 +1,8 @@
 extends RefCounted
-## A client of any role that sends nothing but valid messages, and of those the worst: a trainee lists
-## of all sizes, poses that no body can have, bursts of them; an instructor orders of every kind; all
-## of them old acknowledgements, commands, stats, calls, and requests for levels. It leaves and comes
-## back.
+## A client of any role that sends nothing but valid messages, and of those the worst: a trainee
+## lists of all sizes, poses that no body can have, bursts of them; an instructor orders of every
+## kind; all of them old acknowledgements, commands, stats, calls, requests for levels. It leaves
+## and comes back.
 
 const RATES: Array[int] = [1, 10, 60, 144]
 ## What each role does.
@@ -17,7 +17,6 @@ const TRICKS: Dictionary[Roles.Role, Array] = {
 		&"stats",
 		&"command",
 		&"wearer",
-		&"call",
 		&"request",
 		&"rejoin"
 	],

@@ -100,7 +100,8 @@ func test_many_at_once_are_refused() -> void:
 	var control: InstructorControl = _instructor()
 	for i: int in 40:
 		control.send_effect("fountain", EffectTexts.GOOD)
-	var is_told: Callable = func() -> bool: return "\n".join(_answers).contains("too soon: 'effect'")
+	var is_told: Callable = func() -> bool:
+		return "\n".join(_answers).contains("too soon: 'effect'")
 	is_true(_pair.until(is_told))
 
 

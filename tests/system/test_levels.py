@@ -137,9 +137,11 @@ def test_a_change_of_level_drops_nobody(offers: Range) -> None:
         other = OwnClient(offers.world.port, TRAINEE, name="T1")
         crowd.join([other])
         await_level(trainee, "hall")
-        offers.change_to("range")
-        await_level(trainee, "range")
-        _refuse_levels(offers)
+        # It may have to wait for its turn: the other one goes on listening.
+        offers.instructor.type("level range")
+        crowd.go_on_until(lambda: "the world is now 'range'" in offers.instructor.log())
+        crowd.go_on_until(lambda: "world 'range' is there" in trainee.log())
+        _refuse_levels(offers, crowd)
         report = offers.server.report()
         assert report["level"]["name"] == "range"
         here = {row["name"] for row in report["sessions"] if row["state"] == "here"}
@@ -152,13 +154,13 @@ def test_a_change_of_level_drops_nobody(offers: Range) -> None:
     assert trainee.log().count("joined") == 1
 
 
-def _refuse_levels(offers: Range) -> None:
+def _refuse_levels(offers: Range, crowd: Crowd) -> None:
     for order, answer in {
         "broken": "world 'broken' is refused: broken.tscn, line",
         "atlantis": "there is no world 'atlantis' here: ",
     }.items():
         offers.instructor.type(f"level {order}")
-        offers.instructor.await_text(answer)
+        crowd.go_on_until(lambda answer=answer: answer in offers.instructor.log())
 
 
 def test_a_download_goes_on_when_the_server_is_back_and_it_ends_while_it_loads(

@@ -15,7 +15,7 @@ const ROWS: Dictionary[StringName, Array] = {
 	&"ban": [32, 2.0, 64, 4.0],
 	&"calibrate": [64, 4.0, 64, 8.0],
 	# Those that are carried out: all together one in twenty seconds, the last that was asked for.
-	&"level": [8, 2.0, 2, 0.05],
+	&"level": [8, 2.0, 3, 0.05],
 	&"fields": [8, 4.0, 16, 8.0],
 	&"effect": [4, 1.0, 8, 2.0],
 	# Answers that something came too soon, and refusals of calls and of pieces of levels.
@@ -96,9 +96,10 @@ func forget(p_session: int) -> void:
 ## Says how often something may be, for somebody for whom it was too soon.
 static func describe(p_what: StringName) -> String:
 	var row: Array = ROWS[p_what]
-	var text: String = "too soon: '%s' at most %d times at once and %s a second" % [
-		p_what, row[0], String.num(row[1], 2)
-	]
+	var text: String = (
+		"too soon: '%s' at most %d times at once and %s a second"
+		% [p_what, row[0], String.num(row[1], 2)]
+	)
 	if row[2] > 0:
 		text += ", of all instructors %d and %s" % [row[2], String.num(row[3], 2)]
 	return text

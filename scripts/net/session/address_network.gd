@@ -29,9 +29,9 @@ static func site_of(p_address: String) -> String:
 static func _prefix(p_address: String, p_bytes: int, p_groups: int) -> String:
 	if p_address.contains("."):
 		# "::ffff:192.0.2.1" is 192.0.2.1.
-		var bytes: PackedStringArray = p_address.get_slice(
-			":", p_address.get_slice_count(":") - 1
-		).split(".")
+		var bytes: PackedStringArray = (
+			p_address.get_slice(":", p_address.get_slice_count(":") - 1).split(".")
+		)
 		return ".".join(bytes.slice(0, p_bytes))
 	var groups: PackedInt32Array = _groups_of(p_address)
 	if groups.size() != _GROUPS:

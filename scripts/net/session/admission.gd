@@ -184,8 +184,8 @@ func _judge_room(p_pending: PendingPeer, p_now_usec: int) -> Verdict:
 	return Verdict.WAIT
 
 
-## Whether there is room for somebody, and nobody who waits has it before him. Says what he waits for
-## if not.
+## Whether there is room for somebody, and nobody who waits has it before him. Says what he waits
+## for if not.
 func _may_enter(p_pending: PendingPeer, p_now_usec: int) -> bool:
 	var lost: Array[Session] = _sessions.lost_for(RETURN_S, p_now_usec)
 	if not _has_room(p_pending, lost):

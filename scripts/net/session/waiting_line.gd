@@ -2,8 +2,9 @@ class_name WaitingLine
 extends RefCounted
 ## Those who wait at a server, for an instructor or for room, in the order in which they came.
 ##
-## It is bounded, for each address and in all. Where it is full, the last of the address that has most
-## in it makes room for one of an address that has fewer: who fills it pushes nobody out but himself.
+## It is bounded, for each address and in all. Where it is full, the last of the address that has
+## most in it makes room for one of an address that has fewer: who fills it pushes nobody out but
+## himself.
 
 ## Clients that may wait.
 const MAX: int = 64
@@ -16,8 +17,8 @@ func all() -> Array[PendingPeer]:
 	return _waiting
 
 
-## Puts somebody at its end. Returns false if he may not wait; [param r_pushed] gets who must not wait
-## any longer.
+## Puts somebody at its end. Returns false if he may not wait; [param r_pushed] gets who must not
+## wait any longer.
 func add(p_pending: PendingPeer, p_most_of_address: int, r_pushed: Array[PendingPeer]) -> bool:
 	var of_network: Dictionary[String, int] = {}
 	var of_site: int = 0

@@ -17,4 +17,7 @@ func test_networks() -> void:
 	]
 	for row: PackedStringArray in rows:
 		var of: String = AddressNetwork.of(row[0])
-		equal([of, AddressNetwork.around(row[0]), AddressNetwork.site_of(row[0])], [row[1], row[2], row[3]])
+		equal(
+			[of, AddressNetwork.around(row[0]), AddressNetwork.site_of(row[0])],
+			[row[1], row[2], row[3]]
+		)

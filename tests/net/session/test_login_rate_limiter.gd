@@ -24,7 +24,9 @@ func test_success_alone_gives_a_try_back() -> void:
 
 
 func test_addresses_around_share_a_budget() -> void:
-	var pairs: Array[PackedStringArray] = [["10.0.0.%d", "10.0.1.1"], ["2001:db8:1:%x::1", "2001:db8:2::1"]]
+	var pairs: Array[PackedStringArray] = [
+		["10.0.0.%d", "10.0.1.1"], ["2001:db8:1:%x::1", "2001:db8:2::1"]
+	]
 	for pair: PackedStringArray in pairs:
 		var limit: LoginRateLimiter = LoginRateLimiter.new()
 		var taken: int = 0

@@ -9,7 +9,9 @@ func test_places_are_told_apart_by_what_is_waited_for() -> void:
 	var peers: Array[PendingPeer] = []
 	for number: int in 4:
 		peers.append(_add(line, "10.0.0.%d" % number))
-		peers[number].waits_for = JoinReply.Wait.INSTRUCTOR if number % 2 == 0 else JoinReply.Wait.ROOM
+		peers[number].waits_for = (
+			JoinReply.Wait.INSTRUCTOR if number % 2 == 0 else JoinReply.Wait.ROOM
+		)
 	equal(peers.map(func(one: PendingPeer) -> int: return line.places()[one]), [1, 1, 2, 2])
 	peers[0].waits_for = JoinReply.Wait.SHARE
 	line.move_back(peers[0])
