@@ -27,7 +27,5 @@ static func of(
 static func rest(p_skeleton: Skeleton3D) -> bool:
 	if not p_skeleton.find_children("*", "BoneAttachment3D", true, false).is_empty():
 		return false
-	p_skeleton.modifier_callback_mode_process = (
-		Skeleton3D.MODIFIER_CALLBACK_MODE_PROCESS_MANUAL
-	)
+	p_skeleton.modifier_callback_mode_process = (Skeleton3D.MODIFIER_CALLBACK_MODE_PROCESS_MANUAL)
 	return true

@@ -37,7 +37,8 @@ public:
 	static constexpr int MAX_LEVEL = 255;
 
 	explicit NumberSymbols(const NumberModel &p_model) : _model(p_model) {
-		const int level = p_model.level < MIN_LEVEL ? MIN_LEVEL : (p_model.level > MAX_LEVEL ? MAX_LEVEL : p_model.level);
+		const int level =
+				p_model.level < MIN_LEVEL ? MIN_LEVEL : (p_model.level > MAX_LEVEL ? MAX_LEVEL : p_model.level);
 		const int octaves = level / 16 - 7 - (p_model.step > 1 ? 1 : 0);
 		shift = octaves > 0 ? octaves : 0;
 		const int64_t width = int64_t(FRACTION_OF_UNIT) * p_model.step;
