@@ -184,6 +184,9 @@ func _check() -> void:
 func _start() -> void:
 	if not ragdoll.start():
 		_fail()
+	elif RenderLock.is_needed():
+		# Without a window nobody sees the bones move.
+		BonePlaces.rest(ragdoll.get_skeleton())
 
 
 func _find_joints() -> void:

@@ -169,8 +169,7 @@ def measure(arguments: list[str]) -> int:
     for name in given["case"] or CASES:
         begin = (float(given["seconds"][0]), int(given["seed"][0]), Path(given["server"][0]))
         run_case(stats, name, *begin)
-    stats.finish()
-    return 0
+    return stats.finish()
 
 
 def run_case(stats: Stats, name: str, seconds: float, seed: int, server: Path) -> None:

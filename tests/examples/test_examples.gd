@@ -69,6 +69,7 @@ func test_a_thrown_crate_lowers_health() -> void:
 	await process_frames(2)
 	var entity: Entity = person.get_node(^"Entity")
 	equal(entity.get_value(&"health"), 100.0)
+	is_false(person.get_node(^"Health").is_processing(), "there is no bar to be moved")
 	is_true(person.start())
 	person.root_mode = RagdollMotor.ROOT_HELD
 	var crate: RigidBody3D = preload("res://scenes/world/props/crate.tscn").instantiate()
@@ -76,7 +77,14 @@ func test_a_thrown_crate_lowers_health() -> void:
 	crate.linear_velocity = Vector3(0.0, 0.0, -12.0)
 	scene.add_child(crate)
 	await _until(func() -> bool: return entity.get_value(&"health") < 100.0)
-	is_true((person.get_node(^"Health").get_child(0) as Label3D).visible)
+	var bar: Label3D = person.get_node(^"Health").get_child(0)
+	is_true(bar.visible)
+	await process_frames(1)
+	var head: Vector3 = person.get_bone_transform(&"Head").origin
+	almost_equal(bar.global_position.distance_to(head), 0.35, 0.05)
+	entity.set_value(&"health", 100.0)
+	is_false(bar.visible)
+	is_false(person.get_node(^"Health").is_processing())
 	scene.free()
 
 

@@ -12,6 +12,7 @@ bool MotionDecoder::configure(const PackedInt32Array &p_parents, double p_max_er
 	kinematics::Skeleton skeleton;
 	_core.reset();
 	_is_read = false;
+	_posed = -1;
 	if (!read_parents(p_parents, skeleton) || !is_pose_error(p_max_error_deg)) {
 		return false;
 	}
@@ -24,12 +25,21 @@ MotionDecoder::Outcome MotionDecoder::decode(const PackedByteArray &p_bytes) {
 	ERR_FAIL_COND_V_MSG(_core == nullptr, BROKEN, "MotionDecoder: call configure() first.");
 	const Outcome outcome = Outcome(int(_core->decode(p_bytes.ptr(), std::size_t(p_bytes.size()))));
 	_is_read = _is_read || outcome == OK;
+	_posed = -1;
 	return outcome;
 }
 
 bool MotionDecoder::_has(int64_t p_person) const {
 	return _is_read && p_person >= 0 && p_person < int64_t(wire::MAX_WEARERS) &&
 			_core->packet().has(std::size_t(p_person));
+}
+
+const kinematics::PersonPose &MotionDecoder::_pose_of(int64_t p_person) const {
+	if (_posed != p_person) {
+		_core->restore(std::size_t(p_person), _pose);
+		_posed = p_person;
+	}
+	return _pose;
 }
 
 int64_t MotionDecoder::get_time_usec(int64_t p_person) const {
@@ -62,11 +72,7 @@ int64_t MotionDecoder::get_sample(int64_t p_person) const {
 }
 
 Vector3 MotionDecoder::get_root(int64_t p_person) const {
-	kinematics::PersonPose pose;
-	if (_has(p_person)) {
-		_core->restore(std::size_t(p_person), pose);
-	}
-	return from_core(pose.root);
+	return _has(p_person) ? from_core(_pose_of(p_person).root) : Vector3();
 }
 
 PackedFloat32Array MotionDecoder::get_orientations(int64_t p_person) const {
@@ -74,8 +80,7 @@ PackedFloat32Array MotionDecoder::get_orientations(int64_t p_person) const {
 	if (!_has(p_person)) {
 		return floats;
 	}
-	kinematics::PersonPose pose;
-	_core->restore(std::size_t(p_person), pose);
+	const kinematics::PersonPose &pose = _pose_of(p_person);
 	floats.resize(int64_t(_limb_count) * 4);
 	float *into = floats.ptrw();
 	for (std::size_t i = 0; i < std::size_t(_limb_count); i++) {

@@ -44,10 +44,14 @@ protected:
 
 private:
 	bool _has(int64_t p_person) const;
+	const kinematics::PersonPose &_pose_of(int64_t p_person) const;
 
 	std::unique_ptr<wire::MotionDecoder> _core;
 	int _limb_count = 0;
 	bool _is_read = false;
+	// Where the person is who was asked for last: root and orientations are asked for one after the other.
+	mutable kinematics::PersonPose _pose;
+	mutable int64_t _posed = -1;
 };
 
 } // namespace godot

@@ -25,16 +25,28 @@ var rates: MessageRates = MessageRates.new()
 
 var _handlers: MessageHandlers = MessageHandlers.new()
 var _turns: Dictionary[Session, Turn] = {}
+## Those of whom something waits: mostly nobody, of however many there are.
+var _waiting: Dictionary[Session, bool] = {}
+## Number of the turns at hand.
+var _round: int = 0
 
 
 ## What a session has used of its turn, and what waits for the next one.
 class Turn:
+	## The turns of which [member spent_usec] is.
+	var number: int = 0
 	var spent_usec: int = 0
 	var reliable: Array[FastPacket] = []
 	var fast: Array[FastPacket] = []
 
 	func is_over() -> bool:
 		return spent_usec >= TURN_USEC
+
+	## Nothing is spent of the turn with this number yet.
+	func begin(p_number: int) -> void:
+		if number != p_number:
+			number = p_number
+			spent_usec = 0
 
 
 ## Registers the handler of a kind of message; see [method MessageHandlers.add].
@@ -48,15 +60,18 @@ func handle(
 
 ## A tick begins: everybody's next turn does, with what waits for it.
 func begin_turns() -> void:
-	for session: Session in _turns.keys():
+	_round += 1
+	for session: Session in _waiting.keys():
 		var turn: Turn = _turns.get(session)
 		if turn == null:
 			continue  # An instructor's message before has ended it.
-		turn.spent_usec = 0
+		turn.begin(_round)
 		while not turn.is_over() and not turn.reliable.is_empty():
 			_process(session, turn, turn.reliable.pop_front(), MessageHandlers.Path.RELIABLE)
 		while not turn.is_over() and not turn.fast.is_empty():
 			_process(session, turn, turn.fast.pop_front(), MessageHandlers.Path.FAST)
+		if turn.reliable.is_empty() and turn.fast.is_empty():
+			_waiting.erase(session)
 
 
 ## A session's message has come.
@@ -65,12 +80,14 @@ func take(p_session: Session, p_packet: FastPacket, p_path: MessageHandlers.Path
 	if turn == null:
 		turn = Turn.new()
 		_turns[p_session] = turn
+	turn.begin(_round)
 	var is_fast: bool = p_path == MessageHandlers.Path.FAST
 	var waiting: Array[FastPacket] = turn.fast if is_fast else turn.reliable
 	if waiting.is_empty() and not turn.is_over():
 		_process(p_session, turn, p_packet, p_path)
 		return
 	waiting.append(p_packet)
+	_waiting[p_session] = true
 	if is_fast and waiting.size() > MAX_FAST:
 		waiting.pop_front()
 		dropped += 1
@@ -83,6 +100,7 @@ func take(p_session: Session, p_packet: FastPacket, p_path: MessageHandlers.Path
 ## Forgets what waits of a session.
 func forget(p_session: Session) -> void:
 	_turns.erase(p_session)
+	_waiting.erase(p_session)
 
 
 ## Counts and logs what a client did wrong; [param p_key] limits how often it is logged.

@@ -39,6 +39,28 @@ func test_what_does_not_fit_waits_for_the_next_turns_in_its_order() -> void:
 	equal(_inbox.dropped, 0)
 
 
+func test_a_turn_that_was_used_up_is_whole_again_in_the_next() -> void:
+	_take(SLOW, 0, FAST)
+	for number: int in range(1, 4):
+		# Nothing waits: it begins nonetheless.
+		_inbox.begin_turns()
+		_take(QUICK, 10 * number, FAST)
+		_take(SLOW, number, FAST)
+	equal(_handled, [0, 10, 1, 20, 2, 30, 3])
+
+
+func test_who_waited_is_not_asked_again_once_nothing_waits() -> void:
+	_take(SLOW, 0, FAST)
+	_take(QUICK, 1, FAST)
+	for _more: int in 3:
+		_inbox.begin_turns()
+	equal(_handled, [0, 1])
+	_take(SLOW, 2, RELIABLE)
+	_take(QUICK, 3, RELIABLE)
+	_inbox.begin_turns()
+	equal(_handled, [0, 1, 2, 3])
+
+
 func test_nobody_waits_for_another_session() -> void:
 	for number: int in 4:
 		_take(SLOW, number, FAST)

@@ -84,8 +84,13 @@ private:
 	static int64_t _limited(int64_t p_value, int64_t p_most) {
 		return p_value < -p_most ? -p_most : (p_value > p_most ? p_most : p_value);
 	}
+	// Nearly all have 32 bits, which are divided in a third of the time.
+	static int64_t _quotient(int64_t p_value, int64_t p_by) {
+		const bool is_short = p_value == int32_t(p_value) && p_by == int32_t(p_by) && p_by > 0;
+		return is_short ? int32_t(p_value) / int32_t(p_by) : p_value / p_by;
+	}
 	int64_t _moved(int64_t p_difference) const {
-		return _limited(p_difference * _context.base_age / _context.velocity_age, MAX_MOTION);
+		return _limited(_quotient(p_difference * _context.base_age, _context.velocity_age), MAX_MOTION);
 	}
 
 	bool _code_root(PersonState &r_state) {
@@ -205,7 +210,7 @@ private:
 			const int64_t expected = r_triple.from[i] + motion[i] * gain / 256 +
 					r_triple.pull[i] * p_model.pulls[r_triple.limb_class][i] / 256;
 			NumberModel number;
-			number.expected = expected + motion[i] * along / weight;
+			number.expected = expected + _quotient(motion[i] * along, weight);
 			number.level = (common + 64 * _part_bias(p_model, r_triple, i) +
 								   p_model.part_speed * _half_log16(motion[i] * motion[i]) + p_model.part * surprise) /
 					64;
