@@ -110,10 +110,11 @@ def _record_poses(world: World, ada: Suit, name: str) -> Path:
     """Lets Ada strike the poses until an observer has seen her in them, one after the other."""
     file = world.folder / name
     observer = world.client("observer", f"--record={file}", name=name)
-    for _ in range(TRIES):
+    for number in range(TRIES):
         for moment in POSES:
             ada.strike(moment)
-            _await_snapshots(observer, REST)
+            # Longer each time: on a busy machine the trainee's samples come late.
+            _await_snapshots(observer, REST * min(number + 1, 3))
         if _is_seen(file):
             break
     assert observer.end() == 0, observer.log()

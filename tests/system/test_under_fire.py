@@ -40,6 +40,8 @@ SHARE = 8
 # Snapshots that the observer gets meanwhile, and steps that the trainee's body makes.
 SNAPSHOTS = 60
 STEPS = 30
+# Times that somebody guesses passwords, until the log names him.
+GUESSERS = 5
 
 
 def count_of(made: dict, name: str) -> int:
@@ -277,13 +279,22 @@ def test_wrong_passwords(guarded: Scene) -> None:
 
 def test_guesses_at_speed_from_many_ports_of_one_address(guarded: Scene) -> None:
     before = guarded.counts()["wrong_passwords"]
-    with guarded.nobody_notices():
-        seen = flood("guess", guarded.world.port, 60, "127.0.0.3", "sesame")
-    assert seen["opened"] == 60, "honest clients from elsewhere join meanwhile"
-    assert 0 < seen["answered"] <= 5 + seen["seconds"]
-    assert guarded.counts()["wrong_passwords"] - before == seen["answered"], "each is counted"
-    lines = [line for line in guarded.server.log().splitlines() if "127.0.0.3" in line]
-    assert 0 < len(lines) <= 2 + seen["seconds"]
+    answered = 0
+    seconds = 0.0
+    lines: list[str] = []
+    # The log has a line in 5 s: it may be about somebody who came just before.
+    for _ in range(GUESSERS):
+        with guarded.nobody_notices():
+            seen = flood("guess", guarded.world.port, 60, "127.0.0.3", "sesame")
+        assert seen["opened"] == 60, "honest clients from elsewhere join meanwhile"
+        answered += seen["answered"]
+        seconds += seen["seconds"]
+        lines = [line for line in guarded.server.log().splitlines() if "127.0.0.3" in line]
+        if lines:
+            break
+    assert 0 < answered <= 5 + seconds
+    assert guarded.counts()["wrong_passwords"] - before == answered, "each is counted"
+    assert 0 < len(lines) <= 2 + seconds
 
 
 def test_killed_and_frozen_clients_are_lost_and_come_back_into_their_bodies(guarded: Scene) -> None:

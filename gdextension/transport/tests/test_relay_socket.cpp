@@ -92,6 +92,9 @@ TEST(addresses_are_read_and_written) {
 	}
 	CHECK(at.parse("::ffff:10.1.2.3", 1) && at.address_text() == "10.1.2.3");
 	CHECK(!at.parse("localhost", 1) && !at.parse("", 1));
+	CHECK(at.parse("fe80::1%lo", 1) && at.scope > 0 && at.address_text() == "fe80::1%lo");
+	CHECK(at.parse("fe80::1%1", 1) && at.scope == 1);
+	CHECK(!at.parse("fe80::1%", 1) && !at.parse("fe80::1%no such link", 1) && !at.parse("127.0.0.1%lo", 1));
 	Endpoint one;
 	Endpoint other;
 	one.parse("2001:db8::1", 1);
