@@ -4,8 +4,8 @@
 Cost: what a trainee of one person and an observer of one send and get, whole IP packets. Networks:
 how many of 60 snapshots/s an observer gets where packets are small, lost or overtaken. Addresses:
 how long an observer gets nothing after his address has changed. Silence: how long a client takes to
-notice that its server is gone, after eight stalls of a second. Options: --part=NAME (cost, networks,
-addresses, silence; again for more), --seconds=10 (of each network), --seed=1.
+notice that its server is gone, after eight stalls of a second. Options: --part=NAME (cost,
+networks, addresses, silence; again for more), --seconds=10 (of each network), --seed=1.
 """
 
 from __future__ import annotations
@@ -133,6 +133,17 @@ def measure_networks(stats: Stats, session: Session, seconds: float, seed: int) 
     session.stop("mover")
 
 
+def _move(relay: Relay) -> float:
+    """Gives a client another address; returns how long it gets nothing then, s."""
+    relay.move()
+    began = time.monotonic()
+    # What is under way comes from the old one.
+    time.sleep(2 * relay.delay_s + 0.005)
+    before = relay.sealed_to_client
+    _await(lambda: relay.sealed_to_client > before + 1, 20.0, "it does not go on")
+    return time.monotonic() - began
+
+
 def measure_addresses(stats: Stats, session: Session) -> None:
     session.add("mover", "trainee", session.port, f"--bvh={CLIPS / '01_01.bvh'}")
     for one_way_s in ONE_WAY_S:
@@ -142,13 +153,7 @@ def measure_addresses(stats: Stats, session: Session) -> None:
             session.add("watcher", "observer", relay.port)
             session.await_more("watcher", 120)
             for _ in range(MOVES):
-                # What is under way when it moves still goes to the old address.
-                relay.move()
-                began = time.monotonic()
-                time.sleep(2 * one_way_s + 0.005)
-                before = relay.sealed_to_client
-                _await(lambda: relay.sealed_to_client > before + 1, 20.0, "it does not go on")
-                gaps_s.append(time.monotonic() - began)
+                gaps_s.append(_move(relay))
                 session.await_more("watcher", 30)
             session.stop("watcher")
         name = f"another address, {2000 * one_way_s:.0f} ms there and back"

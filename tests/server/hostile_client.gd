@@ -9,17 +9,7 @@ const RATES: Array[int] = [1, 10, 60, 144]
 const TRICKS: Dictionary[Roles.Role, Array] = {
 	Roles.Role.OBSERVER: [&"ack", &"stats", &"command", &"call", &"request", &"rejoin"],
 	Roles.Role.TRAINEE:
-	[
-		&"list",
-		&"motion",
-		&"burst",
-		&"ack",
-		&"stats",
-		&"command",
-		&"wearer",
-		&"request",
-		&"rejoin"
-	],
+	[&"list", &"motion", &"burst", &"ack", &"stats", &"command", &"wearer", &"request", &"rejoin"],
 	Roles.Role.INSTRUCTOR:
 	[
 		&"level",

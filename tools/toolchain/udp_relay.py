@@ -16,7 +16,7 @@ HEADERS = 28
 
 
 class Relay(threading.Thread):
-    """Passes datagrams on; clients send to its port. What it does to them may change at any time."""
+    """Passes datagrams on; a client sends to its port. What it does may change at any time."""
 
     def __init__(self, server_port: int, seed: int = 1) -> None:
         super().__init__(daemon=True)
@@ -47,10 +47,11 @@ class Relay(threading.Thread):
         self._stop_now = threading.Event()
 
     def move(self) -> None:
-        """The server sees the client at another address from now on, as after a change of network."""
+        """The server sees the client at another address now, as after a change of network."""
         self._moves.set()
 
     def run(self) -> None:
+        """Passes on until it is left."""
         with selectors.DefaultSelector() as waiting:
             for one in (self.near, self.far):
                 waiting.register(one, selectors.EVENT_READ)

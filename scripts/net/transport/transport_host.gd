@@ -19,8 +19,8 @@ const PROBE: PackedByteArray = [0xFF, 0x4D]
 ## See [constant PROBE].
 const RECEIPT: PackedByteArray = [0xFF, 0x52]
 
-# How often ENet asks an end of which it hears nothing, ms. What goes beside ENet it does not hear: with
-# its own 500 ms it would take 2 kbit/s.
+# How often ENet asks an end of which it hears nothing, ms. What goes beside ENet it does not hear:
+# with its own 500 ms it would take 2 kbit/s.
 const _PING_MS: int = 1500
 const _WINDOW_USEC: int = 1000000
 const _LEAVING_USEC: int = 1000000
@@ -34,7 +34,6 @@ var sealing: TransportSealing = TransportSealing.off()
 ## What the thread calls.
 var callbacks: TransportCallbacks = TransportCallbacks.new()
 
-var _host: ENetConnection = null
 var _socket: SealedSocket = null
 var _server: bool = false
 var _address: String = ""

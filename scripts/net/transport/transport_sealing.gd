@@ -7,8 +7,8 @@ const ASKS_FOR_NO_PASSWORD: String = (
 	"it asks for no password, so that it may be another server;"
 	+ " if it is the right one, come without a password"
 )
-## Bytes that IP and UDP add to each datagram, what says without sealing that it goes beside ENet, and
-## those that sealing adds.
+## Bytes that IP and UDP add to each datagram, what says without sealing that it goes beside ENet,
+## and those that sealing adds.
 const _HEADER_BYTES: int = 28
 const _KIND_BYTES: int = 1
 const _SEALING_BYTES: int = 18

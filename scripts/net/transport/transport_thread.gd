@@ -33,6 +33,7 @@ var has_thread: bool = true
 ## What the thread and the others hand each other.
 var mailbox: TransportMailbox = TransportMailbox.new()
 
+var _host: ENetConnection = null
 var _thread: Thread = Thread.new()
 var _serving: bool = false
 var _served_usec: int = 0
@@ -298,9 +299,12 @@ func _note_path() -> void:
 		_trouble(
 			"path",
 			(
-				"the network carries no datagrams of more than about %d bytes (a VPN or tunnel?):"
-				+ " all is sent in smaller ones, which takes more of it"
-			) % most
+				(
+					"the network carries no datagrams of more than about %d bytes (a VPN or tunnel?):"
+					+ " all is sent in smaller ones, which takes more of it"
+				)
+				% most
+			)
 		)
 	_narrow = most
 
