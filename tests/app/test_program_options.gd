@@ -198,7 +198,9 @@ func _another_value(p_row: OptionRow) -> String:
 		OptionRow.Kind.FLAG:
 			return "0" if p_row.default_value == 1 else "1"
 		OptionRow.Kind.NUMBER, OptionRow.Kind.DECIMAL:
-			return str(7 if p_row.lowest <= 7 and p_row.highest >= 7 else int(p_row.highest))
+			var other: int = 7 if p_row.default_value != 7 else 5
+			var fits: bool = p_row.lowest <= other and p_row.highest >= other
+			return str(other if fits else int(p_row.highest))
 		OptionRow.Kind.CHOICE, OptionRow.Kind.CHOICES:
 			return p_row.choices[-1 if p_row.choices[-1] != p_row.default_value else 0]
 	return "x"

@@ -23,10 +23,19 @@ MOST_PULL = 180.0
 
 # Between two looks while something is waited for: a look takes 20 ms of the editor's.
 LOOK_S = 0.05
+# Frames of the editor after which something that was done has come to nothing, and how often it is
+# done then.
+PATIENCE_FRAMES = 120
+TRIES = 4
 
 State = dict[str, Any]
 Point = tuple[float, float]
 Place = tuple[float, float, float]
+
+
+def _fresh(state: State, before: list[str]) -> list[str]:
+    # What shows where it will stand has no name of its own.
+    return [one for one in state["scene"]["nodes"] if one not in before and "@" not in one]
 
 
 class Editor:
@@ -137,36 +146,60 @@ class Editor:
     def drop(self, title: str, place: Place) -> str:
         """Drags a thing to a place of the level; returns the path of the new node."""
         before = self.state()["scene"]["nodes"]
-        self.screen.drag(self.find(title), self.on_screen(place))
+        self._act(
+            lambda: self.screen.drag(self.find(title), self.on_screen(place)),
+            lambda s: _fresh(s, before),
+            f"a new {title!r}",
+        )
         return self.await_new(before, title)[-1]
 
     def place(self, title: str, places: list[Place | str]) -> list[str]:
         """Double-clicks a thing, then clicks at each place; a text is a key in between."""
         before = self.state()["scene"]["nodes"]
-        self.screen.click(*self.find(title), count=2)
-        self.await_state(lambda s: "Each click" in s["controls"]["note"]["text"], "placing begins")
+        self._act(
+            lambda: self.screen.click(*self.find(title), count=2),
+            lambda s: "Each click" in s["controls"]["note"]["text"],
+            "placing begins",
+        )
         count = 0
         for each in places:
             if isinstance(each, str):
                 self.screen.key(each)
                 continue
-            self.screen.click(*self.on_screen(each))
             count += 1
-            self.await_new(before, title, count)
+            self._place_one(each, before, count, title)
         self.screen.key("escape")
         self.await_state(
             lambda s: "Each click" not in s["controls"]["note"]["text"], "placing has ended"
         )
         return self.await_new(before, title, count)
 
+    def _place_one(self, at: Place, before: list[str], count: int, what: str) -> None:
+        self._act(
+            lambda: self.screen.click(*self.on_screen(at)),
+            lambda s: len(_fresh(s, before)) >= count,
+            f"{count} of {what!r}",
+        )
+        self.await_new(before, what, count)
+
+    def _act(self, act: Callable[[], None], holds: Callable[[State], Any], what: str) -> None:
+        """Does something, and again where nothing has come of it in many frames: on a busy machine
+        an editor takes two clicks for two single ones, and a drag for a click."""
+        for _ in range(TRIES):
+            act()
+            last = self.state()["frame"] + PATIENCE_FRAMES
+
+            def is_over(state: State, last: int = last) -> bool:
+                return bool(holds(state)) or state["frame"] > last
+
+            if holds(self.await_state(is_over, what)):
+                return
+        raise AssertionError(f"{TRIES} times nothing came of it: {what}")
+
     def await_new(self, before: list[str], what: str, count: int = 1) -> list[str]:
         """Waits for so many nodes that were not there before; returns their paths."""
-
-        def fresh(state: State) -> list[str]:
-            # What shows where it will stand has no name of its own.
-            return [one for one in state["scene"]["nodes"] if one not in before and "@" not in one]
-
-        return fresh(self.await_state(lambda s: len(fresh(s)) == count, f"{count} of {what!r}"))
+        state = self.await_state(lambda s: len(_fresh(s, before)) == count, f"{count} of {what!r}")
+        return _fresh(state, before)
 
     def on_screen(self, place: Place) -> Point:
         """Where a place of the level is in the 3D view."""

@@ -49,7 +49,7 @@ func test_other_versions_are_named() -> void:
 func test_other_versions_of_another_form_are_named() -> void:
 	var bytes: PackedByteArray = "DSMT".to_ascii_buffer() + PackedByteArray([1, 0, 0, 0, 1, 2, 3])
 	contains(JoinRequest.decode(bytes).error, "version 1, the server 7")
-	contains(Challenge.decode(bytes).error, "version 1, this client 6")
+	contains(Challenge.decode(bytes).error, "version 1, this client 7")
 
 
 func test_unknown_role() -> void:
