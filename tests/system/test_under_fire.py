@@ -232,7 +232,7 @@ def test_garbage(guarded: Scene) -> None:
 def test_forged_disconnects_change_nothing(guarded: Scene) -> None:
     clients = (guarded.trainee, guarded.observer)
     ports = [outer_port(one.process.pid, guarded.world.port) for one in clients]
-    guarded.endure(Disconnects(guarded.world.port, 1000.0, ports), "stray")
+    guarded.endure(Disconnects(guarded.world.port, 1000.0, ports), "not_opened")
 
 
 def test_a_client_that_does_not_seal_is_told_so(guarded: Scene) -> None:

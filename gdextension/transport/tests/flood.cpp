@@ -33,7 +33,7 @@ using namespace transport;
 namespace {
 
 /// Protocol.VERSION.
-constexpr uint32_t VERSION = 6;
+constexpr uint32_t VERSION = 7;
 constexpr size_t PORTS = 800;
 constexpr size_t GUESSERS = 40;
 /// Pauses between two honest handshakes, us.
@@ -107,8 +107,9 @@ public:
 		while (_port->read(_bytes)) {
 			_relay->take_outer(_bytes, p_now_usec);
 		}
-		if (_relay->look_after(p_now_usec) == INT64_MAX) {
-			(_relay->state() == ClientRelay::State::OPEN ? opened : refused)++;
+		_relay->look_after(p_now_usec);
+		if (_relay->heard_usec() > 0 || _relay->state() == ClientRelay::State::FAILED) {
+			(_relay->heard_usec() > 0 ? opened : refused)++;
 			_relay.reset();
 			_next_usec = p_now_usec + HONEST_USEC;
 		}
@@ -272,7 +273,7 @@ int forged(uint16_t p_server, uint64_t p_count, const std::string &p_address) {
 		for (uint8_t &byte : bytes) {
 			byte = uint8_t(random());
 		}
-		bytes[0] = uint8_t(0x40 + random() % 9);
+		bytes[0] = uint8_t(random() % 3 == 0 ? 0x80 + random() % 128 : 0x40 + random() % 12);
 		port.write(bytes);
 		if (i % 50 == 49) {
 			std::this_thread::sleep_for(std::chrono::milliseconds(1));
