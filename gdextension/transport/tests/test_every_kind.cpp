@@ -76,10 +76,9 @@ struct Scene {
 	}
 };
 
-Bytes cpace_share() {
-	const auto share =
-			cpace::share_of(cpace::sample_scalar(), cpace::generator({ ascii("a"), ascii("b"), ascii("c") }));
-	return Bytes(share->begin(), share->end());
+cpace::Share random_share() {
+	const cpace::Generator generator = cpace::generator({ ascii("a"), ascii("b"), ascii("c") });
+	return cpace::share_of(cpace::sample_scalar(), generator).value_or(cpace::Share());
 }
 
 /// All that can be forged with what has been seen.
@@ -95,7 +94,7 @@ std::vector<Bytes> forged(Scene &r_scene) {
 	}
 	messages::Reply reply;
 	reply.client = id;
-	reply.share = read_array<32>(cpace_share().data());
+	reply.share = random_share();
 	made.push_back(reply.encode());
 	for (int what = int(Notice::WRONG_PASSWORD); what <= int(Notice::SERVER_SEALS); what++) {
 		messages::NoticeMessage notice;
