@@ -40,3 +40,5 @@ func _set_up(p_role: String, p_options: Options) -> void:
 	live.link.trust = ServerTrust.of_options(p_options)
 	error = live.link.trust.find_fault()
 	live.link.seals = p_options.is_on("sealing")
+	if error == "" and not live.link.seals and live.link.trust.pin != "":
+		error = "--server-fingerprint: without sealing (--sealing=0) no server proves its key"

@@ -81,6 +81,7 @@ func listen(p_port: int, p_rules: ServerRules) -> Error:
 	_peer.engine.is_behind = _is_behind
 	_peer.troubled.connect(_on_trouble)
 	_peer.reopened.connect(_on_reopened)
+	_peer.moved.connect(_on_moved)
 	_api = SceneMultiplayer.new()
 	_api.root_path = ^"/root"
 	_api.server_relay = false
@@ -314,6 +315,17 @@ func _is_behind(p_peer: int) -> bool:
 
 func _on_reopened() -> void:
 	Log.limited("net", "reopened", "a network error closed the port: it is open again")
+
+
+func _on_moved(p_peer: int) -> void:
+	var session: Session = _sessions.of_peer(p_peer)
+	if session == null:
+		return
+	var before: String = session.describe()
+	_sessions.move(session, _peer.address_of(p_peer))
+	Log.limited("net", "moved", "%s goes on from %s" % [before, session.address])
+	if rules.bans.has(session.address):
+		_on_overrun(session)
 
 
 func _on_overrun(p_session: Session) -> void:

@@ -355,7 +355,9 @@ int64_t SealedSocket::take_in(int64_t p_now_usec) {
 void SealedSocket::follow_route(int64_t p_now_usec) {
 	if (get_silent_usec() > SILENT_USEC && p_now_usec - _looked_usec > SILENT_USEC) {
 		_looked_usec = p_now_usec;
-		_socket.follow_route(_server_at);
+		if (_socket.follow_route(_server_at)) {
+			_client->restart_path(p_now_usec);
+		}
 	}
 }
 

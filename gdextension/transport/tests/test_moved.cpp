@@ -46,7 +46,7 @@ TEST(a_client_goes_on_from_another_address_after_two_round_trips) {
 	Session session;
 	CHECK(session.is_alive());
 	for (uint16_t i = 0; i < 50; i++) {
-		session.net.now += SECOND / 60;
+		session.net.now += SECOND / 10;
 		session.client.at = i % 2 == 0 ? endpoint("198.51.100.7", uint16_t(5000 + i)) : endpoint("192.0.2.1", 4000);
 		// The first round trip asks who it is, the second one answers.
 		session.client.relay.send_fast(ascii("\x05lost"));
@@ -67,7 +67,7 @@ TEST(nobody_else_takes_a_connection_with_him) {
 	// Of a client that moves once somebody sees all that it sends.
 	session.client.at = endpoint("192.0.2.1", 4001);
 	for (int i = 0; i < 3; i++) {
-		session.net.now += SECOND / 60;
+		session.net.now += SECOND / 10;
 		session.client.relay.send_fast(ascii("\x05hello"));
 		for (; !session.client.out.empty(); session.client.out.pop_front()) {
 			seen.push_back(session.client.out.front());
@@ -123,6 +123,34 @@ TEST(whoever_says_that_a_client_is_unknown_changes_nothing) {
 	// Nor does it make the client loud.
 	CHECK(said > 0 && said <= 1001);
 	CHECK(session.net.server.counts().moved == 0 && session.is_alive());
+}
+
+TEST(nobody_lets_a_client_speak_for_an_address_of_his_own) {
+	for (const bool hears : { false, true }) {
+		Session session;
+		const Endpoint thief = endpoint("203.0.113.5", 666);
+		// A cookie of the thief's own, for a datagram of no sense.
+		session.net.server.take_outer(thief, Bytes(30, 0xC1), session.net.now, session.net.record);
+		messages::UnknownMessage own;
+		CHECK(own.decode(session.net.record.outer.front().bytes));
+		session.net.record.outer.clear();
+		session.net.now += SECOND / 10;
+		if (hears) {
+			CHECK(session.is_alive());
+		}
+		session.client.relay.send_fast(ascii("\x05hello"));
+		own.echo = messages::echo_of(session.client.out.back());
+		session.net.exchange();
+		session.client.relay.take_outer(own.encode(), session.net.now);
+		// Whoever hears his server says nothing of the kind.
+		CHECK(session.client.out.empty() == hears);
+		if (!hears) {
+			const Bytes moved = session.client.out.front();
+			session.net.exchange();
+			session.net.server.take_outer(thief, moved, session.net.now, session.net.record);
+		}
+		CHECK(session.net.server.counts().moved == 0 && session.is_alive());
+	}
 }
 
 TEST(few_strangers_are_answered_and_never_with_more_than_they_sent) {

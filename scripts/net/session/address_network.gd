@@ -27,10 +27,12 @@ static func site_of(p_address: String) -> String:
 ## The first bytes of an IPv4 address, or groups of an IPv6 one, as a key; what is no address is its
 ## own network.
 static func _prefix(p_address: String, p_bytes: int, p_groups: int) -> String:
-	if p_address.contains("."):
+	# A link may have a dot in its name.
+	var address: String = p_address.get_slice("%", 0)
+	if address.contains("."):
 		# "::ffff:192.0.2.1" is 192.0.2.1.
 		var bytes: PackedStringArray = (
-			p_address.get_slice(":", p_address.get_slice_count(":") - 1).split(".")
+			address.get_slice(":", address.get_slice_count(":") - 1).split(".")
 		)
 		return ".".join(bytes.slice(0, p_bytes))
 	var groups: PackedInt32Array = _groups_of(p_address)

@@ -201,6 +201,8 @@ func _next_who_may(p_now_usec: int) -> PendingPeer:
 		return null
 	var lost: Array[Session] = _sessions.lost_for(RETURN_S, p_now_usec)
 	for pending: PendingPeer in _line.all():
+		if _rules.bans.has(pending.address):
+			continue
 		if pending.waits_for != JoinReply.Wait.INSTRUCTOR and _has_room(pending, lost):
 			return pending
 	return null

@@ -4,7 +4,9 @@ extends RefCounted
 ## server with its address, its public key and the day on which that was remembered.
 ##
 ## Clients that run at the same time change it one after the other, each with what it has then.
-## Lines that make no sense are named and left as they are.
+## Lines that make no sense are named and left as they are. A server whose line is damaged, and any
+## server where the file can't be read, counts as known by a key that it can't have: the user is
+## asked.
 
 ## Where it is.
 const DEFAULT_PATH: String = "user://known_servers"
@@ -13,6 +15,7 @@ const MAX_SERVERS: int = 1000
 ## Larger files are not read, bytes.
 const MAX_BYTES: int = 1 << 18
 
+const _DAMAGED_BYTES: int = 32
 const _HEAD: String = "# Servers that were joined: address, public key, since when."
 ## Longest name of a host that the domain name system has, and a port.
 const _MAX_ADDRESS: int = 260
@@ -45,10 +48,10 @@ static func address(p_host: String, p_port: int) -> String:
 	return ("[%s]:%d" if host.contains(":") else "%s:%d") % [host, p_port]
 
 
-## The key of a server, or nothing if it is not known.
+## The key of a server, or nothing if it is not known; zeros where it can't be read.
 func find(p_address: String) -> PackedByteArray:
 	_read()
-	return _keys.get(p_address, PackedByteArray())
+	return _keys.get(p_address, PackedByteArray() if error == "" else _damaged())
 
 
 ## Remembers a server's key. Another key that stands there already stays, unless it may be replaced.
@@ -84,7 +87,7 @@ func _read() -> void:
 		error = "%s is larger than %d bytes" % [path, MAX_BYTES]
 		return
 	var bytes: PackedByteArray = file.get_buffer(MAX_BYTES)
-	if bytes.has(0) or bytes.has(13):
+	if bytes.has(0):
 		error = "%s is no text of ours" % path
 		return
 	_lines = bytes.get_string_from_utf8().split("\n")
@@ -104,12 +107,21 @@ func _read_line(p_index: int) -> void:
 		key = KeyFingerprint.from_text(parts[1])
 	if key.is_empty():
 		_refuse(p_index, "expected an address, a key and a day")
+		if not _keys.has(parts[0]):
+			_keys[parts[0]] = _damaged()
+			_line_of[parts[0]] = p_index
 	elif _line_of.has(parts[0]):
 		var before: int = _line_of[parts[0]] + 1
 		_refuse(p_index, "the same address stands in line %d, which holds" % before)
 	else:
 		_keys[parts[0]] = key
 		_line_of[parts[0]] = p_index
+
+
+static func _damaged() -> PackedByteArray:
+	var zeros: PackedByteArray = []
+	zeros.resize(_DAMAGED_BYTES)
+	return zeros
 
 
 func _refuse(p_index: int, p_what: String) -> void:

@@ -45,6 +45,15 @@ func attach(p_session: Session, p_request: JoinRequest, p_peer: int, p_address: 
 	_by_peer[p_peer] = p_session
 
 
+## A session's client goes on from another address.
+func move(p_session: Session, p_address: String) -> void:
+	_count(p_session, -1)
+	p_session.address = p_address
+	p_session.network = AddressNetwork.of(p_address)
+	p_session.site = AddressNetwork.site_of(p_address)
+	_count(p_session, 1)
+
+
 ## Unties a session from its connection.
 func detach(p_session: Session, p_now_usec: int) -> void:
 	_by_peer.erase(p_session.peer)

@@ -9,6 +9,8 @@ extends TransferSettings
 
 ## Somebody breaks the rules; for the log.
 signal troubled(p_peer: int, p_key: String, p_what: String)
+## Somebody goes on from another address, see [method address_of].
+signal moved(p_peer: int)
 ## The port was closed by an error and is open again; all connections are lost.
 signal reopened
 ## A client's connection to the server is over, and why.
@@ -276,6 +278,10 @@ func _take(p_event: TransportEvent) -> void:
 				if _unique_id != TARGET_PEER_SERVER:
 					_status = CONNECTION_DISCONNECTED
 				peer_disconnected.emit(p_event.peer)
+		TransportEvent.Kind.MOVED:
+			if _joined.has(p_event.peer):
+				_joined[p_event.peer].key = p_event.key
+				moved.emit(p_event.peer)
 		TransportEvent.Kind.TROUBLE:
 			troubled.emit(p_event.peer, p_event.key, p_event.text)
 		TransportEvent.Kind.REOPENED:

@@ -10,6 +10,8 @@ enum Kind {
 	GONE,
 	## A packet for the multiplayer API.
 	PACKET,
+	## The other end goes on from another address, [member key].
+	MOVED,
 	## Somebody breaks the rules; for the log.
 	TROUBLE,
 	## The host had failed and was replaced; all connections are over.

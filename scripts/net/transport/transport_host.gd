@@ -229,7 +229,19 @@ func _keep_house(p_now_usec: int) -> void:
 		_window_usec = p_now_usec
 		for id: int in _connections:
 			_connections[id].restart_window()
+			_look_where_it_is(_connections[id])
 		_peers = _describe_peers()
+
+
+func _look_where_it_is(p_connection: TransportConnection) -> void:
+	if not _server or not p_connection.remote.is_active():
+		return
+	var who: Dictionary = _socket.describe(p_connection.remote.get_remote_address())
+	if not who.is_empty() and who["address"] != p_connection.address:
+		p_connection.address = who["address"]
+		var event: TransportEvent = TransportEvent.new(TransportEvent.Kind.MOVED, p_connection.id)
+		event.key = p_connection.address
+		_events.append(event)
 
 
 func _describe_peers() -> Dictionary:

@@ -417,5 +417,7 @@ func _disconnect_everybody(p_linger_ms: int) -> void:
 			_connections.erase((event[1] as ENetPacketPeer).get_meta(&"id", 0))
 		elif event[0] == ENetConnection.EVENT_RECEIVE:
 			(event[1] as ENetPacketPeer).get_packet()
+		_socket.take_fast(0)
+		_pump.send_out()
 		if event[0] == ENetConnection.EVENT_ERROR or Time.get_ticks_msec() >= limit:
 			return

@@ -79,20 +79,33 @@ func test_damaged_lines_are_named_and_left_alone() -> void:
 	var full: String = ProjectSettings.globalize_path(PATH)
 	for i: int in damaged.size():
 		is_true(_known.faults[i].begins_with("%s:%d: " % [full, i + 4]), _known.faults[i])
-	equal(_known.find("b:1").size(), 0)
+	# No server has such a key: the user is asked, and may put it right.
+	equal(_known.find("b:1"), _no_key())
 	_known.keep("c:1", _other, false)
 	equal(_known.find("c:1"), _other)
 	var text: String = FileAccess.get_file_as_string(PATH)
 	is_true(text.begins_with("# mine\n\n%s\n%s\nc:1 " % [good, "\n".join(damaged)]), text)
+	equal(_known.keep("b:1", _key, false), _no_key())
+	equal(_known.keep("b:1", _key, true), _key)
+	equal(_known.find("b:1"), _key)
+
+
+func test_lines_of_another_system_are_read() -> void:
+	_write("# mine\r\na:1 %s 2026-11-28\r\n" % KeyFingerprint.to_text(_key))
+	equal(_known.find("a:1"), _key)
+	equal(_known.faults.size(), 0)
 
 
 func test_a_file_that_is_none_of_ours_stays_as_it_is() -> void:
 	var large: String = "# %s\n".repeat(KnownServers.MAX_BYTES / 5 + 1)
-	for text: String in [large, "a\r\nb\r\n"]:
+	for text: String in [large, "a\u0001b\n"]:
 		_write(text)
+		if text != large:
+			_write_zero()
+		equal(_known.find("a:1"), _no_key(), "the user is asked")
 		equal(_known.keep("a:1", _key, true), _key, "it goes on")
 		contains(_known.error, ProjectSettings.globalize_path(PATH))
-		equal(FileAccess.get_file_as_string(PATH).length(), text.length())
+		equal(FileAccess.get_file_as_bytes(PATH).size(), text.length())
 
 
 func test_the_file_is_bounded_and_nothing_in_it_is_lost() -> void:
@@ -114,6 +127,18 @@ func _write(p_text: String) -> void:
 	DirAccess.make_dir_recursive_absolute(FOLDER)
 	var file: FileAccess = FileAccess.open(PATH, FileAccess.WRITE)
 	file.store_string(p_text)
+
+
+func _write_zero() -> void:
+	var file: FileAccess = FileAccess.open(PATH, FileAccess.READ_WRITE)
+	file.seek(1)
+	file.store_8(0)
+
+
+func _no_key() -> PackedByteArray:
+	var zeros: PackedByteArray = []
+	zeros.resize(32)
+	return zeros
 
 
 func _clear() -> void:

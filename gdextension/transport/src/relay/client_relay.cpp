@@ -46,6 +46,11 @@ constexpr int MAX_HINTED = 3;
 constexpr int64_t UNSEALED_USEC = 2000000;
 /// How often a client says at most that it has moved, us: anybody can make it say so.
 constexpr int64_t MOVED_USEC = 10000;
+/// Whoever hears his server has not moved: so long must it be silent, us. It says something 60 times a
+/// second.
+constexpr int64_t DEAF_USEC = 50000;
+/// Handshakes after which another key is believed: the user is asked.
+constexpr int MAX_OTHER_KEYS = 2;
 
 } // namespace
 
@@ -167,8 +172,11 @@ bool ClientRelay::is_over(int64_t p_now_usec) const {
 /// goes on: its server is there, or comes back.
 bool ClientRelay::is_hopeless() {
 	_hinted = _is_hinted ? _hinted + 1 : 0;
-	// Whoever has another key has proved it: the user is asked.
-	return _hinted >= MAX_HINTED && (_settings.return_tag == messages::ReturnTag{} || _notice == OTHER_KEY);
+	if (_notice == OTHER_KEY) {
+		// Whoever has it has proved it.
+		return _hinted >= MAX_OTHER_KEYS;
+	}
+	return _hinted >= MAX_HINTED && _settings.return_tag == messages::ReturnTag{};
 }
 
 void ClientRelay::restart(int64_t p_now_usec) {
@@ -355,6 +363,7 @@ void ClientRelay::take_content(Content p_content, size_t p_size, int64_t p_now_u
 void ClientRelay::take_unknown(const View &p_bytes, int64_t p_now_usec) {
 	messages::UnknownMessage unknown;
 	if (_step != Step::DONE || !unknown.decode(p_bytes) || p_now_usec - _moved_usec < MOVED_USEC ||
+			p_now_usec - _heard_usec < DEAF_USEC ||
 			std::find(_echoes.begin(), _echoes.end(), unknown.echo) == _echoes.end()) {
 		return;
 	}

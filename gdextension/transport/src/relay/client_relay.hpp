@@ -69,6 +69,8 @@ public:
 	const ServerIdentity::PublicKey &server_key() const { return _server_key; }
 	/// When something of the server's was opened last, us; 0: nothing yet.
 	int64_t heard_usec() const { return _heard_usec; }
+	/// The way to the server is another one.
+	void restart_path(int64_t p_now_usec) { _carriage.restart(p_now_usec); }
 	/// What is known of the path.
 	const PathMtu &mtu() const { return _carriage.mtu(); }
 	uint64_t not_opened() const { return _not_opened; }

@@ -61,9 +61,11 @@ EnetGuard::Verdict EnetGuard::check_connect(const EnetCommand &p_command) {
 		return TOO_FEW_CHANNELS;
 	}
 	if (p_command.chosen != _chosen) {
-		if (_confirmed) {
+		// One of ENet's slots for each link: who wants another connection makes another handshake.
+		if (_confirmed || _has_chosen) {
 			return CONNECTED_ALREADY;
 		}
+		_has_chosen = true;
 		_chosen = p_command.chosen;
 		restart();
 	}

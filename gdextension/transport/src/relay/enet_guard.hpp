@@ -112,6 +112,7 @@ private:
 	uint32_t _held = 0;
 	std::array<std::unique_ptr<Channel>, CHANNELS> _channels;
 	std::array<uint8_t, 8> _chosen{};
+	bool _has_chosen = false;
 	uint16_t _peer = 0;
 	uint8_t _session = 0;
 	bool _has_peer = false;

@@ -33,7 +33,11 @@ Link *LinkTable::find_peer(int64_t p_peer) {
 
 void LinkTable::set_client(Link &r_link, const messages::ClientId &p_client) {
 	r_link.client = p_client;
-	_by_client[p_client] = r_link.inner;
+	const Link *before = find_client(p_client);
+	// Whoever is connected keeps it: others may have seen it.
+	if (before == nullptr || !before->is_confirmed) {
+		_by_client[p_client] = r_link.inner;
+	}
 }
 
 void LinkTable::set_peer(Link &r_link, int64_t p_peer) {

@@ -92,17 +92,21 @@ void ServerRelay::take_first(const Endpoint &p_from, const View &p_bytes, int64_
 /// and by the seal that it is the one: so nobody is sent anything that he does not want, and nobody takes
 /// a connection away.
 void ServerRelay::take_moved(const Endpoint &p_from, const View &p_bytes, int64_t p_now_usec, RelaySink &r_sink) {
-	if (p_bytes.size < messages::MOVED_HEAD ||
-			!_handshake.is_at(p_from, read_array<12>(p_bytes.data + 9), p_now_usec)) {
-		_counts.bad_cookies++;
+	if (p_bytes.size < messages::MOVED_HEAD) {
+		_counts.stray++;
 		return;
 	}
+	// Opened first: its number is used up then, so that nobody says it again from elsewhere.
 	Link *link = _links.find_client(read_array<8>(p_bytes.data + 1));
 	if (link == nullptr || !link->channel.open(p_bytes, messages::MOVED_HEAD, _opened)) {
 		_counts.not_opened++;
 		return;
 	}
 	_counts.opened++;
+	if (!_handshake.is_at(p_from, read_array<12>(p_bytes.data + 9), p_now_usec)) {
+		_counts.bad_cookies++;
+		return;
+	}
 	if (!(link->outer == p_from)) {
 		Link *other = _links.find(p_from);
 		if (other != nullptr) {
@@ -128,6 +132,10 @@ void ServerRelay::take_sealed(const Endpoint &p_from, const View &p_bytes, int64
 	Content content = Content::ENET;
 	if (!link->channel.open(p_bytes, content, _opened)) {
 		_counts.not_opened++;
+		// Somebody else may have had this address a moment ago.
+		if (SealedChannel::is_sealed(p_bytes)) {
+			_handshake.take_stranger(p_from, p_bytes, p_now_usec, r_sink);
+		}
 		return;
 	}
 	_counts.opened++;
@@ -341,7 +349,8 @@ void ServerRelay::look_after(int64_t p_now_usec, RelaySink &r_sink) {
 				r_link.is_confirmed ? r_link.heard_usec + SILENT_USEC : r_link.since_usec + HALF_OPEN_USEC;
 		if (p_now_usec > since) {
 			over.push_back(r_link.inner);
-		} else if (r_link.is_confirmed) {
+		} else if (r_link.is_confirmed && r_link.peer != 0) {
+			// ENet knows him: nobody is sent probes that others have asked for in his name.
 			r_link.carriage.look_after(p_now_usec, sender(r_link, r_sink));
 		}
 	});

@@ -8,7 +8,8 @@
 namespace transport {
 
 /// Something for each network. Where a new one is one too many, those are forgotten that are idle, and
-/// some other if none is.
+/// some other if none is. All are looked at once for many new ones only: datagrams from addresses that
+/// nobody has must cost little.
 template <typename Entry>
 class NetworkTable {
 public:
@@ -40,15 +41,22 @@ public:
 private:
 	template <typename IsIdle>
 	void forget(IsIdle p_is_idle) {
-		for (auto one = _entries.begin(); one != _entries.end();) {
-			one = p_is_idle(one->second) ? _entries.erase(one) : std::next(one);
+		if (_forgotten == 0) {
+			for (auto one = _entries.begin(); one != _entries.end();) {
+				one = p_is_idle(one->second) ? _entries.erase(one) : std::next(one);
+			}
 		}
 		if (_entries.size() >= MAX) {
 			_entries.erase(_entries.begin());
+			_forgotten = (_forgotten + 1) % LOOK_EVERY;
 		}
 	}
 
+	/// New networks that make another one go, between two looks at all.
+	static constexpr size_t LOOK_EVERY = MAX / 8;
+
 	std::unordered_map<Network, Entry, NetworkHash> _entries;
+	size_t _forgotten = 0;
 };
 
 } // namespace transport
