@@ -61,6 +61,22 @@ TEST(a_client_goes_on_from_another_address_after_two_round_trips) {
 	CHECK(session.net.record.inner.size() == 1 && session.net.record.inner.back().from == session.inner);
 }
 
+TEST(a_client_that_only_listens_finds_out_that_it_has_moved) {
+	Session session;
+	CHECK(session.is_alive());
+	session.client.at = endpoint("198.51.100.7", 5000);
+	session.net.run(SECOND / 4);
+	CHECK(session.net.server.counts().moved == 1);
+	// Nothing is to be said where the server is heard.
+	session.net.run(SECOND);
+	const uint64_t before = session.net.server.counts().opened;
+	for (int i = 0; i < 50; i++) {
+		session.net.server.send_fast(NAME, ascii("\x05!"), session.net.record);
+		session.net.run(SECOND / 20);
+	}
+	CHECK(session.net.server.counts().opened <= before + 2);
+}
+
 TEST(nobody_else_takes_a_connection_with_him) {
 	Session session("secret");
 	std::vector<Bytes> seen;

@@ -49,6 +49,10 @@ constexpr int64_t MOVED_USEC = 10000;
 /// Whoever hears his server has not moved: so long must it be silent, us. It says something 60 times a
 /// second.
 constexpr int64_t DEAF_USEC = 50000;
+/// After so much silence a client sends something, so that a server that does not know its address says
+/// so: much of what it sends otherwise are answers. Each pause is twice the one before, us.
+constexpr int64_t ASK_USEC = 120000;
+constexpr int MAX_ASKS = 6;
 /// Handshakes after which another key is believed: the user is asked.
 constexpr int MAX_OTHER_KEYS = 2;
 
@@ -140,7 +144,7 @@ int64_t ClientRelay::look_after(int64_t p_now_usec) {
 			return INT64_MAX;
 		}
 		_carriage.look_after(p_now_usec, _send_content);
-		return _carriage.mtu().due_usec();
+		return std::min(_carriage.mtu().due_usec(), break_silence(p_now_usec));
 	}
 	if (_begun_usec == 0 || is_over(p_now_usec)) {
 		if (is_hopeless()) {
@@ -159,6 +163,20 @@ int64_t ClientRelay::look_after(int64_t p_now_usec) {
 		_due_usec = p_now_usec + (_step == Step::WANTS_COOKIE ? PAUSE_USEC : SHORT_PAUSE_USEC);
 	}
 	return _due_usec;
+}
+
+/// Returns when it must be called again, us.
+int64_t ClientRelay::break_silence(int64_t p_now_usec) {
+	if (!_settings.seals) {
+		return INT64_MAX;
+	}
+	if (p_now_usec - _heard_usec < ASK_USEC) {
+		_asks = 0;
+	} else if (_asks < MAX_ASKS && p_now_usec >= _heard_usec + (ASK_USEC << _asks)) {
+		_asks++;
+		send_content(Content::FAST, View());
+	}
+	return _asks < MAX_ASKS ? _heard_usec + (ASK_USEC << _asks) : INT64_MAX;
 }
 
 /// Whether this handshake has come to nothing.

@@ -110,6 +110,7 @@ private:
 	void take_notice(const View &p_bytes, int64_t p_now_usec);
 	void hint(int p_what, int64_t p_now_usec);
 	bool is_hopeless();
+	int64_t break_silence(int64_t p_now_usec);
 	bool may_answer(int64_t p_now_usec);
 	bool is_over(int64_t p_now_usec) const;
 	void send_content(Content p_content, const View &p_bytes);
@@ -149,6 +150,8 @@ private:
 	std::array<messages::Echo, 64> _echoes{};
 	size_t _next_echo = 0;
 	int64_t _moved_usec = 0;
+	/// Times that silence was broken since.
+	int _asks = 0;
 	/// Replies that may be answered now.
 	double _answers = 0.0;
 	int64_t _answered_usec = INT64_MIN;
