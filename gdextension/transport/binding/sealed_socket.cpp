@@ -39,6 +39,16 @@ PackedByteArray packed(const Array &p_bytes) {
 	return made;
 }
 
+/// The reverse of packed(); false if there are more or fewer bytes.
+template <typename Array>
+bool unpack(const PackedByteArray &p_bytes, Array &r_bytes) {
+	if (size_t(p_bytes.size()) != r_bytes.size()) {
+		return false;
+	}
+	std::copy_n(p_bytes.ptr(), r_bytes.size(), r_bytes.begin());
+	return true;
+}
+
 /// What a server's relay counts, by the names that stats() has for it.
 struct Count {
 	const char *name;
@@ -100,29 +110,21 @@ void SealedSocket::set_client(int64_t p_role, const String &p_password, const Pa
 	_client_settings.role = uint8_t(p_role);
 	_client_settings.password = utf8(p_password);
 	_client_settings.return_tag = {};
-	if (size_t(p_return_tag.size()) == _client_settings.return_tag.size()) {
-		std::copy_n(p_return_tag.ptr(), p_return_tag.size(), _client_settings.return_tag.begin());
-	}
+	unpack(p_return_tag, _client_settings.return_tag);
 }
 
 void SealedSocket::set_server_key(const PackedByteArray &p_seed) {
 	transport::ServerIdentity::Seed seed{};
-	ERR_FAIL_COND_MSG(!p_seed.is_empty() && size_t(p_seed.size()) != seed.size(), "A seed has 32 bytes.");
-	_settings.identity = transport::ServerIdentity();
-	if (!p_seed.is_empty()) {
-		std::copy_n(p_seed.ptr(), p_seed.size(), seed.begin());
-		_settings.identity = transport::ServerIdentity(seed);
-	}
+	const bool has_seed = unpack(p_seed, seed);
+	ERR_FAIL_COND_MSG(!has_seed && !p_seed.is_empty(), "A seed has 32 bytes.");
+	_settings.identity = has_seed ? transport::ServerIdentity(seed) : transport::ServerIdentity();
 }
 
 void SealedSocket::set_known_key(const PackedByteArray &p_key) {
 	transport::ServerIdentity::PublicKey key{};
-	ERR_FAIL_COND_MSG(!p_key.is_empty() && size_t(p_key.size()) != key.size(), "A key has 32 bytes.");
-	_client_settings.known_key.reset();
-	if (!p_key.is_empty()) {
-		std::copy_n(p_key.ptr(), p_key.size(), key.begin());
-		_client_settings.known_key = key;
-	}
+	const bool has_key = unpack(p_key, key);
+	ERR_FAIL_COND_MSG(!has_key && !p_key.is_empty(), "A key has 32 bytes.");
+	_client_settings.known_key = has_key ? std::make_optional(key) : std::nullopt;
 }
 
 void SealedSocket::set_limits(int64_t p_max_packet, int64_t p_min_channels, int64_t p_slots) {

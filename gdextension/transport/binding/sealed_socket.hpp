@@ -44,7 +44,7 @@ public:
 	};
 
 	/// Bytes of a datagram that fits into what the Internet asks of every network (IPv6: 1280).
-	static constexpr int WIDE_DATAGRAM = 1232;
+	static constexpr int WIDE_DATAGRAM = int(transport::PathMtu::SIZES[1]);
 
 	void set_sealing(bool p_seals, int64_t p_version);
 	void set_passwords(const PackedStringArray &p_of_roles);

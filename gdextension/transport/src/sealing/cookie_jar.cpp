@@ -30,9 +30,15 @@ bool CookieJar::is_valid(const Endpoint &p_client, const messages::Start &p_star
 	init.version = p_start.version;
 	init.role = p_start.role;
 	init.client = p_start.client;
+	return is_recent(p_client, init, p_start.cookie, p_now_usec);
+}
+
+/// Whether a cookie, or its beginning, is of this period or of the one before.
+bool CookieJar::is_recent(
+		const Endpoint &p_client, const messages::Init &p_init, const View &p_cookie, int64_t p_now_usec) const {
 	for (const int64_t period : { p_now_usec / PERIOD_USEC, p_now_usec / PERIOD_USEC - 1 }) {
-		const messages::Cookie expected = of_period(p_client, init, period);
-		if (sodium_memcmp(expected.data(), p_start.cookie.data(), expected.size()) == 0) {
+		const messages::Cookie expected = of_period(p_client, p_init, period);
+		if (sodium_memcmp(expected.data(), p_cookie.data, p_cookie.size) == 0) {
 			return true;
 		}
 	}
@@ -59,13 +65,7 @@ messages::AddressCookie CookieJar::make(const Endpoint &p_client, int64_t p_now_
 }
 
 bool CookieJar::is_valid(const Endpoint &p_client, const messages::AddressCookie &p_cookie, int64_t p_now_usec) const {
-	for (const int64_t period : { p_now_usec / PERIOD_USEC, p_now_usec / PERIOD_USEC - 1 }) {
-		const messages::Cookie expected = of_period(p_client, FOR_ADDRESS, period);
-		if (sodium_memcmp(expected.data(), p_cookie.data(), p_cookie.size()) == 0) {
-			return true;
-		}
-	}
-	return false;
+	return is_recent(p_client, FOR_ADDRESS, p_cookie, p_now_usec);
 }
 
 } // namespace transport

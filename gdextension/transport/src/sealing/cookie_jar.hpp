@@ -21,6 +21,8 @@ public:
 	bool is_valid(const Endpoint &p_client, const messages::AddressCookie &p_cookie, int64_t p_now_usec) const;
 
 private:
+	bool is_recent(
+			const Endpoint &p_client, const messages::Init &p_init, const View &p_cookie, int64_t p_now_usec) const;
 	messages::Cookie of_period(const Endpoint &p_client, const messages::Init &p_init, int64_t p_period) const;
 
 	std::array<uint8_t, 32> _key{};
