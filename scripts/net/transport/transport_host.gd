@@ -10,8 +10,9 @@ const UNRELIABLE_CHANNEL: int = 1
 ## Maximum of connections that have not been admitted; beyond it the oldest is closed.
 const MAX_ARRIVING: int = 512
 ## When an end that answers nothing is gone: ENet's limit (2 to the attempts), least and most ms.
-## With less, a fifth of the datagrams lost would end connections now and then.
-const TIMEOUTS_MS: Array[int] = [64, 4000, 8000]
+## With less, a fifth of the datagrams lost would end connections now and then; and silence is to be
+## noticed as such before, see [constant SILENT_MS].
+const TIMEOUTS_MS: Array[int] = [64, 6000, 8000]
 ## When a server of which nothing at all is heard is gone, ms: it says something every 1.5 s.
 const SILENT_MS: int = 5500
 ## First bytes of a probe and of its receipt, both followed by 8 bytes: see [ReceiptWindow].

@@ -339,7 +339,7 @@ func _look_after_client(p_now_usec: int, p_gap_usec: int) -> void:
 		if not _closing:
 			_go_on_connecting()
 		return
-	if p_gap_usec > TIMEOUTS_MS[1] * 1000:
+	if p_gap_usec > SILENT_MS * 1000:
 		# The server has given us up; waiting until we notice it would take as long again.
 		_fail("this machine stood still for %.1f s" % (p_gap_usec / 1e6))
 	elif _socket.get_silent_usec() > SILENT_MS * 1000:
