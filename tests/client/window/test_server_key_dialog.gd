@@ -1,7 +1,7 @@
 extends TestCase
 ## What a user sees and can choose where a server shows another key.
 
-const DIALOG: PackedScene = preload("res://scenes/client/server_key_dialog.tscn")
+const DIALOG: PackedScene = preload("res://scenes/client/window/server_key_dialog.tscn")
 
 var _window: SubViewport = null
 var _dialog: ServerKeyDialog = null

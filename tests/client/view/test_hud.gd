@@ -9,7 +9,7 @@ func before_each() -> void:
 	_screen = SubViewport.new()
 	_screen.size = Vector2i(640, 360)
 	add_child(_screen)
-	_hud = (load("res://scenes/client/hud.tscn") as PackedScene).instantiate()
+	_hud = (load("res://scenes/client/view/hud.tscn") as PackedScene).instantiate()
 	_screen.add_child(_hud)
 
 
