@@ -391,9 +391,9 @@ static func _run() -> Array[OptionRow]:
 		OptionRow.file(
 			"record", recording, "record what this client receives, or everything at the server"
 		),
-		OptionRow.file("file", [ClientStreams.REPLAY], "recording to replay"),
+		OptionRow.file("file", [ProgramRoles.REPLAY], "recording to replay"),
 		OptionRow.decimal(
-			"from", [ClientStreams.REPLAY], 0.0, [0.0, 1e7], "where in the recording to begin", "s"
+			"from", [ProgramRoles.REPLAY], 0.0, [0.0, 1e7], "where in the recording to begin", "s"
 		),
 		OptionRow.file("screenshot", showing, "save a picture (PNG) in high quality at the end"),
 		OptionRow.file("latency-csv", showing, "write the latency of each sample, stage by stage"),

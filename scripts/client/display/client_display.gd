@@ -1,20 +1,12 @@
 class_name ClientDisplay
-extends Node
+extends ClientPart
 ## How a client shows the world: in its window, to both eyes, on walls, or in a headset.
 ##
 ## The window always works: where another display cannot be, or is lost, the user is told why, and
 ## sees the world in the window.
 
-## The program is about to start again in this process, with a headset.
-signal leaving
-## The user wants to leave the session.
-signal leave_wanted
-
 # What its notes on the screen are about.
 const _NOTES: StringName = &"display"
-
-@export var _scene: ClientScene
-@export var _hud: Hud
 
 ## The display, or null: the window.
 var mode: DisplayMode = null
@@ -30,8 +22,16 @@ var _period_usec: int = 0
 var _begun_usec: int = 0
 
 
+func open(p_context: ClientContext) -> String:
+	super(p_context)
+	context.fresh_file = fresh_file
+	context.told.connect(tell)
+	_show(context.options)
+	return ""
+
+
 ## Begins to show the world as the options ask.
-func open(p_options: Options) -> void:
+func _show(p_options: Options) -> void:
 	# The display takes these out of the environment.
 	_is_restarted = (
 		OS.get_environment(HmdCommand.TRIED) + OS.get_environment(HmdCommand.LOST) != ""
@@ -56,22 +56,34 @@ func open(p_options: Options) -> void:
 		_late = null
 		if headset != null:
 			headset.begin()
+			context.headset = headset
 
 
-## Waits until it is time to begin the frame. Call it first.
-func await_frame() -> void:
-	if _late == null:
-		return
-	var wait: int = _late.wait_usec(Time.get_ticks_usec(), _period_usec)
-	if wait > 0:
-		OS.delay_usec(wait)
-	_begun_usec = Time.get_ticks_usec()
+## Waits until it is time to begin the frame, then reads what the wearer's devices say in it.
+func begin_frame() -> void:
+	if _late != null:
+		var wait: int = _late.wait_usec(Time.get_ticks_usec(), _period_usec)
+		if wait > 0:
+			OS.delay_usec(wait)
+		_begun_usec = Time.get_ticks_usec()
+	if headset != null:
+		var due: int = maxi(due_usec(), Time.get_ticks_usec())
+		headset.read(due, due + MotionSender.unix_ahead())
 
 
-## Everything is where the frame shows it.
-func placed() -> void:
-	if _late == null:
-		return
+func advance(_delta_s: float) -> void:
+	context.due_usec = due_usec()
+	context.scene.sees_by_own_eyes = is_own_view()
+	context.ears = headset.display.head() if headset != null else null
+
+
+func end_frame(p_delta_s: float) -> void:
+	_place_wearer(p_delta_s)
+	if _late != null:
+		_note_work()
+
+
+func _note_work() -> void:
 	var window: RID = get_viewport().get_viewport_rid()
 	var drawing_ms: float = (
 		RenderingServer.get_frame_setup_time_cpu()
@@ -86,19 +98,9 @@ func due_usec() -> int:
 	return mode.due_usec() if mode != null else 0
 
 
-## Whether the user looks out of a headset.
-func is_worn() -> bool:
-	return headset != null and headset.display.is_worn()
-
-
-## The head in a headset; null without one.
-func head() -> Node3D:
-	return headset.display.head() if headset != null else null
-
-
 ## Whether the user looks out of the eyes of the own body.
 func is_own_view() -> bool:
-	return is_worn() or _tracks_head()
+	return context.is_headset_worn() or _tracks_head()
 
 
 ## The name of a file to write: what this session recorded before the program started again for a
@@ -112,40 +114,21 @@ func fresh_file(p_path: String) -> String:
 	return path
 
 
-## Shows what the wearer's devices say in the frame that begins: before samples are taken.
-func read_devices(p_seat: ClientSeat) -> void:
-	if headset != null:
-		p_seat.tell_platform(headset.platform)
-		var now: int = Time.get_ticks_usec()
-		var due: int = maxi(due_usec(), now)
-		headset.read(due, due + MotionSender.unix_ahead())
-
-
 ## Puts a wearer into the world, of which everything is where this frame (of a length, s) shows it.
-func place_wearer(
-	p_people: ClientPeople, p_own: Dictionary[int, PackedFloat32Array], p_step_s: float
-) -> void:
+func _place_wearer(p_step_s: float) -> void:
 	if not is_own_view():
 		return
 	var place: WearerPlace = null
-	if p_people != null:
-		place = p_people.find_wearer(_scene.replica, p_own)
+	if context.people != null:
+		place = context.people.find_wearer(context.scene.replica, context.own_bodies)
 	if _tracks_head():
 		_place_station(mode as WallDisplay, place, p_step_s)
 		return
 	if place != null:
 		headset.follow_body(place)
 	else:
-		headset.follow_camera(_scene.camera().global_transform)
+		headset.follow_camera(context.scene.camera().global_transform)
 	headset.place(maxi(due_usec(), Time.get_ticks_usec()), p_step_s)
-
-
-## Which tick of the server this display shows at a time, µs, so that all of its station show the
-## same one; not valid where there is no station.
-func agreement(p_at_usec: int) -> Callable:
-	if not mode is WallDisplay:
-		return Callable()
-	return _agree.bind(p_at_usec)
 
 
 ## What the user should know, also who sees no window.
@@ -154,18 +137,17 @@ func tell(p_text: String) -> void:
 		headset.tell(p_text)
 
 
-## The program ends: a headset that comes back by now is not gone into.
-func stay_away() -> void:
+## A headset that comes back by now is not gone into.
+func finish() -> void:
 	if headset != null:
 		headset.display.returns_by_itself = false
 
 
-## Stats for a report.
 func report() -> Dictionary:
 	var found: Dictionary = mode.report() if mode != null else {"display": DisplayNames.WINDOW}
 	if headset != null:
 		found["headset"] = headset.report()
-	return found
+	return {"display": found}
 
 
 func _exit_tree() -> void:
@@ -199,15 +181,17 @@ func _take_wall_key(p_wall: WallDisplay, p_event: InputEvent) -> void:
 	get_viewport().set_input_as_handled()
 
 
-func _agree(p_tick: float, p_at_usec: int) -> float:
-	return (mode as WallDisplay).agree(p_tick, p_at_usec, _scene.replica.tick_rate())
+## Which tick of the server is shown, so that all displays of a station show the same one.
+func _agree(p_tick: float) -> float:
+	var rate: float = context.scene.replica.tick_rate()
+	return (mode as WallDisplay).agree(p_tick, context.frame_usec, rate)
 
 
 ## A station whose eyes are those of its wearer: the walls are the wearer's real room.
 func _place_station(p_wall: WallDisplay, p_place: WearerPlace, p_step_s: float) -> void:
-	if p_place == null or not _scene.people().has(p_place.actor):
+	if p_place == null or not context.scene.people().has(p_place.actor):
 		# Until there is a body again the walls show what the window would.
-		p_wall.camera = _scene.camera()
+		p_wall.camera = context.scene.camera()
 		_room.restart()
 		return
 	var room: Transform3D = (
@@ -219,9 +203,9 @@ func _place_station(p_wall: WallDisplay, p_place: WearerPlace, p_step_s: float) 
 		add_child(_station)
 	p_wall.camera = _station
 	for property: StringName in [&"near", &"far", &"cull_mask", &"environment", &"attributes"]:
-		_station.set(property, _scene.camera().get(property))
+		_station.set(property, context.scene.camera().get(property))
 	_station.global_transform = room.translated_local(p_wall.layout.eye)
-	var head: Transform3D = _scene.people()[p_place.actor].head()
+	var head: Transform3D = context.scene.people()[p_place.actor].head()
 	var eyes: Transform3D = room.affine_inverse() * head
 	p_wall.set_eye(eyes * OrbitCamera.EYES, -eyes.basis.x)
 
@@ -236,14 +220,15 @@ func _make(p_options: Options) -> String:
 		headset = ClientHeadset.new()
 		headset.name = "Headset"
 		add_child(headset)
-		headset.leave_wanted.connect(leave_wanted.emit)
-		hmd.leaving.connect(leaving.emit)
+		headset.leave_wanted.connect(context.leave_wanted.emit.bind(StateStream.EXIT_DONE))
+		hmd.leaving.connect(context.restart_near.emit)
 		hmd.lost.connect(_show_waiting)
 		return headset.open(hmd, p_options)
 	if name == DisplayNames.WALL:
 		var wall: WallDisplay = WallDisplay.new()
 		wall.swap_eyes = p_options.is_on("swap-eyes")
 		mode = wall
+		context.agreement = _agree
 		return wall.set_up(p_options.file("layout"), p_options.text("screens"))
 	if not DisplayNames.stereo().has(name):
 		return ""
@@ -266,7 +251,7 @@ func _tracks_head() -> bool:
 
 func _begin(p_mode: DisplayMode) -> void:
 	p_mode.name = "Mode"
-	p_mode.camera = _scene.camera()
+	p_mode.camera = context.scene.camera()
 	p_mode.told.connect(_on_told)
 	p_mode.failed.connect(_fall_back)
 	add_child(p_mode)
@@ -274,22 +259,24 @@ func _begin(p_mode: DisplayMode) -> void:
 
 func _on_told(p_text: String) -> void:
 	Log.info("display", p_text)
-	_hud.show_news(p_text)
+	context.hud.show_news(p_text)
 	tell(p_text)
 
 
 ## The window says for as long as it is so that there is no headset, and why.
 func _show_waiting() -> void:
-	_hud.show_note(headset.display.report()["lost"], _NOTES)
+	context.hud.show_note(headset.display.report()["lost"], _NOTES)
 
 
 func _fall_back(p_why: String) -> void:
 	Log.warning("display", p_why)
+	context.agreement = Callable()
+	context.headset = null
 	if headset != null:
 		headset.queue_free()
 		headset = null
 	var text: String = p_why.left(1).to_upper() + p_why.substr(1)
-	_hud.show_note("%s. You see the world in this window." % text, _NOTES)
+	context.hud.show_note("%s. You see the world in this window." % text, _NOTES)
 	if mode != null:
 		mode.close()
 		mode.queue_free()

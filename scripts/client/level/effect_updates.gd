@@ -1,5 +1,5 @@
 class_name EffectUpdates
-extends RefCounted
+extends ClientPart
 ## Takes the effects that a server sends while a session runs, checks them again, and shows them.
 ##
 ## One that is broken changes nothing.
@@ -12,14 +12,15 @@ var refused: int = 0
 var _parts: EffectParts = EffectParts.new()
 
 
-func _init(p_link: ClientLink) -> void:
-	p_link.joined.connect(_on_joined)
-	p_link.handle(Protocol.Message.EFFECT, MessageHandlers.Path.RELIABLE, _on_part)
+func open(p_context: ClientContext) -> String:
+	super(p_context)
+	context.link.joined.connect(_on_joined)
+	context.link.handle(Protocol.Message.EFFECT, MessageHandlers.Path.RELIABLE, _on_part)
+	return ""
 
 
-## What it has done so far, for a report.
 func report() -> Dictionary:
-	return {"taken": taken, "refused": refused}
+	return {"effects": {"taken": taken, "refused": refused}}
 
 
 ## The effects of the last session are not those of this one. Who comes back gets them again.

@@ -1,39 +1,32 @@
 class_name InstructorDesk
-extends RefCounted
+extends ClientPart
 ## What an instructor's client does beside watching: it carries out --orders, or takes commands from
 ## the terminal.
 
-## The instructor wants to leave.
-signal quit_wanted
-
-## What is wrong with the orders, or an empty text.
-var error: String = ""
-
-var _link: ClientLink = null
 var _control: InstructorControl = null
 var _orders: InstructorOrders = null
 var _terminal: InstructorTerminal = null
 
 
-## With orders as --orders has them; without any there is a console.
-func _init(p_link: ClientLink, p_orders: String, p_things: ThingOrders) -> void:
-	_link = p_link
-	_control = InstructorControl.new(p_link)
-	_orders = InstructorOrders.new(p_orders)
-	error = _orders.error
+func open(p_context: ClientContext) -> String:
+	super(p_context)
+	var things: ThingOrders = ThingOrders.new(context.scene.replica, context.scene.entities)
+	_control = InstructorControl.new(context.link)
+	_orders = InstructorOrders.new(context.options.text("orders"))
 	if not _orders.is_empty():
-		_orders.attach(_control, p_things)
-	elif error == "":
+		_orders.attach(_control, things)
+	elif _orders.error == "":
 		_terminal = InstructorTerminal.new()
-		_terminal.quit_wanted.connect(quit_wanted.emit)
-		_terminal.open(InstructorConsole.new(_control, p_things))
+		_terminal.quit_wanted.connect(context.leave_wanted.emit.bind(StateStream.EXIT_DONE))
+		_terminal.open(InstructorConsole.new(_control, things))
+	return _orders.error
 
 
-## Goes on; call it in every frame with the time, s.
-func advance(p_now_s: float) -> void:
+func begin_frame() -> void:
 	_orders.advance()
 	if _terminal != null:
-		_terminal.advance(p_now_s, _link.is_joined() and not _control.roster.is_empty())
+		var is_ready: bool = context.link.is_joined() and not _control.roster.is_empty()
+		_terminal.advance(context.now_s(), is_ready)
 
 
 ## Gives the terminal back.

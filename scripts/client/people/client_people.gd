@@ -109,13 +109,13 @@ func begin() -> void:
 	_declare()
 
 
-## Finds the bodies that the server has given them.
-func embody(p_scene: ClientScene) -> void:
+## Finds the bodies that the server has given them, of which some are shown already.
+func embody(p_replica: WorldReplica, p_shown: Dictionary[int, ActorView]) -> void:
 	for motion: ClientMotion in _motions:
-		var actor: int = p_scene.person_of(_link.session, motion.card.index)
-		var row: EntityRow = p_scene.replica.table.find(actor)
-		if row != null and actor != motion.actor and row.skeleton.is_sound():
-			motion.embody(actor, row.skeleton, p_scene.hips_of(actor), _rate)
+		var row: EntityRow = p_replica.table.person_of(_link.session, motion.card.index)
+		if row != null and row.id != motion.actor and row.skeleton.is_sound():
+			var hips: float = p_shown[row.id].node.get_hip_height() if p_shown.has(row.id) else 0.0
+			motion.embody(row.id, row.skeleton, hips, _rate)
 		if motion.card.index == 0:
 			first_actor = motion.actor
 

@@ -1,5 +1,5 @@
 class_name ClientSeat
-extends Node
+extends ClientPart
 ## What this client's user does and sees in the seat of a vehicle: controls, views, instruments, and
 ## what hands and motion platform feel.
 
@@ -26,17 +26,16 @@ func _physics_process(_delta: float) -> void:
 	_cues.get_forces().wheel_position = -_controls.input.steer
 
 
-## Begins as the options say; [param p_has_body]: for a user with a body of his own. Returns what is
-## wrong, or an empty text.
-func open(p_scene: ClientScene, p_hud: Hud, p_options: Options, p_has_body: bool) -> String:
-	var drive: String = p_options.text("drive")
+func open(p_context: ClientContext) -> String:
+	super(p_context)
+	var drive: String = context.options.text("drive")
 	if drive != "":
 		_controls.list = DriveScript.parse(drive)
 		if _controls.list.error != "":
 			return _controls.list.error
-	_controls.has_body = p_has_body
-	_controls.view_changed.connect(p_scene.look_through)
-	_controls.told.connect(p_hud.show_news)
+	_controls.has_body = context.can(Roles.Capability.SEND_MOTION)
+	_controls.view_changed.connect(context.scene.look_through)
+	_controls.told.connect(context.hud.show_news)
 	_controls.seat_changed.connect(_on_seat_changed)
 	if DisplayServer.get_name() != "headless":
 		var hud: VehicleHud = (
@@ -46,7 +45,31 @@ func open(p_scene: ClientScene, p_hud: Hud, p_options: Options, p_has_body: bool
 		hud.follow(_controls)
 		_panel = preload("res://scenes/vehicle/controls/axis_panel.tscn").instantiate()
 		add_child(_panel)
-	return _cues.open(p_options)
+		context.menu.wheel_wanted.connect(
+			func() -> void: _panel.show_panel(_controls.reader.settings)
+		)
+	if context.options.is_on("prediction"):
+		_prediction.follow(
+			_controls,
+			context.scene.replica,
+			context.now_s,
+			func() -> int: return context.link.clock.round_trip_usec
+		)
+	return _cues.open(context.options)
+
+
+func begin_frame() -> void:
+	if context.headset != null:
+		_cues.tell_platform(context.headset.platform)
+
+
+func advance(_delta_s: float) -> void:
+	_controls.hands_off = context.is_menu_open() or (_panel != null and _panel.visible)
+	_prediction.apply()
+
+
+func report() -> Dictionary:
+	return {"driving": _prediction.report()}
 
 
 ## Hands feel the guns of the vehicle: no position shows such a jolt.
@@ -67,39 +90,3 @@ func _on_fired(
 	var mass: float = p_gun.vehicle.parameters.mass
 	var jolt: Vector3 = -p_velocity.normalized() * p_ammunition.recoil() / mass / KICK_S
 	_cues.get_forces().kick(_controls.seat.global_basis.inverse() * jolt)
-
-
-## Opens where a wheel and pedals are calibrated.
-func show_wheel_panel() -> void:
-	if _panel != null:
-		_panel.show_panel(_controls.reader.settings)
-
-
-## Has the vehicle obey the driver at once, on a connection to a server.
-func predict(p_stream: LiveStream, p_replica: WorldReplica) -> void:
-	_prediction.follow(
-		_controls,
-		p_replica,
-		p_stream.now_s,
-		func() -> int: return p_stream.link.clock.round_trip_usec
-	)
-
-
-## Has the replica show what is predicted. Call it before the replica is evaluated.
-func apply_prediction() -> void:
-	_prediction.apply()
-
-
-## Tells a frame where the motion platform is that the user sits on.
-func tell_platform(p_frame: PlatformFrame) -> void:
-	_cues.tell_platform(p_frame)
-
-
-## Says whether keys are meant for the window's menu.
-func set_menu_open(p_is_open: bool) -> void:
-	_controls.hands_off = p_is_open or (_panel != null and _panel.visible)
-
-
-## What is predicted, for a report.
-func report() -> Dictionary:
-	return _prediction.report()

@@ -1,5 +1,5 @@
 class_name ClientSound
-extends Node
+extends ClientPart
 ## What a client hears: puts voices, impacts, people, doors, weather and captions together.
 ##
 ## Nothing of it is made where sound is off, as in clients without a window.
@@ -44,17 +44,15 @@ func _process(p_delta: float) -> void:
 	)
 
 
-## Begins as options and settings say; [param p_menu] shows and changes them.
-func open(
-	p_scene: ClientScene, p_options: Options, p_settings: UserSettings, p_menu: SoundMenu
-) -> void:
-	var mode: String = p_options.text("sound")
-	var is_headless: bool = DisplayServer.get_name() == "headless"
-	if mode == "off" or (mode == "auto" and is_headless):
-		return
-	_scene = p_scene
-	_settings = p_settings if p_settings != null else UserSettings.new()
-	_menu = p_menu
+func open(p_context: ClientContext) -> String:
+	super(p_context)
+	var mode: String = context.options.text("sound")
+	if mode == "off" or (mode == "auto" and ClientContext.is_headless()):
+		return ""
+	_scene = context.scene
+	_settings = context.settings if context.settings != null else UserSettings.new()
+	_menu = context.menu.sound_menu
+	context.told.connect(func(_text: String) -> void: click_radio())
 	voices = SoundVoices.new()
 	voices.surroundings.set_absorption(_absorption_of)
 	add_child(voices)
@@ -78,17 +76,18 @@ func open(
 	_captions.shown.connect(lines.show_caption)
 	_scene.entities.struck.connect(_on_struck)
 	_scene.get_level().changed.connect(_on_level_changed)
-	_apply_settings(p_options)
+	_apply_settings(context.options)
+	return ""
 
 
-## Lets a node be the ears, such as the head in a headset; null: the camera of the window.
-func hear_at(p_ears: Node3D) -> void:
-	if voices == null or voices.listener == p_ears:
+## Hears with the ears in a headset, or at the camera of the window.
+func advance(_delta_s: float) -> void:
+	if voices == null or voices.listener == context.ears:
 		return
-	voices.listener = p_ears
+	voices.listener = context.ears
 	var binaural: BinauralRenderer = voices.renderer as BinauralRenderer
 	if binaural != null:
-		binaural.listener = p_ears
+		binaural.listener = context.ears
 
 
 ## Somebody speaks by radio: the key is pressed, then let go.
@@ -99,17 +98,17 @@ func click_radio(p_is_begin: bool = true) -> void:
 	_radio.play()
 
 
-## For the report of the program.
 func report() -> Dictionary:
 	if voices == null:
-		return {}
-	return {
+		return {"sound": {}}
+	var sound: Dictionary = {
 		"heard": voices.heard(),
 		"peak": voices.peak,
 		"begun": voices.begun,
 		"refused": voices.refused,
 		"stolen": voices.stolen,
 	}
+	return {"sound": sound}
 
 
 func _apply_settings(p_options: Options) -> void:

@@ -1,5 +1,5 @@
 class_name MocapSetup
-extends CanvasLayer
+extends ClientPart
 ## Everything about motion capture at a client: the sources that the options ask for, calibrations,
 ## and the panel with devices and sensors, which a key opens.
 
@@ -9,16 +9,15 @@ const ACTION: StringName = &"toggle_devices"
 const HEADING_ACTION: StringName = &"reset_heading"
 ## Period of updating the list of devices, s.
 const _PERIOD_S: float = 0.25
+## Frames between two looks at how far the own body is from its motion.
+const _TETHER_FRAMES: int = 10
 
-## The panel's scene; its root is a [DevicePanel].
-@export var panel_scene: PackedScene
+const _PANEL: PackedScene = preload("res://scenes/mocap/panel/device_panel.tscn")
 
 ## The sources.
 var inputs: MotionInputs = MotionInputs.new()
 ## The people whose motion is sent; null before [method open].
 var people: ClientPeople = null
-## The headset of the first of them, or null.
-var headset: ClientHeadset = null
 
 var _listed_s: float = 0.0
 # The time of the last frame, s.
@@ -31,9 +30,15 @@ var _cues: GuideCues = null
 var _discovery: SourceDiscovery = SourceDiscovery.new()
 # Whose calibration is heard.
 var _guided: SuitSource = null
+# Above the rest of the screen.
+var _layer: CanvasLayer = CanvasLayer.new()
+var _reports: WearerReports = null
 
 
 func _ready() -> void:
+	_layer.name = "Layer"
+	_layer.layer = 2
+	add_child(_layer)
 	_cues = GuideCues.new()
 	add_child(_cues)
 
@@ -47,24 +52,47 @@ func _exit_tree() -> void:
 		Engine.print_error_messages = true
 
 
-## Opens all sources. Returns what is wrong, or an empty text.
-func open(p_options: Options, p_link: ClientLink) -> String:
-	people = ClientPeople.new(p_link, p_options)
+## Opens all sources.
+func open(p_context: ClientContext) -> String:
+	super(p_context)
+	var options: Options = context.options
+	people = ClientPeople.new(context.link, options)
+	context.people = people
+	context.link.joined.connect(people.begin)
+	_reports = WearerReports.new(context.link, self)
 	inputs.appeared.connect(_on_appeared)
 	inputs.vanished.connect(_on_vanished)
-	if headset != null and headset.display.is_worn():
-		inputs.make_default = headset.make_body
-	elif p_options.text("display") == DisplayNames.HMD:
-		inputs.awaits_headset = DisplayServer.get_name() != "headless"
-	var fault: String = inputs.open(p_options)
+	if context.is_headset_worn():
+		inputs.make_default = context.headset.make_body
+	elif options.text("display") == DisplayNames.HMD:
+		inputs.awaits_headset = not ClientContext.is_headless()
+	var fault: String = inputs.open(options)
 	people.vmc_out = inputs.vmc_out
-	if fault == "" and p_options.is_on("panel"):
+	if fault == "" and options.is_on("panel"):
 		_show_panel(true)
 	return fault
 
 
-## Goes on; call it in every frame with the time, s.
-func advance(p_now_s: float) -> void:
+func begin_frame() -> void:
+	read_sources(context.now_s())
+	_reports.advance(_now_s)
+	context.hud.show_guide(guide(_now_s))
+
+
+## Works out where the own bodies are in this frame.
+func advance(_delta_s: float) -> void:
+	context.own_bodies = {}
+	if context.scene.replica.is_ready():
+		context.own_bodies = people.evaluate(context.frame_usec, context.scene.replica)
+
+
+func end_frame(_delta_s: float) -> void:
+	if Engine.get_process_frames() % _TETHER_FRAMES == 0:
+		context.hud.show_tether(context.scene.describe_tether(people.first_actor))
+
+
+## Takes in what the sources say by a time, s, and shows it on the panel.
+func read_sources(p_now_s: float) -> void:
 	_now_s = p_now_s
 	inputs.advance(p_now_s)
 	people.take_samples()
@@ -171,13 +199,13 @@ func _unhandled_key_input(p_event: InputEvent) -> void:
 
 func _show_panel(p_shows: bool) -> void:
 	if _panel == null:
-		_panel = panel_scene.instantiate()
+		_panel = _PANEL.instantiate()
 		_panel.close_wanted.connect(_show_panel.bind(false))
 		_panel.profile_changed.connect(_on_profile_changed)
 		_panel.sources().listening_wanted.connect(_listen)
 		_panel.sources().source_wanted.connect(_open_source)
 		_panel.sources().group_chosen.connect(_choose_group)
-		add_child(_panel)
+		_layer.add_child(_panel)
 	_panel.visible = p_shows
 	_listed_s = 0.0
 	if p_shows:
@@ -191,6 +219,7 @@ func _on_profile_changed(p_suit: int) -> void:
 
 
 func _on_appeared(p_source: MotionSource, p_name: String) -> void:
+	var headset: ClientHeadset = context.headset
 	if headset != null and headset.fused == null and headset.body == null:
 		_fitted[p_source] = headset.fit(p_source)
 	people.add(_fitted.get(p_source, p_source), p_name)
@@ -198,5 +227,5 @@ func _on_appeared(p_source: MotionSource, p_name: String) -> void:
 
 func _on_vanished(p_source: MotionSource) -> void:
 	people.remove(_fitted.get(p_source, p_source))
-	if _fitted.erase(p_source):
-		headset.fused = null
+	if _fitted.erase(p_source) and context.headset != null:
+		context.headset.fused = null

@@ -167,12 +167,6 @@ func update(
 	_aim()
 
 
-## One of the people of a session, or -1.
-func person_of(p_session: int, p_index: int = 0) -> int:
-	var row: EntityRow = replica.table.person_of(p_session, p_index)
-	return row.id if row != null else -1
-
-
 ## From where the client looks, m.
 func viewpoint() -> Vector3:
 	return _camera.global_position
@@ -191,11 +185,6 @@ func camera() -> OrbitCamera:
 ## The level and what moves in it.
 func get_level() -> ClientLevel:
 	return _level
-
-
-## Height of the hips of a person's body when standing, m.
-func hips_of(p_actor: int) -> float:
-	return _actors[p_actor].node.get_hip_height() if _actors.has(p_actor) else 0.0
 
 
 ## How far a person's body is from its motion, for the screen; empty if it is where that is.

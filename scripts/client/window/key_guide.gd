@@ -33,7 +33,7 @@ static func actions(p_moves: bool, p_uses: bool) -> Dictionary[StringName, Strin
 	if p_uses:
 		found[_USE] = "use what is looked at"
 	if p_moves:
-		found[MocapSetup.ACTION] = "motion capture"
+		found[&"toggle_devices"] = "motion capture"
 		found[_TORCH] = "torch in the right hand"
 	found.merge(_EVERYBODY)
 	return found
@@ -55,7 +55,7 @@ static func describe(p_moves: bool, p_uses: bool) -> String:
 static func hint(p_moves: bool) -> String:
 	var parts: PackedStringArray = []
 	if p_moves:
-		parts.append("%s motion capture" % InputKeys.name_of(MocapSetup.ACTION))
+		parts.append("%s motion capture" % InputKeys.name_of(&"toggle_devices"))
 	parts.append("%s next person" % InputKeys.name_of(&"next_person"))
 	parts.append("%s keys" % InputKeys.name_of(&"show_keys"))
 	parts.append("%s menu" % InputKeys.name_of(&"ui_cancel"))

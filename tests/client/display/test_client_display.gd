@@ -5,15 +5,17 @@ extends TestCase
 func test_without_a_window_there_is_no_display() -> void:
 	if DisplayServer.get_name() != "headless":
 		return
-	var display: ClientDisplay = ClientDisplay.new()
 	for name: String in DisplayNames.all():
-		display.open(ProgramOptions.parse(["--display=" + name]))
+		var display: ClientDisplay = ClientDisplay.new()
+		var context: ClientContext = ClientContext.new()
+		context.options = ProgramOptions.parse(["--display=" + name])
+		equal(display.open(context), "", name)
 		equal(display.mode, null, name)
-		equal(display.report(), {"display": "window"}, name)
+		equal(display.report(), {"display": {"display": "window"}}, name)
 		equal(display.due_usec(), 0)
-		is_false(display.is_worn())
-		is_false(display.agreement(5).is_valid())
-	display.free()
+		is_false(context.is_headset_worn())
+		is_false(context.agreement.is_valid())
+		display.free()
 
 
 func test_a_display_that_there_is_not_is_refused() -> void:

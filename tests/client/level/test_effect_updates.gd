@@ -10,10 +10,11 @@ var _updates: EffectUpdates = null
 func before_each() -> void:
 	_pair = LinkPair.new()
 	equal(_pair.listen(), OK)
-	_updates = EffectUpdates.new(_pair.join(Roles.Role.OBSERVER).link)
+	_open(_pair.join(Roles.Role.OBSERVER).link)
 
 
 func after_each() -> void:
+	_updates.free()
 	_pair.close()
 	EffectLibrary.forget()
 
@@ -43,10 +44,18 @@ func test_a_new_session_begins_with_the_shipped_effects() -> void:
 	for name: String in ["test_fountain", "smoke"]:
 		equal(EffectLibrary.shared().set_text(name, EffectTexts.GOOD).size(), 0)
 	var link: ClientLink = ClientLink.new()
-	_updates = EffectUpdates.new(link)
+	_updates.free()
+	_open(link)
 	link.joined.emit()
 	is_false(EffectLibrary.shared().has("test_fountain"))
 	equal(EffectLibrary.shared().text_of("smoke"), shipped)
+
+
+func _open(p_link: ClientLink) -> void:
+	var context: ClientContext = ClientContext.new()
+	context.link = p_link
+	_updates = EffectUpdates.new()
+	_updates.open(context)
 
 
 func _send(p_name: String, p_text: String) -> void:

@@ -1,7 +1,7 @@
 extends TestCase
 ## Those whose motion a client sends: a server gets to know them, however they come and go.
 
-const LinkPair: GDScript = preload("../net/link_pair.gd")
+const LinkPair: GDScript = preload("res://tests/net/link_pair.gd")
 
 var _pair: LinkPair = null
 var _end: LinkPair.End = null

@@ -2,7 +2,7 @@ extends TestCase
 ## A client's copy of the world, whatever comes in whatever order.
 
 const SnapshotStream: GDScript = preload("res://tests/wire/snapshot_stream.gd")
-const NetSamples: GDScript = preload("../net/net_samples.gd")
+const NetSamples: GDScript = preload("res://tests/net/net_samples.gd")
 
 var _replica: WorldReplica = WorldReplica.new()
 var _stream: SnapshotStream = SnapshotStream.new([1, 2], [1024, 1026])

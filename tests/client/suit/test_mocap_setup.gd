@@ -2,31 +2,23 @@ extends TestCase
 ## Motion capture at a client: sources become people, the panel opens and closes by its key, and an
 ## instructor's orders reach whom they are meant for.
 
-const CLIENT: PackedScene = preload("res://scenes/client/client.tscn")
-
-var _client: Node = null
 var _desk: MocapSetup = null
 
 
 func before_each() -> void:
-	# Only the desk: the client's own node would connect to a server.
-	_client = CLIENT.instantiate()
-	_desk = _client.get_node(^"Mocap")
-	_client.remove_child(_desk)
-	_desk.owner = null
+	_desk = MocapSetup.new()
 	add_child(_desk)
 
 
 func after_each() -> void:
 	_desk.close()
 	_desk.free()
-	_client.free()
 
 
 func test_sources_become_people() -> void:
 	var files: String = "res://assets/motion/01_01.bvh,res://assets/motion/Boxing_Toes.bvh"
 	equal(_open(["--bvh=" + files]), "")
-	_desk.advance(1.0)
+	_desk.read_sources(1.0)
 	equal(_desk.people.count(), 2)
 	equal(_desk.guide(1.0), "")
 
@@ -41,8 +33,8 @@ func test_the_panel_s_key() -> void:
 	is_false(_desk.is_panel_open())
 	await _press()
 	is_true(_desk.is_panel_open())
-	_desk.advance(1.0)
-	_desk.advance(2.0)
+	_desk.read_sources(1.0)
+	_desk.read_sources(2.0)
 	await _press()
 	is_false(_desk.is_panel_open())
 
@@ -53,9 +45,9 @@ func test_what_is_heard_is_taken_and_gives_limbs_at_the_panel() -> void:
 	other.open("res://assets/motion/Boxing_Toes.bvh")
 	var tracker: TrackerPublisher = TrackerPublisher.new(other.get_body(), &"/test/panel_tracker")
 	tracker.publish(other.pose_at(1.0))
-	var sheet: SourceSheet = _desk.get_node(^"DevicePanel/Center/Sources")
+	var sheet: SourceSheet = _desk.get_node(^"Layer/DevicePanel/Center/Sources")
 	sheet.visible = true
-	_desk.advance(1.0)
+	_desk.read_sources(1.0)
 	var heard: Tree = sheet.get_node(^"Rows/Heard")
 	var row: TreeItem = null
 	for item: TreeItem in heard.get_root().get_children():
@@ -64,11 +56,11 @@ func test_what_is_heard_is_taken_and_gives_limbs_at_the_panel() -> void:
 	not_null(row, "the other program's tracker is listed")
 	row.select(0)
 	heard.item_activated.emit()
-	_desk.advance(1.3)
+	_desk.read_sources(1.3)
 	equal(_desk.inputs.list_sources().size(), 2)
 	equal((sheet.get_node(^"Rows/Fault") as Label).text, "")
 	sheet.group_chosen.emit(LimbFusion.Group.ARMS, 2)
-	_desk.advance(1.6)
+	_desk.read_sources(1.6)
 	equal(_desk.people.count(), 1, "one person of two sources")
 	sheet.group_chosen.emit(LimbFusion.Group.ARMS, 9)
 	contains((sheet.get_node(^"Rows/Fault") as Label).text, "there is no source 9")
@@ -138,9 +130,11 @@ func test_headings_are_reset_by_order() -> void:
 
 
 func _open(p_arguments: PackedStringArray) -> String:
-	var options: Options = ProgramOptions.parse(p_arguments)
-	equal(options.error, "")
-	return _desk.open(options, ClientLink.new())
+	var context: ClientContext = ClientContext.new()
+	context.options = ProgramOptions.parse(p_arguments)
+	context.link = ClientLink.new()
+	equal(context.options.error, "")
+	return _desk.open(context)
 
 
 func _press() -> void:

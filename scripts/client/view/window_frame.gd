@@ -31,7 +31,9 @@ static func scale_for(p_size: Vector2, p_dpi: float) -> float:
 
 ## Lets a window's texts follow its size and its screen from now on.
 static func follow(p_window: Window) -> void:
-	p_window.size_changed.connect(_rescale.bind(p_window))
+	var rescale: Callable = _rescale.bind(p_window)
+	if not p_window.size_changed.is_connected(rescale):
+		p_window.size_changed.connect(rescale)
 	_rescale(p_window)
 
 

@@ -4,17 +4,14 @@ extends RefCounted
 
 const SERVER: String = "server"
 const LOAD: String = "load"
+## Role of a client that plays a recording; it never joins a session.
+const REPLAY: String = "replay"
 ## The roles that are no client of a session, and what they are for.
 const _OTHERS: Dictionary[String, String] = {
 	SERVER: "simulates the world and sends its state to everybody",
-	ClientStreams.REPLAY: "shows what --record has kept",
+	REPLAY: "shows what --record has kept",
 	LOAD: "puts many clients without displays on a server, for ./run load",
 }
-const _SCENES: Dictionary[String, String] = {
-	SERVER: "res://scenes/server/server.tscn",
-	LOAD: "res://scenes/load/load.tscn",
-}
-const _CLIENT: String = "res://scenes/client/client.tscn"
 
 
 ## Names of all.
@@ -29,7 +26,7 @@ static func joining() -> PackedStringArray:
 
 ## Those that show a world.
 static func showing() -> PackedStringArray:
-	return Roles.names() + PackedStringArray([ClientStreams.REPLAY])
+	return Roles.names() + PackedStringArray([REPLAY])
 
 
 ## Those that send the motion of people.
@@ -40,11 +37,6 @@ static func moving() -> PackedStringArray:
 ## What one is for, for people.
 static func describe(p_name: String) -> String:
 	return _OTHERS.get(p_name, Roles.describe(Roles.find(p_name)))
-
-
-## Path of the scene that one is.
-static func scene_of(p_name: String) -> String:
-	return _SCENES.get(p_name, _CLIENT)
 
 
 ## The role that arguments or environment name, known or not. By default an exported dedicated

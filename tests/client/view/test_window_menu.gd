@@ -1,7 +1,7 @@
 extends TestCase
 ## What Esc and F1 lead to, and which keys are offered.
 
-const MENU: PackedScene = preload("res://scenes/client/window/window_menu.tscn")
+const MENU: PackedScene = preload("res://scenes/client/view/window_menu.tscn")
 
 var _menu: WindowMenu = null
 
