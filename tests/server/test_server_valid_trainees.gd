@@ -6,7 +6,7 @@ extends TestCase
 ## a moment before: how busy the machine is does not matter. The seed of a failed run is in the
 ## output: set it as DISMOUNT_FUZZ_SEED.
 
-const HostileClient: GDScript = preload("hostile_client.gd")
+const HostileClient: GDScript = preload("res://tests/server/hostile_client.gd")
 const JoinClient: GDScript = preload("res://tests/bench/joins/join_client.gd")
 const LinkPair: GDScript = preload("res://tests/net/link_pair.gd")
 

@@ -1,7 +1,7 @@
 extends TestCase
 ## The people on the server: coming, going, samples and what is told of them.
 
-const NetSamples: GDScript = preload("../net/net_samples.gd")
+const NetSamples: GDScript = preload("res://tests/net/net_samples.gd")
 const Stage: GDScript = preload("res://tests/actor/ragdoll/stage.gd")
 const SOLDIER: PackedScene = preload("res://scenes/actor/soldier.tscn")
 const STEP_USEC: int = 16667

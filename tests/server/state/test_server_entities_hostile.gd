@@ -2,7 +2,7 @@ extends TestCase
 ## A tank is driven over the network while somebody else on board does what a crew must not: the
 ## server's own scene, over 127.0.0.1.
 
-const CrewClient: GDScript = preload("crew_client.gd")
+const CrewClient: GDScript = preload("res://tests/server/crew_client.gd")
 const LinkPair: GDScript = preload("res://tests/net/link_pair.gd")
 
 const TANK: String = "Tank"
