@@ -42,16 +42,19 @@ func _ready() -> void:
 func _begin(p_role: String, p_options: Options) -> void:
 	var path: String = _SCENES.get(p_role, _CLIENT)
 	var program: Node = (load(path) as PackedScene).instantiate()
-	if path == _CLIENT:
-		program.call("configure", p_role, p_options, ProgramParts.of_client(p_role))
-		program.connect("left", _on_client_left.bind(program))
-	else:
-		program.call("configure", p_role, p_options)
+	match p_role:
+		ProgramRoles.SERVER:
+			program.call("configure", p_options, ProgramParts.SERVER)
+		ProgramRoles.LOAD:
+			program.call("configure", p_options)
+		_:
+			program.call("configure", p_role, p_options, ProgramParts.of_client(p_role))
+	program.connect("left", _on_left.bind(program))
 	add_child(program)
 
 
-func _on_client_left(p_exit_code: int, p_client: Node) -> void:
-	await MixerRelease.release(p_client)
+func _on_left(p_exit_code: int, p_program: Node) -> void:
+	await MixerRelease.release(p_program)
 	get_tree().quit(p_exit_code)
 
 

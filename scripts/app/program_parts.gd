@@ -40,6 +40,19 @@ const CLIENT: Dictionary[String, Who] = {
 	"res://scripts/client/window/session_picture.gd": Who.ALL,
 }
 
+## The parts of a server, in their order: see [ServerPart].
+const SERVER: PackedStringArray = [
+	"res://scripts/server/session/server_port.gd",
+	"res://scripts/server/world/server_state.gd",
+	"res://scripts/server/world/server_world.gd",
+	"res://scripts/server/world/server_effects.gd",
+	"res://scripts/server/world/server_crowd.gd",
+	"res://scripts/server/world/server_things.gd",
+	"res://scripts/server/world/server_motion.gd",
+	"res://scripts/server/session/server_status.gd",
+	"res://scripts/server/session/companion_watch.gd",
+]
+
 
 ## Paths of the parts of a client of a role.
 static func of_client(p_role: String) -> PackedStringArray:

@@ -15,7 +15,7 @@ func before_each() -> void:
 	)
 	equal(options.error, "")
 	_server = preload("res://scenes/server/server.tscn").instantiate()
-	_server.configure(ProgramRoles.SERVER, options)
+	_server.configure(options, ProgramParts.SERVER)
 	add_child(_server)
 	# The test gives it its ticks.
 	_server.set_physics_process(false)

@@ -74,7 +74,7 @@ func before_each() -> void:
 	)
 	equal(options.error, "")
 	_server = preload("res://scenes/server/server.tscn").instantiate()
-	_server.configure(ProgramRoles.SERVER, options)
+	_server.configure(options, ProgramParts.SERVER)
 	add_child(_server)
 	_people = _server.get_node(^"People")
 	_watcher = JoinClient.new("watcher", _port, [])

@@ -1,5 +1,5 @@
 class_name ServerEffects
-extends RefCounted
+extends ServerPart
 ## Gives new texts of effects to all clients while a session runs: those that change in the folder
 ## of --effects, and those that instructors send.
 ##
@@ -56,9 +56,10 @@ class Check:
 		file = EffectFile.from_bytes(bytes)
 
 
-func _init(p_link: ServerLink, p_folder: String) -> void:
-	_link = p_link
-	_folder = EffectFolder.new(p_folder)
+func open(p_context: ServerContext) -> String:
+	super(p_context)
+	_link = context.link
+	_folder = EffectFolder.new(context.options.file("effects"))
 	# Made here, as threads use it.
 	EffectSettings.keys()
 	_link.handle(
@@ -68,15 +69,11 @@ func _init(p_link: ServerLink, p_folder: String) -> void:
 	_link.client_returned.connect(_begin)
 	_link.client_lost.connect(_forget)
 	_link.client_left.connect(_forget)
-
-
-## Why the folder cannot be watched, or an empty text.
-func find_fault() -> String:
 	return _folder.find_fault()
 
 
-## Looks for changes and sends what a tick has room for. Call it once a tick.
-func advance(p_delta_s: float) -> void:
+## Looks for changes and sends what a tick has room for.
+func advance(_now_usec: int, p_delta_s: float) -> void:
 	_quiet_s -= p_delta_s
 	var changed: Dictionary[String, PackedByteArray] = _folder.advance(p_delta_s)
 	for name: String in changed:
@@ -90,16 +87,16 @@ func advance(p_delta_s: float) -> void:
 
 ## Ends: waits for what is being read.
 func close() -> void:
-	_folder.close()
+	if _folder != null:
+		_folder.close()
 	for check: Check in _checks:
 		if check.task >= 0:
 			WorkerThreadPool.wait_for_task_completion(check.task)
 	_checks.clear()
 
 
-## What it has done so far, for a report.
 func report() -> Dictionary:
-	return {"effects": _texts.size(), "accepted": accepted, "refused": refused}
+	return {"effects": {"effects": _texts.size(), "accepted": accepted, "refused": refused}}
 
 
 func _on_joined(p_session: int, _p_hello: Dictionary) -> void:

@@ -22,17 +22,28 @@ func before_each() -> void:
 	_lines.clear()
 	Log.sink = func(line: String) -> void: _lines.append(line)
 	_pair = LinkPair.new()
-	_effects = ServerEffects.new(_pair.server, FOLDER)
-	_pair.on_poll = func() -> void: _effects.advance(1.0 / 60.0)
+	_effects = _open()
+	_pair.on_poll = func() -> void: _effects.advance(0, 1.0 / 60.0)
 	equal(_pair.listen(), OK)
 
 
 func after_each() -> void:
 	Log.sink = Callable()
 	_effects.close()
+	_effects.free()
 	_pair.on_poll = Callable()
 	_pair.close()
 	_clean_up()
+
+
+func _open() -> ServerEffects:
+	var context: ServerContext = ServerContext.new()
+	context.link = _pair.server
+	var folder: String = ProjectSettings.globalize_path(FOLDER)
+	context.options = ProgramOptions.parse(["--effects=" + folder], ProgramRoles.SERVER)
+	var effects: ServerEffects = ServerEffects.new()
+	equal(effects.open(context), "")
+	return effects
 
 
 func test_what_is_saved_comes_to_all() -> void:
