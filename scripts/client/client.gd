@@ -14,6 +14,7 @@ signal left(p_exit_code: int)
 @export var _hud: Hud
 
 var _context: ClientContext = ClientContext.new()
+var _list: PartList = PartList.new()
 var _parts: Array[ClientPart] = []
 var _report: ReportFile = null
 var _stop: StopSignal = StopSignal.new()
@@ -27,11 +28,8 @@ var _is_leaving: bool = false
 func configure(p_role: String, p_options: Options, p_parts: PackedStringArray) -> void:
 	_context.role = p_role
 	_context.options = p_options
-	for path: String in p_parts:
-		var part: ClientPart = (load(path) as GDScript).new()
-		part.name = path.get_file().get_basename().to_pascal_case()
-		_parts.append(part)
-		add_child(part)
+	_list.make(p_parts, self)
+	_parts.assign(_list.parts)
 
 
 func _ready() -> void:
@@ -46,11 +44,11 @@ func _ready() -> void:
 	_report = ReportFile.new(options.file("report"), options.seconds("report-every"))
 	_stop.watch()
 	_is_open = true
-	var fault: String = _find_fault(func(part: ClientPart) -> String: return part.open(_context))
+	var fault: String = _list.open(func(part: ClientPart) -> String: return part.open(_context))
 	if fault != "":
 		_fail(StateStream.EXIT_OPTIONS, fault)
 		return
-	fault = _find_fault(func(part: ClientPart) -> String: return part.begin())
+	fault = _list.begin()
 	if fault != "":
 		_fail(StateStream.EXIT_FAILED, fault)
 		return
@@ -68,7 +66,7 @@ func _process(p_delta: float) -> void:
 	for part: ClientPart in _parts:
 		part.end_frame(p_delta)
 	if _report.is_due():
-		_report.write(_make_report())
+		_report.write(_list.report())
 	if _stop.is_raised() or _is_over():
 		_leave()
 
@@ -84,22 +82,6 @@ func _notification(p_what: int) -> void:
 
 func _exit_tree() -> void:
 	_close()
-
-
-## What the first part says that has a fault; empty: none has.
-func _find_fault(p_open: Callable) -> String:
-	for part: ClientPart in _parts:
-		var fault: String = p_open.call(part)
-		if fault != "":
-			return fault
-	return ""
-
-
-func _make_report() -> Dictionary:
-	var report: Dictionary = {}
-	for part: ClientPart in _parts:
-		report.merge(part.report())
-	return report
 
 
 ## Whether the session has lasted as long as the options say.
@@ -131,8 +113,7 @@ func _leave(p_code: int = _exit_code) -> void:
 		return
 	_is_leaving = true
 	set_process(false)
-	for part: ClientPart in _parts:
-		await part.finish()
+	await _list.finish()
 	left.emit(p_code)
 
 
@@ -141,6 +122,5 @@ func _close() -> void:
 		return
 	_is_open = false
 	if _context.stream != null:
-		_report.write(_make_report())
-	for i: int in range(_parts.size() - 1, -1, -1):
-		_parts[i].close()
+		_report.write(_list.report())
+	_list.close()

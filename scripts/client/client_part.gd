@@ -1,9 +1,9 @@
 @abstract class_name ClientPart
-extends Node
+extends ProgramPart
 ## One job of a client, such as its sound or its display: a feature is a part of its own file, and
 ## [Client] conducts the parts without knowing any of them.
 ##
-## [code]ClientParts[/code] in [code]scripts/app[/code] lists which roles have which part, in their
+## [code]ProgramParts[/code] in [code]scripts/app[/code] lists which roles have which part, in their
 ## order. A client opens all parts, begins with each, then runs each frame in three steps, in every
 ## one of them all parts in their order: [method begin_frame], [method advance], [method end_frame].
 ## At the end it lets each part [method finish], then closes them in the opposite order. What parts
@@ -13,16 +13,10 @@ extends Node
 var context: ClientContext = null
 
 
-## Takes over what all parts share, and what the options say. Returns what is wrong with the options,
-## or an empty text. An overriding method calls this one first.
+## Takes over what all parts share, and what the options say. Returns what is wrong with the
+## options, or an empty text. An overriding method calls this one first.
 func open(p_context: ClientContext) -> String:
 	context = p_context
-	return ""
-
-
-## All parts are open: begins with files, devices and connections. Returns why it cannot, or an empty
-## text.
-func begin() -> String:
 	return ""
 
 
@@ -41,21 +35,6 @@ func end_frame(_delta_s: float) -> void:
 	pass
 
 
-## Stats for the report of the program, by topic.
-func report() -> Dictionary:
-	return {}
-
-
 ## Whether a session with a duration may end now.
 func is_ready_to_end() -> bool:
 	return true
-
-
-## The session ends; waits until nothing of the part runs any more. It may be a coroutine.
-func finish() -> void:
-	pass
-
-
-## Closes files, devices and connections. It may be called again, and before [method open].
-func close() -> void:
-	pass

@@ -11,8 +11,6 @@ signal left(p_exit_code: int)
 
 ## Exit code for wrong options.
 const _EXIT_OPTIONS: int = 2
-## Maximum ticks per second: a snapshot has the rate in a byte.
-const _MAX_TICKS: int = 240
 ## Below this speed of the world a frame's last tick is sent only.
 const _MIN_SPEED: float = 0.8
 
@@ -20,6 +18,7 @@ const _MIN_SPEED: float = 0.8
 @export var _people: ServerPeople
 
 var _context: ServerContext = ServerContext.new()
+var _list: PartList = PartList.new()
 var _parts: Array[ServerPart] = []
 var _report: ReportFile = null
 var _stop: StopSignal = StopSignal.new()
@@ -32,21 +31,13 @@ var _is_open: bool = false
 ## enters the tree.
 func configure(p_options: Options, p_parts: PackedStringArray) -> void:
 	_context.options = p_options
-	for path: String in p_parts:
-		var part: ServerPart = (load(path) as GDScript).new()
-		part.name = path.get_file().get_basename().to_pascal_case()
-		_parts.append(part)
-		add_child(part)
+	_list.make(p_parts, self)
+	_parts.assign(_list.parts)
 
 
 ## What its parts share.
 func context() -> ServerContext:
 	return _context
-
-
-## What it has counted so far.
-func stats() -> ServerStats:
-	return _context.stats
 
 
 func _ready() -> void:
@@ -56,23 +47,19 @@ func _ready() -> void:
 	_context.people = _people
 	_context.make_report = _make_report
 	_context.leave_wanted.connect(_leave)
-	var rate: int = _context.rate()
-	if rate > _MAX_TICKS:
-		_fail(_EXIT_OPTIONS, "%d ticks/s are set, %d is the most" % [rate, _MAX_TICKS])
-		return
-	_context.stats = ServerStats.new(rate)
+	_context.stats = ServerStats.new(_context.rate())
 	_is_open = true
-	var fault: String = _find_fault(func(part: ServerPart) -> String: return part.open(_context))
+	var fault: String = _list.open(func(part: ServerPart) -> String: return part.open(_context))
 	if fault != "":
 		_fail(_EXIT_OPTIONS, fault)
 		return
-	fault = _find_fault(func(part: ServerPart) -> String: return part.begin())
+	fault = _list.begin()
 	if fault != "":
 		_fail(1, fault)
 		return
 	_stop.watch()
 	_stop.watch_reload()
-	var about: Array = [options.number("port"), rate, _level.level_name]
+	var about: Array = [options.number("port"), _context.rate(), _level.level_name]
 	Log.info("server", "listening on UDP port %d, %d ticks/s, world '%s'" % about)
 
 
@@ -123,8 +110,7 @@ func _exit_tree() -> void:
 		return
 	_is_open = false
 	_report.write(_make_report())
-	for i: int in range(_parts.size() - 1, -1, -1):
-		_parts[i].close()
+	_list.close()
 
 
 ## Sends the state after a tick's step.
@@ -143,20 +129,8 @@ func _send_tick() -> void:
 	stats.end_work()
 
 
-## What the first part says that has a fault; empty: none has.
-func _find_fault(p_open: Callable) -> String:
-	for part: ServerPart in _parts:
-		var fault: String = p_open.call(part)
-		if fault != "":
-			return fault
-	return ""
-
-
 func _make_report() -> Dictionary:
-	var report: Dictionary = _context.stats.report()
-	for part: ServerPart in _parts:
-		report.merge(part.report())
-	return report
+	return _context.stats.report().merged(_list.report())
 
 
 func _fail(p_code: int, p_why: String) -> void:
@@ -168,6 +142,5 @@ func _fail(p_code: int, p_why: String) -> void:
 func _leave(p_code: int) -> void:
 	set_physics_process(false)
 	set_process(false)
-	for part: ServerPart in _parts:
-		await part.finish()
+	await _list.finish()
 	left.emit(p_code)

@@ -1,5 +1,5 @@
 @abstract class_name ServerPart
-extends Node
+extends ProgramPart
 ## One job of a server, such as its levels or its effects: a feature is a part of its own file, and
 ## [Server] conducts the parts without knowing any of them.
 ##
@@ -13,15 +13,10 @@ extends Node
 var context: ServerContext = null
 
 
-## Takes over what all parts share, and what the options say. Returns what is wrong with the options,
-## or an empty text. An overriding method calls this one first.
+## Takes over what all parts share, and what the options say. Returns what is wrong with the
+## options, or an empty text. An overriding method calls this one first.
 func open(p_context: ServerContext) -> String:
 	context = p_context
-	return ""
-
-
-## All parts are open: begins with ports and levels. Returns why it cannot, or an empty text.
-func begin() -> String:
 	return ""
 
 
@@ -57,19 +52,4 @@ func frame() -> void:
 
 ## The options that may change while the server runs have changed.
 func take_options() -> void:
-	pass
-
-
-## Stats for the report of the program, by topic.
-func report() -> Dictionary:
-	return {}
-
-
-## The server ends; waits until nothing of the part runs any more. It may be a coroutine.
-func finish() -> void:
-	pass
-
-
-## Closes files, ports and threads. It may be called again, and before [method open].
-func close() -> void:
 	pass

@@ -131,10 +131,10 @@ func test_no_sequence_of_valid_messages_costs_the_others_much() -> void:
 
 ## Median and 99th percentile of the processor time of so many ticks, s.
 func _work_of(p_ticks: int, p_trick: Callable) -> Vector2:
-	var before: int = _server.stats().sent_ticks
+	var before: int = _server.context().stats.sent_ticks
 	await _run(p_ticks, p_trick)
-	var count: int = _server.stats().sent_ticks - before
-	var times: Statistics = _server.stats().work_time
+	var count: int = _server.context().stats.sent_ticks - before
+	var times: Statistics = _server.context().stats.work_time
 	return Vector2(times.percentile(0.5, count), times.percentile(0.99, count))
 
 

@@ -22,9 +22,7 @@ func advance(_delta_s: float) -> void:
 		context.own_bodies.clear()
 	elif context.people != null and context.own_bodies.has(context.people.first_actor):
 		context.stats.own_shown(context.people.shown_moment_usec(context.frame_usec))
-	context.scene.update(
-		stream.frame_s(context.frame_usec), context.own_bodies, context.agreement
-	)
+	context.scene.update(stream.frame_s(context.frame_usec), context.own_bodies, context.agreement)
 
 
 func _on_spawned(p_row: EntityRow) -> void:

@@ -29,14 +29,12 @@ func advance(p_delta_s: float) -> void:
 
 
 func report() -> Dictionary:
-	return {"level": _arrival.report()} if _arrival != null else {}
+	return {"level": _arrival.report()}
 
 
 func finish() -> void:
-	if _arrival != null:
-		await _arrival.end_reading(get_tree())
+	await _arrival.end_reading(get_tree())
 
 
 func close() -> void:
-	if _arrival != null:
-		_arrival.close()
+	_arrival.close()

@@ -1,7 +1,7 @@
 class_name LiveSession
 extends ClientPart
-## The connection to a server: makes the [LiveStream] that the options ask for, asks the user about a
-## changed key, tells what the server has to say, and carries the calls of [SharedNodes].
+## The connection to a server: makes the [LiveStream] that the options ask for, asks the user about
+## a changed key, tells what the server has to say, and carries the calls of [SharedNodes].
 
 const _KEY_DIALOG: PackedScene = preload("res://scenes/client/window/server_key_dialog.tscn")
 # What its note on the screen is about.
@@ -78,5 +78,4 @@ func _on_told(p_text: String) -> void:
 
 
 func _close_shared() -> void:
-	if _shared != null:
-		_shared.api.close()
+	_shared.api.close()

@@ -16,5 +16,4 @@ func begin() -> String:
 
 
 func close() -> void:
-	if context != null:
-		context.stream.close()
+	context.stream.close()

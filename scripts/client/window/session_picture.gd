@@ -16,7 +16,7 @@ func is_ready_to_end() -> bool:
 
 
 func finish() -> void:
-	if context == null or not _is_wanted():
+	if not _is_wanted():
 		return
 	_draw_once_more()
 	var path: String = context.options.file("screenshot")

@@ -1,7 +1,7 @@
 class_name StatusLines
 extends ClientPart
-## What the screen says of the session all the time: frames, traffic, latencies, views, keys. It also
-## writes each latency to a file, if the options ask for it.
+## What the screen says of the session all the time: frames, traffic, latencies, views, keys. It
+## also writes each latency to a file, if the options ask for it.
 
 ## Frames between two updates.
 const _PERIOD: int = 10
@@ -43,8 +43,7 @@ func report() -> Dictionary:
 
 
 func close() -> void:
-	if context != null:
-		context.stats.probe.close()
+	context.stats.probe.close()
 
 
 func _on_marked(p_mark: LatencyMark) -> void:

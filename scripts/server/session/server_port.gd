@@ -66,8 +66,7 @@ func finish() -> void:
 
 
 func close() -> void:
-	if context != null:
-		context.link.close()
+	context.link.close()
 
 
 func _on_reload_wanted() -> void:

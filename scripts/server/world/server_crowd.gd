@@ -56,7 +56,7 @@ func report() -> Dictionary:
 
 ## The bodies are out of the tree already: nobody needs to know who leaves now.
 func close() -> void:
-	if context != null and context.link.client_left.is_connected(_on_left):
+	if context.link.client_left.is_connected(_on_left):
 		context.link.client_left.disconnect(_on_left)
 
 

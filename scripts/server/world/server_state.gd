@@ -2,11 +2,16 @@ class_name ServerState
 extends ServerPart
 ## Sends the state of the world to all clients, and records it: makes and conducts [Replication].
 
+## Maximum ticks per second: a snapshot has the rate in a byte.
+const _MAX_TICKS: int = 240
+
 var _impacts: ServerImpacts = null
 
 
 func open(p_context: ServerContext) -> String:
 	super(p_context)
+	if context.rate() > _MAX_TICKS:
+		return "%d ticks/s are set, %d is the most" % [context.rate(), _MAX_TICKS]
 	context.replication = Replication.new(
 		context.link,
 		context.level,
@@ -59,7 +64,7 @@ func report() -> Dictionary:
 
 
 func close() -> void:
-	if context == null or context.replication == null:
+	if context.replication == null:
 		return
 	context.replication.close()
 	if context.link.client_left.is_connected(context.replication.remove_client):

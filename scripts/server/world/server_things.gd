@@ -27,8 +27,6 @@ func advance(_now_usec: int, _delta_s: float) -> void:
 
 ## The bodies are out of the tree already: nobody needs to know who leaves now.
 func close() -> void:
-	if context == null or context.entities == null:
-		return
 	if context.link.client_left.is_connected(context.entities.remove_session):
 		context.link.client_left.disconnect(context.entities.remove_session)
 

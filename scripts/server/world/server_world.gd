@@ -50,8 +50,7 @@ func finish() -> void:
 
 
 func close() -> void:
-	if _offers != null:
-		_offers.close()
+	_offers.close()
 
 
 func _on_changed() -> void:

@@ -163,11 +163,11 @@ func _attack(p_trick: Callable) -> void:
 
 ## Median of the processor time of a tick, s.
 func _work_of(p_work: Callable) -> float:
-	var before: int = _server.stats().sent_ticks
+	var before: int = _server.context().stats.sent_ticks
 	await _run(TICKS, p_work)
-	var count: int = _server.stats().sent_ticks - before
+	var count: int = _server.context().stats.sent_ticks - before
 	is_true(count >= TICKS / 2, "%d of %d ticks were sent" % [count, TICKS])
-	return _server.stats().work_time.percentile(0.5, count)
+	return _server.context().stats.work_time.percentile(0.5, count)
 
 
 func _sit(p_field: StringName, p_index: float) -> void:
