@@ -1,7 +1,7 @@
 class_name ProgramParts
 extends RefCounted
-## Which parts each role of the program is made of, as data: a new feature is a row here, and nothing
-## else knows it.
+## Which parts each role of the program is made of, and which options there are, as data: a new
+## feature is a row here, and nothing else knows it.
 ##
 ## Parts are paths, so that a program compiles those of its own role only.
 
@@ -51,6 +51,25 @@ const SERVER: PackedStringArray = [
 	"res://scripts/server/world/server_motion.gd",
 	"res://scripts/server/session/server_status.gd",
 	"res://scripts/server/session/companion_watch.gd",
+]
+
+## What has options: each script has [code]static func rows() -> Array[OptionRow][/code].
+# They are compiled at each start of the program, with all that they name: constants of whole
+# programs belong elsewhere.
+const OPTIONS: PackedStringArray = [
+	"res://scripts/net/session/connection_options.gd",
+	"res://scripts/client/suit/suit_options.gd",
+	"res://scripts/server/world/world_options.gd",
+	"res://scripts/server/session/server_options.gd",
+	"res://scripts/client/display/display_options.gd",
+	"res://scripts/client/sound/sound_options.gd",
+	"res://scripts/client/level/level_options.gd",
+	"res://scripts/client/seat/seat_options.gd",
+	"res://scripts/client/window/window_options.gd",
+	"res://scripts/client/orders/orders_options.gd",
+	"res://scripts/client/session/replay_options.gd",
+	"res://scripts/load/load_options.gd",
+	"res://scripts/app/run_options.gd",
 ]
 
 

@@ -124,3 +124,5 @@ func _close() -> void:
 	if _context.stream != null:
 		_report.write(_list.report())
 	_list.close()
+	ClientPhysics.end()
+	get_tree().auto_accept_quit = true

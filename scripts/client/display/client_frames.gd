@@ -6,10 +6,14 @@ extends ClientPart
 var _clock: FrameClock = null
 var _pacer: FramePacer = null
 var _begun_usec: int = 0
+var _usual_fps: int = 0
+var _usual_sleep_usec: int = 0
 
 
 func open(p_context: ClientContext) -> String:
 	super(p_context)
+	_usual_fps = Engine.max_fps
+	_usual_sleep_usec = OS.low_processor_usage_mode_sleep_usec
 	if ClientContext.is_headless():
 		Engine.max_fps = context.options.number("fps")
 		# Else Godot makes 145 frames a second at most where nothing is drawn.
@@ -34,6 +38,11 @@ func end_frame(_delta_s: float) -> void:
 	var server_usec: int = context.stream.server_usec(_begun_usec)
 	context.stats.frame(replica, server_usec, ClientContext.is_headless())
 	context.stats.times.placed(Time.get_ticks_usec())
+
+
+func close() -> void:
+	Engine.max_fps = _usual_fps
+	OS.low_processor_usage_mode_sleep_usec = _usual_sleep_usec
 
 
 func _on_drawn() -> void:

@@ -66,18 +66,6 @@ func advance() -> void:
 	_repeat()
 
 
-func is_authority() -> bool:
-	return false
-
-
-func set_field(_entity: int, _field: int, _value: float) -> void:
-	push_error("Only the server sets fields.")
-
-
-func send_event(_entity: int, _event: int, _values: PackedFloat32Array) -> void:
-	push_error("Only the server sends events.")
-
-
 func send_command(p_entity: int, p_command: int, p_values: PackedFloat32Array, p_tick: int) -> void:
 	var row: EntityRow = _replica.table.find(p_entity)
 	if row == null or _stream == null:
@@ -100,34 +88,9 @@ func session() -> int:
 	return _stream.session() if _stream != null else 0
 
 
-func carry(_limb: Node3D, _entity: int, _holds: bool) -> void:
-	push_error("Only the server carries people.")
-
-
-func put_down(_limb: Node3D, _entity: int) -> void:
-	push_error("Only the server carries people.")
-
-
-func find_by_body(_body: Node3D) -> int:
-	push_error("Only the server knows whose body it is.")
-	return -1
-
-
 func name_of(p_entity: int) -> String:
 	var row: EntityRow = _replica.table.find(p_entity)
 	return row.title() if row != null else ""
-
-
-func possession() -> Possession:
-	return null
-
-
-func attach(_session: int, _entity: int, _seat: Seat) -> void:
-	push_error("Only the server attaches.")
-
-
-func detach(_session: int) -> void:
-	push_error("Only the server detaches.")
 
 
 func _on_despawned(p_row: EntityRow) -> void:

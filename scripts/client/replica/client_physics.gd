@@ -26,6 +26,11 @@ static func begin() -> void:
 	PhysicsServer3D.set_active(false)
 
 
+## The client ends: the space steps as in any program.
+static func end() -> void:
+	PhysicsServer3D.set_active(true)
+
+
 ## Somebody needs steps.
 static func hold() -> void:
 	_holders += 1

@@ -1,5 +1,5 @@
 class_name ServerEntities
-extends EntityHost
+extends EntityAuthority
 ## The server's side of all entities: sets their fields, gives them the commands of clients, and
 ## sends their events.
 
@@ -108,10 +108,6 @@ func forget_waiting() -> void:
 	_unreliable.clear()
 	for session: int in _queues:
 		_queues[session].forget_waiting()
-
-
-func is_authority() -> bool:
-	return true
 
 
 func set_field(p_entity: int, p_field: int, p_value: float) -> void:
