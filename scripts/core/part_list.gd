@@ -49,6 +49,8 @@ func report() -> Dictionary:
 ## Waits until nothing of the parts runs any more.
 func finish() -> void:
 	for part: ProgramPart in _opened.duplicate():
+		# Of some parts it is a coroutine.
+		@warning_ignore("redundant_await")
 		await part.finish()
 
 
