@@ -159,6 +159,18 @@ func push_sample(p_session: int, p_sample: PoseSample, p_now_s: float) -> void:
 		person.push_sample(p_sample, p_now_s)
 
 
+## The other sessions of whose people one is within a distance (m) of the first one of a session: who
+## hears that one speak. Empty where the session has no body.
+func sessions_near(p_session: int, p_range_m: float) -> PackedInt32Array:
+	var own: Array[ServerPerson] = _of_session(p_session)
+	var near: Dictionary[int, bool] = {}
+	for person: ServerPerson in _people.values() if not own.is_empty() else []:
+		var away: float = person.hips().distance_to(own[0].hips())
+		if person.session > 0 and person.session != p_session and away <= p_range_m:
+			near[person.session] = true
+	return PackedInt32Array(near.keys())
+
+
 ## Sets everybody's motors for the next step.
 func drive(p_now_s: float, p_delta_s: float) -> void:
 	_carry(p_delta_s)
