@@ -1,4 +1,4 @@
-extends SceneTree
+extends Bench
 ## How fast motion files are read, prepared, sampled and written.
 ##
 ## Options: --bvh=FILE (again for more; default the clips in assets/motion), --rounds=5 (medians).
@@ -9,23 +9,15 @@ const _GOAL_NUMBERS: float = 3000.0 * 93.0
 const _SAMPLES: int = 600
 
 
-func _initialize() -> void:
-	var arguments: BenchArguments = BenchArguments.parse(
-		OS.get_cmdline_user_args(), {"bvh": "", "rounds": 5}
-	)
-	var fault: String = arguments.error
-	if fault == "" and (arguments.value("rounds") < 1 or arguments.value("rounds") > 1000):
-		fault = "--rounds is between 1 and 1000, found %d" % arguments.value("rounds")
-	if fault != "":
-		printerr(fault)
-		quit(2)
-		return
-	var report: BenchReport = BenchReport.new("bvh", arguments.value("json"))
+func options() -> Dictionary:
+	return {"bvh": "", "rounds": [5, 1, 1000]}
+
+
+func measure() -> void:
 	for file: String in BenchArguments.clips(arguments):
-		fault = _time_file(file, arguments.value("rounds"), report)
+		var fault: String = _time_file(file, option("rounds"), report)
 		if fault != "":
 			report.leave_out(file, fault)
-	quit(report.finish())
 
 
 ## Returns why the file cannot be timed, or an empty text.
@@ -53,7 +45,7 @@ func _time_file(p_file: String, p_rounds: int, p_report: BenchReport) -> String:
 	var parse: float = times[0].percentile(0.5)
 	var scaled: float = parse * _GOAL_NUMBERS / maxf(clip.frame_count * clip.channel_count, 1.0)
 	p_report.add(name, "parse", parse, "ms")
-	p_report.add(name, "parse 3,000 x 30", scaled, "ms", BenchReport.Goal.AT_MOST, _GOAL_MS)
+	p_report.at_most(name, "parse 3,000 x 30", scaled, "ms", _GOAL_MS)
 	p_report.add(name, "prepare", times[1].percentile(0.5), "ms")
 	p_report.add(name, "sample", times[2].percentile(0.5) * 1000.0 / _SAMPLES, "us")
 	p_report.add(name, "write", times[3].percentile(0.5), "ms")

@@ -185,7 +185,9 @@ def benchmarks() -> dict[str, Path]:
     found: dict[str, Path] = {}
     for script in (ROOT / "tests" / "bench").glob("bench_*"):
         text = script.read_text(encoding="utf-8")
-        if script.suffix == ".py" or (script.suffix == ".gd" and text.startswith("extends Scene")):
+        if script.suffix == ".py" or (
+            script.suffix == ".gd" and text.startswith("extends Bench\n")
+        ):
             found[script.stem.removeprefix("bench_")] = script
     return dict(sorted(found.items()))
 

@@ -38,4 +38,4 @@ func _measure_case(
 	var name: String = "poses off by %.0f deg%s, norths %.0f, full"
 	var at_most: BenchReport.Goal = BenchReport.Goal.AT_MOST
 	name %= [p_off_deg, p_case[0], p_norths]
-	report.add(name, "mean of limbs", left.mean(), "deg", at_most, _GOAL_DEG)
+	report.at_most(name, "mean of limbs", left.mean(), "deg", _GOAL_DEG)

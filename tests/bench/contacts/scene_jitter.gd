@@ -19,7 +19,7 @@ func play(p_performer: ContactPerformer) -> void:
 			var moment: float = p_performer.duration() * (number + 0.5) / _POSES
 			await _hold(p_performer, moment, on_floor, speeds)
 		var case: String = name_case("jitter on floor" if on_floor else "jitter", p_performer)
-		report.add(case, "mean", speeds.mean(), "deg/s", BenchReport.Goal.AT_MOST, _GOAL_DEG_S)
+		report.at_most(case, "mean", speeds.mean(), "deg/s", _GOAL_DEG_S)
 		report.add(case, "p99", speeds.percentile(0.99), "deg/s")
 
 

@@ -143,13 +143,11 @@ func _add_most(
 	p_case: String, p_metric: String, p_value: float, p_unit: String, p_goal: float
 ) -> void:
 	var has: bool = root_mode == RagdollMotor.ROOT_INERTIAL
-	var kind: BenchReport.Goal = BenchReport.Goal.AT_MOST if has else BenchReport.Goal.NONE
-	report.add(p_case, p_metric, p_value, p_unit, kind, p_goal)
+	report.at_most(p_case, p_metric, p_value, p_unit, p_goal, has)
 
 
 func _add_least(
 	p_case: String, p_metric: String, p_value: float, p_unit: String, p_goal: float
 ) -> void:
 	var has: bool = root_mode == RagdollMotor.ROOT_INERTIAL
-	var kind: BenchReport.Goal = BenchReport.Goal.AT_LEAST if has else BenchReport.Goal.NONE
-	report.add(p_case, p_metric, p_value, p_unit, kind, p_goal)
+	report.at_least(p_case, p_metric, p_value, p_unit, p_goal, has)

@@ -61,7 +61,7 @@ func walk(p_walker: Walker) -> void:
 func tell(p_report: BenchReport, p_case: String) -> void:
 	var at_most: BenchReport.Goal = BenchReport.Goal.AT_MOST
 	var drift: float = 100.0 * (_last if _is_walk else _drift)
-	p_report.add(p_case, "off at its end" if _is_walk else "drift", drift, "cm", at_most, _GOAL_CM)
+	p_report.at_most(p_case, "off at its end" if _is_walk else "drift", drift, "cm", _GOAL_CM)
 	_world.queue_free()
 
 

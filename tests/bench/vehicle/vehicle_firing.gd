@@ -40,8 +40,7 @@ static func _fly(p_report: BenchReport, p_kind: Ammunition) -> void:
 			flight.advance(step)
 		ends.append(flight.get_position())
 	var off: float = 1000.0 * ends[0].distance_to(ends[1])
-	var most: BenchReport.Goal = BenchReport.Goal.AT_MOST
-	p_report.add(p_kind.title, "off steps of 1 ms after 2 s", off, "mm", most, _MAX_ERROR_MM)
+	p_report.at_most(p_kind.title, "off steps of 1 ms after 2 s", off, "mm", _MAX_ERROR_MM)
 
 
 static func _rock(p_tree: SceneTree, p_report: BenchReport) -> void:
@@ -66,10 +65,8 @@ static func _rock(p_tree: SceneTree, p_report: BenchReport) -> void:
 			if way != "ahead":
 				p_report.add(name, "hull rocks", most, "deg")
 			else:
-				p_report.add(name, "hull pitches at least", most, "deg", at_least, _PITCH_DEG.x)
-				p_report.add(
-					name, "and at most", most, "deg", BenchReport.Goal.AT_MOST, _PITCH_DEG.y
-				)
+				p_report.at_least(name, "hull pitches at least", most, "deg", _PITCH_DEG.x)
+				p_report.at_most(name, "and at most", most, "deg", _PITCH_DEG.y)
 			firing.free_all()
 
 
@@ -113,8 +110,8 @@ static func _hit(p_tree: SceneTree, p_report: BenchReport) -> void:
 			fastest = maxf(fastest, crate.linear_velocity.length())
 		var most: float = ShellHits.MAX_GAIN + 1.0
 		var name: String = "a dart hits a crate of %.1f kg" % crate.mass
-		p_report.add(name, "fastest", fastest, "m/s", BenchReport.Goal.AT_MOST, most)
-		p_report.add(name, "hits", firing.hits.size(), "", BenchReport.Goal.AT_LEAST, 1.0)
+		p_report.at_most(name, "fastest", fastest, "m/s", most)
+		p_report.at_least(name, "hits", firing.hits.size(), "", 1.0)
 		firing.free_all()
 	for case: String in ["machine gun, 1 s", "dart", "burst 1.5 m away"]:
 		await _hit_person(p_tree, p_report, case)
@@ -153,11 +150,10 @@ static func _hit_person(p_tree: SceneTree, p_report: BenchReport, p_case: String
 			var state: PhysicsDirectBodyState3D = PhysicsServer3D.body_get_direct_state(body)
 			fastest = maxf(fastest, state.linear_velocity.length())
 	var name: String = "a person, " + p_case
-	p_report.add(name, "fastest limb", fastest, "m/s", BenchReport.Goal.AT_MOST, 25.0)
-	var kind: BenchReport.Goal = BenchReport.Goal.AT_MOST
+	p_report.at_most(name, "fastest limb", fastest, "m/s", 25.0)
 	if p_case.begins_with("machine"):
-		p_report.add(name, "lowest hips", lowest, "m", BenchReport.Goal.AT_LEAST, 0.7)
+		p_report.at_least(name, "lowest hips", lowest, "m", 0.7)
 	else:
-		p_report.add(name, "lowest hips", lowest, "m", kind, 0.6)
+		p_report.at_most(name, "lowest hips", lowest, "m", 0.6)
 	p_report.add(name, "hips 4 s later", hips.global_position.y, "m")
 	firing.free_all()

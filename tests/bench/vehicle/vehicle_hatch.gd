@@ -17,7 +17,6 @@ const RECOIL_NS: float = 25e3
 const SHOT_TICKS: int = 600
 
 const _AT_MOST: BenchReport.Goal = BenchReport.Goal.AT_MOST
-const _AT_LEAST: BenchReport.Goal = BenchReport.Goal.AT_LEAST
 
 var _tree: SceneTree = null
 var _ground: VehicleGround = null
@@ -128,13 +127,13 @@ func _report_ride(p_report: BenchReport, p_gear: String, p_case: String, p_clip:
 	p_report.add(name, "limbs that have room", _rider.free_share(), "%")
 	p_report.add(name, "all limbs, off what the wearer does, mean", _rider.raw_deg(), "deg")
 	p_report.add(name, "worst of any limb", _rider.worst_deg, "deg")
-	p_report.add(name, "hips off the middle", _rider.hips_across, "m", _AT_MOST, MOST_ACROSS_M)
-	p_report.add(name, "hips above the soles", _rider.hips_highest, "m", _AT_MOST, MOST_UP_M)
-	p_report.add(name, "lowest hips", _rider.hips_lowest, "m", _AT_LEAST, 0.25)
-	p_report.add(name, "limb in steel", _rider.deepest, "m", _AT_MOST, DEEPEST_M)
-	p_report.add(name, "fastest limb", _rider.fastest, "m/s", _AT_MOST, 25.0)
+	p_report.at_most(name, "hips off the middle", _rider.hips_across, "m", MOST_ACROSS_M)
+	p_report.at_most(name, "hips above the soles", _rider.hips_highest, "m", MOST_UP_M)
+	p_report.at_least(name, "lowest hips", _rider.hips_lowest, "m", 0.25)
+	p_report.at_most(name, "limb in steel", _rider.deepest, "m", DEEPEST_M)
+	p_report.at_most(name, "fastest limb", _rider.fastest, "m/s", 25.0)
 	var is_seated: bool = _is_in()
-	p_report.add(name, "still in the hatch", 1.0 if is_seated else 0.0, "", _AT_LEAST, 1.0)
+	p_report.at_least(name, "still in the hatch", 1.0 if is_seated else 0.0, "", 1.0)
 	p_report.add(name, "way", -_vehicle.position.z, "m")
 
 
@@ -163,7 +162,7 @@ func _change(p_report: BenchReport, p_gear: String) -> void:
 		var is_beside: bool = absf(local.x) > 1.9 or absf(local.z) > 3.6
 		stuck += 0 if is_beside and local.y < 1.3 and local.y > 0.6 else 1
 	var name: String = "hatch, %s: in and out 100 times" % p_gear
-	p_report.add(name, "stuck", stuck, "", _AT_MOST, 0.0)
-	p_report.add(name, "longest way", slowest / 60.0, "s", _AT_MOST, 3.5)
+	p_report.at_most(name, "stuck", stuck, "", 0.0)
+	p_report.at_most(name, "longest way", slowest / 60.0, "s", 3.5)
 	_ground.free_all()
 	await _tree.physics_frame

@@ -37,9 +37,7 @@ static func _ride(
 		worst = maxf(worst, from.distance_to(vehicle.to_local(rider.hips())))
 	var name: String = "deck, %s: %s while it drives gently" % [p_gear, p_way]
 	var is_on: bool = vehicle.to_local(rider.hips()).y > 1.6
-	p_report.add(
-		name, "is on it after a minute", 1.0 if is_on else 0.0, "", BenchReport.Goal.AT_LEAST, 1.0
-	)
+	p_report.at_least(name, "is on it after a minute", 1.0 if is_on else 0.0, "", 1.0)
 	p_report.add(name, "moves on it", worst, "m")
 	p_report.add(name, "way", vehicle.position.length(), "m")
 	ground.free_all()
@@ -68,7 +66,7 @@ static func _brake(
 		if tick > 600:
 			moved = maxf(moved, from.distance_to(vehicle.to_local(rider.hips())))
 	var name: String = "deck, %s: stands while it brakes hard" % p_gear
-	p_report.add(name, "thrown by", moved, "m", BenchReport.Goal.AT_LEAST, 0.2)
+	p_report.at_least(name, "thrown by", moved, "m", 0.2)
 	ground.free_all()
 	await p_tree.physics_frame
 

@@ -57,14 +57,14 @@ static func _fall(
 		fastest = maxf(fastest, vehicle.linear_velocity.length())
 		lowest = minf(lowest, vehicle.to_global(vehicle.center_of_mass).y)
 	var at_most: BenchReport.Goal = BenchReport.Goal.AT_MOST
-	p_report.add(p_case, "fastest", fastest, "m/s", at_most, SPEED_FACTOR * sqrt(2.0 * 9.81 * 10.0))
-	p_report.add(p_case, "lowest middle", lowest, "m", BenchReport.Goal.AT_LEAST, 0.0)
-	p_report.add(p_case, "speed after 10 s", vehicle.linear_velocity.length(), "m/s", at_most, 0.1)
+	p_report.at_most(p_case, "fastest", fastest, "m/s", SPEED_FACTOR * sqrt(2.0 * 9.81 * 10.0))
+	p_report.at_least(p_case, "lowest middle", lowest, "m", 0.0)
+	p_report.at_most(p_case, "speed after 10 s", vehicle.linear_velocity.length(), "m/s", 0.1)
 	vehicle.reset_upright()
 	for _tick: int in 180:
 		await p_tree.physics_frame
 	var upright: float = rad_to_deg(vehicle.global_basis.y.angle_to(Vector3.UP))
-	p_report.add(p_case, "tilt after it was put upright", upright, "deg", at_most, 2.0)
+	p_report.at_most(p_case, "tilt after it was put upright", upright, "deg", 2.0)
 	ground.free_all()
 
 
@@ -94,10 +94,10 @@ static func _ram(
 		await p_tree.physics_frame
 	for vehicle: Vehicle in pair:
 		energy += vehicle.linear_velocity.length()
-	p_report.add(p_case, "fastest", fastest, "m/s", BenchReport.Goal.AT_MOST, 14.0)
-	p_report.add(p_case, "speed at the end", energy, "m/s", BenchReport.Goal.AT_MOST, 0.2)
+	p_report.at_most(p_case, "fastest", fastest, "m/s", 14.0)
+	p_report.at_most(p_case, "speed at the end", energy, "m/s", 0.2)
 	var apart: float = pair[0].position.distance_to(pair[1].position)
-	p_report.add(p_case, "distance at the end", apart, "m", BenchReport.Goal.AT_LEAST, 1.0)
+	p_report.at_least(p_case, "distance at the end", apart, "m", 1.0)
 	ground.free_all()
 
 
@@ -118,7 +118,7 @@ static func _run_over(
 	for _tick: int in 900:
 		await p_tree.physics_frame
 		tilt = maxf(tilt, rad_to_deg(vehicle.global_basis.y.angle_to(Vector3.UP)))
-	p_report.add(p_case, "largest tilt", tilt, "deg", BenchReport.Goal.AT_MOST, 45.0)
+	p_report.at_most(p_case, "largest tilt", tilt, "deg", 45.0)
 	var kind: BenchReport.Goal = BenchReport.Goal.AT_LEAST if _is_heavy(p_preset) else _NONE
 	p_report.add(p_case, "way", -vehicle.position.z, "m", kind, 40.0)
 	ground.free_all()
@@ -160,7 +160,7 @@ static func _meet(
 			var state: PhysicsDirectBodyState3D = PhysicsServer3D.body_get_direct_state(body)
 			fastest = maxf(fastest, state.linear_velocity.length())
 		tilt = maxf(tilt, rad_to_deg(vehicle.global_basis.y.angle_to(Vector3.UP)))
-	p_report.add(p_case, "fastest limb", fastest, "m/s", BenchReport.Goal.AT_MOST, 25.0)
+	p_report.at_most(p_case, "fastest limb", fastest, "m/s", 25.0)
 	# A truck may stand on two wheels for a moment, a scootmobile falls over.
 	var kind: BenchReport.Goal = BenchReport.Goal.AT_MOST if _is_heavy(p_preset) else _NONE
 	p_report.add(p_case, "largest tilt", tilt, "deg", kind, 20.0)

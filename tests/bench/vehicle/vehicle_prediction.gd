@@ -62,15 +62,14 @@ func _measure(
 			_input.steer = _random.randf_range(-1.0, 1.0) if _random.randf() < 0.5 else 0.0
 		await _advance()
 	var title: String = "%s on %s, %.0f ms there and back" % [p_preset, p_gear, ONE_WAY_S * 2000.0]
-	var most: BenchReport.Goal = BenchReport.Goal.AT_MOST
-	p_report.add(
-		title, "input to motion, own response left out", obeys[1] - obeys[0], "frames", most, 2.0
+	p_report.at_most(
+		title, "input to motion, own response left out", obeys[1] - obeys[0], "frames", 2.0
 	)
 	p_report.add(title, "the same without prediction", obeys[2] - obeys[0], "frames")
 	p_report.add(title, "error at news, p50", _errors.percentile(0.5) * 1000.0, "mm")
 	p_report.add(title, "error at news, p99", _errors.percentile(0.99) * 1000.0, "mm")
-	p_report.add(
-		title, "pull of the picture, largest", _pulls.percentile(1.0) * 100.0, "cm", most, 10.0
+	p_report.at_most(
+		title, "pull of the picture, largest", _pulls.percentile(1.0) * 100.0, "cm", 10.0
 	)
 	p_report.add(title, "prediction began anew", _predicted.restarts, "times")
 	_server.free_all()

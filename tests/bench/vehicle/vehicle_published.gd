@@ -43,11 +43,11 @@ static func run(
 		p_report.add(name, metric + ", published", theirs, _unit(metric))
 		if metric in ["slope", "side slope", "step", "trench"]:
 			# These say what it must get over at least.
-			p_report.add(name, metric, ours, _unit(metric), BenchReport.Goal.AT_LEAST, theirs)
+			p_report.at_least(name, metric, ours, _unit(metric), theirs)
 			continue
 		p_report.add(name, metric, ours, _unit(metric))
 		var off: float = 100.0 * (ours / theirs - 1.0)
-		p_report.add(name, metric + ", off by", off, "%", BenchReport.Goal.WITHIN, 10.0)
+		p_report.within(name, metric + ", off by", off, "%", 10.0)
 
 
 static func _measure(p_courses: VehicleCourses, p_metric: String, p_theirs: float) -> float:

@@ -53,7 +53,7 @@ static func _ride(
 		count += 1
 	var name: String = "stabiliser, %s: gun at %d deg over bumps" % [p_gear, roundi(p_yaw_deg)]
 	var rms: float = 1000.0 * sqrt(squares / count)
-	p_report.add(name, "off its aim", rms, "mrad RMS", BenchReport.Goal.AT_MOST, GOAL_MRAD)
+	p_report.at_most(name, "off its aim", rms, "mrad RMS", GOAL_MRAD)
 	p_report.add(name, "worst", 1000.0 * worst, "mrad")
 	ground.free_all()
 	await p_tree.physics_frame

@@ -71,9 +71,8 @@ static func run(
 	for drives: bool in [true, false]:
 		var sent: float = await _measure(p_tree, p_preset, p_kind, drives)
 		var what: String = "%s on %s %s" % [p_preset, p_gear, "driving" if drives else "standing"]
-		var most: BenchReport.Goal = BenchReport.Goal.AT_MOST
 		var goal: float = _GOAL_KBIT if drives else 1.0
-		p_report.add(what, "snapshots at %d Hz" % _RATE, sent, "kbit/s", most, goal)
+		p_report.at_most(what, "snapshots at %d Hz" % _RATE, sent, "kbit/s", goal)
 
 
 ## The payload of all datagrams, kbit/s.

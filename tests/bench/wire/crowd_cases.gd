@@ -63,9 +63,8 @@ func run_one(p_report: BenchReport, p_sources: Array[BvhSource], p_s: float) -> 
 				client.advance(world)
 			bits += client.payload_bits / p_s / p_sources.size()
 			world.free()
-		var most: BenchReport.Goal = BenchReport.Goal.AT_MOST
 		var name: String = "whole datagrams of a person, 30 Hz, %s" % one[0]
-		p_report.add(name, "without headers", bits / 1000.0, "kbit/s", most, one[3])
+		p_report.at_most(name, "without headers", bits / 1000.0, "kbit/s", one[3])
 
 
 func _play(p_world: MovingWorld, p_cases: Array[ReplicationCase], p_s: float) -> float:
@@ -86,10 +85,9 @@ func _play(p_world: MovingWorld, p_cases: Array[ReplicationCase], p_s: float) ->
 static func _add(
 	p_report: BenchReport, p_name: String, p_case: ReplicationCase, p_s: float
 ) -> void:
-	var most: BenchReport.Goal = BenchReport.Goal.AT_MOST
-	p_report.add(p_name, "with headers", p_case.bits / p_s / 1000.0, "kbit/s", most, GOAL_KILOBITS)
+	p_report.at_most(p_name, "with headers", p_case.bits / p_s / 1000.0, "kbit/s", GOAL_KILOBITS)
 	var error: float = sqrt(p_case.crate_square / maxf(p_case.crate_count, 1.0))
-	p_report.add(p_name, "crates as shown, RMS", error * 100.0, "cm", most, GOAL_CRATE_M * 100.0)
+	p_report.at_most(p_name, "crates as shown, RMS", error * 100.0, "cm", GOAL_CRATE_M * 100.0)
 	p_case.encode_usec.sort()
 	var middle: float = p_case.encode_usec[p_case.encode_usec.size() / 2]
 	p_report.add(p_name, "encode, p50", middle, "us")
