@@ -3,9 +3,7 @@ extends Bench
 ##
 ## Through the scene that a client shows, from real snapshots of real motion, without a window: what
 ## the graphics card and its driver do is not in it. Options: --people=64, --crates=200 (half of
-## them at rest), --seconds=4, --bvh=FILE. Where it runs with a display (the engine itself, not
-## [code]./run bench[/code]), the bone palettes go to the renderer, and it is measured as well what
-## it draws of all these people, each avatar in turn.
+## them at rest), --seconds=4, --bvh=FILE.
 
 const Motion: GDScript = preload("smoothing/smoothing_motion.gd")
 const _CLIENT: PackedScene = preload("res://scenes/client/client.tscn")
@@ -49,39 +47,6 @@ func measure() -> void:
 		name = "%d people, %d crates" % [_people, _crates]
 		report.add(name, "a crate and frame", (all - people) / _crates, "us")
 	report.add(name, "frame", all / 1000.0, "ms")
-	if DisplayServer.get_name() != "headless":
-		await _draw(_people)
-
-
-## What is drawn of so many people in front of a camera, from near and from far.
-func _draw(p_people: int) -> void:
-	_build(p_people, 0)
-	var camera: Camera3D = Camera3D.new()
-	root.add_child(camera)
-	for distance: float in [4.0, 18.0]:
-		var middle: Vector3 = Vector3(_SPACING_M * 3.5, 1.0, _SPACING_M * 3.5)
-		var from: Vector3 = Vector3(middle.x, 2.5, -distance)
-		camera.look_at_from_position(from, middle)
-		camera.make_current()
-		var times: Statistics = Statistics.new()
-		for frame: int in 24:
-			_play(p_people, 0)
-			_scene.update(_tick / float(HZ))
-			camera.make_current()
-			var begin: int = Time.get_ticks_usec()
-			await process_frame
-			if frame >= 4:
-				times.add(Time.get_ticks_usec() - begin)
-		var name: String = "%d people from %d m" % [p_people, roundi(distance)]
-		var kind: RenderingServer.RenderingInfo = (
-			RenderingServer.RENDERING_INFO_TOTAL_DRAW_CALLS_IN_FRAME
-		)
-		report.add(name, "draw calls", RenderingServer.get_rendering_info(kind), "")
-		kind = RenderingServer.RENDERING_INFO_TOTAL_PRIMITIVES_IN_FRAME
-		report.add(name, "triangles", RenderingServer.get_rendering_info(kind) / 1000.0, "k")
-		report.add(name, "frame on screen", times.percentile(0.5) / 1000.0, "ms")
-	_scene.free()
-	_client.free()
 
 
 ## The median time of a frame of so many people and crates, µs.

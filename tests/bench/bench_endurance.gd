@@ -84,7 +84,6 @@ func _look(p_round: int) -> void:
 func _tell(p_fingerprint: int, p_other: Dictionary) -> void:
 	var parts: Array = [option("people"), option("root")]
 	var case: String = "%d people, %s, " % parts + "%s min" % String.num(option("minutes"), 1)
-	var at_most: BenchReport.Goal = BenchReport.Goal.AT_MOST
 	report.at_most(case, "highest energy of a person", _highest, "J", _MOST_ENERGY)
 	report.add(case, "highest energy of all", _all_highest, "J")
 	# The last round is hardly ever whole.

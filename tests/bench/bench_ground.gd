@@ -97,12 +97,7 @@ func _soldier() -> ContactPerformer:
 func _begin_standing() -> GroundRun:
 	var run: GroundRun = _begin(_soldier())
 	var pose: PoseSample = ContactPoses.standing(run.person)
-	var hips: Vector3 = run.person.standing_hips()
-	run.world.add_person(
-		run.person,
-		func(_t: float) -> PoseSample: return pose,
-		func(_t: float) -> Vector3: return hips
-	)
+	run.world.add_standing(run.person, pose, run.person.standing_hips())
 	return run
 
 
@@ -188,7 +183,6 @@ func _clip(p_file: String) -> void:
 
 
 func _tell(p_case: String, p_run: GroundRun, p_from: int, p_share: float) -> void:
-	var at_most: BenchReport.Goal = BenchReport.Goal.AT_MOST
 	var weight: float = p_run.weight()
 	var share: float = 100.0 * GroundRun.mean(p_run.carried, p_from) / weight
 	report.at_least(p_case, "weight on the ground", share, "%", p_share)

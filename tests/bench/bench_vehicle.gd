@@ -8,18 +8,20 @@ extends Bench
 ## random, for each seed; 20 and 10 are the goal's; of hatch and stabiliser, for each case; 5 are
 ## the goal's), --world=NAME (of random: desert, town or crates; default one after the other).
 
-const _SCENES: Array[String] = [
-	"published",
-	"compare",
-	"cost",
-	"mishaps",
-	"hatch",
-	"stabiliser",
-	"firing",
-	"prediction",
-	"wire",
-	"random",
-]
+const _SCENES: Dictionary[String, GDScript] = {
+	"published": preload("vehicle/vehicle_published.gd"),
+	"compare": preload("vehicle/vehicle_comparison.gd"),
+	"cost": preload("vehicle/vehicle_cost.gd"),
+	"mishaps": preload("vehicle/vehicle_mishaps.gd"),
+	"hatch": preload("vehicle/vehicle_hatch.gd"),
+	"stabiliser": preload("vehicle/vehicle_stabiliser.gd"),
+	"firing": preload("vehicle/vehicle_firing.gd"),
+	"prediction": preload("vehicle/vehicle_prediction.gd"),
+	"wire": preload("vehicle/vehicle_wire.gd"),
+	"random": null,
+}
+## Scenes about the tank's turret.
+const _OF_TANK: Array[String] = ["hatch", "stabiliser", "firing"]
 const _KINDS: Dictionary[String, VehicleParameters.GearKind] = {
 	"spheres": VehicleParameters.GearKind.SPHERES,
 	"rays": VehicleParameters.GearKind.RAYS,
@@ -30,7 +32,7 @@ func options() -> Dictionary:
 	return {
 		"preset": "tank",
 		"gear": ["", _KINDS.keys()],
-		"scene": ["", _SCENES],
+		"scene": ["", _SCENES.keys()],
 		"seeds": [3, 1, 10000],
 		"minutes": [1.0, 0.001, 10000.0],
 		"world": ["", VehicleWander.WORLDS],
@@ -49,54 +51,27 @@ func measure() -> void:
 	if option("seed") >= 0:
 		await _run_seed()
 		return
-	var scenes: PackedStringArray = arguments.list("scene")
 	for name: String in _SCENES:
-		if not scenes.is_empty() and not scenes.has(name):
+		var is_wanted: bool = name in values("scene", _SCENES.keys())
+		if not is_wanted or (name in _OF_TANK and _preset() != "tank"):
 			continue
-		match name:
-			"published":
-				for gear: String in _gears():
-					await VehiclePublished.run(self, report, _preset(), gear, _KINDS[gear])
-			"compare":
-				for gear: String in _gears():
-					await VehicleComparison.run(self, report, _preset(), gear, _KINDS[gear])
-			"cost":
-				for gear: String in _gears():
-					await VehicleCost.run(self, report, _preset(), gear, _KINDS[gear])
-			"mishaps":
-				for gear: String in _gears():
-					await VehicleMishaps.run(self, report, _preset(), gear, _KINDS[gear])
-			"hatch":
-				for gear: String in _gears_of_tank():
-					await VehicleHatch.run(self, report, gear, _KINDS[gear], _minutes())
-			"stabiliser":
-				for gear: String in _gears_of_tank():
-					await VehicleStabiliser.run(self, report, gear, _KINDS[gear], _minutes())
-			"wire":
-				for gear: String in _gears():
-					await VehicleWire.run(self, report, _preset(), gear, _KINDS[gear])
-			"prediction":
-				for gear: String in _gears():
-					await VehiclePrediction.run(self, report, _preset(), gear, _KINDS[gear])
-			"firing":
-				if _preset() == "tank":
-					await VehicleFiring.run(self, report)
-			"random":
-				for gear: String in _gears():
-					_run_random(gear)
+		# Guns know nothing of what a tank runs on.
+		for gear: String in _gears() if name != "firing" else PackedStringArray(["spheres"]):
+			if name == "random":
+				_run_random(gear)
+				continue
+			var case: VehicleCase = _SCENES[name].new()
+			case.tree = self
+			case.report = report
+			case.preset = _preset()
+			case.gear = gear
+			case.kind = _KINDS[gear]
+			case.minutes = option("minutes")
+			await case.run()
 
 
 func _preset() -> String:
 	return option("preset")
-
-
-func _minutes() -> float:
-	return option("minutes")
-
-
-## The running gears that are meant, of scenes about the tank's turret.
-func _gears_of_tank() -> PackedStringArray:
-	return _gears() if _preset() == "tank" else PackedStringArray()
 
 
 ## The running gears that are meant: those that the preset has.

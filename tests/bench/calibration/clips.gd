@@ -83,7 +83,6 @@ func _run_tracker(p_clip: String, p_source: BvhSource, p_poses: Array[PoseSample
 			worst = maxf(worst, off)
 	publisher.retire()
 	var case_name: String = p_clip + ", body tracker"
-	var at_most: BenchReport.Goal = BenchReport.Goal.AT_MOST
 	report.at_most(case_name, "there and back", worst, "deg", _TRACKER_DEG)
 	report.add(case_name, "publish", float(spent) / p_poses.size(), "us")
 

@@ -24,7 +24,6 @@ func measure() -> void:
 		var name: String = "%d sensors in any order" % case.x
 		if case.y > 0:
 			name += " and %d that lie about" % case.y
-		var at_least: BenchReport.Goal = BenchReport.Goal.AT_LEAST
 		report.at_least(name, "sensors found", 100.0 * right / all, "%", _RIGHT)
 		report.add(name, "rounds all right", 100.0 * whole / arguments.value("orders"), "%")
 		var seconds: float = CalibrationGuide.duration_s(CalibrationGuide.Kind.FIT_CHECK, mounts)

@@ -67,7 +67,6 @@ func _run_case(p_name: String, p_rate: float) -> void:
 		for text: String in outcome.said:
 			said[text] = said.get(text, 0) + outcome.said[text]
 	var case_name: String = "%s, %s deg/min" % [p_name, String.num(p_rate, 2)]
-	var at_most: BenchReport.Goal = BenchReport.Goal.AT_MOST
 	var goal: float = 3.0 if p_rate > 1.5 else 2.5
 	report.add(case_name, "uncorrected", raw.mean(), "deg")
 	if p_rate == 0.0:

@@ -2,8 +2,8 @@ extends "part.gd"
 ## Whether the error that a calibration forecasts is the one that it has, for wearers of all sorts:
 ## norths spread by 0 to 60 degrees, poses off by 0 to 10, soft tissue of 0 to 4, efforts.
 ##
-## Beside it the one number that is nearest to most wearers: all that can be said where the data tell
-## nothing.
+## Beside it the one number that is nearest to most wearers: all that can be said where the data
+## tell nothing.
 
 const Person: GDScript = preload("person.gd")
 ## Poses of the whole clips are compared, each of which begins with somebody who stands: every so

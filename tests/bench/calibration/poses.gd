@@ -36,6 +36,5 @@ func _measure_case(
 		var result: CalibrationResult = person.calibrate(CalibrationGuide.Kind.FULL)
 		left.add(Person.mean(person.errors_deg(result.calibration, p_poses)))
 	var name: String = "poses off by %.0f deg%s, norths %.0f, full"
-	var at_most: BenchReport.Goal = BenchReport.Goal.AT_MOST
 	name %= [p_off_deg, p_case[0], p_norths]
 	report.at_most(name, "mean of limbs", left.mean(), "deg", _GOAL_DEG)

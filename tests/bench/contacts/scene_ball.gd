@@ -38,12 +38,7 @@ func _throw(p_performer: ContactPerformer, p_bone: StringName, p_strength: float
 	var pose: PoseSample = ContactPoses.standing(person)
 	if _TARGETS[p_bone]:
 		pose = ContactPoses.guard(person)
-	var hips: Vector3 = person.standing_hips()
-	world.add_person(
-		person,
-		func(_time: float) -> PoseSample: return pose,
-		func(_time: float) -> Vector3: return hips
-	)
+	world.add_standing(person, pose, person.standing_hips())
 	await world.run(_SETTLE_S)
 	var from: Vector3 = person.bodies()[person.find(p_bone)].origin + Vector3.BACK * _DISTANCE
 	var ball: RigidBody3D = world.add_ball(_RADIUS, from, _MASS)

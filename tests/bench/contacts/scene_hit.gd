@@ -37,12 +37,7 @@ func _hit(p_performer: ContactPerformer, p_bone: StringName, p_from: String) -> 
 	var world: ContactWorld = make_world()
 	var person: ContactPerson = p_performer.enter(world, root)
 	var pose: PoseSample = ContactPoses.standing(person)
-	var hips: Vector3 = person.standing_hips()
-	world.add_person(
-		person,
-		func(_time: float) -> PoseSample: return pose,
-		func(_time: float) -> Vector3: return hips
-	)
+	world.add_standing(person, pose, person.standing_hips())
 	await world.run(_SETTLE_S)
 	var limb: int = person.find(p_bone)
 	var struck: int = person.ragdoll.motor.hit(

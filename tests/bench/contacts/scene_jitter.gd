@@ -32,11 +32,7 @@ func _hold(
 	var hips: Vector3 = p_performer.hips_at(p_moment, person)
 	if p_on_floor:
 		world.add_floor(person.lowest(person.targets(pose, hips)) + _PRESSED_M)
-	world.add_person(
-		person,
-		func(_time: float) -> PoseSample: return pose,
-		func(_time: float) -> Vector3: return hips
-	)
+	world.add_standing(person, pose, hips)
 	await world.run(_SETTLE_S)
 	await world.run(_MEASURE_S, jitter_meter(world, p_speeds))
 	await end_world(world)

@@ -69,7 +69,6 @@ func _stand(p_report: BenchReport, p_scene: Scene, p_clip: String, p_injected: f
 			fastest = maxf(fastest, rad_to_deg(turn) * p_scene.rate)
 		last = fusion.correction()
 	var case: String = "%s, standing, %.0f deg injected" % [p_clip, p_injected]
-	var at_most: BenchReport.Goal = BenchReport.Goal.AT_MOST
 	# The noise of the suit's own hips is no error of the heading.
 	var off: float = absf(rad_to_deg(angle_difference(-p_scene.heading, fusion.correction())))
 	p_report.at_most(case, "body off after 60 s", off, "deg", _MAX_OFF_DEG)
@@ -108,7 +107,6 @@ func _drift(
 		before = error
 	var case: String = "%s, %.0f min at %.0f deg/min"
 	case %= [p_clip, p_options.value("minutes"), p_options.value("drift")]
-	var at_most: BenchReport.Goal = BenchReport.Goal.AT_MOST
 	p_report.at_most(case, "body off, worst", off.percentile(1.0), "deg", _MAX_OFF_DEG)
 	p_report.add(case, "body off, p50", off.percentile(0.5), "deg")
 	p_report.add(case, "hand to controller, p99", gap.percentile(0.99), "cm")

@@ -96,7 +96,6 @@ func _report(p_report: BenchReport, p_case: String) -> void:
 	for part: String in _offs:
 		p_report.add(p_case, "%s off, p50" % part, _offs[part].percentile(0.5), "cm")
 		p_report.add(p_case, "%s off, p95" % part, _offs[part].percentile(0.95), "cm")
-	var at_most: BenchReport.Goal = BenchReport.Goal.AT_MOST
 	p_report.at_most(p_case, "joints beyond their range", _beyond, "", 0.0)
 	if _slides.count() > 0:
 		var slide: float = _slides.percentile(0.95)

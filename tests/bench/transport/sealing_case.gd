@@ -32,7 +32,6 @@ static func _measure(r_report: BenchReport, p_size: int) -> void:
 	if found == null:
 		printerr("%s does not run" % _TOOL)
 		return
-	var at_most: BenchReport.Goal = BenchReport.Goal.AT_MOST
 	var case: String = "sealing, %d bytes" % p_size
 	r_report.at_most(case, "seal", found["seal_ns"] / 1000.0, "us", 2.0)
 	r_report.at_most(case, "open", found["open_ns"] / 1000.0, "us", 2.0)

@@ -138,7 +138,6 @@ static func run_seeds(
 static func _tell(
 	p_report: BenchReport, p_case: String, p_totals: Dictionary[String, float], p_others: int
 ) -> void:
-	var at_most: BenchReport.Goal = BenchReport.Goal.AT_MOST
 	p_report.add(p_case, "way", 0.001 * p_totals["way"], "km")
 	p_report.at_most(p_case, "fastest", p_totals["fastest"], "m/s", MAX_SPEED)
 	p_report.at_most(p_case, "fastest turn", p_totals["spin"], "rad/s", 8.0)
