@@ -97,7 +97,9 @@ func _run_walks(p_root: String) -> void:
 			var goal: bool = p_root == "inertial"
 			_add_travel(title, stats, goal)
 			var most: float = 8.0 if noise > 0.0 else 3.0
-			_add(title, "stance-foot skate", 100.0 * stats.skate.mean(), "cm/s", goal, most)
+			report.at_most(
+				title, "stance-foot skate", 100.0 * stats.skate.mean(), "cm/s", most, goal
+			)
 
 
 func _run_stairs(p_root: String) -> void:
@@ -109,10 +111,7 @@ func _run_stairs(p_root: String) -> void:
 		var title: String = "%s: 16 stairs %s" % [p_root, "up" if rise > 0.0 else "down"]
 		_add_travel(title, stats, false)
 		var right: float = 1.0 if stats.is_on_tread(_RISE, _TREAD) else 0.0
-		var kind: BenchReport.Goal = BenchReport.Goal.NONE
-		if p_root == "inertial":
-			kind = BenchReport.Goal.AT_LEAST
-		report.add(title, "on the right tread", right, "", kind, 1.0)
+		report.at_least(title, "on the right tread", right, "", 1.0, p_root == "inertial")
 
 
 func _begin(p_root: String) -> Ragdoll:
@@ -154,11 +153,7 @@ func _walk(p_walker: Walker, p_ragdoll: Ragdoll, p_noise_deg: float) -> Stats:
 
 func _add_travel(p_title: String, p_stats: Stats, p_has_goal: bool) -> void:
 	report.add(p_title, "way", p_stats.way, "m")
-	_add(p_title, "max travel error", p_stats.travel_percent(), "%", p_has_goal, 4.0)
-	_add(p_title, "body height error", 1000.0 * p_stats.height.mean(), "mm", p_has_goal, 30.0)
-
-
-func _add(
-	p_case: String, p_metric: String, p_value: float, p_unit: String, p_has: bool, p_goal: float
-) -> void:
-	report.at_most(p_case, p_metric, p_value, p_unit, p_goal, p_has)
+	report.at_most(p_title, "max travel error", p_stats.travel_percent(), "%", 4.0, p_has_goal)
+	report.at_most(
+		p_title, "body height error", 1000.0 * p_stats.height.mean(), "mm", 30.0, p_has_goal
+	)
