@@ -96,8 +96,7 @@ class Process(Program):
         code = self.process.poll()
         state = f"ended with {code}" if code is not None else "runs"
         waits = [] if code is not None else thread_states(self.process.pid)
-        self._mark = 0
-        last = self.log().splitlines()[-40:]
+        last = self.log(0).splitlines()[-40:]
         return "\n".join([f"--- {self.log_file.name}: {state}", *waits, *last])
 
 

@@ -111,10 +111,10 @@ def test_buttons_and_hands_reach_the_program(stage: Stage, monado: Monado) -> No
 
 
 def test_a_killed_and_a_stalled_runtime_leave_a_window(stage: Stage, monado: Monado) -> None:
-    stage.mark()
+    begin = stage.mark()
     for is_stalled in (False, True):
         lose_and_return(stage, monado, is_stalled)
-    said = stage.log()
+    said = stage.log(begin)
     assert "The headset's runtime has ended: the window goes on." in said
     assert "The headset's runtime stalled: the window goes on." in said
     told = [line for line in said.splitlines() if line.startswith("TOLD The headset")]

@@ -134,13 +134,15 @@ class Program:
     ) -> None:
         self.kill()
 
-    def log(self) -> str:
-        """What it has said since its start, or since the mark."""
-        return self.log_file.read_bytes()[self._mark :].decode(errors="replace")
+    def log(self, since: int | None = None) -> str:
+        """What it has said since the last mark, or since another one; 0 is its start."""
+        begin = self._mark if since is None else since
+        return self.log_file.read_bytes()[begin:].decode(errors="replace")
 
-    def mark(self) -> None:
-        """Forgets what it has said so far."""
+    def mark(self) -> int:
+        """Forgets what it has said so far; returns the mark."""
         self._mark = self.log_file.stat().st_size
+        return self._mark
 
     def type(self, line: str) -> None:
         """Writes a line to its input."""
