@@ -76,9 +76,15 @@ func is_headset_worn() -> bool:
 	return headset != null and headset.display.is_worn()
 
 
-## The moment of now on the clock of [member stream], s.
+## The moment of now on the clock of [member stream], s: of a recording, its own time.
 func now_s() -> float:
 	return stream.now_s()
+
+
+## The moment of now for what has no part in the world's time, such as menus and devices, s: it goes
+## on while a recording stands still, is slow or jumps.
+static func ui_s() -> float:
+	return Time.get_ticks_usec() / 1e6
 
 
 ## Whether nothing is drawn: there is no window.

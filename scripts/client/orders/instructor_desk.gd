@@ -26,7 +26,7 @@ func begin_frame() -> void:
 	_orders.advance()
 	if _terminal != null:
 		var is_ready: bool = context.link.is_joined() and not _control.roster.is_empty()
-		_terminal.advance(context.now_s(), is_ready)
+		_terminal.advance(ClientContext.ui_s(), is_ready)
 
 
 ## Gives the terminal back.

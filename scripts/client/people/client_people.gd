@@ -87,6 +87,11 @@ func take_samples() -> void:
 		_look_at_sizes()
 
 
+## Samples those whose motion needs the physics world. Call it in every physics frame.
+func sample_in_world() -> void:
+	_sender.sample_in_world()
+
+
 ## How many there are.
 func count() -> int:
 	return _motions.size()

@@ -37,6 +37,11 @@ func remove(p_person: int) -> void:
 	_sampler.remove_source(p_person)
 
 
+## Samples those that need the physics world: see [method MotionSampler.sample_in_world].
+func sample_in_world() -> void:
+	_sampler.sample_in_world(Time.get_ticks_usec() + unix_ahead())
+
+
 ## Begins anew, for a server that has none of the samples.
 func restart() -> void:
 	_writer.restart()
@@ -84,7 +89,7 @@ static func unix_ahead() -> int:
 	return int(Time.get_unix_time_from_system() * 1e6) - Time.get_ticks_usec()
 
 
-## Runs in the sampling thread.
+## Runs in the thread that took the samples.
 func _send(p_samples: Array[PoseSample]) -> void:
 	_mutex.lock()
 	var sends: bool = _sends

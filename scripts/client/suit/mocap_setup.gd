@@ -43,6 +43,11 @@ func _ready() -> void:
 	add_child(_cues)
 
 
+func _physics_process(_delta: float) -> void:
+	if people != null:
+		people.sample_in_world()
+
+
 func _exit_tree() -> void:
 	if _panel != null:
 		# Debian's release build of the engine reports an error for everything that leaves a
@@ -74,7 +79,7 @@ func open(p_context: ClientContext) -> String:
 
 
 func begin_frame() -> void:
-	read_sources(context.now_s())
+	read_sources(ClientContext.ui_s())
 	_reports.advance(_now_s)
 	context.hud.show_guide(guide(_now_s))
 

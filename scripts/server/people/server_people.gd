@@ -35,6 +35,8 @@ var _points: Array[Transform3D] = []
 var _avatars: PackedStringArray = PackedStringArray()
 ## Ticks until the bodies of a new level are in the physics space; 0: they are.
 var _settling: int = 0
+## The numbers of those who belong to the server count down from here.
+var _enlisted: int = 0
 var _plain_type: EntityType = EntityType.person()
 ## What somebody needs who stands up somewhere.
 var _standing_room: CapsuleShape3D = CapsuleShape3D.new()
@@ -76,6 +78,16 @@ func set_people(p_session: int, p_cards: Array[PersonCard], p_name: String) -> i
 			person.card = card
 			person.name = card.name if card.name != "" else p_name
 	return refused
+
+
+## Gives the server itself somebody, such as an opponent, who belongs to no client. Returns a number
+## that takes the place of a session's in [method push_sample] and [method remove], or 0 where there
+## is no room. The body comes as [method advance] comes to it, and counts among the most that there
+## may be.
+func enlist(p_card: PersonCard, p_name: String) -> int:
+	p_card.index = 0
+	_enlisted -= 1
+	return _enlisted if set_people(_enlisted, [p_card], p_name) == 0 else 0
 
 
 ## Makes and removes bodies, as many as fit into a tick. Call it once a tick, before the step.
@@ -139,11 +151,24 @@ func list() -> Array[ServerPerson]:
 	return _people.values()
 
 
-## Takes a sample that arrived from a session at a time, s.
+## Takes a sample of one of a session's people, or of somebody who was enlisted, that arrived at a
+## time, s.
 func push_sample(p_session: int, p_sample: PoseSample, p_now_s: float) -> void:
 	var person: ServerPerson = _people.get(PeopleChanges.key_of(p_session, p_sample.person))
 	if person != null:
 		person.push_sample(p_sample, p_now_s)
+
+
+## The other sessions of whose people one is within a distance (m) of the first one of a session: who
+## hears that one speak. Empty where the session has no body.
+func sessions_near(p_session: int, p_range_m: float) -> PackedInt32Array:
+	var own: Array[ServerPerson] = _of_session(p_session)
+	var near: Dictionary[int, bool] = {}
+	for person: ServerPerson in _people.values() if not own.is_empty() else []:
+		var away: float = person.hips().distance_to(own[0].hips())
+		if person.session > 0 and person.session != p_session and away <= p_range_m:
+			near[person.session] = true
+	return PackedInt32Array(near.keys())
 
 
 ## Sets everybody's motors for the next step.
@@ -343,7 +368,7 @@ func _enter(p_person: ServerPerson) -> void:
 	var node: Entity = p_person.entity
 	row.type = node.type if node != null and node.type != null else _plain_type
 	row.tick = tick
-	row.owner = p_person.session
+	row.owner = maxi(p_person.session, 0)
 	row.person_index = p_person.card.index
 	row.person_name = p_person.name
 	row.path = AvatarStore.resolve(p_person.card.avatar)

@@ -59,6 +59,11 @@ func stand_at(p_start: Transform3D) -> void:
 	ragdoll.motor.clear_motion()
 
 
+## Where the body's hips are, m.
+func hips() -> Vector3:
+	return ragdoll.get_limb_nodes()[Limbs.ROOT].global_position
+
+
 ## Takes a sample that arrived at a time, s.
 func push_sample(p_sample: PoseSample, p_now_s: float) -> void:
 	var sample_s: float = p_sample.time_usec / 1e6

@@ -27,7 +27,7 @@ func _init(p_parent: Node, p_preset: String = "tank") -> void:
 	ground.view.add_child(place)
 	entity = tank.get_node("Entity")
 	shells = tank.get_node_or_null("Shells")
-	armour = VehicleArmour.find_in(tank)
+	armour = VehicleArmour.find_in(tank) as VehicleArmour
 	if shells != null:
 		shells.struck.connect(
 			func(p_at: Vector3, p_normal: Vector3, p_on: StringName, p_by: Ammunition) -> void:

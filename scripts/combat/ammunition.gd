@@ -1,5 +1,5 @@
 @tool
-@icon("res://scenes/vehicle/icons/ammunition.svg")
+@icon("res://scenes/combat/icons/ammunition.svg")
 class_name Ammunition
 extends Resource
 ## One kind of round: what leaves the muzzle, how it flies, and what it does where it hits.

@@ -121,9 +121,7 @@ static func _pierce(
 	p_body: Object, p_given: Array[Vector3], p_ammunition: Ammunition, p_place: Vector3
 ) -> void:
 	var is_near: bool = p_place.distance_to(p_given[1]) < 0.5 * p_ammunition.blast_radius
-	var armour: VehicleArmour = null
-	if p_body is Vehicle and is_near:
-		armour = VehicleArmour.find_in(p_body as Vehicle)
+	var armour: Armour = Armour.find_in(p_body as Node) if is_near and p_body is Node else null
 	if armour != null:
 		armour.take_fragments(p_ammunition, p_given[0].normalized(), p_given[1])
 

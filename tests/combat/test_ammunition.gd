@@ -1,7 +1,7 @@
 extends TestCase
 ## Kinds of rounds: what makes sense, and what a shot gives to the gun.
 
-const FOLDER: String = "res://scenes/vehicle/firing/ammunition/"
+const FOLDER: String = "res://scenes/combat/ammunition/"
 
 
 func test_all_presets_make_sense_and_fly() -> void:

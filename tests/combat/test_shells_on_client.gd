@@ -1,16 +1,11 @@
 extends TestCase
 ## What a client makes of fields and events: it shows shots and hits, and simulates none.
 
+const ClientHost: GDScript = preload("res://tests/entity/client_host.gd")
+
 var _ground: VehicleGround = null
 var _tank: Vehicle = null
 var _entity: Entity = null
-
-
-class ClientHost:
-	extends LocalSession.Host
-
-	func is_authority() -> bool:
-		return false
 
 
 func before_each() -> void:

@@ -1,9 +1,9 @@
 class_name FiringView
 extends Node3D
-## What is seen of a vehicle's shots: the barrel recoils, flash and smoke at the muzzle, dust below
+## What is seen of a shooter's shots: flash and smoke at the muzzle, dust below
 ## it, tracers, and what flies up where something is hit. It costs no bytes beside the events.
 
-## How many of each effect are made beforehand, for all vehicles of a level.
+## How many of each effect are made beforehand, for all shooters of a level.
 const _COUNTS: Dictionary[String, int] = {
 	"muzzle_flash": 6,
 	"muzzle_smoke": 3,
@@ -49,30 +49,38 @@ var _shells: Shells = null
 var _player: EffectPlayer = null
 var _flash: OmniLight3D = OmniLight3D.new()
 var _rounds: int = 0
-## How long it stays after the vehicle is gone, s; below 0: the vehicle is there.
+## How long it stays after the shooter is gone, s; below 0: the shooter is there.
 var _left_s: float = -1.0
 
 
-## One for the guns of a vehicle. It belongs into the vehicle's world but not below the vehicle:
-## see [method begin].
+## One for the guns of a shooter. It belongs into the shooter's world but not below the shooter: see
+## [method show_shots].
 static func create(p_shells: Shells) -> FiringView:
 	var view: FiringView = FiringView.new()
 	view._shells = p_shells
 	return view
 
 
-## Adds one where effects are played in the vehicle's world: what has been fired is still seen when
-## the vehicle is gone.
+## Shows the shots of some shells from the next frame on, where there is a display: once, however
+## often it is called.
+static func show_shots(p_shells: Shells) -> void:
+	if not p_shells.is_shown and DisplayServer.get_name() != "headless":
+		p_shells.is_shown = true
+		begin.call_deferred(p_shells)
+
+
+## Adds one where effects are played in the shooter's world: what has been fired is still seen when
+## the shooter is gone.
 static func begin(p_shells: Shells) -> void:
 	if p_shells.is_inside_tree():
-		EffectPlayer.of(p_shells.vehicle).add_child(create(p_shells))
+		EffectPlayer.of(p_shells.shooter).add_child(create(p_shells))
 
 
 func _ready() -> void:
 	_player = EffectPlayer.of(self)
 	for effect: String in _COUNTS:
 		_player.prepare(effect, _COUNTS[effect])
-	tracers.configure(self, _shells.vehicle)
+	tracers.configure(self, _shells.shooter)
 	marks.configure(self)
 	_flash.light_color = Color(1.0, 0.72, 0.4)
 	_flash.omni_range = 14.0
@@ -80,10 +88,9 @@ func _ready() -> void:
 	_flash.top_level = true
 	_flash.visible = false
 	add_child(_flash)
-	for gun: VehicleGun in _shells.guns:
-		gun.fired.connect(_on_fired.bind(gun))
+	_shells.fired.connect(_on_fired)
 	_shells.struck.connect(_on_struck)
-	_shells.tree_exiting.connect(_on_vehicle_gone)
+	_shells.tree_exiting.connect(_on_shooter_gone)
 
 
 func _process(p_delta: float) -> void:
@@ -99,17 +106,13 @@ func _process(p_delta: float) -> void:
 
 
 func _on_fired(
-	p_ammunition: Ammunition, p_place: Vector3, p_velocity: Vector3, p_gun: VehicleGun
+	p_ammunition: Ammunition, p_place: Vector3, p_velocity: Vector3, p_gun: Node3D
 ) -> void:
 	_rounds += 1
 	var is_bullet: bool = p_ammunition.kind == Ammunition.Kind.BULLET
 	if p_ammunition.has_tracer and (not is_bullet or _rounds % _TRACER_EVERY == 0):
 		tracers.add(p_ammunition, p_place, p_velocity)
 	var muzzle: Transform3D = p_gun.global_transform.orthonormalized()
-	if not is_bullet:
-		var view: VehicleView = _find_view()
-		if view != null:
-			view.show_shot()
 	if _eye().distance_to(muzzle.origin) > _AWAY_M:
 		return
 	_player.play("muzzle_flash", muzzle, _BULLET_FLASH if is_bullet else 1.0)
@@ -184,7 +187,7 @@ func _ground_below(p_at: Transform3D) -> float:
 
 
 ## The marks stay until they have faded.
-func _on_vehicle_gone() -> void:
+func _on_shooter_gone() -> void:
 	_left_s = ImpactMarks.LASTING_S if marks.made > 0 else Shells.LIFE_S
 
 
@@ -198,13 +201,6 @@ func _cast(p_from: Vector3, p_to: Vector3) -> Dictionary:
 		p_from, p_to, PhysicsLayers.STATIC
 	)
 	return get_world_3d().direct_space_state.intersect_ray(query)
-
-
-func _find_view() -> VehicleView:
-	for child: Node in _shells.vehicle.get_children():
-		if child is VehicleView:
-			return child
-	return null
 
 
 func _eye() -> Vector3:

@@ -1,6 +1,6 @@
 class_name FiringSound
 extends RefCounted
-## What is heard of a vehicle's shots: the muzzle, late by the way of the sound, the crack of what
+## What is heard of a shooter's shots: the muzzle, late by the way of the sound, the crack of what
 ## goes by, and where it strikes.
 
 ## How much of the path of a bullet or a shell is listened to, m.
@@ -20,12 +20,13 @@ var _shells: Shells = null
 func _init(p_voices: SoundVoices, p_shells: Shells) -> void:
 	_voices = p_voices
 	_shells = p_shells
-	for gun: VehicleGun in p_shells.guns:
-		gun.fired.connect(_on_fired)
+	p_shells.fired.connect(_on_fired)
 	p_shells.struck.connect(_on_struck)
 
 
-func _on_fired(p_ammunition: Ammunition, p_place: Vector3, p_velocity: Vector3) -> void:
+func _on_fired(
+	p_ammunition: Ammunition, p_place: Vector3, p_velocity: Vector3, _gun: Node3D
+) -> void:
 	if not is_instance_valid(_voices):
 		return
 	var is_bullet: bool = p_ammunition.kind == Ammunition.Kind.BULLET

@@ -1,8 +1,8 @@
 @tool
-@icon("res://scenes/vehicle/icons/shells.svg")
+@icon("res://scenes/combat/icons/shells.svg")
 class_name Shells
 extends Node
-## Flies what the guns of one [Vehicle] fire, on the server, and says on every machine what is fired
+## Flies what the guns of one shooter fire, on the server, and says on every machine what is fired
 ## and where it hits.
 ##
 ## A shell's way is sent by nobody: the event [constant FIRED] carries what leaves the muzzle, and
@@ -15,6 +15,8 @@ signal struck(
 )
 ## A shell left the muzzle (not a machine gun's bullet): on every machine.
 signal launched(p_ammunition: Ammunition, p_position: Vector3, p_velocity: Vector3)
+## A gun has fired, see [signal Gun.fired]: on every machine. The node is the gun.
+signal fired(p_ammunition: Ammunition, p_position: Vector3, p_velocity: Vector3, p_gun: Node3D)
 
 ## What was hit: goes over the wire with an impact.
 enum Struck {
@@ -28,6 +30,8 @@ enum Struck {
 	VEHICLE,
 }
 
+## Group of the bodies that count as vehicles.
+const VEHICLES: StringName = &"vehicles"
 ## Events: a shell is fired; a shell has hit; a bullet has hit.
 const FIRED: StringName = &"fired"
 const IMPACT: StringName = &"impact"
@@ -39,7 +43,7 @@ const LIFE_S: float = 10.0
 const LOWEST_M: float = -400.0
 ## Nothing is fired faster, m/s: the event could not carry it.
 const MAX_SPEED: float = 2600.0
-## Most shells of a vehicle in the air: what comes first hits first.
+## Most shells of a shooter in the air: what comes first hits first.
 const MAX_FLYING: int = 256
 ## Most impacts of bullets that are sent in a tick.
 const MAX_BULLET_IMPACTS: int = 3
@@ -63,10 +67,10 @@ const SURFACES: Array[StringName] = [
 	&"person",
 ]
 
-## The vehicle that fires: its own shells do not meet it.
-@export var vehicle: Vehicle = null:
+## The body that fires: its own shells do not meet it.
+@export var shooter: PhysicsBody3D = null:
 	set(p_value):
-		vehicle = p_value
+		shooter = p_value
 		update_configuration_warnings()
 ## Its entity, whose events tell of shots and hits.
 @export var entity: Entity = null:
@@ -76,8 +80,10 @@ const SURFACES: Array[StringName] = [
 
 ## All kinds of rounds that its guns fire, by their number on the wire.
 var kinds: Array[Ammunition] = []
-## Its guns.
-var guns: Array[VehicleGun] = []
+## All bodies of the shooter, where it has more than one: [code]func() -> Array[RID][/code].
+var own_bodies: Callable = Callable()
+## Whether [FiringView] shows its shots.
+var is_shown: bool = false
 
 var _flying: Array[Shell] = []
 var _query: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.new()
@@ -85,21 +91,19 @@ var _bullet_impacts: int = 0
 
 
 func _ready() -> void:
-	if Engine.is_editor_hint() or vehicle == null or entity == null:
+	if Engine.is_editor_hint() or shooter == null or entity == null:
 		return
 	_query.collision_mask = PhysicsLayers.ALL
 	_query.hit_from_inside = false
 	entity.happened.connect(_on_happened)
-	if DisplayServer.get_name() != "headless":
-		FiringView.begin.call_deferred(self)
 
 
 func _physics_process(p_delta: float) -> void:
 	_bullet_impacts = 0
 	if Engine.is_editor_hint() or _flying.is_empty():
 		return
-	_query.exclude = [vehicle.get_rid()] + vehicle.wheel_bodies()
-	var space: PhysicsDirectSpaceState3D = vehicle.get_world_3d().direct_space_state
+	_query.exclude = own_bodies.call() if own_bodies.is_valid() else [shooter.get_rid()]
+	var space: PhysicsDirectSpaceState3D = shooter.get_world_3d().direct_space_state
 	var left: Array[Shell] = []
 	for shell: Shell in _flying:
 		if _move(shell, space, p_delta):
@@ -108,10 +112,10 @@ func _physics_process(p_delta: float) -> void:
 
 
 func _get_configuration_warnings() -> PackedStringArray:
-	if vehicle == null:
-		return ["It needs the Vehicle whose guns fire: choose one in the inspector."]
+	if shooter == null:
+		return ["It needs the body whose guns fire: choose one in the inspector."]
 	if entity == null:
-		return ["It needs the Entity of the vehicle: choose one in the inspector."]
+		return ["It needs the Entity of that body: choose one in the inspector."]
 	for event: StringName in [FIRED, IMPACT, BULLET_IMPACT]:
 		if entity.type != null and entity.type.find_event(event) < 0:
 			return ["The type '%s' needs an event '%s'." % [entity.type.name, event]]
@@ -119,9 +123,8 @@ func _get_configuration_warnings() -> PackedStringArray:
 
 
 ## Takes a gun's kinds of rounds. Guns call it as they become ready: on all machines in one order.
-func register(p_gun: VehicleGun) -> void:
-	guns.append(p_gun)
-	for ammunition: Ammunition in p_gun.ammunition:
+func register(p_kinds: Array[Ammunition]) -> void:
+	for ammunition: Ammunition in p_kinds:
 		if not kinds.has(ammunition):
 			kinds.append(ammunition)
 
@@ -189,9 +192,9 @@ func _strike(p_shell: Shell, p_hit: Dictionary, p_space: PhysicsDirectSpaceState
 		surface = _surface_of(collider, place, what)
 		var impulse: float = ammunition.mass * ammunition.impulse_factor
 		ShellHits.push(collider, velocity * impulse, place)
-		var armour: VehicleArmour = null
+		var armour: Armour = null
 		if what == Struck.VEHICLE:
-			armour = VehicleArmour.find_in(collider as Node)
+			armour = Armour.find_in(collider as Node)
 		if armour != null:
 			armour.take_hit(ammunition, velocity, place, normal)
 	if ammunition.blast_radius > 0.0:
@@ -247,9 +250,6 @@ func _on_happened(p_event: StringName, p_values: PackedFloat32Array) -> void:
 		return
 	var velocity: Vector3 = _velocity_of(p_values)
 	launched.emit(kinds[kind], _place_of(p_values), velocity)
-	for gun: VehicleGun in guns:
-		if gun.ammunition.has(kinds[kind]):
-			gun.fired.emit(kinds[kind], _place_of(p_values), velocity)
 
 
 ## The values of a shot as clients get them: the server flies the same shell.
@@ -289,7 +289,7 @@ static func _velocity_of(p_values: PackedFloat32Array) -> Vector3:
 
 
 static func _what_is(p_collider: Object) -> Struck:
-	if p_collider is Vehicle:
+	if p_collider is Node and (p_collider as Node).is_in_group(VEHICLES):
 		return Struck.VEHICLE
 	if p_collider is PhysicalBone3D:
 		return Struck.PERSON
