@@ -1,8 +1,8 @@
 @tool
 class_name KitCatalogue
 extends RefCounted
-## What the dock of the editor offers: all that the classes of blocks and the features bring, see [KitEntry] and
-## [KitRows].
+## What the dock of the editor offers: all that the classes of blocks and the features bring, see
+## [KitEntry] and [KitRows].
 
 
 ## All of it, in the order in which it is shown.
