@@ -37,11 +37,13 @@ func _initialize() -> void:
 	var rates: PackedStringArray = _arguments.list("fps")
 	rates = _RATES if rates.is_empty() else rates
 	var fault: String = _find_fault(rates)
-	if fault == "":
-		fault = Motion.open_all(_arguments, _motions)
 	if fault != "":
 		printerr(fault)
 		quit(2)
+		return
+	Motion.open_all(_arguments, _report, _motions)
+	if _motions.is_empty():
+		quit(_report.finish())
 		return
 	for rate: String in rates:
 		_measure(rate.to_float(), 0.0, "%s Hz, free" % rate)
