@@ -3,7 +3,7 @@
 
 #include "raw_recorder.hpp"
 
-#include <clock/source_clock.hpp>
+#include <source_clock.hpp>
 #include <recording/taps.hpp>
 #include <udp/receiver.hpp>
 
