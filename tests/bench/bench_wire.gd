@@ -1,5 +1,5 @@
 extends SceneTree
-## What motion costs on the wire: a person, every coding of the thesis beside it, and a crowd.
+## What motion costs on the wire: a person, and a crowd.
 ##
 ## Options: --bvh=FILE (again for more; default the clips in assets/motion), --hz=30 (60, 30, 20,
 ## 15 ..., what divides 60), --age (ticks of 1/60 s that the acknowledged base is old; default 2
@@ -63,7 +63,6 @@ func _run() -> void:
 		rates.append(60)
 	for hz: int in rates:
 		_measure(clips, hz, arguments, report)
-	_compare(clips, arguments, report)
 	UpstreamCases.new().run(report, clips)
 	if arguments.value("people") > 0:
 		await _crowd(arguments, report)
@@ -171,26 +170,3 @@ func _add_rate(
 		p_report.add(p_name, "mean", p_rate, "kbit/s", BenchReport.Goal.AT_MOST, goals[p_age])
 	else:
 		p_report.add(p_name, "mean", p_rate, "kbit/s")
-
-
-## The comparison: means over the clips, greatest errors.
-func _compare(p_clips: Array[WireClip], p_arguments: BenchArguments, p_report: BenchReport) -> void:
-	var hz: int = p_arguments.value("hz")
-	var every: int = 60 / hz
-	var age: int = p_arguments.value("age") if p_arguments.is_given("age") else every
-	var rates: Dictionary[String, float] = {}
-	var degrees: Dictionary[String, float] = {}
-	var hands: Dictionary[String, float] = {}
-	for clip: WireClip in p_clips:
-		var codings: WireCodings = WireCodings.new(clip, every, age, p_arguments.value("error"))
-		for coded: WireMessages in codings.all():
-			var seconds: float = clip.poses.size() / 60.0
-			var rate: float = 8.0 * coded.size() / seconds / 1000.0 / p_clips.size()
-			rates[coded.name] = rates.get(coded.name, 0.0) + rate
-			degrees[coded.name] = maxf(degrees.get(coded.name, 0.0), coded.worst_deg)
-			hands[coded.name] = maxf(hands.get(coded.name, 0.0), coded.worst_mm)
-	for coding: String in rates:
-		var name: String = "%d Hz: %s" % [hz, coding]
-		p_report.add(name, "mean", rates[coding], "kbit/s")
-		p_report.add(name, "largest error", degrees[coding], "deg")
-		p_report.add(name, "largest error of a hand", hands[coding], "mm")

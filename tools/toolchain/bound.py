@@ -47,7 +47,7 @@ def find_unnamed(sources: Iterable[str], named: set[str]) -> list[str]:
 
 
 def check(found: Iterable[str], kept: Iterable[str]) -> list[str]:
-    """A line for each member that nobody names, and for each that is kept for no reason any more."""
+    """A line for each member that nobody names, and for each that is kept for no reason."""
     unnamed = list(found)
     reasons: dict[str, str] = {}
     for line in kept:

@@ -32,11 +32,11 @@ static func of(p_other: CalibrationSolver, p_person: Object) -> CalibrationSolve
 func _solve_all() -> void:
 	var off: float = _pose_rad * _pose_rad
 	var is_again: bool = _is_anew and holds.size() > 2
-	_model._arms = WearerModel.FLOOR if is_again else off
-	_model._rest = _model._arms
-	_model._arms_again = off if is_again else 0.0
-	_model._rest_again = _model._arms_again
-	_model._askew = _askew_rad * _askew_rad
+	_model.arms = WearerModel.FLOOR if is_again else off
+	_model.rest = _model.arms
+	_model.arms_again = off if is_again else 0.0
+	_model.rest_again = _model.arms_again
+	_model.askew = _askew_rad * _askew_rad
 	_model.hinge = 1.0 if _is_hinged else 0.0
 	_model.hinge_variance = 0.0
 	super()

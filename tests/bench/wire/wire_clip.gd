@@ -4,30 +4,6 @@ extends RefCounted
 
 ## Ticks a second.
 const HZ: int = 60
-## From the joint of a limb's parent to its own joint in the reset pose, m: a person of 1.8 m.
-const OFFSETS: Array[Vector3] = [
-	Vector3.ZERO,
-	Vector3(0.0, 0.12, 0.0),
-	Vector3(0.0, 0.2, 0.0),
-	Vector3(0.0, 0.28, 0.0),
-	Vector3(0.18, 0.2, 0.0),
-	Vector3(0.29, 0.0, 0.0),
-	Vector3(0.26, 0.0, 0.0),
-	Vector3(-0.18, 0.2, 0.0),
-	Vector3(-0.29, 0.0, 0.0),
-	Vector3(-0.26, 0.0, 0.0),
-	Vector3(0.1, -0.05, 0.0),
-	Vector3(0.0, -0.43, 0.0),
-	Vector3(0.0, -0.42, 0.0),
-	Vector3(-0.1, -0.05, 0.0),
-	Vector3(0.0, -0.43, 0.0),
-	Vector3(0.0, -0.42, 0.0),
-]
-## The hands' places in the tables, and from their joints to the knuckles, m.
-const HANDS: Dictionary[int, Vector3] = {
-	6: Vector3(0.1, 0.0, 0.0),
-	9: Vector3(-0.1, 0.0, 0.0),
-}
 
 ## Name of the file.
 var name: String = ""
@@ -75,15 +51,6 @@ static func rotation_of(p_orientations: PackedFloat32Array, p_limb: int) -> Quat
 	)
 
 
-## Where a person's limbs begin, m, by forward kinematics.
-static func places(p_root: Vector3, p_orientations: PackedFloat32Array) -> PackedVector3Array:
-	var found: PackedVector3Array = [p_root]
-	for limb: int in range(1, Limbs.COUNT):
-		var parent: int = Limbs.PARENTS[limb]
-		found.append(found[parent] + rotation_of(p_orientations, parent) * OFFSETS[limb])
-	return found
-
-
 ## The greatest angle between the limbs of two poses, degrees.
 static func worst_angle(p_one: PackedFloat32Array, p_other: PackedFloat32Array) -> float:
 	var worst: float = 0.0
@@ -93,18 +60,4 @@ static func worst_angle(p_one: PackedFloat32Array, p_other: PackedFloat32Array) 
 		# angle_to() is coarse for small angles.
 		var chord: float = minf((one - other).length(), (one + other).length())
 		worst = maxf(worst, rad_to_deg(4.0 * asin(minf(chord / 2.0, 1.0))))
-	return worst
-
-
-## How far a hand is off, mm, if a pose is rebuilt by forward kinematics.
-static func worst_hand(
-	p_pose: PoseSample, p_root: Vector3, p_orientations: PackedFloat32Array
-) -> float:
-	var wanted: PackedVector3Array = places(p_pose.root, p_pose.orientations)
-	var found: PackedVector3Array = places(p_root, p_orientations)
-	var worst: float = 0.0
-	for hand: int in HANDS:
-		var place: Vector3 = wanted[hand] + p_pose.orientation(hand) * HANDS[hand]
-		var shown: Vector3 = found[hand] + rotation_of(p_orientations, hand) * HANDS[hand]
-		worst = maxf(worst, 1000.0 * place.distance_to(shown))
 	return worst
