@@ -2,11 +2,12 @@ class_name ClockSync
 extends RefCounted
 ## Estimates the server's clock and tick from answers to [ClockMessage] questions.
 ##
-## An answer tells two delays: of the way there, by the server's clock and ours, and of the way back.
-## Half the difference of their quickest ([QuickestArrivals]) is the offset of the clocks, if both ways
-## take equally long at best, and the slope of it over minutes is the drift.
+## An answer tells two delays: of the way there, by the server's clock and ours, and of the way
+## back. Half the difference of their quickest ([QuickestArrivals]) is the offset of the clocks, if
+## both ways take equally long at best, and the slope of it over minutes is the drift.
 
-## Of each span of so long, s, the quickest answer counts; of the newest two before the drift is known.
+## Of each span of so long, s, the quickest answer counts; of the newest two before the drift is
+## known.
 const SPAN_S: float = 5.0
 ## From so many spans on the drift is measured.
 const DRIFT_SPANS: int = 4

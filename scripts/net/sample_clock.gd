@@ -3,8 +3,8 @@ extends RefCounted
 ## Finds for the server which moment of a wearer's motion is "now".
 ##
 ## Samples carry the wearer's clock and arrive with a varying delay: [QuickestArrivals] gives the
-## offset of the clocks. The moment advances by whole steps of the simulation and is pulled gently to
-## what the offset gives, so that jitter does not shake the ragdoll.
+## offset of the clocks. The moment advances by whole steps of the simulation and is pulled gently
+## to what the offset gives, so that jitter does not shake the ragdoll.
 ##
 ## Where samples often come too late for the tick that needs them (jitter, a loaded machine), the
 ## moment waits for them by up to a tick: what is not known has to be foreseen, and the error of

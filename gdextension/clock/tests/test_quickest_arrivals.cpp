@@ -16,7 +16,7 @@ using clocks::QuickestArrivals;
 namespace {
 
 constexpr double APART_S = -1.7e6; // The other clock is ahead.
-constexpr double LEAST_S = 0.02; // What the quickest are in transit.
+constexpr double MIN_DELAY_S = 0.02; // What the quickest are in transit.
 
 QuickestArrivals::Options drifting() {
 	QuickestArrivals::Options options;
@@ -39,10 +39,10 @@ double play(QuickestArrivals &r_arrivals, double p_length_s, double p_after_s, d
 		if (waits < 0.0) {
 			continue;
 		}
-		const double at = sent + LEAST_S + waits;
-		r_arrivals.note(at, APART_S + LEAST_S + p_drift * sent + waits);
+		const double at = sent + MIN_DELAY_S + waits;
+		r_arrivals.note(at, APART_S + MIN_DELAY_S + p_drift * sent + waits);
 		if (sent > p_after_s) {
-			worst = std::max(worst, std::fabs(r_arrivals.delay_at(at) - (APART_S + LEAST_S + p_drift * sent)));
+			worst = std::max(worst, std::fabs(r_arrivals.delay_at(at) - (APART_S + MIN_DELAY_S + p_drift * sent)));
 		}
 	}
 	return worst;
@@ -103,30 +103,30 @@ TEST(it_falls_at_once_and_rises_slowly) {
 	double steepest = 0.0;
 	for (int number = 300; number < 540; ++number) {
 		const double at = number / 60.0 + 0.1;
-		arrivals.note(at, APART_S + LEAST_S + 0.1);
+		arrivals.note(at, APART_S + MIN_DELAY_S + 0.1);
 		steepest = std::max(steepest, arrivals.delay_at(at) - before);
 		before = arrivals.delay_at(at);
 	}
-	CHECK_NEAR(before, APART_S + LEAST_S + 0.1, 1e-6);
+	CHECK_NEAR(before, APART_S + MIN_DELAY_S + 0.1, 1e-6);
 	CHECK(steepest < 0.1 * (0.1 + 1.0 / 60.0) + 1e-6);
-	arrivals.note(9.2, APART_S + LEAST_S);
-	CHECK_NEAR(arrivals.delay_at(9.2), APART_S + LEAST_S, 1e-9);
+	arrivals.note(9.2, APART_S + MIN_DELAY_S);
+	CHECK_NEAR(arrivals.delay_at(9.2), APART_S + MIN_DELAY_S, 1e-9);
 }
 
 TEST(a_long_step_is_a_pause_and_taken_over_at_once) {
 	QuickestArrivals arrivals;
 	play(arrivals, 5.0, 0.0, 0.0, [](double) { return 0.0; });
 	for (int number = 300; number < 430; ++number) {
-		arrivals.note(number / 60.0 + 0.3, APART_S + LEAST_S + 0.3);
+		arrivals.note(number / 60.0 + 0.3, APART_S + MIN_DELAY_S + 0.3);
 	}
-	CHECK_NEAR(arrivals.delay_at(8.0), APART_S + LEAST_S + 0.3, 1e-9);
+	CHECK_NEAR(arrivals.delay_at(8.0), APART_S + MIN_DELAY_S + 0.3, 1e-9);
 }
 
 TEST(what_came_before_a_silence_does_not_count) {
 	QuickestArrivals arrivals;
 	play(arrivals, 5.0, 0.0, 0.0, [](double) { return 0.0; });
-	arrivals.note(25.0, APART_S + LEAST_S + 1.0);
-	CHECK_NEAR(arrivals.delay_at(25.0), APART_S + LEAST_S + 1.0, 1e-9);
+	arrivals.note(25.0, APART_S + MIN_DELAY_S + 1.0);
+	CHECK_NEAR(arrivals.delay_at(25.0), APART_S + MIN_DELAY_S + 1.0, 1e-9);
 }
 
 TEST(it_is_never_later_than_an_arrival) {
