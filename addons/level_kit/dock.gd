@@ -2,7 +2,6 @@
 extends VBoxContainer
 ## The dock: what can be placed, with search; New, Check, Bake and Try; what Check has found.
 
-const Catalogue: GDScript = preload("catalogue.gd")
 const Thumbnails: GDScript = preload("thumbnails.gd")
 const DropArea: GDScript = preload("drop_area.gd")
 const Trial: GDScript = preload("trial.gd")
@@ -75,7 +74,7 @@ func add_brush(p_brush: RefCounted) -> void:
 func _fill_once() -> void:
 	if not is_visible_in_tree() or not _items.is_empty():
 		return
-	_items = Catalogue.items()
+	_items = KitCatalogue.items()
 	_build()
 	_show_found("")
 	_thumbnails.connect("made", _show_picture)

@@ -5,7 +5,6 @@ extends RefCounted
 ## Told when placing by clicks begins or ends: the item, or null.
 signal item_changed(p_item: RefCounted)
 
-const KitItem: GDScript = preload("kit_item.gd")
 const DropArea: GDScript = preload("drop_area.gd")
 ## How far the pointer's ray goes, m.
 const REACH_M: float = 2000.0

@@ -35,16 +35,6 @@ if(DISMOUNT_UMOCKDEV)
 	_dismount_common(suit_device_gate)
 	add_dependencies(suit_emulator suit_device_gate)
 endif()
-
-# The same suit in a virtual machine, plugged into the kernel's own USB: ./test --kernel.
-if(DISMOUNT_USB)
-	dismount_add_program(suit_kernel_init SOURCES
-		emulator/front/usbip_server.cpp
-		emulator/kernel/guest.cpp
-		emulator/kernel/suit_kernel_init.cpp
-		LIBRARIES xbus_emulator Threads::Threads
-	)
-endif()
 # The hub with its threads, at an emulated suit of several trackers that comes, streams and is given back.
 if(DISMOUNT_SUIT_EMULATOR AND DISMOUNT_USB AND BUILD_TESTING)
 	add_test(NAME xbus_hub_threads

@@ -1,11 +1,11 @@
 class_name StreamRelay
 extends RefCounted
-## Relays a stream of the fast path that the server does not read, such as voice, from each client to
-## those whom it interests. A feature makes one for its kind of message.
+## Relays a stream of the fast path that the server does not read, such as voice, from each client
+## to those whom it interests. A feature makes one for its kind of message.
 ##
-## A client sends a datagram with the kind in its first byte; what follows is its own. Others get the
-## kind, the number of the sender's session (u32, little endian), and what followed. Datagrams may be
-## lost, and come twice or in another order.
+## A client sends a datagram with the kind in its first byte; what follows is its own. Others get
+## the kind, the number of the sender's session (u32, little endian), and what followed. Datagrams
+## may be lost, and come twice or in another order.
 
 ## Bytes before what a client sent, in what the others get.
 const HEAD: int = 5

@@ -7,14 +7,19 @@ extends RefCounted
 var error: String = ""
 
 var _values: Dictionary[String, Variant] = {}
+var _limits: Dictionary[String, Array] = {}
 var _given: PackedStringArray = PackedStringArray()
 var _lists: Dictionary[String, PackedStringArray] = {}
 
 
-## Reads arguments; only the names in the defaults are known, whose types the values take.
+## Reads arguments; only the names in the defaults are known, whose types the values take. A default
+## may be an array: behind the default come the least and the greatest number, or a list of words.
 static func parse(p_arguments: PackedStringArray, p_defaults: Dictionary) -> BenchArguments:
 	var result: BenchArguments = BenchArguments.new()
-	result._values.assign(p_defaults)
+	for name: String in p_defaults:
+		var row: Array = p_defaults[name] if p_defaults[name] is Array else [p_defaults[name]]
+		result._values[name] = row[0]
+		result._limits[name] = row.slice(1)
 	result._values["json"] = false
 	var at: int = 0
 	while at < p_arguments.size() and result.error == "":
@@ -69,3 +74,18 @@ func _take(p_name: String, p_value: String) -> void:
 		error = "--%s expects a number, found '%s'" % [p_name, p_value]
 	else:
 		_values[p_name] = p_value.to_int() if _values[p_name] is int else p_value.to_float()
+	_check(p_name, p_value)
+
+
+func _check(p_name: String, p_value: String) -> void:
+	var limits: Array = _limits.get(p_name, [])
+	if error != "" or limits.is_empty():
+		return
+	if limits.size() == 1:
+		var words: PackedStringArray = PackedStringArray(Array(limits[0]))
+		if not words.has(p_value):
+			error = "--%s is one of %s; found '%s'" % [p_name, ", ".join(words), p_value]
+	elif not p_value.is_valid_float():
+		error = "--%s expects a number, found '%s'" % [p_name, p_value]
+	elif not (p_value.to_float() >= limits[0] and p_value.to_float() <= limits[1]):
+		error = "--%s is between %s and %s, found '%s'" % [p_name, limits[0], limits[1], p_value]

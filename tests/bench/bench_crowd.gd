@@ -5,9 +5,6 @@ extends RefCounted
 ## Who is driven.
 var ragdolls: Array[Ragdoll] = []
 
-## Whether they stay in their places, so that nobody touches another.
-var in_place: bool = false
-
 var _source: BvhSource = null
 var _motors: Array[RagdollMotor] = []
 var _times: PackedFloat64Array = PackedFloat64Array()
@@ -42,8 +39,7 @@ func push(p_time_s: float) -> void:
 	for i: int in ragdolls.size():
 		var sample: PoseSample = _source.pose_at(p_time_s + i * 0.7)
 		var place: Vector3 = Vector3(i % 16, 0.0, i / 16) * 3.0
-		var root: Vector3 = Vector3(0.0, sample.root.y, 0.0) if in_place else sample.root
-		ragdolls[i].push_sample(p_time_s, sample, root + place)
+		ragdolls[i].push_sample(p_time_s, sample, sample.root + place)
 
 
 ## Sets all motors for the next step.

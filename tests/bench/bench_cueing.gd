@@ -1,4 +1,4 @@
-extends SceneTree
+extends Bench
 ## How far the washout filter is from its formulas and the published table; what a step costs.
 ##
 ## Options: --rounds=5 (medians of the cost). Formulas: greatest difference as a part of the
@@ -17,22 +17,16 @@ const _PUBLISHED: Dictionary[float, Vector4] = {
 }
 
 
-func _initialize() -> void:
-	var arguments: BenchArguments = BenchArguments.parse(OS.get_cmdline_user_args(), {"rounds": 5})
-	var fault: String = arguments.error
-	if fault == "" and (arguments.value("rounds") < 1 or arguments.value("rounds") > 1000):
-		fault = "--rounds is between 1 and 1000, found %d" % arguments.value("rounds")
-	if fault != "":
-		printerr(fault)
-		quit(2)
-		return
-	var report: BenchReport = BenchReport.new("cueing", arguments.value("json"))
+func options() -> Dictionary:
+	return {"rounds": [5, 1, 1000]}
+
+
+func measure() -> void:
 	_compare_steps(report)
 	_compare_sines(report)
 	_compare_table(report)
 	_come_to_rest(report)
-	_time_steps(report, arguments.value("rounds"))
-	quit(report.finish())
+	_time_steps(report, option("rounds"))
 
 
 func _compare_steps(p_report: BenchReport) -> void:
@@ -85,12 +79,11 @@ func _compare_table(p_report: BenchReport) -> void:
 		for column: int in names.size():
 			var published: float = _PUBLISHED[frequency][column]
 			p_report.add(case, names[column], found[column], units[column])
-			p_report.add(
+			p_report.within(
 				case,
 				names[column] + ", from the table",
 				100.0 * (found[column] / published - 1.0),
 				"%",
-				BenchReport.Goal.WITHIN,
 				5.0
 			)
 		var exact: float = 0.0
@@ -141,7 +134,7 @@ func _come_to_rest(p_report: BenchReport) -> void:
 		for _step: int in roundi(30.0 / _STEP_S):
 			cueing.step(_AT_REST, Vector3.ZERO, _STEP_S)
 		var off: float = cueing.get_position().length() * 1000.0
-		p_report.add(name, "neutral after 30 s", off, "mm", BenchReport.Goal.AT_MOST, 1.0)
+		p_report.at_most(name, "neutral after 30 s", off, "mm", 1.0)
 		p_report.add(name, "neutral after 30 s", rad_to_deg(cueing.get_attitude().length()), "deg")
 
 
@@ -202,7 +195,7 @@ func _filter(p_frequency: float) -> MotionCueing:
 
 
 func _add_error(p_report: BenchReport, p_case: String, p_part: float) -> void:
-	p_report.add(p_case, "from the formula", p_part * 100.0, "%", BenchReport.Goal.AT_MOST, 1.0)
+	p_report.at_most(p_case, "from the formula", p_part * 100.0, "%", 1.0)
 
 
 ## Position after a unit step through s / ((s + frequency)² (s + pole)), by partial fractions.

@@ -1,4 +1,4 @@
-extends SceneTree
+extends Bench
 ## Whether the same motion leads to the same state: a fingerprint of people among crates.
 ##
 ## Options: --bvh=FILE, --people=4, --hz=60, --seconds=5 (simulated),
@@ -7,51 +7,25 @@ extends SceneTree
 ## counts its bodies on.
 
 const _CRATE: PackedScene = preload("res://scenes/world/props/crate.tscn")
-const _ROOTS: Dictionary[String, RagdollMotor.RootMode] = {
-	"soft": RagdollMotor.ROOT_SOFT,
-	"inertial": RagdollMotor.ROOT_INERTIAL,
-	"grounded": RagdollMotor.ROOT_GROUNDED,
-}
-
-var _arguments: BenchArguments = null
+const _ROOTS: Array[String] = ["soft", "inertial", "grounded"]
 
 
-func _initialize() -> void:
-	_arguments = (
-		BenchArguments
-		. parse(
-			OS.get_cmdline_user_args(),
-			{
-				"bvh": "res://assets/motion/01_01.bvh",
-				"people": 4,
-				"hz": 60,
-				"seconds": 5.0,
-				"root": "soft",
-			}
-		)
-	)
-	_run.call_deferred()
+func options() -> Dictionary:
+	return {
+		"bvh": "res://assets/motion/01_01.bvh",
+		"people": [4, 1, 256],
+		"hz": [60, 10, 1000],
+		"seconds": 5.0,
+		"root": ["soft", _ROOTS],
+	}
 
 
-func _run() -> void:
-	var source: BvhSource = BvhSource.new()
-	var fault: String = _arguments.error
-	if fault == "" and not _ROOTS.has(_arguments.value("root")):
-		fault = "a root is soft or inertial, found '%s'" % _arguments.value("root")
-	if fault == "" and (_arguments.value("people") < 1 or _arguments.value("people") > 256):
-		fault = "--people is between 1 and 256, found %d" % _arguments.value("people")
-	if fault == "":
-		source.open(_arguments.value("bvh"))
-		fault = source.error
-	if fault != "":
-		printerr(fault)
-		quit(2)
-		return
-	Engine.physics_ticks_per_second = _arguments.value("hz")
-	var report: BenchReport = BenchReport.new("determinism", _arguments.value("json"))
-	var name: String = "%d people, %s" % [_arguments.value("people"), _arguments.value("root")]
-	report.add(name, "fingerprint", await _play(source), "")
-	quit(report.finish())
+func measure() -> void:
+	Engine.physics_ticks_per_second = option("hz")
+	var source: BvhSource = report.open_clip(option("bvh"))
+	if source != null:
+		var name: String = "%d people, %s" % [option("people"), option("root")]
+		report.add(name, "fingerprint", await _play(source), "")
 
 
 func _play(p_source: BvhSource) -> int:
@@ -67,14 +41,14 @@ func _play(p_source: BvhSource) -> int:
 		crate.position = Vector3(0.3 * i, 0.25 + 0.5 * (i % 2), 0.8 + 0.2 * i)
 		view.add_child(crate)
 	var people: Array[Ragdoll] = []
-	for i: int in _arguments.value("people"):
+	for i: int in option("people"):
 		var person: Ragdoll = (load("res://scenes/actor/soldier.tscn") as PackedScene).instantiate()
-		person.root_mode = _ROOTS[_arguments.value("root")]
+		person.root_mode = root_mode()
 		view.add_child(person)
 		person.start()
 		people.append(person)
 	var delta: float = 1.0 / Engine.physics_ticks_per_second
-	for tick: int in int(_arguments.value("seconds") / delta):
+	for tick: int in int(option("seconds") / delta):
 		await physics_frame
 		for i: int in people.size():
 			var sample: PoseSample = p_source.pose_at(tick * delta + 0.5 * i)

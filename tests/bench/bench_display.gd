@@ -1,11 +1,9 @@
-extends SceneTree
+extends Bench
 ## What a frame costs a client's main thread: everybody evaluated and posed, crates moved.
 ##
 ## Through the scene that a client shows, from real snapshots of real motion, without a window: what
 ## the graphics card and its driver do is not in it. Options: --people=64, --crates=200 (half of
-## them at rest), --seconds=4, --bvh=FILE. Where it runs with a display (the engine itself, not
-## [code]./run bench[/code]), the bone palettes go to the renderer, and it is measured as well what
-## it draws of all these people, each avatar in turn.
+## them at rest), --seconds=4, --bvh=FILE.
 
 const Motion: GDScript = preload("smoothing/smoothing_motion.gd")
 const _CLIENT: PackedScene = preload("res://scenes/client/client.tscn")
@@ -19,8 +17,6 @@ const _FIRST_CRATE: int = 1024
 ## A client's share, bit/s: enough for all.
 const _BITS: float = 1e9
 
-var _arguments: BenchArguments = null
-var _report: BenchReport = null
 var _client: Node = null
 var _scene: ClientScene = null
 var _motion: Motion = null
@@ -31,70 +27,26 @@ var _people: int = 0
 var _crates: int = 0
 
 
-func _initialize() -> void:
-	_arguments = BenchArguments.parse(
-		OS.get_cmdline_user_args(), {"people": 64, "crates": 200, "seconds": 4.0, "bvh": ""}
-	)
-	_report = BenchReport.new("display", _arguments.value("json"))
-	_people = _arguments.value("people")
-	_crates = _arguments.value("crates")
-	var fault: String = _arguments.error
-	if fault == "" and (_people < 1 or _people > 1000 or _crates < 0 or _crates > 4000):
-		fault = "people are 1 to 1000, crates 0 to 4000"
-	if fault == "":
-		fault = _open_motion()
-	if fault != "":
-		printerr(fault)
-		quit(2)
-		return
-	_measure.call_deferred()
+func options() -> Dictionary:
+	return {"people": [64, 1, 1000], "crates": [200, 0, 4000], "seconds": 4.0, "bvh": ""}
 
 
-func _measure() -> void:
+func find_fault() -> String:
+	_people = option("people")
+	_crates = option("crates")
+	return _open_motion()
+
+
+func measure() -> void:
 	var all: float = await _time_frames(_people, _crates)
 	var people: float = await _time_frames(_people, 0)
 	var none: float = await _time_frames(0, 0)
-	var most: BenchReport.Goal = BenchReport.Goal.AT_MOST
 	var name: String = "%d people" % _people
-	_report.add(name, "a person and frame", (people - none) / _people, "us", most, _GOAL_USEC)
+	report.at_most(name, "a person and frame", (people - none) / _people, "us", _GOAL_USEC)
 	if _crates > 0:
 		name = "%d people, %d crates" % [_people, _crates]
-		_report.add(name, "a crate and frame", (all - people) / _crates, "us")
-	_report.add(name, "frame", all / 1000.0, "ms")
-	if DisplayServer.get_name() != "headless":
-		await _draw(_people)
-	quit(_report.finish())
-
-
-## What is drawn of so many people in front of a camera, from near and from far.
-func _draw(p_people: int) -> void:
-	_build(p_people, 0)
-	var camera: Camera3D = Camera3D.new()
-	root.add_child(camera)
-	for distance: float in [4.0, 18.0]:
-		var middle: Vector3 = Vector3(_SPACING_M * 3.5, 1.0, _SPACING_M * 3.5)
-		var from: Vector3 = Vector3(middle.x, 2.5, -distance)
-		camera.look_at_from_position(from, middle)
-		camera.make_current()
-		var times: Statistics = Statistics.new()
-		for frame: int in 24:
-			_play(p_people, 0)
-			_scene.update(_tick / float(HZ))
-			camera.make_current()
-			var begin: int = Time.get_ticks_usec()
-			await process_frame
-			if frame >= 4:
-				times.add(Time.get_ticks_usec() - begin)
-		var name: String = "%d people from %d m" % [p_people, roundi(distance)]
-		var kind: RenderingServer.RenderingInfo = (
-			RenderingServer.RENDERING_INFO_TOTAL_DRAW_CALLS_IN_FRAME
-		)
-		_report.add(name, "draw calls", RenderingServer.get_rendering_info(kind), "")
-		kind = RenderingServer.RENDERING_INFO_TOTAL_PRIMITIVES_IN_FRAME
-		_report.add(name, "triangles", RenderingServer.get_rendering_info(kind) / 1000.0, "k")
-		_report.add(name, "frame on screen", times.percentile(0.5) / 1000.0, "ms")
-	_scene.free()
-	_client.free()
+		report.add(name, "a crate and frame", (all - people) / _crates, "us")
+	report.add(name, "frame", all / 1000.0, "ms")
 
 
 ## The median time of a frame of so many people and crates, µs.
@@ -102,7 +54,7 @@ func _time_frames(p_people: int, p_crates: int) -> float:
 	_build(p_people, p_crates)
 	await process_frame
 	var times: Statistics = Statistics.new()
-	var frames: int = int(_arguments.value("seconds") * HZ)
+	var frames: int = int(option("seconds") * HZ)
 	for frame: int in frames + HZ / 2:
 		_play(p_people, p_crates)
 		var begin: int = Time.get_ticks_usec()
@@ -179,7 +131,7 @@ func _open_motion() -> String:
 	_person_type = Entity.find_in(person).type
 	person.free()
 	var source: BvhSource = BvhSource.new()
-	source.open(BenchArguments.clips(_arguments)[0])
+	source.open(BenchArguments.clips(arguments)[0])
 	if source.error != "":
 		return source.error
 	_motion = Motion.new(source, skeleton, minf(source.rig.clip.duration() - 1.0, 8.0))

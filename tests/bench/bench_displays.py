@@ -9,13 +9,10 @@ default all).
 from __future__ import annotations
 
 import importlib
-import sys
 from types import ModuleType
 
-from displays import Bench
-from toolchain.console import Failure
+from bench import Bench, Options, main
 from toolchain.paths import ROOT
-from toolchain.project import prepare
 
 PARTS = ROOT / "tests" / "bench" / "displays"
 
@@ -33,24 +30,12 @@ def find_parts() -> dict[str, ModuleType]:
 def measure(arguments: list[str]) -> int:
     """Runs the parts and prints their stats."""
     parts = find_parts()
-    chosen: list[str] = []
-    for option in arguments:
-        name, _, value = option.removeprefix("--").partition("=")
-        if name == "part":
-            if value not in parts:
-                raise Failure(f"There is no part '{value}': {', '.join(parts)}.", 2)
-            chosen.append(value)
-        elif option != "--json":
-            raise Failure(f"'{option}' is no option: --part=NAME, --json.", 2)
-    bench = Bench(prepare(export=False), "--json" in arguments)
-    for part in chosen or parts:
+    options = Options(arguments, {"part": tuple(parts)})
+    bench = Bench("displays", options.json)
+    for part in options["part"]:
         parts[part].measure(bench)
     return bench.finish()
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(measure(sys.argv[1:]))
-    except Failure as failure:
-        print(failure, file=sys.stderr)
-        sys.exit(2)
+    main(measure)

@@ -11,23 +11,17 @@ colours, mutations, session; default all), --mutations=10000, --seconds=30 (of t
 
 from __future__ import annotations
 
-import json
-import os
 import shutil
-import subprocess
 import sys
-import tempfile
 import time
-import urllib.request
 from pathlib import Path
 from typing import Any
 
+from bench import SOFTWARE, Bench, Options, main
 from toolchain.console import Failure
 from toolchain.display import virtual_display
-from toolchain.godot import Godot
 from toolchain.paths import ROOT
-from toolchain.processes import Group, free_port
-from toolchain.project import prepare
+from toolchain.processes import ask, free_port, json_lines
 from toolchain.stats import Stats
 
 SCRIPTS = "res://tests/bench/effects/"
@@ -50,68 +44,30 @@ MAX_HANG_MS = 1000.0
 MAX_LINES = 100.0
 
 
-class Bench:
-    """The options, and where results go."""
-
-    def __init__(self, arguments: list[str]) -> None:
-        self.parts: list[str] = []
-        self.mutations, self.seconds, self.writes = 10000, 30.0, False
-        for option in arguments:
-            name, _, value = option.removeprefix("--").partition("=")
-            if name == "part" and value in PARTS:
-                self.parts.append(value)
-            elif name == "mutations" and value.isdigit():
-                self.mutations = int(value)
-            elif name == "seconds" and value.isdigit():
-                self.seconds = float(value)
-            elif option == "--write":
-                self.writes = True
-            elif option != "--json":
-                raise Failure(
-                    f"'{option}' is no option: --part=({'|'.join(PARTS)}), --mutations=N, "
-                    "--seconds=N, --write, --json.",
-                    2,
-                )
-        self.parts = self.parts or list(PARTS)
-        self.stats = Stats("effects", "--json" in arguments)
-        self.godot: Godot = prepare(export=False)
-
-    def command(self, *flags: str) -> list[str]:
-        """The engine on the sources."""
-        return [str(self.godot.program), "--no-header", "--path", str(ROOT), *flags]
-
-    def rows(
-        self, script: str, method: str, environment: dict[str, str], *options: str
-    ) -> tuple[list[dict[str, Any]], int]:
-        """What a script tells, and how many lines it and the engine say besides."""
-        flags = ["--rendering-method", method, "--audio-driver", "Dummy"]
-        flags += ["--resolution", "640x360", "--fixed-fps", "60", "-s", SCRIPTS + script]
-        done = subprocess.run(
-            self.command(*flags, "--", *options),
-            capture_output=True,
-            text=True,
-            timeout=3000.0,
-            check=False,
-            env={**os.environ, **self.godot.environment(), **environment},
-        )
-        lines = (done.stdout + done.stderr).splitlines()
-        if done.returncode != 0:
-            raise Failure(f"{script} ended with {done.returncode}:\n" + "\n".join(lines[-20:]))
-        rows = [json.loads(line) for line in lines if line.startswith("{")]
-        return rows, len(lines) - len(rows)
-
-
 def measure(arguments: list[str]) -> int:
     """Runs the parts and prints their stats."""
-    bench = Bench(arguments)
+    defaults = {"part": PARTS, "mutations": 10000, "seconds": 30.0, "write": False}
+    options = Options(arguments, defaults)
+    bench = Bench("effects", options.json)
     with virtual_display() as environment:
-        if "cost" in bench.parts or "colours" in bench.parts:
-            measure_drawing(bench, environment)
-        if "mutations" in bench.parts:
-            measure_mutations(bench, environment)
-        if "session" in bench.parts:
-            measure_session(bench, environment)
-    return bench.stats.finish()
+        if "cost" in options["part"] or "colours" in options["part"]:
+            measure_drawing(bench, options, environment)
+        if "mutations" in options["part"]:
+            measure_mutations(bench, options["mutations"], environment)
+        if "session" in options["part"]:
+            measure_session(bench, options["seconds"], environment)
+    return bench.finish()
+
+
+def run_script(
+    bench: Bench, script: str, method: str, environment: dict[str, str], option: str
+) -> tuple[list[dict[str, Any]], int]:
+    """What a script tells, and how many lines it and the engine say besides."""
+    flags = ["--rendering-method", method, "--audio-driver", "Dummy", "--resolution", "640x360"]
+    flags += ["--fixed-fps", "60", "-s", SCRIPTS + script, "--", option]
+    texts = bench.run(bench.command(*flags), environment, 3000.0)
+    rows = json_lines("\n".join(texts))
+    return rows, sum(len(text.splitlines()) for text in texts) - len(rows)
 
 
 def methods(environment: dict[str, str]) -> dict[str, str]:
@@ -120,18 +76,18 @@ def methods(environment: dict[str, str]) -> dict[str, str]:
     return METHODS if driver.is_file() else {"Compatibility": METHODS["Compatibility"]}
 
 
-def measure_drawing(bench: Bench, environment: dict[str, str]) -> None:
+def measure_drawing(bench: Bench, options: Options, environment: dict[str, str]) -> None:
     """Costs and colours, with every renderer that there is."""
     colours: dict[str, dict[str, list[float]]] = {}
     tables: list[str] = []
-    parts = COST_PARTS if "cost" in bench.parts else ""
-    if "colours" in bench.parts:
+    parts = COST_PARTS if "cost" in options["part"] else ""
+    if "colours" in options["part"]:
         parts = f"{parts},colours" if parts else "colours"
     for name, method in methods(environment).items():
-        rows, _ = bench.rows("effect_costs.gd", method, environment, f"--part={parts}")
+        rows, _ = run_script(bench, "effect_costs.gd", method, environment, f"--part={parts}")
         if rows[0]["name"] != method:
             raise Failure(f"{name} was asked for, {rows[0]['name']} came: no driver for it?")
-        if "cost" in bench.parts:
+        if "cost" in options["part"]:
             add_costs(bench.stats, name, rows)
             tables += [f"## {name}\n", *tier_table(rows), *count_table(rows)]
         found = [row for row in rows if row["what"] == "colour"]
@@ -141,9 +97,9 @@ def measure_drawing(bench: Bench, environment: dict[str, str]) -> None:
             other = colours["Compatibility"].get(effect, [0.0, 0.0, 0.0])
             apart = max(abs(a - b) for a, b in zip(mean, other, strict=True))
             bench.stats.add(effect, "mean colours apart", apart, "of 255", at_most=MAX_COLOUR)
-    elif "colours" in bench.parts:
+    elif "colours" in options["part"]:
         print("colours are not compared: VK_DRIVER_FILES names no Vulkan driver", file=sys.stderr)
-    if bench.writes and tables:
+    if options["write"] and tables:
         TABLES.write_text("\n".join([*HEAD, *tables]), encoding="utf-8")
 
 
@@ -209,11 +165,10 @@ def count_table(rows: list[dict[str, Any]]) -> list[str]:
     return [*lines, ""]
 
 
-def measure_mutations(bench: Bench, environment: dict[str, str]) -> None:
+def measure_mutations(bench: Bench, count: int, environment: dict[str, str]) -> None:
     """Thousands of broken files in a running session."""
-    options = [f"--count={bench.mutations}"]
     method = METHODS["Compatibility"]
-    rows, lines = bench.rows("effect_mutations.gd", method, environment, *options)
+    rows, lines = run_script(bench, "effect_mutations.gd", method, environment, f"--count={count}")
     row = next(row for row in rows if row["what"] == "mutations")
     case = f"{row['count']} mutated files"
     add = bench.stats.add
@@ -226,38 +181,33 @@ def measure_mutations(bench: Bench, environment: dict[str, str]) -> None:
     add(case, "lines of the log", lines, "", at_most=MAX_LINES)
 
 
-def measure_session(bench: Bench, environment: dict[str, str]) -> None:
+def measure_session(bench: Bench, seconds: float, environment: dict[str, str]) -> None:
     """A client that draws a field of fountains beside a server, on two cores."""
     world = ROOT / "scenes" / "world" / FIELD
     make = ["--headless", "-s", SCRIPTS + "make_field.gd", "--", FIELD, str(FOUNTAINS)]
     try:
-        subprocess.run(bench.command(*make), check=True, capture_output=True, timeout=120.0)
-        add_session(bench, environment)
+        bench.run(bench.command(*make), limit_s=120.0)
+        add_session(bench, seconds, environment)
     finally:
         shutil.rmtree(world, ignore_errors=True)
 
 
-def add_session(bench: Bench, environment: dict[str, str]) -> None:
+def add_session(bench: Bench, seconds: float, environment: dict[str, str]) -> None:
     """The session, after the level has been made."""
-    with tempfile.TemporaryDirectory(prefix="dismount-") as folder:
-        everything = {**os.environ, **bench.godot.environment(), **environment}
-        with Group(Path(folder), everything) as group:
-            port = free_port()
-            server = ["--headless", "--", "--role=server", f"--port={port}", f"--world={FIELD}"]
-            group.start("server", bench.command(*server))
-            mark = "status at http://127.0.0.1:"
-            group.await_text("server", mark, 90.0)
-            status = f"http://127.0.0.1:{group.log('server').split(mark)[1].split('/')[0]}/"
-            drawn = ["--rendering-method", METHODS["Compatibility"], "--audio-driver", "Dummy"]
-            drawn += ["--resolution", "640x360", "--", "--role=observer", "--quality=high"]
-            group.start("observer", bench.command(*drawn, f"--port={port}"))
-            time.sleep(SETTLE_S)
-            begin, before = time.monotonic(), look(status)["ticks"]
-            time.sleep(bench.seconds)
-            report = look(status)
-            missed = (time.monotonic() - begin) * RATE - (report["ticks"] - before)
-            if group.exit_code("observer") is not None:
-                raise Failure(f"The observer ended:\n{group.log('observer')[-2000:]}")
+    with bench.session(environment) as (group, _):
+        port = free_port()
+        server = ["--headless", "--", "--role=server", f"--port={port}", f"--world={FIELD}"]
+        group.start("server", bench.command(*server))
+        status = group.await_status()
+        drawn = [*SOFTWARE, "--resolution", "640x360", "--", "--role=observer", "--quality=high"]
+        group.start("observer", bench.command(*drawn, f"--port={port}"))
+        time.sleep(SETTLE_S)
+        begin, before = time.monotonic(), ask(status)["ticks"]
+        time.sleep(seconds)
+        report = ask(status)
+        missed = (time.monotonic() - begin) * RATE - (report["ticks"] - before)
+        if group.exit_code("observer") is not None:
+            raise Failure(f"The observer ended:\n{group.log('observer')[-2000:]}")
     case = f"{FOUNTAINS * 300} particles beside a server"
     bench.stats.add(case, "ticks missed", max(missed - 1.0, 0.0), "", at_most=1.0)
     bench.stats.add(case, "work of a tick, p99", report["recent"]["work_ms_p99"], "ms")
@@ -265,16 +215,5 @@ def add_session(bench: Bench, environment: dict[str, str]) -> None:
     bench.stats.add(case, "frames of the client", frames, "/s")
 
 
-def look(status: str) -> dict[str, Any]:
-    """What a server reports."""
-    with urllib.request.urlopen(status, timeout=60) as reply:
-        report: dict[str, Any] = json.load(reply)
-    return report
-
-
 if __name__ == "__main__":
-    try:
-        sys.exit(measure(sys.argv[1:]))
-    except Failure as failure:
-        print(failure, file=sys.stderr)
-        sys.exit(2)
+    main(measure)

@@ -1,4 +1,4 @@
-extends SceneTree
+extends Bench
 ## What the fields of entities cost: time to encode for many clients, to decode and to read; bytes
 ## of each field that changes, and of those that do not.
 ##
@@ -21,25 +21,17 @@ const _BITS: float = 2e7
 ## Ticks before an acknowledgement is back.
 const _ROUND_TRIP: int = 4
 
-var _arguments: BenchArguments = null
-var _report: BenchReport = null
+
+func options() -> Dictionary:
+	return {"entities": 4000, "awake": 500, "clients": 32, "seconds": 4.0}
 
 
-func _initialize() -> void:
-	_arguments = BenchArguments.parse(
-		OS.get_cmdline_user_args(), {"entities": 4000, "awake": 500, "clients": 32, "seconds": 4.0}
-	)
-	if _arguments.error != "":
-		printerr(_arguments.error)
-		quit(2)
-		return
-	_report = BenchReport.new("entities", _arguments.value("json"))
-	var entities: int = _arguments.value("entities")
-	var awake: int = _arguments.value("awake")
+func measure() -> void:
+	var entities: int = option("entities")
+	var awake: int = option("awake")
 	_measure("nothing there", 0, 0)
 	_measure("%d at rest" % entities, entities, 0)
 	_measure("%d of %d change" % [awake, entities], entities, awake)
-	quit(_report.finish())
 
 
 func _measure(p_case: String, p_entities: int, p_awake: int) -> void:
@@ -52,7 +44,7 @@ func _measure(p_case: String, p_entities: int, p_awake: int) -> void:
 	var decode_usec: int = 0
 	var read_usec: int = 0
 	var bytes: int = 0
-	var ticks: int = int(_arguments.value("seconds") * HZ)
+	var ticks: int = int(option("seconds") * HZ)
 	for tick: int in ticks + HZ:
 		for i: int in p_awake:
 			encoder.set_field(
@@ -105,22 +97,21 @@ func _set_up(
 		p_decoder.add_entity(_FIRST + i, 1, [0.0, 0.5, 1.0])
 	p_decoder.set_table_version(p_entities)
 	var clients: PackedInt32Array = []
-	for client: int in _arguments.value("clients"):
+	for client: int in option("clients"):
 		p_encoder.add_client(client + 1, HZ, _BITS)
 		clients.append(client + 1)
 	return clients
 
 
 func _add(p_case: String, p_awake: int, p_ticks: int, p_sums: Array[int]) -> void:
-	var most: BenchReport.Goal = BenchReport.Goal.AT_MOST
 	var goal: float = _GOAL_ENCODE_MS if p_awake > 0 else 0.2
-	var name: String = "encode for %d clients" % _arguments.value("clients")
-	_report.add(p_case, name, p_sums[0] / 1000.0 / p_ticks, "ms a tick", most, goal)
-	_report.add(p_case, "decode", p_sums[1] / 1000.0 / p_ticks, "ms a tick", most, _GOAL_DECODE_MS)
-	_report.add(p_case, "evaluate and read", p_sums[2] / 1000.0 / p_ticks, "ms a tick")
+	var name: String = "encode for %d clients" % option("clients")
+	report.at_most(p_case, name, p_sums[0] / 1000.0 / p_ticks, "ms a tick", goal)
+	report.at_most(p_case, "decode", p_sums[1] / 1000.0 / p_ticks, "ms a tick", _GOAL_DECODE_MS)
+	report.add(p_case, "evaluate and read", p_sums[2] / 1000.0 / p_ticks, "ms a tick")
 	if p_awake > 0:
 		var each: float = p_sums[3] / float(p_awake * p_ticks)
-		_report.add(p_case, "a field that changes", each, "bytes", most, _GOAL_BYTES)
+		report.at_most(p_case, "a field that changes", each, "bytes", _GOAL_BYTES)
 	else:
 		# Two datagrams a second, of headers alone, keep the clocks in step.
-		_report.add(p_case, "all fields", p_sums[3] / float(p_ticks), "bytes a tick", most, 0.5)
+		report.at_most(p_case, "all fields", p_sums[3] / float(p_ticks), "bytes a tick", 0.5)

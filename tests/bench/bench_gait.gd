@@ -1,4 +1,4 @@
-extends SceneTree
+extends Bench
 ## Where a person's travel comes from if no position is known: walking, stairs, jumps, on the
 ## bodies.
 ##
@@ -19,14 +19,7 @@ const Slopes: GDScript = preload("gait/gait_slopes.gd")
 const Starts: GDScript = preload("gait/gait_starts.gd")
 const Scenes: GDScript = preload("gait/gait_scenes.gd")
 const _CASES: Array[String] = ["walks", "stairs", "clips", "slopes", "starts", "scenes"]
-const _SOLDIER: String = "res://scenes/actor/soldier.tscn"
-const _ROOTS: Dictionary[String, RagdollMotor.RootMode] = {
-	"inertial": RagdollMotor.ROOT_INERTIAL,
-	"contacts": RagdollMotor.ROOT_CONTACTS,
-	"lowest_foot": RagdollMotor.ROOT_LOWEST_FOOT,
-	"self_righting": RagdollMotor.ROOT_SELF_RIGHTING,
-	"pendulum": RagdollMotor.ROOT_PENDULUM,
-}
+const _ROOTS: Array[String] = ["inertial", "contacts", "lowest_foot", "self_righting", "pendulum"]
 ## Steps, length (m) and duration (s) of a step.
 const _WALKS: Dictionary[String, Array] = {
 	"level walk 1.2 m/s": [24, 0.65, 0.55],
@@ -36,53 +29,28 @@ const _WALKS: Dictionary[String, Array] = {
 const _RISE: float = 0.17
 const _TREAD: float = 0.29
 
-var _arguments: BenchArguments = null
-var _report: BenchReport = null
 var _random: RandomNumberGenerator = RandomNumberGenerator.new()
 var _world: Node3D = null
 
 
-func _initialize() -> void:
-	_arguments = (
-		BenchArguments
-		. parse(
-			OS.get_cmdline_user_args(),
-			{
-				"bvh": "",
-				"root": "",
-				"hz": 60,
-				"noise": 0.0,
-				"seed": 1,
-				"slope": 0.0,
-				"cases": "",
-				"scenes": 20,
-			}
-		)
-	)
-	_run.call_deferred()
+func options() -> Dictionary:
+	return {
+		"bvh": "",
+		"root": ["", _ROOTS],
+		"hz": [60, 10, 1000],
+		"noise": 0.0,
+		"seed": 1,
+		"slope": 0.0,
+		"cases": ["", _CASES],
+		"scenes": 20,
+	}
 
 
-func _run() -> void:
-	var fault: String = _find_fault()
-	if fault != "":
-		printerr(fault)
-		quit(2)
-		return
-	_report = BenchReport.new("gait", _arguments.value("json"))
-	Engine.physics_ticks_per_second = _arguments.value("hz")
-	var roots: PackedStringArray = _arguments.list("root")
-	if roots.is_empty():
-		roots = ["inertial", "contacts", "lowest_foot"]
-	for name: String in roots:
-		for case: String in _cases():
+func measure() -> void:
+	Engine.physics_ticks_per_second = option("hz")
+	for name: String in values("root", ["inertial", "contacts", "lowest_foot"]):
+		for case: String in values("cases", ["clips"] if arguments.is_given("bvh") else _CASES):
 			await _run_case(case, name)
-	quit(_report.finish())
-
-
-func _cases() -> PackedStringArray:
-	if _arguments.is_given("cases"):
-		return _arguments.list("cases")
-	return ["clips"] if _arguments.is_given("bvh") else _CASES
 
 
 func _run_case(p_case: String, p_root: String) -> void:
@@ -95,41 +63,27 @@ func _run_case(p_case: String, p_root: String) -> void:
 			var cases: Dictionary[String, GDScript] = {
 				"clips": Clips, "slopes": Slopes, "starts": Starts, "scenes": Scenes
 			}
-			var case: Case = cases[p_case].new(self, _report, _arguments.value("seed"))
+			var case: Case = cases[p_case].new(self, report, option("seed"))
 			case.root_name = p_root
-			case.root_mode = _ROOTS[p_root]
+			case.root_mode = RootModes.BY_NAME[p_root]
 			if case is Clips:
-				case.files = BenchArguments.clips(_arguments)
-				case.noise_deg = _arguments.value("noise")
-				case.slope = deg_to_rad(_arguments.value("slope"))
+				case.files = BenchArguments.clips(arguments)
+				case.noise_deg = option("noise")
+				case.slope = deg_to_rad(option("slope"))
 			if case is Scenes:
-				case.count = _arguments.value("scenes")
+				case.count = option("scenes")
 				case.clips = _open_clips()
 			await case.run()
 
 
 func _open_clips() -> Array[BvhSource]:
 	var result: Array[BvhSource] = []
-	for file: String in BenchArguments.clips(_arguments):
+	for file: String in BenchArguments.clips(arguments):
 		var source: BvhSource = BvhSource.new()
 		source.open(file)
 		if source.error == "":
 			result.append(source)
 	return result
-
-
-func _find_fault() -> String:
-	if _arguments.error != "":
-		return _arguments.error
-	for name: String in _arguments.list("root"):
-		if not _ROOTS.has(name):
-			return "a root is one of %s, found '%s'" % [", ".join(_ROOTS.keys()), name]
-	for name: String in _arguments.list("cases"):
-		if not _CASES.has(name):
-			return "a case is one of %s, found '%s'" % [", ".join(_CASES), name]
-	if _arguments.value("hz") < 10 or _arguments.value("hz") > 1000:
-		return "a tick rate is between 10 and 1000, found %d" % _arguments.value("hz")
-	return ""
 
 
 func _run_walks(p_root: String) -> void:
@@ -143,7 +97,9 @@ func _run_walks(p_root: String) -> void:
 			var goal: bool = p_root == "inertial"
 			_add_travel(title, stats, goal)
 			var most: float = 8.0 if noise > 0.0 else 3.0
-			_add(title, "stance-foot skate", 100.0 * stats.skate.mean(), "cm/s", goal, most)
+			report.at_most(
+				title, "stance-foot skate", 100.0 * stats.skate.mean(), "cm/s", most, goal
+			)
 
 
 func _run_stairs(p_root: String) -> void:
@@ -155,18 +111,15 @@ func _run_stairs(p_root: String) -> void:
 		var title: String = "%s: 16 stairs %s" % [p_root, "up" if rise > 0.0 else "down"]
 		_add_travel(title, stats, false)
 		var right: float = 1.0 if stats.is_on_tread(_RISE, _TREAD) else 0.0
-		var kind: BenchReport.Goal = BenchReport.Goal.NONE
-		if p_root == "inertial":
-			kind = BenchReport.Goal.AT_LEAST
-		_report.add(title, "on the right tread", right, "", kind, 1.0)
+		report.at_least(title, "on the right tread", right, "", 1.0, p_root == "inertial")
 
 
 func _begin(p_root: String) -> Ragdoll:
-	_random.seed = _arguments.value("seed")
+	_random.seed = option("seed")
 	_world = Node3D.new()
 	root.add_child(_world)
-	var ragdoll: Ragdoll = (load(_SOLDIER) as PackedScene).instantiate()
-	ragdoll.root_mode = _ROOTS[p_root]
+	var ragdoll: Ragdoll = (load(SOLDIER) as PackedScene).instantiate()
+	ragdoll.root_mode = RootModes.BY_NAME[p_root]
 	return ragdoll
 
 
@@ -199,13 +152,8 @@ func _walk(p_walker: Walker, p_ragdoll: Ragdoll, p_noise_deg: float) -> Stats:
 
 
 func _add_travel(p_title: String, p_stats: Stats, p_has_goal: bool) -> void:
-	_report.add(p_title, "way", p_stats.way, "m")
-	_add(p_title, "max travel error", p_stats.travel_percent(), "%", p_has_goal, 4.0)
-	_add(p_title, "body height error", 1000.0 * p_stats.height.mean(), "mm", p_has_goal, 30.0)
-
-
-func _add(
-	p_case: String, p_metric: String, p_value: float, p_unit: String, p_has: bool, p_goal: float
-) -> void:
-	var kind: BenchReport.Goal = BenchReport.Goal.AT_MOST if p_has else BenchReport.Goal.NONE
-	_report.add(p_case, p_metric, p_value, p_unit, kind, p_goal)
+	report.add(p_title, "way", p_stats.way, "m")
+	report.at_most(p_title, "max travel error", p_stats.travel_percent(), "%", 4.0, p_has_goal)
+	report.at_most(
+		p_title, "body height error", 1000.0 * p_stats.height.mean(), "mm", 30.0, p_has_goal
+	)

@@ -11,20 +11,15 @@ instructor asks for another level 20 times a second. Options: --case=NAME (again
 
 from __future__ import annotations
 
-import json
-import sys
-import tempfile
 import time
-import urllib.request
 from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
 from typing import Any
 
-from toolchain.console import Failure
-from toolchain.paths import ROOT, SERVER_BINARY
-from toolchain.processes import Group, free_port
-from toolchain.project import prepare
+from bench import Bench, Options, main
+from toolchain.paths import SERVER_BINARY
+from toolchain.processes import Group, ask, free_port, json_lines
 from toolchain.stats import Stats
 
 SCRIPT = "res://tests/bench/joins/joins_clients.gd"
@@ -94,9 +89,7 @@ class Session:
         self.port = free_port()
         options = [f"--port={self.port}", "--max-clients=200", "--max-per-address=0"]
         group.start("server", [str(server), "--headless", "--", "--role=server", *options])
-        mark = "status at http://127.0.0.1:"
-        group.await_text("server", mark, 30)
-        self._status = int(group.log("server").split(mark)[1].split("/")[0])
+        self._status = group.await_status(30)
         self.crowd("observers", "join", 2, 0)
         self.crowd("trainee", "join", 1, 1)
 
@@ -118,69 +111,56 @@ class Session:
 
     def await_row(self, name: str, key: str, least: int, limit_s: float = 60.0) -> None:
         """Waits until so many are there."""
-        end = time.monotonic() + limit_s
-        while not any(row[key] >= least for row in self.rows(name)):
-            if time.monotonic() > end or self._group.exit_code(name) is not None:
-                raise Failure(
-                    f"{name}: {key} stays below {least}:\n{self._group.log(name)[-2000:]}"
-                )
-            time.sleep(0.1)
+        self._group.await_that(
+            name,
+            lambda: any(row[key] >= least for row in self.rows(name)),
+            f"{key} {least}",
+            limit_s,
+        )
 
     def await_ticks(self, ticks: int, limit_s: float = 120.0) -> dict[str, Any]:
         """Waits for so many ticks more and returns what the server reports then."""
         last = self.look()["ticks"] + ticks
-        end = time.monotonic() + limit_s
-        while (report := self.look())["ticks"] < last:
-            if time.monotonic() > end:
-                raise Failure(f"the server has made no {ticks} ticks in {limit_s:.0f} s")
-            time.sleep(0.2)
+        report: dict[str, Any] = {}
+
+        def has_made() -> bool:
+            report.update(self.look())
+            return report["ticks"] >= last
+
+        self._group.await_that("server", has_made, f"{ticks} ticks", limit_s)
         return report
 
     def rows(self, name: str) -> list[dict[str, Any]]:
         """What clients have seen, second by second."""
-        lines = self._group.log(name).splitlines()
-        return [json.loads(line) for line in lines if line.startswith("{") and line.endswith("}")]
+        return json_lines(self._group.log(name))
 
     def look(self) -> dict[str, Any]:
         """What the server reports, and what the system and its log say of it."""
-        with urllib.request.urlopen(f"http://127.0.0.1:{self._status}/", timeout=120) as reply:
-            status: dict[str, Any] = json.load(reply)
+        status = ask(self._status)
         number = self._group.number("server")
         rows = Path(f"/proc/{number}/status").read_text(encoding="utf-8").splitlines()
         status["rss_kb"] = next(int(row.split()[1]) for row in rows if row.startswith("VmRSS"))
-        status["log_bytes"] = self._group.log_file("server").stat().st_size
+        status["log_bytes"] = len(self._group.log("server"))
         return status
 
 
 def measure(arguments: list[str]) -> int:
     """Runs the cases and prints their stats."""
-    given = {"case": [], "seconds": ["8"], "seed": ["1"], "server": [str(SERVER_BINARY)]}
-    for option in arguments:
-        name, _, value = option.removeprefix("--").partition("=")
-        if name in given:
-            given[name] = [*given[name], value] if name == "case" else [value]
-        elif option != "--json":
-            known = "--case, --seconds, --seed, --server, --json"
-            raise Failure(f"'{option}' is no option: {known}.", 2)
-    unknown = [name for name in given["case"] if name not in CASES]
-    if unknown:
-        raise Failure(f"There is no case '{unknown[0]}': {', '.join(CASES)}.", 2)
-    stats = Stats("joins", "--json" in arguments)
-    for name in given["case"] or CASES:
-        begin = (float(given["seconds"][0]), int(given["seed"][0]), Path(given["server"][0]))
-        run_case(stats, name, *begin)
-    return stats.finish()
+    options = Options(
+        arguments,
+        {"case": tuple(CASES), "seconds": 8.0, "seed": 1, "server": str(SERVER_BINARY)},
+    )
+    bench = Bench("joins", options.json)
+    for name in options["case"]:
+        run_case(bench, name, options["seconds"], options["seed"], Path(options["server"]))
+    return bench.finish()
 
 
-def run_case(stats: Stats, name: str, seconds: float, seed: int, server: Path) -> None:
+def run_case(bench: Bench, name: str, seconds: float, seed: int, server: Path) -> None:
     """Runs one case and adds its stats."""
-    case = CASES[name]
-    godot = prepare(export=False)
-    program = [str(godot.program), "--headless", "--no-header", "--path", str(ROOT), "-s", SCRIPT]
-    with (
-        tempfile.TemporaryDirectory(prefix="dismount-") as folder,
-        Group(Path(folder), godot.environment()) as group,
-    ):
+    case, stats = CASES[name], bench.stats
+    program = bench.command("--headless", "-s", SCRIPT)
+    with bench.session() as (group, folder):
         session = Session(group, server, program)
         for watcher, count in (("observers", 2), ("trainee", 1)):
             session.await_row(watcher, "joined", count)
@@ -190,7 +170,7 @@ def run_case(stats: Stats, name: str, seconds: float, seed: int, server: Path) -
         pairs: list[tuple[dict[str, float], Seen]] = []
         for pair in range(PAIRS if case.compares else 1):
             honest = _watch_honest(session, group, case, f"honest {pair}") if case.compares else {}
-            begin = Path(folder) / f"begin{pair}"
+            begin = folder / f"begin{pair}"
             crowd = (case.plan, case.clients, case.people, str(begin), seed + pair, case.role)
             session.crowd(f"crowd {pair}", *crowd)
             least_s = RECENT_TICKS / 60.0 if case.compares else 0.0
@@ -281,4 +261,4 @@ def _add_cost(stats: Stats, name: str, pairs: list[tuple[dict[str, float], Seen]
 
 
 if __name__ == "__main__":
-    sys.exit(measure(sys.argv[1:]))
+    main(measure)

@@ -16,12 +16,12 @@ default, --seconds 40. Headsets: ./run bench displays --part=hmd.
 
 from __future__ import annotations
 
-import json
 import sys
 import tempfile
 from pathlib import Path
 from statistics import mean, median
 
+from bench import main
 from toolchain.console import Failure
 from toolchain.latency import Settings, read_delays, run_session
 from toolchain.processes import free_port
@@ -136,11 +136,4 @@ def measure_at(stats: Stats, options: list[str]) -> None:
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(measure(sys.argv[1:]))
-    except Failure as failure:
-        print(failure, file=sys.stderr)
-        sys.exit(2)
-    except (KeyError, json.JSONDecodeError) as broken:
-        print(f"A report lacks what is needed: {broken}", file=sys.stderr)
-        sys.exit(1)
+    main(measure)

@@ -1,4 +1,4 @@
-extends SceneTree
+extends Bench
 ## Levels from elsewhere: how long the reader takes for a large one, and the ticks in which it
 ## enters the tree; what a download adds to the delay of snapshots; that hostile and mutated levels
 ## do nothing and are refused with a reason soon.
@@ -23,23 +23,12 @@ const _DOWNLOAD: int = 8 << 20
 
 const LinkPair: GDScript = preload("res://tests/net/link_pair.gd")
 
-var _arguments: BenchArguments = null
-var _report: BenchReport = null
+
+func options() -> Dictionary:
+	return {"blocks": 2000, "mutations": 100000, "seed": 1}
 
 
-func _initialize() -> void:
-	_arguments = BenchArguments.parse(
-		OS.get_cmdline_user_args(), {"blocks": 2000, "mutations": 100000, "seed": 1}
-	)
-	if _arguments.error != "":
-		printerr(_arguments.error)
-		quit(2)
-		return
-	_report = BenchReport.new("levels", _arguments.value("json"))
-	_run.call_deferred()
-
-
-func _run() -> void:
+func measure() -> void:
 	HostileLevels.clean_up()
 	HostileLevels.write_bait()
 	_measure_reader()
@@ -48,13 +37,12 @@ func _run() -> void:
 	_measure_hostile()
 	_measure_mutations()
 	HostileLevels.clean_up()
-	quit(_report.finish())
 
 
 ## A level of so many blocks, as the editor saves it.
 func _large() -> PackedByteArray:
 	var parts: PackedStringArray = [LevelTexts.level()]
-	for index: int in _arguments.value("blocks"):
+	for index: int in option("blocks"):
 		var at: Array = [index % 50 * 2.0, index / 50 * 3.0]
 		parts.append('[node name="Block%d" type="StaticBody3D" parent="Static"]' % index)
 		parts.append("transform = Transform3D(1, 0, 0, 0, 1, 0, 0, 0, 1, %f, 0.5, %f)" % at)
@@ -65,23 +53,22 @@ func _large() -> PackedByteArray:
 
 func _measure_reader() -> void:
 	var bytes: PackedByteArray = _large()
-	var name: String = "%d blocks" % _arguments.value("blocks")
+	var name: String = "%d blocks" % option("blocks")
 	var begin: int = ThreadClock.get_usec()
 	var reader: LevelReader = LevelReader.new()
 	var level: Level = reader.build(bytes, "large.tscn")
 	var took_ms: float = (ThreadClock.get_usec() - begin) / 1000.0
 	if level == null:
-		printerr(reader.refusal)
-		quit(1)
+		report.leave_out(name, reader.refusal)
 		return
-	_report.add(name, "read", took_ms, "ms", BenchReport.Goal.AT_MOST, _GOAL_READ_MS)
-	_report.add(name, "size of the scene", bytes.size() / 1024.0, "KiB")
+	report.at_most(name, "read", took_ms, "ms", _GOAL_READ_MS)
+	report.add(name, "size of the scene", bytes.size() / 1024.0, "KiB")
 	level.free()
 
 
 ## Lets a large level enter the tree, and leave it, as a server does.
 func _measure_loader() -> void:
-	var name: String = "%d blocks enter" % _arguments.value("blocks")
+	var name: String = "%d blocks enter" % option("blocks")
 	var source: String = "user://bench_levels/large"
 	DirAccess.make_dir_recursive_absolute(source)
 	FileAccess.open(source.path_join("large.tscn"), FileAccess.WRITE).store_buffer(_large())
@@ -100,17 +87,16 @@ func _measure_loader() -> void:
 			loader.enter(root)
 		elif loader.state == LevelLoader.State.DONE:
 			loader.state = LevelLoader.State.IDLE
-			_report.add(name, "until it is there", Time.get_ticks_msec() - begin, "ms")
+			report.add(name, "until it is there", Time.get_ticks_msec() - begin, "ms")
 			loader.dismiss(loader.level)
 			is_dismissed = true
 		slices.append((ThreadClock.get_usec() - slice) / 1000.0)
 		if loader.state == LevelLoader.State.FAILED:
-			printerr(loader.fault)
-			quit(1)
+			report.leave_out(name, loader.fault)
 			return
 	slices.sort()
-	_report.add(name, "longest tick", slices[-1], "ms", BenchReport.Goal.AT_MOST, _GOAL_TICK_MS)
-	_report.add(name, "ticks", slices.size(), "")
+	report.at_most(name, "longest tick", slices[-1], "ms", _GOAL_TICK_MS)
+	report.add(name, "ticks", slices.size(), "")
 	for file: String in ["share/large/large.tscn", "share/large/level.json", "large/large.tscn"]:
 		DirAccess.remove_absolute("user://bench_levels/" + file)
 	for folder: String in ["share/large", "share", "large", ""]:
@@ -148,15 +134,14 @@ func _measure_download() -> void:
 	download.begin(LevelReference.parse(level.reference))
 	var busy_ms: float = _percentile(_run_ticks(pair, offers, download, delays, 0), 0.95)
 	var seconds: float = (Time.get_ticks_usec() - begin) / 1e6
-	var most: BenchReport.Goal = BenchReport.Goal.AT_MOST
 	var name: String = "download of 8 MB"
-	_report.add(
-		name, "not got", 0.0 if store.has(download.manifest.content_hash()) else 1.0, "", most
+	report.at_most(
+		name, "not got", 0.0 if store.has(download.manifest.content_hash()) else 1.0, "", 0.0
 	)
-	_report.add(name, "rate", download.here * 8.0 / 1e6 / seconds, "Mbit/s")
-	_report.add(name, "p95 of a datagram before", quiet_ms, "ms")
-	_report.add(name, "p95 of a datagram meanwhile", busy_ms, "ms")
-	_report.add(name, "p95 that it adds", busy_ms - quiet_ms, "ms", most, _GOAL_DELAY_MS)
+	report.add(name, "rate", download.here * 8.0 / 1e6 / seconds, "Mbit/s")
+	report.add(name, "p95 of a datagram before", quiet_ms, "ms")
+	report.add(name, "p95 of a datagram meanwhile", busy_ms, "ms")
+	report.at_most(name, "p95 that it adds", busy_ms - quiet_ms, "ms", _GOAL_DELAY_MS)
 	offers.close()
 	pair.close()
 	level.free()
@@ -207,21 +192,20 @@ func _measure_hostile() -> void:
 			unnamed += 1
 		if level != null:
 			level.free()
-	var most: BenchReport.Goal = BenchReport.Goal.AT_MOST
 	var name: String = "hostile"
-	_report.add(name, "kinds", kinds.size(), "", BenchReport.Goal.AT_LEAST, _GOAL_KINDS)
-	_report.add(name, "acted", HostileLevels.marks().size(), "", most, 0.0)
-	_report.add(name, "not refused by name", unnamed, "", most, 0.0)
-	_report.add(name, "longest refusal", longest_ms, "ms", most, _GOAL_REFUSE_MS)
+	report.at_least(name, "kinds", kinds.size(), "", _GOAL_KINDS)
+	report.at_most(name, "acted", HostileLevels.marks().size(), "", 0.0)
+	report.at_most(name, "not refused by name", unnamed, "", 0.0)
+	report.at_most(name, "longest refusal", longest_ms, "ms", _GOAL_REFUSE_MS)
 
 
 func _measure_mutations() -> void:
-	var mutations: LevelMutations = LevelMutations.new(_arguments.value("seed"))
+	var mutations: LevelMutations = LevelMutations.new(option("seed"))
 	var longest_ms: float = 0.0
 	var unnamed: int = 0
 	var strange: int = 0
 	var read: int = 0
-	for _count: int in _arguments.value("mutations"):
+	for _count: int in option("mutations"):
 		var bytes: PackedByteArray = mutations.next()
 		var begin: int = ThreadClock.get_usec()
 		var reader: LevelReader = LevelReader.new()
@@ -233,9 +217,8 @@ func _measure_mutations() -> void:
 			read += 1
 			strange += 0 if LevelMutations.find_stranger(level) == "" else 1
 			level.free()
-	var name: String = "%d mutated" % _arguments.value("mutations")
-	var most: BenchReport.Goal = BenchReport.Goal.AT_MOST
-	_report.add(name, "acted", HostileLevels.marks().size() + strange, "", most, 0.0)
-	_report.add(name, "refused without a reason", unnamed, "", most, 0.0)
-	_report.add(name, "longest", longest_ms, "ms", most, _GOAL_REFUSE_MS)
-	_report.add(name, "that are sound levels still", read, "")
+	var name: String = "%d mutated" % option("mutations")
+	report.at_most(name, "acted", HostileLevels.marks().size() + strange, "", 0.0)
+	report.at_most(name, "refused without a reason", unnamed, "", 0.0)
+	report.at_most(name, "longest", longest_ms, "ms", _GOAL_REFUSE_MS)
+	report.add(name, "that are sound levels still", read, "")

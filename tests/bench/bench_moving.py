@@ -9,22 +9,18 @@ Options: --case=NAME (again for more), --seconds=12 (of each), --people=8 of eac
 
 from __future__ import annotations
 
-import json
 import os
-import sys
-import tempfile
 import time
-import urllib.request
 from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
 from typing import Any
 
+from bench import Bench, Options, main
 from toolchain.console import Failure
-from toolchain.paths import ROOT, SERVER_BINARY
+from toolchain.paths import SERVER_BINARY
 from toolchain.process_times import thread_seconds
-from toolchain.processes import Group, free_port
-from toolchain.project import prepare
+from toolchain.processes import Group, ask, free_port, json_lines
 from toolchain.stats import Stats
 
 SCRIPT = "res://tests/bench/moving/moving_clients.gd"
@@ -36,7 +32,6 @@ FRAMES = 60.0
 KEPT_UP = 0.9
 JOIN_S = 180.0
 SETTLE_S = 3.0
-OPTIONS = {"seconds": "12", "clients": "0", "people": "0", "server": str(SERVER_BINARY)}
 CASES = {"80 clients, 1 person each": (80, 1), "10 clients, 8 people each": (10, 8)}
 
 
@@ -60,34 +55,29 @@ class Session:
         port = free_port()
         options = [f"--port={port}", "--max-clients=200"]
         group.start("server", [str(server), "--headless", "--", "--role=server", *options])
-        mark = "status at http://127.0.0.1:"
-        group.await_text("server", mark, 60)
-        self._status = int(group.log("server").split(mark)[1].split("/")[0])
+        self._status = group.await_status(60)
         _pin(group.number("server"), cores[-2])
         group.start("clients", [*clients, f"--port={port}", f"--observers={OBSERVERS}"])
         _pin(group.number("clients"), cores[-1])
 
     def rows(self) -> list[dict[str, Any]]:
         """What the clients have seen, second by second."""
-        lines = self._group.log("clients").splitlines()
-        return [json.loads(line) for line in lines if line.startswith("{") and line.endswith("}")]
+        return json_lines(self._group.log("clients"))
 
     def await_bodies(self, people: int) -> None:
         """Waits until everybody has a body."""
-        end = time.monotonic() + JOIN_S
-        while not any(row["bodies"] >= people for row in self.rows()):
-            if time.monotonic() > end or self._group.exit_code("clients") is not None:
-                log = self._group.log("clients")[-1000:]
-                raise Failure(f"not all of {people} people have a body:\n{log}")
-            time.sleep(0.2)
+        self._group.await_that(
+            "clients",
+            lambda: any(row["bodies"] >= people for row in self.rows()),
+            f"the bodies of {people} people",
+            JOIN_S,
+        )
 
     def look(self) -> Look:
         """What there is to see now. The clients tell it once a second."""
         seen = len(self.rows())
-        while len(self.rows()) == seen and self._group.exit_code("clients") is None:
-            time.sleep(0.01)
-        with urllib.request.urlopen(f"http://127.0.0.1:{self._status}/", timeout=120) as reply:
-            status: dict[str, Any] = json.load(reply)
+        self._group.await_that("clients", lambda: len(self.rows()) > seen, "what the clients see")
+        status = ask(self._status)
         return Look(status, thread_seconds(self._group.number("server")), self.rows()[-1])
 
 
@@ -99,46 +89,39 @@ def _pin(process: int, core: int) -> None:
 
 def measure(arguments: list[str]) -> int:
     """Runs the cases and prints their stats."""
-    given, names = dict(OPTIONS), []
-    for option in arguments:
-        name, _, value = option.removeprefix("--").partition("=")
-        if name == "case":
-            names.append(value)
-        elif name in given:
-            given[name] = value
-        elif option != "--json":
-            known = ", ".join(f"--{one}" for one in ("case", *OPTIONS, "json"))
-            raise Failure(f"'{option}' is no option: {known}.", 2)
-    unknown = [name for name in names if name not in CASES]
-    if unknown:
-        raise Failure(f"There is no case '{unknown[0]}': {', '.join(CASES)}.", 2)
-    cases = {name: CASES[name] for name in names or CASES}
-    if int(given["clients"]) > 0:
-        clients, people = int(given["clients"]), int(given["people"])
+    options = Options(
+        arguments,
+        {
+            "case": tuple(CASES),
+            "seconds": 12.0,
+            "clients": 0,
+            "people": 0,
+            "server": str(SERVER_BINARY),
+        },
+    )
+    cases = {name: CASES[name] for name in options["case"]}
+    if options["clients"] > 0:
+        clients, people = options["clients"], options["people"]
         cases = {f"{clients} clients, {people} people each": (clients, people)}
-    stats = Stats("moving", "--json" in arguments)
+    bench = Bench("moving", options.json)
     for name, (clients, people) in cases.items():
-        _run_case(stats, name, clients, people, float(given["seconds"]), Path(given["server"]))
-    return stats.finish()
+        _run_case(bench, name, clients, people, options["seconds"], Path(options["server"]))
+    return bench.finish()
 
 
 def _run_case(
-    stats: Stats, name: str, clients: int, people: int, seconds: float, server: Path
+    bench: Bench, name: str, clients: int, people: int, seconds: float, server: Path
 ) -> None:
-    godot = prepare(export=False)
-    program = [str(godot.program), "--headless", "--no-header", "--path", str(ROOT), "-s", SCRIPT]
-    program += ["--", f"--clients={clients}", f"--people={people}"]
-    with (
-        tempfile.TemporaryDirectory(prefix="dismount-") as folder,
-        Group(Path(folder), godot.environment()) as group,
-    ):
+    options = [f"--clients={clients}", f"--people={people}"]
+    program = bench.command("--headless", "-s", SCRIPT, "--", *options)
+    with bench.session() as (group, _):
         session = Session(group, server, program)
         session.await_bodies(clients * people)
         time.sleep(SETTLE_S)
         before = session.look()
         time.sleep(seconds)
         after = session.look()
-    _add(stats, name, before, after)
+    _add(bench.stats, name, before, after)
 
 
 def _add(stats: Stats, name: str, before: Look, after: Look) -> None:
@@ -176,4 +159,4 @@ def _add(stats: Stats, name: str, before: Look, after: Look) -> None:
 
 
 if __name__ == "__main__":
-    sys.exit(measure(sys.argv[1:]))
+    main(measure)

@@ -13,17 +13,13 @@ from __future__ import annotations
 import json
 import os
 import signal
-import sys
-import tempfile
 import time
-from collections.abc import Callable
 from pathlib import Path
 from statistics import median
 
-from toolchain.console import Failure
+from bench import Bench, Options, main
 from toolchain.paths import CLIENT_BINARY, CLIPS, SERVER_BINARY
-from toolchain.processes import Group, free_port
-from toolchain.project import prepare
+from toolchain.processes import Group, await_that, free_port
 from toolchain.stats import Stats
 from toolchain.udp_relay import Relay
 
@@ -76,18 +72,12 @@ class Session:
 
     def await_more(self, name: str, count: int, limit_s: float = 60.0) -> None:
         before = self.snapshots(name)
-        _await(lambda: self.snapshots(name) >= before + count, limit_s, f"{name}: no snapshots")
+        await_that(
+            lambda: self.snapshots(name) >= before + count, f"{name}: more", limit_s, look_s=0.002
+        )
 
     def stop(self, name: str) -> None:
         self._group.stop(name)
-
-
-def _await(holds: Callable[[], bool], limit_s: float, else_say: str) -> None:
-    end = time.monotonic() + limit_s
-    while not holds():
-        if time.monotonic() > end:
-            raise Failure(else_say)
-        time.sleep(0.002)
 
 
 def measure_cost(stats: Stats, session: Session, seconds: float) -> None:
@@ -141,7 +131,7 @@ def _move(relay: Relay) -> float:
     # What is under way comes from the old one.
     time.sleep(2 * relay.delay_s + 0.005)
     before = relay.sealed_to_client
-    _await(lambda: relay.sealed_to_client > before + 1, 20.0, "it does not go on")
+    await_that(lambda: relay.sealed_to_client > before + 1, "what goes on", 20.0, look_s=0.002)
     return time.monotonic() - began
 
 
@@ -176,7 +166,7 @@ def measure_silence(stats: Stats, session: Session, group: Group) -> None:
         session.await_more("watcher", 30)
     os.kill(server, signal.SIGKILL)
     began = time.monotonic()
-    _await(lambda: "is lost" in group.log("watcher"), 60.0, "nobody notices")
+    await_that(lambda: "is lost" in group.log("watcher"), "the notice", 60.0, look_s=0.002)
     silence_s = time.monotonic() - began
     name = f"a server that is gone, after {STALLS} stalls of 1 s"
     stats.add(name, "noticed after", silence_s, "s", at_most=MAX_SILENCE_S)
@@ -184,38 +174,23 @@ def measure_silence(stats: Stats, session: Session, group: Group) -> None:
 
 def measure(arguments: list[str]) -> int:
     """Runs the parts and prints their stats."""
-    parts: list[str] = []
-    seconds, seed = 10.0, 1
-    for option in arguments:
-        name, _, value = option.removeprefix("--").partition("=")
-        if name == "part" and value in ("cost", "networks", "addresses", "silence"):
-            parts.append(value)
-        elif name == "seconds":
-            seconds = float(value)
-        elif name == "seed":
-            seed = int(value)
-        elif option != "--json":
-            known = "--part=cost|networks|addresses|silence, --seconds, --seed, --json"
-            raise Failure(f"'{option}' is no option: {known}.", 2)
-    stats = Stats("networks", "--json" in arguments)
-    godot = prepare(export=True)
-    for part in parts or ["cost", "networks", "addresses", "silence"]:
-        environment = {**godot.environment(), "DISMOUNT_REPORT_EVERY": "0.1"}
-        with (
-            tempfile.TemporaryDirectory(prefix="dismount-") as folder,
-            Group(Path(folder), environment) as group,
-        ):
-            session = Session(group, Path(folder))
+    defaults = {"part": ("cost", "networks", "addresses", "silence"), "seconds": 10.0, "seed": 1}
+    options = Options(arguments, defaults)
+    bench = Bench("networks", options.json, export=True)
+    stats, seconds = bench.stats, options["seconds"]
+    for part in options["part"]:
+        with bench.session({"DISMOUNT_REPORT_EVERY": "0.1"}) as (group, folder):
+            session = Session(group, folder)
             if part == "cost":
                 measure_cost(stats, session, seconds)
             elif part == "networks":
-                measure_networks(stats, session, seconds, seed)
+                measure_networks(stats, session, seconds, options["seed"])
             elif part == "addresses":
                 measure_addresses(stats, session)
             else:
                 measure_silence(stats, session, group)
-    return stats.finish()
+    return bench.finish()
 
 
 if __name__ == "__main__":
-    sys.exit(measure(sys.argv[1:]))
+    main(measure)

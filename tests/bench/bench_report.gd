@@ -69,6 +69,37 @@ func add(
 	_rows.append(PackedStringArray([p_case, p_metric, value, p_unit, goal_text, holds_text]))
 
 
+## Adds a value that shall not be above a goal, where there is one.
+func at_most(
+	p_case: String,
+	p_metric: String,
+	p_value: float,
+	p_unit: String,
+	p_goal: float,
+	p_is_goal: bool = true
+) -> void:
+	add(p_case, p_metric, p_value, p_unit, Goal.AT_MOST if p_is_goal else Goal.NONE, p_goal)
+
+
+## Adds a value that shall not be below a goal, where there is one.
+func at_least(
+	p_case: String,
+	p_metric: String,
+	p_value: float,
+	p_unit: String,
+	p_goal: float,
+	p_is_goal: bool = true
+) -> void:
+	add(p_case, p_metric, p_value, p_unit, Goal.AT_LEAST if p_is_goal else Goal.NONE, p_goal)
+
+
+## Adds a value whose magnitude shall not be above a goal.
+func within(
+	p_case: String, p_metric: String, p_value: float, p_unit: String, p_goal: float
+) -> void:
+	add(p_case, p_metric, p_value, p_unit, Goal.WITHIN, p_goal)
+
+
 ## Notes, once for each, what could not be measured (a file) and why. The others still are.
 func leave_out(p_case: String, p_why: String) -> void:
 	if _left_out.has(p_case):

@@ -1,4 +1,4 @@
-extends SceneTree
+extends Bench
 ## How precisely soldiers of other sizes follow recorded motion, on the floor and in the air.
 ##
 ## Options: --bvh=FILE (again for more; default the three clips in assets/motion), --seconds=0 (of
@@ -17,28 +17,19 @@ const _PEOPLE: Dictionary[String, Vector3] = {
 	"2.05 m, short legs, long arms": Vector3(2.05, 0.85, 1.15),
 }
 
-var _arguments: BenchArguments = null
-var _report: BenchReport = null
+
+func options() -> Dictionary:
+	return {"bvh": "", "seconds": 0.0}
 
 
-func _initialize() -> void:
-	_arguments = BenchArguments.parse(OS.get_cmdline_user_args(), {"bvh": "", "seconds": 0.0})
-	_run.call_deferred()
-
-
-func _run() -> void:
-	if _arguments.error != "":
-		printerr(_arguments.error)
-		quit(2)
-		return
-	_report = BenchReport.new("sizes", _arguments.value("json"))
+func measure() -> void:
 	Engine.physics_ticks_per_second = HZ
 	for mode: RagdollMotor.RootMode in [RagdollMotor.ROOT_HELD, RagdollMotor.ROOT_SOFT]:
 		var usual: float = 0.0
 		for who: String in _PEOPLE:
 			var sums: Dictionary = {}
 			var count: int = 0
-			for file: String in BenchArguments.clips(_arguments):
+			for file: String in BenchArguments.clips(arguments):
 				count += 1 if await _run_clip(file, _PEOPLE[who], mode, sums) else 0
 			if count == 0:
 				continue
@@ -46,7 +37,6 @@ func _run() -> void:
 			if usual == 0.0:
 				usual = mean
 			_add(who, mode, mean, usual, sums["p95_deg"] / count, sums["acted"])
-	quit(_report.finish())
 
 
 func _add(
@@ -54,19 +44,19 @@ func _add(
 ) -> void:
 	var name: String = "%s, %s" % [p_who, "held" if p_mode == RagdollMotor.ROOT_HELD else "soft"]
 	var goal: float = p_usual + _GOAL_DEG
-	_report.add(name, "mean error", p_mean, "deg", BenchReport.Goal.AT_MOST, goal)
-	_report.add(name, "p95 error", p_p95, "deg")
-	_report.add(name, "guard acted", p_acted, "ticks", BenchReport.Goal.AT_MOST, 0.0)
+	report.at_most(name, "mean error", p_mean, "deg", goal)
+	report.add(name, "p95 error", p_p95, "deg")
+	report.at_most(name, "guard acted", p_acted, "ticks", 0.0)
 
 
 ## Adds a clip's stats to the sums. Returns whether there are any.
 func _run_clip(
 	p_file: String, p_person: Vector3, p_mode: RagdollMotor.RootMode, r_sums: Dictionary
 ) -> bool:
-	var source: BvhSource = _report.open_clip(p_file)
+	var source: BvhSource = report.open_clip(p_file)
 	if source == null:
 		return false
-	var ragdoll: Ragdoll = (load("res://scenes/actor/soldier.tscn") as PackedScene).instantiate()
+	var ragdoll: Ragdoll = (load(SOLDIER) as PackedScene).instantiate()
 	_fit(ragdoll, p_person)
 	ragdoll.root_mode = p_mode
 	root.add_child(ragdoll)
@@ -78,7 +68,7 @@ func _run_clip(
 	ragdoll.queue_free()
 	await process_frame
 	if tracking["count"] == 0:
-		_report.leave_out(p_file, "%.2f s are too short to measure" % source.rig.clip.duration())
+		report.leave_out(p_file, "%.2f s are too short to measure" % source.rig.clip.duration())
 		return false
 	for key: String in ["mean_deg", "p95_deg"]:
 		r_sums[key] = r_sums.get(key, 0.0) + tracking[key]
@@ -101,8 +91,8 @@ static func _fit(p_ragdoll: Ragdoll, p_person: Vector3) -> void:
 func _play(p_source: BvhSource, p_ragdoll: Ragdoll) -> void:
 	var delta: float = 1.0 / HZ
 	var length: float = p_source.rig.clip.duration() - BvhSource.BLEND_S
-	if _arguments.value("seconds") > 0.0:
-		length = minf(length, _arguments.value("seconds"))
+	if option("seconds") > 0.0:
+		length = minf(length, option("seconds"))
 	var scale: float = p_ragdoll.get_hip_height() / p_source.get_hip_height()
 	var tick: int = 0
 	while tick * delta < length:

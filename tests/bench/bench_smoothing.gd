@@ -1,4 +1,4 @@
-extends SceneTree
+extends Bench
 ## What a client sees over a network that delays, jitters and loses: all methods of smoothing.
 ##
 ## Real motion on the soldier's skeleton, a made-up network in simulated time (delays uniform,
@@ -26,57 +26,37 @@ const _DEFAULTS: Dictionary = {
 	"seed": 1,
 }
 
-var _arguments: BenchArguments = null
-var _report: BenchReport = null
 var _motions: Array[Motion] = []
 
 
-func _initialize() -> void:
-	_arguments = BenchArguments.parse(OS.get_cmdline_user_args(), _DEFAULTS)
-	_report = BenchReport.new("smoothing", _arguments.value("json"))
-	var fault: String = _find_fault()
-	if fault != "":
-		printerr(fault)
-		quit(2)
-		return
-	Motion.open_all(_arguments, _report, _motions)
+func options() -> Dictionary:
+	return {
+		"bvh": "",
+		"rate": ["", 1, 60],
+		"method": ["", WorldReplica.SMOOTHING.keys()],
+		"delay": 25.0,
+		"jitter": 10.0,
+		"loss": 2.0,
+		"seconds": [25.0, 4.0, 3600.0],
+		"seed": 1,
+	}
+
+
+func measure() -> void:
+	Motion.open_all(arguments, report, _motions)
 	if _motions.is_empty():
-		quit(_report.finish())
 		return
-	for rate: String in _list("rate", ["10", "15", "30", "60"]):
-		for method: String in _list("method", WorldReplica.SMOOTHING.keys()):
+	for rate: String in values("rate", ["10", "15", "30", "60"]):
+		for method: String in values("method", WorldReplica.SMOOTHING.keys()):
 			_measure(method, rate.to_float())
-	if not _arguments.is_given("method") and not _arguments.is_given("rate"):
+	if not arguments.is_given("method") and not arguments.is_given("rate"):
 		_measure_cost()
-	quit(_report.finish())
-
-
-func _find_fault() -> String:
-	if _arguments.error != "":
-		return _arguments.error
-	for method: String in _arguments.list("method"):
-		if not WorldReplica.SMOOTHING.has(method):
-			return (
-				"a method is one of %s, found '%s'"
-				% [", ".join(WorldReplica.SMOOTHING.keys()), method]
-			)
-	for rate: String in _arguments.list("rate"):
-		if not rate.is_valid_float() or rate.to_float() < 1.0 or rate.to_float() > 60.0:
-			return "a rate is 1 to 60 updates per second, found '%s'" % rate
-	if _arguments.value("seconds") < 4.0:
-		return "--seconds is 4 or more, found %s" % _arguments.value("seconds")
-	return ""
-
-
-func _list(p_name: String, p_default: Array) -> PackedStringArray:
-	var given: PackedStringArray = _arguments.list(p_name)
-	return given if not given.is_empty() else PackedStringArray(p_default)
 
 
 func _measure(p_method: String, p_rate: float) -> void:
 	var network: Dictionary = {"rate": p_rate}
 	for name: String in ["delay", "jitter", "loss", "seed"]:
-		network[name] = _arguments.value(name)
+		network[name] = option(name)
 	var runs: Array[Run] = []
 	for motion: Motion in _motions:
 		var run: Run = Run.new()
@@ -86,17 +66,15 @@ func _measure(p_method: String, p_rate: float) -> void:
 	var name: String = "%s at %d Hz" % [p_method, roundi(p_rate)]
 	# The goals are those of the observer's default in the network that they were set for.
 	var has: bool = p_method == "adaptive_low_delay" and roundi(p_rate) == 30
-	for option: String in ["delay", "jitter", "loss"]:
-		has = has and not _arguments.is_given(option)
-	var most: BenchReport.Goal = BenchReport.Goal.AT_MOST if has else BenchReport.Goal.NONE
-	var least: BenchReport.Goal = BenchReport.Goal.AT_LEAST if has else BenchReport.Goal.NONE
-	_report.add(name, "error now", stats.now_deg, "deg")
-	_report.add(name, "error now", stats.now_mm, "mm")
-	_report.add(name, "lag", stats.lag_ms, "ms", most, 45.0)
-	_report.add(name, "residual", stats.residual_mm, "mm", most, 8.0)
-	_report.add(name, "jerk", stats.jerk, "of truth", most, 1.0)
-	_report.add(name, "jerk", stats.jerk, "of truth", least, 0.6)
-	_report.add(name, "joint gap", stats.gap_mm, "mm", most, 0.01)
+	for name_of: String in ["delay", "jitter", "loss"]:
+		has = has and not arguments.is_given(name_of)
+	report.add(name, "error now", stats.now_deg, "deg")
+	report.add(name, "error now", stats.now_mm, "mm")
+	report.at_most(name, "lag", stats.lag_ms, "ms", 45.0, has)
+	report.at_most(name, "residual", stats.residual_mm, "mm", 8.0, has)
+	report.at_most(name, "jerk", stats.jerk, "of truth", 1.0, has)
+	report.at_least(name, "jerk", stats.jerk, "of truth", 0.6, has)
+	report.at_most(name, "joint gap", stats.gap_mm, "mm", 0.01, has)
 
 
 ## What a frame of a crowded world costs.
@@ -122,5 +100,5 @@ func _measure_cost() -> void:
 		smoother.evaluate(now)
 		times.add((Time.get_ticks_usec() - begin) / 1000.0)
 	var name: String = "a frame of %d people, %d crates" % [_PEOPLE, _BODIES]
-	_report.add(name, "cost p50", times.percentile(0.5), "ms")
-	_report.add(name, "cost p99", times.percentile(0.99), "ms")
+	report.add(name, "cost p50", times.percentile(0.5), "ms")
+	report.add(name, "cost p99", times.percentile(0.99), "ms")

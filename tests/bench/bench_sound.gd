@@ -1,4 +1,4 @@
-extends SceneTree
+extends Bench
 ## What the sounds of the world are like and what they cost: figures of each synthesised sound, and
 ## of the mix, captured: levels, walls, engines, voices, a full scene.
 ##
@@ -14,31 +14,20 @@ const _PARTS: PackedStringArray = [
 ]
 
 
-func _initialize() -> void:
-	var arguments: BenchArguments = BenchArguments.parse(OS.get_cmdline_user_args(), {"part": ""})
-	var part: String = arguments.value("part")
-	if arguments.error == "" and part != "" and not _PARTS.has(part):
-		arguments.error = "--part is one of %s" % ", ".join(_PARTS)
-	if arguments.error != "":
-		printerr(arguments.error)
-		quit(2)
-		return
-	_run.call_deferred(part, BenchReport.new("sound", arguments.value("json")))
+func options() -> Dictionary:
+	return {"part": ["", _PARTS]}
 
 
-func _run(p_part: String, p_report: BenchReport) -> void:
+func measure() -> void:
+	var wanted: PackedStringArray = values("part", Array(_PARTS))
 	Engine.max_fps = 60
-	if p_part in ["", "files"]:
-		Files.measure(p_report)
-	var mix: RefCounted = Mix.new(self, p_report)
-	for part: String in ["levels", "walls", "engine", "delay"]:
-		if p_part in ["", part]:
-			await mix.call("measure_" + part)
-	var scene: RefCounted = Scene.new(self, p_report)
-	for part: String in ["voices", "scene"]:
-		if p_part in ["", part]:
-			await scene.call("measure_" + part)
-	if p_part in ["", "binaural"]:
-		var binaural: RefCounted = Binaural.new(self, p_report)
-		await binaural.measure_binaural()
-	quit(p_report.finish())
+	if "files" in wanted:
+		Files.measure(report)
+	var mix: RefCounted = Mix.new(self, report)
+	var scene: RefCounted = Scene.new(self, report)
+	var binaural: RefCounted = Binaural.new(self, report)
+	var owners: Dictionary[String, RefCounted] = {"levels": mix, "walls": mix, "engine": mix}
+	owners.merge({"delay": mix, "voices": scene, "scene": scene, "binaural": binaural})
+	for part: String in owners:
+		if part in wanted:
+			await owners[part].call("measure_" + part)

@@ -1,4 +1,4 @@
-extends SceneTree
+extends Bench
 ## What streams of other people's suits cost, and how exactly poses come through a bad network.
 ##
 ## Options: --bvh=FILE (default assets/motion/01_01.bvh), --seconds=8, --rate=240, --loss=0.05,
@@ -12,67 +12,51 @@ const _COST_SECONDS: float = 2.0
 const _SENDER: String = "127.0.0.1:50000"
 
 
-func _initialize() -> void:
-	var arguments: BenchArguments = (
-		BenchArguments
-		. parse(
-			OS.get_cmdline_user_args(),
-			{
-				"bvh": "res://assets/motion/01_01.bvh",
-				"seconds": 8.0,
-				"rate": 240.0,
-				"loss": 0.05,
-				"duplicates": 0.05,
-				"jitter": 3.0,
-				"seed": 1,
-				"only": "",
-			}
-		)
-	)
-	var fault: String = arguments.error
-	if fault == "" and not (arguments.value("rate") >= 1.0 and arguments.value("seconds") > 3.0):
-		fault = "--rate is 1 or more, --seconds more than 3"
-	if fault != "":
-		printerr(fault)
-		quit(2)
-		return
-	var report: BenchReport = BenchReport.new("sources", arguments.value("json"))
-	var clip: BvhSource = report.open_clip(arguments.value("bvh"))
+func options() -> Dictionary:
+	return {
+		"bvh": "res://assets/motion/01_01.bvh",
+		"seconds": [8.0, 3.001, 3600.0],
+		"rate": [240.0, 1.0, 10000.0],
+		"loss": 0.05,
+		"duplicates": 0.05,
+		"jitter": 3.0,
+		"seed": 1,
+		"only": "",
+	}
+
+
+func measure() -> void:
+	var clip: BvhSource = report.open_clip(option("bvh"))
 	if clip != null:
 		for kind: String in ["vmc", "rokoko", "axis", "axis-text", "mocopi", "natnet", "webcam"]:
-			if arguments.value("only") in ["", kind]:
-				_measure(kind, clip, arguments, report)
-		if arguments.value("only") in ["", "slime"]:
-			_measure_slime(clip, arguments, report)
-	quit(report.finish())
+			if option("only") in ["", kind]:
+				_measure(kind, clip)
+		if option("only") in ["", "slime"]:
+			_measure_slime(clip)
 
 
-func _measure(
-	p_kind: String, p_clip: BvhSource, p_arguments: BenchArguments, p_report: BenchReport
-) -> void:
-	var rate: float = p_arguments.value("rate")
+func _measure(p_kind: String, p_clip: BvhSource) -> void:
+	var rate: float = option("rate")
 	var cost: float = _cost_usec(p_kind, p_clip, rate)
-	p_report.add(p_kind, "read a pose", cost, "us")
+	report.add(p_kind, "read a pose", cost, "us")
 	var core: float = cost * rate / 1e4
-	p_report.add(p_kind, "core", core, "%", BenchReport.Goal.AT_MOST, _GOAL_CORE)
+	report.at_most(p_kind, "core", core, "%", _GOAL_CORE)
 	for is_clean: bool in [true, false]:
 		var name: String = p_kind + (", clean" if is_clean else ", lossy")
-		var line: LossyLine = LossyLine.new(p_arguments.value("seed"))
+		var line: LossyLine = LossyLine.new(option("seed"))
 		line.rate = rate
-		line.loss = 0.0 if is_clean else p_arguments.value("loss")
-		line.twice = 0.0 if is_clean else p_arguments.value("duplicates")
-		line.jitter_usec = 0 if is_clean else roundi(p_arguments.value("jitter") * 1e3)
+		line.loss = 0.0 if is_clean else option("loss")
+		line.twice = 0.0 if is_clean else option("duplicates")
+		line.jitter_usec = 0 if is_clean else roundi(option("jitter") * 1e3)
 		var stream: PoseStream = PoseStream.new(_reader(p_kind, p_clip))
-		line.run(p_clip, _writer(p_kind, p_clip), stream, p_arguments.value("seconds"))
-		var goal: BenchReport.Goal = BenchReport.Goal.AT_MOST
+		line.run(p_clip, _writer(p_kind, p_clip), stream, option("seconds"))
 		# Points have no twist, and lines of text no time.
-		if p_kind == "webcam" or (p_kind == "axis-text" and not is_clean):
-			goal = BenchReport.Goal.NONE
-		p_report.add(name, "mean", line.errors.mean(), "deg")
-		p_report.add(name, "p95", line.errors.percentile(0.95), "deg", goal, _GOAL_DEG)
-		p_report.add(name, "p99", line.errors.percentile(0.99), "deg")
-		p_report.add(name, "worst", line.worst_deg(), "deg")
-		p_report.add(name, "root worst", line.worst_root * 1000.0, "mm")
+		var has: bool = p_kind != "webcam" and (p_kind != "axis-text" or is_clean)
+		report.add(name, "mean", line.errors.mean(), "deg")
+		report.at_most(name, "p95", line.errors.percentile(0.95), "deg", _GOAL_DEG, has)
+		report.add(name, "p99", line.errors.percentile(0.99), "deg")
+		report.add(name, "worst", line.worst_deg(), "deg")
+		report.add(name, "root worst", line.worst_root * 1000.0, "mm")
 
 
 ## Time to read one pose, µs: the median of all.
@@ -92,22 +76,22 @@ func _cost_usec(p_kind: String, p_clip: BvhSource, p_rate: float) -> float:
 
 
 ## SlimeVR's trackers, twelve sensors: raw orientations, which are to be calibrated.
-func _measure_slime(p_clip: BvhSource, p_arguments: BenchArguments, p_report: BenchReport) -> void:
-	var rate: float = p_arguments.value("rate")
+func _measure_slime(p_clip: BvhSource) -> void:
+	var rate: float = option("rate")
 	var feed: SlimeFeed = SlimeFeed.new()
 	var writer: SlimeWriter = SlimeWriter.new()
 	var random: RandomNumberGenerator = RandomNumberGenerator.new()
-	random.seed = p_arguments.value("seed")
+	random.seed = option("seed")
 	var costs: Statistics = Statistics.new()
 	var errors: Statistics = Statistics.new()
-	for number: int in roundi(p_arguments.value("seconds") * rate):
+	for number: int in roundi(option("seconds") * rate):
 		var usec: int = LossyLine.BEGIN_USEC + roundi(number * 1e6 / rate)
 		var pose: PoseSample = p_clip.pose_at(number / rate)
 		pose.time_usec = usec
 		for datagram: PackedByteArray in writer.write(pose):
-			var copies: int = 2 if random.randf() < p_arguments.value("duplicates") else 1
+			var copies: int = 2 if random.randf() < option("duplicates") else 1
 			for _copy: int in copies:
-				if random.randf() >= p_arguments.value("loss") or number == 0:
+				if random.randf() >= option("loss") or number == 0:
 					var begin: int = Time.get_ticks_usec()
 					feed.take(datagram, _SENDER, usec + LossyLine.DELAY_USEC)
 					costs.add(Time.get_ticks_usec() - begin)
@@ -126,12 +110,12 @@ func _measure_slime(p_clip: BvhSource, p_arguments: BenchArguments, p_report: Be
 					var turn: Quaternion = truth.orientation(BodyMounts.LIMBS[mount])
 					errors.add(Rotations.between_deg(frame.orientation(sensor), turn))
 	var cost: float = costs.percentile(0.5)
-	p_report.add("slime", "read 12 sensors", cost, "us")
-	p_report.add("slime", "core", cost * rate / 1e4, "%", BenchReport.Goal.AT_MOST, _GOAL_CORE)
-	p_report.add("slime, lossy", "mean", errors.mean(), "deg")
+	report.add("slime", "read 12 sensors", cost, "us")
+	report.at_most("slime", "core", cost * rate / 1e4, "%", _GOAL_CORE)
+	report.add("slime, lossy", "mean", errors.mean(), "deg")
 	var p95: float = errors.percentile(0.95)
-	p_report.add("slime, lossy", "p95", p95, "deg", BenchReport.Goal.AT_MOST, _GOAL_DEG)
-	p_report.add("slime, lossy", "p99", errors.percentile(0.99), "deg")
+	report.at_most("slime, lossy", "p95", p95, "deg", _GOAL_DEG)
+	report.add("slime, lossy", "p99", errors.percentile(0.99), "deg")
 
 
 static func _writer(p_kind: String, p_clip: BvhSource) -> StreamWriter:

@@ -9,18 +9,10 @@ on. Options: --keys=20.
 
 from __future__ import annotations
 
-import json
-import os
-import subprocess
-import sys
 from statistics import median
-from typing import Any
 
-from toolchain.console import Failure
+from bench import SOFTWARE, Bench, Options, main
 from toolchain.display import virtual_display
-from toolchain.paths import ROOT
-from toolchain.project import prepare
-from toolchain.stats import Stats
 
 SCRIPT = "res://tests/bench/studio/studio_keys.gd"
 # Goals of issue 17.
@@ -30,38 +22,15 @@ MAX_CHECK_MS = 2.0
 MAX_HANG_MS = 1000.0
 
 
-def rows(keys: int) -> list[dict[str, Any]]:
-    """What the script tells."""
-    godot = prepare(export=False)
-    command = [str(godot.program), "--no-header", "--path", str(ROOT)]
-    command += ["--rendering-method", "gl_compatibility", "--audio-driver", "Dummy"]
-    command += ["--resolution", "1280x720", "-s", SCRIPT, "--", f"--keys={keys}"]
-    with virtual_display() as environment:
-        done = subprocess.run(
-            command,
-            capture_output=True,
-            text=True,
-            timeout=600.0,
-            check=False,
-            env={**os.environ, **godot.environment(), **environment},
-        )
-    found = [json.loads(line) for line in done.stdout.splitlines() if line.startswith("{")]
-    if done.returncode != 0 or not any(row["what"] == "again" for row in found):
-        raise Failure(f"The studio ended with {done.returncode}:\n{done.stderr[-2000:]}")
-    return found
-
-
 def measure(arguments: list[str]) -> int:
     """Types, and prints the stats."""
-    keys = 20
-    for option in arguments:
-        name, _, value = option.removeprefix("--").partition("=")
-        if name == "keys" and value.isdigit() and int(value) > 0:
-            keys = int(value)
-        elif option != "--json":
-            raise Failure(f"'{option}' is no option: --keys=N, --json.", 2)
-    found = rows(keys)
-    add = (stats := Stats("studio", "--json" in arguments)).add
+    options = Options(arguments, {"keys": 20})
+    keys = options["keys"]
+    bench = Bench("studio", options.json)
+    flags = [*SOFTWARE, "--resolution", "1280x720", "-s", SCRIPT, "--", f"--keys={keys}"]
+    with virtual_display() as environment:
+        found = bench.rows(bench.command(*flags), environment, 600.0)
+    add = bench.stats.add
     typed = [row for row in found if row["what"] == "key"]
     frames = [row["frames"] for row in typed]
     beyond = [row["ms"] - row["frame_ms"] for row in typed]
@@ -92,12 +61,8 @@ def measure(arguments: list[str]) -> int:
     add("an endless loop", "longest frame of the studio", longest, "ms", at_most=MAX_HANG_MS)
     again = next(row for row in found if row["what"] == "again")
     add("an endless loop", "process ready again", float(again["ready"]), "", at_least=1.0)
-    return stats.finish()
+    return bench.finish()
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(measure(sys.argv[1:]))
-    except Failure as failure:
-        print(failure, file=sys.stderr)
-        sys.exit(2)
+    main(measure)

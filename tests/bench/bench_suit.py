@@ -19,10 +19,10 @@ from __future__ import annotations
 
 import csv
 import subprocess
-import sys
 import tempfile
 from pathlib import Path
 
+from bench import main
 from toolchain import suit
 from toolchain.console import Failure, step, tail
 from toolchain.godot import Godot, find
@@ -149,7 +149,7 @@ def measure_motion(options: dict[str, str], stats: Stats, folder: Path) -> None:
 PARTS = {"delay": measure_delays, "samples": measure_samples, "motion": measure_motion}
 
 
-def main(arguments: list[str]) -> int:
+def measure(arguments: list[str]) -> int:
     """Measures and prints the stats."""
     options = {"seconds": "20", "sensors": "15", "rate": "100", "only": ""}
     options |= {"bvh": str(CLIPS / "01_01.bvh"), "port": str(free_port())}
@@ -162,15 +162,11 @@ def main(arguments: list[str]) -> int:
         raise Failure(f"--only is one of {', '.join(PARTS)}, found '{options['only']}'.", 2)
     stats = Stats("suit", "json" in options)
     with tempfile.TemporaryDirectory(prefix="dismount-") as name:
-        for part, measure in PARTS.items():
+        for part, add in PARTS.items():
             if options["only"] in ("", part):
-                measure(options, stats, Path(name))
+                add(options, stats, Path(name))
     return stats.finish()
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main(sys.argv[1:]))
-    except Failure as failure:
-        print(failure, file=sys.stderr)
-        sys.exit(failure.code)
+    main(measure)

@@ -1,4 +1,4 @@
-extends SceneTree
+extends Bench
 ## Terrain of 500 x 500 m: error of its heights, cost of its shape, boxes and balls thrown at it.
 ##
 ## Options: --cells=1000, --throws=10000, --seed=1.
@@ -19,55 +19,42 @@ const _BALL_SPEED: float = 40.0
 const _BOX_M: float = 0.5
 const _BALL_M: float = 0.11
 
-var _arguments: BenchArguments = null
-var _report: BenchReport = null
 var _terrain: Terrain = null
 var _dice: RandomNumberGenerator = RandomNumberGenerator.new()
 var _deepest_m: float = 0.0
 
 
-func _initialize() -> void:
-	_arguments = BenchArguments.parse(
-		OS.get_cmdline_user_args(), {"cells": 1000, "throws": 10000, "seed": 1}
-	)
-	if _arguments.error != "":
-		printerr(_arguments.error)
-		quit(2)
-		return
-	_report = BenchReport.new("terrain", _arguments.value("json"))
-	_dice.seed = _arguments.value("seed")
-	_run.call_deferred()
+func options() -> Dictionary:
+	return {"cells": 1000, "throws": 10000, "seed": 1}
 
 
-func _run() -> void:
+func measure() -> void:
+	_dice.seed = option("seed")
 	await _measure_load()
 	await physics_frame
 	_measure_heights()
 	await _measure_throws("boxes at 10 m/s", _make_box)
 	await _measure_throws("balls at 40 m/s", _make_ball)
-	quit(_report.finish())
 
 
 ## The desert where the cells are its own, else dunes of waves.
 func _measure_load() -> void:
-	var cells: int = _arguments.value("cells")
+	var cells: int = option("cells")
 	var bytes: PackedByteArray = HeightFile.encode(_waves(cells))
 	if cells == 1000:
 		bytes = FileAccess.get_file_as_bytes("res://scenes/world/desert/desert.height")
 	var memory: int = _resident_kb()
 	var begin: int = ThreadClock.get_usec()
 	var file: HeightFile = HeightFile.parse(bytes)
-	_report.add("load", "read and check the file", (ThreadClock.get_usec() - begin) / 1e3, "ms")
+	report.add("load", "read and check the file", (ThreadClock.get_usec() - begin) / 1e3, "ms")
 	_terrain = Terrain.new()
 	_terrain.collision_layer = PhysicsLayers.STATIC
 	root.add_child(_terrain)
 	_terrain.set_field(file.field)
 	await physics_frame
 	var spent: float = (ThreadClock.get_usec() - begin) / 1e3
-	_report.add(
-		"load", "until it can be stood on", spent, "ms", BenchReport.Goal.AT_MOST, _GOAL_LOAD_MS
-	)
-	_report.add("load", "memory", (_resident_kb() - memory) / 1024.0, "MB")
+	report.at_most("load", "until it can be stood on", spent, "ms", _GOAL_LOAD_MS)
+	report.add("load", "memory", (_resident_kb() - memory) / 1024.0, "MB")
 
 
 func _waves(p_cells: int) -> HeightField:
@@ -102,16 +89,9 @@ func _measure_heights() -> void:
 			missed += 1
 			continue
 		worst = maxf(worst, absf((hit["position"] as Vector3).y - _terrain.height_at(place)))
-	_report.add(
-		"heights",
-		"worst of 20,000 places",
-		worst * 1000.0,
-		"mm",
-		BenchReport.Goal.AT_MOST,
-		_GOAL_ERROR_MM
-	)
-	_report.add("heights", "holes", missed, "", BenchReport.Goal.AT_MOST, 0.0)
-	_report.add("heights", "a ray", float(spent) / rays, "us")
+	report.at_most("heights", "worst of 20,000 places", worst * 1000.0, "mm", _GOAL_ERROR_MM)
+	report.at_most("heights", "holes", missed, "", 0.0)
+	report.add("heights", "a ray", float(spent) / rays, "us")
 
 
 func _measure_throws(p_name: String, p_make: Callable) -> void:
@@ -120,9 +100,9 @@ func _measure_throws(p_name: String, p_make: Callable) -> void:
 	var ticks: int = 0
 	var begin: int = ThreadClock.get_usec()
 	_deepest_m = 0.0
-	while thrown < _arguments.value("throws"):
+	while thrown < option("throws"):
 		var bodies: Array[RigidBody3D] = []
-		for _body: int in mini(_FLYING, _arguments.value("throws") - thrown):
+		for _body: int in mini(_FLYING, option("throws") - thrown):
 			bodies.append(p_make.call())
 		for _tick: int in _TICKS:
 			await physics_frame
@@ -131,12 +111,10 @@ func _measure_throws(p_name: String, p_make: Callable) -> void:
 			through += 1 if _is_below(body.global_position) else 0
 			body.free()
 		thrown += bodies.size()
-	_report.add(
-		p_name, "fell through, of %d" % thrown, through, "", BenchReport.Goal.AT_MOST, _GOAL_THROUGH
-	)
-	_report.add(p_name, "deepest centre below the ground", _deepest_m * 1000.0, "mm")
+	report.at_most(p_name, "fell through, of %d" % thrown, through, "", _GOAL_THROUGH)
+	report.add(p_name, "deepest centre below the ground", _deepest_m * 1000.0, "mm")
 	var spent: float = (ThreadClock.get_usec() - begin) / 1e3
-	_report.add(p_name, "%d in the air" % _FLYING, spent / ticks, "ms a tick")
+	report.add(p_name, "%d in the air" % _FLYING, spent / ticks, "ms a tick")
 
 
 ## Whether the middle of a body is below the ground, or it has left the level.

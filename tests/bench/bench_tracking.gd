@@ -1,4 +1,4 @@
-extends SceneTree
+extends Bench
 ## How precisely a ragdoll follows recorded motion, over whole clips, in every mode.
 ##
 ## Options: --bvh=FILE (again for more; default the three clips in assets/motion), --all (every
@@ -22,78 +22,45 @@ const _METRICS: Array[Array] = [
 	["distance_m", "joint position", "mm", 1000.0],
 ]
 
-var _arguments: BenchArguments = null
-var _report: BenchReport = null
 var _random: RandomNumberGenerator = RandomNumberGenerator.new()
 
 
-func _initialize() -> void:
-	_arguments = BenchArguments.parse(
-		OS.get_cmdline_user_args(),
-		{
-			"bvh": "",
-			"hz": 60,
-			"mode": "velocity_motor",
-			"root": "held",
-			"buffer": 0,
-			"self-collision": false,
-			"all": false,
-			"gain": 0.0,
-			"noise": 0.0,
-			"rates": false,
-			"seconds": 0.0
-		}
-	)
-	_run.call_deferred()
+func options() -> Dictionary:
+	return {
+		"bvh": "",
+		"hz": [60, 10, 1000],
+		"mode": ["velocity_motor", Case.MODES],
+		"root": ["held", ["held", "soft"]],
+		"buffer": [0, 0, 8],
+		"self-collision": false,
+		"all": false,
+		"gain": 0.0,
+		"noise": 0.0,
+		"rates": false,
+		"seconds": 0.0
+	}
 
 
-func _run() -> void:
-	var fault: String = _find_fault()
-	_report = BenchReport.new("tracking", _arguments.value("json"))
+func measure() -> void:
 	var plain: Dictionary[String, float] = {}
-	if fault != "":
-		printerr(fault)
-		quit(2)
-		return
 	for case: Case in _cases():
 		var stats: Dictionary = await _run_case(case)
 		if stats["clips"] > 0:
 			_add_stats(case, "all %d clips" % stats["clips"], stats, true)
 			_compare_self_collision(case, stats["mean_deg"], plain)
-	quit(_report.finish())
 
 
 func _cases() -> Array:
-	if _arguments.value("all"):
+	if option("all"):
 		return Case.all()
 	var named: bool = false
-	for option: String in ["mode", "root", "hz", "buffer", "self-collision"]:
-		named = named or _arguments.is_given(option)
+	for name: String in ["mode", "root", "hz", "buffer", "self-collision"]:
+		named = named or arguments.is_given(name)
 	if not named:
 		return Case.usual()
-	var case: Case = Case.new(
-		_arguments.value("mode"),
-		_arguments.value("root"),
-		_arguments.value("hz"),
-		_arguments.value("buffer")
-	)
-	case.self_collision = _arguments.value("self-collision")
+	var case: Case = Case.new(option("mode"), option("root"), option("hz"), option("buffer"))
+	case.self_collision = option("self-collision")
 	return [case]
-
-
-func _find_fault() -> String:
-	if _arguments.error != "":
-		return _arguments.error
-	if not Case.MODES.has(_arguments.value("mode")):
-		var known: String = ", ".join(Case.MODES)
-		return "a mode is one of %s, found '%s'" % [known, _arguments.value("mode")]
-	if not _arguments.value("root") in ["held", "soft"]:
-		return "a root is held or soft, found '%s'" % _arguments.value("root")
-	if _arguments.value("hz") < 10 or _arguments.value("hz") > 1000:
-		return "a tick rate is between 10 and 1000, found %d" % _arguments.value("hz")
-	if _arguments.value("buffer") < 0 or _arguments.value("buffer") > 8:
-		return "a buffer is 0 to 8 ticks, found %d" % _arguments.value("buffer")
-	return ""
 
 
 ## Means over the clips, and how many could be measured. A lag counts by its magnitude: a lead in
@@ -102,7 +69,7 @@ func _run_case(p_case: Case) -> Dictionary:
 	Engine.physics_ticks_per_second = p_case.hz
 	_random.seed = 1
 	var sums: Dictionary = {"acted": 0, "clips": 0, "lag_unknown": 0}
-	for file: String in BenchArguments.clips(_arguments):
+	for file: String in BenchArguments.clips(arguments):
 		var tracking: Dictionary = await _run_clip(file, p_case)
 		if tracking.is_empty():
 			continue
@@ -119,13 +86,13 @@ func _run_case(p_case: Case) -> Dictionary:
 
 ## The stats of a clip; empty where there are none, which is noted.
 func _run_clip(p_file: String, p_case: Case) -> Dictionary:
-	var source: BvhSource = _report.open_clip(p_file)
+	var source: BvhSource = report.open_clip(p_file)
 	if source == null:
 		return {}
 	var ragdoll: Ragdoll = _make_ragdoll(source.rig, p_case)
 	root.add_child(ragdoll)
 	if not ragdoll.start():
-		_report.leave_out(p_file, "the ragdoll does not start")
+		report.leave_out(p_file, "the ragdoll does not start")
 		ragdoll.queue_free()
 		return {}
 	ragdoll.motor.measures_lag = true
@@ -141,7 +108,7 @@ func _run_clip(p_file: String, p_case: Case) -> Dictionary:
 	if tracking["count"] == 0:
 		var least: float = _START_S + BvhSource.BLEND_S
 		var parts: Array = [source.rig.clip.duration(), least]
-		_report.leave_out(
+		report.leave_out(
 			p_file, "%.2f s are too short: the clip has to be longer than %.1f s" % parts
 		)
 		return {}
@@ -151,8 +118,8 @@ func _run_clip(p_file: String, p_case: Case) -> Dictionary:
 func _play(p_source: BvhSource, p_ragdoll: Ragdoll, p_case: Case) -> void:
 	var delta: float = 1.0 / p_case.hz
 	var length: float = p_source.rig.clip.duration() - BvhSource.BLEND_S
-	if _arguments.value("seconds") > 0.0:
-		length = minf(length, _arguments.value("seconds"))
+	if option("seconds") > 0.0:
+		length = minf(length, option("seconds"))
 	var tick: int = 0
 	while (tick + p_case.buffer) * delta < length:
 		await physics_frame
@@ -160,7 +127,7 @@ func _play(p_source: BvhSource, p_ragdoll: Ragdoll, p_case: Case) -> void:
 		if tick * delta > _START_S:
 			p_ragdoll.motor.measure(tick * delta)
 		var sampled: PoseSample = p_source.pose_at((tick + p_case.buffer) * delta)
-		if _arguments.value("rates"):
+		if option("rates"):
 			_add_rates(sampled, p_source, (tick + p_case.buffer) * delta)
 		_add_noise(sampled)
 		p_ragdoll.push_sample((tick + p_case.buffer) * delta, sampled, sampled.root)
@@ -177,7 +144,7 @@ func _add_rates(p_sample: PoseSample, p_source: BvhSource, p_time_s: float) -> v
 
 
 func _add_noise(p_sample: PoseSample) -> void:
-	var size: float = deg_to_rad(_arguments.value("noise"))
+	var size: float = deg_to_rad(option("noise"))
 	if size <= 0.0:
 		return
 	for limb: int in Limbs.COUNT:
@@ -194,31 +161,31 @@ func _make_ragdoll(p_rig: BvhRig, p_case: Case) -> Ragdoll:
 	RagdollBuilder.build(skeleton, ragdoll.profile)
 	ragdoll.root_mode = p_case.root
 	ragdoll.self_collision = p_case.self_collision
-	if _arguments.value("gain") > 0.0:
-		ragdoll.gain = _arguments.value("gain")
+	if option("gain") > 0.0:
+		ragdoll.gain = option("gain")
 	return ragdoll
 
 
 func _add_stats(p_case: Case, p_of: String, p_stats: Dictionary, p_is_total: bool) -> void:
 	# Goals are for all clips together.
-	var alone: bool = BenchArguments.clips(_arguments).size() == 1
+	var alone: bool = BenchArguments.clips(arguments).size() == 1
 	if p_is_total and alone:
 		return
 	var name: String = "%s: %s" % [p_case.name(), p_of]
 	for metric: Array in _METRICS:
 		var goal: float = p_case.goals.get(metric[0], 0.0)
 		var kind: BenchReport.Goal = BenchReport.Goal.NONE
-		if (p_is_total or alone) and goal > 0.0 and _arguments.value("noise") == 0.0:
+		if (p_is_total or alone) and goal > 0.0 and option("noise") == 0.0:
 			kind = BenchReport.Goal.AT_MOST
 		if kind != BenchReport.Goal.NONE and metric[0] == "lag_s":
 			kind = BenchReport.Goal.WITHIN
 		var value: float = p_stats[metric[0]] * metric[3]
-		_report.add(name, metric[1], value, metric[2], kind, goal)
+		report.add(name, metric[1], value, metric[2], kind, goal)
 	if p_stats["lag_unknown"] > 0:
 		# The value is then the bound of the search, which is beyond any goal.
-		_report.add(name, "lag beyond the search", p_stats["lag_unknown"], "clips")
+		report.add(name, "lag beyond the search", p_stats["lag_unknown"], "clips")
 	if p_stats["acted"] > 0:
-		_report.add(name, "guard acted", p_stats["acted"], "ticks")
+		report.add(name, "guard acted", p_stats["acted"], "ticks")
 
 
 ## What self-collision costs against the same case without.
@@ -230,4 +197,4 @@ func _compare_self_collision(
 		r_plain[name] = p_mean
 	elif r_plain.has(name):
 		var cost: float = p_mean - r_plain[name]
-		_report.add(p_case.name(), "cost", cost, "deg", BenchReport.Goal.AT_MOST, 0.3)
+		report.at_most(p_case.name(), "cost", cost, "deg", 0.3)

@@ -1,4 +1,4 @@
-extends SceneTree
+extends Bench
 ## How long a datagram takes from one client over the server's thread to another, over real sockets,
 ## beside Godot's own ENetMultiplayerPeer that is polled every frame.
 ##
@@ -18,9 +18,6 @@ const _CASES: Array[String] = ["all", "threads", "flood", "client", "server", "p
 ## First byte of the datagrams.
 const _KIND: int = 1
 
-var _arguments: BenchArguments = null
-var _report: BenchReport = null
-
 
 ## A server's thread that passes each datagram on to everybody else, as the server does with poses.
 class Relay:
@@ -32,28 +29,18 @@ class Relay:
 		return PackedByteArray()
 
 
-func _initialize() -> void:
-	_arguments = BenchArguments.parse(
-		OS.get_cmdline_user_args(),
-		{"seconds": 5.0, "hz": 60, "bytes": 281, "fps": 60, "clients": 32, "case": "all"}
-	)
-	_run.call_deferred()
+func options() -> Dictionary:
+	return {
+		"seconds": 5.0,
+		"hz": [60, 1, 1000],
+		"bytes": [281, 16, TransportLimits.new().max_datagram],
+		"fps": [60, 1, 1000],
+		"clients": [32, 1, 1000],
+		"case": ["all", _CASES]
+	}
 
 
-func _run() -> void:
-	var fault: String = _arguments.error
-	for name: String in ["hz", "bytes", "fps", "clients"]:
-		var most: int = TransportLimits.new().max_datagram if name == "bytes" else 1000
-		var value: int = _arguments.value(name)
-		if fault == "" and (value < (16 if name == "bytes" else 1) or value > most):
-			fault = "--%s is between 1 (bytes: 16) and %d, found %d" % [name, most, value]
-	if fault == "" and not _CASES.has(_arguments.value("case")):
-		fault = "--case is one of %s" % ", ".join(_CASES)
-	if fault != "":
-		printerr(fault)
-		quit(2)
-		return
-	_report = BenchReport.new("transport", _arguments.value("json"))
+func measure() -> void:
 	for seals: bool in [true, false]:
 		if _is_wanted("threads"):
 			await _run_threaded(seals)
@@ -64,14 +51,13 @@ func _run() -> void:
 		if _is_wanted("server"):
 			await _run_many(seals)
 	if _is_wanted("polled"):
-		await _run_polled()
+		_run_polled()
 	if _is_wanted("sealing"):
-		SealingCase.run(_report)
-	quit(_report.finish())
+		SealingCase.run(report)
 
 
 func _is_wanted(p_case: String) -> bool:
-	return (_arguments.value("case") as String) in ["all", p_case]
+	return (option("case") as String) in ["all", p_case]
 
 
 ## A to B over the server's thread: the arrival is that of B's thread.
@@ -86,9 +72,9 @@ func _run_threaded(p_seals: bool) -> void:
 	var clients: Array[ThreadedPeer] = await _join(server, port, 2)
 	var delays: Statistics = Statistics.new()
 	var sent: int = 0
-	var period: int = 1000000 / (_arguments.value("hz") as int)
+	var period: int = 1000000 / (option("hz") as int)
 	var due: int = Time.get_ticks_usec()
-	var end: int = due + int((_arguments.value("seconds") as float) * 1e6)
+	var end: int = due + int((option("seconds") as float) * 1e6)
 	clients[1].take_fast()
 	while Time.get_ticks_usec() < end:
 		# Not in step with the threads' milliseconds.
@@ -120,11 +106,11 @@ func _run_polled() -> void:
 		OS.delay_msec(1)
 	var delays: Statistics = Statistics.new()
 	var sent: int = 0
-	var frame: int = 1000000 / (_arguments.value("fps") as int)
+	var frame: int = 1000000 / (option("fps") as int)
 	var now: int = Time.get_ticks_usec()
 	# Each of the three has frames of its own, not in step with each other.
 	var due: Array[int] = [now, now + frame / 3, now + frame * 2 / 3]
-	var end: int = now + int((_arguments.value("seconds") as float) * 1e6)
+	var end: int = now + int((option("seconds") as float) * 1e6)
 	while now < end:
 		var next: int = due.find(due.min())
 		OS.delay_usec(maxi(due[next] - Time.get_ticks_usec(), 0))
@@ -166,7 +152,7 @@ func _run_flood(p_seals: bool) -> void:
 	var sent: int = 0
 	var cpu: float = _cpu_seconds()
 	var begin: int = Time.get_ticks_usec()
-	var span: int = int((_arguments.value("seconds") as float) * 1e6)
+	var span: int = int((option("seconds") as float) * 1e6)
 	while Time.get_ticks_usec() - begin < span:
 		for _datagram: int in 20:
 			clients[0].send_fast(1, _stamped())
@@ -177,10 +163,10 @@ func _run_flood(p_seals: bool) -> void:
 	got += server.take_fast().size()
 	var seconds: float = (Time.get_ticks_usec() - begin) / 1e6
 	var case: String = "one way, as many as go" + _suffix(p_seals)
-	_report.add(case, "arrived", got / seconds, "1/s")
-	_report.add(case, "lost", 100.0 * (sent - got) / sent, "%")
+	report.add(case, "arrived", got / seconds, "1/s")
+	report.add(case, "lost", 100.0 * (sent - got) / sent, "%")
 	var cost: float = (_cpu_seconds() - cpu) * 1e6 / got
-	_report.add(case, "all threads, per datagram", cost, "us")
+	report.add(case, "all threads, per datagram", cost, "us")
 	_close(server, clients)
 
 
@@ -194,8 +180,8 @@ func _run_idle(p_seals: bool) -> void:
 	var idle: float = await _measure_client(server, clients[0], false)
 	var active: float = await _measure_client(server, clients[0], true)
 	var case: String = "client's thread" + _suffix(p_seals)
-	_report.add(case, "CPU, idle", idle, "%", BenchReport.Goal.AT_MOST, _GOAL_IDLE)
-	_report.add(case, "CPU, 60 Hz in, 60 Hz out", active, "%")
+	report.at_most(case, "CPU, idle", idle, "%", _GOAL_IDLE)
+	report.add(case, "CPU, 60 Hz in, 60 Hz out", active, "%")
 	_close(server, clients)
 
 
@@ -206,7 +192,7 @@ func _measure_client(p_server: ThreadedPeer, p_client: ThreadedPeer, p_active: b
 	var cpu: int = p_client.stats()["cpu_usec"]
 	var begin: int = Time.get_ticks_usec()
 	var due: int = begin
-	while Time.get_ticks_usec() - begin < int((_arguments.value("seconds") as float) * 1e6):
+	while Time.get_ticks_usec() - begin < int((option("seconds") as float) * 1e6):
 		due += 1000000 / 60
 		OS.delay_usec(maxi(due - Time.get_ticks_usec(), 0))
 		if p_active:
@@ -223,16 +209,16 @@ func _measure_client(p_server: ThreadedPeer, p_client: ThreadedPeer, p_active: b
 ## datagrams to each out as a server sends.
 func _run_many(p_seals: bool) -> void:
 	var port: int = LinkPair.free_port()
-	var count: int = _arguments.value("clients")
+	var count: int = option("clients")
 	var server: ThreadedPeer = _make_peer(p_seals)
 	server.create_server(port, "127.0.0.1")
 	var clients: Array[ThreadedPeer] = await _join(server, port, count)
 	var idle: float = await _measure_server(server, clients, false)
 	var active: float = await _measure_server(server, clients, true)
 	var case: String = "server's thread, %d clients" % count + _suffix(p_seals)
-	_report.add(case, "CPU at rest", idle, "ms/s")
-	_report.add(case, "CPU, %d Hz in, 60 Hz out" % _arguments.value("hz"), active, "ms/s")
-	_report.add(case, "CPU a tick", active / 60.0, "ms", BenchReport.Goal.AT_MOST, 2.0)
+	report.add(case, "CPU at rest", idle, "ms/s")
+	report.add(case, "CPU, %d Hz in, 60 Hz out" % option("hz"), active, "ms/s")
+	report.at_most(case, "CPU a tick", active / 60.0, "ms", 2.0)
 	_close(server, clients)
 
 
@@ -244,8 +230,8 @@ func _measure_server(
 	var cpu: int = p_server.stats()["cpu_usec"]
 	var begin: int = Time.get_ticks_usec()
 	var due: int = begin
-	var period: int = 1000000 / (_arguments.value("hz") as int)
-	while Time.get_ticks_usec() - begin < int((_arguments.value("seconds") as float) * 1e6):
+	var period: int = 1000000 / (option("hz") as int)
+	while Time.get_ticks_usec() - begin < int((option("seconds") as float) * 1e6):
 		due += period
 		OS.delay_usec(maxi(due - Time.get_ticks_usec(), 0))
 		var ids: PackedInt32Array = []
@@ -301,17 +287,18 @@ func _close(p_server: ThreadedPeer, p_clients: Array[ThreadedPeer]) -> void:
 
 
 func _add_delays(p_case: String, p_delays: Statistics, p_sent: int, p_goal: bool) -> void:
-	var kind: BenchReport.Goal = BenchReport.Goal.AT_MOST if p_goal else BenchReport.Goal.NONE
-	_report.add(p_case, "A to server to B, p50", p_delays.percentile(0.5), "ms", kind, _GOAL_MS)
-	_report.add(p_case, "A to server to B, p95", p_delays.percentile(0.95), "ms")
-	_report.add(p_case, "A to server to B, p99", p_delays.percentile(0.99), "ms")
-	_report.add(p_case, "lost", 100.0 * (p_sent - p_delays.count()) / maxi(p_sent, 1), "%")
+	report.at_most(
+		p_case, "A to server to B, p50", p_delays.percentile(0.5), "ms", _GOAL_MS, p_goal
+	)
+	report.add(p_case, "A to server to B, p95", p_delays.percentile(0.95), "ms")
+	report.add(p_case, "A to server to B, p99", p_delays.percentile(0.99), "ms")
+	report.add(p_case, "lost", 100.0 * (p_sent - p_delays.count()) / maxi(p_sent, 1), "%")
 
 
 ## A datagram like a pose that carries the time at which it was sent.
 func _stamped() -> PackedByteArray:
 	var bytes: PackedByteArray = PackedByteArray()
-	bytes.resize(_arguments.value("bytes"))
+	bytes.resize(option("bytes"))
 	bytes.encode_u8(0, _KIND)
 	bytes.encode_u64(1, Time.get_ticks_usec())
 	return bytes

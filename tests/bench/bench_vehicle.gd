@@ -1,4 +1,4 @@
-extends SceneTree
+extends Bench
 ## Vehicles: what they can do beside the published performance of real ones, what they cost, and
 ## random driving.
 ##
@@ -8,113 +8,76 @@ extends SceneTree
 ## random, for each seed; 20 and 10 are the goal's; of hatch and stabiliser, for each case; 5 are
 ## the goal's), --world=NAME (of random: desert, town or crates; default one after the other).
 
-const _SCENES: Array[String] = [
-	"published",
-	"compare",
-	"cost",
-	"mishaps",
-	"hatch",
-	"stabiliser",
-	"firing",
-	"prediction",
-	"wire",
-	"random",
-]
+const _SCENES: Dictionary[String, GDScript] = {
+	"published": preload("vehicle/vehicle_published.gd"),
+	"compare": preload("vehicle/vehicle_comparison.gd"),
+	"cost": preload("vehicle/vehicle_cost.gd"),
+	"mishaps": preload("vehicle/vehicle_mishaps.gd"),
+	"hatch": preload("vehicle/vehicle_hatch.gd"),
+	"stabiliser": preload("vehicle/vehicle_stabiliser.gd"),
+	"firing": preload("vehicle/vehicle_firing.gd"),
+	"prediction": preload("vehicle/vehicle_prediction.gd"),
+	"wire": preload("vehicle/vehicle_wire.gd"),
+	"random": null,
+}
+## Scenes about the tank's turret.
+const _OF_TANK: Array[String] = ["hatch", "stabiliser", "firing"]
 const _KINDS: Dictionary[String, VehicleParameters.GearKind] = {
 	"spheres": VehicleParameters.GearKind.SPHERES,
 	"rays": VehicleParameters.GearKind.RAYS,
 }
 
-var _arguments: BenchArguments = null
-var _report: BenchReport = null
+
+func options() -> Dictionary:
+	return {
+		"preset": "tank",
+		"gear": ["", _KINDS.keys()],
+		"scene": ["", _SCENES.keys()],
+		"seeds": [3, 1, 10000],
+		"minutes": [1.0, 0.001, 10000.0],
+		"world": ["", VehicleWander.WORLDS],
+		"seed": -1,
+		"hz": 60,
+	}
 
 
-func _initialize() -> void:
-	_arguments = (
-		BenchArguments
-		. parse(
-			OS.get_cmdline_user_args(),
-			{
-				"preset": "tank",
-				"gear": "",
-				"scene": "",
-				"seeds": 3,
-				"minutes": 1.0,
-				"world": "",
-				"seed": -1,
-				"hz": 60,
-			}
-		)
-	)
-	_run.call_deferred()
+func find_fault() -> String:
+	if not FileAccess.file_exists("res://scenes/vehicle/%s/%s.tscn" % [_preset(), _preset()]):
+		return "there is no preset '%s'" % _preset()
+	return ""
 
 
-func _run() -> void:
-	var fault: String = _find_fault()
-	if fault != "":
-		printerr(fault)
-		quit(2)
-		return
-	if _arguments.value("seed") >= 0:
+func measure() -> void:
+	if option("seed") >= 0:
 		await _run_seed()
-		quit(0)
 		return
-	_report = BenchReport.new("vehicle", _arguments.value("json"))
-	var scenes: PackedStringArray = _arguments.list("scene")
 	for name: String in _SCENES:
-		if not scenes.is_empty() and not scenes.has(name):
+		var is_wanted: bool = name in values("scene", _SCENES.keys())
+		if not is_wanted or (name in _OF_TANK and _preset() != "tank"):
 			continue
-		match name:
-			"published":
-				for gear: String in _gears():
-					await VehiclePublished.run(self, _report, _preset(), gear, _KINDS[gear])
-			"compare":
-				for gear: String in _gears():
-					await VehicleComparison.run(self, _report, _preset(), gear, _KINDS[gear])
-			"cost":
-				for gear: String in _gears():
-					await VehicleCost.run(self, _report, _preset(), gear, _KINDS[gear])
-			"mishaps":
-				for gear: String in _gears():
-					await VehicleMishaps.run(self, _report, _preset(), gear, _KINDS[gear])
-			"hatch":
-				for gear: String in _gears_of_tank():
-					await VehicleHatch.run(self, _report, gear, _KINDS[gear], _minutes())
-			"stabiliser":
-				for gear: String in _gears_of_tank():
-					await VehicleStabiliser.run(self, _report, gear, _KINDS[gear], _minutes())
-			"wire":
-				for gear: String in _gears():
-					await VehicleWire.run(self, _report, _preset(), gear, _KINDS[gear])
-			"prediction":
-				for gear: String in _gears():
-					await VehiclePrediction.run(self, _report, _preset(), gear, _KINDS[gear])
-			"firing":
-				if _preset() == "tank":
-					await VehicleFiring.run(self, _report)
-			"random":
-				for gear: String in _gears():
-					_run_random(gear)
-	quit(_report.finish())
+		# Guns know nothing of what a tank runs on.
+		for gear: String in _gears() if name != "firing" else PackedStringArray(["spheres"]):
+			if name == "random":
+				_run_random(gear)
+				continue
+			var case: VehicleCase = _SCENES[name].new()
+			case.tree = self
+			case.report = report
+			case.preset = _preset()
+			case.gear = gear
+			case.kind = _KINDS[gear]
+			case.minutes = option("minutes")
+			await case.run()
 
 
 func _preset() -> String:
-	return _arguments.value("preset")
-
-
-func _minutes() -> float:
-	return _arguments.value("minutes")
-
-
-## The running gears that are meant, of scenes about the tank's turret.
-func _gears_of_tank() -> PackedStringArray:
-	return _gears() if _preset() == "tank" else PackedStringArray()
+	return option("preset")
 
 
 ## The running gears that are meant: those that the preset has.
 func _gears() -> PackedStringArray:
 	var vehicle: Vehicle = VehicleGround.create(_preset())
-	var wanted: PackedStringArray = _arguments.list("gear")
+	var wanted: PackedStringArray = arguments.list("gear")
 	var found: PackedStringArray = PackedStringArray()
 	for name: String in _KINDS:
 		var has: bool = not vehicle.parameters.wheels_of(_KINDS[name]).is_empty()
@@ -124,43 +87,24 @@ func _gears() -> PackedStringArray:
 	return found
 
 
-func _find_fault() -> String:
-	if _arguments.error != "":
-		return _arguments.error
-	if not FileAccess.file_exists("res://scenes/vehicle/%s/%s.tscn" % [_preset(), _preset()]):
-		return "there is no preset '%s'" % _preset()
-	for name: String in _arguments.list("scene"):
-		if not _SCENES.has(name):
-			return "a scene is one of %s, found '%s'" % [", ".join(_SCENES), name]
-	for name: String in _arguments.list("gear"):
-		if not _KINDS.has(name):
-			return "a gear is one of %s, found '%s'" % [", ".join(_KINDS.keys()), name]
-	for name: String in _arguments.list("world"):
-		if not VehicleWander.WORLDS.has(name):
-			return "a world is one of %s, found '%s'" % [", ".join(VehicleWander.WORLDS), name]
-	if _arguments.value("seeds") < 1 or not _arguments.value("minutes") > 0.0:
-		return "--seeds and --minutes must be above zero"
-	return ""
-
-
 ## One seed in this process: its outcome is the last line.
 func _run_seed() -> void:
-	var world: String = _arguments.value("world")
-	var kind: VehicleParameters.GearKind = _KINDS[_arguments.value("gear")]
+	var world: String = option("world")
+	var kind: VehicleParameters.GearKind = _KINDS[option("gear")]
 	var wander: VehicleWander = VehicleWander.new(self, _preset(), kind, world)
-	await wander.run(_arguments.value("seed"), _arguments.value("minutes"))
+	await wander.run(option("seed"), option("minutes"))
 	print(JSON.stringify(wander.outcome()))
 
 
 ## All seeds, each twice and in processes of their own: a second world in one process counts its
 ## bodies on, and is another.
 func _run_random(p_gear: String) -> void:
-	var worlds: PackedStringArray = _arguments.list("world")
+	var worlds: PackedStringArray = arguments.list("world")
 	if worlds.is_empty():
 		worlds = PackedStringArray(VehicleWander.WORLDS)
-	var options: PackedStringArray = [
+	var command: PackedStringArray = [
 		"--preset=" + _preset(),
 		"--gear=" + p_gear,
-		"--minutes=%s" % _arguments.value("minutes"),
+		"--minutes=%s" % option("minutes"),
 	]
-	VehicleWander.run_seeds(_report, p_gear, options, worlds, _arguments.value("seeds"))
+	VehicleWander.run_seeds(report, p_gear, command, worlds, option("seeds"))

@@ -1,4 +1,4 @@
-extends SceneTree
+extends Bench
 ## What the visualizer of a vehicle costs a client: main thread a frame, its belts, how far links
 ## and teeth are out of step after a kilometre.
 ##
@@ -17,29 +17,17 @@ const _GOAL_PRIMITIVES: float = 150000.0
 ## How far away the eye is, m: near, and where strips take the links' place.
 const _NEAR_M: float = 12.0
 const _FAR_M: float = 41.0
-const _MOST: BenchReport.Goal = BenchReport.Goal.AT_MOST
 
-var _arguments: BenchArguments = null
-var _report: BenchReport = null
 var _views: Array[VehicleView] = []
 
 
-func _initialize() -> void:
-	_arguments = BenchArguments.parse(OS.get_cmdline_user_args(), {"vehicles": 10, "frames": 600})
-	var count: int = _arguments.value("vehicles")
-	if _arguments.error == "" and (count < 1 or count > 100):
-		_arguments.error = "vehicles are 1 to 100"
-	if _arguments.error != "":
-		printerr(_arguments.error)
-		quit(2)
-		return
-	_report = BenchReport.new("vehicle_view", _arguments.value("json"))
-	_run.call_deferred()
+func options() -> Dictionary:
+	return {"vehicles": [10, 1, 100], "frames": 600}
 
 
-func _run() -> void:
+func measure() -> void:
 	_add_ground()
-	for number: int in _arguments.value("vehicles") as int:
+	for number: int in option("vehicles") as int:
 		_add_view(Vector3(number * 12.0 - 60.0, 0.0, 0.0))
 	await physics_frame
 	await physics_frame
@@ -50,7 +38,6 @@ func _run() -> void:
 	_measure_phase()
 	if DisplayServer.get_name() != "headless":
 		await _measure_drawing()
-	quit(_report.finish())
 
 
 func _add_ground() -> void:
@@ -75,7 +62,7 @@ func _add_view(p_at: Vector3) -> void:
 ## All drive on, each in its own way: dust, prints, antennas, everything is busy.
 func _measure_frames(p_name: String, p_away: float, p_goal: float) -> void:
 	var took: PackedFloat64Array = []
-	for frame: int in _arguments.value("frames") as int:
+	for frame: int in option("frames") as int:
 		for number: int in _views.size():
 			_move(_views[number], number, frame)
 		var begin: int = ThreadClock.get_usec()
@@ -86,9 +73,9 @@ func _measure_frames(p_name: String, p_away: float, p_goal: float) -> void:
 	var mean: float = 0.0
 	for one: float in took:
 		mean += one / took.size()
-	_report.add("a tank, " + p_name, "main thread a frame", mean, "ms", _MOST, p_goal)
+	report.at_most("a tank, " + p_name, "main thread a frame", mean, "ms", p_goal)
 	var late: float = took[took.size() * 99 / 100]
-	_report.add("a tank, " + p_name, "99th percentile", late, "ms")
+	report.add("a tank, " + p_name, "99th percentile", late, "ms")
 
 
 func _move(p_view: VehicleView, p_number: int, p_frame: int) -> void:
@@ -105,17 +92,17 @@ func _move(p_view: VehicleView, p_number: int, p_frame: int) -> void:
 func _measure_parts() -> void:
 	var view: VehicleView = _views[0]
 	var space: PhysicsDirectSpaceState3D = view.get_world_3d().direct_space_state
-	var frames: int = _arguments.value("frames")
+	var frames: int = option("frames")
 	var begin: int = ThreadClock.get_usec()
 	for _frame: int in frames:
 		view.ground.advance(space, view.global_transform, _STEP)
 	var rays: float = float(ThreadClock.get_usec() - begin) / frames
-	_report.add("a tank, near", "of it rays of 16 wheels", rays, "us")
+	report.add("a tank, near", "of it rays of 16 wheels", rays, "us")
 	begin = ThreadClock.get_usec()
 	for frame: int in frames:
 		view.effects.advance(_STEP, _NEAR_M)
 	var effects: float = float(ThreadClock.get_usec() - begin) / frames
-	_report.add("a tank, near", "of it effects", effects, "us")
+	report.add("a tank, near", "of it effects", effects, "us")
 
 
 func _measure_belts() -> void:
@@ -126,8 +113,8 @@ func _measure_belts() -> void:
 	for number: int in rounds:
 		belt.lay(number * 0.013, lifts)
 	var lay: float = float(ThreadClock.get_usec() - begin) / rounds
-	_report.add("belts", "a side of %d links" % belt.get_link_count(), lay, "us")
-	_report.add("belts", "both sides", lay * 2.0, "us", _MOST, _GOAL_BELT_USEC)
+	report.add("belts", "a side of %d links" % belt.get_link_count(), lay, "us")
+	report.at_most("belts", "both sides", lay * 2.0, "us", _GOAL_BELT_USEC)
 
 
 func _measure_phase() -> void:
@@ -137,7 +124,7 @@ func _measure_phase() -> void:
 	for _count: int in 1000:
 		view.sides[0].advance(60.0, _STEP, view.ground.lifts.slice(0, 8))
 		worst = maxf(worst, _phase_error(view, 0))
-	_report.add("link to cog", "over 1 km", worst * 1000.0, "mm", _MOST, _GOAL_PHASE_MM)
+	report.at_most("link to cog", "over 1 km", worst * 1000.0, "mm", _GOAL_PHASE_MM)
 
 
 static func _phase_error(p_view: VehicleView, p_side: int) -> float:
@@ -179,8 +166,8 @@ func _measure_drawing() -> void:
 			view.advance(_STEP, away)
 		var drawn: Vector2 = await _count() - without
 		var name: String = "a tank at %d m" % roundi(away)
-		_report.add(name, "draws", drawn.x, "", _MOST, _GOAL_DRAWS)
-		_report.add(name, "primitives", drawn.y, "", _MOST, _GOAL_PRIMITIVES)
+		report.at_most(name, "draws", drawn.x, "", _GOAL_DRAWS)
+		report.at_most(name, "primitives", drawn.y, "", _GOAL_PRIMITIVES)
 
 
 func _count() -> Vector2:

@@ -1,5 +1,5 @@
-extends SceneTree
-## What motion costs on the wire: a person, and a crowd.
+extends Bench
+## What motion costs on the wire: a person, what a trainee sends, and a crowd.
 ##
 ## Options: --bvh=FILE (again for more; default the clips in assets/motion), --hz=30 (60, 30, 20,
 ## 15 ..., what divides 60), --age (ticks of 1/60 s that the acknowledged base is old; default 2
@@ -7,8 +7,7 @@ extends SceneTree
 ## --rounds=20. Payload of one person of 16 limbs, the end of the range coder included, no headers.
 ## Then what one trainee and one with eight people send, with all headers.
 ## Then, unless --people=0, a client of a world of --people=8 and --crates=200 that all move, for
-## --seconds=20, with all headers, on several networks, and Godot's own MultiplayerSynchronizer
-## beside it.
+## --seconds=20, with all headers, on several networks.
 
 const CrowdCases: GDScript = preload("wire/crowd_cases.gd")
 const UpstreamCases: GDScript = preload("wire/upstream_cases.gd")
@@ -21,34 +20,26 @@ const _GOALS: Dictionary[int, Dictionary] = {
 const _GOAL_ENCODE_US: float = 30.0
 
 
-func _initialize() -> void:
-	_run.call_deferred()
+func options() -> Dictionary:
+	return {
+		"bvh": "",
+		"hz": [30, 1, 60],
+		"age": [2, 1, 60],
+		"error": [0.1, 0.02, 30.0],
+		"rounds": [20, 1, 10000],
+		"people": [8, 0, 200],
+		"crates": [200, 1, 2000],
+		"seconds": [20.0, 1.0, 3600.0],
+	}
 
 
-func _run() -> void:
-	var arguments: BenchArguments = (
-		BenchArguments
-		. parse(
-			OS.get_cmdline_user_args(),
-			{
-				"bvh": "",
-				"hz": 30,
-				"age": 2,
-				"error": 0.1,
-				"rounds": 20,
-				"people": 8,
-				"crates": 200,
-				"seconds": 20.0,
-			}
-		)
-	)
-	var fault: String = _find_fault(arguments)
+func find_fault() -> String:
+	var hz: int = option("hz")
+	return "--hz divides 60, found %d" % hz if 60 % hz != 0 else ""
+
+
+func measure() -> void:
 	var clips: Array[WireClip] = []
-	if fault != "":
-		printerr(fault)
-		quit(2)
-		return
-	var report: BenchReport = BenchReport.new("wire", arguments.value("json"))
 	for file: String in BenchArguments.clips(arguments):
 		var clip: WireClip = WireClip.from_file(file)
 		if clip.error == "":
@@ -56,79 +47,44 @@ func _run() -> void:
 		else:
 			report.leave_out(file, clip.error)
 	if clips.is_empty():
-		quit(report.finish())
 		return
-	var rates: Array = [arguments.value("hz")]
+	var rates: Array = [option("hz")]
 	if not arguments.is_given("hz"):
 		rates.append(60)
 	for hz: int in rates:
-		_measure(clips, hz, arguments, report)
+		_measure(clips, hz)
 	UpstreamCases.new().run(report, clips)
-	if arguments.value("people") > 0:
-		await _crowd(arguments, report)
-	quit(report.finish())
+	if option("people") > 0:
+		await _crowd()
 
 
-func _find_fault(p_arguments: BenchArguments) -> String:
-	if p_arguments.error != "":
-		return p_arguments.error
-	var hz: int = p_arguments.value("hz")
-	if hz < 1 or hz > 60 or 60 % hz != 0:
-		return "--hz divides 60, found %d" % hz
-	if p_arguments.value("age") < 1 or p_arguments.value("age") > 60:
-		return "--age is between 1 and 60 ticks, found %d" % p_arguments.value("age")
-	var error: float = p_arguments.value("error")
-	if not (error >= 0.02 and error <= 30.0):
-		return "--error is between 0.02 and 30 degrees, found %f" % error
-	if p_arguments.value("people") < 0 or p_arguments.value("people") > 200:
-		return "--people is between 0 and 200, found %d" % p_arguments.value("people")
-	if p_arguments.value("crates") < 1 or p_arguments.value("crates") > 2000:
-		return "--crates is between 1 and 2000, found %d" % p_arguments.value("crates")
-	if not (p_arguments.value("seconds") >= 1.0 and p_arguments.value("seconds") <= 3600.0):
-		return "--seconds is between 1 and 3600, found %f" % p_arguments.value("seconds")
-	if p_arguments.value("rounds") < 1 or p_arguments.value("rounds") > 10000:
-		return "--rounds is between 1 and 10000, found %d" % p_arguments.value("rounds")
-	return ""
-
-
-func _crowd(p_arguments: BenchArguments, p_report: BenchReport) -> void:
+func _crowd() -> void:
 	var sources: Array[BvhSource] = []
-	for file: String in BenchArguments.clips(p_arguments):
-		var source: BvhSource = p_report.open_clip(file)
+	for file: String in BenchArguments.clips(arguments):
+		var source: BvhSource = report.open_clip(file)
 		if source != null:
 			sources.append(source)
 	var cases: CrowdCases = CrowdCases.new()
 	root.add_child(cases)
-	var people: int = p_arguments.value("people")
-	cases.run_one(p_report, sources, p_arguments.value("seconds"))
-	await cases.run(
-		p_report, sources, people, p_arguments.value("crates"), p_arguments.value("seconds")
-	)
+	var people: int = option("people")
+	cases.run_one(report, sources, option("seconds"))
+	await cases.run(report, sources, people, option("crates"), option("seconds"))
 
 
-func _measure(
-	p_clips: Array[WireClip], p_hz: int, p_arguments: BenchArguments, p_report: BenchReport
-) -> void:
+func _measure(p_clips: Array[WireClip], p_hz: int) -> void:
 	var every: int = 60 / p_hz
 	var ages: Array = [every, 6 if p_hz >= 30 else 3 * every]
 	var errors: Array = [0.1, 0.5]
-	if p_arguments.is_given("age"):
-		ages = [p_arguments.value("age")]
-	if p_arguments.is_given("error"):
-		errors = [p_arguments.value("error")]
+	if arguments.is_given("age"):
+		ages = [option("age")]
+	if arguments.is_given("error"):
+		errors = [option("error")]
 	for error: float in errors:
 		for age: int in ages:
-			_measure_case(p_clips, every, age, error, p_arguments.value("rounds"), p_report)
+			_measure_case(p_clips, every, age, error)
 
 
-func _measure_case(
-	p_clips: Array[WireClip],
-	p_every: int,
-	p_age: int,
-	p_error: float,
-	p_rounds: int,
-	p_report: BenchReport
-) -> void:
+func _measure_case(p_clips: Array[WireClip], p_every: int, p_age: int, p_error: float) -> void:
 	var name: String = "%d Hz, base %d ticks old, %s deg" % [60 / p_every, p_age, p_error]
 	var rate: float = 0.0
 	var worst: float = 0.0
@@ -148,25 +104,23 @@ func _measure_case(
 				worst, WireClip.worst_angle(clip.poses[tick].orientations, stream.restore(tick))
 			)
 		var own: float = 8.0 * bytes / count * (60.0 / p_every) / 1000.0
-		p_report.add(name, clip.name, own, "kbit/s")
+		report.add(name, clip.name, own, "kbit/s")
 		rate += own / p_clips.size()
-		times += stream.measure(7, p_age, p_age + p_every, p_rounds) / p_clips.size()
-	_add_rate(name, p_every, p_age, p_error, rate, p_report)
-	p_report.add(name, "largest error", worst, "deg", BenchReport.Goal.AT_MOST, p_error)
-	p_report.add(name, "not read back", lost, "", BenchReport.Goal.AT_MOST, 0.0)
-	p_report.add(name, "encode", times.x, "us", BenchReport.Goal.AT_MOST, _GOAL_ENCODE_US)
-	p_report.add(name, "decode", times.y, "us")
+		times += stream.measure(7, p_age, p_age + p_every, option("rounds")) / p_clips.size()
+	_add_rate(name, p_every, p_age, p_error, rate)
+	report.at_most(name, "largest error", worst, "deg", p_error)
+	report.at_most(name, "not read back", lost, "", 0.0)
+	report.at_most(name, "encode", times.x, "us", _GOAL_ENCODE_US)
+	report.add(name, "decode", times.y, "us")
 
 
-func _add_rate(
-	p_name: String, p_every: int, p_age: int, p_error: float, p_rate: float, p_report: BenchReport
-) -> void:
+func _add_rate(p_name: String, p_every: int, p_age: int, p_error: float, p_rate: float) -> void:
 	var goals: Dictionary = _GOALS.get(roundi(p_error * 10.0), {})
 	if (
 		p_every == 2
 		and is_equal_approx(p_error * 10.0, roundf(p_error * 10.0))
 		and goals.has(p_age)
 	):
-		p_report.add(p_name, "mean", p_rate, "kbit/s", BenchReport.Goal.AT_MOST, goals[p_age])
+		report.at_most(p_name, "mean", p_rate, "kbit/s", goals[p_age])
 	else:
-		p_report.add(p_name, "mean", p_rate, "kbit/s")
+		report.add(p_name, "mean", p_rate, "kbit/s")

@@ -8,9 +8,9 @@ instead; `./run xbus-decode FILE` says what is in it).
 from __future__ import annotations
 
 import json
-import sys
 from pathlib import Path
 
+from bench import main
 from toolchain import xbus
 from toolchain.console import Failure
 from toolchain.stats import Stats
@@ -32,8 +32,4 @@ def measure(arguments: list[str]) -> int:
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(measure(sys.argv[1:]))
-    except Failure as failure:
-        print(failure, file=sys.stderr)
-        sys.exit(failure.code)
+    main(measure)

@@ -18,12 +18,12 @@ func test_a_door_opens_closes_and_slams() -> void:
 	)
 	var button: Interactable = scene.find_children("*", "Marker3D", true, false)[0]
 	button.interact()
-	await _until(func() -> bool: return entity.get_value(&"opening") == 1.0)
+	await until(func() -> bool: return entity.get_value(&"opening") == 1.0)
 	var leaf: Node3D = scene.get_node(^"Thing/Leaf")
 	almost_equal(leaf.position.x, 1.4, 0.01)
 	equal(events, [] as Array[StringName])
 	button.interact()
-	await _until(func() -> bool: return entity.get_value(&"opening") == 0.0)
+	await until(func() -> bool: return entity.get_value(&"opening") == 0.0)
 	equal(events, [&"slammed"] as Array[StringName])
 	scene.free()
 
@@ -40,10 +40,10 @@ func test_a_turntable_is_taken_steered_and_left() -> void:
 	equal(seat.get_prompt(), "leave")
 	entity.send_command(&"steer", [1.0])
 	var disc: Node3D = scene.get_node(^"Thing/Disc")
-	await _until(func() -> bool: return disc.rotation.y > 0.2)
+	await until(func() -> bool: return disc.rotation.y > 0.2)
 	seat.interact()
 	equal(seat.occupant(), 0)
-	await _until(func() -> bool: return entity.get_value(&"speed") == 0.0)
+	await until(func() -> bool: return entity.get_value(&"speed") == 0.0)
 	scene.free()
 
 
@@ -55,7 +55,7 @@ func test_a_bell_rings() -> void:
 	var rings: Array[String] = []
 	bell.rung.connect(rings.append)
 	(scene.get_node(^"Shared/Bell/Button") as Interactable).interact()
-	await _until(func() -> bool: return bell.count == 1)
+	await until(func() -> bool: return bell.count == 1)
 	equal(rings, ["the server"] as Array[String], "this machine is the server")
 	equal(bell.get_node(^"Board").get_child_count(), 1)
 	scene.free()
@@ -76,7 +76,7 @@ func test_a_thrown_crate_lowers_health() -> void:
 	crate.position = Vector3(0.0, 1.3, 2.0)
 	crate.linear_velocity = Vector3(0.0, 0.0, -12.0)
 	scene.add_child(crate)
-	await _until(func() -> bool: return entity.get_value(&"health") < 100.0)
+	await until(func() -> bool: return entity.get_value(&"health") < 100.0)
 	var bar: Label3D = person.get_node(^"Health").get_child(0)
 	is_true(bar.visible)
 	await process_frames(1)
@@ -87,11 +87,4 @@ func test_a_thrown_crate_lowers_health() -> void:
 	is_false(person.get_node(^"Health").is_processing())
 	scene.free()
 
-
 ## Waits for something in simulated time, for 6 s at most.
-func _until(p_holds: Callable) -> void:
-	for _tick: int in 360:
-		if p_holds.call():
-			break
-		await get_tree().physics_frame
-	is_true(p_holds.call())

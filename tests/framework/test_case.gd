@@ -132,6 +132,15 @@ func process_frames(p_count: int = 1) -> void:
 		await get_tree().process_frame
 
 
+## Waits, frame by frame, until something holds, and fails where it does not. [param p_step], where
+## it is given, is called (and awaited) before each look.
+func until(
+	p_holds: Callable, p_step: Callable = Callable(), p_limit_s: float = Waiting.PATIENCE_S
+) -> void:
+	var is_so: bool = await Waiting.until(get_tree(), p_holds, p_step, p_limit_s)
+	_case_check(is_so, "it did not happen within %s s" % p_limit_s, "")
+
+
 func _case_check(p_holds: bool, p_message: String, p_note: String) -> void:
 	_case_checks += 1
 	if p_holds:

@@ -152,12 +152,13 @@ func _take(p_samples: Array[PoseSample]) -> void:
 
 
 func _until(p_count: int) -> void:
-	var count: int = 0
-	while count < p_count:
-		await get_tree().process_frame
-		_mutex.lock()
-		count = _delivered.size()
-		_mutex.unlock()
+	await until(
+		func() -> bool:
+			_mutex.lock()
+			var count: int = _delivered.size()
+			_mutex.unlock()
+			return count >= p_count
+	)
 
 
 static func _clip() -> BvhSource:

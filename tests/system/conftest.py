@@ -14,10 +14,10 @@ import pytest
 from toolchain.display import virtual_display
 from toolchain.godot import Godot, find
 from toolchain.paths import CLIENT_BINARY, CLIPS, ROOT, SERVER_BINARY
-from toolchain.processes import free_port
+from toolchain.processes import LOOK_S, ask, free_port
 from toolchain.schedule import started
 
-from .processes import LOOK_S, Process, ask
+from .processes import Process
 
 __all__ = ["LOOK_S", "Process", "World", "ask", "shared"]
 

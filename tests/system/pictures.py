@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable
 from pathlib import Path
 
@@ -108,12 +107,14 @@ class Window:
 
     def await_picture(self, holds: Callable[[Picture], bool], what: str) -> Picture:
         """The picture as soon as something holds of it."""
-        end = time.monotonic() + WINDOW_LIMIT_S
-        while not holds(picture := self.picture()):
-            assert time.monotonic() < end, f"{what} is not shown:\n{self.process.log()}"
-            assert self.process.process.poll() is None, f"it ended:\n{self.process.log()}"
-            time.sleep(0.1)
-        return picture
+        shown: list[Picture] = []
+
+        def look() -> bool:
+            shown[:] = [self.picture()]
+            return holds(shown[0])
+
+        self.process.await_that(look, what, WINDOW_LIMIT_S, 0.1)
+        return shown[0]
 
     def close(self) -> None:
         """Ends it, as SIGTERM does."""

@@ -7,13 +7,12 @@ import functools
 import json
 import os
 import subprocess
-import time
 from collections.abc import Callable
-from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 from toolchain.paths import ROOT
+from toolchain.processes import await_that
 
 LIMIT_S = 120.0
 LOOK_S = 0.1
@@ -61,14 +60,15 @@ def _ask(line: str) -> dict[str, Any]:
 
 def comes(recording: Path, holds: Callable[[dict[str, Any]], bool]) -> dict[str, Any]:
     """Waits until a recording that is being written holds something."""
-    end = time.monotonic() + LIMIT_S
-    while True:
+    found: dict[str, Any] = {}
+
+    def look() -> bool:
+        nonlocal found
         found = read(recording)
-        with suppress(LookupError):  # It is not there yet.
-            if holds(found):
-                return found
-        assert time.monotonic() < end, f"it does not come: {found}"
-        time.sleep(LOOK_S)
+        return holds(found)
+
+    await_that(look, "what is looked for", LIMIT_S, lambda: str(found), LOOK_S)
+    return found
 
 
 def recorded(recording: Path) -> dict[str, list[dict]]:

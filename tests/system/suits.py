@@ -7,7 +7,6 @@ import functools
 import json
 import os
 import struct
-import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -17,6 +16,7 @@ import pytest
 from toolchain import suit
 from toolchain.godot import Godot
 from toolchain.paths import CLIENT_BINARY, CLIPS, ROOT
+from toolchain.processes import await_that
 
 from .conftest import HEADLESS_FPS, Process, World
 from .recordings import recorded as recorded
@@ -107,19 +107,6 @@ def suits_of(world: World) -> Iterator[Callable[..., Suit]]:
     finally:
         for one in started:
             one.close()
-
-
-def await_that(holds: Callable[[], bool], what: str, limit_s: float = 120.0) -> None:
-    """Waits until something holds; reports may be half-written or not there yet."""
-    end = time.monotonic() + limit_s
-    while time.monotonic() < end:
-        try:
-            if holds():
-                return
-        except (FileNotFoundError, json.JSONDecodeError, KeyError, IndexError):
-            pass
-        time.sleep(0.1)
-    pytest.fail(f"{what} did not come in {limit_s} s")
 
 
 def await_people(client: Process, names: set[str], limit_s: float = 120.0) -> None:

@@ -122,19 +122,13 @@ def test_bench_contacts_plays_its_scenes() -> None:
     assert run("bench", "contacts", "--set", "nonsense=1").returncode == 2
 
 
-def test_bench_scale_and_raw_jolt() -> None:
+def test_bench_scale() -> None:
     done = run(
         "bench", "scale", "--json", "--no-goals", "--people", "1", "--people", "2", "--seconds", "1"
     )
     assert done.returncode == 0, done.stderr
     rows = [json.loads(line) for line in done.stdout.splitlines()]
     assert any(row["case"] == "2 people by 1" and row["value"] > 0.0 for row in rows)
-    command = ["bench", "raw_jolt", "--json", "--no-goals", "--people", "1", "--seconds", "1"]
-    done = run(*command, "--absent", "nobody has fetched it")
-    assert done.returncode == 0, done.stderr
-    rows = [json.loads(line) for line in done.stdout.splitlines()]
-    assert any("absent: nobody has fetched it" in row["metric"] for row in rows)
-    assert run(*command, "--program", "/bin/false").returncode == 2
 
 
 def test_the_main_job_without_a_display() -> None:

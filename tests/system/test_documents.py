@@ -9,15 +9,12 @@ from __future__ import annotations
 import os
 import re
 import shlex
-import signal
-import subprocess
-import time
 
 import pytest
 from toolchain.paths import ROOT
-from toolchain.processes import free_port
+from toolchain.processes import Program, free_port
 
-from .conftest import LOOK_S, World, shared
+from .conftest import World, shared
 
 PAGES = ["README.md", "docs/session-guide.md", "docs/suit-emulator.md"]
 LIMIT_S = 180.0
@@ -63,37 +60,16 @@ class Reader:
         """Types a line; waits until it is ready, and ends it."""
         words = shlex.split(line.replace("SERVER", "127.0.0.1"))
         command = words[1]
+        environment = self._environment(free_port() if command == "server" else self.port)
         log = self.folder / "log.txt"
-        with log.open("wb") as output:
-            process = subprocess.Popen(
-                words,
-                cwd=self.folder,
-                env=self._environment(free_port() if command == "server" else self.port),
-                stdin=subprocess.PIPE,
-                stdout=output,
-                stderr=subprocess.STDOUT,
+        with Program(words, log, environment, self.folder, types=True) as program:
+            program.await_that(
+                lambda: READY[command] in program.log() and self._has_recorded(words), line, LIMIT_S
             )
-
-        def said() -> str:
-            return log.read_text(encoding="utf-8", errors="replace")
-
-        try:
-            end = time.monotonic() + LIMIT_S
-            while READY[command] not in said() or not self._has_recorded(words):
-                assert process.poll() is None, (
-                    f"'{line}' ended with {process.returncode}:\n{said()}"
-                )
-                assert time.monotonic() < end, f"'{line}' is not ready:\n{said()}"
-                time.sleep(LOOK_S)
             # A replay ends by itself.
-            if command != "replay":
-                process.send_signal(signal.SIGTERM)
-            code = process.wait(LIMIT_S)
-        finally:
-            process.kill()
-            process.wait()
-        assert code in (0, 130), f"'{line}' ended with {code}:\n{said()}"
-        assert "ERROR" not in said()
+            code = program.await_exit(LIMIT_S) if command == "replay" else program.end(LIMIT_S)
+        assert code in (0, 130), f"'{line}' ended with {code}:\n{program.log()}"
+        assert "ERROR" not in program.log()
 
     def _environment(self, port: int) -> dict[str, str]:
         plain = {k: v for k, v in os.environ.items() if not k.startswith(("DISMOUNT_", "XDG_"))}

@@ -8,7 +8,6 @@ import contextlib
 import os
 import re
 import signal
-import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -16,6 +15,7 @@ import pytest
 from toolchain.display import virtual_display
 from toolchain.godot import Godot
 from toolchain.paths import ROOT
+from toolchain.processes import await_that
 from tutorial.steps import LEVEL, Tutorial
 
 from .conftest import SOFTWARE, Process, World
@@ -161,7 +161,5 @@ def test_play_starts_a_session(godot: Godot, world: World, display: dict[str, st
     player.process.send_signal(signal.SIGKILL)
     player.process.wait()
     # The server writes into the same log: it has no window, and nobody who would end it.
-    end = time.monotonic() + 60.0
-    while "the process that it was to end with has ended" not in player.log():
-        assert time.monotonic() < end, player.log()
-        time.sleep(0.1)
+    mark = "the process that it was to end with has ended"
+    await_that(lambda: mark in player.log(), f"'{mark}'", 60.0, player.log)

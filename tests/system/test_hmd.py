@@ -48,8 +48,8 @@ def test_without_a_screen_or_a_runtime_the_program_says_so(
     text: str,
 ) -> None:
     with Stage(godot, {**monado.environment(), **other}, *flags) as stage:
-        stage.await_text(text)
-        stage.await_text("worn false")
+        stage.await_said(text)
+        stage.await_said("worn false")
 
 
 def test_a_runtime_that_does_not_answer_leaves_a_window(
@@ -58,8 +58,8 @@ def test_a_runtime_that_does_not_answer_leaves_a_window(
 ) -> None:
     monado.stall()
     with Stage(godot, monado.environment()) as stage:
-        stage.await_text("does not answer within")
-        stage.await_text("worn false")
+        stage.await_said("does not answer within")
+        stage.await_said("worn false")
     monado.resume()
 
 
@@ -76,17 +76,17 @@ def test_a_headset_that_comes_later_is_entered(stage: Stage, monado: Monado) -> 
     process = stage.process.pid
     assert "No headset: the OpenXR runtime of" in stage.log()
     assert "does not run: start it" in stage.log()
-    mark = stage.mark()
+    stage.mark()
     monado.start()
-    said = stage.await_text("worn true", mark)
+    said = stage.await_said("worn true")
     assert "The headset is back: going into it." in said
     assert "TOLD The headset shows the world" in said
     assert stage.process.pid == process
 
 
 def test_buttons_and_hands_reach_the_program(stage: Stage, monado: Monado) -> None:
-    mark = stage.mark()
-    stage.await_text("worn true", mark)
+    stage.mark()
+    stage.await_said("worn true")
     monado.wearer.right.trigger = 1.0
     monado.wearer.right.pressed = {"trigger_click", "a_click"}
     monado.wearer.left.pressed = {"system_click"}
@@ -94,27 +94,27 @@ def test_buttons_and_hands_reach_the_program(stage: Stage, monado: Monado) -> No
     monado.wearer.right.position = (0.5, 1.25, -0.75)
     monado.send()
     for action in ("trigger_click 1", "ax_button 1", "menu_button 0"):
-        stage.await_text(f"PRESSED {action}", mark)
-    stage.await_text("HEAD (0.25, 1.75, -0.5)", mark)
-    stage.await_text("HAND (0.5, 1.25, -0.75)", mark)
+        stage.await_said(f"PRESSED {action}")
+    stage.await_said("HEAD (0.25, 1.75, -0.5)")
+    stage.await_said("HAND (0.5, 1.25, -0.75)")
     # A ray from the hand presses what it points at; the menu is at arm's length.
     monado.wearer.right = Hand(position=(0.0, 1.5, -0.2), trigger=0.0)
     monado.send()
-    stage.await_text("HAND (0.0, 1.5, -0.2)", mark)
-    mark = stage.mark()
+    stage.await_said("HAND (0.0, 1.5, -0.2)")
+    stage.mark()
     monado.wearer.right.trigger = 1.0
     monado.send()
-    stage.await_text("TRIGGER 1.0", mark)
+    stage.await_said("TRIGGER 1.0")
     monado.wearer.right.trigger = 0.0
     monado.send()
-    stage.await_text("MENU pressed", mark)
+    stage.await_said("MENU pressed")
 
 
 def test_a_killed_and_a_stalled_runtime_leave_a_window(stage: Stage, monado: Monado) -> None:
     begin = stage.mark()
     for is_stalled in (False, True):
         lose_and_return(stage, monado, is_stalled)
-    said = stage.log()[begin:]
+    said = stage.log(begin)
     assert "The headset's runtime has ended: the window goes on." in said
     assert "The headset's runtime stalled: the window goes on." in said
     told = [line for line in said.splitlines() if line.startswith("TOLD The headset")]

@@ -9,13 +9,13 @@ import os
 import signal
 import struct
 import subprocess
-import time
 import zlib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
 import pytest
+from toolchain.processes import await_that
 from toolchain.project import EXTENSIONS
 
 EMULATOR = EXTENSIONS / "xbus" / "suit_emulator"
@@ -63,11 +63,7 @@ def recording(tmp_path_factory: pytest.TempPathFactory) -> Path:
     command = [str(EMULATOR), "--devices=ftdi", "--sensors=15", "--", "sh", "-c", script]
     with subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL) as process:
         try:
-            end = time.monotonic() + LIMIT_S
-            while not file.exists() or file.stat().st_size < ENOUGH_BYTES:
-                assert time.monotonic() < end, "nothing was recorded"
-                assert process.poll() is None
-                time.sleep(0.02)
+            await_that(lambda: file.stat().st_size >= ENOUGH_BYTES, "a recording", LIMIT_S)
             os.kill(int(pid_file.read_text(encoding="ascii")), signal.SIGKILL)
             process.wait(LIMIT_S)
         finally:

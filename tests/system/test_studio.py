@@ -7,7 +7,7 @@ How soon a key is seen, and how soon a loop is ended, is measured by `./run benc
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
@@ -16,6 +16,7 @@ import pytest
 from toolchain.display import virtual_display
 from toolchain.godot import Godot
 from toolchain.paths import ROOT
+from toolchain.processes import await_that
 from tutorial.screen import Screen
 
 from .conftest import HEADLESS_FPS, SOFTWARE, Process, World
@@ -43,13 +44,6 @@ MIDDLE = (900, 200)
 LINE_END = (560, 90)
 
 
-def until(holds: Callable[[], bool], what: str) -> None:
-    end = time.monotonic() + LIMIT_S
-    while not holds():
-        assert time.monotonic() < end, f"{what} did not come in {LIMIT_S} s"
-        time.sleep(0.1)
-
-
 class Studio:
     """The studio in a window that fills a display."""
 
@@ -61,7 +55,7 @@ class Studio:
         command += [SCENE, "--", f"--effects={folder}", "--effect=square"]
         self.process = world.start("studio", command, display, reports=False)
         self.screen = Screen(display["DISPLAY"])
-        until(lambda: self.is_red(), "the picture")
+        await_that(self.is_red, "the picture", LIMIT_S)
 
     def colour(self) -> np.ndarray:
         """The colour in the middle of the picture."""
@@ -174,19 +168,21 @@ def test_keys_change_the_picture(studio: Studio) -> None:
     start_line_of_colour(studio)
     studio.press("BackSpace")
     studio.type("9")
-    until(studio.is_purple, "the new colour")
+    await_that(studio.is_purple, "the new colour", LIMIT_S)
     # A mistake: the picture goes on, the line is marked.
     studio.type("x")
-    until(studio.line_is_marked, "the mark of the mistake")
+    await_that(studio.line_is_marked, "the mark of the mistake", LIMIT_S)
     assert studio.is_purple()
     studio.press("BackSpace")
-    until(lambda: not studio.line_is_marked(), "the end of the mark")
+    await_that(lambda: not studio.line_is_marked(), "the end of the mark", LIMIT_S)
     # An endless loop, typed in: it is never shown, and the studio goes on.
     studio.press("End")
     studio.type(" while (true) {")
-    until(studio.line_is_marked, "the mark of the loop")
+    await_that(studio.line_is_marked, "the mark of the loop", LIMIT_S)
     studio.press("Control_L", "s")
-    until(lambda: "while" in studio.file.read_text(encoding="utf-8"), "the saved text")
+    await_that(
+        lambda: "while" in studio.file.read_text(encoding="utf-8"), "the saved text", LIMIT_S
+    )
     assert studio.is_purple()
     assert "0.9, 1.0);" in studio.file.read_text(encoding="utf-8")
     assert not list(studio.file.parent.glob("*.tmp"))

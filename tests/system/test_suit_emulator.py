@@ -10,14 +10,13 @@ import re
 import resource
 import subprocess
 import sys
-import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
 from toolchain.paths import CLIENT_BINARY
-from toolchain.processes import free_port
+from toolchain.processes import Program, await_that, free_port
 from toolchain.project import EXTENSIONS
 
 EMULATOR = EXTENSIONS / "xbus" / "suit_emulator"
@@ -43,36 +42,22 @@ class Emulated:
         os.mkfifo(pipe)
         self._commands = os.open(pipe, os.O_RDWR)
         files = [f"--trace={self.trace_file}", f"--log={self.log_file}", f"--commands={pipe}"]
-        self.output_file = folder / "output.txt"
-        with self.output_file.open("wb") as output:
-            self.process = subprocess.Popen(
-                [str(EMULATOR), *files, *options, *(["--", *command] if command else [])],
-                stdin=subprocess.DEVNULL,
-                stdout=output,
-                stderr=subprocess.STDOUT,
-                env={**os.environ, **(environment or {})},
-            )
+        whole = [str(EMULATOR), *files, *options, *(["--", *command] if command else [])]
+        own = {**os.environ, **(environment or {})}
+        self.program = Program(whole, folder / "output.txt", own)
+        self.process, self.output = self.program.process, self.program.log
+        self.await_text = self.program.await_text
 
     def command(self, line: str) -> None:
         os.write(self._commands, f"{line}\n".encode())
-
-    def output(self) -> str:
-        return self.output_file.read_text(encoding="utf-8", errors="replace")
 
     def log(self) -> list[str]:
         """What the emulator has noted, without times and places."""
         text = self.log_file.read_text(encoding="utf-8")
         return [line.split(" ", 2)[2] for line in text.splitlines()]
 
-    def await_text(self, text: str, count: int = 1) -> None:
-        end = time.monotonic() + LIMIT_S
-        while self.output().count(text) < count:
-            assert time.monotonic() < end, f"'{text}' did not come:\n{self.output()}"
-            assert self.process.poll() is None, f"it ended before '{text}':\n{self.output()}"
-            time.sleep(0.02)
-
     def finish(self) -> int:
-        return self.process.wait(LIMIT_S)
+        return self.program.await_exit(LIMIT_S)
 
     def stats(self) -> dict[str, Any]:
         """The stats at the end of suit_stream's output."""
@@ -80,9 +65,7 @@ class Emulated:
         return stats
 
     def close(self) -> None:
-        if self.process.poll() is None:
-            self.process.terminate()
-            self.process.wait(LIMIT_S)
+        self.program.kill(LIMIT_S)
         os.close(self._commands)
 
 
@@ -244,10 +227,7 @@ def test_a_second_terminal_finds_the_devices(start: Start) -> None:
     environment = {**os.environ, **own}
     # One that is killed lets go of the device, as with the kernel.
     with subprocess.Popen([str(STREAM)], env=environment, stdout=subprocess.DEVNULL) as killed:
-        end = time.monotonic() + LIMIT_S
-        while "state measurement" not in emulated.log():
-            assert time.monotonic() < end
-            time.sleep(0.02)
+        await_that(lambda: "state measurement" in emulated.log(), "a measurement", LIMIT_S)
         killed.kill()
     done = subprocess.run(
         [str(STREAM), "--frames=30"],

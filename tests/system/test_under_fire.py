@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import os
 import signal
-import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
 import pytest
+from toolchain.processes import await_that
 
 from .attackers import (
     Attack,
@@ -27,7 +27,7 @@ from .attackers import (
     may_send_raw,
     outer_port,
 )
-from .conftest import LOOK_S, World, shared
+from .conftest import World, shared
 from .own_client import Crowd, OwnClient
 
 UNSEALED = "--sealing=0"
@@ -102,17 +102,10 @@ def _join(world: World, password: str = "", seals: bool = True) -> None:
         crowd.join([OwnClient(world.port, sealed=seals, password=password, name="late")])
 
 
-def _await(holds: Callable[[], bool]) -> None:
-    end = time.monotonic() + 120.0
-    while not holds():
-        assert time.monotonic() < end
-        time.sleep(LOOK_S)
-
-
 def _pause(scene: Scene, holds: Callable[[], bool]) -> None:
     """The server stands still until something holds."""
     os.kill(scene.server.process.pid, signal.SIGSTOP)
-    _await(holds)
+    await_that(holds, "what it waits for")
     os.kill(scene.server.process.pid, signal.SIGCONT)
 
 

@@ -16,7 +16,6 @@ from toolchain import (
     godot,
     godot_cpp,
     help_texts,
-    jolt,
     latency,
     load,
     options,
@@ -78,23 +77,6 @@ def test_no_mirror_is_a_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     with pytest.raises(Failure, match="DISMOUNT_DEBIAN_MIRROR"):
         prefix.Prefix().ensure()
     assert not prefix.Prefix().folder.exists()
-
-
-def test_jolt_is_the_one_of_the_engine() -> None:
-    assert jolt.debian_version("4.6.3.stable.debian4.6.3+ds-2") == "4.6.3+ds-2"
-    assert jolt.debian_version("4.6.stable.official.89cea1439") == ""
-
-
-def test_absent_jolt_is_a_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("DISMOUNT_USER_CACHE", str(tmp_path))
-    monkeypatch.setenv("DISMOUNT_DEBIAN_MIRROR", f"file://{tmp_path}/nothing")
-    engine = godot.Godot(tmp_path, "4.6.3.stable", "4.6.3.stable.debian4.6.3+ds-2")
-    (option,) = jolt.options(engine)
-    assert option.startswith("--absent=Jolt's source cannot be had from Debian")
-    assert "DISMOUNT_DEBIAN_MIRROR" in option
-    assert "\n" not in option
-    monkeypatch.setenv("PATH", str(tmp_path))
-    assert "without apt-get" in jolt.options(engine)[0]
 
 
 def test_options_are_normalised(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -34,17 +34,15 @@ def mirrors() -> list[str]:
     return list(dict.fromkeys(found))
 
 
-def apt_command(
-    work: Path, site: str, kind: str, suite: str = SUITE, store: str = "packages"
-) -> list[str]:
-    """apt-get for one mirror's packages ("deb") or sources ("deb-src"), its state in work/apt; what
-    it downloads lies in a folder of the cache that only one may use at a time."""
+def apt_command(work: Path, site: str, suite: str = SUITE, store: str = "packages") -> list[str]:
+    """apt-get for one mirror's packages, its state in work/apt; what it downloads lies in a folder
+    of the cache that only one may use at a time."""
     state = work / "apt"
     for name in ("lists/partial", "etc"):
         make_folder(state / name)
     (state / "status").touch()
     (state / "etc" / "suite.sources").write_text(
-        f"Types: {kind}\nURIs: {site}\nSuites: {suite}\nComponents: main\nSigned-By: {KEYRING}\n",
+        f"Types: deb\nURIs: {site}\nSuites: {suite}\nComponents: main\nSigned-By: {KEYRING}\n",
         encoding="utf-8",
     )
     packages = make_folder(cache() / store / "archives" / "partial").parents[1]

@@ -15,7 +15,6 @@ from typing import NoReturn
 from . import (
     demo,
     help_texts,
-    jolt,
     latency,
     level,
     load,
@@ -186,7 +185,9 @@ def benchmarks() -> dict[str, Path]:
     found: dict[str, Path] = {}
     for script in (ROOT / "tests" / "bench").glob("bench_*"):
         text = script.read_text(encoding="utf-8")
-        if script.suffix == ".py" or (script.suffix == ".gd" and text.startswith("extends Scene")):
+        if script.suffix == ".py" or (
+            script.suffix == ".gd" and text.startswith("extends Bench\n")
+        ):
             found[script.stem.removeprefix("bench_")] = script
     return dict(sorted(found.items()))
 
@@ -209,7 +210,7 @@ def _bench(arguments: list[str]) -> int:
     if name not in known:
         hint = suggest(name, known) or f": {', '.join(known)}."
         raise Failure(f"There is no benchmark '{name}'{hint}", 2)
-    code = _run_benchmark(name, known[name], [one for one in given if one != "--no-goals"])
+    code = _run_benchmark(known[name], [one for one in given if one != "--no-goals"])
     if code == GOALS_MISSED:
         say('A goal is missed: see the column "holds".')
         return 0 if "--no-goals" in given else GOALS_MISSED
@@ -218,13 +219,11 @@ def _bench(arguments: list[str]) -> int:
     return code
 
 
-def _run_benchmark(name: str, script: Path, given: list[str]) -> int:
+def _run_benchmark(script: Path, given: list[str]) -> int:
     if script.suffix == ".py":
         return _bench_python(script, given)
     godot = prepare(False, NATIVE)
     given = normalise(given)
     rate = next((o.split("=")[1] for o in given if o.startswith("--hz=")), "60")
     flags = ["--fixed-fps", rate] if rate.isdigit() and rate != "0" else []
-    if name == "raw_jolt" and not any(o.startswith(("--program=", "--absent=")) for o in given):
-        given += jolt.options(godot)
     return _script(godot, flags, f"res://{script.relative_to(ROOT)}", given)

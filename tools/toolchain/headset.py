@@ -9,12 +9,12 @@ import subprocess
 import tempfile
 import time
 from pathlib import Path
-from types import TracebackType
 
 from .console import Failure, tail
 from .godot import Godot
 from .monado import Monado
 from .paths import ROOT
+from .processes import Program
 
 SCENES = "res://tests/system/hmd/"
 # A busy machine looks like a runtime that stalls, which is left and entered again.
@@ -25,55 +25,24 @@ _WINDOW = ["--resolution", "320x180", "--max-fps", "30"]
 POSES_LIMIT_S = 180.0
 
 
-class Stage:
+class Stage(Program):
     """The engine with tests/system/hmd/stage.tscn: a headset's display and a few boxes."""
 
     def __init__(self, godot: Godot, environment: dict[str, str], *flags: str) -> None:
         self._folder = tempfile.TemporaryDirectory(prefix="dismount-stage-")
-        self._log = Path(self._folder.name) / "stage.log"
-        with self._log.open("wb") as log:
-            self.process = subprocess.Popen(
-                [*_command(godot), *_WINDOW, *flags, SCENES + "stage.tscn"],
-                env={**os.environ, **godot.environment(), **environment},
-                stdin=subprocess.DEVNULL,
-                stdout=log,
-                stderr=subprocess.STDOUT,
-            )
+        command = [*_command(godot), *_WINDOW, *flags, SCENES + "stage.tscn"]
+        whole = {**os.environ, **godot.environment(), **environment}
+        super().__init__(command, Path(self._folder.name) / "stage.log", whole)
 
-    def __enter__(self) -> Stage:
-        return self
-
-    def __exit__(
-        self,
-        _kind: type[BaseException] | None,
-        _error: BaseException | None,
-        _trace: TracebackType | None,
-    ) -> None:
-        self.process.kill()
-        self.process.wait()
+    def kill(self, limit_s: float = 0.0) -> None:
+        """Ends it, and removes its folder."""
+        super().kill(limit_s)
         self._folder.cleanup()
 
-    def log(self) -> str:
-        """What it has said."""
-        return self._log.read_text(encoding="utf-8", errors="replace")
-
-    def mark(self) -> int:
-        """Where the log ends now."""
-        return len(self.log())
-
-    def await_text(self, text: str, since: int = 0, limit_s: float = LIMIT_S) -> str:
-        """What was said since a mark, as soon as it holds a text."""
-        end = time.monotonic() + limit_s
-        while text not in self.log()[since:]:
-            if self.process.poll() is not None:
-                raise Failure(f"The stage ended with {self.process.returncode}:\n{self._tail()}")
-            if time.monotonic() > end:
-                raise Failure(f"'{text}' did not come in {limit_s:g} s:\n{self._tail()}")
-            time.sleep(0.05)
-        return self.log()[since:]
-
-    def _tail(self) -> str:
-        return tail(self.log(), 30)
+    def await_said(self, text: str) -> str:
+        """What it has said since the mark, as soon as it holds a text."""
+        self.await_text(text, LIMIT_S)
+        return self.log()
 
 
 def lose_and_return(stage: Stage, monado: Monado, is_stalled: bool) -> tuple[float, float]:
@@ -81,25 +50,26 @@ def lose_and_return(stage: Stage, monado: Monado, is_stalled: bool) -> tuple[flo
 
     Returns how long it took until the window went on, and from then to the headset, s.
     """
-    stage.await_text("worn true", stage.mark())
-    stage.await_text(", guarded", stage.mark())
+    for text in ("worn true", ", guarded"):
+        stage.mark()
+        stage.await_said(text)
     process = stage.process.pid
-    mark = stage.mark()
+    stage.mark()
     begin = time.monotonic()
     if is_stalled:
         monado.stall()
     else:
         monado.kill()
     # The window shows frames without the headset.
-    stage.await_text("worn false", mark)
+    stage.await_said("worn false")
     without_s = time.monotonic() - begin
     if is_stalled:
         monado.resume()
         monado.kill()
-    mark = stage.mark()
+    stage.mark()
     begin = time.monotonic()
     monado.start()
-    stage.await_text("worn true", mark)
+    stage.await_said("worn true")
     if stage.process.pid != process:
         raise Failure("The stage is another process than before.")
     return without_s, time.monotonic() - begin

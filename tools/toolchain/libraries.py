@@ -153,7 +153,7 @@ def _make(work: Path) -> None:
     failure = "apt names no mirror"
     for suite in suites():
         for site in sites:
-            apt = apt_command(work, site, "deb", suite)
+            apt = apt_command(work, site, suite)
             try:
                 with step(f"download libraries from Debian {suite} (about 11 MB)"):
                     apt_run([*apt, "update"])

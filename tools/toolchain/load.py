@@ -9,7 +9,6 @@ import math
 import os
 import shlex
 import tempfile
-import urllib.request
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -19,7 +18,7 @@ from .load_report import TICK_RATE, Measured, add_stats
 from .nearest import options_in, unknown_option
 from .paths import CLIENT_BINARY, CLIPS, OUT, SERVER_BINARY, make_folder
 from .process_times import thread_seconds
-from .processes import Group, require_port
+from .processes import Group, ask, require_port
 from .project import prepare
 from .stats import Stats
 from .udp_proxy import ProxyProcess
@@ -185,10 +184,7 @@ def _start_server(group: Group, settings: Settings) -> int:
     options += ["--max-per-address=0"]
     options += settings.server_options
     group.start("server", [str(SERVER_BINARY), "--headless", "--", "--role=server", *options])
-    group.await_text("server", "listening on UDP port", 30)
-    mark = "status at http://127.0.0.1:"
-    group.await_text("server", mark, 5)
-    return int(group.log("server").split(mark)[1].split("/")[0])
+    return group.await_status(35)
 
 
 def _start_clients(group: Group, settings: Settings, work: Path, port: int) -> None:
@@ -219,8 +215,7 @@ def _network(settings: Settings) -> Iterator[ProxyProcess | None]:
 def _look(group: Group, status_port: int) -> dict[str, Any]:
     """What the server reports of itself, and what the system reports of it."""
     try:
-        with urllib.request.urlopen(f"http://127.0.0.1:{status_port}/", timeout=5) as reply:
-            status = json.load(reply)
+        status = ask(status_port)
     except (OSError, ValueError) as error:
         log = tail(group.log("server"))
         raise Failure(f"The server serves no status ({error}):\n{log}") from error

@@ -14,14 +14,12 @@ import shutil
 import signal
 import socket
 import struct
-import subprocess
 import tempfile
-import time
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import TracebackType
 
-from .processes import free_port
+from .processes import Program, free_port
 from .xr_prefix import XrPrefix
 
 Vector = tuple[float, float, float]
@@ -105,7 +103,7 @@ class Monado:
         self.folder = Path(tempfile.mkdtemp(prefix="dismount-xr-"))
         self.port = free_port()
         self.wearer = Wearer()
-        self.process: subprocess.Popen[bytes] | None = None
+        self._program: Program | None = None
         self._display = display
         self._vulkan = {"VK_DRIVER_FILES": str(self.prefix.driver)}
         self._compositor = {"XRT_COMPOSITOR_NULL": "1"}
@@ -148,21 +146,15 @@ class Monado:
     def start(self) -> None:
         """Starts the service and waits until it takes poses."""
         (self.folder / "run" / "monado_comp_ipc").unlink(missing_ok=True)
-        log = (self.folder / "service.log").open("ab")
         own = {
             "XDG_CONFIG_HOME": str(self.folder / "config"),
             **self._compositor,
             "P_OVERRIDE_ACTIVE_CONFIG": "remote",
         }
-        self.process = subprocess.Popen(
-            [str(self.prefix.program("monado-service"))],
-            env={**os.environ, **self.environment(), **own},
-            # It ends when its standard input does.
-            stdin=subprocess.PIPE,
-            stdout=log,
-            stderr=subprocess.STDOUT,
-        )
-        log.close()
+        command = [str(self.prefix.program("monado-service"))]
+        whole = {**os.environ, **self.environment(), **own}
+        # It ends when its standard input does.
+        self._program = Program(command, self.folder / "service.log", whole, types=True)
         self._connect()
         # Programs come by another way, which opens later.
         self._await_socket()
@@ -178,12 +170,9 @@ class Monado:
     def kill(self) -> None:
         """Ends the service as a crash does."""
         self._disconnect()
-        if self.process is not None:
-            self._signal(signal.SIGKILL)
-            self.process.wait()
-            if self.process.stdin is not None:
-                self.process.stdin.close()
-        self.process = None
+        if self._program is not None:
+            self._program.kill()
+        self._program = None
 
     def stall(self) -> None:
         """Stops the service, which stays connected and answers nothing."""
@@ -198,43 +187,34 @@ class Monado:
         self.kill()
         shutil.rmtree(self.folder, ignore_errors=True)
 
-    def log(self) -> str:
-        """What the service has said."""
-        return (self.folder / "service.log").read_text(encoding="utf-8", errors="replace")
-
     def hand_over(self) -> None:
         """Lets another program move the headset: one at a time is connected."""
         self._disconnect()
 
     def _signal(self, number: signal.Signals) -> None:
-        if self.process is not None and self.process.poll() is None:
-            self.process.send_signal(number)
+        if self._program is not None and self._program.process.poll() is None:
+            self._program.process.send_signal(number)
 
     def _connect(self) -> None:
-        end = time.monotonic() + START_LIMIT_S
-        while self._remote is None:
-            process = self.process
-            assert process is not None and process.poll() is None, f"Monado ended:\n{self.log()}"
-            assert time.monotonic() < end, f"Monado takes no poses:\n{self.log()}"
-            try:
-                self._remote = socket.create_connection(("127.0.0.1", self.port), 5.0)
-            except OSError:
-                time.sleep(0.1)
+        assert self._program is not None
+        self._remote = self._program.await_that(
+            lambda: socket.create_connection(("127.0.0.1", self.port), 5.0),
+            "the way to move the headset",
+            START_LIMIT_S,
+        )
         # It tells where it begins and where it is; whoever leaves before ends it by SIGPIPE.
         left = 2 * _PACKET_BYTES
         while left > 0:
             left -= len(self._remote.recv(left)) or left
 
     def _await_socket(self) -> None:
-        end = time.monotonic() + START_LIMIT_S
-        while True:
+        def is_open() -> bool:
             with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as client:
-                try:
-                    client.connect(str(self.folder / "run" / "monado_comp_ipc"))
-                    return
-                except OSError:
-                    assert time.monotonic() < end, f"Monado takes no programs:\n{self.log()}"
-                    time.sleep(0.05)
+                client.connect(str(self.folder / "run" / "monado_comp_ipc"))
+            return True
+
+        assert self._program is not None
+        self._program.await_that(is_open, "the way of programs to the headset", START_LIMIT_S)
 
     def _disconnect(self) -> None:
         if self._remote is not None:

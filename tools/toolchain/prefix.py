@@ -89,7 +89,7 @@ class Prefix:
             )
         failure = ""
         for site in sites:
-            apt = apt_command(work, site, "deb", store=self.store)
+            apt = apt_command(work, site, store=self.store)
             try:
                 about = f"(about {self.download_mb} MB)"
                 with step(f"download {self.what} from Debian {SUITE} {about}"):

@@ -15,7 +15,7 @@ from .paths import BUILD, ROOT, cache
 from .project import EXTENSIONS
 from .suites import Result
 
-TESTS = ("tests", "gdextension/bindings/tests", "--ignore=tests/kernel")
+TESTS = ("tests", "gdextension/bindings/tests")
 # What failed last time, and nothing where nothing did.
 AGAIN = ("--last-failed", "--last-failed-no-failures=none")
 SLOWEST = 25

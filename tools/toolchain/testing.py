@@ -37,8 +37,6 @@ HELP = """./test [PART ...] [options]   sets up everything, then runs every test
               gdscript  GDScript tests in headless Godot
               system    whole-process tests in pytest, with exported server and clients
   options     --filter=TEXT   only tests whose name has TEXT; without a part: cpp, gdscript, system
-              --kernel        only the test with the kernel's own USB drivers, in a virtual machine
-                              (a minute; the first time it fetches a kernel and QEMU, 130 MB)
               --godot-cpp=DIR  only this: builds all extensions on a checkout of godot-cpp and loads
                               them (three minutes the first time)
 """
@@ -60,9 +58,8 @@ def main(arguments: list[str]) -> int:
     if named:
         return _report(run_godot_cpp(find(), checkout(user_path(named))))
     chosen = [argument for argument in arguments if not argument.startswith("--")]
-    chosen += ["kernel"] if "--kernel" in arguments else []
-    unknown = [name for name in chosen if name not in (*WHOLE, "kernel")]
-    options = [a for a in arguments if a.startswith("--") and a != "--kernel"]
+    unknown = [name for name in chosen if name not in WHOLE]
+    options = [a for a in arguments if a.startswith("--")]
     unknown += [option for option in options if not option.startswith("--filter=")]
     if unknown:
         raise Failure(f"There is no '{unknown[0]}': see ./test --help.", 2)
@@ -98,8 +95,6 @@ def _suites(names: Sequence[str], text: str, godot: Godot, tools: Path) -> list[
         suites.append(GDScriptSuite(godot, text, runners))
     if "system" in names:
         suites.append(PytestSuite(godot, tools, text))
-    if "kernel" in names:
-        suites.append(PytestSuite(godot, tools, text, ("tests/kernel",), "kernel"))
     return suites
 
 

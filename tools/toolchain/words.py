@@ -33,7 +33,6 @@ PREFIXES = {"MOST": "MAX_", "LONGEST": "MAX_", "LEAST": "MIN_", "SHORTEST": "MIN
 ALLOWED = (
     ("gdextension/xbus/device/*", "blob", "Xsens' data item RawBlob"),
     ("gdextension/xbus/tools/decode/*", "visitor", "the design pattern"),
-    ("gdextension/xbus/emulator/kernel/*", "guest", "the virtual machine's system"),
 )
 
 _PART = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")

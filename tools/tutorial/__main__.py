@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import os
 import shutil
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -13,6 +12,7 @@ from pathlib import Path
 from toolchain.display import virtual_display
 from toolchain.godot import find
 from toolchain.paths import ROOT
+from toolchain.processes import Program
 
 from .editor import Editor
 from .screen import Screen
@@ -44,22 +44,20 @@ def main() -> int:
         homes = {f"XDG_{kind}_HOME": f"{folder}/{kind}" for kind in ("DATA", "CONFIG", "CACHE")}
         environment = {**os.environ, **display, **homes, "DISMOUNT_KIT_PROBE": str(probe)}
         log = Path(folder) / "log"
-        with log.open("w") as output:
-            process = subprocess.Popen(command, env=environment, stdout=output, stderr=output)
+        program = Program(command, log, environment)
         screen = Screen(display["DISPLAY"])
         try:
-            editor = Editor(screen, probe, lambda: process.poll() is None)
+            editor = Editor(screen, probe, lambda: program.process.poll() is None)
             editor.await_start()
             tutorial = Tutorial(editor, pictures)
             tutorial.run()
-            seconds = tutorial.start_trial(lambda: Tutorial.is_on_level(log.read_text()), 240.0)
+            seconds = tutorial.start_trial(lambda: Tutorial.is_on_level(program.log()), 240.0)
             print(f"Try level: {seconds:.1f} s")
             tutorial.end_trial()
             make_small(pictures)
         finally:
             screen.close()
-            process.kill()
-            process.wait()
+            program.kill()
             shutil.rmtree(level, ignore_errors=True)
     return 0
 

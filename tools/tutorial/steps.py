@@ -7,6 +7,8 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
+from toolchain.processes import await_that
+
 from .editor import Editor, Place
 
 LEVEL = "my_range"
@@ -137,9 +139,7 @@ class Tutorial:
         """Presses Try; returns the seconds until all are on the level."""
         begin = time.monotonic()
         self.editor.click("Try level")
-        while not is_there():
-            assert time.monotonic() < begin + limit_s, f"no session in {limit_s} s"
-            time.sleep(0.05)
+        await_that(is_there, "a session", limit_s)
         return time.monotonic() - begin
 
     @staticmethod

@@ -13,15 +13,14 @@ import contextlib
 import json
 import os
 import signal
-import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 
 from toolchain.display import virtual_display
 from toolchain.godot import find
 from toolchain.paths import ROOT
+from toolchain.processes import Program, await_that
 
 from .editor import Editor
 from .screen import Screen
@@ -56,13 +55,15 @@ def spent_s(mark: str) -> float:
 
 def end_all(mark: str) -> None:
     """Ends these programs, and waits until they have gone."""
-    end = time.monotonic() + END_S
-    while found := find_all(mark):
-        assert time.monotonic() < end, f"they do not end: {found}"
+
+    def are_gone() -> bool:
+        found = find_all(mark)
         for entry in found:
             with contextlib.suppress(ProcessLookupError):
                 os.kill(int(entry.name), signal.SIGKILL)
-        time.sleep(0.1)
+        return not found
+
+    await_that(are_gone, "the end of all programs", END_S, look_s=0.1)
 
 
 def measure(level: str) -> dict[str, float]:
@@ -75,24 +76,22 @@ def measure(level: str) -> dict[str, float]:
         log, probe = folder / "log", folder / "probe.json"
         homes = {f"XDG_{kind}_HOME": f"{name}/{kind}" for kind in ("DATA", "CONFIG", "CACHE")}
         environment = {**os.environ, **display, **homes, "DISMOUNT_KIT_PROBE": str(probe)}
-        with log.open("w") as output:
-            process = subprocess.Popen(command, env=environment, stdout=output, stderr=output)
+        program = Program(command, log, environment)
         mark = f"DISMOUNT_KIT_PROBE={probe}"
         screen = Screen(display["DISPLAY"])
         try:
-            editor = Editor(screen, probe, lambda: process.poll() is None)
+            editor = Editor(screen, probe, lambda: program.process.poll() is None)
             editor.await_start()
             editor.await_state(lambda s: s["scene"]["path"].endswith(scene), "the level")
             before = spent_s(mark)
             seconds = Tutorial(editor).start_trial(
-                lambda: Tutorial.is_on_level(log.read_text(), level), LIMIT_S
+                lambda: Tutorial.is_on_level(program.log(), level), LIMIT_S
             )
             return {"seconds": seconds, "processor_s": spent_s(mark) - before}
         finally:
-            sys.stderr.write(log.read_text())
+            sys.stderr.write(program.log())
             screen.close()
-            process.kill()
-            process.wait()
+            program.kill()
             end_all(mark)
 
 

@@ -73,7 +73,7 @@ func begin_frame() -> void:
 
 func advance(_delta_s: float) -> void:
 	context.due_usec = due_usec()
-	context.scene.sees_by_own_eyes = is_own_view()
+	context.scene.view.sees_by_own_eyes = is_own_view()
 	context.ears = headset.display.head() if headset != null else null
 
 
@@ -127,7 +127,7 @@ func _place_wearer(p_step_s: float) -> void:
 	if place != null:
 		headset.follow_body(place)
 	else:
-		headset.follow_camera(context.scene.camera().global_transform)
+		headset.follow_camera(context.scene.view.camera.global_transform)
 	headset.place(maxi(due_usec(), Time.get_ticks_usec()), p_step_s)
 
 
@@ -191,7 +191,7 @@ func _agree(p_tick: float) -> float:
 func _place_station(p_wall: WallDisplay, p_place: WearerPlace, p_step_s: float) -> void:
 	if p_place == null or not context.scene.people().has(p_place.actor):
 		# Until there is a body again the walls show what the window would.
-		p_wall.camera = context.scene.camera()
+		p_wall.camera = context.scene.view.camera
 		_room.restart()
 		return
 	var room: Transform3D = (
@@ -203,7 +203,7 @@ func _place_station(p_wall: WallDisplay, p_place: WearerPlace, p_step_s: float) 
 		add_child(_station)
 	p_wall.camera = _station
 	for property: StringName in [&"near", &"far", &"cull_mask", &"environment", &"attributes"]:
-		_station.set(property, context.scene.camera().get(property))
+		_station.set(property, context.scene.view.camera.get(property))
 	_station.global_transform = room.translated_local(p_wall.layout.eye)
 	var head: Transform3D = context.scene.people()[p_place.actor].head()
 	var eyes: Transform3D = room.affine_inverse() * head
@@ -251,7 +251,7 @@ func _tracks_head() -> bool:
 
 func _begin(p_mode: DisplayMode) -> void:
 	p_mode.name = "Mode"
-	p_mode.camera = context.scene.camera()
+	p_mode.camera = context.scene.view.camera
 	p_mode.told.connect(_on_told)
 	p_mode.failed.connect(_fall_back)
 	add_child(p_mode)

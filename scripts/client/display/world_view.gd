@@ -29,4 +29,4 @@ func _on_spawned(p_row: EntityRow) -> void:
 	if context.people == null or not p_row.is_person() or p_row.owner != context.stream.session():
 		return
 	context.people.embody(context.scene.replica, context.scene.people())
-	context.scene.follow_own(context.people.first_actor, context.options.text("camera") == "")
+	context.scene.view.follow_own(context.people.first_actor, context.options.text("camera") == "")

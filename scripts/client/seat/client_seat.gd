@@ -34,7 +34,7 @@ func open(p_context: ClientContext) -> String:
 		if _controls.list.error != "":
 			return _controls.list.error
 	_controls.has_body = context.can(Roles.Capability.SEND_MOTION)
-	_controls.view_changed.connect(context.scene.look_through)
+	_controls.view_changed.connect(context.scene.view.look_through)
 	_controls.told.connect(context.hud.show_news)
 	_controls.seat_changed.connect(_on_seat_changed)
 	if DisplayServer.get_name() != "headless":

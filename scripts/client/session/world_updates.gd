@@ -20,7 +20,7 @@ func open(p_context: ClientContext) -> String:
 
 func advance(_delta_s: float) -> void:
 	var bytes: PackedByteArray = context.scene.replica.acknowledgement(
-		Time.get_ticks_usec(), context.scene.viewpoint()
+		Time.get_ticks_usec(), context.scene.view.camera.global_position
 	)
 	if not bytes.is_empty() and context.people != null:
 		context.people.send_ack(bytes)

@@ -36,7 +36,7 @@ func _process(p_delta: float) -> void:
 	if voices == null:
 		return
 	_impacts.advance(p_delta)
-	_people.advance(_scene.people(), _scene.followed(), p_delta)
+	_people.advance(_scene.people(), _scene.view.followed(), p_delta)
 	_doors.advance(p_delta)
 	var sky: SkyState = _sky.state if is_instance_valid(_sky) else null
 	_ambience.advance(
@@ -170,7 +170,7 @@ func _on_told(_text: String) -> void:
 
 func _on_captioned(p_text: String, p_place: Vector3, p_level_db: float) -> void:
 	if _are_on.get(&"captions", false):
-		_captions.take(p_text, p_place, p_level_db, _scene.camera().global_transform)
+		_captions.take(p_text, p_place, p_level_db, _scene.view.camera.global_transform)
 
 
 func _on_level_changed(p_level: Level, _differs: bool) -> void:

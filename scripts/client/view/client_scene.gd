@@ -10,9 +10,6 @@ signal happening_told(p_text: String)
 ## The server's level is not on this machine.
 signal level_missing(p_why: String)
 
-## The camera is told of bodies that are nearer than this, m.
-const _CAMERA_NEAR_M: float = 4.0
-
 ## The scene of a person; its root is a [Ragdoll].
 @export var person_scene: PackedScene
 @export var _level: ClientLevel
@@ -26,20 +23,20 @@ const _CAMERA_NEAR_M: float = 4.0
 var replica: WorldReplica = WorldReplica.new()
 ## Fields, commands and events of what is there.
 var entities: ClientEntities = ClientEntities.new(replica)
-## Whether the user looks out of the own eyes: in a headset, or on walls that follow the own head.
-var sees_by_own_eyes: bool = false
+## How the window looks at it.
+var view: SceneView = null
 ## Avatars on their way.
 var avatars: AvatarArrival = AvatarArrival.new()
 
 var _actors: Dictionary[int, ActorView] = {}
-var _followed: FollowedPerson = FollowedPerson.new()
-var _aimed: bool = false
-## Out of whose eyes the camera looks, or -1.
-var _eyes: int = -1
+## The views of other viewports.
+var _others: Array[SceneView] = []
 var _has_warmed_up: bool = false
 
 
 func _ready() -> void:
+	view = SceneView.new(_camera, _actors)
+	view.hides_head = true
 	replica.level_named.connect(_level.set_level)
 	replica.table.spawned.connect(_on_spawned)
 	replica.table.despawned.connect(_on_despawned)
@@ -52,67 +49,19 @@ func _exit_tree() -> void:
 	avatars.finish()
 
 
-## Lets the camera follow the person of this client, who has one from now on. Where the user has set
-## no camera it stays behind the person.
-func follow_own(p_actor: int, p_stays_behind: bool) -> void:
-	if _followed.own < 0 and p_actor >= 0 and p_stays_behind:
-		_camera.view = OrbitCamera.View.BEHIND
-		_camera.azimuth = 0.0
-		_aimed = false
-	_followed.own = p_actor
-
-
-## Whom the camera follows, or -1.
-func followed() -> int:
-	return _followed.find(_actors)
-
-
-## Lets the camera follow the next person.
-func follow_next() -> void:
-	_camera.fixed = null
-	_followed.choose_next(_actors)
-
-
 ## Asks the server to switch the torch of the own person, if there is one.
 func switch_torch() -> void:
-	if _actors.has(_followed.own):
-		var torch: Torch = _actors[_followed.own].node.get_node_or_null(^"Torch") as Torch
+	if _actors.has(view.own()):
+		var torch: Torch = _actors[view.own()].node.get_node_or_null(^"Torch") as Torch
 		if torch != null:
 			torch.ask()
-
-
-## Lets the camera follow who is seen at a point of the window, if anybody is.
-func follow_at(p_point: Vector2) -> void:
-	var from: Vector3 = _camera.project_ray_origin(p_point)
-	if _followed.choose_at(_actors, from, _camera.project_ray_normal(p_point)):
-		_camera.fixed = null
 
 
 ## Goes to the next of the level's own views, and after the last one back to the followed person.
 func next_camera() -> void:
 	var level: Level = _level.level
 	var views: Array[ObserverCamera] = [] if level == null else level.get_cameras()
-	var next: int = views.find(_camera.fixed) + 1
-	_camera.fixed = views[next] if next < views.size() else null
-	if _camera.fixed != null:
-		happening_told.emit(views[next].get_title())
-	elif views.is_empty():
-		happening_told.emit("This level has no views of its own")
-	else:
-		happening_told.emit("Back to people")
-
-
-## Looks from where a camera is, such as that of a seat; null: back to the followed person.
-func look_through(p_camera: Camera3D) -> void:
-	_camera.fixed = p_camera
-
-
-## Looks at the followed person from elsewhere: around, from behind, out of the eyes.
-func change_view() -> void:
-	if _camera.fixed != null:
-		_camera.fixed = null
-		return
-	_camera.change_view()
+	happening_told.emit(view.look_through_next(views))
 
 
 ## Sets the visible worlds and the camera; returns what is wrong, or an empty text.
@@ -132,6 +81,30 @@ func fade_physics(p_fade: PhysicsFade, p_time_s: float) -> void:
 	_physics.opacity = 1.0 if is_over else opacity
 	if is_over:
 		p_fade.end()
+
+
+## Adds another look at the world, in a viewport of its own, which shows the same world: its
+## [member Viewport.world_3d] is set. It follows people as the window's camera does, until
+## [method remove_view].
+func add_view(p_viewport: Viewport) -> SceneView:
+	var camera_here: OrbitCamera = OrbitCamera.new()
+	camera_here.obstacles = _camera.obstacles
+	camera_here.fov = _camera.fov
+	camera_here.takes_keys = false
+	# What it sees is not hidden as the window does not see it.
+	camera_here.add_to_group(KitBlock.EYES_GROUP)
+	p_viewport.world_3d = get_world_3d()
+	p_viewport.add_child(camera_here)
+	camera_here.make_current()
+	var other: SceneView = SceneView.new(camera_here, _actors)
+	_others.append(other)
+	return other
+
+
+## Takes back what [method add_view] has added.
+func remove_view(p_view: SceneView) -> void:
+	_others.erase(p_view)
+	p_view.camera.queue_free()
 
 
 ## Forgets a world whose server is gone: people and things leave, the level stays.
@@ -164,22 +137,14 @@ func update(
 	entities.advance()
 	if _physics.visible:
 		_move_wires()
-	_aim()
-
-
-## From where the client looks, m.
-func viewpoint() -> Vector3:
-	return _camera.global_position
+	_names.choose(_camera.global_position, view.aim())
+	for other: SceneView in _others:
+		other.aim()
 
 
 ## The people who are displayed, by their numbers.
 func people() -> Dictionary[int, ActorView]:
 	return _actors
-
-
-## The camera of the window.
-func camera() -> OrbitCamera:
-	return _camera
 
 
 ## The level and what moves in it.
@@ -216,7 +181,8 @@ func _on_level_changed(p_level: Level, p_differs: bool) -> void:
 	_views.props = p_level.props_root
 	_views.static_world = p_level.static_root
 	_views.refresh()
-	_camera.fixed = null
+	for each: SceneView in [view] + _others:
+		each.look_through(null)
 	if not _has_warmed_up:
 		_has_warmed_up = true
 		_level.add_child(EffectWarmUp.new())
@@ -237,8 +203,8 @@ func _on_despawned(p_row: EntityRow) -> void:
 	avatars.forget(p_row.id)
 	if _actors.has(p_row.id):
 		# At once: a server may send many tables between two frames.
-		if p_row.id == _eyes:
-			_eyes = -1
+		for each: SceneView in [view] + _others:
+			each.forget(p_row.id)
 		_actors[p_row.id].node.free()
 		_actors.erase(p_row.id)
 		_names.remove(p_row.id)
@@ -285,53 +251,3 @@ func _move_wires() -> void:
 		if replica.has_person(actor):
 			var floats: PackedFloat32Array = replica.person_floats(actor, true)
 			_physics.set_transforms(actor, replica.limbs_of(actor, floats))
-
-
-## Tells the camera where bodies near it are.
-func _keep_camera_out() -> void:
-	var ends: PackedVector3Array = []
-	var radii: PackedFloat32Array = []
-	var eye: Vector3 = _camera.global_position
-	for view: ActorView in _actors.values():
-		if (
-			view.node.visible
-			and view.hips().distance_squared_to(eye) < _CAMERA_NEAR_M * _CAMERA_NEAR_M
-		):
-			view.write_skeleton()
-			view.hull.append_to(ends, radii)
-	_camera.capsule_ends = ends
-	_camera.capsule_radii = radii
-
-
-## Hides the own head from whose eyes the camera looks, and shows the one before again; -1: nobody.
-func _look_out_of(p_actor: int) -> void:
-	if p_actor == _eyes:
-		return
-	if _actors.has(_eyes):
-		_actors[_eyes].set_first_person(false)
-	_eyes = p_actor
-	if _actors.has(_eyes):
-		_actors[_eyes].set_first_person(true)
-
-
-func _aim() -> void:
-	var actor: int = followed()
-	_camera.has_head = actor >= 0
-	_keep_camera_out()
-	var is_own: bool = sees_by_own_eyes and _followed.own >= 0
-	if is_own:
-		_camera.view = OrbitCamera.View.EYES
-		actor = _followed.own
-	var looks_out: bool = _camera.view == OrbitCamera.View.EYES and _camera.fixed == null
-	_camera.is_steady = actor != _followed.own
-	# Whatever the window's camera shows, such as the view of a seat.
-	_look_out_of(actor if looks_out or is_own else -1)
-	_names.choose(_camera.global_position, actor if looks_out else -1)
-	if actor < 0:
-		return
-	_camera.target = _actors[actor].hips()
-	_camera.head = _actors[actor].head()
-	_camera.heading = _actors[actor].heading()
-	if not _aimed:
-		_camera.snap()
-		_aimed = true

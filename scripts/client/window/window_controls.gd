@@ -58,9 +58,9 @@ func _on_quality_chosen(p_name: String) -> void:
 
 func _unhandled_input(p_event: InputEvent) -> void:
 	if p_event.is_action_pressed(_NEXT):
-		context.scene.follow_next()
+		context.scene.view.follow_next()
 	elif p_event.is_action_pressed(_VIEW):
-		context.scene.change_view()
+		context.scene.view.change_view()
 	elif p_event.is_action_pressed(_CAMERA):
 		context.scene.next_camera()
 	elif p_event.is_action_pressed(_TORCH) and _moves:
@@ -77,4 +77,4 @@ func _take_click(p_event: InputEventMouseButton) -> void:
 	if p_event.pressed:
 		_press = p_event.position
 	elif _press.distance_to(p_event.position) < _CLICK_PIXELS:
-		context.scene.follow_at(p_event.position)
+		context.scene.view.follow_at(p_event.position)

@@ -32,17 +32,14 @@ var hinge: float = 0.5
 ## Variance of [member hinge].
 var hinge_variance: float = 0.08
 
-## What a limb is off each time that one pose is taken, rad² about each axis: of arms and heads.
-var arms: float = deg_to_rad(USUAL_ARMS_DEG) ** 2
-## The same of the rest.
-var rest: float = deg_to_rad(USUAL_REST_DEG) ** 2
-## What arms and heads are off differently when the pose is taken again, rad² about each axis.
-var arms_again: float = 0.0
-## The same of the rest.
-var rest_again: float = 0.0
-## How far movements are askew, rad² in each direction.
-var askew: float = deg_to_rad(USUAL_ASKEW_DEG) ** 2
-
+# What a limb is off each time that one pose is taken, rad² about each axis: of arms and heads, and
+# of the rest.
+var _arms: float = deg_to_rad(USUAL_ARMS_DEG) ** 2
+var _rest: float = deg_to_rad(USUAL_REST_DEG) ** 2
+# And what it is off differently when the pose is taken again.
+var _arms_again: float = 0.0
+var _rest_again: float = 0.0
+var _askew: float = deg_to_rad(USUAL_ASKEW_DEG) ** 2
 # Variance of how far arms hang from where they should, all together.
 var _lowering: float = 0.0
 
@@ -50,7 +47,7 @@ var _lowering: float = 0.0
 ## How much a limb may be off in a hold, by its axes, rad². What is the same in all holds of a pose
 ## does not become less by holding it again.
 func pose_variance(p_fit: SensorFit, p_hold: SensorFit.Hold) -> Vector3:
-	var again: float = arms_again if _is_loose(p_fit.mount) else rest_again
+	var again: float = _arms_again if _is_loose(p_fit.mount) else _rest_again
 	var one: float = base_variance(p_fit.mount) * p_fit.count(p_hold.pose) + again
 	one += FLOOR + (p_hold.movement * MOVEMENT_PART) ** 2
 	var found: Vector3 = Vector3(one, one, one)
@@ -61,7 +58,7 @@ func pose_variance(p_fit: SensorFit, p_hold: SensorFit.Hold) -> Vector3:
 
 ## How far a limb is usually apart between T and N, rad² about each axis.
 func apart_variance(p_fit: SensorFit) -> float:
-	var again: float = arms_again if _is_loose(p_fit.mount) else rest_again
+	var again: float = _arms_again if _is_loose(p_fit.mount) else _rest_again
 	var one: float = 2.0 * (base_variance(p_fit.mount) + FLOOR)
 	for pose: ResetPose.Kind in [ResetPose.Kind.T, ResetPose.Kind.N]:
 		one += again / maxi(p_fit.count(pose), 1)
@@ -70,22 +67,22 @@ func apart_variance(p_fit: SensorFit) -> float:
 
 ## How exactly a mount is held in one pose, however often, rad² about each axis.
 func base_variance(p_mount: int) -> float:
-	return arms if _is_loose(p_mount) else rest
+	return _arms if _is_loose(p_mount) else _rest
 
 
 ## How far the axis of a movement may be off in each direction, rad².
 func axis_variance(p_turn: SensorFit.Turn) -> float:
 	var seen: float = HALF_SEEN_RAD / maxf(p_turn.angle, 0.01)
-	return askew * (1.0 + seen * seen) + SCATTER_PART * p_turn.scatter ** 2 + FLOOR
+	return _askew * (1.0 + seen * seen) + SCATTER_PART * p_turn.scatter ** 2 + FLOOR
 
 
 ## Learns from what [SensorFit]s leave unexplained.
 func learn(p_fits: Array[SensorFit]) -> void:
 	_learn_lowering(p_fits)
-	arms_again = _learn_again(p_fits, true)
-	rest_again = _learn_again(p_fits, false)
-	arms = _learn_poses(p_fits, true)
-	rest = _learn_poses(p_fits, false)
+	_arms_again = _learn_again(p_fits, true)
+	_rest_again = _learn_again(p_fits, false)
+	_arms = _learn_poses(p_fits, true)
+	_rest = _learn_poses(p_fits, false)
 	for _round: int in 3:
 		_learn_axes(p_fits)
 
@@ -102,9 +99,9 @@ func learn_from_old(p_offs: Dictionary[SensorFit, Vector3]) -> void:
 				sum += off.length_squared() / 1.5
 				number += 3
 		if is_arm:
-			arms = _drawn(USUAL_ARMS_DEG, USUAL_POSES, sum, number)
+			_arms = _drawn(USUAL_ARMS_DEG, USUAL_POSES, sum, number)
 		else:
-			rest = _drawn(USUAL_REST_DEG, USUAL_POSES, sum, number)
+			_rest = _drawn(USUAL_REST_DEG, USUAL_POSES, sum, number)
 
 
 ## What a mount is off in T beyond what it is off in N, in the directions that no heading changes;
@@ -146,14 +143,14 @@ func _learn_lowering(p_fits: Array[SensorFit]) -> void:
 	if number >= 2:
 		var mean: float = sum / number
 		var spread: float = maxf(squares / number - mean * mean, 0.0) / (number - 1)
-		_lowering = maxf(mean * mean - 2.0 * spread - 2.0 * arms / number, 0.0)
+		_lowering = maxf(mean * mean - 2.0 * spread - 2.0 * _arms / number, 0.0)
 
 
 ## What is off in all holds of a pose alike, from how far T and N are apart.
 func _learn_poses(p_fits: Array[SensorFit], p_arms: bool) -> float:
 	var sum: float = 0.0
 	var number: float = 0.0
-	var again: float = arms_again if p_arms else rest_again
+	var again: float = _arms_again if p_arms else _rest_again
 	for fit: SensorFit in p_fits:
 		var off: Vector4 = apart(fit)
 		var along: Vector3 = Vector3(off.x, off.y, off.z)
@@ -192,7 +189,7 @@ func _learn_again(p_fits: Array[SensorFit], p_arms: bool) -> float:
 func _learn_axes(p_fits: Array[SensorFit]) -> void:
 	var products: float = 0.0
 	var squares: float = 0.0
-	var noise: float = askew + hinge * hinge * rest * 0.5
+	var noise: float = _askew + hinge * hinge * _rest * 0.5
 	for fit: SensorFit in p_fits:
 		for turn: SensorFit.Turn in fit.turns:
 			var expected: float = _expected_tilt(fit, turn)
@@ -210,7 +207,7 @@ func _learn_axes(p_fits: Array[SensorFit]) -> void:
 			var explained: float = hinge * hinge * base_variance(fit.mount) * 0.5
 			sum += maxf(minf(left * left, 0.1) - explained, 0.0) / (1.0 + seen * seen)
 			number += 1
-	askew = _drawn(USUAL_ASKEW_DEG, USUAL_AXES, sum, number)
+	_askew = _drawn(USUAL_ASKEW_DEG, USUAL_AXES, sum, number)
 
 
 ## How far up an axis of the limb would point, from what the two poses say of the limb, rad.

@@ -1,5 +1,6 @@
+@tool
 class_name EngineClasses
-extends RefCounted
+extends KitRows
 ## The rows of [LevelKit] for classes of the engine: nodes, shapes, meshes, materials, environments.
 
 const _TEXTURES: PackedStringArray = [
@@ -19,8 +20,7 @@ const _MESHES: PackedStringArray = [
 ]
 
 
-## All of them.
-static func rows() -> Array[KitClass]:
+func rows() -> Array[KitClass]:
 	return _nodes() + _lights() + _shapes() + _meshes() + _materials() + _environments()
 
 

@@ -1,10 +1,10 @@
+@tool
 class_name KitMarks
-extends RefCounted
+extends KitRows
 ## The rows of [LevelKit] for what is not seen in the game: where people start, zones, paths, views.
 
 
-## All of them.
-static func rows() -> Array[KitClass]:
+func rows() -> Array[KitClass]:
 	return [
 		_film_camera(),
 		(
@@ -85,5 +85,12 @@ static func _film_camera() -> KitClass:
 	)
 
 
-static func _path(p_class: GDScript) -> String:
-	return p_class.resource_path
+func items() -> Array[KitItem]:
+	var root: int = KitItem.Place.ROOT
+	return [
+		KitItem.new("Film camera", "screen view", _path(FilmCamera), KitItem.Place.STATIC, {}, 1.6),
+		KitItem.new("Spawn point", "start person", _path(SpawnPoint), KitItem.Place.SPAWNS),
+		KitItem.new("Trigger zone", "area event mark", _path(TriggerZone), root),
+		KitItem.new("Waypoint path", "points way route", _path(WaypointPath), root),
+		KitItem.new("Observer view", "camera", _path(ObserverCamera), root, {}, 2.5),
+	]

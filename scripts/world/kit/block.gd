@@ -27,6 +27,21 @@ extends KitBlock
 		rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(
+		Block,
+		20000,
+		{
+			"size": PropertyRule.vector3(0.01, 2000.0),
+			"material": PropertyRule.resource(KitClass.MATERIALS)
+		}
+	)
+	entry.offered("Floor", "block ground plate", {&"size": Vector3(4, 0.2, 4)}, 0.1)
+	entry.offered("Block", "box cube", {}, 0.5)
+	entry.offered("Platform", "block step", {&"size": Vector3(2, 1, 2)}, 0.5)
+	return entry
+
+
 func contact_key() -> StringName:
 	return SurfaceLayers.key_of(surface)
 

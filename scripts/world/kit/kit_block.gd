@@ -21,6 +21,11 @@ const EYES_GROUP: StringName = &"level_eyes"
 var _is_pending: bool = false
 
 
+## What the level kit needs to know of a class of blocks; null: it is not part of the kit.
+static func kit_entry() -> KitEntry:
+	return null
+
+
 func _init() -> void:
 	collision_layer = PhysicsLayers.STATIC
 	collision_mask = 0

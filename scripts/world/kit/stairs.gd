@@ -46,6 +46,14 @@ extends KitBlock
 		rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(
+		Stairs, 500, {"material": PropertyRule.resource(KitClass.MATERIALS)}
+	)
+	entry.offered("Stairs", "steps")
+	return entry
+
+
 func contact_key() -> StringName:
 	return SurfaceLayers.key_of(surface)
 

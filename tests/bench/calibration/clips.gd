@@ -19,11 +19,9 @@ func measure() -> void:
 		if source != null:
 			_run_clip(source)
 	for kind: CalibrationGuide.Kind in CalibrationGuide.Kind.values():
-		var goal: BenchReport.Goal = BenchReport.Goal.AT_MOST
-		if kind == CalibrationGuide.Kind.FULL or kind == CalibrationGuide.Kind.FIT_CHECK:
-			goal = BenchReport.Goal.NONE
+		var is_long: bool = kind in [CalibrationGuide.Kind.FULL, CalibrationGuide.Kind.FIT_CHECK]
 		var seconds: float = CalibrationGuide.duration_s(kind)
-		report.add(CalibrationGuide.NAMES[kind], "duration", seconds, "s", goal, _REDO_S)
+		report.at_most(CalibrationGuide.NAMES[kind], "duration", seconds, "s", _REDO_S, not is_long)
 
 
 func _run_clip(p_source: BvhSource) -> void:
@@ -59,11 +57,9 @@ func _run_kind(p_clip: String, p_kind: CalibrationGuide.Kind, p_poses: Array[Pos
 		wearer.feed.noise_deg = 0.0
 		var off: float = wearer.worst_deg(result.calibration, p_poses, wearer.motion.facing)
 		worst = maxf(worst, off)
-	var goal: BenchReport.Goal = BenchReport.Goal.AT_MOST
-	if arguments.value("noise") > 0.0:
-		goal = BenchReport.Goal.NONE
+	var is_clean: bool = arguments.value("noise") <= 0.0
 	var parts: Array = [p_clip, CalibrationGuide.NAMES[p_kind]]
-	report.add("%s, %s" % parts, "worst limb", worst, "deg", goal, _EXACT_DEG)
+	report.at_most("%s, %s" % parts, "worst limb", worst, "deg", _EXACT_DEG, is_clean)
 
 
 func _run_tracker(p_clip: String, p_source: BvhSource, p_poses: Array[PoseSample]) -> void:
@@ -83,8 +79,7 @@ func _run_tracker(p_clip: String, p_source: BvhSource, p_poses: Array[PoseSample
 			worst = maxf(worst, off)
 	publisher.retire()
 	var case_name: String = p_clip + ", body tracker"
-	var at_most: BenchReport.Goal = BenchReport.Goal.AT_MOST
-	report.add(case_name, "there and back", worst, "deg", at_most, _TRACKER_DEG)
+	report.at_most(case_name, "there and back", worst, "deg", _TRACKER_DEG)
 	report.add(case_name, "publish", float(spent) / p_poses.size(), "us")
 
 

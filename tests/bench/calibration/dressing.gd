@@ -24,11 +24,10 @@ func measure() -> void:
 		var name: String = "%d sensors in any order" % case.x
 		if case.y > 0:
 			name += " and %d that lie about" % case.y
-		var at_least: BenchReport.Goal = BenchReport.Goal.AT_LEAST
-		report.add(name, "sensors found", 100.0 * right / all, "%", at_least, _RIGHT)
+		report.at_least(name, "sensors found", 100.0 * right / all, "%", _RIGHT)
 		report.add(name, "rounds all right", 100.0 * whole / arguments.value("orders"), "%")
 		var seconds: float = CalibrationGuide.duration_s(CalibrationGuide.Kind.FIT_CHECK, mounts)
-		report.add(name, "duration", seconds, "s", BenchReport.Goal.AT_MOST, _ROUND_S)
+		report.at_most(name, "duration", seconds, "s", _ROUND_S)
 
 
 ## How many sensors are found where they are.

@@ -67,16 +67,15 @@ func _run_case(p_name: String, p_rate: float) -> void:
 		for text: String in outcome.said:
 			said[text] = said.get(text, 0) + outcome.said[text]
 	var case_name: String = "%s, %s deg/min" % [p_name, String.num(p_rate, 2)]
-	var at_most: BenchReport.Goal = BenchReport.Goal.AT_MOST
 	var goal: float = 3.0 if p_rate > 1.5 else 2.5
 	report.add(case_name, "uncorrected", raw.mean(), "deg")
 	if p_rate == 0.0:
 		goal = raw.mean() + 0.3
-	report.add(case_name, "mean of limbs", off.mean(), "deg", at_most, goal)
+	report.at_most(case_name, "mean of limbs", off.mean(), "deg", goal)
 	report.add(case_name, "worst run", off.percentile(1.0), "deg")
 	report.add(case_name, "modulo the whole body", shape.mean(), "deg")
 	report.add(case_name, "whole body", common.mean(), "deg")
-	report.add(case_name, "runs with false alarms", alarms, "", at_most, 0.0)
+	report.at_most(case_name, "runs with false alarms", alarms, "", 0.0)
 	for text: String in said:
 		report.add(case_name, "false: " + text, said[text], "s")
 

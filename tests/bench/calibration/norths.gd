@@ -19,7 +19,6 @@ func measure() -> void:
 				var result: CalibrationResult = person.calibrate(CalibrationGuide.Kind.FULL)
 				left.add(Person.mean(person.errors_deg(result.calibration, poses)))
 			var parts: Array = ["normally" if is_normal else "evenly", spread]
-			var at_most: BenchReport.Goal = BenchReport.Goal.AT_MOST
 			var name: String = "norths spread %s by %.0f deg, full" % parts
-			report.add(name, "mean of limbs", left.mean(), "deg", at_most, _GOAL_DEG)
+			report.at_most(name, "mean of limbs", left.mean(), "deg", _GOAL_DEG)
 			report.add(name, "worst wearer", left.percentile(1.0), "deg")

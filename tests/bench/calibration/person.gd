@@ -2,7 +2,6 @@ extends "res://tests/mocap/calibration/wearer.gd"
 ## Somebody who is not perfect: norths apart, poses held badly, soft tissue, movements that are
 ## larger, smaller and more askew than asked. All is drawn from [member random].
 
-const Knowing: GDScript = preload("knowing_solver.gd")
 const _NOISE_DEG: float = 0.5
 const _RATE_HZ: float = 25.0
 
@@ -16,8 +15,6 @@ var poses_deg: float = 0.0
 var is_anew: bool = false
 ## Whether norths are spread normally.
 var is_normal: bool = false
-## Whether the solver is told how far poses, movements and norths usually are off for this person.
-var is_known: bool = false
 ## Which way the wearer faces in the frame that the sensors have in common, rad.
 var front: float = 0.0
 
@@ -82,11 +79,6 @@ func errors_deg(p_calibration: Calibration, p_poses: Array[PoseSample]) -> Packe
 	feed.noise_deg = noise
 	feed.soft_tissue_deg = soft
 	return sums
-
-
-func _on_started() -> void:
-	if is_known:
-		process._solver = Knowing.of(process._solver, self)
 
 
 ## The mean of numbers.

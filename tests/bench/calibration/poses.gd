@@ -1,7 +1,5 @@
 extends "part.gd"
-## Full calibrations of wearers whose poses are off, T and N each in its own way: what is left, and
-## what is left by a solver that knows how far this wearer's poses, movements and norths usually are
-## off (knowing_solver.gd).
+## Full calibrations of wearers whose poses are off, T and N each in its own way: what is left.
 
 const Person: GDScript = preload("person.gd")
 const _GOAL_DEG: float = 3.0
@@ -27,22 +25,16 @@ func _measure_case(
 	p_off_deg: float, p_case: Array, p_norths: float, p_poses: Array[PoseSample]
 ) -> void:
 	var left: Statistics = Statistics.new()
-	var at_best: Statistics = Statistics.new()
 	for number: int in arguments.value("rounds"):
-		for is_known: bool in [false, true]:
-			var person: Person = Person.new()
-			person.random = generator(number)
-			person.dress(PackedInt32Array(range(BodyMounts.COUNT)), p_norths, false)
-			person.feed.soft_tissue_deg = arguments.value("soft")
-			person.hold_badly(p_off_deg, p_case[2])
-			person.move_badly(arguments.value("efforts"))
-			person.motion.is_hinged = p_case[1]
-			person.is_known = is_known
-			var result: CalibrationResult = person.calibrate(CalibrationGuide.Kind.FULL)
-			var error: float = Person.mean(person.errors_deg(result.calibration, p_poses))
-			(at_best if is_known else left).add(error)
+		var person: Person = Person.new()
+		person.random = generator(number)
+		person.dress(PackedInt32Array(range(BodyMounts.COUNT)), p_norths, false)
+		person.feed.soft_tissue_deg = arguments.value("soft")
+		person.hold_badly(p_off_deg, p_case[2])
+		person.move_badly(arguments.value("efforts"))
+		person.motion.is_hinged = p_case[1]
+		var result: CalibrationResult = person.calibrate(CalibrationGuide.Kind.FULL)
+		left.add(Person.mean(person.errors_deg(result.calibration, p_poses)))
 	var name: String = "poses off by %.0f deg%s, norths %.0f, full"
-	var at_most: BenchReport.Goal = BenchReport.Goal.AT_MOST
 	name %= [p_off_deg, p_case[0], p_norths]
-	report.add(name, "mean of limbs", left.mean(), "deg", at_most, _GOAL_DEG)
-	report.add(name, "mean of limbs, wearer known", at_best.mean(), "deg")
+	report.at_most(name, "mean of limbs", left.mean(), "deg", _GOAL_DEG)

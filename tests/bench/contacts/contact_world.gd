@@ -33,6 +33,15 @@ func add_person(p_person: ContactPerson, p_pose: Callable, p_place: Callable) ->
 	people.append(p_person)
 
 
+## Adds somebody who holds a pose, the hips at a place.
+func add_standing(p_person: ContactPerson, p_pose: PoseSample, p_hips: Vector3) -> void:
+	add_person(
+		p_person,
+		func(_time: float) -> PoseSample: return p_pose,
+		func(_time: float) -> Vector3: return p_hips
+	)
+
+
 ## A static box.
 func add_block(p_size: Vector3, p_place: Transform3D, p_friction: float = 1.0) -> StaticBody3D:
 	var block: StaticBody3D = StaticBody3D.new()

@@ -28,12 +28,7 @@ func _drop(p_performer: ContactPerformer, p_target: String, p_aside: float) -> v
 	world.add_floor(0.0)
 	var person: ContactPerson = p_performer.enter(world, root)
 	var pose: PoseSample = ContactPoses.standing(person)
-	var hips: Vector3 = person.standing_hips()
-	world.add_person(
-		person,
-		func(_time: float) -> PoseSample: return pose,
-		func(_time: float) -> Vector3: return hips
-	)
+	world.add_standing(person, pose, person.standing_hips())
 	await world.run(_SETTLE_S)
 	var top: float = 0.0
 	var bodies: Array[Transform3D] = person.bodies()

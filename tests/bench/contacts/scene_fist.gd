@@ -73,7 +73,7 @@ func _strike(p_performer: ContactPerformer, p_number: int, p_mass: float) -> boo
 	report.add(case, "crate", _crate_speed, "m/s")
 	report.add(case, "estimate, limp arm", _fist_speed * limp / (limp + p_mass), "m/s")
 	report.add(case, "estimate, stiff arm", estimate, "m/s")
-	report.add(case, "off the stiff arm's", off, "%", BenchReport.Goal.AT_MOST, _GOAL_PERCENT)
+	report.at_most(case, "off the stiff arm's", off, "%", _GOAL_PERCENT)
 	add_bounds(case, _world, false)
 	await end_world(_world)
 	return true

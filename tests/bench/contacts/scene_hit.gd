@@ -37,12 +37,7 @@ func _hit(p_performer: ContactPerformer, p_bone: StringName, p_from: String) -> 
 	var world: ContactWorld = make_world()
 	var person: ContactPerson = p_performer.enter(world, root)
 	var pose: PoseSample = ContactPoses.standing(person)
-	var hips: Vector3 = person.standing_hips()
-	world.add_person(
-		person,
-		func(_time: float) -> PoseSample: return pose,
-		func(_time: float) -> Vector3: return hips
-	)
+	world.add_standing(person, pose, person.standing_hips())
 	await world.run(_SETTLE_S)
 	var limb: int = person.find(p_bone)
 	var struck: int = person.ragdoll.motor.hit(
@@ -54,16 +49,12 @@ func _hit(p_performer: ContactPerformer, p_bone: StringName, p_from: String) -> 
 	await world.run(_WATCH_S, _watch.bind(world, world.time_s))
 	var case: String = name_case("hit %s, %s" % [String(p_bone).to_lower(), p_from], p_performer)
 	var is_trunk: bool = p_bone == &"Chest" and hz == 60 and p_performer.name == "soldier"
-	var least: BenchReport.Goal = BenchReport.Goal.AT_LEAST if is_trunk else BenchReport.Goal.NONE
-	var most: BenchReport.Goal = BenchReport.Goal.AT_MOST if is_trunk else BenchReport.Goal.NONE
-	report.add(case, "trunk turns", _largest_deg, "deg", least, _LEAST_DEG)
+	report.at_least(case, "trunk turns", _largest_deg, "deg", _LEAST_DEG, is_trunk)
 	if is_trunk:
-		report.add(case, "trunk turns", _largest_deg, "deg", most, _MOST_DEG)
-	report.add(case, "trunk is back", _late_s * 1000.0, "ms", most, _GOAL_MS)
-	report.add(case, "worst limb", _worst_deg, "deg", BenchReport.Goal.AT_MOST, _WORST_DEG)
-	report.add(
-		case, "right limb", 1.0 if struck == limb else 0.0, "", BenchReport.Goal.AT_LEAST, 1.0
-	)
+		report.at_most(case, "trunk turns", _largest_deg, "deg", _MOST_DEG, is_trunk)
+	report.at_most(case, "trunk is back", _late_s * 1000.0, "ms", _GOAL_MS, is_trunk)
+	report.at_most(case, "worst limb", _worst_deg, "deg", _WORST_DEG)
+	report.at_least(case, "right limb", 1.0 if struck == limb else 0.0, "", 1.0)
 	add_bounds(case, world, false)
 	await end_world(world)
 

@@ -36,8 +36,7 @@ func play(p_performer: ContactPerformer) -> void:
 	_kept_m = 0.0
 	await world.run(_END_S, _watch.bind(world))
 	var case: String = name_case("hug", p_performer)
-	var goal: BenchReport.Goal = BenchReport.Goal.AT_MOST
-	report.add(case, "time until < 3 deg", (_late_s - _PARTED_S) * 1000.0, "ms", goal, _GOAL_MS)
+	report.at_most(case, "time until < 3 deg", (_late_s - _PARTED_S) * 1000.0, "ms", _GOAL_MS)
 	report.add(case, "kept away", _kept_m * 1000.0, "mm")
 	add_bounds(case, world, true)
 	await end_world(world)

@@ -19,7 +19,7 @@ func play(p_performer: ContactPerformer) -> void:
 			var moment: float = p_performer.duration() * (number + 0.5) / _POSES
 			await _hold(p_performer, moment, on_floor, speeds)
 		var case: String = name_case("jitter on floor" if on_floor else "jitter", p_performer)
-		report.add(case, "mean", speeds.mean(), "deg/s", BenchReport.Goal.AT_MOST, _GOAL_DEG_S)
+		report.at_most(case, "mean", speeds.mean(), "deg/s", _GOAL_DEG_S)
 		report.add(case, "p99", speeds.percentile(0.99), "deg/s")
 
 
@@ -32,11 +32,7 @@ func _hold(
 	var hips: Vector3 = p_performer.hips_at(p_moment, person)
 	if p_on_floor:
 		world.add_floor(person.lowest(person.targets(pose, hips)) + _PRESSED_M)
-	world.add_person(
-		person,
-		func(_time: float) -> PoseSample: return pose,
-		func(_time: float) -> Vector3: return hips
-	)
+	world.add_standing(person, pose, hips)
 	await world.run(_SETTLE_S)
 	await world.run(_MEASURE_S, jitter_meter(world, p_speeds))
 	await end_world(world)

@@ -142,10 +142,8 @@ func _push(
 	var speeds: Statistics = Statistics.new()
 	await _world.run(1.0, Jitter.jitter_meter(_world, speeds))
 	var case: String = name_case(p_scene, p_performer)
-	var goal: BenchReport.Goal = BenchReport.Goal.NONE
-	if _GOAL_MM.has(hz):
-		goal = BenchReport.Goal.AT_MOST
-	report.add(case, "arm in wall", _deepest * 1000.0, "mm", goal, _GOAL_MM.get(hz, 0.0))
+	var goal: float = _GOAL_MM.get(hz, 0.0)
+	report.at_most(case, "arm in wall", _deepest * 1000.0, "mm", goal, _GOAL_MM.has(hz))
 	report.add(case, "jitter after", speeds.mean(), "deg/s")
 	add_bounds(case, _world, false)
 	await end_world(_world)

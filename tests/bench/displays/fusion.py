@@ -11,14 +11,11 @@ run alone, too, with options for clip, seed, drift, noise, sizes and rate:
 
 from __future__ import annotations
 
-import json
-import os
-import subprocess
-
-from toolchain.console import Failure, tail
+from bench import Bench
+from toolchain.processes import json_lines
 from toolchain.stats import GOALS_MISSED
 
-from displays import SCRIPTS, Bench
+from displays import SCRIPTS, add_rows
 
 PART = "fusion"
 PROGRAMS = ("fusion_bench.gd", "xr_body_bench.gd")
@@ -27,20 +24,6 @@ PROGRAMS = ("fusion_bench.gd", "xr_body_bench.gd")
 def measure(bench: Bench) -> None:
     """Adds the figures of all clips."""
     for program in PROGRAMS:
-        done = subprocess.run(
-            bench.command("--headless", "-s", SCRIPTS + program, "--", "--json"),
-            capture_output=True,
-            text=True,
-            timeout=1800.0,
-            check=False,
-            env={**os.environ, **bench.godot.environment()},
-        )
+        command = bench.command("--headless", "-s", SCRIPTS + program, "--", "--json")
         # A goal that is missed is a result: it is judged again here.
-        if done.returncode not in (0, GOALS_MISSED):
-            said = tail(done.stdout + done.stderr, 20)
-            raise Failure(f"{program} ended with {done.returncode}:\n{said}")
-        for line in done.stdout.splitlines():
-            if line.startswith("{"):
-                row = json.loads(line)
-                figure = (row["case"], row["metric"], row["value"], row["unit"])
-                bench.stats.add(*figure, at_most=row["goal"])
+        add_rows(bench, json_lines(bench.run(command, None, 1800.0, (0, GOALS_MISSED))[0]))

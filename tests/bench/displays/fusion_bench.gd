@@ -1,4 +1,4 @@
-extends SceneTree
+extends Bench
 ## How well the body of a suit fits the headset of its wearer, in simulated time: the truth is a
 ## clip, the suit drifts, is noisy and has limbs of wrong lengths, the headset sits askew.
 ##
@@ -15,43 +15,41 @@ const _STANDING_S: float = 60.0
 const _COST_CALLS: int = 4000
 
 
-func _initialize() -> void:
-	var defaults: Dictionary = {"bvh": "", "seed": 1, "drift": 3.0, "minutes": 10.0}
-	defaults.merge({"injected": 30.0, "rate": 60.0, "noise": 0.5, "size": 0.97})
-	var options: BenchArguments = BenchArguments.parse(OS.get_cmdline_user_args(), defaults)
-	var fault: String = options.error
-	if fault == "" and not (options.value("rate") >= 10.0 and options.value("rate") <= 1000.0):
-		fault = "--rate is 10 to 1000 samples a second, found %s" % options.value("rate")
-	if fault == "" and not (options.value("size") >= 0.8 and options.value("size") <= 1.25):
-		fault = "--size is 0.8 to 1.25, found %s" % options.value("size")
-	if fault != "":
-		printerr(fault)
-		quit(2)
-		return
-	var report: BenchReport = BenchReport.new("displays", options.value("json"))
-	for clip: String in BenchArguments.clips(options):
-		var scene: Scene = Scene.new(clip, options.value("seed"))
+func options() -> Dictionary:
+	return {
+		"bvh": "",
+		"seed": 1,
+		"drift": 3.0,
+		"minutes": 10.0,
+		"injected": 30.0,
+		"rate": [60.0, 10.0, 1000.0],
+		"noise": 0.5,
+		"size": [0.97, 0.8, 1.25]
+	}
+
+
+func measure() -> void:
+	for clip: String in BenchArguments.clips(arguments):
+		var scene: Scene = Scene.new(clip, option("seed"))
 		if scene.error() != "":
 			report.leave_out(clip, scene.error())
 			continue
-		_stand(report, _worn(scene, options), clip.get_file(), options.value("injected"))
-		scene = Scene.new(clip, options.value("seed"))
-		_drift(report, _worn(scene, options), clip.get_file(), options)
-	_time(report, options)
-	quit(report.finish())
+		_stand(_worn(scene), clip.get_file(), option("injected"))
+		_drift(_worn(Scene.new(clip, option("seed"))), clip.get_file())
+	_time()
 
 
 ## A suit and a headset as people wear them.
-func _worn(p_scene: Scene, p_options: BenchArguments) -> Scene:
-	p_scene.rate = p_options.value("rate")
-	p_scene.noise = deg_to_rad(p_options.value("noise"))
-	p_scene.length_ratio = p_options.value("size")
+func _worn(p_scene: Scene) -> Scene:
+	p_scene.rate = option("rate")
+	p_scene.noise = deg_to_rad(option("noise"))
+	p_scene.length_ratio = option("size")
 	p_scene.mount = Quaternion.from_euler(Vector3(0.05, 0.01, 0.02))
 	p_scene.lever = HeadMount.USUAL_LEVER + Vector3(0.0, -0.01, 0.01)
 	return p_scene
 
 
-func _stand(p_report: BenchReport, p_scene: Scene, p_clip: String, p_injected: float) -> void:
+func _stand(p_scene: Scene, p_clip: String, p_injected: float) -> void:
 	var fusion: HeadFusion = HeadFusion.new(p_scene.size())
 	p_scene.pace = 0.0
 	var fastest: float = 0.0
@@ -69,18 +67,15 @@ func _stand(p_report: BenchReport, p_scene: Scene, p_clip: String, p_injected: f
 			fastest = maxf(fastest, rad_to_deg(turn) * p_scene.rate)
 		last = fusion.correction()
 	var case: String = "%s, standing, %.0f deg injected" % [p_clip, p_injected]
-	var at_most: BenchReport.Goal = BenchReport.Goal.AT_MOST
 	# The noise of the suit's own hips is no error of the heading.
 	var off: float = absf(rad_to_deg(angle_difference(-p_scene.heading, fusion.correction())))
-	p_report.add(case, "body off after 60 s", off, "deg", at_most, _MAX_OFF_DEG)
-	p_report.add(case, "view moved", moved, "m", at_most, 0.0)
-	p_report.add(case, "fastest turn of the body", fastest, "deg/s", at_most, 0.51)
+	report.at_most(case, "body off after 60 s", off, "deg", _MAX_OFF_DEG)
+	report.at_most(case, "view moved", moved, "m", 0.0)
+	report.at_most(case, "fastest turn of the body", fastest, "deg/s", 0.51)
 
 
-func _drift(
-	p_report: BenchReport, p_scene: Scene, p_clip: String, p_options: BenchArguments
-) -> void:
-	p_scene.drift = deg_to_rad(p_options.value("drift")) / 60.0
+func _drift(p_scene: Scene, p_clip: String) -> void:
+	p_scene.drift = deg_to_rad(option("drift")) / 60.0
 	var fusion: HeadFusion = HeadFusion.new(p_scene.size())
 	var seen: BodySegments = BodySegments.new(p_scene.size())
 	var off: Statistics = Statistics.new()
@@ -89,7 +84,7 @@ func _drift(
 	var fastest: float = 0.0
 	var last: float = NAN
 	var before: Vector3 = Vector3.INF
-	for step: int in roundi(p_options.value("minutes") * 60.0 * p_scene.rate):
+	for step: int in roundi(option("minutes") * 60.0 * p_scene.rate):
 		p_scene.advance()
 		fusion.apply(p_scene.suit, p_scene.frame)
 		var wanted: float = -p_scene.drift * p_scene.time_s
@@ -107,19 +102,18 @@ func _drift(
 			step_m.add(error.distance_to(before) * 100.0)
 		before = error
 	var case: String = "%s, %.0f min at %.0f deg/min"
-	case %= [p_clip, p_options.value("minutes"), p_options.value("drift")]
-	var at_most: BenchReport.Goal = BenchReport.Goal.AT_MOST
-	p_report.add(case, "body off, worst", off.percentile(1.0), "deg", at_most, _MAX_OFF_DEG)
-	p_report.add(case, "body off, p50", off.percentile(0.5), "deg")
-	p_report.add(case, "hand to controller, p99", gap.percentile(0.99), "cm")
-	p_report.add(case, "hand to controller, worst", gap.percentile(1.0), "cm", at_most, _MAX_GAP_CM)
-	p_report.add(case, "fastest turn of the body", fastest, "deg/s", at_most, _MAX_RATE_DEG + 0.01)
-	p_report.add(case, "largest step of the hips in a frame", step_m.percentile(1.0), "cm")
+	case %= [p_clip, option("minutes"), option("drift")]
+	report.at_most(case, "body off, worst", off.percentile(1.0), "deg", _MAX_OFF_DEG)
+	report.add(case, "body off, p50", off.percentile(0.5), "deg")
+	report.add(case, "hand to controller, p99", gap.percentile(0.99), "cm")
+	report.at_most(case, "hand to controller, worst", gap.percentile(1.0), "cm", _MAX_GAP_CM)
+	report.at_most(case, "fastest turn of the body", fastest, "deg/s", _MAX_RATE_DEG + 0.01)
+	report.add(case, "largest step of the hips in a frame", step_m.percentile(1.0), "cm")
 
 
-func _time(p_report: BenchReport, p_options: BenchArguments) -> void:
-	var clips: PackedStringArray = BenchArguments.clips(p_options)
-	var scene: Scene = Scene.new(clips[0], p_options.value("seed"))
+func _time() -> void:
+	var clips: PackedStringArray = BenchArguments.clips(arguments)
+	var scene: Scene = Scene.new(clips[0], option("seed"))
 	if scene.error() != "":
 		return
 	scene.heading = 0.3
@@ -131,4 +125,4 @@ func _time(p_report: BenchReport, p_options: BenchArguments) -> void:
 		var begin: int = Time.get_ticks_usec()
 		fusion.apply(scene.suit, scene.frame)
 		costs.add(Time.get_ticks_usec() - begin)
-	p_report.add("a sample", "cost of the fusion, p50", costs.percentile(0.5), "us")
+	report.add("a sample", "cost of the fusion, p50", costs.percentile(0.5), "us")

@@ -8,16 +8,16 @@ hmd_rate_bench.gd. HMD_LOSSES=N kills and stalls the runtime N times each (defau
 
 from __future__ import annotations
 
-import json
 import os
 
+from bench import Bench
 from toolchain.apt import AptError
 from toolchain.console import Failure
 from toolchain.display import virtual_display
 from toolchain.headset import Stage, compare_eyes, lose_and_return
 from toolchain.monado import Monado
 
-from displays import SCRIPTS, Bench
+from displays import SCRIPTS, add_rows
 
 PART = "hmd"
 
@@ -66,11 +66,4 @@ def _lose(bench: Bench, monado: Monado, name: str, count: int) -> None:
 
 
 def _simulate_rate(bench: Bench) -> None:
-    said = bench.run(
-        bench.command("--headless", "-s", SCRIPTS + "hmd_rate_bench.gd", "--"), {}, 600.0
-    )
-    for line in said.splitlines():
-        if line.startswith("{"):
-            row = json.loads(line)
-            figure = (row["case"], row["metric"], row["value"], row["unit"])
-            bench.stats.add(*figure, at_most=row.get("goal"))
+    add_rows(bench, bench.rows(bench.command("--headless", "-s", SCRIPTS + "hmd_rate_bench.gd")))

@@ -14,12 +14,11 @@ import tempfile
 from pathlib import Path
 from statistics import mean, median
 
+from bench import Bench
 from toolchain.latency import Window, observe, read_delays
 from toolchain.paths import CLIPS
 from toolchain.processes import free_port
 from toolchain.project import prepare
-
-from displays import Bench
 
 PART = "pacing"
 SECONDS = 40

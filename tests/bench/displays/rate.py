@@ -11,13 +11,13 @@ from __future__ import annotations
 
 import json
 import os
-import tempfile
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from bench import Bench
 from toolchain.apt import AptError
 from toolchain.console import Failure, tail
 from toolchain.demo import SOFTWARE_RENDERERS
@@ -26,7 +26,6 @@ from toolchain.monado import Monado
 from toolchain.paths import CLIPS
 from toolchain.processes import Group, free_port
 
-from displays import Bench
 from displays.session import move
 
 PART = "rate"
@@ -50,13 +49,11 @@ def measure(bench: Bench) -> None:
         except (AptError, Failure) as failure:
             bench.leave_out("rate on a card", str(failure))
             return
-        with monado, tempfile.TemporaryDirectory(prefix="dismount-") as folder:
-            environment = {**bench.godot.environment(), **monado.environment()}
-            with Group(Path(folder), environment) as group:
-                session = Session(group, monado, Path(folder) / "wearer.json")
-                session.begin(bench)
-                begin = session.move_for(WARM_UP_S)
-                end = session.move_for(float(os.environ.get("RATE_SECONDS", SECONDS)))
+        with monado, bench.session(monado.environment()) as (group, folder):
+            session = Session(group, monado, folder / "wearer.json")
+            session.begin(bench)
+            begin = session.move_for(WARM_UP_S)
+            end = session.move_for(float(os.environ.get("RATE_SECONDS", SECONDS)))
     card = str(end["renderer"])
     if any(name in card.lower() for name in SOFTWARE_RENDERERS):
         bench.leave_out("rate on a card", f"{card} draws, which is the processor")
@@ -64,7 +61,7 @@ def measure(bench: Bench) -> None:
     if end["display"]["frames"] == begin["display"]["frames"]:
         bench.leave_out("rate on a card", f"{card} has shown no frame in the time")
         return
-    add_rows(bench, f"town, headset, {card}", begin, end)
+    add_times(bench, f"town, headset, {card}", begin, end)
 
 
 def has_card() -> bool:
@@ -82,7 +79,7 @@ def card_display() -> Iterator[dict[str, str]]:
         yield {name: text for name, text in screen.items() if name not in BY_PROCESSOR}
 
 
-def add_rows(bench: Bench, case: str, begin: dict[str, Any], end: dict[str, Any]) -> None:
+def add_times(bench: Bench, case: str, begin: dict[str, Any], end: dict[str, Any]) -> None:
     """Adds the rows of what was between two reports."""
     add = bench.stats.add
     before, after = begin["display"], end["display"]
@@ -123,11 +120,12 @@ class Session:
         command = bench.command(*window, "--", port)
         options = ["--role=trainee", "--display=hmd", "--quality=high", "--mirror=none"]
         self._group.start("wearer", [*command, *options, f"--report={self._report}"])
-        end = time.monotonic() + START_LIMIT_S
-        while not self._report.exists() or self.report()["display"].get("frames", 0) == 0:
-            if time.monotonic() > end:
-                raise Failure(f"The headset shows nothing:\n{tail(self._group.log('wearer'))}")
+
+        def is_shown() -> bool:
             self.move_for(1.0)
+            return self.report()["display"].get("frames", 0) > 0
+
+        self._group.await_that("wearer", is_shown, "a picture in the headset", START_LIMIT_S)
 
     def move_for(self, seconds: float) -> dict[str, Any]:
         """Looks around and waves for a time; what the client reports then."""

@@ -9,20 +9,15 @@ from __future__ import annotations
 
 import json
 import math
-import os
-import subprocess
-import tempfile
 import time
-from pathlib import Path
 from typing import Any
 
+from bench import Bench
 from toolchain.console import Failure, tail
 from toolchain.display import virtual_display
 from toolchain.monado import Monado
 from toolchain.paths import cache, make_folder
 from toolchain.processes import free_port
-
-from displays import Bench
 
 PART = "session"
 # Goal of issue 18: from the sample of the own hand to the frame that shows it.
@@ -52,42 +47,22 @@ def measure(bench: Bench) -> None:
 
 def wear(bench: Bench, monado: Monado, environment: dict[str, str], seconds: int) -> dict[str, Any]:
     """Moves a wearer in a session for a time; what the client reports."""
-    port = free_port()
-    with tempfile.TemporaryDirectory(prefix="dismount-") as folder:
-        file = Path(folder) / "trainee.json"
-        common = ["--", f"--port={port}"]
-        server = start(bench, ["--headless", *common, "--role=server", "--world=hall"], {}, folder)
+    port = f"--port={free_port()}"
+    with bench.session(environment) as (group, folder):
+        file = folder / "trainee.json"
+        server = ["--headless", "--", port, "--role=server", "--world=hall"]
+        group.start("server", bench.command(*server))
         options = ["--role=trainee", "--display=hmd", "--mirror=none", "--quality=low"]
         options += [f"--duration={seconds}", f"--report={file}"]
         window = ["--audio-driver", "Dummy", "--resolution", "320x180"]
-        client = start(bench, [*window, *common, *options], environment, folder)
-        try:
-            begin = time.monotonic()
-            while client.poll() is None and time.monotonic() < begin + 3 * seconds + 60:
-                move(monado, time.monotonic() - begin)
-                time.sleep(0.02)
-        finally:
-            for process in (client, server):
-                process.kill()
-                process.wait()
+        group.start("trainee", bench.command(*window, "--", port, *options))
+        begin = time.monotonic()
+        while group.exit_code("trainee") is None and time.monotonic() < begin + 3 * seconds + 60:
+            move(monado, time.monotonic() - begin)
+            time.sleep(0.02)
         if not file.exists():
-            log = (Path(folder) / "log.txt").read_text(encoding="utf-8", errors="replace")
-            raise Failure(f"The wearer's client left no stats:\n{tail(log)}")
+            raise Failure(f"The wearer's client left no stats:\n{tail(group.log('trainee'))}")
         return dict(json.loads(file.read_text(encoding="utf-8")))
-
-
-def start(
-    bench: Bench, arguments: list[str], environment: dict[str, str], folder: str
-) -> subprocess.Popen[bytes]:
-    """Starts the program from its sources."""
-    with (Path(folder) / "log.txt").open("ab") as log:
-        return subprocess.Popen(
-            bench.command(*arguments),
-            env={**os.environ, **bench.godot.environment(), **environment},
-            stdin=subprocess.DEVNULL,
-            stdout=log,
-            stderr=subprocess.STDOUT,
-        )
 
 
 def move(monado: Monado, at_s: float) -> None:

@@ -4,16 +4,15 @@
 from __future__ import annotations
 
 import json
-import os
-import subprocess
 from bisect import bisect_right
 from typing import Any
 
+from bench import Bench
 from toolchain.console import Failure, tail
 from toolchain.processes import free_port
 from toolchain.udp_proxy import ProxyProcess
 
-from displays import SCRIPTS, Bench
+from displays import SCRIPTS
 
 PART = "stations"
 # A goal of issue 18: a snapshot is a tick.
@@ -30,24 +29,17 @@ def play(bench: Bench, first_fps: int, second_fps: int, behind_ms: int) -> list[
     port = free_port()
     # The proxy draws delays of 10 ms more or less: 20 ms from the quickest to the slowest.
     half = JITTER_MS / 2.0
-    with ProxyProcess(port, (1.0, half, half, 3)) as proxy:
-        commands = [
-            ["--leads", f"--port={port}", f"--fps={first_fps}"],
-            [f"--port={proxy.port}", f"--fps={second_fps}", f"--behind={behind_ms}"],
-        ]
-        running = []
-        for options in commands:
-            flags = ["--headless", "-s", SCRIPTS + "station_display.gd", "--"]
-            given = [*options, f"--seconds={SECONDS}"]
-            running.append(
-                subprocess.Popen(
-                    bench.command(*flags, *given),
-                    env={**os.environ, **bench.godot.environment()},
-                    stdout=subprocess.PIPE,
-                    text=True,
-                )
-            )
-        said = [process.communicate(timeout=120)[0] for process in running]
+    with ProxyProcess(port, (1.0, half, half, 3)) as proxy, bench.session() as (group, _):
+        commands = {
+            "first": ["--leads", f"--port={port}", f"--fps={first_fps}"],
+            "second": [f"--port={proxy.port}", f"--fps={second_fps}", f"--behind={behind_ms}"],
+        }
+        flags = ["--headless", "-s", SCRIPTS + "station_display.gd", "--"]
+        for name, options in commands.items():
+            group.start(name, bench.command(*flags, *options, f"--seconds={SECONDS}"))
+        for name in commands:
+            group.await_exit(name, 120.0)
+        said = [group.log(name) for name in commands]
     found = []
     for text in said:
         lines = [line for line in text.splitlines() if line.startswith("{")]

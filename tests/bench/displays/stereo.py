@@ -3,9 +3,10 @@
 
 from __future__ import annotations
 
+from bench import Bench
 from toolchain.display import virtual_display
 
-from displays import Bench
+from displays import run_script
 
 PART = "stereo"
 MODES = ("side-by-side", "anaglyph", "rows", "columns")
@@ -23,7 +24,7 @@ def measure(bench: Bench) -> None:
             places = ORIGINS if mode in ("rows", "columns") else ORIGINS[:1]
             origins = ",".join(f"{x}:{y}" for x, y in places)
             options = [f"--modes={mode}", f"--origins={origins}"]
-            found += bench.script("stereo_targets.gd", options, environment)
+            found += run_script(bench, "stereo_targets.gd", options, environment)
     for mode in MODES:
         for place in dict.fromkeys(row["at"] for row in found if row["mode"] == mode):
             rows = [row for row in found if row["mode"] == mode and row["at"] == place]

@@ -7,9 +7,10 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
+from bench import Bench
 from toolchain.screens import monitors
 
-from displays import Bench
+from displays import run_script
 
 PART = "walls"
 # Goals of issue 18.
@@ -69,7 +70,7 @@ def compare(
         file = Path(folder) / f"{case}.cfg"
         file.write_text(layout, encoding="utf-8")
         options = [f"--case={case}", f"--layout={file}", f"--pictures={pictures}"]
-        return bench.script("wall_pictures.gd", options, environment)[-1]
+        return run_script(bench, "wall_pictures.gd", options, environment)[-1]
 
 
 def measure(bench: Bench) -> None:

@@ -1,4 +1,4 @@
-extends SceneTree
+extends Bench
 ## How well a body made of a headset and two hands resembles the recorded one that wore them, in
 ## simulated time; no limb but the head and the hands is measured.
 ##
@@ -21,24 +21,20 @@ var _beyond: int = 0
 var _last: PackedVector3Array = [Vector3.INF, Vector3.INF]
 
 
-func _initialize() -> void:
-	var defaults: Dictionary = {"bvh": "", "seconds": 30.0, "rate": 60.0}
-	var options: BenchArguments = BenchArguments.parse(OS.get_cmdline_user_args(), defaults)
-	if options.error != "":
-		printerr(options.error)
-		quit(2)
-		return
-	var report: BenchReport = BenchReport.new("displays", options.value("json"))
-	for clip: String in BenchArguments.clips(options):
+func options() -> Dictionary:
+	return {"bvh": "", "seconds": 30.0, "rate": 60.0}
+
+
+func measure() -> void:
+	for clip: String in BenchArguments.clips(arguments):
 		var scene: Scene = Scene.new(clip)
 		if scene.error() != "":
 			report.leave_out(clip, scene.error())
 			continue
-		scene.rate = options.value("rate")
-		_follow(scene, roundi(options.value("seconds") * scene.rate))
-		_report(report, "%s, headset and hands alone" % clip.get_file())
+		scene.rate = option("rate")
+		_follow(scene, roundi(option("seconds") * scene.rate))
+		_report("%s, headset and hands alone" % clip.get_file())
 	report.add("a sample", "cost of a body, p50", _costs.percentile(0.5), "us")
-	quit(report.finish())
 
 
 func _follow(p_scene: Scene, p_steps: int) -> void:
@@ -92,12 +88,11 @@ static func _count_beyond(p_sample: PoseSample) -> int:
 	return found
 
 
-func _report(p_report: BenchReport, p_case: String) -> void:
+func _report(p_case: String) -> void:
 	for part: String in _offs:
-		p_report.add(p_case, "%s off, p50" % part, _offs[part].percentile(0.5), "cm")
-		p_report.add(p_case, "%s off, p95" % part, _offs[part].percentile(0.95), "cm")
-	var at_most: BenchReport.Goal = BenchReport.Goal.AT_MOST
-	p_report.add(p_case, "joints beyond their range", _beyond, "", at_most, 0.0)
+		report.add(p_case, "%s off, p50" % part, _offs[part].percentile(0.5), "cm")
+		report.add(p_case, "%s off, p95" % part, _offs[part].percentile(0.95), "cm")
+	report.at_most(p_case, "joints beyond their range", _beyond, "", 0.0)
 	if _slides.count() > 0:
 		var slide: float = _slides.percentile(0.95)
-		p_report.add(p_case, "standing feet slide, p95", slide, "cm/s", at_most, _MAX_SLIDE_CM)
+		report.at_most(p_case, "standing feet slide, p95", slide, "cm/s", _MAX_SLIDE_CM)

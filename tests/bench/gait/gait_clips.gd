@@ -34,13 +34,34 @@ func run() -> void:
 		return
 	var title: String = "%s: all clips" % root_name
 	report.add(title, "clips", _count, "")
-	_add_least(title, "within 8 % or 0.15 m", _within, "clips", _count)
+	report.at_least(
+		title,
+		"within 8 % or 0.15 m",
+		_within,
+		"clips",
+		_count,
+		root_mode == RagdollMotor.ROOT_INERTIAL
+	)
 	report.add(title, "of them climb what is not there", _climbing, "")
 	report.add(title, "of those within", _climbing_within, "")
 	if _flights > 0:
 		report.add(title, "flights in truth", _flights, "")
-		_add_least(title, "flights found", 100.0 * _found / _flights, "%", 90.0)
-	_add_most(title, "flights invented", _invented / maxf(_minutes, 0.01), "1/min", 1.0)
+		report.at_least(
+			title,
+			"flights found",
+			100.0 * _found / _flights,
+			"%",
+			90.0,
+			root_mode == RagdollMotor.ROOT_INERTIAL
+		)
+	report.at_most(
+		title,
+		"flights invented",
+		_invented / maxf(_minutes, 0.01),
+		"1/min",
+		1.0,
+		root_mode == RagdollMotor.ROOT_INERTIAL
+	)
 
 
 func _run_clip(p_file: String) -> void:
@@ -121,7 +142,9 @@ func _add(p_file: String, p_stats: Stats) -> void:
 	var title: String = "%s: %s" % [root_name, p_file.get_file()]
 	report.add(title, "way", p_stats.way, "m")
 	var most: float = maxf(_SHARE * p_stats.way, _LEAST)
-	_add_most(title, "max travel error", p_stats.worst, "m", most)
+	report.at_most(
+		title, "max travel error", p_stats.worst, "m", most, root_mode == RagdollMotor.ROOT_INERTIAL
+	)
 	report.add(title, "the same, of the way", p_stats.travel_percent(), "%")
 	report.add(title, "body height error", 1000.0 * p_stats.height.mean(), "mm")
 	report.add(title, "stance-foot skate", 100.0 * p_stats.skate.mean(), "cm/s")
@@ -137,19 +160,3 @@ func _add(p_file: String, p_stats: Stats) -> void:
 	_flights += p_stats.flights
 	_found += p_stats.found
 	_invented += p_stats.invented
-
-
-func _add_most(
-	p_case: String, p_metric: String, p_value: float, p_unit: String, p_goal: float
-) -> void:
-	var has: bool = root_mode == RagdollMotor.ROOT_INERTIAL
-	var kind: BenchReport.Goal = BenchReport.Goal.AT_MOST if has else BenchReport.Goal.NONE
-	report.add(p_case, p_metric, p_value, p_unit, kind, p_goal)
-
-
-func _add_least(
-	p_case: String, p_metric: String, p_value: float, p_unit: String, p_goal: float
-) -> void:
-	var has: bool = root_mode == RagdollMotor.ROOT_INERTIAL
-	var kind: BenchReport.Goal = BenchReport.Goal.AT_LEAST if has else BenchReport.Goal.NONE
-	report.add(p_case, p_metric, p_value, p_unit, kind, p_goal)

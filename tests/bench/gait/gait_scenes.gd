@@ -33,14 +33,12 @@ func run() -> void:
 		await _run_batch(first_seed + done, many)
 		done += many
 	var title: String = "%s: random scenes" % root_name
-	var at_most: BenchReport.Goal = BenchReport.Goal.NONE
-	if root_mode == RagdollMotor.ROOT_INERTIAL:
-		at_most = BenchReport.Goal.AT_MOST
+	var has: bool = root_mode == RagdollMotor.ROOT_INERTIAL
 	report.add(title, "scenes", count, "")
-	report.add(title, "target from the body, max", _farthest, "m", at_most, _TARGET)
-	report.add(title, "scenes where it was further", _far, "", at_most, 0.0)
-	report.add(title, "levitations", _levitations, "", at_most, 0.0)
-	report.add(title, "wrong ways", _wrong, "", at_most, 0.0)
+	report.at_most(title, "target from the body, max", _farthest, "m", _TARGET, has)
+	report.at_most(title, "scenes where it was further", _far, "", 0.0, has)
+	report.at_most(title, "levitations", _levitations, "", 0.0, has)
+	report.at_most(title, "wrong ways", _wrong, "", 0.0, has)
 
 
 ## Stairs up and down, level walks of any pace, and the clips, as poses.

@@ -33,12 +33,10 @@ func _walk(p_title: String) -> void:
 			_note(walker, pose, stats, before, delta)
 		await step(pose, walker.pose_at(0.0).root)
 	report.add(p_title, "way", stats.way, "m")
-	var at_most: BenchReport.Goal = BenchReport.Goal.NONE
-	if root_mode == RagdollMotor.ROOT_INERTIAL:
-		at_most = BenchReport.Goal.AT_MOST
-	report.add(p_title, "max travel error", stats.travel_percent(), "%", at_most, 4.0)
-	report.add(p_title, "stance-foot skate", 100.0 * stats.skate.mean(), "cm/s", at_most, 3.0)
-	report.add(p_title, "hips above their height", _highest, "m", at_most, 0.2)
+	var has: bool = root_mode == RagdollMotor.ROOT_INERTIAL
+	report.at_most(p_title, "max travel error", stats.travel_percent(), "%", 4.0, has)
+	report.at_most(p_title, "stance-foot skate", 100.0 * stats.skate.mean(), "cm/s", 3.0, has)
+	report.at_most(p_title, "hips above their height", _highest, "m", 0.2, has)
 	await end()
 
 

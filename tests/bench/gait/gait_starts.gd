@@ -38,7 +38,7 @@ func _run_starts() -> void:
 			await end()
 	var title: String = "%s: start in %d poses" % [root_name, Poses.POSES.size()]
 	_add_share(title, good, count)
-	report.add(title, "target from the body, max", _farthest, "m", _at_most(), 0.3)
+	report.at_most(title, "target from the body, max", _farthest, "m", 0.3, _has_goals())
 	for line: String in failed:
 		printerr("%s: %s" % [title, line])
 
@@ -71,7 +71,7 @@ func _run_limp() -> void:
 			crate.queue_free()
 			crate = null
 	_add_share(title, good, _CYCLES)
-	report.add(title, "target from the body, max", _farthest, "m", _at_most(), 0.3)
+	report.at_most(title, "target from the body, max", _farthest, "m", 0.3, _has_goals())
 	await end()
 
 
@@ -106,15 +106,11 @@ func _state() -> String:
 	)
 
 
-func _at_most() -> BenchReport.Goal:
-	if root_mode == RagdollMotor.ROOT_INERTIAL:
-		return BenchReport.Goal.AT_MOST
-	return BenchReport.Goal.NONE
+func _has_goals() -> bool:
+	return root_mode == RagdollMotor.ROOT_INERTIAL
 
 
 func _add_share(p_title: String, p_good: int, p_count: int) -> void:
-	var kind: BenchReport.Goal = BenchReport.Goal.NONE
-	if root_mode == RagdollMotor.ROOT_INERTIAL:
-		kind = BenchReport.Goal.AT_LEAST
 	report.add(p_title, "cases", p_count, "")
-	report.add(p_title, "on the ground within 3 s", 100.0 * p_good / p_count, "%", kind, 100.0)
+	var share: float = 100.0 * p_good / p_count
+	report.at_least(p_title, "on the ground within 3 s", share, "%", 100.0, _has_goals())

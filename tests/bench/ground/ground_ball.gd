@@ -35,10 +35,10 @@ func throw(p_run: GroundRun, p_direction: Vector3) -> void:
 	ball.linear_velocity = p_direction * _SPEED
 	await p_run.world.run(_WATCH_S, _watch.bind(p_run, ball, chest))
 	var case: String = "ball of 5 kg towards %s" % p_direction
-	_report.add(case, "trunk turns", _worst_deg, "deg", BenchReport.Goal.AT_LEAST, 8.0)
-	_report.add(case, "trunk turns at most", _worst_deg, "deg", BenchReport.Goal.AT_MOST, 20.0)
+	_report.at_least(case, "trunk turns", _worst_deg, "deg", 8.0)
+	_report.at_most(case, "trunk turns at most", _worst_deg, "deg", 20.0)
 	var back_s: float = _back_s - _hit_s
-	_report.add(case, "trunk is back", back_s, "s", BenchReport.Goal.AT_MOST, 0.6)
+	_report.at_most(case, "trunk is back", back_s, "s", 0.6)
 
 
 func _watch(p_run: GroundRun, p_ball: RigidBody3D, p_chest: int) -> bool:

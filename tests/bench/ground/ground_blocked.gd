@@ -68,16 +68,14 @@ func run(
 
 ## Adds what came of it to a report.
 func tell(p_report: BenchReport, p_case: String) -> void:
-	var at_most: BenchReport.Goal = BenchReport.Goal.AT_MOST
-	p_report.add(p_case, "deepest limb", 1000.0 * maxf(_deepest, 0.0), "mm", at_most, _DEEPEST)
-	p_report.add(p_case, "limbs that got through", _tunnelled, "", at_most, 0.0)
+	p_report.at_most(p_case, "deepest limb", 1000.0 * maxf(_deepest, 0.0), "mm", _DEEPEST)
+	p_report.at_most(p_case, "limbs that got through", _tunnelled, "", 0.0)
 	p_report.add(p_case, "hips lean at most", _lean, "deg")
 	var bodies: Array[Transform3D] = _person.bodies()
 	var wanted: Array[Transform3D] = _person.targets_at(_world.time_s)
 	var off: Vector3 = _person.joint(0, bodies) - _person.joint(0, wanted)
 	var distance: float = Vector2(off.x, off.z).length()
-	var kind: BenchReport.Goal = at_most if _must_come_back else BenchReport.Goal.NONE
-	p_report.add(p_case, "off when it has come back", distance, "m", kind, _BACK)
+	p_report.at_most(p_case, "off when it has come back", distance, "m", _BACK, _must_come_back)
 
 
 func _note() -> bool:

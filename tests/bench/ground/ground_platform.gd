@@ -42,9 +42,7 @@ func _init(p_world: ContactWorld, p_person: ContactPerson, p_kind: String) -> vo
 func stand(p_away: float) -> void:
 	var pose: PoseSample = ContactPoses.standing(person)
 	var hips: Vector3 = person.standing_hips() + Vector3(0.0, 0.0, p_away)
-	_world.add_person(
-		person, func(_t: float) -> PoseSample: return pose, func(_t: float) -> Vector3: return hips
-	)
+	_world.add_standing(person, pose, hips)
 	await _run(_BEGIN_S + _STAND_S)
 
 
@@ -59,9 +57,8 @@ func walk(p_walker: Walker) -> void:
 
 ## Adds what came of it to a report: of walks, where they end.
 func tell(p_report: BenchReport, p_case: String) -> void:
-	var at_most: BenchReport.Goal = BenchReport.Goal.AT_MOST
 	var drift: float = 100.0 * (_last if _is_walk else _drift)
-	p_report.add(p_case, "off at its end" if _is_walk else "drift", drift, "cm", at_most, _GOAL_CM)
+	p_report.at_most(p_case, "off at its end" if _is_walk else "drift", drift, "cm", _GOAL_CM)
 	_world.queue_free()
 
 

@@ -63,11 +63,10 @@ func _watch(p_run: GroundRun, p_chest: int, p_start: Vector3, p_direction: Vecto
 
 
 func _tell(p_case: String, p_run: GroundRun, p_goals: Array) -> void:
-	var at_most: BenchReport.Goal = BenchReport.Goal.AT_MOST
-	var at_least: BenchReport.Goal = BenchReport.Goal.AT_LEAST
-	_report.add(p_case, "chest moves", 100.0 * _far, "cm", at_least, p_goals[0])
-	var kind: BenchReport.Goal = at_least if p_goals[1] > 0 else BenchReport.Goal.NONE
-	_report.add(p_case, "steps", p_run.steps, "", kind, p_goals[1])
-	kind = at_least if p_goals[2] else at_most
-	_report.add(p_case, "falls", _falls, "", kind, 1.0 if p_goals[2] else 0.0)
-	_report.add(p_case, "upright again after", _upright_s, "s", at_most, p_goals[3])
+	_report.at_least(p_case, "chest moves", 100.0 * _far, "cm", p_goals[0])
+	_report.at_least(p_case, "steps", p_run.steps, "", p_goals[1], p_goals[1] > 0)
+	if p_goals[2]:
+		_report.at_least(p_case, "falls", _falls, "", 1.0)
+	else:
+		_report.at_most(p_case, "falls", _falls, "", 0.0)
+	_report.at_most(p_case, "upright again after", _upright_s, "s", p_goals[3])

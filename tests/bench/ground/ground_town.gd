@@ -160,11 +160,10 @@ func _tell(p_kind: String, p_people: Array[Person]) -> void:
 		_report.add(case, "came along", person.along, "m")
 		_report.add(case, "was higher there", person.height, "m")
 		_report.add(case, "falls", person.falls, "")
-	var at_least: BenchReport.Goal = BenchReport.Goal.AT_LEAST
 	var share: float = 100.0 * arrived / maxi(p_people.size(), 1)
-	_report.add(p_kind, "ways", p_people.size(), "", at_least, 15.0)
-	_report.add(p_kind, "come through", share, "%", at_least, 100.0)
-	_report.add(p_kind, "falls", falls, "", BenchReport.Goal.AT_MOST, 0.0)
+	_report.at_least(p_kind, "ways", p_people.size(), "", 15.0)
+	_report.at_least(p_kind, "come through", share, "%", 100.0)
+	_report.at_most(p_kind, "falls", falls, "", 0.0)
 	var more: float = 100.0 * walked / maxi(arrived, 1)
 	_report.add(p_kind, "wearers walk for it, mean", more, "% of the way")
 

@@ -90,8 +90,8 @@ func wall() -> void:
 			_count_falls(person, seen)
 			return false
 	)
-	_report.add("wall", "deepest limb", 1000.0 * deepest[0], "mm", BenchReport.Goal.AT_MOST, 30.0)
-	_report.add("wall", "falls", seen.falls, "", BenchReport.Goal.AT_MOST, 0.0)
+	_report.at_most("wall", "deepest limb", 1000.0 * deepest[0], "mm", 30.0)
+	_report.at_most("wall", "falls", seen.falls, "", 0.0)
 	world.queue_free()
 
 
@@ -114,7 +114,7 @@ func doors() -> void:
 			world.add_child(door)
 			var name: String = "door %d deg ajar, hinge %s" % [ajar, "right" if right else "left"]
 			await _walk(name, world, func(_z: float) -> float: return 0.0)
-			_report.add(name, "pushed open", door.angle(), "deg", BenchReport.Goal.AT_LEAST, 60.0)
+			_report.at_least(name, "pushed open", door.angle(), "deg", 60.0)
 
 
 ## Stands and walks on what moves.
@@ -157,13 +157,12 @@ func _walk(
 			_count_falls(person, seen)
 			return false
 	)
-	var kind: BenchReport.Goal = BenchReport.Goal.AT_MOST
 	var wrong: Vector2 = Vector2(seen.end.x, seen.end.z - walker.way)
 	var off: float = 100.0 * wrong.length() / walker.way
-	_report.add(p_case, "off the way at the end", off, "% of the way", kind, 8.0)
-	_report.add(p_case, "hips too high at most", seen.high, "m", kind, 0.4)
+	_report.at_most(p_case, "off the way at the end", off, "% of the way", 8.0)
+	_report.at_most(p_case, "hips too high at most", seen.high, "m", 0.4)
 	_report.add(p_case, "hips too low at most", -seen.low, "m")
-	_report.add(p_case, "falls", seen.falls, "", kind, 0.0)
+	_report.at_most(p_case, "falls", seen.falls, "", 0.0)
 	p_world.queue_free()
 
 

@@ -4,7 +4,6 @@ extends "sound_part.gd"
 const MixCapture: GDScript = preload("mix_capture.gd")
 const ProcessTime: GDScript = preload("res://tests/bench/process_time.gd")
 const TwoEars: GDScript = preload("two_ears.gd")
-const _MOST: BenchReport.Goal = BenchReport.Goal.AT_MOST
 const _VOICES: int = 24
 ## A thousandth of a core for each voice.
 const _GOAL_VOICE_MS: float = 1.0
@@ -51,8 +50,8 @@ func _measure_cost() -> void:
 	var case: String = "%d voices for headphones" % _VOICES
 	var each: float = (binaural - panned) / _VOICES
 	var metric: String = "processor time a second of one, beyond loudspeakers"
-	_report.add(case, "heard", _voices.heard(), "", BenchReport.Goal.AT_LEAST, _VOICES)
-	_report.add(case, metric, each, "ms", _MOST, _GOAL_VOICE_MS)
+	_report.at_least(case, "heard", _voices.heard(), "", _VOICES)
+	_report.at_most(case, metric, each, "ms", _GOAL_VOICE_MS)
 	_report.add(case, "processor time a second of all, loudspeakers", panned, "ms")
 	_voices.stop_all()
 	await _tree.create_timer(0.2).timeout
@@ -82,12 +81,11 @@ func _measure_cues() -> void:
 	_report.add(case, "louder at the near ear", TwoEars.balance_db(heard), "dB")
 	var late_ms: float = TwoEars.lag(heard) * 1000.0 / TwoEars.RATE
 	_report.add(case, "later at the far ear", late_ms, "ms")
-	_report.add(
+	_report.within(
 		case,
 		"the same beside the head's %.2f ms" % _HEAD_LAG_MS,
 		100.0 * (late_ms / _HEAD_LAG_MS - 1.0),
 		"%",
-		BenchReport.Goal.WITHIN,
 		100.0 * _LAG_SHARE
 	)
 	ears.release(slot)

@@ -2,8 +2,6 @@ extends RefCounted
 ## Figures of the synthesised sounds as they are in their files.
 
 const Figures: GDScript = preload("sound_figures.gd")
-const _LEAST: BenchReport.Goal = BenchReport.Goal.AT_LEAST
-const _MOST: BenchReport.Goal = BenchReport.Goal.AT_MOST
 ## Crest of blasts, dB: least and most (Maher 2006, 2007); of cracks at least.
 const _BLAST_CREST: Vector2 = Vector2(18.0, 22.0)
 const _CRACK_CREST: float = 30.0
@@ -39,9 +37,9 @@ static func _measure_blasts(p_report: BenchReport) -> void:
 			most = maxf(most, crest)
 		var is_crack: bool = name == "bullet_crack"
 		var goal: float = _CRACK_CREST if is_crack else _BLAST_CREST.x
-		p_report.add(name, "crest, least of its takes", least, "dB", _LEAST, goal)
+		p_report.at_least(name, "crest, least of its takes", least, "dB", goal)
 		if not is_crack:
-			p_report.add(name, "crest, most", most, "dB", _MOST, _BLAST_CREST.y)
+			p_report.at_most(name, "crest, most", most, "dB", _BLAST_CREST.y)
 
 
 static func _measure_impact(p_report: BenchReport, p_material: String) -> void:
@@ -56,22 +54,19 @@ static func _measure_impact(p_report: BenchReport, p_material: String) -> void:
 		most = maxf(most, time)
 	var middle: float = _DECAYS[p_material]
 	var case: String = "impact_" + p_material
-	p_report.add(
-		case, "90 % of the energy, least", least, "ms", _LEAST, middle * (1.0 - _DECAY_SHARE)
-	)
-	p_report.add(case, "90 % of the energy, most", most, "ms", _MOST, middle * (1.0 + _DECAY_SHARE))
+	p_report.at_least(case, "90 % of the energy, least", least, "ms", middle * (1.0 - _DECAY_SHARE))
+	p_report.at_most(case, "90 % of the energy, most", most, "ms", middle * (1.0 + _DECAY_SHARE))
 
 
 static func _measure_line(p_report: BenchReport, p_name: String, p_hz: float) -> void:
 	var stream: AudioStreamWAV = SoundBank.find(p_name).takes[0] as AudioStreamWAV
 	var thin: PackedFloat32Array = Figures.thinned(Figures.samples_of(stream), 12)
 	var hz: float = Figures.strongest_hz(thin, 25.0, 400.0, 0.5, stream.mix_rate / 12.0)
-	p_report.add(
+	p_report.within(
 		p_name,
 		"strongest line beside %d Hz" % roundi(p_hz),
 		100.0 * (hz / p_hz - 1.0),
 		"%",
-		BenchReport.Goal.WITHIN,
 		100.0 * _LINE_SHARE
 	)
 
@@ -93,6 +88,6 @@ static func _measure_seams(p_report: BenchReport) -> void:
 		if share > worst:
 			worst = share
 			name = loop
-	p_report.add(
-		"%d loops" % count, "seam beside the largest step, worst (%s)" % name, worst, "", _MOST, 1.0
+	p_report.at_most(
+		"%d loops" % count, "seam beside the largest step, worst (%s)" % name, worst, "", 1.0
 	)

@@ -28,13 +28,8 @@ func measure_levels() -> void:
 		var measured: float = levels[index] - levels[0]
 		var law: float = voice.cue.level_at(pow(10.0, index)) - voice.cue.level_at(1.0)
 		var case: String = "%d m" % roundi(pow(10.0, index))
-		_report.add(
-			case,
-			"level beside its law of %.0f dB" % law,
-			measured - law,
-			"dB",
-			BenchReport.Goal.WITHIN,
-			_GOAL_LEVEL_DB
+		_report.within(
+			case, "level beside its law of %.0f dB" % law, measured - law, "dB", _GOAL_LEVEL_DB
 		)
 	_end()
 
@@ -61,7 +56,7 @@ func measure_walls() -> void:
 	var less: float = (
 		Figures.level_above_db(open, 1000.0, _rate) - Figures.level_above_db(shut, 1000.0, _rate)
 	)
-	_report.add("wall", "less above 1 kHz", less, "dB", BenchReport.Goal.AT_LEAST, _GOAL_WALL_DB)
+	_report.at_least("wall", "less above 1 kHz", less, "dB", _GOAL_WALL_DB)
 	_end()
 
 
@@ -80,12 +75,11 @@ func measure_engine() -> void:
 		var frames: PackedVector2Array = await _mix.record(_tree, 2.0)
 		var thin: PackedFloat32Array = Figures.thinned(MixCapture.mono(frames), 24)
 		var hz: float = Figures.strongest_hz(thin, 40.0, 400.0, 0.4, _rate / 24.0)
-		_report.add(
+		_report.within(
 			"%d rpm" % rpm,
 			"strongest line beside rpm / 10 Hz",
 			100.0 * (hz * 10.0 / rpm - 1.0),
 			"%",
-			BenchReport.Goal.WITHIN,
 			_GOAL_LINE
 		)
 	await _sweep(engine)
@@ -110,12 +104,11 @@ func _sweep(p_engine: BlendedLoops) -> void:
 		await _tree.process_frame
 		swept.append_array(_mix.take())
 	var most: float = Figures.largest_step(MixCapture.mono(swept))
-	_report.add(
+	_report.at_most(
 		"engine from idle to full",
 		"largest step beside that at held revolutions",
 		most / steady,
 		"",
-		BenchReport.Goal.AT_MOST,
 		1.0
 	)
 
@@ -140,13 +133,8 @@ func measure_delay() -> void:
 					break
 		took.append(found)
 	took.sort()
-	_report.add(
-		"impact to captured sound",
-		"median",
-		took[took.size() / 2],
-		"ms",
-		BenchReport.Goal.AT_MOST,
-		_GOAL_DELAY_MS
+	_report.at_most(
+		"impact to captured sound", "median", took[took.size() / 2], "ms", _GOAL_DELAY_MS
 	)
 	_report.add("impact to captured sound", "longest", took[took.size() - 1], "ms")
 	_end()

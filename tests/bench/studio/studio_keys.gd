@@ -97,12 +97,12 @@ func _check_shipped() -> void:
 
 
 func _try_loops() -> void:
-	await _until(func() -> bool: return _studio.sandbox.is_ready())
+	await Waiting.until(self, func() -> bool: return _studio.sandbox.is_ready())
 	_tell({"what": "sandbox", "ready": _studio.sandbox.is_ready()})
 	var looped: String = TEXT.replace("\tfloat c", LOOP + "\tfloat c")
 	_studio.code.replace_text(looped)
 	var begin: int = Time.get_ticks_msec()
-	await _until(func() -> bool: return _studio.shown.text == looped)
+	await Waiting.until(self, func() -> bool: return _studio.shown.text == looped)
 	var shown: bool = _studio.shown.text == looped
 	_tell({"what": "loop", "shown": shown, "ms": Time.get_ticks_msec() - begin})
 	# Past the static rule, to see that the second fence holds without it. A driver may leave a plain
@@ -123,14 +123,8 @@ func _try_loops() -> void:
 	_studio.set_process(true)
 	var killed: bool = verdict == EffectSandbox.Verdict.TOO_SLOW
 	_tell({"what": "endless", "killed": killed, "ms": last - begin, "longest_frame_ms": longest})
-	await _until(func() -> bool: return sandbox.is_ready())
+	await Waiting.until(self, func() -> bool: return sandbox.is_ready())
 	_tell({"what": "again", "ready": sandbox.is_ready()})
-
-
-func _until(p_holds: Callable) -> void:
-	var end: int = Time.get_ticks_msec() + PATIENCE_MS
-	while not p_holds.call() and Time.get_ticks_msec() < end:
-		await process_frame
 
 
 func _frames(p_count: int) -> void:

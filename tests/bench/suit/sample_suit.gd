@@ -38,12 +38,12 @@ func _initialize() -> void:
 
 
 func _run() -> void:
-	await _until(_is_complete, "the masters do not measure")
+	await _await(_is_complete, "the masters do not measure")
 	if _fault != "":
 		return
 	print("ready")
 	_fault = _suit.start_calibration(CalibrationGuide.Kind.FULL, _now_s())
-	await _until(func() -> bool: return not _suit.process.is_running(), "no calibration")
+	await _await(func() -> bool: return not _suit.process.is_running(), "no calibration")
 	if _fault != "" or _suit.process.result == null or _suit.process.result.error != "":
 		_fault = "not calibrated: " + _fault
 		return
@@ -62,13 +62,10 @@ func _run() -> void:
 	_print()
 
 
-func _until(p_is_so: Callable, p_fault: String) -> void:
-	var end_s: float = _now_s() + LIMIT_S
-	while not p_is_so.call() and _fault == "":
-		await process_frame
-		_advance()
-		if _now_s() > end_s:
-			_fault = p_fault
+func _await(p_is_so: Callable, p_fault: String) -> void:
+	var holds: Callable = func() -> bool: return p_is_so.call() or _fault != ""
+	if not await Waiting.until(self, holds, _advance, LIMIT_S):
+		_fault = p_fault
 
 
 func _advance() -> PoseSample:

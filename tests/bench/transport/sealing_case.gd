@@ -22,7 +22,7 @@ static func run(r_report: BenchReport) -> void:
 	r_report.add(case, "sealed", sealed, "ms")
 	r_report.add(case, "not sealed", plain, "ms")
 	var more: float = (sealed - plain) * 1000.0 / (2 * _DELAY_USEC)
-	r_report.add(case, "round trips more", more, "", BenchReport.Goal.AT_MOST, _MAX_MORE)
+	r_report.at_most(case, "round trips more", more, "", _MAX_MORE)
 
 
 static func _measure(r_report: BenchReport, p_size: int) -> void:
@@ -32,11 +32,10 @@ static func _measure(r_report: BenchReport, p_size: int) -> void:
 	if found == null:
 		printerr("%s does not run" % _TOOL)
 		return
-	var at_most: BenchReport.Goal = BenchReport.Goal.AT_MOST
 	var case: String = "sealing, %d bytes" % p_size
-	r_report.add(case, "seal", found["seal_ns"] / 1000.0, "us", at_most, 2.0)
-	r_report.add(case, "open", found["open_ns"] / 1000.0, "us", at_most, 2.0)
-	r_report.add(case, "bytes more", found["grown"], "bytes", at_most, 20.0)
+	r_report.at_most(case, "seal", found["seal_ns"] / 1000.0, "us", 2.0)
+	r_report.at_most(case, "open", found["open_ns"] / 1000.0, "us", 2.0)
+	r_report.at_most(case, "bytes more", found["grown"], "bytes", 20.0)
 
 
 ## Median time from the first datagram until a client has joined.

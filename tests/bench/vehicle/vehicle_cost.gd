@@ -1,5 +1,5 @@
 class_name VehicleCost
-extends RefCounted
+extends VehicleCase
 ## What vehicles cost a server: time of a tick for each, while they drive in circles.
 
 const WARM_UP: int = 120
@@ -9,43 +9,35 @@ const ONE_MS: float = 0.3
 const AT_ONCE: Dictionary[String, int] = {"spheres": 10, "rays": 50}
 
 
-static func run(
-	p_tree: SceneTree,
-	p_report: BenchReport,
-	p_preset: String,
-	p_gear: String,
-	p_kind: VehicleParameters.GearKind
-) -> void:
-	var empty: Vector2 = await _time(p_tree, p_preset, p_kind, 0)
-	var name: String = "%s, %s" % [p_preset, p_gear]
-	var one: Vector2 = await _time(p_tree, p_preset, p_kind, 1) - empty
-	p_report.add(name, "1 costs a tick", one.x, "ms", BenchReport.Goal.AT_MOST, ONE_MS)
-	p_report.add(name, "of it processor time of the main thread", one.y, "ms")
-	var count: int = AT_ONCE[p_gear]
-	var many: Vector2 = await _time(p_tree, p_preset, p_kind, count)
+func run() -> void:
+	var empty: Vector2 = await _time(0)
+	var name: String = "%s, %s" % [preset, gear]
+	var one: Vector2 = await _time(1) - empty
+	report.at_most(name, "1 costs a tick", one.x, "ms", ONE_MS)
+	report.add(name, "of it processor time of the main thread", one.y, "ms")
+	var count: int = AT_ONCE[gear]
+	var many: Vector2 = await _time(count)
 	var metric: String = "%d at once, a tick" % count
-	p_report.add(name, metric, many.x, "ms", BenchReport.Goal.AT_MOST, 1000.0 / 60.0)
-	p_report.add(name, "each of them", (many.x - empty.x) / count, "ms")
+	report.at_most(name, metric, many.x, "ms", 1000.0 / 60.0)
+	report.add(name, "each of them", (many.x - empty.x) / count, "ms")
 
 
 ## Time of a tick and, of it, processor time of the main thread (which tells more on a machine that
 ## does other things as well), ms.
-static func _time(
-	p_tree: SceneTree, p_preset: String, p_kind: VehicleParameters.GearKind, p_count: int
-) -> Vector2:
-	var ground: VehicleGround = VehicleGround.new(p_tree.root)
+func _time(p_count: int) -> Vector2:
+	var ground: VehicleGround = VehicleGround.new(tree.root)
 	ground.add_floor()
 	for index: int in p_count:
 		var at: Vector3 = Vector3(30.0 * (index % 8), 0.05, 30.0 * (index / 8))
-		var vehicle: Vehicle = ground.add_vehicle(p_preset, p_kind, Transform3D(Basis.IDENTITY, at))
+		var vehicle: Vehicle = ground.add_vehicle(preset, kind, Transform3D(Basis.IDENTITY, at))
 		vehicle.input.throttle = 0.4
 		vehicle.input.steer = 0.6
 	for _tick: int in WARM_UP:
-		await p_tree.physics_frame
+		await tree.physics_frame
 	var from: Vector2i = Vector2i(Time.get_ticks_usec(), ThreadClock.get_usec())
 	for _tick: int in TICKS:
-		await p_tree.physics_frame
+		await tree.physics_frame
 	var spent: Vector2i = Vector2i(Time.get_ticks_usec(), ThreadClock.get_usec()) - from
 	ground.free_all()
-	await p_tree.physics_frame
+	await tree.physics_frame
 	return 0.001 * Vector2(spent) / TICKS

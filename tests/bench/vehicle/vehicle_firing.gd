@@ -1,5 +1,5 @@
 class_name VehicleFiring
-extends RefCounted
+extends VehicleCase
 ## What shooting costs and does: shells in the air, their flight beside a reference, the hull's
 ## rocking, and what becomes of a crate and a person.
 
@@ -15,24 +15,24 @@ const _MAX_ERROR_MM: float = 10.0
 const _PITCH_DEG: Vector2 = Vector2(1.0, 2.0)
 
 
-static func run(p_tree: SceneTree, p_report: BenchReport) -> void:
+func run() -> void:
 	for round: String in ["dart_120", "heat_120", "ball_7_62", "ball_12_7"]:
-		_fly(p_report, load(_FOLDER % round))
-	await _rock(p_tree, p_report)
-	await _cost(p_tree, p_report)
-	await _hit(p_tree, p_report)
+		_fly(load(_FOLDER % round))
+	await _rock()
+	await _cost()
+	await _hit()
 
 
 ## Level flight over 1000 m, and how far a tick's steps are off.
-static func _fly(p_report: BenchReport, p_kind: Ammunition) -> void:
+func _fly(p_kind: Ammunition) -> void:
 	var flight: ShellFlight = p_kind.make_flight()
 	flight.launch(Vector3.ZERO, Vector3.FORWARD * p_kind.muzzle_speed)
 	while -flight.get_position().z < 1000.0:
 		var left: float = (1000.0 + flight.get_position().z) / flight.get_velocity().length()
 		flight.advance(clampf(left, 1e-7, _TICK))
-	p_report.add(p_kind.title, "time to 1000 m", flight.get_age(), "s")
-	p_report.add(p_kind.title, "drop at 1000 m", -flight.get_position().y, "m")
-	p_report.add(p_kind.title, "speed at 1000 m", flight.get_velocity().length(), "m/s")
+	report.add(p_kind.title, "time to 1000 m", flight.get_age(), "s")
+	report.add(p_kind.title, "drop at 1000 m", -flight.get_position().y, "m")
+	report.add(p_kind.title, "speed at 1000 m", flight.get_velocity().length(), "m/s")
 	var ends: PackedVector3Array = []
 	for step: float in [_TICK, 0.001]:
 		flight.launch(Vector3.ZERO, Vector3(0.0, 0.2, -0.98) * p_kind.muzzle_speed)
@@ -40,16 +40,15 @@ static func _fly(p_report: BenchReport, p_kind: Ammunition) -> void:
 			flight.advance(step)
 		ends.append(flight.get_position())
 	var off: float = 1000.0 * ends[0].distance_to(ends[1])
-	var most: BenchReport.Goal = BenchReport.Goal.AT_MOST
-	p_report.add(p_kind.title, "off steps of 1 ms after 2 s", off, "mm", most, _MAX_ERROR_MM)
+	report.at_most(p_kind.title, "off steps of 1 ms after 2 s", off, "mm", _MAX_ERROR_MM)
 
 
-static func _rock(p_tree: SceneTree, p_report: BenchReport) -> void:
-	for kind: int in 2:
+func _rock() -> void:
+	for number: int in 2:
 		for way: String in ["ahead", "to the side"]:
-			var firing: FiringRange = FiringRange.new(p_tree.root)
+			var firing: FiringRange = FiringRange.new(tree.root)
 			await firing.settle()
-			firing.gun.load_kind(kind)
+			firing.gun.load_kind(number)
 			firing.gun.loaded = 1.0
 			var middle: Vector3 = firing.gun.global_position
 			var ahead: Vector3 = Vector3(0, 0, -500) if way == "ahead" else Vector3(-500, 0, 0)
@@ -59,28 +58,25 @@ static func _rock(p_tree: SceneTree, p_report: BenchReport) -> void:
 			firing.gun.fire()
 			var most: float = 0.0
 			for _tick: int in 90:
-				await p_tree.physics_frame
+				await tree.physics_frame
 				most = maxf(most, rad_to_deg(firing.tank.global_basis.y.angle_to(rest)))
-			var name: String = "%s, %s" % [firing.gun.ammunition[kind].title, way]
-			var at_least: BenchReport.Goal = BenchReport.Goal.AT_LEAST
+			var name: String = "%s, %s" % [firing.gun.ammunition[number].title, way]
 			if way != "ahead":
-				p_report.add(name, "hull rocks", most, "deg")
+				report.add(name, "hull rocks", most, "deg")
 			else:
-				p_report.add(name, "hull pitches at least", most, "deg", at_least, _PITCH_DEG.x)
-				p_report.add(
-					name, "and at most", most, "deg", BenchReport.Goal.AT_MOST, _PITCH_DEG.y
-				)
+				report.at_least(name, "hull pitches at least", most, "deg", _PITCH_DEG.x)
+				report.at_most(name, "and at most", most, "deg", _PITCH_DEG.y)
 			firing.free_all()
 
 
-static func _cost(p_tree: SceneTree, p_report: BenchReport) -> void:
-	var firing: FiringRange = FiringRange.new(p_tree.root)
+func _cost() -> void:
+	var firing: FiringRange = FiringRange.new(tree.root)
 	await firing.settle()
 	for number: int in 60:
 		firing.add_crate(Vector3(4.0 * (number % 10) - 20.0, 0.4, -40.0 - 8.0 * (number / 10)))
 	firing.shells.set_physics_process(false)
-	for kind: String in ["dart_120", "ball_7_62"]:
-		var round: Ammunition = load(_FOLDER % kind)
+	for name: String in ["dart_120", "ball_7_62"]:
+		var round: Ammunition = load(_FOLDER % name)
 		var from: Vector3 = Vector3(0.0, 2.0, -20.0)
 		for number: int in _MANY:
 			var way: Vector3 = Vector3(0.01 * number - 0.5, 0.7, -1.0).normalized()
@@ -90,14 +86,14 @@ static func _cost(p_tree: SceneTree, p_report: BenchReport) -> void:
 			firing.shells._physics_process(_TICK)
 		var spent: float = float(Time.get_ticks_usec() - start) / _TICKS
 		var left: int = firing.shells.flying().size()
-		p_report.add("%d of %s in the air" % [left, round.title], "cost a tick", spent, "us")
+		report.add("%d of %s in the air" % [left, round.title], "cost a tick", spent, "us")
 		firing.shells.flying().clear()
 	firing.free_all()
 
 
-static func _hit(p_tree: SceneTree, p_report: BenchReport) -> void:
+func _hit() -> void:
 	for size: float in [0.3, 0.8]:
-		var firing: FiringRange = FiringRange.new(p_tree.root)
+		var firing: FiringRange = FiringRange.new(tree.root)
 		await firing.settle()
 		var crate: RigidBody3D = firing.add_crate(
 			Vector3(0.0, size / 2.0, -60.0), 40.0 * size * size * size, size
@@ -109,19 +105,19 @@ static func _hit(p_tree: SceneTree, p_report: BenchReport) -> void:
 		firing.gun.fire()
 		var fastest: float = 0.0
 		for _tick: int in 120:
-			await p_tree.physics_frame
+			await tree.physics_frame
 			fastest = maxf(fastest, crate.linear_velocity.length())
 		var most: float = ShellHits.MAX_GAIN + 1.0
 		var name: String = "a dart hits a crate of %.1f kg" % crate.mass
-		p_report.add(name, "fastest", fastest, "m/s", BenchReport.Goal.AT_MOST, most)
-		p_report.add(name, "hits", firing.hits.size(), "", BenchReport.Goal.AT_LEAST, 1.0)
+		report.at_most(name, "fastest", fastest, "m/s", most)
+		report.at_least(name, "hits", firing.hits.size(), "", 1.0)
 		firing.free_all()
 	for case: String in ["machine gun, 1 s", "dart", "burst 1.5 m away"]:
-		await _hit_person(p_tree, p_report, case)
+		await _hit_person(case)
 
 
-static func _hit_person(p_tree: SceneTree, p_report: BenchReport, p_case: String) -> void:
-	var firing: FiringRange = FiringRange.new(p_tree.root)
+func _hit_person(p_case: String) -> void:
+	var firing: FiringRange = FiringRange.new(tree.root)
 	await firing.settle()
 	var person: Ragdoll = firing.add_person(Vector3(0.0, 0.0, -30.0))
 	var source: BvhSource = BvhSource.new()
@@ -134,7 +130,7 @@ static func _hit_person(p_tree: SceneTree, p_report: BenchReport, p_case: String
 	for tick: int in 360:
 		person.push_sample(tick / 60.0, sample, Vector3(0.0, sample.root.y, -30.0))
 		person.drive(tick / 60.0, _TICK)
-		await p_tree.physics_frame
+		await tree.physics_frame
 		if tick == 110:
 			firing.aim_at(chest.global_position)
 		if tick == 120:
@@ -153,11 +149,10 @@ static func _hit_person(p_tree: SceneTree, p_report: BenchReport, p_case: String
 			var state: PhysicsDirectBodyState3D = PhysicsServer3D.body_get_direct_state(body)
 			fastest = maxf(fastest, state.linear_velocity.length())
 	var name: String = "a person, " + p_case
-	p_report.add(name, "fastest limb", fastest, "m/s", BenchReport.Goal.AT_MOST, 25.0)
-	var kind: BenchReport.Goal = BenchReport.Goal.AT_MOST
+	report.at_most(name, "fastest limb", fastest, "m/s", 25.0)
 	if p_case.begins_with("machine"):
-		p_report.add(name, "lowest hips", lowest, "m", BenchReport.Goal.AT_LEAST, 0.7)
+		report.at_least(name, "lowest hips", lowest, "m", 0.7)
 	else:
-		p_report.add(name, "lowest hips", lowest, "m", kind, 0.6)
-	p_report.add(name, "hips 4 s later", hips.global_position.y, "m")
+		report.at_most(name, "lowest hips", lowest, "m", 0.6)
+	report.add(name, "hips 4 s later", hips.global_position.y, "m")
 	firing.free_all()

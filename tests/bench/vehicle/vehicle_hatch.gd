@@ -1,5 +1,5 @@
 class_name VehicleHatch
-extends RefCounted
+extends VehicleCase
 ## The suited trainee in the commander's hatch: over level ground, over bumps, with the gun firing
 ## and the turret turning; in and out a hundred times; and people on the deck.
 
@@ -16,54 +16,44 @@ const UPPER_DEG: float = 3.0
 const RECOIL_NS: float = 25e3
 const SHOT_TICKS: int = 600
 
-const _AT_MOST: BenchReport.Goal = BenchReport.Goal.AT_MOST
-const _AT_LEAST: BenchReport.Goal = BenchReport.Goal.AT_LEAST
-
-var _tree: SceneTree = null
 var _ground: VehicleGround = null
 var _vehicle: Vehicle = null
 var _turret: VehicleTurret = null
 var _seat: VehicleSeat = null
 var _rider: HatchRider = null
-var _minutes: float = 1.0
 var _tick: int = 0
 
 
-func _init(
-	p_tree: SceneTree, p_kind: VehicleParameters.GearKind, p_has_bumps: bool, p_minutes: float
-) -> void:
-	_tree = p_tree
-	_minutes = p_minutes
-	_ground = VehicleGround.new(p_tree.root)
+func run() -> void:
+	for case: String in CASES:
+		for clip: String in CLIPS:
+			_begin(case != "level")
+			await _ride(case, clip)
+	_begin(false)
+	await _change()
+	var deck: VehicleHatchDeck = VehicleHatchDeck.new()
+	for property: StringName in [&"tree", &"report", &"gear", &"kind"]:
+		deck.set(property, get(property))
+	await deck.run()
+
+
+func _begin(p_has_bumps: bool) -> void:
+	_tick = 0
+	_ground = VehicleGround.new(tree.root)
 	if p_has_bumps:
-		_ground.view.add_child(VehicleBumps.create(VehicleBumps.END_M + SPEED * 60.0 * p_minutes))
+		_ground.view.add_child(VehicleBumps.create(VehicleBumps.END_M + SPEED * 60.0 * minutes))
 	else:
 		_ground.add_box(Vector3(6000, 2, 6000), Transform3D(Basis.IDENTITY, Vector3.DOWN))
-	_vehicle = _ground.add_vehicle("tank", p_kind, Transform3D(Basis.IDENTITY, Vector3.UP * 0.02))
+	_vehicle = _ground.add_vehicle("tank", kind, Transform3D(Basis.IDENTITY, Vector3.UP * 0.02))
 	_turret = _vehicle.get_node(^"Turret")
 	_seat = _vehicle.get_node(^"Turret/CommanderSeat")
 	var beside: Transform3D = Transform3D(Basis.IDENTITY, Vector3(-2.6, 0.0, -2.4))
 	_rider = HatchRider.new(_ground, _vehicle, beside)
 
 
-static func run(
-	p_tree: SceneTree,
-	p_report: BenchReport,
-	p_gear: String,
-	p_kind: VehicleParameters.GearKind,
-	p_minutes: float
-) -> void:
-	for case: String in CASES:
-		for clip: String in CLIPS:
-			var ride: VehicleHatch = VehicleHatch.new(p_tree, p_kind, case != "level", p_minutes)
-			await ride._ride(p_report, p_gear, case, clip)
-	await VehicleHatch.new(p_tree, p_kind, false, p_minutes)._change(p_report, p_gear)
-	await VehicleHatchDeck.run(p_tree, p_report, p_gear, p_kind)
-
-
 func _step() -> void:
 	_rider.drive()
-	await _tree.physics_frame
+	await tree.physics_frame
 	_rider.measure()
 	_tick += 1
 
@@ -77,7 +67,7 @@ func _is_in() -> bool:
 	return sitting != null and sitting.phase == PersonSeat.Phase.SITTING
 
 
-func _ride(p_report: BenchReport, p_gear: String, p_case: String, p_clip: String) -> void:
+func _ride(p_case: String, p_clip: String) -> void:
 	for _number: int in 60:
 		await _step()
 	_enter()
@@ -89,7 +79,7 @@ func _ride(p_report: BenchReport, p_gear: String, p_case: String, p_clip: String
 	for _number: int in SETTLE_TICKS:
 		_drive()
 		await _step()
-	for number: int in roundi(_minutes * 3600.0):
+	for number: int in roundi(minutes * 3600.0):
 		_drive()
 		if is_full:
 			_turret.aim = Vector2(1.0, 0.0)
@@ -97,9 +87,9 @@ func _ride(p_report: BenchReport, p_gear: String, p_case: String, p_clip: String
 				_shoot()
 		await _step()
 		_rider.note()
-	_report_ride(p_report, p_gear, p_case, "stands" if p_clip == "" else p_clip)
+	_report_ride(p_case, "stands" if p_clip == "" else p_clip)
 	_ground.free_all()
-	await _tree.physics_frame
+	await tree.physics_frame
 
 
 func _drive() -> void:
@@ -115,31 +105,31 @@ func _shoot() -> void:
 	_vehicle.apply_recoil(muzzle.global_basis.z * RECOIL_NS, muzzle.global_position)
 
 
-func _report_ride(p_report: BenchReport, p_gear: String, p_case: String, p_clip: String) -> void:
-	var name: String = "hatch, %s, %s: %s" % [p_gear, p_case, p_clip]
+func _report_ride(p_case: String, p_clip: String) -> void:
+	var name: String = "hatch, %s, %s: %s" % [gear, p_case, p_clip]
 	if _rider.error_count == 0:
-		p_report.leave_out(name, "nothing was measured")
+		report.leave_out(name, "nothing was measured")
 		return
-	var kind: BenchReport.Goal = _AT_MOST if p_case == "level" else BenchReport.Goal.NONE
+	var is_level: bool = p_case == "level"
 	var fitted: String = "upper body off its motion as the hatch has room for it, mean"
-	p_report.add(name, fitted, _rider.mean_deg(), "deg", kind, UPPER_DEG)
+	report.at_most(name, fitted, _rider.mean_deg(), "deg", UPPER_DEG, is_level)
 	var free: String = "limbs that have room, off what the wearer does, mean"
-	p_report.add(name, free, _rider.free_deg(), "deg", kind, UPPER_DEG)
-	p_report.add(name, "limbs that have room", _rider.free_share(), "%")
-	p_report.add(name, "all limbs, off what the wearer does, mean", _rider.raw_deg(), "deg")
-	p_report.add(name, "worst of any limb", _rider.worst_deg, "deg")
-	p_report.add(name, "hips off the middle", _rider.hips_across, "m", _AT_MOST, MOST_ACROSS_M)
-	p_report.add(name, "hips above the soles", _rider.hips_highest, "m", _AT_MOST, MOST_UP_M)
-	p_report.add(name, "lowest hips", _rider.hips_lowest, "m", _AT_LEAST, 0.25)
-	p_report.add(name, "limb in steel", _rider.deepest, "m", _AT_MOST, DEEPEST_M)
-	p_report.add(name, "fastest limb", _rider.fastest, "m/s", _AT_MOST, 25.0)
+	report.at_most(name, free, _rider.free_deg(), "deg", UPPER_DEG, is_level)
+	report.add(name, "limbs that have room", _rider.free_share(), "%")
+	report.add(name, "all limbs, off what the wearer does, mean", _rider.raw_deg(), "deg")
+	report.add(name, "worst of any limb", _rider.worst_deg, "deg")
+	report.at_most(name, "hips off the middle", _rider.hips_across, "m", MOST_ACROSS_M)
+	report.at_most(name, "hips above the soles", _rider.hips_highest, "m", MOST_UP_M)
+	report.at_least(name, "lowest hips", _rider.hips_lowest, "m", 0.25)
+	report.at_most(name, "limb in steel", _rider.deepest, "m", DEEPEST_M)
+	report.at_most(name, "fastest limb", _rider.fastest, "m/s", 25.0)
 	var is_seated: bool = _is_in()
-	p_report.add(name, "still in the hatch", 1.0 if is_seated else 0.0, "", _AT_LEAST, 1.0)
-	p_report.add(name, "way", -_vehicle.position.z, "m")
+	report.at_least(name, "still in the hatch", 1.0 if is_seated else 0.0, "", 1.0)
+	report.add(name, "way", -_vehicle.position.z, "m")
 
 
 ## In and out again a hundred times.
-func _change(p_report: BenchReport, p_gear: String) -> void:
+func _change() -> void:
 	var stuck: int = 0
 	var slowest: int = 0
 	for number: int in 100:
@@ -162,8 +152,8 @@ func _change(p_report: BenchReport, p_gear: String) -> void:
 		var local: Vector3 = _vehicle.to_local(_rider.hips())
 		var is_beside: bool = absf(local.x) > 1.9 or absf(local.z) > 3.6
 		stuck += 0 if is_beside and local.y < 1.3 and local.y > 0.6 else 1
-	var name: String = "hatch, %s: in and out 100 times" % p_gear
-	p_report.add(name, "stuck", stuck, "", _AT_MOST, 0.0)
-	p_report.add(name, "longest way", slowest / 60.0, "s", _AT_MOST, 3.5)
+	var name: String = "hatch, %s: in and out 100 times" % gear
+	report.at_most(name, "stuck", stuck, "", 0.0)
+	report.at_most(name, "longest way", slowest / 60.0, "s", 3.5)
 	_ground.free_all()
-	await _tree.physics_frame
+	await tree.physics_frame

@@ -1,30 +1,22 @@
 class_name VehicleHatchDeck
-extends RefCounted
+extends VehicleCase
 ## People on the engine deck of a tank that drives gently for a minute, or brakes as hard as it can.
 
 const SECONDS: float = 60.0
 const GENTLE: float = 4.0
 
 
-static func run(
-	p_tree: SceneTree, p_report: BenchReport, p_gear: String, p_kind: VehicleParameters.GearKind
-) -> void:
+func run() -> void:
 	for way: String in ["stands", "lies"]:
-		await _ride(p_tree, p_report, p_gear, p_kind, way)
-	await _brake(p_tree, p_report, p_gear, p_kind)
+		await _ride(way)
+	await _brake()
 
 
-static func _ride(
-	p_tree: SceneTree,
-	p_report: BenchReport,
-	p_gear: String,
-	p_kind: VehicleParameters.GearKind,
-	p_way: String
-) -> void:
-	var ground: VehicleGround = VehicleGround.new(p_tree.root)
+func _ride(p_way: String) -> void:
+	var ground: VehicleGround = VehicleGround.new(tree.root)
 	ground.add_floor()
-	var vehicle: Vehicle = ground.add_vehicle("tank", p_kind)
-	var rider: HatchRider = await _put(p_tree, ground, vehicle, p_way == "lies")
+	var vehicle: Vehicle = ground.add_vehicle("tank", kind)
+	var rider: HatchRider = await _put(ground, vehicle, p_way == "lies")
 	var from: Vector3 = vehicle.to_local(rider.hips())
 	var worst: float = 0.0
 	for tick: int in roundi(SECONDS * 60.0):
@@ -32,28 +24,24 @@ static func _ride(
 		vehicle.input.throttle = 0.25 if speed < GENTLE else 0.0
 		vehicle.input.steer = 0.15 * sin(tick / 240.0)
 		rider.drive()
-		await p_tree.physics_frame
+		await tree.physics_frame
 		rider.measure()
 		worst = maxf(worst, from.distance_to(vehicle.to_local(rider.hips())))
-	var name: String = "deck, %s: %s while it drives gently" % [p_gear, p_way]
+	var name: String = "deck, %s: %s while it drives gently" % [gear, p_way]
 	var is_on: bool = vehicle.to_local(rider.hips()).y > 1.6
-	p_report.add(
-		name, "is on it after a minute", 1.0 if is_on else 0.0, "", BenchReport.Goal.AT_LEAST, 1.0
-	)
-	p_report.add(name, "moves on it", worst, "m")
-	p_report.add(name, "way", vehicle.position.length(), "m")
+	report.at_least(name, "is on it after a minute", 1.0 if is_on else 0.0, "", 1.0)
+	report.add(name, "moves on it", worst, "m")
+	report.add(name, "way", vehicle.position.length(), "m")
 	ground.free_all()
-	await p_tree.physics_frame
+	await tree.physics_frame
 
 
 ## Stops from full speed: whoever stands there cannot stay.
-static func _brake(
-	p_tree: SceneTree, p_report: BenchReport, p_gear: String, p_kind: VehicleParameters.GearKind
-) -> void:
-	var ground: VehicleGround = VehicleGround.new(p_tree.root)
+func _brake() -> void:
+	var ground: VehicleGround = VehicleGround.new(tree.root)
 	ground.add_floor()
-	var vehicle: Vehicle = ground.add_vehicle("tank", p_kind)
-	var rider: HatchRider = await _put(p_tree, ground, vehicle, false)
+	var vehicle: Vehicle = ground.add_vehicle("tank", kind)
+	var rider: HatchRider = await _put(ground, vehicle, false)
 	var from: Vector3 = Vector3.ZERO
 	var moved: float = 0.0
 	for tick: int in 900:
@@ -61,23 +49,21 @@ static func _brake(
 		vehicle.input.throttle = 0.0 if is_braking else minf(tick / 600.0, 0.6)
 		vehicle.input.brake = 1.0 if is_braking else 0.0
 		rider.drive()
-		await p_tree.physics_frame
+		await tree.physics_frame
 		rider.measure()
 		if tick == 600:
 			from = vehicle.to_local(rider.hips())
 		if tick > 600:
 			moved = maxf(moved, from.distance_to(vehicle.to_local(rider.hips())))
-	var name: String = "deck, %s: stands while it brakes hard" % p_gear
-	p_report.add(name, "thrown by", moved, "m", BenchReport.Goal.AT_LEAST, 0.2)
+	var name: String = "deck, %s: stands while it brakes hard" % gear
+	report.at_least(name, "thrown by", moved, "m", 0.2)
 	ground.free_all()
-	await p_tree.physics_frame
+	await tree.physics_frame
 
 
-static func _put(
-	p_tree: SceneTree, p_ground: VehicleGround, p_vehicle: Vehicle, p_lies: bool
-) -> HatchRider:
+func _put(p_ground: VehicleGround, p_vehicle: Vehicle, p_lies: bool) -> HatchRider:
 	for _tick: int in 60:
-		await p_tree.physics_frame
+		await tree.physics_frame
 	var at: Vector3 = Vector3(0.9, 1.72, 3.0)
 	var rider: HatchRider = HatchRider.new(p_ground, p_vehicle, Transform3D(Basis.IDENTITY, at))
 	if p_lies:
@@ -91,7 +77,7 @@ static func _put(
 		rider.hold(pose)
 	for _tick: int in 120:
 		rider.drive()
-		await p_tree.physics_frame
+		await tree.physics_frame
 		rider.measure()
 	return rider
 

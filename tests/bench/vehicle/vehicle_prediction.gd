@@ -1,5 +1,5 @@
 class_name VehiclePrediction
-extends RefCounted
+extends VehicleCase
 ## A driver's own vehicle, predicted at the driver's client: how soon it obeys, how far it is from
 ## the truth, and how far corrections pull the picture.
 ##
@@ -21,7 +21,6 @@ const SECONDS: float = 60.0
 ## A vehicle that goes so fast has obeyed, m/s.
 const MOVES: float = 0.05
 
-var _tree: SceneTree = null
 var _random: RandomNumberGenerator = RandomNumberGenerator.new()
 var _server: VehicleGround = null
 var _client: VehicleGround = null
@@ -38,53 +37,42 @@ var _tick: int = 0
 var _newest_speed: float = 0.0
 
 
-static func run(
-	p_tree: SceneTree,
-	p_report: BenchReport,
-	p_preset: String,
-	p_gear: String,
-	p_kind: VehicleParameters.GearKind
-) -> void:
-	var bench: VehiclePrediction = VehiclePrediction.new()
-	bench._tree = p_tree
-	await bench._measure(p_report, p_preset, p_gear, p_kind)
+func run() -> void:
+	await _measure()
 
 
-func _measure(
-	p_report: BenchReport, p_preset: String, p_gear: String, p_kind: VehicleParameters.GearKind
-) -> void:
+func _measure() -> void:
 	_random.seed = 16
-	_begin(p_preset, p_kind)
+	_begin()
 	var obeys: Array[int] = await _start_up()
 	for step: int in roundi(SECONDS * 60.0):
 		if step % 90 == 0:
 			_input.throttle = _random.randf_range(0.2, 1.0) if step % 540 > 90 else -0.6
 			_input.steer = _random.randf_range(-1.0, 1.0) if _random.randf() < 0.5 else 0.0
 		await _advance()
-	var title: String = "%s on %s, %.0f ms there and back" % [p_preset, p_gear, ONE_WAY_S * 2000.0]
-	var most: BenchReport.Goal = BenchReport.Goal.AT_MOST
-	p_report.add(
-		title, "input to motion, own response left out", obeys[1] - obeys[0], "frames", most, 2.0
+	var title: String = "%s on %s, %.0f ms there and back" % [preset, gear, ONE_WAY_S * 2000.0]
+	report.at_most(
+		title, "input to motion, own response left out", obeys[1] - obeys[0], "frames", 2.0
 	)
-	p_report.add(title, "the same without prediction", obeys[2] - obeys[0], "frames")
-	p_report.add(title, "error at news, p50", _errors.percentile(0.5) * 1000.0, "mm")
-	p_report.add(title, "error at news, p99", _errors.percentile(0.99) * 1000.0, "mm")
-	p_report.add(
-		title, "pull of the picture, largest", _pulls.percentile(1.0) * 100.0, "cm", most, 10.0
+	report.add(title, "the same without prediction", obeys[2] - obeys[0], "frames")
+	report.add(title, "error at news, p50", _errors.percentile(0.5) * 1000.0, "mm")
+	report.add(title, "error at news, p99", _errors.percentile(0.99) * 1000.0, "mm")
+	report.at_most(
+		title, "pull of the picture, largest", _pulls.percentile(1.0) * 100.0, "cm", 10.0
 	)
-	p_report.add(title, "prediction began anew", _predicted.restarts, "times")
+	report.add(title, "prediction began anew", _predicted.restarts, "times")
 	_server.free_all()
 	_client.free_all()
 
 
-func _begin(p_preset: String, p_kind: VehicleParameters.GearKind) -> void:
-	_server = VehicleGround.new(_tree.root)
-	_client = VehicleGround.new(_tree.root)
+func _begin() -> void:
+	_server = VehicleGround.new(tree.root)
+	_client = VehicleGround.new(tree.root)
 	for ground: VehicleGround in [_server, _client]:
 		ground.add_floor()
 		ground.view.add_child(VehicleBumps.create())
-	_truth = _server.add_vehicle(p_preset, p_kind)
-	var shown: Vehicle = _client.add_vehicle(p_preset, p_kind)
+	_truth = _server.add_vehicle(preset, kind)
+	var shown: Vehicle = _client.add_vehicle(preset, kind)
 	shown.freeze = true
 	shown.collision_layer = 0
 	_predicted = PredictedVehicle.create(shown, _input)
@@ -124,7 +112,7 @@ func _advance() -> void:
 	_take_commands()
 	_take_news()
 	_pulls.add(_predicted.get_pull())
-	await _tree.physics_frame
+	await tree.physics_frame
 	_predicted.fade(1.0 / 60.0)
 	if _tick % NEWS_TICKS == 0:
 		var place: Transform3D = _truth.global_transform

@@ -1,5 +1,5 @@
 class_name VehiclePublished
-extends RefCounted
+extends VehicleCase
 ## Published performance of a real vehicle beside ours. docs/vehicles.md names the sources.
 
 # What a real one of the preset does. Speeds in km/h, times in s, ways and heights in m, slopes
@@ -27,30 +27,24 @@ const _PUBLISHED: Dictionary[String, Dictionary] = {
 
 
 ## Runs all that is published of a preset.
-static func run(
-	p_tree: SceneTree,
-	p_report: BenchReport,
-	p_preset: String,
-	p_gear: String,
-	p_kind: VehicleParameters.GearKind
-) -> void:
-	var courses: VehicleCourses = VehicleCourses.new(p_tree, p_preset, p_kind)
-	var published: Dictionary = _PUBLISHED.get(p_preset, {})
+func run() -> void:
+	var courses: VehicleCourses = VehicleCourses.new(tree, preset, kind)
+	var published: Dictionary = _PUBLISHED.get(preset, {})
 	for metric: String in published:
 		var theirs: float = published[metric]
 		var ours: float = await _measure(courses, metric, theirs)
-		var name: String = "%s, %s" % [p_preset, p_gear]
-		p_report.add(name, metric + ", published", theirs, _unit(metric))
+		var name: String = "%s, %s" % [preset, gear]
+		report.add(name, metric + ", published", theirs, _unit(metric))
 		if metric in ["slope", "side slope", "step", "trench"]:
 			# These say what it must get over at least.
-			p_report.add(name, metric, ours, _unit(metric), BenchReport.Goal.AT_LEAST, theirs)
+			report.at_least(name, metric, ours, _unit(metric), theirs)
 			continue
-		p_report.add(name, metric, ours, _unit(metric))
+		report.add(name, metric, ours, _unit(metric))
 		var off: float = 100.0 * (ours / theirs - 1.0)
-		p_report.add(name, metric + ", off by", off, "%", BenchReport.Goal.WITHIN, 10.0)
+		report.within(name, metric + ", off by", off, "%", 10.0)
 
 
-static func _measure(p_courses: VehicleCourses, p_metric: String, p_theirs: float) -> float:
+func _measure(p_courses: VehicleCourses, p_metric: String, p_theirs: float) -> float:
 	var tenths: PackedFloat32Array = [0.8, 0.9, 1.0, 1.1, 1.2, 1.3]
 	for index: int in tenths.size():
 		tenths[index] *= p_theirs

@@ -1,5 +1,5 @@
 class_name VehicleStabiliser
-extends RefCounted
+extends VehicleCase
 ## How well the gun of a tank that drives over bumps of 0.3 m at 30 km/h holds its aim in the world.
 
 const SPEED: float = 30.0 / 3.6
@@ -7,40 +7,27 @@ const SETTLE_TICKS: int = 360
 const GOAL_MRAD: float = 2.0
 
 
-static func run(
-	p_tree: SceneTree,
-	p_report: BenchReport,
-	p_gear: String,
-	p_kind: VehicleParameters.GearKind,
-	p_minutes: float
-) -> void:
+func run() -> void:
 	for yaw: float in [0.0, 90.0]:
-		await _ride(p_tree, p_report, p_gear, p_kind, p_minutes, yaw)
+		await _ride(yaw)
 
 
-static func _ride(
-	p_tree: SceneTree,
-	p_report: BenchReport,
-	p_gear: String,
-	p_kind: VehicleParameters.GearKind,
-	p_minutes: float,
-	p_yaw_deg: float
-) -> void:
-	var ground: VehicleGround = VehicleGround.new(p_tree.root)
-	ground.view.add_child(VehicleBumps.create(VehicleBumps.END_M + SPEED * 60.0 * p_minutes))
-	var vehicle: Vehicle = ground.add_vehicle("tank", p_kind)
+func _ride(p_yaw_deg: float) -> void:
+	var ground: VehicleGround = VehicleGround.new(tree.root)
+	ground.view.add_child(VehicleBumps.create(VehicleBumps.END_M + SPEED * 60.0 * minutes))
+	var vehicle: Vehicle = ground.add_vehicle("tank", kind)
 	var turret: VehicleTurret = vehicle.get_node(^"Turret")
-	await p_tree.physics_frame
+	await tree.physics_frame
 	turret.place(deg_to_rad(p_yaw_deg), 0.0)
 	var squares: float = 0.0
 	var worst: float = 0.0
 	var count: int = 0
-	for tick: int in SETTLE_TICKS + roundi(p_minutes * 3600.0):
+	for tick: int in SETTLE_TICKS + roundi(minutes * 3600.0):
 		var speed: float = VehicleGround.speed_of(vehicle)
 		vehicle.input.throttle = clampf(0.15 + 0.5 * (SPEED - speed), 0.0, 1.0)
 		var ahead: float = vehicle.global_basis.z.x
 		vehicle.input.steer = clampf(0.05 * vehicle.position.x - 0.6 * ahead, -0.5, 0.5)
-		await p_tree.physics_frame
+		await tree.physics_frame
 		if tick < SETTLE_TICKS:
 			continue
 		var state: Transform3D = PhysicsServer3D.body_get_state(
@@ -51,9 +38,9 @@ static func _ride(
 		squares += error * error
 		worst = maxf(worst, error)
 		count += 1
-	var name: String = "stabiliser, %s: gun at %d deg over bumps" % [p_gear, roundi(p_yaw_deg)]
+	var name: String = "stabiliser, %s: gun at %d deg over bumps" % [gear, roundi(p_yaw_deg)]
 	var rms: float = 1000.0 * sqrt(squares / count)
-	p_report.add(name, "off its aim", rms, "mrad RMS", BenchReport.Goal.AT_MOST, GOAL_MRAD)
-	p_report.add(name, "worst", 1000.0 * worst, "mrad")
+	report.at_most(name, "off its aim", rms, "mrad RMS", GOAL_MRAD)
+	report.add(name, "worst", 1000.0 * worst, "mrad")
 	ground.free_all()
-	await p_tree.physics_frame
+	await tree.physics_frame

@@ -138,14 +138,13 @@ static func run_seeds(
 static func _tell(
 	p_report: BenchReport, p_case: String, p_totals: Dictionary[String, float], p_others: int
 ) -> void:
-	var at_most: BenchReport.Goal = BenchReport.Goal.AT_MOST
 	p_report.add(p_case, "way", 0.001 * p_totals["way"], "km")
-	p_report.add(p_case, "fastest", p_totals["fastest"], "m/s", at_most, MAX_SPEED)
-	p_report.add(p_case, "fastest turn", p_totals["spin"], "rad/s", at_most, 8.0)
-	p_report.add(p_case, "ticks inside the ground", p_totals["inside"], "", at_most, 0.0)
-	p_report.add(p_case, "states that are not finite", p_totals["lost"], "", at_most, 0.0)
+	p_report.at_most(p_case, "fastest", p_totals["fastest"], "m/s", MAX_SPEED)
+	p_report.at_most(p_case, "fastest turn", p_totals["spin"], "rad/s", 8.0)
+	p_report.at_most(p_case, "ticks inside the ground", p_totals["inside"], "", 0.0)
+	p_report.at_most(p_case, "states that are not finite", p_totals["lost"], "", 0.0)
 	p_report.add(p_case, "put upright or freed", p_totals["uprights"], "")
-	p_report.add(p_case, "seeds with another hash the second time", p_others, "", at_most, 0.0)
+	p_report.at_most(p_case, "seeds with another hash the second time", p_others, "", 0.0)
 
 
 static func _run_twice(

@@ -1,5 +1,5 @@
 class_name VehicleWire
-extends RefCounted
+extends VehicleCase
 ## What a vehicle costs on the wire at 30 snapshots a second: a tank that drives over bumps, steers
 ## and turns its turret all the time, and one that stands. Its body and its fields go through the
 ## server's encoder, with acknowledgements a round trip later.
@@ -58,29 +58,20 @@ class Host:
 		return ""
 
 
-static func run(
-	p_tree: SceneTree,
-	p_report: BenchReport,
-	p_preset: String,
-	p_gear: String,
-	p_kind: VehicleParameters.GearKind
-) -> void:
+func run() -> void:
 	for drives: bool in [true, false]:
-		var sent: float = await _measure(p_tree, p_preset, p_kind, drives)
-		var what: String = "%s on %s %s" % [p_preset, p_gear, "driving" if drives else "standing"]
-		var most: BenchReport.Goal = BenchReport.Goal.AT_MOST
+		var sent: float = await _measure(drives)
+		var what: String = "%s on %s %s" % [preset, gear, "driving" if drives else "standing"]
 		var goal: float = _GOAL_KBIT if drives else 1.0
-		p_report.add(what, "snapshots at %d Hz" % _RATE, sent, "kbit/s", most, goal)
+		report.at_most(what, "snapshots at %d Hz" % _RATE, sent, "kbit/s", goal)
 
 
 ## The payload of all datagrams, kbit/s.
-static func _measure(
-	p_tree: SceneTree, p_preset: String, p_kind: VehicleParameters.GearKind, p_drives: bool
-) -> float:
-	var ground: VehicleGround = VehicleGround.new(p_tree.root)
+func _measure(p_drives: bool) -> float:
+	var ground: VehicleGround = VehicleGround.new(tree.root)
 	ground.add_floor()
 	ground.view.add_child(VehicleBumps.create())
-	var vehicle: Vehicle = ground.add_vehicle(p_preset, p_kind)
+	var vehicle: Vehicle = ground.add_vehicle(preset, kind)
 	var host: Host = Host.new()
 	var decoder: SnapshotDecoder = SnapshotDecoder.new()
 	_set_up(host, decoder, vehicle)

@@ -1,10 +1,8 @@
 extends Node
-## Eight people and two hundred crates that all move, for one client: our coding on several
-## networks, and Godot's own MultiplayerSynchronizer beside it.
+## Eight people and two hundred crates that all move, for one client, on several networks.
 
 const MovingWorld: GDScript = preload("moving_world.gd")
 const ReplicationCase: GDScript = preload("replication_case.gd")
-const SynchronizerCase: GDScript = preload("synchronizer_case.gd")
 const GOAL_KILOBITS: float = 256.0
 ## What the encoder may use: a little less, as it may save up for a moment.
 const SHARE_KILOBITS: float = 250.0
@@ -42,19 +40,10 @@ func run(
 		cases.append(
 			ReplicationCase.new(network[1], SHARE_KILOBITS, network[2], network[3], network[4])
 		)
-	var other: SynchronizerCase = SynchronizerCase.new()
-	add_child(other)
-	if not other.open(p_people, p_crates, 30):
-		printerr("no port for the MultiplayerSynchronizer: its case is left out")
-	var seconds: float = await _play(world, cases, other, p_s)
+	var seconds: float = await _play(world, cases, p_s)
 	var name: String = "%d people, %d crates" % [p_people, p_crates]
 	for i: int in cases.size():
 		_add(p_report, "%s: %s" % [name, NETWORKS[i][0]], cases[i], seconds)
-	var theirs: float = other.rate() / 1000.0
-	p_report.add(name + ": MultiplayerSynchronizer, 30 Hz", "with headers", theirs, "kbit/s")
-	var ours: float = cases[1].bits / seconds / 1000.0
-	p_report.add(name + ": MultiplayerSynchronizer, 30 Hz", "times ours", theirs / ours, "")
-	other.close()
 
 
 ## One person and nothing else, 30 snapshots a second, as the program sends it: whole datagrams,
@@ -74,14 +63,11 @@ func run_one(p_report: BenchReport, p_sources: Array[BvhSource], p_s: float) -> 
 				client.advance(world)
 			bits += client.payload_bits / p_s / p_sources.size()
 			world.free()
-		var most: BenchReport.Goal = BenchReport.Goal.AT_MOST
 		var name: String = "whole datagrams of a person, 30 Hz, %s" % one[0]
-		p_report.add(name, "without headers", bits / 1000.0, "kbit/s", most, one[3])
+		p_report.at_most(name, "without headers", bits / 1000.0, "kbit/s", one[3])
 
 
-func _play(
-	p_world: MovingWorld, p_cases: Array[ReplicationCase], p_other: SynchronizerCase, p_s: float
-) -> float:
+func _play(p_world: MovingWorld, p_cases: Array[ReplicationCase], p_s: float) -> float:
 	var delta: float = 1.0 / Engine.physics_ticks_per_second
 	var begin: int = 2 * Engine.physics_ticks_per_second
 	var ticks: int = int(p_s / delta)
@@ -89,22 +75,19 @@ func _play(
 		p_world.push(delta)
 		await get_tree().physics_frame
 		if tick == begin:
-			p_other.restart()
 			for one: ReplicationCase in p_cases:
 				one.bits = 0
 		for one: ReplicationCase in p_cases:
 			one.advance(p_world)
-		p_other.put(p_world, tick * delta)
 	return ticks * delta
 
 
 static func _add(
 	p_report: BenchReport, p_name: String, p_case: ReplicationCase, p_s: float
 ) -> void:
-	var most: BenchReport.Goal = BenchReport.Goal.AT_MOST
-	p_report.add(p_name, "with headers", p_case.bits / p_s / 1000.0, "kbit/s", most, GOAL_KILOBITS)
+	p_report.at_most(p_name, "with headers", p_case.bits / p_s / 1000.0, "kbit/s", GOAL_KILOBITS)
 	var error: float = sqrt(p_case.crate_square / maxf(p_case.crate_count, 1.0))
-	p_report.add(p_name, "crates as shown, RMS", error * 100.0, "cm", most, GOAL_CRATE_M * 100.0)
+	p_report.at_most(p_name, "crates as shown, RMS", error * 100.0, "cm", GOAL_CRATE_M * 100.0)
 	p_case.encode_usec.sort()
 	var middle: float = p_case.encode_usec[p_case.encode_usec.size() / 2]
 	p_report.add(p_name, "encode, p50", middle, "us")

@@ -31,19 +31,18 @@ var _decode_usec: float = 0.0
 
 ## Measures them over clips; times are those of the processor.
 func run(p_report: BenchReport, p_clips: Array[WireClip]) -> void:
-	var most: BenchReport.Goal = BenchReport.Goal.AT_MOST
 	for people: int in _GOALS:
 		for network: String in _NETWORKS:
 			var rate: float = 0.0
 			for clip: WireClip in p_clips:
 				rate += _measure(clip, people, _NETWORKS[network]) / p_clips.size()
 			var name: String = "upstream, %d people, %s" % [people, network]
-			p_report.add(name, "all headers", rate, "kbit/s", most, _GOALS[people])
+			p_report.at_most(name, "all headers", rate, "kbit/s", _GOALS[people])
 			p_report.add(name, "headers alone", HEADERS * HZ * 8 / 1000.0, "kbit/s")
 			p_report.add(name, "samples that arrive", 100.0 * _arrived / _sent, "%")
-			p_report.add(name, "samples lost beside datagrams", _lost, "", most, 0.0)
-			p_report.add(
-				name, "worst limb", _worst_deg, "deg", most, Protocol.MOTION_ERROR_DEG + 0.01
+			p_report.at_most(name, "samples lost beside datagrams", _lost, "", 0.0)
+			p_report.at_most(
+				name, "worst limb", _worst_deg, "deg", Protocol.MOTION_ERROR_DEG + 0.01
 			)
 			p_report.add(name, "write", _encode_usec, "us a datagram")
 			p_report.add(name, "read", _decode_usec, "us a datagram")

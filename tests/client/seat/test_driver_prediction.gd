@@ -3,7 +3,6 @@ extends TestCase
 
 const EXAMPLE: PackedScene = preload("res://examples/05_tank/05_tank.tscn")
 ## Frames to wait for an event that takes a real second: how many frames there are is known then.
-const PATIENCE: int = 20000
 
 var _scene: Node3D = null
 var _tank: Vehicle = null
@@ -38,7 +37,7 @@ func after_each() -> void:
 
 
 func test_a_driver_s_vehicle_is_predicted_ahead_of_the_news() -> void:
-	await _until(func() -> bool: return _prediction.predicted != null)
+	await until(func() -> bool: return _prediction.predicted != null, _frames.bind(1))
 	not_null(_prediction.predicted)
 	await _frames(10)
 	is_true(_controls.command_tick > _tick, "%d, %d" % [_controls.command_tick, _tick])
@@ -47,19 +46,19 @@ func test_a_driver_s_vehicle_is_predicted_ahead_of_the_news() -> void:
 
 
 func test_without_news_nothing_is_predicted_any_more() -> void:
-	await _until(func() -> bool: return _prediction.predicted != null)
+	await until(func() -> bool: return _prediction.predicted != null, _frames.bind(1))
 	_has_news = false
 	await _frames(DriverPrediction.MAX_AGE_TICKS + 10)
 	is_null(_prediction.predicted)
 	is_false(ClientPhysics.is_stepping())
 	equal(_controls.command_tick, -1)
 	_has_news = true
-	await _until(func() -> bool: return _prediction.predicted != null)
+	await until(func() -> bool: return _prediction.predicted != null, _frames.bind(1))
 	not_null(_prediction.predicted)
 
 
 func test_a_vehicle_that_goes_ends_it() -> void:
-	await _until(func() -> bool: return _prediction.predicted != null)
+	await until(func() -> bool: return _prediction.predicted != null, _frames.bind(1))
 	_tank.free()
 	await _frames(4)
 	is_null(_prediction.predicted)
@@ -67,18 +66,11 @@ func test_a_vehicle_that_goes_ends_it() -> void:
 
 
 func test_leaving_the_seat_ends_it() -> void:
-	await _until(func() -> bool: return _prediction.predicted != null)
+	await until(func() -> bool: return _prediction.predicted != null, _frames.bind(1))
 	(_tank.get_node(^"DriverSeat") as Seat).interact()
-	await _until(func() -> bool: return _prediction.predicted == null)
+	await until(func() -> bool: return _prediction.predicted == null, _frames.bind(1))
 	is_null(_prediction.predicted)
 	is_false(ClientPhysics.is_stepping())
-
-
-func _until(p_holds: Callable) -> void:
-	for _frame: int in PATIENCE:
-		if p_holds.call():
-			return
-		await _frames(1)
 
 
 ## Frames of a client whose server tells of the tank in each tick.

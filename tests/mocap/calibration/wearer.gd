@@ -39,7 +39,6 @@ func calibrate(p_kind: CalibrationGuide.Kind) -> CalibrationResult:
 	var fault: String = process.start(p_kind, feed.list_sensors(), mounts, calibration, start)
 	if fault != "":
 		return null
-	_on_started()
 	var begin_usec: int = now_usec
 	while process.is_running():
 		feed.measure(motion.pose_at((now_usec - begin_usec) / 1e6), now_usec)
@@ -50,11 +49,6 @@ func calibrate(p_kind: CalibrationGuide.Kind) -> CalibrationResult:
 		now_usec += roundi(1e6 / rate_hz)
 		process.advance(now_usec / 1e6)
 	return process.result
-
-
-## A calibration began.
-func _on_started() -> void:
-	pass
 
 
 ## What the calibration makes of a pose: a rotation for each sensor.

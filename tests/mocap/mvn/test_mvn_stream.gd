@@ -6,7 +6,6 @@ const CLIP: String = "res://assets/motion/01_01.bvh"
 const MAX_DEG: float = 0.05
 const MAX_M: float = 0.001
 ## How long a busy machine may take for a datagram.
-const PATIENCE_MS: int = 60000
 
 var _stream: MvnStream = null
 var _peer: PacketPeerUDP = null
@@ -77,7 +76,7 @@ func test_several_people_come_and_go() -> void:
 		writer.take(source.pose_at(number), 0.0)
 		_send(writer.sample(12, 0, 0))
 		_send(writer.sample(2, 0, 0))
-	await _until(func() -> bool: return _people.size() == 3)
+	await until(func() -> bool: return _people.size() == 3, _stream.advance)
 	equal(_people.size(), 3)
 	for person: MvnSource in _people:
 		@warning_ignore("integer_division")
@@ -85,7 +84,7 @@ func test_several_people_come_and_go() -> void:
 		equal(_people[person], "P%d" % number)
 		var difference: Vector2 = _difference(person.get_newest(), source.pose_at(number))
 		is_true(difference.x < MAX_DEG, "%f deg" % difference.x)
-	await _until(func() -> bool: return _stream.list_devices().size() == 4)
+	await until(func() -> bool: return _stream.list_devices().size() == 4, _stream.advance)
 	for row: Dictionary in _stream.list_devices():
 		for key: String in DeviceList.KEYS:
 			is_true(row[key] is String)
@@ -202,7 +201,7 @@ func test_trackers_become_sensors() -> void:
 	writer.take(pose, 1.0)
 	_send(writer.sample(12, 0, 0))
 	_send(writer.sample(23, 0, 0))
-	await _until(func() -> bool: return not feeds.is_empty())
+	await until(func() -> bool: return not feeds.is_empty(), _stream.advance)
 	equal(feeds.size(), 1)
 	var frames: Array[SensorFrame] = feeds[0].take_frames()
 	var sensors: Array[SensorInfo] = feeds[0].list_sensors()
@@ -235,7 +234,9 @@ func test_rubbish_is_counted_and_told() -> void:
 	var datagram: PackedByteArray = MvnEncoder.encode(writer.sample(2, 0, 0))[0]
 	datagram[11] = 255
 	_peer.put_packet(datagram)
-	await _until(func() -> bool: return _stream.receiver.get_stats()["refused"] == 2)
+	await until(
+		func() -> bool: return _stream.receiver.get_stats()["refused"] == 2, _stream.advance
+	)
 	equal(_stream.receiver.get_stats()["refused"], 2)
 	contains(_stream.trouble(), "2 datagrams")
 	equal(_people.size(), 0)
@@ -263,7 +264,9 @@ func test_all_types_that_are_written_are_read() -> void:
 	writer.take(source.pose_at(0.1), 0.1)
 	for type: int in MvnWriter.TYPES:
 		_send(writer.sample(type, 7, 100))
-	await _until(func() -> bool: return not _stream.receiver.get_newest(0, 25).is_empty())
+	await until(
+		func() -> bool: return not _stream.receiver.get_newest(0, 25).is_empty(), _stream.advance
+	)
 	for type: int in MvnWriter.TYPES:
 		var wanted: Dictionary = writer.sample(type, 7, 100)
 		var came: Dictionary = _stream.receiver.get_newest(0, type)
@@ -283,23 +286,14 @@ func _send(p_sample: Dictionary) -> void:
 		_peer.put_packet(datagram)
 
 
-func _until(p_holds: Callable) -> void:
-	var limit: int = Time.get_ticks_msec() + PATIENCE_MS
-	while Time.get_ticks_msec() < limit:
-		_stream.advance()
-		if p_holds.call():
-			return
-		await process_frames()
-
-
 func _first_person() -> MvnSource:
-	await _until(func() -> bool: return not _people.is_empty())
+	await until(func() -> bool: return not _people.is_empty(), _stream.advance)
 	return null if _people.is_empty() else _people.keys()[0]
 
 
 ## The next pose that is measured.
 func _next(p_person: MvnSource) -> PoseSample:
-	var limit: int = Time.get_ticks_msec() + PATIENCE_MS
+	var limit: int = Time.get_ticks_msec() + int(Waiting.PATIENCE_S * 1000.0)
 	while Time.get_ticks_msec() < limit:
 		var found: PoseSample = p_person.get_newest()
 		if found != null and found != _seen:

@@ -66,10 +66,7 @@ func test_rubbish_is_counted_and_told() -> void:
 	var peer: PacketPeerUDP = PacketPeerUDP.new()
 	peer.set_dest_address("127.0.0.1", _stream.port.get_port())
 	peer.put_packet("rubbish".to_ascii_buffer())
-	for _frame: int in PATIENCE:
-		if _stream.trouble() != "":
-			break
-		await process_frames(1)
+	await until(func() -> bool: return _stream.trouble() != "")
 	contains(_stream.trouble(), "127.0.0.1")
 	contains(_stream.trouble(), "OSC")
 	contains(_stream.list_devices()[0]["detail"], "1 bad")

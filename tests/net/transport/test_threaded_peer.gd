@@ -364,16 +364,14 @@ func _settle() -> void:
 		client.poll()
 
 
+func _poll() -> void:
+	if _apis.is_empty():
+		_server.poll()
+		for client: ThreadedPeer in _clients:
+			client.poll()
+	for api: SceneMultiplayer in _apis:
+		api.poll()
+
+
 func _until(p_holds: Callable) -> void:
-	var limit: int = Time.get_ticks_msec() + int(LinkPair.PATIENCE_S * 1000.0)
-	while Time.get_ticks_msec() < limit:
-		if _apis.is_empty():
-			_server.poll()
-			for client: ThreadedPeer in _clients:
-				client.poll()
-		for api: SceneMultiplayer in _apis:
-			api.poll()
-		if p_holds.call():
-			return
-		await process_frames()
-	fail("it did not happen within %d s" % LinkPair.PATIENCE_S)
+	await until(p_holds, _poll)

@@ -46,9 +46,15 @@ func before_each() -> void:
 	_server.context().entities.command_refused.connect(_on_refused)
 	_driver = CrewClient.new("driver", port)
 	_hostile = CrewClient.new("hostile", port)
-	await _until(func() -> bool: return _driver.knows(TANK) and _hostile.knows(TANK))
+	await until(
+		func() -> bool: return _driver.knows(TANK) and _hostile.knows(TANK),
+		_run.bind(1, func() -> void: pass)
+	)
 	_driver.command(TANK, Seat.TAKE, [0.0])
-	await _until(func() -> bool: return _occupant(&"occupant") == _driver.session())
+	await until(
+		func() -> bool: return _occupant(&"occupant") == _driver.session(),
+		_run.bind(1, func() -> void: pass)
+	)
 	await _run(300, _drive)
 	is_true(absf(_tank.state.left_speed) > DRIVING, "%.1f m/s" % _tank.state.left_speed)
 
@@ -183,14 +189,6 @@ func _run(p_ticks: int, p_work: Callable) -> void:
 		p_work.call()
 		_driver.poll()
 		_hostile.poll()
-
-
-func _until(p_holds: Callable) -> void:
-	for _number: int in 6000:
-		if p_holds.call():
-			return
-		await _run(1, func() -> void: pass)
-	fail("it does not come")
 
 
 func _occupant(p_field: StringName) -> int:

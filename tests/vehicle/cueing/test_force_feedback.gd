@@ -43,9 +43,7 @@ func test_a_wheel_that_is_not_there_stops_nothing() -> void:
 	_forces.wheel_path = "/dev/input/no_such_wheel"
 	add_child(_forces)
 	var wheel: ForceWheel = _forces.get_wheel()
-	var begin: int = Time.get_ticks_msec()
-	while wheel.get_trouble() == "" and Time.get_ticks_msec() - begin < 60_000:
-		await process_frames()
+	await until(func() -> bool: return wheel.get_trouble() != "")
 	contains(wheel.get_trouble(), "no_such_wheel")
 	is_false(wheel.is_connected_to_device())
 	is_false(wheel.can(ForceWheel.FORCE_SPRING))
@@ -55,9 +53,6 @@ func test_a_wheel_that_is_not_there_stops_nothing() -> void:
 
 
 func _rumble_is(p_holds: Callable) -> bool:
-	var begin: int = Time.get_ticks_msec()
-	while Time.get_ticks_msec() - begin < 20_000:
-		if p_holds.call(Input.get_joy_vibration_strength(_PAD)):
-			return true
-		await process_frames()
-	return false
+	return await Waiting.until(
+		get_tree(), func() -> bool: return p_holds.call(Input.get_joy_vibration_strength(_PAD))
+	)

@@ -111,13 +111,12 @@ func _cue_is(p_holds: Callable) -> bool:
 
 ## Waits for a datagram that is like that.
 func _packet_is(p_holds: Callable) -> bool:
-	var begin: int = Time.get_ticks_msec()
-	while Time.get_ticks_msec() - begin < 60_000:
-		var packet: PackedByteArray = _last_packet()
-		if packet.size() == _SIZE and p_holds.call(packet):
-			return true
-		await process_frames()
-	return false
+	return await Waiting.until(
+		get_tree(),
+		func() -> bool:
+			var packet: PackedByteArray = _last_packet()
+			return packet.size() == _SIZE and p_holds.call(packet)
+	)
 
 
 func _last_packet() -> PackedByteArray:

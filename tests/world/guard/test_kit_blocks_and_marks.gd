@@ -2,7 +2,6 @@ extends TestCase
 ## All that the level kit's dock offers can be sent: a level of it is packed and read, and is the
 ## same; values out of range are refused.
 
-const Catalogue: GDScript = preload("res://addons/level_kit/catalogue.gd")
 const LevelTemplate: GDScript = preload("res://addons/level_kit/level_template.gd")
 const FOLDER: String = "user://test_kit_level"
 const OUT: String = "user://test_kit_packed"
@@ -29,7 +28,7 @@ func test_a_level_of_all_that_the_dock_offers() -> void:
 	var saved: Level = scene.instantiate()
 	add_child(saved)
 	add_child(read)
-	for item: RefCounted in Catalogue.items():
+	for item: RefCounted in KitCatalogue.items():
 		var name: String = item.title.to_pascal_case()
 		for property: StringName in item.values:
 			equal(read.get_node(name).get(property), item.values[property], item.title)
@@ -61,7 +60,7 @@ func test_values_out_of_range() -> void:
 func _save(p_more: String) -> Error:
 	var template: RefCounted = LevelTemplate.new()
 	var level: Level = template.make()
-	for item: RefCounted in Catalogue.items():
+	for item: RefCounted in KitCatalogue.items():
 		var node: Node3D = item.make()
 		level.add_child(node)
 		node.owner = level

@@ -149,11 +149,6 @@ def _below(part, own):
     return found
 
 
-def mirror_copy(name):
-    """The name of a part on the other side."""
-    return name.replace("_L", "_R").replace("Left", "Right")
-
-
 def triangles(meshes):
     """How many there are in meshes."""
     total = 0

@@ -26,6 +26,12 @@ extends KitBlock
 		queue_rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(CeilingLamp, 256)
+	entry.offered("Ceiling lamp", "light", {}, 4.0)
+	return entry
+
+
 func contact_key() -> StringName:
 	return &"metal"
 

@@ -38,6 +38,13 @@ const _UP_M: float = 0.004
 		queue_rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(
+		FloorMarking, 1000, {"size": PropertyRule.vector2(0.05, 100.0)}
+	)
+	return entry
+
+
 func contact_key() -> StringName:
 	return &"concrete"
 

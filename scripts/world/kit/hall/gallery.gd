@@ -52,6 +52,14 @@ const _BAY_M: float = 4.0
 		queue_rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(
+		Gallery, 200, {"size": PropertyRule.vector3(0.5, 100.0), "front": PropertyRule.gaps()}
+	)
+	entry.offered("Gallery", "platform railing")
+	return entry
+
+
 func _get_configuration_warnings() -> PackedStringArray:
 	var warnings: PackedStringArray = super()
 	for gap: Vector2 in front:

@@ -27,6 +27,12 @@ const _HALF: float = 0.23
 		queue_rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(Ladder, 200)
+	entry.offered("Ladder", "rungs")
+	return entry
+
+
 func contact_key() -> StringName:
 	return &"metal"
 

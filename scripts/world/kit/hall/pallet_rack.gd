@@ -35,6 +35,12 @@ const _DEEP_M: float = 1.1
 		queue_rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(PalletRack, 300)
+	entry.offered("Pallet rack", "shelf goods")
+	return entry
+
+
 func contact_key() -> StringName:
 	return &"metal"
 

@@ -21,6 +21,12 @@ extends KitBlock
 		queue_rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(Pallets, 1000)
+	entry.offered("Pallets", "goods")
+	return entry
+
+
 func contact_key() -> StringName:
 	return &"wood"
 

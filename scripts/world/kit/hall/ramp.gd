@@ -28,6 +28,12 @@ const _KERB: float = 0.12
 		queue_rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(Ramp, 500, {"size": PropertyRule.vector3(0.05, 100.0)})
+	entry.offered("Ramp", "slope")
+	return entry
+
+
 func _get_configuration_warnings() -> PackedStringArray:
 	var warnings: PackedStringArray = super()
 	if size.y > size.z * 0.6:

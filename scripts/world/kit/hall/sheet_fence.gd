@@ -23,6 +23,12 @@ const _POSTS_M: float = 2.5
 		queue_rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(SheetFence, 500)
+	entry.offered("Sheet fence", "wall")
+	return entry
+
+
 func contact_key() -> StringName:
 	return &"metal"
 

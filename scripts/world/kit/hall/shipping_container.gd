@@ -22,6 +22,12 @@ const _POST: float = 0.16
 		queue_rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(ShippingContainer, 500)
+	entry.offered("Container", "box goods")
+	return entry
+
+
 func contact_key() -> StringName:
 	return &"metal"
 

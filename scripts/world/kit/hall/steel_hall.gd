@@ -76,6 +76,22 @@ const _FLOOR_M: float = 0.25
 		queue_rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(
+		SteelHall,
+		20,
+		{
+			"size": PropertyRule.vector3(2.5, 200.0),
+			"south": PropertyRule.openings(),
+			"north": PropertyRule.openings(),
+			"east": PropertyRule.openings(),
+			"west": PropertyRule.openings()
+		}
+	)
+	entry.offered("Steel hall", "building hangar")
+	return entry
+
+
 func _get_configuration_warnings() -> PackedStringArray:
 	var warnings: PackedStringArray = super()
 	for wall: HallWall in _walls():

@@ -42,6 +42,12 @@ extends KitBlock
 		queue_rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(SteelStairs, 200)
+	entry.offered("Steel stairs", "steps")
+	return entry
+
+
 func _get_configuration_warnings() -> PackedStringArray:
 	var warnings: PackedStringArray = super()
 	if 2.0 * rise + going < 0.55 or 2.0 * rise + going > 0.75:

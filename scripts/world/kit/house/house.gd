@@ -64,6 +64,16 @@ const MAX_M: float = 40.0
 		queue_rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(
+		House, 150, {"size": PropertyRule.vector2(4.0, House.MAX_M)}
+	)
+	entry.offered("House", "building rooms", {&"size": Vector2(8.5, 10)})
+	entry.offered("Shop", "house building", {&"size": Vector2(8.5, 10), &"shop": true})
+	entry.offered("Closed house", "building shut", {&"entered": false})
+	return entry
+
+
 func _get_configuration_warnings() -> PackedStringArray:
 	var warnings: PackedStringArray = super()
 	if entered and not plan().has_stairs():

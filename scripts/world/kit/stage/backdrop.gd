@@ -31,6 +31,19 @@ const _PICTURE: String = "res://assets/world/backdrops/dunes.jpg"
 		queue_rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(
+		Backdrop,
+		20,
+		{
+			"picture": PropertyRule.resource(["Texture2D", "CompressedTexture2D"]),
+			"size": PropertyRule.vector2(0.5, 60.0)
+		}
+	)
+	entry.offered("Backdrop", "cloth picture")
+	return entry
+
+
 func _init() -> void:
 	super()
 	picture = load(_PICTURE) as Texture2D

@@ -52,6 +52,16 @@ var _frames: int = 0
 var _waited: float = 0.0
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(
+		CameraScreen,
+		4,
+		{"camera": PropertyRule.node(["FilmCamera"]), "size": PropertyRule.vector2(0.2, 40.0)}
+	)
+	entry.offered("Camera screen", "video wall", {}, 3.0)
+	return entry
+
+
 func _init() -> void:
 	super()
 	add_to_group(Quality.FOLLOWERS)

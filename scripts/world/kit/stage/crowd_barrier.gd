@@ -20,6 +20,12 @@ const _HIGH_M: float = 1.2
 		queue_rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(CrowdBarrier, 200)
+	entry.offered("Crowd barrier", "fence railing")
+	return entry
+
+
 func contact_key() -> StringName:
 	return &"metal"
 

@@ -37,6 +37,12 @@ extends KitBlock
 		queue_rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(Curtain, 100, {"size": PropertyRule.vector2(0.2, 60.0)})
+	entry.offered("Curtain", "cloth drape wing")
+	return entry
+
+
 func contact_key() -> StringName:
 	return SurfaceLayers.key_of(surface)
 

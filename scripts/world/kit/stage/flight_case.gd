@@ -20,6 +20,14 @@ const _EDGE_M: float = 0.03
 		queue_rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(
+		FlightCase, 500, {"size": PropertyRule.vector3(0.3, 4.0)}
+	)
+	entry.offered("Flight case", "box")
+	return entry
+
+
 func contact_key() -> StringName:
 	return &"wood"
 

@@ -23,6 +23,12 @@ const _BOX: Vector3 = Vector3(1.1, 0.34, 0.55)
 		queue_rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(Loudspeakers, 100)
+	entry.offered("Loudspeakers", "sound", {}, 5.0)
+	return entry
+
+
 func contact_key() -> StringName:
 	return &"wood"
 

@@ -15,6 +15,12 @@ const _HIGH_M: float = 0.76
 		queue_rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(MixingDesk, 50)
+	entry.offered("Mixing desk", "table sound light")
+	return entry
+
+
 func contact_key() -> StringName:
 	return &"metal"
 

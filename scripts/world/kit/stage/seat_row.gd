@@ -22,6 +22,12 @@ extends KitBlock
 		queue_rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(SeatRow, 200)
+	entry.offered("Seats", "chair row audience")
+	return entry
+
+
 func contact_key() -> StringName:
 	return &"wood"
 

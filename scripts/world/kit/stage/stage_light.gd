@@ -73,6 +73,12 @@ var _light: SpotLight3D = null
 var _material: ShaderMaterial = null
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(StageLight, 64, {"colour": PropertyRule.colour()})
+	entry.offered("Stage light", "spot beam lamp", {}, 4.0)
+	return entry
+
+
 func _init() -> void:
 	super()
 	add_to_group(WorldSky.LAMPS)

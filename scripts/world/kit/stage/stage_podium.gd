@@ -26,6 +26,14 @@ const _JOINT_M: float = 0.006
 		queue_rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(
+		StagePodium, 20, {"size": PropertyRule.vector3(0.2, 60.0)}
+	)
+	entry.offered("Stage", "podium platform")
+	return entry
+
+
 func stands_alone() -> bool:
 	return true
 

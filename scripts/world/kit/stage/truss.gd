@@ -25,6 +25,12 @@ const _BRACE_M: float = 0.012
 		queue_rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(Truss, 200)
+	entry.offered("Truss", "beam tower", {}, 4.0)
+	return entry
+
+
 func contact_key() -> StringName:
 	return &"metal"
 

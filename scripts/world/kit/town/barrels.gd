@@ -19,6 +19,12 @@ const _RADIUS: float = 0.29
 		rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(Barrels, 500)
+	entry.offered("Barrels", "drum")
+	return entry
+
+
 func contact_key() -> StringName:
 	return &"metal"
 

@@ -26,6 +26,12 @@ const _PARTS: int = 16
 		rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(Gate, 50)
+	entry.offered("Gate", "arch")
+	return entry
+
+
 func stands_alone() -> bool:
 	return true
 

@@ -25,6 +25,12 @@ const _PARTS: int = 7
 		rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(Palm, 500)
+	entry.offered("Palm", "tree plant")
+	return entry
+
+
 func contact_key() -> StringName:
 	return &"wood"
 

@@ -83,6 +83,28 @@ const _PERIOD_M: float = 4.0
 		queue_rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var crossing: Dictionary = {
+		&"size": Vector2(6, 4), &"markings": Markings.CROSSING, &"has_left_kerb": false
+	}
+	crossing[&"has_right_kerb"] = false
+	var track: Dictionary = {&"surface": Surface.DIRT, &"markings": Markings.NONE}
+	track.merge({&"has_left_kerb": false, &"has_right_kerb": false, &"size": Vector2(4, 8)})
+	var entry: KitEntry = KitEntry.of_block(
+		Road,
+		1000,
+		{
+			"size": PropertyRule.vector2(0.5, 200.0),
+			"left_gaps": PropertyRule.gaps(),
+			"right_gaps": PropertyRule.gaps()
+		}
+	)
+	entry.offered("Road", "street asphalt kerb way")
+	entry.offered("Road crossing", "zebra street way", crossing)
+	entry.offered("Dirt road", "track gravel way", track)
+	return entry
+
+
 func _get_configuration_warnings() -> PackedStringArray:
 	var warnings: PackedStringArray = super()
 	for gap: Vector2 in left_gaps + right_gaps:

@@ -21,6 +21,12 @@ extends KitBlock
 		rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(Rubble, 500)
+	entry.offered("Rubble", "stones")
+	return entry
+
+
 func contact_key() -> StringName:
 	return SurfaceLayers.key_of(surface)
 

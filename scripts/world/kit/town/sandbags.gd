@@ -19,6 +19,12 @@ const _INSET: Vector3 = Vector3(0.025, 0.0, 0.035)
 		rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(Sandbags, 500)
+	entry.offered("Sandbags", "cover")
+	return entry
+
+
 func contact_key() -> StringName:
 	return &"cloth"
 

@@ -28,6 +28,12 @@ const _FRUIT: Array[int] = [
 		rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(Stall, 200)
+	entry.offered("Stall", "market")
+	return entry
+
+
 func contact_key() -> StringName:
 	return &"wood"
 

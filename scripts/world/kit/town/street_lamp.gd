@@ -21,6 +21,12 @@ extends KitBlock
 		rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(StreetLamp, 256)
+	entry.offered("Street lamp", "light")
+	return entry
+
+
 func contact_key() -> StringName:
 	return &"metal"
 

@@ -21,6 +21,12 @@ const _TRIM: SurfaceTints.Tint = SurfaceTints.Tint.TRIM_PALE
 		rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(Tower, 50)
+	entry.offered("Tower", "building")
+	return entry
+
+
 func stands_alone() -> bool:
 	return true
 

@@ -45,6 +45,19 @@ const _PIECE_M: float = 0.55
 		rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var door: Array[Rect2] = [Rect2(1.5, 0.0, 1.0, 2.1)]
+	var window: Array[Rect2] = [Rect2(1.4, 0.9, 1.2, 1.2)]
+	var entry: KitEntry = KitEntry.of_block(
+		Wall, 3000, {"size": PropertyRule.vector3(0.05, 100.0), "openings": PropertyRule.openings()}
+	)
+	entry.offered("Wall", "fence")
+	entry.offered("Wall with door", "opening", {&"openings": door})
+	entry.offered("Wall with window", "opening", {&"openings": window})
+	entry.offered("Low wall", "cover", {&"size": Vector3(3, 1.1, 0.4)})
+	return entry
+
+
 func _get_configuration_warnings() -> PackedStringArray:
 	var warnings: PackedStringArray = super()
 	for opening: Rect2 in openings:

@@ -30,6 +30,12 @@ const _TINTS: Array[int] = [
 		rebuild()
 
 
+static func kit_entry() -> KitEntry:
+	var entry: KitEntry = KitEntry.of_block(Wire, 500, {"end": PropertyRule.vector3(-60.0, 60.0)})
+	entry.offered("Wire", "cable washing", {}, 3.0)
+	return entry
+
+
 func contact_key() -> StringName:
 	return &"metal"
 

@@ -1,3 +1,4 @@
+@tool
 class_name KitClass
 extends RefCounted
 ## A row of [LevelKit]: a class of nodes or resources, a kit script or a kit scene that a received

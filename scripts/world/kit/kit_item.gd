@@ -1,4 +1,5 @@
 @tool
+class_name KitItem
 extends RefCounted
 ## One thing that can be placed in a level.
 

@@ -1,3 +1,4 @@
+@tool
 class_name PropertyRule
 extends RefCounted
 ## What a property of a received level may hold: a kind of value and its range. See [LevelKit].
@@ -45,6 +46,9 @@ enum Kind {
 	IGNORED,
 }
 
+## Openings of a wall or gaps of a railing, and where they may be, m.
+const MAX_OPENINGS: int = 64
+const FARTHEST_OPENING_M: float = 250.0
 ## Farthest that something may be from its parent, and from the level's origin, m.
 const FARTHEST: float = 8000.0
 ## Largest and smallest length of an axis of a transform.
@@ -114,6 +118,16 @@ static func points2(p_most: int, p_farthest: float) -> PropertyRule:
 	var rule: PropertyRule = _make(Kind.POINTS2, 0.0, p_most)
 	rule.most_each = p_farthest
 	return rule
+
+
+## Openings in a wall: as many and as far away as a level needs.
+static func openings() -> PropertyRule:
+	return rects(MAX_OPENINGS, FARTHEST_OPENING_M)
+
+
+## Gaps in a kerb or a railing, each from x to y, m.
+static func gaps() -> PropertyRule:
+	return points2(MAX_OPENINGS, FARTHEST_OPENING_M)
 
 
 ## Rectangles, so many at most, and how large their numbers may be. Their sizes are not negative.

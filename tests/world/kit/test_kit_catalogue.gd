@@ -2,12 +2,10 @@ extends TestCase
 ## What the level kit's dock offers: each can be made, is found by its words, and stands on the
 ## ground.
 
-const Catalogue: GDScript = preload("res://addons/level_kit/catalogue.gd")
-
 
 func test_each_can_be_made() -> void:
 	var titles: Dictionary[String, bool] = {}
-	for item: RefCounted in Catalogue.items():
+	for item: RefCounted in KitCatalogue.items():
 		is_false(titles.has(item.title), item.title)
 		titles[item.title] = true
 		var node: Node3D = item.make()
@@ -22,19 +20,19 @@ func test_each_can_be_made() -> void:
 func test_search() -> void:
 	var found: Callable = func(search: String) -> PackedStringArray:
 		var titles: PackedStringArray = []
-		for item: RefCounted in Catalogue.items():
+		for item: RefCounted in KitCatalogue.items():
 			if item.fits(search):
 				titles.append(item.title)
 		return titles
 	equal(found.call("HOUSE"), PackedStringArray(["House", "Shop", "Closed house"]))
 	equal(found.call("wall door"), PackedStringArray(["Wall with door"]))
 	equal(found.call("no such thing"), PackedStringArray())
-	equal(found.call("").size(), Catalogue.items().size())
+	equal(found.call("").size(), KitCatalogue.items().size())
 
 
 func test_blocks_stand_on_the_ground() -> void:
-	for item: RefCounted in Catalogue.items():
+	for item: RefCounted in KitCatalogue.items():
 		var node: Node3D = item.make()
 		if node is Block:
-			almost_equal(item.lift, (node as Block).size.y / 2.0, 1e-5, item.title)
+			almost_equal(item.lift, node.get(&"size").y / 2.0, 1e-5, item.title)
 		node.free()
