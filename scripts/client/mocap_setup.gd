@@ -38,15 +38,6 @@ func _ready() -> void:
 	add_child(_cues)
 
 
-func _exit_tree() -> void:
-	if _panel != null:
-		# Debian's release build of the engine reports an error for everything that leaves a
-		# Container.
-		Engine.print_error_messages = false
-		_panel.free()
-		Engine.print_error_messages = true
-
-
 ## Opens all sources. Returns what is wrong, or an empty text.
 func open(p_options: Options, p_link: ClientLink) -> String:
 	people = ClientPeople.new(p_link, p_options)
