@@ -19,7 +19,7 @@ var _prompt: UiPrompt = UiPrompt.new("Is this the same server?")
 var _other: OtherServerKey = null
 
 
-func _ready() -> void:
+func _init() -> void:
 	_prompt.set_answers(["Leave", "Trust it"])
 	_prompt.answered.connect(_answer)
 	add_child(_prompt)

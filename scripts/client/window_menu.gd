@@ -26,7 +26,7 @@ var _quality: Button = null
 var _tier: int = 0
 
 
-func _ready() -> void:
+func _init() -> void:
 	_continue = _menu.add_button("Continue", _show_menu.bind(false))
 	_menu.add_button("Keys", _show_keys)
 	_menu.add_button("Full screen", _toggle_full_screen)

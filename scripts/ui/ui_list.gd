@@ -5,7 +5,7 @@ extends Tree
 
 
 ## Sets the columns: their titles and least widths, px, and the one that takes what is left.
-func set_columns(p_titles: PackedStringArray, p_widths: PackedInt32Array, p_wide: int) -> void:
+func set_titles(p_titles: PackedStringArray, p_widths: PackedInt32Array, p_wide: int) -> void:
 	columns = p_titles.size()
 	column_titles_visible = true
 	hide_root = true

@@ -1,3 +1,4 @@
+@tool
 class_name UiRow
 extends HBoxContainer
 ## A name and a control behind it. The name lights up while the control has the keyboard.
@@ -11,7 +12,8 @@ var title: Label = Label.new()
 
 ## [param p_title_px] is the least width of the name, the same for all rows of a panel.
 func _init(p_title: String, p_control: Control, p_title_px: float = TITLE_PX) -> void:
-	name = p_title.to_pascal_case()
+	if p_title != "":
+		name = p_title.to_pascal_case()
 	title.text = p_title
 	title.custom_minimum_size.x = p_title_px
 	add_child(title)

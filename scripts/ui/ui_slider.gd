@@ -1,3 +1,4 @@
+@tool
 class_name UiSlider
 extends UiRow
 ## A number between two ends: its name, a slider, its value and unit. Arrow keys, the mouse and its
@@ -101,7 +102,7 @@ func text() -> String:
 func _show() -> void:
 	_value.text = text()
 	if _edit != null and not _edit.has_focus():
-		_edit.text = String.num(slider.value, 4)
+		_edit.text = String.num(slider.value, 4).trim_suffix(".0")
 
 
 func _on_moved(p_value: float) -> void:

@@ -1,3 +1,4 @@
+@tool
 class_name UiStyle
 extends RefCounted
 ## Colours, sizes of type and spacing of everything that a user reads, for what is drawn by code.

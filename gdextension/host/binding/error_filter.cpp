@@ -3,6 +3,7 @@
 
 #include "line_filter.hpp"
 
+#include <dlfcn.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -15,6 +16,7 @@ namespace {
 // There is one standard error: what passes belongs to the process.
 std::mutex filter_mutex;
 host::LineFilter filter;
+FILE **stream = nullptr;
 FILE *unfiltered = nullptr;
 FILE *filtered = nullptr;
 
@@ -34,9 +36,19 @@ ssize_t write_filtered(void *, const char *p_text, size_t p_size) {
 	return static_cast<ssize_t>(p_size);
 }
 
+/// The program's own variable stderr: extensions are opened so that they see the C library's
+/// (RTLD_DEEPBIND), which the program does not read.
+FILE **find_stream() {
+	return static_cast<FILE **>(dlsym(dlopen(nullptr, RTLD_NOW), "stderr"));
+}
+
 /// The engine writes each line to the C library's stream: another one takes its place. Whoever
 /// writes to the descriptor itself is not heard.
 void open_filter() {
+	stream = unfiltered == nullptr ? find_stream() : stream;
+	if (stream == nullptr) {
+		return;
+	}
 	cookie_io_functions_t functions = {};
 	functions.write = write_filtered;
 	FILE *made = unfiltered == nullptr ? fopencookie(nullptr, "w", functions) : nullptr;
@@ -45,10 +57,10 @@ void open_filter() {
 	}
 	// Whoever is killed has written all lines that it said.
 	(void)setvbuf(made, nullptr, _IOLBF, BUFSIZ);
-	(void)fflush(stderr);
-	unfiltered = stderr;
+	(void)fflush(*stream);
+	unfiltered = *stream;
 	filtered = made;
-	stderr = made;
+	*stream = made;
 }
 
 } // namespace
@@ -70,7 +82,7 @@ void ErrorFilter::close() {
 	if (unfiltered == nullptr) {
 		return;
 	}
-	stderr = unfiltered;
+	*stream = unfiltered;
 	unfiltered = nullptr;
 	(void)fclose(filtered);
 	pass_on(filter.take_rest());

@@ -24,7 +24,7 @@ var _is_watching: bool = false
 var _bars: Dictionary[AxisCalibrator.Kind, ProgressBar] = {}
 
 
-func _ready() -> void:
+func _init() -> void:
 	visible = false
 	_say = _panel.add_text()
 	for kind: AxisCalibrator.Kind in _NAMES:
