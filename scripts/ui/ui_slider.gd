@@ -12,6 +12,8 @@ signal settled(value: float)
 
 ## Width of the number, px.
 const VALUE_PX: float = 62.0
+## What ends and steps are rounded to.
+const _EXACT: float = 1e-6
 
 ## What is moved. Setting its value counts as the user's move; see [method show_value].
 var slider: HSlider = HSlider.new()
@@ -55,9 +57,10 @@ func _exit_tree() -> void:
 ## Other ends and another step; the value stays, as far as it lies between them.
 func set_range(p_range: Vector3) -> void:
 	slider.set_block_signals(true)
-	slider.min_value = p_range.x
-	slider.max_value = p_range.y
-	slider.step = p_range.z
+	# A vector has fewer digits than the slider.
+	slider.min_value = snappedf(p_range.x, _EXACT)
+	slider.max_value = snappedf(p_range.y, _EXACT)
+	slider.step = snappedf(p_range.z, _EXACT)
 	slider.set_block_signals(false)
 	_show()
 
