@@ -3,6 +3,11 @@ extends Node
 ##
 ## Exit codes: 0 done, 1 failed, 2 wrong options, 3 refused by the server, 4 no server.
 
+const _SCENES: Dictionary[String, String] = {
+	ProgramRoles.SERVER: "res://scenes/server/server.tscn",
+	ProgramRoles.LOAD: "res://scenes/load/load.tscn",
+}
+const _CLIENT: String = "res://scenes/client/client.tscn"
 ## Prints the text of docs/options.md, for the gate that compares it.
 const _DOCUMENT: String = "--help=document"
 ## Prints what --help prints of each role, for the same gate.
@@ -32,9 +37,26 @@ func _ready() -> void:
 		get_tree().quit(2)
 		return
 	Log.info("app", "Dismount %s, %s" % [version, role])
-	var scene: Node = (load(ProgramRoles.scene_of(role)) as PackedScene).instantiate()
-	scene.call("configure", role, options)
-	add_child(scene)
+	_begin(role, options)
+
+
+func _begin(p_role: String, p_options: Options) -> void:
+	var path: String = _SCENES.get(p_role, _CLIENT)
+	var program: Node = (load(path) as PackedScene).instantiate()
+	match p_role:
+		ProgramRoles.SERVER:
+			program.call("configure", p_options, ProgramParts.SERVER)
+		ProgramRoles.LOAD:
+			program.call("configure", p_options)
+		_:
+			program.call("configure", p_role, p_options, ProgramParts.of_client(p_role))
+	program.connect("left", _on_left.bind(program))
+	add_child(program)
+
+
+func _on_left(p_exit_code: int, p_program: Node) -> void:
+	await MixerRelease.release(p_program)
+	get_tree().quit(p_exit_code)
 
 
 ## What arguments ask for that starts nothing; empty if they ask for nothing like that.

@@ -89,6 +89,11 @@ func packet() -> PackedByteArray:
 	)
 
 
+## What the screen adds to the delays of [method describe].
+func describe_screen() -> String:
+	return ScreenDelay.describe() + "; " + times.describe()
+
+
 ## The stats for a report; [param p_people] are those of [method ClientPeople.stats].
 func report(
 	p_role: String, p_traffic: TrafficMeter, p_people: Array[Dictionary] = []

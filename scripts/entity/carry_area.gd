@@ -47,12 +47,12 @@ func _get_configuration_warnings() -> PackedStringArray:
 
 func _on_body_entered(p_body: Node3D) -> void:
 	if _is_meant(p_body):
-		entity.get_host().carry(p_body, entity.id, holds)
+		entity.get_authority().carry(p_body, entity.id, holds)
 
 
 func _on_body_exited(p_body: Node3D) -> void:
 	if _is_meant(p_body):
-		entity.get_host().put_down(p_body, entity.id)
+		entity.get_authority().put_down(p_body, entity.id)
 
 
 func _is_meant(p_body: Node3D) -> bool:

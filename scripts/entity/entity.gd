@@ -40,6 +40,7 @@ var id: int = -1
 var owner_session: int = 0
 
 var _host: EntityHost = null
+var _authority: EntityAuthority = null
 var _values: PackedFloat32Array = PackedFloat32Array()
 
 
@@ -77,6 +78,7 @@ func get_body() -> PhysicsBody3D:
 ## Makes it part of a session. The program calls it, on the server and on each client.
 func start(p_host: EntityHost, p_id: int, p_values: PackedFloat32Array) -> void:
 	_host = p_host
+	_authority = p_host as EntityAuthority
 	id = p_id
 	_values = p_values.duplicate()
 	started.emit()
@@ -89,12 +91,17 @@ func is_started() -> bool:
 
 ## Whether this is the server, which decides what is true.
 func is_authority() -> bool:
-	return _host != null and _host.is_authority()
+	return _authority != null
 
 
 ## The program that it lives in; null before it has started.
 func get_host() -> EntityHost:
 	return _host
+
+
+## The server that it lives in; null on a client, and before it has started.
+func get_authority() -> EntityAuthority:
+	return _authority
 
 
 ## The value of a field: on a client as shown.
@@ -118,7 +125,7 @@ func set_value(p_field: StringName, p_value: float) -> void:
 	# Steps, not values: those are kept with fewer digits than they are computed with.
 	if step != field.to_step(_values[index]):
 		_values[index] = field.from_step(step)
-		_host.set_field(id, index, _values[index])
+		_authority.set_field(id, index, _values[index])
 		field_changed.emit(p_field, _values[index])
 
 
@@ -128,7 +135,7 @@ func send_event(p_event: StringName, p_values: PackedFloat32Array = []) -> void:
 	if index < 0 or not is_authority():
 		push_error("%s: only the server sends events, and '%s' must be one." % [type.name, p_event])
 		return
-	_host.send_event(id, index, p_values)
+	_authority.send_event(id, index, p_values)
 	happened.emit(p_event, p_values)
 
 

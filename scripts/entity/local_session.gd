@@ -15,12 +15,9 @@ var _host: Host = Host.new()
 
 ## The program, when there is no network.
 class Host:
-	extends EntityHost
+	extends EntityAuthority
 	var nodes: Dictionary[int, Entity] = {}
 	var possessed: Possession = Possession.new()
-
-	func is_authority() -> bool:
-		return true
 
 	func session() -> int:
 		return SESSION

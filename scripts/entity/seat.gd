@@ -87,7 +87,7 @@ func vacate() -> void:
 	var session: int = occupant()
 	if session == 0:
 		return
-	var host: EntityHost = entity.get_host()
+	var host: EntityAuthority = entity.get_authority()
 	if index == 0:
 		host.possession().release(entity.id)
 	host.possession().sit(session, null)
@@ -97,7 +97,7 @@ func vacate() -> void:
 
 ## Seats a session that leaves its former seat for it: on the server. Returns whether it could.
 func take(p_session: int) -> bool:
-	var possession: Possession = entity.get_host().possession()
+	var possession: Possession = entity.get_authority().possession()
 	var former: Seat = possession.seat_of(p_session)
 	if occupant() != 0:
 		return false
@@ -113,7 +113,7 @@ func take(p_session: int) -> bool:
 	possession.sit(p_session, self)
 	entity.set_value(occupant_field, p_session)
 	if carries_people:
-		entity.get_host().attach(p_session, entity.id, self)
+		entity.get_authority().attach(p_session, entity.id, self)
 	return true
 
 

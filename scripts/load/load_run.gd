@@ -6,6 +6,9 @@ extends Node
 ## counted for [code]--duration[/code] seconds; then the report is written, and they stay until the
 ## process is ended, so that the server can be looked at while they are there.
 
+## The run has ended: the exit code of the program.
+signal left(p_exit_code: int)
+
 ## The stage of the run.
 enum Stage {
 	## Not everybody is there yet.
@@ -51,7 +54,7 @@ var _polled_usec: int = 0
 
 
 ## Takes over the options. Call it before the node enters the tree.
-func configure(_p_role: String, p_options: Options) -> void:
+func configure(p_options: Options) -> void:
 	_options = p_options
 
 
@@ -69,7 +72,7 @@ func _ready() -> void:
 
 func _process(_p_delta: float) -> void:
 	if _stop.is_raised():
-		get_tree().quit(0)
+		left.emit(0)
 		return
 	if not _poll_due():
 		return
@@ -228,4 +231,4 @@ func _age_s() -> float:
 func _give_up(p_code: int, p_why: String) -> void:
 	Log.error("load", p_why)
 	set_process(false)
-	get_tree().quit(p_code)
+	left.emit(p_code)

@@ -1,9 +1,10 @@
 class_name MotionSampler
 extends RefCounted
-## Samples [MotionSource]s at exact times in a thread of its own, however slow the display is.
+## Samples [MotionSource]s at exact times in a thread of its own, however slow the display is. Those
+## that need the physics world are sampled in step with it: see [method sample_in_world].
 ##
-## The samples of a moment go to a callable together and at once, in that thread, and wait here for
-## the display of the own bodies. The times can be locked to another clock, so that samples reach
+## The samples of a moment go to a callable together and at once, in the thread that took them, and
+## wait here for the display of the own bodies. The times can be locked to another clock, so that samples reach
 ## the server shortly before its ticks. While it runs nobody else may ask the sources for samples.
 ## It must be stopped: a running thread keeps it alive.
 
@@ -82,6 +83,13 @@ func remove_source(p_number: int) -> void:
 	_asking.unlock()
 
 
+## Samples the sources that need the physics world, for a moment (Unix time, µs). Call it in each
+## physics frame, from the main thread.
+func sample_in_world(p_time_usec: int) -> void:
+	if _thread != null:
+		_take(p_time_usec, 0.0, true)
+
+
 ## Pulls the times of the samples to a requested one (Unix time, µs) and to all that are whole
 ## periods from it.
 func set_phase(p_due_usec: int) -> void:
@@ -134,7 +142,7 @@ func _run() -> void:
 		elif wait > 0.0:
 			OS.delay_usec(clampi(ceili(wait), 1, _MAX_SLEEP_USEC))
 		else:
-			_take(roundi(due), -wait)
+			_take(roundi(due), -wait, false)
 			_mutex.lock()
 			due = next_due(due, _period_usec, _phase_usec)
 			_mutex.unlock()
@@ -145,11 +153,15 @@ func _run() -> void:
 			return
 
 
-func _take(p_due_usec: int, p_late_usec: float) -> void:
+## The mutex lets the two threads deliver one after the other.
+func _take(p_due_usec: int, p_late_usec: float, p_is_in_world: bool) -> void:
 	var samples: Array[PoseSample] = []
 	_asking.lock()
 	for number: int in _lanes:
-		var sample: PoseSample = _lanes[number].source.sample(p_due_usec)
+		var source: MotionSource = _lanes[number].source
+		if source.needs_world() != p_is_in_world:
+			continue
+		var sample: PoseSample = source.sample(p_due_usec)
 		if sample != null:
 			sample.person = number
 			samples.append(sample)

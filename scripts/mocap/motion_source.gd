@@ -24,6 +24,12 @@ func sample(p_time_usec: int) -> PoseSample:
 	return taken
 
 
+## Whether it asks the physics world, for rays or the ground, as only the main thread may: then it is
+## sampled in physics frames, and not in the thread of the [MotionSampler].
+func needs_world() -> bool:
+	return false
+
+
 ## Height of the wearer's hips above the ground when standing, m.
 func get_hip_height() -> float:
 	return 0.95

@@ -101,6 +101,10 @@ func session() -> int:
 	return link.session
 
 
+func describe() -> String:
+	return "%s:%d" % [host, port]
+
+
 func security() -> String:
 	return "sealed" if link.seals else "NOT SEALED"
 

@@ -47,6 +47,9 @@ var traffic: TrafficMeter = TrafficMeter.new()
 ## Number of the client's session; 0 where it has none.
 @abstract func session() -> int
 
+## Where it comes from, for people: the server's address, or the file.
+@abstract func describe() -> String
+
 ## How well the connection is protected, for the screen; empty where there is none.
 @abstract func security() -> String
 

@@ -101,6 +101,10 @@ func session() -> int:
 	return 0
 
 
+func describe() -> String:
+	return path.get_file()
+
+
 func security() -> String:
 	return ""
 

@@ -103,7 +103,7 @@ func since_status() -> float:
 
 
 ## The stats for report and status.
-func report(p_link: ServerLink, p_sending: Replication, p_people: ServerPeople) -> Dictionary:
+func report() -> Dictionary:
 	return {
 		"role": "server",
 		"version": ProjectSettings.get_setting("application/config/version"),
@@ -126,17 +126,6 @@ func report(p_link: ServerLink, p_sending: Replication, p_people: ServerPeople) 
 		"work_ms_max": work_time.percentile(1.0) * 1000.0,
 		"sent_ticks": sent_ticks,
 		"recent": _recent(),
-		"clients": p_link.session_ids().size(),
-		"sent_bytes_per_second": p_link.traffic.sent_per_second(),
-		"received_bytes_per_second": p_link.traffic.received_per_second(),
-		"sealing": p_link.rules.seals,
-		"server_key": p_link.rules.fingerprint(),
-		"transport": p_link.stats(),
-		"refused": p_link.refused,
-		"sessions": _sessions(p_link, p_sending, p_link.stats().get("peers", {})),
-		"people": p_people.stats(),
-		"max_people": p_people.changes.max_people,
-		"changes": p_people.changes.stats(),
 		"memory_bytes": ProcessMemory.resident_bytes(),
 		"longest_tick_ms": gaps.percentile(1.0) * 1000.0,
 	}
@@ -151,18 +140,3 @@ func _recent() -> Dictionary:
 		result["network_ms_" + pair[1]] = network_time.percentile(pair[0], RECENT_TICKS) * 1000.0
 		result["work_ms_" + pair[1]] = work_time.percentile(pair[0], RECENT_TICKS) * 1000.0
 	return result
-
-
-func _sessions(p_link: ServerLink, p_sending: Replication, p_ways: Dictionary) -> Array[Dictionary]:
-	var rows: Array[Dictionary] = []
-	for client: RosterRow in p_link.roster():
-		var row: Dictionary = {"session": client.session, "name": client.name}
-		row["role"] = Roles.name_of(client.role)
-		row["state"] = client.state_name()
-		row["address"] = client.address
-		row.merge(p_sending.stats_of(client.session))
-		var ways: Dictionary = p_ways.get(client.session, {})
-		if ways.has("round_trip_ms"):
-			row["round_trip_ms"] = ways["round_trip_ms"]
-		rows.append(row)
-	return rows

@@ -36,6 +36,10 @@ func _notification(p_what: int) -> void:
 		_gear.place()
 
 
+func _enter_tree() -> void:
+	add_to_group(Shells.VEHICLES)
+
+
 func _physics_process(p_delta: float) -> void:
 	if Engine.is_editor_hint():
 		return
@@ -139,7 +143,7 @@ func teleport(p_transform: Transform3D) -> void:
 func shift(p_by: Transform3D, p_velocity: Vector3, p_spin: Vector3) -> void:
 	if not (p_by.is_finite() and p_velocity.is_finite() and p_spin.is_finite()):
 		return
-	for body: RID in [get_rid()] + wheel_bodies():
+	for body: RID in own_bodies():
 		var state: PhysicsDirectBodyState3D = PhysicsServer3D.body_get_direct_state(body)
 		state.transform = (p_by * state.transform).orthonormalized()
 		state.linear_velocity = p_by.basis * state.linear_velocity + p_velocity
@@ -178,6 +182,13 @@ func wheel_bodies() -> Array[RID]:
 	var bodies: Array[RID] = []
 	if _gear != null:
 		bodies.assign(_gear.get_bodies())
+	return bodies
+
+
+## All its bodies: hull and wheels.
+func own_bodies() -> Array[RID]:
+	var bodies: Array[RID] = wheel_bodies()
+	bodies.append(get_rid())
 	return bodies
 
 

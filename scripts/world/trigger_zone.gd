@@ -180,7 +180,7 @@ func _on_body_entered(p_body: Node3D) -> void:
 
 ## Whether it is known whose body it is.
 func _take(p_body: Node3D) -> bool:
-	var id: int = _entity.get_host().find_by_body(p_body)
+	var id: int = _entity.get_authority().find_by_body(p_body)
 	if id < 0 or _inside.size() >= MAX_INSIDE:
 		return false
 	_inside[p_body] = id

@@ -40,6 +40,35 @@ func test_samples_come_from_another_thread_at_even_times() -> void:
 	is_true(_sampler.stats(0)["samples"] >= 40)
 
 
+## A source that asks the physics world, as far as it may.
+class Walker:
+	extends MotionSource
+	var threads: Dictionary[int, bool] = {}
+
+	func needs_world() -> bool:
+		return true
+
+	func _read(_p_time_usec: int) -> PoseSample:
+		threads[OS.get_thread_caller_id()] = true
+		return PoseSample.new()
+
+
+func test_what_needs_the_world_is_sampled_where_that_may_be_asked() -> void:
+	var walker: Walker = Walker.new()
+	_start(_clip(), 120.0)
+	_sampler.add_source(1, walker)
+	for tick: int in 5:
+		_sampler.sample_in_world(1000000 + 16667 * tick)
+	await _until(20)
+	equal(walker.threads.keys(), [OS.get_main_thread_id()])
+	var times: Array = _sampler.take_samples(1).map(
+		func(sample: PoseSample) -> int: return sample.time_usec
+	)
+	equal(times, [1000000, 1016667, 1033334, 1050001, 1066668])
+	is_true(_sampler.stats(0)["samples"] >= 15, "the others go on in their thread")
+	_sampler.stop()
+
+
 func test_every_sample_can_be_taken_here_once() -> void:
 	_start(_clip(), 120.0)
 	await _until(20)

@@ -15,7 +15,7 @@ func before_each() -> void:
 	)
 	equal(options.error, "")
 	_server = preload("res://scenes/server/server.tscn").instantiate()
-	_server.configure(ProgramRoles.SERVER, options)
+	_server.configure(options, ProgramParts.SERVER)
 	add_child(_server)
 	# The test gives it its ticks.
 	_server.set_physics_process(false)
@@ -31,14 +31,14 @@ func test_a_late_frame_sends_each_of_its_ticks() -> void:
 
 
 func test_a_world_that_is_too_slow_sends_a_frames_last_tick() -> void:
-	_server.stats().watch.speed = 0.5
+	_server.context().stats.watch.speed = 0.5
 	equal(_sent_of_three_ticks(), 1)
 
 
 func _sent_of_three_ticks() -> int:
-	var before: int = _server.stats().sent_ticks
+	var before: int = _server.context().stats.sent_ticks
 	for _number: int in 3:
 		_server._physics_process(STEP_S)
 	_server._process(3.0 * STEP_S)
 	_server._process(0.0)
-	return _server.stats().sent_ticks - before
+	return _server.context().stats.sent_ticks - before

@@ -6,7 +6,7 @@ extends TestCase
 ## a moment before: how busy the machine is does not matter. The seed of a failed run is in the
 ## output: set it as DISMOUNT_FUZZ_SEED.
 
-const HostileClient: GDScript = preload("hostile_client.gd")
+const HostileClient: GDScript = preload("res://tests/server/hostile_client.gd")
 const JoinClient: GDScript = preload("res://tests/bench/joins/join_client.gd")
 const LinkPair: GDScript = preload("res://tests/net/link_pair.gd")
 
@@ -74,7 +74,7 @@ func before_each() -> void:
 	)
 	equal(options.error, "")
 	_server = preload("res://scenes/server/server.tscn").instantiate()
-	_server.configure(ProgramRoles.SERVER, options)
+	_server.configure(options, ProgramParts.SERVER)
 	add_child(_server)
 	_people = _server.get_node(^"People")
 	_watcher = JoinClient.new("watcher", _port, [])
@@ -131,10 +131,10 @@ func test_no_sequence_of_valid_messages_costs_the_others_much() -> void:
 
 ## Median and 99th percentile of the processor time of so many ticks, s.
 func _work_of(p_ticks: int, p_trick: Callable) -> Vector2:
-	var before: int = _server.stats().sent_ticks
+	var before: int = _server.context().stats.sent_ticks
 	await _run(p_ticks, p_trick)
-	var count: int = _server.stats().sent_ticks - before
-	var times: Statistics = _server.stats().work_time
+	var count: int = _server.context().stats.sent_ticks - before
+	var times: Statistics = _server.context().stats.work_time
 	return Vector2(times.percentile(0.5, count), times.percentile(0.99, count))
 
 

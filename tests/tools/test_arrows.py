@@ -122,4 +122,4 @@ def test_the_repository_is_found() -> None:
     assert "scripts/core/log.gd" in files
     assert "scenes/app/main.tscn" in files
     uses = {(use.user, use.used) for use in arrows.find_uses(files)}
-    assert ("scripts/app/program_roles.gd", "scenes/client/client.tscn") in uses
+    assert ("scripts/app/main.gd", "scenes/client/client.tscn") in uses

@@ -13,6 +13,10 @@ enum Path {
 	ANY,
 }
 
+## Kinds from here to there are the transport's own: see docs/protocol.md.
+const TRANSPORT_FIRST: int = 0x60
+const TRANSPORT_LAST: int = 0x6F
+
 var _handlers: Dictionary[int, Handler] = {}
 
 
@@ -27,7 +31,8 @@ class Handler:
 ## Registers the handler of a kind of message. [param p_capability] is the one of
 ## [enum Roles.Capability] that its sender needs, or 0.
 func add(p_kind: int, p_path: Path, p_handler: Callable, p_capability: int = 0) -> void:
-	assert(p_kind >= 0 and p_kind < 256 and not _handlers.has(p_kind))
+	assert(p_kind >= 0 and p_kind < Protocol.BASED_MOTION and not _handlers.has(p_kind))
+	assert(p_kind < TRANSPORT_FIRST or p_kind > TRANSPORT_LAST)
 	var entry: Handler = Handler.new()
 	entry.handler = p_handler
 	entry.path = p_path

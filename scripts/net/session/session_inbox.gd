@@ -140,8 +140,10 @@ func _hand_over(
 		complain(p_session, "kind", "sent %d bytes of unknown kind %d" % parts)
 		return
 	if entry.capability != 0 and Roles.ROWS[p_session.role][1] & entry.capability == 0:
-		var what: String = Protocol.Message.find_key(kind)
-		complain(p_session, "role", "sent %s, which its role may not" % what)
+		var what: Variant = Protocol.Message.find_key(kind)
+		# Features have kinds of their own beside those of the protocol.
+		var name: String = str(what) if what != null else "kind %d" % kind
+		complain(p_session, "role", "sent %s, which its role may not" % name)
 		return
 	if MessageRates.OF_MESSAGES.has(kind):
 		var what: StringName = MessageRates.OF_MESSAGES[kind]

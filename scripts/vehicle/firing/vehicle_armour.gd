@@ -1,7 +1,7 @@
 @tool
-@icon("res://scenes/vehicle/icons/armour.svg")
+@icon("res://scenes/combat/icons/armour.svg")
 class_name VehicleArmour
-extends Node
+extends Armour
 ## What a [Vehicle] can bear: how thick it is on which side, and what becomes of it when something
 ## gets through.
 ##
@@ -70,16 +70,7 @@ func _get_configuration_warnings() -> PackedStringArray:
 	return []
 
 
-## The armour of a vehicle, or null.
-static func find_in(p_vehicle: Node) -> VehicleArmour:
-	for child: Node in p_vehicle.get_children():
-		if child is VehicleArmour:
-			return child
-	return null
-
-
-## A hit at a place, in the world: velocity of the shell (m/s), where it hit and the surface's
-## normal there. Changes the vehicle's damage. Returns how much of what it needed the shell had.
+## See [method Armour.take_hit]. It changes the vehicle's damage.
 func take_hit(
 	p_ammunition: Ammunition, p_velocity: Vector3, p_place: Vector3, p_normal: Vector3
 ) -> float:
@@ -101,7 +92,6 @@ func take_hit(
 	return share
 
 
-## Fragments of a shell that burst near, which fly in a direction: they pierce what is thin.
 func take_fragments(p_ammunition: Ammunition, p_direction: Vector3, p_place: Vector3) -> void:
 	if p_ammunition.fragment_penetration >= steel_at(p_place, -p_direction):
 		_worsen()

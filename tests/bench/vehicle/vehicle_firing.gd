@@ -3,7 +3,7 @@ extends RefCounted
 ## What shooting costs and does: shells in the air, their flight beside a reference, the hull's
 ## rocking, and what becomes of a crate and a person.
 
-const _FOLDER: String = "res://scenes/vehicle/firing/ammunition/%s.tres"
+const _FOLDER: String = "res://scenes/combat/ammunition/%s.tres"
 const _TICK: float = 1.0 / 60.0
 ## Shells in the air, and ticks over which they are timed.
 const _MANY: int = 100

@@ -17,12 +17,9 @@ const _GOAL_KBIT: float = 6.0
 
 ## Hands the fields of the only entity to an encoder.
 class Host:
-	extends EntityHost
+	extends EntityAuthority
 	var encoder: SnapshotEncoder = SnapshotEncoder.new()
 	var possessed: Possession = Possession.new()
-
-	func is_authority() -> bool:
-		return true
 
 	func session() -> int:
 		return 0

@@ -1,25 +1,17 @@
 extends TestCase
 ## The sky of a world: fields, first values, smooth changes.
 
+const ClientHost: GDScript = preload("res://tests/entity/client_host.gd")
 const SKY: PackedScene = preload("res://scenes/world/sky/world_sky.tscn")
 
 var _sky: WorldSky = null
-var _host: Host = null
-
-
-## A program that is the server, or is not.
-class Host:
-	extends LocalSession.Host
-	var decides: bool = true
-
-	func is_authority() -> bool:
-		return decides
+var _host: EntityHost = null
 
 
 func before_each() -> void:
 	_sky = SKY.instantiate()
 	_sky.settling_ms = 0
-	_host = Host.new()
+	_host = LocalSession.Host.new()
 
 
 func after_each() -> void:
@@ -50,7 +42,7 @@ func test_a_server_starts_with_the_settings_of_the_level() -> void:
 
 
 func test_a_client_shows_at_once_what_is_when_it_joins() -> void:
-	_host.decides = false
+	_host = ClientHost.new()
 	add_child(_sky)
 	_start([22.0, 3.0, 1.0])
 	_sky.advance(0.0)
@@ -59,7 +51,7 @@ func test_a_client_shows_at_once_what_is_when_it_joins() -> void:
 
 
 func test_what_arrives_just_after_the_start_is_shown_at_once() -> void:
-	_host.decides = false
+	_host = ClientHost.new()
 	_sky.settling_ms = 60_000
 	add_child(_sky)
 	_start([12.0, 0.0, 1.0])
@@ -70,7 +62,7 @@ func test_what_arrives_just_after_the_start_is_shown_at_once() -> void:
 
 
 func test_a_client_changes_smoothly() -> void:
-	_host.decides = false
+	_host = ClientHost.new()
 	add_child(_sky)
 	_start([12.0, 0.0, 1.0])
 	_sky.advance(0.0)
@@ -82,7 +74,7 @@ func test_a_client_changes_smoothly() -> void:
 
 
 func test_time_goes_the_short_way_over_midnight() -> void:
-	_host.decides = false
+	_host = ClientHost.new()
 	add_child(_sky)
 	_start([23.0, 0.0, 1.0])
 	_sky.advance(0.0)

@@ -1,0 +1,16 @@
+class_name WindowOptions
+extends RefCounted
+## What is done in a client's window without a user, and what is kept of it.
+
+
+## Their rows.
+static func rows() -> Array[OptionRow]:
+	var showing: PackedStringArray = ProgramRoles.showing()
+	var clients: PackedStringArray = Roles.names()
+	return [
+		OptionRow.text(
+			"use", clients, "use the Interactable at or below a node of this name, once it is there"
+		),
+		OptionRow.file("screenshot", showing, "save a picture (PNG) in high quality at the end"),
+		OptionRow.file("latency-csv", showing, "write the latency of each sample, stage by stage"),
+	]

@@ -1,0 +1,15 @@
+class_name LoadOptions
+extends RefCounted
+## What a load puts on a server (docs/load.md).
+
+## Maximum of trainees, and of observers.
+const _MAX: int = 500
+
+
+## Their rows.
+static func rows() -> Array[OptionRow]:
+	var load_only: PackedStringArray = [ProgramRoles.LOAD]
+	return [
+		OptionRow.number("trainees", load_only, 1, [0, _MAX], "clients that send motion"),
+		OptionRow.number("observers", load_only, 1, [0, _MAX], "clients that watch"),
+	]

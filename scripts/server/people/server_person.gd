@@ -1,0 +1,155 @@
+class_name ServerPerson
+extends RefCounted
+## One of the people on the server: the body, and the motion that drives it.
+
+# Old samples in a row that are worth a log line, and that mean a new clock.
+const _LATE: int = 5
+const _NEW_CLOCK: int = 30
+# Longest stage of a sample's latency that a latency mark can hold, µs.
+const _MAX_STEP_USEC: int = 655000
+
+## Number of its entity.
+var id: int = 0
+## Number of the session that sends its motion.
+var session: int = 0
+## What the client sent about the wearer.
+var card: PersonCard = PersonCard.new()
+## Shown to the others.
+var name: String = ""
+## The body.
+var ragdoll: Ragdoll = null
+## The scene's entity, or null.
+var entity: Entity = null
+## The body's joints.
+var joints: PersonSkeleton = null
+## Tells which moment of the motion is now.
+var clock: SampleClock = SampleClock.new()
+## Moment of the motion that the last step ended at, s in the wearer's clock.
+var moment_s: float = 0.0
+## The newest sample, or null.
+var newest: PoseSample = null
+## Where the person's own origin is in the frame of its motor.
+var origin: Vector3 = Vector3.ZERO
+## The body that carries the person, or null, and the person's own frame in that of the body.
+var carrier: PhysicsBody3D = null
+## Its entity, which outlives the body; -1 none.
+var carrier_id: int = -1
+## See [member carrier].
+var seat: Transform3D = Transform3D.IDENTITY
+## Whether the carrier is only what the person stands or lies on: friction carries, the frame is
+## that of the wire alone.
+var rides: bool = false
+## The seat that the person takes, sits in or leaves, or null.
+var sitting: PersonSeat = null
+## Scales the wearer's travel to the body's build.
+var scale: float = 1.0
+## Samples that were too old.
+var refused: int = 0
+## The same since the last that was not.
+var refused_in_a_row: int = 0
+## From sampling to the end of the tick that used the sample, ms.
+var delay: Statistics = Statistics.recent()
+
+
+## Has the motion begin anew at a start position: the wearer's own frame is turned there.
+func stand_at(p_start: Transform3D) -> void:
+	var turn: Basis = p_start.basis
+	origin = p_start.origin
+	ragdoll.motor.set_frame(Transform3D(turn, p_start.origin - turn * p_start.origin))
+	ragdoll.motor.clear_motion()
+
+
+## Where the body's hips are, m.
+func hips() -> Vector3:
+	return ragdoll.get_limb_nodes()[Limbs.ROOT].global_position
+
+
+## Takes a sample that arrived at a time, s.
+func push_sample(p_sample: PoseSample, p_now_s: float) -> void:
+	var sample_s: float = p_sample.time_usec / 1e6
+	var root: Vector3 = p_sample.root * scale + origin
+	var driving: PoseSample = p_sample
+	if sitting != null:
+		root = sitting.place_of(root)
+		driving = sitting.fit(p_sample)
+	if ragdoll.push_sample(sample_s, driving, root):
+		newest = p_sample
+		refused_in_a_row = 0
+		clock.arrived(sample_s, p_now_s)
+		return
+	refused += 1
+	refused_in_a_row += 1
+	if refused_in_a_row == _LATE:
+		# A few are the network's fault, where datagrams overtake each other.
+		var parts: Array = [name, _LATE]
+		Log.limited("server", "sample %d" % session, "'%s' sent %d old samples in a row" % parts)
+	if refused_in_a_row >= _NEW_CLOCK:
+		# Not some late datagrams, but a wearer whose clock was set back.
+		ragdoll.motor.clear_motion()
+
+
+## Moves the own frame to where the carrier will be after a step of this length, s.
+func follow_carrier(p_delta_s: float) -> void:
+	if rides:
+		return
+	if sitting != null:
+		seat = sitting.advance(p_delta_s)
+		sitting.pull(p_delta_s)
+	var state: PhysicsDirectBodyState3D = PhysicsServer3D.body_get_direct_state(carrier.get_rid())
+	var next: Transform3D = carrier.global_transform
+	if state != null:
+		# The engine's velocity is that of the centre of mass.
+		var moves: Vector3 = state.linear_velocity
+		moves -= state.angular_velocity.cross(state.center_of_mass)
+		next = _moved(state.transform, moves, state.angular_velocity, p_delta_s)
+	ragdoll.motor.set_frame(next * seat)
+
+
+## Ends all that carries the person, wherever that leaves it.
+func let_go() -> void:
+	if sitting != null:
+		sitting.release()
+	sitting = null
+	carrier = null
+	carrier_id = -1
+	rides = false
+
+
+## Gives an encoder the sample that moved the person in a tick that ended at a time, µs.
+func mark(p_encoder: SnapshotEncoder, p_now_usec: int) -> void:
+	if newest == null or newest.sent_usec == 0:
+		return
+	var steps: PackedInt32Array = [
+		mini(newest.held_usec, _MAX_STEP_USEC),
+		clampi(newest.arrival_usec - newest.sent_usec, 0, _MAX_STEP_USEC),
+		clampi(p_now_usec - newest.arrival_usec, 0, _MAX_STEP_USEC),
+	]
+	delay.add((steps[0] + steps[1] + steps[2]) / 1000.0)
+	p_encoder.set_mark(id, newest.id, p_now_usec, steps)
+
+
+## How well the body follows, how late, and how far it is from where its motion has it, m, for a
+## report; of grounded people also the horizontal force from outside, N.
+func stats() -> Dictionary:
+	var made: Dictionary = ragdoll.motor.get_tracking()
+	made["name"] = name
+	made["refused_samples"] = refused
+	made["sample_to_tick_ms_p50"] = delay.percentile(0.5)
+	made["sample_to_tick_ms_p95"] = delay.percentile(0.95)
+	var tether: Vector3 = ragdoll.motor.get_tether()
+	made["tether_m"] = Vector2(tether.x, tether.z).length()
+	var balance: Dictionary = ragdoll.motor.get_balance()
+	if not balance.is_empty():
+		made["residual_n"] = balance["force_n"]
+		made["residual_limit_n"] = balance["force_limit_n"]
+	return made
+
+
+static func _moved(
+	p_transform: Transform3D, p_velocity: Vector3, p_spin: Vector3, p_delta_s: float
+) -> Transform3D:
+	var moved: Transform3D = p_transform
+	moved.origin += p_velocity * p_delta_s
+	if not p_spin.is_zero_approx():
+		moved.basis = Basis(p_spin.normalized(), p_spin.length() * p_delta_s) * moved.basis
+	return moved
