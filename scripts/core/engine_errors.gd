@@ -7,11 +7,12 @@ extends RefCounted
 ## what the engine has, and never silences it ([member Engine.print_error_messages]).
 
 const _CONNECTION: String = "ERROR: Attempt to disconnect a nonexistent connection from '*'. "
+const _AGAIN: String = "' is already connected to given callable '' in that object."
 
 ## What is left out.
 ##
 ## A child leaves a [Container], in release builds of Debian (4.6.3+ds-2). Container's
-## remove_child_notify looks in vain for two of the three connections that add_child_notify has made:
+## remove_child_notify looks in vain for two of the three connections that add_child_notify made:
 ## CallableCustomMethodPointerBase::_setup works out a callable's hash from memory that it reads as
 ## another type than it was written as, and the compiler of that build takes the freedom to read it
 ## before. Harmless: the connections serve as long as the child is there. They stay until the child
@@ -23,8 +24,8 @@ const _CONNECTION: String = "ERROR: Attempt to disconnect a nonexistent connecti
 const HARMLESS: PackedStringArray = [
 	_CONNECTION + "Signal: 'size_flags_changed', callable: ''.",
 	_CONNECTION + "Signal: 'visibility_changed', callable: ''.",
-	"ERROR: Signal 'size_flags_changed' is already connected to given callable '' in that object.",
-	"ERROR: Signal 'visibility_changed' is already connected to given callable '' in that object.",
+	"ERROR: Signal 'size_flags_changed" + _AGAIN,
+	"ERROR: Signal 'visibility_changed" + _AGAIN,
 	'ERROR: Parameter "synth" is null.',
 ]
 
