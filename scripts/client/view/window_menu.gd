@@ -45,8 +45,8 @@ func _init() -> void:
 		add_child(panel)
 
 
-## Sets the keys that do something here, as of [method KeyGuide.describe]. They stand in two columns:
-## the upper half on the left.
+## Sets the keys that do something here, as of [method KeyGuide.describe]: in two columns, the upper
+## half on the left.
 func set_keys(p_text: String) -> void:
 	for child: Node in _list.get_children():
 		child.free()
