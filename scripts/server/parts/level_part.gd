@@ -1,4 +1,4 @@
-class_name ServerWorld
+class_name LevelPart
 extends ServerPart
 ## The level of the server: loads it, changes it as instructors ask, sends its files to clients who
 ## lack them, and keeps time of day and weather.
