@@ -3,8 +3,8 @@ extends TestCase
 
 const FAST: MessageHandlers.Path = MessageHandlers.Path.FAST
 const RELIABLE: MessageHandlers.Path = MessageHandlers.Path.RELIABLE
-const SLOW: int = 100
-const QUICK: int = 101
+const SLOW: int = 40
+const QUICK: int = 41
 
 var _inbox: SessionInbox = null
 var _session: Session = null
