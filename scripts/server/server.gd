@@ -94,7 +94,6 @@ func _process(_delta: float) -> void:
 	if _report.is_due():
 		_report.write(_make_report())
 	if _stop.take_reload():
-		_context.reload_wanted.emit()
 		for part: ServerPart in _parts:
 			part.take_options()
 	var duration: float = _context.options.seconds("duration")

@@ -4,8 +4,6 @@ extends RefCounted
 
 ## The server is to end with an exit code; the reason has been logged.
 signal leave_wanted(p_exit_code: int)
-## The options are to be read again.
-signal reload_wanted
 ## The world has become slower than the clock, or keeps up again: see [member ServerStats.watch].
 signal speed_changed
 

@@ -50,6 +50,7 @@ func frame() -> void:
 	pass
 
 
-## The options that may change while the server runs have changed.
+## The options that may change while the server runs are read again, by the first part: takes over
+## what has changed.
 func take_options() -> void:
 	pass

@@ -23,9 +23,6 @@ func open(p_context: ServerContext) -> String:
 		_rules.server_key = key.key_seed
 	context.link.rules = _rules
 	_reload = ServerReload.new(options, _rules)
-	context.reload_wanted.connect(_on_reload_wanted)
-	_shared = SharedServer.new(context.link)
-	context.level.shared = _shared.api
 	return ""
 
 
@@ -33,6 +30,9 @@ func begin() -> String:
 	var port: int = context.options.number("port")
 	if context.link.listen(port, _rules) != OK:
 		return "UDP port %d is in use: choose another with --port" % port
+	# Its API is that of the open port; the level, which comes later, has to know it.
+	_shared = SharedServer.new(context.link)
+	context.level.shared = _shared.api
 	Log.info("net", _rules.sealing().describe())
 	if _rules.seals:
 		Log.info("net", "the server's key is %s" % _rules.fingerprint())
@@ -45,6 +45,12 @@ func receive(p_now_usec: int) -> void:
 	context.link.poll()
 	context.control.advance()
 	context.network_usec += ThreadClock.get_usec()
+
+
+## Reads the options again: the parts behind this one take over what it has read.
+func take_options() -> void:
+	context.options = _reload.reload()
+	context.link.renew_passwords()
 
 
 func report() -> Dictionary:
@@ -67,8 +73,3 @@ func finish() -> void:
 
 func close() -> void:
 	context.link.close()
-
-
-func _on_reload_wanted() -> void:
-	context.options = _reload.reload()
-	context.link.renew_passwords()
