@@ -9,13 +9,12 @@ extends RefCounted
 static func find(
 	p_people: Array[ServerPerson], p_session: int, p_range_m: float
 ) -> PackedInt32Array:
+	var own: int = p_people.find_custom(
+		func(person: ServerPerson) -> bool: return person.session == p_session
+	)
 	var near: Dictionary[int, bool] = {}
-	for own: ServerPerson in p_people:
-		if own.session != p_session:
-			continue
-		for other: ServerPerson in p_people:
-			var is_other: bool = other.session > 0 and other.session != p_session
-			if is_other and other.hips().distance_to(own.hips()) <= p_range_m:
-				near[other.session] = true
-		break
+	for other: ServerPerson in p_people if own >= 0 else ([] as Array[ServerPerson]):
+		var is_other: bool = other.session > 0 and other.session != p_session
+		if is_other and other.hips().distance_to(p_people[own].hips()) <= p_range_m:
+			near[other.session] = true
 	return PackedInt32Array(near.keys())

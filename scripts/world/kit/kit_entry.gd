@@ -36,22 +36,11 @@ static func of_block(
 
 ## The entries of all classes of blocks that there are, by folder and then by name.
 static func all() -> Array[KitEntry]:
-	var bases: Dictionary[StringName, StringName] = {}
-	var paths: Dictionary[String, StringName] = {}
-	for each: Dictionary in ProjectSettings.get_global_class_list():
-		bases[each["class"]] = each["base"]
-		paths[each["path"]] = each["class"]
-	var sorted: Array[String] = paths.keys()
-	sorted.sort()
 	var found: Array[KitEntry] = []
-	for path: String in sorted:
-		var name: StringName = paths[path]
-		while bases.has(name) and name != &"KitBlock":
-			name = bases[name]
-		if name == &"KitBlock":
-			var entry: KitEntry = (load(path) as GDScript).call(&"kit_entry")
-			if entry != null:
-				found.append(entry)
+	for path: String in ClassPaths.extending(&"KitBlock"):
+		var entry: KitEntry = (load(path) as GDScript).call(&"kit_entry")
+		if entry != null:
+			found.append(entry)
 	return found
 
 

@@ -15,13 +15,8 @@ func items() -> Array[KitItem]:
 
 ## One of each of the classes that there are, sorted by the paths of their scripts.
 static func all() -> Array[KitRows]:
-	var paths: PackedStringArray = []
-	for each: Dictionary in ProjectSettings.get_global_class_list():
-		if each["base"] == &"KitRows":
-			paths.append(each["path"])
-	paths.sort()
 	var found: Array[KitRows] = []
-	for path: String in paths:
+	for path: String in ClassPaths.extending(&"KitRows"):
 		found.append((load(path) as GDScript).new())
 	return found
 
