@@ -1,7 +1,7 @@
 @tool
 class_name UiStyle
 extends RefCounted
-## Colours, sizes of type and spacing of everything that a user reads, for what is drawn by code.
+## Colours and sizes of text of everything that a user reads, for what is drawn by code.
 ##
 ## Controls need none of it: the project's theme, scenes/ui/theme.tres, has the same values, and
 ## what differs from a plain control is a [member Control.theme_type_variation], named here.
@@ -26,15 +26,9 @@ const HOVER: Color = Color("364350")
 ## Edges of fields, and what lies behind a slider.
 const EDGE: Color = Color("6f7d8c")
 
-## Sizes of type, px at a window of 1280 x 720.
-const SMALL_PX: int = 13
+## Sizes of plain text and of a panel's title, px at a window of 1280 x 720.
 const BODY_PX: int = 16
-const HEADING_PX: int = 18
 const TITLE_PX: int = 22
-## Spacing, px: between what belongs together, between rows, and around a panel.
-const GAP_PX: int = 4
-const ROW_PX: int = 8
-const MARGIN_PX: int = 20
 
 ## Variations of a [Label]: over a panel's rows, over a part of them, of less weight, of a fault.
 const TITLE: StringName = &"UiTitle"
