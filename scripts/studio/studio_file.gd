@@ -88,7 +88,7 @@ func keep(p_text: String) -> void:
 ## Saves a text. Returns whether that went well; if not, the file is as it was.
 func save(p_text: String) -> bool:
 	error = ""
-	if not EffectFile.is_name(name):
+	if not EffectLimits.is_name(name):
 		error = "an effect's name has small letters, digits and _, not '%s'" % name
 		return false
 	if is_foreign:

@@ -7,9 +7,6 @@ extends Node3D
 ## A level is a scene [code]scenes/world/NAME/NAME.tscn[/code] whose root has this script. The
 ## server and all clients load the same one; [method fingerprint] shows whether they have.
 
-## Bytes of a fingerprint.
-const FINGERPRINT_SIZE: int = 8
-
 ## What people call it.
 @export var title: String = ""
 ## Holds what never moves: [StaticBody3D] nodes such as [Block], at any depth.
@@ -46,6 +43,8 @@ var bake_path: String = ""
 var bake: LevelBake = null
 ## What shows the blocks; null before [method prepare], and where there is no display.
 var surfaces: LevelSurfaces = null
+## What hides parts that cannot be seen; null where nothing was baked of that.
+var visibility: LevelVisibility = null
 
 var _is_prepared: bool = false
 ## Lights that throw shadows where the tier of quality has any.
@@ -104,6 +103,7 @@ func prepare() -> void:
 		surfaces = LevelSurfaces.new()
 		surfaces.name = "Surfaces"
 		surfaces.assemble(self, bake)
+		visibility = LevelVisibility.begin(surfaces, self)
 		add_child(surfaces, false, Node.INTERNAL_MODE_BACK)
 
 
@@ -203,12 +203,3 @@ func get_cameras() -> Array[ObserverCamera]:
 		if node is ObserverCamera:
 			found.append(node)
 	return found
-
-
-## A hash of the level that is the same on all machines: of shapes and positions of static bodies,
-## of props and of entities. Visual nodes do not count, as a dedicated server has none. The level
-## must be in the tree and nothing may have moved yet.
-func fingerprint() -> PackedByteArray:
-	var made: LevelFingerprint = LevelFingerprint.new(self)
-	made.advance_until(1 << 62)
-	return made.finish()

@@ -151,7 +151,7 @@ def read_tokens(text: str) -> tuple[set[str], set[str]]:
 
 def find_class(text: str) -> str:
     """The name that a script gives its class, or nothing."""
-    found = re.search(r"^class_name\s+(\w+)", text, re.MULTILINE)
+    found = re.search(r"^(?:@\w+\s+)?class_name\s+(\w+)", text, re.MULTILINE)
     return found[1] if found else ""
 
 

@@ -142,7 +142,7 @@ func _fit_box(
 func _fit_foot(
 	p_shape: RagdollLimb, p_limb: int, p_points: PackedVector3Array, p_areas: PackedFloat32Array
 ) -> void:
-	var ahead: Vector3 = SkeletonShapes.forward(_figure, p_limb)
+	var ahead: Vector3 = _figure.forward(p_limb)
 	var basis: Basis = Basis(Vector3.UP.cross(ahead), Vector3.UP, ahead)
 	p_shape.orientation = basis.get_rotation_quaternion()
 	_fit_box(p_shape, p_points, p_areas, _TRIM_FOOT)

@@ -109,7 +109,7 @@ static func orientation_along(p_along: Vector3, p_is_hand: bool = false) -> Quat
 static func _shape_foot(
 	p_shape: RagdollLimb, p_figure: RestSkeleton, p_limb: int, p_height: float
 ) -> void:
-	var ahead: Vector3 = forward(p_figure, p_limb)
+	var ahead: Vector3 = p_figure.forward(p_limb)
 	var toes: Vector3 = p_shape.anchor + p_figure.direction(p_limb)
 	var lowest: float = minf(toes.y, p_shape.anchor.y - 0.03)
 	# The origin of a figure is between its soles.
@@ -127,12 +127,6 @@ static func _shape_foot(
 	p_shape.orientation = (
 		Basis(Vector3.UP.cross(ahead), Vector3.UP, ahead).get_rotation_quaternion()
 	)
-
-
-## Where a foot points, level.
-static func forward(p_figure: RestSkeleton, p_limb: int) -> Vector3:
-	var ahead: Vector3 = p_figure.direction(p_limb) * Vector3(1.0, 0.0, 1.0)
-	return ahead.normalized() if ahead.length() > 0.02 else Vector3.BACK
 
 
 static func _along(p_figure: RestSkeleton, p_limb: int) -> Vector3:

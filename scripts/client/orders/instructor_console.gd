@@ -153,11 +153,11 @@ func _change_level(p_name: String) -> void:
 ## A file of the user's folder, or the name of a shipped effect.
 func _send_effect(p_file: String) -> void:
 	var path: String = Options.full_path(p_file)
-	if EffectFile.is_name(p_file):
+	if EffectLimits.is_name(p_file):
 		path = EffectFile.path_of(p_file)
 	var name: String = path.get_file().get_basename()
 	var file: EffectFile = EffectFile.open(path)
-	if not EffectFile.is_name(name):
+	if not EffectLimits.is_name(name):
 		said.emit("which effect? effect smoke.gdshader, with small letters, digits and _")
 	elif not file.problems.is_empty():
 		said.emit("%s: %s" % [path.get_file(), file.first_problem()])

@@ -94,7 +94,7 @@ func _load(p_reference: LevelReference) -> bool:
 		level.free()
 	prepare(fresh)
 	add_child(level)
-	fingerprint = level.fingerprint()
+	fingerprint = LevelFingerprint.of(level)
 	return true
 
 

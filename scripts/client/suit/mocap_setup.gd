@@ -55,7 +55,7 @@ func open(p_context: ClientContext) -> String:
 	people = ClientPeople.new(context.link, options)
 	context.people = people
 	context.link.joined.connect(people.begin)
-	_reports = WearerReports.new(context.link, self)
+	_reports = WearerReports.new(context.link, inputs, calibrate)
 	inputs.appeared.connect(_on_appeared)
 	inputs.vanished.connect(_on_vanished)
 	if context.is_headset_worn():

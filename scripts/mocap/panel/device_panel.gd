@@ -189,9 +189,7 @@ func _show_views() -> void:
 		_figure_view.show_pose(suit().newest_pose, suit().get_body(), _trouble())
 	else:
 		# Nobody knows yet how the wearer stands: a neutral figure.
-		var neutral: PoseSample = GuideMovements.pose(
-			CalibrationGuide.countdown(ResetPose.Kind.N), 0.0
-		)
+		var neutral: PoseSample = CalibrationGuide.countdown(ResetPose.Kind.N).pose_at(0.0)
 		neutral.root = Vector3(0.0, suit().get_hip_height(), 0.0)
 		neutral.details = MotionDetails.new()
 		neutral.details.measured.resize(Limbs.COUNT)

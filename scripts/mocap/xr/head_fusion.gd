@@ -32,8 +32,6 @@ const NECK_RANGE: float = deg_to_rad(75.0)
 const CHEST_FILTER_S: float = 60.0
 ## Longest step between samples, s: after a longer break all is taken at once.
 const MAX_STEP_S: float = 1.0
-## Height of the eyes, part of the wearer's own.
-const EYE_HEIGHT: float = 0.936
 # Moments for the mount: one in this time, s, while the chest turns by no more than, rad/s.
 const _MOUNT_S: float = 0.1
 const _STILL: float = 0.35

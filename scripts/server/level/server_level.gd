@@ -74,7 +74,7 @@ func load_level(p_name: String, p_tick: int = 0) -> String:
 		level.queue_free()
 	_take_over(fresh, p_name, from)
 	add_child(level)
-	fingerprint = level.fingerprint()
+	fingerprint = LevelFingerprint.of(level)
 	_spawn_world(p_tick)
 	_list_things()
 	_spawn_until(1 << 62, p_tick)

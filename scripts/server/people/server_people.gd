@@ -255,7 +255,7 @@ func _stand_up() -> void:
 
 ## Has a seat of an entity carry the people of a session: the first of them, if the seat holds
 ## bodies, or all.
-func attach(p_session: int, p_entity: int, p_carrier: PhysicsBody3D, p_seat: Seat) -> void:
+func attach(p_session: int, p_entity: int, p_carrier: PhysicsBody3D, p_seat: SeatGeometry) -> void:
 	for person: ServerPerson in _of_session(p_session):
 		# Some sit already when others of the session come; some are still on the way out.
 		var sits: bool = person.sitting != null and person.sitting.seat == p_seat
@@ -319,7 +319,9 @@ func detach_person(p_person: ServerPerson) -> void:
 	person_attached.emit(p_person, -1)
 
 
-func _seat(p_person: ServerPerson, p_entity: int, p_carrier: PhysicsBody3D, p_seat: Seat) -> void:
+func _seat(
+	p_person: ServerPerson, p_entity: int, p_carrier: PhysicsBody3D, p_seat: SeatGeometry
+) -> void:
 	var is_inside: bool = p_person.sitting != null and p_person.carrier == p_carrier
 	p_person.let_go()
 	p_person.sitting = PersonSeat.new(p_person, p_seat, p_carrier, is_inside)

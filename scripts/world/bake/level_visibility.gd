@@ -37,6 +37,19 @@ var _until_props_s: float = 0.0
 var _have_props_moved: bool = false
 
 
+## Hides what cannot be seen of a level's surfaces from now on; null where nothing was baked of that.
+## The level need not be in the tree.
+static func begin(p_surfaces: LevelSurfaces, p_level: Node3D) -> LevelVisibility:
+	if p_surfaces.bake == null or p_surfaces.bake.seen_parts.is_empty():
+		return null
+	var made: LevelVisibility = LevelVisibility.new()
+	made.surfaces = p_surfaces
+	# Now, as the loader takes a level apart before it enters the tree.
+	made.sun = find_sun(p_level)
+	p_surfaces.add_child(made)
+	return made
+
+
 ## The light by whose direction shadows may be left out, of a level that need not be in the tree.
 static func find_sun(p_level: Node3D) -> DirectionalLight3D:
 	var suns: Array[Node] = p_level.find_children("*", "DirectionalLight3D", true, false)

@@ -286,7 +286,7 @@ func _build_view() -> void:
 		var mesh: ArrayMesh = TerrainMesh.make_hills(field, 5)
 		_add_mesh(mesh, hills, Vector3.ZERO, mesh.get_aabb())
 	add_to_group(Quality.FOLLOWERS)
-	for node: Node3D in TerrainScatter.make(self, stones, bushes):
+	for node: Node3D in TerrainScatter.make(field, stones, bushes):
 		_made.append(node)
 		add_child(node, false, INTERNAL_MODE_BACK)
 
