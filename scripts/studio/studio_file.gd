@@ -102,6 +102,20 @@ func save(p_text: String) -> bool:
 	return true
 
 
+## A path in the folder of pictures and films that nothing has yet.
+static func next_picture(p_name: String, p_extension: String) -> String:
+	var to: String = OS.get_environment("DISMOUNT_OUT")
+	if to == "":
+		to = ProjectSettings.globalize_path(KEPT)
+	DirAccess.make_dir_recursive_absolute(to)
+	var path: String = "%s/%s.%s" % [to, p_name, p_extension]
+	var number: int = 2
+	while FileAccess.file_exists(path):
+		path = "%s/%s_%d.%s" % [to, p_name, number, p_extension]
+		number += 1
+	return path
+
+
 ## Keeps what is in the file now byte by byte, also what somebody else has put there. Returns
 ## whether it is safe.
 func _back_up(p_new: PackedByteArray) -> bool:
@@ -163,17 +177,3 @@ func _kept_path(p_name: String = name) -> String:
 	# Effects of one name may be in several folders.
 	var where: String = ProjectSettings.globalize_path(folder).md5_text().left(8)
 	return "%s/%s.%s.unsaved" % [KEPT, p_name, where]
-
-
-## A path in the folder of pictures and films that nothing has yet.
-static func next_picture(p_name: String, p_extension: String) -> String:
-	var to: String = OS.get_environment("DISMOUNT_OUT")
-	if to == "":
-		to = ProjectSettings.globalize_path(KEPT)
-	DirAccess.make_dir_recursive_absolute(to)
-	var path: String = "%s/%s.%s" % [to, p_name, p_extension]
-	var number: int = 2
-	while FileAccess.file_exists(path):
-		path = "%s/%s_%d.%s" % [to, p_name, number, p_extension]
-		number += 1
-	return path

@@ -116,15 +116,6 @@ func follow_quality() -> void:
 		light.shadow_enabled = has_shadows
 
 
-func _follow_quality_from_now() -> void:
-	for node: Node in find_children("*", "DirectionalLight3D", true, false):
-		var light: DirectionalLight3D = node as DirectionalLight3D
-		if light.shadow_enabled:
-			_shadowing.append(light)
-	add_to_group(Quality.FOLLOWERS)
-	follow_quality()
-
-
 ## The file with what was baked of a scene.
 static func bake_path_of(p_scene_path: String) -> String:
 	return p_scene_path.get_basename() + ".bake"
@@ -150,17 +141,6 @@ func get_props() -> Array[RigidBody3D]:
 		if node is RigidBody3D and not covered.has(node):
 			found.append(node)
 	return found
-
-
-## Nodes of a group, in the order of the tree. In the tree the engine knows them: to look at each of
-## thousands of nodes takes milliseconds.
-func _find_in_group(p_group: StringName, p_class: String) -> Array[Node]:
-	var found: Array[Node] = []
-	if is_inside_tree():
-		found = get_tree().get_nodes_in_group(p_group)
-		return found.filter(func(node: Node) -> bool: return is_ancestor_of(node))
-	found = find_children("*", p_class, true, false)
-	return found.filter(func(node: Node) -> bool: return node.is_in_group(p_group))
 
 
 ## Whole path of a file that belongs to the level, by its name. It may not be there, and what is in
@@ -203,3 +183,23 @@ func get_cameras() -> Array[ObserverCamera]:
 		if node is ObserverCamera:
 			found.append(node)
 	return found
+
+
+func _follow_quality_from_now() -> void:
+	for node: Node in find_children("*", "DirectionalLight3D", true, false):
+		var light: DirectionalLight3D = node as DirectionalLight3D
+		if light.shadow_enabled:
+			_shadowing.append(light)
+	add_to_group(Quality.FOLLOWERS)
+	follow_quality()
+
+
+## Nodes of a group, in the order of the tree. In the tree the engine knows them: to look at each of
+## thousands of nodes takes milliseconds.
+func _find_in_group(p_group: StringName, p_class: String) -> Array[Node]:
+	var found: Array[Node] = []
+	if is_inside_tree():
+		found = get_tree().get_nodes_in_group(p_group)
+		return found.filter(func(node: Node) -> bool: return is_ancestor_of(node))
+	found = find_children("*", p_class, true, false)
+	return found.filter(func(node: Node) -> bool: return node.is_in_group(p_group))

@@ -66,6 +66,17 @@ static func describe(p_skeleton: Skeleton3D) -> RagdollProfile:
 	return profile
 
 
+## An orientation whose Y axis lies along a limb and whose Z axis (for a hand the X axis, as its
+## thumb is there) is as near to the front as it can be.
+static func orientation_along(p_along: Vector3, p_is_hand: bool = false) -> Quaternion:
+	var y: Vector3 = p_along.normalized()
+	var front: Vector3 = Vector3.BACK if absf(y.z) < 0.9 else Vector3.UP
+	var side: Vector3 = y.cross(front).normalized()
+	var ahead: Vector3 = side.cross(y)
+	var basis: Basis = Basis(ahead, y, ahead.cross(y)) if p_is_hand else Basis(side, y, ahead)
+	return basis.get_rotation_quaternion()
+
+
 static func _shape(p_figure: RestSkeleton, p_limb: int, p_height: float) -> RagdollLimb:
 	var bone: StringName = Limbs.BONES[p_limb]
 	var shape: RagdollLimb = RagdollLimb.new()
@@ -92,17 +103,6 @@ static func _shape(p_figure: RestSkeleton, p_limb: int, p_height: float) -> Ragd
 		shape.radius = minf(thick.x, along.length() * 0.49)
 		shape.length = maxf(along.length() - 2.0 * shape.radius, 0.0)
 	return shape
-
-
-## An orientation whose Y axis lies along a limb and whose Z axis (for a hand the X axis, as its
-## thumb is there) is as near to the front as it can be.
-static func orientation_along(p_along: Vector3, p_is_hand: bool = false) -> Quaternion:
-	var y: Vector3 = p_along.normalized()
-	var front: Vector3 = Vector3.BACK if absf(y.z) < 0.9 else Vector3.UP
-	var side: Vector3 = y.cross(front).normalized()
-	var ahead: Vector3 = side.cross(y)
-	var basis: Basis = Basis(ahead, y, ahead.cross(y)) if p_is_hand else Basis(side, y, ahead)
-	return basis.get_rotation_quaternion()
 
 
 ## A level box from heel to toes that stands on the sole.

@@ -143,6 +143,21 @@ func completions(p_line: String) -> PackedStringArray:
 	return whole
 
 
+## The lines of a table of who is here.
+static func table(p_roster: Array[RosterRow]) -> PackedStringArray:
+	var lines: PackedStringArray = []
+	var form: String = "%-22s %-10s %-8s %6s %9s %9s  %s"
+	lines.append(form % ["name", "role", "state", "people", "delay", "tracking", "suit"])
+	for row: RosterRow in p_roster:
+		var delay: String = "%.0f ms" % row.delay_ms if row.delay_ms >= 0.0 else "-"
+		var tracking: String = "%.1f°" % row.tracking_deg if row.tracking_deg >= 0.0 else "-"
+		var people: String = str(row.people) if row.people > 0 else "-"
+		var role: String = Roles.name_of(row.role)
+		var cells: Array = [row.name, role, row.state_name(), people, delay, tracking, row.suit]
+		lines.append((form % cells).strip_edges(false, true))
+	return lines
+
+
 func _change_level(p_name: String) -> void:
 	if p_name == "":
 		said.emit("which level? %s" % ", ".join(LevelStore.names()))
@@ -308,21 +323,6 @@ func _on_roster_changed() -> void:
 	_wants_table = false
 	for line: String in table(_control.roster):
 		said.emit(line)
-
-
-## The lines of a table of who is here.
-static func table(p_roster: Array[RosterRow]) -> PackedStringArray:
-	var lines: PackedStringArray = []
-	var form: String = "%-22s %-10s %-8s %6s %9s %9s  %s"
-	lines.append(form % ["name", "role", "state", "people", "delay", "tracking", "suit"])
-	for row: RosterRow in p_roster:
-		var delay: String = "%.0f ms" % row.delay_ms if row.delay_ms >= 0.0 else "-"
-		var tracking: String = "%.1f°" % row.tracking_deg if row.tracking_deg >= 0.0 else "-"
-		var people: String = str(row.people) if row.people > 0 else "-"
-		var role: String = Roles.name_of(row.role)
-		var cells: Array = [row.name, role, row.state_name(), people, delay, tracking, row.suit]
-		lines.append((form % cells).strip_edges(false, true))
-	return lines
 
 
 ## What follows a command.

@@ -45,6 +45,21 @@ func _init() -> void:
 		add_child(panel)
 
 
+func _unhandled_input(p_event: InputEvent) -> void:
+	if p_event.is_action_pressed(_MENU):
+		var is_free: bool = not _guide.visible
+		_guide.visible = false
+		_show_menu(is_free and not _menu.visible)
+	elif p_event.is_action_pressed(_SHOW_KEYS):
+		_guide.visible = not _guide.visible
+		_menu.visible = false
+	elif p_event.is_action_pressed(_FULL_SCREEN):
+		_toggle_full_screen()
+	else:
+		return
+	get_viewport().set_input_as_handled()
+
+
 ## Sets the keys that do something here, as of [method KeyGuide.describe]: in two columns, the upper
 ## half on the left.
 func set_keys(p_text: String) -> void:
@@ -55,6 +70,22 @@ func set_keys(p_text: String) -> void:
 	for at: int in half:
 		_add_key(lines[at])
 		_add_key(lines[half + at] if half + at < lines.size() else "")
+
+
+## Sets the tier of quality that is used.
+func set_quality(p_name: String) -> void:
+	_tier = Quality.NAMES.find(p_name)
+	_quality.text = "Quality: " + p_name
+
+
+## Whether the menu is open.
+func is_open() -> bool:
+	return _menu.visible or sound_menu.visible
+
+
+## Whether the list of keys is open.
+func shows_keys() -> bool:
+	return _guide.visible
 
 
 func _add_key(p_line: String) -> void:
@@ -69,40 +100,9 @@ func _add_key(p_line: String) -> void:
 	_list.add_child(does)
 
 
-## Sets the tier of quality that is used.
-func set_quality(p_name: String) -> void:
-	_tier = Quality.NAMES.find(p_name)
-	_quality.text = "Quality: " + p_name
-
-
 func _choose_next_quality() -> void:
 	set_quality(Quality.NAMES[(_tier + 1) % Quality.NAMES.size()])
 	quality_chosen.emit(Quality.NAMES[_tier])
-
-
-## Whether the menu is open.
-func is_open() -> bool:
-	return _menu.visible or sound_menu.visible
-
-
-## Whether the list of keys is open.
-func shows_keys() -> bool:
-	return _guide.visible
-
-
-func _unhandled_input(p_event: InputEvent) -> void:
-	if p_event.is_action_pressed(_MENU):
-		var is_free: bool = not _guide.visible
-		_guide.visible = false
-		_show_menu(is_free and not _menu.visible)
-	elif p_event.is_action_pressed(_SHOW_KEYS):
-		_guide.visible = not _guide.visible
-		_menu.visible = false
-	elif p_event.is_action_pressed(_FULL_SCREEN):
-		_toggle_full_screen()
-	else:
-		return
-	get_viewport().set_input_as_handled()
 
 
 func _show_menu(p_shows: bool) -> void:

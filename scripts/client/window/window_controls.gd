@@ -16,6 +16,21 @@ var _moves: bool = false
 var _press: Vector2 = Vector2.INF
 
 
+func _unhandled_input(p_event: InputEvent) -> void:
+	if p_event.is_action_pressed(_NEXT):
+		context.scene.view.follow_next()
+	elif p_event.is_action_pressed(_VIEW):
+		context.scene.view.change_view()
+	elif p_event.is_action_pressed(_CAMERA):
+		context.scene.next_camera()
+	elif p_event.is_action_pressed(_TORCH) and _moves:
+		context.scene.switch_torch()
+	else:
+		_take_click(p_event as InputEventMouseButton)
+		return
+	get_viewport().set_input_as_handled()
+
+
 func open(p_context: ClientContext) -> String:
 	super(p_context)
 	_moves = context.can(Roles.Capability.SEND_MOTION)
@@ -54,21 +69,6 @@ func _set_up_quality(p_name: String) -> void:
 func _on_quality_chosen(p_name: String) -> void:
 	context.settings.choose_quality(p_name)
 	Quality.use(Quality.find(p_name), get_viewport())
-
-
-func _unhandled_input(p_event: InputEvent) -> void:
-	if p_event.is_action_pressed(_NEXT):
-		context.scene.view.follow_next()
-	elif p_event.is_action_pressed(_VIEW):
-		context.scene.view.change_view()
-	elif p_event.is_action_pressed(_CAMERA):
-		context.scene.next_camera()
-	elif p_event.is_action_pressed(_TORCH) and _moves:
-		context.scene.switch_torch()
-	else:
-		_take_click(p_event as InputEventMouseButton)
-		return
-	get_viewport().set_input_as_handled()
 
 
 func _take_click(p_event: InputEventMouseButton) -> void:

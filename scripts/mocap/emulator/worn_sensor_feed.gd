@@ -195,6 +195,25 @@ func describe() -> String:
 	return "%d made-up sensors" % _ids.size()
 
 
+## Which way a sensor's north is turned after so many seconds, rad.
+func heading(p_sensor: int, p_passed_s: float) -> float:
+	var drifted_s: float = p_passed_s
+	if drift_sway != 0.0:
+		var angle: float = TAU * p_passed_s / drift_sway_s
+		var swayed: float = cos(p_sensor * 2.4) - cos(angle + p_sensor * 2.4)
+		drifted_s += drift_sway * drift_sway_s / TAU * swayed
+	var drift_deg: float = drifts_deg[p_sensor] if p_sensor < drifts_deg.size() else 0.0
+	return _headings[p_sensor] + deg_to_rad(drift_deg) * drifted_s
+
+
+## The rotation of a mount of [BodyMounts] in a pose.
+static func limb_rotation(p_pose: PoseSample, p_mount: int) -> Quaternion:
+	var limb: Quaternion = p_pose.orientation(BodyMounts.LIMBS[p_mount])
+	if p_pose.details != null and BLADES.has(p_mount):
+		return p_pose.details.joints.get(BLADES[p_mount], limb)
+	return limb
+
+
 func _measure_sensor(
 	p_sensor: int, p_pose: PoseSample, p_passed_s: float, p_step_s: float, r_frame: SensorFrame
 ) -> void:
@@ -223,25 +242,6 @@ func _measure_sensor(
 		var off: Vector3 = Vector3(random.randfn(), random.randfn(), random.randfn())
 		turned = turned * Rotations.from_vector(off * deg_to_rad(noise_deg))
 	r_frame.set_orientation(p_sensor, turned.normalized())
-
-
-## Which way a sensor's north is turned after so many seconds, rad.
-func heading(p_sensor: int, p_passed_s: float) -> float:
-	var drifted_s: float = p_passed_s
-	if drift_sway != 0.0:
-		var angle: float = TAU * p_passed_s / drift_sway_s
-		var swayed: float = cos(p_sensor * 2.4) - cos(angle + p_sensor * 2.4)
-		drifted_s += drift_sway * drift_sway_s / TAU * swayed
-	var drift_deg: float = drifts_deg[p_sensor] if p_sensor < drifts_deg.size() else 0.0
-	return _headings[p_sensor] + deg_to_rad(drift_deg) * drifted_s
-
-
-## The rotation of a mount of [BodyMounts] in a pose.
-static func limb_rotation(p_pose: PoseSample, p_mount: int) -> Quaternion:
-	var limb: Quaternion = p_pose.orientation(BodyMounts.LIMBS[p_mount])
-	if p_pose.details != null and BLADES.has(p_mount):
-		return p_pose.details.joints.get(BLADES[p_mount], limb)
-	return limb
 
 
 ## Where the joints of all mounts are, from the root.

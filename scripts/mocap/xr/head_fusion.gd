@@ -101,17 +101,6 @@ func turn(p_angle: float) -> void:
 	_restart_place()
 
 
-func _restart_place() -> void:
-	_steady.restart()
-	_soft.clear()
-	_had_place = false
-	_had_head = false
-	_has_hips = false
-	_time_usec = 0
-	for arm: ArmReach in _arms:
-		arm.restart()
-
-
 ## Corrects a sample, in place, by what the headset says of the same moment.
 func apply(p_sample: PoseSample, p_frame: XrFrame) -> void:
 	_begin(p_sample)
@@ -130,6 +119,17 @@ func apply(p_sample: PoseSample, p_frame: XrFrame) -> void:
 ## The turn of the body about the vertical, rad.
 func correction() -> float:
 	return heading.angle if orientation != Source.SUIT else 0.0
+
+
+func _restart_place() -> void:
+	_steady.restart()
+	_soft.clear()
+	_had_place = false
+	_had_head = false
+	_has_hips = false
+	_time_usec = 0
+	for arm: ArmReach in _arms:
+		arm.restart()
 
 
 func _begin(p_sample: PoseSample) -> void:

@@ -66,15 +66,6 @@ static func find_sun(p_level: Node3D) -> DirectionalLight3D:
 	return suns[0] as DirectionalLight3D if suns.size() == 1 else null
 
 
-static func _is_prop(p_node: Node, p_level: Node3D) -> bool:
-	var node: Node = p_node
-	while node != null and node != p_level:
-		if node.is_in_group(KitBlock.PROPS_GROUP):
-			return true
-		node = node.get_parent()
-	return false
-
-
 func _ready() -> void:
 	# After those that move cameras.
 	process_priority = 100
@@ -111,6 +102,15 @@ func look_from(p_eyes: PackedVector3Array, p_camera: Camera3D = null) -> void:
 		_show_parts()
 		_look_at_props(p_eyes, true)
 	_show_shadows(not stays, _bounds_of(p_camera))
+
+
+static func _is_prop(p_node: Node, p_level: Node3D) -> bool:
+	var node: Node = p_node
+	while node != null and node != p_level:
+		if node.is_in_group(KitBlock.PROPS_GROUP):
+			return true
+		node = node.get_parent()
+	return false
 
 
 func _show_parts() -> void:
