@@ -3,8 +3,8 @@ extends RefCounted
 ## Where the bodies of a [Ragdoll] are in the rest pose, and how they hang together.
 
 
-## The bodies of a profile's limbs in the rest pose, in its order, in model space. A designer may have
-## moved them.
+## The bodies of a profile's limbs in the rest pose, in its order, in model space. A designer may
+## have moved them.
 static func find(
 	p_skeleton: Skeleton3D, p_limbs: Array[RagdollLimb], p_bones: Array[PhysicalBone3D]
 ) -> Array[Transform3D]:

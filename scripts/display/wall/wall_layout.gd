@@ -128,8 +128,8 @@ func find_eye_fault(p_eye: Vector3) -> String:
 	return ""
 
 
-## Notes what is wrong with what was read. [param p_eye_line] is the line that says where the eye is,
-## [param p_sync_line] that which says how displays keep in step; 0: none.
+## Notes what is wrong with what was read. [param p_eye_line] is the line that says where the eye
+## is, [param p_sync_line] that which says how displays keep in step; 0: none.
 func check(p_eye_line: int, p_sync_line: int) -> void:
 	if not faults.is_empty():
 		return

@@ -37,8 +37,8 @@ var _until_props_s: float = 0.0
 var _have_props_moved: bool = false
 
 
-## Hides what cannot be seen of a level's surfaces from now on; null where nothing was baked of that.
-## The level need not be in the tree.
+## Hides what cannot be seen of a level's surfaces from now on; null where nothing was baked of
+## that. The level need not be in the tree.
 static func begin(p_surfaces: LevelSurfaces, p_level: Node3D) -> LevelVisibility:
 	if p_surfaces.bake == null or p_surfaces.bake.seen_parts.is_empty():
 		return null

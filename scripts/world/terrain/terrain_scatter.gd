@@ -12,7 +12,8 @@ const SQUARE_M: float = 50.0
 const KINDS: int = 3
 
 
-## The nodes for the ground of a terrain, with as many stones and bushes a square of 10 or 20 m as asked for.
+## The nodes for the ground of a terrain, with as many stones and bushes a square of 10 or 20 m as
+## asked for.
 static func make(p_field: HeightField, p_stones: int, p_bushes: int) -> Array[Node3D]:
 	var nodes: Array[Node3D] = []
 	var dice: RandomNumberGenerator = RandomNumberGenerator.new()
