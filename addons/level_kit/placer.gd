@@ -67,29 +67,6 @@ func take_input(p_camera: Camera3D, p_event: InputEvent) -> bool:
 	return is_taken
 
 
-func _take_placing(p_camera: Camera3D, p_event: InputEvent) -> bool:
-	var key: InputEventKey = p_event as InputEventKey
-	if key != null and key.pressed and key.keycode == KEY_ESCAPE:
-		stop()
-		return true
-	if key != null and key.pressed and key.keycode == KEY_R:
-		_turn = wrapf(_turn + PI / 2.0, -PI, PI)
-		return true
-	if p_event is InputEventMouseMotion:
-		show_ghost(_item, p_camera, (p_event as InputEventMouse).position)
-		return false
-	var button: InputEventMouseButton = p_event as InputEventMouseButton
-	if button == null or not button.pressed:
-		return false
-	if button.button_index == MOUSE_BUTTON_RIGHT:
-		stop()
-		return true
-	if button.button_index == MOUSE_BUTTON_LEFT:
-		place(_item, p_camera, button.position)
-		return true
-	return false
-
-
 ## While something is dragged from the dock, the 3D views take it.
 func begin_drag() -> void:
 	end_drag()
@@ -193,6 +170,29 @@ static func find_parent(p_root: Node3D, p_place: int) -> Node3D:
 		KitItem.Place.SPAWNS:
 			found = level.get_node_or_null(^"Spawns")
 	return found if found != null else level
+
+
+func _take_placing(p_camera: Camera3D, p_event: InputEvent) -> bool:
+	var key: InputEventKey = p_event as InputEventKey
+	if key != null and key.pressed and key.keycode == KEY_ESCAPE:
+		stop()
+		return true
+	if key != null and key.pressed and key.keycode == KEY_R:
+		_turn = wrapf(_turn + PI / 2.0, -PI, PI)
+		return true
+	if p_event is InputEventMouseMotion:
+		show_ghost(_item, p_camera, (p_event as InputEventMouse).position)
+		return false
+	var button: InputEventMouseButton = p_event as InputEventMouseButton
+	if button == null or not button.pressed:
+		return false
+	if button.button_index == MOUSE_BUTTON_RIGHT:
+		stop()
+		return true
+	if button.button_index == MOUSE_BUTTON_LEFT:
+		place(_item, p_camera, button.position)
+		return true
+	return false
 
 
 func _drop_ghost() -> void:

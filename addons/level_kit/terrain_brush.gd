@@ -62,6 +62,28 @@ func make_flat(p_terrain: Terrain) -> String:
 	return fault
 
 
+## What the 3D view is told before the editor itself. Returns whether the editor shall not get it.
+func take_input(p_camera: Camera3D, p_event: InputEvent) -> bool:
+	var button: InputEventMouseButton = p_event as InputEventMouseButton
+	if button != null and button.button_index == MOUSE_BUTTON_LEFT:
+		if button.pressed:
+			return _begin(p_camera, button.position)
+		return _end()
+	var motion: InputEventMouseMotion = p_event as InputEventMouseMotion
+	if motion == null or _terrain == null:
+		return false
+	if Time.get_ticks_msec() - _stroke_ms >= STROKE_MS:
+		_stroke(p_camera, motion.position)
+	return true
+
+
+## Puts a part of the ground back as it was at another time.
+func put_back(p_terrain: Terrain, p_patch: HeightPatch) -> void:
+	p_patch.put_back(p_terrain.field)
+	p_terrain.update_field()
+	_write(p_terrain)
+
+
 ## Level blocks whose whole top would lie in flat ground: both would flicker.
 static func _find_covered(p_level: Level, p_terrain: Terrain, p_field: HeightField) -> Array[Block]:
 	var found: Array[Block] = []
@@ -83,28 +105,6 @@ static func _find_covered(p_level: Level, p_terrain: Terrain, p_field: HeightFie
 		if flat.encloses(block.global_transform * top):
 			found.append(block)
 	return found
-
-
-## What the 3D view is told before the editor itself. Returns whether the editor shall not get it.
-func take_input(p_camera: Camera3D, p_event: InputEvent) -> bool:
-	var button: InputEventMouseButton = p_event as InputEventMouseButton
-	if button != null and button.button_index == MOUSE_BUTTON_LEFT:
-		if button.pressed:
-			return _begin(p_camera, button.position)
-		return _end()
-	var motion: InputEventMouseMotion = p_event as InputEventMouseMotion
-	if motion == null or _terrain == null:
-		return false
-	if Time.get_ticks_msec() - _stroke_ms >= STROKE_MS:
-		_stroke(p_camera, motion.position)
-	return true
-
-
-## Puts a part of the ground back as it was at another time.
-func put_back(p_terrain: Terrain, p_patch: HeightPatch) -> void:
-	p_patch.put_back(p_terrain.field)
-	p_terrain.update_field()
-	_write(p_terrain)
 
 
 func _begin(p_camera: Camera3D, p_at: Vector2) -> bool:

@@ -164,6 +164,20 @@ static func number_of(p_surface: StringName) -> int:
 	return maxi(SURFACES.find(p_surface), 0)
 
 
+## Yaw and pitch of a direction, rad: from -Z, anticlockwise seen from above; up is positive.
+static func angles_of(p_direction: Vector3) -> Vector2:
+	if p_direction.is_zero_approx():
+		return Vector2.ZERO
+	var level: float = Vector2(p_direction.x, p_direction.z).length()
+	return Vector2(atan2(-p_direction.x, -p_direction.z), atan2(p_direction.y, level))
+
+
+## The unit vector of such angles.
+static func direction_of(p_angles: Vector2) -> Vector3:
+	var level: float = cos(p_angles.y)
+	return Vector3(-level * sin(p_angles.x), sin(p_angles.y), -level * cos(p_angles.x))
+
+
 ## Whether it flies on.
 func _move(p_shell: Shell, p_space: PhysicsDirectSpaceState3D, p_delta: float) -> bool:
 	p_shell.flight.advance(p_delta)
@@ -264,20 +278,6 @@ func _quantized(p_kind: int, p_muzzle: Vector3, p_velocity: Vector3) -> PackedFl
 		for index: int in mini(fields.size(), values.size()):
 			values[index] = fields[index].quantize(values[index])
 	return values
-
-
-## Yaw and pitch of a direction, rad: from -Z, anticlockwise seen from above; up is positive.
-static func angles_of(p_direction: Vector3) -> Vector2:
-	if p_direction.is_zero_approx():
-		return Vector2.ZERO
-	var level: float = Vector2(p_direction.x, p_direction.z).length()
-	return Vector2(atan2(-p_direction.x, -p_direction.z), atan2(p_direction.y, level))
-
-
-## The unit vector of such angles.
-static func direction_of(p_angles: Vector2) -> Vector3:
-	var level: float = cos(p_angles.y)
-	return Vector3(-level * sin(p_angles.x), sin(p_angles.y), -level * cos(p_angles.x))
 
 
 static func _place_of(p_values: PackedFloat32Array) -> Vector3:

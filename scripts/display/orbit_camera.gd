@@ -109,12 +109,54 @@ func _process(p_delta: float) -> void:
 	look_at(_centre)
 
 
+func _unhandled_input(p_event: InputEvent) -> void:
+	if p_event is InputEventMouseMotion:
+		var motion: InputEventMouseMotion = p_event
+		if motion.button_mask & (MOUSE_BUTTON_MASK_LEFT | MOUSE_BUTTON_MASK_RIGHT) != 0:
+			azimuth -= motion.relative.x * 0.005
+			var higher: float = elevation + motion.relative.y * 0.005
+			elevation = clampf(higher, deg_to_rad(-80.0), deg_to_rad(85.0))
+	elif p_event is InputEventMouseButton and p_event.is_pressed():
+		var button: MouseButton = (p_event as InputEventMouseButton).button_index
+		if button == MOUSE_BUTTON_WHEEL_UP:
+			distance = maxf(distance * 0.9, _MIN_DISTANCE_M)
+		elif button == MOUSE_BUTTON_WHEEL_DOWN:
+			distance = minf(distance * 1.1, 50.0)
+
+
 ## The next of the views.
 func change_view() -> void:
 	view = ((view + 1) % View.size()) as View
 	if view == View.BEHIND:
 		azimuth = 0.0
 	snap()
+
+
+## Jumps to the target at once.
+func snap() -> void:
+	_steady.restart()
+	_centre = _find_centre()
+	_heading = heading
+
+
+## Sets azimuth, elevation (degrees) and distance (m) from a text such as "35,12,4", or one of the
+## views: "around", "behind", "eyes". Returns why it cannot, or an empty text.
+func set_from_text(p_text: String) -> String:
+	if View.has(p_text.to_upper()) and p_text == p_text.to_lower():
+		view = View[p_text.to_upper()]
+		snap()
+		return ""
+	var parts: PackedStringArray = p_text.split(",")
+	var numbers: bool = parts.size() == 3
+	for part: String in parts:
+		numbers = numbers and part.is_valid_float() and is_finite(part.to_float())
+	if not numbers:
+		var form: String = "a camera is azimuth,elevation,distance, or around, behind or eyes"
+		return "%s, found '%s'" % [form, p_text]
+	azimuth = deg_to_rad(parts[0].to_float())
+	elevation = deg_to_rad(clampf(parts[1].to_float(), -80.0, 85.0))
+	distance = clampf(parts[2].to_float(), _MIN_DISTANCE_M, 50.0)
+	return ""
 
 
 ## What is in the middle: from near, the head.
@@ -130,21 +172,6 @@ func _look_out(p_delta: float) -> void:
 	# A camera looks along -Z, a face along +Z.
 	var eyes: Transform3D = Transform3D(turn * Basis(Vector3.UP, PI), head.origin + turn * EYES)
 	global_transform = _steady.advance(eyes, p_delta) if is_steady else eyes
-
-
-func _unhandled_input(p_event: InputEvent) -> void:
-	if p_event is InputEventMouseMotion:
-		var motion: InputEventMouseMotion = p_event
-		if motion.button_mask & (MOUSE_BUTTON_MASK_LEFT | MOUSE_BUTTON_MASK_RIGHT) != 0:
-			azimuth -= motion.relative.x * 0.005
-			var higher: float = elevation + motion.relative.y * 0.005
-			elevation = clampf(higher, deg_to_rad(-80.0), deg_to_rad(85.0))
-	elif p_event is InputEventMouseButton and p_event.is_pressed():
-		var button: MouseButton = (p_event as InputEventMouseButton).button_index
-		if button == MOUSE_BUTTON_WHEEL_UP:
-			distance = maxf(distance * 0.9, _MIN_DISTANCE_M)
-		elif button == MOUSE_BUTTON_WHEEL_DOWN:
-			distance = minf(distance * 1.1, 50.0)
 
 
 ## How far it can be from its target in a direction before what it does not pass, m; up to a
@@ -184,30 +211,3 @@ func _is_in_body(p_point: Vector3) -> bool:
 		if nearest.distance_squared_to(p_point) < reach * reach:
 			return true
 	return false
-
-
-## Jumps to the target at once.
-func snap() -> void:
-	_steady.restart()
-	_centre = _find_centre()
-	_heading = heading
-
-
-## Sets azimuth, elevation (degrees) and distance (m) from a text such as "35,12,4", or one of the
-## views: "around", "behind", "eyes". Returns why it cannot, or an empty text.
-func set_from_text(p_text: String) -> String:
-	if View.has(p_text.to_upper()) and p_text == p_text.to_lower():
-		view = View[p_text.to_upper()]
-		snap()
-		return ""
-	var parts: PackedStringArray = p_text.split(",")
-	var numbers: bool = parts.size() == 3
-	for part: String in parts:
-		numbers = numbers and part.is_valid_float() and is_finite(part.to_float())
-	if not numbers:
-		var form: String = "a camera is azimuth,elevation,distance, or around, behind or eyes"
-		return "%s, found '%s'" % [form, p_text]
-	azimuth = deg_to_rad(parts[0].to_float())
-	elevation = deg_to_rad(clampf(parts[1].to_float(), -80.0, 85.0))
-	distance = clampf(parts[2].to_float(), _MIN_DISTANCE_M, 50.0)
-	return ""

@@ -7,13 +7,8 @@ extends RefCounted
 ## [method read] says what is wrong with the text as far as that shows without a compiler;
 ## [ShaderCheck] compiles [method code] too. docs/effects.md describes the file.
 
-## Largest file, bytes.
-const MAX_BYTES: int = 65536
 const FOLDER: String = "res://assets/effects"
 const EXTENSION: String = "gdshader"
-const MAX_NAME: int = 40
-## Problems that are told at once; one mistake often makes many.
-const MAX_PROBLEMS: int = 20
 ## A uniform of every effect: if the compiler does not list it, it has not understood the code.
 const MARK: String = "effect_compiled"
 ## What the code may use, and what it stands for. It is put onto the line of
@@ -49,7 +44,6 @@ const _LEAVE_OUT: String = (
 )
 
 static var _colours: RegEx = RegEx.create_from_string("(:\\s*)?\\bsource_color\\b(\\s*,)?")
-static var _name: RegEx = RegEx.create_from_string("^[a-z][a-z0-9_]{0,39}$")
 static var _start: RegEx = RegEx.create_from_string("\\bvoid\\s+start\\s*\\(\\s*\\)\\s*\\{")
 static var _type: RegEx = RegEx.create_from_string("\\bshader_type\\s+particles\\s*;")
 
@@ -68,9 +62,12 @@ var _tokens: EffectTokens = null
 static func read(p_text: String) -> EffectFile:
 	var file: EffectFile = EffectFile.new()
 	file.text = p_text.replace("\r\n", "\n")
-	if file.text.length() > MAX_BYTES or file.text.to_utf8_buffer().size() > MAX_BYTES:
+	if (
+		file.text.length() > EffectLimits.MAX_BYTES
+		or file.text.to_utf8_buffer().size() > EffectLimits.MAX_BYTES
+	):
 		file.text = ""
-		file._add(EffectProblem.new(1, "An effect has at most %d bytes." % MAX_BYTES))
+		file._add(EffectProblem.new(1, "An effect has at most %d bytes." % EffectLimits.MAX_BYTES))
 	else:
 		file._read()
 	return file
@@ -78,8 +75,8 @@ static func read(p_text: String) -> EffectFile:
 
 ## Reads bytes that came from a file or over the network.
 static func from_bytes(p_bytes: PackedByteArray) -> EffectFile:
-	var error: String = "An effect has at most %d bytes." % MAX_BYTES
-	if p_bytes.size() <= MAX_BYTES:
+	var error: String = "An effect has at most %d bytes." % EffectLimits.MAX_BYTES
+	if p_bytes.size() <= EffectLimits.MAX_BYTES:
 		var decoded: EffectText = EffectText.new(p_bytes)
 		if not decoded.failed:
 			return read(decoded.text)
@@ -97,13 +94,7 @@ static func open(p_path: String) -> EffectFile:
 		var why: String = error_string(FileAccess.get_open_error())
 		file._add(EffectProblem.new(1, "%s cannot be read: %s." % [p_path, why]))
 		return file
-	return from_bytes(access.get_buffer(MAX_BYTES + 1))
-
-
-## Whether an effect can have this name: small letters, digits and _, at most
-## [constant MAX_NAME] of them.
-static func is_name(p_name: String) -> bool:
-	return _name.search(p_name) != null and not p_name.contains("\n")
+	return from_bytes(access.get_buffer(EffectLimits.MAX_BYTES + 1))
 
 
 ## Where the file of a shipped effect is.
@@ -156,7 +147,7 @@ static func _without_hints(p_code: String) -> String:
 
 
 func _add(p_problem: EffectProblem) -> void:
-	if problems.size() < MAX_PROBLEMS:
+	if problems.size() < EffectLimits.MAX_PROBLEMS:
 		problems.append(p_problem)
 
 
@@ -194,7 +185,7 @@ func _read() -> void:
 ## Of numbers that a float cannot hold the engine makes code that no driver compiles.
 func _check_numbers() -> void:
 	for i: int in _tokens.size():
-		if problems.size() >= MAX_PROBLEMS:
+		if problems.size() >= EffectLimits.MAX_PROBLEMS:
 			return
 		var word: String = _tokens.words[i].to_lower()
 		if not "0123456789.".contains(word[0]) or word.begins_with("0x"):

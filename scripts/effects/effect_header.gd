@@ -19,7 +19,7 @@ func _init(p_settings: EffectSettings) -> void:
 func read(p_text: String) -> void:
 	var lines: PackedStringArray = p_text.split("\n")
 	for i: int in lines.size():
-		if problems.size() >= EffectFile.MAX_PROBLEMS:
+		if problems.size() >= EffectLimits.MAX_PROBLEMS:
 			break
 		var line: String = lines[i].strip_edges()
 		if line.begins_with(MARK):

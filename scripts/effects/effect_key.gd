@@ -177,7 +177,7 @@ func _choices_and(p_word: String) -> Array:
 
 
 func _read_name(p_word: String) -> Variant:
-	if EffectFile.is_name(p_word):
+	if EffectLimits.is_name(p_word):
 		return p_word
 	return _fail("'%s' is the name of an effect in small letters, digits and _." % name)
 

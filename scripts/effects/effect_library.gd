@@ -99,7 +99,7 @@ func set_text(p_name: String, p_text: String, p_quietly: bool = false) -> Array[
 ## The same with a text that has been read already.
 func set_file(p_name: String, p_file: EffectFile, p_quietly: bool = false) -> Array[EffectProblem]:
 	var fault: String = ""
-	if not EffectFile.is_name(p_name):
+	if not EffectLimits.is_name(p_name):
 		fault = "'%s' is no name: small letters, digits and _." % p_name.left(40)
 	elif not _layers.has(p_name) and _layers.size() >= MAX_FILES:
 		fault = "There are already %d effects." % MAX_FILES
@@ -148,7 +148,7 @@ func _take(p_name: String, p_file: EffectFile) -> void:
 ## A shipped file. It has been checked by a test; what somebody has put there since may be broken.
 func _load(p_name: String) -> void:
 	var file: EffectFile = EffectFile.open(EffectFile.path_of(p_name))
-	if file.problems.is_empty() and EffectFile.is_name(p_name):
+	if file.problems.is_empty() and EffectLimits.is_name(p_name):
 		_layers[p_name] = EffectLayer.make(p_name, file)
 	else:
 		var path: String = EffectFile.path_of(p_name)

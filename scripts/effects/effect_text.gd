@@ -43,7 +43,7 @@ func _decode(p_bytes: PackedByteArray) -> void:
 		piece.encode_u16(0, mini(i - from, 0xFFFF))
 		piece.append_array(p_bytes.slice(from, i))
 		var reader: ByteReader = ByteReader.new(piece)
-		parts.append(reader.read_text(EffectFile.MAX_BYTES))
+		parts.append(reader.read_text(EffectLimits.MAX_BYTES))
 		if i < p_bytes.size():
 			parts.append(String.chr(byte))
 		failed = failed or reader.failed

@@ -84,7 +84,7 @@ func _check() -> void:
 
 ## Whether more problems would not be told anyway.
 func _has_enough() -> bool:
-	return problems.size() >= EffectFile.MAX_PROBLEMS
+	return problems.size() >= EffectLimits.MAX_PROBLEMS
 
 
 func _problem(p_index: int, p_text: String) -> void:

@@ -64,6 +64,6 @@ class CompilerErrors:
 		if p_type != ERROR_TYPE_SHADER:
 			return
 		_mutex.lock()
-		if found.size() < EffectFile.MAX_PROBLEMS:
+		if found.size() < EffectLimits.MAX_PROBLEMS:
 			found.append(EffectProblem.new(p_line, p_rationale if p_rationale != "" else p_code))
 		_mutex.unlock()

@@ -8,15 +8,6 @@ extends EntityHost
 ## Sends an event. See [method Entity.send_event].
 @abstract func send_event(p_entity: int, p_event: int, p_values: PackedFloat32Array) -> void
 
-## Who possesses what.
-@abstract func possession() -> Possession
-
-## Carries the people of a session in a seat of an entity from now on.
-@abstract func attach(p_session: int, p_entity: int, p_seat: Seat) -> void
-
-## Ends what [method attach] began.
-@abstract func detach(p_session: int) -> void
-
 ## Carries a person in the frame of an entity's body from now on, as the person stands there;
 ## [param p_limb] is one of the person's bodies. With [param p_holds] the motion goes with the body,
 ## otherwise as far as feet or back hold on it. See [CarryArea].

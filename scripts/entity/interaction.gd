@@ -40,15 +40,6 @@ func use_by_name(p_name: String) -> void:
 	_named = p_name
 
 
-func _use_named() -> void:
-	for node: Node in get_tree().get_nodes_in_group(Interactable.GROUP):
-		var each: Interactable = node as Interactable
-		if each.is_live() and str(each.get_path()).contains(_named):
-			_named = ""
-			each.interact()
-			return
-
-
 ## What is looked at and can be used, or null. This session's own seat comes first, so
 ## that one can leave it without looking at it.
 func find() -> Interactable:
@@ -63,3 +54,12 @@ func find() -> Interactable:
 	if camera == null:
 		return null
 	return Interactable.find(get_tree(), camera.global_position, -camera.global_basis.z)
+
+
+func _use_named() -> void:
+	for node: Node in get_tree().get_nodes_in_group(Interactable.GROUP):
+		var each: Interactable = node as Interactable
+		if each.is_live() and str(each.get_path()).contains(_named):
+			_named = ""
+			each.interact()
+			return

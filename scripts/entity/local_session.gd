@@ -15,7 +15,7 @@ var _host: Host = Host.new()
 
 ## The program, when there is no network.
 class Host:
-	extends EntityAuthority
+	extends SeatAuthority
 	var nodes: Dictionary[int, Entity] = {}
 	var possessed: Possession = Possession.new()
 
@@ -36,7 +36,7 @@ class Host:
 	func possession() -> Possession:
 		return possessed
 
-	func attach(_session: int, _entity: int, _seat: Seat) -> void:
+	func attach(_session: int, _entity: int, _seat: SeatGeometry) -> void:
 		pass
 
 	func detach(_session: int) -> void:

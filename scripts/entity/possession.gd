@@ -16,7 +16,7 @@ const SEAT_TICKS: int = 15
 var has_people: Callable = func(_session: int) -> bool: return false
 
 var _possessors: Dictionary[int, int] = {}
-var _seats: Dictionary[int, Seat] = {}
+var _seats: Dictionary[int, SeatGeometry] = {}
 # Ticks in which sessions took a seat.
 var _sat_ticks: Dictionary[int, int] = {}
 
@@ -58,14 +58,14 @@ func entities_of(p_session: int) -> PackedInt32Array:
 
 
 ## The seat of a session; null none.
-func seat_of(p_session: int) -> Seat:
+func seat_of(p_session: int) -> SeatGeometry:
 	# A level that goes takes its seats along.
 	var seat: Variant = _seats.get(p_session)
-	return seat as Seat if is_instance_valid(seat) else null
+	return seat as SeatGeometry if is_instance_valid(seat) else null
 
 
 ## Notes where a session sits from now on; null nowhere.
-func sit(p_session: int, p_seat: Seat) -> void:
+func sit(p_session: int, p_seat: SeatGeometry) -> void:
 	if p_seat == null:
 		_seats.erase(p_session)
 	else:
@@ -83,7 +83,7 @@ func may_sit(p_session: int) -> bool:
 func forget_entity(p_entity: int) -> void:
 	release(p_entity)
 	for session: int in _seats.keys():
-		var seat: Seat = seat_of(session)
+		var seat: SeatGeometry = seat_of(session)
 		if seat == null or seat.entity.id == p_entity:
 			_seats.erase(session)
 

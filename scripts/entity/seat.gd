@@ -1,7 +1,7 @@
 @tool
 @icon("res://scenes/entity/icons/seat.svg")
 class_name Seat
-extends Interactable
+extends SeatGeometry
 ## A seat for one in something that moves: whoever takes the first one possesses the entity, and
 ## the occupant's people are carried along in the entity's frame.
 ##
@@ -11,9 +11,7 @@ extends Interactable
 ## name its field in [member EntitySchema.seat]. A session sits once: taking a seat leaves the one
 ## before.
 ##
-## A seat may move in its body, as below a turret: who sits there goes with it. The occupant faces
-## the seat's +Z. Scripts of special seats override [method hold], [method frame_in_body] and the
-## ways in and out.
+## [SeatGeometry] says where it is, and how it holds who sits there.
 
 ## Somebody has taken or left the seat; 0 is nobody. On every machine.
 signal occupied(p_session: int)
@@ -25,13 +23,8 @@ const LEAVE: StringName = &"leave_seat"
 ## Highest number of a session that a seat's field can hold.
 const MAX_SESSION: int = 1 << 16
 
-## Which of the entity's seats it is. The first one, 0, possesses the entity.
-@export_range(0, 31) var index: int = 0
 ## The field with the session of who sits here.
 @export var occupant_field: StringName = &"occupant"
-## Whether the occupant's people are carried along. If not, they stay where they are, and the
-## session only commands from there.
-@export var carries_people: bool = true
 
 
 func _ready() -> void:
@@ -87,7 +80,7 @@ func vacate() -> void:
 	var session: int = occupant()
 	if session == 0:
 		return
-	var host: EntityAuthority = entity.get_authority()
+	var host: SeatAuthority = _host()
 	if index == 0:
 		host.possession().release(entity.id)
 	host.possession().sit(session, null)
@@ -97,8 +90,9 @@ func vacate() -> void:
 
 ## Seats a session that leaves its former seat for it: on the server. Returns whether it could.
 func take(p_session: int) -> bool:
-	var possession: Possession = entity.get_authority().possession()
-	var former: Seat = possession.seat_of(p_session)
+	var host: SeatAuthority = _host()
+	var possession: Possession = host.possession()
+	var former: Seat = possession.seat_of(p_session) as Seat
 	if occupant() != 0:
 		return false
 	if not possession.may_sit(p_session):
@@ -113,51 +107,8 @@ func take(p_session: int) -> bool:
 	possession.sit(p_session, self)
 	entity.set_value(occupant_field, p_session)
 	if carries_people:
-		entity.get_authority().attach(p_session, entity.id, self)
+		host.attach(p_session, entity.id, self)
 	return true
-
-
-## Where the seat is in the frame of the entity's body, m, turned as the occupant is to face: +Z.
-func frame_in_body() -> Transform3D:
-	# Node by node: the body's own transform in the tree may be a tick old, its parts' are not.
-	var frame: Transform3D = transform
-	var node: Node3D = get_parent_node_3d()
-	while node != null and node != entity.get_body():
-		frame = node.transform * frame
-		node = node.get_parent_node_3d()
-	return frame.orthonormalized()
-
-
-## How the occupant's body is held; null: it is not, only its motion goes with the seat.
-func hold() -> SeatHold:
-	return null
-
-
-## Points of the way of somebody's feet (m, in the body's frame) from a place to [method mouth];
-## empty: at once.
-func way_in(_from: Vector3) -> PackedVector3Array:
-	return PackedVector3Array()
-
-
-## The way back from [method mouth]: to a place that is free. [param p_is_free] takes a point in the
-## body's frame. Empty: the occupant stays where the seat is.
-func way_out(_is_free: Callable) -> PackedVector3Array:
-	return PackedVector3Array()
-
-
-## Where feet come to before they go down into the seat, m, in the body's frame.
-func mouth() -> Vector3:
-	return frame_in_body().origin
-
-
-## Bodies besides the entity's that whoever climbs must not push, such as wheels.
-func neighbours() -> Array[RID]:
-	return []
-
-
-## Why an occupant with a body cannot leave now, for people; empty: it can be left.
-func find_hindrance() -> String:
-	return ""
 
 
 func _on_commanded(p_session: int, p_command: StringName, p_values: PackedFloat32Array) -> void:
@@ -170,7 +121,7 @@ func _on_commanded(p_session: int, p_command: StringName, p_values: PackedFloat3
 
 ## Whether a session can leave now; where it cannot, it is told why.
 func _lets_go(p_session: int) -> bool:
-	var possession: Possession = entity.get_host().possession()
+	var possession: Possession = _host().possession()
 	var has_people: bool = possession.has_people.call(p_session)
 	var hindrance: String = find_hindrance() if has_people else ""
 	if hindrance != "":
@@ -181,3 +132,7 @@ func _lets_go(p_session: int) -> bool:
 func _on_field_changed(p_field: StringName, p_value: float) -> void:
 	if p_field == occupant_field:
 		occupied.emit(int(p_value))
+
+
+func _host() -> SeatAuthority:
+	return entity.get_authority() as SeatAuthority

@@ -87,6 +87,13 @@ func _process(_p_delta: float) -> void:
 				_finish()
 
 
+func _exit_tree() -> void:
+	if _stage == Stage.COUNTING:
+		_report.write(_make_report())
+	for client: LoadClient in _clients:
+		client.close()
+
+
 ## How often each client is polled, 1/s.
 func _poll_rate() -> float:
 	return minf(POLLS_PER_SECOND, MAX_POLLS / _clients.size())
@@ -110,13 +117,6 @@ func _poll_due() -> bool:
 	for client: LoadClient in _joining:
 		client.poll()
 	return true
-
-
-func _exit_tree() -> void:
-	if _stage == Stage.COUNTING:
-		_report.write(_make_report())
-	for client: LoadClient in _clients:
-		client.close()
 
 
 func _make_clients() -> String:

@@ -104,7 +104,7 @@ func _rpc(p_peer: int, p_object: Object, p_method: StringName, p_arguments: Arra
 	if fault != "":
 		refuse(p_method, fault)
 		return ERR_INVALID_PARAMETER
-	var config: Dictionary = SharedCalls.config_of(node)[p_method]
+	var config: Dictionary = SharedNodes.config_of(node)[p_method]
 	var own: int = base.get_unique_id()
 	var reaches_us: bool = p_peer == own or p_peer == 0 or (p_peer < 0 and p_peer != -own)
 	if p_peer != own:

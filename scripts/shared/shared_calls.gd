@@ -3,18 +3,6 @@ extends RefCounted
 ## Checks calls between server and clients before they are made, and says in words what is wrong.
 
 
-## The methods of a node that can be called: name to Godot's [code]rpc_mode[/code],
-## [code]transfer_mode[/code] and [code]call_local[/code].
-static func config_of(p_node: Node) -> Dictionary:
-	var script: Script = p_node.get_script()
-	var config: Dictionary = {}
-	if script != null and script.get_rpc_config() is Dictionary:
-		config.merge(script.get_rpc_config())
-	if p_node.get_node_rpc_config() is Dictionary:
-		config.merge(p_node.get_node_rpc_config(), true)
-	return config
-
-
 ## The node of a path below the shared one, or null. No path leads out of it.
 static func find(p_root: Node, p_path: String) -> Node:
 	for part: String in p_path.split("/"):
@@ -29,7 +17,7 @@ static func find_refusal(p_root: SharedNodes, p_call: CallMessage, p_role: Roles
 	var fault: String = find_fault(p_root, p_call)
 	if fault != "":
 		return fault
-	var config: Dictionary = config_of(find(p_root, p_call.path))
+	var config: Dictionary = SharedNodes.config_of(find(p_root, p_call.path))
 	if config[StringName(p_call.method)]["rpc_mode"] != MultiplayerAPI.RPC_MODE_ANY_PEER:
 		return "'%s' is for the server alone to call" % p_call.method
 	var permission: CallPermission = p_root.permission_of(p_call.method)
@@ -45,7 +33,7 @@ static func find_fault(p_root: SharedNodes, p_call: CallMessage) -> String:
 	var node: Node = find(p_root, p_call.path)
 	if node == null:
 		return "there is no shared node '%s'" % p_call.path
-	if not config_of(node).has(StringName(p_call.method)):
+	if not SharedNodes.config_of(node).has(StringName(p_call.method)):
 		return "'%s' has no method '%s' with @rpc" % [p_call.path, p_call.method]
 	for method: Dictionary in node.get_method_list():
 		if method["name"] == p_call.method:

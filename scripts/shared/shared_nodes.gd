@@ -27,7 +27,7 @@ var caller_name: String = ""
 func _get_configuration_warnings() -> PackedStringArray:
 	var warnings: PackedStringArray = []
 	for node: Node in [self] + find_children("*", "Node", true, false):
-		var config: Dictionary = SharedCalls.config_of(node)
+		var config: Dictionary = config_of(node)
 		for method: StringName in config:
 			var is_open: bool = config[method]["rpc_mode"] == MultiplayerAPI.RPC_MODE_ANY_PEER
 			if is_open and permission_of(method) == null:
@@ -45,6 +45,18 @@ func permission_of(p_method: StringName) -> CallPermission:
 		if permission != null and permission.method == p_method:
 			return permission
 	return null
+
+
+## The methods of a node that can be called: name to Godot's [code]rpc_mode[/code],
+## [code]transfer_mode[/code] and [code]call_local[/code].
+static func config_of(p_node: Node) -> Dictionary:
+	var script: Script = p_node.get_script()
+	var config: Dictionary = {}
+	if script != null and script.get_rpc_config() is Dictionary:
+		config.merge(script.get_rpc_config())
+	if p_node.get_node_rpc_config() is Dictionary:
+		config.merge(p_node.get_node_rpc_config(), true)
+	return config
 
 
 ## The shared part of the level that a node is in, or null.

@@ -88,7 +88,7 @@ func keep(p_text: String) -> void:
 ## Saves a text. Returns whether that went well; if not, the file is as it was.
 func save(p_text: String) -> bool:
 	error = ""
-	if not EffectFile.is_name(name):
+	if not EffectLimits.is_name(name):
 		error = "an effect's name has small letters, digits and _, not '%s'" % name
 		return false
 	if is_foreign:
@@ -100,6 +100,20 @@ func save(p_text: String) -> bool:
 	_saved_bytes = p_text.to_utf8_buffer()
 	keep(p_text)
 	return true
+
+
+## A path in the folder of pictures and films that nothing has yet.
+static func next_picture(p_name: String, p_extension: String) -> String:
+	var to: String = OS.get_environment("DISMOUNT_OUT")
+	if to == "":
+		to = ProjectSettings.globalize_path(KEPT)
+	DirAccess.make_dir_recursive_absolute(to)
+	var path: String = "%s/%s.%s" % [to, p_name, p_extension]
+	var number: int = 2
+	while FileAccess.file_exists(path):
+		path = "%s/%s_%d.%s" % [to, p_name, number, p_extension]
+		number += 1
+	return path
 
 
 ## Keeps what is in the file now byte by byte, also what somebody else has put there. Returns
@@ -163,17 +177,3 @@ func _kept_path(p_name: String = name) -> String:
 	# Effects of one name may be in several folders.
 	var where: String = ProjectSettings.globalize_path(folder).md5_text().left(8)
 	return "%s/%s.%s.unsaved" % [KEPT, p_name, where]
-
-
-## A path in the folder of pictures and films that nothing has yet.
-static func next_picture(p_name: String, p_extension: String) -> String:
-	var to: String = OS.get_environment("DISMOUNT_OUT")
-	if to == "":
-		to = ProjectSettings.globalize_path(KEPT)
-	DirAccess.make_dir_recursive_absolute(to)
-	var path: String = "%s/%s.%s" % [to, p_name, p_extension]
-	var number: int = 2
-	while FileAccess.file_exists(path):
-		path = "%s/%s_%d.%s" % [to, p_name, number, p_extension]
-		number += 1
-	return path

@@ -61,7 +61,7 @@ func _exit_tree() -> void:
 func _get_configuration_warnings() -> PackedStringArray:
 	if parameters == null:
 		return ["It needs parameters: make a VehicleParameters resource in the inspector."]
-	var found: String = parameters.find_fault()
+	var found: String = VehicleCheck.find_fault(parameters, parameters.gear_kind)
 	return [] if found == "" else ["Its parameters make no sense: %s." % found]
 
 
@@ -203,7 +203,7 @@ func _begin() -> bool:
 	fault = "it has no parameters"
 	if parameters != null:
 		_gear_kind = gear_kind()
-		fault = parameters.find_fault(_gear_kind)
+		fault = VehicleCheck.find_fault(parameters, _gear_kind)
 	if fault != "":
 		Log.error("vehicle", "%s stays where it is: %s" % [get_path(), fault])
 		return false

@@ -4,7 +4,7 @@ extends Resource
 ## What a vehicle is: its mass, wheels, engine, gears, brakes and steering.
 ##
 ## [code]docs/vehicles.md[/code] says where the presets have their values from.
-## [method find_fault] names what makes no sense.
+## [VehicleCheck] names what makes no sense.
 
 ## What is between hull and ground.
 enum GearKind {
@@ -108,8 +108,3 @@ enum Steering {
 ## The wheels of the running gear that is chosen, or of another.
 func wheels_of(p_kind: GearKind) -> Array[VehicleWheel]:
 	return spheres if p_kind == GearKind.SPHERES else rays
-
-
-## What makes no sense, as a sentence that names it, or an empty text.
-func find_fault(p_kind: GearKind = gear_kind) -> String:
-	return VehicleCheck.find_fault(self, p_kind)

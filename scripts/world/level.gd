@@ -7,9 +7,6 @@ extends Node3D
 ## A level is a scene [code]scenes/world/NAME/NAME.tscn[/code] whose root has this script. The
 ## server and all clients load the same one; [method fingerprint] shows whether they have.
 
-## Bytes of a fingerprint.
-const FINGERPRINT_SIZE: int = 8
-
 ## What people call it.
 @export var title: String = ""
 ## Holds what never moves: [StaticBody3D] nodes such as [Block], at any depth.
@@ -46,6 +43,8 @@ var bake_path: String = ""
 var bake: LevelBake = null
 ## What shows the blocks; null before [method prepare], and where there is no display.
 var surfaces: LevelSurfaces = null
+## What hides parts that cannot be seen; null where nothing was baked of that.
+var visibility: LevelVisibility = null
 
 var _is_prepared: bool = false
 ## Lights that throw shadows where the tier of quality has any.
@@ -104,6 +103,7 @@ func prepare() -> void:
 		surfaces = LevelSurfaces.new()
 		surfaces.name = "Surfaces"
 		surfaces.assemble(self, bake)
+		visibility = LevelVisibility.begin(surfaces, self)
 		add_child(surfaces, false, Node.INTERNAL_MODE_BACK)
 
 
@@ -114,15 +114,6 @@ func follow_quality() -> void:
 	WorldLight.set_shadows(has_shadows)
 	for light: DirectionalLight3D in _shadowing:
 		light.shadow_enabled = has_shadows
-
-
-func _follow_quality_from_now() -> void:
-	for node: Node in find_children("*", "DirectionalLight3D", true, false):
-		var light: DirectionalLight3D = node as DirectionalLight3D
-		if light.shadow_enabled:
-			_shadowing.append(light)
-	add_to_group(Quality.FOLLOWERS)
-	follow_quality()
 
 
 ## The file with what was baked of a scene.
@@ -150,17 +141,6 @@ func get_props() -> Array[RigidBody3D]:
 		if node is RigidBody3D and not covered.has(node):
 			found.append(node)
 	return found
-
-
-## Nodes of a group, in the order of the tree. In the tree the engine knows them: to look at each of
-## thousands of nodes takes milliseconds.
-func _find_in_group(p_group: StringName, p_class: String) -> Array[Node]:
-	var found: Array[Node] = []
-	if is_inside_tree():
-		found = get_tree().get_nodes_in_group(p_group)
-		return found.filter(func(node: Node) -> bool: return is_ancestor_of(node))
-	found = find_children("*", p_class, true, false)
-	return found.filter(func(node: Node) -> bool: return node.is_in_group(p_group))
 
 
 ## Whole path of a file that belongs to the level, by its name. It may not be there, and what is in
@@ -205,10 +185,21 @@ func get_cameras() -> Array[ObserverCamera]:
 	return found
 
 
-## A hash of the level that is the same on all machines: of shapes and positions of static bodies,
-## of props and of entities. Visual nodes do not count, as a dedicated server has none. The level
-## must be in the tree and nothing may have moved yet.
-func fingerprint() -> PackedByteArray:
-	var made: LevelFingerprint = LevelFingerprint.new(self)
-	made.advance_until(1 << 62)
-	return made.finish()
+func _follow_quality_from_now() -> void:
+	for node: Node in find_children("*", "DirectionalLight3D", true, false):
+		var light: DirectionalLight3D = node as DirectionalLight3D
+		if light.shadow_enabled:
+			_shadowing.append(light)
+	add_to_group(Quality.FOLLOWERS)
+	follow_quality()
+
+
+## Nodes of a group, in the order of the tree. In the tree the engine knows them: to look at each of
+## thousands of nodes takes milliseconds.
+func _find_in_group(p_group: StringName, p_class: String) -> Array[Node]:
+	var found: Array[Node] = []
+	if is_inside_tree():
+		found = get_tree().get_nodes_in_group(p_group)
+		return found.filter(func(node: Node) -> bool: return is_ancestor_of(node))
+	found = find_children("*", p_class, true, false)
+	return found.filter(func(node: Node) -> bool: return node.is_in_group(p_group))

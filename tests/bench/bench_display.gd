@@ -93,7 +93,7 @@ func _build(p_people: int, p_crates: int) -> void:
 		message.spawned.append(_row(_FIRST_PERSON + person, message.types[0], ""))
 	var hall: Level = LevelStore.instantiate("hall")
 	root.add_child(hall)
-	_scene.replica.take(LevelMessage.encode("hall", hall.fingerprint()), 0.0)
+	_scene.replica.take(LevelMessage.encode("hall", LevelFingerprint.of(hall)), 0.0)
 	hall.free()
 	for crate: int in p_crates:
 		var copy: Node = _scene.get_level().level.get_node(^"Props/Crate1").duplicate()

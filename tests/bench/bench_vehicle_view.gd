@@ -100,7 +100,7 @@ func _measure_parts() -> void:
 	report.add("a tank, near", "of it rays of 16 wheels", rays, "us")
 	begin = ThreadClock.get_usec()
 	for frame: int in frames:
-		view.effects.advance(_STEP, _NEAR_M)
+		view.effects.advance(view.state, [view.way_of(0), view.way_of(1)], _STEP, _NEAR_M)
 	var effects: float = float(ThreadClock.get_usec() - begin) / frames
 	report.add("a tank, near", "of it effects", effects, "us")
 

@@ -72,12 +72,12 @@ func test_bytes_that_are_no_text_are_refused_without_a_word_in_the_log() -> void
 
 func test_a_file_that_is_too_large_or_absent_is_refused() -> void:
 	var large: PackedByteArray = []
-	large.resize(EffectFile.MAX_BYTES + 1)
+	large.resize(EffectLimits.MAX_BYTES + 1)
 	large.fill(32)
 	equal(
 		EffectFile.from_bytes(large).first_problem(), "line 1: An effect has at most 65536 bytes."
 	)
-	large.resize(EffectFile.MAX_BYTES)
+	large.resize(EffectLimits.MAX_BYTES)
 	not_equal(EffectFile.from_bytes(large).first_problem(), "")
 	var problem: String = EffectFile.open("user://no/such.gdshader").first_problem()
 	is_true(problem.contains("cannot be read"), problem)
@@ -85,9 +85,9 @@ func test_a_file_that_is_too_large_or_absent_is_refused() -> void:
 
 func test_names() -> void:
 	for name: String in ["smoke", "dust_2", "a"]:
-		is_true(EffectFile.is_name(name), name)
+		is_true(EffectLimits.is_name(name), name)
 	for name: String in ["", "Smoke", "2dust", "../x", "a b", "a.b", "a\n", "x".repeat(41), "é"]:
-		is_false(EffectFile.is_name(name), name)
+		is_false(EffectLimits.is_name(name), name)
 
 
 ## Broken files and the line of their first problem; 0 for none.
@@ -135,7 +135,7 @@ func test_small_hostile_texts_are_refused() -> void:
 	for text: String in EffectTexts.long():
 		var file: EffectFile = EffectFile.from_bytes(text.to_utf8_buffer())
 		is_false(file.problems.is_empty(), text.left(80))
-		is_true(file.problems.size() <= EffectFile.MAX_PROBLEMS, text.left(80))
+		is_true(file.problems.size() <= EffectLimits.MAX_PROBLEMS, text.left(80))
 
 
 func test_keys_keep_nothing_of_a_reading() -> void:

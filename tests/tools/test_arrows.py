@@ -81,6 +81,29 @@ def test_a_ring_of_folders_is_named() -> None:
     assert not any("ring" in line for line in check(tree, Order.parse("features: net")))
 
 
+def test_the_shortest_circle_of_scripts_is_named() -> None:
+    tree = {
+        "scripts/net/one.gd": "class_name One\nvar two: Two",
+        "scripts/net/two.gd": "class_name Two\nvar three: Three",
+        "scripts/net/three.gd": '@abstract class_name Three\nvar a: One\nload("res://scripts/net/a.gd")',
+        "scripts/net/a.gd": "@tool class_name A\nvar three: Three",
+        "scripts/net/user.gd": "class_name User\nvar three: Three",
+    }
+    found = [line for line in check(tree, Order.parse("features: net")) if "circle" in line]
+    path = "scripts/net/a.gd -> scripts/net/three.gd -> scripts/net/a.gd"
+    assert found == [f"scripts in a circle: {path}"]
+    tree["scripts/net/three.gd"] = "class_name Three  # See One and A."
+    assert check(tree, Order.parse("features: net")) == []
+
+
+def test_a_scene_and_the_script_that_makes_it_are_no_circle() -> None:
+    tree = {
+        "scripts/net/one.gd": 'class_name One\nload("res://scenes/net/one.tscn")',
+        "scenes/net/one.tscn": '[x path="res://scripts/net/one.gd"]',
+    }
+    assert check(tree, Order.parse("features: net")) == []
+
+
 def test_comments_and_texts_are_no_use_but_paths_are() -> None:
     text = """
 # Server does it, see res://scripts/app/main.gd.

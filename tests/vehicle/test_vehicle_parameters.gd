@@ -8,7 +8,9 @@ func test_the_presets_make_sense() -> void:
 			continue
 		var vehicle: Vehicle = VehicleGround.create(preset)
 		equal(vehicle._get_configuration_warnings(), PackedStringArray(), preset)
-		equal(vehicle.parameters.find_fault(VehicleParameters.GearKind.RAYS), "", preset)
+		equal(
+			VehicleCheck.find_fault(vehicle.parameters, VehicleParameters.GearKind.RAYS), "", preset
+		)
 		vehicle.free()
 
 
@@ -38,9 +40,9 @@ func test_each_fault_is_named() -> void:
 	}
 	for text: String in faults:
 		var parameters: VehicleParameters = _tank_parameters()
-		equal(parameters.find_fault(), "", text)
+		equal(VehicleCheck.find_fault(parameters, parameters.gear_kind), "", text)
 		faults[text].call(parameters)
-		contains(parameters.find_fault(), text)
+		contains(VehicleCheck.find_fault(parameters, parameters.gear_kind), text)
 
 
 func test_a_vehicle_without_sense_stays_where_it_is_and_the_session_goes_on() -> void:

@@ -73,6 +73,6 @@ func _fingerprint(p_change: Callable) -> PackedByteArray:
 	var level: Level = LevelStore.instantiate("yard")
 	add_child(level)
 	p_change.call(level)
-	var found: PackedByteArray = level.fingerprint()
+	var found: PackedByteArray = LevelFingerprint.of(level)
 	level.free()
 	return found

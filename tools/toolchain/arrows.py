@@ -2,7 +2,8 @@
 """The gate that keeps the order of folders: who in scripts/ and scenes/ may use whom.
 
 `arrows.txt` says the order. A file uses another if it names its class in code (comments and texts
-do not count), or its path in a string or as a scene's resource.
+do not count), or its path in a string or as a scene's resource. No script may use itself by way of
+others: who reads or changes one of such a circle must know all of them.
 """
 
 from __future__ import annotations
@@ -151,7 +152,7 @@ def read_tokens(text: str) -> tuple[set[str], set[str]]:
 
 def find_class(text: str) -> str:
     """The name that a script gives its class, or nothing."""
-    found = re.search(r"^class_name\s+(\w+)", text, re.MULTILINE)
+    found = re.search(r"^(?:@\w+\s+)?class_name\s+(\w+)", text, re.MULTILINE)
     return found[1] if found else ""
 
 
@@ -196,6 +197,38 @@ def _reach(arrows: Mapping[str, set[str]], start: str) -> set[str]:
     return seen
 
 
+def find_circles(uses: Iterable[Use]) -> list[list[str]]:
+    """Scripts that use one another in a circle: of each knot the shortest circle, in its order."""
+    arrows: dict[str, set[str]] = defaultdict(set)
+    for use in uses:
+        if use.user.endswith(".gd") and use.used.endswith(".gd"):
+            arrows[use.user].add(use.used)
+    reached = {path: _reach(arrows, path) for path in list(arrows)}
+    circles: list[list[str]] = []
+    known: set[str] = set()
+    for path in sorted(reached):
+        if path not in reached[path] or path in known:
+            continue
+        knot = sorted(other for other in reached[path] if path in reached.get(other, ()))
+        known.update(knot)
+        circles.append(min((_way_back(arrows, start) for start in knot), key=len))
+    return circles
+
+
+def _way_back(arrows: Mapping[str, set[str]], start: str) -> list[str]:
+    """The shortest way from a script in a circle to the one that uses it again."""
+    ways = [[start]]
+    seen: set[str] = set()
+    for way in ways:
+        for other in sorted(arrows.get(way[-1], ())):
+            if other == start:
+                return way
+            if other not in seen:
+                seen.add(other)
+                ways.append([*way, other])
+    raise ValueError(f"{start} is in no circle")
+
+
 def check(files: Mapping[str, str], order: Order) -> list[str]:
     """Everything that breaks the order, a line each."""
     faults = list(order.unknown(folder_of(path) for path in files if path.endswith(".gd")))
@@ -209,6 +242,8 @@ def check(files: Mapping[str, str], order: Order) -> list[str]:
         elif why := order.fault(left, right):
             faults.append(f"{use.user} uses {use.used}: {why}")
     faults += [f"folders in a ring: {', '.join(ring)}" for ring in find_cycles(uses)]
+    for circle in find_circles(uses):
+        faults.append(f"scripts in a circle: {' -> '.join([*circle, circle[0]])}")
     return faults
 
 

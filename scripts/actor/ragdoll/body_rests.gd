@@ -3,13 +3,15 @@ extends RefCounted
 ## Where the bodies of a [Ragdoll] are in the rest pose, and how they hang together.
 
 
-## The bodies in the rest pose, in the profile's order, in model space. A designer may have moved
-## them.
-static func find(p_ragdoll: Ragdoll, p_bones: Array[PhysicalBone3D]) -> Array[Transform3D]:
-	var figure: RestSkeleton = RestSkeleton.new(p_ragdoll.get_skeleton())
+## The bodies of a profile's limbs in the rest pose, in its order, in model space. A designer may
+## have moved them.
+static func find(
+	p_skeleton: Skeleton3D, p_limbs: Array[RagdollLimb], p_bones: Array[PhysicalBone3D]
+) -> Array[Transform3D]:
+	var figure: RestSkeleton = RestSkeleton.new(p_skeleton)
 	var rests: Array[Transform3D] = []
 	for i: int in p_bones.size():
-		var limb: RagdollLimb = p_ragdoll.profile.limbs[i]
+		var limb: RagdollLimb = p_limbs[i]
 		var middle: Vector3 = (figure.scaled_rest(limb.bone) * p_bones[i].body_offset).origin
 		rests.append(Transform3D(Basis(limb.rest_orientation), middle))
 	return rests

@@ -52,7 +52,7 @@ func volume(p_limb: int) -> float:
 
 
 ## The lengths of a ragdoll's limbs, m, in the order of [constant Limbs.BONES].
-static func own_lengths(p_ragdoll: Ragdoll) -> PackedFloat32Array:
+static func own_lengths(p_ragdoll: RagdollFigure) -> PackedFloat32Array:
 	var figure: RestSkeleton = RestSkeleton.new(p_ragdoll.get_skeleton())
 	var lengths: PackedFloat32Array = []
 	for limb: int in Limbs.COUNT:
@@ -71,7 +71,7 @@ static func own_lengths(p_ragdoll: Ragdoll) -> PackedFloat32Array:
 ## other side, unknown legs follow the height of the hips (m, 0: unknown), others the mean of what
 ## is known. Nothing known changes nothing. What is out of bounds is limited, with a warning.
 static func of_lengths(
-	p_ragdoll: Ragdoll, p_lengths: PackedFloat32Array, p_hip_height: float = 0.0
+	p_ragdoll: RagdollFigure, p_lengths: PackedFloat32Array, p_hip_height: float = 0.0
 ) -> BodyScale:
 	var scale: BodyScale = BodyScale.new()
 	var own: PackedFloat32Array = own_lengths(p_ragdoll)

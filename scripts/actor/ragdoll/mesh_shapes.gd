@@ -53,6 +53,19 @@ static func mirrored(p_limb: int) -> int:
 	return Limbs.find(StringName(bone.replace("Right", "Left")))
 
 
+## The value below which a share of the area lies; of sorted pairs of value and area.
+static func percentile(p_sorted: PackedVector2Array, p_share: float) -> float:
+	var total: float = 0.0
+	for pair: Vector2 in p_sorted:
+		total += pair.y
+	var reached: float = 0.0
+	for pair: Vector2 in p_sorted:
+		reached += pair.y
+		if reached >= p_share * total:
+			return pair.x
+	return p_sorted[p_sorted.size() - 1].x
+
+
 func _find_symmetry() -> bool:
 	for limb: int in Limbs.COUNT:
 		var here: Vector3 = _figure.rest(Limbs.BONES[limb]).origin
@@ -142,7 +155,7 @@ func _fit_box(
 func _fit_foot(
 	p_shape: RagdollLimb, p_limb: int, p_points: PackedVector3Array, p_areas: PackedFloat32Array
 ) -> void:
-	var ahead: Vector3 = SkeletonShapes.forward(_figure, p_limb)
+	var ahead: Vector3 = _figure.forward(p_limb)
 	var basis: Basis = Basis(Vector3.UP.cross(ahead), Vector3.UP, ahead)
 	p_shape.orientation = basis.get_rotation_quaternion()
 	_fit_box(p_shape, p_points, p_areas, _TRIM_FOOT)
@@ -206,16 +219,3 @@ static func _sort(
 		values.append(Vector2(p_points[i][p_axis], p_areas[i]))
 	values.sort()
 	return values
-
-
-## The value below which a share of the area lies; of sorted pairs of value and area.
-static func percentile(p_sorted: PackedVector2Array, p_share: float) -> float:
-	var total: float = 0.0
-	for pair: Vector2 in p_sorted:
-		total += pair.y
-	var reached: float = 0.0
-	for pair: Vector2 in p_sorted:
-		reached += pair.y
-		if reached >= p_share * total:
-			return pair.x
-	return p_sorted[p_sorted.size() - 1].x

@@ -1,6 +1,6 @@
 @tool
 class_name Ragdoll
-extends Node3D
+extends RagdollFigure
 ## A person made of physical bodies that follow live motion.
 ##
 ## Place it in a scene with a [Skeleton3D] (humanoid bone names) below it, then call
@@ -10,19 +10,10 @@ extends Node3D
 ## Group of all people.
 const PEOPLE: StringName = &"people"
 
-## What the body is made of.
-@export var profile: RagdollProfile:
-	set(value):
-		profile = value
-		update_configuration_warnings()
 ## How the hips' travel is found and how they follow it.
 @export var root_mode: RagdollMotor.RootMode = RagdollMotor.ROOT_SOFT
 ## How the limbs follow the motion.
 @export var actuation: RagdollMotor.Actuation = RagdollMotor.VELOCITY_MOTOR
-## Greatest force that pulls the hips along. 0 leaves them to gravity.
-@export_range(0.0, 10000.0, 10.0, "suffix:N") var root_force: float = 2000.0
-## Greatest torque that keeps the hips upright. Below about 100 the person falls over.
-@export_range(0.0, 5000.0, 10.0, "suffix:Nm") var root_torque: float = 800.0
 ## Grounded: greatest horizontal force from outside, as a share of the weight.
 @export_range(0.0, 1.0, 0.01) var residual_share: float = 0.06
 ## Grounded: greatest torque that keeps the hips of somebody upright who stands, and is to give way
@@ -93,12 +84,6 @@ func _get_configuration_warnings() -> PackedStringArray:
 	return warnings
 
 
-## The skeleton below this node, or null.
-func get_skeleton() -> Skeleton3D:
-	var found: Array[Node] = find_children("*", "Skeleton3D", true, false)
-	return found[0] if not found.is_empty() else null
-
-
 ## Where a bone is shown in the world, on a server and on a client. The identity where there is none
 ## of that name.
 func get_bone_transform(p_bone: StringName) -> Transform3D:
@@ -111,18 +96,6 @@ func get_bone_transform(p_bone: StringName) -> Transform3D:
 	if motor != null:
 		return BonePlaces.of(skeleton, get_simulator(), bone)
 	return skeleton.global_transform * skeleton.get_bone_global_pose(bone)
-
-
-## The simulator that holds the physical bones, or null.
-func get_simulator() -> PhysicalBoneSimulator3D:
-	var skeleton: Skeleton3D = get_skeleton()
-	if skeleton == null:
-		return null
-	# Not find_children(): every skeleton has an internal one of the engine's, which is of no use.
-	for child: Node in skeleton.get_children():
-		if child is PhysicalBoneSimulator3D:
-			return child
-	return null
 
 
 ## Gives the skeleton its physical bones, replacing those it may have. Without a profile one is
@@ -209,7 +182,7 @@ func check() -> bool:
 ## Finds where the bodies are at rest, as [method check] finds them: who cannot wait calls it after
 ## that and after fitting, then [method get_joints] and [method start] need not look.
 func measure_rests() -> void:
-	_rests = BodyRests.find(self, _bones)
+	_rests = BodyRests.find(get_skeleton(), profile.limbs, _bones)
 
 
 ## Ends the simulation: the joints and the motor go, the bodies rest where the skeleton has them.
@@ -238,20 +211,6 @@ func get_limb_nodes() -> Array[PhysicsBody3D]:
 	return nodes if nodes.size() == Limbs.COUNT else ([] as Array[PhysicsBody3D])
 
 
-## Height of the hips above the feet in the rest pose, m: scales the travel of taller wearers.
-func get_hip_height() -> float:
-	return profile.limbs[0].anchor.y
-
-
-## Index of the body of each of [constant Limbs.BONES] in [method get_bodies]; -1 where the profile
-## has no such limb.
-func get_limb_order() -> PackedInt32Array:
-	var order: PackedInt32Array = []
-	for bone: StringName in Limbs.BONES:
-		order.append(profile.find_index(bone))
-	return order
-
-
 ## How the bodies hang together: what a client needs to place them by their orientations alone. Null
 ## where the profile does not have all limbs.
 func get_joints() -> PersonSkeleton:
@@ -260,7 +219,7 @@ func get_joints() -> PersonSkeleton:
 		return null
 	var rests: Array[Transform3D] = _rests
 	if rests.is_empty():
-		rests = BodyRests.find(self, _find_bones())
+		rests = BodyRests.find(get_skeleton(), profile.limbs, _find_bones())
 	return BodyRests.joints_of(profile.limbs, order, rests)
 
 
@@ -357,7 +316,7 @@ func _start_motor(p_bones: Array[PhysicalBone3D]) -> bool:
 	var slots: PackedInt32Array = []
 	var limbs: Array[RagdollLimb] = profile.limbs
 	var rests: Array[Transform3D] = (
-		_rests if not _rests.is_empty() else BodyRests.find(self, p_bones)
+		_rests if not _rests.is_empty() else BodyRests.find(get_skeleton(), profile.limbs, p_bones)
 	)
 	_rests = []
 	for i: int in p_bones.size():

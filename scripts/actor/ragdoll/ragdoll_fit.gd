@@ -13,7 +13,7 @@ extends RefCounted
 ## Limbs that one part of the work fits, so that none takes long.
 const _SLICE: int = 6
 
-var _ragdoll: Ragdoll = null
+var _ragdoll: RagdollFigure = null
 var _scale: BodyScale = null
 var _skeleton: Skeleton3D = null
 var _figure: RestSkeleton = null
@@ -31,7 +31,7 @@ var _parts: Array[Callable] = []
 
 
 ## Applies a scale. It can be done once.
-static func apply(p_ragdoll: Ragdoll, p_scale: BodyScale) -> void:
+static func apply(p_ragdoll: RagdollFigure, p_scale: BodyScale) -> void:
 	var fit: RagdollFit = begin(p_ragdoll, p_scale)
 	while not fit.advance():
 		pass
@@ -39,7 +39,9 @@ static func apply(p_ragdoll: Ragdoll, p_scale: BodyScale) -> void:
 
 ## Begins to apply a scale; [method advance] does it. Without the skin it is quicker, for who draws
 ## nothing.
-static func begin(p_ragdoll: Ragdoll, p_scale: BodyScale, p_has_skin: bool = true) -> RagdollFit:
+static func begin(
+	p_ragdoll: RagdollFigure, p_scale: BodyScale, p_has_skin: bool = true
+) -> RagdollFit:
 	var fit: RagdollFit = RagdollFit.new()
 	fit._ragdoll = p_ragdoll
 	fit._scale = p_scale

@@ -21,7 +21,7 @@ func _init(p_skeleton: Skeleton3D) -> void:
 static func transform_of(p_node: Node3D) -> Transform3D:
 	var transform: Transform3D = Transform3D.IDENTITY
 	var node: Node3D = p_node
-	while node != null and node is not Ragdoll:
+	while node != null and node is not RagdollFigure:
 		transform = node.transform * transform
 		node = node.get_parent() as Node3D
 	return transform
@@ -76,6 +76,12 @@ func direction(p_limb: int) -> Vector3:
 		if has(tail):
 			return rest(tail).origin - rest(Limbs.BONES[p_limb]).origin
 	return Vector3.ZERO
+
+
+## Where a foot points, level, of length 1.
+func forward(p_foot: int) -> Vector3:
+	var ahead: Vector3 = direction(p_foot) * Vector3(1.0, 0.0, 1.0)
+	return ahead.normalized() if ahead.length() > 0.02 else Vector3.BACK
 
 
 ## Height of the figure by its bones, m.

@@ -66,6 +66,17 @@ static func describe(p_skeleton: Skeleton3D) -> RagdollProfile:
 	return profile
 
 
+## An orientation whose Y axis lies along a limb and whose Z axis (for a hand the X axis, as its
+## thumb is there) is as near to the front as it can be.
+static func orientation_along(p_along: Vector3, p_is_hand: bool = false) -> Quaternion:
+	var y: Vector3 = p_along.normalized()
+	var front: Vector3 = Vector3.BACK if absf(y.z) < 0.9 else Vector3.UP
+	var side: Vector3 = y.cross(front).normalized()
+	var ahead: Vector3 = side.cross(y)
+	var basis: Basis = Basis(ahead, y, ahead.cross(y)) if p_is_hand else Basis(side, y, ahead)
+	return basis.get_rotation_quaternion()
+
+
 static func _shape(p_figure: RestSkeleton, p_limb: int, p_height: float) -> RagdollLimb:
 	var bone: StringName = Limbs.BONES[p_limb]
 	var shape: RagdollLimb = RagdollLimb.new()
@@ -94,22 +105,11 @@ static func _shape(p_figure: RestSkeleton, p_limb: int, p_height: float) -> Ragd
 	return shape
 
 
-## An orientation whose Y axis lies along a limb and whose Z axis (for a hand the X axis, as its
-## thumb is there) is as near to the front as it can be.
-static func orientation_along(p_along: Vector3, p_is_hand: bool = false) -> Quaternion:
-	var y: Vector3 = p_along.normalized()
-	var front: Vector3 = Vector3.BACK if absf(y.z) < 0.9 else Vector3.UP
-	var side: Vector3 = y.cross(front).normalized()
-	var ahead: Vector3 = side.cross(y)
-	var basis: Basis = Basis(ahead, y, ahead.cross(y)) if p_is_hand else Basis(side, y, ahead)
-	return basis.get_rotation_quaternion()
-
-
 ## A level box from heel to toes that stands on the sole.
 static func _shape_foot(
 	p_shape: RagdollLimb, p_figure: RestSkeleton, p_limb: int, p_height: float
 ) -> void:
-	var ahead: Vector3 = forward(p_figure, p_limb)
+	var ahead: Vector3 = p_figure.forward(p_limb)
 	var toes: Vector3 = p_shape.anchor + p_figure.direction(p_limb)
 	var lowest: float = minf(toes.y, p_shape.anchor.y - 0.03)
 	# The origin of a figure is between its soles.
@@ -127,12 +127,6 @@ static func _shape_foot(
 	p_shape.orientation = (
 		Basis(Vector3.UP.cross(ahead), Vector3.UP, ahead).get_rotation_quaternion()
 	)
-
-
-## Where a foot points, level.
-static func forward(p_figure: RestSkeleton, p_limb: int) -> Vector3:
-	var ahead: Vector3 = p_figure.direction(p_limb) * Vector3(1.0, 0.0, 1.0)
-	return ahead.normalized() if ahead.length() > 0.02 else Vector3.BACK
 
 
 static func _along(p_figure: RestSkeleton, p_limb: int) -> Vector3:

@@ -37,7 +37,7 @@ func _init(p_figure: RestSkeleton) -> void:
 ## The meshes that a skeleton moves: below it or beside it, up to the [Ragdoll].
 static func find_meshes(p_skeleton: Skeleton3D) -> Array[MeshInstance3D]:
 	var top: Node = p_skeleton
-	while top.get_parent() is Node3D and top is not Ragdoll:
+	while top.get_parent() is Node3D and top is not RagdollFigure:
 		top = top.get_parent()
 	var found: Array[MeshInstance3D] = []
 	for instance: MeshInstance3D in top.find_children("*", "MeshInstance3D", true, false):

@@ -135,15 +135,15 @@ func set_hands(p_pose: String, p_side: int = -1) -> bool:
 	return is_known
 
 
-## Closes the right hand around something, or opens it.
-func _hold(p_is_held: bool) -> void:
-	set_hands(_IN_HAND if p_is_held else _AT_EASE, _RIGHT)
-
-
 ## Puts the skeleton's own bones where they are shown, for who reads them there.
 func write_skeleton() -> void:
 	if not poser.is_driving_skeleton():
 		poser.write_skeleton(_skeleton)
+
+
+## Closes the right hand around something, or opens it.
+func _hold(p_is_held: bool) -> void:
+	set_hands(_IN_HAND if p_is_held else _AT_EASE, _RIGHT)
 
 
 func _places_of(p_bones: Array[StringName]) -> PackedVector3Array:

@@ -22,12 +22,97 @@ var _period_usec: int = 0
 var _begun_usec: int = 0
 
 
+func _exit_tree() -> void:
+	if mode != null:
+		mode.close()
+
+
+func _unhandled_input(p_event: InputEvent) -> void:
+	if headset != null and p_event.is_action_pressed(&"recentre"):
+		headset.display.recentre()
+		get_viewport().set_input_as_handled()
+	elif headset != null and p_event.is_action_pressed(&"enter_headset"):
+		var fault: String = headset.display.enter()
+		if fault != "":
+			_on_told("No headset: %s." % fault)
+		get_viewport().set_input_as_handled()
+	elif mode is StereoDisplay and p_event.is_action_pressed(&"swap_eyes"):
+		(mode as StereoDisplay).swap()
+		get_viewport().set_input_as_handled()
+	elif mode is WallDisplay:
+		_take_wall_key(mode as WallDisplay, p_event)
+
+
 func open(p_context: ClientContext) -> String:
 	super(p_context)
 	context.fresh_file = fresh_file
 	context.told.connect(tell)
 	_show(context.options)
 	return ""
+
+
+## Waits until it is time to begin the frame, then reads what the wearer's devices say in it.
+func begin_frame() -> void:
+	if _late != null:
+		var wait: int = _late.wait_usec(Time.get_ticks_usec(), _period_usec)
+		if wait > 0:
+			OS.delay_usec(wait)
+		_begun_usec = Time.get_ticks_usec()
+	if headset != null:
+		var due: int = maxi(due_usec(), Time.get_ticks_usec())
+		headset.read(due, due + MotionSender.unix_ahead())
+
+
+func advance(_delta_s: float) -> void:
+	context.due_usec = due_usec()
+	context.scene.view.sees_by_own_eyes = is_own_view()
+	context.ears = headset.display.head() if headset != null else null
+
+
+func end_frame(p_delta_s: float) -> void:
+	_place_wearer(p_delta_s)
+	if _late != null:
+		_note_work()
+
+
+## When the frame that begins now will be seen, µs; 0: as the window's [FrameClock] says.
+func due_usec() -> int:
+	return mode.due_usec() if mode != null else 0
+
+
+## Whether the user looks out of the eyes of the own body.
+func is_own_view() -> bool:
+	return context.is_headset_worn() or _tracks_head()
+
+
+## The name of a file to write: what this session recorded before the program started again for a
+## headset, or without one, is not written over.
+func fresh_file(p_path: String) -> String:
+	var path: String = p_path
+	var number: int = 2
+	while _is_restarted and FileAccess.file_exists(path):
+		path = "%s-%d.%s" % [p_path.get_basename(), number, p_path.get_extension()]
+		number += 1
+	return path
+
+
+## What the user should know, also who sees no window.
+func tell(p_text: String) -> void:
+	if headset != null:
+		headset.tell(p_text)
+
+
+## A headset that comes back by now is not gone into.
+func finish() -> void:
+	if headset != null:
+		headset.display.returns_by_itself = false
+
+
+func report() -> Dictionary:
+	var found: Dictionary = mode.report() if mode != null else {"display": DisplayNames.WINDOW}
+	if headset != null:
+		found["headset"] = headset.report()
+	return {"display": found}
 
 
 ## Begins to show the world as the options ask.
@@ -59,30 +144,6 @@ func _show(p_options: Options) -> void:
 			context.headset = headset
 
 
-## Waits until it is time to begin the frame, then reads what the wearer's devices say in it.
-func begin_frame() -> void:
-	if _late != null:
-		var wait: int = _late.wait_usec(Time.get_ticks_usec(), _period_usec)
-		if wait > 0:
-			OS.delay_usec(wait)
-		_begun_usec = Time.get_ticks_usec()
-	if headset != null:
-		var due: int = maxi(due_usec(), Time.get_ticks_usec())
-		headset.read(due, due + MotionSender.unix_ahead())
-
-
-func advance(_delta_s: float) -> void:
-	context.due_usec = due_usec()
-	context.scene.view.sees_by_own_eyes = is_own_view()
-	context.ears = headset.display.head() if headset != null else null
-
-
-func end_frame(p_delta_s: float) -> void:
-	_place_wearer(p_delta_s)
-	if _late != null:
-		_note_work()
-
-
 func _note_work() -> void:
 	var window: RID = get_viewport().get_viewport_rid()
 	var drawing_ms: float = (
@@ -91,27 +152,6 @@ func _note_work() -> void:
 		+ RenderingServer.viewport_get_measured_render_time_gpu(window)
 	)
 	_late.worked(Time.get_ticks_usec() - _begun_usec + roundi(drawing_ms * 1000.0))
-
-
-## When the frame that begins now will be seen, µs; 0: as the window's [FrameClock] says.
-func due_usec() -> int:
-	return mode.due_usec() if mode != null else 0
-
-
-## Whether the user looks out of the eyes of the own body.
-func is_own_view() -> bool:
-	return context.is_headset_worn() or _tracks_head()
-
-
-## The name of a file to write: what this session recorded before the program started again for a
-## headset, or without one, is not written over.
-func fresh_file(p_path: String) -> String:
-	var path: String = p_path
-	var number: int = 2
-	while _is_restarted and FileAccess.file_exists(path):
-		path = "%s-%d.%s" % [p_path.get_basename(), number, p_path.get_extension()]
-		number += 1
-	return path
 
 
 ## Puts a wearer into the world, of which everything is where this frame (of a length, s) shows it.
@@ -129,46 +169,6 @@ func _place_wearer(p_step_s: float) -> void:
 	else:
 		headset.follow_camera(context.scene.view.camera.global_transform)
 	headset.place(maxi(due_usec(), Time.get_ticks_usec()), p_step_s)
-
-
-## What the user should know, also who sees no window.
-func tell(p_text: String) -> void:
-	if headset != null:
-		headset.tell(p_text)
-
-
-## A headset that comes back by now is not gone into.
-func finish() -> void:
-	if headset != null:
-		headset.display.returns_by_itself = false
-
-
-func report() -> Dictionary:
-	var found: Dictionary = mode.report() if mode != null else {"display": DisplayNames.WINDOW}
-	if headset != null:
-		found["headset"] = headset.report()
-	return {"display": found}
-
-
-func _exit_tree() -> void:
-	if mode != null:
-		mode.close()
-
-
-func _unhandled_input(p_event: InputEvent) -> void:
-	if headset != null and p_event.is_action_pressed(&"recentre"):
-		headset.display.recentre()
-		get_viewport().set_input_as_handled()
-	elif headset != null and p_event.is_action_pressed(&"enter_headset"):
-		var fault: String = headset.display.enter()
-		if fault != "":
-			_on_told("No headset: %s." % fault)
-		get_viewport().set_input_as_handled()
-	elif mode is StereoDisplay and p_event.is_action_pressed(&"swap_eyes"):
-		(mode as StereoDisplay).swap()
-		get_viewport().set_input_as_handled()
-	elif mode is WallDisplay:
-		_take_wall_key(mode as WallDisplay, p_event)
 
 
 func _take_wall_key(p_wall: WallDisplay, p_event: InputEvent) -> void:

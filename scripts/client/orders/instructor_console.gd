@@ -143,6 +143,21 @@ func completions(p_line: String) -> PackedStringArray:
 	return whole
 
 
+## The lines of a table of who is here.
+static func table(p_roster: Array[RosterRow]) -> PackedStringArray:
+	var lines: PackedStringArray = []
+	var form: String = "%-22s %-10s %-8s %6s %9s %9s  %s"
+	lines.append(form % ["name", "role", "state", "people", "delay", "tracking", "suit"])
+	for row: RosterRow in p_roster:
+		var delay: String = "%.0f ms" % row.delay_ms if row.delay_ms >= 0.0 else "-"
+		var tracking: String = "%.1f°" % row.tracking_deg if row.tracking_deg >= 0.0 else "-"
+		var people: String = str(row.people) if row.people > 0 else "-"
+		var role: String = Roles.name_of(row.role)
+		var cells: Array = [row.name, role, row.state_name(), people, delay, tracking, row.suit]
+		lines.append((form % cells).strip_edges(false, true))
+	return lines
+
+
 func _change_level(p_name: String) -> void:
 	if p_name == "":
 		said.emit("which level? %s" % ", ".join(LevelStore.names()))
@@ -153,11 +168,11 @@ func _change_level(p_name: String) -> void:
 ## A file of the user's folder, or the name of a shipped effect.
 func _send_effect(p_file: String) -> void:
 	var path: String = Options.full_path(p_file)
-	if EffectFile.is_name(p_file):
+	if EffectLimits.is_name(p_file):
 		path = EffectFile.path_of(p_file)
 	var name: String = path.get_file().get_basename()
 	var file: EffectFile = EffectFile.open(path)
-	if not EffectFile.is_name(name):
+	if not EffectLimits.is_name(name):
 		said.emit("which effect? effect smoke.gdshader, with small letters, digits and _")
 	elif not file.problems.is_empty():
 		said.emit("%s: %s" % [path.get_file(), file.first_problem()])
@@ -308,21 +323,6 @@ func _on_roster_changed() -> void:
 	_wants_table = false
 	for line: String in table(_control.roster):
 		said.emit(line)
-
-
-## The lines of a table of who is here.
-static func table(p_roster: Array[RosterRow]) -> PackedStringArray:
-	var lines: PackedStringArray = []
-	var form: String = "%-22s %-10s %-8s %6s %9s %9s  %s"
-	lines.append(form % ["name", "role", "state", "people", "delay", "tracking", "suit"])
-	for row: RosterRow in p_roster:
-		var delay: String = "%.0f ms" % row.delay_ms if row.delay_ms >= 0.0 else "-"
-		var tracking: String = "%.1f°" % row.tracking_deg if row.tracking_deg >= 0.0 else "-"
-		var people: String = str(row.people) if row.people > 0 else "-"
-		var role: String = Roles.name_of(row.role)
-		var cells: Array = [row.name, role, row.state_name(), people, delay, tracking, row.suit]
-		lines.append((form % cells).strip_edges(false, true))
-	return lines
 
 
 ## What follows a command.

@@ -73,31 +73,6 @@ func prepare(p_level: Level) -> void:
 		shared.attach(self, level)
 
 
-## Loads a level at once, of the program or of those that servers have sent.
-func _load(p_reference: LevelReference) -> bool:
-	var fresh: Level = null
-	if p_reference.content_hash == "":
-		fresh = LevelStore.instantiate(p_reference.name)
-		if fresh == null:
-			missing.emit("%s: update this program" % LevelStore.describe_missing(p_reference.name))
-	else:
-		var folder: LevelFolder = LevelFolder.new(store.folder_of(p_reference.content_hash))
-		fresh = folder.build()
-		if fresh == null:
-			missing.emit("world '%s' is not here: %s" % [p_reference.name, folder.error])
-	if fresh == null:
-		return false
-	for sky: Sky in UntilDrawn.skies_of(fresh):
-		UntilDrawn.keep(sky)
-	if level != null:
-		# At once: a server may send many levels between two frames.
-		level.free()
-	prepare(fresh)
-	add_child(level)
-	fingerprint = level.fingerprint()
-	return true
-
-
 ## Finds or makes the node of an entity.
 func add_entity(p_row: EntityRow) -> void:
 	var node: Node = _find_node(p_row)
@@ -141,6 +116,31 @@ func move_bodies(p_replica: WorldReplica) -> void:
 ## Numbers of the entities that have a body here.
 func body_ids() -> Array[int]:
 	return _bodies.keys()
+
+
+## Loads a level at once, of the program or of those that servers have sent.
+func _load(p_reference: LevelReference) -> bool:
+	var fresh: Level = null
+	if p_reference.content_hash == "":
+		fresh = LevelStore.instantiate(p_reference.name)
+		if fresh == null:
+			missing.emit("%s: update this program" % LevelStore.describe_missing(p_reference.name))
+	else:
+		var folder: LevelFolder = LevelFolder.new(store.folder_of(p_reference.content_hash))
+		fresh = folder.build()
+		if fresh == null:
+			missing.emit("world '%s' is not here: %s" % [p_reference.name, folder.error])
+	if fresh == null:
+		return false
+	for sky: Sky in UntilDrawn.skies_of(fresh):
+		UntilDrawn.keep(sky)
+	if level != null:
+		# At once: a server may send many levels between two frames.
+		level.free()
+	prepare(fresh)
+	add_child(level)
+	fingerprint = LevelFingerprint.of(level)
+	return true
 
 
 ## The node of a row, or null. A path comes from the server: it must not reach nodes that the

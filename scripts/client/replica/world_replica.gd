@@ -98,55 +98,6 @@ func take(p_bytes: PackedByteArray, p_arrival_s: float) -> bool:
 	return false
 
 
-## Takes a snapshot's datagram; see [method take].
-func _take_snapshot(p_bytes: PackedByteArray, p_arrival_s: float) -> bool:
-	outcome = decoder.decode(p_bytes) if _has_table else SnapshotDecoder.NOT_BEGUN
-	if outcome != SnapshotDecoder.OK:
-		return false
-	datagrams += 1
-	var tick: int = decoder.get_tick()
-	if tick > newest_tick or tick < newest_tick - STALE:
-		newest_tick = tick
-	_take_motion(p_arrival_s)
-	snapshot_taken.emit(tick)
-	var mark: LatencyMark = _take_mark()
-	if mark != null:
-		mark.arrival_usec = roundi(p_arrival_s * 1e6)
-		marked.emit(mark)
-	return true
-
-
-## Takes the state of the snapshot that was decoded last.
-func _take_motion(p_arrival_s: float) -> void:
-	smoother.take(decoder, p_arrival_s)
-	for entity: int in decoder.get_changed_entities():
-		_active[entity] = decoder.get_tick()
-
-
-func _decode_table(p_bytes: PackedByteArray) -> EntityTableMessage:
-	return EntityTableMessage.decode(p_bytes, table.types)
-
-
-func _set_skeleton(p_row: EntityRow) -> void:
-	var joints: PersonSkeleton = p_row.skeleton
-	smoother.set_skeleton(p_row.id, joints.parents, joints.joints_in_parent, joints.joints_in_limb)
-
-
-## Takes changes of the entity table; null is none.
-func _take_table(p_changes: EntityTableMessage) -> bool:
-	if p_changes == null or not (p_changes.is_full or _has_table):
-		return false
-	_set_error(p_changes.pose_error_deg)
-	if p_changes.is_full:
-		_active.clear()
-	if not p_changes.apply(table):
-		Log.limited("client", "table", "the server sent changes that do not fit what is here")
-		return false
-	_has_table = true
-	decoder.set_table_version(table.version)
-	return true
-
-
 ## What is to be sent to the server at a time (µs), by somebody who looks from a position (m);
 ## mostly nothing.
 func acknowledgement(p_now_usec: int, p_viewpoint: Vector3) -> PackedByteArray:
@@ -271,6 +222,55 @@ func active_entities() -> PackedInt32Array:
 ## The value of a field at the moment that is shown.
 func field(p_entity: int, p_field: int) -> float:
 	return smoother.field(p_entity, p_field)
+
+
+## Takes a snapshot's datagram; see [method take].
+func _take_snapshot(p_bytes: PackedByteArray, p_arrival_s: float) -> bool:
+	outcome = decoder.decode(p_bytes) if _has_table else SnapshotDecoder.NOT_BEGUN
+	if outcome != SnapshotDecoder.OK:
+		return false
+	datagrams += 1
+	var tick: int = decoder.get_tick()
+	if tick > newest_tick or tick < newest_tick - STALE:
+		newest_tick = tick
+	_take_motion(p_arrival_s)
+	snapshot_taken.emit(tick)
+	var mark: LatencyMark = _take_mark()
+	if mark != null:
+		mark.arrival_usec = roundi(p_arrival_s * 1e6)
+		marked.emit(mark)
+	return true
+
+
+## Takes the state of the snapshot that was decoded last.
+func _take_motion(p_arrival_s: float) -> void:
+	smoother.take(decoder, p_arrival_s)
+	for entity: int in decoder.get_changed_entities():
+		_active[entity] = decoder.get_tick()
+
+
+func _decode_table(p_bytes: PackedByteArray) -> EntityTableMessage:
+	return EntityTableMessage.decode(p_bytes, table.types)
+
+
+func _set_skeleton(p_row: EntityRow) -> void:
+	var joints: PersonSkeleton = p_row.skeleton
+	smoother.set_skeleton(p_row.id, joints.parents, joints.joints_in_parent, joints.joints_in_limb)
+
+
+## Takes changes of the entity table; null is none.
+func _take_table(p_changes: EntityTableMessage) -> bool:
+	if p_changes == null or not (p_changes.is_full or _has_table):
+		return false
+	_set_error(p_changes.pose_error_deg)
+	if p_changes.is_full:
+		_active.clear()
+	if not p_changes.apply(table):
+		Log.limited("client", "table", "the server sent changes that do not fit what is here")
+		return false
+	_has_table = true
+	decoder.set_table_version(table.version)
+	return true
 
 
 func _take_level(p_level: LevelMessage) -> bool:

@@ -48,6 +48,16 @@ func _physics_process(_delta: float) -> void:
 		people.sample_in_world()
 
 
+func _unhandled_key_input(p_event: InputEvent) -> void:
+	if people != null and p_event.is_action_pressed(ACTION):
+		_show_panel(not is_panel_open())
+		get_viewport().set_input_as_handled()
+	elif people != null and p_event.is_action_pressed(HEADING_ACTION):
+		for suit: SuitSource in inputs.wearers:
+			inputs.calibration.reset_heading(suit, _now_s)
+		get_viewport().set_input_as_handled()
+
+
 ## Opens all sources.
 func open(p_context: ClientContext) -> String:
 	super(p_context)
@@ -55,7 +65,7 @@ func open(p_context: ClientContext) -> String:
 	people = ClientPeople.new(context.link, options)
 	context.people = people
 	context.link.joined.connect(people.begin)
-	_reports = WearerReports.new(context.link, self)
+	_reports = WearerReports.new(context.link, inputs, calibrate)
 	inputs.appeared.connect(_on_appeared)
 	inputs.vanished.connect(_on_vanished)
 	if context.is_headset_worn():
@@ -100,6 +110,45 @@ func read_sources(p_now_s: float) -> void:
 		_show_sources()
 
 
+## What the wearer is to see at a time, s, while the panel does not show it.
+func guide(p_now_s: float) -> String:
+	return "" if is_panel_open() else inputs.guide(p_now_s)
+
+
+## Whether the panel is open.
+func is_panel_open() -> bool:
+	return _panel != null and _panel.visible
+
+
+## Calibrates one of the people, as an instructor asks. The outcome goes to
+## [code]func(accepted: bool, text: String)[/code].
+func calibrate(p_index: int, p_kind: int, p_now_s: float, p_answer: Callable = Callable()) -> void:
+	var source: MotionSource = people.source_of(p_index) if people != null else null
+	if source == null or not ClientCalibration.orders().values().has(p_kind):
+		Log.limited("mocap", "asked", "no calibration %d of person %d" % [p_kind, p_index])
+		if p_answer.is_valid():
+			p_answer.call(false, "has no person %d, or no calibration %d" % [p_index, p_kind])
+		return
+	if source is FusedSource:
+		source = (source as FusedSource).source
+	if source is LimbFusion:
+		source = (source as LimbFusion).first()
+	if p_kind != ClientCalibration.HEADING:
+		inputs.calibrate(source, p_kind as CalibrationGuide.Kind, p_now_s, p_answer)
+	elif source is SuitSource:
+		inputs.calibration.reset_heading(source as SuitSource, p_now_s, p_answer)
+	elif p_answer.is_valid():
+		p_answer.call(false, "wears no sensors whose headings could be reset")
+
+
+## Closes all devices.
+func close() -> void:
+	_discovery.stop()
+	if people != null:
+		people.stop()
+	inputs.close()
+
+
 func _listen(p_is_wanted: bool) -> void:
 	if not p_is_wanted:
 		_discovery.stop()
@@ -142,55 +191,6 @@ func _let_guide_be_heard() -> void:
 					wearer.calibrated.connect(_cues.conclude)
 	if _guided != null:
 		_cues.follow(_guided.process)
-
-
-## What the wearer is to see at a time, s, while the panel does not show it.
-func guide(p_now_s: float) -> String:
-	return "" if is_panel_open() else inputs.guide(p_now_s)
-
-
-## Whether the panel is open.
-func is_panel_open() -> bool:
-	return _panel != null and _panel.visible
-
-
-## Calibrates one of the people, as an instructor asks. The outcome goes to
-## [code]func(accepted: bool, text: String)[/code].
-func calibrate(p_index: int, p_kind: int, p_now_s: float, p_answer: Callable = Callable()) -> void:
-	var source: MotionSource = people.source_of(p_index) if people != null else null
-	if source == null or not ClientCalibration.orders().values().has(p_kind):
-		Log.limited("mocap", "asked", "no calibration %d of person %d" % [p_kind, p_index])
-		if p_answer.is_valid():
-			p_answer.call(false, "has no person %d, or no calibration %d" % [p_index, p_kind])
-		return
-	if source is FusedSource:
-		source = (source as FusedSource).source
-	if source is LimbFusion:
-		source = (source as LimbFusion).first()
-	if p_kind != ClientCalibration.HEADING:
-		inputs.calibrate(source, p_kind as CalibrationGuide.Kind, p_now_s, p_answer)
-	elif source is SuitSource:
-		inputs.calibration.reset_heading(source as SuitSource, p_now_s, p_answer)
-	elif p_answer.is_valid():
-		p_answer.call(false, "wears no sensors whose headings could be reset")
-
-
-## Closes all devices.
-func close() -> void:
-	_discovery.stop()
-	if people != null:
-		people.stop()
-	inputs.close()
-
-
-func _unhandled_key_input(p_event: InputEvent) -> void:
-	if people != null and p_event.is_action_pressed(ACTION):
-		_show_panel(not is_panel_open())
-		get_viewport().set_input_as_handled()
-	elif people != null and p_event.is_action_pressed(HEADING_ACTION):
-		for suit: SuitSource in inputs.wearers:
-			inputs.calibration.reset_heading(suit, _now_s)
-		get_viewport().set_input_as_handled()
 
 
 func _show_panel(p_shows: bool) -> void:

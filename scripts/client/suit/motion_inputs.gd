@@ -98,16 +98,6 @@ func open_source(p_text: String) -> String:
 	return fault
 
 
-## What moves a person where nothing is named: a headset, or the default file.
-func _find_default() -> Array[SourceAddress]:
-	var found: Array[SourceAddress] = []
-	if make_default.is_valid():
-		found.append(SourceAddress.parse("xr"))
-	elif not awaits_headset and _options.text("default-bvh") != "":
-		found.append(SourceAddress.parse("bvh:" + _options.text("default-bvh")))
-	return found
-
-
 ## The sources for the panel: "number", "name", and "person", somebody's name where one is there.
 func list_sources() -> Array[Dictionary]:
 	var rows: Array[Dictionary] = []
@@ -219,6 +209,16 @@ func close() -> void:
 	streams.close()
 	if _recorder != null:
 		_recorder.close()
+
+
+## What moves a person where nothing is named: a headset, or the default file.
+func _find_default() -> Array[SourceAddress]:
+	var found: Array[SourceAddress] = []
+	if make_default.is_valid():
+		found.append(SourceAddress.parse("xr"))
+	elif not awaits_headset and _options.text("default-bvh") != "":
+		found.append(SourceAddress.parse("bvh:" + _options.text("default-bvh")))
+	return found
 
 
 ## Logs once which sources are missing, for those who see no screen.

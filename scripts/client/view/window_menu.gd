@@ -33,6 +33,21 @@ func _init() -> void:
 		add_child(panel)
 
 
+func _unhandled_input(p_event: InputEvent) -> void:
+	if p_event.is_action_pressed(_MENU):
+		var is_free: bool = not _guide.visible
+		_guide.visible = false
+		_show_menu(is_free and not _menu.visible)
+	elif p_event.is_action_pressed(_SHOW_KEYS):
+		_guide.visible = not _guide.visible
+		_menu.visible = false
+	elif p_event.is_action_pressed(_FULL_SCREEN):
+		_toggle_full_screen()
+	else:
+		return
+	get_viewport().set_input_as_handled()
+
+
 ## Adds an entry before the last one, and returns its button. The menu closes when it is chosen,
 ## unless it stays open for another choice.
 func add_entry(p_text: String, p_chosen: Callable, p_stays_open: bool = false) -> Button:
@@ -65,18 +80,6 @@ func set_keys(p_text: String) -> void:
 		_add_key(lines[half + at] if half + at < lines.size() else "")
 
 
-func _add_key(p_line: String) -> void:
-	var key: Label = Label.new()
-	key.text = p_line.get_slice("\t", 0)
-	key.theme_type_variation = UiStyle.WARNING
-	_list.add_child(key)
-	var does: Label = Label.new()
-	does.text = p_line.get_slice("\t", 1) if "\t" in p_line else ""
-	does.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
-	does.size_flags_horizontal = Control.SIZE_EXPAND_FILL
-	_list.add_child(does)
-
-
 ## Whether the menu is open.
 func is_open() -> bool:
 	return _menu.visible or _pages.any(func(page: UiPanel) -> bool: return page.visible)
@@ -87,19 +90,16 @@ func shows_keys() -> bool:
 	return _guide.visible
 
 
-func _unhandled_input(p_event: InputEvent) -> void:
-	if p_event.is_action_pressed(_MENU):
-		var is_free: bool = not _guide.visible
-		_guide.visible = false
-		_show_menu(is_free and not _menu.visible)
-	elif p_event.is_action_pressed(_SHOW_KEYS):
-		_guide.visible = not _guide.visible
-		_menu.visible = false
-	elif p_event.is_action_pressed(_FULL_SCREEN):
-		_toggle_full_screen()
-	else:
-		return
-	get_viewport().set_input_as_handled()
+func _add_key(p_line: String) -> void:
+	var key: Label = Label.new()
+	key.text = p_line.get_slice("\t", 0)
+	key.theme_type_variation = UiStyle.WARNING
+	_list.add_child(key)
+	var does: Label = Label.new()
+	does.text = p_line.get_slice("\t", 1) if "\t" in p_line else ""
+	does.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
+	does.size_flags_horizontal = Control.SIZE_EXPAND_FILL
+	_list.add_child(does)
 
 
 func _show_menu(p_shows: bool) -> void:

@@ -19,6 +19,21 @@ var _tier: int = 0
 var _press: Vector2 = Vector2.INF
 
 
+func _unhandled_input(p_event: InputEvent) -> void:
+	if p_event.is_action_pressed(_NEXT):
+		context.scene.view.follow_next()
+	elif p_event.is_action_pressed(_VIEW):
+		context.scene.view.change_view()
+	elif p_event.is_action_pressed(_CAMERA):
+		context.scene.next_camera()
+	elif p_event.is_action_pressed(_TORCH) and _moves:
+		context.scene.switch_torch()
+	else:
+		_take_click(p_event as InputEventMouseButton)
+		return
+	get_viewport().set_input_as_handled()
+
+
 func open(p_context: ClientContext) -> String:
 	super(p_context)
 	_moves = context.can(Roles.Capability.SEND_MOTION)
@@ -64,21 +79,6 @@ func _choose_next_quality() -> void:
 	_show_quality(name)
 	context.settings.choose_quality(name)
 	Quality.use(Quality.find(name), get_viewport())
-
-
-func _unhandled_input(p_event: InputEvent) -> void:
-	if p_event.is_action_pressed(_NEXT):
-		context.scene.view.follow_next()
-	elif p_event.is_action_pressed(_VIEW):
-		context.scene.view.change_view()
-	elif p_event.is_action_pressed(_CAMERA):
-		context.scene.next_camera()
-	elif p_event.is_action_pressed(_TORCH) and _moves:
-		context.scene.switch_torch()
-	else:
-		_take_click(p_event as InputEventMouseButton)
-		return
-	get_viewport().set_input_as_handled()
 
 
 func _take_click(p_event: InputEventMouseButton) -> void:

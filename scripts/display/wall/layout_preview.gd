@@ -31,7 +31,7 @@ func _ready() -> void:
 
 ## Reads the layout again and draws it.
 func reload() -> void:
-	_layout = WallLayout.read(layout_file) if layout_file != "" else null
+	_layout = LayoutReader.read(layout_file) if layout_file != "" else null
 	update_configuration_warnings()
 	if not is_inside_tree():
 		return

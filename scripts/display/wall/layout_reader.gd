@@ -38,11 +38,10 @@ const _CORNERS: PackedStringArray = ["bottom-left", "bottom-right", "top-left"]
 const _MAX_PIXELS: float = 32768.0
 const _MAX_M: float = 1000.0
 
-## The line that says where the eye is.
-var eye_line: int = 1
-## The line that says how displays keep in step; 0: none.
-var sync_line: int = 0
-
+# The line that says where the eye is.
+var _eye_line: int = 1
+# The line that says how displays keep in step; 0: none.
+var _sync_line: int = 0
 var _layout: WallLayout = null
 var _folder: String = ""
 var _screen: WallScreen = null
@@ -58,8 +57,32 @@ func _init(p_layout: WallLayout, p_folder: String) -> void:
 	_folder = p_folder
 
 
+## Reads and checks a file.
+static func read(p_path: String) -> WallLayout:
+	var file: FileAccess = FileAccess.open(p_path, FileAccess.READ)
+	if file == null:
+		var found: WallLayout = WallLayout.new(p_path)
+		var why: String = error_string(FileAccess.get_open_error())
+		found.faults.append("the layout %s cannot be read: %s" % [p_path, why])
+		return found
+	return parse(file.get_buffer(WallLayout.MAX_BYTES + 1), p_path)
+
+
+## Reads and checks the bytes of a file; the path is for messages, and where meshes are.
+static func parse(p_bytes: PackedByteArray, p_path: String) -> WallLayout:
+	var found: WallLayout = WallLayout.new(p_path)
+	if p_bytes.size() > WallLayout.MAX_BYTES or p_bytes.has(0):
+		found.refuse(1, "a layout is a text of at most %d bytes" % WallLayout.MAX_BYTES)
+		return found
+	found.fingerprint = hash(p_bytes)
+	var reader: LayoutReader = LayoutReader.new(found, p_path.get_base_dir())
+	reader._take(p_bytes.get_string_from_utf8())
+	found.check(reader._eye_line, reader._sync_line)
+	return found
+
+
 ## Reads a text.
-func take(p_text: String) -> void:
+func _take(p_text: String) -> void:
 	for raw: String in p_text.split("\n"):
 		_line += 1
 		var text: String = raw.strip_edges()
@@ -131,7 +154,7 @@ func _take_line(p_text: String) -> void:
 func _take_station(p_name: String, p_value: String) -> String:
 	match p_name:
 		"eye":
-			eye_line = _line
+			_eye_line = _line
 			var place: PackedFloat64Array = _numbers(p_value, 3, _MAX_M)
 			if place.is_empty():
 				return "is three numbers of metres: x to the right, y up, -z ahead"
@@ -154,7 +177,7 @@ func _take_station(p_name: String, p_value: String) -> String:
 				return "is one or each"
 			_layout.is_split = p_value == "each"
 		"sync":
-			sync_line = _line
+			_sync_line = _line
 			return _take_sync(p_value)
 	return ""
 

@@ -40,16 +40,6 @@ func describe() -> String:
 	return "there are %s%s" % [", ".join(texts), hint]
 
 
-## The engine tells no names; the X server's own tool does.
-func _ask_names() -> void:
-	if DisplayServer.get_name() != "X11":
-		return
-	var output: Array = []
-	if OS.execute("xrandr", PackedStringArray(["--listmonitors"]), output) != 0:
-		return
-	take_names(output[0])
-
-
 ## Takes names from what xrandr --listmonitors prints: [code] 0: +*NAME 640/169x1080/286+0+0 OUT
 ## [/code].
 func take_names(p_listed: String) -> void:
@@ -67,3 +57,13 @@ func take_names(p_listed: String) -> void:
 		var at: int = places.find(place)
 		if at >= 0:
 			names[at] = line.get_string(1)
+
+
+## The engine tells no names; the X server's own tool does.
+func _ask_names() -> void:
+	if DisplayServer.get_name() != "X11":
+		return
+	var output: Array = []
+	if OS.execute("xrandr", PackedStringArray(["--listmonitors"]), output) != 0:
+		return
+	take_names(output[0])

@@ -43,7 +43,7 @@ var _lost_tracker_s: float = 0.0
 func set_up(p_path: String, p_screens: String = "") -> String:
 	if p_path == "":
 		return _NO_LAYOUT
-	layout = WallLayout.read(p_path)
+	layout = LayoutReader.read(p_path)
 	var fault: String = layout.describe_faults()
 	if fault != "":
 		return fault

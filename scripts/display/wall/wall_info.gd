@@ -14,7 +14,7 @@ func _initialize() -> void:
 		printerr("usage: wall_info FILE [NAME,...]")
 		quit(2)
 		return
-	var layout: WallLayout = WallLayout.read(arguments[0])
+	var layout: WallLayout = LayoutReader.read(arguments[0])
 	if not layout.faults.is_empty():
 		printerr(layout.describe_faults())
 		quit(2)

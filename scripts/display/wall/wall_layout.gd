@@ -45,35 +45,11 @@ var sync_port: int = 0
 var fingerprint: int = 0
 
 var _path: String = ""
-var _eye_line: int = 1
-var _sync_line: int = 0
 
 
-## Reads and checks a file.
-static func read(p_path: String) -> WallLayout:
-	var file: FileAccess = FileAccess.open(p_path, FileAccess.READ)
-	if file == null:
-		var found: WallLayout = WallLayout.new()
-		var why: String = error_string(FileAccess.get_open_error())
-		found.faults.append("the layout %s cannot be read: %s" % [p_path, why])
-		return found
-	return parse(file.get_buffer(MAX_BYTES + 1), p_path)
-
-
-## Reads and checks the bytes of a file; the path is for messages, and where meshes are.
-static func parse(p_bytes: PackedByteArray, p_path: String) -> WallLayout:
-	var found: WallLayout = WallLayout.new()
-	found._path = p_path
-	if p_bytes.size() > MAX_BYTES or p_bytes.has(0):
-		found.refuse(1, "a layout is a text of at most %d bytes" % MAX_BYTES)
-		return found
-	found.fingerprint = hash(p_bytes)
-	var reader: LayoutReader = LayoutReader.new(found, p_path.get_base_dir())
-	reader.take(p_bytes.get_string_from_utf8())
-	found._eye_line = reader.eye_line
-	found._sync_line = reader.sync_line
-	found._check()
-	return found
+## A layout without screens. The path of its file is for messages.
+func _init(p_path: String) -> void:
+	_path = p_path
 
 
 ## Notes what is wrong in a line.
@@ -152,7 +128,9 @@ func find_eye_fault(p_eye: Vector3) -> String:
 	return ""
 
 
-func _check() -> void:
+## Notes what is wrong with what was read. [param p_eye_line] is the line that says where the eye
+## is, [param p_sync_line] that which says how displays keep in step; 0: none.
+func check(p_eye_line: int, p_sync_line: int) -> void:
 	if not faults.is_empty():
 		return
 	if screens.is_empty():
@@ -166,12 +144,12 @@ func _check() -> void:
 	var wrong: String = find_eye_fault(eye)
 	if wrong != "":
 		var text: String = wrong + ", %s: move it to the front, or exchange the screen's left and "
-		refuse(_eye_line, text % eye + "right corners if it is mirrored")
+		refuse(p_eye_line, text % eye + "right corners if it is mirrored")
 	if is_split and sync_host == "":
 		refuse(1, "clients of their own keep in step by sync = HOST:PORT of the first one")
-	if not is_split and _sync_line > 0:
+	if not is_split and p_sync_line > 0:
 		refuse(
-			_sync_line, "sync is for clients = each: one client is in step by itself; leave it out"
+			p_sync_line, "sync is for clients = each: one client is in step by itself; leave it out"
 		)
 	# Screens with clients of their own may be on other machines.
 	if not is_split:

@@ -35,6 +35,8 @@ const HINTS: Dictionary[StringName, String] = {
 	&"foot_height": "ankle to floor",
 	&"foot_length": "heel to toes",
 }
+## Height of the eyes, part of the person's own.
+const EYE_HEIGHT: float = 0.936
 ## Smallest and largest height of a person, m.
 const MIN_HEIGHT: float = 0.8
 const MAX_HEIGHT: float = 2.5

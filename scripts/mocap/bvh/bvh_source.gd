@@ -73,12 +73,6 @@ func get_period() -> float:
 	return maxf(_length() - BLEND_S, _length() * 0.5)
 
 
-func _read(p_time_usec: int) -> PoseSample:
-	if _begin_usec < 0:
-		_begin_usec = p_time_usec
-	return pose_at(start_s + (p_time_usec - _begin_usec) / 1e6)
-
-
 ## The pose after so many seconds of playing.
 func pose_at(p_time_s: float) -> PoseSample:
 	var length: float = _length()
@@ -101,6 +95,12 @@ func pose_at(p_time_s: float) -> PoseSample:
 		pose.root = pose.root.lerp(rig.hips_position(late + _skipped), blend)
 	pose.root.y -= _floor
 	return pose
+
+
+func _read(p_time_usec: int) -> PoseSample:
+	if _begin_usec < 0:
+		_begin_usec = p_time_usec
+	return pose_at(start_s + (p_time_usec - _begin_usec) / 1e6)
 
 
 func _length() -> float:

@@ -53,6 +53,28 @@ class Step:
 			return GuideMovements.TEXTS[movement]
 		return ResetPose.instruction(pose)
 
+	## Where a mount is at a part (0 to 1) of the step: its rotation from the reset pose, for
+	## somebody who faces +Z. People do not move at once, and stand before the end.
+	func rotation_at(p_part: float, p_mount: int) -> Quaternion:
+		var stands: Quaternion = ResetPose.rotation(pose, p_mount)
+		var turn: Vector3 = GuideMovements.turn_deg(movement, p_mount) * (PI / 180.0)
+		if turn == Vector3.ZERO:
+			return stands
+		var eased: float = smoothstep(0.2, 0.8, p_part)
+		if not GuideMovements.is_passage(movement):
+			eased = sin(PI * eased)
+		return Rotations.from_vector(turn * eased) * stands
+
+	## The whole pose at a part (0 to 1) of the step, facing +Z, its root at the origin.
+	func pose_at(p_part: float) -> PoseSample:
+		var found: PoseSample = PoseSample.new()
+		for mount: int in BodyMounts.COUNT:
+			if mount != BodyMounts.LEFT_SHOULDER and mount != BodyMounts.RIGHT_SHOULDER:
+				found.set_orientation(BodyMounts.LIMBS[mount], rotation_at(p_part, mount))
+		var spine: Quaternion = found.orientation(Limbs.HIPS)
+		found.set_orientation(Limbs.SPINE, spine.slerp(found.orientation(Limbs.CHEST), 0.5))
+		return found
+
 
 ## The steps of a kind; [param p_pose] is the pose of a quick reset, [param p_mounts] are the worn
 ## mounts, for a fit check.

@@ -168,10 +168,10 @@ func _place_headings() -> void:
 func _solve_all() -> void:
 	for pass_number: int in ROUNDS:
 		for fit: SensorFit in _fits:
-			fit.solve(_model)
+			FitSolver.solve(fit, _model)
 		_find_norths()
 		for at: int in _fits.size():
-			_fits[at].solve_for(_model, _norths.headings[at])
+			FitSolver.solve_for(_fits[at], _model, _norths.headings[at])
 		if pass_number + 1 < ROUNDS:
 			_learn()
 

@@ -145,30 +145,6 @@ static func turn_deg(p_movement: Movement, p_mount: int) -> Vector3:
 	return turns.get(p_mount, Vector3.ZERO)
 
 
-## Where a mount is at a part (0 to 1) of a step of a guide: its rotation from the reset pose, for
-## somebody who faces +Z. People do not move at once, and stand before the end.
-static func rotation(p_step: CalibrationGuide.Step, p_part: float, p_mount: int) -> Quaternion:
-	var stands: Quaternion = ResetPose.rotation(p_step.pose, p_mount)
-	var turn: Vector3 = turn_deg(p_step.movement, p_mount) * (PI / 180.0)
-	if turn == Vector3.ZERO:
-		return stands
-	var eased: float = smoothstep(0.2, 0.8, p_part)
-	if not is_passage(p_step.movement):
-		eased = sin(PI * eased)
-	return Rotations.from_vector(turn * eased) * stands
-
-
-## The whole pose, facing +Z, its root at the origin.
-static func pose(p_step: CalibrationGuide.Step, p_part: float) -> PoseSample:
-	var found: PoseSample = PoseSample.new()
-	for mount: int in BodyMounts.COUNT:
-		if mount != BodyMounts.LEFT_SHOULDER and mount != BodyMounts.RIGHT_SHOULDER:
-			found.set_orientation(BodyMounts.LIMBS[mount], rotation(p_step, p_part, mount))
-	var spine: Quaternion = found.orientation(Limbs.HIPS)
-	found.set_orientation(Limbs.SPINE, spine.slerp(found.orientation(Limbs.CHEST), 0.5))
-	return found
-
-
 ## Whether a movement goes from pose to pose and not back.
 static func is_passage(p_movement: Movement) -> bool:
 	return p_movement == Movement.ARMS or p_movement == Movement.ARMS_UP

@@ -96,6 +96,24 @@ func find() -> void:
 			deviations[at][sensor] = sqrt(deviations[at][sensor] ** 2 + off * off)
 
 
+## The middle of angles, rad, robust against a few odd ones; 0 if there are none.
+static func middle(p_angles: Array) -> float:
+	var best: float = 0.0
+	var best_sum: float = INF
+	for angle: float in p_angles:
+		var sum: float = 0.0
+		for other: float in p_angles:
+			sum += absf(angle_difference(angle, other))
+		if sum < best_sum:
+			best_sum = sum
+			best = angle
+	var mean: Vector2 = Vector2.ZERO
+	for angle: float in p_angles:
+		if absf(angle_difference(angle, best)) < 0.3:
+			mean += Vector2.from_angle(angle)
+	return mean.angle() if not p_angles.is_empty() else 0.0
+
+
 func _suppose_one(p_spread: float, p_log: float, p_turns: bool) -> void:
 	var any: bool = is_inf(p_spread)
 	var all: float = 0.0 if any else p_spread * p_spread
@@ -158,21 +176,3 @@ static func _log_density(p_off: float, p_variance: float) -> float:
 		var off: float = p_off + turns * TAU
 		sum += exp(-0.5 * off * off / p_variance)
 	return log(sum) - 0.5 * log(TAU * p_variance)
-
-
-## The middle of angles, rad, robust against a few odd ones; 0 if there are none.
-static func middle(p_angles: Array) -> float:
-	var best: float = 0.0
-	var best_sum: float = INF
-	for angle: float in p_angles:
-		var sum: float = 0.0
-		for other: float in p_angles:
-			sum += absf(angle_difference(angle, other))
-		if sum < best_sum:
-			best_sum = sum
-			best = angle
-	var mean: Vector2 = Vector2.ZERO
-	for angle: float in p_angles:
-		if absf(angle_difference(angle, best)) < 0.3:
-			mean += Vector2.from_angle(angle)
-	return mean.angle() if not p_angles.is_empty() else 0.0

@@ -1,7 +1,7 @@
 class_name SensorFit
 extends RefCounted
-## The heading and the mounting of one sensor that explain best what it said in the poses that were
-## held and in the movements that were made.
+## What one sensor said in the poses that were held and in the movements that were made, and the
+## heading and the mounting that explain it best: [FitSolver] finds them.
 ##
 ## With s = H r M ([Calibration]) a pose that was held says s = H P F M: P is the pose as it was
 ## asked for, F how far the limb was off. A movement turns the limb about a level axis x of the
@@ -10,11 +10,6 @@ extends RefCounted
 ## limb (1, a hinge) or of the body (0). Heading and mounting are those with the least F and o,
 ## weighted by the inverse of their variances, which [WearerModel] learns: Gauss-Newton on the
 ## rotations (maximum a posteriori, all errors taken as normal).
-
-## Iterations: errors are small angles, so a few do.
-const _ROUNDS: int = 3
-## Standard deviation of a heading of which nothing is known, rad.
-const _ANY_RAD: float = 30.0
 
 ## The arms must come down by this to show which way somebody faces, rad.
 const _MIN_ARMS: float = 0.3
@@ -126,77 +121,3 @@ func estimate_heading() -> float:
 			var found: float = atan2(turned.x, turned.z) - atan2(wanted.x, wanted.z)
 			sum += Vector2.from_angle(found) * turned.length()
 	return sum.angle() if sum.length() > _MIN_TURNS else NAN
-
-
-## Finds both, the heading being free.
-func solve(p_model: WearerModel) -> void:
-	for _round: int in _ROUNDS:
-		var found: PackedFloat64Array = _step(p_model, NAN)
-		heading_variance = found[15]
-		coupling = Vector3(found[3], found[7], found[11]) / found[15]
-	if heading_variance > _ANY_RAD:
-		# The weak guess that keeps the equations solvable is all that there is.
-		heading_variance = INF
-
-
-## Finds the mounting for a heading.
-func solve_for(p_model: WearerModel, p_heading: float) -> void:
-	mounting = Rotations.from_vector(-coupling * angle_difference(heading, p_heading)) * mounting
-	heading = p_heading
-	mounting_covariance.resize(9)
-	for _round: int in _ROUNDS:
-		var found: PackedFloat64Array = _step(p_model, heading)
-		heading = p_heading
-		for row: int in 3:
-			for column: int in 3:
-				mounting_covariance[row * 3 + column] = found[row * 4 + column]
-
-
-## One step of Gauss and Newton. The unknowns are the mounting's turn, in the limb's axes, and the
-## heading's. Returns their covariance.
-func _step(p_model: WearerModel, p_heading: float) -> PackedFloat64Array:
-	var equations: NormalEquations = NormalEquations.new(4)
-	for held: Hold in holds:
-		_add_hold(equations, held, p_model)
-	var start: Hold = hold(ResetPose.Kind.N)
-	for turn: Turn in turns:
-		_add_turn(equations, turn, start, p_model)
-	var known: bool = not is_nan(p_heading)
-	equations.add([0.0, 0.0, 0.0, 1.0], 0.0, 1e-10 if known else _ANY_RAD * _ANY_RAD)
-	var covariance: PackedFloat64Array = equations.covariance()
-	var by: PackedFloat64Array = equations.solution(covariance)
-	mounting = (Rotations.from_vector(-Vector3(by[0], by[1], by[2])) * mounting).normalized()
-	heading += by[3]
-	return covariance
-
-
-func _add_hold(r_equations: NormalEquations, p_hold: Hold, p_model: WearerModel) -> void:
-	var off: Vector3 = fault(p_hold)
-	var up: Vector3 = ResetPose.rotation(p_hold.pose, mount).inverse() * Vector3.UP
-	var variance: Vector3 = p_model.pose_variance(self, p_hold)
-	for part: int in 3:
-		var row: PackedFloat64Array = [0.0, 0.0, 0.0, -up[part]]
-		row[part] = 1.0
-		r_equations.add(row, -off[part], variance[part])
-
-
-func _add_turn(
-	r_equations: NormalEquations, p_turn: Turn, p_start: Hold, p_model: WearerModel
-) -> void:
-	var off: Vector2 = deviation(p_turn)
-	var variance: float = p_model.axis_variance(p_turn)
-	var hinge: float = p_model.hinge if p_start != null else 0.0
-	var side: Vector3 = p_turn.wanted.cross(Vector3.UP)
-	var around: Vector3 = Vector3.ZERO
-	var across: Vector3 = Vector3.ZERO
-	var start: Vector3 = Vector3.ZERO
-	if p_start != null:
-		var asked: Quaternion = ResetPose.rotation(p_start.pose, mount)
-		start = fault(p_start)
-		around = asked.inverse() * Vector3.UP * hinge
-		across = asked.inverse() * side * hinge
-		variance += p_model.hinge_variance * start.length_squared() / 3.0
-	r_equations.add(
-		[around.x, around.y, around.z, 1.0 - hinge], off.x - around.dot(start), variance
-	)
-	r_equations.add([across.x, across.y, across.z, 0.0], off.y - across.dot(start), variance)

@@ -42,12 +42,6 @@ func describe() -> String:
 	return "the motion of a calibration (%s)" % CalibrationGuide.NAMES[kind]
 
 
-func _read(p_time_usec: int) -> PoseSample:
-	if _start_usec < 0:
-		_start_usec = p_time_usec
-	return pose_at((p_time_usec - _start_usec) / 1e6)
-
-
 ## The pose after so many seconds; behind the last step the last pose stays.
 func pose_at(p_time_s: float) -> PoseSample:
 	var time: float = maxf(p_time_s - lead_s, 0.0)
@@ -78,6 +72,12 @@ func pose_at(p_time_s: float) -> PoseSample:
 			pose.set_orientation(BodyMounts.LIMBS[mount], turned)
 	pose.set_orientation(1, pose.orientation(0).slerp(pose.orientation(2), 0.5))
 	return pose
+
+
+func _read(p_time_usec: int) -> PoseSample:
+	if _start_usec < 0:
+		_start_usec = p_time_usec
+	return pose_at((p_time_usec - _start_usec) / 1e6)
 
 
 func _rotation(

@@ -13,28 +13,6 @@ const NAME_BYTES: int = 32
 ## Seconds in which the wearer goes from the calibration's last pose to the clip's first.
 const PASSAGE_S: float = 1.0
 
-## Where the joint of each mount is, from the joint of its parent, in the reset pose (Godot's frame,
-## m): a person of 1.75 m. Accelerations follow from it.
-const OFFSETS: Array[Vector3] = [
-	Vector3(0.0, 0.0, 0.0),
-	Vector3(0.0, 0.28, 0.0),
-	Vector3(0.0, 0.27, 0.0),
-	Vector3(0.03, 0.2, 0.0),
-	Vector3(0.15, 0.0, 0.0),
-	Vector3(0.3, 0.0, 0.0),
-	Vector3(0.25, 0.0, 0.0),
-	Vector3(-0.03, 0.2, 0.0),
-	Vector3(-0.15, 0.0, 0.0),
-	Vector3(-0.3, 0.0, 0.0),
-	Vector3(-0.25, 0.0, 0.0),
-	Vector3(0.09, -0.05, 0.0),
-	Vector3(0.0, -0.43, 0.0),
-	Vector3(0.0, -0.42, 0.0),
-	Vector3(-0.09, -0.05, 0.0),
-	Vector3(0.0, -0.43, 0.0),
-	Vector3(0.0, -0.42, 0.0),
-]
-
 ## Frames a second.
 var rate_hz: float = 100.0
 ## What the wearer does before the clip.
@@ -102,7 +80,10 @@ func _append(p_pose: PoseSample, r_values: PackedFloat32Array) -> void:
 		var parent: int = BodyMounts.PARENTS[mount]
 		var joint: Vector3 = p_pose.root
 		if parent >= 0:
-			joint = joints[parent] + WornSensorFeed.limb_rotation(p_pose, parent) * OFFSETS[mount]
+			joint = (
+				joints[parent]
+				+ WornSensorFeed.limb_rotation(p_pose, parent) * WornSensorFeed.OFFSETS[mount]
+			)
 		joints.append(joint)
 		# Godot's x, y, z are Xsens' y, z, x.
 		var numbers: Array[float] = [rotation.w, rotation.z, rotation.x, rotation.y]

@@ -14,6 +14,27 @@ const GRAVITY: float = 9.81
 const CLIPPED: float = 160.0
 ## The earth's magnetic field where the wearer is: north is +Z, in units of its own strength.
 const FIELD: Vector3 = Vector3(0.0, -0.906, 0.423)
+## Where the joint of each mount is, from the joint of its parent, in the reset pose (Godot's frame,
+## m): a person of 1.75 m. Accelerations follow from it.
+const OFFSETS: Array[Vector3] = [
+	Vector3(0.0, 0.0, 0.0),
+	Vector3(0.0, 0.28, 0.0),
+	Vector3(0.0, 0.27, 0.0),
+	Vector3(0.03, 0.2, 0.0),
+	Vector3(0.15, 0.0, 0.0),
+	Vector3(0.3, 0.0, 0.0),
+	Vector3(0.25, 0.0, 0.0),
+	Vector3(-0.03, 0.2, 0.0),
+	Vector3(-0.15, 0.0, 0.0),
+	Vector3(-0.3, 0.0, 0.0),
+	Vector3(-0.25, 0.0, 0.0),
+	Vector3(0.09, -0.05, 0.0),
+	Vector3(0.0, -0.43, 0.0),
+	Vector3(0.0, -0.42, 0.0),
+	Vector3(-0.09, -0.05, 0.0),
+	Vector3(0.0, -0.43, 0.0),
+	Vector3(0.0, -0.42, 0.0),
+]
 ## Where on its mount a sensor sits, m, from the mount's joint in the reset pose.
 const SITS: Array[Vector3] = [
 	Vector3(0.0, 0.06, -0.1),
@@ -54,7 +75,7 @@ var drift_sway_s: float = 240.0
 var soft_tissue_deg: float = 0.0
 ## Where each sensor sits beside [constant SITS], m, by sensor; empty: there.
 var misplaced: PackedVector3Array = PackedVector3Array()
-## The size of the wearer, in sizes of [constant SuitMotion.OFFSETS].
+## The size of the wearer, in sizes of [constant OFFSETS].
 var size: float = 1.0
 ## How far each acceleration is off at random, m/s² (standard deviation of each axis), and by how
 ## much always, by sensor; empty: nothing.
@@ -174,6 +195,25 @@ func describe() -> String:
 	return "%d made-up sensors" % _ids.size()
 
 
+## Which way a sensor's north is turned after so many seconds, rad.
+func heading(p_sensor: int, p_passed_s: float) -> float:
+	var drifted_s: float = p_passed_s
+	if drift_sway != 0.0:
+		var angle: float = TAU * p_passed_s / drift_sway_s
+		var swayed: float = cos(p_sensor * 2.4) - cos(angle + p_sensor * 2.4)
+		drifted_s += drift_sway * drift_sway_s / TAU * swayed
+	var drift_deg: float = drifts_deg[p_sensor] if p_sensor < drifts_deg.size() else 0.0
+	return _headings[p_sensor] + deg_to_rad(drift_deg) * drifted_s
+
+
+## The rotation of a mount of [BodyMounts] in a pose.
+static func limb_rotation(p_pose: PoseSample, p_mount: int) -> Quaternion:
+	var limb: Quaternion = p_pose.orientation(BodyMounts.LIMBS[p_mount])
+	if p_pose.details != null and BLADES.has(p_mount):
+		return p_pose.details.joints.get(BLADES[p_mount], limb)
+	return limb
+
+
 func _measure_sensor(
 	p_sensor: int, p_pose: PoseSample, p_passed_s: float, p_step_s: float, r_frame: SensorFrame
 ) -> void:
@@ -204,25 +244,6 @@ func _measure_sensor(
 	r_frame.set_orientation(p_sensor, turned.normalized())
 
 
-## Which way a sensor's north is turned after so many seconds, rad.
-func heading(p_sensor: int, p_passed_s: float) -> float:
-	var drifted_s: float = p_passed_s
-	if drift_sway != 0.0:
-		var angle: float = TAU * p_passed_s / drift_sway_s
-		var swayed: float = cos(p_sensor * 2.4) - cos(angle + p_sensor * 2.4)
-		drifted_s += drift_sway * drift_sway_s / TAU * swayed
-	var drift_deg: float = drifts_deg[p_sensor] if p_sensor < drifts_deg.size() else 0.0
-	return _headings[p_sensor] + deg_to_rad(drift_deg) * drifted_s
-
-
-## The rotation of a mount of [BodyMounts] in a pose.
-static func limb_rotation(p_pose: PoseSample, p_mount: int) -> Quaternion:
-	var limb: Quaternion = p_pose.orientation(BodyMounts.LIMBS[p_mount])
-	if p_pose.details != null and BLADES.has(p_mount):
-		return p_pose.details.joints.get(BLADES[p_mount], limb)
-	return limb
-
-
 ## Where the joints of all mounts are, from the root.
 func _place_joints(p_pose: PoseSample) -> void:
 	_joints.resize(BodyMounts.COUNT)
@@ -231,7 +252,7 @@ func _place_joints(p_pose: PoseSample) -> void:
 		_joints[mount] = p_pose.root
 		if parent >= 0:
 			var above: Quaternion = limb_rotation(p_pose, parent)
-			_joints[mount] = _joints[parent] + above * SuitMotion.OFFSETS[mount] * size
+			_joints[mount] = _joints[parent] + above * OFFSETS[mount] * size
 
 
 ## Where a sensor sits on its mount, m, from the mount's joint in the reset pose.

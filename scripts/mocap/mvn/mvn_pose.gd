@@ -53,6 +53,19 @@ func read(p_sample: Dictionary) -> PoseSample:
 	return pose
 
 
+## The joint of a finger's segment, counted from the left carpus; -1 for the two carpi.
+static func finger_joint(p_finger: int) -> int:
+	@warning_ignore("integer_division")
+	var of_hand: int = _FINGERS / 2
+	var step: int = p_finger % of_hand - 1
+	if step < 0:
+		return -1
+	var thumb: int = XRBodyTracker.JOINT_LEFT_THUMB_METACARPAL
+	if p_finger >= of_hand:
+		thumb = XRBodyTracker.JOINT_RIGHT_THUMB_METACARPAL
+	return thumb + _FINGER_STEPS[step]
+
+
 ## Fewer segments than a body has: only their numbers say which.
 func _read_some(p_sample: Dictionary, p_wxyz: PackedFloat32Array) -> PoseSample:
 	var wxyz: PackedFloat32Array = []
@@ -126,16 +139,3 @@ static func _take_fingers(
 			p_wxyz[at], p_wxyz[at + 1], p_wxyz[at + 2], p_wxyz[at + 3], frame
 		)
 		r_details.joints[joint] = turn.normalized()
-
-
-## The joint of a finger's segment, counted from the left carpus; -1 for the two carpi.
-static func finger_joint(p_finger: int) -> int:
-	@warning_ignore("integer_division")
-	var of_hand: int = _FINGERS / 2
-	var step: int = p_finger % of_hand - 1
-	if step < 0:
-		return -1
-	var thumb: int = XRBodyTracker.JOINT_LEFT_THUMB_METACARPAL
-	if p_finger >= of_hand:
-		thumb = XRBodyTracker.JOINT_RIGHT_THUMB_METACARPAL
-	return thumb + _FINGER_STEPS[step]

@@ -157,6 +157,26 @@ func _process(_delta: float) -> void:
 		_show_stats()
 
 
+func _input(p_event: InputEvent) -> void:
+	if not is_visible_in_tree():
+		return
+	var process: CalibrationProcess = suit().process if suit() != null else null
+	var cancels: bool = p_event.is_action_pressed(&"ui_cancel")
+	if cancels and _sheet.visible:
+		_show_sheet(false)
+	elif cancels and _sources.visible:
+		_show_sources(false)
+	elif p_event.is_action_pressed(&"toggle_source_sheet"):
+		_show_sources(not _sources.visible)
+	elif p_event.is_action_pressed(&"toggle_body_sheet"):
+		_show_sheet(not _sheet.visible)
+	elif not _box.take_input(p_event, process):
+		if not cancels:
+			return
+		close_wanted.emit()
+	get_viewport().set_input_as_handled()
+
+
 ## Nobody is at the keys: a result that is good enough is accepted by itself, after it could be
 ## read. Returns what becomes of it, for people.
 func _decide_alone() -> String:
@@ -189,9 +209,7 @@ func _show_views() -> void:
 		_figure_view.show_pose(suit().newest_pose, suit().get_body(), _trouble())
 	else:
 		# Nobody knows yet how the wearer stands: a neutral figure.
-		var neutral: PoseSample = GuideMovements.pose(
-			CalibrationGuide.countdown(ResetPose.Kind.N), 0.0
-		)
+		var neutral: PoseSample = CalibrationGuide.countdown(ResetPose.Kind.N).pose_at(0.0)
 		neutral.root = Vector3(0.0, suit().get_hip_height(), 0.0)
 		neutral.details = MotionDetails.new()
 		neutral.details.measured.resize(Limbs.COUNT)
@@ -201,26 +219,6 @@ func _show_views() -> void:
 		_seen_frame = newest
 		if _gesture.add(newest):
 			start_calibration(CalibrationGuide.Kind.FULL)
-
-
-func _input(p_event: InputEvent) -> void:
-	if not is_visible_in_tree():
-		return
-	var process: CalibrationProcess = suit().process if suit() != null else null
-	var cancels: bool = p_event.is_action_pressed(&"ui_cancel")
-	if cancels and _sheet.visible:
-		_show_sheet(false)
-	elif cancels and _sources.visible:
-		_show_sources(false)
-	elif p_event.is_action_pressed(&"toggle_source_sheet"):
-		_show_sources(not _sources.visible)
-	elif p_event.is_action_pressed(&"toggle_body_sheet"):
-		_show_sheet(not _sheet.visible)
-	elif not _box.take_input(p_event, process):
-		if not cancels:
-			return
-		close_wanted.emit()
-	get_viewport().set_input_as_handled()
 
 
 func _refresh() -> void:

@@ -76,7 +76,7 @@ func _show_step(p_process: CalibrationProcess) -> void:
 	_seconds.text = str(ceili(p_process.seconds_left))
 	_seconds.modulate = _COLORS[p_process.phase]
 	_say(p_process.instruction())
-	var pose: PoseSample = GuideMovements.pose(p_process.current_step(), p_process.step_part())
+	var pose: PoseSample = p_process.current_step().pose_at(p_process.step_part())
 	_show_figure(pose, PackedInt32Array())
 
 
@@ -86,7 +86,7 @@ func _show_result(p_result: CalibrationResult) -> void:
 	for place: CalibrationResult.PlaceQuality in p_result.mounts:
 		if not ["good", "fair"].has(place.grade()):
 			trouble.append(BodyMounts.LIMBS[place.mount])
-	var pose: PoseSample = GuideMovements.pose(CalibrationGuide.countdown(ResetPose.Kind.N), 0.0)
+	var pose: PoseSample = CalibrationGuide.countdown(ResetPose.Kind.N).pose_at(0.0)
 	_show_figure(pose, trouble)
 	if p_result.error != "":
 		_stage.text = "It did not work"

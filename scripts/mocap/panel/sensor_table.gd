@@ -92,6 +92,27 @@ func ask_mount() -> void:
 	_menu.set_focused_item(mount if mount >= 0 else BodyMounts.COUNT)
 
 
+## What a sensor does, for people: that something is wrong, or how often it measures.
+static func state_text(p_info: SensorInfo) -> String:
+	if p_info.state != SensorInfo.State.MEASURING or p_info.age_s > _OLD_S:
+		var since: String = " %s" % age_text(p_info.age_s) if is_finite(p_info.age_s) else ""
+		return p_info.state_name() + since
+	if p_info.loss > _LOSSY:
+		return "loses %.0f %%" % (p_info.loss * 100.0)
+	if p_info.battery >= 0.0 and p_info.battery < _LOW:
+		return "battery %.0f %%" % (p_info.battery * 100.0)
+	return "%.0f Hz" % p_info.rate_hz if p_info.rate_hz > 0.0 else p_info.state_name()
+
+
+## An age for people, s.
+static func age_text(p_age_s: float) -> String:
+	if is_inf(p_age_s):
+		return "-"
+	if p_age_s < 1.0:
+		return "%d ms" % roundi(p_age_s * 1000.0)
+	return "%d s" % mini(roundi(p_age_s), 999)
+
+
 func _choose(p_mount: int) -> void:
 	mount_chosen.emit(_asked, p_mount if p_mount < BodyMounts.COUNT else -1)
 	grab_focus()
@@ -121,18 +142,6 @@ func _show_sensor(p_row: TreeItem, p_info: SensorInfo, p_mount: int) -> void:
 	p_row.set_tooltip_text(2, p_info.where)
 	_cell(p_row, 3, state_text(p_info), _PLAIN if _is_well(p_info) else WARN)
 	p_row.set_tooltip_text(3, p_info.trouble)
-
-
-## What a sensor does, for people: that something is wrong, or how often it measures.
-static func state_text(p_info: SensorInfo) -> String:
-	if p_info.state != SensorInfo.State.MEASURING or p_info.age_s > _OLD_S:
-		var since: String = " %s" % age_text(p_info.age_s) if is_finite(p_info.age_s) else ""
-		return p_info.state_name() + since
-	if p_info.loss > _LOSSY:
-		return "loses %.0f %%" % (p_info.loss * 100.0)
-	if p_info.battery >= 0.0 and p_info.battery < _LOW:
-		return "battery %.0f %%" % (p_info.battery * 100.0)
-	return "%.0f Hz" % p_info.rate_hz if p_info.rate_hz > 0.0 else p_info.state_name()
 
 
 static func _is_well(p_info: SensorInfo) -> bool:
@@ -181,12 +190,3 @@ static func _cell(p_row: TreeItem, p_column: int, p_text: String, p_color: Color
 	if p_row.get_text(p_column) != p_text:
 		p_row.set_text(p_column, p_text)
 	p_row.set_custom_color(p_column, p_color)
-
-
-## An age for people, s.
-static func age_text(p_age_s: float) -> String:
-	if is_inf(p_age_s):
-		return "-"
-	if p_age_s < 1.0:
-		return "%d ms" % roundi(p_age_s * 1000.0)
-	return "%d s" % mini(roundi(p_age_s), 999)

@@ -128,6 +128,20 @@ func read(p_bytes: PackedByteArray, _p_sender: String) -> Array[StreamSample]:
 	return samples
 
 
+## The joint of one of Studio's bones, or -1.
+static func joint_of(p_bone: String) -> int:
+	if JOINTS.has(p_bone):
+		return JOINTS[p_bone]
+	for side: int in 2:
+		var finger: String = p_bone.trim_prefix("right" if side == 1 else "left")
+		if finger != p_bone and FINGERS.has(finger):
+			var hands: PackedInt32Array = [
+				XRBodyTracker.JOINT_LEFT_HAND, XRBodyTracker.JOINT_RIGHT_HAND
+			]
+			return hands[side] + FINGERS[finger]
+	return -1
+
+
 func _read_actor(p_actor: Dictionary) -> StreamSample:
 	var body: Dictionary = StreamJson.child(p_actor, "body")
 	_builder.clear()
@@ -153,20 +167,6 @@ func _read_actor(p_actor: Dictionary) -> StreamSample:
 	if sample.pose == null and fault == "" and not body.is_empty():
 		fault = "an actor's body has no bones that are known"
 	return sample if sample.pose != null else null
-
-
-## The joint of one of Studio's bones, or -1.
-static func joint_of(p_bone: String) -> int:
-	if JOINTS.has(p_bone):
-		return JOINTS[p_bone]
-	for side: int in 2:
-		var finger: String = p_bone.trim_prefix("right" if side == 1 else "left")
-		if finger != p_bone and FINGERS.has(finger):
-			var hands: PackedInt32Array = [
-				XRBodyTracker.JOINT_LEFT_HAND, XRBodyTracker.JOINT_RIGHT_HAND
-			]
-			return hands[side] + FINGERS[finger]
-	return -1
 
 
 static func _in_godot(p_wxyz: Array) -> Quaternion:

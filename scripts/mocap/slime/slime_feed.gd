@@ -181,15 +181,6 @@ func has_sensors() -> bool:
 	return has_any
 
 
-func _title() -> String:
-	return "SlimeVR (%s)" % _port.describe()
-
-
-## Why nothing that came at the port was of use, not long before a time, µs. The mutex is held.
-func _trouble_at_port(p_now_usec: int) -> String:
-	return _why if _devices.is_empty() and p_now_usec - _why_usec < _TOLD_USEC else ""
-
-
 ## Takes a datagram of a tracker that came at a time, µs of Unix time.
 func take(p_bytes: PackedByteArray, p_sender: String, p_usec: int) -> void:
 	var fault: String = ""
@@ -213,6 +204,15 @@ func take(p_bytes: PackedByteArray, p_sender: String, p_usec: int) -> void:
 	_mutex.unlock()
 	if fault != "":
 		Log.limited("mocap", "slime " + p_sender, "SlimeVR from %s: %s" % [p_sender, fault])
+
+
+func _title() -> String:
+	return "SlimeVR (%s)" % _port.describe()
+
+
+## Why nothing that came at the port was of use, not long before a time, µs. The mutex is held.
+func _trouble_at_port(p_now_usec: int) -> String:
+	return _why if _devices.is_empty() and p_now_usec - _why_usec < _TOLD_USEC else ""
 
 
 ## Answers a tracker, and lists sensors of it that are new. The mutex is held, here and below.

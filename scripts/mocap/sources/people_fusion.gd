@@ -51,15 +51,6 @@ func choose(p_group: LimbFusion.Group, p_number: int) -> String:
 	return ""
 
 
-## Numbers of the sources that complete the first one, in no order.
-func _completing_numbers() -> Dictionary[int, bool]:
-	var numbers: Dictionary[int, bool] = {}
-	for number: int in _choices.values():
-		if number > 1:
-			numbers[number] = true
-	return numbers
-
-
 ## Which source gives a group.
 func choice(p_group: LimbFusion.Group) -> int:
 	return _choices.get(p_group, 1)
@@ -108,3 +99,12 @@ func vanish(p_source: MotionSource) -> void:
 		vanished.emit(gone)
 	else:
 		vanished.emit(p_source)
+
+
+## Numbers of the sources that complete the first one, in no order.
+func _completing_numbers() -> Dictionary[int, bool]:
+	var numbers: Dictionary[int, bool] = {}
+	for number: int in _choices.values():
+		if number > 1:
+			numbers[number] = true
+	return numbers

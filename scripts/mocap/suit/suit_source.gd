@@ -10,8 +10,6 @@ extends MotionSource
 ## There is a result of a calibration to accept or refuse.
 signal calibrated(p_result: CalibrationResult)
 
-## A sensor that is silent for this long counts as not worn, and its limb is filled, s.
-const SILENT_S: float = 0.5
 ## Maximum of frames that wait for display and calibration; beyond it the oldest are dropped.
 const MAX_RECENT: int = 2048
 ## Time in which the body blends into another calibration, s.

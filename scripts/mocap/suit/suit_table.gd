@@ -2,8 +2,11 @@ class_name SuitTable
 extends RefCounted
 ## Turns frames of sensors into poses: for each sensor its mount and calibration, ready to be used.
 ##
-## A sensor that was silent in a frame keeps its last orientation for [constant
-## SuitSource.SILENT_S]. Any thread may ask for a pose.
+## A sensor that was silent in a frame keeps its last orientation for [constant SILENT_S].
+## Any thread may ask for a pose.
+
+## A sensor that is silent for this long counts as not worn, and its limb is filled, s.
+const SILENT_S: float = 0.5
 
 ## Mount of each sensor, -1 if it is not worn.
 var mounts: PackedInt32Array = PackedInt32Array()
@@ -114,7 +117,7 @@ func pose(p_frame: SensorFrame) -> PoseSample:
 ## Whether a sensor was heard about a time, µs. The mutex is held.
 func _is_fresh(p_sensor: int, p_time_usec: int) -> bool:
 	var age_s: float = (p_time_usec - _last_usec[p_sensor]) / 1e6
-	return _last_usec[p_sensor] >= 0 and absf(age_s) <= SuitSource.SILENT_S
+	return _last_usec[p_sensor] >= 0 and absf(age_s) <= SILENT_S
 
 
 func _add_details(p_frame: SensorFrame, r_details: MotionDetails) -> void:

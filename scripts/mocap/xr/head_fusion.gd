@@ -32,8 +32,6 @@ const NECK_RANGE: float = deg_to_rad(75.0)
 const CHEST_FILTER_S: float = 60.0
 ## Longest step between samples, s: after a longer break all is taken at once.
 const MAX_STEP_S: float = 1.0
-## Height of the eyes, part of the wearer's own.
-const EYE_HEIGHT: float = 0.936
 # Moments for the mount: one in this time, s, while the chest turns by no more than, rad/s.
 const _MOUNT_S: float = 0.1
 const _STILL: float = 0.35
@@ -103,17 +101,6 @@ func turn(p_angle: float) -> void:
 	_restart_place()
 
 
-func _restart_place() -> void:
-	_steady.restart()
-	_soft.clear()
-	_had_place = false
-	_had_head = false
-	_has_hips = false
-	_time_usec = 0
-	for arm: ArmReach in _arms:
-		arm.restart()
-
-
 ## Corrects a sample, in place, by what the headset says of the same moment.
 func apply(p_sample: PoseSample, p_frame: XrFrame) -> void:
 	_begin(p_sample)
@@ -132,6 +119,17 @@ func apply(p_sample: PoseSample, p_frame: XrFrame) -> void:
 ## The turn of the body about the vertical, rad.
 func correction() -> float:
 	return heading.angle if orientation != Source.SUIT else 0.0
+
+
+func _restart_place() -> void:
+	_steady.restart()
+	_soft.clear()
+	_had_place = false
+	_had_head = false
+	_has_hips = false
+	_time_usec = 0
+	for arm: ArmReach in _arms:
+		arm.restart()
 
 
 func _begin(p_sample: PoseSample) -> void:

@@ -16,7 +16,7 @@ var eye_height: float = 0.0
 static func of_size(p_size: BodySize) -> ShownFigure:
 	var figure: ShownFigure = ShownFigure.new()
 	figure.joints = p_size.joints()
-	figure.eye_height = p_size.height * HeadFusion.EYE_HEIGHT
+	figure.eye_height = p_size.height * BodySize.EYE_HEIGHT
 	return figure
 
 
@@ -36,9 +36,7 @@ static func of_skeleton(
 		places.append(joint - p_skeleton.joints_in_limb[limb])
 		figure.joints.append(joint * (p_own_hips / p_hips))
 	var height: float = BodySize.of_hip_height(p_own_hips).height
-	figure.eye_height = maxf(
-		height * HeadFusion.EYE_HEIGHT, figure.joints[Limbs.HEAD].y + MIN_EYES_M
-	)
+	figure.eye_height = maxf(height * BodySize.EYE_HEIGHT, figure.joints[Limbs.HEAD].y + MIN_EYES_M)
 	return figure
 
 

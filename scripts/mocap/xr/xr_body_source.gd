@@ -108,7 +108,7 @@ func _measure(p_step_s: float) -> void:
 	if _is_given or is_seated:
 		return
 	var eyes: float = _frame.head.origin.y
-	var tall: float = clampf(eyes / HeadFusion.EYE_HEIGHT, MIN_HEIGHT, MAX_HEIGHT)
+	var tall: float = clampf(eyes / BodySize.EYE_HEIGHT, MIN_HEIGHT, MAX_HEIGHT)
 	if not _is_measured:
 		_is_measured = true
 		_take_height(tall)

@@ -8,11 +8,11 @@ extends RefCounted
 ## Bytes of a file in a part.
 const ROOM: int = Protocol.MAX_DATAGRAM - 120
 ## Parts of the largest file.
-const MAX_PARTS: int = EffectFile.MAX_BYTES / ROOM + 1
+const MAX_PARTS: int = EffectLimits.MAX_BYTES / ROOM + 1
 
 ## Number of the transfer, or of an instructor's order.
 var number: int = 0
-## Name of the effect: [method EffectFile.is_name].
+## Name of the effect: [method EffectLimits.is_name].
 var name: String = ""
 ## Number of the part, from 0.
 var part: int = 0
@@ -27,7 +27,7 @@ static func split(
 	p_number: int, p_name: String, p_bytes: PackedByteArray
 ) -> Array[PackedByteArray]:
 	var messages: Array[PackedByteArray] = []
-	if p_bytes.size() > EffectFile.MAX_BYTES:
+	if p_bytes.size() > EffectLimits.MAX_BYTES:
 		return messages
 	var count: int = maxi(ceili(float(p_bytes.size()) / ROOM), 1)
 	for i: int in count:
@@ -44,11 +44,11 @@ static func decode(p_bytes: PackedByteArray) -> EffectMessage:
 	var reader: ByteReader = ByteReader.new(p_bytes, 1)
 	var message: EffectMessage = EffectMessage.new()
 	message.number = reader.read_u16()
-	message.name = reader.read_text(EffectFile.MAX_NAME)
+	message.name = reader.read_text(EffectLimits.MAX_NAME)
 	message.part = reader.read_u8()
 	message.parts = reader.read_u8()
 	message.data = reader.read_bytes(mini(reader.left(), ROOM))
-	if not reader.is_complete() or not EffectFile.is_name(message.name):
+	if not reader.is_complete() or not EffectLimits.is_name(message.name):
 		return null
 	if message.parts < 1 or message.parts > MAX_PARTS or message.part >= message.parts:
 		return null

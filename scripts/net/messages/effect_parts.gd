@@ -23,7 +23,7 @@ func take(p_message: EffectMessage) -> bool:
 	if p_message.number != _number or p_message.name != _name or p_message.part != _next:
 		_number = -1
 		return false
-	if p_message.parts != _parts or bytes.size() + p_message.data.size() > EffectFile.MAX_BYTES:
+	if p_message.parts != _parts or bytes.size() + p_message.data.size() > EffectLimits.MAX_BYTES:
 		_number = -1
 		return false
 	bytes.append_array(p_message.data)

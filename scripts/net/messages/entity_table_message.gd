@@ -117,6 +117,13 @@ func apply(p_table: EntityTable) -> bool:
 	return true
 
 
+## A new entity as it is sent.
+static func row_bytes(p_row: EntityRow) -> PackedByteArray:
+	if p_row.encoded.is_empty():
+		p_row.encoded = _encode_row(p_row)
+	return p_row.encoded
+
+
 func _fits(p_table: EntityTable) -> bool:
 	var taken: Dictionary[int, bool] = {}
 	for id: int in despawned:
@@ -129,13 +136,6 @@ func _fits(p_table: EntityTable) -> bool:
 		taken[row.id] = true
 	var count: int = p_table.rows.size() + spawned.size() - despawned.size()
 	return count <= EntityTable.MAX_ENTITIES
-
-
-## A new entity as it is sent.
-static func row_bytes(p_row: EntityRow) -> PackedByteArray:
-	if p_row.encoded.is_empty():
-		p_row.encoded = _encode_row(p_row)
-	return p_row.encoded
 
 
 static func _encode_row(p_row: EntityRow) -> PackedByteArray:

@@ -75,11 +75,6 @@ static func read_fields(p_argument: String) -> Dictionary[StringName, float]:
 	return values
 
 
-## Whether a text is a number without an exponent: the engine complains about large ones.
-static func _is_number(p_text: String) -> bool:
-	return p_text.length() < 16 and not p_text.containsn("e") and p_text.is_valid_float()
-
-
 ## The order in a packet, or null if it is invalid.
 static func decode(p_bytes: PackedByteArray) -> OrderMessage:
 	var reader: ByteReader = ByteReader.new(p_bytes, 1)
@@ -94,3 +89,8 @@ static func decode(p_bytes: PackedByteArray) -> OrderMessage:
 		return null
 	order.kind = wanted as Kind
 	return order
+
+
+## Whether a text is a number without an exponent: the engine complains about large ones.
+static func _is_number(p_text: String) -> bool:
+	return p_text.length() < 16 and not p_text.containsn("e") and p_text.is_valid_float()

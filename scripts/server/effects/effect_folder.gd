@@ -65,4 +65,4 @@ func _look() -> void:
 		var access: FileAccess = FileAccess.open(path.path_join(file), FileAccess.READ)
 		# One that an editor is just replacing is there at the next look.
 		if access != null:
-			_read[file.get_basename()] = access.get_buffer(EffectFile.MAX_BYTES + 1)
+			_read[file.get_basename()] = access.get_buffer(EffectLimits.MAX_BYTES + 1)

@@ -77,7 +77,7 @@ func advance(_now_usec: int, p_delta_s: float) -> void:
 	_quiet_s -= p_delta_s
 	var changed: Dictionary[String, PackedByteArray] = _folder.advance(p_delta_s)
 	for name: String in changed:
-		if EffectFile.is_name(name):
+		if EffectLimits.is_name(name):
 			_add_check(name, changed[name])
 		else:
 			Log.limited("effects", name, "%s is not used: %s" % [name.left(60), _bad_name()])

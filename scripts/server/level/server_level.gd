@@ -52,6 +52,10 @@ func _init() -> void:
 	loader.has_thread = not RenderLock.is_needed()
 
 
+func _exit_tree() -> void:
+	loader.close()
+
+
 ## Replaces the present level and all its entities by another, at once. Returns an empty text, or
 ## why it cannot; then nothing has changed.
 func load_level(p_name: String, p_tick: int = 0) -> String:
@@ -74,7 +78,7 @@ func load_level(p_name: String, p_tick: int = 0) -> String:
 		level.queue_free()
 	_take_over(fresh, p_name, from)
 	add_child(level)
-	fingerprint = level.fingerprint()
+	fingerprint = LevelFingerprint.of(level)
 	_spawn_world(p_tick)
 	_list_things()
 	_spawn_until(1 << 62, p_tick)
@@ -111,67 +115,11 @@ func advance(p_tick: int) -> void:
 	longest_usec = maxi(longest_usec, ThreadClock.get_usec() - begin_usec)
 
 
-func _go_on(p_tick: int) -> void:
-	loader.advance()
-	match loader.state:
-		LevelLoader.State.FAILED:
-			loader.state = LevelLoader.State.IDLE
-			change_ended.emit(_name_fault(loader.name, loader.fault))
-		LevelLoader.State.READ:
-			_leave_level()
-			if level != null:
-				loader.dismiss(level)
-			_take_over(loader.level, loader.name, loader.folder())
-			loader.enter(self)
-			is_between = true
-		LevelLoader.State.DONE:
-			fingerprint = loader.fingerprint
-			loader.state = LevelLoader.State.IDLE
-			_spawn_world(p_tick)
-			_list_things()
-		LevelLoader.State.IDLE:
-			var until: int = Time.get_ticks_usec() + LevelLoader.BUDGET_USEC
-			if is_between and _spawn_until(until, p_tick):
-				is_between = false
-				_begin_level()
-				change_ended.emit("")
-
-
-func _exit_tree() -> void:
-	loader.close()
-
-
 ## Why there can be no level of a name, or an empty text.
 func find_fault(p_name: String) -> String:
 	if share.has(p_name) or LevelStore.has(p_name):
 		return ""
 	return LevelStore.describe_missing(p_name, share.names())
-
-
-static func _name_fault(p_name: String, p_fault: String) -> String:
-	return "world '%s' is refused: %s" % [p_name, p_fault] if p_fault != "" else ""
-
-
-func _leave_level() -> void:
-	leaving.emit()
-	table.clear_rows()
-
-
-func _take_over(p_level: Level, p_name: String, p_folder: LevelFolder) -> void:
-	level = p_level
-	level_name = p_name
-	folder = p_folder
-	var content_hash: String = p_folder.manifest.content_hash() if p_folder != null else ""
-	reference = LevelReference.text_of(p_name, content_hash)
-	if shared != null:
-		shared.attach(self, level)
-
-
-## The level is in the tree as a whole, and in the table.
-func _begin_level() -> void:
-	changed.emit()
-	if shared != null:
-		shared.release()
 
 
 ## The level and what is being loaded, for a report.
@@ -218,6 +166,58 @@ func add_instance(
 		node.queue_free()
 		return null
 	return entity
+
+
+func _go_on(p_tick: int) -> void:
+	loader.advance()
+	match loader.state:
+		LevelLoader.State.FAILED:
+			loader.state = LevelLoader.State.IDLE
+			change_ended.emit(_name_fault(loader.name, loader.fault))
+		LevelLoader.State.READ:
+			_leave_level()
+			if level != null:
+				loader.dismiss(level)
+			_take_over(loader.level, loader.name, loader.folder())
+			loader.enter(self)
+			is_between = true
+		LevelLoader.State.DONE:
+			fingerprint = loader.fingerprint
+			loader.state = LevelLoader.State.IDLE
+			_spawn_world(p_tick)
+			_list_things()
+		LevelLoader.State.IDLE:
+			var until: int = Time.get_ticks_usec() + LevelLoader.BUDGET_USEC
+			if is_between and _spawn_until(until, p_tick):
+				is_between = false
+				_begin_level()
+				change_ended.emit("")
+
+
+static func _name_fault(p_name: String, p_fault: String) -> String:
+	return "world '%s' is refused: %s" % [p_name, p_fault] if p_fault != "" else ""
+
+
+func _leave_level() -> void:
+	leaving.emit()
+	table.clear_rows()
+
+
+func _take_over(p_level: Level, p_name: String, p_folder: LevelFolder) -> void:
+	level = p_level
+	level_name = p_name
+	folder = p_folder
+	var content_hash: String = p_folder.manifest.content_hash() if p_folder != null else ""
+	reference = LevelReference.text_of(p_name, content_hash)
+	if shared != null:
+		shared.attach(self, level)
+
+
+## The level is in the tree as a whole, and in the table.
+func _begin_level() -> void:
+	changed.emit()
+	if shared != null:
+		shared.release()
 
 
 ## Lists what the level has besides the world: its props and its entities, each with its node.

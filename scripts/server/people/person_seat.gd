@@ -40,12 +40,12 @@ const _JUMP: float = 0.2
 ## What the phase is.
 var phase: Phase = Phase.COMING
 ## The seat; may have been freed.
-var seat: Seat = null
+var seat: SeatGeometry = null
 ## How it holds; null: not at all.
 var hold: SeatHold = null
 
 var _body: PhysicsBody3D = null
-var _person: ServerPerson = null
+var _person: DrivenBody = null
 var _joint: SeatJoint = null
 var _neighbours: Array[RID] = []
 ## The person's own frame in that of the seat.
@@ -67,7 +67,9 @@ var _before: Dictionary[StringName, float] = {}
 
 
 ## Somebody takes a seat of a body. [param p_is_inside]: out of another seat of it.
-func _init(p_person: ServerPerson, p_seat: Seat, p_body: PhysicsBody3D, p_is_inside: bool) -> void:
+func _init(
+	p_person: DrivenBody, p_seat: SeatGeometry, p_body: PhysicsBody3D, p_is_inside: bool
+) -> void:
 	_person = p_person
 	seat = p_seat
 	hold = p_seat.hold()

@@ -111,41 +111,6 @@ func remove(p_session: int) -> void:
 	changes.take_list(p_session, [], "")
 
 
-func _take_start(p_key: int, p_avatar: String) -> Transform3D:
-	var space: PhysicsDirectSpaceState3D = get_world_3d().direct_space_state
-	return _positions.take(p_key, space, p_avatar)
-
-
-func _on_made(
-	p_key: int, p_wanted: PeopleChanges.Wanted, p_ragdoll: Ragdoll, p_joints: PersonSkeleton
-) -> void:
-	var person: ServerPerson = ServerPerson.new()
-	person.session = p_wanted.session
-	person.card = p_wanted.card
-	person.name = p_wanted.name
-	person.ragdoll = p_ragdoll
-	person.entity = Entity.find_in(p_ragdoll)
-	person.scale = p_ragdoll.get_hip_height() / p_wanted.card.hip_height
-	person.joints = p_joints
-	_people[p_key] = person
-	person.stand_at(p_ragdoll.transform)
-	_enter(person)
-
-
-func _remove(p_key: int) -> void:
-	var person: ServerPerson = _people.get(p_key)
-	if person == null:
-		return
-	_gone.push_front(person.stats())
-	_gone.resize(mini(_gone.size(), _REMEMBERED))
-	_table.despawn(person.id)
-	# Before its limbs leave the areas that carry people.
-	person.let_go()
-	_people.erase(p_key)
-	_positions.release(p_key)
-	changes.discard(person.ragdoll)
-
-
 ## The people, in the order in which they came.
 func list() -> Array[ServerPerson]:
 	return _people.values()
@@ -220,18 +185,9 @@ func enter(p_points: Array[Transform3D], p_avatars: PackedStringArray = []) -> v
 	_stand_up()
 
 
-## Puts everybody who is here at start positions.
-func _stand_up() -> void:
-	for key: int in _people:
-		if _people[key].carrier == null:
-			var avatar: String = AvatarStore.resolve(_people[key].card.avatar)
-			_people[key].stand_at(_take_start(key, avatar))
-			person_attached.emit(_people[key], -1)
-
-
 ## Has a seat of an entity carry the people of a session: the first of them, if the seat holds
 ## bodies, or all.
-func attach(p_session: int, p_entity: int, p_carrier: PhysicsBody3D, p_seat: Seat) -> void:
+func attach(p_session: int, p_entity: int, p_carrier: PhysicsBody3D, p_seat: SeatGeometry) -> void:
 	for person: ServerPerson in _of_session(p_session):
 		# Some sit already when others of the session come; some are still on the way out.
 		var sits: bool = person.sitting != null and person.sitting.seat == p_seat
@@ -295,7 +251,53 @@ func detach_person(p_person: ServerPerson) -> void:
 	person_attached.emit(p_person, -1)
 
 
-func _seat(p_person: ServerPerson, p_entity: int, p_carrier: PhysicsBody3D, p_seat: Seat) -> void:
+func _take_start(p_key: int, p_avatar: String) -> Transform3D:
+	var space: PhysicsDirectSpaceState3D = get_world_3d().direct_space_state
+	return _positions.take(p_key, space, p_avatar)
+
+
+func _on_made(
+	p_key: int, p_wanted: PeopleChanges.Wanted, p_ragdoll: Ragdoll, p_joints: PersonSkeleton
+) -> void:
+	var person: ServerPerson = ServerPerson.new()
+	person.session = p_wanted.session
+	person.card = p_wanted.card
+	person.name = p_wanted.name
+	person.ragdoll = p_ragdoll
+	person.entity = Entity.find_in(p_ragdoll)
+	person.scale = p_ragdoll.get_hip_height() / p_wanted.card.hip_height
+	person.joints = p_joints
+	_people[p_key] = person
+	person.stand_at(p_ragdoll.transform)
+	_enter(person)
+
+
+func _remove(p_key: int) -> void:
+	var person: ServerPerson = _people.get(p_key)
+	if person == null:
+		return
+	_gone.push_front(person.stats())
+	_gone.resize(mini(_gone.size(), _REMEMBERED))
+	_table.despawn(person.id)
+	# Before its limbs leave the areas that carry people.
+	person.let_go()
+	_people.erase(p_key)
+	_positions.release(p_key)
+	changes.discard(person.ragdoll)
+
+
+## Puts everybody who is here at start positions.
+func _stand_up() -> void:
+	for key: int in _people:
+		if _people[key].carrier == null:
+			var avatar: String = AvatarStore.resolve(_people[key].card.avatar)
+			_people[key].stand_at(_take_start(key, avatar))
+			person_attached.emit(_people[key], -1)
+
+
+func _seat(
+	p_person: ServerPerson, p_entity: int, p_carrier: PhysicsBody3D, p_seat: SeatGeometry
+) -> void:
 	var is_inside: bool = p_person.sitting != null and p_person.carrier == p_carrier
 	p_person.let_go()
 	p_person.sitting = PersonSeat.new(p_person, p_seat, p_carrier, is_inside)

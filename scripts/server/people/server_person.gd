@@ -1,5 +1,5 @@
 class_name ServerPerson
-extends RefCounted
+extends DrivenBody
 ## One of the people on the server: the body, and the motion that drives it.
 
 # Old samples in a row that are worth a log line, and that mean a new clock.
@@ -16,8 +16,6 @@ var session: int = 0
 var card: PersonCard = PersonCard.new()
 ## Shown to the others.
 var name: String = ""
-## The body.
-var ragdoll: Ragdoll = null
 ## The scene's entity, or null.
 var entity: Entity = null
 ## The body's joints.
@@ -26,10 +24,6 @@ var joints: PersonSkeleton = null
 var clock: SampleClock = SampleClock.new()
 ## Moment of the motion that the last step ended at, s in the wearer's clock.
 var moment_s: float = 0.0
-## The newest sample, or null.
-var newest: PoseSample = null
-## Where the person's own origin is in the frame of its motor.
-var origin: Vector3 = Vector3.ZERO
 ## The body that carries the person, or null, and the person's own frame in that of the body.
 var carrier: PhysicsBody3D = null
 ## Its entity, which outlives the body; -1 none.
@@ -41,27 +35,12 @@ var seat: Transform3D = Transform3D.IDENTITY
 var rides: bool = false
 ## The seat that the person takes, sits in or leaves, or null.
 var sitting: PersonSeat = null
-## Scales the wearer's travel to the body's build.
-var scale: float = 1.0
 ## Samples that were too old.
 var refused: int = 0
 ## The same since the last that was not.
 var refused_in_a_row: int = 0
 ## From sampling to the end of the tick that used the sample, ms.
 var delay: Statistics = Statistics.recent()
-
-
-## Has the motion begin anew at a start position: the wearer's own frame is turned there.
-func stand_at(p_start: Transform3D) -> void:
-	var turn: Basis = p_start.basis
-	origin = p_start.origin
-	ragdoll.motor.set_frame(Transform3D(turn, p_start.origin - turn * p_start.origin))
-	ragdoll.motor.clear_motion()
-
-
-## Where the body's hips are, m.
-func hips() -> Vector3:
-	return ragdoll.get_limb_nodes()[Limbs.ROOT].global_position
 
 
 ## Takes a sample that arrived at a time, s.

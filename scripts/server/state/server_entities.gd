@@ -1,5 +1,5 @@
 class_name ServerEntities
-extends EntityAuthority
+extends SeatAuthority
 ## The server's side of all entities: sets their fields, gives them the commands of clients, and
 ## sends their events.
 
@@ -90,7 +90,7 @@ func add_session(p_session: int) -> void:
 func remove_session(p_session: int) -> void:
 	_queues.erase(p_session)
 	_refusals.erase(p_session)
-	var seat: Seat = _possession.seat_of(p_session)
+	var seat: Seat = _possession.seat_of(p_session) as Seat
 	if seat != null:
 		seat.vacate()
 	_possession.forget(p_session)
@@ -184,7 +184,7 @@ func possession() -> Possession:
 	return _possession
 
 
-func attach(p_session: int, p_entity: int, p_seat: Seat) -> void:
+func attach(p_session: int, p_entity: int, p_seat: SeatGeometry) -> void:
 	var node: Entity = _nodes.get(p_entity)
 	if node != null and node.get_body() != null:
 		_people.attach(p_session, p_entity, node.get_body(), p_seat)
@@ -203,7 +203,7 @@ func _on_refused(p_session: int, p_why: String) -> void:
 
 ## A session may have taken a seat before its people had bodies.
 func _on_person_added(p_person: ServerPerson) -> void:
-	var seat: Seat = _possession.seat_of(p_person.session)
+	var seat: SeatGeometry = _possession.seat_of(p_person.session)
 	if seat != null and seat.carries_people:
 		attach(p_person.session, seat.entity.id, seat)
 

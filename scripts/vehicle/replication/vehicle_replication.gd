@@ -188,7 +188,7 @@ func _open_for(p_field: StringName, p_session: float) -> void:
 
 
 func _open(p_session: int, p_command: StringName, p_is_open: bool) -> void:
-	var possession: Possession = entity.get_authority().possession()
+	var possession: Possession = (entity.get_authority() as SeatAuthority).possession()
 	if not p_is_open and possession.has_people.call(p_session):
 		possession.refused.emit(p_session, "cannot shut the hatch that its own body stands in")
 	elif p_command == HATCHES[0]:

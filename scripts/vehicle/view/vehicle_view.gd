@@ -53,12 +53,15 @@ func _ready() -> void:
 	turret.configure(model)
 	exhaust.configure(model, most_rpm)
 	ground.travel_m = travel
+	effects.dust_share = dust_share
+	effects.fire_spot = fire_spot
+	effects.most_rpm = most_rpm
 	if tracks != null:
 		_make_tracks()
-		effects.configure(self, tracks.width, tracks.pitch)
+		effects.configure(self, model, ground, tracks.width, tracks.pitch)
 	else:
 		_make_wheels()
-		effects.configure(self, tyre_width, 0.0)
+		effects.configure(self, model, ground, tyre_width, 0.0)
 	add_to_group(Quality.FOLLOWERS)
 	follow_quality()
 
@@ -86,7 +89,7 @@ func advance(p_delta: float, p_away: float) -> void:
 	if not wheels.is_empty():
 		_advance_wheels(p_delta)
 	if is_inside_tree():
-		effects.advance(p_delta, p_away)
+		effects.advance(state, [way_of(0), way_of(1)], p_delta, p_away)
 
 
 ## The gun fires: the barrel recoils.

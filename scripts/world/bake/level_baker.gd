@@ -58,23 +58,6 @@ func prepare(p_level: Node3D) -> void:
 	bake.source_hash = LevelBake.hash_of(parts)
 
 
-## Terrain hides and throws back light, but has none of its own here.
-func _add_ground(p_level: Node3D) -> void:
-	for node: Node in p_level.find_children("*", "StaticBody3D", true, false):
-		var terrain: Terrain = node as Terrain
-		if terrain == null or terrain.field == null:
-			continue
-		var ground: Array = TerrainMesh.make_coarse(terrain.field, GROUND_M)
-		var points: PackedVector3Array = ground[Mesh.ARRAY_VERTEX]
-		# Below the floors that lie on it.
-		var place: Vector3 = SurfacePart.place_of(terrain, p_level).origin + Vector3.DOWN * 0.1
-		for index: int in points.size():
-			points[index] += place
-		_tracer.add_surface(
-			points, ground[Mesh.ARRAY_NORMAL], ground[Mesh.ARRAY_INDEX], GROUND_COLOUR
-		)
-
-
 ## Does the work; may run in a thread.
 func run() -> void:
 	_tracer.bake()
@@ -94,6 +77,23 @@ func run() -> void:
 ## Share of the work that is done, 0 to 1.
 func progress() -> float:
 	return _tracer.get_progress()
+
+
+## Terrain hides and throws back light, but has none of its own here.
+func _add_ground(p_level: Node3D) -> void:
+	for node: Node in p_level.find_children("*", "StaticBody3D", true, false):
+		var terrain: Terrain = node as Terrain
+		if terrain == null or terrain.field == null:
+			continue
+		var ground: Array = TerrainMesh.make_coarse(terrain.field, GROUND_M)
+		var points: PackedVector3Array = ground[Mesh.ARRAY_VERTEX]
+		# Below the floors that lie on it.
+		var place: Vector3 = SurfacePart.place_of(terrain, p_level).origin + Vector3.DOWN * 0.1
+		for index: int in points.size():
+			points[index] += place
+		_tracer.add_surface(
+			points, ground[Mesh.ARRAY_NORMAL], ground[Mesh.ARRAY_INDEX], GROUND_COLOUR
+		)
 
 
 ## Colours with less colour: what is thrown back often would else be as red as a lamp.

@@ -16,8 +16,6 @@ var reach: ShadowReach = ShadowReach.new()
 var bake: LevelBake = null
 ## Light in the air.
 var air: LevelAir = null
-## What hides parts that cannot be seen; null where nothing was baked of that.
-var visibility: LevelVisibility = null
 
 
 ## Makes the meshes of the blocks below a level's root, which need not be in the tree: a thread may
@@ -37,12 +35,6 @@ func assemble(p_level: Node3D, p_bake: LevelBake) -> void:
 	air = LevelAir.new()
 	air.bake = bake
 	add_child(air)
-	if bake != null and not bake.seen_parts.is_empty():
-		visibility = LevelVisibility.new()
-		visibility.surfaces = self
-		# Now, as the loader takes a level apart before it enters the tree.
-		visibility.sun = LevelVisibility.find_sun(p_level)
-		add_child(visibility)
 
 
 func _add_shadows() -> void:

@@ -37,6 +37,19 @@ var _until_props_s: float = 0.0
 var _have_props_moved: bool = false
 
 
+## Hides what cannot be seen of a level's surfaces from now on; null where nothing was baked of
+## that. The level need not be in the tree.
+static func begin(p_surfaces: LevelSurfaces, p_level: Node3D) -> LevelVisibility:
+	if p_surfaces.bake == null or p_surfaces.bake.seen_parts.is_empty():
+		return null
+	var made: LevelVisibility = LevelVisibility.new()
+	made.surfaces = p_surfaces
+	# Now, as the loader takes a level apart before it enters the tree.
+	made.sun = find_sun(p_level)
+	p_surfaces.add_child(made)
+	return made
+
+
 ## The light by whose direction shadows may be left out, of a level that need not be in the tree.
 static func find_sun(p_level: Node3D) -> DirectionalLight3D:
 	var suns: Array[Node] = p_level.find_children("*", "DirectionalLight3D", true, false)
@@ -51,15 +64,6 @@ static func find_sun(p_level: Node3D) -> DirectionalLight3D:
 		):
 			return null
 	return suns[0] as DirectionalLight3D if suns.size() == 1 else null
-
-
-static func _is_prop(p_node: Node, p_level: Node3D) -> bool:
-	var node: Node = p_node
-	while node != null and node != p_level:
-		if node.is_in_group(KitBlock.PROPS_GROUP):
-			return true
-		node = node.get_parent()
-	return false
 
 
 func _ready() -> void:
@@ -98,6 +102,15 @@ func look_from(p_eyes: PackedVector3Array, p_camera: Camera3D = null) -> void:
 		_show_parts()
 		_look_at_props(p_eyes, true)
 	_show_shadows(not stays, _bounds_of(p_camera))
+
+
+static func _is_prop(p_node: Node, p_level: Node3D) -> bool:
+	var node: Node = p_node
+	while node != null and node != p_level:
+		if node.is_in_group(KitBlock.PROPS_GROUP):
+			return true
+		node = node.get_parent()
+	return false
 
 
 func _show_parts() -> void:

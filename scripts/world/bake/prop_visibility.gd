@@ -82,6 +82,13 @@ func look_at_shadows(
 		number += 1
 
 
+## Forgets props that are gone.
+func tidy() -> void:
+	for id: int in _known.keys():
+		if not is_instance_id_valid(id):
+			_known.erase(id)
+
+
 static func _find_throwing(p_prop: Node3D, p_known: Known) -> void:
 	for node: Node in p_prop.find_children("*", "GeometryInstance3D", true, false):
 		var shown: GeometryInstance3D = node as GeometryInstance3D
@@ -100,13 +107,6 @@ static func _throw(p_known: Known, p_throws: bool) -> void:
 				if p_throws
 				else GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
 			)
-
-
-## Forgets props that are gone.
-func tidy() -> void:
-	for id: int in _known.keys():
-		if not is_instance_id_valid(id):
-			_known.erase(id)
 
 
 static func _show(p_prop: Node3D, p_known: Known, p_is_seen: bool) -> void:

@@ -8,13 +8,13 @@ const MAX_BODIES: int = 400
 ## The smallest thing that looks solid, m.
 const SOLID_M: float = 0.6
 
-var _check: LevelCheck = null
+var _findings: LevelFindings = null
 var _level: Level = null
 
 
-func _init(p_check: LevelCheck) -> void:
-	_check = p_check
-	_level = p_check.get_level()
+func _init(p_findings: LevelFindings) -> void:
+	_findings = p_findings
+	_level = p_findings.level
 
 
 ## Does the work.
@@ -29,7 +29,7 @@ func run() -> void:
 		_look_at_body(body)
 	if moving > MAX_BODIES:
 		var text: String = "%d bodies move, the tick has room for about %d: take some away, or make "
-		_check.add_fault(
+		_findings.add_fault(
 			LevelFault.Kind.TOO_MANY_BODIES,
 			null,
 			text % [moving, MAX_BODIES] + "those that never move StaticBody3D nodes or blocks"
@@ -43,7 +43,7 @@ func _look_at_body(p_body: PhysicsBody3D) -> void:
 	if p_body is not KitBlock and p_body.collision_layer != 0 and not _has_shape(p_body):
 		var advice: String = "people and things go through it: add a CollisionShape3D, or switch "
 		advice += "off its collision layers if it is only to be seen"
-		_check.add_fault(LevelFault.Kind.NO_COLLISION, p_body, advice)
+		_findings.add_fault(LevelFault.Kind.NO_COLLISION, p_body, advice)
 	if p_body.global_basis.get_scale().is_equal_approx(Vector3.ONE):
 		return
 	var cause: Node3D = p_body
@@ -57,7 +57,7 @@ func _look_at_body(p_body: PhysicsBody3D) -> void:
 	if cause != p_body:
 		text += " through '%s'" % cause.name
 	text += ", bodies then collide wrongly: set that scale to 1 and change the sizes instead"
-	_check.add_fault(LevelFault.Kind.SCALED, p_body, text)
+	_findings.add_fault(LevelFault.Kind.SCALED, p_body, text)
 
 
 static func _has_shape(p_body: CollisionObject3D) -> bool:
@@ -79,7 +79,7 @@ func _look_at_meshes() -> void:
 		var size: Vector3 = (shown.global_transform * shown.get_aabb()).size
 		if size[size.min_axis_index()] < SOLID_M or _is_in_body(shown):
 			continue
-		_check.add_hint(
+		_findings.add_hint(
 			LevelFault.Kind.NO_COLLISION,
 			shown,
 			"it is seen but not solid: put it below a StaticBody3D with a CollisionShape3D"
@@ -108,7 +108,7 @@ func _look_at_light() -> void:
 	if path == "":
 		path = Level.bake_path_of(_level.scene_file_path)
 	if not FileAccess.file_exists(path):
-		_check.add_hint(
+		_findings.add_hint(
 			LevelFault.Kind.NOT_BAKED,
 			null,
 			"its light is not baked, rooms are too bright: Bake level"
@@ -116,9 +116,9 @@ func _look_at_light() -> void:
 		return
 	var bake: LevelBake = LevelBake.load_file(path)
 	if bake.error != "":
-		_check.add_fault(LevelFault.Kind.NOT_BAKED, null, bake.error + ": Bake level")
+		_findings.add_fault(LevelFault.Kind.NOT_BAKED, null, bake.error + ": Bake level")
 	elif bake.source_hash != LevelBake.hash_of(parts):
-		_check.add_hint(
+		_findings.add_hint(
 			LevelFault.Kind.NOT_BAKED,
 			null,
 			"blocks have changed since its light was baked: Bake level"

@@ -24,21 +24,21 @@ class Top:
 	var look: Array = []
 
 
-var _check: LevelCheck = null
+var _findings: LevelFindings = null
 var _tops: Array[Top] = []
 
 
-func _init(p_check: LevelCheck) -> void:
-	_check = p_check
+func _init(p_findings: LevelFindings) -> void:
+	_findings = p_findings
 
 
 ## Does the work.
 func run() -> void:
-	var root: Node3D = _check.get_level().static_root
+	var root: Node3D = _findings.level.static_root
 	if root == null:
 		return
 	var terrains: Array[Terrain] = []
-	for body: StaticBody3D in _check.get_level().get_static_bodies():
+	for body: StaticBody3D in _findings.level.get_static_bodies():
 		if body is Terrain:
 			terrains.append(body)
 		var top: Top = _top_of(body)
@@ -98,7 +98,7 @@ func _look_at_pair(p_lower: Top, p_upper: Top) -> void:
 	if area < MIN_M2:
 		return
 	var text: String = "its top lies in that of '%s', and both flicker: move it up or down by 0.01 m "
-	_check.add_hint(
+	_findings.add_hint(
 		LevelFault.Kind.FLICKERS, p_upper.node, text % p_lower.node.name + "or more, or delete one"
 	)
 
@@ -117,7 +117,7 @@ func _look_at_terrain(p_terrain: Terrain, p_top: Top) -> void:
 	if near < MIN_SHARE * _PLACES * _PLACES:
 		return
 	var text: String = "its top lies in the ground of '%s', and both flicker: delete it, or move it "
-	_check.add_hint(
+	_findings.add_hint(
 		LevelFault.Kind.FLICKERS, p_top.node, text % p_terrain.name + "up or down by 0.05 m or more"
 	)
 

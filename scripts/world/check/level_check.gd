@@ -17,17 +17,13 @@ func _init(p_level: Level) -> void:
 
 ## Does the work: up to a second or two for a town.
 func run() -> void:
-	faults.clear()
-	PlaceCheck.new(self).run()
-	BuildCheck.new(self).run()
-	FlickerCheck.new(self).run()
-	WalkCheck.new(self).run()
+	var findings: LevelFindings = LevelFindings.new(_level)
+	PlaceCheck.new(findings).run()
+	BuildCheck.new(findings).run()
+	FlickerCheck.new(findings).run()
+	WalkCheck.new(findings).run()
+	faults = findings.faults
 	faults.sort_custom(func(a: LevelFault, b: LevelFault) -> bool: return a.severity > b.severity)
-
-
-## The level that is looked at.
-func get_level() -> Level:
-	return _level
 
 
 ## How many are faults, not hints.
@@ -37,24 +33,3 @@ func count_faults() -> int:
 		. filter(func(one: LevelFault) -> bool: return one.severity == LevelFault.Severity.FAULT)
 		. size()
 	)
-
-
-## Notes that somebody cannot play in the level as it is meant. Of a node, or null for the level.
-func add_fault(p_kind: LevelFault.Kind, p_node: Node3D, p_text: String) -> void:
-	_add(p_kind, LevelFault.Severity.FAULT, p_node, p_text)
-
-
-## Notes what could be better.
-func add_hint(p_kind: LevelFault.Kind, p_node: Node3D, p_text: String) -> void:
-	_add(p_kind, LevelFault.Severity.HINT, p_node, p_text)
-
-
-func _add(
-	p_kind: LevelFault.Kind, p_severity: LevelFault.Severity, p_node: Node3D, p_text: String
-) -> void:
-	var path: NodePath = NodePath()
-	var place: Vector3 = Vector3.ZERO
-	if p_node != null:
-		path = _level.get_path_to(p_node)
-		place = p_node.global_position
-	faults.append(LevelFault.make(p_kind, p_severity, path, place, p_text))

@@ -15,26 +15,26 @@ const CAMERA_M: float = 0.1
 ## Share of its size by which a prop may be in what stands still: resting, it sinks in a little.
 const TOUCH: float = 0.06
 
-var _check: LevelCheck = null
+var _findings: LevelFindings = null
 var _space: PhysicsDirectSpaceState3D = null
 
 
-func _init(p_check: LevelCheck) -> void:
-	_check = p_check
-	_space = p_check.get_level().get_world_3d().direct_space_state
+func _init(p_findings: LevelFindings) -> void:
+	_findings = p_findings
+	_space = p_findings.level.get_world_3d().direct_space_state
 
 
 ## Does the work.
 func run() -> void:
-	var points: Array[SpawnPoint] = _check.get_level().get_spawn_points()
+	var points: Array[SpawnPoint] = _findings.level.get_spawn_points()
 	if points.is_empty():
 		var text: String = "people start at the origin, wherever that is: add a SpawnPoint below "
-		_check.add_fault(LevelFault.Kind.NO_SPAWN_POINT, null, text + "'Spawns'")
+		_findings.add_fault(LevelFault.Kind.NO_SPAWN_POINT, null, text + "'Spawns'")
 	for point: SpawnPoint in points:
 		_look_at_point(point)
-	for prop: RigidBody3D in _check.get_level().get_props():
+	for prop: RigidBody3D in _findings.level.get_props():
 		_look_at_prop(prop)
-	for camera: ObserverCamera in _check.get_level().get_cameras():
+	for camera: ObserverCamera in _findings.level.get_cameras():
 		_look_at_camera(camera)
 
 
@@ -44,7 +44,7 @@ func _look_at_camera(p_camera: ObserverCamera) -> void:
 	var wall: Node3D = _find_in(ball, Transform3D(Basis.IDENTITY, p_camera.global_position))
 	if wall != null:
 		var text: String = "this view is from within '%s': move it to where it sees something"
-		_check.add_fault(LevelFault.Kind.CAMERA_IN_WALL, p_camera, text % wall.name)
+		_findings.add_fault(LevelFault.Kind.CAMERA_IN_WALL, p_camera, text % wall.name)
 
 
 func _look_at_point(p_point: SpawnPoint) -> void:
@@ -56,14 +56,14 @@ func _look_at_point(p_point: SpawnPoint) -> void:
 	var wall: Node3D = _find_in(capsule, Transform3D(Basis.IDENTITY, middle))
 	if wall != null:
 		var text: String = "who starts here stands in '%s': move the point to where there is room"
-		_check.add_fault(LevelFault.Kind.SPAWN_POINT_IN_WALL, p_point, text % wall.name)
+		_findings.add_fault(LevelFault.Kind.SPAWN_POINT_IN_WALL, p_point, text % wall.name)
 		return
 	var ray: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.create(
 		at + Vector3.UP * ABOVE_GROUND_M, at + Vector3.DOWN * DEPTH_M, PhysicsLayers.STATIC
 	)
 	var hit: Dictionary = _space.intersect_ray(ray)
 	if hit.is_empty():
-		_check.add_fault(
+		_findings.add_fault(
 			LevelFault.Kind.SPAWN_POINT_IN_AIR,
 			p_point,
 			"there is no ground below it: move it above a floor, or add a Block as one"
@@ -74,7 +74,7 @@ func _look_at_point(p_point: SpawnPoint) -> void:
 		var text: String = "it is %.2f m %s the ground: set its height to %.2f m"
 		var side: String = "above" if gap > 0.0 else "below"
 		var local: float = p_point.position.y - gap
-		_check.add_fault(
+		_findings.add_fault(
 			LevelFault.Kind.SPAWN_POINT_IN_AIR, p_point, text % [absf(gap), side, local]
 		)
 
@@ -94,7 +94,7 @@ func _look_at_prop(p_prop: RigidBody3D) -> void:
 			var wall: Node3D = _find_in(shape, place.scaled_local(Vector3.ONE * (1.0 - TOUCH)))
 			if wall != null:
 				var text: String = "it stands in '%s' and will be thrown out: move it"
-				_check.add_fault(LevelFault.Kind.PROP_IN_WALL, p_prop, text % wall.name)
+				_findings.add_fault(LevelFault.Kind.PROP_IN_WALL, p_prop, text % wall.name)
 				return
 
 

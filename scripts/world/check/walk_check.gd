@@ -11,16 +11,16 @@ const GROUND_M: float = 0.6
 ## How far above its storeys the roof of a house may be, m.
 const ROOF_M: float = 1.0
 
-var _check: LevelCheck = null
+var _findings: LevelFindings = null
 var _level: Level = null
 var _mesh: WalkMesh = WalkMesh.new()
 ## The island on which most start.
 var _main: int = -1
 
 
-func _init(p_check: LevelCheck) -> void:
-	_check = p_check
-	_level = p_check.get_level()
+func _init(p_findings: LevelFindings) -> void:
+	_findings = p_findings
+	_level = p_findings.level
 
 
 ## Does the work.
@@ -91,7 +91,7 @@ func _look_at_waypoint(p_path: Node3D, p_index: int, p_at: Vector3) -> void:
 	if polygon < 0 or _mesh.islands[polygon] != _main:
 		var text: String = "nobody can walk to its waypoint %d at (%.1f, %.1f, %.1f): move it"
 		_report(p_path, text % [p_index, p_at.x, p_at.y, p_at.z])
-		_check.faults[-1].place = p_at
+		_findings.faults[-1].place = p_at
 
 
 ## Floors that look as if one could get there: those of houses that are entered, and those on the
@@ -116,8 +116,8 @@ func _look_at_floors() -> void:
 			_report(house, text + "give it a doorway, or a landing of 1 m at its stairs")
 		elif house == null and absf(at.y - ground) < GROUND_M and not _is_solid(at):
 			text += "leave a way of 0.9 m, or add a doorway"
-			_check.add_hint(LevelFault.Kind.UNREACHABLE, null, text)
-			_check.faults[-1].place = at
+			_findings.add_hint(LevelFault.Kind.UNREACHABLE, null, text)
+			_findings.faults[-1].place = at
 
 
 ## Whether a place is within something solid, which is hollow to a navigation mesh.
@@ -168,4 +168,4 @@ static func _box_of(p_area: Area3D) -> AABB:
 
 
 func _report(p_node: Node3D, p_text: String) -> void:
-	_check.add_fault(LevelFault.Kind.UNREACHABLE, p_node, p_text)
+	_findings.add_fault(LevelFault.Kind.UNREACHABLE, p_node, p_text)

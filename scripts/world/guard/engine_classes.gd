@@ -24,6 +24,33 @@ func rows() -> Array[KitClass]:
 	return _nodes() + _lights() + _shapes() + _meshes() + _materials() + _environments()
 
 
+## The rules of every lamp.
+static func light_rules() -> Dictionary[String, PropertyRule]:
+	var bias: PropertyRule = PropertyRule.number(0.0, 10.0)
+	var energy: PropertyRule = PropertyRule.number(0.0, 16.0)
+	var distance: PropertyRule = PropertyRule.number(0.0, 10000.0)
+	return {
+		"light_color": PropertyRule.colour(),
+		"light_energy": energy,
+		"light_indirect_energy": energy,
+		"light_specular": energy,
+		"shadow_enabled": PropertyRule.flag(),
+		"shadow_bias": bias,
+		"shadow_normal_bias": bias,
+		"distance_fade_enabled": PropertyRule.flag(),
+		"distance_fade_begin": distance,
+		"distance_fade_length": distance,
+	}
+
+
+## The rules of a lamp that shines to all sides.
+static func omni_rules() -> Dictionary[String, PropertyRule]:
+	return {
+		"omni_range": PropertyRule.number(0.0, 200.0),
+		"omni_attenuation": PropertyRule.number(-10.0, 10.0),
+	}
+
+
 # Nodes of the engine.
 static func _nodes() -> Array[KitClass]:
 	return [
@@ -63,33 +90,6 @@ static func _nodes() -> Array[KitClass]:
 			)
 		),
 	]
-
-
-## The rules of every lamp.
-static func light_rules() -> Dictionary[String, PropertyRule]:
-	var bias: PropertyRule = PropertyRule.number(0.0, 10.0)
-	var energy: PropertyRule = PropertyRule.number(0.0, 16.0)
-	var distance: PropertyRule = PropertyRule.number(0.0, 10000.0)
-	return {
-		"light_color": PropertyRule.colour(),
-		"light_energy": energy,
-		"light_indirect_energy": energy,
-		"light_specular": energy,
-		"shadow_enabled": PropertyRule.flag(),
-		"shadow_bias": bias,
-		"shadow_normal_bias": bias,
-		"distance_fade_enabled": PropertyRule.flag(),
-		"distance_fade_begin": distance,
-		"distance_fade_length": distance,
-	}
-
-
-## The rules of a lamp that shines to all sides.
-static func omni_rules() -> Dictionary[String, PropertyRule]:
-	return {
-		"omni_range": PropertyRule.number(0.0, 200.0),
-		"omni_attenuation": PropertyRule.number(-10.0, 10.0),
-	}
 
 
 static func _lights() -> Array[KitClass]:

@@ -64,6 +64,17 @@ func rows() -> Array[KitClass]:
 	]
 
 
+func items() -> Array[KitItem]:
+	var root: int = KitItem.Place.ROOT
+	return [
+		KitItem.new("Film camera", "screen view", _path(FilmCamera), KitItem.Place.STATIC, {}, 1.6),
+		KitItem.new("Spawn point", "start person", _path(SpawnPoint), KitItem.Place.SPAWNS),
+		KitItem.new("Trigger zone", "area event mark", _path(TriggerZone), root),
+		KitItem.new("Waypoint path", "points way route", _path(WaypointPath), root),
+		KitItem.new("Observer view", "camera", _path(ObserverCamera), root, {}, 2.5),
+	]
+
+
 static func _film_camera() -> KitClass:
 	return (
 		KitClass
@@ -83,14 +94,3 @@ static func _film_camera() -> KitClass:
 		)
 		. at_most(16)
 	)
-
-
-func items() -> Array[KitItem]:
-	var root: int = KitItem.Place.ROOT
-	return [
-		KitItem.new("Film camera", "screen view", _path(FilmCamera), KitItem.Place.STATIC, {}, 1.6),
-		KitItem.new("Spawn point", "start person", _path(SpawnPoint), KitItem.Place.SPAWNS),
-		KitItem.new("Trigger zone", "area event mark", _path(TriggerZone), root),
-		KitItem.new("Waypoint path", "points way route", _path(WaypointPath), root),
-		KitItem.new("Observer view", "camera", _path(ObserverCamera), root, {}, 2.5),
-	]

@@ -109,7 +109,7 @@ static func _kit_nodes() -> Array[KitClass]:
 				"Node3D",
 				_path(EffectEmitter),
 				{
-					"effect": PropertyRule.text(EffectFile.MAX_NAME),
+					"effect": PropertyRule.text(EffectLimits.MAX_NAME),
 					"amount": PropertyRule.number(0.0, 1.0),
 					"entity": PropertyRule.node(["Entity"]),
 					"inputs": PropertyRule.text(EffectEmitter.MAX_INPUTS_TEXT),

@@ -58,7 +58,7 @@ func _add(p_file: String, p_bytes: PackedByteArray) -> void:
 
 
 func _check(p_scene: PackedByteArray, p_from: String) -> void:
-	var reader: SceneReader = SceneReader.make()
+	var reader: SceneReader = SceneReaders.make()
 	reader.most_faults = MAX_FAULTS
 	var paths: Dictionary[String, String] = {}
 	for entry: LevelManifest.Entry in manifest.files:

@@ -58,6 +58,16 @@ func free_rest() -> void:
 		_next += 1
 
 
+## Whether a node only holds others. Bodies, nodes with scripts and scenes with entities stay whole:
+## they may rely on what is in them.
+static func is_group(p_node: Node) -> bool:
+	if p_node.get_script() != null or p_node is CollisionObject3D:
+		return false
+	return (
+		p_node.scene_file_path == "" or p_node.find_children("*", "Entity", true, false).is_empty()
+	)
+
+
 func _take_children(p_parent: Node) -> void:
 	var children: Array[Node] = p_parent.get_children()
 	for index: int in children.size():
@@ -75,13 +85,3 @@ func _take_children(p_parent: Node) -> void:
 				_pieces.append([child, piece, -1, null])
 		if is_group(child):
 			_take_children(child)
-
-
-## Whether a node only holds others. Bodies, nodes with scripts and scenes with entities stay whole:
-## they may rely on what is in them.
-static func is_group(p_node: Node) -> bool:
-	if p_node.get_script() != null or p_node is CollisionObject3D:
-		return false
-	return (
-		p_node.scene_file_path == "" or p_node.find_children("*", "Entity", true, false).is_empty()
-	)

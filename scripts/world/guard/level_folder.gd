@@ -53,7 +53,7 @@ func build() -> Level:
 	progress = 0.0
 	if not verify():
 		return null
-	_reader = SceneReader.make()
+	_reader = SceneReaders.make()
 	var level: Level = _reader.build(_scene, manifest.scene_file(), _paths())
 	error = _reader.refusal
 	if level != null:

@@ -1,12 +1,7 @@
 @abstract class_name SceneReader
 extends RefCounted
 ## Builds a [Level] from a text scene that may come from anybody: what [LevelReader] does, for those
-## that few programs ever ask for it.
-##
-## Behind [LevelReader] are the classes of the whole level kit. Who names it has them all compiled,
-## half a second of a processor at each start of a program from its sources.
-
-const _READER: String = "res://scripts/world/guard/level_reader.gd"
+## that few programs ever ask for it. [SceneReaders] makes one.
 
 ## Why the level is refused: file, line and reason; empty if it is not.
 var refusal: String = ""
@@ -16,12 +11,6 @@ var faults: PackedStringArray = []
 var most_faults: int = 1
 ## How much is done, 0 to 1. Other threads may read it.
 var progress: float = 0.0
-
-
-## A reader.
-static func make() -> SceneReader:
-	return (load(_READER) as GDScript).new()
-
 
 ## The level of a text scene, not in the tree; null if it is refused. [param p_folder] has the whole
 ## paths of the files beside it, by name.

@@ -70,6 +70,37 @@ func read(p_bytes: PackedByteArray) -> bool:
 	return true
 
 
+## Whether bytes are UTF-8, without the engine's decoder, which reports an error for each that is
+## not.
+static func is_utf8(p_bytes: PackedByteArray) -> bool:
+	var padded: PackedByteArray = p_bytes.duplicate()
+	padded.resize(ceili(p_bytes.size() / 8.0) * 8)
+	var seen: int = 0
+	for word: int in padded.to_int64_array():
+		seen |= word
+	if seen & _HIGH_BITS == 0:
+		return true
+	var more: int = 0
+	var least: int = 0
+	var code: int = 0
+	for byte: int in p_bytes:
+		if more > 0:
+			code = (code << 6) | (byte & 0x3F)
+			more -= 1
+			var is_end: bool = more == 0
+			if byte & 0xC0 != 0x80 or (is_end and (code < least or code > 0x10FFFF)):
+				return false
+			if is_end and code >= 0xD800 and code <= 0xDFFF:
+				return false
+		elif byte >= 0x80:
+			if byte < 0xC2 or byte > 0xF4:
+				return false
+			more = 1 if byte < 0xE0 else (2 if byte < 0xF0 else 3)
+			code = byte & (0x3F >> more)
+			least = [0x80, 0x800, 0x10000][more - 1]
+	return more == 0
+
+
 ## Makes the early checks. Returns whether all is well so far.
 func _look_ahead(p_text: String) -> bool:
 	for check: Array in early_checks:
@@ -158,34 +189,3 @@ func _refuse(p_why: String) -> bool:
 	if fault == "":
 		fault = p_why
 	return false
-
-
-## Whether bytes are UTF-8, without the engine's decoder, which reports an error for each that is
-## not.
-static func is_utf8(p_bytes: PackedByteArray) -> bool:
-	var padded: PackedByteArray = p_bytes.duplicate()
-	padded.resize(ceili(p_bytes.size() / 8.0) * 8)
-	var seen: int = 0
-	for word: int in padded.to_int64_array():
-		seen |= word
-	if seen & _HIGH_BITS == 0:
-		return true
-	var more: int = 0
-	var least: int = 0
-	var code: int = 0
-	for byte: int in p_bytes:
-		if more > 0:
-			code = (code << 6) | (byte & 0x3F)
-			more -= 1
-			var is_end: bool = more == 0
-			if byte & 0xC0 != 0x80 or (is_end and (code < least or code > 0x10FFFF)):
-				return false
-			if is_end and code >= 0xD800 and code <= 0xDFFF:
-				return false
-		elif byte >= 0x80:
-			if byte < 0xC2 or byte > 0xF4:
-				return false
-			more = 1 if byte < 0xE0 else (2 if byte < 0xF0 else 3)
-			code = byte & (0x3F >> more)
-			least = [0x80, 0x800, 0x10000][more - 1]
-	return more == 0

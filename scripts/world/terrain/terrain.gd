@@ -161,6 +161,20 @@ func covers(p_place: Vector3) -> bool:
 	)
 
 
+## Squares that fill a rectangle of cells. Large ones are cut up where that leaves no rest.
+static func squares_of(p_cells: Vector2i) -> Array[Rect2i]:
+	var squares: Array[Rect2i] = []
+	var rest: Rect2i = Rect2i(Vector2i.ZERO, p_cells)
+	while rest.size.x > 0 and rest.size.y > 0:
+		var side: int = mini(rest.size.x, rest.size.y)
+		squares.append_array(_cut(Rect2i(rest.position, Vector2i(side, side))))
+		if rest.size.x > rest.size.y:
+			rest = Rect2i(rest.position + Vector2i(side, 0), rest.size - Vector2i(side, 0))
+		else:
+			rest = Rect2i(rest.position + Vector2i(0, side), rest.size - Vector2i(0, side))
+	return squares
+
+
 func _show_field(p_range: Vector2) -> void:
 	_range = p_range
 	_build_shapes()
@@ -203,20 +217,6 @@ static func _make_shapes(p_field: HeightField) -> Array[Node]:
 		node.position = Vector3(middle.x, 0.0, middle.y) * p_field.cell_m
 		shapes.append(node)
 	return shapes
-
-
-## Squares that fill a rectangle of cells. Large ones are cut up where that leaves no rest.
-static func squares_of(p_cells: Vector2i) -> Array[Rect2i]:
-	var squares: Array[Rect2i] = []
-	var rest: Rect2i = Rect2i(Vector2i.ZERO, p_cells)
-	while rest.size.x > 0 and rest.size.y > 0:
-		var side: int = mini(rest.size.x, rest.size.y)
-		squares.append_array(_cut(Rect2i(rest.position, Vector2i(side, side))))
-		if rest.size.x > rest.size.y:
-			rest = Rect2i(rest.position + Vector2i(side, 0), rest.size - Vector2i(side, 0))
-		else:
-			rest = Rect2i(rest.position + Vector2i(0, side), rest.size - Vector2i(0, side))
-	return squares
 
 
 static func _cut(p_square: Rect2i) -> Array[Rect2i]:
@@ -286,7 +286,7 @@ func _build_view() -> void:
 		var mesh: ArrayMesh = TerrainMesh.make_hills(field, 5)
 		_add_mesh(mesh, hills, Vector3.ZERO, mesh.get_aabb())
 	add_to_group(Quality.FOLLOWERS)
-	for node: Node3D in TerrainScatter.make(self, stones, bushes):
+	for node: Node3D in TerrainScatter.make(field, stones, bushes):
 		_made.append(node)
 		add_child(node, false, INTERNAL_MODE_BACK)
 

@@ -41,43 +41,6 @@ static func make_piece(p_cell_m: float) -> ArrayMesh:
 	return mesh
 
 
-## Number of a skirt's point: those of the grid's border, in the order of rows.
-static func _skirt(p_column: int, p_row: int) -> int:
-	var side: int = CELLS + 1
-	if p_row == 0:
-		return side * side + p_column
-	if p_row == CELLS:
-		return side * side + side + 2 * (CELLS - 1) + p_column
-	return side * side + side + 2 * (p_row - 1) + (1 if p_column == CELLS else 0)
-
-
-static func _indices(p_step: int) -> PackedInt32Array:
-	var index: PackedInt32Array = []
-	var side: int = CELLS + 1
-	for row: int in range(0, CELLS, p_step):
-		for column: int in range(0, CELLS, p_step):
-			var first: int = row * side + column
-			var below: int = first + p_step * side
-			index.append_array([first, first + p_step, below])
-			index.append_array([first + p_step, below + p_step, below])
-	for place: int in range(0, CELLS, p_step):
-		var next: int = place + p_step
-		_add_skirt(index, Vector2i(next, 0), Vector2i(place, 0))
-		_add_skirt(index, Vector2i(place, CELLS), Vector2i(next, CELLS))
-		_add_skirt(index, Vector2i(0, place), Vector2i(0, next))
-		_add_skirt(index, Vector2i(CELLS, next), Vector2i(CELLS, place))
-	return index
-
-
-static func _add_skirt(p_index: PackedInt32Array, p_from: Vector2i, p_to: Vector2i) -> void:
-	var side: int = CELLS + 1
-	var from: int = p_from.y * side + p_from.x
-	var to: int = p_to.y * side + p_to.x
-	var below: int = _skirt(p_from.x, p_from.y)
-	var below_to: int = _skirt(p_to.x, p_to.y)
-	p_index.append_array([from, below_to, to, from, below, below_to])
-
-
 ## Hills from the edge of a field outwards, in its frame.
 static func make_hills(p_field: HeightField, p_seed: int) -> ArrayMesh:
 	var noise: FastNoiseLite = FastNoiseLite.new()
@@ -128,6 +91,43 @@ static func make_coarse(p_field: HeightField, p_step_m: float) -> Array:
 	arrays[Mesh.ARRAY_NORMAL] = normals
 	arrays[Mesh.ARRAY_INDEX] = index
 	return arrays
+
+
+## Number of a skirt's point: those of the grid's border, in the order of rows.
+static func _skirt(p_column: int, p_row: int) -> int:
+	var side: int = CELLS + 1
+	if p_row == 0:
+		return side * side + p_column
+	if p_row == CELLS:
+		return side * side + side + 2 * (CELLS - 1) + p_column
+	return side * side + side + 2 * (p_row - 1) + (1 if p_column == CELLS else 0)
+
+
+static func _indices(p_step: int) -> PackedInt32Array:
+	var index: PackedInt32Array = []
+	var side: int = CELLS + 1
+	for row: int in range(0, CELLS, p_step):
+		for column: int in range(0, CELLS, p_step):
+			var first: int = row * side + column
+			var below: int = first + p_step * side
+			index.append_array([first, first + p_step, below])
+			index.append_array([first + p_step, below + p_step, below])
+	for place: int in range(0, CELLS, p_step):
+		var next: int = place + p_step
+		_add_skirt(index, Vector2i(next, 0), Vector2i(place, 0))
+		_add_skirt(index, Vector2i(place, CELLS), Vector2i(next, CELLS))
+		_add_skirt(index, Vector2i(0, place), Vector2i(0, next))
+		_add_skirt(index, Vector2i(CELLS, next), Vector2i(CELLS, place))
+	return index
+
+
+static func _add_skirt(p_index: PackedInt32Array, p_from: Vector2i, p_to: Vector2i) -> void:
+	var side: int = CELLS + 1
+	var from: int = p_from.y * side + p_from.x
+	var to: int = p_to.y * side + p_to.x
+	var below: int = _skirt(p_from.x, p_from.y)
+	var below_to: int = _skirt(p_to.x, p_to.y)
+	p_index.append_array([from, below_to, to, from, below, below_to])
 
 
 ## Places along the edge, around it, in the order in which faces look upwards.

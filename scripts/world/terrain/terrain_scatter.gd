@@ -12,10 +12,10 @@ const SQUARE_M: float = 50.0
 const KINDS: int = 3
 
 
-## The nodes for a terrain, with as many stones and bushes a square of 10 or 20 m as asked for.
-static func make(p_terrain: Terrain, p_stones: int, p_bushes: int) -> Array[Node3D]:
+## The nodes for the ground of a terrain, with as many stones and bushes a square of 10 or 20 m as
+## asked for.
+static func make(p_field: HeightField, p_stones: int, p_bushes: int) -> Array[Node3D]:
 	var nodes: Array[Node3D] = []
-	var field: HeightField = p_terrain.field
 	var dice: RandomNumberGenerator = RandomNumberGenerator.new()
 	dice.seed = 8
 	var noise: FastNoiseLite = FastNoiseLite.new()
@@ -26,17 +26,17 @@ static func make(p_terrain: Terrain, p_stones: int, p_bushes: int) -> Array[Node
 		stones.append(_make_stone(dice))
 		plants.append(_make_bush(dice))
 	var material: Material = load("res://assets/world/materials/scatter.tres") as Material
-	var half: Vector2 = field.size() / 2.0
-	for row: int in ceili(field.size().y / SQUARE_M):
-		for column: int in ceili(field.size().x / SQUARE_M):
+	var half: Vector2 = p_field.size() / 2.0
+	for row: int in ceili(p_field.size().y / SQUARE_M):
+		for column: int in ceili(p_field.size().x / SQUARE_M):
 			var from: Vector2 = Vector2(column, row) * SQUARE_M - half
 			# One kind a square: each costs a draw.
 			var kind: int = (row * 2 + column) % KINDS
 			var many: int = roundi(p_stones * SQUARE_M * SQUARE_M / 100.0)
-			var lying: Array[Transform3D] = _throw_stones(field, from, many, dice, noise)
+			var lying: Array[Transform3D] = _throw_stones(p_field, from, many, dice, noise)
 			_add(nodes, stones[kind], material, lying, from)
 			many = roundi(p_bushes * SQUARE_M * SQUARE_M / 400.0)
-			var growing: Array[Transform3D] = _plant(field, from, many, dice, noise)
+			var growing: Array[Transform3D] = _plant(p_field, from, many, dice, noise)
 			_add(nodes, plants[kind], material, growing, from)
 	return nodes
 

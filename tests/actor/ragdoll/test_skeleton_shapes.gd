@@ -146,7 +146,7 @@ func test_feet_stand_on_the_sole_of_the_skin() -> void:
 		var ahead: PackedFloat32Array = []
 		for point: Vector3 in foot.contact_points:
 			is_true(point.y - lowest < 0.01, "%s is above the sole" % point)
-			ahead.append((point - foot.anchor).dot(SkeletonShapes.forward(figure, 12)))
+			ahead.append((point - foot.anchor).dot(figure.forward(12)))
 		# Heel behind the ankle, ball before it, toes foremost.
 		is_true(ahead[0] < 0.0 and ahead[1] > 0.08 and ahead[3] > ahead[1], str(ahead))
 

@@ -169,9 +169,9 @@ func _root_of(p_part: float) -> Vector3:
 func _ankles() -> Vector3:
 	var sum: Vector3 = Vector3.ZERO
 	for thigh: int in [BodyMounts.LEFT_THIGH, BodyMounts.RIGHT_THIGH]:
-		sum += _now[0] * SuitMotion.OFFSETS[thigh]
-		sum += _now[thigh] * SuitMotion.OFFSETS[thigh + 1]
-		sum += _now[thigh + 1] * SuitMotion.OFFSETS[thigh + 2]
+		sum += _now[0] * WornSensorFeed.OFFSETS[thigh]
+		sum += _now[thigh] * WornSensorFeed.OFFSETS[thigh + 1]
+		sum += _now[thigh + 1] * WornSensorFeed.OFFSETS[thigh + 2]
 	return sum / 2.0
 
 

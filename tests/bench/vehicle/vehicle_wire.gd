@@ -17,7 +17,7 @@ const _GOAL_KBIT: float = 6.0
 
 ## Hands the fields of the only entity to an encoder.
 class Host:
-	extends EntityAuthority
+	extends SeatAuthority
 	var encoder: SnapshotEncoder = SnapshotEncoder.new()
 	var possessed: Possession = Possession.new()
 
@@ -36,7 +36,7 @@ class Host:
 	func possession() -> Possession:
 		return possessed
 
-	func attach(_session: int, _entity: int, _seat: Seat) -> void:
+	func attach(_session: int, _entity: int, _seat: SeatGeometry) -> void:
 		pass
 
 	func detach(_session: int) -> void:

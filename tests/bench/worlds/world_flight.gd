@@ -41,7 +41,7 @@ func look(p_world: String, p_share: float) -> void:
 
 ## Shows what the camera sees, with the sets or without; returns after a frame was drawn.
 func draw(p_has_sets: bool) -> void:
-	var visibility: LevelVisibility = level.surfaces.visibility
+	var visibility: LevelVisibility = level.visibility
 	if visibility != null:
 		visibility.is_active = p_has_sets
 		visibility.look_from([level.to_local(camera.global_position)])

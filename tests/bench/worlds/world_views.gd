@@ -47,7 +47,7 @@ func _measure() -> void:
 	# What the eye gets used to takes a while, and is no matter here.
 	_level.surfaces.air.set_process(false)
 	WorldLight.set_exposure(1.0)
-	var has_sets: bool = _level.surfaces.visibility != null
+	var has_sets: bool = _level.visibility != null
 	var result: Dictionary = {"has_sets": has_sets, "load_ms": (loaded - begin) / 1000.0}
 	result["parts"] = _level.surfaces.shown.size()
 	result["path"] = await _fly(has_sets, _options["steps"].to_int())

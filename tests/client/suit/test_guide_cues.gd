@@ -30,9 +30,7 @@ func test_seconds_and_steps_are_heard() -> void:
 	var heard: Array[float] = []
 	for at: int in 110:
 		var now_s: float = at * 0.1
-		_feed.measure(
-			GuideMovements.pose(CalibrationGuide.countdown(ResetPose.Kind.T), 0.0), at * 100000
-		)
+		_feed.measure(CalibrationGuide.countdown(ResetPose.Kind.T).pose_at(0.0), at * 100000)
 		for frame: SensorFrame in _feed.take_frames():
 			_process.add_frame(frame)
 		_process.advance(now_s)

@@ -168,7 +168,7 @@ func test_a_level_that_is_another_is_said() -> void:
 	_scene.replica.take(LevelMessage.encode("yard", PackedByteArray([1, 2])), 0.0)
 	contains(notes[0], "'yard' is not the server's")
 	is_true(_scene.get_level().differs)
-	var same: PackedByteArray = _scene.get_level().level.fingerprint()
+	var same: PackedByteArray = LevelFingerprint.of(_scene.get_level().level)
 	_scene.replica.take(LevelMessage.encode("yard", same), 0.0)
 	equal(notes[1], "")
 	is_false(_scene.get_level().differs)

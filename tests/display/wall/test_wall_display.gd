@@ -11,7 +11,7 @@ func before_each() -> void:
 	_display.told.connect(_on_told)
 	var text: String = "[screen s]\nbottom-left = -1 0 -1\nbottom-right = 1 0 -1\n"
 	text += "top-left = -1 2 -1\nsize = 10 10\n"
-	_display.layout = WallLayout.parse(text.to_utf8_buffer(), "s.cfg")
+	_display.layout = LayoutReader.parse(text.to_utf8_buffer(), "s.cfg")
 
 
 func after_each() -> void:

@@ -19,7 +19,7 @@ black-level = 0.1
 
 
 func _read(p_text: String) -> WallLayout:
-	return WallLayout.parse(p_text.to_utf8_buffer(), "cave.cfg")
+	return LayoutReader.parse(p_text.to_utf8_buffer(), "cave.cfg")
 
 
 func _changed(p_from: String, p_to: String) -> String:
@@ -64,7 +64,7 @@ func test_bad_screens_are_named_with_line_and_remedy() -> void:
 	for change: Array in cases:
 		contains(_changed(change[0], change[1]), cases[change])
 	contains(_read("").describe_faults(), "there is no screen")
-	contains(WallLayout.read("/nowhere.cfg").describe_faults(), "cannot be read")
+	contains(LayoutReader.read("/nowhere.cfg").describe_faults(), "cannot be read")
 
 
 func test_mirrored_corners_are_said_to_be_so() -> void:
@@ -135,12 +135,12 @@ func test_noise_is_no_layout_and_no_crash() -> void:
 		var bytes: PackedByteArray = _FRONT.to_utf8_buffer()
 		for _change: int in 6:
 			bytes[noise.randi_range(0, bytes.size() - 1)] = noise.randi_range(1, 126)
-		for screen: WallScreen in WallLayout.parse(bytes, "noise").screens:
+		for screen: WallScreen in LayoutReader.parse(bytes, "noise").screens:
 			is_true(screen.bottom_left.is_finite())
 
 
 func test_the_example_is_sound() -> void:
-	var layout: WallLayout = WallLayout.read("res://scenes/display/wall/cave.cfg")
+	var layout: WallLayout = LayoutReader.read("res://scenes/display/wall/cave.cfg")
 	equal(layout.describe_faults(), "")
 	equal(layout.screens.size(), 4)
 
@@ -150,7 +150,7 @@ func test_the_examples_of_stations_are_sound() -> void:
 	var screens: Dictionary[String, int] = {}
 	for name: String in names:
 		if name.get_extension() == "cfg":
-			var layout: WallLayout = WallLayout.read("res://examples/stations".path_join(name))
+			var layout: WallLayout = LayoutReader.read("res://examples/stations".path_join(name))
 			equal(layout.describe_faults(), "")
 			screens[name] = layout.screens.size()
 	equal(screens, {"cave.cfg": 4, "projectors.cfg": 2, "seat.cfg": 3} as Dictionary[String, int])

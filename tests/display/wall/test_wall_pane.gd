@@ -36,7 +36,7 @@ func _open(p_mode: String, p_swap: String) -> void:
 	_pane = WallPane.new()
 	add_child(_pane)
 	var text: String = _TEXT % [p_mode, p_swap]
-	_pane.open(WallLayout.parse(text.to_utf8_buffer(), "s.cfg").screens[0], _window)
+	_pane.open(LayoutReader.parse(text.to_utf8_buffer(), "s.cfg").screens[0], _window)
 
 
 ## Where the eyes are that are drawn, m to the right.

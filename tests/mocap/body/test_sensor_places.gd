@@ -25,6 +25,6 @@ func test_they_are_about_where_a_made_up_wearer_has_them() -> void:
 	var places: SensorPlaces = SensorPlaces.new(BodySize.new())
 	for mount: int in range(1, BodyMounts.COUNT):
 		var above: int = BodyMounts.PARENTS[mount]
-		var wanted: Vector3 = SuitMotion.OFFSETS[mount] - WornSensorFeed.SITS[above]
+		var wanted: Vector3 = WornSensorFeed.OFFSETS[mount] - WornSensorFeed.SITS[above]
 		var found: Vector3 = places.joints[mount] - places.places[above]
 		is_true(found.distance_to(wanted) < 0.12, "%s: %s, not %s" % [mount, found, wanted])

@@ -81,7 +81,7 @@ func test_a_wrong_heading_does_as_much_as_is_forecast() -> void:
 				var limb: Quaternion = sample.orientation(BodyMounts.LIMBS[mount])
 				var got: Quaternion = Rotations.yaw(-fit.heading) * limb * fit.mounting.inverse()
 				sum += Rotations.between_deg(got, limb) / poses.size()
-			fit.solve(WearerModel.new())
+			FitSolver.solve(fit, WearerModel.new())
 			fit.mounting_covariance.resize(9)
 			fit.mounting_covariance.fill(0.0)
 			var said: float = ErrorForecast.limb_deg(

@@ -17,7 +17,7 @@ func test_who_does_all_as_asked_is_calibrated_exactly() -> void:
 		fit.heading = fit.estimate_heading()
 		almost_equal(angle_difference(fit.heading, 2.5), 0.0, 1e-4)
 		fit.start_from(fit.hold(T))
-		fit.solve(WearerModel.new())
+		FitSolver.solve(fit, WearerModel.new())
 		almost_equal(angle_difference(fit.heading, 2.5), 0.0, 1e-4)
 		almost_equal(Rotations.between_deg(fit.mounting, _mounting), 0.0, 0.01)
 		almost_equal(fit.fault(fit.hold(N)), Vector3.ZERO, 1e-4)
@@ -78,10 +78,10 @@ func test_without_movements_no_heading_is_known() -> void:
 	Fits.hold(fit, N, Vector3.ZERO, 1.0, _mounting)
 	is_true(is_nan(fit.estimate_heading()))
 	fit.start_from(fit.hold(T))
-	fit.solve(WearerModel.new())
+	FitSolver.solve(fit, WearerModel.new())
 	equal(fit.heading_variance, INF)
 	# One that it is given is taken, and the pose kept.
-	fit.solve_for(WearerModel.new(), 1.0)
+	FitSolver.solve_for(fit, WearerModel.new(), 1.0)
 	almost_equal(Rotations.between_deg(fit.mounting, _mounting), 0.0, 0.05)
 
 
@@ -93,7 +93,7 @@ func test_the_arms_way_down_shows_their_heading() -> void:
 		almost_equal(angle_difference(fit.estimate_heading(), -2.0), 0.0, 1e-4)
 		fit.heading = -1.8
 		fit.start_from(fit.hold(T))
-		fit.solve(WearerModel.new())
+		FitSolver.solve(fit, WearerModel.new())
 		almost_equal(angle_difference(fit.heading, -2.0), 0.0, 0.002)
 
 
@@ -106,7 +106,7 @@ func test_more_movements_show_a_heading_better() -> void:
 			Fits.turn(fit, Vector3.RIGHT, Vector3.ZERO, 0.3)
 		fit.heading = 0.3
 		fit.start_from(fit.hold(T))
-		fit.solve(WearerModel.new())
+		FitSolver.solve(fit, WearerModel.new())
 		is_true(number == 0 or fit.heading_variance < before * 0.9)
 		before = fit.heading_variance
 
@@ -114,4 +114,4 @@ func test_more_movements_show_a_heading_better() -> void:
 func _solve(r_fit: SensorFit, p_model: WearerModel, p_heading: float) -> void:
 	r_fit.heading = p_heading
 	r_fit.start_from(r_fit.hold(T))
-	r_fit.solve_for(p_model, p_heading)
+	FitSolver.solve_for(r_fit, p_model, p_heading)

@@ -28,7 +28,7 @@ func _noticed(p_motion: Callable, p_seconds: float) -> int:
 
 
 static func _stand() -> PoseSample:
-	return GuideMovements.pose(CalibrationGuide.countdown(ResetPose.Kind.N), 0.0)
+	return CalibrationGuide.countdown(ResetPose.Kind.N).pose_at(0.0)
 
 
 func test_a_hand_that_is_shaken_is_noticed_once() -> void:

@@ -11,7 +11,7 @@ func test_a_frame_that_waited_while_newer_ones_came_is_a_pose_too() -> void:
 		feed.add_sensor(mount, Quaternion.IDENTITY, 0.0, id)
 		profile.map.assign(id, mount)
 		profile.calibration.set_entry(id, mount, 0.0, Quaternion.IDENTITY)
-	var pose: PoseSample = GuideMovements.pose(CalibrationGuide.countdown(ResetPose.Kind.N), 0.0)
+	var pose: PoseSample = CalibrationGuide.countdown(ResetPose.Kind.N).pose_at(0.0)
 	feed.measure(pose, 1000000)
 	feed.measure(pose, 4000000)
 	var frames: Array[SensorFrame] = feed.take_frames()

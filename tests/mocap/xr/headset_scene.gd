@@ -101,7 +101,7 @@ func _set_devices() -> void:
 	frame.time_usec = now_usec()
 	var head: Quaternion = truth.orientation(Limbs.HEAD)
 	var neck: Quaternion = truth.orientation(Limbs.CHEST).slerp(head, 0.5)
-	var above: float = _size.height * HeadFusion.EYE_HEIGHT + HeadMount.USUAL_LEVER.y
+	var above: float = _size.height * BodySize.EYE_HEIGHT + HeadMount.USUAL_LEVER.y
 	var pivot: Vector3 = figure.bases[Limbs.HEAD]
 	pivot += neck * Vector3(0.0, above - figure.rest_base(Limbs.HEAD).y, 0.0)
 	var worn: Quaternion = (head * mount).normalized()

@@ -9,7 +9,7 @@ func test_a_skeleton_has_the_joints_that_it_was_made_of() -> void:
 	var skeleton: PersonSkeleton = _skeleton(joints)
 	var figure: ShownFigure = ShownFigure.of_skeleton(skeleton, joints[0].y, joints[0].y)
 	almost_equal(figure.joints, joints, 1e-5)
-	almost_equal(figure.eye_height, 1.8 * HeadFusion.EYE_HEIGHT, 1e-4)
+	almost_equal(figure.eye_height, 1.8 * BodySize.EYE_HEIGHT, 1e-4)
 	var smaller: ShownFigure = ShownFigure.of_skeleton(skeleton, joints[0].y, joints[0].y / 2.0)
 	almost_equal(smaller.joints[6], joints[6] / 2.0, 1e-5)
 	is_null(ShownFigure.of_skeleton(PersonSkeleton.new(), 1.0, 1.0))

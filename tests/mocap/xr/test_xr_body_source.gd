@@ -113,14 +113,14 @@ func test_height_is_measured_by_who_stands_up() -> void:
 	_stand_at(1.2)
 	for _step: int in 120:
 		_hold(Vector3(0.0, 1.2, 0.0))
-	almost_equal(_source.get_body().height, 1.2 / HeadFusion.EYE_HEIGHT, 0.03)
+	almost_equal(_source.get_body().height, 1.2 / BodySize.EYE_HEIGHT, 0.03)
 	for _step: int in 120:
 		_hold(Vector3(0.0, 1.7, 0.0))
-	almost_equal(_source.get_body().height, 1.7 / HeadFusion.EYE_HEIGHT, 0.03)
+	almost_equal(_source.get_body().height, 1.7 / BodySize.EYE_HEIGHT, 0.03)
 	is_true(_source.measured_times() >= 2)
 	for _step: int in 120:
 		_hold(Vector3(0.0, 1.1, 0.0))
-	almost_equal(_source.get_body().height, 1.7 / HeadFusion.EYE_HEIGHT, 0.03, "who crouches")
+	almost_equal(_source.get_body().height, 1.7 / BodySize.EYE_HEIGHT, 0.03, "who crouches")
 	contains(XrBodySource.new(9.0).error, "between 0.8 and 2.5 m tall")
 
 
@@ -182,7 +182,7 @@ func _off(p_limb: int) -> float:
 
 func _stand(p_height: float) -> void:
 	_source = XrBodySource.new(p_height)
-	_stand_at(p_height * HeadFusion.EYE_HEIGHT)
+	_stand_at(p_height * BodySize.EYE_HEIGHT)
 
 
 func _stand_at(p_eyes: float) -> void:

@@ -10,7 +10,7 @@ func before_each() -> void:
 
 
 func test_a_file_comes_as_it_was_sent() -> void:
-	for size: int in [0, 1, EffectMessage.ROOM, EffectMessage.ROOM + 1, EffectFile.MAX_BYTES]:
+	for size: int in [0, 1, EffectMessage.ROOM, EffectMessage.ROOM + 1, EffectLimits.MAX_BYTES]:
 		var bytes: PackedByteArray = _noise(size)
 		var parts: EffectParts = EffectParts.new()
 		var whole: int = 0
@@ -24,7 +24,7 @@ func test_a_file_comes_as_it_was_sent() -> void:
 
 
 func test_one_that_is_too_large_is_not_sent() -> void:
-	equal(EffectMessage.split(1, "smoke", _noise(EffectFile.MAX_BYTES + 1)).size(), 0)
+	equal(EffectMessage.split(1, "smoke", _noise(EffectLimits.MAX_BYTES + 1)).size(), 0)
 
 
 func test_a_new_file_replaces_an_unfinished_one() -> void:
@@ -60,10 +60,10 @@ func test_ten_thousand_broken_messages() -> void:
 		if message == null:
 			continue
 		accepted += 1
-		if not EffectFile.is_name(message.name) or message.part >= message.parts:
+		if not EffectLimits.is_name(message.name) or message.part >= message.parts:
 			fail("%s %d of %d" % [message.name, message.part, message.parts])
 		parts.take(message)
-		is_true(parts.bytes.size() <= EffectFile.MAX_BYTES)
+		is_true(parts.bytes.size() <= EffectLimits.MAX_BYTES)
 	is_true(accepted > 100 and accepted < ROUNDS - 100, "%d" % accepted)
 
 

@@ -119,7 +119,7 @@ func test_a_broken_level_leaves_the_present_one() -> void:
 		_level.advance(1)
 		await process_frames(1)
 	equal([ended[1], _level.level_name, _level.reference], ["", "hall", "hall"])
-	equal(_level.fingerprint, _level.level.fingerprint())
+	equal(_level.fingerprint, LevelFingerprint.of(_level.level))
 	is_null(_level.folder)
 
 

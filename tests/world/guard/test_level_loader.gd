@@ -22,7 +22,7 @@ func test_a_level_of_ours_is_the_same_as_at_once() -> void:
 	for name: String in ["hall", "yard"]:
 		var wanted: Level = LevelStore.instantiate(name)
 		add_child(wanted)
-		var print: PackedByteArray = wanted.fingerprint()
+		var print: PackedByteArray = LevelFingerprint.of(wanted)
 		var tree: String = _describe(wanted)
 		var mode: ProcessMode = wanted.props_root.process_mode
 		wanted.free()

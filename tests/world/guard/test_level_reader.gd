@@ -75,7 +75,7 @@ func test_it_reads_what_the_engine_reads() -> void:
 	var ours: Level = _read(FileAccess.get_file_as_string("res://scenes/world/hall/hall.tscn"))
 	var theirs: Level = LevelStore.instantiate("hall")
 	add_child(theirs)
-	equal(ours.fingerprint(), theirs.fingerprint())
+	equal(LevelFingerprint.of(ours), LevelFingerprint.of(theirs))
 	equal(
 		ours.find_children("*", "", true, false).size(),
 		theirs.find_children("*", "", true, false).size()
@@ -104,11 +104,11 @@ func test_it_reads_what_the_editor_saves() -> void:
 	var packed: PackedScene = PackedScene.new()
 	equal(packed.pack(level), OK)
 	equal(ResourceSaver.save(packed, "user://saved_level.tscn"), OK)
-	var wanted: PackedByteArray = level.fingerprint()
+	var wanted: PackedByteArray = LevelFingerprint.of(level)
 	level.free()
 	var again: Level = _read(FileAccess.get_file_as_string("user://saved_level.tscn"))
 	DirAccess.remove_absolute("user://saved_level.tscn")
-	equal(again.fingerprint(), wanted)
+	equal(LevelFingerprint.of(again), wanted)
 	equal((again.get_node(^"Lämpchen") as OmniLight3D).light_energy, 3.5)
 	equal((again.get_node(^"Props/Crate") as RigidBody3D).mass, 20.0)
 	again.free()

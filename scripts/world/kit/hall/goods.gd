@@ -54,6 +54,26 @@ static func add_load(
 	return PALLET.y + _add_boxes(p_mesh, top, high, p_dice)
 
 
+## A crate of boards with a frame of thicker ones and a brace over each side; its bottom's middle is
+## the origin.
+static func add_crate(p_mesh: BlockMesh, p_size: Vector3, p_tint: int) -> void:
+	var edge: float = clampf(p_size.y * 0.14, 0.04, 0.1)
+	var thick: float = edge * 0.22
+	var half: Vector3 = p_size / 2.0
+	var middle: Vector3 = Vector3.UP * half.y
+	var inner: Vector3 = half - Vector3.ONE * thick
+	p_mesh.box(middle - inner, middle + inner, SurfaceLayers.Layer.PAINTED_WOOD, p_tint)
+	var base: Transform3D = p_mesh.get_place()
+	for side: int in 6:
+		var turn: Basis = Basis(Vector3.UP, PI / 2.0 * side)
+		if side >= 4:
+			turn = Basis(Vector3.RIGHT, PI / 2.0 if side == 4 else -PI / 2.0)
+		var extent: Vector3 = (turn.inverse() * p_size).abs()
+		p_mesh.set_place(base * Transform3D(turn, middle))
+		_add_side(p_mesh, extent, edge, thick, side < 4)
+	p_mesh.set_place(base)
+
+
 ## Layers of boxes with tape on them.
 static func _add_boxes(
 	p_mesh: BlockMesh, p_at: Vector3, p_high: float, p_dice: RandomNumberGenerator
@@ -131,26 +151,6 @@ static func _add_crate(p_mesh: BlockMesh, p_at: Vector3, p_high: float) -> float
 	add_crate(p_mesh, Vector3(1.1, p_high, 0.74), SurfaceTints.Tint.TAN)
 	p_mesh.set_place(p_mesh.get_place().translated_local(-p_at))
 	return p_high
-
-
-## A crate of boards with a frame of thicker ones and a brace over each side; its bottom's middle is
-## the origin.
-static func add_crate(p_mesh: BlockMesh, p_size: Vector3, p_tint: int) -> void:
-	var edge: float = clampf(p_size.y * 0.14, 0.04, 0.1)
-	var thick: float = edge * 0.22
-	var half: Vector3 = p_size / 2.0
-	var middle: Vector3 = Vector3.UP * half.y
-	var inner: Vector3 = half - Vector3.ONE * thick
-	p_mesh.box(middle - inner, middle + inner, SurfaceLayers.Layer.PAINTED_WOOD, p_tint)
-	var base: Transform3D = p_mesh.get_place()
-	for side: int in 6:
-		var turn: Basis = Basis(Vector3.UP, PI / 2.0 * side)
-		if side >= 4:
-			turn = Basis(Vector3.RIGHT, PI / 2.0 if side == 4 else -PI / 2.0)
-		var extent: Vector3 = (turn.inverse() * p_size).abs()
-		p_mesh.set_place(base * Transform3D(turn, middle))
-		_add_side(p_mesh, extent, edge, thick, side < 4)
-	p_mesh.set_place(base)
 
 
 ## The frame on the side of a crate that looks to +Z.

@@ -39,27 +39,6 @@ func build_top() -> void:
 	_mesh.set_finest(1.25)
 
 
-func _add_roof() -> void:
-	var holes: PackedVector4Array = []
-	if _plan.has_stairs():
-		var stairs: Rect2 = _plan.stairs_rect()
-		holes.append(Vector4(stairs.position.x, stairs.position.y, stairs.size.x, stairs.size.y))
-	# Seen from above: x to the right, up away from the front.
-	_mesh.face(
-		Vector3(0.0, _y, 0.0),
-		Vector3.RIGHT,
-		Vector3.FORWARD,
-		Vector2(_plan.width, _plan.depth),
-		SurfaceLayers.Layer.DIRT,
-		SurfaceTints.Tint.PLAIN,
-		holes
-	)
-	if not _plan.is_entered:
-		return
-	for box: AABB in slab_boxes(_plan, _y):
-		_mesh.solid(box.position, box.end)
-
-
 ## The solid boxes of a floor whose top is at a height, without the stairs.
 static func slab_boxes(p_plan: HousePlan, p_y: float) -> Array[AABB]:
 	var low: float = p_y - HousePlan.FLOOR_M
@@ -82,6 +61,27 @@ static func slab_boxes(p_plan: HousePlan, p_y: float) -> Array[AABB]:
 			)
 		)
 	return boxes
+
+
+func _add_roof() -> void:
+	var holes: PackedVector4Array = []
+	if _plan.has_stairs():
+		var stairs: Rect2 = _plan.stairs_rect()
+		holes.append(Vector4(stairs.position.x, stairs.position.y, stairs.size.x, stairs.size.y))
+	# Seen from above: x to the right, up away from the front.
+	_mesh.face(
+		Vector3(0.0, _y, 0.0),
+		Vector3.RIGHT,
+		Vector3.FORWARD,
+		Vector2(_plan.width, _plan.depth),
+		SurfaceLayers.Layer.DIRT,
+		SurfaceTints.Tint.PLAIN,
+		holes
+	)
+	if not _plan.is_entered:
+		return
+	for box: AABB in slab_boxes(_plan, _y):
+		_mesh.solid(box.position, box.end)
 
 
 func _add_parapet(p_wall: HousePlan.Facade) -> void:

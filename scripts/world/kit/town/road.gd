@@ -139,18 +139,6 @@ func build(p_mesh: BlockMesh, _p_part: StringName) -> void:
 		_add_markings(p_mesh)
 
 
-func _add_kerb(p_mesh: BlockMesh, p_x: float, p_gaps: PackedVector2Array) -> void:
-	for piece: Vector2 in pieces_between(p_gaps, size.y):
-		p_mesh.box(
-			Vector3(p_x, 0.0, -piece.y),
-			Vector3(p_x + KERB_M.x, height + KERB_M.y, -piece.x),
-			SurfaceLayers.Layer.CONCRETE,
-			SurfaceTints.Tint.GREY_STONE,
-			BlockMesh.FACE_BOTTOM,
-			true
-		)
-
-
 ## What gaps leave of a length: from and to, m.
 static func pieces_between(p_gaps: PackedVector2Array, p_length: float) -> PackedVector2Array:
 	var gaps: PackedVector2Array = p_gaps.duplicate()
@@ -166,6 +154,18 @@ static func pieces_between(p_gaps: PackedVector2Array, p_length: float) -> Packe
 	if from < p_length:
 		pieces.append(Vector2(from, p_length))
 	return pieces
+
+
+func _add_kerb(p_mesh: BlockMesh, p_x: float, p_gaps: PackedVector2Array) -> void:
+	for piece: Vector2 in pieces_between(p_gaps, size.y):
+		p_mesh.box(
+			Vector3(p_x, 0.0, -piece.y),
+			Vector3(p_x + KERB_M.x, height + KERB_M.y, -piece.x),
+			SurfaceLayers.Layer.CONCRETE,
+			SurfaceTints.Tint.GREY_STONE,
+			BlockMesh.FACE_BOTTOM,
+			true
+		)
 
 
 func _add_markings(p_mesh: BlockMesh) -> void:
