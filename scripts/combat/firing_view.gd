@@ -1,7 +1,7 @@
 class_name FiringView
 extends Node3D
-## What is seen of a shooter's shots: flash and smoke at the muzzle, dust below
-## it, tracers, and what flies up where something is hit. It costs no bytes beside the events.
+## Shows a shooter's shots: flash and smoke at the muzzle, dust below it, tracers, and the effects
+## of impacts. All of it follows from the events: it needs no bytes of its own.
 
 ## How many of each effect are made beforehand, for all shooters of a level.
 const _COUNTS: Dictionary[String, int] = {
@@ -29,7 +29,7 @@ const _AWAY_M: float = 1500.0
 ## Size of a bullet's burst beside a shell's, and of the flash of a machine gun.
 const _BULLET_SIZE: float = 0.3
 const _BULLET_FLASH: float = 0.15
-## What bursts so far, m, looks as the effect was made.
+## Blast radius at which a burst's effect has the size that it was made in, m.
 const _BLAST_M: float = 12.0
 ## Width of marks, m: of a bullet, of a dart, of what bursts.
 const _MARKS_M: Array[float] = [0.9, 5.0, 0.14]
@@ -49,11 +49,11 @@ var _shells: Shells = null
 var _player: EffectPlayer = null
 var _flash: OmniLight3D = OmniLight3D.new()
 var _rounds: int = 0
-## How long it stays after the shooter is gone, s; below 0: the shooter is there.
+## How long it stays after the shooter is gone, s; negative while the shooter is there.
 var _left_s: float = -1.0
 
 
-## One for the guns of a shooter. It belongs into the shooter's world but not below the shooter: see
+## A view for a shooter's guns. It belongs into the shooter's world, but not below the shooter: see
 ## [method show_shots].
 static func create(p_shells: Shells) -> FiringView:
 	var view: FiringView = FiringView.new()
@@ -69,8 +69,8 @@ static func show_shots(p_shells: Shells) -> void:
 		begin.call_deferred(p_shells)
 
 
-## Adds one where effects are played in the shooter's world: what has been fired is still seen when
-## the shooter is gone.
+## Adds a view where the shooter's world plays its effects: shots stay visible when the shooter is
+## gone.
 static func begin(p_shells: Shells) -> void:
 	if p_shells.is_inside_tree():
 		EffectPlayer.of(p_shells.shooter).add_child(create(p_shells))

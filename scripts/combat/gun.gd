@@ -298,7 +298,7 @@ func _on_field_changed(p_field: StringName, p_value: float) -> void:
 			loaded = p_value
 		ammunition_field:
 			chosen = clampi(roundi(p_value), 0, maxi(ammunition.size() - 1, 0))
-			# Of as many rounds of another kind there is no news.
+			# The events do not say how many rounds of another kind are left.
 			if rounds_field != &"" and entity.type.find_field(rounds_field) >= 0:
 				_on_field_changed(rounds_field, entity.get_value(rounds_field))
 		rounds_field:

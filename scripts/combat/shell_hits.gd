@@ -1,24 +1,25 @@
 class_name ShellHits
 extends RefCounted
-## What a hit and a blast do to bodies and people: impulses at the place, within what is plausible.
+## Applies hits and blasts to bodies and people: impulses at the point of impact, within plausible
+## limits.
 
-## A light thing is not made faster than this by one hit, m/s: a real shell goes through it.
+## Greatest speed that one hit gives to a body, m/s: a real shell would go through a light one.
 const MAX_GAIN: float = 12.0
-## Nor made to turn faster than this, rad/s.
+## Greatest angular speed that one hit gives to a body, rad/s.
 const MAX_SPIN: float = 15.0
-## A limb is not made faster than this by one hit, m/s.
+## Greatest speed that one hit gives to a limb, m/s.
 const MAX_LIMB_GAIN: float = 10.0
-## Impulse from which on a person cannot stay standing, N s; of a burst, what all limbs get.
+## Impulse that makes a person fall, N s; of a burst, the sum over all limbs.
 const _FELLING: float = 80.0
 ## What the hit limb's group has left of its strength, and how long until all is back (s): for a
 ## bullet, and for what fells.
 const _FLINCH: Vector2 = Vector2(0.1, 0.7)
 const _FELLED: Vector2 = Vector2(0.02, 2.0)
-## Mass for the area of things whose shape nobody asks, kg/m^3.
+## Mean density by which a body's mass gives its area, as its shape is not looked at, kg/m^3.
 const _DENSITY: float = 500.0
-## Nearer than this a blast gives no more, m.
+## Distance below which a blast grows no further, m.
 const _NEAREST: float = 0.5
-## A limb is at most so many nodes below its person.
+## Depth in the tree, in nodes below the person, down to which limbs are found.
 const _LEVELS: int = 8
 ## Most bodies and limbs that a blast pushes.
 const _MAX_BODIES: int = 256

@@ -11,9 +11,9 @@ extends Interactable
 ## name its field in [member EntitySchema.seat]. A session sits once: taking a seat leaves the one
 ## before.
 ##
-## A seat may move in its body, as below a turret: who sits there goes with it. The occupant faces
+## A seat may move within its body, for example below a turret: its occupant goes with it and faces
 ## the seat's +Z. Scripts of special seats override [method hold], [method frame_in_body] and the
-## ways in and out.
+## methods for getting in and out.
 
 ## Somebody has taken or left the seat; 0 is nobody. On every machine.
 signal occupied(p_session: int)
@@ -133,19 +133,19 @@ func hold() -> SeatHold:
 	return null
 
 
-## Points of the way of somebody's feet (m, in the body's frame) from a place to [method mouth];
-## empty: at once.
+## The path of the feet from a position to [method mouth]: points in the body's frame, m. Empty: the
+## occupant is put into the seat at once.
 func way_in(_from: Vector3) -> PackedVector3Array:
 	return PackedVector3Array()
 
 
-## The way back from [method mouth]: to a place that is free. [param p_is_free] takes a point in the
-## body's frame. Empty: the occupant stays where the seat is.
+## The path of the feet from [method mouth] to a free position. [param p_is_free] takes a point in
+## the body's frame. Empty: the occupant stays where the seat is.
 func way_out(_is_free: Callable) -> PackedVector3Array:
 	return PackedVector3Array()
 
 
-## Where feet come to before they go down into the seat, m, in the body's frame.
+## Position of the feet before they go down into the seat, m, in the body's frame.
 func mouth() -> Vector3:
 	return frame_in_body().origin
 
@@ -168,7 +168,7 @@ func _on_commanded(p_session: int, p_command: StringName, p_values: PackedFloat3
 			vacate()
 
 
-## Whether a session can leave now; where it cannot, it is told why.
+## Whether a session can leave the seat now; if it cannot, it gets a notice that says why.
 func _lets_go(p_session: int) -> bool:
 	var possession: Possession = entity.get_host().possession()
 	var has_people: bool = possession.has_people.call(p_session)

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The documents agree with the code, and their commands do what the page says.
 
-The commands are typed as a reader types them: each comes up, and ends when told to. Only SERVER is replaced, by the address of a server here; the port comes by the environment.
+The commands are typed as a reader types them: each comes up, and ends when told to. Only SERVER is
+replaced, by the address of a server here; the port comes by the environment.
 """
 
 from __future__ import annotations
@@ -121,7 +122,7 @@ def _constant(name: str, constant: str) -> str:
 @pytest.mark.parametrize("page", ["README.md", "docs/limits.md", "docs/protocol.md"])
 def test_documents_name_the_protocol_version(page: str) -> None:
     version = _constant("scripts/net/messages/protocol.gd", "VERSION")
-    named = re.findall(r"(?i)\bprotocol(?:,| \|)? version(?:,| \|)? (\d+)", _text(page))
+    named = re.findall(r"(?i)\bprotocol(?:,| \|)? version(?:,| \|)?(?: version)? (\d+)", _text(page))
     assert set(named) == {version}
 
 

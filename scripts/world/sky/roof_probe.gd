@@ -1,8 +1,8 @@
 @tool
 class_name RoofProbe
 extends RefCounted
-## Heights of what is highest at places around the eye, found by few rays a tick, for rain that does
-## not fall through roofs, and dust that does not swirl in rooms.
+## Finds the highest surface at points around the eye, by a few rays a tick: rain does not fall
+## through roofs, and dust does not swirl in rooms.
 ##
 ## The places are a square grid of the whole world that repeats after [constant EDGE_M]: who walks
 ## on keeps what he has seen.
@@ -13,7 +13,7 @@ const EDGE_M: float = 24.0
 const SIDE: int = 24
 ## Rays in a tick.
 const RAYS: int = 12
-## From how high above the eye it is looked down, m.
+## Height above the eye from which rays go down, m.
 const ABOVE_M: float = 25.0
 ## Height where nothing is found, m.
 const NOTHING_M: float = -1000.0
@@ -30,7 +30,7 @@ func _init() -> void:
 	texture = ImageTexture.create_from_image(_heights)
 
 
-## Looks at the next places around an eye.
+## Casts the next rays around an eye.
 func advance(p_space: PhysicsDirectSpaceState3D, p_eye: Vector3) -> void:
 	var cell: float = EDGE_M / SIDE
 	var query: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.new()
@@ -61,7 +61,7 @@ func height_at(p_place: Vector3) -> float:
 	return _heights.get_pixel(column, row).r
 
 
-## The middle of the place of a number that is nearest to the eye.
+## The point with a number that is nearest to the eye.
 static func _nearest(p_number: int, p_eye: float, p_cell: float) -> float:
 	var middle: float = (p_number + 0.5) * p_cell
 	return middle + roundf((p_eye - middle) / EDGE_M) * EDGE_M

@@ -83,7 +83,8 @@ func range_of_heights() -> Vector2:
 	return Vector2(least, most)
 
 
-## Height of the ground at a place from the middle, m; beyond the edge that of the edge.
+## Height of the ground at a point, counted from the middle, m; beyond the edge the height of the
+## edge.
 func height_at(p_x: float, p_z: float) -> float:
 	var place: Vector2 = _place_of(p_x, p_z)
 	var column: int = mini(int(place.x), columns - 2)
@@ -100,7 +101,7 @@ func height_at(p_x: float, p_z: float) -> float:
 	return far + (below - far) * (1.0 - across) + (right - far) * (1.0 - down)
 
 
-## Which way the ground faces at a place.
+## Normal of the ground at a point.
 func normal_at(p_x: float, p_z: float) -> Vector3:
 	var step: float = cell_m
 	var across: float = height_at(p_x - step, p_z) - height_at(p_x + step, p_z)
