@@ -1,7 +1,7 @@
 class_name ImpactMessage
 extends RefCounted
-## What strikes what in a tick, as bytes: server to client, fast path, each once. One that is lost
-## is a sound that is not heard.
+## Which bodies strike each other in a tick, as bytes: server to client, fast path, each once. Where
+## one is lost, a sound is missing.
 ##
 ## Little-endian: u8 message; u32 tick; u8 count; of each: u16 entity, u16 other entity, three i24
 ## for the place (cm), u8 impulse and u8 slip (see [method encode]), u8 material, u8 other material.
