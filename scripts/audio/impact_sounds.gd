@@ -3,21 +3,21 @@ extends RefCounted
 ## Sounds of things that hit and rub one another, by what they are made of (the sound key of a
 ## contact material) and how hard.
 
-## A weaker impact is not heard, N s; and from this one on it gets no louder.
+## Impulse below which an impact is not heard, and above which it gets no louder, N s.
 const MIN_IMPULSE: float = 0.15
 const MAX_IMPULSE: float = 2000.0
-## Level of an impact of 1 N s beside that of its sound, dB, and of the softer material beside the
+## Level of an impact of 1 N s relative to its sound, dB, and of the softer material relative to the
 ## harder one.
 const _UNIT_DB: float = -14.0
 const _SECOND_DB: float = -5.0
 ## Most scrapes at once.
 const MAX_SCRAPES: int = 12
-## How long one goes on without news, s: they come each 0.1 s, and one may be lost. From when on it
-## fades meanwhile, s, and how fast, dB/s.
+## Time that a scrape goes on without news, s (they come each 0.1 s, and one may be lost), time
+## after which it fades meanwhile, s, and how fast, dB/s.
 const SCRAPE_S: float = 0.32
 const _FADE_FROM_S: float = 0.22
 const _FADE_DB_S: float = 300.0
-## Rubbing at this speed (m/s) and force (N) is as loud as its sound.
+## Speed (m/s) and force (N) at which a scrape has its recorded level.
 const _SCRAPE_SPEED: float = 1.0
 const _SCRAPE_FORCE: float = 200.0
 ## Heavy things sound deeper: share of the pitch for each tenfold impulse, and the bounds.

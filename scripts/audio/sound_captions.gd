@@ -1,14 +1,14 @@
 class_name SoundCaptions
 extends RefCounted
-## Text for who cannot hear: what sounds, from where, how far. The same is not said twice within a
-## few seconds.
+## Captions for users who cannot hear: which sound, from which direction, how far. The same caption
+## is not repeated within a few seconds.
 
 ## A caption is to be shown; [param p_bearing] is 0 ahead, positive to the right, rad.
 signal shown(p_text: String, p_bearing: float)
 
-## The same thing from the same side is said again after this time, s.
+## Time after which the same caption from the same direction is repeated, s.
 const AGAIN_S: float = 4.0
-## What is quieter is not said, dB over full scale.
+## Level below which a sound has no caption, dB over full scale.
 const MIN_LEVEL_DB: float = -42.0
 const _SIDES: PackedStringArray = [
 	"ahead",

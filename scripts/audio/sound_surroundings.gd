@@ -3,11 +3,11 @@ extends RefCounted
 ## What is between listener and sources, and how the rooms of both reverberate: by rays against what
 ## never moves.
 
-## So near to its source a ray meets the surface that is struck, which is no wall between, m.
+## Distance from the source within which a ray's hit is the surface that was struck, not a wall, m.
 const NEAR_SOURCE_M: float = 0.35
-## A roof is looked for up to here, m.
+## Height up to which a roof is searched, m.
 const _ROOF_M: float = 20.0
-## A ray to a source's roof begins so far above it, m.
+## Height above a source at which a ray to its roof begins, m.
 const _ABOVE_M: float = 0.2
 ## The reverberation is set again after so many frames.
 const _SET_FRAMES: int = 8

@@ -12,7 +12,7 @@ const MAX_BYTES: int = 65536
 const FOLDER: String = "res://assets/effects"
 const EXTENSION: String = "gdshader"
 const MAX_NAME: int = 40
-## Problems that are told at once; one mistake often makes many.
+## Greatest number of problems that are reported at once; one mistake often makes many.
 const MAX_PROBLEMS: int = 20
 ## A uniform of every effect: if the compiler does not list it, it has not understood the code.
 const MARK: String = "effect_compiled"

@@ -1,18 +1,19 @@
 class_name FootContacts
 extends RefCounted
-## When a displayed person's feet come down: from their motion beside the hips, so that whoever sits
-## in a vehicle or is carried makes no steps.
+## Finds when a displayed person's feet come down: from their motion relative to the hips, so that
+## people who sit in a vehicle or are carried make no steps.
 
-## A foot is in the air when it goes up faster than this, m/s.
+## Speed upwards above which a foot is in the air, m/s.
 const LIFT_SPEED: float = 0.25
-## It comes down when it has gone down faster than this, and then hardly moves down any more, m/s.
+## Speeds downwards between which a foot comes down: it was faster than the first and is now slower
+## than the second, m/s.
 const MIN_SPEED: float = 0.3
 const _STILL_SPEED: float = 0.12
-## The fastest that counts: more is a teleport, m/s.
+## Greatest speed that counts, m/s: more is a teleport.
 const _MAX_SPEED: float = 9.0
-## A foot makes no second step within this time, s.
+## Least time between two steps of a foot, s.
 const _AGAIN_S: float = 0.2
-## How slowly speeds are followed, s.
+## Time constant of the speeds, s.
 const _FOLLOW_S: float = 0.02
 
 ## How fast each foot came down in [method advance], m/s; 0: it did not.

@@ -13,8 +13,8 @@ signal held(p_is_held: bool)
 const FIELD: StringName = &"torch"
 ## Command of the person's session that switches it.
 const COMMAND: StringName = &"switch_torch"
-## So many torches light at most, those nearest to the camera: each costs a pass over what it
-## lights. The others only glow.
+## Greatest number of torches that light, those nearest to the camera: each costs a pass over what
+## it lights. The others only glow.
 const MAX_LIGHTS: int = 4
 
 ## Group of those that are lit.

@@ -2,16 +2,16 @@ class_name DoorSounds
 extends RefCounted
 ## Hinges that creak and doors that fall shut, from how doors are displayed.
 
-## Farther from the listener doors are not looked at, m.
+## Distance from the listener beyond which doors are silent, m.
 const AWAY_M: float = 30.0
 ## Doors near the listener are looked for so often, s.
 const _SEARCH_S: float = 0.5
-## Slower than this nothing is heard, and faster than this no hinge creaks, degrees/s.
+## Angular speed below which a door is silent, and above which no hinge creaks, degrees/s.
 const _MIN_SPEED: float = 6.0
 const _CREAK_SPEED: float = 70.0
-## This near to shut, a door that moves falls into its frame, degrees.
+## Angle from shut at which a moving door falls into its frame, degrees.
 const _SHUT_DEG: float = 2.0
-## A hinge creaks no sooner again than this, s.
+## Least time between two creaks of a hinge, s.
 const _AGAIN_S: float = 1.4
 
 var _voices: SoundVoices = null

@@ -67,11 +67,12 @@ var _guard: RuntimeGuard = null
 var _window: KeptWindow = KeptWindow.new()
 var _way_back: HmdReturn = HmdReturn.new(HmdCommand.of_this_process())
 var _is_waiting: bool = false
-# Somebody has asked to go into it, and is told of a fault.
+# The user has asked to go into the headset and gets a notice of a fault.
 var _is_asked: bool = false
-# That it is back has been told.
+# The notice that the headset is back has been shown.
 var _is_told: bool = false
-# It is there but would not take us: only who asks tries again, until it was away.
+# The headset is there but refuses: only a request of the user tries again, until the headset was
+# away.
 var _is_refused: bool = false
 var _why_lost: String = ""
 # The frame in which a seated wearer is recentred; 0: none.
@@ -115,7 +116,7 @@ func open() -> String:
 	if why == "":
 		why = "No headset: %s." % _find_headset(has_tried)
 	_is_waiting = true
-	# Whoever opens it then knows that it is open.
+	# Tells whoever opens it then that it is open.
 	_await_return.call_deferred(why)
 	return ""
 

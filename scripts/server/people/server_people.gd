@@ -38,7 +38,7 @@ var _settling: int = 0
 ## Numbers of people who belong to the server count down from here.
 var _enlisted: int = 0
 var _plain_type: EntityType = EntityType.person()
-## What a body needs to be placed in the world: the scenes and positions of people who start.
+## Shape that must be free where a person is to stand, such as beside a seat.
 var _standing_room: CapsuleShape3D = CapsuleShape3D.new()
 
 
