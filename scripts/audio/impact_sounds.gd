@@ -58,8 +58,8 @@ func _init(p_voices: SoundVoices) -> void:
 	_voices = p_voices
 
 
-## Plays an impact of two materials (sound keys) at a place (m), N s. [param p_pair] stands for the
-## two things: what they do within 50 ms is one sound; 0: of the place.
+## Plays an impact of two materials (sound keys) at a position (m), N s. [param p_pair] stands for
+## the two things: what they do within 50 ms is one sound; 0: of the position.
 func play_impact(
 	p_first: StringName, p_second: StringName, p_place: Vector3, p_impulse: float, p_pair: int = 0
 ) -> void:
@@ -83,7 +83,7 @@ static func gain_of(p_impulse: float) -> float:
 	return _UNIT_DB + linear_to_db(clampf(p_impulse, MIN_IMPULSE, MAX_IMPULSE))
 
 
-## Two things rub at a place (m) with a speed (m/s) and a force (N). Call it as long as they do,
+## Two things rub at a position (m) with a speed (m/s) and a force (N). Call it as long as they do,
 ## with the same number of the pair.
 func set_scrape(
 	p_pair: int,

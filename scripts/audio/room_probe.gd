@@ -8,7 +8,7 @@ const REACH_M: float = 45.0
 ## Range of the reverberation times, s.
 const MIN_TIME_S: float = 0.25
 const MAX_TIME_S: float = 6.0
-## Share of the rays that must meet something for a place to count as a room.
+## Share of the rays that must meet something for a position to count as a room.
 const ENCLOSED: float = 0.6
 ## Directions of the rays: corners and faces of a cube.
 const _DIRECTIONS: Array[Vector3] = [

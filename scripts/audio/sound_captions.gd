@@ -40,7 +40,7 @@ func take(p_text: String, p_place: Vector3, p_level_db: float, p_ear: Transform3
 	shown.emit("%s, %s, %s" % [p_text, side_of(bearing), describe_distance(away)], bearing)
 
 
-## In which direction a place is: 0 ahead, positive to the right, rad.
+## In which direction a position is: 0 ahead, positive to the right, rad.
 static func bearing_of(p_place: Vector3, p_ear: Transform3D) -> float:
 	var to: Vector3 = p_ear.basis.orthonormalized().inverse() * (p_place - p_ear.origin)
 	return atan2(to.x, -to.z)

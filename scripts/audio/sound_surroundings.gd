@@ -39,7 +39,7 @@ func advance(p_space: PhysicsDirectSpaceState3D, p_ear: Vector3) -> void:
 		SoundBuses.set_room(SoundBuses.ROOM, room)
 
 
-## Whether a wall is between the ears and a place, m.
+## Whether a wall is between the ears and a position, m.
 func is_walled(p_space: PhysicsDirectSpaceState3D, p_ear: Vector3, p_place: Vector3) -> bool:
 	var way: Vector3 = p_place - p_ear
 	if way.length() < NEAR_SOURCE_M * 2.0:
@@ -49,8 +49,8 @@ func is_walled(p_space: PhysicsDirectSpaceState3D, p_ear: Vector3, p_place: Vect
 	return not p_space.intersect_ray(_query).is_empty()
 
 
-## Whether a source at a place (m) is in a room that the listener is not in; sets the reverberation
-## of its bus.
+## Whether a source at a position (m) is in a room that the listener is not in; sets the
+## reverberation of its bus.
 func is_in_other_room(p_space: PhysicsDirectSpaceState3D, p_place: Vector3) -> bool:
 	if room.is_room():
 		return false

@@ -112,7 +112,7 @@ func ear() -> Vector3:
 	return camera.global_position if camera != null else Vector3.ZERO
 
 
-## Plays a sound at a place (m), louder by a gain (dB), after a delay (s). Returns its voice, or
+## Plays a sound at a position (m), louder by a gain (dB), after a delay (s). Returns its voice, or
 ## null where it is refused: unknown, too quiet, or below all that is heard. The listener's present
 ## position decides whether a sound that waits is too quiet, or ranks below the others that wait.
 func play(
@@ -187,7 +187,7 @@ func heard() -> int:
 	return renderer.sounding() if renderer != null else 0
 
 
-## Seconds that sound needs from a place (m) to the listener.
+## Seconds that sound needs from a position (m) to the listener.
 func travel_s(p_place: Vector3) -> float:
 	return ear().distance_to(p_place) / SOUND_SPEED
 

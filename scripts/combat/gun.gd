@@ -151,7 +151,7 @@ func carried_velocity() -> Vector3:
 	return Vector3.ZERO
 
 
-## Gives what carries it an impulse (N s, world) at a place (m, world).
+## Gives what carries it an impulse (N s, world) at a position (m, world).
 func kick(_impulse: Vector3, _place: Vector3) -> void:
 	pass
 

@@ -41,8 +41,8 @@ func add(p_ammunition: Ammunition, p_place: Vector3, p_velocity: Vector3) -> voi
 	_shells.append(shell)
 
 
-## All fly on by a time, s, seen from a place; [param p_space] is where bullets find what they hit,
-## as no event says so.
+## All fly on by a time, s, seen from a position; [param p_space] is where bullets find what they
+## hit, as no event says so.
 func advance(p_delta: float, p_eye: Vector3, p_space: PhysicsDirectSpaceState3D) -> void:
 	var left: Array[Shell] = []
 	for shell: Shell in _shells:
@@ -60,7 +60,7 @@ func advance(p_delta: float, p_eye: Vector3, p_space: PhysicsDirectSpaceState3D)
 	_show(p_eye)
 
 
-## What was fired hits at a place: it is not seen any more. Bullets, of which many fly along one
+## What was fired hits at a position: it is not seen any more. Bullets, of which many fly along one
 ## path, end by themselves.
 func end(p_ammunition: Ammunition, p_place: Vector3) -> void:
 	if p_ammunition.kind == Ammunition.Kind.BULLET:

@@ -386,7 +386,7 @@ func _on_people(p_session: Session, p_bytes: PackedByteArray, _arrival_usec: int
 	return PeopleMessage.error
 
 
-## Who leaves proves that the session is its own: what ENet says of it can be forged.
+## A client that leaves proves that the session is its own: what ENet says of it can be forged.
 func _on_leave(p_session: Session, p_bytes: PackedByteArray, _arrival_usec: int) -> String:
 	if not Crypto.new().constant_time_compare(p_session.token, p_bytes.slice(1)):
 		return "a farewell without its token"

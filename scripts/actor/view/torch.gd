@@ -166,7 +166,7 @@ func _make() -> void:
 	_made.add_child(_light)
 
 
-## A piece of the tube around the beam, at a place along it.
+## A piece of the tube around the beam, at a position along it.
 func _add_tube(p_long: float, p_radius: float, p_at: float, p_colour: Color, p_glow: float) -> void:
 	var mesh: CylinderMesh = CylinderMesh.new()
 	mesh.top_radius = p_radius

@@ -257,7 +257,7 @@ func _named_like(p_rows: Array[RosterRow], p_text: String) -> Array[RosterRow]:
 	return p_rows.filter(func(row: RosterRow) -> bool: return row.name.to_lower().begins_with(word))
 
 
-## Who has just come may not be in the list yet.
+## A client that has just come may not be in the list yet.
 func _miss(p_command: String, p_rows: Array[RosterRow], p_rest: String) -> void:
 	var number: int = _control.ask_who() if _retried.is_empty() else 0
 	if number == 0:

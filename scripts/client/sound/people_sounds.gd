@@ -3,7 +3,7 @@ extends RefCounted
 ## Steps, cloth and gear of the people who are displayed: from their poses, at no byte.
 
 ## Distance from the listener beyond which people are silent, m.
-const AWAY_M: float = 45.0
+const MAX_DISTANCE_M: float = 45.0
 ## Distance from the ankle down to the sole, and height above it from which a ray looks for the
 ## ground, m.
 const _SOLE_M: float = 0.09
@@ -19,7 +19,7 @@ const _HAND_SPEED: float = 1.3
 const _CLOTH_S: float = 0.35
 ## Time for which people must have been seen before they make sounds, s: at first their speed is
 ## unknown.
-const _SETTLED_S: float = 0.5
+const _MIN_SEEN_S: float = 0.5
 
 var _voices: SoundVoices = null
 var _walkers: Dictionary[int, Walker] = {}
@@ -40,7 +40,7 @@ func advance(p_people: Dictionary[int, ActorView], p_own: int, p_delta: float) -
 			_walkers.erase(person)
 	for person: int in p_people:
 		var view: ActorView = p_people[person]
-		if not view.node.visible or view.hips().distance_to(ear) > AWAY_M:
+		if not view.node.visible or view.hips().distance_to(ear) > MAX_DISTANCE_M:
 			_walkers.erase(person)
 			continue
 		if not _walkers.has(person):
@@ -57,7 +57,7 @@ func _advance_one(
 	var hips: Vector3 = p_view.hips()
 	p_walker.contacts.advance(hips, feet, p_delta)
 	p_walker.seen_s += p_delta
-	if p_walker.seen_s < _SETTLED_S:
+	if p_walker.seen_s < _MIN_SEEN_S:
 		return
 	for foot: int in 2:
 		if p_walker.contacts.landed[foot] > 0.0:

@@ -12,7 +12,8 @@ extends DisplayMode
 signal pressed(p_action: StringName, p_hand: int)
 ## A button was released.
 signal released(p_action: StringName, p_hand: int)
-## The wearer's place and heading have been set anew: who recentres stands upright and looks ahead.
+## The wearer's position and heading have been set anew: who recentres stands upright and looks
+## ahead.
 signal recentred
 ## The wearer has turned by a step: an angle about +Y through the head, rad, left is positive.
 signal turned(p_angle: float)
@@ -116,7 +117,7 @@ func open() -> String:
 	if why == "":
 		why = "No headset: %s." % _find_headset(has_tried)
 	_is_waiting = true
-	# Tells whoever opens it then that it is open.
+	# Deferred: the caller must know first that the display is open.
 	_await_return.call_deferred(why)
 	return ""
 
@@ -177,7 +178,7 @@ func view() -> HmdView:
 	return _view
 
 
-## The place and heading of the head become the room's.
+## The position and heading of the head become the room's.
 func recentre() -> void:
 	if _view == null:
 		return

@@ -11,7 +11,7 @@ extends RefCounted
 const FIXED: String = "fixed"
 ## They are those of the own person.
 const HEAD: String = "head"
-## Nearer than this an eye is as good as on a wall, m.
+## Distance from a wall below which an eye counts as on it, m.
 const MIN_DISTANCE_M: float = 0.05
 ## Most screens of a station.
 const MAX_SCREENS: int = 16

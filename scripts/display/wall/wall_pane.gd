@@ -53,7 +53,7 @@ func open(p_screen: WallScreen, p_window: Window) -> void:
 	_connect_pictures()
 
 
-## Shows the world of a camera from an eye of the station, which is in the world at a place; the
+## Shows the world of a camera from an eye of the station, which is in the world at a position; the
 ## eyes are so far apart, m, along an axis of the station.
 func follow(
 	p_viewer: Camera3D, p_station: Transform3D, p_eye: Vector3, p_right: Vector3, p_apart_m: float
@@ -114,7 +114,7 @@ func _connect_pictures() -> void:
 		_pictures[part].show_eyes(only, right, StereoMode.mix(screen.mode))
 
 
-## Follows the window's size and its place on the panel.
+## Follows the window's size and its position on the panel.
 func _fit() -> void:
 	var size: Vector2i = window.size
 	_canvas.scale = window.get_visible_rect().size / Vector2(size)

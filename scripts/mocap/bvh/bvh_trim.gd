@@ -16,7 +16,7 @@ const MIN_REST_S: float = 0.5
 ## How far the hips of somebody still may be from where they were, m, and a limb's turn, rad.
 const _STILL_M: float = 0.02
 const _STILL_RAD: float = 0.07
-## Speed of hips, m/s, and their way in a frame, m, that make a jump.
+## Speed of hips, m/s, and their distance in a frame, m, that make a jump.
 const _JUMP_M_S: float = 4.0
 const _JUMP_M: float = 0.08
 ## Turn of a limb in a frame that makes a jump, rad, if it is this many times that of the frame
@@ -72,7 +72,7 @@ func _after_transition(p_frame: int, p_step: float) -> int:
 	)
 	while frame < end and _way(frame, frame + 1) > _TRANSITION * p_step:
 		frame += 1
-	# Somebody who goes on as fast as that was not put there.
+	# A person who goes on as fast as that has not jumped.
 	return frame if frame < end or end <= p_frame else p_frame
 
 

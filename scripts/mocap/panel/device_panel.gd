@@ -157,8 +157,8 @@ func _process(_delta: float) -> void:
 		_show_stats()
 
 
-## Nobody is at the keys: a result that is good enough is accepted by itself, after it could be
-## read. Returns what becomes of it, for people.
+## Nobody is at the keys: a result that is good enough is accepted by itself, after the wearer had
+## time to read it. Returns what will happen, for people.
 func _decide_alone() -> String:
 	var result: CalibrationResult = suit().process.result
 	if suit().process.phase != CalibrationProcess.Phase.DONE or result == null:

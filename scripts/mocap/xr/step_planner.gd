@@ -1,6 +1,6 @@
 class_name StepPlanner
 extends RefCounted
-## Where the feet of somebody stand of whom only the hips' way is known: planted until the weight
+## Where the feet of somebody stand of whom only the hips' path is known: planted until the weight
 ## has moved, then one step at a time, never across the other foot, never sliding.
 ##
 ## Frame: the wearer's, metres; a yaw of 0 faces +Z. Places are on the ground below the ankles.
@@ -74,7 +74,7 @@ func home(p_side: int, p_hips: Vector3, p_yaw: float) -> Vector3:
 	return Vector3(p_hips.x, 0.0, p_hips.z) + across
 
 
-## Goes on by a time, s: hips over a place, facing a yaw, at a velocity, m/s.
+## Goes on by a time, s: hips over a position, facing a yaw, at a velocity, m/s.
 func advance(p_hips: Vector3, p_yaw: float, p_velocity: Vector3, p_step_s: float) -> void:
 	var velocity: Vector3 = Vector3(p_velocity.x, 0.0, p_velocity.z).limit_length(4.0)
 	for side: int in 2:

@@ -17,7 +17,7 @@ const ARM_S: float = 0.3
 const FREE_YAW: float = deg_to_rad(25.0)
 ## How far the head may be ahead of the feet before that is a lean, m.
 const FREE_LEAN_M: float = 0.1
-## How far the hips go back in a lean: the part of the way of the head that remains.
+## How far the hips go back in a lean: the part of the head's movement that remains.
 const LEAN_REACH: float = 0.65
 ## Part of the lean that a head which comes down makes at least.
 const CROUCH_LEAN: float = 0.42
@@ -107,7 +107,7 @@ static func yaw_of(p_head: Quaternion) -> float:
 	return atan2(level.x, level.z)
 
 
-## Heading, place and velocity of the wearer.
+## Heading, position and velocity of the wearer.
 func _follow(p_frame: XrFrame, p_head: Quaternion, p_step_s: float) -> void:
 	var pivot: Vector3 = mount.pivot_of(p_frame.head_turn(), p_frame.head.origin)
 	var looks: float = yaw_of(p_head)
@@ -139,7 +139,7 @@ func _turn(p_frame: XrFrame, p_looks: float, p_step_s: float) -> void:
 		if there.dot(way) > -0.03:
 			wanted = atan2(way.x + there.x, way.z + there.z)
 	var off: float = angle_difference(_yaw, wanted)
-	# Small turns of the head are the neck's; a walker faces where the way leads.
+	# Small turns of the head are the neck's; a walker faces where the path leads.
 	var free: float = FREE_YAW * clampf(1.0 - _velocity.length(), 0.0, 1.0)
 	off = signf(off) * maxf(absf(off) - free, 0.0) + off * 0.15
 	_yaw = wrapf(_yaw + off * _part(p_step_s, YAW_S), -PI, PI)

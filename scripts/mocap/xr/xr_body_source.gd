@@ -3,10 +3,10 @@ extends XrSource
 ## The motion of somebody who wears a headset and holds controllers (or whose hands are tracked),
 ## with or without trackers on the body, and without a suit.
 ##
-## The wearer's height is taken from the eyes' unless it is given: the highest place at which they
-## were for [constant TALL_S].
+## The wearer's height is taken from the eyes' unless it is given: the highest position at which
+## they were for [constant TALL_S].
 
-## For so long eyes have to be at a height, s.
+## Time for which the eyes must be at a height, s.
 const TALL_S: float = 0.4
 ## Heights that are believed, m.
 const MIN_HEIGHT: float = 1.2

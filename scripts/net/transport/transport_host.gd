@@ -79,7 +79,7 @@ func _on_connect(p_remote: ENetPacketPeer, p_data: int) -> void:
 	_events.append(joined)
 
 
-## Who it is that stands behind a loopback address for ENet; null if it has gone already.
+## The connection behind a loopback address of ENet; null if it has gone already.
 func _describe(p_id: int, p_remote: ENetPacketPeer) -> TransportEvent:
 	var joined: TransportEvent = TransportEvent.new(TransportEvent.Kind.JOINED, p_id)
 	if not _server:

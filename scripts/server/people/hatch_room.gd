@@ -10,17 +10,17 @@ extends RefCounted
 const CLEARANCE_M: float = 0.08
 ## Distance from the hatch's edge inwards, m: at the first one arms have room, at the second one
 ## none.
-const _FREE_M: float = 0.15
-const _FULL_M: float = 0.04
+const _FREE_MARGIN_M: float = 0.15
+const _BLOCKED_MARGIN_M: float = 0.04
 ## From the wrist to the finger tips, m.
 const _HAND_M: float = 0.18
 ## Half the depth of a trunk at the rim, and of shoulders below it, m.
 const _TRUNK_M: float = 0.18
 const _SHOULDERS_M: float = 0.29
 ## Greatest elevation of an arm, as a sine.
-const _STEEPEST: float = 0.95
+const _MAX_SINE: float = 0.95
 ## Elevation of lower arms that are folded, rad.
-const _FOLDED: float = 1.35
+const _FOLDED_ELEVATION: float = 1.35
 const _SIDES: Array[int] = [Limbs.LEFT_UPPER_ARM, Limbs.RIGHT_UPPER_ARM]
 ## Trunk and head.
 const _TRUNK: Array[int] = [Limbs.HIPS, Limbs.SPINE, Limbs.CHEST, Limbs.HEAD]
@@ -93,7 +93,9 @@ func _fold(p_sample: PoseSample, p_upper: int, p_share: float) -> void:
 	var facing: Quaternion = SeatedPose.facing_of(p_sample.orientation(Limbs.CHEST))
 	var down: Vector3 = Vector3(0.05 * along.x, -1.0, 0.0).normalized()
 	var hangs: Quaternion = facing * Quaternion(along, down)
-	var ahead: Vector3 = Vector3(-0.3 * along.x * cos(_FOLDED), sin(_FOLDED), cos(_FOLDED))
+	var ahead: Vector3 = Vector3(
+		-0.3 * along.x * cos(_FOLDED_ELEVATION), sin(_FOLDED_ELEVATION), cos(_FOLDED_ELEVATION)
+	)
 	var bent: Quaternion = facing * Quaternion(along, ahead.normalized())
 	p_sample.set_orientation(p_upper, p_sample.orientation(p_upper).slerp(hangs, p_share))
 	for limb: int in [p_upper + 1, p_upper + 2]:
@@ -127,7 +129,7 @@ func _lift(p_sample: PoseSample, p_upper: int, p_shoulder: Vector3, p_roof: Vect
 ## How far a point is over the roof, 0 to 1.
 static func _share(p_point: Vector3, p_roof: Vector3) -> float:
 	var across: float = Vector2(p_point.x, p_point.z).length()
-	return p_roof.z * smoothstep(p_roof.y - _FREE_M, p_roof.y - _FULL_M, across)
+	return p_roof.z * smoothstep(p_roof.y - _FREE_MARGIN_M, p_roof.y - _BLOCKED_MARGIN_M, across)
 
 
 ## The turn that raises the end of a limb to a height, by a share.
@@ -137,7 +139,7 @@ static func _raise(p_way: Vector3, p_end: Vector3, p_share: float, p_height: flo
 	if lift <= 0.0 or length < 0.01:
 		return Quaternion.IDENTITY
 	var from: Vector3 = p_way / length
-	var up: float = minf(from.y + lift / length, maxf(_STEEPEST, from.y))
+	var up: float = minf(from.y + lift / length, maxf(_MAX_SINE, from.y))
 	var across: Vector3 = Vector3(from.x, 0.0, from.z)
 	if across.length() < 0.01:
 		return Quaternion.IDENTITY

@@ -72,7 +72,7 @@ func take_list(p_session: int, p_cards: Array[PersonCard], p_name: String) -> in
 	return refused
 
 
-## Who is wanted under a number, or null.
+## The person who is wanted under a number, or null.
 func wanted(p_key: int) -> Wanted:
 	return _wanted.get(p_key)
 

@@ -17,25 +17,25 @@ enum Phase {
 }
 
 ## Longest time of a way in or out, s, and speed of the feet along it, m/s.
-const WAY_S: float = 2.0
-const WAY_SPEED: float = 2.5
+const MAX_CLIMB_S: float = 2.0
+const CLIMB_SPEED: float = 2.5
 ## Time after the end of the way after which a person who has not arrived is put there, s.
-const PATIENCE_S: float = 1.0
+const MAX_DELAY_S: float = 1.0
 ## Distance at which the hips count as arrived, m.
 const ARRIVED_M: float = 0.08
 ## Distance from the seat beyond which a person does not climb but is put there at once, m.
-const FURTHEST_M: float = 12.0
+const MAX_CLIMB_M: float = 12.0
 ## Greatest force on a climbing person, N: it stands for the person's own feet and hands, and the
 ## vehicle does not feel it.
-const FORCE: float = 6000.0
+const MAX_CLIMB_FORCE: float = 6000.0
 ## Factor on a seat's forces while the hips are outside of their room.
-const STRONG: float = 5.0
+const RETURN_FACTOR: float = 5.0
 ## Distance outside of their room that the hips may have until then, m.
 const SLACK_M: float = 0.03
 ## Time constant with which the hips follow the motion's, s.
 const SMOOTH_S: float = 0.03
 ## Turn of the seat in a step from which on it counts as teleported, rad.
-const _JUMP: float = 0.2
+const _TELEPORT_RAD: float = 0.2
 
 ## What the phase is.
 var phase: Phase = Phase.COMING
@@ -92,7 +92,7 @@ func _init(p_person: ServerPerson, p_seat: Seat, p_body: PhysicsBody3D, p_is_ins
 	_frame = _from
 	# The motion goes on in another frame: nothing of the one before may remain.
 	p_person.ragdoll.motor.clear_motion()
-	var is_far: bool = _target.distance_to(_seat_before.origin) > FURTHEST_M
+	var is_far: bool = _target.distance_to(_seat_before.origin) > MAX_CLIMB_M
 	var way: PackedVector3Array = p_seat.way_in(feet)
 	if is_far or way.is_empty():
 		_sit()
@@ -135,7 +135,7 @@ func advance(p_delta_s: float) -> Transform3D:
 		now = seat.frame_in_body()
 	var next: Transform3D = now * (_seat_before.affine_inverse() * now)
 	var turn: Basis = _seat_before.basis.inverse() * now.basis
-	if turn.get_rotation_quaternion().get_angle() > _JUMP:
+	if turn.get_rotation_quaternion().get_angle() > _TELEPORT_RAD:
 		next = now
 	_seat_before = now
 	_time_s += p_delta_s
@@ -161,7 +161,7 @@ func pull(p_delta_s: float) -> void:
 		_meet([] if _place.is_ducked else _limbs_that_meet())
 	var at: Vector3 = hips_in_seat()
 	# The origin of a chair is where the hips are, and so is that of the hips' room.
-	var more: float = STRONG if _place.nearest(at).distance_to(at) > SLACK_M else 1.0
+	var more: float = RETURN_FACTOR if _place.nearest(at).distance_to(at) > SLACK_M else 1.0
 	var up: float = hold.support_force * more
 	_joint.pull(from, _target, hold.side_force * more, up, hold.down_force * more, p_delta_s)
 
@@ -209,7 +209,7 @@ func _begin() -> void:
 	var motor: RagdollMotor = _person.ragdoll.motor
 	_before = {&"root_mode": float(motor.root_mode), &"root_force": motor.root_force}
 	motor.root_mode = RagdollMotor.ROOT_SOFT
-	motor.root_force = FORCE
+	motor.root_force = MAX_CLIMB_FORCE
 	_body.tree_exiting.connect(release)
 	_neighbours = seat.neighbours()
 
@@ -225,14 +225,14 @@ func _end_hold() -> void:
 		_joint.release()
 	_joint = null
 	if _person.ragdoll != null and _person.ragdoll.motor != null:
-		_person.ragdoll.motor.root_force = FORCE
+		_person.ragdoll.motor.root_force = MAX_CLIMB_FORCE
 
 
 ## The way is done: the hold begins where the hips are near enough.
 func _arrive() -> void:
 	if _hips_place().distance_to(_target) < ARRIVED_M:
 		_sit()
-	elif _time_s > _duration_s + PATIENCE_S:
+	elif _time_s > _duration_s + MAX_DELAY_S:
 		_sit()
 		# Something holds the body back: the next sample puts it there.
 		_person.ragdoll.motor.clear_motion()
@@ -325,7 +325,7 @@ func _meet(p_limbs: Array) -> void:
 				PhysicsServer3D.body_add_collision_exception(bodies[limb], other)
 
 
-## Who is inside meets nothing.
+## A person inside collides with nothing.
 func _enclose(p_is_inside: bool) -> void:
 	for body: RID in _person.ragdoll.get_bodies():
 		PhysicsServer3D.body_set_collision_layer(body, 0 if p_is_inside else PhysicsLayers.PEOPLE)
@@ -333,7 +333,7 @@ func _enclose(p_is_inside: bool) -> void:
 
 
 func _duration_of(p_path: PackedVector3Array) -> float:
-	return clampf(_length(p_path) / WAY_SPEED, 0.3, WAY_S)
+	return clampf(_length(p_path) / CLIMB_SPEED, 0.3, MAX_CLIMB_S)
 
 
 static func _length(p_path: PackedVector3Array) -> float:

@@ -6,19 +6,19 @@ extends RefCounted
 ## Positions are in the person's own frame, whose origin is below the middle of the seat, m.
 
 ## Time constant with which an occupant who has moved returns to the middle, s.
-const CENTRE_S: float = 2.0
+const RECENTRE_S: float = 2.0
 ## Greatest step of the hips up or down from one sample to the next, and into the hatch, m.
-const FASTEST_M: float = 0.1
-const SINKS_M: float = 0.025
+const MAX_RISE_M: float = 0.1
+const MAX_SINK_M: float = 0.025
 ## Depth of the wanted hips below the rim from which on the wearer ducks, and below which the wearer
 ## has come up again, m.
-const DOWN_M: float = 0.25
-const UP_M: float = 0.15
+const DUCK_DEPTH_M: float = 0.25
+const RISE_DEPTH_M: float = 0.15
 ## Time to fold the arms, s, and the factor on it until the arms have followed.
 const FOLD_S: float = 0.4
-const FOLDED: float = 1.7
+const FOLD_WAIT_FACTOR: float = 1.7
 ## Greatest distance of the hips from the middle of the hatch, m: shoulders fill it.
-const WELL_M: float = 0.02
+const MAX_HATCH_OFFSET_M: float = 0.02
 
 ## Target position of the hips.
 var place: Vector3 = Vector3.ZERO
@@ -79,8 +79,8 @@ func put(p_root: Vector3) -> Vector3:
 		_middle.y += off.y - rise
 		height = _chair + rise
 	# A wearer whose tracking jumps has not moved; nobody falls into the hatch.
-	var sinks: float = SINKS_M if _has_well() and place.y < _hold.rim else FASTEST_M
-	place = Vector3(kept.x, clampf(height, place.y - sinks, place.y + FASTEST_M), kept.y)
+	var sinks: float = MAX_SINK_M if _has_well() and place.y < _hold.rim else MAX_RISE_M
+	place = Vector3(kept.x, clampf(height, place.y - sinks, place.y + MAX_RISE_M), kept.y)
 	return place
 
 
@@ -89,14 +89,14 @@ func put(p_root: Vector3) -> Vector3:
 func advance(p_root: Vector3, p_delta_s: float) -> bool:
 	var to: Vector3 = p_root - _middle
 	to.y = 0.0 if stands() else to.y
-	_middle += to.limit_length(1.0) * (1.0 - exp(-p_delta_s / CENTRE_S))
+	_middle += to.limit_length(1.0) * (1.0 - exp(-p_delta_s / RECENTRE_S))
 	if not _has_well():
 		return false
-	var below: float = _hold.rim - minf(p_root.y, place.y + UP_M)
-	var ducks: bool = below > (UP_M if _folded > 0.0 else DOWN_M)
-	_folded = move_toward(_folded, FOLDED if ducks else 0.0, p_delta_s / FOLD_S)
+	var below: float = _hold.rim - minf(p_root.y, place.y + RISE_DEPTH_M)
+	var ducks: bool = below > (RISE_DEPTH_M if _folded > 0.0 else DUCK_DEPTH_M)
+	_folded = move_toward(_folded, FOLD_WAIT_FACTOR if ducks else 0.0, p_delta_s / FOLD_S)
 	var was_ducked: bool = is_ducked
-	is_ducked = _folded >= FOLDED
+	is_ducked = _folded >= FOLD_WAIT_FACTOR
 	return is_ducked != was_ducked
 
 
@@ -112,7 +112,7 @@ func _has_well() -> bool:
 
 func _lowest() -> float:
 	if _has_well() and not is_ducked:
-		return maxf(_hold.lowest, minf(_hold.rim - UP_M, place.y))
+		return maxf(_hold.lowest, minf(_hold.rim - RISE_DEPTH_M, place.y))
 	return _hold.lowest
 
 
@@ -120,5 +120,5 @@ func _lowest() -> float:
 func _room() -> float:
 	if not _has_well():
 		return _hold.room
-	var below: float = smoothstep(0.0, DOWN_M, _hold.rim - place.y)
-	return lerpf(_hold.room, minf(_hold.room, WELL_M), maxf(below, folded()))
+	var below: float = smoothstep(0.0, DUCK_DEPTH_M, _hold.rim - place.y)
+	return lerpf(_hold.room, minf(_hold.room, MAX_HATCH_OFFSET_M), maxf(below, folded()))

@@ -10,7 +10,7 @@ const _SHIN: float = 0.05
 const _ARM_DOWN: float = 1.25
 const _ELBOW: float = 1.1
 ## Least bend of a leg: legs are never quite straight.
-const _STRAIGHT: float = 0.995
+const _MIN_BEND: float = 0.995
 
 
 ## A copy of a sample with the limbs that a hold names. [param p_height] is the height of the hips
@@ -64,7 +64,7 @@ static func _bent(p_height: float, p_lengths: Vector3) -> Vector2:
 	var thigh: float = p_lengths.x
 	var shin: float = p_lengths.y
 	var reach: float = clampf(
-		p_height - p_lengths.z, 0.35 * (thigh + shin), _STRAIGHT * (thigh + shin)
+		p_height - p_lengths.z, 0.35 * (thigh + shin), _MIN_BEND * (thigh + shin)
 	)
 	var up: float = (thigh * thigh + reach * reach - shin * shin) / (2.0 * thigh * reach)
 	var down: float = (shin * shin + reach * reach - thigh * thigh) / (2.0 * shin * reach)

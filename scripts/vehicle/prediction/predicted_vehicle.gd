@@ -184,7 +184,7 @@ func _keep_shown(p_shown: Transform3D, p_place: Transform3D) -> void:
 	_turn = (Quaternion(p_shown.basis) * Quaternion(p_place.basis).inverse()).normalized()
 
 
-## Where the body is after the last step: its node is told a frame later.
+## Transform of the body after the last step: its node has it only a frame later.
 func _place() -> Transform3D:
 	if not ghost.is_inside_tree():
 		return ghost.transform

@@ -4,7 +4,7 @@ extends RefCounted
 ## Finds the highest surface at points around the eye, by a few rays a tick: rain does not fall
 ## through roofs, and dust does not swirl in rooms.
 ##
-## The places are a square grid of the whole world that repeats after [constant EDGE_M]: who walks
+## The points are a square grid of the whole world that repeats after [constant EDGE_M]: who walks
 ## on keeps what he has seen.
 
 ## Edge of the square around the eye, m.
@@ -18,7 +18,7 @@ const ABOVE_M: float = 25.0
 ## Height where nothing is found, m.
 const NOTHING_M: float = -1000.0
 
-## The heights, one float a place: repeats over the world.
+## The heights, one float a point: repeats over the world.
 var texture: ImageTexture = null
 
 var _heights: Image = Image.create_empty(SIDE, SIDE, false, Image.FORMAT_RF)
@@ -36,7 +36,7 @@ func advance(p_space: PhysicsDirectSpaceState3D, p_eye: Vector3) -> void:
 	var query: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.new()
 	query.collision_mask = PhysicsLayers.STATIC
 	for _ray: int in RAYS:
-		# A large step that visits every place once.
+		# A large step that visits every point once.
 		_next = (_next + 233) % (SIDE * SIDE)
 		var column: int = _next % SIDE
 		var row: int = _next / SIDE
@@ -53,7 +53,7 @@ func advance(p_space: PhysicsDirectSpaceState3D, p_eye: Vector3) -> void:
 	texture.update(_heights)
 
 
-## The height that was found at a place, m.
+## The height that was found at a position, m.
 func height_at(p_place: Vector3) -> float:
 	var cell: float = EDGE_M / SIDE
 	var column: int = posmod(floori(p_place.x / cell), SIDE)
