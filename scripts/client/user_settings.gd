@@ -1,6 +1,6 @@
 class_name UserSettings
 extends RefCounted
-## What somebody has chosen on this machine, kept between starts in a file.
+## The user's choices on this machine, kept between starts in a file.
 
 ## The file.
 const PATH: String = "user://settings.cfg"

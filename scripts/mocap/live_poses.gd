@@ -9,7 +9,7 @@ extends RefCounted
 
 ## How much further back than one period, s: the usual jitter of the path from the source.
 const MARGIN_S: float = 0.002
-## A source that is late is extrapolated for so long, s; then there is no pose until it comes again.
+## Time for which a late source is extrapolated, s; then there is no pose until it comes again.
 const MAX_AHEAD_S: float = 0.05
 ## It is extrapolated by two poses that are so far apart at least, s, and half a period: two that
 ## came at once after a hold-up, their times close together, would make any motion a hundred times
