@@ -22,8 +22,8 @@ var _max_bytes: int = 0
 
 ## Relays messages of a kind whose senders have a capability (of [enum Roles.Capability]; 0: all),
 ## of each client so many a second, of so many bytes at most. [code]func(session: int) ->
-## PackedInt32Array[/code] returns the sessions that get them, such as [method
-## ServerPeople.sessions_near].
+## PackedInt32Array[/code] returns the sessions that get them, such as
+## [code]NearbySessions.find[/code].
 func _init(
 	p_link: ServerLink,
 	p_kind: int,

@@ -73,11 +73,6 @@ void ErrorFilter::leave_out(const String &p_pattern) {
 	open_filter();
 }
 
-void ErrorFilter::let_through(const String &p_pattern) {
-	const std::lock_guard<std::mutex> lock(filter_mutex);
-	filter.remove(p_pattern.utf8().get_data());
-}
-
 void ErrorFilter::close() {
 	if (unfiltered == nullptr) {
 		return;
@@ -90,7 +85,6 @@ void ErrorFilter::close() {
 
 void ErrorFilter::_bind_methods() {
 	ClassDB::bind_static_method(get_class_static(), D_METHOD("leave_out", "pattern"), &ErrorFilter::leave_out);
-	ClassDB::bind_static_method(get_class_static(), D_METHOD("let_through", "pattern"), &ErrorFilter::let_through);
 }
 
 } // namespace godot

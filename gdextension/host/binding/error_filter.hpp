@@ -14,7 +14,6 @@ class ErrorFilter : public RefCounted {
 
 public:
 	static void leave_out(const String &p_pattern);
-	static void let_through(const String &p_pattern);
 	/// Gives standard error back as it was: the library is about to be unloaded.
 	static void close();
 

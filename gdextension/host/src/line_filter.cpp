@@ -55,13 +55,6 @@ void LineFilter::add(const std::string &p_pattern) {
 	_patterns.push_back(p_pattern);
 }
 
-void LineFilter::remove(const std::string &p_pattern) {
-	const auto found = std::find(_patterns.begin(), _patterns.end(), p_pattern);
-	if (found != _patterns.end()) {
-		_patterns.erase(found);
-	}
-}
-
 std::string LineFilter::take(std::string_view p_text) {
 	std::string out;
 	_rest += p_text;

@@ -14,8 +14,6 @@ public:
 	/// Leaves out lines that a pattern fits from now on: `*` stands for any characters. Colours of a
 	/// terminal do not count.
 	void add(const std::string &p_pattern);
-	/// Lets lines of a pattern through again. Of one that was added twice, one is taken away.
-	void remove(const std::string &p_pattern);
 	/// What is to be written after some text has come. The rest of a line comes with its end.
 	std::string take(std::string_view p_text);
 	/// What has come of a line that has not ended.

@@ -55,15 +55,4 @@ TEST(colours_of_a_terminal_do_not_count) {
 	CHECK(filter.take("\x1b[0;91mERROR: x\x1b[0m\n") == "\x1b[0;91mERROR: x\x1b[0m\n");
 }
 
-TEST(what_is_removed_passes_again) {
-	LineFilter filter;
-	filter.add("a");
-	filter.add("a");
-	filter.remove("a");
-	CHECK(filter.take("a\n").empty());
-	filter.remove("a");
-	filter.remove("a");
-	CHECK(filter.take("a\n") == "a\n");
-}
-
 } // namespace test_line_filter
