@@ -17,7 +17,7 @@ const MIN_DISTANCE_M: float = 0.05
 const MAX_SCREENS: int = 16
 ## Most bytes of a layout file.
 const MAX_BYTES: int = 1 << 20
-## Corners may be off a rectangle by so much of its size.
+## Tolerance of a rectangle's corners, as a share of its size.
 const _OFF: float = 1e-3
 const _OFF_M: float = 0.005
 const _SMALL_M: float = 0.01
@@ -26,7 +26,7 @@ const _SMALL_M: float = 0.01
 var faults: PackedStringArray = []
 ## In the order of the file, or those of this client in the order in which they were asked for.
 var screens: Array[WallScreen] = []
-## Where the eyes are, or are until they are tracked, m.
+## Position between the eyes, or until they are tracked, m.
 var eye: Vector3 = Vector3(0.0, 1.7, 0.0)
 ## [constant FIXED], [constant HEAD] (of the own person), or the name of a tracker of XRServer.
 var track: String = FIXED

@@ -11,7 +11,7 @@ extends RefCounted
 
 ## Longest time that is looked at, s.
 const MAX_S: float = 10.0
-## What is left of a clip at least, s.
+## Least length that is left of a clip, s.
 const MIN_REST_S: float = 0.5
 ## How far the hips of somebody still may be from where they were, m, and a limb's turn, rad.
 const _STILL_M: float = 0.02
@@ -23,7 +23,7 @@ const _JUMP_M: float = 0.08
 ## after.
 const _JUMP_RAD: float = 0.436
 const _JUMP_BY_NEXT: float = 3.0
-## A transition of several frames lasts while a step is this part of its first, at most this long,
+## Greatest share of its first step that a step of a transition has to keep, and longest transition,
 ## s.
 const _TRANSITION: float = 0.5
 const _MAX_TRANSITION_S: float = 0.5
@@ -54,7 +54,7 @@ static func _count(p_rig: BvhRig, p_backwards: bool) -> int:
 	for frame: int in range(1, maxi(last, 1) + 1):
 		var step: float = trim._way(frame - 1, frame)
 		var is_jump: bool = step > _JUMP_M and step > _JUMP_M_S * frame_time
-		# Of a single frame nobody knows whether it is still: somebody may be running already.
+		# A single frame may be still or not: the person may be running already.
 		if is_jump and (frame > 1 or step > _JUMP_BY_NEXT * trim._way(1, 2)):
 			return trim._after_transition(frame, step)
 		if trim._turns_at_once(frame):
