@@ -26,7 +26,7 @@ const _SMALL_M: float = 0.01
 var faults: PackedStringArray = []
 ## In the order of the file, or those of this client in the order in which they were asked for.
 var screens: Array[WallScreen] = []
-## Position between the eyes, or until they are tracked, m.
+## Position of the eyes, m; where they are tracked, only until then.
 var eye: Vector3 = Vector3(0.0, 1.7, 0.0)
 ## [constant FIXED], [constant HEAD] (of the own person), or the name of a tracker of XRServer.
 var track: String = FIXED

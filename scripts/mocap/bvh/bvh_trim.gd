@@ -23,8 +23,7 @@ const _JUMP_M: float = 0.08
 ## after.
 const _JUMP_RAD: float = 0.436
 const _JUMP_BY_NEXT: float = 3.0
-## Greatest share of its first step that a step of a transition has to keep, and longest transition,
-## s.
+## Least step of a transition of several frames, as a share of its first, and longest transition, s.
 const _TRANSITION: float = 0.5
 const _MAX_TRANSITION_S: float = 0.5
 
